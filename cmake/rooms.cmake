@@ -1,0 +1,17 @@
+# incognita_room(NAME SOURCES... USES...): one library target per room of the house. What a room USES are the rooms
+# above it and the outside libraries it needs; tools/check-includes holds the sources to the same order.
+function(incognita_room name)
+  cmake_parse_arguments(ROOM "" "" "SOURCES;USES;PRIVATE_USES" ${ARGN})
+  if(ROOM_SOURCES)
+    add_library(incognita_${name} STATIC ${ROOM_SOURCES})
+    target_include_directories(incognita_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
+                                                        $<INSTALL_INTERFACE:include>)
+    target_link_libraries(incognita_${name} PUBLIC ${ROOM_USES} PRIVATE ${ROOM_PRIVATE_USES})
+  else()
+    add_library(incognita_${name} INTERFACE)
+    target_include_directories(incognita_${name} INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
+                                                           $<INSTALL_INTERFACE:include>)
+    target_link_libraries(incognita_${name} INTERFACE ${ROOM_USES})
+  endif()
+  add_library(incognita::${name} ALIAS incognita_${name})
+endfunction()

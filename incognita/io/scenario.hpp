@@ -1,0 +1,49 @@
+// A scenario: everything that is set before a run, as plain structs.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "incognita/control/settings.hpp"
+#include "incognita/decision/settings.hpp"
+#include "incognita/slam/settings.hpp"
+#include "incognita/world/settings.hpp"
+
+namespace incognita {
+
+struct RunSettings {
+  std::string world = "room";  ///< `room` (rendered, closed loop) or `recording`
+  std::int64_t seed = 1;
+  double duration_s = 60;      ///< at most; a recording may end before
+  double rate_hz = 30;         ///< frames per second of the rendered room, and of recordings without time stamps
+};
+
+struct CameraSettings {
+  std::string model = "wide-angle";  ///< `wide-angle` (5.26) or `pinhole` (OpenCV's k1 k2 p1 p2 k3)
+  int width_px = 320;
+  int height_px = 240;
+  double fu_px = 195;
+  double fv_px = 195;
+  double u0_px = 159.5;
+  double v0_px = 119.5;
+  double kd1_per_px2 = 0;                        ///< `wide-angle`
+  double k1 = 0, k2 = 0, p1 = 0, p2 = 0, k3 = 0; ///< `pinhole`
+};
+
+struct RecordingSettings {
+  std::string folder;          ///< images in name order, or a TUM RGB-D or EuRoC folder; relative to the data folder
+  std::string format = "auto"; ///< `auto`, `images`, `tum`, `euroc`
+};
+
+struct Scenario {
+  RunSettings run;
+  CameraSettings camera;
+  RecordingSettings recording;
+  StartSettings start;
+  CameraSlamSettings slam;
+  DecisionSettings decision;
+  ControlSettings control;
+  RoomSettings room;
+};
+
+}  // namespace incognita

@@ -1,0 +1,34 @@
+// Seeded random streams with names.
+//
+// Randomness is data: every consumer owns a stream named after what it draws, all streams follow from one seed, and
+// drawing more from one never changes another. Normals are made here, because std::normal_distribution may differ
+// from one standard library to the next.
+#pragma once
+
+#include <cstdint>
+#include <random>
+#include <string_view>
+
+namespace incognita {
+
+class RandomStream {
+ public:
+  RandomStream(std::uint64_t seed, std::string_view name);
+
+  std::uint64_t bits() { return engine_(); }
+  /// Uniform in [0, 1).
+  double uniform();
+  /// Uniform in [low, high).
+  double uniform(double low, double high) { return low + (high - low) * uniform(); }
+  /// Standard normal.
+  double normal();
+  /// Uniform integer in [0, count). Throws std::invalid_argument when count < 1.
+  int below(int count);
+
+ private:
+  std::mt19937_64 engine_;
+  double spare_ = 0;
+  bool has_spare_ = false;
+};
+
+}  // namespace incognita

@@ -1,0 +1,19 @@
+// What the controller asks of the camera or robot: the input of thesis (5.24).
+#pragma once
+
+#include <Eigen/Core>
+
+namespace incognita {
+
+struct Command {
+  Eigen::Vector3d linear_acceleration = Eigen::Vector3d::Zero();   ///< m/s^2, world axes
+  Eigen::Vector3d angular_acceleration = Eigen::Vector3d::Zero();  ///< rad/s^2, camera axes
+
+  Eigen::Matrix<double, 6, 1> as_input() const {
+    Eigen::Matrix<double, 6, 1> u;
+    u << linear_acceleration, angular_acceleration;
+    return u;
+  }
+};
+
+}  // namespace incognita

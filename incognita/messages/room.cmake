@@ -1,0 +1,1 @@
+incognita_room(messages USES incognita::vision)

@@ -1,0 +1,92 @@
+// A body that moves freely in space with nearly constant velocity: thesis (5.24).
+//
+// State (13): position p and velocity v in the world (m, m/s), orientation q = world_from_camera (w,x,y,z), angular
+// rate w in the camera's own axes (rad/s). Error (12): position, right rotation error, velocity, angular rate.
+// Input (6): linear acceleration f in the world (m/s^2) and angular acceleration a in camera axes (rad/s^2).
+// Where (5.24) turns the orientation with the old rate, the new one is used here, as for the position.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "incognita/math/chart.hpp"
+#include "incognita/math/quaternion.hpp"
+
+namespace incognita {
+
+struct FreeCameraMotion {
+  static constexpr int state_size = 13;
+  static constexpr int error_size = 12;
+  static constexpr int input_size = 6;
+  template <class S>
+  using State = Eigen::Matrix<S, state_size, 1>;
+  template <class S>
+  using Input = Eigen::Matrix<S, input_size, 1>;
+  using Jacobian = Eigen::Matrix<double, error_size, error_size>;
+  using InputJacobian = Eigen::Matrix<double, error_size, input_size>;
+
+  static constexpr Chart chart{{Chart::Kind::line, 3}, {Chart::Kind::quaternion, 4}, {Chart::Kind::line, 6}};
+
+  struct Step {
+    State<double> x;  ///< the state after dt
+    Jacobian F;       ///< d(error after) / d(error before)
+    InputJacobian G;  ///< d(error after) / d(input), also of noise that enters as an acceleration
+  };
+
+  /// One step of dt seconds with the input held. Linear and angular parts do not mix.
+  template <class S>
+  State<S> f(const State<S>& x, const Input<S>& u, double dt) const;
+
+  Step step(const State<double>& x, const Input<double>& u, double dt) const;
+};
+
+/// Names for the parts of a free camera's state.
+namespace free_camera {
+template <class V>
+auto position(V&& x) {
+  return x.template segment<3>(0);
+}
+template <class V>
+auto orientation(V&& x) {
+  return x.template segment<4>(3);
+}
+template <class V>
+auto velocity(V&& x) {
+  return x.template segment<3>(7);
+}
+template <class V>
+auto angular_rate(V&& x) {
+  return x.template segment<3>(10);
+}
+}  // namespace free_camera
+
+template <class S>
+FreeCameraMotion::State<S> FreeCameraMotion::f(const State<S>& x, const Input<S>& u, double dt) const {
+  State<S> y;
+  const Vector3<S> v = x.template segment<3>(7) + u.template head<3>() * S(dt);
+  const Vector3<S> w = x.template segment<3>(10) + u.template tail<3>() * S(dt);
+  y.template segment<3>(0) = x.template segment<3>(0) + v * S(dt);
+  const Vector4<S> turned =
+      quaternion_product<S>(x.template segment<4>(3), quaternion_exp<S>(Vector3<S>(w * S(dt))));
+  y.template segment<4>(3) = turned / turned.norm();
+  y.template segment<3>(7) = v;
+  y.template segment<3>(10) = w;
+  return y;
+}
+
+inline FreeCameraMotion::Step FreeCameraMotion::step(const State<double>& x, const Input<double>& u,
+                                                     double dt) const {
+  Step s{f<double>(x, u, dt), Jacobian::Identity(), InputJacobian::Zero()};
+  const Eigen::Matrix3d I = Eigen::Matrix3d::Identity();
+  const Eigen::Vector3d turn = (x.segment<3>(10) + u.tail<3>() * dt) * dt;
+  const Eigen::Matrix3d J = right_jacobian(turn);
+  s.F.block<3, 3>(0, 6) = dt * I;
+  s.F.block<3, 3>(3, 3) = rotation_exp<double>(-turn);
+  s.F.block<3, 3>(3, 9) = dt * J;
+  s.G.block<3, 3>(0, 0) = dt * dt * I;
+  s.G.block<3, 3>(3, 3) = dt * dt * J;
+  s.G.block<3, 3>(6, 0) = dt * I;
+  s.G.block<3, 3>(9, 3) = dt * I;
+  return s;
+}
+
+}  // namespace incognita

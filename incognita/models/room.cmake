@@ -1,0 +1,1 @@
+incognita_room(models USES incognita::math)

@@ -1,0 +1,27 @@
+// Whether the estimator knows where it is, and if not, why not.
+#pragma once
+
+#include <string>
+
+namespace incognita {
+
+enum class TrackingState { starting, tracking, degraded, lost, relocated };
+
+inline const char* name(TrackingState state) {
+  switch (state) {
+    case TrackingState::starting: return "starting";
+    case TrackingState::tracking: return "tracking";
+    case TrackingState::degraded: return "degraded";
+    case TrackingState::lost: return "lost";
+    case TrackingState::relocated: return "relocated";
+  }
+  return "unknown";
+}
+
+struct TrackingStatus {
+  TrackingState state = TrackingState::starting;
+  std::string reason;         ///< machine-readable enough to act on, e.g. "2 of 12 features matched, gate 3 sigma"
+  int frames_with_few = 0;    ///< consecutive frames with fewer matches than needed
+};
+
+}  // namespace incognita

@@ -1,0 +1,51 @@
+// The narrow waist: what a motion or a look is to the filter, whichever model and lineariser made it.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+
+namespace incognita {
+
+/// Names a block of the state for as long as the block lives; never used again.
+using BlockId = std::uint32_t;
+
+inline constexpr int max_block_size = 16;  ///< errors of one block
+inline constexpr int max_look_rows = 6;    ///< numbers of one measurement
+inline constexpr int max_look_blocks = 3;  ///< blocks one measurement depends on
+
+/// Small matrices that live on the stack: no allocation in the loop.
+using BlockVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_block_size, 1>;
+using BlockMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_block_size, max_block_size>;
+using LookVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_look_rows, 1>;
+using LookMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_look_rows, max_look_rows>;
+using LookJacobian = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_look_rows, max_block_size>;
+
+/// One block moves: error after = A * error before + noise of covariance N (A.2.4).
+struct AffineMotion {
+  BlockId block = 0;
+  BlockVector x_next;  ///< mean after, as stored (chart.ambient() numbers)
+  BlockMatrix A;       ///< errors x errors
+  BlockMatrix N;       ///< errors x errors, positive semi-definite
+};
+
+/// One measurement: residual = sum of H_i * error of block i + noise of covariance R (A.2.6).
+struct AffineLook {
+  struct Part {
+    BlockId block = 0;
+    LookJacobian H;  ///< rows x errors of the block
+  };
+  std::array<Part, max_look_blocks> parts;
+  int part_count = 0;
+  LookVector residual;  ///< measured (-) predicted, in the chart of the measurement
+  LookMatrix R;         ///< rows x rows, positive definite
+
+  int rows() const { return static_cast<int>(residual.size()); }
+  template <class Derived>
+  void add(BlockId block, const Eigen::MatrixBase<Derived>& H) {
+    parts[part_count].block = block;
+    parts[part_count++].H = H;
+  }
+};
+
+}  // namespace incognita

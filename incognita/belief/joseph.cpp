@@ -1,0 +1,39 @@
+// The Joseph form of the update, on dense matrices: the reference the fast update is held to.
+#include <Eigen/Cholesky>
+
+#include "incognita/belief/belief.hpp"
+
+namespace incognita {
+
+UpdateReport Belief::update_joseph(std::span<const AffineLook> looks) {
+  UpdateReport report;
+  if (looks.empty()) return report;
+  if (!factorise_innovation(looks, report)) {
+    report.outcome = UpdateReport::Outcome::singular;
+    return report;
+  }
+  Eigen::MatrixXd H = Eigen::MatrixXd::Zero(report.rows, errors_);
+  Eigen::MatrixXd R = Eigen::MatrixXd::Zero(report.rows, report.rows);
+  Eigen::VectorXd residual(report.rows);
+  int row = 0;
+  for (const AffineLook& look : looks) {
+    for (int i = 0; i < look.part_count; ++i) {
+      const Block& b = block(look.parts[i].block);
+      H.block(row, b.error, look.rows(), b.chart.tangent()) += look.parts[i].H;
+    }
+    R.block(row, row, look.rows(), look.rows()) = look.R;
+    residual.segment(row, look.rows()) = look.residual;
+    row += look.rows();
+  }
+  const Eigen::MatrixXd full = dense_covariance();
+  const Eigen::MatrixXd S = H * full * H.transpose() + R;
+  const Eigen::MatrixXd K = S.llt().solve(H * full).transpose();  // (A.1.9)
+  const Eigen::MatrixXd I_KH = Eigen::MatrixXd::Identity(errors_, errors_) - K * H;
+  P() = I_KH * full * I_KH.transpose() + K * R * K.transpose();  // (A.2.7)
+  const Eigen::VectorXd delta = K * residual;
+  shift_mean({delta.data(), static_cast<std::size_t>(errors_)});
+  report.outcome = UpdateReport::Outcome::updated;
+  return report;
+}
+
+}  // namespace incognita

@@ -1,0 +1,25 @@
+// The filter's heaviest loop: P <- P - W W' on one triangle.
+#pragma once
+
+namespace incognita {
+
+/// Rows of a packed panel; storage passed to rank_update must be padded to a multiple of it.
+inline constexpr int rank_update_panel = 8;
+
+constexpr int round_up_to_panel(int n) {
+  return (n + rank_update_panel - 1) / rank_update_panel * rank_update_panel;
+}
+
+/// Lower triangle of P <- P - W W'.
+///
+/// P: column-major, leading dimension `stride` (a multiple of 8, >= round_up_to_panel(n)), 64-byte aligned.
+/// W: n x rank in panels: element (i, k) at W[(i / 8) * 8 * rank + k * 8 + i % 8], 64-byte aligned, and rows from n up
+/// to the next multiple of 8 zero. Above the diagonal, P is scratch within 8 x 8 tiles.
+/// The widest vector unit of the processor is chosen at run time; each gives the same result up to rounding, and the
+/// same processor always the same bytes.
+void rank_update(double* P, int stride, int n, const double* W, int rank);
+
+/// Name of the path in use: "avx512", "avx2" or "baseline".
+const char* rank_update_path();
+
+}  // namespace incognita

@@ -1,0 +1,2 @@
+#define INCOGNITA_RANK_UPDATE_PATH avx2
+#include "incognita/belief/rank_update_kernel.inl"

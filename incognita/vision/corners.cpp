@@ -1,0 +1,1 @@
+#include "incognita/vision/image.hpp"

@@ -1,1 +1,132 @@
-#include "incognita/vision/image.hpp"
+#include "incognita/vision/search.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+namespace incognita {
+
+void SummedImage::assign(const Image& image) {
+  image_ = &image;
+  stride_ = image.width() + 1;
+  const std::size_t size = static_cast<std::size_t>(stride_) * (image.height() + 1);
+  sum_.resize(size);
+  squares_.resize(size);
+  std::fill_n(sum_.begin(), stride_, 0u);
+  std::fill_n(squares_.begin(), stride_, 0u);
+  for (int v = 0; v < image.height(); ++v) {
+    const std::uint8_t* row = image.row(v);
+    const std::size_t above = static_cast<std::size_t>(v) * stride_, here = above + stride_;
+    std::uint32_t sum = 0, squares = 0;
+    sum_[here] = squares_[here] = 0;
+    for (int u = 0; u < image.width(); ++u) {
+      sum += row[u];
+      squares += static_cast<std::uint32_t>(row[u]) * row[u];
+      sum_[here + u + 1] = sum_[above + u + 1] + sum;
+      squares_[here + u + 1] = squares_[above + u + 1] + squares;
+    }
+  }
+}
+
+SummedImage::Sums SummedImage::over(int u, int v, int size) const {
+  const std::size_t a = static_cast<std::size_t>(v) * stride_ + u, b = a + size;
+  const std::size_t c = a + static_cast<std::size_t>(size) * stride_, d = c + size;
+  return {static_cast<double>(sum_[d] - sum_[c] - sum_[b] + sum_[a]),
+          static_cast<double>(squares_[d] - squares_[c] - squares_[b] + squares_[a])};
+}
+
+void CorrelationSheet::start(const SummedImage& image, const PatchTemplate& patch, int u_min, int u_max, int v_min,
+                             int v_max) {
+  image_ = &image;
+  patch_ = &patch;
+  computed_ = 0;
+  const int half = patch.size / 2;
+  u_min_ = std::max(u_min, half);
+  v_min_ = std::max(v_min, half);
+  u_max_ = std::min(u_max, image.image().width() - 1 - half);
+  v_max_ = std::min(v_max, image.image().height() - 1 - half);
+  const int width = std::max(0, u_max_ - u_min_ + 1), height = std::max(0, v_max_ - v_min_ + 1);
+  values_.assign(static_cast<std::size_t>(width) * height, -3.0f);
+}
+
+double CorrelationSheet::at(int u, int v) {
+  if (!contains(u, v)) return -2;
+  float& value = values_[static_cast<std::size_t>(v - v_min_) * (u_max_ - u_min_ + 1) + (u - u_min_)];
+  if (value < -2) {
+    value = static_cast<float>(correlate(u, v));
+    ++computed_;
+  }
+  return value;
+}
+
+double CorrelationSheet::correlate(int u, int v) const {
+  const int size = patch_->size, half = size / 2;
+  const Image& image = image_->image();
+  std::int32_t product = 0;
+  for (int r = 0; r < size; ++r) {
+    const std::uint8_t* pixels = image.row(v - half + r) + (u - half);
+    const std::int16_t* values = patch_->values.data() + r * PatchTemplate::row_stride;
+    for (int c = 0; c < PatchTemplate::row_stride; ++c) product += static_cast<std::int16_t>(pixels[c]) * values[c];
+  }
+  const auto [sum, squares] = image_->over(u - half, v - half, size);
+  const double variance = squares - sum * sum / (size * size);  // times the number of pixels
+  if (variance < 1.0 * size * size) return 0;  // under one grey level of contrast anything would correlate
+  return product / (patch_->norm * std::sqrt(variance));
+}
+
+Eigen::Vector2d CorrelationSheet::refine(int u, int v) {
+  const auto offset = [&](double before, double here, double after) {
+    const double curvature = before - 2 * here + after;
+    if (before < -1.5 || after < -1.5 || curvature > -1e-9) return 0.0;
+    return std::clamp(0.5 * (before - after) / curvature, -0.5, 0.5);
+  };
+  const double here = at(u, v);
+  return {u + offset(at(u - 1, v), here, at(u + 1, v)), v + offset(at(u, v - 1), here, at(u, v + 1))};
+}
+
+namespace {
+
+struct Extent {
+  int u_min, u_max, v_min, v_max;
+};
+
+Extent extent(const Ellipse& ellipse, double max_half_axis_px) {
+  const double du = std::min(max_half_axis_px, ellipse.gate_sigmas * std::sqrt(ellipse.covariance(0, 0)));
+  const double dv = std::min(max_half_axis_px, ellipse.gate_sigmas * std::sqrt(ellipse.covariance(1, 1)));
+  return {static_cast<int>(std::ceil(ellipse.centre.x() - du)), static_cast<int>(std::floor(ellipse.centre.x() + du)),
+          static_cast<int>(std::ceil(ellipse.centre.y() - dv)),
+          static_cast<int>(std::floor(ellipse.centre.y() + dv))};
+}
+
+}  // namespace
+
+std::optional<Found> search(CorrelationSheet& sheet, const Ellipse& ellipse, double max_half_axis_px) {
+  const Extent box = extent(ellipse, max_half_axis_px);
+  const Eigen::Matrix2d inverse = ellipse.covariance.inverse();
+  const double gate = ellipse.gate_sigmas * ellipse.gate_sigmas;
+  int best_u = 0, best_v = 0;
+  double best = -2;
+  for (int v = box.v_min; v <= box.v_max; ++v)
+    for (int u = box.u_min; u <= box.u_max; ++u) {
+      const Eigen::Vector2d d(u - ellipse.centre.x(), v - ellipse.centre.y());
+      if (d.dot(inverse * d) > gate) continue;
+      const double here = sheet.at(u, v);
+      if (here > best) {
+        best = here;
+        best_u = u;
+        best_v = v;
+      }
+    }
+  if (best < -1.5) return std::nullopt;
+  return Found{sheet.refine(best_u, best_v), best};
+}
+
+std::optional<Found> search(CorrelationSheet& sheet, const SummedImage& image, const PatchTemplate& patch,
+                            const Ellipse& ellipse, double max_half_axis_px) {
+  const Extent box = extent(ellipse, max_half_axis_px);
+  // One pixel around, so that a peak on the rim can be refined
+  sheet.start(image, patch, box.u_min - 1, box.u_max + 1, box.v_min - 1, box.v_max + 1);
+  return search(sheet, ellipse, max_half_axis_px);
+}
+
+}  // namespace incognita

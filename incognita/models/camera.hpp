@@ -72,7 +72,7 @@ class Camera {
   };
   template <CameraModel C>
   struct Holder final : Model {
-    explicit Holder(C model) : model(std::move(model)) {}
+    explicit Holder(C held) : model(std::move(held)) {}
     int width() const override { return model.width; }
     int height() const override { return model.height; }
     std::optional<Projection> project(const Eigen::Vector3d& point) const override {

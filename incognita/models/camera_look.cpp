@@ -50,7 +50,7 @@ std::optional<InverseDepthLandmark::Birth> InverseDepthLandmark::birth(const Cam
   const auto seen = camera.project(*ray);
   if (!seen) return std::nullopt;
   Birth birth;
-  birth.model.world_from_birth = free_camera::orientation(x);
+  birth.world_from_birth = free_camera::orientation(x);
   birth.landmark << free_camera::position(x), ray->x(), ray->y(), inverse_depth;
   birth.Jv.setZero();
   birth.Jv.topLeftCorner<3, 3>().setIdentity();

@@ -54,7 +54,7 @@ struct InverseDepthLandmark {
     Eigen::Matrix<double, 2, 6> Hl;
   };
   struct Birth {
-    InverseDepthLandmark model;
+    Eigen::Vector4d world_from_birth;
     State landmark;
     Eigen::Matrix<double, 6, FreeCameraMotion::error_size> Jv;  ///< d(landmark) / d(camera error)
     Eigen::Matrix<double, 6, 2> Jz;                             ///< d(landmark) / d(pixel)

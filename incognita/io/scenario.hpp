@@ -14,8 +14,8 @@ namespace incognita {
 struct RunSettings {
   std::string world = "room";  ///< `room` (rendered, closed loop) or `recording`
   std::int64_t seed = 1;
-  double duration_s = 60;      ///< at most; a recording may end before
-  double rate_hz = 30;         ///< frames per second of the rendered room, and of recordings without time stamps
+  double duration_s = 60;  ///< at most; a recording may end before
+  double rate_hz = 30;     ///< frames per second of the rendered room, and of recordings without time stamps
 };
 
 struct CameraSettings {
@@ -26,13 +26,13 @@ struct CameraSettings {
   double fv_px = 195;
   double u0_px = 159.5;
   double v0_px = 119.5;
-  double kd1_per_px2 = 0;                        ///< `wide-angle`
-  double k1 = 0, k2 = 0, p1 = 0, p2 = 0, k3 = 0; ///< `pinhole`
+  double kd1_per_px2 = 0;                         ///< `wide-angle`
+  double k1 = 0, k2 = 0, p1 = 0, p2 = 0, k3 = 0;  ///< `pinhole`
 };
 
 struct RecordingSettings {
-  std::string folder;          ///< images in name order, or a TUM RGB-D or EuRoC folder; relative to the data folder
-  std::string format = "auto"; ///< `auto`, `images`, `tum`, `euroc`
+  std::string folder;  ///< images in name order, or a TUM RGB-D or EuRoC folder; relative to the data folder
+  std::string format = "auto";  ///< `auto`, `images`, `tum`, `euroc`
 };
 
 struct Scenario {

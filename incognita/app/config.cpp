@@ -1,0 +1,138 @@
+#include "incognita/app/config.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "incognita/io/files.hpp"
+#include "incognita/io/load_scenario.hpp"
+#include "incognita/io/recorded.hpp"
+#include "incognita/io/recording.hpp"
+#include "incognita/io/settings.hpp"
+#include "incognita/io/target_file.hpp"
+#include "incognita/messages/errors.hpp"
+
+namespace incognita {
+namespace {
+
+struct Options {
+  std::string scenario = "room";
+  std::vector<std::string> sets;
+  bool check = false;
+  bool json = false;
+};
+
+nlohmann::json as_json(const Setting& setting) {
+  const auto to_json = [](const auto* field) -> nlohmann::json {
+    if constexpr (std::is_same_v<decltype(field), const Eigen::Vector3d*>) {
+      return {field->x(), field->y(), field->z()};
+    } else {
+      return *field;
+    }
+  };
+  return std::visit([&](const auto* field) { return to_json(field); }, setting.field);
+}
+
+void print_json(LoadedScenario& loaded, const std::vector<std::string>& checked) {
+  Scenario defaults;
+  const std::vector<Setting> settings = list_settings(loaded.scenario), before = list_settings(defaults);
+  nlohmann::json list = nlohmann::json::array();
+  for (std::size_t i = 0; i < settings.size(); ++i) {
+    const Setting& setting = settings[i];
+    list.push_back({{"key", setting.key},
+                    {"value", as_json(setting)},
+                    {"unit", setting.unit},
+                    {"default", as_json(before[i])},
+                    {"source", loaded.sources.at(setting.key)},
+                    {"allowed", setting.allowed.text()},
+                    {"help", setting.help}});
+  }
+  const nlohmann::json document = {{"scenario", loaded.name},
+                                   {"file", shown(loaded.file)},
+                                   {"settings", list},
+                                   {"overrides", loaded.overrides},
+                                   {"checked", checked}};
+  // file names need not be UTF-8; a replaced letter is better than no answer
+  std::cout << document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << "\n";
+}
+
+void print_table(LoadedScenario& loaded) {
+  Scenario defaults;
+  const std::vector<Setting> settings = list_settings(loaded.scenario), before = list_settings(defaults);
+  std::string section;
+  for (std::size_t i = 0; i < settings.size(); ++i) {
+    const Setting& setting = settings[i];
+    if (section_of(setting.key) != section) {
+      section = section_of(setting.key);
+      std::cout << fmt::format("\n[{}]\n", section);
+    }
+    const std::string& source = loaded.sources.at(setting.key);
+    const std::string value = setting.written() + (setting.unit.empty() ? "" : " " + setting.unit);
+    std::cout << fmt::format("  {:<40} {:<28} default {:<24} from {}\n", setting.key, value,
+                             before[i].written(), source);
+  }
+}
+
+/// Everything that would stop a run before its first frame.
+std::vector<std::string> check(const LoadedScenario& loaded) {
+  const Scenario& s = loaded.scenario;
+  std::vector<std::string> found = {"the settings fit together"};
+  if (s.start.from == "target") {
+    const Target target = load_target(loaded);
+    found.push_back(fmt::format("target {}: {} corners, {}", target.name, target.corners.size(),
+                                shown(find_target(loaded))));
+  }
+  if (s.run.world == "recording") {
+    const auto recording = std::make_shared<const Recording>(read_recording(loaded));
+    const RecordedSensor first_image_fits(recording, s.camera.width_px, s.camera.height_px);
+    found.insert(found.end(), recording->notes.begin(), recording->notes.end());
+    for (const Recording::Frame& frame : recording->frames) {
+      if (!file_exists(frame.image)) throw InputError(frame.image.string() + ": is listed and not there");
+    }
+    found.push_back(fmt::format("all {} images are there, the first is {}x{}", recording->frames.size(),
+                                s.camera.width_px, s.camera.height_px));
+  }
+  return found;
+}
+
+int run_config(const Options& options) {
+  LoadedScenario loaded = load_scenario(options.scenario, options.sets);
+  for (const std::string& line : loaded.overrides) std::cerr << line << "\n";
+  const std::vector<std::string> checked = options.check ? check(loaded) : std::vector<std::string>{};
+  if (options.json) {
+    print_json(loaded, checked);
+  } else if (options.check) {
+    for (const std::string& line : checked) std::cout << line << "\n";
+    std::cout << fmt::format("{}: in order\n", loaded.name);
+  } else {
+    std::cout << fmt::format("{} ({})\n", loaded.name, shown(loaded.file));
+    print_table(loaded);
+  }
+  return 0;
+}
+
+}  // namespace
+
+CLI::App* add_config(CLI::App& app, std::function<int()>& job) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand(
+      "config", "Print every setting of a scenario with its value, unit, default and source");
+  command->add_option("SCENARIO", options->scenario, "A scenario file, or the name of one built in")
+      ->capture_default_str();
+  command
+      ->add_option("--set", options->sets, "Set a value before printing: section.name=value; may be repeated")
+      ->allow_extra_args(false);
+  command->add_flag("--check", options->check, "Only check: settings, target, and that all images are there");
+  command->add_flag("--json", options->json, "One JSON document on standard output");
+  command->footer(
+      "Example: incognita config room --set run.seed=7\n         incognita config davison --check");
+  command->callback([options, &job] { job = [options] { return run_config(*options); }; });
+  return command;
+}
+
+}  // namespace incognita

@@ -1,0 +1,69 @@
+#include "incognita/io/data_folder.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <system_error>
+
+#include "incognita/io/files.hpp"
+#include "incognita/messages/errors.hpp"
+
+namespace incognita {
+namespace {
+
+struct Published {
+  const char* folder;
+  const char* where;
+};
+
+// docs/data.md says more and how the checksums are made.
+constexpr Published known[] = {
+    {"monoslam_testseq",
+     "It is published at www.doc.ic.ac.uk/~ajd/Scene/Release/testseqmonoslam.tar.gz (credit: A. J. Davison); "
+     "put the\n"
+     "1000 images in monoslam_testseq/frames. SHA-256 of rawoutput0000.pgm:\n"
+     "3b3d604b6d5f0edbb20296548a6c1a5e47a19c61d7fe951434b37513a77580e8"},
+};
+
+std::string publication(const std::string& path) {
+  const std::string first = std::filesystem::path(path).begin()->string();
+  for (const Published& one : known) {
+    if (first == one.folder) return std::string("\n") + one.where + "\nSee docs/data.md.";
+  }
+  return "\nSee docs/data.md for where recordings are published and how they are laid out.";
+}
+
+}  // namespace
+
+std::vector<std::filesystem::path> data_folders(const std::filesystem::path& scenario_file) {
+  const char* chosen = std::getenv("INCOGNITA_DATA");
+  if (chosen && *chosen) return {chosen};
+  std::vector<std::filesystem::path> folders = {"data", "../shared/data"};
+  if (!scenario_file.empty() && !is_embedded(scenario_file)) {
+    const std::filesystem::path above = std::filesystem::absolute(scenario_file).parent_path().parent_path();
+    folders.push_back(above / "data");
+    folders.push_back((above / "../shared/data").lexically_normal());
+  }
+  return folders;
+}
+
+std::filesystem::path find_data(const std::string& path, const std::filesystem::path& scenario_file,
+                                const std::string& wanted_by) {
+  std::error_code ignored;
+  if (path.empty()) throw InputError(wanted_by + ": names nothing");
+  if (std::filesystem::path(path).is_absolute()) {
+    if (std::filesystem::exists(path, ignored)) return path;
+    throw InputError(fmt::format("{}: {} is not there", wanted_by, path));
+  }
+  std::string looked;
+  for (const std::filesystem::path& folder : data_folders(scenario_file)) {
+    if (std::filesystem::exists(folder / path, ignored)) return folder / path;
+    looked += (looked.empty() ? "" : ", ") + (folder / path).string();
+  }
+  throw InputError(
+      fmt::format("{}: {} is not in the data folder (looked for {}).\nPut it under data/, or set "
+                  "INCOGNITA_DATA to the folder that has it.{}",
+                  wanted_by, path, looked, publication(path)));
+}
+
+}  // namespace incognita

@@ -1,0 +1,16 @@
+// The files of scenarios/ that are built into the program, so that it runs from any folder.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace incognita {
+
+struct EmbeddedFile {
+  std::string_view name;  ///< relative to scenarios/, e.g. "targets/sheet.toml"
+  std::string_view bytes;
+};
+
+std::span<const EmbeddedFile> embedded_files();
+
+}  // namespace incognita

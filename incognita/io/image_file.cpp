@@ -1,0 +1,126 @@
+#include "incognita/io/image_file.hpp"
+
+#include <fmt/format.h>
+
+#include <cctype>
+#include <cstring>
+#include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <optional>
+#include <stdexcept>
+
+#include "incognita/io/files.hpp"
+
+namespace incognita {
+namespace {
+
+constexpr std::size_t largest_image_file = std::size_t{256} << 20;
+constexpr const char* cut_short = "the file is cut short";
+
+std::uint32_t byte(std::string_view bytes, std::size_t i) {
+  return static_cast<unsigned char>(bytes[i]);
+}
+
+/// The next decimal number of a netpbm header, past white space and comments.
+std::optional<std::uint64_t> netpbm_number(std::string_view bytes, std::size_t& at) {
+  while (at < bytes.size() && (std::isspace(static_cast<int>(byte(bytes, at))) || bytes[at] == '#')) {
+    if (bytes[at] == '#') {
+      while (at < bytes.size() && bytes[at] != '\n') ++at;
+    } else {
+      ++at;
+    }
+  }
+  std::uint64_t number = 0;
+  const std::size_t begin = at;
+  for (; at < bytes.size() && std::isdigit(static_cast<int>(byte(bytes, at))); ++at) {
+    if (at - begin == 9) return std::nullopt;  // no image has a billion columns
+    number = number * 10 + (byte(bytes, at) - '0');
+  }
+  if (at == begin) return std::nullopt;
+  return number;
+}
+
+/// P5 and P6: header, one white space, raw samples. P2 and P3: as many numbers as samples.
+const char* check_netpbm(std::string_view bytes) {
+  const char type = bytes[1];
+  std::size_t at = 2;
+  const auto width = netpbm_number(bytes, at), height = netpbm_number(bytes, at),
+             most = netpbm_number(bytes, at);
+  if (!width || !height || !most) return "its PGM or PPM header cannot be read";
+  const std::uint64_t samples = *width * *height * (type == '6' || type == '3' ? 3 : 1);
+  if (type == '5' || type == '6') {
+    return bytes.size() < at + 1 + samples * (*most > 255 ? 2 : 1) ? cut_short : nullptr;
+  }
+  for (std::uint64_t i = 0; i < samples; ++i) {
+    if (!netpbm_number(bytes, at)) return cut_short;
+  }
+  return nullptr;
+}
+
+/// Segments by their lengths up to the scan, so that the end of a preview inside one is not taken for the
+/// image's.
+const char* check_jpeg(std::string_view bytes) {
+  std::size_t at = 2;
+  while (at + 4 <= bytes.size()) {
+    if (byte(bytes, at) != 0xff) return "its JPEG segments are broken";
+    const std::uint32_t marker = byte(bytes, at + 1);
+    if (marker == 0xff) {  // padding
+      ++at;
+      continue;
+    }
+    at += 2 + (byte(bytes, at + 2) << 8 | byte(bytes, at + 3));
+    if (marker == 0xda) {
+      const bool ended = at < bytes.size() && bytes.find("\xff\xd9", at) != std::string_view::npos;
+      return ended ? nullptr : cut_short;
+    }
+  }
+  return cut_short;
+}
+
+const char* check_png(std::string_view bytes) {
+  using namespace std::string_view_literals;
+  return bytes.find("\0\0\0\0IEND\xae\x42\x60\x82"sv) == std::string_view::npos ? cut_short : nullptr;
+}
+
+const char* check_bmp(std::string_view bytes) {
+  if (bytes.size() < 54) return cut_short;
+  std::uint32_t size = 0;
+  std::memcpy(&size, bytes.data() + 2, 4);  // little endian, as is every machine this runs on
+  return bytes.size() < size ? cut_short : nullptr;
+}
+
+}  // namespace
+
+const char* why_cut_short(std::string_view bytes) {
+  if (bytes.empty()) return "the file is empty";
+  if (bytes.size() < 4) return cut_short;
+  if (bytes[0] == 'P' && (bytes[1] == '5' || bytes[1] == '6' || bytes[1] == '2' || bytes[1] == '3')) {
+    return check_netpbm(bytes);
+  }
+  if (bytes.starts_with("\xff\xd8")) return check_jpeg(bytes);
+  if (bytes.starts_with("\x89PNG")) return check_png(bytes);
+  if (bytes.starts_with("BM")) return check_bmp(bytes);
+  return nullptr;  // other formats are left to their decoders
+}
+
+Image read_image(const std::filesystem::path& path) {
+  const std::string bytes = read_file(path, largest_image_file);
+  if (const char* why = why_cut_short(bytes))
+    throw std::runtime_error(fmt::format("{}: {}", shown(path), why));
+  cv::Mat grey;
+  try {
+    const cv::Mat raw(1, static_cast<int>(bytes.size()), CV_8U, const_cast<char*>(bytes.data()));
+    grey = cv::imdecode(raw, cv::IMREAD_GRAYSCALE | cv::IMREAD_IGNORE_ORIENTATION);
+  } catch (const cv::Exception& error) {
+    throw std::runtime_error(fmt::format("{}: cannot be decoded: {}", shown(path), error.err));
+  }
+  if (grey.empty() || grey.type() != CV_8U) {
+    throw std::runtime_error(fmt::format("{}: is not an image that can be decoded", shown(path)));
+  }
+  Image image(grey.cols, grey.rows);
+  for (int v = 0; v < grey.rows; ++v)
+    std::memcpy(image.row(v), grey.ptr(v), static_cast<std::size_t>(grey.cols));
+  return image;
+}
+
+}  // namespace incognita

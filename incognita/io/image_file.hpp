@@ -1,0 +1,20 @@
+// Grey images from files, whole or not at all.
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+#include "incognita/vision/image.hpp"
+
+namespace incognita {
+
+/// The image as 8-bit grey, in the sensor's own orientation (a rotation noted in the file is not applied: the
+/// calibration belongs to the sensor). Throws std::runtime_error naming the file when it is missing, cut
+/// short or not an image.
+Image read_image(const std::filesystem::path& path);
+
+/// Why the bytes cannot be a whole image file, or nothing. Decoders fill what is missing with grey without a
+/// word.
+const char* why_cut_short(std::string_view bytes);
+
+}  // namespace incognita

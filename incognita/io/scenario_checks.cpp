@@ -1,0 +1,91 @@
+#include "incognita/io/scenario_checks.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "incognita/io/camera.hpp"
+#include "incognita/io/settings.hpp"
+
+namespace incognita {
+namespace {
+
+using List = std::vector<Contradiction>;
+
+void check_sources(const Scenario& s, List& found) {
+  if (s.run.world == "recording" && s.recording.folder.empty()) {
+    found.push_back({"recording.folder", "must name the recording, run.world being `recording`"});
+  }
+  if (s.start.from == "target" && s.start.target.empty()) {
+    found.push_back({"start.target", "must name a target file, start.from being `target`"});
+  }
+}
+
+/// The camera's own check names the key in its message.
+void check_camera(const Scenario& s, List& found) {
+  try {
+    make_camera(s.camera);
+  } catch (const std::invalid_argument& error) {
+    const std::string what = error.what();
+    Scenario copy = s;
+    std::string key = "camera.model";
+    for (const Setting& setting : list_settings(copy)) {
+      const std::string mention = "camera " + name_in_section(setting.key) + " ";
+      if (section_of(setting.key) == "camera" && what.starts_with(mention)) key = setting.key;
+    }
+    found.push_back({key, what});
+  }
+}
+
+void check_sizes(const Scenario& s, List& found) {
+  const BirthSettings& birth = s.slam.birth;
+  const auto fits = [&](const char* key, int size, const char* other, int limit) {
+    if (size > limit) found.push_back({key, fmt::format("must be at most {}, which is {}", other, limit)});
+  };
+  fits("birth.box_width_px", birth.box_width_px, "camera.width_px", s.camera.width_px);
+  fits("birth.box_height_px", birth.box_height_px, "camera.height_px", s.camera.height_px);
+  fits("map.wanted_visible", s.slam.map.wanted_visible, "map.max_landmarks", s.slam.map.max_landmarks);
+  fits("lost.min_matches", s.slam.lost.min_matches, "search.max_measurements",
+       s.slam.search.max_measurements);
+  if (birth.max_depth_m <= birth.min_depth_m) {
+    found.push_back({"birth.max_depth_m",
+                     fmt::format("must be more than birth.min_depth_m, which is {}", birth.min_depth_m)});
+  }
+}
+
+void check_bounds(const Scenario& s, List& found) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (s.decision.max_bound_m[axis] > s.decision.min_bound_m[axis]) continue;
+    found.push_back({"decision.max_bound_m",
+                     fmt::format("must be more than decision.min_bound_m along {}, {} and {} leave no room",
+                                 "xyz"[axis], s.decision.min_bound_m[axis], s.decision.max_bound_m[axis])});
+  }
+}
+
+void check_room(const Scenario& s, List& found) {
+  if (s.run.world != "room") return;
+  const Eigen::Vector3d &size = s.room.size_m, &start = s.room.start_position_m;
+  const double margin = s.room.clearance_m;
+  const bool inside = std::abs(start.x()) <= size.x() / 2 - margin &&
+                      std::abs(start.y()) <= size.y() / 2 - margin && start.z() >= margin &&
+                      start.z() <= size.z() - margin;
+  if (inside) return;
+  found.push_back({"room.start_position_m",
+                   fmt::format("must be inside room.size_m [{}, {}, {}], room.clearance_m {} from the walls",
+                               size.x(), size.y(), size.z(), margin)});
+}
+
+}  // namespace
+
+std::vector<Contradiction> find_contradictions(const Scenario& scenario) {
+  List found;
+  check_sources(scenario, found);
+  check_camera(scenario, found);
+  check_sizes(scenario, found);
+  check_bounds(scenario, found);
+  check_room(scenario, found);
+  return found;
+}
+
+}  // namespace incognita

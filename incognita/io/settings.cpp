@@ -1,0 +1,286 @@
+#include "incognita/io/settings.hpp"
+
+#include <utility>
+
+namespace incognita {
+namespace {
+
+Allowed any() {
+  return {};
+}
+Allowed at_least(double least) {
+  Allowed a;
+  a.least = least;
+  return a;
+}
+Allowed more_than(double least) {
+  Allowed a = at_least(least);
+  a.more_than_least = true;
+  return a;
+}
+Allowed between(double least, double most) {
+  Allowed a = at_least(least);
+  a.most = most;
+  return a;
+}
+Allowed above_up_to(double least, double most) {
+  Allowed a = between(least, most);
+  a.more_than_least = true;
+  return a;
+}
+Allowed odd_between(double least, double most) {
+  Allowed a = between(least, most);
+  a.odd = true;
+  return a;
+}
+Allowed one_of(std::vector<std::string> choices) {
+  Allowed a;
+  a.choices = std::move(choices);
+  return a;
+}
+
+using List = std::vector<Setting>;
+
+void run(List& list, RunSettings& s) {
+  list.insert(
+      list.end(),
+      {
+          {"run.world", &s.world, "", "where the images come from", one_of({"room", "recording"})},
+          {"run.seed", &s.seed, "", "of every random stream; same seed, same bytes", at_least(0)},
+          {"run.duration_s", &s.duration_s, "s", "at most; a recording may end before", above_up_to(0, 1e7)},
+          {"run.rate_hz", &s.rate_hz, "Hz",
+           "frames per second of the room, and of recordings without time stamps", above_up_to(0, 10000)},
+      });
+}
+
+void camera(List& list, CameraSettings& s) {
+  list.insert(
+      list.end(),
+      {
+          {"camera.model", &s.model, "", "kd1_per_px2 belongs to the one, k1 k2 p1 p2 k3 to the other",
+           one_of({"wide-angle", "pinhole"})},
+          {"camera.width_px", &s.width_px, "px", "of the image", between(16, 16384)},
+          {"camera.height_px", &s.height_px, "px", "of the image", between(16, 16384)},
+          {"camera.fu_px", &s.fu_px, "px", "focal length over pixel width", above_up_to(0, 1e6)},
+          {"camera.fv_px", &s.fv_px, "px", "focal length over pixel height", above_up_to(0, 1e6)},
+          {"camera.u0_px", &s.u0_px, "px", "principal point, the centre of the first pixel being 0", any()},
+          {"camera.v0_px", &s.v0_px, "px", "principal point, the centre of the first pixel being 0", any()},
+          {"camera.kd1_per_px2", &s.kd1_per_px2, "1/px^2", "radial distortion of the wide-angle camera",
+           at_least(0)},
+          {"camera.k1", &s.k1, "", "radial distortion of the pinhole camera, as OpenCV has it", any()},
+          {"camera.k2", &s.k2, "", "radial, second term", any()},
+          {"camera.p1", &s.p1, "", "tangential, first term", any()},
+          {"camera.p2", &s.p2, "", "tangential, second term", any()},
+          {"camera.k3", &s.k3, "", "radial, third term", any()},
+      });
+}
+
+void recording(List& list, RecordingSettings& s) {
+  list.insert(list.end(),
+              {
+                  {"recording.folder", &s.folder, "",
+                   "images, or a TUM RGB-D or EuRoC folder; relative to the data folder", any()},
+                  {"recording.format", &s.format, "", "auto guesses from the folder and says what it guessed",
+                   one_of({"auto", "images", "tum", "euroc"})},
+              });
+}
+
+void start(List& list, StartSettings& s) {
+  list.insert(list.end(), {
+                              {"start.from", &s.from, "",
+                               "target: pose solved from the known target; free: here is the origin",
+                               one_of({"target", "free"})},
+                              {"start.target", &s.target, "",
+                               "target file, found beside the scenario or under the data folder", any()},
+                              {"start.max_search_s", &s.max_search_s, "s",
+                               "give up when the target was not found by then", above_up_to(0, 1e6)},
+                          });
+}
+
+void filter(List& list, FilterSettings& s) {
+  list.insert(list.end(),
+              {
+                  {"filter.sigma_acceleration_m_s2", &s.sigma_acceleration_m_s2, "m/s^2",
+                   "unknown linear acceleration per axis, held for one frame", at_least(0)},
+                  {"filter.sigma_angular_acceleration_rad_s2", &s.sigma_angular_acceleration_rad_s2,
+                   "rad/s^2", "unknown angular acceleration per axis, held for one frame", at_least(0)},
+                  {"filter.sigma_pixel_px", &s.sigma_pixel_px, "px",
+                   "of one measured patch position, per axis", above_up_to(0, 100)},
+                  {"filter.sigma_start_velocity_m_s", &s.sigma_start_velocity_m_s, "m/s",
+                   "per axis, when the run starts", at_least(0)},
+                  {"filter.sigma_start_angular_rate_rad_s", &s.sigma_start_angular_rate_rad_s, "rad/s",
+                   "per axis, when the run starts", at_least(0)},
+              });
+}
+
+void search(List& list, SearchSettings& s) {
+  list.insert(
+      list.end(),
+      {
+          {"search.patch_size_px", &s.patch_size_px, "px", "side of the square compared", odd_between(9, 15)},
+          {"search.gate_sigmas", &s.gate_sigmas, "",
+           "half axes of the search ellipse in standard deviations of the innovation", above_up_to(0, 100)},
+          {"search.min_correlation", &s.min_correlation, "",
+           "normalised cross-correlation below which nothing was found", between(-1, 1)},
+          {"search.max_measurements", &s.max_measurements, "",
+           "looks searched for in a frame, most uncertain first", between(1, 10000)},
+          {"search.max_half_axis_px", &s.max_half_axis_px, "px",
+           "an ellipse is searched no further out than this", above_up_to(0, 16384)},
+          {"search.gate_probability", &s.gate_probability, "",
+           "of a right match passing each consistency test", between(0.5, 0.999999)},
+      });
+}
+
+void birth(List& list, BirthSettings& s) {
+  list.insert(list.end(),
+              {
+                  {"birth.method", &s.method, "", "how a new feature is represented",
+                   one_of({"inverse-depth", "depth-line"})},
+                  {"birth.box_width_px", &s.box_width_px, "px", "of the box a new feature is looked for in",
+                   between(16, 16384)},
+                  {"birth.box_height_px", &s.box_height_px, "px", "of the box a new feature is looked for in",
+                   between(16, 16384)},
+                  {"birth.min_corner_strength", &s.min_corner_strength, "grey^2/px",
+                   "smaller eigenvalue of the structure tensor", at_least(0)},
+                  {"birth.look_ahead_s", &s.look_ahead_s, "s",
+                   "a corner about to leave the view within this time is not taken", between(0, 100)},
+                  {"birth.max_new_per_frame", &s.max_new_per_frame, "", "new features in one frame",
+                   between(0, 1000)},
+                  {"birth.particles", &s.particles, "", "depth-line: depths tried on the line of sight",
+                   between(2, 100000)},
+                  {"birth.min_depth_m", &s.min_depth_m, "m", "depth-line: from the camera, along the ray",
+                   above_up_to(0, 1e6)},
+                  {"birth.max_depth_m", &s.max_depth_m, "m", "depth-line: from the camera, along the ray",
+                   above_up_to(0, 1e6)},
+                  {"birth.depth_ratio", &s.depth_ratio, "",
+                   "depth-line: sigma/depth below which a line becomes a point", above_up_to(0, 1)},
+                  {"birth.max_line_failures", &s.max_line_failures, "",
+                   "depth-line: attempts after which a line without a point is given up", between(1, 10000)},
+                  {"birth.inverse_depth_per_m", &s.inverse_depth_per_m, "1/m",
+                   "inverse-depth: mean before anything is known", above_up_to(0, 1000)},
+                  {"birth.sigma_inverse_depth_per_m", &s.sigma_inverse_depth_per_m, "1/m",
+                   "inverse-depth: standard deviation before anything is known", above_up_to(0, 1000)},
+                  {"birth.max_linearity", &s.max_linearity, "",
+                   "inverse-depth: Civera's index below which it becomes a point", between(0, 10)},
+              });
+}
+
+void map(List& list, MapSettings& s) {
+  list.insert(
+      list.end(),
+      {
+          {"map.wanted_visible", &s.wanted_visible, "",
+           "new features are looked for while fewer are expected in view", between(0, 10000)},
+          {"map.max_landmarks", &s.max_landmarks, "", "a hard cap on what is mapped", between(1, 10000)},
+          {"map.max_view_angle_rad", &s.max_view_angle_rad, "rad",
+           "from the view a patch was taken at; beyond, it is not expected to match", above_up_to(0, 3.2)},
+          {"map.max_scale", &s.max_scale, "", "how much nearer or farther than at birth a patch may be seen",
+           above_up_to(1, 100)},
+          {"map.min_attempts", &s.min_attempts, "", "before a landmark can be judged", between(1, 100000)},
+          {"map.min_matched_share", &s.min_matched_share, "",
+           "of its attempts, below which a landmark is deleted", between(0, 1)},
+      });
+}
+
+void lost(List& list, LostSettings& s) {
+  list.insert(list.end(), {
+                              {"lost.min_matches", &s.min_matches, "",
+                               "a frame with fewer counts towards being lost", between(0, 10000)},
+                              {"lost.max_frames", &s.max_frames, "", "so many such frames in a row: lost",
+                               between(1, 100000)},
+                              {"lost.max_sigma_position_m", &s.max_sigma_position_m, "m",
+                               "beyond, lost whatever matches", more_than(0)},
+                          });
+}
+
+void decision(List& list, DecisionSettings& s) {
+  list.insert(list.end(), {
+                              {"decision.strategy", &s.strategy, "", "none: stay where it started",
+                               one_of({"mutual-information", "none"})},
+                              {"decision.step_m", &s.step_m, "m",
+                               "displacement of each of the seven translations", above_up_to(0, 1000)},
+                              {"decision.period_s", &s.period_s, "s",
+                               "an action lasts this long, then all are compared again", above_up_to(0, 1e6)},
+                              {"decision.over", &s.over, "", "what the information gained is about",
+                               one_of({"whole-state", "position-and-map"})},
+                              {"decision.min_bound_m", &s.min_bound_m, "m",
+                               "goals outside this box of the world are not chosen", any()},
+                              {"decision.max_bound_m", &s.max_bound_m, "m",
+                               "goals outside this box of the world are not chosen", any()},
+                          });
+}
+
+void control(List& list, ControlSettings& s) {
+  list.insert(
+      list.end(),
+      {
+          {"control.gain_position_per_s2", &s.gain_position_per_s2, "1/s^2", "on the position error",
+           at_least(0)},
+          {"control.gain_velocity_per_s", &s.gain_velocity_per_s, "1/s", "on the velocity", at_least(0)},
+          {"control.gain_orientation_per_s2", &s.gain_orientation_per_s2, "1/s^2", "holds the gaze",
+           at_least(0)},
+          {"control.gain_rate_per_s", &s.gain_rate_per_s, "1/s", "on the angular rate", at_least(0)},
+          {"control.max_acceleration_m_s2", &s.max_acceleration_m_s2, "m/s^2",
+           "per axis, what the body can do", at_least(0)},
+          {"control.max_angular_acceleration_rad_s2", &s.max_angular_acceleration_rad_s2, "rad/s^2",
+           "per axis, what the body can do", at_least(0)},
+          {"control.gaze_amplitude_rad", &s.gaze_amplitude_rad, "rad",
+           "the gaze swings by this much to either side about the vertical", between(0, 3.2)},
+          {"control.gaze_period_s", &s.gaze_period_s, "s", "of one full swing", above_up_to(0, 1e6)},
+      });
+}
+
+void room(List& list, RoomSettings& s) {
+  list.insert(
+      list.end(),
+      {
+          {"room.size_m", &s.size_m, "m", "the room spans +-x/2, +-y/2, and 0 to z", between(0.5, 1000)},
+          {"room.boxes", &s.boxes, "", "textured boxes standing on the floor along the walls",
+           between(0, 1000)},
+          {"room.start_position_m", &s.start_position_m, "m",
+           "camera at t = 0; it looks along +x, at the target", between(-1000, 1000)},
+          {"room.start_heading_rad", &s.start_heading_rad, "rad", "about z, from +x", between(-6.3, 6.3)},
+          {"room.sigma_start_position_m", &s.sigma_start_position_m, "m",
+           "the true start is drawn around the above", between(0, 10)},
+          {"room.sigma_start_heading_rad", &s.sigma_start_heading_rad, "rad",
+           "the true start is drawn around the above", between(0, 3.2)},
+          {"room.sigma_image_grey", &s.sigma_image_grey, "grey", "image noise", between(0, 255)},
+          {"room.sigma_acceleration_m_s2", &s.sigma_acceleration_m_s2, "m/s^2",
+           "true disturbance per axis, held for one frame", between(0, 1000)},
+          {"room.sigma_angular_acceleration_rad_s2", &s.sigma_angular_acceleration_rad_s2, "rad/s^2",
+           "true disturbance per axis, held for one frame", between(0, 1000)},
+          {"room.clearance_m", &s.clearance_m, "m", "the camera's body stops this far from walls and boxes",
+           between(0, 100)},
+          {"room.cover_lens_from_s", &s.cover_lens_from_s, "s",
+           "the lens is covered from then on; never when negative", any()},
+      });
+}
+
+}  // namespace
+
+std::vector<Setting> list_settings(Scenario& scenario) {
+  List list;
+  run(list, scenario.run);
+  camera(list, scenario.camera);
+  recording(list, scenario.recording);
+  start(list, scenario.start);
+  filter(list, scenario.slam.filter);
+  search(list, scenario.slam.search);
+  birth(list, scenario.slam.birth);
+  map(list, scenario.slam.map);
+  lost(list, scenario.slam.lost);
+  decision(list, scenario.decision);
+  control(list, scenario.control);
+  room(list, scenario.room);
+  return list;
+}
+
+std::string section_of(const std::string& key) {
+  return key.substr(0, key.find('.'));
+}
+
+std::string name_in_section(const std::string& key) {
+  return key.substr(key.find('.') + 1);
+}
+
+}  // namespace incognita

@@ -1,0 +1,20 @@
+// The one list that binds every field of a scenario to its key.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "incognita/io/scenario.hpp"
+#include "incognita/io/setting.hpp"
+
+namespace incognita {
+
+/// Every setting, section by section, bound to the fields of `scenario`, which must outlive the list.
+std::vector<Setting> list_settings(Scenario& scenario);
+
+/// "run" of "run.seed".
+std::string section_of(const std::string& key);
+/// "seed" of "run.seed".
+std::string name_in_section(const std::string& key);
+
+}  // namespace incognita

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <stdexcept>
 
 namespace incognita {
 
@@ -43,6 +44,7 @@ struct AffineLook {
   int rows() const { return static_cast<int>(residual.size()); }
   template <class Derived>
   void add(BlockId block, const Eigen::MatrixBase<Derived>& H) {
+    if (part_count == max_look_blocks) throw std::length_error("a measurement depends on 3 blocks at most");
     parts[part_count].block = block;
     parts[part_count++].H = H;
   }

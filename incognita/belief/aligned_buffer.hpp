@@ -1,4 +1,5 @@
-// Zeroed doubles at a cache-line boundary, which Eigen's own storage promises only for the processor it is built for.
+// Zeroed doubles at a cache-line boundary, which Eigen's own storage promises only for the processor it is
+// built for.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +13,8 @@ class AlignedBuffer {
  public:
   AlignedBuffer() = default;
   explicit AlignedBuffer(std::size_t size)
-      : data_(static_cast<double*>(::operator new(std::max<std::size_t>(size, 1) * sizeof(double), alignment))),
+      : data_(
+            static_cast<double*>(::operator new(std::max<std::size_t>(size, 1) * sizeof(double), alignment))),
         size_(size) {
     std::fill_n(data_.get(), size_, 0.0);
   }

@@ -3,8 +3,9 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <sstream>
 #include <stdexcept>
-#include <string>
 #include <utility>
 
 #include "incognita/belief/rank_update.hpp"
@@ -12,11 +13,39 @@
 namespace incognita {
 namespace {
 
-void require(bool ok, const std::string& what) {
-  if (!ok) throw std::invalid_argument(what);
+struct Size {
+  Eigen::Index rows, columns;
+  bool operator==(const Size&) const = default;
+  friend std::ostream& operator<<(std::ostream& out, const Size& size) {
+    return out << size.rows << "x" << size.columns;
+  }
+};
+
+Size size_of(const auto& m) {
+  return {m.rows(), m.cols()};
 }
 
-std::string size_of(const auto& m) { return std::to_string(m.rows()) + "x" + std::to_string(m.cols()); }
+/// Throws what the parts spell. They are spelled only then, because the loop must not allocate.
+template <class... Parts>
+void require(bool ok, const Parts&... parts) {
+  if (ok) return;
+  std::ostringstream what;
+  (what << ... << parts);
+  throw std::invalid_argument(what.str());
+}
+
+/// A block that is about to be: its mean fits its chart, and both fit the matrices that live on the stack.
+void require_mean(const Chart& chart, const Eigen::Ref<const Eigen::VectorXd>& mean) {
+  require(chart.ambient() <= max_block_size, "a block has at most ", max_block_size, " numbers, this chart ",
+          chart.ambient());
+  require(mean.size() == chart.ambient(), "mean has ", mean.size(), " numbers, its chart ", chart.ambient());
+}
+
+/// What `terms` subtractions left of a positive number tells nothing but how they were rounded.
+bool is_rounding(double left, double of, int terms) {
+  constexpr int own = 4;  // roundings of each term itself: a quotient, a root, a square
+  return !(left > (terms + own) * std::numeric_limits<double>::epsilon() * of);
+}
 
 /// out[r] += sum over k < columns of h[k] * P[r + k * stride], for r < length.
 template <int columns>
@@ -30,7 +59,8 @@ void add_columns(double* out, const double* P, long stride, const double* h, int
   }
 }
 
-void add_weighted_columns(double* out, const double* P, long stride, const double* h, int columns, int length) {
+void add_weighted_columns(double* out, const double* P, long stride, const double* h, int columns,
+                          int length) {
   for (; columns >= 4; columns -= 4, P += 4 * stride, h += 4) add_columns<4>(out, P, stride, h, length);
   if (columns == 3) add_columns<3>(out, P, stride, h, length);
   if (columns == 2) add_columns<2>(out, P, stride, h, length);
@@ -39,10 +69,12 @@ void add_weighted_columns(double* out, const double* P, long stride, const doubl
 
 }  // namespace
 
-Belief::Belief(int expected_errors) { reserve(std::max(expected_errors, 1)); }
+Belief::Belief(int expected_errors) {
+  reserve(std::max(expected_errors, 1));
+}
 
 const Belief::Block& Belief::block(BlockId id) const {
-  if (!has(id)) throw std::invalid_argument("no block " + std::to_string(id) + " in the belief");
+  require(has(id), "no block ", id, " in the belief");
   return blocks_[index_of_[id]];
 }
 
@@ -59,7 +91,9 @@ BlockMatrix Belief::covariance(BlockId row, BlockId column) const {
   return m;
 }
 
-Eigen::MatrixXd Belief::dense_covariance() const { return P().selfadjointView<Eigen::Lower>(); }
+Eigen::MatrixXd Belief::dense_covariance() const {
+  return P().selfadjointView<Eigen::Lower>();
+}
 
 void Belief::reserve(int errors) {
   if (errors <= capacity_) return;
@@ -92,7 +126,8 @@ BlockId Belief::append(const Chart& chart, const Eigen::Ref<const Eigen::VectorX
   reserve(errors_ + chart.tangent());
   index_of_.push_back(static_cast<int>(blocks_.size()));
   blocks_.push_back({id, chart, static_cast<int>(mean_.size()), errors_});
-  mean_.insert(mean_.end(), mean.begin(), mean.end());
+  const BlockVector copy = mean;  // it may be a part of mean_
+  mean_.insert(mean_.end(), copy.begin(), copy.end());
   errors_ += chart.tangent();
   return id;
 }
@@ -100,12 +135,9 @@ BlockId Belief::append(const Chart& chart, const Eigen::Ref<const Eigen::VectorX
 BlockId Belief::add_vehicle(const Chart& chart, const Eigen::Ref<const Eigen::VectorXd>& mean,
                             const Eigen::Ref<const Eigen::MatrixXd>& covariance) {
   if (vehicles_ != block_count()) throw std::logic_error("vehicles must be added before the first landmark");
-  require(mean.size() == chart.ambient(), "vehicle mean has " + std::to_string(mean.size()) +
-                                              " numbers, its chart " + std::to_string(chart.ambient()));
-  require(covariance.rows() == chart.tangent() && covariance.cols() == chart.tangent(),
-          "vehicle covariance is " + size_of(covariance) + ", its chart has " + std::to_string(chart.tangent()) +
-              " errors");
-  require(chart.tangent() <= max_block_size, "a block has at most " + std::to_string(max_block_size) + " errors");
+  require_mean(chart, mean);
+  require(size_of(covariance) == Size{chart.tangent(), chart.tangent()}, "vehicle covariance is ",
+          size_of(covariance), ", its chart has ", chart.tangent(), " errors");
   const int first = errors_;
   const BlockId id = append(chart, mean);
   ++vehicles_;
@@ -117,13 +149,13 @@ BlockId Belief::add_vehicle(const Chart& chart, const Eigen::Ref<const Eigen::Ve
 BlockId Belief::augment(const Chart& chart, const Eigen::Ref<const Eigen::VectorXd>& mean,
                         std::span<const Parent> parents, const Eigen::Ref<const Eigen::MatrixXd>& noise) {
   const int size = chart.tangent();
-  require(mean.size() == chart.ambient(), "landmark mean has " + std::to_string(mean.size()) +
-                                              " numbers, its chart " + std::to_string(chart.ambient()));
-  require(noise.rows() == size && noise.cols() == size && size <= max_block_size,
-          "landmark noise is " + size_of(noise) + ", its chart has " + std::to_string(size) + " errors");
-  for (const Parent& parent : parents)
-    require(parent.J.rows() == size && parent.J.cols() == block(parent.block).chart.tangent(),
-            "birth Jacobian is " + size_of(parent.J) + ", does not fit its blocks");
+  require_mean(chart, mean);
+  require(size_of(noise) == Size{size, size}, "landmark noise is ", size_of(noise), ", its chart has ", size,
+          " errors");
+  for (const Parent& parent : parents) {
+    const Size fits{size, block(parent.block).chart.tangent()};
+    require(size_of(parent.J) == fits, "birth Jacobian is ", size_of(parent.J), ", must be ", fits);
+  }
   const int old = errors_;
   const BlockId id = append(chart, mean);
   Matrix p = P();
@@ -161,23 +193,24 @@ void Belief::remove_errors(int first, int count) {
   Matrix p = P();
   for (int j = 0; j < errors_; ++j) {
     if (j >= first && j < first + count) continue;
+    const int below = std::max(first + count, j);  // above the diagonal nothing is worth moving
     const double* source = &p(0, j);
-    std::copy(source + first + count, source + errors_, &p(first, j < first ? j : j - count));
+    std::copy(source + below, source + errors_, &p(below - count, j < first ? j : j - count));
   }
   errors_ -= count;
 }
 
 void Belief::replace(BlockId id, const Chart& chart, const Eigen::Ref<const Eigen::VectorXd>& mean,
                      const BlockMatrix& J, const BlockMatrix& noise) {
-  const int index = (block(id), index_of_[id]);
+  const int old_size = block(id).chart.tangent(), size = chart.tangent();
+  require_mean(chart, mean);
+  require(size <= old_size, "a block cannot grow from ", old_size, " to ", size,
+          " errors; drop it and augment");
+  require(size_of(J) == Size{size, old_size} && size_of(noise) == Size{size, size}, "replacement of ",
+          old_size, " errors by ", size, " does not fit: J ", size_of(J), ", noise ", size_of(noise));
+  const BlockVector new_mean = mean;  // it may be a part of the mean that is about to move
+  const int index = index_of_[id];
   Block& b = blocks_[index];
-  const int old_size = b.chart.tangent(), size = chart.tangent();
-  require(size <= old_size, "a block cannot grow from " + std::to_string(old_size) + " to " +
-                                std::to_string(size) + " errors; drop it and augment");
-  require(mean.size() == chart.ambient() && J.rows() == size && J.cols() == old_size && noise.rows() == size &&
-              noise.cols() == size,
-          "replacement does not fit: mean " + std::to_string(mean.size()) + ", J " + size_of(J) + ", noise " +
-              size_of(noise));
   Matrix p = P();
   const int first = b.error;
   const BlockMatrix own = J * covariance(id) * J.transpose() + noise;
@@ -195,7 +228,7 @@ void Belief::replace(BlockId id, const Chart& chart, const Eigen::Ref<const Eige
   const int mean_change = chart.ambient() - b.chart.ambient();
   if (mean_change < 0) mean_.erase(mean_.begin() + b.mean, mean_.begin() + b.mean - mean_change);
   if (mean_change > 0) mean_.insert(mean_.begin() + b.mean, mean_change, 0.0);
-  std::copy(mean.begin(), mean.end(), mean_.begin() + b.mean);
+  std::copy(new_mean.begin(), new_mean.end(), mean_.begin() + b.mean);
   b.chart = chart;
   shift_offsets_after(index, mean_change, size - old_size);
 }
@@ -214,17 +247,17 @@ void Belief::drop(BlockId id) {
 
 void Belief::set_mean(BlockId id, const Eigen::Ref<const Eigen::VectorXd>& mean) {
   const Block& b = block(id);
-  require(mean.size() == b.chart.ambient(), "mean has " + std::to_string(mean.size()) + " numbers, the block " +
-                                                std::to_string(b.chart.ambient()));
+  require_mean(b.chart, mean);
   std::copy(mean.begin(), mean.end(), mean_.begin() + b.mean);
 }
 
 void Belief::predict(const AffineMotion& motion) {
   const Block& b = block(motion.block);
   const int size = b.chart.tangent(), first = b.error, after = first + size;
-  require(motion.x_next.size() == b.chart.ambient() && motion.A.rows() == size && motion.A.cols() == size &&
-              motion.N.rows() == size && motion.N.cols() == size,
-          "motion does not fit block " + std::to_string(motion.block));
+  require_mean(b.chart, motion.x_next);
+  require(size_of(motion.A) == Size{size, size} && size_of(motion.N) == Size{size, size}, "motion of block ",
+          motion.block, " with ", size, " errors does not fit: A ", size_of(motion.A), ", N ",
+          size_of(motion.N));
   Matrix p = P();
   const BlockMatrix own = motion.A * covariance(motion.block) * motion.A.transpose() + motion.N;
   BlockVector column(size);
@@ -248,89 +281,124 @@ void Belief::predict(const AffineMotion& motion) {
   std::copy(motion.x_next.begin(), motion.x_next.end(), mean_.begin() + b.mean);
 }
 
+int Belief::check(std::span<const AffineLook> looks) const {
+  int rows = 0;
+  for (const AffineLook& look : looks) {
+    require(size_of(look.R) == Size{look.rows(), look.rows()}, "look has ", look.rows(),
+            " numbers, its noise is ", size_of(look.R));
+    for (int i = 0; i < look.part_count; ++i) {
+      const Size fits{look.rows(), block(look.parts[i].block).chart.tangent()};
+      require(size_of(look.parts[i].H) == fits, "H for block ", look.parts[i].block, " is ",
+              size_of(look.parts[i].H), ", must be ", fits);
+    }
+    rows += look.rows();
+  }
+  return rows;
+}
+
+/// H P, only the columns of one block.
+LookJacobian Belief::times_covariance(const AffineLook& look, const Block& to) const {
+  LookJacobian HP = LookJacobian::Zero(look.rows(), to.chart.tangent());
+  for (int part = 0; part < look.part_count; ++part) {
+    const LookJacobian& H = look.parts[part].H;
+    const int from = block(look.parts[part].block).error;
+    for (int j = 0; j < HP.cols(); ++j)
+      for (int k = 0; k < H.cols(); ++k) {
+        const double p = entry(from + k, to.error + j);
+        for (int m = 0; m < H.rows(); ++m) HP(m, j) += H(m, k) * p;
+      }
+  }
+  return HP;
+}
+
 template <class Destination>
 void Belief::fill_innovation_covariance(std::span<const AffineLook> looks, Destination& S) const {
   int row = 0;
   for (std::size_t a = 0; a < looks.size(); ++a) {
-    const AffineLook& look = looks[a];
-    // H_a P restricted to the blocks of the looks b <= a, then times H_b'
+    // Nearly all looks start with the vehicle that looked: its product is made once for all of them
+    BlockId vehicle = 0;
+    LookJacobian HP_vehicle;
     int column = 0;
     for (std::size_t b = 0; b <= a; ++b) {
       const AffineLook& other = looks[b];
-      LookMatrix sum = a == b ? look.R : LookMatrix::Zero(look.rows(), other.rows());
-      for (int i = 0; i < look.part_count; ++i)
-        for (int j = 0; j < other.part_count; ++j) {
-          const LookJacobian HP =
-              look.parts[i].H * covariance(look.parts[i].block, other.parts[j].block);
-          sum.noalias() += HP.lazyProduct(other.parts[j].H.transpose());
-        }
-      S.block(row, column, look.rows(), other.rows()) = sum;
-      if (a != b) S.block(column, row, other.rows(), look.rows()) = sum.transpose();
+      LookMatrix sum = LookMatrix::Zero(looks[a].rows(), other.rows());
+      if (a == b) sum = looks[a].R;
+      for (int part = 0; part < other.part_count; ++part) {
+        const BlockId id = other.parts[part].block;
+        const bool known = part == 0 && b > 0 && id == vehicle;
+        const LookJacobian HP = known ? HP_vehicle : times_covariance(looks[a], block(id));
+        sum += HP.lazyProduct(other.parts[part].H.transpose());
+        if (part == 0 && !known) vehicle = id, HP_vehicle = HP;
+      }
+      S.block(row, column, sum.rows(), sum.cols()) = sum;
+      if (a != b) S.block(column, row, sum.cols(), sum.rows()) = sum.transpose();
       column += other.rows();
     }
-    row += look.rows();
+    row += looks[a].rows();
   }
 }
 
 void Belief::innovation_covariance(std::span<const AffineLook> looks, Eigen::MatrixXd& S) const {
-  int rows = 0;
-  for (const AffineLook& look : looks) rows += look.rows();
+  const int rows = check(looks);
   S.resize(rows, rows);
   fill_innovation_covariance(looks, S);
 }
 
-/// P H', errors x rows, reading one triangle: below each block by columns, above it by rows.
-void Belief::gather_PHt(std::span<const AffineLook> looks) {
-  const auto out = [&](int column) { return PHt_.data() + static_cast<long>(column) * stride_; };
-  int column = 0;
-  for (const AffineLook& look : looks) {
-    for (int m = 0; m < look.rows(); ++m) std::fill_n(out(column + m), round_up_to_panel(errors_), 0.0);
-    for (int part = 0; part < look.part_count; ++part) {
-      const LookJacobian& H = look.parts[part].H;
-      const Block& b = block(look.parts[part].block);
-      const int size = b.chart.tangent();
-      for (int r = 0; r < b.error + size; ++r) {
-        double p[max_block_size];
-        if (r < b.error) {
-          std::copy_n(storage_.data() + b.error + static_cast<long>(r) * stride_, size, p);
-        } else {
-          for (int k = 0; k < size; ++k) p[k] = entry(r, b.error + k);
-        }
-        for (int m = 0; m < look.rows(); ++m) {
-          double sum = 0;
-          for (int k = 0; k < size; ++k) sum += H(m, k) * p[k];
-          out(column + m)[r] += sum;
-        }
-      }
+/// out[r, m] += H[m, :] * P[block, r] for the errors r up to the block's end, whose part of P lies along
+/// rows.
+void Belief::gather_above(const LookJacobian& H, const Block& b, double* out) const {
+  const int size = b.chart.tangent(), rows = static_cast<int>(H.rows());
+  const auto add = [&](int r, const double* p) {
+    for (int m = 0; m < rows; ++m) {
+      double sum = 0;
+      for (int k = 0; k < size; ++k) sum += H(m, k) * p[k];
+      out[r + static_cast<long>(m) * stride_] += sum;
     }
-    column += look.rows();
-  }
-  constexpr int chunk = 64;
-  for (int i = 0; i < errors_; i += chunk) {
-    column = 0;
-    for (const AffineLook& look : looks) {
-      for (int part = 0; part < look.part_count; ++part) {
-        const LookJacobian& H = look.parts[part].H;
-        const Block& b = block(look.parts[part].block);
-        const int size = b.chart.tangent();
-        const int from = std::max(i, b.error + size), count = std::min(i + chunk, errors_) - from;
-        if (count <= 0) continue;
-        for (int m = 0; m < look.rows(); ++m) {
-          const BlockVector weights = H.row(m);
-          add_weighted_columns(out(column + m) + from, storage_.data() + from + static_cast<long>(b.error) * stride_,
-                               stride_, weights.data(), size, count);
-        }
-      }
-      column += look.rows();
-    }
+  };
+  for (int r = 0; r < b.error; ++r) add(r, storage_.data() + b.error + static_cast<long>(r) * stride_);
+  for (int r = b.error; r < b.error + size; ++r) {
+    double p[max_block_size];
+    for (int k = 0; k < size; ++k) p[k] = entry(r, b.error + k);
+    add(r, p);
   }
 }
 
-/// S = L L' into S_, L^-1 residual into residual_, and what the report says of them. False when S is not positive.
+/// The same for the errors [first, last) below the block, whose part of P lies along columns.
+void Belief::gather_below(const LookJacobian& H, const Block& b, int first, int last, double* out) const {
+  const int size = b.chart.tangent(), from = std::max(first, b.error + size);
+  if (from >= last) return;
+  const double* P_from = storage_.data() + from + static_cast<long>(b.error) * stride_;
+  for (int m = 0; m < H.rows(); ++m) {
+    const BlockVector weights = H.row(m);
+    add_weighted_columns(out + from + static_cast<long>(m) * stride_, P_from, stride_, weights.data(), size,
+                         last - from);
+  }
+}
+
+/// P H', errors x rows. Below the blocks a few errors at a time, so that what all looks read stays in the
+/// first cache.
+void Belief::gather_PHt(std::span<const AffineLook> looks, int rank) {
+  for (int m = 0; m < rank; ++m)
+    std::fill_n(PHt_.data() + static_cast<long>(m) * stride_, round_up_to_panel(errors_), 0.0);
+  const auto for_each_part = [&](const auto& work) {
+    double* out = PHt_.data();
+    for (const AffineLook& look : looks) {
+      for (int i = 0; i < look.part_count; ++i) work(look.parts[i].H, block(look.parts[i].block), out);
+      out += static_cast<long>(look.rows()) * stride_;
+    }
+  };
+  for_each_part([&](const LookJacobian& H, const Block& b, double* out) { gather_above(H, b, out); });
+  constexpr int chunk = 64;
+  for (int i = 0; i < errors_; i += chunk)
+    for_each_part([&](const LookJacobian& H, const Block& b, double* out) {
+      gather_below(H, b, i, std::min(i + chunk, errors_), out);
+    });
+}
+
+/// S = L L' into S_, L^-1 residual into residual_, and what the report says of them. False when S is not
+/// positive.
 bool Belief::factorise_innovation(std::span<const AffineLook> looks, UpdateReport& report) {
-  report.rows = 0;
-  report.log_det_R = 0;
-  for (const AffineLook& look : looks) report.rows += look.rows();
+  report.rows = check(looks);
   reserve_rank(report.rows);
   auto S = S_.topLeftCorner(report.rows, report.rows);
   fill_innovation_covariance(looks, S);
@@ -344,6 +412,8 @@ bool Belief::factorise_innovation(std::span<const AffineLook> looks, UpdateRepor
   }
   Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> llt(S);
   if (llt.info() != Eigen::Success || !residual_.head(report.rows).allFinite()) return false;
+  for (int i = 0; i < report.rows; ++i)  // a pivot that is what rounding left of its row means nothing
+    if (is_rounding(S(i, i) * S(i, i), S.row(i).head(i + 1).squaredNorm(), report.rows)) return false;
   report.log_det_S = 2 * S.diagonal().array().log().sum();
   if (!std::isfinite(report.log_det_S)) return false;
   for (int i = 0; i < report.rows; ++i) {  // forward substitution
@@ -381,6 +451,24 @@ void Belief::shift_mean(std::span<const double> delta) {
                  delta.subspan(b.error, b.chart.tangent()));
 }
 
+/// delta = K * residual = W * (L^-1 residual). False when a variance would be lost, P being too much larger
+/// than R.
+bool Belief::compute_delta(int rank) {
+  constexpr int lanes = rank_update_panel;
+  for (int i = 0; i < errors_; ++i) {
+    const double* w = packed_.data() + static_cast<long>(i / lanes) * lanes * rank + i % lanes;
+    double sum = 0, taken = 0;
+    for (int k = 0; k < rank; ++k) {
+      sum += w[lanes * k] * residual_[k];
+      taken += w[lanes * k] * w[lanes * k];
+    }
+    const double variance = entry(i, i);
+    if (taken > 0 && is_rounding(variance - taken, variance, rank)) return false;
+    delta_[i] = sum;
+  }
+  return true;
+}
+
 UpdateReport Belief::update(std::span<const AffineLook> looks) {
   UpdateReport report;
   if (looks.empty()) return report;
@@ -388,14 +476,11 @@ UpdateReport Belief::update(std::span<const AffineLook> looks) {
     report.outcome = UpdateReport::Outcome::singular;
     return report;
   }
-  gather_PHt(looks);
+  gather_PHt(looks, report.rows);
   whiten_and_pack(report.rows);
-  constexpr int lanes = rank_update_panel;
-  for (int i = 0; i < errors_; ++i) {  // K * residual = W * (L^-1 residual)
-    const double* w = packed_.data() + static_cast<long>(i / lanes) * lanes * report.rows + i % lanes;
-    double sum = 0;
-    for (int k = 0; k < report.rows; ++k) sum += w[lanes * k] * residual_[k];
-    delta_[i] = sum;
+  if (!compute_delta(report.rows)) {
+    report.outcome = UpdateReport::Outcome::singular;
+    return report;
   }
   rank_update(storage_.data(), stride_, errors_, packed_.data(), report.rows);
   shift_mean({delta_.data(), static_cast<std::size_t>(errors_)});

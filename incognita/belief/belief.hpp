@@ -1,11 +1,11 @@
 // The belief: a Gaussian over vehicles and landmarks, and what can happen to it.
 //
-// Blocks keep their ids for life; vehicles come first, landmarks follow. Each block has a chart, so the mean is kept
-// on its manifold and the covariance is that of the error in the chart. Only the lower triangle of the covariance
-// means anything, and nobody outside this room sees how it is stored.
+// Blocks keep their ids for life; vehicles come first, landmarks follow. Each block has a chart, so the mean
+// is kept on its manifold and the covariance is that of the error in the chart. Only the lower triangle of
+// the covariance means anything, and nobody outside this room sees how it is stored.
 //
-// predict() costs time linear in the state, update() quadratic with one pass over one triangle. Neither allocates
-// once the largest state and the largest measurement have been seen.
+// predict() costs time linear in the state, update() quadratic with one pass over one triangle. Neither
+// allocates once the largest state and the largest measurement have been seen.
 #pragma once
 
 #include <Eigen/Core>
@@ -22,7 +22,7 @@ struct UpdateReport {
   enum class Outcome {
     updated,
     nothing,   ///< no looks were given
-    singular,  ///< the innovation covariance is not positive definite; the belief is unchanged
+    singular,  ///< the looks cannot be used within rounding; the belief is unchanged
   };
   Outcome outcome = Outcome::nothing;
   double nis = 0;        ///< residual' S^-1 residual
@@ -36,7 +36,8 @@ class Belief {
   /// `expected_errors`: how large the covariance is expected to grow; more is allocated when it does.
   explicit Belief(int expected_errors = 64);
 
-  // What is in it -------------------------------------------------------------------------------------------------
+  // What is in it
+  // -------------------------------------------------------------------------------------------------
 
   int errors() const { return errors_; }  ///< size of the covariance
   int block_count() const { return static_cast<int>(blocks_.size()); }
@@ -52,24 +53,26 @@ class Belief {
   /// First error of a block in dense_covariance().
   int offset(BlockId id) const { return block(id).error; }
 
-  // What can happen to it -----------------------------------------------------------------------------------------
-  // All throw std::invalid_argument, with the sizes, when sizes do not fit; the belief is unchanged then.
+  // What can happen to it
+  // ----------------------------------------------------------------------------------------- All throw
+  // std::invalid_argument, with the sizes, when sizes do not fit; the belief is unchanged then.
 
   /// A vehicle, independent of all there is. Throws std::logic_error when there are landmarks already.
   BlockId add_vehicle(const Chart& chart, const Eigen::Ref<const Eigen::VectorXd>& mean,
                       const Eigen::Ref<const Eigen::MatrixXd>& covariance);
 
-  /// A block whose error is sum of J_i * (error of block i) + noise: a landmark's birth, thesis (2.20)-(2.26).
+  /// A block whose error is sum of J_i * (error of block i) + noise: a landmark's birth, thesis
+  /// (2.20)-(2.26).
   struct Parent {
     BlockId block;
     BlockMatrix J;  ///< errors of the new block x errors of the parent
   };
-  BlockId augment(const Chart& chart, const Eigen::Ref<const Eigen::VectorXd>& mean, std::span<const Parent> parents,
-                  const Eigen::Ref<const Eigen::MatrixXd>& noise);
+  BlockId augment(const Chart& chart, const Eigen::Ref<const Eigen::VectorXd>& mean,
+                  std::span<const Parent> parents, const Eigen::Ref<const Eigen::MatrixXd>& noise);
 
   /// The same block in another chart: new error = J * (old error) + noise. It must not grow.
-  void replace(BlockId id, const Chart& chart, const Eigen::Ref<const Eigen::VectorXd>& mean, const BlockMatrix& J,
-               const BlockMatrix& noise);
+  void replace(BlockId id, const Chart& chart, const Eigen::Ref<const Eigen::VectorXd>& mean,
+               const BlockMatrix& J, const BlockMatrix& noise);
 
   /// Forgets a block (marginalises it out).
   void drop(BlockId id);
@@ -81,10 +84,13 @@ class Belief {
   void predict(const AffineMotion& motion);
 
   /// (A.2.5), (A.2.6) with all looks at once: P <- P - W W' with W = P H' L^-T, S = L L', on one triangle.
-  /// A covariance that is not positive definite to rounding comes back as `singular`.
+  /// An S that is not positive definite to rounding comes back as `singular`, and so does a variance of which
+  /// rounding would leave nothing, e.g. a prior 1e16 times the variance of a look; update_joseph() still
+  /// takes that one.
   UpdateReport update(std::span<const AffineLook> looks);
 
-  /// The same with the Joseph form (A.2.7) on dense matrices: slower, allocates, keeps P positive for any gain.
+  /// The same with the Joseph form (A.2.7) on dense matrices: slower, allocates, keeps P positive for any
+  /// gain.
   UpdateReport update_joseph(std::span<const AffineLook> looks);
 
   /// Innovation covariance S = H P H' + R of looks, all of them together; sized rows x rows, both triangles.
@@ -107,8 +113,14 @@ class Belief {
   BlockId append(const Chart& chart, const Eigen::Ref<const Eigen::VectorXd>& mean);
   void shift_offsets_after(std::size_t index, int mean_by, int error_by);
   void remove_errors(int first, int count);
-  void gather_PHt(std::span<const AffineLook> looks);
+  void gather_above(const LookJacobian& H, const Block& b, double* out) const;
+  void gather_below(const LookJacobian& H, const Block& b, int first, int last, double* out) const;
+  void gather_PHt(std::span<const AffineLook> looks, int rank);
   void whiten_and_pack(int rank);
+  /// Rows of all looks; throws when a size does not fit.
+  int check(std::span<const AffineLook> looks) const;
+  LookJacobian times_covariance(const AffineLook& look, const Block& to) const;
+  bool compute_delta(int rank);
   bool factorise_innovation(std::span<const AffineLook> looks, UpdateReport& report);
   void shift_mean(std::span<const double> delta);
   template <class Destination>
@@ -133,9 +145,9 @@ class Belief {
 
   // Workspace of update(), kept so that it allocates nothing
   int rank_capacity_ = 0;
-  Eigen::MatrixXd S_;    ///< innovation covariance, then its Cholesky factor
-  AlignedBuffer PHt_;    ///< stride x rank
-  AlignedBuffer packed_; ///< W in the panels of rank_update
+  Eigen::MatrixXd S_;     ///< innovation covariance, then its Cholesky factor
+  AlignedBuffer PHt_;     ///< stride x rank
+  AlignedBuffer packed_;  ///< W in the panels of rank_update
   Eigen::VectorXd residual_, delta_;
 };
 

@@ -1,5 +1,7 @@
 #include "incognita/belief/rank_update.hpp"
 
+#include <array>
+
 namespace incognita {
 
 namespace baseline {
@@ -14,26 +16,39 @@ void rank_update(double* P, int stride, int n, const double* W, int rank);
 
 namespace {
 
-struct Path {
-  void (*run)(double*, int, int, const double*, int);
-  const char* name;
+struct Paths {
+  std::array<RankUpdatePath, 3> list{};
+  std::size_t count = 0;
+
+  Paths() {
+#ifdef INCOGNITA_X86_PATHS
+    __builtin_cpu_init();
+    if (__builtin_cpu_supports("avx512f")) list[count++] = {avx512::rank_update, "avx512"};
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+      list[count++] = {avx2::rank_update, "avx2"};
+#endif
+    list[count++] = {baseline::rank_update, "baseline"};
+  }
 };
 
-Path best_path() {
-#ifdef INCOGNITA_X86_PATHS
-  __builtin_cpu_init();
-  if (__builtin_cpu_supports("avx512f")) return {avx512::rank_update, "avx512"};
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return {avx2::rank_update, "avx2"};
-#endif
-  return {baseline::rank_update, "baseline"};
+/// Made when first asked for, so that a belief may be a global variable.
+const Paths& paths() {
+  static const Paths found;
+  return found;
 }
-
-const Path path = best_path();
 
 }  // namespace
 
-void rank_update(double* P, int stride, int n, const double* W, int rank) { path.run(P, stride, n, W, rank); }
+std::span<const RankUpdatePath> rank_update_paths() {
+  return {paths().list.data(), paths().count};
+}
 
-const char* rank_update_path() { return path.name; }
+void rank_update(double* P, int stride, int n, const double* W, int rank) {
+  paths().list[0].run(P, stride, n, W, rank);
+}
+
+const char* rank_update_path() {
+  return paths().list[0].name;
+}
 
 }  // namespace incognita

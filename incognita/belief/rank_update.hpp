@@ -1,6 +1,8 @@
 // The filter's heaviest loop: P <- P - W W' on one triangle.
 #pragma once
 
+#include <span>
+
 namespace incognita {
 
 /// Rows of a packed panel; storage passed to rank_update must be padded to a multiple of it.
@@ -13,13 +15,22 @@ constexpr int round_up_to_panel(int n) {
 /// Lower triangle of P <- P - W W'.
 ///
 /// P: column-major, leading dimension `stride` (a multiple of 8, >= round_up_to_panel(n)), 64-byte aligned.
-/// W: n x rank in panels: element (i, k) at W[(i / 8) * 8 * rank + k * 8 + i % 8], 64-byte aligned, and rows from n up
-/// to the next multiple of 8 zero. Above the diagonal, P is scratch within 8 x 8 tiles.
-/// The widest vector unit of the processor is chosen at run time; each gives the same result up to rounding, and the
+/// W: n x rank in panels: element (i, k) at W[(i / 8) * 8 * rank + k * 8 + i % 8], 64-byte aligned, and rows
+/// from n up to the next multiple of 8 zero. Above the diagonal, P is scratch within 8 x 8 tiles. The widest
+/// vector unit of the processor is chosen at run time; each gives the same result up to rounding, and the
 /// same processor always the same bytes.
 void rank_update(double* P, int stride, int n, const double* W, int rank);
 
-/// Name of the path in use: "avx512", "avx2" or "baseline".
+/// One build of the loop, for one instruction set.
+struct RankUpdatePath {
+  void (*run)(double* P, int stride, int n, const double* W, int rank);
+  const char* name;  ///< "avx512", "avx2" or "baseline"
+};
+
+/// The paths this processor can run, the one in use first: for tests and benchmarks.
+std::span<const RankUpdatePath> rank_update_paths();
+
+/// Name of the path in use.
 const char* rank_update_path();
 
 }  // namespace incognita

@@ -1,2 +1,4 @@
 #define INCOGNITA_RANK_UPDATE_PATH avx512
+#define INCOGNITA_RANK_UPDATE_LANES 8
+#define INCOGNITA_RANK_UPDATE_COLUMNS 8
 #include "incognita/belief/rank_update_kernel.inl"

@@ -1,0 +1,160 @@
+// Belief::update against the least that any filter of its kind must do: Eigen's rank update of one triangle.
+//
+// What is compared runs in turns within one benchmark, so that whatever else the machine does hits both
+// alike, and medians are reported. `ratio` is ours over Eigen's; the library and this file are built with the
+// same flags.
+#include <benchmark/benchmark.h>
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <chrono>
+#include <vector>
+
+#include "incognita/belief/aligned_buffer.hpp"
+#include "incognita/belief/belief.hpp"
+#include "incognita/belief/rank_update.hpp"
+#include "incognita/math/random.hpp"
+
+namespace {
+
+using namespace incognita;
+
+constexpr int camera_errors = 12, landmark_errors = 3, look_rows = 2, look_count = 12;
+constexpr int rank = look_rows * look_count;
+
+struct Normal {
+  RandomStream stream{7, "bench"};
+  double operator()(double) { return stream.normal(); }
+};
+
+Eigen::MatrixXd random_matrix(int rows, int columns) {
+  static Normal normal;
+  return Eigen::MatrixXd::Zero(rows, columns).unaryExpr([](double x) { return normal(x); });
+}
+
+/// A camera that has seen every landmark of a map, and what it does next.
+struct Scene {
+  Belief belief;
+  AffineMotion motion;
+  std::vector<AffineLook> looks;
+
+  explicit Scene(int errors) : belief(errors) {
+    const Chart chart{{Chart::Kind::line, 3}, {Chart::Kind::quaternion, 4}, {Chart::Kind::line, 6}};
+    Eigen::VectorXd mean = Eigen::VectorXd::Zero(13);
+    mean[3] = 1;
+    const BlockId camera =
+        belief.add_vehicle(chart, mean, Eigen::MatrixXd::Identity(camera_errors, camera_errors));
+    std::vector<BlockId> landmarks;
+    while (belief.errors() + landmark_errors <= errors) {
+      const Belief::Parent parent{camera, random_matrix(landmark_errors, camera_errors)};
+      landmarks.push_back(belief.augment(Chart::line(landmark_errors), random_matrix(landmark_errors, 1),
+                                         {&parent, 1}, Eigen::Matrix3d::Identity()));
+    }
+    motion = {camera, mean, BlockMatrix::Identity(camera_errors, camera_errors),
+              1e-2 * BlockMatrix::Identity(camera_errors, camera_errors)};
+    for (int i = 0; i < look_count; ++i) {  // spread over the map from its first landmark to its last
+      AffineLook look;
+      look.add(camera, random_matrix(look_rows, camera_errors));
+      look.add(landmarks[(landmarks.size() - 1) * i / (look_count - 1)],
+               random_matrix(look_rows, landmark_errors));
+      look.residual = LookVector::Zero(look_rows);
+      look.R = LookMatrix::Identity(look_rows, look_rows);
+      looks.push_back(look);
+    }
+  }
+};
+
+template <class Work>
+double seconds(const Work& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+double median(std::vector<double> values) {
+  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
+  return values[values.size() / 2];
+}
+
+/// Times that came in turns, and the counters made of them.
+struct Turns {
+  std::vector<double> ours, eigen, ratio;
+  void add(double t_ours, double t_eigen) {
+    ours.push_back(t_ours);
+    eigen.push_back(t_eigen);
+    ratio.push_back(t_ours / t_eigen);
+  }
+  void report(benchmark::State& state) const {
+    state.counters["ours_ms"] = 1e3 * median(ours);
+    state.counters["eigen_ms"] = 1e3 * median(eigen);
+    state.counters["ratio"] = median(ratio);
+  }
+};
+
+/// What Eigen's rank update works on.
+struct EigenUpdate {
+  Eigen::MatrixXd P, W;
+  explicit EigenUpdate(int n) : P(Eigen::MatrixXd::Identity(n, n)), W(1e-6 * random_matrix(n, rank)) {}
+  void operator()() { P.selfadjointView<Eigen::Lower>().rankUpdate(W, -1.0); }
+};
+
+void update(benchmark::State& state) {
+  Scene scene(static_cast<int>(state.range(0)));
+  EigenUpdate eigen(scene.belief.errors());
+  Turns turns;
+  std::vector<double> predictions;
+  scene.belief.update(scene.looks);  // warm: allocates its workspace
+  for (auto _ : state) {
+    predictions.push_back(seconds([&] { scene.belief.predict(scene.motion); }));
+    const double ours = seconds([&] {
+      const UpdateReport report = scene.belief.update(scene.looks);
+      if (report.outcome != UpdateReport::Outcome::updated) state.SkipWithError("the update was refused");
+    });
+    turns.add(ours, seconds([&] { eigen(); }));
+    state.SetIterationTime(ours);
+  }
+  turns.report(state);
+  state.counters["predict_us"] = 1e6 * median(predictions);
+}
+
+/// The bare rank update on each path, and how far it is from the speed of memory.
+void bare(benchmark::State& state, const RankUpdatePath& path) {
+  const int n = static_cast<int>(state.range(0)), stride = round_up_to_panel(n) + 8;
+  AlignedBuffer P(static_cast<std::size_t>(stride) * n), W(static_cast<std::size_t>(stride) * rank);
+  std::fill_n(W.data(), static_cast<long>(n) * rank, 1e-6);
+  EigenUpdate eigen(n);
+  Turns turns;
+  std::vector<double> passes;
+  for (auto _ : state) {
+    const double ours = seconds([&] { path.run(P.data(), stride, n, W.data(), rank); });
+    turns.add(ours, seconds([&] { eigen(); }));
+    passes.push_back(seconds([&] {  // the least: read and write the triangle
+      for (int j = 0; j < n; ++j) {
+        double* column = P.data() + static_cast<long>(j) * stride;
+        for (int i = j; i < n; ++i) column[i] -= 1e-9;
+      }
+      benchmark::ClobberMemory();
+    }));
+    state.SetIterationTime(ours);
+  }
+  turns.report(state);
+  const double bytes = 2.0 * sizeof(double) * n * (n + 1) / 2;
+  state.counters["GB/s"] = 1e-9 * bytes / median(turns.ours);
+  state.counters["pass_GB/s"] = 1e-9 * bytes / median(passes);
+}
+
+BENCHMARK(update)->Arg(300)->Arg(600)->Arg(1200)->Arg(3000)->UseManualTime()->MinTime(0.7);
+
+[[maybe_unused]] const bool registered = [] {
+  for (const RankUpdatePath& path : rank_update_paths())
+    benchmark::RegisterBenchmark((std::string("rank_update/") + path.name).c_str(), bare, path)
+        ->Arg(300)
+        ->Arg(600)
+        ->Arg(1200)
+        ->Arg(3000)
+        ->UseManualTime()
+        ->MinTime(0.3);
+  return true;
+}();
+
+}  // namespace

@@ -1,0 +1,206 @@
+// What every motion model obeys. A model joins by one line in the list below.
+#include <gtest/gtest.h>
+
+#include <Eigen/Core>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <vector>
+
+#include "incognita/math/random.hpp"
+#include "incognita/models/free_camera.hpp"
+#include "tests/models/dual.hpp"
+
+namespace incognita {
+namespace {
+
+using Motions = ::testing::Types<  //
+    FreeCameraMotion               //
+    >;
+
+template <class M>
+class MotionLaws : public ::testing::Test {
+ protected:
+  using State = typename M::template State<double>;
+  using Input = typename M::template Input<double>;
+  using Error = Eigen::Matrix<double, M::error_size, 1>;
+  using Plus = Eigen::Matrix<double, M::state_size, M::error_size>;
+  using Minus = Eigen::Matrix<double, M::error_size, M::state_size>;
+
+  struct Case {
+    State x;
+    Input u;
+    double dt;
+  };
+
+  static State plus(State x, const Error& e) {
+    M::chart.plus(std::span<double>(x.data(), x.size()), std::span<const double>(e.data(), e.size()));
+    return x;
+  }
+  static Error minus(const State& y, const State& x) {
+    Error e;
+    M::chart.minus(std::span<const double>(y.data(), y.size()), std::span<const double>(x.data(), x.size()),
+                   std::span<double>(e.data(), e.size()));
+    return e;
+  }
+
+  /// Any state: the chart leads everywhere from a state that it accepts.
+  static State state(RandomStream& random, double scale) {
+    Error e;
+    for (double& number : e) number = scale * random.normal();
+    return plus(origin(), e);
+  }
+
+  /// Where the chart's quaternions begin, in the state: turning four zeros leaves zeros, all else moves.
+  static std::vector<int> quaternions() {
+    std::vector<int> found;
+    const State moved = plus(State::Zero(), Error::Constant(0.1));
+    for (int i = 0; i < M::state_size; ++i) {
+      if (moved[i] != 0) continue;
+      found.push_back(i);
+      i += 3;
+    }
+    return found;
+  }
+
+  static State origin() {
+    State x = State::Zero();
+    for (const int i : quaternions()) x[i] = 1;
+    return x;
+  }
+
+  /// Calls with(state index, error index, numbers in the state) for each quaternion and each number beside
+  /// them.
+  template <class F>
+  static void for_each_part(F with) {
+    const std::vector<int> begins = quaternions();
+    for (int i = 0, k = 0; i < M::state_size;) {
+      const int size = std::find(begins.begin(), begins.end(), i) == begins.end() ? 1 : 4;
+      with(i, k, size);
+      i += size;
+      k += size == 4 ? 3 : 1;
+    }
+  }
+
+  /// At rest, slow, ordinary, wild; no time, a frame, long; no input, some, much.
+  static std::vector<Case> cases() {
+    RandomStream random(1, "motion");
+    std::vector<Case> all;
+    for (const double scale : {0.0, 1e-9, 1e-5, 1.0, 30.0})
+      for (const double dt : {0.0, 1e-6, 1.0 / 30, 0.5})
+        for (const double push : {0.0, 1.0, 50.0}) {
+          Case one{state(random, scale), Input::Zero(), dt};
+          for (double& number : one.u) number = push * random.normal();
+          all.push_back(one);
+        }
+    return all;
+  }
+
+  /// d(x (+) e)/de at e = 0: q exp(e/2) is q (1, e/2) to first order.
+  static Plus d_plus(const State& x) {
+    Plus J = Plus::Zero();
+    for_each_part([&](int i, int k, int size) {
+      if (size == 1) {
+        J(i, k) = 1;
+        return;
+      }
+      for (int axis = 0; axis < 3; ++axis) {
+        Vector4<double> half = Vector4<double>::Zero();
+        half[1 + axis] = 0.5;
+        J.template block<4, 1>(i, k + axis) = quaternion_product<double>(x.template segment<4>(i), half);
+      }
+    });
+    return J;
+  }
+
+  /// d(y (-) x)/dy at y = x: log of (1, v) is 2 v to first order.
+  static Minus d_minus(const State& x) {
+    Minus J = Minus::Zero();
+    for_each_part([&](int i, int k, int size) {
+      if (size == 1) {
+        J(k, i) = 1;
+        return;
+      }
+      for (int column = 0; column < 4; ++column) {
+        const Vector4<double> difference = quaternion_product<double>(
+            quaternion_conjugate<double>(x.template segment<4>(i)), Vector4<double>::Unit(column));
+        J.template block<3, 1>(k, i + column) = 2 * difference.tail<3>();
+      }
+    });
+    return J;
+  }
+};
+
+TYPED_TEST_SUITE(MotionLaws, Motions);
+
+TYPED_TEST(MotionLaws, JacobiansAreExact) {
+  constexpr int states = TypeParam::state_size, inputs = TypeParam::input_size, all = states + inputs;
+  const TypeParam model;
+  for (const auto& [x, u, dt] : this->cases()) {
+    const auto y = model.template f<Dual<all>>(variables<all>(x), variables<all>(u, states), dt);
+    const Eigen::Matrix<double, states, all> J = derivatives<all, states>(y);
+    const auto step = model.step(x, u, dt);
+    const typename TypeParam::Jacobian F =
+        this->d_minus(step.x) * J.template leftCols<states>() * this->d_plus(x);
+    const typename TypeParam::InputJacobian G = this->d_minus(step.x) * J.template rightCols<inputs>();
+    EXPECT_LE((step.F - F).norm(), 1e-13 * F.norm())
+        << "x " << x.transpose() << " u " << u.transpose() << " dt " << dt << "\ncoded\n"
+        << step.F << "\nexact\n"
+        << F;
+    EXPECT_LE((step.G - G).norm(), 1e-13 * G.norm())
+        << "x " << x.transpose() << " u " << u.transpose() << " dt " << dt << "\ncoded\n"
+        << step.G << "\nexact\n"
+        << G;
+  }
+}
+
+TYPED_TEST(MotionLaws, StepIsF) {
+  const TypeParam model;
+  for (const auto& [x, u, dt] : this->cases())
+    EXPECT_EQ(model.step(x, u, dt).x, model.template f<double>(x, u, dt));
+}
+
+TYPED_TEST(MotionLaws, NothingHappensInNoTime) {
+  const TypeParam model;
+  for (const auto& [x, u, dt] : this->cases()) {
+    const auto step = model.step(x, u, 0);
+    EXPECT_LE((step.x - x).norm(), 4e-16 * std::max(1.0, x.norm()));
+    EXPECT_EQ(step.F, (Eigen::Matrix<double, TypeParam::error_size, TypeParam::error_size>::Identity()));
+    EXPECT_EQ(step.G.norm(), 0);
+  }
+}
+
+TYPED_TEST(MotionLaws, InputNoiseAddsUncertaintyAndNeverTakesItAway) {
+  const TypeParam model;
+  RandomStream random(1, "noise");
+  for (const auto& [x, u, dt] : this->cases()) {
+    Eigen::Matrix<double, TypeParam::input_size, 1> variances;
+    for (double& variance : variances) variance = std::pow(10.0, random.uniform(-4, 2));
+    const auto G = model.step(x, u, dt).G;
+    const Eigen::MatrixXd noise = G * variances.asDiagonal() * G.transpose();
+    ASSERT_TRUE(noise.allFinite());
+    EXPECT_LE((noise - noise.transpose()).norm(), 1e-15 * noise.norm());
+    const Eigen::VectorXd eigenvalues = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(noise).eigenvalues();
+    EXPECT_GE(eigenvalues.minCoeff(), -1e-13 * noise.norm()) << "dt " << dt;
+    if (dt > 1e-3) {
+      const int rank = static_cast<int>((eigenvalues.array() > 1e-12 * eigenvalues.maxCoeff()).count());
+      EXPECT_EQ(rank, TypeParam::input_size) << "every input reaches the state";
+    }
+  }
+}
+
+TYPED_TEST(MotionLaws, FirstOrderPredictsSmallErrors) {
+  const TypeParam model;
+  RandomStream random(1, "small errors");
+  for (const auto& [x, u, dt] : this->cases()) {
+    typename TestFixture::Error e;
+    for (double& number : e) number = 1e-4 * random.normal();
+    const auto step = model.step(x, u, dt);
+    const auto moved = this->minus(model.template f<double>(this->plus(x, e), u, dt), step.x);
+    EXPECT_LE((moved - step.F * e).norm(), 10 * e.squaredNorm() + 1e-13 * x.norm()) << "dt " << dt;
+  }
+}
+
+}  // namespace
+}  // namespace incognita

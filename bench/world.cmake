@@ -1,0 +1,1 @@
+incognita_bench(world_bench SOURCES world_bench.cpp USES incognita::world)

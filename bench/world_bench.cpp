@@ -1,0 +1,44 @@
+// How fast the rendered room is: a frame at 30 Hz has 33 ms for everything, and the camera should take few of
+// them.
+#include <benchmark/benchmark.h>
+
+#include "incognita/models/wide_angle_camera.hpp"
+#include "incognita/world/free_camera_plant.hpp"
+#include "incognita/world/room_camera.hpp"
+
+using namespace incognita;
+
+namespace {
+
+const std::shared_ptr<const Room>& room() {
+  static const auto shared = std::make_shared<const Room>(RoomSettings{}, 1);
+  return shared;
+}
+
+/// One whole look, noise and all, while the camera turns once around in the middle of the room.
+void look(benchmark::State& state) {
+  RoomCamera camera(room(), WideAngleCamera{.kd1 = 9e-6}, RoomSettings{}, 1);
+  Truth truth;
+  truth.camera.head<3>() << 0.3, -0.2, 1.3;
+  std::int64_t frame = 0;
+  for (auto _ : state) {
+    truth.camera.segment<4>(3) = level_camera(0.05 * static_cast<double>(frame));
+    benchmark::DoNotOptimize(camera.look(truth, Tick{frame++, 0, 0}));
+  }
+  state.counters["frames"] = benchmark::Counter(static_cast<double>(frame), benchmark::Counter::kIsRate);
+}
+BENCHMARK(look)->Unit(benchmark::kMillisecond);
+
+void paint_room(benchmark::State& state) {
+  for (auto _ : state) benchmark::DoNotOptimize(Room(RoomSettings{}, 2));
+}
+BENCHMARK(paint_room)->Unit(benchmark::kMillisecond);
+
+void move(benchmark::State& state) {
+  FreeCameraPlant plant(RoomSettings{}, room()->layout(), 1);
+  const Command command{{0.1, 0, 0}, {0, 0.1, 0}};
+  for (auto _ : state) benchmark::DoNotOptimize(plant.move(command, 1.0 / 30));
+}
+BENCHMARK(move);
+
+}  // namespace

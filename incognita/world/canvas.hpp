@@ -1,0 +1,64 @@
+// A sheet of grey paint, in metres: what the textures of the rendered room are painted on.
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "incognita/math/random.hpp"
+#include "incognita/vision/image.hpp"
+
+namespace incognita {
+
+/// x to the right, y down, from the top left corner; grey levels from 0 to 255. Shapes have smooth edges one
+/// texel wide, and what falls outside is cut off.
+class Canvas {
+ public:
+  using Point = Eigen::Vector2d;
+
+  Canvas(double width_m, double height_m, double texel_m, double grey);
+
+  double width_m() const { return width_ * texel_m_; }
+  double height_m() const { return height_ * texel_m_; }
+
+  /// Adds smooth value noise with one random value, uniform in +-amplitude, per cell.
+  void add_noise(RandomStream& random, double cell_m, double amplitude);
+  /// Fills a convex polygon whose corners go clockwise as seen (y down).
+  void polygon(std::span<const Point> corners, double grey);
+  void disc(const Point& centre, double radius_m, double grey);
+  /// Multiplies every texel from `low` to `high` with a factor of its place: light and shadow.
+  template <class Factor>
+  void light(const Point& low, const Point& high, Factor factor);
+
+  Image image() const;
+
+ private:
+  template <class Change>
+  void change(const Point& low, const Point& high, Change change);
+
+  int width_, height_;
+  double texel_m_;
+  std::vector<float> grey_;
+};
+
+template <class Change>
+void Canvas::change(const Point& low, const Point& high, Change change) {
+  const auto texel = [&](double x, int count) {
+    return std::clamp(static_cast<int>(x / texel_m_), 0, count - 1);
+  };
+  const int u0 = texel(low.x() - texel_m_, width_), u1 = texel(high.x() + texel_m_, width_);
+  const int v0 = texel(low.y() - texel_m_, height_), v1 = texel(high.y() + texel_m_, height_);
+  for (int v = v0; v <= v1; ++v)
+    for (int u = u0; u <= u1; ++u) {
+      float& grey = grey_[static_cast<std::size_t>(v) * width_ + u];
+      grey = static_cast<float>(change(grey, Point((u + 0.5) * texel_m_, (v + 0.5) * texel_m_)));
+    }
+}
+
+template <class Factor>
+void Canvas::light(const Point& low, const Point& high, Factor factor) {
+  change(low, high, [&](double grey, const Point& p) { return grey * factor(p.x(), p.y()); });
+}
+
+}  // namespace incognita

@@ -1,0 +1,148 @@
+#include "incognita/world/free_camera_plant.hpp"
+
+#include <algorithm>
+#include <array>
+#include <boost/numeric/odeint.hpp>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace incognita {
+namespace {
+
+namespace odeint = boost::numeric::odeint;
+using Numbers = std::array<double, FreeCameraMotion::state_size>;
+using Input = FreeCameraMotion::Input<double>;
+
+// Metres, radians and their rates: far below anything that a camera resolves, and cheap at 30 ticks a second.
+constexpr double absolute_tolerance = 1e-10, relative_tolerance = 1e-10;
+constexpr int passes =
+    4;  // a body pushed from one obstacle into another; what is left then waits for the next tick
+
+/// The continuous form of (5.24).
+void derivative(const Numbers& x, const Input& u, Numbers& dx) {
+  const Eigen::Map<const FreeCameraPlant::State> state(x.data());
+  Eigen::Map<FreeCameraPlant::State> rate(dx.data());
+  const Eigen::Vector3d w = state.segment<3>(10);
+  rate.segment<3>(0) = state.segment<3>(7);
+  rate.segment<4>(3) =
+      0.5 * quaternion_product<double>(state.segment<4>(3), Eigen::Vector4d(0, w.x(), w.y(), w.z()));
+  rate.segment<6>(7) = u;
+}
+
+void check_sigma(double sigma, const char* what) {
+  if (!(sigma >= 0 && std::isfinite(sigma)))
+    throw std::invalid_argument(std::string(what) + " must be zero or positive, got " +
+                                std::to_string(sigma));
+}
+
+void check_settings(const RoomSettings& s) {
+  check_sigma(s.sigma_start_position_m, "room sigma_start_position_m");
+  check_sigma(s.sigma_start_heading_rad, "room sigma_start_heading_rad");
+  check_sigma(s.sigma_acceleration_m_s2, "room sigma_acceleration_m_s2");
+  check_sigma(s.sigma_angular_acceleration_rad_s2, "room sigma_angular_acceleration_rad_s2");
+}
+
+std::vector<Box> grown(std::vector<Box> boxes, double margin_m) {
+  for (Box& box : boxes) box = box.grown(margin_m);
+  return boxes;
+}
+
+FreeCameraPlant::State draw_start(const RoomSettings& s, std::uint64_t seed) {
+  RandomStream random(seed, "world.start");
+  FreeCameraPlant::State x = FreeCameraPlant::State::Zero();
+  for (int i = 0; i < 3; ++i) x[i] = s.start_position_m[i] + s.sigma_start_position_m * random.normal();
+  x.segment<4>(3) = level_camera(s.start_heading_rad + s.sigma_start_heading_rad * random.normal());
+  return x;
+}
+
+std::string text(const Eigen::Vector3d& p) {
+  return "(" + std::to_string(p.x()) + ", " + std::to_string(p.y()) + ", " + std::to_string(p.z()) + ")";
+}
+
+}  // namespace
+
+Eigen::Vector4d level_camera(double heading_rad) {
+  const double c = std::cos(heading_rad), s = std::sin(heading_rad);
+  Eigen::Matrix3d world_from_camera;  // columns: right, down, forward
+  world_from_camera << s, 0, c, -c, 0, s, 0, -1, 0;
+  return quaternion_from_matrix(world_from_camera);
+}
+
+FreeCameraPlant::FreeCameraPlant(const RoomSettings& s, const RoomLayout& layout, std::uint64_t seed)
+    : inside_(layout.inside.grown(-s.clearance_m)),
+      boxes_(grown(layout.boxes, s.clearance_m)),
+      sigma_acceleration_m_s2_(s.sigma_acceleration_m_s2),
+      sigma_angular_acceleration_rad_s2_(s.sigma_angular_acceleration_rad_s2),
+      disturbance_(seed, "world.disturbance") {
+  check_settings(s);
+  if (!inside_.contains(s.start_position_m))
+    throw std::invalid_argument(
+        "room start_position_m must lie in the room, clearance_m from its walls, got " +
+        text(s.start_position_m));
+  state_ = draw_start(s, seed);
+  stop_at_obstacles(s.start_position_m);
+}
+
+const FreeCameraPlant::State& FreeCameraPlant::move(const Command& command, double dt_s) {
+  Input u = command.as_input();
+  if (!u.allFinite()) throw std::invalid_argument("the command to the camera is not finite");
+  if (!(dt_s >= 0 && std::isfinite(dt_s)))
+    throw std::invalid_argument("a tick must last zero or more seconds, got " + std::to_string(dt_s));
+  if (dt_s == 0) return state_;
+  for (int i = 0; i < 3; ++i) u[i] += sigma_acceleration_m_s2_ * disturbance_.normal();
+  for (int i = 3; i < 6; ++i) u[i] += sigma_angular_acceleration_rad_s2_ * disturbance_.normal();
+  const Eigen::Vector3d before = state_.head<3>();
+  Numbers x;
+  std::copy(state_.begin(), state_.end(), x.begin());
+  const auto stepper =
+      odeint::make_controlled<odeint::runge_kutta_dopri5<Numbers>>(absolute_tolerance, relative_tolerance);
+  odeint::integrate_adaptive(
+      stepper, [&](const Numbers& at, Numbers& dx, double) { derivative(at, u, dx); }, x, 0.0, dt_s, dt_s);
+  std::copy(x.begin(), x.end(), state_.begin());
+  state_.segment<4>(3).normalize();
+  stop_at_obstacles(before);
+  return state_;
+}
+
+void FreeCameraPlant::stop_at_obstacles(const Eigen::Vector3d& before) {
+  for (int i = 0; i < 3; ++i) {
+    const double clamped = std::clamp(state_[i], inside_.min[i], inside_.max[i]);
+    if (clamped < state_[i]) state_[7 + i] = std::min(0.0, state_[7 + i]);
+    if (clamped > state_[i]) state_[7 + i] = std::max(0.0, state_[7 + i]);
+    state_[i] = clamped;
+  }
+  bool moved = true;
+  for (int pass = 0; pass < passes && moved; ++pass) {
+    moved = false;
+    for (const Box& box : boxes_) moved |= stop_at_box(box, before);
+  }
+}
+
+/// Stops the body at the face through which the way of this tick enters the box, and lets it slide along that
+/// face.
+bool FreeCameraPlant::stop_at_box(const Box& box, const Eigen::Vector3d& before) {
+  const Eigen::Vector3d way = state_.head<3>() - before;
+  double enter = -1, leave = 1;
+  int axis = -1;
+  for (int i = 0; i < 3; ++i) {
+    if (way[i] == 0) {
+      if (before[i] <= box.min[i] || before[i] >= box.max[i]) return false;
+      continue;
+    }
+    const double near = (way[i] > 0 ? box.min[i] : box.max[i]) - before[i];
+    const double far = (way[i] > 0 ? box.max[i] : box.min[i]) - before[i];
+    if (near / way[i] > enter) {
+      enter = near / way[i];
+      axis = i;
+    }
+    leave = std::min(leave, far / way[i]);
+  }
+  if (axis < 0 || enter < 0 || enter >= leave) return false;
+  const bool up = way[axis] > 0;
+  state_[axis] = up ? box.min[axis] : box.max[axis];
+  state_[7 + axis] = up ? std::min(0.0, state_[7 + axis]) : std::max(0.0, state_[7 + axis]);
+  return true;
+}
+
+}  // namespace incognita

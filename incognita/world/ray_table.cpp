@@ -1,0 +1,63 @@
+#include "incognita/world/ray_table.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace incognita {
+namespace {
+
+/// The side of a square that covers as much of the sphere as the pixel does, per unit of ray parameter.
+double footprint(const Camera& camera, const Eigen::Vector3d& ray, int u, int v) {
+  const auto right = camera.unproject({u + 0.5, v}), left = camera.unproject({u - 0.5, v});
+  const auto below = camera.unproject({u, v + 0.5}), above = camera.unproject({u, v - 0.5});
+  if (!right || !left || !below || !above) return 0;
+  const double volume = std::abs((*right - *left).cross(*below - *above).dot(ray));
+  return std::sqrt(volume / ray.norm());
+}
+
+RayTable::Ray table_ray(const Camera& camera, int u, int v) {
+  const auto ray = camera.unproject({u, v});
+  if (!ray) return {};
+  return {static_cast<float>(ray->x()), static_cast<float>(ray->y()),
+          static_cast<float>(footprint(camera, *ray, u, v))};
+}
+
+/// A cone that holds every ray of a tile, with a little to spare for rays inside a pixel.
+RayTable::Cone tile_cone(const RayTable& table, int tile_u, int tile_v) {
+  const int u0 = tile_u * RayTable::tile_px, u1 = std::min(u0 + RayTable::tile_px, table.width);
+  const int v0 = tile_v * RayTable::tile_px, v1 = std::min(v0 + RayTable::tile_px, table.height);
+  const auto direction = [&](int u, int v) {
+    return Eigen::Vector3f(table.at(u, v).x, table.at(u, v).y, 1).normalized();
+  };
+  RayTable::Cone cone;
+  cone.axis.setZero();
+  for (int v = v0; v < v1; ++v)
+    for (int u = u0; u < u1; ++u)
+      if (table.at(u, v).footprint > 0) cone.axis += direction(u, v);
+  if (cone.axis.isZero()) return cone;
+  cone.axis.normalize();
+  float least_cosine = 1;
+  for (int v = v0; v < v1; ++v)
+    for (int u = u0; u < u1; ++u)
+      if (table.at(u, v).footprint > 0) least_cosine = std::min(least_cosine, cone.axis.dot(direction(u, v)));
+  cone.half_angle_rad =
+      std::acos(least_cosine) + table.at((u0 + u1) / 2 - (u1 == u0 + 1), (v0 + v1) / 2).footprint + 1e-3f;
+  return cone;
+}
+
+}  // namespace
+
+RayTable::RayTable(const Camera& camera)
+    : width(camera.width()),
+      height(camera.height()),
+      tiles_across((width + tile_px - 1) / tile_px),
+      tiles_down((height + tile_px - 1) / tile_px) {
+  rays.reserve(static_cast<std::size_t>(width) * height);
+  for (int v = 0; v < height; ++v)
+    for (int u = 0; u < width; ++u) rays.push_back(table_ray(camera, u, v));
+  for (int v = 0; v < tiles_down; ++v)
+    for (int u = 0; u < tiles_across; ++u) cones.push_back(tile_cone(*this, u, v));
+}
+
+}  // namespace incognita

@@ -1,0 +1,22 @@
+// The clock of a simulation: a steady frame rate, as fast as the machine can.
+#pragma once
+
+#include "incognita/world/world.hpp"
+
+namespace incognita {
+
+class RoomClock final : public Clock {
+ public:
+  /// Ticks at 0, 1/rate, ... before `duration_s`. Throws std::invalid_argument when either is not positive.
+  RoomClock(double rate_hz, double duration_s);
+
+  Tick next() override;
+  std::int64_t expected_frames() const override { return frames_; }
+
+ private:
+  double rate_hz_;
+  std::int64_t frames_;
+  std::int64_t next_ = 0;
+};
+
+}  // namespace incognita

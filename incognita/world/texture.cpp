@@ -1,0 +1,45 @@
+#include "incognita/world/texture.hpp"
+
+namespace incognita {
+namespace {
+
+/// Half the size, each texel the mean of four; an odd last row or column is counted twice.
+Image halved(const Image& fine) {
+  Image coarse((fine.width() + 1) / 2, (fine.height() + 1) / 2);
+  for (int v = 0; v < coarse.height(); ++v) {
+    const std::uint8_t* top = fine.row(2 * v);
+    const std::uint8_t* bottom = fine.row(std::min(2 * v + 1, fine.height() - 1));
+    std::uint8_t* out = coarse.row(v);
+    const int pairs = fine.width() / 2;
+    for (int u = 0; u < pairs; ++u)
+      out[u] = static_cast<std::uint8_t>(
+          (top[2 * u] + top[2 * u + 1] + bottom[2 * u] + bottom[2 * u + 1] + 2) / 4);
+    if (fine.width() % 2)
+      out[pairs] = static_cast<std::uint8_t>((top[2 * pairs] + bottom[2 * pairs] + 1) / 2);
+  }
+  return coarse;
+}
+
+}  // namespace
+
+Texture::Texture(const Image& finest) {
+  if (finest.empty()) return;
+  append(finest, 1.0f);
+  Image level = finest;
+  while (count_ < max_levels && (level.width() > 1 || level.height() > 1)) {
+    level = halved(level);
+    append(level, levels_[count_ - 1].scale / 2);
+  }
+}
+
+void Texture::append(const Image& image, float scale) {
+  levels_[count_++] = {texels_.size(), image.width(), image.height(), scale};
+  texels_.reserve(texels_.size() + static_cast<std::size_t>(image.width() + 1) * (image.height() + 1));
+  for (int v = 0; v <= image.height(); ++v) {
+    const std::uint8_t* row = image.row(std::min(v, image.height() - 1));
+    texels_.insert(texels_.end(), row, row + image.width());
+    texels_.push_back(row[image.width() - 1]);
+  }
+}
+
+}  // namespace incognita

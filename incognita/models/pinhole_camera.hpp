@@ -104,6 +104,9 @@ struct PinholeCamera {
     return J;
   }
 
+  // written out: Eigen/LU is much to include for four numbers
+  static double determinant(const Eigen::Matrix2d& J) { return J(0, 0) * J(1, 1) - J(0, 1) * J(1, 0); }
+
   /// Whether the distortion is one to one from the axis out to c: beyond, two rays share a pixel and a fold
   /// of the polynomial would bring points from outside the view back into the image.
   bool one_to_one(const Eigen::Vector2d& c) const {
@@ -121,13 +124,16 @@ struct PinholeCamera {
     } else if (d == 0 && b != 0 && !rises_if_between(-a / (2 * b))) {
       return false;
     }
-    return distortion_jacobian(c).determinant() > 0;  // the tangential terms can fold it too
+    return determinant(distortion_jacobian(c)) > 0;  // the tangential terms can fold it too
   }
 
   /// Newton's step, halved until it comes closer without leaving the part that is one to one.
   std::optional<Eigen::Vector2d> newton_step(const Eigen::Vector2d& c, const Eigen::Vector2d& wanted,
                                              const Eigen::Vector2d& missing) const {
-    Eigen::Vector2d step = distortion_jacobian(c).inverse() * missing;
+    const Eigen::Matrix2d J = distortion_jacobian(c);
+    Eigen::Matrix2d adjugate;
+    adjugate << J(1, 1), -J(0, 1), -J(1, 0), J(0, 0);
+    Eigen::Vector2d step = adjugate * missing / determinant(J);
     for (int halvings = 0; halvings < 40; ++halvings, step *= 0.5) {
       const Eigen::Vector2d next = c + step;
       if (one_to_one(next) && (wanted - distort<double>(next)).norm() < missing.norm()) return next;

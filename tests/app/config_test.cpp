@@ -1,0 +1,107 @@
+// `incognita config`, called as the program calls it.
+#include "incognita/app/config.hpp"
+
+#include <gtest/gtest.h>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "incognita/io/settings.hpp"
+#include "tests/io/scratch.hpp"
+
+namespace incognita {
+namespace {
+
+using testing::message_of;
+using testing::pgm;
+using testing::Scratch;
+
+struct Answer {
+  std::string out, err;
+};
+
+Answer run(std::vector<std::string> arguments) {
+  CLI::App app;
+  std::function<int()> job;
+  add_config(app, job);
+  std::reverse(arguments.begin(), arguments.end());  // as CLI11 wants a vector
+  app.parse(arguments);
+  ::testing::internal::CaptureStdout();
+  ::testing::internal::CaptureStderr();
+  std::string thrown;
+  int code = -1;
+  try {
+    code = job();
+  } catch (const InputError& error) {
+    thrown = error.what();
+  }
+  const Answer answer{::testing::internal::GetCapturedStdout(), ::testing::internal::GetCapturedStderr()};
+  if (!thrown.empty()) throw InputError(thrown);
+  EXPECT_EQ(code, 0);
+  return answer;
+}
+
+TEST(Config, PrintsEverySetting) {
+  const Answer answer = run({"config", "room", "--set", "run.seed=7"});
+  Scenario scenario;
+  for (const Setting& setting : list_settings(scenario)) EXPECT_HAS(answer.out, setting.key);
+  EXPECT_HAS(answer.out, "from --set");
+  EXPECT_HAS(answer.out, "from room.toml:");
+  EXPECT_HAS(answer.err, "run.seed = 7 (--set) replaces 1 (room.toml:");
+}
+
+TEST(Config, AnswersInJson) {
+  const Answer answer = run({"config", "davison", "--json", "--set", "run.seed=7"});
+  const nlohmann::json document = nlohmann::json::parse(answer.out);
+  EXPECT_EQ(document.at("scenario"), "davison");
+  Scenario scenario;
+  ASSERT_EQ(document.at("settings").size(), list_settings(scenario).size());
+  for (const nlohmann::json& setting : document.at("settings")) {
+    if (setting.at("key") == "run.seed") {
+      EXPECT_EQ(setting.at("value"), 7);
+      EXPECT_EQ(setting.at("default"), 1);
+      EXPECT_EQ(setting.at("source"), "--set");
+    }
+    if (setting.at("key") == "camera.kd1_per_px2") {
+      EXPECT_EQ(setting.at("value"), 9e-6);
+      EXPECT_EQ(setting.at("unit"), "1/px^2");
+    }
+  }
+}
+
+TEST(Config, ChecksTargetAndImages) {
+  const Scratch scratch;
+  const std::string file =
+      scratch
+          .write("s.toml", "[run]\nworld = \"recording\"\n[recording]\nfolder = \"" +
+                               scratch.folder().string() + "/frames\"\n[start]\nfrom = \"free\"\n")
+          .string();
+  scratch.write("frames/rgb.txt", "1 a.pgm\n2 b.pgm\n");
+  scratch.write("frames/a.pgm", pgm(320, 240));
+  EXPECT_HAS(message_of([&] { run({"config", file, "--check"}); }), "b.pgm: is listed and not there");
+  scratch.write("frames/b.pgm", pgm(320, 240));
+  const Answer answer = run({"config", file, "--check"});
+  EXPECT_HAS(answer.out, "all 2 images are there, the first is 320x240");
+  EXPECT_HAS(answer.out, "s: in order");
+  EXPECT_HAS(message_of([&] {
+               run({"config", file, "--check", "--set", "camera.width_px=400"});
+             }),
+             "expect 400x240");
+  EXPECT_HAS(
+      message_of([&] {
+        run({"config", file, "--check", "--set", "start.from=target", "--set", "start.target=no.toml"});
+      }),
+      "--set: start.target = \"no.toml\": there is no such file");
+  EXPECT_HAS(message_of([&] { run({"config", "nothing"}); }), "no such scenario");
+}
+
+TEST(Config, ExplainsItself) {
+  CLI::App app;
+  std::function<int()> job;
+  const std::string help = add_config(app, job)->help();
+  EXPECT_HAS(help, "Example: incognita config room");
+  for (const char* option : {"--set", "--check", "--json", "SCENARIO"}) EXPECT_HAS(help, option);
+}
+
+}  // namespace
+}  // namespace incognita

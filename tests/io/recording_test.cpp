@@ -1,0 +1,281 @@
+// Recordings of every layout, made here, and each way in which one can be broken.
+#include "incognita/io/recording.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
+
+#include "incognita/io/data_folder.hpp"
+#include "incognita/io/files.hpp"
+#include "incognita/io/image_file.hpp"
+#include "incognita/io/recorded.hpp"
+#include "tests/io/scratch.hpp"
+
+namespace incognita {
+namespace {
+
+using testing::message_of;
+using testing::pgm;
+using testing::Scratch;
+
+SharedRecording share(Recording recording) {
+  return std::make_shared<const Recording>(std::move(recording));
+}
+
+Tick at(double t) {
+  return {1, t, 0.1};
+}
+
+TEST(ImageFolder, TakesImagesInNaturalOrder) {
+  const Scratch scratch;
+  for (const char* name : {"img10.pgm", "img2.pgm", "img1.pgm", "img002b.pgm", "notes.txt", "z.PGM"}) {
+    scratch.write(name, pgm(20, 16));
+  }
+  const Recording recording = read_recording(scratch.folder(), "auto", 25);
+  ASSERT_EQ(recording.frames.size(), 5u);
+  const char* order[] = {"img1.pgm", "img2.pgm", "img002b.pgm", "img10.pgm", "z.PGM"};
+  for (std::size_t k = 0; k < 5; ++k) {
+    EXPECT_EQ(recording.frames[k].image.filename(), order[k]);
+    EXPECT_DOUBLE_EQ(recording.frames[k].t, static_cast<double>(k) / 25);
+  }
+  EXPECT_EQ(recording.format, "images");
+  EXPECT_HAS(recording.notes.front(), "taken for the format `images`");
+  EXPECT_HAS(recording.notes.back(), "1 files that are not images are left out");
+  EXPECT_TRUE(recording.truth.empty());
+}
+
+TEST(ImageFolder, SaysWhatIsThereInstead) {
+  const Scratch scratch;
+  scratch.write("frames/a.pgm", pgm(20, 16));
+  EXPECT_HAS(message_of([&] { read_recording(scratch.folder(), "auto", 30); }),
+             "no images in this folder; it has the folders frames");
+  EXPECT_HAS(message_of([&] { read_recording(scratch.folder() / "none", "auto", 30); }), "is not a folder");
+  EXPECT_HAS(message_of([&] { read_recording(scratch.folder(), "bag", 30); }),
+             "recording.format = bag: must be");
+}
+
+TEST(TumRecording, ReadsImagesAndTruth) {
+  const Scratch scratch;
+  scratch.write("rgb.txt", "# color images\n1305031102.175304 rgb/a.png\n1305031102.211214 rgb/b.png\r\n");
+  scratch.write(
+      "groundtruth.txt",
+      "# t tx ty tz qx qy qz qw\n1305031102.17 1 2 3 0 0 0.6 0.8\n1305031102.27 1.1 2 3 0 0 0.6 0.8\n");
+  const Recording recording = read_recording(scratch.folder(), "auto", 30);
+  EXPECT_EQ(recording.format, "tum");
+  ASSERT_EQ(recording.frames.size(), 2u);
+  EXPECT_EQ(recording.frames[1].image, scratch.folder() / "rgb/b.png");
+  EXPECT_DOUBLE_EQ(recording.frames[0].t, 1305031102.175304);
+  ASSERT_EQ(recording.truth.size(), 2u);
+  EXPECT_EQ(recording.truth[0].position, Eigen::Vector3d(1, 2, 3));
+  EXPECT_LT((recording.truth[0].world_from_camera - Eigen::Vector4d(0.8, 0, 0, 0.6)).norm(), 1e-12);
+
+  RecordedWorld world(share(recording));
+  const auto truth = world.move({}, at(1305031102.175304));
+  ASSERT_TRUE(truth);
+  EXPECT_EQ(truth->camera.head<3>(), Eigen::Vector3d(1, 2, 3));
+  EXPECT_NEAR(truth->camera[7], 1.0, 1e-5);  // 0.1 m in 0.1 s
+  EXPECT_FALSE(world.move({}, at(1305031102.22))) << "50 ms from either pose";
+  EXPECT_TRUE(world.move({}, at(1305031102.26)));
+  EXPECT_FALSE(world.move({}, at(1305031103)));
+}
+
+TEST(TumRecording, RefusesBrokenTables) {
+  const auto complaint = [](const std::string& rgb, const std::string& truth = "") {
+    const Scratch scratch;
+    scratch.write("rgb.txt", rgb);
+    if (!truth.empty()) scratch.write("groundtruth.txt", truth);
+    return message_of([&] { read_recording(scratch.folder(), "tum", 30); });
+  };
+  EXPECT_HAS(complaint("# nothing\n"), "rgb.txt: lists no images");
+  EXPECT_HAS(complaint("# c\n1.5\n"), "rgb.txt:2: has 1 columns, column 2 is wanted");
+  EXPECT_HAS(complaint("x a.png\n"), "rgb.txt:1: column 1 must be a number, and is `x`");
+  EXPECT_HAS(complaint("nan a.png\n"), "column 1 must be a number");
+  EXPECT_HAS(complaint("2 a.png\n1 b.png\n"), "rgb.txt:2: the stamps must increase, 1 does not");
+  EXPECT_HAS(complaint("1 a.png\n", "1 0 0 0 0 0 0 0\n"),
+             "groundtruth.txt:1: columns 5 to 8 must be a unit quaternion");
+  EXPECT_HAS(complaint("1 a.png\n", "1 0 0 0 0 0 0\n"),
+             "groundtruth.txt:1: has 7 columns, column 8 is wanted");
+  EXPECT_HAS(complaint("1 a.png\n", "2 0 0 0 0 0 0 1\n1 0 0 0 0 0 0 1\n"),
+             "groundtruth.txt:2: the stamps must not");
+}
+
+TEST(EurocRecording, MakesTheTruthTheCameras) {
+  const Scratch scratch;
+  scratch.write(
+      "mav0/cam0/data.csv",
+      "#timestamp [ns],filename\n1403636579763555584,1403636579763555584.png\n1403636579813555456,b.png\n");
+  scratch.write(
+      "mav0/state_groundtruth_estimate0/data.csv",
+      "#timestamp, p_x, ...\n1403636579763555584,1,2,3,0.7071067811865476,0,0,0.7071067811865476,0,0,0\n");
+  // the camera sits 1 m along the body's x and is turned a quarter about z
+  const std::string yaml =
+      "sensor_type: camera\nT_BS:\n  cols: 4\n  rows: 4\n  data: [0.0, -1.0, 0.0, 1.0,\n         1.0, 0.0, "
+      "0.0, 0.0,\n   0,0,1,0, 0,0,0,1]\n";
+  const Recording body = read_recording(scratch.folder(), "auto", 30);
+  EXPECT_EQ(body.format, "euroc");
+  EXPECT_HAS(body.notes.back(), "the truth is the body's");
+  EXPECT_EQ(body.truth.at(0).position, Eigen::Vector3d(1, 2, 3));
+  ASSERT_EQ(body.frames.size(), 2u);
+  EXPECT_EQ(body.frames[1].image, scratch.folder() / "mav0/cam0/data/b.png");
+  EXPECT_NEAR(body.frames[1].t - body.frames[0].t, 0.049999872, 1e-6);
+
+  scratch.write("mav0/cam0/sensor.yaml", yaml);
+  const Recording camera = read_recording(scratch.folder() / "mav0", "euroc", 30);
+  EXPECT_HAS(camera.notes.back(), "made the camera's");
+  // world_from_body turns a quarter about z: body x is world y
+  EXPECT_LT((camera.truth.at(0).position - Eigen::Vector3d(1, 3, 3)).norm(), 1e-12);
+  EXPECT_NEAR(std::abs(camera.truth.at(0).world_from_camera[3]), 1,
+              1e-12);  // two quarters: half a turn about z
+
+  scratch.write("mav0/cam0/data.csv", "12.5,a.png\n");
+  EXPECT_HAS(message_of([&] { read_recording(scratch.folder(), "auto", 30); }),
+             "data.csv:1: column 1 must be a stamp in whole nanoseconds, and is `12.5`");
+}
+
+SharedRecording three_images(const Scratch& scratch) {
+  int k = 0;
+  for (const char* name : {"a0.pgm", "a1.pgm", "a2.pgm"}) scratch.write(name, pgm(20, 16, k++));
+  return share(read_recording(scratch.folder(), "images", 10));
+}
+
+TEST(RecordedClock, EndsWithTheRecordingOrTheDuration) {
+  const Scratch scratch;
+  const SharedRecording recording = three_images(scratch);
+  RecordedClock whole(recording, 100), part(recording, 0.2);
+  EXPECT_EQ(whole.expected_frames(), 3);
+  EXPECT_EQ(part.expected_frames(), 2);
+  const Tick first = whole.next(), second = whole.next();
+  EXPECT_EQ(first.frame, 0);
+  EXPECT_EQ(first.dt, 0);
+  EXPECT_EQ(second.frame, 1);
+  EXPECT_DOUBLE_EQ(second.t, 0.1);
+  EXPECT_DOUBLE_EQ(second.dt, 0.1);
+  EXPECT_TRUE(whole.next());
+  EXPECT_FALSE(whole.next());
+  EXPECT_FALSE(whole.next());
+  EXPECT_FALSE(RecordedWorld(recording).move({}, first));
+}
+
+TEST(RecordedSensor, GivesImageAfterImage) {
+  const Scratch scratch;
+  RecordedSensor sensor(three_images(scratch), 20, 16);
+  for (int k : {0, 1, 2, 0}) {
+    const Observation seen = sensor.look(std::nullopt, {k, 0, 0});
+    ASSERT_TRUE(seen.image);
+    EXPECT_EQ((*seen.image)(0, 0), k);
+    EXPECT_EQ((*seen.image)(5, 4), k + 3 * 5 + 7 * 4);
+  }
+  EXPECT_HAS(message_of<RecordError>([&] {
+               sensor.look(std::nullopt, {3, 0, 0});
+             }),
+             "frame 3 was asked for, the recording has 3");
+}
+
+TEST(RecordedSensor, RefusesAWrongFirstImageAsInput) {
+  const Scratch scratch;
+  const SharedRecording recording = three_images(scratch);
+  const std::string text = message_of([&] { RecordedSensor(recording, 320, 240); });
+  EXPECT_HAS(text, "a0.pgm: frame 0 is 20x16 px");
+  EXPECT_HAS(text, "expect 320x240");
+  scratch.write("a0.pgm", pgm(20, 16).substr(0, 100));
+  EXPECT_HAS(message_of([&] { RecordedSensor(recording, 20, 16); }), "a0.pgm: the file is cut short");
+}
+
+TEST(RecordedSensor, FailsHalfWayAsAJob) {
+  const Scratch scratch;
+  RecordedSensor sensor(three_images(scratch), 20, 16);
+  const auto complaint = [&] {
+    return message_of<RecordError>([&] { sensor.look(std::nullopt, {1, 0.1, 0.1}); });
+  };
+  scratch.write("a1.pgm", pgm(21, 16));
+  EXPECT_HAS(complaint(), "a1.pgm: frame 1 is 21x16 px, camera.width_px and camera.height_px expect 20x16");
+  scratch.write("a1.pgm", "");
+  EXPECT_HAS(complaint(), "frame 1 of 3 cannot be read");
+  EXPECT_HAS(complaint(), "a1.pgm: the file is empty");
+  std::filesystem::remove(scratch.folder() / "a1.pgm");
+  EXPECT_HAS(complaint(), "a1.pgm: cannot be read: No such file");
+}
+
+// Decoders fill the missing part of an image with grey and say nothing.
+TEST(ReadImage, RefusesEveryTruncation) {
+  const Scratch scratch;
+  cv::Mat noise(48, 64, CV_8U);
+  cv::randu(noise, 0, 255);
+  for (const char* ending : {".pgm", ".jpg", ".png", ".bmp"}) {
+    std::vector<unsigned char> bytes;
+    ASSERT_TRUE(cv::imencode(ending, noise, bytes));
+    const std::string whole(bytes.begin(), bytes.end());
+    const Image image = read_image(scratch.write(std::string("whole") + ending, whole));
+    EXPECT_EQ(image.width(), 64);
+    EXPECT_EQ(image.height(), 48);
+    if (ending != std::string(".jpg")) {
+      EXPECT_EQ(image(13, 7), noise.at<unsigned char>(7, 13));
+    }
+    for (std::size_t size = 0; size < whole.size(); size += 1 + whole.size() / 97) {
+      const auto file = scratch.write(std::string("part") + ending, whole.substr(0, size));
+      EXPECT_HAS(message_of<std::runtime_error>([&] { read_image(file); }), "part") << ending << " " << size;
+    }
+    const auto last = scratch.write(std::string("part") + ending, whole.substr(0, whole.size() - 1));
+    EXPECT_HAS(message_of<std::runtime_error>([&] { read_image(last); }), "cut short") << ending;
+  }
+}
+
+TEST(ReadImage, TakesTextPgmAndComments) {
+  const Scratch scratch;
+  const Image image = read_image(scratch.write("t.pgm", "P2\n# by hand\n3 2\n255\n1 2 3\n4 5 6\n"));
+  EXPECT_EQ(image(2, 1), 6);
+  EXPECT_HAS(message_of<std::runtime_error>(
+                 [&] { read_image(scratch.write("t.pgm", "P2\n3 2\n255\n1 2 3\n4 5\n")); }),
+             "cut short");
+  EXPECT_HAS(
+      message_of<std::runtime_error>([&] { read_image(scratch.write("t.pgm", "P5\n99999999999 2\n255\n")); }),
+      "header");
+  EXPECT_HAS(message_of<std::runtime_error>([&] { read_image(scratch.write("t.png", "no image at all")); }),
+             "t.png: is not an image");
+}
+
+class DataFolder : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (const char* value = std::getenv("INCOGNITA_DATA")) before_ = value;
+    unsetenv("INCOGNITA_DATA");
+    std::filesystem::current_path(scratch_.folder());
+  }
+  void TearDown() override {
+    std::filesystem::current_path(here_);
+    if (!before_.empty()) setenv("INCOGNITA_DATA", before_.c_str(), 1);
+  }
+  Scratch scratch_;
+  std::string before_;
+  std::filesystem::path here_ = std::filesystem::current_path();
+};
+
+TEST_F(DataFolder, SearchesInOrder) {
+  scratch_.write("data/mine/a.pgm", pgm(20, 16));
+  scratch_.write("project/data/far/a.pgm", pgm(20, 16));
+  const std::filesystem::path scenario = scratch_.write("project/scenarios/s.toml", "");
+  EXPECT_EQ(find_data("mine", "", "x"), std::filesystem::path("data/mine"));
+  EXPECT_EQ(find_data("far", scenario, "x"), scratch_.folder() / "project/data/far");
+  EXPECT_EQ(find_data((scratch_.folder() / "data").string(), "", "x"), scratch_.folder() / "data");
+  setenv("INCOGNITA_DATA", (scratch_.folder() / "project/data").c_str(), 1);
+  EXPECT_EQ(find_data("far", "", "x"), scratch_.folder() / "project/data/far");
+  EXPECT_HAS(message_of([&] { find_data("mine", scenario, "s.toml:3: recording.folder"); }),
+             "s.toml:3: recording.folder: mine is not in the data folder");
+  unsetenv("INCOGNITA_DATA");
+}
+
+TEST_F(DataFolder, SaysWhereAMissingRecordingIsPublished) {
+  const LoadedScenario davison = load_scenario("davison");
+  const std::string text = message_of([&] { read_recording(davison); });
+  EXPECT_HAS(text, "davison.toml:");
+  EXPECT_HAS(text, "recording.folder: monoslam_testseq/frames is not in the data folder");
+  EXPECT_HAS(text, "www.doc.ic.ac.uk/~ajd/Scene/Release/testseqmonoslam.tar.gz");
+  EXPECT_HAS(text, "A. J. Davison");
+  EXPECT_HAS(text, "SHA-256");
+  EXPECT_HAS(text, "INCOGNITA_DATA");
+}
+
+}  // namespace
+}  // namespace incognita

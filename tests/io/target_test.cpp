@@ -1,0 +1,149 @@
+// Target files: what they mean, and each way in which one can be wrong.
+#include "incognita/io/target_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "incognita/io/files.hpp"
+#include "tests/io/scratch.hpp"
+
+namespace incognita {
+namespace {
+
+using testing::message_of;
+using testing::pgm;
+using testing::Scratch;
+
+std::string corner(const std::string& position, const std::string& patch = "p.pgm") {
+  return "[[corner]]\nposition_m = " + position + "\npatch = \"" + patch + "\"\n";
+}
+
+const std::string head = "name = \"sheet\"\nnormal = [-1, 0, 0]\n";
+const std::string three = corner("[3, 0.2, 1]") + corner("[3, -0.2, 1]") + corner("[3, 0.2, 1.5]");
+const std::string four = three + corner("[3, -0.2, 1.5]");
+
+std::string complaint(const std::string& toml) {
+  const Scratch scratch;
+  scratch.write("p.pgm", pgm(11, 11));
+  scratch.write("even.pgm", pgm(12, 12));
+  scratch.write("oblong.pgm", pgm(11, 13));
+  scratch.write("small.pgm", pgm(7, 7));
+  scratch.write("cut.pgm", pgm(11, 11).substr(0, 50));
+  scratch.write("flat.pgm", "P5\n11 11\n255\n" + std::string(121, 'x'));
+  const std::filesystem::path file = scratch.write("t.toml", toml);
+  return message_of([&] { read_target(file); });
+}
+
+TEST(Target, IsRead) {
+  const Scratch scratch;
+  scratch.write("p.pgm", pgm(11, 11));
+  scratch.write("elsewhere/q.pgm", pgm(15, 15, 3));
+  const Target target = read_target(scratch.write("t.toml", "name = \"sheet\"\nnormal = [-2, 0, 0]\n" +
+                                                                three + corner("[3, -0.2, 1.5]", "q.pgm")),
+                                    {scratch.folder() / "elsewhere"});
+  EXPECT_EQ(target.name, "sheet");
+  EXPECT_EQ(target.normal, Eigen::Vector3d(-1, 0, 0));
+  ASSERT_EQ(target.corners.size(), 4u);
+  EXPECT_EQ(target.corners[1].position, Eigen::Vector3d(3, -0.2, 1));
+  EXPECT_EQ(target.corners[0].patch.width(), 11);
+  EXPECT_EQ(target.corners[3].patch.width(), 15);
+  EXPECT_EQ(target.corners[3].patch(1, 0), 6);
+}
+
+TEST(Target, ConvertsSceneLibsAxes) {
+  const Scratch scratch;
+  scratch.write("p.pgm", pgm(11, 11));
+  const Target target = read_target(scratch.write(
+      "t.toml", "name = \"a\"\naxes = \"scenelib\"\nnormal = [0, 0, -1]\n" + corner("[0.1, 0.07, 0]") +
+                    corner("[-0.1, 0.07, 0]") + corner("[0.1, -0.07, 0]") + corner("[-0.1, -0.07, 0]")));
+  EXPECT_EQ(target.normal, Eigen::Vector3d(-1, 0, 0));                   // against forward
+  EXPECT_EQ(target.corners[0].position, Eigen::Vector3d(0, 0.1, 0.07));  // left and up stay so
+  EXPECT_EQ(target.corners[3].position, Eigen::Vector3d(0, -0.1, -0.07));
+}
+
+TEST(Target, RefusesWhatCannotBe) {
+  EXPECT_EQ(complaint(head + four), "(none)");
+  EXPECT_HAS(complaint(head + three),
+             "t.toml:3: corner: must be 4 to 100 tables, written [[corner]], and is 3");
+  EXPECT_HAS(complaint(head), "t.toml:1: corner: is missing");
+  EXPECT_HAS(complaint("normal = [1, 0, 0]\n" + four), "name: is missing");
+  EXPECT_HAS(complaint("name = \"x\"\n" + four), "normal: is missing");
+  EXPECT_HAS(complaint("name = 3\n" + head.substr(15) + four), "t.toml:1: name: must be a text");
+  EXPECT_HAS(complaint("name = \"x\"\nnormal = [0, 0, 0]\n" + four), "t.toml:2: normal: must not be zero");
+  EXPECT_HAS(complaint("name = \"x\"\nnormal = [0, 1, 0]\n" + four), "normal: is not perpendicular");
+  EXPECT_HAS(complaint("name = \"x\"\nnormal = [0, nan, 0]\n" + four),
+             "t.toml:2: normal: must be a list of three finite");
+  EXPECT_HAS(complaint(head + "axis = \"world\"\n" + four),
+             "t.toml:3: axis: there is no such key in a target file; the nearest is `axes`");
+  EXPECT_HAS(complaint(head + "axes = \"ros\"\n" + four),
+             "t.toml:3: axes: must be `world` or `scenelib`, and is \"ros\"");
+  EXPECT_HAS(complaint(head + three + corner("[3, -0.2]")),
+             "t.toml:13: position_m: must be a list of three finite");
+  EXPECT_HAS(complaint(head + three + "[[corner]]\nposition_m = [3, -0.2, 1.5]\n"),
+             "t.toml:12: patch: is missing");
+  EXPECT_HAS(complaint(head + three + corner("[3, -0.2, 1.5]") + "size = 3\n"),
+             "t.toml:15: size: there is no such key");
+  EXPECT_HAS(complaint(head + three + corner("[3, 0.2, 1.5]")),
+             "position_m: corners 2 and 3 are at the same place");
+  EXPECT_HAS(complaint(head + three + corner("[3.1, -0.2, 1.5]")),
+             "position_m: the corners are not in one plane");
+  EXPECT_HAS(complaint(head + corner("[3,0,1]") + corner("[3,0,2]") + corner("[3,0,3]") + corner("[3,0,4]")),
+             "position_m: the corners are on one line");
+}
+
+TEST(Target, RefusesPatchesThatCannotBe) {
+  const auto with = [](const char* patch) {
+    return complaint(head + three + corner("[3, -0.2, 1.5]", patch));
+  };
+  EXPECT_HAS(with("none.pgm"), "t.toml:14: patch: none.pgm is not there");
+  EXPECT_HAS(with("even.pgm"),
+             "t.toml:14: patch: even.pgm must be an odd square of 9 to 101 px, and is 12x12");
+  EXPECT_HAS(with("oblong.pgm"), "and is 11x13");
+  EXPECT_HAS(with("small.pgm"), "and is 7x7");
+  EXPECT_HAS(with("cut.pgm"), "cut.pgm: the file is cut short");
+  EXPECT_HAS(with("flat.pgm"), "flat.pgm is of one grey");
+  EXPECT_HAS(message_of([] { read_target("/nowhere/t.toml"); }),
+             "/nowhere/t.toml: cannot be read: No such file");
+}
+
+TEST(Target, IsFoundBesideItsScenario) {
+  const Scratch scratch;
+  const std::string file = scratch.write("s.toml", "[start]\ntarget = \"mine.toml\"\n").string();
+  const LoadedScenario loaded = load_scenario(file);
+  EXPECT_HAS(message_of([&] { find_target(loaded); }),
+             "s.toml:2: start.target = \"mine.toml\": there is no such file");
+  scratch.write("mine.toml", head + four);
+  scratch.write("p.pgm", pgm(11, 11));
+  EXPECT_EQ(find_target(loaded), scratch.folder() / "mine.toml");
+  EXPECT_EQ(load_target(loaded).corners.size(), 4u);
+  // what is printed may be run from another folder
+  const Scratch elsewhere;
+  const LoadedScenario again = load_scenario(elsewhere.write("e.toml", effective_toml(loaded)).string());
+  EXPECT_EQ(load_target(again).name, "sheet");
+}
+
+// The patches of Davison's recording must lie as the corners do: dark is the printed rectangle, inside.
+TEST(Target, DavisonsPatchesAgreeWithTheirCorners) {
+  const LoadedScenario davison = load_scenario("davison");
+  Target target;
+  try {
+    target = load_target(davison);
+  } catch (const InputError& error) {
+    GTEST_SKIP() << error.what();
+  }
+  for (const Target::Corner& c : target.corners) {
+    const Image& patch = c.patch;
+    const auto grey = [&](bool right, bool low) { return patch(right ? 10 : 0, low ? 10 : 0); };
+    const bool inside_is_right = c.position.y() > 0;  // world y is to the left
+    const bool inside_is_low = c.position.z() > 0;
+    for (const bool right : {false, true}) {
+      for (const bool low : {false, true}) {
+        EXPECT_EQ(grey(right, low) < 100, right == inside_is_right && low == inside_is_low);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace incognita

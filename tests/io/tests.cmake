@@ -1,0 +1,8 @@
+incognita_test(pinhole_test SOURCES models/pinhole_test.cpp USES incognita::models opencv_core opencv_calib3d)
+incognita_test(settings_test SOURCES io/settings_test.cpp USES incognita::io)
+incognita_test(recording_test SOURCES io/recording_test.cpp USES incognita::io opencv_core opencv_imgcodecs)
+incognita_test(target_test SOURCES io/target_test.cpp USES incognita::io)
+find_package(CLI11 REQUIRED)
+find_package(nlohmann_json REQUIRED)
+incognita_test(config_test SOURCES app/config_test.cpp
+               USES incognita_app_config CLI11::CLI11 nlohmann_json::nlohmann_json)

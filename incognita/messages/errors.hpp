@@ -1,4 +1,5 @@
-// The two ways in which a job can end badly. The program turns them into its exit codes, and nothing else does.
+// The two ways in which a job can end badly. The program turns them into its exit codes, and nothing else
+// does.
 #pragma once
 
 #include <stdexcept>
@@ -6,7 +7,8 @@
 
 namespace incognita {
 
-/// Bad usage, configuration or input file: exit code 2. Says file, line, key or value, and what would be right.
+/// Bad usage, configuration or input file: exit code 2. Says file, line, key or value, and what would be
+/// right.
 struct InputError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -1,5 +1,6 @@
 #include "incognita/models/camera_look.hpp"
 
+#include <Eigen/LU>
 #include <cmath>
 
 namespace incognita {

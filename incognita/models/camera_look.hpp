@@ -46,7 +46,7 @@ struct InverseDepthLandmark {
   static constexpr Chart chart = Chart::line(size);
   using State = Eigen::Matrix<double, 6, 1>;  ///< birth position (m), direction x and y, inverse depth (1/m)
 
-  Eigen::Vector4d world_from_birth;  ///< axes of the view of birth, a constant
+  Eigen::Vector4d world_from_birth{1, 0, 0, 0};  ///< axes of the view of birth, a constant
 
   struct Look {
     Eigen::Vector2d pixel;

@@ -18,6 +18,19 @@ inline const char* name(TrackingState state) {
   return "unknown";
 }
 
+/// What became of one landmark's look in a frame.
+enum class LookOutcome { matched, not_found, inconsistent, not_tried };
+
+inline const char* name(LookOutcome outcome) {
+  switch (outcome) {
+    case LookOutcome::matched: return "matched";
+    case LookOutcome::not_found: return "not-found";
+    case LookOutcome::inconsistent: return "inconsistent";
+    case LookOutcome::not_tried: return "not-tried";
+  }
+  return "unknown";
+}
+
 struct TrackingStatus {
   TrackingState state = TrackingState::starting;
   std::string reason;         ///< machine-readable enough to act on, e.g. "2 of 12 features matched, gate 3 sigma"

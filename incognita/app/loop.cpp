@@ -1,0 +1,32 @@
+#include "incognita/app/loop.hpp"
+
+#include "incognita/app/snapshot_of.hpp"
+#include "incognita/slam/stage_clock.hpp"
+
+namespace incognita {
+
+void run_loop(Boxes& boxes, const std::function<void(const Snapshot&)>& publish,
+              const std::function<bool(const Tick&)>& keep_going) {
+  auto& [clock, world, sensor, estimator, decision, controller] = boxes;
+  Estimate estimate;
+  Command command;
+  std::vector<std::pair<const char*, double>> timing_ms;
+
+  while (const Tick tick = clock->next()) {
+    if (!keep_going(tick)) return;
+    StageClock stage(timing_ms);
+    const auto truth = world->move(command, tick);             // what really happens (absent on a real robot)
+    stage.mark("world");
+    const Observation seen = sensor->look(truth, tick);        // all that the robot can know
+    stage.mark("sensor");
+    estimator.update(estimate, command, seen, tick);           // in place: belief, landmark catalogue, status
+    stage.mark("estimator");
+    const Goal goal = decision.choose(estimate, tick);         // which action, which way, every candidate's score
+    stage.mark("advice");
+    command = controller.act(estimate, goal, tick);
+    stage.mark("control");
+    publish(snapshot_of(tick, truth, seen, estimate, goal, decision.actions(), command, timing_ms));
+  }
+}
+
+}  // namespace incognita

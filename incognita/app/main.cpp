@@ -1,0 +1,42 @@
+// The program: one file per command, and here the exit codes.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <functional>
+
+#include "incognita/app/config.hpp"
+#include "incognita/app/evaluate.hpp"
+#include "incognita/app/run.hpp"
+#include "incognita/messages/errors.hpp"
+
+namespace {
+
+enum ExitCode { done = 0, job_failed = 1, bad_input = 2 };
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"incognita: maps an unknown place, knows how sure it is, and moves to learn more", "incognita"};
+  app.set_version_flag("--version", INCOGNITA_VERSION);
+  app.require_subcommand(1);
+  app.footer("Example:\n  incognita run room\n\n`incognita COMMAND --help` tells more.\n");
+  std::function<int()> job;
+  incognita::add_run(app, job);
+  incognita::add_evaluate(app, job);
+  incognita::add_config(app, job);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? done : bad_input;
+  }
+  try {
+    return job();
+  } catch (const incognita::InputError& error) {
+    fmt::print(stderr, "incognita: {}\n", error.what());
+    return bad_input;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "incognita: {}\n", error.what());
+    return job_failed;
+  }
+}

@@ -1,0 +1,27 @@
+// A line on the terminal that says how far a long job is. Silent when standard error is not a terminal.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+
+namespace incognita {
+
+class Progress {
+ public:
+  /// `total` 0: unknown.
+  explicit Progress(std::int64_t total);
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  void show(std::int64_t done, const std::string& what);
+
+ private:
+  std::int64_t total_;
+  bool terminal_;
+  bool shown_ = false;
+  std::chrono::steady_clock::time_point start_, last_;
+};
+
+}  // namespace incognita

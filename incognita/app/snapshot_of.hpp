@@ -1,0 +1,22 @@
+// From the loop's messages to what files and screens may see.
+#pragma once
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "incognita/decision/actions.hpp"
+#include "incognita/messages/goal.hpp"
+#include "incognita/messages/observation.hpp"
+#include "incognita/record/snapshot.hpp"
+#include "incognita/slam/estimate.hpp"
+
+namespace incognita {
+
+/// `loop_ms`: the loop's own stages; the estimator's are taken apart into what it measured itself. The stage `frame`
+/// is everything a robot would have to do: estimator, advice and control, not the simulated world nor the files.
+Snapshot snapshot_of(const Tick& tick, const std::optional<Truth>& truth, const Observation& seen,
+                     const Estimate& estimate, const Goal& goal, const std::vector<Translation>& actions,
+                     const Command& command, const std::vector<std::pair<const char*, double>>& loop_ms);
+
+}  // namespace incognita

@@ -1,0 +1,57 @@
+#include "incognita/control/camera_controller.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "incognita/control/reference.hpp"
+#include "incognita/models/heading.hpp"
+
+namespace incognita {
+namespace {
+
+constexpr double braking_s = 0.5;
+
+}  // namespace
+
+Command track_reference(const CameraState& estimate, const Eigen::Vector3d& position, const Eigen::Vector3d& velocity,
+                        const Eigen::Vector3d& acceleration, const Eigen::Vector4d& gaze,
+                        const Eigen::Vector3d& gaze_rate, const ControlSettings& settings) {
+  const Eigen::Vector3d f = acceleration -
+                            settings.gain_velocity_per_s * (free_camera::velocity(estimate) - velocity) -
+                            settings.gain_position_per_s2 * (free_camera::position(estimate) - position);
+  const Eigen::Vector4d q = free_camera::orientation(estimate);
+  const Eigen::Vector4d to_gaze = quaternion_product<double>(quaternion_conjugate(q), gaze);
+  const Eigen::Vector3d alpha = settings.gain_orientation_per_s2 * quaternion_log(to_gaze) -
+                                settings.gain_rate_per_s * (free_camera::angular_rate(estimate) - gaze_rate);
+  const double most = settings.max_acceleration_m_s2, most_angular = settings.max_angular_acceleration_rad_s2;
+  return {f.cwiseMax(-most).cwiseMin(most), alpha.cwiseMax(-most_angular).cwiseMin(most_angular)};
+}
+
+Command CameraController::act(const Estimate& estimate, const Goal& goal, const Tick& tick) {
+  if (!estimate.started) return {};
+  if (estimate.status.state == TrackingState::lost) {
+    if (lost_t_ < 0) lost_t_ = tick.t;
+    return brake(tick);
+  }
+  lost_t_ = -1;
+  last_known_ = estimate.camera_state();
+  if (!first_heading_) {
+    first_heading_ = heading_of(free_camera::orientation(last_known_));
+    first_t_ = tick.t;
+  }
+  const double phase = 2 * std::numbers::pi * (tick.t - *first_t_) / settings_.gaze_period_s;
+  const double swing = settings_.gaze_amplitude_rad * std::sin(phase);
+  const double swing_rate =
+      settings_.gaze_amplitude_rad * std::cos(phase) * 2 * std::numbers::pi / settings_.gaze_period_s;
+  const Eigen::Vector3d rate_in_camera(0, -swing_rate, 0);  // turning left about z is turning about -y of the camera
+  const Reference reference = minimum_jerk(goal.from, goal.to, goal.start_t, goal.end_t, tick.t);
+  return track_reference(last_known_, reference.position, reference.velocity, reference.acceleration,
+                         level_gaze(*first_heading_ + swing), rate_in_camera, settings_);
+}
+
+Command CameraController::brake(const Tick& tick) const {
+  if (tick.t - lost_t_ >= braking_s) return {};
+  return {-free_camera::velocity(last_known_) / braking_s, -free_camera::angular_rate(last_known_) / braking_s};
+}
+
+}  // namespace incognita

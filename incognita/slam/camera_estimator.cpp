@@ -1,0 +1,220 @@
+#include "incognita/slam/camera_estimator.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "incognita/slam/birth.hpp"
+#include "incognita/slam/depth_line.hpp"
+#include "incognita/slam/entropy.hpp"
+#include "incognita/slam/map_management.hpp"
+#include "incognita/slam/measure.hpp"
+#include "incognita/slam/predict_looks.hpp"
+#include "incognita/slam/stage_clock.hpp"
+#include "incognita/slam/target_pose.hpp"
+#include "incognita/slam/tracking.hpp"
+
+namespace incognita {
+namespace {
+
+constexpr double entropy_period_s = 1.0;
+constexpr int matches_to_recover = 6;        // from being lost: more than chance gives
+constexpr double lost_sigma_position_m = 0.1;  // how far the camera is looked for around where it was lost
+constexpr double lost_sigma_rotation_rad = 0.1;
+
+void check_size(const Image& image, const Camera& camera) {
+  if (image.width() != camera.width() || image.height() != camera.height())
+    throw std::invalid_argument("image is " + std::to_string(image.width()) + "x" + std::to_string(image.height()) +
+                                ", the camera is calibrated for " + std::to_string(camera.width()) + "x" +
+                                std::to_string(camera.height()));
+}
+
+}  // namespace
+
+CameraEstimator::CameraEstimator(Camera camera, std::optional<Target> target, const CameraSlamSettings& settings,
+                                 double max_search_s, std::uint64_t seed)
+    : camera_(std::move(camera)),
+      target_(std::move(target)),
+      settings_(settings),
+      max_search_s_(max_search_s),
+      random_(seed, "slam.birth") {}
+
+void CameraEstimator::update(Estimate& estimate, const Command& command, const Observation& seen, const Tick& tick) {
+  StageClock clock(estimate.timing_ms);
+  estimate.looks.clear();
+  estimate.predicted = estimate.matched = estimate.visible = 0;
+  estimate.update = {};
+  if (tick.frame == 0) first_t_ = tick.t;
+  static const Image nothing;
+  const Image& image = seen.image ? *seen.image : nothing;
+  if (!image.empty()) {
+    check_size(image, camera_);
+    summed_.assign(image);
+  }
+  clock.mark("sums");
+  if (!estimate.started) {
+    start(estimate, image, tick, clock);
+  } else if (estimate.status.state == TrackingState::lost) {
+    wait_in_place(estimate, image);
+  } else {
+    predict(estimate, command, tick.dt);
+    track(estimate, image, tick, clock);
+  }
+}
+
+void CameraEstimator::start(Estimate& estimate, const Image& image, const Tick& tick, StageClock& clock) {
+  estimate.status.state = TrackingState::starting;
+  if (image.empty()) {
+    estimate.status.reason = "no image yet";
+    return;
+  }
+  CameraState x = CameraState::Zero();
+  if (!target_) {  // the first view is the origin, level, looking along x
+    const Eigen::Matrix3d world_from_camera = (Eigen::Matrix3d() << 0, 0, 1, -1, 0, 0, 0, -1, 0).finished();
+    x.segment<4>(3) = quaternion_from_matrix(world_from_camera);
+    start_at(estimate, x, 1e-8 * Eigen::Matrix<double, 6, 6>::Identity());
+    estimate.status.reason = "started without a target: the scale is not observable";
+  } else {
+    const TargetSearch search = find_target(*target_, camera_, summed_, settings_.filter.sigma_pixel_px,
+                                            settings_.search.patch_size_px);
+    if (!search.pose) {
+      estimate.status.reason = search.reason;
+      if (tick.t - first_t_ > max_search_s_) estimate.status.state = TrackingState::lost;
+      return;
+    }
+    x.head<3>() = search.pose->position;
+    x.segment<4>(3) = search.pose->world_from_camera;
+    start_at(estimate, x, search.pose->covariance);
+    for (std::size_t i = 0; i < target_->corners.size(); ++i) {
+      auto view = cut_view(image, search.pose->pixels[i], x, camera_, settings_.search.patch_size_px);
+      if (!view) continue;
+      Landmark anchor;
+      anchor.id = estimate.next_id++;
+      anchor.kind = Landmark::Kind::anchor;
+      anchor.anchor = target_->corners[i].position;
+      anchor.view = *std::move(view);
+      anchor.view.normal = target_->normal;
+      estimate.catalogue.push_back(std::move(anchor));
+    }
+    estimate.status.reason = "target " + target_->name + " found, " + std::to_string(search.pose->rms_px) + " px rms";
+  }
+  estimate.status.state = TrackingState::tracking;
+  predict_looks(estimate, camera_, settings_, estimate.looks);
+  add_landmarks(estimate, image);
+  refresh_entropy(estimate, tick);
+  clock.mark("start");
+}
+
+void CameraEstimator::start_at(Estimate& estimate, const CameraState& x, const Eigen::Matrix<double, 6, 6>& pose_cov) {
+  FreeCameraMotion::Jacobian P = FreeCameraMotion::Jacobian::Zero();
+  P.topLeftCorner<6, 6>() = pose_cov;
+  P.diagonal().segment<3>(6).setConstant(std::pow(settings_.filter.sigma_start_velocity_m_s, 2));
+  P.diagonal().segment<3>(9).setConstant(std::pow(settings_.filter.sigma_start_angular_rate_rad_s, 2));
+  estimate.camera = estimate.belief.add_vehicle(FreeCameraMotion::chart, x, P);
+  estimate.started = true;
+}
+
+void CameraEstimator::predict(Estimate& estimate, const Command& command, double dt) const {
+  const auto step = FreeCameraMotion{}.step(estimate.camera_state(), command.as_input(), dt);
+  Eigen::Matrix<double, 6, 1> variances;
+  variances.head<3>().setConstant(std::pow(settings_.filter.sigma_acceleration_m_s2, 2));
+  variances.tail<3>().setConstant(std::pow(settings_.filter.sigma_angular_acceleration_rad_s2, 2));
+  estimate.belief.predict({estimate.camera, step.x, step.F, step.G * variances.asDiagonal() * step.G.transpose()});
+}
+
+void CameraEstimator::correct(Estimate& estimate) const {
+  std::vector<AffineLook> looks;
+  for (const Look& look : estimate.looks)
+    if (look.outcome == LookOutcome::matched)
+      looks.push_back(affine_look(look, estimate.catalogue[look.landmark], estimate.camera,
+                                  settings_.filter.sigma_pixel_px));
+  estimate.update = estimate.belief.update(looks);
+}
+
+void CameraEstimator::track(Estimate& estimate, const Image& image, const Tick& tick, StageClock& clock) {
+  predict_looks(estimate, camera_, settings_, estimate.looks);
+  estimate.visible = static_cast<int>(estimate.looks.size());
+  clock.mark("predict");
+  if (!image.empty()) {
+    estimate.predicted = measure(summed_, estimate.catalogue, settings_.search, estimate.looks);
+    clock.mark("search");
+    estimate.matched = reject_inconsistent(estimate, settings_, estimate.looks);
+    clock.mark("consensus");
+    correct(estimate);
+    clock.mark("update");
+  }
+  estimate.status =
+      judge(estimate.status, estimate.matched, estimate.predicted, sigma_position(estimate), settings_);
+  if (estimate.status.state == TrackingState::lost) return get_lost(estimate);
+  if (estimate.status.state == TrackingState::tracking) {
+    count_attempts(estimate);
+    simplify_landmarks(estimate, settings_.birth);
+    follow_lines(summed_, estimate, camera_, settings_);
+    clock.mark("lines");
+    add_landmarks(estimate, image);
+    clock.mark("births");
+    delete_bad_landmarks(estimate, settings_.map);
+  }
+  refresh_entropy(estimate, tick);
+  clock.mark("map");
+}
+
+/// The camera stands still where it was last believed to be, as unsure as a short search around allows.
+void CameraEstimator::get_lost(Estimate& estimate) const {
+  CameraState x = estimate.camera_state();
+  x.tail<6>().setZero();
+  FreeCameraMotion::Jacobian N = FreeCameraMotion::Jacobian::Zero();
+  N.diagonal().head<3>().setConstant(std::pow(lost_sigma_position_m, 2));
+  N.diagonal().segment<3>(3).setConstant(std::pow(lost_sigma_rotation_rad, 2));
+  N.diagonal().segment<3>(6).setConstant(std::pow(settings_.filter.sigma_start_velocity_m_s, 2));
+  N.diagonal().segment<3>(9).setConstant(std::pow(settings_.filter.sigma_start_angular_rate_rad_s, 2));
+  FreeCameraMotion::Jacobian A = FreeCameraMotion::Jacobian::Identity();
+  A.bottomRightCorner<6, 6>().setZero();
+  estimate.belief.predict({estimate.camera, x, A, N});
+  std::erase_if(estimate.catalogue, [&](const Landmark& landmark) {
+    if (landmark.kind != Landmark::Kind::line) return false;
+    estimate.belief.drop(landmark.block);
+    return true;
+  });
+}
+
+/// Lost: every frame tries the map from where the camera was lost; enough agreeing matches end it.
+void CameraEstimator::wait_in_place(Estimate& estimate, const Image& image) {
+  if (!estimate.started || image.empty()) return;
+  predict_looks(estimate, camera_, settings_, estimate.looks);
+  estimate.visible = static_cast<int>(estimate.looks.size());
+  estimate.predicted = measure(summed_, estimate.catalogue, settings_.search, estimate.looks);
+  estimate.matched = reject_inconsistent(estimate, settings_, estimate.looks);
+  if (estimate.matched < matches_to_recover) {
+    estimate.matched = 0;
+    return;
+  }
+  correct(estimate);
+  estimate.status = {TrackingState::relocated, std::to_string(estimate.matched) + " features matched again", 0};
+}
+
+void CameraEstimator::add_landmarks(Estimate& estimate, const Image& image) {
+  int visible = 0, lines = 0;
+  for (const Look& look : estimate.looks) visible += look.kind != Landmark::Kind::line;
+  for (const Landmark& landmark : estimate.catalogue) lines += landmark.kind == Landmark::Kind::line;
+  for (int i = 0; i < settings_.birth.max_new_per_frame; ++i) {
+    if (visible + lines + i >= settings_.map.wanted_visible) return;
+    if (estimate.mapped_count() >= settings_.map.max_landmarks) return;
+    const auto corner = find_new_corner(image, estimate, camera_, settings_, random_);
+    if (!corner) return;
+    const Eigen::Vector2d at(corner->u, corner->v);
+    if (!give_birth(image, at, estimate, camera_, settings_)) return;
+  }
+}
+
+void CameraEstimator::refresh_entropy(Estimate& estimate, const Tick& tick) {
+  if (tick.t - entropy_t_ >= entropy_period_s - 1e-9) {
+    estimate.entropy = all_entropies(estimate);
+    entropy_t_ = tick.t;
+  } else {
+    estimate.entropy.vehicle = vehicle_entropy(estimate);
+  }
+}
+
+}  // namespace incognita

@@ -1,0 +1,39 @@
+// Finding the known target in an image, and the camera from it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "incognita/models/camera_look.hpp"
+#include "incognita/slam/target.hpp"
+#include "incognita/vision/search.hpp"
+
+namespace incognita {
+
+struct TargetPose {
+  Eigen::Vector3d position;            ///< of the camera, world, m
+  Eigen::Vector4d world_from_camera;
+  Eigen::Matrix<double, 6, 6> covariance;  ///< of position and right rotation error, from the pixels' noise
+  std::vector<Eigen::Vector2d> pixels;     ///< where each corner was found
+  double rms_px = 0;                       ///< of the reprojection
+  double second_rms_px = 0;  ///< of the other pose that a flat target allows; near rms_px the two cannot be told apart
+};
+
+struct TargetSearch {
+  std::optional<TargetPose> pose;
+  std::string reason;  ///< why there is none
+};
+
+/// Looks for every corner patch in the whole image by correlation, tries the combinations of the best places, and
+/// keeps the pose under which the corners project best where they were found.
+TargetSearch find_target(const Target& target, const Camera& camera, const SummedImage& image,
+                         double sigma_pixel_px, int patch_size_px);
+
+/// The poses from which coplanar points (world) are seen at these pixels, best first, refined on the exact camera
+/// model. At most two.
+std::vector<TargetPose> solve_pose(const std::vector<Eigen::Vector3d>& points,
+                                   const std::vector<Eigen::Vector2d>& pixels, const Camera& camera,
+                                   double sigma_pixel_px);
+
+}  // namespace incognita

@@ -1,0 +1,40 @@
+// Whether an estimated pose is as wrong as its covariance says (Bar-Shalom et al. 2001, ch. 5.4).
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "incognita/analysis/trajectory.hpp"
+
+namespace incognita {
+
+/// Order x y z rotX rotY rotZ: position in the world (m), right rotation error in body axes (rad), so that
+/// orientation_true = orientation * exp(rot/2).
+using PoseCovariance = Eigen::Matrix<double, 6, 6>;
+using PoseError = Eigen::Matrix<double, 6, 1>;
+
+struct StampedCovariance {
+  double t = 0;  ///< s
+  PoseCovariance covariance = PoseCovariance::Zero();
+};
+
+/// truth (-) estimate in that order.
+PoseError pose_error(const StampedPose& truth, const StampedPose& estimate);
+
+/// Normalised estimation error squared of the pose divided by its 6 degrees of freedom, so that 1 is right.
+/// Nothing where the covariance is not positive definite: there is no such number for a pose said to be
+/// exact.
+std::optional<double> pose_nees(const PoseError& error, const PoseCovariance& covariance);
+
+/// Whether a position lies beyond 3 sigma of its covariance: its Mahalanobis distance squared exceeds the
+/// 0.9973 quantile of chi-square with 3 degrees of freedom. A covariance that is not positive definite counts
+/// when there is an error at all.
+bool beyond_three_sigma(const Eigen::Vector3d& error, const Eigen::Matrix3d& covariance);
+
+/// Mean of pose_nees over matched poses whose covariance is known at the estimate's own time stamp; nothing
+/// when there is none.
+std::optional<double> mean_pose_nees(const MatchedTrajectories& matched,
+                                     const std::vector<StampedCovariance>& covariances);
+
+}  // namespace incognita

@@ -1,0 +1,52 @@
+#include "incognita/record/map_files.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <string>
+
+#include "incognita/record/number.hpp"
+#include "incognita/record/row_file.hpp"
+
+namespace incognita {
+namespace {
+
+/// 80 for a landmark known to a metre or worse, 230 for one known to a centimetre or better.
+int grey(const SnapshotLandmark& landmark) {
+  const double sigma_m = std::sqrt(std::max(landmark.covariance.trace(), 1e-12));
+  return static_cast<int>(std::clamp(80 - 75 * std::log10(sigma_m), 80.0, 230.0));
+}
+
+}  // namespace
+
+void write_map_csv(const std::filesystem::path& path, const std::vector<SnapshotLandmark>& landmarks) {
+  std::string text = "id,kind,x,y,z,pxx,pxy,pxz,pyy,pyz,pzz,sightings\n";
+  for (const SnapshotLandmark& landmark : landmarks) {
+    text += std::to_string(landmark.id);
+    append_cell(text, landmark.anchor ? "anchor" : "landmark");
+    for (const double p : landmark.position) append_cell(text, p);
+    for (int i = 0; i < 3; ++i)
+      for (int j = i; j < 3; ++j) append_cell(text, landmark.covariance(i, j));
+    fmt::format_to(std::back_inserter(text), ",{}\n", landmark.sightings);
+  }
+  write_whole_file(path, text);
+}
+
+void write_map_ply(const std::filesystem::path& path, const std::vector<SnapshotLandmark>& landmarks) {
+  std::string text = fmt::format(
+      "ply\nformat ascii 1.0\ncomment landmarks of an incognita run, m, z up\nelement vertex {}\n"
+      "property double x\nproperty double y\nproperty double z\n"
+      "property uchar red\nproperty uchar green\nproperty uchar blue\nend_header\n",
+      landmarks.size());
+  for (const SnapshotLandmark& landmark : landmarks) {
+    const auto& p = landmark.position;
+    const int g = grey(landmark);
+    fmt::format_to(std::back_inserter(text), "{} {} {} ", p.x(), p.y(), p.z());
+    text += landmark.anchor ? "255 140 0\n" : fmt::format("{} {} {}\n", g, g, g);
+  }
+  write_whole_file(path, text);
+}
+
+}  // namespace incognita

@@ -1,0 +1,18 @@
+// The map at the end of a run, as a table and as a point cloud.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "incognita/record/snapshot.hpp"
+
+namespace incognita {
+
+/// `id,kind,x,y,z,pxx,pxy,pxz,pyy,pyz,pzz,sightings`. Throws RecordError, leaving no half file; so does the
+/// next.
+void write_map_csv(const std::filesystem::path& path, const std::vector<SnapshotLandmark>& landmarks);
+
+/// ASCII PLY: landmarks grey, the lighter the better known; anchors orange.
+void write_map_ply(const std::filesystem::path& path, const std::vector<SnapshotLandmark>& landmarks);
+
+}  // namespace incognita

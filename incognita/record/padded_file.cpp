@@ -1,0 +1,47 @@
+#include "incognita/record/padded_file.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <stdexcept>
+#include <string>
+
+#include "incognita/messages/errors.hpp"
+#include "incognita/record/row_file.hpp"
+
+namespace incognita {
+
+PaddedFile::PaddedFile(const std::filesystem::path& path, std::string_view text) : path_(path) {
+  descriptor_ = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+  if (descriptor_ < 0) throw RecordError(write_failure(path, errno));
+  try {
+    overwrite(text);
+  } catch (...) {
+    ::close(descriptor_);
+    ::unlink(path.c_str());
+    throw;
+  }
+}
+
+PaddedFile::~PaddedFile() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+void PaddedFile::overwrite(std::string_view text) {
+  if (text.size() >= size_bytes)
+    throw std::length_error(path_.string() + ": " + std::to_string(text.size()) + " bytes");
+  std::string block(size_bytes, ' ');
+  block.replace(0, text.size(), text);
+  block.back() = '\n';
+  std::size_t done = 0;
+  while (done < block.size()) {
+    const ssize_t n =
+        ::pwrite(descriptor_, block.data() + done, block.size() - done, static_cast<off_t>(done));
+    if (n < 0 && errno == EINTR) continue;
+    if (n <= 0) throw RecordError(write_failure(path_, n == 0 ? ENOSPC : errno));
+    done += static_cast<std::size_t>(n);
+  }
+}
+
+}  // namespace incognita

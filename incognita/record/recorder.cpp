@@ -1,0 +1,224 @@
+#include "incognita/record/recorder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "incognita/messages/errors.hpp"
+#include "incognita/record/map_files.hpp"
+#include "incognita/record/mat_file.hpp"
+#include "incognita/record/number.hpp"
+#include "incognita/record/series.hpp"
+
+namespace incognita {
+namespace {
+
+constexpr const char* cut_short = "the program ended before the run did";
+constexpr const char* looks_header =
+    "t,id,kind,u_predicted,v_predicted,sigma_u,sigma_v,u_measured,v_measured,correlation,outcome";
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+std::string covariance_header() {
+  constexpr const char* axes[] = {"x", "y", "z", "rotx", "roty", "rotz"};
+  std::string header = "t";
+  for (const char* row : axes)
+    for (const char* column : axes) header += fmt::format(",{}_{}", row, column);
+  return header;
+}
+
+std::string tum_row(const StampedPose& pose) {
+  std::string row;
+  append_number(row, pose.t);
+  const Eigen::Vector3d& p = pose.position;
+  const Eigen::Vector4d& q = pose.orientation;
+  for (const double value : {p.x(), p.y(), p.z(), q[1], q[2], q[3], q[0]}) {
+    row += ' ';
+    append_number(row, value);
+  }
+  return row;
+}
+
+const char* kind(const SnapshotLook& look) {
+  return look.anchor ? "anchor" : look.line ? "line" : "landmark";
+}
+
+std::string look_row(double t, const SnapshotLook& look) {
+  std::string row;
+  append_number(row, t);
+  row += fmt::format(",{},{}", look.id, kind(look));
+  const Eigen::Vector2d sigma = look.innovation_cov.diagonal().cwiseMax(0).cwiseSqrt();
+  const Eigen::Vector2d measured = look.measured.value_or(Eigen::Vector2d(unknown, unknown));
+  for (const double value : {look.predicted.x(), look.predicted.y(), sigma.x(), sigma.y(), measured.x(),
+                             measured.y(), look.correlation})
+    append_cell(row, value);
+  append_cell(row, name(look.outcome));
+  return row;
+}
+
+}  // namespace
+
+Recorder::Recorder(const std::filesystem::path& directory, const RunInfo& info)
+    : compare_with_truth_(same_frame_as_truth(info)), summary_(info), directory_(directory) {
+  try {
+    open_files(info);
+  } catch (...) {
+    directory_.discard();
+    throw;
+  }
+}
+
+void Recorder::open_files(const RunInfo& info) {
+  summary_file_.emplace(directory_.file("summary.json"), summary_.json(RunStatus::interrupted, cut_short));
+  write_whole_file(directory_.file("effective.toml"), info.effective_toml);
+  estimate_ = RowFile(directory_.file("estimate.tum"), "# t x y z qx qy qz qw, world_from_camera");
+  covariance_ = RowFile(directory_.file("covariance.csv"), covariance_header());
+  looks_ = RowFile(directory_.file("looks.csv"), looks_header);
+  timings_ = TimingTable(directory_.file("timings.csv"));
+}
+
+void Recorder::publish(const Snapshot& snapshot) {
+  summary_.add(snapshot);
+  map_ = snapshot.landmarks;
+  write_pose(snapshot);
+  write_series(snapshot);
+  write_decision(snapshot);
+  write_looks(snapshot);
+  timings_.add(snapshot);
+  keep_summary_fresh(snapshot.tick.t);
+}
+
+void Recorder::write_pose(const Snapshot& snapshot) {
+  const double t = snapshot.tick.t;
+  if (snapshot.truth) {
+    if (!truth_opened_)
+      truth_ = RowFile(directory_.file("truth.tum"), "# t x y z qx qy qz qw, world_from_camera");
+    truth_opened_ = true;
+    truth_.append(tum_row(true_pose(snapshot.tick, *snapshot.truth)), t);
+  }
+  if (!has_pose(snapshot)) return;
+  estimate_.append(tum_row(estimated_pose(snapshot)), t);
+  const PoseCovariance P = pose_covariance(snapshot);
+  std::string row;
+  append_number(row, t);
+  for (int i = 0; i < 6; ++i)
+    for (int j = 0; j < 6; ++j) append_cell(row, P(i, j));
+  covariance_.append(row, t);
+}
+
+void Recorder::open_series() {
+  std::string header = "t,state";
+  const auto columns = series_columns(*with_errors_);
+  for (const std::string& column : columns) append_cell(header, column);
+  series_ = RowFile(directory_.file("series.csv"), header);
+  series_columns_.resize(columns.size() + 2);
+}
+
+void Recorder::write_series(const Snapshot& snapshot) {
+  if (!with_errors_) {
+    with_errors_ = compare_with_truth_ && snapshot.truth.has_value();
+    open_series();
+  }
+  const std::vector<double> values = series_row(snapshot, *with_errors_);
+  std::string row;
+  append_number(row, snapshot.tick.t);
+  append_cell(row, name(snapshot.status.state));
+  for (const double value : values) append_cell(row, value);
+  series_columns_[0].push_back(snapshot.tick.t);
+  series_columns_[1].push_back(static_cast<double>(snapshot.status.state));
+  for (std::size_t i = 0; i < values.size(); ++i) series_columns_[i + 2].push_back(values[i]);
+  series_.append(row, snapshot.tick.t);
+}
+
+void Recorder::open_actions(const std::vector<std::string>& actions) {
+  std::string header = "t,chosen";
+  for (const std::string& action : actions) append_cell(header, action);
+  candidates_ = actions.size();
+  actions_opened_ = true;
+  actions_ = RowFile(directory_.file("actions.csv"), header);
+}
+
+void Recorder::write_decision(const Snapshot& snapshot) {
+  const SnapshotAdvice& advice = snapshot.advice;
+  if (!advice.decided) return;
+  if (!actions_opened_) open_actions(advice.actions);
+  const bool named = advice.chosen >= 0 && static_cast<std::size_t>(advice.chosen) < advice.actions.size();
+  std::string row;
+  append_number(row, snapshot.tick.t);
+  append_cell(row, named ? std::string_view(advice.actions[static_cast<std::size_t>(advice.chosen)]) : "");
+  for (std::size_t i = 0; i < candidates_; ++i)
+    append_cell(row, i < advice.scores.size() ? advice.scores[i] : unknown);
+  actions_.append(row, snapshot.tick.t);
+}
+
+void Recorder::write_looks(const Snapshot& snapshot) {
+  for (const SnapshotLook& look : snapshot.looks)
+    looks_.append(look_row(snapshot.tick.t, look), snapshot.tick.t);
+}
+
+void Recorder::keep_summary_fresh(double t_s) {
+  if (!first_t_s_) first_t_s_ = t_s;
+  if (!summary_t_s_) summary_t_s_ = t_s;
+  // a summary looks at the whole run: the longer that is, the rarer, so that it never costs more than a
+  // glance
+  if (t_s - *summary_t_s_ < std::max(1.0, 0.02 * (t_s - *first_t_s_))) return;
+  summary_t_s_ = t_s;
+  summary_file_->overwrite(summary_.json(RunStatus::interrupted, cut_short));
+}
+
+void Recorder::write_series_mat() const {
+  MatFile mat;
+  const auto names = series_columns(with_errors_.value_or(false));
+  for (std::size_t i = 0; i < series_columns_.size(); ++i)
+    mat.columns.emplace_back(i == 0 ? "t" : i == 1 ? "state" : names[i - 2], series_columns_[i]);
+  for (std::size_t i = 0; i < timings_.stages().size(); ++i)
+    mat.columns.emplace_back("timing_ms_" + timings_.stages()[i], timings_.column(i));
+  for (const TrackingState state : {TrackingState::starting, TrackingState::tracking, TrackingState::degraded,
+                                    TrackingState::lost, TrackingState::relocated}) {
+    if (mat.words.empty()) mat.words.emplace_back("state_names", std::vector<std::string>{});
+    mat.words.front().second.emplace_back(name(state));  // state 0 is the first name
+  }
+  write_mat(directory_.file("series.mat"), mat);
+}
+
+RunOutcome Recorder::finish(RunStatus status, const std::string& reason, const Finishing& finishing) {
+  std::vector<std::string> failures;
+  const auto attempt = [&](const auto& step) {
+    try {
+      step();
+    } catch (const std::exception& error) {
+      failures.emplace_back(error.what());
+    }
+  };
+  attempt([&] {
+    if (!with_errors_) {
+      with_errors_ = false;
+      open_series();
+    }
+  });
+  attempt([&] {
+    if (!actions_opened_) open_actions({});
+  });
+  for (RowFile* file : {&estimate_, &truth_, &covariance_, &series_, &actions_, &looks_})
+    attempt([&] { file->close(); });
+  attempt([&] { timings_.close(); });
+  attempt([&] { write_map_csv(directory_.file("map.csv"), map_); });
+  attempt([&] { write_map_ply(directory_.file("map.ply"), map_); });
+  attempt([&] { write_series_mat(); });
+  attempt([&] {
+    if (!finishing) return;
+    for (const std::string& warning : finishing(directory_.path())) summary_.warn(warning);
+  });
+
+  RunOutcome outcome{status, reason};
+  for (const std::string& failure : failures) {
+    if (failure == reason) continue;
+    outcome.reason = outcome.status == RunStatus::failed ? outcome.reason + "; " + failure : failure;
+    outcome.status = RunStatus::failed;
+  }
+  summary_file_->overwrite(summary_.json(outcome.status, outcome.reason));
+  return outcome;
+}
+
+}  // namespace incognita

@@ -1,0 +1,89 @@
+// The run directory, written while the loop runs.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "incognita/record/padded_file.hpp"
+#include "incognita/record/row_file.hpp"
+#include "incognita/record/run_directory.hpp"
+#include "incognita/record/run_summary.hpp"
+#include "incognita/record/snapshot.hpp"
+#include "incognita/record/timing_table.hpp"
+
+namespace incognita {
+
+/// What summary.json ends up saying.
+struct RunOutcome {
+  RunStatus status = RunStatus::done;
+  std::string reason;
+};
+
+/// Writes a run directory. Its files:
+///
+/// - effective.toml: the settings in force, as the caller gives them.
+/// - estimate.tum, truth.tum: `t x y z qx qy qz qw`, world_from_camera. No estimate row while starting or
+/// lost: a
+///   pose that is not known is not written. No truth.tum where the truth is unknown.
+/// - covariance.csv: t and the 6x6 covariance of each row of estimate.tum, row-major, order x y z rotX rotY
+/// rotZ:
+///   position in the world (m), rotation as the right error in camera axes (rad), q_true = q * exp(rot/2).
+/// - series.csv: see series_columns(). actions.csv: a row per decision, scores in nats. looks.csv: every
+/// look.
+/// - timings.csv: milliseconds per stage; alone, with series.mat and summary.json, in differing from run to
+/// run.
+/// - map.csv, map.ply, series.mat: at the end. summary.json: at once, brought up to date about once per
+/// second.
+///
+/// Same snapshots, same bytes, in all but those three. An earlier run in the same folder is removed first.
+class Recorder {
+ public:
+  /// Throws RecordError, with nothing left behind, when the folder cannot be made or written to.
+  Recorder(const std::filesystem::path& directory, const RunInfo& info);
+
+  /// Throws RecordError when the disk refuses; call finish() then with that reason: all that was recorded
+  /// stays.
+  void publish(const Snapshot& snapshot);
+
+  /// Adds a field to summary.json. Throws std::invalid_argument for a name that the contract has.
+  void note(const std::string& key, SummaryValue value) { summary_.note(key, std::move(value)); }
+
+  const std::filesystem::path& path() const { return directory_.path(); }
+
+  /// Writes what comes last, then lets `finishing` add to the directory (figures; it returns warnings and
+  /// throws RecordError), then closes summary.json. What cannot be written is left out, and makes the run
+  /// `failed`. Throws RecordError only when summary.json itself is refused.
+  using Finishing = std::function<std::vector<std::string>(const std::filesystem::path& directory)>;
+  RunOutcome finish(RunStatus status, const std::string& reason, const Finishing& finishing = {});
+
+ private:
+  void open_files(const RunInfo& info);
+  void write_pose(const Snapshot& snapshot);
+  void write_series(const Snapshot& snapshot);
+  void write_decision(const Snapshot& snapshot);
+  void write_looks(const Snapshot& snapshot);
+  void keep_summary_fresh(double t_s);
+  void open_series();
+  void open_actions(const std::vector<std::string>& actions);
+  void write_series_mat() const;
+
+  bool compare_with_truth_;
+  RunSummary summary_;
+  RunDirectory directory_;
+  std::optional<PaddedFile> summary_file_;
+  RowFile estimate_, truth_, covariance_, series_, actions_, looks_;
+  TimingTable timings_;
+
+  std::size_t candidates_ = 0;  ///< columns of actions.csv after t and chosen
+  bool actions_opened_ = false, truth_opened_ = false;
+  std::optional<bool> with_errors_;  ///< whether series.csv has columns of errors; the first snapshot tells
+  std::vector<std::vector<double>>
+      series_columns_;                 ///< t, state code, then the columns of series.csv, for the MAT
+  std::vector<SnapshotLandmark> map_;  ///< of the last snapshot
+  std::optional<double> summary_t_s_, first_t_s_;
+};
+
+}  // namespace incognita

@@ -1,0 +1,15 @@
+find_package(fmt REQUIRED)
+find_package(nlohmann_json 3.11 REQUIRED)
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(MATIO REQUIRED IMPORTED_TARGET GLOBAL matio)
+
+incognita_room(record
+  SOURCES record/map_files.cpp record/mat_file.cpp record/number.cpp record/padded_file.cpp record/recorder.cpp
+          record/row_file.cpp record/run_directory.cpp record/run_summary.cpp record/series.cpp
+          record/timing_table.cpp record/tum.cpp
+  USES incognita::math incognita::models incognita::messages incognita::analysis
+  PRIVATE_USES fmt::fmt nlohmann_json::nlohmann_json PkgConfig::MATIO)
+
+# apart, because only who wants pictures should need OpenCV
+incognita_room(pictures SOURCES record/frame_pictures.cpp USES incognita::record
+  PRIVATE_USES fmt::fmt opencv_core opencv_imgproc opencv_imgcodecs)

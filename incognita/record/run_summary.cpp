@@ -1,0 +1,156 @@
+#include "incognita/record/run_summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "incognita/record/series.hpp"
+
+namespace incognita {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t max_text_bytes = 1000;  // of one string: the document has to fit its place on the disk
+constexpr std::size_t max_warnings = 5;
+
+constexpr const char* reserved[] = {
+    "status",   "reason",  "frames",        "landmarks", "lost_frames",    "entropy",
+    "mean_nis", "ate_m",   "ate_alignment", "mean_nees", "timing_ms",      "seed",
+    "version",  "anchors", "decisions",     "warnings",  "tracked_frames", "overconfident_frames"};
+
+std::string short_text(const std::string& text) {
+  return text.size() <= max_text_bytes ? text : text.substr(0, max_text_bytes) + "...";
+}
+
+Json json_of(const SummaryValue& value) {
+  if (const auto* text = std::get_if<std::string>(&value)) return short_text(*text);
+  return std::visit([](const auto& v) { return Json(v); }, value);
+}
+
+/// The smallest value that at least this share of the values do not exceed.
+double quantile(std::vector<double> values, double share) {
+  const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size())));
+  const auto nth = values.begin() + static_cast<std::ptrdiff_t>(std::max<std::size_t>(rank, 1) - 1);
+  std::nth_element(values.begin(), nth, values.end());
+  return *nth;
+}
+
+Json timing_json(const std::vector<std::pair<std::string, std::vector<double>>>& stage_ms) {
+  Json timing = Json::object();
+  for (const auto& [stage, ms] : stage_ms)
+    timing[stage] = {{"median", quantile(ms, 0.5)}, {"p99", quantile(ms, 0.99)}};
+  return timing;
+}
+
+}  // namespace
+
+const char* name(RunStatus status) {
+  switch (status) {
+    case RunStatus::done:
+      return "done";
+    case RunStatus::failed:
+      return "failed";
+    case RunStatus::interrupted:
+      return "interrupted";
+  }
+  return "unknown";
+}
+
+bool same_frame_as_truth(const RunInfo& info) {
+  return info.ate_alignment == name(AlignmentKind::none);
+}
+
+RunSummary::RunSummary(const RunInfo& info) : version_(info.version), seed_(info.seed) {
+  const auto kind = alignment_kind(info.ate_alignment);
+  if (!kind)
+    throw std::invalid_argument("ate_alignment `" + info.ate_alignment + "`; none, se3, sim3 or yaw");
+  alignment_ = *kind;
+  const double unknown = std::numeric_limits<double>::quiet_NaN();
+  entropy_ = {unknown, unknown, unknown};
+  for (const auto& [key, value] : info.extra) note(key, value);
+}
+
+void RunSummary::note(const std::string& key, SummaryValue value) {
+  if (std::find(std::begin(reserved), std::end(reserved), key) != std::end(reserved))
+    throw std::invalid_argument("summary.json has its own `" + key + "`");
+  for (auto& [name, old] : extra_)
+    if (name == key) {
+      old = std::move(value);
+      return;
+    }
+  extra_.emplace_back(key, std::move(value));
+}
+
+void RunSummary::add(const Snapshot& snapshot) {
+  ++frames_;
+  if (has_pose(snapshot)) ++tracked_frames_;
+  if (snapshot.status.state == TrackingState::lost) ++lost_frames_;
+  if (snapshot.advice.decided) ++decisions_;
+  landmarks_ = mapped_landmarks(snapshot);
+  anchors_ = static_cast<int>(snapshot.landmarks.size()) - landmarks_;
+  // where an entropy is not known, as in a frame without a pose, the last one known stands
+  if (std::isfinite(snapshot.entropy.total)) entropy_ = snapshot.entropy;
+  if (snapshot.nis_dof > 0) nis_per_dof_.add(snapshot.nis / snapshot.nis_dof);
+  if (snapshot.truth) compare_with_truth(snapshot);
+  for (const auto& [stage, ms] : snapshot.timing_ms) {
+    auto found =
+        std::find_if(stage_ms_.begin(), stage_ms_.end(), [&](const auto& s) { return s.first == stage; });
+    if (found == stage_ms_.end()) found = stage_ms_.insert(found, {stage, {}});
+    found->second.push_back(ms);
+  }
+}
+
+void RunSummary::compare_with_truth(const Snapshot& snapshot) {
+  has_truth_ = true;
+  if (!has_pose(snapshot)) return;
+  const StampedPose truth = true_pose(snapshot.tick, *snapshot.truth), estimate = estimated_pose(snapshot);
+  matched_.truth.push_back(truth);
+  matched_.estimate.push_back(estimate);
+  if (alignment_ != AlignmentKind::none) return;  // a covariance speaks of the frame it is in
+  const PoseError error = pose_error(truth, estimate);
+  const PoseCovariance P = pose_covariance(snapshot);
+  if (const auto nees = pose_nees(error, P)) nees_per_dof_.add(*nees);
+  if (snapshot.status.state == TrackingState::tracking &&
+      beyond_three_sigma(error.head<3>(), P.topLeftCorner<3, 3>()))
+    ++overconfident_frames_;
+}
+
+double RunSummary::ate_m() const {
+  const auto alignment = align(matched_, alignment_);
+  if (!alignment || matched_.estimate.empty()) return std::numeric_limits<double>::quiet_NaN();
+  return absolute_trajectory_error({aligned(matched_.estimate, *alignment), matched_.truth}).rmse;
+}
+
+std::string RunSummary::json(RunStatus status, const std::string& reason) const {
+  Json json{{"status", name(status)},
+            {"reason", short_text(reason)},
+            {"version", version_},
+            {"seed", seed_},
+            {"frames", frames_},
+            {"tracked_frames", tracked_frames_},
+            {"lost_frames", lost_frames_},
+            {"landmarks", landmarks_},
+            {"anchors", anchors_},
+            {"decisions", decisions_},
+            {"entropy", {{"vehicle", entropy_.vehicle}, {"map", entropy_.map}, {"total", entropy_.total}}},
+            {"mean_nis", nis_per_dof_.value()}};
+  if (has_truth_) {
+    json["ate_m"] = ate_m();
+    json["ate_alignment"] = name(alignment_);
+    json["mean_nees"] = nees_per_dof_.value();
+    json["overconfident_frames"] =
+        alignment_ == AlignmentKind::none ? Json(overconfident_frames_) : Json(nullptr);
+  }
+  json["timing_ms"] = timing_json(stage_ms_);
+  json["warnings"] = Json::array();
+  for (std::size_t i = 0; i < std::min(warnings_.size(), max_warnings); ++i)
+    json["warnings"].push_back(short_text(warnings_[i]));
+  for (const auto& [key, value] : extra_) json[key] = json_of(value);
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace incognita

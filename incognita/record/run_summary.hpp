@@ -1,0 +1,78 @@
+// What summary.json says of a run, gathered snapshot by snapshot.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "incognita/analysis/trajectory.hpp"
+#include "incognita/record/snapshot.hpp"
+
+namespace incognita {
+
+enum class RunStatus { done, failed, interrupted };
+const char* name(RunStatus status);
+
+using SummaryValue = std::variant<bool, std::int64_t, double, std::string>;
+
+/// What is known of a run before it starts.
+struct RunInfo {
+  std::string effective_toml;  ///< every setting in force and where it came from, as text
+  std::int64_t seed = 0;
+  std::string version;
+  std::string ate_alignment = "none";  ///< `none` where anchors fix the frame, `sim3` where the scale is free
+  std::vector<std::pair<std::string, SummaryValue>> extra;  ///< more fields for summary.json
+};
+
+/// Whether estimate and truth can be compared as they are.
+bool same_frame_as_truth(const RunInfo& info);
+
+class RunSummary {
+ public:
+  /// Throws std::invalid_argument when the alignment is none of `none`, `se3`, `sim3`, `yaw`.
+  explicit RunSummary(const RunInfo& info);
+
+  void add(const Snapshot& snapshot);
+  /// One more field, or another value for it. Throws std::invalid_argument for a name of the contract's.
+  void note(const std::string& key, SummaryValue value);
+  void warn(const std::string& warning) { warnings_.push_back(warning); }
+
+  /// The JSON document (docs/schemas/summary.schema.json).
+  std::string json(RunStatus status, const std::string& reason) const;
+
+ private:
+  struct Mean {
+    double sum = 0;
+    std::int64_t count = 0;
+    void add(double value) {
+      sum += value;
+      ++count;
+    }
+    /// NaN, that is null in JSON, without values.
+    double value() const {
+      return count ? sum / static_cast<double>(count) : std::numeric_limits<double>::quiet_NaN();
+    }
+  };
+
+  void compare_with_truth(const Snapshot& snapshot);
+  double ate_m() const;
+
+  std::string version_;
+  std::int64_t seed_;
+  AlignmentKind alignment_;
+  std::vector<std::pair<std::string, SummaryValue>> extra_;
+  std::vector<std::string> warnings_;
+
+  std::int64_t frames_ = 0, tracked_frames_ = 0, lost_frames_ = 0, overconfident_frames_ = 0, decisions_ = 0;
+  int landmarks_ = 0, anchors_ = 0;
+  SnapshotEntropy entropy_;
+  Mean nis_per_dof_, nees_per_dof_;
+  bool has_truth_ = false;
+  MatchedTrajectories matched_;
+  std::vector<std::pair<std::string, std::vector<double>>> stage_ms_;
+};
+
+}  // namespace incognita

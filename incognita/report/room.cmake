@@ -1,0 +1,6 @@
+incognita_room(report
+  SOURCES report/child_process.cpp report/csv_table.cpp report/figure_scripts.cpp report/figure_style.cpp
+          report/run_figures.cpp
+  USES incognita::record incognita::analysis PRIVATE_USES fmt::fmt)
+
+include(app/evaluate.cmake OPTIONAL)

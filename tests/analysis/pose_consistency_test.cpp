@@ -1,0 +1,65 @@
+#include "incognita/analysis/pose_consistency.hpp"
+
+#include <gtest/gtest.h>
+
+#include "incognita/math/quaternion.hpp"
+#include "incognita/math/random.hpp"
+
+namespace incognita {
+namespace {
+
+TEST(PoseError, IsInTheWorldAndInTheBody) {
+  const StampedPose estimate{0, {1, 2, 3}, quaternion_exp<double>(Eigen::Vector3d(0.3, -2, 0.5))};
+  const Eigen::Vector3d turn(0.01, -0.02, 0.03);
+  const StampedPose truth{
+      0, {1.1, 2, 2.8}, quaternion_product<double>(estimate.orientation, quaternion_exp(turn))};
+  const PoseError error = pose_error(truth, estimate);
+  EXPECT_TRUE(error.head<3>().isApprox(Eigen::Vector3d(0.1, 0, -0.2), 1e-12));
+  EXPECT_TRUE(error.tail<3>().isApprox(turn, 1e-12)) << error.transpose();
+}
+
+TEST(PoseNees, MatchesAHandComputedValue) {
+  PoseCovariance P = PoseCovariance::Identity();
+  P(0, 0) = 4;
+  PoseError e = PoseError::Zero();
+  e[0] = 2;  // one sigma
+  e[5] = 3;  // three
+  EXPECT_NEAR(*pose_nees(e, P), 10.0 / 6, 1e-12);
+  P(2, 2) = 0;
+  EXPECT_FALSE(pose_nees(e, P));
+}
+
+TEST(PoseNees, AveragesToOneForErrorsOfThatCovariance) {
+  RandomStream random(3, "nees");
+  PoseCovariance root = PoseCovariance::Identity() * 0.1;
+  root(1, 0) = 0.05;
+  root(4, 2) = -0.08;
+  const PoseCovariance P = root * root.transpose();
+  double sum = 0;
+  constexpr int runs = 4000;  // standard error sqrt(2/6/4000) = 0.009
+  for (int i = 0; i < runs; ++i) {
+    PoseError normal;
+    for (double& value : normal) value = random.normal();
+    sum += *pose_nees(root * normal, P);
+  }
+  EXPECT_NEAR(sum / runs, 1, 0.04);
+}
+
+TEST(BeyondThreeSigma, IsTheChiSquareQuantile) {
+  const Eigen::Matrix3d P = 0.04 * Eigen::Matrix3d::Identity();
+  EXPECT_FALSE(beyond_three_sigma({0.2 * 3.7624, 0, 0}, P));  // sqrt(14.1556)
+  EXPECT_TRUE(beyond_three_sigma({0.2 * 3.7626, 0, 0}, P));   // sqrt(14.1572)
+  EXPECT_TRUE(beyond_three_sigma({1e-9, 0, 0}, Eigen::Matrix3d::Zero()));
+  EXPECT_FALSE(beyond_three_sigma({0, 0, 0}, Eigen::Matrix3d::Zero()));
+}
+
+TEST(MeanPoseNees, UsesCovariancesOfTheSameStampOnly) {
+  const StampedPose truth{1, {1, 0, 0}, {1, 0, 0, 0}}, later{2, {1, 0, 0}, {1, 0, 0, 0}};
+  const StampedPose first{1, {0, 0, 0}, {1, 0, 0, 0}}, second{2, {0, 0, 0}, {1, 0, 0, 0}};
+  const MatchedTrajectories matched{{first, second}, {truth, later}};
+  EXPECT_NEAR(*mean_pose_nees(matched, {{2, PoseCovariance::Identity()}}), 1.0 / 6, 1e-12);
+  EXPECT_FALSE(mean_pose_nees(matched, {{3, PoseCovariance::Identity()}}));
+}
+
+}  // namespace
+}  // namespace incognita

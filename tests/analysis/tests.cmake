@@ -1,0 +1,2 @@
+incognita_test(analysis_test SOURCES analysis/trajectory_test.cpp analysis/pose_consistency_test.cpp
+               USES incognita::analysis)

@@ -1,0 +1,117 @@
+// Snapshots of a run that never was: a camera on a circle, its estimate a little off, two anchors, a growing
+// map.
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "incognita/math/quaternion.hpp"
+#include "incognita/math/random.hpp"
+#include "incognita/record/snapshot.hpp"
+
+namespace incognita::testing {
+
+struct SyntheticRun {
+  bool with_truth = true;
+  int frames = 120;
+  int starting = 3;  ///< first frames, without a pose
+  int lost_from = 1 << 30, lost_to = 1 << 30;
+  double sigma_position_m = 0.02, sigma_rotation_rad = 0.01;
+  double error_factor = 1;  ///< true errors are this many times what the covariance says
+
+  TrackingState state(int frame) const {
+    if (frame < starting) return TrackingState::starting;
+    if (frame >= lost_from && frame < lost_to) return TrackingState::lost;
+    return TrackingState::tracking;
+  }
+};
+
+inline FreeCameraMotion::State<double> camera_on_circle(double t) {
+  FreeCameraMotion::State<double> x = FreeCameraMotion::State<double>::Zero();
+  x.segment<3>(0) << 1.5 * std::cos(0.4 * t), 1.5 * std::sin(0.4 * t), 1.3 + 0.2 * std::sin(t);
+  x.segment<4>(3) = quaternion_exp<double>(Eigen::Vector3d(-1.2, 0.1, 0.4 * t));
+  return x;
+}
+
+inline void add_map(Snapshot& snapshot, int mapped) {
+  for (int i = 0; i < mapped + 2; ++i) {
+    SnapshotLandmark landmark;
+    landmark.id = i;
+    landmark.anchor = i < 2;
+    landmark.position << 3 * std::cos(0.9 * i), 3 * std::sin(0.9 * i), 0.3 * (i % 7);
+    landmark.sightings = static_cast<int>(snapshot.tick.frame);
+    if (!landmark.anchor) {
+      const Eigen::Vector3d away = landmark.position.normalized();
+      landmark.covariance =
+          0.0004 * Eigen::Matrix3d::Identity() + 0.02 / (1 + i % 5) * away * away.transpose();
+    }
+    snapshot.landmarks.push_back(landmark);
+  }
+}
+
+inline void add_looks(Snapshot& snapshot, RandomStream& random) {
+  constexpr LookOutcome outcomes[] = {LookOutcome::matched, LookOutcome::not_found, LookOutcome::inconsistent,
+                                      LookOutcome::not_tried};
+  for (int i = 0; i < 8; ++i) {
+    SnapshotLook look;
+    look.id = i;
+    look.anchor = i < 2;
+    look.line = i == 7;
+    look.predicted << 40 + 35 * i, 60 + 20 * (i % 4);
+    look.innovation_cov << 9 + i, 3, 3, 6;
+    look.outcome = outcomes[i < 5 ? 0 : i - 4];
+    if (look.outcome == LookOutcome::matched || look.outcome == LookOutcome::inconsistent)
+      look.measured = look.predicted + Eigen::Vector2d(random.normal(), random.normal());
+    look.correlation = 0.9;
+    snapshot.looks.push_back(look);
+  }
+  snapshot.predicted = 7;
+  snapshot.matched = 5;
+  snapshot.nis_dof = 10;
+  for (int i = 0; i < 10; ++i) snapshot.nis += std::pow(random.normal(), 2);
+}
+
+inline void add_pose(Snapshot& snapshot, const SyntheticRun& run, RandomStream& random) {
+  const FreeCameraMotion::State<double> truth = camera_on_circle(snapshot.tick.t);
+  if (run.with_truth) snapshot.truth = Truth{truth};
+  snapshot.camera = truth;
+  snapshot.covariance.setIdentity();
+  for (int i = 0; i < 6; ++i) {
+    const double sigma = i < 3 ? run.sigma_position_m : run.sigma_rotation_rad;
+    snapshot.covariance(i, i) = sigma * sigma;
+  }
+  Eigen::Vector3d shift, turn;
+  for (int i = 0; i < 3; ++i) shift[i] = run.error_factor * run.sigma_position_m * random.normal();
+  for (int i = 0; i < 3; ++i) turn[i] = run.error_factor * run.sigma_rotation_rad * random.normal();
+  snapshot.camera.head<3>() += shift;
+  snapshot.camera.segment<4>(3) = quaternion_product<double>(truth.segment<4>(3), quaternion_exp(turn));
+}
+
+inline void add_advice(Snapshot& snapshot, int frame) {
+  snapshot.advice.actions = {"stay", "forward", "back", "left", "right", "up", "down"};
+  for (int i = 0; i < 7; ++i) snapshot.advice.scores.push_back(1 + std::sin(0.3 * frame / 30 + i));
+  snapshot.advice.decided = frame % 30 == 15;
+  snapshot.advice.chosen = (frame + 15) / 30 % 7;
+}
+
+inline Snapshot synthetic_snapshot(const SyntheticRun& run, int frame, double pace_ms = 5) {
+  RandomStream random(static_cast<std::uint64_t>(frame), "synthetic run");
+  Snapshot snapshot;
+  snapshot.tick = {frame, frame / 30.0, frame == 0 ? 0 : 1 / 30.0};
+  snapshot.status.state = run.state(frame);
+  snapshot.status.reason = "5 of 7 features matched";
+  add_pose(snapshot, run, random);
+  add_map(snapshot, frame / 10);
+  add_looks(snapshot, random);
+  add_advice(snapshot, frame);
+  const double unknown = std::numeric_limits<double>::quiet_NaN();
+  snapshot.entropy = {-50.0 - 0.01 * frame, 3.0 * (frame / 10), -50 - 0.01 * frame + 3.0 * (frame / 10)};
+  if (frame < run.starting) snapshot.entropy = {unknown, unknown, unknown};
+  snapshot.command.linear_acceleration << 0.1, 0.2, -0.1;
+  snapshot.timing_ms = {{"search", 0.5 * pace_ms}, {"frame", pace_ms}};
+  if (frame == 20) snapshot.timing_ms.insert(snapshot.timing_ms.begin() + 1, {"birth", 1.0});
+  return snapshot;
+}
+
+}  // namespace incognita::testing

@@ -25,19 +25,6 @@ struct SnapshotLandmark {
   int sightings = 0;                                     ///< matches so far
 };
 
-/// What became of one landmark's look in this frame.
-enum class LookOutcome { matched, not_found, inconsistent, not_tried };
-
-inline const char* name(LookOutcome outcome) {
-  switch (outcome) {
-    case LookOutcome::matched: return "matched";
-    case LookOutcome::not_found: return "not-found";
-    case LookOutcome::inconsistent: return "inconsistent";
-    case LookOutcome::not_tried: return "not-tried";
-  }
-  return "unknown";
-}
-
 struct SnapshotLook {
   std::int64_t id = 0;
   bool anchor = false;

@@ -69,6 +69,13 @@ struct Box {
   bool empty() const { return low[0] > high[0]; }
 };
 
+/// A step in time beyond which the path is not joined up: there, no pose was known.
+double longest_step_s(const Trajectory& path) {
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < path.size(); ++i) steps.push_back(path[i].t - path[i - 1].t);
+  return steps.empty() ? 1.0 : 5 * quantile(steps, 0.5);
+}
+
 /// What the map figure must show: paths, anchors, and landmarks that are known to be somewhere.
 Box map_box(const CsvTable& map, const Trajectory& estimate, const Trajectory& truth) {
   Box box;
@@ -185,7 +192,7 @@ std::optional<std::string> map_script(const fs::path& run_directory) {
   script += fmt::format(
       "set datafile separator ', '  # tables and TUM files in one plot\n"
       "set size ratio -1\nset xrange [{}:{}]\nset yrange [{}:{}]\nset xlabel 'x, m'\nset ylabel 'y, m'\n"
-      "set key outside below horizontal center\nset style fill transparent solid 0.18\n",
+      "set key outside top center horizontal maxrows 1\nset style fill transparent solid 0.18\n",
       box.low[0] - margin, box.high[0] + margin, box.low[1] - margin, box.high[1] + margin);
   script +=  // columns of map.csv: 3 x, 4 y, 6 pxx, 7 pxy, 9 pyy; eigenvalues of the 2x2 covariance in closed
              // form
@@ -204,9 +211,10 @@ std::optional<std::string> map_script(const fs::path& run_directory) {
   if (!truth.empty())
     script += ", \\\n     'truth.tum' using 2:3 with lines linecolor rgb ink linewidth 1.3 title 'true path'";
   if (!estimate.empty())
-    script +=
-        ", \\\n     'estimate.tum' using 2:3 with lines linecolor rgb orange linewidth 1.3 title 'estimated "
-        "path'";
+    script += fmt::format(
+        ", \\\n     last = {}, 'estimate.tum' using (gap = $1 - last, last = $1, gap > {} ? NaN : $2):3 "
+        "with lines linecolor rgb orange linewidth 1.3 title 'estimated path'",
+        estimate.front().t, longest_step_s(estimate));
   return script + "\n";
 }
 
@@ -217,11 +225,12 @@ std::optional<std::string> errors_script(const fs::path& run_directory) {
   constexpr double degrees = 180 / std::numbers::pi;
   std::string script = figure_head("errors", 1000, 660) + time_range(series);
   script +=
-      "set datafile columnheaders\nset multiplot layout 3,2 columnsfirst margins 0.085,0.985,0.09,0.94 "
-      "spacing 0.09,0.04\n";
+      "set datafile columnheaders\nset multiplot layout 3,2 columnsfirst margins 0.075,0.985,0.135,0.91 "
+      "spacing 0.13,0.04\n";
   const char* axes[] = {"x", "y", "z"};
   for (int i = 0; i < 3; ++i) {
-    if (i == 0) script += "set title 'position, world axes'\nset key top right horizontal\n";
+    if (i == 0)
+      script += "set title 'position, world axes'\nset key at screen 0.515,0.99 center top horizontal maxrows 1\n";
     script += error_panel(series, std::string(axes[i]) + "_m", std::string(axes[i]) + ", cm", 100,
                           with_errors, i == 2);
   }
@@ -242,8 +251,9 @@ std::optional<std::string> entropy_script(const fs::path& run_directory) {
         "set arrow from {0}, graph 0 to {0}, graph 1 nohead back linecolor rgb '#cfcfcf' linewidth 0.7\n", t);
   // a title alone cannot draw an arrow's sample, so a line of the same look is drawn outside the picture
   script +=
-      "set multiplot layout 2,1 margins 0.1,0.985,0.11,0.93 spacing 0,0.05\n"
-      "set key top right horizontal outside\nset format x ''\nset ylabel 'whole state, nats'\n"
+      "set multiplot layout 2,1 margins 0.1,0.985,0.13,0.91 spacing 0,0.05\n"
+      "set key at screen 0.985,0.985 right top horizontal maxrows 1\nset format x ''\nset ylabel 'whole "
+      "state, nats'\n"
       "plot 'series.csv' using (column('t')):(column('entropy_total_nats')) with lines linecolor rgb ink "
       "linewidth 1.5 title 'total', \\\n"
       "     '' using (column('t')):(column('entropy_map_nats')) with lines linecolor rgb blue linewidth 1.5 "
@@ -265,7 +275,7 @@ std::optional<std::string> advice_script(const fs::path& run_directory) {
   script += time_range(series) + chosen_block(actions);
   script += "set multiplot\nset lmargin at screen 0.15\nset rmargin at screen 0.80\n";
   script += "set tmargin at screen 0.95\nset bmargin at screen 0.46\n" + score_panel(actions);
-  script += "set tmargin at screen 0.42\nset bmargin at screen 0.11\n" + chosen_panel(actions);
+  script += "set tmargin at screen 0.42\nset bmargin at screen 0.12\n" + chosen_panel(actions);
   return script + "unset multiplot\n";
 }
 

@@ -1,6 +1,6 @@
 # Imported targets opencv_core, opencv_imgproc, ... for just the parts of OpenCV that are installed. Debian keeps
 # OpenCVConfig.cmake in libopencv-dev, which pulls in every module and GDAL, VTK and Qt with them; the parts' own
-# packages (libopencv-core-dev, ...) are a tenth of that.
+# packages (libopencv-core-dev, ...) leave those out.
 find_path(OPENCV_INCLUDE_DIR opencv2/core.hpp PATH_SUFFIXES opencv4)
 foreach(part core imgproc imgcodecs calib3d)
   find_library(OPENCV_${part}_LIBRARY opencv_${part})

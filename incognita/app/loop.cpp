@@ -15,13 +15,13 @@ void run_loop(Boxes& boxes, const std::function<void(const Snapshot&)>& publish,
   while (const Tick tick = clock->next()) {
     if (!keep_going(tick)) return;
     StageClock stage(timing_ms);
-    const auto truth = world->move(command, tick);             // what really happens (absent on a real robot)
+    const auto truth = world->move(command, tick);  // what really happens (absent on a real robot)
     stage.mark("world");
-    const Observation seen = sensor->look(truth, tick);        // all that the robot can know
+    const Observation seen = sensor->look(truth, tick);  // all that the robot can know
     stage.mark("sensor");
-    estimator.update(estimate, command, seen, tick);           // in place: belief, landmark catalogue, status
+    estimator.update(estimate, command, seen, tick);  // in place: belief, landmark catalogue, status
     stage.mark("estimator");
-    const Goal goal = decision.choose(estimate, tick);         // which action, which way, every candidate's score
+    const Goal goal = decision.choose(estimate, tick);  // which action, which way, every candidate's score
     stage.mark("advice");
     command = controller.act(estimate, goal, tick);
     stage.mark("control");

@@ -21,8 +21,8 @@ struct Boxes {
   CameraController controller;
 };
 
-/// Runs until the clock ends or `keep_going` says no. Whatever the boxes and the record throw passes through; what was
-/// published before stays published.
+/// Runs until the clock ends or `keep_going` says no. Whatever the boxes and the record throw passes through;
+/// what was published before stays published.
 void run_loop(Boxes& boxes, const std::function<void(const Snapshot&)>& publish,
               const std::function<bool(const Tick&)>& keep_going);
 

@@ -17,7 +17,8 @@ enum ExitCode { done = 0, job_failed = 1, bad_input = 2 };
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"incognita: maps an unknown place, knows how sure it is, and moves to learn more", "incognita"};
+  CLI::App app{"incognita: maps an unknown place, knows how sure it is, and moves to learn more",
+               "incognita"};
   app.set_version_flag("--version", INCOGNITA_VERSION);
   app.require_subcommand(1);
   app.footer("Example:\n  incognita run room\n\n`incognita COMMAND --help` tells more.\n");

@@ -9,7 +9,10 @@
 namespace incognita {
 
 Progress::Progress(std::int64_t total)
-    : total_(total), terminal_(isatty(STDERR_FILENO) == 1), start_(std::chrono::steady_clock::now()), last_(start_) {}
+    : total_(total),
+      terminal_(isatty(STDERR_FILENO) == 1),
+      start_(std::chrono::steady_clock::now()),
+      last_(start_) {}
 
 Progress::~Progress() {
   if (shown_) std::fputs("\r\033[K", stderr);
@@ -25,8 +28,8 @@ void Progress::show(std::int64_t done, const std::string& what) {
   if (total_ > 0) {
     constexpr int width = 24;
     const int filled = static_cast<int>(std::min<std::int64_t>(width, width * done / total_));
-    line = fmt::format("\r\033[K[{:=<{}}{: <{}}] {}/{} frames, {:.0f}/s", "", filled, "", width - filled, done, total_,
-                       done / std::max(seconds, 1e-3));
+    line = fmt::format("\r\033[K[{:=<{}}{: <{}}] {}/{} frames, {:.0f}/s", "", filled, "", width - filled,
+                       done, total_, done / std::max(seconds, 1e-3));
   }
   std::fputs((line + "  " + what).c_str(), stderr);
   std::fflush(stderr);

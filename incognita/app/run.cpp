@@ -39,7 +39,8 @@ void interrupt(int) { interrupted = 1; }
 LoadedScenario load(const Options& options) {
   std::vector<Flag> flags;
   if (options.seed) flags.push_back({"run.seed", std::to_string(*options.seed), "--seed"});
-  if (options.duration_s) flags.push_back({"run.duration_s", fmt::format("{}", *options.duration_s), "--duration"});
+  if (options.duration_s)
+    flags.push_back({"run.duration_s", fmt::format("{}", *options.duration_s), "--duration"});
   return load_scenario(options.scenario, options.sets, flags);
 }
 
@@ -64,7 +65,8 @@ class StateTeller {
   void tell(const Snapshot& s) {
     const bool is_lost = s.status.state == TrackingState::lost;
     if (is_lost && !was_lost_) fmt::print(stderr, "t = {:.3f} s: lost: {}\n", s.tick.t, s.status.reason);
-    if (!is_lost && was_lost_) fmt::print(stderr, "t = {:.3f} s: {}: {}\n", s.tick.t, name(s.status.state), s.status.reason);
+    if (!is_lost && was_lost_)
+      fmt::print(stderr, "t = {:.3f} s: {}: {}\n", s.tick.t, name(s.status.state), s.status.reason);
     was_lost_ = is_lost;
   }
 
@@ -110,7 +112,8 @@ int run(const Options& options) {
   for (const std::string& line : loaded.overrides) fmt::print(stderr, "{}\n", line);
   Assembly assembly = assemble(loaded);
   for (const std::string& line : assembly.notes) fmt::print(stderr, "{}\n", line);
-  if (!assembly.scale_is_known) fmt::print(stderr, "no target: the scale is not observable, lengths are relative\n");
+  if (!assembly.scale_is_known)
+    fmt::print(stderr, "no target: the scale is not observable, lengths are relative\n");
 
   const std::string out = options.out.empty() ? "out/" + loaded.name : options.out;
   RunInfo info;
@@ -120,19 +123,20 @@ int run(const Options& options) {
   // A recording's truth is in its own world, which a target need not share
   const bool own_frame = loaded.scenario.run.world == "recording";
   info.ate_alignment = !assembly.scale_is_known ? "sim3" : own_frame ? "se3" : "none";
+  std::signal(SIGINT, interrupt);
+  std::signal(SIGTERM, interrupt);
+  std::signal(SIGXFSZ, SIG_IGN);  // a full disk is an error that is reported, not a death
   Recorder recorder(out, info);
   std::optional<FramePictures> pictures;
   if (options.save_frames) pictures.emplace(recorder.path(), loaded.scenario.slam.search.patch_size_px);
 
-  std::signal(SIGINT, interrupt);
-  std::signal(SIGTERM, interrupt);
-  std::signal(SIGXFSZ, SIG_IGN);  // a full disk is an error that is reported, not a death
   const Ending ending = drive(assembly, recorder, pictures ? &*pictures : nullptr, options.realtime);
   const auto finishing = [&](const std::filesystem::path& directory) {
     return options.no_figures ? std::vector<std::string>{} : draw_run_figures(directory);
   };
   const RunOutcome outcome = recorder.finish(ending.status, ending.reason, finishing);
-  fmt::print(stderr, "{}{}{}: see {}\n", name(outcome.status), outcome.reason.empty() ? "" : ", ", outcome.reason, out);
+  fmt::print(stderr, "{}{}{}: see {}\n", name(outcome.status), outcome.reason.empty() ? "" : ", ",
+             outcome.reason, out);
   return outcome.status == RunStatus::done ? 0 : 1;
 }
 
@@ -150,7 +154,8 @@ CLI::App* add_run(CLI::App& app, std::function<int()>& job) {
       ->allow_extra_args(false);
   command->add_option("--duration", options->duration_s, "Stop after so many seconds");
   command->add_flag("--realtime", options->realtime, "No faster than the clock on the wall");
-  command->add_flag("--save-frames", options->save_frames, "Write a picture of every frame, ellipses drawn in");
+  command->add_flag("--save-frames", options->save_frames,
+                    "Write a picture of every frame, ellipses drawn in");
   command->add_flag("--no-figures", options->no_figures, "Leave out the figures");
   command->footer("Example:\n  incognita run room --seed 7 --duration 20 --out out/first\n");
   command->callback([options, &job] { job = [options] { return run(*options); }; });

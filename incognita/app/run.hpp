@@ -9,8 +9,8 @@ class App;
 
 namespace incognita {
 
-/// Adds the command. When it is given, `job` becomes what it does; the job returns the exit code and may throw
-/// InputError or RecordError.
+/// Adds the command. When it is given, `job` becomes what it does; the job returns the exit code and may
+/// throw InputError or RecordError.
 CLI::App* add_run(CLI::App& app, std::function<int()>& job);
 
 }  // namespace incognita

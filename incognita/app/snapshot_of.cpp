@@ -13,8 +13,8 @@ std::vector<SnapshotLandmark> landmarks_of(const Estimate& estimate) {
     if (landmark.kind == Landmark::Kind::line) continue;
     const auto at = position_of(landmark, estimate.belief);
     if (!at) continue;
-    landmarks.push_back(
-        {landmark.id, landmark.kind == Landmark::Kind::anchor, at->position, at->covariance, landmark.matches});
+    landmarks.push_back({landmark.id, landmark.kind == Landmark::Kind::anchor, at->position, at->covariance,
+                         landmark.matches});
   }
   return landmarks;
 }
@@ -22,16 +22,16 @@ std::vector<SnapshotLandmark> landmarks_of(const Estimate& estimate) {
 std::vector<SnapshotLook> looks_of(const Estimate& estimate) {
   std::vector<SnapshotLook> looks;
   for (const Look& look : estimate.looks)
-    looks.push_back({look.id, look.kind == Landmark::Kind::anchor, look.kind == Landmark::Kind::line, look.predicted,
-                     look.innovation_cov, look.measured, look.correlation, look.outcome});
+    looks.push_back({look.id, look.kind == Landmark::Kind::anchor, look.kind == Landmark::Kind::line,
+                     look.predicted, look.innovation_cov, look.measured, look.correlation, look.outcome});
   return looks;
 }
 
 /// Every snapshot has the same stages in the same order, zero where one was not reached.
-std::vector<std::pair<const char*, double>> timing_of(const Estimate& estimate,
-                                                      const std::vector<std::pair<const char*, double>>& loop_ms) {
-  static constexpr std::array in_estimator{"sums", "start", "predict", "search", "consensus",
-                                           "update", "lines", "births", "map"};
+std::vector<std::pair<const char*, double>> timing_of(
+    const Estimate& estimate, const std::vector<std::pair<const char*, double>>& loop_ms) {
+  static constexpr std::array in_estimator{"sums",   "start", "predict", "search", "consensus",
+                                           "update", "lines", "births",  "map"};
   std::vector<std::pair<const char*, double>> timing;
   double frame = 0;
   for (const auto& [stage, ms] : loop_ms) {
@@ -40,8 +40,9 @@ std::vector<std::pair<const char*, double>> timing_of(const Estimate& estimate,
     if (name == "estimator" || name == "advice" || name == "control") frame += ms;
   }
   for (const char* stage : in_estimator) {
-    const auto found = std::find_if(estimate.timing_ms.begin(), estimate.timing_ms.end(),
-                                    [&](const auto& entry) { return std::string_view(entry.first) == stage; });
+    const auto found =
+        std::find_if(estimate.timing_ms.begin(), estimate.timing_ms.end(),
+                     [&](const auto& entry) { return std::string_view(entry.first) == stage; });
     timing.emplace_back(stage, found == estimate.timing_ms.end() ? 0.0 : found->second);
   }
   timing.emplace_back("frame", frame);

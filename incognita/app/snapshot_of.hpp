@@ -13,8 +13,9 @@
 
 namespace incognita {
 
-/// `loop_ms`: the loop's own stages; the estimator's are taken apart into what it measured itself. The stage `frame`
-/// is everything a robot would have to do: estimator, advice and control, not the simulated world nor the files.
+/// `loop_ms`: the loop's own stages; the estimator's are taken apart into what it measured itself. The stage
+/// `frame` is everything a robot would have to do: estimator, advice and control, not the simulated world nor
+/// the files.
 Snapshot snapshot_of(const Tick& tick, const std::optional<Truth>& truth, const Observation& seen,
                      const Estimate& estimate, const Goal& goal, const std::vector<Translation>& actions,
                      const Command& command, const std::vector<std::pair<const char*, double>>& loop_ms);

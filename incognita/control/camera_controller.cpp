@@ -13,9 +13,10 @@ constexpr double braking_s = 0.5;
 
 }  // namespace
 
-Command track_reference(const CameraState& estimate, const Eigen::Vector3d& position, const Eigen::Vector3d& velocity,
-                        const Eigen::Vector3d& acceleration, const Eigen::Vector4d& gaze,
-                        const Eigen::Vector3d& gaze_rate, const ControlSettings& settings) {
+Command track_reference(const CameraState& estimate, const Eigen::Vector3d& position,
+                        const Eigen::Vector3d& velocity, const Eigen::Vector3d& acceleration,
+                        const Eigen::Vector4d& gaze, const Eigen::Vector3d& gaze_rate,
+                        const ControlSettings& settings) {
   const Eigen::Vector3d f = acceleration -
                             settings.gain_velocity_per_s * (free_camera::velocity(estimate) - velocity) -
                             settings.gain_position_per_s2 * (free_camera::position(estimate) - position);
@@ -43,7 +44,8 @@ Command CameraController::act(const Estimate& estimate, const Goal& goal, const 
   const double swing = settings_.gaze_amplitude_rad * std::sin(phase);
   const double swing_rate =
       settings_.gaze_amplitude_rad * std::cos(phase) * 2 * std::numbers::pi / settings_.gaze_period_s;
-  const Eigen::Vector3d rate_in_camera(0, -swing_rate, 0);  // turning left about z is turning about -y of the camera
+  const Eigen::Vector3d rate_in_camera(0, -swing_rate,
+                                       0);  // turning left about z is turning about -y of the camera
   const Reference reference = minimum_jerk(goal.from, goal.to, goal.start_t, goal.end_t, tick.t);
   return track_reference(last_known_, reference.position, reference.velocity, reference.acceleration,
                          level_gaze(*first_heading_ + swing), rate_in_camera, settings_);
@@ -51,7 +53,8 @@ Command CameraController::act(const Estimate& estimate, const Goal& goal, const 
 
 Command CameraController::brake(const Tick& tick) const {
   if (tick.t - lost_t_ >= braking_s) return {};
-  return {-free_camera::velocity(last_known_) / braking_s, -free_camera::angular_rate(last_known_) / braking_s};
+  return {-free_camera::velocity(last_known_) / braking_s,
+          -free_camera::angular_rate(last_known_) / braking_s};
 }
 
 }  // namespace incognita

@@ -11,8 +11,9 @@ struct Reference {
   Eigen::Vector3d acceleration{0, 0, 0};  ///< m/s^2
 };
 
-/// From rest to rest along a line with the least jerk (Flash and Hogan, J. Neuroscience 1985). Before `start_t` it
-/// stands at `from`, after `end_t` at `to`.
-Reference minimum_jerk(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double start_t, double end_t, double t);
+/// From rest to rest along a line with the least jerk (Flash and Hogan, J. Neuroscience 1985). Before
+/// `start_t` it stands at `from`, after `end_t` at `to`.
+Reference minimum_jerk(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double start_t, double end_t,
+                       double t);
 
 }  // namespace incognita

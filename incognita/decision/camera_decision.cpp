@@ -11,17 +11,20 @@ namespace {
 
 constexpr int imagined_steps = 15;  // of an action's period, as the thesis' 15 frames/s
 
-/// How the camera's error grows over an action: the constant velocity model at rest, in a few steps. Linear and
-/// angular parts do not mix and the commanded acceleration does not enter, so it is the same for every translation.
+/// How the camera's error grows over an action: the constant velocity model at rest, in a few steps. Linear
+/// and angular parts do not mix and the commanded acceleration does not enter, so it is the same for every
+/// translation.
 ImaginedMotion imagine(BlockId camera, const FilterSettings& filter, double period_s) {
   const double dt = period_s / imagined_steps;
-  const auto step = FreeCameraMotion{}.step(
-      (CameraState() << 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0).finished(), Eigen::Matrix<double, 6, 1>::Zero(), dt);
+  const auto step =
+      FreeCameraMotion{}.step((CameraState() << 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0).finished(),
+                              Eigen::Matrix<double, 6, 1>::Zero(), dt);
   Eigen::Matrix<double, 6, 1> variances;
   variances.head<3>().setConstant(std::pow(filter.sigma_acceleration_m_s2, 2));
   variances.tail<3>().setConstant(std::pow(filter.sigma_angular_acceleration_rad_s2, 2));
   const FreeCameraMotion::Jacobian noise = step.G * variances.asDiagonal() * step.G.transpose();
-  FreeCameraMotion::Jacobian A = FreeCameraMotion::Jacobian::Identity(), N = FreeCameraMotion::Jacobian::Zero();
+  FreeCameraMotion::Jacobian A = FreeCameraMotion::Jacobian::Identity(),
+                             N = FreeCameraMotion::Jacobian::Zero();
   for (int i = 0; i < imagined_steps; ++i) {
     A = step.F * A;
     N = step.F * N * step.F.transpose() + noise;
@@ -31,10 +34,12 @@ ImaginedMotion imagine(BlockId camera, const FilterSettings& filter, double peri
 
 }  // namespace
 
-CameraDecision::CameraDecision(Camera camera, const CameraSlamSettings& slam, const DecisionSettings& settings)
+CameraDecision::CameraDecision(Camera camera, const CameraSlamSettings& slam,
+                               const DecisionSettings& settings)
     : camera_(std::move(camera)), slam_(slam), settings_(settings), actions_(seven_translations()) {}
 
-double CameraDecision::score(const Estimate& estimate, const CameraState& after, const ImaginedMotion& motion) {
+double CameraDecision::score(const Estimate& estimate, const CameraState& after,
+                             const ImaginedMotion& motion) {
   looks_.clear();
   for (const Landmark& landmark : estimate.catalogue) {
     if (landmark.kind == Landmark::Kind::line) continue;

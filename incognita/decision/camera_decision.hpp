@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "incognita/decision/actions.hpp"
-#include "incognita/messages/goal.hpp"
 #include "incognita/decision/information.hpp"
 #include "incognita/decision/settings.hpp"
+#include "incognita/messages/goal.hpp"
 #include "incognita/messages/tick.hpp"
 #include "incognita/slam/estimate.hpp"
 #include "incognita/slam/settings.hpp"
@@ -17,8 +17,9 @@ class CameraDecision {
  public:
   CameraDecision(Camera camera, const CameraSlamSettings& slam, const DecisionSettings& settings);
 
-  /// Scores every action in every frame; compares them, and sets a new goal, once per period. Actions that would end
-  /// outside the bounds are scored but not chosen. Without a pose to start from (starting, lost) there is no action.
+  /// Scores every action in every frame; compares them, and sets a new goal, once per period. Actions that
+  /// would end outside the bounds are scored but not chosen. Without a pose to start from (starting, lost)
+  /// there is no action.
   Goal choose(const Estimate& estimate, const Tick& tick);
 
   const std::vector<Translation>& actions() const { return actions_; }

@@ -17,9 +17,7 @@ namespace {
 constexpr std::size_t largest_image_file = std::size_t{256} << 20;
 constexpr const char* cut_short = "the file is cut short";
 
-std::uint32_t byte(std::string_view bytes, std::size_t i) {
-  return static_cast<unsigned char>(bytes[i]);
-}
+std::uint32_t byte(std::string_view bytes, std::size_t i) { return static_cast<unsigned char>(bytes[i]); }
 
 /// The next decimal number of a netpbm header, past white space and comments.
 std::optional<std::uint64_t> netpbm_number(std::string_view bytes, std::size_t& at) {

@@ -18,9 +18,7 @@ bool is_image_name(const std::filesystem::path& path) {
   return std::find(std::begin(endings), std::end(endings), ending) != std::end(endings);
 }
 
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// Where the run of digits at `at` ends, and its start past leading zeros.
 std::pair<std::size_t, std::size_t> digits(const std::string& name, std::size_t at) {

@@ -81,25 +81,15 @@ void set(Eigen::Vector3d* field, const Setting& setting, const TomlValue& value)
   *field = vector;
 }
 
-std::string write(const std::string* text) {
-  return toml_string(*text);
-}
-std::string write(const int* whole) {
-  return std::to_string(*whole);
-}
-std::string write(const std::int64_t* whole) {
-  return std::to_string(*whole);
-}
-std::string write(const double* real) {
-  return toml_number(*real);
-}
+std::string write(const std::string* text) { return toml_string(*text); }
+std::string write(const int* whole) { return std::to_string(*whole); }
+std::string write(const std::int64_t* whole) { return std::to_string(*whole); }
+std::string write(const double* real) { return toml_number(*real); }
 std::string write(const Eigen::Vector3d* v) {
   return fmt::format("[{}, {}, {}]", toml_number(v->x()), toml_number(v->y()), toml_number(v->z()));
 }
 
-std::string plain(double number) {
-  return fmt::format("{}", number);
-}
+std::string plain(double number) { return fmt::format("{}", number); }
 
 }  // namespace
 

@@ -5,9 +5,7 @@
 namespace incognita {
 namespace {
 
-Allowed any() {
-  return {};
-}
+Allowed any() { return {}; }
 Allowed at_least(double least) {
   Allowed a;
   a.least = least;
@@ -275,12 +273,8 @@ std::vector<Setting> list_settings(Scenario& scenario) {
   return list;
 }
 
-std::string section_of(const std::string& key) {
-  return key.substr(0, key.find('.'));
-}
+std::string section_of(const std::string& key) { return key.substr(0, key.find('.')); }
 
-std::string name_in_section(const std::string& key) {
-  return key.substr(key.find('.') + 1);
-}
+std::string name_in_section(const std::string& key) { return key.substr(key.find('.') + 1); }
 
 }  // namespace incognita

@@ -70,9 +70,7 @@ Eigen::Vector3d vector_of(const TomlEntry& entry, const std::string& file) {
 }
 
 /// SceneLib: x left, y up, z forward. Here: x forward, y left, z up. Both are right-handed.
-Eigen::Vector3d from_scenelib(const Eigen::Vector3d& v) {
-  return {v.z(), v.x(), v.y()};
-}
+Eigen::Vector3d from_scenelib(const Eigen::Vector3d& v) { return {v.z(), v.x(), v.y()}; }
 
 Image read_patch(const TomlEntry& entry, const std::string& file, const Folders& folders) {
   const std::string name = text_of(entry, file);

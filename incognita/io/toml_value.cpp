@@ -20,9 +20,7 @@ namespace {
 
 TomlValue convert(const toml::node& node);
 
-int line_of(const toml::source_region& region) {
-  return static_cast<int>(region.begin.line);
-}
+int line_of(const toml::source_region& region) { return static_cast<int>(region.begin.line); }
 
 TomlTable convert_table(const toml::table& table) {
   TomlTable entries;

@@ -7,9 +7,7 @@
 
 namespace incognita {
 
-bool looks_like_tum(const std::filesystem::path& folder) {
-  return file_exists(folder / "rgb.txt");
-}
+bool looks_like_tum(const std::filesystem::path& folder) { return file_exists(folder / "rgb.txt"); }
 
 Recording read_tum(const std::filesystem::path& folder) {
   Recording recording{"tum", folder, {}, {}, {}};

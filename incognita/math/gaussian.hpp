@@ -5,8 +5,8 @@
 
 namespace incognita {
 
-/// Natural logarithm of the determinant of a symmetric positive definite matrix, from its Cholesky factor, so that it
-/// neither under- nor overflows. NaN when the matrix is not positive definite.
+/// Natural logarithm of the determinant of a symmetric positive definite matrix, from its Cholesky factor, so
+/// that it neither under- nor overflows. NaN when the matrix is not positive definite.
 double log_det(const Eigen::Ref<const Eigen::MatrixXd>& spd);
 
 /// Entropy in nats of a Gaussian of so many dimensions: thesis (6.2).

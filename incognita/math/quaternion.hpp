@@ -1,7 +1,7 @@
 // Unit quaternions (w, x, y, z), rotation vectors and the rotation group, for any scalar type.
 //
-// A quaternion here is a Vector4 in the order w, x, y, z and rotates vectors of the frame on its right into the
-// frame on its left: x_world = rotate(world_from_camera, x_camera). Rotation vectors are in radians.
+// A quaternion here is a Vector4 in the order w, x, y, z and rotates vectors of the frame on its right into
+// the frame on its left: x_world = rotate(world_from_camera, x_camera). Rotation vectors are in radians.
 #pragma once
 
 #include <Eigen/Core>
@@ -87,7 +87,8 @@ Matrix3<S> rotation_exp(const Vector3<S>& e) {
   return rotation_matrix(quaternion_exp(e));
 }
 
-/// Right Jacobian of SO(3): exp(e + d) = exp(e) exp(J_r(e) d) to first order in d (Sola et al. 2018, eq. 143).
+/// Right Jacobian of SO(3): exp(e + d) = exp(e) exp(J_r(e) d) to first order in d (Sola et al. 2018, eq.
+/// 143).
 inline Eigen::Matrix3d right_jacobian(const Eigen::Vector3d& e) {
   const double a2 = e.squaredNorm();
   const Eigen::Matrix3d k = skew(e);

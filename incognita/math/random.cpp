@@ -7,7 +7,8 @@
 namespace incognita {
 namespace {
 
-/// FNV-1a over the name, then splitmix64 over seed and name: near seeds and near names give unrelated streams.
+/// FNV-1a over the name, then splitmix64 over seed and name: near seeds and near names give unrelated
+/// streams.
 std::uint64_t stream_seed(std::uint64_t seed, std::string_view name) {
   std::uint64_t h = 0xcbf29ce484222325ull;
   for (const char c : name) h = (h ^ static_cast<unsigned char>(c)) * 0x100000001b3ull;
@@ -43,7 +44,8 @@ double RandomStream::normal() {  // Marsaglia's polar method
 }
 
 int RandomStream::below(int count) {
-  if (count < 1) throw std::invalid_argument("RandomStream::below needs count >= 1, got " + std::to_string(count));
+  if (count < 1)
+    throw std::invalid_argument("RandomStream::below needs count >= 1, got " + std::to_string(count));
   return static_cast<int>(uniform() * count);
 }
 

@@ -1,8 +1,8 @@
 // Seeded random streams with names.
 //
-// Randomness is data: every consumer owns a stream named after what it draws, all streams follow from one seed, and
-// drawing more from one never changes another. Normals are made here, because std::normal_distribution may differ
-// from one standard library to the next.
+// Randomness is data: every consumer owns a stream named after what it draws, all streams follow from one
+// seed, and drawing more from one never changes another. Normals are made here, because
+// std::normal_distribution may differ from one standard library to the next.
 #pragma once
 
 #include <cstdint>

@@ -8,7 +8,8 @@
 namespace incognita {
 
 struct Observation {
-  std::shared_ptr<const Image> image;  ///< immutable, shared with the record; null when the camera gave nothing
+  std::shared_ptr<const Image>
+      image;  ///< immutable, shared with the record; null when the camera gave nothing
 };
 
 }  // namespace incognita

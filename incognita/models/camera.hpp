@@ -1,7 +1,7 @@
 // What a camera model is, and a holder that lets one be chosen at run time.
 //
-// A camera model maps a point in camera axes (z forward, x right, y down; any positive scale) to a pixel (u to the
-// right, v down, the centre of the first pixel at 0,0) and a pixel back to the ray through it.
+// A camera model maps a point in camera axes (z forward, x right, y down; any positive scale) to a pixel (u
+// to the right, v down, the centre of the first pixel at 0,0) and a pixel back to the ray through it.
 #pragma once
 
 #include <Eigen/Core>
@@ -54,7 +54,9 @@ class Camera {
   }
 
   /// The ray (x, y, 1) through a pixel, or nothing where no ray reaches it.
-  std::optional<Eigen::Vector3d> unproject(const Eigen::Vector2d& pixel) const { return self_->unproject(pixel); }
+  std::optional<Eigen::Vector3d> unproject(const Eigen::Vector2d& pixel) const {
+    return self_->unproject(pixel);
+  }
 
   /// Whether a pixel lies in the image, at least `margin` pixels from its edge.
   bool contains(const Eigen::Vector2d& pixel, double margin = 0) const {

@@ -6,10 +6,11 @@
 namespace incognita {
 namespace {
 
-/// d(pixel)/d(camera error) for a vector c = C (s X - s p) in camera axes, d = d(pixel)/dc, C = camera_from_world:
-/// the position moves c by -s C, the right rotation error by [c]x.
-CameraLookJacobian camera_jacobian(const Eigen::Matrix<double, 2, 3>& d, const Eigen::Matrix3d& camera_from_world,
-                                   const Eigen::Vector3d& c, double s) {
+/// d(pixel)/d(camera error) for a vector c = C (s X - s p) in camera axes, d = d(pixel)/dc, C =
+/// camera_from_world: the position moves c by -s C, the right rotation error by [c]x.
+CameraLookJacobian camera_jacobian(const Eigen::Matrix<double, 2, 3>& d,
+                                   const Eigen::Matrix3d& camera_from_world, const Eigen::Vector3d& c,
+                                   double s) {
   CameraLookJacobian H = CameraLookJacobian::Zero();
   H.leftCols<3>() = -s * d * camera_from_world;
   H.middleCols<3>(3) = d * skew(c);
@@ -20,18 +21,17 @@ CameraLookJacobian camera_jacobian(const Eigen::Matrix<double, 2, 3>& d, const E
 
 std::optional<PointLandmark::Look> PointLandmark::look(const Camera& camera, const CameraState& x,
                                                        const State& point) {
-  const Eigen::Matrix3d camera_from_world =
-      rotation_matrix<double>(free_camera::orientation(x)).transpose();
+  const Eigen::Matrix3d camera_from_world = rotation_matrix<double>(free_camera::orientation(x)).transpose();
   const Eigen::Vector3d c = camera_from_world * (point - free_camera::position(x));
   const auto seen = camera.project(c);
   if (!seen) return std::nullopt;
   return Look{seen->pixel, camera_jacobian(seen->J, camera_from_world, c, 1), seen->J * camera_from_world};
 }
 
-std::optional<InverseDepthLandmark::Look> InverseDepthLandmark::look(const Camera& camera, const CameraState& x,
+std::optional<InverseDepthLandmark::Look> InverseDepthLandmark::look(const Camera& camera,
+                                                                     const CameraState& x,
                                                                      const State& y) const {
-  const Eigen::Matrix3d camera_from_world =
-      rotation_matrix<double>(free_camera::orientation(x)).transpose();
+  const Eigen::Matrix3d camera_from_world = rotation_matrix<double>(free_camera::orientation(x)).transpose();
   const Eigen::Vector3d c = in_camera<double>(x, y);
   const auto seen = camera.project(c);
   if (!seen) return std::nullopt;
@@ -43,7 +43,8 @@ std::optional<InverseDepthLandmark::Look> InverseDepthLandmark::look(const Camer
   return look;
 }
 
-std::optional<InverseDepthLandmark::Birth> InverseDepthLandmark::birth(const Camera& camera, const CameraState& x,
+std::optional<InverseDepthLandmark::Birth> InverseDepthLandmark::birth(const Camera& camera,
+                                                                       const CameraState& x,
                                                                        const Eigen::Vector2d& pixel,
                                                                        double inverse_depth) {
   const auto ray = camera.unproject(pixel);

@@ -1,10 +1,10 @@
 // What a free camera sees of a landmark, and how a landmark is born from a pixel.
 //
-// Two landmark models. A point (3 errors) is its position in the world. An inverse-depth landmark (6 errors; Montiel,
-// Civera, Davison, RSS 2006) is where it was first seen from, the direction it was seen in, and one over its depth:
-// its looks are nearly linear while the depth is not known. The direction is kept as (x, y, 1) in the axes of the
-// birth view, which are a constant, so that there is no pole as there is with azimuth and elevation, and the depth
-// is along the birth view's optical axis.
+// Two landmark models. A point (3 errors) is its position in the world. An inverse-depth landmark (6 errors;
+// Montiel, Civera, Davison, RSS 2006) is where it was first seen from, the direction it was seen in, and one
+// over its depth: its looks are nearly linear while the depth is not known. The direction is kept as (x, y,
+// 1) in the axes of the birth view, which are a constant, so that there is no pole as there is with azimuth
+// and elevation, and the depth is along the birth view's optical axis.
 #pragma once
 
 #include <optional>
@@ -26,7 +26,7 @@ struct PointLandmark {
 
   struct Look {
     Eigen::Vector2d pixel;
-    CameraLookJacobian Hv;         ///< d(pixel) / d(camera error)
+    CameraLookJacobian Hv;           ///< d(pixel) / d(camera error)
     Eigen::Matrix<double, 2, 3> Hl;  ///< d(pixel) / d(landmark), px/m
   };
 
@@ -64,7 +64,8 @@ struct InverseDepthLandmark {
     Eigen::Matrix<double, 3, 6> J;
   };
 
-  /// A vector along the landmark in camera axes; its length means nothing, so infinity is as good as any place.
+  /// A vector along the landmark in camera axes; its length means nothing, so infinity is as good as any
+  /// place.
   template <class S>
   Vector3<S> in_camera(const FreeCameraMotion::State<S>& camera, const Eigen::Matrix<S, 6, 1>& y) const {
     const Vector3<S> ray = rotation_matrix<S>(world_from_birth.cast<S>()) * Vector3<S>(y[3], y[4], S(1));
@@ -81,9 +82,10 @@ struct InverseDepthLandmark {
   /// The same landmark as a point; needs a positive inverse depth.
   Point point(const State& y) const;
 
-  /// Civera's linearity index: how far from linear the look of the equivalent point would be over the depth's spread
-  /// (Civera, Davison, Montiel, IEEE T-RO 2008, eq. 29); below about 0.1 a point is as good.
-  double linearity_index(const State& y, double inverse_depth_var, const Eigen::Vector3d& camera_position) const;
+  /// Civera's linearity index: how far from linear the look of the equivalent point would be over the depth's
+  /// spread (Civera, Davison, Montiel, IEEE T-RO 2008, eq. 29); below about 0.1 a point is as good.
+  double linearity_index(const State& y, double inverse_depth_var,
+                         const Eigen::Vector3d& camera_position) const;
 };
 
 }  // namespace incognita

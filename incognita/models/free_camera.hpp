@@ -1,9 +1,10 @@
 // A body that moves freely in space with nearly constant velocity: thesis (5.24).
 //
-// State (13): position p and velocity v in the world (m, m/s), orientation q = world_from_camera (w,x,y,z), angular
-// rate w in the camera's own axes (rad/s). Error (12): position, right rotation error, velocity, angular rate.
-// Input (6): linear acceleration f in the world (m/s^2) and angular acceleration a in camera axes (rad/s^2).
-// Where (5.24) turns the orientation with the old rate, the new one is used here, as for the position.
+// State (13): position p and velocity v in the world (m, m/s), orientation q = world_from_camera (w,x,y,z),
+// angular rate w in the camera's own axes (rad/s). Error (12): position, right rotation error, velocity,
+// angular rate. Input (6): linear acceleration f in the world (m/s^2) and angular acceleration a in camera
+// axes (rad/s^2). Where (5.24) turns the orientation with the old rate, the new one is used here, as for the
+// position.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,4 +1,5 @@
-// Wide-angle camera with one radial term: thesis (5.26), (5.27); Swaminathan and Nayar's model as used by MonoSLAM.
+// Wide-angle camera with one radial term: thesis (5.26), (5.27); Swaminathan and Nayar's model as used by
+// MonoSLAM.
 //
 //   u_c = fu x/z,  v_c = fv y/z,  d = 1 + 2 kd1 (u_c^2 + v_c^2),  u = u0 + u_c / sqrt(d)
 //

@@ -74,9 +74,7 @@ RowFile::~RowFile() {
   }
 }
 
-RowFile::RowFile(RowFile&& other) noexcept {
-  *this = std::move(other);
-}
+RowFile::RowFile(RowFile&& other) noexcept { *this = std::move(other); }
 
 RowFile& RowFile::operator=(RowFile&& other) noexcept {
   std::swap(path_, other.path_);

@@ -60,9 +60,7 @@ const char* name(RunStatus status) {
   return "unknown";
 }
 
-bool same_frame_as_truth(const RunInfo& info) {
-  return info.ate_alignment == name(AlignmentKind::none);
-}
+bool same_frame_as_truth(const RunInfo& info) { return info.ate_alignment == name(AlignmentKind::none); }
 
 RunSummary::RunSummary(const RunInfo& info) : version_(info.version), seed_(info.seed) {
   const auto kind = alignment_kind(info.ate_alignment);

@@ -44,17 +44,11 @@ bool has_pose(const Snapshot& snapshot) {
   return snapshot.status.state != TrackingState::starting && snapshot.status.state != TrackingState::lost;
 }
 
-StampedPose estimated_pose(const Snapshot& snapshot) {
-  return pose(snapshot.tick.t, snapshot.camera);
-}
+StampedPose estimated_pose(const Snapshot& snapshot) { return pose(snapshot.tick.t, snapshot.camera); }
 
-StampedPose true_pose(const Tick& tick, const Truth& truth) {
-  return pose(tick.t, truth.camera);
-}
+StampedPose true_pose(const Tick& tick, const Truth& truth) { return pose(tick.t, truth.camera); }
 
-PoseCovariance pose_covariance(const Snapshot& snapshot) {
-  return snapshot.covariance.topLeftCorner<6, 6>();
-}
+PoseCovariance pose_covariance(const Snapshot& snapshot) { return snapshot.covariance.topLeftCorner<6, 6>(); }
 
 int mapped_landmarks(const Snapshot& snapshot) {
   return static_cast<int>(std::count_if(snapshot.landmarks.begin(), snapshot.landmarks.end(),

@@ -146,9 +146,7 @@ std::string chosen_block(const CsvTable& actions) {
 
 constexpr const char* candidate_colours[] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00",
                                              "#56b4e9", "#7a5195", "#8c6d31", "#555555", "#b5a900"};
-std::string candidate_colour(std::size_t i) {
-  return candidate_colours[i % std::size(candidate_colours)];
-}
+std::string candidate_colour(std::size_t i) { return candidate_colours[i % std::size(candidate_colours)]; }
 
 std::string score_panel(const CsvTable& actions) {
   std::string panel =
@@ -230,7 +228,8 @@ std::optional<std::string> errors_script(const fs::path& run_directory) {
   const char* axes[] = {"x", "y", "z"};
   for (int i = 0; i < 3; ++i) {
     if (i == 0)
-      script += "set title 'position, world axes'\nset key at screen 0.515,0.99 center top horizontal maxrows 1\n";
+      script +=
+          "set title 'position, world axes'\nset key at screen 0.515,0.99 center top horizontal maxrows 1\n";
     script += error_panel(series, std::string(axes[i]) + "_m", std::string(axes[i]) + ", cm", 100,
                           with_errors, i == 2);
   }

@@ -16,7 +16,8 @@ bool near_any_look(const std::vector<Eigen::Vector2d>& looks, const PixelBox& bo
 }
 
 /// Whether a corner of unknown depth will still be in view after the look-ahead, wherever on its ray it is.
-bool stays_in_view(const Corner& corner, const Camera& camera, const CameraState& now, const BirthSettings& birth) {
+bool stays_in_view(const Corner& corner, const Camera& camera, const CameraState& now,
+                   const BirthSettings& birth) {
   const auto ray = camera.unproject({corner.u, corner.v});
   if (!ray) return false;
   const CameraState later =
@@ -48,7 +49,8 @@ std::optional<PatchView> cut_view(const Image& image, const Eigen::Vector2d& pix
   auto texture = cut_texture(image, pixel, 2 * patch_size_px + 5, patch_size_px / 2 + 1);
   const auto ray = camera.unproject(pixel);
   if (!texture || !ray) return std::nullopt;
-  PatchView view{*std::move(texture), pixel, free_camera::position(from), free_camera::orientation(from), {}, 0};
+  PatchView view{
+      *std::move(texture), pixel, free_camera::position(from), free_camera::orientation(from), {}, 0};
   view.normal = -(rotation_matrix(view.world_from_camera) * ray->normalized());
   return view;
 }
@@ -96,18 +98,21 @@ bool give_birth(const Image& image, const Eigen::Vector2d& pixel, Estimate& esti
   Eigen::Matrix<double, 6, 6> noise = pixel_var * born->Jz * born->Jz.transpose();
   if (birth.method == "depth-line") {
     landmark.kind = Landmark::Kind::line;
-    landmark.particles = uniform_depths(birth, Eigen::Vector3d(born->landmark[3], born->landmark[4], 1).norm());
+    landmark.particles =
+        uniform_depths(birth, Eigen::Vector3d(born->landmark[3], born->landmark[4], 1).norm());
     const Belief::Parent parent{estimate.camera, born->Jv.topRows<5>()};
     // The place of birth is the camera's own position: a hair of noise keeps the covariance positive definite
     Eigen::Matrix<double, 5, 5> line_noise = noise.topLeftCorner<5, 5>();
     line_noise.topLeftCorner<3, 3>() += 1e-8 * Eigen::Matrix3d::Identity();
-    landmark.block = estimate.belief.augment(Chart::line(5), born->landmark.head<5>(), {&parent, 1}, line_noise);
+    landmark.block =
+        estimate.belief.augment(Chart::line(5), born->landmark.head<5>(), {&parent, 1}, line_noise);
   } else {
     landmark.kind = Landmark::Kind::inverse_depth;
     noise(5, 5) += std::pow(birth.sigma_inverse_depth_per_m, 2);
     noise.topLeftCorner<3, 3>() += 1e-8 * Eigen::Matrix3d::Identity();
     const Belief::Parent parent{estimate.camera, born->Jv};
-    landmark.block = estimate.belief.augment(InverseDepthLandmark::chart, born->landmark, {&parent, 1}, noise);
+    landmark.block =
+        estimate.belief.augment(InverseDepthLandmark::chart, born->landmark, {&parent, 1}, noise);
   }
   estimate.catalogue.push_back(std::move(landmark));
   return true;

@@ -10,13 +10,13 @@
 
 namespace incognita {
 
-/// A corner worth a landmark: the best in a box placed at random where no landmark is expected, and not about to
-/// leave the view at the present velocity. Nothing when a few boxes held none.
+/// A corner worth a landmark: the best in a box placed at random where no landmark is expected, and not about
+/// to leave the view at the present velocity. Nothing when a few boxes held none.
 std::optional<Corner> find_new_corner(const Image& image, const Estimate& estimate, const Camera& camera,
                                       const CameraSlamSettings& settings, RandomStream& random);
 
-/// Adds a landmark seen at a pixel of this image, as an inverse-depth landmark or as a line with depth hypotheses,
-/// as the settings say. False when no patch can be cut or no ray reaches the pixel.
+/// Adds a landmark seen at a pixel of this image, as an inverse-depth landmark or as a line with depth
+/// hypotheses, as the settings say. False when no patch can be cut or no ray reaches the pixel.
 bool give_birth(const Image& image, const Eigen::Vector2d& pixel, Estimate& estimate, const Camera& camera,
                 const CameraSlamSettings& settings);
 

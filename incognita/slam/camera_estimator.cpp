@@ -19,28 +19,29 @@ namespace incognita {
 namespace {
 
 constexpr double entropy_period_s = 1.0;
-constexpr int matches_to_recover = 6;        // from being lost: more than chance gives
+constexpr int matches_to_recover = 6;          // from being lost: more than chance gives
 constexpr double lost_sigma_position_m = 0.1;  // how far the camera is looked for around where it was lost
 constexpr double lost_sigma_rotation_rad = 0.1;
 
 void check_size(const Image& image, const Camera& camera) {
   if (image.width() != camera.width() || image.height() != camera.height())
-    throw std::invalid_argument("image is " + std::to_string(image.width()) + "x" + std::to_string(image.height()) +
-                                ", the camera is calibrated for " + std::to_string(camera.width()) + "x" +
-                                std::to_string(camera.height()));
+    throw std::invalid_argument("image is " + std::to_string(image.width()) + "x" +
+                                std::to_string(image.height()) + ", the camera is calibrated for " +
+                                std::to_string(camera.width()) + "x" + std::to_string(camera.height()));
 }
 
 }  // namespace
 
-CameraEstimator::CameraEstimator(Camera camera, std::optional<Target> target, const CameraSlamSettings& settings,
-                                 double max_search_s, std::uint64_t seed)
+CameraEstimator::CameraEstimator(Camera camera, std::optional<Target> target,
+                                 const CameraSlamSettings& settings, double max_search_s, std::uint64_t seed)
     : camera_(std::move(camera)),
       target_(std::move(target)),
       settings_(settings),
       max_search_s_(max_search_s),
       random_(seed, "slam.birth") {}
 
-void CameraEstimator::update(Estimate& estimate, const Command& command, const Observation& seen, const Tick& tick) {
+void CameraEstimator::update(Estimate& estimate, const Command& command, const Observation& seen,
+                             const Tick& tick) {
   StageClock clock(estimate.timing_ms);
   estimate.looks.clear();
   estimate.predicted = estimate.matched = estimate.visible = 0;
@@ -76,8 +77,7 @@ void CameraEstimator::start(Estimate& estimate, const Image& image, const Tick& 
     start_at(estimate, x, 1e-8 * Eigen::Matrix<double, 6, 6>::Identity());
     estimate.status.reason = "started without a target: the scale is not observable";
   } else {
-    const TargetSearch search = find_target(*target_, camera_, summed_, settings_.filter.sigma_pixel_px,
-                                            settings_.search.patch_size_px);
+    const TargetSearch search = find_target(*target_, camera_, summed_, settings_.filter.sigma_pixel_px);
     if (!search.pose) {
       estimate.status.reason = search.reason;
       if (tick.t - first_t_ > max_search_s_) estimate.status.state = TrackingState::lost;
@@ -97,7 +97,8 @@ void CameraEstimator::start(Estimate& estimate, const Image& image, const Tick& 
       anchor.view.normal = target_->normal;
       estimate.catalogue.push_back(std::move(anchor));
     }
-    estimate.status.reason = "target " + target_->name + " found, " + std::to_string(search.pose->rms_px) + " px rms";
+    estimate.status.reason =
+        "target " + target_->name + " found, " + std::to_string(search.pose->rms_px) + " px rms";
   }
   estimate.status.state = TrackingState::tracking;
   predict_looks(estimate, camera_, settings_, estimate.looks);
@@ -106,7 +107,8 @@ void CameraEstimator::start(Estimate& estimate, const Image& image, const Tick& 
   clock.mark("start");
 }
 
-void CameraEstimator::start_at(Estimate& estimate, const CameraState& x, const Eigen::Matrix<double, 6, 6>& pose_cov) {
+void CameraEstimator::start_at(Estimate& estimate, const CameraState& x,
+                               const Eigen::Matrix<double, 6, 6>& pose_cov) {
   FreeCameraMotion::Jacobian P = FreeCameraMotion::Jacobian::Zero();
   P.topLeftCorner<6, 6>() = pose_cov;
   P.diagonal().segment<3>(6).setConstant(std::pow(settings_.filter.sigma_start_velocity_m_s, 2));
@@ -120,7 +122,8 @@ void CameraEstimator::predict(Estimate& estimate, const Command& command, double
   Eigen::Matrix<double, 6, 1> variances;
   variances.head<3>().setConstant(std::pow(settings_.filter.sigma_acceleration_m_s2, 2));
   variances.tail<3>().setConstant(std::pow(settings_.filter.sigma_angular_acceleration_rad_s2, 2));
-  estimate.belief.predict({estimate.camera, step.x, step.F, step.G * variances.asDiagonal() * step.G.transpose()});
+  estimate.belief.predict(
+      {estimate.camera, step.x, step.F, step.G * variances.asDiagonal() * step.G.transpose()});
 }
 
 void CameraEstimator::correct(Estimate& estimate) const {
@@ -191,7 +194,8 @@ void CameraEstimator::wait_in_place(Estimate& estimate, const Image& image) {
     return;
   }
   correct(estimate);
-  estimate.status = {TrackingState::relocated, std::to_string(estimate.matched) + " features matched again", 0};
+  estimate.status = {TrackingState::relocated, std::to_string(estimate.matched) + " features matched again",
+                     0};
 }
 
 void CameraEstimator::add_landmarks(Estimate& estimate, const Image& image) {

@@ -56,9 +56,10 @@ Selected select(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& S, cons
   return s;
 }
 
-/// Drops the member that agrees least with all the others together, until every one passes. The innovation of a
-/// member given the others has covariance ([S^-1]_jj)^-1 and mean ([S^-1]_jj)^-1 [S^-1 r]_j.
-void leave_one_out(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& S, double gate, std::vector<int>& group) {
+/// Drops the member that agrees least with all the others together, until every one passes. The innovation of
+/// a member given the others has covariance ([S^-1]_jj)^-1 and mean ([S^-1]_jj)^-1 [S^-1 r]_j.
+void leave_one_out(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& S, double gate,
+                   std::vector<int>& group) {
   while (group.size() > 1) {
     const Selected s = select(residuals, S, group);
     const Eigen::MatrixXd inverse = s.S.llt().solve(Eigen::MatrixXd::Identity(s.S.rows(), s.S.cols()));

@@ -60,8 +60,8 @@ void start_sheet(CorrelationSheet& sheet, const SummedImage& image, const PatchT
                  const std::vector<Hypothesis>& hypotheses, const SearchSettings& settings) {
   Eigen::Array2d low(1e9, 1e9), high(-1e9, -1e9);
   for (const Hypothesis& h : hypotheses) {
-    const Eigen::Array2d half =
-        (settings.gate_sigmas * h.ellipse.covariance.diagonal().array().sqrt()).min(settings.max_half_axis_px);
+    const Eigen::Array2d half = (settings.gate_sigmas * h.ellipse.covariance.diagonal().array().sqrt())
+                                    .min(settings.max_half_axis_px);
     low = low.min(h.ellipse.centre.array() - half);
     high = high.max(h.ellipse.centre.array() + half);
   }
@@ -79,7 +79,8 @@ bool reweight(Landmark& line, const std::vector<Hypothesis>& hypotheses, const E
     const double distance = r.dot(h.ellipse.covariance.inverse() * r);
     const double likelihood =
         std::exp(-0.5 * distance) / (2 * std::numbers::pi * std::sqrt(h.ellipse.covariance.determinant()));
-    kept.push_back({line.particles[h.particle].inverse_depth, line.particles[h.particle].weight * likelihood});
+    kept.push_back(
+        {line.particles[h.particle].inverse_depth, line.particles[h.particle].weight * likelihood});
     total += kept.back().weight;
   }
   if (!(total > 1e-12)) return false;
@@ -105,7 +106,8 @@ Depth depth_of(const Landmark& line) {
   return {mean, std::sqrt(std::max(0.0, square - mean * mean))};
 }
 
-/// The line becomes a point with the Gaussian of its hypotheses; their spacing is the least that sigma can be.
+/// The line becomes a point with the Gaussian of its hypotheses; their spacing is the least that sigma can
+/// be.
 void become_point(Landmark& line, Belief& belief, const Depth& depth, double spacing_m) {
   const auto y = line_at(line, belief, 1 / depth.mean);
   const auto point = line.birth_axes.point(y);

@@ -18,11 +18,11 @@ namespace incognita {
 /// The appearance of a landmark and the view it was taken from.
 struct PatchView {
   PatchTexture texture;
-  Eigen::Vector2d pixel;             ///< in the image it was cut from, px
-  Eigen::Vector3d camera_position;   ///< world, m
+  Eigen::Vector2d pixel;            ///< in the image it was cut from, px
+  Eigen::Vector3d camera_position;  ///< world, m
   Eigen::Vector4d world_from_camera;
-  Eigen::Vector3d normal{0, 0, 1};   ///< unit, world: the patch is taken to be flat and to face this way
-  double distance_m = 0;             ///< from camera to landmark then; 0 when the depth was not known
+  Eigen::Vector3d normal{0, 0, 1};  ///< unit, world: the patch is taken to be flat and to face this way
+  double distance_m = 0;            ///< from camera to landmark then; 0 when the depth was not known
 };
 
 struct Landmark {
@@ -40,28 +40,28 @@ struct Landmark {
 
   std::int64_t id = 0;
   Kind kind = Kind::point;
-  BlockId block = 0;                        ///< in the belief, unless an anchor
-  Eigen::Vector3d anchor{0, 0, 0};          ///< world, m; anchors only
-  InverseDepthLandmark birth_axes{};        ///< inverse depth and lines only
-  std::vector<Particle> particles;          ///< lines only
+  BlockId block = 0;                  ///< in the belief, unless an anchor
+  Eigen::Vector3d anchor{0, 0, 0};    ///< world, m; anchors only
+  InverseDepthLandmark birth_axes{};  ///< inverse depth and lines only
+  std::vector<Particle> particles;    ///< lines only
   PatchView view;
-  int attempts = 0;                         ///< searches in frames that were otherwise matched
-  int matches = 0;                          ///< of them, how many updated the filter
-  int line_failures = 0;                    ///< lines only: searches in a row that found nothing
+  int attempts = 0;       ///< searches in frames that were otherwise matched
+  int matches = 0;        ///< of them, how many updated the filter
+  int line_failures = 0;  ///< lines only: searches in a row that found nothing
 
   bool mapped() const { return kind == Kind::point || kind == Kind::inverse_depth; }
 };
 
 /// A landmark as it is expected in this frame, and what the search made of it.
 struct Look {
-  std::size_t landmark = 0;            ///< index into the catalogue of this frame
+  std::size_t landmark = 0;  ///< index into the catalogue of this frame
   std::int64_t id = 0;
   Landmark::Kind kind = Landmark::Kind::point;
-  Eigen::Vector2d predicted;           ///< px, from the belief before this image was used
-  Eigen::Matrix2d innovation_cov;      ///< S_i = H_i P H_i' + R, px^2
+  Eigen::Vector2d predicted;       ///< px, from the belief before this image was used
+  Eigen::Matrix2d innovation_cov;  ///< S_i = H_i P H_i' + R, px^2
   CameraLookJacobian Hv;
   Eigen::Matrix<double, 2, Eigen::Dynamic, 0, 2, 6> Hl;  ///< no columns for anchors
-  Eigen::Matrix2d texture_from_view;   ///< local map of pixels of this view to pixels of the patch's texture
+  Eigen::Matrix2d texture_from_view;  ///< local map of pixels of this view to pixels of the patch's texture
   std::optional<Eigen::Vector2d> measured;
   double correlation = 0;
   LookOutcome outcome = LookOutcome::not_tried;
@@ -77,16 +77,16 @@ struct Entropy {
 struct Estimate {
   Belief belief{256};
   BlockId camera = 0;
-  bool started = false;            ///< whether `belief` holds a camera at all
+  bool started = false;  ///< whether `belief` holds a camera at all
   std::vector<Landmark> catalogue;
   std::int64_t next_id = 0;
   TrackingStatus status;
 
   // Of the last frame
   std::vector<Look> looks;
-  int predicted = 0;               ///< looks searched for
-  int matched = 0;                 ///< looks that updated the filter
-  int visible = 0;                 ///< landmarks expected in view
+  int predicted = 0;  ///< looks searched for
+  int matched = 0;    ///< looks that updated the filter
+  int visible = 0;    ///< landmarks expected in view
   UpdateReport update;
   Entropy entropy;
   std::vector<std::pair<const char*, double>> timing_ms;

@@ -24,11 +24,14 @@ LandmarkPosition at_depth(const Landmark& landmark, const Belief& belief) {
 
 std::optional<LandmarkPosition> position_of(const Landmark& landmark, const Belief& belief) {
   switch (landmark.kind) {
-    case Landmark::Kind::anchor: return LandmarkPosition{landmark.anchor, Eigen::Matrix3d::Zero()};
+    case Landmark::Kind::anchor:
+      return LandmarkPosition{landmark.anchor, Eigen::Matrix3d::Zero()};
     case Landmark::Kind::point:
       return LandmarkPosition{belief.mean(landmark.block), belief.covariance(landmark.block)};
-    case Landmark::Kind::line: return at_depth(landmark, belief);
-    case Landmark::Kind::inverse_depth: break;
+    case Landmark::Kind::line:
+      return at_depth(landmark, belief);
+    case Landmark::Kind::inverse_depth:
+      break;
   }
   const InverseDepthLandmark::State y = belief.mean(landmark.block);
   if (!(y[5] > 1e-6)) return std::nullopt;

@@ -34,7 +34,8 @@ void simplify_landmarks(Estimate& estimate, const BirthSettings& settings) {
     const double variance = estimate.belief.covariance(landmark.block)(5, 5);
     if (landmark.birth_axes.linearity_index(y, variance, camera) > settings.max_linearity) continue;
     const auto point = landmark.birth_axes.point(y);
-    estimate.belief.replace(landmark.block, PointLandmark::chart, point.position, point.J, Eigen::Matrix3d::Zero());
+    estimate.belief.replace(landmark.block, PointLandmark::chart, point.position, point.J,
+                            Eigen::Matrix3d::Zero());
     landmark.kind = Landmark::Kind::point;
   }
 }

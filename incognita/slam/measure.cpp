@@ -24,8 +24,9 @@ int measure(const SummedImage& image, const std::vector<Landmark>& catalogue, co
     if (!patch) continue;
     ++tried;
     look.outcome = LookOutcome::not_found;
-    const auto found = search(sheet, image, *patch, {look.predicted, look.innovation_cov, settings.gate_sigmas},
-                              settings.max_half_axis_px);
+    const auto found =
+        search(sheet, image, *patch, {look.predicted, look.innovation_cov, settings.gate_sigmas},
+               settings.max_half_axis_px);
     if (!found) continue;
     look.correlation = found->correlation;
     if (found->correlation < settings.min_correlation) continue;
@@ -35,7 +36,8 @@ int measure(const SummedImage& image, const std::vector<Landmark>& catalogue, co
   return tried;
 }
 
-int reject_inconsistent(const Estimate& estimate, const CameraSlamSettings& settings, std::vector<Look>& looks) {
+int reject_inconsistent(const Estimate& estimate, const CameraSlamSettings& settings,
+                        std::vector<Look>& looks) {
   std::vector<AffineLook> affine;
   std::vector<Look*> matched;
   for (Look& look : looks) {

@@ -6,7 +6,8 @@
 namespace incognita {
 namespace {
 
-/// Thesis C.4: the camera must not have moved or turned so far from the birth view that the patch would not match.
+/// Thesis C.4: the camera must not have moved or turned so far from the birth view that the patch would not
+/// match.
 bool seen_as_at_birth(const PatchView& view, const Eigen::Vector3d& point, const CameraState& from,
                       const MapSettings& settings) {
   const Eigen::Vector3d now = point - free_camera::position(from);

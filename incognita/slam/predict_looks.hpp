@@ -8,9 +8,9 @@
 
 namespace incognita {
 
-/// The look of one landmark from a camera state, or nothing when it should not be seen: behind the camera, outside
-/// the image, or seen too differently from its birth view for its patch to match (thesis C.4).
-/// The innovation covariance is left for fill_innovation().
+/// The look of one landmark from a camera state, or nothing when it should not be seen: behind the camera,
+/// outside the image, or seen too differently from its birth view for its patch to match (thesis C.4). The
+/// innovation covariance is left for fill_innovation().
 std::optional<Look> expect_look(const Landmark& landmark, const Belief& belief, const Camera& camera,
                                 const CameraState& from, const CameraSlamSettings& settings);
 
@@ -21,8 +21,8 @@ AffineLook affine_look(const Look& look, const Landmark& landmark, BlockId camer
 void predict_looks(const Estimate& estimate, const Camera& camera, const CameraSlamSettings& settings,
                    std::vector<Look>& looks);
 
-/// How a small piece of a plane through `point` maps from pixels of a view to pixels of the patch's own view, 2x2.
-/// Nothing when the plane is seen from behind or edge on.
+/// How a small piece of a plane through `point` maps from pixels of a view to pixels of the patch's own view,
+/// 2x2. Nothing when the plane is seen from behind or edge on.
 std::optional<Eigen::Matrix2d> local_warp(const PatchView& view, const Eigen::Vector3d& point,
                                           const Eigen::Vector2d& pixel, const Camera& camera,
                                           const CameraState& from);

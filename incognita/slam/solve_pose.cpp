@@ -10,8 +10,8 @@ namespace {
 
 using Normal = Eigen::Matrix<double, 6, 6>;
 
-/// Sum of squared reprojection errors at x, with J'J and J'r over position and right rotation error; negative when
-/// a point cannot be seen.
+/// Sum of squared reprojection errors at x, with J'J and J'r over position and right rotation error; negative
+/// when a point cannot be seen.
 double reproject(const std::vector<Eigen::Vector3d>& points, const std::vector<Eigen::Vector2d>& pixels,
                  const Camera& camera, const CameraState& x, Normal& JtJ, Eigen::Matrix<double, 6, 1>& Jtr) {
   JtJ.setZero();
@@ -31,8 +31,8 @@ double reproject(const std::vector<Eigen::Vector3d>& points, const std::vector<E
 
 /// Levenberg's iteration from a first guess; nothing when the guess sees no target.
 std::optional<TargetPose> refine(const std::vector<Eigen::Vector3d>& points,
-                                 const std::vector<Eigen::Vector2d>& pixels, const Camera& camera, CameraState x,
-                                 double sigma_pixel_px) {
+                                 const std::vector<Eigen::Vector2d>& pixels, const Camera& camera,
+                                 CameraState x, double sigma_pixel_px) {
   Normal JtJ;
   Eigen::Matrix<double, 6, 1> Jtr;
   double cost = reproject(points, pixels, camera, x, JtJ, Jtr);

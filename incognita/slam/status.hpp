@@ -9,11 +9,16 @@ enum class TrackingState { starting, tracking, degraded, lost, relocated };
 
 inline const char* name(TrackingState state) {
   switch (state) {
-    case TrackingState::starting: return "starting";
-    case TrackingState::tracking: return "tracking";
-    case TrackingState::degraded: return "degraded";
-    case TrackingState::lost: return "lost";
-    case TrackingState::relocated: return "relocated";
+    case TrackingState::starting:
+      return "starting";
+    case TrackingState::tracking:
+      return "tracking";
+    case TrackingState::degraded:
+      return "degraded";
+    case TrackingState::lost:
+      return "lost";
+    case TrackingState::relocated:
+      return "relocated";
   }
   return "unknown";
 }
@@ -23,18 +28,22 @@ enum class LookOutcome { matched, not_found, inconsistent, not_tried };
 
 inline const char* name(LookOutcome outcome) {
   switch (outcome) {
-    case LookOutcome::matched: return "matched";
-    case LookOutcome::not_found: return "not-found";
-    case LookOutcome::inconsistent: return "inconsistent";
-    case LookOutcome::not_tried: return "not-tried";
+    case LookOutcome::matched:
+      return "matched";
+    case LookOutcome::not_found:
+      return "not-found";
+    case LookOutcome::inconsistent:
+      return "inconsistent";
+    case LookOutcome::not_tried:
+      return "not-tried";
   }
   return "unknown";
 }
 
 struct TrackingStatus {
   TrackingState state = TrackingState::starting;
-  std::string reason;         ///< machine-readable enough to act on, e.g. "2 of 12 features matched, gate 3 sigma"
-  int frames_with_few = 0;    ///< consecutive frames with fewer matches than needed
+  std::string reason;  ///< machine-readable enough to act on, e.g. "2 of 12 features matched, gate 3 sigma"
+  int frames_with_few = 0;  ///< consecutive frames with fewer matches than needed
 };
 
 }  // namespace incognita

@@ -1,4 +1,5 @@
-// A known target: small patches of known appearance at known places. It fixes where the world is and its scale.
+// A known target: small patches of known appearance at known places. It fixes where the world is and its
+// scale.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,8 +16,8 @@ struct Target {
     Image patch;               ///< odd square, its centre pixel is the corner
   };
   std::string name;
-  std::vector<Corner> corners;     ///< four or more, in one plane
-  Eigen::Vector3d normal{0, 0, 1}; ///< unit, world, pointing out of the printed side
+  std::vector<Corner> corners;      ///< four or more, in one plane
+  Eigen::Vector3d normal{0, 0, 1};  ///< unit, world, pointing out of the printed side
 };
 
 }  // namespace incognita

@@ -1,14 +1,20 @@
 #include "incognita/slam/target_pose.hpp"
 
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
 namespace incognita {
 namespace {
 
-constexpr double min_correlation = 0.7;  // of a corner's patch: seen from another distance it is never quite alike
-constexpr int max_places = 5;            // per corner; all combinations of places are tried
-constexpr double max_rms_px = 1.5;       // of a right combination
+constexpr double min_correlation =
+    0.7;                        // of a corner's patch: seen from another distance it is never quite alike
+constexpr int max_places = 14;  // per corner; all combinations of places are tried
+constexpr double max_affine_misfit = 0.25;  // of the target's size in the image: perspective allows no more
+constexpr double max_sigma_m = 0.3;  // a pose less sure than this, from corners nearly in one place, is none
+constexpr double max_rms_px = 1.5;   // of a right combination
 
 struct Place {
   Eigen::Vector2d pixel;
@@ -16,7 +22,8 @@ struct Place {
 };
 
 /// The best few local maxima of correlation over the whole image.
-std::vector<Place> best_places(const SummedImage& image, const PatchTemplate& patch, CorrelationSheet& sheet) {
+std::vector<Place> best_places(const SummedImage& image, const PatchTemplate& patch,
+                               CorrelationSheet& sheet) {
   const int width = image.image().width(), height = image.image().height();
   sheet.start(image, patch, 0, width - 1, 0, height - 1);
   std::vector<Place> places;
@@ -26,7 +33,8 @@ std::vector<Place> best_places(const SummedImage& image, const PatchTemplate& pa
       if (here < min_correlation) continue;
       bool peak = true;
       for (int dv = -1; dv <= 1 && peak; ++dv)
-        for (int du = -1; du <= 1 && peak; ++du) peak = (du == 0 && dv == 0) || sheet.at(u + du, v + dv) <= here;
+        for (int du = -1; du <= 1 && peak; ++du)
+          peak = (du == 0 && dv == 0) || sheet.at(u + du, v + dv) <= here;
       if (peak) places.push_back({sheet.refine(u, v), here});
     }
   std::sort(places.begin(), places.end(),
@@ -35,14 +43,55 @@ std::vector<Place> best_places(const SummedImage& image, const PatchTemplate& pa
   return places;
 }
 
-std::optional<PatchTemplate> as_template(const Image& patch, int size) {
+std::optional<PatchTemplate> as_template(const Image& patch) {
   const double middle = patch.width() / 2;
-  return warp({patch, {middle, middle}}, Eigen::Matrix2d::Identity(), std::min(size, patch.width()));
+  return warp({patch, {middle, middle}}, Eigen::Matrix2d::Identity(),
+              std::min(max_patch_size, patch.width()));
 }
 
+/// A quick look at a combination before a pose is solved: seen from its printed side and not too near, a flat
+/// target looks nearly like its plan under an affine map, and corners must be further apart than a patch is
+/// wide.
+class QuickLook {
+ public:
+  QuickLook(const Target& target, double least_apart_px) : least_apart_px_(least_apart_px) {
+    // Plan of the target with x to the right and y down for someone facing it
+    const Eigen::Vector3d any =
+        std::abs(target.normal.z()) < 0.9 ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d::UnitX();
+    const Eigen::Vector3d right = any.cross(target.normal).normalized(), down = right.cross(-target.normal);
+    plan_.resize(static_cast<Eigen::Index>(target.corners.size()), 3);
+    for (Eigen::Index i = 0; i < plan_.rows(); ++i) {
+      const Eigen::Vector3d& at = target.corners[static_cast<std::size_t>(i)].position;
+      plan_.row(i) << at.dot(right), -at.dot(down), 1;
+    }
+    solve_ = plan_.completeOrthogonalDecomposition().pseudoInverse();
+  }
+
+  bool plausible(const std::vector<Eigen::Vector2d>& pixels) const {
+    Eigen::MatrixX2d seen(plan_.rows(), 2);
+    for (Eigen::Index i = 0; i < plan_.rows(); ++i) {
+      seen.row(i) = pixels[static_cast<std::size_t>(i)];
+      for (Eigen::Index k = 0; k < i; ++k)
+        if ((seen.row(i) - seen.row(k)).norm() < least_apart_px_) return false;
+    }
+    const Eigen::Matrix<double, 3, 2> affine = solve_ * seen;
+    if (affine.topRows<2>().determinant() <= 0) return false;  // mirrored: seen from behind
+    const double misfit = (plan_ * affine - seen).rowwise().norm().maxCoeff();
+    const double size = (seen.rowwise() - seen.colwise().mean()).rowwise().norm().maxCoeff();
+    return misfit < max_affine_misfit * size;
+  }
+
+ private:
+  double least_apart_px_;
+  Eigen::MatrixX3d plan_;
+  Eigen::Matrix3Xd solve_;
+};
+
 /// Tries every combination of places, one per corner.
-void try_combinations(const Target& target, const Camera& camera, const std::vector<std::vector<Place>>& places,
-                      double sigma_pixel_px, std::optional<TargetPose>& best) {
+void try_combinations(const Target& target, const Camera& camera,
+                      const std::vector<std::vector<Place>>& places, double sigma_pixel_px,
+                      std::optional<TargetPose>& best) {
+  const QuickLook quick(target, target.corners.front().patch.width());
   std::vector<Eigen::Vector3d> points;
   for (const auto& corner : target.corners) points.push_back(corner.position);
   std::vector<std::size_t> index(places.size(), 0);
@@ -50,16 +99,15 @@ void try_combinations(const Target& target, const Camera& camera, const std::vec
   for (bool more = true; more;) {
     std::vector<Eigen::Vector2d> pixels;
     double correlation = 0;
-    bool apart = true;
     for (std::size_t c = 0; c < places.size(); ++c) {
       const Place& place = places[c][index[c]];
-      for (const auto& other : pixels) apart = apart && (other - place.pixel).norm() > 6;
       pixels.push_back(place.pixel);
       correlation += place.correlation / places.size();
     }
-    if (apart) {
+    if (quick.plausible(pixels)) {
       const auto poses = solve_pose(points, pixels, camera, sigma_pixel_px);
       const bool good = !poses.empty() && poses[0].rms_px < max_rms_px &&
+                        poses[0].covariance.diagonal().head<3>().maxCoeff() < max_sigma_m * max_sigma_m &&
                         target.normal.dot(poses[0].position - points[0]) > 0;
       // Half a pixel of misfit weighs as much as 0.1 of correlation
       if (good && correlation - 0.2 * poses[0].rms_px > best_score) {
@@ -78,12 +126,13 @@ void try_combinations(const Target& target, const Camera& camera, const std::vec
 }  // namespace
 
 TargetSearch find_target(const Target& target, const Camera& camera, const SummedImage& image,
-                         double sigma_pixel_px, int patch_size_px) {
+                         double sigma_pixel_px) {
   std::vector<std::vector<Place>> places;
   CorrelationSheet sheet;
   for (std::size_t c = 0; c < target.corners.size(); ++c) {
-    const auto patch = as_template(target.corners[c].patch, patch_size_px);
-    if (!patch) return {std::nullopt, "corner " + std::to_string(c) + " of target " + target.name + " has no contrast"};
+    const auto patch = as_template(target.corners[c].patch);
+    if (!patch)
+      return {std::nullopt, "corner " + std::to_string(c) + " of target " + target.name + " has no contrast"};
     places.push_back(best_places(image, *patch, sheet));
     if (places.back().empty())
       return {std::nullopt, "corner " + std::to_string(c) + " of target " + target.name +
@@ -91,7 +140,8 @@ TargetSearch find_target(const Target& target, const Camera& camera, const Summe
   }
   TargetSearch result;
   try_combinations(target, camera, places, sigma_pixel_px, result.pose);
-  if (!result.pose) result.reason = "places like the corners of target " + target.name + " fit no camera pose";
+  if (!result.pose)
+    result.reason = "places like the corners of target " + target.name + " fit no camera pose";
   return result;
 }
 

@@ -12,12 +12,13 @@
 namespace incognita {
 
 struct TargetPose {
-  Eigen::Vector3d position;            ///< of the camera, world, m
+  Eigen::Vector3d position;  ///< of the camera, world, m
   Eigen::Vector4d world_from_camera;
   Eigen::Matrix<double, 6, 6> covariance;  ///< of position and right rotation error, from the pixels' noise
   std::vector<Eigen::Vector2d> pixels;     ///< where each corner was found
   double rms_px = 0;                       ///< of the reprojection
-  double second_rms_px = 0;  ///< of the other pose that a flat target allows; near rms_px the two cannot be told apart
+  double second_rms_px =
+      0;  ///< of the other pose that a flat target allows; near rms_px the two cannot be told apart
 };
 
 struct TargetSearch {
@@ -25,13 +26,13 @@ struct TargetSearch {
   std::string reason;  ///< why there is none
 };
 
-/// Looks for every corner patch in the whole image by correlation, tries the combinations of the best places, and
-/// keeps the pose under which the corners project best where they were found.
+/// Looks for every corner patch in the whole image by correlation, tries the combinations of the best places,
+/// and keeps the pose under which the corners project best where they were found.
 TargetSearch find_target(const Target& target, const Camera& camera, const SummedImage& image,
-                         double sigma_pixel_px, int patch_size_px);
+                         double sigma_pixel_px);
 
-/// The poses from which coplanar points (world) are seen at these pixels, best first, refined on the exact camera
-/// model. At most two.
+/// The poses from which coplanar points (world) are seen at these pixels, best first, refined on the exact
+/// camera model. At most two.
 std::vector<TargetPose> solve_pose(const std::vector<Eigen::Vector3d>& points,
                                    const std::vector<Eigen::Vector2d>& pixels, const Camera& camera,
                                    double sigma_pixel_px);

@@ -9,7 +9,8 @@ namespace {
 
 std::string of_matched(int matched, int searched, double gate_sigmas) {
   char text[96];
-  std::snprintf(text, sizeof text, "%d of %d features matched, gate %g sigma", matched, searched, gate_sigmas);
+  std::snprintf(text, sizeof text, "%d of %d features matched, gate %g sigma", matched, searched,
+                gate_sigmas);
   return text;
 }
 

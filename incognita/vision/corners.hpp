@@ -8,13 +8,14 @@
 namespace incognita {
 
 struct PixelBox {
-  int u = 0, v = 0;            ///< first column and row
+  int u = 0, v = 0;  ///< first column and row
   int width = 0, height = 0;
 };
 
 struct Corner {
   int u = 0, v = 0;
-  double strength = 0;  ///< smaller eigenvalue of the mean gradient product over the patch, grey levels^2 / px^2
+  double strength =
+      0;  ///< smaller eigenvalue of the mean gradient product over the patch, grey levels^2 / px^2
 };
 
 /// The strongest corner whose centre lies in the box; nothing when the box holds no pixel of the image.

@@ -24,7 +24,8 @@ class Image {
   std::uint8_t operator()(int u, int v) const { return row(v)[u]; }
   std::uint8_t& operator()(int u, int v) { return row(v)[u]; }
 
-  /// Bilinear value at a point between pixel centres; the point is clamped to the image, which must not be empty.
+  /// Bilinear value at a point between pixel centres; the point is clamped to the image, which must not be
+  /// empty.
   double sample(double u, double v) const {
     u = std::clamp(u, 0.0, width_ - 1.0);
     v = std::clamp(v, 0.0, height_ - 1.0);

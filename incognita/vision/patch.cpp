@@ -4,7 +4,8 @@
 
 namespace incognita {
 
-std::optional<PatchTexture> cut_texture(const Image& image, const Eigen::Vector2d& centre, int side, int core_px) {
+std::optional<PatchTexture> cut_texture(const Image& image, const Eigen::Vector2d& centre, int side,
+                                        int core_px) {
   const int cu = static_cast<int>(std::lround(centre.x())), cv = static_cast<int>(std::lround(centre.y()));
   if (cu < core_px || cv < core_px || cu >= image.width() - core_px || cv >= image.height() - core_px)
     return std::nullopt;
@@ -15,7 +16,8 @@ std::optional<PatchTexture> cut_texture(const Image& image, const Eigen::Vector2
   return texture;
 }
 
-std::optional<PatchTemplate> warp(const PatchTexture& texture, const Eigen::Matrix2d& texture_from_view, int size) {
+std::optional<PatchTemplate> warp(const PatchTexture& texture, const Eigen::Matrix2d& texture_from_view,
+                                  int size) {
   const int half = size / 2;
   std::array<double, max_patch_size * max_patch_size> grey;
   double sum = 0;

@@ -18,20 +18,24 @@ struct PatchTexture {
   Eigen::Vector2d centre;  ///< where in `pixels` the landmark is, px
 };
 
-/// A patch ready to be searched for: mean taken off, rows padded to 16 so that one vector operation takes a row.
+/// A patch ready to be searched for: mean taken off, rows padded to 16 so that one vector operation takes a
+/// row.
 struct PatchTemplate {
   static constexpr int row_stride = 16;
   int size = 0;  ///< side, odd
-  std::array<std::int16_t, max_patch_size * row_stride> values{};  ///< 8 * (pixel - mean), zero in the padding
+  std::array<std::int16_t, max_patch_size * row_stride>
+      values{};     ///< 8 * (pixel - mean), zero in the padding
   double norm = 0;  ///< square root of the sum of values^2
 };
 
 /// Cuts a square of `side` pixels around a place in the image, or as much of it as there is.
 /// Nothing when the landmark itself would be nearer than `core_px` to the edge of the image.
-std::optional<PatchTexture> cut_texture(const Image& image, const Eigen::Vector2d& centre, int side, int core_px);
+std::optional<PatchTexture> cut_texture(const Image& image, const Eigen::Vector2d& centre, int side,
+                                        int core_px);
 
 /// What the texture looks like when one pixel of the view is `texture_from_view` pixels of the texture (2x2).
 /// Nothing when that needs pixels that were not stored, or the patch has no contrast.
-std::optional<PatchTemplate> warp(const PatchTexture& texture, const Eigen::Matrix2d& texture_from_view, int size);
+std::optional<PatchTemplate> warp(const PatchTexture& texture, const Eigen::Matrix2d& texture_from_view,
+                                  int size);
 
 }  // namespace incognita

@@ -35,8 +35,8 @@ SummedImage::Sums SummedImage::over(int u, int v, int size) const {
           static_cast<double>(squares_[d] - squares_[c] - squares_[b] + squares_[a])};
 }
 
-void CorrelationSheet::start(const SummedImage& image, const PatchTemplate& patch, int u_min, int u_max, int v_min,
-                             int v_max) {
+void CorrelationSheet::start(const SummedImage& image, const PatchTemplate& patch, int u_min, int u_max,
+                             int v_min, int v_max) {
   image_ = &image;
   patch_ = &patch;
   computed_ = 0;
@@ -66,7 +66,8 @@ double CorrelationSheet::correlate(int u, int v) const {
   for (int r = 0; r < size; ++r) {
     const std::uint8_t* pixels = image.row(v - half + r) + (u - half);
     const std::int16_t* values = patch_->values.data() + r * PatchTemplate::row_stride;
-    for (int c = 0; c < PatchTemplate::row_stride; ++c) product += static_cast<std::int16_t>(pixels[c]) * values[c];
+    for (int c = 0; c < PatchTemplate::row_stride; ++c)
+      product += static_cast<std::int16_t>(pixels[c]) * values[c];
   }
   const auto [sum, squares] = image_->over(u - half, v - half, size);
   const double variance = squares - sum * sum / (size * size);  // times the number of pixels
@@ -93,7 +94,8 @@ struct Extent {
 Extent extent(const Ellipse& ellipse, double max_half_axis_px) {
   const double du = std::min(max_half_axis_px, ellipse.gate_sigmas * std::sqrt(ellipse.covariance(0, 0)));
   const double dv = std::min(max_half_axis_px, ellipse.gate_sigmas * std::sqrt(ellipse.covariance(1, 1)));
-  return {static_cast<int>(std::ceil(ellipse.centre.x() - du)), static_cast<int>(std::floor(ellipse.centre.x() + du)),
+  return {static_cast<int>(std::ceil(ellipse.centre.x() - du)),
+          static_cast<int>(std::floor(ellipse.centre.x() + du)),
           static_cast<int>(std::ceil(ellipse.centre.y() - dv)),
           static_cast<int>(std::floor(ellipse.centre.y() + dv))};
 }

@@ -26,14 +26,16 @@ class SummedImage {
  private:
   const Image* image_ = nullptr;
   int stride_ = 0;
-  std::vector<std::uint32_t> sum_, squares_;  // modulo 2^32: differences are right as long as the patch is small
+  std::vector<std::uint32_t> sum_,
+      squares_;  // modulo 2^32: differences are right as long as the patch is small
 };
 
 /// Correlations of one patch with one image, each place computed at most once however many ellipses cover it.
 class CorrelationSheet {
  public:
   /// A sheet for centres inside the given range; what leaves no room for the patch in the image is cut off.
-  void start(const SummedImage& image, const PatchTemplate& patch, int u_min, int u_max, int v_min, int v_max);
+  void start(const SummedImage& image, const PatchTemplate& patch, int u_min, int u_max, int v_min,
+             int v_max);
 
   /// Normalised cross-correlation in [-1, 1] with the patch centred there; -2 outside the range.
   double at(int u, int v);

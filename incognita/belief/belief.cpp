@@ -425,26 +425,6 @@ bool Belief::factorise_innovation(std::span<const AffineLook> looks, UpdateRepor
   return true;
 }
 
-/// W = P H' L^-T, eight rows at a time, straight into the panels that rank_update reads.
-void Belief::whiten_and_pack(int rank) {
-  constexpr int lanes = rank_update_panel;
-  for (int i = 0; i < errors_; i += lanes) {
-    double* panel = packed_.data() + static_cast<long>(i) * rank;
-    for (int k = 0; k < rank; ++k) {
-      double* w = panel + lanes * k;
-      double sum[lanes];
-      std::copy_n(PHt_.data() + static_cast<long>(k) * stride_ + i, lanes, sum);
-      for (int l = 0; l < k; ++l) {
-        const double factor = S_(k, l);
-        const double* earlier = panel + lanes * l;
-        for (int lane = 0; lane < lanes; ++lane) sum[lane] -= factor * earlier[lane];
-      }
-      const double inverse = 1 / S_(k, k);
-      for (int lane = 0; lane < lanes; ++lane) w[lane] = sum[lane] * inverse;
-    }
-  }
-}
-
 void Belief::shift_mean(std::span<const double> delta) {
   for (const Block& b : blocks_)
     b.chart.plus({mean_.data() + b.mean, static_cast<std::size_t>(b.chart.ambient())},
@@ -477,7 +457,9 @@ UpdateReport Belief::update(std::span<const AffineLook> looks) {
     return report;
   }
   gather_PHt(looks, report.rows);
-  whiten_and_pack(report.rows);
+  // W = P H' L^-T
+  whiten(PHt_.data(), stride_, errors_, S_.data(), static_cast<int>(S_.outerStride()), report.rows,
+         packed_.data());
   if (!compute_delta(report.rows)) {
     report.outcome = UpdateReport::Outcome::singular;
     return report;

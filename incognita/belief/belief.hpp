@@ -116,7 +116,6 @@ class Belief {
   void gather_above(const LookJacobian& H, const Block& b, double* out) const;
   void gather_below(const LookJacobian& H, const Block& b, int first, int last, double* out) const;
   void gather_PHt(std::span<const AffineLook> looks, int rank);
-  void whiten_and_pack(int rank);
   /// Rows of all looks; throws when a size does not fit.
   int check(std::span<const AffineLook> looks) const;
   LookJacobian times_covariance(const AffineLook& look, const Block& to) const;

@@ -6,13 +6,16 @@ namespace incognita {
 
 namespace baseline {
 void rank_update(double* P, int stride, int n, const double* W, int rank);
-}
+void whiten(const double* A, int stride, int n, const double* L, int L_stride, int rank, double* W);
+}  // namespace baseline
 namespace avx2 {
 void rank_update(double* P, int stride, int n, const double* W, int rank);
-}
+void whiten(const double* A, int stride, int n, const double* L, int L_stride, int rank, double* W);
+}  // namespace avx2
 namespace avx512 {
 void rank_update(double* P, int stride, int n, const double* W, int rank);
-}
+void whiten(const double* A, int stride, int n, const double* L, int L_stride, int rank, double* W);
+}  // namespace avx512
 
 namespace {
 
@@ -23,11 +26,11 @@ struct Paths {
   Paths() {
 #ifdef INCOGNITA_X86_PATHS
     __builtin_cpu_init();
-    if (__builtin_cpu_supports("avx512f")) list[count++] = {avx512::rank_update, "avx512"};
+    if (__builtin_cpu_supports("avx512f")) list[count++] = {avx512::rank_update, avx512::whiten, "avx512"};
     if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
-      list[count++] = {avx2::rank_update, "avx2"};
+      list[count++] = {avx2::rank_update, avx2::whiten, "avx2"};
 #endif
-    list[count++] = {baseline::rank_update, "baseline"};
+    list[count++] = {baseline::rank_update, baseline::whiten, "baseline"};
   }
 };
 
@@ -45,6 +48,10 @@ std::span<const RankUpdatePath> rank_update_paths() {
 
 void rank_update(double* P, int stride, int n, const double* W, int rank) {
   paths().list[0].run(P, stride, n, W, rank);
+}
+
+void whiten(const double* A, int stride, int n, const double* L, int L_stride, int rank, double* W) {
+  paths().list[0].whiten(A, stride, n, L, L_stride, rank, W);
 }
 
 const char* rank_update_path() {

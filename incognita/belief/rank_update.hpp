@@ -1,4 +1,4 @@
-// The filter's heaviest loop: P <- P - W W' on one triangle.
+// The filter's heaviest loops: P <- P - W W' on one triangle, and W.
 #pragma once
 
 #include <span>
@@ -21,9 +21,14 @@ constexpr int round_up_to_panel(int n) {
 /// same processor always the same bytes.
 void rank_update(double* P, int stride, int n, const double* W, int rank);
 
-/// One build of the loop, for one instruction set.
+/// W = A L^-T into the panels of rank_update: A is n x rank with leading dimension `stride`, aligned and
+/// padded like P with zeros, L lower triangular, column-major with leading dimension `L_stride`.
+void whiten(const double* A, int stride, int n, const double* L, int L_stride, int rank, double* W);
+
+/// One build of the loops, for one instruction set.
 struct RankUpdatePath {
   void (*run)(double* P, int stride, int n, const double* W, int rank);
+  void (*whiten)(const double* A, int stride, int n, const double* L, int L_stride, int rank, double* W);
   const char* name;  ///< "avx512", "avx2" or "baseline"
 };
 

@@ -50,6 +50,33 @@ TEST(RankUpdate, EveryPathIsEigens) {
       }
 }
 
+TEST(Whiten, OnEveryPathIsEigensTriangularSolve) {
+  RandomStream random(4, "whiten");
+  for (const RankUpdatePath& path : rank_update_paths())
+    for (int n = 1; n <= 40; ++n)
+      for (int rank = 1; rank <= 30; rank += 3) {
+        const int stride = round_up_to_panel(n) + 8;
+        Eigen::MatrixXd A = random_matrix(random, n, rank), L = random_matrix(random, rank + 2, rank);
+        L.diagonal().array() += 5;
+        AlignedBuffer padded(static_cast<std::size_t>(stride) * rank);
+        for (int k = 0; k < rank; ++k)
+          std::copy_n(A.col(k).data(), n, padded.data() + static_cast<long>(k) * stride);
+        AlignedBuffer W(static_cast<std::size_t>(round_up_to_panel(n)) * rank);
+        std::fill_n(W.data(), W.size(), untouched);
+        path.whiten(padded.data(), stride, n, L.data(), rank + 2, rank, W.data());
+        const auto lower = L.topRows(rank).triangularView<Eigen::Lower>();
+        const Eigen::MatrixXd expected = lower.solve(A.transpose()).transpose();
+        double error = 0;
+        for (int k = 0; k < rank; ++k)
+          for (int i = 0; i < round_up_to_panel(n); ++i) {
+            const double w = W.data()[(i / 8) * 8 * rank + k * 8 + i % 8];
+            error = std::max(error, std::abs(w - (i < n ? expected(i, k) : 0)));
+          }
+        ASSERT_LE(error, 1e-12 * expected.cwiseAbs().maxCoeff())
+            << path.name << " n " << n << " rank " << rank;
+      }
+}
+
 TEST(RankUpdate, WritesNowhereBesideItsTiles) {
   RandomStream random(2, "beside");
   for (const RankUpdatePath& path : rank_update_paths())

@@ -113,7 +113,7 @@ Canvas paint_wall(RandomStream& random, double width_m, double height_m, double 
   });
   hanging.scatter_posters(tries_for(canvas, 3), 0.35, 0.7, skirting_m, 0);
   hanging.scatter_posters(tries_for(canvas, 12), 0.16, 0.34, skirting_m, 0.03);
-  hanging.scatter_posters(tries_for(canvas, 25), 0.06, 0.14, skirting_m, 0.2);
+  hanging.scatter_posters(tries_for(canvas, 45), 0.06, 0.14, skirting_m, 0.2);
   for (double x = 0; x < width_m;) {
     const double length = random.uniform(0.3, 1.1);
     print_rectangle(canvas, {{x, height_m - skirting_m}, 0, length - 0.006, skirting_m},

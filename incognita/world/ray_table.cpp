@@ -37,12 +37,15 @@ RayTable::Cone tile_cone(const RayTable& table, int tile_u, int tile_v) {
       if (table.at(u, v).footprint > 0) cone.axis += direction(u, v);
   if (cone.axis.isZero()) return cone;
   cone.axis.normalize();
-  float least_cosine = 1;
+  float least_cosine = 1, largest_footprint = 0;
   for (int v = v0; v < v1; ++v)
-    for (int u = u0; u < u1; ++u)
-      if (table.at(u, v).footprint > 0) least_cosine = std::min(least_cosine, cone.axis.dot(direction(u, v)));
-  cone.half_angle_rad =
-      std::acos(least_cosine) + table.at((u0 + u1) / 2 - (u1 == u0 + 1), (v0 + v1) / 2).footprint + 1e-3f;
+    for (int u = u0; u < u1; ++u) {
+      if (!(table.at(u, v).footprint > 0)) continue;
+      least_cosine = std::min(least_cosine, cone.axis.dot(direction(u, v)));
+      largest_footprint = std::max(largest_footprint, table.at(u, v).footprint);
+    }
+  const float half_angle = std::acos(std::min(least_cosine, 1.0f)) + largest_footprint + 1e-3f;
+  cone.sin_half_angle = half_angle < 1.5f ? std::sin(half_angle) : 1.0f;
   return cone;
 }
 

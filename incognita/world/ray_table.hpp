@@ -11,7 +11,7 @@ namespace incognita {
 /// Pixels are grouped in square tiles with a cone around the rays of each, so that what a tile cannot see is
 /// found out once per tile and not once per pixel.
 struct RayTable {
-  static constexpr int tile_px = 16;
+  static constexpr int tile_px = 8;
 
   struct Ray {
     float x = 0, y = 0;  ///< the ray is (x, y, 1) in camera axes
@@ -21,7 +21,7 @@ struct RayTable {
   };
   struct Cone {
     Eigen::Vector3f axis{0, 0, 1};  ///< unit, camera axes
-    float half_angle_rad = 0;
+    float sin_half_angle = 0;
   };
 
   explicit RayTable(const Camera& camera);

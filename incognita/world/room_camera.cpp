@@ -21,8 +21,10 @@ RoomCamera::RoomCamera(std::shared_ptr<const Room> room, const Camera& camera, c
 
 Observation RoomCamera::look(const std::optional<Truth>& truth, const Tick& tick) {
   if (!truth) throw std::invalid_argument("the camera of the rendered room needs the true pose");
-  auto image = std::make_shared<Image>(rays_.width, rays_.height, covered_grey);
-  if (!covered(tick))
+  auto image = std::make_shared<Image>();
+  if (covered(tick))
+    *image = Image(rays_.width, rays_.height, covered_grey);
+  else
     render(*room_, rays_, free_camera::position(truth->camera), free_camera::orientation(truth->camera),
            *image);
   noise_.add_to(*image);

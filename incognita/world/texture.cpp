@@ -33,12 +33,16 @@ Texture::Texture(const Image& finest) {
 }
 
 void Texture::append(const Image& image, float scale) {
-  levels_[count_++] = {texels_.size(), image.width(), image.height(), scale};
-  texels_.reserve(texels_.size() + static_cast<std::size_t>(image.width() + 1) * (image.height() + 1));
-  for (int v = 0; v <= image.height(); ++v) {
-    const std::uint8_t* row = image.row(std::min(v, image.height() - 1));
-    texels_.insert(texels_.end(), row, row + image.width());
-    texels_.push_back(row[image.width() - 1]);
+  const int width = image.width(), height = image.height();
+  levels_[count_++] = {pairs_.size(), width, height, scale};
+  pairs_.reserve(pairs_.size() + static_cast<std::size_t>(width + 1) * height);
+  for (int v = 0; v < height; ++v) {
+    const std::uint8_t* texel = image.row(v);
+    const std::uint8_t* below = image.row(std::min(v + 1, height - 1));
+    for (int u = 0; u <= width; ++u) {
+      const int column = std::min(u, width - 1);
+      pairs_.push_back(static_cast<std::uint16_t>(texel[column] | below[column] << 8));
+    }
   }
 }
 

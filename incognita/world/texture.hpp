@@ -33,7 +33,8 @@ class Texture {
   }
 
  private:
-  /// One texel is repeated at the right and at the bottom, so that bilinear sampling needs no test there.
+  /// Each number holds a texel (low byte) and the one below it (high byte), so that two numbers are all that
+  /// bilinear sampling reads. A texel is repeated at the right, so that it needs no test there.
   struct Level {
     std::size_t offset = 0;
     int width = 0, height = 0;
@@ -50,16 +51,15 @@ class Texture {
   int bilinear(const Level& l, float u, float v) const {
     const int fu = static_cast<int>(std::min(std::max(u, 0.0f), static_cast<float>(l.width - 1)) * 256.0f);
     const int fv = static_cast<int>(std::min(std::max(v, 0.0f), static_cast<float>(l.height - 1)) * 256.0f);
-    const int stride = l.width + 1;
-    const std::uint8_t* p =
-        texels_.data() + l.offset + static_cast<std::size_t>(fv >> 8) * stride + (fu >> 8);
-    const int a = fu & 255, b = fv & 255;
-    const int top = p[0] * (256 - a) + p[1] * a;
-    const int bottom = p[stride] * (256 - a) + p[stride + 1] * a;
-    return (top * (256 - b) + bottom * b) >> 8;
+    const std::uint16_t* p =
+        pairs_.data() + l.offset + static_cast<std::size_t>(fv >> 8) * (l.width + 1) + (fu >> 8);
+    const unsigned a = fu & 255, b = fv & 255;
+    const std::uint32_t four = p[0] | static_cast<std::uint32_t>(p[1]) << 16;
+    const std::uint32_t columns = (four & 0x00ff00ff) * (256 - b) + ((four >> 8) & 0x00ff00ff) * b;
+    return static_cast<int>(((columns & 0xffff) * (256 - a) + (columns >> 16) * a) >> 8);
   }
 
-  std::vector<std::uint8_t> texels_;
+  std::vector<std::uint16_t> pairs_;
   std::array<Level, max_levels> levels_{};
   int count_ = 0;
 };

@@ -1,0 +1,183 @@
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <numbers>
+
+#include "incognita/math/angles.hpp"
+#include "incognita/world/room_world.hpp"
+
+using namespace incognita;
+
+namespace {
+
+constexpr double dt = 1.0 / 30;
+
+RoomSettings quiet() {
+  RoomSettings s;
+  s.boxes = 0;
+  s.start_position_m = {0, 0, 1.2};
+  s.sigma_start_position_m = s.sigma_start_heading_rad = 0;
+  s.sigma_acceleration_m_s2 = s.sigma_angular_acceleration_rad_s2 = 0;
+  return s;
+}
+
+FreeCameraPlant plant_in(const RoomSettings& s, std::uint64_t seed = 1) {
+  return FreeCameraPlant(s, room_layout(s, seed), seed);
+}
+
+void move_for(FreeCameraPlant& plant, const Command& command, int ticks) {
+  for (int i = 0; i < ticks; ++i) plant.move(command, dt);
+}
+
+TEST(level_camera, looks_along_its_heading_with_the_floor_down) {
+  for (const double heading : {0.0, 0.7, std::numbers::pi, -2.0}) {
+    const Eigen::Matrix3d r = rotation_matrix<double>(level_camera(heading));
+    EXPECT_NEAR((r.col(2) - Eigen::Vector3d(std::cos(heading), std::sin(heading), 0)).norm(), 0, 1e-12);
+    EXPECT_NEAR((r.col(1) - Eigen::Vector3d(0, 0, -1)).norm(), 0, 1e-12);
+    EXPECT_NEAR(r.determinant(), 1, 1e-12);
+  }
+}
+
+TEST(plant, starts_at_rest_where_it_was_told) {
+  RoomSettings s = quiet();
+  s.start_heading_rad = 0.4;
+  const auto plant = plant_in(s);
+  EXPECT_EQ(plant.state().head<3>(), s.start_position_m);
+  EXPECT_EQ((plant.state().segment<4>(3)), level_camera(0.4));
+  EXPECT_TRUE(plant.state().tail<6>().isZero());
+}
+
+TEST(plant, constant_acceleration_gives_the_parabola) {
+  auto plant = plant_in(quiet());
+  const Eigen::Vector3d a(0.5, -0.3, 0.2);
+  move_for(plant, {a, Eigen::Vector3d::Zero()}, 45);
+  const double t = 45 * dt;
+  EXPECT_NEAR((plant.state().head<3>() - (Eigen::Vector3d(0, 0, 1.2) + 0.5 * t * t * a)).norm(), 0, 1e-9);
+  EXPECT_NEAR((plant.state().segment<3>(7) - t * a).norm(), 0, 1e-9);
+}
+
+TEST(plant, constant_angular_acceleration_about_one_axis_turns_by_half_a_t_squared) {
+  auto plant = plant_in(quiet());
+  const Eigen::Vector3d axis = Eigen::Vector3d(1, 2, -0.5).normalized();
+  move_for(plant, {Eigen::Vector3d::Zero(), 0.8 * axis}, 60);
+  const double t = 60 * dt;
+  const Eigen::Vector4d turned = quaternion_product<double>(
+      level_camera(0), quaternion_exp<double>(Eigen::Vector3d(0.4 * t * t * axis)));
+  const Eigen::Vector4d apart = quaternion_product<double>(quaternion_conjugate<double>(turned),
+                                                           Eigen::Vector4d(plant.state().segment<4>(3)));
+  EXPECT_NEAR(quaternion_log<double>(apart).norm(), 0, 1e-8);
+  EXPECT_NEAR((plant.state().tail<3>() - 0.8 * t * axis).norm(), 0, 1e-9);
+  EXPECT_NEAR(plant.state().segment<4>(3).norm(), 1, 1e-14);
+}
+
+/// Turning to the right by the camera's own down axis turns the heading against z.
+TEST(plant, a_positive_rate_about_the_down_axis_turns_right) {
+  auto plant = plant_in(quiet());
+  move_for(plant, {Eigen::Vector3d::Zero(), {0, 1, 0}}, 30);
+  const Eigen::Vector3d forward =
+      rotation_matrix<double>(Eigen::Vector4d(plant.state().segment<4>(3))).col(2);
+  EXPECT_NEAR(std::atan2(forward.y(), forward.x()), -0.5, 1e-8);
+}
+
+TEST(plant, agrees_with_the_discrete_model_for_short_steps) {
+  auto plant = plant_in(quiet());
+  move_for(plant, {{0.3, 0.1, 0}, {0.4, -0.6, 0.2}}, 20);
+  const Command command{{0.3, -0.2, 0.1}, {0.2, 0.3, -0.4}};
+  const double step = 1e-4;
+  const auto expected = FreeCameraMotion{}.f<double>(plant.state(), command.as_input(), step);
+  EXPECT_NEAR((plant.move(command, step) - expected).norm(), 0, 1e-7);
+}
+
+TEST(plant, walls_stop_the_body_and_let_it_slide) {
+  auto plant = plant_in(quiet());
+  move_for(plant, {{2, 0.3, 0}, Eigen::Vector3d::Zero()}, 75);
+  EXPECT_DOUBLE_EQ(plant.state()[0], 3 - 0.15);
+  EXPECT_DOUBLE_EQ(plant.state()[7], 0);
+  EXPECT_NEAR(plant.state()[1], 0.15 * 2.5 * 2.5, 1e-9) << "motion along the wall goes on";
+  move_for(plant, {{-1, 0, 0}, Eigen::Vector3d::Zero()}, 30);
+  EXPECT_NEAR(plant.state()[0], 3 - 0.15 - 0.5, 1e-9) << "and the way back is free";
+}
+
+TEST(plant, floor_and_ceiling_stop_it_too) {
+  auto plant = plant_in(quiet());
+  move_for(plant, {{0, 0, -3}, Eigen::Vector3d::Zero()}, 60);
+  EXPECT_DOUBLE_EQ(plant.state()[2], 0.15);
+  move_for(plant, {{0, 0, 3}, Eigen::Vector3d::Zero()}, 90);
+  EXPECT_DOUBLE_EQ(plant.state()[2], 2.5 - 0.15);
+}
+
+TEST(plant, a_box_stops_it_even_at_a_speed_that_would_jump_over_it) {
+  const RoomSettings s = quiet();
+  RoomLayout layout = room_layout(s, 1);
+  layout.boxes.push_back({{1, -0.5, 0}, {1.3, 0.5, 1.8}});
+  FreeCameraPlant plant(s, layout, 1);
+  plant.move({{3000, 0, 0}, Eigen::Vector3d::Zero()}, dt);
+  EXPECT_DOUBLE_EQ(plant.state()[0], 1 - 0.15);
+  EXPECT_DOUBLE_EQ(plant.state()[7], 0);
+  plant.move({{0, 1, 0}, Eigen::Vector3d::Zero()}, dt);
+  EXPECT_GT(plant.state()[1], 0) << "it slides along the box";
+}
+
+TEST(plant, never_enters_anything_however_it_is_pushed) {
+  RoomSettings s;
+  s.sigma_acceleration_m_s2 = 30;
+  const RoomLayout layout = room_layout(s, 3);
+  FreeCameraPlant plant(s, layout, 3);
+  RandomStream random(3, "test.push");
+  for (int i = 0; i < 3000; ++i) {
+    const Eigen::Vector3d push(random.normal(), random.normal(), random.normal());
+    const Eigen::Vector3d p = plant.move({20 * push, Eigen::Vector3d::Zero()}, dt).head<3>();
+    ASSERT_TRUE(layout.inside.grown(1e-9 - s.clearance_m).contains(p)) << p.transpose();
+    for (const Box& box : layout.boxes)
+      ASSERT_FALSE(box.grown(s.clearance_m - 1e-9).contains(p)) << p.transpose();
+  }
+}
+
+TEST(plant, same_seed_same_states_and_another_seed_others) {
+  auto a = plant_in(RoomSettings{}, 5), b = plant_in(RoomSettings{}, 5), c = plant_in(RoomSettings{}, 6);
+  EXPECT_EQ(a.state(), b.state());
+  EXPECT_NE(a.state(), c.state());
+  move_for(a, {}, 30);
+  move_for(b, {}, 30);
+  EXPECT_EQ(a.state(), b.state());
+}
+
+TEST(plant, disturbances_have_the_stated_size) {
+  RoomSettings s = quiet();
+  s.sigma_acceleration_m_s2 = 0.3;
+  s.sigma_angular_acceleration_rad_s2 = 0.5;
+  double linear = 0, angular = 0;
+  constexpr int runs = 1000;
+  for (int seed = 0; seed < runs; ++seed) {
+    auto plant = plant_in(s, seed);
+    plant.move({}, dt);
+    linear += plant.state().segment<3>(7).squaredNorm();
+    angular += plant.state().segment<3>(10).squaredNorm();
+  }
+  // the standard error of these is 1.3 %
+  EXPECT_NEAR(std::sqrt(linear / (3 * runs)) / dt, 0.3, 0.3 * 0.05);
+  EXPECT_NEAR(std::sqrt(angular / (3 * runs)) / dt, 0.5, 0.5 * 0.05);
+}
+
+TEST(plant, refuses_what_cannot_be) {
+  RoomSettings outside = quiet();
+  outside.start_position_m.x() = 2.9;
+  EXPECT_THROW(plant_in(outside), std::invalid_argument);
+  RoomSettings negative = quiet();
+  negative.sigma_acceleration_m_s2 = -1;
+  EXPECT_THROW(plant_in(negative), std::invalid_argument);
+  auto plant = plant_in(quiet());
+  EXPECT_THROW(plant.move({}, -dt), std::invalid_argument);
+  EXPECT_THROW(plant.move({{NAN, 0, 0}, Eigen::Vector3d::Zero()}, dt), std::invalid_argument);
+}
+
+TEST(room_world, the_first_tick_gives_the_start) {
+  const RoomSettings s;
+  RoomWorld world(room_layout(s, 2), s, 2);
+  const auto first = world.move({{1, 1, 1}, Eigen::Vector3d::Zero()}, Tick{0, 0, 0});
+  ASSERT_TRUE(first);
+  EXPECT_EQ(first->camera, plant_in(s, 2).state());
+  EXPECT_NE(world.move({}, Tick{1, dt, dt})->camera, first->camera);
+}
+
+}  // namespace

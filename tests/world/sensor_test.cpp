@@ -1,0 +1,137 @@
+#include <gtest/gtest.h>
+
+#include "incognita/models/wide_angle_camera.hpp"
+#include "incognita/world/free_camera_plant.hpp"
+#include "incognita/world/image_noise.hpp"
+#include "incognita/world/render.hpp"
+#include "incognita/world/room_camera.hpp"
+#include "incognita/world/room_clock.hpp"
+
+using namespace incognita;
+
+namespace {
+
+const std::shared_ptr<const Room>& room() {
+  static const auto shared = std::make_shared<const Room>(RoomSettings{}, 1);
+  return shared;
+}
+
+Truth start() {
+  Truth truth;
+  truth.camera.head<3>() << 1.6, 0, 1.3;
+  truth.camera.segment<4>(3) = level_camera(0);
+  return truth;
+}
+
+struct Moments {
+  double mean = 0, sigma = 0;
+};
+
+Moments moments(const Image& image) {
+  const int count = image.width() * image.height();
+  double sum = 0, squares = 0;
+  for (int i = 0; i < count; ++i) {
+    sum += image.row(0)[i];
+    squares += image.row(0)[i] * image.row(0)[i];
+  }
+  return {sum / count, std::sqrt(squares / count - sum / count * sum / count)};
+}
+
+TEST(image_noise, has_the_stated_sigma_and_no_bias) {
+  for (const double sigma : {1.0, 2.0, 7.5}) {
+    ImageNoise noise(sigma, 3);
+    Image image(320, 240, 128);
+    noise.add_to(image);
+    const Moments m = moments(image);
+    EXPECT_NEAR(m.mean, 128, 5 * sigma / std::sqrt(320.0 * 240));
+    EXPECT_NEAR(m.sigma, std::sqrt(sigma * sigma + 1.0 / 12), 0.02 * sigma)
+        << "with the rounding to whole levels";
+  }
+}
+
+TEST(image_noise, rows_and_frames_do_not_repeat) {
+  ImageNoise noise(2, 3);
+  Image image(320, 240, 128), next = image;
+  noise.add_to(image);
+  noise.add_to(next);
+  EXPECT_NE(image, next);
+  for (int v = 1; v < 240; ++v)
+    ASSERT_FALSE(std::equal(image.row(v), image.row(v) + 320, image.row(v - 1))) << v;
+}
+
+TEST(image_noise, stays_between_black_and_white) {
+  ImageNoise noise(50, 3);
+  Image black(64, 64, 0), white(64, 64, 255);
+  noise.add_to(black);
+  noise.add_to(white);
+  EXPECT_NEAR(moments(black).mean, 50 / std::sqrt(2 * 3.14159), 2) << "half a normal, not wrapped around";
+  EXPECT_NEAR(moments(white).mean, 255 - 50 / std::sqrt(2 * 3.14159), 2);
+  EXPECT_THROW(ImageNoise(-1, 3), std::invalid_argument);
+}
+
+TEST(room_camera, is_the_render_plus_noise) {
+  const WideAngleCamera model{.kd1 = 9e-6};
+  RoomSettings quiet;
+  quiet.sigma_image_grey = 0;
+  Image expected;
+  render(*room(), RayTable{Camera(model)}, {1.6, 0, 1.3}, level_camera(0), expected);
+  EXPECT_EQ(*RoomCamera(room(), model, quiet, 1).look(start(), Tick{0, 0, 0}).image, expected);
+
+  const Image noisy = *RoomCamera(room(), model, RoomSettings{}, 1).look(start(), Tick{0, 0, 0}).image;
+  double squares = 0;
+  int count = 0;
+  for (int i = 0; i < 320 * 240; ++i)
+    if (const int e = expected.row(0)[i]; e > 20 && e < 235) {
+      squares += (noisy.row(0)[i] - e) * (noisy.row(0)[i] - e);
+      ++count;
+    }
+  EXPECT_NEAR(std::sqrt(squares / count), std::sqrt(4 + 1.0 / 12), 0.05);
+}
+
+TEST(room_camera, same_seed_same_bytes_and_another_seed_others) {
+  const auto bytes = [](std::uint64_t seed) {
+    RoomCamera camera(room(), WideAngleCamera{}, RoomSettings{}, seed);
+    camera.look(start(), Tick{0, 0, 0});
+    return *camera.look(start(), Tick{1, 0.1, 0.1}).image;
+  };
+  EXPECT_EQ(bytes(8), bytes(8));
+  EXPECT_NE(bytes(8), bytes(9));
+}
+
+TEST(room_camera, a_covered_lens_is_dark_from_then_on) {
+  RoomSettings s;
+  s.cover_lens_from_s = 2;
+  RoomCamera camera(room(), WideAngleCamera{}, s, 1);
+  EXPECT_GT(moments(*camera.look(start(), Tick{59, 59 / 30.0, 1 / 30.0}).image).mean, 60);
+  for (const double t : {2.0, 2.5, 100.0}) {
+    const Moments m = moments(*camera.look(start(), Tick{60, t, 1 / 30.0}).image);
+    EXPECT_LT(m.mean, 12);
+    EXPECT_NEAR(m.sigma, 2, 0.2) << "noise goes on";
+  }
+}
+
+TEST(room_camera, needs_the_truth) {
+  RoomCamera camera(room(), WideAngleCamera{}, RoomSettings{}, 1);
+  EXPECT_THROW(camera.look(std::nullopt, Tick{0, 0, 0}), std::invalid_argument);
+}
+
+TEST(room_clock, ticks_steadily_and_ends) {
+  RoomClock clock(30, 2);
+  EXPECT_EQ(clock.expected_frames(), 60);
+  int frames = 0;
+  double t = 0;
+  while (const Tick tick = clock.next()) {
+    EXPECT_EQ(tick.frame, frames);
+    EXPECT_DOUBLE_EQ(tick.dt, frames == 0 ? 0 : 1.0 / 30);
+    t += tick.dt;
+    EXPECT_NEAR(tick.t, t, 1e-9);
+    ++frames;
+  }
+  EXPECT_EQ(frames, 60);
+  EXPECT_FALSE(clock.next()) << "once ended, it stays so";
+  EXPECT_THROW(RoomClock(0, 1), std::invalid_argument);
+  EXPECT_THROW(RoomClock(30, NAN), std::invalid_argument);
+  EXPECT_THROW(RoomClock(30, 1e300), std::invalid_argument);
+}
+
+}  // namespace

@@ -1,0 +1,256 @@
+// What a landmark must obey: its Jacobians are those of its own model, and being born undoes being seen.
+#include <gtest/gtest.h>
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "incognita/math/random.hpp"
+#include "incognita/models/camera_look.hpp"
+#include "incognita/models/pinhole_camera.hpp"
+#include "incognita/models/wide_angle_camera.hpp"
+#include "tests/models/dual.hpp"
+
+namespace incognita {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using Eigen::Vector4d;
+constexpr int camera_errors = FreeCameraMotion::error_size;
+
+constexpr WideAngleCamera wide{.kd1 = 9e-6};  // a lens of 100 degrees
+constexpr PinholeCamera pinhole{.k1 = -0.28, .k2 = 0.07, .p1 = 2e-4, .p2 = 2e-5};
+
+/// The camera moved by its error, written out from the definition of the chart.
+template <class S>
+FreeCameraMotion::State<S> moved(const CameraState& x, const Eigen::Matrix<S, camera_errors, 1>& e) {
+  FreeCameraMotion::State<S> y = x.cast<S>();
+  y.template head<3>() += e.template head<3>();
+  const Vector4<S> q = x.segment<4>(3).cast<S>();
+  y.template segment<4>(3) =
+      quaternion_product<S>(q, quaternion_exp<S>(Vector3<S>(e.template segment<3>(3))));
+  y.template tail<6>() += e.template tail<6>();
+  return y;
+}
+
+CameraState some_camera(RandomStream& random) {
+  CameraState x;
+  for (int i = 0; i < 13; ++i) x[i] = random.uniform(-2, 2);
+  x.segment<4>(3).normalize();
+  return x;
+}
+
+Vector3d to_world(const CameraState& x, const Vector3d& in_camera) {
+  return x.head<3>() + rotation_matrix<double>(x.segment<4>(3)) * in_camera;
+}
+
+/// In camera axes: ordinary, far off the axis, a millimetre away, very far away.
+std::vector<Vector3d> ordinary_and_nasty() {
+  return {{0.2, -0.1, 1.5}, {0, 0, 2},       {3, 2, 1},           {-9, 0.1, 1},    {30, -40, 1},
+          {0, 0, 1e-3},     {1e-3, 0, 1e-3}, {-4e-4, 3e-4, 1e-3}, {2e3, 1e3, 5e3}, {1e-9, -1e-9, 1}};
+}
+
+template <class A, class B>
+void expect_near(const A& a, const B& b, double relative) {
+  EXPECT_LE((a - b).norm(), relative * (1 + b.norm())) << "got\n" << a << "\nwanted\n" << b;
+}
+
+template <class Model>
+void check_point_look(const Model& model) {
+  RandomStream random(1, "point looks");
+  int seen = 0;
+  for (const Vector3d& c : ordinary_and_nasty()) {
+    const CameraState x = some_camera(random);
+    const Vector3d point = to_world(x, c);
+    const auto look = PointLandmark::look(Camera(model), x, point);
+    if (!look) continue;
+    ++seen;
+    constexpr int n = camera_errors + 3;
+    const auto e = variables<n>(Eigen::Matrix<double, camera_errors, 1>::Zero().eval());
+    const auto l = variables<n>(point, camera_errors);
+    const Vector2<Dual<n>> pixel =
+        model.template h<Dual<n>>(PointLandmark::in_camera<Dual<n>>(moved<Dual<n>>(x, e), l));
+    const auto J = derivatives<n, 2>(pixel);
+    expect_near(look->pixel, (values<n, 2>(pixel)), 1e-9);
+    expect_near(look->Hv, J.template leftCols<camera_errors>(), 1e-8);
+    expect_near(look->Hl, J.template rightCols<3>(), 1e-8);
+  }
+  EXPECT_GE(seen, 5);
+}
+
+TEST(PointLook, JacobiansAreThoseOfTheModel) {
+  check_point_look(wide);
+  check_point_look(pinhole);
+}
+
+TEST(PointLook, NothingBehindTheCamera) {
+  RandomStream random(2, "behind");
+  const CameraState x = some_camera(random);
+  EXPECT_FALSE(PointLandmark::look(Camera(wide), x, to_world(x, {0.1, 0, -1})));
+  EXPECT_FALSE(PointLandmark::look(Camera(wide), x, x.head<3>()));
+}
+
+struct Case {
+  InverseDepthLandmark axes;
+  InverseDepthLandmark::State y;
+  CameraState x;
+};
+
+/// Landmarks born at one camera and seen from another near it, with inverse depths from infinity to a
+/// centimetre.
+std::vector<Case> inverse_depth_cases() {
+  RandomStream random(3, "inverse depth");
+  std::vector<Case> cases;
+  for (const double rho : {0.0, 1e-12, 1e-4, 0.5, 2.0, 100.0, -0.05})
+    for (const Vector2d& direction : {Vector2d(0, 0), Vector2d(0.3, -0.2), Vector2d(2.5, 1.5)})
+      for (const double baseline : {0.0, 0.3}) {
+        Case c;
+        c.x = some_camera(random);
+        c.axes.world_from_birth = c.x.segment<4>(3);
+        c.y << c.x.head<3>(), direction, rho;
+        Vector3d turn, step;
+        for (int i = 0; i < 3; ++i) {
+          turn[i] = random.uniform(-0.3, 0.3);
+          step[i] = random.uniform(-1, 1);
+        }
+        c.x.head<3>() += baseline * step;
+        c.x.segment<4>(3) = quaternion_product<double>(c.x.segment<4>(3), quaternion_exp<double>(turn));
+        cases.push_back(c);
+      }
+  return cases;
+}
+
+template <class Model>
+void check_inverse_depth_look(const Model& model) {
+  int seen = 0;
+  for (const Case& c : inverse_depth_cases()) {
+    const auto look = c.axes.look(Camera(model), c.x, c.y);
+    if (!look) continue;
+    ++seen;
+    constexpr int n = camera_errors + 6;
+    const auto e = variables<n>(Eigen::Matrix<double, camera_errors, 1>::Zero().eval());
+    const auto l = variables<n>(c.y, camera_errors);
+    const Vector2<Dual<n>> pixel =
+        model.template h<Dual<n>>(c.axes.in_camera<Dual<n>>(moved<Dual<n>>(c.x, e), l));
+    const auto J = derivatives<n, 2>(pixel);
+    expect_near(look->pixel, (values<n, 2>(pixel)), 1e-9);
+    expect_near(look->Hv, J.template leftCols<camera_errors>(), 1e-8);
+    expect_near(look->Hl, J.template rightCols<6>(), 1e-8);
+  }
+  EXPECT_GE(seen, 15);
+}
+
+TEST(InverseDepthLook, JacobiansAreThoseOfTheModel) {
+  check_inverse_depth_look(wide);
+  check_inverse_depth_look(pinhole);
+}
+
+TEST(InverseDepthLook, IsTheLookOfTheSamePoint) {
+  int seen = 0;
+  for (const Case& c : inverse_depth_cases()) {
+    if (!(c.y[5] > 0)) continue;
+    const auto look = c.axes.look(Camera(wide), c.x, c.y);
+    const auto point = PointLandmark::look(Camera(wide), c.x, c.axes.point(c.y).position);
+    ASSERT_EQ(look.has_value(), point.has_value());
+    if (!look) continue;
+    ++seen;
+    // a place 1e12 m away is known to 1e-4 m, that is to 1e-16 rad
+    expect_near(look->pixel, point->pixel, 1e-9);
+    expect_near(look->Hv, point->Hv, 1e-8);
+  }
+  EXPECT_GE(seen, 10);
+}
+
+TEST(InverseDepthLook, AtInfinityOnlyTurningMatters) {
+  for (Case c : inverse_depth_cases()) {
+    if (c.y[5] != 0) continue;
+    const auto here = c.axes.look(Camera(wide), c.x, c.y);
+    c.x.head<3>() += Vector3d(5, -7, 3);
+    const auto there = c.axes.look(Camera(wide), c.x, c.y);
+    ASSERT_EQ(here.has_value(), there.has_value());
+    if (!here) continue;
+    EXPECT_EQ(here->pixel, there->pixel);
+    EXPECT_EQ(here->Hv.leftCols<3>().norm(), 0);
+    EXPECT_GT(here->Hv.middleCols<3>(3).norm(), 1);
+  }
+}
+
+TEST(InverseDepthPoint, IsWhereTheRayIsThatDeep) {
+  RandomStream random(4, "geometry");
+  const CameraState x = some_camera(random);
+  const Vector3d seen(0.4, -0.3, 2.5);  // in the axes of birth
+  const InverseDepthLandmark axes{x.segment<4>(3)};
+  InverseDepthLandmark::State y;
+  y << x.head<3>(), seen.x() / seen.z(), seen.y() / seen.z(), 1 / seen.z();
+  expect_near(axes.point(y).position, to_world(x, seen), 1e-14);
+}
+
+TEST(InverseDepthPoint, JacobianIsThatOfTheGeometry) {
+  for (const Case& c : inverse_depth_cases()) {
+    if (!(c.y[5] > 1e-6)) continue;
+    const auto y = variables<6>(c.y);
+    const Vector3<Dual<6>> ray(y[3], y[4], Dual<6>(1));
+    const Vector3<Dual<6>> turned = rotation_matrix<Dual<6>>(c.axes.world_from_birth.cast<Dual<6>>()) * ray;
+    const Vector3<Dual<6>> position = y.head<3>() + turned / y[5];
+    const auto point = c.axes.point(c.y);
+    expect_near(point.position, (values<6, 3>(position)), 1e-12);
+    expect_near(point.J, (derivatives<6, 3>(position)), 1e-12);
+  }
+}
+
+std::vector<Vector2d> pixels_to_be_born_at() {
+  return {{159.5, 119.5}, {160, 100}, {20, 200}, {0, 0}, {319, 239}, {319, 0}, {0, 119.5}};
+}
+
+TEST(Birth, UndoesTheLook) {
+  RandomStream random(5, "births");
+  for (const Camera& camera : {Camera(wide), Camera(pinhole)})
+    for (const Vector2d& pixel : pixels_to_be_born_at())
+      for (const double rho : {0.0, 1e-9, 0.5, 50.0}) {
+        const CameraState x = some_camera(random);
+        const auto born = InverseDepthLandmark::birth(camera, x, pixel, rho);
+        ASSERT_TRUE(born);
+        EXPECT_EQ(born->landmark[5], rho);
+        const auto look = InverseDepthLandmark{born->world_from_birth}.look(camera, x, born->landmark);
+        ASSERT_TRUE(look);
+        EXPECT_LT((look->pixel - pixel).norm(), 1e-8);
+        // and to first order: the camera's error moves the landmark with it, so the pixel stays
+        const Eigen::Matrix<double, 2, camera_errors> stays = look->Hv + look->Hl * born->Jv;
+        EXPECT_LT(stays.norm(), 1e-7 * (1 + look->Hv.norm()));
+        EXPECT_LT((look->Hl * born->Jz - Eigen::Matrix2d::Identity()).norm(), 1e-8);
+      }
+}
+
+TEST(Birth, JacobiansAreThoseOfTheRay) {
+  RandomStream random(6, "birth rays");
+  for (const Vector2d& at : pixels_to_be_born_at()) {
+    const CameraState x = some_camera(random);
+    const auto born = InverseDepthLandmark::birth(Camera(wide), x, at, 0.5);
+    ASSERT_TRUE(born);
+    constexpr int n = camera_errors + 2;
+    using D = Dual<n>;
+    const auto camera = moved<D>(x, variables<n>(Eigen::Matrix<double, camera_errors, 1>::Zero().eval()));
+    const auto pixel = variables<n>(at, camera_errors);
+    const D cu = pixel[0] - D(wide.u0), cv = pixel[1] - D(wide.v0);
+    const D root = sqrt(D(1) - D(2 * wide.kd1) * (cu * cu + cv * cv));
+    const Vector3<D> ray(cu / (root * D(wide.fu)), cv / (root * D(wide.fv)), D(1));
+    const Vector3<D> in_world = rotation_matrix<D>(camera.template segment<4>(3)) * ray;
+    const Vector3<D> in_birth = rotation_matrix<D>(born->world_from_birth.cast<D>()).transpose() * in_world;
+    Eigen::Matrix<D, 6, 1> y;
+    y << camera.template head<3>(), in_birth[0] / in_birth[2], in_birth[1] / in_birth[2], D(0.5);
+    const auto J = derivatives<n, 6>(y);
+    expect_near(born->landmark, (values<n, 6>(y)), 1e-12);
+    expect_near(born->Jv, J.template leftCols<camera_errors>(), 1e-10);
+    expect_near(born->Jz, J.template rightCols<2>(), 1e-10);
+  }
+}
+
+TEST(Birth, NothingWhereNoRayReaches) {
+  // the image of infinity is a circle of radius 1/sqrt(2 kd1) = 236 px
+  const CameraState x = (CameraState() << 0, 0, 0, 1, Eigen::Matrix<double, 9, 1>::Zero()).finished();
+  EXPECT_TRUE(InverseDepthLandmark::birth(Camera(wide), x, {159.5 + 235, 119.5}, 0.5));
+  EXPECT_FALSE(InverseDepthLandmark::birth(Camera(wide), x, {159.5 + 237, 119.5}, 0.5));
+}
+
+}  // namespace
+}  // namespace incognita

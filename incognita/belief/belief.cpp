@@ -21,9 +21,7 @@ struct Size {
   }
 };
 
-Size size_of(const auto& m) {
-  return {m.rows(), m.cols()};
-}
+Size size_of(const auto& m) { return {m.rows(), m.cols()}; }
 
 /// Throws what the parts spell. They are spelled only then, because the loop must not allocate.
 template <class... Parts>
@@ -69,9 +67,7 @@ void add_weighted_columns(double* out, const double* P, long stride, const doubl
 
 }  // namespace
 
-Belief::Belief(int expected_errors) {
-  reserve(std::max(expected_errors, 1));
-}
+Belief::Belief(int expected_errors) { reserve(std::max(expected_errors, 1)); }
 
 const Belief::Block& Belief::block(BlockId id) const {
   require(has(id), "no block ", id, " in the belief");
@@ -91,9 +87,7 @@ BlockMatrix Belief::covariance(BlockId row, BlockId column) const {
   return m;
 }
 
-Eigen::MatrixXd Belief::dense_covariance() const {
-  return P().selfadjointView<Eigen::Lower>();
-}
+Eigen::MatrixXd Belief::dense_covariance() const { return P().selfadjointView<Eigen::Lower>(); }
 
 void Belief::reserve(int errors) {
   if (errors <= capacity_) return;

@@ -42,9 +42,7 @@ const Paths& paths() {
 
 }  // namespace
 
-std::span<const RankUpdatePath> rank_update_paths() {
-  return {paths().list.data(), paths().count};
-}
+std::span<const RankUpdatePath> rank_update_paths() { return {paths().list.data(), paths().count}; }
 
 void rank_update(double* P, int stride, int n, const double* W, int rank) {
   paths().list[0].run(P, stride, n, W, rank);
@@ -54,8 +52,6 @@ void whiten(const double* A, int stride, int n, const double* L, int L_stride, i
   paths().list[0].whiten(A, stride, n, L, L_stride, rank, W);
 }
 
-const char* rank_update_path() {
-  return paths().list[0].name;
-}
+const char* rank_update_path() { return paths().list[0].name; }
 
 }  // namespace incognita

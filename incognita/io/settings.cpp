@@ -199,8 +199,6 @@ void decision(List& list, DecisionSettings& s) {
                                "displacement of each of the seven translations", above_up_to(0, 1000)},
                               {"decision.period_s", &s.period_s, "s",
                                "an action lasts this long, then all are compared again", above_up_to(0, 1e6)},
-                              {"decision.over", &s.over, "", "what the information gained is about",
-                               one_of({"whole-state", "position-and-map"})},
                               {"decision.min_bound_m", &s.min_bound_m, "m",
                                "goals outside this box of the world are not chosen", any()},
                               {"decision.max_bound_m", &s.max_bound_m, "m",

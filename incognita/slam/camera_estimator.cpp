@@ -101,8 +101,13 @@ void CameraEstimator::start(Estimate& estimate, const Image& image, const Tick& 
         "target " + target_->name + " found, " + std::to_string(search.pose->rms_px) + " px rms";
   }
   estimate.status.state = TrackingState::tracking;
-  predict_looks(estimate, camera_, settings_, estimate.looks);
-  add_landmarks(estimate, image);
+  // The first map at once: without a target there is nothing else to hold on to
+  for (;;) {
+    const std::size_t before = estimate.catalogue.size();
+    predict_looks(estimate, camera_, settings_, estimate.looks);
+    add_landmarks(estimate, image);
+    if (estimate.catalogue.size() == before) break;
+  }
   refresh_entropy(estimate, tick);
   clock.mark("start");
 }

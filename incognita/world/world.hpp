@@ -24,7 +24,8 @@ class Clock {
 class World {
  public:
   virtual ~World() = default;
-  /// Carries the command, held since the tick before, through `tick.dt` seconds. Nothing where the truth is unknown.
+  /// Carries the command, held since the tick before, through `tick.dt` seconds. Nothing where the truth is
+  /// unknown.
   virtual std::optional<Truth> move(const Command& command, const Tick& tick) = 0;
 };
 

@@ -151,9 +151,7 @@ TEST(RelativePoseError, SeesATurn) {
   EXPECT_NEAR(relative_pose_error(matched, {1, 0}).translation_m.max, 2 * std::sin(0.1), 1e-12);
 }
 
-TEST(Statistics, OfNothingAreZeroAndSaySo) {
-  EXPECT_EQ(statistics({}).count, 0u);
-}
+TEST(Statistics, OfNothingAreZeroAndSaySo) { EXPECT_EQ(statistics({}).count, 0u); }
 
 }  // namespace
 }  // namespace incognita

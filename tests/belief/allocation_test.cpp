@@ -24,15 +24,9 @@ void* __libc_calloc(std::size_t, std::size_t);
 void* __libc_realloc(void*, std::size_t);
 void* __libc_memalign(std::size_t, std::size_t);
 
-void* malloc(std::size_t size) {
-  return ++allocations, __libc_malloc(size);
-}
-void* calloc(std::size_t count, std::size_t size) {
-  return ++allocations, __libc_calloc(count, size);
-}
-void* realloc(void* p, std::size_t size) {
-  return ++allocations, __libc_realloc(p, size);
-}
+void* malloc(std::size_t size) { return ++allocations, __libc_malloc(size); }
+void* calloc(std::size_t count, std::size_t size) { return ++allocations, __libc_calloc(count, size); }
+void* realloc(void* p, std::size_t size) { return ++allocations, __libc_realloc(p, size); }
 void* aligned_alloc(std::size_t alignment, std::size_t size) {
   return ++allocations, __libc_memalign(alignment, size);
 }

@@ -20,13 +20,9 @@ using testing::message_of;
 using testing::pgm;
 using testing::Scratch;
 
-SharedRecording share(Recording recording) {
-  return std::make_shared<const Recording>(std::move(recording));
-}
+SharedRecording share(Recording recording) { return std::make_shared<const Recording>(std::move(recording)); }
 
-Tick at(double t) {
-  return {1, t, 0.1};
-}
+Tick at(double t) { return {1, t, 0.1}; }
 
 TEST(ImageFolder, TakesImagesInNaturalOrder) {
   const Scratch scratch;

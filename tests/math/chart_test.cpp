@@ -19,9 +19,7 @@ using Eigen::VectorXd;
 
 constexpr double pi = std::numbers::pi;
 
-std::span<double> numbers_of(VectorXd& v) {
-  return {v.data(), static_cast<std::size_t>(v.size())};
-}
+std::span<double> numbers_of(VectorXd& v) { return {v.data(), static_cast<std::size_t>(v.size())}; }
 std::span<const double> numbers_of(const VectorXd& v) {
   return {v.data(), static_cast<std::size_t>(v.size())};
 }

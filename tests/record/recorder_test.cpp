@@ -44,17 +44,13 @@ RunOutcome record(const fs::path& folder, const SyntheticRun& run, const RunInfo
   return recorder.finish(RunStatus::done, "");
 }
 
-Json summary(const fs::path& folder) {
-  return Json::parse(contents(folder / "summary.json"));
-}
+Json summary(const fs::path& folder) { return Json::parse(contents(folder / "summary.json")); }
 
 Json schema() {
   return Json::parse(contents(fs::path(INCOGNITA_SOURCE_DIR) / "docs/schemas/summary.schema.json"));
 }
 
-std::size_t columns(const std::string& line) {
-  return std::count(line.begin(), line.end(), ',') + 1;
-}
+std::size_t columns(const std::string& line) { return std::count(line.begin(), line.end(), ',') + 1; }
 
 /// Rows below the header, every one as wide as it.
 std::size_t rows(const fs::path& csv) {

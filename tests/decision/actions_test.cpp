@@ -1,0 +1,95 @@
+#include "incognita/decision/actions.hpp"
+
+#include <gtest/gtest.h>
+
+#include "incognita/decision/camera_decision.hpp"
+#include "incognita/models/heading.hpp"
+#include "incognita/models/wide_angle_camera.hpp"
+
+namespace incognita {
+namespace {
+
+TEST(Actions, AreTheSevenOfTheThesis) {
+  const auto actions = seven_translations();
+  ASSERT_EQ(actions.size(), 7u);
+  EXPECT_EQ(actions.back().name, "stay");
+  EXPECT_TRUE(actions.back().direction.isZero());
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const auto& action : actions) sum += action.direction;
+  EXPECT_TRUE(sum.isZero()) << "every direction has its opposite";
+}
+
+TEST(Heading, IsThatOfTheLevelGaze) {
+  for (const double heading : {-3.1, -1.0, 0.0, 0.4, 2.0, 3.1}) {
+    const Eigen::Vector4d gaze = level_gaze(heading);
+    EXPECT_NEAR(heading_of(gaze), heading, 1e-12);
+    const Eigen::Matrix3d axes = rotation_matrix(gaze);
+    EXPECT_NEAR(axes.col(1).z(), -1, 1e-12) << "image down is world down";
+    EXPECT_NEAR(axes.determinant(), 1, 1e-12);
+  }
+}
+
+/// A camera at the origin looking along +x with one unsure landmark and one sure one ahead.
+Estimate two_landmarks() {
+  Estimate estimate;
+  CameraState x = CameraState::Zero();
+  x.segment<4>(3) = level_gaze(0);
+  estimate.camera =
+      estimate.belief.add_vehicle(FreeCameraMotion::chart, x, 1e-4 * FreeCameraMotion::Jacobian::Identity());
+  estimate.started = true;
+  estimate.status.state = TrackingState::tracking;
+  for (const double y : {-0.3, 0.3}) {
+    Landmark landmark;
+    landmark.id = estimate.next_id++;
+    const Eigen::Vector3d at(2.0, y, 0);
+    const Eigen::Matrix3d cov =
+        Eigen::Vector3d(0.25, 1e-4, 1e-4).asDiagonal();  // unsure along the line of sight
+    landmark.block = estimate.belief.augment(PointLandmark::chart, at, {}, cov);
+    landmark.view = {{Image(21, 21, 100), {10, 10}}, {160, 120}, {0, 0, 0}, x.segment<4>(3), {-1, 0, 0}, 0};
+    estimate.catalogue.push_back(landmark);
+  }
+  return estimate;
+}
+
+TEST(CameraDecision, MovesAcrossTheLineOfSightToLearnDepth) {
+  const Estimate estimate = two_landmarks();
+  CameraDecision decision(WideAngleCamera{}, {}, {});
+  const Goal goal = decision.choose(estimate, {0, 0, 0});
+  ASSERT_TRUE(goal.decided);
+  const std::string chosen = decision.actions()[goal.chosen].name;
+  EXPECT_TRUE(chosen == "go_left" || chosen == "go_right" || chosen == "go_up" || chosen == "go_down")
+      << chosen;
+  EXPECT_NEAR((goal.to - goal.from).norm(), 0.3, 1e-12);
+}
+
+TEST(CameraDecision, ComparesOncePerPeriodAndScoresEveryFrame) {
+  const Estimate estimate = two_landmarks();
+  CameraDecision decision(WideAngleCamera{}, {}, {});
+  int decided = 0;
+  for (int k = 0; k < 61; ++k) {
+    const Goal goal = decision.choose(estimate, {k, k / 30.0, 1 / 30.0});
+    decided += goal.decided;
+    ASSERT_EQ(goal.scores.size(), 7u);
+    for (const double score : goal.scores) EXPECT_GT(score, 0);
+  }
+  EXPECT_EQ(decided, 3);
+}
+
+TEST(CameraDecision, LeavesOutGoalsBeyondTheBounds) {
+  const Estimate estimate = two_landmarks();
+  DecisionSettings settings;
+  settings.min_bound_m = {-0.1, -0.1, -0.1};
+  settings.max_bound_m = {0.1, 0.1, 0.1};
+  CameraDecision decision(WideAngleCamera{}, {}, settings);
+  EXPECT_EQ(decision.actions()[decision.choose(estimate, {0, 0, 0}).chosen].name, "stay");
+}
+
+TEST(CameraDecision, HasNoActionWhenLost) {
+  Estimate estimate = two_landmarks();
+  estimate.status.state = TrackingState::lost;
+  CameraDecision decision(WideAngleCamera{}, {}, {});
+  EXPECT_EQ(decision.choose(estimate, {0, 0, 0}).chosen, -1);
+}
+
+}  // namespace
+}  // namespace incognita

@@ -1,0 +1,82 @@
+#include "incognita/slam/consensus.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "incognita/math/gaussian.hpp"
+#include "incognita/math/random.hpp"
+
+namespace incognita {
+namespace {
+
+const double gate = chi_square_quantile(0.99, 2);
+
+/// Innovations as a camera of unknown pose makes them: far larger together than one against the other.
+struct Frame {
+  Eigen::VectorXd residuals;
+  Eigen::MatrixXd S;
+};
+
+Frame frame(int matches, RandomStream& random) {
+  const int rows = 2 * matches;
+  Eigen::MatrixXd H(rows, 6);
+  for (int i = 0; i < H.size(); ++i) H(i) = 5 * random.normal();
+  Eigen::VectorXd camera(6), noise(rows);
+  for (int i = 0; i < 6; ++i) camera[i] = std::clamp(random.normal(), -1.0, 1.0);
+  for (int i = 0; i < rows; ++i) noise[i] = std::clamp(random.normal(), -1.0, 1.0);
+  return {H * camera + noise, H * H.transpose() + Eigen::MatrixXd::Identity(rows, rows)};
+}
+
+TEST(Consensus, ConsistentMatchesAreAllTaken) {
+  RandomStream random(1, "consensus");
+  for (int trial = 0; trial < 50; ++trial) {
+    const Frame f = frame(12, random);
+    EXPECT_EQ(agreeing_matches(f.residuals, f.S, gate), std::vector<bool>(12, true));
+  }
+}
+
+TEST(Consensus, PlantedOutliersAreFoundOut) {
+  RandomStream random(2, "consensus");
+  for (int trial = 0; trial < 50; ++trial) {
+    Frame f = frame(12, random);
+    // well inside its own gate, which is tens of pixels: only the others can tell
+    for (const int i : {3, 8}) f.residuals[2 * i + random.below(2)] += random.below(2) ? 12 : -12;
+    std::vector<bool> wanted(12, true);
+    wanted[3] = wanted[8] = false;
+    EXPECT_EQ(agreeing_matches(f.residuals, f.S, gate), wanted) << "trial " << trial;
+  }
+}
+
+TEST(Consensus, ALoneMatchIsHeldToItsOwnGate) {
+  Eigen::Matrix2d S;
+  S << 9, 3, 3, 4;
+  const Eigen::Vector2d direction(1, 2);
+  const double unit = std::sqrt(gate / direction.dot(S.inverse() * direction));
+  EXPECT_EQ(agreeing_matches(0.99 * unit * direction, S, gate), std::vector<bool>{true});
+  EXPECT_EQ(agreeing_matches(1.01 * unit * direction, S, gate), std::vector<bool>{false});
+}
+
+TEST(Consensus, OfMatchesThatAllDisagreeAtMostOneIsTaken) {
+  // a shift of all by some 20 px is expected, no difference beyond a pixel is; these point everywhere
+  constexpr int n = 8;
+  Eigen::MatrixXd S = Eigen::MatrixXd::Identity(2 * n, 2 * n);
+  Eigen::VectorXd residuals(2 * n);
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j < n; ++j) S.block<2, 2>(2 * i, 2 * j) += 400 * Eigen::Matrix2d::Identity();
+    residuals.segment<2>(2 * i) =
+        30 * Eigen::Vector2d(std::cos(2 * M_PI * i / n), std::sin(2 * M_PI * i / n));
+  }
+  const auto agrees = agreeing_matches(residuals, S, gate);
+  EXPECT_LE(std::count(agrees.begin(), agrees.end(), true), 1);
+  EXPECT_EQ(agreeing_matches(10 * residuals, S, gate), std::vector<bool>(n, false)) << "not even alone";
+}
+
+TEST(Consensus, NoMatchesAgreeOnNothing) {
+  EXPECT_TRUE(agreeing_matches(Eigen::VectorXd(0), Eigen::MatrixXd(0, 0), gate).empty());
+}
+
+}  // namespace
+}  // namespace incognita

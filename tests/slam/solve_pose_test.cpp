@@ -57,7 +57,9 @@ TEST(SolvePose, ExactPixelsGiveTheExactPose) {
     EXPECT_LT(error(poses[0], x).norm(), 1e-7);
     EXPECT_LT(poses[0].rms_px, 1e-6);
     EXPECT_EQ(poses[0].second_rms_px, poses.back().rms_px);
-    if (poses.size() == 2) EXPECT_GT(poses[1].rms_px, poses[0].rms_px);
+    if (poses.size() == 2) {
+      EXPECT_GT(poses[1].rms_px, poses[0].rms_px);
+    }
   }
 }
 

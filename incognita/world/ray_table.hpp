@@ -13,12 +13,6 @@ namespace incognita {
 struct RayTable {
   static constexpr int tile_px = 8;
 
-  struct Ray {
-    float x = 0, y = 0;  ///< the ray is (x, y, 1) in camera axes
-    float footprint =
-        0;               ///< side of the pixel, seen face on, per unit of ray parameter; 0: no ray reaches it
-    float reserved = 0;  ///< makes a ray 16 bytes
-  };
   struct Cone {
     Eigen::Vector3f axis{0, 0, 1};  ///< unit, camera axes
     float sin_half_angle = 0;
@@ -26,11 +20,15 @@ struct RayTable {
 
   explicit RayTable(const Camera& camera);
 
-  const Ray& at(int u, int v) const { return rays[static_cast<std::size_t>(v) * width + u]; }
+  std::size_t index(int u, int v) const { return static_cast<std::size_t>(v) * stride + u; }
+  bool has_ray(int u, int v) const { return footprint[index(u, v)] > 0; }
 
   int width = 0, height = 0;
   int tiles_across = 0, tiles_down = 0;
-  std::vector<Ray> rays;    ///< row by row
+  int stride = 0;  ///< of the rows below: whole tiles
+  /// The ray of a pixel is (x, y, 1) in camera axes. Its footprint is the side of the pixel, seen face on,
+  /// per unit of ray parameter, and 0 where no ray reaches the pixel.
+  std::vector<float> x, y, footprint;
   std::vector<Cone> cones;  ///< of the tiles, row by row
 };
 

@@ -10,16 +10,15 @@
 #include <vector>
 
 #include "incognita/math/quaternion.hpp"
+#include "incognita/world/plane.hpp"
 
 namespace incognita {
 namespace {
 
-using Ray = RayTable::Ray;
 using Direction = std::array<float, 3>;  ///< world axes, of any length
 using BoxBits = std::uint32_t;           ///< one bit per box of the room
 
 constexpr int tile_px = RayTable::tile_px;
-constexpr std::array<int, 3> across_of{1, 0, 0}, down_of{2, 2, 1};
 constexpr float white_grey = 236, black_grey = 14;  // of the sheet
 constexpr int sheet_wall = 1;                       // at the upper end of x
 constexpr std::uint8_t nothing = 255;               // id where no surface is seen
@@ -34,30 +33,12 @@ struct Bounds {  ///< a box relative to the camera
   std::array<float, 3> min, max;
 };
 
-/// What a pixel covers of a texture, in texels: a square of side `face_on`, drawn out by (du, dv) where the
-/// surface is seen at a glancing angle.
-struct Covered {
-  float u, v, du, dv, face_on;
-};
-
 /// What can be seen in a tile.
 struct TileView {
   BoxBits boxes = 0;
-  int wall = -1;  ///< the only wall seen, if there is only one and no box
+  int wall = -1;       ///< the only wall seen, if there is only one and no box
+  bool sheet = false;  ///< whether the sheet may be seen
 };
-
-/// One to four samples along what is covered.
-inline int sample(const Texture& texture, const Covered& c) {
-  const float stretch = c.du * c.du + c.dv * c.dv;
-  if (stretch <= std::max(c.face_on * c.face_on, 0.5f)) return texture.sample(c.u, c.v, c.face_on);
-  const int count = stretch <= std::max(9 * c.face_on * c.face_on, 2.0f) ? 2 : 4;
-  const float step = 1.0f / static_cast<float>(count);
-  const float each = std::max(c.face_on, step * std::sqrt(stretch));
-  int sum = 0;
-  for (float at = 0.5f * step - 0.5f; at < 0.5f; at += step)
-    sum += texture.sample(c.u + at * c.du, c.v + at * c.dv, each);
-  return sum / count;
-}
 
 inline int lit(int grey, const Surface& surface) {
   return std::min(static_cast<int>(static_cast<float>(grey) * surface.light), 255 * 256);
@@ -70,30 +51,6 @@ float share_within(float x, float half, float width) {
   const float low = std::max(x - 0.5f * width, -half), high = std::min(x + 0.5f * width, half);
   return std::max(0.0f, high - low) / width;
 }
-
-/// A plane rectangle as rays meet it: everything about one surface that is the same for all rays.
-class Plane {
- public:
-  Plane(const Surface& surface, int axis, float distance, const Eigen::Vector3d& position)
-      : axis_(axis), a_(across_of[axis]), b_(down_of[axis]), distance_(distance) {
-    u_per_m_ = surface.u_per_m;
-    v_per_m_ = surface.v_per_m;
-    u_at_camera_ = surface.u_per_m * static_cast<float>(position[a_]) + surface.u_at_0;
-    v_at_camera_ = surface.v_per_m * static_cast<float>(position[b_]) + surface.v_at_0;
-  }
-
-  Covered covered(const Direction& d, float footprint) const {
-    const float per_d = 1.0f / d[axis_], t = distance_ * per_d, footprint_m = t * footprint;
-    const float across = d[a_] * u_per_m_, down = d[b_] * v_per_m_, stretch = footprint_m * per_d;
-    return {u_at_camera_ + t * across, v_at_camera_ + t * down, stretch * across, stretch * down,
-            footprint_m * std::abs(v_per_m_)};
-  }
-
- private:
-  int axis_, a_, b_;
-  float distance_;  ///< signed, along the axis
-  float u_per_m_, v_per_m_, u_at_camera_, v_at_camera_;
-};
 
 /// One picture: everything that is the same for all of its pixels.
 class Picture {
@@ -112,16 +69,15 @@ class Picture {
   float distance_to(const Hit& hit) const;
 
   TileView view_of(const RayTable::Cone& cone) const;
-  BoxBits boxes_near(const Direction& axis, float sin_half_angle) const;
   bool only_wall(int wall, const Direction& axis, float sin_half_angle) const;
 
-  void draw_rays(const Ray* rays, int count, BoxBits boxes, std::uint8_t* pixels, std::uint8_t* ids) const;
-  void draw_wall(const Ray* rays, int count, int wall, std::uint8_t* pixels, std::uint8_t* ids) const;
+  void draw_rays(std::size_t first, int count, const TileView& view, std::uint8_t* pixels);
+  void draw_wall(std::size_t first, int count, const TileView& view, std::uint8_t* pixels);
   void smooth_edges(Image& out) const;
-  bool on_edge(int u, int v) const;
-  int mean_of_four(int u, int v) const;
+  bool on_edge(std::size_t at) const;
+  int mean_of_four(std::size_t at, const TileView& view) const;
 
-  int grey(float x, float y, float footprint, BoxBits boxes, std::uint8_t& id) const;
+  int grey(float x, float y, float footprint, const TileView& view, std::uint8_t& id) const;
   Hit leave_room(const Direction& d, const Direction& inverse) const;
   void enter_boxes(const Direction& d, const Direction& inverse, BoxBits boxes, Hit& hit) const;
   int with_sheet(int wall, const Direction& d, float footprint) const;
@@ -130,7 +86,7 @@ class Picture {
   const RayTable& rays_;
   Eigen::Vector3d position_;
   std::array<float, 9> r_;  ///< world_from_camera, row by row
-  Bounds inside_;
+  Bounds inside_, sheet_;
   std::vector<Bounds> boxes_;
   std::vector<TileView> tiles_;
   std::vector<std::uint8_t> ids_;  ///< of the surface each pixel sees
@@ -138,10 +94,13 @@ class Picture {
 
 Picture::Picture(const Room& room, const RayTable& rays, const Eigen::Vector3d& position,
                  const Eigen::Vector4d& world_from_camera)
-    : room_(room), rays_(rays), position_(position), ids_(rays.rays.size(), nothing) {
+    : room_(room), rays_(rays), position_(position), ids_(rays.x.size(), nothing) {
   const Eigen::Matrix3d r = rotation_matrix<double>(world_from_camera);
   for (int i = 0; i < 9; ++i) r_[i] = static_cast<float>(r(i / 3, i % 3));
   inside_ = relative(room.layout().inside);
+  const Sheet& sheet = room.layout().sheet;
+  const Eigen::Vector3d half(0, sheet.width / 2, sheet.height / 2), middle(sheet.x, sheet.y, sheet.z);
+  sheet_ = relative({middle - half, middle + half});
   for (const Box& box : room.layout().boxes) boxes_.push_back(relative(box));
   tiles_.reserve(rays.cones.size());
   for (const RayTable::Cone& cone : rays.cones) tiles_.push_back(view_of(cone));
@@ -156,32 +115,29 @@ Bounds Picture::relative(const Box& box) const {
   return b;
 }
 
+/// A ray in a cone that meets a box passes there no farther from the axis of the cone than the far end of the
+/// box times the sine of the half angle: the axis then meets the box grown by as much.
+bool may_meet(const Bounds& box, const Direction& axis, float sin_half_angle) {
+  float reach_squared = 0, enter = 0, leave = std::numeric_limits<float>::max();
+  for (int i = 0; i < 3; ++i) reach_squared += std::max(box.min[i] * box.min[i], box.max[i] * box.max[i]);
+  const float margin = std::sqrt(reach_squared) * sin_half_angle;
+  for (int i = 0; i < 3; ++i) {
+    const float low = (box.min[i] - margin) / axis[i], high = (box.max[i] + margin) / axis[i];
+    enter = std::max(enter, std::min(low, high));
+    leave = std::min(leave, std::max(low, high));
+  }
+  return enter <= leave || sin_half_angle >= 1;
+}
+
 TileView Picture::view_of(const RayTable::Cone& cone) const {
   const Direction axis = turned(cone.axis.x(), cone.axis.y(), cone.axis.z());
   TileView view;
-  view.boxes = boxes_near(axis, cone.sin_half_angle);
+  for (std::size_t i = 0; i < boxes_.size(); ++i)
+    if (may_meet(boxes_[i], axis, cone.sin_half_angle)) view.boxes |= BoxBits{1} << i;
+  view.sheet = may_meet(sheet_, axis, cone.sin_half_angle);
   const int wall = leave_room(axis, {1 / axis[0], 1 / axis[1], 1 / axis[2]}).surface;
   if (!view.boxes && only_wall(wall, axis, cone.sin_half_angle)) view.wall = wall;
   return view;
-}
-
-/// A ray in the cone that meets a box passes it no farther from the axis than the box's far end times the
-/// sine of the half angle: the axis then meets the box grown by as much.
-BoxBits Picture::boxes_near(const Direction& axis, float sin_half_angle) const {
-  BoxBits bits = 0;
-  for (std::size_t i = 0; i < boxes_.size(); ++i) {
-    const Bounds& b = boxes_[i];
-    float reach_squared = 0, enter = 0, leave = std::numeric_limits<float>::max();
-    for (int k = 0; k < 3; ++k) reach_squared += std::max(b.min[k] * b.min[k], b.max[k] * b.max[k]);
-    const float margin = std::sqrt(reach_squared) * sin_half_angle;
-    for (int k = 0; k < 3; ++k) {
-      const float low = (b.min[k] - margin) / axis[k], high = (b.max[k] + margin) / axis[k];
-      enter = std::max(enter, std::min(low, high));
-      leave = std::min(leave, std::max(low, high));
-    }
-    if (enter <= leave || sin_half_angle >= 1) bits |= BoxBits{1} << i;
-  }
-  return bits;
 }
 
 /// Whether a cone lies between the four planes through the camera and the edges of a wall.
@@ -201,76 +157,85 @@ void Picture::draw(Image& out) {
     for (int tile = 0; tile < rays_.tiles_across; ++tile) {
       const TileView& view = tiles_[v / tile_px * rays_.tiles_across + tile];
       const int u = tile * tile_px, count = std::min(tile_px, rays_.width - u);
-      std::uint8_t* ids = &ids_[static_cast<std::size_t>(v) * rays_.width + u];
       if (view.wall >= 0)
-        draw_wall(&rays_.at(u, v), count, view.wall, out.row(v) + u, ids);
+        draw_wall(rays_.index(u, v), count, view, out.row(v) + u);
       else
-        draw_rays(&rays_.at(u, v), count, view.boxes, out.row(v) + u, ids);
+        draw_rays(rays_.index(u, v), count, view, out.row(v) + u);
     }
   smooth_edges(out);
 }
 
-void Picture::draw_rays(const Ray* rays, int count, BoxBits boxes, std::uint8_t* pixels,
-                        std::uint8_t* ids) const {
-  for (int i = 0; i < count; ++i)
-    pixels[i] =
-        rays[i].footprint > 0 ? rounded(grey(rays[i].x, rays[i].y, rays[i].footprint, boxes, ids[i])) : 0;
+void Picture::draw_rays(std::size_t first, int count, const TileView& view, std::uint8_t* pixels) {
+  for (int i = 0; i < count; ++i) {
+    const std::size_t at = first + i;
+    pixels[i] = 0;
+    if (rays_.footprint[at] > 0)
+      pixels[i] = rounded(grey(rays_.x[at], rays_.y[at], rays_.footprint[at], view, ids_[at]));
+  }
 }
 
-/// Where only one wall can be seen there is nothing to choose.
-void Picture::draw_wall(const Ray* rays, int count, int wall, std::uint8_t* pixels, std::uint8_t* ids) const {
-  const Surface& surface = room_.walls()[wall];
-  const Plane plane(surface, wall / 2, distance_to({0, wall, -1}), position_);
+/// Where only one wall can be seen there is nothing to choose, and a row of pixels is worked out at once.
+void Picture::draw_wall(std::size_t first, int count, const TileView& view, std::uint8_t* pixels) {
+  const Surface& surface = room_.walls()[view.wall];
+  const Plane plane(surface, view.wall / 2, distance_to({0, view.wall, -1}), position_);
+  const auto covered = plane.covered<tile_px>(r_, &rays_.x[first], &rays_.y[first], &rays_.footprint[first]);
   for (int i = 0; i < count; ++i) {
+    const std::size_t at = first + i;
     pixels[i] = 0;
-    if (!(rays[i].footprint > 0)) continue;
-    const Direction d = turned(rays[i].x, rays[i].y);
-    int grey = sample(surface.texture, plane.covered(d, rays[i].footprint));
-    if (wall == sheet_wall) grey = with_sheet(grey, d, rays[i].footprint);
+    if (!(rays_.footprint[at] > 0)) continue;
+    int grey = sample(surface.texture, covered, i);
+    if (view.sheet && view.wall == sheet_wall)
+      grey = with_sheet(grey, turned(rays_.x[at], rays_.y[at]), rays_.footprint[at]);
     pixels[i] = rounded(lit(grey, surface));
-    ids[i] = static_cast<std::uint8_t>(wall);
+    ids_[at] = static_cast<std::uint8_t>(view.wall);
   }
 }
 
 /// Textures come smooth from their pyramids; only where two surfaces meet do steps appear. There, and there
-/// alone, four rays are cast for a pixel.
+/// alone, four rays are cast for a pixel. Tiles that see one wall only have no such place, not even at their
+/// borders.
 void Picture::smooth_edges(Image& out) const {
   for (int v = 1; v < rays_.height - 1; ++v)
-    for (int u = 1; u < rays_.width - 1; ++u)
-      if (on_edge(u, v)) out(u, v) = rounded(mean_of_four(u, v));
+    for (int tile = 0; tile < rays_.tiles_across; ++tile) {
+      const TileView& view = tiles_[v / tile_px * rays_.tiles_across + tile];
+      if (view.wall >= 0) continue;
+      const int begin = std::max(1, tile * tile_px), end = std::min((tile + 1) * tile_px, rays_.width - 1);
+      for (int u = begin; u < end; ++u)
+        if (const std::size_t at = rays_.index(u, v); on_edge(at))
+          out(u, v) = rounded(mean_of_four(at, view));
+    }
 }
 
-bool Picture::on_edge(int u, int v) const {
-  const std::uint8_t* id = &ids_[static_cast<std::size_t>(v) * rays_.width + u];
-  const std::array<std::uint8_t, 4> around{id[1], id[-1], id[rays_.width], id[-rays_.width]};
+bool Picture::on_edge(std::size_t at) const {
+  const std::uint8_t* id = &ids_[at];
+  const std::array<std::uint8_t, 4> around{id[1], id[-1], id[rays_.stride], id[-rays_.stride]};
   const bool same = id[0] == around[0] && id[0] == around[1] && id[0] == around[2] && id[0] == around[3];
   return !same && id[0] != nothing && std::find(around.begin(), around.end(), nothing) == around.end();
 }
 
-int Picture::mean_of_four(int u, int v) const {
-  const Ray& ray = rays_.at(u, v);
-  const Ray &left = rays_.at(u - 1, v), &right = rays_.at(u + 1, v);
-  const Ray &above = rays_.at(u, v - 1), &below = rays_.at(u, v + 1);
-  const float xu = 0.125f * (right.x - left.x), yu = 0.125f * (right.y - left.y);  // a quarter pixel
-  const float xv = 0.125f * (below.x - above.x), yv = 0.125f * (below.y - above.y);
-  const BoxBits boxes = tiles_[v / tile_px * rays_.tiles_across + u / tile_px].boxes;
+int Picture::mean_of_four(std::size_t at, const TileView& view) const {
+  const float *x = &rays_.x[at], *y = &rays_.y[at];
+  const int down = rays_.stride;
+  const float xu = 0.125f * (x[1] - x[-1]), yu = 0.125f * (y[1] - y[-1]);  // a quarter pixel
+  const float xv = 0.125f * (x[down] - x[-down]), yv = 0.125f * (y[down] - y[-down]);
   std::uint8_t id = 0;
   int sum = 0;
   for (const auto& [du, dv] : {std::pair(-1.f, -1.f), {1.f, -1.f}, {-1.f, 1.f}, {1.f, 1.f}})
-    sum += grey(ray.x + du * xu + dv * xv, ray.y + du * yu + dv * yv, 0.6f * ray.footprint, boxes, id);
+    sum += grey(*x + du * xu + dv * xv, *y + du * yu + dv * yv, 0.6f * rays_.footprint[at], view, id);
   return sum / 4;
 }
 
 /// 256 times the grey that a ray sees, and the id of the surface that it meets.
-inline int Picture::grey(float x, float y, float footprint, BoxBits boxes, std::uint8_t& id) const {
+inline int Picture::grey(float x, float y, float footprint, const TileView& view, std::uint8_t& id) const {
   const Direction d = turned(x, y), inverse{1.0f / d[0], 1.0f / d[1], 1.0f / d[2]};
   Hit hit = leave_room(d, inverse);
-  if (boxes) enter_boxes(d, inverse, boxes, hit);
+  if (view.boxes) enter_boxes(d, inverse, view.boxes, hit);
   id = static_cast<std::uint8_t>((hit.box + 1) * 6 + hit.surface);
   const Surface& surface = (hit.box < 0 ? room_.walls() : room_.box_surfaces(hit.box))[hit.surface];
   const Plane plane(surface, hit.surface / 2, distance_to(hit), position_);
-  const int seen = sample(surface.texture, plane.covered(d, footprint));
-  return lit(hit.box < 0 && hit.surface == sheet_wall ? with_sheet(seen, d, footprint) : seen, surface);
+  const int seen = sample(surface.texture, plane.covered<1>(r_, &x, &y, &footprint), 0);
+  const bool sheet = view.sheet && hit.box < 0 && hit.surface == sheet_wall;
+  return lit(sheet ? with_sheet(seen, d, footprint) : seen, surface);
 }
 
 float Picture::distance_to(const Hit& hit) const {

@@ -24,17 +24,17 @@ Image halved(const Image& fine) {
 
 Texture::Texture(const Image& finest) {
   if (finest.empty()) return;
-  append(finest, 1.0f);
+  append(finest);
   Image level = finest;
   while (count_ < max_levels && (level.width() > 1 || level.height() > 1)) {
     level = halved(level);
-    append(level, levels_[count_ - 1].scale / 2);
+    append(level);
   }
 }
 
-void Texture::append(const Image& image, float scale) {
+void Texture::append(const Image& image) {
   const int width = image.width(), height = image.height();
-  levels_[count_++] = {pairs_.size(), width, height, scale};
+  levels_[count_++] = {pairs_.size(), width, height};
   pairs_.reserve(pairs_.size() + static_cast<std::size_t>(width + 1) * height);
   for (int v = 0; v < height; ++v) {
     const std::uint8_t* texel = image.row(v);

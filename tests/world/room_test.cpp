@@ -99,14 +99,15 @@ TEST(texture, magnified_it_is_bilinear_and_far_away_it_is_the_mean) {
   for (int v = 0; v < 48; ++v)
     for (int u = 0; u < 64; ++u) checks(u, v) = (u + v) % 2 ? 200 : 40;
   const Texture texture(checks);
-  EXPECT_EQ(texture.sample(10, 10, 0.5f), 40 * 256);
-  EXPECT_EQ(texture.sample(11, 10, 0.5f), 200 * 256);
-  EXPECT_EQ(texture.sample(10.5f, 10, 0.5f), 120 * 256);
-  EXPECT_EQ(texture.sample(10, 10.25f, 0.5f), 80 * 256);
+  const auto at = [](double texels) { return static_cast<int>(texels * 256); };
+  EXPECT_EQ(texture.sample(at(10), at(10), 0.5f), 40 * 256);
+  EXPECT_EQ(texture.sample(at(11), at(10), 0.5f), 200 * 256);
+  EXPECT_EQ(texture.sample(at(10.5), at(10), 0.5f), 120 * 256);
+  EXPECT_EQ(texture.sample(at(10), at(10.25), 0.5f), 80 * 256);
   for (const float footprint : {2.0f, 3.0f, 20.0f, 1e6f})
-    EXPECT_EQ(texture.sample(17.3f, 30.1f, footprint), 120 * 256) << footprint;
-  EXPECT_EQ(texture.sample(-50, -50, 0.5f), 40 * 256) << "outside, the edge";
-  EXPECT_EQ(texture.sample(1e9f, 0, 0.5f), 200 * 256);
+    EXPECT_EQ(texture.sample(at(17.3), at(30.1), footprint), 120 * 256) << footprint;
+  EXPECT_EQ(texture.sample(at(-50), at(-50), 0.5f), 40 * 256) << "outside, the edge";
+  EXPECT_EQ(texture.sample(at(1e5), 0, 0.5f), 200 * 256);
 }
 
 }  // namespace

@@ -11,7 +11,10 @@ class Image {
  public:
   Image() = default;
   Image(int width, int height, std::uint8_t value = 0)
-      : width_(width), height_(height), pixels_(static_cast<std::size_t>(width) * height + padding, value) {}
+      : width_(width), height_(height), pixels_(static_cast<std::size_t>(width) * height + padding, value) {
+    std::fill(pixels_.end() - padding, pixels_.end(),
+              std::uint8_t{0});  // so that equal pixels are equal images
+  }
 
   /// Bytes that may be read beyond the last pixel, so that a vector load may overhang.
   static constexpr int padding = 16;

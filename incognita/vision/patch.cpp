@@ -35,12 +35,14 @@ std::optional<PatchTemplate> warp(const PatchTexture& texture, const Eigen::Matr
   patch.size = size;
   const double mean = sum / i;
   double squares = 0;
+  patch.sum = 0;
   for (int k = 0; k < i; ++k) {
     const auto value = static_cast<std::int16_t>(std::lround(8 * (grey[k] - mean)));
     patch.values[k / size * PatchTemplate::row_stride + k % size] = value;
     squares += static_cast<double>(value) * value;
+    patch.sum += value;
   }
-  patch.norm = std::sqrt(squares);
+  patch.norm = std::sqrt(squares - static_cast<double>(patch.sum) * patch.sum / i);
   if (patch.norm < 8.0 * size) return std::nullopt;  // less than one grey level of contrast
   return patch;
 }

@@ -25,7 +25,8 @@ struct PatchTemplate {
   int size = 0;  ///< side, odd
   std::array<std::int16_t, max_patch_size * row_stride>
       values{};     ///< 8 * (pixel - mean), zero in the padding
-  double norm = 0;  ///< square root of the sum of values^2
+  int sum = 0;      ///< of the values: what rounding left of the mean
+  double norm = 0;  ///< square root of the sum of (value - sum / size^2)^2
 };
 
 /// Cuts a square of `side` pixels around a place in the image, or as much of it as there is.

@@ -72,17 +72,25 @@ double CorrelationSheet::correlate(int u, int v) const {
   const auto [sum, squares] = image_->over(u - half, v - half, size);
   const double variance = squares - sum * sum / (size * size);  // times the number of pixels
   if (variance < 1.0 * size * size) return 0;  // under one grey level of contrast anything would correlate
-  return product / (patch_->norm * std::sqrt(variance));
+  return (product - patch_->sum * sum / (size * size)) / (patch_->norm * std::sqrt(variance));
 }
 
 Eigen::Vector2d CorrelationSheet::refine(int u, int v) {
-  const auto offset = [&](double before, double here, double after) {
-    const double curvature = before - 2 * here + after;
-    if (before < -1.5 || after < -1.5 || curvature > -1e-9) return 0.0;
-    return std::clamp(0.5 * (before - after) / curvature, -0.5, 0.5);
-  };
-  const double here = at(u, v);
-  return {u + offset(at(u - 1, v), here, at(u + 1, v)), v + offset(at(u, v - 1), here, at(u, v + 1))};
+  const Eigen::Vector2d here(u, v);
+  double c[3][3];
+  for (int dv = -1; dv <= 1; ++dv)
+    for (int du = -1; du <= 1; ++du) {
+      c[dv + 1][du + 1] = at(u + du, v + dv);
+      if (c[dv + 1][du + 1] < -1.5) return here;  // on the rim of what can be tried
+    }
+  // The quadratic through the centre with central differences for its derivatives; its peak where it has one
+  const Eigen::Vector2d slope((c[1][2] - c[1][0]) / 2, (c[2][1] - c[0][1]) / 2);
+  const double cross = (c[2][2] - c[2][0] - c[0][2] + c[0][0]) / 4;
+  Eigen::Matrix2d curvature;
+  curvature << c[1][2] - 2 * c[1][1] + c[1][0], cross, cross, c[2][1] - 2 * c[1][1] + c[0][1];
+  if (!(curvature(0, 0) < -1e-9 && curvature.determinant() > 1e-12)) return here;
+  const Eigen::Vector2d offset = -curvature.inverse() * slope;
+  return here + offset.cwiseMax(-0.5).cwiseMin(0.5);
 }
 
 namespace {

@@ -43,7 +43,7 @@ class CorrelationSheet {
   /// How many correlations were computed since start().
   int computed() const { return computed_; }
 
-  /// The peak around an integer maximum, by a parabola through its neighbours along each axis.
+  /// The peak around an integer maximum, by a quadratic through its eight neighbours.
   Eigen::Vector2d refine(int u, int v);
 
  private:

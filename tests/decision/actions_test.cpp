@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
+
 #include "incognita/decision/camera_decision.hpp"
 #include "incognita/models/heading.hpp"
 #include "incognita/models/wide_angle_camera.hpp"

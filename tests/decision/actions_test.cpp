@@ -55,7 +55,9 @@ Estimate two_landmarks() {
 
 TEST(CameraDecision, MovesAcrossTheLineOfSightToLearnDepth) {
   const Estimate estimate = two_landmarks();
-  CameraDecision decision(WideAngleCamera{}, {}, {});
+  CameraSlamSettings steady;  // a second of unknown accelerations would drown the parallax
+  steady.filter.sigma_acceleration_m_s2 = steady.filter.sigma_angular_acceleration_rad_s2 = 0.01;
+  CameraDecision decision(WideAngleCamera{}, steady, {});
   const Goal goal = decision.choose(estimate, {0, 0, 0});
   ASSERT_TRUE(goal.decided);
   const std::string chosen = decision.actions()[goal.chosen].name;

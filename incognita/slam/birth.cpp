@@ -16,9 +16,9 @@ bool near_any_look(const std::vector<Eigen::Vector2d>& looks, const PixelBox& bo
 }
 
 /// Whether a corner of unknown depth will still be in view after the look-ahead, wherever on its ray it is.
-bool stays_in_view(const Corner& corner, const Camera& camera, const CameraState& now,
+bool stays_in_view(const Eigen::Vector2d& pixel, const Camera& camera, const CameraState& now,
                    const BirthSettings& birth) {
-  const auto ray = camera.unproject({corner.u, corner.v});
+  const auto ray = camera.unproject(pixel);
   if (!ray) return false;
   const CameraState later =
       FreeCameraMotion{}.f<double>(now, Eigen::Matrix<double, 6, 1>::Zero(), birth.look_ahead_s);
@@ -45,18 +45,22 @@ std::vector<Landmark::Particle> uniform_depths(const BirthSettings& birth, doubl
 }  // namespace
 
 std::optional<PatchView> cut_view(const Image& image, const Eigen::Vector2d& pixel, const CameraState& from,
-                                  const Camera& camera, int patch_size_px) {
-  auto texture = cut_texture(image, pixel, 2 * patch_size_px + 5, patch_size_px / 2 + 1);
+                                  const Camera& camera, const CameraSlamSettings& settings) {
+  const int size = settings.search.patch_size_px;
+  auto texture = cut_texture(image, pixel, 2 * size + 5, size / 2 + 1);
   const auto ray = camera.unproject(pixel);
   if (!texture || !ray) return std::nullopt;
   PatchView view{
       *std::move(texture), pixel, free_camera::position(from), free_camera::orientation(from), {}, 0};
-  view.normal = -(rotation_matrix(view.world_from_camera) * ray->normalized());
+  view.plane.facing = -(rotation_matrix(view.world_from_camera) * ray->normalized());
+  view.plane.slope_cov = std::pow(settings.birth.sigma_slope, 2) * Eigen::Matrix2d::Identity();
+  view.plane.learnt_from = view.camera_position;
   return view;
 }
 
-std::optional<Corner> find_new_corner(const Image& image, const Estimate& estimate, const Camera& camera,
-                                      const CameraSlamSettings& settings, RandomStream& random) {
+std::optional<Eigen::Vector2d> find_new_corner(const Image& image, const Estimate& estimate,
+                                               const Camera& camera, const CameraSlamSettings& settings,
+                                               RandomStream& random) {
   const BirthSettings& birth = settings.birth;
   const int rim = settings.search.patch_size_px + 2;  // a whole patch and something to warp it with
   const int width = std::min(birth.box_width_px, image.width() - 2 * rim);
@@ -77,8 +81,10 @@ std::optional<Corner> find_new_corner(const Image& image, const Estimate& estima
                        rim + random.below(image.height() - 2 * rim - height + 1), width, height};
     if (near_any_look(taken, box, settings.search.patch_size_px / 2)) continue;
     const auto corner = strongest_corner(image, box, settings.search.patch_size_px);
-    if (corner && corner->strength >= birth.min_corner_strength && stays_in_view(*corner, camera, now, birth))
-      return corner;
+    if (!corner || corner->strength < birth.min_corner_strength) continue;
+    std::optional<Eigen::Vector2d> centre(std::in_place, corner->u, corner->v);
+    if (birth.centre == "edges") centre = centre_of_corner(image, *centre, settings.search.patch_size_px);
+    if (centre && stays_in_view(*centre, camera, now, birth)) return centre;
   }
   return std::nullopt;
 }
@@ -87,7 +93,7 @@ bool give_birth(const Image& image, const Eigen::Vector2d& pixel, Estimate& esti
                 const CameraSlamSettings& settings) {
   const BirthSettings& birth = settings.birth;
   const CameraState from = estimate.camera_state();
-  auto view = cut_view(image, pixel, from, camera, settings.search.patch_size_px);
+  auto view = cut_view(image, pixel, from, camera, settings);
   const auto born = InverseDepthLandmark::birth(camera, from, pixel, birth.inverse_depth_per_m);
   if (!view || !born) return false;
   Landmark landmark;

@@ -12,8 +12,9 @@ namespace incognita {
 
 /// A corner worth a landmark: the best in a box placed at random where no landmark is expected, and not about
 /// to leave the view at the present velocity. Nothing when a few boxes held none.
-std::optional<Corner> find_new_corner(const Image& image, const Estimate& estimate, const Camera& camera,
-                                      const CameraSlamSettings& settings, RandomStream& random);
+std::optional<Eigen::Vector2d> find_new_corner(const Image& image, const Estimate& estimate,
+                                               const Camera& camera, const CameraSlamSettings& settings,
+                                               RandomStream& random);
 
 /// Adds a landmark seen at a pixel of this image, as an inverse-depth landmark or as a line with depth
 /// hypotheses, as the settings say. False when no patch can be cut or no ray reaches the pixel.
@@ -22,6 +23,6 @@ bool give_birth(const Image& image, const Eigen::Vector2d& pixel, Estimate& esti
 
 /// The patch around a pixel with the view it is seen from; the normal faces the camera.
 std::optional<PatchView> cut_view(const Image& image, const Eigen::Vector2d& pixel, const CameraState& from,
-                                  const Camera& camera, int patch_size_px);
+                                  const Camera& camera, const CameraSlamSettings& settings);
 
 }  // namespace incognita

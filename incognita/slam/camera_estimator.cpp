@@ -8,6 +8,7 @@
 #include "incognita/slam/birth.hpp"
 #include "incognita/slam/depth_line.hpp"
 #include "incognita/slam/entropy.hpp"
+#include "incognita/slam/learn_planes.hpp"
 #include "incognita/slam/map_management.hpp"
 #include "incognita/slam/measure.hpp"
 #include "incognita/slam/predict_looks.hpp"
@@ -87,14 +88,15 @@ void CameraEstimator::start(Estimate& estimate, const Image& image, const Tick& 
     x.segment<4>(3) = search.pose->world_from_camera;
     start_at(estimate, x, search.pose->covariance);
     for (std::size_t i = 0; i < target_->corners.size(); ++i) {
-      auto view = cut_view(image, search.pose->pixels[i], x, camera_, settings_.search.patch_size_px);
+      auto view = cut_view(image, search.pose->pixels[i], x, camera_, settings_);
       if (!view) continue;
       Landmark anchor;
       anchor.id = estimate.next_id++;
       anchor.kind = Landmark::Kind::anchor;
       anchor.anchor = target_->corners[i].position;
       anchor.view = *std::move(view);
-      anchor.view.normal = target_->normal;
+      anchor.view.plane.facing = target_->normal;
+      anchor.view.plane.slope_cov.setZero();
       estimate.catalogue.push_back(std::move(anchor));
     }
     estimate.status.reason =
@@ -147,9 +149,12 @@ void CameraEstimator::track(Estimate& estimate, const Image& image, const Tick& 
   if (!image.empty()) {
     estimate.predicted = measure(summed_, estimate.catalogue, settings_.search, estimate.looks);
     clock.mark("search");
+    weigh_planes(estimate, camera_, image, settings_.search.patch_size_px, estimate.looks);
+    clock.mark("planes");
     estimate.matched = reject_inconsistent(estimate, settings_, estimate.looks);
     clock.mark("consensus");
     correct(estimate);
+    learn_planes(estimate, estimate.looks);
     clock.mark("update");
   }
   estimate.status =
@@ -212,8 +217,7 @@ void CameraEstimator::add_landmarks(Estimate& estimate, const Image& image) {
     if (estimate.mapped_count() >= settings_.map.max_landmarks) return;
     const auto corner = find_new_corner(image, estimate, camera_, settings_, random_);
     if (!corner) return;
-    const Eigen::Vector2d at(corner->u, corner->v);
-    if (!give_birth(image, at, estimate, camera_, settings_)) return;
+    if (!give_birth(image, *corner, estimate, camera_, settings_)) return;
   }
 }
 

@@ -130,7 +130,7 @@ bool follow(Landmark& line, CorrelationSheet& sheet, const SummedImage& image, E
   const Eigen::Vector3d at = line.birth_axes.point(line_at(line, estimate.belief, 1 / before.mean)).position;
   const auto middle = camera.project(PointLandmark::in_camera<double>(from, at));
   if (!middle) return fail();
-  const auto warping = local_warp(line.view, at, middle->pixel, camera, from);
+  const auto warping = local_warp(line.view, line.view.plane.normal(), at, middle->pixel, camera, from);
   if (!warping) return fail();
   const auto patch = warp(line.view.texture, *warping, settings.search.patch_size_px);
   if (!patch) return fail();

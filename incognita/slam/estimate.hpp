@@ -10,6 +10,7 @@
 
 #include "incognita/belief/belief.hpp"
 #include "incognita/models/camera_look.hpp"
+#include "incognita/slam/patch_plane.hpp"
 #include "incognita/slam/status.hpp"
 #include "incognita/vision/patch.hpp"
 
@@ -21,8 +22,8 @@ struct PatchView {
   Eigen::Vector2d pixel;            ///< in the image it was cut from, px
   Eigen::Vector3d camera_position;  ///< world, m
   Eigen::Vector4d world_from_camera;
-  Eigen::Vector3d normal{0, 0, 1};  ///< unit, world: the patch is taken to be flat and to face this way
-  double distance_m = 0;            ///< from camera to landmark then; 0 when the depth was not known
+  PatchPlane plane;
+  double distance_m = 0;  ///< from camera to landmark then; 0 when the depth was not known
 };
 
 struct Landmark {
@@ -61,8 +62,11 @@ struct Look {
   Eigen::Matrix2d innovation_cov;  ///< S_i = H_i P H_i' + R, px^2
   CameraLookJacobian Hv;
   Eigen::Matrix<double, 2, Eigen::Dynamic, 0, 2, 6> Hl;  ///< no columns for anchors
+  Eigen::Vector3d point;              ///< world, m: where the landmark was taken to be for the warp
   Eigen::Matrix2d texture_from_view;  ///< local map of pixels of this view to pixels of the patch's texture
   std::optional<Eigen::Vector2d> measured;
+  std::optional<PlaneEvidence> plane;                   ///< of a match on a plane that is not known
+  Eigen::Matrix2d plane_cov = Eigen::Matrix2d::Zero();  ///< px^2: what that adds to the noise of the match
   double correlation = 0;
   LookOutcome outcome = LookOutcome::not_tried;
 };

@@ -28,13 +28,13 @@ Eigen::Vector3d nominal_position(const Landmark& landmark, const Belief& belief)
 
 }  // namespace
 
-std::optional<Eigen::Matrix2d> local_warp(const PatchView& view, const Eigen::Vector3d& point,
-                                          const Eigen::Vector2d& pixel, const Camera& camera,
-                                          const CameraState& from) {
+std::optional<Eigen::Matrix2d> local_warp(const PatchView& view, const Eigen::Vector3d& normal,
+                                          const Eigen::Vector3d& point, const Eigen::Vector2d& pixel,
+                                          const Camera& camera, const CameraState& from) {
   const Eigen::Matrix3d world_from_camera = rotation_matrix<double>(free_camera::orientation(from));
   const Eigen::Matrix3d birth_from_world = rotation_matrix<double>(view.world_from_camera).transpose();
   const Eigen::Vector3d position = free_camera::position(from);
-  const double height = view.normal.dot(point - position);
+  const double height = normal.dot(point - position);
   constexpr double step_px = 3;  // half a patch: the map is an average over the patch rather than a tangent
   Eigen::Matrix2d warp;
   for (int axis = 0; axis < 2; ++axis) {
@@ -45,7 +45,7 @@ std::optional<Eigen::Matrix2d> local_warp(const PatchView& view, const Eigen::Ve
       const auto ray = camera.unproject(at);
       if (!ray) return std::nullopt;
       const Eigen::Vector3d along = world_from_camera * *ray;
-      const double closing = view.normal.dot(along);
+      const double closing = normal.dot(along);
       if (height * closing <= 1e-6 * std::abs(height)) return std::nullopt;
       const Eigen::Vector3d on_plane = position + along * (height / closing);
       const auto seen = camera.project(birth_from_world * (on_plane - view.camera_position));
@@ -59,7 +59,7 @@ std::optional<Eigen::Matrix2d> local_warp(const PatchView& view, const Eigen::Ve
 
 std::optional<Look> expect_look(const Landmark& landmark, const Belief& belief, const Camera& camera,
                                 const CameraState& from, const CameraSlamSettings& settings) {
-  Look look;
+  Look look{};
   look.id = landmark.id;
   look.kind = landmark.kind;
   if (landmark.kind == Landmark::Kind::inverse_depth) {
@@ -81,9 +81,10 @@ std::optional<Look> expect_look(const Landmark& landmark, const Belief& belief, 
       look.Hl = seen->Hl;
   }
   if (!camera.contains(look.predicted, settings.search.patch_size_px / 2 + 1)) return std::nullopt;
-  const Eigen::Vector3d at = nominal_position(landmark, belief);
-  if (!seen_as_at_birth(landmark.view, at, from, settings.map)) return std::nullopt;
-  const auto warp = local_warp(landmark.view, at, look.predicted, camera, from);
+  look.point = nominal_position(landmark, belief);
+  if (!seen_as_at_birth(landmark.view, look.point, from, settings.map)) return std::nullopt;
+  const auto warp =
+      local_warp(landmark.view, landmark.view.plane.normal(), look.point, look.predicted, camera, from);
   if (!warp) return std::nullopt;
   look.texture_from_view = *warp;
   return look;
@@ -95,7 +96,7 @@ AffineLook affine_look(const Look& look, const Landmark& landmark, BlockId camer
   if (landmark.kind != Landmark::Kind::anchor) affine.add(landmark.block, look.Hl);
   affine.residual = Eigen::Vector2d::Zero();
   if (look.measured) affine.residual = *look.measured - look.predicted;
-  affine.R = sigma_pixel_px * sigma_pixel_px * Eigen::Matrix2d::Identity();
+  affine.R = sigma_pixel_px * sigma_pixel_px * Eigen::Matrix2d::Identity() + look.plane_cov;
   return affine;
 }
 

@@ -23,8 +23,8 @@ void predict_looks(const Estimate& estimate, const Camera& camera, const CameraS
 
 /// How a small piece of a plane through `point` maps from pixels of a view to pixels of the patch's own view,
 /// 2x2. Nothing when the plane is seen from behind or edge on.
-std::optional<Eigen::Matrix2d> local_warp(const PatchView& view, const Eigen::Vector3d& point,
-                                          const Eigen::Vector2d& pixel, const Camera& camera,
-                                          const CameraState& from);
+std::optional<Eigen::Matrix2d> local_warp(const PatchView& view, const Eigen::Vector3d& normal,
+                                          const Eigen::Vector3d& point, const Eigen::Vector2d& pixel,
+                                          const Camera& camera, const CameraState& from);
 
 }  // namespace incognita

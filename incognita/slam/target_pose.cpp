@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "incognita/vision/corners.hpp"
+
 namespace incognita {
 namespace {
 
@@ -15,6 +17,8 @@ constexpr int max_places = 14;  // per corner; all combinations of places are tr
 constexpr double max_affine_misfit = 0.25;  // of the target's size in the image: perspective allows no more
 constexpr double max_sigma_m = 0.3;  // a pose less sure than this, from corners nearly in one place, is none
 constexpr double max_rms_px = 1.5;   // of a right combination
+constexpr int rounded_px = 5;        // of a corner: by the blur of camera and print
+constexpr double max_refinement_px = 1;  // from the peak of correlation to where the edges meet
 
 struct Place {
   Eigen::Vector2d pixel;
@@ -123,6 +127,28 @@ void try_combinations(const Target& target, const Camera& camera,
   }
 }
 
+/// A patch from a file is never quite alike, so its correlation peaks a little beside the corner, the same
+/// way in every run: the edges in the image itself say where the corner is.
+std::vector<Eigen::Vector2d> to_edges(const Image& image, const std::vector<Eigen::Vector2d>& pixels,
+                                      int window_px) {
+  std::vector<Eigen::Vector2d> refined;
+  for (const Eigen::Vector2d& at : pixels) {
+    const auto centre = centre_of_corner(image, at, window_px, rounded_px);
+    refined.push_back(centre && (*centre - at).norm() < max_refinement_px ? *centre : at);
+  }
+  return refined;
+}
+
+/// Solved again from the refined corners, if that fits at all.
+void refine(const Target& target, const Camera& camera, const Image& image, double sigma_pixel_px,
+            TargetPose& pose) {
+  std::vector<Eigen::Vector3d> points;
+  for (const auto& corner : target.corners) points.push_back(corner.position);
+  const int window = std::min(max_patch_size, target.corners.front().patch.width());
+  const auto poses = solve_pose(points, to_edges(image, pose.pixels, window), camera, sigma_pixel_px);
+  if (!poses.empty() && poses[0].rms_px < max_rms_px) pose = poses[0];
+}
+
 }  // namespace
 
 TargetSearch find_target(const Target& target, const Camera& camera, const SummedImage& image,
@@ -142,6 +168,8 @@ TargetSearch find_target(const Target& target, const Camera& camera, const Summe
   try_combinations(target, camera, places, sigma_pixel_px, result.pose);
   if (!result.pose)
     result.reason = "places like the corners of target " + target.name + " fit no camera pose";
+  else
+    refine(target, camera, image.image(), sigma_pixel_px, *result.pose);
   return result;
 }
 

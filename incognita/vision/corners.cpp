@@ -1,6 +1,7 @@
 #include "incognita/vision/corners.hpp"
 
 #include <opencv2/imgproc.hpp>
+#include <vector>
 
 namespace incognita {
 
@@ -20,6 +21,20 @@ std::optional<Corner> strongest_corner(const Image& image, const PixelBox& box, 
   cv::minMaxLoc(strength(wanted - around.tl()), nullptr, &best, nullptr, &at);
   // OpenCV sums over the window with Sobel's gradient (8 times ours) divided by 4 * window * 255
   return Corner{at.x + wanted.x, at.y + wanted.y, best * 255.0 * 255.0 / 4.0};
+}
+
+std::optional<Eigen::Vector2d> centre_of_corner(const Image& image, const Eigen::Vector2d& near,
+                                                int window_px, int left_out_px) {
+  const cv::Mat pixels(image.height(), image.width(), CV_8UC1, const_cast<std::uint8_t*>(image.row(0)));
+  const int half = window_px / 2;
+  const cv::Point2f start(static_cast<float>(near.x()), static_cast<float>(near.y()));
+  std::vector<cv::Point2f> at{start};
+  const cv::TermCriteria until(cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 20, 0.01);
+  const int dead = left_out_px > 0 ? left_out_px / 2 : -1;
+  cv::cornerSubPix(pixels, at, {half, half}, {dead, dead}, until);
+  // OpenCV gives back where it started when it ran away
+  if (at[0] == start) return std::nullopt;
+  return Eigen::Vector2d(at[0].x, at[0].y);
 }
 
 }  // namespace incognita

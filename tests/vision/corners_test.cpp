@@ -83,5 +83,41 @@ TEST(StrongestCorner, TheBoxMayLeaveTheImage) {
   EXPECT_FALSE(strongest_corner(image, {50, 50, 0, 40}, 11));
 }
 
+/// The lower right quarter plane from (u, v) on, dark, as pixels average it, then blurred as a lens does.
+Image quarter_plane(double u0, double v0) {
+  const auto sharp = [&](int u, int v) {
+    const double in_u = std::clamp(u + 0.5 - u0, 0.0, 1.0), in_v = std::clamp(v + 0.5 - v0, 0.0, 1.0);
+    return 200 - 150 * in_u * in_v;
+  };
+  Image image(60, 50);
+  for (int v = 0; v < 50; ++v)
+    for (int u = 0; u < 60; ++u) {
+      double sum = 0;
+      for (int dv = -1; dv <= 1; ++dv)
+        for (int du = -1; du <= 1; ++du)
+          sum += (2 - std::abs(du)) * (2 - std::abs(dv)) * sharp(u + du, v + dv);
+      image(u, v) = static_cast<std::uint8_t>(std::lround(sum / 16));
+    }
+  return image;
+}
+
+TEST(CentreOfCorner, IsWhereTheEdgesMeet) {
+  for (const double fraction : {0.0, 0.2, 0.5, 0.8}) {
+    const Eigen::Vector2d corner(30 + fraction, 25 - fraction);
+    const Image image = quarter_plane(corner.x(), corner.y());
+    const Eigen::Vector2d starts[] = {{30, 25}, {33, 27}, {28, 24}};
+    for (const Eigen::Vector2d& start : starts) {
+      const auto all = centre_of_corner(image, start, 11), rounded = centre_of_corner(image, start, 11, 5);
+      ASSERT_TRUE(all && rounded);
+      EXPECT_LT((*all - corner).norm(), 0.3);
+      EXPECT_LT((*rounded - corner).norm(), 0.1) << rounded->transpose() << " not " << corner.transpose();
+    }
+  }
+}
+
+TEST(CentreOfCorner, ThereIsNoneOnBlankPaper) {
+  EXPECT_FALSE(centre_of_corner(Image(60, 50, 128), {30, 25}, 11));
+}
+
 }  // namespace
 }  // namespace incognita

@@ -9,6 +9,7 @@
 
 #include "incognita/messages/errors.hpp"
 #include "incognita/record/row_file.hpp"
+#include "incognita/record/write_at.hpp"
 
 namespace incognita {
 
@@ -34,14 +35,7 @@ void PaddedFile::overwrite(std::string_view text) {
   std::string block(size_bytes, ' ');
   block.replace(0, text.size(), text);
   block.back() = '\n';
-  std::size_t done = 0;
-  while (done < block.size()) {
-    const ssize_t n =
-        ::pwrite(descriptor_, block.data() + done, block.size() - done, static_cast<off_t>(done));
-    if (n < 0 && errno == EINTR) continue;
-    if (n <= 0) throw RecordError(write_failure(path_, n == 0 ? ENOSPC : errno));
-    done += static_cast<std::size_t>(n);
-  }
+  if (const int error = write_at(descriptor_, block, 0)) throw RecordError(write_failure(path_, error));
 }
 
 }  // namespace incognita

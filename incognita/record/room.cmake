@@ -3,12 +3,16 @@ find_package(nlohmann_json 3.11 REQUIRED)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(MATIO REQUIRED IMPORTED_TARGET GLOBAL matio)
 
+find_package(Boost 1.74 REQUIRED)  # headers only: CRC-32
+
 incognita_room(record
-  SOURCES record/map_files.cpp record/mat_file.cpp record/number.cpp record/padded_file.cpp record/recorder.cpp
-          record/row_file.cpp record/run_directory.cpp record/run_summary.cpp record/series.cpp
+  SOURCES record/map_files.cpp record/mat_file.cpp record/mcap_file.cpp record/mcap_records.cpp
+          record/number.cpp record/padded_file.cpp record/recorder.cpp record/row_file.cpp
+          record/run_directory.cpp record/run_summary.cpp record/series.cpp
           record/timing_table.cpp record/tum.cpp
+          record/write_at.cpp
   USES incognita::math incognita::models incognita::messages incognita::analysis
-  PRIVATE_USES fmt::fmt nlohmann_json::nlohmann_json PkgConfig::MATIO)
+  PRIVATE_USES Boost::headers fmt::fmt nlohmann_json::nlohmann_json PkgConfig::MATIO)
 
 # apart, because only who wants pictures should need OpenCV
 incognita_room(pictures SOURCES record/frame_pictures.cpp USES incognita::record

@@ -120,6 +120,7 @@ int run(const Options& options) {
   info.effective_toml = effective_toml(loaded);
   info.seed = loaded.scenario.run.seed;
   info.version = INCOGNITA_VERSION;
+  info.patch_size_px = loaded.scenario.slam.search.patch_size_px;
   // A recording's truth is in its own world, which a target need not share
   const bool own_frame = loaded.scenario.run.world == "recording";
   info.ate_alignment = !assembly.scale_is_known ? "sim3" : own_frame ? "se3" : "none";

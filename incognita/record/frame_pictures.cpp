@@ -12,6 +12,7 @@
 #include <system_error>
 
 #include "incognita/messages/errors.hpp"
+#include "incognita/record/look_colour.hpp"
 #include "incognita/record/row_file.hpp"
 
 namespace incognita {
@@ -21,18 +22,9 @@ constexpr int min_picture_width_px = 640;  // smaller images are enlarged: thin 
 constexpr int band_height_px = 40;         // for the text, below the image
 constexpr int subpixel_bits = 4;
 
-cv::Scalar colour(LookOutcome outcome) {  // blue, green, red
-  switch (outcome) {
-    case LookOutcome::matched:
-      return {90, 220, 60};
-    case LookOutcome::not_found:
-      return {60, 60, 235};
-    case LookOutcome::inconsistent:
-      return {220, 60, 220};
-    case LookOutcome::not_tried:
-      return {170, 170, 170};
-  }
-  return {255, 255, 255};
+cv::Scalar colour(LookOutcome outcome) {
+  const auto [red, green, blue] = look_colour(outcome);
+  return {double(blue), double(green), double(red)};
 }
 
 /// A picture in progress: a canvas of `scale` picture pixels per image pixel.

@@ -40,10 +40,6 @@ std::string tum_row(const StampedPose& pose) {
   return row;
 }
 
-const char* kind(const SnapshotLook& look) {
-  return look.anchor ? "anchor" : look.line ? "line" : "landmark";
-}
-
 std::string look_row(double t, const SnapshotLook& look) {
   std::string row;
   append_number(row, t);
@@ -76,6 +72,7 @@ void Recorder::open_files(const RunInfo& info) {
   covariance_ = RowFile(directory_.file("covariance.csv"), covariance_header());
   looks_ = RowFile(directory_.file("looks.csv"), looks_header);
   timings_ = TimingTable(directory_.file("timings.csv"));
+  log_.emplace(directory_.file("run.mcap"), info);
 }
 
 void Recorder::publish(const Snapshot& snapshot) {
@@ -86,6 +83,7 @@ void Recorder::publish(const Snapshot& snapshot) {
   write_decision(snapshot);
   write_looks(snapshot);
   timings_.add(snapshot);
+  log_->publish(snapshot);
   keep_summary_fresh(snapshot.tick.t);
 }
 
@@ -203,6 +201,7 @@ RunOutcome Recorder::finish(RunStatus status, const std::string& reason, const F
   for (RowFile* file : {&estimate_, &truth_, &covariance_, &series_, &actions_, &looks_})
     attempt([&] { file->close(); });
   attempt([&] { timings_.close(); });
+  attempt([&] { log_->close(map_); });
   attempt([&] { write_map_csv(directory_.file("map.csv"), map_); });
   attempt([&] { write_map_ply(directory_.file("map.ply"), map_); });
   attempt([&] { write_series_mat(); });

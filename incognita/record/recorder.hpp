@@ -12,6 +12,7 @@
 #include "incognita/record/run_directory.hpp"
 #include "incognita/record/run_summary.hpp"
 #include "incognita/record/snapshot.hpp"
+#include "incognita/record/snapshot_log.hpp"
 #include "incognita/record/timing_table.hpp"
 
 namespace incognita {
@@ -35,6 +36,7 @@ struct RunOutcome {
 /// look.
 /// - timings.csv: milliseconds per stage; alone, with series.mat and summary.json, in differing from run to
 /// run.
+/// - run.mcap: the snapshots, for replay and for viewers; see SnapshotLog.
 /// - map.csv, map.ply, series.mat: at the end. summary.json: at once, brought up to date about once per
 /// second.
 ///
@@ -76,6 +78,7 @@ class Recorder {
   std::optional<PaddedFile> summary_file_;
   RowFile estimate_, truth_, covariance_, series_, actions_, looks_;
   TimingTable timings_;
+  std::optional<SnapshotLog> log_;
 
   std::size_t candidates_ = 0;  ///< columns of actions.csv after t and chosen
   bool actions_opened_ = false, truth_opened_ = false;

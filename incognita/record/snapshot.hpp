@@ -36,6 +36,10 @@ struct SnapshotLook {
   LookOutcome outcome = LookOutcome::not_tried;
 };
 
+inline const char* kind(const SnapshotLook& look) {
+  return look.anchor ? "anchor" : look.line ? "line" : "landmark";
+}
+
 struct SnapshotAdvice {
   std::vector<std::string> actions;  ///< names, fixed for a run
   std::vector<double> scores;        ///< nats, one per action, of this frame

@@ -13,6 +13,7 @@
 #include "incognita/messages/errors.hpp"
 #include "incognita/record/number.hpp"
 #include "incognita/record/tum.hpp"
+#include "mcap_reader.hpp"
 #include "schema.hpp"
 #include "scratch.hpp"
 #include "synthetic_run.hpp"
@@ -50,6 +51,10 @@ Json schema() {
   return Json::parse(contents(fs::path(INCOGNITA_SOURCE_DIR) / "docs/schemas/summary.schema.json"));
 }
 
+std::size_t logged_snapshots(const fs::path& folder) {
+  return testing::read_mcap(contents(folder / "run.mcap")).count("/snapshot");
+}
+
 std::size_t columns(const std::string& line) { return std::count(line.begin(), line.end(), ',') + 1; }
 
 /// Rows below the header, every one as wide as it.
@@ -85,6 +90,7 @@ TEST(Recorder, WritesEveryFileOfARun) {
   EXPECT_EQ(rows(run / "looks.csv"), 960u);
   EXPECT_EQ(rows(run / "actions.csv"), 4u);
   EXPECT_EQ(rows(run / "map.csv"), 13u);
+  EXPECT_EQ(logged_snapshots(run), 120u);
   EXPECT_EQ(lines(run / "map.csv").front(), "id,kind,x,y,z,pxx,pxy,pxz,pyy,pyz,pzz,sightings");
   EXPECT_EQ(lines(run / "actions.csv").front(), "t,chosen,stay,forward,back,left,right,up,down");
   EXPECT_TRUE(
@@ -189,7 +195,7 @@ TEST(Recorder, WritesTheSameBytesForTheSameRun) {
   record(scratch / "a", {}, info(), 5);
   record(scratch / "b", {}, info(), 7);  // another machine, another pace
   for (const char* file : {"effective.toml", "estimate.tum", "truth.tum", "covariance.csv", "actions.csv",
-                           "map.csv", "map.ply", "series.csv", "looks.csv"}) {
+                           "map.csv", "map.ply", "series.csv", "looks.csv", "run.mcap"}) {
     EXPECT_EQ(contents(scratch / "a" / file), contents(scratch / "b" / file)) << file;
     EXPECT_FALSE(contents(scratch / "a" / file).empty()) << file;
   }
@@ -263,6 +269,7 @@ TEST(Recorder, KilledLeavesAValidSummaryAndCompleteRows) {
   EXPECT_GT(rows(run / "series.csv"), 150u);  // all but the last second
   EXPECT_GT(read_trajectory(run / "estimate.tum").size(), 150u);
   EXPECT_EQ(contents(run / "series.csv").back(), '\n');
+  EXPECT_GT(logged_snapshots(run), 130u);  // all but the last two seconds
 }
 
 TEST(Recorder, StartedAndKilledLeavesAValidSummary) {
@@ -282,6 +289,7 @@ TEST(Recorder, OfARunWithoutFramesIsStillComplete) {
   EXPECT_EQ(rows(scratch / "run/series.csv"), 0u);
   for (const char* file : {"series.csv", "actions.csv", "map.csv", "timings.csv", "map.ply", "series.mat"})
     EXPECT_TRUE(fs::exists(scratch / "run" / file)) << file;
+  EXPECT_EQ(logged_snapshots(scratch / "run"), 0u);
 }
 
 TEST(Recorder, OnAFullDiskKeepsWhatItHasAndSaysSo) {
@@ -311,6 +319,7 @@ TEST(Recorder, OnAFullDiskKeepsWhatItHasAndSaysSo) {
     EXPECT_GT(rows(run / file), 5u) << file;
     EXPECT_EQ(contents(run / file).back(), '\n') << file;
   }
+  EXPECT_NO_THROW(logged_snapshots(run));
 }
 
 TEST(Recorder, LeavesOutWhatFailsAtTheEnd) {

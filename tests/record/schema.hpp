@@ -1,6 +1,6 @@
 // Enough of JSON Schema to hold a document to the schemas in docs/schemas: type, enum, required,
-// dependentRequired, properties, additionalProperties, items, minimum. Anything else in a schema is an error
-// here, not ignored.
+// dependentRequired, properties, additionalProperties, items, minimum; contentEncoding says what a text is
+// and forbids nothing. Anything else in a schema is an error here, not ignored.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -28,8 +28,8 @@ inline void check_object(const Json& value, const Json& schema, const std::strin
 /// What is wrong with a value, a line each; nothing when it conforms.
 inline void check(const Json& value, const Json& schema, const std::string& at, std::string& faults) {
   static const std::set<std::string> known{
-      "$schema",           "title",      "description",          "type",  "enum",   "required",
-      "dependentRequired", "properties", "additionalProperties", "items", "minimum"};
+      "$schema",           "title",      "description",          "type",  "enum",    "required",
+      "dependentRequired", "properties", "additionalProperties", "items", "minimum", "contentEncoding"};
   for (const auto& [key, unused] : schema.items())
     if (!known.contains(key)) throw std::invalid_argument("schema keyword " + key);
   if (schema.contains("type")) {
@@ -60,6 +60,8 @@ inline void check_object(const Json& value, const Json& schema, const std::strin
   for (const auto& [key, part] : value.items()) {
     if (properties.contains(key))
       check(part, properties[key], at + "." + key, faults);
+    else if (schema.value("additionalProperties", Json()) == false)
+      faults += at + ": " + key + " is not foreseen\n";
     else if (schema.contains("additionalProperties"))
       check(part, schema["additionalProperties"], at + "." + key, faults);
   }

@@ -40,6 +40,11 @@ McapFile::~McapFile() {
   }
 }
 
+/// What the chunk has from there on. Bit by bit, so that no one frame pays for a whole chunk.
+void McapFile::add_to_checksum(std::size_t begin) {
+  chunk_.records_crc.add(std::string_view(chunk_.records).substr(begin));
+}
+
 std::uint16_t McapFile::schema_id(std::string_view name, std::string_view text) {
   for (const mcap::Schema& schema : summary_.schemas)
     if (schema.name == name) return schema.id;
@@ -51,10 +56,12 @@ std::uint16_t McapFile::schema_id(std::string_view name, std::string_view text) 
 
 std::uint16_t McapFile::add_channel(std::string_view topic, std::string_view schema_name,
                                     std::string_view schema_text) {
+  const std::size_t begin = chunk_.records.size();
   const std::uint16_t schema = schema_id(schema_name, schema_text);
   const auto id = static_cast<std::uint16_t>(summary_.channels.size() + 1);
   summary_.channels.push_back({id, schema, std::string(topic)});
   mcap::append_channel(chunk_.records, summary_.channels.back());
+  add_to_checksum(begin);
   return id;
 }
 
@@ -69,9 +76,11 @@ void McapFile::write(std::uint16_t channel, std::uint64_t time_ns, std::string_v
   if (!chunk_.messages.empty() && chunk_is_due(time_ns)) flush();
   if (chunk_.messages.empty()) chunk_.start_ns = time_ns;
   chunk_.end_ns = time_ns;
-  chunk_.messages[channel].emplace_back(time_ns, chunk_.records.size());
+  const std::size_t begin = chunk_.records.size();
+  chunk_.messages[channel].emplace_back(time_ns, begin);
   const std::uint64_t count = summary_.message_counts[channel]++;
   mcap::append_message(chunk_.records, {channel, static_cast<std::uint32_t>(count), time_ns, json});
+  add_to_checksum(begin);
 }
 
 void McapFile::flush() {

@@ -45,6 +45,7 @@ class McapFile {
  private:
   bool chunk_is_due(std::uint64_t time_ns) const;
   std::uint16_t schema_id(std::string_view name, std::string_view text);
+  void add_to_checksum(std::size_t begin);
   void fail(int error);
 
   std::filesystem::path path_;

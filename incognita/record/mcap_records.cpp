@@ -167,13 +167,11 @@ ChunkIndex append_chunk(std::string& bytes, const Chunk& chunk, std::uint64_t of
   const std::size_t begin = bytes.size();
   ChunkIndex index{chunk.start_ns, chunk.end_ns, offset, 0, {}, 0, chunk.records.size()};
   {
-    Crc32 crc;
-    crc.add(chunk.records);
     const Record record(bytes, Opcode::chunk);
     append(bytes, chunk.start_ns);
     append(bytes, chunk.end_ns);
     append(bytes, index.records_size);
-    append(bytes, crc.value());
+    append(bytes, chunk.records_crc.value());
     append(bytes, "");  // compression: none
     append(bytes, index.records_size);
     bytes.append(chunk.records);

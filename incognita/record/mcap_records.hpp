@@ -65,6 +65,7 @@ struct Message {
 struct Chunk {
   std::uint64_t start_ns = 0, end_ns = 0;  ///< earliest and latest message
   std::string records;                     ///< schemas, channels and messages, not compressed
+  Crc32 records_crc;                       ///< of all of them: add to it what is added there
   /// Of each channel: time of each message, and where it is in `records`.
   std::map<std::uint16_t, std::vector<std::pair<std::uint64_t, std::uint64_t>>> messages;
 };

@@ -6,3 +6,6 @@ incognita_test(mcap_test SOURCES record/mcap_file_test.cpp record/mcap_reader.cp
                USES incognita::record nlohmann_json::nlohmann_json opencv_core opencv_imgcodecs)
 incognita_test(pictures_test SOURCES record/frame_pictures_test.cpp
                USES incognita::pictures opencv_core opencv_imgcodecs)
+add_test(NAME mcap.reference_reader COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/record/mcap/check
+         $<TARGET_FILE:incognita_program> ${CMAKE_CURRENT_BINARY_DIR}/mcap)
+set_tests_properties(mcap.reference_reader PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 300)

@@ -1,0 +1,1 @@
+incognita_bench(record_bench SOURCES record_bench.cpp USES incognita::record)

@@ -6,7 +6,7 @@
 namespace incognita {
 namespace {
 
-constexpr int jpeg_quality = 70;
+constexpr int jpeg_quality = 65;
 
 }  // namespace
 

@@ -53,6 +53,8 @@ Json object(std::initializer_list<Field> fields, const char* description = "") {
   return schema;
 }
 
+Json unused() { return array(object({}), "empty"); }
+
 std::string document(const char* title, const Json& schema) {
   Json titled;
   titled["title"] = title;
@@ -130,13 +132,17 @@ std::string pose_in_frame() {
 
 std::string scene_update() {
   const Json sphere = object({{"pose", pose()}, {"size", xyz("m, diameters")}, {"color", colour()}});
-  const Json entity = object({{"timestamp", timestamp()},
-                              {"frame_id", text()},
-                              {"id", text("an entity replaces the one before of the same id")},
-                              {"lifetime", time("0: until it is replaced")},
-                              {"frame_locked", flag()},
-                              {"spheres", array(sphere)}});
-  return document("foxglove.SceneUpdate", object({{"entities", array(entity)}}));
+  Json entity = object({{"timestamp", timestamp()},
+                        {"frame_id", text()},
+                        {"id", text("an entity replaces the one before of the same id")},
+                        {"lifetime", time("0: until it is replaced")},
+                        {"frame_locked", flag()},
+                        {"spheres", array(sphere)}});
+  for (const char* kind : unused_in_scenes) {
+    entity["properties"][kind] = unused();
+    entity["required"].push_back(kind);
+  }
+  return document("foxglove.SceneUpdate", object({{"deletions", unused()}, {"entities", array(entity)}}));
 }
 
 std::string compressed_image() {
@@ -153,8 +159,11 @@ std::string image_annotations() {
                                {"type", integer("2: a closed line")},
                                {"points", array(point)},
                                {"outline_color", colour()},
+                               {"outline_colors", unused()},
+                               {"fill_color", colour()},
                                {"thickness", number("px")}});
-  return document("foxglove.ImageAnnotations", object({{"points", array(outline)}}));
+  return document("foxglove.ImageAnnotations",
+                  object({{"circles", unused()}, {"points", array(outline)}, {"texts", unused()}}));
 }
 
 std::string snapshot() {

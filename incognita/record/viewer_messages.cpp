@@ -10,6 +10,7 @@
 #include "incognita/math/quaternion.hpp"
 #include "incognita/record/image_text.hpp"
 #include "incognita/record/look_colour.hpp"
+#include "incognita/record/message_schemas.hpp"
 
 namespace incognita {
 namespace {
@@ -18,6 +19,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr double anchor_diameter_m = 0.03;
 constexpr double min_diameter_m = 0.004;  // a landmark known better than that is still to be seen
+const Json nothing = Json::array();       // in lists that a viewer wants to be there
 constexpr int line_loop = 2;              // of foxglove.PointsAnnotation
 
 Json stamp(std::uint64_t time_ns) {
@@ -70,6 +72,8 @@ Json outline(const Json& time, LookOutcome outcome, const std::vector<Eigen::Vec
           {"type", line_loop},
           {"points", std::move(points)},
           {"outline_color", colour(hundredths(red), hundredths(green), hundredths(blue))},
+          {"outline_colors", nothing},
+          {"fill_color", colour(0, 0, 0, 0)},
           {"thickness", 1}};
 }
 
@@ -126,11 +130,14 @@ std::string scene_update(std::uint64_t time_ns, std::string_view frame,
     else
       ellipsoids.push_back(ellipsoid(landmark));
   }
-  const auto entity = [&](const char* id, Json spheres) -> Json {
-    return {{"timestamp", stamp(time_ns)}, {"frame_id", frame},     {"id", id},
-            {"lifetime", stamp(0)},        {"frame_locked", false}, {"spheres", std::move(spheres)}};
+  const auto entity = [&](const char* id, Json spheres) {
+    Json json{{"timestamp", stamp(time_ns)}, {"frame_id", frame},     {"id", id},
+              {"lifetime", stamp(0)},        {"frame_locked", false}, {"spheres", std::move(spheres)}};
+    for (const char* kind : message_schemas::unused_in_scenes) json[kind] = nothing;
+    return json;
   };
   Json update;
+  update["deletions"] = nothing;
   update["entities"].push_back(entity("anchors", std::move(balls)));
   update["entities"].push_back(entity("landmarks", std::move(ellipsoids)));
   return update.dump();
@@ -145,12 +152,11 @@ std::string compressed_image(std::uint64_t time_ns, std::string_view frame, cons
 std::string image_annotations(std::uint64_t time_ns, const std::vector<SnapshotLook>& looks,
                               int patch_size_px) {
   const Json time = stamp(time_ns);
-  Json annotations;
-  Json& outlines = annotations["points"] = Json::array();
+  Json outlines = Json::array();
   for (const SnapshotLook& look : looks)
     for (const auto& polygon : {search_ellipse(look), found_patch(look, patch_size_px)})
       if (!polygon.empty()) outlines.push_back(outline(time, look.outcome, polygon));
-  return annotations.dump();
+  return Json{{"circles", nothing}, {"points", std::move(outlines)}, {"texts", nothing}}.dump();
 }
 
 }  // namespace incognita

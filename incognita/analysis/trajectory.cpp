@@ -25,8 +25,10 @@ std::vector<std::size_t> nearest(const Trajectory& from, const std::vector<std::
   std::size_t k = 0;
   for (std::size_t i = 0; i < from_order.size(); ++i) {
     const double t = from[from_order[i]].t;
-    while (k + 1 < to_order.size() && std::abs(to[to_order[k + 1]].t - t) < std::abs(to[to_order[k]].t - t))
-      ++k;
+    const auto distance = [&](std::size_t j) { return std::abs(to[to_order[j]].t - t); };
+    const auto repeats = [&](std::size_t j) { return to[to_order[j]].t == to[to_order[j - 1]].t; };
+    // a stamp given twice is no nearer, and must not end the search
+    while (k + 1 < to_order.size() && (distance(k + 1) < distance(k) || repeats(k + 1))) ++k;
     found[i] = k;
   }
   return found;

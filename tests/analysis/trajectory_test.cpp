@@ -102,8 +102,10 @@ TEST(Associate, TakesTheNearestAndEachPoseOnce) {
   using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
   EXPECT_EQ(associate(at({0.0, 1.0, 2.0}), at({0.004, 0.996, 2.02}), 0.01), (Pairs{{0, 0}, {1, 1}}));
   EXPECT_EQ(associate(at({0.0, 0.003, 0.006}), at({0.004}), 0.01), (Pairs{{1, 0}}));
-  EXPECT_EQ(associate(at({2.0, 0.0, 1.0}), at({1.0, 2.0}), 0.01), (Pairs{{2, 0}, {0, 1}}));  // unsorted
-  EXPECT_EQ(associate(at({1.0, 1.0}), at({1.0, 1.0}), 0.01).size(), 1u);                     // double stamps
+  EXPECT_EQ(associate(at({2.0, 0.0, 1.0}), at({1.0, 2.0}), 0.01), (Pairs{{2, 0}, {0, 1}}));   // unsorted
+  EXPECT_EQ(associate(at({1.0, 1.0}), at({1.0, 1.0}), 0.01).size(), 1u);                      // double stamps
+  EXPECT_EQ(associate(at({0.0, 1.0, 2.0}), at({0.0, 0.0, 1.0, 1.0, 2.0}), 0.01).size(), 3u);  // are no end
+  EXPECT_EQ(associate(at({0.0, 0.0, 1.0, 1.0, 2.0}), at({0.0, 1.0, 2.0}), 0.01).size(), 3u);
   EXPECT_TRUE(associate({}, at({1.0}), 0.01).empty());
 }
 

@@ -36,11 +36,18 @@ std::string shown(std::string_view word) {
   return word.size() > shown_bytes ? text + "..." : text;
 }
 
+/// Never reads more than it allows: what has no line breaks may have no end either.
 bool next_line(std::istream& in, Line& line) {
-  if (!std::getline(in, line.text)) return false;
+  constexpr int end = std::char_traits<char>::eof();
+  line.text.clear();
+  int c = in.rdbuf()->sbumpc();
+  if (c == end) return false;
   ++line.number;
-  if (line.text.size() > max_line_bytes)
-    line.refuse(fmt::format("a line of {} bytes; is this a text file?", line.text.size()));
+  for (; c != end && c != '\n'; c = in.rdbuf()->sbumpc()) {
+    if (line.text.size() == max_line_bytes)
+      line.refuse(fmt::format("a line of more than {} bytes; is this a text file?", max_line_bytes));
+    line.text.push_back(static_cast<char>(c));
+  }
   if (line.number == 1 && line.text.starts_with("\xEF\xBB\xBF")) line.text.erase(0, 3);
   return true;
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdint>
+#include <optional>
 #include <system_error>
 
 #include "incognita/io/recording_formats.hpp"
@@ -51,6 +53,35 @@ bool naturally_before(const std::string& a, const std::string& b) {
   return a < b;  // the same but for leading zeros
 }
 
+/// The last number in a name; nothing where there is none, or one too long to count frames.
+std::optional<std::int64_t> number_in(const std::string& name) {
+  constexpr std::size_t longest = 9;  // longer ones are times
+  std::size_t end = name.size();
+  while (end > 0 && !is_digit(name[end - 1])) --end;
+  std::size_t begin = end;
+  while (begin > 0 && is_digit(name[begin - 1])) --begin;
+  if (begin == end || end - begin > longest) return std::nullopt;
+  return std::stoll(name.substr(begin, end - begin));
+}
+
+/// What is said of names that count one by one and leave some out; empty when all is well, or they do not
+/// count.
+std::string missing_numbers(const std::vector<std::string>& names) {
+  std::int64_t missing = 0;
+  std::size_t steps_of_one = 0;
+  std::string first;
+  for (std::size_t i = 1; i < names.size(); ++i) {
+    const auto before = number_in(names[i - 1]), here = number_in(names[i]);
+    if (!before || !here || *here <= *before) return "";
+    steps_of_one += *here == *before + 1;
+    missing += *here - *before - 1;
+    if (first.empty() && *here > *before + 1) first = names[i - 1] + " and " + names[i];
+  }
+  if (missing == 0 || 2 * steps_of_one < names.size()) return "";
+  return fmt::format("{} numbers are missing, the first between {}; the images are taken as if none were",
+                     missing, first);
+}
+
 }  // namespace
 
 Recording read_image_folder(const std::filesystem::path& folder, double rate_hz) {
@@ -81,6 +112,7 @@ Recording read_image_folder(const std::filesystem::path& folder, double rate_hz)
   }
   recording.notes.push_back(fmt::format("{} images, {} to {}, at {} Hz by run.rate_hz", names.size(),
                                         names.front(), names.back(), rate_hz));
+  if (const std::string gaps = missing_numbers(names); !gaps.empty()) recording.notes.push_back(gaps);
   if (others > 0) recording.notes.push_back(fmt::format("{} files that are not images are left out", others));
   return recording;
 }

@@ -42,6 +42,24 @@ TEST(ImageFolder, TakesImagesInNaturalOrder) {
   EXPECT_TRUE(recording.truth.empty());
 }
 
+std::string notes_on(const std::vector<std::string>& names) {
+  const Scratch scratch;
+  for (const std::string& name : names) scratch.write(name, pgm(20, 16));
+  std::string all;
+  for (const std::string& note : read_recording(scratch.folder(), "images", 25).notes) all += note + "\n";
+  return all;
+}
+
+TEST(ImageFolder, SaysWhichNumbersAreMissing) {
+  EXPECT_HAS(notes_on({"a8.pgm", "a9.pgm", "a11.pgm", "a12.pgm", "a13.pgm", "a16.pgm", "a17.pgm"}),
+             "3 numbers are missing, the first between a9.pgm and a11.pgm");
+  for (const std::vector<std::string>& whole : {std::vector<std::string>{"08.pgm", "09.pgm", "10.pgm"},
+                                                {"a.pgm", "b.pgm", "d.pgm"},
+                                                {"10.pgm", "20.pgm", "30.pgm", "31.pgm"},
+                                                {"1403636579763555584.pgm", "1403636579763555585.pgm"}})
+    EXPECT_EQ(notes_on(whole).find("missing"), std::string::npos) << notes_on(whole);
+}
+
 TEST(ImageFolder, SaysWhatIsThereInstead) {
   const Scratch scratch;
   scratch.write("frames/a.pgm", pgm(20, 16));

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "incognita/io/camera.hpp"
 #include "incognita/io/settings.hpp"
@@ -63,9 +65,33 @@ void check_bounds(const Scenario& s, List& found) {
   }
 }
 
+/// A calibration in the other model's terms would be ignored without a word.
+void check_model(const CameraSettings& camera, List& found) {
+  const bool wide = camera.model == "wide-angle";
+  const std::pair<const char*, double> strangers[] = {{"camera.kd1_per_px2", wide ? 0 : camera.kd1_per_px2},
+                                                      {"camera.k1", wide ? camera.k1 : 0},
+                                                      {"camera.k2", wide ? camera.k2 : 0},
+                                                      {"camera.p1", wide ? camera.p1 : 0},
+                                                      {"camera.p2", wide ? camera.p2 : 0},
+                                                      {"camera.k3", wide ? camera.k3 : 0}};
+  for (const auto& [key, value] : strangers) {
+    if (value != 0) found.push_back({key, fmt::format("must be 0, camera.model being `{}`", camera.model)});
+  }
+}
+
+void check_room_size(const Eigen::Vector3d& size, List& found) {
+  if (std::min(size.x(), size.y()) >= 2 && size.z() <= 20) return;
+  found.push_back({"room.size_m", "must be 2 to 50 long and wide, 1.8 to 20 high"});
+}
+
 void check_room(const Scenario& s, List& found) {
   if (s.run.world != "room") return;
+  if (constexpr double most_frames = 1e9; s.run.duration_s * s.run.rate_hz > most_frames) {
+    found.push_back({"run.duration_s", fmt::format("must make at most {:g} frames, run.rate_hz being {}",
+                                                   most_frames, s.run.rate_hz)});
+  }
   const Eigen::Vector3d &size = s.room.size_m, &start = s.room.start_position_m;
+  check_room_size(size, found);
   const double margin = s.room.clearance_m;
   const bool inside = std::abs(start.x()) <= size.x() / 2 - margin &&
                       std::abs(start.y()) <= size.y() / 2 - margin && start.z() >= margin &&
@@ -81,6 +107,7 @@ void check_room(const Scenario& s, List& found) {
 std::vector<Contradiction> find_contradictions(const Scenario& scenario) {
   List found;
   check_sources(scenario, found);
+  check_model(scenario.camera, found);
   check_camera(scenario, found);
   check_sizes(scenario, found);
   check_bounds(scenario, found);

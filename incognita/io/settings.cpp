@@ -99,15 +99,15 @@ void filter(List& list, FilterSettings& s) {
   list.insert(list.end(),
               {
                   {"filter.sigma_acceleration_m_s2", &s.sigma_acceleration_m_s2, "m/s^2",
-                   "unknown linear acceleration per axis, held for one frame", at_least(0)},
+                   "unknown linear acceleration per axis, held for one frame", between(0, 1e4)},
                   {"filter.sigma_angular_acceleration_rad_s2", &s.sigma_angular_acceleration_rad_s2,
-                   "rad/s^2", "unknown angular acceleration per axis, held for one frame", at_least(0)},
+                   "rad/s^2", "unknown angular acceleration per axis, held for one frame", between(0, 1e4)},
                   {"filter.sigma_pixel_px", &s.sigma_pixel_px, "px",
-                   "of one measured patch position, per axis", above_up_to(0, 100)},
+                   "of one measured patch position, per axis", between(0.001, 100)},
                   {"filter.sigma_start_velocity_m_s", &s.sigma_start_velocity_m_s, "m/s",
-                   "per axis, when the run starts", at_least(0)},
+                   "per axis, when the run starts", between(0, 1e4)},
                   {"filter.sigma_start_angular_rate_rad_s", &s.sigma_start_angular_rate_rad_s, "rad/s",
-                   "per axis, when the run starts", at_least(0)},
+                   "per axis, when the run starts", between(0, 1e4)},
               });
 }
 
@@ -161,7 +161,7 @@ void birth(List& list, BirthSettings& s) {
                   {"birth.max_line_failures", &s.max_line_failures, "",
                    "depth-line: attempts after which a line without a point is given up", between(1, 10000)},
                   {"birth.inverse_depth_per_m", &s.inverse_depth_per_m, "1/m",
-                   "inverse-depth: mean before anything is known", above_up_to(0, 1000)},
+                   "inverse-depth: mean before anything is known", between(1e-6, 1000)},
                   {"birth.sigma_inverse_depth_per_m", &s.sigma_inverse_depth_per_m, "1/m",
                    "inverse-depth: standard deviation before anything is known", above_up_to(0, 1000)},
                   {"birth.max_linearity", &s.max_linearity, "",
@@ -204,7 +204,7 @@ void decision(List& list, DecisionSettings& s) {
                               {"decision.step_m", &s.step_m, "m",
                                "displacement of each of the seven translations", above_up_to(0, 1000)},
                               {"decision.period_s", &s.period_s, "s",
-                               "an action lasts this long, then all are compared again", above_up_to(0, 1e6)},
+                               "an action lasts this long, then all are compared again", between(0.001, 1e4)},
                               {"decision.min_bound_m", &s.min_bound_m, "m",
                                "goals outside this box of the world are not chosen", any()},
                               {"decision.max_bound_m", &s.max_bound_m, "m",
@@ -228,7 +228,7 @@ void control(List& list, ControlSettings& s) {
            "per axis, what the body can do", at_least(0)},
           {"control.gaze_amplitude_rad", &s.gaze_amplitude_rad, "rad",
            "the gaze swings by this much to either side about the vertical", between(0, 3.2)},
-          {"control.gaze_period_s", &s.gaze_period_s, "s", "of one full swing", above_up_to(0, 1e6)},
+          {"control.gaze_period_s", &s.gaze_period_s, "s", "of one full swing", between(0.001, 1e6)},
       });
 }
 
@@ -236,9 +236,9 @@ void room(List& list, RoomSettings& s) {
   list.insert(
       list.end(),
       {
-          {"room.size_m", &s.size_m, "m", "the room spans +-x/2, +-y/2, and 0 to z", between(0.5, 1000)},
+          {"room.size_m", &s.size_m, "m", "the room spans +-x/2, +-y/2, and 0 to z", between(1.8, 50)},
           {"room.boxes", &s.boxes, "", "textured boxes standing on the floor along the walls",
-           between(0, 1000)},
+           between(0, 24)},
           {"room.start_position_m", &s.start_position_m, "m",
            "camera at t = 0; it looks along +x, at the target", between(-1000, 1000)},
           {"room.start_heading_rad", &s.start_heading_rad, "rad", "about z, from +x", between(-6.3, 6.3)},
@@ -246,13 +246,13 @@ void room(List& list, RoomSettings& s) {
            "the true start is drawn around the above", between(0, 10)},
           {"room.sigma_start_heading_rad", &s.sigma_start_heading_rad, "rad",
            "the true start is drawn around the above", between(0, 3.2)},
-          {"room.sigma_image_grey", &s.sigma_image_grey, "grey", "image noise", between(0, 255)},
+          {"room.sigma_image_grey", &s.sigma_image_grey, "grey", "image noise", between(0, 100)},
           {"room.sigma_acceleration_m_s2", &s.sigma_acceleration_m_s2, "m/s^2",
            "true disturbance per axis, held for one frame", between(0, 1000)},
           {"room.sigma_angular_acceleration_rad_s2", &s.sigma_angular_acceleration_rad_s2, "rad/s^2",
            "true disturbance per axis, held for one frame", between(0, 1000)},
           {"room.clearance_m", &s.clearance_m, "m", "the camera's body stops this far from walls and boxes",
-           between(0, 100)},
+           between(0, 0.5)},
           {"room.cover_lens_from_s", &s.cover_lens_from_s, "s",
            "the lens is covered from then on; never when negative", any()},
       });

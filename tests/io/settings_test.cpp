@@ -178,8 +178,8 @@ TEST(LoadScenario, RefusesWrongValues) {
       {"search", "patch_size_px = 17", "search.patch_size_px = 17: must be odd, 9 to 15"},
       {"birth", "particles = 1", "birth.particles = 1: must be 2 to 100000"},
       {"room", "size_m = [1, 2]", "room.size_m = [1, 2]: must be a list of three numbers"},
-      {"room", "size_m = [1, 2, nan]", "room.size_m = [1, 2, nan]: must be finite"},
-      {"room", "size_m = [1, \"2\", 3]", "must be a list of three numbers"},
+      {"room", "size_m = [6, 2, nan]", "room.size_m = [6, 2, nan]: must be finite"},
+      {"room", "size_m = [6, \"2\", 3]", "must be a list of three numbers"},
       {"room", "boxes = {a = 1}", "room.boxes = {...}: must be a whole number"},
   };
   for (const Case& one : cases) {
@@ -218,6 +218,15 @@ TEST(LoadScenario, RefusesContradictions) {
       {"[camera]\nkd1_per_px2 = 0.34",
        "mine.toml:4: camera.kd1_per_px2 = 0.34: camera kd1_per_px2 must leave a ray"},
       {"[camera]\nk1 = -8\nmodel = \"pinhole\"", "mine.toml:4: camera.k1 = -8.0: camera k1 must leave a ray"},
+      {"[camera]\nk1 = -0.3", "mine.toml:4: camera.k1 = -0.3: must be 0, camera.model being `wide-angle`"},
+      {"[camera]\nkd1_per_px2 = 9e-6\nmodel = \"pinhole\"",
+       "mine.toml:4: camera.kd1_per_px2 = 9e-06: must be 0"},
+      {"[room]\nsize_m = [6, 1.9, 2.5]",
+       "mine.toml:4: room.size_m = [6.0, 1.9, 2.5]: must be 2 to 50 long and wide"},
+      {"[room]\nsize_m = [6, 6, 30]",
+       "mine.toml:4: room.size_m = [6.0, 6.0, 30.0]: must be 2 to 50 long and wide"},
+      {"[run]\nduration_s = 1e7\nrate_hz = 1000",
+       "mine.toml:4: run.duration_s = 10000000.0: must make at most 1e+09"},
       {"[map]\nmax_landmarks = 5", "map.wanted_visible = 12: must be at most map.max_landmarks"},
   };
   for (const Case& one : cases) EXPECT_HAS(complaint(free_start + one.text + "\n"), one.part);

@@ -1,6 +1,13 @@
 #include "incognita/app/assemble.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+
 #include "incognita/io/camera.hpp"
+#include "incognita/io/files.hpp"
 #include "incognita/io/recorded.hpp"
 #include "incognita/io/recording.hpp"
 #include "incognita/io/target_file.hpp"
@@ -26,12 +33,44 @@ Place recorded_place(const LoadedScenario& loaded, const Camera& camera, std::ve
           std::make_unique<RecordedSensor>(recording, camera.width(), camera.height())};
 }
 
-Place rendered_place(const Scenario& scenario, const Camera& camera) {
+/// The target must hang where the room's sheet does: a longer room has it further away, and a start from
+/// where it is not would be wrong and sure of itself.
+void check_sheet(const LoadedScenario& loaded, const Target& target, const Sheet& sheet) {
+  constexpr double tolerance_m = 0.05;
+  for (const Target::Corner& corner : target.corners) {
+    const Eigen::Vector3d& p = corner.position;
+    double apart_m = std::numeric_limits<double>::infinity();
+    for (const Eigen::Vector3d& hangs : sheet.corners()) apart_m = std::min(apart_m, (hangs - p).norm());
+    if (apart_m <= tolerance_m) continue;
+    throw InputError(
+        fmt::format("{}: start.target = {}: has a corner at [{}, {}, {}], and the sheet in this room hangs "
+                    "at x = {} (room.size_m, "
+                    "{}): the target file must say the same",
+                    loaded.sources.at("start.target"), loaded.scenario.start.target, p.x(), p.y(), p.z(),
+                    sheet.x, loaded.sources.at("room.size_m")));
+  }
+}
+
+Place rendered_place(const LoadedScenario& loaded, const Camera& camera,
+                     const std::optional<Target>& target) {
+  const Scenario& scenario = loaded.scenario;
   const auto seed = static_cast<std::uint64_t>(scenario.run.seed);
   auto room = std::make_shared<const Room>(scenario.room, seed);
+  if (target) check_sheet(loaded, *target, room->layout().sheet);
   return {std::make_unique<RoomClock>(scenario.run.rate_hz, scenario.run.duration_s),
           std::make_unique<RoomWorld>(room->layout(), scenario.room, seed),
           std::make_unique<RoomCamera>(room, camera, scenario.room, seed)};
+}
+
+/// What the boxes themselves refuse, as a room too small for its boxes.
+Place place_of(const LoadedScenario& loaded, const Camera& camera, const std::optional<Target>& target,
+               std::vector<std::string>& notes) {
+  try {
+    return loaded.scenario.run.world == "recording" ? recorded_place(loaded, camera, notes)
+                                                    : rendered_place(loaded, camera, target);
+  } catch (const std::invalid_argument& error) {
+    throw InputError(shown(loaded.file) + ": " + error.what());
+  }
 }
 
 }  // namespace
@@ -43,8 +82,7 @@ Assembly assemble(const LoadedScenario& loaded) {
   if (scenario.start.from == "target") target = load_target(loaded);
   const bool scale_is_known = target.has_value();
   std::vector<std::string> notes;
-  Place place = scenario.run.world == "recording" ? recorded_place(loaded, camera, notes)
-                                                  : rendered_place(scenario, camera);
+  Place place = place_of(loaded, camera, target, notes);
   return {{std::move(place.clock), std::move(place.world), std::move(place.sensor),
            CameraEstimator(camera, std::move(target), scenario.slam, scenario.start.max_search_s,
                            static_cast<std::uint64_t>(scenario.run.seed)),

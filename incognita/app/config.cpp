@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "incognita/app/say.hpp"
 #include "incognita/io/files.hpp"
 #include "incognita/io/load_scenario.hpp"
 #include "incognita/io/recorded.hpp"
@@ -102,7 +103,7 @@ std::vector<std::string> check(const LoadedScenario& loaded) {
 
 int run_config(const Options& options) {
   LoadedScenario loaded = load_scenario(options.scenario, options.sets);
-  for (const std::string& line : loaded.overrides) std::cerr << line << "\n";
+  for (const std::string& line : loaded.overrides) say("{}\n", line);
   const std::vector<std::string> checked = options.check ? check(loaded) : std::vector<std::string>{};
   if (options.json) {
     print_json(loaded, checked);

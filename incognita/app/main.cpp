@@ -1,6 +1,4 @@
 // The program: one file per command, and here the exit codes.
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
 #include <exception>
 #include <functional>
@@ -8,20 +6,22 @@
 #include "incognita/app/config.hpp"
 #include "incognita/app/evaluate.hpp"
 #include "incognita/app/run.hpp"
+#include "incognita/app/say.hpp"
+#include "incognita/app/standard_streams.hpp"
+#include "incognita/app/usage.hpp"
 #include "incognita/messages/errors.hpp"
 
 namespace {
 
 enum ExitCode { done = 0, job_failed = 1, bad_input = 2 };
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int carry_out(int argc, char** argv) {
   CLI::App app{"incognita: maps an unknown place, knows how sure it is, and moves to learn more",
                "incognita"};
   app.set_version_flag("--version", INCOGNITA_VERSION);
   app.require_subcommand(1);
   app.footer("Example:\n  incognita run room\n\n`incognita COMMAND --help` tells more.\n");
+  app.failure_message(incognita::usage_message);
   std::function<int()> job;
   incognita::add_run(app, job);
   incognita::add_evaluate(app, job);
@@ -34,10 +34,21 @@ int main(int argc, char** argv) {
   try {
     return job();
   } catch (const incognita::InputError& error) {
-    fmt::print(stderr, "incognita: {}\n", error.what());
+    incognita::say("incognita: {}\n", error.what());
     return bad_input;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "incognita: {}\n", error.what());
+    incognita::say("incognita: {}\n", error.what());
     return job_failed;
   }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  incognita::take_closed_streams();
+  const int code = carry_out(argc, argv);
+  const std::string lost = incognita::why_output_failed();
+  if (lost.empty()) return code;
+  incognita::say("incognita: standard output: {}\n", lost);
+  return code == done ? job_failed : code;
 }

@@ -2,8 +2,8 @@ find_package(CLI11 REQUIRED)
 # The loop and its wiring: what experiments and tests drive without a command line
 incognita_room(app SOURCES app/assemble.cpp app/loop.cpp app/snapshot_of.cpp
                USES incognita::slam incognita::decision incognita::control incognita::world incognita::record
-                    incognita::io)
-add_executable(incognita_program app/main.cpp app/run.cpp app/progress.cpp)
+                    incognita::io PRIVATE_USES fmt::fmt)
+add_executable(incognita_program app/main.cpp app/run.cpp app/progress.cpp app/standard_streams.cpp app/usage.cpp)
 set_target_properties(incognita_program PROPERTIES OUTPUT_NAME incognita)
 target_compile_definitions(incognita_program PRIVATE INCOGNITA_VERSION="${PROJECT_VERSION}")
 target_link_libraries(incognita_program PRIVATE incognita::app incognita::pictures incognita::report

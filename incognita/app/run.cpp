@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <csignal>
-#include <iostream>
 #include <memory>
 #include <optional>
 #include <string>
@@ -14,6 +14,7 @@
 
 #include "incognita/app/assemble.hpp"
 #include "incognita/app/progress.hpp"
+#include "incognita/app/say.hpp"
 #include "incognita/messages/errors.hpp"
 #include "incognita/record/frame_pictures.hpp"
 #include "incognita/record/recorder.hpp"
@@ -24,10 +25,9 @@ namespace {
 
 struct Options {
   std::string scenario = "room";
-  std::string out;
+  std::optional<std::string> out;
   std::vector<std::string> sets;
-  std::optional<std::int64_t> seed;
-  std::optional<double> duration_s;
+  std::optional<std::string> seed, duration_s;  // texts: the setting knows what it may be
   bool realtime = false;
   bool save_frames = false;
   bool no_figures = false;
@@ -36,11 +36,18 @@ struct Options {
 volatile std::sig_atomic_t interrupted = 0;
 void interrupt(int) { interrupted = 1; }
 
+/// Asked to end, however often, the run closes its files first; that takes a frame and the figures.
+void heed_signals() {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    if (std::signal(signal, interrupt) == SIG_IGN && signal == SIGHUP) std::signal(signal, SIG_IGN);  // nohup
+  }
+  std::signal(SIGXFSZ, SIG_IGN);  // a full disk is an error that is reported, not a death
+}
+
 LoadedScenario load(const Options& options) {
   std::vector<Flag> flags;
-  if (options.seed) flags.push_back({"run.seed", std::to_string(*options.seed), "--seed"});
-  if (options.duration_s)
-    flags.push_back({"run.duration_s", fmt::format("{}", *options.duration_s), "--duration"});
+  if (options.seed) flags.push_back({"run.seed", *options.seed, "--seed"});
+  if (options.duration_s) flags.push_back({"run.duration_s", *options.duration_s, "--duration"});
   return load_scenario(options.scenario, options.sets, flags);
 }
 
@@ -64,9 +71,8 @@ class StateTeller {
  public:
   void tell(const Snapshot& s) {
     const bool is_lost = s.status.state == TrackingState::lost;
-    if (is_lost && !was_lost_) fmt::print(stderr, "t = {:.3f} s: lost: {}\n", s.tick.t, s.status.reason);
-    if (!is_lost && was_lost_)
-      fmt::print(stderr, "t = {:.3f} s: {}: {}\n", s.tick.t, name(s.status.state), s.status.reason);
+    if (is_lost && !was_lost_) say("t = {:.3f} s: lost: {}\n", s.tick.t, s.status.reason);
+    if (!is_lost && was_lost_) say("t = {:.3f} s: {}: {}\n", s.tick.t, name(s.status.state), s.status.reason);
     was_lost_ = is_lost;
   }
 
@@ -74,9 +80,15 @@ class StateTeller {
   bool was_lost_ = false;
 };
 
+/// In naps: whoever interrupts a run of one frame an hour does not wait an hour.
 void wait_until(std::chrono::steady_clock::time_point start, double t_s) {
-  std::this_thread::sleep_until(start + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
-                                            std::chrono::duration<double>(t_s)));
+  constexpr double nap_s = 0.05;
+  for (;;) {
+    const std::chrono::duration<double> waited = std::chrono::steady_clock::now() - start;
+    const double left_s = t_s - waited.count();
+    if (interrupted || left_s <= 0) return;
+    std::this_thread::sleep_for(std::chrono::duration<double>(std::min(left_s, nap_s)));
+  }
 }
 
 Ending drive(Assembly& assembly, Recorder& recorder, FramePictures* pictures, bool realtime) {
@@ -108,14 +120,15 @@ Ending drive(Assembly& assembly, Recorder& recorder, FramePictures* pictures, bo
 }
 
 int run(const Options& options) {
+  std::signal(SIGPIPE, SIG_IGN);  // the record matters more than who listens to how it goes
+  if (options.out && options.out->empty()) throw InputError("--out: names nothing; a folder is wanted");
   const LoadedScenario loaded = load(options);
-  for (const std::string& line : loaded.overrides) fmt::print(stderr, "{}\n", line);
+  for (const std::string& line : loaded.overrides) say("{}\n", line);
   Assembly assembly = assemble(loaded);
-  for (const std::string& line : assembly.notes) fmt::print(stderr, "{}\n", line);
-  if (!assembly.scale_is_known)
-    fmt::print(stderr, "no target: the scale is not observable, lengths are relative\n");
+  for (const std::string& line : assembly.notes) say("{}\n", line);
+  if (!assembly.scale_is_known) say("no target: the scale is not observable, lengths are relative\n");
 
-  const std::string out = options.out.empty() ? "out/" + loaded.name : options.out;
+  const std::string out = options.out.value_or("out/" + loaded.name);
   RunInfo info;
   info.effective_toml = effective_toml(loaded);
   info.seed = loaded.scenario.run.seed;
@@ -124,9 +137,7 @@ int run(const Options& options) {
   // A recording's truth is in its own world, which a target need not share
   const bool own_frame = loaded.scenario.run.world == "recording";
   info.ate_alignment = !assembly.scale_is_known ? "sim3" : own_frame ? "se3" : "none";
-  std::signal(SIGINT, interrupt);
-  std::signal(SIGTERM, interrupt);
-  std::signal(SIGXFSZ, SIG_IGN);  // a full disk is an error that is reported, not a death
+  heed_signals();
   Recorder recorder(out, info);
   std::optional<FramePictures> pictures;
   if (options.save_frames) pictures.emplace(recorder.path(), loaded.scenario.slam.search.patch_size_px);
@@ -136,8 +147,7 @@ int run(const Options& options) {
     return options.no_figures ? std::vector<std::string>{} : draw_run_figures(directory);
   };
   const RunOutcome outcome = recorder.finish(ending.status, ending.reason, finishing);
-  fmt::print(stderr, "{}{}{}: see {}\n", name(outcome.status), outcome.reason.empty() ? "" : ", ",
-             outcome.reason, out);
+  say("{}{}{}: see {}\n", name(outcome.status), outcome.reason.empty() ? "" : ", ", outcome.reason, out);
   return outcome.status == RunStatus::done ? 0 : 1;
 }
 
@@ -148,12 +158,12 @@ CLI::App* add_run(CLI::App& app, std::function<int()>& job) {
   auto options = std::make_shared<Options>();
   command->add_option("scenario", options->scenario, "Scenario file, or the name of a built-in one")
       ->capture_default_str();
-  command->add_option("--out", options->out, "Run directory [out/<scenario>]");
-  command->add_option("--seed", options->seed, "Seed of all randomness");
+  command->add_option("--out", options->out, "Run directory [out/<scenario>]")->type_name("DIR");
+  command->add_option("--seed", options->seed, "Seed of all randomness")->type_name("N");
   command->add_option("--set", options->sets, "Override a setting, e.g. --set map.wanted_visible=20")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
-  command->add_option("--duration", options->duration_s, "Stop after so many seconds");
+  command->add_option("--duration", options->duration_s, "Stop after so many seconds")->type_name("S");
   command->add_flag("--realtime", options->realtime, "No faster than the clock on the wall");
   command->add_flag("--save-frames", options->save_frames,
                     "Write a picture of every frame, ellipses drawn in");

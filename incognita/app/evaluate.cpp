@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -13,7 +15,9 @@
 
 #include "incognita/analysis/pose_consistency.hpp"
 #include "incognita/analysis/trajectory.hpp"
+#include "incognita/app/say.hpp"
 #include "incognita/messages/errors.hpp"
+#include "incognita/record/number.hpp"
 #include "incognita/record/tum.hpp"
 
 namespace incognita {
@@ -50,6 +54,8 @@ Options resolved(Options options) {
     return options;
   }
   options.estimate = run / "estimate.tum";
+  if (!fs::exists(options.estimate))
+    throw InputError(run.string() + ": is a folder without estimate.tum, so no run directory");
   if (options.truth.empty()) {
     if (!fs::exists(run / "truth.tum"))
       throw InputError(run.string() + ": the run knew no truth; give it with --truth FILE");
@@ -72,37 +78,53 @@ AlignmentKind alignment_of(const Options& asked) {
   return AlignmentKind::se3;
 }
 
+std::string span_of(const Trajectory& trajectory) {
+  const auto [first, last] = std::minmax_element(trajectory.begin(), trajectory.end(),
+                                                 [](const auto& a, const auto& b) { return a.t < b.t; });
+  return fmt::format("{} to {} s", first->t, last->t);
+}
+
+/// Says why there is none where one was asked for.
+std::optional<double> nees(const Options& options, AlignmentKind kind, const MatchedTrajectories& matched) {
+  if (options.covariance.empty()) return std::nullopt;
+  if (kind != AlignmentKind::none) {
+    say("evaluate: no NEES: it needs --align none, a fit would hide errors that the covariance counts\n");
+    return std::nullopt;
+  }
+  const auto mean = mean_pose_nees(matched, read_covariances(options.covariance));
+  if (!mean) say("evaluate: no NEES: {} has no usable covariance at the matched times\n", options.covariance);
+  return mean;
+}
+
+bool is_finite(const Answer& answer) {
+  const auto finite = [](const ErrorStatistics& s) { return s.count == 0 || std::isfinite(s.rmse); };
+  return std::isfinite(answer.alignment.scale) && finite(answer.ate) && finite(answer.rpe.translation_m);
+}
+
 /// Nothing when the trajectories cannot be compared; the reason goes to standard error.
 std::optional<Answer> compare(const Options& options, AlignmentKind kind) {
   const Trajectory estimate = read_trajectory(options.estimate), truth = read_trajectory(options.truth);
   MatchedTrajectories matched = match(estimate, truth, options.max_dt_s);
   Answer answer{matched.estimate.size(), estimate.size(), truth.size(), kind, {}, {}, {}, {}};
   if (answer.matched < min_matches) {
-    fmt::print(stderr,
-               "evaluate: {} of {} estimated poses have a true one within {} s, at least {} are needed. The "
-               "estimate "
-               "spans {} to {} s, the truth {} to {} s; see --max-dt\n",
-               answer.matched, estimate.size(), options.max_dt_s, min_matches, estimate.front().t,
-               estimate.back().t, truth.front().t, truth.back().t);
+    say("evaluate: {} of {} estimated poses have a true one within {} s, at least {} are needed. The "
+        "estimate spans {}, the truth {}; see --max-dt\n",
+        answer.matched, estimate.size(), options.max_dt_s, min_matches, span_of(estimate), span_of(truth));
     return std::nullopt;
   }
   const auto alignment = align(matched, kind);
   if (!alignment) {
-    fmt::print(stderr,
-               "evaluate: one of the trajectories never moves, so there is no scale; use --align se3\n");
+    say("evaluate: one of the trajectories never moves, so there is no scale; use --align se3\n");
     return std::nullopt;
   }
   answer.alignment = *alignment;
-  if (!options.covariance.empty() && kind == AlignmentKind::none)
-    answer.mean_nees = mean_pose_nees(matched, read_covariances(options.covariance));
-  else if (!options.covariance.empty())
-    fmt::print(
-        stderr,
-        "evaluate: no NEES: it needs --align none, a fit would hide errors that the covariance counts\n");
+  answer.mean_nees = nees(options, kind, matched);
   matched.estimate = aligned(matched.estimate, *alignment);
   answer.ate = absolute_trajectory_error(matched);
   answer.rpe = relative_pose_error(matched, {options.rpe_delta_s, 0});
-  return answer;
+  if (is_finite(answer)) return answer;
+  say("evaluate: the positions are too large to be compared; are they in metres?\n");
+  return std::nullopt;
 }
 
 Json json_of(const ErrorStatistics& s) {
@@ -144,6 +166,15 @@ void print_table(const Answer& answer, double delta_s) {
     fmt::print("NEES per degree of freedom {:.4g} (1 is right, more is overconfident)\n", *answer.mean_nees);
 }
 
+/// CLI11's own checks let NaN pass, which compares with nothing.
+CLI::Validator number_where(const char* allowed, bool (*is_allowed)(double)) {
+  const auto check = [=](const std::string& word) {
+    const auto value = parse_number(word);
+    return value && is_allowed(*value) ? "" : fmt::format("{}: must be {}", word, allowed);
+  };
+  return CLI::Validator(check, "");
+}
+
 int evaluate(const Options& asked) {
   const AlignmentKind kind = alignment_of(asked);
   const Options options = resolved(asked);
@@ -172,10 +203,10 @@ CLI::App* add_evaluate(CLI::App& app, std::function<int()>& job) {
           "auto (as the run says, else se3), none, se3, sim3 or yaw (about the vertical, and position)")
       ->capture_default_str();
   command->add_option("--max-dt", options->max_dt_s, "s: poses further apart in time do not match")
-      ->check(CLI::NonNegativeNumber)
+      ->check(number_where("0 or more", [](double value) { return value >= 0; }))
       ->capture_default_str();
   command->add_option("--rpe-delta-s", options->rpe_delta_s, "s: interval of the relative pose error")
-      ->check(CLI::PositiveNumber)
+      ->check(number_where("more than 0", [](double value) { return value > 0; }))
       ->capture_default_str();
   command->add_option("--covariance", options->covariance, "covariance.csv of the estimate, for NEES");
   command->add_flag("--json", options->json, "one JSON document on standard output");

@@ -1,0 +1,152 @@
+// Whole runs in the rendered room: repeated, interrupted, killed, and blinded.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <thread>
+
+#include "tests/app/program.hpp"
+#include "tests/io/scratch.hpp"
+
+namespace incognita {
+namespace {
+
+using testing::Circumstances;
+using testing::Ended;
+using testing::Program;
+using testing::Scratch;
+using testing::Words;
+
+Words room_for(const std::string& seconds, const std::string& out, const Words& more = {}) {
+  Words words = {"run", "room", "--duration", seconds, "--out", out, "--no-figures"};
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+TEST(ProgramRun, SameSeedSameBytes) {
+  const Scratch scratch;
+  for (const char* out : {"one", "two"})
+    EXPECT_EQ(testing::incognita(room_for("3", out), scratch.folder()).code, 0);
+  const auto one = scratch.folder() / "one", two = scratch.folder() / "two";
+  const std::set<std::string> files = testing::everything_in(one);
+  EXPECT_EQ(files, testing::everything_in(two));
+  for (const char* file :
+       {"effective.toml", "estimate.tum", "truth.tum", "covariance.csv", "series.csv", "looks.csv",
+        "actions.csv", "map.csv", "map.ply", "timings.csv", "series.mat", "summary.json"})
+    EXPECT_TRUE(files.contains(file)) << file;
+  for (const std::string& file : files) {
+    if (file == "timings.csv" || file == "series.mat" || file == "summary.json") continue;
+    EXPECT_TRUE(testing::content_of(one / file) == testing::content_of(two / file)) << file;
+  }
+  nlohmann::json first = testing::summary_of(one), second = testing::summary_of(two);
+  first.erase("timing_ms");
+  second.erase("timing_ms");
+  EXPECT_EQ(first, second);
+  EXPECT_EQ(first["frames"], 90);
+  testing::expect_whole_tables(one);
+}
+
+TEST(ProgramRun, AnotherSeedIsAnotherRun) {
+  const Scratch scratch;
+  for (const char* seed : {"1", "2"})
+    EXPECT_EQ(testing::incognita(room_for("0.5", seed, {"--seed", seed}), scratch.folder()).code, 0);
+  for (const char* file : {"truth.tum", "estimate.tum", "looks.csv"}) {
+    EXPECT_NE(testing::content_of(scratch.folder() / "1" / file),
+              testing::content_of(scratch.folder() / "2" / file))
+        << file;
+  }
+}
+
+TEST(ProgramRun, ItsEffectiveScenarioGivesTheSameRun) {
+  const Scratch scratch;
+  const Words changed = {"--seed", "5", "--set", "room.boxes=3", "--set", "camera.fu_px=194.3"};
+  EXPECT_EQ(testing::incognita(room_for("0.5", "one", changed), scratch.folder()).code, 0);
+  EXPECT_EQ(testing::incognita({"run", "one/effective.toml", "--out", "two"}, scratch.folder()).code, 0);
+  for (const char* file : {"truth.tum", "estimate.tum", "looks.csv", "map.csv"}) {
+    EXPECT_TRUE(testing::content_of(scratch.folder() / "one" / file) ==
+                testing::content_of(scratch.folder() / "two" / file))
+        << file;
+  }
+}
+
+/// Asked to end half-way, so many times.
+void expect_interrupted(int signal, int times) {
+  const Scratch scratch;
+  const auto run = scratch.folder() / "run";
+  Program program(room_for("3600", "run"), Circumstances{scratch.folder()});
+  ASSERT_TRUE(testing::has_lines(run / "series.csv", 20));
+  for (int i = 0; i < times; ++i) program.signal(signal);
+  const Ended ended = program.wait();
+  EXPECT_EQ(ended.code, 1);
+  EXPECT_SAYS(ended.err, "interrupted, interrupted at t = ");
+  const nlohmann::json summary = testing::summary_of(run);
+  EXPECT_EQ(summary["status"], "interrupted");
+  EXPECT_SAYS(summary["reason"].get<std::string>(), "interrupted at t = ");
+  EXPECT_EQ(testing::lines_of(run / "series.csv").size(), summary["frames"].get<std::size_t>() + 1);
+  EXPECT_EQ(testing::lines_of(run / "estimate.tum").size(), summary["tracked_frames"].get<std::size_t>() + 1);
+  for (const char* last : {"map.csv", "map.ply", "series.mat"}) EXPECT_TRUE(exists(run / last)) << last;
+  testing::expect_whole_tables(run);
+}
+
+TEST(ProgramRun, InterruptedClosesItsFiles) { expect_interrupted(SIGINT, 1); }
+TEST(ProgramRun, TerminatedTwiceStillClosesItsFiles) { expect_interrupted(SIGTERM, 2); }
+TEST(ProgramRun, LosingItsTerminalClosesItsFiles) { expect_interrupted(SIGHUP, 1); }
+
+TEST(ProgramRun, InterruptedWhileItWaitsForTheClockDoesNotWait) {
+  const Scratch scratch;
+  const Words slow = {"--realtime", "--set", "run.rate_hz=0.001"};
+  Program program(room_for("3600", "run", slow), Circumstances{scratch.folder()});
+  ASSERT_TRUE(testing::has_lines(scratch.folder() / "run/timings.csv", 1));
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  const auto asked = std::chrono::steady_clock::now();
+  program.signal(SIGINT);
+  EXPECT_EQ(program.wait().code, 1);
+  EXPECT_LT(std::chrono::steady_clock::now() - asked, std::chrono::seconds(10));
+  EXPECT_EQ(testing::summary_of(scratch.folder() / "run")["frames"], 1);
+}
+
+TEST(ProgramRun, KilledLeavesWholeRows) {
+  const Scratch scratch;
+  const auto run = scratch.folder() / "run";
+  Program program(room_for("3600", "run"), Circumstances{scratch.folder()});
+  ASSERT_TRUE(testing::has_lines(run / "series.csv", 35));  // past the first second of the run
+  program.signal(SIGKILL);
+  EXPECT_EQ(program.wait().signal, SIGKILL);
+  const nlohmann::json summary = testing::summary_of(run);
+  EXPECT_EQ(summary["status"], "interrupted");
+  EXPECT_EQ(summary["reason"], "the program ended before the run did");
+  EXPECT_GT(summary["frames"], 0);
+  testing::expect_whole_tables(run);
+}
+
+TEST(ProgramRun, ACoveredLensIsSaid) {
+  const Scratch scratch;
+  const auto run = scratch.folder() / "run";
+  const Ended ended =
+      testing::incognita(room_for("6", "run", {"--set", "room.cover_lens_from_s=2"}), scratch.folder());
+  EXPECT_EQ(ended.code, 1);
+  EXPECT_SAYS(ended.err, ": lost: 0 of ");
+  EXPECT_SAYS(ended.err, "failed, lost at the end: ");
+  const nlohmann::json summary = testing::summary_of(run);
+  EXPECT_EQ(summary["status"], "failed");
+  EXPECT_SAYS(summary["reason"].get<std::string>(), "features matched");
+  EXPECT_EQ(summary["frames"], 180);
+  EXPECT_GE(summary["lost_frames"], 180 - 60 - 10);  // declared within ten frames without matches
+  EXPECT_EQ(summary["tracked_frames"].get<int>() + summary["lost_frames"].get<int>(), 180);
+  const double last_pose_s = std::stod(testing::lines_of(run / "estimate.tum").back());
+  EXPECT_GT(last_pose_s, 1.9);
+  EXPECT_LT(last_pose_s, 2.0 + 10 / 30.0);
+  testing::expect_whole_tables(run);
+}
+
+TEST(ProgramRun, NothingIsLostByAFolderUsedBefore) {
+  const Scratch scratch;
+  scratch.write("run/notes.txt", "mine");
+  EXPECT_EQ(testing::incognita(room_for("1", "run"), scratch.folder()).code, 0);
+  EXPECT_EQ(testing::incognita(room_for("0.1", "run"), scratch.folder()).code, 0);
+  EXPECT_EQ(testing::content_of(scratch.folder() / "run/notes.txt"), "mine");
+  EXPECT_EQ(testing::lines_of(scratch.folder() / "run/series.csv").size(), 4u);
+}
+
+}  // namespace
+}  // namespace incognita

@@ -139,6 +139,19 @@ TEST(ProgramRun, ACoveredLensIsSaid) {
   testing::expect_whole_tables(run);
 }
 
+TEST(ProgramRun, NothingElseIsTakenForTheTarget) {
+  const Scratch scratch;
+  for (const char* heading : {"1.0", "1.57", "3.1"}) {
+    const Words turned_away = {"--set", std::string("room.start_heading_rad=") + heading};
+    const Ended ended = testing::incognita(room_for("0.2", "run", turned_away), scratch.folder());
+    EXPECT_EQ(ended.code, 1);
+    EXPECT_SAYS(ended.err, "failed, never started: ");
+    EXPECT_SAYS(ended.err, "target sheet");
+    EXPECT_EQ(testing::summary_of(scratch.folder() / "run")["tracked_frames"], 0);
+    EXPECT_EQ(testing::lines_of(scratch.folder() / "run/estimate.tum").size(), 1u);
+  }
+}
+
 TEST(ProgramRun, NothingIsLostByAFolderUsedBefore) {
   const Scratch scratch;
   scratch.write("run/notes.txt", "mine");

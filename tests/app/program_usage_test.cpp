@@ -68,7 +68,7 @@ TEST(ProgramUsage, FlagsAreHeldToTheirSettings) {
   // more than 64 bits hold: another seed in its place would be a lie
   expect_usage_error({"run", "room", "--seed", "99999999999999999999"},
                      "run.seed = 99999999999999999999: must");
-  for (const char* value : {"-1", "0", "nan", "inf", "1e9", "soon", ""})
+  for (const char* value : {"0", "nan", "1e9", "soon", ""})
     expect_usage_error({"run", "room", "--duration", value},
                        std::string("run.duration_s = ") + value + ": must");
 }

@@ -1,10 +1,19 @@
 find_package(nlohmann_json REQUIRED)
 find_package(fmt REQUIRED)
-# The built program, run as a child process
-incognita_test(program_test
-               SOURCES app/program.cpp app/program_usage_test.cpp app/program_scenario_test.cpp app/program_run_test.cpp
-                       app/program_recording_test.cpp app/program_disk_test.cpp app/program_evaluate_test.cpp
-               USES incognita::io incognita::world opencv_core opencv_imgcodecs nlohmann_json::nlohmann_json fmt::fmt)
-target_compile_definitions(program_test PRIVATE INCOGNITA_PROGRAM="$<TARGET_FILE:incognita_program>"
-                                                INCOGNITA_VERSION="${PROJECT_VERSION}")
-add_dependencies(program_test incognita_program)
+
+# incognita_program_test(NAME SOURCES... USES...): runs the built program as a child process
+function(incognita_program_test name)
+  incognita_test(${name} ${ARGN})
+  target_sources(${name} PRIVATE app/program.cpp)
+  target_link_libraries(${name} PRIVATE incognita::messages nlohmann_json::nlohmann_json)
+  target_compile_definitions(${name} PRIVATE INCOGNITA_PROGRAM="$<TARGET_FILE:incognita_program>"
+                                             INCOGNITA_VERSION="${PROJECT_VERSION}")
+  add_dependencies(${name} incognita_program)
+endfunction()
+
+incognita_program_test(program_test
+                       SOURCES app/program_usage_test.cpp app/program_scenario_test.cpp app/program_run_test.cpp
+                               app/program_disk_test.cpp app/program_evaluate_test.cpp)
+# Apart, as it alone renders and writes images: the others start faster without the libraries for that
+incognita_program_test(program_recording_test SOURCES app/program_recording_test.cpp
+                       USES incognita::io incognita::world opencv_core opencv_imgcodecs fmt::fmt)

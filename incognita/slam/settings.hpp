@@ -30,10 +30,10 @@ struct BirthSettings {
   double min_corner_strength = 30;  ///< smaller eigenvalue of the structure tensor, grey levels^2 per pixel
   std::string centre = "edges";  ///< of a patch: `edges`, where they meet, or `peak`, of the corner measure
   double look_ahead_s = 0.5;     ///< a corner about to leave the view within this time is not taken
-  int max_new_per_frame = 1;
   double sigma_slope =
-      0.7;              ///< tangent of a patch's tilt, per axis, before it is learnt; 0: faces the camera
-  int particles = 100;  ///< `depth-line`: depths tried on the line of sight
+      0.7;  ///< tangent of a patch's tilt, per axis, before it is learnt; 0: faces the camera
+  int max_new_per_frame = 1;
+  int particles = 100;       ///< `depth-line`: depths tried on the line of sight
   double min_depth_m = 0.5;  ///< `depth-line`: from the camera, along the ray
   double max_depth_m = 5.0;
   double depth_ratio = 0.3;    ///< `depth-line`: sigma/depth below which a line becomes a point

@@ -17,3 +17,4 @@ incognita_program_test(program_test
 # Apart, as it alone renders and writes images: the others start faster without the libraries for that
 incognita_program_test(program_recording_test SOURCES app/program_recording_test.cpp
                        USES incognita::io incognita::world opencv_core opencv_imgcodecs fmt::fmt)
+incognita_test(davison_test SOURCES app/davison_test.cpp USES incognita::app opencv_imgproc opencv_core)

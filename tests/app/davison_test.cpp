@@ -1,0 +1,140 @@
+// Davison's sequence from end to end: the camera comes back to the known target after having lost it from
+// view, and must know where its corners are before it has measured any of them again.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <opencv2/imgproc.hpp>
+#include <optional>
+#include <vector>
+
+#include "incognita/app/assemble.hpp"
+#include "incognita/io/camera.hpp"
+#include "incognita/io/target_file.hpp"
+#include "incognita/messages/errors.hpp"
+
+namespace incognita {
+namespace {
+
+constexpr int gone_from = 925;  // the target is out of view from about here
+constexpr int back_from = 975;
+constexpr double allowed_px = 3;
+
+using Corners = std::array<Eigen::Vector2d, 4>;
+
+/// The dark quadrilateral on a light ground that is larger than any other, without a look at any estimate: by
+/// threshold, contour and polygon. Nothing when there is none wholly in view.
+std::optional<Corners> detect_target(const Image& image) {
+  const cv::Mat grey(image.height(), image.width(), CV_8UC1, const_cast<std::uint8_t*>(image.row(0)));
+  cv::Mat dark;
+  cv::threshold(grey, dark, 110, 255, cv::THRESH_BINARY_INV);
+  std::vector<std::vector<cv::Point>> contours;
+  cv::findContours(dark, contours, cv::RETR_LIST, cv::CHAIN_APPROX_NONE);
+  std::vector<cv::Point2f> best;
+  double best_area = 150;
+  for (const auto& contour : contours) {
+    std::vector<cv::Point> polygon;
+    cv::approxPolyDP(contour, polygon, 0.05 * cv::arcLength(contour, true), true);
+    const double area = cv::contourArea(polygon);
+    const cv::Rect box = cv::boundingRect(polygon);
+    const bool inside =
+        box.x > 3 && box.y > 3 && box.br().x < image.width() - 3 && box.br().y < image.height() - 3;
+    // A5 lying: wider than high, and filled like a rectangle
+    const bool shaped =
+        box.width > 1.1 * box.height && box.width < 2.2 * box.height && area > 0.8 * box.area();
+    cv::Mat filled = cv::Mat::zeros(grey.size(), CV_8UC1);
+    cv::fillPoly(filled, std::vector{polygon}, 255);
+    const bool black = cv::mean(grey, filled)[0] < 90;
+    if (!black || polygon.size() != 4 || !cv::isContourConvex(polygon) || !inside || !shaped ||
+        area < best_area)
+      continue;
+    best.assign(polygon.begin(), polygon.end());
+    best_area = area;
+  }
+  if (best.empty()) return std::nullopt;
+  cv::cornerSubPix(grey, best, {3, 3}, {-1, -1}, {cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 30, 0.01});
+  Corners corners;
+  for (std::size_t i = 0; i < 4; ++i) corners[i] = {best[i].x, best[i].y};
+  return corners;
+}
+
+double distance_to_nearest(const Eigen::Vector2d& at, const Corners& corners) {
+  double nearest = 1e9;
+  for (const Eigen::Vector2d& corner : corners) nearest = std::min(nearest, (at - corner).norm());
+  return nearest;
+}
+
+/// Where the corners are expected, from a camera state alone.
+double worst_px(const CameraState& x, const Target& target, const Camera& camera, const Corners& corners) {
+  double worst = 0;
+  for (const Target::Corner& corner : target.corners) {
+    const auto seen = camera.project(PointLandmark::in_camera<double>(x, corner.position));
+    worst = std::max(worst, seen ? distance_to_nearest(seen->pixel, corners) : 1e9);
+  }
+  return worst;
+}
+
+bool any_anchor_matched(const Estimate& estimate) {
+  for (const Look& look : estimate.looks)
+    if (look.kind == Landmark::Kind::anchor && look.outcome == LookOutcome::matched) return true;
+  return false;
+}
+
+struct Return {
+  /// Worst corner in every frame after back_from in which all four are detected, before any was measured
+  /// again; expected from where the other features of the frame say that the camera is.
+  std::vector<double> px;
+  int lost_frames = 0;
+};
+
+Return come_back(Assembly& assembly, const Target& target, const Camera& camera) {
+  auto& [clock, world, sensor, estimator, decision, controller] = assembly.boxes;
+  Estimate estimate;
+  Return found;
+  bool measured_again = false;
+  while (const Tick tick = clock->next()) {
+    const Observation seen = sensor->look(std::nullopt, tick);
+    estimator.update(estimate, Command{}, seen, tick);
+    found.lost_frames += estimate.status.state == TrackingState::lost;
+    if (tick.frame > gone_from && any_anchor_matched(estimate)) measured_again = true;
+    if (tick.frame <= back_from || measured_again) continue;
+    if (const auto corners = detect_target(*seen.image)) {
+      found.px.push_back(worst_px(estimate.camera_state(), target, camera, *corners));
+      std::printf("frame %d: %.2f px\n", static_cast<int>(tick.frame), found.px.back());
+    }
+  }
+  return found;
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t n = values.size();
+  return (values[(n - 1) / 2] + values[n / 2]) / 2;
+}
+
+TEST(Davison, ComesBackToTheTargetAndKnowsWhereItIs) {
+  std::vector<double> at_first;
+  for (const char* seed : {"1", "2", "3", "4", "5", "6"}) {
+    const std::vector<Flag> flags{{"run.seed", seed, "test"}};
+    const LoadedScenario loaded = load_scenario("davison", {}, flags);
+    std::optional<Assembly> assembly;
+    try {
+      assembly.emplace(assemble(loaded));
+    } catch (const InputError& error) {
+      GTEST_SKIP() << error.what();
+    }
+    std::printf("seed %s\n", seed);
+    const Return found = come_back(*assembly, load_target(loaded), make_camera(loaded.scenario.camera));
+    EXPECT_EQ(found.lost_frames, 0);
+    ASSERT_GE(found.px.size(), 2u) << "frames with all four corners: the detector is not what it was";
+    at_first.push_back(found.px.front());
+    // From the second such frame on, 17 frames later, whatever the seed
+    EXPECT_LE(*std::max_element(found.px.begin() + 1, found.px.end()), allowed_px);
+  }
+  // In the very first the camera swings by 30 px a frame: some seeds are above, half of them are not
+  EXPECT_LE(median(at_first), allowed_px);
+}
+
+}  // namespace
+}  // namespace incognita

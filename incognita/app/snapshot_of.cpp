@@ -30,8 +30,8 @@ std::vector<SnapshotLook> looks_of(const Estimate& estimate) {
 /// Every snapshot has the same stages in the same order, zero where one was not reached.
 std::vector<std::pair<const char*, double>> timing_of(
     const Estimate& estimate, const std::vector<std::pair<const char*, double>>& loop_ms) {
-  static constexpr std::array in_estimator{"sums",   "start", "predict", "search", "consensus",
-                                           "update", "lines", "births",  "map"};
+  static constexpr std::array in_estimator{"sums",      "start",  "predict", "search", "planes",
+                                           "consensus", "update", "lines",   "births", "map"};
   std::vector<std::pair<const char*, double>> timing;
   double frame = 0;
   for (const auto& [stage, ms] : loop_ms) {

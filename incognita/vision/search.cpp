@@ -2,37 +2,43 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 
 namespace incognita {
+
+namespace {
+
+/// A pixel's part in the sums: its grey in the upper half, its square in the lower.
+constexpr auto both = [] {
+  std::array<std::uint64_t, 256> table{};
+  for (std::uint64_t grey = 0; grey < 256; ++grey) table[grey] = grey << 32 | grey * grey;
+  return table;
+}();
+
+}  // namespace
 
 void SummedImage::assign(const Image& image) {
   image_ = &image;
   stride_ = image.width() + 1;
-  const std::size_t size = static_cast<std::size_t>(stride_) * (image.height() + 1);
-  sum_.resize(size);
-  squares_.resize(size);
-  std::fill_n(sum_.begin(), stride_, 0u);
-  std::fill_n(squares_.begin(), stride_, 0u);
+  sums_.resize(static_cast<std::size_t>(stride_) * (image.height() + 1));
+  std::fill_n(sums_.begin(), stride_, 0u);
   for (int v = 0; v < image.height(); ++v) {
     const std::uint8_t* row = image.row(v);
-    const std::size_t above = static_cast<std::size_t>(v) * stride_, here = above + stride_;
-    std::uint32_t sum = 0, squares = 0;
-    sum_[here] = squares_[here] = 0;
-    for (int u = 0; u < image.width(); ++u) {
-      sum += row[u];
-      squares += static_cast<std::uint32_t>(row[u]) * row[u];
-      sum_[here + u + 1] = sum_[above + u + 1] + sum;
-      squares_[here + u + 1] = squares_[above + u + 1] + squares;
-    }
+    const std::uint64_t* above = sums_.data() + static_cast<std::size_t>(v) * stride_ + 1;
+    std::uint64_t* here = sums_.data() + static_cast<std::size_t>(v + 1) * stride_;
+    std::uint64_t sum = 0;
+    *here++ = 0;
+    for (int u = 0; u < image.width(); ++u) here[u] = above[u] + (sum += both[row[u]]);
   }
 }
 
 SummedImage::Sums SummedImage::over(int u, int v, int size) const {
   const std::size_t a = static_cast<std::size_t>(v) * stride_ + u, b = a + size;
   const std::size_t c = a + static_cast<std::size_t>(size) * stride_, d = c + size;
-  return {static_cast<double>(sum_[d] - sum_[c] - sum_[b] + sum_[a]),
-          static_cast<double>(squares_[d] - squares_[c] - squares_[b] + squares_[a])};
+  const std::uint64_t sums = sums_[d] - sums_[c] - sums_[b] + sums_[a];
+  return {static_cast<double>(sums >> 32), static_cast<double>(sums & 0xffffffffu)};
 }
 
 void CorrelationSheet::start(const SummedImage& image, const PatchTemplate& patch, int u_min, int u_max,

@@ -26,8 +26,9 @@ class SummedImage {
  private:
   const Image* image_ = nullptr;
   int stride_ = 0;
-  std::vector<std::uint32_t> sum_,
-      squares_;  // modulo 2^32: differences are right as long as the patch is small
+  /// Sum of greys * 2^32 + sum of squares, modulo 2^64: of a rectangle of up to 66051 pixels the difference
+  /// has both apart again.
+  std::vector<std::uint64_t> sums_;
 };
 
 /// Correlations of one patch with one image, each place computed at most once however many ellipses cover it.

@@ -1,150 +1,113 @@
 // How wrong a matched patch is, against the truth of the rendered room, and for how long it stays wrong.
 //
-// A landmark is what was seen at one pixel of one picture. Its true place is where the true ray of that pixel
-// meets the room; the error of a match is the pixel that was measured minus the pixel where the true camera
-// sees the true place.
+// A landmark is what was seen at one pixel of one picture: its true place is where the true ray of that pixel
+// meets the room. The error of a match is the pixel that was measured minus the pixel where the true camera
+// sees the true place. Noise differs from frame to frame; what a filter must fear is the part that does not.
 //
-//   build/patch_error SEED [SECONDS] [KEY=VALUE...] > errors.csv
-#include <Eigen/Cholesky>
-#include <Eigen/Geometry>
-#include <cmath>
+//   build/patch_error "1 2 3" [KEY=VALUE...] > errors.csv       # seeds; settings as `incognita config room`
+//   lists
+//
+// Prints `lag_s,covariance_px2,pairs`: the mean product of a match's error with that of the same landmark
+// `lag_s` later, over both axes, all landmarks and seeds; at lag 0 it is the mean square error.
 #include <cstdio>
-#include <cstdlib>
 #include <map>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include "incognita/app/assemble.hpp"
 #include "incognita/io/camera.hpp"
-#include "incognita/world/room.hpp"
+#include "incognita/messages/errors.hpp"
+#include "incognita/world/room_layout.hpp"
 
 using namespace incognita;
 
 namespace {
 
-/// Where a ray from inside the room first meets a wall or a box; `surface` tells which.
-struct Hit {
-  Eigen::Vector3d at;
-  int surface;
-};
+constexpr double rate_hz = 30;
+constexpr int lags[] = {0, 1, 2, 3, 5, 10, 15, 30, 45, 60, 90, 120, 180, 240, 300};  // frames
 
-Hit first_surface(const RoomLayout& room, const Eigen::Vector3d& from, const Eigen::Vector3d& along) {
-  double nearest = 1e9;
-  int surface = -1;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double wall = along[axis] > 0 ? room.inside.max[axis] : room.inside.min[axis];
-    const double t = (wall - from[axis]) / along[axis];
-    if (t > 0 && t < nearest) nearest = t, surface = axis * 2 + (along[axis] > 0);
+using Errors = std::map<std::int64_t, Eigen::Vector2d>;  ///< px, by frame
+
+/// Where a ray that starts in the room leaves it or first enters a box.
+Eigen::Vector3d first_surface(const RoomLayout& room, const Eigen::Vector3d& from,
+                              const Eigen::Vector3d& along) {
+  const Eigen::Array3d walls = (along.array() > 0).select(room.inside.max.array(), room.inside.min.array());
+  double nearest = ((walls - from.array()) / along.array()).minCoeff();
+  for (const Box& box : room.boxes) {
+    const Eigen::Array3d a = (box.min - from).array() / along.array(),
+                         b = (box.max - from).array() / along.array();
+    const double enter = a.min(b).maxCoeff(), leave = a.max(b).minCoeff();
+    if (enter > 0 && enter < leave && enter < nearest) nearest = enter;
   }
-  for (std::size_t b = 0; b < room.boxes.size(); ++b) {
-    const Box& box = room.boxes[b];
-    double enter = 0, leave = 1e9;
-    int side = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-      double a = (box.min[axis] - from[axis]) / along[axis], c = (box.max[axis] - from[axis]) / along[axis];
-      if (a > c) std::swap(a, c);
-      if (a > enter) enter = a, side = axis;
-      leave = std::min(leave, c);
-    }
-    if (enter < leave && enter > 0 && enter < nearest) nearest = enter, surface = 100 + int(b) * 6 + side;
-  }
-  return {from + nearest * along, surface};
+  return from + nearest * along;
 }
 
-struct Born {
-  Hit hit;
-  Hit near[4];  // of pixels around: a patch that spans several surfaces
-  int frame;
-};
-
-}  // namespace
-
-int main(int argc, char** argv) {
-  std::vector<std::string> sets;
-  for (int i = 3; i < argc; ++i) sets.push_back(argv[i]);
+/// Runs the loop as the program does, and keeps the error of every match that was used.
+std::map<std::int64_t, Errors> errors_of_a_run(const std::string& seed,
+                                               const std::vector<std::string>& sets) {
   const LoadedScenario loaded =
-      load_scenario("room", sets,
-                    std::vector<Flag>{{"run.seed", argv[1], "argument"},
-                                      {"run.duration_s", argc > 2 ? argv[2] : "60", "argument"}});
+      load_scenario("room", sets, std::vector<Flag>{{"run.seed", seed, "argument"}});
   Assembly assembly = assemble(loaded);
   const Camera camera = make_camera(loaded.scenario.camera);
-  const RoomLayout room = room_layout(loaded.scenario.room, std::strtoull(argv[1], nullptr, 10));
+  const RoomLayout room = room_layout(loaded.scenario.room, std::stoull(seed));
   auto& [clock, world, sensor, estimator, decision, controller] = assembly.boxes;
   Estimate estimate;
   Command command;
-  std::map<std::int64_t, Born> born;
-  std::printf(
-      "frame,id,kind,du,dv,su,sv,ru,rv,age,view_angle,scale,surfaces,corr,outcome,cos,ex,ey,ez,sx,sy,sz,nees,"
-      "ts1,ts2,s1,s2,sd1,sd2,pu,pv\n");
+  std::map<std::int64_t, Eigen::Vector3d> places;
+  std::map<std::int64_t, Errors> errors;
   while (const Tick tick = clock->next()) {
     const auto truth = world->move(command, tick);
     const Observation seen = sensor->look(truth, tick);
     estimator.update(estimate, command, seen, tick);
-    const Eigen::Vector3d position = truth->camera.head<3>();
-    const Eigen::Matrix3d R = rotation_matrix<double>(truth->camera.segment<4>(3));
-    Eigen::Vector3d e = Eigen::Vector3d::Zero(), s = Eigen::Vector3d::Zero();
-    double nees = 0;
-    if (estimate.started) {
-      const auto P = estimate.belief.covariance(estimate.camera);
-      const CameraState x = estimate.camera_state();
-      e = x.head<3>() - position;
-      s = P.diagonal().head<3>().cwiseSqrt();
-      const Eigen::Vector3d d = e;
-      nees = d.dot(P.topLeftCorner<3, 3>().llt().solve(d)) / 3;
-    }
-    for (Landmark& l : estimate.catalogue) {
-      if (born.count(l.id)) continue;
-      Born b;
-      b.frame = int(tick.frame);
-      const Eigen::Vector2d pixel = l.view.pixel;
-      b.hit = first_surface(room, position, R * *camera.unproject(pixel));
-      for (int k = 0; k < 4; ++k) {
-        const Eigen::Vector2d at = pixel + 5 * Eigen::Vector2d(k & 1 ? 1 : -1, k & 2 ? 1 : -1);
-        b.near[k] = first_surface(room, position, R * *camera.unproject(at));
-      }
-      if (l.kind == Landmark::Kind::anchor) b.hit.at = l.anchor;
-      if (std::getenv("ORACLE") && l.kind != Landmark::Kind::anchor) {
-        const int axis = b.hit.surface >= 100 ? (b.hit.surface - 100) % 6 : b.hit.surface / 2;
-        Eigen::Vector3d n = Eigen::Vector3d::Unit(axis);
-        if (n.dot(l.view.plane.facing) < 0) n = -n;
-        l.view.plane.facing = n;
-        l.view.plane.slope_cov.setZero();
-      }
-      born[l.id] = b;
-    }
+    const Eigen::Vector3d position = free_camera::position(truth->camera);
+    const Eigen::Matrix3d R = rotation_matrix<double>(free_camera::orientation(truth->camera));
     for (const Look& look : estimate.looks) {
-      if (!look.measured) continue;
-      const Landmark* l = nullptr;
-      for (const Landmark& k : estimate.catalogue)
-        if (k.id == look.id) l = &k;
-      if (!l) continue;
-      const Born& b = born.at(look.id);
-      if (b.frame == tick.frame) continue;
-      const Eigen::Vector3d in_camera = R.transpose() * (b.hit.at - position);
-      const auto at = camera.project(in_camera);
-      if (!at) continue;
-      const Eigen::Vector2d d = *look.measured - at->pixel;
-      const Eigen::Vector2d r = *look.measured - look.predicted;
-      const Eigen::Vector3d now = b.hit.at - position, then = b.hit.at - l->view.camera_position;
-      int others = 0;
-      for (const Hit& h : b.near) others += h.surface != b.hit.surface;
-      const int axis = b.hit.surface >= 100 ? (b.hit.surface - 100) % 6 : b.hit.surface / 2;
-      Eigen::Vector3d tn = Eigen::Vector3d::Unit(axis);
-      const Eigen::Vector3d fc = l->view.plane.facing, ac = fc.unitOrthogonal();
-      tn /= tn.dot(fc);
-      const double ts[2] = {tn.dot(ac), tn.dot(fc.cross(ac))};
-      std::printf(
-          "%d,%ld,%d,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%d,%.4f,%.4f,%d,%.4f,%d,%.3f,%.4f,%.4f,%.4f,%.4f,%.4f,%."
-          "4f,%.3f,%.3f,%.3f,%.3f,%.3f,%.3f,%.3f,%.3f,%.3f\n",
-          int(tick.frame), long(look.id), int(look.kind), d.x(), d.y(), std::sqrt(look.innovation_cov(0, 0)),
-          std::sqrt(look.innovation_cov(1, 1)), r.x(), r.y(), int(tick.frame) - b.frame,
-          std::acos(std::min(1.0, now.normalized().dot(then.normalized()))), then.norm() / now.norm(), others,
-          look.correlation, int(look.outcome), std::abs(then.normalized()[axis]), e.x(), e.y(), e.z(), s.x(),
-          s.y(), s.z(), nees, ts[0], ts[1], l->view.plane.slope[0], l->view.plane.slope[1],
-          std::sqrt(l->view.plane.slope_cov(0, 0)), std::sqrt(l->view.plane.slope_cov(1, 1)),
-          std::sqrt(look.plane_cov(0, 0)), std::sqrt(look.plane_cov(1, 1)));
+      const auto place = places.find(look.id);
+      if (look.outcome != LookOutcome::matched || place == places.end()) continue;
+      const auto at = camera.project(R.transpose() * (place->second - position));
+      if (at) errors[look.id][tick.frame] = *look.measured - at->pixel;
     }
-    const Goal goal = decision.choose(estimate, tick);
-    command = controller.act(estimate, goal, tick);
+    for (const Landmark& born : estimate.catalogue) {
+      if (places.count(born.id)) continue;
+      const auto ray = camera.unproject(born.view.pixel);
+      const bool known = born.kind == Landmark::Kind::anchor;
+      if (ray) places[born.id] = known ? born.anchor : first_surface(room, position, R * *ray);
+    }
+    command = controller.act(estimate, decision.choose(estimate, tick), tick);
   }
+  return errors;
+}
+
+struct Sum {
+  double products = 0;
+  std::int64_t pairs = 0;
+};
+
+void add_products(const Errors& errors, std::map<int, Sum>& by_lag) {
+  for (const auto& [frame, error] : errors)
+    for (const int lag : lags) {
+      const auto later = errors.find(frame + lag);
+      if (later == errors.end()) continue;
+      by_lag[lag].products += error.dot(later->second) / 2;
+      ++by_lag[lag].pairs;
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+  std::istringstream seeds(argc > 1 ? argv[1] : "1");
+  const std::vector<std::string> sets(argv + std::min(argc, 2), argv + argc);
+  std::map<int, Sum> by_lag;
+  for (std::string seed; seeds >> seed;)
+    for (const auto& [id, errors] : errors_of_a_run(seed, sets)) add_products(errors, by_lag);
+  std::printf("lag_s,covariance_px2,pairs\n");
+  for (const auto& [lag, sum] : by_lag)
+    std::printf("%.4f,%.6f,%lld\n", lag / rate_hz, sum.products / static_cast<double>(sum.pairs),
+                static_cast<long long>(sum.pairs));
+  return 0;
+} catch (const InputError& error) {
+  std::fprintf(stderr, "%s\n", error.what());
+  return 2;
 }

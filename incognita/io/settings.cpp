@@ -189,7 +189,7 @@ void map(List& list, MapSettings& s) {
 void lost(List& list, LostSettings& s) {
   list.insert(list.end(), {
                               {"lost.min_matches", &s.min_matches, "",
-                               "a frame with fewer counts towards being lost", between(0, 10000)},
+                               "a frame with fewer counts towards being lost", between(3, 10000)},
                               {"lost.max_frames", &s.max_frames, "", "so many such frames in a row: lost",
                                between(1, 100000)},
                               {"lost.max_sigma_position_m", &s.max_sigma_position_m, "m",

@@ -154,6 +154,7 @@ void CameraEstimator::track(Estimate& estimate, const Image& image, const Tick& 
     estimate.matched = reject_inconsistent(estimate, settings_, estimate.looks);
     clock.mark("consensus");
     correct(estimate);
+    if (estimate.update.outcome == UpdateReport::Outcome::singular) estimate.matched = 0;  // none was used
     learn_planes(estimate, estimate.looks);
     clock.mark("update");
   }
@@ -204,6 +205,8 @@ void CameraEstimator::wait_in_place(Estimate& estimate, const Image& image) {
     return;
   }
   correct(estimate);
+  if (!(sigma_position(estimate) <= settings_.lost.max_sigma_position_m))
+    return;  // matched, and still unsure
   estimate.status = {TrackingState::relocated, std::to_string(estimate.matched) + " features matched again",
                      0};
 }

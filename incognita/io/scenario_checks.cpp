@@ -56,6 +56,16 @@ void check_sizes(const Scenario& s, List& found) {
   }
 }
 
+/// Only whole pixels are tried in an ellipse, and the smallest is one of the pixel noise alone.
+void check_search(const Scenario& s, List& found) {
+  constexpr double least_px = 0.75;  // half a pixel's diagonal, and a little
+  if (s.slam.search.gate_sigmas * s.slam.filter.sigma_pixel_px >= least_px) return;
+  found.push_back(
+      {"filter.sigma_pixel_px",
+       fmt::format("must be at least {:.3g} with search.gate_sigmas = {:g}: smaller ellipses hold no pixel",
+                   least_px / s.slam.search.gate_sigmas, s.slam.search.gate_sigmas)});
+}
+
 void check_bounds(const Scenario& s, List& found) {
   for (int axis = 0; axis < 3; ++axis) {
     if (s.decision.max_bound_m[axis] > s.decision.min_bound_m[axis]) continue;
@@ -110,6 +120,7 @@ std::vector<Contradiction> find_contradictions(const Scenario& scenario) {
   check_model(scenario.camera, found);
   check_camera(scenario, found);
   check_sizes(scenario, found);
+  check_search(scenario, found);
   check_bounds(scenario, found);
   check_room(scenario, found);
   return found;

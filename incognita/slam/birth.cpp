@@ -23,8 +23,9 @@ bool stays_in_view(const Eigen::Vector2d& pixel, const Camera& camera, const Cam
   const CameraState later =
       FreeCameraMotion{}.f<double>(now, Eigen::Matrix<double, 6, 1>::Zero(), birth.look_ahead_s);
   for (const double depth : {birth.min_depth_m, birth.max_depth_m}) {
-    const Eigen::Vector3d point = Eigen::Vector3d(free_camera::position(now)) +
-                                  rotation_matrix<double>(free_camera::orientation(now)) * *ray * depth;
+    const Eigen::Vector3d point =
+        Eigen::Vector3d(free_camera::position(now)) +
+        rotation_matrix<double>(free_camera::orientation(now)) * ray->normalized() * depth;
     const auto seen = camera.project(PointLandmark::in_camera<double>(later, point));
     if (!seen || !camera.contains(seen->pixel, max_patch_size)) return false;
   }

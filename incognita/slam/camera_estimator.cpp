@@ -155,7 +155,7 @@ void CameraEstimator::track(Estimate& estimate, const Image& image, const Tick& 
     clock.mark("consensus");
     correct(estimate);
     if (estimate.update.outcome == UpdateReport::Outcome::singular) estimate.matched = 0;  // none was used
-    learn_planes(estimate, estimate.looks);
+    if (estimate.update.outcome == UpdateReport::Outcome::updated) learn_planes(estimate, estimate.looks);
     clock.mark("update");
   }
   estimate.status =
@@ -199,14 +199,18 @@ void CameraEstimator::wait_in_place(Estimate& estimate, const Image& image) {
   predict_looks(estimate, camera_, settings_, estimate.looks);
   estimate.visible = static_cast<int>(estimate.looks.size());
   estimate.predicted = measure(summed_, estimate.catalogue, settings_.search, estimate.looks);
+  weigh_planes(estimate, camera_, image, settings_.search.patch_size_px, estimate.looks);
   estimate.matched = reject_inconsistent(estimate, settings_, estimate.looks);
-  if (estimate.matched < matches_to_recover) {
+  const bool enough = estimate.matched >= std::min(matches_to_recover, settings_.search.max_measurements);
+  if (enough) correct(estimate);
+  if (!enough || !(sigma_position(estimate) <= settings_.lost.max_sigma_position_m)) {
+    if (enough) get_lost(estimate);  // matched, and still unsure: looked for around there
+    for (Look& look : estimate.looks)
+      if (look.outcome == LookOutcome::matched) look.outcome = LookOutcome::inconsistent;
     estimate.matched = 0;
+    estimate.update = {};
     return;
   }
-  correct(estimate);
-  if (!(sigma_position(estimate) <= settings_.lost.max_sigma_position_m))
-    return;  // matched, and still unsure
   estimate.status = {TrackingState::relocated, std::to_string(estimate.matched) + " features matched again",
                      0};
 }
@@ -217,7 +221,7 @@ void CameraEstimator::add_landmarks(Estimate& estimate, const Image& image) {
   for (const Landmark& landmark : estimate.catalogue) lines += landmark.kind == Landmark::Kind::line;
   for (int i = 0; i < settings_.birth.max_new_per_frame; ++i) {
     if (visible + lines + i >= settings_.map.wanted_visible) return;
-    if (estimate.mapped_count() >= settings_.map.max_landmarks) return;
+    if (estimate.mapped_count() + lines >= settings_.map.max_landmarks) return;
     const auto corner = find_new_corner(image, estimate, camera_, settings_, random_);
     if (!corner) return;
     if (!give_birth(image, *corner, estimate, camera_, settings_)) return;

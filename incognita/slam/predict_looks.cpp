@@ -35,6 +35,7 @@ std::optional<Eigen::Matrix2d> local_warp(const PatchView& view, const Eigen::Ve
   const Eigen::Matrix3d birth_from_world = rotation_matrix<double>(view.world_from_camera).transpose();
   const Eigen::Vector3d position = free_camera::position(from);
   const double height = normal.dot(point - position);
+  if (height >= 0) return std::nullopt;  // from behind
   constexpr double step_px = 3;  // half a patch: the map is an average over the patch rather than a tangent
   Eigen::Matrix2d warp;
   for (int axis = 0; axis < 2; ++axis) {

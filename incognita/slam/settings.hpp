@@ -33,8 +33,9 @@ struct BirthSettings {
   double sigma_slope =
       0.7;  ///< tangent of a patch's tilt, per axis, before it is learnt; 0: faces the camera
   int max_new_per_frame = 1;
-  int particles = 100;       ///< `depth-line`: depths tried on the line of sight
-  double min_depth_m = 0.5;  ///< `depth-line`: from the camera, along the ray
+  int particles = 100;  ///< `depth-line`: depths tried on the line of sight
+  double min_depth_m =
+      0.5;  ///< a new feature is this far at the least, along its ray: of lines, and to look ahead
   double max_depth_m = 5.0;
   double depth_ratio = 0.3;    ///< `depth-line`: sigma/depth below which a line becomes a point
   int max_line_failures = 10;  ///< `depth-line`: attempts after which a line without a point is given up

@@ -5,6 +5,7 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "incognita/vision/corners.hpp"
 
@@ -18,7 +19,7 @@ constexpr double max_affine_misfit = 0.25;  // of the target's size in the image
 constexpr double max_sigma_m = 0.3;  // a pose less sure than this, from corners nearly in one place, is none
 constexpr double max_rms_px = 1.5;   // of a right combination
 constexpr int rounded_px = 5;        // of a corner: by the blur of camera and print
-constexpr double max_refinement_px = 1;  // from the peak of correlation to where the edges meet
+constexpr double max_refinement_px = 2;  // from the peak of correlation to where the edges meet
 // Likeness less 0.2 per pixel of misfit. A target gives 0.9 and more, even seen from 60 degrees aside; what
 // only happens to stand as its corners do hardly ever gives 0.85, and every textured room has such places.
 constexpr double min_score = 0.87;
@@ -126,7 +127,7 @@ double likeness(const std::vector<const Place*>& corners) {
 void try_combinations(const Target& target, const Camera& camera,
                       const std::vector<std::vector<Place>>& places, double sigma_pixel_px,
                       std::optional<TargetPose>& best) {
-  const QuickLook quick(target, target.corners.front().patch.width());
+  const QuickLook quick(target, std::min(max_patch_size, target.corners.front().patch.width()));
   std::vector<Eigen::Vector3d> points;
   for (const auto& corner : target.corners) points.push_back(corner.position);
   std::vector<std::size_t> index(places.size(), 0);
@@ -158,6 +159,38 @@ void try_combinations(const Target& target, const Camera& camera,
   }
 }
 
+/// Four corners as far apart as can be: combinations of more would take time exponential in their number, and
+/// four are enough for a pose.
+Target four_of(const Target& target) {
+  Target four = target;
+  four.corners = {target.corners.front()};
+  while (four.corners.size() < 4) {
+    const auto distance = [&](const Target::Corner& corner) {
+      double nearest = std::numeric_limits<double>::infinity();
+      for (const auto& taken : four.corners)
+        nearest = std::min(nearest, (corner.position - taken.position).norm());
+      return nearest;
+    };
+    four.corners.push_back(
+        *std::max_element(target.corners.begin(), target.corners.end(),
+                          [&](const auto& a, const auto& b) { return distance(a) < distance(b); }));
+  }
+  return four;
+}
+
+/// Where all corners are seen from a pose; nothing when one of them is not.
+std::optional<std::vector<Eigen::Vector2d>> seen_from(const TargetPose& pose, const Target& target,
+                                                      const Camera& camera) {
+  const Eigen::Matrix3d camera_from_world = rotation_matrix(pose.world_from_camera).transpose();
+  std::vector<Eigen::Vector2d> pixels;
+  for (const auto& corner : target.corners) {
+    const auto seen = camera.project(camera_from_world * (corner.position - pose.position));
+    if (!seen || !camera.contains(seen->pixel)) return std::nullopt;
+    pixels.push_back(seen->pixel);
+  }
+  return pixels;
+}
+
 /// A patch from a file is never quite alike, so its correlation peaks a little beside the corner, the same
 /// way in every run: the edges in the image itself say where the corner is.
 std::vector<Eigen::Vector2d> to_edges(const Image& image, const std::vector<Eigen::Vector2d>& pixels,
@@ -170,14 +203,21 @@ std::vector<Eigen::Vector2d> to_edges(const Image& image, const std::vector<Eige
   return refined;
 }
 
-/// Solved again from the refined corners, if that fits at all.
-void refine(const Target& target, const Camera& camera, const Image& image, double sigma_pixel_px,
-            TargetPose& pose) {
+/// Solved again from all corners, refined; nothing when that does not fit. Of the two poses that a flat
+/// target allows, the one nearer to what was found.
+std::optional<TargetPose> refined(const Target& target, const Camera& camera, const Image& image,
+                                  double sigma_pixel_px, const TargetPose& found) {
   std::vector<Eigen::Vector3d> points;
   for (const auto& corner : target.corners) points.push_back(corner.position);
+  const auto expected = seen_from(found, target, camera);
+  if (!expected) return std::nullopt;
   const int window = std::min(max_patch_size, target.corners.front().patch.width());
-  const auto poses = solve_pose(points, to_edges(image, pose.pixels, window), camera, sigma_pixel_px);
-  if (!poses.empty() && poses[0].rms_px < max_rms_px) pose = poses[0];
+  const auto poses = solve_pose(points, to_edges(image, *expected, window), camera, sigma_pixel_px);
+  const auto nearest = std::min_element(poses.begin(), poses.end(), [&](const auto& a, const auto& b) {
+    return (a.position - found.position).norm() < (b.position - found.position).norm();
+  });
+  if (nearest == poses.end() || nearest->rms_px > max_rms_px) return std::nullopt;
+  return *nearest;
 }
 
 }  // namespace
@@ -186,8 +226,9 @@ TargetSearch find_target(const Target& target, const Camera& camera, const Summe
                          double sigma_pixel_px) {
   std::vector<std::vector<Place>> places;
   CorrelationSheet sheet;
-  for (std::size_t c = 0; c < target.corners.size(); ++c) {
-    const auto patch = as_template(target.corners[c].patch);
+  const Target four = four_of(target);
+  for (std::size_t c = 0; c < four.corners.size(); ++c) {
+    const auto patch = as_template(four.corners[c].patch);
     if (!patch)
       return {std::nullopt, "corner " + std::to_string(c) + " of target " + target.name + " has no contrast"};
     places.push_back(best_places(image, *patch, sheet));
@@ -196,11 +237,10 @@ TargetSearch find_target(const Target& target, const Camera& camera, const Summe
                                 " is nowhere in the image (correlation below 0.7)"};
   }
   TargetSearch result;
-  try_combinations(target, camera, places, sigma_pixel_px, result.pose);
+  try_combinations(four, camera, places, sigma_pixel_px, result.pose);
+  if (result.pose) result.pose = refined(target, camera, image.image(), sigma_pixel_px, *result.pose);
   if (!result.pose)
     result.reason = "places like the corners of target " + target.name + " fit no camera pose";
-  else
-    refine(target, camera, image.image(), sigma_pixel_px, *result.pose);
   return result;
 }
 

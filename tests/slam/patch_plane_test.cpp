@@ -127,5 +127,43 @@ INSTANTIATE_TEST_SUITE_P(tilts, PatchPlanes,
                          ::testing::Values(std::pair{0.0, 0.0}, std::pair{0.5, 0.0}, std::pair{0.0, -0.5},
                                            std::pair{-0.6, 0.4}, std::pair{0.9, 0.2}));
 
+/// A blurred dark quarter plane, seen through `map` from view to texture, its corner in the middle.
+Image quarter_plane(const Eigen::Matrix2d& map) {
+  Image image(61, 61);
+  const auto smooth = [](double x) { return 1 / (1 + std::exp(-2.5 * x)); };
+  for (int v = 0; v < 61; ++v)
+    for (int u = 0; u < 61; ++u) {
+      const Eigen::Vector2d at = map * Eigen::Vector2d(u - 30, v - 30);
+      image(u, v) =
+          static_cast<std::uint8_t>(std::lround(220 - 180 * smooth(at.x() + 2) * smooth(at.y() - 1)));
+    }
+  return image;
+}
+
+// A corner beside the centre: its gradients all point the same way, so much of them is a common grey and
+// contrast, which correlation does not see.
+TEST(PlaneEvidence, PredictsTheShiftOfACorner) {
+  const PatchTexture texture{quarter_plane(Eigen::Matrix2d::Identity()), {30, 30}};
+  const auto map = [](double a, double b) {
+    return Eigen::Matrix2d((Eigen::Matrix2d() << 1 + a, 0.5 * b, 0.3 * a, 1 + b).finished());
+  };
+  const auto warped = [&](double a, double b) { return *warp(texture, map(a, b), patch_size_px); };
+  for (const Eigen::Vector2d& wrong :
+       {Eigen::Vector2d(0.2, 0), Eigen::Vector2d(0, 0.2), Eigen::Vector2d(-0.15, 0.1)}) {
+    const Image image = quarter_plane(map(wrong.x(), wrong.y()));
+    const Eigen::Vector2d middle(30, 30);
+    const auto evidence =
+        plane_evidence(image, middle, warped(0, 0), {warped(0.02, 0), warped(0, 0.02)}, 0.02);
+    ASSERT_TRUE(evidence);
+    SummedImage summed;
+    summed.assign(image);
+    CorrelationSheet sheet;
+    const auto found = search(sheet, summed, warped(0, 0), {middle, 4 * Eigen::Matrix2d::Identity(), 3}, 10);
+    const Eigen::Vector2d shift = found->pixel - middle, predicted = evidence->shift_per_slope * wrong;
+    EXPECT_LT((shift - predicted).norm(), 0.25 * shift.norm() + 0.05)
+        << shift.transpose() << " but predicted " << predicted.transpose();
+  }
+}
+
 }  // namespace
 }  // namespace incognita

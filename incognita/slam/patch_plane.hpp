@@ -33,7 +33,8 @@ struct PlaneEvidence {
 };
 
 /// `expected` is the patch as warped now, `tilted` as warped with either slope larger by `slope_step`; the
-/// image around `found` is compared with them. Nothing when the patch does not fix a place by itself.
+/// image around `found` (px) is compared with them. All of the patch but its rim is used. Nothing when the
+/// patch does not fix a place by itself.
 std::optional<PlaneEvidence> plane_evidence(const Image& image, const Eigen::Vector2d& found,
                                             const PatchTemplate& expected,
                                             const std::array<PatchTemplate, 2>& tilted, double slope_step);

@@ -21,8 +21,8 @@ AffineLook affine_look(const Look& look, const Landmark& landmark, BlockId camer
 void predict_looks(const Estimate& estimate, const Camera& camera, const CameraSlamSettings& settings,
                    std::vector<Look>& looks);
 
-/// How a small piece of a plane through `point` maps from pixels of a view to pixels of the patch's own view,
-/// 2x2. Nothing when the plane is seen from behind or edge on.
+/// How a small piece of the plane through `point` with this unit normal (both world) maps from pixels of a
+/// view to pixels of the patch's own view, 2x2. Nothing when the plane is seen from behind or edge on.
 std::optional<Eigen::Matrix2d> local_warp(const PatchView& view, const Eigen::Vector3d& normal,
                                           const Eigen::Vector3d& point, const Eigen::Vector2d& pixel,
                                           const Camera& camera, const CameraState& from);

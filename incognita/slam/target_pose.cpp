@@ -19,7 +19,7 @@ constexpr double max_affine_misfit = 0.25;  // of the target's size in the image
 constexpr double max_sigma_m = 0.3;  // a pose less sure than this, from corners nearly in one place, is none
 constexpr double max_rms_px = 1.5;   // of a right combination
 constexpr int rounded_px = 5;        // of a corner: by the blur of camera and print
-constexpr double max_refinement_px = 2;  // from the peak of correlation to where the edges meet
+constexpr double max_refinement_px = 2;  // from where the pose puts a corner to where its edges meet
 // Likeness less 0.2 per pixel of misfit. A target gives 0.9 and more, even seen from 60 degrees aside; what
 // only happens to stand as its corners do hardly ever gives 0.85, and every textured room has such places.
 constexpr double min_score = 0.87;

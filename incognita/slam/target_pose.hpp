@@ -15,7 +15,7 @@ struct TargetPose {
   Eigen::Vector3d position;  ///< of the camera, world, m
   Eigen::Vector4d world_from_camera;
   Eigen::Matrix<double, 6, 6> covariance;  ///< of position and right rotation error, from the pixels' noise
-  std::vector<Eigen::Vector2d> pixels;     ///< where each corner was found
+  std::vector<Eigen::Vector2d> pixels;     ///< where each corner was found, px
   double rms_px = 0;                       ///< of the reprojection
   double second_rms_px =
       0;  ///< of the other pose that a flat target allows; near rms_px the two cannot be told apart
@@ -26,8 +26,9 @@ struct TargetSearch {
   std::string reason;  ///< why there is none
 };
 
-/// Looks for every corner patch in the whole image by correlation, tries the combinations of the best places,
-/// and keeps the pose under which the corners project best where they were found.
+/// Looks for four corner patches, those farthest apart, in the whole image by correlation, and tries the
+/// combinations of the best places. The pose is then solved again from all corners, each taken from the edges
+/// around where the first pose puts it.
 TargetSearch find_target(const Target& target, const Camera& camera, const SummedImage& image,
                          double sigma_pixel_px);
 

@@ -7,6 +7,7 @@ function(incognita_room name)
     target_include_directories(incognita_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
                                                         $<INSTALL_INTERFACE:include>)
     target_link_libraries(incognita_${name} PUBLIC ${ROOM_USES} PRIVATE ${ROOM_PRIVATE_USES})
+    incognita_reuse_precompiled(incognita_${name} incognita_common)
   else()
     add_library(incognita_${name} INTERFACE)
     target_include_directories(incognita_${name} INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>

@@ -2,3 +2,4 @@
 find_package(CLI11 REQUIRED)
 incognita_room(evaluate SOURCES app/evaluate.cpp USES incognita::record incognita::analysis
                PRIVATE_USES fmt::fmt nlohmann_json::nlohmann_json CLI11::CLI11)
+incognita_cold(incognita_evaluate)

@@ -5,5 +5,7 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
   target_sources(incognita_belief PRIVATE belief/rank_update_avx2.cpp belief/rank_update_avx512.cpp)
   set_source_files_properties(belief/rank_update_avx2.cpp PROPERTIES COMPILE_OPTIONS "-mavx2;-mfma;-ffp-contract=fast")
   set_source_files_properties(belief/rank_update_avx512.cpp PROPERTIES COMPILE_OPTIONS "-mavx512f;-ffp-contract=fast")
+  set_source_files_properties(belief/rank_update_avx2.cpp belief/rank_update_avx512.cpp
+                              PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
   set_source_files_properties(belief/rank_update.cpp PROPERTIES COMPILE_DEFINITIONS INCOGNITA_X86_PATHS)
 endif()

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/SVD>
+#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <optional>
 
@@ -113,11 +113,14 @@ void check_geometry(const Target& target, const std::string& file, int line) {
     }
   }
   points.rowwise() -= points.colwise().mean().eval();
-  const Eigen::JacobiSVD<Eigen::MatrixX3d> svd(points, Eigen::ComputeThinV);
-  const Eigen::Vector3d spread = svd.singularValues();
-  if (spread[1] < 1e-3 * spread[0]) refuse(file, line, "position_m", "the corners are on one line");
-  if (spread[2] > 1e-3 * spread[0]) refuse(file, line, "position_m", "the corners are not in one plane");
-  if (std::abs(svd.matrixV().col(2).dot(target.normal)) < std::cos(0.02)) {
+  // Eigenvalues grow: the spread across the plane of the corners, within it, and along their longest extent
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> spread(points.transpose() * points);
+  const double longest = spread.eigenvalues()[2];
+  if (spread.eigenvalues()[1] < 1e-6 * longest)
+    refuse(file, line, "position_m", "the corners are on one line");
+  if (spread.eigenvalues()[0] > 1e-6 * longest)
+    refuse(file, line, "position_m", "the corners are not in one plane");
+  if (std::abs(spread.eigenvectors().col(0).dot(target.normal)) < std::cos(0.02)) {
     refuse(file, line, "normal", "is not perpendicular to the plane of the corners");
   }
 }

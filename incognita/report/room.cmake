@@ -4,3 +4,4 @@ incognita_room(report
   USES incognita::record incognita::analysis PRIVATE_USES fmt::fmt)
 
 include(app/evaluate.cmake OPTIONAL)
+incognita_cold(incognita_report)

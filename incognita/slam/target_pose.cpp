@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -66,7 +65,7 @@ std::vector<Place> best_places(const SummedImage& image, const PatchTemplate& pa
 }
 
 std::optional<PatchTemplate> as_template(const Image& patch) {
-  const double middle = patch.width() / 2;
+  const double middle = std::floor(patch.width() / 2.0);
   return warp({patch, {middle, middle}}, Eigen::Matrix2d::Identity(),
               std::min(max_patch_size, patch.width()));
 }
@@ -83,10 +82,12 @@ class QuickLook {
     const Eigen::Vector3d right = any.cross(target.normal).normalized(), down = right.cross(-target.normal);
     plan_.resize(static_cast<Eigen::Index>(target.corners.size()), 3);
     for (Eigen::Index i = 0; i < plan_.rows(); ++i) {
-      const Eigen::Vector3d& at = target.corners[static_cast<std::size_t>(i)].position;
+      const Eigen::Vector3d at =
+          target.corners[static_cast<std::size_t>(i)].position - target.corners[0].position;
       plan_.row(i) << at.dot(right), -at.dot(down), 1;
     }
-    solve_ = plan_.completeOrthogonalDecomposition().pseudoInverse();
+    // Least squares; corners are never on one line (read_target)
+    solve_ = (plan_.transpose() * plan_).inverse() * plan_.transpose();
   }
 
   bool plausible(const std::vector<Eigen::Vector2d>& pixels) const {

@@ -85,7 +85,11 @@ std::optional<Eigen::Vector2d> find_new_corner(const Image& image, const Estimat
     if (!corner || corner->strength < birth.min_corner_strength) continue;
     std::optional<Eigen::Vector2d> centre(std::in_place, corner->u, corner->v);
     if (birth.centre == "edges") centre = centre_of_corner(image, *centre, settings.search.patch_size_px);
-    if (centre && stays_in_view(*centre, camera, now, birth)) return centre;
+    if (!centre || !stays_in_view(*centre, camera, now, birth)) continue;
+    // The centre may lie outside the box, and there on a corner that is mapped already
+    const PixelBox there{static_cast<int>(std::lround(centre->x())),
+                         static_cast<int>(std::lround(centre->y())), 1, 1};
+    if (!near_any_look(taken, there, settings.search.patch_size_px / 2)) return centre;
   }
   return std::nullopt;
 }

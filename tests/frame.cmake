@@ -2,3 +2,25 @@
 add_test(NAME frame.include_directions COMMAND ${PROJECT_SOURCE_DIR}/tools/check-includes)
 add_test(NAME frame.include_check_finds_mistakes COMMAND ${PROJECT_SOURCE_DIR}/tools/check-includes --self-test)
 add_test(NAME frame.dependencies_argued_for COMMAND ${PROJECT_SOURCE_DIR}/tools/check-dependencies)
+
+# The library in another project: beside it (add_subdirectory) and installed (find_package)
+set(another ${CMAKE_CURRENT_SOURCE_DIR}/library)
+set(another_build ${CMAKE_CURRENT_BINARY_DIR}/library)
+add_test(NAME frame.library_installs
+         COMMAND ${CMAKE_COMMAND} --install ${PROJECT_BINARY_DIR} --prefix ${another_build}/prefix)
+set(another_flags "")
+if(INCOGNITA_SANITIZE)
+  set(another_flags -DCMAKE_CXX_FLAGS=-fsanitize=${INCOGNITA_SANITIZE})
+endif()
+foreach(way installed beside)
+  set(where -DCMAKE_PREFIX_PATH=${another_build}/prefix)
+  if(way STREQUAL beside)
+    set(where -DINCOGNITA_SOURCE=${PROJECT_SOURCE_DIR})
+  endif()
+  add_test(NAME frame.library_used_${way}
+           COMMAND ${CMAKE_CTEST_COMMAND} --build-and-test ${another} ${another_build}/${way} --build-generator Ninja
+                   --build-options ${where} -DREADME=${PROJECT_SOURCE_DIR}/README.md -DCMAKE_BUILD_TYPE=Debug ${another_flags}
+                   --test-command ${CMAKE_CTEST_COMMAND} --output-on-failure)
+endforeach()
+set_tests_properties(frame.library_installs PROPERTIES FIXTURES_SETUP installed_library)
+set_tests_properties(frame.library_used_installed PROPERTIES FIXTURES_REQUIRED installed_library)

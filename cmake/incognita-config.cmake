@@ -1,0 +1,11 @@
+# Read by find_package(incognita). The libraries are static, so what they are made with must be found again.
+include(CMakeFindDependencyMacro)
+find_dependency(Eigen3 3.4 NO_MODULE)
+find_dependency(Boost 1.74)
+find_dependency(fmt)
+find_dependency(nlohmann_json 3.11)
+find_dependency(CLI11)
+find_dependency(PkgConfig)
+pkg_check_modules(MATIO REQUIRED QUIET IMPORTED_TARGET GLOBAL matio)
+include(${CMAKE_CURRENT_LIST_DIR}/opencv.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/incognita-targets.cmake)

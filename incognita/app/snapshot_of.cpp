@@ -22,8 +22,11 @@ std::vector<SnapshotLandmark> landmarks_of(const Estimate& estimate) {
 std::vector<SnapshotLook> looks_of(const Estimate& estimate) {
   std::vector<SnapshotLook> looks;
   for (const Look& look : estimate.looks)
-    looks.push_back({look.id, look.kind == Landmark::Kind::anchor, look.kind == Landmark::Kind::line,
-                     look.predicted, look.innovation_cov, look.measured, look.correlation, look.outcome});
+    looks.push_back({look.id, look.kind == Landmark::Kind::anchor, false, look.predicted, look.innovation_cov,
+                     look.measured, look.correlation, look.outcome});
+  for (const LineLook& look : estimate.line_looks)
+    looks.push_back({look.id, false, true, look.predicted, look.innovation_cov, look.measured,
+                     look.correlation, look.outcome});
   return looks;
 }
 

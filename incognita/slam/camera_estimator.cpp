@@ -45,6 +45,7 @@ void CameraEstimator::update(Estimate& estimate, const Command& command, const O
                              const Tick& tick) {
   StageClock clock(estimate.timing_ms);
   estimate.looks.clear();
+  estimate.line_looks.clear();
   estimate.predicted = estimate.matched = estimate.visible = 0;
   estimate.update = {};
   if (tick.frame == 0) first_t_ = tick.t;

@@ -119,12 +119,34 @@ void become_point(Landmark& line, Belief& belief, const Depth& depth, double spa
   line.particles.clear();
 }
 
+/// What is shown of a line: its hypotheses as one Gaussian.
+LineLook look_along(const Landmark& line, const std::vector<Hypothesis>& hypotheses) {
+  LineLook look;
+  look.id = line.id;
+  double total = 0;
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  Eigen::Matrix2d square = Eigen::Matrix2d::Zero();
+  const Eigen::Vector2d origin = hypotheses.front().ellipse.centre;
+  for (const Hypothesis& h : hypotheses) {
+    const double weight = line.particles[h.particle].weight;
+    const Eigen::Vector2d at = h.ellipse.centre - origin;
+    total += weight;
+    sum += weight * at;
+    square += weight * (h.ellipse.covariance + at * at.transpose());
+  }
+  const Eigen::Vector2d mean = sum / total;
+  look.predicted = origin + mean;
+  look.innovation_cov = square / total - mean * mean.transpose();
+  return look;
+}
+
 /// One line, one image. False when the line is to be given up.
 bool follow(Landmark& line, CorrelationSheet& sheet, const SummedImage& image, Estimate& estimate,
             const Camera& camera, const CameraSlamSettings& settings) {
   const auto hypotheses = project(line, estimate, camera, settings);
   const auto fail = [&] { return ++line.line_failures < settings.birth.max_line_failures; };
   if (hypotheses.empty()) return fail();
+  LineLook& look = estimate.line_looks.emplace_back(look_along(line, hypotheses));
   const Depth before = depth_of(line);
   const CameraState from = estimate.camera_state();
   const Eigen::Vector3d at = line.birth_axes.point(line_at(line, estimate.belief, 1 / before.mean)).position;
@@ -136,9 +158,14 @@ bool follow(Landmark& line, CorrelationSheet& sheet, const SummedImage& image, E
   if (!patch) return fail();
   start_sheet(sheet, image, *patch, hypotheses, settings.search);
   const auto found = search_union(sheet, hypotheses, settings.search);
-  if (!found || found->correlation < settings.search.min_correlation) return fail();
+  if (!found) return fail();
+  look.correlation = found->correlation;
+  if (found->correlation < settings.search.min_correlation) return fail();
   line.line_failures = 0;
+  look.measured = found->pixel;
+  look.outcome = LookOutcome::inconsistent;
   if (!reweight(line, hypotheses, found->pixel)) return false;
+  look.outcome = LookOutcome::matched;
   const Depth depth = depth_of(line);
   if (depth.sigma < settings.birth.depth_ratio * depth.mean)
     become_point(line, estimate.belief, depth,

@@ -71,6 +71,16 @@ struct Look {
   LookOutcome outcome = LookOutcome::not_tried;
 };
 
+/// A line looked for along all its hypotheses of depth at once.
+struct LineLook {
+  std::int64_t id = 0;
+  Eigen::Vector2d predicted;       ///< px, mean over the hypotheses in view, by weight
+  Eigen::Matrix2d innovation_cov;  ///< px^2, about that mean: their own and how far they are apart
+  std::optional<Eigen::Vector2d> measured;
+  double correlation = 0;
+  LookOutcome outcome = LookOutcome::not_found;
+};
+
 /// Entropies in nats, from log-determinants: thesis (6.2). Map and total are refreshed about once a second.
 struct Entropy {
   double vehicle = std::numeric_limits<double>::quiet_NaN();
@@ -88,6 +98,7 @@ struct Estimate {
 
   // Of the last frame
   std::vector<Look> looks;
+  std::vector<LineLook> line_looks;
   int predicted = 0;  ///< looks searched for
   int matched = 0;    ///< looks that updated the filter
   int visible = 0;    ///< landmarks expected in view

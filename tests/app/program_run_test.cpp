@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <sstream>
 #include <thread>
 
 #include "tests/app/program.hpp"
@@ -44,6 +45,30 @@ TEST(ProgramRun, SameSeedSameBytes) {
   EXPECT_EQ(first, second);
   EXPECT_EQ(first["frames"], 90);
   testing::expect_whole_tables(one);
+}
+
+/// Rows of looks.csv by kind and outcome.
+int looks_with(const std::filesystem::path& run, const std::string& kind, const std::string& outcome) {
+  std::istringstream table(testing::content_of(run / "looks.csv"));
+  int found = 0;
+  for (std::string row; std::getline(table, row);)
+    found += row.find("," + kind + ",") != std::string::npos && row.find("," + outcome) != std::string::npos;
+  return found;
+}
+
+// Thesis C.3: a depth is found along a line, then the line is a point of the map that is matched
+TEST(ProgramRun, DepthsAreFoundAlongLines) {
+  const Scratch scratch;
+  const Words lines = {"--set", "birth.method=depth-line"};
+  ASSERT_EQ(testing::incognita(room_for("10", "run", lines), scratch.folder()).code, 0);
+  const auto run = scratch.folder() / "run";
+  const nlohmann::json summary = testing::summary_of(run);
+  EXPECT_EQ(summary["lost_frames"], 0);
+  EXPECT_GE(summary["landmarks"], 8);
+  EXPECT_LT(summary["ate_m"], 0.01);
+  EXPECT_LT(summary["mean_nees"], 2);
+  EXPECT_GT(looks_with(run, "line", "matched"), 50);
+  EXPECT_GT(looks_with(run, "landmark", "matched"), 500);
 }
 
 TEST(ProgramRun, AnotherSeedIsAnotherRun) {

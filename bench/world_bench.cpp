@@ -2,6 +2,7 @@
 // them.
 #include <benchmark/benchmark.h>
 
+#include "incognita/models/heading.hpp"
 #include "incognita/models/wide_angle_camera.hpp"
 #include "incognita/world/free_camera_plant.hpp"
 #include "incognita/world/room_camera.hpp"
@@ -22,7 +23,7 @@ void look(benchmark::State& state) {
   truth.camera.head<3>() << 0.3, -0.2, 1.3;
   std::int64_t frame = 0;
   for (auto _ : state) {
-    truth.camera.segment<4>(3) = level_camera(0.05 * static_cast<double>(frame));
+    truth.camera.segment<4>(3) = level_gaze(0.05 * static_cast<double>(frame));
     benchmark::DoNotOptimize(camera.look(truth, Tick{frame++, 0, 0}));
   }
   state.counters["frames"] = benchmark::Counter(static_cast<double>(frame), benchmark::Counter::kIsRate);

@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "incognita/models/heading.hpp"
+
 namespace incognita {
 namespace {
 
@@ -16,8 +18,8 @@ using Input = FreeCameraMotion::Input<double>;
 
 // Metres, radians and their rates: far below anything that a camera resolves, and cheap at 30 ticks a second.
 constexpr double absolute_tolerance = 1e-10, relative_tolerance = 1e-10;
-constexpr int passes =
-    4;  // a body pushed from one obstacle into another; what is left then waits for the next tick
+// A body pushed from one obstacle into another; what is left then waits for the next tick
+constexpr int passes = 4;
 
 /// The continuous form of (5.24).
 void derivative(const Numbers& x, const Input& u, Numbers& dx) {
@@ -52,7 +54,7 @@ FreeCameraPlant::State draw_start(const RoomSettings& s, std::uint64_t seed) {
   RandomStream random(seed, "world.start");
   FreeCameraPlant::State x = FreeCameraPlant::State::Zero();
   for (int i = 0; i < 3; ++i) x[i] = s.start_position_m[i] + s.sigma_start_position_m * random.normal();
-  x.segment<4>(3) = level_camera(s.start_heading_rad + s.sigma_start_heading_rad * random.normal());
+  x.segment<4>(3) = level_gaze(s.start_heading_rad + s.sigma_start_heading_rad * random.normal());
   return x;
 }
 
@@ -61,13 +63,6 @@ std::string text(const Eigen::Vector3d& p) {
 }
 
 }  // namespace
-
-Eigen::Vector4d level_camera(double heading_rad) {
-  const double c = std::cos(heading_rad), s = std::sin(heading_rad);
-  Eigen::Matrix3d world_from_camera;  // columns: right, down, forward
-  world_from_camera << s, 0, c, -c, 0, s, 0, -1, 0;
-  return quaternion_from_matrix(world_from_camera);
-}
 
 FreeCameraPlant::FreeCameraPlant(const RoomSettings& s, const RoomLayout& layout, std::uint64_t seed)
     : inside_(layout.inside.grown(-s.clearance_m)),

@@ -11,9 +11,6 @@
 
 namespace incognita {
 
-/// Orientation (world_from_camera) of a level camera that looks along `heading_rad`, from +x towards +y.
-Eigen::Vector4d level_camera(double heading_rad);
-
 /// Integrates the continuous motion behind thesis (5.24): p' = v, q' = 1/2 q (0, w), v' = f + noise, w' = a +
 /// noise. Command and disturbance are held over a tick. Walls and boxes stop the body, they do not break it.
 class FreeCameraPlant {

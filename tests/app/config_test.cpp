@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "incognita/io/settings.hpp"
-#include "tests/io/scratch.hpp"
+#include "tests/scratch.hpp"
 
 namespace incognita {
 namespace {

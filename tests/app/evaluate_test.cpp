@@ -7,8 +7,8 @@
 
 #include "incognita/messages/errors.hpp"
 #include "incognita/record/recorder.hpp"
-#include "tests/record/scratch.hpp"
 #include "tests/record/synthetic_run.hpp"
+#include "tests/scratch.hpp"
 
 namespace incognita {
 namespace {
@@ -115,9 +115,9 @@ TEST(Evaluate, RefusesWrongInput) {
   const Scratch scratch;
   const std::string truth = scratch / "truth";
   testing::write(truth, truth_text);
-  EXPECT_THROW(evaluate({truth}), InputError);                             // no truth
-  EXPECT_THROW(evaluate({"/nowhere", "--truth", truth}), InputError);      // no file
-  EXPECT_THROW(evaluate({scratch.path(), "--truth", truth}), InputError);  // not a run
+  EXPECT_THROW(evaluate({truth}), InputError);                               // no truth
+  EXPECT_THROW(evaluate({"/nowhere", "--truth", truth}), InputError);        // no file
+  EXPECT_THROW(evaluate({scratch.folder(), "--truth", truth}), InputError);  // not a run
   EXPECT_THROW(evaluate({truth, "--truth", truth, "--align", "se4"}), InputError);
   EXPECT_THROW(evaluate({truth, "--truth", truth, "--max-dt", "-1"}), CLI::ValidationError);
 }

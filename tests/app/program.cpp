@@ -15,6 +15,7 @@
 #include <thread>
 
 #include "tests/record/schema.hpp"
+#include "tests/scratch.hpp"
 
 namespace incognita::testing {
 namespace fs = std::filesystem;
@@ -70,13 +71,13 @@ std::size_t cells(const std::string& row, char separator) {
 }
 
 void expect_whole_rows(const fs::path& table, char separator) {
-  const std::string text = content_of(table);
+  const std::string text = contents(table);
   EXPECT_TRUE(text.ends_with('\n')) << table;
   EXPECT_EQ(text.find("inf"), std::string::npos) << table;
   if (table.extension() == ".tum") {
     EXPECT_EQ(text.find("nan"), std::string::npos) << table;
   }
-  const std::vector<std::string> rows = lines_of(table);
+  const std::vector<std::string> rows = lines(table);
   ASSERT_FALSE(rows.empty()) << table;
   const std::size_t wanted = separator == ' ' ? 8 : cells(rows.front(), separator);
   for (std::size_t i = 1; i < rows.size(); ++i)
@@ -130,24 +131,10 @@ Ended incognita(const Words& arguments, const Circumstances& circumstances) {
 
 bool has_lines(const fs::path& file, std::size_t count) {
   for (int i = 0; i < 3000; ++i) {
-    if (lines_of(file).size() >= count) return true;
+    if (lines(file).size() >= count) return true;
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
   return false;
-}
-
-std::string content_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::stringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
-
-std::vector<std::string> lines_of(const fs::path& file) {
-  std::ifstream in(file);
-  std::vector<std::string> found;
-  for (std::string line; std::getline(in, line);) found.push_back(line);
-  return found;
 }
 
 std::set<std::string> everything_in(const fs::path& folder) {
@@ -159,9 +146,9 @@ std::set<std::string> everything_in(const fs::path& folder) {
 
 nlohmann::json summary_of(const fs::path& run) {
   const auto schema =
-      nlohmann::json::parse(content_of(fs::path(INCOGNITA_SOURCE_DIR) / "docs/schemas/summary.schema.json"));
-  auto summary = nlohmann::json::parse(content_of(run / "summary.json"), nullptr, false);
-  EXPECT_TRUE(summary.is_object()) << content_of(run / "summary.json");
+      nlohmann::json::parse(contents(fs::path(INCOGNITA_SOURCE_DIR) / "docs/schemas/summary.schema.json"));
+  auto summary = nlohmann::json::parse(contents(run / "summary.json"), nullptr, false);
+  EXPECT_TRUE(summary.is_object()) << contents(run / "summary.json");
   if (summary.is_object()) {
     EXPECT_EQ(faults(summary, schema), "");
   }

@@ -60,8 +60,6 @@ Ended incognita(const Words& arguments, const Circumstances& circumstances);
 /// Waits until a file has so many lines. False after half a minute.
 bool has_lines(const std::filesystem::path& file, std::size_t count);
 
-std::string content_of(const std::filesystem::path& file);
-std::vector<std::string> lines_of(const std::filesystem::path& file);
 /// Everything below a folder, by relative path.
 std::set<std::string> everything_in(const std::filesystem::path& folder);
 

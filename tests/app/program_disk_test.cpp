@@ -7,7 +7,7 @@
 #include <cstring>
 
 #include "tests/app/program.hpp"
-#include "tests/io/scratch.hpp"
+#include "tests/scratch.hpp"
 
 namespace incognita {
 namespace {
@@ -33,7 +33,7 @@ TEST(ProgramDisk, WhereNothingCanBeWrittenNothingIsLeft) {
     EXPECT_SAYS(ended.err, "choose another folder with --out");
   }
   EXPECT_EQ(testing::everything_in(scratch.folder()), std::set<std::string>{"file"});
-  EXPECT_EQ(testing::content_of(scratch.folder() / "file"), "mine");
+  EXPECT_EQ(testing::contents(scratch.folder() / "file"), "mine");
 }
 
 TEST(ProgramDisk, TooSmallToBeginLeavesNothing) {
@@ -59,7 +59,7 @@ void expect_cut_short(const Ended& ended, const std::filesystem::path& run, cons
   EXPECT_SAYS(reason, run.string());
   EXPECT_GT(summary["frames"], 10);
   EXPECT_LT(summary["frames"], 3000);
-  EXPECT_GT(testing::lines_of(run / "series.csv").size(), 10u);
+  EXPECT_GT(testing::lines(run / "series.csv").size(), 10u);
   testing::expect_whole_tables(run);
 }
 
@@ -124,7 +124,7 @@ TEST(ProgramDisk, PicturesThatDoNotFitEndTheRun) {
   EXPECT_EQ(summary["status"], "failed");
   EXPECT_SAYS(summary["reason"].get<std::string>(), "frame-");
   for (const auto& picture : std::filesystem::directory_iterator(run / "frames"))
-    EXPECT_SAYS(testing::content_of(picture.path()), "IEND") << picture.path();
+    EXPECT_SAYS(testing::contents(picture.path()), "IEND") << picture.path();
   testing::expect_whole_tables(run);
 }
 

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/app/program.hpp"
-#include "tests/io/scratch.hpp"
+#include "tests/scratch.hpp"
 
 namespace incognita {
 namespace {

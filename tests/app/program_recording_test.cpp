@@ -12,7 +12,7 @@
 #include "incognita/world/room_clock.hpp"
 #include "incognita/world/room_world.hpp"
 #include "tests/app/program.hpp"
-#include "tests/io/scratch.hpp"
+#include "tests/scratch.hpp"
 
 namespace incognita {
 namespace {
@@ -77,8 +77,8 @@ class ProgramRecording : public ::testing::Test {
     EXPECT_EQ(summary["status"], "failed");
     EXPECT_EQ(summary["frames"], wrong_one);
     EXPECT_EQ(summary["tracked_frames"], wrong_one);
-    EXPECT_EQ(testing::lines_of(run() / "estimate.tum").size(), wrong_one + 1u);
-    EXPECT_GT(testing::lines_of(run() / "map.csv").size(), 5u);
+    EXPECT_EQ(testing::lines(run() / "estimate.tum").size(), wrong_one + 1u);
+    EXPECT_GT(testing::lines(run() / "map.csv").size(), 5u);
     testing::expect_whole_tables(run());
     const std::string reason = summary["reason"];
     for (const std::string& message : messages) {

@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "tests/app/program.hpp"
-#include "tests/io/scratch.hpp"
+#include "tests/scratch.hpp"
 
 namespace incognita {
 namespace {
@@ -37,7 +37,7 @@ TEST(ProgramRun, SameSeedSameBytes) {
     EXPECT_TRUE(files.contains(file)) << file;
   for (const std::string& file : files) {
     if (file == "timings.csv" || file == "series.mat" || file == "summary.json") continue;
-    EXPECT_TRUE(testing::content_of(one / file) == testing::content_of(two / file)) << file;
+    EXPECT_TRUE(testing::contents(one / file) == testing::contents(two / file)) << file;
   }
   nlohmann::json first = testing::summary_of(one), second = testing::summary_of(two);
   first.erase("timing_ms");
@@ -49,7 +49,7 @@ TEST(ProgramRun, SameSeedSameBytes) {
 
 /// Rows of looks.csv by kind and outcome.
 int looks_with(const std::filesystem::path& run, const std::string& kind, const std::string& outcome) {
-  std::istringstream table(testing::content_of(run / "looks.csv"));
+  std::istringstream table(testing::contents(run / "looks.csv"));
   int found = 0;
   for (std::string row; std::getline(table, row);)
     found += row.find("," + kind + ",") != std::string::npos && row.find("," + outcome) != std::string::npos;
@@ -76,8 +76,8 @@ TEST(ProgramRun, AnotherSeedIsAnotherRun) {
   for (const char* seed : {"1", "2"})
     EXPECT_EQ(testing::incognita(room_for("0.5", seed, {"--seed", seed}), scratch.folder()).code, 0);
   for (const char* file : {"truth.tum", "estimate.tum", "looks.csv"}) {
-    EXPECT_NE(testing::content_of(scratch.folder() / "1" / file),
-              testing::content_of(scratch.folder() / "2" / file))
+    EXPECT_NE(testing::contents(scratch.folder() / "1" / file),
+              testing::contents(scratch.folder() / "2" / file))
         << file;
   }
 }
@@ -88,8 +88,8 @@ TEST(ProgramRun, ItsEffectiveScenarioGivesTheSameRun) {
   EXPECT_EQ(testing::incognita(room_for("0.5", "one", changed), scratch.folder()).code, 0);
   EXPECT_EQ(testing::incognita({"run", "one/effective.toml", "--out", "two"}, scratch.folder()).code, 0);
   for (const char* file : {"truth.tum", "estimate.tum", "looks.csv", "map.csv"}) {
-    EXPECT_TRUE(testing::content_of(scratch.folder() / "one" / file) ==
-                testing::content_of(scratch.folder() / "two" / file))
+    EXPECT_TRUE(testing::contents(scratch.folder() / "one" / file) ==
+                testing::contents(scratch.folder() / "two" / file))
         << file;
   }
 }
@@ -107,8 +107,8 @@ void expect_interrupted(int signal, int times) {
   const nlohmann::json summary = testing::summary_of(run);
   EXPECT_EQ(summary["status"], "interrupted");
   EXPECT_SAYS(summary["reason"].get<std::string>(), "interrupted at t = ");
-  EXPECT_EQ(testing::lines_of(run / "series.csv").size(), summary["frames"].get<std::size_t>() + 1);
-  EXPECT_EQ(testing::lines_of(run / "estimate.tum").size(), summary["tracked_frames"].get<std::size_t>() + 1);
+  EXPECT_EQ(testing::lines(run / "series.csv").size(), summary["frames"].get<std::size_t>() + 1);
+  EXPECT_EQ(testing::lines(run / "estimate.tum").size(), summary["tracked_frames"].get<std::size_t>() + 1);
   for (const char* last : {"map.csv", "map.ply", "series.mat"}) EXPECT_TRUE(exists(run / last)) << last;
   testing::expect_whole_tables(run);
 }
@@ -158,7 +158,7 @@ TEST(ProgramRun, ACoveredLensIsSaid) {
   EXPECT_EQ(summary["frames"], 180);
   EXPECT_GE(summary["lost_frames"], 180 - 60 - 10);  // declared within ten frames without matches
   EXPECT_EQ(summary["tracked_frames"].get<int>() + summary["lost_frames"].get<int>(), 180);
-  const double last_pose_s = std::stod(testing::lines_of(run / "estimate.tum").back());
+  const double last_pose_s = std::stod(testing::lines(run / "estimate.tum").back());
   EXPECT_GT(last_pose_s, 1.9);
   EXPECT_LT(last_pose_s, 2.0 + 10 / 30.0);
   testing::expect_whole_tables(run);
@@ -173,7 +173,7 @@ TEST(ProgramRun, NothingElseIsTakenForTheTarget) {
     EXPECT_SAYS(ended.err, "failed, never started: ");
     EXPECT_SAYS(ended.err, "target sheet");
     EXPECT_EQ(testing::summary_of(scratch.folder() / "run")["tracked_frames"], 0);
-    EXPECT_EQ(testing::lines_of(scratch.folder() / "run/estimate.tum").size(), 1u);
+    EXPECT_EQ(testing::lines(scratch.folder() / "run/estimate.tum").size(), 1u);
   }
 }
 
@@ -182,8 +182,8 @@ TEST(ProgramRun, NothingIsLostByAFolderUsedBefore) {
   scratch.write("run/notes.txt", "mine");
   EXPECT_EQ(testing::incognita(room_for("1", "run"), scratch.folder()).code, 0);
   EXPECT_EQ(testing::incognita(room_for("0.1", "run"), scratch.folder()).code, 0);
-  EXPECT_EQ(testing::content_of(scratch.folder() / "run/notes.txt"), "mine");
-  EXPECT_EQ(testing::lines_of(scratch.folder() / "run/series.csv").size(), 4u);
+  EXPECT_EQ(testing::contents(scratch.folder() / "run/notes.txt"), "mine");
+  EXPECT_EQ(testing::lines(scratch.folder() / "run/series.csv").size(), 4u);
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <csignal>
 
 #include "tests/app/program.hpp"
-#include "tests/io/scratch.hpp"
+#include "tests/scratch.hpp"
 
 namespace incognita {
 namespace {

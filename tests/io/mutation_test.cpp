@@ -10,7 +10,7 @@
 #include "incognita/io/recording.hpp"
 #include "incognita/io/target_file.hpp"
 #include "incognita/math/random.hpp"
-#include "tests/io/scratch.hpp"
+#include "tests/scratch.hpp"
 
 namespace incognita {
 namespace {

@@ -11,7 +11,7 @@
 #include "incognita/io/files.hpp"
 #include "incognita/io/image_file.hpp"
 #include "incognita/io/recorded.hpp"
-#include "tests/io/scratch.hpp"
+#include "tests/scratch.hpp"
 
 namespace incognita {
 namespace {

@@ -9,7 +9,7 @@
 #include "incognita/io/files.hpp"
 #include "incognita/io/load_scenario.hpp"
 #include "incognita/io/nearest_name.hpp"
-#include "tests/io/scratch.hpp"
+#include "tests/scratch.hpp"
 
 namespace incognita {
 namespace {

@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "incognita/io/files.hpp"
-#include "tests/io/scratch.hpp"
+#include "tests/scratch.hpp"
 
 namespace incognita {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "file_size_limit.hpp"
 #include "incognita/messages/errors.hpp"
-#include "scratch.hpp"
 #include "synthetic_run.hpp"
+#include "tests/scratch.hpp"
 
 namespace incognita {
 namespace {
@@ -22,7 +22,7 @@ Snapshot with_image() {
 
 TEST(FramePictures, DrawLooksInTheColoursOfTheirOutcome) {
   const testing::Scratch scratch;
-  FramePictures(scratch.path(), 11).publish(with_image());
+  FramePictures(scratch.folder(), 11).publish(with_image());
   const cv::Mat picture = cv::imread((scratch / "frames/frame-000050.png").string());
   ASSERT_EQ(picture.cols, 640);
   ASSERT_GT(picture.rows, 480);
@@ -41,7 +41,7 @@ TEST(FramePictures, DrawLooksInTheColoursOfTheirOutcome) {
 
 TEST(FramePictures, DoNotMindNonsenseOrNoImage) {
   const testing::Scratch scratch;
-  FramePictures pictures(scratch.path(), 11);
+  FramePictures pictures(scratch.folder(), 11);
   Snapshot snapshot = with_image();
   snapshot.looks[0].innovation_cov.setConstant(std::nan(""));
   snapshot.looks[1].predicted.setConstant(1e300);
@@ -58,7 +58,7 @@ TEST(FramePictures, DoNotMindNonsenseOrNoImage) {
 
 TEST(FramePictures, AreWholeOrNotThere) {
   const testing::Scratch scratch;
-  FramePictures pictures(scratch.path(), 11);
+  FramePictures pictures(scratch.folder(), 11);
   const testing::FileSizeLimit limit(200);
   EXPECT_THROW(pictures.publish(with_image()), RecordError);
   EXPECT_TRUE(std::filesystem::is_empty(scratch / "frames"));

@@ -9,7 +9,7 @@
 #include "file_size_limit.hpp"
 #include "incognita/messages/errors.hpp"
 #include "mcap_reader.hpp"
-#include "scratch.hpp"
+#include "tests/scratch.hpp"
 
 namespace incognita {
 namespace {

@@ -15,8 +15,8 @@
 #include "incognita/record/tum.hpp"
 #include "mcap_reader.hpp"
 #include "schema.hpp"
-#include "scratch.hpp"
 #include "synthetic_run.hpp"
+#include "tests/scratch.hpp"
 
 namespace incognita {
 namespace {
@@ -349,7 +349,7 @@ TEST(Recorder, ThatCannotStartLeavesNothing) {
     EXPECT_THROW(Recorder(scratch / "a/b/run", info()), RecordError);
   }
   EXPECT_EQ(contents(scratch / "file"), "mine\n");
-  EXPECT_EQ(std::distance(fs::directory_iterator(scratch.path()), fs::directory_iterator{}), 1);
+  EXPECT_EQ(std::distance(fs::directory_iterator(scratch.folder()), fs::directory_iterator{}), 1);
   if (::geteuid() == 0) return;  // to whom nothing is forbidden
   fs::create_directory(scratch / "locked");
   fs::permissions(scratch / "locked", fs::perms::owner_read | fs::perms::owner_exec);

@@ -8,7 +8,7 @@
 #include "file_size_limit.hpp"
 #include "incognita/messages/errors.hpp"
 #include "incognita/record/number.hpp"
-#include "scratch.hpp"
+#include "tests/scratch.hpp"
 
 namespace incognita {
 namespace {

@@ -14,8 +14,8 @@
 #include "incognita/record/series.hpp"
 #include "mcap_reader.hpp"
 #include "schema.hpp"
-#include "scratch.hpp"
 #include "synthetic_run.hpp"
+#include "tests/scratch.hpp"
 
 namespace incognita {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "incognita/math/random.hpp"
 #include "incognita/messages/errors.hpp"
-#include "scratch.hpp"
+#include "tests/scratch.hpp"
 
 namespace incognita {
 namespace {

@@ -8,8 +8,8 @@
 #include "incognita/report/child_process.hpp"
 #include "incognita/report/csv_table.hpp"
 #include "tests/record/file_size_limit.hpp"
-#include "tests/record/scratch.hpp"
 #include "tests/record/synthetic_run.hpp"
+#include "tests/scratch.hpp"
 
 namespace incognita {
 namespace {

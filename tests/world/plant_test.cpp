@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "incognita/math/angles.hpp"
+#include "incognita/models/heading.hpp"
 #include "incognita/world/room_world.hpp"
 
 using namespace incognita;
@@ -29,9 +30,9 @@ void move_for(FreeCameraPlant& plant, const Command& command, int ticks) {
   for (int i = 0; i < ticks; ++i) plant.move(command, dt);
 }
 
-TEST(level_camera, looks_along_its_heading_with_the_floor_down) {
+TEST(level_gaze, looks_along_its_heading_with_the_floor_down) {
   for (const double heading : {0.0, 0.7, std::numbers::pi, -2.0}) {
-    const Eigen::Matrix3d r = rotation_matrix<double>(level_camera(heading));
+    const Eigen::Matrix3d r = rotation_matrix<double>(level_gaze(heading));
     EXPECT_NEAR((r.col(2) - Eigen::Vector3d(std::cos(heading), std::sin(heading), 0)).norm(), 0, 1e-12);
     EXPECT_NEAR((r.col(1) - Eigen::Vector3d(0, 0, -1)).norm(), 0, 1e-12);
     EXPECT_NEAR(r.determinant(), 1, 1e-12);
@@ -43,7 +44,7 @@ TEST(plant, starts_at_rest_where_it_was_told) {
   s.start_heading_rad = 0.4;
   const auto plant = plant_in(s);
   EXPECT_EQ(plant.state().head<3>(), s.start_position_m);
-  EXPECT_EQ((plant.state().segment<4>(3)), level_camera(0.4));
+  EXPECT_EQ((plant.state().segment<4>(3)), level_gaze(0.4));
   EXPECT_TRUE(plant.state().tail<6>().isZero());
 }
 
@@ -61,8 +62,8 @@ TEST(plant, constant_angular_acceleration_about_one_axis_turns_by_half_a_t_squar
   const Eigen::Vector3d axis = Eigen::Vector3d(1, 2, -0.5).normalized();
   move_for(plant, {Eigen::Vector3d::Zero(), 0.8 * axis}, 60);
   const double t = 60 * dt;
-  const Eigen::Vector4d turned = quaternion_product<double>(
-      level_camera(0), quaternion_exp<double>(Eigen::Vector3d(0.4 * t * t * axis)));
+  const Eigen::Vector4d turned =
+      quaternion_product<double>(level_gaze(0), quaternion_exp<double>(Eigen::Vector3d(0.4 * t * t * axis)));
   const Eigen::Vector4d apart = quaternion_product<double>(quaternion_conjugate<double>(turned),
                                                            Eigen::Vector4d(plant.state().segment<4>(3)));
   EXPECT_NEAR(quaternion_log<double>(apart).norm(), 0, 1e-8);

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <opencv2/imgproc.hpp>
 
+#include "incognita/models/heading.hpp"
 #include "incognita/models/wide_angle_camera.hpp"
 #include "incognita/world/free_camera_plant.hpp"
 
@@ -23,7 +24,7 @@ struct Pose {
 };
 
 Pose pose(double x, double y, double z, double heading, const Eigen::Vector3d& turn = {0, 0, 0}) {
-  return {{x, y, z}, quaternion_product<double>(level_camera(heading), quaternion_exp<double>(turn))};
+  return {{x, y, z}, quaternion_product<double>(level_gaze(heading), quaternion_exp<double>(turn))};
 }
 
 Image picture(const Camera& camera, const Pose& at) {

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "incognita/models/heading.hpp"
 #include "incognita/models/wide_angle_camera.hpp"
 #include "incognita/world/free_camera_plant.hpp"
 #include "incognita/world/image_noise.hpp"
@@ -19,7 +20,7 @@ const std::shared_ptr<const Room>& room() {
 Truth start() {
   Truth truth;
   truth.camera.head<3>() << 1.6, 0, 1.3;
-  truth.camera.segment<4>(3) = level_camera(0);
+  truth.camera.segment<4>(3) = level_gaze(0);
   return truth;
 }
 
@@ -74,7 +75,7 @@ TEST(room_camera, is_the_render_plus_noise) {
   RoomSettings quiet;
   quiet.sigma_image_grey = 0;
   Image expected;
-  render(*room(), RayTable{Camera(model)}, {1.6, 0, 1.3}, level_camera(0), expected);
+  render(*room(), RayTable{Camera(model)}, {1.6, 0, 1.3}, level_gaze(0), expected);
   EXPECT_EQ(*RoomCamera(room(), model, quiet, 1).look(start(), Tick{0, 0, 0}).image, expected);
 
   const Image noisy = *RoomCamera(room(), model, RoomSettings{}, 1).look(start(), Tick{0, 0, 0}).image;

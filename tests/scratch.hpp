@@ -1,11 +1,13 @@
-// A folder of its own for a test, and small files to fill it with.
+// A folder of its own for a test, small files to fill it with, and a look into those written there.
 #pragma once
 
-#include <unistd.h>
+#include <stdlib.h>
 
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include "incognita/messages/errors.hpp"
 
@@ -17,11 +19,15 @@ class Scratch {
     std::string pattern = (std::filesystem::temp_directory_path() / "incognita-test-XXXXXX").string();
     folder_ = mkdtemp(pattern.data());
   }
-  ~Scratch() { std::filesystem::remove_all(folder_); }
+  ~Scratch() {
+    std::error_code ignored;
+    std::filesystem::remove_all(folder_, ignored);
+  }
   Scratch(const Scratch&) = delete;
   Scratch& operator=(const Scratch&) = delete;
 
   const std::filesystem::path& folder() const { return folder_; }
+  std::filesystem::path operator/(const std::string& name) const { return folder_ / name; }
 
   std::filesystem::path write(const std::string& name, const std::string& content) const {
     const std::filesystem::path path = folder_ / name;
@@ -33,6 +39,24 @@ class Scratch {
  private:
   std::filesystem::path folder_;
 };
+
+inline std::string contents(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::stringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+inline std::vector<std::string> lines(const std::filesystem::path& path) {
+  std::ifstream in(path);
+  std::vector<std::string> found;
+  for (std::string line; std::getline(in, line);) found.push_back(line);
+  return found;
+}
+
+inline void write(const std::filesystem::path& path, const std::string& text) {
+  std::ofstream(path, std::ios::binary) << text;
+}
 
 /// A PGM whose pixels tell where they are.
 inline std::string pgm(int width, int height, int first = 0) {

@@ -48,6 +48,7 @@ struct Answer {
 /// A run directory stands for the files in it.
 Options resolved(Options options) {
   const fs::path run = options.estimate;
+  if (!fs::exists(run)) throw InputError(run.string() + ": there is no such file or folder");
   if (!fs::is_directory(run)) {
     if (options.truth.empty())
       throw InputError("evaluate: --truth is needed: a TUM or EuRoC file with the true poses");

@@ -57,10 +57,9 @@ struct Ending {
   std::string reason;
 };
 
-Ending ending_of(const Snapshot& last, const Tick& tick) {
+Ending ending_of(const Snapshot& last, const Tick& tick, bool ever_tracked) {
   if (interrupted) return {RunStatus::interrupted, fmt::format("interrupted at t = {:.3f} s", tick.t)};
-  if (last.status.state == TrackingState::starting)
-    return {RunStatus::failed, "never started: " + last.status.reason};
+  if (!ever_tracked) return {RunStatus::failed, "never started: " + last.status.reason};
   if (last.status.state == TrackingState::lost)
     return {RunStatus::failed, fmt::format("lost at the end: {}", last.status.reason)};
   return {};
@@ -95,10 +94,13 @@ Ending drive(Assembly& assembly, Recorder& recorder, FramePictures* pictures, bo
   Progress progress(assembly.boxes.clock->expected_frames());
   StateTeller teller;
   Snapshot last;
+  bool ever_tracked = false;
   std::optional<double> first_t;
   const auto start = std::chrono::steady_clock::now();
   const auto publish = [&](const Snapshot& snapshot) {
     last = snapshot;
+    ever_tracked |=
+        snapshot.status.state != TrackingState::starting && snapshot.status.state != TrackingState::lost;
     recorder.publish(snapshot);
     if (pictures) pictures->publish(snapshot);
     progress.show(snapshot.tick.frame + 1,
@@ -116,7 +118,7 @@ Ending drive(Assembly& assembly, Recorder& recorder, FramePictures* pictures, bo
   } catch (const std::exception& error) {
     return {RunStatus::failed, fmt::format("at frame {}: {}", last.tick.frame + 1, error.what())};
   }
-  return ending_of(last, last.tick);
+  return ending_of(last, last.tick, ever_tracked);
 }
 
 int run(const Options& options) {

@@ -38,4 +38,10 @@ void PaddedFile::overwrite(std::string_view text) {
   if (const int error = write_at(descriptor_, block, 0)) throw RecordError(write_failure(path_, error));
 }
 
+void PaddedFile::finish(std::string_view text) {
+  overwrite(text);
+  const off_t end = static_cast<off_t>(text.size());
+  if (::ftruncate(descriptor_, end) != 0) throw RecordError(write_failure(path_, errno));
+}
+
 }  // namespace incognita

@@ -23,6 +23,8 @@ class PaddedFile {
 
   /// Throws RecordError when it is refused, std::length_error when the text has no room.
   void overwrite(std::string_view text);
+  /// The last text: the blanks behind it go. Throws as overwrite().
+  void finish(std::string_view text);
 
  private:
   std::filesystem::path path_;

@@ -31,18 +31,20 @@ void remove_empty(const std::vector<fs::path>& folders) noexcept {
   for (auto folder = folders.rbegin(); folder != folders.rend(); ++folder) fs::remove(*folder, ignored);
 }
 
-/// Removes files of a folder that start and end with these words, and the folder when that leaves it empty.
-void remove_matching(const fs::path& folder, std::string_view prefix,
-                     std::initializer_list<std::string_view> suffixes) {
+/// frame-000123.png, as FramePictures names them
+bool is_frame_picture(std::string_view name) {
+  constexpr std::string_view prefix = "frame-", suffix = ".png";
+  if (!name.starts_with(prefix) || !name.ends_with(suffix)) return false;
+  const std::string_view number = name.substr(prefix.size(), name.size() - prefix.size() - suffix.size());
+  return number.size() >= 6 && number.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+void remove_frame_pictures(const fs::path& folder) {
   std::error_code ignored;
   std::vector<fs::path> found;
-  for (fs::directory_iterator it(folder, ignored), end; !ignored && it != end; it.increment(ignored)) {
-    const std::string name = it->path().filename().string();
-    for (const std::string_view suffix : suffixes)
-      if (name.starts_with(prefix) && name.ends_with(suffix)) found.push_back(it->path());
-  }
+  for (fs::directory_iterator it(folder, ignored), end; !ignored && it != end; it.increment(ignored))
+    if (is_frame_picture(it->path().filename().string())) found.push_back(it->path());
   for (const fs::path& file : found) fs::remove(file, ignored);
-  fs::remove(folder, ignored);
 }
 
 }  // namespace
@@ -71,8 +73,10 @@ void RunDirectory::remove_run_files() noexcept {
   std::error_code ignored;
   for (const char* name : run_files) fs::remove(file(name), ignored);
   for (const char* figure : {"map", "errors", "entropy", "advice"})
-    remove_matching(file("figures"), figure, {".svg", ".gp"});
-  remove_matching(file("frames"), "frame-", {".png"});
+    for (const char* suffix : {".svg", ".gp"})
+      fs::remove(file("figures") / (std::string(figure) + suffix), ignored);
+  remove_frame_pictures(file("frames"));
+  for (const char* folder : {"figures", "frames"}) fs::remove(file(folder), ignored);  // where empty
 }
 
 void RunDirectory::discard() noexcept {

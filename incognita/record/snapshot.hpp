@@ -28,8 +28,9 @@ struct SnapshotLandmark {
 struct SnapshotLook {
   std::int64_t id = 0;
   bool anchor = false;
-  bool line = false;                                         ///< depth not known yet: not in the map proper
-  Eigen::Vector2d predicted = Eigen::Vector2d::Zero();       ///< px, before this frame's image was used
+  bool line = false;  ///< depth not known yet: not in the map proper
+  Eigen::Vector2d predicted =
+      Eigen::Vector2d::Zero();  ///< px, before this frame's image was used; of a line, after
   Eigen::Matrix2d innovation_cov = Eigen::Matrix2d::Zero();  ///< px^2
   std::optional<Eigen::Vector2d> measured;                   ///< px, where the search found the patch
   double correlation = 0;                                    ///< normalised, of the best place found

@@ -41,7 +41,9 @@ std::string draw(const fs::path& run_directory, const std::string& name) {
   if (!result) return "gnuplot is not installed: the figures' scripts are there, the figures are not";
   if (result->exit_code != 0) {
     fs::remove(svg, ignored);
-    return "gnuplot could not draw figures/" + name + ".gp: " + first_line(result->output);
+    const std::string said = first_line(result->output);
+    return "gnuplot could not draw figures/" + name +
+           ".gp: " + (said.empty() ? "it ended with code " + std::to_string(result->exit_code) : said);
   }
   if (is_complete(svg)) return "";
   fs::remove(svg, ignored);

@@ -68,11 +68,11 @@ std::optional<Eigen::Vector2d> find_new_corner(const Image& image, const Estimat
   const int height = std::min(birth.box_height_px, image.height() - 2 * rim);
   if (width < 1 || height < 1) return std::nullopt;
   const CameraState now = estimate.camera_state();
-  // Where landmarks are: all that are expected in view, the lines too
+  // Where landmarks are: all that are expected in view, the lines too, and those born in this very frame
   std::vector<Eigen::Vector2d> taken;
   for (const Look& look : estimate.looks) taken.push_back(look.measured.value_or(look.predicted));
   for (const Landmark& landmark : estimate.catalogue) {
-    if (landmark.kind != Landmark::Kind::line) continue;
+    if (landmark.kind != Landmark::Kind::line && landmark.attempts > 0) continue;
     if (const auto at = position_of(landmark, estimate.belief))
       if (const auto seen = camera.project(PointLandmark::in_camera<double>(now, at->position)))
         taken.push_back(seen->pixel);

@@ -158,6 +158,7 @@ bool follow(Landmark& line, CorrelationSheet& sheet, const SummedImage& image, E
   if (!patch) return fail();
   start_sheet(sheet, image, *patch, hypotheses, settings.search);
   const auto found = search_union(sheet, hypotheses, settings.search);
+  look.outcome = LookOutcome::not_found;
   if (!found) return fail();
   look.correlation = found->correlation;
   if (found->correlation < settings.search.min_correlation) return fail();

@@ -71,14 +71,16 @@ struct Look {
   LookOutcome outcome = LookOutcome::not_tried;
 };
 
-/// A line looked for along all its hypotheses of depth at once.
+/// A line looked for along all its hypotheses of depth at once, after the camera has been corrected by the
+/// map's looks. It corrects no camera: `matched` re-weights the hypotheses, `inconsistent` means that none
+/// explains what was found.
 struct LineLook {
   std::int64_t id = 0;
   Eigen::Vector2d predicted;       ///< px, mean over the hypotheses in view, by weight
   Eigen::Matrix2d innovation_cov;  ///< px^2, about that mean: their own and how far they are apart
   std::optional<Eigen::Vector2d> measured;
   double correlation = 0;
-  LookOutcome outcome = LookOutcome::not_found;
+  LookOutcome outcome = LookOutcome::not_tried;
 };
 
 /// Entropies in nats, from log-determinants: thesis (6.2). Map and total are refreshed about once a second.

@@ -86,7 +86,7 @@ class QuickLook {
           target.corners[static_cast<std::size_t>(i)].position - target.corners[0].position;
       plan_.row(i) << at.dot(right), -at.dot(down), 1;
     }
-    // Least squares; corners are never on one line (read_target)
+    // Least squares; four_of() takes no four on one line
     solve_ = (plan_.transpose() * plan_).inverse() * plan_.transpose();
   }
 
@@ -160,22 +160,29 @@ void try_combinations(const Target& target, const Camera& camera,
   }
 }
 
-/// Four corners as far apart as can be: combinations of more would take time exponential in their number, and
-/// four are enough for a pose.
+/// Four corners far apart and not on one line: combinations of more would take time exponential in their
+/// number, and four are enough for a pose.
 Target four_of(const Target& target) {
   Target four = target;
   four.corners = {target.corners.front()};
-  while (four.corners.size() < 4) {
-    const auto distance = [&](const Target::Corner& corner) {
-      double nearest = std::numeric_limits<double>::infinity();
-      for (const auto& taken : four.corners)
-        nearest = std::min(nearest, (corner.position - taken.position).norm());
-      return nearest;
-    };
+  const auto add_farthest = [&](auto distance) {
     four.corners.push_back(
         *std::max_element(target.corners.begin(), target.corners.end(),
                           [&](const auto& a, const auto& b) { return distance(a) < distance(b); }));
-  }
+  };
+  const auto from_taken = [&](const Target::Corner& corner) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const auto& taken : four.corners)
+      nearest = std::min(nearest, (corner.position - taken.position).norm());
+    return nearest;
+  };
+  const auto from_their_line = [&](const Target::Corner& corner) {
+    const Eigen::Vector3d& a = four.corners[0].position;
+    return (corner.position - a).cross(four.corners[1].position - a).norm();
+  };
+  add_farthest(from_taken);
+  add_farthest(from_their_line);
+  add_farthest(from_taken);
   return four;
 }
 

@@ -94,6 +94,7 @@ Program::Program(const Words& arguments, const Circumstances& circumstances)
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
   child_ = ::fork();
+  if (child_ == 0) ::setpgid(0, 0);  // as a shell starts it: what is typed at the terminal is for the group
   if (child_ == 0) become_program(circumstances, argv, out_.get(), err_.get());
   if (child_ < 0) throw std::system_error(errno, std::generic_category(), "fork");
 }
@@ -105,6 +106,7 @@ Program::~Program() {
 }
 
 void Program::signal(int number) const { ::kill(child_, number); }
+void Program::signal_group(int number) const { ::kill(-child_, number); }
 
 Ended Program::wait() {
   int status = 0;

@@ -41,6 +41,7 @@ class Program {
   Program& operator=(const Program&) = delete;
 
   void signal(int number) const;
+  void signal_group(int number) const;  ///< with its children, as Ctrl-C at a terminal does
   Ended wait();
 
  private:

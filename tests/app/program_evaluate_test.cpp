@@ -92,6 +92,7 @@ TEST(ProgramEvaluate, NeverAnswersWithWhatIsNoNumber) {
     EXPECT_TRUE(ended.code == 0 || (ended.code == 1 && !ended.err.empty()));
   }
   EXPECT_SAYS(evaluate(scratch, {"huge", "--truth", "huge"}).err, "too large to be compared");
+  EXPECT_SAYS(evaluate(scratch, {"hgue"}).err, "hgue: there is no such file or folder");
 }
 
 TEST(ProgramEvaluate, RefusesIntervalsThatAreNone) {

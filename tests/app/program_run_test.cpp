@@ -1,8 +1,11 @@
 // Whole runs in the rendered room: repeated, interrupted, killed, and blinded.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <csignal>
+#include <map>
 #include <sstream>
 #include <thread>
 
@@ -71,6 +74,35 @@ TEST(ProgramRun, DepthsAreFoundAlongLines) {
   EXPECT_GT(looks_with(run, "landmark", "matched"), 500);
 }
 
+/// The least distance in px between two of the map's matches in one frame.
+double nearest_matches(const std::filesystem::path& run) {
+  std::map<std::string, std::vector<std::pair<double, double>>> by_frame;
+  for (const std::string& row : testing::lines(run / "looks.csv")) {
+    std::istringstream cells(row);
+    std::vector<std::string> cell;
+    for (std::string one; std::getline(cells, one, ',');) cell.push_back(one);
+    if (cell.back() != "matched" || cell[2] == "line") continue;
+    by_frame[cell[0]].push_back({std::stod(cell[7]), std::stod(cell[8])});
+  }
+  double nearest = 1e9;
+  for (const auto& [t, places] : by_frame)
+    for (std::size_t a = 0; a < places.size(); ++a)
+      for (std::size_t b = 0; b < a; ++b)
+        nearest = std::min(
+            nearest, std::hypot(places[a].first - places[b].first, places[a].second - places[b].second));
+  return nearest;
+}
+
+// One corner mapped twice would be one witness heard twice
+TEST(ProgramRun, NoCornerIsMappedTwice) {
+  const Scratch scratch;
+  const Words many = {"--set", "birth.max_new_per_frame=5"};
+  ASSERT_EQ(testing::incognita(room_for("8", "run", many), scratch.folder()).code, 0);
+  const double nearest = nearest_matches(scratch.folder() / "run");
+  EXPECT_GT(nearest, 2.5);
+  EXPECT_LT(nearest, 100);
+}
+
 TEST(ProgramRun, AnotherSeedIsAnotherRun) {
   const Scratch scratch;
   for (const char* seed : {"1", "2"})
@@ -116,6 +148,29 @@ void expect_interrupted(int signal, int times) {
 TEST(ProgramRun, InterruptedClosesItsFiles) { expect_interrupted(SIGINT, 1); }
 TEST(ProgramRun, TerminatedTwiceStillClosesItsFiles) { expect_interrupted(SIGTERM, 2); }
 TEST(ProgramRun, LosingItsTerminalClosesItsFiles) { expect_interrupted(SIGHUP, 1); }
+
+TEST(ProgramRun, ManyInterruptsLeaveEveryFigure) {
+  const Scratch scratch;
+  const auto run = scratch.folder() / "run";
+  Program program({"run", "room", "--duration", "3600", "--out", "run"}, Circumstances{scratch.folder()});
+  ASSERT_TRUE(testing::has_lines(run / "series.csv", 20));
+  for (int i = 0; i < 40; ++i) {
+    program.signal_group(SIGINT);
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+  EXPECT_EQ(program.wait().code, 1);
+  for (const char* figure : {"map.svg", "errors.svg", "entropy.svg", "advice.svg"})
+    EXPECT_TRUE(exists(run / "figures" / figure)) << figure;
+  EXPECT_TRUE(testing::summary_of(run).value("warnings", nlohmann::json::array()).empty());
+}
+
+TEST(ProgramRun, ALensCoveredFromTheStartNeverStarted) {
+  const Scratch scratch;
+  const Words covered = {"--set", "room.cover_lens_from_s=0", "--set", "start.max_search_s=1"};
+  const Ended ended = testing::incognita(room_for("2", "run", covered), scratch.folder());
+  EXPECT_EQ(ended.code, 1);
+  EXPECT_SAYS(ended.err, "failed, never started: ");
+}
 
 TEST(ProgramRun, InterruptedWhileItWaitsForTheClockDoesNotWait) {
   const Scratch scratch;

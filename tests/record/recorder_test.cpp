@@ -281,11 +281,25 @@ TEST(Recorder, StartedAndKilledLeavesAValidSummary) {
   EXPECT_EQ(fs::file_size(scratch / "run/summary.json"), 16384u);
 }
 
+TEST(Recorder, LeavesOwnFilesOfItsUserAlone) {
+  const Scratch scratch;
+  for (const char* name : {"run/figures/map.svg", "run/figures/map-final.svg", "run/frames/frame-000001.png",
+                           "run/frames/frame-copy.png", "run/frames/frame-1.png", "run/notes.txt"})
+    scratch.write(name, "mine");
+  const Recorder recorder(scratch / "run", info());
+  for (const char* gone : {"figures/map.svg", "frames/frame-000001.png"})
+    EXPECT_FALSE(fs::exists(scratch / "run" / gone)) << gone;
+  for (const char* kept :
+       {"figures/map-final.svg", "frames/frame-copy.png", "frames/frame-1.png", "notes.txt"})
+    EXPECT_TRUE(fs::exists(scratch / "run" / kept)) << kept;
+}
+
 TEST(Recorder, OfARunWithoutFramesIsStillComplete) {
   const Scratch scratch;
   Recorder recorder(scratch / "run", info());
   recorder.finish(RunStatus::failed, "no image came");
   EXPECT_EQ(summary(scratch / "run")["reason"], "no image came");
+  EXPECT_TRUE(contents(scratch / "run/summary.json").ends_with("}\n")) << "no blanks behind the last word";
   EXPECT_EQ(rows(scratch / "run/series.csv"), 0u);
   for (const char* file : {"series.csv", "actions.csv", "map.csv", "timings.csv", "map.ply", "series.mat"})
     EXPECT_TRUE(fs::exists(scratch / "run" / file)) << file;

@@ -1,4 +1,4 @@
-incognita_room(slam SOURCES slam/birth.cpp slam/camera_estimator.cpp slam/consensus.cpp slam/depth_line.cpp
+incognita_room(slam SOURCES slam/association.cpp slam/birth.cpp slam/camera_estimator.cpp slam/consensus.cpp slam/depth_line.cpp
                slam/entropy.cpp slam/landmark_position.cpp slam/learn_planes.cpp slam/map_management.cpp slam/measure.cpp slam/patch_plane.cpp
                slam/predict_looks.cpp slam/solve_pose.cpp slam/target_pose.cpp slam/tracking.cpp
                USES incognita::belief incognita::models incognita::messages incognita::vision

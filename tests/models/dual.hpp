@@ -2,7 +2,17 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <unsupported/Eigen/AutoDiff>
+
+namespace Eigen {
+/// A whole number does not move with its argument.
+template <class D>
+auto floor(const AutoDiffScalar<D>& x) {
+  using Derivatives = typename internal::remove_all<D>::type::PlainObject;
+  return AutoDiffScalar<Derivatives>(std::floor(x.value()), Derivatives::Zero());
+}
+}  // namespace Eigen
 
 namespace incognita {
 

@@ -1,0 +1,61 @@
+// A robot on a line, and what it sees of a landmark there: thesis Example 3.1, Figure 3.2.
+//
+// State (1): position on the line, m. Input (1): speed, m/s; with dt = 1 it is the displacement u of (3.4).
+// Measurement (1): position of the landmark less that of the robot, m.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "incognita/math/chart.hpp"
+
+namespace incognita {
+
+struct MonobotMotion {
+  static constexpr int state_size = 1;
+  static constexpr int error_size = 1;
+  static constexpr int input_size = 1;
+  template <class S>
+  using State = Eigen::Matrix<S, state_size, 1>;
+  template <class S>
+  using Input = Eigen::Matrix<S, input_size, 1>;
+  using Jacobian = Eigen::Matrix<double, error_size, error_size>;
+  using InputJacobian = Eigen::Matrix<double, error_size, input_size>;
+
+  static constexpr Chart chart = Chart::line(1);
+
+  struct Step {
+    State<double> x;  ///< the state after dt
+    Jacobian F;       ///< d(error after) / d(error before): 1
+    InputJacobian G;  ///< d(error after) / d(input): dt
+  };
+
+  /// (3.4)
+  template <class S>
+  State<S> f(const State<S>& x, const Input<S>& u, double dt) const {
+    return x + u * S(dt);
+  }
+
+  Step step(const State<double>& x, const Input<double>& u, double dt) const {
+    return {f<double>(x, u, dt), Jacobian::Identity(), InputJacobian::Constant(dt)};
+  }
+};
+
+struct RelativePosition {
+  using Scalar = Eigen::Matrix<double, 1, 1>;
+  struct Look {
+    Scalar z;
+    Scalar Hv{-1.0};  ///< d(z) / d(robot), (3.7)
+    Scalar Hl{1.0};   ///< d(z) / d(landmark)
+  };
+  struct Birth {
+    Scalar landmark;
+    Scalar Jv{1.0};  ///< d(landmark) / d(robot)
+    Scalar Jz{1.0};  ///< d(landmark) / d(z)
+  };
+
+  /// (3.6)
+  static Look look(double robot, double landmark) { return {Scalar(landmark - robot)}; }
+  static Birth birth(double robot, double z) { return {Scalar(robot + z)}; }
+};
+
+}  // namespace incognita

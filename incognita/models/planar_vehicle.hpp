@@ -1,0 +1,119 @@
+// Vehicles on a plane, each as the pose of a point fixed to its body, where the sensor is: thesis (3.16).
+//
+// State (3): position x, y of that point in the world (m) and heading of the body (rad, about z from +x).
+// The body turns about the middle of its rear (or only) axle; the point is `forward_m` before it and
+// `left_m` beside it. A step holds the input and moves along the tangent at its start, as (3.16) does.
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+
+#include "incognita/math/angles.hpp"
+#include "incognita/math/chart.hpp"
+
+namespace incognita {
+
+namespace planar {
+template <class S>
+using Pose = Eigen::Matrix<S, 3, 1>;  ///< x, y (m), heading (rad)
+using PoseJacobian = Eigen::Matrix3d;
+using PoseInputJacobian = Eigen::Matrix<double, 3, 2>;
+
+inline constexpr Chart pose_chart{{Chart::Kind::line, 2}, {Chart::Kind::angle, 1}};
+
+struct Step {
+  Pose<double> x;       ///< the pose after dt
+  PoseJacobian F;       ///< d(error after) / d(error before)
+  PoseInputJacobian G;  ///< d(error after) / d(input), also of noise that is added to the input
+};
+}  // namespace planar
+
+/// Two driven wheels on one axle. Input (2): speed of the middle of the axle (m/s), turn rate (rad/s).
+struct DifferentialDrive {
+  static constexpr int state_size = 3;
+  static constexpr int error_size = 3;
+  static constexpr int input_size = 2;
+  template <class S>
+  using State = planar::Pose<S>;
+  template <class S>
+  using Input = Eigen::Matrix<S, input_size, 1>;
+  using Jacobian = planar::PoseJacobian;
+  using InputJacobian = planar::PoseInputJacobian;
+  using Step = planar::Step;
+  static constexpr Chart chart = planar::pose_chart;
+
+  double forward_m = 0;  ///< the l of (3.16)
+  double left_m = 0;
+
+  /// (3.16), with the point also beside the axis.
+  template <class S>
+  State<S> f(const State<S>& x, const Input<S>& u, double dt) const {
+    using std::cos, std::sin;
+    const S c = cos(x[2]), s = sin(x[2]);
+    const S along = u[0] - u[1] * S(left_m), across = u[1] * S(forward_m);  // speed of the point, body axes
+    return State<S>(x[0] + (along * c - across * s) * S(dt), x[1] + (along * s + across * c) * S(dt),
+                    wrap_angle<S>(x[2] + u[1] * S(dt)));
+  }
+
+  Step step(const State<double>& x, const Input<double>& u, double dt) const {
+    const double c = std::cos(x[2]), s = std::sin(x[2]);
+    const double along = u[0] - u[1] * left_m, across = u[1] * forward_m;
+    Step step{f<double>(x, u, dt), Jacobian::Identity(), InputJacobian::Zero()};
+    step.F(0, 2) = -(along * s + across * c) * dt;  // not (3.17), whose last entry of this row is wrong
+    step.F(1, 2) = (along * c - across * s) * dt;
+    step.G << c, -left_m * c - forward_m * s,  //
+        s, -left_m * s + forward_m * c,        //
+        0, 1;                                  // not (3.18), which lacks dt in this row
+    step.G *= dt;
+    return step;
+  }
+};
+
+/// A car steered by its front wheels whose speed is measured at its left rear wheel. Input (2): speed of that
+/// wheel (m/s), steering angle (rad, positive to the left, well below the angle at which the wheel would be
+/// the centre of the turn).
+struct AckermannCar {
+  static constexpr int state_size = 3;
+  static constexpr int error_size = 3;
+  static constexpr int input_size = 2;
+  template <class S>
+  using State = planar::Pose<S>;
+  template <class S>
+  using Input = Eigen::Matrix<S, input_size, 1>;
+  using Jacobian = planar::PoseJacobian;
+  using InputJacobian = planar::PoseInputJacobian;
+  using Step = planar::Step;
+  static constexpr Chart chart = planar::pose_chart;
+
+  double wheelbase_m = 2.83;
+  double wheel_left_m = 0.76;         ///< from the middle of the rear axle to the wheel that is measured
+  DifferentialDrive body{3.78, 0.5};  ///< where the point is, from the middle of the rear axle
+
+  /// Speed of the middle of the rear axle (m/s) and turn rate (rad/s).
+  template <class S>
+  Input<S> at_axle(const Input<S>& u) const {
+    using std::tan;
+    const S curvature = tan(u[1]) / S(wheelbase_m);
+    const S speed = u[0] / (S(1) - curvature * S(wheel_left_m));
+    return Input<S>(speed, speed * curvature);
+  }
+
+  template <class S>
+  State<S> f(const State<S>& x, const Input<S>& u, double dt) const {
+    return body.f<S>(x, at_axle<S>(u), dt);
+  }
+
+  Step step(const State<double>& x, const Input<double>& u, double dt) const {
+    const double curvature = std::tan(u[1]) / wheelbase_m;
+    const double d_curvature = (1 + std::pow(std::tan(u[1]), 2)) / wheelbase_m;  // by the steering angle
+    const double slower = 1 - curvature * wheel_left_m;
+    Eigen::Matrix2d J;
+    J << 1 / slower, u[0] * wheel_left_m * d_curvature / (slower * slower),  //
+        curvature / slower, u[0] * d_curvature / (slower * slower);
+    Step step = body.step(x, at_axle<double>(u), dt);
+    step.G = (step.G * J).eval();
+    return step;
+  }
+};
+
+}  // namespace incognita

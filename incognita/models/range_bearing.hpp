@@ -1,0 +1,70 @@
+// Range and bearing of a point of the plane, and a landmark's birth from them: thesis (3.19)-(3.22),
+// (2.20)-(2.26).
+//
+// Measurement (2): range (m), bearing (rad, from the body's heading, positive to the left, in (-pi, pi]).
+// The pi/2 of (3.19) is how one laser counts its beams and belongs to that laser's reader. A known landmark
+// (an anchor) is seen like any other, only without a block of the belief for Hl.
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+#include <optional>
+
+#include "incognita/math/angles.hpp"
+#include "incognita/models/planar_vehicle.hpp"
+
+namespace incognita {
+
+struct RangeBearing {
+  static constexpr Chart chart{{Chart::Kind::line, 1}, {Chart::Kind::angle, 1}};
+  static constexpr Chart landmark_chart = Chart::line(2);
+  static constexpr double least_range_m = 1e-6;  ///< nearer than this a bearing means nothing
+  using Pose = planar::Pose<double>;
+
+  struct Look {
+    Eigen::Vector2d z;               ///< m, rad
+    Eigen::Matrix<double, 2, 3> Hv;  ///< d(z) / d(pose error)
+    Eigen::Matrix2d Hl;              ///< d(z) / d(landmark)
+  };
+  struct Birth {
+    Eigen::Vector2d landmark;
+    Eigen::Matrix<double, 2, 3> Jv;  ///< d(landmark) / d(pose error)
+    Eigen::Matrix2d Jz;              ///< d(landmark) / d(z); (2.25) with the noise of z, not of the pose
+  };
+
+  template <class S>
+  static Eigen::Matrix<S, 2, 1> h(const planar::Pose<S>& pose, const Eigen::Matrix<S, 2, 1>& point) {
+    using std::atan2, std::sqrt;
+    const S dx = point[0] - pose[0], dy = point[1] - pose[1];
+    return Eigen::Matrix<S, 2, 1>(sqrt(dx * dx + dy * dy), wrap_angle<S>(atan2(dy, dx) - pose[2]));
+  }
+
+  /// The inverse of h: (2.22).
+  template <class S>
+  static Eigen::Matrix<S, 2, 1> j(const planar::Pose<S>& pose, const Eigen::Matrix<S, 2, 1>& z) {
+    using std::cos, std::sin;
+    const S direction = pose[2] + z[1];
+    return Eigen::Matrix<S, 2, 1>(pose[0] + z[0] * cos(direction), pose[1] + z[0] * sin(direction));
+  }
+
+  /// Nothing for a point where the sensor is.
+  static std::optional<Look> look(const Pose& pose, const Eigen::Vector2d& point) {
+    const double dx = point.x() - pose.x(), dy = point.y() - pose.y();
+    const double d2 = dx * dx + dy * dy, d = std::sqrt(d2);
+    if (!(d > least_range_m)) return std::nullopt;
+    Look look{h<double>(pose, point), {}, {}};
+    look.Hl << dx / d, dy / d, -dy / d2, dx / d2;
+    look.Hv << -look.Hl, Eigen::Vector2d(0, -1);  // (3.20)
+    return look;
+  }
+
+  static Birth birth(const Pose& pose, const Eigen::Vector2d& z) {
+    const double c = std::cos(pose[2] + z[1]), s = std::sin(pose[2] + z[1]);
+    Birth birth{j<double>(pose, z), {}, {}};
+    birth.Jv << 1, 0, -z[0] * s, 0, 1, z[0] * c;
+    birth.Jz << c, -z[0] * s, s, z[0] * c;
+    return birth;
+  }
+};
+
+}  // namespace incognita

@@ -1,0 +1,87 @@
+// Range and bearing: exact Jacobians, birth undoes look, at ordinary and at nasty places.
+#include "incognita/models/range_bearing.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <vector>
+
+#include "incognita/models/monobot.hpp"
+#include "tests/models/dual.hpp"
+
+namespace incognita {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using D = Dual<5>;
+
+/// Ahead, abeam, behind on either side of the wrap, a micrometre and a hundred kilometres away.
+std::vector<Vector2d> places() {
+  std::vector<Vector2d> all;
+  for (const double range : {2e-6, 1e-3, 1.0, 30.0, 1e5})
+    for (const double bearing : {0.0, 1e-9, 0.7, std::numbers::pi / 2, -std::numbers::pi / 2,
+                                 std::numbers::pi - 1e-7, -std::numbers::pi + 1e-7, -2.5})
+      all.push_back({range, bearing});
+  return all;
+}
+
+std::vector<Vector3d> poses() {
+  return {{0, 0, 0}, {1, -2, std::numbers::pi}, {-3, 4, -3.1415}, {0.1, 0.2, 1.5707963267948966}, {7, 7, -2}};
+}
+
+TEST(RangeBearing, JacobiansAreExact) {
+  for (const Vector3d& pose : poses())
+    for (const Vector2d& z : places()) {
+      const Vector2d point = RangeBearing::j<double>(pose, z);
+      const auto look = RangeBearing::look(pose, point);
+      ASSERT_TRUE(look);
+      const auto J = derivatives<5, 2>(RangeBearing::h<D>(variables<5>(pose), variables<5>(point, 3)));
+      EXPECT_LE((look->Hv - J.leftCols<3>()).norm(), 1e-12 * J.norm())
+          << pose.transpose() << " " << z.transpose();
+      EXPECT_LE((look->Hl - J.rightCols<2>()).norm(), 1e-12 * J.norm())
+          << pose.transpose() << " " << z.transpose();
+      const auto birth = RangeBearing::birth(pose, z);
+      const auto B = derivatives<5, 2>(RangeBearing::j<D>(variables<5>(pose), variables<5>(z, 3)));
+      EXPECT_LE((birth.Jv - B.leftCols<3>()).norm(), 1e-14 * B.norm());
+      EXPECT_LE((birth.Jz - B.rightCols<2>()).norm(), 1e-14 * B.norm());
+    }
+}
+
+TEST(RangeBearing, BirthUndoesLook) {
+  for (const Vector3d& pose : poses())
+    for (const Vector2d& z : places()) {
+      const auto look = RangeBearing::look(pose, RangeBearing::birth(pose, z).landmark);
+      ASSERT_TRUE(look);
+      Vector2d difference;
+      RangeBearing::chart.minus({look->z.data(), 2}, {z.data(), 2}, {difference.data(), 2});
+      // Rounding of positions of some metres, seen from z[0] away
+      EXPECT_LE(std::abs(difference[0]), 1e-15 * (20 + z[0])) << pose.transpose() << " " << z.transpose();
+      EXPECT_LE(std::abs(difference[1]), 1e-15 * (20 + 20 / z[0]))
+          << pose.transpose() << " " << z.transpose();
+      EXPECT_LE(std::abs(look->z[1]), std::numbers::pi);
+    }
+}
+
+TEST(RangeBearing, NoBearingOfThePlaceOfTheSensor) {
+  EXPECT_FALSE(RangeBearing::look({1, 2, 3}, {1, 2}));
+  EXPECT_FALSE(RangeBearing::look({1, 2, 3}, {1, NAN}));
+}
+
+TEST(RangeBearing, LeftIsPositiveAndAheadIsZero) {
+  const auto ahead = RangeBearing::look({1, 1, std::numbers::pi / 2}, {1, 3});
+  const auto left = RangeBearing::look({1, 1, std::numbers::pi / 2}, {0, 1});
+  EXPECT_NEAR(ahead->z[0], 2, 1e-15);
+  EXPECT_NEAR(ahead->z[1], 0, 1e-15);
+  EXPECT_NEAR(left->z[1], std::numbers::pi / 2, 1e-15);
+}
+
+TEST(RelativePosition, BirthUndoesLook) {
+  EXPECT_EQ(RelativePosition::look(-1, 1).z[0], 2);
+  EXPECT_EQ(RelativePosition::birth(-1, 2).landmark[0], 1);
+  EXPECT_EQ(RelativePosition::look(-1, 1).Hv[0], -1);
+  EXPECT_EQ(RelativePosition::look(-1, 1).Hl[0], 1);
+}
+
+}  // namespace
+}  // namespace incognita

@@ -1,0 +1,182 @@
+// Data association against every set of pairings there is, and where nearest neighbours go wrong.
+#include "incognita/slam/association.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "incognita/math/gaussian.hpp"
+#include "incognita/math/random.hpp"
+#include "incognita/models/range_bearing.hpp"
+
+namespace incognita {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+const Eigen::Matrix2d noise = Vector2d(0.1 * 0.1, 0.02 * 0.02).asDiagonal();
+
+/// A vehicle that is not sure where it is, and landmarks it has mapped from there.
+struct Scene {
+  Belief belief;
+  BlockId vehicle;
+  std::vector<BlockId> landmarks;
+
+  Scene(const std::vector<Vector2d>& points, double sigma_m, double sigma_rad) {
+    const Vector3d variances(sigma_m * sigma_m, sigma_m * sigma_m, sigma_rad * sigma_rad);
+    vehicle =
+        belief.add_vehicle(planar::pose_chart, Vector3d::Zero(), variances.asDiagonal().toDenseMatrix());
+    for (const Vector2d& point : points)
+      landmarks.push_back(
+          belief.augment(RangeBearing::landmark_chart, point, {}, 0.01 * Eigen::Matrix2d::Identity()));
+  }
+
+  /// Every measurement with every landmark.
+  std::vector<Pairing> pairings(const std::vector<Vector2d>& measurements) const {
+    std::vector<Pairing> all;
+    for (std::size_t m = 0; m < measurements.size(); ++m)
+      for (std::size_t l = 0; l < landmarks.size(); ++l) {
+        const auto look = RangeBearing::look(belief.mean(vehicle), belief.mean(landmarks[l]));
+        Pairing pairing{static_cast<int>(m), static_cast<int>(l), {}};
+        pairing.look.add(vehicle, look->Hv);
+        pairing.look.add(landmarks[l], look->Hl);
+        Vector2d residual;
+        RangeBearing::chart.minus({measurements[m].data(), 2}, {look->z.data(), 2}, {residual.data(), 2});
+        pairing.look.residual = residual;
+        pairing.look.R = noise;
+        all.push_back(pairing);
+      }
+    return all;
+  }
+};
+
+double joint_distance(const Belief& belief, const std::vector<Pairing>& pairings,
+                      const std::vector<int>& chosen) {
+  if (chosen.empty()) return 0;
+  std::vector<AffineLook> looks;
+  VectorXd r(2 * chosen.size());
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    looks.push_back(pairings[chosen[i]].look);
+    r.segment<2>(2 * i) = pairings[chosen[i]].look.residual;
+  }
+  MatrixXd S;
+  belief.innovation_covariance(looks, S);
+  return r.dot(S.llt().solve(r));
+}
+
+/// The best set by trying all of them; like the search, a set counts if each of its beginnings passes too.
+struct Exhaustive {
+  const Belief& belief;
+  const std::vector<Pairing>& pairings;
+  int measurements;
+  double probability;
+  std::vector<int> path, best;
+  double best_distance = 0;
+
+  void descend(int m) {
+    const double distance = joint_distance(belief, pairings, path);
+    if (!path.empty() && !(distance <= chi_square_quantile(probability, 2 * path.size()))) return;
+    if (path.size() > best.size() || (path.size() == best.size() && distance < best_distance)) {
+      best = path;
+      best_distance = distance;
+    }
+    if (m == measurements) return;
+    for (std::size_t p = 0; p < pairings.size(); ++p) {
+      if (pairings[p].measurement != m) continue;
+      if (joint_distance(belief, pairings, {static_cast<int>(p)}) > chi_square_quantile(probability, 2))
+        continue;
+      if (std::any_of(path.begin(), path.end(),
+                      [&](int q) { return pairings[q].landmark == pairings[p].landmark; }))
+        continue;
+      path.push_back(static_cast<int>(p));
+      descend(m + 1);
+      path.pop_back();
+    }
+    descend(m + 1);
+  }
+};
+
+TEST(JointCompatibility, FindsWhatTryingEverySetFinds) {
+  RandomStream random(1, "association");
+  int with_choice = 0;
+  for (int round = 0; round < 60; ++round) {
+    std::vector<Vector2d> points, measurements;
+    for (int i = 0; i < 4; ++i) points.push_back({random.uniform(2, 5), random.uniform(-2, 2)});
+    const Scene scene(points, 0.4, 0.1);
+    const Vector3d truth(0.4 * random.normal(), 0.4 * random.normal(), 0.1 * random.normal());
+    for (int i = 0; i < 4; ++i) {
+      const Vector2d point =
+          random.uniform(0, 1) < 0.8 ? points[i] : Vector2d(random.uniform(2, 5), random.uniform(-2, 2));
+      measurements.push_back(RangeBearing::look(truth, point)->z);
+    }
+    const auto pairings = scene.pairings(measurements);
+    Exhaustive exhaustive{scene.belief, pairings, 4, 0.95, {}, {}, 0};
+    exhaustive.descend(0);
+    const Association found = jointly_compatible(scene.belief, pairings, {});
+    EXPECT_EQ(found.chosen.size(), exhaustive.best.size()) << "round " << round;
+    EXPECT_NEAR(found.distance2, exhaustive.best_distance, 1e-9) << "round " << round;
+    EXPECT_FALSE(found.capped);
+    const auto inside = individual_distances(scene.belief, pairings);
+    with_choice += std::count_if(inside.begin(), inside.end(), [](double d) { return d < 6; }) > 5;
+  }
+  EXPECT_GT(with_choice, 20) << "too easy to say anything";
+}
+
+/// Two rows of posts half a metre apart, seen by a vehicle that is 0.4 m beside where it believes to be: each
+/// post looks nearest to its neighbour's.
+TEST(JointCompatibility, HoldsWhereNearestNeighboursTakeTheWrongPost) {
+  const std::vector<Vector2d> posts = {{4, -1}, {4, -0.4}, {4, 0.2}, {4, 0.8}, {4.9, 0.5}};
+  const Scene scene(posts, 0.3, 0.01);
+  std::vector<Vector2d> measurements;
+  for (const Vector2d& post : posts) measurements.push_back(RangeBearing::look({0, 0.4, 0}, post)->z);
+  const auto pairings = scene.pairings(measurements);
+  const auto right = [&](const Association& a) {
+    return std::count_if(a.chosen.begin(), a.chosen.end(),
+                         [&](int p) { return pairings[p].measurement == pairings[p].landmark; });
+  };
+  EXPECT_EQ(right(jointly_compatible(scene.belief, pairings, {})), 5);
+  EXPECT_LT(right(nearest_neighbours(scene.belief, pairings, {})), 4);
+}
+
+TEST(JointCompatibility, ACappedSearchSaysSoAndIsStillOneToOne) {
+  std::vector<Vector2d> posts, measurements;
+  for (int i = 0; i < 12; ++i) posts.push_back({4 + 0.05 * i, 0.05 * i});
+  for (const Vector2d& post : posts) measurements.push_back(RangeBearing::look({0, 0.1, 0}, post)->z);
+  const Scene scene(posts, 0.5, 0.1);
+  const auto pairings = scene.pairings(measurements);
+  const Association found = jointly_compatible(scene.belief, pairings, {.max_nodes = 50});
+  EXPECT_TRUE(found.capped);
+  EXPECT_GE(found.chosen.size(), 3u);
+  std::set<int> measured, seen;
+  for (const int p : found.chosen) {
+    EXPECT_TRUE(measured.insert(pairings[p].measurement).second);
+    EXPECT_TRUE(seen.insert(pairings[p].landmark).second);
+  }
+}
+
+TEST(Association, NothingIsNotAMatch) {
+  const Scene scene({{4, 0}}, 0.1, 0.01);
+  EXPECT_TRUE(jointly_compatible(scene.belief, {}, {}).chosen.empty());
+  EXPECT_TRUE(nearest_neighbours(scene.belief, {}, {}).chosen.empty());
+  const auto far = scene.pairings({{9, 1}, {NAN, 0}, {4, NAN}});
+  EXPECT_TRUE(jointly_compatible(scene.belief, far, {}).chosen.empty());
+  EXPECT_TRUE(nearest_neighbours(scene.belief, far, {}).chosen.empty());
+}
+
+TEST(Association, NearestNeighboursAreOneToOne) {
+  const Scene scene({{4, 0}, {4, 0.3}}, 0.1, 0.01);
+  const auto pairings = scene.pairings({{4, 0.001}, {4, 0.02}});
+  const Association found = nearest_neighbours(scene.belief, pairings, {});
+  ASSERT_EQ(found.chosen.size(), 2u);
+  EXPECT_EQ(pairings[found.chosen[0]].measurement, pairings[found.chosen[0]].landmark);
+  EXPECT_EQ(pairings[found.chosen[1]].measurement, pairings[found.chosen[1]].landmark);
+}
+
+}  // namespace
+}  // namespace incognita

@@ -1,6 +1,6 @@
 # What nearly every source reads first (the standard library, Eigen; in tests GoogleTest too), compiled once instead
-# of some 160 times: a build from clean takes about two thirds of the time. Every source still includes what it uses; -D
-# INCOGNITA_PRECOMPILED=OFF builds without, and shows where one does not.
+# of some 160 times. Every source still includes what it uses; -DINCOGNITA_PRECOMPILED=OFF builds without, and shows
+# where one does not.
 option(INCOGNITA_PRECOMPILED "Compile the common headers once" ON)
 
 # GCC 12 sees overruns in std::string where there are none (its bug 105651); in a system header it keeps quiet, and

@@ -27,7 +27,7 @@ Eigen::MatrixXd kalman_gain(const LinearSystem& system, const Eigen::MatrixXd& P
 /// Covariance after the update with that gain, in the Joseph form (A.2.7).
 Eigen::MatrixXd updated(const LinearSystem& system, const Eigen::MatrixXd& P, const Eigen::MatrixXd& K);
 
-/// F P F' + G Q G'
+/// F P F' + G Q G': (A.2.4).
 Eigen::MatrixXd predicted(const LinearSystem& system, const Eigen::MatrixXd& P);
 
 /// F - K H F: how the error of the estimate moves on, (3.2).
@@ -44,8 +44,8 @@ struct Rank {
   int rank = 0;
   Eigen::VectorXd singular_values;  ///< the largest first
   double tolerance = 0;             ///< those above it count
-  double gap =
-      0;  ///< least that counts over most that does not; infinite where nothing is left out or it is 0
+  /// Least that counts over most that does not; infinite where nothing is left out or what is left out is 0
+  double gap = 0;
 };
 
 /// Tolerance: `relative` times the largest singular value.

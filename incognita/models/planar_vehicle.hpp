@@ -71,7 +71,7 @@ struct DifferentialDrive {
 
 /// A car steered by its front wheels whose speed is measured at its left rear wheel. Input (2): speed of that
 /// wheel (m/s), steering angle (rad, positive to the left, well below the angle at which the wheel would be
-/// the centre of the turn).
+/// the centre of the turn). The defaults are the utility car of the ACFR car-park recording.
 struct AckermannCar {
   static constexpr int state_size = 3;
   static constexpr int error_size = 3;

@@ -67,7 +67,9 @@ void add_weighted_columns(double* out, const double* P, long stride, const doubl
 
 }  // namespace
 
-Belief::Belief(int expected_errors) { reserve(std::max(expected_errors, 1)); }
+Belief::Belief(int expected_errors, MapCorrelations correlations) : correlations_(correlations) {
+  reserve(std::max(expected_errors, 1));
+}
 
 const Belief::Block& Belief::block(BlockId id) const {
   require(has(id), "no block ", id, " in the belief");
@@ -172,6 +174,7 @@ BlockId Belief::augment(const Chart& chart, const Eigen::Ref<const Eigen::Vector
       }
       p(old + i, old + j) = sum;
     }
+  if (correlations_ == MapCorrelations::dropped) separate_newborn(blocks_.back());
   return id;
 }
 
@@ -443,7 +446,27 @@ bool Belief::compute_delta(int rank) {
   return true;
 }
 
+bool Belief::correction(std::span<const AffineLook> looks, std::span<const BlockId> blocks,
+                        std::span<BlockVector> out) {
+  UpdateReport report;
+  if (looks.empty() || !factorise_innovation(looks, report)) return false;
+  auto y = residual_.head(report.rows);  // S^-1 residual
+  S_.topLeftCorner(report.rows, report.rows).triangularView<Eigen::Lower>().transpose().solveInPlace(y);
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    out[i] = BlockVector::Zero(block(blocks[i]).chart.tangent());
+    int row = 0;
+    for (const AffineLook& look : looks) {
+      for (int part = 0; part < look.part_count; ++part)
+        out[i] += covariance(blocks[i], look.parts[part].block) *
+                  (look.parts[part].H.transpose() * y.segment(row, look.rows()));
+      row += look.rows();
+    }
+  }
+  return true;
+}
+
 UpdateReport Belief::update(std::span<const AffineLook> looks) {
+  if (correlations_ == MapCorrelations::dropped) return update_dropping(looks);
   UpdateReport report;
   if (looks.empty()) return report;
   if (!factorise_innovation(looks, report)) {

@@ -31,10 +31,18 @@ struct UpdateReport {
   double log_det_R = 0;
 };
 
+/// What becomes of the correlations between landmarks.
+enum class MapCorrelations {
+  kept,     ///< as Kalman has it
+  dropped,  ///< the map stays block diagonal, thesis (3.28), its blocks inflated by what that takes
+};
+
 class Belief {
  public:
-  /// `expected_errors`: how large the covariance is expected to grow; more is allocated when it does.
-  explicit Belief(int expected_errors = 64);
+  /// `expected_errors`: how large the covariance is expected to grow; more is allocated when it does. With
+  /// `dropped` correlations update() and augment() are linear in the map, not quadratic; memory stays
+  /// quadratic. One vehicle only then.
+  explicit Belief(int expected_errors = 64, MapCorrelations correlations = MapCorrelations::kept);
 
   // What is in it
   // -------------------------------------------------------------------------------------------------
@@ -93,6 +101,27 @@ class Belief {
   /// gain.
   UpdateReport update_joseph(std::span<const AffineLook> looks);
 
+  /// What update() would add to the errors of some blocks, without doing it: `out` has one vector for each.
+  /// False when update() would refuse S. Costs nothing that grows with the map.
+  bool correction(std::span<const AffineLook> looks, std::span<const BlockId> blocks,
+                  std::span<BlockVector> out);
+
+  /// One block moves and takes all others along, as landmarks told in the frame of a vehicle do:
+  /// its error after = A * error before, that of each other block = A_i * its own + B_i * that of the mover.
+  /// Whoever is not among `others` stays. Quadratic in the state; allocates.
+  struct Carried {
+    BlockId block = 0;
+    BlockVector x_next;  ///< mean after
+    BlockMatrix A;       ///< errors x errors
+    BlockMatrix B;       ///< errors x errors of the mover
+  };
+  void carry(const AffineMotion& mover, std::span<const Carried> others);
+
+  /// Makes the covariance block diagonal, or only the map's part of it (3.28), with the least trace added:
+  /// see inflation.hpp. For maps to study: slower than anything else here. The first block is the vehicle.
+  enum class Scope { everything, map };
+  void decorrelate(Scope scope);
+
   /// Innovation covariance S = H P H' + R of looks, all of them together; sized rows x rows, both triangles.
   /// Costs nothing that grows with the map.
   void innovation_covariance(std::span<const AffineLook> looks, Eigen::MatrixXd& S) const;
@@ -122,6 +151,12 @@ class Belief {
   bool compute_delta(int rank);
   bool factorise_innovation(std::span<const AffineLook> looks, UpdateReport& report);
   void shift_mean(std::span<const double> delta);
+  UpdateReport update_dropping(std::span<const AffineLook> looks);
+  bool take_look(const AffineLook& look, std::span<double> delta);
+  void align_columns(const AffineLook& look);
+  void shrink_arrow(int rank);
+  void shrink_map(int rank, int column);
+  void separate_newborn(const Block& newborn);
   template <class Destination>
   void fill_innovation_covariance(std::span<const AffineLook> looks, Destination& S) const;
 
@@ -142,12 +177,15 @@ class Belief {
   int stride_ = 0;    ///< leading dimension of P
   AlignedBuffer storage_;
 
+  MapCorrelations correlations_ = MapCorrelations::kept;
+
   // Workspace of update(), kept so that it allocates nothing
   int rank_capacity_ = 0;
   Eigen::MatrixXd S_;     ///< innovation covariance, then its Cholesky factor
   AlignedBuffer PHt_;     ///< stride x rank
   AlignedBuffer packed_;  ///< W in the panels of rank_update
   Eigen::VectorXd residual_, delta_;
+  Eigen::VectorXd norms_;  ///< of one column of W, by block: only where correlations are dropped
 };
 
 }  // namespace incognita

@@ -1,4 +1,6 @@
-incognita_room(belief SOURCES belief/belief.cpp belief/joseph.cpp belief/rank_update.cpp belief/rank_update_baseline.cpp
+incognita_room(belief
+               SOURCES belief/belief.cpp belief/dropped_correlations.cpp belief/inflation.cpp belief/joseph.cpp
+                       belief/rank_update.cpp belief/rank_update_baseline.cpp belief/whole_map.cpp
                USES incognita::math)
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
   # Only these two files may use newer instructions; rank_update.cpp asks the processor before calling them.

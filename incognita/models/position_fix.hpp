@@ -1,0 +1,21 @@
+// A sensor outside that sees where the vehicle is, such as GPS: the second way of thesis Section 3.2 to full
+// observability. Measurement (2): x, y in the world (m).
+#pragma once
+
+#include <Eigen/Core>
+
+#include "incognita/models/planar_vehicle.hpp"
+
+namespace incognita {
+
+struct PositionFix {
+  struct Look {
+    Eigen::Vector2d z;               ///< m
+    Eigen::Matrix<double, 2, 3> Hv;  ///< d(z) / d(pose error)
+  };
+  static Look look(const planar::Pose<double>& pose) {
+    return {pose.head<2>(), Eigen::Matrix<double, 2, 3>::Identity()};
+  }
+};
+
+}  // namespace incognita

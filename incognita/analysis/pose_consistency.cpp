@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <cmath>
 
 #include "incognita/math/chart.hpp"
 
@@ -9,7 +10,8 @@ namespace incognita {
 namespace {
 
 constexpr Chart pose_chart{{Chart::Kind::line, 3}, {Chart::Kind::quaternion, 4}};
-constexpr double three_sigma_chi_square_3 = 14.156;  // F^-1(0.9973)
+/// F^-1(0.9973) of chi-square by degrees of freedom: 3 sigma of as many numbers.
+constexpr double three_sigma_chi_square[] = {0, 8.9998, 11.829, 14.156};
 
 using PoseNumbers = Eigen::Matrix<double, 7, 1>;
 PoseNumbers numbers(const StampedPose& pose) {
@@ -18,13 +20,24 @@ PoseNumbers numbers(const StampedPose& pose) {
   return x;
 }
 
-/// e' P^-1 e.
+/// e' P^-1 e over the components that are states: not those without an error to speak of (NaN), nor those
+/// that are exact by construction, as a height is on a plane (error and variance 0).
+struct NormalisedSquare {
+  double sum = 0;
+  int dof = 0;
+};
 template <int N>
-std::optional<double> normalised_square(const Eigen::Matrix<double, N, 1>& e,
-                                        const Eigen::Matrix<double, N, N>& P) {
-  const Eigen::LLT<Eigen::Matrix<double, N, N>> factor(P);
+std::optional<NormalisedSquare> normalised_square(const Eigen::Matrix<double, N, 1>& e,
+                                                  const Eigen::Matrix<double, N, N>& P) {
+  std::vector<int> states;
+  for (int i = 0; i < N; ++i)
+    if (!std::isnan(e[i]) && !(e[i] == 0 && P(i, i) == 0)) states.push_back(i);
+  if (states.empty()) return std::nullopt;
+  const Eigen::MatrixXd part = P(states, states);
+  const Eigen::LLT<Eigen::MatrixXd> factor(part);
   if (factor.info() != Eigen::Success) return std::nullopt;
-  return factor.matrixL().solve(e).squaredNorm();
+  return NormalisedSquare{factor.matrixL().solve(Eigen::VectorXd(e(states))).squaredNorm(),
+                          static_cast<int>(states.size())};
 }
 
 }  // namespace
@@ -37,15 +50,15 @@ PoseError pose_error(const StampedPose& truth, const StampedPose& estimate) {
 }
 
 std::optional<double> pose_nees(const PoseError& error, const PoseCovariance& covariance) {
-  const auto sum = normalised_square<6>(error, covariance);
-  if (!sum) return std::nullopt;
-  return *sum / 6;
+  const auto square = normalised_square<6>(error, covariance);
+  if (!square) return std::nullopt;
+  return square->sum / square->dof;
 }
 
 bool beyond_three_sigma(const Eigen::Vector3d& error, const Eigen::Matrix3d& covariance) {
-  const auto distance_squared = normalised_square<3>(error, covariance);
-  if (!distance_squared) return !error.isZero();
-  return *distance_squared > three_sigma_chi_square_3;
+  const auto square = normalised_square<3>(error, covariance);
+  if (!square) return !error.isZero();
+  return square->sum > three_sigma_chi_square[square->dof];
 }
 
 std::optional<double> mean_pose_nees(const MatchedTrajectories& matched,

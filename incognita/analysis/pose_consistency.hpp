@@ -22,14 +22,15 @@ struct StampedCovariance {
 /// truth (-) estimate in that order.
 PoseError pose_error(const StampedPose& truth, const StampedPose& estimate);
 
-/// Normalised estimation error squared of the pose divided by its 6 degrees of freedom, so that 1 is right.
-/// Nothing where the covariance is not positive definite: there is no such number for a pose said to be
-/// exact.
+/// Normalised estimation error squared of the pose divided by its degrees of freedom, so that 1 is right.
+/// Those are 6, less components whose error is not known (NaN) or that are exact by construction (error and
+/// variance 0, as height, roll and pitch on a plane). Nothing where the covariance of the rest is not
+/// positive definite: there is no such number for a pose said to be exact.
 std::optional<double> pose_nees(const PoseError& error, const PoseCovariance& covariance);
 
 /// Whether a position lies beyond 3 sigma of its covariance: its Mahalanobis distance squared exceeds the
-/// 0.9973 quantile of chi-square with 3 degrees of freedom. A covariance that is not positive definite counts
-/// when there is an error at all.
+/// 0.9973 quantile of chi-square with 3 degrees of freedom, fewer on a plane as in pose_nees(). A covariance
+/// that is not positive definite counts when there is an error at all.
 bool beyond_three_sigma(const Eigen::Vector3d& error, const Eigen::Matrix3d& covariance);
 
 /// Mean of pose_nees over matched poses whose covariance is known at the estimate's own time stamp; nothing

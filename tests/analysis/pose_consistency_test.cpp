@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "incognita/math/quaternion.hpp"
 #include "incognita/math/random.hpp"
 
@@ -26,7 +28,19 @@ TEST(PoseNees, MatchesAHandComputedValue) {
   e[5] = 3;  // three
   EXPECT_NEAR(*pose_nees(e, P), 10.0 / 6, 1e-12);
   P(2, 2) = 0;
+  e[2] = 1e-9;  // said to be exact, and wrong
   EXPECT_FALSE(pose_nees(e, P));
+}
+
+TEST(PoseNees, LeavesOutWhatIsNoState) {
+  PoseCovariance P = PoseCovariance::Zero();
+  P(0, 0) = P(1, 1) = P(5, 5) = 1;
+  PoseError e = PoseError::Zero();
+  e[0] = 2, e[5] = 1;
+  EXPECT_NEAR(*pose_nees(e, P), 5.0 / 3, 1e-12);  // on a plane
+  e.tail<3>().setConstant(std::numeric_limits<double>::quiet_NaN());
+  EXPECT_NEAR(*pose_nees(e, P), 4.0 / 2, 1e-12);  // with the true heading unknown
+  EXPECT_FALSE(pose_nees(PoseError::Zero(), PoseCovariance::Zero()));
 }
 
 TEST(PoseNees, AveragesToOneForErrorsOfThatCovariance) {
@@ -51,6 +65,9 @@ TEST(BeyondThreeSigma, IsTheChiSquareQuantile) {
   EXPECT_TRUE(beyond_three_sigma({0.2 * 3.7626, 0, 0}, P));   // sqrt(14.1572)
   EXPECT_TRUE(beyond_three_sigma({1e-9, 0, 0}, Eigen::Matrix3d::Zero()));
   EXPECT_FALSE(beyond_three_sigma({0, 0, 0}, Eigen::Matrix3d::Zero()));
+  const Eigen::Matrix3d flat = Eigen::Vector3d(0.04, 0.04, 0).asDiagonal();
+  EXPECT_FALSE(beyond_three_sigma({0.2 * 3.439, 0, 0}, flat));  // sqrt(11.829)
+  EXPECT_TRUE(beyond_three_sigma({0.2 * 3.440, 0, 0}, flat));
 }
 
 TEST(MeanPoseNees, UsesCovariancesOfTheSameStampOnly) {

@@ -1,15 +1,36 @@
 // All that the robot can know at one tick: what its sensors gave.
 #pragma once
 
+#include <Eigen/Core>
+#include <cstdint>
 #include <memory>
+#include <optional>
+#include <vector>
 
 #include "incognita/vision/image.hpp"
 
 namespace incognita {
 
+/// What the wheels say, held until the next reading.
+struct Odometry {
+  double t = 0;                     ///< s, on the clock of the ticks
+  Eigen::Vector2d input{0.0, 0.0};  ///< as the vehicle's motion model takes it, e.g. m/s and rad/s
+};
+
+/// A landmark as a laser or a camera with ranges gives it, in the frame of the sensor.
+struct Detection {
+  static constexpr std::int64_t unknown = -1;
+  double range_m = 0;
+  double bearing_rad = 0;           ///< from straight ahead, positive to the left
+  std::int64_t identity = unknown;  ///< which landmark it is, where the sensor can tell
+};
+
 struct Observation {
   std::shared_ptr<const Image>
-      image;  ///< immutable, shared with the record; null when the camera gave nothing
+      image;                       ///< immutable, shared with the record; null when the camera gave nothing
+  std::vector<Odometry> odometry;  ///< since the tick before, in time order
+  std::vector<Detection> detections;   ///< of this very tick
+  std::optional<Eigen::Vector2d> fix;  ///< world, m: where an external sensor sees the vehicle, if one does
 };
 
 }  // namespace incognita

@@ -7,6 +7,7 @@ namespace incognita {
 
 struct Truth {
   FreeCameraMotion::State<double> camera = FreeCameraMotion::State<double>::Zero();  ///< (5.24), world z up
+  bool orientation_known = true;  ///< GPS tells a position alone
 };
 
 }  // namespace incognita

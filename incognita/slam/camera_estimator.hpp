@@ -18,6 +18,8 @@ class StageClock;
 
 class CameraEstimator {
  public:
+  using Estimate = incognita::Estimate;
+
   /// `target` fixes place and scale; without one the first view is the origin and the scale is the prior's.
   CameraEstimator(Camera camera, std::optional<Target> target, const CameraSlamSettings& settings,
                   double max_search_s, std::uint64_t seed);

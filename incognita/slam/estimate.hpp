@@ -3,13 +3,13 @@
 
 #include <Eigen/Core>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "incognita/belief/belief.hpp"
 #include "incognita/models/camera_look.hpp"
+#include "incognita/slam/entropy_values.hpp"
 #include "incognita/slam/patch_plane.hpp"
 #include "incognita/slam/status.hpp"
 #include "incognita/vision/patch.hpp"
@@ -81,13 +81,6 @@ struct LineLook {
   std::optional<Eigen::Vector2d> measured;
   double correlation = 0;
   LookOutcome outcome = LookOutcome::not_tried;
-};
-
-/// Entropies in nats, from log-determinants: thesis (6.2). Map and total are refreshed about once a second.
-struct Entropy {
-  double vehicle = std::numeric_limits<double>::quiet_NaN();
-  double map = std::numeric_limits<double>::quiet_NaN();
-  double total = std::numeric_limits<double>::quiet_NaN();
 };
 
 struct Estimate {

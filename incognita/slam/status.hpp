@@ -24,7 +24,13 @@ inline const char* name(TrackingState state) {
 }
 
 /// What became of one landmark's look in a frame.
-enum class LookOutcome { matched, not_found, inconsistent, not_tried };
+enum class LookOutcome {
+  matched,
+  not_found,
+  inconsistent,
+  not_tried,
+  born,  ///< a new landmark was made of it
+};
 
 inline const char* name(LookOutcome outcome) {
   switch (outcome) {
@@ -36,6 +42,8 @@ inline const char* name(LookOutcome outcome) {
       return "inconsistent";
     case LookOutcome::not_tried:
       return "not-tried";
+    case LookOutcome::born:
+      return "born";
   }
   return "unknown";
 }

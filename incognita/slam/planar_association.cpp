@@ -1,0 +1,116 @@
+#include "incognita/slam/planar_association.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "incognita/math/gaussian.hpp"
+#include "incognita/models/range_bearing.hpp"
+#include "incognita/slam/association.hpp"
+#include "incognita/slam/planar_looks.hpp"
+
+namespace incognita {
+namespace {
+
+/// By what the sensor says: each identity once, the first time as a birth. Without an identity there is
+/// nothing to go by, and such a detection is left alone.
+ScanAssociation associate_known(const PlanarEstimate& e, const std::vector<Detection>& detections,
+                                const PlanarSlamSettings& settings) {
+  ScanAssociation out;
+  std::vector<std::int64_t> taken;
+  for (std::size_t d = 0; d < detections.size(); ++d) {
+    const std::int64_t identity = detections[d].identity;
+    if (identity == Detection::unknown || std::find(taken.begin(), taken.end(), identity) != taken.end())
+      continue;
+    taken.push_back(identity);
+    const auto known = std::find_if(e.catalogue.begin(), e.catalogue.end(),
+                                    [&](const PlanarLandmark& l) { return l.identity == identity; });
+    if (known == e.catalogue.end()) {
+      out.births.push_back(d);
+      continue;
+    }
+    const auto seen = look_at(e, *known, detections[d], settings);
+    const Pairing pairing{0, 0, seen ? seen->look : AffineLook{}};
+    const double gate = chi_square_quantile(settings.association.gate_probability, 2);
+    if (seen && individual_distances(e.belief, {&pairing, 1})[0] <= gate)
+      out.matches.push_back({d, static_cast<std::size_t>(known - e.catalogue.begin())});
+    else
+      out.refused.push_back(d);
+  }
+  return out;
+}
+
+/// How far apart two places are as range and bearing from the vehicle have them, m.
+double apart(const Detection& detection, const Eigen::Vector2d& predicted) {
+  const Eigen::Vector3d here = Eigen::Vector3d::Zero();
+  const Eigen::Vector2d z(detection.range_m, detection.bearing_rad);
+  return (RangeBearing::j<double>(here, z) - RangeBearing::j<double>(here, predicted)).norm();
+}
+
+class UnknownAssociation {
+ public:
+  UnknownAssociation(const PlanarEstimate& e, const std::vector<Detection>& detections,
+                     const PlanarSlamSettings& settings)
+      : e_(e), detections_(detections), settings_(settings), novel_(detections.size(), true) {
+    for (std::size_t d = 0; d < detections.size(); ++d)
+      for (std::size_t l = 0; l < e.catalogue.size(); ++l) add_pairing(d, l);
+  }
+
+  ScanAssociation run() {
+    const DataAssociationSettings& s = settings_.association;
+    const AssociationSettings joint{s.gate_probability, s.max_nodes};
+    const Association chosen = s.method == "nearest" ? nearest_neighbours(e_.belief, pairings_, joint)
+                                                     : jointly_compatible(e_.belief, pairings_, joint);
+    ScanAssociation out;
+    out.capped = chosen.capped;
+    for (const int p : chosen.chosen) {
+      out.matches.push_back({static_cast<std::size_t>(pairings_[static_cast<std::size_t>(p)].measurement),
+                             static_cast<std::size_t>(pairings_[static_cast<std::size_t>(p)].landmark)});
+      novel_[out.matches.back().detection] = false;
+    }
+    close_to_landmarks();
+    for (std::size_t d = 0; d < detections_.size(); ++d)
+      if (novel_[d] && !near_another(d, out.births)) out.births.push_back(d);
+    return out;
+  }
+
+ private:
+  void add_pairing(std::size_t detection, std::size_t landmark) {
+    const auto seen = look_at(e_, e_.catalogue[landmark], detections_[detection], settings_);
+    if (!seen) return;
+    if (apart(detections_[detection], seen->predicted) < settings_.association.birth_distance_m)
+      novel_[detection] = false;
+    pairings_.push_back({static_cast<int>(detection), static_cast<int>(landmark), seen->look});
+  }
+
+  /// What is inside the wide gate of any landmark is not of a new one.
+  void close_to_landmarks() {
+    const double gate = chi_square_quantile(settings_.association.birth_probability, 2);
+    const std::vector<double> distances = individual_distances(e_.belief, pairings_);
+    for (std::size_t p = 0; p < pairings_.size(); ++p)
+      if (distances[p] <= gate) novel_[static_cast<std::size_t>(pairings_[p].measurement)] = false;
+  }
+
+  /// Two detections of one scan so near each other are of one new landmark.
+  bool near_another(std::size_t d, const std::vector<std::size_t>& births) const {
+    return std::any_of(births.begin(), births.end(), [&](std::size_t other) {
+      const Eigen::Vector2d z(detections_[other].range_m, detections_[other].bearing_rad);
+      return apart(detections_[d], z) < settings_.association.birth_distance_m;
+    });
+  }
+
+  const PlanarEstimate& e_;
+  const std::vector<Detection>& detections_;
+  const PlanarSlamSettings& settings_;
+  std::vector<Pairing> pairings_;
+  std::vector<bool> novel_;
+};
+
+}  // namespace
+
+ScanAssociation associate_scan(const PlanarEstimate& estimate, const std::vector<Detection>& detections,
+                               const PlanarSlamSettings& settings) {
+  if (settings.association.method == "known") return associate_known(estimate, detections, settings);
+  return UnknownAssociation(estimate, detections, settings).run();
+}
+
+}  // namespace incognita

@@ -1,0 +1,44 @@
+#include "incognita/slam/planar_estimate.hpp"
+
+#include "incognita/math/gaussian.hpp"
+#include "incognita/models/planar_frame.hpp"
+
+namespace incognita {
+
+PlanarPoseEstimate vehicle_pose(const PlanarEstimate& e) {
+  const planar::Pose<double> vehicle = e.belief.mean(e.vehicle);
+  if (!e.world) return {vehicle, e.belief.covariance(e.vehicle)};
+  const planar::FramedPose seen = planar::in_frame(planar::Pose<double>(e.belief.mean(*e.world)), vehicle);
+  const Eigen::Matrix3d cross =
+      seen.by_pose * e.belief.covariance(e.vehicle, *e.world) * seen.by_frame.transpose();
+  return {seen.pose, seen.by_frame * e.belief.covariance(*e.world) * seen.by_frame.transpose() +
+                         seen.by_pose * e.belief.covariance(e.vehicle) * seen.by_pose.transpose() + cross +
+                         cross.transpose()};
+}
+
+PlanarPosition position_of(const PlanarLandmark& landmark, const PlanarEstimate& e) {
+  if (landmark.anchor) return {landmark.position, Eigen::Matrix2d::Zero()};
+  const Eigen::Vector2d mean = e.belief.mean(landmark.block);
+  if (!e.world) return {mean, e.belief.covariance(landmark.block)};
+  const planar::FramedPoint seen = planar::in_frame(planar::Pose<double>(e.belief.mean(*e.world)), mean);
+  const Eigen::Matrix2d cross =
+      seen.by_point * e.belief.covariance(landmark.block, *e.world) * seen.by_frame.transpose();
+  return {seen.point, seen.by_frame * e.belief.covariance(*e.world) * seen.by_frame.transpose() +
+                          seen.by_point * e.belief.covariance(landmark.block) * seen.by_point.transpose() +
+                          cross + cross.transpose()};
+}
+
+Entropy entropies(const PlanarEstimate& e) {
+  const BlockId pose = e.world ? *e.world : e.vehicle;
+  const Eigen::MatrixXd P = e.belief.dense_covariance();
+  const Eigen::Index first = e.belief.offset(pose), rest = P.rows() - first - 3;
+  Entropy entropy;
+  entropy.vehicle = gaussian_entropy(log_det(P.block(first, first, 3, 3)), 3);
+  entropy.map =
+      rest > 0 ? gaussian_entropy(log_det(P.bottomRightCorner(rest, rest)), static_cast<int>(rest)) : 0;
+  entropy.total =
+      gaussian_entropy(log_det(P.bottomRightCorner(rest + 3, rest + 3)), static_cast<int>(rest) + 3);
+  return entropy;
+}
+
+}  // namespace incognita

@@ -1,0 +1,35 @@
+// The estimator of a vehicle on a plane that measures ranges and bearings: odometry in, map and pose out.
+#pragma once
+
+#include "incognita/messages/command.hpp"
+#include "incognita/messages/observation.hpp"
+#include "incognita/messages/tick.hpp"
+#include "incognita/slam/planar_association.hpp"
+#include "incognita/slam/planar_estimate.hpp"
+#include "incognita/slam/planar_settings.hpp"
+
+namespace incognita {
+
+class PlanarEstimator {
+ public:
+  using Estimate = PlanarEstimate;
+
+  /// Throws std::invalid_argument, naming the setting, for words that none of its settings knows and for
+  /// filters that make no sense together.
+  explicit PlanarEstimator(const PlanarSlamSettings& settings);
+
+  /// One tick: predict, associate, correct, give birth. The command moves nothing that odometry does not
+  /// tell.
+  void update(PlanarEstimate& estimate, const Command& command, const Observation& seen,
+              const Tick& tick) const;
+
+ private:
+  void start(PlanarEstimate& estimate, const Observation& seen, const Tick& tick) const;
+  void correct(PlanarEstimate& estimate, const Observation& seen, const ScanAssociation& found) const;
+  void give_births(PlanarEstimate& estimate, const Observation& seen, const ScanAssociation& found) const;
+  void judge(PlanarEstimate& estimate) const;
+
+  PlanarSlamSettings settings_;
+};
+
+}  // namespace incognita

@@ -1,0 +1,22 @@
+// Prediction of a vehicle on a plane through what its wheels told.
+#pragma once
+
+#include "incognita/belief/affine.hpp"
+#include "incognita/slam/planar_estimate.hpp"
+#include "incognita/slam/planar_settings.hpp"
+
+namespace incognita {
+
+/// How the vehicle moves while an input is held for dt seconds, linearised as the filter is set to.
+AffineMotion planar_motion(const PlanarEstimate& estimate, const Eigen::Vector2d& input, double dt,
+                           const VehicleSettings& vehicle, const PlanarFilterSettings& filter);
+
+/// Carries the estimate to the tick's time: each input is held until the next reading. Nothing moves before
+/// the first.
+void predict_through(PlanarEstimate& estimate, const std::vector<Odometry>& odometry, double t,
+                     const PlanarSlamSettings& settings);
+
+/// Where the map is told in the vehicle's frame: tells all from where the vehicle has come to. Else nothing.
+void tell_from_vehicle(PlanarEstimate& estimate);
+
+}  // namespace incognita

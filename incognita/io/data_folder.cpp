@@ -23,6 +23,14 @@ constexpr Published known[] = {
      "put the\n"
      "1000 images in monoslam_testseq/frames. SHA-256 of rawoutput0000.pgm:\n"
      "3b3d604b6d5f0edbb20296548a6c1a5e47a19c61d7fe951434b37513a77580e8"},
+    {"acfr_car_park",
+     "It was made for the SLAM summer school 2002 (credit: J. Nieto, J. Guivant, E. Nebot, ACFR,\n"
+     "University of Sydney); a copy is at github.com/yuzehai1995/hwork_SLAM in hw4_slam/. Put data_set.mat\n"
+     "and beac_juan3.mat in acfr_car_park. SHA-256 of data_set.mat:\n"
+     "f44c8adfa7e8e38ea6c40da3cd5d52bd8e029fc2d5ea27a9d7df24ad4ec98be7"},
+    {"mrclam",
+     "It is published at asrl.utias.utoronto.ca/datasets/mrclam (credit: K. Leung, Y. Halpern, T. Barfoot,\n"
+     "H. Liu); unpack each set into a folder of its own, e.g. mrclam/MRCLAM_Dataset7."},
 };
 
 std::string publication(const std::string& path) {

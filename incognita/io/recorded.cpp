@@ -57,8 +57,9 @@ RecordedSensor::RecordedSensor(SharedRecording recording, int width_px, int heig
 }
 
 Observation RecordedSensor::look(const std::optional<Truth>&, const Tick& tick) {
-  if (tick.frame == 0) return {first_};
-  return {read(tick.frame)};
+  Observation seen;
+  seen.image = tick.frame == 0 ? first_ : read(tick.frame);
+  return seen;
 }
 
 std::shared_ptr<const Image> RecordedSensor::read(std::int64_t frame) const {

@@ -3,6 +3,9 @@ if(NOT fmt_FOUND)
   find_package(fmt REQUIRED)
 endif()
 
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(MATIO REQUIRED IMPORTED_TARGET GLOBAL matio)
+
 # scenarios/ is built into the program: it runs from any folder
 file(GLOB embedded_names RELATIVE ${PROJECT_SOURCE_DIR}/scenarios CONFIGURE_DEPENDS
      ${PROJECT_SOURCE_DIR}/scenarios/*.toml ${PROJECT_SOURCE_DIR}/scenarios/targets/*.toml
@@ -19,12 +22,14 @@ add_custom_command(
 file(MAKE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/io)
 
 incognita_room(io
-  SOURCES io/camera.cpp io/data_folder.cpp io/euroc_recording.cpp io/files.cpp io/image_file.cpp io/image_folder.cpp
-          io/load_scenario.cpp io/nearest_name.cpp io/number_table.cpp io/recorded.cpp io/recording.cpp
+  SOURCES io/acfr_recording.cpp io/camera.cpp io/data_folder.cpp io/euroc_recording.cpp io/files.cpp io/image_file.cpp
+          io/image_folder.cpp io/load_scenario.cpp io/mat_numbers.cpp io/mat_structure.cpp io/mrclam_recording.cpp
+          io/named_table.cpp io/nearest_name.cpp io/number_table.cpp io/range_recording.cpp
+          io/range_recording_builder.cpp io/range_tables.cpp io/recorded.cpp io/recording.cpp io/reflectors.cpp
           io/scenario_checks.cpp io/setting.cpp io/settings.cpp io/target_file.cpp io/toml_value.cpp
           io/tum_recording.cpp ${embedded_source}
   USES incognita::models incognita::messages
-  PRIVATE_USES fmt::fmt opencv_core opencv_imgcodecs)
+  PRIVATE_USES fmt::fmt opencv_core opencv_imgcodecs PkgConfig::MATIO)
 target_compile_definitions(incognita_io PRIVATE INCOGNITA_VERSION="${PROJECT_VERSION}")
 
 include(app/config.cmake OPTIONAL)

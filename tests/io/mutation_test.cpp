@@ -2,14 +2,19 @@
 // more.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
+#include <map>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 
 #include "incognita/io/image_file.hpp"
+#include "incognita/io/range_recording.hpp"
 #include "incognita/io/recording.hpp"
 #include "incognita/io/target_file.hpp"
 #include "incognita/math/random.hpp"
+#include "tests/io/mat_writer.hpp"
 #include "tests/scratch.hpp"
 
 namespace incognita {
@@ -115,6 +120,79 @@ TEST(DamagedRecording, IsReadOrRefused) {
   };
   EXPECT_GT(still_read(list, 150, [&](const std::string& text) { read(text, truth); }), 15);
   EXPECT_GT(still_read(truth, 150, [&](const std::string& text) { read(list, text); }), 5);
+}
+
+/// What a range recording promises, whatever the files were.
+void expect_sound(const RangeRecording& recording) {
+  const auto in_order = [](const auto& rows) {
+    return std::is_sorted(rows.begin(), rows.end(), [](const auto& a, const auto& b) { return a.t < b.t; });
+  };
+  EXPECT_TRUE(in_order(recording.odometry) && in_order(recording.scans) && in_order(recording.truth));
+  EXPECT_FALSE(recording.odometry.empty() || recording.scans.empty());
+  for (const Odometry& one : recording.odometry) EXPECT_TRUE(std::isfinite(one.t) && one.input.allFinite());
+  for (const RangeRecording::Scan& scan : recording.scans) {
+    EXPECT_TRUE(std::isfinite(scan.t));
+    for (const Detection& seen : scan.detections) {
+      EXPECT_TRUE(std::isfinite(seen.range_m) && seen.range_m > 0);
+      EXPECT_LE(std::abs(seen.bearing_rad), 3.1416);
+      EXPECT_GE(seen.identity, Detection::unknown);
+    }
+  }
+  for (const RangeRecording::Place& place : recording.truth)
+    EXPECT_TRUE(std::isfinite(place.t) && place.position.allFinite() &&
+                std::isfinite(place.heading_rad.value_or(0)));
+  for (const RangeRecording::Landmark& landmark : recording.landmarks)
+    EXPECT_TRUE(landmark.position.allFinite());
+}
+
+/// Damages one file after the other of a folder that is whole otherwise.
+void damage_each(const std::map<std::string, std::string>& files, const std::string& format) {
+  const Scratch scratch;
+  for (const auto& [name, whole] : files) scratch.write(name, whole);
+  for (const auto& [name, whole] : files) {
+    const int fine = still_read(whole, 150, [&, file = name](const std::string& text) {
+      scratch.write(file, text);
+      expect_sound(read_range_recording(scratch.folder(), format));
+    });
+    EXPECT_GT(fine, 5) << name;
+    EXPECT_LT(fine, 150) << name;
+    scratch.write(name, whole);
+  }
+}
+
+TEST(DamagedRangeTables, AreReadOrRefused) {
+  damage_each({{"odometry.csv", "t_s,speed_m_s,turn_rate_rad_s\n0,0.5,0\n0.1,0.5,0.2\n0.2,0.4,0.2\n"},
+               {"detections.csv", "t_s,range_m,bearing_rad,identity\n0,2,0.5,7\n0.1,3,-0.25,\n0.2,,,\n"},
+               {"truth.csv", "t_s,x_m,y_m,heading_rad\n0,1,2,3\n0.1,1.5,2,\n"},
+               {"landmarks.csv", "identity,x_m,y_m\n7,3,4\n8,-3,4.5\n"}},
+              "tables");
+}
+
+TEST(DamagedMrclam, IsReadOrRefused) {
+  damage_each({{"Barcodes.dat", "# Subject Barcode\n 1 5\n 6 63\n 7 25\n"},
+               {"Landmark_Groundtruth.dat", "# Subject x y\n 6 1.5 -4 0.1 0.2\n 7 2 3 0.1 0.1\n"},
+               {"Robot1_Odometry.dat", "# t v w\n100.5 0.086 -0.398\n100.7 0 0\n100.9 0.05 0.1\n"},
+               {"Robot1_Measurement.dat", "# t c r b\n100.6 63 1.5 0.25\n100.6 25 2 -0.5\n100.8 99 1 0\n"},
+               {"Robot1_Groundtruth.dat", "# t x y a\n100.4 1 2 -1.75\n100.5 1 2 -1.5\n"}},
+              "mrclam");
+}
+
+TEST(DamagedMatFile, IsReadOrRefused) {
+  const Scratch scratch;
+  testing::write_mat(scratch / "data_set.mat", testing::small_car_park());
+  const std::string whole = testing::contents(scratch / "data_set.mat");
+  const auto read = [&](const std::string& bytes) {
+    scratch.write("data_set.mat", bytes);
+    expect_sound(read_range_recording(scratch.folder(), "acfr"));
+  };
+  EXPECT_LT(still_read(whole, 300, read), 300);
+  testing::write_mat(scratch / "data_set.mat", testing::small_car_park(), MAT_COMPRESSION_ZLIB);
+  EXPECT_LT(still_read(testing::contents(scratch / "data_set.mat"), 300, read), 150);
+  // Most of the file are numbers; where sizes and types are decides what is believed
+  for (std::size_t at = 0; at + 200 < whole.size(); at += at < 1200 ? 100 : 1700) {
+    still_read(whole.substr(at, 200), 40,
+               [&](const std::string& part) { read(whole.substr(0, at) + part + whole.substr(at + 200)); });
+  }
 }
 
 }  // namespace

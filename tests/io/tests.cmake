@@ -1,7 +1,9 @@
 incognita_test(pinhole_test SOURCES models/pinhole_test.cpp USES incognita::models opencv_core opencv_calib3d)
 incognita_test(settings_test SOURCES io/settings_test.cpp USES incognita::io)
 incognita_test(recording_test SOURCES io/recording_test.cpp USES incognita::io opencv_core opencv_imgcodecs)
-incognita_test(mutation_test SOURCES io/mutation_test.cpp USES incognita::io opencv_core opencv_imgcodecs)
+incognita_test(mutation_test SOURCES io/mutation_test.cpp USES incognita::io opencv_core opencv_imgcodecs
+               PkgConfig::MATIO)
+incognita_test(range_recording_test SOURCES io/range_recording_test.cpp USES incognita::io PkgConfig::MATIO)
 incognita_test(target_test SOURCES io/target_test.cpp USES incognita::io)
 find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)

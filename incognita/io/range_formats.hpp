@@ -1,0 +1,23 @@
+// One reader per layout of range-bearing recordings; range_recording.hpp chooses.
+#pragma once
+
+#include <filesystem>
+
+#include "incognita/world/range_recording.hpp"
+
+namespace incognita {
+
+/// The car park of the ACFR: data_set.mat and, if there, the surveyed beacons of beac_juan3.mat.
+RangeRecording read_acfr(const std::filesystem::path& folder);
+bool looks_like_acfr(const std::filesystem::path& folder);
+
+/// UTIAS MRCLAM: Barcodes.dat, RobotN_Odometry.dat, RobotN_Measurement.dat and, if there,
+/// RobotN_Groundtruth.dat and Landmark_Groundtruth.dat.
+RangeRecording read_mrclam(const std::filesystem::path& folder, int robot);
+bool looks_like_mrclam(const std::filesystem::path& folder);
+
+/// odometry.csv, detections.csv and, if there, truth.csv, fixes.csv and landmarks.csv.
+RangeRecording read_range_tables(const std::filesystem::path& folder);
+bool looks_like_range_tables(const std::filesystem::path& folder);
+
+}  // namespace incognita

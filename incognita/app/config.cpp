@@ -12,6 +12,7 @@
 #include "incognita/app/say.hpp"
 #include "incognita/io/files.hpp"
 #include "incognita/io/load_scenario.hpp"
+#include "incognita/io/range_recording.hpp"
 #include "incognita/io/recorded.hpp"
 #include "incognita/io/recording.hpp"
 #include "incognita/io/settings.hpp"
@@ -32,6 +33,12 @@ nlohmann::json as_json(const Setting& setting) {
   const auto to_json = [](const auto* field) -> nlohmann::json {
     if constexpr (std::is_same_v<decltype(field), const Eigen::Vector3d*>) {
       return {field->x(), field->y(), field->z()};
+    } else if constexpr (std::is_same_v<decltype(field), const Eigen::Vector2d*>) {
+      return {field->x(), field->y()};
+    } else if constexpr (std::is_same_v<decltype(field), const std::vector<Eigen::Vector2d>*>) {
+      nlohmann::json list = nlohmann::json::array();
+      for (const Eigen::Vector2d& point : *field) list.push_back({point.x(), point.y()});
+      return list;
     } else {
       return *field;
     }
@@ -39,16 +46,19 @@ nlohmann::json as_json(const Setting& setting) {
   return std::visit([&](const auto* field) { return to_json(field); }, setting.field);
 }
 
+const Setting& find(const std::vector<Setting>& settings, const std::string& key) {
+  return *std::find_if(settings.begin(), settings.end(), [&](const Setting& s) { return s.key == key; });
+}
+
 void print_json(LoadedScenario& loaded, const std::vector<std::string>& checked) {
   Scenario defaults;
-  const std::vector<Setting> settings = list_settings(loaded.scenario), before = list_settings(defaults);
+  const std::vector<Setting> settings = settings_in_force(loaded.scenario), before = list_settings(defaults);
   nlohmann::json list = nlohmann::json::array();
-  for (std::size_t i = 0; i < settings.size(); ++i) {
-    const Setting& setting = settings[i];
+  for (const Setting& setting : settings) {
     list.push_back({{"key", setting.key},
                     {"value", as_json(setting)},
                     {"unit", setting.unit},
-                    {"default", as_json(before[i])},
+                    {"default", as_json(find(before, setting.key))},
                     {"source", loaded.sources.at(setting.key)},
                     {"allowed", setting.allowed.text()},
                     {"help", setting.help}});
@@ -64,10 +74,9 @@ void print_json(LoadedScenario& loaded, const std::vector<std::string>& checked)
 
 void print_table(LoadedScenario& loaded) {
   Scenario defaults;
-  const std::vector<Setting> settings = list_settings(loaded.scenario), before = list_settings(defaults);
+  const std::vector<Setting> settings = settings_in_force(loaded.scenario), before = list_settings(defaults);
   std::string section;
-  for (std::size_t i = 0; i < settings.size(); ++i) {
-    const Setting& setting = settings[i];
+  for (const Setting& setting : settings) {
     if (section_of(setting.key) != section) {
       section = section_of(setting.key);
       std::cout << fmt::format("\n[{}]\n", section);
@@ -75,7 +84,7 @@ void print_table(LoadedScenario& loaded) {
     const std::string& source = loaded.sources.at(setting.key);
     const std::string value = setting.written() + (setting.unit.empty() ? "" : " " + setting.unit);
     std::cout << fmt::format("  {:<40} {:<28} default {:<24} from {}\n", setting.key, value,
-                             before[i].written(), source);
+                             find(before, setting.key).written(), source);
   }
 }
 
@@ -83,6 +92,14 @@ void print_table(LoadedScenario& loaded) {
 std::vector<std::string> check(const LoadedScenario& loaded) {
   const Scenario& s = loaded.scenario;
   std::vector<std::string> found = {"the settings fit together"};
+  if (s.run.sensor == "range-bearing") {
+    const RangeRecording recording = read_range_recording(loaded);
+    found.insert(found.end(), recording.notes.begin(), recording.notes.end());
+    found.push_back(fmt::format("{} odometry readings, {} scans, {} true places, {} surveyed landmarks",
+                                recording.odometry.size(), recording.scans.size(), recording.truth.size(),
+                                recording.landmarks.size()));
+    return found;
+  }
   if (s.start.from == "target") {
     const Target target = load_target(loaded);
     found.push_back(fmt::format("target {}: {} corners, {}", target.name, target.corners.size(),

@@ -5,10 +5,11 @@
 
 namespace incognita {
 
-void run_loop(Boxes& boxes, const std::function<void(const Snapshot&)>& publish,
+template <class SomeBoxes>
+void run_loop(SomeBoxes& boxes, const std::function<void(const Snapshot&)>& publish,
               const std::function<bool(const Tick&)>& keep_going) {
   auto& [clock, world, sensor, estimator, decision, controller] = boxes;
-  Estimate estimate;
+  typename SomeBoxes::Estimator::Estimate estimate;
   Command command;
   std::vector<std::pair<const char*, double>> timing_ms;
 
@@ -28,5 +29,10 @@ void run_loop(Boxes& boxes, const std::function<void(const Snapshot&)>& publish,
     publish(snapshot_of(tick, truth, seen, estimate, goal, decision.actions(), command, timing_ms));
   }
 }
+
+using Publish = std::function<void(const Snapshot&)>;
+using KeepGoing = std::function<bool(const Tick&)>;
+template void run_loop(Boxes&, const Publish&, const KeepGoing&);
+template void run_loop(PlanarBoxes&, const Publish&, const KeepGoing&);
 
 }  // namespace incognita

@@ -5,25 +5,34 @@
 #include <memory>
 
 #include "incognita/control/camera_controller.hpp"
+#include "incognita/control/no_controller.hpp"
 #include "incognita/decision/camera_decision.hpp"
+#include "incognita/decision/no_decision.hpp"
 #include "incognita/record/snapshot.hpp"
 #include "incognita/slam/camera_estimator.hpp"
+#include "incognita/slam/planar_estimator.hpp"
 #include "incognita/world/world.hpp"
 
 namespace incognita {
 
-struct Boxes {
+template <class Estimator_, class Decision, class Controller>
+struct BoxesOf {
+  using Estimator = Estimator_;
   std::unique_ptr<Clock> clock;
   std::unique_ptr<World> world;
   std::unique_ptr<Sensor> sensor;
-  CameraEstimator estimator;
-  CameraDecision decision;
-  CameraController controller;
+  Estimator estimator;
+  Decision decision;
+  Controller controller;
 };
+using Boxes = BoxesOf<CameraEstimator, CameraDecision, CameraController>;
+/// A vehicle that measures ranges and bearings; where it goes is not ours to choose.
+using PlanarBoxes = BoxesOf<PlanarEstimator, NoDecision, NoController>;
 
 /// Runs until the clock ends or `keep_going` says no. Whatever the boxes and the record throw passes through;
 /// what was published before stays published.
-void run_loop(Boxes& boxes, const std::function<void(const Snapshot&)>& publish,
+template <class SomeBoxes>
+void run_loop(SomeBoxes& boxes, const std::function<void(const Snapshot&)>& publish,
               const std::function<bool(const Tick&)>& keep_going);
 
 }  // namespace incognita

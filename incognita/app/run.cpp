@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "incognita/app/assemble.hpp"
+#include "incognita/app/assemble_planar.hpp"
 #include "incognita/app/progress.hpp"
 #include "incognita/app/say.hpp"
 #include "incognita/messages/errors.hpp"
@@ -90,8 +91,9 @@ void wait_until(std::chrono::steady_clock::time_point start, double t_s) {
   }
 }
 
-Ending drive(Assembly& assembly, Recorder& recorder, FramePictures* pictures, bool realtime) {
-  Progress progress(assembly.boxes.clock->expected_frames());
+template <class SomeBoxes>
+Ending drive(SomeBoxes& boxes, Recorder& recorder, FramePictures* pictures, bool realtime) {
+  Progress progress(boxes.clock->expected_frames());
   StateTeller teller;
   Snapshot last;
   bool ever_tracked = false;
@@ -114,11 +116,63 @@ Ending drive(Assembly& assembly, Recorder& recorder, FramePictures* pictures, bo
     return !interrupted;
   };
   try {
-    run_loop(assembly.boxes, publish, keep_going);
+    run_loop(boxes, std::function<void(const Snapshot&)>(publish),
+             std::function<bool(const Tick&)>(keep_going));
   } catch (const std::exception& error) {
     return {RunStatus::failed, fmt::format("at frame {}: {}", last.tick.frame + 1, error.what())};
   }
   return ending_of(last, last.tick, ever_tracked);
+}
+
+RunInfo info_of(const LoadedScenario& loaded) {
+  RunInfo info;
+  info.effective_toml = effective_toml(loaded);
+  info.seed = loaded.scenario.run.seed;
+  info.version = INCOGNITA_VERSION;
+  info.patch_size_px = loaded.scenario.slam.search.patch_size_px;
+  return info;
+}
+
+/// Drives the boxes and records; `info` is complete.
+template <class SomeBoxes>
+int run_boxes(SomeBoxes& boxes, const RunInfo& info, const std::string& out, const Options& options) {
+  heed_signals();
+  Recorder recorder(out, info);
+  std::optional<FramePictures> pictures;
+  if (options.save_frames) pictures.emplace(recorder.path(), info.patch_size_px);
+
+  const Ending ending = drive(boxes, recorder, pictures ? &*pictures : nullptr, options.realtime);
+  const auto finishing = [&](const std::filesystem::path& directory) {
+    return options.no_figures ? std::vector<std::string>{} : draw_run_figures(directory);
+  };
+  const RunOutcome outcome = recorder.finish(ending.status, ending.reason, finishing);
+  say("{}{}{}: see {}\n", name(outcome.status), outcome.reason.empty() ? "" : ", ", outcome.reason, out);
+  return outcome.status == RunStatus::done ? 0 : 1;
+}
+
+int run_camera(const LoadedScenario& loaded, const std::string& out, const Options& options) {
+  Assembly assembly = assemble(loaded);
+  for (const std::string& line : assembly.notes) say("{}\n", line);
+  if (!assembly.scale_is_known) say("no target: the scale is not observable, lengths are relative\n");
+  RunInfo info = info_of(loaded);
+  // A recording's truth is in its own world, which a target need not share
+  const bool own_frame = loaded.scenario.run.world == "recording";
+  info.ate_alignment = !assembly.scale_is_known ? "sim3" : own_frame ? "se3" : "none";
+  return run_boxes(assembly.boxes, info, out, options);
+}
+
+int run_vehicle(const LoadedScenario& loaded, const std::string& out, const Options& options) {
+  if (options.save_frames)
+    throw InputError("--save-frames: there are no images with run.sensor = range-bearing");
+  PlanarAssembly assembly = assemble_planar(loaded);
+  for (const std::string& line : assembly.notes) say("{}\n", line);
+  if (!assembly.frame_is_fixed)
+    say("no anchors: place and heading are not observable, the map is about where the vehicle started\n");
+  RunInfo info = info_of(loaded);
+  info.body = "vehicle";
+  info.ranges = true;
+  info.ate_alignment = assembly.frame_is_fixed ? "none" : "se3";
+  return run_boxes(assembly.boxes, info, out, options);
 }
 
 int run(const Options& options) {
@@ -126,31 +180,9 @@ int run(const Options& options) {
   if (options.out && options.out->empty()) throw InputError("--out: names nothing; a folder is wanted");
   const LoadedScenario loaded = load(options);
   for (const std::string& line : loaded.overrides) say("{}\n", line);
-  Assembly assembly = assemble(loaded);
-  for (const std::string& line : assembly.notes) say("{}\n", line);
-  if (!assembly.scale_is_known) say("no target: the scale is not observable, lengths are relative\n");
-
   const std::string out = options.out.value_or("out/" + loaded.name);
-  RunInfo info;
-  info.effective_toml = effective_toml(loaded);
-  info.seed = loaded.scenario.run.seed;
-  info.version = INCOGNITA_VERSION;
-  info.patch_size_px = loaded.scenario.slam.search.patch_size_px;
-  // A recording's truth is in its own world, which a target need not share
-  const bool own_frame = loaded.scenario.run.world == "recording";
-  info.ate_alignment = !assembly.scale_is_known ? "sim3" : own_frame ? "se3" : "none";
-  heed_signals();
-  Recorder recorder(out, info);
-  std::optional<FramePictures> pictures;
-  if (options.save_frames) pictures.emplace(recorder.path(), loaded.scenario.slam.search.patch_size_px);
-
-  const Ending ending = drive(assembly, recorder, pictures ? &*pictures : nullptr, options.realtime);
-  const auto finishing = [&](const std::filesystem::path& directory) {
-    return options.no_figures ? std::vector<std::string>{} : draw_run_figures(directory);
-  };
-  const RunOutcome outcome = recorder.finish(ending.status, ending.reason, finishing);
-  say("{}{}{}: see {}\n", name(outcome.status), outcome.reason.empty() ? "" : ", ", outcome.reason, out);
-  return outcome.status == RunStatus::done ? 0 : 1;
+  return loaded.scenario.run.sensor == "camera" ? run_camera(loaded, out, options)
+                                                : run_vehicle(loaded, out, options);
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <span>
 #include <string_view>
 
 namespace incognita {
@@ -31,10 +33,12 @@ std::vector<SnapshotLook> looks_of(const Estimate& estimate) {
 }
 
 /// Every snapshot has the same stages in the same order, zero where one was not reached.
-std::vector<std::pair<const char*, double>> timing_of(
-    const Estimate& estimate, const std::vector<std::pair<const char*, double>>& loop_ms) {
-  static constexpr std::array in_estimator{"sums",      "start",  "predict", "search", "planes",
-                                           "consensus", "update", "lines",   "births", "map"};
+using Timing = std::vector<std::pair<const char*, double>>;
+constexpr std::array camera_stages{"sums",      "start",  "predict", "search", "planes",
+                                   "consensus", "update", "lines",   "births", "map"};
+constexpr std::array planar_stages{"predict", "associate", "update", "births", "inflate"};
+
+Timing timing_of(const Timing& measured, std::span<const char* const> in_estimator, const Timing& loop_ms) {
   std::vector<std::pair<const char*, double>> timing;
   double frame = 0;
   for (const auto& [stage, ms] : loop_ms) {
@@ -43,13 +47,39 @@ std::vector<std::pair<const char*, double>> timing_of(
     if (name == "estimator" || name == "advice" || name == "control") frame += ms;
   }
   for (const char* stage : in_estimator) {
-    const auto found =
-        std::find_if(estimate.timing_ms.begin(), estimate.timing_ms.end(),
-                     [&](const auto& entry) { return std::string_view(entry.first) == stage; });
-    timing.emplace_back(stage, found == estimate.timing_ms.end() ? 0.0 : found->second);
+    const auto found = std::find_if(measured.begin(), measured.end(), [&](const auto& entry) {
+      return std::string_view(entry.first) == stage;
+    });
+    timing.emplace_back(stage, found == measured.end() ? 0.0 : found->second);
   }
   timing.emplace_back("frame", frame);
   return timing;
+}
+
+void put_update(Snapshot& s, const UpdateReport& update, const Entropy& entropy) {
+  if (update.outcome == UpdateReport::Outcome::updated) {
+    s.nis = update.nis;
+    s.nis_dof = update.rows;
+  }
+  s.entropy = {entropy.vehicle, entropy.map, entropy.total};
+}
+
+/// Errors of a planar pose are x, y and the turn about z, which is the same in world and body axes.
+void put_planar_pose(Snapshot& s, const PlanarPoseEstimate& vehicle) {
+  const double half = vehicle.pose[2] / 2;
+  s.camera.head<7>() << vehicle.pose[0], vehicle.pose[1], 0, std::cos(half), 0, 0, std::sin(half);
+  constexpr int at[] = {0, 1, 5};
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) s.covariance(at[i], at[j]) = vehicle.covariance(i, j);
+}
+
+SnapshotLandmark in_space(const PlanarLandmark& landmark, const PlanarEstimate& estimate) {
+  const PlanarPosition at = position_of(landmark, estimate);
+  SnapshotLandmark out{
+      landmark.id, landmark.anchor, {at.position.x(), at.position.y(), 0}, {}, landmark.sightings};
+  out.covariance.setZero();
+  out.covariance.topLeftCorner<2, 2>() = at.covariance;
+  return out;
 }
 
 }  // namespace
@@ -70,17 +100,34 @@ Snapshot snapshot_of(const Tick& tick, const std::optional<Truth>& truth, const 
   s.looks = looks_of(estimate);
   s.predicted = estimate.predicted;
   s.matched = estimate.matched;
-  if (estimate.update.outcome == UpdateReport::Outcome::updated) {
-    s.nis = estimate.update.nis;
-    s.nis_dof = estimate.update.rows;
-  }
-  s.entropy = {estimate.entropy.vehicle, estimate.entropy.map, estimate.entropy.total};
+  put_update(s, estimate.update, estimate.entropy);
   for (const Translation& action : actions) s.advice.actions.push_back(action.name);
   s.advice.scores = goal.scores;
   s.advice.chosen = goal.chosen;
   s.advice.decided = goal.decided;
   s.command = command;
-  s.timing_ms = timing_of(estimate, loop_ms);
+  s.timing_ms = timing_of(estimate.timing_ms, camera_stages, loop_ms);
+  return s;
+}
+
+Snapshot snapshot_of(const Tick& tick, const std::optional<Truth>& truth, const Observation&,
+                     const PlanarEstimate& estimate, const Goal&, const std::vector<Translation>&,
+                     const Command& command, const std::vector<std::pair<const char*, double>>& loop_ms) {
+  Snapshot s;
+  s.tick = tick;
+  s.truth = truth;
+  s.status = estimate.status;
+  if (estimate.started) put_planar_pose(s, vehicle_pose(estimate));
+  for (const PlanarLandmark& landmark : estimate.catalogue)
+    s.landmarks.push_back(in_space(landmark, estimate));
+  for (const PlanarLook& look : estimate.looks)
+    s.looks.push_back({look.id, look.anchor, false, look.predicted, look.innovation_cov, look.measured, 0,
+                       look.born ? LookOutcome::born : look.outcome});
+  s.predicted = static_cast<int>(estimate.looks.size());
+  s.matched = estimate.matched;
+  put_update(s, estimate.update, estimate.entropy);
+  s.command = command;
+  s.timing_ms = timing_of(estimate.timing_ms, planar_stages, loop_ms);
   return s;
 }
 

@@ -10,6 +10,7 @@
 #include "incognita/messages/observation.hpp"
 #include "incognita/record/snapshot.hpp"
 #include "incognita/slam/estimate.hpp"
+#include "incognita/slam/planar_estimate.hpp"
 
 namespace incognita {
 
@@ -19,5 +20,12 @@ namespace incognita {
 Snapshot snapshot_of(const Tick& tick, const std::optional<Truth>& truth, const Observation& seen,
                      const Estimate& estimate, const Goal& goal, const std::vector<Translation>& actions,
                      const Command& command, const std::vector<std::pair<const char*, double>>& loop_ms);
+
+/// A vehicle on a plane as a body in space: height, roll and pitch are 0 and certain. Looks are ranges (m)
+/// and bearings (rad).
+Snapshot snapshot_of(const Tick& tick, const std::optional<Truth>& truth, const Observation& seen,
+                     const PlanarEstimate& estimate, const Goal& goal,
+                     const std::vector<Translation>& actions, const Command& command,
+                     const std::vector<std::pair<const char*, double>>& loop_ms);
 
 }  // namespace incognita

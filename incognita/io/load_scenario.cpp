@@ -87,6 +87,7 @@ class Reader {
   void fault(std::string text) { faults_.push_back(std::move(text)); }
 
   void check() {
+    refuse_what_means_nothing();
     if (faults_.empty()) {  // else what contradicts may only follow from what was refused
       for (const Contradiction& found : find_contradictions(loaded_.scenario)) {
         const Setting* setting = find(found.key);
@@ -102,6 +103,17 @@ class Reader {
     const auto it =
         std::find_if(settings_.begin(), settings_.end(), [&](const Setting& s) { return s.key == key; });
     return it == settings_.end() ? nullptr : &*it;
+  }
+
+  /// A setting of another sensor's estimator would be ignored without a word.
+  void refuse_what_means_nothing() {
+    const std::string& sensor = loaded_.scenario.run.sensor;
+    for (const Setting& setting : settings_) {
+      const std::string& source = loaded_.sources[setting.key];
+      if (source == "default" || means_something(section_of(setting.key), sensor)) continue;
+      faults_.push_back(fmt::format("{}: {} = {}: means nothing with run.sensor = `{}`", source, setting.key,
+                                    setting.written(), sensor));
+    }
   }
 
   void read_section(const std::string& file, const TomlEntry& section) {
@@ -183,7 +195,7 @@ std::string effective_toml(const LoadedScenario& loaded) {
       fmt::format("# incognita {}: every setting in force, with its source and unit.\n# Scenario {}, {}\n",
                   INCOGNITA_VERSION, one_line(loaded.name), one_line(shown(loaded.file)));
   std::string section;
-  for (const Setting& setting : list_settings(scenario)) {
+  for (const Setting& setting : settings_in_force(scenario)) {
     if (section_of(setting.key) != section) {
       section = section_of(setting.key);
       text += fmt::format("\n[{}]\n", section);

@@ -6,13 +6,15 @@
 
 #include "incognita/control/settings.hpp"
 #include "incognita/decision/settings.hpp"
+#include "incognita/slam/planar_settings.hpp"
 #include "incognita/slam/settings.hpp"
 #include "incognita/world/settings.hpp"
 
 namespace incognita {
 
 struct RunSettings {
-  std::string world = "room";  ///< `room` (rendered, closed loop) or `recording`
+  std::string world = "room";     ///< `room` (rendered, closed loop) or `recording`
+  std::string sensor = "camera";  ///< `camera` or `range-bearing`: which estimator, which sections
   std::int64_t seed = 1;
   double duration_s = 60;  ///< at most; a recording may end before
   double rate_hz = 30;     ///< frames per second of the rendered room, and of recordings without time stamps
@@ -31,8 +33,9 @@ struct CameraSettings {
 };
 
 struct RecordingSettings {
-  std::string folder;  ///< images in name order, or a TUM RGB-D or EuRoC folder; relative to the data folder
-  std::string format = "auto";  ///< `auto`, `images`, `tum`, `euroc`
+  std::string folder;           ///< relative to the data folder
+  std::string format = "auto";  ///< `auto`, `images`, `tum`, `euroc`, `acfr`, `mrclam`, `tables`
+  int robot = 1;                ///< `mrclam`: which of the five
 };
 
 struct Scenario {
@@ -42,6 +45,7 @@ struct Scenario {
   StartSettings start;
   CameraSlamSettings slam;
   DecisionSettings decision;
+  PlanarSlamSettings planar;
   ControlSettings control;
   RoomSettings room;
 };

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 
 #include "incognita/io/camera.hpp"
@@ -19,7 +21,7 @@ void check_sources(const Scenario& s, List& found) {
   if (s.run.world == "recording" && s.recording.folder.empty()) {
     found.push_back({"recording.folder", "must name the recording, run.world being `recording`"});
   }
-  if (s.start.from == "target" && s.start.target.empty()) {
+  if (s.run.sensor == "camera" && s.start.from == "target" && s.start.target.empty()) {
     found.push_back({"start.target", "must name a target file, start.from being `target`"});
   }
 }
@@ -112,11 +114,47 @@ void check_room(const Scenario& s, List& found) {
                                size.x(), size.y(), size.z(), margin)});
 }
 
+void check_vehicle(const Scenario& s, List& found) {
+  if (s.run.world != "recording")
+    found.push_back({"run.world", "must be `recording` with run.sensor = `range-bearing`"});
+  const PlanarFilterSettings& filter = s.planar.filter;
+  if (filter.map_frame == "vehicle" && filter.lineariser == "first-estimate")
+    found.push_back({"vehicle_filter.lineariser",
+                     "first-estimate Jacobians belong to a map told in the world, vehicle_filter.map_frame"});
+  if (filter.map_frame == "vehicle" && filter.decorrelate != "nothing")
+    found.push_back(
+        {"vehicle_filter.decorrelate",
+         "must be `nothing` with vehicle_filter.map_frame = `vehicle`: such a map moves as a whole"});
+  if (s.planar.start.at_first_fix && s.planar.start.position_m != Eigen::Vector2d::Zero())
+    found.push_back(
+        {"vehicle_start.position_m", "must be left out where vehicle_start.at_first_fix is true"});
+}
+
+bool one_of_formats(const std::string& format, std::initializer_list<std::string_view> formats) {
+  return std::find(formats.begin(), formats.end(), format) != formats.end();
+}
+
+void check_format(const Scenario& s, List& found) {
+  const std::string& format = s.recording.format;
+  if (s.run.world != "recording" || format == "auto") return;
+  const bool ranges = one_of_formats(format, {"acfr", "mrclam", "tables"});
+  if (ranges == (s.run.sensor == "range-bearing")) return;
+  found.push_back({"recording.format", fmt::format("must be {} with run.sensor = `{}`",
+                                                   ranges ? "`auto`, `images`, `tum` or `euroc`"
+                                                          : "`auto`, `acfr`, `mrclam` or `tables`",
+                                                   s.run.sensor)});
+}
+
 }  // namespace
 
 std::vector<Contradiction> find_contradictions(const Scenario& scenario) {
   List found;
   check_sources(scenario, found);
+  check_format(scenario, found);
+  if (scenario.run.sensor == "range-bearing") {
+    check_vehicle(scenario, found);
+    return found;
+  }
   check_model(scenario.camera, found);
   check_camera(scenario, found);
   check_sizes(scenario, found);

@@ -81,12 +81,42 @@ void set(Eigen::Vector3d* field, const Setting& setting, const TomlValue& value)
   *field = vector;
 }
 
+void set(bool* field, const Setting& setting, const TomlValue& value) {
+  const auto* answer = std::get_if<bool>(&value.value);
+  if (!answer) throw wrong_kind(setting, value);
+  *field = *answer;
+}
+
+void set(Eigen::Vector2d* field, const Setting& setting, const TomlValue& value) {
+  const auto* items = std::get_if<TomlArray>(&value.value);
+  if (!items || items->size() != 2) throw wrong_kind(setting, value);
+  *field = {number_for(setting, (*items)[0]), number_for(setting, (*items)[1])};
+}
+
+void set(std::vector<Eigen::Vector2d>* field, const Setting& setting, const TomlValue& value) {
+  const auto* items = std::get_if<TomlArray>(&value.value);
+  if (!items) throw wrong_kind(setting, value);
+  std::vector<Eigen::Vector2d> points(items->size());
+  for (std::size_t i = 0; i < points.size(); ++i) set(&points[i], setting, (*items)[i]);
+  *field = points;
+}
+
 std::string write(const std::string* text) { return toml_string(*text); }
 std::string write(const int* whole) { return std::to_string(*whole); }
 std::string write(const std::int64_t* whole) { return std::to_string(*whole); }
 std::string write(const double* real) { return toml_number(*real); }
 std::string write(const Eigen::Vector3d* v) {
   return fmt::format("[{}, {}, {}]", toml_number(v->x()), toml_number(v->y()), toml_number(v->z()));
+}
+
+std::string write(const bool* answer) { return *answer ? "true" : "false"; }
+std::string write(const Eigen::Vector2d* v) {
+  return fmt::format("[{}, {}]", toml_number(v->x()), toml_number(v->y()));
+}
+std::string write(const std::vector<Eigen::Vector2d>* points) {
+  std::string text = "[";
+  for (const Eigen::Vector2d& point : *points) text += (text.size() > 1 ? ", " : "") + write(&point);
+  return text + "]";
 }
 
 std::string plain(double number) { return fmt::format("{}", number); }
@@ -116,8 +146,14 @@ std::string Setting::written() const {
 }
 
 std::string Setting::kind() const {
-  static constexpr const char* names[] = {"a text", "a whole number", "a whole number", "a number",
-                                          "a list of three numbers"};
+  static constexpr const char* names[] = {"a text",
+                                          "a whole number",
+                                          "a whole number",
+                                          "a number",
+                                          "a list of three numbers",
+                                          "true or false",
+                                          "a list of two numbers",
+                                          "a list of pairs of numbers"};
   return names[field.index()];
 }
 

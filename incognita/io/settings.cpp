@@ -1,5 +1,6 @@
 #include "incognita/io/settings.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace incognita {
@@ -43,7 +44,10 @@ void run(List& list, RunSettings& s) {
   list.insert(
       list.end(),
       {
-          {"run.world", &s.world, "", "where the images come from", one_of({"room", "recording"})},
+          {"run.world", &s.world, "", "where what is seen comes from", one_of({"room", "recording"})},
+          {"run.sensor", &s.sensor, "",
+           "what the estimator sees with; it decides which sections mean something",
+           one_of({"camera", "range-bearing"})},
           {"run.seed", &s.seed, "", "of every random stream; same seed, same bytes", at_least(0)},
           {"run.duration_s", &s.duration_s, "s", "at most; a recording may end before", above_up_to(0, 1e7)},
           {"run.rate_hz", &s.rate_hz, "Hz",
@@ -77,9 +81,104 @@ void recording(List& list, RecordingSettings& s) {
   list.insert(list.end(),
               {
                   {"recording.folder", &s.folder, "",
-                   "images, or a TUM RGB-D or EuRoC folder; relative to the data folder", any()},
+                   "images, ranges, or a benchmark's folder; relative to the data folder", any()},
                   {"recording.format", &s.format, "", "auto guesses from the folder and says what it guessed",
-                   one_of({"auto", "images", "tum", "euroc"})},
+                   one_of({"auto", "images", "tum", "euroc", "acfr", "mrclam", "tables"})},
+                  {"recording.robot", &s.robot, "", "mrclam: which of the five", between(1, 5)},
+              });
+}
+
+void vehicle(List& list, VehicleSettings& s) {
+  list.insert(list.end(),
+              {
+                  {"vehicle.model", &s.model, "", "what the odometry means",
+                   one_of({"ackermann", "differential-drive"})},
+                  {"vehicle.wheelbase_m", &s.wheelbase_m, "m", "ackermann", above_up_to(0, 1000)},
+                  {"vehicle.wheel_left_m", &s.wheel_left_m, "m",
+                   "ackermann: the wheel whose speed is measured, left of the middle of the rear axle",
+                   between(-1000, 1000)},
+                  {"vehicle.sensor_forward_m", &s.sensor_forward_m, "m",
+                   "sensor before the middle of the rear or only axle", between(-1000, 1000)},
+                  {"vehicle.sensor_left_m", &s.sensor_left_m, "m", "sensor left of the middle of the axle",
+                   between(-1000, 1000)},
+                  {"vehicle.sigma_speed_m_s", &s.sigma_speed_m_s, "m/s",
+                   "of the speed told, held for one reading", between(0, 1000)},
+                  {"vehicle.sigma_steering_rad", &s.sigma_steering_rad, "rad",
+                   "ackermann: of the angle told, likewise", between(0, 3.2)},
+                  {"vehicle.sigma_turn_rate_rad_s", &s.sigma_turn_rate_rad_s, "rad/s",
+                   "differential-drive: of the turn rate told, likewise", between(0, 1000)},
+              });
+}
+
+void vehicle_start(List& list, PlanarStartSettings& s) {
+  list.insert(
+      list.end(),
+      {
+          {"vehicle_start.position_m", &s.position_m, "m", "of the sensor, in the world", between(-1e9, 1e9)},
+          {"vehicle_start.heading_rad", &s.heading_rad, "rad", "about z, from +x", between(-6.3, 6.3)},
+          {"vehicle_start.at_first_fix", &s.at_first_fix, "",
+           "the position is the first that an external sensor tells, as GPS", any()},
+          {"vehicle_start.sigma_position_m", &s.sigma_position_m, "m", "per axis", between(0, 1e6)},
+          {"vehicle_start.sigma_heading_rad", &s.sigma_heading_rad, "rad", "of the above", between(0, 6.3)},
+      });
+}
+
+void vehicle_filter(List& list, PlanarFilterSettings& s) {
+  list.insert(
+      list.end(),
+      {
+          {"vehicle_filter.lineariser", &s.lineariser, "", "which Kalman filter",
+           one_of({"analytic", "iterated", "unscented-vehicle", "first-estimate"})},
+          {"vehicle_filter.map_frame", &s.map_frame, "", "where landmarks are told",
+           one_of({"world", "vehicle"})},
+          {"vehicle_filter.decorrelate", &s.decorrelate, "",
+           "correlations dropped after each scan, covariances inflated by what that takes",
+           one_of({"nothing", "everything", "map", "map-linear"})},
+          {"vehicle_filter.anchors_m", &s.anchors, "m", "known landmarks, [x, y] each", between(-1e9, 1e9)},
+          {"vehicle_filter.use_fixes", &s.use_fixes, "",
+           "an external sensor, such as GPS, is used all along and not only for the start", any()},
+          {"vehicle_filter.sigma_fix_m", &s.sigma_fix_m, "m", "of the external sensor, per axis",
+           above_up_to(0, 1e6)},
+      });
+}
+
+void vehicle_lost(List& list, PlanarLostSettings& s) {
+  list.insert(list.end(),
+              {
+                  {"vehicle_lost.max_sigma_position_m", &s.max_sigma_position_m, "m",
+                   "beyond, lost whatever matches", more_than(0)},
+                  {"vehicle_lost.max_unmatched_scans", &s.max_unmatched_scans, "",
+                   "scans in a row that show landmarks, none of them known: lost", between(1, 100000)},
+              });
+}
+
+void ranges(List& list, RangeBearingSettings& s) {
+  list.insert(
+      list.end(),
+      {
+          {"ranges.sigma_range_m", &s.sigma_range_m, "m", "of one range", above_up_to(0, 1000)},
+          {"ranges.sigma_range_ratio", &s.sigma_range_ratio, "", "times the range, added to it",
+           between(0, 1)},
+          {"ranges.sigma_bearing_rad", &s.sigma_bearing_rad, "rad", "of one bearing", above_up_to(0, 3.2)},
+          {"ranges.max_range_m", &s.max_range_m, "m", "farther detections are left out", above_up_to(0, 1e6)},
+      });
+}
+
+void association(List& list, DataAssociationSettings& s) {
+  list.insert(list.end(),
+              {
+                  {"association.method", &s.method, "",
+                   "known: by what the sensor says; nearest: neighbour in its gate; joint: compatibility "
+                   "branch and bound",
+                   one_of({"known", "nearest", "joint"})},
+                  {"association.gate_probability", &s.gate_probability, "",
+                   "of a right pairing being inside its gate", between(0.5, 0.999999999)},
+                  {"association.max_nodes", &s.max_nodes, "", "of the joint search; said when it is reached",
+                   between(1, 1e9)},
+                  {"association.birth_probability", &s.birth_probability, "",
+                   "what is outside this gate of every landmark is a new one", between(0.5, 0.999999999)},
+                  {"association.birth_distance_m", &s.birth_distance_m, "m",
+                   "and at least so far from every landmark", at_least(0)},
               });
 }
 
@@ -277,6 +376,30 @@ std::vector<Setting> list_settings(Scenario& scenario) {
   decision(list, scenario.decision);
   control(list, scenario.control);
   room(list, scenario.room);
+  vehicle(list, scenario.planar.vehicle);
+  vehicle_start(list, scenario.planar.start);
+  vehicle_filter(list, scenario.planar.filter);
+  vehicle_lost(list, scenario.planar.lost);
+  ranges(list, scenario.planar.sensor);
+  association(list, scenario.planar.association);
+  return list;
+}
+
+bool means_something(const std::string& section, const std::string& sensor) {
+  static const std::vector<std::string> always{"run", "recording"};
+  static const std::vector<std::string> ranging{"vehicle",      "vehicle_start", "vehicle_filter",
+                                                "vehicle_lost", "ranges",        "association"};
+  const auto has = [&](const std::vector<std::string>& list) {
+    return std::find(list.begin(), list.end(), section) != list.end();
+  };
+  return has(always) || has(ranging) == (sensor == "range-bearing");
+}
+
+std::vector<Setting> settings_in_force(Scenario& scenario) {
+  List list = list_settings(scenario);
+  std::erase_if(list, [&](const Setting& setting) {
+    return !means_something(section_of(setting.key), scenario.run.sensor);
+  });
   return list;
 }
 

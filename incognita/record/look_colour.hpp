@@ -19,6 +19,8 @@ inline std::array<std::uint8_t, 3> look_colour(LookOutcome outcome) {
       return {220, 60, 220};
     case LookOutcome::not_tried:
       return {170, 170, 170};
+    case LookOutcome::born:
+      return {60, 140, 220};
   }
   return {255, 255, 255};
 }

@@ -18,6 +18,9 @@ namespace {
 constexpr const char* cut_short = "the program ended before the run did";
 constexpr const char* looks_header =
     "t,id,kind,u_predicted,v_predicted,sigma_u,sigma_v,u_measured,v_measured,correlation,outcome";
+constexpr const char* range_looks_header =
+    "t,id,kind,range_predicted_m,bearing_predicted_rad,sigma_range_m,sigma_bearing_rad,range_measured_m,"
+    "bearing_measured_rad,outcome";
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 std::string covariance_header() {
@@ -40,15 +43,16 @@ std::string tum_row(const StampedPose& pose) {
   return row;
 }
 
-std::string look_row(double t, const SnapshotLook& look) {
+std::string look_row(double t, const SnapshotLook& look, bool ranges) {
   std::string row;
   append_number(row, t);
   row += fmt::format(",{},{}", look.id, kind(look));
   const Eigen::Vector2d sigma = look.innovation_cov.diagonal().cwiseMax(0).cwiseSqrt();
   const Eigen::Vector2d measured = look.measured.value_or(Eigen::Vector2d(unknown, unknown));
-  for (const double value : {look.predicted.x(), look.predicted.y(), sigma.x(), sigma.y(), measured.x(),
-                             measured.y(), look.correlation})
+  for (const double value :
+       {look.predicted.x(), look.predicted.y(), sigma.x(), sigma.y(), measured.x(), measured.y()})
     append_cell(row, value);
+  if (!ranges) append_cell(row, look.correlation);
   append_cell(row, name(look.outcome));
   return row;
 }
@@ -56,7 +60,7 @@ std::string look_row(double t, const SnapshotLook& look) {
 }  // namespace
 
 Recorder::Recorder(const std::filesystem::path& directory, const RunInfo& info)
-    : compare_with_truth_(same_frame_as_truth(info)), summary_(info), directory_(directory) {
+    : info_(info), compare_with_truth_(same_frame_as_truth(info)), summary_(info), directory_(directory) {
   try {
     open_files(info);
   } catch (...) {
@@ -68,9 +72,9 @@ Recorder::Recorder(const std::filesystem::path& directory, const RunInfo& info)
 void Recorder::open_files(const RunInfo& info) {
   summary_file_.emplace(directory_.file("summary.json"), summary_.json(RunStatus::interrupted, cut_short));
   write_whole_file(directory_.file("effective.toml"), info.effective_toml);
-  estimate_ = RowFile(directory_.file("estimate.tum"), "# t x y z qx qy qz qw, world_from_camera");
+  estimate_ = RowFile(directory_.file("estimate.tum"), "# t x y z qx qy qz qw, world_from_" + info.body);
   covariance_ = RowFile(directory_.file("covariance.csv"), covariance_header());
-  looks_ = RowFile(directory_.file("looks.csv"), looks_header);
+  looks_ = RowFile(directory_.file("looks.csv"), info.ranges ? range_looks_header : looks_header);
   timings_ = TimingTable(directory_.file("timings.csv"));
   log_.emplace(directory_.file("run.mcap"), info);
 }
@@ -91,7 +95,9 @@ void Recorder::write_pose(const Snapshot& snapshot) {
   const double t = snapshot.tick.t;
   if (snapshot.truth) {
     if (!truth_opened_)
-      truth_ = RowFile(directory_.file("truth.tum"), "# t x y z qx qy qz qw, world_from_camera");
+      truth_ = RowFile(directory_.file("truth.tum"),
+                       "# t x y z qx qy qz qw, world_from_" + info_.body +
+                           (snapshot.truth->orientation_known ? "" : "; the orientation is not known"));
     truth_opened_ = true;
     truth_.append(tum_row(true_pose(snapshot.tick, *snapshot.truth)), t);
   }
@@ -152,7 +158,7 @@ void Recorder::write_decision(const Snapshot& snapshot) {
 
 void Recorder::write_looks(const Snapshot& snapshot) {
   for (const SnapshotLook& look : snapshot.looks)
-    looks_.append(look_row(snapshot.tick.t, look), snapshot.tick.t);
+    looks_.append(look_row(snapshot.tick.t, look, info_.ranges), snapshot.tick.t);
 }
 
 void Recorder::keep_summary_fresh(double t_s) {

@@ -72,6 +72,7 @@ class Recorder {
   void open_actions(const std::vector<std::string>& actions);
   void write_series_mat() const;
 
+  RunInfo info_;
   bool compare_with_truth_;
   RunSummary summary_;
   RunDirectory directory_;

@@ -24,6 +24,8 @@ struct RunInfo {
   std::int64_t seed = 0;
   std::string version;
   std::string ate_alignment = "none";  ///< `none` where anchors fix the frame, `sim3` where the scale is free
+  std::string body = "camera";         ///< whose pose it is: `camera` or `vehicle`
+  bool ranges = false;                 ///< looks are ranges and bearings, not pixels
   int patch_size_px = 11;              ///< side of the squares that are searched for, to draw them
   std::vector<std::pair<std::string, SummaryValue>> extra;  ///< more fields for summary.json
 };

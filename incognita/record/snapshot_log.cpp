@@ -13,8 +13,6 @@ namespace {
 constexpr std::uint64_t map_every_ns = 1'000'000'000;
 constexpr std::uint64_t picture_every_ns = 45'000'000;  // of 30 images a second every other, of 20 every one
 constexpr const char* world = "world";
-constexpr const char* camera = "camera";
-constexpr const char* true_camera = "true_camera";
 
 std::uint64_t nanoseconds(double t_s) {
   return t_s > 0 ? static_cast<std::uint64_t>(std::llround(t_s * 1e9)) : 0;
@@ -45,6 +43,7 @@ const SnapshotLog::Topic SnapshotLog::snapshots{"/snapshot", "incognita.Snapshot
 SnapshotLog::SnapshotLog(const std::filesystem::path& path, const RunInfo& info)
     : file_(path, "incognita " + info.version),
       true_world_(same_frame_as_truth(info) ? world : "true_world"),
+      body_(info.body),
       patch_size_px_(info.patch_size_px) {}
 
 void SnapshotLog::put(const Topic& topic, const std::string& message) {
@@ -57,12 +56,12 @@ void SnapshotLog::put(const Topic& topic, const std::string& message) {
 
 void SnapshotLog::put_poses(const Snapshot& snapshot) {
   if (has_pose(snapshot) && finite(estimated_pose(snapshot))) {
-    put(transforms, frame_transform(time_ns_, world, camera, estimated_pose(snapshot)));
+    put(transforms, frame_transform(time_ns_, world, body_, estimated_pose(snapshot)));
     put(estimated_poses, pose_in_frame(time_ns_, world, estimated_pose(snapshot)));
   }
   if (!snapshot.truth) return;
   const StampedPose truth = true_pose(snapshot.tick, *snapshot.truth);
-  put(transforms, frame_transform(time_ns_, true_world_, true_camera, truth));
+  put(transforms, frame_transform(time_ns_, true_world_, "true_" + body_, truth));
   put(true_poses, pose_in_frame(time_ns_, true_world_, truth));
 }
 
@@ -70,7 +69,7 @@ void SnapshotLog::put_picture(const Snapshot& snapshot) {
   if (!snapshot.image || snapshot.image->empty()) return;
   if (!is_due(time_ns_, picture_time_ns_, picture_every_ns)) return;
   picture_time_ns_ = time_ns_;
-  put(images, compressed_image(time_ns_, camera, *snapshot.image));
+  put(images, compressed_image(time_ns_, body_, *snapshot.image));
   put(annotations, image_annotations(time_ns_, snapshot.looks, patch_size_px_));
 }
 

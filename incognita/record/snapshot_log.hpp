@@ -54,6 +54,7 @@ class SnapshotLog {
   McapFile file_;
   std::map<std::string_view, std::uint16_t> channels_;  ///< by topic
   std::string_view true_world_;
+  std::string body_;  ///< name of the moving frame
   int patch_size_px_;
   std::uint64_t time_ns_ = 0;                                   ///< of the last snapshot
   std::optional<std::uint64_t> map_time_ns_, picture_time_ns_;  ///< of the last one in the file

@@ -1,0 +1,27 @@
+// From a scenario whose sensor measures ranges and bearings to the boxes of the loop.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "incognita/app/loop.hpp"
+#include "incognita/io/load_scenario.hpp"
+#include "incognita/world/range_replay.hpp"
+
+namespace incognita {
+
+struct PlanarAssembly {
+  PlanarBoxes boxes;
+  SharedRangeRecording recording;
+  bool frame_is_fixed = true;  ///< by anchors, fixes or a start that is known exactly; else about the start
+  std::vector<std::string> notes;  ///< what was guessed or left out, for printing
+};
+
+/// Throws InputError naming file and key or value.
+PlanarAssembly assemble_planar(const LoadedScenario& loaded);
+
+/// The same on a recording that is at hand, e.g. simulated.
+PlanarAssembly assemble_planar(SharedRangeRecording recording, const PlanarSlamSettings& settings,
+                               double duration_s);
+
+}  // namespace incognita

@@ -1,0 +1,17 @@
+// Where there is nothing to steer, as in a recorded drive.
+#pragma once
+
+#include "incognita/messages/command.hpp"
+#include "incognita/messages/goal.hpp"
+#include "incognita/messages/tick.hpp"
+
+namespace incognita {
+
+struct NoController {
+  template <class Estimate>
+  Command act(const Estimate&, const Goal&, const Tick&) const {
+    return {};
+  }
+};
+
+}  // namespace incognita

@@ -1,11 +1,13 @@
 find_package(CLI11 REQUIRED)
 # The loop and its wiring: what experiments and tests drive without a command line
-incognita_room(app SOURCES app/assemble.cpp app/loop.cpp app/snapshot_of.cpp
+incognita_room(app SOURCES app/assemble.cpp app/assemble_planar.cpp app/loop.cpp app/snapshot_of.cpp
                USES incognita::slam incognita::decision incognita::control incognita::world incognita::record
                     incognita::io PRIVATE_USES fmt::fmt)
+include(app/reproduce.cmake)
 add_executable(incognita_program app/main.cpp app/run.cpp app/progress.cpp app/standard_streams.cpp app/usage.cpp)
 incognita_reuse_precompiled(incognita_program incognita_common)
 set_target_properties(incognita_program PROPERTIES OUTPUT_NAME incognita)
 target_compile_definitions(incognita_program PRIVATE INCOGNITA_VERSION="${PROJECT_VERSION}")
 target_link_libraries(incognita_program PRIVATE incognita::app incognita::pictures incognita::report
-                      incognita_app_config incognita::evaluate CLI11::CLI11 fmt::fmt)
+                      incognita_app_config incognita::evaluate incognita_app_reproduce CLI11::CLI11 fmt::fmt
+                      incognita::experiments)  # made later, in experiments/

@@ -14,6 +14,7 @@
 #include "incognita/record/tum.hpp"
 #include "incognita/report/csv_table.hpp"
 #include "incognita/report/figure_style.hpp"
+#include "incognita/report/gnuplot.hpp"
 
 namespace incognita {
 namespace fs = std::filesystem;
@@ -36,14 +37,6 @@ std::string time_range(const CsvTable& table) {
   if (t.empty()) return "";
   const auto [first, last] = std::minmax_element(t.begin(), t.end());
   return fmt::format("set xrange [{}:{}]\n", *first, std::max(*last, *first + 1e-3));
-}
-
-/// Words for a single-quoted gnuplot string.
-std::string quoted(const std::string& words) {
-  std::string text;
-  for (const char c : words)
-    if (static_cast<unsigned char>(c) >= ' ' && c != '\'' && c != '`' && c != '\\') text += c;
-  return "'" + text + "'";
 }
 
 /// The rows of a TUM file; none where there is no file, or no pose in it.
@@ -155,7 +148,7 @@ std::string score_panel(const CsvTable& actions) {
   for (std::size_t k = 2; k < actions.columns.size(); ++k)
     panel += fmt::format(
         "'actions.csv' using 1:{} with steps linecolor rgb '{}' linewidth 1.3 title {}, \\\n     ", k + 1,
-        candidate_colour(k - 2), quoted(actions.columns[k]));
+        candidate_colour(k - 2), gnuplot_string(actions.columns[k]));
   return panel +
          "$chosen using 1:4 with points pointtype 6 pointsize 0.7 linecolor rgb ink linewidth 1.2 title "
          "'chosen'\n";
@@ -167,7 +160,7 @@ std::string chosen_panel(const CsvTable& actions) {
       static_cast<double>(actions.columns.size() - 2) - 0.3);
   panel += "unset grid\nset grid ytics linecolor '#e4e4e4' linetype 1 linewidth 0.6\nset ytics noenhanced (";
   for (std::size_t k = 2; k < actions.columns.size(); ++k)
-    panel += fmt::format("{}{} {}", k > 2 ? ", " : "", quoted(actions.columns[k]), k - 2);
+    panel += fmt::format("{}{} {}", k > 2 ? ", " : "", gnuplot_string(actions.columns[k]), k - 2);
   panel += ")\nset style fill solid 0.9 noborder\nplot ";
   for (std::size_t k = 2; k < actions.columns.size(); ++k)
     panel += fmt::format(

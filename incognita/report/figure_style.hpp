@@ -5,7 +5,8 @@
 
 namespace incognita {
 
-/// First lines of a gnuplot script that draws `figures/NAME.svg`, to be run in the run directory.
+/// First lines of a gnuplot script that draws `figures/NAME.svg`, to be run in the folder that `figures` is
+/// in.
 std::string figure_head(const std::string& name, int width_px, int height_px);
 
 }  // namespace incognita

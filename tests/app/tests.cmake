@@ -13,8 +13,10 @@ endfunction()
 
 incognita_program_test(program_test
                        SOURCES app/program_usage_test.cpp app/program_scenario_test.cpp app/program_run_test.cpp
-                               app/program_disk_test.cpp app/program_evaluate_test.cpp)
+                               app/program_disk_test.cpp app/program_evaluate_test.cpp app/program_reproduce_test.cpp)
 # Apart, as it alone renders and writes images: the others start faster without the libraries for that
 incognita_program_test(program_recording_test SOURCES app/program_recording_test.cpp
                        USES incognita::io incognita::world opencv_core opencv_imgcodecs fmt::fmt)
 incognita_test(davison_test SOURCES app/davison_test.cpp USES incognita::app opencv_imgproc opencv_core)
+incognita_test(reproduce_test SOURCES app/reproduce_test.cpp
+               USES incognita_app_reproduce incognita::experiments CLI11::CLI11 nlohmann_json::nlohmann_json)

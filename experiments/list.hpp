@@ -1,0 +1,23 @@
+// Every experiment, one line each, in the thesis' order. Its file includes this header, which is what makes
+// the constant in it known elsewhere; all_experiments.cpp puts it on the list that the program has.
+#pragma once
+
+#include "experiments/experiment.hpp"
+
+namespace incognita {
+
+extern const Experiment text_chapters_1_to_3;
+extern const Experiment example_3_1;
+extern const Experiment example_3_2;
+extern const Experiment example_3_3;
+extern const Experiment example_3_4;
+extern const Experiment example_3_5;
+extern const Experiment example_3_6;
+extern const Experiment example_3_7;
+extern const Experiment example_3_8;
+extern const Experiment example_3_9;
+extern const Experiment example_3_10;
+extern const Experiment example_3_11;
+extern const Experiment consistency;
+
+}  // namespace incognita

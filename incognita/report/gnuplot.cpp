@@ -1,0 +1,68 @@
+#include "incognita/report/gnuplot.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <system_error>
+
+#include "incognita/messages/errors.hpp"
+#include "incognita/report/child_process.hpp"
+
+namespace incognita {
+namespace fs = std::filesystem;
+namespace {
+
+/// Whether the picture is there to its last line: gnuplot does not say when the disk is full.
+bool is_complete(const fs::path& svg) {
+  std::ifstream in(svg, std::ios::binary | std::ios::ate);
+  if (!in) return false;
+  const std::streamoff size = in.tellg(), tail = std::min<std::streamoff>(size, 64);
+  std::string end(static_cast<std::size_t>(tail), '\0');
+  in.seekg(size - tail);
+  in.read(end.data(), tail);
+  return end.find("</svg>") != std::string::npos;
+}
+
+std::string first_line(const std::string& text) {
+  const std::size_t begin = text.find_first_not_of(" \n\r\t");
+  return begin == std::string::npos ? "" : text.substr(begin, text.find('\n', begin) - begin);
+}
+
+}  // namespace
+
+std::string draw_script(const fs::path& folder, const std::string& name) {
+  const fs::path svg = folder / "figures" / (name + ".svg");
+  std::error_code ignored;
+  const auto result = run_child({"gnuplot", "figures/" + name + ".gp"}, folder);
+  if (!result || result->exit_code != 0) fs::remove(svg, ignored);  // an earlier one would not show this run
+  if (!result) return "gnuplot is not installed: the figures' scripts are there, the figures are not";
+  if (result->exit_code != 0) {
+    const std::string said = first_line(result->output);
+    return "gnuplot could not draw figures/" + name +
+           ".gp: " + (said.empty() ? "it ended with code " + std::to_string(result->exit_code) : said);
+  }
+  if (is_complete(svg)) return "";
+  fs::remove(svg, ignored);
+  throw RecordError("cannot write " + svg.string() +
+                    ": gnuplot left half a figure; is there space on the disk?");
+}
+
+std::string gnuplot_string(const std::string& words) {
+  // In double quotes `...` runs a command and @ a macro, in single ones a quote at the beginning ends the
+  // string: what is special is given by its number, and so are digits after it, which would be taken for a
+  // part of that
+  std::string text = "\"";
+  bool was_number = false;
+  for (const char c : words) {
+    const auto code = static_cast<unsigned char>(c);
+    was_number = c == '"' || c == '\\' || c == '`' || c == '@' || (was_number && c >= '0' && c <= '9');
+    if (was_number)
+      text += fmt::format("\\{:03o}", code);
+    else
+      text += code < ' ' ? ' ' : c;
+  }
+  return text + "\"";
+}
+
+}  // namespace incognita

@@ -1,0 +1,75 @@
+// The car park of thesis Examples 3.2, 3.5, 3.7, 3.9 and 3.11: one drive, several filters.
+//
+// Fixed before anything was compared: recording, vehicle, noises and start of scenarios/car-park.toml, which
+// are those of the recording's authors (0.7 m/s, 7 degrees, 0.1 m, 1 degree; start at the first GPS fix,
+// heading -112 degrees give or take 15), the 112 s they use, unknown association by joint compatibility. GPS
+// gives the first position and is otherwise the truth. A landmark is compared with the surveyed beacon it is
+// of.
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "experiments/experiment.hpp"
+#include "incognita/analysis/map_error.hpp"
+#include "incognita/report/plot.hpp"
+#include "incognita/slam/planar_settings.hpp"
+#include "incognita/world/range_recording.hpp"
+
+namespace incognita::car_park {
+
+inline constexpr double duration_s = 112;
+
+struct Data {
+  RangeRecording recording;     ///< detections know their beacons, for `known` association and for counting
+  PlanarSlamSettings settings;  ///< of the scenario, with the thesis' plain EKF
+  std::vector<Eigen::Vector2d> anchors;  ///< (2.8953, -4.0353) and (9.9489, 6.9239)
+};
+
+/// Throws InputError, saying where the recording is published, when it is not there.
+Data load();
+
+/// An entry of the ledger: `claims_of` what is loaded, or why nothing could be.
+LedgerEntry entry(const Experiment& experiment, const std::function<void(const Data&, LedgerEntry&)>& fill);
+
+/// One landmark over the drive, from its birth.
+struct Track {
+  std::vector<double> t, sigma_m, error_m;  ///< s; in the worst direction; from its beacon, NaN without one
+};
+
+struct Drive {
+  std::vector<double> t;                           ///< s, of scans
+  std::vector<Eigen::Vector2d> path, gps;          ///< gps NaN where there is none
+  std::vector<double> sigma_m, sigma_heading_rad;  ///< of the vehicle; the position's in the worst direction
+  std::vector<Track> tracks;                       ///< by landmark, anchors left out
+  std::vector<Eigen::Vector2d> landmarks;          ///< at the end
+  std::vector<Eigen::Matrix2d> covariances;
+  FittedMapError fitted;  ///< after a rigid fit to the survey, begun from that of the path to GPS
+  double map_rms_m = 0;   ///< before it, the same landmarks and beacons
+  double path_rms_m = 0;  ///< vehicle against GPS
+  double fitted_path_rms_m = 0;
+  int detections = 0, matched = 0, lost_scans = 0;
+  int wrong = 0;              ///< matches with a landmark that was born of another beacon
+  int often_seen = 0;         ///< beacons, anchors left out, with ten detections or more
+  int often_seen_mapped = 0;  ///< of them, those near a landmark after the fit
+  double mean_landmark_sigma_m() const;
+  double last_sigma_m() const { return sigma_m.back(); }
+};
+Drive drive(const Data& data, const PlanarSlamSettings& settings);
+
+/// The largest share by which a landmark's sigma grows in the second half of its life.
+double largest_growth(const Drive& drive);
+
+/// Four frames over time as in Figure 3.5: vehicle error within 2 sigma, its sigma, landmark errors, their
+/// sigmas.
+LedgerFigure four_frames(const ExperimentSettings& out, const std::string& id, const std::string& title,
+                         const Drive& drive);
+
+/// Path and landmarks with 2-sigma ellipses, GPS and surveyed beacons, as in Figure 3.6.
+LedgerFigure map(const ExperimentSettings& out, const std::string& id, const std::string& title,
+                 const Data& data, const Drive& drive, const std::vector<Eigen::Vector2d>& anchors);
+
+}  // namespace incognita::car_park

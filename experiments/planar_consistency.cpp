@@ -1,0 +1,103 @@
+#include "experiments/planar_consistency.hpp"
+
+#include <Eigen/Cholesky>
+#include <cmath>
+
+#include "incognita/math/angles.hpp"
+#include "incognita/math/random.hpp"
+#include "incognita/models/range_bearing.hpp"
+#include "incognita/slam/planar_estimator.hpp"
+#include "incognita/world/range_replay.hpp"
+
+namespace incognita {
+namespace {
+
+PlanarSlamSettings settings_for(const PlanarLoopSettings& drive, const PlanarFilterSettings& filter) {
+  PlanarSlamSettings s;
+  s.vehicle.model = "differential-drive";
+  s.vehicle.sensor_forward_m = s.vehicle.sensor_left_m = 0;
+  s.vehicle.sigma_speed_m_s = drive.sigma_speed_m_s;
+  s.vehicle.sigma_turn_rate_rad_s = drive.sigma_turn_rate_rad_s;
+  s.sensor.sigma_range_m = drive.sigma_range_m;
+  s.sensor.sigma_bearing_rad = drive.sigma_bearing_rad;
+  s.filter = filter;
+  s.filter.sigma_fix_m = drive.sigma_fix_m;
+  s.association.method = "known";
+  s.association.gate_probability = 1 - 1e-12;  // of known identity: nothing is refused
+  s.lost.max_sigma_position_m = 1e6;
+  return s;
+}
+
+}  // namespace
+
+std::vector<PlanarFilterChoice> planar_filter_choices() {
+  std::vector<PlanarFilterChoice> choices;
+  const auto add = [&](const char* name, const char* lineariser, const char* frame) {
+    PlanarFilterSettings filter;
+    filter.lineariser = lineariser;
+    filter.map_frame = frame;
+    choices.push_back({name, filter});
+  };
+  add("EKF", "analytic", "world");
+  add("iterated EKF", "iterated", "world");
+  add("unscented vehicle", "unscented-vehicle", "world");
+  add("first-estimate Jacobians", "first-estimate", "world");
+  add("map in the vehicle's frame", "analytic", "vehicle");
+  return choices;
+}
+
+StandingVehicle standing_vehicle(std::uint64_t seed, const std::string& lineariser) {
+  PlanarSlamSettings s;
+  s.vehicle.model = "differential-drive";
+  s.sensor = {0.1, 0, radians(1), 80};
+  s.filter.lineariser = lineariser;
+  s.association.method = "known";
+  s.association.gate_probability = 1 - 1e-12;
+  s.start.sigma_heading_rad = radians(standing_sigma_heading_deg);
+  const PlanarEstimator estimator(s);
+  RandomStream random(seed, "standing vehicle");
+  const planar::Pose<double> truth(0, 0, s.start.sigma_heading_rad * random.normal());
+  const Eigen::Vector2d landmark(10, 0);
+  PlanarEstimate estimate;
+  for (int k = 0; k < standing_looks; ++k) {
+    const Eigen::Vector2d z = RangeBearing::h<double>(truth, landmark);
+    Observation seen;
+    seen.detections = {{z[0] + s.sensor.sigma_range_m * random.normal(),
+                        z[1] + s.sensor.sigma_bearing_rad * random.normal(), 0}};
+    estimator.update(estimate, {}, seen, {k, static_cast<double>(k), k > 0 ? 1.0 : 0.0});
+  }
+  const PlanarPoseEstimate at = vehicle_pose(estimate);
+  return {degrees(std::sqrt(at.covariance(2, 2))),
+          std::pow(wrap_angle(truth[2] - at.pose[2]), 2) / at.covariance(2, 2)};
+}
+
+PlanarConsistency planar_consistency(const PlanarLoopSettings& drive, std::uint64_t seed,
+                                     const PlanarFilterSettings& filter) {
+  const auto recording = std::make_shared<const RangeRecording>(drive_planar_loop(drive, seed));
+  RangeClock clock(recording, drive.duration_s);
+  RangeSensor sensor(recording, filter.use_fixes ? Fixes::all : Fixes::none, drive.max_range_m * 2);
+  const PlanarEstimator estimator(settings_for(drive, filter));
+  PlanarEstimate estimate;
+  PlanarConsistency sum;
+  double scans = 0, updates = 0;
+  while (const Tick tick = clock.next()) {
+    estimator.update(estimate, {}, sensor.look({}, tick), tick);
+    if (estimate.update.rows > 0) {
+      sum.nis += estimate.update.nis / estimate.update.rows;
+      ++updates;
+    }
+    if (tick.frame == 0) continue;  // the start is known exactly
+    const auto truth = true_place(*recording, tick.t);
+    const PlanarPoseEstimate at = vehicle_pose(estimate);
+    Eigen::Vector3d error;
+    error << truth->position - at.pose.head<2>(), wrap_angle(*truth->heading_rad - at.pose[2]);
+    sum.nees += error.dot(at.covariance.llt().solve(error)) / 3;
+    sum.position_rms_m += error.head<2>().squaredNorm();
+    sum.heading_rms_rad += error[2] * error[2];
+    ++scans;
+  }
+  return {sum.nees / scans, sum.nis / updates, std::sqrt(sum.position_rms_m / scans),
+          std::sqrt(sum.heading_rms_rad / scans)};
+}
+
+}  // namespace incognita

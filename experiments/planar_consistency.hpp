@@ -1,0 +1,44 @@
+// Consistency of the planar filters on a simulated loop: the same drives, every filter, many seeds.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "incognita/slam/planar_settings.hpp"
+#include "incognita/world/planar_loop.hpp"
+
+namespace incognita {
+
+/// A filter as the table names it, and what makes it so. All are given the noises that the drive truly has.
+struct PlanarFilterChoice {
+  std::string name;
+  PlanarFilterSettings filter;
+};
+std::vector<PlanarFilterChoice> planar_filter_choices();
+
+/// Of one drive, averaged over its scans.
+struct PlanarConsistency {
+  double nees = 0;  ///< of the pose, per degree of freedom: 1 is right
+  double nis = 0;   ///< of the innovations, likewise
+  double position_rms_m = 0;
+  double heading_rms_rad = 0;
+};
+PlanarConsistency planar_consistency(const PlanarLoopSettings& drive, std::uint64_t seed,
+                                     const PlanarFilterSettings& filter);
+
+/// The drives of the table are those of the seeds after this.
+inline constexpr int first_consistency_seed = 1000;
+
+inline constexpr double standing_sigma_heading_deg = 15;
+inline constexpr int standing_looks = 500;
+
+/// A vehicle that stands at a place known exactly, its heading to 15 degrees, and looks at one landmark 10 m
+/// away (0.1 m, 1 degree) again and again.
+struct StandingVehicle {
+  double sigma_heading_deg = 0;  ///< at the end
+  double nees = 0;               ///< of the heading at the end
+};
+StandingVehicle standing_vehicle(std::uint64_t seed, const std::string& lineariser);
+
+}  // namespace incognita

@@ -42,8 +42,6 @@ void check_fixes(const LoadedScenario& loaded, const RangeRecording& recording) 
 PlanarAssembly assemble_planar(SharedRangeRecording recording, const PlanarSlamSettings& s,
                                double duration_s) {
   const Fixes fixes = s.filter.use_fixes ? Fixes::all : s.start.at_first_fix ? Fixes::first : Fixes::none;
-  const bool known_start =
-      !s.start.at_first_fix && s.start.sigma_position_m == 0 && s.start.sigma_heading_rad == 0;
   return {{std::make_unique<RangeClock>(recording, duration_s),
            std::make_unique<RangeWorld>(recording),
            std::make_unique<RangeSensor>(recording, fixes, s.sensor.max_range_m),
@@ -51,7 +49,7 @@ PlanarAssembly assemble_planar(SharedRangeRecording recording, const PlanarSlamS
            {},
            {}},
           recording,
-          known_start || s.filter.use_fixes || !s.filter.anchors.empty(),
+          s.filter.use_fixes || !s.filter.anchors.empty(),
           recording->notes};
 }
 

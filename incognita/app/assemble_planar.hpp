@@ -13,7 +13,7 @@ namespace incognita {
 struct PlanarAssembly {
   PlanarBoxes boxes;
   SharedRangeRecording recording;
-  bool frame_is_fixed = true;  ///< by anchors, fixes or a start that is known exactly; else about the start
+  bool frame_is_fixed = true;      ///< by anchors or fixes; else the map is about where the vehicle started
   std::vector<std::string> notes;  ///< what was guessed or left out, for printing
 };
 

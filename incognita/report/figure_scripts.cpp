@@ -170,6 +170,12 @@ std::string chosen_panel(const CsvTable& actions) {
   return panel + "\n";
 }
 
+/// A vehicle on a plane has no height, roll and pitch to err in: bounds of 0 all along.
+bool is_planar(const CsvTable& series) {
+  const auto height = finite(series.numbers("two_sigma_z_m"));
+  return std::all_of(height.begin(), height.end(), [](double bound) { return bound == 0; });
+}
+
 }  // namespace
 
 std::optional<std::string> map_script(const fs::path& run_directory) {
@@ -212,24 +218,25 @@ std::optional<std::string> map_script(const fs::path& run_directory) {
 std::optional<std::string> errors_script(const fs::path& run_directory) {
   const CsvTable series = read_csv(run_directory / "series.csv");
   if (finite(series.numbers("two_sigma_x_m")).empty()) return std::nullopt;
-  const bool with_errors = series.find("error_x_m").has_value();
-  constexpr double degrees = 180 / std::numbers::pi;
-  std::string script = figure_head("errors", 1000, 660) + time_range(series);
-  script +=
-      "set datafile columnheaders\nset multiplot layout 3,2 columnsfirst margins 0.075,0.985,0.135,0.91 "
-      "spacing 0.13,0.04\n";
-  const char* axes[] = {"x", "y", "z"};
-  for (int i = 0; i < 3; ++i) {
-    if (i == 0)
-      script +=
-          "set title 'position, world axes'\nset key at screen 0.515,0.99 center top horizontal maxrows 1\n";
-    script += error_panel(series, std::string(axes[i]) + "_m", std::string(axes[i]) + ", cm", 100,
-                          with_errors, i == 2);
+  const bool with_errors = series.find("error_x_m").has_value(), planar = is_planar(series);
+  std::string script = figure_head("errors", planar ? 760 : 1000, 660) + time_range(series);
+  script += fmt::format(
+      "set datafile columnheaders\nset multiplot layout 3,{} columnsfirst margins {},0.985,0.135,0.91 "
+      "spacing 0.13,0.04\nset key at screen 0.515,0.99 center top horizontal maxrows 1\n",
+      planar ? 1 : 2, planar ? 0.1 : 0.075);
+  if (!planar) script += "set title 'position, world axes'\n";
+  for (const char* axis : {"x", "y", "z"}) {
+    if (planar && *axis == 'z') continue;
+    script += error_panel(series, std::string(axis) + "_m", std::string(axis) + ", cm", 100, with_errors,
+                          *axis == 'z');
   }
-  for (int i = 0; i < 3; ++i) {
-    if (i == 0) script += "set title 'rotation, camera axes'\n";
-    script += error_panel(series, std::string("rot") + axes[i] + "_rad",
-                          std::string("about ") + axes[i] + ", °", degrees, with_errors, i == 2);
+  if (!planar) script += "set title 'rotation, body axes'\n";
+  constexpr double degrees = 180 / std::numbers::pi;
+  for (const char* axis : {"x", "y", "z"}) {
+    if (planar && *axis != 'z') continue;
+    script += error_panel(series, std::string("rot") + axis + "_rad",
+                          planar ? "heading, °" : std::string("about ") + axis + ", °", degrees, with_errors,
+                          *axis == 'z');
   }
   return script + "unset multiplot\n";
 }

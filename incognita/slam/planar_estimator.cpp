@@ -107,7 +107,7 @@ void PlanarEstimator::update(PlanarEstimate& e, const Command&, const Observatio
   tell_from_vehicle(e);
   if (settings_.filter.decorrelate == "everything") e.belief.decorrelate(Belief::Scope::everything);
   if (settings_.filter.decorrelate == "map") e.belief.decorrelate(Belief::Scope::map);
-  stage.mark("inflate");
+  stage.mark("decorrelate");
   judge(e);
 }
 

@@ -20,3 +20,6 @@ incognita_program_test(program_recording_test SOURCES app/program_recording_test
 incognita_test(davison_test SOURCES app/davison_test.cpp USES incognita::app opencv_imgproc opencv_core)
 incognita_test(reproduce_test SOURCES app/reproduce_test.cpp
                USES incognita_app_reproduce incognita::experiments CLI11::CLI11 nlohmann_json::nlohmann_json)
+# As the recording tests: with a room's own libraries
+incognita_program_test(program_ranges_test SOURCES app/program_ranges_test.cpp USES incognita::io incognita::world)
+incognita_test(car_park_test SOURCES app/car_park_test.cpp USES incognita::app incognita::analysis)

@@ -1,2 +1,2 @@
-incognita_test(world_test SOURCES world/plant_test.cpp world/room_test.cpp world/render_test.cpp world/sensor_test.cpp
+incognita_test(world_test SOURCES world/plant_test.cpp world/range_replay_test.cpp world/room_test.cpp world/render_test.cpp world/sensor_test.cpp
                USES incognita::world opencv_core opencv_imgproc)

@@ -1,0 +1,204 @@
+// The program on recordings of ranges and bearings: whole runs, and what is wrong with a recording or a
+// scenario.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "incognita/io/range_recording.hpp"
+#include "incognita/world/planar_loop.hpp"
+#include "tests/app/program.hpp"
+#include "tests/scratch.hpp"
+
+namespace incognita {
+namespace {
+
+using testing::Ended;
+using testing::Scratch;
+using testing::Words;
+
+constexpr const char* scenario = R"([run]
+world = "recording"
+sensor = "range-bearing"
+[recording]
+folder = "FOLDER"
+[vehicle]
+model = "differential-drive"
+sensor_forward_m = 0
+sensor_left_m = 0
+sigma_speed_m_s = 0.1
+sigma_turn_rate_rad_s = 0.1
+[ranges]
+sigma_range_m = 0.1
+sigma_bearing_rad = 0.1
+[association]
+method = "known"
+gate_probability = 0.999999
+)";
+
+std::string bytes_of(const std::filesystem::path& file) {
+  std::ostringstream out;
+  out << std::ifstream(file, std::ios::binary).rdbuf();
+  return out.str();
+}
+
+/// A minute of the simulated loop as tables in `drive`, and a scenario `s.toml` over them.
+class ProgramRanges : public ::testing::Test {
+ protected:
+  ProgramRanges() {
+    PlanarLoopSettings settings;
+    settings.duration_s = 60;
+    write_range_tables(drive_planar_loop(settings, 5), drive());
+    std::string text = scenario;
+    text.replace(text.find("FOLDER"), 6, drive().string());
+    scratch_.write("s.toml", text);
+  }
+  std::filesystem::path drive() const { return scratch_.folder() / "drive"; }
+  std::filesystem::path run() const { return scratch_.folder() / "run"; }
+  Ended go(Words more = {}) {
+    Words words{"run", "s.toml", "--out", "run", "--no-figures"};
+    words.insert(words.end(), more.begin(), more.end());
+    return testing::incognita(words, scratch_.folder());
+  }
+  Ended refused(Words more = {}) {
+    const Ended ended = go(std::move(more));
+    EXPECT_EQ(ended.code, 2) << ended.err;
+    EXPECT_FALSE(std::filesystem::exists(run()));
+    return ended;
+  }
+  /// Replaces a line of a table, counted from 1.
+  void rewrite(const std::string& table, int line, const std::string& with) {
+    std::istringstream in(bytes_of(drive() / table));
+    std::string out, one;
+    for (int n = 1; std::getline(in, one); ++n) out += (n == line ? with : one) + "\n";
+    std::ofstream(drive() / table, std::ios::binary) << out;
+  }
+  Scratch scratch_;
+};
+
+TEST_F(ProgramRanges, RunsOnTables) {
+  const Ended ended = go();
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  EXPECT_SAYS(ended.err, "taken for the format `tables`");
+  const auto summary = testing::summary_of(run());
+  EXPECT_EQ(summary["status"], "done");
+  EXPECT_EQ(summary["frames"], 61);
+  EXPECT_EQ(summary["lost_frames"], 0);
+  EXPECT_GT(summary["landmarks"], 10);
+  EXPECT_EQ(summary["ate_alignment"], "se3");
+  EXPECT_LT(summary["ate_m"], 0.5);
+  testing::expect_whole_tables(run());
+  EXPECT_SAYS(bytes_of(run() / "looks.csv"), "range_predicted_m");
+  EXPECT_SAYS(bytes_of(run() / "looks.csv"), "born");
+  EXPECT_SAYS(bytes_of(run() / "estimate.tum"), "world_from_vehicle");
+  EXPECT_SAYS(bytes_of(run() / "effective.toml"), "[vehicle]");
+  EXPECT_SILENT_ON(bytes_of(run() / "effective.toml"), "[camera]");
+}
+
+TEST_F(ProgramRanges, AnchorsMakeErrorsAbsolute) {
+  const auto landmark = drive_planar_loop({}, 5).landmarks[0].position;  // seen from the start
+  // an anchor has no identity, so that it takes the joint association
+  const Ended ended = go({"--set", "association.method=joint", "--set",
+                          "vehicle_filter.anchors_m=[[" + std::to_string(landmark.x()) + ", " +
+                              std::to_string(landmark.y()) + "]]"});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const auto summary = testing::summary_of(run());
+  EXPECT_EQ(summary["ate_alignment"], "none");
+  EXPECT_EQ(summary["anchors"], 1);
+  EXPECT_FALSE(summary["mean_nees"].is_null());
+}
+
+TEST_F(ProgramRanges, TheSameTwiceToTheByte) {
+  ASSERT_EQ(go().code, 0);
+  const std::string map = bytes_of(run() / "map.csv"), series = bytes_of(run() / "series.csv"),
+                    log = bytes_of(run() / "run.mcap");
+  ASSERT_EQ(go().code, 0);
+  EXPECT_TRUE(map == bytes_of(run() / "map.csv") && series == bytes_of(run() / "series.csv"));
+  EXPECT_TRUE(log == bytes_of(run() / "run.mcap"));
+}
+
+TEST_F(ProgramRanges, EveryFilterRuns) {
+  for (const char* set : {"vehicle_filter.lineariser=iterated", "vehicle_filter.lineariser=unscented-vehicle",
+                          "vehicle_filter.lineariser=first-estimate", "vehicle_filter.map_frame=vehicle",
+                          "vehicle_filter.decorrelate=everything", "vehicle_filter.decorrelate=map",
+                          "vehicle_filter.decorrelate=map-linear", "vehicle_filter.use_fixes=true"}) {
+    const Ended ended = go({"--set", set});
+    EXPECT_EQ(ended.code, 0) << set << ": " << ended.err;
+    EXPECT_LT(testing::summary_of(run())["ate_m"], 1.5) << set;
+  }
+}
+
+TEST_F(ProgramRanges, SkipsBadRangesWithACount) {
+  rewrite("detections.csv", 3, "0,nan,0.1,3");
+  const Ended ended = go();
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_SAYS(ended.err, "detections.csv:3");
+}
+
+TEST_F(ProgramRanges, RefusesAMissingColumn) {
+  rewrite("detections.csv", 1, "t_s,range_m,bearing,identity");
+  const Ended ended = refused();
+  EXPECT_SAYS(ended.err, "detections.csv");
+  EXPECT_SAYS(ended.err, "bearing_rad");
+}
+
+TEST_F(ProgramRanges, RefusesTimesThatGoBackwards) {
+  rewrite("odometry.csv", 5, "0.05,1,0.1");
+  EXPECT_SAYS(refused().err, "odometry.csv:5");
+}
+
+TEST_F(ProgramRanges, RefusesTheWrongVehicle) {
+  EXPECT_SAYS(refused({"--set", "vehicle.model=ackermann"}).err,
+              "the odometry of this recording is that of `differential-drive`");
+}
+
+TEST_F(ProgramRanges, RefusesKnownAssociationWithoutIdentities) {
+  RangeRecording anonymous = drive_planar_loop({.duration_s = 10}, 5);
+  for (auto& scan : anonymous.scans)
+    for (Detection& d : scan.detections) d.identity = Detection::unknown;
+  write_range_tables(anonymous, scratch_.folder() / "anonymous");
+  EXPECT_SAYS(refused({"--set", "recording.folder=" + (scratch_.folder() / "anonymous").string()}).err,
+              "association.method = known");
+}
+
+TEST_F(ProgramRanges, RefusesSettingsOfACamera) {
+  const Ended ended = refused({"--set", "camera.fu_px=200"});
+  EXPECT_SAYS(ended.err, "camera.fu_px");
+  EXPECT_SAYS(ended.err, "means nothing with run.sensor = `range-bearing`");
+}
+
+TEST_F(ProgramRanges, RefusesFiltersThatMakeNoSenseTogether) {
+  EXPECT_SAYS(
+      refused({"--set", "vehicle_filter.map_frame=vehicle", "--set", "vehicle_filter.decorrelate=map"}).err,
+      "vehicle_filter.decorrelate");
+  EXPECT_SAYS(refused({"--set", "vehicle_filter.map_frame=vehicle", "--set",
+                       "vehicle_filter.lineariser=first-estimate"})
+                  .err,
+              "vehicle_filter.lineariser");
+  EXPECT_SAYS(refused({"--set", "recording.format=tum"}).err, "recording.format");
+  EXPECT_SAYS(refused({"--set", "run.world=room"}).err, "run.world");
+  EXPECT_SAYS(refused({"--save-frames"}).err, "--save-frames");
+}
+
+TEST_F(ProgramRanges, SaysWhenTheJointSearchIsCapped) {
+  const Ended ended = go({"--set", "association.method=joint", "--set", "association.max_nodes=1"});
+  EXPECT_SAYS(bytes_of(run() / "series.csv"), "degraded");
+}
+
+TEST_F(ProgramRanges, ChecksAScenario) {
+  const Ended ended = testing::incognita({"config", "s.toml", "--check"}, scratch_.folder());
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_SAYS(ended.out, "61 scans");
+  const Ended json = testing::incognita({"config", "s.toml", "--json"}, scratch_.folder());
+  EXPECT_SAYS(json.out, "vehicle_filter.anchors_m");
+  EXPECT_SILENT_ON(json.out, "camera.fu_px");
+}
+
+TEST_F(ProgramRanges, IsEvaluated) {
+  ASSERT_EQ(go().code, 0);
+  const Ended ended = testing::incognita({"evaluate", "run"}, scratch_.folder());
+  EXPECT_EQ(ended.code, 0) << ended.err;
+}
+
+}  // namespace
+}  // namespace incognita

@@ -1,0 +1,117 @@
+// Recordings of ranges as the loop sees them, and the simulated drive.
+#include "incognita/world/range_replay.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "incognita/models/range_bearing.hpp"
+#include "incognita/world/planar_loop.hpp"
+
+namespace incognita {
+namespace {
+
+SharedRangeRecording small() {
+  RangeRecording r;
+  r.odometry = {{0.9, {1, 0}}, {1.5, {2, 0}}, {2.5, {3, 0}}};
+  r.scans = {{1, {{5, 0.1, 3}, {50, 0, 4}}}, {2, {}}, {3, {{6, 0.2, 3}}}};
+  r.truth = {{0.8, {0, 0}, 3.0}, {1.2, {4, 0}, -3.0}, {2.9, {8, 8}, 0.0}};
+  r.fixes = {{0.8, {0.1, 0}, {}}, {1.9, {3, 0}, {}}};
+  return std::make_shared<const RangeRecording>(r);
+}
+
+TEST(RangeClock, TicksOncePerScanUntilItsTimeIsUp) {
+  RangeClock clock(small(), 1.5);  // from 0.8, the first event of any kind
+  EXPECT_EQ(clock.expected_frames(), 2);
+  const Tick first = clock.next(), second = clock.next();
+  EXPECT_EQ(first.t, 1);
+  EXPECT_EQ(first.dt, 0);
+  EXPECT_EQ(second.dt, 1);
+  EXPECT_FALSE(clock.next());
+}
+
+TEST(RangeSensor, TellsWhatCameSinceTheTickBefore) {
+  RangeSensor sensor(small(), Fixes::all, 30);
+  const Observation first = sensor.look({}, {0, 1, 0}), second = sensor.look({}, {1, 2, 1});
+  ASSERT_EQ(first.odometry.size(), 1u);
+  ASSERT_EQ(first.detections.size(), 1u);  // the other is beyond 30 m
+  EXPECT_EQ(first.detections[0].identity, 3);
+  EXPECT_EQ(first.fix->x(), 0.1);
+  ASSERT_EQ(second.odometry.size(), 1u);
+  EXPECT_EQ(second.odometry[0].t, 1.5);
+  EXPECT_TRUE(second.detections.empty());
+  EXPECT_EQ(second.fix->x(), 3);
+}
+
+TEST(RangeSensor, GivesNoMoreFixesThanAreWanted) {
+  RangeSensor none(small(), Fixes::none, 30), first(small(), Fixes::first, 30);
+  EXPECT_FALSE(none.look({}, {0, 1, 0}).fix);
+  EXPECT_TRUE(first.look({}, {0, 1, 0}).fix);
+  EXPECT_FALSE(first.look({}, {1, 2, 1}).fix);
+}
+
+TEST(TruePlace, LiesBetweenItsNeighboursAndTurnsTheShortWay) {
+  const auto recording = small();
+  const auto place = true_place(*recording, 1.0);
+  ASSERT_TRUE(place);
+  EXPECT_NEAR(place->position.x(), 2, 1e-12);
+  EXPECT_NEAR(std::abs(*place->heading_rad), M_PI, 1e-9);
+  EXPECT_FALSE(true_place(*recording, 2.0));  // a hole of 1.7 s
+  EXPECT_FALSE(true_place(*recording, 0.5));
+  EXPECT_FALSE(true_place(*recording, 3.5));
+}
+
+TEST(RangeWorld, SaysWhetherTheOrientationIsKnown) {
+  RangeRecording r = *small();
+  for (auto& place : r.truth) place.heading_rad.reset();
+  RangeWorld blind(std::make_shared<const RangeRecording>(r)), seeing(small());
+  EXPECT_FALSE(blind.move({}, {0, 1, 0})->orientation_known);
+  EXPECT_TRUE(seeing.move({}, {0, 1, 0})->orientation_known);
+  EXPECT_FALSE(seeing.move({}, {1, 2, 1}));
+}
+
+TEST(PlanarLoop, IsTheSameForTheSameSeed) {
+  PlanarLoopSettings settings;
+  settings.duration_s = 20;
+  const RangeRecording a = drive_planar_loop(settings, 7), b = drive_planar_loop(settings, 7),
+                       c = drive_planar_loop(settings, 8);
+  ASSERT_EQ(a.scans.size(), 21u);
+  EXPECT_EQ(a.truth.back().position, b.truth.back().position);
+  EXPECT_NE(a.truth.back().position, c.truth.back().position);
+}
+
+/// What the filters are told of the noise is what it is.
+TEST(PlanarLoop, HasTheNoiseItSays) {
+  PlanarLoopSettings settings;
+  settings.duration_s = 2000;
+  const RangeRecording r = drive_planar_loop(settings, 3);
+  double range = 0, bearing = 0, speed = 0, turn = 0;
+  int looks = 0, steps = 0;
+  for (const auto& scan : r.scans) {
+    const auto truth = true_place(r, scan.t);
+    const Eigen::Vector3d pose(truth->position.x(), truth->position.y(), *truth->heading_rad);
+    for (const Detection& d : scan.detections) {
+      const Eigen::Vector2d z =
+          RangeBearing::h<double>(pose, r.landmarks[static_cast<std::size_t>(d.identity)].position);
+      EXPECT_LE(z[0], settings.max_range_m);
+      range += std::pow(d.range_m - z[0], 2);
+      bearing += std::pow(wrap_angle(d.bearing_rad - z[1]), 2);
+      ++looks;
+    }
+  }
+  for (std::size_t k = 0; k + 1 < r.truth.size(); ++k, ++steps) {
+    const double dt = r.truth[k + 1].t - r.truth[k].t;
+    const Eigen::Vector2d moved = r.truth[k + 1].position - r.truth[k].position;
+    const double heading = *r.truth[k].heading_rad;
+    const double v = (moved.x() * std::cos(heading) + moved.y() * std::sin(heading)) / dt;
+    speed += std::pow(v - r.odometry[k].input[0], 2);
+    turn += std::pow(wrap_angle(*r.truth[k + 1].heading_rad - heading) / dt - r.odometry[k].input[1], 2);
+  }
+  EXPECT_NEAR(std::sqrt(range / looks), settings.sigma_range_m, 0.05 * settings.sigma_range_m);
+  EXPECT_NEAR(std::sqrt(bearing / looks), settings.sigma_bearing_rad, 0.05 * settings.sigma_bearing_rad);
+  EXPECT_NEAR(std::sqrt(speed / steps), settings.sigma_speed_m_s, 0.05 * settings.sigma_speed_m_s);
+  EXPECT_NEAR(std::sqrt(turn / steps), settings.sigma_turn_rate_rad_s, 0.05 * settings.sigma_turn_rate_rad_s);
+}
+
+}  // namespace
+}  // namespace incognita

@@ -44,7 +44,7 @@ Answer run(std::vector<std::string> arguments) {
 TEST(Config, PrintsEverySetting) {
   const Answer answer = run({"config", "room", "--set", "run.seed=7"});
   Scenario scenario;
-  for (const Setting& setting : list_settings(scenario)) EXPECT_HAS(answer.out, setting.key);
+  for (const Setting& setting : settings_in_force(scenario)) EXPECT_HAS(answer.out, setting.key);
   EXPECT_HAS(answer.out, "from --set");
   EXPECT_HAS(answer.out, "from room.toml:");
   EXPECT_HAS(answer.err, "run.seed = 7 (--set) replaces 1 (room.toml:");
@@ -55,7 +55,7 @@ TEST(Config, AnswersInJson) {
   const nlohmann::json document = nlohmann::json::parse(answer.out);
   EXPECT_EQ(document.at("scenario"), "davison");
   Scenario scenario;
-  ASSERT_EQ(document.at("settings").size(), list_settings(scenario).size());
+  ASSERT_EQ(document.at("settings").size(), settings_in_force(scenario).size());
   for (const nlohmann::json& setting : document.at("settings")) {
     if (setting.at("key") == "run.seed") {
       EXPECT_EQ(setting.at("value"), 7);

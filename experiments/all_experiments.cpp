@@ -5,8 +5,9 @@ namespace incognita {
 
 const std::vector<Experiment>& all_experiments() {
   // made at the first call, when every file's constants are there
-  static const std::vector<Experiment> all = {example_3_2, example_3_5,  example_3_7,
-                                              example_3_9, example_3_11, consistency};
+  static const std::vector<Experiment> all = {
+      text_chapters_1_to_3, example_3_1, example_3_2, example_3_3,  example_3_4,  example_3_5, example_3_6,
+      example_3_7,          example_3_8, example_3_9, example_3_10, example_3_11, consistency};
   return all;
 }
 

@@ -1,0 +1,385 @@
+// Example 3.1: the monobot without an anchor. Its error dynamics keep one eigenvalue at 1.
+//
+// Experiment: monobot.hpp, with 1 and 2 landmarks, 100 steps; 1000 and 10000 where limits are asked for.
+// Measured: eigenvalues and covariances against closed forms (no chance in them: tolerances 1e-9 relative,
+// 1e-12 absolute for identities); errors over seeds 1, 2, ... against what the filter says of them.
+// Holds: an equation within its tolerance; a mean, rms or slope whose 99.9 % interval has the predicted
+// value in it; a comparison of errors whose 95 % interval of the paired difference lies on the right side of
+// 0.
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "experiments/evidence.hpp"
+#include "experiments/list.hpp"
+#include "experiments/monobot.hpp"
+#include "incognita/math/random.hpp"
+
+namespace incognita {
+namespace {
+
+using Eigen::Matrix2d;
+using Eigen::MatrixXd;
+using Eigen::Vector2d;
+using monobot::Setup;
+
+const std::vector<double> process_noises_m = {0.05, 0.1, 0.3, 0.7, 2}, look_noises_m = {0.05, 0.2, 0.5, 1.5};
+
+/// Calls for every pair of noises with their standard deviations.
+template <class Work>
+void for_all_noises(Work&& work) {
+  for (const double v : process_noises_m)
+    for (const double w : look_noises_m) work(v, w);
+}
+
+LinearSystem system(double v, double w) { return monobot::system({.sigma_v_m = v, .sigma_w_m = w}); }
+
+/// Where the Riccati equation leads from the first covariance of the example.
+RiccatiLimit limit(double v, double w) {
+  return iterate_riccati(system(v, w), Vector2d(0, 1).asDiagonal().toDenseMatrix());
+}
+
+double distance(const MatrixXd& A, const MatrixXd& B) { return (A - B).norm() / B.norm(); }
+
+struct Printed {
+  Matrix2d P;
+  double s2;
+  Vector2d K;
+};
+
+/// (3.9), (3.10) and the gain between them.
+Printed printed(double v, double w) {
+  const double landmark = w * w / (1 + w * w);
+  Printed p{Vector2d(v * v, landmark).asDiagonal(), v * v + w * w + landmark, {}};
+  p.K = Vector2d(-v * v, landmark) / p.s2;
+  return p;
+}
+
+Claim one_eigenvalue_is_one() {
+  RandomStream random(1, "gains");
+  const LinearSystem s = system(0.1, 0.2);
+  double off_one = 0, off_other = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const double k1 = random.uniform(-5, 5),
+                 k2 = i % 3 == 0 ? k1 + 1e-9 * random.normal() : random.uniform(-5, 5);
+    const Matrix2d A = error_dynamics(s, Vector2d(k1, k2));
+    off_one = std::max(off_one, (A * Vector2d::Ones() - Vector2d::Ones()).norm());
+    off_other = std::max(off_other, std::abs(A.trace() - 1 - (1 + k1 - k2)));
+  }
+  return judged({.id = "3.1-eigenvalue-one",
+                 .place = "(3.8), Example 3.1",
+                 .statement = "For every gain the eigenvalues of F - KHF are 1 and k1 - k2 + 1; tested on "
+                              "the vector [1 1]', which must come back unchanged, and the trace, to 1e-12",
+                 .printed = "{1, k1 - k2 + 1}",
+                 .measured = fmt::format("largest differences over 1000 gains, a third of them with k1 = k2 "
+                                         "to 1e-9, where both eigenvalues are 1: {:.1e} and {:.1e}",
+                                         off_one, off_other),
+                 .why = "",
+                 .runs = 1000},
+                std::max(off_one, off_other) <= 1e-12);
+}
+
+/// The covariance in the steady state: the first estimates corrected once by what all looks together say of
+/// the relative position, whose variance then is p - v^2; the robot has p more.
+Matrix2d steady(double v, double w) {
+  const double p = monobot::relative_variance(v, w), landmark = (p - v * v) / (1 + p - v * v);
+  return Matrix2d::Constant(landmark) + Matrix2d(Vector2d(p, 0).asDiagonal());
+}
+
+Claim steady_state_covariance() {
+  double of_printed = 0, of_ours = 0, of_second_step = 0;
+  for_all_noises([&](double v, double w) {
+    const LinearSystem s = system(v, w);
+    const MatrixXd P0 = Vector2d(0, 1).asDiagonal(), P = limit(v, w).P;
+    of_printed = std::max(of_printed, distance(printed(v, w).P, P));
+    of_ours = std::max(of_ours, distance(steady(v, w), P));
+    of_second_step =
+        std::max(of_second_step, distance(printed(v, w).P, predicted(s, updated(s, P0, kalman_gain(s, P0)))));
+  });
+  const Matrix2d P = steady(0.1, 0.2);
+  return judged(
+      {.id = "3.1-steady-covariance",
+       .place = "(3.9), Example 3.1",
+       .statement =
+           "Solving the Riccati equation from the covariance diag(0, 1) gives this steady state, to 1e-9",
+       .printed = "diag(s_v^2, s_w^2/(1 + s_w^2)); with s_v 0.1 m, s_w 0.2 m: diag(0.01, 0.0385) m^2",
+       .measured =
+           fmt::format("with the same noises [{:.4f} {:.4f}; {:.4f} {:.4f}] m^2. Largest relative difference "
+                       "from the limit over {} pairs of noises: printed {:.2g}, ours {:.1e}",
+                       P(0, 0), P(0, 1), P(1, 0), P(1, 1), process_noises_m.size() * look_noises_m.size(),
+                       of_printed, of_ours),
+       .why = fmt::format(
+           "what is printed is the covariance after one update and one prediction (to {:.0e}). The limit is "
+           "[c+p c; c c], p = (s_v^2 + sqrt(s_v^4 + 4 s_v^2 s_w^2))/2, c = (p - s_v^2)/(1 + p - s_v^2)",
+           of_second_step)},
+      of_printed <= 1e-9, of_ours <= 1e-9);
+}
+
+Claim steady_state_gain() {
+  double of_printed = 0, of_ours = 0;
+  for_all_noises([&](double v, double w) {
+    const RiccatiLimit l = limit(v, w);
+    const double p = monobot::relative_variance(v, w),
+                 s2 = (system(v, w).H * l.P * system(v, w).H.transpose())(0, 0) + w * w;
+    const Vector2d ours(-p / (p + w * w), 0);
+    of_printed = std::max({of_printed, distance(printed(v, w).K, l.K), std::abs(printed(v, w).s2 / s2 - 1)});
+    of_ours = std::max({of_ours, distance(ours, l.K), std::abs((p + w * w) / s2 - 1)});
+  });
+  const Vector2d K = printed(0.1, 0.2).K, ours = limit(0.1, 0.2).K;
+  return judged(
+      {.id = "3.1-steady-gain",
+       .place = "(3.10) and the gain above it, Example 3.1",
+       .statement = "Gain and innovation variance in the steady state, to 1e-9",
+       .printed = fmt::format(
+           "K = [-s_v^2, s_w^2/(1 + s_w^2)]'/s^2; with s_v 0.1 m, s_w 0.2 m: [{:.3f}, {:.3f}]'", K[0], K[1]),
+       .measured = fmt::format("with the same noises [{:.3f}, {:.3f}]'. Largest relative difference over all "
+                               "noises: printed {:.2g}, ours {:.1e}",
+                               ours[0], std::abs(ours[1]), of_printed, of_ours),
+       .why = "those of the second step. In the limit K = [-p/(p + s_w^2), 0]', s^2 = p + s_w^2: the "
+              "landmark is not corrected any more"},
+      of_printed <= 1e-9, of_ours <= 1e-9);
+}
+
+Claim printed_matrix() {
+  double of_printed = 0, of_ours = 0;
+  for_all_noises([&](double v, double w) {
+    const auto [P, s2, K] = printed(v, w);
+    const double s = std::sqrt(s2), w2 = w * w, landmark = w2 / (1 + w2);
+    Matrix2d as_printed, ours;
+    as_printed << s2 - v * v, v * v, landmark, (s * (1 + w2) - w2) / (1 + w2);
+    ours << s2 - v * v, v * v, landmark, (s2 * (1 + w2) - w2) / (1 + w2);
+    const MatrixXd A = error_dynamics(system(v, w), K);
+    of_printed = std::max(of_printed, distance(as_printed / s2, A));
+    of_ours = std::max(of_ours, distance(ours / s2, A));
+  });
+  return judged(
+      {.id = "3.1-printed-dynamics",
+       .place = "(3.11), Example 3.1",
+       .statement = "F - KHF with the gain printed above it, to 1e-12",
+       .printed = "last entry (s (1 + s_w^2) - s_w^2)/((1 + s_w^2) s^2)",
+       .measured = fmt::format("largest relative difference over all noises: printed {:.2g}, ours {:.1e}",
+                               of_printed, of_ours),
+       .why = "s^2, not s, in the last entry"},
+      of_printed <= 1e-12, of_ours <= 1e-12);
+}
+
+Claim second_eigenvalue() {
+  double of_printed = 0, of_second_step = 0, of_limit = 0;
+  for_all_noises([&](double v, double w) {
+    const auto [P, s2, K] = printed(v, w);
+    const double p = monobot::relative_variance(v, w);
+    const double at_second = error_dynamics(system(v, w), K).trace() - 1;
+    const double at_limit = error_dynamics(system(v, w), limit(v, w).K).trace() - 1;
+    of_printed = std::max(of_printed, std::abs((v * v - w * w) / s2 - at_second));
+    of_second_step = std::max(of_second_step, std::abs(w * w / s2 - at_second));
+    of_limit = std::max(of_limit, std::abs(w * w / (p + w * w) - at_limit));
+  });
+  const double s2 = printed(0.1, 0.2).s2;
+  return judged(
+      {.id = "3.1-second-eigenvalue",
+       .place = "below (3.11), Example 3.1",
+       .statement = "The second eigenvalue for that gain, to 1e-9",
+       .printed = fmt::format("(s_v^2 - s_w^2)/s^2; with s_v 0.1 m, s_w 0.2 m: {:.3f}", (0.01 - 0.04) / s2),
+       .measured = fmt::format("with the same noises {:.3f}. Largest difference over all noises: printed "
+                               "{:.2g}, ours {:.1e}; in the limit {:.1e}",
+                               0.04 / s2, of_printed, of_second_step, of_limit),
+       .why = "s_w^2/s^2 for that gain; s_w^2/(p + s_w^2) in the limit"},
+      of_printed <= 1e-9, std::max(of_second_step, of_limit) <= 1e-9);
+}
+
+Claim always_one() {
+  double off_one = 0, lowest = 1, highest = 0;
+  for_all_noises([&](double v, double w) {
+    const MatrixXd A = error_dynamics(system(v, w), limit(v, w).K);
+    off_one = std::max(off_one, (A * Vector2d::Ones() - Vector2d::Ones()).norm());
+    lowest = std::min(lowest, A.trace() - 1);
+    highest = std::max(highest, A.trace() - 1);
+  });
+  return judged({.id = "3.1-marginal",
+                 .place = "Figure 3.3, Example 3.1",
+                 .statement = "Whatever the noises, one eigenvalue is 1 (to 1e-12) and the other inside the "
+                              "circle: the error dynamics are marginally stable, also in the steady state",
+                 .printed = "1",
+                 .measured = fmt::format("one differs from 1 by at most {:.1e}, the other is between {:.3g} "
+                                         "and {:.3g}, over s_v 0.05 to 2 m, s_w 0.05 to 1.5 m",
+                                         off_one, lowest, highest),
+                 .why = "an eigenvalue left its place"},
+                off_one <= 1e-12 && lowest > 0 && highest < 1);
+}
+
+Claim finite_steady_error(int seeds) {
+  const Setup setup{.steps = 1000};
+  const auto runs = monobot::simulate_all(setup, seeds);
+  const Interval after_100 = rms_of(monobot::errors(runs, 1, 100)),
+                 after_1000 = rms_of(monobot::errors(runs, 1, 1000));
+  const MatrixXd P = monobot::settled_prior(setup);
+  const double landmark = std::sqrt(P(1, 1)), robot = std::sqrt(P(0, 0) - setup.sigma_v_m * setup.sigma_v_m);
+  const bool as_predicted = rms_of(monobot::errors(runs, 1, 1000), judged_at).contains(landmark) &&
+                            rms_of(monobot::errors(runs, 0, 1000), judged_at).contains(robot);
+  return judged({.id = "3.1-finite-error",
+                 .place = "below (3.11), Figure 3.4 (b), (c)",
+                 .statement = "The errors of robot and landmark neither grow nor vanish: rms over runs after "
+                              "1000 steps as the limit covariance says",
+                 .printed = "finite",
+                 .measured = fmt::format("landmark {} after 100 steps, {} after 1000, predicted {:.3f} m; "
+                                         "robot {} after 1000, predicted {:.3f} m",
+                                         text(after_100, "m"), text(after_1000, "m"), landmark,
+                                         text(rms_of(monobot::errors(runs, 0, 1000)), "m"), robot),
+                 .why = "the errors are not those of the limit covariance",
+                 .runs = seeds},
+                as_predicted);
+}
+
+Claim depends_on_the_start(int seeds) {
+  double lost = 0;
+  for (const int n : {1, 2}) {
+    const Setup as_it_is{.landmarks = n, .steps = 1000}, shifted{.landmarks = n, .steps = 1000, .shift_m = 1};
+    const MatrixXd by = simulate(as_it_is, 1).error() - simulate(shifted, 1).error();
+    lost = std::max(lost, (by.array() - 1).abs().maxCoeff());
+  }
+  // the robot's first error is 1 m rms, and the landmark is born from what the robot sees of it
+  const auto runs = monobot::simulate_all({.robot_var_m2 = 1, .landmark_var_m2 = {}}, seeds);
+  const auto first = monobot::errors(runs, 0, 0), last = monobot::errors(runs, 1, 100);
+  const bool slope_one = slope_of(first, last, judged_at).contains(1);
+  return judged({.id = "3.1-initial-conditions",
+                 .place = "below (3.11), Example 3.1",
+                 .statement = "The steady-state error depends on the initial conditions: all first estimates "
+                              "wrong by 1 m stay wrong by 1 m (to 1e-9 over 1000 steps), and over runs the "
+                              "landmark's final error follows the robot's first with slope 1",
+                 .printed = "",
+                 .measured = fmt::format("of 1 m at most {:.1e} m was lost; slope {}", lost,
+                                         text(slope_of(first, last))),
+                 .why = "the start was forgotten",
+                 .runs = seeds},
+                lost <= 1e-9 && slope_one);
+}
+
+Claim more_landmarks(int seeds) {
+  const int runs = 5 * seeds;  // few landmarks and many differ by less than errors scatter
+  std::vector<std::string> lines;
+  std::vector<double> of_one, difference, variances;
+  for (const int n : {1, 2, 5, 10, 20}) {
+    const Setup setup{.landmarks = n};
+    const auto last = monobot::errors(monobot::simulate_all(setup, runs), 1, setup.steps);
+    variances.push_back(monobot::settled_prior(setup)(1, 1));
+    lines.push_back(fmt::format("{}: {}", n, text(rms_of(last), "m")));
+    if (n == 1) of_one = last;
+    difference.clear();
+    for (std::size_t i = 0; i < last.size(); ++i)
+      difference.push_back(of_one[i] * of_one[i] - last[i] * last[i]);
+  }
+  const double floor =
+      monobot::settled_prior({.landmarks = 1000, .robot_var_m2 = 1, .landmark_var_m2 = {}})(1, 1);
+  return judged(
+      {.id = "3.1-more-landmarks",
+       .place = "below Figure 3.3, Example 3.1",
+       .statement = "The steady-state error, smaller than the initial one, is smaller the more landmarks "
+                    "there are: so says the limit covariance, and 1 and 20 landmarks differ in paired runs",
+       .printed = "",
+       .measured = fmt::format("rms error of the first landmark by number of landmarks: {}; mean square with "
+                               "1 less that with 20: {}. But never below the robot's first error: 1000 "
+                               "landmarks born from looks of a robot that starts with 1 m settle at {:.4f} m",
+                               fmt::join(lines, "; "), text(mean_of(difference), "m^2"), std::sqrt(floor)),
+       .why = "more landmarks did not help",
+       .runs = runs},
+      std::is_sorted(variances.rbegin(), variances.rend()) && mean_of(difference).low > 0 &&
+          variances[0] < 1);
+}
+
+Claim landmark_gain_vanishes() {
+  std::vector<std::string> lines;
+  double exponent = 0, last = 0;
+  for (const int n : {1, 2}) {
+    const auto gains = monobot::course({.landmarks = n, .steps = 10'000}).gain;
+    const auto largest = [&](int step) { return gains[step].bottomRows(n).cwiseAbs().maxCoeff(); };
+    lines.push_back(fmt::format("{}: {:.2g}, {:.2g}, {:.2g}", n, largest(10), largest(100), largest(10'000)));
+    last = std::max(last, largest(10'000));
+    exponent = exponent_of({100, 1000, 10'000}, {largest(100), largest(1000), largest(10'000)});
+  }
+  return judged(
+      {.id = "3.1-landmark-gain",
+       .place = "below Figure 3.3, Figure 3.4 (d)",
+       .statement = "The landmark part of the gain goes to zero; tested: below 1e-3 after 10000 steps",
+       .printed = "0",
+       .measured = fmt::format(
+           "after 10, 100 and 10000 steps, by number of landmarks: {}; with two it falls as step^{:.2f}",
+           fmt::join(lines, "; "), exponent),
+       .why = "it stays above"},
+      last < 1e-3);
+}
+
+Claim landmark_variance_vanishes() {
+  std::vector<std::string> lines;
+  bool vanishes = true;
+  for (const int n : {1, 2}) {
+    const auto P = monobot::course({.landmarks = n, .steps = 10'000}).posterior;
+    const double limit = monobot::settled_prior({.landmarks = n})(1, 1);
+    lines.push_back(
+        fmt::format("{}: {:.4f}, {:.4f} m^2, limit {:.4f} m^2", n, P[100](1, 1), P[10'000](1, 1), limit));
+    vanishes = vanishes && P[10'000](1, 1) < 0.1 * P[100](1, 1);
+  }
+  return judged(
+      {.id = "3.1-landmark-variance",
+       .place = "below Figure 3.3, Example 3.1; Section 3.5",
+       .statement = "The uncertainty of stationary landmarks approaches zero; tested: 100 times the steps "
+                    "leave less than a tenth of the variance",
+       .printed = "0 m^2",
+       .measured =
+           fmt::format("after 100 and 10000 steps, by number of landmarks: {}", fmt::join(lines, "; ")),
+       .why = "not without an anchor: what all landmarks have in common cannot be observed and keeps the "
+              "variance it is born with. Only differences between landmarks become certain"},
+      vanishes);
+}
+
+/// Over s_v and s_w: the eigenvalues in the steady state, and those of the printed gain with the printed
+/// formula.
+Plot eigenvalue_surfaces() {
+  Panel steady, second;
+  std::vector<double> grid;
+  for (int i = 1; i <= 20; ++i) grid.push_back(0.1 * i);
+  std::vector<double> one(grid.size() * grid.size(), 1.0), in_limit, at_second, as_printed;
+  for (const double w : grid)
+    for (const double v : grid) {
+      const double p = monobot::relative_variance(v, w), s2 = printed(v, w).s2;
+      in_limit.push_back(w * w / (p + w * w));
+      at_second.push_back(w * w / s2);
+      as_printed.push_back((v * v - w * w) / s2);
+    }
+  steady.title = "steady state";
+  steady.surfaces = {{"first", grid, grid, one}, {"second", grid, grid, in_limit}};
+  second.title = "gain between (3.9) and (3.10)";
+  second.surfaces = {{"first", grid, grid, one},
+                     {"second", grid, grid, at_second},
+                     {"second, as printed", grid, grid, as_printed}};
+  Plot plot{"fig-3.3", "Eigenvalues of F - KHF, one landmark, no anchor", 2, {steady, second}};
+  for (Panel& panel : plot.panels)
+    panel.x_label = "s_v, m", panel.y_label = "s_w, m", panel.z_label = "eigenvalue";
+  return plot;
+}
+
+LedgerEntry run(const ExperimentSettings& settings) {
+  LedgerEntry entry{example_3_1.id, example_3_1.title, "", {}, {}};
+  entry.claims = {one_eigenvalue_is_one(),
+                  steady_state_covariance(),
+                  steady_state_gain(),
+                  printed_matrix(),
+                  second_eigenvalue(),
+                  always_one(),
+                  finite_steady_error(settings.seeds),
+                  depends_on_the_start(settings.seeds),
+                  more_landmarks(settings.seeds),
+                  landmark_gain_vanishes(),
+                  landmark_variance_vanishes(),
+                  monobot::consistent("3.1-consistent", "Figure 3.4 (b), (c)", {}, settings.seeds)};
+  entry.figures = {draw_plot(settings.out, eigenvalue_surfaces(), nullptr),
+                   draw_plot(settings.out, monobot::four_rows("fig-3.4", "No anchor", {}), nullptr)};
+  return entry;
+}
+
+}  // namespace
+
+const Experiment example_3_1{"3.1", "A monobot without an anchor", {"fig-3.3", "fig-3.4"}, run};
+
+}  // namespace incognita

@@ -1,0 +1,474 @@
+// Example 3.4: the vehicle of the plane with range and bearing, and how many anchors it takes to observe it.
+//
+// Experiment: the models of planar_vehicle.hpp and range_bearing.hpp at 100 random poses, inputs and
+// landmarks (places within 5 m, at least 1 m off; speed 0.5 to 2 m/s, turn rate 0.2 to 1 rad/s; dt 0.5 s;
+// sensor 0.3 m before the axle). No chance beyond that, no noise. Measured: printed Jacobians against central
+// differences of the printed models; ranks of (3.24), with F and H frozen, and of [H_0; H_1 F_0; H_2 F_1 F_0;
+// ...] along the motion, over 8 looks. Holds: Jacobians to 1e-6; ranks by singular values above 1e-9 of the
+// largest, with at least a factor of 1000 between what counts and what does not, the same at all 100.
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "experiments/evidence.hpp"
+#include "experiments/list.hpp"
+#include "incognita/analysis/linear_system.hpp"
+#include "incognita/math/random.hpp"
+#include "incognita/models/planar_vehicle.hpp"
+#include "incognita/models/range_bearing.hpp"
+#include "incognita/report/plot.hpp"
+
+namespace incognita {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using std::numbers::pi;
+
+constexpr int places = 100, looks = 8;
+constexpr double dt = 0.5;  // s
+
+/// A pose, an input and points to look at, anchors or landmarks.
+struct Place {
+  Vector3d pose;
+  Vector2d input;
+  Vector2d landmark;
+  std::vector<Vector2d> anchors;  ///< the first at the origin
+};
+
+Vector2d point(RandomStream& random, const Vector3d& pose) {
+  for (;;) {
+    const Vector2d p(random.uniform(-5, 5), random.uniform(-5, 5));
+    if ((p - pose.head<2>()).norm() > 1) return p;
+  }
+}
+
+Place random_place(RandomStream& random) {
+  Place p;
+  p.pose << point(random, Vector3d::Zero()), random.uniform(-pi, pi);
+  p.input << random.uniform(0.5, 2), random.uniform(0.2, 1);
+  p.landmark = point(random, p.pose);
+  p.anchors = {Vector2d::Zero(), point(random, p.pose)};
+  return p;
+}
+
+std::vector<Place> random_places() {
+  RandomStream random(1, "places");
+  std::vector<Place> all;
+  for (int i = 0; i < places; ++i) all.push_back(random_place(random));
+  return all;
+}
+
+const DifferentialDrive vehicle{0.3, 0};
+
+/// Central differences of a function of one vector.
+template <class Function>
+MatrixXd differences(const Function& f, const Eigen::VectorXd& x) {
+  constexpr double h = 1e-6;
+  MatrixXd J(f(x).size(), x.size());
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    const Eigen::VectorXd d = h * Eigen::VectorXd::Unit(x.size(), i);
+    J.col(i) = (f(x + d) - f(x - d)) / (2 * h);
+  }
+  return J;
+}
+
+/// Largest entries of the differences between a printed matrix, ours, and what the derivatives are.
+struct Wrong {
+  double printed = 0, ours = 0;
+  void take(const MatrixXd& as_printed, const MatrixXd& as_ours, const MatrixXd& truth) {
+    printed = std::max(printed, (as_printed - truth).cwiseAbs().maxCoeff());
+    ours = std::max(ours, (as_ours - truth).cwiseAbs().maxCoeff());
+  }
+  std::string text() const {
+    return fmt::format(
+        "largest difference from numerical derivatives at {} places: printed {:.2g}, ours {:.0e}", places,
+        printed, ours);
+  }
+};
+
+constexpr double as_good_as_zero = 1e-6;
+
+Claim state_jacobian() {
+  Wrong wrong;
+  for (const Place& p : random_places()) {
+    const double c = std::cos(p.pose[2]), s = std::sin(p.pose[2]), v = p.input[0], lw = 0.3 * p.input[1];
+    Eigen::Matrix3d printed = Eigen::Matrix3d::Identity();
+    printed.col(2).head<2>() << -(v * s - lw * c) * dt, (v * c - lw * s) * dt;
+    const auto f = [&](const Eigen::VectorXd& x) -> Eigen::VectorXd {
+      return vehicle.f<double>(Vector3d(x), p.input, dt);
+    };
+    wrong.take(printed, vehicle.step(p.pose, p.input, dt).F, differences(f, p.pose));
+  }
+  return judged({.id = "3.4-F",
+                 .place = "(3.17)",
+                 .statement = "Jacobian of (3.16) by the state, to 1e-6",
+                 .printed = "first row, last entry -(v sin - l w cos) dt",
+                 .measured = wrong.text(),
+                 .why = "-(v sin + l w cos) dt",
+                 .runs = places},
+                wrong.printed <= as_good_as_zero, wrong.ours <= as_good_as_zero);
+}
+
+Claim input_jacobian() {
+  Wrong wrong;
+  for (const Place& p : random_places()) {
+    const double c = std::cos(p.pose[2]), s = std::sin(p.pose[2]);
+    Eigen::Matrix<double, 3, 2> printed;
+    printed << c * dt, -0.3 * s * dt, s * dt, 0.3 * c * dt, 0, 1;
+    const auto f = [&](const Eigen::VectorXd& u) -> Eigen::VectorXd {
+      return vehicle.f<double>(p.pose, Vector2d(u), dt);
+    };
+    wrong.take(printed, vehicle.step(p.pose, p.input, dt).G, differences(f, p.input));
+  }
+  return judged({.id = "3.4-G",
+                 .place = "(3.18)",
+                 .statement = "Jacobian of (3.16) by the input noises, to 1e-6",
+                 .printed = "last row [0 1]",
+                 .measured = wrong.text(),
+                 .why = "[0 dt]",
+                 .runs = places},
+                wrong.printed <= as_good_as_zero, wrong.ours <= as_good_as_zero);
+}
+
+double wrapped(double angle) { return wrap_angle<double>(angle); }
+
+/// Where the direction to a landmark is known to be: turning by it and driving ahead must lead to the
+/// landmark.
+Claim bearing() {
+  double printed = 0, without_quarter = 0, ours = 0;
+  int behind = 0;
+  for (const Place& p : random_places()) {
+    const Vector2d d = p.landmark - p.pose.head<2>();
+    const double as_printed = std::atan(d.y() / d.x()) - p.pose[2] + pi / 2;
+    const Vector2d z = RangeBearing::look(p.pose, p.landmark)->z;
+    const auto miss = [&](double b) {
+      return (RangeBearing::birth(p.pose, {z[0], b}).landmark - p.landmark).norm();
+    };
+    printed = std::max(printed, miss(as_printed));
+    without_quarter = std::max(without_quarter, miss(as_printed - pi / 2));
+    behind += miss(as_printed - pi / 2) > 1 ? 1 : 0;
+    ours = std::max(ours, miss(z[1]));
+  }
+  return judged(
+      {.id = "3.4-bearing",
+       .place = "(3.19)",
+       .statement =
+           "The bearing of a landmark, from the heading: following it leads to the landmark, to 1e-6 m",
+       .printed = "atan(dy/dx) - theta + pi/2",
+       .measured = fmt::format("largest miss at {} places: printed {:.2g} m; without the pi/2 still {:.2g} "
+                               "m, wrong at {} places; ours {:.0e} m",
+                               places, printed, without_quarter, behind, ours),
+       .why = "atan2(dy, dx) - theta: atan cannot tell a landmark from the one opposite, and the pi/2 is one "
+              "laser's way to count its beams",
+       .runs = places},
+      printed <= as_good_as_zero, ours <= as_good_as_zero);
+}
+
+Claim anchor_bearing() {
+  double printed = 0, ours = 0;
+  for (const Place& p : random_places()) {
+    const double truth = RangeBearing::look(p.pose, Vector2d::Zero())->z[1];
+    const double x = p.pose.x(), y = p.pose.y();
+    printed = std::max(printed, std::abs(wrapped(std::atan(y / x) - p.pose[2] + pi / 2 - truth)));
+    ours = std::max(ours, std::abs(wrapped(std::atan2(-y, -x) - p.pose[2] - truth)));
+  }
+  return judged(
+      {.id = "3.4-anchor-bearing",
+       .place = "(3.21)",
+       .statement = "The bearing of an anchor at the origin is (3.19) with the landmark there, to 1e-6 rad",
+       .printed = "atan(y/x) - theta + pi/2",
+       .measured = fmt::format("largest difference at {} places: printed {:.3g} rad, ours {:.0e} rad", places,
+                               printed, ours),
+       .why = "atan2(-y, -x) - theta",
+       .runs = places},
+      printed <= as_good_as_zero, ours <= as_good_as_zero);
+}
+
+/// One look at an anchor or at the landmark; by the pose and the landmark.
+MatrixXd look_rows(const Vector3d& pose, const Vector2d& at, bool anchor) {
+  const auto look = RangeBearing::look(pose, at);
+  MatrixXd H = MatrixXd::Zero(2, 5);
+  H.leftCols<3>() = look->Hv;
+  if (!anchor) H.rightCols<2>() = look->Hl;
+  return H;
+}
+
+/// (3.20) and (3.22), differentiated together by pose and landmark.
+Claim look_jacobians() {
+  Wrong wrong;
+  for (const Place& p : random_places()) {
+    const double x = p.pose.x(), y = p.pose.y(), r2 = x * x + y * y, r = std::sqrt(r2);
+    const Vector2d to = p.landmark - p.pose.head<2>();
+    const double d = to.norm(), d2 = d * d;
+    MatrixXd printed(4, 5), ours(4, 5);
+    printed << x / r, y / r, 0, 0, 0, -y / r2, x / r2, -1, 0, 0,  //
+        -to.x() / d, -to.y() / d, 0, to.x() / d, to.y() / d,      //
+        to.y() / d2, -to.x() / d2, -1, -to.y() / d2, to.x() / d2;
+    ours << look_rows(p.pose, Vector2d::Zero(), true), look_rows(p.pose, p.landmark, false);
+    Eigen::VectorXd state(5);
+    state << p.pose, p.landmark;
+    const auto h = [](const Eigen::VectorXd& s) -> Eigen::VectorXd {
+      Eigen::Vector4d z;
+      z << RangeBearing::h<double>(Vector3d(s.head<3>()), Vector2d::Zero()),
+          RangeBearing::h<double>(Vector3d(s.head<3>()), Vector2d(s.tail<2>()));
+      return z;
+    };
+    wrong.take(printed, ours, differences(h, state));
+  }
+  return judged({.id = "3.4-H",
+                 .place = "(3.20), (3.22)",
+                 .statement = "Jacobians of range and bearing, of a landmark and of the anchor, to 1e-6",
+                 .printed = "",
+                 .measured = wrong.text(),
+                 .why = "an entry differs",
+                 .runs = places},
+                wrong.printed <= as_good_as_zero, wrong.ours <= as_good_as_zero);
+}
+
+// Observability ---------------------------------------------------------------------------------------
+
+struct View {
+  int anchors = 0;
+  bool oriented = false;  ///< the first anchor's direction is seen too
+};
+
+/// What is seen from a pose; states: pose, landmark.
+MatrixXd rows_seen(const Place& p, const Vector3d& pose, const View& view) {
+  MatrixXd H(2 * (view.anchors + 1) + (view.oriented ? 1 : 0), 5);
+  for (int a = 0; a < view.anchors; ++a) H.middleRows(2 * a, 2) = look_rows(pose, p.anchors[a], true);
+  H.middleRows(2 * view.anchors, 2) = look_rows(pose, p.landmark, false);
+  if (view.oriented) H.bottomRows(1) << 0, 0, -1, 0, 0;
+  return H;
+}
+
+MatrixXd transition(const DifferentialDrive& drive, const Vector3d& pose, const Vector2d& input) {
+  MatrixXd F = MatrixXd::Identity(5, 5);
+  F.topLeftCorner<3, 3>() = drive.step(pose, input, dt).F;
+  return F;
+}
+
+/// (3.24)
+MatrixXd frozen(const Place& p, const View& view, const DifferentialDrive& drive) {
+  LinearSystem s;
+  s.F = transition(drive, p.pose, p.input);
+  s.H = rows_seen(p, p.pose, view);
+  s.G = MatrixXd::Zero(5, 1);
+  s.Q = MatrixXd::Zero(1, 1);
+  s.R = MatrixXd::Identity(s.H.rows(), s.H.rows());
+  return observability_matrix(s);
+}
+
+/// The same with each H and F where the vehicle then is.
+MatrixXd along_the_motion(const Place& p, const View& view, const DifferentialDrive& drive) {
+  Vector3d pose = p.pose;
+  MatrixXd since_start = MatrixXd::Identity(5, 5);
+  const Eigen::Index rows = rows_seen(p, pose, view).rows();
+  MatrixXd O(looks * rows, 5);
+  for (int k = 0; k < looks; ++k) {
+    O.middleRows(k * rows, rows) = rows_seen(p, pose, view) * since_start;
+    since_start = transition(drive, pose, p.input) * since_start;
+    pose = drive.step(pose, p.input, dt).x;
+  }
+  return O;
+}
+
+/// The rank that a matrix has at all places; nothing when it is not the same or not clear.
+struct Ranks {
+  std::optional<int> rank;
+  double least_kept = 1, most_left_out = 0;  ///< singular values, of the largest
+  bool is(int expected) const { return rank == expected; }
+  std::string text() const {
+    if (!rank) return "not clear";
+    const std::string kept = fmt::format("singular values of the largest: kept from {:.1e} on", least_kept);
+    if (*rank == 5) return fmt::format("5 of 5 ({})", kept);
+    return fmt::format("{} of 5 ({}, left out to {:.0e})", *rank, kept, most_left_out);
+  }
+};
+
+template <class Build>
+Ranks ranks(const Build& build) {
+  Ranks all;
+  bool clear = true;
+  for (const Place& p : random_places()) {
+    const Rank r = rank_of(build(p), 1e-9);
+    const Eigen::VectorXd relative = r.singular_values / r.singular_values[0];
+    all.least_kept = std::min(all.least_kept, relative[r.rank - 1]);
+    if (r.rank < relative.size()) all.most_left_out = std::max(all.most_left_out, relative[r.rank]);
+    clear = clear && r.gap >= 1000 && all.rank.value_or(r.rank) == r.rank;
+    all.rank = r.rank;
+  }
+  if (!clear) all.rank.reset();
+  return all;
+}
+
+Ranks frozen_rank(const View& view, const DifferentialDrive& drive = vehicle) {
+  return ranks([&](const Place& p) { return frozen(p, view, drive); });
+}
+
+Ranks true_rank(const View& view, const DifferentialDrive& drive = vehicle) {
+  return ranks([&](const Place& p) { return along_the_motion(p, view, drive); });
+}
+
+/// (3.25), rows five to eight: what H F has in the heading's column beyond H.
+Claim printed_product() {
+  double printed = 0, ours = 0;
+  const DifferentialDrive at_axle;
+  for (const Place& p : random_places()) {
+    const double c = std::cos(p.pose[2]), s = std::sin(p.pose[2]), v = p.input[0], x = p.pose.x(),
+                 y = p.pose.y();
+    const Vector2d to = p.landmark - p.pose.head<2>();
+    const double d = to.norm(), r2 = x * x + y * y, r = std::sqrt(r2);
+    const Eigen::Vector4d as_printed(-(to.x() * v * s + to.y() * v * c) / d,
+                                     -(to.x() * v * c - to.y() * v * s) / (d * d),
+                                     (x * v * s + y * v * c) / r2, (x * v * c + y * v * s) / r2);
+    const Eigen::Vector4d corrected((to.x() * v * s - to.y() * v * c) / d,
+                                    -(to.x() * v * c + to.y() * v * s) / (d * d),
+                                    -(x * v * s - y * v * c) / r, (x * v * c + y * v * s) / r2);
+    MatrixXd H(4, 5);
+    H << look_rows(p.pose, p.landmark, false), look_rows(p.pose, Vector2d::Zero(), true);
+    const Eigen::Vector4d truth = (H * transition(at_axle, p.pose, p.input) - H).col(2) / dt;
+    printed = std::max(printed, (as_printed - truth).cwiseAbs().maxCoeff());
+    ours = std::max(ours, (corrected - truth).cwiseAbs().maxCoeff());
+  }
+  return judged({.id = "3.4-product",
+                 .place = "(3.25), rows 5 to 8",
+                 .statement = "Heading's column of (H F - H)/dt with l = 0, to 1e-6",
+                 .printed = "rows -(dx v sin + dy v cos)/d, -(dx v cos - dy v sin)/d^2, (x v sin + y v "
+                            "cos)/r^2, (x v cos + y v sin)/r^2",
+                 .measured = fmt::format("largest difference at {} places: printed {:.2g}, ours {:.0e}",
+                                         places, printed, ours),
+                 .why = "(dx v sin - dy v cos)/d, -(dx v cos + dy v sin)/d^2, -(x v sin - y v cos)/r, and "
+                        "the last as printed",
+                 .runs = places},
+                printed <= as_good_as_zero, ours <= as_good_as_zero);
+}
+
+Claim frozen_product_rank() {
+  const Ranks offset = frozen_rank({.anchors = 1}), at_axle = frozen_rank({.anchors = 1}, {});
+  return judged({.id = "3.4-frozen-rank",
+                 .place = "(3.24), (3.25)",
+                 .statement = "The product (3.24) has full rank with one anchor, also with l other than 0",
+                 .printed = "5",
+                 .measured = fmt::format("l = 0.3 m: {}; l = 0: {}", offset.text(), at_axle.text()),
+                 .why = "a rank is missing",
+                 .runs = places},
+                offset.is(5) && at_axle.is(5));
+}
+
+Claim one_anchor_observes_all() {
+  const Ranks one = true_rank({.anchors = 1});
+  return judged(
+      {.id = "3.4-one-anchor",
+       .place = "below (3.25)",
+       .statement =
+           "One anchor and any other landmark guarantee that the vehicle of the plane is fully observable",
+       .printed = "rank 5",
+       .measured = fmt::format("along the motion, over {} looks: {}", looks, one.text()),
+       .why = "turning everything about the anchor changes no look. That (3.24) has full rank is an "
+              "artefact: its F moves the vehicle on, while H stays where it was",
+       .runs = places},
+      one.is(5));
+}
+
+Claim what_it_takes() {
+  const Ranks two = true_rank({.anchors = 2}), oriented = true_rank({.anchors = 1, .oriented = true});
+  return judged({.id = "3.4-two-anchors",
+                 .place = "below (3.25)",
+                 .statement = "One anchor with orientation, or two without, are enough",
+                 .printed = "rank 5",
+                 .measured = fmt::format("along the motion: two anchors {}; one with orientation {}",
+                                         two.text(), oriented.text()),
+                 .why = "a rank is missing",
+                 .runs = places},
+                two.is(5) && oriented.is(5));
+}
+
+Claim no_anchor() {
+  const Ranks product = frozen_rank({}), truth = true_rank({});
+  return judged(
+      {.id = "3.4-no-anchor",
+       .place = "Section 3.1, above Example 3.2",
+       .statement = "Without anchors the linearised system of the vehicle of the plane is partially "
+                    "observable, and nonlinear analysis gives similar results: the ranks agree",
+       .printed = "partially observable",
+       .measured = fmt::format("the frozen product {}; along the motion {}", product.text(), truth.text()),
+       .why = "both are partially observable, but not alike: three directions, place and heading of the "
+              "whole, change no look; the frozen product takes only two of them for unobservable",
+       .runs = places},
+      product.rank && truth.rank && *product.rank < 5 && *product.rank == *truth.rank,
+      product.is(3) && truth.is(2));
+}
+
+// Figure 3.9 ------------------------------------------------------------------------------------------
+
+Curve outline(const std::string& label, const Vector3d& pose, const std::vector<Vector2d>& corners,
+              Style style, Colour colour) {
+  Curve curve;
+  curve.label = label;
+  curve.style = style;
+  curve.colour = colour;
+  for (const Vector2d& corner : corners) {
+    const Vector2d at = pose.head<2>() + Eigen::Rotation2Dd(pose[2]) * corner;
+    curve.x.push_back(at.x());
+    curve.y.push_back(at.y());
+  }
+  return curve;
+}
+
+/// The vehicle at 30 degrees, its axle's middle at the origin of the body; m.
+Plot geometry() {
+  const Vector3d pose(1, 0.6, pi / 6);
+  const double l = vehicle.forward_m;
+  const auto wheel = [](double side) {
+    return std::vector<Vector2d>{{-0.1, side - 0.03},
+                                 {0.1, side - 0.03},
+                                 {0.1, side + 0.03},
+                                 {-0.1, side + 0.03},
+                                 {-0.1, side - 0.03}};
+  };
+  Panel p;
+  p.x_label = "x, m";
+  p.y_label = "y, m";
+  p.equal_axes = true;
+  p.curves = {outline("body", pose, {{-0.2, -0.22}, {0.42, -0.22}, {0.42, 0.22}, {-0.2, 0.22}, {-0.2, -0.22}},
+                      Style::line, Colour::ink),
+              outline("axle and wheels", pose, {{0, -0.25}, {0, 0.25}}, Style::line, Colour::grey),
+              outline("", pose, wheel(-0.28), Style::line, Colour::grey),
+              outline("", pose, wheel(0.28), Style::line, Colour::grey),
+              outline("l, from the axle to the sensor", pose, {{0, 0}, {l, 0}}, Style::line, Colour::orange),
+              outline("sensor (x_r, y_r)", pose, {{l, 0}}, Style::circles, Colour::orange),
+              outline("heading theta", pose, {{l, 0}, {0.75, 0}, {0.69, 0.03}, {0.69, -0.03}, {0.75, 0}},
+                      Style::line, Colour::blue),
+              outline("world x", {pose.x(), pose.y(), 0}, {{0, 0}, {0.75, 0}}, Style::dashed, Colour::grey)};
+  Plot plot{"fig-3.9", "Vehicle with differential steering", 1, {p}};
+  return plot;
+}
+
+LedgerEntry run(const ExperimentSettings& settings) {
+  LedgerEntry entry{example_3_4.id, example_3_4.title, "", {}, {}};
+  entry.claims = {state_jacobian(),
+                  input_jacobian(),
+                  bearing(),
+                  anchor_bearing(),
+                  look_jacobians(),
+                  printed_product(),
+                  frozen_product_rank(),
+                  one_anchor_observes_all(),
+                  what_it_takes(),
+                  no_anchor()};
+  entry.figures = {draw_plot(settings.out, geometry(), nullptr)};
+  return entry;
+}
+
+}  // namespace
+
+const Experiment example_3_4{"3.4", "A vehicle of the plane with range and bearing", {"fig-3.9"}, run};
+
+}  // namespace incognita

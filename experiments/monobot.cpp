@@ -1,0 +1,425 @@
+#include "experiments/monobot.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <stdexcept>
+
+#include "experiments/evidence.hpp"
+#include "incognita/belief/belief.hpp"
+#include "incognita/belief/linearise.hpp"
+#include "incognita/math/random.hpp"
+#include "incognita/models/monobot.hpp"
+
+namespace incognita::monobot {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double dt = 1;  // so that a speed is a displacement, as in (3.4)
+
+MatrixXd scalar(double value) { return MatrixXd::Constant(1, 1, value); }
+
+/// The engine with the models of the monobot. Looks come in the order of (3.12): anchor, landmarks.
+class Filter {
+ public:
+  Filter(const Setup& setup, const VectorXd& first_estimate) : setup_(setup), belief_(states(setup)) {
+    robot_ = belief_.add_vehicle(MonobotMotion::chart, first_estimate.head(1), scalar(setup.robot_var_m2));
+    for (int i = 1; i < first_estimate.size(); ++i)
+      landmarks_.push_back(setup.landmark_var_m2 ? with_variance(first_estimate.segment(i, 1))
+                                                 : born(first_estimate.segment(i, 1)));
+  }
+
+  void predict() {
+    const auto Q = MonobotMotion::Jacobian(setup_.sigma_v_m * setup_.sigma_v_m);
+    const auto no_command = MonobotMotion::Input<double>(0.0);
+    belief_.predict(linearised(MonobotMotion{}, belief_, robot_, no_command, Q, dt));
+  }
+
+  /// dP of (3.26)
+  MatrixXd decorrelate() {
+    if (setup_.decorrelated == Decorrelated::nothing) return {};
+    const MatrixXd before = belief_.dense_covariance();
+    belief_.decorrelate(setup_.decorrelated == Decorrelated::everything ? Belief::Scope::everything
+                                                                        : Belief::Scope::map);
+    return belief_.dense_covariance() - before;
+  }
+
+  /// Column by column: what the estimates would move by if that look alone were 1 m more than expected.
+  MatrixXd gain() {
+    std::vector<AffineLook> unit = looks(expected());
+    std::vector<BlockId> blocks{robot_};
+    blocks.insert(blocks.end(), landmarks_.begin(), landmarks_.end());
+    MatrixXd K(blocks.size(), unit.size());
+    std::vector<BlockVector> moved(blocks.size());
+    for (std::size_t j = 0; j < unit.size(); ++j) {
+      unit[j].residual[0] = 1;
+      if (!belief_.correction(unit, blocks, moved))
+        throw std::runtime_error("the monobot's looks are singular");
+      unit[j].residual[0] = 0;
+      for (std::size_t i = 0; i < blocks.size(); ++i) K(i, j) = moved[i][0];
+    }
+    return K;
+  }
+
+  void update(const VectorXd& z) {
+    const auto report = belief_.update(looks(z));
+    if (report.outcome != UpdateReport::Outcome::updated)
+      throw std::runtime_error("the monobot's looks are singular");
+  }
+
+  VectorXd expected() const {
+    const VectorXd x = estimate();
+    VectorXd z(x.size() - (setup_.anchored ? 0 : 1));
+    if (setup_.anchored) z[0] = RelativePosition::look(x[0], 0).z[0];
+    for (int i = 1; i < x.size(); ++i) z[z.size() - x.size() + i] = RelativePosition::look(x[0], x[i]).z[0];
+    return z;
+  }
+
+  VectorXd estimate() const {
+    VectorXd x(states(setup_));
+    x[0] = belief_.mean(robot_)[0];
+    for (std::size_t i = 0; i < landmarks_.size(); ++i) x[i + 1] = belief_.mean(landmarks_[i])[0];
+    return x;
+  }
+
+  MatrixXd covariance() const { return belief_.dense_covariance(); }
+
+ private:
+  BlockId with_variance(const VectorXd& mean) {
+    return belief_.augment(Chart::line(1), mean, {}, scalar(*setup_.landmark_var_m2));
+  }
+
+  BlockId born(const VectorXd& mean) {
+    const RelativePosition::Birth birth;
+    const Belief::Parent parent{robot_, birth.Jv};
+    const double R = setup_.sigma_w_m * setup_.sigma_w_m;
+    return belief_.augment(Chart::line(1), mean, {&parent, 1}, birth.Jz * R * birth.Jz.transpose());
+  }
+
+  std::vector<AffineLook> looks(const VectorXd& z) const {
+    const VectorXd residual = z - expected();
+    std::vector<AffineLook> looks(residual.size());
+    const RelativePosition::Look model{};
+    const std::size_t anchors = looks.size() - landmarks_.size();
+    for (std::size_t i = 0; i < looks.size(); ++i) {
+      looks[i].add(robot_, model.Hv);
+      if (i >= anchors) looks[i].add(landmarks_[i - anchors], model.Hl);
+      looks[i].residual = residual.segment(i, 1);
+      looks[i].R = scalar(setup_.sigma_w_m * setup_.sigma_w_m);
+    }
+    return looks;
+  }
+
+  Setup setup_;
+  Belief belief_;
+  BlockId robot_ = 0;
+  std::vector<BlockId> landmarks_;
+};
+
+/// What chance does to one run: each source has its own stream, so that runs with other setups can be paired.
+class World {
+ public:
+  World(const Setup& setup, int seed)
+      : setup_(setup), truth_(VectorXd::Constant(states(setup), landmark_m)), first_(named(seed, "first")) {
+    truth_[0] = robot_start_m;
+    motion_ = named(seed, "motion");
+    if (setup.anchored) looks_.push_back(named(seed, "anchor"));
+    for (int i = 1; i <= setup.landmarks; ++i) looks_.push_back(named(seed, fmt::format("landmark {}", i)));
+  }
+
+  VectorXd first_estimate() {
+    VectorXd x = truth_;
+    x[0] += std::sqrt(setup_.robot_var_m2) * first_.normal();
+    for (int i = 1; i < x.size(); ++i)
+      x[i] = setup_.landmark_var_m2 ? landmark_m + std::sqrt(*setup_.landmark_var_m2) * first_.normal()
+                                    : RelativePosition::birth(x[0], first_look(i)).landmark[0];
+    return x.array() + setup_.shift_m;
+  }
+
+  void move() { truth_[0] += setup_.sigma_v_m * motion_.normal(); }
+
+  VectorXd look() {
+    VectorXd z(static_cast<Eigen::Index>(looks_.size()));
+    const Eigen::Index anchors = z.size() - setup_.landmarks;
+    for (Eigen::Index i = 0; i < z.size(); ++i) {
+      const double place = i < anchors ? 0 : truth_[i - anchors + 1];
+      z[i] = RelativePosition::look(truth_[0], place).z[0] + setup_.sigma_w_m * looks_[i].normal();
+    }
+    if (!looked_) z[anchors] += setup_.first_look_error_m;
+    looked_ = true;
+    return z;
+  }
+
+  const VectorXd& truth() const { return truth_; }
+
+ private:
+  static RandomStream named(int seed, const std::string& source) {
+    return {static_cast<std::uint64_t>(seed), "monobot " + source};
+  }
+
+  double first_look(int landmark) {
+    return RelativePosition::look(truth_[0], truth_[landmark]).z[0] + setup_.sigma_w_m * first_.normal();
+  }
+
+  Setup setup_;
+  VectorXd truth_;
+  RandomStream first_, motion_ = first_;
+  std::vector<RandomStream> looks_;
+  bool looked_ = false;
+};
+
+std::vector<double> numbers(const VectorXd& row) { return {row.begin(), row.end()}; }
+
+// The four rows of Figures 3.4, 3.8, 3.12, 3.15 and 3.18 ----------------------------------------------
+
+Panel panel(const std::string& title, const std::string& y_label) {
+  Panel panel;
+  panel.title = title;
+  panel.x_label = "step";
+  panel.y_label = y_label;
+  return panel;
+}
+
+Panel states_panel(const Run& run) {
+  Panel p = panel(run.truth.rows() == 2 ? "one landmark" : "two landmarks", "place, m");
+  for (Eigen::Index i = 0; i < run.truth.rows(); ++i) {
+    const std::string what = i == 0                  ? "robot"
+                             : run.truth.rows() == 2 ? "landmark"
+                                                     : fmt::format("landmark {}", i);
+    p.curves.push_back(over_steps(what, numbers(run.estimate.row(i))));
+  }
+  for (Eigen::Index i = 0; i < std::min<Eigen::Index>(run.truth.rows(), 2); ++i) {  // landmarks are all there
+    p.curves.push_back(over_steps(i == 0 ? "truth" : "", numbers(run.truth.row(i)), Style::dashed));
+    p.curves.back().colour = Colour::ink;
+  }
+  return p;
+}
+
+/// Errors of the states from `first` to `last`, after each update, in the band of the first's 2 sigma.
+Panel errors_panel(const Run& run, Eigen::Index first, Eigen::Index last, const std::string& y_label) {
+  Panel p = panel("", y_label);
+  const Eigen::Index steps = run.truth.cols() - 1;
+  const VectorXd bound = 2 * run.variance.row(first).tail(steps).cwiseSqrt().transpose();
+  Curve band = over_steps("2 sigma", numbers(-bound), Style::band, 1);
+  band.y2 = numbers(bound);
+  band.colour = Colour::grey;
+  p.curves.push_back(band);
+  for (Eigen::Index i = first; i <= last; ++i)
+    p.curves.push_back(over_steps(first == last ? "error" : fmt::format("error {}", i),
+                                  numbers(run.error().row(i).tail(steps)), Style::line, 1));
+  return p;
+}
+
+/// Of the robot and the first landmark: what a look of 1 m more than expected would move them by. Looks are
+/// counted as in (3.12): z0 is the anchor's. The robot's gains by all landmarks are alike.
+Panel gains_panel(const Setup& setup, const Course& course) {
+  Panel p = panel("", "gain");
+  const int first = setup.anchored ? 0 : 1;
+  for (int state = 0; state < 2; ++state)
+    for (int look = first; look <= (state == 0 ? 1 : setup.landmarks); ++look) {
+      std::vector<double> gains;
+      for (std::size_t k = 1; k < course.gain.size(); ++k)
+        gains.push_back(course.gain[k](state, look - first));
+      const std::string label = fmt::format("{} by z{}", state == 0 ? "robot" : "landmark 1", look);
+      p.curves.push_back(over_steps(label, gains, Style::line, 1));
+    }
+  return p;
+}
+
+double nees(const VectorXd& error, const MatrixXd& P) {
+  const Eigen::LLT<MatrixXd> llt(P);
+  if (llt.info() != Eigen::Success) return std::numeric_limits<double>::quiet_NaN();
+  return error.dot(llt.solve(error)) / static_cast<double>(error.size());
+}
+
+}  // namespace
+
+int states(const Setup& setup) { return 1 + setup.landmarks; }
+
+LinearSystem system(const Setup& setup) {
+  const int n = states(setup), first = setup.anchored ? 1 : 0, looks = first + setup.landmarks;
+  LinearSystem s;
+  s.F = MatrixXd::Identity(n, n);
+  s.G = VectorXd::Unit(n, 0);
+  s.Q = scalar(setup.sigma_v_m * setup.sigma_v_m);
+  s.H = MatrixXd::Zero(looks, n);
+  s.H.col(0).setConstant(-1);
+  s.H.bottomRightCorner(setup.landmarks, setup.landmarks).setIdentity();
+  s.R = setup.sigma_w_m * setup.sigma_w_m * MatrixXd::Identity(looks, looks);
+  return s;
+}
+
+LinearSystem with_pseudo_noise(const LinearSystem& system, const MatrixXd& dP) {
+  LinearSystem noisy = system;
+  const Eigen::Index n = system.F.rows(), m = system.Q.rows();
+  noisy.G.resize(n, m + n);
+  noisy.G << system.G, MatrixXd::Identity(n, n);
+  noisy.Q = MatrixXd::Zero(m + n, m + n);
+  noisy.Q.topLeftCorner(m, m) = system.Q;
+  noisy.Q.bottomRightCorner(n, n) = dP;
+  return noisy;
+}
+
+Rank excited(const Setup& setup, const MatrixXd& dP) {
+  // of the sum, which spans the same; each scaled, because only directions count
+  const MatrixXd noise = dP / std::max(dP.norm(), std::numeric_limits<double>::min());
+  const MatrixXd robot = VectorXd::Unit(states(setup), 0) * VectorXd::Unit(states(setup), 0).transpose();
+  return rank_of(robot + noise, 1e-6);
+}
+
+MatrixXd first_covariance(const Setup& setup) {
+  return Filter(setup, VectorXd::Zero(states(setup))).covariance();
+}
+
+Course course(const Setup& setup) {
+  Filter filter(setup, VectorXd::Zero(states(setup)));
+  Course course{{{}}, {{}}, {{}}, {filter.covariance()}};
+  for (int k = 1; k <= setup.steps; ++k) {
+    filter.predict();
+    course.inflation.push_back(filter.decorrelate());
+    course.prior.push_back(filter.covariance());
+    course.gain.push_back(filter.gain());
+    filter.update(filter.expected());
+    course.posterior.push_back(filter.covariance());
+  }
+  return course;
+}
+
+std::vector<MatrixXd> actual_covariances(const Setup& setup, const Course& course) {
+  const LinearSystem s = system(setup);
+  std::vector<MatrixXd> actual{course.posterior[0]};
+  for (std::size_t k = 1; k < course.gain.size(); ++k)
+    actual.push_back(updated(s, predicted(s, actual.back()), course.gain[k]));  // right for any gain: (A.2.7)
+  return actual;
+}
+
+Run simulate(const Setup& setup, int seed) {
+  World world(setup, seed);
+  Filter filter(setup, world.first_estimate());
+  const MatrixXd empty = MatrixXd::Zero(states(setup), setup.steps + 1);
+  Run run{empty, empty, empty, MatrixXd::Zero(filter.expected().size(), setup.steps + 1),
+          VectorXd(setup.steps + 1)};
+  const auto keep = [&](int k) {
+    const MatrixXd P = filter.covariance();
+    run.truth.col(k) = world.truth();
+    run.estimate.col(k) = filter.estimate();
+    run.variance.col(k) = P.diagonal();
+    run.nees[k] = nees(run.truth.col(k) - run.estimate.col(k), P);
+  };
+  keep(0);
+  for (int k = 1; k <= setup.steps; ++k) {
+    world.move();
+    filter.predict();
+    filter.decorrelate();
+    run.look.col(k) = world.look();
+    filter.update(run.look.col(k));
+    keep(k);
+  }
+  return run;
+}
+
+std::vector<Run> simulate_all(const Setup& setup, int count) {
+  std::vector<Run> runs;
+  for (int seed = 1; seed <= count; ++seed) runs.push_back(simulate(setup, seed));
+  return runs;
+}
+
+std::vector<double> errors(const std::vector<Run>& runs, int state, int step) {
+  std::vector<double> values;
+  for (const Run& run : runs) values.push_back(run.truth(state, step) - run.estimate(state, step));
+  return values;
+}
+
+Claim consistent(const std::string& id, const std::string& place, Setup setup, int seeds) {
+  std::vector<std::string> lines;
+  bool within = true;
+  for (const int n : {1, 2}) {
+    setup.landmarks = n;
+    std::vector<double> last;
+    for (const Run& run : simulate_all(setup, seeds)) last.push_back(run.nees[setup.steps]);
+    const Interval band = nees_band(seeds, n + 1);
+    lines.push_back(
+        fmt::format("{}: {:.3f}, band {:.3f} to {:.3f}", n, mean_of(last).value, band.low, band.high));
+    within = within && nees_band(seeds, n + 1, judged_at).contains(mean_of(last).value);
+  }
+  return judged({.id = id,
+                 .place = place,
+                 .statement = "The filter's bounds are right: mean NEES over its degrees of freedom after "
+                              "the last step in the chi-square band of 99.9 % about 1",
+                 .printed = "",
+                 .measured = fmt::format("by number of landmarks: {} (95 %)", fmt::join(lines, "; ")),
+                 .why = "outside the band",
+                 .runs = seeds},
+                within);
+}
+
+Claim inflated(const std::string& id, const Setup& setup, int seeds) {
+  const Course dropped = course(setup);
+  Setup kept = setup;
+  kept.decorrelated = Decorrelated::nothing;
+  const MatrixXd said = dropped.posterior.back(), actual = actual_covariances(setup, dropped).back(),
+                 best = course(kept).posterior.back();
+  const auto smallest = [](const MatrixXd& M) {
+    return Eigen::SelfAdjointEigenSolver<MatrixXd>(M, Eigen::EigenvaluesOnly).eigenvalues()[0];
+  };
+  const double margin = smallest(said - actual), loss = smallest(actual - best);
+  const auto last = errors(simulate_all(setup, seeds), 1, setup.steps);
+  const bool as_computed = rms_of(last, judged_at).contains(std::sqrt(actual(1, 1)));
+  return judged(
+      {.id = id,
+       .place = "Section 3.3",
+       .statement =
+           "The filter is suboptimal, and its covariances are inflated: what it says exceeds what its errors "
+           "are, and that the optimal filter's (no eigenvalue of the differences below -1e-12 m^2)",
+       .printed = "inflated",
+       .measured = fmt::format(
+           "after {} steps with {} landmark{}, landmark: {:.3f} m said, {:.3f} m actual, {} over runs, "
+           "{:.3f} m optimal; robot: {:.3f}, {:.3f}, {:.3f} m. Smallest eigenvalues {:.0e} and {:.0e} m^2",
+           setup.steps, setup.landmarks, setup.landmarks == 1 ? "" : "s", std::sqrt(said(1, 1)),
+           std::sqrt(actual(1, 1)), text(rms_of(last), "m"), std::sqrt(best(1, 1)), std::sqrt(said(0, 0)),
+           std::sqrt(actual(0, 0)), std::sqrt(best(0, 0)), margin, loss),
+       .why = "it says less than its errors are, or errs less than the optimal filter",
+       .runs = seeds},
+      std::min(margin, loss) >= -1e-12 && said.trace() > 1.01 * actual.trace() && as_computed);
+}
+
+double relative_variance(double sigma_v_m, double sigma_w_m, int landmarks) {
+  const double v2 = sigma_v_m * sigma_v_m, w2 = sigma_w_m * sigma_w_m / landmarks;
+  return (v2 + std::sqrt(v2 * v2 + 4 * v2 * w2)) / 2;
+}
+
+MatrixXd settled_prior(const Setup& setup) {
+  const int n = states(setup);
+  const double p = relative_variance(setup.sigma_v_m, setup.sigma_w_m, setup.landmarks);
+  const double a = setup.robot_var_m2;
+  double of_all = a + p - setup.sigma_v_m * setup.sigma_v_m;  // born landmarks: nothing else is known of them
+  if (setup.landmark_var_m2) {
+    const double b = *setup.landmark_var_m2 / setup.landmarks;  // of their mean
+    of_all = b * (a + p) / (a + b + p);
+  }
+  MatrixXd P = MatrixXd::Constant(n, n, of_all);
+  P(0, 0) += p;
+  return P;
+}
+
+Plot four_rows(const std::string& id, const std::string& title, Setup setup) {
+  Plot plot{id, title, 2, std::vector<Panel>(8)};
+  for (int n = 1; n <= 2; ++n) {
+    setup.landmarks = n;
+    const Run run = simulate(setup, 1);
+    plot.panels[n - 1] = states_panel(run);
+    plot.panels[n + 1] = errors_panel(run, 0, 0, "robot's error, m");
+    plot.panels[n + 3] = errors_panel(run, 1, n, "landmark's error, m");
+    plot.panels[n + 5] = gains_panel(setup, course(setup));
+  }
+  return plot;
+}
+
+}  // namespace incognita::monobot

@@ -1,0 +1,65 @@
+// docs/claims.md says what comes out: every experiment is run again, and each of its claims must stand there
+// with the same verdict. What was measured may differ in its last digits from one processor to the next and
+// is not compared.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include "experiments/experiment.hpp"
+#include "tests/scratch.hpp"
+
+namespace incognita {
+namespace {
+
+/// Rows of the page's tables without the cell of what was measured, the fourth.
+std::set<std::string> rows_of(const std::string& page) {
+  std::set<std::string> rows;
+  std::istringstream lines(page);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.rfind("| ", 0) != 0) continue;
+    std::vector<std::string> cells(1);
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      if (line[i] == '|' && (i == 0 || line[i - 1] != '\\'))
+        cells.emplace_back();
+      else
+        cells.back() += line[i];
+    }
+    if (cells.size() < 7) continue;
+    rows.insert(cells[1] + "|" + cells[2] + "|" + cells[3] + "|" + cells[5] + "|" + cells[6]);
+  }
+  return rows;
+}
+
+std::string published() {
+  std::ostringstream text;
+  text << std::ifstream(INCOGNITA_SOURCE_DIR "/docs/claims.md").rdbuf();
+  return text.str();
+}
+
+class Claims : public ::testing::TestWithParam<Experiment> {};
+
+TEST_P(Claims, ArePublishedAsTheyComeOut) {
+  const testing::Scratch scratch;
+  ExperimentSettings settings;
+  settings.out = scratch.folder();
+  const LedgerEntry entry = GetParam().run(settings);
+  if (!entry.skipped.empty()) GTEST_SKIP() << entry.skipped;
+  EXPECT_FALSE(entry.claims.empty());
+  const std::set<std::string> page = rows_of(published());
+  for (const std::string& row : rows_of(ledger_markdown({entry})))
+    EXPECT_TRUE(page.count(row)) << "docs/claims.md lacks\n"
+                                 << row << "\n`incognita reproduce` writes the page again";
+}
+
+std::string name_of(const ::testing::TestParamInfo<Experiment>& info) {
+  std::string name;
+  for (const char c : info.param.id) name += std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Ledger, Claims, ::testing::ValuesIn(all_experiments()), name_of);
+
+}  // namespace
+}  // namespace incognita

@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "incognita/math/chart.hpp"
 
@@ -46,6 +47,8 @@ PoseError pose_error(const StampedPose& truth, const StampedPose& estimate) {
   const PoseNumbers y = numbers(truth), x = numbers(estimate);
   PoseError error;
   pose_chart.minus({y.data(), 7}, {x.data(), 7}, {error.data(), 6});
+  if (!truth.oriented || !estimate.oriented)
+    error.tail<3>().setConstant(std::numeric_limits<double>::quiet_NaN());
   return error;
 }
 

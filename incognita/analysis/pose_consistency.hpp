@@ -19,7 +19,7 @@ struct StampedCovariance {
   PoseCovariance covariance = PoseCovariance::Zero();
 };
 
-/// truth (-) estimate in that order.
+/// truth (-) estimate in that order; NaN for the rotation where either orientation is not known.
 PoseError pose_error(const StampedPose& truth, const StampedPose& estimate);
 
 /// Normalised estimation error squared of the pose divided by its degrees of freedom, so that 1 is right.

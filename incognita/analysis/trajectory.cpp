@@ -199,6 +199,7 @@ RelativePoseError relative_pose_error(const MatchedTrajectories& matched, const 
   for (std::size_t i = 0; i < matched.truth.size(); ++i) {
     const auto j = later(matched.truth, i, interval);
     if (!j) continue;
+    if (!matched.truth[i].oriented || !matched.estimate[i].oriented) continue;
     const RelativePose moved = between(matched.truth[i], matched.truth[*j]);
     const RelativePose estimated = between(matched.estimate[i], matched.estimate[*j]);
     // (first_from_second_true)^-1 * first_from_second_estimated: lengths do not care about the frame

@@ -19,6 +19,7 @@ struct StampedPose {
   double t = 0;                                               ///< s
   Eigen::Vector3d position = Eigen::Vector3d::Zero();         ///< world, m
   Eigen::Vector4d orientation = Eigen::Vector4d(1, 0, 0, 0);  ///< unit quaternion w,x,y,z
+  bool oriented = true;  ///< else the orientation is not known, as that of GPS, and means nothing
 };
 using Trajectory = std::vector<StampedPose>;
 
@@ -82,7 +83,7 @@ struct RelativePoseError {
 
 /// Errors of the relative motion between each pose and the one an interval later. For an interval in seconds
 /// that is the pose nearest in time to it, and a pair whose interval is off by more than a tenth is left out.
-/// Only the scale of an alignment matters here.
+/// Only the scale of an alignment matters here. Poses without orientation have no relative motion.
 RelativePoseError relative_pose_error(const MatchedTrajectories& matched, const RelativeInterval& interval);
 
 }  // namespace incognita

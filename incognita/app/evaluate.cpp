@@ -151,7 +151,7 @@ void print_json(const Answer& answer, double delta_s) {
 
 void print_row(const char* what, const ErrorStatistics& s) {
   if (s.count == 0)
-    fmt::print("{:<22} no two matched poses are that far apart in time\n", what);
+    fmt::print("{:<22} no two matched poses are that far apart in time, or one has no orientation\n", what);
   else
     fmt::print("{:<22} rmse {:<10.5g} mean {:<10.5g} median {:<10.5g} max {:<10.5g} of {}\n", what, s.rmse,
                s.mean, s.median, s.max, s.count);

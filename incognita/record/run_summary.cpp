@@ -109,7 +109,7 @@ void RunSummary::compare_with_truth(const Snapshot& snapshot) {
   matched_.truth.push_back(truth);
   matched_.estimate.push_back(estimate);
   if (alignment_ != AlignmentKind::none) return;  // a covariance speaks of the frame it is in
-  const PoseError error = pose_error_of(snapshot);
+  const PoseError error = pose_error(truth, estimate);
   const PoseCovariance P = pose_covariance(snapshot);
   if (const auto nees = pose_nees(error, P)) nees_per_dof_.add(*nees);
   if (snapshot.status.state == TrackingState::tracking &&

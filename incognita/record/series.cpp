@@ -33,7 +33,7 @@ Eigen::VectorXd errors(const Snapshot& snapshot, const PoseCovariance& P) {
   Eigen::VectorXd values = Eigen::VectorXd::Constant(7, unknown);
   if (!snapshot.truth || !has_pose(snapshot)) return values;
   // a person reads an error as estimate minus truth; NEES does not mind the sign
-  values.head<6>() = -pose_error_of(snapshot);
+  values.head<6>() = -pose_error(true_pose(snapshot.tick, *snapshot.truth), estimated_pose(snapshot));
   values[6] = pose_nees(values.head<6>(), P).value_or(unknown);
   return values;
 }
@@ -46,12 +46,10 @@ bool has_pose(const Snapshot& snapshot) {
 
 StampedPose estimated_pose(const Snapshot& snapshot) { return pose(snapshot.tick.t, snapshot.camera); }
 
-StampedPose true_pose(const Tick& tick, const Truth& truth) { return pose(tick.t, truth.camera); }
-
-PoseError pose_error_of(const Snapshot& snapshot) {
-  PoseError error = pose_error(true_pose(snapshot.tick, *snapshot.truth), estimated_pose(snapshot));
-  if (!snapshot.truth->orientation_known) error.tail<3>().setConstant(unknown);
-  return error;
+StampedPose true_pose(const Tick& tick, const Truth& truth) {
+  StampedPose out = pose(tick.t, truth.camera);
+  out.oriented = truth.orientation_known;
+  return out;
 }
 
 PoseCovariance pose_covariance(const Snapshot& snapshot) { return snapshot.covariance.topLeftCorner<6, 6>(); }

@@ -14,9 +14,6 @@ bool has_pose(const Snapshot& snapshot);
 
 StampedPose estimated_pose(const Snapshot& snapshot);
 StampedPose true_pose(const Tick& tick, const Truth& truth);
-/// truth (-) estimate; NaN for the rotation where the true orientation is not known. The snapshot has a
-/// truth.
-PoseError pose_error_of(const Snapshot& snapshot);
 /// Covariance of the pose in PoseCovariance's order.
 PoseCovariance pose_covariance(const Snapshot& snapshot);
 /// Landmarks in the map that are not anchors.

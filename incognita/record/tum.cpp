@@ -126,18 +126,21 @@ std::ifstream open_text(const std::filesystem::path& path) {
 Trajectory read_trajectory(const std::filesystem::path& path) {
   std::ifstream in = open_text(path);
   Trajectory trajectory;
-  bool euroc = false;
+  bool euroc = false, oriented = true;
   for (Line line{path, 0, {}}; next_line(in, line);) {
     if (trajectory.empty() && is_euroc_header(line.text)) {
       euroc = true;
       continue;
     }
     const auto cells = words(line.text);
+    if (!cells.empty() && cells.front().starts_with('#'))
+      oriented = oriented && line.text.find("orientation is not known") == std::string::npos;
     if (cells.empty() || cells.front().starts_with('#')) continue;
     trajectory.push_back(euroc ? euroc_pose(line, cells) : tum_pose(line, cells));
   }
   if (trajectory.empty())
     throw InputError(path.string() + ": no pose in it; rows of t x y z qx qy qz qw are needed");
+  for (StampedPose& pose : trajectory) pose.oriented = oriented;
   return trajectory;
 }
 

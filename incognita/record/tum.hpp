@@ -13,7 +13,8 @@ namespace incognita {
 /// comment) or EuRoC's ground-truth table, known by its header `#timestamp...` or `timestamp...`:
 /// nanoseconds, position, quaternion with w first, more columns not read. Throws InputError naming file, line
 /// and remedy on anything else: numbers missing or not finite, a quaternion whose length is more than 1 %
-/// from 1, no pose at all.
+/// from 1, no pose at all. A comment that says `orientation is not known`, as a run's truth.tum may, goes for
+/// all poses.
 Trajectory read_trajectory(const std::filesystem::path& path);
 
 /// Reads a run's covariance.csv: t and 36 numbers a row, row-major, order x y z rotX rotY rotZ. Throws

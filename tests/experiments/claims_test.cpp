@@ -11,6 +11,10 @@
 #include "tests/scratch.hpp"
 
 namespace incognita {
+
+/// GoogleTest names a case after this.
+void PrintTo(const Experiment& experiment, std::ostream* out) { *out << experiment.id; }
+
 namespace {
 
 /// Rows of the page's tables without the cell of what was measured, the fourth.

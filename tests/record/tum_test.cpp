@@ -90,5 +90,17 @@ TEST(ReadCovariances, RefusesShortRows) {
   EXPECT_THROW(read_covariances(scratch / "c.csv"), InputError);
 }
 
+TEST(Tum, KnowsATruthWithoutOrientation) {
+  const Scratch scratch;
+  const auto known = read_trajectory(scratch.write("a.tum", "# t x\n1 2 3 4 0 0 0 1\n"));
+  const auto blind = read_trajectory(scratch.write(
+      "b.tum", "# t x y z, world_from_vehicle; the orientation is not known\n1 2 3 4 0 0 0 1\n"));
+  EXPECT_TRUE(known.front().oriented);
+  EXPECT_FALSE(blind.front().oriented);
+  const PoseError error = pose_error(blind.front(), known.front());
+  EXPECT_TRUE(error.head<3>().isZero());
+  EXPECT_TRUE(error.tail<3>().array().isNaN().all());
+}
+
 }  // namespace
 }  // namespace incognita

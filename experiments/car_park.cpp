@@ -19,6 +19,7 @@ namespace incognita::car_park {
 namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double right_heading_deg = -127;  // at which the anchored filter ends
 constexpr double beacon_reach_m =
     1.5;  // of a landmark from its beacon after the fit; the nearest beacons are 2 m apart
 
@@ -34,7 +35,7 @@ void identify(Data& data) {
   PlanarSlamSettings settings = data.settings;
   settings.filter.lineariser = "first-estimate";
   settings.filter.anchors = data.anchors;
-  settings.start.heading_rad = radians(-127);
+  settings.start.heading_rad = radians(right_heading_deg);
   settings.start.sigma_heading_rad = radians(2);
   const auto recording = std::make_shared<const RangeRecording>(data.recording);
   RangeClock clock(recording, duration_s);
@@ -220,6 +221,28 @@ LedgerEntry entry(const Experiment& experiment, const std::function<void(const D
 }
 
 Drive drive(const Data& data, const PlanarSlamSettings& settings) { return Driver(data, settings).run(); }
+
+bool is_accurate(const Drive& d) { return d.map_rms_m < 0.25 && d.path_rms_m < 0.20; }
+
+double apart(const Drive& a, const Drive& b) {
+  const auto relative = [](double x, double y) { return std::abs(x - y) / std::min(x, y); };
+  return std::max(relative(a.mean_landmark_sigma_m(), b.mean_landmark_sigma_m()),
+                  relative(a.last_sigma_m(), b.last_sigma_m()));
+}
+
+PlanarSlamSettings Start::applied_to(PlanarSlamSettings s) const {
+  s.start.sigma_position_m *= position_times;
+  s.start.sigma_heading_rad *= heading_times;
+  if (right_heading) s.start.heading_rad = radians(right_heading_deg);
+  return s;
+}
+
+std::vector<Start> other_starts() {
+  return {{"position a third as unsure", 1.0 / 3, 1, false},
+          {"position three times as unsure", 3, 1, false},
+          {"heading twice as unsure", 1, 2, false},
+          {"heading right and to 5°", 1, 1.0 / 3, true}};
+}
 
 double largest_growth(const Drive& d) {
   double most = 0;

@@ -60,6 +60,21 @@ struct Drive {
 };
 Drive drive(const Data& data, const PlanarSlamSettings& settings);
 
+/// Landmarks within 0.25 m rms of the survey and the vehicle within 0.20 m rms of GPS, nothing fitted.
+bool is_accurate(const Drive& drive);
+
+/// The larger relative difference of two drives' sigmas at the end: landmarks' mean, and the vehicle's.
+double apart(const Drive& a, const Drive& b);
+
+/// Other honest starts: none is surer than its error allows (the authors' heading is 15 degrees off).
+struct Start {
+  std::string name;
+  double position_times = 1, heading_times = 1;
+  bool right_heading = false;  ///< -127 degrees
+  PlanarSlamSettings applied_to(PlanarSlamSettings settings) const;
+};
+std::vector<Start> other_starts();
+
 /// The largest share by which a landmark's sigma grows in the second half of its life.
 double largest_growth(const Drive& drive);
 

@@ -40,6 +40,8 @@ Interval mean_of(const std::vector<double>& samples, double confidence) {
 
 Interval bootstrap_mean(const std::vector<double>& samples, double confidence) {
   constexpr int resamples = 2000;
+  constexpr std::size_t fewest = 5;  // of fewer the resamples say nothing of the spread
+  if (samples.size() < fewest) return {mean(samples), -inf, inf};
   RandomStream random(1, "bootstrap");
   std::vector<double> means;
   for (int r = 0; r < resamples; ++r) {
@@ -84,6 +86,11 @@ double exponent_of(const std::vector<double>& x, const std::vector<double>& y) {
 
 std::string text(const Interval& i, const std::string& unit) {
   return fmt::format("{:.3g}{}{} ({:.3g} to {:.3g})", i.value, unit.empty() ? "" : " ", unit, i.low, i.high);
+}
+
+std::string below(double difference) {
+  const double exponent = std::floor(std::log10(std::max(std::abs(difference), 1e-13))) + 1;
+  return fmt::format("below 1e{:.0f}", exponent);
 }
 
 Claim judged(Claim claim, bool printed, bool corrected) {

@@ -22,7 +22,7 @@ struct Interval {
 Interval mean_of(const std::vector<double>& samples, double confidence = shown);
 
 /// Mean of independent samples of any distribution, by bootstrap (percentiles of 2000 resamples, always the
-/// same).
+/// same). From -inf to inf for fewer than five.
 Interval bootstrap_mean(const std::vector<double>& samples, double confidence = shown);
 
 /// Root mean square of independent samples, by chi-square for normal ones about 0.
@@ -40,6 +40,10 @@ double exponent_of(const std::vector<double>& x, const std::vector<double>& y);
 
 /// `0.158 m (0.143 to 0.176)`
 std::string text(const Interval& interval, const std::string& unit = "");
+
+/// What is as good as zero, the same on every processor: the power of ten it stays below, `below 1e-9`; 1e-12
+/// at least.
+std::string below(double difference);
 
 /// The claim with its verdict. `printed`: what the thesis says passed; else `corrected`: what `why` says
 /// instead did. Where the claim holds as it is there is nothing to explain, and `why` goes.

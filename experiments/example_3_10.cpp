@@ -1,9 +1,9 @@
-// Example 3.10: the monobot with an anchor, everything or only the map decorrelated with the least trace.
+// Example 3.10: the monobot with an anchor, everything or only the map decorrelated, with least trace.
 //
-// Experiment: monobot.hpp with the anchor, 1 and 2 landmarks, 100 to 10000 steps. Measured: covariances and
-// gains, which do not depend on chance.
+// Experiment: monobot.hpp with the anchor, 1 and 2 landmarks, 100 to 1000 steps.
+// Measured: covariances and gains, which do not depend on chance; the landmark's errors over seeds 1, 2, ...
 // Holds: settled when 500 more steps change nothing by more than 1e-6 relative; a gain that never reaches
-// zero when 10 times the steps leave more than half of it.
+// zero when 10 times the steps leave more than half of it; errors as in Example 3.1.
 #include <fmt/format.h>
 
 #include <Eigen/Eigenvalues>
@@ -38,8 +38,8 @@ Claim stable() {
                                .cwiseAbs()
                                .maxCoeff();
     all = all && change < 1e-6 && largest < 0.999;
-    lines.push_back(fmt::format("{}: robot {:.5f}, landmark {:.5f} m^2, change {:.0e}, eigenvalue {:.3f}", n,
-                                P(0, 0), P(1, 1), change, largest));
+    lines.push_back(fmt::format("{}: robot {:.5f}, landmark {:.5f} m^2, change {}, eigenvalue {:.3f}", n,
+                                P(0, 0), P(1, 1), below(change), largest));
   }
   return judged(
       {.id = "3.10-stable",
@@ -105,8 +105,8 @@ Claim independent_of_the_start() {
            "The solution of the Riccati equation no longer depends on the initial covariance: from three of "
            "them (robot 0, 1, 100 m^2, landmark 1, 1, 0.01 m^2) it settles in the same place, to 1e-6",
        .printed = "independent",
-       .measured = fmt::format("largest relative difference after 600 steps: {:.1e} (Example 3.1: {:.2g})",
-                               of_anchored, of_free),
+       .measured = fmt::format("largest relative difference after 600 steps: {} (Example 3.1: {:.2g})",
+                               below(of_anchored), of_free),
        .why = "it depends on it"},
       of_anchored < 1e-6);
 }

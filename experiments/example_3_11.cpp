@@ -26,8 +26,6 @@ PlanarSlamSettings anchored(const Data& data, const char* decorrelate) {
   return s;
 }
 
-bool accurate(const Drive& d) { return d.map_rms_m < 0.25 && d.path_rms_m < 0.20; }
-
 Claim accurate_map(const Drive& least, const Drive& linear) {
   return judged(
       {.id = "3.11-accurate",
@@ -40,28 +38,29 @@ Claim accurate_map(const Drive& least, const Drive& linear) {
            fmt::format("least trace: landmarks {:.3f} m, vehicle {:.3f} m; linear time: {:.3f} m, {:.3f} m",
                        least.map_rms_m, least.path_rms_m, linear.map_rms_m, linear.path_rms_m),
        .why = "it is not accurate"},
-      accurate(least) && accurate(linear));
+      car_park::is_accurate(least) && car_park::is_accurate(linear));
 }
 
-double apart(double a, double b) { return std::abs(a - b) / std::min(a, b); }
-
 Claim independent_of_the_start(const Data& data, const Drive& d) {
-  PlanarSlamSettings unsure = anchored(data, "map");
-  unsure.start.sigma_position_m *= 3;
-  const Drive a = car_park::drive(data, unsure);
+  std::vector<std::string> lines;
+  double worst = 0;
+  for (const car_park::Start& start : car_park::other_starts()) {
+    const Drive other = car_park::drive(data, start.applied_to(anchored(data, "map")));
+    worst = std::max(worst, car_park::apart(d, other));
+    lines.push_back(fmt::format("{}: {:.3f} and {:.3f} m", start.name, other.mean_landmark_sigma_m(),
+                                other.last_sigma_m()));
+  }
   return judged(
       {.id = "3.11-independent",
        .place = "Example 3.11, Figure 3.19 (b), (d)",
        .statement =
-           "The covariances do not depend on the initial conditions: within 10 % from a start three times "
-           "as unsure of its position",
+           "The covariances do not depend on the initial conditions: mean landmark sigma and vehicle's "
+           "at the end within 10 % of those from the recording's own start",
        .printed = "independent of P0",
-       .measured = fmt::format("landmark sigmas {:.3f} and {:.3f} m in the mean, vehicle {:.3f} and {:.3f} m",
-                               d.mean_landmark_sigma_m(), a.mean_landmark_sigma_m(), d.last_sigma_m(),
-                               a.last_sigma_m()),
-       .why = "they differ by more"},
-      apart(a.mean_landmark_sigma_m(), d.mean_landmark_sigma_m()) < 0.1 &&
-          apart(a.last_sigma_m(), d.last_sigma_m()) < 0.1);
+       .measured = fmt::format("from that start {:.3f} and {:.3f} m; {}", d.mean_landmark_sigma_m(),
+                               d.last_sigma_m(), fmt::join(lines, "; ")),
+       .why = "what is added to decorrelate the map keeps what the first looks knew of the heading"},
+      worst < 0.1);
 }
 
 Claim smaller_than_relative(const Data& data, const Drive& d) {
@@ -89,17 +88,17 @@ Claim linear_time() {
     kept.push_back(step_seconds(static_cast<int>(n), MapCorrelations::kept));
   }
   const double linear = exponent_of(sizes, dropped), quadratic = exponent_of(sizes, kept);
-  return judged(
-      {.id = "3.11-linear-time",
-       .place = "Example 3.11, Section 3.5: an O(n) algorithm",
-       .statement =
-           "A step of the filter whose map is kept block diagonal costs in proportion to the map (exponent "
-           "below 1.3, from 200 to 1600 landmarks, ten looks a step), where the whole filter's cost is "
-           "quadratic (above 1.6)",
-       .printed = "O(n)",
-       .measured = fmt::format("exponents {:.1f} and {:.1f}", linear, quadratic),
-       .why = "it does not"},
-      linear < 1.3 && quadratic > 1.6);
+  return judged({.id = "3.11-linear-time",
+                 .place = "Example 3.11, Section 3.5: an O(n) algorithm",
+                 .statement = "Prediction and update of the filter whose map is kept block diagonal cost in "
+                              "proportion to the map "
+                              "(processor time, measured here: a power below 1.3 from 200 to 1600 landmarks, "
+                              "ten looks a step), those of the whole "
+                              "filter grow with a power at least 0.4 higher",
+                 .printed = "O(n)",
+                 .measured = fmt::format("exponents {:.1f} and {:.1f}", linear, quadratic),
+                 .why = "it does not"},
+                linear < 1.3 && quadratic > linear + 0.4);
 }
 
 LedgerEntry run(const ExperimentSettings& settings) {

@@ -87,9 +87,8 @@ struct Wrong {
     ours = std::max(ours, (as_ours - truth).cwiseAbs().maxCoeff());
   }
   std::string text() const {
-    return fmt::format(
-        "largest difference from numerical derivatives at {} places: printed {:.2g}, ours {:.0e}", places,
-        printed, ours);
+    return fmt::format("largest difference from numerical derivatives at {} places: printed {:.2g}, ours {}",
+                       places, printed, below(ours));
   }
 };
 
@@ -163,8 +162,8 @@ Claim bearing() {
            "The bearing of a landmark, from the heading: following it leads to the landmark, to 1e-6 m",
        .printed = "atan(dy/dx) - theta + pi/2",
        .measured = fmt::format("largest miss at {} places: printed {:.2g} m; without the pi/2 still {:.2g} "
-                               "m, wrong at {} places; ours {:.0e} m",
-                               places, printed, without_quarter, behind, ours),
+                               "m, wrong at {} places; ours {}",
+                               places, printed, without_quarter, behind, below(ours)),
        .why = "atan2(dy, dx) - theta: atan cannot tell a landmark from the one opposite, and the pi/2 is one "
               "laser's way to count its beams",
        .runs = places},
@@ -184,8 +183,8 @@ Claim anchor_bearing() {
        .place = "(3.21)",
        .statement = "The bearing of an anchor at the origin is (3.19) with the landmark there, to 1e-6 rad",
        .printed = "atan(y/x) - theta + pi/2",
-       .measured = fmt::format("largest difference at {} places: printed {:.3g} rad, ours {:.0e} rad", places,
-                               printed, ours),
+       .measured = fmt::format("largest difference at {} places: printed {:.3g} rad, ours {}", places,
+                               printed, below(ours)),
        .why = "atan2(-y, -x) - theta",
        .runs = places},
       printed <= as_good_as_zero, ours <= as_good_as_zero);
@@ -288,7 +287,7 @@ struct Ranks {
     if (!rank) return "not clear";
     const std::string kept = fmt::format("singular values of the largest: kept from {:.1e} on", least_kept);
     if (*rank == 5) return fmt::format("5 of 5 ({})", kept);
-    return fmt::format("{} of 5 ({}, left out to {:.0e})", *rank, kept, most_left_out);
+    return fmt::format("{} of 5 ({}, left out {})", *rank, kept, below(most_left_out));
   }
 };
 
@@ -342,8 +341,8 @@ Claim printed_product() {
                  .statement = "Heading's column of (H F - H)/dt with l = 0, to 1e-6",
                  .printed = "rows -(dx v sin + dy v cos)/d, -(dx v cos - dy v sin)/d^2, (x v sin + y v "
                             "cos)/r^2, (x v cos + y v sin)/r^2",
-                 .measured = fmt::format("largest difference at {} places: printed {:.2g}, ours {:.0e}",
-                                         places, printed, ours),
+                 .measured = fmt::format("largest difference at {} places: printed {:.2g}, ours {}", places,
+                                         printed, below(ours)),
                  .why = "(dx v sin - dy v cos)/d, -(dx v cos + dy v sin)/d^2, -(x v sin - y v cos)/r, and "
                         "the last as printed",
                  .runs = places},

@@ -57,9 +57,9 @@ Claim precision_increases() {
        .statement = "The precision of vehicle and landmark locations increases monotonically: no variance "
                     "ever rises from one update to the next",
        .printed = "vehicle and landmarks",
-       .measured = fmt::format(
-           "largest rise with 1, 2, 5 landmarks and two starts: landmarks {:.0e} m^2, robot {:.2g} m^2",
-           landmark_rise, robot_rise),
+       .measured =
+           fmt::format("largest rise with 1, 2, 5 landmarks and two starts: landmarks {}, robot {:.2g} m^2",
+                       below(landmark_rise), robot_rise),
        .why = "of the landmarks only. The vehicle moves, and its variance rises to a bound"},
       std::max(landmark_rise, robot_rise) <= rounding, landmark_rise <= rounding);
 }
@@ -92,16 +92,15 @@ Claim correlations_grow() {
         fall = std::max(fall, correlation(P[k - 1], 1, 2) - correlation(P[k], 1, 2));
       lines.push_back(fmt::format("{:.3f} to {:.4f}", correlation(P[1], 1, 2), correlation(P[300], 1, 2)));
     }
-  return judged(
-      {.id = "text-2.2-correlations",
-       .place = "Section 2.2 and 2.2.1",
-       .statement = "Correlations between landmarks increase monotonically as they are observed",
-       .printed = "monotonically",
-       .measured = fmt::format(
-           "from step 1 to 300, two and five landmarks from two starts each: {}; largest fall {:.0e}",
-           fmt::join(lines, "; "), fall),
-       .why = "one falls"},
-      fall <= rounding);
+  return judged({.id = "text-2.2-correlations",
+                 .place = "Section 2.2 and 2.2.1",
+                 .statement = "Correlations between landmarks increase monotonically as they are observed",
+                 .printed = "monotonically",
+                 .measured = fmt::format(
+                     "from step 1 to 300, two and five landmarks from two starts each: {}; largest fall {}",
+                     fmt::join(lines, "; "), below(fall)),
+                 .why = "one falls"},
+                fall <= rounding);
 }
 
 /// What n landmarks, born from the looks of a robot of variance `robot`, have in common for ever.
@@ -149,8 +148,8 @@ Claim bound_is_reached() {
        .statement =
            "In the limit each landmark's variance reaches that bound, which depends on nothing else; to 1e-9",
        .printed = "P_r at first sight: 0.25 m^2",
-       .measured = fmt::format("{}. Largest relative difference: printed {:.2g}, ours {:.0e}",
-                               fmt::join(lines, "; "), of_printed, of_ours),
+       .measured = fmt::format("{}. Largest relative difference: printed {:.2g}, ours {}",
+                               fmt::join(lines, "; "), of_printed, below(of_ours)),
        .why = "it settles (sqrt(s_v^4 + 4 s_v^2 s_w^2/n) - s_v^2)/2 above, what remains of the noise of the "
               "first looks; none only when the vehicle stands still"},
       of_printed <= 1e-9, of_ours <= 1e-9);
@@ -179,8 +178,8 @@ Claim riccati_depends() {
        .printed = "f(P_r, Q, R, n)",
        .measured = fmt::format("covariance of landmarks born at the start: P_r + q, robot P_r + 2 q, with q "
                                "= (sqrt(s_v^4 + 4 s_v^2 s_w^2/n) - s_v^2)/2; largest relative difference "
-                               "over {} combinations {:.0e}. Landmarks known before add what was known",
-                               cases, off),
+                               "over {} combinations {}. Landmarks known before add what was known",
+                               cases, below(off)),
        .why = "it is another function"},
       off <= 1e-9);
 }
@@ -292,8 +291,8 @@ Claim optimal() {
                     "larger trace, and with its own gain (2.17) is the covariance (to 1e-12)",
        .printed = "",
        .measured = fmt::format(
-           "1000 other gains: trace at least {:.6f} times as large; (2.17) against the Joseph form: {:.0e}",
-           least, off),
+           "1000 other gains: trace at least {:.6f} times as large; (2.17) against the Joseph form: {}",
+           least, below(off)),
        .why = "another gain is better",
        .runs = 1000},
       least > 1 && off <= 1e-12);
@@ -318,10 +317,10 @@ Claim nonholonomic() {
        .statement = "A wheeled vehicle cannot move sideways (below 1e-9 m/s), but its constraint cannot be "
                     "integrated: driving and turning in turns leads sideways all the same",
        .printed = "",
-       .measured =
-           fmt::format("fastest sideways in 1000 poses and inputs {:.0e} m/s; after ahead, left, back, right "
-                       "at 1 m/s and 1 rad/s, 0.3 s each: {:.3f} m sideways with the first heading",
-                       sideways, x.y()),
+       .measured = fmt::format(
+           "fastest sideways in 1000 poses and inputs, in m/s, {}; after ahead, left, back, right "
+           "at 1 m/s and 1 rad/s, 0.3 s each: {:.3f} m sideways with the first heading",
+           below(sideways), x.y()),
        .why = "it can, or it cannot get there",
        .runs = 1000},
       sideways <= 1e-9 && std::abs(x.y()) > 0.05 && std::abs(x[2]) < 1e-9);
@@ -400,8 +399,8 @@ Claim stationary_vehicle(int seeds) {
        .printed = "optimistic",
        .measured = fmt::format(
            "heading known to 10 degrees, said to be known after 100 looks, by noise of the bearing in "
-           "degrees: {}; with Jacobians at the first estimates 10 in every run (to {:.0e})",
-           fmt::join(lines, "; "), off),
+           "degrees: {}; with Jacobians at the first estimates 10 in every run (difference {})",
+           fmt::join(lines, "; "), below(off)),
        .why = "it is not",
        .runs = seeds},
       optimistic && mean_of(nees).value > nees_band(seeds, 1).high && off < 1e-6);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 
 #include "experiments/evidence.hpp"
@@ -41,7 +42,8 @@ Plot riccati_limits() {
         fmt::format("{} landmark{}", count, count > 1 ? "s" : ""), Style::line, {}, {}, {}, colours[i]},
         at = from;
     at.style = Style::circles, at.label.clear();
-    for (double robot = 0; robot <= 0.05; robot += 0.01) {
+    for (int step = 0; step <= 5; ++step) {
+      const double robot = 0.01 * step;
       from.x.push_back(robot), from.y.push_back(closed_form(0.1, count, robot));
       at.x.push_back(robot), at.y.push_back(filter(0.1, count, robot));
     }

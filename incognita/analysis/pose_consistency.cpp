@@ -37,6 +37,10 @@ std::optional<NormalisedSquare> normalised_square(const Eigen::Matrix<double, N,
   const Eigen::MatrixXd part = P(states, states);
   const Eigen::LLT<Eigen::MatrixXd> factor(part);
   if (factor.info() != Eigen::Success) return std::nullopt;
+  // A pivot that is what rounding left of a variance: there some combination is said to be exact
+  constexpr double least = 1e-6;  // of the standard deviation
+  for (Eigen::Index i = 0; i < part.rows(); ++i)
+    if (!(factor.matrixLLT()(i, i) > least * std::sqrt(part(i, i)))) return std::nullopt;
   return NormalisedSquare{factor.matrixL().solve(Eigen::VectorXd(e(states))).squaredNorm(),
                           static_cast<int>(states.size())};
 }

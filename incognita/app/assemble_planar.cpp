@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <limits>
 #include <stdexcept>
 
 #include "incognita/io/files.hpp"
@@ -37,29 +39,96 @@ void check_fixes(const LoadedScenario& loaded, const RangeRecording& recording) 
       fmt::format("{}: {} = true: no external sensor is in this recording", loaded.sources.at(key), key));
 }
 
+/// A recording without a scan in time would end as one that never started.
+void check_scans(const LoadedScenario& loaded, const RangeRecording& recording) {
+  const double duration_s = loaded.scenario.run.duration_s, start = start_time(recording);
+  if (!recording.scans.empty() && recording.scans.front().t <= start + duration_s) return;
+  throw InputError(fmt::format(
+      "{}: run.duration_s = {}: the first scan of this recording comes {:.1f} s after its start",
+      loaded.sources.at("run.duration_s"), duration_s,
+      recording.scans.empty() ? std::numeric_limits<double>::infinity() : recording.scans.front().t - start));
+}
+
+/// How the sensor tells the anchors, found among the surveyed landmarks; nothing where one is not among them.
+std::optional<std::vector<std::int64_t>> identities_of_anchors(const std::vector<Eigen::Vector2d>& anchors,
+                                                               const RangeRecording& recording) {
+  constexpr double same_place_m = 0.05;
+  std::vector<std::int64_t> identities;
+  for (const Eigen::Vector2d& anchor : anchors) {
+    const auto surveyed = std::find_if(
+        recording.landmarks.begin(), recording.landmarks.end(),
+        [&](const auto& landmark) { return (landmark.position - anchor).norm() <= same_place_m; });
+    if (surveyed == recording.landmarks.end()) return std::nullopt;
+    identities.push_back(surveyed->identity);
+  }
+  return identities;
+}
+
+}  // namespace
+
+namespace {
+
+/// What of a recording the run will not use, with counts.
+std::vector<std::string> left_out(const RangeRecording& recording, const PlanarSlamSettings& s) {
+  std::size_t all = 0, far = 0, nameless = 0, placed = 0;
+  for (const RangeRecording::Scan& scan : recording.scans) {
+    placed += true_place(recording, scan.t).has_value();
+    for (const Detection& d : scan.detections) {
+      ++all;
+      far += d.range_m > s.sensor.max_range_m;
+      nameless += d.identity == Detection::unknown;
+    }
+  }
+  std::vector<std::string> notes;
+  if (far > 0)
+    notes.push_back(fmt::format("{} of {} detections are beyond ranges.max_range_m = {} and left out", far,
+                                all, s.sensor.max_range_m));
+  if (nameless > 0 && s.association.method == "known")
+    notes.push_back(fmt::format("{} of {} detections do not say which landmark they are of and are left out",
+                                nameless, all));
+  if (!recording.truth.empty() && placed < recording.scans.size())
+    notes.push_back(
+        fmt::format("the truth is known at {} of {} scans: between two true places at most half a second "
+                    "apart",
+                    placed, recording.scans.size()));
+  return notes;
+}
+
 }  // namespace
 
 PlanarAssembly assemble_planar(SharedRangeRecording recording, const PlanarSlamSettings& s,
                                double duration_s) {
   const Fixes fixes = s.filter.use_fixes ? Fixes::all : s.start.at_first_fix ? Fixes::first : Fixes::none;
+  const auto identities = identities_of_anchors(s.filter.anchors, *recording);
+  PlanarEstimator estimator(s, identities.value_or(std::vector<std::int64_t>{}));
+  std::vector<std::string> notes = recording->notes;
+  for (std::string& note : left_out(*recording, s)) notes.push_back(std::move(note));
   return {{std::make_unique<RangeClock>(recording, duration_s),
            std::make_unique<RangeWorld>(recording),
            std::make_unique<RangeSensor>(recording, fixes, s.sensor.max_range_m),
-           PlanarEstimator(s),
+           std::move(estimator),
            {},
            {}},
           recording,
           s.filter.use_fixes || !s.filter.anchors.empty(),
-          recording->notes};
+          std::move(notes)};
 }
 
 PlanarAssembly assemble_planar(const LoadedScenario& loaded) {
   auto recording = std::make_shared<const RangeRecording>(read_range_recording(loaded));
+  const PlanarSlamSettings& settings = loaded.scenario.planar;
   check_vehicle(loaded, *recording);
   check_identities(loaded, *recording);
   check_fixes(loaded, *recording);
+  check_scans(loaded, *recording);
+  if (settings.association.method == "known" && !identities_of_anchors(settings.filter.anchors, *recording))
+    throw InputError(
+        fmt::format("{}: vehicle_filter.anchors_m: with association.method = known each anchor must be "
+                    "one of the recording's surveyed landmarks (landmarks.csv), within 5 cm: the sensor "
+                    "tells them by their identity",
+                    loaded.sources.at("vehicle_filter.anchors_m")));
   try {
-    return assemble_planar(std::move(recording), loaded.scenario.planar, loaded.scenario.run.duration_s);
+    return assemble_planar(std::move(recording), settings, loaded.scenario.run.duration_s);
   } catch (const std::invalid_argument& error) {
     throw InputError(shown(loaded.file) + ": " + error.what());
   }

@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
+#include "incognita/app/assemble_planar.hpp"
 #include "incognita/app/say.hpp"
 #include "incognita/io/files.hpp"
 #include "incognita/io/load_scenario.hpp"
-#include "incognita/io/range_recording.hpp"
 #include "incognita/io/recorded.hpp"
 #include "incognita/io/recording.hpp"
 #include "incognita/io/settings.hpp"
@@ -93,7 +93,8 @@ std::vector<std::string> check(const LoadedScenario& loaded) {
   const Scenario& s = loaded.scenario;
   std::vector<std::string> found = {"the settings fit together"};
   if (s.run.sensor == "range-bearing") {
-    const RangeRecording recording = read_range_recording(loaded);
+    const PlanarAssembly assembly = assemble_planar(loaded);  // which refuses what a run would
+    const RangeRecording& recording = *assembly.recording;
     found.insert(found.end(), recording.notes.begin(), recording.notes.end());
     found.push_back(fmt::format("{} odometry readings, {} scans, {} true places, {} surveyed landmarks",
                                 recording.odometry.size(), recording.scans.size(), recording.truth.size(),

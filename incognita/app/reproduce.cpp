@@ -104,6 +104,14 @@ void say_how_it_went(const Options& options, const std::vector<LedgerEntry>& ent
   if (missing > 0)
     say("reproduce: {} figures are not drawn (is gnuplot installed?); scripts and data are in {}\n", missing,
         (options.out / fs::path("figures")).string());
+  const auto skipped = std::count_if(entries.begin(), entries.end(),
+                                     [](const LedgerEntry& entry) { return !entry.skipped.empty(); });
+  if (options.seeds < ExperimentSettings{}.seeds)
+    say("with {} seeds instead of {} a verdict about chance may be another: too few runs cannot show that a "
+        "claim "
+        "holds\n",
+        options.seeds, ExperimentSettings{}.seeds);
+  if (skipped > 0) say("{} of {} entries were skipped: claims.md says why\n", skipped, entries.size());
   say("{} claims: {} hold, {} hold as corrected, {} do not hold; see {}\n", counts[0] + counts[1] + counts[2],
       counts[0], counts[1], counts[2], (options.out / fs::path("claims.md")).string());
 }
@@ -171,7 +179,10 @@ CLI::App* add_reproduce(CLI::App& app, std::function<int()>& job,
   command->add_option("--out", options->out, "Folder for claims.json, claims.md and figures/")
       ->type_name("DIR")
       ->capture_default_str();
-  command->add_option("--seeds", options->seeds, "Independent runs behind each claim about chance")
+  command
+      ->add_option("--seeds", options->seeds,
+                   "Independent runs behind a claim about chance; costly ones take fewer, some more: `runs` "
+                   "in --json says")
       ->type_name("N")
       ->check(CLI::Validator(why_no_count, ""))
       ->capture_default_str();

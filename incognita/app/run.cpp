@@ -56,6 +56,7 @@ LoadedScenario load(const Options& options) {
 struct Ending {
   RunStatus status = RunStatus::done;
   std::string reason;
+  std::vector<std::string> warnings = {};
 };
 
 Ending ending_of(const Snapshot& last, const Tick& tick, bool ever_tracked) {
@@ -121,7 +122,13 @@ Ending drive(SomeBoxes& boxes, Recorder& recorder, FramePictures* pictures, bool
   } catch (const std::exception& error) {
     return {RunStatus::failed, fmt::format("at frame {}: {}", last.tick.frame + 1, error.what())};
   }
-  return ending_of(last, last.tick, ever_tracked);
+  Ending ending = ending_of(last, last.tick, ever_tracked);
+  const auto unseen = std::count_if(last.landmarks.begin(), last.landmarks.end(),
+                                    [](const SnapshotLandmark& l) { return l.anchor && l.sightings == 0; });
+  if (unseen > 0)
+    ending.warnings.push_back(
+        fmt::format("{} of the anchors were never matched: are they where they should be?", unseen));
+  return ending;
 }
 
 RunInfo info_of(const LoadedScenario& loaded) {
@@ -143,8 +150,12 @@ int run_boxes(SomeBoxes& boxes, const RunInfo& info, const std::string& out, con
 
   const Ending ending = drive(boxes, recorder, pictures ? &*pictures : nullptr, options.realtime);
   const auto finishing = [&](const std::filesystem::path& directory) {
-    return options.no_figures ? std::vector<std::string>{} : draw_run_figures(directory);
+    std::vector<std::string> warnings = ending.warnings;
+    if (options.no_figures) return warnings;
+    for (std::string& warning : draw_run_figures(directory)) warnings.push_back(std::move(warning));
+    return warnings;
   };
+  for (const std::string& warning : ending.warnings) say("{}\n", warning);
   const RunOutcome outcome = recorder.finish(ending.status, ending.reason, finishing);
   say("{}{}{}: see {}\n", name(outcome.status), outcome.reason.empty() ? "" : ", ", outcome.reason, out);
   return outcome.status == RunStatus::done ? 0 : 1;

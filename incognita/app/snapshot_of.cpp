@@ -36,7 +36,7 @@ std::vector<SnapshotLook> looks_of(const Estimate& estimate) {
 using Timing = std::vector<std::pair<const char*, double>>;
 constexpr std::array camera_stages{"sums",      "start",  "predict", "search", "planes",
                                    "consensus", "update", "lines",   "births", "map"};
-constexpr std::array planar_stages{"predict", "associate", "update", "births", "decorrelate"};
+constexpr std::array planar_stages{"predict", "associate", "update", "births", "decorrelate", "entropy"};
 
 Timing timing_of(const Timing& measured, std::span<const char* const> in_estimator, const Timing& loop_ms) {
   std::vector<std::pair<const char*, double>> timing;

@@ -3,12 +3,12 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
 
 #include "incognita/belief/rank_update.hpp"
+#include "incognita/belief/rounding.hpp"
 
 namespace incognita {
 namespace {
@@ -37,12 +37,6 @@ void require_mean(const Chart& chart, const Eigen::Ref<const Eigen::VectorXd>& m
   require(chart.ambient() <= max_block_size, "a block has at most ", max_block_size, " numbers, this chart ",
           chart.ambient());
   require(mean.size() == chart.ambient(), "mean has ", mean.size(), " numbers, its chart ", chart.ambient());
-}
-
-/// What `terms` subtractions left of a positive number tells nothing but how they were rounded.
-bool is_rounding(double left, double of, int terms) {
-  constexpr int own = 4;  // roundings of each term itself: a quotient, a root, a square
-  return !(left > (terms + own) * std::numeric_limits<double>::epsilon() * of);
 }
 
 /// out[r] += sum over k < columns of h[k] * P[r + k * stride], for r < length.
@@ -131,6 +125,8 @@ BlockId Belief::append(const Chart& chart, const Eigen::Ref<const Eigen::VectorX
 BlockId Belief::add_vehicle(const Chart& chart, const Eigen::Ref<const Eigen::VectorXd>& mean,
                             const Eigen::Ref<const Eigen::MatrixXd>& covariance) {
   if (vehicles_ != block_count()) throw std::logic_error("vehicles must be added before the first landmark");
+  if (vehicles_ == 1 && correlations_ == MapCorrelations::dropped)
+    throw std::logic_error("dropped correlations: one vehicle, not more");
   require_mean(chart, mean);
   require(size_of(covariance) == Size{chart.tangent(), chart.tangent()}, "vehicle covariance is ",
           size_of(covariance), ", its chart has ", chart.tangent(), " errors");
@@ -448,6 +444,8 @@ bool Belief::compute_delta(int rank) {
 
 bool Belief::correction(std::span<const AffineLook> looks, std::span<const BlockId> blocks,
                         std::span<BlockVector> out) {
+  if (correlations_ == MapCorrelations::dropped)
+    throw std::logic_error("correction: looks are used one after the other where correlations are dropped");
   UpdateReport report;
   if (looks.empty() || !factorise_innovation(looks, report)) return false;
   auto y = residual_.head(report.rows);  // S^-1 residual

@@ -48,6 +48,7 @@ class Belief {
   // -------------------------------------------------------------------------------------------------
 
   int errors() const { return errors_; }  ///< size of the covariance
+  MapCorrelations correlations() const { return correlations_; }
   int block_count() const { return static_cast<int>(blocks_.size()); }
   bool has(BlockId id) const { return index_of_.size() > id && index_of_[id] >= 0; }
   const Chart& chart(BlockId id) const { return block(id).chart; }
@@ -98,17 +99,19 @@ class Belief {
   UpdateReport update(std::span<const AffineLook> looks);
 
   /// The same with the Joseph form (A.2.7) on dense matrices: slower, allocates, keeps P positive for any
-  /// gain.
+  /// gain. Not for dropped correlations: throws std::logic_error.
   UpdateReport update_joseph(std::span<const AffineLook> looks);
 
   /// What update() would add to the errors of some blocks, without doing it: `out` has one vector for each.
-  /// False when update() would refuse S. Costs nothing that grows with the map.
+  /// False when update() would refuse S. Costs nothing that grows with the map. Not for dropped correlations,
+  /// whose looks are used one after the other: throws std::logic_error.
   bool correction(std::span<const AffineLook> looks, std::span<const BlockId> blocks,
                   std::span<BlockVector> out);
 
   /// One block moves and takes all others along, as landmarks told in the frame of a vehicle do:
   /// its error after = A * error before, that of each other block = A_i * its own + B_i * that of the mover.
-  /// Whoever is not among `others` stays. Quadratic in the state; allocates.
+  /// Whoever is not among `others` stays. Quadratic in the state; allocates. Not for dropped correlations:
+  /// throws std::logic_error.
   struct Carried {
     BlockId block = 0;
     BlockVector x_next;  ///< mean after
@@ -118,7 +121,8 @@ class Belief {
   void carry(const AffineMotion& mover, std::span<const Carried> others);
 
   /// Makes the covariance block diagonal, or only the map's part of it (3.28), with the least trace added:
-  /// see inflation.hpp. For maps to study: slower than anything else here. The first block is the vehicle.
+  /// see inflation.hpp. For maps to study: slower than anything else here. The first block is the
+  /// vehicle; throws std::logic_error when there is another.
   enum class Scope { everything, map };
   void decorrelate(Scope scope);
 
@@ -152,6 +156,7 @@ class Belief {
   bool factorise_innovation(std::span<const AffineLook> looks, UpdateReport& report);
   void shift_mean(std::span<const double> delta);
   UpdateReport update_dropping(std::span<const AffineLook> looks);
+  bool leaves_variances(int rank);
   bool take_look(const AffineLook& look, std::span<double> delta);
   void align_columns(const AffineLook& look);
   void shrink_arrow(int rank);

@@ -12,10 +12,10 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "incognita/belief/belief.hpp"
 #include "incognita/belief/rank_update.hpp"
+#include "incognita/belief/rounding.hpp"
 
 namespace incognita {
 namespace {
@@ -37,7 +37,6 @@ double& panel_entry(double* packed, int rank, int row, int column) {
 }  // namespace
 
 UpdateReport Belief::update_dropping(std::span<const AffineLook> looks) {
-  if (vehicles_ != 1) throw std::logic_error("dropped correlations: one vehicle, not more");
   UpdateReport report;
   if (looks.empty()) return report;
   if (!factorise_innovation(looks, report)) {  // of all together: what they say, before any is used
@@ -68,12 +67,23 @@ bool Belief::take_look(const AffineLook& look, std::span<double> delta) {
   gather_PHt(one, report.rows);
   whiten(PHt_.data(), stride_, errors_, S_.data(), static_cast<int>(S_.outerStride()), report.rows,
          packed_.data());
+  if (!leaves_variances(report.rows)) return false;
   align_columns(left);
   for (int i = 0; i < errors_; ++i)
     for (int k = 0; k < report.rows; ++k)
       delta[i] += panel_entry(packed_.data(), report.rows, i, k) * residual_[k];
   shrink_arrow(report.rows);
   for (int k = 0; k < report.rows; ++k) shrink_map(report.rows, k);
+  return true;
+}
+
+/// Whether rounding would leave something of each variance, as update() asks.
+bool Belief::leaves_variances(int rank) {
+  for (int i = 0; i < errors_; ++i) {
+    double taken = 0;
+    for (int k = 0; k < rank; ++k) taken += std::pow(panel_entry(packed_.data(), rank, i, k), 2);
+    if (taken > 0 && is_rounding(entry(i, i) - taken, entry(i, i), rank)) return false;
+  }
   return true;
 }
 
@@ -89,7 +99,7 @@ void Belief::align_columns(const AffineLook& look) {
       for (int b = 0; b < rank; ++b)
         own(a, b) += panel_entry(packed_.data(), rank, i, a) * panel_entry(packed_.data(), rank, i, b);
   const Eigen::SelfAdjointEigenSolver<LookMatrix> eigen(own);
-  const LookMatrix U = eigen.eigenvectors();
+  const LookMatrix& U = eigen.eigenvectors();
   LookVector row(rank);
   for (int i = 0; i < errors_; ++i) {
     for (int k = 0; k < rank; ++k) row[k] = panel_entry(packed_.data(), rank, i, k);

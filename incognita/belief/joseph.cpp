@@ -1,11 +1,14 @@
 // The Joseph form of the update, on dense matrices: the reference the fast update is held to.
 #include <Eigen/Cholesky>
+#include <stdexcept>
 
 #include "incognita/belief/belief.hpp"
 
 namespace incognita {
 
 UpdateReport Belief::update_joseph(std::span<const AffineLook> looks) {
+  if (correlations_ == MapCorrelations::dropped)
+    throw std::logic_error("update_joseph: it would fill a map whose correlations are dropped");
   UpdateReport report;
   if (looks.empty()) return report;
   if (!factorise_innovation(looks, report)) {

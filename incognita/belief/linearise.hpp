@@ -16,14 +16,28 @@
 
 namespace incognita {
 
-/// Symmetric square root of a covariance that may be singular.
-template <class Derived>
-auto covariance_root(const Eigen::MatrixBase<Derived>& P) {
-  using Matrix = typename Derived::PlainObject;
-  const Eigen::SelfAdjointEigenSolver<Matrix> eigen(P);
-  return Matrix(eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal() *
-                eigen.eigenvectors().transpose());
-}
+/// Root and pseudo-inverse of a covariance that may be singular: P = root root'. Told through its
+/// correlations, so that metres and radians of very different size do not hide each other.
+template <int n>
+struct CovarianceFactors {
+  using Square = Eigen::Matrix<double, n, n>;
+  Square root, inverse;
+  explicit CovarianceFactors(const Square& P) {
+    constexpr double least = 1e-13;  // of a correlation matrix's eigenvalues, below which there is no spread
+    Eigen::Matrix<double, n, 1> sigma = P.diagonal().cwiseMax(0).cwiseSqrt();
+    for (double& s : sigma)
+      if (!(s > 0)) s = 1;
+    const Square C = sigma.cwiseInverse().asDiagonal() * P * sigma.cwiseInverse().asDiagonal();
+    const Eigen::SelfAdjointEigenSolver<Square> eigen(C);
+    const auto values = eigen.eigenvalues().array();
+    const Eigen::Matrix<double, n, 1> roots = values.max(0.0).sqrt();
+    const Eigen::Matrix<double, n, 1> inverses = (values > least).select(values.inverse(), 0.0);
+    const Square& V = eigen.eigenvectors();
+    root = sigma.asDiagonal() * V * roots.asDiagonal();
+    inverse = sigma.cwiseInverse().asDiagonal() * V * inverses.asDiagonal() * V.transpose() *
+              sigma.cwiseInverse().asDiagonal();
+  }
+};
 
 /// First order about the mean: (A.2.1)-(A.2.4). `Q`: input noise, held for dt.
 template <class Motion, class InputNoise>
@@ -44,9 +58,9 @@ AffineMotion unscented(const Motion& motion, const Belief& belief, BlockId block
   using State = typename Motion::template State<double>;
   using Square = Eigen::Matrix<double, n, n>;
   const Eigen::Matrix<double, n, n> P = belief.covariance(block);
-  const Square root = covariance_root(P) * std::sqrt(double(n + m));
-  const Eigen::Matrix<double, m, m> input_root =
-      covariance_root(Eigen::Matrix<double, m, m>(Q)) * std::sqrt(double(n + m));
+  const CovarianceFactors<n> factors(P);
+  const Square root = factors.root * std::sqrt(double(n + m));
+  const Eigen::Matrix<double, m, m> input_root = CovarianceFactors<m>(Q).root * std::sqrt(double(n + m));
   const State mean = belief.mean(block), centre = motion.template f<double>(mean, u, dt);
   const auto numbers = [](auto& v) {
     return std::span<double>(v.data(), static_cast<std::size_t>(v.size()));
@@ -65,19 +79,18 @@ AffineMotion unscented(const Motion& motion, const Belief& belief, BlockId block
     Eigen::Matrix<double, n, 1> shift = before.col(i), moved;
     motion.chart.plus(numbers(point), numbers(shift));
     State image = motion.template f<double>(point, input, dt);
+    // From the centre moved by as much as the point: what is left is small, and no angle wraps
     State reference = centre;
+    motion.chart.plus(numbers(reference), numbers(shift));
     motion.chart.minus(numbers(image), numbers(reference), numbers(moved));
-    after.col(i) = moved;
+    after.col(i) = shift + moved;
   }
   Eigen::Matrix<double, n, 1> offset = after.rowwise().mean();
   after.colwise() -= offset;
   State next = centre;
   motion.chart.plus(numbers(next), numbers(offset));
   const Square P_yy = after * after.transpose() / count, P_yx = after * before.transpose() / count;
-  const Eigen::SelfAdjointEigenSolver<Square> eigen(P);
-  const Eigen::Matrix<double, n, 1> inverse = eigen.eigenvalues().unaryExpr(
-      [&](double v) { return v > 1e-14 * eigen.eigenvalues().cwiseAbs().maxCoeff() ? 1 / v : 0; });
-  const Square A = P_yx * eigen.eigenvectors() * inverse.asDiagonal() * eigen.eigenvectors().transpose();
+  const Square A = P_yx * factors.inverse;
   return {block, next, A, P_yy - A * P * A.transpose()};
 }
 
@@ -129,7 +142,7 @@ IterationReport update_iterated(Belief& belief, std::span<const BlockId> blocks,
     double change = 0;
     for (std::size_t i = 0; usable && i < blocks.size(); ++i)
       change = std::max(change, (next[i] - shift[i]).cwiseAbs().maxCoeff());
-    report.converged = change <= settings.tolerance;
+    report.converged = usable && change <= settings.tolerance;
     if (!usable || report.converged || ++report.iterations >= settings.max_iterations) {
       report.update = belief.update(looks);
       return report;

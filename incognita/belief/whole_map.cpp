@@ -1,7 +1,7 @@
 // What changes every block of the belief at once.
 #include <algorithm>
-#include <sstream>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "incognita/belief/belief.hpp"
@@ -9,18 +9,31 @@
 
 namespace incognita {
 
+namespace {
+
+void refuse_carry(const std::string& why) { throw std::invalid_argument("carry: " + why); }
+
+std::string square(int size) { return std::to_string(size) + "x" + std::to_string(size); }
+
+}  // namespace
+
 void Belief::carry(const AffineMotion& mover, std::span<const Carried> others) {
+  if (correlations_ == MapCorrelations::dropped)
+    throw std::logic_error("carry: a map whose correlations are dropped cannot move as a whole");
   const int first = block(mover.block).error, size = block(mover.block).chart.tangent();
-  if (mover.A.rows() != size || mover.A.cols() != size || mover.N.rows() != size || mover.N.cols() != size)
-    throw std::invalid_argument("carry: A and N of the mover must be " + std::to_string(size) + "x" +
-                                std::to_string(size));
+  if (mover.A.rows() != size || mover.A.cols() != size || mover.N.rows() != size || mover.N.cols() != size ||
+      mover.x_next.size() != chart(mover.block).ambient())
+    refuse_carry("A and N of the mover must be " + square(size) + ", its mean as long as its chart's");
+  std::vector<BlockId> named{mover.block};
   for (const Carried& c : others) {
     const int own = block(c.block).chart.tangent();
-    if (c.block == mover.block || c.A.rows() != own || c.A.cols() != own || c.B.rows() != own ||
-        c.B.cols() != size)
-      throw std::invalid_argument("carry: block " + std::to_string(c.block) + " needs A " +
-                                  std::to_string(own) + "x" + std::to_string(own) + " and B " +
-                                  std::to_string(own) + "x" + std::to_string(size));
+    if (std::find(named.begin(), named.end(), c.block) != named.end())
+      refuse_carry("block " + std::to_string(c.block) + " is named twice");
+    if (c.A.rows() != own || c.A.cols() != own || c.B.rows() != own || c.B.cols() != size ||
+        c.x_next.size() != chart(c.block).ambient())
+      refuse_carry("block " + std::to_string(c.block) + " needs A " + square(own) + ", B " +
+                   std::to_string(own) + "x" + std::to_string(size) + " and a mean as long as its chart's");
+    named.push_back(c.block);
   }
   // P <- T P T', T of diagonal blocks and the mover's columns: rows first, then columns
   Eigen::MatrixXd M = dense_covariance();
@@ -42,6 +55,7 @@ void Belief::carry(const AffineMotion& mover, std::span<const Carried> others) {
 }
 
 void Belief::decorrelate(Scope scope) {
+  if (vehicles_ > 1) throw std::logic_error("decorrelate: one vehicle, not more");
   std::vector<int> sizes;
   for (const Block& b : blocks_) sizes.push_back(b.chart.tangent());
   if (sizes.size() < 2) return;

@@ -105,14 +105,14 @@ class Reader {
     return it == settings_.end() ? nullptr : &*it;
   }
 
-  /// A setting of another sensor's estimator would be ignored without a word.
+  /// A setting of another sensor's or vehicle's would be ignored without a word.
   void refuse_what_means_nothing() {
-    const std::string& sensor = loaded_.scenario.run.sensor;
     for (const Setting& setting : settings_) {
       const std::string& source = loaded_.sources[setting.key];
-      if (source == "default" || means_something(section_of(setting.key), sensor)) continue;
-      faults_.push_back(fmt::format("{}: {} = {}: means nothing with run.sensor = `{}`", source, setting.key,
-                                    setting.written(), sensor));
+      const std::string with = source == "default" ? "" : why_meaningless(setting.key, loaded_.scenario);
+      if (!with.empty())
+        faults_.push_back(
+            fmt::format("{}: {} = {}: means nothing with {}", source, setting.key, setting.written(), with));
     }
   }
 

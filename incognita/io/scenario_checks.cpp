@@ -125,6 +125,11 @@ void check_vehicle(const Scenario& s, List& found) {
     found.push_back(
         {"vehicle_filter.decorrelate",
          "must be `nothing` with vehicle_filter.map_frame = `vehicle`: such a map moves as a whole"});
+  if (filter.lineariser == "iterated" && filter.decorrelate == "map-linear")
+    found.push_back(
+        {"vehicle_filter.decorrelate",
+         "must not be `map-linear` with vehicle_filter.lineariser = `iterated`: it uses looks one after "
+         "the other; take `map`"});
   if (s.planar.start.at_first_fix && s.planar.start.position_m != Eigen::Vector2d::Zero())
     found.push_back(
         {"vehicle_start.position_m", "must be left out where vehicle_start.at_first_fix is true"});

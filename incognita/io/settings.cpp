@@ -1,6 +1,7 @@
 #include "incognita/io/settings.hpp"
 
 #include <algorithm>
+#include <initializer_list>
 #include <utility>
 
 namespace incognita {
@@ -385,7 +386,9 @@ std::vector<Setting> list_settings(Scenario& scenario) {
   return list;
 }
 
-bool means_something(const std::string& section, const std::string& sensor) {
+namespace {
+
+bool section_means_something(const std::string& section, const std::string& sensor) {
   static const std::vector<std::string> always{"run", "recording"};
   static const std::vector<std::string> ranging{"vehicle",      "vehicle_start", "vehicle_filter",
                                                 "vehicle_lost", "ranges",        "association"};
@@ -395,11 +398,36 @@ bool means_something(const std::string& section, const std::string& sensor) {
   return has(always) || has(ranging) == (sensor == "range-bearing");
 }
 
+}  // namespace
+
+std::string why_meaningless(const std::string& key, const Scenario& s) {
+  if (!section_means_something(section_of(key), s.run.sensor)) return "run.sensor = `" + s.run.sensor + "`";
+  if (s.run.sensor != "range-bearing") return "";
+  const auto any_of = [&](std::initializer_list<const char*> keys) {
+    return std::find(keys.begin(), keys.end(), key) != keys.end();
+  };
+  const std::string model = "vehicle.model = `" + s.planar.vehicle.model + "`";
+  const bool car = s.planar.vehicle.model == "ackermann";
+  if (!car && any_of({"vehicle.wheelbase_m", "vehicle.wheel_left_m", "vehicle.sigma_steering_rad"}))
+    return model;
+  if (car && key == "vehicle.sigma_turn_rate_rad_s") return model;
+  const std::string& method = s.planar.association.method;
+  if (method != "joint" && key == "association.max_nodes") return "association.method = `" + method + "`";
+  if (method == "known" && any_of({"association.birth_probability", "association.birth_distance_m"}))
+    return "association.method = `known`";
+  if (!s.planar.filter.use_fixes && key == "vehicle_filter.sigma_fix_m")
+    return "vehicle_filter.use_fixes = false";
+  if (key == "run.rate_hz") return "a recording, which has its own times";
+  const std::string& format = s.recording.format;
+  if (key == "recording.robot" && format != "mrclam" && format != "auto")
+    return "recording.format = `" + format + "`";
+  return "";
+}
+
 std::vector<Setting> settings_in_force(Scenario& scenario) {
   List list = list_settings(scenario);
-  std::erase_if(list, [&](const Setting& setting) {
-    return !means_something(section_of(setting.key), scenario.run.sensor);
-  });
+  std::erase_if(list,
+                [&](const Setting& setting) { return !why_meaningless(setting.key, scenario).empty(); });
   return list;
 }
 

@@ -12,11 +12,12 @@ namespace incognita {
 /// Every setting, section by section, bound to the fields of `scenario`, which must outlive the list.
 std::vector<Setting> list_settings(Scenario& scenario);
 
-/// Those of them that mean something with the scenario's run.sensor.
+/// Those of them that mean something in this scenario.
 std::vector<Setting> settings_in_force(Scenario& scenario);
 
-/// Whether a section means something to the estimator of that run.sensor.
-bool means_something(const std::string& section, const std::string& sensor);
+/// With which other setting this one means nothing, so that it would be ignored: "run.sensor = `camera`".
+/// Empty where it means something.
+std::string why_meaningless(const std::string& key, const Scenario& scenario);
 
 /// "run" of "run.seed".
 std::string section_of(const std::string& key);

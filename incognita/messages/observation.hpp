@@ -4,7 +4,6 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "incognita/vision/image.hpp"
@@ -15,6 +14,12 @@ namespace incognita {
 struct Odometry {
   double t = 0;                     ///< s, on the clock of the ticks
   Eigen::Vector2d input{0.0, 0.0};  ///< as the vehicle's motion model takes it, e.g. m/s and rad/s
+};
+
+/// Where an external sensor saw the vehicle, and when.
+struct PositionReading {
+  double t = 0;                        ///< s, on the clock of the ticks
+  Eigen::Vector2d position{0.0, 0.0};  ///< world, m
 };
 
 /// A landmark as a laser or a camera with ranges gives it, in the frame of the sensor.
@@ -30,7 +35,7 @@ struct Observation {
       image;                       ///< immutable, shared with the record; null when the camera gave nothing
   std::vector<Odometry> odometry;  ///< since the tick before, in time order
   std::vector<Detection> detections;   ///< of this very tick
-  std::optional<Eigen::Vector2d> fix;  ///< world, m: where an external sensor sees the vehicle, if one does
+  std::vector<PositionReading> fixes;  ///< since the tick before, in time order
 };
 
 }  // namespace incognita

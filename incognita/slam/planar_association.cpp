@@ -19,7 +19,8 @@ ScanAssociation associate_known(const PlanarEstimate& e, const std::vector<Detec
   std::vector<std::int64_t> taken;
   for (std::size_t d = 0; d < detections.size(); ++d) {
     const std::int64_t identity = detections[d].identity;
-    if (identity == Detection::unknown || std::find(taken.begin(), taken.end(), identity) != taken.end())
+    if (identity == Detection::unknown || !is_usable(detections[d]) ||
+        std::find(taken.begin(), taken.end(), identity) != taken.end())
       continue;
     taken.push_back(identity);
     const auto known = std::find_if(e.catalogue.begin(), e.catalogue.end(),
@@ -50,44 +51,46 @@ class UnknownAssociation {
  public:
   UnknownAssociation(const PlanarEstimate& e, const std::vector<Detection>& detections,
                      const PlanarSlamSettings& settings)
-      : e_(e), detections_(detections), settings_(settings), novel_(detections.size(), true) {
-    for (std::size_t d = 0; d < detections.size(); ++d)
-      for (std::size_t l = 0; l < e.catalogue.size(); ++l) add_pairing(d, l);
+      : e_(e),
+        detections_(detections),
+        settings_(settings),
+        gate_(chi_square_quantile(settings.association.gate_probability, 2)),
+        birth_gate_(chi_square_quantile(settings.association.birth_probability, 2)) {
+    for (std::size_t d = 0; d < detections.size(); ++d) {
+      novel_.push_back(is_usable(detections[d]));
+      if (!novel_.back()) continue;
+      for (std::size_t l = 0; l < e.catalogue.size(); ++l) consider(d, l);
+    }
   }
 
-  ScanAssociation run() {
+  ScanAssociation run() const {
     const DataAssociationSettings& s = settings_.association;
     const AssociationSettings joint{s.gate_probability, s.max_nodes};
     const Association chosen = s.method == "nearest" ? nearest_neighbours(e_.belief, pairings_, joint)
                                                      : jointly_compatible(e_.belief, pairings_, joint);
     ScanAssociation out;
     out.capped = chosen.capped;
-    for (const int p : chosen.chosen) {
+    for (const int p : chosen.chosen)
       out.matches.push_back({static_cast<std::size_t>(pairings_[static_cast<std::size_t>(p)].measurement),
                              static_cast<std::size_t>(pairings_[static_cast<std::size_t>(p)].landmark)});
-      novel_[out.matches.back().detection] = false;
-    }
-    close_to_landmarks();
     for (std::size_t d = 0; d < detections_.size(); ++d)
       if (novel_[d] && !near_another(d, out.births)) out.births.push_back(d);
     return out;
   }
 
  private:
-  void add_pairing(std::size_t detection, std::size_t landmark) {
+  /// What is inside the wide gate of any landmark, or too near it, is not of a new one; what is inside the
+  /// narrow one may be of that landmark. Only those few are kept: of all pairs there are detections times
+  /// landmarks.
+  void consider(std::size_t detection, std::size_t landmark) {
     const auto seen = look_at(e_, e_.catalogue[landmark], detections_[detection], settings_);
     if (!seen) return;
-    if (apart(detections_[detection], seen->predicted) < settings_.association.birth_distance_m)
+    const Pairing pairing{static_cast<int>(detection), static_cast<int>(landmark), seen->look};
+    const double distance = individual_distances(e_.belief, {&pairing, 1})[0];
+    if (distance <= birth_gate_ ||
+        apart(detections_[detection], seen->predicted) < settings_.association.birth_distance_m)
       novel_[detection] = false;
-    pairings_.push_back({static_cast<int>(detection), static_cast<int>(landmark), seen->look});
-  }
-
-  /// What is inside the wide gate of any landmark is not of a new one.
-  void close_to_landmarks() {
-    const double gate = chi_square_quantile(settings_.association.birth_probability, 2);
-    const std::vector<double> distances = individual_distances(e_.belief, pairings_);
-    for (std::size_t p = 0; p < pairings_.size(); ++p)
-      if (distances[p] <= gate) novel_[static_cast<std::size_t>(pairings_[p].measurement)] = false;
+    if (distance <= gate_) pairings_.push_back(pairing);
   }
 
   /// Two detections of one scan so near each other are of one new landmark.
@@ -101,11 +104,16 @@ class UnknownAssociation {
   const PlanarEstimate& e_;
   const std::vector<Detection>& detections_;
   const PlanarSlamSettings& settings_;
+  double gate_, birth_gate_;
   std::vector<Pairing> pairings_;
   std::vector<bool> novel_;
 };
 
 }  // namespace
+
+bool is_usable(const Detection& detection) {
+  return std::isfinite(detection.range_m) && detection.range_m > 0 && std::isfinite(detection.bearing_rad);
+}
 
 ScanAssociation associate_scan(const PlanarEstimate& estimate, const std::vector<Detection>& detections,
                                const PlanarSlamSettings& settings) {

@@ -21,7 +21,7 @@
 namespace incognita {
 
 struct PlanarLandmark {
-  std::int64_t id = 0;
+  std::int64_t id = 0;  ///< the identity where association goes by it, else counted from 0
   bool anchor = false;
   std::int64_t identity = Detection::unknown;  ///< as the sensor tells it
   BlockId block = 0;                           ///< in the belief, unless an anchor
@@ -48,6 +48,8 @@ struct PlanarEstimate {
   bool started = false;
   double t = 0;                                    ///< s, of the last tick
   std::optional<Eigen::Vector2d> input;            ///< the last that the wheels told
+  double input_t = 0;                              ///< s, when it did
+  double input_period = 0;                         ///< s, between the last two readings; 0 before the second
   planar::Pose<double> first_prediction{0, 0, 0};  ///< of the vehicle at the last tick, before its update
   std::vector<PlanarLandmark> catalogue;
   std::int64_t next_id = 0;
@@ -57,11 +59,12 @@ struct PlanarEstimate {
   std::vector<PlanarLook> looks;
   int matched = 0;
   UpdateReport update;
+  bool refused = false;             ///< an update or a fix could not be used within rounding
   int iterations = 0;               ///< of the iterated update
   bool association_capped = false;  ///< the joint search reached its cap
   std::int64_t capped_scans = 0;    ///< how many so far
   Entropy entropy;
-  double entropy_t = 0;  ///< s, when map and total were last computed
+  std::optional<double> entropy_t;  ///< s, when map and total were last computed
   std::vector<std::pair<const char*, double>> timing_ms;
 };
 
@@ -78,7 +81,8 @@ struct PlanarPosition {
 /// Zero covariance for anchors.
 PlanarPosition position_of(const PlanarLandmark& landmark, const PlanarEstimate& estimate);
 
-/// Vehicle, map and both; of the blocks that are uncertain.
+/// Vehicle, map and both; of the blocks that are uncertain. Cubic in the map, but linear where its
+/// correlations are dropped.
 Entropy entropies(const PlanarEstimate& estimate);
 
 }  // namespace incognita

@@ -32,6 +32,10 @@ void check(const PlanarSlamSettings& s) {
   expect_word("vehicle_filter.decorrelate", s.filter.decorrelate,
               {"nothing", "everything", "map", "map-linear"});
   expect_word("association.method", s.association.method, {"known", "nearest", "joint"});
+  if (s.filter.lineariser == "iterated" && s.filter.decorrelate == "map-linear")
+    throw std::invalid_argument(
+        "vehicle_filter.decorrelate: `map-linear` uses looks one after the other and cannot be iterated; "
+        "take `map`");
   if (s.filter.map_frame != "vehicle") return;
   if (s.filter.lineariser == "first-estimate")
     throw std::invalid_argument(
@@ -43,21 +47,33 @@ void check(const PlanarSlamSettings& s) {
         "dropped");
 }
 
+/// When the first thing was told: where it starts from, and drives on.
+double first_time(const Observation& seen, const Tick& tick) {
+  return seen.odometry.empty() ? tick.t : std::min(tick.t, seen.odometry.front().t);
+}
+
 }  // namespace
 
-PlanarEstimator::PlanarEstimator(const PlanarSlamSettings& settings) : settings_(settings) {
+PlanarEstimator::PlanarEstimator(const PlanarSlamSettings& settings,
+                                 std::vector<std::int64_t> anchor_identities)
+    : settings_(settings), anchor_identities_(std::move(anchor_identities)) {
   check(settings_);
+  const std::size_t anchors = settings_.filter.anchors.size();
+  if (settings_.association.method == "known" && anchor_identities_.size() != anchors)
+    throw std::invalid_argument(
+        "vehicle_filter.anchors_m: with association by identity each anchor needs one");
+  anchor_identities_.resize(anchors, Detection::unknown);
 }
 
 void PlanarEstimator::start(PlanarEstimate& e, const Observation& seen, const Tick& tick) const {
   const PlanarStartSettings& s = settings_.start;
-  if (s.at_first_fix && !seen.fix) {
+  if (s.at_first_fix && seen.fixes.empty()) {
     e.status.reason = "waiting for the first position fix";
     return;
   }
   const bool linear = settings_.filter.decorrelate == "map-linear";
   e.belief = Belief(64, linear ? MapCorrelations::dropped : MapCorrelations::kept);
-  const Eigen::Vector2d at = s.at_first_fix ? *seen.fix : s.position_m;
+  const Eigen::Vector2d at = s.at_first_fix ? seen.fixes.front().position : s.position_m;
   const planar::Pose<double> pose(at.x(), at.y(), wrap_angle(s.heading_rad));
   const Eigen::Matrix3d P =
       Eigen::Vector3d(s.sigma_position_m, s.sigma_position_m, s.sigma_heading_rad).cwiseAbs2().asDiagonal();
@@ -69,15 +85,16 @@ void PlanarEstimator::start(PlanarEstimate& e, const Observation& seen, const Ti
   } else {
     e.vehicle = e.belief.add_vehicle(planar::pose_chart, pose, P);
   }
-  for (const Eigen::Vector2d& anchor : settings_.filter.anchors) {
+  for (std::size_t i = 0; i < settings_.filter.anchors.size(); ++i) {
     PlanarLandmark landmark;
-    landmark.id = e.next_id++;
+    landmark.id = settings_.association.method == "known" ? anchor_identities_[i] : e.next_id++;
     landmark.anchor = true;
-    landmark.position = anchor;
+    landmark.identity = anchor_identities_[i];
+    landmark.position = settings_.filter.anchors[i];
     e.catalogue.push_back(landmark);
   }
   e.first_prediction = e.belief.mean(e.vehicle);
-  e.t = tick.t;
+  e.t = s.at_first_fix ? seen.fixes.front().t : first_time(seen, tick);
   e.started = true;
   e.status = {TrackingState::tracking, "", 0};
 }
@@ -88,14 +105,13 @@ void PlanarEstimator::update(PlanarEstimate& e, const Command&, const Observatio
   e.looks.clear();
   e.matched = 0;
   e.update = {};
+  e.iterations = 0;
+  e.association_capped = false;
   if (!e.started) start(e, seen, tick);
   if (!e.started) return;
-  predict_through(e, seen.odometry, tick.t, settings_);
+  const bool map_was_empty = e.catalogue.empty();
+  e.refused = !predict_through(e, seen, tick.t, settings_);
   stage.mark("predict");
-  if (settings_.filter.use_fixes && seen.fix) {
-    const AffineLook fix = look_of_fix(e, *seen.fix, settings_.filter.sigma_fix_m);
-    e.update = e.belief.update({&fix, 1});
-  }
   const ScanAssociation found = associate_scan(e, seen.detections, settings_);
   e.association_capped = found.capped;
   e.capped_scans += found.capped;
@@ -108,7 +124,19 @@ void PlanarEstimator::update(PlanarEstimate& e, const Command&, const Observatio
   if (settings_.filter.decorrelate == "everything") e.belief.decorrelate(Belief::Scope::everything);
   if (settings_.filter.decorrelate == "map") e.belief.decorrelate(Belief::Scope::map);
   stage.mark("decorrelate");
-  judge(e);
+  judge(e, map_was_empty);
+  refresh_entropy(e);
+  stage.mark("entropy");
+}
+
+/// A refused update has corrected nothing: nothing was matched.
+void PlanarEstimator::refuse(PlanarEstimate& e, const ScanAssociation& found) const {
+  e.refused = true;
+  e.matched = 0;
+  for (const auto& [d, l] : found.matches) {
+    if (e.looks[d].outcome == LookOutcome::matched) --e.catalogue[l].sightings;
+    e.looks[d].outcome = LookOutcome::inconsistent;
+  }
 }
 
 void PlanarEstimator::correct(PlanarEstimate& e, const Observation& seen,
@@ -142,6 +170,7 @@ void PlanarEstimator::correct(PlanarEstimate& e, const Observation& seen,
   }
   if (settings_.filter.lineariser != "iterated") {
     e.update = e.belief.update(looks);
+    if (e.update.outcome == UpdateReport::Outcome::singular) refuse(e, found);
     return;
   }
   const IterationReport report = update_iterated(e.belief, blocks, [&](const Belief&) {
@@ -153,6 +182,7 @@ void PlanarEstimator::correct(PlanarEstimate& e, const Observation& seen,
   });
   e.update = report.update;
   e.iterations = report.iterations;
+  if (e.update.outcome == UpdateReport::Outcome::singular) refuse(e, found);
 }
 
 void PlanarEstimator::give_births(PlanarEstimate& e, const Observation& seen,
@@ -164,33 +194,42 @@ void PlanarEstimator::give_births(PlanarEstimate& e, const Observation& seen,
   }
 }
 
-/// Whether the pose is to be believed. A scan without landmarks says nothing against it.
-void PlanarEstimator::judge(PlanarEstimate& e) const {
+/// Whether the pose is to be believed. A scan without landmarks says nothing against it, nor the first that
+/// shows any; scans of which nothing matches what is mapped do, whether new landmarks are made of them or
+/// not.
+void PlanarEstimator::judge(PlanarEstimate& e, bool map_was_empty) const {
   const PlanarPoseEstimate vehicle = vehicle_pose(e);
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(vehicle.covariance.topLeftCorner<2, 2>(),
-                                                             Eigen::EigenvaluesOnly);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(vehicle.covariance.topLeftCorner<2, 2>());
   const double sigma = std::sqrt(std::max(0.0, eigen.eigenvalues().maxCoeff()));
-  const bool shown = std::any_of(e.looks.begin(), e.looks.end(), [](const PlanarLook& l) { return !l.born; });
-  if (shown) e.status.frames_with_few = e.matched > 0 ? 0 : e.status.frames_with_few + 1;
+  const bool possible = vehicle.covariance.allFinite() && vehicle.covariance.diagonal().minCoeff() >= 0;
+  if (!e.looks.empty() && !map_was_empty)
+    e.status.frames_with_few = e.matched > 0 ? 0 : e.status.frames_with_few + 1;
   const PlanarLostSettings& lost = settings_.lost;
-  if (!vehicle.pose.allFinite() || !(sigma <= lost.max_sigma_position_m)) {
-    e.status.state = TrackingState::lost;
-    e.status.reason = "position sigma " + std::to_string(sigma) + " m, the limit is " +
-                      std::to_string(lost.max_sigma_position_m);
-  } else if (e.status.frames_with_few >= lost.max_unmatched_scans) {
-    e.status.state = TrackingState::lost;
-    e.status.reason =
-        "no known landmark in " + std::to_string(e.status.frames_with_few) + " scans that show some";
-  } else if (e.association_capped) {
-    e.status.state = TrackingState::degraded;
-    e.status.reason = "the joint association reached its cap of " +
-                      std::to_string(settings_.association.max_nodes) + " nodes";
-  } else {
-    e.status.state = TrackingState::tracking;
-    e.status.reason.clear();
-  }
-  constexpr double entropy_period_s = 1;
-  if (std::isfinite(e.entropy.total) && e.t - e.entropy_t < entropy_period_s) return;
+  const auto say = [&](TrackingState state, const std::string& reason) {
+    e.status.state = state;
+    e.status.reason = reason;
+  };
+  if (!vehicle.pose.allFinite() || !possible)
+    say(TrackingState::lost, "pose or covariance is not a number");
+  else if (!(sigma <= lost.max_sigma_position_m))
+    say(TrackingState::lost, "position sigma " + std::to_string(sigma) + " m, the limit is " +
+                                 std::to_string(lost.max_sigma_position_m));
+  else if (e.status.frames_with_few >= lost.max_unmatched_scans)
+    say(TrackingState::lost,
+        "no known landmark in " + std::to_string(e.status.frames_with_few) + " scans that show some");
+  else if (e.refused)
+    say(TrackingState::degraded,
+        "an update was refused: within rounding it would leave nothing of a variance");
+  else if (e.association_capped)
+    say(TrackingState::degraded, "the joint association reached its cap of " +
+                                     std::to_string(settings_.association.max_nodes) + " nodes");
+  else
+    say(TrackingState::tracking, "");
+}
+
+void PlanarEstimator::refresh_entropy(PlanarEstimate& e) const {
+  constexpr double period_s = 1;
+  if (e.entropy_t && e.t - *e.entropy_t < period_s) return;
   e.entropy = entropies(e);
   e.entropy_t = e.t;
 }

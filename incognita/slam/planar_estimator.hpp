@@ -1,6 +1,9 @@
 // The estimator of a vehicle on a plane that measures ranges and bearings: odometry in, map and pose out.
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "incognita/messages/command.hpp"
 #include "incognita/messages/observation.hpp"
 #include "incognita/messages/tick.hpp"
@@ -16,7 +19,10 @@ class PlanarEstimator {
 
   /// Throws std::invalid_argument, naming the setting, for words that none of its settings knows and for
   /// filters that make no sense together.
-  explicit PlanarEstimator(const PlanarSlamSettings& settings);
+  /// `anchor_identities`: how the sensor tells the anchors of the settings, in their order, for association
+  /// by identity; may be empty otherwise.
+  explicit PlanarEstimator(const PlanarSlamSettings& settings,
+                           std::vector<std::int64_t> anchor_identities = {});
 
   /// One tick: predict, associate, correct, give birth. The command moves nothing that odometry does not
   /// tell.
@@ -26,10 +32,13 @@ class PlanarEstimator {
  private:
   void start(PlanarEstimate& estimate, const Observation& seen, const Tick& tick) const;
   void correct(PlanarEstimate& estimate, const Observation& seen, const ScanAssociation& found) const;
+  void refuse(PlanarEstimate& estimate, const ScanAssociation& found) const;
   void give_births(PlanarEstimate& estimate, const Observation& seen, const ScanAssociation& found) const;
-  void judge(PlanarEstimate& estimate) const;
+  void judge(PlanarEstimate& estimate, bool map_was_empty) const;
+  void refresh_entropy(PlanarEstimate& estimate) const;
 
   PlanarSlamSettings settings_;
+  std::vector<std::int64_t> anchor_identities_;
 };
 
 }  // namespace incognita

@@ -26,13 +26,14 @@ Eigen::Vector2d residual_of(const Detection& detection, const Eigen::Vector2d& p
 /// An anchor's look: through the vehicle alone, or where the map is told in its frame through the world's
 /// pose too.
 std::optional<LandmarkLook> look_at_anchor(const PlanarEstimate& e, const Pose& vehicle,
-                                           const Eigen::Vector2d& anchor) {
+                                           const Eigen::Vector2d& anchor, bool first_estimates) {
   LandmarkLook out;
   if (!e.world) {
     const auto seen = RangeBearing::look(vehicle, anchor);
-    if (!seen) return std::nullopt;
+    const auto derived = first_estimates ? RangeBearing::look(e.first_prediction, anchor) : seen;
+    if (!seen || !derived) return std::nullopt;
     out.predicted = seen->z;
-    out.look.add(e.vehicle, seen->Hv);
+    out.look.add(e.vehicle, derived->Hv);
     return out;
   }
   const planar::FramedPoint here = planar::out_of_frame(Pose(e.belief.mean(*e.world)), anchor);
@@ -67,7 +68,7 @@ Eigen::Matrix2d detection_noise(const Detection& detection, const RangeBearingSe
 std::optional<LandmarkLook> look_at(const PlanarEstimate& e, const PlanarLandmark& landmark,
                                     const Detection& detection, const PlanarSlamSettings& settings) {
   const Pose vehicle = e.belief.mean(e.vehicle);
-  auto out = landmark.anchor ? look_at_anchor(e, vehicle, landmark.position)
+  auto out = landmark.anchor ? look_at_anchor(e, vehicle, landmark.position, uses_first_estimates(settings))
                              : look_at_landmark(e, vehicle, landmark, uses_first_estimates(settings));
   if (!out) return out;
   out->look.residual = residual_of(detection, out->predicted);
@@ -104,7 +105,7 @@ std::size_t give_birth(PlanarEstimate& e, const Detection& detection, const Plan
   }
   const Belief::Parent parent{e.vehicle, birth.Jv};
   PlanarLandmark landmark;
-  landmark.id = e.next_id++;
+  landmark.id = settings.association.method == "known" ? detection.identity : e.next_id++;
   landmark.identity = detection.identity;
   landmark.position = birth.landmark;
   landmark.block =

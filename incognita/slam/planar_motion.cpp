@@ -1,9 +1,13 @@
 #include "incognita/slam/planar_motion.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
 #include <variant>
 
 #include "incognita/belief/linearise.hpp"
 #include "incognita/models/planar_frame.hpp"
+#include "incognita/slam/planar_looks.hpp"
 
 namespace incognita {
 namespace {
@@ -16,6 +20,18 @@ Vehicle vehicle_of(const VehicleSettings& s) {
   return AckermannCar{s.wheelbase_m, s.wheel_left_m, body};
 }
 
+/// Turn rate, rad/s.
+double turn_rate(const VehicleSettings& s, const Eigen::Vector2d& input) {
+  return std::visit(
+      [&](const auto& model) {
+        if constexpr (std::is_same_v<std::decay_t<decltype(model)>, AckermannCar>)
+          return model.template at_axle<double>(input)[1];
+        else
+          return input[1];
+      },
+      vehicle_of(s));
+}
+
 Eigen::Matrix2d input_noise(const VehicleSettings& s) {
   const double second = s.model == "differential-drive" ? s.sigma_turn_rate_rad_s : s.sigma_steering_rad;
   return Eigen::Vector2d(s.sigma_speed_m_s, second).cwiseAbs2().asDiagonal();
@@ -25,7 +41,9 @@ Eigen::Matrix2d input_noise(const VehicleSettings& s) {
 
 AffineMotion planar_motion(const PlanarEstimate& estimate, const Eigen::Vector2d& input, double dt,
                            const VehicleSettings& vehicle, const PlanarFilterSettings& filter) {
-  const Eigen::Matrix2d Q = input_noise(vehicle);
+  // The noise is one draw per reading. Of a reading that is taken in pieces each has its share of the
+  // variance: dt^2 Q (T / dt) summed over the pieces of T is T^2 Q
+  const Eigen::Matrix2d Q = input_noise(vehicle) * std::max(1.0, estimate.input_period / dt);
   return std::visit(
       [&](const auto& model) {
         if (filter.lineariser == "unscented-vehicle")
@@ -35,28 +53,54 @@ AffineMotion planar_motion(const PlanarEstimate& estimate, const Eigen::Vector2d
       vehicle_of(vehicle));
 }
 
-void predict_through(PlanarEstimate& e, const std::vector<Odometry>& odometry, double t,
-                     const PlanarSlamSettings& settings) {
-  const bool first_estimate = settings.filter.lineariser == "first-estimate";
-  const auto hold_until = [&](double until) {
-    const double dt = until - e.t;
-    if (!(dt > 0)) return;
-    e.t = until;
-    if (!e.input) return;
-    AffineMotion motion = planar_motion(e, *e.input, dt, settings.vehicle, settings.filter);
-    if (first_estimate) {
-      const planar::Pose<double> next = motion.x_next;
+namespace {
+
+/// The present input, held until a time. The models move along the tangent at a step's start, (3.16): a step
+/// that turns far is taken in several.
+void hold_until(PlanarEstimate& e, double until, const PlanarSlamSettings& settings) {
+  constexpr double largest_turn_rad = 0.015, most_steps = 1000;
+  const double dt = until - e.t;
+  if (!(dt > 0)) return;
+  e.t = until;
+  if (!e.input) return;
+  const double turn = std::abs(turn_rate(settings.vehicle, *e.input)) * dt;
+  const double steps =
+      std::isfinite(turn) ? std::clamp(std::ceil(turn / largest_turn_rad), 1.0, most_steps) : 1;
+  for (int i = 0; i < static_cast<int>(steps); ++i) {
+    AffineMotion motion = planar_motion(e, *e.input, dt / steps, settings.vehicle, settings.filter);
+    const planar::Pose<double> next = motion.x_next;
+    if (settings.filter.lineariser == "first-estimate")
       motion.A = planar::jacobian_between(e.first_prediction, next);
-      e.first_prediction = next;
-    }
+    e.first_prediction = next;
     e.belief.predict(motion);
-  };
-  for (const Odometry& reading : odometry) {
-    hold_until(reading.t);
-    e.input = reading.input;
   }
-  hold_until(t);
-  if (!first_estimate) e.first_prediction = e.belief.mean(e.vehicle);
+}
+
+}  // namespace
+
+bool predict_through(PlanarEstimate& e, const Observation& seen, double t,
+                     const PlanarSlamSettings& settings) {
+  bool usable = true;
+  auto fix = seen.fixes.begin();
+  const auto use_fixes_until = [&](double until) {
+    for (; settings.filter.use_fixes && fix != seen.fixes.end() && fix->t <= until; ++fix) {
+      if (fix->t < e.t) continue;  // from before the start
+      hold_until(e, fix->t, settings);
+      const AffineLook look = look_of_fix(e, fix->position, settings.filter.sigma_fix_m);
+      e.update = e.belief.update({&look, 1});
+      usable = usable && e.update.outcome == UpdateReport::Outcome::updated;
+    }
+  };
+  for (const Odometry& reading : seen.odometry) {
+    use_fixes_until(reading.t);
+    hold_until(e, reading.t, settings);
+    if (e.input && reading.t > e.input_t) e.input_period = reading.t - e.input_t;
+    e.input = reading.input;
+    e.input_t = reading.t;
+  }
+  use_fixes_until(t);
+  hold_until(e, t, settings);
+  return usable;
 }
 
 void tell_from_vehicle(PlanarEstimate& e) {

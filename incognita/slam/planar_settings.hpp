@@ -12,8 +12,8 @@ struct VehicleSettings {
   std::string model = "ackermann";  ///< `ackermann` or `differential-drive`
   double wheelbase_m = 2.83;        ///< `ackermann`
   double wheel_left_m = 0.76;       ///< `ackermann`: from the middle of the rear axle to the wheel measured
-  double sensor_forward_m = 3.78;   ///< sensor from the middle of the rear or only axle
-  double sensor_left_m = 0.5;
+  double sensor_forward_m = 0;      ///< sensor from the middle of the rear or only axle
+  double sensor_left_m = 0;
   double sigma_speed_m_s = 0.7;  ///< of the speed that the wheel or the axle tells, held for one reading
   double sigma_steering_rad = 0.12217;  ///< `ackermann`
   double sigma_turn_rate_rad_s = 0.05;  ///< `differential-drive`

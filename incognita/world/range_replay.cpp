@@ -23,7 +23,7 @@ double start_time(const RangeRecording& r) {
   const auto look = [&](const auto& events) {
     if (!events.empty()) first = std::min(first, events.front().t);
   };
-  look(r.odometry), look(r.scans), look(r.truth), look(r.fixes);
+  look(r.odometry), look(r.scans), look(r.fixes);
   return first;
 }
 
@@ -70,7 +70,7 @@ Observation RangeSensor::look(const std::optional<Truth>&, const Tick& tick) {
     seen.odometry.push_back(r.odometry[odometry_done_]);
   for (; fixes_done_ < r.fixes.size() && r.fixes[fixes_done_].t <= tick.t; ++fixes_done_) {
     if (fixes_ == Fixes::none || (fixes_ == Fixes::first && fix_given_)) continue;
-    seen.fix = r.fixes[fixes_done_].position;
+    seen.fixes.push_back({r.fixes[fixes_done_].t, r.fixes[fixes_done_].position});
     fix_given_ = true;
   }
   for (const Detection& detection : r.scans[static_cast<std::size_t>(tick.frame)].detections)

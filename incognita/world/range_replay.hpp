@@ -53,7 +53,7 @@ class RangeSensor final : public Sensor {
   bool fix_given_ = false;
 };
 
-/// Time of the first event of any kind, s.
+/// Time of the first event that the vehicle could know of, s: odometry, scan or fix.
 double start_time(const RangeRecording& recording);
 
 /// The true place at a time, interpolated; nothing where the truth has a hole.

@@ -41,6 +41,10 @@ TEST(PoseNees, LeavesOutWhatIsNoState) {
   e.tail<3>().setConstant(std::numeric_limits<double>::quiet_NaN());
   EXPECT_NEAR(*pose_nees(e, P), 4.0 / 2, 1e-12);  // with the true heading unknown
   EXPECT_FALSE(pose_nees(PoseError::Zero(), PoseCovariance::Zero()));
+  PoseCovariance line = PoseCovariance::Identity();  // positive definite by rounding alone
+  line(0, 1) = line(1, 0) = 1 - 1e-16;
+  line(1, 1) = 1 + 4e-16;
+  EXPECT_FALSE(pose_nees(PoseError::Zero(), line));
 }
 
 TEST(PoseNees, AveragesToOneForErrorsOfThatCovariance) {

@@ -66,6 +66,13 @@ class ProgramRanges : public ::testing::Test {
     EXPECT_FALSE(std::filesystem::exists(run()));
     return ended;
   }
+  /// A scenario that takes the drive for that of a car.
+  std::string write_car() {
+    scratch_.write("car.toml",
+                   "[run]\nworld = \"recording\"\nsensor = \"range-bearing\"\n[recording]\nfolder = \"" +
+                       drive().string() + "\"\n[vehicle]\nmodel = \"ackermann\"\n");
+    return "car.toml";
+  }
   /// Replaces a line of a table, counted from 1.
   void rewrite(const std::string& table, int line, const std::string& with) {
     std::istringstream in(bytes_of(drive() / table));
@@ -97,10 +104,8 @@ TEST_F(ProgramRanges, RunsOnTables) {
 
 TEST_F(ProgramRanges, AnchorsMakeErrorsAbsolute) {
   const auto landmark = drive_planar_loop({}, 5).landmarks[0].position;  // seen from the start
-  // an anchor has no identity, so that it takes the joint association
-  const Ended ended = go({"--set", "association.method=joint", "--set",
-                          "vehicle_filter.anchors_m=[[" + std::to_string(landmark.x()) + ", " +
-                              std::to_string(landmark.y()) + "]]"});
+  const Ended ended = go({"--set", "vehicle_filter.anchors_m=[[" + std::to_string(landmark.x()) + ", " +
+                                       std::to_string(landmark.y()) + "]]"});
   ASSERT_EQ(ended.code, 0) << ended.err;
   const auto summary = testing::summary_of(run());
   EXPECT_EQ(summary["ate_alignment"], "none");
@@ -148,8 +153,9 @@ TEST_F(ProgramRanges, RefusesTimesThatGoBackwards) {
 }
 
 TEST_F(ProgramRanges, RefusesTheWrongVehicle) {
-  EXPECT_SAYS(refused({"--set", "vehicle.model=ackermann"}).err,
-              "the odometry of this recording is that of `differential-drive`");
+  const Ended ended = testing::incognita({"run", write_car(), "--out", "run"}, scratch_.folder());
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_SAYS(ended.err, "the odometry of this recording is that of `differential-drive`");
 }
 
 TEST_F(ProgramRanges, RefusesKnownAssociationWithoutIdentities) {
@@ -159,6 +165,24 @@ TEST_F(ProgramRanges, RefusesKnownAssociationWithoutIdentities) {
   write_range_tables(anonymous, scratch_.folder() / "anonymous");
   EXPECT_SAYS(refused({"--set", "recording.folder=" + (scratch_.folder() / "anonymous").string()}).err,
               "association.method = known");
+}
+
+TEST_F(ProgramRanges, RefusesAnAnchorThatTheSensorCannotTell) {
+  EXPECT_SAYS(refused({"--set", "vehicle_filter.anchors_m=[[100, 100]]"}).err, "vehicle_filter.anchors_m");
+}
+
+TEST_F(ProgramRanges, RefusesADurationWithoutAScan) {
+  rewrite("odometry.csv", 2, "-100,1,0.1");
+  EXPECT_SAYS(refused({"--duration", "5"}).err,
+              "the first scan of this recording comes 100.0 s after its start");
+}
+
+TEST_F(ProgramRanges, RefusesSettingsOfOtherVehiclesAndMethods) {
+  EXPECT_SAYS(refused({"--set", "vehicle.wheelbase_m=3"}).err,
+              "means nothing with vehicle.model = `differential-drive`");
+  EXPECT_SAYS(refused({"--set", "association.max_nodes=3"}).err,
+              "means nothing with association.method = `known`");
+  EXPECT_SAYS(refused({"--set", "run.rate_hz=3"}).err, "means nothing with a recording");
 }
 
 TEST_F(ProgramRanges, RefusesSettingsOfACamera) {
@@ -183,6 +207,11 @@ TEST_F(ProgramRanges, RefusesFiltersThatMakeNoSenseTogether) {
 TEST_F(ProgramRanges, SaysWhenTheJointSearchIsCapped) {
   const Ended ended = go({"--set", "association.method=joint", "--set", "association.max_nodes=1"});
   EXPECT_SAYS(bytes_of(run() / "series.csv"), "degraded");
+}
+
+TEST_F(ProgramRanges, CheckRefusesWhatARunWould) {
+  const Ended ended = testing::incognita({"config", write_car(), "--check"}, scratch_.folder());
+  EXPECT_EQ(ended.code, 2) << ended.out;
 }
 
 TEST_F(ProgramRanges, ChecksAScenario) {

@@ -83,6 +83,18 @@ TEST(Unscented, IsNearerTheTrueMomentsThanTheFirstOrder) {
   EXPECT_LT(by_points, 0.05 * by_first) << mean.transpose();
 }
 
+TEST(Unscented, GainsNothingWhereAHeadingIsHardlyKnown) {
+  for (const double sigma : {1.0, 2.0, 6.0}) {
+    const Eigen::Matrix3d P = Eigen::Vector3d(1e10, 1e10, sigma * sigma).asDiagonal();
+    Belief belief = vehicle({0, 0, 0.2}, P);
+    const AffineMotion u =
+        unscented(Unicycle<false>(), belief, 0, {1, 0.5}, 1e-6 * Eigen::Matrix2d::Identity(), 0.1);
+    EXPECT_NEAR(u.A(2, 2), 1, 1e-9) << sigma;
+    belief.predict(u);
+    EXPECT_GE(belief.covariance(0)(2, 2), sigma * sigma * (1 - 1e-9)) << sigma;
+  }
+}
+
 TEST(Unscented, CrossCovarianceFollowsTheVehicle) {
   RandomStream random(7, "cross");
   Belief belief = vehicle({0, 0, 0.2}, random_covariance(random, 3));

@@ -159,6 +159,51 @@ TEST(DroppedCorrelations, OneLandmarkLosesNothing) {
   }
 }
 
+/// With one landmark nothing is dropped: two looks one after the other are two looks at once.
+TEST(DroppedCorrelations, LooksOneAfterTheOtherAreLooksTogether) {
+  RandomStream random(10, "in turn");
+  for (int run = 0; run < 20; ++run) {
+    Twins twins(random, 1);
+    const std::vector<AffineLook> looks{random_look(random, twins.kept, 2, {0, twins.landmarks[0]}),
+                                        random_look(random, twins.kept, 1, {0}),
+                                        random_look(random, twins.kept, 2, {0, twins.landmarks[0]})};
+    const UpdateReport a = twins.kept.update(looks), b = twins.dropped.update(looks);
+    EXPECT_NEAR(a.nis, b.nis, 1e-9 * a.nis);
+    EXPECT_TRUE(close(twins.dropped.dense_covariance(), twins.kept.dense_covariance(), 1e-9));
+    EXPECT_TRUE(close(twins.dropped.mean(0), twins.kept.mean(0), 1e-9));
+    EXPECT_TRUE(close(twins.dropped.mean(1), twins.kept.mean(1), 1e-9));
+  }
+}
+
+TEST(DroppedCorrelations, RefuseToLoseAVariance) {
+  Belief belief(8, MapCorrelations::dropped);
+  belief.add_vehicle(Chart::line(2), Eigen::Vector2d::Zero(),
+                     Eigen::Matrix2d(Eigen::Vector2d(1e18, 1.7e18).asDiagonal()));
+  AffineLook look;
+  look.add(0, Eigen::Matrix2d::Identity());
+  look.residual = Eigen::Vector2d::Zero();
+  look.R = 0.01 * Eigen::Matrix2d::Identity();
+  EXPECT_EQ(belief.update({&look, 1}).outcome, UpdateReport::Outcome::singular);
+  EXPECT_EQ(belief.covariance(0)(0, 0), 1e18);
+}
+
+TEST(DroppedCorrelations, RefuseWhatWouldFillTheMap) {
+  RandomStream random(11, "refused");
+  Twins twins(random, 2);
+  const AffineLook look = random_look(random, twins.dropped, 1, {0, twins.landmarks[0]});
+  std::vector<BlockVector> out(1);
+  const BlockId ids[] = {0};
+  EXPECT_THROW(twins.dropped.update_joseph({&look, 1}), std::logic_error);
+  EXPECT_THROW(twins.dropped.correction({&look, 1}, ids, out), std::logic_error);
+  EXPECT_THROW(twins.dropped.carry(
+                   {0, Eigen::Vector3d::Zero(), Eigen::Matrix3d::Identity(), Eigen::Matrix3d::Zero()}, {}),
+               std::logic_error);
+  Belief two(8, MapCorrelations::dropped);
+  two.add_vehicle(Chart::line(1), Eigen::VectorXd::Zero(1), Eigen::MatrixXd::Identity(1, 1));
+  EXPECT_THROW(two.add_vehicle(Chart::line(1), Eigen::VectorXd::Zero(1), Eigen::MatrixXd::Identity(1, 1)),
+               std::logic_error);
+}
+
 TEST(DroppedCorrelations, TheGainIsThatOfItsCovariance) {
   RandomStream random(9, "gain");
   Twins twins(random, 4);

@@ -45,6 +45,13 @@ TEST(Evidence, WordsOfAnInterval) {
   EXPECT_EQ(text({0.158, 0.143, 0.1761}, "m"), "0.158 m (0.143 to 0.176)");
 }
 
+TEST(Evidence, WhatIsAsGoodAsZeroStaysBelowAPowerOfTen) {
+  EXPECT_EQ(below(0), "below 1e-12");
+  EXPECT_EQ(below(-3e-16), "below 1e-12");
+  EXPECT_EQ(below(2.7e-12), "below 1e-11");
+  EXPECT_EQ(below(4e-5), "below 1e-4");
+}
+
 TEST(Evidence, ReasonsStayOnlyWhereThereIsSomethingToExplain) {
   Claim claim;
   claim.why = "because";

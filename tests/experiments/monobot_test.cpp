@@ -170,7 +170,7 @@ TEST(TextOfChapters1To3, Verdicts) {
                                          {"text-3.1-unstable", yes},
                                          {"text-3.2-dynamics", yes},
                                          {"text-3.1-one-pole", yes},
-                                         {"text-3.5-constant-error", yes},
+                                         {"text-3.5-constant-error", corrected},
                                          {"text-3.5-first-look", yes},
                                          {"text-3.3-controllable", yes},
                                          {"text-3.1-map-determinant", corrected},
@@ -235,7 +235,8 @@ TEST(Example3_8, Verdicts) {
                                 {"3.8-variance", yes},
                                 {"3.8-gain", yes},
                                 {"3.8-controllable", no},
-                                {"3.8-rank-condition", corrected},
+                                {"3.8-rank-condition", yes},
+                                {"3.8-rank-enough", corrected},
                                 {"3.8-inflated", yes}});
 }
 

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "incognita/math/gaussian.hpp"
 #include "incognita/math/random.hpp"
 #include "incognita/models/range_bearing.hpp"
 #include "incognita/slam/planar_looks.hpp"
@@ -152,7 +153,7 @@ TEST(PlanarEstimator, FixesAreUsedInEitherFrame) {
     Drive drive;
     for (int k = 0; k < 40; ++k) {
       Observation seen = drive.next(s);
-      seen.fix = drive.truth.head<2>();
+      seen.fixes = {{static_cast<double>(drive.frame), drive.truth.head<2>()}};
       estimator.update(e, {}, seen, drive.tick());
     }
     EXPECT_LT((vehicle_pose(e).pose - drive.truth).norm(), 0.1) << frame;
@@ -169,7 +170,7 @@ TEST(PlanarEstimator, WaitsForTheFirstFixWhenItIsToStartThere) {
   EXPECT_FALSE(e.started);
   EXPECT_EQ(e.status.state, TrackingState::starting);
   EXPECT_FALSE(e.status.reason.empty());
-  seen.fix = Eigen::Vector2d(3, 4);
+  seen.fixes = {{1, {3, 4}}};
   estimator.update(e, {}, seen, {1, 1, 1});
   EXPECT_TRUE(e.started);
   EXPECT_EQ(vehicle_pose(e).pose.head<2>(), Eigen::Vector2d(3, 4));
@@ -244,9 +245,96 @@ TEST(PlanarMotion, HoldsEachInputUntilTheNext) {
   first.odometry = {{0, {1, 0}}};
   second.odometry = {{0.5, {3, 0}}, {0.75, {0, 0}}};
   estimator.update(e, {}, first, {0, 0.25, 0});
-  EXPECT_NEAR(vehicle_pose(e).pose[0], 0, 1e-12);  // it starts at the first tick
+  EXPECT_NEAR(vehicle_pose(e).pose[0], 0.25, 1e-12);  // it starts at the first reading
   estimator.update(e, {}, second, {1, 2, 1.75});
-  EXPECT_NEAR(vehicle_pose(e).pose[0], 0.25 * 1 + 0.25 * 3, 1e-12);
+  EXPECT_NEAR(vehicle_pose(e).pose[0], 0.5 * 1 + 0.25 * 3, 1e-12);
+}
+
+TEST(PlanarMotion, UsesAFixAtItsOwnTime) {
+  for (const char* frame : {"world", "vehicle"}) {
+    PlanarSlamSettings s = drive_settings();
+    s.filter.map_frame = frame;
+    s.filter.use_fixes = true;
+    s.filter.sigma_fix_m = 1e-3;
+    s.start.sigma_position_m = 1;
+    const PlanarEstimator estimator(s);
+    PlanarEstimate e;
+    Observation seen;
+    seen.odometry = {{0, {10, 0}}};
+    seen.fixes = {{0.1, {1, 0.5}}, {0.2, {2, 0.5}}};  // half a metre beside where it thinks it is
+    estimator.update(e, {}, seen, {0, 1, 0});
+    EXPECT_NEAR(vehicle_pose(e).pose[0], 10, 0.1) << frame;
+    EXPECT_NEAR(vehicle_pose(e).pose[1], 0.5, 0.1) << frame;
+  }
+}
+
+TEST(PlanarEstimator, AnchorsAreKnownByTheirIdentity) {
+  PlanarSlamSettings s = drive_settings();
+  s.filter.anchors = {landmarks[2], landmarks[0]};
+  EXPECT_THROW(PlanarEstimator{s}, std::invalid_argument);
+  const PlanarEstimator estimator(s, {2, 0});
+  PlanarEstimate e;
+  Drive drive;
+  for (int k = 0; k < 5; ++k) drive.step(estimator, e, s);
+  EXPECT_EQ(e.catalogue.size(), 4u);
+  EXPECT_EQ(e.matched, 4);
+}
+
+TEST(PlanarEstimator, SaysThatAnUpdateWasRefused) {
+  for (const char* decorrelate : {"nothing", "map-linear"}) {
+    PlanarSlamSettings s = drive_settings();
+    s.filter.decorrelate = decorrelate;
+    s.filter.anchors = {landmarks[0], landmarks[1]};
+    s.start.sigma_position_m = 1e9;
+    s.sensor.sigma_range_m = s.sensor.sigma_bearing_rad = 1e-5;
+    s.lost.max_sigma_position_m = 1e12;
+    s.association.gate_probability = 1 - 1e-9;
+    const PlanarEstimator estimator(s, {0, 1});
+    PlanarEstimate e;
+    Drive drive;
+    drive.step(estimator, e, s);
+    EXPECT_EQ(e.update.outcome, UpdateReport::Outcome::singular) << decorrelate;
+    EXPECT_EQ(e.status.state, TrackingState::degraded) << decorrelate;
+    EXPECT_EQ(e.matched, 0) << decorrelate;
+  }
+}
+
+TEST(PlanarEstimator, LeavesAloneWhatIsNoDetection) {
+  for (const char* method : {"known", "nearest", "joint"}) {
+    PlanarSlamSettings s = drive_settings();
+    s.association.method = method;
+    const PlanarEstimator estimator(s);
+    PlanarEstimate e;
+    Observation seen;
+    seen.detections = {{std::nan(""), 0.1, 1}, {-3, 0.1, 2}, {5, std::nan(""), 3}, {5, 0.1, 4}};
+    estimator.update(e, {}, seen, {0, 0, 0});
+    EXPECT_EQ(e.catalogue.size(), 1u) << method;
+    EXPECT_TRUE(vehicle_pose(e).pose.allFinite());
+  }
+}
+
+TEST(PlanarEstimator, NewLandmarksAloneDoNotKeepItFromBeingLost) {
+  PlanarSlamSettings s = drive_settings();
+  s.association.method = "joint";
+  const PlanarEstimator estimator(s);
+  PlanarEstimate e;
+  for (int k = 0; k <= s.lost.max_unmatched_scans; ++k) {
+    Observation seen;
+    seen.detections = {{5.0 + 10 * k, 0.1}};
+    estimator.update(e, {}, seen, {k, static_cast<double>(k), 1.0});
+  }
+  EXPECT_EQ(e.status.state, TrackingState::lost);
+}
+
+TEST(PlanarEstimator, EntropiesOfABlockDiagonalMapAreThoseOfItsMatrix) {
+  PlanarSlamSettings s = drive_settings();
+  s.filter.decorrelate = "map-linear";
+  s.start.sigma_position_m = s.start.sigma_heading_rad = 0.1;
+  const PlanarEstimate e = run(s, 5);
+  const Eigen::MatrixXd P = e.belief.dense_covariance();
+  const Entropy entropy = entropies(e);
+  EXPECT_NEAR(entropy.total, gaussian_entropy(log_det(P), static_cast<int>(P.rows())), 1e-8);
+  EXPECT_NEAR(entropy.map, gaussian_entropy(log_det(P.bottomRightCorner(8, 8)), 8), 1e-8);
 }
 
 TEST(PlanarEstimator, KeepsTheMapBlockDiagonalWhenAsked) {
@@ -269,6 +357,10 @@ TEST(PlanarEstimator, RefusesWhatMakesNoSense) {
   PlanarSlamSettings s = drive_settings();
   s.filter.lineariser = "magic";
   EXPECT_THROW(PlanarEstimator{s}, std::invalid_argument);
+  s.filter.lineariser = "iterated";
+  s.filter.decorrelate = "map-linear";
+  EXPECT_THROW(PlanarEstimator{s}, std::invalid_argument);
+  s.filter.decorrelate = "nothing";
   s.filter.lineariser = "first-estimate";
   s.filter.map_frame = "vehicle";
   EXPECT_THROW(PlanarEstimator{s}, std::invalid_argument);

@@ -36,18 +36,20 @@ TEST(RangeSensor, TellsWhatCameSinceTheTickBefore) {
   ASSERT_EQ(first.odometry.size(), 1u);
   ASSERT_EQ(first.detections.size(), 1u);  // the other is beyond 30 m
   EXPECT_EQ(first.detections[0].identity, 3);
-  EXPECT_EQ(first.fix->x(), 0.1);
+  ASSERT_EQ(first.fixes.size(), 1u);
+  EXPECT_EQ(first.fixes[0].position.x(), 0.1);
   ASSERT_EQ(second.odometry.size(), 1u);
   EXPECT_EQ(second.odometry[0].t, 1.5);
   EXPECT_TRUE(second.detections.empty());
-  EXPECT_EQ(second.fix->x(), 3);
+  ASSERT_EQ(second.fixes.size(), 1u);
+  EXPECT_EQ(second.fixes[0].t, 1.9);
 }
 
 TEST(RangeSensor, GivesNoMoreFixesThanAreWanted) {
   RangeSensor none(small(), Fixes::none, 30), first(small(), Fixes::first, 30);
-  EXPECT_FALSE(none.look({}, {0, 1, 0}).fix);
-  EXPECT_TRUE(first.look({}, {0, 1, 0}).fix);
-  EXPECT_FALSE(first.look({}, {1, 2, 1}).fix);
+  EXPECT_TRUE(none.look({}, {0, 1, 0}).fixes.empty());
+  EXPECT_FALSE(first.look({}, {0, 1, 0}).fixes.empty());
+  EXPECT_TRUE(first.look({}, {1, 2, 1}).fixes.empty());
 }
 
 TEST(TruePlace, LiesBetweenItsNeighboursAndTurnsTheShortWay) {

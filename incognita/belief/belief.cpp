@@ -454,9 +454,11 @@ bool Belief::correction(std::span<const AffineLook> looks, std::span<const Block
     out[i] = BlockVector::Zero(block(blocks[i]).chart.tangent());
     int row = 0;
     for (const AffineLook& look : looks) {
-      for (int part = 0; part < look.part_count; ++part)
-        out[i] += covariance(blocks[i], look.parts[part].block) *
-                  (look.parts[part].H.transpose() * y.segment(row, look.rows()));
+      const LookVector of_look = y.segment(row, look.rows());
+      for (int part = 0; part < look.part_count; ++part) {
+        const BlockVector weighted = look.parts[part].H.transpose().lazyProduct(of_look);
+        out[i] += covariance(blocks[i], look.parts[part].block).lazyProduct(weighted);
+      }
       row += look.rows();
     }
   }

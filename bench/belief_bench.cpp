@@ -7,9 +7,9 @@
 
 #include <Eigen/Core>
 #include <algorithm>
-#include <chrono>
 #include <vector>
 
+#include "bench/timing.hpp"
 #include "incognita/belief/aligned_buffer.hpp"
 #include "incognita/belief/belief.hpp"
 #include "incognita/belief/rank_update.hpp"
@@ -63,18 +63,6 @@ struct Scene {
     }
   }
 };
-
-template <class Work>
-double seconds(const Work& work) {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-  return values[values.size() / 2];
-}
 
 /// Times that came in turns, and the counters made of them.
 struct Turns {

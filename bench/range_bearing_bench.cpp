@@ -9,12 +9,12 @@
 
 #include <Eigen/Core>
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <map>
 #include <numbers>
 #include <vector>
 
+#include "bench/timing.hpp"
 #include "incognita/belief/aligned_buffer.hpp"
 #include "incognita/belief/belief.hpp"
 #include "incognita/belief/rank_update.hpp"
@@ -157,18 +157,6 @@ class Slam {
   Eigen::Vector2d u_{0, 0};
   long step_ = 0;
 };
-
-template <class Work>
-double seconds(const Work& work) {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-  return values[values.size() / 2];
-}
 
 /// A mapped world with so many landmarks, and rank updates as large as its steps.
 struct Contest {

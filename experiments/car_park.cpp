@@ -117,7 +117,7 @@ class Driver {
       const int beacon = static_cast<int>(detections[d].identity);
       ++drive_.detections;
       if (beacon >= 0) ++seen_[beacon];
-      if (look.born) born_of_[look.id] = beacon;
+      if (look.outcome == LookOutcome::born) born_of_[look.id] = beacon;
       if (look.outcome != LookOutcome::matched) continue;
       ++drive_.matched;
       if (beacon < 0) continue;

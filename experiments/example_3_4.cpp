@@ -394,8 +394,9 @@ Claim no_anchor() {
   return judged(
       {.id = "3.4-no-anchor",
        .place = "Section 3.1, above Example 3.2",
-       .statement = "Without anchors the linearised system of the vehicle of the plane is partially "
-                    "observable, and nonlinear analysis gives similar results: the ranks agree",
+       .statement =
+           "Without anchors the linearised system of the vehicle of the plane is partially "
+           "observable, and (3.24) finds as many unobservable directions as there are along the motion",
        .printed = "partially observable",
        .measured = fmt::format("the frozen product {}; along the motion {}", product.text(), truth.text()),
        .why = "both are partially observable, but not alike: three directions, place and heading of the "

@@ -200,19 +200,6 @@ Claim riccati_needs_observability() {
                 rank < 2 && !limit.settled);
 }
 
-Claim process_noise_fits() {
-  const LinearSystem s = monobot::system({});
-  const bool fits = s.Q.rows() == s.F.rows();
-  const bool with_G = (s.G * s.Q * s.G.transpose()).rows() == s.F.rows();
-  return judged({.id = "text-2.14-size",
-                 .place = "(2.14), (2.18), (A.1.7)",
-                 .statement = "F P F' + Q, with the Q of l x l of Section 2.2.5, the inputs' covariance",
-                 .printed = "F P F' + Q",
-                 .measured = fmt::format("monobot: F P F' is {0}x{0}, Q {1}x{1}", s.F.rows(), s.Q.rows()),
-                 .why = "F P F' + G Q G', as (A.2.4) has it"},
-                fits, with_G);
-}
-
 /// Variance of a landmark that a robot of variance P_rr gives birth to, by drawing both noises.
 Claim birth_covariance() {
   constexpr double robot_sigma = 0.5, look_sigma = 0.2;  // m
@@ -416,7 +403,6 @@ std::vector<Claim> chapter_2_claims(int seeds) {
           optimal(),
           dependent_errors(),
           stationary_vehicle(seeds),
-          process_noise_fits(),
           riccati_depends(),
           riccati_needs_observability(),
           birth_covariance(),

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <stdexcept>
 
 #include "incognita/io/files.hpp"
@@ -39,14 +38,15 @@ void check_fixes(const LoadedScenario& loaded, const RangeRecording& recording) 
       fmt::format("{}: {} = true: no external sensor is in this recording", loaded.sources.at(key), key));
 }
 
-/// A recording without a scan in time would end as one that never started.
+/// A recording without a scan in time would end as one that never started. Every reader refuses one without
+/// scans.
 void check_scans(const LoadedScenario& loaded, const RangeRecording& recording) {
-  const double duration_s = loaded.scenario.run.duration_s, start = start_time(recording);
-  if (!recording.scans.empty() && recording.scans.front().t <= start + duration_s) return;
-  throw InputError(fmt::format(
-      "{}: run.duration_s = {}: the first scan of this recording comes {:.1f} s after its start",
-      loaded.sources.at("run.duration_s"), duration_s,
-      recording.scans.empty() ? std::numeric_limits<double>::infinity() : recording.scans.front().t - start));
+  const double duration_s = loaded.scenario.run.duration_s,
+               first = recording.scans.front().t - start_time(recording);
+  if (first <= duration_s) return;
+  throw InputError(
+      fmt::format("{}: run.duration_s = {}: the first scan of this recording comes {:.1f} s after its start",
+                  loaded.sources.at("run.duration_s"), duration_s, first));
 }
 
 /// How the sensor tells the anchors, found among the surveyed landmarks; nothing where one is not among them.
@@ -63,10 +63,6 @@ std::optional<std::vector<std::int64_t>> identities_of_anchors(const std::vector
   }
   return identities;
 }
-
-}  // namespace
-
-namespace {
 
 /// What of a recording the run will not use, with counts.
 std::vector<std::string> left_out(const RangeRecording& recording, const PlanarSlamSettings& s) {

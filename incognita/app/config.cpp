@@ -95,7 +95,7 @@ std::vector<std::string> check(const LoadedScenario& loaded) {
   if (s.run.sensor == "range-bearing") {
     const PlanarAssembly assembly = assemble_planar(loaded);  // which refuses what a run would
     const RangeRecording& recording = *assembly.recording;
-    found.insert(found.end(), recording.notes.begin(), recording.notes.end());
+    found.insert(found.end(), assembly.notes.begin(), assembly.notes.end());
     found.push_back(fmt::format("{} odometry readings, {} scans, {} true places, {} surveyed landmarks",
                                 recording.odometry.size(), recording.scans.size(), recording.truth.size(),
                                 recording.landmarks.size()));
@@ -146,7 +146,8 @@ CLI::App* add_config(CLI::App& app, std::function<int()>& job) {
   command
       ->add_option("--set", options->sets, "Set a value before printing: section.name=value; may be repeated")
       ->allow_extra_args(false);
-  command->add_flag("--check", options->check, "Only check: settings, target, and that all images are there");
+  command->add_flag("--check", options->check,
+                    "Only check: settings, target, and that the recording is there and fits");
   command->add_flag("--json", options->json, "One JSON document on standard output");
   command->footer(
       "Example: incognita config room --set run.seed=7\n         incognita config davison --check");

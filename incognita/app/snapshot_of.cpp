@@ -121,8 +121,8 @@ Snapshot snapshot_of(const Tick& tick, const std::optional<Truth>& truth, const 
   for (const PlanarLandmark& landmark : estimate.catalogue)
     s.landmarks.push_back(in_space(landmark, estimate));
   for (const PlanarLook& look : estimate.looks)
-    s.looks.push_back({look.id, look.anchor, false, look.predicted, look.innovation_cov, look.measured, 0,
-                       look.born ? LookOutcome::born : look.outcome});
+    s.looks.push_back(
+        {look.id, look.anchor, false, look.predicted, look.innovation_cov, look.measured, 0, look.outcome});
   s.predicted = static_cast<int>(estimate.looks.size());
   s.matched = estimate.matched;
   put_update(s, estimate.update, estimate.entropy);

@@ -95,7 +95,8 @@ class Belief {
   /// (A.2.5), (A.2.6) with all looks at once: P <- P - W W' with W = P H' L^-T, S = L L', on one triangle.
   /// An S that is not positive definite to rounding comes back as `singular`, and so does a variance of which
   /// rounding would leave nothing, e.g. a prior 1e16 times the variance of a look; update_joseph() still
-  /// takes that one.
+  /// takes that one. With dropped correlations looks are used one after the other, and one that would leave
+  /// nothing of a variance is left out; `singular` then means that all were.
   UpdateReport update(std::span<const AffineLook> looks);
 
   /// The same with the Joseph form (A.2.7) on dense matrices: slower, allocates, keeps P positive for any

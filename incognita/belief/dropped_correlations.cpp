@@ -10,6 +10,7 @@
 // by t_j = -c / |w_j|; the trace falls by c^2. Otherwise no bound is better than to leave the map as it is.
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 
@@ -22,10 +23,8 @@ namespace {
 
 /// (M M')^1/2 of a small matrix.
 BlockMatrix absolute(const BlockMatrix& M) {
-  const BlockMatrix MMt = M * M.transpose();
-  const Eigen::SelfAdjointEigenSolver<BlockMatrix> eigen(MMt);
-  return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal() *
-         eigen.eigenvectors().transpose();
+  const Eigen::JacobiSVD<BlockMatrix> svd(M, Eigen::ComputeThinU);
+  return svd.matrixU() * svd.singularValues().asDiagonal() * svd.matrixU().transpose();
 }
 
 /// Element of W in the panels of rank_update.

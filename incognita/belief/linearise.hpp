@@ -39,6 +39,12 @@ struct CovarianceFactors {
   }
 };
 
+/// A vector as a chart takes it.
+template <class Vector>
+std::span<double> numbers(Vector& v) {
+  return {v.data(), static_cast<std::size_t>(v.size())};
+}
+
 /// First order about the mean: (A.2.1)-(A.2.4). `Q`: input noise, held for dt.
 template <class Motion, class InputNoise>
 AffineMotion linearised(const Motion& motion, const Belief& belief, BlockId block,
@@ -62,9 +68,6 @@ AffineMotion unscented(const Motion& motion, const Belief& belief, BlockId block
   const Square root = factors.root * std::sqrt(double(n + m));
   const Eigen::Matrix<double, m, m> input_root = CovarianceFactors<m>(Q).root * std::sqrt(double(n + m));
   const State mean = belief.mean(block), centre = motion.template f<double>(mean, u, dt);
-  const auto numbers = [](auto& v) {
-    return std::span<double>(v.data(), static_cast<std::size_t>(v.size()));
-  };
 
   Eigen::Matrix<double, n, count> before = Eigen::Matrix<double, n, count>::Zero(), after;
   for (int i = 0; i < count; ++i) {
@@ -118,9 +121,6 @@ IterationReport update_iterated(Belief& belief, std::span<const BlockId> blocks,
     prior.emplace_back(belief.mean(id));
     shift.emplace_back(BlockVector::Zero(belief.chart(id).tangent()));
   }
-  const auto numbers = [](auto& v) {
-    return std::span<double>(v.data(), static_cast<std::size_t>(v.size()));
-  };
   const auto move_to = [&](const std::vector<BlockVector>& by) {
     for (std::size_t i = 0; i < blocks.size(); ++i) {
       BlockVector mean = prior[i], delta = by[i];

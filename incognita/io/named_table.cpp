@@ -126,7 +126,7 @@ std::int64_t NamedTable::identity(std::size_t row, std::optional<std::size_t> co
   std::int64_t value = 0;
   const char* end = text.data() + text.size();
   const auto [stopped, error] = std::from_chars(text.data(), end, value);
-  if (error == std::errc() && stopped == end && (value >= 0 || value == Detection::unknown)) return value;
+  if (error == std::errc() && stopped == end && value >= 0) return value;
   throw InputError(
       fmt::format("{}: `{}` must be a whole number from 0, and is `{}`; leave it empty where it is "
                   "not known",

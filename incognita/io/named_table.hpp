@@ -34,8 +34,8 @@ class NamedTable {
   double number(std::size_t row, std::size_t column) const;
   /// Throws InputError when the cell is no finite number.
   double finite(std::size_t row, std::size_t column) const;
-  /// Detection::unknown where there is no such column, the cell is empty or -1. Throws InputError when the
-  /// cell is no whole number.
+  /// Detection::unknown where there is no such column or the cell is empty. Throws InputError when the cell
+  /// is no whole number from 0.
   std::int64_t identity(std::size_t row, std::optional<std::size_t> column) const;
 
  private:

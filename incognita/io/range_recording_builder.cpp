@@ -27,10 +27,6 @@ void in_radians(const std::string& where, const char* what, double angle, double
                                what, limit, angle));
 }
 
-bool usable(const Detection& seen) {
-  return std::isfinite(seen.range_m) && seen.range_m > 0 && std::isfinite(seen.bearing_rad);
-}
-
 template <class First, class Second>
 bool apart(const std::vector<First>& a, const std::vector<Second>& b) {
   return a.back().t < b.front().t || b.back().t < a.front().t;
@@ -62,7 +58,7 @@ void RangeRecordingBuilder::add_scan(const std::string& where, double t) {
 }
 
 void RangeRecordingBuilder::add_detection(const std::string& where, Detection detection) {
-  if (!usable(detection)) {
+  if (!is_usable(detection)) {
     skip("detections without a positive range and a bearing are skipped", where);
     return;
   }

@@ -117,19 +117,7 @@ void check_room(const Scenario& s, List& found) {
 void check_vehicle(const Scenario& s, List& found) {
   if (s.run.world != "recording")
     found.push_back({"run.world", "must be `recording` with run.sensor = `range-bearing`"});
-  const PlanarFilterSettings& filter = s.planar.filter;
-  if (filter.map_frame == "vehicle" && filter.lineariser == "first-estimate")
-    found.push_back({"vehicle_filter.lineariser",
-                     "first-estimate Jacobians belong to a map told in the world, vehicle_filter.map_frame"});
-  if (filter.map_frame == "vehicle" && filter.decorrelate != "nothing")
-    found.push_back(
-        {"vehicle_filter.decorrelate",
-         "must be `nothing` with vehicle_filter.map_frame = `vehicle`: such a map moves as a whole"});
-  if (filter.lineariser == "iterated" && filter.decorrelate == "map-linear")
-    found.push_back(
-        {"vehicle_filter.decorrelate",
-         "must not be `map-linear` with vehicle_filter.lineariser = `iterated`: it uses looks one after "
-         "the other; take `map`"});
+  if (const auto conflict = conflict_in(s.planar.filter)) found.push_back({conflict->key, conflict->why});
   if (s.planar.start.at_first_fix && s.planar.start.position_m != Eigen::Vector2d::Zero())
     found.push_back(
         {"vehicle_start.position_m", "must be left out where vehicle_start.at_first_fix is true"});

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -29,6 +30,11 @@ struct Detection {
   double bearing_rad = 0;           ///< from straight ahead, positive to the left
   std::int64_t identity = unknown;  ///< which landmark it is, where the sensor can tell
 };
+
+/// Whether a detection says anything: a range above 0, finite, with a finite bearing.
+inline bool is_usable(const Detection& detection) {
+  return std::isfinite(detection.range_m) && detection.range_m > 0 && std::isfinite(detection.bearing_rad);
+}
 
 struct Observation {
   std::shared_ptr<const Image>

@@ -15,6 +15,7 @@ namespace {
 /// nothing to go by, and such a detection is left alone.
 ScanAssociation associate_known(const PlanarEstimate& e, const std::vector<Detection>& detections,
                                 const PlanarSlamSettings& settings) {
+  const double gate = chi_square_quantile(settings.association.gate_probability, 2);
   ScanAssociation out;
   std::vector<std::int64_t> taken;
   for (std::size_t d = 0; d < detections.size(); ++d) {
@@ -31,7 +32,6 @@ ScanAssociation associate_known(const PlanarEstimate& e, const std::vector<Detec
     }
     const auto seen = look_at(e, *known, detections[d], settings);
     const Pairing pairing{0, 0, seen ? seen->look : AffineLook{}};
-    const double gate = chi_square_quantile(settings.association.gate_probability, 2);
     if (seen && individual_distances(e.belief, {&pairing, 1})[0] <= gate)
       out.matches.push_back({d, static_cast<std::size_t>(known - e.catalogue.begin())});
     else
@@ -110,10 +110,6 @@ class UnknownAssociation {
 };
 
 }  // namespace
-
-bool is_usable(const Detection& detection) {
-  return std::isfinite(detection.range_m) && detection.range_m > 0 && std::isfinite(detection.bearing_rad);
-}
 
 ScanAssociation associate_scan(const PlanarEstimate& estimate, const std::vector<Detection>& detections,
                                const PlanarSlamSettings& settings) {

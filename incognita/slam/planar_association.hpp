@@ -19,9 +19,6 @@ struct ScanAssociation {
   bool capped = false;               ///< the joint search reached max_nodes: a better answer may exist
 };
 
-/// Whether a detection is one: a range above 0, finite, with a finite bearing. Others are left alone.
-bool is_usable(const Detection& detection);
-
 /// Detections that are neither matched, born nor refused are left alone: near a landmark, but not near
 /// enough.
 ScanAssociation associate_scan(const PlanarEstimate& estimate, const std::vector<Detection>& detections,

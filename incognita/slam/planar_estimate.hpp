@@ -37,7 +37,6 @@ struct PlanarLook {
   Eigen::Vector2d predicted{0.0, 0.0};  ///< of that landmark, before the update
   Eigen::Matrix2d innovation_cov = Eigen::Matrix2d::Zero();
   LookOutcome outcome = LookOutcome::not_tried;
-  bool born = false;  ///< a new landmark was made of it
 };
 
 struct PlanarEstimate {
@@ -59,10 +58,11 @@ struct PlanarEstimate {
   std::vector<PlanarLook> looks;
   int matched = 0;
   UpdateReport update;
-  bool refused = false;             ///< an update or a fix could not be used within rounding
-  int iterations = 0;               ///< of the iterated update
-  bool association_capped = false;  ///< the joint search reached its cap
-  std::int64_t capped_scans = 0;    ///< how many so far
+  bool refused = false;                ///< an update or a fix could not be used within rounding
+  int iterations = 0;                  ///< of the iterated update
+  std::int64_t unsettled_updates = 0;  ///< iterated updates that reached their cap so far
+  bool association_capped = false;     ///< the joint search reached its cap
+  std::int64_t capped_scans = 0;       ///< how many so far
   Entropy entropy;
   std::optional<double> entropy_t;  ///< s, when map and total were last computed
   std::vector<std::pair<const char*, double>> timing_ms;

@@ -32,19 +32,8 @@ void check(const PlanarSlamSettings& s) {
   expect_word("vehicle_filter.decorrelate", s.filter.decorrelate,
               {"nothing", "everything", "map", "map-linear"});
   expect_word("association.method", s.association.method, {"known", "nearest", "joint"});
-  if (s.filter.lineariser == "iterated" && s.filter.decorrelate == "map-linear")
-    throw std::invalid_argument(
-        "vehicle_filter.decorrelate: `map-linear` uses looks one after the other and cannot be iterated; "
-        "take `map`");
-  if (s.filter.map_frame != "vehicle") return;
-  if (s.filter.lineariser == "first-estimate")
-    throw std::invalid_argument(
-        "vehicle_filter.lineariser: first-estimate Jacobians belong to a map told in the world");
-  if (s.filter.decorrelate != "nothing")
-    throw std::invalid_argument(
-        "vehicle_filter.decorrelate: a map told from the vehicle moves as a whole, its correlations cannot "
-        "be "
-        "dropped");
+  if (const auto conflict = conflict_in(s.filter))
+    throw std::invalid_argument(std::string(conflict->key) + ": " + conflict->why);
 }
 
 /// When the first thing was told: where it starts from, and drives on.
@@ -116,6 +105,7 @@ void PlanarEstimator::update(PlanarEstimate& e, const Command&, const Observatio
   e.association_capped = found.capped;
   e.capped_scans += found.capped;
   stage.mark("associate");
+  tell_looks(e, seen, found);
   correct(e, seen, found);
   stage.mark("update");
   give_births(e, seen, found);
@@ -139,49 +129,52 @@ void PlanarEstimator::refuse(PlanarEstimate& e, const ScanAssociation& found) co
   }
 }
 
-void PlanarEstimator::correct(PlanarEstimate& e, const Observation& seen,
-                              const ScanAssociation& found) const {
-  for (const Detection& d : seen.detections)
-    e.looks.push_back({-1,
-                       false,
-                       {d.range_m, d.bearing_rad},
-                       {0, 0},
-                       Eigen::Matrix2d::Zero(),
-                       LookOutcome::not_tried,
-                       false});
-  for (const std::size_t d : found.refused) e.looks[d].outcome = LookOutcome::inconsistent;
-  if (found.matches.empty()) return;
+/// The looks of all matches about the belief's present means.
+std::vector<AffineLook> PlanarEstimator::matched_looks(const PlanarEstimate& e, const Observation& seen,
+                                                       const ScanAssociation& found) const {
   std::vector<AffineLook> looks;
-  std::vector<BlockId> blocks{e.vehicle};
-  if (e.world) blocks.push_back(*e.world);
+  for (const auto& [d, l] : found.matches)
+    if (const auto look = look_at(e, e.catalogue[l], seen.detections[d], settings_))
+      looks.push_back(look->look);
+  return looks;
+}
+
+/// What each detection was taken for, before anything is corrected.
+void PlanarEstimator::tell_looks(PlanarEstimate& e, const Observation& seen,
+                                 const ScanAssociation& found) const {
+  for (const Detection& d : seen.detections)
+    e.looks.push_back(
+        {-1, false, {d.range_m, d.bearing_rad}, {0, 0}, Eigen::Matrix2d::Zero(), LookOutcome::not_tried});
+  for (const std::size_t d : found.refused) e.looks[d].outcome = LookOutcome::inconsistent;
   Eigen::MatrixXd S;
   for (const auto& [d, l] : found.matches) {
     PlanarLandmark& landmark = e.catalogue[l];
-    const auto seen_there = look_at(e, landmark, seen.detections[d], settings_);
-    if (!seen_there) continue;
-    looks.push_back(seen_there->look);
-    e.belief.innovation_covariance({&looks.back(), 1}, S);
-    e.looks[d] = {
-        landmark.id, landmark.anchor, e.looks[d].measured, seen_there->predicted, S, LookOutcome::matched,
-        false};
-    if (!landmark.anchor) blocks.push_back(landmark.block);
+    const auto look = look_at(e, landmark, seen.detections[d], settings_);
+    if (!look) continue;
+    e.belief.innovation_covariance({&look->look, 1}, S);
+    e.looks[d] = {landmark.id, landmark.anchor,     e.looks[d].measured, look->predicted,
+                  S,           LookOutcome::matched};
     ++landmark.sightings;
     ++e.matched;
   }
-  if (settings_.filter.lineariser != "iterated") {
-    e.update = e.belief.update(looks);
-    if (e.update.outcome == UpdateReport::Outcome::singular) refuse(e, found);
-    return;
-  }
-  const IterationReport report = update_iterated(e.belief, blocks, [&](const Belief&) {
-    std::vector<AffineLook> again;
+}
+
+void PlanarEstimator::correct(PlanarEstimate& e, const Observation& seen,
+                              const ScanAssociation& found) const {
+  if (found.matches.empty()) return;
+  if (settings_.filter.lineariser == "iterated") {
+    std::vector<BlockId> blocks{e.vehicle};
+    if (e.world) blocks.push_back(*e.world);
     for (const auto& [d, l] : found.matches)
-      if (const auto look = look_at(e, e.catalogue[l], seen.detections[d], settings_))
-        again.push_back(look->look);
-    return again;
-  });
-  e.update = report.update;
-  e.iterations = report.iterations;
+      if (!e.catalogue[l].anchor) blocks.push_back(e.catalogue[l].block);
+    const IterationReport report =
+        update_iterated(e.belief, blocks, [&](const Belief&) { return matched_looks(e, seen, found); });
+    e.update = report.update;
+    e.iterations = report.iterations;
+    e.unsettled_updates += !report.converged;
+  } else {
+    e.update = e.belief.update(matched_looks(e, seen, found));
+  }
   if (e.update.outcome == UpdateReport::Outcome::singular) refuse(e, found);
 }
 
@@ -190,7 +183,7 @@ void PlanarEstimator::give_births(PlanarEstimate& e, const Observation& seen,
   for (const std::size_t d : found.births) {
     const std::size_t l = give_birth(e, seen.detections[d], settings_);
     e.looks[d].id = e.catalogue[l].id;
-    e.looks[d].born = true;
+    e.looks[d].outcome = LookOutcome::born;
   }
 }
 

@@ -31,6 +31,9 @@ class PlanarEstimator {
 
  private:
   void start(PlanarEstimate& estimate, const Observation& seen, const Tick& tick) const;
+  std::vector<AffineLook> matched_looks(const PlanarEstimate& estimate, const Observation& seen,
+                                        const ScanAssociation& found) const;
+  void tell_looks(PlanarEstimate& estimate, const Observation& seen, const ScanAssociation& found) const;
   void correct(PlanarEstimate& estimate, const Observation& seen, const ScanAssociation& found) const;
   void refuse(PlanarEstimate& estimate, const ScanAssociation& found) const;
   void give_births(PlanarEstimate& estimate, const Observation& seen, const ScanAssociation& found) const;

@@ -42,7 +42,8 @@ Eigen::Matrix2d input_noise(const VehicleSettings& s) {
 AffineMotion planar_motion(const PlanarEstimate& estimate, const Eigen::Vector2d& input, double dt,
                            const VehicleSettings& vehicle, const PlanarFilterSettings& filter) {
   // The noise is one draw per reading. Of a reading that is taken in pieces each has its share of the
-  // variance: dt^2 Q (T / dt) summed over the pieces of T is T^2 Q
+  // variance: dt^2 Q (T / dt) summed over the pieces of T is T^2 Q. T is that of the reading before, as how
+  // long this one will stand is not known yet
   const Eigen::Matrix2d Q = input_noise(vehicle) * std::max(1.0, estimate.input_period / dt);
   return std::visit(
       [&](const auto& model) {

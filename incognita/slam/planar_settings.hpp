@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -64,5 +65,28 @@ struct PlanarSlamSettings {
   PlanarStartSettings start;
   PlanarLostSettings lost;
 };
+
+/// A setting that makes no sense with another.
+struct PlanarFilterConflict {
+  const char* key;  ///< as a scenario writes it
+  const char* why;
+};
+
+/// The first conflict, if there is one.
+inline std::optional<PlanarFilterConflict> conflict_in(const PlanarFilterSettings& filter) {
+  const bool from_vehicle = filter.map_frame == "vehicle";
+  if (from_vehicle && filter.lineariser == "first-estimate")
+    return {{"vehicle_filter.lineariser",
+             "first-estimate Jacobians belong to a map told in the world, vehicle_filter.map_frame"}};
+  if (from_vehicle && filter.decorrelate != "nothing")
+    return {{"vehicle_filter.decorrelate",
+             "must be `nothing` with vehicle_filter.map_frame = `vehicle`: such a map moves as a whole"}};
+  if (filter.lineariser == "iterated" && filter.decorrelate == "map-linear")
+    return {
+        {"vehicle_filter.decorrelate",
+         "must not be `map-linear` with vehicle_filter.lineariser = `iterated`: it uses looks one after the "
+         "other; take `map`"}};
+  return std::nullopt;
+}
 
 }  // namespace incognita

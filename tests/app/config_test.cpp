@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "incognita/io/settings.hpp"
+#include "tests/app/captured.hpp"
 #include "tests/scratch.hpp"
 
 namespace incognita {
@@ -16,28 +17,11 @@ using testing::message_of;
 using testing::pgm;
 using testing::Scratch;
 
-struct Answer {
-  std::string out, err;
-};
+using Answer = testing::Captured;
 
-Answer run(std::vector<std::string> arguments) {
-  CLI::App app;
-  std::function<int()> job;
-  add_config(app, job);
-  std::reverse(arguments.begin(), arguments.end());  // as CLI11 wants a vector
-  app.parse(arguments);
-  ::testing::internal::CaptureStdout();
-  ::testing::internal::CaptureStderr();
-  std::string thrown;
-  int code = -1;
-  try {
-    code = job();
-  } catch (const InputError& error) {
-    thrown = error.what();
-  }
-  const Answer answer{::testing::internal::GetCapturedStdout(), ::testing::internal::GetCapturedStderr()};
-  if (!thrown.empty()) throw InputError(thrown);
-  EXPECT_EQ(code, 0);
+Answer run(const std::vector<std::string>& words) {
+  Answer answer = testing::captured(add_config, words);
+  EXPECT_EQ(answer.code, 0);
   return answer;
 }
 

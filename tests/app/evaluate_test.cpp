@@ -7,6 +7,7 @@
 
 #include "incognita/messages/errors.hpp"
 #include "incognita/record/recorder.hpp"
+#include "tests/app/captured.hpp"
 #include "tests/record/synthetic_run.hpp"
 #include "tests/scratch.hpp"
 
@@ -16,31 +17,11 @@ namespace {
 using Json = nlohmann::json;
 using testing::Scratch;
 
-struct Result {
-  int code = 0;
-  std::string out, err;
-};
+using Result = testing::Captured;
 
-Result evaluate(const std::vector<std::string>& arguments) {
-  CLI::App app;
-  std::function<int()> job;
-  add_evaluate(app, job);
-  std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
-  reversed.push_back("evaluate");
-  app.parse(reversed);
-  ::testing::internal::CaptureStdout();
-  ::testing::internal::CaptureStderr();
-  Result result;
-  try {
-    result.code = job();
-  } catch (...) {
-    ::testing::internal::GetCapturedStdout();
-    ::testing::internal::GetCapturedStderr();
-    throw;
-  }
-  result.out = ::testing::internal::GetCapturedStdout();
-  result.err = ::testing::internal::GetCapturedStderr();
-  return result;
+Result evaluate(std::vector<std::string> words) {
+  words.insert(words.begin(), "evaluate");
+  return testing::captured(add_evaluate, words);
 }
 
 void record(const std::filesystem::path& folder, const std::string& alignment) {

@@ -10,6 +10,7 @@
 
 #include "incognita/messages/errors.hpp"
 #include "incognita/report/plot.hpp"
+#include "tests/app/captured.hpp"
 #include "tests/record/schema.hpp"
 #include "tests/scratch.hpp"
 
@@ -52,31 +53,12 @@ const std::vector<Experiment> experiments = {{"1.1", "Draws", {"fig-1.1", "fig-1
                                              {"1.2", "Fails", {"fig-1.3"}, fails},
                                              {"1.3", "Skips", {}, skips}};
 
-struct Result {
-  int code = 0;
-  std::string out, err;
-};
+using Result = testing::Captured;
 
-Result reproduce(const std::vector<std::string>& arguments) {
-  CLI::App app;
-  std::function<int()> job;
-  add_reproduce(app, job, experiments);
-  std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
-  reversed.push_back("reproduce");
-  app.parse(reversed);
-  ::testing::internal::CaptureStdout();
-  ::testing::internal::CaptureStderr();
-  Result result;
-  try {
-    result.code = job();
-  } catch (...) {
-    ::testing::internal::GetCapturedStdout();
-    ::testing::internal::GetCapturedStderr();
-    throw;
-  }
-  result.out = ::testing::internal::GetCapturedStdout();
-  result.err = ::testing::internal::GetCapturedStderr();
-  return result;
+Result reproduce(std::vector<std::string> words) {
+  words.insert(words.begin(), "reproduce");
+  return testing::captured(
+      [](CLI::App& app, std::function<int()>& job) { add_reproduce(app, job, experiments); }, words);
 }
 
 TEST(Reproduce, RunsTheExampleOfAFigureAndGivesItsWholeEntry) {

@@ -154,7 +154,6 @@ TEST(TextOfChapters1To3, Verdicts) {
                                          {"text-2.2.1-optimal", yes},
                                          {"text-2.2.3-dependent", yes},
                                          {"text-2.2.3-stationary", yes},
-                                         {"text-2.14-size", corrected},
                                          {"text-2.18-depends", yes},
                                          {"text-2.18-only-if", no},
                                          {"text-2.25-birth", corrected},

@@ -204,8 +204,8 @@ TEST(PlanarEstimator, TwoDetectionsOfOnePlaceAreOneLandmark) {
   seen.detections = {{5, 0.1}, {5.02, 0.1}, {9, -1}};
   estimator.update(e, {}, seen, {0, 0, 0});
   EXPECT_EQ(e.catalogue.size(), 2u);
-  EXPECT_TRUE(e.looks[0].born);
-  EXPECT_FALSE(e.looks[1].born);
+  EXPECT_EQ(e.looks[0].outcome, LookOutcome::born);
+  EXPECT_NE(e.looks[1].outcome, LookOutcome::born);
 }
 
 TEST(PlanarEstimator, SaysThatItIsLost) {

@@ -10,7 +10,7 @@ install(DIRECTORY incognita/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/incognita F
         # the command line is no library
         PATTERN app/config.hpp EXCLUDE PATTERN app/run.hpp EXCLUDE PATTERN app/usage.hpp EXCLUDE
         PATTERN app/progress.hpp EXCLUDE PATTERN app/say.hpp EXCLUDE PATTERN app/standard_streams.hpp EXCLUDE
-        PATTERN app/reproduce.hpp EXCLUDE)
+        PATTERN app/reproduce.hpp EXCLUDE PATTERN app/observe.hpp EXCLUDE)
 install(EXPORT incognita-targets NAMESPACE incognita:: DESTINATION ${package})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/incognita-config-version.cmake
                                  COMPATIBILITY SameMinorVersion)

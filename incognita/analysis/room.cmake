@@ -1,1 +1,16 @@
-incognita_room(analysis SOURCES analysis/linear_system.cpp analysis/map_error.cpp analysis/pose_consistency.cpp analysis/trajectory.cpp USES incognita::math)
+incognita_room(analysis
+  SOURCES analysis/expression_guard.cpp analysis/expression_postfix.cpp analysis/linear_system.cpp
+          analysis/map_error.cpp analysis/null_space.cpp
+          analysis/pose_consistency.cpp
+          analysis/system_check.cpp analysis/trajectory.cpp
+  USES incognita::math incognita::models incognita::belief)
+
+# Systems that a user writes down: a target of its own, so that whoever wants trajectories pulls no computer algebra
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(GINAC REQUIRED IMPORTED_TARGET GLOBAL ginac)
+incognita_room(systems
+  SOURCES analysis/canonical_expression.cpp analysis/explain_observability.cpp analysis/expression_graph.cpp
+          analysis/lie_algebra.cpp analysis/lie_derivatives.cpp analysis/observability.cpp
+          analysis/observability_latex.cpp analysis/observability_matrices.cpp analysis/parse_expression.cpp
+          analysis/symbolic_system.cpp analysis/system_instance.cpp analysis/system_motion.cpp analysis/tape.cpp
+  USES incognita::analysis PRIVATE_USES PkgConfig::GINAC Boost::headers)

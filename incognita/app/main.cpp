@@ -5,6 +5,7 @@
 
 #include "incognita/app/config.hpp"
 #include "incognita/app/evaluate.hpp"
+#include "incognita/app/observe.hpp"
 #include "incognita/app/reproduce.hpp"
 #include "incognita/app/run.hpp"
 #include "incognita/app/say.hpp"
@@ -27,6 +28,7 @@ int carry_out(int argc, char** argv) {
   incognita::add_run(app, job);
   incognita::add_evaluate(app, job);
   incognita::add_config(app, job);
+  incognita::add_observe(app, job);
   incognita::add_reproduce(app, job, incognita::all_experiments());
   try {
     app.parse(argc, argv);

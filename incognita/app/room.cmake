@@ -4,10 +4,12 @@ incognita_room(app SOURCES app/assemble.cpp app/assemble_planar.cpp app/loop.cpp
                USES incognita::slam incognita::decision incognita::control incognita::world incognita::record
                     incognita::io PRIVATE_USES fmt::fmt)
 include(app/reproduce.cmake)
+include(app/observe.cmake)
 add_executable(incognita_program app/main.cpp app/run.cpp app/progress.cpp app/standard_streams.cpp app/usage.cpp)
 incognita_reuse_precompiled(incognita_program incognita_common)
 set_target_properties(incognita_program PROPERTIES OUTPUT_NAME incognita)
 target_compile_definitions(incognita_program PRIVATE INCOGNITA_VERSION="${PROJECT_VERSION}")
 target_link_libraries(incognita_program PRIVATE incognita::app incognita::pictures incognita::report
-                      incognita_app_config incognita::evaluate incognita_app_reproduce CLI11::CLI11 fmt::fmt
+                      incognita_app_config incognita::evaluate incognita_app_reproduce incognita_app_observe
+                      CLI11::CLI11 fmt::fmt
                       incognita::experiments)  # made later, in experiments/

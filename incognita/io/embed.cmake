@@ -1,4 +1,5 @@
-# Writes the files of ROOT listed in FILES into the C++ source OUT, as byte arrays. Run with cmake -P at build time.
+# Writes the files of ROOT listed in FILES into the C++ source OUT, as byte arrays, and a function FUNCTION that
+# lists them. Run with cmake -P at build time.
 set(arrays "")
 set(table "")
 set(index 0)
@@ -12,7 +13,8 @@ foreach(file IN LISTS FILES)
   string(APPEND table "    {\"${file}\", {reinterpret_cast<const char*>(file_${index}), ${size}}},\n")
   math(EXPR index "${index} + 1")
 endforeach()
-file(WRITE "${OUT}.new" "// Generated from scenarios/ by embed.cmake.
+get_filename_component(folder "${ROOT}" NAME)
+file(WRITE "${OUT}.new" "// Generated from ${folder}/ by embed.cmake.
 #include \"incognita/io/embedded.hpp\"
 
 namespace incognita {
@@ -22,7 +24,7 @@ const EmbeddedFile files[] = {
 ${table}    {\"\", {}}};
 }  // namespace
 
-std::span<const EmbeddedFile> embedded_files() { return std::span(files).first(${index}); }
+std::span<const EmbeddedFile> ${FUNCTION}() { return std::span(files).first(${index}); }
 }  // namespace incognita
 ")
 file(RENAME "${OUT}.new" "${OUT}")

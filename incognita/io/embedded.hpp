@@ -1,4 +1,4 @@
-// The files of scenarios/ that are built into the program, so that it runs from any folder.
+// The files of scenarios/ and systems/ that are built into the program, so that it runs from any folder.
 #pragma once
 
 #include <span>
@@ -7,10 +7,11 @@
 namespace incognita {
 
 struct EmbeddedFile {
-  std::string_view name;  ///< relative to scenarios/, e.g. "targets/sheet.toml"
+  std::string_view name;  ///< relative to its folder, e.g. "targets/sheet.toml"
   std::string_view bytes;
 };
 
-std::span<const EmbeddedFile> embedded_files();
+std::span<const EmbeddedFile> embedded_files();    ///< of scenarios/
+std::span<const EmbeddedFile> embedded_systems();  ///< of systems/
 
 }  // namespace incognita

@@ -1,3 +1,3 @@
 find_package(Boost 1.74 REQUIRED)  # headers only: quantiles of chi-square
-incognita_room(math SOURCES math/chart.cpp math/gaussian.cpp math/quaternion.cpp math/random.cpp
+incognita_room(math SOURCES math/chart.cpp math/gaussian.cpp math/nearest_name.cpp math/quaternion.cpp math/random.cpp
                USES Eigen3::Eigen PRIVATE_USES Boost::headers)

@@ -1,2 +1,7 @@
-incognita_test(analysis_test SOURCES analysis/linear_system_test.cpp analysis/map_error_test.cpp analysis/trajectory_test.cpp analysis/pose_consistency_test.cpp
+incognita_test(analysis_test
+               SOURCES analysis/expression_guard_test.cpp analysis/linear_system_test.cpp analysis/map_error_test.cpp
+                       analysis/null_space_test.cpp analysis/trajectory_test.cpp analysis/pose_consistency_test.cpp
                USES incognita::analysis)
+incognita_test(systems_test SOURCES analysis/expression_graph_test.cpp analysis/observability_test.cpp
+               USES incognita::systems incognita::io)
+target_link_libraries(systems_test PRIVATE PkgConfig::GINAC)  # the headers of a system's symbols

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <map>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
@@ -13,7 +12,7 @@
 #include "incognita/io/range_recording.hpp"
 #include "incognita/io/recording.hpp"
 #include "incognita/io/target_file.hpp"
-#include "incognita/math/random.hpp"
+#include "tests/io/damage.hpp"
 #include "tests/io/mat_writer.hpp"
 #include "tests/scratch.hpp"
 
@@ -22,51 +21,7 @@ namespace {
 
 using testing::pgm;
 using testing::Scratch;
-
-/// One to four bytes changed, left out, put in or repeated; sometimes the rest is gone.
-std::string damaged(std::string text, RandomStream& random) {
-  static constexpr const char* words[] = {
-      "nan", "-inf", "1e999", "-", "[", "\"", "\n", "99999999999999999999", ","};
-  for (int n = 1 + random.below(4); n > 0 && !text.empty(); --n) {
-    const auto at = static_cast<std::size_t>(random.below(static_cast<int>(text.size())));
-    switch (random.below(6)) {
-      case 0:
-        text[at] = static_cast<char>(random.below(256));
-        break;
-      case 1:
-        text.erase(at, 1 + static_cast<std::size_t>(random.below(8)));
-        break;
-      case 2:
-        text.insert(at, words[random.below(std::size(words))]);
-        break;
-      case 3:
-        text.insert(at, text.substr(at, 20));
-        break;
-      case 4:
-        text[at] = static_cast<char>(text[at] ^ (1 << random.below(8)));
-        break;
-      default:
-        if (random.below(8) == 0) text.resize(at);
-    }
-  }
-  return text;
-}
-
-/// How many of the damaged files were still read. `read` may throw what a reader may.
-int still_read(const std::string& whole, int times, const std::function<void(const std::string&)>& read) {
-  RandomStream random(1, "damage");
-  int fine = 0;
-  for (int i = 0; i < times; ++i) {
-    const std::string text = damaged(whole, random);
-    try {
-      read(text);
-      ++fine;
-    } catch (const std::runtime_error& error) {  // InputError is one
-      EXPECT_FALSE(std::string(error.what()).empty());
-    }
-  }
-  return fine;
-}
+using testing::still_read;
 
 TEST(DamagedTarget, IsReadOrRefused) {
   const Scratch scratch;

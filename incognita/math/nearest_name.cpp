@@ -1,4 +1,4 @@
-#include "incognita/io/nearest_name.hpp"
+#include "incognita/math/nearest_name.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -1,0 +1,27 @@
+// Words for what the matrices say: names for unobservable directions, and why methods disagree.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "incognita/analysis/observability.hpp"
+#include "incognita/analysis/system_motion.hpp"
+
+namespace incognita {
+
+/// As many directions as the space has dimensions: those of `named` that lie in it, then combinations of
+/// them, then single states, then what is left, as combinations of states.
+std::vector<UnobservableDirection> named_directions(const NullSpace& space,
+                                                    const std::vector<NamedDirection>& named,
+                                                    const std::vector<std::string>& states);
+
+SeenSpace seen_space(const NoisyRows& rows, const std::vector<NamedDirection>& named,
+                     const std::vector<std::string>& states, const NullSpaceSettings& settings);
+
+std::vector<std::string> disagreements_in(const ObservabilityAnalysis& analysis,
+                                          const SystemInstance& instance, const SystemMotion& motion,
+                                          const NullSpaceSettings& rank);
+
+std::vector<std::string> doubts_in(const ObservabilityAnalysis& analysis);
+
+}  // namespace incognita

@@ -1,0 +1,173 @@
+#include "incognita/analysis/expression_graph.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "incognita/analysis/parse_expression.hpp"
+
+namespace incognita {
+namespace {
+
+// What a second or two of algebra can handle, in nodes of expressions
+constexpr std::size_t largest_expression = 20'000, most_nodes = 3'000'000;
+constexpr std::size_t most_factors = 64;  // of one product: its derivative has their square
+
+void symbols_in(const GiNaC::ex& e, GiNaC::exset& found) {
+  if (GiNaC::is_a<GiNaC::symbol>(e)) {
+    found.insert(e);
+    return;
+  }
+  for (std::size_t i = 0; i < e.nops(); ++i) symbols_in(e.op(i), found);
+}
+
+bool has_long_product(const GiNaC::ex& e) {
+  if (GiNaC::is_a<GiNaC::mul>(e) && e.nops() > most_factors) return true;
+  for (std::size_t i = 0; i < e.nops(); ++i)
+    if (has_long_product(e.op(i))) return true;
+  return false;
+}
+
+}  // namespace
+
+void ExpressionGraph::spend(std::size_t nodes, Place place) {
+  spent_ += nodes;
+  if (nodes > largest_expression || spent_ > most_nodes)
+    throw SystemTooLarge(
+        place, "too large for symbolic derivatives: more than " +
+                   std::to_string(nodes > largest_expression ? largest_expression : most_nodes) + " terms" +
+                   (nodes > largest_expression ? " in one expression" : ""));
+}
+
+ExpressionGraph::Slot ExpressionGraph::add_atom(const std::string& name, Owner owner, Place place,
+                                                int column) {
+  Quantity quantity;
+  quantity.name = name;
+  quantity.owner = owner;
+  quantity.place = place;
+  quantity.symbol = GiNaC::realsymbol(name, latex_name(name));
+  quantity.column = column;
+  quantity.named = true;
+  slots_[quantity.symbol] = size();
+  quantities_.push_back(std::move(quantity));
+  return size() - 1;
+}
+
+ExpressionGraph::Slot ExpressionGraph::define(const std::string& name, Owner owner,
+                                              const GiNaC::ex& expression, Place place, bool named) {
+  spend(tree_size(expression, largest_expression + 1), place);
+  if (has_long_product(expression))
+    throw SystemTooLarge(place, "a product of more than " + std::to_string(most_factors) +
+                                    " factors: give parts of it names, under definitions");
+  GiNaC::exset names;
+  symbols_in(expression, names);
+  Quantity quantity;
+  quantity.owner = owner;
+  quantity.named = named;
+  try {
+    const auto slot = [&](const GiNaC::symbol& s) { return slot_of(s); };
+    quantity.tape.emplace(expression, slot);
+    // By number, not in the algebra's order: sums are always added up alike
+    std::map<Slot, GiNaC::ex> by_slot;
+    for (const GiNaC::ex& symbol : names) by_slot.emplace(slots_.at(symbol), symbol);
+    for (const auto& [from, symbol] : by_slot) {
+      const GiNaC::ex partial = expression.diff(GiNaC::ex_to<GiNaC::symbol>(symbol));
+      spend(tree_size(partial, largest_expression + 1), place);
+      quantity.partials.emplace_back(from, partial);
+      quantity.partial_tapes.emplace_back(partial, slot);
+      quantity.owner = std::max(quantity.owner, (*this)[from].owner);
+    }
+  } catch (const SystemError&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw SystemError(place, "`" + name + "`: " + error.what());
+  }
+  quantity.name = name;
+  quantity.place = place;
+  quantity.symbol = GiNaC::realsymbol(name, latex_name(name));
+  quantity.expression = expression;
+  slots_[quantity.symbol] = size();
+  quantities_.push_back(std::move(quantity));
+  return size() - 1;
+}
+
+GiNaC::ex ExpressionGraph::parse(const ExpressionText& text, Owner sees) const {
+  std::map<std::string, GiNaC::ex> names;
+  for (const Quantity& q : quantities_)
+    if (q.named && (q.owner == Owner::vehicle || q.owner == sees)) names[q.name] = q.symbol;
+  return parse_expression(text, names);
+}
+
+std::optional<ExpressionGraph::Slot> ExpressionGraph::find(const std::string& name, Owner sees) const {
+  for (Slot slot = 0; slot < size(); ++slot)
+    if ((*this)[slot].named && (*this)[slot].name == name &&
+        ((*this)[slot].owner == Owner::vehicle || (*this)[slot].owner == sees))
+      return slot;
+  return std::nullopt;
+}
+
+ExpressionGraph::Slot ExpressionGraph::slot_of(const GiNaC::symbol& symbol) const {
+  return slots_.at(symbol);
+}
+
+GiNaC::ex ExpressionGraph::derivative(const GiNaC::ex& expression, Slot state) const {
+  GiNaC::exset names;
+  symbols_in(expression, names);
+  GiNaC::ex total = 0;
+  for (const GiNaC::ex& symbol : names) {
+    const Slot slot = slots_.at(symbol);
+    const Quantity& quantity = (*this)[slot];
+    GiNaC::ex inner = slot == state ? 1 : 0;
+    if (quantity.expression) inner = derivative(*quantity.expression, state);
+    if (!inner.is_zero()) total += expression.diff(GiNaC::ex_to<GiNaC::symbol>(symbol)) * inner;
+  }
+  return total;
+}
+
+void ExpressionGraph::prepare(Evaluation& evaluation, int columns) const {
+  const auto count = static_cast<std::size_t>(size());
+  const auto before = static_cast<Slot>(evaluation.magnitude.size());
+  evaluation.value.resize(count, 0.0);
+  evaluation.magnitude.resize(count, 0.0);
+  if (evaluation.gradient.cols() != size() || evaluation.gradient.rows() != columns) {
+    const Eigen::MatrixXd old = std::move(evaluation.gradient);
+    evaluation.gradient = Eigen::MatrixXd::Zero(columns, size());
+    if (old.rows() == columns) evaluation.gradient.leftCols(old.cols()) = old;
+  }
+  for (Slot slot = before; slot < size(); ++slot) {
+    if ((*this)[slot].column < 0) continue;
+    evaluation.gradient((*this)[slot].column, slot) = 1;
+    evaluation.magnitude[static_cast<std::size_t>(slot)] = 1;
+  }
+}
+
+namespace {
+
+[[noreturn]] void refuse_value(const ExpressionGraph::Quantity& q, const char* what) {
+  throw SystemError(q.place, "`" + q.name + "` " + what +
+                                 " at the operating point: a division by zero, or a function outside its "
+                                 "domain; choose another region");
+}
+
+}  // namespace
+
+void ExpressionGraph::evaluate(Owner owner, Evaluation& e, bool with_gradients) const {
+  for (Slot slot = 0; slot < size(); ++slot) {
+    const Quantity& q = (*this)[slot];
+    if (q.owner != owner || !q.expression) continue;
+    const auto at = static_cast<std::size_t>(slot);
+    e.value[at] = q.tape->run(e.value, e.scratch);
+    if (!std::isfinite(e.value[at])) refuse_value(q, "is not finite");
+    if (!with_gradients) continue;
+    e.gradient.col(slot).setZero();
+    e.magnitude[at] = 0;
+    for (std::size_t i = 0; i < q.partials.size(); ++i) {
+      const double partial = q.partial_tapes[i].run(e.value, e.scratch);
+      if (!std::isfinite(partial)) refuse_value(q, "has no finite derivative");
+      e.gradient.col(slot) += partial * e.gradient.col(q.partials[i].first);
+      e.magnitude[at] += std::abs(partial) * e.magnitude[static_cast<std::size_t>(q.partials[i].first)];
+    }
+  }
+}
+
+}  // namespace incognita

@@ -1,0 +1,56 @@
+// Stands before the computer algebra: what a person wrote is taken apart here, and whatever is no expression
+// is refused with its place and a remedy. A parser behind it never sees bad syntax, deep nesting or long
+// numbers.
+#pragma once
+
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace incognita {
+
+struct ExpressionToken {
+  enum Kind {
+    number,     ///< without its sign
+    name,       ///< one of those known, or pi
+    function,   ///< its name; `open` follows
+    sign,       ///< + or - before an operand
+    operation,  ///< + - * / ^ between two
+    open,
+    close,
+    comma
+  };
+  Kind kind;
+  std::string_view text;  ///< a part of what was given
+  int offset;             ///< of its first character, from 0
+};
+
+struct ExpressionError : std::runtime_error {
+  ExpressionError(int at, const std::string& why) : std::runtime_error(why), offset(at) {}
+  int offset;  ///< of the character that is wrong, from 0
+};
+
+constexpr std::size_t longest_expression = 4096;
+constexpr int deepest_expression =
+    100;  ///< parentheses, signs of signs and powers of powers, each a step down
+constexpr std::size_t longest_number = 40;
+constexpr int largest_decimal_exponent = 300;
+
+/// The tokens of an expression of + - * / ^ ( ), numbers such as 1, 1.5, .5 and 1e-3, `pi`, the functions
+/// below and the names in `known`, which must be sorted. Throws ExpressionError for anything else. The tokens
+/// look into `text`.
+std::vector<ExpressionToken> checked_tokens(std::string_view text, std::span<const std::string> known);
+
+struct ExpressionFunction {
+  std::string_view name;
+  int arguments;
+};
+
+std::span<const ExpressionFunction> expression_functions();
+
+/// Whether a name already means something: a function, `pi`, or a constant of the computer algebra.
+bool is_reserved_name(std::string_view name);
+
+}  // namespace incognita

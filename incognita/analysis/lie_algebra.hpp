@@ -1,0 +1,47 @@
+// Fields of a system and derivatives along them, symbolically.
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "incognita/analysis/symbolic_system.hpp"
+
+namespace incognita {
+
+/// A vector field: a rate for each state of the vehicle and of a landmark.
+struct VectorField {
+  std::string name;
+  std::map<ExpressionGraph::Slot, GiNaC::ex> rates;  ///< those that are not 0
+};
+
+class LieAlgebra {
+ public:
+  using Slot = ExpressionGraph::Slot;
+
+  /// `other_inputs`: how many further sets of held inputs there are.
+  LieAlgebra(const SymbolicSystem& system, int other_inputs);
+
+  const SymbolicSystem& system() const { return system_; }
+  const std::vector<VectorField>& fields() const { return fields_; }
+  bool inputs_nonlinear() const { return nonlinear_; }
+  /// Copies of the inputs for the further sets: set, then input; empty where none are held.
+  const std::vector<std::vector<Slot>>& input_copies() const { return copies_; }
+
+  /// L_field of a quantity, (4.62): a quantity again, or -1 where it is constant.
+  Slot derive(Slot quantity, int field, Place place);
+
+ private:
+  GiNaC::ex derived(Slot quantity, int field, Place place);
+  GiNaC::ex inlined(const GiNaC::ex& rate) const;
+  void add_fields(int other_inputs);
+
+  SymbolicSystem system_;
+  std::vector<VectorField> fields_;
+  std::vector<std::vector<Slot>> copies_;
+  std::map<std::pair<Slot, int>, GiNaC::ex> known_;
+  bool nonlinear_ = false;
+};
+
+}  // namespace incognita

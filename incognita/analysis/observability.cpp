@@ -1,0 +1,99 @@
+#include "incognita/analysis/observability.hpp"
+
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+
+#include "incognita/analysis/explain_observability.hpp"
+#include "incognita/analysis/lie_derivatives.hpp"
+#include "incognita/analysis/observability_matrices.hpp"
+#include "incognita/analysis/system_motion.hpp"
+
+namespace incognita {
+namespace {
+
+std::vector<SegmentAnalysis> analyse_segments(const SystemInstance& instance, const SystemMotion& motion,
+                                              const std::vector<Linearisation>& forms,
+                                              const NullSpaceSettings& rank) {
+  std::vector<double> durations;
+  for (const MotionSegment& s : motion.segments) durations.push_back(s.duration_s);
+  const auto named = instance.directions(motion.segments.front().start, true);
+  std::vector<SegmentAnalysis> segments;
+  bool holds = true;
+  for (int k = 1; k <= static_cast<int>(forms.size()); ++k) {
+    const Linearisation& last = forms[static_cast<std::size_t>(k - 1)];
+    holds = holds && null_space_stays(last, null_space(segment_observability(last), rank));
+    SegmentAnalysis segment;
+    segment.condition_holds = holds;
+    segment.stripped = seen_space(stripped_observability(forms, k), named, instance.error_names(), rank);
+    segment.total = seen_space(total_observability(forms, durations, k), named, instance.error_names(), rank);
+    segments.push_back(std::move(segment));
+  }
+  return segments;
+}
+
+/// Enough moments that rank is not short of rows.
+int samples_per_segment(const SystemInstance& instance, int segments) {
+  const int wanted = 3 * instance.states() / std::max(1, instance.measurements() * segments) + 1;
+  return std::max(wanted, 8);
+}
+
+/// Of each state about the start, from what the measurements alone tell: the pseudo-inverse of the
+/// information, where the null space has no part of the state.
+std::vector<StateInformation> information_of(const NoisyRows& whitened, const SeenSpace& seen,
+                                             const std::vector<std::string>& names) {
+  const NullSpace& space = seen.space;
+  const Eigen::MatrixXd scaled = whitened.rows * space.column_scale.asDiagonal();
+  const Eigen::BDCSVD<Eigen::MatrixXd> svd(scaled, Eigen::ComputeThinV);
+  const std::vector<bool> unobservable = touched(space.basis);
+  std::vector<StateInformation> information;
+  for (Eigen::Index i = 0; i < scaled.cols(); ++i) {
+    double variance = 0;
+    for (Eigen::Index k = 0; k < std::min<Eigen::Index>(space.rank, svd.singularValues().size()); ++k)
+      variance += std::pow(svd.matrixV()(i, k) * space.column_scale[i] / svd.singularValues()[k], 2);
+    StateInformation of{names[static_cast<std::size_t>(i)], std::nullopt};
+    if (!unobservable[static_cast<std::size_t>(i)]) of.sigma = std::sqrt(variance);
+    information.push_back(of);
+  }
+  return information;
+}
+
+}  // namespace
+
+ObservabilityAnalysis analyse_observability(const SystemText& text, const ObservabilitySettings& settings) {
+  const SymbolicSystem system = make_symbolic(text, settings.motion);
+  const SystemInstance instance(system, settings.landmarks, settings.anchors);
+  RandomStream random(settings.seed, "operating points");
+  const SystemMotion motion = draw_motion(instance, settings.segments, random);
+
+  ObservabilityAnalysis analysis;
+  analysis.system = text.name;
+  analysis.representation = text.representation;
+  analysis.motion = settings.motion;
+  analysis.landmarks = settings.landmarks;
+  analysis.anchors = settings.anchors;
+  analysis.states = instance.names();
+  analysis.error_states = instance.error_names();
+  for (const MotionSegment& segment : motion.segments) {
+    analysis.points.push_back(segment.start);
+    analysis.error_forms.push_back(instance.error_form(segment.start));
+  }
+  analysis.segments = analyse_segments(instance, motion, analysis.error_forms, settings.rank);
+
+  const auto samples = follow(instance, motion, samples_per_segment(instance, settings.segments));
+  const auto named = instance.directions(motion.segments.front().start, false);
+  analysis.local =
+      seen_space(local_observability(instance, samples, false), named, instance.names(), settings.rank);
+  const NoisyRows whitened = local_observability(instance, samples, true);
+  analysis.fisher = seen_space(whitened, named, instance.names(), settings.rank);
+  analysis.information = information_of(whitened, analysis.fisher, instance.names());
+  if (settings.lie) {
+    analysis.lie = analyse_lie(instance, motion, random, settings.lie_settings, settings.rank);
+    analysis.lie_directions = named_directions(analysis.lie->space, named, instance.names());
+  }
+  analysis.disagreements = disagreements_in(analysis, instance, motion, settings.rank);
+  analysis.doubts = doubts_in(analysis);
+  return analysis;
+}
+
+}  // namespace incognita

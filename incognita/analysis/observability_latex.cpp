@@ -1,0 +1,191 @@
+// The matrices of a system as a chapter would print them.
+#include <ginac/ginac.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <set>
+
+#include "incognita/analysis/canonical_expression.hpp"
+#include "incognita/analysis/observability.hpp"
+#include "incognita/analysis/parse_expression.hpp"
+#include "incognita/analysis/symbolic_system.hpp"
+
+namespace incognita {
+namespace {
+
+using GiNaC::ex;
+using Slot = ExpressionGraph::Slot;
+
+/// F and H of the vehicle with one landmark and one anchor, in symbols.
+struct SymbolicMatrices {
+  GiNaC::matrix F, H;
+  std::vector<std::string> columns;  // LaTeX names
+};
+
+ex entry_of(const SymbolicSystem& s, Slot slot) { return *s.graph[slot].expression; }
+
+SymbolicMatrices matrices_of(const SymbolicSystem& s) {
+  const bool stated = s.text.error_form.has_value();
+  const auto n = static_cast<unsigned>(s.columns());
+  std::vector<Slot> states = s.vehicle.states;
+  states.insert(states.end(), s.landmark.states.begin(), s.landmark.states.end());
+  const std::vector<const SymbolicSystem::Block*> blocks{&s.vehicle, &s.landmark, &s.anchor};
+  unsigned m = 0;
+  for (const auto* block : blocks) m += static_cast<unsigned>(block->measurements.size());
+  SymbolicMatrices out{GiNaC::matrix(n, n), GiNaC::matrix(m, n), {}};
+  unsigned row_of_F = 0, row_of_H = 0;
+  for (const auto* block : blocks) {
+    for (const auto& e : block->error_F)
+      out.F(static_cast<unsigned>(e.row), static_cast<unsigned>(e.column)) = entry_of(s, e.value);
+    for (const auto& e : block->error_H)
+      out.H(row_of_H + static_cast<unsigned>(e.row), static_cast<unsigned>(e.column)) = entry_of(s, e.value);
+    for (const Slot rate : block->rates) {
+      for (unsigned c = 0; c < n && !stated; ++c)
+        out.F(row_of_F, c) = s.graph.derivative(entry_of(s, rate), states[c]);
+      ++row_of_F;
+    }
+    for (const Slot measurement : block->measurements) {
+      for (unsigned c = 0; c < n && !stated; ++c)
+        out.H(row_of_H, c) = s.graph.derivative(entry_of(s, measurement), states[c]);
+      ++row_of_H;
+    }
+  }
+  for (const std::string& name : s.vehicle_error_names)
+    out.columns.push_back("\\tilde{" + latex_name(name) + "}");
+  for (const std::string& name : s.landmark_error_names)
+    out.columns.push_back("\\tilde{" + latex_name(name) + "}");
+  return out;
+}
+
+std::string array(const std::vector<std::vector<std::string>>& rows) {
+  std::string text = "\\begin{bmatrix}\n";
+  for (const auto& row : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) text += (i ? " & " : "  ") + row[i];
+    text += " \\\\\n";
+  }
+  return text + "\\end{bmatrix}";
+}
+
+std::vector<std::vector<std::string>> cells(const GiNaC::matrix& M, bool without_empty_rows) {
+  std::vector<std::vector<std::string>> rows;
+  for (unsigned r = 0; r < M.rows(); ++r) {
+    std::vector<std::string> row;
+    bool empty = true;
+    for (unsigned c = 0; c < M.cols(); ++c) {
+      empty = empty && M(r, c).is_zero();
+      row.push_back(in_latex(M(r, c)));
+    }
+    if (!empty || !without_empty_rows) rows.push_back(row);
+  }
+  return rows;
+}
+
+/// Rows of H, H F, ... that are not 0, for as many powers as there are or as stay short.
+std::string observability_rows(const SymbolicMatrices& m, bool& cut) {
+  std::vector<std::vector<std::string>> rows;
+  GiNaC::matrix power = m.H;
+  for (unsigned k = 0; k < m.F.rows(); ++k) {
+    const auto some = cells(power, true);
+    if (some.empty()) break;
+    rows.insert(rows.end(), some.begin(), some.end());
+    GiNaC::matrix next = power.mul(m.F);
+    std::size_t size = 0;
+    for (unsigned i = 0; i < next.rows(); ++i)
+      for (unsigned j = 0; j < next.cols(); ++j) size += tree_size(next(i, j), 100'000);
+    constexpr std::size_t longest = 6000;  // nodes: some pages
+    if ((cut = size > longest)) break;
+    power = next;
+  }
+  return array(rows);
+}
+
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", value);
+  return text;
+}
+
+std::string null_vectors(const std::vector<UnobservableDirection>& directions) {
+  if (directions.empty()) return "\\{\\mathbf{0}\\}";
+  std::string text = "\\left\\{";
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    std::vector<std::vector<std::string>> column;
+    for (const double value : directions[i].vector) column.push_back({number(value)});
+    text += (i ? ", " : "") + array(column);
+  }
+  return text + "\\right\\}";
+}
+
+/// The file's names for parts of expressions that the matrices use, in order.
+std::string definitions_of(const SymbolicSystem& s, const SymbolicMatrices& m) {
+  std::set<Slot> used;
+  const std::function<void(const ex&)> collect = [&](const ex& e) {
+    if (GiNaC::is_a<GiNaC::symbol>(e)) {
+      const Slot slot = s.graph.slot_of(GiNaC::ex_to<GiNaC::symbol>(e));
+      if (s.graph[slot].expression && used.insert(slot).second) collect(*s.graph[slot].expression);
+      return;
+    }
+    for (std::size_t i = 0; i < e.nops(); ++i) collect(e.op(i));
+  };
+  for (const auto* M : {&m.F, &m.H})
+    for (unsigned r = 0; r < M->rows(); ++r)
+      for (unsigned c = 0; c < M->cols(); ++c) collect((*M)(r, c));
+  std::string text;
+  for (const Slot slot : used)
+    text += "\\[ " + latex_name(s.graph[slot].name) + " = " + in_latex(*s.graph[slot].expression) + " \\]\n";
+  return text;
+}
+
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    if (std::string("_%&#${}").find(c) != std::string::npos) out += '\\';
+    out += c;
+  }
+  return out;
+}
+
+std::string lie_rows(const LieAnalysis& lie) {
+  std::string text = "% Lie derivatives that raised the rank, (4.61)\n";
+  for (const LieRow& row : lie.rows) {
+    if (!row.raised_rank) continue;
+    if (row.latex.size() > 2000) {
+      text += "% " + row.name + ": too long to print\n";
+      continue;
+    }
+    text += "% " + row.name + "\n\\[ " + (row.latex.empty() ? latex_name(row.name) : row.latex) + " \\]\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string observability_latex(const SystemText& text, const ObservabilityAnalysis& analysis) {
+  const SymbolicSystem system = make_symbolic(text, analysis.motion);
+  const SymbolicMatrices m = matrices_of(system);
+  std::string header;
+  for (const std::string& column : m.columns) header += (header.empty() ? "" : ",\\; ") + column;
+  bool cut = false;
+  const std::string Q = observability_rows(m, cut);
+  std::string out = "% " + text.name + ": " + text.title + "; " + text.source + "\n";
+  out += "% vehicle" + std::string(text.landmark ? ", one feature" : "") +
+         (text.anchor ? ", one anchor" : "") + "; columns:\n\\[ " + header + " \\]\n";
+  out += definitions_of(system, m);
+  out += "\\[ \\mathbf{F}_j = " + array(cells(m.F, false)) + " \\]\n";
+  out += "\\[ \\mathbf{H}_j = " + array(cells(m.H, false)) + " \\]\n";
+  out += std::string("% rows that are not 0") + (cut ? "; higher powers are too long to print" : "") + "\n";
+  out += "\\[ \\mathcal{Q}_j = " + Q + " \\]\n";
+  out += "% at the operating point drawn: " + std::to_string(analysis.landmarks) + " features, " +
+         std::to_string(analysis.anchors) + " anchors, motion " + analysis.motion + "\n";
+  for (std::size_t k = 0; k < analysis.segments.size(); ++k)
+    out += "\\[ \\mathcal{N}(\\mathcal{Q}_{\\mathrm{SOM}," + std::to_string(k + 1) +
+           "}) = " + null_vectors(analysis.segments[k].stripped.directions) + " \\]\n";
+  out += "% along the motion:";
+  for (const auto& d : analysis.local.directions) out += " " + escaped(d.name) + ";";
+  out += "\n\\[ \\mathcal{N}(\\mathbf{M}) = " + null_vectors(analysis.local.directions) + " \\]\n";
+  if (analysis.lie) out += lie_rows(*analysis.lie);
+  return out;
+}
+
+}  // namespace incognita

@@ -1,0 +1,191 @@
+#include "incognita/analysis/system_motion.hpp"
+
+#include <boost/numeric/odeint.hpp>
+#include <cmath>
+#include <stdexcept>
+
+namespace incognita {
+namespace {
+
+namespace odeint = boost::numeric::odeint;
+using Numbers = std::vector<double>;
+
+double drawn(const NamedRange& range, RandomStream& random) { return random.uniform(range.low, range.high); }
+
+/// What the kind of motion makes of a point that a segment begins at.
+class Assigner {
+ public:
+  explicit Assigner(const SystemInstance& instance) : system_(instance.system()) {}
+
+  /// At the start: every state that the motion sets, then inputs.
+  void start(SystemPoint& point, RandomStream& random) {
+    draw(random);
+    for (const auto& a : system_.assignments)
+      if (!a.to_input) point.x[state(a)] = value(a, point);
+    set_inputs(point);
+  }
+
+  /// At the start of a later segment: disturbed states, as the motion sets them or drawn anew, then inputs.
+  void next(SystemPoint& point, RandomStream& random) {
+    draw(random);
+    for (const int disturbed : system_.disturbed) {
+      const NamedRange& range = system_.vehicle.region[static_cast<std::size_t>(disturbed)];
+      double now = drawn(range, random);
+      for (const auto& a : system_.assignments)
+        if (!a.to_input && state(a) == disturbed) now = value(a, point);
+      point.x[disturbed] = now;
+    }
+    set_inputs(point);
+  }
+
+  void other_inputs(SystemPoint& point, RandomStream& random) {
+    draw(random);
+    set_inputs(point);
+  }
+
+ private:
+  using Slots = std::vector<SymbolicSystem::Slot>;
+  static int index_in(const Slots& slots, int slot) {
+    return static_cast<int>(std::find(slots.begin(), slots.end(), slot) - slots.begin());
+  }
+  int state(const SymbolicSystem::Assignment& a) const { return index_in(system_.vehicle.states, a.target); }
+
+  void draw(RandomStream& random) {
+    system_.graph.prepare(values_, system_.columns());
+    for (std::size_t i = 0; i < system_.draws.size(); ++i)
+      values_.value[system_.draws[i]] = drawn(system_.draw_ranges[i], random);
+  }
+
+  void set_inputs(SystemPoint& point) {
+    for (const auto& a : system_.assignments)
+      if (a.to_input) point.u[index_in(system_.inputs, a.target)] = value(a, point);
+  }
+
+  double value(const SymbolicSystem::Assignment& a, const SystemPoint& point) {
+    for (const auto& [slot, number] : system_.parameters) values_.value[slot] = number;
+    for (std::size_t i = 0; i < system_.inputs.size(); ++i) values_.value[system_.inputs[i]] = point.u[i];
+    for (std::size_t i = 0; i < system_.vehicle.states.size(); ++i)
+      values_.value[system_.vehicle.states[i]] = point.x[i];
+    system_.graph.evaluate(Owner::vehicle, values_, false);
+    system_.graph.evaluate(Owner::motion, values_, false);
+    return values_.value[a.value];
+  }
+
+  const SymbolicSystem& system_;
+  ExpressionGraph::Evaluation values_;
+};
+
+SystemPoint drawn_start(const SystemInstance& instance, RandomStream& random) {
+  const SymbolicSystem& s = instance.system();
+  SystemPoint point{Eigen::VectorXd(instance.states()), {}, {}};
+  int state = 0;
+  for (const NamedRange& range : s.vehicle.region) point.x[state++] = drawn(range, random);
+  for (int i = 0; i < instance.landmarks(); ++i)
+    for (const NamedRange& range : s.landmark.region) point.x[state++] = drawn(range, random);
+  const auto constants = s.anchor.region.size();
+  point.anchors.resize(static_cast<Eigen::Index>(constants) * instance.anchors());
+  for (Eigen::Index i = 0; i < point.anchors.size(); ++i)
+    point.anchors[i] = drawn(s.anchor.region[static_cast<std::size_t>(i) % constants], random);
+  return point;
+}
+
+void draw_inputs(SystemPoint& point, const SystemInstance& instance, RandomStream& random) {
+  const auto& ranges = instance.system().input_ranges;
+  point.u.resize(static_cast<Eigen::Index>(ranges.size()));
+  for (std::size_t i = 0; i < ranges.size(); ++i)
+    point.u[static_cast<Eigen::Index>(i)] = drawn(ranges[i], random);
+}
+
+[[noreturn]] void refuse_blow_up(const SystemInstance& instance, double duration) {
+  const SymbolicSystem& s = instance.system();
+  const auto& rates = s.vehicle.rates.empty() ? s.landmark.rates : s.vehicle.rates;
+  throw SystemError(
+      rates.empty() ? Place{} : s.graph[rates[0]].place,
+      "the motion cannot be followed for " + std::to_string(duration) +
+          " s: its rates grow without bound; choose another region or a shorter segment_duration_s");
+}
+
+/// From t = 0 to `duration` with inputs held. `transition`: n x any, moved on by dY = F Y dt; may have no
+/// columns.
+void integrate(const SystemInstance& instance, SystemPoint& at, Eigen::MatrixXd& transition,
+               double duration) {
+  const Eigen::Index n = instance.states(), columns = transition.cols();
+  Numbers y(at.x.begin(), at.x.end());
+  y.insert(y.end(), transition.data(), transition.data() + transition.size());
+  SystemPoint now = at;
+  const auto rates = [&](const Numbers& from, Numbers& rate, double) {
+    now.x = Eigen::Map<const Eigen::VectorXd>(from.data(), n);
+    if (!now.x.allFinite()) refuse_blow_up(instance, duration);
+    Eigen::Map<Eigen::VectorXd>(rate.data(), n) = instance.rate(now);
+    if (columns == 0) return;
+    Eigen::Map<Eigen::MatrixXd>(rate.data() + n, n, columns) =
+        instance.linearise(now).F * Eigen::Map<const Eigen::MatrixXd>(from.data() + n, n, columns);
+  };
+  const auto stepper = odeint::make_controlled<odeint::runge_kutta_dopri5<Numbers>>(1e-12, 1e-12);
+  int steps = 0;
+  try {
+    odeint::integrate_adaptive(stepper, rates, y, 0.0, duration, duration / 10, [&](const Numbers&, double) {
+      constexpr int most_steps = 20'000;  // of one stretch
+      if (++steps > most_steps) refuse_blow_up(instance, duration);
+    });
+  } catch (const odeint::odeint_error&) {
+    refuse_blow_up(instance, duration);
+  }
+  at.x = Eigen::Map<const Eigen::VectorXd>(y.data(), n);
+  transition = Eigen::Map<const Eigen::MatrixXd>(y.data() + n, n, columns);
+}
+
+}  // namespace
+
+SystemMotion draw_motion(const SystemInstance& instance, int segments, RandomStream& random) {
+  if (segments < 1) throw std::invalid_argument("segments are counted from 1");
+  const double duration = instance.system().text.segment_duration_s;
+  Assigner assigner(instance);
+  SystemPoint point = drawn_start(instance, random);
+  draw_inputs(point, instance, random);
+  assigner.start(point, random);
+  SystemMotion motion;
+  const auto others = 2 * point.u.size() + static_cast<Eigen::Index>(instance.system().draws.size());
+  for (Eigen::Index i = 0; i < others; ++i) {
+    SystemPoint other = point;
+    draw_inputs(other, instance, random);
+    assigner.other_inputs(other, random);
+    motion.other_inputs.push_back(other.u);
+  }
+  for (int segment = 0; segment < segments; ++segment) {
+    motion.segments.push_back({point, duration});
+    Eigen::MatrixXd no_transition(instance.states(), 0);
+    integrate(instance, point, no_transition, duration);
+    draw_inputs(point, instance, random);
+    assigner.next(point, random);
+  }
+  return motion;
+}
+
+std::vector<MotionSample> follow(const SystemInstance& instance, const SystemMotion& motion,
+                                 int per_segment) {
+  const Eigen::Index n = instance.states();
+  const auto& disturbed = instance.system().disturbed;
+  const auto jumps = static_cast<Eigen::Index>(disturbed.size() * (motion.segments.size() - 1));
+  Eigen::MatrixXd transition = Eigen::MatrixXd::Zero(n, n + jumps);
+  transition.leftCols(n).setIdentity();
+  std::vector<MotionSample> samples;
+  double t = 0;
+  for (std::size_t k = 0; k < motion.segments.size(); ++k) {
+    const MotionSegment& segment = motion.segments[k];
+    SystemPoint at = segment.start;
+    if (k > 0)
+      for (std::size_t i = 0; i < disturbed.size(); ++i)
+        transition(disturbed[i], n + static_cast<Eigen::Index>((k - 1) * disturbed.size() + i)) += 1;
+    for (int i = 0; i < per_segment; ++i) {
+      samples.push_back({t, at, transition.leftCols(n), transition.rightCols(jumps)});
+      integrate(instance, at, transition, segment.duration_s / per_segment);
+      t += segment.duration_s / per_segment;
+    }
+    if (k + 1 == motion.segments.size())
+      samples.push_back({t, at, transition.leftCols(n), transition.rightCols(jumps)});
+  }
+  return samples;
+}
+
+}  // namespace incognita

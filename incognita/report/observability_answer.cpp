@@ -1,0 +1,168 @@
+#include "incognita/report/observability_answer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace incognita {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string gap_text(double gap) { return std::isinf(gap) ? "exact" : fmt::format("{:.0e}", gap); }
+
+std::string row(const std::string& method, const NullSpace& space, const std::string& note) {
+  return fmt::format("  {:<30}{:>5}{:>9}{:>9}   {}{}\n", method, space.rank, space.nullity,
+                     gap_text(space.gap), space.ambiguous ? "not clear; " : "", note);
+}
+
+std::string rows_of(const ObservabilityAnalysis& a) {
+  std::string text = fmt::format("  {:<30}{:>5}{:>9}{:>9}\n", "method", "rank", "nullity", "gap");
+  for (std::size_t k = 0; k < a.segments.size(); ++k) {
+    const SegmentAnalysis& s = a.segments[k];
+    const std::string upto = k == 0 ? "segment 1" : fmt::format("segments 1 to {}", k + 1);
+    text += row("SOM, " + upto, s.stripped.space, s.condition_holds ? "(4.9) holds" : "(4.9) does not hold");
+    text += row("TOM, " + upto, s.total.space, "");
+  }
+  text += row("along the motion", a.local.space, "");
+  text += row("Fisher information", a.fisher.space, "");
+  if (!a.lie) return text;
+  const std::string order =
+      fmt::format("order {}{}{}", a.lie->order, a.lie->closed ? ", no more to come" : ", limit reached",
+                  a.lie->inputs_nonlinear ? "; at drawn inputs" : "");
+  return text + row("Lie derivatives", a.lie->space, order);
+}
+
+std::string vectors_of(const std::string& what, const std::vector<UnobservableDirection>& directions,
+                       const std::vector<std::string>& states) {
+  if (directions.empty()) return what + ": everything is observable\n";
+  std::string text = what + ":\n";
+  for (const UnobservableDirection& d : directions) {
+    const std::string written = written_combination(d.vector, states);
+    if (d.name == written)
+      text += fmt::format("  {}\n", d.name);
+    else if (d.name.size() <= 28)
+      text += fmt::format("  {:<28} {}\n", d.name, written);
+    else
+      text += fmt::format("  {}:\n  {:<28} {}\n", d.name, "", written);
+  }
+  return text;
+}
+
+std::string states_that_are_seen(const ObservabilityAnalysis& a) {
+  std::string seen, unseen;
+  for (const StateInformation& state : a.information) {
+    std::string& list = state.sigma ? seen : unseen;
+    list += (list.empty() ? "" : ", ") + state.state;
+    if (state.sigma) list += fmt::format(" ({:.2g})", *state.sigma);
+  }
+  return fmt::format(
+      "States by themselves, with the least sigma this motion allows: {}\nNot by themselves: {}\n",
+      seen.empty() ? "none" : seen, unseen.empty() ? "none" : unseen);
+}
+
+std::string counted(int count, const char* one, const char* many) {
+  return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
+}  // namespace
+
+std::string observability_table(const SystemText& text, const ObservabilityAnalysis& a,
+                                const ObservabilitySettings& settings) {
+  const std::string source = text.source.empty() ? "" : text.source + "\n";
+  std::string out =
+      fmt::format("{}: {}\n{}{} representation, {}, {}, {} motion, {} states, seed {}\n\n", text.name,
+                  text.title, source, a.representation, counted(a.landmarks, "feature", "features"),
+                  counted(a.anchors, "anchor", "anchors"), a.motion, a.states.size(), settings.seed);
+  out += rows_of(a);
+  out += fmt::format(
+      "\nRanks: singular values above {:.0e} of the largest, rows and columns brought to length one.\n"
+      "Gap: last that counts over first that does not; less than {:.0e} is called not clear.\n\n",
+      settings.rank.tolerance, settings.rank.clear_gap);
+  const std::size_t segments = a.segments.size();
+  out += vectors_of(fmt::format("SOM does not see, after {}", counted(int(segments), "segment", "segments")),
+                    a.segments.back().stripped.directions, a.error_states);
+  out += "\n" + vectors_of("The motion does not show", a.local.directions, a.states) + "\n";
+  if (a.lie && a.lie->space.nullity != a.local.space.nullity)
+    out += vectors_of("The Lie derivatives do not show", a.lie_directions, a.states) + "\n";
+  out += states_that_are_seen(a);
+  for (const std::string& line : a.disagreements) out += "\nThe methods disagree. " + line + "\n";
+  for (const std::string& line : a.doubts) out += "\nNote. " + line + "\n";
+  return out;
+}
+
+namespace {
+
+Json numbers(const Eigen::VectorXd& v) { return std::vector<double>(v.begin(), v.end()); }
+
+Json gap_json(const NullSpace& space) { return std::isinf(space.gap) ? Json() : Json(space.gap); }
+
+Json directions_json(const std::vector<UnobservableDirection>& directions) {
+  Json all = Json::array();
+  for (const auto& d : directions) all.push_back({{"name", d.name}, {"vector", numbers(d.vector)}});
+  return all;
+}
+
+Json segment_json(const SegmentAnalysis& s) {
+  Json vectors = Json::array();
+  for (const Eigen::VectorXd& v : readable_basis(s.stripped.space.basis)) vectors.push_back(numbers(v));
+  return {{"som_nullity", s.stripped.space.nullity},
+          {"tom_nullity", s.total.space.nullity},
+          {"condition_holds", s.condition_holds},
+          {"nullspace", vectors},
+          {"directions", directions_json(s.stripped.directions)},
+          {"som_gap", gap_json(s.stripped.space)},
+          {"tom_gap", gap_json(s.total.space)}};
+}
+
+Json lie_rows(const LieAnalysis& lie) {
+  Json rows = Json::array();
+  for (const LieRow& r : lie.rows) {
+    if (!r.raised_rank) continue;
+    Json parts = Json::array();
+    for (const auto& [name, expression] : r.definitions)
+      parts.push_back({{"name", name}, {"expression", expression}});
+    rows.push_back({{"name", r.name},
+                    {"owner", r.owner},
+                    {"order", r.order},
+                    {"expression", r.expression},
+                    {"where", parts}});
+  }
+  return rows;
+}
+
+}  // namespace
+
+std::string observability_json(const ObservabilityAnalysis& a, const ObservabilitySettings& settings) {
+  Json json{{"system", a.system},
+            {"representation", a.representation},
+            {"motion", a.motion},
+            {"features", a.landmarks},
+            {"anchors", a.anchors},
+            {"seed", settings.seed},
+            {"states", a.states},
+            {"error_states", a.error_states},
+            {"segments", Json::array()},
+            {"local_nullity", a.local.space.nullity},
+            {"local_gap", gap_json(a.local.space)},
+            {"fisher_nullity", a.fisher.space.nullity},
+            {"fisher_gap", gap_json(a.fisher.space)},
+            {"lie_nullity", a.lie ? Json(a.lie->space.nullity) : Json()},
+            {"lie_order", a.lie ? Json(a.lie->order) : Json()},
+            {"lie_closed", a.lie ? Json(a.lie->closed) : Json()},
+            {"lie_gap", a.lie ? gap_json(a.lie->space) : Json()},
+            {"lie_rows", a.lie ? lie_rows(*a.lie) : Json::array()},
+            {"directions", directions_json(a.local.directions)},
+            {"information", Json::array()},
+            {"tolerance", settings.rank.tolerance},
+            {"disagreements", a.disagreements},
+            {"doubts", a.doubts}};
+  for (const SegmentAnalysis& s : a.segments) json["segments"].push_back(segment_json(s));
+  for (const StateInformation& i : a.information)
+    json["information"].push_back({{"state", i.state}, {"sigma", i.sigma ? Json(*i.sigma) : Json()}});
+  return json.dump(2) + "\n";
+}
+
+}  // namespace incognita

@@ -1,0 +1,516 @@
+// Systems written as TOML: what is read, and every way in which such a file can be wrong.
+#include "incognita/io/system_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <regex>
+
+#include "incognita/io/toml_depth.hpp"
+#include "incognita/io/toml_value.hpp"
+#include "tests/io/damage.hpp"
+#include "tests/scratch.hpp"
+
+namespace incognita {
+namespace {
+
+using testing::contents;
+using testing::message_of;
+using testing::Scratch;
+
+std::string complaint(const std::string& toml) {
+  return message_of([&] { read_system(toml, "s.toml"); });
+}
+
+/// With all that a file can have; `with` puts something wrong in.
+const std::string whole = R"toml(name = "cart"
+title = "cart on a line"
+source = "by hand"
+representation = "world"
+segment_duration_s = 0.5
+
+[parameters]
+L = 1.5
+[inputs]
+v = [-1, 1]
+[states]
+x = "v + drag"
+w = 0
+[definitions]
+drag = "-0.1*w*L"
+half = "drag/2"
+[region]
+x = [-2, 2]
+w = [0.5, 1e1]
+[measurements]
+place = "x"
+[landmark.states]
+p = 0
+[landmark.region]
+p = [3, 9]
+[landmark.definitions]
+r = "p - x"
+[landmark.measurements]
+distance = { is = "r", sigma = 0.1 }
+[landmark.directions.depth]
+p = "r"
+[anchor.constants]
+q = [-9, -3]
+[anchor.definitions]
+s = "q - x"
+[anchor.measurements]
+distance = { is = "s" }
+[motion.steady]
+v = "u*half"
+x = -1.5
+draw.u = [0, 1]
+[directions."along x"]
+x = 1
+landmark.p = "r/r"
+[error]
+source = "(1.2)"
+states.x = "error of x"
+[error.F]
+x = { w = "-0.1*L" }
+[error.H]
+place = { x = 1 }
+[error.directions."along x"]
+x = 1
+landmark.p = 1
+[landmark.error.H]
+distance = { p = 1, x = -1 }
+[landmark.error.F]
+p = {}
+[landmark.error.directions.depth]
+p = 1
+[anchor.error.H]
+distance = { x = -1 }
+)toml";
+
+std::string with(const std::string& part, const std::string& by) {
+  std::string text = whole;
+  const std::size_t at = text.find(part);
+  EXPECT_NE(at, std::string::npos) << part;
+  return text.replace(at, part.size(), by);
+}
+
+std::string at(const Place& place) { return std::to_string(place.line) + ":" + std::to_string(place.column); }
+
+std::string told(const std::vector<NamedExpression>& all) {
+  std::string text;
+  for (const NamedExpression& e : all)
+    text += e.name + "@" + at(e.place) + "=" + e.expression.text + "@" + at(e.expression.place) + " ";
+  return text;
+}
+
+std::string told(const std::vector<NamedRange>& all) {
+  std::string text;
+  for (const NamedRange& r : all)
+    text += r.name + "@" + at(r.place) + "=" + toml_number(r.low) + ".." + toml_number(r.high) + " ";
+  return text;
+}
+
+std::string told(const std::vector<MeasurementText>& all) {
+  std::string text;
+  for (const MeasurementText& m : all)
+    text += m.name + "@" + at(m.place) + "=" + m.expression.text + "@" + at(m.expression.place) + "+-" +
+            toml_number(m.sigma) + " ";
+  return text;
+}
+
+std::string told(const std::vector<DirectionText>& all) {
+  std::string text;
+  for (const DirectionText& d : all)
+    text += "[" + d.name + "@" + at(d.place) + " " + told(d.vehicle) + "| " + told(d.landmark) + "] ";
+  return text;
+}
+
+std::string told(const std::vector<SparseRow>& all) {
+  std::string text;
+  for (const SparseRow& row : all)
+    text += "[" + row.name + "@" + at(row.place) + " " + told(row.entries) + "] ";
+  return text;
+}
+
+/// What is told, whatever the lines it stands in.
+template <class T>
+std::string placeless(const T& items) {
+  static const std::regex place("@[0-9]+:[0-9]+");
+  return std::regex_replace(told(items), place, "");
+}
+
+TEST(SystemFile, ReadsPlanarExactly) {
+  const SystemText planar = load_system("planar");
+  EXPECT_EQ(planar.file, "planar.toml");
+  EXPECT_EQ(planar.name, "planar");
+  EXPECT_EQ(planar.title, "vehicle on a plane, bearings");
+  EXPECT_EQ(planar.source, "thesis (4.11), (4.12)");
+  EXPECT_EQ(planar.representation, "world");
+  EXPECT_EQ(planar.segment_duration_s, 1.0);
+  EXPECT_TRUE(planar.parameters.empty());
+  EXPECT_EQ(placeless(planar.inputs), "v=0.5..2.0 omega=-1.0..1.0 ");
+  EXPECT_EQ(placeless(planar.vehicle.states), "x=v*cos(theta) y=v*sin(theta) theta=omega ");
+  EXPECT_EQ(placeless(planar.vehicle.region), "x=-2.0..2.0 y=-2.0..2.0 theta=-3.0..3.0 ");
+  EXPECT_TRUE(planar.vehicle.definitions.empty() && planar.vehicle.measurements.empty());
+  ASSERT_TRUE(planar.landmark && planar.anchor);
+  EXPECT_EQ(placeless(planar.landmark->states), "xf=0 yf=0 ");
+  EXPECT_EQ(placeless(planar.landmark->region), "xf=3.0..9.0 yf=3.0..9.0 ");
+  EXPECT_EQ(placeless(planar.landmark->definitions), "rx=xf - x ry=yf - y ");
+  EXPECT_EQ(placeless(planar.landmark->measurements), "bearing=atan2(ry, rx) - theta+-0.01 ");
+  EXPECT_TRUE(planar.anchor->states.empty());
+  EXPECT_EQ(placeless(planar.anchor->region), "ax=-9.0..-3.0 ay=-9.0..9.0 ");
+  EXPECT_EQ(placeless(planar.anchor->definitions), "bx=ax - x by=ay - y ");
+  EXPECT_EQ(placeless(planar.anchor->measurements), "bearing=atan2(by, bx) - theta+-0.01 ");
+  ASSERT_GE(planar.motions.size(), 2u);
+  EXPECT_EQ(planar.motions[0].name, "straight");
+  EXPECT_EQ(placeless(planar.motions[0].assignments), "omega=0 ");
+  EXPECT_EQ(placeless(planar.motions[1].assignments), "v=0 omega=0 ");
+  EXPECT_EQ(placeless(planar.directions),
+            "[translation along x x=1 | xf=1 ] "
+            "[translation along y y=1 | yf=1 ] "
+            "[rotation x=-y y=x theta=1 | xf=-yf "
+            "yf=xf ] "
+            "[scale x=x y=y | xf=xf yf=yf ] ");
+  EXPECT_EQ(placeless(planar.landmark_directions), "[depth | xf=rx yf=ry ] ");
+  EXPECT_FALSE(planar.error_form);
+}
+
+TEST(SystemFile, ReadsAllThereCanBe) {
+  const SystemText cart = read_system(whole, "s.toml");
+  EXPECT_EQ(cart.file, "s.toml");
+  EXPECT_EQ(cart.segment_duration_s, 0.5);
+  ASSERT_EQ(cart.parameters.size(), 1u);
+  EXPECT_EQ(cart.parameters[0].name, "L");
+  EXPECT_EQ(cart.parameters[0].value, 1.5);
+  EXPECT_EQ(told(cart.vehicle.region), "x@18:1=-2.0..2.0 w@19:1=0.5..10.0 ");
+  EXPECT_EQ(told(cart.vehicle.measurements), "place@21:1=x@21:10+-1.0 ");
+  EXPECT_EQ(told(cart.anchor->measurements), "distance@37:1=s@37:20+-1.0 ");
+  EXPECT_EQ(told(cart.motions[0].assignments), "v@39:1=u*half@39:6 x@40:1=-1.5@40:5 ");
+  EXPECT_EQ(told(cart.motions[0].draws), "u@41:6=0.0..1.0 ");
+  ASSERT_TRUE(cart.error_form);
+  EXPECT_EQ(cart.error_form->source, "(1.2)");
+  EXPECT_EQ(told(cart.error_form->names), "x@47:8=error of x@47:13 ");
+  EXPECT_EQ(told(cart.error_form->directions), "[along x@52:19 x@53:1=1@53:5 | p@54:10=1@54:14 ] ");
+  EXPECT_EQ(told(cart.error_form->landmark_directions), "[depth@59:28 | p@60:1=1@60:5 ] ");
+  EXPECT_EQ(told(cart.vehicle.error_F), "[x@49:1 w@49:7=-0.1*L@49:12 ] ");
+  EXPECT_EQ(told(cart.vehicle.error_H), "[place@51:1 x@51:11=1@51:15 ] ");
+  EXPECT_EQ(told(cart.landmark->error_H), "[distance@56:1 p@56:14=1@56:18 x@56:21=-1@56:25 ] ");
+  EXPECT_EQ(told(cart.landmark->error_F), "[p@58:1 ] ");
+  EXPECT_EQ(told(cart.anchor->error_H), "[distance@62:1 x@62:14=-1@62:18 ] ");
+}
+
+TEST(SystemFile, LittleIsEnough) {
+  const SystemText little =
+      read_system("name = \"a\"\nstates.x = 0\nregion.x = [1, 1]\nmeasurements.z = \"x\"", "s.toml");
+  EXPECT_EQ(little.title, "a");
+  EXPECT_EQ(little.representation, "world");
+  EXPECT_EQ(little.segment_duration_s, 1);
+  EXPECT_FALSE(little.landmark || little.anchor || little.error_form);
+}
+
+TEST(SystemFile, EveryBuiltInSystemIsReadAndFoundByName) {
+  const std::vector<std::string> names = built_in_systems();
+  EXPECT_GE(names.size(), 1u);
+  for (const std::string& name : names) {
+    const SystemText system = load_system(name);
+    EXPECT_TRUE(name == system.name || name == system.name + "-" + system.representation) << name;
+    EXPECT_EQ(load_system(name, system.representation).file, system.file);
+    EXPECT_EQ(load_system(system.name, system.representation).file, system.file);
+  }
+}
+
+/// What stands at each place of the file is what was read from there.
+void expect_there(const std::vector<std::string>& lines, const Place& place, const std::string& text) {
+  ASSERT_GE(place.line, 1) << text;
+  const std::string& line = lines.at(static_cast<std::size_t>(place.line) - 1);
+  EXPECT_EQ(line.substr(static_cast<std::size_t>(place.column) - 1, text.size()), text) << line;
+}
+
+TEST(SystemFile, PlacesAreThoseOfTheFile) {
+  for (const std::string& name : built_in_systems()) {
+    const auto file = testing::lines(std::string(INCOGNITA_SOURCE_DIR) + "/systems/" + name + ".toml");
+    const SystemText system = load_system(name);
+    const auto expect_all_there = [&](const std::vector<NamedExpression>& all) {
+      for (const NamedExpression& e : all) {
+        expect_there(file, e.place, e.name);
+        if (e.expression.text.find('\n') == std::string::npos)
+          expect_there(file, e.expression.place, e.expression.text);
+      }
+    };
+    for (const BlockText* block : {&system.vehicle, system.landmark ? &*system.landmark : nullptr}) {
+      if (!block) continue;
+      expect_all_there(block->states);
+      expect_all_there(block->definitions);
+      for (const MeasurementText& m : block->measurements)
+        expect_there(file, m.expression.place, m.expression.text);
+      for (const NamedRange& range : block->region) expect_there(file, range.place, range.name);
+      for (const SparseRow& row : block->error_F) expect_all_there(row.entries);
+    }
+    for (const DirectionText& direction : system.directions) {
+      expect_there(
+          file, direction.place,
+          direction.name.find(' ') == std::string::npos ? direction.name : '"' + direction.name + '"');
+      expect_all_there(direction.landmark);
+    }
+  }
+}
+
+TEST(SystemFile, RepresentationChoosesOrIsRefused) {
+  EXPECT_EQ(load_system("planar", "world").representation, "world");
+  EXPECT_EQ(load_system("planar", "relative").file, "planar-relative.toml");
+  EXPECT_EQ(load_system("planar-relative", "world").file, "planar.toml");
+  EXPECT_EQ(message_of([] { load_system("cv6", "relative"); }),
+            "cv6 is built in as `world`, and not as `relative`");
+  EXPECT_EQ(message_of([] { load_system("planar", "polar"); }),
+            "the representation is `world` or `relative`, and not `polar`");
+  const Scratch scratch;
+  const std::string file = scratch.write("cart.toml", whole).string();
+  EXPECT_EQ(load_system(file).file, file);
+  EXPECT_EQ(load_system(file, "world").name, "cart");
+  EXPECT_HAS(message_of([&] { load_system(file, "relative"); }),
+             "cart.toml: is written as `world`, and `relative` was asked for");
+}
+
+TEST(SystemFile, RefusesWhatIsNotThere) {
+  EXPECT_HAS(message_of([] { load_system("planer"); }),
+             "planer: no such system file, nor a built-in system; built in are: ");
+  EXPECT_HAS(message_of([] { load_system("some/where/planer.toml"); }), "the nearest is planar");
+  const Scratch scratch;
+  EXPECT_HAS(message_of([&] { load_system(scratch.folder().string()); }), "is a folder, a file is wanted");
+  const std::string large = scratch.write("large.toml", "#" + std::string(1 << 20, '-')).string();
+  EXPECT_HAS(message_of([&] { load_system(large); }), "is larger than the 1048576 bytes allowed");
+}
+
+struct Fault {
+  const char *part, *by, *message;
+};
+
+void expect_faults(std::initializer_list<Fault> faults) {
+  for (const Fault& fault : faults) {
+    const std::string message = complaint(with(fault.part, fault.by));
+    EXPECT_TRUE(message.starts_with(fault.message))
+        << fault.by << "\n  gives " << message << "\n  not   " << fault.message;
+  }
+}
+
+TEST(SystemFile, RefusesWrongKeysAndKinds) {
+  expect_faults({
+      {"name = \"cart\"\n", "", "s.toml: the system has no name; write name = \"...\" at the top"},
+      {"name = \"cart\"", "name = 3", "s.toml:1:8: `name` must be a text, and is a whole number"},
+      {"name = \"cart\"", "name = \"\"", "s.toml:1:8: `name` must be one line of 1 to 400 characters"},
+      {"title", "titel", "s.toml:2:1: there is no section or key `titel`; the nearest is `title`"},
+      {"[states]", "[state]", "s.toml:11:2: there is no section or key `state`; the nearest is `states`"},
+      {"[landmark.states]", "[landmark.inputs]",
+       "s.toml:22:11: there is no `landmark` key `inputs`; the nearest is "},
+      {"[anchor.constants]", "[anchor.states]", "s.toml:32:9: there is no `anchor` key `states`"},
+      {"[anchor.error.H]", "[anchor.error.F]", "s.toml:61:15: there is no `anchor.error` key `F`"},
+      {"[error.F]", "[error.G]", "s.toml:48:8: there is no `error` key `G`; the nearest is `F`"},
+      {"[landmark.error.F]", "[landmark.error.states]", "s.toml:57:17: there is no `landmark.error` key"},
+      {"\"world\"", "\"globe\"",
+       "s.toml:4:18: `representation` must be `world` or `relative`, and is `globe`"},
+      {"= 0.5", "= 0", "s.toml:5:22: `segment_duration_s` must be more than 0, and is 0"},
+      {"= 0.5", "= nan", "s.toml:5:22: `segment_duration_s` must be a finite number, and is nan"},
+      {"L = 1.5", "L = \"1\"", "s.toml:8:5: `L` must be a finite number, and is \"1\""},
+      {"L = 1.5", "L = -inf", "s.toml:8:5: `L` must be a finite number, and is -inf"},
+      {"v = [-1, 1]", "v = [-1, 1, 2]", "s.toml:10:5: `v` must be a range, [lowest, highest], and is a list"},
+      {"v = [-1, 1]", "v = [-1, inf]", "s.toml:10:10: `v` must be a finite number, and is inf"},
+      {"v = [-1, 1]", "v = [-1, true]", "s.toml:10:10: `v` must be a finite number, and is true"},
+      {"v = [-1, 1]", "v = 1", "s.toml:10:5: `v` must be a range"},
+      {"w = 0", "w = true", "s.toml:13:5: `w` must be an expression in quotes, and is true or false"},
+      {"w = 0", "w = nan", "s.toml:13:5: `w` must be a finite number, and is nan"},
+      {"w = 0", "w.v = 0", "s.toml:13:1: `w` must be an expression in quotes, and is a table"},
+      {"sigma = 0.1", "sigma = 0", "s.toml:29:32: `sigma` must be more than 0, and is 0"},
+      {"sigma = 0.1", "sigma = -inf", "s.toml:29:32: `sigma` must be a finite number, and is -inf"},
+      {"sigma = 0.1", "sgima = 1",
+       "s.toml:29:24: there is no `distance` key `sgima`; the nearest is `sigma`"},
+      {"{ is = \"s\" }", "{ sigma = 1 }",
+       "s.toml:37:1: measurement `distance` has no expression; write { is ="},
+      {"x = { w = \"-0.1*L\" }", "x = 1", "s.toml:49:5: `x` must be a section, and is a whole number"},
+      {"\"error of x\"", "1", "s.toml:47:12: `x` must be a text, and is a whole number"},
+      {"[parameters]\nL = 1.5\n", "parameters = 1\n", "s.toml:7:14: `parameters` must be a section"},
+  });
+}
+
+TEST(SystemFile, RefusesWrongNames) {
+  const std::string long_name(41, 'x');
+  expect_faults({
+      {"L = 1.5", "\"my L\" = 1.5", "s.toml:8:1: `my L` is no name; names are a letter and then"},
+      {"L = 1.5", "_L = 1.5", "s.toml:8:1: `_L` is no name"},
+      {"L = 1.5", "\"\" = 1.5", "s.toml:8:1: `` is no name"},
+      {"L = 1.5", "\"\\u001b[2J\" = 1.5", "s.toml:8:1: `?[2J` is no name"},
+      {"L = 1.5", (long_name + " = 1").c_str(), "s.toml:8:1: `xxxxxxxxxxx"},
+      {"L = 1.5", "pi = 1.5", "s.toml:8:1: `pi` has a meaning of its own; choose another name"},
+      {"L = 1.5", "I = 1.5", "s.toml:8:1: `I` has a meaning"},
+      {"L = 1.5", "tanh = 1.5", "s.toml:8:1: `tanh` has a meaning"},
+      {"L = 1.5", "draw = 1.5", "s.toml:8:1: `draw` has a meaning"},
+      {"v = [-1, 1]", "L = [-1, 1]", "s.toml:10:1: there is a parameter `L` already, in line 8"},
+      {"half =", "w =", "s.toml:16:1: there is a state `w` already, in line 13"},
+      {"[landmark.states]\np = 0\n[landmark.region]\np", "[landmark.states]\nx = 0\n[landmark.region]\nx",
+       "s.toml:23:1: there is a state `x` already, in line 12"},
+      {"r = \"p - x\"", "drag = \"p - x\"", "s.toml:27:1: there is a definition `drag` already, in line 15"},
+      {"q = [-9, -3]", "v = [-9, -3]", "s.toml:33:1: there is an input `v` already, in line 10"},
+      {"draw.u", "draw.w", "s.toml:41:6: there is a state `w` already, in line 13"},
+      {"place = \"x\"", "\"the place\" = \"x\"", "s.toml:21:1: `the place` is no name"},
+      {"[motion.steady]", "[motion.general]", "s.toml:38:9: every system has the motion `general`"},
+      {"[motion.steady]", "[motion.\"\"]", "s.toml:38:9: a name of 1 to 80 characters on one line is wanted"},
+      {"[directions.\"along x\"]", "[directions.depth]",
+       "s.toml:30:22: there is a direction `depth` already"},
+  });
+}
+
+TEST(SystemFile, RefusesNamesOfNothing) {
+  expect_faults({
+      {"w = [0.5, 1e1]", "ww = [0.5, 1e1]", "s.toml:19:1: state `ww` has no equation; the nearest is `w`"},
+      {"w = [0.5, 1e1]\n", "", "s.toml:13:1: state `w` has no region; write w = [lowest, highest] there"},
+      {"[landmark.region]\np", "[landmark.region]\nx", "s.toml:25:1: state `x` has no equation"},
+      {"v = \"u*half\"", "L = \"u*half\"", "s.toml:39:1: there is no state or input `L`"},
+      {"x = 1\nlandmark.p", "v = 1\nlandmark.p", "s.toml:43:1: there is no state `v`; the nearest is `x`"},
+      {"landmark.p = \"r/r\"", "landmark.x = 1",
+       "s.toml:44:10: there is no landmark state `x`; the nearest is"},
+      {"depth]\np = \"r\"", "depth]\nx = 1", "s.toml:31:1: there is no landmark state `x`"},
+      {"states.x", "states.v", "s.toml:47:8: there is no state `v`"},
+      {"x = { w", "v = { w", "s.toml:49:1: there is no state `v`"},
+      {"x = { w", "x = { p", "s.toml:49:7: there is no state `p`; the nearest is `x`"},
+      {"place = { x", "plaice = { x",
+       "s.toml:51:1: there is no measurement `plaice`; the nearest is `place`"},
+      {"place = { x = 1 }\n", "", "s.toml:21:1: the error form has no row for measurement `place`"},
+      {"{ p = 1, x = -1 }", "{ p = 1, q = -1 }", "s.toml:56:21: there is no state `q`"},
+      {"p = {}", "x = {}", "s.toml:58:1: there is no state `x`; the nearest is `p`"},
+  });
+}
+
+TEST(SystemFile, DisturbedStatesAreTheVehicles) {
+  const auto disturbed = [](const std::string& list) {
+    return with("segment_duration_s = 0.5", "segment_duration_s = 0.5\ndisturbed = " + list);
+  };
+  const SystemText cart = read_system(disturbed("[\"w\", 'x']"), "s.toml");
+  ASSERT_EQ(cart.disturbed.size(), 2u);
+  EXPECT_EQ(cart.disturbed[0].name, "w");
+  EXPECT_EQ(at(cart.disturbed[1].place), "6:19");
+  EXPECT_EQ(complaint(disturbed("[\"w\", \"v\"]")), "s.toml:6:19: there is no state `v`; the nearest is `x`");
+  EXPECT_EQ(complaint(disturbed("[\"w\", \"w\"]")), "s.toml:6:19: `w` stands here twice");
+  EXPECT_TRUE(complaint(disturbed("[\"w\", 1]")).starts_with("s.toml:6:13: `disturbed` must be a list of"));
+  EXPECT_TRUE(complaint(disturbed("\"w\"")).starts_with("s.toml:6:13: `disturbed` must be a list of"));
+}
+
+TEST(SystemFile, RefusesWrongRangesAndWhatIsMissing) {
+  expect_faults({
+      {"v = [-1, 1]", "v = [1, -1]", "s.toml:10:1: the range of `v` is empty; write [lowest, highest]"},
+      {"v = [-1, 1]", "v = [-1.7e308, 1.7e308]", "s.toml:10:1: the range of `v` must be finite"},
+      {"q = [-9, -3]", "q = [-3, -9]", "s.toml:33:1: the range of `q` is empty"},
+      {"draw.u = [0, 1]", "draw.u = [1, 0]", "s.toml:41:6: the range of `u` is empty"},
+      {"p = 0\n", "", "s.toml: a landmark needs a state; one whose place is known is an anchor"},
+      {"x = 1\nlandmark.p = \"r/r\"\n", "", "s.toml:42:13: direction `along x` moves nothing"},
+  });
+  EXPECT_EQ(complaint("name = \"a\""),
+            "s.toml: the system has no states; write x = \"its rate of change\" under [states]");
+  EXPECT_HAS(complaint("name = \"a\"\nstates.x = 0\nregion.x = [0, 1]\n"),
+             "s.toml: the system has no measurement; write one under [measurements], ");
+}
+
+TEST(SystemFile, RefusesWrongExpressionsWhereTheyAreWrong) {
+  expect_faults({
+      {"\"v + drag\"", "\"v + darg\"", "s.toml:12:10: there is no `darg` that this expression sees"},
+      {"\"v + drag\"", "'v + * drag'", "s.toml:12:10: nothing stands between `+` and `*`"},
+      {"\"v + drag\"", "\"v + r\"", "s.toml:12:10: there is no `r` that this expression sees"},
+      {"\"-0.1*w*L\"", "\"half\"", "s.toml:15:9: there is no `half` that this expression sees"},
+      {"w = 0", "w = 1e305", "s.toml:13:5: a number's exponent is at most 300"},
+      {"w = 0", "w = \"\"", "s.toml:13:6: the expression is empty"},
+      {"\"r\", sigma", "\"r**2\", sigma", "s.toml:29:21: a power is written ^, not **"},
+      {"\"p - x\"", "\"p - q\"", "s.toml:27:10: there is no `q` that this expression sees"},
+      {"\"q - x\"", "\"p - x\"", "s.toml:35:6: there is no `p` that this expression sees"},
+      {"\"u*half\"", "\"u*p\"", "s.toml:39:8: there is no `p` that this expression sees"},
+      {"x = -1.5", "x = \"2x\"", "s.toml:40:7: an operation is missing before `x`"},
+      {"x = 1\nlandmark.p", "x = \"r\"\nlandmark.p",
+       "s.toml:43:6: there is no `r` that this expression sees"},
+      {"\"r/r\"", "\"r/\"", "s.toml:44:16: nothing stands after `/`"},
+      {"\"-0.1*L\"", "\"-0.1*p\"", "s.toml:49:17: there is no `p` that this expression sees"},
+      {"\"error of x\"", "\"\"", "s.toml:47:12: `x` must be one line of 1 to 400 characters"},
+      // Where what is written is not what is read the place is that of the quotes
+      {"\"v + drag\"", "\"\"\"\nv +\n  darg\"\"\"", "s.toml:12:5: there is no `darg`"},
+      {"\"v + drag\"\nw = 0", "\"\"\"\nv +\n  drag\"\"\"\nw = \"zz\"", "s.toml:15:6: there is no `zz`"},
+  });
+}
+
+TEST(SystemFile, RefusesTooMuch) {
+  const auto many = [](const std::string& name, int count, const std::string& value) {
+    std::string text;
+    for (int i = 0; i < count; ++i) text += name + std::to_string(i) + value + "\n";
+    return text;
+  };
+  const auto complaint_of = [](const std::string& part, const std::string& more) {
+    return complaint(with(part, part + more));
+  };
+  EXPECT_HAS(complaint_of("[states]\n", many("k", 63, " = 0")),
+             "s.toml:76:1: there are 65 states here; at most 64 are read");
+  EXPECT_HAS(complaint_of("[measurements]\n", many("k", 64, " = 0")), "there are 65 measurements here");
+  EXPECT_HAS(complaint_of("[definitions]\n", many("k", 255, " = 0")), "there are 257 definitions here");
+  EXPECT_HAS(complaint_of("[parameters]\n", many("k", 256, " = 0")), "there are 257 parameters here");
+  EXPECT_HAS(complaint_of("[inputs]\n", many("k", 64, " = [0, 1]")), "there are 65 inputs here");
+  EXPECT_HAS(complaint_of("[anchor.constants]\n", many("k", 64, " = [0, 1]")), "there are 65 constants here");
+  EXPECT_HAS(complaint_of("half = \"drag/2\"\n", many("[motion.k", 64, "]")), "there are 65 motions here");
+  EXPECT_HAS(complaint_of("half = \"drag/2\"\n", many("[directions.k", 64, "]")),
+             "there are 65 directions here");
+  EXPECT_HAS(complaint_of("half = \"drag/2\"\n", "[motion.z.draw]\n" + many("k", 65, " = [0, 1]")),
+             "there are 65 draws here");
+  EXPECT_HAS(complaint(whole + "#" + std::string(1 << 20, '-')), "bytes are too many");
+}
+
+TEST(SystemFile, RefusesWhatIsNoToml) {
+  EXPECT_HAS(complaint("name = \"a\"\nstates = {\n"), "s.toml:2:11: not valid TOML: ");
+  EXPECT_HAS(complaint(with("w = 0", "x = 0")), "s.toml:13:5: not valid TOML: ");
+  EXPECT_HAS(complaint(std::string("name = \"a\0\"", 11)), "s.toml:1:");
+  EXPECT_HAS(complaint("name = \"\xff\""), "s.toml:1:");
+}
+
+TEST(TomlValue, KnowsItsPlace) {
+  const TomlTable table = parse_toml(
+      "b = \"one\" # \nlong = '''one'''\nesc = \"o\\n\"\n\"\xce\xb8\" = '\xce\xb8'\n"
+      "t = { z = 1, a = \"two\" }\na.c = [1, -2]\n",
+      "f");
+  std::string keys;
+  for (const TomlEntry& entry : table)
+    keys += entry.key + ":" + std::to_string(entry.value.text_column) + " ";
+  EXPECT_EQ(keys, "b:6 long:8 esc:7 \xce\xb8:8 t:5 a:1 ");
+  const auto& inner = std::get<TomlTable>(table[4].value.value);
+  EXPECT_EQ(inner[0].key, "z");  // as they were written, not by the alphabet
+  EXPECT_EQ(inner[0].column, 7);
+  EXPECT_EQ(inner[1].column, 14);
+  EXPECT_EQ(inner[1].value.column, 18);
+  EXPECT_EQ(inner[1].value.text_column, 19);
+  const auto& c = std::get<TomlTable>(table[5].value.value)[0];
+  EXPECT_EQ(c.column, 3);
+  EXPECT_EQ(std::get<TomlArray>(c.value.value)[1].column, 11);
+}
+
+// The reader makes a table of each part, and the program would die of half a million inside each other
+TEST(TomlValue, RefusesDeepKeys) {
+  std::string deep;
+  for (int i = 0; i < 60'000; ++i) deep += "a . 'b' .\"c\\\"\".";
+  for (const std::string& text : {deep + "d = 1", "x = 1\n[" + deep + "d]", "x = { " + deep + "d = 1 }"})
+    EXPECT_HAS(message_of([&] { parse_toml(text, "f"); }), "a key of more than 100 parts");
+  EXPECT_HAS(message_of([&] { parse_toml("\n" + deep, "f"); }), "f:2: not valid TOML");
+  EXPECT_EQ(find_deep_key("\n" + deep)->line, 2);
+  std::string numbers = "a = [";
+  for (int i = 0; i < 1000; ++i) numbers += "1.5, -2.5e-3, '.', # .a.b.c\n";
+  EXPECT_FALSE(find_deep_key(numbers + "]"));
+  EXPECT_FALSE(find_deep_key("a = \"" + deep.substr(0, 3) + "\"\nb = '" + std::string(500, '.') + "'"));
+  EXPECT_FALSE(find_deep_key("a = \"\"\"" + std::string(500, '.') + "\"\"\"\n# " + std::string(500, '.')));
+}
+
+TEST(DamagedSystem, IsReadOrRefused) {
+  for (const std::string& text :
+       {whole, contents(std::string(INCOGNITA_SOURCE_DIR) + "/systems/planar.toml")}) {
+    const int fine = testing::still_read(text, 1500, [](const std::string& damaged) {
+      const SystemText system = read_system(damaged, "s.toml");
+      EXPECT_FALSE(system.name.empty());
+      EXPECT_TRUE(std::isfinite(system.segment_duration_s) && system.segment_duration_s > 0);
+      EXPECT_EQ(system.vehicle.region.size(), system.vehicle.states.size());
+    });
+    EXPECT_GT(fine, 30);
+    EXPECT_LT(fine, 1400);
+  }
+}
+
+}  // namespace
+}  // namespace incognita

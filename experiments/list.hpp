@@ -18,6 +18,13 @@ extern const Experiment example_3_8;
 extern const Experiment example_3_9;
 extern const Experiment example_3_10;
 extern const Experiment example_3_11;
+extern const Experiment text_chapter_4;
+extern const Experiment example_4_1;
+extern const Experiment example_4_2;
+extern const Experiment example_4_3;
+extern const Experiment example_4_4;
+extern const Experiment example_4_5;
+extern const Experiment example_4_6;
 extern const Experiment consistency;
 
 }  // namespace incognita

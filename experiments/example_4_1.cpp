@@ -1,0 +1,297 @@
+// Example 4.1: what a vehicle of the plane with a camera gets to see of itself and of features. World-centric
+// here; with anchors in example_4_1_anchors.cpp, the relative map in example_4_1_relative.cpp.
+//
+// Experiment: the built-in system `planar`, motions and rules of observability_claims.hpp; 1 to 3 features,
+// up to 5 segments; also turning on the spot, and with the feature anywhere, straight ahead or abeam. Holds:
+// beside those rules, matrices to 1e-9.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "experiments/evidence.hpp"
+#include "experiments/example_4_1.hpp"
+#include "experiments/list.hpp"
+
+namespace incognita::observability_claims {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::Vector2d;
+using Eigen::VectorXd;
+using planar::five;
+using planar::r_of;
+using planar::turn;
+using planar::world;
+
+/// At rest, and turning or not.
+void turn_on_the_spot(SystemText& text) {
+  for (MotionText& motion : text.motions)
+    if (motion.name == "stationary")
+      std::erase_if(motion.assignments, [](const NamedExpression& a) { return a.name == "omega"; });
+}
+
+const Study& standing() {
+  return study({.system = "planar", .motion = "stationary", .change = {"turning", turn_on_the_spot}});
+}
+
+/// The feature anywhere in a rectangle about the vehicle, which is at the origin and heads along x.
+const Study& feature_in(const std::string& name, NamedRange x, NamedRange y) {
+  const auto place = [=](SystemText& text) {
+    for (NamedRange& range : text.vehicle.region) range.low = range.high = 0;
+    auto& region = text.landmark->region;
+    region[0].low = x.low, region[0].high = x.high;
+    region[1].low = y.low, region[1].high = y.high;
+  };
+  return study({.system = "planar", .change = {name, place}});
+}
+
+// Matrices --------------------------------------------------------------------------------------------
+
+Claim error_form() {
+  const auto wrong = [](const Course& course) {
+    const SystemPoint& p = course.points[0];
+    const double v = p.u[0], c = std::cos(p.x[2]), s = std::sin(p.x[2]);
+    const Vector2d r = r_of(p);
+    MatrixXd F = MatrixXd::Zero(5, 5), H(1, 5);
+    F(0, 2) = -v * s, F(1, 2) = v * c;
+    H << r.y(), -r.x(), -r.squaredNorm(), -r.y(), r.x();
+    H /= r.squaredNorm();
+    return std::max((course.exact[0].F - F).cwiseAbs().maxCoeff(),
+                    (course.exact[0].H - H).cwiseAbs().maxCoeff());
+  };
+  const double difference = largest(world(), wrong);
+  return judged({.id = "4.1-F-H",
+                 .place = "(4.14), (4.15)",
+                 .statement = "F and H of the error form are the derivatives of (4.11) and (4.12), to 1e-9",
+                 .printed = "",
+                 .measured = fmt::format("largest difference in {} motions {}", motions, below(difference)),
+                 .why = "they are not",
+                 .runs = motions},
+                difference < planar::rounding);
+}
+
+Claim first_segment() {
+  const auto wrong = [](const Course& course) {
+    const SystemPoint& p = course.points[0];
+    const double v = p.u[0], c = std::cos(p.x[2]), s = std::sin(p.x[2]);
+    const Vector2d r = r_of(p);
+    MatrixXd printed = MatrixXd::Zero(1, 5);
+    printed(0, 2) = (-r.y() * v * s - r.x() * v * c) / r.squaredNorm();
+    const MatrixXd &F = course.forms[0].F, &H = course.forms[0].H;
+    return std::max((H * F - printed).cwiseAbs().maxCoeff(), (H * F * F).cwiseAbs().maxCoeff());
+  };
+  const double difference = largest(world(), wrong);
+  return judged(
+      {.id = "4.1-Q1",
+       .place = "(4.16), footnote 1",
+       .statement = "Q_1 is H and one row H F, which has but a heading; higher powers are zero; to 1e-9",
+       .printed = "(-r_y v sin - r_x v cos)/d^2",
+       .measured = fmt::format("largest difference in {} motions {}", motions, below(difference)),
+       .why = "it is not",
+       .runs = motions},
+      difference < planar::rounding);
+}
+
+Claim f_null_space() {
+  const Spaces spaces = null_spaces(world(), [](const Course& c) { return c.forms[0].F; });
+  const bool basis = are_basis(spaces, world().courses(), [](const Course&) {
+    const MatrixXd I = MatrixXd::Identity(5, 5);
+    return std::vector<VectorXd>{I.col(0), I.col(1), I.col(3), I.col(4)};
+  });
+  bool one = true;
+  for (int k = 1; k <= 3; ++k) one = one && same(world().stripped(k), world().total(k));
+  return judged(
+      {.id = "4.1-F-null-space",
+       .place = "(4.19), (4.9)",
+       .statement = "N(F_j) is all but the heading and contains N(Q_j), so that TOM and SOM have one null "
+                    "space",
+       .printed = "dimension 4",
+       .measured = fmt::format("dimension {}; (4.9) holds in {} segments; null spaces of SOM and TOM after "
+                               "1, 2, 3 segments are {}",
+                               dimension(spaces), world().stays() ? "all" : "not all",
+                               one ? "the same" : "not the same"),
+       .why = "it does not",
+       .runs = motions},
+      basis && world().stays() && one);
+}
+
+// One segment -----------------------------------------------------------------------------------------
+
+Claim instant_null_space() {
+  const Study& s = world();
+  const bool basis = are_basis(s.stripped(1), s.courses(), [](const Course& c) -> std::vector<VectorXd> {
+    const Vector2d r = r_of(c.points[0]);
+    return {five(r.x(), r.y(), 0, 0, 0), five(1, 0, 0, 1, 0), five(-r.x(), 0, 0, 0, r.y())};
+  });
+  return judged({.id = "4.1-instant-null-space",
+                 .place = "(4.17)",
+                 .statement = "Null space of one segment, with nothing of the heading in it",
+                 .printed = "dimension 3",
+                 .measured = fmt::format("dimension {} of 5 in {} motions; the printed vectors span it: {}",
+                                         dimension(s.stripped(1)), motions, basis ? "yes" : "no"),
+                 .why = "they do not span it",
+                 .runs = motions},
+                basis);
+}
+
+Claim orientation() {
+  const auto in_segment = seen_states(world().stripped(1), world().error_states()),
+             along = seen_states(world().along(), world().states());
+  const std::vector<std::string> heading{"theta"};
+  return judged(
+      {.id = "4.1-orientation",
+       .place = "below (4.17), Section 4.4",
+       .statement = "The vehicle's orientation is the only completely observable state, as long as it moves",
+       .printed = "orientation",
+       .measured = fmt::format("states outside the null space in {} motions: of Q_1 {}; of the motion itself "
+                               "{}",
+                               motions, listed(in_segment), listed(along)),
+       .why = "so Q_1 says, which lets F move the vehicle on and leaves H where it was. Turning vehicle and "
+              "map about a point changes no look, so that no motion shows the heading",
+       .runs = motions},
+      in_segment == heading && along == heading);
+}
+
+Claim at_rest() {
+  const Study& s = standing();
+  const auto vectors = [](double sign) {
+    return [sign](const Course& c) -> std::vector<VectorXd> {
+      const Vector2d r = r_of(c.points[0]);
+      return {five(-r.x(), -r.y(), 0, 0, 0), five(r.x(), 0, 0, 0, -r.y()), five(1, 0, 0, 1, 0),
+              five(r.squaredNorm(), 0, sign * r.y(), 0, 0)};
+    };
+  };
+  const bool printed = are_basis(s.stripped(1), s.courses(), vectors(-1)),
+             corrected = are_basis(s.stripped(1), s.courses(), vectors(1));
+  const bool unseen = seen_states(s.stripped(1), s.error_states()).empty();
+  return judged(
+      {.id = "4.1-standing",
+       .place = "(4.18)",
+       .statement = "At rest the null space has dimension 4, and the heading is not observable either",
+       .printed = "4th vector [d^2 0 -r_y 0 0]",
+       .measured = fmt::format("{} (turning on the spot); states outside the null space: {}. The 4th vector "
+                               "is {} with -r_y, {} with r_y",
+                               s.text(), listed(seen_states(s.stripped(1), s.error_states())),
+                               printed ? "in it" : "not in it", corrected ? "in it" : "not in it"),
+       .why = "[d^2 0 r_y 0 0]",
+       .runs = motions},
+      printed && unseen, corrected && unseen && s.true_dimension() == 4);
+}
+
+Claim anywhere() {
+  const Study &around = feature_in("around", {"", {}, -9, 9}, {"", {}, -9, 9}),
+              &ahead = feature_in("ahead", {"", {}, 3, 9}, {"", {}, 0, 0}),
+              &abeam = feature_in("abeam", {"", {}, 0, 0}, {"", {}, 3, 9});
+  const int d[] = {dimension(around.stripped(1)), dimension(ahead.stripped(1)), dimension(abeam.stripped(1))};
+  return judged(
+      {.id = "4.1-anywhere",
+       .place = "below (4.18)",
+       .statement = "One segment leaves three modes wherever the feature is, except on the optical axis",
+       .printed = "except r_y = 0",
+       .measured = fmt::format("N(Q_1) in {} motions each, vehicle heading along x: feature anywhere {}, "
+                               "straight ahead {}, abeam {}",
+                               motions, d[0], d[1], d[2]),
+       .why = "except abeam, r_x = 0: there the row H F, -v r_x/d^2, is zero. Straight ahead it is (4.17) "
+              "that falls short, as its vectors become two",
+       .runs = 3 * motions},
+      d[0] == 3 && d[1] != 3 && d[1] != no_dimension && d[2] == 3, d[0] == 3 && d[1] == 3 && d[2] == 4);
+}
+
+// More segments ---------------------------------------------------------------------------------------
+
+std::vector<VectorXd> translations(int features) {
+  std::vector<VectorXd> both;
+  for (int axis = 0; axis < 2; ++axis) {
+    VectorXd v = VectorXd::Zero(3 + 2 * features);
+    v[axis] = 1;
+    for (int i = 0; i < features; ++i) v[3 + 2 * i + axis] = 1;
+    both.push_back(v);
+  }
+  return both;
+}
+
+Claim two_segments() {
+  const Study& s = world();
+  const bool basis = are_basis(s.stripped(2), s.courses(), [](const Course&) { return translations(1); });
+  return judged(
+      {.id = "4.1-two-segments",
+       .place = "(4.20)",
+       .statement = "Null space of the SOM of two segments: the two translations of vehicle and feature",
+       .printed = "dimension 2",
+       .measured = fmt::format("{}, in {} motions; the printed vectors span it: {}", s.text(), motions,
+                               basis ? "yes" : "no"),
+       .why = "they do not span it",
+       .runs = motions},
+      basis);
+}
+
+Claim more_of_it() {
+  std::vector<std::string> lines;
+  bool all = true;
+  for (const int features : {1, 2, 3}) {
+    const Study& s = world(features, 0, 5);
+    lines.push_back(fmt::format("{}: {}", features, s.segments_text()));
+    for (int k = 2; k <= 5; ++k)
+      all =
+          all && are_basis(s.stripped(k), s.courses(), [&](const Course&) { return translations(features); });
+  }
+  return judged(
+      {.id = "4.1-more",
+       .place = "below (4.20)",
+       .statement = "More features or segments do not change the null space of the SOM: two translations",
+       .printed = "dimension 2",
+       .measured = fmt::format("dimensions left by SOM and TOM after 1/2/3/4/5 segments, by features: {}",
+                               fmt::join(lines, "; ")),
+       .why = "they change it",
+       .runs = 3 * motions},
+      all);
+}
+
+Claim unobservable_modes() {
+  std::vector<std::string> lines;
+  bool printed = true, corrected = true;
+  for (const int features : {1, 2, 3}) {
+    const Study& s = world(features);
+    lines.push_back(fmt::format("{}: {}", features, joined({s.true_dimension()})));
+    const auto printed_modes = [&](const Course&) { return translations(features); };
+    const auto with_turn = [&](const Course& c) {
+      auto modes = translations(features);
+      modes.push_back(turn(c.points[0], Vector2d::Zero()));
+      return modes;
+    };
+    printed = printed && are_basis(s.along(), s.courses(), printed_modes);
+    corrected = corrected && are_basis(s.along(), s.courses(), with_turn);
+  }
+  return judged(
+      {.id = "4.1-modes",
+       .place = "below (4.20)",
+       .statement = "The system's unobservable modes are the two translations of vehicle and map, for any "
+                    "number of features",
+       .printed = "2",
+       .measured =
+           fmt::format("dimensions left by the motion itself, by features: {}", fmt::join(lines, "; ")),
+       .why = "three: these and the turn of all about a point. SOM and TOM leave two, because H is frozen "
+              "within a segment",
+       .runs = 3 * motions},
+      printed, corrected);
+}
+
+LedgerEntry run(const ExperimentSettings&) {
+  LedgerEntry entry{example_4_1.id, example_4_1.title, "", {}, {}};
+  entry.claims = {error_form(), first_segment(), instant_null_space(), orientation(), at_rest(),
+                  anywhere(),   f_null_space(),  two_segments(),       more_of_it(),  unobservable_modes()};
+  std::ranges::move(planar::anchor_claims(), std::back_inserter(entry.claims));
+  std::ranges::move(planar::relative_claims(), std::back_inserter(entry.claims));
+  return entry;
+}
+
+}  // namespace
+}  // namespace incognita::observability_claims
+
+namespace incognita {
+
+const Experiment example_4_1{"4.1", "Bearings for a vehicle of the plane", {}, observability_claims::run};
+
+}  // namespace incognita

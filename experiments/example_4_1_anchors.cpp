@@ -1,0 +1,197 @@
+// Example 4.1 with anchors: how many it takes to observe a vehicle of the plane with a camera.
+//
+// Experiment: the built-in systems `planar` and `planar-rb` (ranges and bearings), motions and rules of
+// observability_claims.hpp; up to 3 anchors.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "experiments/evidence.hpp"
+#include "experiments/example_4_1.hpp"
+
+namespace incognita::observability_claims::planar {
+
+using Eigen::Vector2d;
+using Eigen::VectorXd;
+
+const Study& world(int features, int anchors, int segments) {
+  return study({.system = "planar", .features = features, .anchors = anchors, .segments = segments});
+}
+
+VectorXd five(double x, double y, double theta, double xf, double yf) {
+  return (VectorXd(5) << x, y, theta, xf, yf).finished();
+}
+
+Vector2d r_of(const SystemPoint& point) { return point.x.segment<2>(3) - point.x.head<2>(); }
+
+VectorXd turn(const SystemPoint& point, const Vector2d& about) {
+  VectorXd v = VectorXd::Zero(point.x.size());
+  const auto turned = [&](const Vector2d& at) { return Vector2d(-(at - about).y(), (at - about).x()); };
+  v.head<2>() = turned(point.x.head<2>());
+  v[2] = 1;
+  for (Eigen::Index i = 3; i < v.size(); i += 2) v.segment<2>(i) = turned(point.x.segment<2>(i));
+  return v;
+}
+
+namespace {
+
+Claim anchored_h() {
+  double printed = 0, corrected = 0;
+  for (const Course& course : world(1, 2).courses())
+    for (int i = 0; i < 2; ++i) {
+      const Vector2d b = course.points[0].anchors.segment<2>(2 * i) - course.points[0].x.head<2>();
+      const double da = b.squaredNorm();
+      const VectorXd row = course.exact[0].H.row(1 + i);
+      const auto wrong = [&](double over) {
+        return (row - five(b.y() / over, -b.x() / over, -1, 0, 0)).cwiseAbs().maxCoeff();
+      };
+      printed = std::max(printed, wrong(da * da)), corrected = std::max(corrected, wrong(da));
+    }
+  return judged({.id = "4.1-anchored-H",
+                 .place = "(4.21)",
+                 .statement = "Rows of H for anchors are the derivatives of (4.12), to 1e-9",
+                 .printed = "divided by da^2, da = (a_y - y)^2 + (a_x - x)^2",
+                 .measured = fmt::format("largest difference in {} motions: printed {:.2g}, ours {}", motions,
+                                         printed, below(corrected)),
+                 .why = "da is the square already",
+                 .runs = motions},
+                printed < rounding, corrected < rounding);
+}
+
+Claim anchored_null_space() {
+  const Study& s = world(1, 2);
+  const bool basis = are_basis(s.stripped(1), s.courses(), [](const Course& c) -> std::vector<VectorXd> {
+    const Vector2d r = r_of(c.points[0]);
+    return {five(0, 0, 0, -r.x(), -r.y())};
+  });
+  return judged({.id = "4.1-anchored-null-space",
+                 .place = "(4.22)",
+                 .statement = "Null space of one segment with two anchors: the distance of the feature",
+                 .printed = "dimension 1",
+                 .measured = fmt::format("dimension {} of 5 in {} motions; the printed vector spans it: {}",
+                                         dimension(s.stripped(1)), motions, basis ? "yes" : "no"),
+                 .why = "it does not span it",
+                 .runs = motions},
+                basis);
+}
+
+Claim anchored_two_segments() {
+  const Study& s = world(1, 2);
+  return judged(
+      {.id = "4.1-anchored-two-segments",
+       .place = "below (4.22)",
+       .statement = "With two anchors vehicle and feature are completely observable in two segments",
+       .printed = "0",
+       .measured = fmt::format("{}, in {} motions", s.text(), motions),
+       .why = "they are not",
+       .runs = motions},
+      dimension(s.stripped(2)) == 0 && s.true_dimension() == 0);
+}
+
+Claim anchored_total() {
+  std::vector<std::string> lines;
+  bool all = true;
+  for (const int anchors : {1, 2, 3}) {
+    const Study& s = world(1, anchors);
+    lines.push_back(fmt::format("{}: {}", anchors, joined(s.total_dimensions())));
+    all = all && s.stays() && dimension(s.total(2)) == 0;
+  }
+  return judged(
+      {.id = "4.1-anchored-total",
+       .place = "below (4.22)",
+       .statement = "N(Q_j) is within N(F_j), and the TOM has full rank in two segments, for one or more "
+                    "anchors",
+       .printed = "0",
+       .measured = fmt::format("(4.9) holds; dimensions left by the TOM after 1/2/3 segments, by anchors: {}",
+                               fmt::join(lines, "; ")),
+       .why = "it has not",
+       .runs = 3 * motions},
+      all);
+}
+
+Claim anchors_needed() {
+  std::vector<std::string> lines;
+  for (const int anchors : {0, 1, 2})
+    lines.push_back(fmt::format("{}: {}", anchors, world(1, anchors).numbers()));
+  const Study &one = world(1, 1), &two = world(1, 2);
+  return judged(
+      {.id = "4.1-anchors-needed",
+       .place = "below (4.20)",
+       .statement = "Two anchors and two segments are needed for full observability",
+       .printed = "two and two",
+       .measured = fmt::format("{}, by anchors: {}. Only the motion itself tells that one anchor is too few; "
+                               "only SOM and TOM ask for a second segment",
+                               legend, fmt::join(lines, "; ")),
+       .why = "they are not",
+       .runs = 3 * motions},
+      two.dimensions() == std::vector{1, 0, 0} && two.true_dimension() == 0 && one.true_dimension() > 0);
+}
+
+Claim one_anchor_twice() {
+  const Study &one = world(1, 1), &two = world(1, 2);
+  const bool turns = are_basis(one.along(), one.courses(), [](const Course& c) -> std::vector<VectorXd> {
+    return {turn(c.points[0], c.points[0].anchors)};
+  });
+  return judged(
+      {.id = "4.1-one-anchor-twice",
+       .place = "above (4.21)",
+       .statement = "One anchor seen from two different steps is equivalent to two anchors",
+       .printed = "equivalent",
+       .measured = fmt::format("{}, by anchors: 1: {}; 2: {}. What one leaves is the turn about it: {}",
+                               legend, one.numbers(), two.numbers(), turns ? "yes" : "no"),
+       .why = "so SOM and TOM say. Turning vehicle and map about the anchor changes no look",
+       .runs = 2 * motions},
+      one.true_dimension() == two.true_dimension() &&
+          dimension(one.stripped(2)) == dimension(two.stripped(2)));
+}
+
+Claim range_and_bearing() {
+  std::vector<std::string> lines;
+  std::vector<const Study*> by_anchors;
+  for (const int anchors : {0, 1, 2}) {
+    by_anchors.push_back(&study({.system = "planar-rb", .anchors = anchors}));
+    lines.push_back(fmt::format("{}: {}", anchors, by_anchors.back()->numbers()));
+  }
+  return judged({.id = "4.1-range-bearing",
+                 .place = "above (4.21), of [3, 85]",
+                 .statement = "With range and bearing one segment and two anchors are needed",
+                 .printed = "one and two",
+                 .measured = fmt::format("{}, by anchors: {}. SOM and TOM are content with one anchor",
+                                         legend, fmt::join(lines, "; ")),
+                 .why = "they are not",
+                 .runs = 3 * motions},
+                by_anchors[1]->true_dimension() > 0 && by_anchors[2]->true_dimension() == 0 &&
+                    dimension(by_anchors[2]->stripped(1)) == 0);
+}
+
+Claim nonlinear_anchors() {
+  std::vector<std::string> lines;
+  std::vector<int> found;
+  for (const int features : {0, 1})
+    for (const int anchors : {1, 2}) {
+      const int d = dimension(lie({.system = "planar", .features = features, .anchors = anchors}));
+      found.push_back(d);
+      lines.push_back(fmt::format("{} and {}: {}", features, anchors, joined({d})));
+    }
+  return judged(
+      {.id = "4.1-nonlinear-anchors",
+       .place = "head of Chapter 4, above (4.21), of [11]",
+       .statement = "By the nonlinear analysis absolute localisation, with a map or without, takes two "
+                    "anchors",
+       .printed = "two",
+       .measured =
+           fmt::format("dimensions left by the Lie derivatives at {} points, features and anchors: {}",
+                       motions, fmt::join(lines, "; ")),
+       .why = "it does not",
+       .runs = 4 * motions},
+      found == std::vector{1, 0, 1, 0});
+}
+
+}  // namespace
+
+std::vector<Claim> anchor_claims() {
+  return {range_and_bearing(), nonlinear_anchors(),   anchors_needed(),        one_anchor_twice(),
+          anchored_h(),        anchored_null_space(), anchored_two_segments(), anchored_total()};
+}
+
+}  // namespace incognita::observability_claims::planar

@@ -1,0 +1,266 @@
+// Example 4.2: what a body with inertial sensors and a camera gets to see, without anchors and with some. Its
+// matrices are in example_4_2_matrices.cpp, the relative map in example_4_2_relative.cpp.
+//
+// Experiment: the built-in systems `inertial` and `inertial-rb` (azimuth, elevation; and range), motions and
+// rules of observability_claims.hpp; 1 to 3 features, up to 4 anchors, also two of them one above the other;
+// also unaccelerated, in each of the ways that `f = 0` may mean: falling, without gravity, and (f = -g then)
+// at constant velocity under gravity.
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <iterator>
+
+#include "experiments/evidence.hpp"
+#include "experiments/example_4_2.hpp"
+#include "experiments/list.hpp"
+
+namespace incognita::observability_claims {
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+using inertial::C_of;
+using inertial::Unaccelerated;
+using inertial::unaccelerated;
+using inertial::world;
+
+const std::vector<std::string> velocities{"vx", "vy", "vz"};
+
+VectorXd twelve(const Vector3d& p, const Vector3d& v, const Vector3d& psi, const Vector3d& feature) {
+  return (VectorXd(12) << p, v, psi, feature).finished();
+}
+
+Vector3d r_of(const SystemPoint& p) { return p.x.segment<3>(9) - p.x.head<3>(); }
+
+/// Vehicle and feature turned about a vertical, as Euler angles see it.
+VectorXd yawed(const SystemPoint& p, const Vector3d& about) {
+  const Vector3d up = Vector3d::UnitZ();
+  return twelve(up.cross(p.x.head<3>() - about), up.cross(p.x.segment<3>(3)), up,
+                up.cross(p.x.segment<3>(9) - about));
+}
+
+/// Two anchors, one above the other.
+Case one_above_the_other() {
+  Case which = world(1, 2);
+  which.change = {"vertical", [](SystemText& text) {
+                    text.anchor->region[0].low = text.anchor->region[0].high = 5;
+                    text.anchor->region[1].low = text.anchor->region[1].high = -4;
+                  }};
+  return which;
+}
+
+// Without anchors -------------------------------------------------------------------------------------
+
+Claim world_null_space() {
+  const Study& s = study(world());
+  const auto translations = [](const Course&) {
+    std::vector<VectorXd> all;
+    for (int axis = 0; axis < 3; ++axis) {
+      const Vector3d e = Vector3d::Unit(axis);
+      all.push_back(twelve(e, Vector3d::Zero(), Vector3d::Zero(), e));
+    }
+    return all;
+  };
+  const bool basis = are_basis(s.stripped(2), s.courses(), translations) &&
+                     are_basis(s.stripped(3), s.courses(), translations);
+  return judged(
+      {.id = "4.2-world-null-space",
+       .place = "(4.35)",
+       .statement = "Null space of the SOM: the three translations of vehicle and feature",
+       .printed = "dimension 3",
+       .measured = fmt::format("{}, in {} motions; the printed vectors span that of two and three segments: "
+                               "{}. They have 12 entries, not 14",
+                               s.text(), motions, basis ? "yes" : "no"),
+       .why = "they do not span it",
+       .runs = motions},
+      basis);
+}
+
+Claim world_recovered() {
+  const Study& s = study(world());
+  const auto in_som = seen_states(s.stripped(3), s.error_states()),
+             along = seen_states(s.along(), s.states());
+  const std::vector<std::string> printed{"vx", "vy", "vz", "phi", "theta", "psi"}, ours{"vz", "phi", "theta"};
+  const bool yaws = contain(s.along(), s.courses(), [](const Course& c) -> std::vector<VectorXd> {
+    return {yawed(c.points[0], Vector3d::Zero())};
+  });
+  return judged(
+      {.id = "4.2-world-recovered",
+       .place = "below (4.35)",
+       .statement = "Not fully observable: linear velocity and misalignments are recovered, and nothing else",
+       .printed = "velocity, misalignments",
+       .measured = fmt::format("states outside the null space in {} motions: of the SOM {}; of the motion "
+                               "itself {}",
+                               motions, listed(in_som), listed(along)),
+       .why = "of both only what gravity tells: vertical speed, roll and pitch. Turning all about a vertical "
+              "changes no look, so that heading and horizontal velocity are not recovered",
+       .runs = motions},
+      along == printed, along == ours && yaws && s.true_dimension() == 4);
+}
+
+Claim range_bearing_world() {
+  std::vector<std::string> lines;
+  bool all = true;
+  for (const int features : {1, 2}) {
+    const Study& s = study({.system = "inertial-rb", .features = features, .segment_s = in_space_s});
+    all = all && dimension(s.stripped(3)) > 0 && s.true_dimension() > 0;
+    lines.push_back(fmt::format("{}: {}", features, s.numbers()));
+  }
+  return judged({.id = "4.2-range-bearing-world",
+                 .place = "below (4.28), of [19]",
+                 .statement = "With range and bearing the world-centric map is partially observable",
+                 .printed = "partially",
+                 .measured = fmt::format("{}, by features: {}", legend, fmt::join(lines, "; ")),
+                 .why = "it is not",
+                 .runs = 2 * motions},
+                all);
+}
+
+// Anchors ---------------------------------------------------------------------------------------------
+
+Claim few_anchors() {
+  const Study &one = study(world(1, 1)), &two = study(world(1, 2)), &vertical = study(one_above_the_other());
+  const bool yaws = are_basis(one.along(), one.courses(), [](const Course& c) -> std::vector<VectorXd> {
+    return {yawed(c.points[0], c.points[0].anchors)};
+  });
+  return judged(
+      {.id = "4.2-few-anchors",
+       .place = "head of Section 4.1.2, below (4.37)",
+       .statement = "One or two anchors leave the system partially observable; it takes more than two",
+       .printed = "partially",
+       .measured = fmt::format("{}, by anchors: 1: {}; 2: {}; 2, one above the other: {}", legend,
+                               one.numbers(), two.numbers(), vertical.numbers()),
+       .why = "one does: the turn about the vertical through it is left, which SOM and TOM miss. Two are "
+              "enough, unless one is above the other",
+       .runs = 3 * motions},
+      one.true_dimension() > 0 && two.true_dimension() > 0,
+      yaws && two.true_dimension() == 0 && vertical.true_dimension() == 1);
+}
+
+/// The first vector of (4.38), with r in axes of the sensor as printed or of the world.
+VectorXd first_of_4_38(const SystemPoint& p, bool as_printed) {
+  const Vector3d zero = Vector3d::Zero(), r = r_of(p);
+  return twelve(zero, zero, zero, as_printed ? Vector3d(C_of(p.x.segment<3>(6)) * r) : r);
+}
+
+VectorXd second_of_4_38(const SystemPoint& p) {
+  const Vector3d zero = Vector3d::Zero(), f = C_of(p.x.segment<3>(6)).transpose() * p.u.head<3>();
+  return twelve(r_of(p).cross(f), zero, f, zero);
+}
+
+Claim anchored_null_space() {
+  const auto printed = [](const Course& c) -> std::vector<VectorXd> {
+    return {first_of_4_38(c.points[0], true), second_of_4_38(c.points[0])};
+  };
+  const auto ours = [](const Course& c) -> std::vector<VectorXd> {
+    return {first_of_4_38(c.points[0], false)};
+  };
+  const Study &three = study(world(1, 3)), &four = study(world(1, 4)), &none = study(world());
+  const auto both = [&](const Vectors& vectors) {
+    return are_basis(three.stripped(1), three.courses(), vectors) &&
+           are_basis(four.stripped(1), four.courses(), vectors);
+  };
+  const bool without =
+      contain(none.stripped(1), none.courses(),
+              [](const Course& c) -> std::vector<VectorXd> { return {second_of_4_38(c.points[0])}; });
+  std::vector<int> by_features;
+  for (const int features : {1, 2, 3})
+    by_features.push_back(dimension(study(world(features, 3)).stripped(1)));
+  return judged({.id = "4.2-anchored-null-space",
+                 .place = "(4.38)",
+                 .statement = "Null space of one segment with three or more anchors and one feature",
+                 .printed = "[0 0 0 C r], [r x f 0 f 0]: dimension 2",
+                 .measured = fmt::format(
+                     "dimension with 3 and 4 anchors {} and {} in {} motions; with 3 anchors and 1/2/3 "
+                     "features {}. The second vector lies in the null space without anchors: {}",
+                     dimension(three.stripped(1)), dimension(four.stripped(1)), motions, joined(by_features),
+                     without ? "yes" : "no"),
+                 .why = "1: the distance of the feature, [0 0 0 r] with r in axes of the world",
+                 .runs = 5 * motions},
+                both(printed), both(ours));
+}
+
+Claim anchored_recovered() {
+  const Study& s = study(world(1, 3));
+  const auto seen = seen_states(s.stripped(1), s.error_states());
+  const std::vector<std::string> ours{"x", "y", "z", "vx", "vy", "vz", "psi_x", "psi_y", "psi_z"};
+  return judged({.id = "4.2-anchored-recovered",
+                 .place = "below (4.38)",
+                 .statement = "With three or more anchors one segment recovers linear velocities only",
+                 .printed = "velocities",
+                 .measured = fmt::format("states outside N(Q_1) with 3 anchors in {} motions: {}", motions,
+                                         listed(seen)),
+                 .why = "all states of the vehicle",
+                 .runs = motions},
+                seen == velocities, seen == ours && s.true_dimension() == 0);
+}
+
+Claim anchored_two_segments() {
+  std::vector<std::string> lines;
+  bool all = study(world(1, 3)).true_dimension() == 0;
+  for (const int anchors : {3, 4})
+    for (const int features : {1, 2, 3}) {
+      const Study& s = study(world(features, anchors));
+      all = all && dimension(s.stripped(2)) == 0;
+      lines.push_back(fmt::format("{} and {}: {}", anchors, features, s.segments_text()));
+    }
+  return judged({.id = "4.2-anchored-two-segments",
+                 .place = "below (4.38)",
+                 .statement = "With three or more anchors the SOM has full rank in two segments",
+                 .printed = "0",
+                 .measured = fmt::format(
+                     "dimensions left by SOM and TOM after 1/2/3 segments, anchors and features: {}; by the "
+                     "motion itself, 3 and 1: {}",
+                     fmt::join(lines, "; "), study(world(1, 3)).true_dimension()),
+                 .why = "it has not",
+                 .runs = 6 * motions},
+                all);
+}
+
+Claim anchored_unaccelerated() {
+  const Study &falls = study(unaccelerated(world(1, 3), Unaccelerated::falls)),
+              &weightless = study(unaccelerated(world(1, 3), Unaccelerated::weightless));
+  const auto are = [&](int first, int second) {
+    const auto is = [&](const Study& s) {
+      return dimension(s.stripped(1)) == first && dimension(s.stripped(2)) == second;
+    };
+    return is(falls) && is(weightless);
+  };
+  return judged(
+      {.id = "4.2-anchored-unaccelerated",
+       .place = "below (4.38)",
+       .statement =
+           "Without acceleration (f = 0) three anchors leave four in one segment, and one in two, not "
+           "the vehicle's position and orientation",
+       .printed = "4, then 1",
+       .measured = fmt::format(
+           "dimensions left by SOM and TOM after 1/2/3 segments with 3 anchors: falling {}; without "
+           "gravity {}; by the motion itself {}; states outside N(Q_1): {}",
+           falls.segments_text(), weightless.segments_text(), falls.true_dimension(),
+           listed(seen_states(falls.stripped(1), falls.error_states()))),
+       .why = "1, then 0: three anchors tell all of the vehicle at once, accelerated or not",
+       .runs = 2 * motions},
+      are(4, 1), are(1, 0) && falls.true_dimension() == 0);
+}
+
+LedgerEntry run(const ExperimentSettings&) {
+  LedgerEntry entry{example_4_2.id, example_4_2.title, "", {}, {}};
+  entry.claims = inertial::matrix_claims();
+  std::ranges::move(std::vector<Claim>{world_null_space(), world_recovered(), range_bearing_world(),
+                                       few_anchors(), anchored_null_space(), anchored_recovered(),
+                                       anchored_two_segments(), anchored_unaccelerated()},
+                    std::back_inserter(entry.claims));
+  std::ranges::move(inertial::relative_claims(), std::back_inserter(entry.claims));
+  return entry;
+}
+
+}  // namespace
+}  // namespace incognita::observability_claims
+
+namespace incognita {
+
+const Experiment example_4_2{
+    "4.2", "Bearings for a body with inertial sensors", {}, observability_claims::run};
+
+}  // namespace incognita

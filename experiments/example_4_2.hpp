@@ -1,0 +1,38 @@
+// Parts of Example 4.2: the system `inertial`, (4.26) to (4.29), its states and directions.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "experiments/observability_claims.hpp"
+#include "incognita/report/ledger.hpp"
+
+namespace incognita::observability_claims::inertial {
+
+/// Nothing accelerates it: the thesis writes f = 0, f being what its accelerometers say.
+enum class Unaccelerated {
+  falls,       ///< f = 0: gravity alone moves it
+  weightless,  ///< f = 0 and no gravity: constant velocity
+  carried      ///< constant velocity under gravity, not turning: f = -g
+};
+
+/// World-centric: position, velocity, angles, and the place of each feature.
+Case world(int features = 1, int anchors = 0);
+/// Velocity, angles, and each feature from the vehicle, in axes of the world.
+Case relative(int features = 1);
+Case unaccelerated(Case which, Unaccelerated how);
+
+/// `falling 5/2/0 and 1; ...` by the ways to be unaccelerated
+std::string by_unaccelerated(const Case& which);
+
+/// Axes of the world into those of the sensor, (4.27), by Euler angles.
+Eigen::Matrix3d C_of(const Eigen::Vector3d& angles);
+/// Rates of Euler angles by turn rates in axes of the sensor, (4.28).
+Eigen::Matrix3d E_of(const Eigen::Vector3d& angles);
+/// [a x]
+Eigen::Matrix3d cross(const Eigen::Vector3d& a);
+
+std::vector<Claim> matrix_claims();
+std::vector<Claim> relative_claims();
+
+}  // namespace incognita::observability_claims::inertial

@@ -1,0 +1,217 @@
+// Example 4.4: what a camera gets to see in space, moved by it is not said whom, with anchors.
+//
+// Experiment: the built-in system `cv6`, motions and rules of observability_claims.hpp: velocity and turn
+// rate constant within a segment, changed by nobody knows how much from one to the next; one feature, up to 4
+// anchors. Printed vectors hold p, v, psi, omega, x_f in this order. Their r may be that of the feature or of
+// the anchor, of either sign, in axes of the world or of the sensor: each vector is given the reading that
+// suits it.
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include "experiments/evidence.hpp"
+#include "experiments/example_4_2.hpp"
+#include "experiments/list.hpp"
+#include "experiments/observability_claims.hpp"
+
+namespace incognita::observability_claims {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+const Vector3d zero = Vector3d::Zero();
+
+const Study& world(int anchors, int features = 1) {
+  return study({.system = "cv6", .features = features, .anchors = anchors, .segment_s = in_space_s});
+}
+
+VectorXd fifteen(const Vector3d& p, const Vector3d& v, const Vector3d& psi, const Vector3d& omega,
+                 const Vector3d& feature) {
+  return (VectorXd(15) << p, v, psi, omega, feature).finished();
+}
+
+/// The camera, the feature r and the anchor b from it, in axes of the world; without anchors b is r.
+struct Begin {
+  Matrix3d C;
+  Vector3d r, b;
+  explicit Begin(const Course& course) {
+    const SystemPoint& p = course.points[0];
+    C = inertial::C_of(p.x.segment<3>(6));
+    r = p.x.tail<3>() - p.x.head<3>();
+    b = p.anchors.size() > 0 ? Vector3d(p.anchors.head<3>() - p.x.head<3>()) : r;
+  }
+};
+
+/// The vectors of (4.56) by one reading of r.
+std::vector<VectorXd> printed_vectors(const Matrix3d& C, const Vector3d& r, double sign) {
+  std::vector<VectorXd> all;
+  for (int i = 0; i < 3; ++i) {
+    const Vector3d e = Vector3d::Unit(i);
+    all.push_back(fifteen(zero, sign * C.row(i).transpose().cross(r), zero, e, zero));
+    all.push_back(fifteen(sign * r.cross(e), zero, e, zero, zero));
+  }
+  all.push_back(fifteen(zero, zero, zero, zero, r));
+  return all;
+}
+
+/// How many of (4.56) lie in a study's space of one segment, always, each by its best reading.
+int printed_inside(const Study& s, bool feature_in_axes_of_world) {
+  std::vector<bool> inside(7, true);
+  for (std::size_t i = 0; i < s.courses().size(); ++i) {
+    const Begin at(s.courses()[i]);
+    std::vector<bool> here(7, false);
+    for (const Vector3d& r : {at.r, at.b, Vector3d(at.C * at.r), Vector3d(at.C * at.b)})
+      for (const double sign : {1.0, -1.0}) {
+        const auto vectors = printed_vectors(at.C, r, sign);
+        for (std::size_t j = 0; j < 6; ++j) here[j] = here[j] || s.stripped(1)[i].contains(vectors[j]);
+      }
+    const Vector3d along = feature_in_axes_of_world ? at.r : Vector3d(at.C * at.r);
+    here[6] = s.stripped(1)[i].contains(fifteen(zero, zero, zero, zero, along));
+    for (std::size_t j = 0; j < 7; ++j) inside[j] = inside[j] && here[j];
+  }
+  return static_cast<int>(std::count(inside.begin(), inside.end(), true));
+}
+
+/// With one anchor: the feature's distance, the anchor's with feature, a turn about each axis, and what turn
+/// rates can do together with the velocity so that neither feature nor anchor moves sideways.
+std::vector<VectorXd> our_vectors(const Course& course) {
+  const Begin at(course);
+  const Vector3d d = at.r - at.b;
+  std::vector<VectorXd> all{fifteen(zero, zero, zero, zero, at.r), fifteen(at.b, zero, zero, zero, at.b)};
+  for (int i = 0; i < 3; ++i) {
+    const Vector3d e = Vector3d::Unit(i);
+    all.push_back(fifteen(at.b.cross(e), zero, e, zero, at.b.cross(e) - at.r.cross(e)));
+  }
+  all.push_back(fifteen(zero, at.b.cross(d), zero, at.C * d, zero));
+  const double along_b = at.r.dot(d), along_r = -at.b.dot(d);
+  const Vector3d w = (along_b * at.b + along_r * at.r).cross(d) / d.squaredNorm();
+  all.push_back(fifteen(zero, at.b.cross(w) + along_b * at.b, zero, at.C * w, zero));
+  return all;
+}
+
+Claim instant_null_space() {
+  const Study &one = world(1), &two = world(2);
+  const bool basis = are_basis(one.stripped(1), one.courses(), our_vectors);
+  return judged(
+      {.id = "4.4-null-space",
+       .place = "(4.56)",
+       .statement = "With two anchors one segment leaves seven and sees eight combinations of states",
+       .printed = "dimension 7, rank 8",
+       .measured = fmt::format("dimension with 1/2 anchors in {} motions {}/{}, rank {}/{}", motions,
+                               dimension(one.stripped(1)), dimension(two.stripped(1)),
+                               15 - dimension(one.stripped(1)), 15 - dimension(two.stripped(1))),
+       .why = "with one anchor; two leave three",
+       .runs = 2 * motions},
+      dimension(two.stripped(1)) == 7, basis && dimension(two.stripped(1)) == 3);
+}
+
+Claim basis_vectors() {
+  const Study& one = world(1);
+  const auto inside = [](bool feature_in_axes_of_world) {
+    std::vector<int> counts;
+    for (const int anchors : {0, 1, 2})
+      counts.push_back(printed_inside(world(anchors), feature_in_axes_of_world));
+    return counts;
+  };
+  const std::vector<int> as_printed = inside(false), in_world = inside(true);
+  const bool ours = are_basis(one.stripped(1), one.courses(), our_vectors);
+  return judged(
+      {.id = "4.4-basis",
+       .place = "(4.56)",
+       .statement = "Vectors of that null space",
+       .printed = "[0 C_i' x r 0 e_i 0], [[x r]_i 0 e_i 0 0], [0 0 0 0 r^s]",
+       .measured = fmt::format("in the null space with 0/1/2 anchors: {} of 7, {} with r for r^s; ours span "
+                               "it with one anchor: {}",
+                               joined(as_printed), joined(in_world), ours ? "yes" : "no"),
+       .why = "they belong to a camera without anchors. With one anchor at b: [0 0 0 0 r], [b 0 0 0 b], [b x "
+              "e_i 0 e_i 0 (b - r) x e_i], and two of v and omega, one of them turning about d = r - b: [0 b "
+              "x d 0 C d 0]",
+       .runs = 3 * motions},
+      as_printed[1] == 7 || as_printed[2] == 7, ours);
+}
+
+Claim rows() {
+  std::vector<long> found;
+  bool general = true;
+  for (const int anchors : {3, 4})
+    for (const int features : {1, 2}) {
+      const auto rows = world(anchors, features).courses()[0].forms[0].H.rows();
+      general = general && rows == 2 * features + 2 * anchors;
+      if (features == 1) found.push_back(rows);
+    }
+  return judged(
+      {.id = "4.4-rows",
+       .place = "below (4.56)",
+       .statement = "With one feature and three or more anchors H has ten rows, in general 2 nm + 2 na",
+       .printed = "10",
+       .measured = fmt::format("with 3 anchors {}, with 4 {}; in general {}", found[0], found[1],
+                               general ? "2 nm + 2 na" : "other numbers"),
+       .why = "eight with three anchors; ten are four's",
+       .runs = 4},
+      general && found[0] == 10, general && found[0] == 8 && found[1] == 10);
+}
+
+/// Everything turned about the line through the first two anchors, as Euler angles see it.
+std::vector<VectorXd> turn_about_line(const Course& course) {
+  const SystemPoint& p = course.points[0];
+  const Vector3d angles = p.x.segment<3>(6), first = p.anchors.head<3>(),
+                 axis = (p.anchors.segment<3>(3) - first).normalized();
+  return {fifteen(axis.cross(p.x.head<3>() - first), axis.cross(p.x.segment<3>(3)),
+                  inertial::E_of(angles) * inertial::C_of(angles) * axis, zero,
+                  axis.cross(p.x.tail<3>() - first))};
+}
+
+Claim two_segments() {
+  std::vector<std::string> lines;
+  for (const int anchors : {1, 2, 3, 4})
+    lines.push_back(fmt::format("{}: {}", anchors, world(anchors).numbers()));
+  const bool turns = are_basis(world(2).along(), world(2).courses(), turn_about_line);
+  bool all = world(2).true_dimension() > 0;
+  for (const int anchors : {3, 4}) {
+    const Study& s = world(anchors);
+    all = all && dimension(s.stripped(2)) == 0 && s.true_dimension() == 0;
+  }
+  return judged(
+      {.id = "4.4-two-segments",
+       .place = "(4.57)",
+       .statement = "With more than two anchors the SOM has full rank, and the system is observable, in two "
+                    "segments",
+       .printed = "0",
+       .measured = fmt::format("{}, by anchors: {}. That two are too few only the motion itself tells: {}",
+                               legend, fmt::join(lines, "; "),
+                               turns ? "all can be turned about the line through them" : "something is left"),
+       .why = "it is not",
+       .runs = 4 * motions},
+      all);
+}
+
+Claim as_on_the_plane() {
+  const Study &space = world(3), &plane = study({.system = "planar-cv", .anchors = 3});
+  return judged({.id = "4.4-as-on-the-plane",
+                 .place = "end of Example 4.4",
+                 .statement = "That is as with the constant-velocity model of the plane",
+                 .printed = "",
+                 .measured = fmt::format("{}, with three anchors: space {}; plane {}", legend,
+                                         space.numbers(), plane.numbers()),
+                 .why = "it is not",
+                 .runs = 2 * motions},
+                space.dimensions() == plane.dimensions() && space.true_dimension() == plane.true_dimension());
+}
+
+LedgerEntry run(const ExperimentSettings&) {
+  LedgerEntry entry{example_4_4.id, example_4_4.title, "", {}, {}};
+  entry.claims = {instant_null_space(), basis_vectors(), rows(), two_segments(), as_on_the_plane()};
+  return entry;
+}
+
+}  // namespace
+}  // namespace incognita::observability_claims
+
+namespace incognita {
+
+const Experiment example_4_4{"4.4", "Bearings at constant velocity in space", {}, observability_claims::run};
+
+}  // namespace incognita

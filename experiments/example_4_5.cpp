@@ -1,0 +1,184 @@
+// Example 4.5: Lie derivatives of the relative map of the plane, and the heading that they do not find.
+//
+// Experiment: the built-in systems `planar-polar` (range and bearing of the feature as states), `planar` and
+// `planar-rb` in their relative forms, motions and rules of observability_claims.hpp; 1 to 3 features. What
+// the printed model is held against are (4.11) and exact derivatives of range and bearing; r may be x_f - p
+// or p - x_f. Holds: beside those rules, formulas to 1e-9; of Lie derivatives all orders are taken, until
+// none can add anything.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "experiments/evidence.hpp"
+#include "experiments/list.hpp"
+#include "experiments/observability_claims.hpp"
+
+namespace incognita::observability_claims {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+constexpr double rounding = 1e-9;
+
+/// Range, bearing and heading of the feature where a motion begins, and how each input changes them.
+struct Polar {
+  double rho, phi;
+  Vector3d by_v, by_omega;
+
+  explicit Polar(const Course& course) {
+    const SystemPoint& p = course.points[0];
+    const double theta = p.x[0];
+    rho = p.x.tail<2>().norm();
+    phi = std::atan2(p.x[2], p.x[1]) - theta;
+    const MatrixXd& H = course.exact[0].H;  // of range and bearing, by theta and r
+    by_v << H * Vector3d(0, -std::cos(theta), -std::sin(theta)), 0;
+    by_omega << H * Vector3d(1, 0, 0), 1;
+  }
+};
+
+const Study& ranges_and_bearings() { return study({.system = "planar-rb", .representation = "relative"}); }
+const Study& cartesian() { return study({.system = "planar", .representation = "relative"}); }
+
+Case polar(int features = 1) {
+  return {.system = "planar-polar", .representation = "relative", .features = features};
+}
+
+/// Largest difference of the fields of v and omega from what they must be; g1 by range and bearing, which is
+/// turned by pi when r is p - x_f.
+double wrong_fields(const std::function<Vector3d(double, double)>& g1, const Vector3d& g2, bool other_way) {
+  return largest(ranges_and_bearings(), [&](const Course& course) {
+    const Polar at(course);
+    const double phi = at.phi + (other_way ? std::acos(-1.0) : 0);
+    return std::max((g1(at.rho, phi) - at.by_v).cwiseAbs().maxCoeff(),
+                    (g2 - at.by_omega).cwiseAbs().maxCoeff());
+  });
+}
+
+Claim model() {
+  const auto equations = [](double rho, double phi) {
+    return Vector3d(std::cos(phi), std::sin(phi) / rho, 0);
+  };
+  const auto fields = [](double rho, double phi) { return Vector3d(std::cos(phi), std::sin(phi) / rho, -1); };
+  const auto ours = [](double rho, double phi) { return Vector3d(-std::cos(phi), std::sin(phi) / rho, 0); };
+  const auto either = [](const auto& g1, const Vector3d& g2) {
+    return std::min(wrong_fields(g1, g2, false), wrong_fields(g1, g2, true));
+  };
+  const double of_equations = either(equations, Vector3d(0, -1, 1)),
+               of_fields = either(fields, Vector3d(0, 0, 1)),
+               corrected = wrong_fields(ours, Vector3d(0, -1, 1), false);
+  return judged(
+      {.id = "4.5-model",
+       .place = "(4.69) to (4.73)",
+       .statement = "The model in polar coordinates follows from (4.11), to 1e-9",
+       .printed = "rho' = v cos phi; g_1 = [cos phi, sin phi/rho, -1], g_2 = [0 0 1]",
+       .measured = fmt::format("largest difference in {} motions, r = x_f - p or p - x_f: (4.69) to (4.71) "
+                               "{:.2g}, (4.72) and (4.73) {:.2g}, ours {}",
+                               motions, of_equations, of_fields, below(corrected)),
+       .why = "rho' = -v cos phi, phi' = (v/rho) sin phi - omega with r = x_f - p: g_1 = [-cos phi, sin "
+              "phi/rho, 0], g_2 = [0, -1, 1]",
+       .runs = motions},
+      of_equations < rounding && of_fields < rounding, corrected < rounding);
+}
+
+Claim first_order() {
+  double first = 0, second = 0, ours = 0;
+  for (const Course& course : ranges_and_bearings().courses()) {
+    const Polar at(course);
+    first = std::max(first, std::abs(at.by_v[1] - std::sin(at.phi) / at.rho));
+    second = std::max(second, std::abs(at.by_omega[1] - 0));
+    ours = std::max(ours, std::abs(at.by_omega[1] + 1));
+  }
+  return judged({.id = "4.5-first-order",
+                 .place = "(4.74), (4.75)",
+                 .statement = "Lie derivatives of the bearing along both fields, to 1e-9",
+                 .printed = "sin phi/rho and 0",
+                 .measured = fmt::format(
+                     "largest difference in {} motions: the first {}, the second {:.2g}, from -1 {}", motions,
+                     below(first), second, below(ours)),
+                 .why = "the second is -1. Its differential is 0 all the same",
+                 .runs = motions},
+                first < rounding && second < rounding, first < rounding && ours < rounding);
+}
+
+Claim rank() {
+  const Study& s = study(polar());
+  double difference = 0;
+  for (const Course& course : s.courses()) {
+    const SystemPoint& p = course.points[0];  // heading, range, bearing
+    const double rho = p.x[1], phi = p.x[2];
+    const VectorXd exact = course.exact[0].F.row(2).transpose() / p.u[0];
+    const Vector3d printed(0, -std::sin(phi) / (rho * rho), std::cos(phi) / rho);
+    difference = std::max(difference, (exact - printed).cwiseAbs().maxCoeff());
+  }
+  const int left = dimension(lie(polar()));
+  return judged(
+      {.id = "4.5-rank",
+       .place = "(4.76)",
+       .statement = "The differentials of all Lie derivatives span two of three dimensions",
+       .printed = "2 of 3",
+       .measured = fmt::format("rank {} at {} points, derivatives of all orders; largest difference of the "
+                               "printed second column from d(sin phi/rho) {}",
+                               3 - left, motions, below(difference)),
+       .why = "they do not",
+       .runs = motions},
+      left == 1 && difference < rounding);
+}
+
+Claim null_space_of_all() {
+  std::vector<int> found;
+  bool heading = true;
+  for (const int features : {1, 2, 3}) {
+    const Spaces spaces = lie(polar(features));
+    found.push_back(dimension(spaces));
+    heading = heading && are_basis(spaces, study(polar(features)).courses(), [&](const Course&) {
+                return std::vector<VectorXd>{VectorXd::Unit(1 + 2 * features, 0)};
+              });
+  }
+  return judged(
+      {.id = "4.5-null-space",
+       .place = "(4.77), head of Chapter 4",
+       .statement = "What they do not span is the orientation",
+       .printed = "[0 0 1]: dimension 1",
+       .measured = fmt::format("dimension with 1/2/3 features at {} points {}; the heading spans it: {}",
+                               motions, joined(found), heading ? "yes" : "no"),
+       .why = "it is not",
+       .runs = 3 * motions},
+      heading);
+}
+
+Claim contrary() {
+  const Study &s = cartesian(), &in_polar = study(polar());
+  const int left = dimension(lie({.system = "planar", .representation = "relative"}));
+  return judged(
+      {.id = "4.5-contrary",
+       .place = "below (4.77)",
+       .statement = "The global orientation is not observable, contrary to what the linear analysis shows",
+       .printed = "contrary",
+       .measured =
+           fmt::format("{} in {} motions: {}; by Lie derivatives {}. In polar coordinates {}: what SOM "
+                       "and TOM find depends on coordinates",
+                       legend, motions, s.numbers(), joined({left}), in_polar.numbers()),
+       .why = "they agree",
+       .runs = 2 * motions},
+      dimension(s.stripped(2)) == 0 && left == 1 && s.true_dimension() == 1);
+}
+
+LedgerEntry run(const ExperimentSettings&) {
+  LedgerEntry entry{example_4_5.id, example_4_5.title, "", {}, {}};
+  entry.claims = {model(), first_order(), rank(), null_space_of_all(), contrary()};
+  return entry;
+}
+
+}  // namespace
+}  // namespace incognita::observability_claims
+
+namespace incognita {
+
+const Experiment example_4_5{
+    "4.5", "Lie derivatives for the relative map of the plane", {}, observability_claims::run};
+
+}  // namespace incognita

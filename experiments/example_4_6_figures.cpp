@@ -1,0 +1,143 @@
+// Figures 4.3 to 4.6, with what the filter of Example 4.6 gives beside what is printed.
+#include <limits>
+
+#include "experiments/example_4_6_filter.hpp"
+
+namespace incognita::two_bearings {
+namespace {
+
+constexpr double gap = std::numeric_limits<double>::quiet_NaN();
+
+Plot map() {
+  const Run u{Setup{}};
+  Curve path{"vehicle", Style::line, {}, {}, {}, Colour::blue},
+      stops{"after 0, 10, 14, 20 s", Style::circles, {}, {}, {}, Colour::blue};
+  for (const Instant& i : u.drive) path.x.push_back(i.pose.y()), path.y.push_back(i.pose.x());
+  for (const double t : {0.0, 10.0, 14.0, 20.0}) {
+    const auto& pose = u.drive[u.look_at(t)].pose;
+    stops.x.push_back(pose.y()), stops.y.push_back(pose.x());
+  }
+  const auto& [first, second] = u.setup.features;
+  Panel p;
+  p.x_label = "east y, m";
+  p.y_label = "north x, m";
+  p.equal_axes = true;
+  p.x_range = {-4, 16};
+  p.y_range = {-1, 17};
+  p.curves = {path,
+              stops,
+              {"feature 1", Style::stars, {first.y()}, {first.x()}, {}, Colour::orange},
+              {"feature 2", Style::stars, {second.y()}, {second.x()}, {}, Colour::green}};
+  return {"fig-4.3", "Trajectory and features", 1, {p}};
+}
+
+std::vector<double> times(const Run& run) {
+  std::vector<double> t;
+  for (const Instant& i : run.drive) t.push_back(i.t_s);
+  return t;
+}
+
+Curve over_time(const std::string& label, const Run& run, const std::vector<double>& values,
+                Colour colour = Colour::automatic, Style style = Style::line) {
+  return {label, style, times(run), values, {}, colour};
+}
+
+Curve rank_curve(const std::string& label, const Run& run, const std::vector<Knowledge>& known, Style style,
+                 Colour colour, std::size_t every = 1) {
+  Curve curve{label, style, {}, {}, {}, colour};
+  for (std::size_t k = 0; k < known.size(); k += every) {
+    curve.x.push_back(run.drive[k].t_s);
+    curve.y.push_back(known[k].rank.rank);
+  }
+  return curve;
+}
+
+Plot ranks_over_time() {
+  const Run u{Setup{}};
+  Panel ranks;
+  ranks.x_label = "time, s";
+  ranks.y_label = "rank";
+  ranks.y_range = {0, 7};
+  ranks.curves = {
+      {"printed", Style::dashed, {0, 10, 10, 14, 14, 20}, {2, 2, 4, 4, 5, 5}, {}, Colour::grey},
+      rank_curve("information matrix", u, u.known, Style::steps, Colour::blue),
+      rank_curve("along the motion", u, along_the_motion(u.setup), Style::crosses, Colour::blue, 10),
+      rank_curve("stripped (4.8)", u, stripped(u.setup), Style::circles, Colour::orange, 10)};
+  Panel values;
+  values.title = "Singular values of the root of the information matrix, metres in units of 10";
+  values.x_label = "time, s";
+  values.y_label = "of the largest";
+  values.log_y = true;
+  values.y_range = {1e-17, 10};
+  for (int i = 0; i < states; ++i) {
+    std::vector<double> kept(u.known.size(), gap), left = kept;
+    for (std::size_t k = 0; k < u.known.size(); ++k) {
+      const Rank& r = u.known[k].rank;
+      (i < r.rank ? kept : left)[k] = r.singular_values[i] / r.singular_values[0];
+    }
+    values.curves.push_back(over_time(i == 0 ? "counted" : "", u, kept, Colour::blue));
+    values.curves.push_back(over_time(i == 0 ? "left out" : "", u, left, Colour::grey, Style::points));
+  }
+  values.curves.push_back(
+      {"tolerance", Style::dashed, {0, end_s}, {rank_tolerance, rank_tolerance}, {}, Colour::ink});
+  return {"fig-4.4", "Rank of the information matrix and of two observability matrices", 1, {ranks, values}};
+}
+
+Plot orientation_over_time() {
+  const Direction c = constantly(state(heading));
+  const Run u{Setup{}}, late(Setup{.jacobians = Jacobians::odometry_late}),
+      strays(Setup{.jacobians = Jacobians::estimates});
+  Panel p;
+  p.x_label = "time, s";
+  p.y_label = "information, 1/rad^2";
+  p.y_range = {-0.05, 1.25};
+  p.curves = {over_time("at the truth", u, information(u, c), Colour::blue),
+              over_time("odometry a step late", late, information(late, c), Colour::orange, Style::dashed),
+              over_time("at estimates 1 cm off", strays, information(strays, c), Colour::grey)};
+  return {"fig-4.5", "Marginal information of the heading, by where Jacobians are taken", 1, {p}};
+}
+
+Panel mode_panel(const std::string& title, const Run& run, const std::string& x_name, const Direction& x_mode,
+                 const std::string& y_name, const Direction& y_mode) {
+  Panel p;
+  p.title = title;
+  p.x_label = "time, s";
+  p.y_label = "information, 1/m^2";
+  p.curves = {over_time(x_name, run, information(run, x_mode), Colour::blue),
+              over_time(y_name, run, information(run, y_mode), Colour::orange, Style::dashed)};
+  return p;
+}
+
+/// Three panels: Figure 4.6 (a), (b), (c).
+std::vector<Panel> modes_of(const Run& run, const std::string& whose) {
+  std::vector<Panel> panels{
+      mode_panel("(a) " + whose, run, "x_r + x_f1 + x_f2", constantly(state(x) + state(x1) + state(x2)),
+                 "y_r + y_f1 + y_f2", constantly(state(y) + state(y1) + state(y2))),
+      mode_panel("(b) " + whose, run, "x_r - x_f1", constantly(difference(x, x1)), "y_r - y_f1",
+                 constantly(difference(y, y1))),
+      mode_panel("(c) " + whose, run, "x_f1 - x_f2", constantly(difference(x1, x2)), "y_f1 - y_f2",
+                 constantly(difference(y1, y2)))};
+  panels[0].y_range = {-0.05, 1};
+  return panels;
+}
+
+Plot modes_over_time() {
+  const Run u{Setup{}};
+  std::vector<Panel> truth = modes_of(u, "Jacobians at the truth");
+  truth[1].curves.push_back(over_time("distance", u, information(u, distance_to_1), Colour::green));
+  truth[2].curves.push_back(over_time("distance", u, information(u, distance_between), Colour::green));
+  const std::vector<Panel> late =
+      modes_of(Run(Setup{.jacobians = Jacobians::odometry_late}), "odometry a step late");
+  Plot plot{"fig-4.6", "Marginal information of modes", 2, {}};
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    plot.panels.push_back(truth[i]);
+    plot.panels.push_back(late[i]);
+  }
+  return plot;
+}
+
+}  // namespace
+
+std::vector<Plot> figures() { return {map(), ranks_over_time(), orientation_over_time(), modes_over_time()}; }
+
+}  // namespace incognita::two_bearings

@@ -1,0 +1,224 @@
+#include "experiments/observability_claims.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <memory>
+#include <stdexcept>
+
+#include "incognita/analysis/lie_derivatives.hpp"
+#include "incognita/analysis/observability_matrices.hpp"
+#include "incognita/io/system_file.hpp"
+
+namespace incognita::observability_claims {
+namespace {
+
+constexpr char stream[] = "operating points";  // as analyse_observability() names it
+
+SystemText text_of(const Case& which) {
+  SystemText text = load_system(which.system, which.representation);
+  text.segment_duration_s = which.segment_s;
+  if (which.change.apply) which.change.apply(text);
+  return text;
+}
+
+SystemMotion motion_of(const SystemInstance& instance, const Case& which, int seed) {
+  RandomStream random(static_cast<std::uint64_t>(seed), stream);
+  return draw_motion(instance, which.segments, random);
+}
+
+Course course_of(const SystemInstance& instance, const SystemMotion& motion) {
+  Course course{{}, {}, {}, true};
+  for (const MotionSegment& segment : motion.segments) {
+    course.points.push_back(segment.start);
+    course.forms.push_back(instance.error_form(segment.start));
+    course.exact.push_back(instance.linearise(segment.start));
+    const Linearisation& form = course.forms.back();
+    course.stays = course.stays && null_space_stays(form, null_space(segment_observability(form)));
+  }
+  return course;
+}
+
+std::vector<int> dimensions_of(const std::vector<Spaces>& by_segment) {
+  std::vector<int> all;
+  for (const Spaces& spaces : by_segment) all.push_back(dimension(spaces));
+  return all;
+}
+
+std::string key_of(const Case& c) {
+  return fmt::format("{} {} {} {} {} {} {} {}", c.system, c.representation, c.features, c.anchors, c.motion,
+                     c.change.name, c.segments, c.segment_s);
+}
+
+}  // namespace
+
+Study::Study(Case which) : which_(std::move(which)) {
+  const SymbolicSystem system = make_symbolic(text_of(which_), which_.motion);
+  const SystemInstance instance(system, which_.features, which_.anchors);
+  states_ = instance.names();
+  error_states_ = instance.error_names();
+  stripped_.resize(static_cast<std::size_t>(which_.segments));
+  total_.resize(stripped_.size());
+  for (int seed = 1; seed <= motions; ++seed) {
+    const SystemMotion motion = motion_of(instance, which_, seed);
+    courses_.push_back(course_of(instance, motion));
+    std::vector<double> durations;
+    for (const MotionSegment& segment : motion.segments) durations.push_back(segment.duration_s);
+    for (int k = 1; k <= which_.segments; ++k) {
+      const auto at = static_cast<std::size_t>(k - 1);
+      stripped_[at].push_back(null_space(stripped_observability(courses_.back().forms, k)));
+      total_[at].push_back(null_space(total_observability(courses_.back().forms, durations, k)));
+    }
+  }
+}
+
+const Spaces& Study::along() const {
+  if (!along_.empty()) return along_;
+  const SymbolicSystem system = make_symbolic(text_of(which_), which_.motion);
+  const SystemInstance instance(system, which_.features, which_.anchors);
+  // looks enough that rank is not short of rows
+  const int per_segment =
+      std::max(4, 3 * instance.states() / (instance.measurements() * which_.segments) + 1);
+  for (int seed = 1; seed <= motions; ++seed) {
+    const auto samples = follow(instance, motion_of(instance, which_, seed), per_segment);
+    along_.push_back(null_space(local_observability(instance, samples, false)));
+  }
+  return along_;
+}
+
+std::vector<int> Study::dimensions() const { return dimensions_of(stripped_); }
+std::vector<int> Study::total_dimensions() const { return dimensions_of(total_); }
+int Study::true_dimension() const { return dimension(along()); }
+
+bool Study::stays() const {
+  return std::all_of(courses_.begin(), courses_.end(), [](const Course& c) { return c.stays; });
+}
+
+std::string Study::segments_text() const {
+  const std::string som = joined(dimensions()), tom = joined(total_dimensions());
+  return tom == som ? som : fmt::format("{} (TOM {})", som, tom);
+}
+
+std::string Study::text() const {
+  std::vector<int> counts;
+  for (int k = 1; k <= which_.segments; ++k) counts.push_back(k);
+  return fmt::format("SOM and TOM leave {} dimensions after {} segments, the motion itself {}",
+                     segments_text(), joined(counts), joined({true_dimension()}));
+}
+
+std::string Study::numbers() const {
+  return fmt::format("{} and {}", segments_text(), joined({true_dimension()}));
+}
+
+const Study& study(const Case& which) {
+  static std::map<std::string, std::unique_ptr<Study>> known;
+  std::unique_ptr<Study>& one = known[key_of(which)];
+  if (!one) one = std::make_unique<Study>(which);
+  return *one;
+}
+
+Spaces lie(const Case& which, int how_many) {
+  const SymbolicSystem system = make_symbolic(text_of(which), which.motion);
+  const SystemInstance instance(system, which.features, which.anchors);
+  Spaces spaces;
+  for (int seed = 1; seed <= how_many; ++seed) {
+    RandomStream random(static_cast<std::uint64_t>(seed), stream);
+    const SystemMotion motion = draw_motion(instance, which.segments, random);
+    const LieAnalysis analysis = analyse_lie(instance, motion, random);
+    if (!analysis.closed)
+      throw std::runtime_error(which.system + ": Lie derivatives of higher orders may see more");
+    spaces.push_back(analysis.space);
+  }
+  return spaces;
+}
+
+int dimension(const Spaces& spaces) {
+  if (spaces.empty()) return no_dimension;
+  const auto agrees = [&](const NullSpace& s) { return !s.ambiguous && s.nullity == spaces[0].nullity; };
+  return std::all_of(spaces.begin(), spaces.end(), agrees) ? spaces[0].nullity : no_dimension;
+}
+
+Spaces null_spaces(const Study& study, const std::function<Eigen::MatrixXd(const Course&)>& matrix) {
+  Spaces spaces;
+  for (const Course& course : study.courses()) {
+    const Eigen::MatrixXd M = matrix(course);
+    spaces.push_back(null_space({M, Eigen::VectorXd::Zero(M.rows()), false}));
+  }
+  return spaces;
+}
+
+std::string joined(const std::vector<int>& dimensions) {
+  std::string text;
+  for (const int d : dimensions)
+    text += (text.empty() ? "" : "/") + (d == no_dimension ? "not the same in all" : std::to_string(d));
+  return text;
+}
+
+bool contain(const Spaces& spaces, const std::vector<Course>& courses, const Vectors& vectors) {
+  for (std::size_t i = 0; i < spaces.size(); ++i)
+    for (const Eigen::VectorXd& v : vectors(courses[i]))
+      if (!spaces[i].contains(v)) return false;
+  return !spaces.empty();
+}
+
+bool are_basis(const Spaces& spaces, const std::vector<Course>& courses, const Vectors& vectors) {
+  if (!contain(spaces, courses, vectors)) return false;
+  for (std::size_t i = 0; i < spaces.size(); ++i) {
+    const auto all = vectors(courses[i]);
+    Eigen::MatrixXd V(spaces[i].column_scale.size(), static_cast<Eigen::Index>(all.size()));
+    for (Eigen::Index j = 0; j < V.cols(); ++j)
+      V.col(j) = all[static_cast<std::size_t>(j)].cwiseQuotient(spaces[i].column_scale).normalized();
+    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(V);
+    qr.setThreshold(1e-6);
+    if (qr.rank() != V.cols() || V.cols() != spaces[i].nullity) return false;
+  }
+  return true;
+}
+
+bool same(const Spaces& a, const Spaces& b) {
+  if (a.size() != b.size()) return false;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (a[i].nullity != b[i].nullity) return false;
+    for (Eigen::Index j = 0; j < a[i].basis.cols(); ++j)
+      if (!b[i].contains(a[i].basis.col(j))) return false;
+  }
+  return true;
+}
+
+std::vector<std::string> seen_states(const Spaces& spaces, const std::vector<std::string>& states) {
+  std::vector<std::string> seen;
+  for (std::size_t state = 0; state < states.size(); ++state) {
+    const auto sees = [&](const NullSpace& space) { return !touched(space.basis)[state]; };
+    const auto count = std::count_if(spaces.begin(), spaces.end(), sees);
+    if (count > 0) seen.push_back(states[state] + (count < static_cast<long>(spaces.size()) ? "?" : ""));
+  }
+  return seen;
+}
+
+Spaces stripped_with(const Study& study, int k,
+                     const std::function<void(Linearisation&, const SystemPoint&)>& change) {
+  Spaces spaces;
+  for (const Course& course : study.courses()) {
+    std::vector<Linearisation> forms = course.forms;
+    for (std::size_t j = 0; j < forms.size(); ++j) change(forms[j], course.points[j]);
+    spaces.push_back(null_space(stripped_observability(forms, k)));
+  }
+  return spaces;
+}
+
+double largest(const Study& study, const std::function<double(const Course&)>& of) {
+  double value = 0;
+  for (const Course& course : study.courses()) value = std::max(value, of(course));
+  return value;
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  if (names.empty()) return "none";
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+  return text;
+}
+
+}  // namespace incognita::observability_claims

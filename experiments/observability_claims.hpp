@@ -1,0 +1,138 @@
+// What the claims of Chapter 4 rest on: systems of systems/*.toml in 20 motions each, the matrices (4.6) to
+// (4.8), what can be seen along the motion itself, and printed vectors held against their null spaces.
+//
+// Motions: three segments of 1 s (in space 0.25 s), unless said otherwise; start, inputs and what disturbs
+// the system drawn from its regions as `incognita observe` draws them with seeds 1 to 20. No noise. SOM and
+// TOM: F and H of the system's error form where each segment begins. `The motion itself`: the local
+// observability matrix along it, by exact derivatives, with unknown disturbances taken out; Lie derivatives
+// agree with it (text-4). Holds: a dimension when it is the same in all motions, by singular values above
+// 1e-9 of the largest and a factor of 1000 clear of the others. A printed null space when its vectors lie in
+// the computed one (to 1e-9), are independent and as many as its dimension. A state is seen when no vector of
+// the null space touches it. What is said of Q_1, SOM or TOM is judged on them. What is said of the system or
+// its states - observable, recovered, so many modes - must hold for the motion itself as well; where only the
+// matrices have it so, the claim holds as corrected when what the motion leaves was found to be what `why`
+// says, and else it does not hold.
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "incognita/analysis/linearisation.hpp"
+#include "incognita/analysis/null_space.hpp"
+#include "incognita/analysis/system_text.hpp"
+
+namespace incognita::observability_claims {
+
+inline constexpr int motions = 20;
+
+/// What is done to a built-in system; by a name, so that what was found can be found again.
+struct Change {
+  std::string name;
+  std::function<void(SystemText&)> apply;
+};
+
+struct Case {
+  std::string system;
+  std::string representation = "world";
+  int features = 1;
+  int anchors = 0;
+  std::string motion = "general";
+  Change change = {};
+  int segments = 3;
+  double segment_s = 1;
+};
+
+/// Length of a segment of the systems in space, which take longer to follow.
+inline constexpr double in_space_s = 0.25;
+
+/// One motion: where each segment begins, F and H there in the system's error form, and by exact derivatives.
+struct Course {
+  std::vector<SystemPoint> points;
+  std::vector<Linearisation> forms, exact;
+  bool stays = false;  ///< (4.9) holds in each segment
+};
+
+using Spaces = std::vector<NullSpace>;  ///< of each motion
+
+/// One case in all its motions.
+class Study {
+ public:
+  explicit Study(Case which);
+
+  const std::vector<Course>& courses() const { return courses_; }
+  const std::vector<std::string>& error_states() const { return error_states_; }
+  const std::vector<std::string>& states() const { return states_; }
+  /// Of the first k segments together: (4.8) and (4.7).
+  const Spaces& stripped(int k) const { return stripped_[static_cast<std::size_t>(k - 1)]; }
+  const Spaces& total(int k) const { return total_[static_cast<std::size_t>(k - 1)]; }
+  /// Of all looks along the motion, by the states at its start and exact derivatives. Worked out when asked
+  /// for.
+  const Spaces& along() const;
+
+  /// Dimensions of the SOM's null spaces, one for each number of segments; no_dimension where there is none.
+  std::vector<int> dimensions() const;
+  std::vector<int> total_dimensions() const;
+  int true_dimension() const;
+  bool stays() const;  ///< (4.9), everywhere
+  /// `3/2/2`: what SOM leaves, and TOM where that is something else
+  std::string segments_text() const;
+  /// `SOM and TOM leave 3/2/2 dimensions after 1/2/3 segments, the motion itself 3`
+  std::string text() const;
+  /// `3/2/2 and 3`: the same where `legend` says what it is
+  std::string numbers() const;
+
+ private:
+  Case which_;
+  std::vector<Course> courses_;
+  std::vector<std::string> states_, error_states_;
+  std::vector<Spaces> stripped_, total_;
+  mutable Spaces along_;
+};
+
+/// Of numbers().
+inline constexpr char legend[] =
+    "dimensions left by SOM and TOM after 1/2/3 segments, and by the motion itself";
+
+/// Each case is studied once.
+const Study& study(const Case& which);
+
+/// Null spaces of the Lie derivatives where the first motions begin. Throws std::runtime_error when an
+/// order's limit was hit.
+Spaces lie(const Case& which, int how_many = motions);
+
+inline constexpr int no_dimension = -1;
+
+/// Of all the spaces, if they agree and none is in doubt.
+int dimension(const Spaces& spaces);
+/// What a matrix that a study's motions have does not see.
+Spaces null_spaces(const Study& study, const std::function<Eigen::MatrixXd(const Course&)>& matrix);
+/// `3/2/2`
+std::string joined(const std::vector<int>& dimensions);
+
+/// Vectors that somebody claims something of, in one motion.
+using Vectors = std::function<std::vector<Eigen::VectorXd>(const Course&)>;
+
+/// Whether every vector lies in its motion's space.
+bool contain(const Spaces& spaces, const std::vector<Course>& courses, const Vectors& vectors);
+/// Whether the vectors lie in it, are independent, and as many as it has dimensions.
+bool are_basis(const Spaces& spaces, const std::vector<Course>& courses, const Vectors& vectors);
+/// Whether two spaces are one.
+bool same(const Spaces& a, const Spaces& b);
+
+/// States that no vector of any space touches; with a question mark where some motions' do.
+std::vector<std::string> seen_states(const Spaces& spaces, const std::vector<std::string>& states);
+
+/// (4.8) of the first k segments when F and H are not the system's.
+Spaces stripped_with(const Study& study, int k,
+                     const std::function<void(Linearisation&, const SystemPoint&)>& change);
+
+/// Largest of a number over all motions.
+double largest(const Study& study, const std::function<double(const Course&)>& of);
+
+/// `x and y`, `none`
+std::string listed(const std::vector<std::string>& names);
+
+}  // namespace incognita::observability_claims

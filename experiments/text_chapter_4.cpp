@@ -1,0 +1,283 @@
+// What the running text of Chapter 4 says outside its examples: of the method in text_chapter_4_method.cpp,
+// and here of the systems, at the heads of subsections and in the conclusion (Section 4.4).
+//
+// Experiment: the built-in systems, motions and rules of observability_claims.hpp; also at rest,
+// unaccelerated (see example_4_2.cpp), and with a camera whose accelerations are known. That a system becomes
+// observable is judged on the motion itself as well.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "experiments/evidence.hpp"
+#include "experiments/example_4_2.hpp"
+#include "experiments/list.hpp"
+#include "experiments/observability_claims.hpp"
+#include "experiments/text_chapter_4.hpp"
+
+namespace incognita::observability_claims {
+namespace {
+
+using Eigen::VectorXd;
+using inertial::Unaccelerated;
+
+Case of(const std::string& system, int anchors = 0, const std::string& motion = "general") {
+  const bool flat = system.starts_with("planar") || system == "monobot";
+  return {.system = system, .anchors = anchors, .motion = motion, .segment_s = flat ? 1 : in_space_s};
+}
+
+Case relative(const std::string& system, const std::string& motion = "general") {
+  Case which = of(system, 0, motion);
+  which.representation = "relative";
+  return which;
+}
+
+/// `planar 3/2/2 and 3; ...`
+class Lines {
+ public:
+  const Study& add(const std::string& name, const Case& which) {
+    const Study& s = study(which);
+    lines_.push_back(name + " " + s.numbers());
+    return s;
+  }
+  std::string text() const { return fmt::format("{}: {}", legend, fmt::join(lines_, "; ")); }
+  int runs() const { return motions * static_cast<int>(lines_.size()); }
+
+ private:
+  std::vector<std::string> lines_;
+};
+
+Claim world_is_partial() {
+  Lines lines;
+  bool all = true;
+  for (const char* system :
+       {"monobot", "planar", "planar-rb", "inertial", "inertial-rb", "planar-cv", "cv6"}) {
+    const Study& s = lines.add(system, of(system));
+    all = all && dimension(s.stripped(3)) > 0 && s.true_dimension() > 0;
+  }
+  return judged({.id = "text-4-world",
+                 .place = "Sections 4.1.1 and 4.1.2",
+                 .statement = "World-centric maps without anchors are partially observable in any SLAM case",
+                 .printed = "partially",
+                 .measured = lines.text(),
+                 .why = "one is not",
+                 .runs = lines.runs()},
+                all);
+}
+
+Claim planar_anchors() {
+  Lines lines;
+  const Study &moving = lines.add("moving", of("planar", 2)),
+              &rest = lines.add("at rest", of("planar", 2, "stationary"));
+  return judged(
+      {.id = "text-4-planar-anchors",
+       .place = "Section 4.1.1",
+       .statement = "With anchors (two) the planar vehicle is fully observable, as long as it translates",
+       .printed = "fully",
+       .measured = lines.text(),
+       .why = "it is not",
+       .runs = lines.runs()},
+      moving.true_dimension() == 0 && dimension(moving.stripped(2)) == 0 && rest.true_dimension() > 0 &&
+          dimension(rest.stripped(3)) > 0);
+}
+
+Claim planar_at_rest() {
+  Lines lines;
+  bool all = true;
+  const auto look = [&](const std::string& name, const Case& which) {
+    const Study& s = lines.add(name, which);
+    all = all && dimension(s.stripped(3)) > 0 && s.true_dimension() > 0;
+  };
+  for (const int anchors : {0, 1, 2, 3})
+    look(fmt::format("{} anchor{}", anchors, anchors == 1 ? "" : "s"), of("planar", anchors, "stationary"));
+  look("relative map", relative("planar", "stationary"));
+  return judged({.id = "text-4-planar-at-rest",
+                 .place = "Section 4.4",
+                 .statement = "At zero velocity the planar vehicle's system simply is unobservable",
+                 .printed = "unobservable",
+                 .measured = lines.text(),
+                 .why = "it is not",
+                 .runs = lines.runs()},
+                all);
+}
+
+Claim third_step() {
+  const Study &falls = study(inertial::unaccelerated(inertial::relative(), Unaccelerated::falls)),
+              &weightless = study(inertial::unaccelerated(inertial::relative(), Unaccelerated::weightless));
+  const auto third = [](const Study& s) { return dimension(s.total(2)) > 0 && dimension(s.total(3)) == 0; };
+  return judged(
+      {.id = "text-4-third-step",
+       .place = "Section 4.4",
+       .statement = "Without acceleration the inertial model becomes one of constant velocity, and takes a "
+                    "third step to full rank of the TOM (relative map)",
+       .printed = "third",
+       .measured = fmt::format("{}: {}", legend, inertial::by_unaccelerated(inertial::relative())),
+       .why =
+           "with f = 0 when it falls. At constant velocity its segments begin on one line, and one direction "
+           "is left for good; under gravity f = -g, and two steps do",
+       .runs = 3 * motions},
+      third(falls) && third(weightless), third(falls));
+}
+
+Claim exteroceptive_only() {
+  Lines lines;
+  const Study &flat = lines.add("planar-cv with 2 anchors", of("planar-cv", 2)),
+              &flat_rest = lines.add("at rest", of("planar-cv", 2, "stationary")),
+              &space = lines.add("cv6 with 3", of("cv6", 3)),
+              &space_rest = lines.add("at rest", of("cv6", 3, "stationary"));
+  const Study &no_anchor = lines.add("planar-cv without", of("planar-cv")),
+              &told = lines.add("relative map", relative("planar-cv")),
+              &free = lines.add("cv6 without", of("cv6"));
+  const auto full = [](const Study& s) { return dimension(s.stripped(2)) == 0 && s.true_dimension() == 0; };
+  return judged(
+      {.id = "text-4-only-anchors",
+       .place = "Section 4.1.4",
+       .statement = "Constant-velocity systems are fully observable with anchors and translation, and with "
+                    "nothing else",
+       .printed = "anchors only",
+       .measured = lines.text(),
+       .why = "they are not",
+       .runs = lines.runs()},
+      full(flat) && full(space) && flat_rest.true_dimension() > 0 && space_rest.true_dimension() > 0 &&
+          no_anchor.true_dimension() > 0 && told.true_dimension() > 0 && free.true_dimension() > 0);
+}
+
+Claim cv_velocities() {
+  std::vector<std::string> lines;
+  bool always = true, from_two = true;
+  for (const char* system : {"planar-cv", "cv6"})
+    for (const int anchors : {1, 2, 3}) {
+      const Study& s = study(of(system, anchors));
+      const auto seen = seen_states(s.stripped(1), s.error_states());
+      const auto is_velocity = [](const std::string& state) { return state[0] == 'v' || state[0] == 'w'; };
+      const auto recovered = std::count_if(seen.begin(), seen.end(), is_velocity);
+      const auto wanted = std::count_if(s.error_states().begin(), s.error_states().end(), is_velocity);
+      always = always && recovered == wanted;
+      from_two = from_two && (anchors == 1 ? recovered == 0 : recovered == wanted);
+      lines.push_back(fmt::format("{}, {}: {} of {}", system, anchors, recovered, wanted));
+    }
+  return judged(
+      {.id = "text-4-cv-velocities",
+       .place = "Section 4.4",
+       .statement = "With anchors one segment recovers the velocities of the constant-velocity models",
+       .printed = "recovered",
+       .measured = fmt::format("velocities outside N(Q_1) with one feature in {} motions, by anchors: {}",
+                               motions, fmt::join(lines, "; ")),
+       .why = "from two anchors on",
+       .runs = 6 * motions},
+      always, from_two);
+}
+
+/// What accelerates the camera is measured.
+void known_acceleration(SystemText& text) {
+  text.disturbed.clear();
+  text.inputs = {{"fx", {}, -1, 1}, {"fy", {}, -1, 1}, {"alpha", {}, -0.5, 0.5}};
+  for (NamedExpression& state : text.vehicle.states)
+    if (state.name == "vx")
+      state.expression.text = "fx";
+    else if (state.name == "vy")
+      state.expression.text = "fy";
+    else if (state.name == "wz")
+      state.expression.text = "alpha";
+}
+
+Claim accelerations() {
+  Lines lines;
+  const Study &changing = lines.add("changing velocities", of("planar-cv")),
+              &constant = lines.add("constant velocities", of("planar-cv", 0, "unaccelerated"));
+  Case known = of("planar-cv");
+  known.change = {"known", known_acceleration};
+  const Study &told = lines.add("known accelerations", known),
+              &rest = lines.add("two anchors at rest", of("planar-cv", 2, "stationary"));
+  const bool unknown_do_not = changing.dimensions() == constant.dimensions() &&
+                              changing.true_dimension() == constant.true_dimension() &&
+                              rest.true_dimension() > 0;
+  return judged(
+      {.id = "text-4-accelerations",
+       .place = "Section 4.4",
+       .statement = "In constant-velocity models the accelerations, inputs to the system, do not affect "
+                    "observability; zero velocity does",
+       .printed = "do not",
+       .measured = lines.text(),
+       .why = "as noise, which they are here. Were they inputs that are known, they would tell lengths and "
+              "directions",
+       .runs = lines.runs()},
+      unknown_do_not && told.true_dimension() == constant.true_dimension(),
+      unknown_do_not && told.true_dimension() < constant.true_dimension());
+}
+
+Claim lower_limit() {
+  std::vector<std::string> lines;
+  bool settles = true, always = true;
+  for (const char* system : {"planar", "inertial", "planar-cv", "cv6"}) {
+    Case which = of(system);
+    which.segments = 6;
+    const Study& s = study(which);
+    const auto left = s.total_dimensions();
+    settles = settles && left[2] == left[3] && left[3] == left[5] && left[5] > 0;
+    const Eigen::Index axes = which.system.starts_with("planar") ? 2 : 3;
+    for (Eigen::Index axis = 0; axis < axes; ++axis) {
+      const auto translation = [&](const Course& c) -> std::vector<VectorXd> {
+        const Eigen::Index n = c.points[0].x.size();
+        return {VectorXd::Unit(n, axis) + VectorXd::Unit(n, n - axes + axis)};
+      };
+      always = always && contain(s.total(6), s.courses(), translation) &&
+               contain(study(of(system)).along(), s.courses(), translation);
+    }
+    lines.push_back(fmt::format("{} {}", system, s.segments_text()));
+  }
+  return judged(
+      {.id = "text-4-lower-limit",
+       .place = "Section 4.4",
+       .statement = "World-centric maps reach a lower limit of unobservable modes; the global position is "
+                    "among them however many segments",
+       .printed = "a limit",
+       .measured = fmt::format(
+           "dimensions left by SOM and TOM after 1/2/3/4/5/6 segments: {}; translations among them, "
+           "and left by the motion itself: {}",
+           fmt::join(lines, "; "), always ? "always" : "not always"),
+       .why = "they do not",
+       .runs = 4 * motions},
+      settles && always);
+}
+
+Claim becomes_observable() {
+  Lines lines;
+  const Study &flat = lines.add("planar with 2 anchors", of("planar", 2)),
+              &space = lines.add("inertial with 2 anchors", of("inertial", 2)),
+              &flat_relative = lines.add("planar, relative map", relative("planar")),
+              &space_relative = lines.add("inertial, relative map", relative("inertial"));
+  const bool anchors = flat.true_dimension() == 0 && space.true_dimension() == 0;
+  return judged(
+      {.id = "text-4-observable",
+       .place = "Section 4.4",
+       .statement =
+           "Anchors, or a sensor-centric map with proprioceptive sensors, let the system become fully "
+           "observable when it moves as it must",
+       .printed = "both",
+       .measured = lines.text(),
+       .why = "anchors do. The sensor-centric map keeps one direction, heading and map turned (about the "
+              "vertical)",
+       .runs = lines.runs()},
+      anchors && flat_relative.true_dimension() == 0 && space_relative.true_dimension() == 0,
+      anchors && flat_relative.true_dimension() == 1 && space_relative.true_dimension() == 1);
+}
+
+LedgerEntry run(const ExperimentSettings&) {
+  LedgerEntry entry{text_chapter_4.id, text_chapter_4.title, "", {}, {}};
+  entry.claims = method_claims();
+  std::ranges::move(std::vector<Claim>{world_is_partial(), planar_anchors(), planar_at_rest(), third_step(),
+                                       exteroceptive_only(), cv_velocities(), accelerations(), lower_limit(),
+                                       becomes_observable()},
+                    std::back_inserter(entry.claims));
+  return entry;
+}
+
+}  // namespace
+}  // namespace incognita::observability_claims
+
+namespace incognita {
+
+const Experiment text_chapter_4{"text-4", "Claims in the text of Chapter 4", {}, observability_claims::run};
+
+}  // namespace incognita

@@ -1,0 +1,266 @@
+// What the running text of Chapter 4 says of its method: the Gramian (4.1), SOM and TOM, one look, and what
+// motions without a look from the side cannot show.
+//
+// Experiment: the built-in systems, motions and rules of observability_claims.hpp. The Gramian over 1 s of
+// frozen F and H, which Simpson's rule integrates exactly, as F is nilpotent; `planar` with one feature and
+// four anchors, where H is square and H H' can be had. 100 random systems of six states, two of which are not
+// seen, for (4.2). 20 segments of 0.05 s for short ones.
+#include <fmt/format.h>
+
+#include <Eigen/QR>
+#include <algorithm>
+
+#include "experiments/evidence.hpp"
+#include "experiments/observability_claims.hpp"
+#include "experiments/text_chapter_4.hpp"
+#include "incognita/math/random.hpp"
+
+namespace incognita::observability_claims {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+MatrixXd gramian(const Linearisation& form, const MatrixXd& inner) {
+  const auto at = [&](double t) -> MatrixXd {
+    const MatrixXd moved = MatrixXd::Identity(form.F.rows(), form.F.cols()) + t * form.F;  // F F = 0
+    return moved.transpose() * inner * moved;
+  };
+  return (at(0) + 4 * at(0.5) + at(1)) / 6;
+}
+
+Claim gramian_claim() {
+  const Study& s = study({.system = "planar", .anchors = 4});
+  const Spaces printed = null_spaces(s,
+                                     [](const Course&c) {
+                                       return gramian(c.forms[0], c.forms[0].H * c.forms[0].H.transpose());
+                                     }),
+               corrected = null_spaces(s, [](const Course&c) {
+                 return gramian(c.forms[0], c.forms[0].H.transpose() * c.forms[0].H);
+               });
+  return judged(
+      {.id = "text-4-gramian",
+       .place = "(4.1)",
+       .statement = "The null space of the Gramian is what cannot be observed: that of (4.2)",
+       .printed = "with H H'",
+       .measured = fmt::format("Q_1 leaves {} in {} motions (one feature, four anchors, where H is square); "
+                               "the Gramian with H H' {}, {}; with H' H {}, {}",
+                               dimension(s.stripped(1)), motions, joined({dimension(printed)}),
+                               same(printed, s.stripped(1)) ? "the same" : "not the same",
+                               joined({dimension(corrected)}),
+                               same(corrected, s.stripped(1)) ? "the same" : "not the same"),
+       .why = "H' H; with as many measurements as states H H' is another matrix, else the product does not "
+              "exist",
+       .runs = motions},
+      same(printed, s.stripped(1)), same(corrected, s.stripped(1)));
+}
+
+MatrixXd some_matrix(RandomStream& random, Eigen::Index rows, Eigen::Index columns) {
+  return MatrixXd::NullaryExpr(rows, columns, [&] { return random.normal(); });
+}
+
+MatrixXd some_rotation(RandomStream& random, Eigen::Index n) {
+  return Eigen::HouseholderQR<MatrixXd>(some_matrix(random, n, n)).householderQ();
+}
+
+Claim steps() {
+  constexpr int systems = 100, n = 6;
+  RandomStream random(1, "systems");
+  bool same_space = true;
+  for (int i = 0; i < systems; ++i) {
+    // two states that neither are seen nor move the others
+    MatrixXd F = MatrixXd::Zero(n, n), H = MatrixXd::Zero(1, n);
+    F.topLeftCorner(4, 4) = some_rotation(random, 4);
+    F.bottomLeftCorner(2, 4) = some_matrix(random, 2, 4),
+                          F.bottomRightCorner(2, 2) = some_rotation(random, 2);
+    H.leftCols(4) = some_matrix(random, 1, 4);
+    const MatrixXd T = some_rotation(random, n);
+    const auto left_after = [&](int count) {
+      MatrixXd Q(count, n), row = H * T;
+      for (int k = 0; k < count; ++k, row = (row * T.transpose() * F * T).eval()) Q.row(k) = row;
+      return null_space({Q, VectorXd::Zero(count), false});
+    };
+    same_space = same_space && left_after(n).nullity == 2 && same({left_after(n)}, {left_after(5 * n)});
+  }
+  return judged(
+      {.id = "text-4-steps",
+       .place = "below (4.1)",
+       .statement = "What is unobservable over n steps is unobservable over any number",
+       .printed = "",
+       .measured = fmt::format("{} random systems of 6 states, 2 of them not seen: left after 6 and after 30 "
+                               "steps: {}",
+                               systems, same_space ? "2 in all" : "not the same in all"),
+       .why = "it is not",
+       .runs = systems},
+      same_space);
+}
+
+std::vector<Case> many_cases() {
+  std::vector<Case> all;
+  for (const char* system : {"planar", "planar-rb", "planar-cv", "inertial", "inertial-rb", "cv6"}) {
+    const double segment_s = std::string(system).starts_with("planar") ? 1 : in_space_s;
+    for (const int anchors : {0, 1, 2, 3})
+      all.push_back({.system = system, .anchors = anchors, .segment_s = segment_s});
+    if (std::string(system) == "cv6") continue;
+    for (const int features : {1, 2, 3})
+      all.push_back(
+          {.system = system, .representation = "relative", .features = features, .segment_s = segment_s});
+  }
+  return all;
+}
+
+Claim condition() {
+  int met = 0, kept = 0, others = 0, others_kept = 0;
+  for (const Case& which : many_cases()) {
+    const Study& s = study(which);
+    bool equal = true;
+    for (int k = 1; k <= 3; ++k) equal = equal && same(s.stripped(k), s.total(k));
+    if (s.stays())
+      ++met, kept += equal;
+    else
+      ++others, others_kept += s.dimensions() == s.total_dimensions();
+  }
+  return judged({.id = "text-4-condition",
+                 .place = "(4.9), (4.10)",
+                 .statement = "Where N(Q_j) is within N(F_j), SOM and TOM have the same null space",
+                 .printed = "",
+                 .measured = fmt::format(
+                     "(4.9) holds in {} of {} cases, in {} of them the null spaces are the same; of "
+                     "the other {} cases the dimensions are in {}",
+                     met, met + others, kept, others, others_kept),
+                 .why = "they have not",
+                 .runs = motions * (met + others)},
+                met > 0 && met == kept);
+}
+
+Claim piecewise() {
+  std::vector<std::string> lines;
+  bool loses_nothing = true, agree = true;
+  for (const char* system : {"planar", "planar-cv", "inertial", "cv6"})
+    for (const int anchors : {0, 1}) {
+      const bool flat = std::string(system).starts_with("planar");
+      const Case which{.system = system, .anchors = anchors, .segment_s = flat ? 1 : in_space_s};
+      const Study& s = study(which);
+      const int by_lie = dimension(lie(which, 1));
+      loses_nothing = loses_nothing && dimension(s.total(3)) == s.true_dimension();
+      agree = agree && by_lie == s.true_dimension();
+      lines.push_back(fmt::format("{}, {}: {}", system, anchors, s.numbers()));
+    }
+  const Study& fine = study({.system = "planar", .segments = 20, .segment_s = 0.05});
+  return judged(
+      {.id = "text-4-piecewise",
+       .place = "below (4.2), of [55]",
+       .statement = "Piecewise constant segments keep the characteristic behaviour: the TOM leaves what the "
+                    "motion itself leaves",
+       .printed = "no loss",
+       .measured = fmt::format("{}, systems and anchors: {}. Lie derivatives, at one point each, leave {} "
+                               "the motion does. 20 short "
+                               "segments on the plane: SOM and TOM leave {} and {}, the motion {}",
+                               legend, fmt::join(lines, "; "), agree ? "what" : "not what",
+                               joined({dimension(fine.stripped(20))}), joined({dimension(fine.total(20))}),
+                               joined({fine.true_dimension()})),
+       .why =
+           "SOM and TOM find more than there is: H stays frozen in a segment while F moves the vehicle on, "
+           "so that H F is not how H changes. Shorter segments do not mend it",
+       .runs = 9 * motions},
+      loses_nothing && dimension(fine.total(20)) == fine.true_dimension());
+}
+
+Claim one_look() {
+  bool never = true;
+  std::vector<std::string> lines;
+  for (const char* system : {"planar", "inertial", "planar-cv", "cv6"}) {
+    std::vector<int> left;
+    for (const int anchors : {0, 1, 2, 3}) {
+      const bool flat = std::string(system).starts_with("planar");
+      const Study& s = study({.system = system, .anchors = anchors, .segment_s = flat ? 1 : in_space_s});
+      left.push_back(dimension(null_spaces(s, [](const Course& c) { return c.forms[0].H; })));
+      never = never && left.back() > 0 && dimension(s.stripped(1)) > 0;
+    }
+    lines.push_back(fmt::format("{} {}", system, joined(left)));
+  }
+  return judged(
+      {.id = "text-4-one-look",
+       .place = "head of Chapter 4",
+       .statement = "One measurement step leaves bearing-only SLAM unobservable",
+       .printed = "unobservable",
+       .measured = fmt::format("dimensions left by one look at one feature, with 0/1/2/3 anchors: {}",
+                               fmt::join(lines, "; ")),
+       .why = "it does not",
+       .runs = 16 * motions},
+      never);
+}
+
+/// Stationary but for turning.
+void turn_on_the_spot(SystemText& text) {
+  for (MotionText& motion : text.motions)
+    if (motion.name == "stationary")
+      std::erase_if(motion.assignments,
+                    [](const NamedExpression& a) { return a.name == "omega" || a.name.front() == 'w'; });
+}
+
+/// The direction in which the first feature is, where a motion begins.
+std::vector<VectorXd> distance(const Course& c, Eigen::Index dimensions) {
+  VectorXd v = VectorXd::Zero(c.points[0].x.size());
+  v.tail(dimensions) = c.points[0].x.tail(dimensions) - c.points[0].x.head(dimensions);
+  return {v};
+}
+
+Claim turning_only() {
+  const Change turning{"turning", turn_on_the_spot};
+  const Study &flat = study({.system = "planar", .anchors = 3, .motion = "stationary", .change = turning}),
+              &space = study({.system = "cv6",
+                              .anchors = 3,
+                              .motion = "stationary",
+                              .change = turning,
+                              .segment_s = in_space_s});
+  const bool both = are_basis(flat.along(), flat.courses(), [](const Course& c) { return distance(c, 2); }) &&
+                    are_basis(space.along(), space.courses(), [](const Course& c) { return distance(c, 3); });
+  return judged(
+      {.id = "text-4-turning",
+       .place = "head of Chapter 4",
+       .statement = "A purely rotating camera tells nothing of how far a feature is, however well anchors "
+                    "tell where the camera is",
+       .printed = "nothing",
+       .measured =
+           fmt::format("{}, with three anchors, turning on the spot: planar {}; cv6 {}; what is left is "
+                       "the distance: {}",
+                       legend, flat.numbers(), space.numbers(), both ? "yes" : "no"),
+       .why = "it does",
+       .runs = 2 * motions},
+      both);
+}
+
+Claim line_of_sight() {
+  const auto ahead = [](SystemText& text) {
+    for (NamedRange& range : text.vehicle.region) range.low = range.high = 0;
+    text.landmark->region[0].low = 5;
+    text.landmark->region[1].low = text.landmark->region[1].high = 0;
+  };
+  const Study &s =
+                  study({.system = "planar", .anchors = 2, .motion = "straight", .change = {"ahead", ahead}}),
+              &aside = study({.system = "planar", .anchors = 2, .motion = "straight"});
+  const bool distance_alone =
+      are_basis(s.along(), s.courses(), [](const Course& c) { return distance(c, 2); });
+  return judged(
+      {.id = "text-4-line-of-sight",
+       .place = "head of Chapter 4",
+       .statement = "Looking at a feature along the line on which the camera moves forward does not tell its "
+                    "distance",
+       .printed = "does not",
+       .measured =
+           fmt::format("{}, with two anchors, straight on: {}; with the feature straight ahead {}: its "
+                       "distance, {}",
+                       legend, aside.numbers(), s.numbers(), distance_alone ? "yes" : "no"),
+       .why = "it does",
+       .runs = 2 * motions},
+      distance_alone && aside.true_dimension() == 0);
+}
+
+}  // namespace
+
+std::vector<Claim> method_claims() {
+  return {one_look(), turning_only(), line_of_sight(), gramian_claim(), steps(), condition(), piecewise()};
+}
+
+}  // namespace incognita::observability_claims

@@ -1,0 +1,127 @@
+// How printed null spaces are held against computed ones, on matrices whose null spaces are plain to see, and
+// that the motions are those of `incognita observe`.
+#include "experiments/observability_claims.hpp"
+
+#include <gtest/gtest.h>
+
+#include "incognita/analysis/observability.hpp"
+#include "incognita/io/system_file.hpp"
+
+namespace incognita::observability_claims {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+/// What rows do not see.
+NullSpace of(const MatrixXd& rows) { return null_space({rows, VectorXd::Zero(rows.rows()), false}); }
+
+/// Sees the first two coordinates' difference only.
+MatrixXd difference() { return (MatrixXd(1, 3) << 1, -1, 0).finished(); }
+
+const std::vector<Course> two_courses(2);
+
+Vectors vectors(const std::vector<VectorXd>& all) {
+  return [all](const Course&) { return all; };
+}
+
+TEST(SpacesTest, DimensionIsWhatAllAgreeOn) {
+  EXPECT_EQ(dimension({of(difference()), of(difference())}), 2);
+  EXPECT_EQ(dimension({of(difference()), of(MatrixXd::Identity(3, 3))}), no_dimension);
+  EXPECT_EQ(dimension({}), no_dimension);
+  NullSpace doubtful = of(difference());
+  doubtful.ambiguous = true;
+  EXPECT_EQ(dimension({of(difference()), doubtful}), no_dimension);
+}
+
+TEST(SpacesTest, BasisIsInsideIndependentAndComplete) {
+  const Spaces spaces(2, of(difference()));
+  const VectorXd a = Vector3d(1, 1, 0), b = Vector3d(2, 2, 5), outside = Vector3d(1, 0, 0);
+  EXPECT_TRUE(are_basis(spaces, two_courses, vectors({a, b})));
+  EXPECT_TRUE(contain(spaces, two_courses, vectors({a})));
+  EXPECT_FALSE(are_basis(spaces, two_courses, vectors({a})));
+  EXPECT_FALSE(are_basis(spaces, two_courses, vectors({a, -3 * a})));
+  EXPECT_FALSE(are_basis(spaces, two_courses, vectors({a, b, a + b})));
+  EXPECT_FALSE(contain(spaces, two_courses, vectors({a, outside})));
+  EXPECT_FALSE(are_basis(spaces, two_courses, vectors({a, outside})));
+  EXPECT_FALSE(contain(spaces, two_courses, vectors({a, VectorXd::Zero(3)})));
+  EXPECT_FALSE(contain({}, {}, vectors({})));
+}
+
+TEST(SpacesTest, ABasisMustSuitEveryMotion) {
+  const Spaces spaces{of(difference()), of(Vector3d(1, 1, 0).transpose())};
+  EXPECT_FALSE(are_basis(spaces, two_courses, vectors({Vector3d(1, 1, 0), Vector3d(0, 0, 1)})));
+  EXPECT_TRUE(contain(spaces, two_courses, vectors({Vector3d(0, 0, 1)})));
+}
+
+TEST(SpacesTest, SameIsMoreThanAsLarge) {
+  const NullSpace one = of(difference()), other = of(Vector3d(1, 1, 0).transpose());
+  EXPECT_TRUE(same({one}, {of(-7 * difference())}));
+  EXPECT_FALSE(same({one}, {other}));
+  EXPECT_FALSE(same({one}, {of(MatrixXd::Identity(3, 3))}));
+  EXPECT_FALSE(same({one}, {one, one}));
+}
+
+TEST(SpacesTest, StatesThatOnlySomeMotionsSeeAreQuestionable) {
+  MatrixXd third(2, 3);
+  third << 1, -1, 0, 0, 0, 1;
+  const std::vector<std::string> names{"x", "y", "z"};
+  EXPECT_EQ(seen_states({of(third), of(third)}, names), std::vector<std::string>{"z"});
+  EXPECT_EQ(seen_states({of(third), of(difference())}, names), std::vector<std::string>{"z?"});
+  EXPECT_TRUE(seen_states({of(difference())}, names).empty());
+}
+
+TEST(SpacesTest, Words) {
+  EXPECT_EQ(joined({3, 2, 2}), "3/2/2");
+  EXPECT_EQ(joined({3, no_dimension}), "3/not the same in all");
+  EXPECT_EQ(listed({}), "none");
+  EXPECT_EQ(listed({"x"}), "x");
+  EXPECT_EQ(listed({"x", "y", "z"}), "x, y and z");
+}
+
+TEST(StudyTest, IsWhatTheProgramSaysOfTheSameMotions) {
+  const Study& s = study({.system = "planar-cv", .anchors = 1});
+  ASSERT_EQ(s.courses().size(), std::size_t{motions});
+  for (const int seed : {1, 7}) {
+    ObservabilitySettings settings;
+    settings.anchors = 1;
+    settings.seed = static_cast<std::uint64_t>(seed);
+    settings.lie = false;
+    const ObservabilityAnalysis analysis = analyse_observability(load_system("planar-cv"), settings);
+    const Course& course = s.courses()[static_cast<std::size_t>(seed - 1)];
+    for (std::size_t k = 0; k < 3; ++k) {
+      EXPECT_EQ(course.points[k].x, analysis.points[k].x);
+      EXPECT_EQ(s.dimensions()[k], analysis.segments[k].stripped.space.nullity);
+      EXPECT_EQ(s.total_dimensions()[k], analysis.segments[k].total.space.nullity);
+    }
+    EXPECT_EQ(s.true_dimension(), analysis.local.space.nullity);
+  }
+  EXPECT_EQ(s.numbers(), "4/1/0 and 2");
+  EXPECT_EQ(s.text(), "SOM and TOM leave 4/1/0 dimensions after 1/2/3 segments, the motion itself 2");
+}
+
+TEST(StudyTest, ChangesAreAppliedAndKeptApart) {
+  const Change still{"still", [](SystemText& text) { text.inputs.at(0).low = text.inputs.at(0).high = 0; }};
+  const Study &moving = study({.system = "planar"}), &standing = study({.system = "planar", .change = still});
+  EXPECT_EQ(moving.dimensions(), (std::vector{3, 2, 2}));
+  EXPECT_EQ(standing.dimensions(), (std::vector{4, 4, 4}));
+  EXPECT_EQ(&moving, &study({.system = "planar"}));
+}
+
+TEST(StudyTest, MatricesThatAreNotTheSystems) {
+  const Study& s = study({.system = "planar"});
+  const Spaces as_it_is = stripped_with(s, 2, [](Linearisation&, const SystemPoint&) {}),
+               blind = stripped_with(s, 2, [](Linearisation&form, const SystemPoint&) { form.F.setZero(); });
+  EXPECT_TRUE(same(as_it_is, s.stripped(2)));
+  EXPECT_FALSE(same(blind, s.stripped(2)));
+}
+
+TEST(StudyTest, LieDerivativesWhereTheMotionsBegin) {
+  const Spaces spaces = lie({.system = "planar", .representation = "relative"}, 3);
+  ASSERT_EQ(spaces.size(), 3U);
+  EXPECT_EQ(dimension(spaces), 1);
+}
+
+}  // namespace
+}  // namespace incognita::observability_claims

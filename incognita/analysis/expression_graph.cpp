@@ -151,10 +151,22 @@ namespace {
 
 }  // namespace
 
-void ExpressionGraph::evaluate(Owner owner, Evaluation& e, bool with_gradients) const {
+std::vector<bool> ExpressionGraph::needed_for(const std::vector<Slot>& slots) const {
+  std::vector<bool> needed(static_cast<std::size_t>(size()));
+  for (const Slot slot : slots) needed[static_cast<std::size_t>(slot)] = true;
+  for (Slot slot = size() - 1; slot >= 0; --slot) {
+    if (!needed[static_cast<std::size_t>(slot)]) continue;
+    for (const auto& partial : (*this)[slot].partials) needed[static_cast<std::size_t>(partial.first)] = true;
+  }
+  return needed;
+}
+
+void ExpressionGraph::evaluate(Owner owner, Evaluation& e, bool with_gradients,
+                               const std::vector<bool>* only) const {
   for (Slot slot = 0; slot < size(); ++slot) {
     const Quantity& q = (*this)[slot];
     if (q.owner != owner || !q.expression) continue;
+    if (only && !(*only)[static_cast<std::size_t>(slot)]) continue;
     const auto at = static_cast<std::size_t>(slot);
     e.value[at] = q.tape->run(e.value, e.scratch);
     if (!std::isfinite(e.value[at])) refuse_value(q, "is not finite");

@@ -67,7 +67,12 @@ class ExpressionGraph {
     std::vector<double> scratch;
   };
   void prepare(Evaluation& evaluation, int columns) const;
-  void evaluate(Owner owner, Evaluation& evaluation, bool with_gradients) const;
+  /// `only`: by slot, which to evaluate; all where there is none.
+  void evaluate(Owner owner, Evaluation& evaluation, bool with_gradients,
+                const std::vector<bool>* only = nullptr) const;
+
+  /// Those that the given ones are made of, and they themselves, by slot.
+  std::vector<bool> needed_for(const std::vector<Slot>& slots) const;
 
  private:
   void spend(std::size_t nodes, Place place);

@@ -51,6 +51,9 @@ SystemInstance::SystemInstance(const SymbolicSystem& system, int landmarks, int 
   states_ = static_cast<int>(system.vehicle.states.size() + landmarks * system.landmark.states.size());
   measurements_ = count(system.vehicle) + landmarks * count(system.landmark) + anchors * count(system.anchor);
   if (measurements_ == 0) throw std::invalid_argument("nothing is measured: ask for features or anchors");
+  std::vector<ExpressionGraph::Slot> rates = system.vehicle.rates;
+  rates.insert(rates.end(), system.landmark.rates.begin(), system.landmark.rates.end());
+  for_rates_ = system.graph.needed_for(rates);
   append_names(names_, names_of(text.vehicle.states), -1);
   append_names(error_names_, system.vehicle_error_names, -1);
   for (int i = 0; i < landmarks; ++i) {
@@ -65,11 +68,24 @@ int SystemInstance::first_state(int landmark) const {
 
 Eigen::VectorXd SystemInstance::rate(const SystemPoint& point) const {
   Eigen::VectorXd rate(states_);
-  visit(point, false, [&](Owner, const Block& block, int, int first, const Evaluation& e) {
+  const auto take = [&](Owner, const Block& block, int, int first, const Evaluation& e) {
     for (std::size_t i = 0; i < block.rates.size(); ++i)
       rate[first + static_cast<int>(i)] = e.value[block.rates[i]];
-  });
+  };
+  visit(point, false, take, &for_rates_);
   return rate;
+}
+
+Eigen::MatrixXd SystemInstance::rate_derivative(const SystemPoint& point) const {
+  const int vehicle_states = static_cast<int>(system_->vehicle.states.size());
+  Eigen::MatrixXd F = Eigen::MatrixXd::Zero(states_, states_);
+  const auto take = [&](Owner owner, const Block& block, int, int first, const Evaluation& e) {
+    const RowWriter writer{vehicle_states, owner == Owner::landmark ? first : -1};
+    for (std::size_t i = 0; i < block.rates.size(); ++i)
+      writer.gradient(F, first + static_cast<int>(i), e.gradient.col(block.rates[i]));
+  };
+  visit(point, true, take, &for_rates_);
+  return F;
 }
 
 Linearisation SystemInstance::linearise(const SystemPoint& point) const {

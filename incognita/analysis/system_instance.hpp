@@ -33,6 +33,8 @@ class SystemInstance {
 
   /// All of these throw SystemError where an expression has no finite value.
   Eigen::VectorXd rate(const SystemPoint& point) const;
+  /// The F of linearise(), without the work for H.
+  Eigen::MatrixXd rate_derivative(const SystemPoint& point) const;
   /// Exact derivatives.
   Linearisation linearise(const SystemPoint& point) const;
   /// In the coordinates of the stated error form; exact derivatives where none is stated.
@@ -46,8 +48,10 @@ class SystemInstance {
 
   /// Calls back once for the vehicle and once for each landmark and anchor, with every quantity of its owner
   /// evaluated. `of`: which landmark or anchor, from 0; `first`: its first state among all (-1: an anchor).
+  /// `only`: which quantities, by slot; all where there is none.
   template <class Visit>
-  void visit(const SystemPoint& point, bool with_gradients, Visit&& visit) const;
+  void visit(const SystemPoint& point, bool with_gradients, Visit&& visit,
+             const std::vector<bool>* only = nullptr) const;
 
  private:
   int first_state(int landmark) const;
@@ -56,11 +60,13 @@ class SystemInstance {
   int landmarks_, anchors_, states_, measurements_;
   std::vector<std::string> names_, error_names_;
   std::vector<std::pair<ExpressionGraph::Slot, double>> held_;
+  std::vector<bool> for_rates_;  // quantities, by slot
   mutable ExpressionGraph::Evaluation evaluation_;  // room to work
 };
 
 template <class Visit>
-void SystemInstance::visit(const SystemPoint& point, bool with_gradients, Visit&& visit) const {
+void SystemInstance::visit(const SystemPoint& point, bool with_gradients, Visit&& visit,
+                           const std::vector<bool>* only) const {
   const SymbolicSystem& s = *system_;
   auto& e = evaluation_;
   s.graph.prepare(e, s.columns());
@@ -72,16 +78,16 @@ void SystemInstance::visit(const SystemPoint& point, bool with_gradients, Visit&
   for (const auto& [slot, value] : held_) e.value[slot] = value;
   put(s.inputs, point.u, 0);
   put(s.vehicle.states, point.x, 0);
-  s.graph.evaluate(Owner::vehicle, e, with_gradients);
+  s.graph.evaluate(Owner::vehicle, e, with_gradients, only);
   visit(Owner::vehicle, s.vehicle, 0, 0, e);
   for (int i = 0; i < landmarks_; ++i) {
     put(s.landmark.states, point.x, first_state(i));
-    s.graph.evaluate(Owner::landmark, e, with_gradients);
+    s.graph.evaluate(Owner::landmark, e, with_gradients, only);
     visit(Owner::landmark, s.landmark, i, first_state(i), e);
   }
   for (int i = 0; i < anchors_; ++i) {
     put(s.anchor.states, point.anchors, i * static_cast<int>(s.anchor.states.size()));
-    s.graph.evaluate(Owner::anchor, e, with_gradients);
+    s.graph.evaluate(Owner::anchor, e, with_gradients, only);
     visit(Owner::anchor, s.anchor, i, -1, e);
   }
 }

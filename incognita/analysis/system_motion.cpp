@@ -119,7 +119,7 @@ void integrate(const SystemInstance& instance, SystemPoint& at, Eigen::MatrixXd&
     Eigen::Map<Eigen::VectorXd>(rate.data(), n) = instance.rate(now);
     if (columns == 0) return;
     Eigen::Map<Eigen::MatrixXd>(rate.data() + n, n, columns) =
-        instance.linearise(now).F * Eigen::Map<const Eigen::MatrixXd>(from.data() + n, n, columns);
+        instance.rate_derivative(now) * Eigen::Map<const Eigen::MatrixXd>(from.data() + n, n, columns);
   };
   const auto stepper = odeint::make_controlled<odeint::runge_kutta_dopri5<Numbers>>(1e-12, 1e-12);
   int steps = 0;

@@ -7,9 +7,11 @@ namespace incognita {
 
 template <class SomeBoxes>
 void run_loop(SomeBoxes& boxes, const std::function<void(const Snapshot&)>& publish,
-              const std::function<bool(const Tick&)>& keep_going) {
+              const std::function<bool(const Tick&)>& keep_going,
+              const std::function<void(const typename SomeBoxes::Estimator::Estimate&)>& watch) {
   auto& [clock, world, sensor, estimator, decision, controller] = boxes;
   typename SomeBoxes::Estimator::Estimate estimate;
+  estimate.belief.keep_trace(watch != nullptr);
   Command command;
   std::vector<std::pair<const char*, double>> timing_ms;
 
@@ -26,13 +28,19 @@ void run_loop(SomeBoxes& boxes, const std::function<void(const Snapshot&)>& publ
     stage.mark("advice");
     command = controller.act(estimate, goal, tick);
     stage.mark("control");
+    if (watch) {
+      watch(estimate);
+      estimate.belief.clear_trace();
+      stage.mark("watch");
+    }
     publish(snapshot_of(tick, truth, seen, estimate, goal, decision.actions(), command, timing_ms));
   }
 }
 
 using Publish = std::function<void(const Snapshot&)>;
 using KeepGoing = std::function<bool(const Tick&)>;
-template void run_loop(Boxes&, const Publish&, const KeepGoing&);
-template void run_loop(PlanarBoxes&, const Publish&, const KeepGoing&);
+template void run_loop(Boxes&, const Publish&, const KeepGoing&, const std::function<void(const Estimate&)>&);
+template void run_loop(PlanarBoxes&, const Publish&, const KeepGoing&,
+                       const std::function<void(const PlanarEstimate&)>&);
 
 }  // namespace incognita

@@ -31,8 +31,10 @@ using PlanarBoxes = BoxesOf<PlanarEstimator, NoDecision, NoController>;
 
 /// Runs until the clock ends or `keep_going` says no. Whatever the boxes and the record throw passes through;
 /// what was published before stays published.
+/// `watch`, if given, sees the estimate after each update, with the trace of what was done to its belief.
 template <class SomeBoxes>
 void run_loop(SomeBoxes& boxes, const std::function<void(const Snapshot&)>& publish,
-              const std::function<bool(const Tick&)>& keep_going);
+              const std::function<bool(const Tick&)>& keep_going,
+              const std::function<void(const typename SomeBoxes::Estimator::Estimate&)>& watch = {});
 
 }  // namespace incognita

@@ -14,6 +14,7 @@
 
 #include "incognita/app/assemble.hpp"
 #include "incognita/app/assemble_planar.hpp"
+#include "incognita/app/observability_watch.hpp"
 #include "incognita/app/progress.hpp"
 #include "incognita/app/say.hpp"
 #include "incognita/messages/errors.hpp"
@@ -93,7 +94,8 @@ void wait_until(std::chrono::steady_clock::time_point start, double t_s) {
 }
 
 template <class SomeBoxes>
-Ending drive(SomeBoxes& boxes, Recorder& recorder, FramePictures* pictures, bool realtime) {
+Ending drive(SomeBoxes& boxes, Recorder& recorder, FramePictures* pictures, ObservabilityWatch* watch,
+             bool realtime) {
   Progress progress(boxes.clock->expected_frames());
   StateTeller teller;
   Snapshot last;
@@ -116,9 +118,11 @@ Ending drive(SomeBoxes& boxes, Recorder& recorder, FramePictures* pictures, bool
     if (realtime) wait_until(start, tick.t - *first_t);
     return !interrupted;
   };
+  std::function<void(const typename SomeBoxes::Estimator::Estimate&)> watching;
+  if (watch) watching = [watch](const auto& estimate) { watch->follow(estimate); };
   try {
     run_loop(boxes, std::function<void(const Snapshot&)>(publish),
-             std::function<bool(const Tick&)>(keep_going));
+             std::function<bool(const Tick&)>(keep_going), watching);
   } catch (const std::exception& error) {
     return {RunStatus::failed, fmt::format("at frame {}: {}", last.tick.frame + 1, error.what())};
   }
@@ -140,15 +144,28 @@ RunInfo info_of(const LoadedScenario& loaded) {
   return info;
 }
 
+/// What the run knows of its frame and scale, into summary.json and on standard error.
+void tell_observability(ObservabilityWatch& watch, Recorder& recorder) {
+  const auto report = watch.report();
+  if (!report) return;
+  recorder.note(*report);
+  for (const std::string& line : in_words(*report)) say("{}\n", line);
+}
+
 /// Drives the boxes and records; `info` is complete.
 template <class SomeBoxes>
-int run_boxes(SomeBoxes& boxes, const RunInfo& info, const std::string& out, const Options& options) {
+int run_boxes(SomeBoxes& boxes, const RunInfo& info, const LoadedScenario& loaded, const std::string& out,
+              const Options& options) {
   heed_signals();
   Recorder recorder(out, info);
   std::optional<FramePictures> pictures;
   if (options.save_frames) pictures.emplace(recorder.path(), info.patch_size_px);
+  std::optional<ObservabilityWatch> watch;
+  if (loaded.scenario.run.observability) watch.emplace();
 
-  const Ending ending = drive(boxes, recorder, pictures ? &*pictures : nullptr, options.realtime);
+  const Ending ending =
+      drive(boxes, recorder, pictures ? &*pictures : nullptr, watch ? &*watch : nullptr, options.realtime);
+  if (watch) tell_observability(*watch, recorder);
   const auto finishing = [&](const std::filesystem::path& directory) {
     std::vector<std::string> warnings = ending.warnings;
     if (options.no_figures) return warnings;
@@ -169,7 +186,7 @@ int run_camera(const LoadedScenario& loaded, const std::string& out, const Optio
   // A recording's truth is in its own world, which a target need not share
   const bool own_frame = loaded.scenario.run.world == "recording";
   info.ate_alignment = !assembly.scale_is_known ? "sim3" : own_frame ? "se3" : "none";
-  return run_boxes(assembly.boxes, info, out, options);
+  return run_boxes(assembly.boxes, info, loaded, out, options);
 }
 
 int run_vehicle(const LoadedScenario& loaded, const std::string& out, const Options& options) {
@@ -183,7 +200,7 @@ int run_vehicle(const LoadedScenario& loaded, const std::string& out, const Opti
   info.body = "vehicle";
   info.ranges = true;
   info.ate_alignment = assembly.frame_is_fixed ? "none" : "se3";
-  return run_boxes(assembly.boxes, info, out, options);
+  return run_boxes(assembly.boxes, info, loaded, out, options);
 }
 
 int run(const Options& options) {

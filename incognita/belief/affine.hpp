@@ -50,4 +50,10 @@ struct AffineLook {
   }
 };
 
+/// What the error of a block is born from: J times the error of another.
+struct BlockParent {
+  BlockId block = 0;
+  BlockMatrix J;  ///< errors of the new block x errors of the parent
+};
+
 }  // namespace incognita

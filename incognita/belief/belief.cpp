@@ -171,6 +171,7 @@ BlockId Belief::augment(const Chart& chart, const Eigen::Ref<const Eigen::Vector
       p(old + i, old + j) = sum;
     }
   if (correlations_ == MapCorrelations::dropped) separate_newborn(blocks_.back());
+  if (trace_) trace_->emplace_back(BlockBirth{id, {parents.begin(), parents.end()}, noise});
   return id;
 }
 
@@ -224,6 +225,7 @@ void Belief::replace(BlockId id, const Chart& chart, const Eigen::Ref<const Eige
   std::copy(new_mean.begin(), new_mean.end(), mean_.begin() + b.mean);
   b.chart = chart;
   shift_offsets_after(index, mean_change, size - old_size);
+  if (trace_) trace_->emplace_back(BlockReplacement{id, J, noise});
 }
 
 void Belief::drop(BlockId id) {
@@ -236,6 +238,7 @@ void Belief::drop(BlockId id) {
   index_of_[id] = -1;
   for (std::size_t i = index; i < blocks_.size(); ++i) index_of_[blocks_[i].id] = static_cast<int>(i);
   if (index < vehicles_) --vehicles_;
+  note(BlockDrop{id});
 }
 
 void Belief::set_mean(BlockId id, const Eigen::Ref<const Eigen::VectorXd>& mean) {
@@ -272,6 +275,7 @@ void Belief::predict(const AffineMotion& motion) {
   }
   p.block(first, first, size, size) = 0.5 * (own + own.transpose());
   std::copy(motion.x_next.begin(), motion.x_next.end(), mean_.begin() + b.mean);
+  note(motion);
 }
 
 int Belief::check(std::span<const AffineLook> looks) const {
@@ -484,7 +488,25 @@ UpdateReport Belief::update(std::span<const AffineLook> looks) {
   rank_update(storage_.data(), stride_, errors_, packed_.data(), report.rows);
   shift_mean({delta_.data(), static_cast<std::size_t>(errors_)});
   report.outcome = UpdateReport::Outcome::updated;
+  note(looks);
   return report;
+}
+
+void Belief::keep_trace(bool keep) {
+  if (keep == keeps_trace()) return;
+  if (keep)
+    trace_.emplace();
+  else
+    trace_.reset();
+}
+
+const BeliefTrace& Belief::trace() const {
+  static const BeliefTrace nothing;
+  return trace_ ? *trace_ : nothing;
+}
+
+void Belief::note(std::span<const AffineLook> looks) {
+  if (trace_) trace_->insert(trace_->end(), looks.begin(), looks.end());
 }
 
 }  // namespace incognita

@@ -9,11 +9,13 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "incognita/belief/affine.hpp"
 #include "incognita/belief/aligned_buffer.hpp"
+#include "incognita/belief/trace.hpp"
 #include "incognita/math/chart.hpp"
 
 namespace incognita {
@@ -72,10 +74,7 @@ class Belief {
 
   /// A block whose error is sum of J_i * (error of block i) + noise: a landmark's birth, thesis
   /// (2.20)-(2.26).
-  struct Parent {
-    BlockId block;
-    BlockMatrix J;  ///< errors of the new block x errors of the parent
-  };
+  using Parent = BlockParent;
   BlockId augment(const Chart& chart, const Eigen::Ref<const Eigen::VectorXd>& mean,
                   std::span<const Parent> parents, const Eigen::Ref<const Eigen::MatrixXd>& noise);
 
@@ -131,6 +130,18 @@ class Belief {
   /// Costs nothing that grows with the map.
   void innovation_covariance(std::span<const AffineLook> looks, Eigen::MatrixXd& S) const;
 
+  // Who watches
+  // -------------------------------------------------------------------------------------------------
+
+  /// Notes what is done from now on; else (as at first) nothing is noted, and nothing spent on it.
+  void keep_trace(bool keep);
+  bool keeps_trace() const { return trace_.has_value(); }
+  /// What was done since the trace was last cleared; empty where none is kept.
+  const BeliefTrace& trace() const;
+  void clear_trace() {
+    if (trace_) trace_->clear();
+  }
+
  private:
   struct Block {
     BlockId id;
@@ -163,6 +174,11 @@ class Belief {
   void shrink_arrow(int rank);
   void shrink_map(int rank, int column);
   void separate_newborn(const Block& newborn);
+  void note(std::span<const AffineLook> looks);
+  template <class Event>
+  void note(const Event& event) {
+    if (trace_) trace_->emplace_back(event);
+  }
   template <class Destination>
   void fill_innovation_covariance(std::span<const AffineLook> looks, Destination& S) const;
 
@@ -184,6 +200,7 @@ class Belief {
   AlignedBuffer storage_;
 
   MapCorrelations correlations_ = MapCorrelations::kept;
+  std::optional<BeliefTrace> trace_;
 
   // Workspace of update(), kept so that it allocates nothing
   int rank_capacity_ = 0;

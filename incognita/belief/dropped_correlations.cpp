@@ -45,8 +45,12 @@ UpdateReport Belief::update_dropping(std::span<const AffineLook> looks) {
   delta_.head(errors_).setZero();
   const std::span<double> delta(delta_.data(), static_cast<std::size_t>(errors_));
   report.outcome = UpdateReport::Outcome::nothing;
-  for (const AffineLook& look : looks)
-    if (take_look(look, delta)) report.outcome = UpdateReport::Outcome::updated;
+  for (const AffineLook& look : looks) {
+    if (!take_look(look, delta)) continue;
+    report.outcome = UpdateReport::Outcome::updated;
+    note(look);
+  }
+  note(Reshaping::decorrelated);
   if (report.outcome == UpdateReport::Outcome::nothing) report.outcome = UpdateReport::Outcome::singular;
   shift_mean(delta);
   return report;

@@ -36,6 +36,7 @@ UpdateReport Belief::update_joseph(std::span<const AffineLook> looks) {
   const Eigen::VectorXd delta = K * residual;
   shift_mean({delta.data(), static_cast<std::size_t>(errors_)});
   report.outcome = UpdateReport::Outcome::updated;
+  note(looks);
   return report;
 }
 

@@ -52,6 +52,7 @@ void Belief::carry(const AffineMotion& mover, std::span<const Carried> others) {
   P() = 0.5 * (M + M.transpose());
   for (const Carried& c : others) set_mean(c.block, c.x_next);
   set_mean(mover.block, mover.x_next);
+  note(Reshaping::carried);
 }
 
 void Belief::decorrelate(Scope scope) {
@@ -63,6 +64,7 @@ void Belief::decorrelate(Scope scope) {
   const InflationSettings settings{30, 1e-3};
   P() = scope == Scope::everything ? decorrelate_all(dense_covariance(), sizes, settings).P
                                    : decorrelate_map(dense_covariance(), sizes, settings).P;
+  note(Reshaping::decorrelated);
 }
 
 }  // namespace incognita

@@ -18,6 +18,7 @@ struct RunSettings {
   std::int64_t seed = 1;
   double duration_s = 60;  ///< at most; a recording may end before
   double rate_hz = 30;     ///< frames per second of the rendered room, and of recordings without time stamps
+  bool observability = true;  ///< whether the run works out what its filter can and cannot know
 };
 
 struct CameraSettings {

@@ -53,6 +53,9 @@ void run(List& list, RunSettings& s) {
           {"run.duration_s", &s.duration_s, "s", "at most; a recording may end before", above_up_to(0, 1e7)},
           {"run.rate_hz", &s.rate_hz, "Hz",
            "frames per second of the room, and of recordings without time stamps", above_up_to(0, 10000)},
+          {"run.observability", &s.observability, "",
+           "whether the run works out what its filter can know of frame and scale, and what it only believes",
+           any()},
       });
 }
 

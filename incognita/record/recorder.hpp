@@ -52,6 +52,8 @@ class Recorder {
 
   /// Adds a field to summary.json. Throws std::invalid_argument for a name that the contract has.
   void note(const std::string& key, SummaryValue value) { summary_.note(key, std::move(value)); }
+  /// What the filter can and cannot know, for summary.json.
+  void note(const ObservabilityReport& report) { summary_.note(report); }
 
   const std::filesystem::path& path() const { return directory_.path(); }
 

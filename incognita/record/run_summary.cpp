@@ -16,11 +16,13 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t max_text_bytes = 1000;  // of one string: the document has to fit its place on the disk
 constexpr std::size_t max_warnings = 5;
+constexpr std::size_t max_names = 50;
 
 constexpr const char* reserved[] = {
-    "status",   "reason",  "frames",        "landmarks", "lost_frames",    "entropy",
-    "mean_nis", "ate_m",   "ate_alignment", "mean_nees", "timing_ms",      "seed",
-    "version",  "anchors", "decisions",     "warnings",  "tracked_frames", "overconfident_frames"};
+    "status",       "reason",  "frames",        "landmarks", "lost_frames",    "entropy",
+    "mean_nis",     "ate_m",   "ate_alignment", "mean_nees", "timing_ms",      "seed",
+    "version",      "anchors", "decisions",     "warnings",  "tracked_frames", "overconfident_frames",
+    "observability"};
 
 std::string short_text(const std::string& text) {
   return text.size() <= max_text_bytes ? text : text.substr(0, max_text_bytes) + "...";
@@ -44,6 +46,40 @@ Json timing_json(const std::vector<std::pair<std::string, std::vector<double>>>&
   for (const auto& [stage, ms] : stage_ms)
     timing[stage] = {{"median", quantile(ms, 0.5)}, {"p99", quantile(ms, 0.99)}};
   return timing;
+}
+
+Json quantity_json(const QuantityReport& q) {
+  Json json{{"name", q.name},
+            {"unit", q.unit},
+            {"ideally_observable", q.ideally_observable},
+            {"gained", q.gained},
+            {"believed_sigma", nullptr}};
+  if (q.believed_sigma) json["believed_sigma"] = *q.believed_sigma;
+  return json;
+}
+
+Json observability_json(const ObservabilityReport& report) {
+  Json json{{"followed", report.uncovered.empty()},
+            {"why_not", short_text(report.uncovered)},
+            {"anchors", report.anchors},
+            {"position_fixes", report.position_fixes},
+            {"ideal_nullity", report.ideal_nullity},
+            {"directions", Json::array()}};
+  for (const QuantityReport& q : report.quantities) json["directions"].push_back(quantity_json(q));
+  if (!report.uncovered.empty()) return json;
+  const InformationRank& information = report.information;
+  json["errors"] = information.errors;
+  json["ideal_rank"] = information.errors - report.ideal_nullity;
+  json["rank"] = information.rank;
+  json["nullity"] = information.nullity();
+  json["gap"] = information.gap();
+  json["ambiguous"] = information.ambiguous;
+  json["wrongly_believed"] = report.wrongly_believed;
+  json["without_information"] = Json::array();
+  for (std::size_t i = 0; i < std::min(report.without_information.size(), max_names); ++i)
+    json["without_information"].push_back(report.without_information[i]);
+  json["without_information_count"] = report.without_information.size();
+  return json;
 }
 
 }  // namespace
@@ -143,6 +179,7 @@ std::string RunSummary::json(RunStatus status, const std::string& reason) const 
     json["overconfident_frames"] =
         alignment_ == AlignmentKind::none ? Json(overconfident_frames_) : Json(nullptr);
   }
+  if (observability_) json["observability"] = observability_json(*observability_);
   json["timing_ms"] = timing_json(stage_ms_);
   json["warnings"] = Json::array();
   for (std::size_t i = 0; i < std::min(warnings_.size(), max_warnings); ++i)

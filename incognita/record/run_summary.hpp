@@ -3,11 +3,13 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include "incognita/analysis/observability_report.hpp"
 #include "incognita/analysis/trajectory.hpp"
 #include "incognita/record/snapshot.hpp"
 
@@ -41,6 +43,7 @@ class RunSummary {
   void add(const Snapshot& snapshot);
   /// One more field, or another value for it. Throws std::invalid_argument for a name of the contract's.
   void note(const std::string& key, SummaryValue value);
+  void note(const ObservabilityReport& report) { observability_ = report; }
   void warn(const std::string& warning) { warnings_.push_back(warning); }
 
   /// The JSON document (docs/schemas/summary.schema.json).
@@ -74,6 +77,7 @@ class RunSummary {
   SnapshotEntropy entropy_;
   Mean nis_per_dof_, nees_per_dof_;
   bool has_truth_ = false;
+  std::optional<ObservabilityReport> observability_;
   MatchedTrajectories matched_;
   std::vector<std::pair<std::string, std::vector<double>>> stage_ms_;
 };

@@ -39,6 +39,12 @@ struct PlanarLook {
   LookOutcome outcome = LookOutcome::not_tried;
 };
 
+/// A position fix that corrected the vehicle.
+struct UsedFix {
+  Eigen::Vector2d position{0.0, 0.0};  ///< world, m
+  double sigma_m = 0;
+};
+
 struct PlanarEstimate {
   Belief belief;
   BlockId vehicle = 0;  ///< pose in the world, or since the last tick
@@ -56,6 +62,7 @@ struct PlanarEstimate {
 
   // Of the last tick
   std::vector<PlanarLook> looks;
+  std::vector<UsedFix> fixes;
   int matched = 0;
   UpdateReport update;
   bool refused = false;                ///< an update or a fix could not be used within rounding

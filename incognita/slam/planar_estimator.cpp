@@ -61,7 +61,9 @@ void PlanarEstimator::start(PlanarEstimate& e, const Observation& seen, const Ti
     return;
   }
   const bool linear = settings_.filter.decorrelate == "map-linear";
+  const bool watched = e.belief.keeps_trace();
   e.belief = Belief(64, linear ? MapCorrelations::dropped : MapCorrelations::kept);
+  e.belief.keep_trace(watched);
   const Eigen::Vector2d at = s.at_first_fix ? seen.fixes.front().position : s.position_m;
   const planar::Pose<double> pose(at.x(), at.y(), wrap_angle(s.heading_rad));
   const Eigen::Matrix3d P =
@@ -92,6 +94,7 @@ void PlanarEstimator::update(PlanarEstimate& e, const Command&, const Observatio
                              const Tick& tick) const {
   StageClock stage(e.timing_ms);
   e.looks.clear();
+  e.fixes.clear();
   e.matched = 0;
   e.update = {};
   e.iterations = 0;

@@ -89,7 +89,9 @@ bool predict_through(PlanarEstimate& e, const Observation& seen, double t,
       hold_until(e, fix->t, settings);
       const AffineLook look = look_of_fix(e, fix->position, settings.filter.sigma_fix_m);
       e.update = e.belief.update({&look, 1});
-      usable = usable && e.update.outcome == UpdateReport::Outcome::updated;
+      const bool used = e.update.outcome == UpdateReport::Outcome::updated;
+      if (used) e.fixes.push_back({fix->position, settings.filter.sigma_fix_m});
+      usable = usable && used;
     }
   };
   for (const Odometry& reading : seen.odometry) {

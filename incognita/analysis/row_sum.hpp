@@ -1,0 +1,34 @@
+// A symmetric matrix that rows are added to: M <- M + rows' rows.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "incognita/belief/aligned_buffer.hpp"
+
+namespace incognita {
+
+/// Adding goes through the filter's own loop, which is several times faster than Eigen's on processors with
+/// wide registers. That subtracts, so what is kept is the negative.
+class RowSum {
+ public:
+  int size() const { return size_; }
+  /// So many more rows and columns, zero.
+  void grow(int by);
+  /// `rows`: any number x size().
+  void add(const Eigen::Ref<const Eigen::MatrixXd>& rows);
+  /// Both triangles.
+  Eigen::MatrixXd matrix() const;
+  /// Another one, of any size.
+  void set(const Eigen::MatrixXd& matrix);
+
+ private:
+  void reserve(int size);
+
+  int size_ = 0;
+  int capacity_ = 0;
+  int stride_ = 0;
+  AlignedBuffer minus_;   ///< the lower triangle
+  AlignedBuffer packed_;  ///< rows in the panels of rank_update
+};
+
+}  // namespace incognita

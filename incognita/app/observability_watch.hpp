@@ -1,0 +1,38 @@
+// Follows an estimator while it runs, so that the run can say what it knows of its frame and scale, and what
+// it only believes: analysis/observability_report.hpp.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "incognita/analysis/observability_monitor.hpp"
+#include "incognita/analysis/observability_report.hpp"
+#include "incognita/slam/estimate.hpp"
+#include "incognita/slam/planar_estimate.hpp"
+
+namespace incognita {
+
+class ObservabilityWatch {
+ public:
+  /// After each tick, with the trace of that tick alone: Belief::keep_trace().
+  void follow(const Estimate& estimate);
+  void follow(const PlanarEstimate& estimate);
+
+  /// As of the last tick; nothing while the estimator has not started. Cubic in the map.
+  std::optional<ObservabilityReport> report();
+
+ private:
+  void follow(const Belief& belief, BlockId vehicle);
+  void see_anchor(std::int64_t id, const Eigen::VectorXd& place) { anchors_.emplace(id, place); }
+  void use_fix(const UsedFix& fix);
+  FixedPoints fixed(Eigen::Index dimension) const;
+
+  std::optional<ObservabilityMonitor> monitor_;
+  std::map<std::int64_t, Eigen::VectorXd> anchors_;  ///< that corrected the filter
+  std::vector<Eigen::Vector2d> fixes_;               ///< places clearly apart
+  std::variant<std::monostate, PlanarScene, SpatialScene> scene_;
+};
+
+}  // namespace incognita

@@ -1,0 +1,367 @@
+// The monitor's information against dense matrices built the long way: ranks, and every number.
+#include "incognita/analysis/observability_monitor.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <Eigen/SVD>
+#include <map>
+#include <set>
+
+#include "incognita/belief/belief.hpp"
+#include "incognita/math/random.hpp"
+
+namespace incognita {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr BlockId vehicle = 0;
+
+MatrixXd random_matrix(RandomStream& random, Eigen::Index rows, Eigen::Index columns) {
+  MatrixXd M(rows, columns);
+  for (Eigen::Index j = 0; j < columns; ++j)
+    for (Eigen::Index i = 0; i < rows; ++i) M(i, j) = random.normal();
+  return M;
+}
+
+MatrixXd pseudo_inverse(const MatrixXd& M) { return M.completeOrthogonalDecomposition().pseudoInverse(); }
+
+Eigen::Index rank_of(const MatrixXd& M) {
+  Eigen::JacobiSVD<MatrixXd> svd(M);
+  svd.setThreshold(1e-9);
+  return svd.rank();
+}
+
+/// The same information the long way: the errors of the vehicle now and of every block there ever was, none
+/// of them forgotten until the end; motions by the matrix inversion lemma.
+struct LongWay {
+  explicit LongWay(int errors) : size(errors), Y(MatrixXd::Zero(errors, errors)) {}
+
+  void grow(BlockId id, Eigen::Index errors) {
+    const Eigen::Index old = Y.rows();
+    Y.conservativeResizeLike(MatrixXd::Zero(old + errors, old + errors));
+    Y.bottomRows(errors).setZero();
+    Y.rightCols(errors).setZero();
+    first[id] = old;
+    errors_of[id] = errors;
+  }
+  MatrixXd spread(BlockId id, const MatrixXd& H) const {
+    MatrixXd all = MatrixXd::Zero(H.rows(), Y.cols());
+    all.middleCols(id == vehicle ? 0 : first.at(id), H.cols()) = H;
+    return all;
+  }
+  void add(const MatrixXd& H, const MatrixXd& R) { Y += H.transpose() * R.inverse() * H; }
+  void move(const AffineMotion& m) {
+    MatrixXd T = MatrixXd::Identity(Y.rows(), Y.cols());
+    T.topLeftCorner(size, size) = MatrixXd(m.A).inverse();
+    const MatrixXd M = T.transpose() * Y * T;
+    const Eigen::JacobiSVD<MatrixXd> svd(MatrixXd(m.N), Eigen::ComputeFullU);
+    MatrixXd G = MatrixXd::Zero(Y.rows(), size);
+    G.topRows(size) = svd.matrixU() * svd.singularValues().cwiseSqrt().asDiagonal();
+    const MatrixXd inner = MatrixXd::Identity(size, size) + G.transpose() * M * G;
+    Y = M - M * G * inner.inverse() * G.transpose() * M;
+  }
+  /// Old errors y become K k + (T J)^+ T x, k forgotten at the end.
+  void replace(BlockId id, const MatrixXd& J, const MatrixXd& T) {
+    const MatrixXd TJ = T * J;
+    const Eigen::JacobiSVD<MatrixXd> svd(TJ, Eigen::ComputeFullV);
+    const MatrixXd K = svd.matrixV().rightCols(TJ.cols() - TJ.rows());
+    const Eigen::Index old = first.at(id), count = errors_of.at(id);
+    const MatrixXd before = Y;
+    grow(id, J.rows());
+    MatrixXd C = MatrixXd::Identity(Y.rows(), Y.cols());  // old coordinates from (k in place of y, ..., x)
+    C.block(old, old, count, count).setZero();
+    C.block(old, old, count, K.cols()) = K;
+    C.block(old, first[id], count, J.rows()) = pseudo_inverse(TJ) * T;
+    MatrixXd padded = MatrixXd::Zero(Y.rows(), Y.cols());
+    padded.topLeftCorner(before.rows(), before.cols()) = before;
+    Y = C.transpose() * padded * C;
+  }
+  MatrixXd of(const std::vector<ObservabilityMonitor::Block>& blocks) const {
+    std::vector<Eigen::Index> kept, gone;
+    std::vector<bool> live(static_cast<std::size_t>(Y.rows()), false);
+    for (const auto& b : blocks)
+      for (int i = 0; i < b.errors; ++i) {
+        kept.push_back((b.id == vehicle ? 0 : first.at(b.id)) + i);
+        live[static_cast<std::size_t>(kept.back())] = true;
+      }
+    for (Eigen::Index i = 0; i < Y.rows(); ++i)
+      if (!live[static_cast<std::size_t>(i)]) gone.push_back(i);
+    if (gone.empty()) return Y(kept, kept);
+    const MatrixXd cross = Y(kept, gone);
+    return Y(kept, kept) - cross * pseudo_inverse(Y(gone, gone)) * cross.transpose();
+  }
+
+  Eigen::Index size;
+  MatrixXd Y;
+  std::map<BlockId, Eigen::Index> first, errors_of;
+};
+
+/// Random motions, looks, births, replacements and drops, given to both.
+class BothWays {
+ public:
+  BothWays(std::uint64_t seed, int errors)
+      : random_(seed, "monitor"), errors_(errors), monitor(0, errors), long_way(errors) {}
+
+  void move(int noises, double noise) {
+    AffineMotion m;
+    m.block = vehicle;
+    m.A = MatrixXd::Identity(errors_, errors_) + 0.3 * random_matrix(random_, errors_, errors_);
+    const MatrixXd G = noise * random_matrix(random_, errors_, noises);
+    m.N = G * G.transpose();
+    monitor.move(m);
+    long_way.move(m);
+  }
+  void look(BlockId id, int rows) {
+    AffineLook look;
+    const MatrixXd Hv = random_matrix(random_, rows, errors_), noise = random_matrix(random_, rows, rows);
+    look.add(vehicle, Hv);
+    look.R = MatrixXd::Identity(rows, rows) + noise * noise.transpose();
+    look.residual = VectorXd::Zero(rows);
+    MatrixXd all = long_way.spread(vehicle, Hv);
+    if (id != vehicle) {
+      const MatrixXd Hl = random_matrix(random_, rows, long_way.errors_of.at(id));
+      look.add(id, Hl);
+      all += long_way.spread(id, Hl);
+    }
+    monitor.look(look);
+    long_way.add(all, look.R);
+  }
+  /// `assumed`: so many of its last errors are a guess.
+  BlockId birth(int size, int assumed) {
+    BlockBirth birth;
+    birth.block = ++last_;
+    MatrixXd J = random_matrix(random_, size, errors_);
+    J.bottomRows(assumed).setZero();
+    birth.parents.push_back({vehicle, J});
+    const MatrixXd noise = random_matrix(random_, size, size);
+    birth.noise = 0.1 * MatrixXd::Identity(size, size) + noise * noise.transpose();
+    monitor.give_birth(birth);
+    long_way.grow(birth.block, size);
+    const int measured = size - assumed;
+    const MatrixXd H = long_way.spread(birth.block, MatrixXd::Identity(measured, size)) -
+                       long_way.spread(vehicle, J.topRows(measured));
+    long_way.add(H, birth.noise.topLeftCorner(measured, measured));
+    live.insert(birth.block);
+    return birth.block;
+  }
+  void replace(BlockId id, int size, bool noisy) {
+    BlockReplacement r{id, random_matrix(random_, size, long_way.errors_of.at(id)),
+                       MatrixXd::Zero(size, size)};
+    MatrixXd T = MatrixXd::Identity(size, size);
+    if (noisy) {
+      const VectorXd along = random_matrix(random_, size, 1);
+      r.noise = along * along.transpose();
+      const Eigen::JacobiSVD<MatrixXd> svd(MatrixXd(r.noise), Eigen::ComputeFullU);
+      T = svd.matrixU().rightCols(size - 1).transpose();
+    }
+    long_way.replace(id, r.J, T);
+    monitor.replace(r);
+  }
+  void drop(BlockId id) {
+    monitor.drop(id);
+    live.erase(id);
+  }
+  void compare(const char* when) {
+    const MatrixXd expected = long_way.of(monitor.blocks()), Y = monitor.information();
+    ASSERT_EQ(Y.rows(), expected.rows()) << when;
+    EXPECT_LT((Y - expected).norm(), 1e-9 * (1 + long_way.Y.norm())) << when;
+  }
+
+ private:
+  RandomStream random_;
+  int errors_;
+  BlockId last_ = 0;
+
+ public:
+  ObservabilityMonitor monitor;
+  LongWay long_way;
+  std::set<BlockId> live;
+};
+
+TEST(ObservabilityMonitor, IsTheInformationFilterWithoutPrior) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    BothWays both(seed, 4);
+    for (int step = 0; step < 6; ++step) {
+      both.move(2, 0.5);
+      if (step % 3 == 1) both.move(2, 0.2);  // two in a row
+      for (const BlockId id : both.live)
+        both.look(id, 1 + static_cast<int>((id + static_cast<unsigned>(step)) % 2));
+      if (step % 2 == 0) both.birth(3, 1);
+      if (step == 3) both.look(vehicle, 2);
+      both.compare("looks and births");
+      if (step == 2) both.replace(1, 2, false);
+      if (step == 3) both.replace(2, 3, true);
+      both.compare("replaced");
+      if (step == 4) both.drop(2);
+      both.compare("dropped");
+    }
+  }
+}
+
+/// A system as its observability matrix has it: every look as a row over the vehicle at first and all blocks
+/// there ever were. Looks are few and poor, so that much stays unseen.
+struct StackedSystem {
+  explicit StackedSystem(std::uint64_t seed) : random(seed, "stacked"), monitor(vehicle, errors) {}
+
+  void move() {
+    AffineMotion m;
+    m.block = vehicle;
+    m.A = MatrixXd::Identity(errors, errors) + 0.3 * random_matrix(random, errors, errors);
+    const MatrixXd G = random_matrix(random, errors, 2);
+    m.N = G * G.transpose();
+    Phi = (m.A * Phi).eval();
+    monitor.move(m);
+  }
+  void look(BlockId id) {
+    AffineLook look;
+    const MatrixXd Hv = random_matrix(random, 1, errors), Hl = random_matrix(random, 1, size);
+    look.add(vehicle, Hv);
+    look.add(id, Hl);
+    look.R = MatrixXd::Identity(1, 1);
+    look.residual = VectorXd::Zero(1);
+    monitor.look(look);
+    MatrixXd row = MatrixXd::Zero(1, errors + size * blocks);
+    row.leftCols(errors) = Hv * Phi;
+    row.middleCols(errors + size * (id - 1), size) = Hl;
+    M.conservativeResize(M.rows() + 1, row.cols());
+    M.bottomRows(1) = row;
+  }
+
+  static constexpr int errors = 4, size = 2, blocks = 5;
+  RandomStream random;
+  ObservabilityMonitor monitor;
+  MatrixXd Phi = MatrixXd::Identity(errors, errors);
+  MatrixXd M = MatrixXd::Zero(0, errors + size * blocks);
+};
+
+// Motions that can be undone do not change what is unobservable, however noisy they are
+TEST(ObservabilityMonitor, HasTheRankOfTheStackedMatrix) {
+  int poor = 0;
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    StackedSystem system(seed);
+    for (BlockId id = 1; id <= StackedSystem::blocks; ++id) system.look(id);
+    for (int step = 0; step < 4; ++step) {
+      system.move();
+      for (BlockId id = 1; id <= StackedSystem::blocks; ++id)
+        if (system.random.below(3) == 0) system.look(id);
+    }
+    const std::vector<BlockId> dropped{2, 5};
+    for (const BlockId id : dropped) system.monitor.drop(id);
+    MatrixXd gone(system.M.rows(), 4);  // what is left of a rank when columns are eliminated
+    gone << system.M.middleCols(6, 2), system.M.middleCols(12, 2);
+    const Eigen::Index left = rank_of(system.M) - rank_of(gone);
+    ASSERT_EQ(rank_of(system.monitor.information()), left) << "seed " << seed;
+    poor += left < 10;
+  }
+  EXPECT_GT(poor, 20);
+}
+
+/// Position and velocity, noise that enters as an acceleration: of equal variances, half have nothing left
+/// once the others are taken.
+TEST(ObservabilityMonitor, TakesNoiseThatIsPerfectlyCorrelated) {
+  const double dt = 1.0 / 30;
+  RandomStream random(3, "correlated");
+  for (int run = 0; run < 20; ++run) {
+    ObservabilityMonitor monitor(vehicle, 6);
+    LongWay long_way(6);
+    for (int step = 0; step < 5; ++step) {
+      AffineLook look;
+      const MatrixXd H = random_matrix(random, 3, 6);
+      look.add(vehicle, H);
+      look.R = 0.01 * MatrixXd::Identity(3, 3);
+      look.residual = VectorXd::Zero(3);
+      monitor.look(look);
+      long_way.add(H, look.R);
+      AffineMotion m;
+      m.block = vehicle;
+      m.A = MatrixXd::Identity(6, 6);
+      m.A.topRightCorner(3, 3) = dt * MatrixXd::Identity(3, 3);
+      const MatrixXd turned = MatrixXd::Identity(3, 3) + 0.01 * random_matrix(random, 3, 3);
+      MatrixXd G(6, 3);
+      G << dt * dt * turned, dt * MatrixXd::Identity(3, 3);
+      m.N = 16 * G * G.transpose();
+      monitor.move(m);
+      long_way.move(m);
+      EXPECT_LT((monitor.information() - long_way.Y).norm(), 1e-9 * long_way.Y.norm()) << step;
+    }
+  }
+}
+
+TEST(ObservabilityMonitor, AMotionThatCannotBeUndoneLeavesTheMap) {
+  BothWays both(7, 4);
+  for (int i = 0; i < 3; ++i) both.birth(2, 0);
+  for (int round = 0; round < 4; ++round)
+    for (const BlockId id : both.live) both.look(id, 2);
+  const MatrixXd before = both.monitor.information();
+  const MatrixXd of_map = before.bottomRightCorner(6, 6) - before.bottomLeftCorner(6, 4) *
+                                                               before.topLeftCorner(4, 4).inverse() *
+                                                               before.topRightCorner(4, 6);
+  AffineMotion rest;
+  rest.block = vehicle;
+  rest.A = MatrixXd::Identity(4, 4);
+  rest.A(3, 3) = 0;
+  rest.N = MatrixXd::Identity(4, 4);
+  both.monitor.move(rest);
+  const MatrixXd after = both.monitor.information();
+  EXPECT_TRUE(after.topRows(4).isZero(0));
+  EXPECT_LT((after.bottomRightCorner(6, 6) - of_map).norm(), 1e-9 * of_map.norm());
+}
+
+// The filter's own covariance is what this information and its prior leave
+TEST(ObservabilityMonitor, FollowsABelief) {
+  RandomStream random(5, "belief");
+  Belief belief;
+  const MatrixXd prior = 1e7 * MatrixXd::Identity(3, 3);
+  const BlockId mover = belief.add_vehicle(Chart::line(3), VectorXd::Zero(3), prior);
+  belief.keep_trace(true);
+  ObservabilityMonitor monitor(mover, 3);
+  std::vector<BlockId> landmarks;
+  for (int step = 0; step < 12; ++step) {
+    const MatrixXd G = 0.1 * random_matrix(random, 3, 2);
+    const MatrixXd A = MatrixXd::Identity(3, 3) + 0.1 * random_matrix(random, 3, 3);
+    belief.predict({mover, VectorXd::Zero(3), A, G * G.transpose()});
+    std::vector<AffineLook> looks;
+    for (const BlockId id : landmarks) {
+      AffineLook& look = looks.emplace_back();
+      look.add(mover, random_matrix(random, 2, 3));
+      look.add(id, random_matrix(random, 2, 2));
+      look.residual = VectorXd::Zero(2);
+      look.R = 0.01 * MatrixXd::Identity(2, 2);
+    }
+    belief.update(looks);
+    if (step < 4) {
+      const Belief::Parent parent{mover, random_matrix(random, 2, 3)};
+      landmarks.push_back(
+          belief.augment(Chart::line(2), VectorXd::Zero(2), {&parent, 1}, 0.1 * MatrixXd::Identity(2, 2)));
+    }
+    if (step == 8) belief.drop(landmarks[1]);
+    if (step == 8) landmarks.erase(landmarks.begin() + 1);
+    monitor.follow(belief.trace());
+    belief.clear_trace();
+  }
+  const MatrixXd P = belief.dense_covariance();
+  EXPECT_LT((monitor.information().inverse() - P).norm(), 1e-4 * P.norm());
+}
+
+TEST(ObservabilityMonitor, SaysWhatItDoesNotCover) {
+  for (const auto& [how, why] :
+       {std::pair{Reshaping::carried, ObservabilityMonitor::Uncovered::carried},
+        std::pair{Reshaping::decorrelated, ObservabilityMonitor::Uncovered::decorrelated}}) {
+    ObservabilityMonitor monitor(vehicle, 3);
+    EXPECT_FALSE(monitor.uncovered());
+    monitor.follow({how, BlockDrop{17}});
+    EXPECT_EQ(monitor.uncovered(), why);
+  }
+  ObservabilityMonitor monitor(vehicle, 3);
+  AffineMotion other;
+  other.block = 5;
+  monitor.follow({other});
+  EXPECT_EQ(monitor.uncovered(), ObservabilityMonitor::Uncovered::other_mover);
+}
+
+}  // namespace
+}  // namespace incognita

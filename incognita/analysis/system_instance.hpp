@@ -60,7 +60,7 @@ class SystemInstance {
   int landmarks_, anchors_, states_, measurements_;
   std::vector<std::string> names_, error_names_;
   std::vector<std::pair<ExpressionGraph::Slot, double>> held_;
-  std::vector<bool> for_rates_;  // quantities, by slot
+  std::vector<bool> for_rates_;                     // quantities, by slot
   mutable ExpressionGraph::Evaluation evaluation_;  // room to work
 };
 

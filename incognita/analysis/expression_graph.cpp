@@ -110,16 +110,30 @@ ExpressionGraph::Slot ExpressionGraph::slot_of(const GiNaC::symbol& symbol) cons
   return slots_.at(symbol);
 }
 
-GiNaC::ex ExpressionGraph::derivative(const GiNaC::ex& expression, Slot state) const {
+GiNaC::ex ExpressionGraph::derivative(const GiNaC::ex& expression, Slot atom) const {
+  std::map<Slot, GiNaC::ex> known;
+  return derivative(expression, atom, known);
+}
+
+GiNaC::ex ExpressionGraph::derivative(const GiNaC::ex& expression, Slot atom,
+                                      std::map<Slot, GiNaC::ex>& known) const {
   GiNaC::exset names;
   symbols_in(expression, names);
   GiNaC::ex total = 0;
   for (const GiNaC::ex& symbol : names) {
     const Slot slot = slots_.at(symbol);
-    const Quantity& quantity = (*this)[slot];
-    GiNaC::ex inner = slot == state ? 1 : 0;
-    if (quantity.expression) inner = derivative(*quantity.expression, state);
-    if (!inner.is_zero()) total += expression.diff(GiNaC::ex_to<GiNaC::symbol>(symbol)) * inner;
+    auto inner = known.find(slot);
+    if (inner == known.end()) {
+      const Quantity& quantity = (*this)[slot];
+      const GiNaC::ex value = quantity.expression ? derivative(*quantity.expression, atom, known)
+                                                  : GiNaC::ex(slot == atom ? 1 : 0);
+      inner = known.emplace(slot, value).first;
+    }
+    if (inner->second.is_zero()) continue;
+    total += expression.diff(GiNaC::ex_to<GiNaC::symbol>(symbol)) * inner->second;
+    if (tree_size(total, largest_expression + 1) > largest_expression)
+      throw SystemTooLarge(Place{},
+                           "a derivative of more than " + std::to_string(largest_expression) + " terms");
   }
   return total;
 }

@@ -55,8 +55,8 @@ class ExpressionGraph {
   std::optional<Slot> find(const std::string& name, Owner sees) const;
   Slot slot_of(const GiNaC::symbol& symbol) const;
 
-  /// Derivative to a state, written out in terms of named quantities.
-  GiNaC::ex derivative(const GiNaC::ex& expression, Slot state) const;
+  /// Derivative to an atom, written out in terms of named quantities.
+  GiNaC::ex derivative(const GiNaC::ex& expression, Slot atom) const;
 
   /// Values, and gradients to the states, of every quantity of one owner; those of the vehicle must stand
   /// there already when it is another's. Throws SystemError where one is not finite.
@@ -76,6 +76,7 @@ class ExpressionGraph {
 
  private:
   void spend(std::size_t nodes, Place place);
+  GiNaC::ex derivative(const GiNaC::ex& expression, Slot atom, std::map<Slot, GiNaC::ex>& known) const;
 
   std::vector<Quantity> quantities_;
   std::map<GiNaC::ex, Slot, GiNaC::ex_is_less> slots_;

@@ -8,47 +8,25 @@ namespace {
 using GiNaC::ex;
 using Slot = ExpressionGraph::Slot;
 
-bool depends_on(const ex& e, const std::vector<ex>& symbols) {
-  return std::any_of(symbols.begin(), symbols.end(), [&](const ex& s) { return e.has(s); });
-}
-
 /// Rates by state, of vehicle and landmark.
-std::map<Slot, ex> rates_of(const SymbolicSystem& system) {
-  std::map<Slot, ex> rates;
+std::map<Slot, Slot> rates_of(const SymbolicSystem& system) {
+  std::map<Slot, Slot> rates;
   for (const auto* block : {&system.vehicle, &system.landmark})
-    for (std::size_t i = 0; i < block->rates.size(); ++i)
-      rates[block->states[i]] = *system.graph[block->rates[i]].expression;
+    for (std::size_t i = 0; i < block->rates.size(); ++i) rates[block->states[i]] = block->rates[i];
   return rates;
 }
 
 /// What the kind of motion makes of an input: nothing, zero always, or tied to the state or to a number.
 enum class Input { free, zero, held };
 
-Input kind_of(const SymbolicSystem& system, Slot input) {
+Input kind_of(const SymbolicSystem& system, std::size_t which) {
   for (const auto& a : system.assignments) {
-    if (!a.to_input || a.target != input) continue;
+    if (!a.to_input || a.target != system.inputs[which]) continue;
     return system.graph[a.value].expression->is_zero() ? Input::zero : Input::held;
   }
-  return Input::free;
-}
-
-bool is_linear_in(const std::map<Slot, ex>& rates, const std::vector<ex>& inputs) {
-  for (const auto& [state, rate] : rates)
-    for (const ex& a : inputs)
-      for (const ex& b : inputs) {
-        const ex second = rate.diff(GiNaC::ex_to<GiNaC::symbol>(a)).diff(GiNaC::ex_to<GiNaC::symbol>(b));
-        if (!second.expand().is_zero()) return false;
-      }
-  return true;
-}
-
-VectorField substituted(const std::string& name, const std::map<Slot, ex>& rates, const GiNaC::exmap& with) {
-  VectorField field{name, {}};
-  for (const auto& [state, rate] : rates) {
-    const ex value = rate.subs(with, GiNaC::subs_options::no_pattern);
-    if (!value.is_zero()) field.rates[state] = value;
-  }
-  return field;
+  const NamedRange& range = system.input_ranges[which];
+  if (range.low < range.high) return Input::free;
+  return range.low == 0 ? Input::zero : Input::held;
 }
 
 }  // namespace
@@ -57,69 +35,133 @@ LieAlgebra::LieAlgebra(const SymbolicSystem& system, int other_inputs) : system_
   add_fields(other_inputs);
 }
 
-/// Definitions that the inputs are in are written out, so that what is left of an input shows.
-ex LieAlgebra::inlined(const ex& rate) const {
-  std::vector<ex> symbols;
-  for (const Slot input : system_.inputs) symbols.push_back(system_.graph[input].symbol);
-  ex result = rate;
-  for (Slot slot = system_.graph.size() - 1; slot >= 0; --slot) {
-    const auto& q = system_.graph[slot];
-    if (!q.expression || !result.has(q.symbol)) continue;
-    if (depends_on(inlined(*q.expression), symbols))
-      result = result.subs(q.symbol == *q.expression, GiNaC::subs_options::no_pattern);
+LieAlgebra::Inputs LieAlgebra::sorted_inputs() const {
+  Inputs inputs;
+  for (std::size_t i = 0; i < system_.inputs.size(); ++i) {
+    const Slot input = system_.inputs[i];
+    const Input kind = kind_of(system_, i);
+    if (kind == Input::zero) inputs.zero[system_.graph[input].symbol] = 0;
+    if (kind == Input::free) inputs.free.push_back(input);
+    if (kind == Input::held) inputs.held.push_back(input);
   }
-  return result;
+  return inputs;
+}
+
+/// As far as that shows without rewriting: a second derivative that is not 0 on sight counts as one.
+bool LieAlgebra::is_linear_in(const std::vector<Slot>& inputs) const {
+  for (const auto& [state, rate] : rates_of(system_))
+    for (const Slot a : inputs) {
+      const ex first = system_.graph.derivative(*system_.graph[rate].expression, a);
+      for (const Slot b : inputs)
+        if (!system_.graph.derivative(first, b).is_zero()) return false;
+    }
+  return true;
+}
+
+bool LieAlgebra::moves_with(const std::vector<Slot>& inputs) const {
+  for (const auto& [state, rate] : rates_of(system_))
+    for (const Slot input : inputs)
+      if (!system_.graph.derivative(*system_.graph[rate].expression, input).is_zero()) return true;
+  return false;
+}
+
+std::vector<Slot> LieAlgebra::measurements() const {
+  std::vector<Slot> all;
+  for (const auto* block : {&system_.vehicle, &system_.landmark, &system_.anchor})
+    all.insert(all.end(), block->measurements.begin(), block->measurements.end());
+  return all;
+}
+
+/// From what stands for inputs to what stands for every quantity that they are in: rates and measurements,
+/// and the definitions those are made of, each a quantity of its own.
+GiNaC::exmap LieAlgebra::replaced(GiNaC::exmap with, const std::string& tag) {
+  std::vector<Slot> wanted = measurements();
+  for (const auto& [state, rate] : rates_of(system_)) wanted.push_back(rate);
+  const std::vector<bool> needed = system_.graph.needed_for(wanted);
+  for (Slot slot = 0; slot < static_cast<Slot>(needed.size()); ++slot) {
+    if (!needed[static_cast<std::size_t>(slot)] || !system_.graph[slot].expression) continue;
+    const ex before = *system_.graph[slot].expression,
+             after = before.subs(with, GiNaC::subs_options::no_pattern);
+    if (after.is_equal(before)) continue;
+    const ex symbol = system_.graph[slot].symbol;
+    const bool simple = GiNaC::is_a<GiNaC::numeric>(after) || GiNaC::is_a<GiNaC::symbol>(after);
+    with[symbol] = after;
+    if (simple) continue;
+    const std::string name = system_.graph[slot].name + tag;
+    const Owner owner = system_.graph[slot].owner;
+    const Place place = system_.graph[slot].place;
+    with[symbol] = system_.graph[system_.graph.define(name, owner, after, place)].symbol;
+  }
+  return with;
+}
+
+VectorField LieAlgebra::field(const std::string& name, const GiNaC::exmap& with) const {
+  VectorField field{name, {}};
+  for (const auto& [state, rate] : rates_of(system_)) {
+    const ex value = system_.graph[rate].expression->subs(with, GiNaC::subs_options::no_pattern);
+    if (!value.is_zero()) field.rates[state] = value;
+  }
+  return field;
 }
 
 void LieAlgebra::add_fields(int other_inputs) {
-  std::map<Slot, ex> rates = rates_of(system_);
-  for (auto& [state, rate] : rates) rate = inlined(rate);
-  std::vector<Slot> free, held;
-  GiNaC::exmap zero;
-  for (const Slot input : system_.inputs) {
-    const Input kind = kind_of(system_, input);
-    if (kind == Input::zero) zero[system_.graph[input].symbol] = 0;
-    if (kind == Input::free) free.push_back(input);
-    if (kind == Input::held) held.push_back(input);
-  }
-  rates = substituted("", rates, zero).rates;
-  std::vector<ex> free_symbols;
-  for (const Slot input : free) free_symbols.push_back(system_.graph[input].symbol);
-  nonlinear_ = !is_linear_in(rates, free_symbols);
-  if (nonlinear_) held.insert(held.end(), free.begin(), free.end());
-  GiNaC::exmap none;
+  Inputs inputs = sorted_inputs();
+  nonlinear_ = !is_linear_in(inputs.free);
+  if (nonlinear_) inputs.held.insert(inputs.held.end(), inputs.free.begin(), inputs.free.end());
+  GiNaC::exmap at_rest = inputs.zero;
   if (!nonlinear_)
-    for (const ex& symbol : free_symbols) none[symbol] = 0;
-  const VectorField drift = substituted("0", rates, none);
-  if (!drift.rates.empty()) fields_.push_back(drift);
-  for (std::size_t i = 0; i < free.size() && !nonlinear_; ++i) {
-    VectorField field{system_.graph[free[i]].name, {}};
-    for (const auto& [state, rate] : rates) {
-      const ex part = rate.diff(GiNaC::ex_to<GiNaC::symbol>(free_symbols[i])).subs(none);
-      if (!part.is_zero()) field.rates[state] = part;
+    for (const Slot input : inputs.free) at_rest[system_.graph[input].symbol] = 0;
+  const GiNaC::exmap drift = replaced(at_rest, "(0)");
+  const VectorField zero_field = field("0", drift);
+  if (!zero_field.rates.empty()) fields_.push_back(zero_field);
+  for (std::size_t i = 0; i < inputs.free.size() && !nonlinear_; ++i) {
+    VectorField along{system_.graph[inputs.free[i]].name, {}};
+    for (const auto& [state, rate] : rates_of(system_)) {
+      const ex part = system_.graph.derivative(*system_.graph[rate].expression, inputs.free[i]).subs(drift);
+      if (!part.is_zero()) along.rates[state] = part;
     }
-    if (!field.rates.empty()) fields_.push_back(field);
+    if (!along.rates.empty()) fields_.push_back(along);
   }
-  const bool moves = std::any_of(held.begin(), held.end(), [&](Slot input) {
-    return std::any_of(drift.rates.begin(), drift.rates.end(),
-                       [&](const auto& rate) { return rate.second.has(system_.graph[input].symbol); });
-  });
   // Inputs that are held in one way only make one field
-  const int sets = !moves       ? 0
-                   : nonlinear_ ? other_inputs
-                                : std::min<int>(other_inputs, int(system_.draws.size()));
-  for (int set = 0; set < sets; ++set) {
+  const int sets = !moves_with(inputs.held) ? 0
+                   : nonlinear_             ? other_inputs
+                                : std::min<int>(other_inputs, static_cast<int>(system_.draws.size()));
+  std::vector<Slot> all = inputs.held;
+  if (!nonlinear_) all.insert(all.end(), inputs.free.begin(), inputs.free.end());
+  bool in_measurements = false;
+  for (const Slot measurement : measurements())
+    for (const Slot input : all)
+      in_measurements =
+          in_measurements || !system_.graph.derivative(system_.graph[measurement].symbol, input).is_zero();
+  if (in_measurements)
+    add_further_sets(other_inputs, all, inputs.zero, sets > 0);
+  else
+    add_further_sets(sets, inputs.held, inputs.zero, true);
+}
+
+/// `as_fields`: rates with those inputs are fields; measurements with them are other measurements in any
+/// case.
+void LieAlgebra::add_further_sets(int count, const std::vector<Slot>& held, const GiNaC::exmap& zero,
+                                  bool as_fields) {
+  for (int set = 0; set < count; ++set) {
+    const std::string tag = "(" + std::to_string(set + 2) + ")";
     std::vector<Slot> copies(system_.inputs.size(), -1);
-    GiNaC::exmap to_copies;
-    for (const Slot input : held) {
-      const auto index =
-          std::find(system_.inputs.begin(), system_.inputs.end(), input) - system_.inputs.begin();
-      const auto name = system_.graph[input].name + "(" + std::to_string(set + 2) + ")";
-      copies[static_cast<std::size_t>(index)] = system_.graph.add_atom(name, Owner::vehicle, {});
-      to_copies[system_.graph[input].symbol] = system_.graph[copies[static_cast<std::size_t>(index)]].symbol;
+    GiNaC::exmap to_copies = zero;
+    for (std::size_t i = 0; i < system_.inputs.size(); ++i) {
+      const Slot input = system_.inputs[i];
+      if (std::find(held.begin(), held.end(), input) == held.end()) continue;
+      copies[i] = system_.graph.add_atom(system_.graph[input].name + tag, Owner::vehicle, {});
+      to_copies[system_.graph[input].symbol] = system_.graph[copies[i]].symbol;
     }
     copies_.push_back(copies);
-    fields_.push_back(substituted("0(" + std::to_string(set + 2) + ")", drift.rates, to_copies));
+    const GiNaC::exmap all = replaced(to_copies, tag);
+    if (as_fields) fields_.push_back(field("0" + tag, all));
+    for (const Slot measurement : measurements()) {
+      const auto other = all.find(system_.graph[measurement].symbol);
+      if (other != all.end() && GiNaC::is_a<GiNaC::symbol>(other->second))
+        other_measurements_.push_back(
+            {measurement, system_.graph.slot_of(GiNaC::ex_to<GiNaC::symbol>(other->second))});
+    }
   }
 }
 

@@ -26,6 +26,12 @@ class LieAlgebra {
   const SymbolicSystem& system() const { return system_; }
   const std::vector<VectorField>& fields() const { return fields_; }
   bool inputs_nonlinear() const { return nonlinear_; }
+  /// Measurements with the inputs of the further sets in them, where inputs are in measurements.
+  struct OtherMeasurement {
+    Slot original = 0;
+    Slot slot = 0;
+  };
+  const std::vector<OtherMeasurement>& other_measurements() const { return other_measurements_; }
   /// Copies of the inputs for the further sets: set, then input; empty where none are held.
   const std::vector<std::vector<Slot>>& input_copies() const { return copies_; }
 
@@ -33,13 +39,26 @@ class LieAlgebra {
   Slot derive(Slot quantity, int field, Place place);
 
  private:
+  /// Inputs by what the kind of motion makes of them.
+  struct Inputs {
+    std::vector<Slot> free, held;
+    GiNaC::exmap zero;
+  };
+
   GiNaC::ex derived(Slot quantity, int field, Place place);
-  GiNaC::ex inlined(const GiNaC::ex& rate) const;
+  Inputs sorted_inputs() const;
+  bool is_linear_in(const std::vector<Slot>& inputs) const;
+  bool moves_with(const std::vector<Slot>& inputs) const;
+  GiNaC::exmap replaced(GiNaC::exmap inputs, const std::string& tag);
+  VectorField field(const std::string& name, const GiNaC::exmap& with) const;
   void add_fields(int other_inputs);
+  void add_further_sets(int count, const std::vector<Slot>& held, const GiNaC::exmap& zero, bool as_fields);
+  std::vector<Slot> measurements() const;
 
   SymbolicSystem system_;
   std::vector<VectorField> fields_;
   std::vector<std::vector<Slot>> copies_;
+  std::vector<OtherMeasurement> other_measurements_;
   std::map<std::pair<Slot, int>, GiNaC::ex> known_;
   bool nonlinear_ = false;
 };

@@ -184,6 +184,11 @@ class Search {
     add(Owner::vehicle, s.vehicle, s.text.vehicle);
     if (instance_.landmarks() > 0) add(Owner::landmark, s.landmark, *s.text.landmark);
     if (instance_.anchors() > 0) add(Owner::anchor, s.anchor, *s.text.anchor);
+    const std::size_t own = words.size();
+    for (std::size_t i = 0; i < own; ++i)
+      for (const auto& other : algebra_.other_measurements())
+        if (other.original == words[i].slot)
+          words.push_back({words[i].owner, other.slot, 0, words[i].place, false});
     return words;
   }
 

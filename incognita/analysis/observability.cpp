@@ -45,7 +45,7 @@ std::vector<StateInformation> information_of(const NoisyRows& whitened, const Se
   const NullSpace& space = seen.space;
   const Eigen::MatrixXd scaled = whitened.rows * space.column_scale.asDiagonal();
   const Eigen::BDCSVD<Eigen::MatrixXd> svd(scaled, Eigen::ComputeThinV);
-  const std::vector<bool> unobservable = touched(space.basis);
+  const std::vector<bool> unobservable = touched(space.scaled_null);
   std::vector<StateInformation> information;
   for (Eigen::Index i = 0; i < scaled.cols(); ++i) {
     double variance = 0;

@@ -169,6 +169,7 @@ std::string observability_latex(const SystemText& text, const ObservabilityAnaly
   bool cut = false;
   const std::string Q = observability_rows(m, cut);
   std::string out = "% " + text.name + ": " + text.title + "; " + text.source + "\n";
+  out += "\\setcounter{MaxMatrixCols}{" + std::to_string(std::max<std::size_t>(m.columns.size(), 10)) + "}\n";
   out += "% vehicle" + std::string(text.landmark ? ", one feature" : "") +
          (text.anchor ? ", one anchor" : "") + "; columns:\n\\[ " + header + " \\]\n";
   out += definitions_of(system, m);
@@ -176,8 +177,8 @@ std::string observability_latex(const SystemText& text, const ObservabilityAnaly
   out += "\\[ \\mathbf{H}_j = " + array(cells(m.H, false)) + " \\]\n";
   out += std::string("% rows that are not 0") + (cut ? "; higher powers are too long to print" : "") + "\n";
   out += "\\[ \\mathcal{Q}_j = " + Q + " \\]\n";
-  out += "% at the operating point drawn: " + std::to_string(analysis.landmarks) + " features, " +
-         std::to_string(analysis.anchors) + " anchors, motion " + analysis.motion + "\n";
+  out += "% at the operating point drawn; features: " + std::to_string(analysis.landmarks) +
+         ", anchors: " + std::to_string(analysis.anchors) + ", motion " + analysis.motion + "\n";
   for (std::size_t k = 0; k < analysis.segments.size(); ++k)
     out += "\\[ \\mathcal{N}(\\mathcal{Q}_{\\mathrm{SOM}," + std::to_string(k + 1) +
            "}) = " + null_vectors(analysis.segments[k].stripped.directions) + " \\]\n";

@@ -1,7 +1,6 @@
 #include "incognita/analysis/observability_monitor.hpp"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <Eigen/QR>
 #include <Eigen/SVD>
@@ -45,6 +44,18 @@ struct Turn {
     R = qr.matrixQR().triangularView<Eigen::Upper>();
   }
 };
+
+/// A square matrix: a basis of the null space of M, which has full rank, then M^+.
+MatrixXd null_space_and_inverse(const MatrixXd& M) {
+  const Eigen::Index rows = M.rows(), columns = M.cols();
+  if (rows == 0) return MatrixXd::Identity(columns, columns);
+  const Eigen::JacobiSVD<MatrixXd> svd(M, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  MatrixXd C(columns, columns);
+  C.leftCols(columns - rows) = svd.matrixV().rightCols(columns - rows);
+  C.rightCols(rows) = svd.matrixV().leftCols(rows) * svd.singularValues().cwiseInverse().asDiagonal() *
+                      svd.matrixU().transpose();
+  return C;
+}
 
 }  // namespace
 
@@ -244,6 +255,7 @@ MatrixXd ObservabilityMonitor::take_rows_of(int first, int count) {
 
 /// Marginalises errors out; their columns stay, and are zero.
 void ObservabilityMonitor::eliminate(int first, int count) {
+  if (count == 0) return;
   absorb_rows();
   const MatrixXd taken = take_rows_of(first, count);
   MatrixXd rows(taken.rows() + V_.rows(), V_.cols());
@@ -305,16 +317,11 @@ void ObservabilityMonitor::replace(const BlockReplacement& r) {
   const int first = block->first, old = block->errors, size = static_cast<int>(r.J.rows());
   const Eigen::JacobiSVD<MatrixXd> noise(MatrixXd(r.noise), Eigen::ComputeFullU);
   const double largest = noise.singularValues()[0];
-  const auto noisy = (noise.singularValues().array() > least_share * largest).count();
-  const auto known = size - noisy;
+  const auto noisy = static_cast<int>((noise.singularValues().array() > least_share * largest).count());
+  const int known = size - noisy;
   const MatrixXd T = noise.matrixU().rightCols(known).transpose();
-  const Eigen::JacobiSVD<MatrixXd> svd(T * r.J, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  MatrixXd C(old, old);
-  C.leftCols(old - known) = svd.matrixV().rightCols(old - known);
-  C.rightCols(known) = svd.matrixV().leftCols(known) * svd.singularValues().cwiseInverse().asDiagonal() *
-                       svd.matrixU().transpose();
-  transform_block(first, old, C);
-  eliminate(first, old - static_cast<int>(known));
+  transform_block(first, old, null_space_and_inverse(T * r.J));
+  eliminate(first, old - known);
   shrink(*block, old - size);
   transform_block(first, size, noise.matrixU().transpose());
 }

@@ -2,6 +2,7 @@
 
 #include <boost/numeric/odeint.hpp>
 #include <cmath>
+#include <cstdio>
 #include <stdexcept>
 
 namespace incognita {
@@ -96,13 +97,19 @@ void draw_inputs(SystemPoint& point, const SystemInstance& instance, RandomStrea
     point.u[static_cast<Eigen::Index>(i)] = drawn(ranges[i], random);
 }
 
+std::string written_number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%g", value);
+  return text;
+}
+
 [[noreturn]] void refuse_blow_up(const SystemInstance& instance, double duration) {
   const SymbolicSystem& s = instance.system();
   const auto& rates = s.vehicle.rates.empty() ? s.landmark.rates : s.vehicle.rates;
-  throw SystemError(
-      rates.empty() ? Place{} : s.graph[rates[0]].place,
-      "the motion cannot be followed for " + std::to_string(duration) +
-          " s: its rates grow without bound; choose another region or a shorter segment_duration_s");
+  throw SystemError(rates.empty() ? Place{} : s.graph[rates[0]].place,
+                    "the motion cannot be followed for " + written_number(duration) +
+                        " s: it grows without bound, or is too fast; choose another region or a shorter "
+                        "segment_duration_s");
 }
 
 /// From t = 0 to `duration` with inputs held. `transition`: n x any, moved on by dY = F Y dt; may have no
@@ -158,6 +165,13 @@ SystemMotion draw_motion(const SystemInstance& instance, int segments, RandomStr
     integrate(instance, point, no_transition, duration);
     draw_inputs(point, instance, random);
     assigner.next(point, random);
+  }
+  // As many rates as there are states may be told apart by inputs that enter nonlinearly
+  while (point.u.size() > 0 && static_cast<int>(motion.other_inputs.size()) < instance.states()) {
+    SystemPoint other = motion.segments.front().start;
+    draw_inputs(other, instance, random);
+    assigner.other_inputs(other, random);
+    motion.other_inputs.push_back(other.u);
   }
   return motion;
 }

@@ -4,7 +4,10 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <limits>
 #include <memory>
+#include <new>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -21,6 +24,8 @@ namespace {
 struct Options {
   std::string system, representation;
   ObservabilitySettings analysis;
+  std::optional<int> features;
+  std::int64_t seed = 1;
   bool json = false, latex = false, no_lie = false;
 };
 
@@ -38,7 +43,10 @@ ObservabilityAnalysis analyse(const SystemText& text, const Options& options) {
   } catch (const SystemError& error) {
     throw InputError(at(text, error.place) + error.what());
   } catch (const std::invalid_argument& error) {
-    throw InputError("observe: " + std::string(error.what()));
+    throw InputError(text.file + ": " + error.what());
+  } catch (const std::bad_alloc&) {
+    throw InputError(
+        text.file + ": more than memory holds; ask for less, or leave the Lie derivatives out with --no-lie");
   }
 }
 
@@ -46,6 +54,8 @@ int observe(Options options) {
   if (options.json && options.latex) throw InputError("observe: --json or --latex, not both");
   options.analysis.lie = !options.no_lie;
   const SystemText text = load_system(options.system, options.representation);
+  options.analysis.landmarks = options.features.value_or(text.landmark ? 1 : 0);
+  options.analysis.seed = static_cast<std::uint64_t>(options.seed);
   const ObservabilityAnalysis analysis = analyse(text, options);
   if (options.json)
     fmt::print("{}", observability_json(analysis, options.analysis));
@@ -66,9 +76,10 @@ CLI::App* add_observe(CLI::App& app, std::function<int()>& job) {
   std::string names;
   for (const std::string& name : built_in_systems()) names += (names.empty() ? "" : ", ") + name;
   command->add_option("SYSTEM", o->system, "One that is built in (" + names + "), or a file")->required();
-  command->add_option("--features", o->analysis.landmarks, "Landmarks whose place is estimated")
-      ->check(CLI::Range(0, 500))
-      ->capture_default_str();
+  command
+      ->add_option("--features", o->features,
+                   "Landmarks whose place is estimated; 1 if not given, 0 for a system without landmarks")
+      ->check(CLI::Range(0, 500));
   command->add_option("--anchors", o->analysis.anchors, "Landmarks whose place is known")
       ->check(CLI::Range(0, 500))
       ->capture_default_str();
@@ -81,7 +92,9 @@ CLI::App* add_observe(CLI::App& app, std::function<int()>& job) {
   command
       ->add_option("--motion", o->analysis.motion, "general, or a kind that the system knows: straight, ...")
       ->capture_default_str();
-  command->add_option("--seed", o->analysis.seed, "Of the operating point")->capture_default_str();
+  command->add_option("--seed", o->seed, "Of the operating point")
+      ->check(CLI::Range(std::int64_t{0}, std::numeric_limits<std::int64_t>::max()))
+      ->capture_default_str();
   command->add_option("--lie-order", o->analysis.lie_settings.max_order, "Highest order of Lie derivatives")
       ->check(CLI::Range(0, 30))
       ->capture_default_str();

@@ -37,7 +37,7 @@ std::string rows_of(const ObservabilityAnalysis& a) {
 
 std::string vectors_of(const std::string& what, const std::vector<UnobservableDirection>& directions,
                        const std::vector<std::string>& states) {
-  if (directions.empty()) return what + ": everything is observable\n";
+  if (directions.empty()) return what + ": nothing; all is seen\n";
   std::string text = what + ":\n";
   for (const UnobservableDirection& d : directions) {
     const std::string written = written_combination(d.vector, states);

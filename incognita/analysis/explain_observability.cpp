@@ -142,6 +142,16 @@ void compare_with_lie(const ObservabilityAnalysis& a, std::vector<std::string>& 
                                   : "the order of the Lie derivatives was limited."));
 }
 
+/// The same rows, weighed with the noises.
+void compare_with_information(const ObservabilityAnalysis& a, std::vector<std::string>& said) {
+  const int local = a.local.space.nullity, weighed = a.fisher.space.nullity;
+  if (local == weighed) return;
+  said.push_back("The Fisher information leaves " + std::to_string(weighed) + " unobservable, the motion " +
+                 std::to_string(local) +
+                 ": the measurements' sigmas differ so much that beside the best of them the "
+                 "others count as nothing.");
+}
+
 /// The same segments in plain differences of the states: SOM's rank depends on coordinates.
 void compare_coordinates(const ObservabilityAnalysis& a, const SystemInstance& instance,
                          const SystemMotion& motion, const NullSpaceSettings& rank,
@@ -173,6 +183,7 @@ std::vector<std::string> disagreements_in(const ObservabilityAnalysis& a, const 
   compare_with_motion(a, said);
   compare_som_and_tom(a, said);
   compare_with_lie(a, said);
+  compare_with_information(a, said);
   compare_coordinates(a, instance, motion, rank, said);
   return said;
 }
@@ -193,11 +204,18 @@ std::vector<std::string> doubts_in(const ObservabilityAnalysis& a) {
   }
   look("the local matrix", a.local.space);
   look("the Fisher information", a.fisher.space);
+  if (a.growth > 1e8) {
+    char growth[32];
+    std::snprintf(growth, sizeof growth, "%.2g", a.growth);
+    doubts.push_back(
+        std::string("Small differences grow by a factor of ") + growth +
+        " along the motion: what is said of it is not to be trusted; a shorter segment_duration_s helps.");
+  }
   if (!a.lie) return doubts;
   look("the Lie derivatives", a.lie->space);
   if (!a.lie->closed)
     doubts.push_back("The Lie derivatives were followed to order " + std::to_string(a.lie->orders_examined) +
-                     " only; higher ones might show more.");
+                     " only; higher ones (--lie-order) might show more.");
   if (a.lie->space.rank < a.lie->generic_rank)
     doubts.push_back("The Lie derivatives have rank " + std::to_string(a.lie->space.rank) +
                      " where this motion starts and " + std::to_string(a.lie->generic_rank) +

@@ -16,7 +16,7 @@ Eigen::MatrixXd unit_rows(const NoisyRows& M) {
   Eigen::MatrixXd kept(M.rows.rows(), M.rows.cols());
   Eigen::Index count = 0;
   for (Eigen::Index i = 0; i < M.rows.rows(); ++i) {
-    const double length = M.rows.row(i).norm();
+    const double length = M.rows.row(i).stableNorm();
     if (length > M.noise[i]) kept.row(count++) = M.rows.row(i) / (M.weighed ? 1 : length);
   }
   return kept.topRows(count);
@@ -27,7 +27,7 @@ Eigen::MatrixXd unit_rows(const NoisyRows& M) {
 Eigen::VectorXd scale_of_columns(const Eigen::MatrixXd& M, double nothing) {
   Eigen::VectorXd scale = Eigen::VectorXd::Ones(M.cols());
   for (Eigen::Index j = 0; j < M.cols(); ++j) {
-    const double length = M.col(j).norm();
+    const double length = M.col(j).stableNorm();
     if (length > nothing) scale[j] = 1 / length;
   }
   return scale;
@@ -57,7 +57,8 @@ void decide(NullSpace& space, const NullSpaceSettings& settings) {
   space.gap =
       space.rank > 0 && left_out > 0 ? s[space.rank - 1] / left_out : std::numeric_limits<double>::infinity();
   space.ambiguous = left_out > rounding && space.gap < settings.clear_gap;
-  if (space.rank > 0 && s[space.rank - 1] < settings.clear_gap * rounding) space.ambiguous = true;
+  // A value that just counts, or just does not, would be on the other side for another tolerance
+  if (left_out > 0.03 * least || (space.rank > 0 && s[space.rank - 1] < 30 * least)) space.ambiguous = true;
 }
 
 }  // namespace
@@ -75,7 +76,9 @@ NullSpace null_space(const NoisyRows& M, const NullSpaceSettings& settings) {
   const Eigen::MatrixXd rows = unit_rows(M);
   NullSpace space;
   const Eigen::Index n = M.rows.cols();
-  const double largest = rows.rows() > 0 ? rows.colwise().norm().maxCoeff() : 0;
+  double largest = 0;
+  for (Eigen::Index j = 0; j < rows.cols() && rows.rows() > 0; ++j)
+    largest = std::max(largest, rows.col(j).stableNorm());
   space.column_scale = scale_of_columns(rows, 0.1 * settings.tolerance * largest);
   const Eigen::MatrixXd R = triangle(rows * space.column_scale.asDiagonal());
   const Eigen::BDCSVD<Eigen::MatrixXd> svd(R, Eigen::ComputeFullV);

@@ -81,6 +81,8 @@ ObservabilityAnalysis analyse_observability(const SystemText& text, const Observ
   analysis.segments = analyse_segments(instance, motion, analysis.error_forms, settings.rank);
 
   const auto samples = follow(instance, motion, samples_per_segment(instance, settings.segments));
+  for (const MotionSample& sample : samples)
+    analysis.growth = std::max(analysis.growth, sample.Phi.cwiseAbs().maxCoeff());
   const auto named = instance.directions(motion.segments.front().start, false);
   analysis.local =
       seen_space(local_observability(instance, samples, false), named, instance.names(), settings.rank);

@@ -14,8 +14,17 @@ NoisyRows segment_observability(const Linearisation& segment) {
   const Eigen::Index n = segment.F.rows();
   NoisyRows Q{Eigen::MatrixXd(0, n), {}, false};
   Eigen::MatrixXd block = segment.H;
+  Eigen::VectorXd H_terms = segment.H_terms;
+  // Only directions matter: rows begin with entries of at most 1, so that no square of theirs leaves the
+  // range
+  for (Eigen::Index i = 0; i < block.rows(); ++i) {
+    const double largest = block.row(i).cwiseAbs().maxCoeff();
+    if (!(largest > 0)) continue;
+    block.row(i) /= largest;
+    H_terms[i] /= largest;
+  }
   // How large the terms are that the entries of a row were added up from
-  Eigen::MatrixXd terms = segment.H.cwiseAbs().cwiseMax(segment.H_terms.replicate(1, n) * 1e-3);
+  Eigen::MatrixXd terms = block.cwiseAbs().cwiseMax(H_terms.replicate(1, n) * 1e-3);
   const Eigen::MatrixXd F_terms = segment.F.cwiseAbs();
   for (Eigen::Index power = 0; power < n; ++power) {
     const Eigen::VectorXd noise = rounding * double(n) * terms.rowwise().norm();
@@ -87,7 +96,7 @@ NoisyRows local_observability(const SystemInstance& instance, const std::vector<
   Eigen::Index row = 0;
   for (const MotionSample& sample : samples) {
     const Linearisation at = instance.linearise(sample.point);
-    Eigen::VectorXd size = whitened ? at.sigma : Eigen::VectorXd(at.H.rowwise().norm());
+    Eigen::VectorXd size = whitened ? at.sigma : Eigen::VectorXd(at.H.cwiseAbs().rowwise().maxCoeff());
     for (double& s : size) s = s > 0 ? s : 1;
     const Eigen::MatrixXd H = size.cwiseInverse().asDiagonal() * at.H;
     M.middleRows(row, m) = H * sample.Phi;

@@ -176,6 +176,18 @@ SystemMotion draw_motion(const SystemInstance& instance, int segments, RandomStr
   return motion;
 }
 
+namespace {
+
+/// Of a look in its segment, as a part of it: 0 at the start, 1 at the end, and uneven between (by the golden
+/// ratio, other in every segment), so that no oscillation is met at the same phase each time.
+double moment(std::size_t segment, int look, int looks) {
+  if (look == 0 || look == looks) return look == 0 ? 0 : 1;
+  const double golden = 0.6180339887498949, turns = golden * (static_cast<double>(segment) * looks + look);
+  return (look + 0.6 * (turns - std::floor(turns) - 0.5)) / looks;
+}
+
+}  // namespace
+
 std::vector<MotionSample> follow(const SystemInstance& instance, const SystemMotion& motion,
                                  int per_segment) {
   const Eigen::Index n = instance.states();
@@ -193,8 +205,10 @@ std::vector<MotionSample> follow(const SystemInstance& instance, const SystemMot
         transition(disturbed[i], n + static_cast<Eigen::Index>((k - 1) * disturbed.size() + i)) += 1;
     for (int i = 0; i < per_segment; ++i) {
       samples.push_back({t, at, transition.leftCols(n), transition.rightCols(jumps)});
-      integrate(instance, at, transition, segment.duration_s / per_segment);
-      t += segment.duration_s / per_segment;
+      const double until = moment(k, i + 1, per_segment) * segment.duration_s;
+      const double stretch = until - moment(k, i, per_segment) * segment.duration_s;
+      integrate(instance, at, transition, stretch);
+      t += stretch;
     }
     if (k + 1 == motion.segments.size())
       samples.push_back({t, at, transition.leftCols(n), transition.rightCols(jumps)});

@@ -281,6 +281,85 @@ TEST(Observability, RefusesWhatTheSystemDoesNotHave) {
   EXPECT_THROW(analyse_observability(load_system("planar"), {.segments = 0}), std::invalid_argument);
 }
 
+/// A vehicle that measures itself, and has no landmarks.
+SystemText alone(const std::string& states, const std::string& region, const std::string& measurements,
+                 const std::string& inputs = "") {
+  return read_system("name = \"alone\"\n[states]\n" + states + "[region]\n" + region + "[inputs]\n" + inputs +
+                         "[measurements]\n" + measurements,
+                     "alone.toml");
+}
+
+ObservabilityAnalysis analysed(const SystemText& text, int segments = 3) {
+  return analyse_observability(text, {.landmarks = 0, .segments = segments});
+}
+
+TEST(Observability, CountsInputsThatAreInMeasurements) {
+  const auto a =
+      analysed(alone("a = 0\nb = 0\n", "a = [1, 2]\nb = [1, 2]\n", "z = \"u*a + b\"\n", "u = [-1, 1]\n"));
+  EXPECT_EQ(a.lie->space.nullity, 0);
+  EXPECT_EQ(a.local.space.nullity, 0);
+}
+
+TEST(Observability, TakesAsManyNonlinearInputsAsItNeeds) {
+  const auto a = analysed(
+      alone("x = \"u*a + u^2*b + u^3*c + u^4*d\"\na = 0\nb = 0\nc = 0\nd = 0\n",
+            "x = [1, 2]\na = [1, 2]\nb = [1, 2]\nc = [1, 2]\nd = [1, 2]\n", "z = \"x\"\n", "u = [0.5, 2]\n"),
+      6);
+  EXPECT_EQ(a.lie->space.nullity, 0);
+  EXPECT_EQ(a.local.space.nullity, 0);
+}
+
+TEST(Observability, TakesAnInputThatCannotVaryForAConstant) {
+  const auto a =
+      analysed(alone("x = \"v\"\nk = 0\n", "x = [1, 2]\nk = [1, 2]\n", "z = \"k*x\"\n", "v = [0, 0]\n"));
+  EXPECT_EQ(a.lie->space.nullity, 1);
+  EXPECT_EQ(a.local.space.nullity, 1);
+}
+
+TEST(Observability, DoesNotMeetAnOscillationAtOnePhaseOnly) {
+  // 4 Hz, where eight even looks a second would always meet p at 0
+  const auto a =
+      analysed(alone("x = \"p\"\np = \"-(8*pi)^2*x\"\n", "x = [1, 2]\np = [1, 2]\n", "z = \"x\"\n"));
+  EXPECT_EQ(a.local.space.nullity, 0);
+}
+
+TEST(Observability, KnowsMeasurementsOfAnySize) {
+  for (const char* z : {"z = \"1e200*x\"\n", "z = \"1e-200*x\"\n"}) {
+    const auto a = analysed(alone("x = 1\n", "x = [1, 2]\n", z));
+    EXPECT_EQ(a.segments[0].stripped.space.nullity, 0) << z;
+    EXPECT_EQ(a.local.space.nullity, 0) << z;
+  }
+}
+
+TEST(Observability, DoesNotTrustAMotionThatGrows) {
+  const auto a = analysed(alone("x = \"9*x\"\nk = 0\n", "x = [1, 2]\nk = [1, 2]\n", "z = \"x\"\n"));
+  ASSERT_FALSE(a.doubts.empty());
+  EXPECT_NE(a.doubts.front().find("grow by a factor"), std::string::npos) << a.doubts.front();
+}
+
+TEST(Observability, SaysWhenARankIsOnTheEdge) {
+  const auto a = analysed(
+      alone("a = 0\nb = 0\n", "a = [1, 2]\nb = [1, 2]\n", "z1 = \"a + b\"\nz2 = \"a + (1 + 4e-10)*b\"\n"));
+  EXPECT_FALSE(a.doubts.empty());
+}
+
+/// Many definitions, each of the one before twice, with the input in the first: written out, they would not
+/// end.
+TEST(Observability, DoesNotWriteDefinitionsOut) {
+  std::string text =
+      "name = \"deep\"\n[inputs]\nu = [1, 2]\n[states]\nx = \"d60\"\n[region]\nx = [1, 2]\n"
+      "[measurements]\nz = \"x\"\n[definitions]\nd0 = \"x + u\"\n";
+  for (int i = 1; i <= 60; ++i) {
+    const std::string before = "d" + std::to_string(i - 1);
+    text += "d" + std::to_string(i) + " = \"(sin(" + before + ") + " + before + ")/4\"\n";
+  }
+  try {
+    EXPECT_EQ(analysed(read_system(text, "deep.toml")).lie->space.nullity, 0);
+  } catch (const SystemTooLarge&) {
+    SUCCEED() << "refused in time";
+  }
+}
+
 /// A vehicle on a line whose one measurement is `text`.
 SystemText measuring(const std::string& text) {
   return read_system(

@@ -202,6 +202,32 @@ TEST(ObservabilityMonitor, IsTheInformationFilterWithoutPrior) {
   }
 }
 
+TEST(ObservabilityMonitor, ABlockAsLargeAsBeforeIsToldAnew) {
+  BothWays both(11, 4);
+  for (int i = 0; i < 3; ++i) both.birth(3, 1);
+  for (int round = 0; round < 3; ++round)
+    for (const BlockId id : both.live) both.look(id, 2);
+  both.replace(2, 3, false);
+  both.compare("without noise");
+  both.replace(1, 3, true);
+  both.compare("with noise along one direction");
+}
+
+// Then nothing is known of it, and what it taught of others stays
+TEST(ObservabilityMonitor, ABlockThatIsAllNoiseIsNew) {
+  BothWays both(12, 4);
+  for (int i = 0; i < 3; ++i) both.birth(3, 1);
+  for (int round = 0; round < 3; ++round)
+    for (const BlockId id : both.live) both.look(id, 2);
+  ObservabilityMonitor dropped = both.monitor;
+  dropped.drop(3);
+  both.monitor.replace({3, MatrixXd::Identity(2, 3), MatrixXd::Identity(2, 2)});
+  const MatrixXd Y = both.monitor.information(), expected = dropped.information();
+  ASSERT_EQ(Y.rows(), expected.rows() + 2);
+  EXPECT_TRUE(Y.bottomRows(2).isZero(0));
+  EXPECT_LT((Y.topLeftCorner(10, 10) - expected).norm(), 1e-9 * expected.norm());
+}
+
 /// A system as its observability matrix has it: every look as a row over the vehicle at first and all blocks
 /// there ever were. Looks are few and poor, so that much stays unseen.
 struct StackedSystem {
@@ -280,10 +306,12 @@ TEST(ObservabilityMonitor, TakesNoiseThatIsPerfectlyCorrelated) {
       m.block = vehicle;
       m.A = MatrixXd::Identity(6, 6);
       m.A.topRightCorner(3, 3) = dt * MatrixXd::Identity(3, 3);
-      const MatrixXd turned = MatrixXd::Identity(3, 3) + 0.01 * random_matrix(random, 3, 3);
-      MatrixXd G(6, 3);
-      G << dt * dt * turned, dt * MatrixXd::Identity(3, 3);
-      m.N = 16 * G * G.transpose();
+      MatrixXd G = MatrixXd::Zero(6, 3);
+      for (int i = 0; i < 3; ++i) {
+        G(i, i) = dt * dt * random.uniform(1, 5);
+        G(3 + i, i) = G(i, i) / dt;
+      }
+      m.N = G * G.transpose();
       monitor.move(m);
       long_way.move(m);
       EXPECT_LT((monitor.information() - long_way.Y).norm(), 1e-9 * long_way.Y.norm()) << step;

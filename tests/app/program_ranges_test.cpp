@@ -122,6 +122,14 @@ TEST_F(ProgramRanges, TheSameTwiceToTheByte) {
   EXPECT_TRUE(log == bytes_of(run() / "run.mcap"));
 }
 
+TEST_F(ProgramRanges, SaysWhatItWronglyBelieves) {
+  EXPECT_SAYS(go().err, "place: unobservable\nheading: unobservable, yet the filter believes to know it to ");
+  EXPECT_EQ(testing::summary_of(run())["observability"]["wrongly_believed"], 1);
+  const Ended better = go({"--set", "vehicle_filter.lineariser=first-estimate"});
+  EXPECT_SAYS(better.err, "place: unobservable\nheading: unobservable\n");
+  EXPECT_EQ(testing::summary_of(run())["observability"]["wrongly_believed"], 0);
+}
+
 TEST_F(ProgramRanges, EveryFilterRuns) {
   for (const char* set : {"vehicle_filter.lineariser=iterated", "vehicle_filter.lineariser=unscented-vehicle",
                           "vehicle_filter.lineariser=first-estimate", "vehicle_filter.map_frame=vehicle",

@@ -50,6 +50,33 @@ TEST(ProgramRun, SameSeedSameBytes) {
   testing::expect_whole_tables(one);
 }
 
+// "What is the scale?"
+TEST(ProgramRun, SaysWhatFixesTheScale) {
+  const Scratch scratch;
+  const Ended anchored = testing::incognita(room_for("2", "anchored"), scratch.folder());
+  EXPECT_SAYS(anchored.err,
+              "place: fixed by 4 anchors\norientation: fixed by 4 anchors\nscale: fixed by 4 anchors\n");
+  const nlohmann::json said = testing::summary_of(scratch.folder() / "anchored")["observability"];
+  EXPECT_EQ(said["ideal_nullity"], 0);
+  EXPECT_EQ(said["nullity"], 0);
+  EXPECT_EQ(said["directions"].back()["name"], "scale");
+  EXPECT_TRUE(said["directions"].back()["gained"]);
+  EXPECT_LT(said["directions"].back()["believed_sigma"], 0.05);
+  const Words free = {"--set", "start.from=free"};
+  EXPECT_SAYS(testing::incognita(room_for("2", "free", free), scratch.folder()).err, "scale: unobservable");
+  EXPECT_EQ(testing::summary_of(scratch.folder() / "free")["observability"]["ideal_nullity"], 7);
+}
+
+TEST(ProgramRun, SaysNothingOfItWhereItIsNotToBeWorkedOut) {
+  const Scratch scratch;
+  const Words off = {"--set", "run.observability=false"};
+  const Ended ended = testing::incognita(room_for("1", "run", off), scratch.folder());
+  EXPECT_EQ(ended.err.find("anchors"), std::string::npos);
+  const nlohmann::json summary = testing::summary_of(scratch.folder() / "run");
+  EXPECT_FALSE(summary.contains("observability"));
+  EXPECT_FALSE(summary["timing_ms"].contains("watch"));
+}
+
 /// Rows of looks.csv by kind and outcome.
 int looks_with(const std::filesystem::path& run, const std::string& kind, const std::string& outcome) {
   std::istringstream table(testing::contents(run / "looks.csv"));

@@ -156,6 +156,50 @@ TEST(Recorder, SummarisesARun) {
   EXPECT_EQ(json["timing_ms"]["birth"]["p99"], 1.0);
 }
 
+/// What a filter that has seen one anchor could say, with more to say than there is room for.
+ObservabilityReport observability() {
+  ObservabilityReport report;
+  report.anchors = 1;
+  report.ideal_nullity = 4;
+  report.information = {200, 197, 1e-3, 5, 1e-6, false};
+  report.wrongly_believed = 1;
+  report.quantities = {{"x", "m", false, std::nullopt, false}, {"scale", "1", false, 0.02, true}};
+  for (int i = 0; i < 300; ++i)
+    report.without_information.push_back("depth of landmark " + std::to_string(i));
+  return report;
+}
+
+TEST(Recorder, SaysWhatTheFilterCanKnow) {
+  const Scratch scratch;
+  Recorder recorder(scratch / "run", info());
+  recorder.note(observability());
+  recorder.finish(RunStatus::done, "");
+  const Json json = summary(scratch / "run"), &said = json["observability"];
+  EXPECT_EQ(testing::faults(json, schema()), "");
+  EXPECT_EQ(said["rank"], 197);
+  EXPECT_EQ(said["ideal_rank"], 196);
+  EXPECT_EQ(said["nullity"], 3);
+  EXPECT_EQ(said["gap"], 5e6);
+  EXPECT_EQ(said["directions"][0]["believed_sigma"], nullptr);
+  EXPECT_EQ(said["directions"][1]["believed_sigma"], 0.02);
+  EXPECT_EQ(said["without_information"].size(), 50u);
+  EXPECT_EQ(said["without_information_count"], 300);
+}
+
+TEST(Recorder, SaysWhyTheFilterWasNotFollowed) {
+  const Scratch scratch;
+  ObservabilityReport report;
+  report.uncovered = "the filter drops correlations";
+  Recorder recorder(scratch / "run", info());
+  recorder.note(report);
+  recorder.finish(RunStatus::done, "");
+  const Json json = summary(scratch / "run");
+  EXPECT_EQ(testing::faults(json, schema()), "");
+  EXPECT_EQ(json["observability"]["followed"], false);
+  EXPECT_EQ(json["observability"]["why_not"], report.uncovered);
+  EXPECT_FALSE(json["observability"].contains("rank"));
+}
+
 TEST(Recorder, SeesOverconfidence) {
   const Scratch scratch;
   SyntheticRun synthetic;

@@ -1,0 +1,156 @@
+// What a run says that it knows, of filters that are known to know better and worse.
+#include "incognita/app/observability_watch.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <memory>
+
+#include "incognita/app/assemble_planar.hpp"
+#include "incognita/world/planar_loop.hpp"
+
+namespace incognita {
+namespace {
+
+constexpr double start_sigma_rad = 0.3;
+
+PlanarSlamSettings settings_for(const PlanarLoopSettings& drive) {
+  PlanarSlamSettings s;
+  s.vehicle.model = "differential-drive";
+  s.vehicle.sensor_forward_m = s.vehicle.sensor_left_m = 0;
+  s.vehicle.sigma_speed_m_s = drive.sigma_speed_m_s;
+  s.vehicle.sigma_turn_rate_rad_s = drive.sigma_turn_rate_rad_s;
+  s.sensor.sigma_range_m = drive.sigma_range_m;
+  s.sensor.sigma_bearing_rad = drive.sigma_bearing_rad;
+  s.filter.sigma_fix_m = drive.sigma_fix_m;
+  s.start.sigma_heading_rad = start_sigma_rad;
+  s.association.method = "known";
+  s.association.gate_probability = 1 - 1e-12;
+  s.lost.max_sigma_position_m = 1e6;
+  return s;
+}
+
+struct Watched {
+  ObservabilityReport report;
+  double filter_sigma_heading = 0;
+};
+
+/// A simulated circle, watched.
+Watched drive(double duration_s,
+              const std::function<void(PlanarSlamSettings&, const RangeRecording&)>& change) {
+  PlanarLoopSettings loop;
+  loop.duration_s = duration_s;
+  const auto recording = std::make_shared<const RangeRecording>(drive_planar_loop(loop, 5));
+  PlanarSlamSettings settings = settings_for(loop);
+  change(settings, *recording);
+  PlanarAssembly assembly = assemble_planar(recording, settings, duration_s + 1);
+  ObservabilityWatch watch;
+  Watched out;
+  run_loop(assembly.boxes, std::function<void(const Snapshot&)>([](const Snapshot&) {}),
+           std::function<bool(const Tick&)>([](const Tick&) { return true; }),
+           std::function<void(const PlanarEstimate&)>([&](const PlanarEstimate& estimate) {
+             watch.follow(estimate);
+             out.filter_sigma_heading = std::sqrt(vehicle_pose(estimate).covariance(2, 2));
+           }));
+  out.report = watch.report().value();
+  return out;
+}
+
+Watched drive_with(double duration_s, const char* lineariser) {
+  return drive(duration_s,
+               [&](PlanarSlamSettings& s, const RangeRecording&) { s.filter.lineariser = lineariser; });
+}
+
+const QuantityReport& heading(const ObservabilityReport& report) { return report.quantities.back(); }
+
+// Huang, Mourikis, Roumeliotis, IJRR 2010: the filter's own observability matrix has rank n - 2, not n - 3
+TEST(ObservabilityWatch, AnExtendedFilterWronglyLearnsTheHeading) {
+  double before = start_sigma_rad;
+  for (const double duration_s : {10, 63, 126}) {
+    const Watched run = drive_with(duration_s, "analytic");
+    const ObservabilityReport& report = run.report;
+    EXPECT_EQ(report.ideal_nullity, 3);
+    EXPECT_EQ(report.information.nullity(), 2);
+    EXPECT_EQ(report.wrongly_believed, 1);
+    EXPECT_FALSE(report.information.ambiguous);
+    EXPECT_FALSE(report.quantities[0].believed_sigma || report.quantities[1].believed_sigma);
+    ASSERT_TRUE(heading(report).gained);
+    const double sigma = *heading(report).believed_sigma;
+    EXPECT_LT(sigma, before);
+    before = sigma;
+    // The filter's own covariance: what it was told at the start, and what it has learnt since
+    const double both = 1 / std::sqrt(std::pow(start_sigma_rad, -2) + std::pow(sigma, -2));
+    std::printf("%3.0f s: believed %.4f rad, with the start %.4f, the filter says %.4f\n", duration_s, sigma,
+                both, run.filter_sigma_heading);
+    EXPECT_NEAR(run.filter_sigma_heading, both, 0.05 * both);
+  }
+}
+
+TEST(ObservabilityWatch, FirstEstimatesLearnNothingOfIt) {
+  const Watched run = drive_with(250, "first-estimate");
+  EXPECT_EQ(run.report.information.nullity(), 3);
+  EXPECT_EQ(run.report.wrongly_believed, 0);
+  EXPECT_FALSE(heading(run.report).believed_sigma);
+  EXPECT_GE(run.filter_sigma_heading, start_sigma_rad * (1 - 1e-9));
+}
+
+TEST(ObservabilityWatch, AnchorsAndFixesFixTheFrame) {
+  const Watched anchored = drive(60, [](PlanarSlamSettings& s, const RangeRecording& r) {
+    s.filter.anchors = {r.landmarks[0].position, r.landmarks[1].position};
+  });
+  EXPECT_EQ(anchored.report.anchors, 2);
+  EXPECT_EQ(anchored.report.ideal_nullity, 0);
+  EXPECT_EQ(anchored.report.information.nullity(), 0);
+  EXPECT_TRUE(heading(anchored.report).gained);
+  const Watched fixed =
+      drive(60, [](PlanarSlamSettings& s, const RangeRecording&) { s.filter.use_fixes = true; });
+  EXPECT_TRUE(fixed.report.position_fixes);
+  EXPECT_EQ(fixed.report.ideal_nullity, 0);
+  EXPECT_EQ(in_words(fixed.report)[1], "heading: fixed by position fixes");
+  EXPECT_NEAR(*heading(fixed.report).believed_sigma, fixed.filter_sigma_heading,
+              0.05 * fixed.filter_sigma_heading);
+}
+
+TEST(ObservabilityWatch, OneAnchorIsOneAnchor) {
+  const Watched run = drive(60, [](PlanarSlamSettings& s, const RangeRecording& r) {
+    s.filter.anchors = {r.landmarks[0].position};
+    s.filter.lineariser = "first-estimate";
+  });
+  EXPECT_EQ(run.report.ideal_nullity, 1);
+  EXPECT_EQ(run.report.information.nullity(), 1);
+  EXPECT_EQ(in_words(run.report)[1], "heading: unobservable with 1 anchor");
+}
+
+TEST(ObservabilityWatch, SaysWhatItDoesNotFollow) {
+  const Watched from_vehicle =
+      drive(20, [](PlanarSlamSettings& s, const RangeRecording&) { s.filter.map_frame = "vehicle"; });
+  EXPECT_EQ(from_vehicle.report.uncovered, "the map is told in the vehicle's frame");
+  EXPECT_FALSE(heading(from_vehicle.report).believed_sigma);
+  EXPECT_EQ(in_words(from_vehicle.report).size(), 3u);
+  for (const char* how : {"everything", "map", "map-linear"}) {
+    const Watched dropped =
+        drive(5, [&](PlanarSlamSettings& s, const RangeRecording&) { s.filter.decorrelate = how; });
+    EXPECT_EQ(dropped.report.uncovered, "the filter drops correlations") << how;
+  }
+}
+
+TEST(ObservabilityWatch, NothingIsNotedWhereNobodyWatches) {
+  PlanarLoopSettings loop;
+  loop.duration_s = 5;
+  PlanarAssembly assembly = assemble_planar(
+      std::make_shared<const RangeRecording>(drive_planar_loop(loop, 5)), settings_for(loop), 10);
+  auto& [clock, world, sensor, estimator, decision, controller] = assembly.boxes;
+  PlanarEstimate unwatched, watched;
+  watched.belief.keep_trace(true);
+  while (const Tick tick = clock->next()) {
+    const Observation seen = sensor->look({}, tick);
+    for (PlanarEstimate* estimate : {&unwatched, &watched}) estimator.update(*estimate, {}, seen, tick);
+    EXPECT_TRUE(unwatched.belief.trace().empty());
+    EXPECT_FALSE(watched.belief.trace().empty());
+    watched.belief.clear_trace();
+  }
+  EXPECT_EQ(watched.belief.dense_covariance(), unwatched.belief.dense_covariance());
+}
+
+}  // namespace
+}  // namespace incognita

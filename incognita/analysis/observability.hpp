@@ -64,7 +64,8 @@ struct ObservabilityAnalysis {
   std::vector<Linearisation> error_forms;  ///< F and H of each segment
   std::vector<SegmentAnalysis> segments;
   SeenSpace local, fisher;
-  double growth = 1;  ///< of small differences along the motion: the largest entry of a transition from its start
+  double growth =
+      1;  ///< of small differences along the motion: the largest entry of a transition from its start
   std::vector<StateInformation> information;
   std::optional<LieAnalysis> lie;
   std::vector<UnobservableDirection> lie_directions;

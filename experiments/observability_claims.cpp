@@ -65,10 +65,12 @@ Study::Study(Case which) : which_(std::move(which)) {
     courses_.push_back(course_of(instance, motion));
     std::vector<double> durations;
     for (const MotionSegment& segment : motion.segments) durations.push_back(segment.duration_s);
-    for (int k = 1; k <= which_.segments; ++k) {
-      const auto at = static_cast<std::size_t>(k - 1);
-      stripped_[at].push_back(null_space(stripped_observability(courses_.back().forms, k)));
-      total_[at].push_back(null_space(total_observability(courses_.back().forms, durations, k)));
+    const auto& forms = courses_.back().forms;
+    const auto Q = segment_observability(forms);
+    const auto stripped = stripped_observability(Q), total = total_observability(Q, forms, durations);
+    for (std::size_t k = 0; k < stripped_.size(); ++k) {
+      stripped_[k].push_back(null_space(stripped[k]));
+      total_[k].push_back(null_space(total[k]));
     }
   }
 }
@@ -143,7 +145,7 @@ Spaces null_spaces(const Study& study, const std::function<Eigen::MatrixXd(const
   Spaces spaces;
   for (const Course& course : study.courses()) {
     const Eigen::MatrixXd M = matrix(course);
-    spaces.push_back(null_space({M, Eigen::VectorXd::Zero(M.rows()), false}));
+    spaces.push_back(null_space(NoisyRows::exact(M)));
   }
   return spaces;
 }
@@ -202,7 +204,8 @@ Spaces stripped_with(const Study& study, int k,
   for (const Course& course : study.courses()) {
     std::vector<Linearisation> forms = course.forms;
     for (std::size_t j = 0; j < forms.size(); ++j) change(forms[j], course.points[j]);
-    spaces.push_back(null_space(stripped_observability(forms, k)));
+    const auto upto = stripped_observability(segment_observability(forms));
+    spaces.push_back(null_space(upto[static_cast<std::size_t>(k - 1)]));
   }
   return spaces;
 }

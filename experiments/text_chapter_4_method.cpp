@@ -78,7 +78,7 @@ Claim steps() {
     const auto left_after = [&](int count) {
       MatrixXd Q(count, n), row = H * T;
       for (int k = 0; k < count; ++k, row = (row * T.transpose() * F * T).eval()) Q.row(k) = row;
-      return null_space({Q, VectorXd::Zero(count), false});
+      return null_space(NoisyRows::exact(Q));
     };
     same_space = same_space && left_after(n).nullity == 2 && same({left_after(n)}, {left_after(5 * n)});
   }

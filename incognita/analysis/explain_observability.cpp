@@ -46,9 +46,11 @@ std::vector<NamedDirection> combinations(const NullSpace& space, const std::vect
     names.push_back(whole[static_cast<std::size_t>(i)]->name);
   }
   const Eigen::MatrixXd outside = scaled - space.scaled_null * (space.scaled_null.transpose() * scaled);
-  NoisyRows rows{outside, Eigen::VectorXd::Zero(n), true};
+  NoisyRows rows = NoisyRows::exact(outside);
+  rows.noise.setConstant(1e-12 * scaled.colwise().norm().maxCoeff());
+  rows.weighed = true;
   std::vector<NamedDirection> found;
-  for (const Eigen::VectorXd& c : readable_basis(null_space(rows).basis)) {
+  for (const Eigen::VectorXd& c : readable_basis(null_space(rows))) {
     NamedDirection direction{written_combination(c, names), Eigen::VectorXd::Zero(n)};
     for (Eigen::Index i = 0; i < count; ++i)
       direction.vector += c[i] * whole[static_cast<std::size_t>(i)]->vector;
@@ -85,7 +87,12 @@ std::vector<UnobservableDirection> named_directions(const NullSpace& space,
     const Eigen::VectorXd alone = Eigen::VectorXd::Unit(space.column_scale.size(), i);
     if (space.contains(alone)) take(states[static_cast<std::size_t>(i)], alone);
   }
-  for (const Eigen::VectorXd& v : readable_basis(space.basis)) take(written_combination(v, states), v);
+  for (const Eigen::VectorXd& v : readable_basis(space)) take(written_combination(v, states), v);
+  // What rounding kept those from spanning
+  for (Eigen::Index i = 0; i < space.nullity; ++i) {
+    const Eigen::VectorXd v = space.column_scale.cwiseProduct(space.scaled_null.col(i));
+    take(written_combination(v, states), v);
+  }
   return directions;
 }
 
@@ -98,48 +105,77 @@ SeenSpace seen_space(const NoisyRows& rows, const std::vector<NamedDirection>& n
 
 namespace {
 
-/// The SOM against the motion itself: it freezes H while F moves the vehicle on.
-void compare_with_motion(const ObservabilityAnalysis& a, std::vector<std::string>& said) {
-  const int local = a.local.space.nullity, frozen = a.segments.back().stripped.space.nullity;
-  if (local == frozen) return;
-  const std::string k = counted(static_cast<int>(a.segments.size()), "segment", "segments");
-  if (frozen < local) {
-    said.push_back(
-        "SOM over " + k + " leaves " + std::to_string(frozen) + " unobservable, the motion itself " +
-        std::to_string(local) + " (" + list_of(a.local.directions) +
-        "): inside a segment H stays frozen while F moves the vehicle on, and what does not change a "
-        "single look seems to. A filter that linearises anew at each estimate believes the same.");
-  } else {
-    said.push_back("SOM over " + k + " leaves " + std::to_string(frozen) + " unobservable (" +
-                   list_of(a.segments.back().stripped.directions) + "), the motion itself " +
-                   std::to_string(local) +
-                   ": the change of H within a segment, which SOM drops, is what shows "
-                   "the rest.");
+/// Where ranks that are compared are not both clear there is nothing to explain.
+bool both_clear(const NullSpace& a, const NullSpace& b) { return !a.ambiguous && !b.ambiguous; }
+
+constexpr const char* not_clear = "one of these ranks is not clear.";
+constexpr const char* not_known = "why is not known; digits may have been lost on the way.";
+
+bool differ(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
+  return ((a - b).array().abs() > 1e-6 * (a.array().abs() + b.array().abs())).any();
+}
+
+/// Whether F or H change while inputs are held.
+bool form_changes(const SystemInstance& instance, const std::vector<MotionSample>& samples) {
+  for (std::size_t i = 1; i < samples.size(); ++i) {
+    if (samples[i].point.u != samples[i - 1].point.u) continue;
+    const Linearisation before = instance.linearise(samples[i - 1].point),
+                        now = instance.linearise(samples[i].point);
+    if (differ(before.F, now.F) || differ(before.H, now.H)) return true;
   }
+  return false;
+}
+
+/// The SOM against the motion itself: it freezes H while F moves the vehicle on.
+void compare_with_motion(const ObservabilityAnalysis& a, bool changes, std::vector<std::string>& said) {
+  const SeenSpace& stripped = a.segments.back().stripped;
+  const int local = a.local.space.nullity, frozen = stripped.space.nullity;
+  if (local == frozen) return;
+  const bool more = frozen < local;
+  const std::string cause =
+      !both_clear(stripped.space, a.local.space) ? not_clear
+      : !changes                                 ? not_known
+      : more ? "inside a segment H stays frozen while F moves the vehicle on, and what does not change a "
+               "single look seems to. A filter that linearises anew at each estimate believes the same."
+             : "the change of H within a segment, which SOM drops, is what shows the rest.";
+  said.push_back("SOM over " + counted(static_cast<int>(a.segments.size()), "segment", "segments") +
+                 " leaves " + std::to_string(frozen) + " unobservable" +
+                 (more ? "" : " (" + list_of(stripped.directions) + ")") + ", the motion itself " +
+                 std::to_string(local) + (more ? " (" + list_of(a.local.directions) + ")" : "") + ": " +
+                 cause);
 }
 
 void compare_som_and_tom(const ObservabilityAnalysis& a, std::vector<std::string>& said) {
   for (std::size_t k = 0; k < a.segments.size(); ++k) {
     const SegmentAnalysis& s = a.segments[k];
     if (s.stripped.space.nullity == s.total.space.nullity) continue;
+    const std::string cause =
+        !both_clear(s.stripped.space, s.total.space) ? not_clear
+        : s.condition_holds ? "condition (4.9) holds for each segment, so that one of the ranks is wrong."
+                            : "condition (4.9) does not hold, so that SOM may not stand for TOM.";
     said.push_back("After segment " + std::to_string(k + 1) + " SOM leaves " +
                    std::to_string(s.stripped.space.nullity) + " unobservable and TOM " +
-                   std::to_string(s.total.space.nullity) + ": condition (4.9) " +
-                   (s.condition_holds ? "holds for each segment, so that one of the ranks is wrong"
-                                      : "does not hold, so that SOM may not stand for TOM") +
-                   ".");
+                   std::to_string(s.total.space.nullity) + ": " + cause);
   }
 }
 
-void compare_with_lie(const ObservabilityAnalysis& a, std::vector<std::string>& said) {
+std::string cause_of_lie(const ObservabilityAnalysis& a, bool inputs_vary) {
+  const LieAnalysis& lie = *a.lie;
+  if (!both_clear(lie.space, a.local.space)) return not_clear;
+  if (lie.space.nullity < a.local.space.nullity)
+    return inputs_vary ? "other inputs of this kind than the ones held here would show more." : not_known;
+  if (!lie.closed) return "the order of the Lie derivatives was limited.";
+  if (lie.space.rank < lie.generic_rank)
+    return "the motion leaves its starting point, at which the Lie derivatives are taken, and sees more from "
+           "elsewhere.";
+  return lie.inputs_nonlinear ? "the Lie derivatives were taken at a few drawn inputs only." : not_known;
+}
+
+void compare_with_lie(const ObservabilityAnalysis& a, bool inputs_vary, std::vector<std::string>& said) {
   if (!a.lie || a.lie->space.nullity == a.local.space.nullity) return;
-  const int lie = a.lie->space.nullity, local = a.local.space.nullity;
-  said.push_back("Lie derivatives leave " + std::to_string(lie) + " unobservable, this motion " +
-                 std::to_string(local) + ": " +
-                 (lie < local     ? "other inputs of this kind than the ones held here would show more."
-                  : a.lie->closed ? "the motion leaves its starting point, at which the Lie derivatives are "
-                                    "taken, and sees more from elsewhere."
-                                  : "the order of the Lie derivatives was limited."));
+  said.push_back("Lie derivatives leave " + std::to_string(a.lie->space.nullity) +
+                 " unobservable, this motion " + std::to_string(a.local.space.nullity) + ": " +
+                 cause_of_lie(a, inputs_vary));
 }
 
 /// The same rows, weighed with the noises.
@@ -147,9 +183,11 @@ void compare_with_information(const ObservabilityAnalysis& a, std::vector<std::s
   const int local = a.local.space.nullity, weighed = a.fisher.space.nullity;
   if (local == weighed) return;
   said.push_back("The Fisher information leaves " + std::to_string(weighed) + " unobservable, the motion " +
-                 std::to_string(local) +
-                 ": the measurements' sigmas differ so much that beside the best of them the "
-                 "others count as nothing.");
+                 std::to_string(local) + ": " +
+                 (both_clear(a.fisher.space, a.local.space)
+                      ? "the measurements' sigmas differ so much that beside the best of them the others "
+                        "count as nothing."
+                      : not_clear));
 }
 
 /// The same segments in plain differences of the states: SOM's rank depends on coordinates.
@@ -160,15 +198,15 @@ void compare_coordinates(const ObservabilityAnalysis& a, const SystemInstance& i
   std::vector<Linearisation> exact;
   for (const MotionSegment& s : motion.segments) exact.push_back(instance.linearise(s.start));
   std::string stated, plain;
-  bool differ = false;
-  for (int k = 1; k <= static_cast<int>(exact.size()); ++k) {
-    const int here = null_space(stripped_observability(exact, k), rank).nullity;
-    const int there = a.segments[static_cast<std::size_t>(k - 1)].stripped.space.nullity;
-    differ = differ || here != there;
-    stated += (k > 1 ? "/" : "") + std::to_string(there);
-    plain += (k > 1 ? "/" : "") + std::to_string(here);
+  bool all_alike = true;
+  const auto upto = stripped_observability(segment_observability(exact));
+  for (std::size_t k = 0; k < exact.size(); ++k) {
+    const int here = null_space(upto[k], rank).nullity, there = a.segments[k].stripped.space.nullity;
+    all_alike = all_alike && here == there;
+    stated += (k > 0 ? "/" : "") + std::to_string(there);
+    plain += (k > 0 ? "/" : "") + std::to_string(here);
   }
-  if (differ)
+  if (!all_alike)
     said.push_back("SOM in the stated error form leaves " + stated +
                    " unobservable, in plain derivatives of the "
                    "same equations " +
@@ -178,11 +216,18 @@ void compare_coordinates(const ObservabilityAnalysis& a, const SystemInstance& i
 }  // namespace
 
 std::vector<std::string> disagreements_in(const ObservabilityAnalysis& a, const SystemInstance& instance,
-                                          const SystemMotion& motion, const NullSpaceSettings& rank) {
+                                          const SystemMotion& motion,
+                                          const std::vector<MotionSample>& samples,
+                                          const NullSpaceSettings& rank) {
   std::vector<std::string> said;
-  compare_with_motion(a, said);
+  compare_with_motion(a, form_changes(instance, samples), said);
   compare_som_and_tom(a, said);
-  compare_with_lie(a, said);
+  const auto& others = motion.other_inputs;
+  compare_with_lie(
+      a,
+      std::any_of(others.begin(), others.end(),
+                  [&](const Eigen::VectorXd& u) { return u != motion.segments.front().start.u; }),
+      said);
   compare_with_information(a, said);
   compare_coordinates(a, instance, motion, rank, said);
   return said;
@@ -192,11 +237,18 @@ std::vector<std::string> doubts_in(const ObservabilityAnalysis& a) {
   std::vector<std::string> doubts;
   const auto look = [&](const std::string& what, const NullSpace& space) {
     if (!space.ambiguous) return;
-    char gap[32];
+    if (std::isinf(space.gap)) {
+      doubts.push_back("The rank of " + what + " is not clear: " + std::to_string(space.rank) +
+                       " is the best guess, but it leaves out effects that are as small as rounding and may "
+                       "be more.");
+      return;
+    }
+    char gap[32], least[32];
     std::snprintf(gap, sizeof gap, "%.2g", space.gap);
+    std::snprintf(least, sizeof least, "%.2g", space.least);
     doubts.push_back("The rank of " + what + " is not clear: " + std::to_string(space.rank) +
-                     " is the best guess, but the singular values around it differ by a factor of only " +
-                     gap + ".");
+                     " is the best guess: the least singular value that counts is " + least +
+                     " of the largest, " + gap + " times the next.");
   };
   for (std::size_t k = 0; k < a.segments.size(); ++k) {
     look("SOM after segment " + std::to_string(k + 1), a.segments[k].stripped.space);
@@ -213,7 +265,11 @@ std::vector<std::string> doubts_in(const ObservabilityAnalysis& a) {
   }
   if (!a.lie) return doubts;
   look("the Lie derivatives", a.lie->space);
-  if (!a.lie->closed)
+  if (a.lie->missed)
+    doubts.push_back(
+        "Lie derivatives that add next to nothing were not derived further; a state or a unit of very "
+        "different size than the others may hide what they show.");
+  else if (!a.lie->closed)
     doubts.push_back("The Lie derivatives were followed to order " + std::to_string(a.lie->orders_examined) +
                      " only; higher ones (--lie-order) might show more.");
   if (a.lie->space.rank < a.lie->generic_rank)

@@ -20,6 +20,7 @@ SeenSpace seen_space(const NoisyRows& rows, const std::vector<NamedDirection>& n
 
 std::vector<std::string> disagreements_in(const ObservabilityAnalysis& analysis,
                                           const SystemInstance& instance, const SystemMotion& motion,
+                                          const std::vector<MotionSample>& samples,
                                           const NullSpaceSettings& rank);
 
 std::vector<std::string> doubts_in(const ObservabilityAnalysis& analysis);

@@ -79,8 +79,8 @@ ExpressionGraph::Slot ExpressionGraph::define(const std::string& name, Owner own
     }
   } catch (const SystemError&) {
     throw;
-  } catch (const std::exception& error) {
-    throw SystemError(place, "`" + name + "`: " + error.what());
+  } catch (const std::exception&) {
+    throw SystemError(place, "`" + name + "` " + no_value);
   }
   quantity.name = name;
   quantity.place = place;
@@ -139,19 +139,17 @@ GiNaC::ex ExpressionGraph::derivative(const GiNaC::ex& expression, Slot atom,
 }
 
 void ExpressionGraph::prepare(Evaluation& evaluation, int columns) const {
-  const auto count = static_cast<std::size_t>(size());
-  const auto before = static_cast<Slot>(evaluation.magnitude.size());
-  evaluation.value.resize(count, 0.0);
-  evaluation.magnitude.resize(count, 0.0);
-  if (evaluation.gradient.cols() != size() || evaluation.gradient.rows() != columns) {
-    const Eigen::MatrixXd old = std::move(evaluation.gradient);
-    evaluation.gradient = Eigen::MatrixXd::Zero(columns, size());
-    if (old.rows() == columns) evaluation.gradient.leftCols(old.cols()) = old;
+  const auto before = static_cast<Slot>(evaluation.value.size());
+  evaluation.value.resize(static_cast<std::size_t>(size()), 0.0);
+  for (Eigen::MatrixXd* M : {&evaluation.gradient, &evaluation.terms}) {
+    if (M->cols() == size() && M->rows() == columns) continue;
+    const Eigen::MatrixXd old = std::move(*M);
+    *M = Eigen::MatrixXd::Zero(columns, size());
+    if (old.rows() == columns) M->leftCols(old.cols()) = old;
   }
   for (Slot slot = before; slot < size(); ++slot) {
-    if ((*this)[slot].column < 0) continue;
-    evaluation.gradient((*this)[slot].column, slot) = 1;
-    evaluation.magnitude[static_cast<std::size_t>(slot)] = 1;
+    const int column = (*this)[slot].column;
+    if (column >= 0) evaluation.gradient(column, slot) = evaluation.terms(column, slot) = 1;
   }
 }
 
@@ -186,12 +184,12 @@ void ExpressionGraph::evaluate(Owner owner, Evaluation& e, bool with_gradients,
     if (!std::isfinite(e.value[at])) refuse_value(q, "is not finite");
     if (!with_gradients) continue;
     e.gradient.col(slot).setZero();
-    e.magnitude[at] = 0;
+    e.terms.col(slot).setZero();
     for (std::size_t i = 0; i < q.partials.size(); ++i) {
       const double partial = q.partial_tapes[i].run(e.value, e.scratch);
       if (!std::isfinite(partial)) refuse_value(q, "has no finite derivative");
       e.gradient.col(slot) += partial * e.gradient.col(q.partials[i].first);
-      e.magnitude[at] += std::abs(partial) * e.magnitude[static_cast<std::size_t>(q.partials[i].first)];
+      e.terms.col(slot) += std::abs(partial) * e.terms.col(q.partials[i].first);
     }
   }
 }

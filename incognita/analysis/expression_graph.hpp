@@ -61,9 +61,9 @@ class ExpressionGraph {
   /// Values, and gradients to the states, of every quantity of one owner; those of the vehicle must stand
   /// there already when it is another's. Throws SystemError where one is not finite.
   struct Evaluation {
-    std::vector<double> value;      ///< by slot; atoms are set from outside
-    Eigen::MatrixXd gradient;       ///< column of a state x slot
-    std::vector<double> magnitude;  ///< of the terms of each gradient: its rounding is 1e-16 of it
+    std::vector<double> value;  ///< by slot; atoms are set from outside
+    Eigen::MatrixXd gradient;   ///< column of a state x slot
+    Eigen::MatrixXd terms;      ///< likewise: size of what was added up to each; its rounding is 1e-16 of it
     std::vector<double> scratch;
   };
   void prepare(Evaluation& evaluation, int columns) const;

@@ -29,6 +29,7 @@ struct LieAnalysis {
   int order = 0;                  ///< highest that raised the rank
   int orders_examined = 0;        ///< highest that was computed
   bool closed = false;            ///< no further derivative can raise the rank; else the limit was hit
+  bool missed = false;            ///< what the search took for nothing new may be something: not closed
   int generic_rank = 0;           ///< at a point of the region that no kind of motion restricts
   bool inputs_nonlinear = false;  ///< some fields are rates at drawn inputs
   std::vector<std::string> fields;

@@ -28,26 +28,28 @@ class PointRows {
 
   /// Every quantity anew, now that the algebra has grown.
   void refresh(const LieAlgebra& algebra, const SystemInstance& shape);
-  /// The rows of a word; returns how many directions they add.
+  /// The rows of a word; returns how many directions they seem to add.
   int add(const Word& word, const SystemInstance& shape);
+  /// Decides the rank of all rows so far.
+  void settle(const NullSpaceSettings& settings) { space_ = null_space(rows_, settings); }
 
-  const NoisyRows& rows() const { return rows_; }
-  int rank() const { return static_cast<int>(span_.cols()); }
+  const NullSpace& space() const { return space_; }
+  int directions() const { return static_cast<int>(span_.cols()); }
 
  private:
   struct Gradients {
     Owner owner;
     int first;
-    Eigen::MatrixXd gradient;
-    std::vector<double> magnitude;
+    Eigen::MatrixXd gradient, terms;
   };
 
   SystemPoint point_;
   const std::vector<Eigen::VectorXd>* other_inputs_;
   std::vector<Gradients> gradients_;
   NoisyRows rows_;
-  Eigen::MatrixXd span_;  // orthonormal columns
-  double largest_ = 0;    // row so far
+  NullSpace space_;
+  Eigen::MatrixXd span_;  // orthonormal columns, in the units of the states
+  double largest_ = 0;    // row so far, likewise
 };
 
 void PointRows::refresh(const LieAlgebra& algebra, const SystemInstance& shape) {
@@ -60,31 +62,35 @@ void PointRows::refresh(const LieAlgebra& algebra, const SystemInstance& shape) 
       if (algebra.input_copies()[set][i] >= 0)
         grown.hold(algebra.input_copies()[set][i], (*other_inputs_)[set][static_cast<Eigen::Index>(i)]);
   grown.visit(point_, true, [&](Owner owner, const SymbolicSystem::Block&, int, int first, const auto& e) {
-    gradients_.push_back({owner, first, e.gradient, e.magnitude});
+    gradients_.push_back({owner, first, e.gradient, e.terms});
   });
 }
 
 int PointRows::add(const Word& word, const SystemInstance& shape) {
   const int n = shape.states();
+  const Eigen::VectorXd& units = shape.units();
   const auto vehicle = static_cast<Eigen::Index>(shape.system().vehicle.states.size());
   if (span_.rows() != n) span_.resize(n, 0);
   int added = 0;
   for (const Gradients& g : gradients_) {
     if (g.owner != word.owner) continue;
-    Eigen::VectorXd row = Eigen::VectorXd::Zero(n);
-    const auto gradient = g.gradient.col(word.slot);
-    row.head(vehicle) = gradient.head(vehicle);
-    if (g.owner == Owner::landmark)
-      row.segment(g.first, gradient.size() - vehicle) = gradient.tail(gradient.size() - vehicle);
+    const auto spread = [&](const Eigen::VectorXd& of_block) {
+      Eigen::VectorXd row = Eigen::VectorXd::Zero(n);
+      row.head(vehicle) = of_block.head(vehicle);
+      const auto own = of_block.size() - vehicle;
+      if (g.owner == Owner::landmark) row.segment(g.first, own) = of_block.tail(own);
+      return row;
+    };
+    const Eigen::VectorXd row = spread(g.gradient.col(word.slot)), in_units = row.cwiseProduct(units);
     // Where values cancel, as at an equilibrium, what should be 0 is rounding of other rows' size
-    largest_ = std::max(largest_, row.norm());
-    const double noise =
-        std::max(1e-13 * n * g.magnitude[static_cast<std::size_t>(word.slot)], 1e-12 * largest_);
-    rows_.append(row.transpose(), Eigen::VectorXd::Constant(1, noise));
-    if (row.norm() <= noise) continue;
-    Eigen::VectorXd rest = row.normalized();
+    largest_ = std::max(largest_, in_units.norm());
+    const Eigen::VectorXd noise =
+        (1e-13 * n * spread(g.terms.col(word.slot))).cwiseMax(1e-14 * largest_ * units.cwiseInverse());
+    rows_.append({row.transpose(), noise.transpose(), false, {}});
+    if ((row.array().abs() <= noise.array()).all()) continue;
+    Eigen::VectorXd rest = in_units.normalized();
     for (int twice = 0; twice < 2; ++twice) rest -= span_ * (span_.transpose() * rest);
-    constexpr double nothing_new = 1e-7;
+    constexpr double nothing_new = 1e-8;
     if (rest.norm() < nothing_new) continue;
     span_.conservativeResize(n, span_.cols() + 1);
     span_.rightCols(1) = rest.normalized();
@@ -136,9 +142,9 @@ class Search {
     first_new_ = algebra_.system().graph.size();
   }
 
-  void run(const LieSettings& settings, LieAnalysis& result) {
+  void run(const LieSettings& settings, const NullSpaceSettings& rank, LieAnalysis& result) {
     std::vector<Word> front = measurements();
-    keep(front, result);
+    keep(front, rank, result);
     for (int order = 1; order <= settings.max_order && !front.empty(); ++order) {
       if (full()) break;
       std::vector<Word> next;
@@ -149,15 +155,18 @@ class Search {
             next.push_back({word.owner, slot, order, word.place, false});
         }
       result.orders_examined = order;
-      keep(next, result);
+      keep(next, rank, result);
       front = std::move(next);
     }
-    result.closed = front.empty() || full();
+    result.missed = !full() && std::any_of(points_.begin(), points_.end(), [](const PointRows& p) {
+      return p.directions() < p.space().rank || p.space().ambiguous;
+    });
+    result.closed = full() || (front.empty() && !result.missed);
   }
 
-  void report(LieAnalysis& result, const NullSpaceSettings& rank) const {
-    result.space = null_space(points_[0].rows(), rank);
-    result.generic_rank = null_space(points_[1].rows(), rank).rank;
+  void report(LieAnalysis& result) const {
+    result.space = points_[0].space();
+    result.generic_rank = points_[1].space().rank;
     result.inputs_nonlinear = algebra_.inputs_nonlinear();
     for (const VectorField& field : algebra_.fields()) result.fields.push_back(field.name);
     for (const Word& word : words_) result.rows.push_back(row_of(algebra_.system(), word, first_new_));
@@ -166,7 +175,7 @@ class Search {
  private:
   bool full() const {
     return std::all_of(points_.begin(), points_.end(),
-                       [&](const PointRows& p) { return p.rank() == instance_.states(); });
+                       [&](const PointRows& p) { return p.space().rank == instance_.states(); });
   }
 
   bool seen(Slot slot, Owner owner) const {
@@ -193,7 +202,7 @@ class Search {
   }
 
   /// Takes the words up, and leaves in the list those that raised the rank somewhere.
-  void keep(std::vector<Word>& words, LieAnalysis& result) {
+  void keep(std::vector<Word>& words, const NullSpaceSettings& rank, LieAnalysis& result) {
     for (PointRows& point : points_) point.refresh(algebra_, instance_);
     std::vector<Word> raising;
     for (Word& word : words) {
@@ -204,6 +213,7 @@ class Search {
       raising.push_back(word);
       result.order = std::max(result.order, word.order);
     }
+    for (PointRows& point : points_) point.settle(rank);
     words = std::move(raising);
   }
 
@@ -220,8 +230,8 @@ LieAnalysis analyse_lie(const SystemInstance& instance, const SystemMotion& moti
                         const LieSettings& settings, const NullSpaceSettings& rank) {
   LieAnalysis result;
   Search search(instance, motion, random);
-  search.run(settings, result);
-  search.report(result, rank);
+  search.run(settings, rank, result);
+  search.report(result);
   return result;
 }
 

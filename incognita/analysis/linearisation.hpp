@@ -17,8 +17,8 @@ struct Linearisation {
   Eigen::MatrixXd F;        ///< n x n
   Eigen::MatrixXd H;        ///< m x n
   Eigen::VectorXd sigma;    ///< m, of the measurements' noise
-  Eigen::VectorXd F_terms;  ///< n: size of what was added up to each row of F; its rounding is 1e-16 of it
-  Eigen::VectorXd H_terms;  ///< m
+  Eigen::MatrixXd F_terms;  ///< n x n: size of what was added up to each entry; its rounding is 1e-16 of it
+  Eigen::MatrixXd H_terms;  ///< m x n
 };
 
 }  // namespace incognita

@@ -11,24 +11,40 @@
 namespace incognita {
 namespace {
 
-/// Rows that are more than rounding, each of length one unless they are weighed already.
+/// Entries that are more than rounding, in rows of length one unless they are weighed already; rows of
+/// nothing are left out.
 Eigen::MatrixXd unit_rows(const NoisyRows& M) {
   Eigen::MatrixXd kept(M.rows.rows(), M.rows.cols());
   Eigen::Index count = 0;
   for (Eigen::Index i = 0; i < M.rows.rows(); ++i) {
-    const double length = M.rows.row(i).stableNorm();
-    if (length > M.noise[i]) kept.row(count++) = M.rows.row(i) / (M.weighed ? 1 : length);
+    const auto counts = M.rows.row(i).array().abs() > M.noise.row(i).array();
+    const Eigen::RowVectorXd row = counts.select(M.rows.row(i).array(), 0.0);
+    const double length = row.stableNorm();
+    if (length > 0) kept.row(count++) = row / (M.weighed ? 1 : length);
   }
   return kept.topRows(count);
 }
 
-/// What brings every column to length one. A column whose entries are rounding beside rows of length one is
-/// left as it is: it is nothing, and must not be made something.
-Eigen::VectorXd scale_of_columns(const Eigen::MatrixXd& M, double nothing) {
+/// Columns that are left with nothing, and had more than what rounding commonly leaves.
+std::vector<bool> faint_columns(const NoisyRows& M, const Eigen::MatrixXd& kept) {
+  std::vector<bool> faint(static_cast<std::size_t>(M.rows.cols()));
+  for (Eigen::Index j = 0; j < M.rows.cols(); ++j) {
+    if (kept.rows() > 0 && kept.col(j).cwiseAbs().maxCoeff() > 0) continue;
+    const auto at = static_cast<std::size_t>(j);
+    faint[at] = at < M.faint.size() && M.faint[at];
+    // Bounds of rounding are generous
+    for (Eigen::Index i = 0; i < M.rows.rows() && !faint[at]; ++i)
+      faint[at] = std::abs(M.rows(i, j)) > 1e-5 * M.noise(i, j);
+  }
+  return faint;
+}
+
+/// What brings every column to length one.
+Eigen::VectorXd scale_of_columns(const Eigen::MatrixXd& M) {
   Eigen::VectorXd scale = Eigen::VectorXd::Ones(M.cols());
   for (Eigen::Index j = 0; j < M.cols(); ++j) {
     const double length = M.col(j).stableNorm();
-    if (length > nothing) scale[j] = 1 / length;
+    if (length > 0) scale[j] = 1 / length;
   }
   return scale;
 }
@@ -54,6 +70,7 @@ void decide(NullSpace& space, const NullSpaceSettings& settings) {
   const double left_out = space.nullity > 0 ? s[space.rank] : 0;
   // Below this part of the largest a singular value is rounding, however it compares with others like it
   const double rounding = n > 0 ? s[0] * 1e-13 : 0;
+  space.least = space.rank > 0 ? s[space.rank - 1] / s[0] : 0;
   space.gap =
       space.rank > 0 && left_out > 0 ? s[space.rank - 1] / left_out : std::numeric_limits<double>::infinity();
   space.ambiguous = left_out > rounding && space.gap < settings.clear_gap;
@@ -63,28 +80,42 @@ void decide(NullSpace& space, const NullSpaceSettings& settings) {
 
 }  // namespace
 
-void NoisyRows::append(const Eigen::MatrixXd& more, const Eigen::VectorXd& their_noise) {
-  if (more.rows() != their_noise.size()) throw std::invalid_argument("a row without its noise");
-  const Eigen::Index before = rows.rows();
-  rows.conservativeResize(before + more.rows(), more.cols());
-  noise.conservativeResize(before + more.rows());
-  rows.bottomRows(more.rows()) = more;
-  noise.tail(more.rows()) = their_noise;
+NoisyRows NoisyRows::exact(const Eigen::MatrixXd& rows) {
+  return {rows, Eigen::MatrixXd::Zero(rows.rows(), rows.cols()), false, {}};
+}
+
+void NoisyRows::append(const NoisyRows& more) {
+  if (more.rows.rows() != more.noise.rows() || more.rows.cols() != more.noise.cols())
+    throw std::invalid_argument("an entry without its noise");
+  const Eigen::Index before = rows.rows(), after = before + more.rows.rows(), n = more.rows.cols();
+  rows.conservativeResize(after, n);
+  noise.conservativeResize(after, n);
+  rows.bottomRows(after - before) = more.rows;
+  noise.bottomRows(after - before) = more.noise;
+  faint.resize(std::max(faint.size(), more.faint.size()));
+  for (std::size_t j = 0; j < more.faint.size(); ++j) faint[j] = faint[j] || more.faint[j];
+}
+
+NoisyRows NoisyRows::condensed() const {
+  const Eigen::MatrixXd kept = unit_rows(*this);
+  NoisyRows all = exact(kept.rows() > kept.cols() ? triangle(kept) : kept);
+  all.weighed = true;
+  all.faint = faint_columns(*this, kept);
+  return all;
 }
 
 NullSpace null_space(const NoisyRows& M, const NullSpaceSettings& settings) {
   const Eigen::MatrixXd rows = unit_rows(M);
   NullSpace space;
   const Eigen::Index n = M.rows.cols();
-  double largest = 0;
-  for (Eigen::Index j = 0; j < rows.cols() && rows.rows() > 0; ++j)
-    largest = std::max(largest, rows.col(j).stableNorm());
-  space.column_scale = scale_of_columns(rows, 0.1 * settings.tolerance * largest);
+  space.column_scale = scale_of_columns(rows);
   const Eigen::MatrixXd R = triangle(rows * space.column_scale.asDiagonal());
   const Eigen::BDCSVD<Eigen::MatrixXd> svd(R, Eigen::ComputeFullV);
   space.singular_values = svd.singularValues();
   space.scaled_right = svd.matrixV();
   decide(space, settings);
+  const std::vector<bool> faint = faint_columns(M, rows);
+  if (std::find(faint.begin(), faint.end(), true) != faint.end()) space.ambiguous = true;
   space.scaled_null = space.scaled_right.rightCols(space.nullity);
   const Eigen::MatrixXd unscaled = space.column_scale.asDiagonal() * space.scaled_null;
   const Eigen::HouseholderQR<Eigen::MatrixXd> qr(unscaled);
@@ -122,12 +153,14 @@ void reduce(Eigen::MatrixXd& B) {
   }
 }
 
-/// The smallest multiple that makes every entry a whole number, where a small one does.
-Eigen::VectorXd as_integers(const Eigen::VectorXd& v) {
+/// The smallest multiple that makes every entry a whole number, where a small one does and stays in the
+/// space.
+Eigen::VectorXd as_integers(const Eigen::VectorXd& v, const NullSpace& space) {
   constexpr int largest_multiple = 12, largest_entry = 60;
   for (int multiple = 1; multiple <= largest_multiple; ++multiple) {
     const Eigen::VectorXd scaled = v * multiple, whole = scaled.array().round();
-    if ((scaled - whole).cwiseAbs().maxCoeff() < 1e-7 && whole.cwiseAbs().maxCoeff() <= largest_entry)
+    if ((scaled - whole).cwiseAbs().maxCoeff() < 1e-7 && whole.cwiseAbs().maxCoeff() <= largest_entry &&
+        space.contains(whole))
       return whole;
   }
   return v;
@@ -135,16 +168,21 @@ Eigen::VectorXd as_integers(const Eigen::VectorXd& v) {
 
 }  // namespace
 
-std::vector<Eigen::VectorXd> readable_basis(const Eigen::MatrixXd& basis) {
-  Eigen::MatrixXd B = basis.transpose();
+std::vector<Eigen::VectorXd> readable_basis(const NullSpace& space) {
+  // Where all columns weigh alike: what is small there is small in any units
+  Eigen::MatrixXd B = space.scaled_null.transpose();
   reduce(B);
   std::vector<Eigen::VectorXd> vectors;
   for (Eigen::Index i = 0; i < B.rows(); ++i) {
     Eigen::VectorXd v = B.row(i);
     const double largest = v.cwiseAbs().maxCoeff();
-    for (double& entry : v)
-      if (std::abs(entry) < 1e-9 * largest) entry = 0;
-    vectors.push_back(as_integers(v));
+    Eigen::Index leading = -1;
+    for (Eigen::Index j = 0; j < v.size(); ++j) {
+      if (std::abs(v[j]) < 1e-9 * largest) v[j] = 0;
+      if (leading < 0 && v[j] != 0) leading = j;
+    }
+    v = v.cwiseProduct(space.column_scale / (v[leading] * space.column_scale[leading]));
+    vectors.push_back(as_integers(v, space));
   }
   return vectors;
 }

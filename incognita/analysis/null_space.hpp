@@ -8,13 +8,18 @@
 
 namespace incognita {
 
-/// Rows of a matrix M to analyse, each with how large its rounding may be.
+/// Rows of a matrix M to analyse, each entry with how large its rounding may be.
 struct NoisyRows {
-  Eigen::MatrixXd rows;   ///< m x n
-  Eigen::VectorXd noise;  ///< m: a row no longer than this is nothing but rounding
-  bool weighed = false;   ///< lengths of rows mean something: they are not brought to one
+  Eigen::MatrixXd rows;     ///< m x n
+  Eigen::MatrixXd noise;    ///< m x n: an entry no larger than this is nothing but rounding
+  bool weighed = false;     ///< lengths of rows mean something: they are not brought to one
+  std::vector<bool> faint;  ///< n, or none: columns that rows no longer here had only rounding in, it seems
 
-  void append(const Eigen::MatrixXd& more, const Eigen::VectorXd& their_noise);
+  static NoisyRows exact(const Eigen::MatrixXd& rows);
+  void append(const NoisyRows& more);
+  /// At most n rows with the same ranks and null space, those of length one where they are not weighed: to
+  /// carry on with instead of these.
+  NoisyRows condensed() const;
 };
 
 struct NullSpaceSettings {
@@ -28,6 +33,7 @@ struct NullSpace {
   Eigen::MatrixXd basis;            ///< n x nullity, orthonormal columns
   Eigen::VectorXd singular_values;  ///< of the scaled matrix, the largest first; n of them
   double gap = 0;          ///< last that counts over first that does not; infinite where that is 0 or none
+  double least = 0;        ///< last that counts over the largest; 0 where none does
   bool ambiguous = false;  ///< the gap is less than the clear one: the rank is the best guess, and no more
 
   /// How much of the direction is seen: |M d| of the scaled matrix over the largest singular value, for a
@@ -46,8 +52,8 @@ struct NullSpace {
 NullSpace null_space(const NoisyRows& rows, const NullSpaceSettings& settings = {});
 
 /// The same space in reduced row-echelon form: sparse, leading with the first states, entries that are
-/// rationals of small denominators as small integers. Rows of the result are its vectors.
-std::vector<Eigen::VectorXd> readable_basis(const Eigen::MatrixXd& basis);
+/// rationals of small denominators as small integers. As many vectors as the nullity.
+std::vector<Eigen::VectorXd> readable_basis(const NullSpace& space);
 
 /// The coordinates in which a vector of the space may be other than zero: whether any has more than
 /// `tolerance` there.

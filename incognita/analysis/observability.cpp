@@ -18,16 +18,14 @@ std::vector<SegmentAnalysis> analyse_segments(const SystemInstance& instance, co
   std::vector<double> durations;
   for (const MotionSegment& s : motion.segments) durations.push_back(s.duration_s);
   const auto named = instance.directions(motion.segments.front().start, true);
+  const auto Q = segment_observability(forms);
+  const auto stripped = stripped_observability(Q), total = total_observability(Q, forms, durations);
   std::vector<SegmentAnalysis> segments;
   bool holds = true;
-  for (int k = 1; k <= static_cast<int>(forms.size()); ++k) {
-    const Linearisation& last = forms[static_cast<std::size_t>(k - 1)];
-    holds = holds && null_space_stays(last, null_space(segment_observability(last), rank));
-    SegmentAnalysis segment;
-    segment.condition_holds = holds;
-    segment.stripped = seen_space(stripped_observability(forms, k), named, instance.error_names(), rank);
-    segment.total = seen_space(total_observability(forms, durations, k), named, instance.error_names(), rank);
-    segments.push_back(std::move(segment));
+  for (std::size_t k = 0; k < forms.size(); ++k) {
+    holds = holds && null_space_stays(forms[k], null_space(Q[k], rank));
+    segments.push_back({seen_space(stripped[k], named, instance.error_names(), rank),
+                        seen_space(total[k], named, instance.error_names(), rank), holds});
   }
   return segments;
 }
@@ -93,7 +91,7 @@ ObservabilityAnalysis analyse_observability(const SystemText& text, const Observ
     analysis.lie = analyse_lie(instance, motion, random, settings.lie_settings, settings.rank);
     analysis.lie_directions = named_directions(analysis.lie->space, named, instance.names());
   }
-  analysis.disagreements = disagreements_in(analysis, instance, motion, settings.rank);
+  analysis.disagreements = disagreements_in(analysis, instance, motion, samples, settings.rank);
   analysis.doubts = doubts_in(analysis);
   return analysis;
 }

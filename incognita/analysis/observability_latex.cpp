@@ -2,6 +2,7 @@
 #include <ginac/ginac.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <set>
@@ -24,6 +25,27 @@ struct SymbolicMatrices {
 };
 
 ex entry_of(const SymbolicSystem& s, Slot slot) { return *s.graph[slot].expression; }
+
+/// Any text, in text.
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '\\' || c == '^' || c == '~') {
+      out += c == '\\' ? "\\textbackslash{}" : std::string("\\") + c + "{}";
+      continue;
+    }
+    if (std::string("_%&#${}").find(c) != std::string::npos) out += '\\';
+    out += c;
+  }
+  return out;
+}
+
+/// Names of errors may be any text.
+std::string latex_error(const std::string& name) {
+  const bool plain =
+      std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) || c == '_'; });
+  return "\\tilde{" + (plain ? latex_name(name) : "\\text{" + escaped(name) + "}") + "}";
+}
 
 SymbolicMatrices matrices_of(const SymbolicSystem& s) {
   const bool stated = s.text.error_form.has_value();
@@ -51,10 +73,8 @@ SymbolicMatrices matrices_of(const SymbolicSystem& s) {
       ++row_of_H;
     }
   }
-  for (const std::string& name : s.vehicle_error_names)
-    out.columns.push_back("\\tilde{" + latex_name(name) + "}");
-  for (const std::string& name : s.landmark_error_names)
-    out.columns.push_back("\\tilde{" + latex_name(name) + "}");
+  for (const auto* names : {&s.vehicle_error_names, &s.landmark_error_names})
+    for (const std::string& name : *names) out.columns.push_back(latex_error(name));
   return out;
 }
 
@@ -135,15 +155,6 @@ std::string definitions_of(const SymbolicSystem& s, const SymbolicMatrices& m) {
   for (const Slot slot : used)
     text += "\\[ " + latex_name(s.graph[slot].name) + " = " + in_latex(*s.graph[slot].expression) + " \\]\n";
   return text;
-}
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (std::string("_%&#${}").find(c) != std::string::npos) out += '\\';
-    out += c;
-  }
-  return out;
 }
 
 std::string lie_rows(const LieAnalysis& lie) {

@@ -112,15 +112,17 @@ GiNaC::ex parse_expression(const ExpressionText& text, const std::map<std::strin
     return computed(in_postfix_order(checked_tokens(text.text, known)), names);
   } catch (const ExpressionError& error) {
     throw SystemError(place_in(text, error.offset), error.what());
-  } catch (const std::exception& error) {
-    // Exact arithmetic met what has no value: 1/0, log(0), atan2(0, 0)
-    throw SystemError(text.place, quoted_name(text.text) + ": " + error.what());
+  } catch (const std::exception&) {
+    // Exact arithmetic met 1/0, log(0), atan2(0, 0); its own words name the algebra's classes
+    throw SystemError(text.place, quoted_name(text.text) + " " + no_value);
   }
 }
 
 std::string latex_name(const std::string& name) {
-  static const std::set<std::string> greek{"alpha", "beta",  "gamma", "delta", "theta", "phi",
-                                           "psi",   "omega", "rho",   "tau",   "mu"};
+  static const std::set<std::string> greek{
+      "alpha", "beta", "gamma", "delta",   "epsilon", "zeta",  "eta",   "theta", "iota",  "kappa", "lambda",
+      "mu",    "nu",   "xi",    "pi",      "rho",     "sigma", "tau",   "phi",   "chi",   "psi",   "omega",
+      "Gamma", "Xi",   "Delta", "upsilon", "Lambda",  "Pi",    "Theta", "Sigma", "Omega", "Phi",   "Psi"};
   std::size_t letters = 0;
   while (letters < name.size() && std::isalpha(static_cast<unsigned char>(name[letters]))) ++letters;
   std::string head = name.substr(0, letters), rest = name.substr(letters);

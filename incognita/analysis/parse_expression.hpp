@@ -15,7 +15,10 @@ namespace incognita {
 /// finite real number, as far as that shows without values.
 GiNaC::ex parse_expression(const ExpressionText& text, const std::map<std::string, GiNaC::ex>& names);
 
-/// A name's text as a person typesets it: `theta` is \theta, `xf` x_{f}.
+/// Said of an expression that the algebra finds to have none, whatever the values.
+inline constexpr const char* no_value = "has no value: a division by zero, or a function outside its domain";
+
+/// A name as a person typesets it: `theta` is \theta, `xf` x_{f}. Letters, digits and underscores only.
 std::string latex_name(const std::string& name);
 
 }  // namespace incognita

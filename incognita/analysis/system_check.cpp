@@ -221,6 +221,20 @@ class SystemCheck {
     if (system_.landmark->states.empty())
       throw SystemError({}, "a landmark needs a state; one whose place is known is an anchor");
     check_block(*system_.landmark, landmark_);
+    need_tellable_names();
+  }
+
+  /// State y of landmark 1 is shown as y_1.
+  void need_tellable_names() const {
+    for (const NamedExpression& state : system_.vehicle.states) {
+      const std::size_t bar = state.name.rfind('_');
+      if (bar == std::string::npos || bar + 1 == state.name.size()) continue;
+      const bool number = state.name.find_first_not_of("0123456789", bar + 1) == std::string::npos;
+      if (number && contains(landmark_states(), state.name.substr(0, bar)))
+        throw SystemError(state.place, quoted_name(state.name) + " is what state " +
+                                           quoted_name(state.name.substr(0, bar)) +
+                                           " of a landmark is called; choose another name");
+    }
   }
 
   void check_anchor() {

@@ -20,6 +20,12 @@ std::vector<std::string> names_of(const std::vector<NamedExpression>& states) {
   return names;
 }
 
+/// How wide its region is; of a state that is given, its size.
+double unit_of(const NamedRange& range) {
+  const double width = range.high - range.low, size = std::abs(range.high);
+  return width > 0 ? width : size > 0 ? size : 1;
+}
+
 /// Fills rows of a matrix over all states from a block's columns: the vehicle's states, then one landmark's.
 struct RowWriter {
   int vehicle_states;
@@ -54,6 +60,11 @@ SystemInstance::SystemInstance(const SymbolicSystem& system, int landmarks, int 
   std::vector<ExpressionGraph::Slot> rates = system.vehicle.rates;
   rates.insert(rates.end(), system.landmark.rates.begin(), system.landmark.rates.end());
   for_rates_ = system.graph.needed_for(rates);
+  units_.resize(states_);
+  int state = 0;
+  for (const NamedRange& range : system.vehicle.region) units_[state++] = unit_of(range);
+  for (int i = 0; i < landmarks; ++i)
+    for (const NamedRange& range : system.landmark.region) units_[state++] = unit_of(range);
   append_names(names_, names_of(text.vehicle.states), -1);
   append_names(error_names_, system.vehicle_error_names, -1);
   for (int i = 0; i < landmarks; ++i) {
@@ -91,18 +102,18 @@ Eigen::MatrixXd SystemInstance::rate_derivative(const SystemPoint& point) const 
 Linearisation SystemInstance::linearise(const SystemPoint& point) const {
   const int vehicle_states = static_cast<int>(system_->vehicle.states.size());
   Linearisation l{Eigen::MatrixXd::Zero(states_, states_), Eigen::MatrixXd::Zero(measurements_, states_),
-                  Eigen::VectorXd(measurements_), Eigen::VectorXd::Zero(states_),
-                  Eigen::VectorXd::Zero(measurements_)};
+                  Eigen::VectorXd(measurements_), Eigen::MatrixXd::Zero(states_, states_),
+                  Eigen::MatrixXd::Zero(measurements_, states_)};
   int row = 0;
   visit(point, true, [&](Owner owner, const Block& block, int, int first, const Evaluation& e) {
     const RowWriter writer{vehicle_states, owner == Owner::landmark ? first : -1};
     for (std::size_t i = 0; i < block.rates.size(); ++i) {
       writer.gradient(l.F, first + static_cast<int>(i), e.gradient.col(block.rates[i]));
-      l.F_terms[first + static_cast<int>(i)] = e.magnitude[block.rates[i]];
+      writer.gradient(l.F_terms, first + static_cast<int>(i), e.terms.col(block.rates[i]));
     }
     for (std::size_t i = 0; i < block.measurements.size(); ++i, ++row) {
       writer.gradient(l.H, row, e.gradient.col(block.measurements[i]));
-      l.H_terms[row] = e.magnitude[block.measurements[i]];
+      writer.gradient(l.H_terms, row, e.terms.col(block.measurements[i]));
       l.sigma[row] = block.sigmas[i];
     }
   });
@@ -113,8 +124,8 @@ Linearisation SystemInstance::error_form(const SystemPoint& point) const {
   if (!has_error_form()) return linearise(point);
   const int vehicle_states = static_cast<int>(system_->vehicle.states.size());
   Linearisation l{Eigen::MatrixXd::Zero(states_, states_), Eigen::MatrixXd::Zero(measurements_, states_),
-                  Eigen::VectorXd(measurements_), Eigen::VectorXd::Zero(states_),
-                  Eigen::VectorXd::Zero(measurements_)};
+                  Eigen::VectorXd(measurements_), Eigen::MatrixXd::Zero(states_, states_),
+                  Eigen::MatrixXd::Zero(measurements_, states_)};
   int row = 0;
   visit(point, false, [&](Owner owner, const Block& block, int, int first, const Evaluation& e) {
     const RowWriter writer{vehicle_states, owner == Owner::landmark ? first : -1};
@@ -124,7 +135,8 @@ Linearisation SystemInstance::error_form(const SystemPoint& point) const {
       l.H(row + entry.row, writer.column(entry.column)) = e.value[entry.value];
     for (const double sigma : block.sigmas) l.sigma[row++] = sigma;
   });
-  l.F_terms = l.F.rowwise().norm();
+  l.F_terms = l.F.cwiseAbs();
+  // What an entry's expression adds up is not known: it may be as large as the others
   l.H_terms.setConstant(l.H.norm());
   return l;
 }

@@ -31,6 +31,9 @@ class SystemInstance {
   const std::vector<std::string>& error_names() const { return error_names_; }  ///< of the error form
   bool has_error_form() const { return system_->text.error_form.has_value(); }
 
+  /// n: what is much of each state, by its region. Sizes of states are compared in these.
+  const Eigen::VectorXd& units() const { return units_; }
+
   /// All of these throw SystemError where an expression has no finite value.
   Eigen::VectorXd rate(const SystemPoint& point) const;
   /// The F of linearise(), without the work for H.
@@ -59,6 +62,7 @@ class SystemInstance {
   const SymbolicSystem* system_;
   int landmarks_, anchors_, states_, measurements_;
   std::vector<std::string> names_, error_names_;
+  Eigen::VectorXd units_;
   std::vector<std::pair<ExpressionGraph::Slot, double>> held_;
   std::vector<bool> for_rates_;                     // quantities, by slot
   mutable ExpressionGraph::Evaluation evaluation_;  // room to work

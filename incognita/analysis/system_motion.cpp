@@ -112,21 +112,25 @@ std::string written_number(double value) {
                         "segment_duration_s");
 }
 
-/// From t = 0 to `duration` with inputs held. `transition`: n x any, moved on by dY = F Y dt; may have no
-/// columns.
+/// From t = 0 to `duration` with inputs held. `transition`: n x any, in the units of the states (du = D^-1
+/// dx, D those units), moved on by dY = D^-1 F D Y dt; may have no columns.
 void integrate(const SystemInstance& instance, SystemPoint& at, Eigen::MatrixXd& transition,
                double duration) {
   const Eigen::Index n = instance.states(), columns = transition.cols();
-  Numbers y(at.x.begin(), at.x.end());
+  const Eigen::VectorXd& units = instance.units();
+  const Eigen::VectorXd start = at.x.cwiseQuotient(units);
+  Numbers y(start.begin(), start.end());
   y.insert(y.end(), transition.data(), transition.data() + transition.size());
   SystemPoint now = at;
   const auto rates = [&](const Numbers& from, Numbers& rate, double) {
-    now.x = Eigen::Map<const Eigen::VectorXd>(from.data(), n);
+    now.x = units.cwiseProduct(Eigen::Map<const Eigen::VectorXd>(from.data(), n));
     if (!now.x.allFinite()) refuse_blow_up(instance, duration);
-    Eigen::Map<Eigen::VectorXd>(rate.data(), n) = instance.rate(now);
+    Eigen::Map<Eigen::VectorXd>(rate.data(), n) = instance.rate(now).cwiseQuotient(units);
     if (columns == 0) return;
+    const Eigen::MatrixXd F =
+        units.cwiseInverse().asDiagonal() * instance.rate_derivative(now) * units.asDiagonal();
     Eigen::Map<Eigen::MatrixXd>(rate.data() + n, n, columns) =
-        instance.rate_derivative(now) * Eigen::Map<const Eigen::MatrixXd>(from.data() + n, n, columns);
+        F * Eigen::Map<const Eigen::MatrixXd>(from.data() + n, n, columns);
   };
   const auto stepper = odeint::make_controlled<odeint::runge_kutta_dopri5<Numbers>>(1e-12, 1e-12);
   int steps = 0;
@@ -138,7 +142,7 @@ void integrate(const SystemInstance& instance, SystemPoint& at, Eigen::MatrixXd&
   } catch (const odeint::odeint_error&) {
     refuse_blow_up(instance, duration);
   }
-  at.x = Eigen::Map<const Eigen::VectorXd>(y.data(), n);
+  at.x = units.cwiseProduct(Eigen::Map<const Eigen::VectorXd>(y.data(), n));
   transition = Eigen::Map<const Eigen::MatrixXd>(y.data() + n, n, columns);
 }
 
@@ -186,32 +190,62 @@ double moment(std::size_t segment, int look, int looks) {
   return (look + 0.6 * (turns - std::floor(turns) - 0.5)) / looks;
 }
 
+/// What has become of differences at the start and of jumps since, both in the units of the states.
+class Transition {
+ public:
+  Transition(const SystemInstance& instance, std::size_t segments) : instance_(instance) {
+    const auto& disturbed = instance.system().disturbed;
+    const Eigen::Index n = instance.states();
+    jump_units_.resize(static_cast<Eigen::Index>(disturbed.size() * (segments - 1)));
+    for (Eigen::Index i = 0; i < jump_units_.size(); ++i)
+      jump_units_[i] = instance.units()[disturbed[static_cast<std::size_t>(i) % disturbed.size()]];
+    matrix_ = Eigen::MatrixXd::Zero(n, n + jump_units_.size());
+    matrix_.leftCols(n).setIdentity();
+  }
+
+  /// At the start of a segment, from 1: its disturbed states may jump.
+  void jump(std::size_t segment) {
+    const auto& disturbed = instance_.system().disturbed;
+    const auto first = static_cast<Eigen::Index>((segment - 1) * disturbed.size()) + instance_.states();
+    for (std::size_t i = 0; i < disturbed.size(); ++i)
+      matrix_(disturbed[i], first + static_cast<Eigen::Index>(i)) += 1;
+  }
+
+  MotionSample sample(double t, const SystemPoint& at) const {
+    const Eigen::VectorXd& units = instance_.units();
+    const auto n = instance_.states();
+    return {
+        t, at, units.asDiagonal() * matrix_.leftCols(n) * units.cwiseInverse().asDiagonal(),
+        units.asDiagonal() * matrix_.rightCols(jump_units_.size()) * jump_units_.cwiseInverse().asDiagonal()};
+  }
+
+  Eigen::MatrixXd& matrix() { return matrix_; }
+
+ private:
+  const SystemInstance& instance_;
+  Eigen::VectorXd jump_units_;
+  Eigen::MatrixXd matrix_;
+};
+
 }  // namespace
 
 std::vector<MotionSample> follow(const SystemInstance& instance, const SystemMotion& motion,
                                  int per_segment) {
-  const Eigen::Index n = instance.states();
-  const auto& disturbed = instance.system().disturbed;
-  const auto jumps = static_cast<Eigen::Index>(disturbed.size() * (motion.segments.size() - 1));
-  Eigen::MatrixXd transition = Eigen::MatrixXd::Zero(n, n + jumps);
-  transition.leftCols(n).setIdentity();
+  Transition transition(instance, motion.segments.size());
   std::vector<MotionSample> samples;
   double t = 0;
   for (std::size_t k = 0; k < motion.segments.size(); ++k) {
     const MotionSegment& segment = motion.segments[k];
     SystemPoint at = segment.start;
-    if (k > 0)
-      for (std::size_t i = 0; i < disturbed.size(); ++i)
-        transition(disturbed[i], n + static_cast<Eigen::Index>((k - 1) * disturbed.size() + i)) += 1;
+    if (k > 0) transition.jump(k);
     for (int i = 0; i < per_segment; ++i) {
-      samples.push_back({t, at, transition.leftCols(n), transition.rightCols(jumps)});
+      samples.push_back(transition.sample(t, at));
       const double until = moment(k, i + 1, per_segment) * segment.duration_s;
       const double stretch = until - moment(k, i, per_segment) * segment.duration_s;
-      integrate(instance, at, transition, stretch);
+      integrate(instance, at, transition.matrix(), stretch);
       t += stretch;
     }
-    if (k + 1 == motion.segments.size())
-      samples.push_back({t, at, transition.leftCols(n), transition.rightCols(jumps)});
+    if (k + 1 == motion.segments.size()) samples.push_back(transition.sample(t, at));
   }
   return samples;
 }

@@ -36,7 +36,7 @@ struct MotionSample {
 };
 
 /// `per_segment` moments in each segment, its start the first of them, and the end of the last segment.
-/// Integrated adaptively (Dormand-Prince, Odeint) to 1e-12.
+/// Integrated adaptively (Dormand-Prince, Odeint) to 1e-12, in the units of the states.
 std::vector<MotionSample> follow(const SystemInstance& instance, const SystemMotion& motion, int per_segment);
 
 }  // namespace incognita

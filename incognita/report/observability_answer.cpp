@@ -11,15 +11,20 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string gap_text(double gap) { return std::isinf(gap) ? "exact" : fmt::format("{:.0e}", gap); }
+std::string gap_text(const NullSpace& space) {
+  return space.nullity == 0      ? "none left"
+         : std::isinf(space.gap) ? "exact"
+                                 : fmt::format("{:.0e}", space.gap);
+}
 
 std::string row(const std::string& method, const NullSpace& space, const std::string& note) {
-  return fmt::format("  {:<30}{:>5}{:>9}{:>9}   {}{}\n", method, space.rank, space.nullity,
-                     gap_text(space.gap), space.ambiguous ? "not clear; " : "", note);
+  return fmt::format("  {:<30}{:>5}{:>9}{:>9.0e}{:>11}   {}{}\n", method, space.rank, space.nullity,
+                     space.least, gap_text(space), space.ambiguous ? "not clear; " : "", note);
 }
 
 std::string rows_of(const ObservabilityAnalysis& a) {
-  std::string text = fmt::format("  {:<30}{:>5}{:>9}{:>9}\n", "method", "rank", "nullity", "gap");
+  std::string text =
+      fmt::format("  {:<30}{:>5}{:>9}{:>9}{:>11}\n", "method", "rank", "nullity", "least", "gap");
   for (std::size_t k = 0; k < a.segments.size(); ++k) {
     const SegmentAnalysis& s = a.segments[k];
     const std::string upto = k == 0 ? "segment 1" : fmt::format("segments 1 to {}", k + 1);
@@ -29,9 +34,11 @@ std::string rows_of(const ObservabilityAnalysis& a) {
   text += row("along the motion", a.local.space, "");
   text += row("Fisher information", a.fisher.space, "");
   if (!a.lie) return text;
-  const std::string order =
-      fmt::format("order {}{}{}", a.lie->order, a.lie->closed ? ", no more to come" : ", limit reached",
-                  a.lie->inputs_nonlinear ? "; at drawn inputs" : "");
+  const std::string order = fmt::format("order {}{}{}", a.lie->order,
+                                        a.lie->closed   ? ", no more to come"
+                                        : a.lie->missed ? ", more may come"
+                                                        : ", limit reached",
+                                        a.lie->inputs_nonlinear ? "; at drawn inputs" : "");
   return text + row("Lie derivatives", a.lie->space, order);
 }
 
@@ -79,7 +86,9 @@ std::string observability_table(const SystemText& text, const ObservabilityAnaly
   out += rows_of(a);
   out += fmt::format(
       "\nRanks: singular values above {:.0e} of the largest, rows and columns brought to length one.\n"
-      "Gap: last that counts over first that does not; less than {:.0e} is called not clear.\n\n",
+      "Least: last that counts over the largest. Gap: it over the first that does not count; less than "
+      "{:.0e}, "
+      "or values close to the tolerance, are called not clear.\n\n",
       settings.rank.tolerance, settings.rank.clear_gap);
   const std::size_t segments = a.segments.size();
   out += vectors_of(fmt::format("SOM does not see, after {}", counted(int(segments), "segment", "segments")),
@@ -107,14 +116,16 @@ Json directions_json(const std::vector<UnobservableDirection>& directions) {
 
 Json segment_json(const SegmentAnalysis& s) {
   Json vectors = Json::array();
-  for (const Eigen::VectorXd& v : readable_basis(s.stripped.space.basis)) vectors.push_back(numbers(v));
+  for (const Eigen::VectorXd& v : readable_basis(s.stripped.space)) vectors.push_back(numbers(v));
   return {{"som_nullity", s.stripped.space.nullity},
           {"tom_nullity", s.total.space.nullity},
           {"condition_holds", s.condition_holds},
           {"nullspace", vectors},
           {"directions", directions_json(s.stripped.directions)},
           {"som_gap", gap_json(s.stripped.space)},
-          {"tom_gap", gap_json(s.total.space)}};
+          {"som_least", s.stripped.space.least},
+          {"tom_gap", gap_json(s.total.space)},
+          {"tom_least", s.total.space.least}};
 }
 
 Json lie_rows(const LieAnalysis& lie) {
@@ -147,12 +158,15 @@ std::string observability_json(const ObservabilityAnalysis& a, const Observabili
             {"segments", Json::array()},
             {"local_nullity", a.local.space.nullity},
             {"local_gap", gap_json(a.local.space)},
+            {"local_least", a.local.space.least},
             {"fisher_nullity", a.fisher.space.nullity},
             {"fisher_gap", gap_json(a.fisher.space)},
+            {"fisher_least", a.fisher.space.least},
             {"lie_nullity", a.lie ? Json(a.lie->space.nullity) : Json()},
             {"lie_order", a.lie ? Json(a.lie->order) : Json()},
             {"lie_closed", a.lie ? Json(a.lie->closed) : Json()},
             {"lie_gap", a.lie ? gap_json(a.lie->space) : Json()},
+            {"lie_least", a.lie ? Json(a.lie->space.least) : Json()},
             {"lie_rows", a.lie ? lie_rows(*a.lie) : Json::array()},
             {"directions", directions_json(a.local.directions)},
             {"information", Json::array()},

@@ -18,7 +18,7 @@ Eigen::MatrixXd random_matrix(int rows, int columns, RandomStream& random) {
   return M;
 }
 
-NoisyRows exact(const Eigen::MatrixXd& M) { return {M, Eigen::VectorXd::Zero(M.rows())}; }
+NoisyRows exact(const Eigen::MatrixXd& M) { return NoisyRows::exact(M); }
 
 TEST(NullSpace, HasTheRankThatTheMatrixWasMadeWith) {
   RandomStream random(1, "ranks");
@@ -47,7 +47,8 @@ TEST(NullSpace, DoesNotDependOnUnits) {
 }
 
 TEST(NullSpace, LeavesOutRowsThatAreRounding) {
-  NoisyRows M{Eigen::MatrixXd(3, 3), Eigen::Vector3d(1e-15, 1e-15, 1e-15)};
+  NoisyRows M = exact(Eigen::MatrixXd(3, 3));
+  M.noise.setConstant(1e-15);
   M.rows << 1, 0, 0, 0, 1, 0, 1e-17, 3e-17, 1e-16;
   EXPECT_EQ(null_space(M).rank, 2);
   M.noise.setZero();
@@ -56,8 +57,41 @@ TEST(NullSpace, LeavesOutRowsThatAreRounding) {
 
 TEST(NullSpace, DoesNotRaiseAColumnOfRounding) {
   Eigen::MatrixXd M(3, 3);
-  M << 1, 2, 1e-16, 3, 4, -2e-16, 5, 7, 1e-16;
-  EXPECT_EQ(null_space(exact(M)).rank, 2);
+  M << 1, 2, 1e-18, 3, 4, -2e-18, 5, 7, 1e-18;
+  NoisyRows rows = exact(M);
+  rows.noise.setConstant(1e-12);
+  const NullSpace space = null_space(rows);
+  EXPECT_EQ(space.rank, 2);
+  EXPECT_FALSE(space.ambiguous);
+}
+
+TEST(NullSpace, SaysThatAFaintColumnMayBeSomething) {
+  Eigen::MatrixXd M(3, 3);
+  M << 1, 2, 1e-13, 3, 4, -2e-13, 5, 7, 1e-13;
+  NoisyRows rows = exact(M);
+  rows.noise.setConstant(1e-12);
+  for (const NoisyRows& r : {rows, rows.condensed()}) {
+    EXPECT_EQ(null_space(r).rank, 2);
+    EXPECT_TRUE(null_space(r).ambiguous);
+  }
+  EXPECT_EQ(null_space(exact(M)).rank, 3) << "the same entries, when they are said to be exact";
+}
+
+TEST(NullSpace, IsThatOfCondensedRows) {
+  RandomStream random(5, "condensed");
+  NoisyRows all = exact(Eigen::MatrixXd(0, 6)), carried = all;
+  for (int part = 0; part < 4; ++part) {
+    const NoisyRows more = exact(random_matrix(9, 1, random) * random_matrix(1, 6, random));
+    all.append(more);
+    NoisyRows both = more.condensed();
+    both.append(carried);
+    carried = both.condensed();
+    const NullSpace whole = null_space(all), from_less = null_space(carried);
+    EXPECT_LE(carried.rows.rows(), 6);
+    ASSERT_EQ(whole.rank, part + 1);
+    ASSERT_EQ(from_less.rank, part + 1);
+    for (int j = 0; j < whole.nullity; ++j) EXPECT_TRUE(from_less.contains(whole.basis.col(j)));
+  }
 }
 
 TEST(NullSpace, SaysWhenTheGapIsNotClear) {
@@ -79,7 +113,7 @@ TEST(NullSpace, OfNothingIsEverything) {
   const NullSpace space = null_space(exact(Eigen::MatrixXd::Zero(2, 4)));
   EXPECT_EQ(space.nullity, 4);
   EXPECT_TRUE(space.contains(Eigen::Vector4d::UnitX()));
-  EXPECT_EQ(null_space({Eigen::MatrixXd(0, 3), Eigen::VectorXd(0)}).nullity, 3);
+  EXPECT_EQ(null_space(exact(Eigen::MatrixXd(0, 3))).nullity, 3);
 }
 
 TEST(NullSpace, KnowsItsDirectionsInAnyUnits) {
@@ -92,21 +126,40 @@ TEST(NullSpace, KnowsItsDirectionsInAnyUnits) {
   EXPECT_GT(space.seen(Eigen::Vector3d::UnitY()), 0.1);
 }
 
+/// Whose null space the columns of B span.
+NullSpace space_of(const Eigen::MatrixXd& B) {
+  const Eigen::MatrixXd Q = B.householderQr().householderQ();
+  return null_space(exact(Q.rightCols(B.rows() - B.cols()).transpose()));
+}
+
+TEST(ReadableBasis, StaysInTheSpaceInAnyUnits) {
+  for (const double k : {1e-11, 1e-9, 1.0, 1e9, 1e11}) {
+    Eigen::MatrixXd M(2, 4);
+    M << 1, -k, 0, 0, 0, k, -1, 0;  // x = k y = z, and w, which nothing sees
+    const NullSpace space = null_space(exact(M));
+    const auto basis = readable_basis(space);
+    ASSERT_EQ(basis.size(), 2u);
+    for (const Eigen::VectorXd& v : basis)
+      EXPECT_TRUE(space.contains(v)) << "k = " << k << ": " << v.transpose();
+    EXPECT_EQ(basis[1], Eigen::Vector4d(0, 0, 0, 1));
+  }
+}
+
 TEST(ReadableBasis, IsSparseAndWholeWhereThatIsExact) {
   RandomStream random(4, "basis");
   Eigen::MatrixXd nice(5, 2);  // thesis (4.20)
   nice << 1, 0, 0, 1, 0, 0, 1, 0, 0, 1;
   const Eigen::MatrixXd mixed = nice * random_matrix(2, 2, random);
-  const auto basis = readable_basis(mixed);
+  const auto basis = readable_basis(space_of(mixed));
   ASSERT_EQ(basis.size(), 2u);
   EXPECT_EQ(basis[0], nice.col(0));
   EXPECT_EQ(basis[1], nice.col(1));
 }
 
 TEST(ReadableBasis, TurnsSmallFractionsIntoWholeNumbersAndKeepsOthers) {
-  EXPECT_EQ(readable_basis(Eigen::Vector3d(2, 1, 0) / 7).front(), Eigen::Vector3d(2, 1, 0));
-  EXPECT_EQ(readable_basis(Eigen::Vector3d(3, -2, 1e-13)).front(), Eigen::Vector3d(3, -2, 0));
-  const Eigen::VectorXd kept = readable_basis(Eigen::Vector2d(1, std::sqrt(2))).front();
+  EXPECT_EQ(readable_basis(space_of(Eigen::Vector3d(2, 1, 0) / 7)).front(), Eigen::Vector3d(2, 1, 0));
+  EXPECT_EQ(readable_basis(space_of(Eigen::Vector3d(3, -2, 1e-13))).front(), Eigen::Vector3d(3, -2, 0));
+  const Eigen::VectorXd kept = readable_basis(space_of(Eigen::Vector2d(1, std::sqrt(2)))).front();
   EXPECT_DOUBLE_EQ(kept[1], std::sqrt(2));
 }
 

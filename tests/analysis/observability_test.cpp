@@ -378,12 +378,52 @@ Place refused(const std::string& text, const std::string& because) {
   return {};
 }
 
+SystemText chain_of(const std::string& factor) {
+  const std::string f = factor + "*";
+  return read_system("name = \"chain\"\n[states]\nx = \"" + f + "v\"\nv = \"" + f + "w\"\nw = \"" + f +
+                         "q\"\nq = 0\n[region]\nx = [-1, 1]\nv = [-1, 1]\nw = [-1, 1]\nq = [-1, 1]\n"
+                         "[measurements]\nz = \"x\"\n",
+                     "chain.toml");
+}
+
+TEST(Observability, DoesNotDependOnUnits) {
+  const std::vector<std::pair<std::string, std::string>> units{
+      {"1e-11", "[1e11, 2e11]"}, {"1e-9", "[1e9, 2e9]"},     {"1", "[1, 2]"},
+      {"1e9", "[1e-9, 2e-9]"},   {"1e11", "[1e-11, 2e-11]"}, {"1e9", "[1, 2]"}};
+  for (const auto& [k, region] : units) {
+    const std::string text = std::string("name = \"sum\"\n[states]\nx = 0\ny = 0\nw = 0\n[region]\n") +
+                             "x = [-1, 1]\ny = " + region + "\nw = [-1, 1]\n[measurements]\nz = \"x + " + k +
+                             "*y\"\n";
+    const ObservabilityAnalysis a = analyse_observability(read_system(text, "sum.toml"), {.landmarks = 0});
+    for (const NullSpace* space :
+         {&a.segments.back().stripped.space, &a.segments.back().total.space, &a.local.space, &a.lie->space}) {
+      EXPECT_EQ(space->nullity, 2) << text;
+      EXPECT_FALSE(space->ambiguous) << text;
+    }
+    ASSERT_EQ(a.local.directions.size(), 2u);
+    for (const auto& d : a.local.directions) EXPECT_TRUE(a.local.space.contains(d.vector)) << text << d.name;
+  }
+}
+
+TEST(Observability, SaysWhatIsTooSmallToTell) {
+  const ObservabilityAnalysis clear = analyse_observability(chain_of("0.01"), {.landmarks = 0});
+  EXPECT_EQ(clear.lie->space.nullity, 0);
+  EXPECT_EQ(clear.local.space.nullity, 0);
+  EXPECT_TRUE(clear.disagreements.empty());
+  // The last state acts on the measurement by 1e-18 of the first
+  const ObservabilityAnalysis faint = analyse_observability(chain_of("1e-6"), {.landmarks = 0});
+  EXPECT_TRUE(faint.local.space.nullity == 0 || faint.local.space.ambiguous);
+  EXPECT_TRUE(faint.lie->space.nullity == 0 || !faint.lie->closed);
+  for (const std::string& said : faint.disagreements)
+    EXPECT_EQ(said.find("stays frozen"), std::string::npos) << said;
+}
+
 TEST(Observability, SaysWhereAnExpressionHasNoValue) {
-  EXPECT_EQ(refused("1/(x - x)", "").line, 7);
+  EXPECT_EQ(refused("1/(x - x)", "a division by zero").line, 7);
   EXPECT_EQ(refused("1/(x*0.5 + x/2 - 2*x/2 + sin(x - x))", "").column, 6);
   EXPECT_EQ(refused("log(sin(x) - 2)", "operating point").column, 6);
   EXPECT_EQ(refused("sqrt(-x)", "not finite").line, 7);
-  EXPECT_EQ(refused("log(0)", "").line, 7);
+  EXPECT_EQ(refused("log(0)", "has no value").line, 7);
   EXPECT_EQ(refused("sqrt(-2)*x", "not finite").line, 7);
 }
 

@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 /// What rows do not see.
-NullSpace of(const MatrixXd& rows) { return null_space({rows, VectorXd::Zero(rows.rows()), false}); }
+NullSpace of(const MatrixXd& rows) { return null_space(NoisyRows::exact(rows)); }
 
 /// Sees the first two coordinates' difference only.
 MatrixXd difference() { return (MatrixXd(1, 3) << 1, -1, 0).finished(); }

@@ -358,6 +358,19 @@ TEST(SystemFile, RefusesWrongNames) {
   });
 }
 
+TEST(SystemFile, RefusesNamesThatALandmarksStateWillHave) {
+  const std::string text =
+      "name = \"s\"\n[states]\ny_1 = 0\n[region]\ny_1 = [0, 1]\n[landmark.states]\ny = 0\n"
+      "[landmark.region]\ny = [0, 1]\n[landmark.measurements]\nz = \"y - y_1\"\n";
+  try {
+    read_system(text, "s.toml");
+    FAIL() << "read";
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(),
+                 "s.toml:3:1: `y_1` is what state `y` of a landmark is called; choose another name");
+  }
+}
+
 TEST(SystemFile, RefusesNamesOfNothing) {
   expect_faults({
       {"w = [0.5, 1e1]", "ww = [0.5, 1e1]", "s.toml:19:1: state `ww` has no equation; the nearest is `w`"},

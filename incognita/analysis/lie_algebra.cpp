@@ -104,36 +104,45 @@ VectorField LieAlgebra::field(const std::string& name, const GiNaC::exmap& with)
   return field;
 }
 
-void LieAlgebra::add_fields(int other_inputs) {
-  Inputs inputs = sorted_inputs();
-  nonlinear_ = !is_linear_in(inputs.free);
-  if (nonlinear_) inputs.held.insert(inputs.held.end(), inputs.free.begin(), inputs.free.end());
-  GiNaC::exmap at_rest = inputs.zero;
-  if (!nonlinear_)
-    for (const Slot input : inputs.free) at_rest[system_.graph[input].symbol] = 0;
-  const GiNaC::exmap drift = replaced(at_rest, "(0)");
-  const VectorField zero_field = field("0", drift);
-  if (!zero_field.rates.empty()) fields_.push_back(zero_field);
-  for (std::size_t i = 0; i < inputs.free.size() && !nonlinear_; ++i) {
-    VectorField along{system_.graph[inputs.free[i]].name, {}};
+/// One for each input, of rates that are linear in them: the rates' derivatives, where the others are 0.
+void LieAlgebra::add_input_fields(const std::vector<Slot>& inputs, const GiNaC::exmap& others_zero) {
+  for (const Slot input : inputs) {
+    VectorField along{system_.graph[input].name, {}};
     for (const auto& [state, rate] : rates_of(system_)) {
-      const ex part = system_.graph.derivative(*system_.graph[rate].expression, inputs.free[i]).subs(drift);
+      const ex part = system_.graph.derivative(*system_.graph[rate].expression, input).subs(others_zero);
       if (!part.is_zero()) along.rates[state] = part;
     }
     if (!along.rates.empty()) fields_.push_back(along);
   }
+}
+
+bool LieAlgebra::measures(const std::vector<Slot>& inputs) const {
+  for (const Slot measurement : measurements())
+    for (const Slot input : inputs)
+      if (!system_.graph.derivative(system_.graph[measurement].symbol, input).is_zero()) return true;
+  return false;
+}
+
+void LieAlgebra::add_fields(int other_inputs) {
+  Inputs inputs = sorted_inputs();
+  std::vector<Slot> all = inputs.held;
+  all.insert(all.end(), inputs.free.begin(), inputs.free.end());
+  nonlinear_ = !is_linear_in(inputs.free);
+  if (nonlinear_) {
+    inputs.held = all;
+    inputs.free.clear();
+  }
+  GiNaC::exmap at_rest = inputs.zero;
+  for (const Slot input : inputs.free) at_rest[system_.graph[input].symbol] = 0;
+  const GiNaC::exmap drift = replaced(at_rest, "(0)");
+  const VectorField zero_field = field("0", drift);
+  if (!zero_field.rates.empty()) fields_.push_back(zero_field);
+  add_input_fields(inputs.free, drift);
   // Inputs that are held in one way only make one field
   const int sets = !moves_with(inputs.held) ? 0
                    : nonlinear_             ? other_inputs
                                 : std::min<int>(other_inputs, static_cast<int>(system_.draws.size()));
-  std::vector<Slot> all = inputs.held;
-  if (!nonlinear_) all.insert(all.end(), inputs.free.begin(), inputs.free.end());
-  bool in_measurements = false;
-  for (const Slot measurement : measurements())
-    for (const Slot input : all)
-      in_measurements =
-          in_measurements || !system_.graph.derivative(system_.graph[measurement].symbol, input).is_zero();
-  if (in_measurements)
+  if (measures(all))
     add_further_sets(other_inputs, all, inputs.zero, sets > 0);
   else
     add_further_sets(sets, inputs.held, inputs.zero, true);

@@ -51,7 +51,9 @@ class LieAlgebra {
   bool moves_with(const std::vector<Slot>& inputs) const;
   GiNaC::exmap replaced(GiNaC::exmap inputs, const std::string& tag);
   VectorField field(const std::string& name, const GiNaC::exmap& with) const;
+  bool measures(const std::vector<Slot>& inputs) const;
   void add_fields(int other_inputs);
+  void add_input_fields(const std::vector<Slot>& inputs, const GiNaC::exmap& others_zero);
   void add_further_sets(int count, const std::vector<Slot>& held, const GiNaC::exmap& zero, bool as_fields);
   std::vector<Slot> measurements() const;
 

@@ -56,6 +56,13 @@ int observe(Options options) {
   const SystemText text = load_system(options.system, options.representation);
   options.analysis.landmarks = options.features.value_or(text.landmark ? 1 : 0);
   options.analysis.seed = static_cast<std::uint64_t>(options.seed);
+  const std::size_t states =
+      text.vehicle.states.size() +
+      (text.landmark ? text.landmark->states.size() * static_cast<std::size_t>(options.analysis.landmarks)
+                     : 0);
+  constexpr std::size_t takes_long = 400;  // cost grows with the cube
+  if (states > takes_long)
+    say("observe: {} states; singular values of matrices of this size take minutes\n", states);
   const ObservabilityAnalysis analysis = analyse(text, options);
   if (options.json)
     fmt::print("{}", observability_json(analysis, options.analysis));

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "incognita/app/say.hpp"
-#include "incognita/io/nearest_name.hpp"
+#include "incognita/math/nearest_name.hpp"
 #include "incognita/messages/errors.hpp"
 #include "incognita/record/row_file.hpp"
 #include "incognita/report/ledger.hpp"

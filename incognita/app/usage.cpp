@@ -5,7 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <vector>
 
-#include "incognita/io/nearest_name.hpp"
+#include "incognita/math/nearest_name.hpp"
 
 namespace incognita {
 namespace {

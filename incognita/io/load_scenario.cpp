@@ -6,7 +6,7 @@
 #include <system_error>
 
 #include "incognita/io/files.hpp"
-#include "incognita/io/nearest_name.hpp"
+#include "incognita/math/nearest_name.hpp"
 #include "incognita/io/scenario_checks.hpp"
 #include "incognita/io/settings.hpp"
 #include "incognita/messages/errors.hpp"

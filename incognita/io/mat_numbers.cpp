@@ -9,7 +9,7 @@
 
 #include "incognita/io/files.hpp"
 #include "incognita/io/mat_structure.hpp"
-#include "incognita/io/nearest_name.hpp"
+#include "incognita/math/nearest_name.hpp"
 #include "incognita/messages/errors.hpp"
 
 namespace incognita {

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "incognita/io/files.hpp"
-#include "incognita/io/nearest_name.hpp"
+#include "incognita/math/nearest_name.hpp"
 #include "incognita/messages/errors.hpp"
 #include "incognita/messages/observation.hpp"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-#include "incognita/io/nearest_name.hpp"
+#include "incognita/math/nearest_name.hpp"
 #include "incognita/messages/errors.hpp"
 
 namespace incognita {

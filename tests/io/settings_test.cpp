@@ -8,7 +8,7 @@
 
 #include "incognita/io/files.hpp"
 #include "incognita/io/load_scenario.hpp"
-#include "incognita/io/nearest_name.hpp"
+#include "incognita/math/nearest_name.hpp"
 #include "tests/scratch.hpp"
 
 namespace incognita {

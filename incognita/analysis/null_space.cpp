@@ -158,7 +158,8 @@ void reduce(Eigen::MatrixXd& B) {
 Eigen::VectorXd as_integers(const Eigen::VectorXd& v, const NullSpace& space) {
   constexpr int largest_multiple = 12, largest_entry = 60;
   for (int multiple = 1; multiple <= largest_multiple; ++multiple) {
-    const Eigen::VectorXd scaled = v * multiple, whole = scaled.array().round();
+    const Eigen::VectorXd scaled = v * multiple;
+    Eigen::VectorXd whole = scaled.array().round();
     if ((scaled - whole).cwiseAbs().maxCoeff() < 1e-7 && whole.cwiseAbs().maxCoeff() <= largest_entry &&
         space.contains(whole))
       return whole;

@@ -44,6 +44,7 @@ NoisyRows segment_observability(const Linearisation& segment) {
 
 std::vector<NoisyRows> segment_observability(const std::vector<Linearisation>& segments) {
   std::vector<NoisyRows> Q;
+  Q.reserve(segments.size());
   for (const Linearisation& segment : segments) Q.push_back(segment_observability(segment));
   return Q;
 }

@@ -80,7 +80,7 @@ ex operated(char operation, const ex& a, const ex& b) {
 ex computed(const std::vector<ExpressionToken>& postfix, const std::map<std::string, ex>& names) {
   std::vector<ex> stack;
   const auto pop = [&] {
-    const ex top = stack.back();
+    ex top = stack.back();
     stack.pop_back();
     return top;
   };
@@ -107,6 +107,7 @@ ex computed(const std::vector<ExpressionToken>& postfix, const std::map<std::str
 
 GiNaC::ex parse_expression(const ExpressionText& text, const std::map<std::string, GiNaC::ex>& names) {
   std::vector<std::string> known;
+  known.reserve(names.size());
   for (const auto& entry : names) known.push_back(entry.first);
   try {
     return computed(in_postfix_order(checked_tokens(text.text, known)), names);
@@ -130,7 +131,7 @@ std::string latex_name(const std::string& name) {
     head = "\\" + head;
   else if (head.size() > 1) {
     rest = head.substr(1) + rest;
-    head = head.substr(0, 1);
+    head.resize(1);
   }
   std::string subscript;
   for (const char c : rest) subscript += c == '_' ? ',' : c;

@@ -16,6 +16,7 @@ void append_names(std::vector<std::string>& names, const std::vector<std::string
 
 std::vector<std::string> names_of(const std::vector<NamedExpression>& states) {
   std::vector<std::string> names;
+  names.reserve(states.size());
   for (const NamedExpression& state : states) names.push_back(state.name);
   return names;
 }

@@ -119,12 +119,14 @@ Claim f_null_space() {
 
 // One segment -----------------------------------------------------------------------------------------
 
+std::vector<VectorXd> vectors_4_17(const Course& c) {
+  const Vector2d r = r_of(c.points[0]);
+  return {five(r.x(), r.y(), 0, 0, 0), five(1, 0, 0, 1, 0), five(-r.x(), 0, 0, 0, r.y())};
+}
+
 Claim instant_null_space() {
   const Study& s = world();
-  const bool basis = are_basis(s.stripped(1), s.courses(), [](const Course& c) -> std::vector<VectorXd> {
-    const Vector2d r = r_of(c.points[0]);
-    return {five(r.x(), r.y(), 0, 0, 0), five(1, 0, 0, 1, 0), five(-r.x(), 0, 0, 0, r.y())};
-  });
+  const bool basis = are_basis(s.stripped(1), s.courses(), vectors_4_17);
   return judged({.id = "4.1-instant-null-space",
                  .place = "(4.17)",
                  .statement = "Null space of one segment, with nothing of the heading in it",
@@ -140,14 +142,17 @@ Claim orientation() {
   const auto in_segment = seen_states(world().stripped(1), world().error_states()),
              along = seen_states(world().along(), world().states());
   const std::vector<std::string> heading{"theta"};
+  const bool turns = contain(world().along(), world().courses(), [](const Course& c) {
+    return std::vector<VectorXd>{turn(c.points[0], Vector2d::Zero())};
+  });
   return judged(
       {.id = "4.1-orientation",
        .place = "below (4.17), Section 4.4",
        .statement = "The vehicle's orientation is the only completely observable state, as long as it moves",
        .printed = "orientation",
        .measured = fmt::format("states outside the null space in {} motions: of Q_1 {}; of the motion itself "
-                               "{}",
-                               motions, listed(in_segment), listed(along)),
+                               "{}. All turned about a point is in its null space: {}",
+                               motions, listed(in_segment), listed(along), yes_no(turns)),
        .why = "so Q_1 says, which lets F move the vehicle on and leaves H where it was. Turning vehicle and "
               "map about a point changes no look, so that no motion shows the heading",
        .runs = motions},
@@ -180,23 +185,44 @@ Claim at_rest() {
       printed && unseen, corrected && unseen && s.true_dimension() == 4);
 }
 
+/// How far the row H F is from -v r_x/d^2 in the column of a heading that is 0, and nothing else.
+double wrong_row(const Study& s) {
+  return largest(s, [](const Course& course) {
+    const SystemPoint& p = course.points[0];
+    MatrixXd row = course.forms[0].H * course.forms[0].F;
+    row(0, 2) += p.u[0] * r_of(p).x() / r_of(p).squaredNorm();
+    return row.cwiseAbs().maxCoeff();
+  });
+}
+
+double size_of_row(const Study& s) {
+  return largest(s, [](const Course& c) { return (c.forms[0].H * c.forms[0].F).cwiseAbs().maxCoeff(); });
+}
+
 Claim anywhere() {
   const Study &around = feature_in("around", {"", {}, -9, 9}, {"", {}, -9, 9}),
               &ahead = feature_in("ahead", {"", {}, 3, 9}, {"", {}, 0, 0}),
               &abeam = feature_in("abeam", {"", {}, 0, 0}, {"", {}, 3, 9});
   const int d[] = {dimension(around.stripped(1)), dimension(ahead.stripped(1)), dimension(abeam.stripped(1))};
+  const int of_4_17 = span(ahead.courses(), vectors_4_17);
+  const double row = std::max({wrong_row(around), wrong_row(ahead), wrong_row(abeam)});
+  const bool falls_short = of_4_17 == 2 && contain(ahead.stripped(1), ahead.courses(), vectors_4_17),
+             row_is_so = row < planar::rounding && size_of_row(abeam) < planar::rounding;
   return judged(
       {.id = "4.1-anywhere",
        .place = "below (4.18)",
        .statement = "One segment leaves three modes wherever the feature is, except on the optical axis",
        .printed = "except r_y = 0",
        .measured = fmt::format("N(Q_1) in {} motions each, vehicle heading along x: feature anywhere {}, "
-                               "straight ahead {}, abeam {}",
-                               motions, d[0], d[1], d[2]),
+                               "straight ahead {}, where (4.17) has {} independent vectors, abeam {}, "
+                               "where the row H F is {}. That row differs from [0 0 -v r_x/d^2 0 0] by {}",
+                               motions, joined({d[0]}), joined({d[1]}), joined({of_4_17}), joined({d[2]}),
+                               below(size_of_row(abeam)), below(row)),
        .why = "except abeam, r_x = 0: there the row H F, -v r_x/d^2, is zero. Straight ahead it is (4.17) "
               "that falls short, as its vectors become two",
        .runs = 3 * motions},
-      d[0] == 3 && d[1] != 3 && d[1] != no_dimension && d[2] == 3, d[0] == 3 && d[1] == 3 && d[2] == 4);
+      d[0] == 3 && d[1] != 3 && d[1] != no_dimension && d[2] == 3,
+      d[0] == 3 && d[1] == 3 && d[2] == 4 && falls_short && row_is_so);
 }
 
 // More segments ---------------------------------------------------------------------------------------
@@ -262,7 +288,8 @@ Claim unobservable_modes() {
       return modes;
     };
     printed = printed && are_basis(s.along(), s.courses(), printed_modes);
-    corrected = corrected && are_basis(s.along(), s.courses(), with_turn);
+    corrected = corrected && are_basis(s.along(), s.courses(), with_turn) && dimension(s.stripped(3)) == 2 &&
+                dimension(s.total(3)) == 2;
   }
   return judged(
       {.id = "4.1-modes",

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "experiments/evidence.hpp"
 #include "experiments/example_4_1.hpp"
@@ -73,6 +74,13 @@ bool leaves_the_turn(const Study& s, int features) {
                    [&](const Course& c) -> std::vector<VectorXd> { return {turned(c, features)}; });
 }
 
+/// Whether, with the feature straight ahead, the motion itself leaves its distance and the turn.
+bool leaves_distance_and_turn(const Study& s) {
+  return are_basis(s.along(), s.courses(), [](const Course& c) -> std::vector<VectorXd> {
+    return {three(1, 0, 0), turned(c, 1)};
+  });
+}
+
 /// `1: 1/0/0 and 1; 2: 2/0/0 and 1`
 std::string by_features() {
   std::vector<std::string> lines;
@@ -132,12 +140,13 @@ Claim instant_null_space() {
 Claim orientation() {
   const std::vector<std::string> heading{"theta"};
   std::vector<std::string> in_segment, along;
-  bool printed = true;
+  bool printed = true, turns = true;
   for (const int features : {1, 2, 3}) {
     const Study& s = relative(features);
     in_segment.push_back(listed(seen_states(s.stripped(1), s.error_states())));
     along.push_back(listed(seen_states(s.along(), s.states())));
     printed = printed && in_segment.back() == "theta" && along.back() == "theta";
+    turns = turns && leaves_the_turn(s, features);
   }
   return judged(
       {.id = "4.1-relative-orientation",
@@ -146,8 +155,8 @@ Claim orientation() {
                     "features",
        .printed = "orientation",
        .measured = fmt::format("states outside the null space with 1/2/3 features: of Q_1 {}; of the motion "
-                               "itself {}",
-                               fmt::join(in_segment, "/"), fmt::join(along, "/")),
+                               "itself {}, which leaves the turn of all: {}",
+                               fmt::join(in_segment, "/"), fmt::join(along, "/"), yes_no(turns)),
        .why =
            "so Q_1 says. The text itself doubts it (footnote 2): turning the vehicle and r of all features "
            "changes no look",
@@ -223,10 +232,12 @@ Claim two_segments() {
 }
 
 Claim fully_observable() {
-  bool printed = true, turns = true;
+  bool printed = true, turns = true, by_matrices = true;
   for (const int features : {1, 2, 3}) {
-    printed = printed && relative(features).true_dimension() == 0;
-    turns = turns && leaves_the_turn(relative(features), features);
+    const Study& s = relative(features);
+    printed = printed && s.true_dimension() == 0;
+    turns = turns && leaves_the_turn(s, features);
+    by_matrices = by_matrices && dimension(s.stripped(2)) == 0 && dimension(s.total(2)) == 0;
   }
   return judged(
       {.id = "4.1-relative-observable",
@@ -238,7 +249,7 @@ Claim fully_observable() {
        .why = "up to the axes: what the vehicle sees from itself becomes observable, which way is north does "
               "not, with any number of features. SOM and TOM find it because H is frozen",
        .runs = 3 * motions},
-      printed, turns);
+      printed && by_matrices, turns && by_matrices);
 }
 
 Claim ahead_for_good() {
@@ -247,17 +258,17 @@ Claim ahead_for_good() {
   for (int k = 1; k <= 3; ++k)
     mode = mode && are_basis(s.stripped(k), s.courses(),
                              [](const Course&) -> std::vector<VectorXd> { return {three(1, 0, 0)}; });
-  const bool along = contain(s.along(), s.courses(),
-                             [](const Course&) -> std::vector<VectorXd> { return {three(1, 0, 0)}; });
+  const bool along = leaves_distance_and_turn(s);
   return judged({.id = "4.1-ahead-for-good",
                  .place = "below (4.25)",
                  .statement = "Driving straight at a feature the system remains unobservable, with mode r_x",
                  .printed = "r_x",
-                 .measured = fmt::format("{}, in {} motions: r_x, and for the motion itself the turn as well",
-                                         s.text(), motions),
+                 .measured = fmt::format("{}, in {} motions. SOM leaves r_x: {}; the motion itself r_x and "
+                                         "the turn of all: {}",
+                                         s.text(), motions, yes_no(mode), yes_no(along)),
                  .why = "it does not",
                  .runs = motions},
-                mode && along && s.true_dimension() == 2);
+                mode && along);
 }
 
 Claim abeam_for_good() {
@@ -279,13 +290,17 @@ Claim pure_rotation() {
                                          [](const NamedExpression& a) { return a.name == "omega"; });
                        }};
   std::vector<std::string> lines;
+  std::set<std::string> seen;
   bool all = true;
   for (const Change& change : {Change{}, turning})
     for (const int features : {1, 2, 3}) {
       const Study& s = relative(features, "stationary", change);
       const std::vector<int> one_more(3, features + 1);
       all = all && s.dimensions() == one_more && s.total_dimensions() == one_more &&
-            s.true_dimension() == features + 1 && seen_states(s.along(), s.states()).empty();
+            s.true_dimension() == features + 1;
+      for (const auto& states :
+           {seen_states(s.stripped(3), s.error_states()), seen_states(s.along(), s.states())})
+        seen.insert(states.begin(), states.end());
       lines.push_back(fmt::format("{}{}: {}", features, change.apply ? ", turning" : "", s.numbers()));
     }
   return judged(
@@ -294,11 +309,11 @@ Claim pure_rotation() {
        .statement = "Without translation the null space has one vector more, SOM and TOM never have full "
                     "rank, and neither position nor orientation is recovered",
        .printed = "one more than features",
-       .measured = fmt::format("{}, by features: {}; no state is outside the null space", legend,
-                               fmt::join(lines, "; ")),
+       .measured = fmt::format("{}, by features: {}; states outside the null spaces: {}", legend,
+                               fmt::join(lines, "; "), listed({seen.begin(), seen.end()})),
        .why = "it is otherwise",
        .runs = 6 * motions},
-      all);
+      all && seen.empty());
 }
 
 Claim no_rotation() {
@@ -314,7 +329,7 @@ Claim no_rotation() {
        .why = "up to the axes, as with rotation; on the line of sight the distance is missing too",
        .runs = 2 * motions},
       as_matrices && s.true_dimension() == 0,
-      as_matrices && leaves_the_turn(s, 1) && ahead.true_dimension() == 2);
+      as_matrices && leaves_the_turn(s, 1) && leaves_distance_and_turn(ahead));
 }
 
 }  // namespace

@@ -25,7 +25,9 @@ using inertial::Unaccelerated;
 using inertial::unaccelerated;
 using inertial::world;
 
-const std::vector<std::string> velocities{"vx", "vy", "vz"};
+const std::vector<std::string> velocities{"vx", "vy", "vz"},
+    of_vehicle{"x", "y", "z", "vx", "vy", "vz", "psi_x", "psi_y", "psi_z"},
+    velocities_and_feature{"vx", "vy", "vz", "xf_1", "yf_1", "zf_1"};
 
 VectorXd twelve(const Vector3d& p, const Vector3d& v, const Vector3d& psi, const Vector3d& feature) {
   return (VectorXd(12) << p, v, psi, feature).finished();
@@ -70,8 +72,8 @@ Claim world_null_space() {
        .statement = "Null space of the SOM: the three translations of vehicle and feature",
        .printed = "dimension 3",
        .measured = fmt::format("{}, in {} motions; the printed vectors span that of two and three segments: "
-                               "{}. They have 12 entries, not 14",
-                               s.text(), motions, basis ? "yes" : "no"),
+                               "{}. The state has {} entries; printed are vectors of 14",
+                               s.text(), motions, yes_no(basis), s.error_states().size()),
        .why = "they do not span it",
        .runs = motions},
       basis);
@@ -124,6 +126,7 @@ Claim few_anchors() {
   const bool yaws = are_basis(one.along(), one.courses(), [](const Course& c) -> std::vector<VectorXd> {
     return {yawed(c.points[0], c.points[0].anchors)};
   });
+  const bool missed = dimension(one.stripped(2)) == 0 && dimension(one.total(2)) == 0;
   return judged(
       {.id = "4.2-few-anchors",
        .place = "head of Section 4.1.2, below (4.37)",
@@ -135,7 +138,7 @@ Claim few_anchors() {
               "enough, unless one is above the other",
        .runs = 3 * motions},
       one.true_dimension() > 0 && two.true_dimension() > 0,
-      yaws && two.true_dimension() == 0 && vertical.true_dimension() == 1);
+      yaws && missed && two.true_dimension() == 0 && vertical.true_dimension() == 1);
 }
 
 /// The first vector of (4.38), with r in axes of the sensor as printed or of the world.
@@ -184,7 +187,6 @@ Claim anchored_null_space() {
 Claim anchored_recovered() {
   const Study& s = study(world(1, 3));
   const auto seen = seen_states(s.stripped(1), s.error_states());
-  const std::vector<std::string> ours{"x", "y", "z", "vx", "vy", "vz", "psi_x", "psi_y", "psi_z"};
   return judged({.id = "4.2-anchored-recovered",
                  .place = "below (4.38)",
                  .statement = "With three or more anchors one segment recovers linear velocities only",
@@ -193,7 +195,7 @@ Claim anchored_recovered() {
                                          listed(seen)),
                  .why = "all states of the vehicle",
                  .runs = motions},
-                seen == velocities, seen == ours && s.true_dimension() == 0);
+                seen == velocities, seen == of_vehicle && s.true_dimension() == 0);
 }
 
 Claim anchored_two_segments() {
@@ -218,30 +220,49 @@ Claim anchored_two_segments() {
                 all);
 }
 
+/// What (4.38) is followed by: so many dimensions left in one segment and in two, and the states that are
+/// recovered.
+struct Recovery {
+  int in_one = 0, in_two = 0;
+  std::vector<std::string> at_once, then;
+
+  explicit Recovery(const Study& s)
+      : in_one(dimension(s.stripped(1))),
+        in_two(dimension(s.stripped(2))),
+        at_once(seen_states(s.stripped(1), s.error_states())),
+        then(seen_states(s.stripped(2), s.error_states())) {}
+
+  bool as_printed() const {
+    return in_one == 4 && in_two == 1 && at_once == velocities && then == velocities_and_feature;
+  }
+  bool all_of_vehicle_at_once() const { return in_one == 1 && in_two == 0 && at_once == of_vehicle; }
+  std::string text() const { return fmt::format("{}/{} ({} in one)", in_one, in_two, listed(at_once)); }
+};
+
 Claim anchored_unaccelerated() {
-  const Study &falls = study(unaccelerated(world(1, 3), Unaccelerated::falls)),
-              &weightless = study(unaccelerated(world(1, 3), Unaccelerated::weightless));
-  const auto are = [&](int first, int second) {
-    const auto is = [&](const Study& s) {
-      return dimension(s.stripped(1)) == first && dimension(s.stripped(2)) == second;
-    };
-    return is(falls) && is(weightless);
-  };
+  const Case three = world(1, 3);
+  const Study &falls = study(unaccelerated(three, Unaccelerated::falls)),
+              &weightless = study(unaccelerated(three, Unaccelerated::weightless)), &pushed = study(three);
+  const Recovery falling(falls), floating(weightless), accelerated(pushed);
+  const bool in_truth =
+      falls.true_dimension() == 0 && weightless.true_dimension() == 0 && pushed.true_dimension() == 0;
   return judged(
       {.id = "4.2-anchored-unaccelerated",
        .place = "below (4.38)",
-       .statement =
-           "Without acceleration (f = 0) three anchors leave four in one segment, and one in two, not "
-           "the vehicle's position and orientation",
+       .statement = "Without acceleration (f = 0) three anchors leave four in one segment, which still "
+                    "recovers linear velocities, and one in two, which recover the feature's position and "
+                    "the velocity, but not the vehicle's position and orientation",
        .printed = "4, then 1",
        .measured = fmt::format(
-           "dimensions left by SOM and TOM after 1/2/3 segments with 3 anchors: falling {}; without "
-           "gravity {}; by the motion itself {}; states outside N(Q_1): {}",
-           falls.segments_text(), weightless.segments_text(), falls.true_dimension(),
-           listed(seen_states(falls.stripped(1), falls.error_states()))),
+           "dimensions left by the SOM after 1/2 segments with 3 anchors (and states outside its null "
+           "space): falling {}; without gravity {}; accelerated {}. By the motion itself {}",
+           falling.text(), floating.text(), accelerated.text(),
+           joined({falls.true_dimension(), weightless.true_dimension(), pushed.true_dimension()})),
        .why = "1, then 0: three anchors tell all of the vehicle at once, accelerated or not",
-       .runs = 2 * motions},
-      are(4, 1), are(1, 0) && falls.true_dimension() == 0);
+       .runs = 3 * motions},
+      falling.as_printed() && floating.as_printed() && in_truth,
+      falling.all_of_vehicle_at_once() && floating.all_of_vehicle_at_once() &&
+          accelerated.all_of_vehicle_at_once() && in_truth);
 }
 
 LedgerEntry run(const ExperimentSettings&) {

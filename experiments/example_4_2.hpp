@@ -32,6 +32,26 @@ Eigen::Matrix3d E_of(const Eigen::Vector3d& angles);
 /// [a x]
 Eigen::Matrix3d cross(const Eigen::Vector3d& a);
 
+using Matrix23 = Eigen::Matrix<double, 2, 3>;
+/// Derivative of azimuth and elevation (4.29) by r^s: (4.34) as it must be.
+Matrix23 bearings_by(const Eigen::Vector3d& r_of_sensor);
+
+/// Derivatives of a system by misalignments, which turn about the axes of the world.
+struct Misaligned {
+  Eigen::MatrixXd F, H;
+};
+/// Exact derivatives by Euler angles, the states from `first` on, made into those; the body turns by `rate`,
+/// in its own axes.
+Misaligned misaligned(const Linearisation& exact, const Eigen::Vector3d& angles, Eigen::Index first,
+                      const Eigen::Vector3d& rate);
+
+/// Smallest of what several readings of a printed matrix come to.
+double nearest(const std::vector<double>& readings);
+/// Largest entry of a difference.
+double apart(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
+/// Matrices of so many columns each, side by side.
+Eigen::MatrixXd beside(const std::vector<Eigen::MatrixXd>& blocks);
+
 std::vector<Claim> matrix_claims();
 std::vector<Claim> relative_claims();
 

@@ -21,7 +21,6 @@ namespace incognita::observability_claims::inertial {
 using Eigen::Matrix3d;
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
-using Matrix23 = Eigen::Matrix<double, 2, 3>;
 
 Case world(int features, int anchors) {
   return {.system = "inertial", .features = features, .anchors = anchors, .segment_s = in_space_s};
@@ -70,6 +69,50 @@ Matrix3d cross(const Vector3d& a) {
   return (Matrix3d() << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0).finished();
 }
 
+Matrix23 bearings_by(const Vector3d& s) {
+  const double d2 = s.head<2>().squaredNorm(), d = std::sqrt(d2), D = s.squaredNorm();
+  return (Matrix23() << -s.y() / d2, s.x() / d2, 0, -s.x() * s.z() / (d * D), -s.y() * s.z() / (d * D), d / D)
+      .finished();
+}
+
+double nearest(const std::vector<double>& readings) {
+  return *std::min_element(readings.begin(), readings.end());
+}
+
+double apart(const MatrixXd& a, const MatrixXd& b) { return (a - b).cwiseAbs().maxCoeff(); }
+
+MatrixXd beside(const std::vector<MatrixXd>& blocks) {
+  MatrixXd all(blocks[0].rows(), 0);
+  for (const MatrixXd& block : blocks) {
+    all.conservativeResize(Eigen::NoChange, all.cols() + block.cols());
+    all.rightCols(block.cols()) = block;
+  }
+  return all;
+}
+
+namespace {
+
+/// Euler angles by misalignments.
+Matrix3d T_of(const Vector3d& angles) { return E_of(angles) * C_of(angles); }
+
+/// How T changes while the angles change so fast, by five points: their error, and rounding, are below 1e-12.
+Matrix3d rate_of_T(const Vector3d& angles, const Vector3d& by) {
+  constexpr double h = 1e-3;
+  const auto T = [&](double steps) { return T_of(angles + steps * h * by); };
+  return (T(-2) - 8 * T(-1) + 8 * T(1) - T(2)) / (12 * h);
+}
+
+}  // namespace
+
+Misaligned misaligned(const Linearisation& exact, const Vector3d& angles, Eigen::Index first,
+                      const Vector3d& rate) {
+  const Eigen::Index n = exact.F.rows();
+  MatrixXd S = MatrixXd::Identity(n, n), S_rate = MatrixXd::Zero(n, n);  // ours by those
+  S.block<3, 3>(first, first) = T_of(angles);
+  S_rate.block<3, 3>(first, first) = rate_of_T(angles, E_of(angles) * rate);
+  return {S.inverse() * (exact.F * S - S_rate), exact.H * S};
+}
+
 namespace {
 
 /// What the matrices are made of, where a motion begins.
@@ -82,7 +125,7 @@ struct Begin {
   explicit Begin(const Course& course) {
     const SystemPoint& p = course.points[0];
     C = C_of(p.x.segment<3>(6));
-    T = E_of(p.x.segment<3>(6)) * C;
+    T = T_of(p.x.segment<3>(6));
     r = p.x.segment<3>(9) - p.x.head<3>();
     f = C.transpose() * p.u.head<3>();
     by_r = course.exact[0].H.middleCols(9, 3) * C.transpose();
@@ -90,8 +133,6 @@ struct Begin {
     F_psi = course.exact[0].F.block<3, 3>(3, 6) * T;
   }
 };
-
-double apart(const MatrixXd& a, const MatrixXd& b) { return (a - b).cwiseAbs().maxCoeff(); }
 
 /// No turning, f held for a segment.
 const Study& level() {
@@ -142,11 +183,11 @@ Claim force_matrix() {
        .statement = "F has [x f], of the sign that [x r] has in H, to 1e-9",
        .printed = "the same sign",
        .measured = fmt::format(
-           "largest difference from exact derivatives in {} motions: printed {:.2g}, ours {}. SOM does not "
+           "largest difference from exact derivatives in {} motions: printed {:.2g}, ours {}. SOM {} "
            "tell: it leaves {} and {}. With exact transitions, not turning, the printed sign leaves {} and "
            "the other {}; the motion itself leaves {}",
-           motions, printed, below(corrected), joined(with_other), joined(s.dimensions()), left_as_printed,
-           left, s.true_dimension()),
+           motions, printed, below(corrected), with_other == s.dimensions() ? "does not" : "does",
+           joined(with_other), joined(s.dimensions()), left_as_printed, left, s.true_dimension()),
        .why = "the other sign: -[f x] beside [r x], f and r in axes of the world",
        .runs = 2 * motions},
       printed < 1e-9, corrected < 1e-9 && left == s.true_dimension());
@@ -156,10 +197,7 @@ Claim partials() {
   double printed = 0, corrected = 0;
   for (const Course& course : study(world()).courses()) {
     const Begin b(course);
-    const Vector3d s = b.C * b.r;
-    const double d2 = s.head<2>().squaredNorm(), d = std::sqrt(d2), D = s.squaredNorm();
-    Matrix23 ours;
-    ours << -s.y() / d2, s.x() / d2, 0, -s.x() * s.z() / (d * D), -s.y() * s.z() / (d * D), d / D;
+    const Matrix23 ours = bearings_by(b.C * b.r);
     Matrix23 as_printed = ours;
     as_printed(1, 1) *= -1;
     printed = std::max(printed, apart(as_printed, b.by_r));
@@ -202,8 +240,44 @@ Claim measurement_matrix() {
                 printed < 1e-9, corrected < 1e-9);
 }
 
+/// [-I 0 [x r] 0] before which dz/dr^s stands, or that with C; r of the anchor, by one sign of [x r].
+double wrong_anchor_rows(bool turned, bool r_of_sensor, double sign) {
+  return largest(study(world(1, 3)), [&](const Course& course) {
+    const SystemPoint& p = course.points[0];
+    const Matrix3d C = C_of(p.x.segment<3>(6));
+    const Misaligned exact = misaligned(course.exact[0], p.x.segment<3>(6), 6, p.u.tail<3>());
+    double difference = 0;
+    for (Eigen::Index i = 0; i < 3; ++i) {
+      const Vector3d b = p.anchors.segment<3>(3 * i) - p.x.head<3>(), s = C * b;
+      const Matrix23 A = turned ? Matrix23(bearings_by(s) * C) : bearings_by(s);
+      const Matrix3d O = Matrix3d::Zero();
+      const MatrixXd rows = A * beside({-Matrix3d::Identity(), O, sign * cross(r_of_sensor ? s : b), O});
+      difference = std::max(difference, apart(rows, exact.H.middleRows(2 + 2 * i, 2)));
+    }
+    return difference;
+  });
+}
+
+Claim anchor_rows() {
+  const double printed = nearest({wrong_anchor_rows(false, false, 1), wrong_anchor_rows(false, false, -1),
+                                  wrong_anchor_rows(false, true, 1), wrong_anchor_rows(false, true, -1)}),
+               corrected = wrong_anchor_rows(true, false, 1);
+  return judged({.id = "4.2-anchored-H",
+                 .place = "(4.36), (4.37)",
+                 .statement = "Rows of H for an anchor are dz/dr^s [-I 0 [x r] 0], with its r, to 1e-9",
+                 .printed = "",
+                 .measured = fmt::format("largest difference from exact derivatives in {} motions, three "
+                                         "anchors: printed {:.2g}, ours {}",
+                                         motions, printed, below(corrected)),
+                 .why = "dz/dr^s C [-I 0 [r x] 0], r in axes of the world",
+                 .runs = motions},
+                printed < 1e-9, corrected < 1e-9);
+}
+
 }  // namespace
 
-std::vector<Claim> matrix_claims() { return {force_matrix(), partials(), measurement_matrix()}; }
+std::vector<Claim> matrix_claims() {
+  return {force_matrix(), partials(), measurement_matrix(), anchor_rows()};
+}
 
 }  // namespace incognita::observability_claims::inertial

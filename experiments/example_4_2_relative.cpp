@@ -2,8 +2,9 @@
 //
 // Experiment: the built-in systems `inertial` and `inertial-rb` in their relative forms, motions and rules of
 // observability_claims.hpp; also unaccelerated, as in example_4_2.cpp.
-// Printed vectors hold r, v, psi in this order; r is p - x_f there and x_f - p here, which only a vector with
-// both r and psi would tell.
+// Printed vectors hold r, v, psi in this order; r is x_f - p, as (4.39) has it. Matrices are held against
+// exact derivatives by misalignments, as in example_4_2_matrices.cpp, to 1e-9; printed [x a] may be [a x] or
+// its negative, r and f in axes of the world or of the sensor, whichever comes nearest.
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
@@ -15,6 +16,7 @@
 namespace incognita::observability_claims::inertial {
 namespace {
 
+using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
@@ -36,6 +38,86 @@ std::vector<VectorXd> yawed(const Course& c) {
 
 bool leaves_the_yaw(const Study& s) { return are_basis(s.along(), s.courses(), yawed); }
 
+/// Exact derivatives where a motion begins, with the states in the printed order: r = x_f - p, v, psi.
+struct Begin {
+  Eigen::Matrix3d C;
+  Vector3d r, f;  ///< in axes of the world
+  Matrix23 A;     ///< dz/dr^s
+  Misaligned exact;
+
+  explicit Begin(const Course& course) {
+    const SystemPoint& p = course.points[0];
+    const Vector3d angles = p.x.segment<3>(3);
+    C = C_of(angles);
+    r = r_of(p);
+    f = C.transpose() * p.u.head<3>();
+    A = bearings_by(C * r);
+    exact = misaligned(course.exact[0], angles, 3, p.u.tail<3>());
+    MatrixXd order = MatrixXd::Zero(9, 9);  // ours by the printed
+    order.block<6, 6>(0, 3).setIdentity();
+    order.block<3, 3>(6, 0).setIdentity();
+    exact = {order.transpose() * exact.F * order, exact.H * order};
+  }
+};
+
+/// dz/dr^s C [of_r I 0 [r x] of_psi], against exact derivatives.
+double wrong_rows(double of_r, double of_psi) {
+  return largest(study(relative()), [&](const Course& course) {
+    const Begin b(course);
+    const Eigen::Matrix3d I = Eigen::Matrix3d::Identity(), O = Eigen::Matrix3d::Zero();
+    return apart(b.A * b.C * beside({of_r * I, O, of_psi * cross(b.r)}), b.exact.H);
+  });
+}
+
+Claim measurement_matrix() {
+  const double printed = nearest({wrong_rows(-1, 1), wrong_rows(-1, -1)}), corrected = wrong_rows(1, 1);
+  return judged({.id = "4.2-relative-H",
+                 .place = "(4.39), (4.40)",
+                 .statement = "The measurement is [-I 0 [x r]] of features told by r = x_f - p, to 1e-9 "
+                              "(before it dz/dr^s C)",
+                 .printed = "-I",
+                 .measured = fmt::format("largest difference from exact derivatives in {} motions, either "
+                                         "sign of [x r]: printed {:.2g}, ours {}",
+                                         motions, printed, below(corrected)),
+                 .why = "[I 0 [r x]]: I, as (4.41) has it, for r = x_f - p; -I is for p - x_f",
+                 .runs = motions},
+                printed < 1e-9, corrected < 1e-9);
+}
+
+/// Rows of (4.41), with A for dz/dr^s.
+MatrixXd rows_4_41(const Matrix23& A, const Eigen::Matrix3d& by_r, double of_v, const Eigen::Matrix3d& by_f) {
+  const Matrix23 O = Matrix23::Zero();
+  MatrixXd rows(6, 9);
+  rows << beside({A, O, A * by_r}), beside({O, of_v * A, O}), beside({O, O, A * by_f});
+  return rows;
+}
+
+MatrixXd exact_rows(const Begin& b) {
+  const MatrixXd HF = b.exact.H * b.exact.F;
+  MatrixXd rows(6, 9);
+  rows << b.exact.H, HF, HF * b.exact.F;
+  return rows;
+}
+
+/// (4.41) by one reading: whether C stands behind dz/dr^s, r and f in axes of the sensor, the sign of [x a].
+double wrong_4_41(bool turned, bool of_sensor, double sign, double of_v) {
+  return largest(study(relative()), [&](const Course& course) {
+    const Begin b(course);
+    const Matrix23 A = turned ? Matrix23(b.A * b.C) : b.A;
+    const auto by = [&](const Vector3d& a) -> Eigen::Matrix3d {
+      return sign * cross(of_sensor ? Vector3d(b.C * a) : a);
+    };
+    return apart(rows_4_41(A, by(b.r), of_v, by(b.f)), exact_rows(b));
+  });
+}
+
+double size_of_third_power() {
+  return largest(study(relative()), [](const Course& course) {
+    const Begin b(course);
+    return (b.exact.H * b.exact.F * b.exact.F * b.exact.F).cwiseAbs().maxCoeff();
+  });
+}
+
 Claim independent_rows() {
   const int left = dimension(study(relative()).stripped(1));
   return judged({.id = "4.2-relative-Q1",
@@ -55,8 +137,40 @@ std::vector<VectorXd> vectors_4_42(const Course& c, bool directed_as_printed) {
   const Vector3d r = r_of(p), f = C.transpose() * p.u.head<3>(), zero = Vector3d::Zero(),
                  along = directed_as_printed ? Vector3d(C * r) : r;
   Vector3d zeta = -r.cross(f);
-  zeta -= zeta.y() / r.y() * r;  // a multiple of r puts the zero where it is printed
+  zeta -= zeta.y() / along.y() * along;  // a multiple of the first puts the zero where it is printed
   return {nine(along, zero, zero), nine(zeta, zero, f), nine(zero, along, zero)};
+}
+
+/// Null spaces of (4.41) as it is printed, r and f in axes of the world; in the order of our states.
+Spaces spaces_of_4_41() {
+  return null_spaces(study(relative()), [](const Course& course) -> MatrixXd {
+    const Begin b(course);
+    const MatrixXd rows = rows_4_41(b.A, cross(b.r), 1, cross(b.f));
+    return beside({rows.rightCols(6), rows.leftCols(3)});
+  });
+}
+
+Claim entries() {
+  std::vector<double> readings;
+  for (const bool of_sensor : {false, true})
+    for (const double sign : {1.0, -1.0}) readings.push_back(wrong_4_41(false, of_sensor, sign, 1));
+  const double printed = nearest(readings), corrected = wrong_4_41(true, false, 1, -1),
+               without_minus = wrong_4_41(true, false, 1, 1), third = size_of_third_power();
+  const bool explains = are_basis(spaces_of_4_41(), study(relative()).courses(),
+                                  [](const Course& c) { return vectors_4_42(c, true); });
+  return judged(
+      {.id = "4.2-relative-Q1-entries",
+       .place = "(4.41)",
+       .statement = "Q_1 is H, H F and H F F with these entries, and nothing more, to 1e-9",
+       .printed = "[A 0 A x r], [0 A 0], [0 0 A x f] with A = dz/dr^s",
+       .measured = fmt::format(
+           "largest difference from exact derivatives in {} motions: printed {:.2g}, with A C for A {:.2g}, "
+           "ours {}; H F F F is {}. The null space of the printed rows is that of (4.42) with C r: {}",
+           motions, printed, without_minus, below(corrected), below(third), yes_no(explains)),
+       .why = "A C for A, -A C in the row of v (r' = -v), r and f in axes of the world. C is why (4.42) has "
+              "C r for r",
+       .runs = motions},
+      printed < 1e-9 && third < 1e-9, corrected < 1e-9 && third < 1e-9 && explains);
 }
 
 Claim instant_null_space() {
@@ -82,16 +196,20 @@ Claim instant_null_space() {
 Claim partially_reconstructed() {
   const Study& s = study(relative());
   const auto seen = seen_states(s.stripped(1), s.error_states());
+  const int of_v = dimension_within(s.stripped(1), 0, 3), of_psi = dimension_within(s.stripped(1), 3, 3),
+            of_r = dimension_within(s.stripped(1), 6, 3);
+  const auto in_part = [](int left) { return left == 1 || left == 2; };
   return judged(
       {.id = "4.2-relative-partially",
        .place = "below (4.43)",
        .statement = "Relative position and misalignment can only be partially reconstructed in one segment",
        .printed = "partially",
-       .measured =
-           fmt::format("states outside N(Q_1) in {} motions: {}; nor is the velocity", motions, listed(seen)),
+       .measured = fmt::format("directions of three that N(Q_1) leaves open in {} motions: of r {}, of psi "
+                               "{}, of v {}; states outside it: {}",
+                               motions, joined({of_r}), joined({of_psi}), joined({of_v}), listed(seen)),
        .why = "they can",
        .runs = motions},
-      seen.empty());
+      seen.empty() && in_part(of_r) && in_part(of_psi));
 }
 
 Claim two_segments() {
@@ -123,7 +241,8 @@ Claim fully_observable() {
            "up to the heading: turning all about a vertical changes no look. SOM and TOM find it because H "
            "is frozen",
        .runs = motions},
-      s.true_dimension() == 0, leaves_the_yaw(s));
+      s.true_dimension() == 0,
+      leaves_the_yaw(s) && dimension(s.stripped(2)) == 0 && dimension(s.total(2)) == 0);
 }
 
 Claim range_and_bearing() {
@@ -197,8 +316,11 @@ Claim unaccelerated_recovered() {
 }  // namespace
 
 std::vector<Claim> relative_claims() {
-  return {independent_rows(), instant_null_space(), partially_reconstructed(), two_segments(),
-          fully_observable(), range_and_bearing(),  unaccelerated_ranks(),     unaccelerated_recovered()};
+  return {measurement_matrix(),      entries(),
+          independent_rows(),        instant_null_space(),
+          partially_reconstructed(), two_segments(),
+          fully_observable(),        range_and_bearing(),
+          unaccelerated_ranks(),     unaccelerated_recovered()};
 }
 
 }  // namespace incognita::observability_claims::inertial

@@ -131,21 +131,26 @@ Claim more_segments() {
   const auto printed = [](const Course&) -> std::vector<VectorXd> {
     return {six(0, 0, 1, 0, 0, 0), six(0, 0, 0, 0, 0, 1)};
   };
+  const bool of_zero = are_basis(stripped_with(s, 2, zero_heading), s.courses(), printed) &&
+                       are_basis(stripped_with(s, 3, zero_heading), s.courses(), printed),
+             third_takes_both = s.dimensions() == std::vector{4, 2, 0};
+  const auto seen = seen_states(s.along(), s.states());
+  const bool turn_rate = std::find(seen.begin(), seen.end(), "wz") != seen.end();
   return judged(
       {.id = "4.3-relative-two-segments",
        .place = "(4.53)",
        .statement = "Two or more segments leave two modes, orientation and angular velocity",
        .printed = "heading, turn rate: dimension 2",
-       .measured = fmt::format("{}, in {} motions; with the 0 of (4.51) SOM leaves {}; states outside the "
-                               "null space of the motion itself: {}",
-                               s.text(), motions, joined(dimensions_with_zero(s)),
-                               listed(seen_states(s.along(), s.states()))),
+       .measured =
+           fmt::format("{}, in {} motions; with the 0 of (4.51) SOM leaves {}, by (4.53) {}; states "
+                       "outside the null space of the motion itself: {}",
+                       s.text(), motions, joined(dimensions_with_zero(s)), yes_no(of_zero), listed(seen)),
        .why = "two modes are left, but they are turning all and scaling all; the angular velocity is "
               "recovered. (4.53) comes of the 0 in (4.51); with -1 a third segment takes both from SOM",
        .runs = motions},
       are_basis(s.stripped(2), s.courses(), printed) && are_basis(s.stripped(3), s.courses(), printed) &&
           are_basis(s.along(), s.courses(), printed),
-      leaves_turn_and_scale(1));
+      leaves_turn_and_scale(1) && turn_rate && of_zero && third_takes_both);
 }
 
 Claim more_features() {
@@ -156,7 +161,8 @@ Claim more_features() {
     lines.push_back(fmt::format("{}: {}", features, s.numbers()));
     zero.push_back(fmt::format("{}: {}", features, joined(dimensions_with_zero(s))));
     printed = printed && dimension(s.stripped(2)) == 2;
-    corrected = corrected && leaves_turn_and_scale(features);
+    corrected = corrected && leaves_turn_and_scale(features) && dimensions_with_zero(s)[1] == 2 &&
+                dimension(s.stripped(2)) == (features == 1 ? 2 : 1);
   }
   return judged(
       {.id = "4.3-relative-features",
@@ -187,27 +193,33 @@ Claim must_move() {
                                legend, s.numbers(), rest.numbers(), listed(seen)),
        .why = "moving recovers them up to scale and turn, with any number of features",
        .runs = 2 * motions},
-      lost && has("rx_1") && has("ry_1"), lost && leaves_turn_and_scale(1) && leaves_turn_and_scale(2));
+      lost && has("rx_1") && has("ry_1"),
+      lost && leaves_turn_and_scale(1) && leaves_turn_and_scale(2) && leaves_turn_and_scale(3));
 }
 
 Claim never_full() {
   std::vector<std::string> lines;
-  bool all = true;
+  bool in_truth = true, by_matrices = true, reached = true, with_zero = true;
   for (const int features : {1, 2, 3}) {
     const Study& s = relative(features);
-    lines.push_back(fmt::format("{}: {}", features, s.numbers()));
-    all = all && s.true_dimension() > 0;
+    lines.push_back(fmt::format("{}: {}, with the 0 of (4.51) {}", features, s.numbers(),
+                                joined(dimensions_with_zero(s))));
+    in_truth = in_truth && leaves_turn_and_scale(features);
+    by_matrices = by_matrices && dimension(s.stripped(3)) > 0 && dimension(s.total(3)) > 0;
+    reached = reached && dimension(s.stripped(3)) == 0 && dimension(s.total(3)) == 0;
+    with_zero = with_zero && dimensions_with_zero(s)[2] > 0;
   }
   return judged(
       {.id = "4.3-relative-never",
        .place = "end of Example 4.3",
-       .statement = "No relative map of a constant-velocity model is fully observable",
+       .statement = "No relative map of a constant-velocity model is fully observable, or reaches the rank "
+                    "condition",
        .printed = "none",
-       .measured = fmt::format("{}, by features: {}. SOM and TOM of three segments would have it so", legend,
-                               fmt::join(lines, "; ")),
-       .why = "one is",
+       .measured = fmt::format("{}, by features: {}", legend, fmt::join(lines, "; ")),
+       .why = "none is, as the motion itself leaves turn and scale. But SOM and TOM have full rank in three "
+              "segments, unless H has the 0 of (4.51)",
        .runs = 3 * motions},
-      all);
+      in_truth && by_matrices, in_truth && reached && with_zero);
 }
 
 }  // namespace

@@ -46,6 +46,22 @@ std::vector<int> dimensions_of(const std::vector<Spaces>& by_segment) {
   return all;
 }
 
+/// Columns that count as parallel when what tells them apart is less than this part of them.
+constexpr double parallel = 1e-6;
+
+Eigen::Index rank_of(const Eigen::MatrixXd& columns) {
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(columns);
+  qr.setThreshold(parallel);
+  return qr.rank();
+}
+
+/// The number that all have, or no_dimension.
+int agreed(const std::vector<Eigen::Index>& numbers) {
+  if (numbers.empty()) return no_dimension;
+  const auto as_first = [&](Eigen::Index n) { return n == numbers[0]; };
+  return std::all_of(numbers.begin(), numbers.end(), as_first) ? static_cast<int>(numbers[0]) : no_dimension;
+}
+
 std::string key_of(const Case& c) {
   return fmt::format("{} {} {} {} {} {} {} {}", c.system, c.representation, c.features, c.anchors, c.motion,
                      c.change.name, c.segments, c.segment_s);
@@ -171,11 +187,28 @@ bool are_basis(const Spaces& spaces, const std::vector<Course>& courses, const V
     Eigen::MatrixXd V(spaces[i].column_scale.size(), static_cast<Eigen::Index>(all.size()));
     for (Eigen::Index j = 0; j < V.cols(); ++j)
       V.col(j) = all[static_cast<std::size_t>(j)].cwiseQuotient(spaces[i].column_scale).normalized();
-    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(V);
-    qr.setThreshold(1e-6);
-    if (qr.rank() != V.cols() || V.cols() != spaces[i].nullity) return false;
+    if (rank_of(V) != V.cols() || V.cols() != spaces[i].nullity) return false;
   }
   return true;
+}
+
+int span(const std::vector<Course>& courses, const Vectors& vectors) {
+  std::vector<Eigen::Index> ranks;
+  for (const Course& course : courses) {
+    const auto all = vectors(course);
+    if (all.empty()) return no_dimension;
+    Eigen::MatrixXd V(all[0].size(), static_cast<Eigen::Index>(all.size()));
+    for (Eigen::Index j = 0; j < V.cols(); ++j) V.col(j) = all[static_cast<std::size_t>(j)].normalized();
+    ranks.push_back(rank_of(V));
+  }
+  return agreed(ranks);
+}
+
+int dimension_within(const Spaces& spaces, Eigen::Index first, Eigen::Index count) {
+  std::vector<Eigen::Index> ranks;
+  for (const NullSpace& space : spaces)
+    ranks.push_back(space.nullity == 0 ? 0 : rank_of(space.scaled_null.middleRows(first, count)));
+  return agreed(ranks);
 }
 
 bool same(const Spaces& a, const Spaces& b) {

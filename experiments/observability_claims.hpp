@@ -10,8 +10,8 @@
 // the computed one (to 1e-9), are independent and as many as its dimension. A state is seen when no vector of
 // the null space touches it. What is said of Q_1, SOM or TOM is judged on them. What is said of the system or
 // its states - observable, recovered, so many modes - must hold for the motion itself as well; where only the
-// matrices have it so, the claim holds as corrected when what the motion leaves was found to be what `why`
-// says, and else it does not hold.
+// matrices have it so, or only the motion, the claim holds as corrected when what the other leaves was found
+// to be what `why` says, and else it does not hold.
 #pragma once
 
 #include <Eigen/Core>
@@ -119,6 +119,10 @@ using Vectors = std::function<std::vector<Eigen::VectorXd>(const Course&)>;
 bool contain(const Spaces& spaces, const std::vector<Course>& courses, const Vectors& vectors);
 /// Whether the vectors lie in it, are independent, and as many as it has dimensions.
 bool are_basis(const Spaces& spaces, const std::vector<Course>& courses, const Vectors& vectors);
+/// How many dimensions the vectors span, if it is as many in all motions.
+int span(const std::vector<Course>& courses, const Vectors& vectors);
+/// In how many dimensions the spaces move some states, so many from the first on, if it is as many in all.
+int dimension_within(const Spaces& spaces, Eigen::Index first, Eigen::Index count);
 /// Whether two spaces are one.
 bool same(const Spaces& a, const Spaces& b);
 
@@ -132,6 +136,7 @@ Spaces stripped_with(const Study& study, int k,
 /// Largest of a number over all motions.
 double largest(const Study& study, const std::function<double(const Course&)>& of);
 
+inline const char* yes_no(bool it_is) { return it_is ? "yes" : "no"; }
 /// `x and y`, `none`
 std::string listed(const std::vector<std::string>& names);
 

@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "experiments/example_4_2.hpp"
 #include "incognita/analysis/observability.hpp"
 #include "incognita/io/system_file.hpp"
 
@@ -53,6 +56,26 @@ TEST(SpacesTest, ABasisMustSuitEveryMotion) {
   const Spaces spaces{of(difference()), of(Vector3d(1, 1, 0).transpose())};
   EXPECT_FALSE(are_basis(spaces, two_courses, vectors({Vector3d(1, 1, 0), Vector3d(0, 0, 1)})));
   EXPECT_TRUE(contain(spaces, two_courses, vectors({Vector3d(0, 0, 1)})));
+}
+
+TEST(SpacesTest, SpanCountsIndependentVectors) {
+  const VectorXd a = Vector3d(1, 1, 0), b = Vector3d(0, 0, 1e4);
+  EXPECT_EQ(span(two_courses, vectors({a, b, a + b})), 2);
+  EXPECT_EQ(span(two_courses, vectors({a, -3 * a})), 1);
+  EXPECT_EQ(span(two_courses, vectors({})), no_dimension);
+  EXPECT_EQ(span({}, vectors({a})), no_dimension);
+  bool first = false;
+  const auto differing = [&](const Course&) { return std::vector<VectorXd>{a, (first = !first) ? a : b}; };
+  EXPECT_EQ(span(two_courses, differing), no_dimension);
+}
+
+TEST(SpacesTest, DimensionsWithinSomeStates) {
+  const Spaces spaces(2, of(difference()));  // x and y together, and z
+  EXPECT_EQ(dimension_within(spaces, 0, 2), 1);
+  EXPECT_EQ(dimension_within(spaces, 2, 1), 1);
+  EXPECT_EQ(dimension_within(spaces, 0, 3), 2);
+  EXPECT_EQ(dimension_within({of(MatrixXd::Identity(3, 3))}, 0, 3), 0);
+  EXPECT_EQ(dimension_within({of(difference()), of(MatrixXd::Identity(3, 3))}, 0, 2), no_dimension);
 }
 
 TEST(SpacesTest, SameIsMoreThanAsLarge) {
@@ -115,6 +138,39 @@ TEST(StudyTest, MatricesThatAreNotTheSystems) {
                blind = stripped_with(s, 2, [](Linearisation&form, const SystemPoint&) { form.F.setZero(); });
   EXPECT_TRUE(same(as_it_is, s.stripped(2)));
   EXPECT_FALSE(same(blind, s.stripped(2)));
+}
+
+/// Largest difference of F and H by misalignments, from exact derivatives, from those of the error form.
+double apart_from_error_form(const Case& which, Eigen::Index angles,
+                             const std::function<Vector3d(const SystemPoint&)>& rate) {
+  return largest(study(which), [&](const Course& c) {
+    const SystemPoint& p = c.points[0];
+    const auto made = inertial::misaligned(c.exact[0], p.x.segment<3>(angles), angles, rate(p));
+    return std::max(inertial::apart(made.F, c.forms[0].F), inertial::apart(made.H, c.forms[0].H));
+  });
+}
+
+TEST(MisalignedTest, ExactDerivativesBecomeTheErrorForm) {
+  const auto measured = [](const SystemPoint& p) -> Vector3d { return p.u.tail<3>(); };
+  const auto state = [](const SystemPoint& p) -> Vector3d { return p.x.segment<3>(9); };
+  EXPECT_LT(apart_from_error_form(inertial::world(1, 2), 6, measured), 1e-10);
+  EXPECT_LT(apart_from_error_form(inertial::relative(2), 3, measured), 1e-10);
+  EXPECT_LT(apart_from_error_form({.system = "cv6", .anchors = 1, .segment_s = in_space_s}, 6, state), 1e-10);
+  const auto none = [](const SystemPoint&) -> Vector3d { return Vector3d::Zero(); };
+  EXPECT_GT(apart_from_error_form(inertial::world(), 6, none), 1e-3);
+}
+
+TEST(MisalignedTest, BearingsByTheirDerivative) {
+  const Vector3d s(3, -2, 1.5);
+  const auto look = [](const Vector3d& at) {
+    return Eigen::Vector2d(std::atan2(at.y(), at.x()), std::atan2(at.z(), at.head<2>().norm()));
+  };
+  constexpr double h = 1e-5;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Vector3d step = h * Vector3d::Unit(axis);
+    const Eigen::Vector2d slope = (look(s + step) - look(s - step)) / (2 * h);
+    EXPECT_LT((inertial::bearings_by(s).col(axis) - slope).norm(), 1e-9);
+  }
 }
 
 TEST(StudyTest, LieDerivativesWhereTheMotionsBegin) {

@@ -37,11 +37,7 @@ bool before(const SignedNode& a, const SignedNode& b) {
   return std::tie(rank_a, a.node->text, a.negative) < std::tie(rank_b, b.node->text, b.negative);
 }
 
-SignedNode finished(CanonicalNode node, bool negative) {
-  SignedNode result{false, std::make_shared<CanonicalNode>(node)};
-  node.text = written(result);
-  return {negative, std::make_shared<CanonicalNode>(std::move(node))};
-}
+SignedNode finished(CanonicalNode node, bool negative);
 
 SignedNode number_node(const numeric& n) {
   CanonicalNode node;
@@ -153,6 +149,8 @@ class Writer {
 
  private:
   Text write(const CanonicalNode& node) const {
+    // Written once: nested powers would be written over and over
+    if (!latex_ && !node.text.empty()) return {node.text, static_cast<Binding>(node.binding)};
     switch (node.kind) {
       case Kind::number:
         return number(node.number);
@@ -204,6 +202,7 @@ class Writer {
   Text inverted(const CanonicalNode& power_node) const {
     CanonicalNode node = power_node;
     node.parts[1].negative = false;
+    node.text.clear();
     return power(node);
   }
 
@@ -263,6 +262,13 @@ class Writer {
 
   bool latex_;
 };
+
+SignedNode finished(CanonicalNode node, bool negative) {
+  const Text text = Writer(false).write({false, std::make_shared<CanonicalNode>(node)});
+  node.text = text.text;
+  node.binding = text.binding;
+  return {negative, std::make_shared<CanonicalNode>(std::move(node))};
+}
 
 }  // namespace
 

@@ -37,6 +37,7 @@ struct CanonicalNode {
   std::string name;
   std::vector<SignedNode> parts;
   std::string text;  ///< what it says, and what it is sorted by
+  int binding = 0;   ///< of the text: how tightly it holds together
 };
 
 class Canonicaliser {

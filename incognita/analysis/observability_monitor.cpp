@@ -35,15 +35,77 @@ MatrixXd factor_of(const MatrixXd& M) {
   return sigma.asDiagonal() * F.leftCols(rank);
 }
 
-/// The orthogonal Q' that makes a matrix upper triangular, and that triangle.
-struct Turn {
-  MatrixXd Qt, R;
-  explicit Turn(const MatrixXd& M) {
-    const Eigen::HouseholderQR<MatrixXd> qr(M);
-    Qt = qr.householderQ().adjoint();
-    R = qr.matrixQR().triangularView<Eigen::Upper>();
+/// Rows = Q R in their first columns: R, and Q' times the other columns. The reflectors are applied one after
+/// the other, Q' is never formed.
+MatrixXd turned_upright(MatrixXd rows, Eigen::Index columns) {
+  const Eigen::HouseholderQR<MatrixXd> qr(rows.leftCols(columns));
+  rows.leftCols(columns) = qr.matrixQR().triangularView<Eigen::Upper>();
+  auto others = rows.rightCols(rows.cols() - columns);
+  others.applyOnTheLeft(qr.householderQ().adjoint());
+  return rows;
+}
+
+/// What rows say that does not depend on some unknowns, which they hold by these factors.
+MatrixXd rows_without(const MatrixXd& factors, MatrixXd rows) {
+  Eigen::ColPivHouseholderQR<MatrixXd> qr(factors);
+  qr.setThreshold(least_pivot);
+  rows.applyOnTheLeft(qr.householderQ().adjoint());
+  return rows.bottomRows(rows.rows() - qr.rank());
+}
+
+/// A = diag(rows) B diag(columns), the largest of each row and column of B near 1: metres and radians, and
+/// the unit of length, do not make a matrix look singular.
+struct Equilibrated {
+  VectorXd rows, columns;
+  MatrixXd B;
+  explicit Equilibrated(const MatrixXd& A) : rows(A.rowwise().lpNorm<Eigen::Infinity>()), B(A) {
+    for (double& r : rows)
+      if (!(r > 0)) r = 1;
+    B = rows.cwiseInverse().asDiagonal() * A;
+    columns = B.colwise().lpNorm<Eigen::Infinity>().transpose();
+    for (double& c : columns)
+      if (!(c > 0)) c = 1;
+    B = B * columns.cwiseInverse().asDiagonal();
   }
 };
+
+/// Whether a motion can be undone, and has at least so large a share of its largest pivot left.
+bool can_be_undone(const MatrixXd& A, double least) {
+  const Eigen::FullPivLU<MatrixXd> lu(Equilibrated(A).B);
+  const auto pivots = lu.matrixLU().diagonal().cwiseAbs();
+  return pivots.minCoeff() > least * pivots.maxCoeff();
+}
+
+/// What a motion that cannot be undone forgets, and the rest undone: all that A takes to y is
+/// inverse * y + forgotten * anything.
+struct PartlyUndone {
+  MatrixXd inverse, forgotten;
+  explicit PartlyUndone(const MatrixXd& A) {
+    const Equilibrated e(A);
+    const Eigen::JacobiSVD<MatrixXd> svd(e.B, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    const auto& values = svd.singularValues();
+    const Eigen::Index rank = (values.array() > least_pivot * values[0]).count();
+    const MatrixXd V = e.columns.cwiseInverse().asDiagonal() * svd.matrixV();
+    inverse = V.leftCols(rank) * values.head(rank).cwiseInverse().asDiagonal() *
+              svd.matrixU().leftCols(rank).transpose() * e.rows.cwiseInverse().asDiagonal();
+    forgotten = V.rightCols(A.cols() - rank);
+  }
+};
+
+/// Whether an error of a newborn is an error of one parent and nothing else but noise of its own: which one.
+std::optional<Eigen::Index> copied_error(const BlockBirth& birth, Eigen::Index row, BlockId parent) {
+  std::optional<Eigen::Index> copied;
+  for (const BlockParent& p : birth.parents) {
+    if (p.J.row(row).isZero(0)) continue;
+    Eigen::Index at = 0;
+    if (p.block != parent || copied || p.J.row(row).cwiseAbs().maxCoeff(&at) != 1 ||
+        p.J.row(row).cwiseAbs().sum() != 1)
+      return std::nullopt;
+    copied = at;
+  }
+  if (birth.noise.row(row).cwiseAbs().sum() != std::abs(birth.noise(row, row))) return std::nullopt;
+  return copied;
+}
 
 /// A square matrix: a basis of the null space of M, which has full rank, then M^+.
 MatrixXd null_space_and_inverse(const MatrixXd& M) {
@@ -59,10 +121,11 @@ MatrixXd null_space_and_inverse(const MatrixXd& M) {
 
 }  // namespace
 
-ObservabilityMonitor::ObservabilityMonitor(BlockId vehicle, int vehicle_errors)
-    : blocks_{{vehicle, 0, vehicle_errors}}, V_(MatrixXd::Zero(vehicle_errors, vehicle_errors)) {
-  put_index();
-}
+ObservabilityMonitor::ObservabilityMonitor(BlockId vehicle, int vehicle_errors, Motions motions)
+    : motions_(motions),
+      blocks_{{vehicle, 0, vehicle_errors}},
+      index_of_{{vehicle, 0}},
+      V_(MatrixXd::Zero(vehicle_errors, vehicle_errors)) {}
 
 void ObservabilityMonitor::follow(const BeliefTrace& trace) {
   struct Visitor {
@@ -80,17 +143,9 @@ void ObservabilityMonitor::follow(const BeliefTrace& trace) {
     if (!uncovered_) std::visit(Visitor{*this}, event);
 }
 
-void ObservabilityMonitor::put_index() {
-  index_of_.assign(index_of_.size(), -1);
-  for (std::size_t i = 0; i < blocks_.size(); ++i) {
-    if (index_of_.size() <= blocks_[i].id) index_of_.resize(blocks_[i].id + 1, -1);
-    index_of_[blocks_[i].id] = static_cast<int>(i);
-  }
-}
-
 const ObservabilityMonitor::Block* ObservabilityMonitor::find(BlockId id) const {
-  if (id >= index_of_.size() || index_of_[id] < 0) return nullptr;
-  return &blocks_[static_cast<std::size_t>(index_of_[id])];
+  const auto at = index_of_.find(id);
+  return at == index_of_.end() ? nullptr : &blocks_[at->second];
 }
 
 const ObservabilityMonitor::Block& ObservabilityMonitor::find_or_add(BlockId id, int errors) {
@@ -99,60 +154,84 @@ const ObservabilityMonitor::Block& ObservabilityMonitor::find_or_add(BlockId id,
   V_.conservativeResize(Eigen::NoChange, old + errors);
   V_.rightCols(errors).setZero();
   L_.grow(errors);
+  added_.conservativeResize(L_.size());
+  added_.tail(errors).setZero();
+  index_of_[id] = blocks_.size();
   blocks_.push_back({id, static_cast<int>(old), errors});
-  put_index();
   return blocks_.back();
 }
 
 // Motions
 // ---------------------------------------------------------------------------------------------------------
 
-/// Motions between looks are composed, and applied when the next look comes.
+/// Motions between looks are composed, and applied when the next look comes: as long as their product can be
+/// undone without loss. Each is asked by itself whether it can be undone, as many that shrink an error a
+/// little never forget it.
 void ObservabilityMonitor::move(const AffineMotion& motion) {
+  constexpr double well = 1e-6;      // of the largest pivot, in no unit
+  constexpr double near_one = 1e-3;  // a product that shrinks or grows more, in any unit, is undone in pieces
   if (motion.block != blocks_.front().id) {
     uncovered_ = Uncovered::other_mover;
     return;
   }
-  absorb_rows();
-  if (!moved_) {
-    A_ = motion.A;
-    N_ = motion.N;
-    moved_ = true;
+  if (!motion.A.allFinite() || !motion.N.allFinite()) {
+    uncovered_ = Uncovered::not_finite;
     return;
   }
-  A_ = (motion.A * A_).eval();
-  N_ = (motion.A * N_ * motion.A.transpose() + motion.N).eval();
+  absorb_rows();
+  if (motions_ == Motions::tell_nothing)
+    return forget(MatrixXd::Identity(vehicle_errors(), vehicle_errors()));
+  if (!can_be_undone(motion.A, least_pivot)) {
+    apply_motion();
+    const PartlyUndone undone(motion.A);
+    forget(undone.forgotten);
+    return put_motion(V_.leftCols(vehicle_errors()) * undone.inverse, factor_of(motion.N));
+  }
+  const BlockMatrix product = moved_ ? BlockMatrix(motion.A * A_) : motion.A;
+  const double volume = std::abs(product.determinant());
+  if (moved_ && can_be_undone(product, well) && volume > near_one && volume < 1 / near_one) {
+    A_ = product;
+    N_ = (motion.A * N_ * motion.A.transpose() + motion.N).eval();
+    return;
+  }
+  apply_motion();
+  A_ = motion.A;
+  N_ = motion.N;
+  moved_ = true;
 }
 
-/// error before = A^-1 (error after - F w), w of unit covariance: rows for w, which is then eliminated.
 void ObservabilityMonitor::apply_motion() {
   if (!moved_) return;
   moved_ = false;
-  const Eigen::FullPivLU<MatrixXd> lu(MatrixXd(A_).transpose());
-  const auto pivots = lu.matrixLU().diagonal().cwiseAbs();
-  if (!(pivots.minCoeff() > least_pivot * pivots.maxCoeff())) return forget_vehicle();
+  const Equilibrated e(A_);
+  const MatrixXd inverse =
+      e.columns.cwiseInverse().asDiagonal() * e.B.fullPivLu().inverse() * e.rows.cwiseInverse().asDiagonal();
+  put_motion(V_.leftCols(vehicle_errors()) * inverse, factor_of(N_));
+}
+
+/// error before = A^-1 (error after - F w), w of unit covariance: rows for w, which is then eliminated.
+/// `before` is V A^-1.
+void ObservabilityMonitor::put_motion(const MatrixXd& before, const MatrixXd& F) {
   const int size = vehicle_errors();
-  const MatrixXd before = lu.solve(V_.leftCols(size).transpose()).transpose();  // V A^-1
-  const MatrixXd F = factor_of(N_);
   const Eigen::Index noises = F.cols(), landmarks = V_.cols() - size;
   MatrixXd rows = MatrixXd::Zero(noises + size, noises + size);
   rows.topLeftCorner(noises, noises).setIdentity();
   rows.bottomLeftCorner(size, noises) = -before * F;
   rows.bottomRightCorner(size, size) = before;
-  const Turn turn(rows);
-  V_.leftCols(size) = turn.R.bottomRightCorner(size, size);
-  V_.rightCols(landmarks) = turn.Qt.bottomRightCorner(size, size) * V_.rightCols(landmarks);
+  const Eigen::HouseholderQR<MatrixXd> qr(rows);
+  const MatrixXd Qt = qr.householderQ().adjoint();  // small, and the map is wide
+  V_.leftCols(size) =
+      qr.matrixQR().triangularView<Eigen::Upper>().toDenseMatrix().bottomRightCorner(size, size);
+  V_.rightCols(landmarks) = Qt.bottomRightCorner(size, size) * V_.rightCols(landmarks);
 }
 
-/// What the vehicle's rows say of the landmarks alone stays.
-void ObservabilityMonitor::forget_vehicle() {
+/// What the vehicle's rows say whatever the errors in these directions are.
+void ObservabilityMonitor::forget(const MatrixXd& directions) {
   const int size = vehicle_errors();
-  Eigen::ColPivHouseholderQR<MatrixXd> qr(V_.leftCols(size));
-  qr.setThreshold(least_pivot);
-  MatrixXd rest = V_.rightCols(V_.cols() - size);
-  rest.applyOnTheLeft(qr.householderQ().adjoint());
-  L_.add(rest.bottomRows(size - qr.rank()));
+  const MatrixXd left = rows_without(V_.leftCols(size) * directions, V_);
   V_.setZero();
+  V_.topRows(left.rows()) = left;
+  if (directions.cols() == size) V_.leftCols(size).setZero();
 }
 
 // Looks
@@ -189,48 +268,50 @@ void ObservabilityMonitor::give_birth(const BlockBirth& birth) {
       parts.push_back({0, find_or_add(parent.block, static_cast<int>(J.cols())).first, -J});
     }
     LookMatrix R = birth.noise(some, some);
+    for (std::size_t i = 0; i < some.size(); ++i)
+      if (const auto copied = copied_error(birth, some[i], blocks_.front().id); copied && *copied < places_)
+        R.diagonal()[static_cast<Eigen::Index>(i)] =
+            std::max(R.diagonal()[static_cast<Eigen::Index>(i)], exact_place_sigma_ * exact_place_sigma_);
     R.diagonal().array() += 1e-14 * std::max(1e-14, R.trace() / static_cast<double>(rows));
     add_rows(parts, R);
   }
 }
 
 void ObservabilityMonitor::add_rows(const std::vector<Part>& parts, const LookMatrix& R) {
+  constexpr int most_rows = 64;  // that wait: time and memory are linear in the looks, also without motions
   const Eigen::LLT<LookMatrix> llt(R);
   if (llt.info() != Eigen::Success) return;  // no update takes such a look
+  if (!std::all_of(parts.begin(), parts.end(), [](const Part& part) { return part.H.allFinite(); })) {
+    uncovered_ = Uncovered::not_finite;
+    return;
+  }
   for (const Part& part : parts) pending_.push_back({row_count_, part.first, llt.matrixL().solve(part.H)});
   row_count_ += static_cast<int>(R.rows());
+  if (row_count_ >= most_rows) absorb_rows();
 }
 
 /// V and the rows that wait are turned until nothing but V has to do with the vehicle.
 void ObservabilityMonitor::absorb_rows() {
   if (row_count_ == 0) return;
-  const int size = vehicle_errors();
-  MatrixXd of_vehicle = MatrixXd::Zero(size + row_count_, size);
-  of_vehicle.topRows(size) = V_.leftCols(size);
+  MatrixXd rows = MatrixXd::Zero(V_.rows() + row_count_, V_.cols());
+  rows.topRows(V_.rows()) = V_;
   for (const Part& part : pending_)
-    if (part.first == 0) of_vehicle.middleRows(size + part.row, part.H.rows()) += part.H;
-  const Turn turn(of_vehicle);
-  MatrixXd of_map = turn.Qt.leftCols(size) * V_.rightCols(V_.cols() - size);
-  for (const Part& part : pending_)
-    if (part.first > 0)
-      of_map.middleCols(part.first - size, part.H.cols()) +=
-          turn.Qt.middleCols(size + part.row, part.H.rows()) * part.H;
-  V_ << turn.R.topRows(size), of_map.topRows(size);
-  L_.add(of_map.bottomRows(row_count_));
+    rows.block(V_.rows() + part.row, part.first, part.H.rows(), part.H.cols()) += part.H;
   pending_.clear();
   row_count_ = 0;
+  put_rows(std::move(rows));
 }
 
 /// V from any rows; those that are left, free of the vehicle, go to the map.
-void ObservabilityMonitor::put_rows(const MatrixXd& rows) {
+void ObservabilityMonitor::put_rows(MatrixXd rows) {
   const int size = vehicle_errors();
-  const Eigen::Index kept = std::min<Eigen::Index>(size, rows.rows()), landmarks = rows.cols() - size;
-  const Turn turn(rows.leftCols(size));
-  const MatrixXd of_map = turn.Qt * rows.rightCols(landmarks);
+  const Eigen::Index kept = std::min<Eigen::Index>(size, rows.rows());
+  rows = turned_upright(std::move(rows), size);
   V_.setZero();
-  V_.topLeftCorner(kept, size) = turn.R.topRows(kept);
-  V_.topRightCorner(kept, landmarks) = of_map.topRows(kept);
-  L_.add(of_map.bottomRows(rows.rows() - kept));
+  V_.topRows(kept) = rows.topRows(kept);
+  const auto of_map = rows.bottomRightCorner(rows.rows() - kept, rows.cols() - size);
+  L_.add(of_map);
+  if (of_map.rows() > 0) added_ += of_map.colwise().squaredNorm().transpose();
 }
 
 // Blocks that go or change
@@ -260,11 +341,10 @@ void ObservabilityMonitor::eliminate(int first, int count) {
   const MatrixXd taken = take_rows_of(first, count);
   MatrixXd rows(taken.rows() + V_.rows(), V_.cols());
   rows << taken, V_;
-  Eigen::ColPivHouseholderQR<MatrixXd> qr(rows.middleCols(first, count));
-  qr.setThreshold(least_pivot);
-  rows.applyOnTheLeft(qr.householderQ().adjoint());
+  const MatrixXd factors = rows.middleCols(first, count);
+  rows = rows_without(factors, std::move(rows));
   rows.middleCols(first, count).setZero();
-  put_rows(rows.bottomRows(rows.rows() - qr.rank()));
+  put_rows(std::move(rows));
 }
 
 /// Columns and rows of errors of which nothing is said any more.
@@ -277,6 +357,7 @@ void ObservabilityMonitor::remove_columns(int first, int count) {
   kept.erase(kept.begin(), kept.begin() + vehicle_errors());
   for (Eigen::Index& i : kept) i -= vehicle_errors();
   L_.set(L_.matrix()(kept, kept));
+  added_ = added_(kept).eval();
 }
 
 void ObservabilityMonitor::drop(BlockId id) {
@@ -292,10 +373,9 @@ void ObservabilityMonitor::shrink(const Block& block, int by) {
   const auto at = blocks_.begin() + (&block - blocks_.data());
   for (auto later = at + 1; later != blocks_.end(); ++later) later->first -= by;
   at->errors -= by;
-  if (at->errors == 0) {
-    blocks_.erase(at);
-    put_index();
-  }
+  if (at->errors > 0) return;
+  index_of_.erase(at->id);
+  for (auto later = blocks_.erase(at); later != blocks_.end(); ++later) --index_of_[later->id];
 }
 
 /// These errors = C * as many others, told instead of them.
@@ -306,6 +386,9 @@ void ObservabilityMonitor::transform_block(int first, int count, const MatrixXd&
   L.middleCols(at, count) = (L.middleCols(at, count) * C).eval();
   L.middleRows(at, count) = (C.transpose() * L.middleRows(at, count)).eval();
   L_.set(L);
+  // |L_ij| <= sqrt(L_ii L_jj): (C' L C)_jj <= (sum of |C_ij| sqrt(L_ii))^2
+  added_.segment(at, count) =
+      (C.cwiseAbs().transpose() * added_.segment(at, count).cwiseSqrt()).cwiseAbs2().eval();
 }
 
 /// U' (new error) = (anything; T J (old error)) with U' = (B'; T), B spanning the noise. The old error is
@@ -332,6 +415,14 @@ MatrixXd ObservabilityMonitor::information() {
   MatrixXd Y = V_.transpose() * V_;
   Y.bottomRightCorner(L_.size(), L_.size()) += L_.matrix();
   return Y;
+}
+
+VectorXd ObservabilityMonitor::gathered() {
+  absorb_rows();
+  apply_motion();
+  VectorXd all = V_.colwise().squaredNorm().transpose();
+  all.tail(L_.size()) += added_;
+  return all;
 }
 
 }  // namespace incognita

@@ -17,7 +17,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
 #include "incognita/analysis/row_sum.hpp"
@@ -38,22 +40,37 @@ class ObservabilityMonitor {
     carried,       ///< all blocks moved with one: a map told in the frame of its vehicle
     decorrelated,  ///< correlations were dropped, variances inflated
     other_mover,   ///< another block than the vehicle moved
+    not_finite,    ///< a motion or a look has numbers that are not finite
   };
 
-  ObservabilityMonitor(BlockId vehicle, int vehicle_errors);
+  /// What becomes of motions.
+  enum class Motions {
+    followed,
+    tell_nothing,  ///< after each the vehicle may be anywhere: what is gained is gained by looks alone
+  };
+
+  ObservabilityMonitor(BlockId vehicle, int vehicle_errors, Motions motions = Motions::followed);
 
   /// Everything that was done, in order. After something that is not covered nothing is followed any more.
   void follow(const BeliefTrace& trace);
   const std::optional<Uncovered>& uncovered() const { return uncovered_; }
 
-  /// A motion that cannot be undone (as of a vehicle that is put at rest, or the first of an unscented filter
-  /// that starts exactly) makes the vehicle a new one of which nothing is known.
+  /// What A forgets of the vehicle (as the rates of one that is put at rest, or all of it in the first motion
+  /// of an unscented filter that starts exactly) is marginalised out. What the motion puts in its place is a
+  /// prior, and no information.
   void move(const AffineMotion& motion);
   /// Blocks that were not seen to be born are new, and nothing is known of them.
   void look(const AffineLook& look);
   /// A birth is a look at the newborn. Of its errors those that do not depend on any parent were not measured
   /// but assumed, as the depth of a feature seen once: such a guess is no information.
   void give_birth(const BlockBirth& birth);
+  /// A newborn that copies one of the vehicle's first `places` errors, its place of birth, is taken to be
+  /// sure of it to `sigma` at best: a hair of noise in metres that stands for none would weigh the more the
+  /// longer the scene is in metres, until nothing but rounding is left of the rest.
+  void take_as_exact(int places, double sigma) {
+    places_ = places;
+    exact_place_sigma_ = sigma;
+  }
   /// What is known of the old block, told of the new one. Where the new one has noise of its own nothing is
   /// taken to be known of it.
   void replace(const BlockReplacement& replacement);
@@ -62,10 +79,15 @@ class ObservabilityMonitor {
 
   int errors() const { return static_cast<int>(V_.cols()); }
   /// The vehicle, then the landmarks in the order of their births.
+  /// Rows of looks that are kept to be taken in together: a few tens at most, however long nothing moves.
+  int waiting_rows() const { return row_count_; }
   const std::vector<Block>& blocks() const { return blocks_; }
   const Block* find(BlockId id) const;
   /// Y: errors() x errors(), both triangles.
   Eigen::MatrixXd information();
+  /// By error: the sum of squares of all that was ever added for it, also of what is forgotten by now. That
+  /// much was rounded.
+  Eigen::VectorXd gathered();
 
  private:
   /// So many rows of a look, whitened, at so many errors.
@@ -75,27 +97,31 @@ class ObservabilityMonitor {
     LookJacobian H;
   };
   int vehicle_errors() const { return blocks_.front().errors; }
-  void put_index();
   const Block& find_or_add(BlockId id, int errors);
   void add_rows(const std::vector<Part>& parts, const LookMatrix& R);
   void absorb_rows();
-  void put_rows(const Eigen::MatrixXd& rows);
+  void put_rows(Eigen::MatrixXd rows);
   void apply_motion();
-  void forget_vehicle();
+  void put_motion(const Eigen::MatrixXd& before, const Eigen::MatrixXd& F);
+  void forget(const Eigen::MatrixXd& directions);
   Eigen::MatrixXd take_rows_of(int first, int count);
   void eliminate(int first, int count);
   void transform_block(int first, int count, const Eigen::MatrixXd& C);
   void remove_columns(int first, int count);
   void shrink(const Block& block, int by);
 
+  Motions motions_;
   std::vector<Block> blocks_;
-  std::vector<int> index_of_;  ///< by id; -1 for none
-  Eigen::MatrixXd V_;          ///< vehicle errors x errors
-  RowSum L_;                   ///< landmark errors x landmark errors
-  std::vector<Part> pending_;  ///< looks that wait to be absorbed
-  int row_count_ = 0;          ///< their rows
-  bool moved_ = false;         ///< A_ and N_ are to be applied
+  std::unordered_map<BlockId, std::size_t> index_of_;  ///< of the blocks there are
+  Eigen::MatrixXd V_;                                  ///< vehicle errors x errors
+  RowSum L_;                                           ///< landmark errors x landmark errors
+  Eigen::VectorXd added_;                              ///< to the diagonal of L, ever
+  std::vector<Part> pending_;                          ///< looks that wait to be absorbed
+  int row_count_ = 0;                                  ///< their rows
+  bool moved_ = false;                                 ///< A_ and N_ are to be applied
   BlockMatrix A_, N_;
+  int places_ = 0;  ///< see take_as_exact()
+  double exact_place_sigma_ = 0;
   std::optional<Uncovered> uncovered_;
 };
 

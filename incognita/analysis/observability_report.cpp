@@ -18,20 +18,22 @@ MatrixXd in_units(const MatrixXd& Y, const VectorXd& units) {
   return units.asDiagonal() * Y * units.asDiagonal();
 }
 
-/// What rounding can leave of a zero among the eigenvalues of a sum of many looks.
-double rounding_of(const MatrixXd& scaled) {
-  if (scaled.size() == 0) return 0;
+/// What rounding can leave of a zero among the eigenvalues of a sum of many looks: of all that was ever
+/// added, as what is forgotten leaves its rounding behind.
+double rounding_of(const VectorXd& gathered, const VectorXd& units) {
+  if (gathered.size() == 0) return 0;
   constexpr double eps = std::numeric_limits<double>::epsilon();
-  return 16 * eps * static_cast<double>(scaled.rows()) * scaled.diagonal().maxCoeff();
+  return 16 * eps * static_cast<double>(gathered.size()) *
+         gathered.cwiseProduct(units.cwiseAbs2()).maxCoeff();
 }
 
 /// Covariances that an information leaves. Where it has none they are very large instead of infinite: a prior
 /// is added that is too weak to be taken for information, and strong enough for rounding.
 class Covariances {
  public:
-  Covariances(const MatrixXd& Y, const VectorXd& units) : units_(units) {
-    const MatrixXd scaled = in_units(Y, units);
-    prior_ = std::max(1e-8, rounding_of(scaled) / 4);
+  Covariances(const MonitoredInformation& information, const VectorXd& units) : units_(units) {
+    const MatrixXd scaled = in_units(information.Y, units);
+    prior_ = std::max(1e-8, rounding_of(information.gathered, units) / 4);
     for (int attempt = 0; attempt < 10; ++attempt, prior_ *= 10) {
       MatrixXd with_prior = scaled;
       with_prior.diagonal().array() += prior_;
@@ -62,10 +64,22 @@ struct Quantity {
   double size;
 };
 
+/// What an information leaves of the quantities; empty where nothing is followed.
+struct Left {
+  MatrixXd covariance;
+  double nothing = 0;  ///< see Covariances
+
+  /// Standard deviation of a quantity, where there is more than the prior.
+  std::optional<double> sigma(Eigen::Index i, double size) const {
+    if (covariance.size() == 0 || !(covariance(i, i) < nothing * size * size)) return std::nullopt;
+    return std::sqrt(std::max(0.0, covariance(i, i)));
+  }
+};
+
 struct Believed {
   std::vector<Quantity> quantities;
-  MatrixXd covariance;  ///< of the quantities, where something is followed
-  double nothing = 0;   ///< see Covariances
+  Left by_filter;
+  std::optional<Left> by_looks;  ///< where they are told apart
 };
 
 /// How much each quantity changes along each remaining symmetry, in its own size.
@@ -80,37 +94,49 @@ MatrixXd changes(const Believed& believed, const VectorXd& place, const Remainin
   return out;
 }
 
-/// Of the symmetries that remain, along how many the information is worth something.
-int count_believed(const Believed& believed, const MatrixXd& along) {
-  if (along.cols() == 0) return 0;
+/// Of the symmetries that remain, along how many the information is worth something. Where rounding made the
+/// prior of Covariances strong, a small variance may be the prior's: that is nothing.
+int count_gained(const std::vector<Quantity>& quantities, const Left& left, const MatrixXd& along) {
+  if (along.cols() == 0 || left.covariance.size() == 0) return 0;
   VectorXd inverse_size(along.rows());
   for (Eigen::Index i = 0; i < along.rows(); ++i)
-    inverse_size[i] = 1 / believed.quantities[static_cast<std::size_t>(i)].size;
+    inverse_size[i] = 1 / quantities[static_cast<std::size_t>(i)].size;
   const MatrixXd F = along.completeOrthogonalDecomposition().pseudoInverse() * inverse_size.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(F * believed.covariance * F.transpose(),
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(F * left.covariance * F.transpose(),
                                                       Eigen::EigenvaluesOnly);
-  return static_cast<int>((eigen.eigenvalues().array() < 1).count());
+  return static_cast<int>((eigen.eigenvalues().array() < std::min(1.0, left.nothing)).count());
+}
+
+void count_believed(ObservabilityReport& report, const Believed& believed, const MatrixXd& along) {
+  const int gained = count_gained(believed.quantities, believed.by_filter, along);
+  report.wrongly_believed =
+      believed.by_looks ? std::min(gained, count_gained(believed.quantities, *believed.by_looks, along))
+                        : gained;
+  report.by_motion_model = gained - report.wrongly_believed;
 }
 
 void put_quantities(ObservabilityReport& report, const Believed& believed, const MatrixXd& along) {
   for (std::size_t i = 0; i < believed.quantities.size(); ++i) {
     const Quantity& q = believed.quantities[i];
     const auto row = static_cast<Eigen::Index>(i);
-    QuantityReport out{
-        q.name, q.unit, along.cols() == 0 || along.row(row).cwiseAbs().maxCoeff() < 1e-6, {}, false};
-    if (believed.covariance.size() > 0) {
-      const double variance = believed.covariance(row, row);
-      if (variance < believed.nothing * q.size * q.size)
-        out.believed_sigma = std::sqrt(std::max(0.0, variance));
-      out.gained = out.believed_sigma && variance < q.size * q.size;
+    QuantityReport out;
+    out.name = q.name;
+    out.unit = q.unit;
+    out.ideally_observable = along.cols() == 0 || along.row(row).cwiseAbs().maxCoeff() < 1e-6;
+    out.believed_sigma = believed.by_filter.sigma(row, q.size);
+    out.gained = out.believed_sigma && *out.believed_sigma < q.size;
+    if (believed.by_looks) {
+      out.sigma_from_looks = believed.by_looks->sigma(row, q.size);
+      out.by_motion_model = out.gained && !(out.sigma_from_looks && *out.sigma_from_looks < q.size);
     }
     report.quantities.push_back(std::move(out));
   }
 }
 
 template <class Scene>
-ObservabilityReport held_against(const MatrixXd& Y, const Scene& scene, const FixedPoints& fixed,
-                                 const std::string& uncovered, const Believed& believed) {
+ObservabilityReport held_against(const MonitoredInformation& of_filter, const Scene& scene,
+                                 const FixedPoints& fixed, const std::string& uncovered,
+                                 const Believed& believed) {
   ObservabilityReport report;
   report.uncovered = uncovered;
   report.anchors = fixed.anchors;
@@ -122,8 +148,8 @@ ObservabilityReport held_against(const MatrixXd& Y, const Scene& scene, const Fi
   const MatrixXd along = changes(believed, scene.place(), left);
   put_quantities(report, believed, along);
   if (!uncovered.empty()) return report;
-  report.information = rank_of_information(Y, units_of(scene));
-  report.wrongly_believed = count_believed(believed, along);
+  report.information = rank_of_information(of_filter, units_of(scene));
+  count_believed(report, believed, along);
   return report;
 }
 
@@ -187,7 +213,8 @@ struct CameraFunctionals {
   }
 };
 
-CameraFunctionals functionals(const MatrixXd& Y, const SpatialScene& scene, const FixedPoints& fixed) {
+CameraFunctionals functionals(const MonitoredInformation& information, const SpatialScene& scene,
+                              const FixedPoints& fixed) {
   CameraFunctionals f;
   const MatrixXd far = distances(scene, fixed, f.ids);
   f.G = MatrixXd::Zero(12 + far.rows(), scene.errors);
@@ -195,31 +222,26 @@ CameraFunctionals functionals(const MatrixXd& Y, const SpatialScene& scene, cons
   f.G.block<3, 3>(3, 3) = rotation_matrix<double>(free_camera::orientation(scene.camera));
   f.G.middleRows<6>(6) = rates(scene);
   f.G.bottomRows(far.rows()) = far;
-  const Covariances covariances(Y, units_of(scene));
+  const Covariances covariances(information, units_of(scene));
   f.C = covariances.of(f.G);
   f.nothing = covariances.nothing();
   if (f.count() > 0) f.weights = best_weights(f.C.bottomRightCorner(f.count(), f.count()));
   return f;
 }
 
-Believed believed_of(const CameraFunctionals* f, const SpatialScene& scene) {
+std::vector<Quantity> quantities_of(const SpatialScene& scene) {
   const double length = typical_distance(scene);
-  Believed out{{{"x", "m", length},
-                {"y", "m", length},
-                {"z", "m", length},
-                {"turn about x", "rad", 1},
-                {"turn about y", "rad", 1},
-                {"turn about z", "rad", 1},
-                {"scale", "1", 1}},
-               {},
-               0};
-  if (!f) return out;
-  MatrixXd S = MatrixXd::Zero(7, f->G.rows());
+  return {{"x", "m", length},         {"y", "m", length},         {"z", "m", length},
+          {"turn about x", "rad", 1}, {"turn about y", "rad", 1}, {"turn about z", "rad", 1},
+          {"scale", "1", 1}};
+}
+
+Left left_of(const CameraFunctionals& f) {
+  MatrixXd S = MatrixXd::Zero(7, f.G.rows());
   S.topLeftCorner<6, 6>().setIdentity();
-  S.row(6) = f->scale();
-  out.covariance = S * f->C * S.transpose();
-  if (f->count() == 0) out.covariance(6, 6) = 10 * f->nothing;
-  out.nothing = f->nothing;
+  S.row(6) = f.scale();
+  Left out{S * f.C * S.transpose(), f.nothing};
+  if (f.count() == 0) out.covariance(6, 6) = 10 * f.nothing;
   return out;
 }
 
@@ -255,10 +277,10 @@ std::string number(double value, const char* unit) {
   return text;
 }
 
-std::string sigma_in_words(const QuantityReport& q) {
-  if (q.unit == "rad") return number(*q.believed_sigma * 57.29577951308232, " deg");
-  if (q.unit == "1") return number(*q.believed_sigma * 100, " %");
-  return number(*q.believed_sigma, " m");
+std::string sigma_in_words(double sigma, const std::string& unit) {
+  if (unit == "rad") return number(sigma * 57.29577951308232, " deg");
+  if (unit == "1") return number(sigma * 100, " %");
+  return number(sigma, " m");
 }
 
 std::string fixed_by(const ObservabilityReport& report) {
@@ -288,21 +310,35 @@ std::vector<Group> groups_of(const ObservabilityReport& report) {
 std::string of_observable(const Group& group, const ObservabilityReport& report) {
   const bool all = std::all_of(group.members.begin(), group.members.end(), [](auto* q) { return q->gained; });
   const std::string by = fixed_by(report);
-  if (!report.uncovered.empty() || all) return std::string(group.word) + ": fixed by " + by;
+  if (!report.uncovered.empty()) return std::string(group.word) + ": can be fixed by " + by;
+  if (all) return std::string(group.word) + ": fixed by " + by;
   return std::string(group.word) + ": could be fixed by " + by +
          ", but too little has been learnt of it so far";
+}
+
+/// Of what a group cannot know and yet gained, by looks or by motions alone, the member that is known best.
+const QuantityReport* best_gained(const Group& group, bool by_motion_model) {
+  const QuantityReport* best = nullptr;
+  for (const QuantityReport* q : group.members)
+    if (!q->ideally_observable && q->gained && q->by_motion_model == by_motion_model &&
+        (!best || *q->believed_sigma < *best->believed_sigma))
+      best = q;
+  return best;
 }
 
 std::string of_unobservable(const Group& group, const ObservabilityReport& report) {
   std::string text = std::string(group.word) + ": unobservable";
   if (const std::string by = fixed_by(report); !by.empty()) text += " with " + by;
-  const QuantityReport* best = nullptr;
-  for (const QuantityReport* q : group.members)
-    if (!q->ideally_observable && q->gained && (!best || *q->believed_sigma < *best->believed_sigma))
-      best = q;
-  if (!best) return text;
-  return text + ", yet the filter believes to know " + (group.members.size() > 1 ? best->name : "it") +
-         " to " + sigma_in_words(*best) + " from its looks";
+  const bool many = group.members.size() > 1;
+  const QuantityReport* by_looks = best_gained(group, false);
+  if (by_looks)
+    text += ", yet the filter believes to know " + (many ? by_looks->name : "it") + " to " +
+            sigma_in_words(by_looks->sigma_from_looks.value_or(*by_looks->believed_sigma), by_looks->unit) +
+            " from its looks";
+  if (const QuantityReport* q = best_gained(group, true))
+    text += (by_looks ? "; " : " by looks, ") + (many ? q->name + " known" : std::string("known")) + " to " +
+            sigma_in_words(*q->believed_sigma, q->unit) + " by its motion model";
+  return text;
 }
 
 std::string listed(const std::vector<std::string>& names) {
@@ -317,14 +353,14 @@ std::string listed(const std::vector<std::string>& names) {
 
 double InformationRank::gap() const { return least_counted / std::max(most_not_counted, tolerance / 1e3); }
 
-InformationRank rank_of_information(const MatrixXd& Y, const VectorXd& units) {
+InformationRank rank_of_information(const MonitoredInformation& information, const VectorXd& units) {
   constexpr double unclear = 30;  // factor
   InformationRank out;
-  out.errors = static_cast<int>(Y.rows());
-  if (Y.size() == 0) return out;
-  const MatrixXd scaled = in_units(Y, units);
+  out.errors = static_cast<int>(information.Y.rows());
+  if (information.Y.size() == 0) return out;
+  const MatrixXd scaled = in_units(information.Y, units);
   const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(scaled, Eigen::EigenvaluesOnly);
-  out.tolerance = rounding_of(scaled);
+  out.tolerance = rounding_of(information.gathered, units);
   out.ambiguous = out.tolerance * unclear > 1;      // rounding hides what is worth something
   for (const double value : eigen.eigenvalues()) {  // the smallest first
     if (value > out.tolerance && out.rank++ == 0) out.least_counted = value;
@@ -334,23 +370,26 @@ InformationRank rank_of_information(const MatrixXd& Y, const VectorXd& units) {
   return out;
 }
 
-ObservabilityReport observability_report(const MatrixXd& Y, const PlanarScene& scene,
+ObservabilityReport observability_report(const MonitoredInformation& of_filter, const PlanarScene& scene,
                                          const FixedPoints& fixed, const std::string& uncovered) {
   const double length = typical_distance(scene);
-  Believed believed{{{"x", "m", length}, {"y", "m", length}, {"heading", "rad", 1}}, {}, 0};
+  Believed believed{{{"x", "m", length}, {"y", "m", length}, {"heading", "rad", 1}}, {}, {}};
   if (uncovered.empty()) {
-    const Covariances covariances(Y, units_of(scene));
-    believed.covariance = covariances.of(MatrixXd::Identity(3, scene.errors));
-    believed.nothing = covariances.nothing();
+    const Covariances covariances(of_filter, units_of(scene));
+    believed.by_filter = {covariances.of(MatrixXd::Identity(3, scene.errors)), covariances.nothing()};
   }
-  return held_against(Y, scene, fixed, uncovered, believed);
+  return held_against(of_filter, scene, fixed, uncovered, believed);
 }
 
-ObservabilityReport observability_report(const MatrixXd& Y, const SpatialScene& scene,
+ObservabilityReport observability_report(const MonitoredInformation& of_filter,
+                                         const MonitoredInformation& of_looks, const SpatialScene& scene,
                                          const FixedPoints& fixed, const std::string& uncovered) {
-  if (!uncovered.empty()) return held_against(Y, scene, fixed, uncovered, believed_of(nullptr, scene));
-  const CameraFunctionals f = functionals(Y, scene, fixed);
-  ObservabilityReport report = held_against(Y, scene, fixed, uncovered, believed_of(&f, scene));
+  Believed believed{quantities_of(scene), {}, {}};
+  if (!uncovered.empty()) return held_against(of_filter, scene, fixed, uncovered, believed);
+  const CameraFunctionals f = functionals(of_filter, scene, fixed);
+  believed.by_filter = left_of(f);
+  if (of_looks.Y.size() > 0) believed.by_looks = left_of(functionals(of_looks, scene, fixed));
+  ObservabilityReport report = held_against(of_filter, scene, fixed, uncovered, believed);
   report.without_information = not_learnt(f, scene, report.quantities.back().ideally_observable);
   return report;
 }

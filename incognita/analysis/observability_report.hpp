@@ -3,8 +3,11 @@
 //
 // "Can" is what remains of the symmetries after the anchors and position fixes seen so far. "Has learnt" is
 // the marginal information of a quantity, everything else unknown and no prior: looks, motions and their
-// assumed noise at the filter's own Jacobians. A quantity that cannot be known, and of which the filter has
-// learnt something, is one that it wrongly believes to know.
+// assumed noise at the filter's own Jacobians. A quantity that cannot be known, and of which the filter's
+// looks alone have told it something, is one that it wrongly believes to know: what looks see is left alone
+// by the symmetries, motions or not. Of a camera, motions tell more: accelerations have a size, whether they
+// are commanded (v' = v + a dt does not scale with v) or only assumed. What is known by them alone is no
+// mistake of the looks.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,6 +18,12 @@
 #include "incognita/analysis/symmetries.hpp"
 
 namespace incognita {
+
+/// What a monitor has: ObservabilityMonitor::information() and gathered().
+struct MonitoredInformation {
+  Eigen::MatrixXd Y;
+  Eigen::VectorXd gathered;
+};
 
 /// A rank of an information matrix, told in units that make 1 as good as nothing, and how clear it is.
 struct InformationRank {
@@ -31,7 +40,7 @@ struct InformationRank {
   double gap() const;
 };
 /// `units`: by error, the size that is as good as not knowing it.
-InformationRank rank_of_information(const Eigen::MatrixXd& Y, const Eigen::VectorXd& units);
+InformationRank rank_of_information(const MonitoredInformation& information, const Eigen::VectorXd& units);
 
 /// What has fixed the frame so far.
 struct FixedPoints {
@@ -48,6 +57,8 @@ struct QuantityReport {
   /// Standard deviation that the filter's own information leaves, without prior; none where it has none
   std::optional<double> believed_sigma;
   bool gained = false;  ///< that sigma says something: it is less than the scene, a radian, a hundred percent
+  bool by_motion_model = false;            ///< it says something, and what the looks alone leave does not
+  std::optional<double> sigma_from_looks;  ///< the same of looks alone, where they are told apart
 };
 
 struct ObservabilityReport {
@@ -57,17 +68,21 @@ struct ObservabilityReport {
   int ideal_nullity = 0;  ///< symmetries that remain
   // Of the filter's information; 0 and empty where it is not followed
   InformationRank information;
-  int wrongly_believed =
-      0;  ///< of the remaining symmetries, how many the filter has gained information along
+  int wrongly_believed = 0;  ///< of the remaining symmetries, along how many looks have told the filter
+  int by_motion_model = 0;   ///< and along how many more it knows by its motion model
   std::vector<QuantityReport> quantities;
   std::vector<std::string> without_information;  ///< what could be known, and of which nothing was learnt
 };
 
-/// Y: the monitor's information, ordered as the scene says; empty where it is not followed, then `uncovered`
-/// says why.
-ObservabilityReport observability_report(const Eigen::MatrixXd& Y, const PlanarScene& scene,
+/// What the filter has by all that was done, ordered as the scene says; empty where it is not followed, then
+/// `uncovered` says why. Where motions carry the symmetries on whatever they are, as odometry does, all that
+/// was gained of them is the looks'.
+ObservabilityReport observability_report(const MonitoredInformation& of_filter, const PlanarScene& scene,
                                          const FixedPoints& fixed, const std::string& uncovered = "");
-ObservabilityReport observability_report(const Eigen::MatrixXd& Y, const SpatialScene& scene,
+/// `of_looks`: by looks alone, motions telling nothing; not asked for, and may be empty, where no symmetry
+/// remains.
+ObservabilityReport observability_report(const MonitoredInformation& of_filter,
+                                         const MonitoredInformation& of_looks, const SpatialScene& scene,
                                          const FixedPoints& fixed, const std::string& uncovered = "");
 
 /// The same for a person, a sentence each: "scale: fixed by 4 anchors".

@@ -24,22 +24,27 @@ PlanarScene scene_of(const PlanarEstimate& estimate, const ObservabilityMonitor&
   return scene;
 }
 
-SpatialScene scene_of(const Estimate& estimate, const ObservabilityMonitor& monitor) {
+/// Without a monitor, as before its first tick, the errors are not numbered.
+SpatialScene scene_of(const Estimate& estimate, const ObservabilityMonitor* monitor) {
   SpatialScene scene;
   scene.camera = estimate.camera_state();
-  scene.errors = monitor.errors();
+  if (monitor) scene.errors = monitor->errors();
   for (const Landmark& landmark : estimate.catalogue) {
-    const auto* block = landmark.kind == Landmark::Kind::anchor ? nullptr : monitor.find(landmark.block);
-    if (!block) continue;
+    if (landmark.kind == Landmark::Kind::anchor) continue;
+    const auto* block = monitor ? monitor->find(landmark.block) : nullptr;
+    if (monitor && !block) continue;
     auto& out = scene.landmarks.emplace_back();
     out.id = landmark.id;
-    out.first = block->first;
+    if (block) out.first = block->first;
     out.form = form_of(landmark.kind);
     out.birth_axes = landmark.birth_axes;
-    out.mean.head(block->errors) = estimate.belief.mean(landmark.block);
+    const auto mean = estimate.belief.mean(landmark.block);
+    out.mean.head(mean.size()) = mean;
   }
   return scene;
 }
+
+constexpr const char* not_finite = "its information is not finite";
 
 std::string why(ObservabilityMonitor::Uncovered uncovered) {
   switch (uncovered) {
@@ -49,15 +54,26 @@ std::string why(ObservabilityMonitor::Uncovered uncovered) {
       return "the filter drops correlations";
     case ObservabilityMonitor::Uncovered::other_mover:
       return "more than one vehicle moves";
+    case ObservabilityMonitor::Uncovered::not_finite:
+      return not_finite;
   }
   return "unknown";
 }
 
-bool scene_is_finite(const std::variant<std::monostate, PlanarScene, SpatialScene>& scene) {
-  if (const auto* planar = std::get_if<PlanarScene>(&scene))
-    return planar->vehicle.allFinite() && units_of(*planar).allFinite();
-  const auto& spatial = std::get<SpatialScene>(scene);
-  return spatial.camera.allFinite() && units_of(spatial).allFinite();
+bool is_finite(const PlanarScene& scene) { return scene.vehicle.allFinite() && units_of(scene).allFinite(); }
+bool is_finite(const SpatialScene& scene) { return scene.camera.allFinite() && units_of(scene).allFinite(); }
+
+bool has_birth(const BeliefTrace& trace) {
+  return std::any_of(trace.begin(), trace.end(),
+                     [](const BeliefEvent& event) { return std::holds_alternative<BlockBirth>(event); });
+}
+
+bool is_finite(const MonitoredInformation& information) {
+  return information.Y.allFinite() && information.gathered.allFinite();
+}
+
+MonitoredInformation information_of(ObservabilityMonitor& monitor) {
+  return {monitor.information(), monitor.gathered()};
 }
 
 }  // namespace
@@ -67,14 +83,35 @@ void ObservabilityWatch::follow(const Belief& belief, BlockId vehicle) {
   monitor_->follow(belief.trace());
 }
 
+/// Both monitors of a camera. Places of birth are exact to a share of the scene, as it is at their birth.
+void ObservabilityWatch::follow_camera(const Estimate& estimate) {
+  constexpr double exact_share = 5e-5;
+  if (!monitor_) {
+    const int errors = estimate.belief.chart(estimate.camera).tangent();
+    monitor_.emplace(estimate.camera, errors);
+    looks_.emplace(estimate.camera, errors, ObservabilityMonitor::Motions::tell_nothing);
+  }
+  if (has_birth(estimate.belief.trace())) {
+    const double length = typical_distance(scene_of(estimate, nullptr));
+    monitor_->take_as_exact(SpatialScene::dimension, exact_share * length);
+    if (looks_) looks_->take_as_exact(SpatialScene::dimension, exact_share * length);
+  }
+  monitor_->follow(estimate.belief.trace());
+  if (looks_) looks_->follow(estimate.belief.trace());
+}
+
 void ObservabilityWatch::follow(const Estimate& estimate) {
   if (!estimate.started) return;
-  follow(estimate.belief, estimate.camera);
+  follow_camera(estimate);
+  const std::size_t anchors_before = anchors_.size();
   const bool corrected = estimate.update.outcome == UpdateReport::Outcome::updated;
   for (const Look& look : estimate.looks)
     if (corrected && look.kind == Landmark::Kind::anchor && look.outcome == LookOutcome::matched)
       see_anchor(look.id, look.point);
-  scene_ = scene_of(estimate, *monitor_);
+  if (anchors_.size() > anchors_before &&
+      remaining_symmetries(fixed(SpatialScene::dimension).places).basis.cols() == 0)
+    looks_.reset();
+  put(scene_of(estimate, &*monitor_));
 }
 
 void ObservabilityWatch::follow(const PlanarEstimate& estimate) {
@@ -86,7 +123,16 @@ void ObservabilityWatch::follow(const PlanarEstimate& estimate) {
       if (landmark.anchor && landmark.id == look.id) see_anchor(look.id, landmark.position);
   }
   for (const UsedFix& fix : estimate.fixes) use_fix(fix);
-  scene_ = scene_of(estimate, *monitor_);
+  put(scene_of(estimate, *monitor_));
+}
+
+template <class Scene>
+void ObservabilityWatch::put(Scene scene) {
+  finite_ = is_finite(scene);
+  if (finite_)
+    scene_ = std::move(scene);
+  else if (!std::holds_alternative<Scene>(scene_))
+    scene_ = Scene{};
 }
 
 /// Fixes of a vehicle that stands still scatter: only such as are clearly apart are two places.
@@ -110,14 +156,21 @@ FixedPoints ObservabilityWatch::fixed(Eigen::Index dimension) const {
   return out;
 }
 
+/// What is not finite is not followed, and what can be known is said of the last scene that was.
 std::optional<ObservabilityReport> ObservabilityWatch::report() {
   if (!monitor_) return std::nullopt;
-  const std::string uncovered = monitor_->uncovered() ? why(*monitor_->uncovered()) : "";
-  const Eigen::MatrixXd Y = uncovered.empty() ? monitor_->information() : Eigen::MatrixXd();
-  if (!Y.allFinite() || !scene_is_finite(scene_)) return std::nullopt;
+  std::string uncovered = monitor_->uncovered() ? why(*monitor_->uncovered()) : "";
+  if (uncovered.empty() && !finite_) uncovered = "the estimate is not finite";
+  MonitoredInformation of_filter, of_looks;
+  if (uncovered.empty()) {
+    of_filter = information_of(*monitor_);
+    if (looks_) of_looks = information_of(*looks_);
+    if (!is_finite(of_filter) || !is_finite(of_looks)) uncovered = not_finite;
+  }
   if (const auto* scene = std::get_if<PlanarScene>(&scene_))
-    return observability_report(Y, *scene, fixed(PlanarScene::dimension), uncovered);
-  return observability_report(Y, std::get<SpatialScene>(scene_), fixed(SpatialScene::dimension), uncovered);
+    return observability_report(of_filter, *scene, fixed(PlanarScene::dimension), uncovered);
+  return observability_report(of_filter, of_looks, std::get<SpatialScene>(scene_),
+                              fixed(SpatialScene::dimension), uncovered);
 }
 
 }  // namespace incognita

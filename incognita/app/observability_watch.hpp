@@ -25,14 +25,20 @@ class ObservabilityWatch {
 
  private:
   void follow(const Belief& belief, BlockId vehicle);
+  void follow_camera(const Estimate& estimate);
+  template <class Scene>
+  void put(Scene scene);
   void see_anchor(std::int64_t id, const Eigen::VectorXd& place) { anchors_.emplace(id, place); }
   void use_fix(const UsedFix& fix);
   FixedPoints fixed(Eigen::Index dimension) const;
 
   std::optional<ObservabilityMonitor> monitor_;
-  std::map<std::int64_t, Eigen::VectorXd> anchors_;  ///< that corrected the filter
-  std::vector<Eigen::Vector2d> fixes_;               ///< places clearly apart
-  std::variant<std::monostate, PlanarScene, SpatialScene> scene_;
+  /// Of a camera, motions telling nothing; given up when no symmetry remains
+  std::optional<ObservabilityMonitor> looks_;
+  std::map<std::int64_t, Eigen::VectorXd> anchors_;                ///< that corrected the filter
+  std::vector<Eigen::Vector2d> fixes_;                             ///< places clearly apart
+  std::variant<std::monostate, PlanarScene, SpatialScene> scene_;  ///< the last whose numbers are finite
+  bool finite_ = true;                                             ///< that is the present one
 };
 
 }  // namespace incognita

@@ -6,9 +6,9 @@
 #include <system_error>
 
 #include "incognita/io/files.hpp"
-#include "incognita/math/nearest_name.hpp"
 #include "incognita/io/scenario_checks.hpp"
 #include "incognita/io/settings.hpp"
+#include "incognita/math/nearest_name.hpp"
 #include "incognita/messages/errors.hpp"
 
 namespace incognita {

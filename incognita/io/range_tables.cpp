@@ -8,10 +8,10 @@
 
 #include "incognita/io/files.hpp"
 #include "incognita/io/named_table.hpp"
-#include "incognita/math/nearest_name.hpp"
 #include "incognita/io/range_formats.hpp"
 #include "incognita/io/range_recording.hpp"
 #include "incognita/io/range_recording_builder.hpp"
+#include "incognita/math/nearest_name.hpp"
 #include "incognita/messages/errors.hpp"
 
 namespace incognita {

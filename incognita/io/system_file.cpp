@@ -13,8 +13,8 @@
 #include "incognita/analysis/system_check.hpp"
 #include "incognita/io/embedded.hpp"
 #include "incognita/io/files.hpp"
-#include "incognita/math/nearest_name.hpp"
 #include "incognita/io/toml_value.hpp"
+#include "incognita/math/nearest_name.hpp"
 #include "incognita/messages/errors.hpp"
 
 namespace incognita {

@@ -9,8 +9,8 @@
 #include "incognita/io/data_folder.hpp"
 #include "incognita/io/files.hpp"
 #include "incognita/io/image_file.hpp"
-#include "incognita/math/nearest_name.hpp"
 #include "incognita/io/toml_value.hpp"
+#include "incognita/math/nearest_name.hpp"
 #include "incognita/messages/errors.hpp"
 
 namespace incognita {

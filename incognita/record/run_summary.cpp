@@ -53,8 +53,11 @@ Json quantity_json(const QuantityReport& q) {
             {"unit", q.unit},
             {"ideally_observable", q.ideally_observable},
             {"gained", q.gained},
-            {"believed_sigma", nullptr}};
+            {"by_motion_model", q.by_motion_model},
+            {"believed_sigma", nullptr},
+            {"sigma_from_looks", nullptr}};
   if (q.believed_sigma) json["believed_sigma"] = *q.believed_sigma;
+  if (q.sigma_from_looks) json["sigma_from_looks"] = *q.sigma_from_looks;
   return json;
 }
 
@@ -75,6 +78,7 @@ Json observability_json(const ObservabilityReport& report) {
   json["gap"] = information.gap();
   json["ambiguous"] = information.ambiguous;
   json["wrongly_believed"] = report.wrongly_believed;
+  json["by_motion_model"] = report.by_motion_model;
   json["without_information"] = Json::array();
   for (std::size_t i = 0; i < std::min(report.without_information.size(), max_names); ++i)
     json["without_information"].push_back(report.without_information[i]);

@@ -35,8 +35,9 @@ Eigen::Index rank_of(const MatrixXd& M) {
   return svd.rank();
 }
 
-/// The same information the long way: the errors of the vehicle now and of every block there ever was, none
-/// of them forgotten until the end; motions by the matrix inversion lemma.
+/// The same information the long way: the errors of the vehicle now and of every block there ever was, no
+/// block forgotten until the end; motions by the matrix inversion lemma, after what they forget is
+/// marginalised out.
 struct LongWay {
   explicit LongWay(int errors) : size(errors), Y(MatrixXd::Zero(errors, errors)) {}
 
@@ -56,8 +57,16 @@ struct LongWay {
   void add(const MatrixXd& H, const MatrixXd& R) { Y += H.transpose() * R.inverse() * H; }
   void move(const AffineMotion& m) {
     MatrixXd T = MatrixXd::Identity(Y.rows(), Y.cols());
-    T.topLeftCorner(size, size) = MatrixXd(m.A).inverse();
-    const MatrixXd M = T.transpose() * Y * T;
+    T.topLeftCorner(size, size) = pseudo_inverse(m.A);
+    Eigen::FullPivLU<MatrixXd> lu{MatrixXd(m.A)};
+    lu.setThreshold(1e-12);
+    MatrixXd known = Y;
+    if (lu.dimensionOfKernel() > 0) {
+      MatrixXd W = MatrixXd::Zero(Y.rows(), lu.dimensionOfKernel());
+      W.topRows(size) = lu.kernel();
+      known -= Y * W * pseudo_inverse(W.transpose() * Y * W) * W.transpose() * Y;
+    }
+    const MatrixXd M = T.transpose() * known * T;
     const Eigen::JacobiSVD<MatrixXd> svd(MatrixXd(m.N), Eigen::ComputeFullU);
     MatrixXd G = MatrixXd::Zero(Y.rows(), size);
     G.topRows(size) = svd.matrixU() * svd.singularValues().cwiseSqrt().asDiagonal();
@@ -107,13 +116,21 @@ class BothWays {
       : random_(seed, "monitor"), errors_(errors), monitor(0, errors), long_way(errors) {}
 
   void move(int noises, double noise) {
+    move(MatrixXd::Identity(errors_, errors_) + 0.3 * random_matrix(random_, errors_, errors_), noises,
+         noise);
+  }
+  void move(const MatrixXd& A, int noises, double noise) {
     AffineMotion m;
     m.block = vehicle;
-    m.A = MatrixXd::Identity(errors_, errors_) + 0.3 * random_matrix(random_, errors_, errors_);
+    m.A = A;
     const MatrixXd G = noise * random_matrix(random_, errors_, noises);
     m.N = G * G.transpose();
     monitor.move(m);
     long_way.move(m);
+  }
+  void look_at_all(int times) {
+    for (int i = 0; i < times; ++i)
+      for (const BlockId id : live) look(id, 2);
   }
   void look(BlockId id, int rows) {
     AffineLook look;
@@ -319,24 +336,169 @@ TEST(ObservabilityMonitor, TakesNoiseThatIsPerfectlyCorrelated) {
   }
 }
 
-TEST(ObservabilityMonitor, AMotionThatCannotBeUndoneLeavesTheMap) {
+// As of a camera that is put at rest where it is: its pose and the map stay known
+TEST(ObservabilityMonitor, AMotionThatCannotBeUndoneTakesWhatItForgetsAndNoMore) {
   BothWays both(7, 4);
   for (int i = 0; i < 3; ++i) both.birth(2, 0);
-  for (int round = 0; round < 4; ++round)
-    for (const BlockId id : both.live) both.look(id, 2);
-  const MatrixXd before = both.monitor.information();
-  const MatrixXd of_map = before.bottomRightCorner(6, 6) - before.bottomLeftCorner(6, 4) *
-                                                               before.topLeftCorner(4, 4).inverse() *
-                                                               before.topRightCorner(4, 6);
-  AffineMotion rest;
-  rest.block = vehicle;
-  rest.A = MatrixXd::Identity(4, 4);
-  rest.A(3, 3) = 0;
-  rest.N = MatrixXd::Identity(4, 4);
-  both.monitor.move(rest);
-  const MatrixXd after = both.monitor.information();
-  EXPECT_TRUE(after.topRows(4).isZero(0));
-  EXPECT_LT((after.bottomRightCorner(6, 6) - of_map).norm(), 1e-9 * of_map.norm());
+  both.look_at_all(4);
+  MatrixXd rest = MatrixXd::Identity(4, 4);
+  rest(3, 3) = 0;
+  both.move(rest, 4, 1);
+  const MatrixXd at_rest = both.monitor.information();
+  EXPECT_LT(at_rest.row(3).norm(), 1e-12 * at_rest.norm());
+  EXPECT_EQ(rank_of(at_rest), 9);
+  both.compare("at rest");
+  both.look_at_all(3);
+  both.move(3, 0.5);
+  both.compare("and on");
+}
+
+// What is put in place of what it forgets is nobody's business: the rest is asked for
+TEST(ObservabilityMonitor, AMotionMayForgetDirectionsThatAreNoAxis) {
+  BothWays both(17, 4);
+  for (int i = 0; i < 3; ++i) both.birth(2, 0);
+  both.look_at_all(4);
+  RandomStream random(8, "skew");
+  const MatrixXd to = random_matrix(random, 4, 2);
+  both.move(to * random_matrix(random, 2, 4), 0, 0);
+  MatrixXd rest = MatrixXd::Zero(10, 8);
+  rest.topLeftCorner(4, 2) = to;
+  rest.bottomRightCorner(6, 6).setIdentity();
+  const MatrixXd expected = rest.transpose() * both.long_way.of(both.monitor.blocks()) * rest;
+  EXPECT_EQ(rank_of(expected), 8);
+  EXPECT_LT((rest.transpose() * both.monitor.information() * rest - expected).norm(), 1e-9 * expected.norm());
+}
+
+TEST(ObservabilityMonitor, AMotionThatForgetsAllLeavesTheMap) {
+  BothWays both(9, 4);
+  for (int i = 0; i < 3; ++i) both.birth(2, 0);
+  both.look_at_all(4);
+  both.move(MatrixXd::Zero(4, 4), 4, 1);
+  const MatrixXd Y = both.monitor.information();
+  EXPECT_TRUE(Y.topRows(4).isZero(0));
+  EXPECT_EQ(rank_of(Y), 6);
+  both.compare("forgotten");
+}
+
+// Each shrinks an error a little, all together below rounding, and none forgets it
+TEST(ObservabilityMonitor, ManyMotionsInARowAreNotOneThatCannotBeUndone) {
+  BothWays both(10, 4);
+  for (int i = 0; i < 3; ++i) both.birth(2, 0);
+  both.look_at_all(4);
+  MatrixXd slower = MatrixXd::Identity(4, 4);
+  slower(3, 3) = 0.5;
+  for (int i = 0; i < 60; ++i) both.move(slower, 4, 0.1);
+  EXPECT_EQ(rank_of(both.monitor.information()), 10);
+  both.compare("slower and slower");
+}
+
+TEST(ObservabilityMonitor, TheUnitOfLengthDoesNotMakeAMotionSingular) {
+  const double per_m = 1e6;  // and a vehicle that turns 1 km away
+  ObservabilityMonitor monitor(vehicle, 3);
+  AffineLook look;
+  look.add(vehicle, Eigen::Vector3d(1 / per_m, 1 / per_m, 1).asDiagonal().toDenseMatrix());
+  look.residual = VectorXd::Zero(3);
+  look.R = MatrixXd::Identity(3, 3);
+  monitor.look(look);
+  AffineMotion motion;
+  motion.block = vehicle;
+  motion.A = MatrixXd::Identity(3, 3);
+  motion.A.topRightCorner(2, 1) << -1e3 * per_m, 1e3 * per_m;
+  motion.N = MatrixXd::Zero(3, 3);
+  monitor.move(motion);
+  const Eigen::Vector3d m(per_m, per_m, 1e-3);  // what a turn moves 1 km away
+  EXPECT_EQ(rank_of(m.asDiagonal() * monitor.information() * m.asDiagonal()), 3);
+}
+
+// Only what is seen of several landmarks at once, from one place
+TEST(ObservabilityMonitor, MotionsMayTellNothing) {
+  ObservabilityMonitor looks(vehicle, 4, ObservabilityMonitor::Motions::tell_nothing);
+  MatrixXd of_map = MatrixXd::Zero(6, 6);
+  RandomStream random(13, "nothing");
+  for (int step = 0; step < 5; ++step) {
+    MatrixXd H = random_matrix(random, 6, 10);
+    for (BlockId id = 1; id <= 3; ++id) {
+      const auto i = static_cast<Eigen::Index>(id);
+      MatrixXd own = MatrixXd::Zero(2, 6);
+      own.middleCols<2>(2 * (i - 1)) = H.block<2, 2>(2 * (i - 1), 4);
+      H.block<2, 6>(2 * (i - 1), 4) = own;
+      AffineLook look;
+      look.add(vehicle, H.block<2, 4>(2 * (i - 1), 0));
+      look.add(id, own.middleCols<2>(2 * (i - 1)));
+      look.residual = VectorXd::Zero(2);
+      look.R = MatrixXd::Identity(2, 2);
+      looks.look(look);
+    }
+    AffineMotion motion;
+    motion.block = vehicle;
+    motion.A = MatrixXd::Identity(4, 4);
+    motion.N = MatrixXd::Zero(4, 4);
+    looks.move(motion);
+    const MatrixXd Hv = H.leftCols(4), Hm = H.rightCols(6);
+    of_map += Hm.transpose() * (MatrixXd::Identity(6, 6) - Hv * pseudo_inverse(Hv)) * Hm;
+  }
+  const MatrixXd Y = looks.information();
+  EXPECT_TRUE(Y.topRows(4).isZero(0));
+  EXPECT_LT((Y.bottomRightCorner(6, 6) - of_map).norm(), 1e-9 * of_map.norm());
+}
+
+// A robot that waits looks on. Were the rows kept until it moves, these would be turned by a matrix of 12000
+// x 12000
+TEST(ObservabilityMonitor, LooksWithoutMotionCostWhatTheyCostWithIt) {
+  BothWays both(14, 4);
+  for (int i = 0; i < 3; ++i) both.birth(2, 0);
+  int most = 0;
+  for (int i = 0; i < 200; ++i) {
+    both.look_at_all(10);
+    most = std::max(most, both.monitor.waiting_rows());
+  }
+  both.compare("waited");
+  EXPECT_LE(most, 64 + max_look_rows);
+}
+
+// Ids are never used again: a long run's are large, and not many at a time
+TEST(ObservabilityMonitor, KeepsNothingOfBlocksThatAreGone) {
+  ObservabilityMonitor monitor(vehicle, 2);
+  for (const BlockId id : {5u, 4'000'000'000u, 7u}) {
+    BlockBirth birth{id, {{vehicle, MatrixXd::Identity(2, 2)}}, MatrixXd::Identity(2, 2)};
+    monitor.give_birth(birth);
+  }
+  monitor.drop(5);
+  EXPECT_EQ(monitor.find(5), nullptr);
+  EXPECT_EQ(monitor.find(4'000'000'000u)->first, 2);
+  EXPECT_EQ(monitor.find(7)->first, 4);
+  monitor.drop(7);
+  EXPECT_EQ(monitor.blocks().size(), 2u);
+  EXPECT_EQ(monitor.errors(), 4);
+}
+
+TEST(ObservabilityMonitor, WhatWasAddedIsRememberedWhenItIsForgotten) {
+  BothWays both(15, 4);
+  for (int i = 0; i < 3; ++i) both.birth(3, 0);
+  both.look_at_all(3);
+  both.move(4, 1e3);
+  both.look_at_all(1);
+  const VectorXd before = both.monitor.gathered();
+  EXPECT_TRUE((before.array() >= both.monitor.information().diagonal().array() * (1 - 1e-12)).all());
+  both.drop(2);
+  const VectorXd after = both.monitor.gathered();
+  ASSERT_EQ(after.size(), before.size() - 3);
+  EXPECT_TRUE((after.segment(4, 3).array() >= before.segment(4, 3).array() * (1 - 1e-12)).all());
+  EXPECT_GT(after[4], both.monitor.information()(4, 4));
+}
+
+// A copy of the vehicle's place is weighed as exact as was said, all else as its noise has it
+TEST(ObservabilityMonitor, ANewbornsPlaceIsNoMoreExactThanTheScene) {
+  BlockBirth birth{1, {{vehicle, MatrixXd::Identity(3, 3)}}, MatrixXd::Zero(3, 3)};
+  birth.noise.diagonal() << 1e-8, 1e-8, 1e-8;
+  birth.noise(0, 2) = birth.noise(2, 0) = 1e-9;  // not by itself
+  ObservabilityMonitor monitor(vehicle, 3);
+  monitor.take_as_exact(2, 0.05);
+  monitor.give_birth(birth);
+  const VectorXd own = monitor.information().diagonal().tail(3);
+  EXPECT_GT(own[0], 1e7);
+  EXPECT_NEAR(own[1], 1 / (0.05 * 0.05), 1e-6);
+  EXPECT_GT(own[2], 1e7);
 }
 
 // The filter's own covariance is what this information and its prior leave

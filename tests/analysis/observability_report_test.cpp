@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <limits>
 
 #include "incognita/analysis/observability_monitor.hpp"
@@ -24,6 +26,10 @@ const QuantityReport& quantity(const ObservabilityReport& report, const std::str
   for (const QuantityReport& q : report.quantities)
     if (q.name == name) return q;
   throw std::invalid_argument(name);
+}
+
+MonitoredInformation information_of(ObservabilityMonitor& monitor) {
+  return {monitor.information(), monitor.gathered()};
 }
 
 // A vehicle on a plane
@@ -66,7 +72,7 @@ struct Drive {
   static planar::Pose<double> beside(RandomStream& random) {
     return {random.normal(), random.normal(), random.normal()};
   }
-  ObservabilityReport report() { return observability_report(monitor.information(), scene, fixed); }
+  ObservabilityReport report() { return observability_report(information_of(monitor), scene, fixed); }
 
   static constexpr int steps = 40;
   ObservabilityMonitor monitor{vehicle, 3};
@@ -118,52 +124,97 @@ TEST(ObservabilityReport, OneAnchorLeavesATurnAndTwoNothing) {
 
 TEST(ObservabilityReport, WhatIsNotFollowedIsNotBelieved) {
   Drive drive(0, 2);
-  const ObservabilityReport report = observability_report({}, drive.scene, drive.fixed, "the map moves");
+  const ObservabilityReport report =
+      observability_report(MonitoredInformation{}, drive.scene, drive.fixed, "the map moves");
   EXPECT_EQ(report.ideal_nullity, 0);
   EXPECT_EQ(report.information.errors, 0);
   EXPECT_FALSE(quantity(report, "heading").believed_sigma);
-  EXPECT_EQ(in_words(report).back(), "what the filter believes of these is not worked out: the map moves");
+  EXPECT_EQ(in_words(report), (std::vector<std::string>{
+                                  "place: can be fixed by 2 anchors", "heading: can be fixed by 2 anchors",
+                                  "what the filter believes of these is not worked out: the map moves"}));
 }
 
 // A camera
 // ---------------------------------------------------------------------------------------------------------
 
-/// A camera that turns and moves steadily, or stands still, and sees points: some of them known, the others
-/// born with inverse depth. All Jacobians at the truth.
+struct Journey {
+  int known = 0;  ///< points
+  bool moves = true;
+  int steps = 20;
+  double unit = 1;           ///< all lengths are so many times as long, but for the hair of noise of a birth
+  bool exact_places = true;  ///< that hair is told to be one
+  double acceleration = 0;   ///< commanded, to and fro, of this amplitude
+  double sigma = 1;          ///< assumed accelerations, linear and angular
+  double off = 0;            ///< Jacobians so far beside the truth, other each time
+  int points_from = 1000;    ///< step from which landmarks are told as points
+};
+
+/// A camera that turns and moves, or stands still, and sees points: some of them known, the others born with
+/// inverse depth. All Jacobians at the truth, or beside it.
 class Path {
  public:
-  Path(int known, bool moves, int steps = 20) {
+  explicit Path(const Journey& journey) : j_(journey) {
     scene_.camera[3] = 1;
-    if (moves) scene_.camera.tail<6>() << 0.3, 0.1, 0.05, 0.02, -0.03, 0.05;
-    for (int i = 0; i < known; ++i) look_at(i, true);
-    for (int i = known; i < 8; ++i) give_birth(i);
-    for (int step = 0; step < steps; ++step) {
-      move();
-      for (int i = 0; i < 8; ++i) look_at(i, i < known);
+    if (j_.moves) scene_.camera.tail<6>() << 0.3, 0.1, 0.05, 0.02, -0.03, 0.05;
+    scene_.camera.segment<3>(7) *= j_.unit;
+    for (ObservabilityMonitor* monitor : both())
+      if (j_.exact_places) monitor->take_as_exact(3, 5e-5 * 2.4 * j_.unit);
+    for (int i = 0; i < j_.known; ++i) look_at(i, true);
+    for (int i = j_.known; i < 8; ++i) give_birth(i);
+    for (int step = 0; step < j_.steps; ++step) {
+      move(step / 30.0);
+      for (int i = 0; i < 8; ++i) look_at(i, i < j_.known);
+      if (step == j_.points_from) tell_as_points();
     }
     scene_.errors = monitor_.errors();
     for (auto& landmark : scene_.landmarks)
       landmark.first = monitor_.find(static_cast<BlockId>(landmark.id + 1))->first;
-    fixed_.anchors = known;
-    fixed_.places.resize(3, known);
-    for (int i = 0; i < known; ++i) fixed_.places.col(i) = point(i);
+    fixed_.anchors = j_.known;
+    fixed_.places.resize(3, j_.known);
+    for (int i = 0; i < j_.known; ++i) fixed_.places.col(i) = point(i);
   }
-  ObservabilityReport report() { return observability_report(monitor_.information(), scene_, fixed_); }
+  ObservabilityReport report() {
+    return observability_report(information_of(monitor_), information_of(looks_), scene_, fixed_);
+  }
 
  private:
-  static Vector3d point(int i) { return {0.5 * (i % 3) - 0.5, 0.4 * (i / 3) - 0.3, 2 + 0.3 * (i % 4)}; }
-  void move() {
-    const auto step = FreeCameraMotion{}.step(scene_.camera, Eigen::Matrix<double, 6, 1>::Zero(), 1.0 / 30);
+  std::array<ObservabilityMonitor*, 2> both() { return {&monitor_, &looks_}; }
+  Vector3d point(int i) const {
+    return j_.unit * Vector3d(0.5 * (i % 3) - 0.5, 0.4 * (i / 3) - 0.3, 2 + 0.3 * (i % 4));
+  }
+  void move(double t) {
+    Eigen::Matrix<double, 6, 1> u = Eigen::Matrix<double, 6, 1>::Zero(), variances;
+    u.head<3>() << std::cos(2 * t), 0.7 * std::sin(2 * t + 1), 0.5 * std::cos(2 * t + 2);
+    u *= j_.acceleration * j_.unit;
+    const auto step = FreeCameraMotion{}.step(scene_.camera, u, 1.0 / 30);
+    variances.setConstant(j_.sigma * j_.sigma);
+    variances.head<3>() *= j_.unit * j_.unit;
     AffineMotion motion;
     motion.block = vehicle;
     motion.A = step.F;
-    motion.N = step.G * step.G.transpose();
-    monitor_.move(motion);
+    motion.N = step.G * variances.asDiagonal() * step.G.transpose();
+    for (ObservabilityMonitor* monitor : both()) monitor->move(motion);
     scene_.camera = step.x;
+  }
+  void tell_as_points() {
+    for (auto& landmark : scene_.landmarks) {
+      const auto at = place_of(landmark);
+      const BlockReplacement told{static_cast<BlockId>(landmark.id + 1), at->J, Eigen::Matrix3d::Zero()};
+      for (ObservabilityMonitor* monitor : both()) monitor->replace(told);
+      landmark.form = SpatialScene::Landmark::Form::point;
+      landmark.mean.head<3>() = at->position;
+    }
+  }
+  /// Where a filter thinks it is.
+  CameraState believed_camera() {
+    CameraState x = scene_.camera;
+    for (int i = 0; i < 3; ++i) x[i] += j_.off * j_.unit * random_.normal();
+    return x;
   }
   void give_birth(int i) {
     const auto pixel = PointLandmark::look(camera_, scene_.camera, point(i))->pixel;
-    const auto born = InverseDepthLandmark::birth(camera_, scene_.camera, pixel, 1 / point(i).z());
+    const double depth = point(i).z();  // all are born at the start
+    const auto born = InverseDepthLandmark::birth(camera_, scene_.camera, pixel, 1 / depth);
     BlockBirth birth;
     birth.block = static_cast<BlockId>(i + 1);
     birth.parents.push_back({vehicle, born->Jv});
@@ -171,7 +222,7 @@ class Path {
     noise.topLeftCorner<3, 3>() += 1e-8 * Eigen::Matrix3d::Identity();
     noise(5, 5) += 0.25;
     birth.noise = noise;
-    monitor_.give_birth(birth);
+    for (ObservabilityMonitor* monitor : both()) monitor->give_birth(birth);
     SpatialScene::Landmark& landmark = scene_.landmarks.emplace_back();
     landmark.id = i;
     landmark.form = SpatialScene::Landmark::Form::inverse_depth;
@@ -183,20 +234,31 @@ class Path {
     if (known) {
       look.add(vehicle, PointLandmark::look(camera_, scene_.camera, point(i))->Hv);
     } else {
-      for (const auto& landmark : scene_.landmarks) {
-        if (landmark.id != i) continue;
-        const auto seen = landmark.birth_axes.look(camera_, scene_.camera, landmark.mean);
-        look.add(vehicle, seen->Hv);
-        look.add(static_cast<BlockId>(i + 1), seen->Hl);
-      }
+      for (const auto& landmark : scene_.landmarks)
+        if (landmark.id == i) add_look(look, landmark);
     }
     look.residual = Vector2d::Zero();
     look.R = 0.16 * Eigen::Matrix2d::Identity();
-    monitor_.look(look);
+    for (ObservabilityMonitor* monitor : both()) monitor->look(look);
+  }
+  void add_look(AffineLook& look, const SpatialScene::Landmark& landmark) {
+    const CameraState from = believed_camera();
+    const auto block = static_cast<BlockId>(landmark.id + 1);
+    const auto add = [&](const auto& seen) {
+      look.add(vehicle, seen->Hv);
+      look.add(block, seen->Hl);
+    };
+    if (landmark.form == SpatialScene::Landmark::Form::point)
+      add(PointLandmark::look(camera_, from, landmark.mean.head<3>()));
+    else
+      add(landmark.birth_axes.look(camera_, from, landmark.mean));
   }
 
+  Journey j_;
+  RandomStream random_{1, "path"};
   Camera camera_ = WideAngleCamera{};
   ObservabilityMonitor monitor_{vehicle, 12};
+  ObservabilityMonitor looks_{vehicle, 12, ObservabilityMonitor::Motions::tell_nothing};
   SpatialScene scene_;
   FixedPoints fixed_;
 };
@@ -204,7 +266,7 @@ class Path {
 TEST(ObservabilityReport, AMovingCameraLacksWhatItsAnchorsDoNotFix) {
   const int ideal[] = {7, 4, 1, 1, 0};  // the first three points are on a line
   for (int known = 0; known <= 4; ++known) {
-    const ObservabilityReport report = Path(known, true).report();
+    const ObservabilityReport report = Path({.known = known}).report();
     EXPECT_EQ(report.ideal_nullity, ideal[known]) << known;
     EXPECT_EQ(report.information.nullity(), ideal[known]) << known;
     EXPECT_FALSE(report.information.ambiguous) << known;
@@ -217,33 +279,86 @@ TEST(ObservabilityReport, AMovingCameraLacksWhatItsAnchorsDoNotFix) {
 }
 
 TEST(ObservabilityReport, TheScaleSaidPlainly) {
-  EXPECT_EQ(in_words(Path(4, true).report())[2], "scale: fixed by 4 anchors");
-  EXPECT_EQ(in_words(Path(0, true).report())[2], "scale: unobservable");
-  EXPECT_EQ(in_words(Path(1, true).report())[2], "scale: unobservable with 1 anchor");
+  EXPECT_EQ(in_words(Path({.known = 4}).report())[2], "scale: fixed by 4 anchors");
+  EXPECT_EQ(in_words(Path({.known = 0}).report())[2], "scale: unobservable");
+  EXPECT_EQ(in_words(Path({.known = 1}).report())[2], "scale: unobservable with 1 anchor");
 }
 
-// Depths and scale are one direction: eight depths unknown are seven and the scale
-TEST(ObservabilityReport, ACameraThatStandsStillLearnsNoDepths) {
-  const ObservabilityReport free = Path(0, false).report();
-  EXPECT_EQ(free.information.nullity(), 6 + 8);
-  EXPECT_EQ(free.wrongly_believed, 0);
-  ASSERT_EQ(free.without_information.size(), 8u);
-  EXPECT_EQ(free.without_information[0], "depth of landmark 0");
-  const ObservabilityReport anchored = Path(4, false).report();
-  EXPECT_EQ(anchored.information.nullity(), 4);
-  EXPECT_EQ(anchored.without_information.size(), 4u);
-  EXPECT_EQ(in_words(anchored)[2], "scale: fixed by 4 anchors");
-  EXPECT_EQ(
-      in_words(anchored).back(),
-      "nothing learnt so far of: depth of landmark 4, depth of landmark 5, depth of landmark 6, depth of "
-      "landmark 7");
+// v' = v + a dt with a known does not scale with v, nor turn with it: all Jacobians true, and yet not a
+// motion of the symmetries. No mistake of the looks
+TEST(ObservabilityReport, WhatAMotionModelTellsIsNotWronglyBelieved) {
+  const ObservabilityReport report = Path({.steps = 200, .acceleration = 1, .sigma = 0.02}).report();
+  EXPECT_EQ(report.ideal_nullity, 7);
+  EXPECT_EQ(report.information.nullity(), 3);
+  EXPECT_EQ(report.wrongly_believed, 0);
+  EXPECT_EQ(report.by_motion_model, 4);
+  const QuantityReport scale = quantity(report, "scale");
+  EXPECT_TRUE(scale.gained && scale.by_motion_model);
+  EXPECT_LT(*scale.believed_sigma, 0.1);
+  EXPECT_FALSE(scale.sigma_from_looks);
+  EXPECT_FALSE(quantity(report, "x").by_motion_model);
+  const std::vector<std::string> words = in_words(report);
+  EXPECT_EQ(words[0], "place: unobservable");
+  EXPECT_EQ(words[1].find("orientation: unobservable by looks, turn about "), 0u) << words[1];
+  EXPECT_NE(words[1].find(" deg by its motion model"), std::string::npos) << words[1];
+  EXPECT_EQ(words[2].find("scale: unobservable by looks, known to "), 0u) << words[2];
 }
 
-TEST(ObservabilityReport, RatesAreNotKnownBeforeTheSecondLook) {
-  const ObservabilityReport report = Path(4, true, 0).report();
-  EXPECT_EQ(report.without_information[0], "velocity");
-  EXPECT_EQ(report.without_information[1], "angular rate");
-  EXPECT_TRUE(quantity(report, "x").gained);
+// However small the accelerations are taken to be: without commands the symmetries move on as they are
+TEST(ObservabilityReport, SmallAccelerationsAloneAreNoReference) {
+  const ObservabilityReport report = Path({.steps = 200, .sigma = 0.001}).report();
+  EXPECT_EQ(report.information.nullity(), 7);
+  EXPECT_EQ(report.wrongly_believed, 0);
+  EXPECT_EQ(report.by_motion_model, 0);
+}
+
+TEST(ObservabilityReport, WhatLooksTellOfAScaleIsWronglyBelieved) {
+  for (const double acceleration : {0.0, 1.0}) {
+    const ObservabilityReport report =
+        Path({.steps = 200, .acceleration = acceleration, .sigma = 0.02, .off = 0.05}).report();
+    EXPECT_GE(report.wrongly_believed, 1) << acceleration;
+    EXPECT_LE(report.wrongly_believed + report.by_motion_model, 7);
+    const QuantityReport scale = quantity(report, "scale");
+    EXPECT_TRUE(scale.gained && scale.sigma_from_looks && !scale.by_motion_model) << acceleration;
+    EXPECT_LE(*scale.believed_sigma, *scale.sigma_from_looks * (1 + 1e-9));
+    EXPECT_NE(in_words(report)[2].find("yet the filter believes to know it to "), std::string::npos);
+  }
+}
+
+// The hair of noise that a place of birth has is in metres
+TEST(ObservabilityReport, TheUnitOfLengthDoesNotMatter) {
+  for (const double acceleration : {0.0, 1.0}) {
+    Journey journey{.steps = 100, .acceleration = acceleration, .sigma = 0.1};
+    const ObservabilityReport in_metres = Path(journey).report();
+    EXPECT_FALSE(in_metres.information.ambiguous);
+    for (const double unit : {1e-3, 1e3}) {
+      journey.unit = unit;
+      const ObservabilityReport report = Path(journey).report();
+      EXPECT_EQ(report.information.rank, in_metres.information.rank) << unit;
+      EXPECT_FALSE(report.information.ambiguous) << unit;
+      EXPECT_EQ(report.by_motion_model, in_metres.by_motion_model) << unit;
+    }
+  }
+}
+
+// Weighed as it is, a hair among kilometres leaves nothing but rounding of the rest
+TEST(ObservabilityReport, ARankIsTheSameInAnyUnitOrSaidToBeUnclear) {
+  for (const int points_from : {1000, 50})
+    for (const bool exact_places : {true, false}) {
+      if (!exact_places && points_from == 50)
+        continue;  // rounding of what is told anew is not followed so far
+      Journey journey{.steps = 100, .exact_places = exact_places, .acceleration = 1, .sigma = 0.1};
+      const int nullity = Path(journey).report().information.nullity();
+      journey.points_from = points_from;
+      for (const double unit : {1e-3, 1e2, 1e3, 1e4}) {
+        journey.unit = unit;
+        const ObservabilityReport report = Path(journey).report();
+        EXPECT_TRUE(report.information.ambiguous || report.information.nullity() == nullity)
+            << unit << " " << points_from << " " << exact_places << ", " << report.information.nullity()
+            << ", tolerance " << report.information.tolerance;
+        EXPECT_EQ(report.wrongly_believed, 0) << unit << " " << points_from << " " << exact_places;
+      }
+    }
 }
 
 // Ranks
@@ -253,14 +368,19 @@ TEST(ObservabilityReport, ARankNearRoundingIsSaidToBeUnclear) {
   Eigen::VectorXd values(4);
   values << 1e6, 1e3, 1, 0;
   const Eigen::VectorXd units = Eigen::VectorXd::Ones(4);
-  const InformationRank clear = rank_of_information(values.asDiagonal(), units);
+  const auto rank = [&](const Eigen::VectorXd& gathered) {
+    return rank_of_information({values.asDiagonal(), gathered}, units);
+  };
+  const InformationRank clear = rank(values);
   EXPECT_EQ(clear.rank, 3);
   EXPECT_EQ(clear.nullity(), 1);
   EXPECT_FALSE(clear.ambiguous);
   values[2] = 3 * clear.tolerance;
-  EXPECT_TRUE(rank_of_information(values.asDiagonal(), units).ambiguous);
+  EXPECT_TRUE(rank(values).ambiguous);
   values[2] = 1e15;  // rounding then hides as much as is worth knowing
-  EXPECT_TRUE(rank_of_information(values.asDiagonal(), units).ambiguous);
+  EXPECT_TRUE(rank(values).ambiguous);
+  values[2] = 1;
+  EXPECT_TRUE(rank(1e9 * values).ambiguous);  // of which most is forgotten, and its rounding is not
 }
 
 }  // namespace

@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
+#include <limits>
 #include <memory>
 
 #include "incognita/app/assemble_planar.hpp"
+#include "incognita/models/wide_angle_camera.hpp"
 #include "incognita/world/planar_loop.hpp"
 
 namespace incognita {
@@ -127,11 +129,110 @@ TEST(ObservabilityWatch, SaysWhatItDoesNotFollow) {
   EXPECT_EQ(from_vehicle.report.uncovered, "the map is told in the vehicle's frame");
   EXPECT_FALSE(heading(from_vehicle.report).believed_sigma);
   EXPECT_EQ(in_words(from_vehicle.report).size(), 3u);
+  const Watched anchored = drive(20, [](PlanarSlamSettings& s, const RangeRecording& r) {
+    s.filter.map_frame = "vehicle";
+    s.filter.anchors = {r.landmarks[0].position, r.landmarks[1].position};
+  });
+  EXPECT_EQ(in_words(anchored.report)[0], "place: can be fixed by 2 anchors");
   for (const char* how : {"everything", "map", "map-linear"}) {
     const Watched dropped =
         drive(5, [&](PlanarSlamSettings& s, const RangeRecording&) { s.filter.decorrelate = how; });
     EXPECT_EQ(dropped.report.uncovered, "the filter drops correlations") << how;
   }
+}
+
+TEST(ObservabilityWatch, SaysThatNumbersAreNotFiniteAndWhatCanBeKnownAllTheSame) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  PlanarEstimate estimate;
+  estimate.vehicle =
+      estimate.belief.add_vehicle(planar::pose_chart, Eigen::Vector3d::Zero(), Eigen::Matrix3d::Identity());
+  estimate.started = true;
+  for (const bool of_mean : {true, false}) {
+    PlanarEstimate broken = estimate;
+    ObservabilityWatch watch;
+    broken.belief.keep_trace(true);
+    watch.follow(broken);
+    EXPECT_EQ(watch.report()->uncovered, "");
+    const Eigen::Vector3d next = of_mean ? Eigen::Vector3d(nan, 0, 0) : Eigen::Vector3d(1, 2, 3);
+    Eigen::Matrix3d A = Eigen::Matrix3d::Identity();
+    if (!of_mean) A(0, 0) = nan;
+    broken.belief.predict({broken.vehicle, next, A, Eigen::Matrix3d::Identity()});
+    watch.follow(broken);
+    const auto report = watch.report();
+    ASSERT_TRUE(report);
+    EXPECT_EQ(report->uncovered, of_mean ? "the estimate is not finite" : "its information is not finite");
+    EXPECT_EQ(report->ideal_nullity, 3);
+    ASSERT_EQ(report->quantities.size(), 3u);
+    EXPECT_FALSE(report->quantities[0].ideally_observable || report->quantities[0].believed_sigma);
+  }
+}
+
+// A camera
+// ---------------------------------------------------------------------------------------------------------
+
+/// A camera that is thrown about by commands among points, some of them anchors; Jacobians at the truth.
+struct ThrownCamera {
+  explicit ThrownCamera(int anchors) {
+    CameraState x = CameraState::Zero();
+    x[3] = 1;
+    estimate.camera = estimate.belief.add_vehicle(FreeCameraMotion::chart, x,
+                                                  1e-4 * FreeCameraMotion::Jacobian::Identity());
+    estimate.started = true;
+    estimate.belief.keep_trace(true);
+    for (int i = 0; i < 9; ++i) {
+      Landmark& landmark = estimate.catalogue.emplace_back();
+      landmark.id = i;
+      const Eigen::Vector3d at(0.5 * (i % 3) - 0.5, 0.4 * (i / 3) - 0.4, 2 + 0.3 * (i % 4));
+      landmark.kind = i < anchors ? Landmark::Kind::anchor : Landmark::Kind::point;
+      landmark.anchor = at;
+      const Belief::Parent parent{estimate.camera, Eigen::MatrixXd::Zero(3, 12)};  // assumed
+      if (i >= anchors)
+        landmark.block =
+            estimate.belief.augment(PointLandmark::chart, at, {&parent, 1}, Eigen::Matrix3d::Identity());
+    }
+    for (int frame = 0; frame < 100; ++frame) step(frame / 30.0);
+  }
+  void step(double t) {
+    Eigen::Matrix<double, 6, 1> u = Eigen::Matrix<double, 6, 1>::Zero();
+    u.head<3>() << std::cos(2 * t), 0.7 * std::sin(2 * t), 0.5 * std::cos(2 * t);
+    const auto moved = FreeCameraMotion{}.step(estimate.camera_state(), u, 1.0 / 30);
+    estimate.belief.predict({estimate.camera, moved.x, moved.F, 1e-4 * moved.G * moved.G.transpose()});
+    std::vector<AffineLook> looks;
+    estimate.looks.clear();
+    for (const Landmark& landmark : estimate.catalogue) {
+      const auto seen = PointLandmark::look(Camera{WideAngleCamera{}}, moved.x, landmark.anchor);
+      AffineLook& look = looks.emplace_back();
+      look.add(estimate.camera, seen->Hv);
+      if (landmark.kind == Landmark::Kind::point) look.add(landmark.block, seen->Hl);
+      look.residual = Eigen::Vector2d::Zero();
+      look.R = 0.16 * Eigen::Matrix2d::Identity();
+      Look& told = estimate.looks.emplace_back();
+      told.id = landmark.id;
+      told.kind = landmark.kind;
+      told.point = landmark.anchor;
+      told.outcome = LookOutcome::matched;
+    }
+    estimate.update = estimate.belief.update(looks);
+    watch.follow(estimate);
+    estimate.belief.clear_trace();
+  }
+  Estimate estimate;
+  ObservabilityWatch watch;
+};
+
+TEST(ObservabilityWatch, ACameraThatIsCommandedIsNotAccusedOfWhatItIsTold) {
+  const ObservabilityReport free = ThrownCamera(0).watch.report().value();
+  EXPECT_EQ(free.ideal_nullity, 7);
+  EXPECT_EQ(free.wrongly_believed, 0);
+  EXPECT_EQ(free.by_motion_model, 4);
+  const ObservabilityReport one = ThrownCamera(1).watch.report().value();
+  EXPECT_EQ(one.ideal_nullity, 4);
+  EXPECT_EQ(one.wrongly_believed, 0);
+  EXPECT_EQ(one.by_motion_model, 4);
+  const ObservabilityReport fixed = ThrownCamera(4).watch.report().value();
+  EXPECT_EQ(fixed.ideal_nullity, 0);
+  EXPECT_EQ(fixed.wrongly_believed + fixed.by_motion_model, 0);
+  EXPECT_EQ(in_words(fixed)[2], "scale: fixed by 4 anchors");
 }
 
 TEST(ObservabilityWatch, NothingIsNotedWhereNobodyWatches) {

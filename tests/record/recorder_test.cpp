@@ -163,7 +163,8 @@ ObservabilityReport observability() {
   report.ideal_nullity = 4;
   report.information = {200, 197, 1e-3, 5, 1e-6, false};
   report.wrongly_believed = 1;
-  report.quantities = {{"x", "m", false, std::nullopt, false}, {"scale", "1", false, 0.02, true}};
+  report.quantities = {{"x", "m", false, std::nullopt, false, false, std::nullopt},
+                       {"scale", "1", false, 0.02, true, false, 0.03}};
   for (int i = 0; i < 300; ++i)
     report.without_information.push_back("depth of landmark " + std::to_string(i));
   return report;

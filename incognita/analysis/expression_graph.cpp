@@ -45,7 +45,7 @@ ExpressionGraph::Slot ExpressionGraph::add_atom(const std::string& name, Owner o
   quantity.name = name;
   quantity.owner = owner;
   quantity.place = place;
-  quantity.symbol = GiNaC::realsymbol(name, latex_name(name));
+  quantity.symbol = GiNaC::realsymbol(name);
   quantity.column = column;
   quantity.named = true;
   slots_[quantity.symbol] = size();
@@ -84,7 +84,7 @@ ExpressionGraph::Slot ExpressionGraph::define(const std::string& name, Owner own
   }
   quantity.name = name;
   quantity.place = place;
-  quantity.symbol = GiNaC::realsymbol(name, latex_name(name));
+  quantity.symbol = GiNaC::realsymbol(name);
   quantity.expression = expression;
   slots_[quantity.symbol] = size();
   quantities_.push_back(std::move(quantity));
@@ -153,15 +153,32 @@ void ExpressionGraph::prepare(Evaluation& evaluation, int columns) const {
   }
 }
 
-namespace {
-
-[[noreturn]] void refuse_value(const ExpressionGraph::Quantity& q, const char* what) {
-  throw SystemError(q.place, "`" + q.name + "` " + what +
-                                 " at the operating point: a division by zero, or a function outside its "
-                                 "domain; choose another region");
+/// Names of the parameters, inputs, constants and states in a quantity that are exactly 0: nothing that is
+/// drawn is.
+std::vector<std::string> ExpressionGraph::zeros_in(Slot slot, const Evaluation& e) const {
+  const std::vector<bool> needed = needed_for({slot});
+  std::vector<std::string> zeros;
+  for (Slot atom = 0; atom < slot; ++atom) {
+    const Quantity& q = (*this)[atom];
+    if (!needed[static_cast<std::size_t>(atom)] || q.expression) continue;
+    if (e.value[static_cast<std::size_t>(atom)] != 0) continue;
+    const std::string name = "`" + q.name.substr(0, q.name.find('(')) + "`";  // of a copy: v(2)
+    if (std::find(zeros.begin(), zeros.end(), name) == zeros.end()) zeros.push_back(name);
+  }
+  return zeros;
 }
 
-}  // namespace
+void ExpressionGraph::refuse_value(Slot slot, const Evaluation& e, const char* what) const {
+  std::string zeros;
+  for (const std::string& name : zeros_in(slot, e)) zeros += (zeros.empty() ? "" : " and ") + name;
+  throw SystemError(
+      (*this)[slot].place,
+      "`" + (*this)[slot].name + "` " + what + " at the operating point" +
+          (zeros.empty() ? "" : ", with " + zeros + " at 0") +
+          ": a division by zero, or a function outside its domain; choose " +
+          (zeros.empty() ? "another region"
+                         : "another value, range or motion for " + zeros + ", or another region"));
+}
 
 std::vector<bool> ExpressionGraph::needed_for(const std::vector<Slot>& slots) const {
   std::vector<bool> needed(static_cast<std::size_t>(size()));
@@ -181,13 +198,13 @@ void ExpressionGraph::evaluate(Owner owner, Evaluation& e, bool with_gradients,
     if (only && !(*only)[static_cast<std::size_t>(slot)]) continue;
     const auto at = static_cast<std::size_t>(slot);
     e.value[at] = q.tape->run(e.value, e.scratch);
-    if (!std::isfinite(e.value[at])) refuse_value(q, "is not finite");
+    if (!std::isfinite(e.value[at])) refuse_value(slot, e, "is not finite");
     if (!with_gradients) continue;
     e.gradient.col(slot).setZero();
     e.terms.col(slot).setZero();
     for (std::size_t i = 0; i < q.partials.size(); ++i) {
       const double partial = q.partial_tapes[i].run(e.value, e.scratch);
-      if (!std::isfinite(partial)) refuse_value(q, "has no finite derivative");
+      if (!std::isfinite(partial)) refuse_value(slot, e, "has no finite derivative");
       e.gradient.col(slot) += partial * e.gradient.col(q.partials[i].first);
       e.terms.col(slot) += std::abs(partial) * e.terms.col(q.partials[i].first);
     }

@@ -76,6 +76,8 @@ class ExpressionGraph {
 
  private:
   void spend(std::size_t nodes, Place place);
+  std::vector<std::string> zeros_in(Slot slot, const Evaluation& evaluation) const;
+  [[noreturn]] void refuse_value(Slot slot, const Evaluation& evaluation, const char* what) const;
   GiNaC::ex derivative(const GiNaC::ex& expression, Slot atom, std::map<Slot, GiNaC::ex>& known) const;
 
   std::vector<Quantity> quantities_;

@@ -142,7 +142,7 @@ class SystemCheck {
     check_head();
     check_parameters();
     vehicle_.add_all("an input", system_.inputs);
-    check_block(system_.vehicle, vehicle_);
+    check_block(system_.vehicle, "", vehicle_);
     need_known(system_.disturbed, names_of(system_.vehicle.states), "state");
     check_landmark();
     check_anchor();
@@ -175,13 +175,14 @@ class SystemCheck {
   }
 
   /// Adds what the block names to what it sees, and checks all but its error rows.
-  static void check_block(const BlockText& block, Scope& scope) {
+  /// `section`: what the names of its sections begin with.
+  static void check_block(const BlockText& block, const std::string& section, Scope& scope) {
     need_few(block.states, most_states, "states");
     need_few(block.definitions, most_definitions, "definitions");
     need_few(block.measurements, most_measurements, "measurements");
     need_ranges(block.region);
     // First, so that a forgotten equation is not met as an unknown name
-    if (!block.states.empty() || !block.region.empty()) check_region(block);
+    if (!block.states.empty() || !block.region.empty()) check_region(block, section);
     scope.add_all("a state", block.states);
     for (const NamedExpression& definition : block.definitions) {
       scope.check(definition.expression);
@@ -200,8 +201,12 @@ class SystemCheck {
                         "sigma of " + quoted_name(measurement.name) + " must be finite and more than 0");
   }
 
-  static void check_region(const BlockText& block) {
+  static void check_region(const BlockText& block, const std::string& section) {
     const Names states = names_of(block.states), ranges = names_of(block.region);
+    if (states.empty())
+      throw SystemError(block.region[0].place, "the region is of " + quoted_name(ranges[0]) +
+                                                   ", and there are no states; write " + ranges[0] +
+                                                   " = \"its rate of change\" under [" + section + "states]");
     for (const NamedRange& range : block.region) {
       if (!contains(states, range.name))
         throw SystemError(range.place, with_nearest("state " + quoted_name(range.name) + " has no equation",
@@ -211,7 +216,7 @@ class SystemCheck {
     for (const NamedExpression& state : block.states) {
       if (!contains(ranges, state.name))
         throw SystemError(state.place, "state " + quoted_name(state.name) + " has no region; write " +
-                                           state.name + " = [lowest, highest] there");
+                                           state.name + " = [lowest, highest] under [" + section + "region]");
     }
   }
 
@@ -220,7 +225,7 @@ class SystemCheck {
     if (!system_.landmark) return;
     if (system_.landmark->states.empty())
       throw SystemError({}, "a landmark needs a state; one whose place is known is an anchor");
-    check_block(*system_.landmark, landmark_);
+    check_block(*system_.landmark, "landmark.", landmark_);
     need_tellable_names();
   }
 
@@ -247,7 +252,7 @@ class SystemCheck {
     need_ranges(known.region);
     anchor_.add_all("a constant", known.region);
     known.region.clear();
-    check_block(known, anchor_);
+    check_block(known, "anchor.", anchor_);
   }
 
   void need_something_to_observe() const {

@@ -47,9 +47,13 @@ void read_keys(const TomlTable& table, const std::string& section, const Readers
   }
 }
 
+[[noreturn]] void refuse_as(const TomlEntry& entry, const std::string& wanted, const std::string& found) {
+  throw SystemError(place_of(entry.value),
+                    fmt::format("{} must be {}, and {}", quoted_name(entry.key), wanted, found));
+}
+
 [[noreturn]] void refuse(const TomlEntry& entry, const std::string& wanted) {
-  throw SystemError(place_of(entry.value), fmt::format("{} must be {}, and is {}", quoted_name(entry.key),
-                                                       wanted, entry.value.kind()));
+  refuse_as(entry, wanted, "is " + entry.value.kind());
 }
 
 const TomlTable& section(const TomlEntry& entry) {
@@ -63,7 +67,11 @@ std::string text(const TomlEntry& entry) {
   const bool printable = std::none_of(
       words->begin(), words->end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; });
   if (words->empty() || words->size() > longest_text || !printable)
-    refuse(entry, fmt::format("one line of 1 to {} characters", longest_text));
+    refuse_as(entry, fmt::format("one line of 1 to {} characters", longest_text),
+              words->empty()                                      ? "is empty"
+              : words->find_first_of("\r\n") != std::string::npos ? "has a line break"
+              : !printable                                        ? "has a character that cannot be shown"
+                                                                  : fmt::format("has {}", words->size()));
   return *words;
 }
 
@@ -95,7 +103,10 @@ std::vector<NamedRange> ranges(const TomlEntry& entry) {
   std::vector<NamedRange> all;
   for (const TomlEntry& one : section(entry)) {
     const auto* ends = std::get_if<TomlArray>(&one.value.value);
-    if (!ends || ends->size() != 2) refuse(one, "a range, [lowest, highest]");
+    if (!ends) refuse(one, "a range, [lowest, highest]");
+    if (ends->size() != 2)
+      refuse_as(one, "a range, [lowest, highest]",
+                ends->size() == 1 ? "has 1 entry" : fmt::format("has {} entries", ends->size()));
     all.push_back({one.key, place_of(one), number((*ends)[0], one.key), number((*ends)[1], one.key)});
   }
   return all;
@@ -361,6 +372,24 @@ SystemText load_file(const std::string& path, const std::string& representation)
                   path, system.representation, representation, system.representation));
 }
 
+/// In words of this program where TOML's reader speaks of its own types.
+std::string toml_fault(const std::string& reason) {
+  const std::size_t at = reason.find("cannot redefine existing ");
+  if (at == std::string::npos) return "not valid TOML: " + reason;
+  const std::size_t open = reason.find('\'', at), close = reason.rfind('\'');
+  const std::string name = open < close ? quoted_name(reason.substr(open + 1, close - open - 1)) : "";
+  if (reason.find("table header") != std::string::npos)
+    return fmt::format("not valid TOML: there is a {} already; write all of it in one place",
+                       name.empty() ? "section of this name" : "section or key " + name);
+  return fmt::format("not valid TOML: there is a key {}already in this section; keep one of them",
+                     name.empty() ? "of this name " : name + " ");
+}
+
+/// Whether somebody means a file: systems that are built in have plain names.
+bool is_path(const std::string& name) {
+  return name.find_first_of("/\\") != std::string::npos || name.ends_with(".toml");
+}
+
 }  // namespace
 
 SystemText read_system(std::string_view text, const std::string& file_name) {
@@ -371,7 +400,7 @@ SystemText read_system(std::string_view text, const std::string& file_name) {
     return system;
   } catch (const TomlError& error) {
     throw InputError(
-        fmt::format("{}: not valid TOML: {}", where(file_name, {error.line, error.column}), error.reason));
+        fmt::format("{}: {}", where(file_name, {error.line, error.column}), toml_fault(error.reason)));
   } catch (const SystemError& error) {
     throw InputError(fmt::format("{}: {}", where(file_name, error.place), error.what()));
   }
@@ -391,10 +420,12 @@ SystemText load_system(const std::string& name_or_path, const std::string& repre
   std::error_code ignored;
   if (std::filesystem::exists(name_or_path, ignored)) return load_file(name_or_path, representation);
   const std::vector<std::string> names = built_in_systems();
-  const std::string meant = nearest_name(std::filesystem::path(name_or_path).stem().string(), names);
+  if (is_path(name_or_path))
+    throw InputError(fmt::format("{}: no such system file; built in, by their names alone, are: {}",
+                                 name_or_path, fmt::join(names, ", ")));
   throw InputError(
       fmt::format("{}: no such system file, nor a built-in system; built in are: {}; the nearest is {}",
-                  name_or_path, fmt::join(names, ", "), meant));
+                  name_or_path, fmt::join(names, ", "), nearest_name(name_or_path, names)));
 }
 
 }  // namespace incognita

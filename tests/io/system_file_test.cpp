@@ -274,7 +274,12 @@ TEST(SystemFile, RepresentationChoosesOrIsRefused) {
 TEST(SystemFile, RefusesWhatIsNotThere) {
   EXPECT_HAS(message_of([] { load_system("planer"); }),
              "planer: no such system file, nor a built-in system; built in are: ");
-  EXPECT_HAS(message_of([] { load_system("some/where/planer.toml"); }), "the nearest is planar");
+  for (const char* file : {"some/where/planer.toml", "planer.toml", "some/where"}) {
+    const std::string message = message_of([&] { load_system(file); });
+    EXPECT_HAS(message, std::string(file) + ": no such system file; built in, by their names alone, are: ");
+    EXPECT_EQ(message.find("nearest"), std::string::npos) << message;
+  }
+  EXPECT_HAS(message_of([] { load_system("planer"); }), "the nearest is planar");
   const Scratch scratch;
   EXPECT_HAS(message_of([&] { load_system(scratch.folder().string()); }), "is a folder, a file is wanted");
   const std::string large = scratch.write("large.toml", "#" + std::string(1 << 20, '-')).string();
@@ -297,7 +302,10 @@ TEST(SystemFile, RefusesWrongKeysAndKinds) {
   expect_faults({
       {"name = \"cart\"\n", "", "s.toml: the system has no name; write name = \"...\" at the top"},
       {"name = \"cart\"", "name = 3", "s.toml:1:8: `name` must be a text, and is a whole number"},
-      {"name = \"cart\"", "name = \"\"", "s.toml:1:8: `name` must be one line of 1 to 400 characters"},
+      {"name = \"cart\"", "name = \"\"",
+       "s.toml:1:8: `name` must be one line of 1 to 400 characters, and is empty"},
+      {"\"cart on a line\"", "\"\"\"cart\non a line\"\"\"",
+       "s.toml:2:9: `title` must be one line of 1 to 400 characters, and has a line break"},
       {"title", "titel", "s.toml:2:1: there is no section or key `titel`; the nearest is `title`"},
       {"[states]", "[state]", "s.toml:11:2: there is no section or key `state`; the nearest is `states`"},
       {"[landmark.states]", "[landmark.inputs]",
@@ -312,7 +320,9 @@ TEST(SystemFile, RefusesWrongKeysAndKinds) {
       {"= 0.5", "= nan", "s.toml:5:22: `segment_duration_s` must be a finite number, and is nan"},
       {"L = 1.5", "L = \"1\"", "s.toml:8:5: `L` must be a finite number, and is \"1\""},
       {"L = 1.5", "L = -inf", "s.toml:8:5: `L` must be a finite number, and is -inf"},
-      {"v = [-1, 1]", "v = [-1, 1, 2]", "s.toml:10:5: `v` must be a range, [lowest, highest], and is a list"},
+      {"v = [-1, 1]", "v = [-1, 1, 2]",
+       "s.toml:10:5: `v` must be a range, [lowest, highest], and has 3 entries"},
+      {"v = [-1, 1]", "v = [1]", "s.toml:10:5: `v` must be a range, [lowest, highest], and has 1 entry"},
       {"v = [-1, 1]", "v = [-1, inf]", "s.toml:10:10: `v` must be a finite number, and is inf"},
       {"v = [-1, 1]", "v = [-1, true]", "s.toml:10:10: `v` must be a finite number, and is true"},
       {"v = [-1, 1]", "v = 1", "s.toml:10:5: `v` must be a range"},
@@ -374,7 +384,13 @@ TEST(SystemFile, RefusesNamesThatALandmarksStateWillHave) {
 TEST(SystemFile, RefusesNamesOfNothing) {
   expect_faults({
       {"w = [0.5, 1e1]", "ww = [0.5, 1e1]", "s.toml:19:1: state `ww` has no equation; the nearest is `w`"},
-      {"w = [0.5, 1e1]\n", "", "s.toml:13:1: state `w` has no region; write w = [lowest, highest] there"},
+      {"w = [0.5, 1e1]\n", "",
+       "s.toml:13:1: state `w` has no region; write w = [lowest, highest] under [region]"},
+      {"p = [3, 9]\n", "",
+       "s.toml:23:1: state `p` has no region; write p = [lowest, highest] under [landmark.region]"},
+      {"[states]\nx = \"v + drag\"\nw = 0\n", "",
+       "s.toml:15:1: the region is of `x`, and there are no states; write x = \"its rate of change\" under "
+       "[states]"},
       {"[landmark.region]\np", "[landmark.region]\nx", "s.toml:25:1: state `x` has no equation"},
       {"v = \"u*half\"", "L = \"u*half\"", "s.toml:39:1: there is no state or input `L`"},
       {"x = 1\nlandmark.p", "v = 1\nlandmark.p", "s.toml:43:1: there is no state `v`; the nearest is `x`"},
@@ -471,7 +487,11 @@ TEST(SystemFile, RefusesTooMuch) {
 
 TEST(SystemFile, RefusesWhatIsNoToml) {
   EXPECT_HAS(complaint("name = \"a\"\nstates = {\n"), "s.toml:2:11: not valid TOML: ");
-  EXPECT_HAS(complaint(with("w = 0", "x = 0")), "s.toml:13:5: not valid TOML: ");
+  EXPECT_EQ(complaint(with("w = 0", "x = 0")),
+            "s.toml:13:5: not valid TOML: there is a key `x` already in this section; keep one of them");
+  EXPECT_EQ(complaint(whole + "[states]\nq = 0\n"),
+            "s.toml:63:1: not valid TOML: there is a section or key `states` already; write all of it in one "
+            "place");
   EXPECT_HAS(complaint(std::string("name = \"a\0\"", 11)), "s.toml:1:");
   EXPECT_HAS(complaint("name = \"\xff\""), "s.toml:1:");
 }

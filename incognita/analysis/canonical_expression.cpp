@@ -4,8 +4,6 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "incognita/analysis/parse_expression.hpp"
-
 namespace incognita {
 namespace {
 
@@ -138,7 +136,9 @@ std::string inside(const Text& text, Binding least, bool latex) {
 
 class Writer {
  public:
-  explicit Writer(bool latex) : latex_(latex) {}
+  Writer() = default;
+  /// In LaTeX, with these names, which must stay.
+  explicit Writer(const LatexNames& names) : latex_(true), names_(&names) {}
 
   Text write(const SignedNode& e) const {
     if (e.node->kind == Kind::sum) return write_sum(*e.node, e.negative);
@@ -178,7 +178,9 @@ class Writer {
 
   Text symbol(const CanonicalNode& node) const {
     if (!latex_) return {node.name, of_atom};
-    return {latex_name(node.name), of_atom};
+    // A derivative is several letters, which run into what stands beside them
+    const bool derivative = node.name.find(' ') != std::string::npos;
+    return {(*names_)(node.name), derivative ? of_product : of_atom};
   }
 
   /// Terms with a plus first, so that as few texts as can be begin with a minus.
@@ -252,19 +254,20 @@ class Writer {
     std::string arguments;
     for (const SignedNode& part : node.parts) arguments += (arguments.empty() ? "" : ", ") + write(part).text;
     if (!latex_) return {node.name + "(" + arguments + ")", of_atom};
+    if (node.name == "abs") return {"\\left|" + arguments + "\\right|", of_atom};
     const std::string name = node.name == "atan2" ? "\\operatorname{atan2}"
                              : node.name == "asin" || node.name == "acos" || node.name == "atan"
                                  ? "\\arc" + node.name.substr(1)
-                             : node.name == "abs" ? "\\operatorname{abs}"
-                                                  : "\\" + node.name;
+                                 : "\\" + node.name;
     return {name + "\\left(" + arguments + "\\right)", of_atom};
   }
 
-  bool latex_;
+  bool latex_ = false;
+  const LatexNames* names_ = nullptr;
 };
 
 SignedNode finished(CanonicalNode node, bool negative) {
-  const Text text = Writer(false).write({false, std::make_shared<CanonicalNode>(node)});
+  const Text text = Writer().write({false, std::make_shared<CanonicalNode>(node)});
   node.text = text.text;
   node.binding = text.binding;
   return {negative, std::make_shared<CanonicalNode>(std::move(node))};
@@ -272,10 +275,12 @@ SignedNode finished(CanonicalNode node, bool negative) {
 
 }  // namespace
 
-std::string written(const SignedNode& expression) { return Writer(false).write(expression).text; }
+std::string written(const SignedNode& expression) { return Writer().write(expression).text; }
 
 std::string written(const ex& expression) { return written(Canonicaliser()(expression)); }
 
-std::string in_latex(const ex& expression) { return Writer(true).write(Canonicaliser()(expression)).text; }
+std::string in_latex(const ex& expression, const LatexNames& names) {
+  return Writer(names).write(Canonicaliser()(expression)).text;
+}
 
 }  // namespace incognita

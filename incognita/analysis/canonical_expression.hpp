@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "incognita/analysis/latex_names.hpp"
+
 namespace incognita {
 
 struct CanonicalNode;
@@ -59,6 +61,6 @@ std::string written(const SignedNode& expression);
 std::string written(const GiNaC::ex& expression);
 
 /// As it would be typeset.
-std::string in_latex(const GiNaC::ex& expression);
+std::string in_latex(const GiNaC::ex& expression, const LatexNames& names = {});
 
 }  // namespace incognita

@@ -19,8 +19,9 @@ struct LieRow {
   std::string owner;  ///< "vehicle", "landmark" or "anchor"
   int order = 0;
   std::string expression;                                        ///< of the derivative, in named parts
-  std::string latex;                                             ///< the same
   std::vector<std::pair<std::string, std::string>> definitions;  ///< of the parts that are not the file's own
+  std::string latex;                                             ///< "\mathcal{L}_{v} x = ..."
+  std::vector<std::string> latex_definitions;                    ///< of all parts, likewise
   bool raised_rank = false;
 };
 

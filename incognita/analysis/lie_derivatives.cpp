@@ -115,16 +115,23 @@ void parts_of(const SymbolicSystem& system, const GiNaC::ex& e, Slot first_new, 
   for (std::size_t i = 0; i < e.nops(); ++i) parts_of(system, e.op(i), first_new, parts);
 }
 
-LieRow row_of(const SymbolicSystem& system, const Word& word, Slot first_new) {
+std::string equation(const ExpressionGraph::Quantity& q, const LatexNames& names) {
+  return names(q.name) + " = " + in_latex(*q.expression, names);
+}
+
+LieRow row_of(const SymbolicSystem& system, const Word& word, Slot first_new, const LatexNames& names) {
   const auto& q = system.graph[word.slot];
-  LieRow row{q.name, owner_name(word.owner), word.order, q.name, "", {}, word.raised_rank};
+  LieRow row{q.name, owner_name(word.owner), word.order, q.name, {}, "", {}, word.raised_rank};
   if (!q.expression) return row;
   row.expression = written(*q.expression);
-  row.latex = in_latex(*q.expression);
   std::set<Slot> parts;
   parts_of(system, *q.expression, first_new, parts);
   for (const Slot part : parts)
     row.definitions.emplace_back(system.graph[part].name, written(*system.graph[part].expression));
+  if (!word.raised_rank) return row;
+  row.latex = equation(q, names);
+  parts_of(system, *q.expression, 0, parts);
+  for (const Slot part : parts) row.latex_definitions.push_back(equation(system.graph[part], names));
   return row;
 }
 
@@ -169,7 +176,8 @@ class Search {
     result.generic_rank = points_[1].space().rank;
     result.inputs_nonlinear = algebra_.inputs_nonlinear();
     for (const VectorField& field : algebra_.fields()) result.fields.push_back(field.name);
-    for (const Word& word : words_) result.rows.push_back(row_of(algebra_.system(), word, first_new_));
+    const LatexNames names = latex_names(algebra_.system());
+    for (const Word& word : words_) result.rows.push_back(row_of(algebra_.system(), word, first_new_, names));
   }
 
  private:

@@ -9,7 +9,6 @@
 
 #include "incognita/analysis/canonical_expression.hpp"
 #include "incognita/analysis/observability.hpp"
-#include "incognita/analysis/parse_expression.hpp"
 #include "incognita/analysis/symbolic_system.hpp"
 
 namespace incognita {
@@ -26,28 +25,14 @@ struct SymbolicMatrices {
 
 ex entry_of(const SymbolicSystem& s, Slot slot) { return *s.graph[slot].expression; }
 
-/// Any text, in text.
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '\\' || c == '^' || c == '~') {
-      out += c == '\\' ? "\\textbackslash{}" : std::string("\\") + c + "{}";
-      continue;
-    }
-    if (std::string("_%&#${}").find(c) != std::string::npos) out += '\\';
-    out += c;
-  }
-  return out;
-}
-
 /// Names of errors may be any text.
-std::string latex_error(const std::string& name) {
+std::string latex_error(const std::string& name, const LatexNames& names) {
   const bool plain =
       std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) || c == '_'; });
-  return "\\tilde{" + (plain ? latex_name(name) : "\\text{" + escaped(name) + "}") + "}";
+  return "\\tilde{" + (plain ? names(name) : "\\text{" + latex_text(name) + "}") + "}";
 }
 
-SymbolicMatrices matrices_of(const SymbolicSystem& s) {
+SymbolicMatrices matrices_of(const SymbolicSystem& s, const LatexNames& names) {
   const bool stated = s.text.error_form.has_value();
   const auto n = static_cast<unsigned>(s.columns());
   std::vector<Slot> states = s.vehicle.states;
@@ -73,8 +58,8 @@ SymbolicMatrices matrices_of(const SymbolicSystem& s) {
       ++row_of_H;
     }
   }
-  for (const auto* names : {&s.vehicle_error_names, &s.landmark_error_names})
-    for (const std::string& name : *names) out.columns.push_back(latex_error(name));
+  for (const auto* errors : {&s.vehicle_error_names, &s.landmark_error_names})
+    for (const std::string& name : *errors) out.columns.push_back(latex_error(name, names));
   return out;
 }
 
@@ -87,14 +72,15 @@ std::string array(const std::vector<std::vector<std::string>>& rows) {
   return text + "\\end{bmatrix}";
 }
 
-std::vector<std::vector<std::string>> cells(const GiNaC::matrix& M, bool without_empty_rows) {
+std::vector<std::vector<std::string>> cells(const GiNaC::matrix& M, bool without_empty_rows,
+                                            const LatexNames& names) {
   std::vector<std::vector<std::string>> rows;
   for (unsigned r = 0; r < M.rows(); ++r) {
     std::vector<std::string> row;
     bool empty = true;
     for (unsigned c = 0; c < M.cols(); ++c) {
       empty = empty && M(r, c).is_zero();
-      row.push_back(in_latex(M(r, c)));
+      row.push_back(in_latex(M(r, c), names));
     }
     if (!empty || !without_empty_rows) rows.push_back(row);
   }
@@ -102,11 +88,11 @@ std::vector<std::vector<std::string>> cells(const GiNaC::matrix& M, bool without
 }
 
 /// Rows of H, H F, ... that are not 0, for as many powers as there are or as stay short.
-std::string observability_rows(const SymbolicMatrices& m, bool& cut) {
+std::string observability_rows(const SymbolicMatrices& m, const LatexNames& names, bool& cut) {
   std::vector<std::vector<std::string>> rows;
   GiNaC::matrix power = m.H;
   for (unsigned k = 0; k < m.F.rows(); ++k) {
-    const auto some = cells(power, true);
+    const auto some = cells(power, true, names);
     if (some.empty()) break;
     rows.insert(rows.end(), some.begin(), some.end());
     GiNaC::matrix next = power.mul(m.F);
@@ -138,7 +124,8 @@ std::string null_vectors(const std::vector<UnobservableDirection>& directions) {
 }
 
 /// The file's names for parts of expressions that the matrices use, in order.
-std::string definitions_of(const SymbolicSystem& s, const SymbolicMatrices& m) {
+std::vector<std::string> definitions_of(const SymbolicSystem& s, const SymbolicMatrices& m,
+                                        const LatexNames& names) {
   std::set<Slot> used;
   const std::function<void(const ex&)> collect = [&](const ex& e) {
     if (GiNaC::is_a<GiNaC::symbol>(e)) {
@@ -151,52 +138,79 @@ std::string definitions_of(const SymbolicSystem& s, const SymbolicMatrices& m) {
   for (const auto* M : {&m.F, &m.H})
     for (unsigned r = 0; r < M->rows(); ++r)
       for (unsigned c = 0; c < M->cols(); ++c) collect((*M)(r, c));
-  std::string text;
+  std::vector<std::string> equations;
   for (const Slot slot : used)
-    text += "\\[ " + latex_name(s.graph[slot].name) + " = " + in_latex(*s.graph[slot].expression) + " \\]\n";
+    equations.push_back(names(s.graph[slot].name) + " = " + in_latex(*s.graph[slot].expression, names));
+  return equations;
+}
+
+/// Equations, each once.
+class Equations {
+ public:
+  std::string operator()(const std::string& equation) {
+    constexpr std::size_t longest = 2000;
+    if (!printed_.insert(equation).second) return "";
+    if (equation.size() <= longest) return "\\[ " + equation + " \\]\n";
+    return "% " + equation.substr(0, equation.find(" = ")) + ": too long to print\n";
+  }
+
+ private:
+  std::set<std::string> printed_;
+};
+
+std::string lie_rows(const LieAnalysis& lie, Equations& once) {
+  std::string text =
+      "% Lie derivatives that raised the rank, (4.61): \\mathcal{L}_{0} along the rates where the inputs are "
+      "0, or as they are held,\n% \\mathcal{L}_{u} along what input u adds to them; x^{(2)}: with another "
+      "value of the inputs\n";
+  for (const LieRow& row : lie.rows) {
+    if (!row.raised_rank) continue;
+    text += "% " + row.owner + ": " + row.name + "\n";
+    if (!row.latex.empty()) text += once(row.latex);
+    for (const std::string& part : row.latex_definitions) text += once(part);
+  }
   return text;
 }
 
-std::string lie_rows(const LieAnalysis& lie) {
-  std::string text = "% Lie derivatives that raised the rank, (4.61)\n";
-  for (const LieRow& row : lie.rows) {
-    if (!row.raised_rank) continue;
-    if (row.latex.size() > 2000) {
-      text += "% " + row.name + ": too long to print\n";
-      continue;
-    }
-    text += "% " + row.name + "\n\\[ " + (row.latex.empty() ? latex_name(row.name) : row.latex) + " \\]\n";
-  }
-  return text;
+/// What comes before the matrices, as comments.
+std::string heading(const SystemText& text, const SymbolicMatrices& m) {
+  std::string header;
+  for (const std::string& column : m.columns) header += (header.empty() ? "" : ",\\; ") + column;
+  return "% " + text.name + ": " + text.title + (text.source.empty() ? "" : "; " + text.source) + "\n" +
+         "\\setcounter{MaxMatrixCols}{" + std::to_string(std::max<std::size_t>(m.columns.size(), 10)) +
+         "}\n% vehicle" + (text.landmark ? ", one feature" : "") + (text.anchor ? ", one anchor" : "") +
+         "; columns:\n\\[ " + header + " \\]\n";
+}
+
+/// Of all segments, and along the motion.
+std::string null_spaces(const ObservabilityAnalysis& analysis) {
+  std::string out = "% at the operating point drawn; features: " + std::to_string(analysis.landmarks) +
+                    ", anchors: " + std::to_string(analysis.anchors) + ", motion " + analysis.motion + "\n";
+  for (std::size_t k = 0; k < analysis.segments.size(); ++k)
+    out += "\\[ \\mathcal{N}(\\mathcal{Q}_{\\mathrm{SOM}," + std::to_string(k + 1) +
+           "}) = " + null_vectors(analysis.segments[k].stripped.directions) + " \\]\n";
+  std::string names;
+  for (const auto& d : analysis.local.directions) names += (names.empty() ? ": " : "; ") + latex_text(d.name);
+  return out + "% along the motion" + names +
+         "\n\\[ \\mathcal{N}(\\mathbf{M}) = " + null_vectors(analysis.local.directions) + " \\]\n";
 }
 
 }  // namespace
 
 std::string observability_latex(const SystemText& text, const ObservabilityAnalysis& analysis) {
   const SymbolicSystem system = make_symbolic(text, analysis.motion);
-  const SymbolicMatrices m = matrices_of(system);
-  std::string header;
-  for (const std::string& column : m.columns) header += (header.empty() ? "" : ",\\; ") + column;
+  const LatexNames names = latex_names(system);
+  const SymbolicMatrices m = matrices_of(system, names);
   bool cut = false;
-  const std::string Q = observability_rows(m, cut);
-  std::string out = "% " + text.name + ": " + text.title + "; " + text.source + "\n";
-  out += "\\setcounter{MaxMatrixCols}{" + std::to_string(std::max<std::size_t>(m.columns.size(), 10)) + "}\n";
-  out += "% vehicle" + std::string(text.landmark ? ", one feature" : "") +
-         (text.anchor ? ", one anchor" : "") + "; columns:\n\\[ " + header + " \\]\n";
-  out += definitions_of(system, m);
-  out += "\\[ \\mathbf{F}_j = " + array(cells(m.F, false)) + " \\]\n";
-  out += "\\[ \\mathbf{H}_j = " + array(cells(m.H, false)) + " \\]\n";
+  Equations once;
+  std::string out = heading(text, m);
+  for (const std::string& definition : definitions_of(system, m, names)) out += once(definition);
+  out += "\\[ \\mathbf{F}_j = " + array(cells(m.F, false, names)) + " \\]\n";
+  out += "\\[ \\mathbf{H}_j = " + array(cells(m.H, false, names)) + " \\]\n";
+  const std::string Q = observability_rows(m, names, cut);
   out += std::string("% rows that are not 0") + (cut ? "; higher powers are too long to print" : "") + "\n";
-  out += "\\[ \\mathcal{Q}_j = " + Q + " \\]\n";
-  out += "% at the operating point drawn; features: " + std::to_string(analysis.landmarks) +
-         ", anchors: " + std::to_string(analysis.anchors) + ", motion " + analysis.motion + "\n";
-  for (std::size_t k = 0; k < analysis.segments.size(); ++k)
-    out += "\\[ \\mathcal{N}(\\mathcal{Q}_{\\mathrm{SOM}," + std::to_string(k + 1) +
-           "}) = " + null_vectors(analysis.segments[k].stripped.directions) + " \\]\n";
-  out += "% along the motion:";
-  for (const auto& d : analysis.local.directions) out += " " + escaped(d.name) + ";";
-  out += "\n\\[ \\mathcal{N}(\\mathbf{M}) = " + null_vectors(analysis.local.directions) + " \\]\n";
-  if (analysis.lie) out += lie_rows(*analysis.lie);
+  out += "\\[ \\mathcal{Q}_j = " + Q + " \\]\n" + null_spaces(analysis);
+  if (analysis.lie) out += lie_rows(*analysis.lie, once);
   return out;
 }
 

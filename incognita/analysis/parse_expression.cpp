@@ -1,7 +1,5 @@
 #include "incognita/analysis/parse_expression.hpp"
 
-#include <cctype>
-#include <set>
 #include <vector>
 
 #include "incognita/analysis/expression_guard.hpp"
@@ -117,26 +115,6 @@ GiNaC::ex parse_expression(const ExpressionText& text, const std::map<std::strin
     // Exact arithmetic met 1/0, log(0), atan2(0, 0); its own words name the algebra's classes
     throw SystemError(text.place, quoted_name(text.text) + " " + no_value);
   }
-}
-
-std::string latex_name(const std::string& name) {
-  static const std::set<std::string> greek{
-      "alpha", "beta", "gamma", "delta",   "epsilon", "zeta",  "eta",   "theta", "iota",  "kappa", "lambda",
-      "mu",    "nu",   "xi",    "pi",      "rho",     "sigma", "tau",   "phi",   "chi",   "psi",   "omega",
-      "Gamma", "Xi",   "Delta", "upsilon", "Lambda",  "Pi",    "Theta", "Sigma", "Omega", "Phi",   "Psi"};
-  std::size_t letters = 0;
-  while (letters < name.size() && std::isalpha(static_cast<unsigned char>(name[letters]))) ++letters;
-  std::string head = name.substr(0, letters), rest = name.substr(letters);
-  if (greek.count(head))
-    head = "\\" + head;
-  else if (head.size() > 1) {
-    rest = head.substr(1) + rest;
-    head.resize(1);
-  }
-  std::string subscript;
-  for (const char c : rest) subscript += c == '_' ? ',' : c;
-  if (!subscript.empty() && subscript[0] == ',') subscript.erase(0, 1);
-  return subscript.empty() ? head : head + "_{" + subscript + "}";
 }
 
 }  // namespace incognita

@@ -18,7 +18,4 @@ GiNaC::ex parse_expression(const ExpressionText& text, const std::map<std::strin
 /// Said of an expression that the algebra finds to have none, whatever the values.
 inline constexpr const char* no_value = "has no value: a division by zero, or a function outside its domain";
 
-/// A name as a person typesets it: `theta` is \theta, `xf` x_{f}. Letters, digits and underscores only.
-std::string latex_name(const std::string& name);
-
 }  // namespace incognita

@@ -143,6 +143,36 @@ TEST(Expression, IsWrittenInAnOrderOfItsOwn) {
   EXPECT_EQ(written(GiNaC::ex(0)), "0");
   EXPECT_EQ(in_latex(a / b), "\\frac{a}{b}");
   EXPECT_EQ(in_latex(GiNaC::atan2(b, a) - theta), "\\operatorname{atan2}\\left(b, a\\right) - \\theta");
+  EXPECT_EQ(in_latex(GiNaC::pow(GiNaC::abs(a) + 1, 2)), "\\left(1 + \\left|a\\right|\\right)^{2}");
+}
+
+TEST(LatexNames, AreAsAPersonTypesetsThem) {
+  const std::pair<const char*, const char*> cases[] = {{"x", "x"},
+                                                       {"xf", "x_{f}"},
+                                                       {"xf1", "x_{f1}"},
+                                                       {"theta", "\\theta"},
+                                                       {"omega_dot", "\\omega_{\\mathit{dot}}"},
+                                                       {"qex", "q_{ex}"},
+                                                       {"c11", "c_{11}"},
+                                                       {"hitch", "\\mathit{hitch}"},
+                                                       {"hitch_1", "\\mathit{hitch}_{1}"},
+                                                       {"v_in_x", "v_{in,x}"},
+                                                       {"0", "0"}};
+  for (const auto& [name, latex] : cases) EXPECT_EQ(latex_name(name), latex);
+}
+
+TEST(LatexNames, LookDifferentWhereTheyAre) {
+  const LatexNames names({"xf", "x_f", "x1", "x_1", "x", "x_", "pi_", "L"});
+  EXPECT_EQ(names("xf"), "x_{f}");
+  EXPECT_EQ(names("x_f"), "\\mathit{x\\_f}");
+  EXPECT_EQ(names("x_1"), "\\mathit{x\\_1}");
+  EXPECT_EQ(names("x_"), "\\mathit{x\\_}");
+  EXPECT_EQ(names("pi_"), "\\mathit{pi\\_}");
+  EXPECT_EQ(names("L_theta L_0(2) x_f"), "\\mathcal{L}_{\\theta} \\mathcal{L}_{{0^{(2)}}} \\mathit{x\\_f}");
+  EXPECT_EQ(names("v(2)"), "{v^{(2)}}");
+  // Beside others a derivative must not run into them
+  const GiNaC::realsymbol derivative("L_0 x"), L("L");
+  EXPECT_EQ(in_latex(L * GiNaC::pow(derivative, 2), names), "L \\left(\\mathcal{L}_{0} x\\right)^{2}");
 }
 
 /// What is written can be read again, and is the same.

@@ -185,8 +185,9 @@ void compare_with_information(const ObservabilityAnalysis& a, std::vector<std::s
   said.push_back("The Fisher information leaves " + std::to_string(weighed) + " unobservable, the motion " +
                  std::to_string(local) + ": " +
                  (both_clear(a.fisher.space, a.local.space)
-                      ? "the measurements' sigmas differ so much that beside the best of them the others "
-                        "count as nothing."
+                      ? "it weighs each measurement with its sensitivity over its sigma, and these differ so "
+                        "much that beside the best of them the others count as nothing. The motion's rank "
+                        "takes every measurement at its own size."
                       : not_clear));
 }
 
@@ -233,50 +234,106 @@ std::vector<std::string> disagreements_in(const ObservabilityAnalysis& a, const 
   return said;
 }
 
-std::vector<std::string> doubts_in(const ObservabilityAnalysis& a) {
-  std::vector<std::string> doubts;
-  const auto look = [&](const std::string& what, const NullSpace& space) {
-    if (!space.ambiguous) return;
-    if (std::isinf(space.gap)) {
+namespace {
+
+std::string short_number(const char* format, double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+/// Why a rank is the best guess and no more.
+std::string why_not_clear(const NullSpace& space, const std::vector<std::string>& states) {
+  std::string faint;
+  for (std::size_t i = 0; i < space.faint.size(); ++i)
+    if (space.faint[i]) faint += (faint.empty() ? "" : ", ") + states[i];
+  if (!faint.empty())
+    return "what " + faint +
+           " would do to the measurements is as faint as rounding beside the rest, and is left out";
+  const std::string least =
+      "the least singular value that counts is " + short_number("%.2g", space.least) + " of the largest";
+  return std::isinf(space.gap) ? least + ", close to the tolerance"
+                               : least + ", " + short_number("%.2g", space.gap) + " times the next";
+}
+
+void doubt_ranks(const ObservabilityAnalysis& a, std::vector<std::string>& doubts) {
+  const auto look = [&](const std::string& what, const NullSpace& space,
+                        const std::vector<std::string>& states) {
+    if (space.ambiguous)
       doubts.push_back("The rank of " + what + " is not clear: " + std::to_string(space.rank) +
-                       " is the best guess, but it leaves out effects that are as small as rounding and may "
-                       "be more.");
-      return;
-    }
-    char gap[32], least[32];
-    std::snprintf(gap, sizeof gap, "%.2g", space.gap);
-    std::snprintf(least, sizeof least, "%.2g", space.least);
-    doubts.push_back("The rank of " + what + " is not clear: " + std::to_string(space.rank) +
-                     " is the best guess: the least singular value that counts is " + least +
-                     " of the largest, " + gap + " times the next.");
+                       " is the best guess: " + why_not_clear(space, states) + ".");
   };
   for (std::size_t k = 0; k < a.segments.size(); ++k) {
-    look("SOM after segment " + std::to_string(k + 1), a.segments[k].stripped.space);
-    look("TOM after segment " + std::to_string(k + 1), a.segments[k].total.space);
+    look("SOM after segment " + std::to_string(k + 1), a.segments[k].stripped.space, a.error_states);
+    look("TOM after segment " + std::to_string(k + 1), a.segments[k].total.space, a.error_states);
   }
-  look("the local matrix", a.local.space);
-  look("the Fisher information", a.fisher.space);
-  if (a.growth > 1e8) {
-    char growth[32];
-    std::snprintf(growth, sizeof growth, "%.2g", a.growth);
-    doubts.push_back(
-        std::string("Small differences grow by a factor of ") + growth +
-        " along the motion: what is said of it is not to be trusted; a shorter segment_duration_s helps.");
-  }
-  if (!a.lie) return doubts;
-  look("the Lie derivatives", a.lie->space);
-  if (a.lie->missed)
+  look("the local matrix", a.local.space, a.states);
+  look("the Fisher information", a.fisher.space, a.states);
+  if (a.lie) look("the Lie derivatives", a.lie->space, a.states);
+}
+
+void doubt_lie(const LieAnalysis& lie, std::vector<std::string>& doubts) {
+  if (lie.missed)
     doubts.push_back(
         "Lie derivatives that add next to nothing were not derived further; a state or a unit of very "
         "different size than the others may hide what they show.");
-  else if (!a.lie->closed)
-    doubts.push_back("The Lie derivatives were followed to order " + std::to_string(a.lie->orders_examined) +
+  else if (!lie.closed)
+    doubts.push_back("The Lie derivatives were followed to order " + std::to_string(lie.orders_examined) +
                      " only; higher ones (--lie-order) might show more.");
-  if (a.lie->space.rank < a.lie->generic_rank)
-    doubts.push_back("The Lie derivatives have rank " + std::to_string(a.lie->space.rank) +
-                     " where this motion starts and " + std::to_string(a.lie->generic_rank) +
+  if (lie.space.rank < lie.generic_rank)
+    doubts.push_back("The Lie derivatives have rank " + std::to_string(lie.space.rank) +
+                     " where this motion starts and " + std::to_string(lie.generic_rank) +
                      " at other states with the same inputs.");
+}
+
+/// A rank says that something is seen, not that it is of any use.
+void note_what_is_barely_seen(const ObservabilityAnalysis& a, std::vector<std::string>& notes) {
+  constexpr int most = 6;
+  int count = 0;
+  for (const StateInformation& i : a.information) {
+    if (!i.barely_seen || ++count > most) continue;
+    notes.push_back(i.state + " is seen in principle only: sigma " + short_number("%.2g", *i.sigma) +
+                    " where its region is " + short_number("%.3g", i.region_width) + " wide.");
+  }
+  if (count > most)
+    notes.push_back(counted(count - most, "further state is", "further states are") +
+                    " seen in principle only.");
+}
+
+void note_inputs(const SymbolicSystem& s, std::vector<std::string>& notes) {
+  std::vector<SymbolicSystem::Slot> used;
+  for (const auto* block : {&s.vehicle, &s.landmark, &s.anchor}) {
+    used.insert(used.end(), block->rates.begin(), block->rates.end());
+    used.insert(used.end(), block->measurements.begin(), block->measurements.end());
+    for (const auto* entries : {&block->error_F, &block->error_H})
+      for (const SymbolicSystem::Entry& entry : *entries) used.push_back(entry.value);
+  }
+  for (const auto& assignment : s.assignments) used.push_back(assignment.value);
+  const std::vector<bool> needed = s.graph.needed_for(used);
+  for (const SymbolicSystem::Slot input : s.inputs)
+    if (!needed[static_cast<std::size_t>(input)])
+      notes.push_back("Input `" + s.graph[input].name +
+                      "` is in no equation and no measurement, and changes nothing.");
+}
+
+}  // namespace
+
+std::vector<std::string> doubts_in(const ObservabilityAnalysis& a) {
+  std::vector<std::string> doubts;
+  doubt_ranks(a, doubts);
+  if (a.growth > most_growth)
+    doubts.push_back("Small differences grow by a factor of " + short_number("%.2g", a.growth) +
+                     " along the motion: what is said of it is not to be trusted; a shorter "
+                     "segment_duration_s helps.");
+  if (a.lie) doubt_lie(*a.lie, doubts);
   return doubts;
+}
+
+std::vector<std::string> notes_on(const ObservabilityAnalysis& a, const SymbolicSystem& system) {
+  std::vector<std::string> notes;
+  if (a.growth <= most_growth) note_what_is_barely_seen(a, notes);
+  note_inputs(system, notes);
+  return notes;
 }
 
 }  // namespace incognita

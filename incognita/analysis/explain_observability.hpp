@@ -23,6 +23,11 @@ std::vector<std::string> disagreements_in(const ObservabilityAnalysis& analysis,
                                           const std::vector<MotionSample>& samples,
                                           const NullSpaceSettings& rank);
 
+/// Where small differences grow by more on the way, rounding has too.
+constexpr double most_growth = 1e8;
+
 std::vector<std::string> doubts_in(const ObservabilityAnalysis& analysis);
+
+std::vector<std::string> notes_on(const ObservabilityAnalysis& analysis, const SymbolicSystem& system);
 
 }  // namespace incognita

@@ -130,8 +130,9 @@ LieRow row_of(const SymbolicSystem& system, const Word& word, Slot first_new, co
     row.definitions.emplace_back(system.graph[part].name, written(*system.graph[part].expression));
   if (!word.raised_rank) return row;
   row.latex = equation(q, names);
-  parts_of(system, *q.expression, 0, parts);
-  for (const Slot part : parts) row.latex_definitions.push_back(equation(system.graph[part], names));
+  std::set<Slot> all;
+  parts_of(system, *q.expression, 0, all);
+  for (const Slot part : all) row.latex_definitions.push_back(equation(system.graph[part], names));
   return row;
 }
 

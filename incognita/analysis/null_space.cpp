@@ -114,8 +114,8 @@ NullSpace null_space(const NoisyRows& M, const NullSpaceSettings& settings) {
   space.singular_values = svd.singularValues();
   space.scaled_right = svd.matrixV();
   decide(space, settings);
-  const std::vector<bool> faint = faint_columns(M, rows);
-  if (std::find(faint.begin(), faint.end(), true) != faint.end()) space.ambiguous = true;
+  space.faint = faint_columns(M, rows);
+  if (std::find(space.faint.begin(), space.faint.end(), true) != space.faint.end()) space.ambiguous = true;
   space.scaled_null = space.scaled_right.rightCols(space.nullity);
   const Eigen::MatrixXd unscaled = space.column_scale.asDiagonal() * space.scaled_null;
   const Eigen::HouseholderQR<Eigen::MatrixXd> qr(unscaled);

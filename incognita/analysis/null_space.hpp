@@ -35,6 +35,8 @@ struct NullSpace {
   double gap = 0;          ///< last that counts over first that does not; infinite where that is 0 or none
   double least = 0;        ///< last that counts over the largest; 0 where none does
   bool ambiguous = false;  ///< the gap is less than the clear one: the rank is the best guess, and no more
+  std::vector<bool>
+      faint;  ///< n: columns whose entries are as small as rounding, and left out; ambiguous too
 
   /// How much of the direction is seen: |M d| of the scaled matrix over the largest singular value, for a
   /// direction of unit length in scaled coordinates. 0 for an unobservable direction.

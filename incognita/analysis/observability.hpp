@@ -53,6 +53,8 @@ struct StateInformation {
   std::string state;
   std::optional<double>
       sigma;  ///< least standard deviation that the motion allows (Cramer, Rao); none: unobservable
+  double region_width = 0;   ///< 0: its start is given
+  bool barely_seen = false;  ///< sigma is much larger than the region: seen in principle only
 };
 
 struct ObservabilityAnalysis {
@@ -60,17 +62,24 @@ struct ObservabilityAnalysis {
   int landmarks = 0, anchors = 0;
   std::vector<std::string> states;         ///< of the equations: local, Lie, Fisher
   std::vector<std::string> error_states;   ///< of the error form: SOM, TOM
+  std::vector<std::string> inputs;         ///< names, in the order of SystemPoint::u
+  std::vector<std::string> constants;      ///< of one anchor, in the order of SystemPoint::anchors
   std::vector<SystemPoint> points;         ///< where each segment begins
+  std::vector<double> durations_s;         ///< of each segment
+  int looks_per_segment = 0;               ///< its end is the start of the next, or the last look of all
+  std::vector<double> look_times_s;        ///< of all looks along the motion, from its start
   std::vector<Linearisation> error_forms;  ///< F and H of each segment
   std::vector<SegmentAnalysis> segments;
   SeenSpace local, fisher;
   double growth =
       1;  ///< of small differences along the motion: the largest entry of a transition from its start
   std::vector<StateInformation> information;
+  bool sigmas_trusted = true;  ///< the rank they rest on is clear, and no digits were lost on the way
   std::optional<LieAnalysis> lie;
   std::vector<UnobservableDirection> lie_directions;
   std::vector<std::string> disagreements;  ///< of the methods, and why
   std::vector<std::string> doubts;         ///< ranks that are not clear, limits that were hit
+  std::vector<std::string> notes;  ///< what ranks do not tell: barely seen states, inputs that nothing uses
 };
 
 /// Throws SystemError, with the place in the file; std::invalid_argument for what the system does not have.

@@ -43,7 +43,8 @@ ObservabilityAnalysis analyse(const SystemText& text, const Options& options) {
   } catch (const SystemError& error) {
     throw InputError(at(text, error.place) + error.what());
   } catch (const std::invalid_argument& error) {
-    throw InputError(text.file + ": " + error.what());
+    // Of what was asked for: a built-in system's file is none of the user's
+    throw InputError(options.system + ": " + error.what());
   } catch (const std::bad_alloc&) {
     throw InputError(
         text.file + ": more than memory holds; ask for less, or leave the Lie derivatives out with --no-lie");
@@ -70,7 +71,8 @@ int observe(Options options) {
     fmt::print("{}", observability_latex(text, analysis));
   else
     fmt::print("{}", observability_table(text, analysis, options.analysis));
-  if (options.json || options.latex)
+  // The others say it in their answers
+  if (options.latex)
     for (const std::string& line : analysis.disagreements) say("observe: {}\n", line);
   return 0;
 }

@@ -19,7 +19,8 @@ std::string gap_text(const NullSpace& space) {
 
 std::string row(const std::string& method, const NullSpace& space, const std::string& note) {
   return fmt::format("  {:<30}{:>5}{:>9}{:>9.0e}{:>11}   {}{}\n", method, space.rank, space.nullity,
-                     space.least, gap_text(space), space.ambiguous ? "not clear; " : "", note);
+                     space.least, gap_text(space), space.ambiguous ? "not clear" : "",
+                     space.ambiguous && !note.empty() ? "; " + note : note);
 }
 
 std::string rows_of(const ObservabilityAnalysis& a) {
@@ -43,8 +44,10 @@ std::string rows_of(const ObservabilityAnalysis& a) {
 }
 
 std::string vectors_of(const std::string& what, const std::vector<UnobservableDirection>& directions,
-                       const std::vector<std::string>& states) {
-  if (directions.empty()) return what + ": nothing; all is seen\n";
+                       const std::vector<std::string>& states, bool barely = false) {
+  if (directions.empty())
+    return what + (barely ? ": nothing; but see the note on what is seen in principle only\n"
+                          : ": nothing; all is seen\n");
   std::string text = what + ":\n";
   for (const UnobservableDirection& d : directions) {
     const std::string written = written_combination(d.vector, states);
@@ -66,12 +69,33 @@ std::string states_that_are_seen(const ObservabilityAnalysis& a) {
     if (state.sigma) list += fmt::format(" ({:.2g})", *state.sigma);
   }
   return fmt::format(
-      "States by themselves, with the least sigma this motion allows: {}\nNot by themselves: {}\n",
+      "States by themselves, with the least sigma this motion allows{}: {}\nNot by themselves: {}\n",
+      a.sigmas_trusted || seen.empty() ? "" : " (not to be trusted: see the notes)",
       seen.empty() ? "none" : seen, unseen.empty() ? "none" : unseen);
 }
 
 std::string counted(int count, const char* one, const char* many) {
   return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
+std::string values_of(const std::vector<std::string>& names, const Eigen::VectorXd& values) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += fmt::format("{}{} = {:.4g}", text.empty() ? "" : ", ", names[i], values[Eigen::Index(i)]);
+  return text;
+}
+
+/// Where the first segment starts, with which inputs, as far as that is short.
+std::string start_of(const ObservabilityAnalysis& a) {
+  const std::string inputs = values_of(a.inputs, a.points.front().u);
+  const std::string start =
+      values_of(a.states, a.points.front().x) + (inputs.empty() ? "" : ", with " + inputs);
+  constexpr std::size_t longest = 100;
+  const bool is_short = start.size() <= longest;
+  return fmt::format("{}{} looks in all. {} in --json.\n", is_short ? "Segment 1 is at " + start + ". " : "",
+                     a.look_times_s.size(),
+                     is_short ? "Every digit, the other segments, anchors and the times of looks are"
+                              : "Where segments start, their inputs, anchors and the times of looks are");
 }
 
 }  // namespace
@@ -83,22 +107,28 @@ std::string observability_table(const SystemText& text, const ObservabilityAnaly
       fmt::format("{}: {}\n{}{} representation, {}, {}, {} motion, {} states, seed {}\n\n", text.name,
                   text.title, source, a.representation, counted(a.landmarks, "feature", "features"),
                   counted(a.anchors, "anchor", "anchors"), a.motion, a.states.size(), settings.seed);
+  out.insert(out.size() - 1, start_of(a));
   out += rows_of(a);
   out += fmt::format(
       "\nRanks: singular values above {:.0e} of the largest, rows and columns brought to length one.\n"
       "Least: last that counts over the largest. Gap: it over the first that does not count; less than "
-      "{:.0e}, "
-      "or values close to the tolerance, are called not clear.\n\n",
+      "{:.0e}, values close to the tolerance, and effects as faint as rounding are called not clear.\n\n",
       settings.rank.tolerance, settings.rank.clear_gap);
   const std::size_t segments = a.segments.size();
   out += vectors_of(fmt::format("SOM does not see, after {}", counted(int(segments), "segment", "segments")),
                     a.segments.back().stripped.directions, a.error_states);
-  out += "\n" + vectors_of("The motion does not show", a.local.directions, a.states) + "\n";
+  const bool barely = std::any_of(a.information.begin(), a.information.end(),
+                                  [](const StateInformation& i) { return i.barely_seen; });
+  out += "\n" + vectors_of("The motion does not show", a.local.directions, a.states, barely) + "\n";
+  // Else the states by themselves would contradict what the motion shows
+  if (a.fisher.space.nullity != a.local.space.nullity)
+    out += vectors_of("The Fisher information does not show", a.fisher.directions, a.states) + "\n";
   if (a.lie && a.lie->space.nullity != a.local.space.nullity)
     out += vectors_of("The Lie derivatives do not show", a.lie_directions, a.states) + "\n";
   out += states_that_are_seen(a);
   for (const std::string& line : a.disagreements) out += "\nThe methods disagree. " + line + "\n";
-  for (const std::string& line : a.doubts) out += "\nNote. " + line + "\n";
+  for (const auto* lines : {&a.doubts, &a.notes})
+    for (const std::string& line : *lines) out += "\nNote. " + line + "\n";
   return out;
 }
 
@@ -114,10 +144,28 @@ Json directions_json(const std::vector<UnobservableDirection>& directions) {
   return all;
 }
 
-Json segment_json(const SegmentAnalysis& s) {
+Json by_name(const std::vector<std::string>& names, const Eigen::VectorXd& values) {
+  Json all = Json::object();
+  for (std::size_t i = 0; i < names.size(); ++i) all[names[i]] = values[Eigen::Index(i)];
+  return all;
+}
+
+Json anchors_json(const ObservabilityAnalysis& a) {
+  Json all = Json::array();
+  const auto size = static_cast<Eigen::Index>(a.constants.size());
+  for (int i = 0; i < a.anchors; ++i)
+    all.push_back(by_name(a.constants, a.points.front().anchors.segment(i * size, size)));
+  return all;
+}
+
+Json segment_json(const ObservabilityAnalysis& a, std::size_t k) {
+  const SegmentAnalysis& s = a.segments[k];
   Json vectors = Json::array();
   for (const Eigen::VectorXd& v : readable_basis(s.stripped.space)) vectors.push_back(numbers(v));
-  return {{"som_nullity", s.stripped.space.nullity},
+  return {{"start", by_name(a.states, a.points[k].x)},
+          {"inputs", by_name(a.inputs, a.points[k].u)},
+          {"duration_s", a.durations_s[k]},
+          {"som_nullity", s.stripped.space.nullity},
           {"tom_nullity", s.total.space.nullity},
           {"condition_holds", s.condition_holds},
           {"nullspace", vectors},
@@ -155,6 +203,9 @@ std::string observability_json(const ObservabilityAnalysis& a, const Observabili
             {"seed", settings.seed},
             {"states", a.states},
             {"error_states", a.error_states},
+            {"anchors_at", anchors_json(a)},
+            {"looks_per_segment", a.looks_per_segment},
+            {"look_times_s", a.look_times_s},
             {"segments", Json::array()},
             {"local_nullity", a.local.space.nullity},
             {"local_gap", gap_json(a.local.space)},
@@ -170,10 +221,12 @@ std::string observability_json(const ObservabilityAnalysis& a, const Observabili
             {"lie_rows", a.lie ? lie_rows(*a.lie) : Json::array()},
             {"directions", directions_json(a.local.directions)},
             {"information", Json::array()},
+            {"sigmas_trusted", a.sigmas_trusted},
             {"tolerance", settings.rank.tolerance},
             {"disagreements", a.disagreements},
-            {"doubts", a.doubts}};
-  for (const SegmentAnalysis& s : a.segments) json["segments"].push_back(segment_json(s));
+            {"doubts", a.doubts},
+            {"notes", a.notes}};
+  for (std::size_t k = 0; k < a.segments.size(); ++k) json["segments"].push_back(segment_json(a, k));
   for (const StateInformation& i : a.information)
     json["information"].push_back({{"state", i.state}, {"sigma", i.sigma ? Json(*i.sigma) : Json()}});
   return json.dump(2) + "\n";

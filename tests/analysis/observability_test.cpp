@@ -335,6 +335,7 @@ TEST(Observability, DoesNotTrustAMotionThatGrows) {
   const auto a = analysed(alone("x = \"9*x\"\nk = 0\n", "x = [1, 2]\nk = [1, 2]\n", "z = \"x\"\n"));
   ASSERT_FALSE(a.doubts.empty());
   EXPECT_NE(a.doubts.front().find("grow by a factor"), std::string::npos) << a.doubts.front();
+  EXPECT_FALSE(a.sigmas_trusted);
 }
 
 TEST(Observability, SaysWhenARankIsOnTheEdge) {
@@ -416,6 +417,67 @@ TEST(Observability, SaysWhatIsTooSmallToTell) {
   EXPECT_TRUE(faint.lie->space.nullity == 0 || !faint.lie->closed);
   for (const std::string& said : faint.disagreements)
     EXPECT_EQ(said.find("stays frozen"), std::string::npos) << said;
+}
+
+/// All that an analysis says besides ranks.
+std::string remarks(const ObservabilityAnalysis& a) {
+  std::string all;
+  for (const auto* lines : {&a.disagreements, &a.doubts, &a.notes})
+    for (const std::string& line : *lines) all += line + "\n";
+  return all;
+}
+
+bool says(const ObservabilityAnalysis& a, const std::string& part) {
+  return remarks(a).find(part) != std::string::npos;
+}
+
+/// Two ranges to points on the axis that a vehicle drives along, which hardly tell how far off it is.
+ObservabilityAnalysis beside_the_axis(const std::string& y) {
+  const std::string text =
+      "name = \"mirror\"\n[inputs]\nv = [1, 2]\n[states]\nx = \"v\"\ny = 0\n[region]\nx = [-5, 5]\n"
+      "y = [1, 5]\n[anchor.constants]\na = [-5, 5]\n[anchor.measurements]\nr = \"sqrt((a-x)^2 + y^2)\"\n"
+      "[motion.near]\ny = " +
+      y + "\n";
+  return analyse_observability(read_system(text, "m.toml"), {.landmarks = 0, .anchors = 2, .motion = "near"});
+}
+
+TEST(Observability, SaysWhatIsSeenInPrincipleOnly) {
+  const ObservabilityAnalysis near = beside_the_axis("1e-6");
+  EXPECT_EQ(near.local.space.nullity, 0);
+  EXPECT_TRUE(near.information[1].barely_seen && !near.information[0].barely_seen);
+  EXPECT_TRUE(says(near, "y is seen in principle only: sigma 1.3e+06 where its region is 4 wide."))
+      << remarks(near);
+  const ObservabilityAnalysis far = beside_the_axis("2");
+  EXPECT_FALSE(far.information[1].barely_seen);
+  EXPECT_FALSE(says(far, "in principle")) << remarks(far);
+}
+
+TEST(Observability, NamesTheStatesWhoseEffectIsAsFaintAsRounding) {
+  const ObservabilityAnalysis a = analyse_observability(
+      read_system("name = \"faint\"\n[states]\nx = 0\ny = 0\n[region]\nx = [-5e8, 5e8]\ny = [-5, 5]\n"
+                  "[measurements]\nz = \"sqrt(x^2 + y^2)\"\n",
+                  "faint.toml"),
+      {.landmarks = 0});
+  ASSERT_TRUE(a.local.space.ambiguous);
+  EXPECT_EQ(a.local.space.faint, (std::vector<bool>{false, true}));
+  EXPECT_FALSE(a.sigmas_trusted);
+  EXPECT_TRUE(says(a, "what y would do to the measurements is as faint as rounding")) << remarks(a);
+  EXPECT_FALSE(says(a, "times the next")) << remarks(a);
+}
+
+TEST(Observability, SaysWhyTheInformationLeavesMoreOpen) {
+  const auto a =
+      analysed(alone("x = 0\nb = 0\n", "x = [0, 1]\nb = [0, 1]\n", "m = \"1e-12*x\"\nn = \"x + b\"\n"));
+  EXPECT_EQ(a.local.space.nullity, 0);
+  EXPECT_EQ(a.fisher.space.nullity, 1);
+  EXPECT_TRUE(says(a, "weighs each measurement with its sensitivity over its sigma")) << remarks(a);
+}
+
+TEST(Observability, SaysWhichInputsNothingUses) {
+  const auto a =
+      analysed(alone("x = \"v\"\n", "x = [1, 2]\n", "z = \"x\"\n", "v = [0, 1]\nspare = [0, 1]\n"));
+  EXPECT_TRUE(says(a, "Input `spare` is in no equation and no measurement")) << remarks(a);
+  EXPECT_FALSE(says(a, "`v`")) << remarks(a);
 }
 
 TEST(Observability, SaysWhereAnExpressionHasNoValue) {

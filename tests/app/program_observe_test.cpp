@@ -1,6 +1,7 @@
 // `incognita observe` as a person or a script meets it.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 
 #include "tests/app/program.hpp"
@@ -51,6 +52,32 @@ TEST(ProgramObserve, AnswersAsItsSchemaSays) {
   EXPECT_EQ(relative["segments"][2]["som_nullity"], 2);
 }
 
+/// Whoever wants to check the ranks needs all that was drawn.
+TEST(ProgramObserve, TellsWhereItLooked) {
+  const json a = answer({"planar", "--anchors", "2", "--no-lie"});
+  const json &first = a["segments"][0], &second = a["segments"][1];
+  ASSERT_EQ(first["start"].size(), 5u);
+  for (const auto& state : a["states"]) EXPECT_TRUE(first["start"].contains(state)) << state;
+  EXPECT_EQ(first["duration_s"], 1.0);
+  // What the vehicle's equations make of it
+  const double v = first["inputs"]["v"], omega = first["inputs"]["omega"], theta = first["start"]["theta"];
+  EXPECT_NEAR(second["start"]["theta"].get<double>(), theta + omega, 1e-9);
+  EXPECT_NEAR(second["start"]["x"].get<double>(),
+              first["start"]["x"].get<double>() + v / omega * (std::sin(theta + omega) - std::sin(theta)),
+              1e-9);
+  ASSERT_EQ(a["anchors_at"].size(), 2u);
+  EXPECT_LE(a["anchors_at"][1]["ax"].get<double>(), -3);
+  EXPECT_EQ(a["looks_per_segment"], 8);
+  ASSERT_EQ(a["look_times_s"].size(), 25u);
+  EXPECT_EQ(a["look_times_s"][0], 0.0);
+  EXPECT_NEAR(a["look_times_s"][8].get<double>(), 1, 1e-12);
+  EXPECT_NEAR(a["look_times_s"][24].get<double>(), 3, 1e-12);
+  const Ended table = observe({"planar"});
+  EXPECT_SAYS(table.out, "Segment 1 is at x = ");
+  EXPECT_SAYS(table.out, "25 looks in all. ");
+  EXPECT_SAYS(observe({"cv6", "--features", "2", "--no-lie"}).out, "Where segments start, their inputs, ");
+}
+
 TEST(ProgramObserve, SaysTheSameForTheSameSeed) {
   for (const char* as : {"--json", "--latex"}) {
     const Ended once = observe({"inertial", "--seed", "7", as});
@@ -73,10 +100,47 @@ TEST(ProgramObserve, ShowsATableAndMatrices) {
   EXPECT_SAYS(latex.out, "-v \\sin\\left(\\theta\\right)");
 }
 
+TEST(ProgramObserve, TypesetsWhatItUses) {
+  const Scratch scratch;
+  scratch.write("s.toml",
+                "name = \"s\"\n[parameters]\nL = 2\n[inputs]\nv = [1, 2]\n[states]\nx = \"v*cos(hitch)\"\n"
+                "hitch = \"-v*sin(hitch)/L + lag - hitch^2\"\n[definitions]\nlag = \"-abs(hitch)\"\n"
+                "[region]\nx = [0, 1]\nhitch = [0.1, 1]\n[measurements]\nz = \"sin(x + hitch)*L\"\n");
+  const Ended latex = observe({"s.toml", "--latex"}, scratch);
+  EXPECT_EQ(latex.code, 0) << latex.err;
+  EXPECT_SAYS(latex.out, "% s: s\n");
+  EXPECT_SAYS(latex.out, "\\[ \\mathit{lag} = -\\left|\\mathit{hitch}\\right| \\]");
+  EXPECT_SAYS(latex.out, "% vehicle: L_0 z\n\\[ \\mathcal{L}_{0} z = ");
+  EXPECT_SAYS(latex.out, "\\[ \\mathcal{L}_{0} \\mathit{hitch} = \\mathit{lag} - \\mathit{hitch}^{2} \\]");
+  EXPECT_EQ(latex.out.find("L_{0 "), std::string::npos) << latex.out;
+}
+
 TEST(ProgramObserve, TakesASystemThatSomebodyWrote) {
   const json drone = answer({INCOGNITA_SOURCE_DIR "/docs/systems/drone.toml", "--features", "3"});
   EXPECT_EQ(drone["local_nullity"], 3);
   EXPECT_EQ(drone["segments"][2]["nullspace"][0], (json{1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0}));
+}
+
+/// The table of a system of this text.
+std::string table_of(const std::string& text, const Words& more = {}) {
+  const Scratch scratch;
+  scratch.write("s.toml", text);
+  Words words = {"s.toml"};
+  words.insert(words.end(), more.begin(), more.end());
+  const Ended ended = observe(words, scratch);
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  return ended.out;
+}
+
+TEST(ProgramObserve, DoesNotContradictItself) {
+  const std::string faint = table_of(
+      "name = \"s\"\n[states]\nx = 0\nb = 0\n[region]\nx = [0, 1]\nb = [0, 1]\n"
+      "[measurements]\nm = \"1e-12*x\"\nn = \"x + b\"\n");
+  EXPECT_SAYS(faint, "The Fisher information does not show:\n  ");
+  const std::string stiff =
+      table_of("name = \"s\"\n[states]\nx = \"9*x\"\n[region]\nx = [1, 2]\n[measurements]\nz = \"x\"\n");
+  EXPECT_SAYS(stiff, "allows (not to be trusted: see the notes): x");
+  for (const std::string& table : {faint, stiff}) EXPECT_EQ(table.find("; \n"), std::string::npos) << table;
 }
 
 std::string line(const std::string& rate, const std::string& more = "") {
@@ -110,11 +174,32 @@ TEST(ProgramObserve, RefusesBadSystemsWithTheirPlace) {
   }
 }
 
+TEST(ProgramObserve, SaysWhichZeroItDividesBy) {
+  const std::string zero = line("x/k", "[parameters]\nk = 0\n"),
+                    held = line("1/v", "[inputs]\nv = [1, 2]\n[motion.parked]\nv = 0\n");
+  for (const auto& [text, name] : {std::pair{zero, "`k`"}, std::pair{held, "`v`"}}) {
+    const Scratch scratch;
+    scratch.write("bad.toml", text);
+    const std::string motion = text == held ? "parked" : "general";
+    const Ended ended = observe({"bad.toml", "--motion", motion}, scratch);
+    EXPECT_EQ(ended.code, 2) << text;
+    EXPECT_SAYS(ended.err, "bad.toml:3:6: ");
+    EXPECT_SAYS(ended.err, std::string("with ") + name + " at 0");
+    EXPECT_SAYS(ended.err, std::string("another value, range or motion for ") + name);
+  }
+}
+
+TEST(ProgramObserve, SaysOnceWhatTheAnswerHas) {
+  EXPECT_EQ(observe({"planar", "--json"}).err, "") << "disagreements are in the answer";
+  EXPECT_SAYS(observe({"planar", "--latex"}).err, "SOM over 3 segments leaves 2 unobservable");
+}
+
 TEST(ProgramObserve, RefusesWhatMakesNoSense) {
   const std::pair<Words, std::string> wrong[] = {
       {{"plannar"}, "planar"},
       {{"nowhere.toml"}, "nowhere.toml"},
       {{"planar", "--motion", "sideways"}, "general, straight, stationary, unaccelerated"},
+      {{"planar", "--motion", "sideways"}, "planar: `planar` knows no motion"},
       {{"planar", "--representation", "relative", "--anchors", "1"}, "no anchors"},
       {{"cv6", "--representation", "relative"}, "cv6"},
       {{"planar", "--features", "0"}, "nothing is measured"},

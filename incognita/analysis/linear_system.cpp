@@ -6,20 +6,11 @@
 #include <algorithm>
 #include <limits>
 #include <sstream>
-#include <stdexcept>
+
+#include "incognita/math/expect_size.hpp"
 
 namespace incognita {
 namespace {
-
-std::string size_of(const Eigen::MatrixXd& M) {
-  return std::to_string(M.rows()) + "x" + std::to_string(M.cols());
-}
-
-void expect_size(const char* name, const Eigen::MatrixXd& M, Eigen::Index rows, Eigen::Index columns) {
-  if (M.rows() == rows && M.cols() == columns) return;
-  throw std::invalid_argument(std::string(name) + " is " + size_of(M) + ", not " + std::to_string(rows) +
-                              "x" + std::to_string(columns));
-}
 
 /// The symmetric square root; rounding below zero counts as zero.
 Eigen::MatrixXd root_of(const Eigen::MatrixXd& psd) {

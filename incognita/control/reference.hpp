@@ -9,6 +9,9 @@ struct Reference {
   Eigen::Vector3d position{0, 0, 0};      ///< m
   Eigen::Vector3d velocity{0, 0, 0};      ///< m/s
   Eigen::Vector3d acceleration{0, 0, 0};  ///< m/s^2
+  double heading = 0;                     ///< where to look, rad about z from +x; grows on through pi
+  double heading_rate = 0;                ///< rad/s
+  double heading_acceleration = 0;        ///< rad/s^2
 };
 
 /// From rest to rest along a line with the least jerk (Flash and Hogan, J. Neuroscience 1985). Before

@@ -1,4 +1,5 @@
 incognita_test(control_test SOURCES control/controller_test.cpp USES incognita::control)
 incognita_test(steering_test
-               SOURCES control/lqr_test.cpp
+               SOURCES control/car_linearisation_test.cpp control/feedback_linearisation_test.cpp
+                       control/lqg_regulator_test.cpp control/lqr_test.cpp control/reference_path_test.cpp
                USES incognita::steering)

@@ -31,7 +31,8 @@ incognita_embed(systems embedded_systems *.toml)
 incognita_room(io
   SOURCES io/acfr_recording.cpp io/camera.cpp io/data_folder.cpp io/euroc_recording.cpp io/files.cpp io/image_file.cpp
           io/image_folder.cpp io/load_scenario.cpp io/mat_numbers.cpp io/mat_structure.cpp io/mrclam_recording.cpp
-          io/named_table.cpp io/number_table.cpp io/range_recording.cpp io/range_recording_builder.cpp io/range_tables.cpp
+          io/named_table.cpp io/number_table.cpp io/path_file.cpp io/range_recording.cpp
+          io/range_recording_builder.cpp io/range_tables.cpp
           io/recorded.cpp io/recording.cpp io/reflectors.cpp io/scenario_checks.cpp io/setting.cpp io/settings.cpp
           io/system_file.cpp io/target_file.cpp io/toml_depth.cpp io/toml_value.cpp io/tum_recording.cpp
           ${embedded_sources}

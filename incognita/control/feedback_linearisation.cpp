@@ -23,7 +23,7 @@ Eigen::Vector2d input_for_velocity(const DifferentialDrive& body, double heading
 
 Eigen::Vector2d velocity_towards(const Reference& reference, const Eigen::Matrix2d& K,
                                  const Eigen::Vector2d& y) {
-  const Eigen::Vector2d velocity = reference.velocity.head<2>() - K * (y - reference.position.head<2>());
+  Eigen::Vector2d velocity = reference.velocity.head<2>() - K * (y - reference.position.head<2>());
   if (velocity.allFinite()) return velocity;
   throw std::invalid_argument("the velocity that is wanted is not finite: look at the estimate and the path");
 }

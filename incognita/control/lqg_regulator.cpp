@@ -16,7 +16,7 @@ using Eigen::VectorXd;
 /// u* of x* = F x* + G u*, the smallest.
 VectorXd holding_input(const MatrixXd& F, const MatrixXd& G, const VectorXd& goal) {
   const VectorXd drift = goal - F * goal;
-  const VectorXd u = G.completeOrthogonalDecomposition().solve(drift);
+  VectorXd u = G.completeOrthogonalDecomposition().solve(drift);
   const double size = goal.norm() + (F * goal).norm();
   if ((G * u - drift).norm() <= 1e-9 * size) return u;
   throw std::invalid_argument("no constant input holds the goal: the system moves away from it");

@@ -10,6 +10,8 @@
 // Of a planar vehicle only the position is regulated: with F = I and G = Q_r dt, the rows of the position at
 // rest, whose control point lies off the axle, every position can be reached and held. With the heading as a
 // third state the linearisation at rest has three modes at 1 and two inputs, and no gain moves all three.
+// That the sampled loop is stable says nothing of a body that turns far while a command is held: keep the
+// turn rate limit times the period well below 1 rad (held_command.hpp says why).
 #pragma once
 
 #include <Eigen/Core>

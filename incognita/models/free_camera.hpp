@@ -33,6 +33,11 @@ struct FreeCameraMotion {
     InputJacobian G;  ///< d(error after) / d(input), also of noise that enters as an acceleration
   };
 
+  /// State per second, of its 13 numbers: p' = v, q' = 1/2 q (0, w), v' = f, w' = a, the motion that (5.24)
+  /// samples. What integrates it brings q back to length 1.
+  template <class S>
+  State<S> rate(const State<S>& x, const Input<S>& u) const;
+
   /// One step of dt seconds with the input held. Linear and angular parts do not mix.
   template <class S>
   State<S> f(const State<S>& x, const Input<S>& u, double dt) const;
@@ -59,6 +64,17 @@ auto angular_rate(V&& x) {
   return x.template segment<3>(10);
 }
 }  // namespace free_camera
+
+template <class S>
+FreeCameraMotion::State<S> FreeCameraMotion::rate(const State<S>& x, const Input<S>& u) const {
+  State<S> d;
+  const Vector3<S> w = x.template segment<3>(10);
+  d.template segment<3>(0) = x.template segment<3>(7);
+  d.template segment<4>(3) =
+      S(0.5) * quaternion_product<S>(x.template segment<4>(3), Vector4<S>(S(0), w.x(), w.y(), w.z()));
+  d.template segment<6>(7) = u;
+  return d;
+}
 
 template <class S>
 FreeCameraMotion::State<S> FreeCameraMotion::f(const State<S>& x, const Input<S>& u, double dt) const {

@@ -29,6 +29,12 @@ struct MonobotMotion {
     InputJacobian G;  ///< d(error after) / d(input): dt
   };
 
+  /// The motion itself, which (3.4) is exact for: the speed.
+  template <class S>
+  State<S> rate(const State<S>&, const Input<S>& u) const {
+    return u;
+  }
+
   /// (3.4)
   template <class S>
   State<S> f(const State<S>& x, const Input<S>& u, double dt) const {

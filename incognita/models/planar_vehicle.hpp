@@ -2,7 +2,8 @@
 //
 // State (3): position x, y of that point in the world (m) and heading of the body (rad, about z from +x).
 // The body turns about the middle of its rear (or only) axle; the point is `forward_m` before it and
-// `left_m` beside it. A step holds the input and moves along the tangent at its start, as (3.16) does.
+// `left_m` beside it. `rate` is the motion itself, for plants: state per second. A step holds the input and
+// moves along the tangent at its start, as (3.16) does; what it misses of the motion shrinks as dt^2.
 #pragma once
 
 #include <Eigen/Core>
@@ -45,14 +46,21 @@ struct DifferentialDrive {
   double forward_m = 0;  ///< the l of (3.16)
   double left_m = 0;
 
-  /// (3.16), with the point also beside the axis.
+  /// m/s, m/s, rad/s of the point and the body: (3.16) before it is sampled, with the point also beside the
+  /// axis.
   template <class S>
-  State<S> f(const State<S>& x, const Input<S>& u, double dt) const {
+  State<S> rate(const State<S>& x, const Input<S>& u) const {
     using std::cos, std::sin;
     const S c = cos(x[2]), s = sin(x[2]);
     const S along = u[0] - u[1] * S(left_m), across = u[1] * S(forward_m);  // speed of the point, body axes
-    return State<S>(x[0] + (along * c - across * s) * S(dt), x[1] + (along * s + across * c) * S(dt),
-                    wrap_angle<S>(x[2] + u[1] * S(dt)));
+    return State<S>(along * c - across * s, along * s + across * c, u[1]);
+  }
+
+  /// (3.16)
+  template <class S>
+  State<S> f(const State<S>& x, const Input<S>& u, double dt) const {
+    const State<S> d = rate<S>(x, u);
+    return State<S>(x[0] + d[0] * S(dt), x[1] + d[1] * S(dt), wrap_angle<S>(x[2] + d[2] * S(dt)));
   }
 
   Step step(const State<double>& x, const Input<double>& u, double dt) const {
@@ -96,6 +104,11 @@ struct AckermannCar {
     const S curvature = tan(u[1]) / S(wheelbase_m);
     const S speed = u[0] / (S(1) - curvature * S(wheel_left_m));
     return Input<S>(speed, speed * curvature);
+  }
+
+  template <class S>
+  State<S> rate(const State<S>& x, const Input<S>& u) const {
+    return body.rate<S>(x, at_axle<S>(u));
   }
 
   template <class S>

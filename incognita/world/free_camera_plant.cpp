@@ -21,15 +21,9 @@ constexpr double absolute_tolerance = 1e-10, relative_tolerance = 1e-10;
 // A body pushed from one obstacle into another; what is left then waits for the next tick
 constexpr int passes = 4;
 
-/// The continuous form of (5.24).
 void derivative(const Numbers& x, const Input& u, Numbers& dx) {
-  const Eigen::Map<const FreeCameraPlant::State> state(x.data());
-  Eigen::Map<FreeCameraPlant::State> rate(dx.data());
-  const Eigen::Vector3d w = state.segment<3>(10);
-  rate.segment<3>(0) = state.segment<3>(7);
-  rate.segment<4>(3) =
-      0.5 * quaternion_product<double>(state.segment<4>(3), Eigen::Vector4d(0, w.x(), w.y(), w.z()));
-  rate.segment<6>(7) = u;
+  Eigen::Map<FreeCameraPlant::State>(dx.data()) =
+      FreeCameraMotion{}.rate<double>(Eigen::Map<const FreeCameraPlant::State>(x.data()), u);
 }
 
 void check_sigma(double sigma, const char* what) {

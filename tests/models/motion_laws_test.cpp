@@ -17,10 +17,15 @@
 namespace incognita {
 namespace {
 
+struct SensorOffTheAxle : DifferentialDrive {
+  SensorOffTheAxle() : DifferentialDrive{0.4, -0.3} {}
+};
+
 using Motions = ::testing::Types<  //
     FreeCameraMotion,              //
     MonobotMotion,                 //
     DifferentialDrive,             //
+    SensorOffTheAxle,              //
     AckermannCar                   //
     >;
 
@@ -102,6 +107,18 @@ class MotionLaws : public ::testing::Test {
     return all;
   }
 
+  /// The motion itself over `dt`, by many small steps of fourth order.
+  static State integrated(const M& model, State x, const Input& u, double dt) {
+    constexpr int steps = 16;
+    const double h = dt / steps;
+    const auto rate = [&](const State& at) -> State { return model.template rate<double>(at, u); };
+    for (int i = 0; i < steps; ++i) {
+      const State a = rate(x), b = rate(x + h / 2 * a), c = rate(x + h / 2 * b), d = rate(x + h * c);
+      x += h / 6 * (a + 2 * b + 2 * c + d);
+    }
+    return x;
+  }
+
   /// d(x (+) e)/de at e = 0: q exp(e/2) is q (1, e/2) to first order.
   static Plus d_plus(const State& x) {
     Plus J = Plus::Zero();
@@ -173,6 +190,26 @@ TYPED_TEST(MotionLaws, NothingHappensInNoTime) {
     EXPECT_LE((step.x - x).norm(), 4e-16 * std::max(1.0, x.norm()));
     EXPECT_EQ(step.F, typename TypeParam::Jacobian(TypeParam::Jacobian::Identity()));
     EXPECT_EQ(step.G.norm(), 0);
+  }
+}
+
+/// A step is the motion of rate() to first order at least: halving the time leaves a quarter of what it
+/// misses, where a wrong rate would leave half. What is far smaller than a step's second order is let pass: a
+/// third derivative may jump, as where the cells of a height map meet.
+TYPED_TEST(MotionLaws, AShortStepIsTheContinuousMotion) {
+  const TypeParam model;
+  for (const auto& [x, u, unused] : this->cases()) {
+    const auto missed = [&, &x = x, &u = u](double dt) {
+      return this->minus(model.template f<double>(x, u, dt), this->integrated(model, x, u, dt)).norm();
+    };
+    const double speed = model.template rate<double>(x, u).norm() + u.norm();
+    for (const double dt : {1e-2 / (1 + speed), 1e-4 / (1 + speed)}) {
+      const double let_pass = 1e-3 * std::pow(dt * speed, 2) + 1e-13 * (1 + x.norm());
+      EXPECT_LE(missed(dt / 2), 0.27 * missed(dt) + let_pass)
+          << "x " << x.transpose() << " u " << u.transpose() << " dt " << dt;
+      EXPECT_LE(missed(dt), 0.1 * dt * speed + let_pass)
+          << "x " << x.transpose() << " u " << u.transpose() << " dt " << dt;
+    }
   }
 }
 

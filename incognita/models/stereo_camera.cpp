@@ -1,0 +1,80 @@
+#include "incognita/models/stereo_camera.hpp"
+
+#include <Eigen/LU>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace incognita {
+
+void StereoCamera::check() const {
+  if (!(std::isfinite(baseline_m) && baseline_m > 0))
+    throw std::invalid_argument("stereo baseline_m must be positive, got " + std::to_string(baseline_m));
+  if (!(std::isfinite(least_disparity_px) && least_disparity_px >= 0))
+    throw std::invalid_argument("stereo least_disparity_px must be zero or positive, got " +
+                                std::to_string(least_disparity_px));
+}
+
+std::optional<StereoCamera::Look> StereoCamera::look(const CameraState& left,
+                                                     const Eigen::Vector3d& point) const {
+  const Eigen::Matrix3d axes = rotation_matrix<double>(free_camera::orientation(left));
+  const Eigen::Vector3d lever = baseline_m * Eigen::Vector3d::UnitX();
+  CameraState right = left;
+  right.head<3>() += axes * lever;
+  const auto by_left = PointLandmark::look(camera, left, point);
+  const auto by_right = PointLandmark::look(camera, right, point);
+  if (!by_left || !by_right) return std::nullopt;
+  Look look{{by_left->pixel.x(), by_left->pixel.y(), by_right->pixel.x()}, by_right->pixel, {}, {}};
+  look.Hv << by_left->Hv, by_right->Hv.row(0);
+  // Turning the pair by e carries the right one by axes (e x lever) too
+  look.Hv.block<1, 3>(2, 3) -= look.Hv.block<1, 3>(2, 0) * axes * skew<double>(lever);
+  look.Hl << by_left->Hl, by_right->Hl.row(0);
+  return look;
+}
+
+/// The inverse depth (1/m) at which a point on the left camera's ray (x, y, 1) is in that column of the right
+/// image: Newton's steps from infinity, halved until they come closer. Without distortion the first one is
+/// exact.
+std::optional<double> StereoCamera::inverse_depth(const Eigen::Vector3d& ray, double u_right) const {
+  constexpr double close_enough_px = 1e-11;
+  const auto seen_at = [&](double rho) {
+    return camera.project(ray - rho * baseline_m * Eigen::Vector3d::UnitX());
+  };
+  double rho = 0;
+  auto seen = seen_at(rho);
+  for (int steps = 0; steps < 50 && seen; ++steps) {
+    const double missing = u_right - seen->pixel.x();
+    if (std::abs(missing) < close_enough_px * (1 + std::abs(u_right))) return rho;
+    double step = -missing / (seen->J(0, 0) * baseline_m);
+    int halvings = 0;
+    for (; halvings < 40; ++halvings, step *= 0.5) {
+      const auto next = seen_at(rho + step);
+      if (!next || !(std::abs(u_right - next->pixel.x()) < std::abs(missing))) continue;
+      rho += step;
+      seen = next;
+      break;
+    }
+    if (halvings == 40) return std::nullopt;  // there is no such column, or a last bit that does not settle
+  }
+  return std::nullopt;
+}
+
+std::optional<StereoCamera::Birth> StereoCamera::birth(const CameraState& left,
+                                                       const Eigen::Vector3d& z) const {
+  if (!(z[0] - z[2] > least_disparity_px)) return std::nullopt;
+  const auto ray = camera.unproject(z.head<2>());
+  if (!ray) return std::nullopt;
+  const auto rho = inverse_depth(*ray, z[2]);
+  if (!rho || !(*rho > 0)) return std::nullopt;
+  const Eigen::Vector3d point =
+      free_camera::position(left) + rotation_matrix<double>(free_camera::orientation(left)) * (*ray / *rho);
+  const auto seen = look(left, point);
+  if (!seen) return std::nullopt;
+  // What is born is seen as it was measured, whatever the errors: Hl Jv + Hv = 0, Hl Jz = I
+  Birth birth{point, {}, seen->Hl.inverse()};
+  birth.Jv = -birth.Jz * seen->Hv;
+  if (!birth.Jz.allFinite()) return std::nullopt;
+  return birth;
+}
+
+}  // namespace incognita

@@ -1,0 +1,55 @@
+// Two cameras side by side, and what they tell of a point.
+//
+// Both look the same way through lenses of the same kind; the right one sits `baseline_m` along the left
+// one's x axis. The pose is the left one's. Measurement (3): column and row in the left image, column in the
+// right one (px), so that three equal pixel noises are independent, as they are not of a disparity: that is
+// z[0] - z[2]. The row in the right image says nearly what the row in the left one does and is not used.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "incognita/models/camera.hpp"
+#include "incognita/models/camera_look.hpp"
+
+namespace incognita {
+
+struct StereoCamera {
+  Camera camera;  ///< the lens of both
+  double baseline_m = 0.11;
+  double least_disparity_px =
+      0.5;  ///< with less a point is born nowhere: half a pixel of noise reaches infinity
+
+  using Jacobian = Eigen::Matrix<double, 3, FreeCameraMotion::error_size>;
+
+  struct Look {
+    Eigen::Vector3d z;      ///< px: u and v in the left image, u in the right one
+    Eigen::Vector2d right;  ///< px, the whole pixel in the right image
+    Jacobian Hv;            ///< d(z) / d(camera error); velocity and rate columns are zero
+    Eigen::Matrix3d Hl;     ///< d(z) / d(landmark), px/m
+  };
+  struct Birth {
+    Eigen::Vector3d landmark;                                   ///< m, world
+    Eigen::Matrix<double, 3, FreeCameraMotion::error_size> Jv;  ///< d(landmark) / d(camera error)
+    Eigen::Matrix3d Jz;                                         ///< d(landmark) / d(z)
+  };
+
+  /// Throws std::invalid_argument naming the parameter that cannot be.
+  void check() const;
+
+  /// Nothing where either camera is not defined, as behind them; the pixels may lie outside the images.
+  std::optional<Look> look(const CameraState& left, const Eigen::Vector3d& point) const;
+
+  /// Whether both cameras have it in their images, at least `margin` pixels from the edge.
+  bool contains(const Look& look, double margin = 0) const {
+    return camera.contains(look.z.head<2>(), margin) && camera.contains(look.right, margin);
+  }
+
+  /// Where the rays meet. Nothing where the disparity is too small, or no ray reaches the pixels.
+  std::optional<Birth> birth(const CameraState& left, const Eigen::Vector3d& z) const;
+
+ private:
+  std::optional<double> inverse_depth(const Eigen::Vector3d& ray, double u_right) const;
+};
+
+}  // namespace incognita

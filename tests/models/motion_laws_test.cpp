@@ -12,7 +12,9 @@
 #include "incognita/models/free_camera.hpp"
 #include "incognita/models/monobot.hpp"
 #include "incognita/models/planar_vehicle.hpp"
+#include "incognita/models/terrain_vehicle.hpp"
 #include "tests/models/dual.hpp"
+#include "tests/models/grounds.hpp"
 
 namespace incognita {
 namespace {
@@ -20,13 +22,26 @@ namespace {
 struct SensorOffTheAxle : DifferentialDrive {
   SensorOffTheAxle() : DifferentialDrive{0.4, -0.3} {}
 };
+struct OnASteepSlope : TerrainVehicle {
+  OnASteepSlope() : TerrainVehicle{grounds::steep_slope()} {}
+};
+struct OnGentleWaves : TerrainVehicle {
+  OnGentleWaves() : TerrainVehicle{grounds::gentle_waves()} {}
+};
+struct OnAHeightMap : TerrainVehicle {  // also beyond its edge
+  OnAHeightMap() : TerrainVehicle{grounds::small_height_map()} {}
+};
 
 using Motions = ::testing::Types<  //
     FreeCameraMotion,              //
     MonobotMotion,                 //
     DifferentialDrive,             //
     SensorOffTheAxle,              //
-    AckermannCar                   //
+    AckermannCar,                  //
+    TerrainVehicle,                //
+    OnASteepSlope,                 //
+    OnGentleWaves,                 //
+    OnAHeightMap                   //
     >;
 
 template <class M>

@@ -1,0 +1,77 @@
+// Where a camera sits on a vehicle, so that any vehicle can carry any camera.
+//
+//   const auto seat = mount.on(on_floor(pose));             // or mount.on(terrain_vehicle.pose(x))
+//   const auto look = PointLandmark::look(camera, seat.camera, point);
+//   Hv = by_vehicle(look->Hv, seat.J);                      // d(z) / d(vehicle error)
+//
+// The camera looks along the body's forward axis, its image upright, then turned to the left by `yaw_rad` and
+// up by `pitch_rad`. Body axes are x forward, y left, z up; camera axes x right, y down, z ahead.
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+
+#include "incognita/models/free_camera.hpp"
+#include "incognita/models/planar_vehicle.hpp"
+#include "incognita/models/rigid_pose.hpp"
+
+namespace incognita {
+
+/// A camera on a vehicle with `errors` errors.
+template <int errors>
+struct MountedCamera {
+  FreeCameraMotion::State<double> camera;  ///< pose; the speeds are left zero, for no look depends on them
+  Eigen::Matrix<double, 6, errors> J;      ///< d(camera position and right rotation error) / d(vehicle error)
+};
+
+/// A planar vehicle on the floor z = 0.
+inline PoseOf<3> on_floor(const planar::Pose<double>& pose) {
+  PoseOf<3> out{{{pose[0], pose[1], 0}, quaternion_exp<double>(Vector3<double>(0, 0, pose[2]))}, {}};
+  out.J.setZero();
+  out.J(0, 0) = out.J(1, 1) = out.J(5, 2) = 1;
+  return out;
+}
+
+struct Mount {
+  double forward_m = 0;  ///< the optic centre from the vehicle's point, body axes
+  double left_m = 0;
+  double up_m = 0;
+  double pitch_rad = 0;  ///< upwards
+  double yaw_rad = 0;    ///< to the left
+
+  Vector3<double> lever() const { return {forward_m, left_m, up_m}; }
+
+  /// Columns: the camera's right, down and ahead in body axes.
+  Matrix3<double> body_from_camera() const {
+    const double c = std::cos(pitch_rad), s = std::sin(pitch_rad);
+    const Matrix3<double> pitched = (Matrix3<double>() << 0, s, c, -1, 0, 0, 0, -c, s).finished();
+    return rotation_exp<double>(Vector3<double>(0, 0, yaw_rad)) * pitched;
+  }
+
+  /// The camera moves by dp + R (e x lever) when the body moves by dp and turns by e in its own axes.
+  template <int errors>
+  MountedCamera<errors> on(const PoseOf<errors>& body) const {
+    const Matrix3<double> world_from_body = rotation_matrix<double>(body.pose.world_from_body);
+    const Matrix3<double> turned = body_from_camera();
+    MountedCamera<errors> out;
+    out.camera.setZero();
+    out.camera.template head<3>() = body.pose.position + world_from_body * lever();
+    out.camera.template segment<4>(3) =
+        quaternion_product<double>(body.pose.world_from_body, quaternion_from_matrix(turned));
+    const Eigen::Matrix<double, 3, errors> turn = body.J.template bottomRows<3>();
+    out.J.template topRows<3>() =
+        body.J.template topRows<3>() - world_from_body * skew<double>(lever()) * turn;
+    out.J.template bottomRows<3>() = turned.transpose() * turn;
+    return out;
+  }
+};
+
+/// What a look by a free camera is by the vehicle that carries the camera.
+template <int rows, int errors>
+Eigen::Matrix<double, rows, errors> by_vehicle(
+    const Eigen::Matrix<double, rows, FreeCameraMotion::error_size>& by_camera,
+    const Eigen::Matrix<double, 6, errors>& mounted) {
+  return by_camera.template leftCols<6>() * mounted;
+}
+
+}  // namespace incognita

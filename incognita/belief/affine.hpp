@@ -6,18 +6,20 @@
 #include <cstdint>
 #include <stdexcept>
 
+#include "incognita/math/small_matrix.hpp"
+
 namespace incognita {
 
 /// Names a block of the state for as long as the block lives; never used again.
 using BlockId = std::uint32_t;
 
-inline constexpr int max_block_size = 16;  ///< errors of one block
+inline constexpr int max_block_size = max_small;  ///< errors of one block
 inline constexpr int max_look_rows = 6;    ///< numbers of one measurement
 inline constexpr int max_look_blocks = 3;  ///< blocks one measurement depends on
 
 /// Small matrices that live on the stack: no allocation in the loop.
-using BlockVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_block_size, 1>;
-using BlockMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_block_size, max_block_size>;
+using BlockVector = SmallVector;
+using BlockMatrix = SmallMatrix;
 using LookVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_look_rows, 1>;
 using LookMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_look_rows, max_look_rows>;
 using LookJacobian = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_look_rows, max_block_size>;

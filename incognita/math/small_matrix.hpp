@@ -1,0 +1,13 @@
+// Small vectors and matrices whose size is known only when the program runs. They live on the stack.
+#pragma once
+
+#include <Eigen/Core>
+
+namespace incognita {
+
+inline constexpr int max_small = 16;
+
+using SmallVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_small, 1>;
+using SmallMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_small, max_small>;
+
+}  // namespace incognita

@@ -46,6 +46,14 @@ struct DifferentialDrive {
   double forward_m = 0;  ///< the l of (3.16)
   double left_m = 0;
 
+  // As a car has them: what drives the axle, and where the point is
+  template <class S>
+  const Input<S>& at_axle(const Input<S>& u) const {
+    return u;
+  }
+  Eigen::Matrix2d axle_by_input(const Input<double>&) const { return Eigen::Matrix2d::Identity(); }
+  const DifferentialDrive& point() const { return *this; }
+
   /// m/s, m/s, rad/s of the point and the body: (3.16) before it is sampled, with the point also beside the
   /// axis.
   template <class S>
@@ -116,15 +124,21 @@ struct AckermannCar {
     return body.f<S>(x, at_axle<S>(u), dt);
   }
 
-  Step step(const State<double>& x, const Input<double>& u, double dt) const {
+  /// d(at_axle) / d(input)
+  Eigen::Matrix2d axle_by_input(const Input<double>& u) const {
     const double curvature = std::tan(u[1]) / wheelbase_m;
     const double d_curvature = (1 + std::pow(std::tan(u[1]), 2)) / wheelbase_m;  // by the steering angle
     const double slower = 1 - curvature * wheel_left_m;
     Eigen::Matrix2d J;
     J << 1 / slower, u[0] * wheel_left_m * d_curvature / (slower * slower),  //
         curvature / slower, u[0] * d_curvature / (slower * slower);
+    return J;
+  }
+  const DifferentialDrive& point() const { return body; }
+
+  Step step(const State<double>& x, const Input<double>& u, double dt) const {
     Step step = body.step(x, at_axle<double>(u), dt);
-    step.G = (step.G * J).eval();
+    step.G = (step.G * axle_by_input(u)).eval();
     return step;
   }
 };

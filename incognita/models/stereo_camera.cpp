@@ -15,21 +15,39 @@ void StereoCamera::check() const {
                                 std::to_string(least_disparity_px));
 }
 
-std::optional<StereoCamera::Look> StereoCamera::look(const CameraState& left,
-                                                     const Eigen::Vector3d& point) const {
+namespace {
+
+/// `seen_from(camera)`: the look of one camera of the pair.
+template <class Look, class SeenFrom>
+std::optional<Look> look_of_pair(const CameraState& left, double baseline_m, const SeenFrom& seen_from) {
   const Eigen::Matrix3d axes = rotation_matrix<double>(free_camera::orientation(left));
   const Eigen::Vector3d lever = baseline_m * Eigen::Vector3d::UnitX();
   CameraState right = left;
   right.head<3>() += axes * lever;
-  const auto by_left = PointLandmark::look(camera, left, point);
-  const auto by_right = PointLandmark::look(camera, right, point);
+  const auto by_left = seen_from(left);
+  const auto by_right = seen_from(right);
   if (!by_left || !by_right) return std::nullopt;
   Look look{{by_left->pixel.x(), by_left->pixel.y(), by_right->pixel.x()}, by_right->pixel, {}, {}};
   look.Hv << by_left->Hv, by_right->Hv.row(0);
   // Turning the pair by e carries the right one by axes (e x lever) too
-  look.Hv.block<1, 3>(2, 3) -= look.Hv.block<1, 3>(2, 0) * axes * skew<double>(lever);
+  look.Hv.template block<1, 3>(2, 3) -= look.Hv.template block<1, 3>(2, 0) * axes * skew<double>(lever);
   look.Hl << by_left->Hl, by_right->Hl.row(0);
   return look;
+}
+
+}  // namespace
+
+std::optional<StereoCamera::Look> StereoCamera::look(const CameraState& left,
+                                                     const Eigen::Vector3d& point) const {
+  return look_of_pair<Look>(
+      left, baseline_m, [&](const CameraState& from) { return PointLandmark::look(camera, from, point); });
+}
+
+std::optional<StereoCamera::DistantLook> StereoCamera::look(const CameraState& left,
+                                                            const InverseDepthLandmark& form,
+                                                            const InverseDepthLandmark::State& y) const {
+  return look_of_pair<DistantLook>(left, baseline_m,
+                                   [&](const CameraState& from) { return form.look(camera, from, y); });
 }
 
 /// The inverse depth (1/m) at which a point on the left camera's ray (x, y, 1) is in that column of the right
@@ -75,6 +93,27 @@ std::optional<StereoCamera::Birth> StereoCamera::birth(const CameraState& left,
   birth.Jv = -birth.Jz * seen->Hv;
   if (!birth.Jz.allFinite()) return std::nullopt;
   return birth;
+}
+
+std::optional<StereoCamera::DistantBirth> StereoCamera::distant_birth(const CameraState& left,
+                                                                      const Eigen::Vector3d& z) const {
+  const auto point = birth(left, z);
+  if (!point) return std::nullopt;
+  const Eigen::Matrix3d axes = rotation_matrix<double>(free_camera::orientation(left));
+  const double depth = axes.col(2).dot(point->landmark - free_camera::position(left));
+  const auto seen_from = InverseDepthLandmark::birth(camera, left, z.head<2>(), 1 / depth);
+  if (!seen_from) return std::nullopt;
+  DistantBirth born{{seen_from->world_from_birth}, seen_from->landmark, {}, {}};
+  const auto seen = look(left, born.form, born.landmark);
+  if (!seen) return std::nullopt;
+  // Its place of birth is the camera's own; the rest follows from Hl Jv + Hv = 0, Hl Jz = I
+  const Eigen::Matrix3d by_rest = seen->Hl.rightCols<3>().inverse();
+  born.Jv.setZero();
+  born.Jv.topLeftCorner<3, 3>().setIdentity();
+  born.Jv.bottomRows<3>() = -by_rest * (seen->Hv + seen->Hl.leftCols<3>() * born.Jv.topRows<3>());
+  born.Jz << Eigen::Matrix3d::Zero(), by_rest;
+  if (!born.Jz.allFinite()) return std::nullopt;
+  return born;
 }
 
 }  // namespace incognita

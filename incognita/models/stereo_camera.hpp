@@ -28,6 +28,20 @@ struct StereoCamera {
     Jacobian Hv;            ///< d(z) / d(camera error); velocity and rate columns are zero
     Eigen::Matrix3d Hl;     ///< d(z) / d(landmark), px/m
   };
+  /// Of an inverse-depth landmark: its looks are nearly linear however far it is, as those of a point are
+  /// not.
+  struct DistantLook {
+    Eigen::Vector3d z;
+    Eigen::Vector2d right;
+    Jacobian Hv;
+    Eigen::Matrix<double, 3, 6> Hl;
+  };
+  struct DistantBirth {
+    InverseDepthLandmark form;
+    InverseDepthLandmark::State landmark;
+    Eigen::Matrix<double, 6, FreeCameraMotion::error_size> Jv;
+    Eigen::Matrix<double, 6, 3> Jz;
+  };
   struct Birth {
     Eigen::Vector3d landmark;                                   ///< m, world
     Eigen::Matrix<double, 3, FreeCameraMotion::error_size> Jv;  ///< d(landmark) / d(camera error)
@@ -40,13 +54,21 @@ struct StereoCamera {
   /// Nothing where either camera is not defined, as behind them; the pixels may lie outside the images.
   std::optional<Look> look(const CameraState& left, const Eigen::Vector3d& point) const;
 
+  std::optional<DistantLook> look(const CameraState& left, const InverseDepthLandmark& form,
+                                  const InverseDepthLandmark::State& landmark) const;
+
   /// Whether both cameras have it in their images, at least `margin` pixels from the edge.
-  bool contains(const Look& look, double margin = 0) const {
-    return camera.contains(look.z.head<2>(), margin) && camera.contains(look.right, margin);
+  template <class SomeLook>
+  bool contains(const SomeLook& look, double margin = 0) const {
+    return camera.contains(look.z.template head<2>(), margin) && camera.contains(look.right, margin);
   }
 
   /// Where the rays meet. Nothing where the disparity is too small, or no ray reaches the pixels.
   std::optional<Birth> birth(const CameraState& left, const Eigen::Vector3d& z) const;
+
+  /// The same point, told by where it was seen from, the direction and the inverse depth: a disparity tells
+  /// that one with an error that is nearly Gaussian, and a distance with one that is not.
+  std::optional<DistantBirth> distant_birth(const CameraState& left, const Eigen::Vector3d& z) const;
 
  private:
   std::optional<double> inverse_depth(const Eigen::Vector3d& ray, double u_right) const;

@@ -11,6 +11,7 @@
 #include "incognita/math/random.hpp"
 #include "incognita/models/free_camera.hpp"
 #include "incognita/models/monobot.hpp"
+#include "incognita/models/on_arc.hpp"
 #include "incognita/models/planar_vehicle.hpp"
 #include "incognita/models/terrain_vehicle.hpp"
 #include "tests/models/dual.hpp"
@@ -38,6 +39,8 @@ using Motions = ::testing::Types<  //
     DifferentialDrive,             //
     SensorOffTheAxle,              //
     AckermannCar,                  //
+    OnArc<SensorOffTheAxle>,       //
+    OnArc<AckermannCar>,           //
     TerrainVehicle,                //
     OnASteepSlope,                 //
     OnGentleWaves,                 //

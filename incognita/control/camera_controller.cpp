@@ -25,7 +25,7 @@ Command track_reference(const CameraState& estimate, const Eigen::Vector3d& posi
   const Eigen::Vector3d alpha = settings.gain_orientation_per_s2 * quaternion_log(to_gaze) -
                                 settings.gain_rate_per_s * (free_camera::angular_rate(estimate) - gaze_rate);
   const double most = settings.max_acceleration_m_s2, most_angular = settings.max_angular_acceleration_rad_s2;
-  return {f.cwiseMax(-most).cwiseMin(most), alpha.cwiseMax(-most_angular).cwiseMin(most_angular)};
+  return {f.cwiseMax(-most).cwiseMin(most), alpha.cwiseMax(-most_angular).cwiseMin(most_angular), {}};
 }
 
 Command CameraController::act(const Estimate& estimate, const Goal& goal, const Tick& tick) {
@@ -54,7 +54,7 @@ Command CameraController::act(const Estimate& estimate, const Goal& goal, const 
 Command CameraController::brake(const Tick& tick) const {
   if (tick.t - lost_t_ >= braking_s) return {};
   return {-free_camera::velocity(last_known_) / braking_s,
-          -free_camera::angular_rate(last_known_) / braking_s};
+          -free_camera::angular_rate(last_known_) / braking_s, {}};
 }
 
 }  // namespace incognita

@@ -2,12 +2,18 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
+
+#include "incognita/math/small_matrix.hpp"
 
 namespace incognita {
 
 struct Command {
   Eigen::Vector3d linear_acceleration = Eigen::Vector3d::Zero();   ///< m/s^2, world axes
   Eigen::Vector3d angular_acceleration = Eigen::Vector3d::Zero();  ///< rad/s^2, camera axes
+
+  std::vector<SmallVector>
+      inputs;  ///< of a team: each vehicle's, as its motion model takes it; none: stand still
 
   Eigen::Matrix<double, 6, 1> as_input() const {
     Eigen::Matrix<double, 6, 1> u;

@@ -5,8 +5,10 @@
 #include <cmath>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include "incognita/math/small_matrix.hpp"
 #include "incognita/vision/image.hpp"
 
 namespace incognita {
@@ -36,12 +38,28 @@ inline bool is_usable(const Detection& detection) {
   return std::isfinite(detection.range_m) && detection.range_m > 0 && std::isfinite(detection.bearing_rad);
 }
 
+/// What a sensor measured of a point that it can name.
+struct Sighting {
+  std::int64_t identity = 0;  ///< of the landmark; of another vehicle, which one it is, from 0
+  SmallVector z;              ///< as the sensor measures
+};
+
+/// What one vehicle of a team knows by itself.
+struct VehicleView {
+  std::optional<SmallVector>
+      input;  ///< what it carried out since the tick before, as its motion model takes it
+  std::vector<Odometry> odometry;   ///< or, where it was recorded, each reading since then, in time order
+  std::vector<Sighting> landmarks;  ///< of this very tick
+  std::vector<Sighting> vehicles;   ///< others of the team, of this very tick
+};
+
 struct Observation {
   std::shared_ptr<const Image>
       image;                       ///< immutable, shared with the record; null when the camera gave nothing
   std::vector<Odometry> odometry;  ///< since the tick before, in time order
   std::vector<Detection> detections;   ///< of this very tick
   std::vector<PositionReading> fixes;  ///< since the tick before, in time order
+  std::vector<VehicleView> team;       ///< where vehicles name what they see: one for each
 };
 
 }  // namespace incognita

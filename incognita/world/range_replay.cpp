@@ -60,7 +60,7 @@ Tick RangeClock::next() {
 std::optional<Truth> RangeWorld::move(const Command&, const Tick& tick) {
   const auto place = true_place(*recording_, tick.t);
   if (!place) return std::nullopt;
-  return Truth{upright(*place), place->heading_rad.has_value()};
+  return Truth{upright(*place), place->heading_rad.has_value(), {}, {}};
 }
 
 Observation RangeSensor::look(const std::optional<Truth>&, const Tick& tick) {

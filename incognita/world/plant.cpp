@@ -1,0 +1,82 @@
+#include "incognita/world/plant.hpp"
+
+#include <array>
+#include <boost/numeric/odeint.hpp>
+#include <cmath>
+#include <span>
+#include <stdexcept>
+#include <utility>
+
+namespace incognita {
+namespace {
+
+namespace odeint = boost::numeric::odeint;
+using Numbers = std::vector<double>;
+
+constexpr double tolerance = 1e-10;  // metres, radians: far below anything that a sensor resolves
+
+void need_size(const SmallVector& v, int size, const char* what) {
+  if (v.size() != size)
+    throw std::invalid_argument(std::string(what) + ": " + std::to_string(v.size()) + " numbers where " +
+                                std::to_string(size) + " belong");
+  if (!v.allFinite()) throw std::invalid_argument(std::string(what) + " must be finite");
+}
+
+void check(const AnyMotion& motion, const PlantSettings& s) {
+  const Chart& chart = chart_of(motion);
+  const int inputs = inputs_of(motion);
+  need_size(s.start, chart.ambient(), "the start of a plant");
+  need_size(s.start_sigmas, chart.tangent(), "the sigmas of a plant's start");
+  need_size(s.input_sigmas, inputs, "the sigmas of a plant's inputs");
+  need_size(s.least_input, inputs, "the least inputs of a plant");
+  need_size(s.most_input, inputs, "the most of a plant's inputs");
+  if ((s.start_sigmas.array() < 0).any() || (s.input_sigmas.array() < 0).any())
+    throw std::invalid_argument("the sigmas of a plant must be zero or positive");
+  if ((s.least_input.array() > s.most_input.array()).any())
+    throw std::invalid_argument("the least input of a plant is more than the most");
+}
+
+std::span<double> numbers(SmallVector& v) { return {v.data(), static_cast<std::size_t>(v.size())}; }
+
+SmallVector drawn_start(const AnyMotion& motion, const PlantSettings& s, std::uint64_t seed,
+                        const std::string& name) {
+  RandomStream random(seed, name + ".start");
+  SmallVector x = s.start, shift = s.start_sigmas;
+  for (double& number : shift) number *= random.normal();
+  chart_of(motion).plus(numbers(x), numbers(shift));
+  return x;
+}
+
+}  // namespace
+
+Plant::Plant(AnyMotion motion, const PlantSettings& settings, std::uint64_t seed, const std::string& name)
+    : motion_(std::move(motion)), settings_(settings), disturbance_(seed, name + ".disturbance") {
+  check(motion_, settings_);
+  state_ = drawn_start(motion_, settings_, seed, name);
+  carried_out_ = SmallVector::Zero(inputs_of(motion_));
+}
+
+const SmallVector& Plant::move(const SmallVector& input, double dt_s) {
+  need_size(input, inputs_of(motion_), "the input of a plant");
+  if (!(dt_s >= 0 && std::isfinite(dt_s)))
+    throw std::invalid_argument("a tick must last zero or more seconds, got " + std::to_string(dt_s));
+  if (dt_s == 0) return state_;
+  carried_out_ = input.cwiseMax(settings_.least_input).cwiseMin(settings_.most_input);
+  SmallVector u = carried_out_;
+  for (Eigen::Index i = 0; i < u.size(); ++i) u[i] += settings_.input_sigmas[i] * disturbance_.normal();
+  const auto n = state_.size();
+  Numbers x(state_.begin(), state_.end());
+  const auto rate = [&](const Numbers& at, Numbers& dx, double) {
+    Eigen::Map<Eigen::VectorXd>(dx.data(), n) =
+        rate_of(motion_, Eigen::Map<const Eigen::VectorXd>(at.data(), n), u);
+  };
+  const auto stepper = odeint::make_controlled<odeint::runge_kutta_dopri5<Numbers>>(tolerance, tolerance);
+  odeint::integrate_adaptive(stepper, rate, x, 0.0, dt_s, dt_s);
+  state_ = Eigen::Map<const Eigen::VectorXd>(x.data(), n);
+  // Brings angles and quaternions back to where they are kept
+  SmallVector none = SmallVector::Zero(chart_of(motion_).tangent());
+  chart_of(motion_).plus(numbers(state_), numbers(none));
+  return state_;
+}
+
+}  // namespace incognita

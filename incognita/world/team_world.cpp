@@ -1,0 +1,101 @@
+#include "incognita/world/team_world.hpp"
+
+#include <cmath>
+#include <span>
+#include <stdexcept>
+
+#include "incognita/math/angles.hpp"
+
+namespace incognita {
+namespace {
+
+std::string stream_of(const char* what, std::size_t vehicle) {
+  return std::string("team.") + what + "." + std::to_string(vehicle);
+}
+
+/// Whether a scanner looks that way; of a camera its image decides.
+bool inside_view(const SimulatedVehicle& vehicle, const AnyLook& look) {
+  if (!look.in_view) return false;
+  const bool scanner = std::holds_alternative<LaserScanner>(vehicle.sensor) ||
+                       std::holds_alternative<DirectionFinder>(vehicle.sensor);
+  return !scanner || std::abs(look.z[look.z.size() - 1]) <= vehicle.field_of_view_rad / 2;
+}
+
+}  // namespace
+
+TeamWorld::TeamWorld(const std::vector<SimulatedVehicle>& vehicles, std::uint64_t seed) {
+  if (vehicles.empty()) throw std::invalid_argument("a team needs a vehicle");
+  for (std::size_t i = 0; i < vehicles.size(); ++i)
+    plants_.emplace_back(vehicles[i].motion, vehicles[i].plant, seed, stream_of("plant", i));
+}
+
+std::optional<Truth> TeamWorld::move(const Command& command, const Tick& tick) {
+  Truth truth;
+  for (std::size_t i = 0; i < plants_.size(); ++i) {
+    const SmallVector none = SmallVector::Zero(inputs_of(plants_[i].motion()));
+    truth.vehicles.push_back(plants_[i].move(i < command.inputs.size() ? command.inputs[i] : none, tick.dt));
+    truth.inputs.push_back(plants_[i].carried_out());
+  }
+  const RigidPose first = pose_of(plants_.front().motion(), truth.vehicles.front());
+  truth.camera.head<3>() = first.position;
+  truth.camera.segment<4>(3) = first.world_from_body;
+  if (std::holds_alternative<FreeCameraMotion>(plants_.front().motion()))
+    truth.camera = truth.vehicles.front();
+  return truth;
+}
+
+TeamSensor::TeamSensor(std::vector<SimulatedVehicle> vehicles, PointPlace place, bool sees_vehicles,
+                       std::uint64_t seed)
+    : vehicles_(std::move(vehicles)), place_(std::move(place)), sees_vehicles_(sees_vehicles) {
+  for (std::size_t i = 0; i < vehicles_.size(); ++i) {
+    const SimulatedVehicle& v = vehicles_[i];
+    const std::string fault = misfit(v.motion, v.sensor);
+    if (!fault.empty()) throw std::invalid_argument(fault);
+    if (v.sigmas.size() != chart_of(v.sensor).tangent())
+      throw std::invalid_argument("a sensor needs " + std::to_string(chart_of(v.sensor).tangent()) +
+                                  " sigmas");
+    for (const auto& [identity, point] : place_)
+      if (point.size() != dimensions_of(v.sensor))
+        throw std::invalid_argument("landmark " + std::to_string(identity) + " has " +
+                                    std::to_string(point.size()) + " numbers, and the sensor measures in " +
+                                    std::to_string(dimensions_of(v.sensor)) + " dimensions");
+    noise_.emplace_back(seed, stream_of("sensor", i));
+  }
+}
+
+std::optional<SmallVector> TeamSensor::measured(std::size_t i, const SmallVector& state,
+                                                const SmallVector& point) {
+  const SimulatedVehicle& v = vehicles_[i];
+  const SmallVector from = position_of(v.motion, state).position;
+  if (!((from - point).norm() <= v.max_range_m)) return std::nullopt;
+  const auto look = look_at(v.sensor, v.motion, state, {}, point);
+  if (!look || !inside_view(v, *look)) return std::nullopt;
+  SmallVector z = look->z, error(v.sigmas.size());
+  for (Eigen::Index k = 0; k < error.size(); ++k)
+    error[k] = (v.sigmas[k] + (k == 0 ? v.sigma_range_ratio * std::abs(z[0]) : 0)) * noise_[i].normal();
+  chart_of(v.sensor).plus({z.data(), static_cast<std::size_t>(z.size())},
+                          {error.data(), static_cast<std::size_t>(error.size())});
+  return z;
+}
+
+Observation TeamSensor::look(const std::optional<Truth>& truth, const Tick& tick) {
+  Observation seen;
+  if (!truth || truth->vehicles.size() != vehicles_.size())
+    throw std::logic_error("a team's sensor without its team");
+  for (std::size_t i = 0; i < vehicles_.size(); ++i) {
+    VehicleView view;
+    if (tick.dt > 0) view.input = truth->inputs[i];
+    for (const auto& [identity, point] : place_)
+      if (auto z = measured(i, truth->vehicles[i], point)) view.landmarks.push_back({identity, *z});
+    for (std::size_t j = 0; sees_vehicles_ && j < vehicles_.size(); ++j) {
+      if (j == i) continue;
+      const SmallVector other = position_of(vehicles_[j].motion, truth->vehicles[j]).position;
+      if (auto z = measured(i, truth->vehicles[i], other))
+        view.vehicles.push_back({static_cast<std::int64_t>(j), *z});
+    }
+    seen.team.push_back(std::move(view));
+  }
+  return seen;
+}
+
+}  // namespace incognita

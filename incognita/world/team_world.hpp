@@ -1,0 +1,61 @@
+// A simulated place of points, vehicles that move in it, and sensors that name what they see: the simulated
+// environment of thesis Appendix B.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "incognita/models/any_sensor.hpp"
+#include "incognita/world/plant.hpp"
+#include "incognita/world/world.hpp"
+
+namespace incognita {
+
+/// Landmarks by identity; each as many numbers as the place has dimensions.
+using PointPlace = std::map<std::int64_t, SmallVector>;
+
+struct SimulatedVehicle {
+  AnyMotion motion;
+  PlantSettings plant;
+  AnySensor sensor;
+  SmallVector sigmas;            ///< true noise of each number that is measured
+  double sigma_range_ratio = 0;  ///< added to the first of them, times what is measured
+  double max_range_m = 1e9;      ///< farther points are not seen
+  double field_of_view_rad = 7;  ///< of a scanner, about straight ahead; more than a turn sees all around
+};
+
+class TeamWorld final : public World {
+ public:
+  /// Throws std::invalid_argument where sizes do not fit.
+  TeamWorld(const std::vector<SimulatedVehicle>& vehicles, std::uint64_t seed);
+
+  /// Vehicles without an input stand still (inputs of 0).
+  std::optional<Truth> move(const Command& command, const Tick& tick) override;
+
+ private:
+  std::vector<Plant> plants_;
+};
+
+class TeamSensor final : public Sensor {
+ public:
+  /// `sees_vehicles`: whether vehicles see the others of their team, too. Throws std::invalid_argument where
+  /// a sensor does not fit its vehicle, or the place.
+  TeamSensor(std::vector<SimulatedVehicle> vehicles, PointPlace place, bool sees_vehicles,
+             std::uint64_t seed);
+
+  Observation look(const std::optional<Truth>& truth, const Tick& tick) override;
+
+ private:
+  std::optional<SmallVector> measured(std::size_t vehicle, const SmallVector& state,
+                                      const SmallVector& point);
+
+  std::vector<SimulatedVehicle> vehicles_;
+  PointPlace place_;
+  bool sees_vehicles_;
+  std::vector<RandomStream> noise_;
+};
+
+}  // namespace incognita

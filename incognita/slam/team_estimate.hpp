@@ -1,0 +1,61 @@
+// All that is known of a team of vehicles and of the landmarks they name: one belief. Updated in place.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "incognita/belief/belief.hpp"
+#include "incognita/models/any_sensor.hpp"
+#include "incognita/slam/entropy_values.hpp"
+#include "incognita/slam/status.hpp"
+
+namespace incognita {
+
+struct TeamVehicle {
+  BlockId block = 0;
+  SmallVector prediction;            ///< state at the last tick, before its update
+  double t = 0;                      ///< s, up to which it is predicted
+  std::optional<SmallVector> input;  ///< the last that its wheels told, held until the next
+  double input_t = 0;
+  double input_period = 0;  ///< s, between the last two readings; 0 before the second
+};
+
+struct TeamLandmark {
+  std::int64_t identity = 0;
+  LandmarkForm form;
+  BlockId block = 0;
+  SmallVector first;  ///< as it was born: where first-estimate Jacobians are taken
+  int sightings = 0;
+};
+
+/// A sighting and what was made of it.
+struct TeamLook {
+  int vehicle = 0;
+  bool of_vehicle = false;
+  bool anchor = false;
+  std::int64_t identity = 0;
+  SmallVector measured, predicted;
+  SmallMatrix innovation_cov;
+  LookOutcome outcome = LookOutcome::not_tried;
+};
+
+struct TeamEstimate {
+  Belief belief;
+  bool started = false;
+  std::vector<TeamVehicle> vehicles;
+  std::map<std::int64_t, TeamLandmark> landmarks;  ///< by identity; anchors are not among them
+  TrackingStatus status;
+
+  // Of the last tick
+  std::vector<TeamLook> looks;
+  int matched = 0;
+  UpdateReport update;
+  std::int64_t unsettled_updates = 0;  ///< iterated updates that reached their cap so far
+  Entropy entropy;
+  std::vector<std::pair<const char*, double>> timing_ms;
+};
+
+}  // namespace incognita

@@ -1,0 +1,335 @@
+// The simulated environment of thesis Appendix B: every motion with every sensor, filter and controller that
+// fits.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <numbers>
+
+#include "incognita/control/team_controller.hpp"
+#include "incognita/models/wide_angle_camera.hpp"
+#include "incognita/slam/team_estimator.hpp"
+#include "incognita/world/room_clock.hpp"
+#include "incognita/world/team_world.hpp"
+
+namespace incognita {
+namespace {
+
+SmallVector vec(std::initializer_list<double> numbers) {
+  SmallVector v(static_cast<Eigen::Index>(numbers.size()));
+  std::copy(numbers.begin(), numbers.end(), v.begin());
+  return v;
+}
+
+/// Vehicles in a place, what they believe, and where they are to go.
+struct Scene {
+  std::vector<SimulatedVehicle> vehicles;
+  TeamSettings filter;
+  std::vector<SteeringSettings> steering;
+  PointPlace place;
+  double rate_hz = 10;
+  bool see_each_other = false;
+
+  void add(const TeamMember& member, const SteeringSettings& steer, double max_range_m) {
+    SimulatedVehicle v{
+        member.motion,
+        {member.start, member.start_sigmas, member.input_sigmas, -steer.most_input, steer.most_input},
+        member.sensor,
+        member.sigmas,
+        member.sigma_range_ratio};
+    v.max_range_m = max_range_m;
+    vehicles.push_back(v);
+    filter.members.push_back(member);
+    steering.push_back(steer);
+  }
+};
+
+struct Result {
+  TeamEstimate estimate;
+  double nees = 0;              ///< of all vehicles, mean, over its degrees of freedom
+  double tracking_m = 0;        ///< true distance from the path, mean of the last third
+  double position_error_m = 0;  ///< at the end, the largest
+};
+
+double nees_of(const Scene& scene, const TeamEstimate& estimate, const Truth& truth, std::size_t i) {
+  const Chart& chart = chart_of(scene.vehicles[i].motion);
+  const SmallVector mean = estimate.belief.mean(estimate.vehicles[i].block), t = truth.vehicles[i];
+  Eigen::VectorXd e(chart.tangent());
+  chart.minus({t.data(), static_cast<std::size_t>(t.size())},
+              {mean.data(), static_cast<std::size_t>(mean.size())},
+              {e.data(), static_cast<std::size_t>(e.size())});
+  const Eigen::MatrixXd P = estimate.belief.covariance(estimate.vehicles[i].block);
+  return e.dot(P.ldlt().solve(e)) / static_cast<double>(e.size());
+}
+
+Result run(const Scene& scene, double duration_s, std::uint64_t seed) {
+  TeamWorld world(scene.vehicles, seed);
+  TeamSensor sensor(scene.vehicles, scene.place, scene.see_each_other, seed);
+  const TeamEstimator estimator(scene.filter);
+  std::vector<std::unique_ptr<Steering>> laws;
+  for (std::size_t i = 0; i < scene.steering.size(); ++i)
+    laws.push_back(make_steering(scene.vehicles[i].motion, scene.steering[i], 1 / scene.rate_hz));
+  TeamController controller(std::move(laws));
+  RoomClock clock(scene.rate_hz, duration_s);
+  Result result;
+  Command command;
+  int all = 0, late = 0;
+  while (const Tick tick = clock.next()) {
+    const auto truth = world.move(command, tick);
+    estimator.update(result.estimate, command, sensor.look(truth, tick), tick);
+    command = controller.act(result.estimate, {}, tick);
+    result.position_error_m = 0;
+    for (std::size_t i = 0; i < scene.vehicles.size(); ++i) {
+      const AnyMotion& motion = scene.vehicles[i].motion;
+      const SmallVector at_truth = position_of(motion, truth->vehicles[i]).position;
+      const SmallVector believed =
+          position_of(motion, result.estimate.belief.mean(result.estimate.vehicles[i].block)).position;
+      result.position_error_m = std::max(result.position_error_m, (at_truth - believed).norm());
+      if (tick.frame > 0) result.nees += nees_of(scene, result.estimate, *truth, i), ++all;
+      if (tick.t < duration_s * 2 / 3) continue;
+      const Reference wanted = at(scene.steering[i].path, tick.t);
+      const auto size = std::min<Eigen::Index>(at_truth.size(), 2);
+      result.tracking_m += (wanted.position.head(size) - at_truth.head(size)).norm(), ++late;
+    }
+  }
+  result.nees /= all;
+  result.tracking_m /= late;
+  return result;
+}
+
+PointPlace drawn_place(int count, int dimensions, double half_m, double height_m) {
+  PointPlace place;
+  RandomStream random(7, "place");
+  for (int i = 0; i < count; ++i) {
+    place[i] = SmallVector(dimensions);
+    for (int k = 0; k < dimensions; ++k)
+      place[i][k] = k < 2 ? random.uniform(-half_m, half_m) : random.uniform(0, height_m);
+  }
+  return place;
+}
+
+Camera wide_angle() {
+  WideAngleCamera camera;
+  camera.width = 320, camera.height = 240;
+  camera.fu = camera.fv = 160, camera.u0 = 159.5, camera.v0 = 119.5;
+  return camera;
+}
+
+AnyMotion motion_named(const std::string& name) {
+  if (name == "monobot") return MonobotMotion{};
+  if (name == "differential-drive") return DifferentialDrive{0.3, 0};
+  if (name == "ackermann") return AckermannCar{1.0, 0.3, {0.8, 0}};
+  if (name == "terrain") return TerrainVehicle{Waves{0, {{0.15, 6, 0.3, 0}, {0.1, 4, 1.7, 1}}}};
+  return FreeCameraMotion{};
+}
+
+AnySensor sensor_named(const std::string& name, const AnyMotion& motion) {
+  if (name == "range-bearing" && std::holds_alternative<MonobotMotion>(motion)) return LineScanner{};
+  if (name == "range-bearing") return LaserScanner{};
+  if (name == "bearing") return DirectionFinder{};
+  const Mount mount{0.1, 0, 0.6, 0, 0};
+  if (name == "camera") return CarriedCamera{wide_angle(), mount};
+  StereoCamera stereo{wide_angle()};
+  stereo.baseline_m = 0.3;
+  return CarriedStereo{stereo, mount};
+}
+
+SmallVector sigmas_of(const AnySensor& sensor) {
+  if (std::holds_alternative<LineScanner>(sensor)) return vec({0.1});
+  if (std::holds_alternative<LaserScanner>(sensor)) return vec({0.1, 0.02});
+  if (std::holds_alternative<DirectionFinder>(sensor)) return vec({0.01});
+  return SmallVector::Constant(chart_of(sensor).tangent(), 1.0);
+}
+
+/// A vehicle that goes round, or on a line to a point; sees what it needs to keep its place.
+Scene scene_of(const AnyMotion& motion, const AnySensor& sensor, const std::string& lineariser) {
+  Scene scene;
+  TeamMember member{motion, sensor, {}, {}, {}, sigmas_of(sensor)};
+  SteeringSettings steer;
+  steer.law = "feedback-linearisation";
+  const bool free = std::holds_alternative<FreeCameraMotion>(motion),
+             line = std::holds_alternative<MonobotMotion>(motion);
+  member.start = free   ? vec({-1.5, 0, 1.2, 0.5, -0.5, 0.5, -0.5, 0, 0, 0, 0, 0, 0})
+                 : line ? vec({0})
+                        : vec({4, -1, 1.57});
+  member.start_sigmas = SmallVector::Constant(chart_of(motion).tangent(), free ? 0 : 0.01);
+  if (free) member.start_sigmas.head(6).setConstant(0.01);
+  member.input_sigmas = free ? SmallVector::Constant(6, 0.2) : SmallVector::Constant(inputs_of(motion), 0.05);
+  if (free) {
+    BackAndForthPath path;
+    path.centre = {0, 0, 1.2};
+    steer.path = path;
+    steer.most_input = SmallVector::Constant(6, 3);
+  } else if (line) {
+    steer.path = PointPath{{5, 0, 0}};
+    steer.most_input = vec({1});
+    steer.law = "lqg";
+  } else {
+    CirclePath path;
+    path.radius_m = 4;
+    path.rate_rad_s = 0.12;
+    steer.path = path;
+    steer.most_input = std::holds_alternative<AckermannCar>(motion) ? vec({1.5, 0.6}) : vec({1.5, 1});
+  }
+  const int dimensions = dimensions_of(sensor);
+  scene.place = drawn_place(dimensions == 3 ? 60 : 20, dimensions, line ? 12 : 8, 2.5);
+  scene.rate_hz = dimensions == 3 ? 20 : 10;
+  scene.filter.filter.lineariser = lineariser;
+  if (!tells_distance(sensor))  // they fix place and scale
+    for (int i = 0; i < (dimensions == 3 ? 8 : 4); ++i) scene.filter.anchors[i] = scene.place[i];
+  scene.add(member, steer, 1e9);
+  return scene;
+}
+
+using Combination = std::tuple<const char*, const char*, const char*>;
+/// A line has no bearings and no images; scanners of the plane belong on the plane, and so do the
+/// first-estimate Jacobians that were derived for them.
+bool makes_sense(const std::string& motion, const std::string& sensor, const std::string& lineariser) {
+  const bool on_plane = motion == "differential-drive" || motion == "ackermann";
+  if (lineariser == "first-estimate") return on_plane && sensor == "range-bearing";
+  if (motion == "monobot") return sensor == "range-bearing";
+  return on_plane || sensor == "camera" || sensor == "stereo";
+}
+
+class Combinations : public ::testing::TestWithParam<Combination> {};
+
+TEST_P(Combinations, RunsAndKnowsHowSureItIsOrIsRefused) {
+  const auto [motion_name, sensor_name, lineariser] = GetParam();
+  const AnyMotion motion = motion_named(motion_name);
+  const AnySensor sensor = sensor_named(sensor_name, motion);
+  const Scene scene = scene_of(motion, sensor, lineariser);
+  const std::string fault = fault_in(scene.filter);
+  ASSERT_EQ(fault.empty(), makes_sense(motion_name, sensor_name, lineariser)) << fault;
+  if (!fault.empty()) {
+    EXPECT_THROW(TeamEstimator{scene.filter}, std::invalid_argument);
+    EXPECT_GT(fault.size(), 40u) << "a reason, in words";
+    return;
+  }
+  double nees = 0;
+  constexpr int seeds = 4;
+  for (int seed = 1; seed <= seeds; ++seed) {
+    const Result result = run(scene, 20, static_cast<std::uint64_t>(seed));
+    EXPECT_EQ(result.estimate.status.state, TrackingState::tracking) << result.estimate.status.reason;
+    EXPECT_LT(result.position_error_m, 0.5);
+    EXPECT_LT(result.tracking_m, 0.6);
+    EXPECT_GT(result.estimate.landmarks.size(), 5u);
+    nees += result.nees / seeds;
+  }
+  RecordProperty("nees", std::to_string(nees));
+  EXPECT_GT(nees, 0.3);
+  EXPECT_LT(nees, 3.0);
+}
+
+std::string name_of(const ::testing::TestParamInfo<Combination>& info) {
+  std::string name =
+      std::string(std::get<0>(info.param)) + "_" + std::get<1>(info.param) + "_" + std::get<2>(info.param);
+  for (char& c : name)
+    if (c == '-') c = '_';
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Combinations,
+                         ::testing::Combine(::testing::Values("monobot", "differential-drive", "ackermann",
+                                                              "terrain", "free-camera"),
+                                            ::testing::Values("range-bearing", "bearing", "camera", "stereo"),
+                                            ::testing::Values("analytic", "iterated", "unscented-vehicle",
+                                                              "first-estimate")),
+                         name_of);
+
+TEST(Team, ThatSeesEachOtherKnowsMoreThanOneThatDoesNot) {
+  double together = 0, apart = 0;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed)
+    for (const bool see : {false, true}) {
+      Scene scene;
+      scene.see_each_other = see;
+      scene.place = drawn_place(6, 2, 12, 0);
+      for (int i = 0; i < 3; ++i) {
+        TeamMember member{
+            DifferentialDrive{0.3, 0}, LaserScanner{},  vec({4.0 * i - 4, -1, 1.57}), vec({0, 0, 0}),
+            vec({0.1, 0.1}),           vec({0.1, 0.02})};
+        SteeringSettings steer;
+        steer.law = "feedback-linearisation";
+        CirclePath path;
+        path.centre = {4.0 * i - 4, 0, 0};
+        path.radius_m = 3;
+        path.rate_rad_s = 0.15;
+        steer.path = path;
+        steer.most_input = vec({1.5, 1});
+        scene.add(member, steer, 6);
+      }
+      (see ? together : apart) += run(scene, 40, seed).position_error_m;
+    }
+  EXPECT_LT(together, 0.9 * apart);
+}
+
+TEST(Team, GivesTheSameForTheSameSeed) {
+  const AnyMotion motion = motion_named("differential-drive");
+  const Scene scene = scene_of(motion, sensor_named("range-bearing", motion), "analytic");
+  const Result a = run(scene, 10, 3), b = run(scene, 10, 3), c = run(scene, 10, 4);
+  EXPECT_EQ(a.estimate.belief.dense_covariance(), b.estimate.belief.dense_covariance());
+  EXPECT_NE(a.nees, c.nees);
+}
+
+/// With one vehicle and its filter's noises the engine's answers are those of the laser estimator's team of
+/// one.
+TEST(Team, RefusesWhatCannotBe) {
+  const AnyMotion motion = motion_named("differential-drive");
+  Scene scene = scene_of(motion, sensor_named("range-bearing", motion), "analytic");
+  const auto refused = [](const TeamSettings& settings, const char* because) {
+    const std::string fault = fault_in(settings);
+    EXPECT_NE(fault.find(because), std::string::npos) << fault;
+  };
+  TeamSettings changed = scene.filter;
+  changed.members[0].sigmas = vec({0.1});
+  refused(changed, "2 finite numbers");
+  changed = scene.filter;
+  changed.members[0].sigmas = vec({0.1, 0});
+  refused(changed, "more than 0");
+  changed = scene.filter;
+  changed.filter.lineariser = "linear";
+  refused(changed, "no lineariser");
+  changed = scene.filter;
+  changed.anchors[3] = vec({1, 2, 3});
+  refused(changed, "anchor 3");
+  changed = scene.filter;
+  changed.members.clear();
+  refused(changed, "needs a vehicle");
+}
+
+std::string why_not(const AnyMotion& motion, const SteeringSettings& steer, double period_s) {
+  try {
+    make_steering(motion, steer, period_s);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Steering, RefusesWhatCannotBeSteered) {
+  const AnyMotion on_axle = DifferentialDrive{0, 0}, drive = DifferentialDrive{0.3, 0},
+                  car = motion_named("ackermann");
+  SteeringSettings s;
+  s.most_input = vec({1, 1});
+  s.path = PointPath{{10, 10, 0}};
+  s.law = "feedback-linearisation";
+  EXPECT_EQ(why_not(drive, s, 0.1), "");
+  EXPECT_NE(why_not(on_axle, s, 0.1), "");
+  s.gain_per_s = 25;
+  EXPECT_NE(why_not(drive, s, 0.1), "");
+  s.gain_per_s = 0.5;
+  s.most_input = vec({1});
+  EXPECT_NE(why_not(drive, s, 0.1).find("2 numbers"), std::string::npos);
+  s.most_input = vec({0.1, 1});
+  s.path = CirclePath{};
+  EXPECT_NE(why_not(drive, s, 0.1), "") << "0.6 m/s are asked of 0.1";
+  s.most_input = vec({1, 1});
+  s.law = "lqg";
+  EXPECT_NE(why_not(drive, s, 0.1).find("to a point"), std::string::npos);
+  EXPECT_NE(why_not(car, s, 0.1), "");
+  s.law = "none";
+  s.input = vec({0.1});
+  EXPECT_NE(why_not(drive, s, 0.1).find("2 numbers"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace incognita

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <vector>
@@ -50,8 +51,9 @@ void read_odometry(const std::filesystem::path& file, RangeRecordingBuilder& rec
   }
 }
 
+/// `members`: the numbers of the robots of a team, in order; empty where a robot is alone.
 void read_measurements(const std::filesystem::path& file, const Subjects& subjects,
-                       RangeRecordingBuilder& recording) {
+                       const std::vector<int>& members, RangeRecordingBuilder& recording) {
   for (const TableLine& line : read_table(file)) {
     recording.add_scan(line.where, line.number(0));
     const auto subject = subjects.find(whole_number(line, 1));
@@ -60,7 +62,12 @@ void read_measurements(const std::filesystem::path& file, const Subjects& subjec
       recording.skip(fmt::format("measurements of barcodes that are not in {} are skipped", barcode_file),
                      line.where);
     } else if (subject->second <= robots) {
-      recording.skip("measurements of other robots are left out", line.where);
+      const auto other = std::find(members.begin(), members.end(), subject->second);
+      if (other == members.end())
+        recording.skip("measurements of other robots are left out", line.where);
+      else
+        recording.add_vehicle_detection(line.where,
+                                        {seen.range_m, seen.bearing_rad, other - members.begin()});
     } else {
       recording.add_detection(line.where, {seen.range_m, seen.bearing_rad, subject->second});
     }
@@ -87,17 +94,32 @@ void read_landmarks(const std::filesystem::path& file, RangeRecordingBuilder& re
   }
 }
 
+std::vector<int> robots_in(const std::filesystem::path& folder) {
+  std::vector<int> there;
+  for (int robot = 1; robot <= robots; ++robot)
+    if (file_exists(robot_file(folder, robot, "Odometry"))) there.push_back(robot);
+  return there;
+}
+
 void check_robot(const std::filesystem::path& folder, int robot) {
   if (robot < 1 || robot > robots) {
     throw InputError(fmt::format("recording.robot = {}: must be 1 to {}", robot, robots));
   }
   if (file_exists(robot_file(folder, robot, "Odometry"))) return;
-  std::vector<int> there;
-  for (int other = 1; other <= robots; ++other)
-    if (file_exists(robot_file(folder, other, "Odometry"))) there.push_back(other);
+  const std::vector<int> there = robots_in(folder);
   throw InputError(fmt::format(
       "{}: is not there; {}", robot_file(folder, robot, "Odometry").string(),
       there.empty() ? "no robot's odometry is" : fmt::format("that of robot {} is", fmt::join(there, ", "))));
+}
+
+RangeRecording read_robot(const std::filesystem::path& folder, int robot, const std::vector<int>& members) {
+  RangeRecordingBuilder recording("mrclam", "differential-drive");
+  const Subjects subjects = read_subjects(folder / barcode_file);
+  read_odometry(robot_file(folder, robot, "Odometry"), recording);
+  read_measurements(robot_file(folder, robot, "Measurement"), subjects, members, recording);
+  read_truth(robot_file(folder, robot, "Groundtruth"), recording);
+  read_landmarks(folder / landmark_file, recording);
+  return recording.finish(fmt::format("{}: robot {}", folder.string(), robot));
 }
 
 }  // namespace
@@ -106,13 +128,15 @@ bool looks_like_mrclam(const std::filesystem::path& folder) { return file_exists
 
 RangeRecording read_mrclam(const std::filesystem::path& folder, int robot) {
   check_robot(folder, robot);
-  RangeRecordingBuilder recording("mrclam", "differential-drive");
-  const Subjects subjects = read_subjects(folder / barcode_file);
-  read_odometry(robot_file(folder, robot, "Odometry"), recording);
-  read_measurements(robot_file(folder, robot, "Measurement"), subjects, recording);
-  read_truth(robot_file(folder, robot, "Groundtruth"), recording);
-  read_landmarks(folder / landmark_file, recording);
-  return recording.finish(folder.string());
+  return read_robot(folder, robot, {});
+}
+
+std::vector<RangeRecording> read_mrclam_team(const std::filesystem::path& folder) {
+  const std::vector<int> members = robots_in(folder);
+  if (members.empty()) check_robot(folder, 1);
+  std::vector<RangeRecording> team;
+  for (const int robot : members) team.push_back(read_robot(folder, robot, members));
+  return team;
 }
 
 }  // namespace incognita

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 #include "incognita/world/range_recording.hpp"
 
@@ -14,6 +15,8 @@ bool looks_like_acfr(const std::filesystem::path& folder);
 /// UTIAS MRCLAM: Barcodes.dat, RobotN_Odometry.dat, RobotN_Measurement.dat and, if there,
 /// RobotN_Groundtruth.dat and Landmark_Groundtruth.dat.
 RangeRecording read_mrclam(const std::filesystem::path& folder, int robot);
+/// All the robots whose odometry is there, in the order of their numbers; they see each other.
+std::vector<RangeRecording> read_mrclam_team(const std::filesystem::path& folder);
 bool looks_like_mrclam(const std::filesystem::path& folder);
 
 /// odometry.csv, detections.csv and, if there, truth.csv, fixes.csv and landmarks.csv.

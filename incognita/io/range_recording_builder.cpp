@@ -54,17 +54,26 @@ void RangeRecordingBuilder::add_odometry(const std::string& where, const Odometr
 
 void RangeRecordingBuilder::add_scan(const std::string& where, double t) {
   in_order(where, recording_.scans, t);
-  if (recording_.scans.empty() || recording_.scans.back().t != t) recording_.scans.push_back({t, {}});
+  if (recording_.scans.empty() || recording_.scans.back().t != t) recording_.scans.push_back({t, {}, {}});
 }
 
 void RangeRecordingBuilder::add_detection(const std::string& where, Detection detection) {
+  add_detection(where, detection, &RangeRecording::Scan::detections);
+}
+
+void RangeRecordingBuilder::add_vehicle_detection(const std::string& where, Detection detection) {
+  add_detection(where, detection, &RangeRecording::Scan::vehicles);
+}
+
+void RangeRecordingBuilder::add_detection(const std::string& where, Detection detection,
+                                          std::vector<Detection> RangeRecording::Scan::*to) {
   if (!is_usable(detection)) {
     skip("detections without a positive range and a bearing are skipped", where);
     return;
   }
   in_radians(where, "the bearing", detection.bearing_rad, 2 * std::numbers::pi + 1e-6);
   detection.bearing_rad = wrap_angle(detection.bearing_rad);
-  recording_.scans.back().detections.push_back(detection);
+  (recording_.scans.back().*to).push_back(detection);
 }
 
 void RangeRecordingBuilder::add_truth(const std::string& where, const RangeRecording::Place& place) {

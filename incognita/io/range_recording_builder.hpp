@@ -21,6 +21,8 @@ class RangeRecordingBuilder {
   void add_scan(const std::string& where, double t);
   /// Into the last scan. Skipped where range or bearing is not finite, or the range not positive.
   void add_detection(const std::string& where, Detection detection);
+  /// The same, of another vehicle.
+  void add_vehicle_detection(const std::string& where, Detection detection);
   void add_truth(const std::string& where, const RangeRecording::Place& place);
   void add_fix(const std::string& where, const RangeRecording::Place& place);
   void add_landmark(const std::string& where, const RangeRecording::Landmark& landmark);
@@ -39,6 +41,9 @@ class RangeRecordingBuilder {
     std::string first;
     int count;
   };
+  void add_detection(const std::string& where, Detection detection,
+                     std::vector<Detection> RangeRecording::Scan::*to);
+
   RangeRecording recording_;
   std::vector<Skipped> skipped_;
 };

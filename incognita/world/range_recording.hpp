@@ -15,6 +15,8 @@ struct RangeRecording {
   struct Scan {
     double t = 0;                       ///< s
     std::vector<Detection> detections;  ///< none where the scan shows no landmark
+    std::vector<Detection> vehicles =
+        {};  ///< others of a team, the identity being which one, from 0; where asked for
   };
   struct Place {
     double t = 0;                        ///< s

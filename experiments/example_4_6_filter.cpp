@@ -203,12 +203,12 @@ double Knowledge::marginal(const VectorXd& c) const {
 
 std::vector<Knowledge> course(const Setup& setup) {
   const Linearised steps(setup);
-  MatrixXd heading = MatrixXd::Zero(1, states);
-  heading(0, 2) = 1;
+  MatrixXd compass = MatrixXd::Zero(1, states);
+  compass(0, heading) = 1;
   MatrixXd noise_into = MatrixXd::Zero(states, 2);
   const Vector2d sigmas(setup.noise.sigma_speed_mps, setup.noise.sigma_turn_radps);
   RootInformation filter(states);
-  if (setup.sigma_heading_rad) filter.look(heading, *setup.sigma_heading_rad);
+  if (setup.sigma_heading_rad) filter.look(compass, *setup.sigma_heading_rad);
   std::vector<Knowledge> all;
   for (std::size_t k = 0; k < steps.looks(); ++k) {
     if (k > 0) {

@@ -26,3 +26,4 @@ incognita_program_test(program_ranges_test SOURCES app/program_ranges_test.cpp U
 incognita_test(car_park_test SOURCES app/car_park_test.cpp USES incognita::app incognita::analysis)
 incognita_test(observability_watch_test SOURCES app/observability_watch_test.cpp USES incognita::app)
 incognita_test(team_test SOURCES app/team_test.cpp USES incognita::control incognita::world)
+incognita_test(team_recording_test SOURCES app/team_recording_test.cpp USES incognita::app)

@@ -14,8 +14,8 @@ namespace incognita {
 using BlockId = std::uint32_t;
 
 inline constexpr int max_block_size = max_small;  ///< errors of one block
-inline constexpr int max_look_rows = 6;    ///< numbers of one measurement
-inline constexpr int max_look_blocks = 3;  ///< blocks one measurement depends on
+inline constexpr int max_look_rows = 6;           ///< numbers of one measurement
+inline constexpr int max_look_blocks = 3;         ///< blocks one measurement depends on
 
 /// Small matrices that live on the stack: no allocation in the loop.
 using BlockVector = SmallVector;

@@ -54,7 +54,8 @@ Command CameraController::act(const Estimate& estimate, const Goal& goal, const 
 Command CameraController::brake(const Tick& tick) const {
   if (tick.t - lost_t_ >= braking_s) return {};
   return {-free_camera::velocity(last_known_) / braking_s,
-          -free_camera::angular_rate(last_known_) / braking_s, {}};
+          -free_camera::angular_rate(last_known_) / braking_s,
+          {}};
 }
 
 }  // namespace incognita

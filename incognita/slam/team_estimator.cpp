@@ -65,6 +65,10 @@ std::string fault_in(const TeamSettings& s) {
       return "vehicles whose landmarks have different dimensions can not share a map";
     if (s.filter.lineariser == "first-estimate" && !is_laser_on_plane(m))
       return "first-estimate Jacobians are derived for ranges and bearings on a plane only";
+    if (s.filter.lineariser == "iterated" && std::holds_alternative<FreeCameraMotion>(m.motion))
+      return "the iterated update of a body that turns freely in space does not always settle, and is too "
+             "sure then; "
+             "take `analytic`";
     for (const auto& [identity, anchor] : s.anchors)
       if (anchor.size() != dimensions_of(m.sensor))
         return "anchor " + std::to_string(identity) +

@@ -10,9 +10,10 @@ namespace incognita {
 
 struct Truth {
   FreeCameraMotion::State<double> camera = FreeCameraMotion::State<double>::Zero();  ///< (5.24), world z up
-  bool orientation_known = true;      ///< GPS tells a position alone
-  std::vector<SmallVector> vehicles;  ///< of a team: each one's state, `camera` being the pose of the first
-  std::vector<SmallVector> inputs;    ///< of a team: what each carried out since the tick before
+  bool orientation_known = true;  ///< GPS tells a position alone
+  std::vector<SmallVector> vehicles =
+      {};  ///< of a team: each one's state, `camera` being the pose of the first
+  std::vector<SmallVector> inputs = {};  ///< of a team: what each carried out since the tick before
 };
 
 }  // namespace incognita

@@ -188,6 +188,7 @@ bool makes_sense(const std::string& motion, const std::string& sensor, const std
   const bool on_plane = motion == "differential-drive" || motion == "ackermann";
   if (lineariser == "first-estimate") return on_plane && sensor == "range-bearing";
   if (motion == "monobot") return sensor == "range-bearing";
+  if (motion == "free-camera" && lineariser == "iterated") return false;
   return on_plane || sensor == "camera" || sensor == "stereo";
 }
 

@@ -1,30 +1,20 @@
 #include "incognita/world/free_camera_plant.hpp"
 
 #include <algorithm>
-#include <array>
-#include <boost/numeric/odeint.hpp>
 #include <cmath>
 #include <stdexcept>
 #include <string>
 
 #include "incognita/models/heading.hpp"
+#include "incognita/world/integrate.hpp"
 
 namespace incognita {
 namespace {
 
-namespace odeint = boost::numeric::odeint;
-using Numbers = std::array<double, FreeCameraMotion::state_size>;
 using Input = FreeCameraMotion::Input<double>;
 
-// Metres, radians and their rates: far below anything that a camera resolves, and cheap at 30 ticks a second.
-constexpr double absolute_tolerance = 1e-10, relative_tolerance = 1e-10;
 // A body pushed from one obstacle into another; what is left then waits for the next tick
 constexpr int passes = 4;
-
-void derivative(const Numbers& x, const Input& u, Numbers& dx) {
-  Eigen::Map<FreeCameraPlant::State>(dx.data()) =
-      FreeCameraMotion{}.rate<double>(Eigen::Map<const FreeCameraPlant::State>(x.data()), u);
-}
 
 void check_sigma(double sigma, const char* what) {
   if (!(sigma >= 0 && std::isfinite(sigma)))
@@ -82,14 +72,7 @@ const FreeCameraPlant::State& FreeCameraPlant::move(const Command& command, doub
   for (int i = 0; i < 3; ++i) u[i] += sigma_acceleration_m_s2_ * disturbance_.normal();
   for (int i = 3; i < 6; ++i) u[i] += sigma_angular_acceleration_rad_s2_ * disturbance_.normal();
   const Eigen::Vector3d before = state_.head<3>();
-  Numbers x;
-  std::copy(state_.begin(), state_.end(), x.begin());
-  const auto stepper =
-      odeint::make_controlled<odeint::runge_kutta_dopri5<Numbers>>(absolute_tolerance, relative_tolerance);
-  odeint::integrate_adaptive(
-      stepper, [&](const Numbers& at, Numbers& dx, double) { derivative(at, u, dx); }, x, 0.0, dt_s, dt_s);
-  std::copy(x.begin(), x.end(), state_.begin());
-  state_.segment<4>(3).normalize();
+  state_ = integrate(FreeCameraMotion{}, state_, u, dt_s);
   stop_at_obstacles(before);
   return state_;
 }

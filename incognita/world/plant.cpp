@@ -1,19 +1,14 @@
 #include "incognita/world/plant.hpp"
 
-#include <array>
-#include <boost/numeric/odeint.hpp>
 #include <cmath>
 #include <span>
 #include <stdexcept>
 #include <utility>
 
+#include "incognita/world/integrate.hpp"
+
 namespace incognita {
 namespace {
-
-namespace odeint = boost::numeric::odeint;
-using Numbers = std::vector<double>;
-
-constexpr double tolerance = 1e-10;  // metres, radians: far below anything that a sensor resolves
 
 void need_size(const SmallVector& v, int size, const char* what) {
   if (v.size() != size)
@@ -64,18 +59,7 @@ const SmallVector& Plant::move(const SmallVector& input, double dt_s) {
   carried_out_ = input.cwiseMax(settings_.least_input).cwiseMin(settings_.most_input);
   SmallVector u = carried_out_;
   for (Eigen::Index i = 0; i < u.size(); ++i) u[i] += settings_.input_sigmas[i] * disturbance_.normal();
-  const auto n = state_.size();
-  Numbers x(state_.begin(), state_.end());
-  const auto rate = [&](const Numbers& at, Numbers& dx, double) {
-    Eigen::Map<Eigen::VectorXd>(dx.data(), n) =
-        rate_of(motion_, Eigen::Map<const Eigen::VectorXd>(at.data(), n), u);
-  };
-  const auto stepper = odeint::make_controlled<odeint::runge_kutta_dopri5<Numbers>>(tolerance, tolerance);
-  odeint::integrate_adaptive(stepper, rate, x, 0.0, dt_s, dt_s);
-  state_ = Eigen::Map<const Eigen::VectorXd>(x.data(), n);
-  // Brings angles and quaternions back to where they are kept
-  SmallVector none = SmallVector::Zero(chart_of(motion_).tangent());
-  chart_of(motion_).plus(numbers(state_), numbers(none));
+  state_ = integrate(motion_, state_, u, dt_s);
   return state_;
 }
 

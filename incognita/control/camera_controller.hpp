@@ -1,9 +1,4 @@
-// Steers a free camera along its goal by feedback linearisation: thesis (5.29), corrected.
-//
-//   f = a* - K_v (v - v*) - K_p (p - p*),    alpha = alpha* - K_w (w - w*) + K_r e
-//
-// (5.29) has no term for the orientation itself, so a gaze would drift; e is the rotation vector from the
-// present gaze to the wanted one, in camera axes.
+// Steers a free camera along its goal, its gaze level: thesis (5.29), track_reference.hpp.
 #pragma once
 
 #include <optional>
@@ -15,12 +10,6 @@
 #include "incognita/slam/estimate.hpp"
 
 namespace incognita {
-
-/// (5.29) for one state and one reference; accelerations are cut off at what the body can do.
-Command track_reference(const CameraState& estimate, const Eigen::Vector3d& position,
-                        const Eigen::Vector3d& velocity, const Eigen::Vector3d& acceleration,
-                        const Eigen::Vector4d& gaze, const Eigen::Vector3d& gaze_rate,
-                        const ControlSettings& settings);
 
 class CameraController {
  public:

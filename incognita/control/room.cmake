@@ -3,7 +3,8 @@
 find_package(Boost 1.74 REQUIRED)  # headers only: the greatest speed of a path
 incognita_room(steering
   SOURCES control/car_linearisation.cpp control/feedback_linearisation.cpp control/held_command.cpp
-          control/lqg_regulator.cpp control/lqr.cpp control/path_speed.cpp control/planar_tracking.cpp control/pose_spline.cpp
-          control/reference.cpp control/reference_path.cpp
-  USES incognita::models incognita::analysis PRIVATE_USES Boost::headers)
+          control/lqg_regulator.cpp control/lqr.cpp control/path_speed.cpp control/planar_tracking.cpp
+          control/pose_spline.cpp
+          control/reference.cpp control/reference_path.cpp control/steering.cpp control/track_reference.cpp
+  USES incognita::models incognita::messages incognita::analysis PRIVATE_USES Boost::headers)
 incognita_room(control SOURCES control/camera_controller.cpp control/team_controller.cpp USES incognita::slam incognita::steering)

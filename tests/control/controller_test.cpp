@@ -2,6 +2,7 @@
 
 #include "incognita/control/camera_controller.hpp"
 #include "incognita/control/reference.hpp"
+#include "incognita/control/track_reference.hpp"
 #include "incognita/models/heading.hpp"
 
 namespace incognita {

@@ -1,0 +1,235 @@
+#include "incognita/control/steering.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <stdexcept>
+#include <utility>
+
+#include "incognita/control/car_linearisation.hpp"
+#include "incognita/control/feedback_linearisation.hpp"
+#include "incognita/control/lqg_regulator.hpp"
+#include "incognita/control/path_speed.hpp"
+#include "incognita/control/planar_tracking.hpp"
+#include "incognita/control/track_reference.hpp"
+#include "incognita/models/heading.hpp"
+
+namespace incognita {
+namespace {
+
+PlanarLimits planar_limits(const SteeringSettings& s) { return {s.most_input[0], s.most_input[1]}; }
+
+/// A vehicle on the axle's middle, seen from a point before it.
+planar::Pose<double> point_before(const planar::Pose<double>& axle, double forward_m) {
+  return {axle[0] + forward_m * std::cos(axle[2]), axle[1] + forward_m * std::sin(axle[2]), axle[2]};
+}
+
+planar::Pose<double> axle_of(const planar::Pose<double>& point, const DifferentialDrive& body) {
+  const double c = std::cos(point[2]), s = std::sin(point[2]);
+  return {point[0] - body.forward_m * c + body.left_m * s, point[1] - body.forward_m * s - body.left_m * c,
+          point[2]};
+}
+
+struct Held final : Steering {
+  SmallVector input;
+  explicit Held(SmallVector held) : input(std::move(held)) {}
+  SmallVector act(const SmallVector&, double) const override { return input; }
+};
+
+/// On a line: speed of the reference and so much of the error a second.
+struct LineTracking final : Steering {
+  SteeringSettings s;
+  explicit LineTracking(const SteeringSettings& settings) : s(settings) {}
+  SmallVector act(const SmallVector& x, double t) const override {
+    const Reference r = at(s.path, t);
+    const double wanted = r.velocity.x() - s.gain_per_s * (x[0] - r.position.x());
+    return SmallVector::Constant(1, std::clamp(wanted, -s.most_input[0], s.most_input[0]));
+  }
+};
+
+struct LineRegulation final : Steering {
+  SteeringSettings s;
+  double period_s;
+  LineRegulation(const SteeringSettings& settings, double period) : s(settings), period_s(period) {}
+  SmallVector act(const SmallVector& x, double t) const override {
+    const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(1, 1);
+    const Regulation r =
+        regulate(one, period_s * one, x, Eigen::VectorXd::Constant(1, at(s.path, t).position.x()),
+                 {s.weight_state * one, s.weight_input * one}, s.most_input);
+    return r.u;
+  }
+};
+
+struct PlanarTracking final : Steering {
+  SteeringSettings s;
+  DifferentialDrive body;
+  PlanarTracking(const SteeringSettings& settings, const DifferentialDrive& b) : s(settings), body(b) {}
+  SmallVector act(const SmallVector& x, double t) const override {
+    const TrackingGains gains{s.gain_along_per_s, s.gain_across_per_m2, s.gain_heading_per_m};
+    return track(axle_of(planar::Pose<double>(x), body), at(s.path, t), gains, planar_limits(s)).input();
+  }
+};
+
+struct DriveLinearisation final : Steering {
+  SteeringSettings s;
+  FeedbackLinearisation law;
+  bool on_ground;  // the state is the axle's middle: its control point lies before it
+  DriveLinearisation(const SteeringSettings& settings, const DifferentialDrive& body, double period,
+                     bool ground)
+      : s(settings),
+        law({body, settings.gain_per_s * Eigen::Matrix2d::Identity(), period, planar_limits(settings)}),
+        on_ground(ground) {}
+  SmallVector act(const SmallVector& x, double t) const override {
+    const planar::Pose<double> pose = x;
+    return law.act(on_ground ? point_before(pose, s.control_point_m) : pose, at(s.path, t)).input();
+  }
+};
+
+struct CarSteering final : Steering {
+  SteeringSettings s;
+  AckermannCar car;
+  CarLinearisation law;
+  CarSteering(const SteeringSettings& settings, const AckermannCar& c, double period)
+      : s(settings),
+        car(c),
+        law({c,
+             settings.gain_per_s * Eigen::Matrix2d::Identity(),
+             period,
+             {settings.most_input[0], settings.most_input[1]}}) {}
+  SmallVector act(const SmallVector& x, double t) const override {
+    return wheel_input(car, law.act(planar::Pose<double>(x), at(s.path, t)));
+  }
+};
+
+struct DriveRegulation final : Steering {
+  SteeringSettings s;
+  PlanarRegulator law;
+  DriveRegulation(const SteeringSettings& settings, const DifferentialDrive& body, double period)
+      : s(settings),
+        law({body, settings.weight_state * Eigen::Matrix2d::Identity(),
+             settings.weight_input * Eigen::Matrix2d::Identity(), period, planar_limits(settings)}) {}
+  SmallVector act(const SmallVector& x, double t) const override {
+    return law.act(planar::Pose<double>(x), at(s.path, t).position.head<2>()).command.input();
+  }
+};
+
+/// (5.29); the gaze is the path's heading.
+struct BodyLinearisation final : Steering {
+  SteeringSettings s;
+  explicit BodyLinearisation(const SteeringSettings& settings) : s(settings) {}
+  SmallVector act(const SmallVector& x, double t) const override {
+    const Reference r = at(s.path, t);
+    // Turning left about z is turning about -y of a camera that is level
+    const Eigen::Vector3d rate(0, -r.heading_rate, 0);
+    return track_reference(x, r.position, r.velocity, r.acceleration, level_gaze(r.heading), rate, s.camera)
+        .as_input();
+  }
+};
+
+[[noreturn]] void refuse(const std::string& why) { throw std::invalid_argument(why); }
+
+/// (5.2) about a pose at rest: errors in the chart of the state, F and G of the motion there.
+struct BodyRegulation final : Steering {
+  FreeCameraMotion::State<double> goal;
+  Eigen::MatrixXd L;
+  SmallVector most;
+  BodyRegulation(const SteeringSettings& s, double period) : most(s.most_input) {
+    const Reference r = at(s.path, 0);
+    goal << r.position, level_gaze(r.heading), Eigen::Matrix<double, 6, 1>::Zero();
+    constexpr int n = FreeCameraMotion::error_size, m = FreeCameraMotion::input_size;
+    const auto step = FreeCameraMotion().step(goal, FreeCameraMotion::Input<double>::Zero(), period);
+    const SteadyGain gain = steady_gain(step.F, step.G, s.weight_state * Eigen::MatrixXd::Identity(n, n),
+                                        s.weight_input * Eigen::MatrixXd::Identity(m, m));
+    if (gain.outcome != RegulatorOutcome::converged) refuse(std::string(sentence(gain.outcome)));
+    L = gain.L;
+  }
+  SmallVector act(const SmallVector& x, double) const override {
+    SmallVector error(FreeCameraMotion::error_size);
+    FreeCameraMotion::chart.minus({x.data(), 13}, {goal.data(), 13}, {error.data(), 12});
+    const SmallVector u = -L * error;
+    return u.cwiseMin(most).cwiseMax(-most);
+  }
+};
+
+void need_steady_goal(const SteeringSettings& s) {
+  if (!std::holds_alternative<PointPath>(s.path))
+    refuse(
+        "an LQG regulator drives to a point: take `feedback-linearisation` or `tracking` for a path in time");
+}
+
+void need_reachable(const SteeringSettings& s, double max_speed_m_s) {
+  if (const auto why = unreachable(s.path, max_speed_m_s)) refuse(*why);
+}
+
+std::unique_ptr<Steering> on_plane(const DifferentialDrive& body, const SteeringSettings& s, double period) {
+  if (s.law == "feedback-linearisation") {
+    need_reachable(s, s.most_input[0]);
+    return std::make_unique<DriveLinearisation>(s, body, period, false);
+  }
+  if (s.law == "lqg") {
+    need_steady_goal(s);
+    return std::make_unique<DriveRegulation>(s, body, period);
+  }
+  if (std::holds_alternative<PointPath>(s.path))
+    refuse("tracking follows a reference that moves: take `feedback-linearisation` or `lqg` for a point");
+  need_reachable(s, s.most_input[0]);
+  return std::make_unique<PlanarTracking>(s, body);
+}
+
+struct Maker {
+  const SteeringSettings& s;
+  double period;
+
+  std::unique_ptr<Steering> operator()(const MonobotMotion&) const {
+    if (s.law == "lqg") {
+      need_steady_goal(s);
+      return std::make_unique<LineRegulation>(s, period);
+    }
+    need_reachable(s, s.most_input[0]);
+    if (!(s.gain_per_s > 0) || !(s.gain_per_s * period < 2))
+      refuse("the gain of a vehicle on a line must be more than 0, and times the period less than 2");
+    return std::make_unique<LineTracking>(s);
+  }
+  std::unique_ptr<Steering> operator()(const DifferentialDrive& body) const {
+    return on_plane(body, s, period);
+  }
+  std::unique_ptr<Steering> operator()(const AckermannCar& car) const {
+    if (s.law != "feedback-linearisation")
+      refuse("a car is steered by `feedback-linearisation`: it turns only while it moves");
+    need_reachable(s, s.most_input[0]);
+    return std::make_unique<CarSteering>(s, car, period);
+  }
+  std::unique_ptr<Steering> operator()(const TerrainVehicle&) const {
+    if (s.law == "lqg")
+      refuse("a regulator at rest does not know the slopes: take `feedback-linearisation` or `tracking`");
+    if (s.law == "tracking") return on_plane({0, 0}, s, period);
+    need_reachable(s, s.most_input[0]);
+    return std::make_unique<DriveLinearisation>(s, DifferentialDrive{s.control_point_m, 0}, period, true);
+  }
+  std::unique_ptr<Steering> operator()(const FreeCameraMotion&) const {
+    if (s.law == "lqg") {
+      need_steady_goal(s);
+      return std::make_unique<BodyRegulation>(s, period);
+    }
+    return std::make_unique<BodyLinearisation>(s);
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Steering> make_steering(const AnyMotion& motion, const SteeringSettings& s, double period_s) {
+  const int inputs = inputs_of(motion);
+  if (s.law == "none") {
+    if (s.input.size() != inputs)
+      refuse("the input that is held needs " + std::to_string(inputs) + " numbers, and has " +
+             std::to_string(s.input.size()));
+    return std::make_unique<Held>(s.input);
+  }
+  if (s.most_input.size() != inputs)
+    refuse("the limits of what a vehicle can do need " + std::to_string(inputs) + " numbers, and have " +
+           std::to_string(s.most_input.size()));
+  check(s.path);
+  return std::visit(Maker{s, period_s}, motion);
+}
+
+}  // namespace incognita

@@ -1,0 +1,21 @@
+// Makes a body that moves freely in space follow a reference by feedback linearisation: thesis (5.29), corrected.
+//
+//   f = a* - K_v (v - v*) - K_p (p - p*),    alpha = alpha* - K_w (w - w*) + K_r e
+//
+// (5.29) has no term for the orientation itself, so a gaze would drift; e is the rotation vector from the
+// present gaze to the wanted one, in camera axes.
+#pragma once
+
+#include "incognita/control/settings.hpp"
+#include "incognita/messages/command.hpp"
+#include "incognita/models/camera_look.hpp"
+
+namespace incognita {
+
+/// (5.29) for one state and one reference; accelerations are cut off at what the body can do.
+Command track_reference(const CameraState& estimate, const Eigen::Vector3d& position,
+                        const Eigen::Vector3d& velocity, const Eigen::Vector3d& acceleration,
+                        const Eigen::Vector4d& gaze, const Eigen::Vector3d& gaze_rate,
+                        const ControlSettings& settings);
+
+}  // namespace incognita

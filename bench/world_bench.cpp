@@ -37,7 +37,7 @@ BENCHMARK(paint_room)->Unit(benchmark::kMillisecond);
 
 void move(benchmark::State& state) {
   FreeCameraPlant plant(RoomSettings{}, room()->layout(), 1);
-  const Command command{{0.1, 0, 0}, {0, 0.1, 0}};
+  const Command command{{0.1, 0, 0}, {0, 0.1, 0}, {}};
   for (auto _ : state) benchmark::DoNotOptimize(plant.move(command, 1.0 / 30));
 }
 BENCHMARK(move);

@@ -100,8 +100,6 @@ AffineMotion unscented(const Motion& motion, const Belief& belief, BlockId block
 struct IterationSettings {
   int max_iterations = 10;
   double tolerance = 1e-8;  ///< largest change of an error of a block that is looked from or at
-  bool first_if_unsettled =
-      false;  ///< where the cap is reached: the first linearisation is used, not the last
 };
 
 struct IterationReport {
@@ -146,8 +144,6 @@ IterationReport update_iterated(Belief& belief, std::span<const BlockId> blocks,
       change = std::max(change, (next[i] - shift[i]).cwiseAbs().maxCoeff());
     report.converged = usable && change <= settings.tolerance;
     if (!usable || report.converged || ++report.iterations >= settings.max_iterations) {
-      if (settings.first_if_unsettled && !report.converged)
-        looks = looks_at(belief);  // at the prior's means again
       report.update = belief.update(looks);
       return report;
     }

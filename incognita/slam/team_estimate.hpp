@@ -9,7 +9,6 @@
 
 #include "incognita/belief/belief.hpp"
 #include "incognita/models/any_sensor.hpp"
-#include "incognita/slam/entropy_values.hpp"
 #include "incognita/slam/status.hpp"
 
 namespace incognita {
@@ -37,8 +36,9 @@ struct TeamLook {
   bool of_vehicle = false;
   bool anchor = false;
   std::int64_t identity = 0;
-  SmallVector measured, predicted;
-  SmallMatrix innovation_cov;
+  SmallVector measured;   ///< as the sensor measures
+  SmallVector predicted;  ///< before the update; empty where the sensor could not have it, or of a new one
+  SmallMatrix innovation_cov;  ///< of the two's difference, rows x rows; empty likewise
   LookOutcome outcome = LookOutcome::not_tried;
 };
 
@@ -54,7 +54,6 @@ struct TeamEstimate {
   int matched = 0;
   UpdateReport update;
   std::int64_t unsettled_updates = 0;  ///< iterated updates that reached their cap so far
-  Entropy entropy;
   std::vector<std::pair<const char*, double>> timing_ms;
 };
 

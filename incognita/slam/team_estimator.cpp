@@ -38,10 +38,14 @@ std::string fault_in_sizes(const TeamMember& m) {
 
 /// One sighting of this tick that can be used.
 struct Used {
-  int vehicle = 0;
-  bool of_vehicle = false;
   const Sighting* sighting = nullptr;
-  std::size_t look = 0;  ///< in the estimate's list
+  std::size_t told = 0;  ///< in the estimate's list
+};
+
+/// Those of a tick, and what each is to the engine about the means before the update.
+struct UsedSightings {
+  std::vector<Used> sightings;
+  std::vector<AffineLook> looks;
 };
 
 double distance_of(const Belief& belief, const AffineLook& look, SmallMatrix& S_out) {
@@ -103,8 +107,8 @@ void TeamEstimator::start(TeamEstimate& e, const Tick& tick) const {
 namespace {
 
 /// Linearises every sighting of what is known, notes it, and keeps those inside the gate.
-std::vector<Used> sort_out(TeamEstimate& e, const Observation& seen, const TeamSettings& settings) {
-  std::vector<Used> used;
+UsedSightings sort_out(TeamEstimate& e, const Observation& seen, const TeamSettings& settings) {
+  UsedSightings used;
   const auto consider = [&](int vehicle, bool of_vehicle, const Sighting& sighting) {
     const bool anchor = !of_vehicle && settings.anchors.count(sighting.identity) > 0;
     TeamLook told{vehicle, of_vehicle, anchor, sighting.identity, sighting.z, {}, {}, LookOutcome::not_tried};
@@ -114,7 +118,10 @@ std::vector<Used> sort_out(TeamEstimate& e, const Observation& seen, const TeamS
       const double gate = settings.filter.gate_probability;
       const bool inside = !(gate < 1) || distance <= chi_square_quantile(gate, at->look.rows());
       told.outcome = inside ? LookOutcome::matched : LookOutcome::inconsistent;
-      if (inside) used.push_back({vehicle, of_vehicle, &sighting, e.looks.size()});
+      if (inside) {
+        used.sightings.push_back({&sighting, e.looks.size()});
+        used.looks.push_back(at->look);
+      }
     }
     e.looks.push_back(told);
   };
@@ -125,13 +132,17 @@ std::vector<Used> sort_out(TeamEstimate& e, const Observation& seen, const TeamS
   return used;
 }
 
-std::vector<AffineLook> looks_of(const TeamEstimate& e, const std::vector<Used>& used,
-                                 const TeamSettings& settings) {
-  std::vector<AffineLook> looks;
-  looks.reserve(used.size());
-  for (const Used& u : used)
-    if (const auto at = linearised_sighting(e, u.vehicle, u.of_vehicle, *u.sighting, settings))
-      looks.push_back(at->look);
+/// The same sightings about the belief's present means. One that the sensor could not have there is as it
+/// was.
+std::vector<AffineLook> linearised_again(const TeamEstimate& e, const UsedSightings& used,
+                                         const TeamSettings& settings) {
+  std::vector<AffineLook> looks = used.looks;
+  for (std::size_t i = 0; i < looks.size(); ++i) {
+    const TeamLook& told = e.looks[used.sightings[i].told];
+    const auto at =
+        linearised_sighting(e, told.vehicle, told.of_vehicle, *used.sightings[i].sighting, settings);
+    if (at) looks[i] = at->look;
+  }
   return looks;
 }
 
@@ -143,28 +154,24 @@ std::vector<BlockId> blocks_of(const std::vector<AffineLook>& looks) {
   return {blocks.begin(), blocks.end()};
 }
 
-void correct(TeamEstimate& e, const std::vector<Used>& used, const TeamSettings& settings) {
-  const std::vector<AffineLook> looks = looks_of(e, used, settings);
-  if (looks.empty()) return;
+void correct(TeamEstimate& e, const UsedSightings& used, const TeamSettings& settings) {
+  if (used.looks.empty()) return;
   if (settings.filter.lineariser == "iterated") {
-    // The same sightings each time: update_iterated changes means, and with them what the looks are about
-    TeamEstimate* const estimate = &e;
-    const auto again = [&](const Belief&) { return looks_of(*estimate, used, settings); };
-    IterationSettings iteration;
-    iteration.first_if_unsettled = true;  // steps that swing between two places end in neither
-    const IterationReport report = update_iterated(e.belief, blocks_of(looks), again, iteration);
+    const auto again = [&](const Belief&) { return linearised_again(e, used, settings); };
+    const IterationReport report = update_iterated(e.belief, blocks_of(used.looks), again);
     e.update = report.update;
     e.unsettled_updates += !report.converged;
   } else {
-    e.update = e.belief.update(looks);
+    e.update = e.belief.update(used.looks);
   }
   const bool done = e.update.outcome == UpdateReport::Outcome::updated;
-  for (const Used& u : used) {
-    e.looks[u.look].outcome = done ? LookOutcome::matched : LookOutcome::inconsistent;
-    const auto landmark = u.of_vehicle ? e.landmarks.end() : e.landmarks.find(u.sighting->identity);
+  for (const Used& u : used.sightings) {
+    TeamLook& told = e.looks[u.told];
+    told.outcome = done ? LookOutcome::matched : LookOutcome::inconsistent;
+    const auto landmark = told.of_vehicle ? e.landmarks.end() : e.landmarks.find(told.identity);
     if (done && landmark != e.landmarks.end()) ++landmark->second.sightings;
   }
-  e.matched = done ? static_cast<int>(used.size()) : 0;
+  e.matched = done ? static_cast<int>(used.sightings.size()) : 0;
 }
 
 void give_births(TeamEstimate& e, const Observation& seen, const TeamSettings& settings) {
@@ -193,7 +200,7 @@ void TeamEstimator::update(TeamEstimate& e, const Command&, const Observation& s
   e.update = {};
   for (std::size_t i = 0; i < e.vehicles.size(); ++i) predict_vehicle(e, i, seen.team[i], tick.t, settings_);
   stage.mark("predict");
-  const std::vector<Used> used = sort_out(e, seen, settings_);
+  const UsedSightings used = sort_out(e, seen, settings_);
   stage.mark("associate");
   correct(e, used, settings_);
   stage.mark("update");

@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "incognita/world/range_replay.hpp"
 
 namespace incognita {
 
 TeamReplayClock::TeamReplayClock(const SharedTeamRecording& recordings, double duration_s) {
-  double start = -1e300;
+  double start = -std::numeric_limits<double>::infinity();
   for (const RangeRecording& r : *recordings) start = std::max(start, r.odometry.front().t);
   for (const RangeRecording& r : *recordings)
     for (const RangeRecording::Scan& scan : r.scans)

@@ -4,8 +4,6 @@
 #include <span>
 #include <stdexcept>
 
-#include "incognita/math/angles.hpp"
-
 namespace incognita {
 namespace {
 
@@ -75,6 +73,8 @@ std::optional<SmallVector> TeamSensor::measured(std::size_t i, const SmallVector
     error[k] = (v.sigmas[k] + (k == 0 ? v.sigma_range_ratio * std::abs(z[0]) : 0)) * noise_[i].normal();
   chart_of(v.sensor).plus({z.data(), static_cast<std::size_t>(z.size())},
                           {error.data(), static_cast<std::size_t>(error.size())});
+  // Noise can make a near range negative: a scanner tells no such thing
+  if (std::holds_alternative<LaserScanner>(v.sensor) && !(z[0] > 0)) return std::nullopt;
   return z;
 }
 

@@ -271,8 +271,6 @@ TEST(Team, GivesTheSameForTheSameSeed) {
   EXPECT_NE(a.nees, c.nees);
 }
 
-/// With one vehicle and its filter's noises the engine's answers are those of the laser estimator's team of
-/// one.
 TEST(Team, RefusesWhatCannotBe) {
   const AnyMotion motion = motion_named("differential-drive");
   Scene scene = scene_of(motion, sensor_named("range-bearing", motion), "analytic");

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "incognita/app/assemble_planar.hpp"
+#include "incognita/app/assemble_team.hpp"
 #include "incognita/app/say.hpp"
 #include "incognita/io/files.hpp"
 #include "incognita/io/load_scenario.hpp"
@@ -17,6 +18,7 @@
 #include "incognita/io/recording.hpp"
 #include "incognita/io/settings.hpp"
 #include "incognita/io/target_file.hpp"
+#include "incognita/io/team_setting_list.hpp"
 #include "incognita/messages/errors.hpp"
 
 namespace incognita {
@@ -88,10 +90,22 @@ void print_table(LoadedScenario& loaded) {
   }
 }
 
+std::vector<std::string> check_team(const LoadedScenario& loaded) {
+  const TeamAssembly assembly = assemble_team(loaded);  // which refuses what a run would
+  std::vector<std::string> found = assembly.notes;
+  const TeamSettings& team = assembly.boxes.estimator.settings();
+  found.push_back(fmt::format("{} vehicles, {} known landmarks", team.members.size(), team.anchors.size()));
+  return found;
+}
+
 /// Everything that would stop a run before its first frame.
 std::vector<std::string> check(const LoadedScenario& loaded) {
   const Scenario& s = loaded.scenario;
   std::vector<std::string> found = {"the settings fit together"};
+  if (is_team(s)) {
+    for (std::string& line : check_team(loaded)) found.push_back(std::move(line));
+    return found;
+  }
   if (s.run.sensor == "range-bearing") {
     const PlanarAssembly assembly = assemble_planar(loaded);  // which refuses what a run would
     const RangeRecording& recording = *assembly.recording;

@@ -42,5 +42,7 @@ using KeepGoing = std::function<bool(const Tick&)>;
 template void run_loop(Boxes&, const Publish&, const KeepGoing&, const std::function<void(const Estimate&)>&);
 template void run_loop(PlanarBoxes&, const Publish&, const KeepGoing&,
                        const std::function<void(const PlanarEstimate&)>&);
+template void run_loop(TeamBoxes&, const Publish&, const KeepGoing&,
+                       const std::function<void(const TeamEstimate&)>&);
 
 }  // namespace incognita

@@ -6,11 +6,14 @@
 
 #include "incognita/control/camera_controller.hpp"
 #include "incognita/control/no_controller.hpp"
+#include "incognita/control/team_controller.hpp"
 #include "incognita/decision/camera_decision.hpp"
 #include "incognita/decision/no_decision.hpp"
+#include "incognita/decision/team_decision.hpp"
 #include "incognita/record/snapshot.hpp"
 #include "incognita/slam/camera_estimator.hpp"
 #include "incognita/slam/planar_estimator.hpp"
+#include "incognita/slam/team_estimator.hpp"
 #include "incognita/world/world.hpp"
 
 namespace incognita {
@@ -28,6 +31,8 @@ struct BoxesOf {
 using Boxes = BoxesOf<CameraEstimator, CameraDecision, CameraController>;
 /// A vehicle that measures ranges and bearings; where it goes is not ours to choose.
 using PlanarBoxes = BoxesOf<PlanarEstimator, NoDecision, NoController>;
+/// Vehicles of any kind that name what they see, in one belief.
+using TeamBoxes = BoxesOf<TeamEstimator, TeamDecision, TeamController>;
 
 /// Runs until the clock ends or `keep_going` says no. Whatever the boxes and the record throw passes through;
 /// what was published before stays published.

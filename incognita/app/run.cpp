@@ -14,9 +14,11 @@
 
 #include "incognita/app/assemble.hpp"
 #include "incognita/app/assemble_planar.hpp"
+#include "incognita/app/assemble_team.hpp"
 #include "incognita/app/observability_watch.hpp"
 #include "incognita/app/progress.hpp"
 #include "incognita/app/say.hpp"
+#include "incognita/io/team_setting_list.hpp"
 #include "incognita/messages/errors.hpp"
 #include "incognita/record/frame_pictures.hpp"
 #include "incognita/record/recorder.hpp"
@@ -119,7 +121,10 @@ Ending drive(SomeBoxes& boxes, Recorder& recorder, FramePictures* pictures, Obse
     return !interrupted;
   };
   std::function<void(const typename SomeBoxes::Estimator::Estimate&)> watching;
-  if (watch) watching = [watch](const auto& estimate) { watch->follow(estimate); };
+  if constexpr (requires(const typename SomeBoxes::Estimator::Estimate& estimate) {
+                  watch->follow(estimate);
+                })
+    if (watch) watching = [watch](const auto& estimate) { watch->follow(estimate); };
   try {
     run_loop(boxes, std::function<void(const Snapshot&)>(publish),
              std::function<bool(const Tick&)>(keep_going), watching);
@@ -161,7 +166,7 @@ int run_boxes(SomeBoxes& boxes, const RunInfo& info, const LoadedScenario& loade
   std::optional<FramePictures> pictures;
   if (options.save_frames) pictures.emplace(recorder.path(), info.patch_size_px);
   std::optional<ObservabilityWatch> watch;
-  if (loaded.scenario.run.observability) watch.emplace();
+  if (loaded.scenario.run.observability && info.vehicles == 0) watch.emplace();
 
   const Ending ending =
       drive(boxes, recorder, pictures ? &*pictures : nullptr, watch ? &*watch : nullptr, options.realtime);
@@ -203,12 +208,36 @@ int run_vehicle(const LoadedScenario& loaded, const std::string& out, const Opti
   return run_boxes(assembly.boxes, info, loaded, out, options);
 }
 
+/// What the inputs of a motion are called.
+std::vector<std::string> inputs_of(const std::string& model) {
+  if (model == "monobot") return {"speed_m_s"};
+  if (model == "ackermann") return {"speed_m_s", "steering_rad"};
+  if (model != "free-camera") return {"speed_m_s", "turn_rate_rad_s"};
+  return {"ax_m_s2", "ay_m_s2", "az_m_s2", "alphax_rad_s2", "alphay_rad_s2", "alphaz_rad_s2"};
+}
+
+int run_team(const LoadedScenario& loaded, const std::string& out, const Options& options) {
+  if (options.save_frames) throw InputError("--save-frames: there are no images where points are named");
+  TeamAssembly assembly = assemble_team(loaded);
+  for (const std::string& line : assembly.notes) say("{}\n", line);
+  const std::string& model = loaded.scenario.planar.vehicle.model;
+  RunInfo info = info_of(loaded);
+  info.body = model == "free-camera" ? "camera" : "vehicle";
+  info.vehicles = static_cast<int>(assembly.boxes.estimator.settings().members.size());
+  info.inputs = inputs_of(model);
+  const std::string& law = loaded.scenario.team.steer.law;
+  if (model == "terrain" && (law == "feedback-linearisation" || law == "active"))
+    info.steered_forward_m = loaded.scenario.team.steer.control_point_m;
+  return run_boxes(assembly.boxes, info, loaded, out, options);
+}
+
 int run(const Options& options) {
   std::signal(SIGPIPE, SIG_IGN);  // the record matters more than who listens to how it goes
   if (options.out && options.out->empty()) throw InputError("--out: names nothing; a folder is wanted");
   const LoadedScenario loaded = load(options);
   for (const std::string& line : loaded.overrides) say("{}\n", line);
   const std::string out = options.out.value_or("out/" + loaded.name);
+  if (is_team(loaded.scenario)) return run_team(loaded, out, options);
   return loaded.scenario.run.sensor == "camera" ? run_camera(loaded, out, options)
                                                 : run_vehicle(loaded, out, options);
 }

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <span>
-#include <string_view>
+
+#include "incognita/app/snapshot_parts.hpp"
 
 namespace incognita {
 namespace {
@@ -32,37 +32,9 @@ std::vector<SnapshotLook> looks_of(const Estimate& estimate) {
   return looks;
 }
 
-/// Every snapshot has the same stages in the same order, zero where one was not reached.
-using Timing = std::vector<std::pair<const char*, double>>;
 constexpr std::array camera_stages{"sums",      "start",  "predict", "search", "planes",
                                    "consensus", "update", "lines",   "births", "map"};
 constexpr std::array planar_stages{"predict", "associate", "update", "births", "decorrelate", "entropy"};
-
-Timing timing_of(const Timing& measured, std::span<const char* const> in_estimator, const Timing& loop_ms) {
-  std::vector<std::pair<const char*, double>> timing;
-  double frame = 0;
-  for (const auto& [stage, ms] : loop_ms) {
-    const std::string_view name = stage;
-    if (name != "estimator") timing.emplace_back(stage, ms);
-    if (name == "estimator" || name == "advice" || name == "control") frame += ms;
-  }
-  for (const char* stage : in_estimator) {
-    const auto found = std::find_if(measured.begin(), measured.end(), [&](const auto& entry) {
-      return std::string_view(entry.first) == stage;
-    });
-    timing.emplace_back(stage, found == measured.end() ? 0.0 : found->second);
-  }
-  timing.emplace_back("frame", frame);
-  return timing;
-}
-
-void put_update(Snapshot& s, const UpdateReport& update, const Entropy& entropy) {
-  if (update.outcome == UpdateReport::Outcome::updated) {
-    s.nis = update.nis;
-    s.nis_dof = update.rows;
-  }
-  s.entropy = {entropy.vehicle, entropy.map, entropy.total};
-}
 
 /// Errors of a planar pose are x, y and the turn about z, which is the same in world and body axes.
 void put_planar_pose(Snapshot& s, const PlanarPoseEstimate& vehicle) {

@@ -11,6 +11,7 @@
 #include "incognita/record/snapshot.hpp"
 #include "incognita/slam/estimate.hpp"
 #include "incognita/slam/planar_estimate.hpp"
+#include "incognita/slam/team_estimate.hpp"
 
 namespace incognita {
 
@@ -27,5 +28,10 @@ Snapshot snapshot_of(const Tick& tick, const std::optional<Truth>& truth, const 
                      const PlanarEstimate& estimate, const Goal& goal,
                      const std::vector<Translation>& actions, const Command& command,
                      const std::vector<std::pair<const char*, double>>& loop_ms);
+
+/// Vehicles of a team, each as a body in space. Looks are numbers of the sensor's, the first two of each.
+Snapshot snapshot_of(const Tick& tick, const std::optional<Truth>& truth, const Observation& seen,
+                     const TeamEstimate& estimate, const Goal& goal, const std::vector<Translation>& actions,
+                     const Command& command, const std::vector<std::pair<const char*, double>>& loop_ms);
 
 }  // namespace incognita

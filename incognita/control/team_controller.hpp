@@ -1,4 +1,4 @@
-// Steers each vehicle of a team along a path of its own.
+// Steers each vehicle of a team along a path of its own, or to the goals that a decision sets.
 #pragma once
 
 #include <memory>
@@ -13,15 +13,25 @@
 
 namespace incognita {
 
+struct VehicleSteering {
+  AnyMotion motion;
+  SteeringSettings settings;
+};
+
 class TeamController {
  public:
-  explicit TeamController(std::vector<std::unique_ptr<Steering>> steering) : steering_(std::move(steering)) {}
+  /// `period_s`: how long a command is held. Throws std::invalid_argument as make_steering does.
+  TeamController(std::vector<VehicleSteering> vehicles, double period_s);
 
-  /// Nothing before the start and once lost.
+  /// Nothing before the start and once lost. Goals for the team, newly decided, take the place of the paths.
   Command act(const TeamEstimate& estimate, const Goal& goal, const Tick& tick);
 
  private:
-  std::vector<std::unique_ptr<Steering>> steering_;
+  void turn_to(const Goal& goal);
+
+  std::vector<VehicleSteering> vehicles_;
+  double period_s_;
+  std::vector<std::unique_ptr<Steering>> laws_;
   std::optional<double> first_t_;
 };
 

@@ -1,2 +1,2 @@
-incognita_room(decision SOURCES decision/actions.cpp decision/camera_decision.cpp decision/information.cpp
+incognita_room(decision SOURCES decision/actions.cpp decision/camera_decision.cpp decision/information.cpp decision/team_decision.cpp
                USES incognita::slam)

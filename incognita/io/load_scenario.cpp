@@ -159,11 +159,14 @@ std::string one_line(std::string text) {
   return text;
 }
 
-/// A target beside the scenario is named in full, so that the written file may lie anywhere.
+/// A file beside the scenario is named in full, so that the written scenario may lie anywhere.
 std::string written_for_elsewhere(const Setting& setting, const LoadedScenario& loaded) {
-  if (setting.key != "start.target" || is_embedded(loaded.file)) return setting.written();
-  const std::filesystem::path beside = loaded.file.parent_path() / loaded.scenario.start.target;
-  if (loaded.scenario.start.target.empty() || !file_exists(beside)) return setting.written();
+  const bool names_file =
+      setting.key == "start.target" || setting.key == "points.file" || setting.key == "path.file";
+  if (!names_file || is_embedded(loaded.file)) return setting.written();
+  const std::string& name = *std::get<std::string*>(setting.field);
+  const std::filesystem::path beside = loaded.file.parent_path() / name;
+  if (name.empty() || !file_exists(beside)) return setting.written();
   return toml_string(std::filesystem::absolute(beside).lexically_normal().string());
 }
 

@@ -6,6 +6,7 @@
 
 #include "incognita/control/settings.hpp"
 #include "incognita/decision/settings.hpp"
+#include "incognita/io/team_scenario.hpp"
 #include "incognita/slam/planar_settings.hpp"
 #include "incognita/slam/settings.hpp"
 #include "incognita/world/settings.hpp"
@@ -13,11 +14,11 @@
 namespace incognita {
 
 struct RunSettings {
-  std::string world = "room";     ///< `room` (rendered, closed loop) or `recording`
-  std::string sensor = "camera";  ///< `camera` or `range-bearing`: which estimator, which sections
+  std::string world = "room";     ///< `room` (rendered, closed loop), `points` (simulated) or `recording`
+  std::string sensor = "camera";  ///< `camera` or `range-bearing`; of points also `bearing` or `stereo`
   std::int64_t seed = 1;
   double duration_s = 60;  ///< at most; a recording may end before
-  double rate_hz = 30;     ///< frames per second of the rendered room, and of recordings without time stamps
+  double rate_hz = 30;     ///< frames per second of a simulated place, and of recordings without time stamps
   bool observability = true;  ///< whether the run works out what its filter can and cannot know
 };
 
@@ -37,6 +38,7 @@ struct RecordingSettings {
   std::string folder;           ///< relative to the data folder
   std::string format = "auto";  ///< `auto`, `images`, `tum`, `euroc`, `acfr`, `mrclam`, `tables`
   int robot = 1;                ///< `mrclam`: which of the five
+  bool team = false;            ///< `mrclam`: all five in one belief
 };
 
 struct Scenario {
@@ -49,6 +51,7 @@ struct Scenario {
   PlanarSlamSettings planar;
   ControlSettings control;
   RoomSettings room;
+  TeamScenario team;
 };
 
 }  // namespace incognita

@@ -11,6 +11,8 @@
 
 #include "incognita/io/camera.hpp"
 #include "incognita/io/settings.hpp"
+#include "incognita/io/team_checks.hpp"
+#include "incognita/io/team_setting_list.hpp"
 
 namespace incognita {
 namespace {
@@ -23,22 +25,6 @@ void check_sources(const Scenario& s, List& found) {
   }
   if (s.run.sensor == "camera" && s.start.from == "target" && s.start.target.empty()) {
     found.push_back({"start.target", "must name a target file, start.from being `target`"});
-  }
-}
-
-/// The camera's own check names the key in its message.
-void check_camera(const Scenario& s, List& found) {
-  try {
-    make_camera(s.camera);
-  } catch (const std::invalid_argument& error) {
-    const std::string what = error.what();
-    Scenario copy = s;
-    std::string key = "camera.model";
-    for (const Setting& setting : list_settings(copy)) {
-      const std::string mention = "camera " + name_in_section(setting.key) + " ";
-      if (section_of(setting.key) == "camera" && what.starts_with(mention)) key = setting.key;
-    }
-    found.push_back({key, what});
   }
 }
 
@@ -77,20 +63,6 @@ void check_bounds(const Scenario& s, List& found) {
   }
 }
 
-/// A calibration in the other model's terms would be ignored without a word.
-void check_model(const CameraSettings& camera, List& found) {
-  const bool wide = camera.model == "wide-angle";
-  const std::pair<const char*, double> strangers[] = {{"camera.kd1_per_px2", wide ? 0 : camera.kd1_per_px2},
-                                                      {"camera.k1", wide ? camera.k1 : 0},
-                                                      {"camera.k2", wide ? camera.k2 : 0},
-                                                      {"camera.p1", wide ? camera.p1 : 0},
-                                                      {"camera.p2", wide ? camera.p2 : 0},
-                                                      {"camera.k3", wide ? camera.k3 : 0}};
-  for (const auto& [key, value] : strangers) {
-    if (value != 0) found.push_back({key, fmt::format("must be 0, camera.model being `{}`", camera.model)});
-  }
-}
-
 void check_room_size(const Eigen::Vector3d& size, List& found) {
   if (std::min(size.x(), size.y()) >= 2 && size.z() <= 20) return;
   found.push_back({"room.size_m", "must be 2 to 50 long and wide, 1.8 to 20 high"});
@@ -123,6 +95,19 @@ void check_vehicle(const Scenario& s, List& found) {
         {"vehicle_start.position_m", "must be left out where vehicle_start.at_first_fix is true"});
 }
 
+/// What a team alone has.
+void check_alone(const Scenario& s, List& found) {
+  const auto models = {"ackermann", "differential-drive"};
+  if (s.run.sensor == "range-bearing" &&
+      std::find(models.begin(), models.end(), s.planar.vehicle.model) == models.end())
+    found.push_back({"vehicle.model",
+                     "must be `ackermann` or `differential-drive` where nothing is simulated; "
+                     "the others move with run.world = `points`"});
+  if (s.run.sensor == "bearing" || s.run.sensor == "stereo")
+    found.push_back({"run.sensor", "must be `camera` or `range-bearing` with run.world = `" + s.run.world +
+                                       "`; the others see with run.world = `points`"});
+}
+
 bool one_of_formats(const std::string& format, std::initializer_list<std::string_view> formats) {
   return std::find(formats.begin(), formats.end(), format) != formats.end();
 }
@@ -142,13 +127,17 @@ void check_format(const Scenario& s, List& found) {
 
 std::vector<Contradiction> find_contradictions(const Scenario& scenario) {
   List found;
+  if (is_team(scenario)) {
+    check_team(scenario, found);
+    return found;
+  }
   check_sources(scenario, found);
   check_format(scenario, found);
+  check_alone(scenario, found);
   if (scenario.run.sensor == "range-bearing") {
     check_vehicle(scenario, found);
     return found;
   }
-  check_model(scenario.camera, found);
   check_camera(scenario, found);
   check_sizes(scenario, found);
   check_search(scenario, found);

@@ -93,12 +93,13 @@ void set(Eigen::Vector2d* field, const Setting& setting, const TomlValue& value)
   *field = {number_for(setting, (*items)[0]), number_for(setting, (*items)[1])};
 }
 
-void set(std::vector<Eigen::Vector2d>* field, const Setting& setting, const TomlValue& value) {
+template <class Item>
+void set(std::vector<Item>* field, const Setting& setting, const TomlValue& value) {
   const auto* items = std::get_if<TomlArray>(&value.value);
   if (!items) throw wrong_kind(setting, value);
-  std::vector<Eigen::Vector2d> points(items->size());
-  for (std::size_t i = 0; i < points.size(); ++i) set(&points[i], setting, (*items)[i]);
-  *field = points;
+  std::vector<Item> list(items->size());
+  for (std::size_t i = 0; i < list.size(); ++i) set(&list[i], setting, (*items)[i]);
+  *field = list;
 }
 
 std::string write(const std::string* text) { return toml_string(*text); }
@@ -113,9 +114,10 @@ std::string write(const bool* answer) { return *answer ? "true" : "false"; }
 std::string write(const Eigen::Vector2d* v) {
   return fmt::format("[{}, {}]", toml_number(v->x()), toml_number(v->y()));
 }
-std::string write(const std::vector<Eigen::Vector2d>* points) {
+template <class Item>
+std::string write(const std::vector<Item>* list) {
   std::string text = "[";
-  for (const Eigen::Vector2d& point : *points) text += (text.size() > 1 ? ", " : "") + write(&point);
+  for (const Item& item : *list) text += (text.size() > 1 ? ", " : "") + write(&item);
   return text + "]";
 }
 
@@ -153,7 +155,9 @@ std::string Setting::kind() const {
                                           "a list of three numbers",
                                           "true or false",
                                           "a list of two numbers",
-                                          "a list of pairs of numbers"};
+                                          "a list of pairs of numbers",
+                                          "a list of triples of numbers",
+                                          "a list of numbers"};
   return names[field.index()];
 }
 

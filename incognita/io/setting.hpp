@@ -28,7 +28,7 @@ struct Allowed {
 struct Setting {
   std::string key;  ///< "section.name"; the name ends with the unit
   std::variant<std::string*, int*, std::int64_t*, double*, Eigen::Vector3d*, bool*, Eigen::Vector2d*,
-               std::vector<Eigen::Vector2d>*>
+               std::vector<Eigen::Vector2d>*, std::vector<Eigen::Vector3d>*, std::vector<double>*>
       field;
   std::string unit;  ///< empty for counts, ratios and texts
   std::string help;

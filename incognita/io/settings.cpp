@@ -2,57 +2,30 @@
 
 #include <algorithm>
 #include <initializer_list>
-#include <utility>
+
+#include "incognita/io/allowed.hpp"
+#include "incognita/io/team_setting_list.hpp"
 
 namespace incognita {
 namespace {
 
-Allowed any() { return {}; }
-Allowed at_least(double least) {
-  Allowed a;
-  a.least = least;
-  return a;
-}
-Allowed more_than(double least) {
-  Allowed a = at_least(least);
-  a.more_than_least = true;
-  return a;
-}
-Allowed between(double least, double most) {
-  Allowed a = at_least(least);
-  a.most = most;
-  return a;
-}
-Allowed above_up_to(double least, double most) {
-  Allowed a = between(least, most);
-  a.more_than_least = true;
-  return a;
-}
-Allowed odd_between(double least, double most) {
-  Allowed a = between(least, most);
-  a.odd = true;
-  return a;
-}
-Allowed one_of(std::vector<std::string> choices) {
-  Allowed a;
-  a.choices = std::move(choices);
-  return a;
-}
-
+using namespace allowed;
 using List = std::vector<Setting>;
 
 void run(List& list, RunSettings& s) {
   list.insert(
       list.end(),
       {
-          {"run.world", &s.world, "", "where what is seen comes from", one_of({"room", "recording"})},
+          {"run.world", &s.world, "", "where what is seen comes from",
+           one_of({"room", "points", "recording"})},
           {"run.sensor", &s.sensor, "",
            "what the estimator sees with; it decides which sections mean something",
-           one_of({"camera", "range-bearing"})},
+           one_of({"camera", "range-bearing", "bearing", "stereo"})},
           {"run.seed", &s.seed, "", "of every random stream; same seed, same bytes", at_least(0)},
           {"run.duration_s", &s.duration_s, "s", "at most; a recording may end before", above_up_to(0, 1e7)},
           {"run.rate_hz", &s.rate_hz, "Hz",
-           "frames per second of the room, and of recordings without time stamps", above_up_to(0, 10000)},
+           "ticks per second of a simulated place, and of recordings without time stamps",
+           above_up_to(0, 10000)},
           {"run.observability", &s.observability, "",
            "whether the run works out what its filter can know of frame and scale, and what it only believes",
            any()},
@@ -89,14 +62,15 @@ void recording(List& list, RecordingSettings& s) {
                   {"recording.format", &s.format, "", "auto guesses from the folder and says what it guessed",
                    one_of({"auto", "images", "tum", "euroc", "acfr", "mrclam", "tables"})},
                   {"recording.robot", &s.robot, "", "mrclam: which of the five", between(1, 5)},
+                  {"recording.team", &s.team, "", "mrclam: all five in one belief", any()},
               });
 }
 
 void vehicle(List& list, VehicleSettings& s) {
   list.insert(list.end(),
               {
-                  {"vehicle.model", &s.model, "", "what the odometry means",
-                   one_of({"ackermann", "differential-drive"})},
+                  {"vehicle.model", &s.model, "", "how it moves, and what its odometry means",
+                   one_of({"ackermann", "differential-drive", "monobot", "terrain", "free-camera"})},
                   {"vehicle.wheelbase_m", &s.wheelbase_m, "m", "ackermann", above_up_to(0, 1000)},
                   {"vehicle.wheel_left_m", &s.wheel_left_m, "m",
                    "ackermann: the wheel whose speed is measured, left of the middle of the rear axle",
@@ -386,6 +360,7 @@ std::vector<Setting> list_settings(Scenario& scenario) {
   vehicle_lost(list, scenario.planar.lost);
   ranges(list, scenario.planar.sensor);
   association(list, scenario.planar.association);
+  list_team_settings(list, scenario.team);
   return list;
 }
 
@@ -404,6 +379,8 @@ bool section_means_something(const std::string& section, const std::string& sens
 }  // namespace
 
 std::string why_meaningless(const std::string& key, const Scenario& s) {
+  if (is_team(s)) return why_meaningless_to_team(key, s);
+  if (is_of_teams(section_of(key))) return "run.world = `" + s.run.world + "`";
   if (!section_means_something(section_of(key), s.run.sensor)) return "run.sensor = `" + s.run.sensor + "`";
   if (s.run.sensor != "range-bearing") return "";
   const auto any_of = [&](std::initializer_list<const char*> keys) {

@@ -9,6 +9,7 @@
 #include "incognita/io/data_folder.hpp"
 #include "incognita/io/files.hpp"
 #include "incognita/io/image_file.hpp"
+#include "incognita/io/scenario_file.hpp"
 #include "incognita/io/toml_value.hpp"
 #include "incognita/math/nearest_name.hpp"
 #include "incognita/messages/errors.hpp"
@@ -170,19 +171,7 @@ Target read_target(const std::filesystem::path& path, const Folders& patch_folde
 }
 
 std::filesystem::path find_target(const LoadedScenario& loaded) {
-  const std::filesystem::path name = loaded.scenario.start.target;
-  Folders folders = {loaded.file.parent_path()};
-  for (const std::filesystem::path& folder : data_folders(loaded.file)) folders.push_back(folder);
-  folders.push_back(std::filesystem::path(embedded_root) / "");
-  std::string looked;
-  for (const std::filesystem::path& folder : folders) {
-    if (file_exists(folder / name)) return folder / name;
-    looked += (looked.empty() ? "" : ", ") + (is_embedded(folder) ? "those built in" : shown(folder / name));
-  }
-  const auto source = loaded.sources.find("start.target");
-  throw InputError(fmt::format("{}: start.target = {}: there is no such file (looked for {})",
-                               source == loaded.sources.end() ? "default" : source->second,
-                               toml_string(name.string()), looked));
+  return find_named_file(loaded, "start.target", loaded.scenario.start.target);
 }
 
 Target load_target(const LoadedScenario& loaded) {

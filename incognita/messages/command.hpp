@@ -12,8 +12,10 @@ struct Command {
   Eigen::Vector3d linear_acceleration = Eigen::Vector3d::Zero();   ///< m/s^2, world axes
   Eigen::Vector3d angular_acceleration = Eigen::Vector3d::Zero();  ///< rad/s^2, camera axes
 
-  std::vector<SmallVector>
-      inputs;  ///< of a team: each vehicle's, as its motion model takes it; none: stand still
+  /// Of a team: each vehicle's, as its motion model takes it; none: stand still
+  std::vector<SmallVector> inputs = {};
+  /// Of a team: x, y, z (m, world) and heading (rad) where each is to be now; none where it follows nothing
+  std::vector<Eigen::Vector4d> wanted = {};
 
   Eigen::Matrix<double, 6, 1> as_input() const {
     Eigen::Matrix<double, 6, 1> u;

@@ -15,6 +15,7 @@ struct Goal {
   Eigen::Vector3d to{0, 0, 0};    ///< and where it is to end
   double start_t = 0;             ///< s
   double end_t = 0;
+  std::vector<Eigen::Vector4d> team = {};  ///< x, y, z (m) and heading (rad) each vehicle is to go to
 };
 
 }  // namespace incognita

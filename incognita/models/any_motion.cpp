@@ -51,4 +51,19 @@ RigidPose pose_of(const AnyMotion& motion, const SmallVector& state) {
       motion);
 }
 
+SmallMatrix pose_jacobian(const AnyMotion& motion, const SmallVector& state) {
+  return std::visit(
+      [&](const auto& model) -> SmallMatrix {
+        using Model = std::decay_t<decltype(model)>;
+        const typename Model::template State<double> x = state;
+        if constexpr (std::is_same_v<Model, FreeCameraMotion> || std::is_same_v<Model, MonobotMotion>)
+          return SmallMatrix::Identity(6, Model::error_size);  // position first, then rotation
+        else if constexpr (std::is_same_v<Model, TerrainVehicle>)
+          return model.pose(x).J;
+        else
+          return on_floor(x).J;
+      },
+      motion);
+}
+
 }  // namespace incognita

@@ -32,5 +32,7 @@ AnyStep step_of(const AnyMotion& motion, const SmallVector& state, const SmallVe
 
 /// Where the vehicle's body is in space: on the floor z = 0 for one on a plane, along x for one on a line.
 RigidPose pose_of(const AnyMotion& motion, const SmallVector& state);
+/// d(pose error) / d(state error), 6 x errors.
+SmallMatrix pose_jacobian(const AnyMotion& motion, const SmallVector& state);
 
 }  // namespace incognita

@@ -81,12 +81,21 @@ Json pose() { return object({{"position", xyz("m")}, {"orientation", quaternion(
 
 Json look() {
   return object({{"id", integer()},
-                 {"kind", one_of({"anchor", "landmark", "line"})},
+                 {"kind", one_of({"anchor", "landmark", "line", "vehicle"})},
                  {"outcome", one_of({"matched", "not-found", "inconsistent", "not-tried", "born"})},
                  {"predicted", array(number(), "u, v: px, before the image was used"), sometimes},
                  {"innovation_cov", array(number(), "uu, uv, vv: px^2"), sometimes},
                  {"measured", array(number(), "u, v: px"), sometimes},
-                 {"correlation", number("of the best place found"), sometimes}});
+                 {"correlation", number("of the best place found"), sometimes},
+                 {"vehicle", integer("of a team: which of them looked, from 1"), sometimes}});
+}
+
+Json vehicle() {
+  return object({{"position", xyz("m, world")},
+                 {"orientation", quaternion("world_from_vehicle")},
+                 {"pose_covariance", array(number(), "6x6 row by row, as that of the first"), sometimes},
+                 {"wanted", array(number(), "x, y, z (m) and heading (rad) where it was to be"), sometimes},
+                 {"input", array(number(), "as its motion takes it"), sometimes}});
 }
 
 Json landmark() {
@@ -187,6 +196,7 @@ std::string snapshot() {
               {"entropy", entropy()},
               {"advice", advice()},
               {"command", command()},
+              {"vehicles", array(vehicle(), "of a team; the first is the one above"), sometimes},
               {"looks", array(look())},
               {"landmark_ids", array(integer())},
               {"landmarks", array(landmark(), "about once a second"), sometimes}}));

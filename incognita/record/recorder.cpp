@@ -10,6 +10,7 @@
 #include "incognita/record/map_files.hpp"
 #include "incognita/record/mat_file.hpp"
 #include "incognita/record/number.hpp"
+#include "incognita/record/pose_rows.hpp"
 #include "incognita/record/series.hpp"
 
 namespace incognita {
@@ -21,38 +22,28 @@ constexpr const char* looks_header =
 constexpr const char* range_looks_header =
     "t,id,kind,range_predicted_m,bearing_predicted_rad,sigma_range_m,sigma_bearing_rad,range_measured_m,"
     "bearing_measured_rad,outcome";
+constexpr const char* team_looks_header =
+    "t,id,kind,predicted_1,predicted_2,sigma_1,sigma_2,measured_1,measured_2,vehicle,outcome";
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-std::string covariance_header() {
-  constexpr const char* axes[] = {"x", "y", "z", "rotx", "roty", "rotz"};
-  std::string header = "t";
-  for (const char* row : axes)
-    for (const char* column : axes) header += fmt::format(",{}_{}", row, column);
-  return header;
+std::string looks_header_of(const RunInfo& info) {
+  return info.vehicles > 0 ? team_looks_header : info.ranges ? range_looks_header : looks_header;
 }
 
-std::string tum_row(const StampedPose& pose) {
-  std::string row;
-  append_number(row, pose.t);
-  const Eigen::Vector3d& p = pose.position;
-  const Eigen::Vector4d& q = pose.orientation;
-  for (const double value : {p.x(), p.y(), p.z(), q[1], q[2], q[3], q[0]}) {
-    row += ' ';
-    append_number(row, value);
-  }
-  return row;
-}
-
-std::string look_row(double t, const SnapshotLook& look, bool ranges) {
+std::string look_row(double t, const SnapshotLook& look, const RunInfo& info) {
   std::string row;
   append_number(row, t);
-  row += fmt::format(",{},{}", look.id, kind(look));
+  // vehicles are counted from 1 where people read them
+  row += fmt::format(",{},{}", look.of_vehicle ? look.id + 1 : look.id, kind(look));
   const Eigen::Vector2d sigma = look.innovation_cov.diagonal().cwiseMax(0).cwiseSqrt();
   const Eigen::Vector2d measured = look.measured.value_or(Eigen::Vector2d(unknown, unknown));
   for (const double value :
        {look.predicted.x(), look.predicted.y(), sigma.x(), sigma.y(), measured.x(), measured.y()})
     append_cell(row, value);
-  if (!ranges) append_cell(row, look.correlation);
+  if (info.vehicles > 0)
+    append_cell(row, std::to_string(look.vehicle + 1));
+  else if (!info.ranges)
+    append_cell(row, look.correlation);
   append_cell(row, name(look.outcome));
   return row;
 }
@@ -72,10 +63,11 @@ Recorder::Recorder(const std::filesystem::path& directory, const RunInfo& info)
 void Recorder::open_files(const RunInfo& info) {
   summary_file_.emplace(directory_.file("summary.json"), summary_.json(RunStatus::interrupted, cut_short));
   write_whole_file(directory_.file("effective.toml"), info.effective_toml);
-  estimate_ = RowFile(directory_.file("estimate.tum"), "# t x y z qx qy qz qw, world_from_" + info.body);
+  estimate_ = RowFile(directory_.file("estimate.tum"), tum_header(info.body));
   covariance_ = RowFile(directory_.file("covariance.csv"), covariance_header());
-  looks_ = RowFile(directory_.file("looks.csv"), info.ranges ? range_looks_header : looks_header);
+  looks_ = RowFile(directory_.file("looks.csv"), looks_header_of(info));
   timings_ = TimingTable(directory_.file("timings.csv"));
+  if (info.vehicles > 0) team_.emplace(directory_, info);
   log_.emplace(directory_.file("run.mcap"), info);
 }
 
@@ -86,6 +78,7 @@ void Recorder::publish(const Snapshot& snapshot) {
   write_series(snapshot);
   write_decision(snapshot);
   write_looks(snapshot);
+  if (team_) team_->publish(snapshot);
   timings_.add(snapshot);
   log_->publish(snapshot);
   keep_summary_fresh(snapshot.tick.t);
@@ -95,20 +88,14 @@ void Recorder::write_pose(const Snapshot& snapshot) {
   const double t = snapshot.tick.t;
   if (snapshot.truth) {
     if (!truth_opened_)
-      truth_ = RowFile(directory_.file("truth.tum"),
-                       "# t x y z qx qy qz qw, world_from_" + info_.body +
-                           (snapshot.truth->orientation_known ? "" : "; the orientation is not known"));
+      truth_ =
+          RowFile(directory_.file("truth.tum"), tum_header(info_.body, snapshot.truth->orientation_known));
     truth_opened_ = true;
     truth_.append(tum_row(true_pose(snapshot.tick, *snapshot.truth)), t);
   }
   if (!has_pose(snapshot)) return;
   estimate_.append(tum_row(estimated_pose(snapshot)), t);
-  const PoseCovariance P = pose_covariance(snapshot);
-  std::string row;
-  append_number(row, t);
-  for (int i = 0; i < 6; ++i)
-    for (int j = 0; j < 6; ++j) append_cell(row, P(i, j));
-  covariance_.append(row, t);
+  covariance_.append(covariance_row(t, pose_covariance(snapshot)), t);
 }
 
 void Recorder::open_series() {
@@ -158,7 +145,7 @@ void Recorder::write_decision(const Snapshot& snapshot) {
 
 void Recorder::write_looks(const Snapshot& snapshot) {
   for (const SnapshotLook& look : snapshot.looks)
-    looks_.append(look_row(snapshot.tick.t, look, info_.ranges), snapshot.tick.t);
+    looks_.append(look_row(snapshot.tick.t, look, info_), snapshot.tick.t);
 }
 
 void Recorder::keep_summary_fresh(double t_s) {
@@ -206,6 +193,9 @@ RunOutcome Recorder::finish(RunStatus status, const std::string& reason, const F
   });
   for (RowFile* file : {&estimate_, &truth_, &covariance_, &series_, &actions_, &looks_})
     attempt([&] { file->close(); });
+  attempt([&] {
+    if (team_) team_->close();
+  });
   attempt([&] { timings_.close(); });
   attempt([&] { log_->close(map_); });
   attempt([&] { write_map_csv(directory_.file("map.csv"), map_); });

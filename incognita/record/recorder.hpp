@@ -13,6 +13,7 @@
 #include "incognita/record/run_summary.hpp"
 #include "incognita/record/snapshot.hpp"
 #include "incognita/record/snapshot_log.hpp"
+#include "incognita/record/team_tables.hpp"
 #include "incognita/record/timing_table.hpp"
 
 namespace incognita {
@@ -34,6 +35,7 @@ struct RunOutcome {
 ///   position in the world (m), rotation as the right error in camera axes (rad), q_true = q * exp(rot/2).
 /// - series.csv: see series_columns(). actions.csv: a row per decision, scores in nats. looks.csv: every
 /// look.
+/// - of a team: see TeamTables.
 /// - timings.csv: milliseconds per stage; alone, with series.mat and summary.json, in differing from run to
 /// run.
 /// - run.mcap: the snapshots, for replay and for viewers; see SnapshotLog.
@@ -81,6 +83,7 @@ class Recorder {
   std::optional<PaddedFile> summary_file_;
   RowFile estimate_, truth_, covariance_, series_, actions_, looks_;
   TimingTable timings_;
+  std::optional<TeamTables> team_;
   std::optional<SnapshotLog> log_;
 
   std::size_t candidates_ = 0;  ///< columns of actions.csv after t and chosen

@@ -14,7 +14,7 @@ namespace {
 constexpr std::array run_files{"effective.toml", "summary.json", "estimate.tum", "truth.tum",
                                "covariance.csv", "actions.csv",  "map.csv",      "map.ply",
                                "series.csv",     "looks.csv",    "timings.csv",  "series.mat",
-                               "run.mcap"};
+                               "run.mcap",       "vehicles.csv"};
 
 /// The folders on the way to `path` that are not there, the outermost first.
 std::vector<fs::path> missing_folders(const fs::path& path) {
@@ -31,19 +31,29 @@ void remove_empty(const std::vector<fs::path>& folders) noexcept {
   for (auto folder = folders.rbegin(); folder != folders.rend(); ++folder) fs::remove(*folder, ignored);
 }
 
-/// frame-000123.png, as FramePictures names them
-bool is_frame_picture(std::string_view name) {
-  constexpr std::string_view prefix = "frame-", suffix = ".png";
+/// prefix, so many digits or more, suffix
+bool is_numbered(std::string_view name, std::string_view prefix, std::string_view suffix,
+                 std::size_t digits) {
   if (!name.starts_with(prefix) || !name.ends_with(suffix)) return false;
+  if (name.size() < prefix.size() + digits + suffix.size()) return false;
   const std::string_view number = name.substr(prefix.size(), name.size() - prefix.size() - suffix.size());
-  return number.size() >= 6 && number.find_first_not_of("0123456789") == std::string_view::npos;
+  return number.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
-void remove_frame_pictures(const fs::path& folder) {
+/// frame-000123.png, as FramePictures names them
+bool is_frame_picture(std::string_view name) { return is_numbered(name, "frame-", ".png", 6); }
+
+/// Of the second vehicle of a team on, as TeamTables names them
+bool is_of_vehicle(std::string_view name) {
+  return is_numbered(name, "estimate-", ".tum", 1) || is_numbered(name, "truth-", ".tum", 1) ||
+         is_numbered(name, "covariance-", ".csv", 1);
+}
+
+void remove_where(const fs::path& folder, bool (*is_ours)(std::string_view)) {
   std::error_code ignored;
   std::vector<fs::path> found;
   for (fs::directory_iterator it(folder, ignored), end; !ignored && it != end; it.increment(ignored))
-    if (is_frame_picture(it->path().filename().string())) found.push_back(it->path());
+    if (is_ours(it->path().filename().string())) found.push_back(it->path());
   for (const fs::path& file : found) fs::remove(file, ignored);
 }
 
@@ -72,10 +82,11 @@ RunDirectory::RunDirectory(fs::path path) : path_(fs::absolute(path).lexically_n
 void RunDirectory::remove_run_files() noexcept {
   std::error_code ignored;
   for (const char* name : run_files) fs::remove(file(name), ignored);
-  for (const char* figure : {"map", "errors", "entropy", "advice"})
+  for (const char* figure : {"map", "errors", "entropy", "advice", "vehicles", "control"})
     for (const char* suffix : {".svg", ".gp"})
       fs::remove(file("figures") / (std::string(figure) + suffix), ignored);
-  remove_frame_pictures(file("frames"));
+  remove_where(file("frames"), is_frame_picture);
+  remove_where(path_, is_of_vehicle);
   for (const char* folder : {"figures", "frames"}) fs::remove(file(folder), ignored);  // where empty
 }
 

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "incognita/record/quantile.hpp"
 #include "incognita/record/series.hpp"
 
 namespace incognita {
@@ -17,12 +18,13 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t max_text_bytes = 1000;  // of one string: the document has to fit its place on the disk
 constexpr std::size_t max_warnings = 5;
 constexpr std::size_t max_names = 50;
+constexpr std::size_t max_vehicles = 40;  // the others are in vehicles.csv
 
 constexpr const char* reserved[] = {
-    "status",       "reason",  "frames",        "landmarks", "lost_frames",    "entropy",
-    "mean_nis",     "ate_m",   "ate_alignment", "mean_nees", "timing_ms",      "seed",
-    "version",      "anchors", "decisions",     "warnings",  "tracked_frames", "overconfident_frames",
-    "observability"};
+    "status",        "reason",  "frames",        "landmarks", "lost_frames",    "entropy",
+    "mean_nis",      "ate_m",   "ate_alignment", "mean_nees", "timing_ms",      "seed",
+    "version",       "anchors", "decisions",     "warnings",  "tracked_frames", "overconfident_frames",
+    "observability", "vehicles"};
 
 std::string short_text(const std::string& text) {
   return text.size() <= max_text_bytes ? text : text.substr(0, max_text_bytes) + "...";
@@ -31,14 +33,6 @@ std::string short_text(const std::string& text) {
 Json json_of(const SummaryValue& value) {
   if (const auto* text = std::get_if<std::string>(&value)) return short_text(*text);
   return std::visit([](const auto& v) { return Json(v); }, value);
-}
-
-/// The smallest value that at least this share of the values do not exceed.
-double quantile(std::vector<double> values, double share) {
-  const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size())));
-  const auto nth = values.begin() + static_cast<std::ptrdiff_t>(std::max<std::size_t>(rank, 1) - 1);
-  std::nth_element(values.begin(), nth, values.end());
-  return *nth;
 }
 
 Json timing_json(const std::vector<std::pair<std::string, std::vector<double>>>& stage_ms) {
@@ -102,7 +96,8 @@ const char* name(RunStatus status) {
 
 bool same_frame_as_truth(const RunInfo& info) { return info.ate_alignment == name(AlignmentKind::none); }
 
-RunSummary::RunSummary(const RunInfo& info) : version_(info.version), seed_(info.seed) {
+RunSummary::RunSummary(const RunInfo& info)
+    : version_(info.version), seed_(info.seed), team_(info.body == "camera", info.steered_forward_m) {
   const auto kind = alignment_kind(info.ate_alignment);
   if (!kind)
     throw std::invalid_argument("ate_alignment `" + info.ate_alignment + "`; none, se3, sim3 or yaw");
@@ -134,6 +129,7 @@ void RunSummary::add(const Snapshot& snapshot) {
   if (std::isfinite(snapshot.entropy.total)) entropy_ = snapshot.entropy;
   if (snapshot.nis_dof > 0) nis_per_dof_.add(snapshot.nis / snapshot.nis_dof);
   if (snapshot.truth) compare_with_truth(snapshot);
+  if (has_pose(snapshot)) team_.add(snapshot);
   for (const auto& [stage, ms] : snapshot.timing_ms) {
     auto found =
         std::find_if(stage_ms_.begin(), stage_ms_.end(), [&](const auto& s) { return s.first == stage; });
@@ -142,19 +138,27 @@ void RunSummary::add(const Snapshot& snapshot) {
   }
 }
 
-void RunSummary::compare_with_truth(const Snapshot& snapshot) {
-  has_truth_ = true;
-  if (!has_pose(snapshot)) return;
-  const StampedPose truth = true_pose(snapshot.tick, *snapshot.truth), estimate = estimated_pose(snapshot);
+void RunSummary::compare(const StampedPose& truth, const StampedPose& estimate, const PoseCovariance& P,
+                         std::optional<double> nees, TrackingState state) {
   matched_.truth.push_back(truth);
   matched_.estimate.push_back(estimate);
   if (alignment_ != AlignmentKind::none) return;  // a covariance speaks of the frame it is in
   const PoseError error = pose_error(truth, estimate);
-  const PoseCovariance P = pose_covariance(snapshot);
-  if (const auto nees = pose_nees(error, P)) nees_per_dof_.add(*nees);
-  if (snapshot.status.state == TrackingState::tracking &&
-      beyond_three_sigma(error.head<3>(), P.topLeftCorner<3, 3>()))
+  if (!nees) nees = pose_nees(error, P);
+  if (nees) nees_per_dof_.add(*nees);
+  if (state == TrackingState::tracking && beyond_three_sigma(error.head<3>(), P.topLeftCorner<3, 3>()))
     ++overconfident_frames_;
+}
+
+void RunSummary::compare_with_truth(const Snapshot& s) {
+  has_truth_ = true;
+  if (!has_pose(s)) return;
+  compare(true_pose(s.tick, *s.truth), estimated_pose(s), pose_covariance(s),
+          s.vehicles.empty() ? std::nullopt : s.vehicles.front().nees_per_dof, s.status.state);
+  for (std::size_t i = 1; i < s.vehicles.size(); ++i)
+    if (s.vehicles[i].truth)
+      compare(*s.vehicles[i].truth, s.vehicles[i].estimate, s.vehicles[i].covariance,
+              s.vehicles[i].nees_per_dof, s.status.state);
 }
 
 double RunSummary::ate_m() const {
@@ -182,6 +186,16 @@ std::string RunSummary::json(RunStatus status, const std::string& reason) const 
     json["mean_nees"] = nees_per_dof_.value();
     json["overconfident_frames"] =
         alignment_ == AlignmentKind::none ? Json(overconfident_frames_) : Json(nullptr);
+  }
+  if (!team_.empty()) {
+    Json& vehicles = json["vehicles"] = Json::array();
+    const std::vector<TeamSummary::Vehicle> all = team_.vehicles();
+    for (std::size_t i = 0; i < std::min(all.size(), max_vehicles); ++i) {
+      const TeamSummary::Vehicle& v = all[i];
+      vehicles.push_back({{"ate_m", v.ate_m},
+                          {"mean_nees", v.mean_nees},
+                          {"from_path_m", {{"median", v.from_path_median_m}, {"p95", v.from_path_p95_m}}}});
+    }
   }
   if (observability_) json["observability"] = observability_json(*observability_);
   json["timing_ms"] = timing_json(stage_ms_);

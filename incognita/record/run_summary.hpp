@@ -12,6 +12,7 @@
 #include "incognita/analysis/observability_report.hpp"
 #include "incognita/analysis/trajectory.hpp"
 #include "incognita/record/snapshot.hpp"
+#include "incognita/record/team_summary.hpp"
 
 namespace incognita {
 
@@ -28,7 +29,10 @@ struct RunInfo {
   std::string ate_alignment = "none";  ///< `none` where anchors fix the frame, `sim3` where the scale is free
   std::string body = "camera";         ///< whose pose it is: `camera` or `vehicle`
   bool ranges = false;                 ///< looks are ranges and bearings, not pixels
-  int patch_size_px = 11;              ///< side of the squares that are searched for, to draw them
+  int vehicles = 0;                    ///< of a team; 0: there is none
+  double steered_forward_m = 0;  ///< of a team: the point that is to be on the path, before its vehicle's own
+  std::vector<std::string> inputs = {};  ///< of a team's vehicles: names with units, e.g. "speed_m_s"
+  int patch_size_px = 11;                ///< side of the squares that are searched for, to draw them
   std::vector<std::pair<std::string, SummaryValue>> extra;  ///< more fields for summary.json
 };
 
@@ -64,6 +68,8 @@ class RunSummary {
   };
 
   void compare_with_truth(const Snapshot& snapshot);
+  void compare(const StampedPose& truth, const StampedPose& estimate, const PoseCovariance& covariance,
+               std::optional<double> nees, TrackingState state);
   double ate_m() const;
 
   std::string version_;
@@ -80,6 +86,7 @@ class RunSummary {
   std::optional<ObservabilityReport> observability_;
   MatchedTrajectories matched_;
   std::vector<std::pair<std::string, std::vector<double>>> stage_ms_;
+  TeamSummary team_;
 };
 
 }  // namespace incognita

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "incognita/analysis/pose_consistency.hpp"
 #include "incognita/messages/command.hpp"
 #include "incognita/messages/tick.hpp"
 #include "incognita/slam/status.hpp"
@@ -35,11 +36,23 @@ struct SnapshotLook {
   std::optional<Eigen::Vector2d> measured;                   ///< px, where the search found the patch
   double correlation = 0;                                    ///< normalised, of the best place found
   LookOutcome outcome = LookOutcome::not_tried;
+  int vehicle = 0;          ///< of a team: which of them looked, from 0
+  bool of_vehicle = false;  ///< at another of them, whose index is `id`; not at a landmark
 };
 
 inline const char* kind(const SnapshotLook& look) {
-  return look.anchor ? "anchor" : look.line ? "line" : "landmark";
+  return look.of_vehicle ? "vehicle" : look.anchor ? "anchor" : look.line ? "line" : "landmark";
 }
+
+/// One vehicle of a team, as a body in space.
+struct SnapshotVehicle {
+  StampedPose estimate;
+  PoseCovariance covariance = PoseCovariance::Zero();
+  std::optional<StampedPose> truth;
+  std::optional<Eigen::Vector4d> wanted;  ///< x, y, z (m, world) and heading (rad): where it was to be
+  SmallVector input;                      ///< until the next tick, as its motion takes it
+  std::optional<double> nees_per_dof;     ///< of its pose; of its state where that is less than a pose
+};
 
 struct SnapshotAdvice {
   std::vector<std::string> actions;  ///< names, fixed for a run
@@ -69,6 +82,7 @@ struct Snapshot {
   SnapshotEntropy entropy{};
   SnapshotAdvice advice;
   Command command;
+  std::vector<SnapshotVehicle> vehicles;  ///< of a team; `camera`, `covariance` and `truth` are the first's
   std::vector<std::pair<const char*, double>> timing_ms;  ///< stage -> ms, same order in every snapshot
 };
 

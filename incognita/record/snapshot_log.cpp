@@ -59,10 +59,22 @@ void SnapshotLog::put_poses(const Snapshot& snapshot) {
     put(transforms, frame_transform(time_ns_, world, body_, estimated_pose(snapshot)));
     put(estimated_poses, pose_in_frame(time_ns_, world, estimated_pose(snapshot)));
   }
+  put_others(snapshot);
   if (!snapshot.truth) return;
   const StampedPose truth = true_pose(snapshot.tick, *snapshot.truth);
   put(transforms, frame_transform(time_ns_, true_world_, "true_" + body_, truth));
   put(true_poses, pose_in_frame(time_ns_, true_world_, truth));
+}
+
+/// The frames of a team's vehicles from the second on: vehicle_2, true_vehicle_2.
+void SnapshotLog::put_others(const Snapshot& snapshot) {
+  for (std::size_t i = 1; i < snapshot.vehicles.size(); ++i) {
+    const SnapshotVehicle& v = snapshot.vehicles[i];
+    const std::string frame = body_ + "_" + std::to_string(i + 1);
+    if (has_pose(snapshot) && finite(v.estimate))
+      put(transforms, frame_transform(time_ns_, world, frame, v.estimate));
+    if (v.truth) put(transforms, frame_transform(time_ns_, true_world_, "true_" + frame, *v.truth));
+  }
 }
 
 void SnapshotLog::put_picture(const Snapshot& snapshot) {

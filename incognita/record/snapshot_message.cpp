@@ -21,13 +21,12 @@ void put(Json& json, const char* key, double value) {
 /// Digits that say something of a pixel or a correlation; looks.csv has all.
 double shortened(double value) { return std::round(value * 1e4) / 1e4; }
 
+/// A sensor that tells one number has no second.
 void put_shortened(Json& json, const char* key, std::initializer_list<double> values) {
   Json list = Json::array();
-  for (const double value : values) {
-    if (!std::isfinite(value)) return;
-    list.push_back(shortened(value));
-  }
-  json[key] = std::move(list);
+  for (const double value : values)
+    if (std::isfinite(value)) list.push_back(shortened(value));
+  if (!list.empty()) json[key] = std::move(list);
 }
 
 /// Row by row.
@@ -48,8 +47,10 @@ void put_camera(Json& json, const Snapshot& snapshot) {
   put(json, "pose_covariance", Eigen::MatrixXd(pose_covariance(snapshot)));
 }
 
-Json look_json(const SnapshotLook& look) {
-  Json json{{"id", look.id}, {"kind", kind(look)}, {"outcome", name(look.outcome)}};
+Json look_json(const SnapshotLook& look, bool of_team) {
+  Json json{
+      {"id", look.of_vehicle ? look.id + 1 : look.id}, {"kind", kind(look)}, {"outcome", name(look.outcome)}};
+  if (of_team) json["vehicle"] = look.vehicle + 1;
   const Eigen::Matrix2d& S = look.innovation_cov;
   put_shortened(json, "predicted", {look.predicted.x(), look.predicted.y()});
   put_shortened(json, "innovation_cov", {S(0, 0), S(0, 1), S(1, 1)});
@@ -57,6 +58,23 @@ Json look_json(const SnapshotLook& look) {
   put_shortened(json, "measured", {look.measured->x(), look.measured->y()});
   put(json, "correlation", shortened(look.correlation));
   return json;
+}
+
+Json vehicle_json(const SnapshotVehicle& vehicle) {
+  const Eigen::Vector4d& q = vehicle.estimate.orientation;
+  Json json{{"position", xyz(vehicle.estimate.position)},
+            {"orientation", {{"x", q[1]}, {"y", q[2]}, {"z", q[3]}, {"w", q[0]}}}};
+  put(json, "pose_covariance", Eigen::MatrixXd(vehicle.covariance));
+  if (vehicle.wanted) put(json, "wanted", Eigen::MatrixXd(*vehicle.wanted));
+  if (vehicle.input.size() > 0) put(json, "input", Eigen::MatrixXd(vehicle.input));
+  return json;
+}
+
+void put_vehicles(Json& json, const Snapshot& snapshot) {
+  if (snapshot.vehicles.empty() || !has_pose(snapshot)) return;
+  Json& vehicles = json["vehicles"] = Json::array();
+  for (const SnapshotVehicle& vehicle : snapshot.vehicles)
+    if (vehicle.estimate.position.allFinite()) vehicles.push_back(vehicle_json(vehicle));
 }
 
 Json landmark_json(const SnapshotLandmark& landmark) {
@@ -105,8 +123,10 @@ std::string snapshot_message(const Snapshot& snapshot, bool landmarks) {
   json["advice"] = advice_json(snapshot.advice);
   json["command"] = {{"linear_acceleration", xyz(snapshot.command.linear_acceleration)},
                      {"angular_acceleration", xyz(snapshot.command.angular_acceleration)}};
+  put_vehicles(json, snapshot);
   Json& looks = json["looks"] = Json::array();
-  for (const SnapshotLook& look : snapshot.looks) looks.push_back(look_json(look));
+  for (const SnapshotLook& look : snapshot.looks)
+    looks.push_back(look_json(look, !snapshot.vehicles.empty()));
   Json& ids = json["landmark_ids"] = Json::array();
   for (const SnapshotLandmark& landmark : snapshot.landmarks) ids.push_back(landmark.id);
   if (landmarks) {

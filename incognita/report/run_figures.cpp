@@ -8,13 +8,18 @@
 #include "incognita/record/row_file.hpp"
 #include "incognita/report/figure_scripts.hpp"
 #include "incognita/report/gnuplot.hpp"
+#include "incognita/report/team_figures.hpp"
 
 namespace incognita {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::array<std::pair<const char*, FigureScript>, 4> figures{
-    {{"map", map_script}, {"errors", errors_script}, {"entropy", entropy_script}, {"advice", advice_script}}};
+constexpr std::array<std::pair<const char*, FigureScript>, 6> figures{{{"map", map_script},
+                                                                       {"errors", errors_script},
+                                                                       {"entropy", entropy_script},
+                                                                       {"advice", advice_script},
+                                                                       {"vehicles", vehicles_script},
+                                                                       {"control", control_script}}};
 
 }  // namespace
 

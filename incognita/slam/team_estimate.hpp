@@ -9,6 +9,7 @@
 
 #include "incognita/belief/belief.hpp"
 #include "incognita/models/any_sensor.hpp"
+#include "incognita/slam/entropy_values.hpp"
 #include "incognita/slam/status.hpp"
 
 namespace incognita {
@@ -20,6 +21,8 @@ struct TeamVehicle {
   std::optional<SmallVector> input;  ///< the last that its wheels told, held until the next
   double input_t = 0;
   double input_period = 0;  ///< s, between the last two readings; 0 before the second
+  RigidPose pose = {};      ///< as a body in space, after the last update
+  Eigen::Matrix<double, 6, 6> pose_covariance = Eigen::Matrix<double, 6, 6>::Zero();  ///< of its error
 };
 
 struct TeamLandmark {
@@ -27,6 +30,12 @@ struct TeamLandmark {
   LandmarkForm form;
   BlockId block = 0;
   SmallVector first;  ///< as it was born: where first-estimate Jacobians are taken
+  int sightings = 0;
+};
+
+/// A landmark that was known before: no part of the belief.
+struct TeamAnchor {
+  SmallVector position;
   int sightings = 0;
 };
 
@@ -47,12 +56,15 @@ struct TeamEstimate {
   bool started = false;
   std::vector<TeamVehicle> vehicles;
   std::map<std::int64_t, TeamLandmark> landmarks;  ///< by identity; anchors are not among them
+  std::map<std::int64_t, TeamAnchor> anchors;
   TrackingStatus status;
 
   // Of the last tick
   std::vector<TeamLook> looks;
   int matched = 0;
   UpdateReport update;
+  Entropy entropy;                     ///< of all vehicles; of map and whole about once a second
+  std::optional<double> entropy_t;     ///< s, when that was last
   std::int64_t unsettled_updates = 0;  ///< iterated updates that reached their cap so far
   std::vector<std::pair<const char*, double>> timing_ms;
 };

@@ -9,6 +9,7 @@
 
 #include "incognita/belief/linearise.hpp"
 #include "incognita/math/gaussian.hpp"
+#include "incognita/slam/belief_entropy.hpp"
 #include "incognita/slam/stage_clock.hpp"
 #include "incognita/slam/team_looks.hpp"
 #include "incognita/slam/team_motion.hpp"
@@ -92,6 +93,7 @@ void TeamEstimator::start(TeamEstimate& e, const Tick& tick) const {
   e.vehicles.clear();
   e.landmarks.clear();
   e.belief.keep_trace(watched);
+  for (const auto& [identity, position] : settings_.anchors) e.anchors[identity] = {position, 0};
   for (const TeamMember& member : settings_.members) {
     TeamVehicle vehicle;
     vehicle.block = e.belief.add_vehicle(chart_of(member.motion), member.start,
@@ -154,6 +156,10 @@ std::vector<BlockId> blocks_of(const std::vector<AffineLook>& looks) {
   return {blocks.begin(), blocks.end()};
 }
 
+int& sightings_of(TeamEstimate& e, const TeamLook& look) {
+  return look.anchor ? e.anchors.at(look.identity).sightings : e.landmarks.at(look.identity).sightings;
+}
+
 void correct(TeamEstimate& e, const UsedSightings& used, const TeamSettings& settings) {
   if (used.looks.empty()) return;
   if (settings.filter.lineariser == "iterated") {
@@ -168,8 +174,7 @@ void correct(TeamEstimate& e, const UsedSightings& used, const TeamSettings& set
   for (const Used& u : used.sightings) {
     TeamLook& told = e.looks[u.told];
     told.outcome = done ? LookOutcome::matched : LookOutcome::inconsistent;
-    const auto landmark = told.of_vehicle ? e.landmarks.end() : e.landmarks.find(told.identity);
-    if (done && landmark != e.landmarks.end()) ++landmark->second.sightings;
+    if (done && !told.of_vehicle) ++sightings_of(e, told);
   }
   e.matched = done ? static_cast<int>(used.sightings.size()) : 0;
 }
@@ -207,7 +212,32 @@ void TeamEstimator::update(TeamEstimate& e, const Command&, const Observation& s
   give_births(e, seen, settings_);
   settle_depths(e, settings_);
   stage.mark("births");
+  tell_poses(e);
   judge(e);
+  stage.mark("poses");
+  refresh_entropy(e, tick.t);
+  stage.mark("entropy");
+}
+
+/// The larger the state, the rarer, so that it never costs more than a small share of a run.
+void TeamEstimator::refresh_entropy(TeamEstimate& e, double t) const {
+  const double states = e.belief.errors();
+  const double period_s = std::max(1.0, std::pow(states / 300, 3));
+  if (e.entropy_t && t - *e.entropy_t < period_s) return;
+  int vehicles = 0;
+  for (const TeamVehicle& v : e.vehicles) vehicles += e.belief.chart(v.block).tangent();
+  e.entropy = entropies_of(e.belief, vehicles);
+  e.entropy_t = t;
+}
+
+void TeamEstimator::tell_poses(TeamEstimate& e) const {
+  for (std::size_t i = 0; i < e.vehicles.size(); ++i) {
+    TeamVehicle& vehicle = e.vehicles[i];
+    const SmallVector mean = e.belief.mean(vehicle.block);
+    const SmallMatrix J = pose_jacobian(settings_.members[i].motion, mean);
+    vehicle.pose = pose_of(settings_.members[i].motion, mean);
+    vehicle.pose_covariance = J * e.belief.covariance(vehicle.block) * J.transpose();
+  }
 }
 
 void TeamEstimator::judge(TeamEstimate& e) const {
@@ -215,13 +245,12 @@ void TeamEstimator::judge(TeamEstimate& e) const {
     e.status.state = TrackingState::lost, e.status.reason = reason;
   };
   for (std::size_t i = 0; i < e.vehicles.size(); ++i) {
-    const SmallVector mean = e.belief.mean(e.vehicles[i].block);
-    const AnyPoint at = position_of(settings_.members[i].motion, mean);
-    const SmallMatrix P = at.J * e.belief.covariance(e.vehicles[i].block) * at.J.transpose();
+    const TeamVehicle& vehicle = e.vehicles[i];
+    const Eigen::Matrix3d P = vehicle.pose_covariance.topLeftCorner<3, 3>();
     const std::string who = settings_.members.size() > 1 ? "vehicle " + std::to_string(i + 1) + ": " : "";
-    if (!mean.allFinite() || !P.allFinite()) return lost(who + "pose or covariance is not a number");
-    const double sigma =
-        std::sqrt(std::max(0.0, Eigen::MatrixXd(P).selfadjointView<Eigen::Lower>().eigenvalues().maxCoeff()));
+    if (!vehicle.pose.position.allFinite() || !vehicle.pose_covariance.allFinite())
+      return lost(who + "pose or covariance is not a number");
+    const double sigma = std::sqrt(std::max(0.0, P.selfadjointView<Eigen::Lower>().eigenvalues().maxCoeff()));
     if (!(sigma <= settings_.filter.max_sigma_position_m))
       return lost(who + "position sigma " + std::to_string(sigma) + " m, the limit is " +
                   std::to_string(settings_.filter.max_sigma_position_m));

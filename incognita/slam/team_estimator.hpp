@@ -34,6 +34,8 @@ class TeamEstimator {
 
  private:
   void start(TeamEstimate& estimate, const Tick& tick) const;
+  void tell_poses(TeamEstimate& estimate) const;
+  void refresh_entropy(TeamEstimate& estimate, double t) const;
   void judge(TeamEstimate& estimate) const;
 
   TeamSettings settings_;

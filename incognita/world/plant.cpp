@@ -25,6 +25,7 @@ void check(const AnyMotion& motion, const PlantSettings& s) {
   need_size(s.input_sigmas, inputs, "the sigmas of a plant's inputs");
   need_size(s.least_input, inputs, "the least inputs of a plant");
   need_size(s.most_input, inputs, "the most of a plant's inputs");
+  if (s.input_ratios.size() > 0) need_size(s.input_ratios, inputs, "the ratios of a plant's inputs");
   if ((s.start_sigmas.array() < 0).any() || (s.input_sigmas.array() < 0).any())
     throw std::invalid_argument("the sigmas of a plant must be zero or positive");
   if ((s.least_input.array() > s.most_input.array()).any())
@@ -58,6 +59,7 @@ const SmallVector& Plant::move(const SmallVector& input, double dt_s) {
   if (dt_s == 0) return state_;
   carried_out_ = input.cwiseMax(settings_.least_input).cwiseMin(settings_.most_input);
   SmallVector u = carried_out_;
+  if (settings_.input_ratios.size() > 0) u.array() *= settings_.input_ratios.array();
   for (Eigen::Index i = 0; i < u.size(); ++i) u[i] += settings_.input_sigmas[i] * disturbance_.normal();
   state_ = integrate(motion_, state_, u, dt_s);
   return state_;

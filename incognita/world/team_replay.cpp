@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "incognita/models/mount.hpp"
 #include "incognita/world/range_replay.hpp"
 
 namespace incognita {
@@ -32,6 +33,8 @@ std::optional<Truth> TeamReplayWorld::move(const Command&, const Tick& tick) {
     truth.vehicles.push_back(
         (SmallVector(3) << place->position.x(), place->position.y(), *place->heading_rad).finished());
   }
+  for (const SmallVector& pose : truth.vehicles)
+    truth.poses.push_back(on_floor(planar::Pose<double>(pose)).pose);
   const SmallVector& first = truth.vehicles.front();
   truth.camera.head<7>() << first[0], first[1], 0, std::cos(first[2] / 2), 0, 0, std::sin(first[2] / 2);
   return truth;

@@ -33,8 +33,9 @@ std::optional<Truth> TeamWorld::move(const Command& command, const Tick& tick) {
     const SmallVector none = SmallVector::Zero(inputs_of(plants_[i].motion()));
     truth.vehicles.push_back(plants_[i].move(i < command.inputs.size() ? command.inputs[i] : none, tick.dt));
     truth.inputs.push_back(plants_[i].carried_out());
+    truth.poses.push_back(pose_of(plants_[i].motion(), truth.vehicles.back()));
   }
-  const RigidPose first = pose_of(plants_.front().motion(), truth.vehicles.front());
+  const RigidPose& first = truth.poses.front();
   truth.camera.head<3>() = first.position;
   truth.camera.segment<4>(3) = first.world_from_body;
   if (std::holds_alternative<FreeCameraMotion>(plants_.front().motion()))
@@ -49,6 +50,7 @@ TeamSensor::TeamSensor(std::vector<SimulatedVehicle> vehicles, PointPlace place,
     const SimulatedVehicle& v = vehicles_[i];
     const std::string fault = misfit(v.motion, v.sensor);
     if (!fault.empty()) throw std::invalid_argument(fault);
+    if (v.ticks_per_look < 1) throw std::invalid_argument("a sensor looks at every tick or more rarely");
     if (v.sigmas.size() != chart_of(v.sensor).tangent())
       throw std::invalid_argument("a sensor needs " + std::to_string(chart_of(v.sensor).tangent()) +
                                   " sigmas");
@@ -78,6 +80,17 @@ std::optional<SmallVector> TeamSensor::measured(std::size_t i, const SmallVector
   return z;
 }
 
+void TeamSensor::look_around(std::size_t i, const Truth& truth, VehicleView& view) {
+  for (const auto& [identity, point] : place_)
+    if (auto z = measured(i, truth.vehicles[i], point)) view.landmarks.push_back({identity, *z});
+  for (std::size_t j = 0; sees_vehicles_ && j < vehicles_.size(); ++j) {
+    if (j == i) continue;
+    const SmallVector other = position_of(vehicles_[j].motion, truth.vehicles[j]).position;
+    if (auto z = measured(i, truth.vehicles[i], other))
+      view.vehicles.push_back({static_cast<std::int64_t>(j), *z});
+  }
+}
+
 Observation TeamSensor::look(const std::optional<Truth>& truth, const Tick& tick) {
   Observation seen;
   if (!truth || truth->vehicles.size() != vehicles_.size())
@@ -85,14 +98,7 @@ Observation TeamSensor::look(const std::optional<Truth>& truth, const Tick& tick
   for (std::size_t i = 0; i < vehicles_.size(); ++i) {
     VehicleView view;
     if (tick.dt > 0) view.input = truth->inputs[i];
-    for (const auto& [identity, point] : place_)
-      if (auto z = measured(i, truth->vehicles[i], point)) view.landmarks.push_back({identity, *z});
-    for (std::size_t j = 0; sees_vehicles_ && j < vehicles_.size(); ++j) {
-      if (j == i) continue;
-      const SmallVector other = position_of(vehicles_[j].motion, truth->vehicles[j]).position;
-      if (auto z = measured(i, truth->vehicles[i], other))
-        view.vehicles.push_back({static_cast<std::int64_t>(j), *z});
-    }
+    if (tick.frame % vehicles_[i].ticks_per_look == 0) look_around(i, *truth, view);
     seen.team.push_back(std::move(view));
   }
   return seen;

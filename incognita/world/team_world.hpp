@@ -25,6 +25,7 @@ struct SimulatedVehicle {
   double sigma_range_ratio = 0;  ///< added to the first of them, times what is measured
   double max_range_m = 1e9;      ///< farther points are not seen
   double field_of_view_rad = 7;  ///< of a scanner, about straight ahead; more than a turn sees all around
+  int ticks_per_look = 1;        ///< it looks at every so many-th tick, the first being one
 };
 
 class TeamWorld final : public World {
@@ -49,6 +50,7 @@ class TeamSensor final : public Sensor {
   Observation look(const std::optional<Truth>& truth, const Tick& tick) override;
 
  private:
+  void look_around(std::size_t vehicle, const Truth& truth, VehicleView& view);
   std::optional<SmallVector> measured(std::size_t vehicle, const SmallVector& state,
                                       const SmallVector& point);
 

@@ -5,6 +5,7 @@
 
 #include "incognita/math/small_matrix.hpp"
 #include "incognita/models/free_camera.hpp"
+#include "incognita/models/rigid_pose.hpp"
 
 namespace incognita {
 
@@ -14,6 +15,7 @@ struct Truth {
   std::vector<SmallVector> vehicles =
       {};  ///< of a team: each one's state, `camera` being the pose of the first
   std::vector<SmallVector> inputs = {};  ///< of a team: what each carried out since the tick before
+  std::vector<RigidPose> poses = {};     ///< of a team: each one's body in space
 };
 
 }  // namespace incognita

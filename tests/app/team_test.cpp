@@ -66,10 +66,10 @@ Result run(const Scene& scene, double duration_s, std::uint64_t seed) {
   TeamWorld world(scene.vehicles, seed);
   TeamSensor sensor(scene.vehicles, scene.place, scene.see_each_other, seed);
   const TeamEstimator estimator(scene.filter);
-  std::vector<std::unique_ptr<Steering>> laws;
+  std::vector<VehicleSteering> steered;
   for (std::size_t i = 0; i < scene.steering.size(); ++i)
-    laws.push_back(make_steering(scene.vehicles[i].motion, scene.steering[i], 1 / scene.rate_hz));
-  TeamController controller(std::move(laws));
+    steered.push_back({scene.vehicles[i].motion, scene.steering[i]});
+  TeamController controller(std::move(steered), 1 / scene.rate_hz);
   RoomClock clock(scene.rate_hz, duration_s);
   Result result;
   Command command;

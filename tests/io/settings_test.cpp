@@ -79,7 +79,7 @@ TEST(Settings, EveryFieldIsBound) {
   for (const Setting& setting : list_settings(scenario)) {
     bytes += std::visit([](auto* f) { return sizeof *f; }, setting.field);
   }
-  constexpr std::size_t padding = 65;
+  constexpr std::size_t padding = 91;
   EXPECT_EQ(sizeof(Scenario), bytes + padding);
 }
 
@@ -170,7 +170,7 @@ TEST(LoadScenario, RefusesWrongValues) {
       {"run", "duration_s = inf", "run.duration_s = inf: must be finite"},
       {"run", "rate_hz = true", "run.rate_hz = true: must be a number"},
       {"run", "rate_hz = 2020-01-01", "and is a date or time"},
-      {"run", "world = \"rom\"", "run.world = \"rom\": must be `room` or `recording`; the nearest is `room`"},
+      {"run", "world = \"rom\"", "run.world = \"rom\": must be `room`, `points` or `recording`; the nearest is `room`"},
       {"run", "world = 3", "run.world = 3: must be a text"},
       {"camera", "width_px = -320", "camera.width_px = -320: must be 16 to 16384"},
       {"camera", "width_px = 99999999999999", "camera.width_px = 99999999999999: must be 16 to 16384"},

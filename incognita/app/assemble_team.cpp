@@ -1,0 +1,137 @@
+#include "incognita/app/assemble_team.hpp"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <stdexcept>
+#include <utility>
+
+#include "incognita/app/team_models.hpp"
+#include "incognita/io/data_folder.hpp"
+#include "incognita/io/files.hpp"
+#include "incognita/io/range_formats.hpp"
+#include "incognita/messages/errors.hpp"
+#include "incognita/world/range_replay.hpp"
+#include "incognita/world/room_clock.hpp"
+#include "incognita/world/team_replay.hpp"
+
+namespace incognita {
+namespace {
+
+/// What a box refuses is said with the setting that has most to do with it.
+template <class Make>
+auto made(const LoadedScenario& loaded, const std::string& key, const std::string& value, const Make& make) {
+  try {
+    return make();
+  } catch (const std::invalid_argument& error) {
+    throw InputError(fmt::format("{}: {} = {}: {}", loaded.sources.at(key), key, value, error.what()));
+  }
+}
+
+TeamEstimator estimator_of(const LoadedScenario& loaded, const TeamSettings& team) {
+  const Scenario& s = loaded.scenario;
+  const TeamMember& first = team.members.front();
+  made(loaded, "run.sensor", s.run.sensor, [&] {
+    const std::string fault = misfit(first.motion, first.sensor);
+    if (!fault.empty()) throw std::invalid_argument(fault);
+    return 0;
+  });
+  return made(loaded, "team_filter.lineariser", s.team.filter.lineariser,
+              [&] { return TeamEstimator(team); });
+}
+
+/// The first so many, or all, of the landmarks are known before.
+void know_landmarks(TeamSettings& team, const PointPlace& place, int known) {
+  for (const auto& [identity, point] : place) {
+    if (known >= 0 && static_cast<int>(team.anchors.size()) >= known) return;
+    team.anchors.emplace(identity, point);
+  }
+}
+
+TeamDecisionSettings decision_of(const Scenario& s) {
+  TeamDecisionSettings out;
+  out.decision = s.decision;
+  out.decision.strategy = s.team.steer.law == "active" ? "mutual-information" : "none";
+  out.tick_s = 1 / s.run.rate_hz;
+  if (s.run.sensor == "range-bearing" || s.run.sensor == "bearing")
+    out.max_range_m = s.planar.sensor.max_range_m;
+  return out;
+}
+
+TeamAssembly simulated(const LoadedScenario& loaded) {
+  const Scenario& s = loaded.scenario;
+  const double period_s = 1 / s.run.rate_hz;
+  const auto seed = static_cast<std::uint64_t>(s.run.seed);
+  const PointPlace place = place_of(loaded);
+  TeamSettings team;
+  team.filter = filter_of(s);
+  know_landmarks(team, place, s.team.points.known);
+  std::vector<SimulatedVehicle> vehicles;
+  std::vector<VehicleSteering> steering;
+  for (std::size_t i = 0; i < vehicles_of(s); ++i) {
+    team.members.push_back(member_of(s, i));
+    vehicles.push_back(simulated_vehicle(s, i));
+    steering.push_back(steering_of(loaded, i));
+  }
+  TeamEstimator estimator = estimator_of(loaded, team);
+  TeamController controller = made(loaded, "steer.law", s.team.steer.law,
+                                   [&] { return TeamController(std::move(steering), period_s); });
+  return {{std::make_unique<RoomClock>(s.run.rate_hz, s.run.duration_s),
+           std::make_unique<TeamWorld>(vehicles, seed),
+           std::make_unique<TeamSensor>(vehicles, place, s.team.start.sees_team, seed), std::move(estimator),
+           TeamDecision(team, decision_of(s)), std::move(controller)},
+          {}};
+}
+
+/// Each starts where the motion capture has it when all know how they move.
+TeamSettings recorded_team(const LoadedScenario& loaded, const std::vector<RangeRecording>& robots,
+                           double t) {
+  const Scenario& s = loaded.scenario;
+  TeamSettings team;
+  team.filter = filter_of(s);
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    const auto place = true_place(robots[i], t);
+    if (!place || !place->heading_rad)
+      throw InputError(
+          fmt::format("{}: recording.folder: where robot {} starts is not known: its ground truth is "
+                      "wanted at t = {:.3f} s",
+                      loaded.sources.at("recording.folder"), i + 1, t));
+    Scenario at_start = s;
+    at_start.team.start.positions_m = {{place->position.x(), place->position.y(), 0}};
+    at_start.team.start.headings_rad = {*place->heading_rad};
+    team.members.push_back(member_of(at_start, 0));
+  }
+  return team;
+}
+
+TeamAssembly recorded(const LoadedScenario& loaded) {
+  const Scenario& s = loaded.scenario;
+  const auto robots = std::make_shared<const std::vector<RangeRecording>>(read_mrclam_team(find_data(
+      s.recording.folder, loaded.file, loaded.sources.at("recording.folder") + ": recording.folder")));
+  auto clock = std::make_unique<TeamReplayClock>(robots, s.run.duration_s);
+  TeamReplayClock glance(robots, s.run.duration_s);
+  const Tick first = glance.next();
+  if (!first)
+    throw InputError(fmt::format("{}: run.duration_s = {}: nothing was seen by then",
+                                 loaded.sources.at("run.duration_s"), s.run.duration_s));
+  TeamSettings team = recorded_team(loaded, *robots, first.t);
+  std::vector<std::string> notes;
+  for (const RangeRecording& robot : *robots)
+    notes.insert(notes.end(), robot.notes.begin(), robot.notes.end());
+  return {{std::move(clock), std::make_unique<TeamReplayWorld>(robots),
+           std::make_unique<TeamReplaySensor>(robots, s.team.start.sees_team, s.planar.sensor.max_range_m),
+           estimator_of(loaded, team), TeamDecision(team, {{.strategy = "none"}}), TeamController({}, 1)},
+          std::move(notes)};
+}
+
+}  // namespace
+
+TeamAssembly assemble_team(const LoadedScenario& loaded) {
+  try {
+    return loaded.scenario.run.world == "recording" ? recorded(loaded) : simulated(loaded);
+  } catch (const std::invalid_argument& error) {
+    throw InputError(shown(loaded.file) + ": " + error.what());
+  }
+}
+
+}  // namespace incognita

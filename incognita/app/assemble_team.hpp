@@ -1,0 +1,21 @@
+// From a scenario with vehicles that name what they see, simulated or recorded, to the boxes of the loop.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "incognita/app/loop.hpp"
+#include "incognita/io/load_scenario.hpp"
+
+namespace incognita {
+
+struct TeamAssembly {
+  TeamBoxes boxes;
+  std::vector<std::string> notes;  ///< what was guessed, for printing
+};
+
+/// Throws InputError naming file and key or value: vehicles that can not carry that sensor, laws that can not
+/// steer them, paths that they can not follow.
+TeamAssembly assemble_team(const LoadedScenario& loaded);
+
+}  // namespace incognita

@@ -1,0 +1,23 @@
+// What every snapshot has, whoever estimates.
+#pragma once
+
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "incognita/belief/belief.hpp"
+#include "incognita/record/snapshot.hpp"
+#include "incognita/slam/entropy_values.hpp"
+
+namespace incognita {
+
+using StageTimes = std::vector<std::pair<const char*, double>>;
+
+/// The loop's stages with the estimator's own in its place, each snapshot the same in the same order, zero
+/// where one was not reached; then `frame`: everything that a robot would have to do.
+StageTimes timing_of(const StageTimes& measured, std::span<const char* const> in_estimator,
+                     const StageTimes& loop_ms);
+
+void put_update(Snapshot& snapshot, const UpdateReport& update, const Entropy& entropy);
+
+}  // namespace incognita

@@ -1,0 +1,32 @@
+// From a team's scenario to its models: motions, sensors, noises, laws and paths.
+#pragma once
+
+#include <vector>
+
+#include "incognita/control/team_controller.hpp"
+#include "incognita/io/load_scenario.hpp"
+#include "incognita/slam/team_settings.hpp"
+#include "incognita/world/team_world.hpp"
+
+namespace incognita {
+
+/// How many vehicles a scenario of points has.
+std::size_t vehicles_of(const Scenario& scenario);
+
+AnyMotion motion_of(const Scenario& scenario);
+AnySensor sensor_of(const Scenario& scenario);
+
+/// What the filter believes of vehicle `i`.
+TeamMember member_of(const Scenario& scenario, std::size_t i);
+TeamFilterSettings filter_of(const Scenario& scenario);
+
+/// What vehicle `i` really is.
+SimulatedVehicle simulated_vehicle(const Scenario& scenario, std::size_t i);
+
+/// Which way vehicle `i` is to go, and by which law. Throws InputError where a path's file cannot be used.
+VehicleSteering steering_of(const LoadedScenario& loaded, std::size_t i);
+
+/// The landmarks, drawn or from a table. Throws InputError.
+PointPlace place_of(const LoadedScenario& loaded);
+
+}  // namespace incognita

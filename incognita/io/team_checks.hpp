@@ -1,0 +1,13 @@
+// Whether the settings of a team's scenario fit together.
+#pragma once
+
+#include "incognita/io/scenario_checks.hpp"
+
+namespace incognita {
+
+void check_team(const Scenario& scenario, std::vector<Contradiction>& found);
+
+/// Of the camera alone.
+void check_camera(const Scenario& scenario, std::vector<Contradiction>& found);
+
+}  // namespace incognita

@@ -1,0 +1,110 @@
+// What a scenario sets on a team of vehicles: in a simulated place of points, thesis Appendix B, or as
+// recorded.
+//
+// The vehicles of a scenario are alike: one motion, one sensor, one law; starts and paths are each one's own.
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "incognita/control/settings.hpp"
+
+namespace incognita {
+
+/// Where the vehicles start, what is known of that, and whether they see each other.
+struct TeamStartSettings {
+  std::vector<Eigen::Vector3d> positions_m{{0, 0, 0}};  ///< one for each vehicle; z only of one that flies
+  std::vector<double> headings_rad{0};                  ///< one for each, or one for all
+  double sigma_position_m = 0.01;                       ///< per axis; the true start is drawn around it
+  double sigma_heading_rad = 0.01;                      ///< of a body in space, of each of its three turns
+  bool sees_team = true;
+};
+
+struct TeamFilterChoice {
+  std::string lineariser = "analytic";
+  std::string form = "covariance";  ///< `covariance` or `information`
+  double gate_probability = 1;
+};
+
+/// Landmarks of a simulated place.
+struct PointsSettings {
+  int count = 16;
+  Eigen::Vector3d size_m{30, 30, 2.5};  ///< drawn evenly in +-x/2, +-y/2 about the centre, and 0 to z
+  Eigen::Vector2d centre_m{0, 0};
+  std::string file;  ///< instead, a table: id,x,y,z
+  int known = 0;     ///< so many of them the filter knows; -1: all, a map to find one's place in
+};
+
+/// The true vehicle, where it is other than its filter believes.
+struct PlantChoice {
+  std::string motion = "as-believed";  ///< or `terrain`: a vehicle that believes its ground to be flat
+  double speed_ratio = 1;              ///< true speed for the one told: wheels of another size than believed
+  double turn_ratio = 1;               ///< likewise of turn rate or steering
+  double sigma_speed_m_s = 0.05;
+  double sigma_turn_rate_rad_s = 0.02;
+  double sigma_steering_rad = 0.01;
+  double sigma_acceleration_m_s2 = 0.3;
+  double sigma_angular_acceleration_rad_s2 = 0.3;
+  double sigma_range_m = 0.1;
+  double sigma_range_ratio = 0;
+  double sigma_bearing_rad = 0.0174533;
+  double sigma_pixel_px = 1;
+  double field_of_view_rad = 6.2831853;  ///< of a scanner, about straight ahead
+  int ticks_per_look = 1;                ///< it looks at every so many-th tick
+};
+
+struct TerrainChoice {
+  std::string kind = "waves";  ///< `plane` or `waves`, two across each other
+  double slope_x = 0, slope_y = 0;
+  double amplitude_m = 0.15;
+  double length_m = 6;
+};
+
+struct MountChoice {
+  double forward_m = 0, left_m = 0, up_m = 0.6;
+  double pitch_rad = 0, yaw_rad = 0;
+};
+
+struct StereoChoice {
+  double baseline_m = 0.11;
+  double least_disparity_px = 0.5;
+};
+
+struct SteerChoice {
+  std::string law = "none";  ///< `none`, `tracking`, `lqg`, `feedback-linearisation`, `active`
+  std::vector<double> input{0};
+  std::vector<double> gain_per_s{0.5};
+  double control_point_m = 0.2;
+  double gain_along_per_s = 1, gain_across_per_m2 = 4, gain_heading_per_m = 2;
+  std::vector<double> weight_state{1}, weight_input{1};
+  double max_speed_m_s = 1, max_turn_rate_rad_s = 1, max_steering_rad = 0.6;
+};
+
+struct PathChoice {
+  std::string kind = "point";         ///< `point`, `circle`, `back-and-forth`, `way-points`, `file`
+  Eigen::Vector3d centre_m{0, 0, 0};  ///< the point, or the circle's
+  double heading_rad = 0;             ///< at the point
+  double radius_m = 7;
+  double rate_rad_s = 0.0872665;
+  double phase_rad = 0;
+  double amplitude_rad = 0.261799;
+  std::vector<Eigen::Vector3d> points_m{};
+  double speed_m_s = 0.5;
+  std::string file;
+  std::vector<Eigen::Vector3d> offsets_m{};  ///< of each vehicle's path; none: all follow the same
+};
+
+struct TeamScenario {
+  TeamStartSettings start;
+  TeamFilterChoice filter;
+  PointsSettings points;
+  PlantChoice plant;
+  TerrainChoice terrain;
+  MountChoice mount;
+  StereoChoice stereo;
+  SteerChoice steer;
+  PathChoice path;
+};
+
+}  // namespace incognita

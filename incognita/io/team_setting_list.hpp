@@ -1,0 +1,24 @@
+// The settings of a team's scenario, and which of all settings mean something to a team.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "incognita/io/scenario.hpp"
+#include "incognita/io/setting.hpp"
+
+namespace incognita {
+
+/// Whether many vehicles run in one belief: in a place of points, or as a recording has them.
+bool is_team(const Scenario& scenario);
+
+/// Appends every setting of `team`, which must outlive the list.
+void list_team_settings(std::vector<Setting>& list, TeamScenario& team);
+
+/// Whether a section belongs to teams alone.
+bool is_of_teams(const std::string& section);
+
+/// With which other setting a key means nothing in a team's scenario; empty where it means something.
+std::string why_meaningless_to_team(const std::string& key, const Scenario& scenario);
+
+}  // namespace incognita

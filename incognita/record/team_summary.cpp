@@ -1,0 +1,54 @@
+#include "incognita/record/team_summary.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "incognita/math/quaternion.hpp"
+#include "incognita/record/quantile.hpp"
+
+namespace incognita {
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+double over(double sum, int count) { return count > 0 ? sum / count : unknown; }
+
+}  // namespace
+
+double from_path_m(const SnapshotVehicle& v, bool flies, double forward_m) {
+  if (!v.truth || !v.wanted) return unknown;
+  const Eigen::Vector3d ahead = rotation_matrix<double>(v.truth->orientation).col(0);
+  // On uneven ground the point lies before the axle on the map: the way that it looks, of that length there
+  const double heading = std::atan2(ahead.y(), ahead.x());
+  const Eigen::Vector3d point =
+      v.truth->position + forward_m * Eigen::Vector3d(std::cos(heading), std::sin(heading), 0);
+  const Eigen::Vector3d apart = point - v.wanted->head<3>();
+  return flies ? apart.norm() : apart.head<2>().norm();
+}
+
+void TeamSummary::add(const Snapshot& s) {
+  vehicles_.resize(s.vehicles.size());
+  for (std::size_t i = 0; i < s.vehicles.size(); ++i) {
+    const SnapshotVehicle& v = s.vehicles[i];
+    Sums& sums = vehicles_[i];
+    if (!v.truth) continue;
+    sums.squares += (v.truth->position - v.estimate.position).squaredNorm();
+    ++sums.compared;
+    if (v.nees_per_dof) sums.nees += *v.nees_per_dof, ++sums.nees_count;
+    if (v.wanted) sums.from_path_m.push_back(from_path_m(v, flies_, forward_m_));
+  }
+}
+
+std::vector<TeamSummary::Vehicle> TeamSummary::vehicles() const {
+  std::vector<Vehicle> out;
+  for (const Sums& sums : vehicles_) {
+    const auto& all = sums.from_path_m;
+    const std::vector<double> late(all.begin() + static_cast<std::ptrdiff_t>(all.size() * 2 / 3), all.end());
+    out.push_back({std::sqrt(over(sums.squares, sums.compared)), over(sums.nees, sums.nees_count),
+                   late.empty() ? unknown : quantile(late, 0.5),
+                   late.empty() ? unknown : quantile(late, 0.95)});
+  }
+  return out;
+}
+
+}  // namespace incognita

@@ -1,0 +1,42 @@
+// What summary.json says of each vehicle of a team.
+#pragma once
+
+#include <vector>
+
+#include "incognita/record/snapshot.hpp"
+
+namespace incognita {
+
+/// True distance of the point that is steered, `forward_m` before its vehicle's own, from where it was to be;
+/// NaN where either is not known. A path says nothing of the height of what does not fly.
+double from_path_m(const SnapshotVehicle& vehicle, bool flies, double forward_m);
+
+class TeamSummary {
+ public:
+  struct Vehicle {     ///< NaN where there is nothing to say
+    double ate_m;      ///< rms distance of estimate and truth
+    double mean_nees;  ///< per degree of freedom
+    double from_path_median_m,
+        from_path_p95_m;  ///< true distance from where it was to be, over the last third
+  };
+
+  TeamSummary(bool flies, double steered_forward_m) : flies_(flies), forward_m_(steered_forward_m) {}
+
+  /// Of a snapshot with poses.
+  void add(const Snapshot& snapshot);
+
+  bool empty() const { return vehicles_.empty(); }
+  std::vector<Vehicle> vehicles() const;
+
+ private:
+  struct Sums {
+    double squares = 0, nees = 0;
+    int compared = 0, nees_count = 0;
+    std::vector<double> from_path_m;
+  };
+  bool flies_;
+  double forward_m_;
+  std::vector<Sums> vehicles_;
+};
+
+}  // namespace incognita

@@ -1,0 +1,48 @@
+// What a run directory holds of the vehicles of a team.
+#pragma once
+
+#include <deque>
+#include <string>
+#include <vector>
+
+#include "incognita/record/row_file.hpp"
+#include "incognita/record/run_directory.hpp"
+#include "incognita/record/run_summary.hpp"
+#include "incognita/record/snapshot.hpp"
+
+namespace incognita {
+
+/// - vehicles.csv: a row per tick and vehicle, counted from 1: where it is believed, really is and was to be,
+/// and
+///   what it is asked to do. Headings (rad) are about z from +x, a camera's those of its view.
+/// - estimate-2.tum, truth-2.tum, covariance-2.csv and so on: of the second vehicle on, as estimate.tum,
+/// truth.tum
+///   and covariance.csv are of the first.
+class TeamTables {
+ public:
+  /// Throws RecordError.
+  TeamTables(const RunDirectory& directory, const RunInfo& info);
+
+  void publish(const Snapshot& snapshot);
+  void close();
+
+ private:
+  struct Poses {
+    RowFile estimate, truth, covariance;
+    bool truth_opened = false;
+  };
+  std::string vehicle_row(const Snapshot& snapshot, std::size_t vehicle) const;
+  void write_poses(std::size_t vehicle, const Snapshot& snapshot);
+
+  const RunDirectory& directory_;
+  std::string body_;
+  double steered_forward_m_;
+  std::size_t inputs_;
+  RowFile vehicles_;
+  std::deque<Poses> others_;  ///< from the second vehicle on
+};
+
+/// "estimate-2.tum" of "estimate.tum" for the second vehicle; the first has the plain name.
+std::string name_for_vehicle(const std::string& file, std::size_t vehicle);
+
+}  // namespace incognita

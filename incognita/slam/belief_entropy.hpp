@@ -1,0 +1,14 @@
+// Entropies of a belief: thesis (6.2).
+#pragma once
+
+#include "incognita/belief/belief.hpp"
+#include "incognita/slam/entropy_values.hpp"
+
+namespace incognita {
+
+/// Of its first `vehicle` errors, which are those of what moves, of the rest, and of all. One Cholesky
+/// factorisation of the covariance with the vehicle last gives map and whole together; it grows with the cube
+/// of the map. NaN where the covariance is not positive definite.
+Entropy entropies_of(const Belief& belief, int vehicle);
+
+}  // namespace incognita

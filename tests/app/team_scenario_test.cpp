@@ -1,0 +1,240 @@
+// Scenarios of points: every motion with every sensor and every law, from the words of a scenario to a run,
+// or refused with the reason.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <tuple>
+
+#include "incognita/app/assemble_team.hpp"
+#include "incognita/app/loop.hpp"
+#include "incognita/messages/errors.hpp"
+#include "tests/scratch.hpp"
+
+namespace incognita {
+namespace {
+
+using testing::Scratch;
+
+struct Ran {
+  int ticks = 0;
+  Snapshot last;
+};
+
+Ran run(const LoadedScenario& loaded) {
+  TeamAssembly assembly = assemble_team(loaded);
+  Ran ran;
+  run_loop(assembly.boxes,
+           std::function<void(const Snapshot&)>([&](const Snapshot& s) { ran.last = s, ++ran.ticks; }),
+           std::function<bool(const Tick&)>([](const Tick&) { return true; }));
+  return ran;
+}
+
+LoadedScenario load(const std::string& text, const std::vector<std::string>& sets = {}) {
+  const Scratch scratch;
+  return load_scenario(scratch.write("s.toml", text).string(), sets);
+}
+
+std::string complaint(const std::string& text, const std::vector<std::string>& sets = {}) {
+  try {
+    run(load(text, sets));
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+struct Choice {
+  std::string motion, sensor, law;
+  bool line() const { return motion == "monobot"; }
+  bool plane() const { return motion == "differential-drive" || motion == "ackermann"; }
+  bool body() const { return motion == "free-camera"; }
+  bool camera() const { return sensor == "wide-angle" || sensor == "pinhole" || sensor == "stereo"; }
+
+  /// A line has no bearings and no images, scanners of the plane belong on the plane.
+  bool sees() const {
+    if (line()) return sensor == "range-bearing";
+    return plane() || camera();
+  }
+  /// A car turns only while it moves, a regulator at rest knows no slopes.
+  bool steers() const {
+    if (law == "tracking") return motion != "ackermann";
+    if (law == "lqg") return line() || motion == "differential-drive" || body();
+    return true;
+  }
+};
+
+std::string steer_of(const Choice& c) {
+  const std::string law = "[steer]\nlaw = \"" + c.law + "\"\n";
+  if (c.law == "none") return law + (c.line() || c.body() ? "input = [0.1]\n" : "input = [0.5, 0.1]\n");
+  if (c.law == "active") return law;
+  if (c.line() || c.law == "lqg") return law + "[path]\nkind = \"point\"\ncentre_m = [2, 0.5, 1]\n";
+  if (c.body()) return law + "[path]\nkind = \"back-and-forth\"\ncentre_m = [0, 0, 1]\nradius_m = 1.5\n";
+  return law + "[path]\nkind = \"circle\"\nradius_m = 4\nrate_rad_s = 0.12\n";
+}
+
+std::string text_of(const Choice& c) {
+  const std::string sensor = c.sensor == "wide-angle" || c.sensor == "pinhole" ? "camera" : c.sensor;
+  std::string text = "[run]\nworld = \"points\"\nsensor = \"" + sensor +
+                     "\"\nrate_hz = 20\nduration_s = 3\n[vehicle]\nmodel = \"" + c.motion + "\"\n";
+  if (c.plane()) text += "sensor_forward_m = 0.4\nsensor_left_m = 0\n";
+  if (c.motion == "ackermann") text += "wheelbase_m = 1\nwheel_left_m = 0.3\n";
+  if (c.sensor == "wide-angle") text += "[camera]\nkd1_per_px2 = 9e-6\n";
+  if (c.sensor == "pinhole") text += "[camera]\nmodel = \"pinhole\"\n";
+  text += c.body() ? "[team]\npositions_m = [[-1.5, 0, 1]]\n" : "[team]\npositions_m = [[-2, 0, 0]]\n";
+  return text + "[points]\ncount = 40\nsize_m = [12, 12, 2.5]\nknown = 8\n" + steer_of(c);
+}
+
+using Words = std::tuple<const char*, const char*, const char*>;
+class Blocks : public ::testing::TestWithParam<Words> {};
+
+TEST_P(Blocks, RunOrAreRefusedWithTheReason) {
+  const Choice c{std::get<0>(GetParam()), std::get<1>(GetParam()), std::get<2>(GetParam())};
+  if (!c.sees() || !c.steers()) {
+    const std::string why = complaint(text_of(c));
+    EXPECT_NE(why.find(c.sees() ? "steer.law = " : "run.sensor = "), std::string::npos) << why;
+    EXPECT_GT(why.size(), 60u) << why;
+    return;
+  }
+  const Ran ran = run(load(text_of(c)));
+  EXPECT_EQ(ran.ticks, 60);
+  EXPECT_EQ(ran.last.status.state, TrackingState::tracking) << ran.last.status.reason;
+  ASSERT_EQ(ran.last.vehicles.size(), 1u);
+  const SnapshotVehicle& v = ran.last.vehicles.front();
+  ASSERT_TRUE(v.truth.has_value());
+  EXPECT_LT((v.truth->position - v.estimate.position).norm(), 0.5);
+  EXPECT_EQ(v.wanted.has_value(), c.law != "none");
+  EXPECT_TRUE(std::isfinite(ran.last.entropy.total));
+  EXPECT_EQ(ran.last.advice.actions.empty(), c.law != "active");
+}
+
+std::string name_of(const ::testing::TestParamInfo<Words>& info) {
+  std::string name =
+      std::string(std::get<0>(info.param)) + "_" + std::get<1>(info.param) + "_" + std::get<2>(info.param);
+  for (char& c : name)
+    if (c == '-') c = '_';
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, Blocks,
+    ::testing::Combine(::testing::Values("monobot", "differential-drive", "ackermann", "terrain",
+                                         "free-camera"),
+                       ::testing::Values("range-bearing", "bearing", "wide-angle", "pinhole", "stereo"),
+                       ::testing::Values("none", "tracking", "lqg", "feedback-linearisation", "active")),
+    name_of);
+
+const std::string drive = text_of({"differential-drive", "range-bearing", "feedback-linearisation"});
+
+TEST(TeamScenario, RefusesAtStartWithTheReason) {
+  const auto refused = [&](const std::vector<std::string>& sets, const char* key, const char* because) {
+    const std::string why = complaint(drive, sets);
+    EXPECT_NE(why.find(key), std::string::npos) << key << ": " << why;
+    EXPECT_NE(why.find(because), std::string::npos) << key << ": " << why;
+  };
+  refused({"vehicle.sensor_forward_m=0"}, "steer.law", "axle");
+  refused({"steer.gain_per_s=[40]"}, "steer.law", "gain");
+  refused({"steer.gain_per_s=[-1]"}, "steer.law", "gain");
+  refused({"steer.gain_per_s=[1, 1, 1]"}, "steer.gain_per_s", "1 number or 2");
+  refused({"path.rate_rad_s=0"}, "path.rate_rad_s", "must not be 0");
+  refused({"path.rate_rad_s=3"}, "steer.law", "m/s");
+  refused({"team.positions_m=[]"}, "team.positions_m", "one for each vehicle");
+  refused({"team.headings_rad=[0, 1]"}, "team.headings_rad", "one for each vehicle");
+  refused({"path.offsets_m=[[0, 0, 0], [1, 1, 0]]"}, "path.offsets_m", "one for each vehicle");
+  refused({"team_filter.lineariser=linear"}, "team_filter.lineariser", "nearest");
+  refused({"plant.motion=terrain"}, "plant.motion", "axle");
+  refused({"run.rate_hz=10000", "run.duration_s=1e7"}, "run.duration_s", "ticks");
+  refused({"points.file=nowhere.csv"}, "points.count", "means nothing with points.file");
+}
+
+TEST(TeamScenario, RefusesGainsAndInputsOfTheWrongLength) {
+  const std::string held = text_of({"differential-drive", "range-bearing", "none"}),
+                    lqg = text_of({"differential-drive", "range-bearing", "lqg"});
+  EXPECT_NE(complaint(held, {"steer.input=[1, 2, 3]"}).find("steer.input"), std::string::npos);
+  EXPECT_NE(complaint(lqg, {"steer.weight_input=[1, 2, 3]"}).find("1 number or 2"), std::string::npos);
+  EXPECT_NE(complaint(lqg, {"steer.weight_state=[]"}).find("steer.weight_state"), std::string::npos);
+  EXPECT_NE(complaint(lqg, {"steer.weight_input=[-1]"}).find("steer.law"), std::string::npos);
+}
+
+TEST(TeamScenario, RefusesWhatItWouldIgnore) {
+  const auto ignored = [&](const std::string& set, const char* with) {
+    const std::string why = complaint(drive, {set});
+    EXPECT_NE(why.find("means nothing with"), std::string::npos) << set << ": " << why;
+    EXPECT_NE(why.find(with), std::string::npos) << set << ": " << why;
+  };
+  ignored("vehicle.wheelbase_m=2", "vehicle.model");
+  ignored("camera.fu_px=200", "run.sensor");
+  ignored("room.boxes=3", "run.world");
+  ignored("search.gate_sigmas=2", "run.world");
+  ignored("steer.weight_state=[1]", "steer.law");
+  ignored("steer.max_steering_rad=0.5", "vehicle.model");
+  ignored("path.speed_m_s=1", "path.kind");
+  ignored("terrain.length_m=3", "vehicle.model");
+  ignored("stereo.baseline_m=0.2", "run.sensor");
+  ignored("decision.step_m=0.2", "steer.law");
+  ignored("association.method=known", "run.world");
+  ignored("control.gain_velocity_per_s=1", "vehicle.model");
+  ignored("plant.sigma_pixel_px=1", "run.sensor");
+}
+
+TEST(TeamScenario, SettingsOfTeamsMeanNothingToOthers) {
+  const std::string why =
+      complaint("[run]\nworld = \"room\"\n[start]\nfrom = \"free\"\n[steer]\nlaw = \"lqg\"\n");
+  EXPECT_NE(why.find("means nothing with run.world = `room`"), std::string::npos) << why;
+  const std::string sensor =
+      complaint("[run]\nworld = \"room\"\nsensor = \"stereo\"\n[start]\nfrom = \"free\"\n");
+  EXPECT_NE(sensor.find("run.world = `points`"), std::string::npos) << sensor;
+}
+
+TEST(TeamScenario, ReadsPlacesAndPathsFromTables) {
+  const Scratch scratch;
+  scratch.write("points.csv", "id,x,y\n7,3,1\n9,-2,4\n");
+  scratch.write("path.csv", "t,x,y\n0,-2,0\n2,-1,0\n4,0,0.5\n");
+  std::string text = drive.substr(0, drive.find("[points]"));
+  text +=
+      "[points]\nfile = \"points.csv\"\nknown = -1\n[steer]\nlaw = \"feedback-linearisation\"\n[path]\nkind "
+      "= "
+      "\"file\"\nfile = \"path.csv\"\n";
+  const Ran ran = run(load_scenario(scratch.write("s.toml", text).string(), {}));
+  ASSERT_EQ(ran.last.looks.size(), 2u);
+  EXPECT_EQ(ran.last.looks[0].id, 7);
+  EXPECT_TRUE(ran.last.looks[0].anchor);
+  EXPECT_LT((ran.last.vehicles[0].truth->position.head<2>() - ran.last.vehicles[0].wanted->head<2>()).norm(),
+            0.4);
+  scratch.write("points.csv", "id,x,y\n7,3,1\n7,-2,4\n");
+  try {
+    run(load_scenario((scratch.folder() / "s.toml").string(), {}));
+    FAIL() << "an id twice";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("points.csv:3: landmark 7 is there twice"), std::string::npos)
+        << error.what();
+  }
+}
+
+TEST(TeamScenario, APlantMayBeOtherThanItsFilterBelieves) {
+  const auto error_with = [&](const std::vector<std::string>& sets) {
+    const Ran ran = run(load(drive, sets));
+    return (ran.last.vehicles[0].truth->position - ran.last.vehicles[0].estimate.position).norm();
+  };
+  const std::vector<std::string> blind = {"points.count=0", "points.known=0", "plant.sigma_speed_m_s=0",
+                                          "plant.sigma_turn_rate_rad_s=0"};
+  std::vector<std::string> other = blind;
+  other.push_back("plant.speed_ratio=1.2");
+  EXPECT_LT(error_with(blind), 0.05);
+  EXPECT_GT(error_with(other), 0.2);
+}
+
+TEST(TeamScenario, LooksMayBeRarerThanTicks) {
+  TeamAssembly assembly = assemble_team(load(drive, {"plant.ticks_per_look=5"}));
+  int looked = 0, ticks = 0;
+  run_loop(assembly.boxes, std::function<void(const Snapshot&)>([&](const Snapshot& s) {
+             looked += !s.looks.empty();
+             ++ticks;
+           }),
+           std::function<bool(const Tick&)>([](const Tick&) { return true; }));
+  EXPECT_EQ(ticks, 60);
+  EXPECT_EQ(looked, 12);
+}
+
+}  // namespace
+}  // namespace incognita

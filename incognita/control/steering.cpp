@@ -17,6 +17,10 @@
 namespace incognita {
 namespace {
 
+SmallVector within(const SmallVector& input, const SmallVector& most) {
+  return input.cwiseMax(-most).cwiseMin(most);
+}
+
 PlanarLimits planar_limits(const SteeringSettings& s) { return {s.most_input[0], s.most_input[1]}; }
 
 /// A vehicle on the axle's middle, seen from a point before it.
@@ -97,7 +101,9 @@ struct CarSteering final : Steering {
              period,
              {settings.most_input[0], settings.most_input[1]}}) {}
   SmallVector act(const SmallVector& x, double t) const override {
-    return wheel_input(car, law.act(planar::Pose<double>(x), at(s.path, t)));
+    // The limit is that of the wheel, which on the outside of a turn is faster than the axle; slower, the car
+    // still goes along the same arc
+    return within(wheel_input(car, law.act(planar::Pose<double>(x), at(s.path, t))), s.most_input);
   }
 };
 
@@ -121,8 +127,10 @@ struct BodyLinearisation final : Steering {
     const Reference r = at(s.path, t);
     // Turning left about z is turning about -y of a camera that is level
     const Eigen::Vector3d rate(0, -r.heading_rate, 0);
-    return track_reference(x, r.position, r.velocity, r.acceleration, level_gaze(r.heading), rate, s.camera)
-        .as_input();
+    return within(
+        track_reference(x, r.position, r.velocity, r.acceleration, level_gaze(r.heading), rate, s.camera)
+            .as_input(),
+        s.most_input);
   }
 };
 
@@ -146,8 +154,7 @@ struct BodyRegulation final : Steering {
   SmallVector act(const SmallVector& x, double) const override {
     SmallVector error(FreeCameraMotion::error_size);
     FreeCameraMotion::chart.minus({x.data(), 13}, {goal.data(), 13}, {error.data(), 12});
-    const SmallVector u = -L * error;
-    return u.cwiseMin(most).cwiseMax(-most);
+    return within(-L * error, most);
   }
 };
 

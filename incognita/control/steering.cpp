@@ -126,11 +126,11 @@ struct BodyLinearisation final : Steering {
   SmallVector act(const SmallVector& x, double t) const override {
     const Reference r = at(s.path, t);
     // Turning left about z is turning about -y of a camera that is level
-    const Eigen::Vector3d rate(0, -r.heading_rate, 0);
-    return within(
-        track_reference(x, r.position, r.velocity, r.acceleration, level_gaze(r.heading), rate, s.camera)
-            .as_input(),
-        s.most_input);
+    const Eigen::Vector3d rate(0, -r.heading_rate, 0), faster(0, -r.heading_acceleration, 0);
+    return within(track_reference(x, r.position, r.velocity, r.acceleration, level_gaze(r.heading), rate,
+                                  s.camera, faster)
+                      .as_input(),
+                  s.most_input);
   }
 };
 

@@ -1,4 +1,5 @@
-// Makes a body that moves freely in space follow a reference by feedback linearisation: thesis (5.29), corrected.
+// Makes a body that moves freely in space follow a reference by feedback linearisation: thesis (5.29),
+// corrected.
 //
 //   f = a* - K_v (v - v*) - K_p (p - p*),    alpha = alpha* - K_w (w - w*) + K_r e
 //
@@ -12,10 +13,12 @@
 
 namespace incognita {
 
-/// (5.29) for one state and one reference; accelerations are cut off at what the body can do.
+/// (5.29) for one state and one reference; accelerations are cut off at what the body can do. `gaze_rate`,
+/// `gaze_acceleration` (alpha*): camera axes.
 Command track_reference(const CameraState& estimate, const Eigen::Vector3d& position,
                         const Eigen::Vector3d& velocity, const Eigen::Vector3d& acceleration,
                         const Eigen::Vector4d& gaze, const Eigen::Vector3d& gaze_rate,
-                        const ControlSettings& settings);
+                        const ControlSettings& settings,
+                        const Eigen::Vector3d& gaze_acceleration = Eigen::Vector3d::Zero());
 
 }  // namespace incognita

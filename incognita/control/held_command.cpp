@@ -48,4 +48,14 @@ std::optional<std::string> gain_refusal(const Eigen::MatrixXd& K, double hold_s,
                " 1/s");
 }
 
+std::optional<std::string> acceleration_gain_refusal(double by_error, double by_rate, double hold_s) {
+  if (!(by_error > 0 && by_rate > 0) || !std::isfinite(by_error) || !std::isfinite(by_rate))
+    return words("the gains ", by_error, " 1/s^2 on the error and ", by_rate,
+                 " 1/s on its rate must both be positive and finite");
+  if (by_error * hold_s / 2 < by_rate && by_rate < 2 / hold_s) return std::nullopt;
+  return words("the gains ", by_error, " 1/s^2 on the error and ", by_rate,
+               " 1/s on its rate do not settle while commands are held for ", hold_s,
+               " s: the second must be more than ", by_error * hold_s / 2, " and less than ", 2 / hold_s);
+}
+
 }  // namespace incognita

@@ -1,4 +1,4 @@
-// Which gains bring a planar vehicle nearer although its command is held for a while.
+// Which gains bring a vehicle nearer although its command is held for a while.
 //
 // Feedback linearisation makes the control point a single integrator, whose error under w = -K e, sampled
 // with period dt, obeys e+ = (I - K dt) e: every eigenvalue of K needs |1 - lambda dt| < 1, and psd, as the
@@ -17,6 +17,10 @@
 // limit that shrinks the whole command only lessens K, so that the worst a decides and the distance to a
 // still goal falls at every command, from everywhere. Without such a limit no gain does: w = k e_left / l
 // grows with the error, which is how K dt = 1.5 diverged for l = 0.1 m.
+//
+// What is moved by its acceleration, u = -k_p e - k_v e', is a double integrator. With u held over dt the
+// characteristic polynomial is z^2 + (k_p dt^2/2 + k_v dt - 2) z + 1 + k_p dt^2/2 - k_v dt, whose roots are
+// inside the unit circle (Jury) if and only if 0 < k_p dt/2 < k_v < 2/dt.
 #pragma once
 
 #include <Eigen/Core>
@@ -33,5 +37,9 @@ double gain_bound_per_s(double max_turn_rate_rad_s, double hold_s);
 /// its size, not symmetric and positive definite, too large for a sampled integrator, too large for the
 /// vehicle.
 std::optional<std::string> gain_refusal(const Eigen::MatrixXd& K, double hold_s, double max_turn_rate_rad_s);
+
+/// Why these gains on an error (1/s^2) and its rate (1/s) are refused for accelerations that are held for
+/// `hold_s`: not positive and finite, or the sampled double integrator does not settle.
+std::optional<std::string> acceleration_gain_refusal(double by_error, double by_rate, double hold_s);
 
 }  // namespace incognita

@@ -53,7 +53,47 @@ PathSpeed fastest(const SampledPath& path) {
   return -negative > best.m_s ? PathSpeed{-negative, t} : best;
 }
 
+PathAcceleration strongest(const PointPath&) { return {}; }
+
+PathAcceleration strongest(const CirclePath& path) {
+  return {path.radius_m * path.rate_rad_s * path.rate_rad_s, 0};
+}
+
+/// It repeats every pi seconds but for a turn, so that in time the largest points along an axis.
+PathAcceleration strongest(const BackAndForthPath& path) {
+  constexpr int slices = 1000;
+  PathAcceleration most;
+  for (int i = 0; i <= slices; ++i) {
+    const Reference r = at(Path(path), std::numbers::pi * i / slices);
+    most.m_s2 = std::max(most.m_s2, r.acceleration.norm());
+    most.rad_s2 = std::max(most.rad_s2, std::abs(r.heading_acceleration));
+  }
+  return most;
+}
+
+/// Of a minimum-jerk way s in T it is 10/sqrt(3) s/T^2, with T = 15/8 s/speed.
+PathAcceleration strongest(const WayPointPath& path) {
+  PathAcceleration most;
+  for (std::size_t leg = 0; leg + 1 < path.points.size(); ++leg) {
+    const Eigen::Vector3d way = path.points[leg + 1] - path.points[leg];
+    if (!(way.norm() > 0)) continue;
+    const double T = 15.0 / 8 * way.norm() / path.speed_m_s;
+    most.m_s2 = std::max(most.m_s2, 10 / std::sqrt(3.0) * way.cwiseAbs().maxCoeff() / (T * T));
+  }
+  return most;
+}
+
+/// Between samples the acceleration of a cubic spline is straight.
+PathAcceleration strongest(const SampledPath& path) {
+  return {path.spline.bending.topRows<3>().cwiseAbs().maxCoeff(),
+          path.spline.bending.row(3).cwiseAbs().maxCoeff()};
+}
+
 }  // namespace
+
+PathAcceleration greatest_acceleration(const Path& path) {
+  return std::visit([](const auto& p) { return strongest(p); }, path);
+}
 
 PathSpeed greatest_speed(const Path& path) {
   return std::visit([](const auto& p) { return fastest(p); }, path);

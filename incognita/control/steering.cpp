@@ -9,13 +9,15 @@
 #include "incognita/control/car_linearisation.hpp"
 #include "incognita/control/feedback_linearisation.hpp"
 #include "incognita/control/lqg_regulator.hpp"
-#include "incognita/control/path_speed.hpp"
 #include "incognita/control/planar_tracking.hpp"
+#include "incognita/control/steering_fault.hpp"
 #include "incognita/control/track_reference.hpp"
 #include "incognita/models/heading.hpp"
 
 namespace incognita {
 namespace {
+
+[[noreturn]] void refuse(const std::string& why) { throw std::invalid_argument(why); }
 
 SmallVector within(const SmallVector& input, const SmallVector& most) {
   return input.cwiseMax(-most).cwiseMin(most);
@@ -32,6 +34,19 @@ planar::Pose<double> axle_of(const planar::Pose<double>& point, const Differenti
   const double c = std::cos(point[2]), s = std::sin(point[2]);
   return {point[0] - body.forward_m * c + body.left_m * s, point[1] - body.forward_m * s - body.left_m * c,
           point[2]};
+}
+
+struct LinearPlant {
+  Eigen::MatrixXd F, G;
+};
+
+/// L of (5.2) with the weights times the identity.
+Eigen::MatrixXd gain_of(const LinearPlant& plant, const SteeringSettings& s) {
+  const auto n = plant.F.rows(), m = plant.G.cols();
+  const SteadyGain gain = steady_gain(plant.F, plant.G, s.weight_state * Eigen::MatrixXd::Identity(n, n),
+                                      s.weight_input * Eigen::MatrixXd::Identity(m, m));
+  if (gain.outcome != RegulatorOutcome::converged) refuse(gain.reason);
+  return gain.L;
 }
 
 struct Held final : Steering {
@@ -51,16 +66,16 @@ struct LineTracking final : Steering {
   }
 };
 
+/// (5.2) of a line, on which every place is held by standing still.
 struct LineRegulation final : Steering {
   SteeringSettings s;
-  double period_s;
-  LineRegulation(const SteeringSettings& settings, double period) : s(settings), period_s(period) {}
+  double L;
+  LineRegulation(const SteeringSettings& settings, double period)
+      : s(settings),
+        L(gain_of({Eigen::MatrixXd::Identity(1, 1), period * Eigen::MatrixXd::Identity(1, 1)}, settings)(0)) {
+  }
   SmallVector act(const SmallVector& x, double t) const override {
-    const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(1, 1);
-    const Regulation r =
-        regulate(one, period_s * one, x, Eigen::VectorXd::Constant(1, at(s.path, t).position.x()),
-                 {s.weight_state * one, s.weight_input * one}, s.most_input);
-    return r.u;
+    return within(SmallVector::Constant(1, -L * (x[0] - at(s.path, t).position.x())), s.most_input);
   }
 };
 
@@ -134,8 +149,6 @@ struct BodyLinearisation final : Steering {
   }
 };
 
-[[noreturn]] void refuse(const std::string& why) { throw std::invalid_argument(why); }
-
 /// (5.2) about a pose at rest: errors in the chart of the state, F and G of the motion there.
 struct BodyRegulation final : Steering {
   FreeCameraMotion::State<double> goal;
@@ -144,12 +157,8 @@ struct BodyRegulation final : Steering {
   BodyRegulation(const SteeringSettings& s, double period) : most(s.most_input) {
     const Reference r = at(s.path, 0);
     goal << r.position, level_gaze(r.heading), Eigen::Matrix<double, 6, 1>::Zero();
-    constexpr int n = FreeCameraMotion::error_size, m = FreeCameraMotion::input_size;
     const auto step = FreeCameraMotion().step(goal, FreeCameraMotion::Input<double>::Zero(), period);
-    const SteadyGain gain = steady_gain(step.F, step.G, s.weight_state * Eigen::MatrixXd::Identity(n, n),
-                                        s.weight_input * Eigen::MatrixXd::Identity(m, m));
-    if (gain.outcome != RegulatorOutcome::converged) refuse(std::string(sentence(gain.outcome)));
-    L = gain.L;
+    L = gain_of({step.F, step.G}, s);
   }
   SmallVector act(const SmallVector& x, double) const override {
     SmallVector error(FreeCameraMotion::error_size);
@@ -158,66 +167,30 @@ struct BodyRegulation final : Steering {
   }
 };
 
-void need_steady_goal(const SteeringSettings& s) {
-  if (!std::holds_alternative<PointPath>(s.path))
-    refuse(
-        "an LQG regulator drives to a point: take `feedback-linearisation` or `tracking` for a path in time");
-}
-
-void need_reachable(const SteeringSettings& s, double max_speed_m_s) {
-  if (const auto why = unreachable(s.path, max_speed_m_s)) refuse(*why);
-}
-
-std::unique_ptr<Steering> on_plane(const DifferentialDrive& body, const SteeringSettings& s, double period) {
-  if (s.law == "feedback-linearisation") {
-    need_reachable(s, s.most_input[0]);
-    return std::make_unique<DriveLinearisation>(s, body, period, false);
-  }
-  if (s.law == "lqg") {
-    need_steady_goal(s);
-    return std::make_unique<DriveRegulation>(s, body, period);
-  }
-  if (std::holds_alternative<PointPath>(s.path))
-    refuse("tracking follows a reference that moves: take `feedback-linearisation` or `lqg` for a point");
-  need_reachable(s, s.most_input[0]);
-  return std::make_unique<PlanarTracking>(s, body);
-}
-
 struct Maker {
   const SteeringSettings& s;
   double period;
 
+  bool is(const char* law) const { return s.law == law; }
+
   std::unique_ptr<Steering> operator()(const MonobotMotion&) const {
-    if (s.law == "lqg") {
-      need_steady_goal(s);
-      return std::make_unique<LineRegulation>(s, period);
-    }
-    need_reachable(s, s.most_input[0]);
-    if (!(s.gain_per_s > 0) || !(s.gain_per_s * period < 2))
-      refuse("the gain of a vehicle on a line must be more than 0, and times the period less than 2");
+    if (is("lqg")) return std::make_unique<LineRegulation>(s, period);
     return std::make_unique<LineTracking>(s);
   }
   std::unique_ptr<Steering> operator()(const DifferentialDrive& body) const {
-    return on_plane(body, s, period);
+    if (is("lqg")) return std::make_unique<DriveRegulation>(s, body, period);
+    if (is("tracking")) return std::make_unique<PlanarTracking>(s, body);
+    return std::make_unique<DriveLinearisation>(s, body, period, false);
   }
   std::unique_ptr<Steering> operator()(const AckermannCar& car) const {
-    if (s.law != "feedback-linearisation")
-      refuse("a car is steered by `feedback-linearisation`: it turns only while it moves");
-    need_reachable(s, s.most_input[0]);
     return std::make_unique<CarSteering>(s, car, period);
   }
   std::unique_ptr<Steering> operator()(const TerrainVehicle&) const {
-    if (s.law == "lqg")
-      refuse("a regulator at rest does not know the slopes: take `feedback-linearisation` or `tracking`");
-    if (s.law == "tracking") return on_plane({0, 0}, s, period);
-    need_reachable(s, s.most_input[0]);
+    if (is("tracking")) return std::make_unique<PlanarTracking>(s, DifferentialDrive{0, 0});
     return std::make_unique<DriveLinearisation>(s, DifferentialDrive{s.control_point_m, 0}, period, true);
   }
   std::unique_ptr<Steering> operator()(const FreeCameraMotion&) const {
-    if (s.law == "lqg") {
-      need_steady_goal(s);
-      return std::make_unique<BodyRegulation>(s, period);
-    }
+    if (is("lqg")) return std::make_unique<BodyRegulation>(s, period);
     return std::make_unique<BodyLinearisation>(s);
   }
 };
@@ -225,17 +198,9 @@ struct Maker {
 }  // namespace
 
 std::unique_ptr<Steering> make_steering(const AnyMotion& motion, const SteeringSettings& s, double period_s) {
-  const int inputs = inputs_of(motion);
-  if (s.law == "none") {
-    if (s.input.size() != inputs)
-      refuse("the input that is held needs " + std::to_string(inputs) + " numbers, and has " +
-             std::to_string(s.input.size()));
-    return std::make_unique<Held>(s.input);
-  }
-  if (s.most_input.size() != inputs)
-    refuse("the limits of what a vehicle can do need " + std::to_string(inputs) + " numbers, and have " +
-           std::to_string(s.most_input.size()));
-  check(s.path);
+  const std::string fault = fault_in(motion, s, period_s);
+  if (!fault.empty()) refuse(fault);
+  if (s.law == "none") return std::make_unique<Held>(s.input);
   return std::visit(Maker{s, period_s}, motion);
 }
 

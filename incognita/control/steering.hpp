@@ -22,8 +22,8 @@ struct SteeringSettings {
   double gain_heading_per_m = 2;  ///< on the sine of the heading's error (K_theta)
   double weight_state = 1;        ///< `lqg`: Q_1 of (5.1), this times the identity
   double weight_input = 1;        ///< Q_2
-  ControlSettings camera;         ///< of a body that moves freely in space: (5.29), and its limits
-  SmallVector most_input;         ///< what the body can do, either way
+  ControlSettings camera;  ///< of a body that moves freely in space: (5.29), and limits beside those below
+  SmallVector most_input;  ///< what the body can do, either way
 };
 
 /// One vehicle's law. `period_s`: how long a command is held.
@@ -35,8 +35,8 @@ class Steering {
 };
 
 /// Throws std::invalid_argument with the reason where the law cannot steer that motion along that path: gains
-/// that do not converge with commands held, a control point on the axle, a path that is faster than the
-/// vehicle.
+/// that do not converge with commands held, a control point on the axle, a path that is faster or bends more
+/// than the vehicle, sizes that do not fit and numbers that cannot be. No command is beyond `most_input`.
 std::unique_ptr<Steering> make_steering(const AnyMotion& motion, const SteeringSettings& settings,
                                         double period_s);
 

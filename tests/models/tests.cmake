@@ -3,5 +3,6 @@ incognita_test(
   SOURCES models/camera_laws_test.cpp models/motion_laws_test.cpp models/planar_look_laws_test.cpp
           models/landmark_laws_test.cpp models/free_camera_test.cpp models/planar_frame_test.cpp
           models/planar_vehicle_test.cpp models/range_bearing_test.cpp models/bearing_test.cpp
-          models/stereo_camera_test.cpp models/terrain_test.cpp models/terrain_vehicle_test.cpp models/mount_test.cpp
+          models/stereo_camera_test.cpp models/terrain_test.cpp models/terrain_vehicle_test.cpp models/mount_test.cpp models/any_sensor_test.cpp
+          models/any_sensor_birth_test.cpp
   USES incognita::models)

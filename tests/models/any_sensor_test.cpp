@@ -1,0 +1,160 @@
+// Any sensor on any vehicle that it fits: what it tells is where the point is, its Jacobians are those of
+// differences through the charts, and what does not fit says why.
+#include "incognita/models/any_sensor.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "tests/models/sensor_cases.hpp"
+
+namespace incognita {
+namespace {
+
+using namespace sensor_cases;
+
+TEST(AnySensor, TellsWhereThePointIs) {
+  for_every_case([](const Case& c) {
+    if (c.point.size() == 0) return;
+    const auto look = c.look();
+    ASSERT_TRUE(look) << c.name();
+    SmallVector wanted;
+    if (c.point.size() == 1) {
+      wanted = vec({c.point[0] - c.vehicle[0]});
+    } else if (c.point.size() == 2) {
+      const Eigen::Vector2d way = c.point - c.vehicle.head(2);
+      const double bearing = std::atan2(way.y(), way.x()) - c.vehicle[2];
+      wanted = std::holds_alternative<LaserScanner>(c.sensor) ? vec({way.norm(), bearing}) : vec({bearing});
+      EXPECT_LE(std::abs(look->z[look->z.size() - 1]), pi);
+    } else {
+      const Eigen::Vector3d seen = lens_on(c.motion, c.vehicle).in_camera(c.point);
+      wanted = lens_of(c.sensor)->project(seen)->pixel;
+      bool in_view = lens_of(c.sensor)->contains(wanted);
+      if (const auto* two = std::get_if<CarriedStereo>(&c.sensor)) {
+        const Eigen::Vector2d other =
+            lens_of(c.sensor)->project(seen - two->stereo.baseline_m * Eigen::Vector3d::UnitX())->pixel;
+        wanted = vec({wanted[0], wanted[1], other.x()});
+        in_view = in_view && lens_of(c.sensor)->contains(other);
+      }
+      EXPECT_EQ(look->in_view, in_view) << c.name();
+    }
+    EXPECT_LE(minus(chart_of(c.sensor), look->z, wanted).norm(), 1e-9 * (1 + wanted.norm())) << c.name();
+  });
+}
+
+TEST(AnySensor, LooksHaveTheJacobiansOfDifferences) {
+  for_every_case([](const Case& c) {
+    const auto look = c.look();
+    ASSERT_TRUE(look) << c.name();
+    const Chart& chart = chart_of(c.sensor);
+    const double step = 3e-4 * c.away_m;
+    expect_jacobian(
+        look->Hv,
+        differences(
+            chart_of(c.motion), c.vehicle, chart,
+            [&](const SmallVector& x) { return look_at(c.sensor, c.motion, x, c.form, c.landmark)->z; },
+            step),
+        "Hv, " + c.name());
+    expect_jacobian(
+        look->Hl,
+        differences(
+            c.chart, c.landmark, chart,
+            [&](const SmallVector& y) { return look_at(c.sensor, c.motion, c.vehicle, c.form, y)->z; }, step),
+        "Hl, " + c.name());
+  });
+}
+TEST(AnySensor, TellsNothingOfWhatItCannotSee) {
+  for (const AnyMotion& motion : motions())
+    for (const AnySensor& sensor : sensors()) {
+      if (!misfit(motion, sensor).empty() || dimensions_of(sensor) == 1) continue;
+      for (const SmallVector& x : states(motion)) {
+        if (dimensions_of(sensor) == 2) {
+          EXPECT_FALSE(look_at(sensor, motion, x, {}, x.head(2))) << "where the sensor is";
+          continue;
+        }
+        const Lens lens = lens_on(motion, x);
+        for (const Eigen::Vector3d& c :
+             {Eigen::Vector3d(0, 0, -1), Eigen::Vector3d(0.3, 0.2, -5), Eigen::Vector3d(0, 0, 0)})
+          EXPECT_FALSE(look_at(sensor, motion, x, {}, lens.in_world(c))) << "behind the lens";
+      }
+    }
+}
+
+TEST(AnySensor, PositionsHaveTheJacobiansOfDifferences) {
+  for (const AnyMotion& motion : motions())
+    for (const SmallVector& x : states(motion)) {
+      const AnyPoint at = position_of(motion, x);
+      const int size = static_cast<int>(at.position.size());
+      EXPECT_EQ(at.position, SmallVector(pose_of(motion, x).position.head(size)));
+      expect_jacobian(at.J,
+                      differences(
+                          chart_of(motion), x, Chart::line(size),
+                          [&](const SmallVector& y) { return position_of(motion, y).position; }, 3e-4),
+                      "a vehicle's position");
+    }
+  for_every_case([](const Case& c) {
+    const auto at = position_of(c.form, c.landmark);
+    ASSERT_EQ(at.has_value(),
+              c.form.kind == LandmarkForm::Kind::point || c.landmark[c.landmark.size() - 1] > 0);
+    if (c.point.size() == 0) return;
+    EXPECT_LE((at->position - c.point).norm(), 1e-12 * (1 + c.point.norm())) << c.name();
+    const bool point = c.form.kind == LandmarkForm::Kind::point;
+    const double step = point ? 1e-3 : 1e-3 * std::min(1.0, c.landmark[c.landmark.size() - 1]);
+    expect_jacobian(at->J,
+                    differences(
+                        c.chart, c.landmark, Chart::line(static_cast<int>(c.point.size())),
+                        [&](const SmallVector& y) { return position_of(c.form, y)->position; }, step),
+                    "a landmark's position, " + c.name());
+  });
+}
+
+TEST(AnySensor, LinearityIndexIsFourSpreadsOverTheDistanceTimesTheCosineOfTheParallax) {
+  const LandmarkForm far{LandmarkForm::Kind::inverse_depth, {1, 0, 0, 0}};
+  const double sigma = 0.01, d = 4, spread_m = sigma * d * d;  // of the distance
+  const SmallVector on_plane = vec({1, 2, 0, 1 / d}),
+                    in_space = vec({1, 2, 3, 0, 0, 1 / d});  // along +x, along +z
+  const auto index = [&](const SmallVector& y, const SmallVector& from) {
+    return linearity_index(far, y, sigma * sigma, from);
+  };
+  EXPECT_EQ(linearity_index({}, vec({1, 2}), sigma * sigma, vec({0, 0})), 0) << "a point is one";
+  EXPECT_NEAR(index(on_plane, vec({1, 2})), 4 * spread_m / d, 1e-12) << "from where it was born";
+  EXPECT_NEAR(index(in_space, vec({1, 2, 3})), 4 * spread_m / d, 1e-12);
+  EXPECT_NEAR(index(on_plane, vec({1 + d, 7})), 0, 1e-12) << "at a right angle its distance is seen";
+  EXPECT_NEAR(index(in_space, vec({1, 9, 3 + d})), 0, 1e-12);
+  const double c = std::cos(1.0), s = std::sin(1.0);  // 2 m away, under a parallax of 1 rad
+  EXPECT_NEAR(index(on_plane, vec({1 + d - 2 * c, 2 + 2 * s})), 4 * spread_m / 2 * c, 1e-12);
+  EXPECT_NEAR(index(in_space, vec({1, 2 + 2 * s, 3 + d - 2 * c})), 4 * spread_m / 2 * c, 1e-12);
+  for (const double inverse : {0.0, -0.1}) {
+    EXPECT_GT(index(vec({1, 2, 0, inverse}), vec({0, 0})), 1e6) << "infinity is no point";
+    EXPECT_GT(index(vec({1, 2, 3, 0, 0, inverse}), vec({0, 0, 0})), 1e6);
+  }
+}
+
+TEST(AnySensor, WhatDoesNotFitSaysWhy) {
+  const auto sensor_list = sensors();
+  for (const AnyMotion& motion : motions())
+    for (const AnySensor& sensor : sensor_list) {
+      const bool line = std::holds_alternative<MonobotMotion>(motion);
+      const bool plane =
+          std::holds_alternative<DifferentialDrive>(motion) || std::holds_alternative<AckermannCar>(motion);
+      const int dimensions = dimensions_of(sensor);
+      const bool fits = line ? dimensions == 1 : dimensions == 3 || (plane && dimensions == 2);
+      const std::string why = misfit(motion, sensor);
+      EXPECT_EQ(why.empty(), fits) << motion.index() << " " << sensor.index() << ": " << why;
+      if (!fits) {
+        EXPECT_GT(why.size(), 40u) << "a reason, in words";
+      }
+    }
+  const auto says = [](const AnyMotion& motion, const AnySensor& sensor, const char* part) {
+    EXPECT_NE(misfit(motion, sensor).find(part), std::string::npos) << misfit(motion, sensor);
+  };
+  says(MonobotMotion{}, DirectionFinder{}, "a bearing says nothing there");
+  says(DifferentialDrive{}, LineScanner{}, "belongs to a vehicle on a line");
+  says(FreeCameraMotion{}, LineScanner{}, "belongs to a vehicle on a line");
+  says(FreeCameraMotion{}, LaserScanner{}, "nothing of where a body is in space");
+  says(TerrainVehicle{}, DirectionFinder{}, "tilts with the vehicle");
+}
+
+}  // namespace
+}  // namespace incognita

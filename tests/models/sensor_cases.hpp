@@ -1,0 +1,212 @@
+// Any sensor on any vehicle that it fits, and what it sees: ordinary and nasty. Tests of all of them share
+// it.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "incognita/math/angles.hpp"
+#include "incognita/math/random.hpp"
+#include "incognita/models/any_sensor.hpp"
+#include "incognita/models/bearing.hpp"
+#include "tests/models/grounds.hpp"
+#include "tests/models/landmark_cases.hpp"
+#include "tests/small_vectors.hpp"
+
+namespace incognita::sensor_cases {
+
+using testing::minus;
+using testing::plus;
+using testing::vec;
+inline constexpr double pi = std::numbers::pi;
+
+/// dy/dx through the charts, from five points: misses the fourth power of `step`.
+inline SmallMatrix differences(const Chart& of, const SmallVector& x, const Chart& to,
+                               const std::function<SmallVector(const SmallVector&)>& f, double step) {
+  SmallMatrix J(to.tangent(), of.tangent());
+  for (int k = 0; k < of.tangent(); ++k) {
+    const auto at = [&](double by) { return f(plus(of, x, step * by * SmallVector::Unit(of.tangent(), k))); };
+    J.col(k) = (8 * minus(to, at(1), at(-1)) - minus(to, at(2), at(-2))) / (12 * step);
+  }
+  return J;
+}
+
+inline void expect_jacobian(const SmallMatrix& told, const SmallMatrix& found, const std::string& of) {
+  ASSERT_EQ(told.rows(), found.rows()) << of;
+  ASSERT_EQ(told.cols(), found.cols()) << of;
+  EXPECT_LE((told - found).norm(), 1e-7 * (1e-3 + found.norm())) << of << "\ntold\n"
+                                                                 << told << "\nfound\n"
+                                                                 << found;
+}
+
+// Every motion with every sensor
+
+inline const Mount mount{.forward_m = 0.2, .left_m = -0.1, .up_m = 0.6, .pitch_rad = -0.2, .yaw_rad = 0.4};
+
+inline std::vector<AnyMotion> motions() {
+  return {MonobotMotion{},
+          DifferentialDrive{0.3, 0.1},
+          AckermannCar{},
+          TerrainVehicle{grounds::steep_waves()},
+          TerrainVehicle{grounds::steep_slope()},
+          FreeCameraMotion{}};
+}
+
+inline std::vector<AnySensor> sensors() {
+  return {LineScanner{},
+          LaserScanner{},
+          DirectionFinder{},
+          CarriedCamera{Camera(wide), mount},
+          CarriedCamera{Camera(pinhole), mount},
+          CarriedStereo{{Camera(wide), 0.12}, mount},
+          CarriedStereo{{Camera(pinhole), 0.12}, mount}};
+}
+
+/// Vehicles anywhere, and with their heading at the wrap.
+inline std::vector<SmallVector> states(const AnyMotion& motion) {
+  RandomStream random(1, "states");
+  std::vector<SmallVector> all;
+  for (int i = 0; i < 5; ++i) {
+    SmallVector x(chart_of(motion).ambient());
+    for (double& number : x) number = random.uniform(-3, 3);
+    if (x.size() == 13) x.segment<4>(3).normalize();
+    if (x.size() == 3 && i < 2) x[2] = i == 0 ? pi : -pi + 1e-5;
+    all.push_back(x);
+  }
+  return all;
+}
+
+/// The camera's axes and place, from the vehicle's pose and how it is mounted.
+struct Lens {
+  Eigen::Matrix3d axes;
+  Eigen::Vector3d position;
+  Eigen::Vector3d in_world(const Eigen::Vector3d& in_camera) const { return position + axes * in_camera; }
+  Eigen::Vector3d in_camera(const Eigen::Vector3d& in_world) const {
+    return axes.transpose() * (in_world - position);
+  }
+};
+
+inline Lens lens_on(const AnyMotion& motion, const SmallVector& x) {
+  const RigidPose pose = pose_of(motion, x);
+  const Eigen::Matrix3d body = rotation_matrix<double>(pose.world_from_body);
+  if (std::holds_alternative<FreeCameraMotion>(motion)) return {body, pose.position};
+  return {body * mount.body_from_camera(), pose.position + body * mount.lever()};
+}
+
+inline const Camera* lens_of(const AnySensor& sensor) {
+  if (const auto* one = std::get_if<CarriedCamera>(&sensor)) return &one->camera;
+  if (const auto* two = std::get_if<CarriedStereo>(&sensor)) return &two->stereo.camera;
+  return nullptr;
+}
+
+/// A vehicle and a landmark that it sees.
+struct Case {
+  const AnyMotion& motion;
+  const AnySensor& sensor;
+  SmallVector vehicle;
+  LandmarkForm form;
+  SmallVector landmark;
+  Chart chart;        ///< of the landmark
+  SmallVector point;  ///< where it is; empty at infinity and beyond
+  double away_m;      ///< the scale on which its look bends
+
+  std::optional<AnyLook> look() const { return look_at(sensor, motion, vehicle, form, landmark); }
+  std::string name() const {
+    std::ostringstream text;
+    text << "motion " << motion.index() << ", sensor " << sensor.index() << ", at " << vehicle.transpose()
+         << ", sees " << landmark.transpose();
+    return text.str();
+  }
+};
+
+inline void add_on_line(std::vector<Case>& all, const AnyMotion& motion, const AnySensor& sensor,
+                        const SmallVector& x) {
+  for (const double away : {-20.0, -1e-6, 0.0, 3.0})
+    all.push_back({motion, sensor, x, {}, vec({x[0] + away}), Chart::line(1), vec({x[0] + away}), 1});
+}
+
+/// Ahead, abeam, behind on both sides of the wrap; close and far; for bearings also told by inverse distance,
+/// from where the vehicle is and from elsewhere, up to infinity and past it.
+inline void add_on_plane(std::vector<Case>& all, const AnyMotion& motion, const AnySensor& sensor,
+                         const SmallVector& x) {
+  for (const double bearing : {0.0, 1.2, pi / 2, -pi / 2, pi, pi - 1e-6, -pi + 1e-6, -2.5})
+    for (const double range : {1e-3, 1.0, 40.0}) {
+      const double way = x[2] + bearing;
+      const SmallVector point = vec({x[0] + range * std::cos(way), x[1] + range * std::sin(way)});
+      all.push_back({motion, sensor, x, {}, point, Chart::line(2), point, std::min(range, 1.0)});
+      if (!std::holds_alternative<DirectionFinder>(sensor)) continue;
+      const LandmarkForm form{LandmarkForm::Kind::inverse_depth, {1, 0, 0, 0}};
+      for (const Eigen::Vector2d& from : {Eigen::Vector2d(0, 0), Eigen::Vector2d(0.4, -2)}) {
+        const Eigen::Vector2d seen = point - (x.head<2>() + from);
+        const SmallVector y =
+            vec({x[0] + from.x(), x[1] + from.y(), std::atan2(seen.y(), seen.x()), 1 / seen.norm()});
+        all.push_back(
+            {motion, sensor, x, form, y, PlanarInverseDistance::chart, point, std::min(range, 1.0)});
+      }
+      for (const double inverse : {0.0, 1e-9, -1e-3})
+        all.push_back({motion,
+                       sensor,
+                       x,
+                       form,
+                       vec({x[0] + 0.2, x[1] - 0.1, wrap_angle(way), inverse}),
+                       PlanarInverseDistance::chart,
+                       {},
+                       1});
+    }
+}
+
+/// Pixels in the middle, anywhere, and at the edges of the image; close and far; as points and by inverse
+/// depths from another view, up to infinity and past it.
+inline void add_in_space(std::vector<Case>& all, const AnyMotion& motion, const AnySensor& sensor,
+                         const SmallVector& x) {
+  const Camera& camera = *lens_of(sensor);
+  const Lens lens = lens_on(motion, x);
+  const double right = camera.width() - 1, low = camera.height() - 1;
+  for (const Eigen::Vector2d& pixel :
+       {Eigen::Vector2d(160, 120), Eigen::Vector2d(37, 201), Eigen::Vector2d(1e-6, 1e-6),
+        Eigen::Vector2d(right - 1e-6, 60), Eigen::Vector2d(right + 1e-6, 70), Eigen::Vector2d(100, low + 3)})
+    for (const double depth : {0.05, 2.0, 60.0}) {
+      const Eigen::Vector3d ray = *camera.unproject(pixel);
+      const SmallVector point = lens.in_world(depth * ray);
+      all.push_back({motion, sensor, x, {}, point, Chart::line(3), point, std::min(depth, 1.0)});
+      const Eigen::Vector4d birth_axes = quaternion_product<double>(
+          quaternion_from_matrix(lens.axes), quaternion_exp<double>(Eigen::Vector3d(0.1, -0.2, 0.3)));
+      const LandmarkForm form{LandmarkForm::Kind::inverse_depth, birth_axes};
+      const Eigen::Vector3d from = lens.in_world({-0.02, 0.01, -0.03});
+      const Eigen::Matrix3d to_birth = rotation_matrix<double>(birth_axes).transpose();
+      const auto told = [&](const Eigen::Vector3d& in_birth, double inverse) -> SmallVector {
+        return vec({from.x(), from.y(), from.z(), in_birth.x() / in_birth.z(), in_birth.y() / in_birth.z(),
+                    inverse});
+      };
+      const Eigen::Vector3d seen = to_birth * (Eigen::Vector3d(point) - from),
+                            far = to_birth * lens.axes * ray;
+      all.push_back({motion, sensor, x, form, told(seen, 1 / seen.z()), InverseDepthLandmark::chart, point,
+                     std::min(depth, 1.0)});
+      for (const double inverse : {0.0, 1e-9, -1e-3})
+        all.push_back({motion, sensor, x, form, told(far, inverse), InverseDepthLandmark::chart, {}, 1});
+    }
+}
+
+inline void for_every_case(const std::function<void(const Case&)>& with) {
+  int tried = 0;
+  for (const AnyMotion& motion : motions())
+    for (const AnySensor& sensor : sensors()) {
+      if (!misfit(motion, sensor).empty()) continue;
+      std::vector<Case> all;
+      for (const SmallVector& x : states(motion))
+        dimensions_of(sensor) == 1   ? add_on_line(all, motion, sensor, x)
+        : dimensions_of(sensor) == 2 ? add_on_plane(all, motion, sensor, x)
+                                     : add_in_space(all, motion, sensor, x);
+      for (const Case& one : all) with(one), ++tried;
+    }
+  EXPECT_GT(tried, 1000);
+}
+
+}  // namespace incognita::sensor_cases

@@ -1,6 +1,7 @@
 #include "incognita/world/plant.hpp"
 
 #include <cmath>
+#include <numbers>
 #include <span>
 #include <stdexcept>
 #include <utility>
@@ -17,6 +18,22 @@ void need_size(const SmallVector& v, int size, const char* what) {
   if (!v.allFinite()) throw std::invalid_argument(std::string(what) + " must be finite");
 }
 
+/// What is in the right size and all the same no state or input of that motion.
+void check_numbers(const FreeCameraMotion&, const PlantSettings& s) {
+  if (std::abs(free_camera::orientation(s.start).norm() - 1) > 1e-6)
+    throw std::invalid_argument("the orientation at the start of a plant must be a quaternion of length 1");
+}
+void check_numbers(const AckermannCar& car, const PlantSettings& s) {
+  for (const double steering : {s.least_input[1], s.most_input[1]}) {
+    const bool to_a_side = std::abs(steering) < std::numbers::pi / 2;
+    if (to_a_side && std::tan(steering) * car.wheel_left_m < car.wheelbase_m) continue;
+    throw std::invalid_argument(
+        "steered by " + std::to_string(steering) +
+        " rad a car would turn about the wheel whose speed is measured, or beyond it");
+  }
+}
+void check_numbers(const auto&, const PlantSettings&) {}
+
 void check(const AnyMotion& motion, const PlantSettings& s) {
   const Chart& chart = chart_of(motion);
   const int inputs = inputs_of(motion);
@@ -30,6 +47,7 @@ void check(const AnyMotion& motion, const PlantSettings& s) {
     throw std::invalid_argument("the sigmas of a plant must be zero or positive");
   if ((s.least_input.array() > s.most_input.array()).any())
     throw std::invalid_argument("the least input of a plant is more than the most");
+  std::visit([&](const auto& model) { check_numbers(model, s); }, motion);
 }
 
 std::span<double> numbers(SmallVector& v) { return {v.data(), static_cast<std::size_t>(v.size())}; }

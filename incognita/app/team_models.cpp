@@ -106,6 +106,11 @@ Path path_of(const LoadedScenario& loaded, const Eigen::Vector3d& offset) {
   return through(samples);
 }
 
+Diagonal diagonal(const std::vector<double>& numbers) {
+  return Diagonal(SmallVector(
+      Eigen::Map<const Eigen::VectorXd>(numbers.data(), static_cast<Eigen::Index>(numbers.size()))));
+}
+
 /// One number for all inputs, or one each.
 SmallVector held_input(const Scenario& s, int inputs) {
   const std::vector<double>& told = s.team.steer.input;
@@ -191,13 +196,13 @@ VehicleSteering steering_of(const LoadedScenario& loaded, std::size_t i) {
   SteeringSettings out;
   out.law = c.law != "active" ? c.law : is_line(s) ? "tracking" : "feedback-linearisation";
   out.input = held_input(s, inputs_of(motion_of(s)));
-  out.gain_per_s = c.gain_per_s.front();
+  out.gain_per_s = diagonal(c.gain_per_s);
   out.control_point_m = c.control_point_m;
   out.gain_along_per_s = c.gain_along_per_s;
   out.gain_across_per_m2 = c.gain_across_per_m2;
   out.gain_heading_per_m = c.gain_heading_per_m;
-  out.weight_state = c.weight_state.front();
-  out.weight_input = c.weight_input.front();
+  out.weight_state = diagonal(c.weight_state);
+  out.weight_input = diagonal(c.weight_input);
   out.camera = s.control;
   out.most_input = limits_of(s);
   const std::vector<Eigen::Vector3d>& offsets = s.team.path.offsets_m;

@@ -40,11 +40,10 @@ struct LinearPlant {
   Eigen::MatrixXd F, G;
 };
 
-/// L of (5.2) with the weights times the identity.
+/// L of (5.2) with those weights.
 Eigen::MatrixXd gain_of(const LinearPlant& plant, const SteeringSettings& s) {
   const auto n = plant.F.rows(), m = plant.G.cols();
-  const SteadyGain gain = steady_gain(plant.F, plant.G, s.weight_state * Eigen::MatrixXd::Identity(n, n),
-                                      s.weight_input * Eigen::MatrixXd::Identity(m, m));
+  const SteadyGain gain = steady_gain(plant.F, plant.G, s.weight_state.matrix(n), s.weight_input.matrix(m));
   if (gain.outcome != RegulatorOutcome::converged) refuse(gain.reason);
   return gain.L;
 }
@@ -61,7 +60,7 @@ struct LineTracking final : Steering {
   explicit LineTracking(const SteeringSettings& settings) : s(settings) {}
   SmallVector act(const SmallVector& x, double t) const override {
     const Reference r = at(s.path, t);
-    const double wanted = r.velocity.x() - s.gain_per_s * (x[0] - r.position.x());
+    const double wanted = r.velocity.x() - s.gain_per_s.numbers[0] * (x[0] - r.position.x());
     return SmallVector::Constant(1, std::clamp(wanted, -s.most_input[0], s.most_input[0]));
   }
 };
@@ -96,7 +95,7 @@ struct DriveLinearisation final : Steering {
   DriveLinearisation(const SteeringSettings& settings, const DifferentialDrive& body, double period,
                      bool ground)
       : s(settings),
-        law({body, settings.gain_per_s * Eigen::Matrix2d::Identity(), period, planar_limits(settings)}),
+        law({body, settings.gain_per_s.matrix(2), period, planar_limits(settings)}),
         on_ground(ground) {}
   SmallVector act(const SmallVector& x, double t) const override {
     const planar::Pose<double> pose = x;
@@ -111,10 +110,7 @@ struct CarSteering final : Steering {
   CarSteering(const SteeringSettings& settings, const AckermannCar& c, double period)
       : s(settings),
         car(c),
-        law({c,
-             settings.gain_per_s * Eigen::Matrix2d::Identity(),
-             period,
-             {settings.most_input[0], settings.most_input[1]}}) {}
+        law({c, settings.gain_per_s.matrix(2), period, {settings.most_input[0], settings.most_input[1]}}) {}
   SmallVector act(const SmallVector& x, double t) const override {
     // The limit is that of the wheel, which on the outside of a turn is faster than the axle; slower, the car
     // still goes along the same arc
@@ -127,8 +123,8 @@ struct DriveRegulation final : Steering {
   PlanarRegulator law;
   DriveRegulation(const SteeringSettings& settings, const DifferentialDrive& body, double period)
       : s(settings),
-        law({body, settings.weight_state * Eigen::Matrix2d::Identity(),
-             settings.weight_input * Eigen::Matrix2d::Identity(), period, planar_limits(settings)}) {}
+        law({body, settings.weight_state.matrix(2), settings.weight_input.matrix(2), period,
+             planar_limits(settings)}) {}
   SmallVector act(const SmallVector& x, double t) const override {
     return law.act(planar::Pose<double>(x), at(s.path, t).position.head<2>()).command.input();
   }

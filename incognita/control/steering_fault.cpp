@@ -70,9 +70,18 @@ std::string need_small_turns(const SteeringSettings& s, double period_s) {
                " s for which a command is held; it must be 1 rad at most");
 }
 
-std::string fault_in_weights(const SteeringSettings& s) {
-  return first_of({need_positive("the weight of the state", s.weight_state),
-                   need_positive("the weight of the input", s.weight_input)});
+/// One number for all, or `size` of them.
+std::string need_gains(const char* what, const Diagonal& gains, Eigen::Index size) {
+  if (gains.numbers.size() != 1 && gains.numbers.size() != size)
+    return words(what, " needs 1 number or ", size, ", and has ", gains.numbers.size());
+  for (const double number : gains.numbers)
+    if (std::string fault = need_positive(what, number); !fault.empty()) return fault;
+  return "";
+}
+
+std::string fault_in_weights(const SteeringSettings& s, Eigen::Index states, Eigen::Index inputs) {
+  return first_of({need_gains("the weight of the state", s.weight_state, states),
+                   need_gains("the weight of the input", s.weight_input, inputs)});
 }
 
 /// On a circle a body turns as fast as its reference, all the time.
@@ -160,30 +169,33 @@ struct Judge {
   bool is(const char* law) const { return s.law == law; }
 
   std::string operator()(const MonobotMotion&) const {
-    if (is("lqg")) return first_of({need_point(s), fault_in_weights(s)});
-    if (s.gain_per_s > 0 && s.gain_per_s * period_s < 2) return need_speed(s);
+    if (is("lqg")) return first_of({need_point(s), fault_in_weights(s, 1, 1)});
+    const std::string fault = need_gains("the gain", s.gain_per_s, 1);
+    if (!fault.empty()) return fault;
+    if (s.gain_per_s.numbers[0] * period_s < 2) return need_speed(s);
     return "the gain of a vehicle on a line must be more than 0, and times the period less than 2";
   }
   std::string operator()(const DifferentialDrive& body) const {
     if (!std::isfinite(body.forward_m) || !std::isfinite(body.left_m))
       return "the point that the state tells must be a finite way from the axle";
-    if (is("lqg")) return first_of({need_point(s), need_small_turns(s, period_s), fault_in_weights(s)});
+    if (is("lqg")) return first_of({need_point(s), need_small_turns(s, period_s), fault_in_weights(s, 2, 2)});
     if (is("tracking")) return fault_in_tracking(s, period_s);
-    return first_of({need_speed(s), need_turn_rate(s)});
+    return first_of({need_speed(s), need_turn_rate(s), need_gains("the gain", s.gain_per_s, 2)});
   }
   std::string operator()(const AckermannCar& car) const {
     if (!is("feedback-linearisation"))
       return "a car is steered by `feedback-linearisation`: it turns only while it moves";
-    return first_of({need_speed(s), need_wide_circle(car, s)});
+    return first_of({need_speed(s), need_wide_circle(car, s), need_gains("the gain", s.gain_per_s, 2)});
   }
   std::string operator()(const TerrainVehicle&) const {
     if (is("lqg"))
       return "a regulator at rest does not know the slopes: take `feedback-linearisation` or `tracking`";
     if (is("tracking")) return fault_in_tracking(s, period_s);
-    return first_of({need_speed(s), need_turn_rate(s)});
+    return first_of({need_speed(s), need_turn_rate(s), need_gains("the gain", s.gain_per_s, 2)});
   }
   std::string operator()(const FreeCameraMotion&) const {
-    if (is("lqg")) return first_of({need_point(s), need_small_turns(s, period_s), fault_in_weights(s)});
+    if (is("lqg"))
+      return first_of({need_point(s), need_small_turns(s, period_s), fault_in_weights(s, 12, 6)});
     return fault_in_body_tracking(s, period_s);
   }
 };

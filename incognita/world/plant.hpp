@@ -15,7 +15,8 @@ struct PlantSettings {
   SmallVector input_sigmas;  ///< of what disturbs each input, drawn anew for each tick and held over it
   SmallVector least_input;   ///< what the body can do: asked for more, it does this
   SmallVector most_input;
-  SmallVector input_ratios;  ///< true input over the one carried out, as with wheels of another size; none: 1
+  SmallVector input_ratios =
+      {};  ///< true input over the one carried out, as with wheels of another size; none: 1
 };
 
 class Plant {

@@ -354,13 +354,13 @@ struct Gain {
   const char* law;
   Path path;
   std::vector<double*> of(SteeringSettings& s) const {
-    if (law == std::string("lqg")) return {&s.weight_state, &s.weight_input};
+    if (law == std::string("lqg")) return {s.weight_state.numbers.data(), s.weight_input.numbers.data()};
     if (&motion == &body)
       return {&s.camera.gain_position_per_s2, &s.camera.gain_velocity_per_s,
               &s.camera.gain_orientation_per_s2, &s.camera.gain_rate_per_s};
     if (law == std::string("tracking") && &motion != &line)
       return {&s.gain_along_per_s, &s.gain_across_per_m2, &s.gain_heading_per_m};
-    return {&s.gain_per_s};
+    return {s.gain_per_s.numbers.data()};
   }
 };
 
@@ -386,6 +386,26 @@ TEST(SteeringRefusals, GainsThatAreNotPositiveNumbers) {
         *number = good;
       }
   }
+}
+
+TEST(SteeringRefusals, GainsOfTheWrongSize) {
+  for (const Gain& gain : gains()) {
+    SteeringSettings s = settings_of(gain.motion, gain.law, gain.path);
+    if (gain.law == std::string("tracking") && &gain.motion != &line) continue;  // its gains are numbers
+    if (gain.law == std::string("feedback-linearisation") && &gain.motion == &body) continue;
+    (gain.law == std::string("lqg") ? s.weight_state : s.gain_per_s) =
+        Diagonal(SmallVector::Constant(5, 1.0));
+    EXPECT_HAS(why_not(gain.motion, s), "needs 1 number or ") << gain.law;
+  }
+}
+
+TEST(SteeringLaws, AWeightOfItsOwnForEachInput) {
+  SteeringSettings s = settings_of(drive, "lqg", point());
+  const SmallVector x = vec({-3, 0.4, 0.1});
+  const SmallVector even = make_steering(drive, s, 0.1)->act(x, 0);
+  s.weight_input = Diagonal(vec({1, 1e4}));  // turning is dear
+  const SmallVector uneven = make_steering(drive, s, 0.1)->act(x, 0);
+  EXPECT_LT(std::abs(uneven[1]), 0.1 * std::abs(even[1]));
 }
 
 TEST(SteeringRefusals, GainsThatOvershootWhileACommandIsHeld) {

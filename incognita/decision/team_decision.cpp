@@ -73,7 +73,8 @@ bool TeamDecision::allowed(const Eigen::Vector3d& place) const {
 
 void TeamDecision::expect_looks(const TeamEstimate& e, std::size_t i, const SmallVector& state) {
   const TeamMember& member = team_.members[i];
-  const SmallVector from = position_of(member.motion, state).position;
+  const int dimensions = dimensions_of(member.sensor);
+  const SmallVector from = position_of(member.motion, state, dimensions).position;
   looks_.clear();
   const auto expect = [&](const LandmarkForm& form, const SmallVector& target, const SmallMatrix& by_block,
                           std::optional<BlockId> block) {
@@ -95,7 +96,8 @@ void TeamDecision::expect_looks(const TeamEstimate& e, std::size_t i, const Smal
   }
   for (std::size_t j = 0; j < e.vehicles.size(); ++j) {
     if (j == i) continue;
-    const AnyPoint other = position_of(team_.members[j].motion, e.belief.mean(e.vehicles[j].block));
+    const AnyPoint other =
+        position_of(team_.members[j].motion, e.belief.mean(e.vehicles[j].block), dimensions);
     expect({}, other.position, other.J, e.vehicles[j].block);
   }
 }

@@ -1,5 +1,6 @@
 #include "incognita/models/any_sensor.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "incognita/models/bearing.hpp"
@@ -210,6 +211,15 @@ AnyPoint position_of(const AnyMotion& motion, const SmallVector& vehicle) {
   }
   const int size = on_line(motion) ? 1 : on_plane(motion) ? 2 : 3;
   return {vehicle.head(size), SmallMatrix::Identity(size, errors)};
+}
+
+AnyPoint position_of(const AnyMotion& motion, const SmallVector& vehicle, int dimensions) {
+  const AnyPoint own = position_of(motion, vehicle);
+  const Eigen::Index both = std::min<Eigen::Index>(dimensions, own.position.size());
+  AnyPoint at{SmallVector::Zero(dimensions), SmallMatrix::Zero(dimensions, own.J.cols())};
+  at.position.head(both) = own.position.head(both);
+  at.J.topRows(both) = own.J.topRows(both);
+  return at;
 }
 
 std::optional<AnyPoint> position_of(const LandmarkForm& form, const SmallVector& landmark) {

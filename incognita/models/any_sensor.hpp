@@ -75,11 +75,14 @@ struct AnyPoint {
   SmallVector position;  ///< 1, 2 or 3, m
   SmallMatrix J;         ///< d(position) / d(error)
 };
-/// Where a vehicle is, in so many dimensions.
+/// Where a vehicle is, in the dimensions of its own motion.
 AnyPoint position_of(const AnyMotion& motion, const SmallVector& vehicle);
+/// In those of a place: what is on a plane or a line is at 0 in the others.
+AnyPoint position_of(const AnyMotion& motion, const SmallVector& vehicle, int dimensions);
 /// Where a landmark is. Nothing for one that is at infinity or behind where it was first seen.
 std::optional<AnyPoint> position_of(const LandmarkForm& form, const SmallVector& landmark);
-/// Civera's: below about 0.1 a point does as well. 0 for a point.
+/// Civera's: below about 0.1 a point does as well. 0 for a point. `vehicle_position`: in the dimensions of
+/// the landmark's place.
 double linearity_index(const LandmarkForm& form, const SmallVector& landmark, double inverse_depth_var,
                        const SmallVector& vehicle_position);
 

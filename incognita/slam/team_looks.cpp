@@ -29,14 +29,16 @@ struct Target {
   SmallMatrix by_block;          ///< d(mean) / d(error of the block)
 };
 
-std::optional<Target> target_of(const TeamEstimate& e, bool of_vehicle, std::int64_t identity,
+/// `dimensions`: of the place, in which all are looked at.
+std::optional<Target> target_of(const TeamEstimate& e, bool of_vehicle, std::int64_t identity, int dimensions,
                                 const TeamSettings& settings) {
   if (of_vehicle) {
     const auto other = static_cast<std::size_t>(identity);
     const TeamVehicle& seen = e.vehicles.at(other);
     const AnyMotion& motion = settings.members[other].motion;
-    const AnyPoint at = position_of(motion, e.belief.mean(seen.block));
-    return Target{{}, at.position, position_of(motion, seen.prediction).position, seen.block, at.J};
+    const AnyPoint at = position_of(motion, e.belief.mean(seen.block), dimensions);
+    return Target{
+        {}, at.position, position_of(motion, seen.prediction, dimensions).position, seen.block, at.J};
   }
   const auto anchor = settings.anchors.find(identity);
   if (anchor != settings.anchors.end()) return Target{{}, anchor->second, anchor->second, std::nullopt, {}};
@@ -61,7 +63,7 @@ std::optional<LinearisedSighting> linearised_sighting(const TeamEstimate& e, int
                                                       const TeamSettings& settings) {
   const TeamVehicle& viewer = e.vehicles[static_cast<std::size_t>(vehicle)];
   const TeamMember& member = settings.members[static_cast<std::size_t>(vehicle)];
-  const auto target = target_of(e, of_vehicle, sighting.identity, settings);
+  const auto target = target_of(e, of_vehicle, sighting.identity, dimensions_of(member.sensor), settings);
   if (!target) return std::nullopt;
   const auto seen =
       look_at(member.sensor, member.motion, e.belief.mean(viewer.block), target->form, target->mean);
@@ -121,12 +123,13 @@ void settle_depths(TeamEstimate& e, const TeamSettings& settings) {
       continue;
     }
     const double var = e.belief.covariance(landmark.block)(last, last);
+    const int dimensions = dimensions_of(settings.members.front().sensor);  // all have the same
     double index = 1e9;
     for (std::size_t i = 0; i < e.vehicles.size(); ++i)
-      index = std::min(
-          index, linearity_index(
-                     landmark.form, mean, var,
-                     position_of(settings.members[i].motion, e.belief.mean(e.vehicles[i].block)).position));
+      index = std::min(index, linearity_index(landmark.form, mean, var,
+                                              position_of(settings.members[i].motion,
+                                                          e.belief.mean(e.vehicles[i].block), dimensions)
+                                                  .position));
     if (!(index < settings.filter.max_linearity_index)) continue;
     const auto point = position_of(landmark.form, mean);
     if (!point) continue;

@@ -19,6 +19,29 @@ bool inside_view(const SimulatedVehicle& vehicle, const AnyLook& look) {
   return !scanner || std::abs(look.z[look.z.size() - 1]) <= vehicle.field_of_view_rad / 2;
 }
 
+void need(bool ok, const std::string& what) {
+  if (!ok) throw std::invalid_argument(what);
+}
+
+void check(const SimulatedVehicle& v, const PointPlace& place) {
+  const std::string fault = misfit(v.motion, v.sensor);
+  need(fault.empty(), fault);
+  const int numbers = chart_of(v.sensor).tangent();
+  need(v.sigmas.size() == numbers, "a sensor needs " + std::to_string(numbers) + " sigmas");
+  need(v.sigmas.allFinite() && (v.sigmas.array() >= 0).all() && v.sigma_range_ratio >= 0 &&
+           std::isfinite(v.sigma_range_ratio),
+       "the sigmas of a sensor must be zero or positive");
+  need(v.ticks_per_look >= 1, "a sensor looks at every tick or more rarely");
+  need(v.max_range_m > 0 && v.field_of_view_rad > 0, "how far and how wide a sensor sees must be positive");
+  for (const auto& [identity, point] : place) {
+    const std::string which = "landmark " + std::to_string(identity);
+    need(point.size() == dimensions_of(v.sensor),
+         which + " has " + std::to_string(point.size()) + " numbers, and the sensor measures in " +
+             std::to_string(dimensions_of(v.sensor)) + " dimensions");
+    need(point.allFinite(), which + " is nowhere: its numbers must be finite");
+  }
+}
+
 }  // namespace
 
 TeamWorld::TeamWorld(const std::vector<SimulatedVehicle>& vehicles, std::uint64_t seed) {
@@ -47,18 +70,7 @@ TeamSensor::TeamSensor(std::vector<SimulatedVehicle> vehicles, PointPlace place,
                        std::uint64_t seed)
     : vehicles_(std::move(vehicles)), place_(std::move(place)), sees_vehicles_(sees_vehicles) {
   for (std::size_t i = 0; i < vehicles_.size(); ++i) {
-    const SimulatedVehicle& v = vehicles_[i];
-    const std::string fault = misfit(v.motion, v.sensor);
-    if (!fault.empty()) throw std::invalid_argument(fault);
-    if (v.ticks_per_look < 1) throw std::invalid_argument("a sensor looks at every tick or more rarely");
-    if (v.sigmas.size() != chart_of(v.sensor).tangent())
-      throw std::invalid_argument("a sensor needs " + std::to_string(chart_of(v.sensor).tangent()) +
-                                  " sigmas");
-    for (const auto& [identity, point] : place_)
-      if (point.size() != dimensions_of(v.sensor))
-        throw std::invalid_argument("landmark " + std::to_string(identity) + " has " +
-                                    std::to_string(point.size()) + " numbers, and the sensor measures in " +
-                                    std::to_string(dimensions_of(v.sensor)) + " dimensions");
+    check(vehicles_[i], place_);
     noise_.emplace_back(seed, stream_of("sensor", i));
   }
 }
@@ -66,7 +78,7 @@ TeamSensor::TeamSensor(std::vector<SimulatedVehicle> vehicles, PointPlace place,
 std::optional<SmallVector> TeamSensor::measured(std::size_t i, const SmallVector& state,
                                                 const SmallVector& point) {
   const SimulatedVehicle& v = vehicles_[i];
-  const SmallVector from = position_of(v.motion, state).position;
+  const SmallVector from = position_of(v.motion, state, dimensions_of(v.sensor)).position;
   if (!((from - point).norm() <= v.max_range_m)) return std::nullopt;
   const auto look = look_at(v.sensor, v.motion, state, {}, point);
   if (!look || !inside_view(v, *look)) return std::nullopt;
@@ -85,7 +97,8 @@ void TeamSensor::look_around(std::size_t i, const Truth& truth, VehicleView& vie
     if (auto z = measured(i, truth.vehicles[i], point)) view.landmarks.push_back({identity, *z});
   for (std::size_t j = 0; sees_vehicles_ && j < vehicles_.size(); ++j) {
     if (j == i) continue;
-    const SmallVector other = position_of(vehicles_[j].motion, truth.vehicles[j]).position;
+    const SmallVector other =
+        position_of(vehicles_[j].motion, truth.vehicles[j], dimensions_of(vehicles_[i].sensor)).position;
     if (auto z = measured(i, truth.vehicles[i], other))
       view.vehicles.push_back({static_cast<std::int64_t>(j), *z});
   }

@@ -109,6 +109,19 @@ TEST(AnySensor, PositionsHaveTheJacobiansOfDifferences) {
   });
 }
 
+TEST(AnySensor, AVehicleOnTheFloorIsAtHeightNothingInSpace) {
+  for (const AnyMotion& motion : motions())
+    for (const SmallVector& x : states(motion))
+      for (const int dimensions : {1, 2, 3}) {
+        const AnyPoint own = position_of(motion, x), at = position_of(motion, x, dimensions);
+        EXPECT_EQ(at.position, SmallVector(pose_of(motion, x).position.head(dimensions)));
+        ASSERT_EQ(at.J.rows(), dimensions);
+        for (Eigen::Index i = 0; i < dimensions; ++i)
+          EXPECT_EQ(at.J.row(i),
+                    i < own.J.rows() ? SmallMatrix(own.J.row(i)) : SmallMatrix::Zero(1, own.J.cols()));
+      }
+}
+
 TEST(AnySensor, LinearityIndexIsFourSpreadsOverTheDistanceTimesTheCosineOfTheParallax) {
   const LandmarkForm far{LandmarkForm::Kind::inverse_depth, {1, 0, 0, 0}};
   const double sigma = 0.01, d = 4, spread_m = sigma * d * d;  // of the distance

@@ -1,0 +1,266 @@
+// A simulated place of points and the vehicles in it: who sees what and whom, how far and which way, with
+// noise that follows from the seed alone.
+#include "incognita/world/team_world.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <set>
+
+#include "incognita/math/angles.hpp"
+#include "incognita/models/wide_angle_camera.hpp"
+#include "tests/scratch.hpp"
+#include "tests/small_vectors.hpp"
+
+namespace incognita {
+namespace {
+
+using testing::message_of;
+using testing::vec;
+
+constexpr double pi = std::numbers::pi;
+
+/// Still, exact, all-seeing.
+SimulatedVehicle vehicle(const AnyMotion& motion, const AnySensor& sensor, const SmallVector& start) {
+  const int inputs = inputs_of(motion);
+  return {motion,
+          {start, SmallVector::Zero(chart_of(motion).tangent()), SmallVector::Zero(inputs),
+           SmallVector::Constant(inputs, -1), SmallVector::Constant(inputs, 1)},
+          sensor,
+          SmallVector::Zero(chart_of(sensor).tangent())};
+}
+
+/// Landmarks all around on the plane, named 10, 11, ...
+PointPlace ring(int count, double radius_m) {
+  PointPlace place;
+  for (int i = 0; i < count; ++i) {
+    const double way = 2 * pi * i / count;
+    place[10 + i] = vec({radius_m * std::cos(way), radius_m * std::sin(way)});
+  }
+  return place;
+}
+
+std::set<std::int64_t> names(const std::vector<Sighting>& seen) {
+  std::set<std::int64_t> all;
+  for (const Sighting& s : seen) all.insert(s.identity);
+  return all;
+}
+
+/// The first look of all.
+Observation first_look(const std::vector<SimulatedVehicle>& team, const PointPlace& place,
+                       bool see_each_other = false, std::uint64_t seed = 1) {
+  TeamWorld world(team, seed);
+  TeamSensor sensor(team, place, see_each_other, seed);
+  const Tick tick{0, 0, 0};
+  return sensor.look(world.move({}, tick), tick);
+}
+
+std::vector<Sighting> seen_by(const SimulatedVehicle& v, const PointPlace& place) {
+  return first_look({v}, place).team[0].landmarks;
+}
+
+TEST(TeamSensor, TellsExactlyWhatIsThereWithoutNoise) {
+  const SmallVector pose = vec({1, -2, 2.5});
+  const PointPlace place = ring(16, 5);
+  for (const bool ranges : {true, false}) {
+    const AnySensor scanner = ranges ? AnySensor(LaserScanner{}) : AnySensor(DirectionFinder{});
+    const Observation seen = first_look({vehicle(DifferentialDrive{0.3, 0}, scanner, pose)}, place);
+    ASSERT_EQ(seen.team.size(), 1u);
+    ASSERT_EQ(seen.team[0].landmarks.size(), 16u);
+    for (const Sighting& s : seen.team[0].landmarks) {
+      const Eigen::Vector2d way = place.at(s.identity) - pose.head(2);
+      const double bearing = wrap_angle(std::atan2(way.y(), way.x()) - pose[2]);
+      EXPECT_NEAR(s.z[s.z.size() - 1], bearing, 1e-12);
+      if (ranges) {
+        EXPECT_NEAR(s.z[0], way.norm(), 1e-12);
+      }
+    }
+    EXPECT_TRUE(seen.team[0].vehicles.empty());
+  }
+}
+
+TEST(TeamSensor, SeesAsFarAsItCan) {
+  SimulatedVehicle v = vehicle(DifferentialDrive{}, LaserScanner{}, vec({0, 0, 0}));
+  v.max_range_m = 5;
+  const PointPlace place{{1, vec({4.999, 0})}, {2, vec({-3, 4})}, {3, vec({0, 5.001})}, {4, vec({50, 50})}};
+  EXPECT_EQ(names(seen_by(v, place)), (std::set<std::int64_t>{1, 2}));
+  SimulatedVehicle on_line = vehicle(MonobotMotion{}, LineScanner{}, vec({1}));
+  on_line.max_range_m = 2;
+  EXPECT_EQ(names(seen_by(on_line, {{1, vec({-0.9})}, {2, vec({3.1})}, {3, vec({2})}})),
+            (std::set<std::int64_t>{1, 3}));
+}
+
+TEST(TeamSensor, SeesAsWideAsItCan) {
+  for (const AnySensor& scanner : {AnySensor(LaserScanner{}), AnySensor(DirectionFinder{})}) {
+    SimulatedVehicle v = vehicle(DifferentialDrive{}, scanner, vec({0, 0, pi}));  // looks along -x
+    const PointPlace place = ring(36, 3);
+    v.field_of_view_rad = radians(95);
+    for (const Sighting& s : seen_by(v, place)) EXPECT_LT(place.at(s.identity).x(), 0);
+    EXPECT_EQ(seen_by(v, place).size(), 9u) << "10 degrees apart";
+    v.field_of_view_rad = 7;
+    EXPECT_EQ(seen_by(v, place).size(), 36u) << "all around, also behind at the wrap";
+  }
+}
+
+WideAngleCamera lens() {
+  WideAngleCamera camera;
+  camera.width = 320, camera.height = 240;
+  camera.fu = camera.fv = 160, camera.u0 = 159.5, camera.v0 = 119.5;
+  return camera;
+}
+
+/// Height counts in how far a camera sees: a vehicle on the floor is in space too.
+TEST(TeamSensor, ACameraSeesWhatItsImageHasAndAsFarAsItCan) {
+  const CarriedCamera camera{Camera(lens()), {.up_m = 0}};
+  const PointPlace place{{1, vec({3, 0, 0})},    {2, vec({-3, 0, 0})},  {3, vec({3, 2.9, 0})},
+                         {4, vec({3, 3.1, 0})},  {5, vec({3, 0, 2.1})}, {6, vec({3, 0, 2.3})},
+                         {7, vec({0.1, 0, -50})}};
+  for (const AnyMotion& motion :
+       {AnyMotion(DifferentialDrive{}), AnyMotion(AckermannCar{}), AnyMotion(TerrainVehicle{})}) {
+    SimulatedVehicle v = vehicle(motion, camera, vec({0, 0, 0}));
+    EXPECT_EQ(names(seen_by(v, place)), (std::set<std::int64_t>{1, 3, 5}));
+    v.max_range_m = 3.5;
+    EXPECT_EQ(names(seen_by(v, place)), (std::set<std::int64_t>{1})) << motion.index();
+  }
+}
+
+TEST(TeamSensor, ARangeIsNeverNegative) {
+  SimulatedVehicle v = vehicle(DifferentialDrive{}, LaserScanner{}, vec({0, 0, 0}));
+  v.sigmas = vec({0.5, 0.1});
+  PointPlace place;
+  for (int i = 0; i < 1000; ++i) place[i] = vec({0.3, 0});
+  const std::vector<Sighting> seen = seen_by(v, place);
+  for (const Sighting& s : seen) EXPECT_GT(s.z[0], 0);
+  // As many are left out as a Gaussian has below -0.6 sigma
+  EXPECT_NEAR(static_cast<double>(seen.size()), 1000 * 0.7257, 50);
+}
+
+TEST(TeamSensor, HasTheNoiseThatItIsTold) {
+  SimulatedVehicle v = vehicle(DifferentialDrive{}, LaserScanner{}, vec({0, 0, 0}));
+  v.sigmas = vec({0.1, 0.02});
+  v.sigma_range_ratio = 0.03;
+  PointPlace place;
+  for (int i = 0; i < 20'000; ++i) place[i] = vec({-10, 0});  // behind, at the wrap
+  double range = 0, bearing = 0;
+  for (const Sighting& s : seen_by(v, place)) {
+    EXPECT_LE(std::abs(s.z[1]), pi);
+    range += std::pow(s.z[0] - 10, 2) / 20'000, bearing += std::pow(wrap_angle(s.z[1] - pi), 2) / 20'000;
+  }
+  EXPECT_NEAR(std::sqrt(range), 0.4, 0.01) << "0.1 m and three per cent of 10 m";
+  EXPECT_NEAR(std::sqrt(bearing), 0.02, 0.0005);
+}
+
+TEST(TeamSensor, VehiclesSeeEachOtherAndNotThemselves) {
+  std::vector<SimulatedVehicle> team;
+  for (const SmallVector& pose : {vec({0, 0, 0}), vec({3, 0, pi}), vec({20, 0, 1})})
+    team.push_back(vehicle(DifferentialDrive{0.3, 0}, LaserScanner{}, pose));
+  team[1].max_range_m = 10;
+  team[2].field_of_view_rad = 0.5;  // looks elsewhere
+  const Observation seen = first_look(team, ring(4, 2), true);
+  ASSERT_EQ(seen.team.size(), 3u);
+  EXPECT_EQ(names(seen.team[0].vehicles), (std::set<std::int64_t>{1, 2}));
+  EXPECT_EQ(names(seen.team[1].vehicles), (std::set<std::int64_t>{0})) << "the third is too far";
+  EXPECT_TRUE(seen.team[2].vehicles.empty());
+  const Sighting& other = seen.team[1].vehicles[0];
+  EXPECT_NEAR(other.z[0], 3, 1e-12);
+  EXPECT_NEAR(other.z[1], 0, 1e-12) << "they face each other";
+  EXPECT_EQ(seen.team[0].landmarks.size(), 4u);
+  const Observation blind = first_look(team, {}, false);
+  for (const VehicleView& view : blind.team) EXPECT_TRUE(view.vehicles.empty());
+}
+
+/// A camera sees the others in space, also those whose own state is on a plane.
+TEST(TeamSensor, CamerasSeeVehiclesOnTheFloor) {
+  const CarriedCamera camera{Camera(lens()), {.up_m = 1}};
+  const std::vector<SimulatedVehicle> team{vehicle(DifferentialDrive{}, camera, vec({0, 0, 0})),
+                                           vehicle(AckermannCar{}, camera, vec({4, 1, 0}))};
+  const Observation seen = first_look(team, {}, true);
+  ASSERT_EQ(seen.team[0].vehicles.size(), 1u);
+  const SmallVector z = seen.team[0].vehicles[0].z;
+  EXPECT_NEAR(z[0], 159.5 - 160 / 4.0, 1e-9) << "a metre to the left";
+  EXPECT_NEAR(z[1], 119.5 + 160 / 4.0, 1e-9) << "and a metre below";
+  EXPECT_TRUE(seen.team[1].vehicles.empty()) << "it is behind";
+}
+
+TEST(TeamWorld, MovesEachAsCommandedAndTellsWhatWasDone) {
+  const std::vector<SimulatedVehicle> team{vehicle(DifferentialDrive{}, LaserScanner{}, vec({0, 0, 0})),
+                                           vehicle(DifferentialDrive{}, LaserScanner{}, vec({5, 0, 0.1}))};
+  TeamWorld world(team, 1);
+  TeamSensor sensor(team, {}, false, 1);
+  const Tick first{0, 0, 0}, second{1, 0.5, 0.5};
+  Command command;
+  command.inputs = {vec({0.4, 4})};  // more than it can turn, and nothing for the other
+  const auto before = world.move(command, first);
+  EXPECT_EQ(before->vehicles[0], vec({0, 0, 0})) << "no time has passed";
+  const Observation at_first = sensor.look(before, first);
+  for (const VehicleView& view : at_first.team) EXPECT_FALSE(view.input);
+  const auto after = world.move(command, second);
+  EXPECT_EQ(after->inputs[0], vec({0.4, 1}));
+  EXPECT_EQ(after->inputs[1], vec({0, 0}));
+  EXPECT_NEAR(after->vehicles[0][2], 0.5, 1e-9);
+  EXPECT_NEAR((after->vehicles[1] - vec({5, 0, 0.1})).norm(), 0, 1e-12) << "it stands";
+  const Observation seen = sensor.look(after, second);
+  EXPECT_EQ(*seen.team[0].input, after->inputs[0]);
+  EXPECT_EQ(*seen.team[1].input, after->inputs[1]);
+  EXPECT_NEAR((after->camera.head<2>() - after->vehicles[0].head<2>()).norm(), 0, 1e-12) << "of the first";
+}
+
+/// All that a team sees in a while, disturbed.
+std::vector<double> told(std::uint64_t seed, int vehicles) {
+  std::vector<SimulatedVehicle> team;
+  for (int i = 0; i < vehicles; ++i) {
+    SimulatedVehicle v = vehicle(DifferentialDrive{}, LaserScanner{}, vec({0.1 * i, 0, 0}));
+    v.sigmas = vec({0.1, 0.02});
+    v.plant.start_sigmas.setConstant(0.1), v.plant.input_sigmas.setConstant(0.1);
+    team.push_back(v);
+  }
+  TeamWorld world(team, seed);
+  TeamSensor sensor(team, ring(5, 4), false, seed);
+  std::vector<double> numbers;
+  for (int k = 0; k < 10; ++k) {
+    const Tick tick{k, 0.1 * k, k ? 0.1 : 0};
+    const Observation seen = sensor.look(world.move({}, tick), tick);
+    for (const Sighting& s : seen.team[0].landmarks) numbers.insert(numbers.end(), s.z.begin(), s.z.end());
+  }
+  return numbers;
+}
+
+TEST(TeamWorld, GivesTheSameForTheSameSeedAndAnotherForAnother) {
+  EXPECT_EQ(told(3, 2), told(3, 2));
+  EXPECT_NE(told(3, 2), told(4, 2));
+  EXPECT_EQ(told(3, 1), told(3, 3)) << "others do not change what the first sees";
+}
+
+TEST(TeamWorld, RefusesWhatCannotBe) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  const SimulatedVehicle good = vehicle(DifferentialDrive{}, LaserScanner{}, vec({0, 0, 0}));
+  const auto complaint = [](const SimulatedVehicle& v, const PointPlace& place) {
+    return message_of<std::invalid_argument>([&] { TeamSensor({v}, place, false, 1); });
+  };
+  const auto changed = [&](auto change) {
+    SimulatedVehicle v = good;
+    change(v);
+    return complaint(v, {});
+  };
+  EXPECT_EQ(complaint(good, ring(3, 1)), "(none)");
+  EXPECT_HAS(message_of<std::invalid_argument>([] { TeamWorld({}, 1); }), "a team needs a vehicle");
+  EXPECT_HAS(changed([](auto& v) { v.sensor = LineScanner{}; }), "belongs to a vehicle on a line");
+  EXPECT_HAS(changed([](auto& v) { v.sigmas = vec({0.1}); }), "a sensor needs 2 sigmas");
+  EXPECT_HAS(complaint(good, {{7, vec({1, 2, 3})}}),
+             "landmark 7 has 3 numbers, and the sensor measures in 2");
+  EXPECT_HAS(complaint(good, {{7, vec({1, nan})}}), "landmark 7");
+  for (const double bad : {-0.1, nan}) {
+    EXPECT_HAS(changed([&](auto& v) { v.sigmas[1] = bad; }), "zero or positive");
+    EXPECT_HAS(changed([&](auto& v) { v.sigma_range_ratio = bad; }), "zero or positive");
+    EXPECT_HAS(changed([&](auto& v) { v.max_range_m = bad; }), "must be positive");
+    EXPECT_HAS(changed([&](auto& v) { v.field_of_view_rad = bad; }), "must be positive");
+  }
+  TeamSensor sensor({good}, {}, false, 1);
+  EXPECT_THROW(sensor.look(std::nullopt, {}), std::logic_error);
+  EXPECT_THROW(sensor.look(Truth{}, {}), std::logic_error) << "another team's truth";
+}
+
+}  // namespace
+}  // namespace incognita

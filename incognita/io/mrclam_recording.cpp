@@ -51,8 +51,8 @@ void read_odometry(const std::filesystem::path& file, RangeRecordingBuilder& rec
   }
 }
 
-/// `members`: the numbers of the robots of a team, in order; empty where a robot is alone.
-void read_measurements(const std::filesystem::path& file, const Subjects& subjects,
+/// Of `robot`. `members`: the numbers of the robots of a team, in order; empty where it is alone.
+void read_measurements(const std::filesystem::path& file, const Subjects& subjects, int robot,
                        const std::vector<int>& members, RangeRecordingBuilder& recording) {
   for (const TableLine& line : read_table(file)) {
     recording.add_scan(line.where, line.number(0));
@@ -61,6 +61,8 @@ void read_measurements(const std::filesystem::path& file, const Subjects& subjec
     if (subject == subjects.end()) {
       recording.skip(fmt::format("measurements of barcodes that are not in {} are skipped", barcode_file),
                      line.where);
+    } else if (subject->second == robot) {
+      recording.skip("measurements of the robot's own barcode are skipped", line.where);
     } else if (subject->second <= robots) {
       const auto other = std::find(members.begin(), members.end(), subject->second);
       if (other == members.end())
@@ -116,7 +118,7 @@ RangeRecording read_robot(const std::filesystem::path& folder, int robot, const 
   RangeRecordingBuilder recording("mrclam", "differential-drive");
   const Subjects subjects = read_subjects(folder / barcode_file);
   read_odometry(robot_file(folder, robot, "Odometry"), recording);
-  read_measurements(robot_file(folder, robot, "Measurement"), subjects, members, recording);
+  read_measurements(robot_file(folder, robot, "Measurement"), subjects, robot, members, recording);
   read_truth(robot_file(folder, robot, "Groundtruth"), recording);
   read_landmarks(folder / landmark_file, recording);
   return recording.finish(fmt::format("{}: robot {}", folder.string(), robot));

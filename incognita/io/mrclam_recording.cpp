@@ -137,6 +137,7 @@ std::vector<RangeRecording> read_mrclam_team(const std::filesystem::path& folder
   const std::vector<int> members = robots_in(folder);
   if (members.empty()) check_robot(folder, 1);
   std::vector<RangeRecording> team;
+  team.reserve(members.size());
   for (const int robot : members) team.push_back(read_robot(folder, robot, members));
   return team;
 }

@@ -13,6 +13,8 @@ template <class... F>
 struct Cases : F... {
   using F::operator()...;
 };
+template <class... F>
+Cases(F...) -> Cases<F...>;
 
 bool on_line(const AnyMotion& motion) { return std::holds_alternative<MonobotMotion>(motion); }
 bool on_plane(const AnyMotion& motion) {
@@ -98,12 +100,11 @@ std::string misfit(const AnyMotion& motion, const AnySensor& sensor) {
 
 const Chart& chart_of(const AnySensor& sensor) {
   static constexpr Chart one = Chart::line(1), pixel = Chart::line(2), two_views = Chart::line(3);
-  return std::visit(Cases{[](const LineScanner&) -> const Chart& { return one; },
-                          [](const LaserScanner&) -> const Chart& { return RangeBearing::chart; },
-                          [](const DirectionFinder&) -> const Chart& { return Bearing::chart; },
-                          [](const CarriedCamera&) -> const Chart& { return pixel; },
-                          [](const CarriedStereo&) -> const Chart& { return two_views; }},
-                    sensor);
+  return *std::visit(
+      Cases{[](const LineScanner&) { return &one; }, [](const LaserScanner&) { return &RangeBearing::chart; },
+            [](const DirectionFinder&) { return &Bearing::chart; },
+            [](const CarriedCamera&) { return &pixel; }, [](const CarriedStereo&) { return &two_views; }},
+      sensor);
 }
 
 int dimensions_of(const AnySensor& sensor) {

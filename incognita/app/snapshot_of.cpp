@@ -73,10 +73,7 @@ Snapshot snapshot_of(const Tick& tick, const std::optional<Truth>& truth, const 
   s.predicted = estimate.predicted;
   s.matched = estimate.matched;
   put_update(s, estimate.update, estimate.entropy);
-  for (const Translation& action : actions) s.advice.actions.push_back(action.name);
-  s.advice.scores = goal.scores;
-  s.advice.chosen = goal.chosen;
-  s.advice.decided = goal.decided;
+  s.advice = advice_of(goal, actions);
   s.command = command;
   s.timing_ms = timing_of(estimate.timing_ms, camera_stages, loop_ms);
   return s;

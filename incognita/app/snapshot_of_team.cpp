@@ -104,10 +104,7 @@ Snapshot snapshot_of(const Tick& tick, const std::optional<Truth>& truth, const 
   s.predicted = static_cast<int>(e.looks.size());
   s.matched = e.matched;
   put_update(s, e.update, e.entropy);
-  for (const Translation& action : actions) s.advice.actions.push_back(action.name);
-  s.advice.scores = goal.scores;
-  s.advice.chosen = goal.chosen;
-  s.advice.decided = goal.decided;
+  s.advice = advice_of(goal, actions);
   s.command = command;
   s.timing_ms = timing_of(e.timing_ms, team_stages, loop_ms);
   return s;

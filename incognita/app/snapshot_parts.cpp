@@ -24,6 +24,15 @@ StageTimes timing_of(const StageTimes& measured, std::span<const char* const> in
   return timing;
 }
 
+SnapshotAdvice advice_of(const Goal& goal, const std::vector<Translation>& actions) {
+  SnapshotAdvice advice;
+  for (const Translation& action : actions) advice.actions.push_back(action.name);
+  advice.scores = goal.scores;
+  advice.chosen = goal.chosen;
+  advice.decided = goal.decided;
+  return advice;
+}
+
 void put_update(Snapshot& s, const UpdateReport& update, const Entropy& entropy) {
   if (update.outcome == UpdateReport::Outcome::updated) {
     s.nis = update.nis;

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "incognita/belief/belief.hpp"
+#include "incognita/decision/actions.hpp"
+#include "incognita/messages/goal.hpp"
 #include "incognita/record/snapshot.hpp"
 #include "incognita/slam/entropy_values.hpp"
 
@@ -17,6 +19,8 @@ using StageTimes = std::vector<std::pair<const char*, double>>;
 /// where one was not reached; then `frame`: everything that a robot would have to do.
 StageTimes timing_of(const StageTimes& measured, std::span<const char* const> in_estimator,
                      const StageTimes& loop_ms);
+
+SnapshotAdvice advice_of(const Goal& goal, const std::vector<Translation>& actions);
 
 void put_update(Snapshot& snapshot, const UpdateReport& update, const Entropy& entropy);
 

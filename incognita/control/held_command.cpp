@@ -3,17 +3,11 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 #include <numbers>
-#include <sstream>
+
+#include "incognita/control/words.hpp"
 
 namespace incognita {
 namespace {
-
-template <class... Parts>
-std::string words(const Parts&... parts) {
-  std::ostringstream text;
-  (text << ... << parts);
-  return text.str();
-}
 
 double sinc(double a) { return std::abs(a) < 1e-8 ? 1 : std::sin(a) / a; }
 

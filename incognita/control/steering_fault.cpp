@@ -3,23 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <sstream>
 #include <vector>
 
 #include "incognita/control/held_command.hpp"
 #include "incognita/control/path_speed.hpp"
+#include "incognita/control/words.hpp"
 #include "incognita/math/angles.hpp"
 #include "incognita/math/nearest_name.hpp"
 
 namespace incognita {
 namespace {
-
-template <class... Parts>
-std::string words(const Parts&... parts) {
-  std::ostringstream text;
-  (text << ... << parts);
-  return text.str();
-}
 
 /// The first of them that is one.
 std::string first_of(std::initializer_list<std::string> faults) {

@@ -23,7 +23,6 @@ struct TeamStartSettings {
 
 struct TeamFilterChoice {
   std::string lineariser = "analytic";
-  std::string form = "covariance";  ///< `covariance` or `information`
   double gate_probability = 1;
 };
 

@@ -28,8 +28,6 @@ void team_filter(List& list, TeamFilterChoice& s) {
   list.insert(list.end(), {
                               {"team_filter.lineariser", &s.lineariser, "", "which Kalman filter",
                                one_of({"analytic", "iterated", "unscented-vehicle", "first-estimate"})},
-                              {"team_filter.form", &s.form, "", "what the filter keeps",
-                               one_of({"covariance", "information"})},
                               {"team_filter.gate_probability", &s.gate_probability, "",
                                "of a right sighting being used; 1: all are used", between(0.5, 1)},
                           });

@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 
 #include "incognita/math/chart.hpp"
@@ -21,17 +22,20 @@ PoseNumbers numbers(const StampedPose& pose) {
   return x;
 }
 
-/// e' P^-1 e over the components that are states: not those without an error to speak of (NaN), nor those
-/// that are exact by construction, as a height is on a plane (error and variance 0).
+/// e' P^-1 e.
 struct NormalisedSquare {
   double sum = 0;
   int dof = 0;
 };
+
+/// Of some components: not those without an error to speak of (NaN), nor those that are exact by
+/// construction, as a height is on a plane (error and variance 0).
 template <int N>
 std::optional<NormalisedSquare> normalised_square(const Eigen::Matrix<double, N, 1>& e,
-                                                  const Eigen::Matrix<double, N, N>& P) {
+                                                  const Eigen::Matrix<double, N, N>& P,
+                                                  std::initializer_list<int> components) {
   std::vector<int> states;
-  for (int i = 0; i < N; ++i)
+  for (const int i : components)
     if (!std::isnan(e[i]) && !(e[i] == 0 && P(i, i) == 0)) states.push_back(i);
   if (states.empty()) return std::nullopt;
   const Eigen::MatrixXd part = P(states, states);
@@ -57,13 +61,17 @@ PoseError pose_error(const StampedPose& truth, const StampedPose& estimate) {
 }
 
 std::optional<double> pose_nees(const PoseError& error, const PoseCovariance& covariance) {
-  const auto square = normalised_square<6>(error, covariance);
+  auto square = normalised_square<6>(error, covariance, {0, 1, 2, 3, 4, 5});
+  const bool follow =
+      (covariance.diagonal().segment<3>(2).array() > 0).all();  // height, roll and pitch: no states
+  if (!square && follow) square = normalised_square<6>(error, covariance, {0, 1, 5});
   if (!square) return std::nullopt;
   return square->sum / square->dof;
 }
 
 bool beyond_three_sigma(const Eigen::Vector3d& error, const Eigen::Matrix3d& covariance) {
-  const auto square = normalised_square<3>(error, covariance);
+  auto square = normalised_square<3>(error, covariance, {0, 1, 2});
+  if (!square && covariance(2, 2) > 0) square = normalised_square<3>(error, covariance, {0, 1});
   if (!square) return !error.isZero();
   return square->sum > three_sigma_chi_square[square->dof];
 }

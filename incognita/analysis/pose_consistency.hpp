@@ -24,13 +24,15 @@ PoseError pose_error(const StampedPose& truth, const StampedPose& estimate);
 
 /// Normalised estimation error squared of the pose divided by its degrees of freedom, so that 1 is right.
 /// Those are 6, less components whose error is not known (NaN) or that are exact by construction (error and
-/// variance 0, as height, roll and pitch on a plane). Nothing where the covariance of the rest is not
-/// positive definite: there is no such number for a pose said to be exact.
+/// variance 0, as height, roll and pitch on a plane). Where the covariance of the
+/// rest is not positive definite, and height, roll and pitch are not said to be exact, as on uneven ground,
+/// which gives them, x, y and rotZ alone are taken; nothing where theirs is not either: there is no such
+/// number for a pose said to be exact.
 std::optional<double> pose_nees(const PoseError& error, const PoseCovariance& covariance);
 
 /// Whether a position lies beyond 3 sigma of its covariance: its Mahalanobis distance squared exceeds the
-/// 0.9973 quantile of chi-square with 3 degrees of freedom, fewer on a plane as in pose_nees(). A covariance
-/// that is not positive definite counts when there is an error at all.
+/// 0.9973 quantile of chi-square with 3 degrees of freedom, fewer on a plane or uneven ground as in
+/// pose_nees(). A covariance that is not positive definite then either counts when there is an error at all.
 bool beyond_three_sigma(const Eigen::Vector3d& error, const Eigen::Matrix3d& covariance);
 
 /// Mean of pose_nees over matched poses whose covariance is known at the estimate's own time stamp; nothing

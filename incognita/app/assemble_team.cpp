@@ -58,6 +58,21 @@ TeamDecisionSettings decision_of(const Scenario& s) {
   return out;
 }
 
+/// A first guess of depths that has nothing to do with the place makes landmarks that a filter cannot mend.
+std::vector<std::string> notes_of(const LoadedScenario& loaded) {
+  const Scenario& s = loaded.scenario;
+  const PointsSettings& points = s.team.points;
+  const bool all_known = points.known < 0 || points.known >= points.count;
+  if ((s.run.sensor != "camera" && s.run.sensor != "bearing") || !points.file.empty() || all_known) return {};
+  const double near_m = 1 / (s.slam.birth.inverse_depth_per_m + 2 * s.slam.birth.sigma_inverse_depth_per_m);
+  const double believed_m = 1 / s.slam.birth.inverse_depth_per_m, place_m = s.team.points.size_m.norm() / 2;
+  if (believed_m > place_m / 6 && near_m < place_m) return {};
+  return {fmt::format(
+      "birth.inverse_depth_per_m = {} (from {}): a new landmark is first believed to be {:.3g} m away, "
+      "and the place reaches {:.3g} m: tell a depth that fits it, or the map may break",
+      s.slam.birth.inverse_depth_per_m, loaded.sources.at("birth.inverse_depth_per_m"), believed_m, place_m)};
+}
+
 TeamAssembly simulated(const LoadedScenario& loaded) {
   const Scenario& s = loaded.scenario;
   const double period_s = 1 / s.run.rate_hz;
@@ -66,6 +81,9 @@ TeamAssembly simulated(const LoadedScenario& loaded) {
   TeamSettings team;
   team.filter = filter_of(s);
   know_landmarks(team, place, s.team.points.known);
+  if (s.team.points.known > static_cast<int>(place.size()))
+    throw InputError(fmt::format("{}: points.known = {}: there are {} landmarks",
+                                 loaded.sources.at("points.known"), s.team.points.known, place.size()));
   std::vector<SimulatedVehicle> vehicles;
   std::vector<VehicleSteering> steering;
   for (std::size_t i = 0; i < vehicles_of(s); ++i) {
@@ -80,7 +98,7 @@ TeamAssembly simulated(const LoadedScenario& loaded) {
            std::make_unique<TeamWorld>(vehicles, seed),
            std::make_unique<TeamSensor>(vehicles, place, s.team.start.sees_team, seed), std::move(estimator),
            TeamDecision(team, decision_of(s)), std::move(controller)},
-          {}};
+          notes_of(loaded)};
 }
 
 /// Each starts where the motion capture has it when all know how they move.

@@ -94,7 +94,7 @@ std::vector<std::string> check_team(const LoadedScenario& loaded) {
   const TeamAssembly assembly = assemble_team(loaded);  // which refuses what a run would
   std::vector<std::string> found = assembly.notes;
   const TeamSettings& team = assembly.boxes.estimator.settings();
-  found.push_back(fmt::format("{} vehicles, {} known landmarks", team.members.size(), team.anchors.size()));
+  found.push_back(fmt::format("vehicles: {}, known landmarks: {}", team.members.size(), team.anchors.size()));
   return found;
 }
 

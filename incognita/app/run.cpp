@@ -18,6 +18,7 @@
 #include "incognita/app/observability_watch.hpp"
 #include "incognita/app/progress.hpp"
 #include "incognita/app/say.hpp"
+#include "incognita/app/team_models.hpp"
 #include "incognita/io/team_setting_list.hpp"
 #include "incognita/messages/errors.hpp"
 #include "incognita/record/frame_pictures.hpp"
@@ -60,6 +61,7 @@ struct Ending {
   RunStatus status = RunStatus::done;
   std::string reason;
   std::vector<std::string> warnings = {};
+  bool saw_nothing = false;
 };
 
 Ending ending_of(const Snapshot& last, const Tick& tick, bool ever_tracked) {
@@ -101,13 +103,14 @@ Ending drive(SomeBoxes& boxes, Recorder& recorder, FramePictures* pictures, Obse
   Progress progress(boxes.clock->expected_frames());
   StateTeller teller;
   Snapshot last;
-  bool ever_tracked = false;
+  bool ever_tracked = false, ever_looked = false;
   std::optional<double> first_t;
   const auto start = std::chrono::steady_clock::now();
   const auto publish = [&](const Snapshot& snapshot) {
     last = snapshot;
     ever_tracked |=
         snapshot.status.state != TrackingState::starting && snapshot.status.state != TrackingState::lost;
+    ever_looked |= !snapshot.looks.empty();
     recorder.publish(snapshot);
     if (pictures) pictures->publish(snapshot);
     progress.show(snapshot.tick.frame + 1,
@@ -134,9 +137,10 @@ Ending drive(SomeBoxes& boxes, Recorder& recorder, FramePictures* pictures, Obse
   Ending ending = ending_of(last, last.tick, ever_tracked);
   const auto unseen = std::count_if(last.landmarks.begin(), last.landmarks.end(),
                                     [](const SnapshotLandmark& l) { return l.anchor && l.sightings == 0; });
-  if (unseen > 0)
+  if (unseen > 0 && last.vehicles.empty())
     ending.warnings.push_back(
-        fmt::format("{} of the anchors were never matched: are they where they should be?", unseen));
+        fmt::format("anchors never matched: {}; are they where they should be?", unseen));
+  if (!last.vehicles.empty() && !ever_looked) ending.warnings.push_back("nothing was seen in the whole run");
   return ending;
 }
 
@@ -168,8 +172,11 @@ int run_boxes(SomeBoxes& boxes, const RunInfo& info, const LoadedScenario& loade
   std::optional<ObservabilityWatch> watch;
   if (loaded.scenario.run.observability && info.vehicles == 0) watch.emplace();
 
-  const Ending ending =
+  Ending ending =
       drive(boxes, recorder, pictures ? &*pictures : nullptr, watch ? &*watch : nullptr, options.realtime);
+  const PointsSettings& points = loaded.scenario.team.points;
+  if (ending.saw_nothing && info.vehicles > 0 && (points.count > 0 || !points.file.empty()))
+    ending.warnings.push_back("nothing was seen in the whole run");
   if (watch) tell_observability(*watch, recorder);
   const auto finishing = [&](const std::filesystem::path& directory) {
     std::vector<std::string> warnings = ending.warnings;
@@ -225,9 +232,7 @@ int run_team(const LoadedScenario& loaded, const std::string& out, const Options
   info.body = model == "free-camera" ? "camera" : "vehicle";
   info.vehicles = static_cast<int>(assembly.boxes.estimator.settings().members.size());
   info.inputs = inputs_of(model);
-  const std::string& law = loaded.scenario.team.steer.law;
-  if (model == "terrain" && (law == "feedback-linearisation" || law == "active"))
-    info.steered_forward_m = loaded.scenario.team.steer.control_point_m;
+  info.steered_m = steered_point(loaded.scenario);
   return run_boxes(assembly.boxes, info, loaded, out, options);
 }
 

@@ -1,8 +1,6 @@
-#include <Eigen/Cholesky>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <span>
 
 #include "incognita/app/snapshot_of.hpp"
 #include "incognita/app/snapshot_parts.hpp"
@@ -12,35 +10,14 @@ namespace {
 
 constexpr std::array team_stages{"predict", "associate", "update", "births", "poses", "entropy"};
 
-std::span<const double> numbers(const SmallVector& v) {
-  return {v.data(), static_cast<std::size_t>(v.size())};
-}
-
-/// Of the pose; where that hangs on fewer numbers, as on uneven ground, of the state.
-std::optional<double> nees(const TeamEstimate& e, std::size_t i, const SnapshotVehicle& v,
-                           const Truth& truth) {
-  if (const auto of_pose = pose_nees(pose_error(*v.truth, v.estimate), v.covariance)) return of_pose;
-  const BlockId block = e.vehicles[i].block;
-  const SmallVector mean = e.belief.mean(block);
-  if (truth.vehicles[i].size() != mean.size()) return std::nullopt;
-  SmallVector error(e.belief.chart(block).tangent());
-  e.belief.chart(block).minus(numbers(truth.vehicles[i]), numbers(mean),
-                              {error.data(), static_cast<std::size_t>(error.size())});
-  const Eigen::LLT<Eigen::MatrixXd> P(e.belief.covariance(block));
-  if (P.info() != Eigen::Success) return std::nullopt;
-  return error.dot(P.solve(Eigen::VectorXd(error))) / static_cast<double>(error.size());
-}
-
 SnapshotVehicle in_space(const TeamEstimate& e, std::size_t i, const std::optional<Truth>& truth,
                          const Command& command, double t) {
   const TeamVehicle& vehicle = e.vehicles[i];
   SnapshotVehicle out;
   out.estimate = {t, vehicle.pose.position, vehicle.pose.world_from_body};
   out.covariance = vehicle.pose_covariance;
-  if (truth && i < truth->poses.size()) {
+  if (truth && i < truth->poses.size())
     out.truth = StampedPose{t, truth->poses[i].position, truth->poses[i].world_from_body};
-    out.nees_per_dof = nees(e, i, out, *truth);
-  }
   if (i < command.wanted.size()) out.wanted = command.wanted[i];
   if (i < command.inputs.size()) out.input = command.inputs[i];
   return out;

@@ -111,10 +111,10 @@ Diagonal diagonal(const std::vector<double>& numbers) {
       Eigen::Map<const Eigen::VectorXd>(numbers.data(), static_cast<Eigen::Index>(numbers.size()))));
 }
 
-/// One number for all inputs, or one each.
+/// Of none it stands still.
 SmallVector held_input(const Scenario& s, int inputs) {
   const std::vector<double>& told = s.team.steer.input;
-  if (told.size() == 1) return SmallVector::Constant(inputs, told.front());
+  if (told.empty()) return SmallVector::Zero(inputs);
   return Eigen::Map<const Eigen::VectorXd>(told.data(), static_cast<Eigen::Index>(told.size()));
 }
 
@@ -188,6 +188,15 @@ SimulatedVehicle simulated_vehicle(const Scenario& s, std::size_t i) {
   v.field_of_view_rad = p.field_of_view_rad >= 6.2831853 ? 7 : p.field_of_view_rad;
   v.ticks_per_look = p.ticks_per_look;
   return v;
+}
+
+Eigen::Vector2d steered_point(const Scenario& s) {
+  const std::string& law = s.team.steer.law;
+  const VehicleSettings& v = s.planar.vehicle;
+  if (v.model == "differential-drive" && law == "tracking") return {-v.sensor_forward_m, -v.sensor_left_m};
+  const bool linearised = law == "feedback-linearisation" || law == "active";
+  if (v.model == "terrain" && linearised) return {s.team.steer.control_point_m, 0};
+  return {0, 0};
 }
 
 VehicleSteering steering_of(const LoadedScenario& loaded, std::size_t i) {

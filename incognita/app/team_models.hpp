@@ -23,6 +23,10 @@ TeamFilterSettings filter_of(const Scenario& scenario);
 /// What vehicle `i` really is.
 SimulatedVehicle simulated_vehicle(const Scenario& scenario, std::size_t i);
 
+/// The point of a vehicle that its law brings to the path, before and left of the point that its state tells
+/// (m).
+Eigen::Vector2d steered_point(const Scenario& scenario);
+
 /// Which way vehicle `i` is to go, and by which law. Throws InputError where a path's file cannot be used.
 VehicleSteering steering_of(const LoadedScenario& loaded, std::size_t i);
 

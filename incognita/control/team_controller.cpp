@@ -1,5 +1,6 @@
 #include "incognita/control/team_controller.hpp"
 
+#include <cmath>
 #include <utility>
 
 namespace incognita {
@@ -9,10 +10,22 @@ TeamController::TeamController(std::vector<VehicleSteering> vehicles, double per
   for (const VehicleSteering& v : vehicles_) laws_.push_back(make_steering(v.motion, v.settings, period_s_));
 }
 
+namespace {
+
+/// On uneven ground it is the point before the axle that is brought to the path: to where it is at the goal.
+Eigen::Vector3d steered_to(const VehicleSteering& v, const Eigen::Vector4d& goal) {
+  const bool ahead =
+      std::holds_alternative<TerrainVehicle>(v.motion) && v.settings.law == "feedback-linearisation";
+  const double forward_m = ahead ? v.settings.control_point_m : 0;
+  return goal.head<3>() + forward_m * Eigen::Vector3d(std::cos(goal[3]), std::sin(goal[3]), 0);
+}
+
+}  // namespace
+
 void TeamController::turn_to(const Goal& goal) {
   for (std::size_t i = 0; i < vehicles_.size(); ++i) {
     VehicleSteering& v = vehicles_[i];
-    v.settings.path = PointPath{goal.team[i].head<3>(), goal.team[i][3]};
+    v.settings.path = PointPath{steered_to(v, goal.team[i]), goal.team[i][3]};
     laws_[i] = make_steering(v.motion, v.settings, period_s_);
   }
 }

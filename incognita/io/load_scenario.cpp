@@ -8,6 +8,7 @@
 #include "incognita/io/files.hpp"
 #include "incognita/io/scenario_checks.hpp"
 #include "incognita/io/settings.hpp"
+#include "incognita/io/team_setting_list.hpp"
 #include "incognita/math/nearest_name.hpp"
 #include "incognita/messages/errors.hpp"
 
@@ -87,7 +88,12 @@ class Reader {
   void fault(std::string text) { faults_.push_back(std::move(text)); }
 
   void check() {
-    refuse_what_means_nothing();
+    // What a wrong word leaves is a default: what means nothing with that may mean something with the right
+    // word
+    if (faults_.empty()) {
+      follow_beliefs();
+      refuse_what_means_nothing();
+    }
     if (faults_.empty()) {  // else what contradicts may only follow from what was refused
       for (const Contradiction& found : find_contradictions(loaded_.scenario)) {
         const Setting* setting = find(found.key);
@@ -105,11 +111,22 @@ class Reader {
     return it == settings_.end() ? nullptr : &*it;
   }
 
+  /// A simulated vehicle is as noisy as its filter believes, unless the scenario says otherwise.
+  void follow_beliefs() {
+    if (loaded_.scenario.run.world != "points") return;
+    for (const auto& [truth, belief] : beliefs_of_noises()) {
+      if (loaded_.sources[truth] != "default") continue;
+      assign_text(*find(truth), find(belief)->written());
+      loaded_.sources[truth] = "as " + std::string(belief);
+    }
+  }
+
   /// A setting of another sensor's or vehicle's would be ignored without a word.
   void refuse_what_means_nothing() {
     for (const Setting& setting : settings_) {
       const std::string& source = loaded_.sources[setting.key];
-      const std::string with = source == "default" ? "" : why_meaningless(setting.key, loaded_.scenario);
+      const bool told = source != "default" && !source.starts_with("as ");
+      const std::string with = !told ? "" : why_meaningless(setting.key, loaded_.scenario);
       if (!with.empty())
         faults_.push_back(
             fmt::format("{}: {} = {}: means nothing with {}", source, setting.key, setting.written(), with));

@@ -155,8 +155,8 @@ std::string Setting::kind() const {
                                           "a list of three numbers",
                                           "true or false",
                                           "a list of two numbers",
-                                          "a list of pairs of numbers",
-                                          "a list of triples of numbers",
+                                          "a list of [x, y]",
+                                          "a list of [x, y, z]",
                                           "a list of numbers"};
   return names[field.index()];
 }

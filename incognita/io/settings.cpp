@@ -397,7 +397,7 @@ std::string why_meaningless(const std::string& key, const Scenario& s) {
     return "association.method = `known`";
   if (!s.planar.filter.use_fixes && key == "vehicle_filter.sigma_fix_m")
     return "vehicle_filter.use_fixes = false";
-  if (key == "run.rate_hz") return "a recording, which has its own times";
+  if (key == "run.rate_hz" && s.run.world == "recording") return "a recording, which has its own times";
   const std::string& format = s.recording.format;
   if (key == "recording.robot" && format != "mrclam" && format != "auto")
     return "recording.format = `" + format + "`";

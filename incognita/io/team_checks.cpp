@@ -26,7 +26,8 @@ void check_recorded(const Scenario& s, List& found) {
 /// A list with one number stands for all the same.
 void check_length(const char* key, std::size_t size, std::size_t wanted, const char* what, List& found) {
   if (size == 1 || size == wanted) return;
-  found.push_back({key, fmt::format("must have 1 number or {}, {}, and has {}", wanted, what, size)});
+  const std::string counts = wanted == 1 ? "1 number" : fmt::format("1 number or {}", wanted);
+  found.push_back({key, fmt::format("must have {}, {}, and has {}", counts, what, size)});
 }
 
 void check_starts(const Scenario& s, List& found) {
@@ -55,7 +56,10 @@ void check_gains(const Scenario& s, List& found) {
                                 : body ? 12
                                        : 2;
   const SteerChoice& c = s.team.steer;
-  check_length("steer.input", c.input.size(), inputs, "one for each input of the motion", found);
+  if (!c.input.empty() && c.input.size() != inputs)
+    found.push_back(
+        {"steer.input", fmt::format("must have {} numbers, one for each input of the motion, and has {}",
+                                    inputs, c.input.size())});
   check_length("steer.gain_per_s", c.gain_per_s.size(), axes, "one for each axis", found);
   check_length("steer.weight_state", c.weight_state.size(), regulated,
                "one for each number that is regulated", found);
@@ -74,8 +78,74 @@ void check_path(const Scenario& s, List& found) {
     found.push_back({"path.rate_rad_s", "must not be 0: on a circle one goes round"});
 }
 
+/// What stands on the ground or on a line has no height, nor a place beside the line, to choose.
+void check_dimensions(const Scenario& s, List& found) {
+  const std::string& model = s.planar.vehicle.model;
+  if (model == "free-camera") return;
+  const bool line = model == "monobot";
+  const auto check_places = [&](const char* key, const std::vector<Eigen::Vector3d>& places) {
+    for (const Eigen::Vector3d& place : places)
+      if (place.z() != 0 || (line && place.y() != 0))
+        return found.push_back({key, fmt::format("must have {} with vehicle.model = `{}`",
+                                                 line ? "y and z of 0" : "a z of 0", model)});
+  };
+  check_places("team.positions_m", s.team.start.positions_m);
+  const std::string& law = s.team.steer.law;
+  if (law == "none" || law == "active") return;
+  check_places("path.offsets_m", s.team.path.offsets_m);
+  check_places("path.centre_m", {s.team.path.centre_m});
+  check_places("path.points_m", s.team.path.points_m);
+  if (line && (s.team.path.kind == "circle" || s.team.path.kind == "back-and-forth"))
+    found.push_back({"path.kind", "must be `point`, `way-points` or `file` with vehicle.model = `monobot`"});
+}
+
+/// A law that steers a position needs a point off the axle, thesis (5.13): its inverse has 1 / l in it.
+void check_control_point(const Scenario& s, List& found) {
+  constexpr double least_m = 0.01;
+  const std::string &model = s.planar.vehicle.model, &law = s.team.steer.law;
+  if (law == "none" || law == "tracking") return;
+  const auto refuse = [&](const char* key) {
+    found.push_back(
+        {key, fmt::format("must be at least {} m off the axle for steer.law = `{}`: on the axle the point "
+                          "that is steered cannot be moved sideways",
+                          least_m, law)});
+  };
+  if ((model == "differential-drive" || model == "ackermann") &&
+      std::abs(s.planar.vehicle.sensor_forward_m) < least_m)
+    refuse("vehicle.sensor_forward_m");
+  if (model == "terrain" && std::abs(s.team.steer.control_point_m) < least_m) refuse("steer.control_point_m");
+}
+
+void check_known(const Scenario& s, List& found) {
+  const PointsSettings& p = s.team.points;
+  if (p.file.empty() && p.known > p.count)
+    found.push_back(
+        {"points.known", fmt::format("must be at most points.count, which is {}, or -1 for all", p.count)});
+  if (s.team.start.sigma_position_m > s.planar.lost.max_sigma_position_m)
+    found.push_back(
+        {"team.sigma_position_m",
+         fmt::format("must be at most vehicle_lost.max_sigma_position_m, which is {}: it would be lost "
+                     "before it starts",
+                     s.planar.lost.max_sigma_position_m)});
+}
+
+/// Of the active law: bounds that hold the starts.
+void check_bounds(const Scenario& s, List& found) {
+  if (s.team.steer.law != "active") return;
+  const DecisionSettings& d = s.decision;
+  if ((d.max_bound_m.array() <= d.min_bound_m.array()).any())
+    return found.push_back(
+        {"decision.max_bound_m", "must be more than decision.min_bound_m along each axis"});
+  for (const Eigen::Vector3d& at : s.team.start.positions_m)
+    if ((at.array() < d.min_bound_m.array()).any() || (at.array() > d.max_bound_m.array()).any())
+      return found.push_back({"decision.min_bound_m", "must leave every start of team.positions_m inside"});
+}
+
 void check_plant(const Scenario& s, List& found) {
   const VehicleSettings& v = s.planar.vehicle;
+  if (s.team.plant.motion == "terrain" && s.run.sensor != "camera" && s.run.sensor != "stereo")
+    return found.push_back({"plant.motion", "must be `as-believed` with run.sensor = `" + s.run.sensor +
+                                                "`: on uneven ground the plane of a scanner tilts"});
   if (s.team.plant.motion == "terrain" && (v.sensor_forward_m != 0 || v.sensor_left_m != 0))
     found.push_back({"plant.motion",
                      "must be `as-believed` unless vehicle.sensor_forward_m and "
@@ -98,6 +168,10 @@ void check_team(const Scenario& s, List& found) {
   check_starts(s, found);
   check_gains(s, found);
   check_path(s, found);
+  check_dimensions(s, found);
+  check_control_point(s, found);
+  check_known(s, found);
+  check_bounds(s, found);
   check_plant(s, found);
   if (s.run.sensor == "camera" || s.run.sensor == "stereo") check_camera(s, found);
 }

@@ -61,7 +61,8 @@ std::string filter(std::string_view key, const Choices& c) {
 
 std::string plant(std::string_view key, const Choices& c) {
   if (one_of(key, {"sigma_range_m", "sigma_range_ratio", "sigma_bearing_rad"})) return ranges(key, c);
-  if (key == "field_of_view_rad") return unless(!c.camera, c.by_sensor());
+  if (key == "field_of_view_rad")
+    return unless(!c.camera && !c.line, c.camera ? c.by_sensor() : c.by_model());
   if (key == "sigma_pixel_px") return unless(c.camera, c.by_sensor());
   if (one_of(key, {"sigma_acceleration_m_s2", "sigma_angular_acceleration_rad_s2"}))
     return unless(c.body, c.by_model());
@@ -101,7 +102,7 @@ std::string path(std::string_view key, const Choices& c) {
   if (one_of(c.law, {"none", "active"})) return c.by_law();
   if (one_of(key, {"kind", "offsets_m"})) return "";
   if (key == "centre_m") return unless(one_of(c.path, {"point", "circle", "back-and-forth"}), c.by_path());
-  if (key == "heading_rad") return unless(c.path == "point", c.by_path());
+  if (key == "heading_rad") return unless(c.path == "point" && c.body, c.body ? c.by_path() : c.by_model());
   if (key == "radius_m") return unless(one_of(c.path, {"circle", "back-and-forth"}), c.by_path());
   if (one_of(key, {"rate_rad_s", "phase_rad"})) return unless(c.path == "circle", c.by_path());
   if (key == "amplitude_rad") return unless(c.path == "back-and-forth", c.by_path());
@@ -182,6 +183,7 @@ std::string why_meaningless_to_team(const std::string& full_key, const Scenario&
   if (section == "vehicle") return vehicle(key, c);
   if (section == "ranges") return ranges(key, c);
   if (section == "vehicle_lost") return unless(key == "max_sigma_position_m", c.by_world());
+  if (section == "team" && c.line && one_of(key, {"headings_rad", "sigma_heading_rad"})) return c.by_model();
   if (section == "team")
     return unless(!c.recorded || !one_of(key, {"positions_m", "headings_rad"}), c.by_world());
   return c.recorded ? c.by_world() : in_points(section, key, c);

@@ -71,8 +71,8 @@ struct StereoChoice {
 };
 
 struct SteerChoice {
-  std::string law = "none";  ///< `none`, `tracking`, `lqg`, `feedback-linearisation`, `active`
-  std::vector<double> input{0};
+  std::string law = "none";     ///< `none`, `tracking`, `lqg`, `feedback-linearisation`, `active`
+  std::vector<double> input{};  ///< `none`: one for each of the motion's; none: stand still
   std::vector<double> gain_per_s{0.5};
   double control_point_m = 0.2;
   double gain_along_per_s = 1, gain_across_per_m2 = 4, gain_heading_per_m = 2;

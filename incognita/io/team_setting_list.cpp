@@ -37,7 +37,7 @@ void points(List& list, PointsSettings& s) {
   list.insert(
       list.end(),
       {
-          {"points.count", &s.count, "", "landmarks, drawn evenly", between(0, 100000)},
+          {"points.count", &s.count, "", "landmarks, drawn evenly", between(0, 10000)},
           {"points.size_m", &s.size_m, "m", "of where they are: +-x/2, +-y/2, 0 to z", between(0, 1e6)},
           {"points.centre_m", &s.centre_m, "m", "of that place", between(-1e6, 1e6)},
           {"points.file", &s.file, "",
@@ -120,9 +120,9 @@ void steer(List& list, SteerChoice& s) {
           {"steer.law", &s.law, "", "none: the input is held; active: where most is learnt, thesis Chapter 6",
            one_of({"none", "tracking", "lqg", "feedback-linearisation", "active"})},
           {"steer.input", &s.input, "",
-           "none: speed (m/s); with turn rate (rad/s) or steering (rad); of a body, accelerations along x y "
+           "speed (m/s); with turn rate (rad/s) or steering (rad); of a body, accelerations along x y "
            "z "
-           "(m/s^2) and about them (rad/s^2); one number: all the same",
+           "(m/s^2) and about them (rad/s^2); none: it stands still",
            between(-1e4, 1e4)},
           {"steer.gain_per_s", &s.gain_per_s, "1/s", "on the position error, one or per axis: Q_2 of (5.9)",
            any()},
@@ -171,6 +171,18 @@ void path(List& list, PathChoice& s) {
 }
 
 }  // namespace
+
+std::vector<std::pair<const char*, const char*>> beliefs_of_noises() {
+  return {{"plant.sigma_speed_m_s", "vehicle.sigma_speed_m_s"},
+          {"plant.sigma_turn_rate_rad_s", "vehicle.sigma_turn_rate_rad_s"},
+          {"plant.sigma_steering_rad", "vehicle.sigma_steering_rad"},
+          {"plant.sigma_acceleration_m_s2", "filter.sigma_acceleration_m_s2"},
+          {"plant.sigma_angular_acceleration_rad_s2", "filter.sigma_angular_acceleration_rad_s2"},
+          {"plant.sigma_range_m", "ranges.sigma_range_m"},
+          {"plant.sigma_range_ratio", "ranges.sigma_range_ratio"},
+          {"plant.sigma_bearing_rad", "ranges.sigma_bearing_rad"},
+          {"plant.sigma_pixel_px", "filter.sigma_pixel_px"}};
+}
 
 void list_team_settings(List& list, TeamScenario& t) {
   team(list, t.start);

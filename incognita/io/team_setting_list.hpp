@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "incognita/io/scenario.hpp"
@@ -14,6 +15,9 @@ bool is_team(const Scenario& scenario);
 
 /// Appends every setting of `team`, which must outlive the list.
 void list_team_settings(std::vector<Setting>& list, TeamScenario& team);
+
+/// Keys of the true noises, each with that of what the filter believes.
+std::vector<std::pair<const char*, const char*>> beliefs_of_noises();
 
 /// Whether a section belongs to teams alone.
 bool is_of_teams(const std::string& section);

@@ -97,7 +97,7 @@ const char* name(RunStatus status) {
 bool same_frame_as_truth(const RunInfo& info) { return info.ate_alignment == name(AlignmentKind::none); }
 
 RunSummary::RunSummary(const RunInfo& info)
-    : version_(info.version), seed_(info.seed), team_(info.body == "camera", info.steered_forward_m) {
+    : version_(info.version), seed_(info.seed), team_(info.body == "camera", info.steered_m) {
   const auto kind = alignment_kind(info.ate_alignment);
   if (!kind)
     throw std::invalid_argument("ate_alignment `" + info.ate_alignment + "`; none, se3, sim3 or yaw");
@@ -139,13 +139,12 @@ void RunSummary::add(const Snapshot& snapshot) {
 }
 
 void RunSummary::compare(const StampedPose& truth, const StampedPose& estimate, const PoseCovariance& P,
-                         std::optional<double> nees, TrackingState state) {
+                         TrackingState state) {
   matched_.truth.push_back(truth);
   matched_.estimate.push_back(estimate);
   if (alignment_ != AlignmentKind::none) return;  // a covariance speaks of the frame it is in
   const PoseError error = pose_error(truth, estimate);
-  if (!nees) nees = pose_nees(error, P);
-  if (nees) nees_per_dof_.add(*nees);
+  if (const auto nees = pose_nees(error, P)) nees_per_dof_.add(*nees);
   if (state == TrackingState::tracking && beyond_three_sigma(error.head<3>(), P.topLeftCorner<3, 3>()))
     ++overconfident_frames_;
 }
@@ -153,12 +152,10 @@ void RunSummary::compare(const StampedPose& truth, const StampedPose& estimate, 
 void RunSummary::compare_with_truth(const Snapshot& s) {
   has_truth_ = true;
   if (!has_pose(s)) return;
-  compare(true_pose(s.tick, *s.truth), estimated_pose(s), pose_covariance(s),
-          s.vehicles.empty() ? std::nullopt : s.vehicles.front().nees_per_dof, s.status.state);
+  compare(true_pose(s.tick, *s.truth), estimated_pose(s), pose_covariance(s), s.status.state);
   for (std::size_t i = 1; i < s.vehicles.size(); ++i)
     if (s.vehicles[i].truth)
-      compare(*s.vehicles[i].truth, s.vehicles[i].estimate, s.vehicles[i].covariance,
-              s.vehicles[i].nees_per_dof, s.status.state);
+      compare(*s.vehicles[i].truth, s.vehicles[i].estimate, s.vehicles[i].covariance, s.status.state);
 }
 
 double RunSummary::ate_m() const {

@@ -30,7 +30,7 @@ struct RunInfo {
   std::string body = "camera";         ///< whose pose it is: `camera` or `vehicle`
   bool ranges = false;                 ///< looks are ranges and bearings, not pixels
   int vehicles = 0;                    ///< of a team; 0: there is none
-  double steered_forward_m = 0;  ///< of a team: the point that is to be on the path, before its vehicle's own
+  Eigen::Vector2d steered_m{0, 0};     ///< of a team: the point to be on the path, before and left of its own
   std::vector<std::string> inputs = {};  ///< of a team's vehicles: names with units, e.g. "speed_m_s"
   int patch_size_px = 11;                ///< side of the squares that are searched for, to draw them
   std::vector<std::pair<std::string, SummaryValue>> extra;  ///< more fields for summary.json
@@ -69,7 +69,7 @@ class RunSummary {
 
   void compare_with_truth(const Snapshot& snapshot);
   void compare(const StampedPose& truth, const StampedPose& estimate, const PoseCovariance& covariance,
-               std::optional<double> nees, TrackingState state);
+               TrackingState state);
   double ate_m() const;
 
   std::string version_;

@@ -34,8 +34,7 @@ Eigen::VectorXd errors(const Snapshot& snapshot, const PoseCovariance& P) {
   if (!snapshot.truth || !has_pose(snapshot)) return values;
   // a person reads an error as estimate minus truth; NEES does not mind the sign
   values.head<6>() = -pose_error(true_pose(snapshot.tick, *snapshot.truth), estimated_pose(snapshot));
-  const auto of_vehicle = snapshot.vehicles.empty() ? std::nullopt : snapshot.vehicles.front().nees_per_dof;
-  values[6] = of_vehicle ? *of_vehicle : pose_nees(values.head<6>(), P).value_or(unknown);
+  values[6] = pose_nees(values.head<6>(), P).value_or(unknown);
   return values;
 }
 

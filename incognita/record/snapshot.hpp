@@ -51,7 +51,6 @@ struct SnapshotVehicle {
   std::optional<StampedPose> truth;
   std::optional<Eigen::Vector4d> wanted;  ///< x, y, z (m, world) and heading (rad): where it was to be
   SmallVector input;                      ///< until the next tick, as its motion takes it
-  std::optional<double> nees_per_dof;     ///< of its pose; of its state where that is less than a pose
 };
 
 struct SnapshotAdvice {

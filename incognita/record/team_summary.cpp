@@ -1,5 +1,6 @@
 #include "incognita/record/team_summary.hpp"
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <limits>
 
@@ -15,13 +16,13 @@ double over(double sum, int count) { return count > 0 ? sum / count : unknown; }
 
 }  // namespace
 
-double from_path_m(const SnapshotVehicle& v, bool flies, double forward_m) {
+double from_path_m(const SnapshotVehicle& v, bool flies, const Eigen::Vector2d& steered_m) {
   if (!v.truth || !v.wanted) return unknown;
   const Eigen::Vector3d ahead = rotation_matrix<double>(v.truth->orientation).col(0);
   // On uneven ground the point lies before the axle on the map: the way that it looks, of that length there
   const double heading = std::atan2(ahead.y(), ahead.x());
-  const Eigen::Vector3d point =
-      v.truth->position + forward_m * Eigen::Vector3d(std::cos(heading), std::sin(heading), 0);
+  const Eigen::Vector2d offset = Eigen::Rotation2Dd(heading) * steered_m;
+  const Eigen::Vector3d point = v.truth->position + Eigen::Vector3d(offset.x(), offset.y(), 0);
   const Eigen::Vector3d apart = point - v.wanted->head<3>();
   return flies ? apart.norm() : apart.head<2>().norm();
 }
@@ -34,8 +35,9 @@ void TeamSummary::add(const Snapshot& s) {
     if (!v.truth) continue;
     sums.squares += (v.truth->position - v.estimate.position).squaredNorm();
     ++sums.compared;
-    if (v.nees_per_dof) sums.nees += *v.nees_per_dof, ++sums.nees_count;
-    if (v.wanted) sums.from_path_m.push_back(from_path_m(v, flies_, forward_m_));
+    if (const auto nees = pose_nees(pose_error(*v.truth, v.estimate), v.covariance))
+      sums.nees += *nees, ++sums.nees_count;
+    if (v.wanted) sums.from_path_m.push_back(from_path_m(v, flies_, steered_m_));
   }
 }
 

@@ -7,9 +7,9 @@
 
 namespace incognita {
 
-/// True distance of the point that is steered, `forward_m` before its vehicle's own, from where it was to be;
-/// NaN where either is not known. A path says nothing of the height of what does not fly.
-double from_path_m(const SnapshotVehicle& vehicle, bool flies, double forward_m);
+/// True distance of the point that is steered, that much before and left of its vehicle's own, from where it
+/// was to be; NaN where either is not known. A path says nothing of the height of what does not fly.
+double from_path_m(const SnapshotVehicle& vehicle, bool flies, const Eigen::Vector2d& steered_m);
 
 class TeamSummary {
  public:
@@ -20,7 +20,7 @@ class TeamSummary {
         from_path_p95_m;  ///< true distance from where it was to be, over the last third
   };
 
-  TeamSummary(bool flies, double steered_forward_m) : flies_(flies), forward_m_(steered_forward_m) {}
+  TeamSummary(bool flies, const Eigen::Vector2d& steered_m) : flies_(flies), steered_m_(steered_m) {}
 
   /// Of a snapshot with poses.
   void add(const Snapshot& snapshot);
@@ -35,7 +35,7 @@ class TeamSummary {
     std::vector<double> from_path_m;
   };
   bool flies_;
-  double forward_m_;
+  Eigen::Vector2d steered_m_;
   std::vector<Sums> vehicles_;
 };
 

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <limits>
 
+#include "incognita/math/angles.hpp"
 #include "incognita/math/quaternion.hpp"
 #include "incognita/record/number.hpp"
 #include "incognita/record/pose_rows.hpp"
@@ -45,6 +46,14 @@ Eigen::Vector4d two_sigmas(const SnapshotVehicle& v) {
   return 2 * variances.cwiseMax(0).cwiseSqrt();
 }
 
+/// A path's heading grows on through pi; here it is told as the others are.
+Eigen::Vector4d wanted_of(const SnapshotVehicle& v) {
+  if (!v.wanted) return Eigen::Vector4d::Constant(unknown);
+  Eigen::Vector4d wanted = *v.wanted;
+  wanted[3] = wrap_angle(wanted[3]);
+  return wanted;
+}
+
 }  // namespace
 
 std::string name_for_vehicle(const std::string& file, std::size_t vehicle) {
@@ -54,10 +63,7 @@ std::string name_for_vehicle(const std::string& file, std::size_t vehicle) {
 }
 
 TeamTables::TeamTables(const RunDirectory& directory, const RunInfo& info)
-    : directory_(directory),
-      body_(info.body),
-      steered_forward_m_(info.steered_forward_m),
-      inputs_(info.inputs.size()) {
+    : directory_(directory), body_(info.body), steered_m_(info.steered_m), inputs_(info.inputs.size()) {
   vehicles_ = RowFile(directory.file("vehicles.csv"), vehicles_header(info));
   for (std::size_t i = 1; i < static_cast<std::size_t>(info.vehicles); ++i) {
     Poses& poses = others_.emplace_back();
@@ -75,10 +81,12 @@ std::string TeamTables::vehicle_row(const Snapshot& s, std::size_t i) const {
   append_cell(row, std::to_string(i + 1));
   for (const Eigen::Vector4d& numbers :
        {posed ? four(v.estimate, camera) : nowhere, posed ? two_sigmas(v) : nowhere,
-        v.truth ? four(*v.truth, camera) : nowhere, v.wanted.value_or(nowhere)})
+        v.truth ? four(*v.truth, camera) : nowhere, wanted_of(v)})
     for (const double number : numbers) append_cell(row, number);
-  append_cell(row, from_path_m(v, camera, steered_forward_m_));
-  append_cell(row, posed ? v.nees_per_dof.value_or(unknown) : unknown);
+  append_cell(row, from_path_m(v, camera, steered_m_));
+  append_cell(row, v.truth && posed
+                       ? pose_nees(pose_error(*v.truth, v.estimate), v.covariance).value_or(unknown)
+                       : unknown);
   for (std::size_t k = 0; k < inputs_; ++k) {
     const auto at = static_cast<Eigen::Index>(k);
     append_cell(row, at < v.input.size() ? v.input[at] : unknown);

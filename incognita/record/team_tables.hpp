@@ -36,7 +36,7 @@ class TeamTables {
 
   const RunDirectory& directory_;
   std::string body_;
-  double steered_forward_m_;
+  Eigen::Vector2d steered_m_;
   std::size_t inputs_;
   RowFile vehicles_;
   std::deque<Poses> others_;  ///< from the second vehicle on

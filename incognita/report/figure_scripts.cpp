@@ -7,6 +7,7 @@
 #include <iterator>
 #include <limits>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "incognita/analysis/trajectory.hpp"
@@ -170,10 +171,10 @@ std::string chosen_panel(const CsvTable& actions) {
   return panel + "\n";
 }
 
-/// A vehicle on a plane has no height, roll and pitch to err in: bounds of 0 all along.
-bool is_planar(const CsvTable& series) {
-  const auto height = finite(series.numbers("two_sigma_z_m"));
-  return std::all_of(height.begin(), height.end(), [](double bound) { return bound == 0; });
+/// What a vehicle can err in: one on a plane has no height, roll and pitch, one on a line its place along it.
+bool can_err(const CsvTable& series, const std::string& column) {
+  const auto bound = finite(series.numbers("two_sigma_" + column));
+  return std::any_of(bound.begin(), bound.end(), [](double b) { return b != 0; });
 }
 
 }  // namespace
@@ -218,26 +219,30 @@ std::optional<std::string> map_script(const fs::path& run_directory) {
 std::optional<std::string> errors_script(const fs::path& run_directory) {
   const CsvTable series = read_csv(run_directory / "series.csv");
   if (finite(series.numbers("two_sigma_x_m")).empty()) return std::nullopt;
-  const bool with_errors = series.find("error_x_m").has_value(), planar = is_planar(series);
-  std::string script = figure_head("errors", planar ? 760 : 1000, 660) + time_range(series);
+  const bool with_errors = series.find("error_x_m").has_value(), spatial = can_err(series, "z_m");
+  std::vector<std::pair<std::string, std::string>> positions, turns;  // column and label of each panel
+  for (const char* axis : {"x", "y", "z"})
+    if (spatial || can_err(series, std::string(axis) + "_m"))
+      positions.emplace_back(std::string(axis) + "_m", std::string(axis) + ", cm");
+  for (const char* axis : {"x", "y", "z"})
+    if (spatial || can_err(series, std::string("rot") + axis + "_rad"))
+      turns.emplace_back(std::string("rot") + axis + "_rad",
+                         spatial ? std::string("about ") + axis + ", °" : "heading, °");
+  const std::size_t rows = spatial ? 3 : std::max<std::size_t>(1, positions.size() + turns.size());
+  std::string script = figure_head("errors", spatial ? 1000 : 760, rows < 3 ? 420 : 660) + time_range(series);
   script += fmt::format(
-      "set datafile columnheaders\nset multiplot layout 3,{} columnsfirst margins {},0.985,0.135,0.91 "
+      "set datafile columnheaders\nset multiplot layout {},{} columnsfirst margins {},0.985,0.135,0.91 "
       "spacing 0.13,0.04\nset key at screen 0.515,0.99 center top horizontal maxrows 1\n",
-      planar ? 1 : 2, planar ? 0.1 : 0.075);
-  if (!planar) script += "set title 'position, world axes'\n";
-  for (const char* axis : {"x", "y", "z"}) {
-    if (planar && *axis == 'z') continue;
-    script += error_panel(series, std::string(axis) + "_m", std::string(axis) + ", cm", 100, with_errors,
-                          *axis == 'z');
-  }
-  if (!planar) script += "set title 'rotation, body axes'\n";
+      rows, spatial ? 2 : 1, spatial ? 0.075 : 0.1);
+  if (spatial) script += "set title 'position, world axes'\n";
+  for (std::size_t i = 0; i < positions.size(); ++i)
+    script += error_panel(series, positions[i].first, positions[i].second, 100, with_errors,
+                          i + 1 == positions.size() && (spatial || turns.empty()));
+  if (spatial) script += "set title 'rotation, body axes'\n";
   constexpr double degrees = 180 / std::numbers::pi;
-  for (const char* axis : {"x", "y", "z"}) {
-    if (planar && *axis != 'z') continue;
-    script += error_panel(series, std::string("rot") + axis + "_rad",
-                          planar ? "heading, °" : std::string("about ") + axis + ", °", degrees, with_errors,
-                          *axis == 'z');
-  }
+  for (std::size_t i = 0; i < turns.size(); ++i)
+    script +=
+        error_panel(series, turns[i].first, turns[i].second, degrees, with_errors, i + 1 == turns.size());
   return script + "unset multiplot\n";
 }
 

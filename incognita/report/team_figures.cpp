@@ -40,6 +40,13 @@ bool knows(const CsvTable& table, const char* column) {
   return std::any_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
 }
 
+/// On a line there is nothing to see from above.
+bool on_line(const CsvTable& table) {
+  const auto y = table.numbers("y_m"), sigma = table.numbers("two_sigma_y_m");
+  const auto nothing = [](double v) { return !std::isfinite(v) || v == 0; };
+  return std::all_of(y.begin(), y.end(), nothing) && std::all_of(sigma.begin(), sigma.end(), nothing);
+}
+
 /// A line from the rows of one vehicle: they come in turn, a row for each at every tick.
 std::string line(std::size_t vehicle, std::size_t vehicles, const std::string& x, const std::string& y,
                  const std::string& style, const std::string& title) {
@@ -132,7 +139,7 @@ Map map_blocks(const fs::path& run_directory) {
 
 std::optional<std::string> vehicles_script(const fs::path& run_directory) {
   const auto table = vehicles_of(run_directory);
-  if (!table || !knows(*table, "x_m")) return std::nullopt;
+  if (!table || !knows(*table, "x_m") || on_line(*table)) return std::nullopt;
   std::vector<std::string> plots;
   const std::size_t vehicles = count_of(*table);
   for (std::size_t i = 0; i < vehicles; ++i) {

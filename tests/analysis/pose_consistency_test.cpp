@@ -47,6 +47,17 @@ TEST(PoseNees, LeavesOutWhatIsNoState) {
   EXPECT_FALSE(pose_nees(PoseError::Zero(), line));
 }
 
+/// On uneven ground the place and the heading give the rest: six errors that hang on three.
+TEST(PoseNees, TakesPlaceAndHeadingWhereTheGroundGivesTheRest) {
+  Eigen::Matrix<double, 6, 3> J;
+  J << 1, 0, 0, 0, 1, 0, 0.2, -0.1, 0, 0.3, 0.1, 0, 0.1, 0.4, 0, 0, 0, 1;
+  const Eigen::Vector3d state(0.02, -0.03, 0.01);
+  const PoseCovariance P = 1e-4 * J * J.transpose();
+  EXPECT_NEAR(*pose_nees(J * state, P), state.squaredNorm() / 1e-4 / 3, 1e-6);
+  EXPECT_FALSE(beyond_three_sigma((J * state).head<3>(), P.topLeftCorner<3, 3>()));
+  EXPECT_TRUE(beyond_three_sigma((J * state).head<3>() * 2, P.topLeftCorner<3, 3>()));
+}
+
 TEST(PoseNees, AveragesToOneForErrorsOfThatCovariance) {
   RandomStream random(3, "nees");
   PoseCovariance root = PoseCovariance::Identity() * 0.1;

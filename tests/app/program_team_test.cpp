@@ -113,6 +113,7 @@ TEST(ProgramTeam, RefusesAndLeavesNothing) {
   refused({"vehicle.sensor_forward_m=0"}, "axle");
   refused({"steer.gain_per_s=[40]"}, "gain");
   refused({"steer.gain_per_s=[1,2,3]"}, "1 number or 2");
+  refused({"team.positions_m=[[0, 0, 2]]"}, "a z of 0");
   refused({"path.radius_m=70"}, "m/s");
   refused({"run.sensor=stereo", "ranges.max_range_m=3"}, "means nothing with run.sensor");
 }
@@ -121,7 +122,7 @@ TEST(ProgramTeam, ChecksAScenarioWithoutRunningIt) {
   const Scratch scratch;
   const Ended ended = testing::incognita({"config", "two-robots", "--check"}, scratch.folder());
   EXPECT_EQ(ended.code, 0) << ended.err;
-  EXPECT_SAYS(ended.out, "2 vehicles");
+  EXPECT_SAYS(ended.out, "vehicles: 2");
 }
 
 }  // namespace

@@ -66,9 +66,16 @@ struct Choice {
 
 std::string steer_of(const Choice& c) {
   const std::string law = "[steer]\nlaw = \"" + c.law + "\"\n";
-  if (c.law == "none") return law + (c.line() || c.body() ? "input = [0.1]\n" : "input = [0.5, 0.1]\n");
+  if (c.law == "none")
+    return law + (c.line()   ? "input = [0.1]\n"
+                  : c.body() ? "input = [0.1, 0, 0, 0, 0.1, 0]\n"
+                             : "input = [0.5, 0.1]\n");
   if (c.law == "active") return law;
-  if (c.line() || c.law == "lqg") return law + "[path]\nkind = \"point\"\ncentre_m = [2, 0.5, 1]\n";
+  if (c.line() || c.law == "lqg")
+    return law + "[path]\nkind = \"point\"\ncentre_m = " +
+           (c.line()   ? "[2, 0, 0]\n"
+            : c.body() ? "[2, 0.5, 1]\n"
+                       : "[2, 0.5, 0]\n");
   if (c.body()) return law + "[path]\nkind = \"back-and-forth\"\ncentre_m = [0, 0, 1]\nradius_m = 1.5\n";
   return law + "[path]\nkind = \"circle\"\nradius_m = 4\nrate_rad_s = 0.12\n";
 }
@@ -132,7 +139,11 @@ TEST(TeamScenario, RefusesAtStartWithTheReason) {
     EXPECT_NE(why.find(key), std::string::npos) << key << ": " << why;
     EXPECT_NE(why.find(because), std::string::npos) << key << ": " << why;
   };
-  refused({"vehicle.sensor_forward_m=0"}, "steer.law", "axle");
+  refused({"vehicle.sensor_forward_m=0"}, "vehicle.sensor_forward_m", "axle");
+  refused({"vehicle.sensor_forward_m=1e-9"}, "vehicle.sensor_forward_m", "axle");
+  refused({"points.known=41"}, "points.known", "points.count");
+  refused({"team.positions_m=[[0, 0, 1]]"}, "team.positions_m", "z of 0");
+  refused({"team.sigma_position_m=100"}, "team.sigma_position_m", "lost");
   refused({"steer.gain_per_s=[40]"}, "steer.law", "gain");
   refused({"steer.gain_per_s=[-1]"}, "steer.law", "gain");
   refused({"steer.gain_per_s=[1, 1, 1]"}, "steer.gain_per_s", "1 number or 2");
@@ -142,7 +153,7 @@ TEST(TeamScenario, RefusesAtStartWithTheReason) {
   refused({"team.headings_rad=[0, 1]"}, "team.headings_rad", "one for each vehicle");
   refused({"path.offsets_m=[[0, 0, 0], [1, 1, 0]]"}, "path.offsets_m", "one for each vehicle");
   refused({"team_filter.lineariser=linear"}, "team_filter.lineariser", "nearest");
-  refused({"plant.motion=terrain"}, "plant.motion", "axle");
+  refused({"plant.motion=terrain"}, "plant.motion", "tilts");
   refused({"run.rate_hz=10000", "run.duration_s=1e7"}, "run.duration_s", "ticks");
   refused({"points.file=nowhere.csv"}, "points.count", "means nothing with points.file");
 }

@@ -25,6 +25,11 @@ extern const Experiment example_4_3;
 extern const Experiment example_4_4;
 extern const Experiment example_4_5;
 extern const Experiment example_4_6;
+extern const Experiment example_5_1;
+extern const Experiment example_5_2;
+extern const Experiment example_5_3;
+extern const Experiment mrclam;
+extern const Experiment example_5_4;
 extern const Experiment consistency;
 
 }  // namespace incognita

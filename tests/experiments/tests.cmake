@@ -3,3 +3,6 @@ incognita_test(monobot_test SOURCES experiments/evidence_test.cpp experiments/mo
 incognita_test(claims_test SOURCES experiments/claims_test.cpp USES incognita::experiments)
 incognita_test(example_4_6_test SOURCES experiments/example_4_6_test.cpp USES incognita::experiments)
 incognita_test(observability_claims_test SOURCES experiments/observability_claims_test.cpp USES incognita::experiments incognita::systems incognita::io)
+incognita_test(closed_loop_runs_test SOURCES experiments/closed_loop_runs_test.cpp USES incognita::experiments incognita::app)
+incognita_test(example_5_4_test SOURCES experiments/example_5_4_test.cpp USES incognita::experiments incognita::app)
+incognita_test(recorded_team_test SOURCES experiments/recorded_team_test.cpp USES incognita::experiments incognita::app)

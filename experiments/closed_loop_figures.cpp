@@ -1,0 +1,198 @@
+#include "experiments/closed_loop_figures.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "experiments/closed_loop_statistics.hpp"
+#include "incognita/math/angles.hpp"
+
+namespace incognita::closed_loop {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr Colour colours[] = {Colour::blue, Colour::orange, Colour::green, Colour::pink};
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+std::vector<double> times(const Run& run) {
+  std::vector<double> t;
+  for (const Instant& i : run.instants) t.push_back(i.t_s);
+  return t;
+}
+
+template <class Of>
+Curve over_time(const std::string& label, const Run& run, std::size_t robot, const Of& of, Colour colour,
+                Style style = Style::line) {
+  Curve curve{label, style, times(run), {}, {}, colour};
+  for (const Instant& i : run.instants) curve.y.push_back(of(i.robots[robot]));
+  return curve;
+}
+
+Panel panel_over_time(const std::string& title, const std::string& y_label) {
+  Panel panel;
+  panel.title = title;
+  panel.x_label = "time, s";
+  panel.y_label = y_label;
+  return panel;
+}
+
+/// A heading jumps from one end of its range to the other: a gap there instead of a line.
+Curve with_gaps(Curve curve) {
+  for (std::size_t i = 1; i < curve.y.size(); ++i)
+    if (std::abs(curve.y[i] - curve.y[i - 1]) > 180) curve.y[i - 1] = unknown;
+  return curve;
+}
+
+Panel error_panel(const std::string& title, const Run& run, std::size_t robot, int state) {
+  const bool heading = state == 2;
+  const double unit = heading ? degrees(1) : 1;
+  static constexpr const char* labels[] = {"error of x, m", "error of y, m", "error of heading, deg"};
+  Panel panel = panel_over_time(title, labels[state]);
+  const auto sigma = [&](const RobotInstant& r) { return 2 * unit * std::sqrt(r.covariance(state, state)); };
+  Curve band = over_time("2 sigma", run, robot, sigma, Colour::grey, Style::band);
+  band.y2 = band.y;
+  for (double& y : band.y2) y = -y;
+  panel.curves = {band, over_time(
+                            "truth less estimate", run, robot,
+                            [&](const RobotInstant& r) { return unit * r.error()[state]; }, Colour::blue)};
+  return panel;
+}
+
+Panel position_panel(const std::string& title, const Run& run, std::size_t robot) {
+  Panel panel = panel_over_time(title, "estimate, m");
+  panel.curves = {over_time(
+                      "x", run, robot, [](const RobotInstant& r) { return r.mean.x(); }, Colour::blue),
+                  over_time(
+                      "y", run, robot, [](const RobotInstant& r) { return r.mean.y(); }, Colour::orange)};
+  return panel;
+}
+
+Panel heading_panel(const std::string& title, const Run& run, std::size_t robot) {
+  Panel panel = panel_over_time(title, "estimate, deg");
+  panel.curves = {with_gaps(over_time(
+      "heading", run, robot, [](const RobotInstant& r) { return degrees(r.mean[2]); }, Colour::green))};
+  panel.y_range = {-185, 185};
+  return panel;
+}
+
+Panel command_panel(const std::string& title, const Run& run, std::size_t robot) {
+  Panel panel = panel_over_time(title, "command");
+  panel.curves = {
+      over_time(
+          "turn rate, rad/s", run, robot, [](const RobotInstant& r) { return r.input[1]; }, Colour::orange),
+      over_time(
+          "speed, m/s", run, robot, [](const RobotInstant& r) { return r.input[0]; }, Colour::blue)};
+  panel.y_range = {-1.15, 1.15};
+  return panel;
+}
+
+Curve path_of(const std::string& label, const Run& run, std::size_t robot, bool truth, Style style,
+              Colour colour) {
+  Curve curve{label, style, {}, {}, {}, colour};
+  for (const Instant& i : run.instants) {
+    const planar::Pose<double>& pose = truth ? i.robots[robot].truth : i.robots[robot].mean;
+    curve.x.push_back(pose.x()), curve.y.push_back(pose.y());
+  }
+  return curve;
+}
+
+Curve wanted(const std::string& label, const Path& path, const Run& run) {
+  Curve curve{label, Style::dashed, {}, {}, {}, Colour::grey};
+  for (const Instant& i : run.instants) {
+    const Vector2d p = at(path, i.t_s).position.head<2>();
+    curve.x.push_back(p.x()), curve.y.push_back(p.y());
+  }
+  if (std::holds_alternative<PointPath>(path)) curve.style = Style::crosses, curve.colour = Colour::ink;
+  return curve;
+}
+
+/// Every ten seconds.
+Curve robot_ellipses(const std::string& label, const Run& run, std::size_t robot, Colour colour) {
+  std::vector<Vector2d> means;
+  std::vector<Eigen::Matrix2d> covariances;
+  for (std::size_t k = 0; k < run.instants.size(); k += 100) {
+    const RobotInstant& r = run.instants[k].robots[robot];
+    means.emplace_back(r.mean.head<2>());
+    covariances.emplace_back(r.covariance.topLeftCorner<2, 2>());
+  }
+  Curve curve = ellipses(label, means, covariances);
+  curve.colour = colour;
+  return curve;
+}
+
+Curve map_ellipses(const Run& run) {
+  std::vector<Vector2d> means;
+  std::vector<Eigen::Matrix2d> covariances;
+  for (const MappedLandmark& l : run.map) means.push_back(l.mean), covariances.push_back(l.covariance);
+  Curve curve = ellipses("map, 2 sigma", means, covariances);
+  curve.colour = Colour::green;
+  return curve;
+}
+
+}  // namespace
+
+Plot map_figure(const std::string& id, const std::string& title, const Setup& setup, const Run& run) {
+  Panel panel;
+  panel.x_label = "x, m";
+  panel.y_label = "y, m";
+  panel.equal_axes = true;
+  for (std::size_t i = 0; i < setup.robots.size(); ++i) {
+    const bool one = setup.robots.size() == 1;
+    const std::string who = one ? "" : fmt::format(" {}", i + 1);
+    const Path& path = setup.robots[i].steering.path;
+    const std::string goal = std::holds_alternative<PointPath>(path) ? "goal" : "path";
+    const planar::Pose<double>& start = run.instants.front().robots[i].truth;
+    panel.curves.push_back(wanted(i == 0 ? goal : "", path, run));
+    panel.curves.push_back(path_of("robot" + who, run, i, true, Style::line, colours[i]));
+    panel.curves.push_back(path_of(i == 0 ? "estimate" : "", run, i, false, Style::thin, Colour::ink));
+    panel.curves.push_back(robot_ellipses("", run, i, colours[i]));
+    panel.curves.push_back({i == 0 ? "start" : "", Style::circles, {start.x()}, {start.y()}, {}, colours[i]});
+  }
+  Curve landmarks{"landmarks", Style::stars, {}, {}, {}, Colour::grey};
+  for (const auto& [identity, point] : setup.place)
+    landmarks.x.push_back(point[0]), landmarks.y.push_back(point[1]);
+  panel.curves.push_back(landmarks);
+  panel.curves.push_back(map_ellipses(run));
+  return {id, title, 1, {panel}};
+}
+
+Plot state_figure(const std::string& id, const std::string& title, const Run& run) {
+  const std::size_t robots = run.instants.front().robots.size();
+  Plot plot{id, title, 2, {}};
+  if (robots == 1) {
+    plot.panels = {position_panel("", run, 0), heading_panel("", run, 0),  error_panel("", run, 0, 0),
+                   error_panel("", run, 0, 1), error_panel("", run, 0, 2), command_panel("", run, 0)};
+    return plot;
+  }
+  plot.columns = static_cast<int>(robots);
+  const auto row = [&](const auto& make) {
+    for (std::size_t i = 0; i < robots; ++i)
+      plot.panels.push_back(make(plot.panels.size() < robots ? fmt::format("robot {}", i + 1) : "", i));
+  };
+  row([&](const std::string& name, std::size_t i) { return position_panel(name, run, i); });
+  row([&](const std::string& name, std::size_t i) { return heading_panel(name, run, i); });
+  for (int state = 0; state < 3; ++state)
+    row([&](const std::string& name, std::size_t i) { return error_panel(name, run, i, state); });
+  row([&](const std::string& name, std::size_t i) { return command_panel(name, run, i); });
+  return plot;
+}
+
+Plot eigenvalue_figure(const std::string& id, const std::string& title, const Run& run,
+                       const std::function<Eigen::Matrix2d(const planar::Pose<double>&)>& gain) {
+  Panel panel = panel_over_time("", "magnitude of the eigenvalues of F - G L");
+  Curve sizes[3] = {{"largest", Style::line, times(run), {}, {}, Colour::blue},
+                    {"second", Style::line, times(run), {}, {}, Colour::orange},
+                    {"third", Style::line, times(run), {}, {}, Colour::green}};
+  for (const Instant& i : run.instants) {
+    const Eigen::Vector3d now = moduli(i.robots[0], gain(i.robots[0].mean));
+    for (int k = 0; k < 3; ++k) sizes[k].y.push_back(now[k]);
+  }
+  panel.curves = {{"1", Style::dashed, {0, run.instants.back().t_s}, {1, 1}, {}, Colour::grey},
+                  sizes[2],
+                  sizes[1],
+                  sizes[0]};
+  return {id, title, 1, {panel}};
+}
+
+}  // namespace incognita::closed_loop

@@ -1,0 +1,169 @@
+#include "experiments/closed_loop_run.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <numbers>
+
+#include "incognita/control/team_controller.hpp"
+#include "incognita/math/random.hpp"
+#include "incognita/slam/team_estimator.hpp"
+#include "incognita/world/room_clock.hpp"
+
+namespace incognita::closed_loop {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+constexpr int ticks_per_joint_nees = 10;
+
+SmallVector numbers(std::initializer_list<double> values) {
+  SmallVector v(static_cast<Eigen::Index>(values.size()));
+  std::copy(values.begin(), values.end(), v.begin());
+  return v;
+}
+
+/// Where robots are to go in any of the examples.
+std::vector<Vector2d> ways() {
+  constexpr int points = 120;
+  std::vector<Vector2d> all;
+  for (int k = 0; k <= points; ++k) {
+    const double share = static_cast<double>(k) / points, angle = 2 * std::numbers::pi * share;
+    const Vector2d out(std::cos(angle), std::sin(angle));
+    all.push_back(Vector2d(-7, 0) + share * Vector2d(17, 10));
+    all.push_back(7 * out);
+    all.push_back(Vector2d(-6, 0) + 5 * out);
+    all.push_back(Vector2d(6, 0) + 5 * out);
+  }
+  return all;
+}
+
+bool clear_of(const std::vector<Vector2d>& others, const Vector2d& point, double distance) {
+  return std::all_of(others.begin(), others.end(),
+                     [&](const Vector2d& other) { return (point - other).norm() > distance; });
+}
+
+/// What is simulated, and what believes to know it.
+struct Scene {
+  std::vector<SimulatedVehicle> vehicles;
+  TeamSettings filter;
+  std::vector<VehicleSteering> steering;
+};
+
+TeamMember member_of(const Setup& s, const Robot& robot) {
+  TeamMember m{body, LaserScanner{}, robot.start, start_sigmas, input_sigmas, look_sigmas};
+  m.start_sigmas *= s.noise, m.input_sigmas *= s.noise, m.sigmas *= s.noise;
+  return m;
+}
+
+Scene scene_of(const Setup& s) {
+  Scene scene;
+  scene.filter.filter.lineariser = s.lineariser;
+  for (const Robot& robot : s.robots) {
+    const TeamMember m = member_of(s, robot);
+    const SmallVector most = robot.steering.most_input;
+    SimulatedVehicle vehicle{
+        m.motion, {m.start, m.start_sigmas, m.input_sigmas, -most, most}, m.sensor, m.sigmas};
+    vehicle.field_of_view_rad = std::numbers::pi;
+    scene.vehicles.push_back(vehicle);
+    scene.filter.members.push_back(m);
+    scene.steering.push_back({m.motion, robot.steering});
+  }
+  for (const auto& [identity, point] : s.place)
+    if (identity < s.anchors) scene.filter.anchors[identity] = point;
+  return scene;
+}
+
+/// Between scans the wheels alone tell something.
+Observation odometry_alone(const Truth& truth) {
+  Observation seen;
+  for (const SmallVector& input : truth.inputs) {
+    seen.team.emplace_back();
+    seen.team.back().input = input;
+  }
+  return seen;
+}
+
+Instant instant_of(const Tick& tick, const Truth& truth, const TeamEstimate& e, const Command& command,
+                   std::size_t landmarks) {
+  Instant now{tick.t, {}, std::vector<double>(landmarks, unknown)};
+  for (std::size_t i = 0; i < e.vehicles.size(); ++i) {
+    const BlockId block = e.vehicles[i].block;
+    now.robots.push_back(
+        {truth.vehicles[i], e.belief.mean(block), e.belief.covariance(block), command.inputs.at(i)});
+  }
+  for (const auto& [identity, landmark] : e.landmarks)
+    now.traces.at(static_cast<std::size_t>(identity)) = e.belief.covariance(landmark.block).trace();
+  return now;
+}
+
+double joint_nees(const Instant& now, const TeamEstimate& e, const PointPlace& place) {
+  Eigen::VectorXd error(e.belief.errors());
+  for (std::size_t i = 0; i < e.vehicles.size(); ++i)
+    error.segment<3>(e.belief.offset(e.vehicles[i].block)) = now.robots[i].error();
+  for (const auto& [identity, landmark] : e.landmarks)
+    error.segment<2>(e.belief.offset(landmark.block)) =
+        place.at(identity) - SmallVector(e.belief.mean(landmark.block));
+  return error.dot(e.belief.dense_covariance().llt().solve(error)) / static_cast<double>(error.size());
+}
+
+}  // namespace
+
+PointPlace sixteen_landmarks() {
+  RandomStream random(1, "place");
+  const std::vector<Vector2d> taken = ways();
+  std::vector<Vector2d> points;
+  while (points.size() < 16) {
+    const double x = random.uniform(-12, 12), y = random.uniform(-12, 12);
+    if (clear_of(taken, {x, y}, 1) && clear_of(points, {x, y}, 2.5)) points.emplace_back(x, y);
+  }
+  PointPlace place;
+  for (const Vector2d& point : points) place[static_cast<std::int64_t>(place.size())] = point;
+  return place;
+}
+
+Robot robot(const planar::Pose<double>& start, const std::string& law, const Path& path) {
+  Robot r{start, {}};
+  r.steering.law = law;
+  r.steering.path = path;
+  r.steering.most_input = numbers({top_speed_m_s, top_turn_rate});
+  return r;
+}
+
+planar::Pose<double> RobotInstant::error() const {
+  planar::Pose<double> e = truth - mean;
+  e[2] = wrap_angle(e[2]);
+  return e;
+}
+
+double RobotInstant::nees() const { return error().dot(covariance.llt().solve(error())) / 3; }
+
+Run drive(const Setup& setup, std::uint64_t seed) {
+  Scene scene = scene_of(setup);
+  TeamWorld world(scene.vehicles, seed);
+  TeamSensor sensor(scene.vehicles, setup.place, false, seed);
+  const TeamEstimator estimator(scene.filter);
+  TeamController controller(std::move(scene.steering), period_s);
+  RoomClock clock(1 / period_s, setup.duration_s);
+  TeamEstimate estimate;
+  Command command;
+  Run run;
+  while (const Tick tick = clock.next()) {
+    const auto truth = world.move(command, tick);
+    const bool scans = tick.frame % ticks_per_scan == 0;
+    estimator.update(estimate, command, scans ? sensor.look(truth, tick) : odometry_alone(*truth), tick);
+    command = controller.act(estimate, {}, tick);
+    run.instants.push_back(instant_of(tick, *truth, estimate, command, setup.place.size()));
+    if (tick.frame % ticks_per_joint_nees == 0)
+      run.joint_nees.push_back(joint_nees(run.instants.back(), estimate, setup.place));
+  }
+  for (const auto& [identity, landmark] : estimate.landmarks)
+    run.map.push_back({setup.place.at(identity), estimate.belief.mean(landmark.block),
+                       estimate.belief.covariance(landmark.block)});
+  return run;
+}
+
+}  // namespace incognita::closed_loop

@@ -1,0 +1,29 @@
+// What Section 5.1 claims, by file: of linear systems, of the separation principle, and of the simulated
+// vehicle.
+#pragma once
+
+#include <vector>
+
+#include "experiments/experiment.hpp"
+#include "incognita/analysis/linear_system.hpp"
+#include "incognita/math/random.hpp"
+#include "incognita/models/planar_vehicle.hpp"
+
+namespace incognita::section_5_1 {
+
+/// L of (5.6), Q1 = Q2 = I, at a pose: found for heading 0, as with Q1 = I it turns with the body.
+Eigen::Matrix2d gain(const planar::Pose<double>& pose);
+
+/// Two to four states, an input or two and a measurement or two; F about the unit circle, inside and outside.
+LinearSystem some_system(RandomStream& random);
+Eigen::MatrixXd some_matrix(RandomStream& random, Eigen::Index rows, Eigen::Index columns);
+/// Symmetric, eigenvalues from 0.1 on.
+Eigen::MatrixXd some_weight(RandomStream& random, Eigen::Index size);
+
+std::vector<Claim> regulator_claims();
+/// `free_m`: where runs without known landmarks ended, from the goal.
+std::vector<Claim> separation_claims(const ExperimentSettings& settings, const std::vector<double>& free_m);
+/// Of the law on the vehicle whose state is known: what it costs, and when it arrives.
+std::vector<Claim> vehicle_claims(int seeds);
+
+}  // namespace incognita::section_5_1

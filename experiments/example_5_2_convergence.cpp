@@ -1,0 +1,119 @@
+// Which gains Q2 make feedback linearisation converge, and whether in finite time: (5.10) and below (5.13).
+//
+// Experiment: (5.10) itself; the single integrator under commands held for dt, e+ = (I - K dt) e; the vehicle
+// along exact arcs, state known, no noise. Of held commands the worst ratio of distances to a still goal over
+// one command, over goals for which the turn rate is just at its limit, at gains 2 % below and above the
+// bound of control/held_command.hpp.
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "experiments/evidence.hpp"
+#include "experiments/example_5_2.hpp"
+#include "incognita/control/feedback_linearisation.hpp"
+#include "incognita/control/held_command.hpp"
+#include "incognita/models/on_arc.hpp"
+
+namespace incognita::section_5_2 {
+namespace {
+
+using closed_loop::body;
+using closed_loop::period_s;
+using Eigen::Matrix2d;
+using Eigen::Vector2d;
+using Pose = planar::Pose<double>;
+
+/// Largest distance after one held command over that before it, where -k e turns the body at that rate.
+double worst_ratio(double k, double hold_s, double turn_rate) {
+  double worst = 0;
+  for (double forward = -3; forward <= 3; forward += 0.05) {
+    const Vector2d velocity(forward, turn_rate * body.forward_m);
+    const Pose start(-velocity.x() / k, -velocity.y() / k, 0);
+    const Pose end =
+        OnArc<DifferentialDrive>{body}.f<double>(start, input_for_velocity(body, 0, velocity), hold_s);
+    worst = std::max(worst, end.head<2>().norm() / start.head<2>().norm());
+  }
+  return worst;
+}
+
+/// Farthest from the origin of a vehicle of that lever that nothing limits, from 0.3 m beside it, in 20 s.
+double farthest_m(double lever_m, double k, double hold_s) {
+  const DifferentialDrive vehicle{lever_m, 0};
+  Pose pose(0, 0.3, 0);
+  double farthest = 0;
+  for (int i = 0; i < 200; ++i) {
+    const Vector2d u = input_for_velocity(vehicle, pose[2], -k * pose.head<2>());
+    pose = OnArc<DifferentialDrive>{vehicle}.f<double>(pose, u, hold_s);
+    farthest = std::max(farthest, pose.head<2>().norm());
+  }
+  return farthest;
+}
+
+Claim gains() {
+  constexpr double turn_rate = 1, hold_s = period_s;
+  const double bound = gain_bound_per_s(turn_rate, hold_s), slow_bound = gain_bound_per_s(turn_rate, 1);
+  const double under = worst_ratio(0.98 * bound, hold_s, turn_rate),
+               over = worst_ratio(1.02 * bound, hold_s, turn_rate),
+               slow_under = worst_ratio(0.98 * slow_bound, 1, turn_rate),
+               slow_over = worst_ratio(1.02 * slow_bound, 1, turn_rate);
+  const double left = farthest_m(0.1, 15, hold_s), stays = farthest_m(0.1, 5, hold_s);
+  const auto after = [](double factor) { return std::pow(std::abs(factor), 20); };
+  const bool corrected =
+      under < 1 && over > 1 && slow_under < 1 && slow_over > 1 && left > 0.3 && stays <= 0.3 * (1 + 1e-9);
+  return judged(
+      {.id = "5.2-gain",
+       .place = "(5.10)",
+       .statement = "The error dynamics are asymptotically stable if Q2 is positive semi-definite",
+       .printed = "e_(k+1) + Q2 e_k = 0, any psd Q2",
+       .measured =
+           fmt::format("(5.10) as printed, an error of 1 after 20 steps: Q2 = 0.5 I {:.1e}, 2 I {:.1e}; with "
+                       "e+ = (I - K dt) e: K dt = 0 {:.0f}, 1.9 {:.2f}, 2.1 {:.1f}. Of a held command at 1 "
+                       "rad/s, {} s: K 2 % below {:.2f} 1/s leaves at most {:.4f} of the distance, 2 % above "
+                       "{:.4f}; 1 s: below {:.3f} 1/s {:.4f}, above {:.4f}. l = 0.1 m, no limits, from 0.3 "
+                       "m: K dt = 0.5 at most {:.2f} m, K dt = 1.5 up to {:.2f} m",
+                       after(0.5), after(2), after(1), after(-0.9), after(-1.1), hold_s, bound, under, over,
+                       slow_bound, slow_under, slow_over, stays, left),
+       .why = "K = Q2 definite and small enough: |1 - lambda dt| < 1 for every eigenvalue, and on the "
+              "vehicle, which turns while a command is held, lambda dt < 2 a cot(a), a = w dt / 2 at the "
+              "largest turn rate w; without a limit on w no gain converges from everywhere"},
+      after(2) < 1 && after(1) < 1, corrected);
+}
+
+/// Least and most that a command leaves of the distance, from 20 s to 40 s: before, the limits are in it, and
+/// later, rounding.
+struct Left {
+  double least = 1, most = 0;
+  Left(const Way& way, const Path& path) {
+    for (std::size_t k = 200; k < 400; ++k) {
+      const double ratio = way.distance_m(path, k + 1) / way.distance_m(path, k);
+      least = std::min(least, ratio), most = std::max(most, ratio);
+    }
+  }
+  bool is(double factor) const { return std::abs(least - factor) < 0.01 && std::abs(most - factor) < 0.01; }
+};
+
+Claim finite_time() {
+  const Path origin = PointPath{};
+  const Way still = follow(origin, {-2, 1, 0}, 60), moving = follow(circle, {-7, 0, 0}, 60);
+  const Left of_still(still, origin), of_moving(moving, circle);
+  const double factor = 1 - gain_per_s * period_s, left = still.distance_m(origin, 400),
+               behind = moving.distance_m(circle, 400);
+  return judged({.id = "5.2-finite-time",
+                 .place = "below (5.13)",
+                 .statement = "The tracking error converges to zero in finite time",
+                 .printed = "finite time",
+                 .measured = fmt::format(
+                     "without noise: after 40 s {:.1e} m from a point, {:.1e} m on the circle; from 20 s on "
+                     "each command leaves {:.4f} to {:.4f} and {:.4f} to {:.4f} of it, 1 - K dt is {:.4f}",
+                     left, behind, of_still.least, of_still.most, of_moving.least, of_moving.most, factor),
+                 .why = "asymptotically: each command leaves the same share of the error"},
+                left == 0 && behind == 0, of_still.is(factor) && of_moving.is(factor));
+}
+
+}  // namespace
+
+std::vector<Claim> convergence_claims() { return {gains(), finite_time()}; }
+
+}  // namespace incognita::section_5_2

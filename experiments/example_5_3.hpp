@@ -1,0 +1,36 @@
+// What Section 5.2.1 claims of a team, by file: its equations, its estimate, its map.
+#pragma once
+
+#include <vector>
+
+#include "experiments/closed_loop_run.hpp"
+#include "experiments/experiment.hpp"
+#include "incognita/report/plot.hpp"
+
+namespace incognita::section_5_3 {
+
+/// Two robots, each from the centre of its circle of 5 m.
+closed_loop::Setup two_circles();
+
+/// (5.20)-(5.23): law and closed loop.
+std::vector<Claim> equation_claims();
+/// (5.18), (5.19), and what can be observed at all.
+std::vector<Claim> estimation_claims();
+
+/// Traces of the landmarks' covariances, by identity, where a filter that gains nothing of what cannot be
+/// observed ends: the map's shape is known, and of its frame what the starts tell, as they are known and as
+/// they are seen in that map. m^2.
+std::vector<double> least_traces(const closed_loop::Setup& setup);
+
+/// Of one run, against its least traces.
+struct Traces {
+  double rise = 0;                             ///< largest of a trace from one tick to the next, relative
+  double lowest = 0, median = 0, highest = 0;  ///< of the last traces over the least, by landmark
+};
+Traces traces_of(const closed_loop::Run& run, const std::vector<double>& least);
+
+/// Figure 5.11. `all`: of the seeds of two_circles().
+std::vector<Claim> map_claims(const ExperimentSettings& settings, const std::vector<Traces>& all);
+Plot traces_figure(const closed_loop::Run& run);
+
+}  // namespace incognita::section_5_3

@@ -1,0 +1,101 @@
+// The camera of thesis Example 5.4 in closed loop: it moves freely (5.24), sees points in a room (5.26),
+// keeps them and itself in one belief, and is steered along a path by what it believes (5.29).
+//
+// World z-up: the room's 6 x 2 x 8 m (x, y up, z) are y, z and x here, about the origin, which is the path's
+// centre: the camera starts at (-1.5, 0, 0) and looks along +x.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "incognita/control/reference_path.hpp"
+#include "incognita/control/settings.hpp"
+#include "incognita/control/steering.hpp"
+#include "incognita/models/camera.hpp"
+#include "incognita/models/free_camera.hpp"
+
+namespace incognita::swinging_camera {
+
+/// (5.28): all around in 12 pi s, 37.7 s, back where it started.
+inline constexpr double round_s = 37.7, settled_s = 5;
+
+enum class Law {
+  corrected,        ///< control/track_reference.hpp
+  as_printed,       ///< (5.29): `v - y*`, no acceleration, nothing for the orientation
+  velocity_mended,  ///< the same with `v - v*`
+  rate_alone        ///< corrected but for the orientation, of which (5.29) has nothing
+};
+
+/// What the thesis does not print is that of the project's room and of Davison's camera.
+struct Setup {
+  Path path = BackAndForthPath{};
+  Law law = Law::corrected;
+  ControlSettings control = {};
+  bool steered_by_truth = false;  ///< instead of by what is believed
+  bool starts_at_rest = false;    ///< instead of as the path goes
+  double duration_s = 40, rate_hz = 20;
+
+  int points = 30;
+  int anchors = 0;   ///< of them, known beforehand
+  bool told = true;  ///< the filter is told what was commanded (Appendix B); else it takes that for chance
+  double sigma_untold = 4;  ///< of the accelerations then, m/s^2 and rad/s^2, per axis and tick
+
+  double sigma_pixel_px = 1;
+  double sigma_acceleration_m_s2 = 0.3;  ///< disturbs the camera, per axis, held for a tick
+  double sigma_angular_acceleration_rad_s2 = 0.3;
+  double sigma_start_position_m = 0.01, sigma_start_angle_rad = 0.01;  ///< "very close to the real value"
+  double sigma_start_velocity_m_s = 0.05, sigma_start_rate_rad_s = 0.05;
+  double inverse_depth_per_m = 0.25;  ///< of a new landmark, give or take as much; the estimator's own
+  double gate_probability = 0.999;
+
+  double noise_times = 1;  ///< of all true noises and the start, the filter's left as they are
+};
+
+/// The setup's law, for a camera that knows or believes its state.
+std::unique_ptr<Steering> law_of(const Setup& setup);
+
+/// Where the path starts, moving as it does unless it starts at rest.
+FreeCameraMotion::State<double> start_of(const Setup& setup);
+
+/// A. J. Davison's lens, as scenarios/davison.toml has it: 320x240 pixels, 97 degrees wide.
+Camera lens();
+
+using Vector6 = Eigen::Matrix<double, 6, 1>;
+
+struct Instant {
+  double t = 0;
+  Reference wanted;
+  FreeCameraMotion::State<double> truth, mean;
+  Vector6 error;         ///< truth less estimate: position (m, world), rotation (rad, camera axes)
+  Vector6 sigma;         ///< of it, as believed
+  Vector6 command;       ///< m/s^2, rad/s^2; held from now on
+  double pose_nees = 0;  ///< over its 6 degrees of freedom
+  double nis = 0;        ///< of this tick's looks, over their number; 0 without any
+  bool lost = false;
+
+  double believed_off_m() const { return (mean.head<3>() - wanted.position).norm(); }  ///< Figure 5.13 (c)
+  double truly_off_m() const { return (truth.head<3>() - wanted.position).norm(); }
+  double position_error_m() const { return error.head<3>().norm(); }
+  double sigma_position_m() const { return sigma.head<3>().norm(); }
+};
+
+/// Between where a camera looks and where it should.
+double gaze_off_rad(const FreeCameraMotion::State<double>& camera, const Reference& wanted);
+
+struct MappedPoint {
+  Eigen::Vector3d believed, truth;
+  Eigen::Matrix3d covariance;
+};
+
+struct Course {
+  std::vector<Instant> instants;
+  std::vector<MappedPoint> map;  ///< at the end, anchors left out
+  std::vector<Eigen::Vector3d> place;
+};
+
+/// The same seed has the same room, start, disturbances and pixel noise whatever the setup.
+Course run(const Setup& setup, std::uint64_t seed);
+
+}  // namespace incognita::swinging_camera

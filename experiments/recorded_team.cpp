@@ -1,0 +1,188 @@
+#include "experiments/recorded_team.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <memory>
+
+#include "incognita/io/data_folder.hpp"
+#include "incognita/io/range_formats.hpp"
+#include "incognita/math/angles.hpp"
+#include "incognita/slam/team_estimator.hpp"
+#include "incognita/world/range_replay.hpp"
+#include "incognita/world/team_replay.hpp"
+
+namespace incognita::recorded_team {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+/// Of this thread: what else the machine does at the time does not count.
+double processor_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+TeamMember member_of(const RangeRecording& robot, double start_t, const Setup& setup) {
+  TeamMember member{DifferentialDrive{}, LaserScanner{}, {}, {}, {}, {}};
+  auto place = true_place(robot, start_t);
+  for (double t = start_t; !place; t += 0.1) place = true_place(robot, t);
+  member.start = Vector3d(place->position.x(), place->position.y(), *place->heading_rad);
+  member.start_sigmas = Vector3d::Constant(0.01);
+  member.input_sigmas = setup.input_sigmas_times * Vector2d(0.1, 0.5);
+  member.sigmas = setup.sensor_sigmas_times * Vector2d(0.1, 0.02);
+  member.sigma_range_ratio = setup.sensor_sigmas_times * 0.03;
+  return member;
+}
+
+TeamSettings settings_of(const Robots& robots, double start_t, const Setup& setup) {
+  TeamSettings settings;
+  settings.filter.lineariser = setup.lineariser;
+  settings.filter.gate_probability = 0.999;
+  for (const RangeRecording& robot : robots) settings.members.push_back(member_of(robot, start_t, setup));
+  return settings;
+}
+
+/// What one drive gathers while it goes.
+class Driver {
+ public:
+  Driver(const Robots& robots, const Setup& setup)
+      : robots_(robots), recordings_(std::make_shared<const Robots>(robots)), setup_(setup) {
+    drive_.robots.resize(robots.size());
+  }
+
+  Drive run() {
+    TeamReplayClock clock(recordings_, duration_s);
+    TeamReplaySensor sensor(recordings_, setup_.see_each_other, 1e9);
+    Tick tick = clock.next();
+    const double start_t = tick.t;
+    const TeamEstimator estimator(settings_of(robots_, start_t, setup_));
+    TeamEstimate estimate;
+    double matched_t = start_t;
+    for (; tick; tick = clock.next()) {
+      const Observation seen = sensor.look({}, tick);
+      const double before = processor_seconds();
+      estimator.update(estimate, {}, seen, tick);
+      drive_.took_s += processor_seconds() - before;
+      drive_.recorded_s = tick.t - start_t;
+      drive_.longest_blind_s = std::max(drive_.longest_blind_s, tick.t - matched_t);
+      if (estimate.matched > 0) matched_t = tick.t;
+      count(estimate);
+      for (std::size_t i = 0; i < robots_.size(); ++i) compare(estimate, i, tick.t, start_t);
+    }
+    finish(estimate);
+    return drive_;
+  }
+
+ private:
+  void count(const TeamEstimate& e) {
+    squares_ += e.update.nis, rows_ += e.update.rows;
+    drive_.lost = drive_.lost || e.status.state == TrackingState::lost;
+    for (const TeamLook& look : e.looks) {
+      drive_.looks += look.outcome == LookOutcome::matched || look.outcome == LookOutcome::inconsistent;
+      drive_.left_out += look.outcome == LookOutcome::inconsistent;
+    }
+  }
+
+  void compare(const TeamEstimate& e, std::size_t i, double t, double start_t) {
+    const auto place = true_place(robots_[i], t);
+    if (!place) return;
+    const Vector3d mean = e.belief.mean(e.vehicles[i].block);
+    const Eigen::Matrix3d P = e.belief.covariance(e.vehicles[i].block);
+    Vector3d error;
+    error << place->position - mean.head<2>(), wrap_angle(*place->heading_rad - mean[2]);
+    RobotCourse& course = drive_.robots[i];
+    course.t_s.push_back(t - start_t);
+    course.believed.emplace_back(mean.head<2>());
+    course.truth.push_back(place->position);
+    course.sigma_m.push_back(
+        std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(P.topLeftCorner<2, 2>()).eigenvalues()[1]));
+    course.rms_heading_rad += error[2] * error[2];
+    course.most_sigma_heading_rad = std::max(course.most_sigma_heading_rad, std::sqrt(P(2, 2)));
+    course.nees += error.dot(P.ldlt().solve(error)) / 3;
+  }
+
+  void finish(const TeamEstimate& e) {
+    drive_.nis = squares_ / std::max(1, rows_);
+    fit_landmarks(e);
+    for (RobotCourse& course : drive_.robots) {
+      const auto count = static_cast<double>(course.t_s.size());
+      for (std::size_t k = 0; k < course.t_s.size(); ++k) {
+        course.rms_m += (course.believed[k] - course.truth[k]).squaredNorm() / count;
+        course.fitted_rms_m += (drive_.fit(course.believed[k]) - course.truth[k]).squaredNorm() / count;
+      }
+      course.rms_m = std::sqrt(course.rms_m), course.fitted_rms_m = std::sqrt(course.fitted_rms_m);
+      course.rms_heading_rad = std::sqrt(course.rms_heading_rad / count);
+      course.nees /= count;
+    }
+  }
+
+  void fit_landmarks(const TeamEstimate& e) {
+    std::vector<Vector2d> believed, surveyed;
+    for (const RangeRecording::Landmark& landmark : robots_.front().landmarks) {
+      const auto found = e.landmarks.find(landmark.identity);
+      if (found == e.landmarks.end()) continue;
+      const BlockId block = found->second.block;
+      believed.emplace_back(e.belief.mean(block));
+      surveyed.push_back(landmark.position);
+      drive_.landmarks.push_back({landmark.identity, believed.back(), landmark.position,
+                                  Eigen::Matrix2d(e.belief.covariance(block))});
+    }
+    drive_.fit = fit_rigid(believed, surveyed);
+    const auto count = static_cast<double>(drive_.landmarks.size());
+    for (MappedLandmark& l : drive_.landmarks) {
+      l.off_m = (l.believed - l.surveyed).norm(),
+      l.fitted_off_m = (drive_.fit(l.believed) - l.surveyed).norm();
+      drive_.map_rms_m += l.off_m * l.off_m / count;
+      drive_.fitted_map_rms_m += l.fitted_off_m * l.fitted_off_m / count;
+    }
+    drive_.map_rms_m = std::sqrt(drive_.map_rms_m);
+    drive_.fitted_map_rms_m = std::sqrt(drive_.fitted_map_rms_m);
+  }
+
+  const Robots& robots_;
+  std::shared_ptr<const Robots> recordings_;
+  Setup setup_;
+  double squares_ = 0;
+  int rows_ = 0;
+  Drive drive_;
+};
+
+/// Scans that show nothing at the times of the others' scans; none from before the team's first.
+void look_at_all_times(RangeRecording& robot, const Robots& team) {
+  TeamReplayClock clock(std::make_shared<const Robots>(team), duration_s);
+  std::vector<RangeRecording::Scan> scans;
+  auto own = robot.scans.begin();
+  while (const Tick tick = clock.next()) {
+    while (own != robot.scans.end() && own->t < tick.t) ++own;
+    const bool saw = own != robot.scans.end() && own->t == tick.t;
+    scans.push_back(saw ? *own : RangeRecording::Scan{tick.t, {}});
+  }
+  robot.scans = std::move(scans);
+}
+
+}  // namespace
+
+Robots load() { return read_mrclam_team(find_data("mrclam/MRCLAM_Dataset7", "", "reproduce mrclam")); }
+
+Drive together(const Robots& robots, const Setup& setup) { return Driver(robots, setup).run(); }
+
+Drive alone(const Robots& robots, std::size_t which, const Setup& setup, Times times) {
+  Setup by_itself = setup;
+  by_itself.see_each_other = false;
+  Robots only = {robots[which]};
+  if (times == Times::of_team) look_at_all_times(only.front(), robots);
+  return Driver(only, by_itself).run();
+}
+
+std::vector<Drive> each_alone(const Robots& robots, const Setup& setup, Times times) {
+  std::vector<Drive> drives;
+  for (std::size_t i = 0; i < robots.size(); ++i) drives.push_back(alone(robots, i, setup, times));
+  return drives;
+}
+
+}  // namespace incognita::recorded_team

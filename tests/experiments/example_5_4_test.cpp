@@ -1,0 +1,138 @@
+// Example 5.4: its runs, what is made of them, and the verdicts that do not rest on chance.
+#include "experiments/example_5_4.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <stdexcept>
+
+#include "experiments/seeds.hpp"
+#include "incognita/models/heading.hpp"
+
+namespace incognita::swinging_camera {
+namespace {
+
+using CameraSetup = Setup;  // inside a test, Setup is one of GoogleTest's
+
+CameraSetup brief() {
+  CameraSetup setup;
+  setup.duration_s = 6;
+  return setup;
+}
+
+TEST(OverSeeds, KeepsTheirOrderAndTellsWhatWentWrong) {
+  const auto squares = over_seeds(100, [](std::uint64_t seed) { return seed * seed; });
+  ASSERT_EQ(squares.size(), 100u);
+  for (std::uint64_t i = 0; i < 100; ++i) EXPECT_EQ(squares[i], (i + 1) * (i + 1));
+  EXPECT_THROW(over_seeds(10,
+                          [](std::uint64_t seed) {
+                            if (seed == 7) throw std::runtime_error("seven");
+                            return seed;
+                          }),
+               std::runtime_error);
+}
+
+TEST(SwingingCamera, IsTheSameForTheSameSeedOnAnyNumberOfThreads) {
+  const Summary alone = summary(run(brief(), 3));
+  const auto among = runs(brief(), 4);
+  EXPECT_EQ(among[2].rms_error_m, alone.rms_error_m);
+  EXPECT_EQ(among[2].pose_nees, alone.pose_nees);
+  EXPECT_NE(among[1].rms_error_m, alone.rms_error_m);
+}
+
+TEST(SwingingCamera, HasTheSameRoomWhateverTheSetup) {
+  CameraSetup other = brief();
+  other.anchors = 6, other.told = false, other.steered_by_truth = true;
+  const Course a = run(brief(), 5), b = run(other, 5);
+  EXPECT_EQ(a.place, b.place);
+  EXPECT_EQ(a.instants[0].truth, b.instants[0].truth);
+  for (const Eigen::Vector3d& p : a.place) {
+    EXPECT_LE(std::abs(p.x()), 4);
+    EXPECT_LE(std::abs(p.y()), 3);
+    EXPECT_LE(std::abs(p.z()), 1);
+  }
+  EXPECT_EQ(b.map.size(), run(other, 5).map.size());
+  for (const MappedPoint& p : b.map)  // anchors are known, not mapped
+    for (int anchor = 0; anchor < 6; ++anchor) EXPECT_NE(p.truth, b.place[static_cast<std::size_t>(anchor)]);
+}
+
+TEST(SwingingCamera, StaysWhereItKnowsItselfToBe) {
+  const CameraSetup setup = brief();
+  const auto states = steered(setup, 0, 1);
+  for (std::size_t k = 0; k < states.size(); ++k) {
+    const Reference wanted = at(setup.path, static_cast<double>(k) / setup.rate_hz);
+    EXPECT_LT((states[k].head<3>() - wanted.position).norm(), 0.02);
+    EXPECT_LT(gaze_off_rad(states[k], wanted), 0.05);
+  }
+}
+
+/// Goes round a circle at half of the size it believes, off by 0.1 m in z with a sigma of 0.04.
+Course made_up() {
+  Course course;
+  for (int k = 0; k < 200; ++k) {
+    Instant i;
+    i.t = k / 20.0;
+    i.truth.setZero(), i.mean.setZero();
+    i.truth.head<3>() << std::cos(i.t), std::sin(i.t), 0.1;
+    i.mean.head<3>() << 2 * std::cos(i.t), 2 * std::sin(i.t), 0;
+    i.truth.segment<4>(3) = i.mean.segment<4>(3) = level_gaze(0);
+    i.error << 0, 0, 0.1, 0, 0, 0;
+    i.sigma << 0.1, 0.1, 0.04, 0.01, 0.01, 0.01;
+    i.command << 3, 0, 0, 0, 0, k % 2 ? 1 : 0;
+    i.pose_nees = 2, i.nis = k % 2 ? 1 : 0;
+    course.instants.push_back(i);
+  }
+  course.map = {{{1, 0, 0}, {1, 0, 0.2}, Eigen::Matrix3d::Identity()}};
+  return course;
+}
+
+TEST(Summary, SaysWhatIsInTheCourse) {
+  const Summary s = summary(made_up());
+  EXPECT_NEAR(s.rms_error_m, 0.1, 1e-12);
+  EXPECT_NEAR(s.scale_off, -0.5, 1e-9);
+  EXPECT_EQ(s.inside[0], 1);
+  EXPECT_EQ(s.inside[2], 0);
+  EXPECT_NEAR(s.truly_off_m, std::sqrt(1.01), 1e-9);
+  EXPECT_NEAR(s.believed_off_m, 2, 1e-9);
+  EXPECT_EQ(s.at_limit, 1);
+  EXPECT_EQ(s.most_rad_s2, 1);
+  EXPECT_EQ(s.pose_nees, 2);
+  EXPECT_EQ(s.nis, 1);
+  EXPECT_NEAR(s.map_off_m, 0.2, 1e-12);
+  EXPECT_NEAR(s.map_sigma_m, std::sqrt(3.0), 1e-12);
+  EXPECT_EQ(s.error_m.size(), 10u);
+  EXPECT_FALSE(follows({s}));
+}
+
+using Verdicts = std::map<std::string, std::string>;
+Verdicts verdicts(const std::vector<Claim>& claims) {
+  Verdicts found;
+  for (const Claim& claim : claims) {
+    EXPECT_TRUE(found.emplace(claim.id, name(claim.verdict)).second) << claim.id << " is there twice";
+    EXPECT_EQ(claim.why.empty(), claim.verdict == Verdict::holds) << claim.id;
+  }
+  return found;
+}
+
+TEST(Example5_4, VerdictsOnItsEquations) {
+  const char *yes = "holds", *corrected = "holds-as-corrected";
+  ExperimentSettings settings;
+  settings.seeds = 40;
+  EXPECT_EQ(verdicts(model_claims()), (Verdicts{{"5.4-sampled", corrected},
+                                                {"5.4-quaternion", corrected},
+                                                {"5.4-norm", yes},
+                                                {"5.4-lens", corrected},
+                                                {"5.4-linear", corrected}}));
+  EXPECT_EQ(verdicts(law_claims(settings)), (Verdicts{{"5.4-amplitude", corrected},
+                                                      {"5.4-returns", corrected},
+                                                      {"5.4-derivative", yes},
+                                                      {"5.4-velocity", corrected},
+                                                      {"5.4-orientation", corrected},
+                                                      {"5.4-regulates", yes},
+                                                      {"5.4-asymptotic", corrected},
+                                                      {"5.4-psd", corrected}}));
+}
+
+}  // namespace
+}  // namespace incognita::swinging_camera

@@ -360,8 +360,7 @@ TEST(LoadScenario, ReadsPairsAndAnswers) {
   EXPECT_EQ(mine.scenario.planar.filter.anchors[0], Eigen::Vector2d(1, 2.5));
   EXPECT_TRUE(mine.scenario.planar.filter.use_fixes);
   EXPECT_EQ(mine.scenario.planar.start.position_m, Eigen::Vector2d(3, 4));
-  EXPECT_HAS(complaint(vehicle + "[vehicle_filter]\nanchors_m = [1, 2]\n"),
-             "must be a list of [x, y]");
+  EXPECT_HAS(complaint(vehicle + "[vehicle_filter]\nanchors_m = [1, 2]\n"), "must be a list of [x, y]");
   EXPECT_HAS(complaint(vehicle + "[vehicle_filter]\nanchors_m = [[1, 2, 3]]\n"), "anchors_m");
   EXPECT_HAS(complaint(vehicle + "[vehicle_filter]\nuse_fixes = 1\n"), "must be true or false");
 }

@@ -3,94 +3,24 @@
 //
 // Measured at every time at which any robot saw something: rms of each robot's position against motion
 // capture, as it is and after the rigid fit of the estimated landmarks to the surveyed ones; each landmark's
-// distance from its survey; NEES of the poses, NIS. A robot alone is given the better of two filters, plain
-// and iterated. Holds: joint better than that for each of the five, with the noises as fixed, halved and
-// doubled.
+// distance from its survey; NEES of the poses, NIS. A robot alone is given the best of four: plain
+// and iterated, looked at at the team's times and at its own. Holds: joint better than that for each of the
+// five, with the noises as fixed, halved and doubled.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <limits>
 #include <numbers>
 
 #include "experiments/evidence.hpp"
 #include "experiments/list.hpp"
-#include "experiments/recorded_team.hpp"
+#include "experiments/mrclam.hpp"
 #include "incognita/messages/errors.hpp"
-#include "incognita/report/plot.hpp"
 
-namespace incognita {
+namespace incognita::recorded_team {
 namespace {
 
-using recorded_team::Drive;
-using recorded_team::each_alone;
-using recorded_team::MappedLandmark;
-using recorded_team::RobotCourse;
-using recorded_team::Robots;
-using recorded_team::Setup;
-using recorded_team::Times;
-using recorded_team::together;
-
 constexpr double degrees = 180 / std::numbers::pi;
-
-Setup iterated(Setup setup) {
-  setup.lineariser = "iterated";
-  return setup;
-}
-
-/// Each robot alone, in four ways.
-struct Alone {
-  std::vector<Drive> plain, iterated, plain_own_times, iterated_own_times;
-  std::vector<const std::vector<Drive>*> all() const {
-    return {&plain, &iterated, &plain_own_times, &iterated_own_times};
-  }
-};
-
-Alone drive_alone(const Robots& robots, const Setup& setup) {
-  return {each_alone(robots, setup), each_alone(robots, iterated(setup)),
-          each_alone(robots, setup, Times::own), each_alone(robots, iterated(setup), Times::own)};
-}
-
-/// The drives that are compared, with one set of noises.
-struct Drives {
-  Drive joint, joint_iterated, shared_map;
-  Alone alone;
-};
-
-Drives compare(const Robots& robots) {
-  Setup blind;
-  blind.see_each_other = false;
-  return {together(robots, {}), together(robots, iterated({})), together(robots, blind),
-          drive_alone(robots, {})};
-}
-
-using Number = double RobotCourse::*;
-
-std::vector<double> of_robots(const Drive& drive, Number what) {
-  std::vector<double> values;
-  for (const RobotCourse& robot : drive.robots) values.push_back(robot.*what);
-  return values;
-}
-
-std::vector<double> of_robots(const std::vector<Drive>& alone, Number what) {
-  std::vector<double> values;
-  for (const Drive& drive : alone) values.push_back(drive.robots.front().*what);
-  return values;
-}
-
-/// For each robot the least over the ways.
-template <class Get>
-std::vector<double> best(const Alone& alone, const Get& of_drive) {
-  std::vector<double> least(alone.plain.size(), std::numeric_limits<double>::infinity());
-  for (const std::vector<Drive>* way : alone.all())
-    for (std::size_t i = 0; i < way->size(); ++i) least[i] = std::min(least[i], of_drive((*way)[i]));
-  return least;
-}
-
-std::vector<double> best_robots(const Alone& alone, Number what) {
-  return best(alone, [&](const Drive& drive) { return drive.robots.front().*what; });
-}
 
 std::string list(const std::vector<double>& values, const char* unit = " m", int digits = 2) {
   std::string text;
@@ -152,16 +82,6 @@ Claim seeing_each_other(const Drives& d) {
                                d.joint.looks - d.shared_map.looks),
        .why = "not for every robot"},
       least_ratio(joint, shared) > 1);
-}
-
-std::vector<double> best_maps(const Alone& alone, double Drive::*what) {
-  return best(alone, [&](const Drive& drive) { return drive.*what; });
-}
-
-std::vector<double> landmark_errors(const Drive& drive) {
-  std::vector<double> off;
-  for (const MappedLandmark& landmark : drive.landmarks) off.push_back(landmark.fitted_off_m);
-  return off;
 }
 
 Claim landmarks(const Robots& robots, const Drives& d) {
@@ -296,121 +216,11 @@ Claim cost(const Drives& d) {
       times > 20 && !d.joint.lost);
 }
 
-// Figures ---------------------------------------------------------------------------------------------
-
-Curve points(const std::string& label, Style style, Colour colour, const std::vector<double>& y) {
-  Curve curve{label, style, {}, y, {}, colour};
-  for (std::size_t i = 0; i < y.size(); ++i) curve.x.push_back(static_cast<double>(i + 1));
-  return curve;
-}
-
-/// Not more often than that, in s: nobody sees 16 points a second.
-constexpr double drawn_every_s = 2;
-
-Curve thinned(const std::string& label, const RobotCourse& robot, Colour colour,
-              const std::function<std::pair<double, double>(std::size_t)>& at) {
-  Curve curve{label, Style::thin, {}, {}, {}, colour};
-  double next = 0;
-  for (std::size_t k = 0; k < robot.t_s.size(); ++k) {
-    if (robot.t_s[k] < next) continue;
-    next = robot.t_s[k] + drawn_every_s;
-    const auto [x, y] = at(k);
-    curve.x.push_back(x), curve.y.push_back(y);
-  }
-  return curve;
-}
-
-Plot table(const Drives& d) {
-  const auto panel = [&](const char* title, Number what) {
-    Panel p{title, "robot", "rms position error, m", {}};
-    p.curves = {points("joint", Style::circles, Colour::blue, of_robots(d.joint, what)),
-                points("shared map", Style::crosses, Colour::green, of_robots(d.shared_map, what)),
-                points("alone", Style::stars, Colour::orange, of_robots(d.alone.plain, what)),
-                points("alone, best of four", Style::stars, Colour::grey, best_robots(d.alone, what))};
-    p.log_y = true;
-    p.y_range = {0.05, 2};
-    p.x_range = {0.5, static_cast<double>(d.alone.plain.size()) + 0.5};
-    return p;
-  };
-  return {"fig-mrclam-robots",
-          "Five recorded robots against motion capture",
-          2,
-          {panel("(a) nothing fitted", &RobotCourse::rms_m),
-           panel("(b) after a rigid fit of the landmarks", &RobotCourse::fitted_rms_m)}};
-}
-
-Plot landmark_table(const Drives& d) {
-  Panel p{"", "landmark", "distance from the survey, m", {}};
-  const auto curve = [&](const std::string& label, const Drive& drive, Style style, Colour colour) {
-    Curve c = points(label, style, colour, landmark_errors(drive));
-    for (std::size_t i = 0; i < drive.landmarks.size(); ++i)
-      c.x[i] = static_cast<double>(drive.landmarks[i].identity);
-    return c;
-  };
-  const Colour colours[] = {Colour::orange, Colour::green, Colour::pink, Colour::amber, Colour::sky};
-  for (std::size_t i = 0; i < d.alone.plain.size(); ++i)
-    p.curves.push_back(
-        curve(fmt::format("robot {} alone", i + 1), d.alone.plain[i], Style::crosses, colours[i % 5]));
-  p.curves.push_back(curve("joint", d.joint, Style::circles, Colour::blue));
-  p.log_y = true;
-  p.x_range = {5.5, 20.5};
-  return {"fig-mrclam-landmarks", "Landmarks after a rigid fit to the survey", 1, {p}};
-}
-
-Panel map_of(const char* title, const Drive& drive) {
-  Panel panel{title, "x, m", "y, m", {}, true};
-  panel.x_range = {-2.5, 8.5}, panel.y_range = {-5.5, 5.5};
-  std::vector<Eigen::Vector2d> believed;
-  std::vector<Eigen::Matrix2d> covariances;
-  Curve mapped{"landmarks", Style::crosses, {}, {}, {}, Colour::blue},
-      surveyed{"surveyed", Style::circles, {}, {}, {}, Colour::ink};
-  for (const MappedLandmark& l : drive.landmarks) {
-    believed.push_back(l.believed), covariances.push_back(l.covariance);
-    mapped.x.push_back(l.believed.x()), mapped.y.push_back(l.believed.y());
-    surveyed.x.push_back(l.surveyed.x()), surveyed.y.push_back(l.surveyed.y());
-  }
-  const RobotCourse& robot = drive.robots.front();
-  const auto place = [](const std::vector<Eigen::Vector2d>& path) {
-    return [&path](std::size_t k) { return std::pair(path[k].x(), path[k].y()); };
-  };
-  Curve outlines = ellipses("2σ", believed, covariances);
-  outlines.colour = Colour::sky;
-  panel.curves = {thinned("motion capture", robot, Colour::grey, place(robot.truth)),
-                  thinned("estimated", robot, Colour::orange, place(robot.believed)), outlines, surveyed,
-                  mapped};
-  return panel;
-}
-
-Plot maps(const Drives& d) {
-  return {"fig-mrclam-map",
-          "Robot 1 and its landmarks, nothing fitted",
-          2,
-          {map_of("(a) with the others, joint", d.joint), map_of("(b) alone", d.alone.plain.front())}};
-}
-
-Plot errors(const Drives& d) {
-  Plot plot{"fig-mrclam-errors", "Distance from motion capture", 2, {}};
-  for (std::size_t i = 0; i < d.alone.plain.size(); ++i) {
-    const auto curve = [](const char* name, const RobotCourse& robot, Colour colour) {
-      return thinned(name, robot, colour, [&](std::size_t k) {
-        return std::pair(robot.t_s[k], (robot.believed[k] - robot.truth[k]).norm());
-      });
-    };
-    Panel panel{fmt::format("robot {}", i + 1), "t, s", "m", {}};
-    panel.curves = {curve("alone", d.alone.plain[i].robots.front(), Colour::orange),
-                    curve("joint", d.joint.robots[i], Colour::blue)};
-    panel.log_y = true;
-    panel.y_range = {0.01, 10};
-    plot.panels.push_back(panel);
-  }
-  return plot;
-}
-
 LedgerEntry run(const ExperimentSettings& settings) {
   LedgerEntry entry{mrclam.id, mrclam.title, "", {}, {}};
   Robots robots;
   try {
-    robots = recorded_team::load();
+    robots = load();
   } catch (const InputError& error) {
     entry.skipped = error.what();
     return entry;
@@ -423,16 +233,18 @@ LedgerEntry run(const ExperimentSettings& settings) {
                   consistent(robots, drives),
                   sensitivity(robots),
                   cost(drives)};
-  for (const Plot& plot : {table(drives), maps(drives), errors(drives), landmark_table(drives)})
-    entry.figures.push_back(draw_plot(settings.out, plot, nullptr));
+  for (const Plot& plot : figures(drives)) entry.figures.push_back(draw_plot(settings.out, plot, nullptr));
   return entry;
 }
 
 }  // namespace
+}  // namespace incognita::recorded_team
+
+namespace incognita {
 
 const Experiment mrclam{"mrclam",
                         "Five recorded robots in one belief",
                         {"fig-mrclam-robots", "fig-mrclam-map", "fig-mrclam-errors", "fig-mrclam-landmarks"},
-                        run};
+                        recorded_team::run};
 
 }  // namespace incognita

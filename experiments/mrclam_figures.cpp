@@ -1,0 +1,177 @@
+#include "experiments/mrclam.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <utility>
+
+namespace incognita::recorded_team {
+namespace {
+
+Setup iterated(Setup setup) {
+  setup.lineariser = "iterated";
+  return setup;
+}
+
+/// For each robot the least over the ways.
+template <class Get>
+std::vector<double> best(const Alone& alone, const Get& of_drive) {
+  std::vector<double> least(alone.plain.size(), std::numeric_limits<double>::infinity());
+  for (const std::vector<Drive>* way : alone.all())
+    for (std::size_t i = 0; i < way->size(); ++i) least[i] = std::min(least[i], of_drive((*way)[i]));
+  return least;
+}
+
+Curve points(const std::string& label, Style style, Colour colour, const std::vector<double>& y) {
+  Curve curve{label, style, {}, y, {}, colour};
+  for (std::size_t i = 0; i < y.size(); ++i) curve.x.push_back(static_cast<double>(i + 1));
+  return curve;
+}
+
+/// Not more often than that, in s: nobody sees 16 points a second.
+constexpr double drawn_every_s = 2;
+
+Curve thinned(const std::string& label, const RobotCourse& robot, Colour colour,
+              const std::function<std::pair<double, double>(std::size_t)>& at) {
+  Curve curve{label, Style::thin, {}, {}, {}, colour};
+  double next = 0;
+  for (std::size_t k = 0; k < robot.t_s.size(); ++k) {
+    if (robot.t_s[k] < next) continue;
+    next = robot.t_s[k] + drawn_every_s;
+    const auto [x, y] = at(k);
+    curve.x.push_back(x), curve.y.push_back(y);
+  }
+  return curve;
+}
+
+Plot table(const Drives& d) {
+  const auto panel = [&](const char* title, Number what) {
+    Panel p{title, "robot", "rms position error, m", {}};
+    p.curves = {points("joint", Style::circles, Colour::blue, of_robots(d.joint, what)),
+                points("shared map", Style::crosses, Colour::green, of_robots(d.shared_map, what)),
+                points("alone", Style::stars, Colour::orange, of_robots(d.alone.plain, what)),
+                points("alone, best of four", Style::stars, Colour::grey, best_robots(d.alone, what))};
+    p.log_y = true;
+    p.y_range = {0.05, 2};
+    p.x_range = {0.5, static_cast<double>(d.alone.plain.size()) + 0.5};
+    return p;
+  };
+  return {"fig-mrclam-robots",
+          "Five recorded robots against motion capture",
+          2,
+          {panel("(a) nothing fitted", &RobotCourse::rms_m),
+           panel("(b) after a rigid fit of the landmarks", &RobotCourse::fitted_rms_m)}};
+}
+
+Plot landmark_table(const Drives& d) {
+  Panel p{"", "landmark", "distance from the survey, m", {}};
+  const auto curve = [&](const std::string& label, const Drive& drive, Style style, Colour colour) {
+    Curve c = points(label, style, colour, landmark_errors(drive));
+    for (std::size_t i = 0; i < drive.landmarks.size(); ++i)
+      c.x[i] = static_cast<double>(drive.landmarks[i].identity);
+    return c;
+  };
+  const Colour colours[] = {Colour::orange, Colour::green, Colour::pink, Colour::amber, Colour::sky};
+  for (std::size_t i = 0; i < d.alone.plain.size(); ++i)
+    p.curves.push_back(
+        curve(fmt::format("robot {} alone", i + 1), d.alone.plain[i], Style::crosses, colours[i % 5]));
+  p.curves.push_back(curve("joint", d.joint, Style::circles, Colour::blue));
+  p.log_y = true;
+  p.x_range = {5.5, 20.5};
+  return {"fig-mrclam-landmarks", "Landmarks after a rigid fit to the survey", 1, {p}};
+}
+
+Panel map_of(const char* title, const Drive& drive) {
+  Panel panel{title, "x, m", "y, m", {}, true};
+  panel.x_range = {-2.5, 8.5}, panel.y_range = {-5.5, 5.5};
+  std::vector<Eigen::Vector2d> believed;
+  std::vector<Eigen::Matrix2d> covariances;
+  Curve mapped{"landmarks", Style::crosses, {}, {}, {}, Colour::blue},
+      surveyed{"surveyed", Style::circles, {}, {}, {}, Colour::ink};
+  for (const MappedLandmark& l : drive.landmarks) {
+    believed.push_back(l.believed), covariances.push_back(l.covariance);
+    mapped.x.push_back(l.believed.x()), mapped.y.push_back(l.believed.y());
+    surveyed.x.push_back(l.surveyed.x()), surveyed.y.push_back(l.surveyed.y());
+  }
+  const RobotCourse& robot = drive.robots.front();
+  const auto place = [](const std::vector<Eigen::Vector2d>& path) {
+    return [&path](std::size_t k) { return std::pair(path[k].x(), path[k].y()); };
+  };
+  Curve outlines = ellipses("2σ", believed, covariances);
+  outlines.colour = Colour::sky;
+  panel.curves = {thinned("motion capture", robot, Colour::grey, place(robot.truth)),
+                  thinned("estimated", robot, Colour::orange, place(robot.believed)), outlines, surveyed,
+                  mapped};
+  return panel;
+}
+
+Plot maps(const Drives& d) {
+  return {"fig-mrclam-map",
+          "Robot 1 and its landmarks, nothing fitted",
+          2,
+          {map_of("(a) with the others, joint", d.joint), map_of("(b) alone", d.alone.plain.front())}};
+}
+
+Plot errors(const Drives& d) {
+  Plot plot{"fig-mrclam-errors", "Distance from motion capture", 2, {}};
+  for (std::size_t i = 0; i < d.alone.plain.size(); ++i) {
+    const auto curve = [](const char* name, const RobotCourse& robot, Colour colour) {
+      return thinned(name, robot, colour, [&](std::size_t k) {
+        return std::pair(robot.t_s[k], (robot.believed[k] - robot.truth[k]).norm());
+      });
+    };
+    Panel panel{fmt::format("robot {}", i + 1), "t, s", "m", {}};
+    panel.curves = {curve("alone", d.alone.plain[i].robots.front(), Colour::orange),
+                    curve("joint", d.joint.robots[i], Colour::blue)};
+    panel.log_y = true;
+    panel.y_range = {0.01, 10};
+    plot.panels.push_back(panel);
+  }
+  return plot;
+}
+
+}  // namespace
+
+Alone drive_alone(const Robots& robots, const Setup& setup) {
+  return {each_alone(robots, setup), each_alone(robots, iterated(setup)),
+          each_alone(robots, setup, Times::own), each_alone(robots, iterated(setup), Times::own)};
+}
+
+Drives compare(const Robots& robots) {
+  Setup blind;
+  blind.see_each_other = false;
+  return {together(robots, {}), together(robots, iterated({})), together(robots, blind),
+          drive_alone(robots, {})};
+}
+
+std::vector<double> of_robots(const Drive& drive, Number what) {
+  std::vector<double> values;
+  for (const RobotCourse& robot : drive.robots) values.push_back(robot.*what);
+  return values;
+}
+
+std::vector<double> of_robots(const std::vector<Drive>& alone, Number what) {
+  std::vector<double> values;
+  for (const Drive& drive : alone) values.push_back(drive.robots.front().*what);
+  return values;
+}
+
+std::vector<double> best_robots(const Alone& alone, Number what) {
+  return best(alone, [&](const Drive& drive) { return drive.robots.front().*what; });
+}
+
+std::vector<double> best_maps(const Alone& alone, double Drive::*what) {
+  return best(alone, [&](const Drive& drive) { return drive.*what; });
+}
+
+std::vector<double> landmark_errors(const Drive& drive) {
+  std::vector<double> off;
+  for (const MappedLandmark& landmark : drive.landmarks) off.push_back(landmark.fitted_off_m);
+  return off;
+}
+
+std::vector<Plot> figures(const Drives& d) { return {table(d), maps(d), errors(d), landmark_table(d)}; }
+
+}  // namespace incognita::recorded_team

@@ -9,7 +9,7 @@ const std::vector<Experiment>& all_experiments() {
       text_chapters_1_to_3, example_3_1, example_3_2, example_3_3,  example_3_4,  example_3_5,    example_3_6,
       example_3_7,          example_3_8, example_3_9, example_3_10, example_3_11, text_chapter_4, example_4_1,
       example_4_2,          example_4_3, example_4_4, example_4_5,  example_4_6,  example_5_1,    example_5_2,
-      example_5_3,          mrclam,      example_5_4, consistency};
+      example_5_3,          mrclam,      example_5_4, section_6_1,  section_6_3,  consistency};
   return all;
 }
 

@@ -86,7 +86,9 @@ Assembly assemble(const LoadedScenario& loaded) {
   return {{std::move(place.clock), std::move(place.world), std::move(place.sensor),
            CameraEstimator(camera, std::move(target), scenario.slam, scenario.start.max_search_s,
                            static_cast<std::uint64_t>(scenario.run.seed)),
-           CameraDecision(camera, scenario.slam, scenario.decision), CameraController(scenario.control)},
+           CameraDecision(camera, scenario.slam, scenario.decision, scenario.exploration,
+                          static_cast<std::uint64_t>(scenario.run.seed)),
+           CameraController(scenario.control)},
           scale_is_known,
           std::move(notes)};
 }

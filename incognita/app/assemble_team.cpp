@@ -51,10 +51,14 @@ void know_landmarks(TeamSettings& team, const PointPlace& place, int known) {
 TeamDecisionSettings decision_of(const Scenario& s) {
   TeamDecisionSettings out;
   out.decision = s.decision;
-  out.decision.strategy = s.team.steer.law == "active" ? "mutual-information" : "none";
+  out.decision.gaze = s.decision.gaze == "swing" ? "hold" : s.decision.gaze;  // to and fro is of images
+  out.decides = s.team.steer.law == "active";
   out.tick_s = 1 / s.run.rate_hz;
+  out.exploration = s.exploration;
+  out.seed = static_cast<std::uint64_t>(s.run.seed);
   if (s.run.sensor == "range-bearing" || s.run.sensor == "bearing")
-    out.max_range_m = s.planar.sensor.max_range_m;
+    out.reach = {s.planar.sensor.max_range_m,
+                 s.team.plant.field_of_view_rad >= 6.2831853 ? 7 : s.team.plant.field_of_view_rad};
   return out;
 }
 
@@ -92,8 +96,11 @@ TeamAssembly simulated(const LoadedScenario& loaded) {
     steering.push_back(steering_of(loaded, i));
   }
   TeamEstimator estimator = estimator_of(loaded, team);
-  TeamController controller = made(loaded, "steer.law", s.team.steer.law,
-                                   [&] { return TeamController(std::move(steering), period_s); });
+  const bool held = s.team.steer.law == "none" && !s.team.steer.input.empty();
+  TeamController controller =
+      made(loaded, held ? "steer.input" : "steer.law",
+           held ? fmt::format("[{}]", fmt::join(s.team.steer.input, ", ")) : s.team.steer.law,
+           [&] { return TeamController(std::move(steering), period_s); });
   return {{std::make_unique<RoomClock>(s.run.rate_hz, s.run.duration_s),
            std::make_unique<TeamWorld>(vehicles, seed),
            std::make_unique<TeamSensor>(vehicles, place, s.team.start.sees_team, seed), std::move(estimator),
@@ -138,7 +145,8 @@ TeamAssembly recorded(const LoadedScenario& loaded) {
     notes.insert(notes.end(), robot.notes.begin(), robot.notes.end());
   return {{std::move(clock), std::make_unique<TeamReplayWorld>(robots),
            std::make_unique<TeamReplaySensor>(robots, s.team.start.sees_team, s.planar.sensor.max_range_m),
-           estimator_of(loaded, team), TeamDecision(team, {{.strategy = "none"}}), TeamController({}, 1)},
+           estimator_of(loaded, team), TeamDecision(team, {.decision = {}, .decides = false}),
+           TeamController({}, 1)},
           std::move(notes)};
 }
 

@@ -3,6 +3,7 @@
 #include <exception>
 #include <functional>
 
+#include "incognita/app/campaign.hpp"
 #include "incognita/app/config.hpp"
 #include "incognita/app/evaluate.hpp"
 #include "incognita/app/observe.hpp"
@@ -29,6 +30,7 @@ int carry_out(int argc, char** argv) {
   incognita::add_evaluate(app, job);
   incognita::add_config(app, job);
   incognita::add_observe(app, job);
+  incognita::add_campaign(app, job);
   incognita::add_reproduce(app, job, incognita::all_experiments());
   try {
     app.parse(argc, argv);

@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <utility>
 
 namespace incognita {
 
-Progress::Progress(std::int64_t total)
+Progress::Progress(std::int64_t total, std::string unit)
     : total_(total),
+      unit_(std::move(unit)),
       terminal_(isatty(STDERR_FILENO) == 1),
       start_(std::chrono::steady_clock::now()),
       last_(start_) {}
@@ -24,12 +26,14 @@ void Progress::show(std::int64_t done, const std::string& what) {
   last_ = now;
   shown_ = true;
   const double seconds = std::chrono::duration<double>(now - start_).count();
-  std::string line = fmt::format("\r\033[K{} frames, {:.0f}/s", done, done / std::max(seconds, 1e-3));
+  const double rate = static_cast<double>(done) / std::max(seconds, 1e-3);
+  const std::string per_s = fmt::format("{:.{}f}/s", rate, rate < 10 ? 1 : 0);
+  std::string line = fmt::format("\r\033[K{} {}, {}", done, unit_, per_s);
   if (total_ > 0) {
     constexpr int width = 24;
     const int filled = static_cast<int>(std::min<std::int64_t>(width, width * done / total_));
-    line = fmt::format("\r\033[K[{:=<{}}{: <{}}] {}/{} frames, {:.0f}/s", "", filled, "", width - filled,
-                       done, total_, done / std::max(seconds, 1e-3));
+    line = fmt::format("\r\033[K[{:=<{}}{: <{}}] {}/{} {}, {}", "", filled, "", width - filled, done, total_,
+                       unit_, per_s);
   }
   std::fputs((line + "  " + what).c_str(), stderr);
   std::fflush(stderr);

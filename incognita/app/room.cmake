@@ -6,7 +6,7 @@ incognita_room(app SOURCES app/assemble.cpp app/assemble_planar.cpp app/assemble
                     incognita::io PRIVATE_USES fmt::fmt)
 include(app/reproduce.cmake)
 include(app/observe.cmake)
-add_executable(incognita_program app/main.cpp app/run.cpp app/progress.cpp app/standard_streams.cpp app/usage.cpp)
+add_executable(incognita_program app/main.cpp app/run.cpp app/progress.cpp app/scenario_run.cpp app/standard_streams.cpp app/usage.cpp)
 incognita_reuse_precompiled(incognita_program incognita_common)
 set_target_properties(incognita_program PROPERTIES OUTPUT_NAME incognita)
 target_compile_definitions(incognita_program PRIVATE INCOGNITA_VERSION="${PROJECT_VERSION}")
@@ -14,3 +14,4 @@ target_link_libraries(incognita_program PRIVATE incognita::app incognita::pictur
                       incognita_app_config incognita::evaluate incognita_app_reproduce incognita_app_observe
                       CLI11::CLI11 fmt::fmt
                       incognita::experiments)  # made later, in experiments/
+include(app/campaign.cmake)

@@ -6,19 +6,16 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
 #include <thread>
 #include <vector>
 
-#include "incognita/app/assemble.hpp"
-#include "incognita/app/assemble_planar.hpp"
-#include "incognita/app/assemble_team.hpp"
-#include "incognita/app/observability_watch.hpp"
 #include "incognita/app/progress.hpp"
 #include "incognita/app/say.hpp"
-#include "incognita/app/team_models.hpp"
+#include "incognita/app/scenario_run.hpp"
 #include "incognita/io/team_setting_list.hpp"
 #include "incognita/messages/errors.hpp"
 #include "incognita/record/frame_pictures.hpp"
@@ -56,22 +53,6 @@ LoadedScenario load(const Options& options) {
   return load_scenario(options.scenario, options.sets, flags);
 }
 
-/// How the run ended, from the loop's own view.
-struct Ending {
-  RunStatus status = RunStatus::done;
-  std::string reason;
-  std::vector<std::string> warnings = {};
-  bool saw_nothing = false;
-};
-
-Ending ending_of(const Snapshot& last, const Tick& tick, bool ever_tracked) {
-  if (interrupted) return {RunStatus::interrupted, fmt::format("interrupted at t = {:.3f} s", tick.t)};
-  if (!ever_tracked) return {RunStatus::failed, "never started: " + last.status.reason};
-  if (last.status.state == TrackingState::lost)
-    return {RunStatus::failed, fmt::format("lost at the end: {}", last.status.reason)};
-  return {};
-}
-
 /// Says on standard error when the tracking state changes, once.
 class StateTeller {
  public:
@@ -97,154 +78,81 @@ void wait_until(std::chrono::steady_clock::time_point start, double t_s) {
   }
 }
 
-template <class SomeBoxes>
-Ending drive(SomeBoxes& boxes, Recorder& recorder, FramePictures* pictures, ObservabilityWatch* watch,
-             bool realtime) {
-  Progress progress(boxes.clock->expected_frames());
-  StateTeller teller;
-  Snapshot last;
-  bool ever_tracked = false, ever_looked = false;
-  std::optional<double> first_t;
-  const auto start = std::chrono::steady_clock::now();
-  const auto publish = [&](const Snapshot& snapshot) {
-    last = snapshot;
-    ever_tracked |=
-        snapshot.status.state != TrackingState::starting && snapshot.status.state != TrackingState::lost;
-    ever_looked |= !snapshot.looks.empty();
-    recorder.publish(snapshot);
-    if (pictures) pictures->publish(snapshot);
-    progress.show(snapshot.tick.frame + 1,
-                  fmt::format("{}, {} matched, {} landmarks", name(snapshot.status.state), snapshot.matched,
-                              snapshot.landmarks.size()));
-    teller.tell(snapshot);
-  };
-  const auto keep_going = [&](const Tick& tick) {
-    if (!first_t) first_t = tick.t;
-    if (realtime) wait_until(start, tick.t - *first_t);
-    return !interrupted;
-  };
-  std::function<void(const typename SomeBoxes::Estimator::Estimate&)> watching;
-  if constexpr (requires(const typename SomeBoxes::Estimator::Estimate& estimate) {
-                  watch->follow(estimate);
-                })
-    if (watch) watching = [watch](const auto& estimate) { watch->follow(estimate); };
-  try {
-    run_loop(boxes, std::function<void(const Snapshot&)>(publish),
-             std::function<bool(const Tick&)>(keep_going), watching);
-  } catch (const std::exception& error) {
-    return {RunStatus::failed, fmt::format("at frame {}: {}", last.tick.frame + 1, error.what())};
+/// A run directory, pictures if wanted, and what is said on standard error meanwhile.
+class TheRecord : public RunKeeper {
+ public:
+  TheRecord(const std::string& out, const Options& options, const RunInfo& info, std::int64_t frames)
+      : figures_(!options.no_figures), recorder_(out, info), progress_(frames) {
+    if (options.save_frames) pictures_.emplace(recorder_.path(), info.patch_size_px);
   }
-  Ending ending = ending_of(last, last.tick, ever_tracked);
-  const auto unseen = std::count_if(last.landmarks.begin(), last.landmarks.end(),
-                                    [](const SnapshotLandmark& l) { return l.anchor && l.sightings == 0; });
-  if (unseen > 0 && last.vehicles.empty())
-    ending.warnings.push_back(
-        fmt::format("anchors never matched: {}; are they where they should be?", unseen));
-  if (!last.vehicles.empty() && !ever_looked) ending.warnings.push_back("nothing was seen in the whole run");
-  return ending;
-}
 
-RunInfo info_of(const LoadedScenario& loaded) {
-  RunInfo info;
-  info.effective_toml = effective_toml(loaded);
-  info.seed = loaded.scenario.run.seed;
-  info.version = INCOGNITA_VERSION;
-  info.patch_size_px = loaded.scenario.slam.search.patch_size_px;
-  return info;
-}
+  void publish(const Snapshot& s) override {
+    recorder_.publish(s);
+    if (pictures_) pictures_->publish(s);
+    progress_->show(s.tick.frame + 1, fmt::format("{}, {} matched, {} landmarks", name(s.status.state),
+                                                  s.matched, s.landmarks.size()));
+    teller_.tell(s);
+  }
 
-/// What the run knows of its frame and scale, into summary.json and on standard error.
-void tell_observability(ObservabilityWatch& watch, Recorder& recorder) {
-  const auto report = watch.report();
-  if (!report) return;
-  recorder.note(*report);
-  for (const std::string& line : in_words(*report)) say("{}\n", line);
-}
+  void note(const ObservabilityReport& report, const std::vector<std::string>& in_words) override {
+    progress_.reset();
+    recorder_.note(report);
+    for (const std::string& line : in_words) say("{}\n", line);
+  }
 
-/// Drives the boxes and records; `info` is complete.
-template <class SomeBoxes>
-int run_boxes(SomeBoxes& boxes, const RunInfo& info, const LoadedScenario& loaded, const std::string& out,
-              const Options& options) {
-  heed_signals();
-  Recorder recorder(out, info);
-  std::optional<FramePictures> pictures;
-  if (options.save_frames) pictures.emplace(recorder.path(), info.patch_size_px);
-  std::optional<ObservabilityWatch> watch;
-  if (loaded.scenario.run.observability && info.vehicles == 0) watch.emplace();
+  RunOutcome finish(RunStatus status, const std::string& reason,
+                    const std::vector<std::string>& warnings) override {
+    progress_.reset();  // its line on the terminal goes
+    const auto finishing = [&](const std::filesystem::path& directory) {
+      std::vector<std::string> all = warnings;
+      if (!figures_) return all;
+      for (std::string& warning : draw_run_figures(directory)) all.push_back(std::move(warning));
+      return all;
+    };
+    for (const std::string& warning : warnings) say("{}\n", warning);
+    return recorder_.finish(status, reason, finishing);
+  }
 
-  Ending ending =
-      drive(boxes, recorder, pictures ? &*pictures : nullptr, watch ? &*watch : nullptr, options.realtime);
-  const PointsSettings& points = loaded.scenario.team.points;
-  if (ending.saw_nothing && info.vehicles > 0 && (points.count > 0 || !points.file.empty()))
-    ending.warnings.push_back("nothing was seen in the whole run");
-  if (watch) tell_observability(*watch, recorder);
-  const auto finishing = [&](const std::filesystem::path& directory) {
-    std::vector<std::string> warnings = ending.warnings;
-    if (options.no_figures) return warnings;
-    for (std::string& warning : draw_run_figures(directory)) warnings.push_back(std::move(warning));
-    return warnings;
-  };
-  for (const std::string& warning : ending.warnings) say("{}\n", warning);
-  const RunOutcome outcome = recorder.finish(ending.status, ending.reason, finishing);
-  say("{}{}{}: see {}\n", name(outcome.status), outcome.reason.empty() ? "" : ", ", outcome.reason, out);
-  return outcome.status == RunStatus::done ? 0 : 1;
-}
+ private:
+  bool figures_;
+  Recorder recorder_;
+  std::optional<FramePictures> pictures_;
+  std::optional<Progress> progress_;
+  StateTeller teller_;
+};
 
-int run_camera(const LoadedScenario& loaded, const std::string& out, const Options& options) {
-  Assembly assembly = assemble(loaded);
-  for (const std::string& line : assembly.notes) say("{}\n", line);
-  if (!assembly.scale_is_known) say("no target: the scale is not observable, lengths are relative\n");
-  RunInfo info = info_of(loaded);
-  // A recording's truth is in its own world, which a target need not share
-  const bool own_frame = loaded.scenario.run.world == "recording";
-  info.ate_alignment = !assembly.scale_is_known ? "sim3" : own_frame ? "se3" : "none";
-  return run_boxes(assembly.boxes, info, loaded, out, options);
-}
-
-int run_vehicle(const LoadedScenario& loaded, const std::string& out, const Options& options) {
-  if (options.save_frames)
+void refuse_pictures_without_images(const Scenario& scenario) {
+  if (is_team(scenario)) throw InputError("--save-frames: there are no images where points are named");
+  if (scenario.run.sensor != "camera")
     throw InputError("--save-frames: there are no images with run.sensor = range-bearing");
-  PlanarAssembly assembly = assemble_planar(loaded);
-  for (const std::string& line : assembly.notes) say("{}\n", line);
-  if (!assembly.frame_is_fixed)
-    say("no anchors: place and heading are not observable, the map is about where the vehicle started\n");
-  RunInfo info = info_of(loaded);
-  info.body = "vehicle";
-  info.ranges = true;
-  info.ate_alignment = assembly.frame_is_fixed ? "none" : "se3";
-  return run_boxes(assembly.boxes, info, loaded, out, options);
-}
-
-/// What the inputs of a motion are called.
-std::vector<std::string> inputs_of(const std::string& model) {
-  if (model == "monobot") return {"speed_m_s"};
-  if (model == "ackermann") return {"speed_m_s", "steering_rad"};
-  if (model != "free-camera") return {"speed_m_s", "turn_rate_rad_s"};
-  return {"ax_m_s2", "ay_m_s2", "az_m_s2", "alphax_rad_s2", "alphay_rad_s2", "alphaz_rad_s2"};
-}
-
-int run_team(const LoadedScenario& loaded, const std::string& out, const Options& options) {
-  if (options.save_frames) throw InputError("--save-frames: there are no images where points are named");
-  TeamAssembly assembly = assemble_team(loaded);
-  for (const std::string& line : assembly.notes) say("{}\n", line);
-  const std::string& model = loaded.scenario.planar.vehicle.model;
-  RunInfo info = info_of(loaded);
-  info.body = model == "free-camera" ? "camera" : "vehicle";
-  info.vehicles = static_cast<int>(assembly.boxes.estimator.settings().members.size());
-  info.inputs = inputs_of(model);
-  info.steered_m = steered_point(loaded.scenario);
-  return run_boxes(assembly.boxes, info, loaded, out, options);
 }
 
 int run(const Options& options) {
   std::signal(SIGPIPE, SIG_IGN);  // the record matters more than who listens to how it goes
+  if (options.scenario.empty())
+    throw InputError("the scenario names nothing; a file or a built-in one is wanted");
   if (options.out && options.out->empty()) throw InputError("--out: names nothing; a folder is wanted");
   const LoadedScenario loaded = load(options);
   for (const std::string& line : loaded.overrides) say("{}\n", line);
+  if (options.save_frames) refuse_pictures_without_images(loaded.scenario);
   const std::string out = options.out.value_or("out/" + loaded.name);
-  if (is_team(loaded.scenario)) return run_team(loaded, out, options);
-  return loaded.scenario.run.sensor == "camera" ? run_camera(loaded, out, options)
-                                                : run_vehicle(loaded, out, options);
+  std::optional<double> first_t;
+  std::chrono::steady_clock::time_point start;
+  RunManner manner;
+  manner.tell = [](const std::string& line) { say("{}\n", line); };
+  manner.keep_going = [&](const Tick& tick) {
+    if (!first_t) first_t = tick.t, start = std::chrono::steady_clock::now();
+    if (options.realtime) wait_until(start, tick.t - *first_t);
+    return !interrupted;
+  };
+  const OpenKeeper open = [&](const RunInfo& info, std::int64_t frames) {
+    heed_signals();
+    return std::make_unique<TheRecord>(out, options, info, frames);
+  };
+  const RunOutcome outcome = run_scenario(loaded, open, manner);
+  if (!outcome.quality.empty()) say("{}\n", outcome.quality);
+  say("{}{}{}: see {}\n", name(outcome.status), outcome.reason.empty() ? "" : ", ", outcome.reason, out);
+  return outcome.status == RunStatus::done ? 0 : 1;
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ SnapshotLandmark in_space(const PlanarLandmark& landmark, const PlanarEstimate& 
 }  // namespace
 
 Snapshot snapshot_of(const Tick& tick, const std::optional<Truth>& truth, const Observation& seen,
-                     const Estimate& estimate, const Goal& goal, const std::vector<Translation>& actions,
+                     const Estimate& estimate, const Goal& goal, const std::vector<std::string>& actions,
                      const Command& command, const std::vector<std::pair<const char*, double>>& loop_ms) {
   Snapshot s;
   s.tick = tick;
@@ -80,7 +80,7 @@ Snapshot snapshot_of(const Tick& tick, const std::optional<Truth>& truth, const 
 }
 
 Snapshot snapshot_of(const Tick& tick, const std::optional<Truth>& truth, const Observation&,
-                     const PlanarEstimate& estimate, const Goal&, const std::vector<Translation>&,
+                     const PlanarEstimate& estimate, const Goal&, const std::vector<std::string>&,
                      const Command& command, const std::vector<std::pair<const char*, double>>& loop_ms) {
   Snapshot s;
   s.tick = tick;

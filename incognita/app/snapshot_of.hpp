@@ -5,7 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "incognita/decision/actions.hpp"
 #include "incognita/messages/goal.hpp"
 #include "incognita/messages/observation.hpp"
 #include "incognita/record/snapshot.hpp"
@@ -19,19 +18,19 @@ namespace incognita {
 /// `frame` is everything a robot would have to do: estimator, advice and control, not the simulated world nor
 /// the files.
 Snapshot snapshot_of(const Tick& tick, const std::optional<Truth>& truth, const Observation& seen,
-                     const Estimate& estimate, const Goal& goal, const std::vector<Translation>& actions,
+                     const Estimate& estimate, const Goal& goal, const std::vector<std::string>& actions,
                      const Command& command, const std::vector<std::pair<const char*, double>>& loop_ms);
 
 /// A vehicle on a plane as a body in space: height, roll and pitch are 0 and certain. Looks are ranges (m)
 /// and bearings (rad).
 Snapshot snapshot_of(const Tick& tick, const std::optional<Truth>& truth, const Observation& seen,
                      const PlanarEstimate& estimate, const Goal& goal,
-                     const std::vector<Translation>& actions, const Command& command,
+                     const std::vector<std::string>& actions, const Command& command,
                      const std::vector<std::pair<const char*, double>>& loop_ms);
 
 /// Vehicles of a team, each as a body in space. Looks are numbers of the sensor's, the first two of each.
 Snapshot snapshot_of(const Tick& tick, const std::optional<Truth>& truth, const Observation& seen,
-                     const TeamEstimate& estimate, const Goal& goal, const std::vector<Translation>& actions,
+                     const TeamEstimate& estimate, const Goal& goal, const std::vector<std::string>& actions,
                      const Command& command, const std::vector<std::pair<const char*, double>>& loop_ms);
 
 }  // namespace incognita

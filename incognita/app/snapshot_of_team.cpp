@@ -60,7 +60,7 @@ SnapshotLook look_of(const TeamLook& look) {
 }  // namespace
 
 Snapshot snapshot_of(const Tick& tick, const std::optional<Truth>& truth, const Observation&,
-                     const TeamEstimate& e, const Goal& goal, const std::vector<Translation>& actions,
+                     const TeamEstimate& e, const Goal& goal, const std::vector<std::string>& actions,
                      const Command& command, const std::vector<std::pair<const char*, double>>& loop_ms) {
   Snapshot s;
   s.tick = tick;

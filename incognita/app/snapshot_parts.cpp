@@ -24,12 +24,14 @@ StageTimes timing_of(const StageTimes& measured, std::span<const char* const> in
   return timing;
 }
 
-SnapshotAdvice advice_of(const Goal& goal, const std::vector<Translation>& actions) {
+SnapshotAdvice advice_of(const Goal& goal, const std::vector<std::string>& actions) {
   SnapshotAdvice advice;
-  for (const Translation& action : actions) advice.actions.push_back(action.name);
+  advice.actions = actions;
   advice.scores = goal.scores;
   advice.chosen = goal.chosen;
   advice.decided = goal.decided;
+  advice.coverage = goal.coverage;
+  advice.entropy_extended = goal.entropy_extended;
   return advice;
 }
 

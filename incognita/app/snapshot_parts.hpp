@@ -2,11 +2,11 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "incognita/belief/belief.hpp"
-#include "incognita/decision/actions.hpp"
 #include "incognita/messages/goal.hpp"
 #include "incognita/record/snapshot.hpp"
 #include "incognita/slam/entropy_values.hpp"
@@ -20,7 +20,7 @@ using StageTimes = std::vector<std::pair<const char*, double>>;
 StageTimes timing_of(const StageTimes& measured, std::span<const char* const> in_estimator,
                      const StageTimes& loop_ms);
 
-SnapshotAdvice advice_of(const Goal& goal, const std::vector<Translation>& actions);
+SnapshotAdvice advice_of(const Goal& goal, const std::vector<std::string>& actions);
 
 void put_update(Snapshot& snapshot, const UpdateReport& update, const Entropy& entropy);
 

@@ -53,13 +53,15 @@ SmallVector start_of(const Scenario& s, std::size_t i) {
   return state;
 }
 
-/// Of position and turns; speeds are 0 at the start, which the filter may know less well.
-SmallVector start_sigmas(const Scenario& s, double sigma_velocity_m_s, double sigma_rate_rad_s) {
-  const double position = s.team.start.sigma_position_m, heading = s.team.start.sigma_heading_rad;
-  if (is_line(s)) return list({position});
-  if (!is_body(s)) return list({position, position, heading});
+struct StartSigmas {
+  double position_m, height_m, heading_rad, velocity_m_s, rate_rad_s;
+};
+SmallVector of_start(const Scenario& s, const StartSigmas& sigma) {
+  if (is_line(s)) return list({sigma.position_m});
+  if (!is_body(s)) return list({sigma.position_m, sigma.position_m, sigma.heading_rad});
   SmallVector sigmas(FreeCameraMotion::error_size);
-  sigmas << six(position, heading), six(sigma_velocity_m_s, sigma_rate_rad_s);
+  sigmas << six(sigma.position_m, sigma.heading_rad), six(sigma.velocity_m_s, sigma.rate_rad_s);
+  sigmas[2] = sigma.height_m;
   return sigmas;
 }
 
@@ -102,6 +104,12 @@ Path path_of(const LoadedScenario& loaded, const Eigen::Vector3d& offset) {
     return path;
   }
   PathSamples samples = read_path(find_named_file(loaded, "path.file", p.file));
+  for (const Eigen::Vector3d& place : samples.position)
+    if ((!is_body(loaded.scenario) && place.z() != 0) || (is_line(loaded.scenario) && place.y() != 0))
+      throw InputError(
+          fmt::format("{}: path.file = {}: has {} other than 0, where vehicle.model = `{}` can not go",
+                      loaded.sources.at("path.file"), p.file, is_line(loaded.scenario) ? "y or z" : "z",
+                      loaded.scenario.planar.vehicle.model));
   for (Eigen::Vector3d& place : samples.position) place += offset;
   return through(samples);
 }
@@ -149,7 +157,9 @@ TeamMember member_of(const Scenario& s, std::size_t i) {
   const FilterSettings& f = s.slam.filter;
   TeamMember m{motion_of(s), sensor_of(s), {}, {}, {}, {}};
   m.start = start_of(s, i);
-  m.start_sigmas = start_sigmas(s, f.sigma_start_velocity_m_s, f.sigma_start_angular_rate_rad_s);
+  const TeamStartSettings& start = s.team.start;
+  m.start_sigmas = of_start(s, {start.sigma_position_m, start.sigma_height_m, start.sigma_heading_rad,
+                                f.sigma_start_velocity_m_s, f.sigma_start_angular_rate_rad_s});
   m.input_sigmas = of_inputs(s, {v.sigma_speed_m_s, v.sigma_turn_rate_rad_s, v.sigma_steering_rad,
                                  f.sigma_acceleration_m_s2, f.sigma_angular_acceleration_rad_s2});
   m.sigmas =
@@ -161,6 +171,7 @@ TeamMember member_of(const Scenario& s, std::size_t i) {
 TeamFilterSettings filter_of(const Scenario& s) {
   TeamFilterSettings f;
   f.lineariser = s.team.filter.lineariser;
+  f.form = s.team.filter.form;
   f.gate_probability = s.team.filter.gate_probability;
   f.inverse_depth_per_m = s.slam.birth.inverse_depth_per_m;
   f.sigma_inverse_depth_per_m = s.slam.birth.sigma_inverse_depth_per_m;
@@ -174,7 +185,9 @@ SimulatedVehicle simulated_vehicle(const Scenario& s, std::size_t i) {
   SimulatedVehicle v{motion_of(s), {}, sensor_of(s), {}};
   if (p.motion == "terrain") v.motion = TerrainVehicle{terrain_of(s.team.terrain)};
   v.plant.start = start_of(s, i);
-  v.plant.start_sigmas = start_sigmas(s, 0, 0);
+  // Speeds are 0 at the start, which the filter may know less well
+  v.plant.start_sigmas =
+      of_start(s, {p.sigma_start_position_m, p.sigma_start_height_m, p.sigma_start_heading_rad, 0, 0});
   v.plant.input_sigmas = of_inputs(s, {p.sigma_speed_m_s, p.sigma_turn_rate_rad_s, p.sigma_steering_rad,
                                        p.sigma_acceleration_m_s2, p.sigma_angular_acceleration_rad_s2});
   v.plant.most_input = limits_of(s);
@@ -235,7 +248,14 @@ PointPlace place_of(const LoadedScenario& loaded) {
     points[i] = {p.centre_m.x() + x * p.size_m.x(), p.centre_m.y() + y * p.size_m.y(), z * p.size_m.z()};
   }
   PointPlace place;
-  for (const auto& [identity, point] : points) place[identity] = point.head(dimensions);
+  for (const auto& [identity, point] : points) {
+    if (!p.file.empty() && !point.tail(3 - dimensions).isZero())
+      throw InputError(
+          fmt::format("{}: points.file = {}: landmark {} is off the {} that run.sensor = `{}` knows of",
+                      loaded.sources.at("points.file"), p.file, identity, dimensions == 1 ? "line" : "plane",
+                      s.run.sensor));
+    place[identity] = point.head(dimensions);
+  }
   return place;
 }
 

@@ -1,4 +1,5 @@
-// The belief: a Gaussian over vehicles and landmarks, and what can happen to it.
+// The belief: a Gaussian over vehicles and landmarks, and what can happen to it. Its blocks and their means
+// are in state_layout.hpp; information_belief.hpp has the same in information form.
 //
 // Blocks keep their ids for life; vehicles come first, landmarks follow. Each block has a chart, so the mean
 // is kept on its manifold and the covariance is that of the error in the chart. Only the lower triangle of
@@ -9,29 +10,15 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <optional>
 #include <span>
-#include <vector>
 
 #include "incognita/belief/affine.hpp"
 #include "incognita/belief/aligned_buffer.hpp"
-#include "incognita/belief/trace.hpp"
-#include "incognita/math/chart.hpp"
+#include "incognita/belief/state_layout.hpp"
+#include "incognita/belief/triangle.hpp"
+#include "incognita/belief/update_report.hpp"
 
 namespace incognita {
-
-struct UpdateReport {
-  enum class Outcome {
-    updated,
-    nothing,   ///< no looks were given
-    singular,  ///< the looks cannot be used within rounding; the belief is unchanged
-  };
-  Outcome outcome = Outcome::nothing;
-  double nis = 0;        ///< residual' S^-1 residual
-  int rows = 0;          ///< its degrees of freedom
-  double log_det_S = 0;  ///< so the update took (log_det_S - log_det_R)/2 nats of entropy: thesis (6.6)
-  double log_det_R = 0;
-};
 
 /// What becomes of the correlations between landmarks.
 enum class MapCorrelations {
@@ -39,7 +26,7 @@ enum class MapCorrelations {
   dropped,  ///< the map stays block diagonal, thesis (3.28), its blocks inflated by what that takes
 };
 
-class Belief {
+class Belief : public StateLayout {
  public:
   /// `expected_errors`: how large the covariance is expected to grow; more is allocated when it does. With
   /// `dropped` correlations update() and augment() are linear in the map, not quadratic; memory stays
@@ -49,20 +36,12 @@ class Belief {
   // What is in it
   // -------------------------------------------------------------------------------------------------
 
-  int errors() const { return errors_; }  ///< size of the covariance
   MapCorrelations correlations() const { return correlations_; }
-  int block_count() const { return static_cast<int>(blocks_.size()); }
-  bool has(BlockId id) const { return index_of_.size() > id && index_of_[id] >= 0; }
-  const Chart& chart(BlockId id) const { return block(id).chart; }
-  /// Mean as stored: chart.ambient() numbers. Valid until the next change of the belief.
-  Eigen::Map<const Eigen::VectorXd> mean(BlockId id) const;
   /// Covariance between two blocks' errors.
   BlockMatrix covariance(BlockId row, BlockId column) const;
   BlockMatrix covariance(BlockId id) const { return covariance(id, id); }
   /// A copy of the whole covariance, both triangles: for tests, entropies once a second, and small maps.
   Eigen::MatrixXd dense_covariance() const;
-  /// First error of a block in dense_covariance().
-  int offset(BlockId id) const { return block(id).error; }
 
   // What can happen to it
   // ----------------------------------------------------------------------------------------- All throw
@@ -84,9 +63,6 @@ class Belief {
 
   /// Forgets a block (marginalises it out).
   void drop(BlockId id);
-
-  /// Sets a mean without touching the covariance, e.g. to stop a vehicle that is lost.
-  void set_mean(BlockId id, const Eigen::Ref<const Eigen::VectorXd>& mean);
 
   /// (A.2.1)-(A.2.4). Linear in the size of the state.
   void predict(const AffineMotion& motion);
@@ -130,43 +106,20 @@ class Belief {
   /// Costs nothing that grows with the map.
   void innovation_covariance(std::span<const AffineLook> looks, Eigen::MatrixXd& S) const;
 
-  // Who watches
-  // -------------------------------------------------------------------------------------------------
-
-  /// Notes what is done from now on; else (as at first) nothing is noted, and nothing spent on it.
-  void keep_trace(bool keep);
-  bool keeps_trace() const { return trace_.has_value(); }
-  /// What was done since the trace was last cleared; empty where none is kept.
-  const BeliefTrace& trace() const;
-  void clear_trace() {
-    if (trace_) trace_->clear();
-  }
-
  private:
-  struct Block {
-    BlockId id;
-    Chart chart;
-    int mean;   ///< first number in mean_
-    int error;  ///< first error in P
-  };
   using Matrix = Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
   using ConstMatrix = Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
 
-  const Block& block(BlockId id) const;
   void reserve(int errors);
   void reserve_rank(int rank);
-  BlockId append(const Chart& chart, const Eigen::Ref<const Eigen::VectorXd>& mean);
-  void shift_offsets_after(std::size_t index, int mean_by, int error_by);
-  void remove_errors(int first, int count);
-  void gather_above(const LookJacobian& H, const Block& b, double* out) const;
+  void gather_above(const LookJacobian& H, const Block& b, int first, int last, double* out) const;
   void gather_below(const LookJacobian& H, const Block& b, int first, int last, double* out) const;
   void gather_PHt(std::span<const AffineLook> looks, int rank);
-  /// Rows of all looks; throws when a size does not fit.
-  int check(std::span<const AffineLook> looks) const;
   LookJacobian times_covariance(const AffineLook& look, const Block& to) const;
   bool compute_delta(int rank);
+  void innovation_from_PHt(std::span<const AffineLook> looks);
   bool factorise_innovation(std::span<const AffineLook> looks, UpdateReport& report);
-  void shift_mean(std::span<const double> delta);
+  bool factorise_filled(std::span<const AffineLook> looks, UpdateReport& report);
   UpdateReport update_dropping(std::span<const AffineLook> looks);
   bool leaves_variances(int rank);
   bool take_look(const AffineLook& look, std::span<double> delta);
@@ -174,41 +127,27 @@ class Belief {
   void shrink_arrow(int rank);
   void shrink_map(int rank, int column);
   void separate_newborn(const Block& newborn);
-  void note(std::span<const AffineLook> looks);
-  template <class Event>
-  void note(const Event& event) {
-    if (trace_) trace_->emplace_back(event);
-  }
   template <class Destination>
   void fill_innovation_covariance(std::span<const AffineLook> looks, Destination& S) const;
 
   /// P with one valid triangle, the lower.
-  Matrix P() { return {storage_.data(), errors_, errors_, Eigen::OuterStride<>(stride_)}; }
-  ConstMatrix P() const { return {storage_.data(), errors_, errors_, Eigen::OuterStride<>(stride_)}; }
-  double entry(int i, int j) const {
-    return i >= j ? storage_.data()[i + static_cast<long>(j) * stride_]
-                  : storage_.data()[j + static_cast<long>(i) * stride_];
-  }
+  Matrix P() { return {P_.column(0), errors_, errors_, Eigen::OuterStride<>(P_.stride)}; }
+  ConstMatrix P() const { return {P_.column(0), errors_, errors_, Eigen::OuterStride<>(P_.stride)}; }
+  double entry(int i, int j) const { return P_.entry(i, j); }
+  /// The innovation covariance of so many rows, or its factor, with one valid triangle, the lower.
+  Matrix S(int rows) { return {S_.data(), rows, rows, Eigen::OuterStride<>(S_stride_)}; }
 
-  std::vector<Block> blocks_;
-  std::vector<int> index_of_;  ///< by id; -1 when dropped
-  std::vector<double> mean_;
-  int errors_ = 0;
-  int vehicles_ = 0;
-  int capacity_ = 0;  ///< errors that fit
-  int stride_ = 0;    ///< leading dimension of P
-  AlignedBuffer storage_;
-
+  Triangle P_;
   MapCorrelations correlations_ = MapCorrelations::kept;
-  std::optional<BeliefTrace> trace_;
 
   // Workspace of update(), kept so that it allocates nothing
   int rank_capacity_ = 0;
-  Eigen::MatrixXd S_;     ///< innovation covariance, then its Cholesky factor
+  int S_stride_ = 0;
+  AlignedBuffer S_;       ///< lower triangle of the innovation covariance, then of its Cholesky factor
   AlignedBuffer PHt_;     ///< stride x rank
   AlignedBuffer packed_;  ///< W in the panels of rank_update
   Eigen::VectorXd residual_, delta_;
-  Eigen::VectorXd norms_;  ///< of one column of W, by block: only where correlations are dropped
+  Eigen::VectorXd norms_;  ///< of the rows of L; where correlations are dropped also of W's, by block
 };
 
 }  // namespace incognita

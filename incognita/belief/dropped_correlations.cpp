@@ -29,8 +29,7 @@ BlockMatrix absolute(const BlockMatrix& M) {
 
 /// Element of W in the panels of rank_update.
 double& panel_entry(double* packed, int rank, int row, int column) {
-  constexpr int lanes = rank_update_panel;
-  return packed[static_cast<long>(row / lanes) * lanes * rank + column * lanes + row % lanes];
+  return packed[panel_index(row, column, rank)];
 }
 
 }  // namespace
@@ -68,8 +67,7 @@ bool Belief::take_look(const AffineLook& look, std::span<double> delta) {
   const std::span<const AffineLook> one(&left, 1);
   if (!factorise_innovation(one, report)) return false;
   gather_PHt(one, report.rows);
-  whiten(PHt_.data(), stride_, errors_, S_.data(), static_cast<int>(S_.outerStride()), report.rows,
-         packed_.data());
+  whiten(PHt_.data(), P_.stride, errors_, S_.data(), S_stride_, report.rows, packed_.data());
   if (!leaves_variances(report.rows)) return false;
   align_columns(left);
   for (int i = 0; i < errors_; ++i)

@@ -1,5 +1,5 @@
 // Linearisers: from a model, the belief and an input to what the engine takes. Which one is used decides the
-// filter.
+// filter. `belief` is one in either form: belief.hpp, information_belief.hpp, any_belief.hpp.
 //
 // A motion model has `f(x, u, dt)`, `step(x, u, dt) -> {x, F, G}` and a `chart`; docs/add-a-motion-model.md.
 // With constant F and G the analytic lineariser is the linear Kalman filter, else the extended one.
@@ -46,8 +46,8 @@ std::span<double> numbers(Vector& v) {
 }
 
 /// First order about the mean: (A.2.1)-(A.2.4). `Q`: input noise, held for dt.
-template <class Motion, class InputNoise>
-AffineMotion linearised(const Motion& motion, const Belief& belief, BlockId block,
+template <class Motion, class Form, class InputNoise>
+AffineMotion linearised(const Motion& motion, const Form& belief, BlockId block,
                         const typename Motion::template Input<double>& u, const InputNoise& Q, double dt) {
   const auto step = motion.step(typename Motion::template State<double>(belief.mean(block)), u, dt);
   return {block, step.x, step.F, step.G * Q * step.G.transpose()};
@@ -57,8 +57,8 @@ AffineMotion linearised(const Motion& motion, const Belief& belief, BlockId bloc
 /// ICRA 2005): 2 (n + m) points of equal weight carry mean and covariance through f without derivatives. The
 /// map follows by statistical regression, A = P_yx P_xx^+, so that the cost stays linear in it; what A does
 /// not explain is noise.
-template <class Motion, class InputNoise>
-AffineMotion unscented(const Motion& motion, const Belief& belief, BlockId block,
+template <class Motion, class Form, class InputNoise>
+AffineMotion unscented(const Motion& motion, const Form& belief, BlockId block,
                        const typename Motion::template Input<double>& u, const InputNoise& Q, double dt) {
   constexpr int n = Motion::error_size, m = Motion::input_size, count = 2 * (n + m);
   using State = typename Motion::template State<double>;
@@ -95,60 +95,6 @@ AffineMotion unscented(const Motion& motion, const Belief& belief, BlockId block
   const Square P_yy = after * after.transpose() / count, P_yx = after * before.transpose() / count;
   const Square A = P_yx * factors.inverse;
   return {block, next, A, P_yy - A * P * A.transpose()};
-}
-
-struct IterationSettings {
-  int max_iterations = 10;
-  double tolerance = 1e-8;  ///< largest change of an error of a block that is looked from or at
-};
-
-struct IterationReport {
-  UpdateReport update;
-  int iterations = 0;
-  bool converged = false;  ///< else the cap was reached and the last linearisation used
-};
-
-/// Iterated update (Bell, Cathey 1993: Gauss-Newton on the posterior): linearises again where the update
-/// would put the blocks that are looked from and at. `looks_at(belief)` gives the looks linearised about the
-/// belief's means, the same measurements in the same order each time. The covariance is that of the last
-/// linearisation.
-template <class LooksAt>
-IterationReport update_iterated(Belief& belief, std::span<const BlockId> blocks, LooksAt&& looks_at,
-                                const IterationSettings& settings = {}) {
-  IterationReport report;
-  std::vector<BlockVector> prior, shift;
-  for (const BlockId id : blocks) {
-    prior.emplace_back(belief.mean(id));
-    shift.emplace_back(BlockVector::Zero(belief.chart(id).tangent()));
-  }
-  const auto move_to = [&](const std::vector<BlockVector>& by) {
-    for (std::size_t i = 0; i < blocks.size(); ++i) {
-      BlockVector mean = prior[i], delta = by[i];
-      belief.chart(blocks[i]).plus(numbers(mean), numbers(delta));
-      belief.set_mean(blocks[i], mean);
-    }
-  };
-  std::vector<BlockVector> next(blocks.size()), zero(shift);
-  for (;;) {
-    move_to(shift);
-    std::vector<AffineLook> looks = looks_at(belief);
-    // z - h(x_i) - H_i (x_0 - x_i), and x_0 - x_i = -shift
-    for (AffineLook& look : looks)
-      for (int part = 0; part < look.part_count; ++part)
-        for (std::size_t i = 0; i < blocks.size(); ++i)
-          if (blocks[i] == look.parts[part].block) look.residual += look.parts[part].H * shift[i];
-    move_to(zero);
-    const bool usable = belief.correction(looks, blocks, next);
-    double change = 0;
-    for (std::size_t i = 0; usable && i < blocks.size(); ++i)
-      change = std::max(change, (next[i] - shift[i]).cwiseAbs().maxCoeff());
-    report.converged = usable && change <= settings.tolerance;
-    if (!usable || report.converged || ++report.iterations >= settings.max_iterations) {
-      report.update = belief.update(looks);
-      return report;
-    }
-    shift = next;
-  }
 }
 
 }  // namespace incognita

@@ -6,15 +6,15 @@ namespace incognita {
 
 namespace baseline {
 void rank_update(double* P, int stride, int n, const double* W, int rank);
-void whiten(const double* A, int stride, int n, const double* L, int L_stride, int rank, double* W);
+void whiten(const double* A, int stride, int n, const double* L, int rank, double* W);
 }  // namespace baseline
 namespace avx2 {
 void rank_update(double* P, int stride, int n, const double* W, int rank);
-void whiten(const double* A, int stride, int n, const double* L, int L_stride, int rank, double* W);
+void whiten(const double* A, int stride, int n, const double* L, int rank, double* W);
 }  // namespace avx2
 namespace avx512 {
 void rank_update(double* P, int stride, int n, const double* W, int rank);
-void whiten(const double* A, int stride, int n, const double* L, int L_stride, int rank, double* W);
+void whiten(const double* A, int stride, int n, const double* L, int rank, double* W);
 }  // namespace avx512
 
 namespace {
@@ -49,7 +49,10 @@ void rank_update(double* P, int stride, int n, const double* W, int rank) {
 }
 
 void whiten(const double* A, int stride, int n, const double* L, int L_stride, int rank, double* W) {
-  paths().list[0].whiten(A, stride, n, L, L_stride, rank, W);
+  double* panels = W + static_cast<long>(round_up_to_panel(n)) * rank;
+  for (int k = 0; k < rank; ++k)
+    for (int i = k; i < rank; ++i) panels[panel_index(i, k, rank)] = L[i + static_cast<long>(k) * L_stride];
+  paths().list[0].whiten(A, stride, n, panels, rank, W);
 }
 
 const char* rank_update_path() { return paths().list[0].name; }

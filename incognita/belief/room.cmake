@@ -1,6 +1,8 @@
 incognita_room(belief
-               SOURCES belief/belief.cpp belief/dropped_correlations.cpp belief/inflation.cpp belief/joseph.cpp
-                       belief/rank_update.cpp belief/rank_update_baseline.cpp belief/whole_map.cpp
+               SOURCES belief/belief.cpp belief/cholesky.cpp belief/dropped_correlations.cpp belief/inflation.cpp
+                       belief/information_belief.cpp belief/information_update.cpp belief/joseph.cpp
+                       belief/rank_update.cpp belief/rank_update_baseline.cpp belief/reverse_factor.cpp
+                       belief/state_layout.cpp belief/triangle.cpp belief/update.cpp belief/whole_map.cpp
                USES incognita::math)
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
   # Only these two files may use newer instructions; rank_update.cpp asks the processor before calling them.

@@ -22,19 +22,24 @@ Command CameraController::act(const Estimate& estimate, const Goal& goal, const 
   }
   lost_t_ = -1;
   last_known_ = estimate.camera_state();
+  const Gaze gaze = gaze_of(goal, tick);
+  const Eigen::Vector3d rate_in_camera(0, -gaze.rate, 0);  // left about z is about -y of the camera
+  const Reference reference = minimum_jerk(goal.from, goal.to, goal.start_t, goal.end_t, tick.t);
+  return track_reference(last_known_, reference.position, reference.velocity, reference.acceleration,
+                         level_gaze(gaze.heading), rate_in_camera, settings_);
+}
+
+/// The goal's; where it has none, to and fro about where the camera first looked.
+CameraController::Gaze CameraController::gaze_of(const Goal& goal, const Tick& tick) {
+  if (goal.heading_rad) return {*goal.heading_rad, goal.heading_rate_rad_s};
   if (!first_heading_) {
     first_heading_ = heading_of(free_camera::orientation(last_known_));
     first_t_ = tick.t;
   }
   const double phase = 2 * std::numbers::pi * (tick.t - *first_t_) / settings_.gaze_period_s;
-  const double swing = settings_.gaze_amplitude_rad * std::sin(phase);
-  const double swing_rate =
-      settings_.gaze_amplitude_rad * std::cos(phase) * 2 * std::numbers::pi / settings_.gaze_period_s;
-  const Eigen::Vector3d rate_in_camera(0, -swing_rate,
-                                       0);  // turning left about z is turning about -y of the camera
-  const Reference reference = minimum_jerk(goal.from, goal.to, goal.start_t, goal.end_t, tick.t);
-  return track_reference(last_known_, reference.position, reference.velocity, reference.acceleration,
-                         level_gaze(*first_heading_ + swing), rate_in_camera, settings_);
+  const double amplitude = settings_.gaze_amplitude_rad;
+  return {*first_heading_ + amplitude * std::sin(phase),
+          amplitude * std::cos(phase) * 2 * std::numbers::pi / settings_.gaze_period_s};
 }
 
 Command CameraController::brake(const Tick& tick) const {

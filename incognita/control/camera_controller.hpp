@@ -20,6 +20,10 @@ class CameraController {
   Command act(const Estimate& estimate, const Goal& goal, const Tick& tick);
 
  private:
+  struct Gaze {
+    double heading, rate;  ///< rad, rad/s, to the left
+  };
+  Gaze gaze_of(const Goal& goal, const Tick& tick);
   Command brake(const Tick& tick) const;
 
   ControlSettings settings_;

@@ -13,6 +13,7 @@
 #include "incognita/control/steering_fault.hpp"
 #include "incognita/control/track_reference.hpp"
 #include "incognita/models/heading.hpp"
+#include "incognita/models/held_acceleration.hpp"
 
 namespace incognita {
 namespace {
@@ -145,7 +146,8 @@ struct BodyLinearisation final : Steering {
   }
 };
 
-/// (5.2) about a pose at rest: errors in the chart of the state, F and G of the motion there.
+/// (5.2) about a pose at rest: errors in the chart of the state, F and G of the motion there with its
+/// accelerations held, as plant and filter have it.
 struct BodyRegulation final : Steering {
   FreeCameraMotion::State<double> goal;
   Eigen::MatrixXd L;
@@ -153,7 +155,7 @@ struct BodyRegulation final : Steering {
   BodyRegulation(const SteeringSettings& s, double period) : most(s.most_input) {
     const Reference r = at(s.path, 0);
     goal << r.position, level_gaze(r.heading), Eigen::Matrix<double, 6, 1>::Zero();
-    const auto step = FreeCameraMotion().step(goal, FreeCameraMotion::Input<double>::Zero(), period);
+    const auto step = HeldAcceleration().step(goal, FreeCameraMotion::Input<double>::Zero(), period);
     L = gain_of({step.F, step.G}, s);
   }
   SmallVector act(const SmallVector& x, double) const override {

@@ -63,6 +63,14 @@ std::string need_small_turns(const SteeringSettings& s, double period_s) {
                " s for which a command is held; it must be 1 rad at most");
 }
 
+/// Likewise of a body in space, from rest.
+std::string need_small_body_turns(const SteeringSettings& s, double period_s) {
+  const double most = s.most_input.tail<3>().maxCoeff(), turn = most * period_s * period_s;
+  if (turn <= 1) return "";
+  return words("at ", most, " rad/s^2 the body may turn by ", turn, " rad in the ", period_s,
+               " s for which a command is held; it must be 1 rad at most");
+}
+
 /// One number for all, or `size` of them.
 std::string need_gains(const char* what, const Diagonal& gains, Eigen::Index size) {
   if (gains.numbers.size() != 1 && gains.numbers.size() != size)
@@ -188,7 +196,7 @@ struct Judge {
   }
   std::string operator()(const FreeCameraMotion&) const {
     if (is("lqg"))
-      return first_of({need_point(s), need_small_turns(s, period_s), fault_in_weights(s, 12, 6)});
+      return first_of({need_point(s), need_small_body_turns(s, period_s), fault_in_weights(s, 12, 6)});
     return fault_in_body_tracking(s, period_s);
   }
 };

@@ -3,6 +3,9 @@
 #include <cmath>
 #include <utility>
 
+#include "incognita/control/track_reference.hpp"
+#include "incognita/models/heading.hpp"
+
 namespace incognita {
 
 TeamController::TeamController(std::vector<VehicleSteering> vehicles, double period_s)
@@ -13,11 +16,11 @@ TeamController::TeamController(std::vector<VehicleSteering> vehicles, double per
 namespace {
 
 /// On uneven ground it is the point before the axle that is brought to the path: to where it is at the goal.
-Eigen::Vector3d steered_to(const VehicleSteering& v, const Eigen::Vector4d& goal) {
+Eigen::Vector3d steered_to(const VehicleSteering& v, const VehicleGoal& goal) {
   const bool ahead =
       std::holds_alternative<TerrainVehicle>(v.motion) && v.settings.law == "feedback-linearisation";
   const double forward_m = ahead ? v.settings.control_point_m : 0;
-  return goal.head<3>() + forward_m * Eigen::Vector3d(std::cos(goal[3]), std::sin(goal[3]), 0);
+  return goal.to + forward_m * Eigen::Vector3d(std::cos(goal.heading_rad), std::sin(goal.heading_rad), 0);
 }
 
 }  // namespace
@@ -25,18 +28,60 @@ Eigen::Vector3d steered_to(const VehicleSteering& v, const Eigen::Vector4d& goal
 void TeamController::turn_to(const Goal& goal) {
   for (std::size_t i = 0; i < vehicles_.size(); ++i) {
     VehicleSteering& v = vehicles_[i];
-    v.settings.path = PointPath{steered_to(v, goal.team[i]), goal.team[i][3]};
+    v.settings.path = PointPath{steered_to(v, goal.team[i]), goal.team[i].heading_rad};
     laws_[i] = make_steering(v.motion, v.settings, period_s_);
   }
+}
+
+/// Vehicles stand still without a command; a body in space goes on, so it brakes from its last known motion.
+Command TeamController::brake(const Tick& tick) {
+  constexpr double braking_s = 0.5;
+  if (!lost_t_) lost_t_ = tick.t;
+  Command command;
+  if (tick.t - *lost_t_ >= braking_s || last_known_.size() != vehicles_.size()) return command;
+  for (std::size_t i = 0; i < vehicles_.size(); ++i) {
+    const SmallVector& most = vehicles_[i].settings.most_input;
+    SmallVector input = SmallVector::Zero(inputs_of(vehicles_[i].motion));
+    if (std::holds_alternative<FreeCameraMotion>(vehicles_[i].motion))
+      input = -last_known_[i].tail<6>() / braking_s;
+    if (most.size() == input.size()) input = input.cwiseMax(-most).cwiseMin(most).eval();
+    command.inputs.push_back(input);
+  }
+  return command;
+}
+
+/// A body in space goes to its goal with the least jerk, looking where the goal says: (5.29).
+SmallVector TeamController::fly(const TeamEstimate& estimate, const Goal& goal, std::size_t i,
+                                const Tick& tick) const {
+  const VehicleGoal& to = goal.team[i];
+  const Reference r = minimum_jerk(to.from, to.to, goal.start_t, goal.end_t, tick.t);
+  const Eigen::Vector3d rate(0, -to.heading_rate_rad_s, 0);  // left about z is about -y of the camera
+  const SteeringSettings& s = vehicles_[i].settings;
+  const SmallVector wished =
+      track_reference(estimate.belief.mean(estimate.vehicles[i].block), r.position, r.velocity,
+                      r.acceleration, level_gaze(to.heading_rad), rate, s.camera)
+          .as_input();
+  return wished.cwiseMax(-s.most_input).cwiseMin(s.most_input);
 }
 
 Command TeamController::act(const TeamEstimate& estimate, const Goal& goal, const Tick& tick) {
   if (!first_t_) first_t_ = tick.t;
   Command command;
-  if (!estimate.started || estimate.status.state == TrackingState::lost) return command;
-  if (goal.decided && goal.team.size() == vehicles_.size()) turn_to(goal);
+  if (!estimate.started) return command;
+  if (estimate.status.state == TrackingState::lost) return brake(tick);
+  lost_t_.reset();
+  last_known_.clear();
+  for (const TeamVehicle& v : estimate.vehicles) last_known_.emplace_back(estimate.belief.mean(v.block));
+  const bool has_goals = goal.team.size() == vehicles_.size();
+  if (goal.decided && has_goals) turn_to(goal);
   const double t = tick.t - *first_t_;
   for (std::size_t i = 0; i < vehicles_.size(); ++i) {
+    if (has_goals && std::holds_alternative<FreeCameraMotion>(vehicles_[i].motion)) {
+      command.inputs.push_back(fly(estimate, goal, i, tick));
+      const Eigen::Vector3d& to = goal.team[i].to;
+      command.wanted.emplace_back(to.x(), to.y(), to.z(), goal.team[i].heading_rad);
+      continue;
+    }
     command.inputs.push_back(laws_[i]->act(estimate.belief.mean(estimate.vehicles[i].block), t));
     if (vehicles_[i].settings.law == "none") continue;
     const Reference wanted = at(vehicles_[i].settings.path, t);

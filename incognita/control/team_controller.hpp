@@ -23,16 +23,21 @@ class TeamController {
   /// `period_s`: how long a command is held. Throws std::invalid_argument as make_steering does.
   TeamController(std::vector<VehicleSteering> vehicles, double period_s);
 
-  /// Nothing before the start and once lost. Goals for the team, newly decided, take the place of the paths.
+  /// Nothing before the start; once lost, bodies in space brake from their last known motion. Goals for the
+  /// team, newly decided, take the place of the paths.
   Command act(const TeamEstimate& estimate, const Goal& goal, const Tick& tick);
 
  private:
   void turn_to(const Goal& goal);
+  Command brake(const Tick& tick);
+  SmallVector fly(const TeamEstimate& estimate, const Goal& goal, std::size_t vehicle,
+                  const Tick& tick) const;
 
   std::vector<VehicleSteering> vehicles_;
   double period_s_;
   std::vector<std::unique_ptr<Steering>> laws_;
-  std::optional<double> first_t_;
+  std::optional<double> first_t_, lost_t_;
+  std::vector<SmallVector> last_known_;
 };
 
 }  // namespace incognita

@@ -1,11 +1,70 @@
 #include "incognita/decision/actions.hpp"
 
-namespace incognita {
+#include <cmath>
+#include <sstream>
 
-std::vector<Translation> seven_translations() {
-  return {{"go_forward", {1, 0, 0}}, {"go_backwards", {-1, 0, 0}}, {"go_right", {0, -1, 0}},
-          {"go_left", {0, 1, 0}},    {"go_up", {0, 0, 1}},         {"go_down", {0, 0, -1}},
-          {"stay", {0, 0, 0}}};
+namespace incognita {
+namespace {
+
+std::string name_of(const Eigen::Vector3d& d) {
+  constexpr const char* ways[3][2] = {
+      {"go_backwards", "go_forward"}, {"go_right", "go_left"}, {"go_down", "go_up"}};
+  if (d.isZero()) return "stay";
+  for (int axis = 0; axis < 3; ++axis)
+    if (std::abs(d[axis]) == d.norm()) return ways[axis][d[axis] > 0];
+  std::ostringstream name;
+  name << std::showpos << "go_" << d.x() << "_" << d.y() << "_" << d.z();
+  return name.str();
+}
+
+std::string name_of(const Eigen::Vector2d& change) {
+  if (change.isZero()) return "stay";
+  std::string name = change.x() > 0 ? "faster" : change.x() < 0 ? "slower" : "";
+  if (change.y() != 0) name += std::string(name.empty() ? "" : "_") + (change.y() > 0 ? "left" : "right");
+  return name;
+}
+
+/// Two actions of one name, as of two lengths, are told apart by their numbers.
+template <class Action>
+void number_doubles(std::vector<Action>& actions) {
+  for (std::size_t i = 0; i < actions.size(); ++i) {
+    int same = 1;
+    for (std::size_t j = i + 1; j < actions.size(); ++j)
+      if (actions[j].name == actions[i].name) actions[j].name += "_" + std::to_string(++same);
+  }
+}
+
+}  // namespace
+
+std::vector<Translation> seven_translations(double step_m) {
+  std::vector<Eigen::Vector3d> all;
+  for (const Eigen::Vector3d& way :
+       {Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(-1, 0, 0), Eigen::Vector3d(0, -1, 0),
+        Eigen::Vector3d(0, 1, 0), Eigen::Vector3d(0, 0, 1), Eigen::Vector3d(0, 0, -1),
+        Eigen::Vector3d(0, 0, 0)})
+    all.push_back(step_m * way);
+  return named(all);
+}
+
+std::vector<Translation> named(const std::vector<Eigen::Vector3d>& displacements_m) {
+  std::vector<Translation> actions;
+  for (const Eigen::Vector3d& d : displacements_m) actions.push_back({name_of(d), d});
+  number_doubles(actions);
+  return actions;
+}
+
+std::vector<SpeedChange> table_6_1(double acceleration_m_s2, double turn_acceleration_rad_s2,
+                                   double impulse_s) {
+  const double v = acceleration_m_s2, w = turn_acceleration_rad_s2;
+  return named(std::vector<Eigen::Vector2d>{{0, 0}, {0, -w}, {0, w}, {-v, 0}, {v, 0}, {-v, -w}, {v, w}},
+               impulse_s);
+}
+
+std::vector<SpeedChange> named(const std::vector<Eigen::Vector2d>& accelerations, double impulse_s) {
+  std::vector<SpeedChange> actions;
+  for (const Eigen::Vector2d& a : accelerations) actions.push_back({name_of(a), a * impulse_s});
+  number_doubles(actions);
+  return actions;
 }
 
 }  // namespace incognita

@@ -9,11 +9,28 @@ namespace incognita {
 
 struct Translation {
   std::string name;
-  Eigen::Vector3d
-      direction;  ///< unit or zero; x along the camera's heading in the horizontal plane, y left, z up
+  /// Over one period, m; x along the camera's heading in the horizontal plane, y left, z up
+  Eigen::Vector3d displacement_m;
 };
 
-/// The seven translations of thesis 6.3.1.
-std::vector<Translation> seven_translations();
+/// The seven translations of thesis 6.3.1, of one length each; "stay" is the last.
+std::vector<Translation> seven_translations(double step_m);
+
+/// Translations by what they are: those along an axis have the thesis' names, others their displacement.
+std::vector<Translation> named(const std::vector<Eigen::Vector3d>& displacements_m);
+
+/// What an action adds to a vehicle's speed (m/s) and turn rate (rad/s, to the left).
+struct SpeedChange {
+  std::string name;
+  Eigen::Vector2d change;
+};
+
+/// Table 6.1, whose order is kept: the mixed pairs (-, +) and (+, -) are absent there. Accelerations act for
+/// `impulse_s`.
+std::vector<SpeedChange> table_6_1(double acceleration_m_s2, double turn_acceleration_rad_s2,
+                                   double impulse_s);
+
+/// Changes of (m/s^2, rad/s^2) acting for `impulse_s`, by what they do: "faster_left", "slower", "stay".
+std::vector<SpeedChange> named(const std::vector<Eigen::Vector2d>& accelerations, double impulse_s);
 
 }  // namespace incognita

@@ -1,9 +1,9 @@
 // Where there is nothing to decide, as for a recorded drive.
 #pragma once
 
+#include <string>
 #include <vector>
 
-#include "incognita/decision/actions.hpp"
 #include "incognita/messages/goal.hpp"
 #include "incognita/messages/tick.hpp"
 
@@ -15,10 +15,10 @@ class NoDecision {
   Goal choose(const Estimate&, const Tick&) const {
     return {};
   }
-  const std::vector<Translation>& actions() const { return none_; }
+  const std::vector<std::string>& actions() const { return none_; }
 
  private:
-  std::vector<Translation> none_;
+  std::vector<std::string> none_;
 };
 
 }  // namespace incognita

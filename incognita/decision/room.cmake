@@ -1,2 +1,5 @@
-incognita_room(decision SOURCES decision/actions.cpp decision/camera_decision.cpp decision/information.cpp decision/team_decision.cpp
-               USES incognita::slam)
+incognita_room(decision
+  SOURCES decision/action_choice.cpp decision/actions.cpp decision/camera_decision.cpp decision/camera_expectation.cpp
+          decision/expectation.cpp decision/exploration.cpp decision/free_camera_choice.cpp decision/ground_moves.cpp decision/information_gain.cpp
+          decision/look_ahead.cpp decision/moves.cpp decision/team_decision.cpp decision/team_expectation.cpp
+  USES incognita::slam)

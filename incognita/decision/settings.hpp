@@ -3,15 +3,45 @@
 
 #include <Eigen/Core>
 #include <string>
+#include <vector>
 
 namespace incognita {
 
 struct DecisionSettings {
-  std::string strategy = "mutual-information";  ///< `mutual-information`, or `none`: stay where it started
-  double step_m = 0.3;    ///< displacement of each of the seven translations, thesis 6.3.1
-  double period_s = 1.0;  ///< an action lasts this long, then all are compared again
+  /// `mutual-information`; `random`: any action that is allowed; `fixed-path`: those of `sequence`, again and
+  /// again; `none`: stay where it started
+  std::string strategy = "mutual-information";
+  /// What is to be learnt: `state`, all of it; `position-and-map`, without the gaze and the velocities
+  /// (thesis 6.3.2); `vehicle`, once the map is fully correlated (end of 6.1.1)
+  std::string metric = "state";
+  int horizon = 1;             ///< actions looked ahead; 1: greedy, as the thesis
+  int max_evaluations = 1000;  ///< of imagined looks in one comparison
+  /// `every-frame`: all actions in every frame; `at-decisions`: only in those that choose, which chooses the
+  /// same; `one-per-frame`: in random order, as the thesis could
+  std::string schedule = "every-frame";
+  double step_m = 0.3;                   ///< of each of the seven translations, thesis 6.3.1
+  std::vector<Eigen::Vector3d> moves_m;  ///< instead: displacements along heading, left, up; one must be 0
+  std::string sequence;                  ///< of `fixed-path`: names of actions, with spaces between
+  double period_s = 1.0;                 ///< an action lasts this long, then all are compared again
   Eigen::Vector3d min_bound_m{-1e9, -1e9, -1e9};  ///< goals outside this box of the world are not chosen
   Eigen::Vector3d max_bound_m{1e9, 1e9, 1e9};
+
+  /// How a free camera turns: `swing` to and fro, `constant-rate` to the left, `hold`; or right, left or not
+  /// at all by `mutual-information`, `fisher` (the trace of (6.8)) or `fisher-given-state` (with R for S)
+  std::string gaze = "swing";
+  double gaze_rate_rad_s = 0.2;  ///< thesis 6.3.1
+  double gaze_period_s = 0.05;   ///< a turn lasts so long, then turns are compared again
+  double gaze_ahead_s = 1.0;     ///< how long turns are imagined to last
+};
+
+/// What is expected where nobody has looked yet: exploration.hpp.
+struct ExplorationSettings {
+  int expected_landmarks = 0;         ///< in the whole box, mapped or not; 0: nothing unseen is expected
+  double variance_expected_m2 = 1.5;  ///< P_uu: of each coordinate of one that is not mapped, thesis 6.3.1
+  Eigen::Vector3d min_m{-3, -3, 0};   ///< the box, world
+  Eigen::Vector3d max_m{3, 3, 2.5};
+  double cell_m = 0.5;  ///< side of a cell
+  double seen_s = 1;    ///< a cell in view for so long, all in all, holds nothing more that is not mapped
 };
 
 }  // namespace incognita

@@ -1,52 +1,63 @@
-// The next move of each vehicle of a team: the translation that teaches most (thesis 6.2), one vehicle after
-// the other, each as if the others stood still.
+// The next move of each vehicle of a team: the one that teaches most (thesis 6.2), one vehicle after the
+// other, each as if the others stood still. A camera that moves freely chooses translations and turns
+// (6.3.1); vehicles on wheels and lines the translations that they can make.
 #pragma once
 
+#include <cstdint>
+#include <memory>
+#include <string>
 #include <vector>
 
-#include "incognita/decision/actions.hpp"
-#include "incognita/decision/information.hpp"
+#include "incognita/decision/exploration.hpp"
+#include "incognita/decision/free_camera_choice.hpp"
 #include "incognita/decision/settings.hpp"
+#include "incognita/decision/team_expectation.hpp"
 #include "incognita/messages/goal.hpp"
 #include "incognita/messages/tick.hpp"
-#include "incognita/slam/team_estimate.hpp"
-#include "incognita/slam/team_settings.hpp"
 
 namespace incognita {
 
 struct TeamDecisionSettings {
-  DecisionSettings decision;  ///< strategy `none`: there is nothing to decide
-  double tick_s = 0.1;        ///< how long an input is held
-  double max_range_m = 1e9;   ///< farther points are not expected to be seen
+  DecisionSettings decision;
+  bool decides = true;   ///< false: there is nothing to decide
+  double tick_s = 0.1;   ///< how long an input is held
+  Reach reach = {};      ///< beyond, points are not expected to be seen
+  int max_looks = 1000;  ///< of the map, in one set of imagined looks: the most uncertain
+  ExplorationSettings exploration = {};
+  std::uint64_t seed = 1;
 };
 
 class TeamDecision {
  public:
+  /// Throws std::invalid_argument where the settings can not be.
   TeamDecision(TeamSettings team, const TeamDecisionSettings& settings);
 
   /// Compares all actions once per period and sets every vehicle's goal. Actions that would end outside the
   /// bounds are scored but not chosen. `scores` and `chosen` are the first vehicle's.
   Goal choose(const TeamEstimate& estimate, const Tick& tick);
 
-  /// The translations that the team's motion has: along a line, on the plane, in space; "stay" is the last.
-  const std::vector<Translation>& actions() const { return actions_; }
+  /// Names of the actions that the team's motion has: along a line, on the plane, in space.
+  const std::vector<std::string>& actions() const { return names_; }
 
  private:
-  struct Scored {
-    std::vector<double> scores;
-    std::size_t best = 0;
-  };
-  SmallVector after(const TeamEstimate& estimate, std::size_t vehicle, const Translation& action) const;
-  Scored compare(const TeamEstimate& estimate, std::size_t vehicle);
-  void expect_looks(const TeamEstimate& estimate, std::size_t vehicle, const SmallVector& state);
-  bool allowed(const Eigen::Vector3d& place) const;
+  void explore(const TeamEstimate& estimate, const Tick& tick);
+  void choose_in_space(const TeamEstimate& estimate, const Tick& tick);
+  void choose_on_ground(const TeamEstimate& estimate, const Tick& tick);
 
   TeamSettings team_;
   TeamDecisionSettings settings_;
-  std::vector<Translation> actions_;
+  std::vector<std::string> names_;
+  Exploration exploration_;
+  TeamExpectation expectation_;
+  std::vector<FreeCameraChoice> in_space_;     ///< one for each vehicle, of bodies in space
+  std::vector<std::unique_ptr<Moves>> moves_;  ///< likewise, of all others
+  std::vector<ActionChoice> on_ground_;
   Goal goal_;
-  MutualInformation information_;
-  std::vector<AffineLook> looks_;
+  double entropy_due_t_ = 0;  ///< s, when the extended entropy is worked out again
 };
+
+/// As of a camera by its images (camera_decision.hpp), of all vehicles; landmarks in the dimensions of the
+/// place.
+double extended_entropy(const TeamEstimate& estimate, const ExplorationSettings& exploration);
 
 }  // namespace incognita

@@ -116,8 +116,13 @@ class Reader {
     if (loaded_.scenario.run.world != "points") return;
     for (const auto& [truth, belief] : beliefs_of_noises()) {
       if (loaded_.sources[truth] != "default") continue;
-      assign_text(*find(truth), find(belief)->written());
-      loaded_.sources[truth] = "as " + std::string(belief);
+      try {
+        assign_text(*find(truth), find(belief)->written());
+        loaded_.sources[truth] = "as " + std::string(belief);
+      } catch (const BadValue& bad) {
+        faults_.push_back(fmt::format("{}: {} = {}: as {}, which follows it, it {}", loaded_.sources[belief],
+                                      belief, find(belief)->written(), truth, bad.why));
+      }
     }
   }
 

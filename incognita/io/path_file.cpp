@@ -22,7 +22,7 @@ void refuse_unknown(const NamedTable& table) {
     if (std::find(known.begin(), known.end(), column) != known.end()) continue;
     throw InputError(
         fmt::format("{}: a path has no column `{}`; the nearest is `{}`. Its columns are "
-                    "t,x,y[,z[,heading]]: leave out the rest",
+                    "t,x,y[,z[,heading]], named in the first line with commas between: leave out the rest",
                     table.header(), column.substr(0, 60), nearest_name(column, known)));
   }
 }

@@ -48,6 +48,7 @@ struct Scenario {
   StartSettings start;
   CameraSlamSettings slam;
   DecisionSettings decision;
+  ExplorationSettings exploration;
   PlanarSlamSettings planar;
   ControlSettings control;
   RoomSettings room;

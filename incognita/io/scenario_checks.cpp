@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "incognita/io/camera.hpp"
+#include "incognita/io/decision_checks.hpp"
 #include "incognita/io/settings.hpp"
 #include "incognita/io/team_checks.hpp"
 #include "incognita/io/team_setting_list.hpp"
@@ -129,6 +130,7 @@ std::vector<Contradiction> find_contradictions(const Scenario& scenario) {
   List found;
   if (is_team(scenario)) {
     check_team(scenario, found);
+    if (scenario.team.steer.law == "active") check_decision(scenario, found);
     return found;
   }
   check_sources(scenario, found);
@@ -142,6 +144,7 @@ std::vector<Contradiction> find_contradictions(const Scenario& scenario) {
   check_sizes(scenario, found);
   check_search(scenario, found);
   check_bounds(scenario, found);
+  check_decision(scenario, found);
   check_room(scenario, found);
   return found;
 }

@@ -4,6 +4,7 @@
 #include <initializer_list>
 
 #include "incognita/io/allowed.hpp"
+#include "incognita/io/decision_setting_list.hpp"
 #include "incognita/io/team_setting_list.hpp"
 
 namespace incognita {
@@ -277,21 +278,6 @@ void lost(List& list, LostSettings& s) {
                           });
 }
 
-void decision(List& list, DecisionSettings& s) {
-  list.insert(list.end(), {
-                              {"decision.strategy", &s.strategy, "", "none: stay where it started",
-                               one_of({"mutual-information", "none"})},
-                              {"decision.step_m", &s.step_m, "m",
-                               "displacement of each of the seven translations", above_up_to(0, 1000)},
-                              {"decision.period_s", &s.period_s, "s",
-                               "an action lasts this long, then all are compared again", between(0.001, 1e4)},
-                              {"decision.min_bound_m", &s.min_bound_m, "m",
-                               "goals outside this box of the world are not chosen", any()},
-                              {"decision.max_bound_m", &s.max_bound_m, "m",
-                               "goals outside this box of the world are not chosen", any()},
-                          });
-}
-
 void control(List& list, ControlSettings& s) {
   list.insert(
       list.end(),
@@ -351,7 +337,7 @@ std::vector<Setting> list_settings(Scenario& scenario) {
   birth(list, scenario.slam.birth);
   map(list, scenario.slam.map);
   lost(list, scenario.slam.lost);
-  decision(list, scenario.decision);
+  list_decision_settings(list, scenario.decision, scenario.exploration);
   control(list, scenario.control);
   room(list, scenario.room);
   vehicle(list, scenario.planar.vehicle);

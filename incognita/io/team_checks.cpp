@@ -44,6 +44,32 @@ void check_starts(const Scenario& s, List& found) {
                                                    vehicles, offsets)});
 }
 
+/// Vehicles that see each other can not be in one place.
+void check_apart(const Scenario& s, List& found) {
+  const auto& starts = s.team.start.positions_m;
+  if (starts.size() < 2 || !s.team.start.sees_team) return;
+  constexpr double least_m = 0.1;
+  for (std::size_t i = 0; i < starts.size(); ++i)
+    for (std::size_t j = i + 1; j < starts.size(); ++j)
+      if ((starts[i] - starts[j]).norm() < least_m)
+        return found.push_back(
+            {"team.positions_m",
+             fmt::format("must be {} m apart or more, unless team.sees_team is false: vehicles {} "
+                         "and {} start in one place",
+                         least_m, i + 1, j + 1)});
+  const std::string& law = s.team.steer.law;
+  const auto& offsets = s.team.path.offsets_m;
+  if (law == "none" || law == "active") return;
+  for (std::size_t i = 0; i < starts.size(); ++i)
+    for (std::size_t j = i + 1; j < starts.size(); ++j)
+      if (offsets.empty() || (offsets.size() == starts.size() && (offsets[i] - offsets[j]).norm() < least_m))
+        return found.push_back(
+            {"path.offsets_m",
+             fmt::format("must be {} m apart or more, unless team.sees_team is false: vehicles {} "
+                         "and {} would be in one place at all times",
+                         least_m, i + 1, j + 1)});
+}
+
 /// What (5.1) and (5.9) weigh, and what is held, by what the motion has.
 void check_gains(const Scenario& s, List& found) {
   const std::string& model = s.planar.vehicle.model;
@@ -129,6 +155,22 @@ void check_known(const Scenario& s, List& found) {
                      s.planar.lost.max_sigma_position_m)});
 }
 
+/// Who is known exactly has infinite information, which the information form can not tell.
+void check_form(const Scenario& s, List& found) {
+  if (s.team.filter.form != "information") return;
+  const auto check = [&](const char* key, double sigma) {
+    if (!(sigma > 0))
+      found.push_back({key,
+                       "must be more than 0 with team_filter.form = `information`: what is known exactly "
+                       "has infinite information"});
+  };
+  check("team.sigma_position_m", s.team.start.sigma_position_m);
+  if (s.planar.vehicle.model != "monobot") check("team.sigma_heading_rad", s.team.start.sigma_heading_rad);
+  if (s.planar.vehicle.model != "free-camera") return;
+  check("filter.sigma_start_velocity_m_s", s.slam.filter.sigma_start_velocity_m_s);
+  check("filter.sigma_start_angular_rate_rad_s", s.slam.filter.sigma_start_angular_rate_rad_s);
+}
+
 /// Of the active law: bounds that hold the starts.
 void check_bounds(const Scenario& s, List& found) {
   if (s.team.steer.law != "active") return;
@@ -163,9 +205,11 @@ void check_ticks(const Scenario& s, List& found) {
 }  // namespace
 
 void check_team(const Scenario& s, List& found) {
+  check_form(s, found);
   if (s.run.world == "recording") return check_recorded(s, found);
   check_ticks(s, found);
   check_starts(s, found);
+  check_apart(s, found);
   check_gains(s, found);
   check_path(s, found);
   check_dimensions(s, found);

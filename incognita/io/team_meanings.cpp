@@ -71,6 +71,8 @@ std::string plant(std::string_view key, const Choices& c) {
   if (key == "sigma_turn_rate_rad_s") return unless(c.drive || c.ground, c.by_model());
   if (key == "turn_ratio") return unless(!c.body && !c.line, c.by_model());
   if (key == "motion") return unless(c.drive, c.by_model());
+  if (key == "sigma_start_height_m") return unless(c.body, c.by_model());
+  if (key == "sigma_start_heading_rad") return unless(!c.line, c.by_model());
   return "";
 }
 
@@ -132,7 +134,7 @@ std::string control(std::string_view key, const Choices& c) {
 }
 
 std::string decision(std::string_view key, const Choices& c) {
-  if (key == "strategy") return c.by_world();
+  if (c.law == "active" && key.starts_with("gaze")) return unless(c.body, c.by_model());
   return unless(c.law == "active", c.by_law());
 }
 
@@ -150,7 +152,7 @@ std::string recording(std::string_view key, const Choices& c) {
 std::string in_points(const std::string& section, std::string_view key, const Choices& c) {
   if (section == "camera") return unless(c.camera, c.by_sensor());
   if (section == "control") return control(key, c);
-  if (section == "decision") return decision(key, c);
+  if (section == "decision" || section == "explore") return decision(key, c);
   if (section == "points") return points(key, c);
   if (section == "plant") return plant(key, c);
   if (section == "terrain") return terrain(key, c);
@@ -184,6 +186,7 @@ std::string why_meaningless_to_team(const std::string& full_key, const Scenario&
   if (section == "ranges") return ranges(key, c);
   if (section == "vehicle_lost") return unless(key == "max_sigma_position_m", c.by_world());
   if (section == "team" && c.line && one_of(key, {"headings_rad", "sigma_heading_rad"})) return c.by_model();
+  if (section == "team" && key == "sigma_height_m") return unless(c.body, c.by_model());
   if (section == "team")
     return unless(!c.recorded || !one_of(key, {"positions_m", "headings_rad"}), c.by_world());
   return c.recorded ? c.by_world() : in_points(section, key, c);

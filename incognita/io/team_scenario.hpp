@@ -17,12 +17,14 @@ struct TeamStartSettings {
   std::vector<Eigen::Vector3d> positions_m{{0, 0, 0}};  ///< one for each vehicle; z only of one that flies
   std::vector<double> headings_rad{0};                  ///< one for each, or one for all
   double sigma_position_m = 0.01;                       ///< per axis; the true start is drawn around it
+  double sigma_height_m = 0.01;                         ///< likewise of a body in space, along z
   double sigma_heading_rad = 0.01;                      ///< of a body in space, of each of its three turns
   bool sees_team = true;
 };
 
 struct TeamFilterChoice {
   std::string lineariser = "analytic";
+  std::string form = "covariance";  ///< `covariance` or `information`
   double gate_probability = 1;
 };
 
@@ -40,6 +42,9 @@ struct PlantChoice {
   std::string motion = "as-believed";  ///< or `terrain`: a vehicle that believes its ground to be flat
   double speed_ratio = 1;              ///< true speed for the one told: wheels of another size than believed
   double turn_ratio = 1;               ///< likewise of turn rate or steering
+  double sigma_start_position_m = 0.01;  ///< of the true start about the one told
+  double sigma_start_height_m = 0.01;
+  double sigma_start_heading_rad = 0.01;
   double sigma_speed_m_s = 0.05;
   double sigma_turn_rate_rad_s = 0.02;
   double sigma_steering_rad = 0.01;

@@ -18,6 +18,7 @@ void team(List& list, TeamStartSettings& s) {
            between(-6.3, 6.3)},
           {"team.sigma_position_m", &s.sigma_position_m, "m",
            "per axis, of the filter's start; a true start is drawn around the above", between(0, 1e6)},
+          {"team.sigma_height_m", &s.sigma_height_m, "m", "of a body in space, along z", between(0, 1e6)},
           {"team.sigma_heading_rad", &s.sigma_heading_rad, "rad", "likewise; of a body in space, each turn",
            between(0, 3.2)},
           {"team.sees_team", &s.sees_team, "", "whether vehicles see the others", any()},
@@ -28,6 +29,8 @@ void team_filter(List& list, TeamFilterChoice& s) {
   list.insert(list.end(), {
                               {"team_filter.lineariser", &s.lineariser, "", "which Kalman filter",
                                one_of({"analytic", "iterated", "unscented-vehicle", "first-estimate"})},
+                              {"team_filter.form", &s.form, "", "what the filter keeps",
+                               one_of({"covariance", "information"})},
                               {"team_filter.gate_probability", &s.gate_probability, "",
                                "of a right sighting being used; 1: all are used", between(0.5, 1)},
                           });
@@ -60,14 +63,19 @@ void plant(List& list, PlantChoice& s) {
           {"plant.speed_ratio", &s.speed_ratio, "", "true speed over the one told", between(0.1, 10)},
           {"plant.turn_ratio", &s.turn_ratio, "", "true turn rate or steering over the one told",
            between(0.1, 10)},
+          {"plant.sigma_start_position_m", &s.sigma_start_position_m, "m",
+           "of the true start about the one told, per axis", between(0, 1e6)},
+          {"plant.sigma_start_height_m", &s.sigma_start_height_m, "m", "likewise along z", between(0, 1e6)},
+          {"plant.sigma_start_heading_rad", &s.sigma_start_heading_rad, "rad",
+           "likewise of the heading, or each turn", between(0, 3.2)},
           {"plant.sigma_speed_m_s", &s.sigma_speed_m_s, "m/s", "true disturbance, held for one tick",
            between(0, 1000)},
           {"plant.sigma_turn_rate_rad_s", &s.sigma_turn_rate_rad_s, "rad/s", "likewise", between(0, 1000)},
-          {"plant.sigma_steering_rad", &s.sigma_steering_rad, "rad", "likewise", between(0, 1.5)},
+          {"plant.sigma_steering_rad", &s.sigma_steering_rad, "rad", "likewise", between(0, 3.2)},
           {"plant.sigma_acceleration_m_s2", &s.sigma_acceleration_m_s2, "m/s^2", "likewise, per axis",
-           between(0, 1000)},
+           between(0, 1e4)},
           {"plant.sigma_angular_acceleration_rad_s2", &s.sigma_angular_acceleration_rad_s2, "rad/s^2",
-           "likewise, per axis", between(0, 1000)},
+           "likewise, per axis", between(0, 1e4)},
           {"plant.sigma_range_m", &s.sigma_range_m, "m", "true noise of a range", between(0, 1000)},
           {"plant.sigma_range_ratio", &s.sigma_range_ratio, "", "times the range, added to it",
            between(0, 1)},
@@ -89,7 +97,7 @@ void terrain(List& list, TerrainChoice& s) {
                   {"terrain.slope_x", &s.slope_x, "", "plane: m up per m along x", between(-2, 2)},
                   {"terrain.slope_y", &s.slope_y, "", "plane: m up per m along y", between(-2, 2)},
                   {"terrain.amplitude_m", &s.amplitude_m, "m", "waves", between(0, 100)},
-                  {"terrain.length_m", &s.length_m, "m", "waves: from crest to crest", above_up_to(0, 1e5)},
+                  {"terrain.length_m", &s.length_m, "m", "waves: from crest to crest", between(0.01, 1e5)},
               });
 }
 
@@ -173,7 +181,11 @@ void path(List& list, PathChoice& s) {
 }  // namespace
 
 std::vector<std::pair<const char*, const char*>> beliefs_of_noises() {
-  return {{"plant.sigma_speed_m_s", "vehicle.sigma_speed_m_s"},
+  return {{"team.sigma_height_m", "team.sigma_position_m"},
+          {"plant.sigma_start_position_m", "team.sigma_position_m"},
+          {"plant.sigma_start_height_m", "team.sigma_height_m"},
+          {"plant.sigma_start_heading_rad", "team.sigma_heading_rad"},
+          {"plant.sigma_speed_m_s", "vehicle.sigma_speed_m_s"},
           {"plant.sigma_turn_rate_rad_s", "vehicle.sigma_turn_rate_rad_s"},
           {"plant.sigma_steering_rad", "vehicle.sigma_steering_rad"},
           {"plant.sigma_acceleration_m_s2", "filter.sigma_acceleration_m_s2"},

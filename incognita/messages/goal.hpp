@@ -2,10 +2,18 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace incognita {
+
+/// Where one vehicle of a team is to go.
+struct VehicleGoal {
+  Eigen::Vector3d from{0, 0, 0}, to{0, 0, 0};  ///< world, m, from `start_t` to `end_t` of the goal
+  double heading_rad = 0;                      ///< about z from +x
+  double heading_rate_rad_s = 0;               ///< to the left
+};
 
 struct Goal {
   std::vector<double> scores;  ///< nats of information, one per action, of this frame
@@ -15,7 +23,14 @@ struct Goal {
   Eigen::Vector3d to{0, 0, 0};    ///< and where it is to end
   double start_t = 0;             ///< s
   double end_t = 0;
-  std::vector<Eigen::Vector4d> team = {};  ///< x, y, z (m) and heading (rad) each vehicle is to go to
+  std::optional<double> heading_rad =
+      {};                         ///< where a camera is to look now, about z from +x; none: as it will
+  double heading_rate_rad_s = 0;  ///< and how fast that turns, to the left
+
+  /// Of what is not mapped yet, where such is expected (Figure 6.3)
+  std::optional<double> coverage = {};          ///< share of the place that was looked at
+  std::optional<double> entropy_extended = {};  ///< nats, of map and vehicle with those not mapped yet
+  std::vector<VehicleGoal> team = {};
 };
 
 }  // namespace incognita

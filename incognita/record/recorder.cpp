@@ -212,6 +212,7 @@ RunOutcome Recorder::finish(RunStatus status, const std::string& reason, const F
     outcome.reason = outcome.status == RunStatus::failed ? outcome.reason + "; " + failure : failure;
     outcome.status = RunStatus::failed;
   }
+  outcome.quality = summary_.in_words();
   summary_file_->finish(summary_.json(outcome.status, outcome.reason));
   return outcome;
 }

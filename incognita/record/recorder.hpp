@@ -22,6 +22,7 @@ namespace incognita {
 struct RunOutcome {
   RunStatus status = RunStatus::done;
   std::string reason;
+  std::string quality = {};  ///< how good it was, in a line; empty where no truth is known
 };
 
 /// Writes a run directory. Its files:

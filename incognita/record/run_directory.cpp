@@ -1,10 +1,10 @@
 #include "incognita/record/run_directory.hpp"
 
-#include <algorithm>
 #include <array>
 #include <system_error>
 
 #include "incognita/messages/errors.hpp"
+#include "incognita/record/folders.hpp"
 #include "incognita/record/row_file.hpp"
 
 namespace incognita {
@@ -15,21 +15,6 @@ constexpr std::array run_files{"effective.toml", "summary.json", "estimate.tum",
                                "covariance.csv", "actions.csv",  "map.csv",      "map.ply",
                                "series.csv",     "looks.csv",    "timings.csv",  "series.mat",
                                "run.mcap",       "vehicles.csv"};
-
-/// The folders on the way to `path` that are not there, the outermost first.
-std::vector<fs::path> missing_folders(const fs::path& path) {
-  std::vector<fs::path> missing;
-  std::error_code error;
-  for (fs::path p = path; !p.empty() && !fs::exists(p, error) && !error; p = p.parent_path())
-    missing.push_back(p);
-  std::reverse(missing.begin(), missing.end());
-  return missing;
-}
-
-void remove_empty(const std::vector<fs::path>& folders) noexcept {
-  std::error_code ignored;
-  for (auto folder = folders.rbegin(); folder != folders.rend(); ++folder) fs::remove(*folder, ignored);
-}
 
 /// prefix, so many digits or more, suffix
 bool is_numbered(std::string_view name, std::string_view prefix, std::string_view suffix,

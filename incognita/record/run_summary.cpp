@@ -21,10 +21,10 @@ constexpr std::size_t max_names = 50;
 constexpr std::size_t max_vehicles = 40;  // the others are in vehicles.csv
 
 constexpr const char* reserved[] = {
-    "status",        "reason",  "frames",        "landmarks", "lost_frames",    "entropy",
-    "mean_nis",      "ate_m",   "ate_alignment", "mean_nees", "timing_ms",      "seed",
-    "version",       "anchors", "decisions",     "warnings",  "tracked_frames", "overconfident_frames",
-    "observability", "vehicles"};
+    "status",      "reason",        "frames",        "landmarks", "lost_frames",    "entropy",
+    "mean_nis",    "ate_m",         "ate_alignment", "mean_nees", "timing_ms",      "seed",
+    "version",     "anchors",       "decisions",     "warnings",  "tracked_frames", "overconfident_frames",
+    "exploration", "observability", "vehicles"};
 
 std::string short_text(const std::string& text) {
   return text.size() <= max_text_bytes ? text : text.substr(0, max_text_bytes) + "...";
@@ -123,6 +123,7 @@ void RunSummary::add(const Snapshot& snapshot) {
   if (has_pose(snapshot)) ++tracked_frames_;
   if (snapshot.status.state == TrackingState::lost) ++lost_frames_;
   if (snapshot.advice.decided) ++decisions_;
+  exploration_.add(snapshot);
   landmarks_ = mapped_landmarks(snapshot);
   anchors_ = static_cast<int>(snapshot.landmarks.size()) - landmarks_;
   // where an entropy is not known, as in a frame without a pose, the last one known stands
@@ -147,6 +148,18 @@ void RunSummary::compare(const StampedPose& truth, const StampedPose& estimate, 
   if (const auto nees = pose_nees(error, P)) nees_per_dof_.add(*nees);
   if (state == TrackingState::tracking && beyond_three_sigma(error.head<3>(), P.topLeftCorner<3, 3>()))
     ++overconfident_frames_;
+}
+
+std::string RunSummary::in_words() const {
+  const double error_m = has_truth_ ? ate_m() : std::numeric_limits<double>::quiet_NaN();
+  if (!std::isfinite(error_m)) return "";
+  std::string words = fmt::format("position off by {:.3g} m rms", error_m);
+  if (alignment_ != AlignmentKind::none) words += fmt::format(" after a fit ({})", name(alignment_));
+  const double nees = nees_per_dof_.value();
+  if (std::isfinite(nees)) words += fmt::format(", NEES {:.3g}", nees);
+  if (std::isfinite(nis_per_dof_.value())) words += fmt::format(", NIS {:.3g}", nis_per_dof_.value());
+  constexpr double far_too_sure = 10;  // three times as far off as its sigmas say
+  return nees > far_too_sure ? words + ": far surer of itself than it may be" : words;
 }
 
 void RunSummary::compare_with_truth(const Snapshot& s) {
@@ -184,6 +197,12 @@ std::string RunSummary::json(RunStatus status, const std::string& reason) const 
     json["overconfident_frames"] =
         alignment_ == AlignmentKind::none ? Json(overconfident_frames_) : Json(nullptr);
   }
+  const auto told = [](const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); };
+  constexpr int thesis_landmarks = 14;  // whose time and entropy Section 6.3.1 tells
+  json["exploration"] = {{"located", exploration_.located()},
+                         {"t_14_located_s", told(exploration_.located_t_s(thesis_landmarks))},
+                         {"coverage", told(exploration_.coverage())},
+                         {"entropy_extended", told(exploration_.entropy_extended())}};
   if (!team_.empty()) {
     Json& vehicles = json["vehicles"] = Json::array();
     const std::vector<TeamSummary::Vehicle> all = team_.vehicles();

@@ -11,6 +11,7 @@
 
 #include "incognita/analysis/observability_report.hpp"
 #include "incognita/analysis/trajectory.hpp"
+#include "incognita/record/exploration_summary.hpp"
 #include "incognita/record/snapshot.hpp"
 #include "incognita/record/team_summary.hpp"
 
@@ -52,6 +53,8 @@ class RunSummary {
 
   /// The JSON document (docs/schemas/summary.schema.json).
   std::string json(RunStatus status, const std::string& reason) const;
+  /// How far from the truth, and how sure of that, in a line; empty without truth.
+  std::string in_words() const;
 
  private:
   struct Mean {
@@ -78,6 +81,7 @@ class RunSummary {
   std::vector<std::pair<std::string, SummaryValue>> extra_;
   std::vector<std::string> warnings_;
 
+  ExplorationSummary exploration_;
   std::int64_t frames_ = 0, tracked_frames_ = 0, lost_frames_ = 0, overconfident_frames_ = 0, decisions_ = 0;
   int landmarks_ = 0, anchors_ = 0;
   SnapshotEntropy entropy_;

@@ -63,7 +63,7 @@ std::vector<std::string> series_columns(bool with_errors) {
   std::vector<std::string> columns{"matched",          "predicted",          "landmarks",
                                    "sigma_position_m", "sigma_rotation_rad", "entropy_vehicle_nats",
                                    "entropy_map_nats", "entropy_total_nats", "nis",
-                                   "nis_dof"};
+                                   "nis_dof",          "coverage",           "entropy_extended_nats"};
   append_pose_columns(columns, "two_sigma_");
   if (with_errors) {
     append_pose_columns(columns, "error_");
@@ -86,7 +86,9 @@ std::vector<double> series_row(const Snapshot& snapshot, bool with_errors) {
                           snapshot.entropy.map,
                           snapshot.entropy.total,
                           snapshot.nis_dof > 0 ? snapshot.nis : unknown,
-                          static_cast<double>(snapshot.nis_dof)};
+                          static_cast<double>(snapshot.nis_dof),
+                          snapshot.advice.coverage.value_or(unknown),
+                          snapshot.advice.entropy_extended.value_or(unknown)};
   append(row, posed ? Eigen::VectorXd(2 * P.diagonal().cwiseMax(0).cwiseSqrt())
                     : Eigen::VectorXd::Constant(6, unknown));
   if (with_errors) append(row, errors(snapshot, P));

@@ -58,6 +58,9 @@ struct SnapshotAdvice {
   std::vector<double> scores;        ///< nats, one per action, of this frame
   int chosen = -1;                   ///< index; the action now in force
   bool decided = false;              ///< whether a decision was taken in this very frame
+  std::optional<double> coverage;    ///< share of the place that was looked at, where more is expected there
+  /// nats, of vehicle, map and what is expected and not mapped yet (Figure 6.3); of the last decision
+  std::optional<double> entropy_extended;
 };
 
 struct SnapshotEntropy {  ///< nats; NaN where not known

@@ -19,7 +19,6 @@
 namespace incognita {
 namespace {
 
-constexpr double entropy_period_s = 1.0;
 constexpr int matches_to_recover = 6;          // from being lost: more than chance gives
 constexpr double lost_sigma_position_m = 0.1;  // how far the camera is looked for around where it was lost
 constexpr double lost_sigma_rotation_rad = 0.1;
@@ -230,7 +229,7 @@ void CameraEstimator::add_landmarks(Estimate& estimate, const Image& image) {
 }
 
 void CameraEstimator::refresh_entropy(Estimate& estimate, const Tick& tick) {
-  if (tick.t - entropy_t_ >= entropy_period_s - 1e-9) {
+  if (tick.t - entropy_t_ >= entropy_period_s(estimate.belief.errors()) - 1e-9) {
     estimate.entropy = all_entropies(estimate);
     entropy_t_ = tick.t;
   } else {

@@ -1,6 +1,9 @@
 // Entropies in nats.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include <limits>
 
 namespace incognita {
@@ -11,5 +14,9 @@ struct Entropy {
   double map = std::numeric_limits<double>::quiet_NaN();
   double total = std::numeric_limits<double>::quiet_NaN();
 };
+
+/// How often map and whole are worked out, which costs the cube of the state: once a second, and the larger
+/// the rarer, so that it never costs more than a small share of a run.
+inline double entropy_period_s(int states) { return std::max(1.0, std::pow(states / 600.0, 3)); }
 
 }  // namespace incognita

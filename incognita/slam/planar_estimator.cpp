@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "incognita/belief/linearise.hpp"
+#include "incognita/belief/iterated_update.hpp"
 #include "incognita/models/planar_frame.hpp"
 #include "incognita/models/range_bearing.hpp"
 #include "incognita/slam/planar_looks.hpp"

@@ -18,15 +18,15 @@ bool seen_as_at_birth(const PatchView& view, const Eigen::Vector3d& point, const
   return now_m < then_m * settings.max_scale && then_m < now_m * settings.max_scale;
 }
 
-/// Point at a finite place for warping: an inverse depth near zero is taken as 100 m away.
+}  // namespace
+
 Eigen::Vector3d nominal_position(const Landmark& landmark, const Belief& belief) {
-  if (const auto at = position_of(landmark, belief)) return at->position;
+  if (landmark.kind == Landmark::Kind::anchor) return landmark.anchor;
+  if (landmark.kind == Landmark::Kind::point) return belief.mean(landmark.block);
   InverseDepthLandmark::State y = belief.mean(landmark.block);
-  y[5] = 0.01;
+  if (!(y[5] > 1e-6)) y[5] = 0.01;
   return landmark.birth_axes.point(y).position;
 }
-
-}  // namespace
 
 std::optional<Eigen::Matrix2d> local_warp(const PatchView& view, const Eigen::Vector3d& normal,
                                           const Eigen::Vector3d& point, const Eigen::Vector2d& pixel,
@@ -58,8 +58,8 @@ std::optional<Eigen::Matrix2d> local_warp(const PatchView& view, const Eigen::Ve
   return warp;
 }
 
-std::optional<Look> expect_look(const Landmark& landmark, const Belief& belief, const Camera& camera,
-                                const CameraState& from, const CameraSlamSettings& settings) {
+std::optional<Look> expect_pixel(const Landmark& landmark, const Belief& belief, const Camera& camera,
+                                 const CameraState& from, const CameraSlamSettings& settings) {
   Look look{};
   look.id = landmark.id;
   look.kind = landmark.kind;
@@ -84,11 +84,19 @@ std::optional<Look> expect_look(const Landmark& landmark, const Belief& belief, 
   if (!camera.contains(look.predicted, settings.search.patch_size_px / 2 + 1)) return std::nullopt;
   look.point = nominal_position(landmark, belief);
   if (!seen_as_at_birth(landmark.view, look.point, from, settings.map)) return std::nullopt;
+  return look;
+}
+
+std::optional<Look> expect_look(const Landmark& landmark, const Belief& belief, const Camera& camera,
+                                const CameraState& from, const CameraSlamSettings& settings) {
+  std::optional<Look> seen = expect_pixel(landmark, belief, camera, from, settings);
+  if (!seen) return std::nullopt;
+  Look& look = *seen;
   const auto warp =
       local_warp(landmark.view, landmark.view.plane.normal(), look.point, look.predicted, camera, from);
   if (!warp) return std::nullopt;
   look.texture_from_view = *warp;
-  return look;
+  return seen;
 }
 
 AffineLook affine_look(const Look& look, const Landmark& landmark, BlockId camera, double sigma_pixel_px) {

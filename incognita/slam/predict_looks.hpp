@@ -8,6 +8,13 @@
 
 namespace incognita {
 
+/// About where a landmark is; never a line. An inverse depth near zero is taken as 100 m away.
+Eigen::Vector3d nominal_position(const Landmark& landmark, const Belief& belief);
+
+/// As expect_look(), but not how the patch would look: what an imagined look needs.
+std::optional<Look> expect_pixel(const Landmark& landmark, const Belief& belief, const Camera& camera,
+                                 const CameraState& from, const CameraSlamSettings& settings);
+
 /// The look of one landmark from a camera state, or nothing when it should not be seen: behind the camera,
 /// outside the image, or seen too differently from its birth view for its patch to match (thesis C.4). The
 /// innovation covariance is left for fill_innovation().

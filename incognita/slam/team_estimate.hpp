@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "incognita/belief/belief.hpp"
+#include "incognita/belief/any_belief.hpp"
 #include "incognita/models/any_sensor.hpp"
 #include "incognita/slam/entropy_values.hpp"
 #include "incognita/slam/status.hpp"
@@ -51,8 +51,15 @@ struct TeamLook {
   LookOutcome outcome = LookOutcome::not_tried;
 };
 
+/// Sightings of a tick that can be used.
+struct UsedSightings {
+  std::vector<std::size_t> told;  ///< where each is in the estimate's list of looks
+  std::vector<AffineLook> looks;  ///< what each is to the engine, about the means before the update
+  Eigen::MatrixXd S;              ///< innovation covariance of one
+};
+
 struct TeamEstimate {
-  Belief belief;
+  AnyBelief belief;
   bool started = false;
   std::vector<TeamVehicle> vehicles;
   std::map<std::int64_t, TeamLandmark> landmarks;  ///< by identity; anchors are not among them
@@ -61,11 +68,14 @@ struct TeamEstimate {
 
   // Of the last tick
   std::vector<TeamLook> looks;
+  UsedSightings used;  ///< kept so that a tick allocates nothing; for the estimator alone
   int matched = 0;
   UpdateReport update;
-  Entropy entropy;                     ///< of all vehicles; of map and whole about once a second
-  std::optional<double> entropy_t;     ///< s, when that was last
-  std::int64_t unsettled_updates = 0;  ///< iterated updates that reached their cap so far
+  int doubted_ticks = 0, unmatched_ticks = 0;  ///< in a row
+  double recent_nis = 0, recent_rows = 0;      ///< of the last updates, each counting 0.9 of the one after it
+  Entropy entropy;                             ///< of all vehicles; of map and whole about once a second
+  std::optional<double> entropy_t;             ///< s, when that was last
+  std::int64_t unsettled_updates = 0;          ///< iterated updates that reached their cap so far
   std::vector<std::pair<const char*, double>> timing_ms;
 };
 

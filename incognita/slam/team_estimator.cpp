@@ -3,11 +3,13 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 
-#include "incognita/belief/linearise.hpp"
+#include "incognita/belief/iterated_update.hpp"
 #include "incognita/math/gaussian.hpp"
 #include "incognita/slam/belief_entropy.hpp"
 #include "incognita/slam/stage_clock.hpp"
@@ -17,70 +19,27 @@
 namespace incognita {
 namespace {
 
-bool is_laser_on_plane(const TeamMember& m) { return std::holds_alternative<LaserScanner>(m.sensor); }
-
-std::string fault_in_sizes(const TeamMember& m) {
-  const Chart& chart = chart_of(m.motion);
-  const auto wrong = [](const SmallVector& v, int size, const char* what) {
-    return v.size() == size && v.allFinite()
-               ? std::string()
-               : std::string(what) + ": " + std::to_string(size) +
-                     " finite numbers are wanted, and there are " + std::to_string(v.size());
-  };
-  for (const std::string& fault :
-       {wrong(m.start, chart.ambient(), "the start of a vehicle"),
-        wrong(m.start_sigmas, chart.tangent(), "the sigmas of a vehicle's start"),
-        wrong(m.input_sigmas, inputs_of(m.motion), "the sigmas of a vehicle's inputs"),
-        wrong(m.sigmas, chart_of(m.sensor).tangent(), "the sigmas of a measurement")})
-    if (!fault.empty()) return fault;
-  if (!(m.sigmas.minCoeff() > 0)) return "the sigmas of a measurement must be more than 0";
-  return "";
+double distance_of(const AffineLook& look, const SmallMatrix& S) {
+  return look.residual.dot(S.llt().solve(SmallVector(look.residual)));
 }
 
-/// One sighting of this tick that can be used.
-struct Used {
-  const Sighting* sighting = nullptr;
-  std::size_t told = 0;  ///< in the estimate's list
-};
+/// Of sightings with so many numbers, which to believe.
+class Gate {
+ public:
+  explicit Gate(double probability) : shut_(probability < 1) {
+    for (int rows = 1; shut_ && rows <= max_look_rows; ++rows)
+      most_[static_cast<std::size_t>(rows)] = chi_square_quantile(probability, rows);
+  }
+  bool has(double distance, int rows) const {
+    return !shut_ || distance <= most_[static_cast<std::size_t>(rows)];
+  }
 
-/// Those of a tick, and what each is to the engine about the means before the update.
-struct UsedSightings {
-  std::vector<Used> sightings;
-  std::vector<AffineLook> looks;
+ private:
+  bool shut_;
+  std::array<double, max_look_rows + 1> most_{};
 };
-
-double distance_of(const Belief& belief, const AffineLook& look, SmallMatrix& S_out) {
-  Eigen::MatrixXd S;
-  belief.innovation_covariance({&look, 1}, S);
-  S_out = S;
-  return look.residual.dot(S.llt().solve(look.residual));
-}
 
 }  // namespace
-
-std::string fault_in(const TeamSettings& s) {
-  if (s.members.empty()) return "a team needs a vehicle";
-  const auto& words = {"analytic", "iterated", "unscented-vehicle", "first-estimate"};
-  if (std::find(words.begin(), words.end(), s.filter.lineariser) == words.end())
-    return "`" + s.filter.lineariser + "` is no lineariser";
-  for (const TeamMember& m : s.members) {
-    for (const std::string& fault : {misfit(m.motion, m.sensor), fault_in_sizes(m)})
-      if (!fault.empty()) return fault;
-    if (dimensions_of(m.sensor) != dimensions_of(s.members.front().sensor))
-      return "vehicles whose landmarks have different dimensions can not share a map";
-    if (s.filter.lineariser == "first-estimate" && !is_laser_on_plane(m))
-      return "first-estimate Jacobians are derived for ranges and bearings on a plane only";
-    if (s.filter.lineariser == "iterated" && std::holds_alternative<FreeCameraMotion>(m.motion))
-      return "the iterated update of a body that turns freely in space does not always settle, and is too "
-             "sure then; "
-             "take `analytic`";
-    for (const auto& [identity, anchor] : s.anchors)
-      if (anchor.size() != dimensions_of(m.sensor))
-        return "anchor " + std::to_string(identity) +
-               " must have as many numbers as the place has dimensions";
-  }
-  return "";
-}
 
 TeamEstimator::TeamEstimator(TeamSettings settings) : settings_(std::move(settings)) {
   const std::string fault = fault_in(settings_);
@@ -89,7 +48,7 @@ TeamEstimator::TeamEstimator(TeamSettings settings) : settings_(std::move(settin
 
 void TeamEstimator::start(TeamEstimate& e, const Tick& tick) const {
   const bool watched = e.belief.keeps_trace();
-  e.belief = Belief();
+  e.belief = settings_.filter.form == "information" ? AnyBelief(InformationBelief()) : AnyBelief(Belief());
   e.vehicles.clear();
   e.landmarks.clear();
   e.belief.keep_trace(watched);
@@ -109,40 +68,39 @@ void TeamEstimator::start(TeamEstimate& e, const Tick& tick) const {
 namespace {
 
 /// Linearises every sighting of what is known, notes it, and keeps those inside the gate.
-UsedSightings sort_out(TeamEstimate& e, const Observation& seen, const TeamSettings& settings) {
-  UsedSightings used;
+void sort_out(TeamEstimate& e, const Observation& seen, const TeamSettings& settings) {
+  const Gate gate(settings.filter.gate_probability);
+  UsedSightings& used = e.used;
   const auto consider = [&](int vehicle, bool of_vehicle, const Sighting& sighting) {
     const bool anchor = !of_vehicle && settings.anchors.count(sighting.identity) > 0;
-    TeamLook told{vehicle, of_vehicle, anchor, sighting.identity, sighting.z, {}, {}, LookOutcome::not_tried};
-    if (const auto at = linearised_sighting(e, vehicle, of_vehicle, sighting, settings)) {
-      told.predicted = at->predicted;
-      const double distance = distance_of(e.belief, at->look, told.innovation_cov);
-      const double gate = settings.filter.gate_probability;
-      const bool inside = !(gate < 1) || distance <= chi_square_quantile(gate, at->look.rows());
-      told.outcome = inside ? LookOutcome::matched : LookOutcome::inconsistent;
-      if (inside) {
-        used.sightings.push_back({&sighting, e.looks.size()});
-        used.looks.push_back(at->look);
-      }
-    }
-    e.looks.push_back(told);
+    TeamLook& told = e.looks.emplace_back(
+        TeamLook{vehicle, of_vehicle, anchor, sighting.identity, sighting.z, {}, {}, LookOutcome::not_tried});
+    const auto at = linearised_sighting(e, vehicle, of_vehicle, sighting, settings);
+    if (!at) return;
+    told.predicted = at->predicted;
+    e.belief.innovation_covariance({&at->look, 1}, used.S);
+    told.innovation_cov = used.S;
+    const bool inside = gate.has(distance_of(at->look, told.innovation_cov), at->look.rows());
+    told.outcome = inside ? LookOutcome::matched : LookOutcome::inconsistent;
+    if (!inside) return;
+    used.told.push_back(e.looks.size() - 1);
+    used.looks.push_back(at->look);
   };
+  used.told.clear();
+  used.looks.clear();
   for (std::size_t i = 0; i < seen.team.size(); ++i) {
     for (const Sighting& s : seen.team[i].landmarks) consider(static_cast<int>(i), false, s);
     for (const Sighting& s : seen.team[i].vehicles) consider(static_cast<int>(i), true, s);
   }
-  return used;
 }
 
-/// The same sightings about the belief's present means. One that the sensor could not have there is as it
-/// was.
-std::vector<AffineLook> linearised_again(const TeamEstimate& e, const UsedSightings& used,
-                                         const TeamSettings& settings) {
-  std::vector<AffineLook> looks = used.looks;
+/// The same sightings about the belief's present means; without parts where the sensor could not have it.
+std::vector<AffineLook> linearised_again(const TeamEstimate& e, const TeamSettings& settings) {
+  std::vector<AffineLook> looks(e.used.looks.size());
   for (std::size_t i = 0; i < looks.size(); ++i) {
-    const TeamLook& told = e.looks[used.sightings[i].told];
+    const TeamLook& told = e.looks[e.used.told[i]];
     const auto at =
-        linearised_sighting(e, told.vehicle, told.of_vehicle, *used.sightings[i].sighting, settings);
+        linearised_sighting(e, told.vehicle, told.of_vehicle, {told.identity, told.measured}, settings);
     if (at) looks[i] = at->look;
   }
   return looks;
@@ -160,23 +118,28 @@ int& sightings_of(TeamEstimate& e, const TeamLook& look) {
   return look.anchor ? e.anchors.at(look.identity).sightings : e.landmarks.at(look.identity).sightings;
 }
 
-void correct(TeamEstimate& e, const UsedSightings& used, const TeamSettings& settings) {
+void correct(TeamEstimate& e, const TeamSettings& settings) {
+  const UsedSightings& used = e.used;
   if (used.looks.empty()) return;
   if (settings.filter.lineariser == "iterated") {
-    const auto again = [&](const Belief&) { return linearised_again(e, used, settings); };
-    const IterationReport report = update_iterated(e.belief, blocks_of(used.looks), again);
+    const auto again = [&](const AnyBelief&) { return linearised_again(e, settings); };
+    const IterationSettings until{.max_iterations = 20, .tolerance_sigmas = 1e-3};
+    const IterationReport report = update_iterated(e.belief, blocks_of(used.looks), again, until);
     e.update = report.update;
     e.unsettled_updates += !report.converged;
   } else {
     e.update = e.belief.update(used.looks);
   }
   const bool done = e.update.outcome == UpdateReport::Outcome::updated;
-  for (const Used& u : used.sightings) {
-    TeamLook& told = e.looks[u.told];
+  constexpr double forgetting = 0.9;
+  e.recent_nis = forgetting * e.recent_nis + (done ? e.update.nis : 0);
+  e.recent_rows = forgetting * e.recent_rows + (done ? e.update.rows : 0);
+  for (const std::size_t i : used.told) {
+    TeamLook& told = e.looks[i];
     told.outcome = done ? LookOutcome::matched : LookOutcome::inconsistent;
     if (done && !told.of_vehicle) ++sightings_of(e, told);
   }
-  e.matched = done ? static_cast<int>(used.sightings.size()) : 0;
+  e.matched = done ? static_cast<int>(used.told.size()) : 0;
 }
 
 void give_births(TeamEstimate& e, const Observation& seen, const TeamSettings& settings) {
@@ -205,9 +168,9 @@ void TeamEstimator::update(TeamEstimate& e, const Command&, const Observation& s
   e.update = {};
   for (std::size_t i = 0; i < e.vehicles.size(); ++i) predict_vehicle(e, i, seen.team[i], tick.t, settings_);
   stage.mark("predict");
-  const UsedSightings used = sort_out(e, seen, settings_);
+  sort_out(e, seen, settings_);
   stage.mark("associate");
-  correct(e, used, settings_);
+  correct(e, settings_);
   stage.mark("update");
   give_births(e, seen, settings_);
   settle_depths(e, settings_);
@@ -219,10 +182,8 @@ void TeamEstimator::update(TeamEstimate& e, const Command&, const Observation& s
   stage.mark("entropy");
 }
 
-/// The larger the state, the rarer, so that it never costs more than a small share of a run.
 void TeamEstimator::refresh_entropy(TeamEstimate& e, double t) const {
-  const double states = e.belief.errors();
-  const double period_s = std::max(1.0, std::pow(states / 300, 3));
+  const double period_s = entropy_period_s(e.belief.errors());
   if (e.entropy_t && t - *e.entropy_t < period_s) return;
   int vehicles = 0;
   for (const TeamVehicle& v : e.vehicles) vehicles += e.belief.chart(v.block).tangent();
@@ -240,25 +201,82 @@ void TeamEstimator::tell_poses(TeamEstimate& e) const {
   }
 }
 
+namespace {
+
+double residuals_in_sigmas(const TeamEstimate& e) {
+  return e.recent_rows > 0 ? std::sqrt(e.recent_nis / e.recent_rows) : 0;
+}
+
+/// Landmarks that it knows are seen, and none where it believes them to be.
+bool recognises_nothing(const TeamEstimate& e) {
+  const auto known = std::count_if(e.looks.begin(), e.looks.end(), [](const TeamLook& look) {
+    return !look.of_vehicle && look.outcome != LookOutcome::born;
+  });
+  constexpr int least = 3;
+  return known >= least && e.matched == 0;
+}
+
+/// What speaks for the whole team being lost, whatever it believes; empty where nothing does.
+std::string lost_by_what_is_seen(TeamEstimate& e) {
+  constexpr int most_ticks = 10;
+  constexpr double most_sigmas = 10;
+  e.unmatched_ticks = recognises_nothing(e) ? e.unmatched_ticks + 1 : e.matched > 0 ? 0 : e.unmatched_ticks;
+  e.doubted_ticks = residuals_in_sigmas(e) > most_sigmas ? e.doubted_ticks + 1 : 0;
+  if (e.unmatched_ticks >= most_ticks)
+    return "known landmarks are seen, and none where they should be, for " +
+           std::to_string(e.unmatched_ticks) + " ticks";
+  if (e.doubted_ticks < most_ticks) return "";
+  std::ostringstream what;
+  what.precision(3);
+  what << "what is seen is " << residuals_in_sigmas(e)
+       << " times as far from what was expected as its sigmas say, for " << e.doubted_ticks << " ticks";
+  return what.str();
+}
+
+/// Why the estimate is not to be trusted, though it is not lost; empty where nothing speaks against it.
+std::string doubt(const TeamEstimate& e) {
+  if (e.update.outcome == UpdateReport::Outcome::singular)
+    return "an update was refused: within rounding it would leave nothing of a variance";
+  // By chance less often than once in a million, and residuals twice as large as they should be
+  constexpr double chance = 1e-6, most_ratio = 4;
+  const int rows = static_cast<int>(std::ceil(e.recent_rows));
+  if (rows == 0 || e.recent_nis < most_ratio * e.recent_rows ||
+      e.recent_nis < chi_square_quantile(1 - chance, rows))
+    return "";
+  std::ostringstream what;
+  what.precision(3);
+  what << "what is seen is " << residuals_in_sigmas(e)
+       << " times as far from what was expected as its sigmas say: noises or first depths do not fit";
+  return what.str();
+}
+
+}  // namespace
+
 void TeamEstimator::judge(TeamEstimate& e) const {
-  const auto lost = [&](const std::string& reason) {
-    e.status.state = TrackingState::lost, e.status.reason = reason;
-  };
+  const bool many = settings_.members.size() > 1;
   for (std::size_t i = 0; i < e.vehicles.size(); ++i) {
     const TeamVehicle& vehicle = e.vehicles[i];
-    const Eigen::Matrix3d P = vehicle.pose_covariance.topLeftCorner<3, 3>();
-    const std::string who = settings_.members.size() > 1 ? "vehicle " + std::to_string(i + 1) + ": " : "";
+    const auto lost = [&](const std::string& reason) {
+      e.status.state = TrackingState::lost;
+      e.status.reason = (many ? "vehicle " + std::to_string(i + 1) + ": " : "") + reason;
+    };
     if (!vehicle.pose.position.allFinite() || !vehicle.pose_covariance.allFinite())
-      return lost(who + "pose or covariance is not a number");
+      return lost("pose or covariance is not a number");
+    const Eigen::Matrix3d P = vehicle.pose_covariance.topLeftCorner<3, 3>();
     const double sigma = std::sqrt(std::max(0.0, P.selfadjointView<Eigen::Lower>().eigenvalues().maxCoeff()));
     if (!(sigma <= settings_.filter.max_sigma_position_m))
-      return lost(who + "position sigma " + std::to_string(sigma) + " m, the limit is " +
+      return lost("position sigma " + std::to_string(sigma) + " m, the limit is " +
                   std::to_string(settings_.filter.max_sigma_position_m));
   }
-  const bool refused = e.update.outcome == UpdateReport::Outcome::singular;
-  e.status.state = refused ? TrackingState::degraded : TrackingState::tracking;
-  e.status.reason =
-      refused ? "an update was refused: within rounding it would leave nothing of a variance" : "";
+  const std::string lost = lost_by_what_is_seen(e);
+  if (!lost.empty()) {
+    e.status.state = TrackingState::lost;
+    e.status.reason = lost;
+    return;
+  }
+  const std::string reason = doubt(e);
+  e.status.state = reason.empty() ? TrackingState::tracking : TrackingState::degraded;
+  e.status.reason = reason;
 }
 
 }  // namespace incognita

@@ -50,6 +50,23 @@ std::optional<Target> target_of(const TeamEstimate& e, bool of_vehicle, std::int
   return Target{landmark.form, mean, landmark.first, landmark.block, SmallMatrix::Identity(errors, errors)};
 }
 
+/// Whether two of a team are so near each other, for how well one knows where they are, that a Jacobian no
+/// longer tells what a look does: what is left out of it, the look's change by their relative position times
+/// that position's sigma over their distance, is as large as the noise.
+bool too_near(const TeamEstimate& e, std::size_t viewer, std::size_t other, const SmallMatrix& Hl,
+              const SmallMatrix& R, const TeamSettings& settings) {
+  const int dimensions = dimensions_of(settings.members[viewer].sensor);
+  const BlockId a = e.vehicles[viewer].block, b = e.vehicles[other].block;
+  const AnyPoint from = position_of(settings.members[viewer].motion, e.belief.mean(a), dimensions);
+  const AnyPoint to = position_of(settings.members[other].motion, e.belief.mean(b), dimensions);
+  const SmallMatrix across = from.J * e.belief.covariance(a, b) * to.J.transpose();
+  const SmallMatrix P = from.J * e.belief.covariance(a) * from.J.transpose() +
+                        to.J * e.belief.covariance(b) * to.J.transpose() - across - across.transpose();
+  const double squared_share = P.trace() / (to.position - from.position).squaredNorm();
+  const SmallVector changes = (Hl * P * Hl.transpose()).diagonal();
+  return ((changes * squared_share).array() > R.diagonal().array()).any();
+}
+
 }  // namespace
 
 SmallMatrix sighting_noise(const TeamMember& member, const SmallVector& z) {
@@ -72,12 +89,16 @@ std::optional<LinearisedSighting> linearised_sighting(const TeamEstimate& e, int
           ? look_at(member.sensor, member.motion, viewer.prediction, target->form, target->first)
           : seen;
   if (!seen || !derived) return std::nullopt;
+  const SmallMatrix R = sighting_noise(member, sighting.z);
+  if (of_vehicle && too_near(e, static_cast<std::size_t>(vehicle),
+                             static_cast<std::size_t>(sighting.identity), derived->Hl, R, settings))
+    return std::nullopt;
   LinearisedSighting out;
   out.predicted = seen->z;
   out.look.add(viewer.block, derived->Hv);
   if (target->block) out.look.add(*target->block, (derived->Hl * target->by_block).eval());
   out.look.residual = residual_of(member.sensor, sighting.z, seen->z);
-  out.look.R = sighting_noise(member, sighting.z);
+  out.look.R = R;
   return out;
 }
 
@@ -103,7 +124,7 @@ bool give_birth(TeamEstimate& e, int vehicle, const Sighting& sighting, const Te
   // covariance positive definite
   if (birth->form.kind == LandmarkForm::Kind::inverse_depth)
     noise.diagonal().head(birth->landmark.size() == 4 ? 2 : 3).array() += 1e-8;
-  const Belief::Parent parent{viewer.block, birth->Jv};
+  const BlockParent parent{viewer.block, birth->Jv};
   TeamLandmark landmark{sighting.identity, birth->form, 0, birth->landmark, 1};
   landmark.block = e.belief.augment(birth->chart, birth->landmark, {&parent, 1}, noise);
   e.landmarks.emplace(sighting.identity, landmark);

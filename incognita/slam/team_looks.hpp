@@ -19,7 +19,8 @@ SmallMatrix sighting_noise(const TeamMember& member, const SmallVector& z);
 
 /// A sighting that `vehicle` has of an anchor, a mapped landmark, or (`of_vehicle`) another one of the team,
 /// linearised about the belief's means or, for first-estimate Jacobians, about what was known first. Nothing
-/// where the sensor could not have it, or for a landmark that is not mapped yet.
+/// where the sensor could not have it, for a landmark that is not mapped yet, or for another vehicle that
+/// is nearer than first order reaches.
 std::optional<LinearisedSighting> linearised_sighting(const TeamEstimate& estimate, int vehicle,
                                                       bool of_vehicle, const Sighting& sighting,
                                                       const TeamSettings& settings);

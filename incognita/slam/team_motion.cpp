@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include "incognita/belief/linearise.hpp"
+#include "incognita/models/held_acceleration.hpp"
 #include "incognita/models/on_arc.hpp"
 
 namespace incognita {
@@ -12,8 +13,9 @@ namespace {
 template <class Model>
 constexpr bool is_planar = std::is_same_v<Model, DifferentialDrive> || std::is_same_v<Model, AckermannCar>;
 
-AffineMotion linearised_motion(const TeamMember& member, const std::string& lineariser, const Belief& belief,
-                               BlockId block, const SmallVector& input, const SmallMatrix& Q, double dt) {
+AffineMotion linearised_motion(const TeamMember& member, const std::string& lineariser,
+                               const AnyBelief& belief, BlockId block, const SmallVector& input,
+                               const SmallMatrix& Q, double dt) {
   const auto by = [&](const auto& model) {
     using Model = std::decay_t<decltype(model)>;
     constexpr int m = Model::input_size;
@@ -27,6 +29,8 @@ AffineMotion linearised_motion(const TeamMember& member, const std::string& line
         using Model = std::decay_t<decltype(model)>;
         if constexpr (is_planar<Model>)
           return by(OnArc<Model>{model});
+        else if constexpr (std::is_same_v<Model, FreeCameraMotion>)
+          return by(HeldAcceleration{});
         else
           return by(model);
       },

@@ -23,12 +23,14 @@ struct TeamMember {
 };
 
 struct TeamFilterSettings {
+  std::string form = "covariance";      ///< `covariance` or `information`: the same answers at other costs
   std::string lineariser = "analytic";  ///< `analytic`, `iterated`, `unscented-vehicle`, `first-estimate`
   double gate_probability = 1;        ///< of a right sighting; what lies outside is left out. 1: all is used
   double inverse_depth_per_m = 0.25;  ///< of a landmark seen in a direction only, before anything is known
   double sigma_inverse_depth_per_m = 0.25;
-  double max_linearity_index = 0.1;  ///< below, an inverse depth becomes a point
-  double max_sigma_position_m = 10;  ///< of any vehicle; beyond, the team is lost
+  double max_linearity_index = 0.02;  ///< below, an inverse depth becomes a point; 0.1 does for one look, a
+                                      ///< map keeps what is left of each
+  double max_sigma_position_m = 10;   ///< of any vehicle; beyond, the team is lost
 };
 
 struct TeamSettings {

@@ -2,6 +2,8 @@
 
 #include <boost/numeric/odeint.hpp>
 #include <span>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace incognita {
@@ -12,6 +14,7 @@ using Numbers = std::vector<double>;
 
 // Metres, radians and their rates: far below anything that a sensor resolves, and cheap at 30 ticks a second
 constexpr double tolerance = 1e-10;
+constexpr int most_steps = 100000;  // of one tick: a second of them on this machine's like
 
 std::span<double> numbers(SmallVector& v) { return {v.data(), static_cast<std::size_t>(v.size())}; }
 
@@ -26,7 +29,12 @@ SmallVector integrate(const AnyMotion& motion, const SmallVector& state, const S
         rate_of(motion, Eigen::Map<const Eigen::VectorXd>(at.data(), n), input);
   };
   const auto stepper = odeint::make_controlled<odeint::runge_kutta_dopri5<Numbers>>(tolerance, tolerance);
-  odeint::integrate_adaptive(stepper, rate, x, 0.0, dt_s, dt_s);
+  odeint::integrate_adaptive(stepper, rate, x, 0.0, dt_s, dt_s, [steps = 0](const Numbers&, double) mutable {
+    if (++steps > most_steps)
+      throw std::runtime_error(
+          "the motion of a tick needs more than " + std::to_string(most_steps) +
+          " steps: the ground is too rough, or the vehicle too fast, for ticks this long");
+  });
   SmallVector after = Eigen::Map<const Eigen::VectorXd>(x.data(), n);
   SmallVector nothing = SmallVector::Zero(chart_of(motion).tangent());
   chart_of(motion).plus(numbers(after), numbers(nothing));

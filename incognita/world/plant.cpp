@@ -1,5 +1,6 @@
 #include "incognita/world/plant.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <span>
@@ -24,7 +25,8 @@ void check_numbers(const FreeCameraMotion&, const PlantSettings& s) {
     throw std::invalid_argument("the orientation at the start of a plant must be a quaternion of length 1");
 }
 void check_numbers(const AckermannCar& car, const PlantSettings& s) {
-  for (const double steering : {s.least_input[1], s.most_input[1]}) {
+  const double ratio = s.input_ratios.size() > 0 ? s.input_ratios[1] : 1;
+  for (const double steering : {ratio * s.least_input[1], ratio * s.most_input[1]}) {
     const bool to_a_side = std::abs(steering) < std::numbers::pi / 2;
     if (to_a_side && std::tan(steering) * car.wheel_left_m < car.wheelbase_m) continue;
     throw std::invalid_argument(
@@ -49,6 +51,17 @@ void check(const AnyMotion& motion, const PlantSettings& s) {
     throw std::invalid_argument("the least input of a plant is more than the most");
   std::visit([&](const auto& model) { check_numbers(model, s); }, motion);
 }
+
+/// A wheel that is disturbed stays short of where the car would turn about it.
+void keep_steering(const AckermannCar& car, SmallVector& input) {
+  const double margin = 0.01;
+  const double inside =
+      car.wheel_left_m == 0 ? std::numbers::pi / 2 : std::atan2(car.wheelbase_m, std::abs(car.wheel_left_m));
+  const double left = car.wheel_left_m > 0 ? inside : std::numbers::pi / 2,
+               right = car.wheel_left_m < 0 ? inside : std::numbers::pi / 2;
+  input[1] = std::clamp(input[1], -right + margin, left - margin);
+}
+void keep_steering(const auto&, SmallVector&) {}
 
 std::span<double> numbers(SmallVector& v) { return {v.data(), static_cast<std::size_t>(v.size())}; }
 
@@ -79,6 +92,7 @@ const SmallVector& Plant::move(const SmallVector& input, double dt_s) {
   SmallVector u = carried_out_;
   if (settings_.input_ratios.size() > 0) u.array() *= settings_.input_ratios.array();
   for (Eigen::Index i = 0; i < u.size(); ++i) u[i] += settings_.input_sigmas[i] * disturbance_.normal();
+  std::visit([&](const auto& model) { keep_steering(model, u); }, motion_);
   state_ = integrate(motion_, state_, u, dt_s);
   return state_;
 }

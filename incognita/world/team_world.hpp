@@ -33,7 +33,7 @@ class TeamWorld final : public World {
   /// Throws std::invalid_argument where sizes do not fit.
   TeamWorld(const std::vector<SimulatedVehicle>& vehicles, std::uint64_t seed);
 
-  /// Vehicles without an input stand still (inputs of 0).
+  /// Vehicles without an input have one of 0: they stand still, bodies in space go on as they go.
   std::optional<Truth> move(const Command& command, const Tick& tick) override;
 
  private:

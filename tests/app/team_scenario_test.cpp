@@ -2,12 +2,15 @@
 // or refused with the reason.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <tuple>
 
 #include "incognita/app/assemble_team.hpp"
 #include "incognita/app/loop.hpp"
+#include "incognita/io/settings.hpp"
+#include "incognita/io/team_setting_list.hpp"
 #include "incognita/messages/errors.hpp"
 #include "tests/scratch.hpp"
 
@@ -88,6 +91,8 @@ std::string text_of(const Choice& c) {
   if (c.motion == "ackermann") text += "wheelbase_m = 1\nwheel_left_m = 0.3\n";
   if (c.sensor == "wide-angle") text += "[camera]\nkd1_per_px2 = 9e-6\n";
   if (c.sensor == "pinhole") text += "[camera]\nmodel = \"pinhole\"\n";
+  if (c.sensor == "bearing")
+    text += "[birth]\ninverse_depth_per_m = 0.15\nsigma_inverse_depth_per_m = 0.15\n";
   text += c.body() ? "[team]\npositions_m = [[-1.5, 0, 1]]\n" : "[team]\npositions_m = [[-2, 0, 0]]\n";
   return text + "[points]\ncount = 40\nsize_m = [12, 12, 2.5]\nknown = 8\n" + steer_of(c);
 }
@@ -156,6 +161,56 @@ TEST(TeamScenario, RefusesAtStartWithTheReason) {
   refused({"plant.motion=terrain"}, "plant.motion", "tilts");
   refused({"run.rate_hz=10000", "run.duration_s=1e7"}, "run.duration_s", "ticks");
   refused({"points.file=nowhere.csv"}, "points.count", "means nothing with points.file");
+}
+
+TEST(TeamScenario, RefusesVehiclesThatSeeEachOtherInOnePlace) {
+  const std::string why = complaint(drive, {"team.positions_m=[[0, 0, 0], [3, 0, 0]]"});
+  EXPECT_NE(why.find("path.offsets_m"), std::string::npos) << why;
+  EXPECT_NE(why.find("team.sees_team"), std::string::npos) << why;
+  const std::string one_place =
+      complaint(drive, {"team.positions_m=[[0, 0, 0], [0, 0, 0]]", "path.offsets_m=[[0, 0, 0], [3, 0, 0]]"});
+  EXPECT_NE(one_place.find("vehicles 1 and 2 start in one place"), std::string::npos) << one_place;
+  load(drive, {"team.positions_m=[[0, 0, 0], [3, 0, 0]]", "team.sees_team=false"});
+  load(drive, {"team.positions_m=[[0, 0, 0], [3, 0, 0]]", "path.offsets_m=[[0, 0, 0], [3, 0, 0]]"});
+}
+
+/// What a filter may believe its vehicle may be, for it is that unless told otherwise.
+TEST(TeamScenario, TruthsFollowBeliefsUpToTheirLimits) {
+  Scenario scenario;
+  const std::vector<Setting> settings = list_settings(scenario);
+  const auto setting = [&](const std::string& key) {
+    return *std::find_if(settings.begin(), settings.end(), [&](const Setting& s) { return s.key == key; });
+  };
+  for (const auto& [truth, belief] : beliefs_of_noises()) {
+    EXPECT_LE(setting(belief).allowed.most, setting(truth).allowed.most) << belief;
+    EXPECT_GE(setting(belief).allowed.least, setting(truth).allowed.least) << belief;
+  }
+}
+
+TEST(TeamScenario, RefusesTheInputThatIsHeldByItsOwnName) {
+  const std::string held = text_of({"differential-drive", "range-bearing", "none"});
+  const std::string why = complaint(held, {"steer.input=[1, 1]", "steer.max_turn_rate_rad_s=0.5"});
+  EXPECT_NE(why.find("steer.input = [1, 1]"), std::string::npos) << why;
+}
+
+TEST(TeamScenario, RefusesTablesWithPlacesThatCanNotBe) {
+  const Scratch scratch;
+  scratch.write("path.csv", "t,x,y,z\n0,-2,0,0\n2,-1,0,1\n4,0,0.5,0\n");
+  scratch.write("points.csv", "id,x,y,z\n7,3,1,2\n");
+  const auto why = [&](const std::string& tail) {
+    const std::string text = drive.substr(0, drive.find("[points]")) + tail;
+    try {
+      run(load_scenario(scratch.write("s.toml", text).string(), {}));
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const std::string off = why("[points]\nfile = \"points.csv\"\n[steer]\nlaw = \"none\"\n");
+  EXPECT_NE(off.find("landmark 7 is off the plane"), std::string::npos) << off;
+  const std::string up =
+      why("[steer]\nlaw = \"feedback-linearisation\"\n[path]\nkind = \"file\"\nfile = \"path.csv\"\n");
+  EXPECT_NE(up.find("has z other than 0"), std::string::npos) << up;
 }
 
 TEST(TeamScenario, RefusesGainsAndInputsOfTheWrongLength) {

@@ -29,3 +29,5 @@ incognita_test(team_test SOURCES app/team_test.cpp USES incognita::control incog
 incognita_test(team_recording_test SOURCES app/team_recording_test.cpp USES incognita::app)
 incognita_test(team_scenario_test SOURCES app/team_scenario_test.cpp USES incognita::app)
 incognita_program_test(program_team_test SOURCES app/program_team_test.cpp)
+# Apart, as it alone kills what it starts
+incognita_program_test(program_campaign_test SOURCES app/program_campaign_test.cpp)

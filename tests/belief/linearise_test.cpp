@@ -1,5 +1,6 @@
 // Linearisers on a model of a vehicle that turns, written here: the engine does not know the rooms of models.
 #include "incognita/belief/linearise.hpp"
+#include "incognita/belief/iterated_update.hpp"
 
 #include "tests/belief/dense.hpp"
 

@@ -10,6 +10,7 @@
 
 #include "incognita/math/random.hpp"
 #include "incognita/models/free_camera.hpp"
+#include "incognita/models/held_acceleration.hpp"
 #include "incognita/models/monobot.hpp"
 #include "incognita/models/on_arc.hpp"
 #include "incognita/models/planar_vehicle.hpp"
@@ -35,6 +36,7 @@ struct OnAHeightMap : TerrainVehicle {  // also beyond its edge
 
 using Motions = ::testing::Types<  //
     FreeCameraMotion,              //
+    HeldAcceleration,              //
     MonobotMotion,                 //
     DifferentialDrive,             //
     SensorOffTheAxle,              //

@@ -1,0 +1,203 @@
+// What choosing the next move costs as the map grows: imagined looks scored a second, beside the thesis' way
+// (determinants of the whole covariance before and after) in the same run, and whole frames of camera SLAM in
+// which every action is scored.
+#include <benchmark/benchmark.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "bench/timing.hpp"
+#include "incognita/app/assemble.hpp"
+#include "incognita/decision/camera_decision.hpp"
+#include "incognita/models/heading.hpp"
+#include "incognita/models/wide_angle_camera.hpp"
+
+using namespace incognita;
+
+namespace {
+
+constexpr double dt = 1.0 / 30;
+
+CameraSlamSettings twelve_looks() {
+  CameraSlamSettings slam;
+  slam.search.max_measurements = 12;  // 24 rows
+  slam.map.max_view_angle_rad = 3;
+  slam.map.max_scale = 10;
+  return slam;
+}
+
+/// A camera in the middle of landmarks all around it, one in ten of which it has seen well, all correlated.
+Estimate among(int landmarks) {
+  Estimate e;
+  CameraState x = CameraState::Zero();
+  x.segment<4>(3) = level_gaze(0);
+  e.camera = e.belief.add_vehicle(FreeCameraMotion::chart, x, 1e-4 * FreeCameraMotion::Jacobian::Identity());
+  e.started = true;
+  e.status.state = TrackingState::tracking;
+  RandomStream random(1, "bench");
+  Eigen::Matrix<double, 3, 12> with_camera = Eigen::Matrix<double, 3, 12>::Zero();
+  with_camera.leftCols<3>().setIdentity();
+  for (int i = 0; i < landmarks; ++i) {
+    Landmark landmark{};
+    landmark.view.texture = {Image(21, 21, 100), {10, 10}};
+    landmark.view.pixel.setZero();
+    landmark.id = e.next_id++;
+    const Eigen::Vector3d way(random.normal(), random.normal(), 0.4 * random.normal());
+    const Eigen::Vector3d at = way.normalized() * random.uniform(1, 4);
+    const Belief::Parent parent{e.camera, with_camera};
+    const double sigma = i % 10 == 0 ? 0.01 : 0.1;
+    landmark.block =
+        e.belief.augment(PointLandmark::chart, at, {&parent, 1}, sigma * sigma * Eigen::Matrix3d::Identity());
+    landmark.view.camera_position = {0, 0, 0};
+    landmark.view.world_from_camera = x.segment<4>(3);
+    e.catalogue.push_back(std::move(landmark));
+  }
+  return e;
+}
+
+/// (log|P| - log|P after|) / 2 of the whole state: predict, update and two factorisations, as thesis 6.3.2
+/// did.
+double by_determinants(const Eigen::MatrixXd& P, const ImaginedStep& step, const Belief& belief) {
+  Eigen::MatrixXd moved = P;
+  moved.topRows(12) = step.A * moved.topRows(12);
+  moved.leftCols(12) = moved.leftCols(12) * step.A.transpose();
+  moved.topLeftCorner(12, 12) += step.N;
+  Eigen::MatrixXd H = Eigen::MatrixXd::Zero(2 * static_cast<Eigen::Index>(step.looks.size()), P.cols());
+  for (std::size_t i = 0; i < step.looks.size(); ++i) {
+    const auto row = 2 * static_cast<Eigen::Index>(i);
+    H.block(row, 0, 2, 12) = step.looks[i].Hv;
+    if (step.looks[i].Hl.cols() > 0)
+      H.block(row, belief.offset(step.looks[i].block), 2, 3) = step.looks[i].Hl;
+  }
+  const Eigen::MatrixXd HP = H * moved;
+  const Eigen::MatrixXd S =
+      HP * H.transpose() +
+      Eigen::MatrixXd(step.looks[0].R(0, 0) * Eigen::MatrixXd::Identity(H.rows(), H.rows()));
+  const Eigen::MatrixXd after = moved - HP.transpose() * S.ldlt().solve(HP);
+  return 0.5 * (moved.partialPivLu().matrixLU().diagonal().array().abs().log().sum() -
+                after.partialPivLu().matrixLU().diagonal().array().abs().log().sum());
+}
+
+/// One action after another: imagine, expect, score.
+void evaluation(benchmark::State& state) {
+  const Estimate e = among(static_cast<int>(state.range(0)));
+  CameraExpectation expectation(WideAngleCamera{}, twelve_looks());
+  const std::vector<ExpectedLandmark> nothing;
+  expectation.prepare(e, nothing, 1.5);
+  const Translations moves(seven_translations(0.3), 1, growth_over(1, 0.3, 0.3), {});
+  InformationGain gain;
+  ImaginedStep step;
+  const CameraState now = e.camera_state();
+  std::int64_t evaluations = 0;
+  std::size_t looks = 0;
+  const auto evaluate = [&] {
+    const Outcome out = moves.after(now, static_cast<int>(evaluations++ % 7));
+    step.A = out.A;
+    step.N = out.N;
+    expectation.expect(out.state, step.looks);
+    gain.push(step);
+    benchmark::DoNotOptimize(gain.of_state());
+    gain.pop();
+    looks = step.looks.size();
+  };
+  gain.start(e.belief, e.camera);
+  for (auto _ : state) evaluate();
+  const Eigen::MatrixXd P = e.belief.dense_covariance();
+  std::vector<double> ours, theirs;
+  double difference = 0;
+  for (int turn = 0; turn < 3; ++turn) {
+    ours.push_back(seconds([&] {
+                     for (int i = 0; i < 70; ++i) evaluate();
+                   }) /
+                   70);
+    double textbook = 0;
+    theirs.push_back(seconds([&] { textbook = by_determinants(P, step, e.belief); }));
+    gain.push(step);
+    difference = std::max(difference, std::abs(gain.of_state() - textbook));
+    gain.pop();
+  }
+  state.counters["a_second"] = 1 / median(ours);
+  state.counters["thesis_way_a_second"] = 1 / median(theirs);
+  state.counters["times_faster"] = median(theirs) / median(ours);
+  state.counters["nats_apart"] = difference;
+  state.counters["looks"] = static_cast<double>(looks);
+  state.counters["states"] = static_cast<double>(e.belief.errors());
+}
+BENCHMARK(evaluation)->Arg(30)->Arg(100)->Arg(300)->Arg(1000)->Unit(benchmark::kMicrosecond);
+
+/// Sequences of so many actions, compared as look-ahead does.
+void look_ahead(benchmark::State& state) {
+  const Estimate e = among(100);
+  CameraExpectation expectation(WideAngleCamera{}, twelve_looks());
+  const std::vector<ExpectedLandmark> nothing;
+  expectation.prepare(e, nothing, 1.5);
+  const Translations moves(seven_translations(0.3), 1, growth_over(1, 0.3, 0.3), {});
+  LookAhead ahead({Metric::state, static_cast<int>(state.range(0)), 210, 3});
+  for (auto _ : state)
+    benchmark::DoNotOptimize(ahead.scores(e.belief, e.camera, e.camera_state(), moves, expectation));
+  state.counters["evaluations"] = ahead.evaluations();
+}
+BENCHMARK(look_ahead)->Arg(1)->Arg(2)->Arg(3)->Arg(4)->Unit(benchmark::kMillisecond);
+
+/// A frame of camera SLAM and the scores of all actions, seven translations in every frame and three turns
+/// every 50 ms. The estimator runs in the rendered room, its map filled up with landmarks behind it; the
+/// decision looks at a map of the same size all around it, of which some two hundred would be in view.
+void frame(benchmark::State& state) {
+  const auto landmarks = static_cast<int>(state.range(0));
+  const std::vector<std::string> sets{
+      "room.sigma_acceleration_m_s2=0", "room.sigma_angular_acceleration_rad_s2=0",
+      "search.max_measurements=12",     "map.wanted_visible=22",
+      "map.max_landmarks=22",           "run.duration_s=1000"};
+  Assembly room = assemble(load_scenario("room", sets));
+  Estimate estimate = {}, around = among(landmarks);
+  std::vector<Observation> images;
+  std::int64_t count = 0;
+  const auto next = [&] { return Tick{count, static_cast<double>(count) * dt, count++ == 0 ? 0 : dt}; };
+  for (int i = 0; i < 30; ++i) {
+    const Tick tick = next();
+    images.push_back(room.boxes.sensor->look(room.boxes.world->move({}, tick), tick));
+    room.boxes.estimator.update(estimate, {}, images.back(), tick);
+  }
+  Eigen::Matrix<double, 3, 12> with_camera = Eigen::Matrix<double, 3, 12>::Zero();
+  with_camera.leftCols<3>().setIdentity();
+  RandomStream random(2, "bench");
+  while (estimate.mapped_count() < landmarks) {
+    const Eigen::Vector3d at =
+        Eigen::Vector3d(estimate.camera_state().head<3>()) +
+        Eigen::Vector3d(-random.uniform(1, 4), random.uniform(-2, 2), random.uniform(-1, 1));
+    Landmark landmark;
+    landmark.id = estimate.next_id++;
+    landmark.view = estimate.catalogue.back().view;
+    const Belief::Parent parent{estimate.camera, with_camera};
+    landmark.block =
+        estimate.belief.augment(Chart::line(3), at, {&parent, 1}, 1e-4 * Eigen::Matrix3d::Identity());
+    estimate.catalogue.push_back(std::move(landmark));
+  }
+  DecisionSettings settings;
+  settings.gaze = "mutual-information";
+  CameraDecision decision(WideAngleCamera{}, twelve_looks(), settings,
+                          {.expected_landmarks = landmarks + 30});
+  std::vector<double> all, deciding;
+  for (auto _ : state) {
+    const Tick tick = next();
+    const double update = seconds([&] {
+      room.boxes.estimator.update(estimate, {}, images[static_cast<std::size_t>(tick.frame) % images.size()],
+                                  tick);
+    });
+    deciding.push_back(1e3 * seconds([&] { benchmark::DoNotOptimize(decision.choose(around, tick)); }));
+    all.push_back(1e3 * update + deciding.back());
+    state.SetIterationTime(1e-3 * all.back());
+  }
+  if (estimate.status.state != TrackingState::tracking) state.SkipWithError("does not track");
+  std::sort(all.begin(), all.end());
+  state.counters["median_ms"] = median(all);
+  state.counters["p99_ms"] = all[all.size() * 99 / 100];
+  state.counters["deciding_ms"] = median(deciding);
+  state.counters["states"] = static_cast<double>(estimate.belief.errors());
+}
+BENCHMARK(frame)->Arg(100)->Arg(300)->Arg(1000)->Iterations(300)->UseManualTime()->Unit(
+    benchmark::kMillisecond);
+
+}  // namespace

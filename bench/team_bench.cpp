@@ -1,0 +1,285 @@
+// A team of robots in one belief: what a tick costs, and how that grows with what is seen, with the map and
+// with the team.
+//
+// Robots go round in groups of four, on circles so small that each sees the other three all the time, and of
+// a place of points those within its scanner's range. All points are mapped. A tick is the estimator's:
+// predict every robot, linearise and gate every sighting, one joint update. Beside it, in turns so that the
+// machine's swings hit both alike, Eigen's rank update of one triangle of the same size and rank, compiled
+// with the same flags: `ratio` is a tick over that. Stages are in ms by the clock on the wall.
+#include <benchmark/benchmark.h>
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bench/timing.hpp"
+#include "incognita/slam/team_estimator.hpp"
+#include "incognita/slam/team_looks.hpp"
+#include "incognita/world/room_clock.hpp"
+#include "incognita/world/team_world.hpp"
+
+namespace {
+
+using namespace incognita;
+
+constexpr double rate_hz = 10;
+constexpr double landmarks_per_m2 = 0.05, apart_m = 1.5, radius_m = 1.5, speed_m_s = 0.5;
+constexpr int group = 4;
+
+double side_of(int landmarks) { return std::sqrt(landmarks / landmarks_per_m2); }
+
+PointPlace drawn_place(int landmarks) {
+  PointPlace place;
+  RandomStream random(7, "place");
+  const double half = side_of(landmarks) / 2;
+  for (int i = 0; i < landmarks; ++i)
+    place[i] = Eigen::Vector2d(random.uniform(-half, half), random.uniform(-half, half));
+  return place;
+}
+
+/// Groups stand on a grid over the place, the four of each around its centre.
+std::vector<SimulatedVehicle> drawn_team(int robots, int landmarks) {
+  const int groups = (robots + group - 1) / group,
+            across = static_cast<int>(std::ceil(std::sqrt(double(groups))));
+  const double pitch = side_of(landmarks) / across;
+  std::vector<SimulatedVehicle> team;
+  for (int i = 0; i < robots; ++i) {
+    const int g = i / group;
+    const Eigen::Vector2d centre(pitch * (g % across - 0.5 * (across - 1)),
+                                 pitch * (g / across - 0.5 * (across - 1))),
+        beside(apart_m * (i % 2 ? 1 : -1), apart_m * (i / 2 % 2 ? 1 : -1));
+    const SmallVector start = Eigen::Vector3d(centre.x() + beside.x(), centre.y() + beside.y(), 0);
+    SimulatedVehicle v{DifferentialDrive{}, {}, LaserScanner{}, Eigen::Vector2d(0.1, 0.02)};
+    v.plant = {start, Eigen::Vector3d::Constant(0.01), Eigen::Vector2d::Constant(0.05),
+               Eigen::Vector2d::Constant(-2), Eigen::Vector2d::Constant(2)};
+    team.push_back(v);
+  }
+  return team;
+}
+
+TeamSettings filter_of(const std::vector<SimulatedVehicle>& team) {
+  TeamSettings settings;
+  for (const SimulatedVehicle& v : team)
+    settings.members.push_back(
+        {v.motion, v.sensor, v.plant.start, v.plant.start_sigmas, v.plant.input_sigmas, v.sigmas});
+  settings.filter.gate_probability = 0.9999;
+  settings.filter.max_sigma_position_m = 1e3;
+  return settings;
+}
+
+/// A team that has mapped its place: at the first tick the first robot sees all of it.
+class Team {
+ public:
+  Team(int robots, int landmarks, double range_m)
+      : place_(drawn_place(landmarks)),
+        vehicles_(drawn_team(robots, landmarks)),
+        world_(vehicles_, 1),
+        clock_(rate_hz, 1e6),
+        estimator_(filter_of(vehicles_)) {
+    command_.inputs.assign(vehicles_.size(), Eigen::Vector2d(speed_m_s, speed_m_s / radius_m));
+    TeamSensor everything(vehicles_, place_, false, 2);
+    for (SimulatedVehicle& v : vehicles_) v.max_range_m = range_m;
+    sensor_.emplace(vehicles_, place_, true, 1);
+    tick_ = clock_.next();
+    truth_ = world_.move(command_, tick_);
+    seen_ = everything.look(truth_, tick_);
+    for (std::size_t i = 1; i < seen_.team.size(); ++i) seen_.team[i].landmarks.clear();
+    update();
+  }
+
+  /// What the robots do and see next: no part of a tick's cost.
+  void listen() {
+    tick_ = clock_.next();
+    truth_ = world_.move(command_, tick_);
+    seen_ = sensor_->look(truth_, tick_);
+  }
+  void update() { estimator_.update(estimate_, command_, seen_, tick_); }
+
+  const TeamEstimate& estimate() const { return estimate_; }
+  const Belief& belief() const { return std::get<Belief>(estimate_.belief.form()); }
+  const Observation& seen() const { return seen_; }
+  /// What was seen last, linearised about the present means, robot by robot.
+  std::vector<std::vector<AffineLook>> looks() const {
+    std::vector<std::vector<AffineLook>> all(seen_.team.size());
+    const auto add = [&](std::size_t robot, bool of_vehicle, const Sighting& s) {
+      const auto at =
+          linearised_sighting(estimate_, static_cast<int>(robot), of_vehicle, s, estimator_.settings());
+      if (at) all[robot].push_back(at->look);
+    };
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      for (const Sighting& s : seen_.team[i].landmarks) add(i, false, s);
+      for (const Sighting& s : seen_.team[i].vehicles) add(i, true, s);
+    }
+    return all;
+  }
+  double error_m() const {
+    double worst = 0;
+    for (std::size_t i = 0; i < vehicles_.size(); ++i)
+      worst = std::max(worst, (Eigen::Vector2d(estimate_.belief.mean(estimate_.vehicles[i].block).head<2>()) -
+                               Eigen::Vector2d(truth_->vehicles[i].head<2>()))
+                                  .norm());
+    return worst;
+  }
+
+ private:
+  PointPlace place_;
+  std::vector<SimulatedVehicle> vehicles_;
+  TeamWorld world_;
+  std::optional<TeamSensor> sensor_;
+  RoomClock clock_;
+  TeamEstimator estimator_;
+  TeamEstimate estimate_;
+  Command command_;
+  Tick tick_;
+  std::optional<Truth> truth_;
+  Observation seen_;
+};
+
+/// Eigen's rank update of one triangle of the size of a team's covariance.
+struct Bare {
+  Eigen::MatrixXd P, W;
+  explicit Bare(int errors) : P(Eigen::MatrixXd::Identity(errors, errors)) {}
+  double seconds_of(int rank) {
+    W.setConstant(P.rows(), rank, 1e-9);
+    return processor_seconds([&] { P.selfadjointView<Eigen::Lower>().rankUpdate(W, -1.0); });
+  }
+};
+
+/// How much each robot sees.
+struct Sights {
+  double landmarks = 0, others = 0, ticks = 0;
+  void add(const Observation& seen) {
+    for (const VehicleView& view : seen.team) {
+      landmarks += static_cast<double>(view.landmarks.size()) / static_cast<double>(seen.team.size());
+      others += static_cast<double>(view.vehicles.size()) / static_cast<double>(seen.team.size());
+    }
+    ++ticks;
+  }
+  void report(benchmark::State& state) const {
+    state.counters["landmarks_seen"] = landmarks / ticks;
+    state.counters["others_seen"] = others / ticks;
+  }
+};
+
+double p99(std::vector<double> times) {
+  std::sort(times.begin(), times.end());
+  return times[times.size() * 99 / 100];
+}
+
+/// Robots, landmarks, range in metres.
+Team team_of(const benchmark::State& state) {
+  return {static_cast<int>(state.range(0)), static_cast<int>(state.range(1)),
+          static_cast<double>(state.range(2))};
+}
+
+void tick(benchmark::State& state) {
+  Team team = team_of(state);
+  Bare bare(team.belief().errors());
+  Sights sights;
+  std::vector<double> wall, processor, ratios, looks;
+  std::map<std::string, std::vector<double>> stages;
+  for (auto _ : state) {
+    team.listen();
+    double own = 0;
+    wall.push_back(seconds([&] { own = processor_seconds([&] { team.update(); }); }));
+    processor.push_back(own);
+    ratios.push_back(own / bare.seconds_of(team.estimate().update.rows));
+    for (const auto& [stage, ms] : team.estimate().timing_ms) stages[stage].push_back(ms);
+    looks.push_back(team.estimate().matched);
+    sights.add(team.seen());
+    state.SetIterationTime(own);
+  }
+  for (const auto& [stage, times] : stages) state.counters[stage] = median(times);
+  sights.report(state);
+  state.counters["looks"] = median(looks);
+  state.counters["states"] = team.belief().errors();
+  state.counters["processor_ms"] = 1e3 * median(processor);
+  state.counters["processor_p99"] = 1e3 * p99(processor);
+  state.counters["wall_ms"] = 1e3 * median(wall);
+  state.counters["wall_p99"] = 1e3 * p99(wall);
+  state.counters["ratio"] = median(ratios);
+  state.counters["error_m"] = team.error_m();  // that it still knows where all are
+}
+
+/// The update as the textbook has it, on dense matrices: (A.2.5), (A.2.6).
+struct Textbook {
+  Eigen::MatrixXd P;
+  void update(const Belief& layout, const std::vector<AffineLook>& looks) {
+    Eigen::Index rows = 0, row = 0;
+    for (const AffineLook& look : looks) rows += look.rows();
+    Eigen::MatrixXd H = Eigen::MatrixXd::Zero(rows, P.rows()), R = Eigen::MatrixXd::Zero(rows, rows);
+    for (const AffineLook& look : looks) {
+      for (int i = 0; i < look.part_count; ++i) {
+        const AffineLook::Part& part = look.parts[static_cast<std::size_t>(i)];
+        H.block(row, layout.offset(part.block), look.rows(), part.H.cols()) += part.H;
+      }
+      R.block(row, row, look.rows(), look.rows()) = look.R;
+      row += look.rows();
+    }
+    const Eigen::MatrixXd PHt = P * H.transpose(), S = H * PHt + R;
+    const Eigen::MatrixXd K = S.llt().solve(PHt.transpose()).transpose();
+    P.noalias() -= K * PHt.transpose();
+  }
+};
+
+/// The same looks used at once, robot by robot and look by look, and by the textbook: `ours` is the first.
+void ways(benchmark::State& state) {
+  Team team = team_of(state);
+  team.listen();
+  team.update();
+  const std::vector<std::vector<AffineLook>> by_robot = team.looks();
+  std::vector<AffineLook> all;
+  for (const auto& looks : by_robot) all.insert(all.end(), looks.begin(), looks.end());
+  Belief at_once = team.belief(), by_robots = at_once, by_looks = at_once;
+  Textbook textbook{at_once.dense_covariance()};
+  std::vector<double> ours, robots, looks, dense;
+  for (auto _ : state) {
+    ours.push_back(processor_seconds([&] { at_once.update(all); }));
+    robots.push_back(processor_seconds([&] {
+      for (const auto& of_robot : by_robot) by_robots.update(of_robot);
+    }));
+    looks.push_back(processor_seconds([&] {
+      for (const AffineLook& look : all) by_looks.update({&look, 1});
+    }));
+    dense.push_back(processor_seconds([&] { textbook.update(at_once, all); }));
+    state.SetIterationTime(ours.back());
+  }
+  state.counters["looks"] = static_cast<double>(all.size());
+  for (const auto& [name, times] :
+       {std::pair{"at_once", &ours}, {"by_robot", &robots}, {"by_look", &looks}, {"textbook", &dense}})
+    state.counters[name] = 1e3 * median(*times);
+  // That all did the same
+  const Eigen::MatrixXd P = at_once.dense_covariance();
+  const auto apart = [&](const Eigen::MatrixXd& other) {
+    return (P - other).cwiseAbs().maxCoeff() / P.maxCoeff();
+  };
+  state.counters["apart"] =
+      std::max({apart(by_robots.dense_covariance()), apart(by_looks.dense_covariance()), apart(textbook.P)});
+}
+
+BENCHMARK(tick)->Args({20, 500, 8})->UseManualTime()->Iterations(300)->Unit(benchmark::kMillisecond);
+// With what is seen, with the map, with the team
+BENCHMARK(tick)
+    ->Args({20, 500, 2})
+    ->Args({20, 500, 4})
+    ->Args({20, 500, 12})
+    ->Args({20, 500, 16})
+    ->Args({20, 125, 8})
+    ->Args({20, 250, 8})
+    ->Args({20, 1000, 8})
+    ->Args({20, 2000, 8})
+    ->Args({1, 500, 8})
+    ->Args({5, 500, 8})
+    ->Args({10, 500, 8})
+    ->Args({40, 500, 8})
+    ->UseManualTime()
+    ->Iterations(30)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(ways)->Args({20, 500, 8})->UseManualTime()->Iterations(10)->Unit(benchmark::kMillisecond);
+
+}  // namespace

@@ -1,0 +1,50 @@
+// A run of a scenario that explores, as the experiments of Chapter 6 look at it.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "incognita/record/snapshot.hpp"
+
+namespace incognita::exploring {
+
+/// What a variant sets beside the scenario, e.g. "decision.gaze=fisher".
+using Sets = std::vector<std::string>;
+
+struct Instant {
+  double t_s = 0;
+  StampedPose truth, estimate;
+  PoseCovariance covariance;
+  SnapshotEntropy entropy;
+  int landmarks = 0;
+};
+
+struct Decision {
+  double t_s = 0;
+  std::string action;
+  std::vector<double> scores;
+  double entropy_extended = 0;  ///< nats
+};
+
+struct Run {
+  std::vector<Instant> instants;
+  std::vector<Decision> decisions;
+  std::vector<SnapshotLandmark> map;  ///< at the end, anchors too
+  std::vector<double> located_t_s;    ///< of landmarks in the order in which they were located (record/)
+  bool lost = false;                  ///< at the end
+  double position_rms_m = 0, nees = 0, coverage = 0;
+  double entropy_extended = 0;  ///< nats, at the last decision
+
+  /// When so many landmarks were located, and the entropy of camera and map then; none when there were never
+  /// so many.
+  std::optional<double> located_at_s(int count) const;
+  std::optional<double> entropy_when_located(int count) const;
+};
+
+/// `scenario`: the name of a built-in one, in a place of points.
+Run explore(const std::string& scenario, const Sets& sets, std::uint64_t seed);
+
+}  // namespace incognita::exploring

@@ -1,0 +1,97 @@
+// Figures 6.4 and 6.5.
+#include <cmath>
+
+#include "experiments/section_6_3.hpp"
+#include "incognita/analysis/pose_consistency.hpp"
+
+namespace incognita::exploring_room {
+namespace {
+
+using exploring::Instant;
+using exploring::Run;
+
+template <class F>
+Curve over_time(const std::string& label, const Run& run, const F& f, Colour colour,
+                Style style = Style::line) {
+  Curve c{label, style, {}, {}, {}, colour};
+  for (const Instant& i : run.instants) c.x.push_back(i.t_s), c.y.push_back(f(i));
+  return c;
+}
+
+Panel from_above(const std::string& title, const Run& run) {
+  Panel p{title, "x, m", "y, m", {}, true};
+  Curve truth{"camera", Style::line, {}, {}, {}, Colour::blue},
+      believed{"believed", Style::dashed, {}, {}, {}, Colour::orange};
+  for (const Instant& i : run.instants) {
+    truth.x.push_back(i.truth.position.x()), truth.y.push_back(i.truth.position.y());
+    believed.x.push_back(i.estimate.position.x()), believed.y.push_back(i.estimate.position.y());
+  }
+  Curve anchors{"anchors", Style::stars, {}, {}, {}, Colour::ink};
+  std::vector<Eigen::Vector2d> means;
+  std::vector<Eigen::Matrix2d> covariances;
+  for (const SnapshotLandmark& l : run.map) {
+    if (l.anchor) {
+      anchors.x.push_back(l.position.x()), anchors.y.push_back(l.position.y());
+      continue;
+    }
+    means.emplace_back(l.position.head<2>());
+    covariances.emplace_back(l.covariance.topLeftCorner<2, 2>());
+  }
+  p.curves = {ellipses("landmarks, 2 sigma", means, covariances), anchors, truth, believed};
+  p.x_range = p.y_range = {-3.2, 3.2};
+  return p;
+}
+
+/// Figure 6.4's: of the camera, the map, and all; points where landmarks were located.
+Panel entropies(const Run& run) {
+  Panel p{"", "t, s", "entropy, nats", {}};
+  Curve located{"located", Style::points, {}, {}, {}, Colour::green};
+  for (int n = 1; n <= static_cast<int>(run.located_t_s.size()); ++n) {
+    located.x.push_back(*run.located_at_s(n));
+    located.y.push_back(run.entropy_when_located(n).value_or(std::nan("")));
+  }
+  p.curves = {over_time(
+                  "camera", run, [](const Instant& i) { return i.entropy.vehicle; }, Colour::sky),
+              over_time(
+                  "map", run, [](const Instant& i) { return i.entropy.map; }, Colour::orange),
+              over_time(
+                  "all", run, [](const Instant& i) { return i.entropy.total; }, Colour::ink),
+              located};
+  return p;
+}
+
+/// One axis of an error, between its bounds.
+Panel error_panel(const std::string& title, const std::string& unit, const Run& run, int axis) {
+  Panel p{title, "t, s", unit, {}};
+  Curve band{"2 sigma", Style::band, {}, {}, {}, Colour::sky};
+  Curve error{"error", Style::line, {}, {}, {}, Colour::blue};
+  for (const Instant& i : run.instants) {
+    const double bound = 2 * std::sqrt(std::max(0.0, i.covariance(axis, axis)));
+    band.x.push_back(i.t_s), band.y.push_back(-bound), band.y2.push_back(bound);
+    error.x.push_back(i.t_s), error.y.push_back(pose_error(i.truth, i.estimate)[axis]);
+  }
+  p.curves = {band, error};
+  return p;
+}
+
+}  // namespace
+
+Plot map_figure(const std::vector<Runs>& of_strategies) {
+  Plot plot{"fig-6.4", "Exploring by mutual information, gaze by strategy", 3, {}};
+  for (std::size_t s = 0; s < of_strategies.size(); ++s)
+    plot.panels.push_back(from_above(thesis_strategies()[s].name, of_strategies[s].front()));
+  for (const Runs& runs : of_strategies) plot.panels.push_back(entropies(runs.front()));
+  return plot;
+}
+
+Plot error_figure(const std::vector<Runs>& of_strategies) {
+  Plot plot{"fig-6.5", "Estimation errors and their 2 sigma bounds, gaze by strategy", 3, {}};
+  const char* names[] = {"x, m", "y, m", "z, m", "about x, rad", "about y, rad", "about z, rad"};
+  for (int axis = 0; axis < 6; ++axis)
+    for (std::size_t s = 0; s < of_strategies.size(); ++s)
+      plot.panels.push_back(error_panel(axis == 0 ? thesis_strategies()[s].name : "", names[axis],
+                                        of_strategies[s].front(), axis));
+  return plot;
+}
+
+}  // namespace incognita::exploring_room

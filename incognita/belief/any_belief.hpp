@@ -1,0 +1,88 @@
+// A belief in the form that a scenario chooses: one value for either, with what both can do.
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <utility>
+#include <variant>
+
+#include "incognita/belief/belief.hpp"
+#include "incognita/belief/information_belief.hpp"
+
+namespace incognita {
+
+class AnyBelief {
+ public:
+  AnyBelief() = default;  ///< in covariance form
+  AnyBelief(Belief belief) : form_(std::move(belief)) {}
+  AnyBelief(InformationBelief belief) : form_(std::move(belief)) {}
+
+  /// What holds for one form only, by std::visit.
+  const std::variant<Belief, InformationBelief>& form() const { return form_; }
+  const StateLayout& layout() const {
+    return std::visit([](const auto& b) -> const StateLayout& { return b; }, form_);
+  }
+
+  // As in belief.hpp and state_layout.hpp
+  // -------------------------------------------------------------------------------------------------
+
+  int errors() const { return layout().errors(); }
+  int block_count() const { return layout().block_count(); }
+  bool has(BlockId id) const { return layout().has(id); }
+  const Chart& chart(BlockId id) const { return layout().chart(id); }
+  Eigen::Map<const Eigen::VectorXd> mean(BlockId id) const { return layout().mean(id); }
+  int offset(BlockId id) const { return layout().offset(id); }
+  void set_mean(BlockId id, const Eigen::Ref<const Eigen::VectorXd>& mean) {
+    std::visit([&](auto& b) { b.set_mean(id, mean); }, form_);
+  }
+  void keep_trace(bool keep) {
+    std::visit([&](auto& b) { b.keep_trace(keep); }, form_);
+  }
+  bool keeps_trace() const { return layout().keeps_trace(); }
+  const BeliefTrace& trace() const { return layout().trace(); }
+  void clear_trace() {
+    std::visit([](auto& b) { b.clear_trace(); }, form_);
+  }
+
+  BlockMatrix covariance(BlockId row, BlockId column) const {
+    return std::visit([&](const auto& b) { return b.covariance(row, column); }, form_);
+  }
+  BlockMatrix covariance(BlockId id) const { return covariance(id, id); }
+  Eigen::MatrixXd dense_covariance() const {
+    return std::visit([](const auto& b) { return b.dense_covariance(); }, form_);
+  }
+
+  BlockId add_vehicle(const Chart& chart, const Eigen::Ref<const Eigen::VectorXd>& mean,
+                      const Eigen::Ref<const Eigen::MatrixXd>& covariance) {
+    return std::visit([&](auto& b) { return b.add_vehicle(chart, mean, covariance); }, form_);
+  }
+  BlockId augment(const Chart& chart, const Eigen::Ref<const Eigen::VectorXd>& mean,
+                  std::span<const BlockParent> parents, const Eigen::Ref<const Eigen::MatrixXd>& noise) {
+    return std::visit([&](auto& b) { return b.augment(chart, mean, parents, noise); }, form_);
+  }
+  void replace(BlockId id, const Chart& chart, const Eigen::Ref<const Eigen::VectorXd>& mean,
+               const BlockMatrix& J, const BlockMatrix& noise) {
+    std::visit([&](auto& b) { b.replace(id, chart, mean, J, noise); }, form_);
+  }
+  void drop(BlockId id) {
+    std::visit([&](auto& b) { b.drop(id); }, form_);
+  }
+  void predict(const AffineMotion& motion) {
+    std::visit([&](auto& b) { b.predict(motion); }, form_);
+  }
+  UpdateReport update(std::span<const AffineLook> looks) {
+    return std::visit([&](auto& b) { return b.update(looks); }, form_);
+  }
+  bool correction(std::span<const AffineLook> looks, std::span<const BlockId> blocks,
+                  std::span<BlockVector> out) {
+    return std::visit([&](auto& b) { return b.correction(looks, blocks, out); }, form_);
+  }
+  void innovation_covariance(std::span<const AffineLook> looks, Eigen::MatrixXd& S) const {
+    std::visit([&](const auto& b) { b.innovation_covariance(looks, S); }, form_);
+  }
+
+ private:
+  std::variant<Belief, InformationBelief> form_;
+};
+
+}  // namespace incognita

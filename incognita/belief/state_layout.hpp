@@ -1,0 +1,81 @@
+// Which blocks a state has, where they are in it, and their means: what the covariance form and the
+// information form of a belief share.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "incognita/belief/affine.hpp"
+#include "incognita/belief/trace.hpp"
+#include "incognita/math/chart.hpp"
+
+namespace incognita {
+
+class StateLayout {
+ public:
+  int errors() const { return errors_; }  ///< of all blocks together
+  int block_count() const { return static_cast<int>(blocks_.size()); }
+  bool has(BlockId id) const { return index_of_.size() > id && index_of_[id] >= 0; }
+  const Chart& chart(BlockId id) const { return block(id).chart; }
+  /// Mean as stored: chart.ambient() numbers. Valid until the next change of the belief.
+  Eigen::Map<const Eigen::VectorXd> mean(BlockId id) const;
+  /// First error of a block among all.
+  int offset(BlockId id) const { return block(id).error; }
+
+  /// Sets a mean without touching how sure it is, e.g. to stop a vehicle that is lost.
+  void set_mean(BlockId id, const Eigen::Ref<const Eigen::VectorXd>& mean);
+
+  /// Notes what is done from now on; else (as at first) nothing is noted, and nothing spent on it.
+  void keep_trace(bool keep);
+  bool keeps_trace() const { return trace_.has_value(); }
+  /// What was done since the trace was last cleared; empty where none is kept.
+  const BeliefTrace& trace() const;
+  void clear_trace() {
+    if (trace_) trace_->clear();
+  }
+
+ protected:
+  struct Block {
+    BlockId id;
+    Chart chart;
+    int mean;   ///< first number in mean_
+    int error;  ///< first error
+  };
+
+  const Block& block(BlockId id) const;
+
+  // All throw std::invalid_argument, with the sizes, when sizes do not fit
+  void check_vehicle(const Chart& chart, const Eigen::Ref<const Eigen::VectorXd>& mean,
+                     const Eigen::Ref<const Eigen::MatrixXd>& covariance) const;
+  void check_birth(const Chart& chart, const Eigen::Ref<const Eigen::VectorXd>& mean,
+                   std::span<const BlockParent> parents,
+                   const Eigen::Ref<const Eigen::MatrixXd>& noise) const;
+  void check_replacement(BlockId id, const Chart& chart, const Eigen::Ref<const Eigen::VectorXd>& mean,
+                         const BlockMatrix& J, const BlockMatrix& noise) const;
+  void check(const AffineMotion& motion) const;
+  int check(std::span<const AffineLook> looks) const;  ///< rows of all looks
+
+  BlockId append(const Chart& chart, const Eigen::Ref<const Eigen::VectorXd>& mean);
+  BlockId append_vehicle(const Chart& chart, const Eigen::Ref<const Eigen::VectorXd>& mean);
+  /// The block gets another chart and mean; those behind it move.
+  void rechart(BlockId id, const Chart& chart, const Eigen::Ref<const Eigen::VectorXd>& mean);
+  void forget(BlockId id);
+  void shift_mean(std::span<const double> delta);
+
+  void note(std::span<const AffineLook> looks);
+  template <class Event>
+  void note(const Event& event) {
+    if (trace_) trace_->emplace_back(event);
+  }
+
+  std::vector<Block> blocks_;
+  std::vector<int> index_of_;  ///< by id; -1 when dropped
+  std::vector<double> mean_;
+  int errors_ = 0;
+  int vehicles_ = 0;
+  std::optional<BeliefTrace> trace_;
+};
+
+}  // namespace incognita

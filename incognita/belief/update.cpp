@@ -1,0 +1,245 @@
+// The update of the covariance form: all looks at once, quadratic in the state with one pass over one
+// triangle.
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "incognita/belief/belief.hpp"
+#include "incognita/belief/cholesky.hpp"
+#include "incognita/belief/rank_update.hpp"
+#include "incognita/belief/rounding.hpp"
+#include "incognita/belief/weighted_columns.hpp"
+
+namespace incognita {
+
+/// H P, only the columns of one block.
+LookJacobian Belief::times_covariance(const AffineLook& look, const Block& to) const {
+  LookJacobian HP = LookJacobian::Zero(look.rows(), to.chart.tangent());
+  for (int part = 0; part < look.part_count; ++part) {
+    const LookJacobian& H = look.parts[part].H;
+    const int from = block(look.parts[part].block).error;
+    for (int j = 0; j < HP.cols(); ++j)
+      for (int k = 0; k < H.cols(); ++k) {
+        const double p = entry(from + k, to.error + j);
+        for (int m = 0; m < H.rows(); ++m) HP(m, j) += H(m, k) * p;
+      }
+  }
+  return HP;
+}
+
+template <class Destination>
+void Belief::fill_innovation_covariance(std::span<const AffineLook> looks, Destination& S) const {
+  int row = 0;
+  for (std::size_t a = 0; a < looks.size(); ++a) {
+    // Nearly all looks start with the vehicle that looked: its product is made once for all of them
+    BlockId vehicle = 0;
+    LookJacobian HP_vehicle;
+    int column = 0;
+    for (std::size_t b = 0; b <= a; ++b) {
+      const AffineLook& other = looks[b];
+      LookMatrix sum = LookMatrix::Zero(looks[a].rows(), other.rows());
+      if (a == b) sum = looks[a].R;
+      for (int part = 0; part < other.part_count; ++part) {
+        const BlockId id = other.parts[part].block;
+        const bool known = part == 0 && b > 0 && id == vehicle;
+        const LookJacobian HP = known ? HP_vehicle : times_covariance(looks[a], block(id));
+        sum += HP.lazyProduct(other.parts[part].H.transpose());
+        if (part == 0 && !known) vehicle = id, HP_vehicle = HP;
+      }
+      S.block(row, column, sum.rows(), sum.cols()) = sum;
+      if (a != b) S.block(column, row, sum.cols(), sum.rows()) = sum.transpose();
+      column += other.rows();
+    }
+    row += looks[a].rows();
+  }
+}
+
+void Belief::innovation_covariance(std::span<const AffineLook> looks, Eigen::MatrixXd& S) const {
+  const int rows = check(looks);
+  S.resize(rows, rows);
+  fill_innovation_covariance(looks, S);
+}
+
+/// out[r, m] += H[m, :] * P[block, r] for the errors r of [first, last) up to the block's end, whose part of
+/// P lies along rows.
+void Belief::gather_above(const LookJacobian& H, const Block& b, int first, int last, double* out) const {
+  const int size = b.chart.tangent(), rows = static_cast<int>(H.rows());
+  const auto add = [&](int r, const double* p) {
+    for (int m = 0; m < rows; ++m) {
+      double sum = 0;
+      for (int k = 0; k < size; ++k) sum += H(m, k) * p[k];
+      out[r + static_cast<long>(m) * P_.stride] += sum;
+    }
+  };
+  for (int r = first; r < std::min(last, b.error); ++r) add(r, P_.column(r) + b.error);
+  for (int r = std::max(first, b.error); r < std::min(last, b.error + size); ++r) {
+    double p[max_block_size];
+    for (int k = 0; k < size; ++k) p[k] = entry(r, b.error + k);
+    add(r, p);
+  }
+}
+
+/// The same for the errors [first, last) below the block, whose part of P lies along columns.
+void Belief::gather_below(const LookJacobian& H, const Block& b, int first, int last, double* out) const {
+  const int size = b.chart.tangent(), from = std::max(first, b.error + size);
+  if (from >= last) return;
+  const double* P_from = P_.column(b.error) + from;
+  for (int m = 0; m < H.rows(); ++m) {
+    const BlockVector weights = H.row(m);
+    add_weighted_columns(out + from + static_cast<long>(m) * P_.stride, P_from, P_.stride, weights.data(),
+                         size, last - from);
+  }
+}
+
+/// P H', errors x rows. A few errors at a time, so that what all looks read stays in the caches.
+void Belief::gather_PHt(std::span<const AffineLook> looks, int rank) {
+  for (int m = 0; m < rank; ++m)
+    std::fill_n(PHt_.data() + static_cast<long>(m) * P_.stride, round_up_to_panel(errors_), 0.0);
+  const auto for_each_part = [&](const auto& work) {
+    double* out = PHt_.data();
+    for (const AffineLook& look : looks) {
+      for (int i = 0; i < look.part_count; ++i) work(look.parts[i].H, block(look.parts[i].block), out);
+      out += static_cast<long>(look.rows()) * P_.stride;
+    }
+  };
+  constexpr int chunk = 64;
+  for (int i = 0; i < errors_; i += chunk) {
+    const int end = std::min(i + chunk, errors_);
+    for_each_part(
+        [&](const LookJacobian& H, const Block& b, double* out) { gather_above(H, b, i, end, out); });
+    for_each_part(
+        [&](const LookJacobian& H, const Block& b, double* out) { gather_below(H, b, i, end, out); });
+  }
+}
+
+/// The same as fill_innovation_covariance, lower triangle, where P H' is there: its columns for one look stay
+/// in the first cache while all others take what they need of them.
+void Belief::innovation_from_PHt(std::span<const AffineLook> looks) {
+  int column = 0;
+  for (std::size_t a = 0; a < looks.size(); ++a) {
+    const int columns = looks[a].rows();
+    int row = column;
+    for (std::size_t b = a; b < looks.size(); row += looks[b++].rows())
+      for (int m = 0; m < columns; ++m) {
+        const double* PHt = PHt_.data() + static_cast<long>(column + m) * P_.stride;
+        double* out = S_.data() + row + static_cast<long>(column + m) * S_stride_;
+        for (int i = 0; i < looks[b].rows(); ++i) out[i] = a == b ? looks[a].R(i, m) : 0;
+        for (int part = 0; part < looks[b].part_count; ++part) {
+          const LookJacobian& H = looks[b].parts[part].H;
+          const double* of_block = PHt + block(looks[b].parts[part].block).error;
+          for (int k = 0; k < H.cols(); ++k)
+            for (int i = 0; i < H.rows(); ++i) out[i] += H(i, k) * of_block[k];
+        }
+      }
+    column += columns;
+  }
+}
+
+bool Belief::factorise_innovation(std::span<const AffineLook> looks, UpdateReport& report) {
+  report.rows = check(looks);
+  reserve_rank(report.rows);
+  auto filled = S(report.rows);
+  fill_innovation_covariance(looks, filled);
+  return factorise_filled(looks, report);
+}
+
+/// S_ <- L with S = L L', residual_ <- L^-1 residual, and what the report says of them. False when S is not
+/// positive.
+bool Belief::factorise_filled(std::span<const AffineLook> looks, UpdateReport& report) {
+  int row = 0;
+  for (const AffineLook& look : looks) {
+    residual_.segment(row, look.rows()) = look.residual;
+    row += look.rows();
+    const Eigen::LLT<LookMatrix> R(look.R);
+    if (R.info() != Eigen::Success) return false;
+    for (int i = 0; i < look.rows(); ++i) report.log_det_R += 2 * std::log(R.matrixLLT()(i, i));
+  }
+  if (!cholesky(S_.data(), S_stride_, report.rows, packed_.data())) return false;
+  const auto L = S(report.rows);
+  if (!residual_.head(report.rows).allFinite()) return false;
+  auto norms = norms_.head(report.rows);
+  norms.setZero();
+  for (int k = 0; k < report.rows; ++k) {
+    norms.tail(report.rows - k) += L.col(k).tail(report.rows - k).cwiseAbs2();
+    // A pivot that is what rounding left of its row means nothing
+    if (is_rounding(L(k, k) * L(k, k), norms[k], report.rows)) return false;
+    residual_[k] /= L(k, k);  // forward substitution
+    residual_.segment(k + 1, report.rows - k - 1) -= residual_[k] * L.col(k).tail(report.rows - k - 1);
+  }
+  report.log_det_S = 2 * L.diagonal().array().log().sum();
+  if (!std::isfinite(report.log_det_S)) return false;
+  report.nis = residual_.head(report.rows).squaredNorm();
+  return true;
+}
+
+/// delta = K * residual = W * (L^-1 residual). False when a variance would be lost, P being too much larger
+/// than R.
+bool Belief::compute_delta(int rank) {
+  constexpr int lanes = rank_update_panel;
+  for (int first = 0; first < errors_; first += lanes) {
+    const double* w = packed_.data() + panel_index(first, 0, rank);
+    double sum[lanes] = {}, taken[lanes] = {};
+    for (int k = 0; k < rank; ++k, w += lanes)
+      for (int i = 0; i < lanes; ++i) {
+        sum[i] += w[i] * residual_[k];
+        taken[i] += w[i] * w[i];
+      }
+    for (int i = 0; i < std::min(lanes, errors_ - first); ++i) {
+      const double variance = entry(first + i, first + i);
+      if (taken[i] > 0 && is_rounding(variance - taken[i], variance, rank)) return false;
+      delta_[first + i] = sum[i];
+    }
+  }
+  return true;
+}
+
+bool Belief::correction(std::span<const AffineLook> looks, std::span<const BlockId> blocks,
+                        std::span<BlockVector> out) {
+  if (correlations_ == MapCorrelations::dropped)
+    throw std::logic_error("correction: looks are used one after the other where correlations are dropped");
+  UpdateReport report;
+  if (looks.empty() || !factorise_innovation(looks, report)) return false;
+  auto y = residual_.head(report.rows);  // S^-1 residual
+  S(report.rows).triangularView<Eigen::Lower>().transpose().solveInPlace(y);
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    out[i] = BlockVector::Zero(block(blocks[i]).chart.tangent());
+    int row = 0;
+    for (const AffineLook& look : looks) {
+      const LookVector of_look = y.segment(row, look.rows());
+      for (int part = 0; part < look.part_count; ++part) {
+        const BlockVector weighted = look.parts[part].H.transpose().lazyProduct(of_look);
+        out[i] += covariance(blocks[i], look.parts[part].block).lazyProduct(weighted);
+      }
+      row += look.rows();
+    }
+  }
+  return true;
+}
+
+UpdateReport Belief::update(std::span<const AffineLook> looks) {
+  if (correlations_ == MapCorrelations::dropped) return update_dropping(looks);
+  UpdateReport report;
+  if (looks.empty()) return report;
+  report.rows = check(looks);
+  reserve_rank(report.rows);
+  gather_PHt(looks, report.rows);
+  innovation_from_PHt(looks);
+  if (!factorise_filled(looks, report)) {
+    report.outcome = UpdateReport::Outcome::singular;
+    return report;
+  }
+  // W = P H' L^-T
+  whiten(PHt_.data(), P_.stride, errors_, S_.data(), S_stride_, report.rows, packed_.data());
+  if (!compute_delta(report.rows)) {
+    report.outcome = UpdateReport::Outcome::singular;
+    return report;
+  }
+  rank_update(P_.column(0), P_.stride, errors_, packed_.data(), report.rows);
+  shift_mean({delta_.data(), static_cast<std::size_t>(errors_)});
+  report.outcome = UpdateReport::Outcome::updated;
+  note(looks);
+  return report;
+}
+
+}  // namespace incognita

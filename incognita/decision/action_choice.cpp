@@ -1,0 +1,117 @@
+#include "incognita/decision/action_choice.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+#include "incognita/math/nearest_name.hpp"
+
+namespace incognita {
+namespace {
+
+Metric metric_of(const std::string& word) {
+  if (word == "state") return Metric::state;
+  if (word == "position-and-map") return Metric::position_and_map;
+  if (word == "vehicle") return Metric::vehicle;
+  throw std::invalid_argument("`" + word + "` is nothing that can be learnt");
+}
+
+std::vector<int> read_sequence(const std::string& text, const std::vector<std::string>& names) {
+  std::vector<int> sequence;
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    const auto at = std::find(names.begin(), names.end(), word);
+    if (at == names.end())
+      throw std::invalid_argument("`" + word + "` is none of the actions; the nearest is `" +
+                                  nearest_name(word, names) + "`");
+    sequence.push_back(static_cast<int>(at - names.begin()));
+  }
+  return sequence;
+}
+
+LookAheadSettings look_ahead_of(const DecisionSettings& s) {
+  return {metric_of(s.metric), s.horizon, s.max_evaluations, 3};
+}
+
+}  // namespace
+
+ActionChoice::ActionChoice(const DecisionSettings& settings, std::vector<std::string> names,
+                           std::uint64_t seed)
+    : settings_(settings),
+      names_(std::move(names)),
+      sequence_(read_sequence(settings.sequence, names_)),
+      look_ahead_(look_ahead_of(settings)),
+      random_(seed, "decision.random"),
+      order_stream_(seed, "decision.order"),
+      scores_(names_.size(), 0),
+      allowed_(names_.size(), false),
+      order_(names_.size()) {
+  if (settings_.strategy == "fixed-path" && sequence_.empty())
+    throw std::invalid_argument("a fixed path needs a sequence of actions");
+  if (settings_.schedule == "one-per-frame" && settings_.horizon > 1)
+    throw std::invalid_argument("one action per frame can not be scored together with those after it");
+  std::iota(order_.begin(), order_.end(), 0);
+}
+
+void ActionChoice::forget() {
+  chosen_ = -1;
+  std::fill(scores_.begin(), scores_.end(), 0);
+}
+
+template <class Form>
+bool ActionChoice::choose(const Form& belief, BlockId vehicle, const BlockVector& state, const Moves& moves,
+                          const Expectation& expectation, const Tick& tick) {
+  // Rounding of the times of frames must not decide whether a period has one more
+  const bool due = chosen_ < 0 || tick.t >= end_t_ - 1e-9;
+  if (due || (settings_.horizon == 1 && settings_.schedule != "at-decisions"))
+    score(belief, vehicle, state, moves, expectation);
+  if (!due) return false;
+  chosen_ = compare(state, moves);
+  end_t_ = tick.t + settings_.period_s;
+  return true;
+}
+
+template bool ActionChoice::choose(const Belief&, BlockId, const BlockVector&, const Moves&,
+                                   const Expectation&, const Tick&);
+template bool ActionChoice::choose(const AnyBelief&, BlockId, const BlockVector&, const Moves&,
+                                   const Expectation&, const Tick&);
+
+/// Also for strategies that do not ask: what they could have learnt is worth telling.
+template <class Form>
+void ActionChoice::score(const Form& belief, BlockId vehicle, const BlockVector& state, const Moves& moves,
+                         const Expectation& expectation) {
+  if (settings_.schedule != "one-per-frame") {
+    scores_ = look_ahead_.scores(belief, vehicle, state, moves, expectation);
+    return;
+  }
+  const std::size_t turn = scored_++ % order_.size();
+  if (turn == 0)
+    for (std::size_t i = order_.size(); i > 1; --i)
+      std::swap(order_[i - 1], order_[static_cast<std::size_t>(order_stream_.below(static_cast<int>(i)))]);
+  const int action = order_[turn];
+  scores_[static_cast<std::size_t>(action)] =
+      look_ahead_.score_of(belief, vehicle, state, action, moves, expectation);
+}
+
+int ActionChoice::compare(const BlockVector& state, const Moves& moves) {
+  for (int a = 0; a < moves.count(); ++a)
+    allowed_[static_cast<std::size_t>(a)] = moves.after(state, a).allowed;
+  if (settings_.strategy == "mutual-information") return best_of(scores_, allowed_, moves.stay());
+  if (settings_.strategy == "fixed-path") return next_of_sequence(moves);
+  if (settings_.strategy == "none") return moves.stay();
+  std::vector<int> possible;
+  for (int a = 0; a < moves.count(); ++a)
+    if (allowed_[static_cast<std::size_t>(a)]) possible.push_back(a);
+  if (possible.empty()) return moves.stay();
+  return possible[static_cast<std::size_t>(random_.below(static_cast<int>(possible.size())))];
+}
+
+/// One that is not allowed is waited out: the path stays what it is.
+int ActionChoice::next_of_sequence(const Moves& moves) {
+  const int action = sequence_[taken_++ % sequence_.size()];
+  return allowed_[static_cast<std::size_t>(action)] ? action : moves.stay();
+}
+
+}  // namespace incognita

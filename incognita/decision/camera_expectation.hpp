@@ -1,0 +1,46 @@
+// What a camera would see of its map, from anywhere: thesis 6.2.
+#pragma once
+
+#include <vector>
+
+#include "incognita/decision/expectation.hpp"
+#include "incognita/models/camera.hpp"
+#include "incognita/slam/estimate.hpp"
+#include "incognita/slam/settings.hpp"
+
+namespace incognita {
+
+class CameraExpectation final : public Expectation {
+ public:
+  CameraExpectation(Camera camera, const CameraSlamSettings& slam);
+
+  /// The map as it is now, and landmarks that nobody has seen; both must stay until the next call.
+  void prepare(const Estimate& estimate, const std::vector<ExpectedLandmark>& unseen, double unseen_var_m2);
+
+  /// Of the map those looks that would be measured, slam.search.max_measurements at most, the most uncertain
+  /// first, as the estimator takes them; and of landmarks that nobody has seen all that would be in view.
+  /// `state`: the first 13 numbers are those of a free camera.
+  void expect(const BlockVector& state, std::vector<ExpectedLook>& looks) const override;
+
+  /// Whether a place would be in the image, and not farther than births reach.
+  bool in_view(const CameraState& from, const Eigen::Vector3d& place) const;
+
+ private:
+  struct Near {  ///< a landmark and about where it is
+    const Landmark* landmark;
+    Eigen::Vector3d place;
+  };
+  double innovation_trace(const ExpectedLook& look) const;
+
+  Camera camera_;
+  CameraSlamSettings slam_;
+  LookMatrix R_;
+  const Estimate* estimate_ = nullptr;
+  const std::vector<ExpectedLandmark>* unseen_ = nullptr;
+  double unseen_var_m2_ = 0;
+  std::vector<Near> near_;
+  BlockMatrix P_camera_;
+  mutable std::vector<double> traces_;
+};
+
+}  // namespace incognita

@@ -1,0 +1,94 @@
+#include "incognita/decision/exploration.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "incognita/math/gaussian.hpp"
+
+namespace incognita {
+namespace {
+
+void check(const ExplorationSettings& s) {
+  if (s.expected_landmarks < 0) throw std::invalid_argument("fewer than no landmarks can not be expected");
+  if (!(s.variance_expected_m2 > 0) || !std::isfinite(s.variance_expected_m2))
+    throw std::invalid_argument("the variance of a landmark that is expected must be more than 0");
+  if (!(s.cell_m > 0) || !(s.seen_s > 0))
+    throw std::invalid_argument("cells and the time until they are seen must be more than 0");
+  if (!s.min_m.allFinite() || !s.max_m.allFinite() || (s.max_m.array() <= s.min_m.array()).any())
+    throw std::invalid_argument("the box that landmarks are expected in is empty");
+  constexpr double most_cells = 1e6;
+  if (((s.max_m - s.min_m) / s.cell_m).array().ceil().prod() > most_cells)
+    throw std::invalid_argument("the box that landmarks are expected in has more than a million cells");
+}
+
+}  // namespace
+
+Exploration::Exploration(const ExplorationSettings& settings, std::uint64_t seed)
+    : settings_(settings), random_(seed, "decision.expected") {
+  check(settings_);
+  cells_ = ((settings_.max_m - settings_.min_m) / settings_.cell_m).array().ceil().max(1).cast<int>();
+  unseen_cells_ = cells_.prod();
+  seen_s_.assign(static_cast<std::size_t>(unseen_cells_), 0);
+  for (int i = 0; i < settings_.expected_landmarks; ++i) {
+    expected_.push_back({i, Eigen::Vector3d::Zero()});
+    move_elsewhere(expected_.back());
+  }
+}
+
+Eigen::Vector3d Exploration::centre_of(int cell) const {
+  const int row = cell / cells_.x();
+  const Eigen::Vector3i which(cell % cells_.x(), row % cells_.y(), row / cells_.y());
+  const Eigen::Vector3d at = which.cast<double>();
+  const Eigen::Vector3d size = (settings_.max_m - settings_.min_m).array() / cells_.cast<double>().array();
+  return settings_.min_m + (at.array() + 0.5).matrix().cwiseProduct(size);
+}
+
+int Exploration::cell_of(const Eigen::Vector3d& place) const {
+  const Eigen::Array3d share =
+      (place - settings_.min_m).array() / (settings_.max_m - settings_.min_m).array();
+  const Eigen::Array3i at =
+      (share * cells_.cast<double>().array()).floor().cast<int>().max(0).min(cells_.array() - 1);
+  return at.x() + cells_.x() * (at.y() + cells_.y() * at.z());
+}
+
+/// To a place drawn evenly in what was not seen.
+void Exploration::move_elsewhere(ExpectedLandmark& landmark) {
+  const Eigen::Vector3d size = settings_.max_m - settings_.min_m;
+  const auto draw = [&] {
+    for (int i = 0; i < 3; ++i) landmark.position[i] = settings_.min_m[i] + size[i] * random_.uniform();
+  };
+  draw();
+  while (seen(cell_of(landmark.position))) draw();
+}
+
+void Exploration::look(const std::function<bool(const Eigen::Vector3d&)>& in_view, double dt, int mapped) {
+  if (settings_.expected_landmarks == 0) return;
+  for (int cell = 0; cell < static_cast<int>(seen_s_.size()); ++cell) {
+    double& s = seen_s_[static_cast<std::size_t>(cell)];
+    if (s >= settings_.seen_s || !in_view(centre_of(cell))) continue;
+    s += dt;
+    // Rounding of sums of dt must not decide whether a cell needs one more frame
+    if (s > settings_.seen_s * (1 - 1e-9)) s = settings_.seen_s, --unseen_cells_;
+  }
+  const auto left = static_cast<std::size_t>(std::max(0, settings_.expected_landmarks - mapped));
+  if (unseen_cells_ == 0) return expected_.clear();
+  // Those that were looked at are the first to have been mapped
+  std::stable_partition(expected_.begin(), expected_.end(),
+                        [&](const ExpectedLandmark& e) { return !seen(cell_of(e.position)); });
+  if (expected_.size() > left) expected_.resize(left);
+  for (ExpectedLandmark& e : expected_)
+    if (seen(cell_of(e.position))) move_elsewhere(e);
+  std::sort(expected_.begin(), expected_.end(),
+            [](const ExpectedLandmark& a, const ExpectedLandmark& b) { return a.index < b.index; });
+}
+
+double Exploration::coverage() const {
+  return 1 - static_cast<double>(unseen_cells_) / static_cast<double>(seen_s_.size());
+}
+
+double entropy_of_unmapped(int count, double variance_m2) {
+  return count * gaussian_entropy(3 * std::log(variance_m2), 3);
+}
+
+}  // namespace incognita

@@ -1,0 +1,88 @@
+#include "incognita/decision/free_camera_choice.hpp"
+
+#include "incognita/models/heading.hpp"
+
+namespace incognita {
+namespace {
+
+std::vector<Translation> translations_of(const DecisionSettings& s) {
+  return s.moves_m.empty() ? seven_translations(s.step_m) : named(s.moves_m);
+}
+
+std::vector<std::string> names_of(const std::vector<Translation>& actions) {
+  std::vector<std::string> names;
+  for (const Translation& action : actions) names.push_back(action.name);
+  return names;
+}
+
+Metric gaze_metric(const std::string& gaze) {
+  if (gaze == "fisher") return Metric::fisher;
+  return gaze == "fisher-given-state" ? Metric::fisher_given_state : Metric::state;
+}
+
+bool compares_turns(const std::string& gaze) {
+  return gaze == "mutual-information" || gaze == "fisher" || gaze == "fisher-given-state";
+}
+
+}  // namespace
+
+FreeCameraChoice::FreeCameraChoice(const DecisionSettings& s, double sigma_acceleration_m_s2,
+                                   double sigma_angular_acceleration_rad_s2, std::uint64_t seed)
+    : settings_(s),
+      translations_(translations_of(s), s.period_s,
+                    growth_over(s.period_s, sigma_acceleration_m_s2, sigma_angular_acceleration_rad_s2),
+                    {s.min_bound_m, s.max_bound_m}),
+      turns_(s.gaze_rate_rad_s, s.gaze_ahead_s,
+             growth_over(s.gaze_ahead_s, sigma_acceleration_m_s2, sigma_angular_acceleration_rad_s2)),
+      choice_(s, names_of(translations_.actions()), seed),
+      gaze_({gaze_metric(s.gaze), 1, turns_.count(), 3}) {}
+
+void FreeCameraChoice::forget() {
+  choice_.forget();
+  looking_ = false;
+}
+
+/// The heading goes on as it was told to; every gaze period it is told anew.
+template <class Form>
+void FreeCameraChoice::turn(const Form& belief, BlockId vehicle, const CameraState& camera,
+                            const Expectation& expectation, const Tick& tick) {
+  const bool first = !looking_;
+  if (first) {
+    heading_rad_ = heading_of(free_camera::orientation(camera));
+    heading_rate_rad_s_ = settings_.gaze == "constant-rate" ? settings_.gaze_rate_rad_s : 0;
+    looking_ = true;
+  } else {
+    heading_rad_ += heading_rate_rad_s_ * tick.dt;
+  }
+  if (!compares_turns(settings_.gaze) || (!first && tick.t < gaze_t_ + settings_.gaze_period_s - 1e-9))
+    return;
+  gaze_t_ = tick.t;
+  const std::vector<double>& scores = gaze_.scores(belief, vehicle, camera, turns_, expectation);
+  heading_rate_rad_s_ = turns_.rate_of(best_of(scores, gaze_.allowed(), turns_.stay()));
+}
+
+template <class Form>
+void FreeCameraChoice::choose(const Form& belief, BlockId vehicle, const CameraState& camera,
+                              const Expectation& expectation, const Tick& tick, Goal& goal) {
+  if (settings_.gaze != "swing") {
+    turn(belief, vehicle, camera, expectation, tick);
+    goal.heading_rad = heading_rad_;
+    goal.heading_rate_rad_s = heading_rate_rad_s_;
+    translations_.turn_at(heading_rate_rad_s_);
+  }
+  goal.decided = choice_.choose(belief, vehicle, camera, translations_, expectation, tick);
+  goal.scores = choice_.scores();
+  goal.chosen = choice_.chosen();
+  if (!goal.decided) return;
+  goal.from = free_camera::position(camera);
+  goal.to = translations_.after(camera, goal.chosen).state.head<3>();
+  goal.start_t = tick.t;
+  goal.end_t = choice_.end_t();
+}
+
+template void FreeCameraChoice::choose(const Belief&, BlockId, const CameraState&, const Expectation&,
+                                       const Tick&, Goal&);
+template void FreeCameraChoice::choose(const AnyBelief&, BlockId, const CameraState&, const Expectation&,
+                                       const Tick&, Goal&);
+
+}  // namespace incognita

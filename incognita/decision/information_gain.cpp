@@ -1,0 +1,304 @@
+#include "incognita/decision/information_gain.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "incognita/math/gaussian.hpp"
+
+namespace incognita {
+namespace {
+
+/// Room for so many rows and columns; what is there stays. Rare, so that the loop does not allocate.
+void make_room(Eigen::MatrixXd& m, Eigen::Index rows, Eigen::Index columns) {
+  if (rows <= m.rows() && columns <= m.cols()) return;
+  m.conservativeResize(std::max(m.rows(), rows + rows / 2), std::max(m.cols(), columns + columns / 2));
+}
+
+double log_det_of_noise(const std::vector<ExpectedLook>& looks) {
+  double sum = 0;
+  for (const ExpectedLook& look : looks) sum += log_det(look.R);
+  return sum;
+}
+
+std::int64_t identity_of(const ExpectedLook& look) {
+  return look.of == ExpectedLook::Of::mapped ? static_cast<std::int64_t>(look.block) : look.unseen;
+}
+
+}  // namespace
+
+void InformationGain::start(const Belief& belief, BlockId vehicle) {
+  belief_ = &belief;
+  any_ = nullptr;
+  vehicle_ = vehicle;
+  begin(belief.chart(vehicle).tangent());
+}
+
+void InformationGain::start(const AnyBelief& belief, BlockId vehicle) {
+  belief_ = nullptr;
+  any_ = &belief;
+  vehicle_ = vehicle;
+  begin(belief.chart(vehicle).tangent());
+}
+
+void InformationGain::begin(int vehicle_errors) {
+  while (!steps_.empty()) {
+    spare_.push_back(std::move(steps_.back()));
+    steps_.pop_back();
+  }
+  vehicle_errors_ = vehicle_errors;
+  known_.assign(1, {ExpectedLook::Of::mapped, static_cast<std::int64_t>(vehicle_), 0, vehicle_errors});
+  rows_ = 0;
+  columns_ = vehicle_errors;
+  gain_ = 0;
+  make_room(P_, columns_, columns_);
+  P_.topLeftCorner(columns_, columns_) = covariance(known_[0], known_[0]);
+}
+
+BlockMatrix InformationGain::covariance(const Known& a, const Known& b) const {
+  const auto row = static_cast<BlockId>(a.id), column = static_cast<BlockId>(b.id);
+  return belief_ ? belief_->covariance(row, column) : any_->covariance(row, column);
+}
+
+/// Where the errors of what is looked at are; -1 for an anchor, which has none.
+int InformationGain::column_of(const ExpectedLook& look) {
+  if (look.of == ExpectedLook::Of::anchor) return -1;
+  const std::int64_t id = identity_of(look);
+  const auto size = static_cast<int>(look.Hl.cols());
+  const auto at =
+      static_cast<std::size_t>(std::find_if(known_.begin() + 1, known_.end(),
+                                            [&](const Known& k) { return k.of == look.of && k.id == id; }) -
+                               known_.begin());
+  if (at == known_.size()) know(look, size);
+  const Known& found = known_[at];
+  if (found.size != size)
+    throw std::invalid_argument("a look has " + std::to_string(size) + " columns for a landmark of " +
+                                std::to_string(found.size) + " errors");
+  return found.column;
+}
+
+void InformationGain::know(const ExpectedLook& look, int size) {
+  const Known added{look.of, identity_of(look), columns_, size};
+  make_room(P_, columns_ + size, columns_ + size);
+  make_room(H_, rows_, columns_ + size);
+  H_.block(0, columns_, rows_, size).setZero();
+  if (look.of == ExpectedLook::Of::unseen) {
+    P_.block(0, columns_, columns_, size).setZero();
+    P_.block(columns_, 0, size, columns_).setZero();
+    P_.block(columns_, columns_, size, size) = look.unseen_var_m2 * Eigen::MatrixXd::Identity(size, size);
+  } else {
+    for (const Known& k : known_) {
+      if (k.of == ExpectedLook::Of::unseen) {
+        P_.block(k.column, columns_, k.size, size).setZero();
+      } else {
+        const BlockMatrix cross = covariance(k, added);
+        if (cross.cols() != size) throw std::invalid_argument("a look does not fit its landmark");
+        P_.block(k.column, columns_, k.size, size) = cross;
+      }
+      P_.block(columns_, k.column, size, k.size) = P_.block(k.column, columns_, k.size, size).transpose();
+    }
+    P_.block(columns_, columns_, size, size) = covariance(added, added);
+  }
+  known_.push_back(added);
+  columns_ += size;
+}
+
+void InformationGain::push(const ImaginedStep& imagined) {
+  if (imagined.A.rows() != vehicle_errors_ || imagined.A.cols() != vehicle_errors_ ||
+      imagined.N.rows() != vehicle_errors_ || imagined.N.cols() != vehicle_errors_)
+    throw std::invalid_argument("an imagined motion must be of the vehicle's " +
+                                std::to_string(vehicle_errors_) + " errors");
+  Step step;
+  if (!spare_.empty()) {
+    step = std::move(spare_.back());
+    spare_.pop_back();
+  }
+  step.rows_before = rows_;
+  step.columns_before = columns_;
+  step.known_before = known_.size();
+  step.gain_before = gain_;
+  step.A = imagined.A;
+  step.A_total = imagined.A;
+  step.N_total = imagined.N;
+  if (!steps_.empty()) {
+    step.A_total = imagined.A * steps_.back().A_total;
+    step.N_total += imagined.A * steps_.back().N_total * imagined.A.transpose();
+  }
+  step.looks.assign(imagined.looks.begin(), imagined.looks.end());
+  step.log_det_R = log_det_of_noise(step.looks);
+  fill_rows(step);
+  factorise(step);
+  steps_.push_back(std::move(step));
+}
+
+/// Rows of H_ and of S_ for the step's looks.
+void InformationGain::fill_rows(Step& step) {
+  int rows = 0;
+  for (const ExpectedLook& look : step.looks) rows += look.rows();
+  step.Hv.resize(rows, vehicle_errors_);
+  const int first = rows_, all = rows_ + rows;
+  make_room(H_, all, columns_);
+  int row = first;
+  for (const ExpectedLook& look : step.looks) {
+    if (look.Hv.rows() != look.rows() || look.Hv.cols() != vehicle_errors_)
+      throw std::invalid_argument("a look does not fit its vehicle");
+    step.Hv.middleRows(row - first, look.rows()) = look.Hv;
+    const int column = column_of(look);  // may widen H_ and P_
+    H_.block(row, 0, look.rows(), columns_).setZero();
+    H_.block(row, 0, look.rows(), vehicle_errors_).noalias() = look.Hv * step.A_total;
+    if (column >= 0) H_.block(row, column, look.rows(), look.Hl.cols()) = look.Hl;
+    row += look.rows();
+    rows_ = row;  // so that know() zeroes the columns it adds in all rows there are
+  }
+  make_room(S_, all, all);
+  make_room(work_, std::max(rows, columns_), std::max(columns_, all));
+  auto HP = work_.topLeftCorner(rows, columns_);
+  HP.noalias() = H_.block(first, 0, rows, columns_) * P_.topLeftCorner(columns_, columns_);
+  auto S = S_.block(first, 0, rows, all);
+  S.noalias() = HP * H_.topLeftCorner(all, columns_).transpose();
+  // What the noise on the way adds: cov(n_k, n_j) = Phi_(k<-j) N_j
+  BlockMatrix Phi = step.A;
+  for (std::size_t j = steps_.size(); j-- > 0;) {
+    const Step& before = steps_[j];
+    S.block(0, before.rows_before, rows, before.Hv.rows()) +=
+        step.Hv * (Phi * before.N_total) * before.Hv.transpose();
+    Phi = (Phi * before.A).eval();
+  }
+  S.block(0, first, rows, rows) += step.Hv * step.N_total * step.Hv.transpose();
+  row = 0;
+  for (const ExpectedLook& look : step.looks) {
+    S.block(row, first + row, look.rows(), look.rows()) += look.R;
+    row += look.rows();
+  }
+}
+
+/// The factor grows by the step's rows, and the gain by what they add.
+void InformationGain::factorise(const Step& step) {
+  const int first = step.rows_before, rows = rows_ - first;
+  if (rows == 0) return;
+  make_room(L_, rows_, rows_);
+  auto L21 = L_.block(first, 0, rows, first);
+  L21 = S_.block(first, 0, rows, first);
+  const auto L11 = L_.topLeftCorner(first, first);
+  if (first > 0) L11.triangularView<Eigen::Lower>().transpose().solveInPlace<Eigen::OnTheRight>(L21);
+  auto L22 = L_.block(first, first, rows, rows);
+  L22 = S_.block(first, first, rows, rows);
+  if (first > 0) L22.noalias() -= L21 * L21.transpose();
+  Eigen::Ref<Eigen::MatrixXd> in_place = L22;
+  const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> llt(in_place);
+  double log_det_L = 0;
+  for (int i = 0; i < rows; ++i) log_det_L += std::log(L22(i, i));
+  gain_ += llt.info() == Eigen::Success ? log_det_L - 0.5 * step.log_det_R
+                                        : std::numeric_limits<double>::quiet_NaN();
+}
+
+void InformationGain::pop() {
+  if (steps_.empty()) throw std::logic_error("there is no step to take back");
+  Step& last = steps_.back();
+  rows_ = last.rows_before;
+  columns_ = last.columns_before;
+  known_.resize(last.known_before, known_.front());
+  gain_ = last.gain_before;
+  spare_.push_back(std::move(last));
+  steps_.pop_back();
+}
+
+double InformationGain::of_vehicle() const {
+  if (steps_.empty() || rows_ == 0) return 0;
+  const BlockMatrix P = vehicle_now();
+  const BlockMatrix A = steps_.back().A_total;
+  Eigen::MatrixXd C = H_.topLeftCorner(rows_, columns_) * P_.topLeftCorner(columns_, vehicle_errors_) *
+                      A.transpose();  // cov(z, x at the end)
+  BlockMatrix Phi = BlockMatrix::Identity(vehicle_errors_, vehicle_errors_);
+  for (std::size_t j = steps_.size(); j-- > 0;) {
+    const Step& s = steps_[j];
+    C.middleRows(s.rows_before, s.Hv.rows()) += s.Hv * (s.N_total * Phi.transpose());
+    Phi = (Phi * s.A).eval();
+  }
+  L_.topLeftCorner(rows_, rows_).triangularView<Eigen::Lower>().solveInPlace(C);
+  return 0.5 * (log_det(P) - log_det(P - C.transpose() * C));
+}
+
+/// Covariance of the vehicle at the end of the path, before any of its looks.
+BlockMatrix InformationGain::vehicle_now() const {
+  const Step& last = steps_.back();
+  return last.A_total * P_.topLeftCorner(vehicle_errors_, vehicle_errors_) * last.A_total.transpose() +
+         last.N_total;
+}
+
+double InformationGain::of_position_and_map(int kept, const BlockMatrix& vehicle_given_map) const {
+  if (steps_.size() > 1) throw std::logic_error("what position and map learn is worked out for one step");
+  if (steps_.empty() || rows_ == 0) return 0;
+  const Step& step = steps_.front();
+  const int rest = vehicle_errors_ - kept;
+  const BlockMatrix C = step.A * vehicle_given_map * step.A.transpose() + step.N_total;
+  const BlockMatrix across = C.bottomLeftCorner(rest, kept);
+  const BlockMatrix own = C.topLeftCorner(kept, kept);
+  const BlockMatrix left =
+      C.bottomRightCorner(rest, rest) - across * own.ldlt().solve(BlockMatrix(across.transpose()));
+  const auto Hv = step.Hv.rightCols(rest);
+  Eigen::MatrixXd S = Hv * left * Hv.transpose();
+  int row = 0;
+  for (const ExpectedLook& look : step.looks) {
+    S.block(row, row, look.rows(), look.rows()) += look.R;
+    row += look.rows();
+  }
+  return gain_ - 0.5 * (log_det(S) - step.log_det_R);
+}
+
+namespace {
+
+/// trace(H' W^-1 H) of one look.
+double trace_of(const ExpectedLook& look, const LookMatrix& W) {
+  LookMatrix HH = look.Hv * look.Hv.transpose();
+  if (look.Hl.cols() > 0) HH += look.Hl * look.Hl.transpose();
+  return W.llt().solve(HH).trace();
+}
+
+}  // namespace
+
+double InformationGain::fisher_trace() const {
+  double sum = 0;
+  if (steps_.empty()) return sum;
+  int row = steps_.back().rows_before;
+  for (const ExpectedLook& look : steps_.back().looks) {
+    sum += trace_of(look, S_.block(row, row, look.rows(), look.rows()));
+    row += look.rows();
+  }
+  return sum;
+}
+
+double InformationGain::fisher_trace_given_state() const {
+  double sum = 0;
+  if (steps_.empty()) return sum;
+  for (const ExpectedLook& look : steps_.back().looks) sum += trace_of(look, look.R);
+  return sum;
+}
+
+namespace {
+
+template <class Form>
+BlockMatrix given_map(const Form& belief, BlockId vehicle) {
+  const Eigen::MatrixXd P = belief.dense_covariance();
+  const int first = belief.offset(vehicle), size = belief.chart(vehicle).tangent();
+  const auto n = static_cast<int>(P.rows()), others = n - size;
+  if (others == 0) return P;
+  Eigen::MatrixXd map(others, others), cross(others, size);
+  const auto other = [&](int i) { return i < first ? i : i + size; };
+  for (int j = 0; j < others; ++j) {
+    for (int i = 0; i < others; ++i) map(i, j) = P(other(i), other(j));
+    cross.row(j) = P.block(other(j), first, 1, size);
+  }
+  return P.block(first, first, size, size) - cross.transpose() * map.llt().solve(cross);
+}
+
+}  // namespace
+
+BlockMatrix vehicle_given_map(const Belief& belief, BlockId vehicle) { return given_map(belief, vehicle); }
+BlockMatrix vehicle_given_map(const AnyBelief& belief, BlockId vehicle) { return given_map(belief, vehicle); }
+
+}  // namespace incognita

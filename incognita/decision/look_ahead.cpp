@@ -1,0 +1,151 @@
+#include "incognita/decision/look_ahead.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+namespace incognita {
+
+double value_of(const InformationGain& gain, Metric metric, int position_errors,
+                const BlockMatrix& vehicle_given_map) {
+  switch (metric) {
+    case Metric::state:
+      return gain.of_state();
+    case Metric::position_and_map:
+      return gain.of_position_and_map(position_errors, vehicle_given_map);
+    case Metric::vehicle:
+      return gain.of_vehicle();
+    case Metric::fisher:
+      return gain.fisher_trace();
+    case Metric::fisher_given_state:
+      return gain.fisher_trace_given_state();
+  }
+  return 0;
+}
+
+LookAhead::LookAhead(const LookAheadSettings& settings) : settings_(settings) {
+  if (settings_.horizon < 1) throw std::invalid_argument("the horizon must be one action at least");
+  if (settings_.max_evaluations < 1)
+    throw std::invalid_argument("a comparison needs one evaluation at least");
+  if (settings_.horizon > 1 && settings_.metric != Metric::state && settings_.metric != Metric::vehicle)
+    throw std::invalid_argument(
+        "a horizon of more than one action needs the information of the whole state or of the vehicle");
+}
+
+template <class Form>
+const std::vector<double>& LookAhead::scores(const Form& belief, BlockId vehicle, const BlockVector& state,
+                                             const Moves& moves, const Expectation& expectation) {
+  const int actions = moves.count();
+  evaluations_ = 0;
+  if (settings_.metric == Metric::position_and_map) given_map_ = vehicle_given_map(belief, vehicle);
+  gain_.start(belief, vehicle);
+  scores_.assign(static_cast<std::size_t>(actions), 0);
+  next_.clear();
+  for (int a = 0; a < actions; ++a) evaluate(moves, expectation, {{}, state, 0}, a, next_);
+  allowed_.clear();
+  for (const Node& node : next_) {
+    scores_[static_cast<std::size_t>(node.actions[0])] = node.score;
+    allowed_.push_back(node.allowed);
+  }
+  for (int depth = 2; depth <= settings_.horizon; ++depth) {
+    keep_best(actions, settings_.horizon - depth + 1);
+    next_.clear();
+    for (const Node& node : level_) {
+      walk(moves, expectation, state, node);
+      for (int a = 0; a < actions; ++a) evaluate(moves, expectation, node, a, next_);
+    }
+    for (const Node& node : level_) scores_[static_cast<std::size_t>(node.actions[0])] = 0;
+    for (const Node& node : next_) {
+      double& score = scores_[static_cast<std::size_t>(node.actions[0])];
+      score = std::max(score, node.score);
+    }
+  }
+  return scores_;
+}
+
+template const std::vector<double>& LookAhead::scores(const Belief&, BlockId, const BlockVector&,
+                                                      const Moves&, const Expectation&);
+template const std::vector<double>& LookAhead::scores(const AnyBelief&, BlockId, const BlockVector&,
+                                                      const Moves&, const Expectation&);
+
+template <class Form>
+double LookAhead::score_of(const Form& belief, BlockId vehicle, const BlockVector& state, int action,
+                           const Moves& moves, const Expectation& expectation) {
+  evaluations_ = 0;
+  if (settings_.metric == Metric::position_and_map) given_map_ = vehicle_given_map(belief, vehicle);
+  gain_.start(belief, vehicle);
+  next_.clear();
+  evaluate(moves, expectation, {{}, state, 0}, action, next_);
+  return next_.front().score;
+}
+
+template double LookAhead::score_of(const Belief&, BlockId, const BlockVector&, int, const Moves&,
+                                    const Expectation&);
+template double LookAhead::score_of(const AnyBelief&, BlockId, const BlockVector&, int, const Moves&,
+                                    const Expectation&);
+
+/// `gain_` stands at `from`. What is not allowed is told where it is the first, and left out further on.
+void LookAhead::evaluate(const Moves& moves, const Expectation& expectation, const Node& from, int action,
+                         std::vector<Node>& into) {
+  Outcome outcome = moves.after(from.state, action);
+  const bool first = from.actions.empty();
+  if (!outcome.allowed && !first) return;
+  step_.A = outcome.A;
+  step_.N = outcome.N;
+  expectation.expect(outcome.state, step_.looks);
+  gain_.push(step_);
+  ++evaluations_;
+  Node node{from.actions, outcome.state,
+            value_of(gain_, settings_.metric, settings_.position_errors, given_map_), outcome.allowed};
+  gain_.pop();
+  node.actions.push_back(action);
+  into.push_back(std::move(node));
+}
+
+/// level_ <- of next_ what is followed further: the best of each first action, and of the others the best.
+void LookAhead::keep_best(int actions, int levels_left) {
+  const int left = (settings_.max_evaluations - evaluations_) / (actions * levels_left);
+  std::erase_if(next_, [](const Node& n) { return !n.allowed; });
+  std::stable_sort(next_.begin(), next_.end(),
+                   [](const Node& a, const Node& b) { return a.score > b.score; });
+  std::vector<bool> begun(static_cast<std::size_t>(actions), false);
+  const auto first_of_its_kind = [&](const Node& n) {
+    const auto a = static_cast<std::size_t>(n.actions[0]);
+    const bool first = !begun[a];
+    begun[a] = true;
+    return first;
+  };
+  const auto others = std::stable_partition(next_.begin(), next_.end(), first_of_its_kind);
+  const auto kept = std::max<std::ptrdiff_t>(others - next_.begin(), left);
+  next_.resize(std::min(next_.size(), static_cast<std::size_t>(kept)), Node{});
+  std::swap(level_, next_);
+}
+
+void LookAhead::walk(const Moves& moves, const Expectation& expectation, const BlockVector& state,
+                     const Node& to) {
+  while (gain_.steps() > 0) gain_.pop();
+  BlockVector at = state;
+  for (const int action : to.actions) {
+    const Outcome outcome = moves.after(at, action);
+    step_.A = outcome.A;
+    step_.N = outcome.N;
+    expectation.expect(outcome.state, step_.looks);
+    gain_.push(step_);
+    at = outcome.state;
+  }
+}
+
+int best_of(const std::vector<double>& scores, const std::vector<bool>& allowed, int stay) {
+  int best = -1;
+  for (int a = 0; a < static_cast<int>(scores.size()); ++a) {
+    const auto i = static_cast<std::size_t>(a);
+    if (!allowed[i]) continue;
+    const bool better = best < 0 || scores[i] > scores[static_cast<std::size_t>(best)] ||
+                        (a == stay && scores[i] == scores[static_cast<std::size_t>(best)]);
+    if (better) best = a;
+  }
+  return best < 0 ? stay : best;
+}
+
+}  // namespace incognita

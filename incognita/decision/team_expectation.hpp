@@ -1,0 +1,60 @@
+// What one vehicle of a team would see, from anywhere, of landmarks and of the others.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "incognita/decision/expectation.hpp"
+#include "incognita/slam/team_estimate.hpp"
+#include "incognita/slam/team_settings.hpp"
+
+namespace incognita {
+
+/// How far and how wide a sensor of ranges or bearings sees; a camera its image.
+struct Reach {
+  double max_range_m = 1e9;
+  double field_of_view_rad = 7;  ///< about straight ahead
+};
+
+class TeamExpectation final : public Expectation {
+ public:
+  /// `max_looks`: of the map, the most uncertain.
+  TeamExpectation(TeamSettings team, const Reach& reach, int max_looks);
+
+  /// The team as it is now, and landmarks that nobody has seen; both must stay until the next call.
+  void prepare(const TeamEstimate& estimate, std::size_t vehicle, const std::vector<ExpectedLandmark>& unseen,
+               double unseen_var_m2);
+
+  /// `state`: of the vehicle; of a motion with fewer numbers what is behind them is not looked at.
+  void expect(const BlockVector& state, std::vector<ExpectedLook>& looks) const override;
+
+  /// Whether a place would be seen from that state.
+  bool in_view(const BlockVector& state, const Eigen::Vector3d& place) const;
+
+ private:
+  struct Target {
+    LandmarkForm form;
+    SmallVector told;      ///< as its form has it
+    SmallMatrix by_block;  ///< d(told) / d(error of the block); empty for an anchor
+    BlockId block = 0;
+    SmallVector place;
+    bool known = false;  ///< an anchor
+  };
+  void add_targets();
+  std::optional<AnyLook> look_from(const SmallVector& vehicle, const SmallVector& from,
+                                   const LandmarkForm& form, const SmallVector& told,
+                                   const SmallVector& place) const;
+  double innovation_trace(const ExpectedLook& look) const;
+
+  TeamSettings team_;
+  Reach reach_;
+  int max_looks_;
+  const TeamEstimate* estimate_ = nullptr;
+  std::size_t vehicle_ = 0;
+  const std::vector<ExpectedLandmark>* unseen_ = nullptr;
+  double unseen_var_m2_ = 0;
+  std::vector<Target> targets_;
+  mutable std::vector<double> traces_;
+};
+
+}  // namespace incognita

@@ -1,0 +1,71 @@
+#include "incognita/io/decision_checks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace incognita {
+namespace {
+
+using List = std::vector<Contradiction>;
+
+void check_actions(const DecisionSettings& s, List& found) {
+  const auto& moves = s.moves_m;
+  if (!moves.empty() && std::none_of(moves.begin(), moves.end(), [](const auto& m) { return m.isZero(); }))
+    found.push_back(
+        {"decision.moves_m", "must have [0, 0, 0], to stay: what is done where nothing else is allowed"});
+  if (s.strategy == "fixed-path" && s.sequence.empty())
+    found.push_back({"decision.sequence", "must name actions, decision.strategy being `fixed-path`"});
+  if (s.strategy != "fixed-path" && !s.sequence.empty())
+    found.push_back({"decision.sequence", "means nothing unless decision.strategy is `fixed-path`"});
+}
+
+void check_horizon(const DecisionSettings& s, List& found) {
+  if (s.horizon == 1) return;
+  if (s.metric == "position-and-map")
+    found.push_back({"decision.horizon", "must be 1 with decision.metric = `position-and-map`"});
+  if (s.schedule == "one-per-frame")
+    found.push_back({"decision.horizon", "must be 1 with decision.schedule = `one-per-frame`"});
+}
+
+bool inside(const Eigen::Vector3d& min, const Eigen::Vector3d& max, const ExplorationSettings& s) {
+  constexpr double rounding = 1e-9;
+  return (s.min_m.array() >= min.array() - rounding).all() &&
+         (s.max_m.array() <= max.array() + rounding).all();
+}
+
+void check_box(const Scenario& s, List& found) {
+  const ExplorationSettings& e = s.exploration;
+  if (e.expected_landmarks == 0) return;
+  if ((e.max_m.array() <= e.min_m.array()).any())
+    return found.push_back({"explore.max_m", "must be more than explore.min_m along each axis"});
+  constexpr double most_cells = 1e6;
+  if (((e.max_m - e.min_m) / e.cell_m).array().ceil().prod() > most_cells)
+    return found.push_back({"explore.cell_m", "must make at most a million cells of the place"});
+  if (s.run.world == "recording") return;
+  Eigen::Vector3d min(-s.room.size_m.x() / 2, -s.room.size_m.y() / 2, 0), max = min + s.room.size_m;
+  const char* what = "the room, room.size_m";
+  if (s.run.world == "points") {
+    if (!s.team.points.file.empty()) return;
+    const Eigen::Vector3d& size = s.team.points.size_m;
+    const Eigen::Vector2d& centre = s.team.points.centre_m;
+    min = {centre.x() - size.x() / 2, centre.y() - size.y() / 2, 0};
+    max = min + size;
+    what = "where the points are, points.size_m and points.centre_m";
+  }
+  if (!inside(min, max, e))
+    found.push_back(
+        {"explore.max_m", fmt::format("must, with explore.min_m, lie inside {}: [{:g}, {:g}, {:g}] to "
+                                      "[{:g}, {:g}, {:g}]; landmarks are not expected outside",
+                                      what, min.x(), min.y(), min.z(), max.x(), max.y(), max.z())});
+}
+
+}  // namespace
+
+void check_decision(const Scenario& scenario, List& found) {
+  check_actions(scenario.decision, found);
+  check_horizon(scenario.decision, found);
+  check_box(scenario, found);
+}
+
+}  // namespace incognita

@@ -1,0 +1,180 @@
+// The iterated update of a body that turns in space: the most probable state, found by another way too.
+#include <gtest/gtest.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+#include <cmath>
+#include <vector>
+
+#include "incognita/belief/iterated_update.hpp"
+#include "incognita/math/quaternion.hpp"
+#include "incognita/math/random.hpp"
+
+namespace incognita {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using Pose = Eigen::Matrix<double, 7, 1>;   // position, world_from_body
+using Error = Eigen::Matrix<double, 6, 1>;  // of both, the rotation's on the right
+
+constexpr Chart pose_chart{{Chart::Kind::line, 3}, {Chart::Kind::quaternion, 4}};
+constexpr double sigma_m = 0.05;
+
+Pose plus(Pose x, Error e) {
+  pose_chart.plus(numbers(x), numbers(e));
+  return x;
+}
+Error minus(Pose y, Pose x) {
+  Error e;
+  pose_chart.minus(numbers(y), numbers(x), numbers(e));
+  return e;
+}
+
+/// A body that knows little of how it is turned sees known points in its own axes, with noise.
+struct Scene {
+  Pose prior = Pose::Zero();
+  Eigen::Matrix<double, 6, 6> P;
+  std::vector<Vector3d> points, measured;
+
+  explicit Scene(std::uint64_t seed) {
+    RandomStream random(seed, "turned");
+    const auto drawn = [&] { return Vector3d(random.normal(), random.normal(), random.normal()); };
+    prior[3] = 1;
+    const Eigen::Matrix<double, 6, 6> root =
+        Eigen::Matrix<double, 6, 6>::NullaryExpr([&] { return random.normal(); });
+    P = 0.05 * root * root.transpose() + 0.01 * Eigen::Matrix<double, 6, 6>::Identity();
+    P.block<3, 3>(3, 3) += 0.5 * Matrix3d::Identity();
+    Error off;
+    off << 0.2 * drawn(), 0.5 * drawn();
+    const Pose truth = plus(prior, off);
+    for (int i = 0; i < 2; ++i) {  // which leave a turn about the line through them to the prior
+      points.push_back(3 * drawn());
+      measured.push_back(seen(truth, points.back()) + sigma_m * drawn());
+    }
+  }
+
+  static Vector3d seen(const Pose& x, const Vector3d& point) {
+    return rotation_matrix<double>(x.tail<4>()).transpose() * (point - x.head<3>());
+  }
+
+  Belief belief() const {
+    Belief b;
+    b.add_vehicle(pose_chart, prior, P);
+    return b;
+  }
+
+  std::vector<AffineLook> looks(const Belief& b) const {
+    const Pose x = b.mean(0);
+    std::vector<AffineLook> all;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Vector3d c = seen(x, points[i]);
+      Eigen::Matrix<double, 3, 6> H;
+      H << -rotation_matrix<double>(x.tail<4>()).transpose(), skew<double>(c);
+      AffineLook look;
+      look.add(0, H);
+      look.residual = measured[i] - c;
+      look.R = sigma_m * sigma_m * Matrix3d::Identity();
+      all.push_back(look);
+    }
+    return all;
+  }
+
+  /// Prior and looks, each whitened: what is least where the state is most probable.
+  Eigen::VectorXd misfits(const Error& e) const {
+    const Pose x = plus(prior, e);
+    Eigen::VectorXd all(6 + 3 * points.size());
+    all.head<6>() = P.llt().matrixL().solve(e);
+    for (std::size_t i = 0; i < points.size(); ++i)
+      all.segment<3>(6 + 3 * static_cast<Eigen::Index>(i)) = (measured[i] - seen(x, points[i])) / sigma_m;
+    return all;
+  }
+
+  /// By steps of Levenberg and Marquardt in the prior's chart, with differences for derivatives: nothing in
+  /// common with what is tested but the cost.
+  Error most_probable() const {
+    Error e = Error::Zero();
+    double damping = 1e-3;
+    for (int step = 0; step < 500; ++step) {
+      const Eigen::VectorXd m = misfits(e);
+      Eigen::MatrixXd J(m.size(), 6);
+      for (int k = 0; k < 6; ++k)
+        J.col(k) = (misfits(e + 1e-6 * Error::Unit(k)) - misfits(e - 1e-6 * Error::Unit(k))) / 2e-6;
+      Eigen::Matrix<double, 6, 6> A = J.transpose() * J;
+      A.diagonal() *= 1 + damping;
+      const Error next = e - A.ldlt().solve(J.transpose() * m);
+      const bool better = misfits(next).squaredNorm() < m.squaredNorm();
+      damping *= better ? 0.3 : 4;
+      if (better) e = next;
+    }
+    return e;
+  }
+};
+
+TEST(IteratedUpdate, OfATurnedBodyIsTheMostProbableState) {
+  constexpr BlockId blocks[] = {0};
+  double farthest_turn = 0, apart_after_one = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const Scene scene(seed);
+    Belief belief = scene.belief(), once = scene.belief();
+    const auto looks_at = [&](const Belief& b) { return scene.looks(b); };
+    const IterationReport report = update_iterated(belief, blocks, looks_at, {200, 1e-10});
+    EXPECT_TRUE(report.converged) << seed;
+    const Error best = scene.most_probable(), found = minus(belief.mean(0), scene.prior);
+    EXPECT_LE((found - best).norm(), 1e-6) << seed;
+    once.update(scene.looks(once));
+    apart_after_one = std::max(apart_after_one, (minus(once.mean(0), scene.prior) - best).norm());
+    farthest_turn = std::max(farthest_turn, best.tail<3>().norm());
+  }
+  EXPECT_GT(farthest_turn, 0.5) << "far enough for the chart to bend";
+  EXPECT_GT(apart_after_one, 0.05) << "one linearisation is not enough";
+}
+
+TEST(IteratedUpdate, SettlesWhereAChangeIsLittleOfTheSpread) {
+  const Scene scene(3);
+  constexpr BlockId blocks[] = {0};
+  const auto looks_at = [&](const Belief& b) { return scene.looks(b); };
+  Belief fine = scene.belief(), coarse = scene.belief();
+  const IterationReport all = update_iterated(fine, blocks, looks_at, {200, 1e-10});
+  const IterationReport few = update_iterated(
+      coarse, blocks, looks_at, {.max_iterations = 200, .tolerance = 1e-10, .tolerance_sigmas = 1e-2});
+  EXPECT_TRUE(few.converged);
+  EXPECT_LT(few.iterations, all.iterations);
+  const Error apart = minus(coarse.mean(0), fine.mean(0));
+  EXPECT_LE((apart.array().abs() / scene.P.diagonal().array().sqrt()).maxCoeff(), 1e-2);
+}
+
+/// A look that the sensor can not have where the update leads says there what it said before.
+TEST(IteratedUpdate, KeepsALookThatIsLostOnTheWay) {
+  const Scene scene(5);
+  constexpr BlockId blocks[] = {0};
+  int asked = 0;
+  const auto second_lost = [&](const Belief& b) {
+    std::vector<AffineLook> looks = scene.looks(b);
+    if (asked++ > 0) looks[1] = AffineLook{};
+    return looks;
+  };
+  Belief belief = scene.belief();
+  EXPECT_TRUE(update_iterated(belief, blocks, second_lost, {200, 1e-10}).converged);
+  // As if it had been linear from the start
+  Belief wanted = scene.belief();
+  const AffineLook linear = scene.looks(wanted)[1];
+  const Belief at_prior = scene.belief();
+  const auto second_linear = [&](const Belief& b) {
+    std::vector<AffineLook> looks = scene.looks(b);
+    const Pose x = b.mean(0);
+    const Error moved = minus(x, scene.prior);
+    looks[1] = linear;
+    // H (x (+) e (-) x_0) by e
+    Eigen::Matrix<double, 6, 6> J = Eigen::Matrix<double, 6, 6>::Identity();
+    J.block<3, 3>(3, 3) = right_jacobian(moved.tail<3>()).inverse();
+    looks[1].residual -= linear.parts[0].H * moved;
+    looks[1].parts[0].H = linear.parts[0].H * J;
+    return looks;
+  };
+  EXPECT_TRUE(update_iterated(wanted, blocks, second_linear, {200, 1e-10}).converged);
+  EXPECT_LE(minus(belief.mean(0), wanted.mean(0)).norm(), 1e-7);
+}
+
+}  // namespace
+}  // namespace incognita

@@ -1,0 +1,293 @@
+// What imagined looks would teach, in measurement space, against the thesis' determinants of the whole
+// covariance, (6.6), step by step with textbook posteriors.
+#include "incognita/decision/information_gain.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <vector>
+
+#include "incognita/math/gaussian.hpp"
+#include "incognita/math/random.hpp"
+
+namespace incognita {
+namespace {
+
+constexpr double unseen_var = 1.5;
+constexpr int unseen_count = 2;
+
+Eigen::MatrixXd random_matrix(RandomStream& random, int rows, int columns) {
+  return Eigen::MatrixXd::NullaryExpr(rows, columns, [&] { return random.normal(); });
+}
+
+Eigen::MatrixXd random_covariance(RandomStream& random, int size) {
+  const Eigen::MatrixXd a = random_matrix(random, size, size + 3);
+  return a * a.transpose() / size + 0.01 * Eigen::MatrixXd::Identity(size, size);
+}
+
+struct SmallMap {
+  Belief belief;
+  BlockId vehicle = 0;
+  std::vector<BlockId> landmarks;
+
+  SmallMap(RandomStream& random, int count) {
+    vehicle = belief.add_vehicle(Chart::line(12), Eigen::VectorXd::Zero(12), random_covariance(random, 12));
+    for (int i = 0; i < count; ++i) {
+      const Belief::Parent parent{vehicle, random_matrix(random, 3, 12)};
+      landmarks.push_back(belief.augment(Chart::line(3), Eigen::VectorXd::Zero(3), {&parent, 1},
+                                         random_covariance(random, 3)));
+    }
+  }
+};
+
+ExpectedLook random_look(RandomStream& random, const SmallMap& map, int of) {
+  ExpectedLook look;
+  look.Hv = random_matrix(random, 2, 12);
+  look.R = random_covariance(random, 2);
+  if (of < 0) return look;
+  look.Hl = random_matrix(random, 2, 3);
+  if (of < static_cast<int>(map.landmarks.size())) {
+    look.of = ExpectedLook::Of::mapped;
+    look.block = map.landmarks[static_cast<std::size_t>(of)];
+  } else {
+    look.of = ExpectedLook::Of::unseen;
+    look.unseen = of - static_cast<int>(map.landmarks.size());
+    look.unseen_var_m2 = unseen_var;
+  }
+  return look;
+}
+
+/// An anchor, some of the map, and one that nobody has seen yet.
+ImaginedStep random_step(RandomStream& random, const SmallMap& map) {
+  ImaginedStep step{random_matrix(random, 12, 12) * 0.5, random_covariance(random, 12), {}};
+  for (int of = -1; of < static_cast<int>(map.landmarks.size()) + unseen_count; ++of)
+    if (random.below(3) > 0) step.looks.push_back(random_look(random, map, of));
+  return step;
+}
+
+/// The state with those that are not seen yet in it (Figure 6.3), moved and updated by the textbook.
+struct Textbook {
+  Eigen::MatrixXd P;
+  int errors;
+
+  explicit Textbook(const SmallMap& map) : errors(map.belief.errors()) {
+    const int n = errors + 3 * unseen_count;
+    P = unseen_var * Eigen::MatrixXd::Identity(n, n);
+    P.topLeftCorner(errors, errors) = map.belief.dense_covariance();
+  }
+  void move(const ImaginedStep& step) {
+    Eigen::MatrixXd F = Eigen::MatrixXd::Identity(P.rows(), P.cols());
+    F.topLeftCorner(12, 12) = step.A;
+    P = (F * P * F.transpose()).eval();
+    P.topLeftCorner(12, 12) += step.N;
+  }
+  void update(const ImaginedStep& step, const SmallMap& map) {
+    const auto rows = 2 * static_cast<Eigen::Index>(step.looks.size());
+    Eigen::MatrixXd H = Eigen::MatrixXd::Zero(rows, P.cols()), R = Eigen::MatrixXd::Zero(rows, rows);
+    for (std::size_t i = 0; i < step.looks.size(); ++i) {
+      const ExpectedLook& look = step.looks[i];
+      const auto row = 2 * static_cast<Eigen::Index>(i);
+      H.block(row, 0, 2, 12) = look.Hv;
+      if (look.of == ExpectedLook::Of::mapped) H.block(row, map.belief.offset(look.block), 2, 3) = look.Hl;
+      if (look.of == ExpectedLook::Of::unseen) H.block(row, errors + 3 * look.unseen, 2, 3) = look.Hl;
+      R.block(row, row, 2, 2) = look.R;
+    }
+    const Eigen::MatrixXd S = H * P * H.transpose() + R;
+    P = (P - P * H.transpose() * S.inverse() * H * P).eval();
+  }
+  /// log|P| without rows and columns [from, from + count).
+  double log_det_without(int from, int count) const {
+    const auto n = P.rows();
+    std::vector<Eigen::Index> kept;
+    for (Eigen::Index i = 0; i < n; ++i)
+      if (i < from || i >= from + count) kept.push_back(i);
+    return std::log(Eigen::MatrixXd(P(kept, kept)).determinant());
+  }
+};
+
+TEST(InformationGain, EqualsTheThesisDeterminantsStepByStep) {
+  RandomStream random(1, "test.information");
+  for (int round = 0; round < 40; ++round) {
+    const SmallMap map(random, 1 + random.below(4));
+    Textbook textbook(map);
+    InformationGain gain;
+    gain.start(map.belief, map.vehicle);
+    double wanted = 0;
+    for (int k = 0; k < 3; ++k) {
+      const ImaginedStep step = random_step(random, map);
+      textbook.move(step);
+      const double before = textbook.log_det_without(0, 0),
+                   vehicle = log_det(textbook.P.topLeftCorner(12, 12));
+      textbook.update(step, map);
+      wanted += 0.5 * (before - textbook.log_det_without(0, 0));
+      gain.push(step);
+      EXPECT_NEAR(gain.of_state(), wanted, 1e-7 * (1 + wanted)) << "round " << round << " step " << k;
+      if (k > 0) continue;
+      EXPECT_NEAR(gain.of_vehicle(), 0.5 * (vehicle - log_det(textbook.P.topLeftCorner(12, 12))), 1e-7);
+    }
+  }
+}
+
+/// At the end of a path the vehicle knows what its last pose shares with all looks of the path.
+TEST(InformationGain, OfTheVehicleIsThatOfAllLooksOfThePath) {
+  RandomStream random(7, "test.information");
+  for (int round = 0; round < 20; ++round) {
+    const SmallMap map(random, 3);
+    Textbook seen(map), blind(map);
+    InformationGain gain;
+    gain.start(map.belief, map.vehicle);
+    for (int k = 0; k < 3; ++k) {
+      const ImaginedStep step = random_step(random, map);
+      seen.move(step), blind.move(step);
+      seen.update(step, map);
+      gain.push(step);
+    }
+    const double wanted =
+        0.5 * (log_det(blind.P.topLeftCorner(12, 12)) - log_det(seen.P.topLeftCorner(12, 12)));
+    EXPECT_NEAR(gain.of_vehicle(), wanted, 1e-7 * (1 + wanted));
+    EXPECT_LE(gain.of_vehicle(), gain.of_state());
+  }
+}
+
+TEST(InformationGain, OfPositionAndMapLeavesOutTheRest) {
+  RandomStream random(5, "test.information");
+  constexpr int kept = 3;
+  for (int round = 0; round < 20; ++round) {
+    const SmallMap map(random, 2);
+    const ImaginedStep step = random_step(random, map);
+    InformationGain gain;
+    gain.start(map.belief, map.vehicle);
+    gain.push(step);
+    Textbook textbook(map);
+    textbook.move(step);
+    const double before = textbook.log_det_without(kept, 12 - kept);
+    textbook.update(step, map);
+    const double wanted = 0.5 * (before - textbook.log_det_without(kept, 12 - kept));
+    const BlockMatrix given = vehicle_given_map(map.belief, map.vehicle);
+    EXPECT_NEAR(gain.of_position_and_map(kept, given), wanted, 1e-7 * (1 + wanted));
+    EXPECT_NEAR(gain.of_position_and_map(12, given), gain.of_state(), 1e-9) << "nothing is left out";
+  }
+}
+
+TEST(InformationGain, IsTheSameByEveryWayToAPath) {
+  RandomStream random(6, "test.information");
+  const SmallMap map(random, 4);
+  const AnyBelief same = AnyBelief(map.belief);
+  std::vector<ImaginedStep> steps;
+  for (int i = 0; i < 4; ++i) steps.push_back(random_step(random, map));
+  InformationGain straight, wandering;
+  straight.start(map.belief, map.vehicle);
+  wandering.start(same, map.vehicle);
+  for (const int k : {0, 1}) straight.push(steps[static_cast<std::size_t>(k)]);
+  wandering.push(steps[2]), wandering.push(steps[3]);
+  wandering.pop(), wandering.pop();
+  wandering.push(steps[0]), wandering.push(steps[3]);
+  wandering.pop();
+  wandering.push(steps[1]);
+  EXPECT_EQ(wandering.of_state(), straight.of_state());
+  EXPECT_EQ(wandering.of_vehicle(), straight.of_vehicle());
+  EXPECT_EQ(wandering.fisher_trace(), straight.fisher_trace());
+  EXPECT_EQ(wandering.steps(), 2);
+  wandering.start(map.belief, map.vehicle);
+  EXPECT_EQ(wandering.of_state(), 0);
+  EXPECT_THROW(wandering.pop(), std::logic_error);
+}
+
+TEST(InformationGain, NoLooksTeachNothingAndMoreLooksTeachMore) {
+  RandomStream random(2, "test.information");
+  const SmallMap map(random, 5);
+  const ImaginedStep all = random_step(random, map);
+  ImaginedStep some{all.A, all.N, {}};
+  double before = -1;
+  for (std::size_t count = 0; count <= all.looks.size(); ++count) {
+    some.looks.assign(all.looks.begin(), all.looks.begin() + static_cast<std::ptrdiff_t>(count));
+    InformationGain gain;
+    gain.start(map.belief, map.vehicle);
+    gain.push(some);
+    EXPECT_GT(gain.of_state(), before);
+    if (count == 0) {
+      EXPECT_EQ(gain.of_state(), 0);
+      EXPECT_EQ(gain.of_vehicle(), 0);
+      EXPECT_EQ(gain.fisher_trace(), 0);
+    }
+    before = gain.of_state();
+  }
+}
+
+TEST(InformationGain, FisherTraceIsThatOfTheWholeMatrices) {
+  RandomStream random(8, "test.information");
+  const SmallMap map(random, 3);
+  ImaginedStep step = random_step(random, map);
+  InformationGain gain;
+  gain.start(map.belief, map.vehicle);
+  gain.push(step);
+  double thesis = 0, given_state = 0;
+  for (const ExpectedLook& look : step.looks) {
+    Eigen::MatrixXd H(2, 12 + look.Hl.cols());
+    H << look.Hv, look.Hl;
+    ImaginedStep alone{step.A, step.N, {look}};
+    Textbook textbook(map);
+    textbook.move(alone);
+    std::vector<Eigen::Index> errors;
+    for (int i = 0; i < 12; ++i) errors.push_back(i);
+    const int at = look.of == ExpectedLook::Of::mapped   ? map.belief.offset(look.block)
+                   : look.of == ExpectedLook::Of::unseen ? textbook.errors + 3 * look.unseen
+                                                         : -1;
+    for (int i = 0; at >= 0 && i < 3; ++i) errors.push_back(at + i);
+    const Eigen::MatrixXd S = H * textbook.P(errors, errors) * H.transpose() + Eigen::MatrixXd(look.R);
+    thesis += (H.transpose() * S.inverse() * H).trace();
+    given_state += (H.transpose() * Eigen::MatrixXd(look.R).inverse() * H).trace();
+  }
+  EXPECT_NEAR(gain.fisher_trace(), thesis, 1e-9 * thesis);
+  EXPECT_NEAR(gain.fisher_trace_given_state(), given_state, 1e-9 * given_state);
+  EXPECT_LT(gain.fisher_trace(), gain.fisher_trace_given_state());
+}
+
+TEST(InformationGain, SurvivesWhereDeterminantsUnderflow) {
+  // |1e-4 I| of 313 states is 0 in double: the thesis' way gives no number at all, this one does
+  RandomStream random(3, "test.information");
+  SmallMap map(random, 0);
+  for (int i = 0; i < 101; ++i)
+    map.landmarks.push_back(map.belief.augment(Chart::line(3), Eigen::VectorXd::Zero(3), {},
+                                               1e-4 * Eigen::MatrixXd::Identity(3, 3)));
+  ASSERT_EQ(map.belief.dense_covariance().determinant(), 0);
+  ImaginedStep step{Eigen::MatrixXd::Identity(12, 12), Eigen::MatrixXd::Zero(12, 12), {}};
+  std::vector<AffineLook> looks;
+  for (int of = 0; of < 101; ++of) {
+    step.looks.push_back(random_look(random, map, of));
+    AffineLook look;
+    look.add(map.vehicle, step.looks.back().Hv);
+    look.add(step.looks.back().block, step.looks.back().Hl);
+    look.residual = Eigen::Vector2d::Zero();
+    look.R = step.looks.back().R;
+    looks.push_back(look);
+  }
+  InformationGain gain;
+  gain.start(map.belief, map.vehicle);
+  gain.push(step);
+  Belief updated = map.belief;
+  const UpdateReport report = updated.update(looks);
+  EXPECT_NEAR(gain.of_state(), 0.5 * (report.log_det_S - report.log_det_R), 1e-7);
+  EXPECT_NEAR(gain.of_state(),
+              0.5 * (log_det(map.belief.dense_covariance()) - log_det(updated.dense_covariance())), 1e-6);
+}
+
+TEST(InformationGain, RefusesWhatDoesNotFit) {
+  RandomStream random(9, "test.information");
+  const SmallMap map(random, 2);
+  InformationGain gain;
+  gain.start(map.belief, map.vehicle);
+  ImaginedStep step = random_step(random, map);
+  step.A = Eigen::MatrixXd::Identity(3, 3);
+  EXPECT_THROW(gain.push(step), std::invalid_argument);
+  step = {Eigen::MatrixXd::Identity(12, 12), Eigen::MatrixXd::Zero(12, 12), {random_look(random, map, 0)}};
+  step.looks[0].Hl = random_matrix(random, 2, 4);
+  EXPECT_THROW(gain.push(step), std::invalid_argument);
+  step.looks = {random_look(random, map, 0)};
+  step.looks[0].Hv = random_matrix(random, 2, 6);
+  gain.start(map.belief, map.vehicle);
+  EXPECT_THROW(gain.push(step), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace incognita

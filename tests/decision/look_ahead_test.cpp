@@ -1,0 +1,233 @@
+// One action, or several one after the other: which begins best.
+#include "incognita/decision/look_ahead.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "incognita/decision/action_choice.hpp"
+#include "incognita/math/random.hpp"
+
+namespace incognita {
+namespace {
+
+/// A robot on a line that steps left, stays or steps right, and past a wall at x = 30 may not.
+class Steps final : public Moves {
+ public:
+  int count() const override { return 3; }
+  int stay() const override { return 1; }
+  Outcome after(const BlockVector& state, int action) const override {
+    Outcome out{state, BlockMatrix::Identity(1, 1), 0.01 * BlockMatrix::Identity(1, 1)};
+    out.state[0] += action - 1;
+    out.allowed = out.state[0] <= 30;
+    return out;
+  }
+};
+
+/// What is near is seen the better, each landmark with a noise of its own distance.
+class NearPoints final : public Expectation {
+ public:
+  struct Point {
+    ExpectedLook::Of of;
+    BlockId block;
+    int unseen;
+    double x;
+  };
+  std::vector<Point> points;
+  void expect(const BlockVector& state, std::vector<ExpectedLook>& looks) const override {
+    looks.clear();
+    for (const Point& p : points) {
+      const double away = std::abs(p.x - state[0]);
+      if (away > 1.5) continue;
+      ExpectedLook look;
+      look.of = p.of;
+      look.block = p.block;
+      look.unseen = p.unseen;
+      look.unseen_var_m2 = 4;
+      look.Hv = -LookJacobian::Identity(1, 1);
+      look.Hl = LookJacobian::Identity(1, 1);
+      if (p.of == ExpectedLook::Of::anchor) look.Hl.resize(1, 0);
+      look.R = (0.01 + 0.1 * away * away) * LookMatrix::Identity(1, 1);
+      looks.push_back(look);
+    }
+  }
+};
+
+/// Something middling to the right, and far to the left something rich that one step does not show.
+struct Line {
+  Belief belief;
+  BlockId robot;
+  NearPoints points;
+  BlockVector at = BlockVector::Zero(1);
+
+  Line() {
+    robot =
+        belief.add_vehicle(Chart::line(1), Eigen::VectorXd::Zero(1), 0.04 * Eigen::MatrixXd::Identity(1, 1));
+    const auto map = [&](double x, double sigma) {
+      const BlockId id = belief.augment(Chart::line(1), Eigen::VectorXd::Constant(1, x), {},
+                                        sigma * sigma * Eigen::MatrixXd::Identity(1, 1));
+      points.points.push_back({ExpectedLook::Of::mapped, id, 0, x});
+    };
+    map(1.8, 0.15);
+    for (int i = 0; i < 5; ++i) points.points.push_back({ExpectedLook::Of::unseen, 0, i, -3.0 - 0.1 * i});
+    points.points.push_back({ExpectedLook::Of::anchor, 0, 0, 2.2});
+  }
+  std::vector<double> scores(int horizon, int evaluations = 1000) {
+    LookAhead ahead({Metric::state, horizon, evaluations, 1});
+    return ahead.scores(belief, robot, at, Steps(), points);
+  }
+};
+
+/// All sequences, each with a gain of its own: no tree, no beam.
+double best_of_all(const Line& line, int first, int horizon) {
+  double best = -1;
+  const int sequences = static_cast<int>(std::pow(3, horizon - 1));
+  for (int code = 0; code < sequences; ++code) {
+    InformationGain gain;
+    gain.start(line.belief, line.robot);
+    BlockVector at = line.at;
+    bool allowed = true;
+    for (int step = 0, rest = code; step < horizon; ++step) {
+      const int action = step == 0 ? first : rest % 3;
+      if (step > 0) rest /= 3;
+      const Outcome out = Steps().after(at, action);
+      allowed = allowed && out.allowed;
+      ImaginedStep imagined{out.A, out.N, {}};
+      line.points.expect(out.state, imagined.looks);
+      gain.push(imagined);
+      at = out.state;
+    }
+    if (allowed) best = std::max(best, gain.of_state());
+  }
+  return best;
+}
+
+TEST(LookAhead, IsTheBestOfAllSequencesWhereAllAreFollowed) {
+  for (const int horizon : {1, 2, 3, 4}) {
+    Line line;
+    const std::vector<double> scores = line.scores(horizon);
+    for (int a = 0; a < 3; ++a)
+      EXPECT_NEAR(scores[static_cast<std::size_t>(a)], best_of_all(line, a, horizon), 1e-9)
+          << horizon << " " << a;
+  }
+}
+
+TEST(LookAhead, GoesForWhatOneStepDoesNotShow) {
+  Line line;
+  const std::vector<bool> all(3, true);
+  EXPECT_EQ(best_of(line.scores(1), all, 1), 2) << "greedy: to the right";
+  EXPECT_EQ(best_of(line.scores(3), all, 1), 0) << "with what follows: to the left";
+}
+
+TEST(LookAhead, KeepsToItsBudgetAndFollowsEveryFirstAction) {
+  Line line;
+  LookAhead all({Metric::state, 5, 1000000, 1}), few({Metric::state, 5, 40, 1});
+  const std::vector<double> full = all.scores(line.belief, line.robot, line.at, Steps(), line.points);
+  const std::vector<double> beam = few.scores(line.belief, line.robot, line.at, Steps(), line.points);
+  EXPECT_EQ(all.evaluations(), 3 + 9 + 27 + 81 + 243);
+  EXPECT_LE(few.evaluations(), 3 + 4 * 9);
+  for (std::size_t a = 0; a < 3; ++a) {
+    EXPECT_LE(beam[a], full[a] + 1e-12) << "less is looked at, nothing better is found";
+    EXPECT_GT(beam[a], 0);
+  }
+}
+
+TEST(LookAhead, NeverWalksThroughWalls) {
+  Line line;
+  line.at[0] = 30;
+  LookAhead ahead({Metric::state, 2, 1000, 1});
+  ahead.scores(line.belief, line.robot, line.at, Steps(), line.points);
+  EXPECT_EQ(ahead.allowed(), (std::vector<bool>{true, true, false}));
+}
+
+TEST(LookAhead, RefusesWhatCanNotBe) {
+  EXPECT_THROW(LookAhead({Metric::state, 0, 10, 3}), std::invalid_argument);
+  EXPECT_THROW(LookAhead({Metric::state, 1, 0, 3}), std::invalid_argument);
+  EXPECT_THROW(LookAhead({Metric::position_and_map, 2, 10, 3}), std::invalid_argument);
+  EXPECT_THROW(LookAhead({Metric::fisher, 2, 10, 3}), std::invalid_argument);
+}
+
+TEST(BestOf, StaysWhereNothingIsGainedOrAllowed) {
+  EXPECT_EQ(best_of({1, 1, 1}, {true, true, true}, 1), 1);
+  EXPECT_EQ(best_of({2, 1, 2}, {true, true, true}, 1), 0);
+  EXPECT_EQ(best_of({2, 1, 3}, {true, true, false}, 1), 0);
+  EXPECT_EQ(best_of({2, 1, 3}, {false, false, false}, 1), 1);
+  EXPECT_EQ(best_of({2, 5, 3}, {true, false, true}, 1), 2) << "also staying may not be allowed";
+}
+
+/// Ten seconds of choices at 10 frames a second.
+std::vector<int> choices(const DecisionSettings& settings, std::uint64_t seed,
+                         bool* scored_one_each = nullptr) {
+  Line line;
+  ActionChoice choice(settings, {"left", "stay", "right"}, seed);
+  std::vector<int> chosen;
+  std::vector<double> before;
+  for (int k = 0; k < 100; ++k) {
+    const bool decided =
+        choice.choose(line.belief, line.robot, line.at, Steps(), line.points, {k, 0.1 * k, 0.1});
+    if (decided) chosen.push_back(choice.chosen());
+    if (scored_one_each && !before.empty()) {
+      int changed = 0;
+      for (std::size_t i = 0; i < 3; ++i) changed += before[i] != choice.scores()[i];
+      *scored_one_each = *scored_one_each && changed <= 1;
+    }
+    before = choice.scores();
+  }
+  return chosen;
+}
+
+TEST(ActionChoice, ChoosesOnceAPeriodByStrategy) {
+  DecisionSettings s;
+  EXPECT_EQ(choices(s, 1), std::vector<int>(10, 2));
+  s.strategy = "none";
+  EXPECT_EQ(choices(s, 1), std::vector<int>(10, 1));
+  s.strategy = "fixed-path";
+  s.sequence = "left left right";
+  EXPECT_EQ(choices(s, 1), (std::vector<int>{0, 0, 2, 0, 0, 2, 0, 0, 2, 0}));
+  s.strategy = "random";
+  s.sequence = "";
+  const std::vector<int> random = choices(s, 1);
+  for (int a = 0; a < 3; ++a) EXPECT_GT(std::count(random.begin(), random.end(), a), 0);
+  EXPECT_EQ(random, choices(s, 1)) << "the same seed";
+  EXPECT_NE(random, choices(s, 2));
+}
+
+TEST(ActionChoice, OneActionAFrameChoosesTheSameWhereNothingChanges) {
+  DecisionSettings s;
+  s.schedule = "one-per-frame";
+  bool one_each = true;
+  std::vector<int> chosen = choices(s, 1, &one_each);
+  EXPECT_TRUE(one_each);
+  chosen.erase(chosen.begin());  // in its first frame it has scored one only
+  EXPECT_EQ(chosen, std::vector<int>(9, 2));
+}
+
+TEST(ActionChoice, ScoresOnlyWhenItChoosesWhereItIsToldSo) {
+  DecisionSettings s;
+  const std::vector<int> in_every_frame = choices(s, 1);
+  s.schedule = "at-decisions";
+  EXPECT_EQ(choices(s, 1), in_every_frame);
+}
+
+TEST(ActionChoice, RefusesWhatCanNotBe) {
+  const std::vector<std::string> names{"left", "stay", "right"};
+  DecisionSettings s;
+  s.strategy = "fixed-path";
+  EXPECT_THROW(ActionChoice(s, names, 1), std::invalid_argument);
+  s.sequence = "left rihgt";
+  try {
+    ActionChoice(s, names, 1);
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find("nearest is `right`"), std::string::npos) << error.what();
+  }
+  s = {};
+  s.schedule = "one-per-frame";
+  s.horizon = 2;
+  EXPECT_THROW(ActionChoice(s, names, 1), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace incognita

@@ -212,7 +212,8 @@ Claim cost(const Drives& d) {
                     "faster than it was recorded, on one processor",
        .printed = "",
        .measured = times > 20 ? "more than 20 times" : fmt::format("{:.1f} times", times),
-       .why = "it is slower"},
+       .why = "it is slower",
+       .timed = true},
       times > 20 && !d.joint.lost);
 }
 

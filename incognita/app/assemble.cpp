@@ -83,14 +83,15 @@ Assembly assemble(const LoadedScenario& loaded) {
   const bool scale_is_known = target.has_value();
   std::vector<std::string> notes;
   Place place = place_of(loaded, camera, target, notes);
-  return {{std::move(place.clock), std::move(place.world), std::move(place.sensor),
-           CameraEstimator(camera, std::move(target), scenario.slam, scenario.start.max_search_s,
-                           static_cast<std::uint64_t>(scenario.run.seed)),
-           CameraDecision(camera, scenario.slam, scenario.decision, scenario.exploration,
-                          static_cast<std::uint64_t>(scenario.run.seed)),
-           CameraController(scenario.control)},
-          scale_is_known,
-          std::move(notes)};
+  return {
+      {std::move(place.clock), std::move(place.world), std::move(place.sensor),
+       CameraEstimator(camera, std::move(target), scenario.slam, scenario.start.max_search_s,
+                       static_cast<std::uint64_t>(scenario.run.seed)),
+       CameraDecision(camera, scenario.slam, scenario.decision, scenario.exploration,
+                      static_cast<std::uint64_t>(scenario.run.seed)),
+       CameraController(scenario.control, scenario.person, static_cast<std::uint64_t>(scenario.run.seed))},
+      scale_is_known,
+      std::move(notes)};
 }
 
 }  // namespace incognita

@@ -10,6 +10,7 @@
 #include "incognita/io/data_folder.hpp"
 #include "incognita/io/files.hpp"
 #include "incognita/io/range_formats.hpp"
+#include "incognita/io/team_setting_list.hpp"
 #include "incognita/messages/errors.hpp"
 #include "incognita/world/range_replay.hpp"
 #include "incognita/world/room_clock.hpp"
@@ -56,6 +57,10 @@ TeamDecisionSettings decision_of(const Scenario& s) {
   out.tick_s = 1 / s.run.rate_hz;
   out.exploration = s.exploration;
   out.seed = static_cast<std::uint64_t>(s.run.seed);
+  if (is_carried(s)) {
+    const SteerChoice& can = s.team.steer;
+    out.carrier = Carrier{carrier_of(s, 0).mount, can.max_speed_m_s, can.max_turn_rate_rad_s};
+  }
   if (s.run.sensor == "range-bearing" || s.run.sensor == "bearing")
     out.reach = {s.planar.sensor.max_range_m,
                  s.team.plant.field_of_view_rad >= 6.2831853 ? 7 : s.team.plant.field_of_view_rad};
@@ -75,6 +80,14 @@ std::vector<std::string> notes_of(const LoadedScenario& loaded) {
       "birth.inverse_depth_per_m = {} (from {}): a new landmark is first believed to be {:.3g} m away, "
       "and the place reaches {:.3g} m: tell a depth that fits it, or the map may break",
       s.slam.birth.inverse_depth_per_m, loaded.sources.at("birth.inverse_depth_per_m"), believed_m, place_m)};
+}
+
+std::unique_ptr<World> world_of(const Scenario& s, const std::vector<SimulatedVehicle>& vehicles) {
+  const auto seed = static_cast<std::uint64_t>(s.run.seed);
+  if (!is_carried(s)) return std::make_unique<TeamWorld>(vehicles, seed);
+  std::vector<CameraCarrier> carriers;
+  for (std::size_t i = 0; i < vehicles.size(); ++i) carriers.push_back(carrier_of(s, i));
+  return std::make_unique<CarriedCameraWorld>(std::move(carriers), seed);
 }
 
 TeamAssembly simulated(const LoadedScenario& loaded) {
@@ -100,9 +113,8 @@ TeamAssembly simulated(const LoadedScenario& loaded) {
   TeamController controller =
       made(loaded, held ? "steer.input" : "steer.law",
            held ? fmt::format("[{}]", fmt::join(s.team.steer.input, ", ")) : s.team.steer.law,
-           [&] { return TeamController(std::move(steering), period_s); });
-  return {{std::make_unique<RoomClock>(s.run.rate_hz, s.run.duration_s),
-           std::make_unique<TeamWorld>(vehicles, seed),
+           [&] { return TeamController(std::move(steering), period_s, s.person, seed); });
+  return {{std::make_unique<RoomClock>(s.run.rate_hz, s.run.duration_s), world_of(s, vehicles),
            std::make_unique<TeamSensor>(vehicles, place, s.team.start.sees_team, seed), std::move(estimator),
            TeamDecision(team, decision_of(s)), std::move(controller)},
           notes_of(loaded)};

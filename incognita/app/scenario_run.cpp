@@ -158,7 +158,7 @@ RunOutcome run_team(const LoadedScenario& loaded, const OpenKeeper& open, const 
   RunInfo info = info_of(loaded);
   info.body = model == "free-camera" ? "camera" : "vehicle";
   info.vehicles = static_cast<int>(assembly.boxes.estimator.settings().members.size());
-  info.inputs = inputs_of(model);
+  info.inputs = inputs_of(is_carried(loaded.scenario) ? "terrain" : model);
   info.steered_m = steered_point(loaded.scenario);
   return run_boxes(assembly.boxes, info, loaded, open, manner);
 }

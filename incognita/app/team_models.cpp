@@ -9,6 +9,7 @@
 #include "incognita/io/path_file.hpp"
 #include "incognita/io/point_file.hpp"
 #include "incognita/io/scenario_file.hpp"
+#include "incognita/io/team_setting_list.hpp"
 #include "incognita/messages/errors.hpp"
 #include "incognita/models/heading.hpp"
 
@@ -36,21 +37,30 @@ Terrain terrain_of(const TerrainChoice& t) {
   return Waves{0, {{t.amplitude_m, t.length_m, 0, 0}, {t.amplitude_m, t.length_m, quarter, quarter}}};
 }
 
-Mount mount_of(const MountChoice& m) { return {m.forward_m, m.left_m, m.up_m, m.pitch_rad, m.yaw_rad}; }
-
 double heading_of_start(const TeamStartSettings& s, std::size_t i) {
   return s.headings_rad.size() == 1 ? s.headings_rad.front() : s.headings_rad.at(i);
 }
 
+/// Of what moves: a carried camera's is that of its carrier.
 SmallVector start_of(const Scenario& s, std::size_t i) {
   const Eigen::Vector3d& at = s.team.start.positions_m.at(i);
   const double heading = heading_of_start(s.team.start, i);
   if (is_line(s)) return list({at.x()});
-  if (!is_body(s)) return list({at.x(), at.y(), heading});
+  if (!is_body(s) || is_carried(s)) return list({at.x(), at.y(), heading});
   SmallVector state = SmallVector::Zero(FreeCameraMotion::chart.ambient());
   state.head<3>() = at;
   state.segment<4>(3) = level_gaze(heading);
   return state;
+}
+
+Mount mount_of(const MountChoice& m) { return {m.forward_m, m.left_m, m.up_m, m.pitch_rad, m.yaw_rad}; }
+
+/// Of the state that is estimated: a carried camera's is where its carrier has it, standing.
+SmallVector believed_start(const Scenario& s, std::size_t i) {
+  const SmallVector start = start_of(s, i);
+  if (!is_carried(s)) return start;
+  const CameraCarrier carrier{{terrain_of(s.team.terrain)}, {}, mount_of(s.team.mount)};
+  return carried_camera(carrier, start.head<3>(), TerrainVehicle::State<double>::Zero());
 }
 
 struct StartSigmas {
@@ -88,8 +98,32 @@ bool measures_ranges(const AnySensor& sensor) {
 
 SmallVector limits_of(const Scenario& s) {
   const SteerChoice& can = s.team.steer;
+  if (is_carried(s)) return list({can.max_speed_m_s, can.max_turn_rate_rad_s});
   return of_inputs(s, {can.max_speed_m_s, can.max_turn_rate_rad_s, can.max_steering_rad,
                        s.control.max_acceleration_m_s2, s.control.max_angular_acceleration_rad_s2});
+}
+
+/// Of what moves: speed and turn rate where a camera is carried.
+PlantSettings plant_of(const Scenario& s, std::size_t i) {
+  const PlantChoice& p = s.team.plant;
+  PlantSettings plant;
+  plant.start = start_of(s, i);
+  plant.most_input = limits_of(s);
+  plant.least_input = -plant.most_input;
+  if (is_carried(s)) {
+    plant.start_sigmas =
+        list({p.sigma_start_position_m, p.sigma_start_position_m, p.sigma_start_heading_rad});
+    plant.input_sigmas = list({p.sigma_speed_m_s, p.sigma_turn_rate_rad_s});
+    plant.input_ratios = list({p.speed_ratio, p.turn_ratio});
+    return plant;
+  }
+  // Speeds are 0 at the start, which the filter may know less well
+  plant.start_sigmas =
+      of_start(s, {p.sigma_start_position_m, p.sigma_start_height_m, p.sigma_start_heading_rad, 0, 0});
+  plant.input_sigmas = of_inputs(s, {p.sigma_speed_m_s, p.sigma_turn_rate_rad_s, p.sigma_steering_rad,
+                                     p.sigma_acceleration_m_s2, p.sigma_angular_acceleration_rad_s2});
+  plant.input_ratios = of_inputs(s, {p.speed_ratio, p.turn_ratio, p.turn_ratio, 1, 1});
+  return plant;
 }
 
 Path path_of(const LoadedScenario& loaded, const Eigen::Vector3d& offset) {
@@ -156,7 +190,7 @@ TeamMember member_of(const Scenario& s, std::size_t i) {
   const VehicleSettings& v = s.planar.vehicle;
   const FilterSettings& f = s.slam.filter;
   TeamMember m{motion_of(s), sensor_of(s), {}, {}, {}, {}};
-  m.start = start_of(s, i);
+  m.start = believed_start(s, i);
   const TeamStartSettings& start = s.team.start;
   m.start_sigmas = of_start(s, {start.sigma_position_m, start.sigma_height_m, start.sigma_heading_rad,
                                 f.sigma_start_velocity_m_s, f.sigma_start_angular_rate_rad_s});
@@ -180,19 +214,15 @@ TeamFilterSettings filter_of(const Scenario& s) {
   return f;
 }
 
+CameraCarrier carrier_of(const Scenario& s, std::size_t i) {
+  return {{terrain_of(s.team.terrain)}, plant_of(s, i), mount_of(s.team.mount)};
+}
+
 SimulatedVehicle simulated_vehicle(const Scenario& s, std::size_t i) {
   const PlantChoice& p = s.team.plant;
   SimulatedVehicle v{motion_of(s), {}, sensor_of(s), {}};
-  if (p.motion == "terrain") v.motion = TerrainVehicle{terrain_of(s.team.terrain)};
-  v.plant.start = start_of(s, i);
-  // Speeds are 0 at the start, which the filter may know less well
-  v.plant.start_sigmas =
-      of_start(s, {p.sigma_start_position_m, p.sigma_start_height_m, p.sigma_start_heading_rad, 0, 0});
-  v.plant.input_sigmas = of_inputs(s, {p.sigma_speed_m_s, p.sigma_turn_rate_rad_s, p.sigma_steering_rad,
-                                       p.sigma_acceleration_m_s2, p.sigma_angular_acceleration_rad_s2});
-  v.plant.most_input = limits_of(s);
-  v.plant.least_input = -v.plant.most_input;
-  v.plant.input_ratios = of_inputs(s, {p.speed_ratio, p.turn_ratio, p.turn_ratio, 1, 1});
+  if (p.motion == "terrain" && !is_carried(s)) v.motion = TerrainVehicle{terrain_of(s.team.terrain)};
+  v.plant = plant_of(s, i);
   v.sigmas = of_sensor(v.sensor, p.sigma_range_m, p.sigma_bearing_rad, p.sigma_pixel_px);
   if (measures_ranges(v.sensor)) v.sigma_range_ratio = p.sigma_range_ratio;
   const bool camera = dimensions_of(v.sensor) == 3;
@@ -216,6 +246,11 @@ VehicleSteering steering_of(const LoadedScenario& loaded, std::size_t i) {
   const Scenario& s = loaded.scenario;
   const SteerChoice& c = s.team.steer;
   SteeringSettings out;
+  if (is_carried(s)) {
+    out.input = held_input(s, TerrainVehicle::input_size);
+    out.most_input = limits_of(s);
+    return {TerrainVehicle{terrain_of(s.team.terrain)}, out};
+  }
   out.law = c.law != "active" ? c.law : is_line(s) ? "tracking" : "feedback-linearisation";
   out.input = held_input(s, inputs_of(motion_of(s)));
   out.gain_per_s = diagonal(c.gain_per_s);

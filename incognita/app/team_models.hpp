@@ -6,6 +6,7 @@
 #include "incognita/control/team_controller.hpp"
 #include "incognita/io/load_scenario.hpp"
 #include "incognita/slam/team_settings.hpp"
+#include "incognita/world/carried_camera_world.hpp"
 #include "incognita/world/team_world.hpp"
 
 namespace incognita {
@@ -20,8 +21,11 @@ AnySensor sensor_of(const Scenario& scenario);
 TeamMember member_of(const Scenario& scenario, std::size_t i);
 TeamFilterSettings filter_of(const Scenario& scenario);
 
-/// What vehicle `i` really is.
+/// What vehicle `i` really is; of one that is carried the camera alone, the rest being carrier_of.
 SimulatedVehicle simulated_vehicle(const Scenario& scenario, std::size_t i);
+
+/// What carries camera `i`, where is_carried().
+CameraCarrier carrier_of(const Scenario& scenario, std::size_t i);
 
 /// The point of a vehicle that its law brings to the path, before and left of the point that its state tells
 /// (m).

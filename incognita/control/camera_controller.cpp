@@ -14,6 +14,12 @@ constexpr double braking_s = 0.5;
 
 }  // namespace
 
+CameraController::CameraController(const ControlSettings& settings, const PersonSettings& person,
+                                   std::uint64_t seed)
+    : settings_(settings) {
+  if (person.holds) person_.emplace(person, seed, "person.0");
+}
+
 Command CameraController::act(const Estimate& estimate, const Goal& goal, const Tick& tick) {
   if (!estimate.started) return {};
   if (estimate.status.state == TrackingState::lost) {
@@ -24,9 +30,14 @@ Command CameraController::act(const Estimate& estimate, const Goal& goal, const 
   last_known_ = estimate.camera_state();
   const Gaze gaze = gaze_of(goal, tick);
   const Eigen::Vector3d rate_in_camera(0, -gaze.rate, 0);  // left about z is about -y of the camera
-  const Reference reference = minimum_jerk(goal.from, goal.to, goal.start_t, goal.end_t, tick.t);
-  return track_reference(last_known_, reference.position, reference.velocity, reference.acceleration,
-                         level_gaze(gaze.heading), rate_in_camera, settings_);
+  Way way{goal.from, goal.to, goal.start_t, goal.end_t};
+  if (person_) way = person_->obey(way, goal.decided, free_camera::position(last_known_), tick.t);
+  const Reference reference = minimum_jerk(way.from, way.to, way.start_t, way.end_t, tick.t);
+  Command command =
+      track_reference(last_known_, reference.position, reference.velocity, reference.acceleration,
+                      level_gaze(gaze.heading), rate_in_camera, settings_);
+  command.by_hand = person_.has_value();
+  return command;
 }
 
 /// The goal's; where it has none, to and fro about where the camera first looked.

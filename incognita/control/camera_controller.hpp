@@ -1,8 +1,10 @@
 // Steers a free camera along its goal, its gaze level: thesis (5.29), track_reference.hpp.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
+#include "incognita/control/person.hpp"
 #include "incognita/control/settings.hpp"
 #include "incognita/messages/command.hpp"
 #include "incognita/messages/goal.hpp"
@@ -13,7 +15,9 @@ namespace incognita {
 
 class CameraController {
  public:
-  explicit CameraController(const ControlSettings& settings) : settings_(settings) {}
+  /// `person`: who may move it by hand instead.
+  explicit CameraController(const ControlSettings& settings, const PersonSettings& person = {},
+                            std::uint64_t seed = 1);
 
   /// What to do until the next tick. Before the start nothing; when lost, brake from the last known motion,
   /// then nothing.
@@ -27,6 +31,7 @@ class CameraController {
   Command brake(const Tick& tick) const;
 
   ControlSettings settings_;
+  std::optional<Person> person_;
   std::optional<double> first_heading_;
   std::optional<double> first_t_;
   CameraState last_known_ = CameraState::Zero();

@@ -1,6 +1,7 @@
 #include "incognita/control/team_controller.hpp"
 
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include "incognita/control/track_reference.hpp"
@@ -8,12 +9,22 @@
 
 namespace incognita {
 
-TeamController::TeamController(std::vector<VehicleSteering> vehicles, double period_s)
+TeamController::TeamController(std::vector<VehicleSteering> vehicles, double period_s,
+                               const PersonSettings& person, std::uint64_t seed)
     : vehicles_(std::move(vehicles)), period_s_(period_s) {
-  for (const VehicleSteering& v : vehicles_) laws_.push_back(make_steering(v.motion, v.settings, period_s_));
+  for (const VehicleSteering& v : vehicles_) {
+    laws_.push_back(make_steering(v.motion, v.settings, period_s_));
+    if (person.holds) persons_.emplace_back(person, seed, "person." + std::to_string(persons_.size()));
+  }
 }
 
 namespace {
+
+/// Within what the vehicle can do.
+SmallVector driven(const VehicleSteering& v, const Eigen::Vector2d& drive) {
+  const SmallVector& most = v.settings.most_input;
+  return SmallVector(drive).cwiseMax(-most).cwiseMin(most);
+}
 
 /// On uneven ground it is the point before the axle that is brought to the path: to where it is at the goal.
 Eigen::Vector3d steered_to(const VehicleSteering& v, const VehicleGoal& goal) {
@@ -28,6 +39,7 @@ Eigen::Vector3d steered_to(const VehicleSteering& v, const VehicleGoal& goal) {
 void TeamController::turn_to(const Goal& goal) {
   for (std::size_t i = 0; i < vehicles_.size(); ++i) {
     VehicleSteering& v = vehicles_[i];
+    if (goal.team[i].drive) continue;
     v.settings.path = PointPath{steered_to(v, goal.team[i]), goal.team[i].heading_rad};
     laws_[i] = make_steering(v.motion, v.settings, period_s_);
   }
@@ -52,21 +64,24 @@ Command TeamController::brake(const Tick& tick) {
 
 /// A body in space goes to its goal with the least jerk, looking where the goal says: (5.29).
 SmallVector TeamController::fly(const TeamEstimate& estimate, const Goal& goal, std::size_t i,
-                                const Tick& tick) const {
+                                const Tick& tick) {
   const VehicleGoal& to = goal.team[i];
-  const Reference r = minimum_jerk(to.from, to.to, goal.start_t, goal.end_t, tick.t);
+  const SmallVector state = estimate.belief.mean(estimate.vehicles[i].block);
+  Way way{to.from, to.to, goal.start_t, goal.end_t};
+  if (!persons_.empty()) way = persons_[i].obey(way, goal.decided, state.head<3>(), tick.t);
+  const Reference r = minimum_jerk(way.from, way.to, way.start_t, way.end_t, tick.t);
   const Eigen::Vector3d rate(0, -to.heading_rate_rad_s, 0);  // left about z is about -y of the camera
   const SteeringSettings& s = vehicles_[i].settings;
-  const SmallVector wished =
-      track_reference(estimate.belief.mean(estimate.vehicles[i].block), r.position, r.velocity,
-                      r.acceleration, level_gaze(to.heading_rad), rate, s.camera)
-          .as_input();
+  const SmallVector wished = track_reference(CameraState(state), r.position, r.velocity, r.acceleration,
+                                             level_gaze(to.heading_rad), rate, s.camera)
+                                 .as_input();
   return wished.cwiseMax(-s.most_input).cwiseMin(s.most_input);
 }
 
 Command TeamController::act(const TeamEstimate& estimate, const Goal& goal, const Tick& tick) {
   if (!first_t_) first_t_ = tick.t;
   Command command;
+  command.by_hand = !persons_.empty();
   if (!estimate.started) return command;
   if (estimate.status.state == TrackingState::lost) return brake(tick);
   lost_t_.reset();
@@ -76,6 +91,10 @@ Command TeamController::act(const TeamEstimate& estimate, const Goal& goal, cons
   if (goal.decided && has_goals) turn_to(goal);
   const double t = tick.t - *first_t_;
   for (std::size_t i = 0; i < vehicles_.size(); ++i) {
+    if (has_goals && goal.team[i].drive) {
+      command.inputs.push_back(driven(vehicles_[i], *goal.team[i].drive));
+      continue;
+    }
     if (has_goals && std::holds_alternative<FreeCameraMotion>(vehicles_[i].motion)) {
       command.inputs.push_back(fly(estimate, goal, i, tick));
       const Eigen::Vector3d& to = goal.team[i].to;

@@ -95,16 +95,22 @@ void ActionChoice::score(const Form& belief, BlockId vehicle, const BlockVector&
       look_ahead_.score_of(belief, vehicle, state, action, moves, expectation);
 }
 
+/// Where all end out of bounds, those that end the least so: a vehicle that drives can not stay.
+void ActionChoice::allow(const BlockVector& state, const Moves& moves) {
+  outside_m_.clear();
+  for (int a = 0; a < moves.count(); ++a) outside_m_.push_back(moves.after(state, a).outside_m);
+  const double least = *std::min_element(outside_m_.begin(), outside_m_.end());
+  for (std::size_t a = 0; a < outside_m_.size(); ++a) allowed_[a] = outside_m_[a] <= least;
+}
+
 int ActionChoice::compare(const BlockVector& state, const Moves& moves) {
-  for (int a = 0; a < moves.count(); ++a)
-    allowed_[static_cast<std::size_t>(a)] = moves.after(state, a).allowed;
+  allow(state, moves);
   if (settings_.strategy == "mutual-information") return best_of(scores_, allowed_, moves.stay());
   if (settings_.strategy == "fixed-path") return next_of_sequence(moves);
   if (settings_.strategy == "none") return moves.stay();
   std::vector<int> possible;
   for (int a = 0; a < moves.count(); ++a)
     if (allowed_[static_cast<std::size_t>(a)]) possible.push_back(a);
-  if (possible.empty()) return moves.stay();
   return possible[static_cast<std::size_t>(random_.below(static_cast<int>(possible.size())))];
 }
 

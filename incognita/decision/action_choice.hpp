@@ -35,6 +35,7 @@ class ActionChoice {
   template <class Form>
   void score(const Form& belief, BlockId vehicle, const BlockVector& state, const Moves& moves,
              const Expectation& expectation);
+  void allow(const BlockVector& state, const Moves& moves);
   int compare(const BlockVector& state, const Moves& moves);
   int next_of_sequence(const Moves& moves);
 
@@ -45,6 +46,7 @@ class ActionChoice {
   RandomStream random_, order_stream_;
   std::vector<double> scores_;
   std::vector<bool> allowed_;
+  std::vector<double> outside_m_;
   std::vector<int> order_;  ///< `one-per-frame`: in which the actions are scored
   std::size_t scored_ = 0, taken_ = 0;
   int chosen_ = -1;

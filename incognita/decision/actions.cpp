@@ -46,6 +46,10 @@ std::vector<Translation> seven_translations(double step_m) {
   return named(all);
 }
 
+std::vector<Translation> translations_of(const DecisionSettings& s) {
+  return s.moves_m.empty() ? seven_translations(s.step_m) : named(s.moves_m);
+}
+
 std::vector<Translation> named(const std::vector<Eigen::Vector3d>& displacements_m) {
   std::vector<Translation> actions;
   for (const Eigen::Vector3d& d : displacements_m) actions.push_back({name_of(d), d});
@@ -58,6 +62,11 @@ std::vector<SpeedChange> table_6_1(double acceleration_m_s2, double turn_acceler
   const double v = acceleration_m_s2, w = turn_acceleration_rad_s2;
   return named(std::vector<Eigen::Vector2d>{{0, 0}, {0, -w}, {0, w}, {-v, 0}, {v, 0}, {-v, -w}, {v, w}},
                impulse_s);
+}
+
+std::vector<SpeedChange> speed_changes_of(const DecisionSettings& s) {
+  if (s.accelerations.empty()) return table_6_1(s.acceleration_m_s2, s.turn_acceleration_rad_s2, s.impulse_s);
+  return named(s.accelerations, s.impulse_s);
 }
 
 std::vector<SpeedChange> named(const std::vector<Eigen::Vector2d>& accelerations, double impulse_s) {

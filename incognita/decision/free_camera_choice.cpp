@@ -5,16 +5,6 @@
 namespace incognita {
 namespace {
 
-std::vector<Translation> translations_of(const DecisionSettings& s) {
-  return s.moves_m.empty() ? seven_translations(s.step_m) : named(s.moves_m);
-}
-
-std::vector<std::string> names_of(const std::vector<Translation>& actions) {
-  std::vector<std::string> names;
-  for (const Translation& action : actions) names.push_back(action.name);
-  return names;
-}
-
 Metric gaze_metric(const std::string& gaze) {
   if (gaze == "fisher") return Metric::fisher;
   return gaze == "fisher-given-state" ? Metric::fisher_given_state : Metric::state;

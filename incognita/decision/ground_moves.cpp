@@ -46,7 +46,7 @@ Outcome GroundMoves::after(const BlockVector& state, int action) const {
     out.A = (step.F * out.A).eval();
     out.N = (step.F * out.N * step.F.transpose() + noise).eval();
   }
-  out.allowed = action == stay_ || bounds_.contain(pose_of(member_.motion, out.state).position);
+  if (action != stay_) out.outside_m = bounds_.outside_m(pose_of(member_.motion, out.state).position);
   return out;
 }
 

@@ -90,14 +90,14 @@ void LookAhead::evaluate(const Moves& moves, const Expectation& expectation, con
                          std::vector<Node>& into) {
   Outcome outcome = moves.after(from.state, action);
   const bool first = from.actions.empty();
-  if (!outcome.allowed && !first) return;
+  if (!outcome.allowed() && !first) return;
   step_.A = outcome.A;
   step_.N = outcome.N;
   expectation.expect(outcome.state, step_.looks);
   gain_.push(step_);
   ++evaluations_;
   Node node{from.actions, outcome.state,
-            value_of(gain_, settings_.metric, settings_.position_errors, given_map_), outcome.allowed};
+            value_of(gain_, settings_.metric, settings_.position_errors, given_map_), outcome.allowed()};
   gain_.pop();
   node.actions.push_back(action);
   into.push_back(std::move(node));

@@ -71,7 +71,7 @@ Outcome Translations::after(const BlockVector& state, int action) const {
   out.state.head<3>() += heading * actions_[static_cast<std::size_t>(action)].displacement_m;
   out.state.segment<4>(3) = turned(gaze, gaze_rate_rad_s_ * period_s_);
   out.state.tail<6>().setZero();
-  out.allowed = action == stay_ || bounds_.contain(out.state.head<3>());
+  if (action != stay_) out.outside_m = bounds_.outside_m(out.state.head<3>());
   return out;
 }
 
@@ -118,7 +118,7 @@ Outcome SpeedChanges::after(const BlockVector& state, int action) const {
   out.state.head<3>() += world_from_body * (gone + turned * lever - lever);
   out.state.segment<4>(3) = quaternion_from_matrix(world_from_body * turned * body_from_camera);
   out.state.tail<2>() = speeds;
-  out.allowed = bounds_.contain(out.state.head<3>());  // also of "stay": it goes on driving
+  out.outside_m = bounds_.outside_m(out.state.head<3>());  // also of "stay": it goes on driving
   return out;
 }
 

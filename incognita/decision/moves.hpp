@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -15,8 +16,9 @@ namespace incognita {
 /// Where an action leads.
 struct Outcome {
   BlockVector state;
-  BlockMatrix A, N;     ///< error after = A * error before + noise of covariance N
-  bool allowed = true;  ///< false: out of bounds; told what it would teach, never chosen
+  BlockMatrix A, N;      ///< error after = A * error before + noise of covariance N
+  double outside_m = 0;  ///< how far it ends out of bounds: told what it would teach, chosen where all do
+  bool allowed() const { return outside_m <= 0; }
 };
 
 class Moves {
@@ -30,8 +32,9 @@ class Moves {
 /// Bounds of the world that no action may end outside of, m.
 struct Bounds {
   Eigen::Vector3d min_m{-1e9, -1e9, -1e9}, max_m{1e9, 1e9, 1e9};
-  bool contain(const Eigen::Vector3d& place) const {
-    return (place.array() >= min_m.array()).all() && (place.array() <= max_m.array()).all();
+  /// Along the axis where it is farthest out; 0 inside.
+  double outside_m(const Eigen::Vector3d& place) const {
+    return std::max({0.0, (min_m - place).maxCoeff(), (place - max_m).maxCoeff()});
   }
 };
 

@@ -21,8 +21,13 @@ struct DecisionSettings {
   std::string schedule = "every-frame";
   double step_m = 0.3;                   ///< of each of the seven translations, thesis 6.3.1
   std::vector<Eigen::Vector3d> moves_m;  ///< instead: displacements along heading, left, up; one must be 0
-  std::string sequence;                  ///< of `fixed-path`: names of actions, with spaces between
-  double period_s = 1.0;                 ///< an action lasts this long, then all are compared again
+  /// Of a vehicle that carries the camera, Table 6.1: accelerations that act for impulse_s once a period
+  double acceleration_m_s2 = 0.5;
+  double turn_acceleration_rad_s2 = 0.3;
+  double impulse_s = 1.0 / 15;                    ///< one frame of the thesis' 15 a second
+  std::vector<Eigen::Vector2d> accelerations;     ///< instead: (m/s^2, rad/s^2); one must be 0
+  std::string sequence;                           ///< of `fixed-path`: names of actions, with spaces between
+  double period_s = 1.0;                          ///< an action lasts this long, then all are compared again
   Eigen::Vector3d min_bound_m{-1e9, -1e9, -1e9};  ///< goals outside this box of the world are not chosen
   Eigen::Vector3d max_bound_m{1e9, 1e9, 1e9};
 

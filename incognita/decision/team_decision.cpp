@@ -12,10 +12,6 @@ namespace {
 
 bool is_body(const TeamMember& member) { return std::holds_alternative<FreeCameraMotion>(member.motion); }
 
-std::vector<Translation> translations_of(const DecisionSettings& s) {
-  return s.moves_m.empty() ? seven_translations(s.step_m) : named(s.moves_m);
-}
-
 double heading_by(const TeamMember& member, const SmallVector& state) {
   if (is_body(member)) return heading_of(Eigen::Vector4d(state.segment<4>(3)));
   return std::holds_alternative<MonobotMotion>(member.motion) ? 0 : state[2];
@@ -31,18 +27,23 @@ TeamDecision::TeamDecision(TeamSettings team, const TeamDecisionSettings& settin
   if (!settings_.decides) return;
   const DecisionSettings& d = settings_.decision;
   for (const TeamMember& member : team_.members) {
+    if (settings_.carrier) {
+      carried_.emplace_back(d, *settings_.carrier, member.input_sigmas[0], member.input_sigmas[3],
+                            settings_.seed);
+      continue;
+    }
     if (is_body(member)) {
       in_space_.emplace_back(d, member.input_sigmas[0], member.input_sigmas[3], settings_.seed);
       continue;
     }
     auto moves = std::make_unique<GroundMoves>(member, translations_of(d), d.period_s, settings_.tick_s,
                                                Bounds{d.min_bound_m, d.max_bound_m});
-    std::vector<std::string> names;
-    for (const Translation& action : moves->actions()) names.push_back(action.name);
-    on_ground_.emplace_back(d, std::move(names), settings_.seed);
+    on_ground_.emplace_back(d, names_of(moves->actions()), settings_.seed);
     moves_.push_back(std::move(moves));
   }
-  names_ = in_space_.empty() ? on_ground_.front().names() : in_space_.front().names();
+  names_ = !carried_.empty()    ? carried_.front().names()
+           : !in_space_.empty() ? in_space_.front().names()
+                                : on_ground_.front().names();
 }
 
 void TeamDecision::explore(const TeamEstimate& e, const Tick& tick) {
@@ -71,15 +72,31 @@ void TeamDecision::choose_in_space(const TeamEstimate& e, const Tick& tick) {
     }
     if (own.heading_rad)
       goal.heading_rad = *own.heading_rad, goal.heading_rate_rad_s = own.heading_rate_rad_s;
-    if (i > 0) continue;
-    goal_.scores = own.scores;
-    goal_.chosen = own.chosen;
-    goal_.decided = own.decided;
-    if (!own.decided) continue;
-    goal_.from = own.from;
-    goal_.to = own.to;
-    goal_.start_t = own.start_t;
-    goal_.end_t = own.end_t;
+    if (i == 0) tell(own);
+  }
+}
+
+/// What the whole goal says is the first vehicle's.
+void TeamDecision::tell(const Goal& first) {
+  goal_.scores = first.scores;
+  goal_.chosen = first.chosen;
+  goal_.decided = first.decided;
+  if (!first.decided) return;
+  goal_.from = first.from;
+  goal_.to = first.to;
+  goal_.start_t = first.start_t;
+  goal_.end_t = first.end_t;
+}
+
+void TeamDecision::choose_carried(const TeamEstimate& e, const Tick& tick) {
+  for (std::size_t i = 0; i < e.vehicles.size(); ++i) {
+    expectation_.prepare(e, i, exploration_.expected(), exploration_.settings().variance_expected_m2);
+    const TeamVehicle& vehicle = e.vehicles[i];
+    const CameraState camera = e.belief.mean(vehicle.block);
+    Goal own;
+    carried_[i].choose(e.belief, vehicle.block, camera, vehicle.wheels, expectation_, tick, own);
+    goal_.team[i].drive = own.drive;
+    if (i == 0) tell(own);
   }
 }
 
@@ -111,15 +128,18 @@ Goal TeamDecision::choose(const TeamEstimate& e, const Tick& tick) {
   if (!settings_.decides) return goal_;
   if (!e.started || e.status.state == TrackingState::lost) {
     for (FreeCameraChoice& choice : in_space_) choice.forget();
+    for (VehicleChoice& choice : carried_) choice.forget();
     for (ActionChoice& choice : on_ground_) choice.forget();
     return goal_ = {};
   }
   goal_.team.resize(e.vehicles.size());
   explore(e, tick);
-  if (in_space_.empty())
-    choose_on_ground(e, tick);
-  else
+  if (!carried_.empty())
+    choose_carried(e, tick);
+  else if (!in_space_.empty())
     choose_in_space(e, tick);
+  else
+    choose_on_ground(e, tick);
   if (goal_.decided && exploration_.settings().expected_landmarks > 0 && tick.t >= entropy_due_t_ - 1e-9) {
     goal_.entropy_extended = extended_entropy(e, exploration_.settings());
     entropy_due_t_ = tick.t + entropy_period_s(e.belief.errors());

@@ -1,10 +1,12 @@
 // The next move of each vehicle of a team: the one that teaches most (thesis 6.2), one vehicle after the
 // other, each as if the others stood still. A camera that moves freely chooses translations and turns
-// (6.3.1); vehicles on wheels and lines the translations that they can make.
+// (6.3.1), one that is carried the changes of its carrier's speeds (6.4.2); vehicles on wheels and lines the
+// translations that they can make.
 #pragma once
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +14,7 @@
 #include "incognita/decision/free_camera_choice.hpp"
 #include "incognita/decision/settings.hpp"
 #include "incognita/decision/team_expectation.hpp"
+#include "incognita/decision/vehicle_choice.hpp"
 #include "incognita/messages/goal.hpp"
 #include "incognita/messages/tick.hpp"
 
@@ -24,6 +27,7 @@ struct TeamDecisionSettings {
   Reach reach = {};      ///< beyond, points are not expected to be seen
   int max_looks = 1000;  ///< of the map, in one set of imagined looks: the most uncertain
   ExplorationSettings exploration = {};
+  std::optional<Carrier> carrier = {};  ///< of cameras that do not fly but are carried
   std::uint64_t seed = 1;
 };
 
@@ -42,6 +46,8 @@ class TeamDecision {
  private:
   void explore(const TeamEstimate& estimate, const Tick& tick);
   void choose_in_space(const TeamEstimate& estimate, const Tick& tick);
+  void choose_carried(const TeamEstimate& estimate, const Tick& tick);
+  void tell(const Goal& first);
   void choose_on_ground(const TeamEstimate& estimate, const Tick& tick);
 
   TeamSettings team_;
@@ -50,6 +56,7 @@ class TeamDecision {
   Exploration exploration_;
   TeamExpectation expectation_;
   std::vector<FreeCameraChoice> in_space_;     ///< one for each vehicle, of bodies in space
+  std::vector<VehicleChoice> carried_;         ///< or one for each carrier
   std::vector<std::unique_ptr<Moves>> moves_;  ///< likewise, of all others
   std::vector<ActionChoice> on_ground_;
   Goal goal_;

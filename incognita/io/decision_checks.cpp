@@ -14,6 +14,10 @@ void check_actions(const DecisionSettings& s, List& found) {
   if (!moves.empty() && std::none_of(moves.begin(), moves.end(), [](const auto& m) { return m.isZero(); }))
     found.push_back(
         {"decision.moves_m", "must have [0, 0, 0], to stay: what is done where nothing else is allowed"});
+  const auto& speeds = s.accelerations;
+  if (!speeds.empty() &&
+      std::none_of(speeds.begin(), speeds.end(), [](const auto& change) { return change.isZero(); }))
+    found.push_back({"decision.accelerations", "must have [0, 0], to go on as it goes"});
   if (s.strategy == "fixed-path" && s.sequence.empty())
     found.push_back({"decision.sequence", "must name actions, decision.strategy being `fixed-path`"});
   if (s.strategy != "fixed-path" && !s.sequence.empty())

@@ -36,13 +36,21 @@ void strategy(List& list, DecisionSettings& s) {
 }
 
 void actions(List& list, DecisionSettings& s) {
-  list.insert(list.end(), {
-                              {"decision.step_m", &s.step_m, "m",
-                               "displacement of each of the seven translations", above_up_to(0, 1000)},
-                              {"decision.moves_m", &s.moves_m, "m",
-                               "instead: displacements along heading, left and up; one must be [0, 0, 0]",
-                               between(-1000, 1000)},
-                          });
+  list.insert(
+      list.end(),
+      {
+          {"decision.step_m", &s.step_m, "m", "displacement of each of the seven translations",
+           above_up_to(0, 1000)},
+          {"decision.moves_m", &s.moves_m, "m",
+           "instead: displacements along heading, left and up; one must be [0, 0, 0]", between(-1000, 1000)},
+          {"decision.acceleration_m_s2", &s.acceleration_m_s2, "m/s^2",
+           "of the vehicle that carries the camera: Table 6.1", above_up_to(0, 1000)},
+          {"decision.turn_acceleration_rad_s2", &s.turn_acceleration_rad_s2, "rad/s^2",
+           "likewise of its turn rate", above_up_to(0, 1000)},
+          {"decision.impulse_s", &s.impulse_s, "s", "accelerations act for so long", above_up_to(0, 1000)},
+          {"decision.accelerations", &s.accelerations, "",
+           "instead of Table 6.1: [m/s^2, rad/s^2] each; one must be [0, 0]", between(-1000, 1000)},
+      });
 }
 
 void gaze(List& list, DecisionSettings& s) {

@@ -51,6 +51,7 @@ struct Scenario {
   ExplorationSettings exploration;
   PlanarSlamSettings planar;
   ControlSettings control;
+  PersonSettings person;
   RoomSettings room;
   TeamScenario team;
 };

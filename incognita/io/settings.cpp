@@ -298,6 +298,19 @@ void control(List& list, ControlSettings& s) {
       });
 }
 
+void person(List& list, PersonSettings& s) {
+  list.insert(
+      list.end(),
+      {
+          {"person.holds", &s.holds, "",
+           "a person moves the camera by hand as the screen says; nobody tells the filter", any()},
+          {"person.delay_s", &s.delay_s, "s", "from what is shown to what is done", between(0, 100)},
+          {"person.wrong", &s.wrong, "", "probability that another of the six ways is gone", between(0, 1)},
+          {"person.sigma_way_ratio", &s.sigma_way_ratio, "", "of how far is gone, over how far was shown",
+           between(0, 10)},
+      });
+}
+
 void room(List& list, RoomSettings& s) {
   list.insert(
       list.end(),
@@ -339,6 +352,7 @@ std::vector<Setting> list_settings(Scenario& scenario) {
   lost(list, scenario.slam.lost);
   list_decision_settings(list, scenario.decision, scenario.exploration);
   control(list, scenario.control);
+  person(list, scenario.person);
   room(list, scenario.room);
   vehicle(list, scenario.planar.vehicle);
   vehicle_start(list, scenario.planar.start);
@@ -364,11 +378,25 @@ bool section_means_something(const std::string& section, const std::string& sens
 
 }  // namespace
 
+namespace {
+
+/// Of a vehicle that carries the camera.
+bool of_speeds(const std::string& key) {
+  return key == "decision.acceleration_m_s2" || key == "decision.turn_acceleration_rad_s2" ||
+         key == "decision.impulse_s" || key == "decision.accelerations";
+}
+
+}  // namespace
+
 std::string why_meaningless(const std::string& key, const Scenario& s) {
   if (is_team(s)) return why_meaningless_to_team(key, s);
   if (is_of_teams(section_of(key))) return "run.world = `" + s.run.world + "`";
   if (!section_means_something(section_of(key), s.run.sensor)) return "run.sensor = `" + s.run.sensor + "`";
-  if (s.run.sensor != "range-bearing") return "";
+  if (section_of(key) == "person") {
+    if (s.run.world == "recording") return "run.world = `recording`";
+    return s.person.holds || key == "person.holds" ? "" : "person.holds = false";
+  }
+  if (s.run.sensor != "range-bearing") return of_speeds(key) ? "a camera that flies" : "";
   const auto any_of = [&](std::initializer_list<const char*> keys) {
     return std::find(keys.begin(), keys.end(), key) != keys.end();
   };

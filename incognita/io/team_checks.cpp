@@ -74,9 +74,9 @@ void check_apart(const Scenario& s, List& found) {
 void check_gains(const Scenario& s, List& found) {
   const std::string& model = s.planar.vehicle.model;
   const bool line = model == "monobot", body = model == "free-camera";
-  const std::size_t inputs = line   ? 1
-                             : body ? 6
-                                    : 2,
+  const std::size_t inputs = line                     ? 1
+                             : body && !is_carried(s) ? 6
+                                                      : 2,
                     axes = line ? 1 : 2,
                     regulated = line   ? 1
                                 : body ? 12
@@ -107,13 +107,16 @@ void check_path(const Scenario& s, List& found) {
 /// What stands on the ground or on a line has no height, nor a place beside the line, to choose.
 void check_dimensions(const Scenario& s, List& found) {
   const std::string& model = s.planar.vehicle.model;
-  if (model == "free-camera") return;
+  if (model == "free-camera" && !is_carried(s)) return;
   const bool line = model == "monobot";
   const auto check_places = [&](const char* key, const std::vector<Eigen::Vector3d>& places) {
     for (const Eigen::Vector3d& place : places)
       if (place.z() != 0 || (line && place.y() != 0))
-        return found.push_back({key, fmt::format("must have {} with vehicle.model = `{}`",
-                                                 line ? "y and z of 0" : "a z of 0", model)});
+        return found.push_back(
+            {key, is_carried(s)
+                      ? "must have a z of 0: the vehicle that carries the camera stands on the ground"
+                      : fmt::format("must have {} with vehicle.model = `{}`",
+                                    line ? "y and z of 0" : "a z of 0", model)});
   };
   check_places("team.positions_m", s.team.start.positions_m);
   const std::string& law = s.team.steer.law;
@@ -178,13 +181,20 @@ void check_bounds(const Scenario& s, List& found) {
   if ((d.max_bound_m.array() <= d.min_bound_m.array()).any())
     return found.push_back(
         {"decision.max_bound_m", "must be more than decision.min_bound_m along each axis"});
+  const int axes = is_carried(s) ? 2 : 3;  // how high a camera is carried is up to the ground
   for (const Eigen::Vector3d& at : s.team.start.positions_m)
-    if ((at.array() < d.min_bound_m.array()).any() || (at.array() > d.max_bound_m.array()).any())
+    if ((at.head(axes).array() < d.min_bound_m.head(axes).array()).any() ||
+        (at.head(axes).array() > d.max_bound_m.head(axes).array()).any())
       return found.push_back({"decision.min_bound_m", "must leave every start of team.positions_m inside"});
 }
 
 void check_plant(const Scenario& s, List& found) {
   const VehicleSettings& v = s.planar.vehicle;
+  const std::string& law = s.team.steer.law;
+  if (is_carried(s) && law != "none" && law != "active")
+    return found.push_back({"steer.law",
+                            "must be `active`, or `none` with a steer.input of a speed and a turn "
+                            "rate, with plant.motion = `terrain` under a camera that is carried"});
   if (s.team.plant.motion == "terrain" && s.run.sensor != "camera" && s.run.sensor != "stereo")
     return found.push_back({"plant.motion", "must be `as-believed` with run.sensor = `" + s.run.sensor +
                                                 "`: on uneven ground the plane of a scanner tilts"});

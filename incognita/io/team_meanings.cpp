@@ -25,9 +25,11 @@ struct Choices {
   bool camera = sensor == "camera" || sensor == "stereo";
   bool body = model == "free-camera", line = model == "monobot", car = model == "ackermann",
        ground = model == "terrain", drive = model == "differential-drive";
+  bool carried = is_carried(s);  ///< a camera that knows nothing of the wheels under it
 
   std::string by_sensor() const { return "run.sensor = `" + sensor + "`"; }
   std::string by_model() const { return "vehicle.model = `" + model + "`"; }
+  std::string by_plant() const { return "plant.motion = `" + s.team.plant.motion + "`"; }
   std::string by_law() const { return "steer.law = `" + law + "`"; }
   std::string by_path() const { return "path.kind = `" + path + "`"; }
   std::string by_world() const {
@@ -65,12 +67,15 @@ std::string plant(std::string_view key, const Choices& c) {
     return unless(!c.camera && !c.line, c.camera ? c.by_sensor() : c.by_model());
   if (key == "sigma_pixel_px") return unless(c.camera, c.by_sensor());
   if (one_of(key, {"sigma_acceleration_m_s2", "sigma_angular_acceleration_rad_s2"}))
-    return unless(c.body, c.by_model());
+    return unless(c.body && !c.carried, c.carried ? c.by_plant() : c.by_model());
+  if (c.carried && one_of(key, {"sigma_speed_m_s", "speed_ratio", "sigma_turn_rate_rad_s", "turn_ratio"}))
+    return "";
+  if (c.carried && key == "sigma_start_height_m") return c.by_plant();
   if (one_of(key, {"sigma_speed_m_s", "speed_ratio"})) return unless(!c.body, c.by_model());
   if (key == "sigma_steering_rad") return unless(c.car, c.by_model());
   if (key == "sigma_turn_rate_rad_s") return unless(c.drive || c.ground, c.by_model());
   if (key == "turn_ratio") return unless(!c.body && !c.line, c.by_model());
-  if (key == "motion") return unless(c.drive, c.by_model());
+  if (key == "motion") return unless(c.drive || c.body, c.by_model());
   if (key == "sigma_start_height_m") return unless(c.body, c.by_model());
   if (key == "sigma_start_heading_rad") return unless(!c.line, c.by_model());
   return "";
@@ -86,6 +91,7 @@ std::string terrain(std::string_view key, const Choices& c) {
 std::string steer(std::string_view key, const Choices& c) {
   if (key == "law") return "";
   if (key == "input") return unless(c.law == "none", c.by_law());
+  if (c.carried) return unless(one_of(key, {"max_speed_m_s", "max_turn_rate_rad_s"}), c.by_plant());
   if (key == "max_speed_m_s") return unless(!c.body, c.by_model());
   if (key == "max_turn_rate_rad_s") return unless(c.drive || c.ground, c.by_model());
   if (key == "max_steering_rad") return unless(c.car, c.by_model());
@@ -128,14 +134,29 @@ std::string points(std::string_view key, const Choices& c) {
 
 std::string control(std::string_view key, const Choices& c) {
   if (!c.body) return c.by_model();
+  if (c.carried) return c.by_plant();
   if (key.starts_with("gaze_")) return c.by_world();
   if (key.starts_with("max_")) return unless(c.law != "none", c.by_law());
   return unless(one_of(c.law, {"tracking", "feedback-linearisation", "active"}), c.by_law());
 }
 
 std::string decision(std::string_view key, const Choices& c) {
-  if (c.law == "active" && key.starts_with("gaze")) return unless(c.body, c.by_model());
-  return unless(c.law == "active", c.by_law());
+  if (c.law != "active") return c.by_law();
+  const std::string moved = c.carried ? c.by_plant() : c.by_model();
+  if (key.starts_with("gaze")) return unless(c.body && !c.carried, moved);
+  if (one_of(key, {"step_m", "moves_m"})) return unless(!c.carried, moved);
+  const DecisionSettings& d = c.s.decision;
+  if (key == "accelerations" || key == "impulse_s") return unless(c.carried, moved);
+  if (one_of(key, {"acceleration_m_s2", "turn_acceleration_rad_s2"}))
+    return unless(c.carried && d.accelerations.empty(), c.carried ? "decision.accelerations" : moved);
+  return "";
+}
+
+/// Who moves a camera by hand needs to be told where.
+std::string person(std::string_view key, const Choices& c) {
+  if (!c.body || c.carried) return c.carried ? c.by_plant() : c.by_model();
+  if (c.law != "active") return c.by_law();
+  return unless(key == "holds" || c.s.person.holds, "person.holds = false");
 }
 
 std::string run(std::string_view key, const Choices& c) {
@@ -152,11 +173,13 @@ std::string recording(std::string_view key, const Choices& c) {
 std::string in_points(const std::string& section, std::string_view key, const Choices& c) {
   if (section == "camera") return unless(c.camera, c.by_sensor());
   if (section == "control") return control(key, c);
+  if (section == "person") return person(key, c);
   if (section == "decision" || section == "explore") return decision(key, c);
   if (section == "points") return points(key, c);
   if (section == "plant") return plant(key, c);
   if (section == "terrain") return terrain(key, c);
-  if (section == "mount") return unless(c.camera && !c.body, c.camera ? c.by_model() : c.by_sensor());
+  if (section == "mount")
+    return unless(c.camera && (!c.body || c.carried), c.camera ? c.by_model() : c.by_sensor());
   if (section == "stereo") return unless(c.sensor == "stereo", c.by_sensor());
   if (section == "steer") return steer(key, c);
   if (section == "path") return path(key, c);
@@ -169,6 +192,11 @@ std::string in_points(const std::string& section, std::string_view key, const Ch
 
 bool is_team(const Scenario& s) {
   return s.run.world == "points" || (s.run.world == "recording" && s.recording.team);
+}
+
+bool is_carried(const Scenario& s) {
+  return s.run.world == "points" && s.planar.vehicle.model == "free-camera" &&
+         s.team.plant.motion == "terrain";
 }
 
 bool is_of_teams(const std::string& section) {

@@ -58,7 +58,8 @@ void plant(List& list, PlantChoice& s) {
       list.end(),
       {
           {"plant.motion", &s.motion, "",
-           "how the true vehicle moves: terrain under one that believes its ground to be flat",
+           "how the true vehicle moves: terrain under one that believes its ground to be flat, or under "
+           "the vehicle that carries a camera which believes to fly",
            one_of({"as-believed", "terrain"})},
           {"plant.speed_ratio", &s.speed_ratio, "", "true speed over the one told", between(0.1, 10)},
           {"plant.turn_ratio", &s.turn_ratio, "", "true turn rate or steering over the one told",

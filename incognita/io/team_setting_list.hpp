@@ -13,6 +13,9 @@ namespace incognita {
 /// Whether many vehicles run in one belief: in a place of points, or as a recording has them.
 bool is_team(const Scenario& scenario);
 
+/// Whether a camera is carried by a vehicle that its filter knows nothing of: thesis Section 6.4.
+bool is_carried(const Scenario& scenario);
+
 /// Appends every setting of `team`, which must outlive the list.
 void list_team_settings(std::vector<Setting>& list, TeamScenario& team);
 

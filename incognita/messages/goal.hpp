@@ -13,6 +13,7 @@ struct VehicleGoal {
   Eigen::Vector3d from{0, 0, 0}, to{0, 0, 0};  ///< world, m, from `start_t` to `end_t` of the goal
   double heading_rad = 0;                      ///< about z from +x
   double heading_rate_rad_s = 0;               ///< to the left
+  std::optional<Eigen::Vector2d> drive = {};   ///< instead of a place: as Goal::drive
 };
 
 struct Goal {
@@ -26,6 +27,8 @@ struct Goal {
   std::optional<double> heading_rad =
       {};                         ///< where a camera is to look now, about z from +x; none: as it will
   double heading_rate_rad_s = 0;  ///< and how fast that turns, to the left
+  /// Of a vehicle that is told how to drive, not where to: speed, m/s, and turn rate, rad/s, to the left
+  std::optional<Eigen::Vector2d> drive = {};
 
   /// Of what is not mapped yet, where such is expected (Figure 6.3)
   std::optional<double> coverage = {};          ///< share of the place that was looked at

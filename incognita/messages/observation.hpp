@@ -48,7 +48,9 @@ struct Sighting {
 struct VehicleView {
   std::optional<SmallVector>
       input;  ///< what it carried out since the tick before, as its motion model takes it
-  std::vector<Odometry> odometry;   ///< or, where it was recorded, each reading since then, in time order
+  std::vector<Odometry> odometry;  ///< or, where it was recorded, each reading since then, in time order
+  /// Speed, m/s, and turn rate, rad/s, by the encoders of what carries a camera; its filter does not ask
+  std::optional<Eigen::Vector2d> wheels;
   std::vector<Sighting> landmarks;  ///< of this very tick
   std::vector<Sighting> vehicles;   ///< others of the team, of this very tick
 };

@@ -18,8 +18,9 @@ struct Claim {
   std::string printed;    ///< the printed value or formula; empty where there is none
   std::string measured;   ///< what came out, with its unit and interval
   Verdict verdict = Verdict::does_not_hold;
-  std::string why;  ///< the correction, or why it does not hold; may be empty where it holds
-  int runs = 1;     ///< how many independent runs it rests on
+  std::string why;     ///< the correction, or why it does not hold; may be empty where it holds
+  int runs = 1;        ///< how many independent runs it rests on
+  bool timed = false;  ///< its verdict is of this machine and this moment: no test may rest on it
 };
 
 /// A picture with the numbers that are drawn in it.

@@ -20,8 +20,9 @@ struct TeamVehicle {
   double t = 0;                      ///< s, up to which it is predicted
   std::optional<SmallVector> input;  ///< the last that its wheels told, held until the next
   double input_t = 0;
-  double input_period = 0;  ///< s, between the last two readings; 0 before the second
-  RigidPose pose = {};      ///< as a body in space, after the last update
+  std::optional<Eigen::Vector2d> wheels;  ///< speed, m/s, and turn rate, rad/s, of what carries a camera
+  double input_period = 0;                ///< s, between the last two readings; 0 before the second
+  RigidPose pose = {};                    ///< as a body in space, after the last update
   Eigen::Matrix<double, 6, 6> pose_covariance = Eigen::Matrix<double, 6, 6>::Zero();  ///< of its error
 };
 

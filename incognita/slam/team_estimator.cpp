@@ -166,7 +166,10 @@ void TeamEstimator::update(TeamEstimate& e, const Command&, const Observation& s
   e.looks.clear();
   e.matched = 0;
   e.update = {};
-  for (std::size_t i = 0; i < e.vehicles.size(); ++i) predict_vehicle(e, i, seen.team[i], tick.t, settings_);
+  for (std::size_t i = 0; i < e.vehicles.size(); ++i) {
+    e.vehicles[i].wheels = seen.team[i].wheels;
+    predict_vehicle(e, i, seen.team[i], tick.t, settings_);
+  }
   stage.mark("predict");
   sort_out(e, seen, settings_);
   stage.mark("associate");

@@ -31,6 +31,9 @@ class Plant {
   /// odometry tells.
   const SmallVector& carried_out() const { return carried_out_; }
 
+  /// d(state)/dt as it moved last, with what disturbed it.
+  SmallVector rate() const { return rate_of(motion_, state_, driven_); }
+
   /// The state after the input was held for `dt_s` seconds (Dormand-Prince, Odeint, to 1e-10). Throws
   /// std::invalid_argument where input or time are not finite or the time is negative.
   const SmallVector& move(const SmallVector& input, double dt_s);
@@ -39,7 +42,7 @@ class Plant {
   AnyMotion motion_;
   PlantSettings settings_;
   RandomStream disturbance_;
-  SmallVector state_, carried_out_;
+  SmallVector state_, carried_out_, driven_;
 };
 
 }  // namespace incognita

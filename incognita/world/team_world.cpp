@@ -55,7 +55,9 @@ std::optional<Truth> TeamWorld::move(const Command& command, const Tick& tick) {
   for (std::size_t i = 0; i < plants_.size(); ++i) {
     const SmallVector none = SmallVector::Zero(inputs_of(plants_[i].motion()));
     truth.vehicles.push_back(plants_[i].move(i < command.inputs.size() ? command.inputs[i] : none, tick.dt));
-    truth.inputs.push_back(plants_[i].carried_out());
+    const SmallVector& carried_out = plants_[i].carried_out();
+    truth.inputs.push_back(command.by_hand ? SmallVector(SmallVector::Zero(carried_out.size()))
+                                           : carried_out);
     truth.poses.push_back(pose_of(plants_[i].motion(), truth.vehicles.back()));
   }
   const RigidPose& first = truth.poses.front();
@@ -111,6 +113,7 @@ Observation TeamSensor::look(const std::optional<Truth>& truth, const Tick& tick
   for (std::size_t i = 0; i < vehicles_.size(); ++i) {
     VehicleView view;
     if (tick.dt > 0) view.input = truth->inputs[i];
+    if (i < truth->wheels.size()) view.wheels = truth->wheels[i];
     if (tick.frame % vehicles_[i].ticks_per_look == 0) look_around(i, *truth, view);
     seen.team.push_back(std::move(view));
   }

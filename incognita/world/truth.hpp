@@ -14,8 +14,10 @@ struct Truth {
   bool orientation_known = true;  ///< GPS tells a position alone
   std::vector<SmallVector> vehicles =
       {};  ///< of a team: each one's state, `camera` being the pose of the first
-  std::vector<SmallVector> inputs = {};  ///< of a team: what each carried out since the tick before
-  std::vector<RigidPose> poses = {};     ///< of a team: each one's body in space
+  std::vector<SmallVector> inputs =
+      {};  ///< of a team: what each carried out since the tick before; 0 by hand
+  std::vector<Eigen::Vector2d> wheels = {};  ///< of a team of carried cameras: m/s and rad/s of each carrier
+  std::vector<RigidPose> poses = {};         ///< of a team: each one's body in space
 };
 
 }  // namespace incognita

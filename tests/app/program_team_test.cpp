@@ -39,7 +39,7 @@ TEST_P(BuiltInTeams, RunsAndKnowsHowSureItIs) {
 
 INSTANTIATE_TEST_SUITE_P(All, BuiltInTeams,
                          ::testing::Values("lqg", "circle", "two-robots", "camera-circle", "dynamics",
-                                           "localisation", "slam", "free-camera"),
+                                           "localisation", "slam", "free-camera", "terrain"),
                          [](const auto& which) {
                            std::string name = which.param;
                            for (char& c : name)

@@ -21,7 +21,7 @@ class Steps final : public Moves {
   Outcome after(const BlockVector& state, int action) const override {
     Outcome out{state, BlockMatrix::Identity(1, 1), 0.01 * BlockMatrix::Identity(1, 1)};
     out.state[0] += action - 1;
-    out.allowed = out.state[0] <= 30;
+    out.outside_m = std::max(0.0, out.state[0] - 30);
     return out;
   }
 };

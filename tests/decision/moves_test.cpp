@@ -36,7 +36,7 @@ TEST(Translations, GoAlongTheHeadingAndGravityFromRestToRest) {
     EXPECT_NEAR((out.state.head<3>() - x.head<3>() - 0.3 * ways[a]).norm(), 0, 1e-12)
         << moves.actions()[a].name;
     EXPECT_TRUE(out.state.tail<6>().isZero());
-    EXPECT_TRUE(out.allowed);
+    EXPECT_TRUE(out.allowed());
   }
   EXPECT_EQ(moves.stay(), 6);
 }
@@ -49,11 +49,11 @@ TEST(Translations, TurnOnAsTheGazeDoes) {
 
 TEST(Translations, AreAllowedInsideTheBoundsAndStayingAlways) {
   const Translations moves(seven_translations(0.3), 1, growth_over(1, 0.3, 0.3), {{0, 0, 0}, {1.1, 9, 9}});
-  EXPECT_FALSE(moves.after(level_camera(0), 0).allowed);
-  EXPECT_TRUE(moves.after(level_camera(0), 1).allowed);
+  EXPECT_FALSE(moves.after(level_camera(0), 0).allowed());
+  EXPECT_TRUE(moves.after(level_camera(0), 1).allowed());
   BlockVector outside = level_camera(0);
   outside[0] = 5;
-  EXPECT_TRUE(moves.after(outside, 6).allowed);
+  EXPECT_TRUE(moves.after(outside, 6).allowed());
 }
 
 TEST(Actions, OfOnesOwnHaveNamesAndMustStay) {

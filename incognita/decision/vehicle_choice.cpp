@@ -1,0 +1,46 @@
+#include "incognita/decision/vehicle_choice.hpp"
+
+namespace incognita {
+
+VehicleChoice::VehicleChoice(const DecisionSettings& s, const Carrier& carrier,
+                             double sigma_acceleration_m_s2, double sigma_angular_acceleration_rad_s2,
+                             std::uint64_t seed)
+    : changes_(speed_changes_of(s), s.period_s,
+               growth_over(s.period_s, sigma_acceleration_m_s2, sigma_angular_acceleration_rad_s2),
+               {s.min_bound_m, s.max_bound_m}, carrier.mount, carrier.max_speed_m_s,
+               carrier.max_turn_rate_rad_s),
+      choice_(s, names_of(changes_.actions()), seed) {}
+
+void VehicleChoice::forget() {
+  choice_.forget();
+  drive_.setZero();
+}
+
+template <class Form>
+void VehicleChoice::choose(const Form& belief, BlockId vehicle, const CameraState& camera,
+                           const std::optional<Eigen::Vector2d>& wheels, const Expectation& expectation,
+                           const Tick& tick, Goal& goal) {
+  BlockVector state(camera.size() + 2);
+  state << camera, wheels.value_or(drive_);
+  goal.decided = choice_.choose(belief, vehicle, state, changes_, expectation, tick);
+  goal.scores = choice_.scores();
+  goal.chosen = choice_.chosen();
+  if (goal.decided) {
+    const BlockVector after = changes_.after(state, goal.chosen).state;
+    drive_ = after.tail<2>();
+    goal.from = free_camera::position(camera);
+    goal.to = after.head<3>();
+    goal.start_t = tick.t;
+    goal.end_t = choice_.end_t();
+  }
+  goal.drive = drive_;
+}
+
+template void VehicleChoice::choose(const Belief&, BlockId, const CameraState&,
+                                    const std::optional<Eigen::Vector2d>&, const Expectation&, const Tick&,
+                                    Goal&);
+template void VehicleChoice::choose(const AnyBelief&, BlockId, const CameraState&,
+                                    const std::optional<Eigen::Vector2d>&, const Expectation&, const Tick&,
+                                    Goal&);
+
+}  // namespace incognita

@@ -1,0 +1,38 @@
+#include "incognita/world/carried_camera_world.hpp"
+
+#include <string>
+#include <utility>
+
+namespace incognita {
+
+FreeCameraMotion::State<double> carried_camera(const CameraCarrier& carrier,
+                                               const TerrainVehicle::State<double>& state,
+                                               const TerrainVehicle::State<double>& state_rate) {
+  const MountedCamera<3> mounted = carrier.mount.on(carrier.vehicle.pose(state));
+  FreeCameraMotion::State<double> camera = mounted.camera;
+  camera.tail<6>() = mounted.J * state_rate;  // of the position, and of the turn in the camera's axes
+  return camera;
+}
+
+CarriedCameraWorld::CarriedCameraWorld(std::vector<CameraCarrier> carriers, std::uint64_t seed)
+    : carriers_(std::move(carriers)) {
+  for (std::size_t i = 0; i < carriers_.size(); ++i)
+    plants_.emplace_back(carriers_[i].vehicle, carriers_[i].plant, seed, "carrier." + std::to_string(i));
+}
+
+std::optional<Truth> CarriedCameraWorld::move(const Command& command, const Tick& tick) {
+  Truth truth;
+  for (std::size_t i = 0; i < plants_.size(); ++i) {
+    Plant& plant = plants_[i];
+    plant.move(i < command.inputs.size() ? command.inputs[i] : SmallVector(SmallVector::Zero(2)), tick.dt);
+    truth.vehicles.emplace_back(
+        carried_camera(carriers_[i], plant.state().head<3>(), plant.rate().head<3>()));
+    truth.inputs.emplace_back(SmallVector::Zero(FreeCameraMotion::input_size));
+    truth.wheels.emplace_back(plant.carried_out());
+    truth.poses.push_back(pose_of(FreeCameraMotion{}, truth.vehicles.back()));
+  }
+  truth.camera = truth.vehicles.front();
+  return truth;
+}
+
+}  // namespace incognita

@@ -1,0 +1,125 @@
+// How a vehicle drives on: by what it would see, from the speeds that it has, and back where it left its
+// bounds.
+#include "incognita/decision/vehicle_choice.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "incognita/models/heading.hpp"
+
+namespace incognita {
+namespace {
+
+constexpr double sigma = 0.3;
+
+/// A landmark that is seen the better the nearer the camera is to a place; none where there is none.
+class Beacon final : public Expectation {
+ public:
+  std::optional<Eigen::Vector3d> place;
+  void expect(const BlockVector& state, std::vector<ExpectedLook>& looks) const override {
+    looks.clear();
+    if (!place) return;
+    ExpectedLook look;
+    look.of = ExpectedLook::Of::anchor;
+    look.Hv = LookJacobian::Zero(3, 12);
+    look.Hv.leftCols<3>().setIdentity();
+    look.Hl.resize(3, 0);
+    look.R = (0.01 + (*place - state.head<3>()).squaredNorm()) * LookJacobian::Identity(3, 3);
+    looks.push_back(look);
+  }
+};
+
+CameraState level_camera() {
+  CameraState x = CameraState::Zero();
+  x.head<3>() << 0, 0, 0.6;
+  x.segment<4>(3) = level_gaze(0);
+  return x;
+}
+
+struct Driven {
+  Belief belief{0};
+  CameraState camera = level_camera();
+  DecisionSettings settings;
+  Beacon beacon;
+  std::optional<Eigen::Vector2d> wheels;
+  BlockId vehicle;
+
+  Driven()
+      : vehicle(belief.add_vehicle(FreeCameraMotion::chart, level_camera(),
+                                   SmallMatrix(0.1 * SmallMatrix::Identity(12, 12)))) {
+    settings.impulse_s = 1;  // 0.5 m/s and 0.3 rad/s at once
+  }
+  Goal first() {
+    VehicleChoice choice(settings, Carrier{}, sigma, sigma, 1);
+    Goal goal;
+    Tick tick;
+    tick.frame = 0;
+    choice.choose(belief, vehicle, camera, wheels, beacon, tick, goal);
+    return goal;
+  }
+};
+
+TEST(VehicleChoice, DrivesToWhereMostIsSeen) {
+  Driven d;
+  d.beacon.place = Eigen::Vector3d(-2, 0, 0.6);
+  const Goal back = d.first();
+  EXPECT_EQ(*back.drive, Eigen::Vector2d(-0.5, 0));
+  EXPECT_NEAR((back.to - Eigen::Vector3d(-0.5, 0, 0.6)).norm(), 0, 1e-12);
+  d.beacon.place = Eigen::Vector3d(2, 0, 0.6);
+  EXPECT_EQ(*d.first().drive, Eigen::Vector2d(0.5, 0));
+}
+
+TEST(VehicleChoice, ChangesTheSpeedsThatTheWheelsTell) {
+  Driven d;
+  d.beacon.place = Eigen::Vector3d(-2, 0, 0.6);
+  d.wheels = Eigen::Vector2d(0.3, 0);
+  EXPECT_NEAR((*d.first().drive - Eigen::Vector2d(-0.2, 0)).norm(), 0, 1e-12);
+}
+
+/// It can not stop at once: out of bounds whatever it does, it does what is the least so, whatever it would
+/// learn elsewhere.
+TEST(VehicleChoice, TurnsBackWhereAllEndsOutOfBounds) {
+  Driven d;
+  d.settings.min_bound_m = {-9, -9, -9};
+  d.settings.max_bound_m = {0.1, 9, 9};
+  d.wheels = Eigen::Vector2d(0.9, 0);
+  d.beacon.place = Eigen::Vector3d(2, 0, 0.6);
+  const Goal goal = d.first();
+  EXPECT_NEAR(goal.drive->x(), 0.4, 1e-12);
+  EXPECT_GT(goal.to.x(), 0.1) << "out of bounds it is";
+}
+
+TEST(VehicleChoice, GoesOnAsItGoesWhereNothingIsSeen) {
+  Driven d;
+  d.wheels = Eigen::Vector2d(0.2, 0.1);
+  const Goal goal = d.first();
+  EXPECT_EQ(*goal.drive, Eigen::Vector2d(0.2, 0.1));
+}
+
+TEST(VehicleChoice, StandsAfterTheEstimateWasLost) {
+  Driven d;
+  d.beacon.place = Eigen::Vector3d(2, 0, 0.6);
+  VehicleChoice choice(d.settings, Carrier{}, sigma, sigma, 1);
+  Goal goal;
+  Tick tick;
+  tick.frame = 0;
+  choice.choose(d.belief, d.vehicle, d.camera, {}, d.beacon, tick, goal);
+  ASSERT_EQ(*goal.drive, Eigen::Vector2d(0.5, 0));
+  choice.forget();
+  d.beacon.place.reset();
+  choice.choose(d.belief, d.vehicle, d.camera, {}, d.beacon, tick, goal);
+  EXPECT_EQ(*goal.drive, Eigen::Vector2d(0, 0));
+}
+
+TEST(VehicleChoice, TakesASetOfOnesOwn) {
+  Driven d;
+  d.settings.accelerations = {{0, 0}, {0.1, 0}, {0, 0.2}};
+  const VehicleChoice choice(d.settings, Carrier{}, sigma, sigma, 1);
+  EXPECT_EQ(choice.names(), (std::vector<std::string>{"stay", "faster", "left"}));
+  d.settings.accelerations = {{0.1, 0}};
+  EXPECT_THROW(VehicleChoice(d.settings, Carrier{}, sigma, sigma, 1), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace incognita

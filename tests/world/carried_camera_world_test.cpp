@@ -1,0 +1,81 @@
+// A camera on a vehicle that drives over uneven ground: where it is, and how fast it moves and turns.
+#include "incognita/world/carried_camera_world.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace incognita {
+namespace {
+
+using Camera = FreeCameraMotion::State<double>;
+
+CameraCarrier on_waves() {
+  CameraCarrier c;
+  c.vehicle.terrain = Waves{0, {{0.1, 3, 0, 0}, {0.1, 3, 1.5707963267948966, 1.5707963267948966}}};
+  c.plant.start = SmallVector::Zero(3);
+  c.plant.start << 0.4, -0.3, 0.7;
+  c.plant.start_sigmas = SmallVector::Zero(3);
+  c.plant.input_sigmas = SmallVector::Zero(2);
+  c.plant.most_input = SmallVector::Ones(2);
+  c.plant.least_input = -c.plant.most_input;
+  c.mount = {0.3, 0.1, 0.6, 0.2, 0.4};
+  return c;
+}
+
+Command drive(double speed, double turn_rate) {
+  Command command;
+  command.inputs.push_back((SmallVector(2) << speed, turn_rate).finished());
+  return command;
+}
+
+Tick tick(int frame, double t, double dt) {
+  Tick out;
+  out.frame = frame;
+  out.t = t;
+  out.dt = dt;
+  return out;
+}
+
+TEST(CarriedCamera, MovesAndTurnsAsItsPlacesSay) {
+  CarriedCameraWorld world({on_waves()}, 1);
+  constexpr double dt = 1e-4;
+  Camera before = world.move({}, tick(0, 0, 0))->camera;
+  for (int i = 1; i < 50; ++i) world.move(drive(0.6, 0.5), tick(i, 0.1 * i, 0.1));
+  before = world.move(drive(0.6, 0.5), tick(50, 5, dt))->camera;
+  const Truth middle = *world.move(drive(0.6, 0.5), tick(51, 5 + dt, dt));
+  const Camera after = world.move(drive(0.6, 0.5), tick(52, 5 + 2 * dt, dt))->camera;
+  const Eigen::Vector3d velocity = (after.head<3>() - before.head<3>()) / (2 * dt);
+  EXPECT_NEAR((velocity - middle.camera.segment<3>(7)).norm(), 0, 1e-6);
+  const Eigen::Vector4d turned = quaternion_product<double>(
+      quaternion_conjugate<double>(Eigen::Vector4d(before.segment<4>(3))), after.segment<4>(3));
+  EXPECT_NEAR((quaternion_log<double>(turned) / (2 * dt) - middle.camera.tail<3>()).norm(), 0, 1e-6);
+  EXPECT_GT(middle.camera.tail<3>().norm(), 0.4) << "it turns";
+  EXPECT_TRUE(middle.inputs[0].isZero()) << "nobody commands its accelerations";
+  EXPECT_EQ(middle.wheels[0], Eigen::Vector2d(0.6, 0.5));
+}
+
+TEST(CarriedCamera, IsALeversLengthFromTheGroundUnderTheAxle) {
+  CameraCarrier carrier = on_waves();
+  CarriedCameraWorld world({carrier}, 1);
+  for (int i = 0; i < 100; ++i) {
+    const Camera camera = world.move(drive(-0.5, 0.3), tick(i, 0.1 * i, i == 0 ? 0 : 0.1))->camera;
+    const Eigen::Matrix3d world_from_body = rotation_matrix<double>(Eigen::Vector4d(camera.segment<4>(3))) *
+                                            carrier.mount.body_from_camera().transpose();
+    const Eigen::Vector3d axle = camera.head<3>() - world_from_body * carrier.mount.lever();
+    const GroundPoint<double> ground = carrier.vehicle.terrain.at<double>(axle.x(), axle.y());
+    EXPECT_NEAR(axle.z(), ground.height, 1e-9);
+    const Eigen::Vector3d normal = Eigen::Vector3d(-ground.x, -ground.y, 1).normalized();
+    EXPECT_NEAR(world_from_body.col(2).dot(normal), 1, 1e-9) << "upright on the ground";
+  }
+}
+
+TEST(CarriedCamera, StandsWithoutACommandAndKeepsToItsLimits) {
+  CarriedCameraWorld world({on_waves()}, 1);
+  const Camera first = world.move({}, tick(0, 0, 0))->camera;
+  EXPECT_EQ(world.move({}, tick(1, 0.1, 0.1))->camera, first);
+  EXPECT_EQ(world.move(drive(7, -7), tick(2, 0.2, 0.1))->wheels[0], Eigen::Vector2d(1, -1));
+}
+
+}  // namespace
+}  // namespace incognita

@@ -82,6 +82,7 @@ TeamAssembly simulated(const LoadedScenario& loaded) {
   const double period_s = 1 / s.run.rate_hz;
   const auto seed = static_cast<std::uint64_t>(s.run.seed);
   const PointPlace place = place_of(loaded);
+  const Terrain ground = ground_of(loaded);
   TeamSettings team;
   team.filter = filter_of(s);
   know_landmarks(team, place, s.team.points.known);
@@ -91,9 +92,9 @@ TeamAssembly simulated(const LoadedScenario& loaded) {
   std::vector<SimulatedVehicle> vehicles;
   std::vector<VehicleSteering> steering;
   for (std::size_t i = 0; i < vehicles_of(s); ++i) {
-    team.members.push_back(member_of(s, i));
-    vehicles.push_back(simulated_vehicle(s, i));
-    steering.push_back(steering_of(loaded, i));
+    team.members.push_back(member_of(s, i, ground));
+    vehicles.push_back(simulated_vehicle(s, i, ground));
+    steering.push_back(steering_of(loaded, i, ground));
   }
   TeamEstimator estimator = estimator_of(loaded, team);
   const bool held = s.team.steer.law == "none" && !s.team.steer.input.empty();
@@ -124,7 +125,7 @@ TeamSettings recorded_team(const LoadedScenario& loaded, const std::vector<Range
     Scenario at_start = s;
     at_start.team.start.positions_m = {{place->position.x(), place->position.y(), 0}};
     at_start.team.start.headings_rad = {*place->heading_rad};
-    team.members.push_back(member_of(at_start, 0));
+    team.members.push_back(member_of(at_start, 0, {}));
   }
   return team;
 }

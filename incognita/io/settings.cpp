@@ -186,6 +186,11 @@ void filter(List& list, FilterSettings& s) {
                    "per axis, when the run starts", between(0, 1e4)},
                   {"filter.sigma_start_angular_rate_rad_s", &s.sigma_start_angular_rate_rad_s, "rad/s",
                    "per axis, when the run starts", between(0, 1e4)},
+                  {"filter.odometry", &s.odometry, "",
+                   "of a camera on a vehicle: whether what the wheels tell is used", any()},
+                  {"filter.sigma_slip_m_s", &s.sigma_slip_m_s, "m/s",
+                   "odometry: how far the vehicle moves otherwise than its wheels say, per axis",
+                   above_up_to(0, 100)},
               });
 }
 
@@ -366,6 +371,8 @@ bool section_means_something(const std::string& section, const std::string& sens
 
 std::string why_meaningless(const std::string& key, const Scenario& s) {
   if (is_team(s)) return why_meaningless_to_team(key, s);
+  if (is_room_vehicle(s)) return why_meaningless_to_room_vehicle(key, s);
+  if (key == "filter.odometry" || key == "filter.sigma_slip_m_s") return "a camera that is on no vehicle";
   if (is_of_teams(section_of(key))) return "run.world = `" + s.run.world + "`";
   if (!section_means_something(section_of(key), s.run.sensor)) return "run.sensor = `" + s.run.sensor + "`";
   if (s.run.sensor != "range-bearing") return "";

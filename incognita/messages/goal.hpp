@@ -26,6 +26,8 @@ struct Goal {
   std::optional<double> heading_rad =
       {};                         ///< where a camera is to look now, about z from +x; none: as it will
   double heading_rate_rad_s = 0;  ///< and how fast that turns, to the left
+  /// Of a vehicle that is told how to drive, not where to: speed, m/s, and turn rate, rad/s, to the left
+  std::optional<Eigen::Vector2d> drive = {};
 
   /// Of what is not mapped yet, where such is expected (Figure 6.3)
   std::optional<double> coverage = {};          ///< share of the place that was looked at

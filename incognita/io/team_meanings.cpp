@@ -199,9 +199,8 @@ std::string why_meaningless_to_room_vehicle(const std::string& full_key, const S
     return c.by_model();
   if (section == "filter" && key == "sigma_slip_m_s")
     return unless(s.slam.filter.odometry, "filter.odometry = false");
-  if (section == "vehicle" && one_of(key, {"sigma_speed_m_s", "sigma_turn_rate_rad_s"}))
-    return unless(s.slam.filter.odometry, "filter.odometry = false");
-  if (section == "vehicle") return unless(key == "model", c.by_model());
+  if (section == "vehicle")
+    return unless(one_of(key, {"model", "sigma_speed_m_s", "sigma_turn_rate_rad_s"}), c.by_model());
   if (one_of(section, {"run", "camera", "start", "filter", "search", "birth", "map", "lost", "room"}))
     return "";
   return on_wheels(section, key, c);

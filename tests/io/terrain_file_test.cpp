@@ -142,9 +142,6 @@ TEST(RoomVehicleSettings, RefuseWhatMeansNothingOrContradicts) {
       {"[terrain]\nkind = \"image\"", "terrain.file"},
   };
   for (const Case& one : cases) EXPECT_HAS(complaint(room + one.text + "\n", ""), one.part);
-  EXPECT_HAS(
-      complaint("[vehicle]\nmodel = \"terrain\"\nsigma_speed_m_s = 0.1\n[start]\nfrom = \"free\"\n", ""),
-      "vehicle.sigma_speed_m_s = 0.1: means nothing with filter.odometry = false");
   EXPECT_HAS(complaint("[start]\nfrom = \"free\"\n[filter]\nodometry = true\n", ""),
              "filter.odometry = true: means nothing with a camera that is on no vehicle");
   EXPECT_HAS(complaint(points + "[steer]\nkeep_clear_m = 1\n", ""),

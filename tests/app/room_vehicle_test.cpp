@@ -16,8 +16,8 @@ struct Ran {
   Snapshot last;
 };
 
-Ran run(const std::vector<std::string>& sets) {
-  RoomVehicleAssembly assembly = assemble_room_vehicle(load_scenario("rendered-terrain", sets));
+Ran run(const LoadedScenario& loaded) {
+  RoomVehicleAssembly assembly = assemble_room_vehicle(loaded);
   Ran ran;
   double low = 1e9, high = -1e9;
   run_loop(assembly.boxes, std::function<void(const Snapshot&)>([&](const Snapshot& s) {
@@ -38,8 +38,10 @@ Ran run(const std::vector<std::string>& sets) {
   return ran;
 }
 
+Ran drive(const std::vector<std::string>& sets) { return run(load_scenario("rendered-terrain", sets)); }
+
 TEST(RoomVehicle, KnowsWhereItIsByImagesAloneOnUnevenGround) {
-  const Ran ran = run({"run.duration_s=8"});
+  const Ran ran = drive({"run.duration_s=8"});
   EXPECT_EQ(ran.frames, 240);
   EXPECT_EQ(ran.lost, 0);
   EXPECT_LT(ran.rms_m, 0.05);
@@ -48,22 +50,31 @@ TEST(RoomVehicle, KnowsWhereItIsByImagesAloneOnUnevenGround) {
 }
 
 TEST(RoomVehicle, WheelsHelp) {
-  const Ran images = run({"run.duration_s=4"}), wheels = run({"run.duration_s=4", "filter.odometry=true"});
+  const Ran images = drive({"run.duration_s=4"}),
+            wheels = drive({"run.duration_s=4", "filter.odometry=true"});
   EXPECT_EQ(wheels.lost, 0);
   EXPECT_LT(wheels.rms_m, 0.05);
   EXPECT_LT(wheels.sigma_speed, 0.7 * images.sigma_speed);
 }
 
 TEST(RoomVehicle, SameSeedSameRun) {
-  const Ran one = run({"run.duration_s=2"}), two = run({"run.duration_s=2"});
+  const Ran one = drive({"run.duration_s=2"}), two = drive({"run.duration_s=2"});
   EXPECT_EQ(one.last.camera, two.last.camera);
   EXPECT_EQ(one.last.covariance, two.last.covariance);
 }
 
 TEST(RoomVehicle, KeepsClearOfWalls) {
-  const Ran ran = run({"run.duration_s=12", "steer.input=[0.4, 0]", "start.from=free"});
-  EXPECT_GT(ran.farthest_m, 2) << "it never came near";
-  EXPECT_LT(ran.farthest_m, 3 - 0.15 - 0.03);
+  const testing::Scratch scratch;
+  const auto straight_on = [&](const std::string& keep_clear) {
+    const std::string text =
+        "[run]\nduration_s = 9\nrate_hz = 15\n[vehicle]\nmodel = \"terrain\"\n[start]\nfrom = "
+        "\"free\"\n[mount]\nup_m = 1.2\nyaw_rad = 1.57\n[terrain]\namplitude_m = 0.03\n[room]\nclearance_m = "
+        "0.3\n[steer]\ninput = [0.5, 0]\n";
+    return run(load_scenario(scratch.write("mine.toml", text + keep_clear).string())).farthest_m;
+  };
+  EXPECT_GT(straight_on("keep_clear_m = 0.9"), 2) << "it never came near";
+  EXPECT_LT(straight_on("keep_clear_m = 0.9"), 3 - 0.3 - 0.03);
+  EXPECT_GT(straight_on(""), 3 - 0.3 - 0.03) << "nor would it without";
 }
 
 TEST(RoomVehicle, IsRefusedWithTheKey) {

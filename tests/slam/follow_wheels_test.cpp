@@ -24,7 +24,7 @@ Error gaussian(RandomStream& random, const Error& sigmas) {
 TEST(FollowWheels, LeavesTheFilterAsSureAsItMayBe) {
   const WheelOdometry odometry{{0.1, 0, 0.8, 0, 0}, 0.05, 0.03, 0.02};
   Error sigmas;
-  sigmas << 0.05, 0.05, 0.05, 0.03, 0.03, 0.03, 0.2, 0.2, 0.2, 0.2, 0.2, 0.2;
+  sigmas << 0.05, 0.05, 0.05, 0.02, 0.02, 0.02, 0.1, 0.1, 0.1, 0.1, 0.1, 0.1;
   RandomStream random(5, "draws");
   constexpr int draws = 2000;
   double nees = 0, nis = 0, variance_ratio = 0;

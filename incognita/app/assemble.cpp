@@ -33,24 +33,6 @@ Place recorded_place(const LoadedScenario& loaded, const Camera& camera, std::ve
           std::make_unique<RecordedSensor>(recording, camera.width(), camera.height())};
 }
 
-/// The target must hang where the room's sheet does: a longer room has it further away, and a start from
-/// where it is not would be wrong and sure of itself.
-void check_sheet(const LoadedScenario& loaded, const Target& target, const Sheet& sheet) {
-  constexpr double tolerance_m = 0.05;
-  for (const Target::Corner& corner : target.corners) {
-    const Eigen::Vector3d& p = corner.position;
-    double apart_m = std::numeric_limits<double>::infinity();
-    for (const Eigen::Vector3d& hangs : sheet.corners()) apart_m = std::min(apart_m, (hangs - p).norm());
-    if (apart_m <= tolerance_m) continue;
-    throw InputError(
-        fmt::format("{}: start.target = {}: has a corner at [{}, {}, {}], and the sheet in this room hangs "
-                    "at x = {} (room.size_m, "
-                    "{}): the target file must say the same",
-                    loaded.sources.at("start.target"), loaded.scenario.start.target, p.x(), p.y(), p.z(),
-                    sheet.x, loaded.sources.at("room.size_m")));
-  }
-}
-
 Place rendered_place(const LoadedScenario& loaded, const Camera& camera,
                      const std::optional<Target>& target) {
   const Scenario& scenario = loaded.scenario;
@@ -74,6 +56,22 @@ Place place_of(const LoadedScenario& loaded, const Camera& camera, const std::op
 }
 
 }  // namespace
+
+void check_sheet(const LoadedScenario& loaded, const Target& target, const Sheet& sheet) {
+  constexpr double tolerance_m = 0.05;
+  for (const Target::Corner& corner : target.corners) {
+    const Eigen::Vector3d& p = corner.position;
+    double apart_m = std::numeric_limits<double>::infinity();
+    for (const Eigen::Vector3d& hangs : sheet.corners()) apart_m = std::min(apart_m, (hangs - p).norm());
+    if (apart_m <= tolerance_m) continue;
+    throw InputError(
+        fmt::format("{}: start.target = {}: has a corner at [{}, {}, {}], and the sheet in this room hangs "
+                    "at x = {} (room.size_m, "
+                    "{}): the target file must say the same",
+                    loaded.sources.at("start.target"), loaded.scenario.start.target, p.x(), p.y(), p.z(),
+                    sheet.x, loaded.sources.at("room.size_m")));
+  }
+}
 
 Assembly assemble(const LoadedScenario& loaded) {
   const Scenario& scenario = loaded.scenario;

@@ -6,6 +6,8 @@
 
 #include "incognita/app/loop.hpp"
 #include "incognita/io/load_scenario.hpp"
+#include "incognita/slam/target.hpp"
+#include "incognita/world/room_layout.hpp"
 
 namespace incognita {
 
@@ -14,6 +16,10 @@ struct Assembly {
   bool scale_is_known = true;      ///< fixed by the target; else free
   std::vector<std::string> notes;  ///< what was guessed, for printing
 };
+
+/// The target must hang where the room's sheet does: a longer room has it further away, and a start from
+/// where it is not would be wrong and sure of itself. Throws InputError.
+void check_sheet(const LoadedScenario& loaded, const Target& target, const Sheet& sheet);
 
 /// Throws InputError naming file and key or value.
 Assembly assemble(const LoadedScenario& loaded);

@@ -59,7 +59,7 @@ TeamDecisionSettings decision_of(const Scenario& s) {
   out.seed = static_cast<std::uint64_t>(s.run.seed);
   if (is_carried(s)) {
     const SteerChoice& can = s.team.steer;
-    out.carrier = Carrier{carrier_of(s, 0).mount, can.max_speed_m_s, can.max_turn_rate_rad_s};
+    out.carrier = Carrier{mount_of(s), can.max_speed_m_s, can.max_turn_rate_rad_s};
   }
   if (s.run.sensor == "range-bearing" || s.run.sensor == "bearing")
     out.reach = {s.planar.sensor.max_range_m,
@@ -82,11 +82,12 @@ std::vector<std::string> notes_of(const LoadedScenario& loaded) {
       s.slam.birth.inverse_depth_per_m, loaded.sources.at("birth.inverse_depth_per_m"), believed_m, place_m)};
 }
 
-std::unique_ptr<World> world_of(const Scenario& s, const std::vector<SimulatedVehicle>& vehicles) {
+std::unique_ptr<World> world_of(const Scenario& s, const std::vector<SimulatedVehicle>& vehicles,
+                                const Terrain& ground) {
   const auto seed = static_cast<std::uint64_t>(s.run.seed);
   if (!is_carried(s)) return std::make_unique<TeamWorld>(vehicles, seed);
   std::vector<CameraCarrier> carriers;
-  for (std::size_t i = 0; i < vehicles.size(); ++i) carriers.push_back(carrier_of(s, i));
+  for (std::size_t i = 0; i < vehicles.size(); ++i) carriers.push_back(carrier_of(s, i, ground));
   return std::make_unique<CarriedCameraWorld>(std::move(carriers), seed);
 }
 
@@ -95,6 +96,7 @@ TeamAssembly simulated(const LoadedScenario& loaded) {
   const double period_s = 1 / s.run.rate_hz;
   const auto seed = static_cast<std::uint64_t>(s.run.seed);
   const PointPlace place = place_of(loaded);
+  const Terrain ground = ground_of(loaded);
   TeamSettings team;
   team.filter = filter_of(s);
   know_landmarks(team, place, s.team.points.known);
@@ -104,9 +106,9 @@ TeamAssembly simulated(const LoadedScenario& loaded) {
   std::vector<SimulatedVehicle> vehicles;
   std::vector<VehicleSteering> steering;
   for (std::size_t i = 0; i < vehicles_of(s); ++i) {
-    team.members.push_back(member_of(s, i));
-    vehicles.push_back(simulated_vehicle(s, i));
-    steering.push_back(steering_of(loaded, i));
+    team.members.push_back(member_of(s, i, ground));
+    vehicles.push_back(simulated_vehicle(s, i, ground));
+    steering.push_back(steering_of(loaded, i, ground));
   }
   TeamEstimator estimator = estimator_of(loaded, team);
   const bool held = s.team.steer.law == "none" && !s.team.steer.input.empty();
@@ -114,7 +116,7 @@ TeamAssembly simulated(const LoadedScenario& loaded) {
       made(loaded, held ? "steer.input" : "steer.law",
            held ? fmt::format("[{}]", fmt::join(s.team.steer.input, ", ")) : s.team.steer.law,
            [&] { return TeamController(std::move(steering), period_s, s.person, seed); });
-  return {{std::make_unique<RoomClock>(s.run.rate_hz, s.run.duration_s), world_of(s, vehicles),
+  return {{std::make_unique<RoomClock>(s.run.rate_hz, s.run.duration_s), world_of(s, vehicles, ground),
            std::make_unique<TeamSensor>(vehicles, place, s.team.start.sees_team, seed), std::move(estimator),
            TeamDecision(team, decision_of(s)), std::move(controller)},
           notes_of(loaded)};
@@ -136,7 +138,7 @@ TeamSettings recorded_team(const LoadedScenario& loaded, const std::vector<Range
     Scenario at_start = s;
     at_start.team.start.positions_m = {{place->position.x(), place->position.y(), 0}};
     at_start.team.start.headings_rad = {*place->heading_rad};
-    team.members.push_back(member_of(at_start, 0));
+    team.members.push_back(member_of(at_start, 0, {}));
   }
   return team;
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "incognita/app/assemble_planar.hpp"
+#include "incognita/app/assemble_room_vehicle.hpp"
 #include "incognita/app/assemble_team.hpp"
 #include "incognita/app/say.hpp"
 #include "incognita/io/files.hpp"
@@ -106,6 +107,7 @@ std::vector<std::string> check(const LoadedScenario& loaded) {
     for (std::string& line : check_team(loaded)) found.push_back(std::move(line));
     return found;
   }
+  if (is_room_vehicle(s)) assemble_room_vehicle(loaded);  // which refuses what a run would
   if (s.run.sensor == "range-bearing") {
     const PlanarAssembly assembly = assemble_planar(loaded);  // which refuses what a run would
     const RangeRecording& recording = *assembly.recording;

@@ -4,6 +4,28 @@
 #include "incognita/slam/stage_clock.hpp"
 
 namespace incognita {
+namespace {
+
+/// Who keeps clear of what stands around looks for it, beside the estimate.
+template <class Controller, class Estimate>
+Command act(Controller& controller, const Estimate& estimate, const Goal& goal, const Observation& seen,
+            const Tick& tick) {
+  if constexpr (requires { controller.act(estimate, goal, seen, tick); })
+    return controller.act(estimate, goal, seen, tick);
+  else
+    return controller.act(estimate, goal, tick);
+}
+
+/// Likewise who asks the wheels how fast it goes.
+template <class Decision, class Estimate>
+Goal choose(Decision& decision, const Estimate& estimate, const Observation& seen, const Tick& tick) {
+  if constexpr (requires { decision.choose(estimate, seen, tick); })
+    return decision.choose(estimate, seen, tick);
+  else
+    return decision.choose(estimate, tick);
+}
+
+}  // namespace
 
 template <class SomeBoxes>
 void run_loop(SomeBoxes& boxes, const std::function<void(const Snapshot&)>& publish,
@@ -24,9 +46,9 @@ void run_loop(SomeBoxes& boxes, const std::function<void(const Snapshot&)>& publ
     stage.mark("sensor");
     estimator.update(estimate, command, seen, tick);  // in place: belief, landmark catalogue, status
     stage.mark("estimator");
-    const Goal goal = decision.choose(estimate, tick);  // which action, which way, every candidate's score
+    const Goal goal = choose(decision, estimate, seen, tick);  // which action, which way, every score
     stage.mark("advice");
-    command = controller.act(estimate, goal, tick);
+    command = act(controller, estimate, goal, seen, tick);
     stage.mark("control");
     if (watch) {
       watch(estimate);
@@ -40,6 +62,8 @@ void run_loop(SomeBoxes& boxes, const std::function<void(const Snapshot&)>& publ
 using Publish = std::function<void(const Snapshot&)>;
 using KeepGoing = std::function<bool(const Tick&)>;
 template void run_loop(Boxes&, const Publish&, const KeepGoing&, const std::function<void(const Estimate&)>&);
+template void run_loop(VehicleBoxes&, const Publish&, const KeepGoing&,
+                       const std::function<void(const Estimate&)>&);
 template void run_loop(PlanarBoxes&, const Publish&, const KeepGoing&,
                        const std::function<void(const PlanarEstimate&)>&);
 template void run_loop(TeamBoxes&, const Publish&, const KeepGoing&,

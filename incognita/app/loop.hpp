@@ -7,9 +7,11 @@
 #include "incognita/control/camera_controller.hpp"
 #include "incognita/control/no_controller.hpp"
 #include "incognita/control/team_controller.hpp"
+#include "incognita/control/vehicle_controller.hpp"
 #include "incognita/decision/camera_decision.hpp"
 #include "incognita/decision/no_decision.hpp"
 #include "incognita/decision/team_decision.hpp"
+#include "incognita/decision/vehicle_decision.hpp"
 #include "incognita/record/snapshot.hpp"
 #include "incognita/slam/camera_estimator.hpp"
 #include "incognita/slam/planar_estimator.hpp"
@@ -33,6 +35,9 @@ using Boxes = BoxesOf<CameraEstimator, CameraDecision, CameraController>;
 using PlanarBoxes = BoxesOf<PlanarEstimator, NoDecision, NoController>;
 /// Vehicles of any kind that name what they see, in one belief.
 using TeamBoxes = BoxesOf<TeamEstimator, TeamDecision, TeamController>;
+
+/// A vehicle in the rendered room that carries the camera.
+using VehicleBoxes = BoxesOf<CameraEstimator, VehicleDecision, VehicleController>;
 
 /// Runs until the clock ends or `keep_going` says no. Whatever the boxes and the record throw passes through;
 /// what was published before stays published.

@@ -61,6 +61,8 @@ class StateTeller {
     if (is_lost && !was_lost_) say("t = {:.3f} s: lost: {}\n", s.tick.t, s.status.reason);
     if (!is_lost && was_lost_) say("t = {:.3f} s: {}: {}\n", s.tick.t, name(s.status.state), s.status.reason);
     was_lost_ = is_lost;
+    if (s.command.by_hand && s.advice.decided && s.advice.chosen >= 0)
+      say("t = {:.2f} s: {}\n", s.tick.t, s.advice.actions[static_cast<std::size_t>(s.advice.chosen)]);
   }
 
  private:

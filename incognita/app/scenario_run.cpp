@@ -7,6 +7,7 @@
 
 #include "incognita/app/assemble.hpp"
 #include "incognita/app/assemble_planar.hpp"
+#include "incognita/app/assemble_room_vehicle.hpp"
 #include "incognita/app/assemble_team.hpp"
 #include "incognita/app/observability_watch.hpp"
 #include "incognita/app/team_models.hpp"
@@ -130,6 +131,14 @@ RunOutcome run_camera(const LoadedScenario& loaded, const OpenKeeper& open, cons
   return run_boxes(assembly.boxes, info, loaded, open, manner);
 }
 
+RunOutcome run_room_vehicle(const LoadedScenario& loaded, const OpenKeeper& open, const RunManner& manner) {
+  RoomVehicleAssembly assembly = assemble_room_vehicle(loaded);
+  if (!assembly.scale_is_known) manner.tell("no target: the scale is not observable, lengths are relative");
+  RunInfo info = info_of(loaded);
+  info.ate_alignment = assembly.scale_is_known ? "none" : "sim3";
+  return run_boxes(assembly.boxes, info, loaded, open, manner);
+}
+
 RunOutcome run_vehicle(const LoadedScenario& loaded, const OpenKeeper& open, const RunManner& manner) {
   PlanarAssembly assembly = assemble_planar(loaded);
   for (const std::string& line : assembly.notes) manner.tell(line);
@@ -167,6 +176,7 @@ RunOutcome run_team(const LoadedScenario& loaded, const OpenKeeper& open, const 
 
 RunOutcome run_scenario(const LoadedScenario& loaded, const OpenKeeper& open, const RunManner& manner) {
   if (is_team(loaded.scenario)) return run_team(loaded, open, manner);
+  if (is_room_vehicle(loaded.scenario)) return run_room_vehicle(loaded, open, manner);
   return loaded.scenario.run.sensor == "camera" ? run_camera(loaded, open, manner)
                                                 : run_vehicle(loaded, open, manner);
 }

@@ -10,6 +10,7 @@
 #include "incognita/io/point_file.hpp"
 #include "incognita/io/scenario_file.hpp"
 #include "incognita/io/team_setting_list.hpp"
+#include "incognita/io/terrain_file.hpp"
 #include "incognita/messages/errors.hpp"
 #include "incognita/models/heading.hpp"
 
@@ -31,12 +32,6 @@ SmallVector six(double linear, double angular) {
   return list({linear, linear, linear, angular, angular, angular});
 }
 
-Terrain terrain_of(const TerrainChoice& t) {
-  if (t.kind == "plane") return TiltedPlane{0, t.slope_x, t.slope_y};
-  constexpr double quarter = 1.5707963267948966;
-  return Waves{0, {{t.amplitude_m, t.length_m, 0, 0}, {t.amplitude_m, t.length_m, quarter, quarter}}};
-}
-
 double heading_of_start(const TeamStartSettings& s, std::size_t i) {
   return s.headings_rad.size() == 1 ? s.headings_rad.front() : s.headings_rad.at(i);
 }
@@ -53,13 +48,11 @@ SmallVector start_of(const Scenario& s, std::size_t i) {
   return state;
 }
 
-Mount mount_of(const MountChoice& m) { return {m.forward_m, m.left_m, m.up_m, m.pitch_rad, m.yaw_rad}; }
-
 /// Of the state that is estimated: a carried camera's is where its carrier has it, standing.
-SmallVector believed_start(const Scenario& s, std::size_t i) {
+SmallVector believed_start(const Scenario& s, std::size_t i, const Terrain& ground) {
   const SmallVector start = start_of(s, i);
   if (!is_carried(s)) return start;
-  const CameraCarrier carrier{{terrain_of(s.team.terrain)}, {}, mount_of(s.team.mount)};
+  const CameraCarrier carrier{{ground}, {}, mount_of(s)};
   return carried_camera(carrier, start.head<3>(), TerrainVehicle::State<double>::Zero());
 }
 
@@ -162,14 +155,25 @@ SmallVector held_input(const Scenario& s, int inputs) {
 
 }  // namespace
 
+Terrain ground_of(const LoadedScenario& loaded) {
+  const Scenario& s = loaded.scenario;
+  const bool uneven = s.planar.vehicle.model == "terrain" || s.team.plant.motion == "terrain";
+  return uneven ? terrain_of(loaded) : Terrain{};
+}
+
+Mount mount_of(const Scenario& s) {
+  const MountChoice& m = s.team.mount;
+  return {m.forward_m, m.left_m, m.up_m, m.pitch_rad, m.yaw_rad};
+}
+
 std::size_t vehicles_of(const Scenario& s) { return s.team.start.positions_m.size(); }
 
-AnyMotion motion_of(const Scenario& s) {
+AnyMotion motion_of(const Scenario& s, const Terrain& ground) {
   const VehicleSettings& v = s.planar.vehicle;
   if (is_line(s)) return MonobotMotion{};
   if (is_body(s)) return FreeCameraMotion{};
   if (is_car(s)) return AckermannCar{v.wheelbase_m, v.wheel_left_m, {v.sensor_forward_m, v.sensor_left_m}};
-  if (v.model == "terrain") return TerrainVehicle{terrain_of(s.team.terrain)};
+  if (v.model == "terrain") return TerrainVehicle{ground};
   return DifferentialDrive{v.sensor_forward_m, v.sensor_left_m};
 }
 
@@ -178,7 +182,7 @@ AnySensor sensor_of(const Scenario& s) {
   if (s.run.sensor == "range-bearing" && is_line(s)) return LineScanner{};
   if (s.run.sensor == "range-bearing") return LaserScanner{};
   const Camera camera = make_camera(s.camera);
-  const Mount mount = mount_of(s.team.mount);
+  const Mount mount = mount_of(s);
   if (s.run.sensor == "camera") return CarriedCamera{camera, mount};
   StereoCamera stereo{camera};
   stereo.baseline_m = s.team.stereo.baseline_m;
@@ -186,11 +190,11 @@ AnySensor sensor_of(const Scenario& s) {
   return CarriedStereo{stereo, mount};
 }
 
-TeamMember member_of(const Scenario& s, std::size_t i) {
+TeamMember member_of(const Scenario& s, std::size_t i, const Terrain& ground) {
   const VehicleSettings& v = s.planar.vehicle;
   const FilterSettings& f = s.slam.filter;
-  TeamMember m{motion_of(s), sensor_of(s), {}, {}, {}, {}};
-  m.start = believed_start(s, i);
+  TeamMember m{motion_of(s, ground), sensor_of(s), {}, {}, {}, {}};
+  m.start = believed_start(s, i, ground);
   const TeamStartSettings& start = s.team.start;
   m.start_sigmas = of_start(s, {start.sigma_position_m, start.sigma_height_m, start.sigma_heading_rad,
                                 f.sigma_start_velocity_m_s, f.sigma_start_angular_rate_rad_s});
@@ -214,14 +218,14 @@ TeamFilterSettings filter_of(const Scenario& s) {
   return f;
 }
 
-CameraCarrier carrier_of(const Scenario& s, std::size_t i) {
-  return {{terrain_of(s.team.terrain)}, plant_of(s, i), mount_of(s.team.mount)};
+CameraCarrier carrier_of(const Scenario& s, std::size_t i, const Terrain& ground) {
+  return {{ground}, plant_of(s, i), mount_of(s)};
 }
 
-SimulatedVehicle simulated_vehicle(const Scenario& s, std::size_t i) {
+SimulatedVehicle simulated_vehicle(const Scenario& s, std::size_t i, const Terrain& ground) {
   const PlantChoice& p = s.team.plant;
-  SimulatedVehicle v{motion_of(s), {}, sensor_of(s), {}};
-  if (p.motion == "terrain" && !is_carried(s)) v.motion = TerrainVehicle{terrain_of(s.team.terrain)};
+  SimulatedVehicle v{motion_of(s, ground), {}, sensor_of(s), {}};
+  if (p.motion == "terrain" && !is_carried(s)) v.motion = TerrainVehicle{ground};
   v.plant = plant_of(s, i);
   v.sigmas = of_sensor(v.sensor, p.sigma_range_m, p.sigma_bearing_rad, p.sigma_pixel_px);
   if (measures_ranges(v.sensor)) v.sigma_range_ratio = p.sigma_range_ratio;
@@ -242,17 +246,18 @@ Eigen::Vector2d steered_point(const Scenario& s) {
   return {0, 0};
 }
 
-VehicleSteering steering_of(const LoadedScenario& loaded, std::size_t i) {
+VehicleSteering steering_of(const LoadedScenario& loaded, std::size_t i, const Terrain& ground) {
   const Scenario& s = loaded.scenario;
   const SteerChoice& c = s.team.steer;
   SteeringSettings out;
   if (is_carried(s)) {
     out.input = held_input(s, TerrainVehicle::input_size);
     out.most_input = limits_of(s);
-    return {TerrainVehicle{terrain_of(s.team.terrain)}, out};
+    return {TerrainVehicle{ground}, out};
   }
   out.law = c.law != "active" ? c.law : is_line(s) ? "tracking" : "feedback-linearisation";
-  out.input = held_input(s, inputs_of(motion_of(s)));
+  AnyMotion motion = motion_of(s, ground);
+  out.input = held_input(s, inputs_of(motion));
   out.gain_per_s = diagonal(c.gain_per_s);
   out.control_point_m = c.control_point_m;
   out.gain_along_per_s = c.gain_along_per_s;
@@ -268,7 +273,7 @@ VehicleSteering steering_of(const LoadedScenario& loaded, std::size_t i) {
     out.path = PointPath{s.team.start.positions_m.at(i), heading_of_start(s.team.start, i)};
   else if (c.law != "none")
     out.path = path_of(loaded, offset);
-  return {motion_of(s), out};
+  return {std::move(motion), out};
 }
 
 PointPlace place_of(const LoadedScenario& loaded) {

@@ -7,13 +7,26 @@
 
 namespace incognita {
 
+namespace {
+
+std::variant<FreeCameraChoice, VehicleChoice> choice_of(const DecisionSettings& settings,
+                                                        const FilterSettings& filter,
+                                                        const std::optional<Carrier>& carrier,
+                                                        std::uint64_t seed) {
+  const double linear = filter.sigma_acceleration_m_s2, angular = filter.sigma_angular_acceleration_rad_s2;
+  if (carrier) return VehicleChoice(settings, *carrier, linear, angular, seed);
+  return FreeCameraChoice(settings, linear, angular, seed);
+}
+
+}  // namespace
+
 CameraDecision::CameraDecision(Camera camera, const CameraSlamSettings& slam,
                                const DecisionSettings& settings, const ExplorationSettings& exploration,
-                               std::uint64_t seed)
+                               std::uint64_t seed, const std::optional<Carrier>& carrier)
     : expectation_(std::move(camera), slam),
       exploration_(exploration, seed),
-      choice_(settings, slam.filter.sigma_acceleration_m_s2, slam.filter.sigma_angular_acceleration_rad_s2,
-              seed) {}
+      choice_(choice_of(settings, slam.filter, carrier, seed)),
+      names_(std::visit([](const auto& choice) { return choice.names(); }, choice_)) {}
 
 void CameraDecision::explore(const Estimate& estimate, const Tick& tick) {
   if (exploration_.settings().expected_landmarks == 0) return;
@@ -23,17 +36,26 @@ void CameraDecision::explore(const Estimate& estimate, const Tick& tick) {
   goal_.coverage = exploration_.coverage();
 }
 
-Goal CameraDecision::choose(const Estimate& estimate, const Tick& tick) {
+Goal CameraDecision::choose(const Estimate& estimate, const Observation& seen, const Tick& tick) {
   goal_.decided = false;
   if (!estimate.started || estimate.status.state == TrackingState::lost) {
-    choice_.forget();
+    std::visit([](auto& choice) { choice.forget(); }, choice_);
     goal_.chosen = -1;
+    goal_.drive.reset();
     goal_.scores.assign(actions().size(), 0);
     return goal_;
   }
   explore(estimate, tick);
   expectation_.prepare(estimate, exploration_.expected(), exploration_.settings().variance_expected_m2);
-  choice_.choose(estimate.belief, estimate.camera, estimate.camera_state(), expectation_, tick, goal_);
+  const CameraState camera = estimate.camera_state();
+  if (auto* flies = std::get_if<FreeCameraChoice>(&choice_)) {
+    flies->choose(estimate.belief, estimate.camera, camera, expectation_, tick, goal_);
+  } else {
+    std::optional<Eigen::Vector2d> wheels;
+    if (!seen.odometry.empty()) wheels = seen.odometry.back().input;
+    std::get<VehicleChoice>(choice_).choose(estimate.belief, estimate.camera, camera, wheels, expectation_,
+                                            tick, goal_);
+  }
   if (goal_.decided && exploration_.settings().expected_landmarks > 0 && tick.t >= entropy_due_t_ - 1e-9) {
     goal_.entropy_extended = extended_entropy(estimate, exploration_.settings());
     entropy_due_t_ = tick.t + entropy_period_s(estimate.belief.errors());

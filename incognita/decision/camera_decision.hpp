@@ -1,15 +1,20 @@
-// The next move of a camera that maps by its images: the one that teaches most (thesis 6.2, 6.3.1).
+// The next move of a camera that maps by its images: the one that teaches most (thesis 6.2). It flies
+// (6.3.1), or a vehicle carries it (6.4.2).
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "incognita/decision/camera_expectation.hpp"
 #include "incognita/decision/exploration.hpp"
 #include "incognita/decision/free_camera_choice.hpp"
 #include "incognita/decision/settings.hpp"
+#include "incognita/decision/vehicle_choice.hpp"
 #include "incognita/messages/goal.hpp"
+#include "incognita/messages/observation.hpp"
 #include "incognita/messages/tick.hpp"
 #include "incognita/slam/estimate.hpp"
 #include "incognita/slam/settings.hpp"
@@ -18,24 +23,28 @@ namespace incognita {
 
 class CameraDecision {
  public:
-  /// Throws std::invalid_argument where the settings can not be.
+  /// `carrier`: of a camera that does not fly. Throws std::invalid_argument where the settings can not be.
   CameraDecision(Camera camera, const CameraSlamSettings& slam, const DecisionSettings& settings,
-                 const ExplorationSettings& exploration = {}, std::uint64_t seed = 1);
+                 const ExplorationSettings& exploration = {}, std::uint64_t seed = 1,
+                 const std::optional<Carrier>& carrier = {});
 
   /// Scores every action in every frame; compares them, and sets a new goal, once per period. Actions that
   /// would end outside the bounds are scored but not chosen. Without a pose to start from (starting, lost)
   /// there is no action.
-  Goal choose(const Estimate& estimate, const Tick& tick);
+  /// `seen`: what the wheels of a carrier tell, or nothing.
+  Goal choose(const Estimate& estimate, const Observation& seen, const Tick& tick);
+  Goal choose(const Estimate& estimate, const Tick& tick) { return choose(estimate, {}, tick); }
 
   /// Names of the actions.
-  const std::vector<std::string>& actions() const { return choice_.names(); }
+  const std::vector<std::string>& actions() const { return names_; }
 
  private:
   void explore(const Estimate& estimate, const Tick& tick);
 
   CameraExpectation expectation_;
   Exploration exploration_;
-  FreeCameraChoice choice_;
+  std::variant<FreeCameraChoice, VehicleChoice> choice_;
+  std::vector<std::string> names_;
   Goal goal_;
   double entropy_due_t_ = 0;  ///< s, when the extended entropy is worked out again
 };

@@ -101,17 +101,38 @@ const char* why_cut_short(std::string_view bytes) {
   return nullptr;  // other formats are left to their decoders
 }
 
-Image read_image(const std::filesystem::path& path) {
+namespace {
+
+/// Grey, with `more` of OpenCV's flags for reading; empty where it cannot be decoded.
+cv::Mat decoded(const std::filesystem::path& path, int more) {
   const std::string bytes = read_file(path, largest_image_file);
   if (const char* why = why_cut_short(bytes))
     throw std::runtime_error(fmt::format("{}: {}", shown(path), why));
-  cv::Mat grey;
   try {
     const cv::Mat raw(1, static_cast<int>(bytes.size()), CV_8U, const_cast<char*>(bytes.data()));
-    grey = cv::imdecode(raw, cv::IMREAD_GRAYSCALE | cv::IMREAD_IGNORE_ORIENTATION);
+    return cv::imdecode(raw, cv::IMREAD_GRAYSCALE | cv::IMREAD_IGNORE_ORIENTATION | more);
   } catch (const cv::Exception& error) {
     throw std::runtime_error(fmt::format("{}: cannot be decoded: {}", shown(path), error.err));
   }
+}
+
+}  // namespace
+
+Eigen::MatrixXd read_shares_of_white(const std::filesystem::path& path) {
+  const cv::Mat grey = decoded(path, cv::IMREAD_ANYDEPTH);
+  if (grey.empty() || (grey.type() != CV_8U && grey.type() != CV_16U))
+    throw std::runtime_error(
+        fmt::format("{}: is not an image of 8 or 16 bits that can be decoded", shown(path)));
+  const bool fine = grey.type() == CV_16U;
+  Eigen::MatrixXd shares(grey.rows, grey.cols);
+  for (int v = 0; v < grey.rows; ++v)
+    for (int u = 0; u < grey.cols; ++u)
+      shares(v, u) = fine ? grey.at<std::uint16_t>(v, u) / 65535.0 : grey.at<std::uint8_t>(v, u) / 255.0;
+  return shares;
+}
+
+Image read_image(const std::filesystem::path& path) {
+  const cv::Mat grey = decoded(path, 0);
   if (grey.empty() || grey.type() != CV_8U) {
     throw std::runtime_error(fmt::format("{}: is not an image that can be decoded", shown(path)));
   }

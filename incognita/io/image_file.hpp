@@ -1,6 +1,7 @@
 // Grey images from files, whole or not at all.
 #pragma once
 
+#include <Eigen/Core>
 #include <filesystem>
 #include <string_view>
 
@@ -12,6 +13,10 @@ namespace incognita {
 /// calibration belongs to the sensor). Throws std::runtime_error naming the file when it is missing, cut
 /// short or not an image.
 Image read_image(const std::filesystem::path& path);
+
+/// The image as shares of white, 0 to 1, to the full depth of a file of 8 or 16 bits; rows as in the image.
+/// Throws likewise.
+Eigen::MatrixXd read_shares_of_white(const std::filesystem::path& path);
 
 /// Why the bytes cannot be a whole image file, or nothing. Decoders fill what is missing with grey without a
 /// word.

@@ -183,8 +183,8 @@ std::string one_line(std::string text) {
 
 /// A file beside the scenario is named in full, so that the written scenario may lie anywhere.
 std::string written_for_elsewhere(const Setting& setting, const LoadedScenario& loaded) {
-  const bool names_file =
-      setting.key == "start.target" || setting.key == "points.file" || setting.key == "path.file";
+  const bool names_file = setting.key == "start.target" || setting.key == "points.file" ||
+                          setting.key == "path.file" || setting.key == "terrain.file";
   if (!names_file || is_embedded(loaded.file)) return setting.written();
   const std::string& name = *std::get<std::string*>(setting.field);
   const std::filesystem::path beside = loaded.file.parent_path() / name;

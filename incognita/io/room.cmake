@@ -34,7 +34,7 @@ incognita_room(io
           io/named_table.cpp io/number_table.cpp io/path_file.cpp io/point_file.cpp io/range_recording.cpp
           io/range_recording_builder.cpp io/range_tables.cpp
           io/recorded.cpp io/recording.cpp io/reflectors.cpp io/scenario_checks.cpp io/scenario_file.cpp io/setting.cpp io/settings.cpp
-          io/system_file.cpp io/target_file.cpp io/team_checks.cpp io/team_meanings.cpp io/team_setting_list.cpp io/toml_depth.cpp io/toml_value.cpp io/tum_recording.cpp
+          io/system_file.cpp io/target_file.cpp io/team_checks.cpp io/terrain_file.cpp io/team_meanings.cpp io/team_setting_list.cpp io/toml_depth.cpp io/toml_value.cpp io/tum_recording.cpp
           ${embedded_sources}
   USES incognita::models incognita::messages incognita::analysis
   PRIVATE_USES fmt::fmt opencv_core opencv_imgcodecs PkgConfig::MATIO)

@@ -77,6 +77,7 @@ void check_room(const Scenario& s, List& found) {
   }
   const Eigen::Vector3d &size = s.room.size_m, &start = s.room.start_position_m;
   check_room_size(size, found);
+  if (is_room_vehicle(s)) return;  // which starts on the ground
   const double margin = s.room.clearance_m;
   const bool inside = std::abs(start.x()) <= size.x() / 2 - margin &&
                       std::abs(start.y()) <= size.y() / 2 - margin && start.z() >= margin &&
@@ -143,6 +144,11 @@ std::vector<Contradiction> find_contradictions(const Scenario& scenario) {
   check_camera(scenario, found);
   check_sizes(scenario, found);
   check_search(scenario, found);
+  if (is_room_vehicle(scenario)) {
+    check_room(scenario, found);
+    check_room_vehicle(scenario, found);
+    return found;
+  }
   check_bounds(scenario, found);
   check_decision(scenario, found);
   check_room(scenario, found);

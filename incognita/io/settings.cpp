@@ -186,6 +186,11 @@ void filter(List& list, FilterSettings& s) {
                    "per axis, when the run starts", between(0, 1e4)},
                   {"filter.sigma_start_angular_rate_rad_s", &s.sigma_start_angular_rate_rad_s, "rad/s",
                    "per axis, when the run starts", between(0, 1e4)},
+                  {"filter.odometry", &s.odometry, "",
+                   "of a camera on a vehicle: whether what the wheels tell is used", any()},
+                  {"filter.sigma_slip_m_s", &s.sigma_slip_m_s, "m/s",
+                   "odometry: how far the vehicle moves otherwise than its wheels say, per axis",
+                   above_up_to(0, 100)},
               });
 }
 
@@ -330,7 +335,8 @@ void room(List& list, RoomSettings& s) {
            "true disturbance per axis, held for one frame", between(0, 1000)},
           {"room.sigma_angular_acceleration_rad_s2", &s.sigma_angular_acceleration_rad_s2, "rad/s^2",
            "true disturbance per axis, held for one frame", between(0, 1000)},
-          {"room.clearance_m", &s.clearance_m, "m", "the camera's body stops this far from walls and boxes",
+          {"room.clearance_m", &s.clearance_m, "m",
+           "the camera's body, or the middle of its vehicle's axle, stops this far from walls and boxes",
            between(0, 0.5)},
           {"room.cover_lens_from_s", &s.cover_lens_from_s, "s",
            "the lens is covered from then on; never when negative", any()},
@@ -390,6 +396,8 @@ bool of_speeds(const std::string& key) {
 
 std::string why_meaningless(const std::string& key, const Scenario& s) {
   if (is_team(s)) return why_meaningless_to_team(key, s);
+  if (is_room_vehicle(s)) return why_meaningless_to_room_vehicle(key, s);
+  if (key == "filter.odometry" || key == "filter.sigma_slip_m_s") return "a camera that is on no vehicle";
   if (is_of_teams(section_of(key))) return "run.world = `" + s.run.world + "`";
   if (!section_means_something(section_of(key), s.run.sensor)) return "run.sensor = `" + s.run.sensor + "`";
   if (section_of(key) == "person") {

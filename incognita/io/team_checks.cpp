@@ -205,6 +205,12 @@ void check_plant(const Scenario& s, List& found) {
                      "followed"});
 }
 
+void check_terrain(const Scenario& s, List& found) {
+  const bool uneven = s.planar.vehicle.model == "terrain" || s.team.plant.motion == "terrain";
+  if (uneven && s.team.terrain.kind == "image" && s.team.terrain.file.empty())
+    found.push_back({"terrain.file", "must name a grey image, terrain.kind being `image`"});
+}
+
 void check_ticks(const Scenario& s, List& found) {
   constexpr double most_ticks = 1e9;
   if (s.run.duration_s * s.run.rate_hz > most_ticks)
@@ -212,7 +218,50 @@ void check_ticks(const Scenario& s, List& found) {
                                                    most_ticks, s.run.rate_hz)});
 }
 
+/// One vehicle, inside the room, by a law that steers wheels.
+void check_in_room(const Scenario& s, List& found) {
+  if (s.team.start.positions_m.size() != 1)
+    return found.push_back({"team.positions_m", "must have one start: the room has one vehicle"});
+  const Eigen::Vector3d &start = s.team.start.positions_m.front(), &size = s.room.size_m;
+  const double margin = s.room.clearance_m;
+  if (std::abs(start.x()) > size.x() / 2 - margin || std::abs(start.y()) > size.y() / 2 - margin)
+    found.push_back({"team.positions_m",
+                     fmt::format("must be inside room.size_m [{:g}, {:g}, {:g}], room.clearance_m {:g} from "
+                                 "the walls",
+                                 size.x(), size.y(), size.z(), margin)});
+  const std::string& law = s.team.steer.law;
+  if (law == "lqg")
+    found.push_back(
+        {"steer.law", "must be `active`, `none`, `tracking` or `feedback-linearisation` in the room"});
+}
+
+/// Between the body and where avoiding begins there must be a way to slow down on.
+void check_keep_clear(const Scenario& s, List& found) {
+  const double clear = s.team.steer.keep_clear_m;
+  if (clear == 0) return;
+  const double least = s.room.clearance_m + 0.1 + 2 * s.team.steer.max_speed_m_s / s.run.rate_hz;
+  if (clear < least)
+    found.push_back(
+        {"steer.keep_clear_m",
+         fmt::format("must be 0 or at least {:.3g}: room.clearance_m, 0.1 m, and what steer.max_speed_m_s "
+                     "drives in two ticks",
+                     least)});
+}
+
 }  // namespace
+
+void check_room_vehicle(const Scenario& s, List& found) {
+  check_in_room(s, found);
+  check_length("team.headings_rad", s.team.start.headings_rad.size(), 1, "that of the vehicle", found);
+  check_gains(s, found);
+  check_path(s, found);
+  check_dimensions(s, found);
+  check_control_point(s, found);
+  check_terrain(s, found);
+  check_keep_clear(s, found);
+  if (!(s.team.mount.up_m > 0))
+    found.push_back({"mount.up_m", "must be more than 0: the camera sees nothing from under the ground"});
+}
 
 void check_team(const Scenario& s, List& found) {
   check_form(s, found);
@@ -227,6 +276,7 @@ void check_team(const Scenario& s, List& found) {
   check_known(s, found);
   check_bounds(s, found);
   check_plant(s, found);
+  check_terrain(s, found);
   if (s.run.sensor == "camera" || s.run.sensor == "stereo") check_camera(s, found);
 }
 

@@ -58,6 +58,7 @@ std::string ranges(std::string_view key, const Choices& c) {
 
 std::string filter(std::string_view key, const Choices& c) {
   if (key == "sigma_pixel_px") return unless(c.camera, c.by_sensor());
+  if (one_of(key, {"odometry", "sigma_slip_m_s"})) return c.by_world();
   return unless(c.body, c.by_model());
 }
 
@@ -85,11 +86,15 @@ std::string terrain(std::string_view key, const Choices& c) {
   if (!c.ground && c.s.team.plant.motion != "terrain") return c.by_model();
   const std::string& kind = c.s.team.terrain.kind;
   if (key == "kind") return "";
-  return unless((kind == "plane") == one_of(key, {"slope_x", "slope_y"}), "terrain.kind = `" + kind + "`");
+  const char* of = one_of(key, {"slope_x", "slope_y"})        ? "plane"
+                   : one_of(key, {"amplitude_m", "length_m"}) ? "waves"
+                                                              : "image";
+  return unless(kind == of, "terrain.kind = `" + kind + "`");
 }
 
 std::string steer(std::string_view key, const Choices& c) {
   if (key == "law") return "";
+  if (key == "keep_clear_m") return unless(is_room_vehicle(c.s), c.by_world());
   if (key == "input") return unless(c.law == "none", c.by_law());
   if (c.carried) return unless(one_of(key, {"max_speed_m_s", "max_turn_rate_rad_s"}), c.by_plant());
   if (key == "max_speed_m_s") return unless(!c.body, c.by_model());
@@ -142,13 +147,13 @@ std::string control(std::string_view key, const Choices& c) {
 
 std::string decision(std::string_view key, const Choices& c) {
   if (c.law != "active") return c.by_law();
+  const bool driven = c.carried || is_room_vehicle(c.s);
   const std::string moved = c.carried ? c.by_plant() : c.by_model();
-  if (key.starts_with("gaze")) return unless(c.body && !c.carried, moved);
-  if (one_of(key, {"step_m", "moves_m"})) return unless(!c.carried, moved);
-  const DecisionSettings& d = c.s.decision;
-  if (key == "accelerations" || key == "impulse_s") return unless(c.carried, moved);
+  if (key.starts_with("gaze")) return unless(c.body && !driven, moved);
+  if (one_of(key, {"step_m", "moves_m"})) return unless(!driven, moved);
+  if (key == "accelerations" || key == "impulse_s") return unless(driven, moved);
   if (one_of(key, {"acceleration_m_s2", "turn_acceleration_rad_s2"}))
-    return unless(c.carried && d.accelerations.empty(), c.carried ? "decision.accelerations" : moved);
+    return unless(driven && c.s.decision.accelerations.empty(), driven ? "decision.accelerations" : moved);
   return "";
 }
 
@@ -188,7 +193,41 @@ std::string in_points(const std::string& section, std::string_view key, const Ch
   return c.by_world();
 }
 
+/// Of what a vehicle in the rendered room shares with those in a place of points.
+std::string on_wheels(const std::string& section, std::string_view key, const Choices& c) {
+  if (section == "steer") return steer(key, c);
+  if (section == "path") return key == "offsets_m" ? c.by_world() : path(key, c);
+  if (section == "terrain") return terrain(key, c);
+  if (section == "mount") return "";
+  if (section == "team") return unless(one_of(key, {"positions_m", "headings_rad"}), c.by_world());
+  if (section == "plant" && key == "ticks_per_look") return c.by_world();
+  if (section == "plant" && key == "sigma_pixel_px") return "images, whose noise is room.sigma_image_grey";
+  if (section == "plant") return plant(key, c);
+  return c.by_world();
+}
+
 }  // namespace
+
+bool is_room_vehicle(const Scenario& s) {
+  return s.run.world == "room" && s.run.sensor == "camera" && s.planar.vehicle.model == "terrain";
+}
+
+std::string why_meaningless_to_room_vehicle(const std::string& full_key, const Scenario& s) {
+  const Choices c{s};
+  const std::string section = section_of(full_key), key = name_in_section(full_key);
+  if (one_of(section, {"control", "person", "recording"})) return c.by_model();
+  if (one_of(section, {"decision", "explore"})) return decision(key, c);
+  if (section == "room" && (key.starts_with("start_") || key.starts_with("sigma_start_") ||
+                            one_of(key, {"sigma_acceleration_m_s2", "sigma_angular_acceleration_rad_s2"})))
+    return c.by_model();
+  if (section == "filter" && key == "sigma_slip_m_s")
+    return unless(s.slam.filter.odometry, "filter.odometry = false");
+  if (section == "vehicle")
+    return unless(one_of(key, {"model", "sigma_speed_m_s", "sigma_turn_rate_rad_s"}), c.by_model());
+  if (one_of(section, {"run", "camera", "start", "filter", "search", "birth", "map", "lost", "room"}))
+    return "";
+  return on_wheels(section, key, c);
+}
 
 bool is_team(const Scenario& s) {
   return s.run.world == "points" || (s.run.world == "recording" && s.recording.team);

@@ -59,10 +59,13 @@ struct PlantChoice {
 };
 
 struct TerrainChoice {
-  std::string kind = "waves";  ///< `plane` or `waves`, two across each other
+  std::string kind = "waves";  ///< `plane`, `waves`, two across each other, or `image`
   double slope_x = 0, slope_y = 0;
   double amplitude_m = 0.15;
   double length_m = 6;
+  std::string file;       ///< `image`: seen from above, its middle at x = y = 0, its columns along +x
+  double size_m = 6;      ///< `image`: from its first column to its last
+  double height_m = 0.3;  ///< `image`: of white; black is at 0
 };
 
 struct MountChoice {
@@ -83,6 +86,7 @@ struct SteerChoice {
   double gain_along_per_s = 1, gain_across_per_m2 = 4, gain_heading_per_m = 2;
   std::vector<double> weight_state{1}, weight_input{1};
   double max_speed_m_s = 1, max_turn_rate_rad_s = 1, max_steering_rad = 0.6;
+  double keep_clear_m = 0;  ///< in the rendered room: slower and away from what is nearer; 0: never
 };
 
 struct PathChoice {

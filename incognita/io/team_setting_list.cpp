@@ -92,14 +92,23 @@ void plant(List& list, PlantChoice& s) {
 }
 
 void terrain(List& list, TerrainChoice& s) {
-  list.insert(list.end(),
-              {
-                  {"terrain.kind", &s.kind, "", "waves: two across each other", one_of({"plane", "waves"})},
-                  {"terrain.slope_x", &s.slope_x, "", "plane: m up per m along x", between(-2, 2)},
-                  {"terrain.slope_y", &s.slope_y, "", "plane: m up per m along y", between(-2, 2)},
-                  {"terrain.amplitude_m", &s.amplitude_m, "m", "waves", between(0, 100)},
-                  {"terrain.length_m", &s.length_m, "m", "waves: from crest to crest", between(0.01, 1e5)},
-              });
+  list.insert(
+      list.end(),
+      {
+          {"terrain.kind", &s.kind, "", "waves: two across each other; image: a height map",
+           one_of({"plane", "waves", "image"})},
+          {"terrain.slope_x", &s.slope_x, "", "plane: m up per m along x", between(-2, 2)},
+          {"terrain.slope_y", &s.slope_y, "", "plane: m up per m along y", between(-2, 2)},
+          {"terrain.amplitude_m", &s.amplitude_m, "m", "waves", between(0, 100)},
+          {"terrain.length_m", &s.length_m, "m", "waves: from crest to crest", between(0.01, 1e5)},
+          {"terrain.file", &s.file, "",
+           "image: grey, 8 or 16 bits, seen from above with its middle at the origin and x to the "
+           "right; found beside the scenario or under the data folder",
+           any()},
+          {"terrain.size_m", &s.size_m, "m", "image: along x, from its first pixels to its last",
+           between(0.01, 1e5)},
+          {"terrain.height_m", &s.height_m, "m", "image: of white; black is at 0", between(-100, 100)},
+      });
 }
 
 void mount(List& list, MountChoice& s) {
@@ -149,6 +158,9 @@ void steer(List& list, SteerChoice& s) {
            above_up_to(0, 1000)},
           {"steer.max_steering_rad", &s.max_steering_rad, "rad", "what the vehicle can do",
            above_up_to(0, 1.5)},
+          {"steer.keep_clear_m", &s.keep_clear_m, "m",
+           "in the room: slower and away from walls and boxes that are nearer to its axle; 0: never",
+           between(0, 10)},
       });
 }
 

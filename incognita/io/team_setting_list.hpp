@@ -16,6 +16,9 @@ bool is_team(const Scenario& scenario);
 /// Whether a camera is carried by a vehicle that its filter knows nothing of: thesis Section 6.4.
 bool is_carried(const Scenario& scenario);
 
+/// Whether a vehicle on uneven ground carries the camera through the rendered room.
+bool is_room_vehicle(const Scenario& scenario);
+
 /// Appends every setting of `team`, which must outlive the list.
 void list_team_settings(std::vector<Setting>& list, TeamScenario& team);
 
@@ -27,5 +30,7 @@ bool is_of_teams(const std::string& section);
 
 /// With which other setting a key means nothing in a team's scenario; empty where it means something.
 std::string why_meaningless_to_team(const std::string& key, const Scenario& scenario);
+/// Likewise of a vehicle in the rendered room.
+std::string why_meaningless_to_room_vehicle(const std::string& key, const Scenario& scenario);
 
 }  // namespace incognita

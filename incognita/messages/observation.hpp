@@ -33,6 +33,13 @@ struct Detection {
   std::int64_t identity = unknown;  ///< which landmark it is, where the sensor can tell
 };
 
+/// How far it is to the nearest thing inside a cone, as a sonar tells; what it is, it does not know.
+struct ConeRange {
+  double bearing_rad = 0;     ///< of the cone's middle, from the vehicle's forward axis, positive to the left
+  double half_width_rad = 0;  ///< of the cone
+  double range_m = 0;         ///< from the middle of the axle; the sensor's reach where there is nothing
+};
+
 /// Whether a detection says anything: a range above 0, finite, with a finite bearing.
 inline bool is_usable(const Detection& detection) {
   return std::isfinite(detection.range_m) && detection.range_m > 0 && std::isfinite(detection.bearing_rad);
@@ -62,6 +69,7 @@ struct Observation {
   std::vector<Detection> detections;   ///< of this very tick
   std::vector<PositionReading> fixes;  ///< since the tick before, in time order
   std::vector<VehicleView> team;       ///< where vehicles name what they see: one for each
+  std::vector<ConeRange> around;       ///< what stands around a vehicle, of this very tick
 };
 
 }  // namespace incognita

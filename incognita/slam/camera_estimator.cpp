@@ -33,11 +33,13 @@ void check_size(const Image& image, const Camera& camera) {
 }  // namespace
 
 CameraEstimator::CameraEstimator(Camera camera, std::optional<Target> target,
-                                 const CameraSlamSettings& settings, double max_search_s, std::uint64_t seed)
+                                 const CameraSlamSettings& settings, double max_search_s, std::uint64_t seed,
+                                 const std::optional<WheelOdometry>& odometry)
     : camera_(std::move(camera)),
       target_(std::move(target)),
       settings_(settings),
       max_search_s_(max_search_s),
+      odometry_(odometry),
       random_(seed, "slam.birth") {}
 
 void CameraEstimator::update(Estimate& estimate, const Command& command, const Observation& seen,
@@ -61,6 +63,7 @@ void CameraEstimator::update(Estimate& estimate, const Command& command, const O
     wait_in_place(estimate, image);
   } else {
     predict(estimate, command, tick.dt);
+    follow_wheels(estimate, seen);
     track(estimate, image, tick, clock);
   }
 }
@@ -131,6 +134,18 @@ void CameraEstimator::predict(Estimate& estimate, const Command& command, double
   variances.tail<3>().setConstant(std::pow(settings_.filter.sigma_angular_acceleration_rad_s2, 2));
   estimate.belief.predict(
       {estimate.camera, step.x, step.F, step.G * variances.asDiagonal() * step.G.transpose()});
+}
+
+/// Before the search, whose ellipses it narrows. One reading a tick is of the tick's mean speeds, which are
+/// those of the state: (5.24) moves with them.
+void CameraEstimator::follow_wheels(Estimate& estimate, const Observation& seen) const {
+  if (!odometry_ || seen.odometry.empty()) return;
+  const auto look = odometry_->look(estimate.camera_state());
+  AffineLook affine;
+  affine.add(estimate.camera, look.H);
+  affine.residual = WheelOdometry::measured(seen.odometry.back().input) - look.z;
+  affine.R = look.R;
+  estimate.belief.update({&affine, 1});
 }
 
 void CameraEstimator::correct(Estimate& estimate) const {

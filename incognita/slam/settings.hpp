@@ -12,6 +12,8 @@ struct FilterSettings {
   double sigma_pixel_px = 1.0;                  ///< of one measured patch position, per axis
   double sigma_start_velocity_m_s = 0.2;        ///< per axis, when the run starts
   double sigma_start_angular_rate_rad_s = 0.2;  ///< per axis, when the run starts
+  bool odometry = false;         ///< whether what the wheels of the camera's vehicle tell is used
+  double sigma_slip_m_s = 0.02;  ///< per axis: how far the vehicle moves otherwise than its wheels say
 };
 
 struct SearchSettings {

@@ -80,7 +80,7 @@ Plant::Plant(AnyMotion motion, const PlantSettings& settings, std::uint64_t seed
     : motion_(std::move(motion)), settings_(settings), disturbance_(seed, name + ".disturbance") {
   check(motion_, settings_);
   state_ = drawn_start(motion_, settings_, seed, name);
-  carried_out_ = driven_ = SmallVector::Zero(inputs_of(motion_));
+  carried_out_ = in_force_ = SmallVector::Zero(inputs_of(motion_));
 }
 
 const SmallVector& Plant::move(const SmallVector& input, double dt_s) {
@@ -93,9 +93,14 @@ const SmallVector& Plant::move(const SmallVector& input, double dt_s) {
   if (settings_.input_ratios.size() > 0) u.array() *= settings_.input_ratios.array();
   for (Eigen::Index i = 0; i < u.size(); ++i) u[i] += settings_.input_sigmas[i] * disturbance_.normal();
   std::visit([&](const auto& model) { keep_steering(model, u); }, motion_);
-  driven_ = u;
   state_ = integrate(motion_, state_, u, dt_s);
+  in_force_ = u;
   return state_;
+}
+
+void Plant::put(const SmallVector& state) {
+  need_size(state, chart_of(motion_).ambient(), "the state of a plant");
+  state_ = state;
 }
 
 }  // namespace incognita

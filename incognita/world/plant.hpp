@@ -30,19 +30,24 @@ class Plant {
   /// The input of the last tick as it was carried out, within the limits and before it was disturbed: what
   /// odometry tells.
   const SmallVector& carried_out() const { return carried_out_; }
+  /// The same as it really was: of wheels of their true size, and disturbed.
+  const SmallVector& in_force() const { return in_force_; }
 
   /// d(state)/dt as it moved last, with what disturbed it.
-  SmallVector rate() const { return rate_of(motion_, state_, driven_); }
+  SmallVector rate() const { return rate_of(motion_, state_, in_force_); }
 
   /// The state after the input was held for `dt_s` seconds (Dormand-Prince, Odeint, to 1e-10). Throws
   /// std::invalid_argument where input or time are not finite or the time is negative.
   const SmallVector& move(const SmallVector& input, double dt_s);
 
+  /// Puts the body elsewhere, as an obstacle does that it met. Throws std::invalid_argument likewise.
+  void put(const SmallVector& state);
+
  private:
   AnyMotion motion_;
   PlantSettings settings_;
   RandomStream disturbance_;
-  SmallVector state_, carried_out_, driven_;
+  SmallVector state_, carried_out_, in_force_;
 };
 
 }  // namespace incognita

@@ -21,6 +21,7 @@ using BoxBits = std::uint32_t;           ///< one bit per box of the room
 constexpr int tile_px = RayTable::tile_px;
 constexpr float white_grey = 236, black_grey = 14;  // of the sheet
 constexpr int sheet_wall = 1;                       // at the upper end of x
+constexpr int floor_wall = 4;                       // at the lower end of z
 constexpr std::uint8_t nothing = 255;               // id where no surface is seen
 
 struct Hit {
@@ -36,8 +37,15 @@ struct Bounds {  ///< a box relative to the camera
 /// What can be seen in a tile.
 struct TileView {
   BoxBits boxes = 0;
-  int wall = -1;       ///< the only wall seen, if there is only one and no box
-  bool sheet = false;  ///< whether the sheet may be seen
+  int wall = -1;        ///< the only wall seen, if there is only one and no box
+  bool sheet = false;   ///< whether the sheet may be seen
+  bool ground = false;  ///< whether uneven ground may be
+};
+
+/// What a ray meets.
+struct Seen {
+  std::uint8_t id = nothing;  ///< of the surface
+  float nearness = 0;         ///< on uneven ground: 1 / ray parameter, which is affine over a plane's pixels
 };
 
 inline int lit(int grey, const Surface& surface) {
@@ -75,9 +83,11 @@ class Picture {
   void draw_wall(std::size_t first, int count, const TileView& view, std::uint8_t* pixels);
   void smooth_edges(Image& out) const;
   bool on_edge(std::size_t at) const;
+  bool on_crest(std::size_t at) const;
   int mean_of_four(std::size_t at, const TileView& view) const;
 
-  int grey(float x, float y, float footprint, const TileView& view, std::uint8_t& id) const;
+  int grey(float x, float y, float footprint, const TileView& view, Seen& seen) const;
+  int ground_grey(const Direction& d, float t, float footprint) const;
   Hit leave_room(const Direction& d, const Direction& inverse) const;
   void enter_boxes(const Direction& d, const Direction& inverse, BoxBits boxes, Hit& hit) const;
   int with_sheet(int wall, const Direction& d, float footprint) const;
@@ -86,10 +96,12 @@ class Picture {
   const RayTable& rays_;
   Eigen::Vector3d position_;
   std::array<float, 9> r_;  ///< world_from_camera, row by row
-  Bounds inside_, sheet_;
+  Direction eye_;           ///< the camera, m
+  Bounds inside_, sheet_, ground_;
   std::vector<Bounds> boxes_;
   std::vector<TileView> tiles_;
   std::vector<std::uint8_t> ids_;  ///< of the surface each pixel sees
+  std::vector<float> nearness_;    ///< of the uneven ground each pixel sees; none where the floor is level
 };
 
 Picture::Picture(const Room& room, const RayTable& rays, const Eigen::Vector3d& position,
@@ -98,6 +110,13 @@ Picture::Picture(const Room& room, const RayTable& rays, const Eigen::Vector3d& 
   const Eigen::Matrix3d r = rotation_matrix<double>(world_from_camera);
   for (int i = 0; i < 9; ++i) r_[i] = static_cast<float>(r(i / 3, i % 3));
   inside_ = relative(room.layout().inside);
+  for (int i = 0; i < 3; ++i) eye_[i] = static_cast<float>(position[i]);
+  if (const Ground* ground = room.ground()) {
+    Box bounds = room.layout().inside;
+    bounds.max.z() = ground->highest_m();
+    ground_ = relative(bounds);
+    nearness_.assign(rays.x.size(), 0);
+  }
   const Sheet& sheet = room.layout().sheet;
   const Eigen::Vector3d half(0, sheet.width / 2, sheet.height / 2), middle(sheet.x, sheet.y, sheet.z);
   sheet_ = relative({middle - half, middle + half});
@@ -135,8 +154,9 @@ TileView Picture::view_of(const RayTable::Cone& cone) const {
   for (std::size_t i = 0; i < boxes_.size(); ++i)
     if (may_meet(boxes_[i], axis, cone.sin_half_angle)) view.boxes |= BoxBits{1} << i;
   view.sheet = may_meet(sheet_, axis, cone.sin_half_angle);
+  view.ground = room_.ground() && may_meet(ground_, axis, cone.sin_half_angle);
   const int wall = leave_room(axis, {1 / axis[0], 1 / axis[1], 1 / axis[2]}).surface;
-  if (!view.boxes && only_wall(wall, axis, cone.sin_half_angle)) view.wall = wall;
+  if (!view.boxes && !view.ground && only_wall(wall, axis, cone.sin_half_angle)) view.wall = wall;
   return view;
 }
 
@@ -168,9 +188,12 @@ void Picture::draw(Image& out) {
 void Picture::draw_rays(std::size_t first, int count, const TileView& view, std::uint8_t* pixels) {
   for (int i = 0; i < count; ++i) {
     const std::size_t at = first + i;
+    Seen seen;
     pixels[i] = 0;
     if (rays_.footprint[at] > 0)
-      pixels[i] = rounded(grey(rays_.x[at], rays_.y[at], rays_.footprint[at], view, ids_[at]));
+      pixels[i] = rounded(grey(rays_.x[at], rays_.y[at], rays_.footprint[at], view, seen));
+    ids_[at] = seen.id;
+    if (view.ground) nearness_[at] = seen.nearness;
   }
 }
 
@@ -201,7 +224,7 @@ void Picture::smooth_edges(Image& out) const {
       if (view.wall >= 0) continue;
       const int begin = std::max(1, tile * tile_px), end = std::min((tile + 1) * tile_px, rays_.width - 1);
       for (int u = begin; u < end; ++u)
-        if (const std::size_t at = rays_.index(u, v); on_edge(at))
+        if (const std::size_t at = rays_.index(u, v); on_edge(at) || (view.ground && on_crest(at)))
           out(u, v) = rounded(mean_of_four(at, view));
     }
 }
@@ -213,29 +236,63 @@ bool Picture::on_edge(std::size_t at) const {
   return !same && id[0] != nothing && std::find(around.begin(), around.end(), nothing) == around.end();
 }
 
+/// Where a rise of the ground hides what lies behind it, both the same surface.
+bool Picture::on_crest(std::size_t at) const {
+  constexpr float share = 0.01f;
+  const float* n = &nearness_[at];
+  const float left = n[-1], right = n[1], above = n[-rays_.stride], below = n[rays_.stride];
+  if (!(std::min({n[0], left, right, above, below}) > 0)) return false;
+  return std::max(std::abs(left + right - 2 * n[0]), std::abs(above + below - 2 * n[0])) > share * n[0];
+}
+
 int Picture::mean_of_four(std::size_t at, const TileView& view) const {
   const float *x = &rays_.x[at], *y = &rays_.y[at];
   const int down = rays_.stride;
   const float xu = 0.125f * (x[1] - x[-1]), yu = 0.125f * (y[1] - y[-1]);  // a quarter pixel
   const float xv = 0.125f * (x[down] - x[-down]), yv = 0.125f * (y[down] - y[-down]);
-  std::uint8_t id = 0;
+  Seen seen;
   int sum = 0;
   for (const auto& [du, dv] : {std::pair(-1.f, -1.f), {1.f, -1.f}, {-1.f, 1.f}, {1.f, 1.f}})
-    sum += grey(*x + du * xu + dv * xv, *y + du * yu + dv * yv, 0.6f * rays_.footprint[at], view, id);
+    sum += grey(*x + du * xu + dv * xv, *y + du * yu + dv * yv, 0.6f * rays_.footprint[at], view, seen);
   return sum / 4;
 }
 
-/// 256 times the grey that a ray sees, and the id of the surface that it meets.
-inline int Picture::grey(float x, float y, float footprint, const TileView& view, std::uint8_t& id) const {
+/// The floor's paint where a ray along `d` meets uneven ground at `t`, laid on from above, lit from above.
+int Picture::ground_grey(const Direction& d, float t, float footprint) const {
+  constexpr float lamp_x = 0.35f, lamp_y = 0.2f;  // of its direction, over that upwards
+  const Surface& floor = room_.walls()[floor_wall];
+  const float x = eye_[0] + t * d[0], y = eye_[1] + t * d[1];
+  const Ground::Place at = room_.ground()->at(x, y);
+  // As Plane::covered with the slope of the place: how fast ray and ground close in takes the normal's part
+  const float closing = std::max(at.slope_x * d[0] + at.slope_y * d[1] - d[2], 1e-3f);
+  const float footprint_m = t * footprint, stretch = footprint_m / closing;
+  const Covered<1> covered{{x * floor.u_per_m + floor.u_at_0},
+                           {y * floor.v_per_m + floor.v_at_0},
+                           {std::clamp(stretch * d[0] * floor.u_per_m, -1e5f, 1e5f)},
+                           {std::clamp(stretch * d[1] * floor.v_per_m, -1e5f, 1e5f)},
+                           {footprint_m * std::abs(floor.v_per_m)}};
+  const float upright = 1 / std::sqrt(1 + at.slope_x * at.slope_x + at.slope_y * at.slope_y);
+  const float light = std::clamp((1 - lamp_x * at.slope_x - lamp_y * at.slope_y) * upright, 0.3f, 1.3f);
+  return lit(static_cast<int>(static_cast<float>(sample(floor.texture, covered, 0)) * light), floor);
+}
+
+/// 256 times the grey that a ray sees, and what it meets.
+inline int Picture::grey(float x, float y, float footprint, const TileView& view, Seen& seen) const {
   const Direction d = turned(x, y), inverse{1.0f / d[0], 1.0f / d[1], 1.0f / d[2]};
   Hit hit = leave_room(d, inverse);
   if (view.boxes) enter_boxes(d, inverse, view.boxes, hit);
-  id = static_cast<std::uint8_t>((hit.box + 1) * 6 + hit.surface);
+  if (view.ground) {
+    if (const float t = room_.ground()->meet(eye_, d, hit.t); t < hit.t) {
+      seen = {floor_wall, 1 / t};
+      return ground_grey(d, t, footprint);
+    }
+  }
+  seen = {static_cast<std::uint8_t>((hit.box + 1) * 6 + hit.surface), 0};
   const Surface& surface = (hit.box < 0 ? room_.walls() : room_.box_surfaces(hit.box))[hit.surface];
   const Plane plane(surface, hit.surface / 2, distance_to(hit), position_);
-  const int seen = sample(surface.texture, plane.covered<1>(r_, &x, &y, &footprint), 0);
+  const int paint = sample(surface.texture, plane.covered<1>(r_, &x, &y, &footprint), 0);
   const bool sheet = view.sheet && hit.box < 0 && hit.surface == sheet_wall;
-  return lit(sheet ? with_sheet(seen, d, footprint) : seen, surface);
+  return lit(sheet ? with_sheet(paint, d, footprint) : paint, surface);
 }
 
 float Picture::distance_to(const Hit& hit) const {
@@ -297,7 +354,10 @@ inline int Picture::with_sheet(int wall, const Direction& d, float footprint) co
 void render(const Room& room, const RayTable& rays, const Eigen::Vector3d& position,
             const Eigen::Vector4d& world_from_camera, Image& out) {
   if (out.width() != rays.width || out.height() != rays.height) out = Image(rays.width, rays.height);
-  if (!room.layout().inside.contains(position)) {
+  const Ground* ground = room.ground();
+  const Eigen::Vector3f at = position.cast<float>();
+  const bool buried = ground && !(at.z() > ground->at(at.x(), at.y()).height);
+  if (buried || !room.layout().inside.contains(position)) {
     out = Image(rays.width, rays.height);
     return;
   }

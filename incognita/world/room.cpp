@@ -87,12 +87,32 @@ Surfaces paint_box(const Box& box, RandomStream& random) {
   return out;
 }
 
+/// Boxes stand as high over the ground at their middle as they would over a level floor.
+void lift_boxes(const Ground& ground, RoomLayout& layout) {
+  for (Box& box : layout.boxes) {
+    const Eigen::Vector3f middle = (0.5 * (box.min + box.max)).cast<float>();
+    const double up_m = ground.at(middle.x(), middle.y()).height;
+    box.min.z() += up_m;
+    box.max.z() += up_m;
+  }
+}
+
+/// Walls and boxes go down below the ground, unpainted.
+void reach_below(const Ground& ground, RoomLayout& layout) {
+  constexpr double below_m = 0.05;
+  layout.inside.min.z() = ground.lowest_m() - below_m;
+  for (Box& box : layout.boxes) box.min.z() = layout.inside.min.z();
+}
+
 }  // namespace
 
-Room::Room(const RoomSettings& settings, std::uint64_t seed) : layout_(room_layout(settings, seed)) {
+Room::Room(const RoomSettings& settings, std::uint64_t seed, const std::optional<Terrain>& terrain)
+    : layout_(room_layout(settings, seed)) {
+  if (terrain) lift_boxes(ground_.emplace(*terrain, layout_.inside), layout_);
   RandomStream random(seed, "room.paint");
   walls_ = paint_room(layout_, random);
   for (const Box& box : layout_.boxes) boxes_.push_back(paint_box(box, random));
+  if (ground_) reach_below(*ground_, layout_);
 }
 
 }  // namespace incognita

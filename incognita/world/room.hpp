@@ -3,8 +3,10 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
+#include "incognita/world/ground.hpp"
 #include "incognita/world/room_layout.hpp"
 #include "incognita/world/texture.hpp"
 
@@ -26,16 +28,20 @@ using Surfaces = std::array<Surface, 6>;
 
 class Room {
  public:
-  /// Builds and paints the room; takes a few tenths of a second. Throws like room_layout().
-  Room(const RoomSettings& settings, std::uint64_t seed);
+  /// Builds and paints the room; takes a few tenths of a second. Throws like room_layout(), and like Ground
+  /// where its floor is uneven: walls and boxes then go down below its lowest place.
+  Room(const RoomSettings& settings, std::uint64_t seed, const std::optional<Terrain>& terrain = {});
 
   const RoomLayout& layout() const { return layout_; }
+  /// Null where the floor is the plane z = 0; else painted as walls()[4] is, seen from above.
+  const Ground* ground() const { return ground_ ? &*ground_ : nullptr; }
   const Surfaces& walls() const { return walls_; }
   /// Of layout().boxes[i].
   const Surfaces& box_surfaces(std::size_t i) const { return boxes_[i]; }
 
  private:
   RoomLayout layout_;
+  std::optional<Ground> ground_;
   Surfaces walls_;
   std::vector<Surfaces> boxes_;
 };

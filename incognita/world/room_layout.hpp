@@ -26,7 +26,7 @@ struct Sheet {
 };
 
 struct RoomLayout {
-  Box inside;              ///< the room itself, floor at z = 0
+  Box inside;              ///< the room itself, floor at z = 0, or below uneven ground
   std::vector<Box> boxes;  ///< stand on the floor and touch a wall, apart from each other
   Sheet sheet;
 };

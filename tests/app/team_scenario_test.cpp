@@ -243,6 +243,60 @@ TEST(TeamScenario, RefusesWhatItWouldIgnore) {
   ignored("plant.sigma_pixel_px=1", "run.sensor");
 }
 
+/// A camera that a vehicle carries over uneven ground, thesis Section 6.4.
+const std::string carried =
+    "[run]\nworld = \"points\"\nsensor = \"camera\"\nrate_hz = 15\nduration_s = 4\n[vehicle]\nmodel = "
+    "\"free-camera\"\n[plant]\nmotion = \"terrain\"\n[terrain]\namplitude_m = 0.1\nlength_m = 3\n[camera]\n"
+    "kd1_per_px2 = 9e-6\n[points]\ncount = 31\nsize_m = [6, 6, 2.5]\nknown = 6\n";
+
+TEST(TeamScenario, ACarriedCameraRefusesWhatItsCarrierCanNot) {
+  const auto refused = [&](const std::string& law, const std::vector<std::string>& sets, const char* why) {
+    const std::string said = complaint(carried + "[steer]\nlaw = \"" + law + "\"\n", sets);
+    EXPECT_NE(said.find(why), std::string::npos) << why << ": " << said;
+  };
+  refused("tracking", {}, "must be `active`, or `none` with a steer.input");
+  refused("none", {"steer.input=[1, 0, 0, 0, 0, 0]"}, "must have 2 numbers");
+  refused("active", {"decision.step_m=0.2"}, "means nothing with plant.motion = `terrain`");
+  refused("active", {"decision.gaze=fisher"}, "means nothing with plant.motion = `terrain`");
+  refused("active", {"control.max_acceleration_m_s2=1"}, "means nothing with plant.motion = `terrain`");
+  refused("active", {"person.holds=true"}, "means nothing with plant.motion = `terrain`");
+  refused("active", {"decision.accelerations=[[0.5, 0]]"}, "must have [0, 0], to go on as it goes");
+  refused("active", {"decision.accelerations=[[0, 0]]", "decision.acceleration_m_s2=1"},
+          "means nothing with decision.accelerations");
+  refused("active", {"team.positions_m=[[0, 0, 1]]"}, "stands on the ground");
+}
+
+TEST(TeamScenario, ACarriedCameraDrivesAsItIsToldAndKnowsHowSureItIs) {
+  const Ran held = run(load(carried + "[steer]\nlaw = \"none\"\ninput = [0.2, 0.1]\n"));
+  const SnapshotVehicle& v = held.last.vehicles.front();
+  EXPECT_NEAR(v.truth->position.head<2>().norm(), 0.8, 0.1) << "4 s at 0.2 m/s";
+  EXPECT_LT((v.truth->position - v.estimate.position).norm(), 0.2);
+  EXPECT_EQ(v.input.size(), 2);
+  const Ran active = run(load(carried + "[steer]\nlaw = \"active\"\n"));
+  EXPECT_EQ(active.last.advice.actions.size(), 7u);
+  EXPECT_EQ(active.last.advice.actions[3], "slower");
+  EXPECT_GE(active.last.advice.chosen, 0);
+}
+
+/// What a hand does nobody tells the filter, whose input stays 0; the hand moves it all the same.
+TEST(TeamScenario, APersonMovesTheCamera) {
+  const std::string by_hand =
+      "[run]\nworld = \"points\"\nsensor = \"camera\"\nrate_hz = 15\nduration_s = 4\n[vehicle]\nmodel = "
+      "\"free-camera\"\n[camera]\nkd1_per_px2 = 9e-6\n[team]\npositions_m = [[-1.5, 0, 1.2]]\n[points]\n"
+      "count = 31\nsize_m = [6, 6, 2.5]\nknown = 6\n[filter]\nsigma_acceleration_m_s2 = 2\n[steer]\nlaw = "
+      "\"active\"\n[decision]\ngaze = \"hold\"\n";
+  const Ran hand = run(load(by_hand, {"person.holds=true", "person.delay_s=0.5"}));
+  const Ran robot = run(load(by_hand));
+  EXPECT_TRUE(hand.last.command.by_hand);
+  EXPECT_FALSE(robot.last.command.by_hand);
+  EXPECT_GT((hand.last.truth->camera.head<3>() - Eigen::Vector3d(-1.5, 0, 1.2)).norm(), 0.1);
+  EXPECT_TRUE(hand.last.truth->inputs.front().isZero());
+  EXPECT_FALSE(robot.last.truth->inputs.front().isZero());
+  EXPECT_LT((hand.last.truth->camera - hand.last.camera).head<3>().norm(), 0.3);
+  const std::string why = complaint(by_hand, {"person.delay_s=0.5"});
+  EXPECT_NE(why.find("means nothing with person.holds = false"), std::string::npos) << why;
+}
+
 TEST(TeamScenario, SettingsOfTeamsMeanNothingToOthers) {
   const std::string why =
       complaint("[run]\nworld = \"room\"\n[start]\nfrom = \"free\"\n[steer]\nlaw = \"lqg\"\n");

@@ -31,3 +31,4 @@ incognita_test(team_scenario_test SOURCES app/team_scenario_test.cpp USES incogn
 incognita_program_test(program_team_test SOURCES app/program_team_test.cpp)
 # Apart, as it alone kills what it starts
 incognita_program_test(program_campaign_test SOURCES app/program_campaign_test.cpp)
+incognita_test(room_vehicle_test SOURCES app/room_vehicle_test.cpp USES incognita::app)

@@ -11,3 +11,4 @@ find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)
 incognita_test(config_test SOURCES app/config_test.cpp
                USES incognita_app_config CLI11::CLI11 nlohmann_json::nlohmann_json)
+incognita_test(terrain_file_test SOURCES io/terrain_file_test.cpp USES incognita::io opencv_core opencv_imgcodecs)

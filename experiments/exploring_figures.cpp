@@ -1,14 +1,11 @@
-// Figures 6.4 and 6.5.
+// Figures 6.4, 6.5, 6.9 and 6.10.
 #include <cmath>
 
-#include "experiments/section_6_3.hpp"
+#include "experiments/exploring_comparison.hpp"
 #include "incognita/analysis/pose_consistency.hpp"
 
-namespace incognita::exploring_room {
+namespace incognita::exploring {
 namespace {
-
-using exploring::Instant;
-using exploring::Run;
 
 template <class F>
 Curve over_time(const std::string& label, const Run& run, const F& f, Colour colour,
@@ -42,24 +39,6 @@ Panel from_above(const std::string& title, const Run& run) {
   return p;
 }
 
-/// Figure 6.4's: of the camera, the map, and all; points where landmarks were located.
-Panel entropies(const Run& run) {
-  Panel p{"", "t, s", "entropy, nats", {}};
-  Curve located{"located", Style::points, {}, {}, {}, Colour::green};
-  for (int n = 1; n <= static_cast<int>(run.located_t_s.size()); ++n) {
-    located.x.push_back(*run.located_at_s(n));
-    located.y.push_back(run.entropy_when_located(n).value_or(std::nan("")));
-  }
-  p.curves = {over_time(
-                  "camera", run, [](const Instant& i) { return i.entropy.vehicle; }, Colour::sky),
-              over_time(
-                  "map", run, [](const Instant& i) { return i.entropy.map; }, Colour::orange),
-              over_time(
-                  "all", run, [](const Instant& i) { return i.entropy.total; }, Colour::ink),
-              located};
-  return p;
-}
-
 /// One axis of an error, between its bounds.
 Panel error_panel(const std::string& title, const std::string& unit, const Run& run, int axis) {
   Panel p{title, "t, s", unit, {}};
@@ -76,22 +55,41 @@ Panel error_panel(const std::string& title, const std::string& unit, const Run& 
 
 }  // namespace
 
-Plot map_figure(const std::vector<Runs>& of_strategies) {
-  Plot plot{"fig-6.4", "Exploring by mutual information, gaze by strategy", 3, {}};
+Panel entropies(const std::string& title, const Run& run) {
+  Panel p{title, "t, s", "entropy, nats", {}};
+  Curve located{"located", Style::points, {}, {}, {}, Colour::green};
+  for (int n = 1; n <= static_cast<int>(run.located_t_s.size()); ++n) {
+    located.x.push_back(*run.located_at_s(n));
+    located.y.push_back(run.entropy_when_located(n).value_or(std::nan("")));
+  }
+  p.curves = {over_time(
+                  "camera", run, [](const Instant& i) { return i.entropy.vehicle; }, Colour::sky),
+              over_time(
+                  "map", run, [](const Instant& i) { return i.entropy.map; }, Colour::orange),
+              over_time(
+                  "all", run, [](const Instant& i) { return i.entropy.total; }, Colour::ink),
+              located};
+  return p;
+}
+
+Plot map_figure(const std::string& id, const std::string& title, const std::vector<std::string>& names,
+                const std::vector<Runs>& of_strategies) {
+  Plot plot{id, title, static_cast<int>(names.size()), {}};
   for (std::size_t s = 0; s < of_strategies.size(); ++s)
-    plot.panels.push_back(from_above(thesis_strategies()[s].name, of_strategies[s].front()));
-  for (const Runs& runs : of_strategies) plot.panels.push_back(entropies(runs.front()));
+    plot.panels.push_back(from_above(names[s], of_strategies[s].front()));
+  for (const Runs& runs : of_strategies) plot.panels.push_back(entropies("", runs.front()));
   return plot;
 }
 
-Plot error_figure(const std::vector<Runs>& of_strategies) {
-  Plot plot{"fig-6.5", "Estimation errors and their 2 sigma bounds, gaze by strategy", 3, {}};
-  const char* names[] = {"x, m", "y, m", "z, m", "about x, rad", "about y, rad", "about z, rad"};
+Plot error_figure(const std::string& id, const std::string& title, const std::vector<std::string>& names,
+                  const std::vector<Runs>& of_strategies) {
+  Plot plot{id, title, static_cast<int>(names.size()), {}};
+  const char* axes[] = {"x, m", "y, m", "z, m", "about x, rad", "about y, rad", "about z, rad"};
   for (int axis = 0; axis < 6; ++axis)
     for (std::size_t s = 0; s < of_strategies.size(); ++s)
-      plot.panels.push_back(error_panel(axis == 0 ? thesis_strategies()[s].name : "", names[axis],
-                                        of_strategies[s].front(), axis));
+      plot.panels.push_back(
+          error_panel(axis == 0 ? names[s] : "", axes[axis], of_strategies[s].front(), axis));
   return plot;
 }
 
-}  // namespace incognita::exploring_room
+}  // namespace incognita::exploring

@@ -1,0 +1,88 @@
+#include "experiments/exploring_comparison.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "experiments/evidence.hpp"
+#include "experiments/seeds.hpp"
+
+namespace incognita::exploring {
+namespace {
+
+/// Scores in frames that choose nothing would only take time.
+Sets sets_of(const Strategy& strategy) {
+  Sets sets = strategy.sets;
+  const bool told = std::any_of(sets.begin(), sets.end(),
+                                [](const std::string& s) { return s.starts_with("decision.schedule"); });
+  if (!told) sets.push_back("decision.schedule=at-decisions");
+  return sets;
+}
+
+}  // namespace
+
+Runs runs_of(const std::string& scenario, const Strategy& strategy, const ExperimentSettings& settings) {
+  if (settings.tell) settings.tell(fmt::format("  {}, {}: {} runs", scenario, strategy.name, settings.seeds));
+  return over_seeds(settings.seeds,
+                    [&](std::uint64_t seed) { return explore(scenario, sets_of(strategy), seed); });
+}
+
+std::vector<double> less(const std::vector<double>& a, const std::vector<double>& b) {
+  std::vector<double> difference;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    if (std::isfinite(a[i] - b[i])) difference.push_back(a[i] - b[i]);
+  return difference;
+}
+
+double median_of_known(std::vector<double> numbers) {
+  std::erase_if(numbers, [](double x) { return !std::isfinite(x); });
+  return numbers.empty() ? std::nan("") : median_of(std::move(numbers));
+}
+
+std::string in_numbers(const std::string& name, const Runs& runs) {
+  const auto lost = std::count_if(runs.begin(), runs.end(), [](const Run& r) { return r.lost; });
+  return fmt::format(
+      "{}: entropy {}, off {:.3f} m (median), NEES {:.2f} (median), {:.1f} located, {:.0f} % seen, 14th "
+      "after {:.1f} s (median), "
+      "{} lost",
+      name, text(bootstrap_mean(each(runs, final_entropy))),
+      median_of_known(each(runs, [](const Run& r) { return r.position_rms_m; })),
+      median_of_known(each(runs, [](const Run& r) { return r.nees; })),
+      mean_of(each(runs, [](const Run& r) { return static_cast<double>(r.located_t_s.size()); })).value,
+      100 * mean_of(each(runs, [](const Run& r) { return r.coverage; })).value,
+      median_of_known(each(runs, [](const Run& r) { return r.located_at_s(14).value_or(std::nan("")); })),
+      lost);
+}
+
+Across across_the_line_of_sight(const Runs& runs) {
+  double across = 0, along = 0;
+  for (const Run& run : runs)
+    for (const Decision& d : run.decisions) {
+      if (d.action == "go_forward" || d.action == "go_backwards")
+        ++along;
+      else if (d.action != "stay")
+        ++across;
+    }
+  return {across / (across + along), across + along};
+}
+
+Claim beats(const std::string& id, const std::string& place, const std::string& statement,
+            const std::string& what, const Runs& ours, const Runs& theirs, const std::string& why) {
+  const std::vector<double> differences = less(each(ours, final_entropy), each(theirs, final_entropy));
+  const Interval gap = bootstrap_mean(differences, judged_at);
+  const auto better = std::count_if(differences.begin(), differences.end(), [](double d) { return d < 0; });
+  Claim claim{id,
+              place,
+              statement,
+              "",
+              fmt::format("entropy less that of {}: {} nats (99.9 %), lower in {} of {} rooms", what,
+                          text(gap), better, differences.size()),
+              Verdict::does_not_hold,
+              why,
+              static_cast<int>(differences.size())};
+  return judged(claim, gap.high < 0);
+}
+
+}  // namespace incognita::exploring

@@ -1,0 +1,71 @@
+// Ways to explore compared over many seeds: what Sections 6.3 and 6.4 share.
+#pragma once
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "experiments/experiment.hpp"
+#include "experiments/exploring_run.hpp"
+#include "incognita/report/plot.hpp"
+
+namespace incognita::exploring {
+
+/// A way to choose where to go and where to look.
+struct Strategy {
+  std::string name;
+  Sets sets;
+};
+
+/// Runs of one strategy, by seed.
+using Runs = std::vector<Run>;
+
+/// Runs of a scenario by that strategy, settings.seeds of them. Frames that choose nothing score nothing,
+/// unless the strategy says so.
+Runs runs_of(const std::string& scenario, const Strategy& strategy, const ExperimentSettings& settings);
+
+/// A number of each run.
+template <class Of>
+std::vector<double> each(const Runs& runs, const Of& of) {
+  std::vector<double> numbers;
+  for (const Run& run : runs) numbers.push_back(of(run));
+  return numbers;
+}
+
+/// Of pairs by seed a - b, where both are numbers.
+std::vector<double> less(const std::vector<double>& a, const std::vector<double>& b);
+
+/// Of those that are numbers; none: not a number.
+double median_of_known(std::vector<double> numbers);
+
+/// At the end, of vehicle, map and what is not mapped yet, nats.
+inline double final_entropy(const Run& run) { return run.entropy_extended; }
+
+/// What became of one strategy, in words.
+std::string in_numbers(const std::string& name, const Runs& runs);
+
+/// Of the moves that were chosen those across the line of sight, up, down, left and right; two thirds of the
+/// six ways are.
+struct Across {
+  double share = 0, moves = 0;
+  /// Whether that is more than chance gives, judged as claims are.
+  bool beyond_chance() const { return share - 3.3 * std::sqrt(2.0 / 9 / moves) > 2.0 / 3; }
+};
+Across across_the_line_of_sight(const Runs& runs);
+
+/// That `ours` leave less entropy than `theirs`, by paired differences. `printed`: where it is said; `what`:
+/// theirs are.
+Claim beats(const std::string& id, const std::string& place, const std::string& statement,
+            const std::string& what, const Runs& ours, const Runs& theirs, const std::string& why);
+
+/// Entropy of the camera, the map, and all; points where landmarks were located: of Figures 6.4, 6.7 and 6.9.
+Panel entropies(const std::string& title, const Run& run);
+
+/// Paths, final maps and entropies of the first seed; a column for each strategy: Figures 6.4 and 6.9.
+Plot map_figure(const std::string& id, const std::string& title, const std::vector<std::string>& names,
+                const std::vector<Runs>& of_strategies);
+/// Errors of position and orientation with their bounds, likewise: Figures 6.5 and 6.10.
+Plot error_figure(const std::string& id, const std::string& title, const std::vector<std::string>& names,
+                  const std::vector<Runs>& of_strategies);
+
+}  // namespace incognita::exploring

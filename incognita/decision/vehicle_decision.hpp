@@ -1,0 +1,29 @@
+// A vehicle that maps by the images of its camera: it decides how it drives on, or its way is told.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "incognita/decision/camera_decision.hpp"
+
+namespace incognita {
+
+class VehicleDecision {
+ public:
+  /// Nothing to decide.
+  VehicleDecision() = default;
+  explicit VehicleDecision(CameraDecision decision) : decision_(std::move(decision)) {}
+
+  Goal choose(const Estimate& estimate, const Observation& seen, const Tick& tick) {
+    return decision_ ? decision_->choose(estimate, seen, tick) : Goal{};
+  }
+  const std::vector<std::string>& actions() const { return decision_ ? decision_->actions() : none_; }
+
+ private:
+  std::optional<CameraDecision> decision_;
+  std::vector<std::string> none_;
+};
+
+}  // namespace incognita

@@ -1,0 +1,90 @@
+// A vehicle with a camera on uneven ground in the rendered room, from its scenario to a run.
+#include <gtest/gtest.h>
+
+#include "incognita/analysis/pose_consistency.hpp"
+#include "incognita/app/assemble_room_vehicle.hpp"
+#include "incognita/io/settings.hpp"
+#include "incognita/messages/errors.hpp"
+#include "tests/scratch.hpp"
+
+namespace incognita {
+namespace {
+
+struct Ran {
+  int frames = 0, lost = 0;
+  double rms_m = 0, sigma_speed = 0, height_span_m = 0, farthest_m = 0;
+  Snapshot last;
+};
+
+Ran run(const LoadedScenario& loaded) {
+  RoomVehicleAssembly assembly = assemble_room_vehicle(loaded);
+  Ran ran;
+  double low = 1e9, high = -1e9;
+  run_loop(assembly.boxes, std::function<void(const Snapshot&)>([&](const Snapshot& s) {
+             ran.last = s;
+             ++ran.frames;
+             ran.lost += s.status.state == TrackingState::lost || s.status.state == TrackingState::starting;
+             ran.rms_m += (s.camera.head<3>() - s.truth->camera.head<3>()).squaredNorm();
+             ran.sigma_speed += std::sqrt(s.covariance.diagonal().segment<3>(6).sum());
+             const SmallVector& axle = s.truth->vehicles.front();
+             ran.farthest_m = std::max(ran.farthest_m, axle.head<2>().cwiseAbs().maxCoeff());
+             low = std::min(low, s.truth->camera[2]);
+             high = std::max(high, s.truth->camera[2]);
+           }),
+           std::function<bool(const Tick&)>([](const Tick&) { return true; }));
+  ran.rms_m = std::sqrt(ran.rms_m / ran.frames);
+  ran.sigma_speed /= ran.frames;
+  ran.height_span_m = high - low;
+  return ran;
+}
+
+Ran drive(const std::vector<std::string>& sets) { return run(load_scenario("rendered-terrain", sets)); }
+
+TEST(RoomVehicle, KnowsWhereItIsByImagesAloneOnUnevenGround) {
+  const Ran ran = drive({"run.duration_s=8"});
+  EXPECT_EQ(ran.frames, 240);
+  EXPECT_EQ(ran.lost, 0);
+  EXPECT_LT(ran.rms_m, 0.05);
+  EXPECT_GT(ran.height_span_m, 0.03) << "the ground is level";
+  EXPECT_GT(ran.last.landmarks.size(), 10u);
+}
+
+TEST(RoomVehicle, WheelsHelp) {
+  const Ran images = drive({"run.duration_s=4"}),
+            wheels = drive({"run.duration_s=4", "filter.odometry=true"});
+  EXPECT_EQ(wheels.lost, 0);
+  EXPECT_LT(wheels.rms_m, 0.05);
+  EXPECT_LT(wheels.sigma_speed, 0.7 * images.sigma_speed);
+}
+
+TEST(RoomVehicle, SameSeedSameRun) {
+  const Ran one = drive({"run.duration_s=2"}), two = drive({"run.duration_s=2"});
+  EXPECT_EQ(one.last.camera, two.last.camera);
+  EXPECT_EQ(one.last.covariance, two.last.covariance);
+}
+
+TEST(RoomVehicle, KeepsClearOfWalls) {
+  const testing::Scratch scratch;
+  const auto straight_on = [&](const std::string& keep_clear) {
+    const std::string text =
+        "[run]\nduration_s = 9\nrate_hz = 15\n[vehicle]\nmodel = \"terrain\"\n[start]\nfrom = "
+        "\"free\"\n[mount]\nup_m = 1.2\nyaw_rad = 1.57\n[terrain]\namplitude_m = 0.03\n[room]\nclearance_m = "
+        "0.3\n[steer]\ninput = [0.5, 0]\n";
+    return run(load_scenario(scratch.write("mine.toml", text + keep_clear).string())).farthest_m;
+  };
+  EXPECT_GT(straight_on("keep_clear_m = 0.9"), 2) << "it never came near";
+  EXPECT_LT(straight_on("keep_clear_m = 0.9"), 3 - 0.3 - 0.03);
+  EXPECT_GT(straight_on(""), 3 - 0.3 - 0.03) << "nor would it without";
+}
+
+TEST(RoomVehicle, IsRefusedWithTheKey) {
+  using testing::message_of;
+  const auto complaint = [](const std::vector<std::string>& sets) {
+    return message_of([&] { assemble_room_vehicle(load_scenario("rendered-terrain", sets)); });
+  };
+  EXPECT_HAS(complaint({"terrain.amplitude_m=3"}), "the terrain rises to");
+  EXPECT_HAS(complaint({"room.size_m=[8, 6, 2.5]"}), "start.target = targets/sheet.toml: has a corner at");
+}
+
+}  // namespace
+}  // namespace incognita

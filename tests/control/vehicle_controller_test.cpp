@@ -1,0 +1,98 @@
+// The low level of a vehicle with a camera: what it is told comes first, then its law, and both keep clear.
+#include "incognita/control/vehicle_controller.hpp"
+
+#include <gtest/gtest.h>
+
+#include "incognita/models/terrain_vehicle.hpp"
+
+namespace incognita {
+namespace {
+
+const Mount mount{0.2, -0.1, 0.8, -0.3, 0.4};
+
+VehicleDriving driving(const std::string& law = "none") {
+  VehicleDriving d;
+  d.steering.law = law;
+  d.steering.input = SmallVector(Eigen::Vector2d(0.2, 0.1));
+  d.steering.most_input = SmallVector(Eigen::Vector2d(0.5, 0.6));
+  d.mount = mount;
+  return d;
+}
+
+Estimate at(const TerrainVehicle& vehicle, const Eigen::Vector3d& x) {
+  Estimate estimate;
+  estimate.camera = estimate.belief.add_vehicle(FreeCameraMotion::chart, mount.on(vehicle.pose(x)).camera,
+                                                1e-4 * FreeCameraMotion::Jacobian::Identity());
+  estimate.started = true;
+  estimate.status.state = TrackingState::tracking;
+  return estimate;
+}
+
+TEST(VehicleController, FindsTheAxleUnderTheCamera) {
+  const TerrainVehicle vehicle{Waves{0, {{0.1, 2, 0.3, 0.2}, {0.08, 1.4, 1.8, 1}}}};
+  for (const Eigen::Vector3d& x : {Eigen::Vector3d(0.3, -0.2, 0.5), Eigen::Vector3d(-1, 2, -3)}) {
+    const Estimate estimate = at(vehicle, x);
+    EXPECT_LT((axle_under(estimate.camera_state(), mount) - x).norm(), 1e-12);
+  }
+}
+
+Eigen::Vector2d input(const Command& command) { return command.inputs.at(0); }
+
+TEST(VehicleController, DrivesAsItIsToldBeforeItsLaw) {
+  VehicleController controller(driving(), 0.1);
+  const Estimate estimate = at({}, {0, 0, 0});
+  Goal goal;
+  EXPECT_EQ(input(controller.act(estimate, goal, {}, {0, 0, 0})), Eigen::Vector2d(0.2, 0.1));
+  goal.drive = Eigen::Vector2d(-0.3, 0.2);
+  EXPECT_EQ(input(controller.act(estimate, goal, {}, {1, 0.1, 0.1})), Eigen::Vector2d(-0.3, 0.2));
+  goal.drive = Eigen::Vector2d(5, 0.6);  // the same way, as far as it can
+  EXPECT_LT((input(controller.act(estimate, goal, {}, {2, 0.2, 0.1})) - Eigen::Vector2d(0.5, 0.06)).norm(),
+            1e-12);
+}
+
+TEST(VehicleController, StandsStillBeforeTheStartAndWhenLost) {
+  VehicleController controller(driving(), 0.1);
+  EXPECT_EQ(input(controller.act({}, {}, {}, {0, 0, 0})), Eigen::Vector2d(0, 0));
+  Estimate estimate = at({}, {0, 0, 0});
+  estimate.status.state = TrackingState::lost;
+  EXPECT_EQ(input(controller.act(estimate, {}, {}, {1, 0.1, 0.1})), Eigen::Vector2d(0, 0));
+}
+
+TEST(VehicleController, KeepsClearWhateverItIsTold) {
+  VehicleDriving d = driving();
+  d.keep_clear = KeepClear{0.8, 0.3, {0.5, 0.6}};
+  VehicleController controller(d, 0.1);
+  Observation seen;
+  seen.around.push_back({0, 0.1, 0.3});
+  Goal goal;
+  goal.drive = Eigen::Vector2d(0.5, 0);
+  const Eigen::Vector2d u = input(controller.act(at({}, {0, 0, 0}), goal, seen, {0, 0, 0}));
+  EXPECT_NEAR(u[0], 0, 1e-12);
+  EXPECT_NEAR(std::abs(u[1]), 0.6, 1e-12);
+}
+
+TEST(VehicleController, FollowsAPathOnUnevenGround) {
+  const TerrainVehicle vehicle{Waves{0, {{0.06, 2, 0.3, 0.2}}}};
+  VehicleDriving d = driving("feedback-linearisation");
+  d.steering.path = CirclePath{{0, 0, 0}, 1, 0.2, 0};
+  VehicleController controller(d, 0.05);
+  Eigen::Vector3d x(0.8, 0, 1.2);
+  for (int k = 0; k < 1200; ++k) {
+    const Command command = controller.act(at(vehicle, x), {}, {}, {k, 0.05 * k, 0.05});
+    x = vehicle.f<double>(x, input(command), 0.05);
+  }
+  const Eigen::Vector2d front = x.head<2>() + 0.2 * Eigen::Vector2d(std::cos(x[2]), std::sin(x[2]));
+  const double t = 1200 * 0.05;
+  EXPECT_LT((front - Eigen::Vector2d(std::cos(0.2 * t), std::sin(0.2 * t))).norm(), 0.05);
+}
+
+TEST(VehicleController, RefusesWhatCannotSteer) {
+  VehicleDriving d = driving("lqg");
+  EXPECT_THROW(VehicleController(d, 0.1), std::invalid_argument);
+  d = driving();
+  d.keep_clear = KeepClear{0.2, 0.3, {0.5, 0.6}};
+  EXPECT_THROW(VehicleController(d, 0.1), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace incognita

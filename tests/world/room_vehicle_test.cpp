@@ -1,0 +1,155 @@
+// A vehicle on the uneven floor of the rendered room: where its camera is, what its wheels tell, what stops
+// it.
+#include "incognita/world/room_vehicle.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "incognita/models/heading.hpp"
+#include "incognita/models/wide_angle_camera.hpp"
+
+using namespace incognita;
+
+namespace {
+
+constexpr double pi = std::numbers::pi, radius_m = 0.2;
+const TerrainVehicle body{Waves{0, {{0.08, 2, 0.4, 0.3}, {0.05, 1.5, 2, 1}}}};
+const Mount mount{0.15, 0.05, 0.8, -0.1, 0.2};
+
+SmallVector pair(double a, double b) { return Eigen::Vector2d(a, b); }
+
+PlantSettings plant(const Eigen::Vector3d& start, double sigma_speed = 0) {
+  PlantSettings s;
+  s.start = start;
+  s.start_sigmas = SmallVector::Zero(3);
+  s.input_sigmas = pair(sigma_speed, 0);
+  s.most_input = pair(1, 1);
+  s.least_input = pair(-1, -1);
+  return s;
+}
+
+RoomLayout empty_room() {
+  RoomSettings s;
+  s.boxes = 0;
+  return room_layout(s, 1);
+}
+
+Command drive(double speed, double turn_rate) {
+  Command command;
+  command.inputs.push_back(pair(speed, turn_rate));
+  return command;
+}
+
+TEST(room_vehicle, carries_its_camera_where_its_mount_says) {
+  RoomVehicle world(body, mount, plant({0.3, -0.4, 0.7}), empty_room(), radius_m, 1);
+  const auto start = world.move({}, {0, 0, 0});
+  const MountedCamera<3> seat = mount.on(body.pose({0.3, -0.4, 0.7}));
+  EXPECT_EQ(start->camera, seat.camera);
+  Truth before = *start;
+  constexpr double dt = 1e-4;
+  for (int k = 1; k <= 3000; ++k) {
+    const Truth now = *world.move(drive(0.4, 0.5), {k, k * dt, dt});
+    const Eigen::Vector3d moved = (now.camera.head<3>() - before.camera.head<3>()) / dt;
+    EXPECT_NEAR((moved - 0.5 * (now.camera.segment<3>(7) + before.camera.segment<3>(7))).norm(), 0,
+                k == 1 ? 1 : 1e-4);
+    const Eigen::Vector4d turned = quaternion_product<double>(
+        quaternion_conjugate<double>(before.camera.segment<4>(3)), now.camera.segment<4>(3));
+    EXPECT_NEAR((quaternion_log<double>(turned) / dt - now.camera.tail<3>()).norm(), 0, 1e-3);
+    before = now;
+  }
+}
+
+TEST(room_vehicle, stops_its_radius_from_walls_and_can_turn_and_leave) {
+  const RoomLayout room = empty_room();
+  const FloorPlan plan(room);
+  RoomVehicle world(body, mount, plant({2, 0, 0}, 0.1), room, radius_m, 1);
+  Truth truth = *world.move({}, {0, 0, 0});
+  for (int k = 1; k < 100; ++k) {
+    truth = *world.move(drive(0.8, 0), {k, k * 0.05, 0.05});
+    ASSERT_GE(plan.free_around(truth.vehicles[0].head<2>()), radius_m - 1e-12);
+  }
+  EXPECT_LT(plan.free_around(truth.vehicles[0].head<2>()), radius_m + 0.06);
+  EXPECT_NEAR(truth.inputs[0][0], 0.8, 0) << "its wheels turn on";
+  EXPECT_NEAR(truth.camera.segment<3>(7).norm(), 0, 1e-12) << "and it stands";
+  const double heading = truth.vehicles[0][2];
+  truth = *world.move(drive(0.8, 1), {100, 5, 0.05});
+  EXPECT_GT(truth.vehicles[0][2], heading + 0.03);
+  for (int k = 101; k < 120; ++k) truth = *world.move(drive(-0.8, 0), {k, k * 0.05, 0.05});
+  EXPECT_GT(plan.free_around(truth.vehicles[0].head<2>()), 0.5);
+}
+
+TEST(room_vehicle, refuses_to_start_in_a_wall) {
+  EXPECT_THROW(RoomVehicle(body, mount, plant({2.9, 0, 0}), empty_room(), radius_m, 1),
+               std::invalid_argument);
+}
+
+/// The nearest thing inside a cone by looking along very many rays.
+double nearest_by_rays(const RoomLayout& room, const Eigen::Vector2d& at, double direction, double half) {
+  double least = 1e9;
+  for (int i = 0; i <= 400; ++i) {
+    const double angle = direction + half * (i / 200.0 - 1);
+    const Eigen::Vector2d d(std::cos(angle), std::sin(angle));
+    for (double t = 0; t < 9; t += 2e-3) {
+      const Eigen::Vector3d p(at.x() + t * d.x(), at.y() + t * d.y(), 0.01);
+      bool hit = std::abs(p.x()) > 3 || std::abs(p.y()) > 3;
+      for (const Box& box : room.boxes) hit |= box.contains(p);
+      if (!hit) continue;
+      least = std::min(least, t);
+      break;
+    }
+  }
+  return least;
+}
+
+TEST(floor_plan, cones_tell_the_nearest_thing_inside_them) {
+  const RoomLayout room = room_layout(RoomSettings{}, 5);
+  const FloorPlan plan(room);
+  RandomStream random(2, "cones");
+  for (int i = 0; i < 60; ++i) {
+    const Eigen::Vector2d at(random.uniform(-1.5, 1.5), random.uniform(-1.5, 1.5));
+    if (plan.free_around(at) < 0.1) continue;
+    const double direction = random.uniform(-pi, pi), half = random.uniform(0.02, 0.4);
+    EXPECT_NEAR(plan.free_towards(at, direction, half, 100), nearest_by_rays(room, at, direction, half),
+                0.01);
+  }
+  EXPECT_EQ(plan.free_towards({0, 0}, 0, 0.1, 0.5), 0.5) << "its reach where there is nothing";
+}
+
+TEST(floor_plan, a_ring_misses_nothing) {
+  const RoomLayout room = room_layout(RoomSettings{}, 5);
+  const FloorPlan plan(room);
+  RandomStream random(2, "ring");
+  for (int i = 0; i < 60; ++i) {
+    const Eigen::Vector2d at(random.uniform(-2, 2), random.uniform(-2, 2));
+    if (plan.free_around(at) == 0) continue;
+    double least = 1e9;
+    for (const ConeRange& cone : look_around(plan, {24, 100, 0}, at, random.uniform(-pi, pi)))
+      least = std::min(least, cone.range_m);
+    EXPECT_NEAR(least, plan.free_around(at), 1e-9);
+  }
+}
+
+TEST(room_vehicle, its_sensor_tells_images_wheels_and_ranges) {
+  RoomSettings settings;
+  settings.boxes = 0;
+  settings.sigma_image_grey = 0;
+  const auto room = std::make_shared<const Room>(settings, 1, body.terrain);
+  RoomVehicle world(body, mount, plant({0, 0, 0}, 0.1), room->layout(), radius_m, 1);
+  RoomVehicleSensor sensor(RoomCamera(room, Camera{WideAngleCamera{}}, settings, 1), room->layout(),
+                           {4, 10, 0}, 1);
+  const Observation first = sensor.look(world.move({}, {0, 0, 0}), {0, 0, 0});
+  EXPECT_TRUE(first.odometry.empty()) << "nothing was driven yet";
+  ASSERT_EQ(first.around.size(), 4u);
+  EXPECT_NEAR(first.around[0].range_m, 3, 1e-9);
+  EXPECT_NEAR(first.around[0].bearing_rad, pi / 4, 1e-12);
+  const auto truth = world.move(drive(0.5, 7), {1, 0.1, 0.1});
+  const Observation seen = sensor.look(truth, {1, 0.1, 0.1});
+  ASSERT_EQ(seen.odometry.size(), 1u);
+  EXPECT_EQ(seen.odometry[0].input, Eigen::Vector2d(0.5, 1)) << "what it can do";
+  ASSERT_TRUE(seen.image);
+  EXPECT_EQ(seen.image->width(), 320);
+}
+
+}  // namespace

@@ -32,7 +32,6 @@ extern const Experiment mrclam;
 extern const Experiment example_5_4;
 extern const Experiment section_6_1;
 extern const Experiment section_6_3;
-extern const Experiment section_6_3_2;
 extern const Experiment section_6_4;
 extern const Experiment consistency;
 

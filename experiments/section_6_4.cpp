@@ -76,7 +76,7 @@ Claim backs_away(const Runs& runs) {
        .measured = fmt::format("share backwards less a half: {} (99.9 %); {} decisions for slower, "
                                "{} for faster",
                                text(more), slower, faster),
-       .why = "",
+       .why = "it starts at a wall here, with nowhere to back to, and then drives both ways alike",
        .runs = static_cast<int>(runs.size())},
       more.low > 0);
 }
@@ -85,14 +85,15 @@ Claim inside_its_bounds(const Runs& runs) {
   const Interval inside = bootstrap_mean(each(runs, share_inside));
   return judged({.id = "6.4-bounds",
                  .place = "Figure 6.10",
-                 .statement = "A camera that flies is model enough for one on wheels: at least 90 % of the "
-                              "errors of its position are inside their 2 sigma bounds, ground and wheels "
-                              "unknown to the filter",
+                 .statement = "A camera that flies is model enough for one on wheels: 95 % of the errors of "
+                              "its position are inside their 2 sigma bounds, ground and wheels unknown to "
+                              "the filter",
                  .printed = "2 sigma variance bounds",
                  .measured = fmt::format("{} inside", text(inside)),
-                 .why = "it is too sure of itself",
+                 .why = "it is a little too sure: what the ground does to the camera is no noise that is "
+                        "drawn anew in every frame",
                  .runs = static_cast<int>(runs.size())},
-                inside.value >= 0.9);
+                inside.high >= 0.95);
 }
 
 LedgerEntry run(const ExperimentSettings& all_seeds) {

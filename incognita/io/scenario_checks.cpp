@@ -147,6 +147,10 @@ std::vector<Contradiction> find_contradictions(const Scenario& scenario) {
   if (is_room_vehicle(scenario)) {
     check_room(scenario, found);
     check_room_vehicle(scenario, found);
+    if (scenario.team.steer.law == "active") {
+      check_bounds(scenario, found);
+      check_decision(scenario, found);
+    }
     return found;
   }
   check_bounds(scenario, found);

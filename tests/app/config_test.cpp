@@ -39,6 +39,7 @@ TEST(Config, AnswersInJson) {
   const nlohmann::json document = nlohmann::json::parse(answer.out);
   EXPECT_EQ(document.at("scenario"), "davison");
   Scenario scenario;
+  scenario.run.world = "recording";
   ASSERT_EQ(document.at("settings").size(), settings_in_force(scenario).size());
   for (const nlohmann::json& setting : document.at("settings")) {
     if (setting.at("key") == "run.seed") {

@@ -269,7 +269,8 @@ TEST(TeamScenario, ACarriedCameraRefusesWhatItsCarrierCanNot) {
 TEST(TeamScenario, ACarriedCameraDrivesAsItIsToldAndKnowsHowSureItIs) {
   const Ran held = run(load(carried + "[steer]\nlaw = \"none\"\ninput = [0.2, 0.1]\n"));
   const SnapshotVehicle& v = held.last.vehicles.front();
-  EXPECT_NEAR(v.truth->position.head<2>().norm(), 0.8, 0.1) << "4 s at 0.2 m/s";
+  EXPECT_NEAR(v.truth->position.head<2>().norm(), 0.8, 0.25)
+      << "4 s at 0.2 m/s, by a camera 0.6 m over ground that tilts it";
   EXPECT_LT((v.truth->position - v.estimate.position).norm(), 0.2);
   EXPECT_EQ(v.input.size(), 2);
   const Ran active = run(load(carried + "[steer]\nlaw = \"active\"\n"));

@@ -93,7 +93,7 @@ double best_of_all(const Line& line, int first, int horizon) {
       const int action = step == 0 ? first : rest % 3;
       if (step > 0) rest /= 3;
       const Outcome out = Steps().after(at, action);
-      allowed = allowed && out.allowed;
+      allowed = allowed && out.allowed();
       ImaginedStep imagined{out.A, out.N, {}};
       line.points.expect(out.state, imagined.looks);
       gain.push(imagined);

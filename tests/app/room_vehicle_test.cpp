@@ -63,6 +63,23 @@ TEST(RoomVehicle, SameSeedSameRun) {
   EXPECT_EQ(one.last.covariance, two.last.covariance);
 }
 
+TEST(RoomVehicle, DecidesHowItDrivesAndDecidesTheSameAgain) {
+  const auto explored = [](const std::vector<std::string>& sets) {
+    return run(load_scenario("explore-terrain", sets));
+  };
+  const Ran ran = explored({"run.duration_s=5", "run.rate_hz=15"}),
+            again = explored({"run.duration_s=5", "run.rate_hz=15"});
+  EXPECT_EQ(ran.lost, 0);
+  EXPECT_EQ(ran.last.advice.actions.size(), 7u);
+  EXPECT_GE(ran.last.advice.chosen, 0);
+  EXPECT_GT(ran.last.advice.coverage.value_or(0), 0.05);
+  EXPECT_LT(ran.rms_m, 0.1);
+  const Ran stood = explored({"run.duration_s=5", "run.rate_hz=15", "decision.strategy=none"});
+  EXPECT_GT((ran.last.truth->camera - stood.last.truth->camera).head<3>().norm(), 0.2) << "it drove";
+  EXPECT_EQ(ran.last.camera, again.last.camera);
+  EXPECT_EQ(ran.last.advice.scores, again.last.advice.scores);
+}
+
 TEST(RoomVehicle, KeepsClearOfWalls) {
   const testing::Scratch scratch;
   const auto straight_on = [&](const std::string& keep_clear) {

@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <limits>
 
 namespace incognita {
 
@@ -21,6 +22,16 @@ bool cholesky(double* S, int stride, int n, double* workspace) {
     rank_update(at(next, next), stride, left, workspace, width);
   }
   return true;
+}
+
+double log_determinant(const Eigen::MatrixXd& S) {
+  const auto n = static_cast<int>(S.rows());
+  const int stride = round_up_to_panel(n) + rank_update_panel;
+  AlignedBuffer storage(static_cast<std::size_t>(stride) * n), workspace(cholesky_workspace(n));
+  Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>> L(storage.data(), n, n, Eigen::OuterStride<>(stride));
+  L = S;
+  if (!cholesky(storage.data(), stride, n, workspace.data())) return std::numeric_limits<double>::quiet_NaN();
+  return 2 * L.diagonal().array().log().sum();
 }
 
 }  // namespace incognita

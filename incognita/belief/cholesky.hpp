@@ -1,6 +1,7 @@
 // Cholesky's factor at the speed of rank_update.
 #pragma once
 
+#include <Eigen/Core>
 #include <cstddef>
 
 #include "incognita/belief/aligned_buffer.hpp"
@@ -21,5 +22,8 @@ constexpr std::size_t cholesky_workspace(int n) {
 /// below row n is scratch. False when S is not positive definite; it is spoilt then. `workspace` is 64-byte
 /// aligned.
 bool cholesky(double* S, int stride, int n, double* workspace);
+
+/// log|S|, by its lower triangle; not a number where S is not positive definite. Allocates.
+double log_determinant(const Eigen::MatrixXd& S);
 
 }  // namespace incognita

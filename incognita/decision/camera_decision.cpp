@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "incognita/math/gaussian.hpp"
+#include "incognita/decision/extended_entropy.hpp"
+#include "incognita/slam/entropy_values.hpp"
 
 namespace incognita {
-
 namespace {
 
 std::variant<FreeCameraChoice, VehicleChoice> choice_of(const DecisionSettings& settings,
@@ -61,31 +61,6 @@ Goal CameraDecision::choose(const Estimate& estimate, const Observation& seen, c
     entropy_due_t_ = tick.t + entropy_period_s(estimate.belief.errors());
   }
   return goal_;
-}
-
-double extended_entropy(const Estimate& estimate, const ExplorationSettings& exploration) {
-  const Belief& belief = estimate.belief;
-  std::vector<const Landmark*> mapped;
-  for (const Landmark& landmark : estimate.catalogue)
-    if (landmark.mapped()) mapped.push_back(&landmark);
-  const int camera = belief.chart(estimate.camera).tangent(), count = static_cast<int>(mapped.size());
-  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(camera + 3 * count, belief.errors());
-  J.block(0, belief.offset(estimate.camera), camera, camera).setIdentity();
-  for (int i = 0; i < count; ++i) {
-    const Landmark& landmark = *mapped[static_cast<std::size_t>(i)];
-    const int at = belief.offset(landmark.block), row = camera + 3 * i;
-    if (landmark.kind == Landmark::Kind::point) {
-      J.block<3, 3>(row, at).setIdentity();
-      continue;
-    }
-    InverseDepthLandmark::State y = belief.mean(landmark.block);
-    y[5] = std::max(y[5], 0.01);
-    J.block<3, 6>(row, at) = landmark.birth_axes.point(y).J;
-  }
-  const Eigen::MatrixXd P = J * belief.dense_covariance() * J.transpose();
-  return gaussian_entropy(log_det(P), static_cast<int>(P.rows())) +
-         entropy_of_unmapped(std::max(0, exploration.expected_landmarks - count),
-                             exploration.variance_expected_m2);
 }
 
 }  // namespace incognita

@@ -49,9 +49,4 @@ class CameraDecision {
   double entropy_due_t_ = 0;  ///< s, when the extended entropy is worked out again
 };
 
-/// Entropy in nats of the camera, the points of the map, and those expected and not mapped yet: the extended
-/// covariance of Figure 6.3, whose dimension is the same whatever was mapped. Landmarks are told as points,
-/// by first order. Not a number where the covariance is not positive definite. Cubic in the map.
-double extended_entropy(const Estimate& estimate, const ExplorationSettings& exploration);
-
 }  // namespace incognita

@@ -30,7 +30,18 @@ class CameraExpectation final : public Expectation {
     const Landmark* landmark;
     Eigen::Vector3d place;
   };
-  double innovation_trace(const ExpectedLook& look) const;
+  struct Seen {  ///< one that would be seen
+    std::size_t near = 0;
+    Look look;
+  };
+  struct Certainty {  ///< of a landmark; read from the belief when it is first asked for
+    bool known = false;
+    Eigen::Matrix<double, 12, Eigen::Dynamic, 0, 12, 6> with_camera;
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 6, 6> own;
+  };
+  void see(const CameraState& from) const;
+  double innovation_trace(const Seen& seen) const;
+  const Certainty& certainty_of(std::size_t near) const;
 
   Camera camera_;
   CameraSlamSettings slam_;
@@ -39,8 +50,11 @@ class CameraExpectation final : public Expectation {
   const std::vector<ExpectedLandmark>* unseen_ = nullptr;
   double unseen_var_m2_ = 0;
   std::vector<Near> near_;
-  BlockMatrix P_camera_;
-  mutable std::vector<double> traces_;
+  FreeCameraMotion::Jacobian P_camera_;
+  // What follows is kept for its storage, and for as long as the map stays
+  mutable std::vector<Certainty> certainty_;
+  mutable std::vector<Seen> seen_;
+  mutable std::vector<double> traces_, sorted_;
 };
 
 }  // namespace incognita

@@ -15,10 +15,9 @@ class Expectation {
   virtual void expect(const BlockVector& state, std::vector<ExpectedLook>& looks) const = 0;
 };
 
-/// Leaves of the first `count` looks the `most` with the largest covariance of what is expected, as a search
-/// for so many would choose them; the others, and what follows, stay in order. `traces`: of those
-/// covariances, px^2 or so.
-void keep_most_uncertain(std::vector<ExpectedLook>& looks, std::vector<double>& traces, std::size_t count,
-                         int most);
+/// The smallest of the `most` largest traces, which a search for so many looks would take: those of the
+/// covariance of what is expected, px^2 or so. Minus infinity where there are no more than that. `sorted` is
+/// scratch.
+double least_of_the_best(const std::vector<double>& traces, int most, std::vector<double>& sorted);
 
 }  // namespace incognita

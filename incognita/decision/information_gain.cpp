@@ -84,8 +84,6 @@ int InformationGain::column_of(const ExpectedLook& look) {
 void InformationGain::know(const ExpectedLook& look, int size) {
   const Known added{look.of, identity_of(look), columns_, size};
   make_room(P_, columns_ + size, columns_ + size);
-  make_room(H_, rows_, columns_ + size);
-  H_.block(0, columns_, rows_, size).setZero();
   if (look.of == ExpectedLook::Of::unseen) {
     P_.block(0, columns_, columns_, size).setZero();
     P_.block(columns_, 0, size, columns_).setZero();
@@ -130,48 +128,83 @@ void InformationGain::push(const ImaginedStep& imagined) {
   }
   step.looks.assign(imagined.looks.begin(), imagined.looks.end());
   step.log_det_R = log_det_of_noise(step.looks);
-  fill_rows(step);
-  factorise(step);
+  take_looks(step);
   steps_.push_back(std::move(step));
+  fill_rows(steps_.back());
+  factorise(steps_.back());
 }
 
-/// Rows of H_ and of S_ for the step's looks.
-void InformationGain::fill_rows(Step& step) {
+/// What the looks are of, and how they depend on the vehicle as it is now.
+void InformationGain::take_looks(Step& step) {
   int rows = 0;
   for (const ExpectedLook& look : step.looks) rows += look.rows();
   step.Hv.resize(rows, vehicle_errors_);
-  const int first = rows_, all = rows_ + rows;
-  make_room(H_, all, columns_);
-  int row = first;
+  step.columns.clear();
+  make_room(Hv_, rows_ + rows, vehicle_errors_);
+  int row = 0;
   for (const ExpectedLook& look : step.looks) {
     if (look.Hv.rows() != look.rows() || look.Hv.cols() != vehicle_errors_)
       throw std::invalid_argument("a look does not fit its vehicle");
-    step.Hv.middleRows(row - first, look.rows()) = look.Hv;
-    const int column = column_of(look);  // may widen H_ and P_
-    H_.block(row, 0, look.rows(), columns_).setZero();
-    H_.block(row, 0, look.rows(), vehicle_errors_).noalias() = look.Hv * step.A_total;
-    if (column >= 0) H_.block(row, column, look.rows(), look.Hl.cols()) = look.Hl;
+    step.Hv.middleRows(row, look.rows()) = look.Hv;
+    step.columns.push_back(column_of(look));
     row += look.rows();
-    rows_ = row;  // so that know() zeroes the columns it adds in all rows there are
   }
-  make_room(S_, all, all);
-  make_room(work_, std::max(rows, columns_), std::max(columns_, all));
-  auto HP = work_.topLeftCorner(rows, columns_);
-  HP.noalias() = H_.block(first, 0, rows, columns_) * P_.topLeftCorner(columns_, columns_);
-  auto S = S_.block(first, 0, rows, all);
-  S.noalias() = HP * H_.topLeftCorner(all, columns_).transpose();
-  // What the noise on the way adds: cov(n_k, n_j) = Phi_(k<-j) N_j
-  BlockMatrix Phi = step.A;
+  Hv_.block(rows_, 0, rows, vehicle_errors_).noalias() = step.Hv * step.A_total;
+  rows_ += rows;
+}
+
+/// Rows of S_ for the last step's looks. A look depends on the vehicle and on its landmark, and on nothing
+/// else: products with all other columns would be with zeros.
+void InformationGain::fill_rows(const Step& step) {
+  const int first = step.rows_before, rows = rows_ - first;
+  make_room(S_, rows_, rows_);
+  make_room(PH_, columns_, rows);
+  make_room(PvH_, vehicle_errors_, rows_);
+  auto PH = PH_.topLeftCorner(columns_, rows);
+  PH.noalias() =
+      P_.topLeftCorner(columns_, vehicle_errors_) * Hv_.block(first, 0, rows, vehicle_errors_).transpose();
+  int row = 0;
+  for (std::size_t i = 0; i < step.looks.size(); ++i) {
+    const ExpectedLook& look = step.looks[i];
+    if (step.columns[i] >= 0)
+      PH.middleCols(row, look.rows()) +=
+          P_.block(0, step.columns[i], columns_, look.Hl.cols()).lazyProduct(look.Hl.transpose());
+    row += look.rows();
+  }
+  PvH_.block(0, first, vehicle_errors_, rows) = PH.topRows(vehicle_errors_);
+  S_.block(first, 0, rows, rows_).noalias() =
+      PH.topRows(vehicle_errors_).transpose() * Hv_.topLeftCorner(rows_, vehicle_errors_).transpose();
+  for (const Step& of : steps_) add_landmarks(of, first, rows);
+  add_noise(step);
+}
+
+/// To the rows of S_ from `first` on, in the columns of that step's looks, what comes by their landmarks.
+void InformationGain::add_landmarks(const Step& of, int first, int rows) {
+  int column = of.rows_before;
+  for (std::size_t i = 0; i < of.looks.size(); ++i) {
+    const ExpectedLook& look = of.looks[i];
+    if (of.columns[i] >= 0)
+      S_.block(first, column, rows, look.rows()) +=
+          PH_.block(of.columns[i], 0, look.Hl.cols(), rows).transpose().lazyProduct(look.Hl.transpose());
+    column += look.rows();
+  }
+}
+
+/// What the noise on the way adds to the last step's rows, cov(n_k, n_j) = Phi_(k<-j) N_j, and the noise of
+/// its looks.
+void InformationGain::add_noise(const Step& step) {
+  const int first = step.rows_before;
+  const auto rows = step.Hv.rows();
+  BlockMatrix Phi = BlockMatrix::Identity(vehicle_errors_, vehicle_errors_);
   for (std::size_t j = steps_.size(); j-- > 0;) {
     const Step& before = steps_[j];
-    S.block(0, before.rows_before, rows, before.Hv.rows()) +=
+    S_.block(first, before.rows_before, rows, before.Hv.rows()) +=
         step.Hv * (Phi * before.N_total) * before.Hv.transpose();
     Phi = (Phi * before.A).eval();
   }
-  S.block(0, first, rows, rows) += step.Hv * step.N_total * step.Hv.transpose();
-  row = 0;
+  int row = first;
   for (const ExpectedLook& look : step.looks) {
-    S.block(row, first + row, look.rows(), look.rows()) += look.R;
+    S_.block(row, row, look.rows(), look.rows()) += look.R;
     row += look.rows();
   }
 }
@@ -211,8 +244,8 @@ double InformationGain::of_vehicle() const {
   if (steps_.empty() || rows_ == 0) return 0;
   const BlockMatrix P = vehicle_now();
   const BlockMatrix A = steps_.back().A_total;
-  Eigen::MatrixXd C = H_.topLeftCorner(rows_, columns_) * P_.topLeftCorner(columns_, vehicle_errors_) *
-                      A.transpose();  // cov(z, x at the end)
+  Eigen::MatrixXd C =
+      PvH_.topLeftCorner(vehicle_errors_, rows_).transpose() * A.transpose();  // cov(z, x at the end)
   BlockMatrix Phi = BlockMatrix::Identity(vehicle_errors_, vehicle_errors_);
   for (std::size_t j = steps_.size(); j-- > 0;) {
     const Step& s = steps_[j];

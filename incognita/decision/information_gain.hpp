@@ -49,7 +49,7 @@ class InformationGain {
   struct Known {  ///< a landmark that the path has looked at
     ExpectedLook::Of of;
     std::int64_t id;  ///< block, or which of the unseen
-    int column;       ///< of its errors in H_ and P_
+    int column;       ///< of its errors in P_
     int size;
   };
   struct Step {
@@ -62,13 +62,17 @@ class InformationGain {
     Eigen::MatrixXd Hv;   ///< of its looks, stacked
     double log_det_R = 0;
     std::vector<ExpectedLook> looks;
+    std::vector<int> columns;  ///< of their landmarks' errors in P_; -1 for an anchor
   };
 
   void begin(int vehicle_errors);
   BlockMatrix covariance(const Known& a, const Known& b) const;
   int column_of(const ExpectedLook& look);
   void know(const ExpectedLook& look, int size);
-  void fill_rows(Step& step);
+  void take_looks(Step& step);
+  void fill_rows(const Step& step);
+  void add_landmarks(const Step& of, int first, int rows);
+  void add_noise(const Step& step);
   void factorise(const Step& step);
   BlockMatrix vehicle_now() const;
 
@@ -80,10 +84,11 @@ class InformationGain {
   std::vector<Known> known_;
   std::vector<Step> steps_, spare_;  ///< taken back, kept for their storage
   Eigen::MatrixXd P_;                ///< covariance of the vehicle now and of what was looked at
-  Eigen::MatrixXd H_;                ///< all looks by those
+  Eigen::MatrixXd Hv_;               ///< all looks by the vehicle now
+  Eigen::MatrixXd PvH_;              ///< covariance of the vehicle now and all looks, noise on the way aside
   Eigen::MatrixXd S_;                ///< covariance of all looks
   Eigen::MatrixXd L_;                ///< its lower factor
-  Eigen::MatrixXd work_;
+  Eigen::MatrixXd PH_;               ///< covariance of all in P_ and the looks of a step
   int rows_ = 0, columns_ = 0;
   double gain_ = 0;
 };

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "incognita/decision/extended_entropy.hpp"
 #include "incognita/decision/ground_moves.hpp"
-#include "incognita/math/gaussian.hpp"
 #include "incognita/models/heading.hpp"
+#include "incognita/slam/entropy_values.hpp"
 
 namespace incognita {
 namespace {
@@ -145,33 +146,6 @@ Goal TeamDecision::choose(const TeamEstimate& e, const Tick& tick) {
     entropy_due_t_ = tick.t + entropy_period_s(e.belief.errors());
   }
   return goal_;
-}
-
-double extended_entropy(const TeamEstimate& e, const ExplorationSettings& exploration) {
-  const AnyBelief& belief = e.belief;
-  int vehicles = 0;
-  for (const TeamVehicle& v : e.vehicles) vehicles += belief.chart(v.block).tangent();
-  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(vehicles, belief.errors());
-  J.leftCols(vehicles).setIdentity();
-  int count = 0;
-  for (const auto& [identity, landmark] : e.landmarks) {
-    SmallVector told = belief.mean(landmark.block);
-    if (landmark.form.kind == LandmarkForm::Kind::inverse_depth) {
-      double& inverse_depth = told[told.size() - 1];
-      inverse_depth = std::max(inverse_depth, 0.01);
-    }
-    const auto at = position_of(landmark.form, told);
-    if (!at) continue;
-    const Eigen::Index row = J.rows();
-    J.conservativeResize(row + at->J.rows(), Eigen::NoChange);
-    J.bottomRows(at->J.rows()).setZero();
-    J.block(row, belief.offset(landmark.block), at->J.rows(), at->J.cols()) = at->J;
-    ++count;
-  }
-  const Eigen::MatrixXd P = J * belief.dense_covariance() * J.transpose();
-  return gaussian_entropy(log_det(P), static_cast<int>(P.rows())) +
-         entropy_of_unmapped(std::max(0, exploration.expected_landmarks - count),
-                             exploration.variance_expected_m2);
 }
 
 }  // namespace incognita

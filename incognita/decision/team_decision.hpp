@@ -63,8 +63,4 @@ class TeamDecision {
   double entropy_due_t_ = 0;  ///< s, when the extended entropy is worked out again
 };
 
-/// As of a camera by its images (camera_decision.hpp), of all vehicles; landmarks in the dimensions of the
-/// place.
-double extended_entropy(const TeamEstimate& estimate, const ExplorationSettings& exploration);
-
 }  // namespace incognita

@@ -73,13 +73,10 @@ bool TeamExpectation::in_view(const BlockVector& state, const Eigen::Vector3d& p
   return look_from(vehicle, from, {}, point, point).has_value();
 }
 
-void TeamExpectation::expect(const BlockVector& state, std::vector<ExpectedLook>& looks) const {
-  const TeamMember& member = team_.members[vehicle_];
-  const int dimensions = dimensions_of(member.sensor);
-  const SmallVector vehicle = state.head(chart_of(member.motion).ambient());
-  const SmallVector from = position_of(member.motion, vehicle, dimensions).position;
+/// looks <- all of the map and of the team that would be seen.
+void TeamExpectation::see(const SmallVector& vehicle, const SmallVector& from,
+                          std::vector<ExpectedLook>& looks) const {
   looks.clear();
-  traces_.clear();
   for (const Target& target : targets_) {
     const auto seen = look_from(vehicle, from, target.form, target.told, target.place);
     if (!seen) continue;
@@ -91,11 +88,33 @@ void TeamExpectation::expect(const BlockVector& state, std::vector<ExpectedLook>
       look.Hl.resize(seen->Hv.rows(), 0);
     else
       look.Hl = seen->Hl * target.by_block;
-    look.R = sighting_noise(member, seen->z);
+    look.R = sighting_noise(team_.members[vehicle_], seen->z);
   }
-  const std::size_t mapped = looks.size();
-  if (mapped > static_cast<std::size_t>(max_looks_))
-    for (const ExpectedLook& look : looks) traces_.push_back(innovation_trace(look));
+}
+
+/// They stay in order.
+void TeamExpectation::keep_most_uncertain(std::vector<ExpectedLook>& looks) const {
+  const auto most = static_cast<std::size_t>(max_looks_);
+  if (looks.size() <= most) return;
+  traces_.clear();
+  for (const ExpectedLook& look : looks) traces_.push_back(innovation_trace(look));
+  const double least = least_of_the_best(traces_, max_looks_, sorted_);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < looks.size() && kept < most; ++i) {
+    if (traces_[i] < least) continue;
+    if (kept != i) looks[kept] = looks[i];
+    ++kept;
+  }
+  looks.resize(kept);
+}
+
+void TeamExpectation::expect(const BlockVector& state, std::vector<ExpectedLook>& looks) const {
+  const TeamMember& member = team_.members[vehicle_];
+  const int dimensions = dimensions_of(member.sensor);
+  const SmallVector vehicle = state.head(chart_of(member.motion).ambient());
+  const SmallVector from = position_of(member.motion, vehicle, dimensions).position;
+  see(vehicle, from, looks);
+  keep_most_uncertain(looks);
   for (const ExpectedLandmark& unseen : *unseen_) {
     const SmallVector point = unseen.position.head(dimensions);
     const auto seen = look_from(vehicle, from, {}, point, point);
@@ -103,7 +122,6 @@ void TeamExpectation::expect(const BlockVector& state, std::vector<ExpectedLook>
     looks.push_back({ExpectedLook::Of::unseen, 0, unseen.index, unseen_var_m2_, seen->Hv, seen->Hl,
                      sighting_noise(member, seen->z)});
   }
-  keep_most_uncertain(looks, traces_, mapped, max_looks_);
 }
 
 }  // namespace incognita

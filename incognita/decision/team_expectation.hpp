@@ -44,6 +44,8 @@ class TeamExpectation final : public Expectation {
   std::optional<AnyLook> look_from(const SmallVector& vehicle, const SmallVector& from,
                                    const LandmarkForm& form, const SmallVector& told,
                                    const SmallVector& place) const;
+  void see(const SmallVector& vehicle, const SmallVector& from, std::vector<ExpectedLook>& looks) const;
+  void keep_most_uncertain(std::vector<ExpectedLook>& looks) const;
   double innovation_trace(const ExpectedLook& look) const;
 
   TeamSettings team_;
@@ -54,7 +56,7 @@ class TeamExpectation final : public Expectation {
   const std::vector<ExpectedLandmark>* unseen_ = nullptr;
   double unseen_var_m2_ = 0;
   std::vector<Target> targets_;
-  mutable std::vector<double> traces_;
+  mutable std::vector<double> traces_, sorted_;  ///< kept for their storage
 };
 
 }  // namespace incognita

@@ -1,0 +1,86 @@
+#include "incognita/decision/extended_entropy.hpp"
+
+#include <algorithm>
+
+#include "incognita/belief/cholesky.hpp"
+#include "incognita/decision/exploration.hpp"
+#include "incognita/math/gaussian.hpp"
+
+namespace incognita {
+namespace {
+
+constexpr double least_inverse_depth_per_m = 0.01;  // a point cannot be told at infinity
+
+Eigen::Index rows_of(const std::vector<ToldError>& told) {
+  Eigen::Index rows = 0;
+  for (const ToldError& part : told) rows += part.J.rows();
+  return rows;
+}
+
+double with_unmapped(double entropy, int mapped, const ExplorationSettings& exploration) {
+  return entropy + entropy_of_unmapped(std::max(0, exploration.expected_landmarks - mapped),
+                                       exploration.variance_expected_m2);
+}
+
+}  // namespace
+
+double entropy_of(const Eigen::MatrixXd& P, const std::vector<ToldError>& told) {
+  const Eigen::Index size = rows_of(told);
+  Eigen::MatrixXd JP(size, P.cols()), JPJ(size, size);
+  Eigen::Index at = 0;
+  for (const ToldError& part : told) {
+    JP.middleRows(at, part.J.rows()).noalias() = part.J * P.middleRows(part.first, part.J.cols());
+    at += part.J.rows();
+  }
+  at = 0;
+  for (const ToldError& part : told) {
+    JPJ.middleCols(at, part.J.rows()).noalias() =
+        JP.middleCols(part.first, part.J.cols()) * part.J.transpose();
+    at += part.J.rows();
+  }
+  return gaussian_entropy(log_determinant(JPJ), static_cast<int>(size));
+}
+
+double extended_entropy(const Estimate& estimate, const ExplorationSettings& exploration) {
+  const Belief& belief = estimate.belief;
+  const int camera = belief.chart(estimate.camera).tangent();
+  std::vector<ToldError> told{{belief.offset(estimate.camera), BlockMatrix::Identity(camera, camera)}};
+  for (const Landmark& landmark : estimate.catalogue) {
+    if (!landmark.mapped()) continue;
+    ToldError& part = told.emplace_back();
+    part.first = belief.offset(landmark.block);
+    if (landmark.kind == Landmark::Kind::point) {
+      part.J = BlockMatrix::Identity(3, 3);
+      continue;
+    }
+    InverseDepthLandmark::State y = belief.mean(landmark.block);
+    y[5] = std::max(y[5], least_inverse_depth_per_m);
+    part.J = landmark.birth_axes.point(y).J;
+  }
+  const auto mapped = static_cast<int>(told.size()) - 1;
+  return with_unmapped(entropy_of(belief.dense_covariance(), told), mapped, exploration);
+}
+
+double extended_entropy(const TeamEstimate& estimate, const ExplorationSettings& exploration) {
+  const AnyBelief& belief = estimate.belief;
+  std::vector<ToldError> told;
+  for (const TeamVehicle& vehicle : estimate.vehicles) {
+    const int errors = belief.chart(vehicle.block).tangent();
+    told.push_back({belief.offset(vehicle.block), BlockMatrix::Identity(errors, errors)});
+  }
+  int mapped = 0;
+  for (const auto& [identity, landmark] : estimate.landmarks) {
+    SmallVector mean = belief.mean(landmark.block);
+    if (landmark.form.kind == LandmarkForm::Kind::inverse_depth) {
+      double& inverse_depth = mean[mean.size() - 1];
+      inverse_depth = std::max(inverse_depth, least_inverse_depth_per_m);
+    }
+    const auto at = position_of(landmark.form, mean);
+    if (!at) continue;
+    told.push_back({belief.offset(landmark.block), at->J});
+    ++mapped;
+  }
+  return with_unmapped(entropy_of(belief.dense_covariance(), told), mapped, exploration);
+}
+
+}  // namespace incognita

@@ -22,6 +22,8 @@ struct Experiment {
   std::string title;
   std::vector<std::string> figures;  ///< ids of the figures it draws, e.g. `fig-3.4`
   LedgerEntry (*run)(const ExperimentSettings& settings);
+  /// Takes so long that tests run it with few seeds and compare all but what depends on how many.
+  bool costly = false;
 };
 
 /// All of them, in the thesis' order.

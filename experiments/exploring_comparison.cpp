@@ -8,6 +8,7 @@
 
 #include "experiments/evidence.hpp"
 #include "experiments/seeds.hpp"
+#include "incognita/math/quaternion.hpp"
 
 namespace incognita::exploring {
 namespace {
@@ -19,6 +20,19 @@ Sets sets_of(const Strategy& strategy) {
                                 [](const std::string& s) { return s.starts_with("decision.schedule"); });
   if (!told) sets.push_back("decision.schedule=at-decisions");
   return sets;
+}
+
+/// Of the way that it went the share that it went backwards.
+double share_backwards(const Run& run) {
+  double back = 0, all = 0;
+  for (std::size_t i = 1; i < run.instants.size(); ++i) {
+    const StampedPose &from = run.instants[i - 1].truth, &to = run.instants[i].truth;
+    const Eigen::Vector3d ahead = rotation_matrix<double>(from.orientation).col(2);
+    const double way = (to.position - from.position).dot(ahead);
+    back += std::max(0.0, -way);
+    all += std::abs(way);
+  }
+  return all > 0 ? back / all : std::nan("");
 }
 
 }  // namespace
@@ -66,6 +80,33 @@ Across across_the_line_of_sight(const Runs& runs) {
         ++across;
     }
   return {across / (across + along), across + along};
+}
+
+Claim backs_away(const std::string& id, const std::string& place, const std::string& printed,
+                 const Runs& runs, const std::string& why) {
+  const std::vector<double> shares = each(runs, share_backwards);
+  std::vector<double> beyond_half;
+  for (const double share : shares)
+    if (std::isfinite(share)) beyond_half.push_back(share - 0.5);
+  const Interval more = bootstrap_mean(beyond_half, judged_at);
+  int slower = 0, faster = 0;
+  for (const Run& run : runs)
+    for (const Decision& d : run.decisions) {
+      slower += d.action.starts_with("slower");
+      faster += d.action.starts_with("faster");
+    }
+  return judged(
+      {.id = id,
+       .place = place,
+       .statement = "The vehicle explores by repeatedly choosing a negative linear acceleration: of "
+                    "the way that it goes more than half is backwards",
+       .printed = printed,
+       .measured = fmt::format("share backwards less a half: {} (99.9 %); {} decisions for slower, "
+                               "{} for faster",
+                               text(more), slower, faster),
+       .why = why,
+       .runs = static_cast<int>(runs.size())},
+      more.low > 0);
 }
 
 Claim beats(const std::string& id, const std::string& place, const std::string& statement,

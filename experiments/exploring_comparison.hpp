@@ -53,6 +53,10 @@ struct Across {
 };
 Across across_the_line_of_sight(const Runs& runs);
 
+/// That a vehicle goes more than half of its way backwards.
+Claim backs_away(const std::string& id, const std::string& place, const std::string& printed,
+                 const Runs& runs, const std::string& why);
+
 /// That `ours` leave less entropy than `theirs`, by paired differences. `printed`: where it is said; `what`:
 /// theirs are.
 Claim beats(const std::string& id, const std::string& place, const std::string& statement,
@@ -60,6 +64,18 @@ Claim beats(const std::string& id, const std::string& place, const std::string& 
 
 /// Entropy of the camera, the map, and all; points where landmarks were located: of Figures 6.4, 6.7 and 6.9.
 Panel entropies(const std::string& title, const Run& run);
+/// The path with the final map, from above.
+Panel from_above(const std::string& title, const Run& run);
+/// What was chosen when, by number; the numbers are told along the axis.
+Panel choices(const std::string& title, const Run& run);
+/// A number of every instant.
+template <class F>
+Curve over_time(const std::string& label, const Run& run, const F& f, Colour colour,
+                Style style = Style::line) {
+  Curve c{label, style, {}, {}, {}, colour};
+  for (const Instant& i : run.instants) c.x.push_back(i.t_s), c.y.push_back(f(i));
+  return c;
+}
 
 /// Paths, final maps and entropies of the first seed; a column for each strategy: Figures 6.4 and 6.9.
 Plot map_figure(const std::string& id, const std::string& title, const std::vector<std::string>& names,

@@ -1,4 +1,4 @@
-// Figures 6.4, 6.5, 6.9 and 6.10.
+// Panels of Figures 6.4, 6.5, 6.7, 6.9, 6.10 and 6.13.
 #include <cmath>
 
 #include "experiments/exploring_comparison.hpp"
@@ -7,13 +7,21 @@
 namespace incognita::exploring {
 namespace {
 
-template <class F>
-Curve over_time(const std::string& label, const Run& run, const F& f, Colour colour,
-                Style style = Style::line) {
-  Curve c{label, style, {}, {}, {}, colour};
-  for (const Instant& i : run.instants) c.x.push_back(i.t_s), c.y.push_back(f(i));
-  return c;
+/// One axis of an error, between its bounds.
+Panel error_panel(const std::string& title, const std::string& unit, const Run& run, int axis) {
+  Panel p{title, "t, s", unit, {}};
+  Curve band{"2 sigma", Style::band, {}, {}, {}, Colour::sky};
+  Curve error{"error", Style::line, {}, {}, {}, Colour::blue};
+  for (const Instant& i : run.instants) {
+    const double bound = 2 * std::sqrt(std::max(0.0, i.covariance(axis, axis)));
+    band.x.push_back(i.t_s), band.y.push_back(-bound), band.y2.push_back(bound);
+    error.x.push_back(i.t_s), error.y.push_back(pose_error(i.truth, i.estimate)[axis]);
+  }
+  p.curves = {band, error};
+  return p;
 }
+
+}  // namespace
 
 Panel from_above(const std::string& title, const Run& run) {
   Panel p{title, "x, m", "y, m", {}, true};
@@ -39,21 +47,19 @@ Panel from_above(const std::string& title, const Run& run) {
   return p;
 }
 
-/// One axis of an error, between its bounds.
-Panel error_panel(const std::string& title, const std::string& unit, const Run& run, int axis) {
-  Panel p{title, "t, s", unit, {}};
-  Curve band{"2 sigma", Style::band, {}, {}, {}, Colour::sky};
-  Curve error{"error", Style::line, {}, {}, {}, Colour::blue};
-  for (const Instant& i : run.instants) {
-    const double bound = 2 * std::sqrt(std::max(0.0, i.covariance(axis, axis)));
-    band.x.push_back(i.t_s), band.y.push_back(-bound), band.y2.push_back(bound);
-    error.x.push_back(i.t_s), error.y.push_back(pose_error(i.truth, i.estimate)[axis]);
+Panel choices(const std::string& title, const Run& run) {
+  Panel p{title, "t, s", "", {}};
+  Curve chosen{"", Style::steps, {}, {}, {}, Colour::blue};
+  for (const Decision& d : run.decisions) {
+    chosen.x.push_back(d.t_s);
+    chosen.y.push_back(d.chosen);
   }
-  p.curves = {band, error};
+  for (std::size_t i = 0; i < run.actions.size(); ++i)
+    p.y_label += (i > 0 ? ", " : "") + std::to_string(i) + " " + run.actions[i];
+  p.curves = {chosen};
+  p.y_range = {-0.5, static_cast<double>(run.actions.size()) - 0.5};
   return p;
 }
-
-}  // namespace
 
 Panel entropies(const std::string& title, const Run& run) {
   Panel p{title, "t, s", "entropy, nats", {}};

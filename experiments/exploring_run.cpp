@@ -2,27 +2,81 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <map>
+#include <utility>
 
+#include "incognita/app/assemble.hpp"
+#include "incognita/app/assemble_room_vehicle.hpp"
 #include "incognita/app/assemble_team.hpp"
-#include "incognita/math/quaternion.hpp"
+#include "incognita/io/team_setting_list.hpp"
 #include "incognita/record/exploration_summary.hpp"
+#include "incognita/record/series.hpp"
 
 namespace incognita::exploring {
 namespace {
 
 Decision decision_of(const Snapshot& s) {
-  Decision d{s.tick.t, s.advice.actions.at(static_cast<std::size_t>(s.advice.chosen)), s.advice.scores,
-             s.advice.entropy_extended.value_or(std::nan(""))};
+  Decision d{s.tick.t, s.advice.chosen, s.advice.actions.at(static_cast<std::size_t>(s.advice.chosen)),
+             s.advice.scores, s.advice.entropy_extended.value_or(std::nan(""))};
   return d;
 }
 
-void add_instant(Run& run, const Snapshot& s, double& squares, double& nees) {
-  const SnapshotVehicle& v = s.vehicles.front();
-  Instant i{s.tick.t, *v.truth, v.estimate, v.covariance, s.entropy, 0};
-  for (const SnapshotLandmark& l : s.landmarks) i.landmarks += !l.anchor;
-  run.instants.push_back(i);
-  squares += (v.truth->position - v.estimate.position).squaredNorm();
-  nees += pose_nees(pose_error(*v.truth, v.estimate), v.covariance).value_or(std::nan(""));
+/// Gathers a run from its snapshots.
+class Gathered {
+ public:
+  void add(const Snapshot& s) {
+    summary_.add(s);
+    run_.map = s.landmarks;
+    run_.actions = s.advice.actions;
+    run_.lost = s.status.state == TrackingState::lost;
+    if (s.advice.decided && s.advice.chosen >= 0) run_.decisions.push_back(decision_of(s));
+    if (s.truth && has_pose(s)) add_instant(s);
+  }
+
+  Run finish() {
+    const auto ticks = static_cast<double>(run_.instants.size());
+    run_.position_rms_m = std::sqrt(squares_ / ticks);
+    run_.nees = nees_ / ticks;
+    run_.coverage = summary_.coverage().value_or(std::nan(""));
+    run_.entropy_extended = summary_.entropy_extended().value_or(std::nan(""));
+    for (int count = 1; count <= summary_.located(); ++count)
+      run_.located_t_s.push_back(*summary_.located_t_s(count));
+    return std::move(run_);
+  }
+
+ private:
+  void add_instant(const Snapshot& s) {
+    Instant i{s.tick.t,  true_pose(s.tick, *s.truth), estimated_pose(s), pose_covariance(s),
+              s.entropy, mapped_landmarks(s),         returned(s)};
+    squares_ += (i.truth.position - i.estimate.position).squaredNorm();
+    nees_ += pose_nees(pose_error(i.truth, i.estimate), i.covariance).value_or(std::nan(""));
+    run_.instants.push_back(std::move(i));
+  }
+
+  int returned(const Snapshot& s) {
+    int count = 0;
+    for (const SnapshotLook& look : s.looks) {
+      if (look.outcome != LookOutcome::matched || look.anchor) continue;
+      const auto [last, first] = matched_t_s_.try_emplace(look.id, s.tick.t);
+      count += !first && s.tick.t - last->second > away_s;
+      last->second = s.tick.t;
+    }
+    return count;
+  }
+
+  Run run_;
+  ExplorationSummary summary_;
+  std::map<std::int64_t, double> matched_t_s_;  ///< when last, by landmark
+  double squares_ = 0, nees_ = 0;
+};
+
+template <class SomeAssembly>
+Run gather(SomeAssembly assembly) {
+  Gathered gathered;
+  run_loop(assembly.boxes, std::function<void(const Snapshot&)>([&](const Snapshot& s) { gathered.add(s); }),
+           std::function<bool(const Tick&)>([](const Tick&) { return true; }));
+  return gathered.finish();
 }
 
 }  // namespace
@@ -44,26 +98,10 @@ std::optional<double> Run::entropy_when_located(int count) const {
 Run explore(const std::string& scenario, const Sets& sets, std::uint64_t seed) {
   Sets all = sets;
   all.push_back("run.seed=" + std::to_string(seed));
-  TeamAssembly assembly = assemble_team(load_scenario(scenario, all));
-  Run run;
-  ExplorationSummary summary;
-  double squares = 0, nees = 0;
-  run_loop(assembly.boxes, std::function<void(const Snapshot&)>([&](const Snapshot& s) {
-             summary.add(s);
-             add_instant(run, s, squares, nees);
-             run.map = s.landmarks;
-             run.lost = s.status.state == TrackingState::lost;
-             if (s.advice.decided && s.advice.chosen >= 0) run.decisions.push_back(decision_of(s));
-           }),
-           std::function<bool(const Tick&)>([](const Tick&) { return true; }));
-  const auto ticks = static_cast<double>(run.instants.size());
-  run.position_rms_m = std::sqrt(squares / ticks);
-  run.nees = nees / ticks;
-  run.coverage = summary.coverage().value_or(std::nan(""));
-  run.entropy_extended = summary.entropy_extended().value_or(std::nan(""));
-  for (int count = 1; count <= summary.located(); ++count)
-    run.located_t_s.push_back(*summary.located_t_s(count));
-  return run;
+  const LoadedScenario loaded = load_scenario(scenario, all);
+  if (is_team(loaded.scenario)) return gather(assemble_team(loaded));
+  if (is_room_vehicle(loaded.scenario)) return gather(assemble_room_vehicle(loaded));
+  return gather(assemble(loaded));
 }
 
 }  // namespace incognita::exploring

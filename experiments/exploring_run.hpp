@@ -19,11 +19,13 @@ struct Instant {
   StampedPose truth, estimate;
   PoseCovariance covariance;
   SnapshotEntropy entropy;
-  int landmarks = 0;
+  int landmarks = 0;  ///< mapped, without anchors
+  int returned = 0;   ///< matched in this frame, and not for a while before it
 };
 
 struct Decision {
   double t_s = 0;
+  int chosen = 0;  ///< of Run::actions
   std::string action;
   std::vector<double> scores;
   double entropy_extended = 0;  ///< nats
@@ -32,6 +34,7 @@ struct Decision {
 struct Run {
   std::vector<Instant> instants;
   std::vector<Decision> decisions;
+  std::vector<std::string> actions;   ///< names
   std::vector<SnapshotLandmark> map;  ///< at the end, anchors too
   std::vector<double> located_t_s;    ///< of landmarks in the order in which they were located (record/)
   bool lost = false;                  ///< at the end
@@ -44,7 +47,10 @@ struct Run {
   std::optional<double> entropy_when_located(int count) const;
 };
 
-/// `scenario`: the name of a built-in one, in a place of points.
+/// Landmarks that were not matched for so long have been away; matching them again closes a loop.
+inline constexpr double away_s = 5;
+
+/// `scenario`: the name of a built-in one, of one camera in a place of points or in the rendered room.
 Run explore(const std::string& scenario, const Sets& sets, std::uint64_t seed);
 
 }  // namespace incognita::exploring

@@ -32,7 +32,9 @@ extern const Experiment mrclam;
 extern const Experiment example_5_4;
 extern const Experiment section_6_1;
 extern const Experiment section_6_3;
+extern const Experiment section_6_3_2;
 extern const Experiment section_6_4;
+extern const Experiment section_6_4_3;
 extern const Experiment consistency;
 
 }  // namespace incognita

@@ -23,7 +23,7 @@ std::variant<FreeCameraChoice, VehicleChoice> choice_of(const DecisionSettings& 
 CameraDecision::CameraDecision(Camera camera, const CameraSlamSettings& slam,
                                const DecisionSettings& settings, const ExplorationSettings& exploration,
                                std::uint64_t seed, const std::optional<Carrier>& carrier)
-    : expectation_(std::move(camera), slam),
+    : expectation_(std::move(camera), slam, exploration.counted == "as-mapped"),
       exploration_(exploration, seed),
       choice_(choice_of(settings, slam.filter, carrier, seed)),
       names_(std::visit([](const auto& choice) { return choice.names(); }, choice_)) {}

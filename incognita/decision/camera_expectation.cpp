@@ -7,10 +7,11 @@
 
 namespace incognita {
 
-CameraExpectation::CameraExpectation(Camera camera, const CameraSlamSettings& slam)
+CameraExpectation::CameraExpectation(Camera camera, const CameraSlamSettings& slam, bool as_mapped)
     : camera_(std::move(camera)),
       slam_(slam),
-      R_(slam.filter.sigma_pixel_px * slam.filter.sigma_pixel_px * Eigen::Matrix2d::Identity()) {}
+      R_(slam.filter.sigma_pixel_px * slam.filter.sigma_pixel_px * Eigen::Matrix2d::Identity()),
+      as_mapped_(as_mapped) {}
 
 void CameraExpectation::prepare(const Estimate& estimate, const std::vector<ExpectedLandmark>& unseen,
                                 double unseen_var_m2) {
@@ -82,11 +83,15 @@ void CameraExpectation::expect(const BlockVector& state, std::vector<ExpectedLoo
     looks.push_back({known ? ExpectedLook::Of::anchor : ExpectedLook::Of::mapped, landmark.block, 0, 0,
                      seen_[i].look.Hv, seen_[i].look.Hl, R_});
   }
+  auto counted = static_cast<std::ptrdiff_t>(unseen_->size());
+  if (as_mapped_) counted = slam_.map.wanted_visible - static_cast<std::ptrdiff_t>(seen_.size());
   for (const ExpectedLandmark& unseen : *unseen_) {
+    if (counted <= 0) break;
     if (!in_view(from, unseen.position)) continue;
     const auto seen = PointLandmark::look(camera_, from, unseen.position);
     if (!seen) continue;
     looks.push_back({ExpectedLook::Of::unseen, 0, unseen.index, unseen_var_m2_, seen->Hv, seen->Hl, R_});
+    --counted;
   }
 }
 

@@ -12,13 +12,15 @@ namespace incognita {
 
 class CameraExpectation final : public Expectation {
  public:
-  CameraExpectation(Camera camera, const CameraSlamSettings& slam);
+  /// `as_mapped`: of landmarks that nobody has seen no more count than would be mapped where they are seen,
+  /// those that slam.map.wanted_visible lacks.
+  CameraExpectation(Camera camera, const CameraSlamSettings& slam, bool as_mapped = false);
 
   /// The map as it is now, and landmarks that nobody has seen; both must stay until the next call.
   void prepare(const Estimate& estimate, const std::vector<ExpectedLandmark>& unseen, double unseen_var_m2);
 
   /// Of the map those looks that would be measured, slam.search.max_measurements at most, the most uncertain
-  /// first, as the estimator takes them; and of landmarks that nobody has seen all that would be in view.
+  /// first, as the estimator takes them; and of landmarks that nobody has seen those in view that count.
   /// `state`: the first 13 numbers are those of a free camera.
   void expect(const BlockVector& state, std::vector<ExpectedLook>& looks) const override;
 
@@ -46,6 +48,7 @@ class CameraExpectation final : public Expectation {
   Camera camera_;
   CameraSlamSettings slam_;
   LookMatrix R_;
+  bool as_mapped_;
   const Estimate* estimate_ = nullptr;
   const std::vector<ExpectedLandmark>* unseen_ = nullptr;
   double unseen_var_m2_ = 0;

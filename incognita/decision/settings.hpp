@@ -45,6 +45,8 @@ struct ExplorationSettings {
   double variance_expected_m2 = 1.5;  ///< P_uu: of each coordinate of one that is not mapped, thesis 6.3.1
   Eigen::Vector3d min_m{-3, -3, 0};   ///< the box, world
   Eigen::Vector3d max_m{3, 3, 2.5};
+  /// Which of those in view count: `all`; `as-mapped`: so many as a camera would map there
+  std::string counted = "all";
   double cell_m = 0.5;  ///< side of a cell
   double seen_s = 1;    ///< a cell in view for so long, all in all, holds nothing more that is not mapped
 };

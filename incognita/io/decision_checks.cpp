@@ -20,8 +20,6 @@ void check_actions(const DecisionSettings& s, List& found) {
     found.push_back({"decision.accelerations", "must have [0, 0], to go on as it goes"});
   if (s.strategy == "fixed-path" && s.sequence.empty())
     found.push_back({"decision.sequence", "must name actions, decision.strategy being `fixed-path`"});
-  if (s.strategy != "fixed-path" && !s.sequence.empty())
-    found.push_back({"decision.sequence", "means nothing unless decision.strategy is `fixed-path`"});
 }
 
 void check_horizon(const DecisionSettings& s, List& found) {
@@ -64,12 +62,19 @@ void check_box(const Scenario& s, List& found) {
                                       what, min.x(), min.y(), min.z(), max.x(), max.y(), max.z())});
 }
 
+void check_counted(const Scenario& s, List& found) {
+  if (s.exploration.counted == "as-mapped" && s.run.world == "points")
+    found.push_back(
+        {"explore.counted", "must be `all` with run.world = \"points\": all in view is mapped there"});
+}
+
 }  // namespace
 
 void check_decision(const Scenario& scenario, List& found) {
   check_actions(scenario.decision, found);
   check_horizon(scenario.decision, found);
   check_box(scenario, found);
+  check_counted(scenario, found);
 }
 
 }  // namespace incognita

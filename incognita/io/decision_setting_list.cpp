@@ -74,6 +74,10 @@ void explore(List& list, ExplorationSettings& s) {
                    "in the whole place, mapped or not; 0: nothing unseen is expected", between(0, 100000)},
                   {"explore.variance_expected_m2", &s.variance_expected_m2, "m^2",
                    "of each coordinate of one that is not mapped", above_up_to(0, 1e6)},
+                  {"explore.counted", &s.counted, "",
+                   "which of those in view count: all, or so many as a camera would map there "
+                   "(map.wanted_visible)",
+                   one_of({"all", "as-mapped"})},
                   {"explore.min_m", &s.min_m, "m", "the place: a box of the world", any()},
                   {"explore.max_m", &s.max_m, "m", "the place: a box of the world", any()},
                   {"explore.cell_m", &s.cell_m, "m", "side of the cells that the place is told in",

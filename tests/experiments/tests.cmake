@@ -6,3 +6,4 @@ incognita_test(observability_claims_test SOURCES experiments/observability_claim
 incognita_test(closed_loop_runs_test SOURCES experiments/closed_loop_runs_test.cpp USES incognita::experiments incognita::app)
 incognita_test(example_5_4_test SOURCES experiments/example_5_4_test.cpp USES incognita::experiments incognita::app)
 incognita_test(recorded_team_test SOURCES experiments/recorded_team_test.cpp USES incognita::experiments incognita::app)
+incognita_test(exploring_test SOURCES experiments/exploring_test.cpp USES incognita::experiments)

@@ -1,0 +1,34 @@
+// Ways of a camera to choose where to go and where to look, and what Section 6.3 says of them: of points and
+// of images.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "experiments/exploring_comparison.hpp"
+
+namespace incognita::exploring {
+
+/// Translation by mutual information, gaze by (i), (ii), (iii) of the thesis, in their order.
+const std::vector<Strategy>& by_gaze();
+/// At random, along a square, standing; they turn as (i) does.
+const std::vector<Strategy>& baselines();
+
+/// Of a vehicle that carries the camera: mutual information, at random, to and fro, standing.
+const std::vector<Strategy>& driving();
+
+/// What is told of claims of Section 6.3: their ids begin with `id`, `why` says why the first does not hold.
+struct Told {
+  std::string id, place, why;
+};
+
+/// Runs `by_gaze`: entropies at the 14th landmark, and how fast landmarks are located.
+std::vector<Claim> gaze_claims(const Told& told, const std::vector<Runs>& runs);
+
+/// That moves are across the line of sight more often than by chance; `whose`: which runs these are.
+Claim moves_across(const Told& told, const Runs& runs, const std::string& whose);
+
+/// Numbers of several strategies, one after the other.
+std::string in_numbers(const std::vector<Strategy>& strategies, const std::vector<Runs>& runs);
+
+}  // namespace incognita::exploring

@@ -1,0 +1,81 @@
+// Exploring, as Chapter 6's experiments run it: what does not depend on the machine, and that it pays.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <future>
+
+#include "experiments/exploring_strategies.hpp"
+#include "experiments/seeds.hpp"
+#include "incognita/analysis/statistics.hpp"
+
+namespace incognita::exploring {
+namespace {
+
+/// All that was decided, and by what.
+void expect_same(const Run& a, const Run& b) {
+  ASSERT_EQ(a.decisions.size(), b.decisions.size());
+  for (std::size_t i = 0; i < a.decisions.size(); ++i) {
+    EXPECT_EQ(a.decisions[i].action, b.decisions[i].action);
+    EXPECT_EQ(a.decisions[i].scores, b.decisions[i].scores) << "not the same bits, decision " << i;
+  }
+  ASSERT_EQ(a.instants.size(), b.instants.size());
+  EXPECT_EQ(a.instants.back().covariance, b.instants.back().covariance);
+  EXPECT_EQ(a.instants.back().truth.position, b.instants.back().truth.position);
+}
+
+class OnThreads : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(OnThreads, OneOrTwoTheSameSeedDecidesTheSame) {
+  const auto once = [] { return explore(GetParam(), {"run.duration_s=5"}, 3); };
+  const exploring::Run alone = once();
+  ASSERT_GT(alone.decisions.size(), 3u);
+  ASSERT_GT(alone.instants.back().landmarks, 0);
+  auto beside = std::async(std::launch::async, once);
+  const exploring::Run here = once();
+  expect_same(alone, here);
+  expect_same(alone, beside.get());
+}
+
+INSTANTIATE_TEST_SUITE_P(Exploring, OnThreads,
+                         ::testing::Values("free-camera", "terrain", "explore-room", "explore-terrain",
+                                           "hand-held"),
+                         [](const auto& scenario) {
+                           std::string name = scenario.param;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
+
+/// 95 % interval of `ours` less `theirs` at the end.
+Interval gap(const std::string& scenario, const Strategy& ours, const Strategy& theirs, const Sets& sets,
+             int seeds) {
+  const auto runs = [&](const Strategy& strategy) {
+    Sets all = strategy.sets;
+    all.insert(all.end(), sets.begin(), sets.end());
+    all.push_back("decision.schedule=at-decisions");
+    return over_seeds(seeds, [&](std::uint64_t seed) { return explore(scenario, all, seed); });
+  };
+  return bootstrap_mean(less(each(runs(ours), final_entropy), each(runs(theirs), final_entropy)));
+}
+
+TEST(Exploring, ByMutualInformationLeavesLessEntropyThanAtRandom) {
+  EXPECT_LT(gap("free-camera", by_gaze()[0], baselines()[0], {}, 12).high, 0);
+}
+
+TEST(Exploring, OnImagesToo) {
+  EXPECT_LT(gap("explore-room", by_gaze()[0], baselines()[0], {"run.duration_s=20"}, 6).high, 0);
+}
+
+TEST(Exploring, CountsLandmarksThatComeBack) {
+  const exploring::Run run = explore("hand-held", {"run.duration_s=20", "decision.schedule=at-decisions"}, 1);
+  int returned = 0;
+  for (const Instant& i : run.instants) {
+    if (i.t_s < away_s) {
+      EXPECT_EQ(i.returned, 0);
+    }
+    returned += i.returned;
+  }
+  EXPECT_GT(returned, 0);
+}
+
+}  // namespace
+}  // namespace incognita::exploring

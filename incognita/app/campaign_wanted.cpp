@@ -38,8 +38,9 @@ std::string WantedMeasures::fault() const { return silent_.empty() ? unknown_mea
 std::string unknown_measure(const std::vector<std::string>& wanted, const std::vector<std::string>& known) {
   for (const std::string& name : wanted)
     if (!is_among(name, known))
-      return fmt::format("--measure {}: no run has measured that; the nearest is {}. Runs that have ended are kept", name,
-                         nearest_name(name, known));
+      return fmt::format(
+          "--measure {}: no run has measured that; the nearest is {}. Runs that have ended are kept", name,
+          nearest_name(name, known));
   return "";
 }
 

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <optional>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -91,6 +93,15 @@ std::unique_ptr<World> world_of(const Scenario& s, const std::vector<SimulatedVe
   return std::make_unique<CarriedCameraWorld>(std::move(carriers), seed);
 }
 
+/// What a sensor can name; nothing: all. Anchors are known by their look, as the fiduciary points of Section
+/// 6.3.1 are.
+std::optional<std::set<std::int64_t>> names_of(const TeamSettings& team) {
+  if (team.association.method == "known") return std::nullopt;
+  std::set<std::int64_t> named;
+  for (const auto& [identity, anchor] : team.anchors) named.insert(identity);
+  return named;
+}
+
 TeamAssembly simulated(const LoadedScenario& loaded) {
   const Scenario& s = loaded.scenario;
   const double period_s = 1 / s.run.rate_hz;
@@ -99,6 +110,8 @@ TeamAssembly simulated(const LoadedScenario& loaded) {
   const Terrain ground = ground_of(loaded);
   TeamSettings team;
   team.filter = filter_of(s);
+  const DataAssociationSettings& association = s.planar.association;
+  team.association = {association.method, association.gate_probability, association.birth_probability};
   know_landmarks(team, place, s.team.points.known);
   if (s.team.points.known > static_cast<int>(place.size()))
     throw InputError(fmt::format("{}: points.known = {}: there are {} landmarks",
@@ -116,10 +129,13 @@ TeamAssembly simulated(const LoadedScenario& loaded) {
       made(loaded, held ? "steer.input" : "steer.law",
            held ? fmt::format("[{}]", fmt::join(s.team.steer.input, ", ")) : s.team.steer.law,
            [&] { return TeamController(std::move(steering), period_s, s.person, seed); });
-  return {{std::make_unique<RoomClock>(s.run.rate_hz, s.run.duration_s), world_of(s, vehicles, ground),
-           std::make_unique<TeamSensor>(vehicles, place, s.team.start.sees_team, seed), std::move(estimator),
-           TeamDecision(team, decision_of(s)), std::move(controller)},
-          notes_of(loaded)};
+  auto sensor = std::make_unique<TeamSensor>(vehicles, place, s.team.start.sees_team, seed, names_of(team));
+  auto sightings = names_of(team) ? sensor->truth() : nullptr;
+  return {
+      {std::make_unique<RoomClock>(s.run.rate_hz, s.run.duration_s), world_of(s, vehicles, ground),
+       std::move(sensor), std::move(estimator), TeamDecision(team, decision_of(s)), std::move(controller)},
+      notes_of(loaded),
+      std::move(sightings)};
 }
 
 /// Each starts where the motion capture has it when all know how they move.

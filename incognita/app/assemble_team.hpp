@@ -1,17 +1,21 @@
 // From a scenario with vehicles that name what they see, simulated or recorded, to the boxes of the loop.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "incognita/app/loop.hpp"
 #include "incognita/io/load_scenario.hpp"
+#include "incognita/world/team_world.hpp"
 
 namespace incognita {
 
 struct TeamAssembly {
   TeamBoxes boxes;
   std::vector<std::string> notes;  ///< what was guessed, for printing
+  /// What each sighting really is of, tick by tick, for who scores; null where the estimator is told.
+  std::shared_ptr<const SightingTruth> sightings = nullptr;
 };
 
 /// Throws InputError naming file and key or value: vehicles that can not carry that sensor, laws that can not

@@ -13,9 +13,11 @@
 
 #include "incognita/app/campaign_crew.hpp"
 #include "incognita/app/campaign_folder.hpp"
+#include "incognita/app/campaign_lock.hpp"
 #include "incognita/app/campaign_plan.hpp"
 #include "incognita/app/campaign_progress.hpp"
 #include "incognita/app/campaign_report.hpp"
+#include "incognita/app/campaign_wanted.hpp"
 #include "incognita/app/say.hpp"
 #include "incognita/io/files.hpp"
 #include "incognita/messages/errors.hpp"
@@ -32,11 +34,6 @@ struct Options {
   std::optional<std::string> out, jobs, shard;
   std::vector<std::string> measures;
   bool json = false, keep_runs = false, table_alone = false;
-};
-
-/// This process makes the runs r with r mod `of` = `which`.
-struct Shard {
-  std::size_t which = 0, of = 1;
 };
 
 volatile std::sig_atomic_t interrupted = 0;
@@ -78,7 +75,7 @@ Shard shard_of(const Options& options) {
   return {*which - 1, *of};
 }
 
-/// Those that have not ended yet and are this process' to make.
+/// Those that have not ended yet and are this process' to make: r with r mod `of` = `which`.
 std::vector<std::size_t> runs_to_make(const CampaignPlan& plan, const CampaignFolder& folder,
                                       const Shard& shard) {
   std::vector<std::size_t> runs;
@@ -87,8 +84,10 @@ std::vector<std::size_t> runs_to_make(const CampaignPlan& plan, const CampaignFo
   return runs;
 }
 
-/// Makes the runs and writes each down when it has ended. How many are still to make.
-std::size_t make_runs(Ranks& ranks, const CampaignPlan& plan, const CampaignFolder& folder, Lead lead) {
+/// Makes the runs and writes each down when it has ended. How many are still to make. Throws InputError when
+/// a run cannot be made or what is wanted of them all is known not to come.
+std::size_t make_runs(Ranks& ranks, const CampaignPlan& plan, const CampaignFolder& folder,
+                      WantedMeasures wanted, Lead lead) {
   const std::string program = digest_of(read_file("/proc/self/exe", largest_program));
   CampaignProgress progress(plan, lead.runs.size());
   std::size_t ended = 0;
@@ -106,10 +105,13 @@ std::size_t make_runs(Ranks& ranks, const CampaignPlan& plan, const CampaignFold
     folder.write(run, result);
     ++ended;
     progress.tell(run, result);
-    return true;
+    wanted.add(run, result);
+    fault = wanted.fault();
+    return fault.empty();
   };
   lead.stopping = [] { return interrupted != 0; };
-  lead_crew(ranks, lead);
+  fault = wanted.fault();
+  if (fault.empty()) lead_crew(ranks, lead);
   if (!fault.empty()) {
     folder.discard_what_is_empty();
     throw InputError(fault);
@@ -146,14 +148,18 @@ int lead(Ranks& ranks, const Options& options, const fs::path& out) {
   const CampaignPlan plan = plan_campaign(options.request);
   if (options.table_alone && !fs::is_directory(out / "runs"))
     throw InputError(fmt::format("--table: {} holds no campaign; see --out", out.string()));
-  const CampaignFolder folder(out, plan, INCOGNITA_VERSION);
-  if (options.table_alone) return report_campaign(plan, folder, {options.measures, options.json});
+  if (options.table_alone)
+    return report_campaign(plan, CampaignFolder(out, plan, INCOGNITA_VERSION),
+                           {options.measures, options.json});
 
-  Lead work{jobs, runs_to_make(plan, folder, shard), digest_of(plan), {}, {}, {}};
+  const std::string digest = digest_of(plan);
+  const CampaignLock lock(out, digest, options.shard ? std::optional(shard) : std::nullopt);
+  const CampaignFolder folder(out, plan, INCOGNITA_VERSION);
+  Lead work{jobs, runs_to_make(plan, folder, shard), digest, {}, {}, {}};
   tell_work(plan, options, shard, work.runs.size());
   if (options.keep_runs) tell_unkept(plan, folder);
   work.make = [&](std::size_t run) { return make_run(plan, run, kept(out, options, plan, run)); };
-  const std::size_t left = make_runs(ranks, plan, folder, std::move(work));
+  const std::size_t left = make_runs(ranks, plan, folder, {options.measures, plan, folder}, std::move(work));
   folder.tidy();
   if (left > 0) {
     say("incognita: {}{} runs are still to make; the same command goes on\n",

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <set>
 
+#include "incognita/app/campaign_wanted.hpp"
 #include "incognita/app/say.hpp"
-#include "incognita/math/nearest_name.hpp"
 #include "incognita/messages/errors.hpp"
 #include "incognita/record/durable_file.hpp"
 #include "incognita/report/campaign_table.hpp"
@@ -64,14 +64,6 @@ std::vector<std::string> all_names(const Campaign& campaign) {
   return names;
 }
 
-void refuse_unknown(const std::vector<std::string>& wanted, const std::vector<std::string>& names) {
-  for (const std::string& name : wanted)
-    if (std::find(names.begin(), names.end(), name) == names.end())
-      throw InputError(
-          fmt::format("--measure {}: no run has measured that; the nearest is {} (runs.csv has all)", name,
-                      nearest_name(name, names)));
-}
-
 /// Of those that are told first the ones that say something here.
 std::vector<std::string> shown(const std::vector<VariantStatistics>& statistics) {
   std::vector<std::string> names;
@@ -110,7 +102,8 @@ int report_campaign(const CampaignPlan& plan, const CampaignFolder& folder, cons
     return 1;
   }
   const std::vector<std::string> names = all_names(campaign);
-  refuse_unknown(options.measures, names);
+  if (const std::string fault = unknown_measure(options.measures, names); !fault.empty())
+    throw InputError(fault);
   tell_where_seeds_do_nothing(campaign);
   const std::vector<VariantStatistics> statistics = statistics_of(campaign);
   const std::vector<std::string>& in_files = options.measures.empty() ? names : options.measures;

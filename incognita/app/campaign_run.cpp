@@ -33,6 +33,7 @@ class SummaryAlone : public RunKeeper {
   void note(const ObservabilityReport& report, const std::vector<std::string>&) override {
     summary_.note(report);
   }
+  void note(const std::string& key, const SummaryValue& value) override { summary_.note(key, value); }
   RunOutcome finish(RunStatus status, const std::string& reason,
                     const std::vector<std::string>& warnings) override {
     for (const std::string& warning : warnings) summary_.warn(warning);
@@ -62,6 +63,7 @@ class WholeDirectory : public RunKeeper {
   void note(const ObservabilityReport& report, const std::vector<std::string>&) override {
     recorder_.note(report);
   }
+  void note(const std::string& key, const SummaryValue& value) override { recorder_.note(key, value); }
   RunOutcome finish(RunStatus status, const std::string& reason,
                     const std::vector<std::string>& warnings) override {
     RunOutcome outcome = recorder_.finish(status, reason, [&](const fs::path&) { return warnings; });

@@ -102,6 +102,8 @@ class TheRecord : public RunKeeper {
     for (const std::string& line : in_words) say("{}\n", line);
   }
 
+  void note(const std::string& key, const SummaryValue& value) override { recorder_.note(key, value); }
+
   RunOutcome finish(RunStatus status, const std::string& reason,
                     const std::vector<std::string>& warnings) override {
     progress_.reset();  // its line on the terminal goes

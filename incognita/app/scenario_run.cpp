@@ -9,6 +9,7 @@
 #include "incognita/app/assemble_planar.hpp"
 #include "incognita/app/assemble_room_vehicle.hpp"
 #include "incognita/app/assemble_team.hpp"
+#include "incognita/app/association_score.hpp"
 #include "incognita/app/observability_watch.hpp"
 #include "incognita/app/team_models.hpp"
 #include "incognita/io/team_setting_list.hpp"
@@ -69,11 +70,12 @@ std::vector<std::string> warnings_of(const Passed& passed, bool to_see) {
 }
 
 template <class SomeBoxes>
-Ending drive(SomeBoxes& boxes, RunKeeper& keeper, ObservabilityWatch* watch, const RunManner& manner,
-             bool to_see) {
+Ending drive(SomeBoxes& boxes, RunKeeper& keeper, ObservabilityWatch* watch, AssociationScore* score,
+             const RunManner& manner, bool to_see) {
   Passed passed;
   const auto publish = [&](const Snapshot& snapshot) {
     passed.add(snapshot);
+    if (score) score->add(snapshot);
     keeper.publish(snapshot);
   };
   const auto keep_going = [&](const Tick& tick) {
@@ -105,16 +107,26 @@ RunInfo info_of(const LoadedScenario& loaded) {
   return info;
 }
 
-/// Drives the boxes; `info` is complete.
+void note(const AssociationScore& score, RunKeeper& keeper) {
+  keeper.note("matches_right", score.right());
+  keeper.note("matches_wrong", score.wrong());
+  keeper.note("matches_missed", score.missed());
+  keeper.note("landmarks_born_again", std::int64_t{score.born_again()});
+}
+
+/// Drives the boxes; `info` is complete. `score`, where what the estimator sees has no names.
 template <class SomeBoxes>
 RunOutcome run_boxes(SomeBoxes& boxes, const RunInfo& info, const LoadedScenario& loaded,
-                     const OpenKeeper& open, const RunManner& manner) {
+                     const OpenKeeper& open, const RunManner& manner,
+                     std::optional<AssociationScore> score = std::nullopt) {
   const std::unique_ptr<RunKeeper> keeper = open(info, boxes.clock->expected_frames());
   std::optional<ObservabilityWatch> watch;
   if (loaded.scenario.run.observability && info.vehicles == 0) watch.emplace();
   const PointsSettings& points = loaded.scenario.team.points;
   const bool to_see = points.count > 0 || !points.file.empty();
-  const Ending ending = drive(boxes, *keeper, watch ? &*watch : nullptr, manner, to_see);
+  const Ending ending =
+      drive(boxes, *keeper, watch ? &*watch : nullptr, score ? &*score : nullptr, manner, to_see);
+  if (score) note(*score, *keeper);
   if (watch)
     if (const auto report = watch->report()) keeper->note(*report, in_words(*report));
   return keeper->finish(ending.status, ending.reason, ending.warnings);
@@ -169,7 +181,9 @@ RunOutcome run_team(const LoadedScenario& loaded, const OpenKeeper& open, const 
   info.vehicles = static_cast<int>(assembly.boxes.estimator.settings().members.size());
   info.inputs = inputs_of(is_carried(loaded.scenario) ? "terrain" : model);
   info.steered_m = steered_point(loaded.scenario);
-  return run_boxes(assembly.boxes, info, loaded, open, manner);
+  std::optional<AssociationScore> score;
+  if (assembly.sightings) score.emplace(assembly.sightings);
+  return run_boxes(assembly.boxes, info, loaded, open, manner, std::move(score));
 }
 
 }  // namespace

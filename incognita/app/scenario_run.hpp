@@ -21,6 +21,8 @@ class RunKeeper {
   virtual void publish(const Snapshot& snapshot) = 0;
   /// What the filter can and cannot know, once, at the end; in words too.
   virtual void note(const ObservabilityReport& report, const std::vector<std::string>& in_words) = 0;
+  /// A field for the summary.
+  virtual void note(const std::string& key, const SummaryValue& value) = 0;
   virtual RunOutcome finish(RunStatus status, const std::string& reason,
                             const std::vector<std::string>& warnings) = 0;
 };

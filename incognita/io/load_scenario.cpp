@@ -64,6 +64,7 @@ class Reader {
     const std::string file = shown(path);
     for (const TomlEntry& entry : parse_toml(read_file(path, largest_scenario), file))
       read_section(file, entry);
+    default_association();
   }
 
   void override_with(const std::string& key, const std::string& value, const std::string& source) {
@@ -91,6 +92,7 @@ class Reader {
     // What a wrong word leaves is a default: what means nothing with that may mean something with the right
     // word
     if (faults_.empty()) {
+      default_association();
       follow_beliefs();
       refuse_what_means_nothing();
     }
@@ -109,6 +111,22 @@ class Reader {
     const auto it =
         std::find_if(settings_.begin(), settings_.end(), [&](const Setting& s) { return s.key == key; });
     return it == settings_.end() ? nullptr : &*it;
+  }
+
+  /// In a place of points sensors name what they see, unless the scenario says otherwise; and then gates are
+  /// wide: a first depth is a guess, and whom it puts outside the gate would be born again.
+  void default_association() {
+    DataAssociationSettings usual;
+    if (loaded_.scenario.run.world == "points") {
+      usual.method = "known";
+      usual.gate_probability = 0.9999;
+      usual.birth_probability = 0.99999999;
+    }
+    DataAssociationSettings& now = loaded_.scenario.planar.association;
+    const auto is_default = [&](const char* key) { return loaded_.sources.at(key) == "default"; };
+    if (is_default("association.method")) now.method = usual.method;
+    if (is_default("association.gate_probability")) now.gate_probability = usual.gate_probability;
+    if (is_default("association.birth_probability")) now.birth_probability = usual.birth_probability;
   }
 
   /// A simulated vehicle is as noisy as its filter believes, unless the scenario says otherwise.

@@ -70,6 +70,15 @@ void check_apart(const Scenario& s, List& found) {
                          least_m, i + 1, j + 1)});
 }
 
+void check_association(const Scenario& s, List& found) {
+  const DataAssociationSettings& a = s.planar.association;
+  if (a.method == "joint")
+    found.push_back({"association.method", "must be `known` or `nearest` in a place of points"});
+  if (a.method == "nearest" && a.birth_probability < a.gate_probability)
+    found.push_back({"association.birth_probability",
+                     "must be association.gate_probability or more: what is inside its gate is no new one"});
+}
+
 /// What (5.1) and (5.9) weigh, and what is held, by what the motion has.
 void check_gains(const Scenario& s, List& found) {
   const std::string& model = s.planar.vehicle.model;
@@ -269,6 +278,7 @@ void check_team(const Scenario& s, List& found) {
   check_ticks(s, found);
   check_starts(s, found);
   check_apart(s, found);
+  check_association(s, found);
   check_gains(s, found);
   check_path(s, found);
   check_dimensions(s, found);

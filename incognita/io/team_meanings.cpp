@@ -131,6 +131,14 @@ std::string birth(std::string_view key, const Choices& c) {
   return c.by_world();
 }
 
+std::string association(std::string_view key, const Choices& c) {
+  if (key == "method") return "";
+  const std::string& method = c.s.planar.association.method;
+  if (one_of(key, {"gate_probability", "birth_probability"}))
+    return unless(method == "nearest", "association.method = `" + method + "`");
+  return c.by_world();
+}
+
 std::string points(std::string_view key, const Choices& c) {
   const bool drawn = c.s.team.points.file.empty();
   if (one_of(key, {"count", "size_m", "centre_m"})) return unless(drawn, "points.file");
@@ -181,6 +189,7 @@ std::string in_points(const std::string& section, std::string_view key, const Ch
   if (section == "person") return person(key, c);
   if (section == "decision" || section == "explore") return decision(key, c);
   if (section == "points") return points(key, c);
+  if (section == "association") return association(key, c);
   if (section == "plant") return plant(key, c);
   if (section == "terrain") return terrain(key, c);
   if (section == "mount")

@@ -45,9 +45,9 @@ inline bool is_usable(const Detection& detection) {
   return std::isfinite(detection.range_m) && detection.range_m > 0 && std::isfinite(detection.bearing_rad);
 }
 
-/// What a sensor measured of a point that it can name.
+/// What a sensor measured of a point, by name where it has one.
 struct Sighting {
-  std::int64_t identity = 0;  ///< of the landmark; of another vehicle, which one it is, from 0
+  std::int64_t identity = 0;  ///< of a landmark, or Detection::unknown; of another vehicle which, from 0
   SmallVector z;              ///< as the sensor measures
 };
 

@@ -156,23 +156,36 @@ std::vector<double> individual_distances(const Belief& belief, std::span<const P
   return distances;
 }
 
+std::vector<int> nearest_first(std::span<const Candidate> candidates) {
+  std::vector<int> order(candidates.size()), chosen;
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](int a, int b) { return candidates[a].distance2 < candidates[b].distance2; });
+  for (const int c : order) {
+    const bool free = std::none_of(chosen.begin(), chosen.end(), [&](int other) {
+      return candidates[other].measurement == candidates[c].measurement ||
+             candidates[other].landmark == candidates[c].landmark;
+    });
+    if (free) chosen.push_back(c);
+  }
+  return chosen;
+}
+
 Association nearest_neighbours(const Belief& belief, std::span<const Pairing> pairings,
                                const AssociationSettings& settings) {
   const std::vector<double> distances = individual_distances(belief, pairings);
-  std::vector<int> order(pairings.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return distances[a] < distances[b]; });
   const std::vector<double> own_gates = gates_up_to(max_look_rows, settings.probability);
-  Association association;
-  for (const int p : order) {
+  std::vector<Candidate> candidates;
+  std::vector<int> inside;
+  for (std::size_t p = 0; p < pairings.size(); ++p) {
     if (!(distances[p] <= own_gates[pairings[p].look.rows()])) continue;
-    const bool free = std::none_of(association.chosen.begin(), association.chosen.end(), [&](int q) {
-      return pairings[q].measurement == pairings[p].measurement ||
-             pairings[q].landmark == pairings[p].landmark;
-    });
-    if (!free) continue;
-    association.chosen.push_back(p);
-    association.distance2 += distances[p];
+    candidates.push_back({pairings[p].measurement, pairings[p].landmark, distances[p]});
+    inside.push_back(static_cast<int>(p));
+  }
+  Association association;
+  for (const int c : nearest_first(candidates)) {
+    association.chosen.push_back(inside[c]);
+    association.distance2 += candidates[c].distance2;
   }
   return association;
 }

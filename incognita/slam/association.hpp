@@ -33,6 +33,15 @@ struct Association {
   bool capped = false;      ///< max_nodes was reached: a better set may exist
 };
 
+/// A pairing that could be, and how far its innovation is from none.
+struct Candidate {
+  int measurement = 0, landmark = 0;
+  double distance2 = 0;  ///< r' S^-1 r
+};
+
+/// Of these the nearest first, as indices: each measurement and each landmark once.
+std::vector<int> nearest_first(std::span<const Candidate> candidates);
+
 /// r' S^-1 r of each pairing alone; infinite where S is not positive definite or a number is not finite.
 std::vector<double> individual_distances(const Belief& belief, std::span<const Pairing> pairings);
 

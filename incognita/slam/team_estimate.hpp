@@ -45,8 +45,8 @@ struct TeamLook {
   int vehicle = 0;
   bool of_vehicle = false;
   bool anchor = false;
-  std::int64_t identity = 0;
-  SmallVector measured;   ///< as the sensor measures
+  std::int64_t identity = 0;  ///< what it was taken to be of; Detection::unknown: nothing
+  SmallVector measured;       ///< as the sensor measures
   SmallVector predicted;  ///< before the update; empty where the sensor could not have it, or of a new one
   SmallMatrix innovation_cov;  ///< of the two's difference, rows x rows; empty likewise
   LookOutcome outcome = LookOutcome::not_tried;
@@ -54,16 +54,19 @@ struct TeamLook {
 
 /// Sightings of a tick that can be used.
 struct UsedSightings {
-  std::vector<std::size_t> told;  ///< where each is in the estimate's list of looks
-  std::vector<AffineLook> looks;  ///< what each is to the engine, about the means before the update
-  Eigen::MatrixXd S;              ///< innovation covariance of one
+  std::vector<std::size_t> told;       ///< where each is in the estimate's list of looks
+  std::vector<std::size_t> newcomers;  ///< likewise of what landmarks may be born from
+  std::vector<AffineLook> looks;       ///< what each is to the engine, about the means before the update
+  Eigen::MatrixXd S;                   ///< innovation covariance of one
 };
 
 struct TeamEstimate {
   AnyBelief belief;
   bool started = false;
   std::vector<TeamVehicle> vehicles;
-  std::map<std::int64_t, TeamLandmark> landmarks;  ///< by identity; anchors are not among them
+  /// By identity, or by a number of the estimator's own where sightings have none; anchors are not among them
+  std::map<std::int64_t, TeamLandmark> landmarks;
+  std::int64_t next_number = 0;  ///< of the estimator's own; none is given twice
   std::map<std::int64_t, TeamAnchor> anchors;
   TrackingStatus status;
 

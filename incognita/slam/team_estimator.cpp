@@ -13,6 +13,7 @@
 #include "incognita/math/gaussian.hpp"
 #include "incognita/slam/belief_entropy.hpp"
 #include "incognita/slam/stage_clock.hpp"
+#include "incognita/slam/team_association.hpp"
 #include "incognita/slam/team_looks.hpp"
 #include "incognita/slam/team_motion.hpp"
 
@@ -67,30 +68,68 @@ void TeamEstimator::start(TeamEstimate& e, const Tick& tick) const {
 
 namespace {
 
-/// Linearises every sighting of what is known, notes it, and keeps those inside the gate.
+void note(TeamEstimate& e, int vehicle, bool of_vehicle, std::int64_t identity, const SmallVector& z,
+          const TeamSettings& settings) {
+  const bool anchor = !of_vehicle && settings.anchors.count(identity) > 0;
+  e.looks.push_back({vehicle, of_vehicle, anchor, identity, z, {}, {}, LookOutcome::not_tried});
+}
+
+/// Linearises a sighting of what is known, and keeps it when it is inside the gate.
+void consider(TeamEstimate& e, std::size_t look, const Gate& gate, const TeamSettings& settings) {
+  TeamLook& told = e.looks[look];
+  UsedSightings& used = e.used;
+  const auto at =
+      linearised_sighting(e, told.vehicle, told.of_vehicle, {told.identity, told.measured}, settings);
+  if (!at) return;
+  told.predicted = at->predicted;
+  e.belief.innovation_covariance({&at->look, 1}, used.S);
+  told.innovation_cov = used.S;
+  const bool inside = gate.has(distance_of(at->look, told.innovation_cov), at->look.rows());
+  told.outcome = inside ? LookOutcome::matched : LookOutcome::inconsistent;
+  if (!inside) return;
+  used.told.push_back(look);
+  used.looks.push_back(at->look);
+}
+
+/// By the names that the sensor tells. What has none is left alone.
+void go_by_names(TeamEstimate& e, int vehicle, const VehicleView& view, const Gate& gate,
+                 const TeamSettings& settings) {
+  for (const Sighting& s : view.landmarks) {
+    note(e, vehicle, false, s.identity, s.z, settings);
+    const std::size_t look = e.looks.size() - 1;
+    consider(e, look, gate, settings);
+    const bool known = e.looks[look].anchor || e.landmarks.count(s.identity) > 0;
+    if (!known && s.identity != Detection::unknown) e.used.newcomers.push_back(look);
+  }
+}
+
+/// By where they are seen. Two vehicles may see the same new landmark, and only once it is in the map can the
+/// second one's sighting be held against it: so one vehicle gives births in a tick.
+void go_by_places(TeamEstimate& e, int vehicle, const VehicleView& view, const Gate& gate,
+                  const TeamSettings& settings) {
+  const ViewAssociation taken = associate_view(e, vehicle, view.landmarks, settings);
+  const std::size_t first = e.looks.size();
+  for (std::size_t s = 0; s < view.landmarks.size(); ++s)
+    note(e, vehicle, false, taken.landmarks[s], view.landmarks[s].z, settings);
+  for (const std::size_t s : taken.order) consider(e, first + s, gate, settings);
+  if (!e.used.newcomers.empty()) return;
+  for (const std::size_t s : taken.newcomers) e.used.newcomers.push_back(first + s);
+}
+
+/// Notes every sighting, says what it is of, and keeps those that are to be used.
 void sort_out(TeamEstimate& e, const Observation& seen, const TeamSettings& settings) {
   const Gate gate(settings.filter.gate_probability);
-  UsedSightings& used = e.used;
-  const auto consider = [&](int vehicle, bool of_vehicle, const Sighting& sighting) {
-    const bool anchor = !of_vehicle && settings.anchors.count(sighting.identity) > 0;
-    TeamLook& told = e.looks.emplace_back(
-        TeamLook{vehicle, of_vehicle, anchor, sighting.identity, sighting.z, {}, {}, LookOutcome::not_tried});
-    const auto at = linearised_sighting(e, vehicle, of_vehicle, sighting, settings);
-    if (!at) return;
-    told.predicted = at->predicted;
-    e.belief.innovation_covariance({&at->look, 1}, used.S);
-    told.innovation_cov = used.S;
-    const bool inside = gate.has(distance_of(at->look, told.innovation_cov), at->look.rows());
-    told.outcome = inside ? LookOutcome::matched : LookOutcome::inconsistent;
-    if (!inside) return;
-    used.told.push_back(e.looks.size() - 1);
-    used.looks.push_back(at->look);
-  };
-  used.told.clear();
-  used.looks.clear();
+  e.used.told.clear();
+  e.used.looks.clear();
+  e.used.newcomers.clear();
+  const auto go = settings.association.method == "nearest" ? go_by_places : go_by_names;
   for (std::size_t i = 0; i < seen.team.size(); ++i) {
-    for (const Sighting& s : seen.team[i].landmarks) consider(static_cast<int>(i), false, s);
-    for (const Sighting& s : seen.team[i].vehicles) consider(static_cast<int>(i), true, s);
+    const int vehicle = static_cast<int>(i);
+    go(e, vehicle, seen.team[i], gate, settings);
+    for (const Sighting& s : seen.team[i].vehicles) {
+      note(e, vehicle, true, s.identity, s.z, settings);
+      consider(e, e.looks.size() - 1, gate, settings);
+    }
   }
 }
 
@@ -142,15 +181,20 @@ void correct(TeamEstimate& e, const TeamSettings& settings) {
   e.matched = done ? static_cast<int>(used.told.size()) : 0;
 }
 
-void give_births(TeamEstimate& e, const Observation& seen, const TeamSettings& settings) {
-  std::size_t look = 0;
-  for (std::size_t i = 0; i < seen.team.size(); ++i) {
-    for (const Sighting& s : seen.team[i].landmarks) {
-      TeamLook& told = e.looks[look++];
-      if (told.anchor || e.landmarks.count(s.identity) > 0) continue;
-      if (give_birth(e, static_cast<int>(i), s, settings)) told.outcome = LookOutcome::born;
-    }
-    look += seen.team[i].vehicles.size();
+std::int64_t new_number(TeamEstimate& e) {
+  if (!e.anchors.empty()) e.next_number = std::max(e.next_number, e.anchors.rbegin()->first + 1);
+  return e.next_number++;
+}
+
+void give_births(TeamEstimate& e, const TeamSettings& settings) {
+  const bool named = settings.association.method == "known";
+  for (const std::size_t look : e.used.newcomers) {
+    TeamLook& told = e.looks[look];
+    const std::int64_t identity = named ? told.identity : new_number(e);
+    if (e.landmarks.count(identity) > 0) continue;  // another vehicle's sighting was before
+    if (!give_birth(e, told.vehicle, {identity, told.measured}, settings)) continue;
+    told.identity = identity;
+    told.outcome = LookOutcome::born;
   }
 }
 
@@ -175,7 +219,7 @@ void TeamEstimator::update(TeamEstimate& e, const Command&, const Observation& s
   stage.mark("associate");
   correct(e, settings_);
   stage.mark("update");
-  give_births(e, seen, settings_);
+  give_births(e, settings_);
   settle_depths(e, settings_);
   stage.mark("births");
   tell_poses(e);

@@ -1,5 +1,5 @@
 // Localisation and mapping by any number of vehicles in one belief, thesis (5.16)-(5.19): each moves by its
-// own model, sees landmarks that it can name, and the others of its team. One vehicle is a team too.
+// own model, sees landmarks, with names or without, and the others of its team. One vehicle is a team too.
 #pragma once
 
 #include <optional>

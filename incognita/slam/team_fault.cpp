@@ -72,6 +72,11 @@ std::string fault_in(const TeamSettings& s) {
   const auto& words = {"analytic", "iterated", "unscented-vehicle", "first-estimate"};
   if (std::find(words.begin(), words.end(), s.filter.lineariser) == words.end())
     return "`" + s.filter.lineariser + "` is no lineariser";
+  const TeamAssociationSettings& a = s.association;
+  if (a.method != "known" && a.method != "nearest")
+    return "`" + a.method + "` is no way to associate a team's sightings";
+  if (!(a.gate_probability < 1 && a.birth_probability < 1 && a.gate_probability <= a.birth_probability))
+    return "the gate of a birth must be the gate of a match or wider, and both less than 1";
   for (const TeamMember& m : s.members) {
     for (const std::string& fault : {misfit(m.motion, m.sensor), fault_in_sizes(m)})
       if (!fault.empty()) return fault;

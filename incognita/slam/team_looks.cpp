@@ -102,6 +102,11 @@ std::optional<LinearisedSighting> linearised_sighting(const TeamEstimate& e, int
   return out;
 }
 
+void measure(LinearisedSighting& look, const TeamMember& member, const SmallVector& z) {
+  look.look.residual = residual_of(member.sensor, z, look.predicted);
+  look.look.R = sighting_noise(member, z);
+}
+
 bool give_birth(TeamEstimate& e, int vehicle, const Sighting& sighting, const TeamSettings& settings) {
   const TeamVehicle& viewer = e.vehicles[static_cast<std::size_t>(vehicle)];
   const TeamMember& member = settings.members[static_cast<std::size_t>(vehicle)];

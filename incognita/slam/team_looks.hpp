@@ -25,6 +25,9 @@ std::optional<LinearisedSighting> linearised_sighting(const TeamEstimate& estima
                                                       bool of_vehicle, const Sighting& sighting,
                                                       const TeamSettings& settings);
 
+/// Makes it the same look with another measurement: residual and noise are that one's.
+void measure(LinearisedSighting& look, const TeamMember& member, const SmallVector& z);
+
 /// A new landmark, (2.20)-(2.26). False when none can be made of it.
 bool give_birth(TeamEstimate& estimate, int vehicle, const Sighting& sighting, const TeamSettings& settings);
 

@@ -33,10 +33,18 @@ struct TeamFilterSettings {
   double max_sigma_position_m = 10;   ///< of any vehicle; beyond, the team is lost
 };
 
+/// Which landmark a sighting is of.
+struct TeamAssociationSettings {
+  std::string method = "known";       ///< `known`: by its name; `nearest`: names of anchors alone are read
+  double gate_probability = 0.95;     ///< `nearest`: of a right pairing
+  double birth_probability = 0.9999;  ///< `nearest`: outside this gate of every landmark is a new one
+};
+
 struct TeamSettings {
   std::vector<TeamMember> members;
   TeamFilterSettings filter;
   std::map<std::int64_t, SmallVector> anchors;  ///< known landmarks: a whole map, or those that fix the frame
+  TeamAssociationSettings association = {};
 };
 
 }  // namespace incognita

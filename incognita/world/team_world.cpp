@@ -1,5 +1,6 @@
 #include "incognita/world/team_world.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 #include <stdexcept>
@@ -69,8 +70,11 @@ std::optional<Truth> TeamWorld::move(const Command& command, const Tick& tick) {
 }
 
 TeamSensor::TeamSensor(std::vector<SimulatedVehicle> vehicles, PointPlace place, bool sees_vehicles,
-                       std::uint64_t seed)
-    : vehicles_(std::move(vehicles)), place_(std::move(place)), sees_vehicles_(sees_vehicles) {
+                       std::uint64_t seed, std::optional<std::set<std::int64_t>> named)
+    : vehicles_(std::move(vehicles)),
+      place_(std::move(place)),
+      sees_vehicles_(sees_vehicles),
+      named_(std::move(named)) {
   for (std::size_t i = 0; i < vehicles_.size(); ++i) {
     check(vehicles_[i], place_);
     noise_.emplace_back(seed, stream_of("sensor", i));
@@ -97,6 +101,7 @@ std::optional<SmallVector> TeamSensor::measured(std::size_t i, const SmallVector
 void TeamSensor::look_around(std::size_t i, const Truth& truth, VehicleView& view) {
   for (const auto& [identity, point] : place_)
     if (auto z = measured(i, truth.vehicles[i], point)) view.landmarks.push_back({identity, *z});
+  take_names(view, truth_->at(i));
   for (std::size_t j = 0; sees_vehicles_ && j < vehicles_.size(); ++j) {
     if (j == i) continue;
     const SmallVector other =
@@ -106,10 +111,22 @@ void TeamSensor::look_around(std::size_t i, const Truth& truth, VehicleView& vie
   }
 }
 
+/// Nor may the order in which they come tell what they are.
+void TeamSensor::take_names(VehicleView& view, std::vector<std::int64_t>& truth) const {
+  const auto is_named = [&](const Sighting& s) { return !named_ || named_->count(s.identity) > 0; };
+  const auto nameless = std::stable_partition(view.landmarks.begin(), view.landmarks.end(), is_named);
+  std::stable_sort(nameless, view.landmarks.end(), [](const Sighting& a, const Sighting& b) {
+    return std::lexicographical_compare(a.z.begin(), a.z.end(), b.z.begin(), b.z.end());
+  });
+  for (const Sighting& s : view.landmarks) truth.push_back(s.identity);
+  for (auto s = nameless; s != view.landmarks.end(); ++s) s->identity = Detection::unknown;
+}
+
 Observation TeamSensor::look(const std::optional<Truth>& truth, const Tick& tick) {
   Observation seen;
   if (!truth || truth->vehicles.size() != vehicles_.size())
     throw std::logic_error("a team's sensor without its team");
+  truth_->assign(vehicles_.size(), {});
   for (std::size_t i = 0; i < vehicles_.size(); ++i) {
     VehicleView view;
     if (tick.dt > 0) view.input = truth->inputs[i];

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -40,17 +42,25 @@ class TeamWorld final : public World {
   std::vector<Plant> plants_;
 };
 
+/// Which landmark each sighting was of at the last tick, for who scores: per vehicle, in its view's order.
+using SightingTruth = std::vector<std::vector<std::int64_t>>;
+
 class TeamSensor final : public Sensor {
  public:
-  /// `sees_vehicles`: whether vehicles see the others of their team, too. Throws std::invalid_argument where
-  /// a sensor does not fit its vehicle, or the place.
-  TeamSensor(std::vector<SimulatedVehicle> vehicles, PointPlace place, bool sees_vehicles,
-             std::uint64_t seed);
+  /// `sees_vehicles`: whether vehicles see the others of their team, too. `named`: the landmarks that it can
+  /// name; without it, all. The others come without a name, in the order of what is measured. Throws
+  /// std::invalid_argument where a sensor does not fit its vehicle, or the place.
+  TeamSensor(std::vector<SimulatedVehicle> vehicles, PointPlace place, bool sees_vehicles, std::uint64_t seed,
+             std::optional<std::set<std::int64_t>> named = std::nullopt);
+
+  /// Changes with each look. No part of what an estimator is given.
+  std::shared_ptr<const SightingTruth> truth() const { return truth_; }
 
   Observation look(const std::optional<Truth>& truth, const Tick& tick) override;
 
  private:
   void look_around(std::size_t vehicle, const Truth& truth, VehicleView& view);
+  void take_names(VehicleView& view, std::vector<std::int64_t>& truth) const;
   std::optional<SmallVector> measured(std::size_t vehicle, const SmallVector& state,
                                       const SmallVector& point);
 
@@ -58,6 +68,8 @@ class TeamSensor final : public Sensor {
   PointPlace place_;
   bool sees_vehicles_;
   std::vector<RandomStream> noise_;
+  std::optional<std::set<std::int64_t>> named_;
+  std::shared_ptr<SightingTruth> truth_ = std::make_shared<SightingTruth>();
 };
 
 }  // namespace incognita

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <memory>
 #include <random>
 #include <sstream>
 #include <thread>
@@ -445,11 +446,114 @@ TEST(ProgramCampaign, SaysWhereSeedsDoNothing) {
   EXPECT_SILENT_ON(place.campaign({"--seeds", "1..2"}, "noisy").err, "every seed gave the same");
 }
 
-TEST(ProgramCampaign, RefusesAMeasureThatNobodyMeasured) {
+TEST(ProgramCampaign, RefusesAMeasureThatNobodyMeasuresAfterTheFirstRun) {
   const Place place;
-  const Ended ended = place.campaign({"--seeds", "1", "--measure", "ate"});
+  const Ended ended = place.campaign({"--seeds", "1..200", "--jobs", "1", "--measure", "ate"});
   EXPECT_EQ(ended.code, 2);
-  EXPECT_SAYS(ended.err, "the nearest is ate_m");
+  EXPECT_SAYS(ended.err,
+              "--measure ate: no run has measured that; the nearest is ate_m. Runs that have ended");
+  EXPECT_EQ(ended.out, "");
+  ASSERT_EQ(place.results().size(), 1u);
+  const fs::path kept = place.results()[0];
+  const std::string made = contents(kept);
+  const Ended again = place.campaign({"--seeds", "1..200", "--measure", "entropy.totl"});
+  EXPECT_EQ(again.code, 2) << "by what is in the folder, before any run";
+  EXPECT_SAYS(again.err, "the nearest is entropy.total");
+  EXPECT_EQ(place.results().size(), 1u);
+  const Ended right = place.campaign({"--seeds", "1..3", "--measure", "ate_m", "--measure", "failed"});
+  EXPECT_EQ(right.code, 0) << right.err;
+  EXPECT_SAYS(right.err, "1 made before, 2 to make");
+  EXPECT_EQ(contents(kept), made);
+}
+
+TEST(ProgramCampaign, AMeasureOfTheLastVariantAloneIsNotRefused) {
+  const Place place;
+  const Words what = {"--seeds", "1..3",   "--jobs",
+                      "1",       "--vary", "team.positions_m=[[0, 0, 0]],[[0, 0, 0], [2, 0, 0]]"};
+  Words right = what, wrong = what;
+  right.insert(right.end(), {"--measure", "vehicles.2.ate_m"});
+  wrong.insert(wrong.end(), {"--measure", "vehicles.3.ate_m"});
+  const Ended refused = place.campaign(wrong, "wrong");
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_SAYS(refused.err, "the nearest is vehicles.");
+  EXPECT_EQ(place.results("wrong").size(), 2u) << "one of each variant";
+  const Ended ended = place.campaign(right);
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_EQ(place.results().size(), 6u);
+}
+
+TEST(ProgramCampaign, ARunThatFailsSaysNothingOfWhatOthersMeasure) {
+  const Place place;
+  // every run of this one is lost, and ends so
+  const Ended ended = place.campaign({"--seeds", "1..5", "--jobs", "1", "--measure", "ate", "--set",
+                                      "vehicle_lost.max_sigma_position_m=0.011"});
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_SAYS(ended.err, "--measure ate: ");
+  EXPECT_EQ(place.results().size(), 5u) << "only when there is no other run to come";
+}
+
+/// A campaign that is at work, and would be for minutes.
+std::unique_ptr<Program> at_work(const Place& place, Words more = {}) {
+  more.insert(more.begin(), {"--seeds", "1..2", "--duration", "20000", "--jobs", "1"});
+  auto program = std::make_unique<Program>(place.words(more), testing::Circumstances{place.folder()});
+  EXPECT_NE(process_of_a_run(), 0);
+  return program;
+}
+
+TEST(ProgramCampaign, OneCampaignAtATimeWorksInAFolder) {
+  const Place place;
+  ASSERT_EQ(place.campaign({"--seeds", "1", "--duration", "20"}, "elsewhere").code, 0);
+  auto first = at_work(place);
+  const std::set<std::string> before = testing::everything_in(place / "c");
+  const Words same = {"--seeds", "1..2", "--duration", "20000"};
+  for (const Words& more : {Words{}, Words{"--shard", "1/2"}, Words{"--vary", vary}}) {
+    Words words = same;
+    words.insert(words.end(), more.begin(), more.end());
+    const Ended second = place.campaign(words);
+    EXPECT_EQ(second.code, 2);
+    EXPECT_SAYS(second.err, "--out c: another campaign is at work in it");
+    EXPECT_EQ(second.out, "");
+  }
+  EXPECT_EQ(testing::everything_in(place / "c"), before);
+  const Ended table = place.campaign({"--seeds", "1..2", "--duration", "20000", "--table"});
+  EXPECT_EQ(table.code, 1) << "that is no work";
+  EXPECT_SAYS(table.err, "none of the 2 runs has been made yet");
+  EXPECT_EQ(place.campaign({"--seeds", "1..2", "--duration", "20"}, "elsewhere").code, 0);
+
+  first->signal(SIGKILL);
+  EXPECT_EQ(first->wait().signal, SIGKILL);
+  auto next = at_work(place);  // at once, nothing to remove by hand
+  next->signal(SIGTERM);
+  EXPECT_EQ(next->wait().code, 1);
+  EXPECT_FALSE(fs::exists(place / "c/.lock"));
+}
+
+TEST(ProgramCampaign, SharesOfOneCampaignWorkTogetherEachOnce) {
+  const Place place;
+  const auto first = at_work(place, {"--shard", "1/2"});
+  const auto ended = [&](const Words& more) {
+    Words words = {"--seeds", "1..2", "--duration", "20000"};
+    words.insert(words.end(), more.begin(), more.end());
+    return place.campaign(words);
+  };
+  const std::pair<Words, std::string> refused[] = {
+      {{"--shard", "1/2"}, "another process with --shard 1/2 is at work in it"},
+      {{"--shard", "2/3"}, "another number of shards of this one, is at work in it"},
+      {{"--shard", "2/2", "--vary", vary}, "another campaign, or "},
+      {{}, "--out c: another campaign is at work in it"}};
+  for (const auto& [words, message] : refused) {
+    const Ended second = ended(words);
+    EXPECT_EQ(second.code, 2);
+    EXPECT_SAYS(second.err, message);
+  }
+  Program second(place.words({"--seeds", "1..2", "--duration", "20000", "--shard", "2/2"}), {place.folder()});
+  wait_ms(1500);
+  second.signal(SIGTERM);
+  const Ended other = second.wait();
+  EXPECT_EQ(other.code, 1) << other.err;
+  EXPECT_SAYS(other.err, "interrupted: ");
+  EXPECT_TRUE(fs::exists(place / "c/.lock")) << "the first still has it";
+  EXPECT_EQ(ended({"--shard", "1/2"}).code, 2);
 }
 
 TEST(ProgramCampaign, RefusesAFolderOfSomethingElse) {

@@ -47,6 +47,20 @@ INSTANTIATE_TEST_SUITE_P(All, BuiltInTeams,
                            return name;
                          });
 
+TEST(ProgramTeam, CountsRightMatchesWhereNothingHasAName) {
+  const Scratch scratch;
+  const Ended ended = testing::incognita({"run", "free-camera", "--duration", "3", "--set",
+                                          "association.method=nearest", "--out", "run", "--no-figures"},
+                                         scratch.folder());
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  EXPECT_SAYS(ended.err, "association.method = \"nearest\" (--set) replaces \"known\" (default)");
+  const auto summary = testing::summary_of(scratch.folder() / "run");
+  EXPECT_GT(summary["matches_right"].get<int>(), 100);
+  EXPECT_LT(summary["matches_wrong"].get<int>(), summary["matches_right"].get<int>() / 20);
+  EXPECT_TRUE(summary.contains("matches_missed"));
+  EXPECT_TRUE(summary.contains("landmarks_born_again"));
+}
+
 TEST(ProgramTeam, LeavesEveryVehiclesPath) {
   const Scratch scratch;
   const std::filesystem::path run = scratch.folder() / "run";

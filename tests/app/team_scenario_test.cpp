@@ -1,5 +1,6 @@
 // Scenarios of points: every motion with every sensor and every law, from the words of a scenario to a run,
 // or refused with the reason.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,9 +9,11 @@
 #include <tuple>
 
 #include "incognita/app/assemble_team.hpp"
+#include "incognita/app/association_score.hpp"
 #include "incognita/app/loop.hpp"
 #include "incognita/io/settings.hpp"
 #include "incognita/io/team_setting_list.hpp"
+#include "incognita/math/random.hpp"
 #include "incognita/messages/errors.hpp"
 #include "tests/scratch.hpp"
 
@@ -160,6 +163,9 @@ TEST(TeamScenario, RefusesAtStartWithTheReason) {
   refused({"team_filter.lineariser=linear"}, "team_filter.lineariser", "nearest");
   refused({"plant.motion=terrain"}, "plant.motion", "tilts");
   refused({"run.rate_hz=10000", "run.duration_s=1e7"}, "run.duration_s", "ticks");
+  refused({"association.method=joint"}, "association.method", "`known` or `nearest`");
+  refused({"association.method=nearest", "association.birth_probability=0.9"},
+          "association.birth_probability", "what is inside its gate is no new one");
   refused({"points.file=nowhere.csv"}, "points.count", "means nothing with points.file");
 }
 
@@ -238,7 +244,8 @@ TEST(TeamScenario, RefusesWhatItWouldIgnore) {
   ignored("terrain.length_m=3", "vehicle.model");
   ignored("stereo.baseline_m=0.2", "run.sensor");
   ignored("decision.step_m=0.2", "steer.law");
-  ignored("association.method=known", "run.world");
+  ignored("association.birth_distance_m=2", "run.world");
+  ignored("association.gate_probability=0.9", "association.method = `known`");
   ignored("control.gain_velocity_per_s=1", "vehicle.model");
   ignored("plant.sigma_pixel_px=1", "run.sensor");
 }
@@ -296,6 +303,117 @@ TEST(TeamScenario, APersonMovesTheCamera) {
   EXPECT_LT((hand.last.truth->camera - hand.last.camera).head<3>().norm(), 0.3);
   const std::string why = complaint(by_hand, {"person.delay_s=0.5"});
   EXPECT_NE(why.find("means nothing with person.holds = false"), std::string::npos) << why;
+}
+
+/// A run on points without names, and what of it was taken for what it is.
+struct Nameless {
+  Ran ran;
+  std::vector<SnapshotVehicle> way;
+  std::int64_t right = 0, wrong = 0, missed = 0;
+  int born_again = 0;
+};
+
+Nameless run_nameless(const LoadedScenario& loaded) {
+  TeamAssembly assembly = assemble_team(loaded);
+  AssociationScore score(assembly.sightings);
+  Nameless out;
+  run_loop(assembly.boxes, std::function<void(const Snapshot&)>([&](const Snapshot& s) {
+             score.add(s);
+             out.ran.last = s, ++out.ran.ticks;
+             out.way.push_back(s.vehicles.front());
+           }),
+           std::function<bool(const Tick&)>([](const Tick&) { return true; }));
+  out.right = score.right(), out.wrong = score.wrong(), out.missed = score.missed();
+  out.born_again = score.born_again();
+  return out;
+}
+
+const std::vector<std::string> nameless = {"association.method=nearest"};
+
+/// Whatever the world calls its points: the estimate is the same, to the last bit. Without noise, which is
+/// drawn for one point after the other, by their names.
+TEST(TeamScenario, PointsWithoutNamesAreWhatTheyAreByTheirPlacesAlone) {
+  const Scratch scratch;
+  const std::string text =
+      "[run]\nworld = \"points\"\nsensor = \"camera\"\nduration_s = 4\n[vehicle]\nmodel = "
+      "\"free-camera\"\n[camera]\nkd1_per_px2 = 9e-6\n[team]\npositions_m = [[-1.5, 0, 1]]\n[points]\nfile = "
+      "\"points.csv\"\nknown = 3\n[plant]\nsigma_pixel_px = 0\n[steer]\nlaw = \"active\"\n[association]\n"
+      "method = \"nearest\"\n";
+  const auto run_with = [&](const std::vector<int>& ids) {
+    RandomStream random(3, "places");
+    std::string table = "id,x,y,z\n";
+    for (const int id : ids)
+      table +=
+          fmt::format("{},{},{},{}\n", id, random.uniform(1, 4), random.uniform(-3, 3), random.uniform(0, 2));
+    scratch.write("points.csv", table);
+    return run_nameless(load_scenario(scratch.write("s.toml", text).string(), {}));
+  };
+  const Nameless a = run_with({0, 1, 2, 3, 4, 5, 6, 7, 8, 9}),
+                 b = run_with({0, 1, 2, 70, 9, 33, 5, 12, 3, 4});
+  ASSERT_GT(a.ran.last.landmarks.size(), 6u);
+  ASSERT_EQ(a.ran.last.landmarks.size(), b.ran.last.landmarks.size());
+  for (std::size_t i = 0; i < a.way.size(); ++i) {
+    ASSERT_EQ(a.way[i].estimate.position, b.way[i].estimate.position) << i;
+    ASSERT_EQ(a.way[i].covariance, b.way[i].covariance) << i;
+  }
+  for (std::size_t i = 0; i < a.ran.last.landmarks.size(); ++i)
+    EXPECT_EQ(a.ran.last.landmarks[i].position, b.ran.last.landmarks[i].position);
+  EXPECT_EQ(a.right, b.right);
+  EXPECT_GT(a.right, 100);
+}
+
+/// On the plane points are far apart for how well they are seen.
+TEST(TeamScenario, MatchesWhatItSeesOnThePlane) {
+  const std::string two = "team.positions_m=[[-2, 0, 0], [2, -6, 0]]";
+  for (const char* seed : {"run.seed=1", "run.seed=2", "run.seed=3"}) {
+    const std::vector<std::string> sets = {nameless[0], seed, two, "path.offsets_m=[[0, 0, 0], [4, -6, 0]]"};
+    const Nameless n = run_nameless(load(drive, sets));
+    EXPECT_GT(n.right, 500);
+    EXPECT_LT(n.wrong, n.right / 100);
+    EXPECT_LT(n.missed, n.right / 10);
+    EXPECT_LE(n.born_again, 1);
+    EXPECT_EQ(n.ran.last.status.state, TrackingState::tracking);
+  }
+}
+
+/// Of the camera's pose, per degree of freedom, over a run.
+double mean_nees(const std::vector<SnapshotVehicle>& way) {
+  double sum = 0;
+  int count = 0;
+  for (const SnapshotVehicle& v : way)
+    if (const auto nees = pose_nees(pose_error(*v.truth, v.estimate), v.covariance)) sum += *nees, ++count;
+  return sum / count;
+}
+
+/// Section 6.3.1, from a start that is known to 0.6 m and 45 degrees.
+TEST(TeamScenario, AFreeCameraFindsWhatItSeesAndIsAsSureOfItselfAsByNames) {
+  const std::vector<std::string> seeds = {"run.seed=1", "run.seed=2", "run.seed=6"};
+  std::int64_t right = 0, wrong = 0, missed = 0;
+  int born_again = 0;
+  double by_places = 0, by_names = 0;
+  for (const std::string& seed : seeds) {
+    const std::vector<std::string> sets = {seed, "run.duration_s=7"};
+    const Nameless n = run_nameless(load_scenario(
+        "free-camera", std::vector<std::string>{sets[0], sets[1], "association.method=nearest"}));
+    right += n.right, wrong += n.wrong, missed += n.missed, born_again += n.born_again;
+    by_places += mean_nees(n.way) / static_cast<double>(seeds.size());
+    TeamAssembly told = assemble_team(
+        load_scenario("free-camera", std::vector<std::string>{sets[0], sets[1], "association.method=known"}));
+    EXPECT_EQ(told.sightings, nullptr);
+    std::vector<SnapshotVehicle> way;
+    run_loop(told.boxes, std::function<void(const Snapshot&)>([&](const Snapshot& s) {
+               way.push_back(s.vehicles.front());
+             }),
+             std::function<bool(const Tick&)>([](const Tick&) { return true; }));
+    by_names += mean_nees(way) / static_cast<double>(seeds.size());
+  }
+  RecordProperty("right", std::to_string(right)), RecordProperty("wrong", std::to_string(wrong));
+  RecordProperty("missed", std::to_string(missed)), RecordProperty("born_again", std::to_string(born_again));
+  EXPECT_GT(right, 4000);
+  EXPECT_LT(static_cast<double>(wrong), 0.02 * static_cast<double>(right));
+  EXPECT_LT(static_cast<double>(missed), 0.02 * static_cast<double>(right));
+  EXPECT_LE(born_again, 3);
+  EXPECT_LT(by_places, 1.3 * by_names);
 }
 
 TEST(TeamScenario, SettingsOfTeamsMeanNothingToOthers) {

@@ -27,7 +27,7 @@ incognita_test(car_park_test SOURCES app/car_park_test.cpp USES incognita::app i
 incognita_test(observability_watch_test SOURCES app/observability_watch_test.cpp USES incognita::app)
 incognita_test(team_test SOURCES app/team_test.cpp USES incognita::control incognita::world)
 incognita_test(team_recording_test SOURCES app/team_recording_test.cpp USES incognita::app)
-incognita_test(team_scenario_test SOURCES app/team_scenario_test.cpp USES incognita::app)
+incognita_test(team_scenario_test SOURCES app/team_scenario_test.cpp USES incognita::app fmt::fmt)
 incognita_program_test(program_team_test SOURCES app/program_team_test.cpp)
 # Apart, as it alone kills what it starts
 incognita_program_test(program_campaign_test SOURCES app/program_campaign_test.cpp)

@@ -207,6 +207,33 @@ TEST(TeamWorld, MovesEachAsCommandedAndTellsWhatWasDone) {
   EXPECT_NEAR((after->camera.head<2>() - after->vehicles[0].head<2>()).norm(), 0, 1e-12) << "of the first";
 }
 
+TEST(TeamSensor, TellsNothingOfWhatItCannotName) {
+  const SimulatedVehicle v = vehicle(DifferentialDrive{}, LaserScanner{}, vec({0, 0, 0.3}));
+  const auto look = [&](const PointPlace& place) {
+    TeamWorld world({v}, 1);
+    TeamSensor sensor({v}, place, false, 1, std::set<std::int64_t>{12, 13, 40});
+    const Tick tick{0, 0, 0};
+    const Observation seen = sensor.look(world.move({}, tick), tick);
+    return std::pair(seen.team[0].landmarks, sensor.truth()->at(0));
+  };
+  const PointPlace place = ring(8, 5);  // 10 to 17
+  const auto [seen, truth] = look(place);
+  ASSERT_EQ(seen.size(), 8u);
+  ASSERT_EQ(truth.size(), 8u);
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    EXPECT_EQ(seen[i].identity, i < 2 ? truth[i] : Detection::unknown);
+    EXPECT_EQ(seen[i].z, seen_by(v, {{truth[i], place.at(truth[i])}}).front().z) << "so it is of that one";
+  }
+  PointPlace renamed = place;
+  std::swap(renamed[10], renamed[17]), std::swap(renamed[11], renamed[15]);
+  const auto [again, other_truth] = look(renamed);
+  EXPECT_NE(truth, other_truth);
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    EXPECT_EQ(seen[i].identity, again[i].identity);
+    EXPECT_EQ(seen[i].z, again[i].z);
+  }
+}
+
 /// All that a team sees in a while, disturbed.
 std::vector<double> told(std::uint64_t seed, int vehicles) {
   std::vector<SimulatedVehicle> team;

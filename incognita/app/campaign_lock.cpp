@@ -1,0 +1,125 @@
+#include "incognita/app/campaign_lock.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <system_error>
+
+#include "incognita/app/campaign_plan.hpp"
+#include "incognita/app/say.hpp"
+#include "incognita/messages/errors.hpp"
+#include "incognita/record/folders.hpp"
+#include "incognita/record/row_file.hpp"
+
+namespace incognita {
+namespace fs = std::filesystem;
+namespace {
+
+// Locks are on bytes of the file, none of which need be there. A campaign that is alone has them all. A share
+// has the byte of its number for itself and, together with the others of its plan, the byte that stands for
+// the plan; then it looks whether anyone has another plan's.
+constexpr off_t plans = off_t{1} << 40, plans_end = plans << 1;
+constexpr off_t everything = 0;  // as a length
+
+struct flock bytes(short kind, off_t from, off_t length) {
+  struct flock lock = {};
+  lock.l_type = kind;
+  lock.l_whence = SEEK_SET;
+  lock.l_start = from;
+  lock.l_len = length;
+  return lock;
+}
+
+/// 0, or why not.
+int take(int descriptor, short kind, off_t from, off_t length) {
+  struct flock lock = bytes(kind, from, length);
+  return ::fcntl(descriptor, F_SETLK, &lock) == 0 ? 0 : errno;
+}
+
+bool others_have(int descriptor, off_t from, off_t end) {
+  struct flock lock = bytes(F_WRLCK, from, end - from);
+  return from < end && ::fcntl(descriptor, F_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
+}
+
+bool is_held_by_another(int error) { return error == EAGAIN || error == EACCES; }
+
+std::string busy(const fs::path& folder, const std::string& who) {
+  return fmt::format("--out {}: {} is at work in it; wait for its end, or choose another folder with --out",
+                     folder.string(), who);
+}
+
+off_t byte_of(const std::string& plan_digest, std::size_t shards) {
+  constexpr std::size_t digits = 9;  // of 4 bits: fewer than there are bytes for plans
+  return plans +
+         std::stoll(digest_of(fmt::format("{}/{}", plan_digest, shards)).substr(0, digits), nullptr, 16);
+}
+
+/// 0, or why there can be no locks. Throws InputError when others are in the way.
+int lock_for(int descriptor, const fs::path& folder, const std::string& plan_digest,
+             const std::optional<Shard>& shard) {
+  const auto tried = [](int error, const std::string& refusal) {
+    if (is_held_by_another(error)) throw InputError(refusal);
+    return error;
+  };
+  const std::string another = busy(folder, "another campaign");
+  if (!shard) return tried(take(descriptor, F_WRLCK, 0, everything), another);
+  const off_t plan = byte_of(plan_digest, shard->of);
+  if (const int error = tried(take(descriptor, F_RDLCK, plan, 1), another)) return error;
+  if (others_have(descriptor, plans, plan) || others_have(descriptor, plan + 1, plans_end))
+    throw InputError(busy(folder, "another campaign, or another number of shards of this one,"));
+  return tried(take(descriptor, F_WRLCK, static_cast<off_t>(shard->which), 1),
+               busy(folder, fmt::format("another process with --shard {}/{}", shard->which + 1, shard->of)));
+}
+
+/// Whether the file is still the one of that name, and not one that its last owner has removed.
+bool is_current(int descriptor, const fs::path& file) {
+  struct stat here = {}, there = {};
+  return ::fstat(descriptor, &here) == 0 && ::stat(file.c_str(), &there) == 0 && here.st_ino == there.st_ino;
+}
+
+int opened(const fs::path& file) {
+  const int descriptor = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  if (descriptor < 0)
+    throw InputError(fmt::format("--out {}: {}", file.parent_path().string(), write_failure(file, errno)));
+  return descriptor;
+}
+
+void make(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error)
+    throw InputError(fmt::format("--out {}: {}", folder.string(), write_failure(folder, error.value())));
+}
+
+}  // namespace
+
+CampaignLock::CampaignLock(const fs::path& folder, const std::string& plan_digest,
+                           const std::optional<Shard>& shard)
+    : file_(folder / ".lock"), made_(missing_folders(folder)) {
+  try {
+    do {
+      make(folder);
+      if (descriptor_ >= 0) ::close(descriptor_);
+      descriptor_ = opened(file_);
+      if (const int error = lock_for(descriptor_, folder, plan_digest, shard))
+        say("{} cannot be locked ({}): that no other campaign works there is yours to see to\n",
+            folder.string(), std::generic_category().message(error));
+    } while (!is_current(descriptor_, file_));
+  } catch (...) {
+    if (descriptor_ >= 0) ::close(descriptor_);
+    remove_empty(made_);
+    throw;
+  }
+}
+
+CampaignLock::~CampaignLock() {
+  if (take(descriptor_, F_WRLCK, 0, everything) == 0 && is_current(descriptor_, file_))
+    ::unlink(file_.c_str());
+  ::close(descriptor_);
+  remove_empty(made_);
+}
+
+}  // namespace incognita

@@ -1,0 +1,212 @@
+// Sightings without names: nearest neighbours find out what they are of, from nothing but where they are
+// seen.
+#include "incognita/slam/team_association.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "incognita/math/gaussian.hpp"
+#include "incognita/math/random.hpp"
+#include "incognita/models/range_bearing.hpp"
+#include "incognita/slam/team_estimator.hpp"
+
+namespace incognita::testing {
+namespace {
+
+constexpr double sigma_range_m = 0.05, sigma_bearing_rad = 0.01;
+
+/// Vehicles that drive among points. The first two points are anchors.
+struct Drive {
+  TeamSettings settings;
+  std::vector<planar::Pose<double>> truth;
+  std::vector<Eigen::Vector2d> points;
+  RandomStream random{11, "sightings"};
+  std::int64_t frame = 0;
+
+  explicit Drive(int vehicles = 1, const std::string& method = "nearest") {
+    for (int i = 0; i < vehicles; ++i) {
+      truth.emplace_back(0, 2.0 * i, 0);
+      settings.members.push_back({DifferentialDrive{}, LaserScanner{}, truth.back(),
+                                  Eigen::Vector3d::Constant(0.01), Eigen::Vector2d::Constant(0.05),
+                                  Eigen::Vector2d(sigma_range_m, sigma_bearing_rad)});
+    }
+    for (int i = 0; i < 12; ++i) points.emplace_back(4 + 2.0 * (i / 2), i % 2 ? -3 : 5);
+    for (int i : {0, 1}) settings.anchors[i] = points[static_cast<std::size_t>(i)];
+    settings.association.method = method;
+  }
+
+  /// Views with the true names.
+  Observation next() {
+    Observation seen;
+    for (planar::Pose<double>& x : truth) {
+      VehicleView view;
+      view.input = Eigen::Vector2d(0.5, 0.02);
+      const Eigen::Vector2d carried(0.5 + 0.05 * random.normal(), 0.02 + 0.05 * random.normal());
+      if (frame > 0) x = DifferentialDrive{}.f<double>(x, carried, 0.1);
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        Eigen::Vector2d z = RangeBearing::h<double>(x, points[i]);
+        z += Eigen::Vector2d(sigma_range_m * random.normal(), sigma_bearing_rad * random.normal());
+        view.landmarks.push_back({static_cast<std::int64_t>(i), z});
+      }
+      seen.team.push_back(view);
+    }
+    return seen;
+  }
+  Tick tick() {
+    const double t = 0.1 * static_cast<double>(frame);
+    return {frame, t, frame++ > 0 ? 0.1 : 0.0};
+  }
+};
+
+/// Runs 60 ticks; `disguise` may change what the estimator is given.
+template <class Disguise>
+TeamEstimate estimate_of(Drive drive, const Disguise& disguise) {
+  const TeamEstimator estimator(drive.settings);
+  TeamEstimate e;
+  for (int i = 0; i < 60; ++i) {
+    Observation seen = drive.next();
+    disguise(seen);
+    estimator.update(e, {}, seen, drive.tick());
+  }
+  return e;
+}
+
+void expect_same(const TeamEstimate& a, const TeamEstimate& b) {
+  ASSERT_EQ(a.belief.errors(), b.belief.errors());
+  ASSERT_EQ(a.landmarks.size(), b.landmarks.size());
+  EXPECT_EQ(a.belief.dense_covariance(), b.belief.dense_covariance());
+  for (const auto& [number, landmark] : a.landmarks) {
+    ASSERT_EQ(b.landmarks.count(number), 1u);
+    EXPECT_EQ(Eigen::VectorXd(a.belief.mean(landmark.block)),
+              Eigen::VectorXd(b.belief.mean(b.landmarks.at(number).block)));
+  }
+  for (std::size_t i = 0; i < a.vehicles.size(); ++i) {
+    EXPECT_EQ(a.vehicles[i].pose.position, b.vehicles[i].pose.position);
+  }
+}
+
+void nothing(Observation&) {}
+
+TEST(TeamAssociation, FindsWhatNamesWouldHaveTold) {
+  const TeamEstimate told = estimate_of(Drive(1, "known"), nothing);
+  const TeamEstimate found = estimate_of(Drive(), nothing);
+  ASSERT_EQ(found.landmarks.size(), 10u);
+  ASSERT_EQ(told.landmarks.size(), 10u);
+  std::size_t used = 0;
+  for (const auto& [number, landmark] : found.landmarks) {
+    double nearest_m = 1e9;
+    for (const auto& [identity, other] : told.landmarks)
+      nearest_m =
+          std::min(nearest_m, (found.belief.mean(landmark.block) - told.belief.mean(other.block)).norm());
+    EXPECT_LT(nearest_m, 0.05);
+    used += static_cast<std::size_t>(landmark.sightings);
+  }
+  // Of 590 sightings that are no births a gate of 0.95 leaves out one in twenty
+  EXPECT_GT(used, 10 * 60 * 0.91);
+  EXPECT_LT(used, 10 * 60 * 0.99);
+}
+
+TEST(TeamAssociation, ReadsNoNameButAnAnchors) {
+  std::mt19937 random(3);
+  const TeamEstimate plain = estimate_of(Drive(2), nothing);
+  EXPECT_EQ(plain.landmarks.size(), 10u);
+  expect_same(plain, estimate_of(Drive(2), [&](Observation& seen) {  // other names in every tick
+                for (VehicleView& view : seen.team) {
+                  std::vector<std::int64_t> names = {2, 3, 4, 5, 6, 7, 8, 9, 10, 11};
+                  std::shuffle(names.begin(), names.end(), random);
+                  for (std::size_t i = 2; i < view.landmarks.size(); ++i)
+                    view.landmarks[i].identity = names[i - 2];
+                }
+              }));
+  expect_same(plain, estimate_of(Drive(2), [](Observation& seen) {
+                for (VehicleView& view : seen.team)
+                  for (std::size_t i = 2; i < view.landmarks.size(); ++i)
+                    view.landmarks[i].identity = Detection::unknown;
+              }));
+}
+
+TEST(TeamAssociation, DoesNotDependOnTheOrderOfSightings) {
+  std::mt19937 random(5);
+  expect_same(estimate_of(Drive(2), nothing), estimate_of(Drive(2), [&](Observation& seen) {
+                for (VehicleView& view : seen.team)
+                  std::shuffle(view.landmarks.begin(), view.landmarks.end(), random);
+              }));
+}
+
+TEST(TeamAssociation, ByNamesWhatHasNoneIsLeftAlone) {
+  const TeamEstimate e = estimate_of(Drive(1, "known"), [](Observation& seen) {
+    for (Sighting& s : seen.team[0].landmarks)
+      if (s.identity > 5) s.identity = Detection::unknown;
+  });
+  EXPECT_EQ(e.landmarks.size(), 4u);
+}
+
+/// A vehicle and one landmark that it has seen once, straight ahead.
+struct OneLandmark {
+  Drive drive;
+  TeamEstimate e;
+
+  OneLandmark() {
+    drive.settings.anchors.clear();
+    VehicleView view;
+    view.input = Eigen::Vector2d(0, 0);
+    view.landmarks.push_back({Detection::unknown, Eigen::Vector2d(5, 0)});
+    Observation seen;
+    seen.team.push_back(view);
+    TeamEstimator(drive.settings).update(e, {}, seen, drive.tick());
+  }
+  std::int64_t number() const { return e.landmarks.begin()->first; }
+
+  /// So many sigmas of its innovation farther than expected: of the range, whose variance is the landmark's
+  /// own, as it was born, and that of the new look; where the vehicle is drops out.
+  Sighting farther(double sigmas) const {
+    return {Detection::unknown, Eigen::Vector2d(5 + sigmas * std::sqrt(2.0) * sigma_range_m, 0)};
+  }
+  ViewAssociation associated(const std::vector<Sighting>& sightings) const {
+    return associate_view(e, 0, sightings, drive.settings);
+  }
+};
+
+TEST(TeamAssociation, HasAGateForMatchesAndAWiderOneForBirths) {
+  const OneLandmark one;
+  ASSERT_EQ(one.e.landmarks.size(), 1u);
+  const double gate = std::sqrt(chi_square_quantile(0.95, 2)),
+               wide = std::sqrt(chi_square_quantile(0.9999, 2));
+  const auto taken = [&](double sigmas) {
+    const ViewAssociation a = one.associated({one.farther(sigmas)});
+    return a.landmarks[0] == one.number() ? "match" : a.newcomers.empty() ? "alone" : "birth";
+  };
+  EXPECT_STREQ(taken(0), "match");
+  EXPECT_STREQ(taken(0.99 * gate), "match");
+  EXPECT_STREQ(taken(1.01 * gate), "alone");
+  EXPECT_STREQ(taken(-0.99 * wide), "alone");
+  EXPECT_STREQ(taken(-1.01 * wide), "birth");
+}
+
+TEST(TeamAssociation, GivesEachLandmarkToTheNearestAndToNoOther) {
+  const OneLandmark one;
+  const ViewAssociation a = one.associated({one.farther(1.5), one.farther(-0.5), one.farther(9)});
+  EXPECT_EQ(a.landmarks, (std::vector<std::int64_t>{Detection::unknown, one.number(), Detection::unknown}));
+  EXPECT_EQ(a.newcomers, std::vector<std::size_t>{2});
+}
+
+TEST(TeamAssociation, NumbersAreNeverAnAnchorsNorGivenTwice) {
+  const TeamEstimate e = estimate_of(Drive(), nothing);
+  std::int64_t least = 1000;
+  for (const auto& [number, landmark] : e.landmarks) least = std::min(least, number);
+  EXPECT_EQ(least, 2) << "anchors are 0 and 1";
+  EXPECT_EQ(e.next_number, 12);
+}
+
+TEST(TeamAssociation, GatesMustFitEachOther) {
+  Drive drive;
+  drive.settings.association.birth_probability = 0.9;
+  EXPECT_NE(fault_in(drive.settings), "");
+  drive.settings.association = {"joint", 0.95, 0.9999};
+  EXPECT_NE(fault_in(drive.settings), "");
+}
+
+}  // namespace
+}  // namespace incognita::testing

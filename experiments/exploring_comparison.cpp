@@ -35,6 +35,14 @@ double share_backwards(const Run& run) {
   return all > 0 ? back / all : std::nan("");
 }
 
+std::ptrdiff_t lost_of(const Runs& runs) {
+  return std::count_if(runs.begin(), runs.end(), [](const Run& r) { return r.lost; });
+}
+
+double typically_off_m(const Runs& runs) {
+  return median_of_known(each(runs, [](const Run& r) { return r.position_rms_m; }));
+}
+
 }  // namespace
 
 Runs runs_of(const std::string& scenario, const Strategy& strategy, const ExperimentSettings& settings) {
@@ -56,30 +64,27 @@ double median_of_known(std::vector<double> numbers) {
 }
 
 std::string in_numbers(const std::string& name, const Runs& runs) {
-  const auto lost = std::count_if(runs.begin(), runs.end(), [](const Run& r) { return r.lost; });
   return fmt::format(
       "{}: entropy {}, off {:.3f} m (median), NEES {:.2f} (median), {:.1f} located, {:.0f} % seen, 14th "
       "after {:.1f} s (median), "
       "{} lost",
-      name, text(bootstrap_mean(each(runs, final_entropy))),
-      median_of_known(each(runs, [](const Run& r) { return r.position_rms_m; })),
+      name, text(bootstrap_mean(each(runs, final_entropy))), typically_off_m(runs),
       median_of_known(each(runs, [](const Run& r) { return r.nees; })),
       mean_of(each(runs, [](const Run& r) { return static_cast<double>(r.located_t_s.size()); })).value,
       100 * mean_of(each(runs, [](const Run& r) { return r.coverage; })).value,
       median_of_known(each(runs, [](const Run& r) { return r.located_at_s(14).value_or(std::nan("")); })),
-      lost);
+      lost_of(runs));
 }
 
-Across across_the_line_of_sight(const Runs& runs) {
+double share_across(const Run& run) {
   double across = 0, along = 0;
-  for (const Run& run : runs)
-    for (const Decision& d : run.decisions) {
-      if (d.action == "go_forward" || d.action == "go_backwards")
-        ++along;
-      else if (d.action != "stay")
-        ++across;
-    }
-  return {across / (across + along), across + along};
+  for (const Decision& d : run.decisions) {
+    if (d.action == "go_forward" || d.action == "go_backwards")
+      ++along;
+    else if (d.action != "stay")
+      ++across;
+  }
+  return across / (across + along);
 }
 
 Claim backs_away(const std::string& id, const std::string& place, const std::string& printed,
@@ -114,15 +119,20 @@ Claim beats(const std::string& id, const std::string& place, const std::string& 
   const std::vector<double> differences = less(each(ours, final_entropy), each(theirs, final_entropy));
   const Interval gap = bootstrap_mean(differences, judged_at);
   const auto better = std::count_if(differences.begin(), differences.end(), [](double d) { return d < 0; });
-  Claim claim{id,
-              place,
-              statement,
-              "",
-              fmt::format("entropy less that of {}: {} nats (99.9 %), lower in {} of {} rooms", what,
-                          text(gap), better, differences.size()),
-              Verdict::does_not_hold,
-              why,
-              static_cast<int>(differences.size())};
+  const std::size_t left_out = ours.size() - differences.size();
+  Claim claim{
+      id,
+      place,
+      statement,
+      "",
+      fmt::format("entropy less that of {}: {} nats (99.9 %), lower in {} of {} rooms{}; lost {} and {}, "
+                  "off {:.3f} and {:.3f} m (median)",
+                  what, text(gap), better, differences.size(),
+                  left_out > 0 ? fmt::format(", {} with nothing to compare", left_out) : "", lost_of(ours),
+                  lost_of(theirs), typically_off_m(ours), typically_off_m(theirs)),
+      Verdict::does_not_hold,
+      why,
+      static_cast<int>(differences.size())};
   return judged(claim, gap.high < 0);
 }
 

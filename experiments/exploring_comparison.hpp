@@ -44,21 +44,16 @@ inline double final_entropy(const Run& run) { return run.entropy_extended; }
 /// What became of one strategy, in words.
 std::string in_numbers(const std::string& name, const Runs& runs);
 
-/// Of the moves that were chosen those across the line of sight, up, down, left and right; two thirds of the
-/// six ways are.
-struct Across {
-  double share = 0, moves = 0;
-  /// Whether that is more than chance gives, judged as claims are.
-  bool beyond_chance() const { return share - 3.3 * std::sqrt(2.0 / 9 / moves) > 2.0 / 3; }
-};
-Across across_the_line_of_sight(const Runs& runs);
+/// Of the moves that a run chose the share across the line of sight, up, down, left and right: two thirds of
+/// the six ways are. Not a number where it only stayed.
+double share_across(const Run& run);
 
 /// That a vehicle goes more than half of its way backwards.
 Claim backs_away(const std::string& id, const std::string& place, const std::string& printed,
                  const Runs& runs, const std::string& why);
 
-/// That `ours` leave less entropy than `theirs`, by paired differences. `printed`: where it is said; `what`:
-/// theirs are.
+/// That `ours` leave less entropy than `theirs`, by paired differences; `what`: theirs are. Beside it how
+/// many of either are lost, how far they are off, and how many pairs had no entropy to compare.
 Claim beats(const std::string& id, const std::string& place, const std::string& statement,
             const std::string& what, const Runs& ours, const Runs& theirs, const std::string& why);
 

@@ -19,6 +19,8 @@ namespace {
 Decision decision_of(const Snapshot& s) {
   Decision d{s.tick.t, s.advice.chosen, s.advice.actions.at(static_cast<std::size_t>(s.advice.chosen)),
              s.advice.scores, s.advice.entropy_extended.value_or(std::nan(""))};
+  for (const SnapshotLandmark& l : s.landmarks)
+    if (!l.anchor) d.mapped.push_back(l.id);
   return d;
 }
 
@@ -30,7 +32,11 @@ class Gathered {
     run_.map = s.landmarks;
     run_.actions = s.advice.actions;
     run_.lost = s.status.state == TrackingState::lost;
-    if (s.advice.decided && s.advice.chosen >= 0) run_.decisions.push_back(decision_of(s));
+    returned_ += returned(s);
+    if (s.advice.decided && s.advice.chosen >= 0) {
+      run_.decisions.push_back(decision_of(s));
+      run_.decisions.back().returned = std::exchange(returned_, 0);
+    }
     if (s.truth && has_pose(s)) add_instant(s);
   }
 
@@ -48,7 +54,7 @@ class Gathered {
  private:
   void add_instant(const Snapshot& s) {
     Instant i{s.tick.t,  true_pose(s.tick, *s.truth), estimated_pose(s), pose_covariance(s),
-              s.entropy, mapped_landmarks(s),         returned(s)};
+              s.entropy, mapped_landmarks(s)};
     squares_ += (i.truth.position - i.estimate.position).squaredNorm();
     nees_ += pose_nees(pose_error(i.truth, i.estimate), i.covariance).value_or(std::nan(""));
     run_.instants.push_back(std::move(i));
@@ -68,6 +74,7 @@ class Gathered {
   Run run_;
   ExplorationSummary summary_;
   std::map<std::int64_t, double> matched_t_s_;  ///< when last, by landmark
+  int returned_ = 0;                            ///< since the last decision
   double squares_ = 0, nees_ = 0;
 };
 
@@ -93,6 +100,15 @@ std::optional<double> Run::entropy_when_located(int count) const {
     return i.t_s >= *t && std::isfinite(i.entropy.total);
   });
   return at == instants.end() ? std::nullopt : std::optional(at->entropy.total);
+}
+
+std::optional<double> Run::extended_when_located(int count) const {
+  const auto t = located_at_s(count);
+  if (!t) return std::nullopt;
+  const auto at = std::find_if(decisions.begin(), decisions.end(), [&](const Decision& d) {
+    return d.t_s >= *t && std::isfinite(d.entropy_extended);
+  });
+  return at == decisions.end() ? std::nullopt : std::optional(at->entropy_extended);
 }
 
 Run explore(const std::string& scenario, const Sets& sets, std::uint64_t seed) {

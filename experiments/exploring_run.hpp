@@ -20,7 +20,6 @@ struct Instant {
   PoseCovariance covariance;
   SnapshotEntropy entropy;
   int landmarks = 0;  ///< mapped, without anchors
-  int returned = 0;   ///< matched in this frame, and not for a while before it
 };
 
 struct Decision {
@@ -28,7 +27,9 @@ struct Decision {
   int chosen = 0;  ///< of Run::actions
   std::string action;
   std::vector<double> scores;
-  double entropy_extended = 0;  ///< nats
+  double entropy_extended = 0;            ///< nats
+  std::vector<std::int64_t> mapped = {};  ///< ids of the map
+  int returned = 0;                       ///< landmarks that came back since the decision before
 };
 
 struct Run {
@@ -45,6 +46,8 @@ struct Run {
   /// so many.
   std::optional<double> located_at_s(int count) const;
   std::optional<double> entropy_when_located(int count) const;
+  /// Of those and what is not mapped, at the first decision from then on.
+  std::optional<double> extended_when_located(int count) const;
 };
 
 /// Landmarks that were not matched for so long have been away; matching them again closes a loop.

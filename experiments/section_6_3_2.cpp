@@ -29,22 +29,17 @@ const std::vector<Strategy>& hands() {
   return all;
 }
 
-/// Of seconds in which the map stayed the same landmarks: how much its entropy and the camera's fell, in the
-/// mean, where landmarks came back less where none did. Not a number where one of the two never was.
+/// Of seconds in which the map stayed the same landmarks: how much more the entropy fell, in the mean, where
+/// landmarks came back than where none did; of camera, map and what is not mapped, whose dimension stays. Not
+/// a number where one of the two never was.
 double fall_by_returning(const Run& run) {
   double fallen[2] = {0, 0}, count[2] = {0, 0};
-  std::size_t from = 0;
-  int returned = 0;
-  for (std::size_t i = 0; i < run.instants.size(); ++i) {
-    const Instant &first = run.instants[from], &last = run.instants[i];
-    returned += last.returned;
-    if (last.entropy.total == first.entropy.total) continue;  // worked out once a second
-    if (last.landmarks == first.landmarks && std::isfinite(first.entropy.total - last.entropy.total)) {
-      fallen[returned > 0] += first.entropy.total - last.entropy.total;
-      ++count[returned > 0];
-    }
-    from = i;
-    returned = 0;
+  for (std::size_t i = 1; i < run.decisions.size(); ++i) {
+    const exploring::Decision &before = run.decisions[i - 1], &now = run.decisions[i];
+    const double fall = before.entropy_extended - now.entropy_extended;
+    if (before.mapped != now.mapped || !std::isfinite(fall)) continue;
+    fallen[now.returned > 0] += fall;
+    ++count[now.returned > 0];
   }
   return fallen[1] / count[1] - fallen[0] / count[0];
 }

@@ -41,7 +41,8 @@ Interval mean_of(const std::vector<double>& samples, double confidence) {
 }
 
 Interval bootstrap_mean(const std::vector<double>& samples, double confidence) {
-  constexpr int resamples = 2000;
+  // Ten and more resamples beyond each end
+  const int resamples = std::max(2000, static_cast<int>(std::lround(20 / (1 - confidence))));
   constexpr std::size_t fewest = 5;  // of fewer the resamples say nothing of the spread
   if (samples.size() < fewest) return {mean(samples), -inf, inf};
   RandomStream random(1, "bootstrap");
@@ -53,8 +54,8 @@ Interval bootstrap_mean(const std::vector<double>& samples, double confidence) {
     means.push_back(sum / static_cast<double>(samples.size()));
   }
   std::sort(means.begin(), means.end());
-  const auto at = [&](double share) { return means[static_cast<std::size_t>(share * (resamples - 1))]; };
-  return {mean(samples), at((1 - confidence) / 2), at((1 + confidence) / 2)};
+  const auto beyond = static_cast<std::size_t>((1 - confidence) / 2 * (resamples - 1));  // at each end
+  return {mean(samples), means[beyond], means[means.size() - 1 - beyond]};
 }
 
 Interval rms_of(const std::vector<double>& samples, double confidence) {

@@ -19,8 +19,8 @@ struct Interval {
 /// Mean of independent samples, by Student's t. Everything from -inf to inf for a single one.
 Interval mean_of(const std::vector<double>& samples, double confidence = usual_confidence);
 
-/// Mean of independent samples of any distribution, by bootstrap (percentiles of 2000 resamples, always the
-/// same). From -inf to inf for fewer than five.
+/// Mean of independent samples of any distribution, by bootstrap (percentiles of 2000 resamples or more,
+/// always the same). From -inf to inf for fewer than five.
 Interval bootstrap_mean(const std::vector<double>& samples, double confidence = usual_confidence);
 
 /// Root mean square of independent samples, by chi-square for normal ones about 0.

@@ -44,15 +44,22 @@ Place rendered_place(const LoadedScenario& loaded, const Camera& camera,
           std::make_unique<RoomCamera>(room, camera, scenario.room, seed)};
 }
 
-/// What the boxes themselves refuse, as a room too small for its boxes.
-Place place_of(const LoadedScenario& loaded, const Camera& camera, const std::optional<Target>& target,
-               std::vector<std::string>& notes) {
-  try {
-    return loaded.scenario.run.world == "recording" ? recorded_place(loaded, camera, notes)
-                                                    : rendered_place(loaded, camera, target);
-  } catch (const std::invalid_argument& error) {
-    throw InputError(shown(loaded.file) + ": " + error.what());
-  }
+Assembly assembled(const LoadedScenario& loaded) {
+  const Scenario& scenario = loaded.scenario;
+  const auto seed = static_cast<std::uint64_t>(scenario.run.seed);
+  const Camera camera = make_camera(scenario.camera);
+  std::optional<Target> target;
+  if (scenario.start.from == "target") target = load_target(loaded);
+  const bool scale_is_known = target.has_value();
+  std::vector<std::string> notes;
+  Place place = scenario.run.world == "recording" ? recorded_place(loaded, camera, notes)
+                                                  : rendered_place(loaded, camera, target);
+  return {{std::move(place.clock), std::move(place.world), std::move(place.sensor),
+           CameraEstimator(camera, std::move(target), scenario.slam, scenario.start.max_search_s, seed),
+           CameraDecision(camera, scenario.slam, scenario.decision, scenario.exploration, seed),
+           CameraController(scenario.control, scenario.person, seed)},
+          scale_is_known,
+          std::move(notes)};
 }
 
 }  // namespace
@@ -74,22 +81,11 @@ void check_sheet(const LoadedScenario& loaded, const Target& target, const Sheet
 }
 
 Assembly assemble(const LoadedScenario& loaded) {
-  const Scenario& scenario = loaded.scenario;
-  const Camera camera = make_camera(scenario.camera);
-  std::optional<Target> target;
-  if (scenario.start.from == "target") target = load_target(loaded);
-  const bool scale_is_known = target.has_value();
-  std::vector<std::string> notes;
-  Place place = place_of(loaded, camera, target, notes);
-  return {
-      {std::move(place.clock), std::move(place.world), std::move(place.sensor),
-       CameraEstimator(camera, std::move(target), scenario.slam, scenario.start.max_search_s,
-                       static_cast<std::uint64_t>(scenario.run.seed)),
-       CameraDecision(camera, scenario.slam, scenario.decision, scenario.exploration,
-                      static_cast<std::uint64_t>(scenario.run.seed)),
-       CameraController(scenario.control, scenario.person, static_cast<std::uint64_t>(scenario.run.seed))},
-      scale_is_known,
-      std::move(notes)};
+  try {
+    return assembled(loaded);
+  } catch (const std::invalid_argument& error) {  // as a room too small for its boxes
+    throw InputError(shown(loaded.file) + ": " + error.what());
+  }
 }
 
 }  // namespace incognita

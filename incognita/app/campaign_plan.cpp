@@ -86,8 +86,8 @@ void describe(Variant& variant, LoadedScenario loaded, const std::vector<Varied>
     const std::string written = setting.written();
     const bool follows = loaded.sources.at(setting.key).starts_with("as ");
     if (setting.key != "run.seed" && !follows) variant.settings[setting.key] = written;
-    const bool names_file =
-        setting.key == "start.target" || setting.key == "points.file" || setting.key == "path.file";
+    const bool names_file = setting.key == "start.target" || setting.key == "points.file" ||
+                            setting.key == "path.file" || setting.key == "terrain.file";
     const std::string* file = names_file ? *std::get_if<std::string*>(&setting.field) : nullptr;
     if (file && !file->empty())
       variant.files[setting.key] =

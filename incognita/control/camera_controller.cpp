@@ -24,7 +24,10 @@ Command CameraController::act(const Estimate& estimate, const Goal& goal, const 
   if (!estimate.started) return {};
   if (estimate.status.state == TrackingState::lost) {
     if (lost_t_ < 0) lost_t_ = tick.t;
-    return brake(tick);
+    if (person_) person_->forget();
+    Command command = brake(tick);
+    command.by_hand = person_.has_value();
+    return command;
   }
   lost_t_ = -1;
   last_known_ = estimate.camera_state();

@@ -37,6 +37,11 @@ Eigen::Vector3d Person::understood(const Eigen::Vector3d& way) {
   return far * ways_beside(way)[wrong ? static_cast<std::size_t>(other) : 0];
 }
 
+void Person::forget() {
+  seen_.clear();
+  started_ = false;
+}
+
 const Way& Person::obey(const Way& shown, bool is_new, const Eigen::Vector3d& at, double t) {
   if (!started_) doing_ = {at, at, t, t};
   started_ = true;

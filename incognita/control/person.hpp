@@ -28,6 +28,9 @@ class Person {
   /// later takes the place of what is still being done.
   const Way& obey(const Way& shown, bool is_new, const Eigen::Vector3d& at, double t);
 
+  /// What was shown and not begun, and what was being done: the screen went dark.
+  void forget();
+
  private:
   Eigen::Vector3d understood(const Eigen::Vector3d& way);
 

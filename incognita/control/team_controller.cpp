@@ -49,7 +49,9 @@ void TeamController::turn_to(const Goal& goal) {
 Command TeamController::brake(const Tick& tick) {
   constexpr double braking_s = 0.5;
   if (!lost_t_) lost_t_ = tick.t;
+  for (Person& person : persons_) person.forget();
   Command command;
+  command.by_hand = !persons_.empty();
   if (tick.t - *lost_t_ >= braking_s || last_known_.size() != vehicles_.size()) return command;
   for (std::size_t i = 0; i < vehicles_.size(); ++i) {
     const SmallVector& most = vehicles_[i].settings.most_input;

@@ -24,27 +24,32 @@ std::vector<int> read_sequence(const std::string& text, const std::vector<std::s
   for (std::string word; words >> word;) {
     const auto at = std::find(names.begin(), names.end(), word);
     if (at == names.end())
-      throw std::invalid_argument("`" + word + "` is none of the actions; the nearest is `" +
-                                  nearest_name(word, names) + "`");
+      throw std::invalid_argument("decision.sequence: `" + word +
+                                  "` is none of the actions; the nearest is `" + nearest_name(word, names) +
+                                  "`");
     sequence.push_back(static_cast<int>(at - names.begin()));
   }
   return sequence;
 }
 
-LookAheadSettings look_ahead_of(const DecisionSettings& s) {
-  return {metric_of(s.metric), s.horizon, s.max_evaluations, 3};
+LookAheadSettings look_ahead_of(const DecisionSettings& s, int position_errors) {
+  return {metric_of(s.metric), s.horizon, s.max_evaluations, position_errors};
+}
+
+std::string stream_of(const std::string& name, std::size_t who) {
+  return who == 0 ? name : name + "." + std::to_string(who);
 }
 
 }  // namespace
 
 ActionChoice::ActionChoice(const DecisionSettings& settings, std::vector<std::string> names,
-                           std::uint64_t seed)
+                           std::uint64_t seed, int position_errors, std::size_t who)
     : settings_(settings),
       names_(std::move(names)),
       sequence_(read_sequence(settings.sequence, names_)),
-      look_ahead_(look_ahead_of(settings)),
-      random_(seed, "decision.random"),
-      order_stream_(seed, "decision.order"),
+      look_ahead_(look_ahead_of(settings, position_errors)),
+      random_(seed, stream_of("decision.random", who)),
+      order_stream_(seed, stream_of("decision.order", who)),
       scores_(names_.size(), 0),
       allowed_(names_.size(), false),
       order_(names_.size()) {

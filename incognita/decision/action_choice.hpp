@@ -14,9 +14,11 @@ namespace incognita {
 
 class ActionChoice {
  public:
-  /// `names`: of the actions, in the order of the moves. Throws std::invalid_argument where the settings can
-  /// not be, naming what is wrong.
-  ActionChoice(const DecisionSettings& settings, std::vector<std::string> names, std::uint64_t seed);
+  /// `names`: of the actions, in the order of the moves; `position_errors`: how many of the vehicle's first
+  /// errors are its position; `who`: which vehicle of its team, so that each draws its own. Throws
+  /// std::invalid_argument where the settings can not be, naming what is wrong.
+  ActionChoice(const DecisionSettings& settings, std::vector<std::string> names, std::uint64_t seed,
+               int position_errors = 3, std::size_t who = 0);
 
   /// Scores actions; once per period compares them. True when one was chosen in this tick.
   template <class Form>
@@ -26,7 +28,7 @@ class ActionChoice {
   /// After the estimate was lost, the next tick compares anew.
   void forget();
 
-  const std::vector<double>& scores() const { return scores_; }  ///< of this tick; 0 where nothing is scored
+  const std::vector<double>& scores() const { return scores_; }  ///< of the last comparison; 0 before it
   int chosen() const { return chosen_; }                         ///< -1 before the first choice
   double end_t() const { return end_t_; }                        ///< s, when the action in force ends
   const std::vector<std::string>& names() const { return names_; }

@@ -87,8 +87,8 @@ double Exploration::coverage() const {
   return 1 - static_cast<double>(unseen_cells_) / static_cast<double>(seen_s_.size());
 }
 
-double entropy_of_unmapped(int count, double variance_m2) {
-  return count * gaussian_entropy(3 * std::log(variance_m2), 3);
+double entropy_of_unmapped(int count, double variance_m2, int dimensions) {
+  return count * gaussian_entropy(dimensions * std::log(variance_m2), dimensions);
 }
 
 }  // namespace incognita

@@ -52,7 +52,7 @@ class Exploration {
 };
 
 /// Entropy in nats of landmarks that are not mapped: what a map of fixed dimension (Figure 6.3) has beside
-/// that of vehicle and map, so that runs with different maps can be compared.
-double entropy_of_unmapped(int count, double variance_m2);
+/// that of vehicle and map, so that runs with different maps can be compared. `dimensions`: of the place.
+double entropy_of_unmapped(int count, double variance_m2, int dimensions = 3);
 
 }  // namespace incognita

@@ -17,9 +17,11 @@ Eigen::Index rows_of(const std::vector<ToldError>& told) {
   return rows;
 }
 
-double with_unmapped(double entropy, int mapped, const ExplorationSettings& exploration) {
-  return entropy + entropy_of_unmapped(std::max(0, exploration.expected_landmarks - mapped),
-                                       exploration.variance_expected_m2);
+std::optional<double> with_unmapped(double entropy, int mapped, const ExplorationSettings& exploration,
+                                    int dimensions) {
+  const int unmapped = exploration.expected_landmarks - mapped;
+  if (unmapped < 0) return std::nullopt;
+  return entropy + entropy_of_unmapped(unmapped, exploration.variance_expected_m2, dimensions);
 }
 
 }  // namespace
@@ -41,7 +43,7 @@ double entropy_of(const Eigen::MatrixXd& P, const std::vector<ToldError>& told) 
   return gaussian_entropy(log_determinant(JPJ), static_cast<int>(size));
 }
 
-double extended_entropy(const Estimate& estimate, const ExplorationSettings& exploration) {
+std::optional<double> extended_entropy(const Estimate& estimate, const ExplorationSettings& exploration) {
   const Belief& belief = estimate.belief;
   const int camera = belief.chart(estimate.camera).tangent();
   std::vector<ToldError> told{{belief.offset(estimate.camera), BlockMatrix::Identity(camera, camera)}};
@@ -58,12 +60,13 @@ double extended_entropy(const Estimate& estimate, const ExplorationSettings& exp
     part.J = landmark.birth_axes.point(y).J;
   }
   const auto mapped = static_cast<int>(told.size()) - 1;
-  return with_unmapped(entropy_of(belief.dense_covariance(), told), mapped, exploration);
+  return with_unmapped(entropy_of(belief.dense_covariance(), told), mapped, exploration, 3);
 }
 
-double extended_entropy(const TeamEstimate& estimate, const ExplorationSettings& exploration) {
+std::optional<double> extended_entropy(const TeamEstimate& estimate, const ExplorationSettings& exploration) {
   const AnyBelief& belief = estimate.belief;
   std::vector<ToldError> told;
+  int dimensions = 3;  // of the place; all landmarks have the same
   for (const TeamVehicle& vehicle : estimate.vehicles) {
     const int errors = belief.chart(vehicle.block).tangent();
     told.push_back({belief.offset(vehicle.block), BlockMatrix::Identity(errors, errors)});
@@ -78,9 +81,10 @@ double extended_entropy(const TeamEstimate& estimate, const ExplorationSettings&
     const auto at = position_of(landmark.form, mean);
     if (!at) continue;
     told.push_back({belief.offset(landmark.block), at->J});
+    dimensions = static_cast<int>(at->J.rows());
     ++mapped;
   }
-  return with_unmapped(entropy_of(belief.dense_covariance(), told), mapped, exploration);
+  return with_unmapped(entropy_of(belief.dense_covariance(), told), mapped, exploration, dimensions);
 }
 
 }  // namespace incognita

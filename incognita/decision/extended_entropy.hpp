@@ -3,6 +3,7 @@
 // differ can be compared.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "incognita/decision/settings.hpp"
@@ -21,9 +22,10 @@ struct ToldError {
 /// positive definite. Cubic in what is told.
 double entropy_of(const Eigen::MatrixXd& P, const std::vector<ToldError>& told);
 
-/// Of camera, map and what is not mapped, in nats; landmarks are told as points.
-double extended_entropy(const Estimate& estimate, const ExplorationSettings& exploration);
+/// Of camera, map and what is not mapped, in nats; landmarks are told as points. None once more are mapped
+/// than were expected: its dimension would be another.
+std::optional<double> extended_entropy(const Estimate& estimate, const ExplorationSettings& exploration);
 /// Of all vehicles; landmarks in the dimensions of the place.
-double extended_entropy(const TeamEstimate& estimate, const ExplorationSettings& exploration);
+std::optional<double> extended_entropy(const TeamEstimate& estimate, const ExplorationSettings& exploration);
 
 }  // namespace incognita

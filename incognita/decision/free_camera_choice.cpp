@@ -17,14 +17,15 @@ bool compares_turns(const std::string& gaze) {
 }  // namespace
 
 FreeCameraChoice::FreeCameraChoice(const DecisionSettings& s, double sigma_acceleration_m_s2,
-                                   double sigma_angular_acceleration_rad_s2, std::uint64_t seed)
+                                   double sigma_angular_acceleration_rad_s2, std::uint64_t seed,
+                                   std::size_t who)
     : settings_(s),
       translations_(translations_of(s), s.period_s,
                     growth_over(s.period_s, sigma_acceleration_m_s2, sigma_angular_acceleration_rad_s2),
                     {s.min_bound_m, s.max_bound_m}),
       turns_(s.gaze_rate_rad_s, s.gaze_ahead_s,
              growth_over(s.gaze_ahead_s, sigma_acceleration_m_s2, sigma_angular_acceleration_rad_s2)),
-      choice_(s, names_of(translations_.actions()), seed),
+      choice_(s, names_of(translations_.actions()), seed, 3, who),
       gaze_({gaze_metric(s.gaze), 1, turns_.count(), 3}) {}
 
 void FreeCameraChoice::forget() {

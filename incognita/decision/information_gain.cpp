@@ -1,6 +1,7 @@
 #include "incognita/decision/information_gain.hpp"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -252,8 +253,17 @@ double InformationGain::of_vehicle() const {
     C.middleRows(s.rows_before, s.Hv.rows()) += s.Hv * (s.N_total * Phi.transpose());
     Phi = (Phi * s.A).eval();
   }
-  L_.topLeftCorner(rows_, rows_).triangularView<Eigen::Lower>().solveInPlace(C);
-  return 0.5 * (log_det(P) - log_det(P - C.transpose() * C));
+  // Measured against the vehicle's own sigmas; what is known exactly has nothing to learn, and is left out
+  const Eigen::VectorXd scale =
+      P.diagonal().cwiseSqrt().unaryExpr([](double s) { return s > 0 ? 1 / s : 0; });
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> own(scale.asDiagonal() * P * scale.asDiagonal());
+  constexpr double as_good_as_known = 1e-12;
+  const Eigen::VectorXd inverse =
+      own.eigenvalues().unaryExpr([](double x) { return x > as_good_as_known ? 1 / std::sqrt(x) : 0; });
+  const Eigen::MatrixXd white = C * scale.asDiagonal() * own.eigenvectors() * inverse.asDiagonal();
+  const Eigen::MatrixXd given = S_.topLeftCorner(rows_, rows_).selfadjointView<Eigen::Lower>();
+  return 0.5 * (2 * L_.topLeftCorner(rows_, rows_).diagonal().array().log().sum() -
+                log_det(given - white * white.transpose()));
 }
 
 /// Covariance of the vehicle at the end of the path, before any of its looks.
@@ -265,6 +275,9 @@ BlockMatrix InformationGain::vehicle_now() const {
 
 double InformationGain::of_position_and_map(int kept, const BlockMatrix& vehicle_given_map) const {
   if (steps_.size() > 1) throw std::logic_error("what position and map learn is worked out for one step");
+  if (kept < 1 || kept > vehicle_errors_)
+    throw std::invalid_argument("of the vehicle's " + std::to_string(vehicle_errors_) + " errors " +
+                                std::to_string(kept) + " can not be its position");
   if (steps_.empty() || rows_ == 0) return 0;
   const Step& step = steps_.front();
   const int rest = vehicle_errors_ - kept;

@@ -36,7 +36,7 @@ class InformationGain {
   /// I(X_p, M; Z): the vehicle's first `kept` errors at the end of the path, and the map (thesis 6.3.2), by
   /// the chain rule: what the rest would learn were those known is taken off. `vehicle_given_map`: covariance
   /// of the vehicle were the map known, see vehicle_given_map(). Of paths of one step: std::logic_error
-  /// otherwise.
+  /// otherwise; std::invalid_argument where the vehicle has not so many errors.
   double of_position_and_map(int kept, const BlockMatrix& vehicle_given_map) const;
 
   /// Sum over the looks of the last step of the trace of H' S_i^-1 H, thesis (6.8), with S_i the covariance

@@ -55,11 +55,7 @@ const std::vector<double>& LookAhead::scores(const Form& belief, BlockId vehicle
       walk(moves, expectation, state, node);
       for (int a = 0; a < actions; ++a) evaluate(moves, expectation, node, a, next_);
     }
-    for (const Node& node : level_) scores_[static_cast<std::size_t>(node.actions[0])] = 0;
-    for (const Node& node : next_) {
-      double& score = scores_[static_cast<std::size_t>(node.actions[0])];
-      score = std::max(score, node.score);
-    }
+    tell_best(actions);
   }
   return scores_;
 }
@@ -84,6 +80,17 @@ template double LookAhead::score_of(const Belief&, BlockId, const BlockVector&, 
                                     const Expectation&);
 template double LookAhead::score_of(const AnyBelief&, BlockId, const BlockVector&, int, const Moves&,
                                     const Expectation&);
+
+/// scores_ <- of each first action the best of next_; one that leads nowhere further keeps what it teaches
+/// until there.
+void LookAhead::tell_best(int actions) {
+  goes_on_.assign(static_cast<std::size_t>(actions), false);
+  for (const Node& node : next_) {
+    const auto first = static_cast<std::size_t>(node.actions[0]);
+    if (!goes_on_[first] || node.score > scores_[first]) scores_[first] = node.score;
+    goes_on_[first] = true;
+  }
+}
 
 /// `gain_` stands at `from`. What is not allowed is told where it is the first, and left out further on.
 void LookAhead::evaluate(const Moves& moves, const Expectation& expectation, const Node& from, int action,
@@ -140,7 +147,7 @@ int best_of(const std::vector<double>& scores, const std::vector<bool>& allowed,
   int best = -1;
   for (int a = 0; a < static_cast<int>(scores.size()); ++a) {
     const auto i = static_cast<std::size_t>(a);
-    if (!allowed[i]) continue;
+    if (!allowed[i] || !std::isfinite(scores[i])) continue;
     const bool better = best < 0 || scores[i] > scores[static_cast<std::size_t>(best)] ||
                         (a == stay && scores[i] == scores[static_cast<std::size_t>(best)]);
     if (better) best = a;

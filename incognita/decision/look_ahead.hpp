@@ -53,6 +53,7 @@ class LookAhead {
   };
   void evaluate(const Moves& moves, const Expectation& expectation, const Node& from, int action,
                 std::vector<Node>& into);
+  void tell_best(int actions);
   void keep_best(int actions, int levels_left);
   void walk(const Moves& moves, const Expectation& expectation, const BlockVector& state, const Node& to);
 
@@ -62,12 +63,12 @@ class LookAhead {
   BlockMatrix given_map_;
   std::vector<Node> level_, next_;
   std::vector<double> scores_;
-  std::vector<bool> allowed_;
+  std::vector<bool> allowed_, goes_on_;
   int evaluations_ = 0;
 };
 
-/// The best of what is allowed; of equals "stay", for nothing is gained by moving, then the first. "stay"
-/// where nothing is allowed.
+/// The best of what is allowed and a number; of equals "stay", for nothing is gained by moving, then the
+/// first. "stay" where nothing is allowed.
 int best_of(const std::vector<double>& scores, const std::vector<bool>& allowed, int stay);
 
 }  // namespace incognita

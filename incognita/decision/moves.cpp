@@ -85,13 +85,24 @@ Outcome Turns::after(const BlockVector& state, int action) const {
   return out;
 }
 
+namespace {
+
+/// How high a vehicle stands is up to the ground, and no action's choice.
+Bounds over_ground(Bounds bounds) {
+  bounds.min_m.z() = Bounds{}.min_m.z();
+  bounds.max_m.z() = Bounds{}.max_m.z();
+  return bounds;
+}
+
+}  // namespace
+
 SpeedChanges::SpeedChanges(std::vector<SpeedChange> actions, double period_s, const Growth& growth,
                            const Bounds& bounds, const Mount& mount, double max_speed_m_s,
                            double max_turn_rate_rad_s)
     : actions_(std::move(actions)),
       period_s_(period_s),
       growth_(growth),
-      bounds_(bounds),
+      bounds_(over_ground(bounds)),
       mount_(mount),
       max_speed_m_s_(max_speed_m_s),
       max_turn_rate_rad_s_(max_turn_rate_rad_s),

@@ -94,8 +94,8 @@ class Turns final : public Moves {
 /// (6.10), since it does not know the ground ahead.
 class SpeedChanges final : public Moves {
  public:
-  /// `growth`: over the period. `max_speed_m_s`, `max_turn_rate_rad_s`: what is faster is cut off.
-  /// Throws std::invalid_argument when none of the changes is (0, 0).
+  /// `growth`: over the period; `bounds`: along x and y. `max_speed_m_s`, `max_turn_rate_rad_s`: what is
+  /// faster is cut off. Throws std::invalid_argument when none of the changes is (0, 0).
   SpeedChanges(std::vector<SpeedChange> actions, double period_s, const Growth& growth, const Bounds& bounds,
                const Mount& mount, double max_speed_m_s, double max_turn_rate_rad_s);
   int count() const override { return static_cast<int>(actions_.size()); }

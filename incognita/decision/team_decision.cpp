@@ -13,6 +13,11 @@ namespace {
 
 bool is_body(const TeamMember& member) { return std::holds_alternative<FreeCameraMotion>(member.motion); }
 
+/// How many of a vehicle's first errors are its position.
+int position_errors_of(const TeamMember& member) {
+  return std::holds_alternative<MonobotMotion>(member.motion) ? 1 : is_body(member) ? 3 : 2;
+}
+
 double heading_by(const TeamMember& member, const SmallVector& state) {
   if (is_body(member)) return heading_of(Eigen::Vector4d(state.segment<4>(3)));
   return std::holds_alternative<MonobotMotion>(member.motion) ? 0 : state[2];
@@ -30,16 +35,18 @@ TeamDecision::TeamDecision(TeamSettings team, const TeamDecisionSettings& settin
   for (const TeamMember& member : team_.members) {
     if (settings_.carrier) {
       carried_.emplace_back(d, *settings_.carrier, member.input_sigmas[0], member.input_sigmas[3],
-                            settings_.seed);
+                            settings_.seed, carried_.size());
       continue;
     }
     if (is_body(member)) {
-      in_space_.emplace_back(d, member.input_sigmas[0], member.input_sigmas[3], settings_.seed);
+      in_space_.emplace_back(d, member.input_sigmas[0], member.input_sigmas[3], settings_.seed,
+                             in_space_.size());
       continue;
     }
     auto moves = std::make_unique<GroundMoves>(member, translations_of(d), d.period_s, settings_.tick_s,
                                                Bounds{d.min_bound_m, d.max_bound_m});
-    on_ground_.emplace_back(d, names_of(moves->actions()), settings_.seed);
+    on_ground_.emplace_back(d, names_of(moves->actions()), settings_.seed, position_errors_of(member),
+                            on_ground_.size());
     moves_.push_back(std::move(moves));
   }
   names_ = !carried_.empty()    ? carried_.front().names()

@@ -4,12 +4,12 @@ namespace incognita {
 
 VehicleChoice::VehicleChoice(const DecisionSettings& s, const Carrier& carrier,
                              double sigma_acceleration_m_s2, double sigma_angular_acceleration_rad_s2,
-                             std::uint64_t seed)
+                             std::uint64_t seed, std::size_t who)
     : changes_(speed_changes_of(s), s.period_s,
                growth_over(s.period_s, sigma_acceleration_m_s2, sigma_angular_acceleration_rad_s2),
                {s.min_bound_m, s.max_bound_m}, carrier.mount, carrier.max_speed_m_s,
                carrier.max_turn_rate_rad_s),
-      choice_(s, names_of(changes_.actions()), seed) {}
+      choice_(s, names_of(changes_.actions()), seed, 3, who) {}
 
 void VehicleChoice::forget() {
   choice_.forget();

@@ -26,7 +26,7 @@ class VehicleChoice {
   /// Sigmas: of the accelerations that the filter's motion, which knows of no wheels, takes for noise. Throws
   /// std::invalid_argument as ActionChoice and SpeedChanges do.
   VehicleChoice(const DecisionSettings& settings, const Carrier& carrier, double sigma_acceleration_m_s2,
-                double sigma_angular_acceleration_rad_s2, std::uint64_t seed);
+                double sigma_angular_acceleration_rad_s2, std::uint64_t seed, std::size_t who = 0);
 
   /// Scores, chosen, times, from, to and drive of the goal. `camera`: where the camera is believed to be.
   /// `wheels`: speed, m/s, and turn rate, rad/s, as the encoders tell; without them as they were told to

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "incognita/io/team_setting_list.hpp"
+
 namespace incognita {
 namespace {
 
@@ -62,6 +64,27 @@ void check_box(const Scenario& s, List& found) {
                                       what, min.x(), min.y(), min.z(), max.x(), max.y(), max.z())});
 }
 
+bool holds(const DecisionSettings& d, const Eigen::Vector3d& at, int axes) {
+  return (at.head(axes).array() >= d.min_bound_m.head(axes).array()).all() &&
+         (at.head(axes).array() <= d.max_bound_m.head(axes).array()).all();
+}
+
+/// In a room; of places of points team_checks.cpp.
+void check_start(const Scenario& s, List& found) {
+  if (s.run.world != "room") return;
+  if (!is_room_vehicle(s)) {
+    if (!holds(s.decision, s.room.start_position_m, 3))
+      found.push_back(
+          {"decision.min_bound_m", "must, with decision.max_bound_m, leave room.start_position_m inside"});
+    return;
+  }
+  if (s.team.steer.law != "active") return;
+  for (const Eigen::Vector3d& at : s.team.start.positions_m)
+    if (!holds(s.decision, at, 2))
+      return found.push_back(
+          {"decision.min_bound_m", "must, with decision.max_bound_m, leave team.positions_m inside"});
+}
+
 void check_counted(const Scenario& s, List& found) {
   if (s.exploration.counted == "as-mapped" && s.run.world == "points")
     found.push_back(
@@ -75,6 +98,7 @@ void check_decision(const Scenario& scenario, List& found) {
   check_horizon(scenario.decision, found);
   check_box(scenario, found);
   check_counted(scenario, found);
+  check_start(scenario, found);
 }
 
 }  // namespace incognita

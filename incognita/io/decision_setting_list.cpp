@@ -71,7 +71,7 @@ void explore(List& list, ExplorationSettings& s) {
   list.insert(list.end(),
               {
                   {"explore.expected_landmarks", &s.expected_landmarks, "",
-                   "in the whole place, mapped or not; 0: nothing unseen is expected", between(0, 100000)},
+                   "in the whole place, mapped or not; 0: nothing unseen is expected", between(0, 1000)},
                   {"explore.variance_expected_m2", &s.variance_expected_m2, "m^2",
                    "of each coordinate of one that is not mapped", above_up_to(0, 1e6)},
                   {"explore.counted", &s.counted, "",

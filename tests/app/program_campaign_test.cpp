@@ -581,6 +581,25 @@ TEST(ProgramCampaign, RefusesAFolderOfSomethingElse) {
   EXPECT_SAYS(more.err, "4 made before, 2 to make");
 }
 
+TEST(ProgramCampaign, RefusesTheSameFolderOverOtherGround) {
+  const Place place;
+  place.write("hills.toml",
+              "[run]\nworld = \"points\"\nsensor = \"camera\"\nrate_hz = 10\nduration_s = 0.5\n"
+              "[vehicle]\nmodel = \"terrain\"\n"
+              "[terrain]\nkind = \"image\"\nfile = \"hills.pgm\"\nsize_m = 30\nheight_m = 0.1\n");
+  const auto over = [&](const std::string& heights) {
+    place.write("hills.pgm", "P2\n4 4\n255\n" + heights);
+    return testing::incognita({"campaign", "hills.toml", "--seeds", "1..2", "--out", "c"}, place.folder());
+  };
+  const std::string low = "0 9 0 9\n9 0 9 0\n0 9 0 9\n9 0 9 0\n",
+                    high = "9 0 9 0\n9 0 9 0\n0 9 0 9\n9 0 9 0\n";
+  ASSERT_EQ(over(low).code, 0);
+  EXPECT_EQ(over(low).code, 0);
+  const Ended other = over(high);
+  EXPECT_EQ(other.code, 2) << other.err;
+  EXPECT_SAYS(other.err, "terrain.file");
+}
+
 /// The words behind `mpirun -n N incognita campaign`, waited for; exit code and what it said go to files.
 int with_mpirun(const Place& place, const Words& words, int ranks) {
   std::string line =

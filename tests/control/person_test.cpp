@@ -108,5 +108,17 @@ TEST(Person, RefusesWhatCanNotBe) {
   EXPECT_THROW(Person(s, 1, "person"), std::invalid_argument);
 }
 
+TEST(Person, WhoForgetsDoesNothingThatWasShownBefore) {
+  PersonSettings s = exact();
+  s.delay_s = 0.5;
+  Person person(s, 1, "person");
+  const Eigen::Vector3d here(4, 5, 6);
+  person.obey({{0, 0, 0}, {1, 0, 0}, 0, 1}, true, {0, 0, 0}, 0);
+  person.forget();
+  const Way after = person.obey({{0, 0, 0}, {1, 0, 0}, 0, 1}, false, here, 2);
+  EXPECT_EQ(after.from, here);
+  EXPECT_EQ(after.to, here);
+}
+
 }  // namespace
 }  // namespace incognita

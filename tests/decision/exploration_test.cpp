@@ -73,6 +73,7 @@ TEST(Exploration, EntropyOfWhatIsNotMapped) {
   const double each = 1.5 * (1 + std::log(2 * std::numbers::pi * 1.5));  // 3/2 (1 + log(2 pi variance))
   EXPECT_NEAR(entropy_of_unmapped(27, 1.5), 27 * each, 1e-9);
   EXPECT_EQ(entropy_of_unmapped(0, 1.5), 0);
+  EXPECT_NEAR(entropy_of_unmapped(27, 1.5, 2), 27 * each * 2 / 3, 1e-9) << "on a plane";
 }
 
 TEST(Exploration, RefusesWhatCanNotBe) {

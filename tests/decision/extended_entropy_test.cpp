@@ -47,17 +47,19 @@ TEST(ExtendedEntropy, ALandmarkMappedAsBadlyAsItWasExpectedTeachesNothing) {
   exploration.expected_landmarks = 4;
   exploration.variance_expected_m2 = 1.5;
   Estimate e = camera_alone();
-  const double before = extended_entropy(e, exploration);
+  const double before = extended_entropy(e, exploration).value();
   Landmark landmark{};
   landmark.kind = Landmark::Kind::point;
   landmark.block =
       e.belief.augment(PointLandmark::chart, Eigen::Vector3d(1, 2, 3), {}, 1.5 * Eigen::Matrix3d::Identity());
   e.catalogue.push_back(landmark);
-  EXPECT_NEAR(extended_entropy(e, exploration), before, 1e-9);
+  EXPECT_NEAR(extended_entropy(e, exploration).value(), before, 1e-9);
   landmark.block = e.belief.augment(PointLandmark::chart, Eigen::Vector3d(1, 2, 3), {},
                                     0.015 * Eigen::Matrix3d::Identity());
   e.catalogue.push_back(landmark);
-  EXPECT_NEAR(extended_entropy(e, exploration), before - 1.5 * std::log(100), 1e-9);
+  EXPECT_NEAR(extended_entropy(e, exploration).value(), before - 1.5 * std::log(100), 1e-9);
+  exploration.expected_landmarks = 1;
+  EXPECT_FALSE(extended_entropy(e, exploration)) << "more are mapped: another dimension";
 }
 
 }  // namespace

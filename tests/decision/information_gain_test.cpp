@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include <Eigen/LU>
 #include <vector>
 
@@ -287,6 +289,24 @@ TEST(InformationGain, RefusesWhatDoesNotFit) {
   step.looks[0].Hv = random_matrix(random, 2, 6);
   gain.start(map.belief, map.vehicle);
   EXPECT_THROW(gain.push(step), std::invalid_argument);
+}
+
+/// Its covariance has no inverse; what is known exactly has nothing to learn.
+TEST(InformationGain, OfAVehicleThatIsKnownExactlyAlongOneAxis) {
+  Belief belief;
+  const Eigen::Matrix2d P = Eigen::Vector2d(0, 0.04).asDiagonal();
+  const BlockId vehicle = belief.add_vehicle(Chart::line(2), Eigen::Vector2d::Zero(), P);
+  ExpectedLook look;
+  look.Hv = LookJacobian::Identity(2, 2);
+  look.Hl.resize(2, 0);
+  look.R = 0.01 * LookMatrix::Identity(2, 2);
+  InformationGain gain;
+  gain.start(belief, vehicle);
+  gain.push({BlockMatrix::Identity(2, 2), BlockMatrix::Zero(2, 2), {look}});
+  EXPECT_NEAR(gain.of_vehicle(), 0.5 * std::log(1 + 0.04 / 0.01), 1e-12);
+  EXPECT_NEAR(gain.of_vehicle(), gain.of_state(), 1e-12);
+  EXPECT_THROW(gain.of_position_and_map(3, P), std::invalid_argument);
+  EXPECT_THROW(gain.of_position_and_map(0, P), std::invalid_argument);
 }
 
 }  // namespace

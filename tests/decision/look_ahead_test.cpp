@@ -229,5 +229,51 @@ TEST(ActionChoice, RefusesWhatCanNotBe) {
   EXPECT_THROW(ActionChoice(s, names, 1), std::invalid_argument);
 }
 
+/// A vehicle that cannot stop: whatever it does now, all that may follow ends past the wall.
+class DeadEnd final : public Moves {
+ public:
+  int count() const override { return 3; }
+  int stay() const override { return 1; }
+  Outcome after(const BlockVector& state, int action) const override {
+    Outcome out{state, BlockMatrix::Identity(1, 1), 0.01 * BlockMatrix::Identity(1, 1)};
+    out.state[0] += 1 + 0.2 * action;
+    out.outside_m = std::max(0.0, out.state[0] - 1.5);
+    return out;
+  }
+};
+
+TEST(LookAhead, WhatLeadsNowhereFurtherIsWorthWhatItTeachesUntilThere) {
+  const Line line;
+  LookAhead one({Metric::state, 1, 100, 1}), two({Metric::state, 2, 100, 1});
+  const auto greedy = one.scores(line.belief, line.robot, line.at, DeadEnd{}, line.points);
+  EXPECT_GT(*std::min_element(greedy.begin(), greedy.end()), 0);
+  EXPECT_EQ(two.scores(line.belief, line.robot, line.at, DeadEnd{}, line.points), greedy);
+}
+
+TEST(LookAhead, WhatIsNoNumberIsNeverTheBest) {
+  const double none = std::nan("");
+  EXPECT_EQ(best_of({none, 1, 2}, {true, true, true}, 1), 2);
+  EXPECT_EQ(best_of({3, none, 2}, {true, true, true}, 1), 0);
+  EXPECT_EQ(best_of({none, none, none}, {true, true, true}, 1), 1) << "stay";
+}
+
+TEST(ActionChoice, EachVehicleOfATeamDrawsItsOwn) {
+  const Line line;
+  DecisionSettings settings;
+  settings.strategy = "random";
+  const std::vector<std::string> names{"left", "stay", "right"};
+  ActionChoice first(settings, names, 1, 1), again(settings, names, 1, 1), second(settings, names, 1, 1, 1);
+  int same = 0, apart = 0;
+  for (int k = 0; k < 20; ++k) {
+    const Tick tick{k, static_cast<double>(k), 1};
+    for (ActionChoice* c : {&first, &again, &second})
+      c->choose(line.belief, line.robot, line.at, Steps{}, line.points, tick);
+    same += first.chosen() == again.chosen();
+    apart += first.chosen() != second.chosen();
+  }
+  EXPECT_EQ(same, 20);
+  EXPECT_GT(apart, 5);
+}
+
 }  // namespace
 }  // namespace incognita

@@ -90,6 +90,14 @@ TEST(VehicleChoice, TurnsBackWhereAllEndsOutOfBounds) {
   EXPECT_GT(goal.to.x(), 0.1) << "out of bounds it is";
 }
 
+TEST(VehicleChoice, HowHighItStandsIsNoActionsChoice) {
+  Driven d;
+  d.settings.min_bound_m = {-9, -9, 2};
+  d.settings.max_bound_m = {9, 9, 3};
+  d.beacon.place = Eigen::Vector3d(-2, 0, 0.6);
+  EXPECT_EQ(*d.first().drive, Eigen::Vector2d(-0.5, 0));
+}
+
 TEST(VehicleChoice, GoesOnAsItGoesWhereNothingIsSeen) {
   Driven d;
   d.wheels = Eigen::Vector2d(0.2, 0.1);

@@ -130,6 +130,8 @@ TEST(RoomVehicleSettings, RefuseWhatMeansNothingOrContradicts) {
        "decision.step_m = 0.2: means nothing with vehicle.model = `terrain`"},
       {"[steer]\nlaw = \"active\"\n[decision]\naccelerations = [[1, 0]]",
        "decision.accelerations = [[1.0, 0.0]]: must have [0, 0]"},
+      {"[steer]\nlaw = \"active\"\n[decision]\nmin_bound_m = [1, 1, 1]",
+       "must, with decision.max_bound_m, leave team.positions_m inside"},
       {"[person]\nholds = true", "means nothing with vehicle.model = `terrain`"},
       {"[control]\ngaze_period_s = 5", "means nothing with vehicle.model = `terrain`"},
       {"[room]\nstart_position_m = [0, 0, 1]", "means nothing with vehicle.model = `terrain`"},
@@ -149,6 +151,8 @@ TEST(RoomVehicleSettings, RefuseWhatMeansNothingOrContradicts) {
   for (const Case& one : cases) EXPECT_HAS(complaint(room + one.text + "\n", ""), one.part);
   EXPECT_HAS(complaint("[start]\nfrom = \"free\"\n[filter]\nodometry = true\n", ""),
              "filter.odometry = true: means nothing with a camera that is on no vehicle");
+  EXPECT_HAS(complaint("[start]\nfrom = \"free\"\n[decision]\nmin_bound_m = [5, 5, 5]\n", ""),
+             "must, with decision.max_bound_m, leave room.start_position_m inside");
   EXPECT_HAS(complaint(points + "[steer]\nkeep_clear_m = 1\n", ""),
              "means nothing with run.world = `points`");
 }

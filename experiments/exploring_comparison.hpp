@@ -61,7 +61,7 @@ Claim beats(const std::string& id, const std::string& place, const std::string& 
 Panel entropies(const std::string& title, const Run& run);
 /// The path with the final map, from above.
 Panel from_above(const std::string& title, const Run& run);
-/// What was chosen when, by number; the numbers are told along the axis.
+/// What was chosen when, by number; what they mean is told below.
 Panel choices(const std::string& title, const Run& run);
 /// A number of every instant.
 template <class F>

@@ -119,7 +119,10 @@ LedgerEntry run(const ExperimentSettings& all_seeds) {
                                    in_numbers(baselines(), other) + "; " + in_numbers(all_counted(), counted);
   add(gaze_claims({"6.3.2", place, ""}, gaze));
   entry.claims.push_back(counting(gaze[0], counted[0]));
-  entry.claims.push_back(moves_across({"6.3.2", "Section 6.3.2", ""}, hand[0], "commands to a person"));
+  entry.claims.push_back(moves_across({"6.3.2", "Section 6.3.2",
+                                       "with all that is expected in view counting, commands go ahead and "
+                                       "back, to where more of the room is in view"},
+                                      hand[0], "commands to a person"));
   entry.claims.push_back(closing_loops(hand[0]));
   add(of_hands(hand));
   const Run& first = hand[0].front();

@@ -22,7 +22,7 @@ Plot vehicle_figure(const Run& run) {
   const auto heading = [](const Instant& i) { return heading_of(i.estimate.orientation); };
   return {"fig-6.13",
           "A vehicle explores the rendered room over uneven ground",
-          2,
+          1,
           {from_above("From above", run),
            {"Height",
             "t, s",
@@ -39,14 +39,18 @@ LedgerEntry run(const ExperimentSettings& all_seeds) {
   LedgerEntry entry{section_6_4_3.id, section_6_4_3.title, "", {}, {}};
   std::vector<Runs> runs;
   for (const Strategy& s : driving()) runs.push_back(runs_of("explore-terrain", s, settings));
-  const char* place = "Section 6.4.3, on images";
+  const char *place = "Section 6.4.3, on images",
+             *all_counted =
+                 "all landmarks expected in view count, so that it drives to where most of the "
+                 "room is in view, and maps no more there (6.3.2); to count those that would be "
+                 "mapped leaves less entropy, and loses runs";
   entry.claims = {
       beats("6.4.3-random", place,
             "Driving by mutual information leaves less entropy than driving at random, by the accelerations "
             "of Table 6.1",
-            "driving at random", runs[0], runs[1], ""),
+            "driving at random", runs[0], runs[1], all_counted),
       beats("6.4.3-fixed", place, "Likewise less than driving to and fro", "driving to and fro", runs[0],
-            runs[2], ""),
+            runs[2], all_counted),
       beats("6.4.3-standing", place, "Likewise less than standing", "standing", runs[0], runs[3], ""),
       backs_away("6.4.3-backwards", "Section 6.4.3, Figure 6.13", "mostly backwards", runs[0], "")};
   entry.claims.front().measured += ". " + in_numbers(driving(), runs);

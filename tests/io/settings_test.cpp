@@ -136,9 +136,9 @@ TEST(LoadScenario, FlagsBeatSetsBeatTheFileBeatsDefaults) {
 TEST(LoadScenario, SetTakesTextsAndLists) {
   const LoadedScenario mine =
       loaded(free_start,
-             {"recording.folder=a b=c", "decision.max_bound_m=[1, 2, 3.5]", "birth.method=\"depth-line\""});
+             {"recording.folder=a b=c", "decision.max_bound_m=[2, 1, 3.5]", "birth.method=\"depth-line\""});
   EXPECT_EQ(mine.scenario.recording.folder, "a b=c");
-  EXPECT_EQ(mine.scenario.decision.max_bound_m, Eigen::Vector3d(1, 2, 3.5));
+  EXPECT_EQ(mine.scenario.decision.max_bound_m, Eigen::Vector3d(2, 1, 3.5));
   EXPECT_EQ(mine.scenario.slam.birth.method, "depth-line");
 }
 

@@ -39,6 +39,9 @@ std::ptrdiff_t lost_of(const Runs& runs) {
   return std::count_if(runs.begin(), runs.end(), [](const Run& r) { return r.lost; });
 }
 
+/// Not a number of a run that was lost, whose entropy is that of its last decision, and by so much too high.
+double entropy_if_found(const Run& run) { return run.lost ? std::nan("") : final_entropy(run); }
+
 double typically_off_m(const Runs& runs) {
   return median_of_known(each(runs, [](const Run& r) { return r.position_rms_m; }));
 }
@@ -120,20 +123,26 @@ Claim beats(const std::string& id, const std::string& place, const std::string& 
   const Interval gap = bootstrap_mean(differences, judged_at);
   const auto better = std::count_if(differences.begin(), differences.end(), [](double d) { return d < 0; });
   const std::size_t left_out = ours.size() - differences.size();
+  const auto found = less(each(ours, entropy_if_found), each(theirs, entropy_if_found));
+  const Interval gap_if_found = bootstrap_mean(found, judged_at);
+  const bool any_lost = lost_of(ours) + lost_of(theirs) > 0;
   Claim claim{
       id,
       place,
       statement,
       "",
-      fmt::format("entropy less that of {}: {} nats (99.9 %), lower in {} of {} rooms{}; lost {} and {}, "
+      fmt::format("entropy less that of {}: {} nats (99.9 %), lower in {} of {} rooms{}; lost {} and {}{}, "
                   "off {:.3f} and {:.3f} m (median)",
                   what, text(gap), better, differences.size(),
                   left_out > 0 ? fmt::format(", {} with nothing to compare", left_out) : "", lost_of(ours),
-                  lost_of(theirs), typically_off_m(ours), typically_off_m(theirs)),
+                  lost_of(theirs),
+                  any_lost ? fmt::format(", neither in {}: there {} nats", found.size(), text(gap_if_found))
+                           : "",
+                  typically_off_m(ours), typically_off_m(theirs)),
       Verdict::does_not_hold,
       why,
       static_cast<int>(differences.size())};
-  return judged(claim, gap.high < 0);
+  return judged(claim, gap.high < 0 && gap_if_found.high < 0);
 }
 
 }  // namespace incognita::exploring

@@ -52,7 +52,8 @@ double share_across(const Run& run);
 Claim backs_away(const std::string& id, const std::string& place, const std::string& printed,
                  const Runs& runs, const std::string& why);
 
-/// That `ours` leave less entropy than `theirs`, by paired differences; `what`: theirs are. Beside it how
+/// That `ours` leave less entropy than `theirs`, by paired differences, of all rooms and of those in which
+/// neither was lost; `what`: theirs are. Beside it how
 /// many of either are lost, how far they are off, and how many pairs had no entropy to compare.
 Claim beats(const std::string& id, const std::string& place, const std::string& statement,
             const std::string& what, const Runs& ours, const Runs& theirs, const std::string& why);

@@ -17,7 +17,7 @@ struct VehicleGoal {
 };
 
 struct Goal {
-  std::vector<double> scores;  ///< nats of information, one per action, of this frame
+  std::vector<double> scores;  ///< nats of information, one per action, as last compared
   int chosen = -1;             ///< index of the action in force; -1 before the first decision and when lost
   bool decided = false;        ///< whether it was chosen in this very frame
   Eigen::Vector3d from{0, 0, 0};  ///< world, m: where the action starts

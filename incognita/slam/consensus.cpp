@@ -2,7 +2,8 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
-#include <limits>
+#include <algorithm>
+#include <cmath>
 
 namespace incognita {
 namespace {
@@ -56,23 +57,43 @@ Selected select(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& S, cons
   return s;
 }
 
-/// Drops the member that agrees least with all the others together, until every one passes. The innovation of
-/// a member given the others has covariance ([S^-1]_jj)^-1 and mean ([S^-1]_jj)^-1 [S^-1 r]_j.
-void leave_one_out(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& S, double gate,
-                   std::vector<int>& group) {
-  while (group.size() > 1) {
+/// Of a group all together: covariance^-1 and covariance^-1 r. The innovation of member j given the others has
+/// covariance ([S^-1]_jj)^-1 and mean ([S^-1]_jj)^-1 [S^-1 r]_j.
+struct Together {
+  Eigen::MatrixXd inverse;
+  Eigen::VectorXd whitened;
+  Together(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& S, const std::vector<int>& group) {
     const Selected s = select(residuals, S, group);
-    const Eigen::MatrixXd inverse = s.S.llt().solve(Eigen::MatrixXd::Identity(s.S.rows(), s.S.cols()));
-    const Eigen::VectorXd whitened = inverse * s.residuals;
+    inverse = s.S.llt().solve(Eigen::MatrixXd::Identity(s.S.rows(), s.S.cols()));
+    whitened = inverse * s.residuals;
+  }
+  /// Mahalanobis distance squared of a member given the others.
+  double distance(int member) const {
+    const Eigen::Vector2d w = whitened.segment<2>(2 * member);
+    return w.dot(inverse.block<2, 2>(2 * member, 2 * member).inverse() * w);
+  }
+  /// px^2, along the axis where the others say least: the inverse of the smaller eigenvalue.
+  double variance(int member) const {
+    const Block information = inverse.block<2, 2>(2 * member, 2 * member);
+    const double half = information.trace() / 2;
+    return 1 / (half - std::sqrt(std::max(0.0, half * half - information.determinant())));
+  }
+};
+
+/// Drops the member for which `measure` of it given the others is greatest and above `limit`, until there is
+/// none.
+template <class Measure>
+void drop_worst(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& S, double limit, Measure measure,
+                std::vector<int>& group, std::size_t least) {
+  while (group.size() > least) {
+    const Together together(residuals, S, group);
     int worst = -1;
-    double worst_distance = gate;
+    double most = limit;
     for (int a = 0; a < static_cast<int>(group.size()); ++a) {
-      const Eigen::Vector2d w = whitened.segment<2>(2 * a);
-      const double distance = w.dot(inverse.block<2, 2>(2 * a, 2 * a).inverse() * w);
-      if (distance > worst_distance) {
-        worst_distance = distance;
-        worst = a;
-      }
+      const double of_a = measure(together, a);
+      if (!(of_a > most)) continue;
+      most = of_a;
+      worst = a;
     }
     if (worst < 0) return;
     group.erase(group.begin() + worst);
@@ -81,10 +102,16 @@ void leave_one_out(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& S, d
 
 }  // namespace
 
-std::vector<bool> agreeing_matches(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& S, double gate) {
+std::vector<bool> agreeing_matches(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& S, double gate,
+                                   double max_alone_sigma_px) {
   std::vector<bool> agrees(residuals.size() / 2, false);
   std::vector<int> group = largest_group(residuals, S, gate);
-  leave_one_out(residuals, S, gate, group);
+  drop_worst(
+      residuals, S, gate, [](const Together& t, int member) { return t.distance(member); }, group, 1);
+  if (std::isfinite(max_alone_sigma_px))
+    drop_worst(
+        residuals, S, max_alone_sigma_px * max_alone_sigma_px,
+        [](const Together& t, int member) { return t.variance(member); }, group, 0);
   for (const int i : group) agrees[i] = true;
   return agrees;
 }

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <vector>
 
 namespace incognita {
@@ -16,6 +17,11 @@ namespace incognita {
 /// `gate`: chi-square threshold with 2 degrees of freedom.
 /// Returns, for each match, whether it is in the agreed group. A lone match agrees with itself if its own
 /// innovation passes the gate.
-std::vector<bool> agreeing_matches(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& S, double gate);
+///
+/// `max_alone_sigma_px`: a match of which the others say no more than that it is within a larger standard
+/// deviation, along the axis where they say least, is not taken. In so large a place chance finds something
+/// alike, and nobody is there to disagree: so loops are closed wrongly.
+std::vector<bool> agreeing_matches(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& S, double gate,
+                                   double max_alone_sigma_px = std::numeric_limits<double>::infinity());
 
 }  // namespace incognita

@@ -52,7 +52,7 @@ int reject_inconsistent(const Estimate& estimate, const CameraSlamSettings& sett
   Eigen::VectorXd residuals(S.rows());
   for (std::size_t i = 0; i < matched.size(); ++i) residuals.segment<2>(2 * i) = affine[i].residual;
   const double gate = chi_square_quantile(settings.search.gate_probability, 2);
-  const std::vector<bool> agrees = agreeing_matches(residuals, S, gate);
+  const std::vector<bool> agrees = agreeing_matches(residuals, S, gate, settings.search.max_alone_sigma_px);
   for (std::size_t i = 0; i < matched.size(); ++i)
     if (!agrees[i]) matched[i]->outcome = LookOutcome::inconsistent;
   return static_cast<int>(std::count(agrees.begin(), agrees.end(), true));

@@ -74,6 +74,39 @@ TEST(Consensus, OfMatchesThatAllDisagreeAtMostOneIsTaken) {
   EXPECT_EQ(agreeing_matches(10 * residuals, S, gate), std::vector<bool>(n, false)) << "not even alone";
 }
 
+/// Innovations of a frame in which `returning` landmarks come back after a drift that none of the `recent`
+/// knows: 30 px together, a pixel one against the other.
+Frame loop_closing(int recent, int returning) {
+  const int rows = 2 * (recent + returning);
+  Frame f{Eigen::VectorXd::Zero(rows), Eigen::MatrixXd::Identity(rows, rows)};
+  for (int i = recent; i < recent + returning; ++i) {
+    f.residuals.segment<2>(2 * i) << 20, -10;
+    for (int j = recent; j < recent + returning; ++j)
+      f.S.block<2, 2>(2 * i, 2 * j) += 900 * Eigen::Matrix2d::Identity();
+  }
+  return f;
+}
+
+TEST(Consensus, WhatComesBackAloneIsNotBelieved) {
+  const Frame one = loop_closing(6, 1), two = loop_closing(6, 2);
+  std::vector<bool> recent(7, true);
+  EXPECT_EQ(agreeing_matches(one.residuals, one.S, gate), recent) << "nothing speaks against it";
+  EXPECT_EQ(agreeing_matches(one.residuals, one.S, gate, 31), recent) << "near enough by itself";
+  recent.back() = false;
+  EXPECT_EQ(agreeing_matches(one.residuals, one.S, gate, 8), recent) << "and nothing for it";
+  EXPECT_EQ(agreeing_matches(two.residuals, two.S, gate, 8), std::vector<bool>(8, true)) << "one another";
+}
+
+TEST(Consensus, TwoThatComeBackOtherwiseAreBothNotBelieved) {
+  Frame f = loop_closing(6, 2);
+  f.residuals.tail<2>() << -20, 10;
+  std::vector<bool> recent(8, true);
+  recent[6] = recent[7] = false;
+  EXPECT_EQ(agreeing_matches(f.residuals, f.S, gate, 8), recent);
+  const Eigen::Matrix2d large = 900 * Eigen::Matrix2d::Identity();
+  EXPECT_EQ(agreeing_matches(Eigen::Vector2d(3, 4), large, gate, 8), std::vector<bool>{false}) << "alone";
+}
+
 TEST(Consensus, NoMatchesAgreeOnNothing) {
   EXPECT_TRUE(agreeing_matches(Eigen::VectorXd(0), Eigen::MatrixXd(0, 0), gate).empty());
 }

@@ -1,0 +1,58 @@
+// What no decision can be made of is refused, with the key and the reason.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "incognita/io/load_scenario.hpp"
+#include "incognita/io/settings.hpp"
+#include "tests/scratch.hpp"
+
+namespace incognita {
+namespace {
+
+const std::string points =
+    "[run]\nworld = \"points\"\nsensor = \"camera\"\n[vehicle]\nmodel = \"free-camera\"\n[steer]\nlaw = "
+    "\"active\"\n";
+const std::string room = "[start]\nfrom = \"free\"\n";
+
+std::string complaint(const std::string& text) {
+  const testing::Scratch scratch;
+  const std::string file = scratch.write("mine.toml", text).string();
+  return testing::message_of([&] { load_scenario(file); });
+}
+
+struct Case {
+  std::string text, part;
+};
+
+TEST(DecisionChecks, RefuseWhatNoDecisionCanBeMadeOf) {
+  const std::vector<Case> everywhere{
+      {"[decision]\nmoves_m = [[0.3, 0, 0], [-0.3, 0, 0]]", "decision.moves_m = [[0.3, 0.0, 0.0]"},
+      {"[decision]\nmoves_m = [[0.3, 0, 0], [-0.3, 0, 0]]", "must have [0, 0, 0], to stay"},
+      {"[decision]\nhorizon = 0", "decision.horizon = 0: must be 1 to 20"},
+      {"[decision]\nmax_evaluations = 0", "decision.max_evaluations"},
+      {"[decision]\nhorizon = 2\nmetric = \"position-and-map\"", "must be 1 with decision.metric"},
+      {"[decision]\nhorizon = 2\nschedule = \"one-per-frame\"", "must be 1 with decision.schedule"},
+      {"[decision]\nstrategy = \"fixed-path\"", "decision.sequence"},
+      {"[decision]\nstrategy = \"boldly\"", "decision.strategy"},
+      {"[explore]\nexpected_landmarks = -1", "explore.expected_landmarks"},
+      {"[explore]\nexpected_landmarks = 5\nmin_m = [1, 1, 1]\nmax_m = [1, 2, 2]",
+       "must be more than explore.min_m along each axis"},
+      {"[explore]\nexpected_landmarks = 5\ncell_m = 0.01", "at most a million cells"},
+      {"[explore]\nexpected_landmarks = 5\nmax_m = [30, 3, 2.5]", "landmarks are not expected outside"},
+  };
+  for (const Case& one : everywhere) {
+    EXPECT_HAS(complaint(points + one.text + "\n"), one.part);
+    EXPECT_HAS(complaint(room + one.text + "\n"), one.part);
+  }
+  EXPECT_HAS(complaint(points + "[explore]\ncounted = \"as-mapped\"\nexpected_landmarks = 5\n"),
+             "must be `all` with run.world = \"points\"");
+}
+
+TEST(DecisionChecks, LetTheRestPass) {
+  EXPECT_EQ(complaint(room + "[decision]\nmoves_m = [[0.3, 0, 0], [0, 0, 0]]\n"), "(none)");
+  EXPECT_EQ(complaint(points + "[decision]\nhorizon = 3\n"), "(none)");
+}
+
+}  // namespace
+}  // namespace incognita

@@ -8,6 +8,7 @@
 
 #include "experiments/evidence.hpp"
 #include "experiments/seeds.hpp"
+#include "incognita/analysis/median.hpp"
 #include "incognita/math/quaternion.hpp"
 
 namespace incognita::exploring {
@@ -33,6 +34,12 @@ double share_backwards(const Run& run) {
     all += std::abs(way);
   }
   return all > 0 ? back / all : std::nan("");
+}
+
+/// Of those that are numbers, with its interval.
+Interval median_known(std::vector<double> numbers) {
+  std::erase_if(numbers, [](double x) { return !std::isfinite(x); });
+  return median_interval(std::move(numbers));
 }
 
 std::ptrdiff_t lost_of(const Runs& runs) {
@@ -61,21 +68,19 @@ std::vector<double> less(const std::vector<double>& a, const std::vector<double>
   return difference;
 }
 
-double median_of_known(std::vector<double> numbers) {
-  std::erase_if(numbers, [](double x) { return !std::isfinite(x); });
-  return numbers.empty() ? std::nan("") : median_of(std::move(numbers));
-}
+double median_of_known(std::vector<double> numbers) { return median_known(std::move(numbers)).value; }
 
 std::string in_numbers(const std::string& name, const Runs& runs) {
   return fmt::format(
-      "{}: entropy {}, off {:.3f} m (median), NEES {:.2f} (median), {:.1f} located, {:.0f} % seen, 14th "
-      "after {:.1f} s (median), "
-      "{} lost",
-      name, text(bootstrap_mean(each(runs, final_entropy))), typically_off_m(runs),
+      "{}: entropy {}, off {} m (median), NEES {:.2f} (median), {} located, {} % seen, 14th after {} s "
+      "(median), {} lost",
+      name, text(bootstrap_mean(each(runs, final_entropy))),
+      text(median_known(each(runs, [](const Run& r) { return r.position_rms_m; }))),
       median_of_known(each(runs, [](const Run& r) { return r.nees; })),
-      mean_of(each(runs, [](const Run& r) { return static_cast<double>(r.located_t_s.size()); })).value,
-      100 * mean_of(each(runs, [](const Run& r) { return r.coverage; })).value,
-      median_of_known(each(runs, [](const Run& r) { return r.located_at_s(14).value_or(std::nan("")); })),
+      text(
+          bootstrap_mean(each(runs, [](const Run& r) { return static_cast<double>(r.located_t_s.size()); }))),
+      text(bootstrap_mean(each(runs, [](const Run& r) { return 100 * r.coverage; }))),
+      text(median_known(each(runs, [](const Run& r) { return r.located_at_s(14).value_or(std::nan("")); }))),
       lost_of(runs));
 }
 
@@ -131,14 +136,14 @@ Claim beats(const std::string& id, const std::string& place, const std::string& 
       place,
       statement,
       "",
-      fmt::format("entropy less that of {}: {} nats (99.9 %), lower in {} of {} rooms{}; lost {} and {}{}, "
-                  "off {:.3f} and {:.3f} m (median)",
-                  what, text(gap), better, differences.size(),
-                  left_out > 0 ? fmt::format(", {} with nothing to compare", left_out) : "", lost_of(ours),
-                  lost_of(theirs),
-                  any_lost ? fmt::format(", neither in {}: there {} nats", found.size(), text(gap_if_found))
-                           : "",
-                  typically_off_m(ours), typically_off_m(theirs)),
+      fmt::format(
+          "entropy less that of {}: {} nats (99.9 %), lower in {} of {} rooms{}; lost {} and {}{}, "
+          "off {:.3f} and {:.3f} m (median)",
+          what, text(gap), better, differences.size(),
+          left_out > 0 ? fmt::format(", {} with nothing to compare", left_out) : "", lost_of(ours),
+          lost_of(theirs),
+          any_lost ? fmt::format(", neither in {}: there {} nats", found.size(), text(gap_if_found)) : "",
+          typically_off_m(ours), typically_off_m(theirs)),
       Verdict::does_not_hold,
       why,
       static_cast<int>(differences.size())};

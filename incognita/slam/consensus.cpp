@@ -57,8 +57,8 @@ Selected select(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& S, cons
   return s;
 }
 
-/// Of a group all together: covariance^-1 and covariance^-1 r. The innovation of member j given the others has
-/// covariance ([S^-1]_jj)^-1 and mean ([S^-1]_jj)^-1 [S^-1 r]_j.
+/// Of a group all together: covariance^-1 and covariance^-1 r. The innovation of member j given the others
+/// has covariance ([S^-1]_jj)^-1 and mean ([S^-1]_jj)^-1 [S^-1 r]_j.
 struct Together {
   Eigen::MatrixXd inverse;
   Eigen::VectorXd whitened;

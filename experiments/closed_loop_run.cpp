@@ -155,7 +155,7 @@ Run drive(const Setup& setup, std::uint64_t seed) {
     const auto truth = world.move(command, tick);
     const bool scans = tick.frame % ticks_per_scan == 0;
     estimator.update(estimate, command, scans ? sensor.look(truth, tick) : odometry_alone(*truth), tick);
-    command = controller.act(estimate, {}, tick);
+    command = controller.act(estimate, {}, {}, tick);
     run.instants.push_back(instant_of(tick, *truth, estimate, command, setup.place.size()));
     if (tick.frame % ticks_per_joint_nees == 0)
       run.joint_nees.push_back(joint_nees(run.instants.back(), estimate, setup.place));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -20,9 +21,13 @@ struct Strategy {
 /// Runs of one strategy, by seed.
 using Runs = std::vector<Run>;
 
-/// Runs of a scenario by that strategy, settings.seeds of them. Frames that choose nothing score nothing,
-/// unless the strategy says so.
-Runs runs_of(const std::string& scenario, const Strategy& strategy, const ExperimentSettings& settings);
+/// The first room that no setting was chosen by.
+inline constexpr std::uint64_t fresh_rooms = 101;
+
+/// Runs of a scenario by that strategy, settings.seeds of them from `first` on. Frames that choose nothing
+/// score nothing, unless the strategy says so.
+Runs runs_of(const std::string& scenario, const Strategy& strategy, const ExperimentSettings& settings,
+             std::uint64_t first = 1);
 
 /// A number of each run.
 template <class Of>
@@ -48,13 +53,16 @@ std::string in_numbers(const std::string& name, const Runs& runs);
 /// the six ways are. Not a number where it only stayed.
 double share_across(const Run& run);
 
-/// That a vehicle goes more than half of its way backwards.
+/// Lost at the end, or off by more than 0.5 m (rms).
+bool went_astray(const Run& run);
+
+/// That a vehicle that starts there goes more than half of its way backwards.
 Claim backs_away(const std::string& id, const std::string& place, const std::string& printed,
-                 const Runs& runs, const std::string& why);
+                 const std::string& start, const Runs& runs, const std::string& why);
 
 /// That `ours` leave less entropy than `theirs`, by paired differences, of all rooms and of those in which
-/// neither was lost; `what`: theirs are. Beside it how
-/// many of either are lost, how far they are off, and how many pairs had no entropy to compare.
+/// neither went astray, lost or off by more than 0.5 m; `what`: theirs are. Beside it how
+/// many of either went astray, how far they are off, and how many pairs had no entropy to compare.
 Claim beats(const std::string& id, const std::string& place, const std::string& statement,
             const std::string& what, const Runs& ours, const Runs& theirs, const std::string& why);
 

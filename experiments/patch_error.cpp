@@ -74,7 +74,7 @@ std::map<std::int64_t, Errors> errors_of_a_run(const std::string& seed,
       const bool known = born.kind == Landmark::Kind::anchor;
       if (ray) places[born.id] = known ? born.anchor : first_surface(room, position, R * *ray);
     }
-    command = controller.act(estimate, decision.choose(estimate, tick), tick);
+    command = controller.act(estimate, decision.choose(estimate, tick), seen, tick);
   }
   return errors;
 }

@@ -6,10 +6,12 @@
 // hand; 40 s). The plan of the comparison, written before the runs: as for points (section_6_3.cpp),
 // strategies paired by seed, judged by the entropy of camera, map and what is not mapped yet together at the
 // end, of always 150 landmarks; a run that is lost counts with its last decision's. Of what nobody has seen
-// so many count as would be mapped, but in runs that say otherwise. Of the person: a hand that obeys after 1
-// s in place of 0.3 s, and one that goes another way half of the time in place of one time in twenty.
+// so many count as would be mapped, but in runs that say otherwise: that was chosen after runs in which all
+// counted; rooms 1 to 16 served for it, and here are others. Of the person: a hand that obeys after 1 s in
+// place of 0.3 s, and one that goes another way half of the time in place of one time in twenty.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "experiments/evidence.hpp"
@@ -29,12 +31,16 @@ const std::vector<Strategy>& hands() {
   return all;
 }
 
-/// Of seconds in which the map stayed the same landmarks: how much more the entropy fell, in the mean, where
-/// landmarks came back than where none did; of camera, map and what is not mapped, whose dimension stays. Not
-/// a number where one of the two never was.
+/// Of seconds from the first return on, in which the map stayed the same landmarks: how much more the entropy
+/// fell, in the mean, where landmarks came back than where none did; of camera, map and what is not mapped,
+/// whose dimension stays. Not a number where one of the two never was.
 double fall_by_returning(const Run& run) {
   double fallen[2] = {0, 0}, count[2] = {0, 0};
-  for (std::size_t i = 1; i < run.decisions.size(); ++i) {
+  const auto returned = [](const exploring::Decision& d) { return d.returned > 0; };
+  const auto first = std::find_if(run.decisions.begin(), run.decisions.end(), returned);
+  // Before, nothing could have been away for so long, and entropy falls by more
+  for (auto i = static_cast<std::size_t>(first - run.decisions.begin()); i < run.decisions.size(); ++i) {
+    if (i == 0) continue;
     const exploring::Decision &before = run.decisions[i - 1], &now = run.decisions[i];
     const double fall = before.entropy_extended - now.entropy_extended;
     if (before.mapped != now.mapped || !std::isfinite(fall)) continue;
@@ -60,14 +66,18 @@ Claim closing_loops(const Runs& runs) {
 }
 
 std::vector<Claim> against_baselines(const Runs& active, const std::vector<Runs>& runs) {
-  return {beats("6.3.2-random", place,
-                "Moving by mutual information leaves less entropy than moving at random, the gaze turning "
-                "alike",
-                "moving at random", active, runs[0], ""),
-          beats("6.3.2-fixed", place, "Likewise less than along a fixed path, a square of 0.9 m",
-                "the fixed path", active, runs[1], ""),
-          beats("6.3.2-standing", place, "Likewise less than standing and looking around", "standing", active,
-                runs[2], "")};
+  return {
+      beats("6.3.2-random", place,
+            "Moving by mutual information leaves less entropy than moving at random, the gaze turning "
+            "alike",
+            "moving at random", active, runs[0], ""),
+      beats(
+          "6.3.2-fixed", place,
+          "Likewise less than along a fixed path, three moves each ahead, left, back and right by a heading "
+          "that turns",
+          "the fixed path", active, runs[1], ""),
+      beats("6.3.2-standing", place, "Likewise less than standing and looking around", "standing", active,
+            runs[2], "")};
 }
 
 std::vector<Claim> of_hands(const std::vector<Runs>& hand) {
@@ -93,6 +103,20 @@ const std::vector<Strategy>& all_counted() {
   return all;
 }
 
+/// As the thesis has it, against moving at random and the others.
+std::vector<Claim> counting_all(const Runs& all, const std::vector<Runs>& runs) {
+  const char *printed = "Section 6.2, Figure 6.3, on images",
+             *why = "it goes to where most of the room is in view, and maps no more there";
+  const std::string with =
+      "With all landmarks counted that are expected in view, as printed, moving by "
+      "mutual information leaves less entropy than ";
+  return {
+      beats("6.3.2-all-random", printed, with + "moving at random", "moving at random", all, runs[0], why),
+      beats("6.3.2-all-fixed", printed, with + "along the fixed path", "the fixed path", all, runs[1], why),
+      beats("6.3.2-all-standing", printed, with + "standing and looking around", "standing", all, runs[2],
+            why)};
+}
+
 Claim counting(const Runs& ours, const Runs& all) {
   return beats("6.3.2-counted", "Section 6.2, Figure 6.3, beside it",
                "Of landmarks that nobody has seen to count no more than would be mapped where they are seen "
@@ -102,15 +126,14 @@ Claim counting(const Runs& ours, const Runs& all) {
 
 LedgerEntry run(const ExperimentSettings& all_seeds) {
   ExperimentSettings settings = all_seeds;
-  settings.seeds = (all_seeds.seeds + 1) / 2;  // ten ways, seconds each
+  settings.seeds = (all_seeds.seeds + 1) / 2;  // ten ways
   LedgerEntry entry{section_6_3_2.id, section_6_3_2.title, "", {}, {}};
   std::vector<Runs> gaze, other, hand, counted;
-  for (const Strategy& s : by_gaze()) gaze.push_back(runs_of("explore-room", s, settings));
-  for (const Strategy& s : baselines()) other.push_back(runs_of("explore-room", s, settings));
-  for (const Strategy& s : all_counted()) counted.push_back(runs_of("explore-room", s, settings));
-  ExperimentSettings half = settings;
-  half.seeds = (settings.seeds + 1) / 2;
-  for (const Strategy& s : hands()) hand.push_back(runs_of("hand-held", s, half));
+  for (const Strategy& s : by_gaze()) gaze.push_back(runs_of("explore-room", s, settings, fresh_rooms));
+  for (const Strategy& s : baselines()) other.push_back(runs_of("explore-room", s, settings, fresh_rooms));
+  for (const Strategy& s : all_counted())
+    counted.push_back(runs_of("explore-room", s, settings, fresh_rooms));
+  for (const Strategy& s : hands()) hand.push_back(runs_of("hand-held", s, settings, fresh_rooms));
   const auto add = [&](const std::vector<Claim>& claims) {
     entry.claims.insert(entry.claims.end(), claims.begin(), claims.end());
   };
@@ -119,10 +142,8 @@ LedgerEntry run(const ExperimentSettings& all_seeds) {
                                    in_numbers(baselines(), other) + "; " + in_numbers(all_counted(), counted);
   add(gaze_claims({"6.3.2", place, ""}, gaze));
   entry.claims.push_back(counting(gaze[0], counted[0]));
-  entry.claims.push_back(moves_across({"6.3.2", "Section 6.3.2",
-                                       "with all that is expected in view counting, commands go ahead and "
-                                       "back, to where more of the room is in view"},
-                                      hand[0], "commands to a person"));
+  add(counting_all(counted[0], other));
+  entry.claims.push_back(moves_across({"6.3.2", "Section 6.3.2", ""}, hand[0], "commands to a person"));
   entry.claims.push_back(closing_loops(hand[0]));
   add(of_hands(hand));
   const Run& first = hand[0].front();

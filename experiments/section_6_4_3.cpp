@@ -4,7 +4,9 @@
 // of 0.05 m; 15 images a second, decisions every 15th by Table 6.1; walls and boxes are kept clear of by the
 // low level; 35 s). The plan of the comparison, written before the runs: as in Section 6.4 with points,
 // strategies paired by seed, judged by the entropy of camera, map and what is not mapped yet together at the
-// end, of always 150 landmarks; a run that is lost counts with its last decision's.
+// end, of always 150 landmarks; a run that is lost counts with its last decision's. That of what nobody has
+// seen so many count as would be mapped was chosen after runs in which all counted; rooms 1 to 16 served for
+// it, and here are others.
 #include "experiments/evidence.hpp"
 #include "experiments/exploring_strategies.hpp"
 #include "experiments/list.hpp"
@@ -38,22 +40,27 @@ LedgerEntry run(const ExperimentSettings& all_seeds) {
   settings.seeds = (all_seeds.seeds + 1) / 2;  // four ways, seconds each
   LedgerEntry entry{section_6_4_3.id, section_6_4_3.title, "", {}, {}};
   std::vector<Runs> runs;
-  for (const Strategy& s : driving()) runs.push_back(runs_of("explore-terrain", s, settings));
-  const char *place = "Section 6.4.3, on images",
-             *all_counted =
-                 "all landmarks expected in view count, so that it drives to where most of the "
-                 "room is in view, and maps no more there (6.3.2); to count those that would be "
-                 "mapped leaves less entropy, and loses runs";
+  for (const Strategy& s : driving()) runs.push_back(runs_of("explore-terrain", s, settings, fresh_rooms));
+  const char* place = "Section 6.4.3, on images";
+  const Runs all =
+      runs_of("explore-terrain", {"all in view counted", {"explore.counted=all"}}, settings, fresh_rooms);
   entry.claims = {
       beats("6.4.3-random", place,
             "Driving by mutual information leaves less entropy than driving at random, by the accelerations "
             "of Table 6.1",
-            "driving at random", runs[0], runs[1], all_counted),
+            "driving at random", runs[0], runs[1], ""),
       beats("6.4.3-fixed", place, "Likewise less than driving to and fro", "driving to and fro", runs[0],
-            runs[2], all_counted),
+            runs[2], ""),
       beats("6.4.3-standing", place, "Likewise less than standing", "standing", runs[0], runs[3], ""),
-      backs_away("6.4.3-backwards", "Section 6.4.3, Figure 6.13", "mostly backwards", runs[0], "")};
-  entry.claims.front().measured += ". " + in_numbers(driving(), runs);
+      beats("6.4.3-all-counted", "Section 6.2, Figure 6.3, on images",
+            "With all landmarks counted that are expected in view, as printed, driving by mutual information "
+            "leaves less entropy than driving at random",
+            "driving at random", all, runs[1],
+            "it drives to where most of the room is in view, and maps no more there"),
+      backs_away("6.4.3-backwards", "Section 6.4.3, Figure 6.13", "mostly backwards", "before a wall ahead",
+                 runs[0], "")};
+  entry.claims.front().measured +=
+      ". " + in_numbers(driving(), runs) + "; " + in_numbers("all in view counted", all);
   entry.figures.push_back(draw_plot(settings.out, vehicle_figure(runs[0].front()), nullptr));
   return entry;
 }

@@ -12,6 +12,7 @@
 #include "incognita/io/recording.hpp"
 #include "incognita/io/target_file.hpp"
 #include "incognita/messages/errors.hpp"
+#include "incognita/world/held_sensor.hpp"
 #include "incognita/world/room_camera.hpp"
 #include "incognita/world/room_clock.hpp"
 #include "incognita/world/room_world.hpp"
@@ -39,9 +40,10 @@ Place rendered_place(const LoadedScenario& loaded, const Camera& camera,
   const auto seed = static_cast<std::uint64_t>(scenario.run.seed);
   auto room = std::make_shared<const Room>(scenario.room, seed);
   if (target) check_sheet(loaded, *target, room->layout().sheet);
+  std::unique_ptr<Sensor> sensor = std::make_unique<RoomCamera>(room, camera, scenario.room, seed);
+  if (scenario.person.holds) sensor = std::make_unique<HeldSensor>(std::move(sensor));
   return {std::make_unique<RoomClock>(scenario.run.rate_hz, scenario.run.duration_s),
-          std::make_unique<RoomWorld>(room->layout(), scenario.room, seed),
-          std::make_unique<RoomCamera>(room, camera, scenario.room, seed)};
+          std::make_unique<RoomWorld>(room->layout(), scenario.room, seed), std::move(sensor)};
 }
 
 Assembly assembled(const LoadedScenario& loaded) {

@@ -14,6 +14,7 @@
 #include "incognita/io/range_formats.hpp"
 #include "incognita/io/team_setting_list.hpp"
 #include "incognita/messages/errors.hpp"
+#include "incognita/world/held_sensor.hpp"
 #include "incognita/world/range_replay.hpp"
 #include "incognita/world/room_clock.hpp"
 #include "incognita/world/team_replay.hpp"
@@ -129,8 +130,10 @@ TeamAssembly simulated(const LoadedScenario& loaded) {
       made(loaded, held ? "steer.input" : "steer.law",
            held ? fmt::format("[{}]", fmt::join(s.team.steer.input, ", ")) : s.team.steer.law,
            [&] { return TeamController(std::move(steering), period_s, s.person, seed); });
-  auto sensor = std::make_unique<TeamSensor>(vehicles, place, s.team.start.sees_team, seed, names_of(team));
-  auto sightings = names_of(team) ? sensor->truth() : nullptr;
+  auto points = std::make_unique<TeamSensor>(vehicles, place, s.team.start.sees_team, seed, names_of(team));
+  auto sightings = names_of(team) ? points->truth() : nullptr;
+  std::unique_ptr<Sensor> sensor = std::move(points);
+  if (s.person.holds) sensor = std::make_unique<HeldSensor>(std::move(sensor));
   return {
       {std::make_unique<RoomClock>(s.run.rate_hz, s.run.duration_s), world_of(s, vehicles, ground),
        std::move(sensor), std::move(estimator), TeamDecision(team, decision_of(s)), std::move(controller)},

@@ -6,17 +6,7 @@
 namespace incognita {
 namespace {
 
-/// Who keeps clear of what stands around looks for it, beside the estimate.
-template <class Controller, class Estimate>
-Command act(Controller& controller, const Estimate& estimate, const Goal& goal, const Observation& seen,
-            const Tick& tick) {
-  if constexpr (requires { controller.act(estimate, goal, seen, tick); })
-    return controller.act(estimate, goal, seen, tick);
-  else
-    return controller.act(estimate, goal, tick);
-}
-
-/// Likewise who asks the wheels how fast it goes.
+/// Who asks the wheels how fast it goes does so beside the estimate.
 template <class Decision, class Estimate>
 Goal choose(Decision& decision, const Estimate& estimate, const Observation& seen, const Tick& tick) {
   if constexpr (requires { decision.choose(estimate, seen, tick); })
@@ -48,7 +38,7 @@ void run_loop(SomeBoxes& boxes, const std::function<void(const Snapshot&)>& publ
     stage.mark("estimator");
     const Goal goal = choose(decision, estimate, seen, tick);  // which action, which way, every score
     stage.mark("advice");
-    command = act(controller, estimate, goal, seen, tick);
+    command = controller.act(estimate, goal, seen, tick);
     stage.mark("control");
     if (watch) {
       watch(estimate);

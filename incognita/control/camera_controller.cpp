@@ -20,8 +20,11 @@ CameraController::CameraController(const ControlSettings& settings, const Person
   if (person.holds) person_.emplace(person, seed, "person.0");
 }
 
-Command CameraController::act(const Estimate& estimate, const Goal& goal, const Tick& tick) {
+Command CameraController::act(const Estimate& estimate, const Goal& goal, const Observation& seen,
+                              const Tick& tick) {
   if (!estimate.started) return {};
+  const bool feels = person_ && !seen.felt.empty();
+  if (feels) last_known_ = seen.felt.front();
   if (estimate.status.state == TrackingState::lost) {
     if (lost_t_ < 0) lost_t_ = tick.t;
     if (person_) person_->forget();
@@ -30,7 +33,7 @@ Command CameraController::act(const Estimate& estimate, const Goal& goal, const 
     return command;
   }
   lost_t_ = -1;
-  last_known_ = estimate.camera_state();
+  if (!feels) last_known_ = estimate.camera_state();
   const Gaze gaze = gaze_of(goal, tick);
   const Eigen::Vector3d rate_in_camera(0, -gaze.rate, 0);  // left about z is about -y of the camera
   Way way{goal.from, goal.to, goal.start_t, goal.end_t};

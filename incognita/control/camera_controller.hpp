@@ -8,6 +8,7 @@
 #include "incognita/control/settings.hpp"
 #include "incognita/messages/command.hpp"
 #include "incognita/messages/goal.hpp"
+#include "incognita/messages/observation.hpp"
 #include "incognita/messages/tick.hpp"
 #include "incognita/slam/estimate.hpp"
 
@@ -20,8 +21,8 @@ class CameraController {
                             std::uint64_t seed = 1);
 
   /// What to do until the next tick. Before the start nothing; when lost, brake from the last known motion,
-  /// then nothing.
-  Command act(const Estimate& estimate, const Goal& goal, const Tick& tick);
+  /// then nothing. A person goes by what the hand feels, seen.felt, and not by the estimate.
+  Command act(const Estimate& estimate, const Goal& goal, const Observation& seen, const Tick& tick);
 
  private:
   struct Gaze {

@@ -65,10 +65,9 @@ Command TeamController::brake(const Tick& tick) {
 }
 
 /// A body in space goes to its goal with the least jerk, looking where the goal says: (5.29).
-SmallVector TeamController::fly(const TeamEstimate& estimate, const Goal& goal, std::size_t i,
-                                const Tick& tick) {
+SmallVector TeamController::fly(const Goal& goal, std::size_t i, const Tick& tick) {
   const VehicleGoal& to = goal.team[i];
-  const SmallVector state = estimate.belief.mean(estimate.vehicles[i].block);
+  const SmallVector& state = last_known_[i];
   Way way{to.from, to.to, goal.start_t, goal.end_t};
   if (!persons_.empty()) way = persons_[i].obey(way, goal.decided, state.head<3>(), tick.t);
   const Reference r = minimum_jerk(way.from, way.to, way.start_t, way.end_t, tick.t);
@@ -80,15 +79,25 @@ SmallVector TeamController::fly(const TeamEstimate& estimate, const Goal& goal, 
   return wished.cwiseMax(-s.most_input).cwiseMin(s.most_input);
 }
 
-Command TeamController::act(const TeamEstimate& estimate, const Goal& goal, const Tick& tick) {
+/// last_known_ <- what is steered by.
+void TeamController::take_states(const TeamEstimate& estimate, const Observation& seen) {
+  if (!persons_.empty() && seen.felt.size() == vehicles_.size()) {
+    last_known_ = seen.felt;
+  } else if (estimate.status.state != TrackingState::lost) {
+    last_known_.clear();
+    for (const TeamVehicle& v : estimate.vehicles) last_known_.emplace_back(estimate.belief.mean(v.block));
+  }
+}
+
+Command TeamController::act(const TeamEstimate& estimate, const Goal& goal, const Observation& seen,
+                            const Tick& tick) {
   if (!first_t_) first_t_ = tick.t;
   Command command;
   command.by_hand = !persons_.empty();
   if (!estimate.started) return command;
+  take_states(estimate, seen);
   if (estimate.status.state == TrackingState::lost) return brake(tick);
   lost_t_.reset();
-  last_known_.clear();
-  for (const TeamVehicle& v : estimate.vehicles) last_known_.emplace_back(estimate.belief.mean(v.block));
   const bool has_goals = goal.team.size() == vehicles_.size();
   if (goal.decided && has_goals) turn_to(goal);
   const double t = tick.t - *first_t_;
@@ -98,12 +107,12 @@ Command TeamController::act(const TeamEstimate& estimate, const Goal& goal, cons
       continue;
     }
     if (has_goals && std::holds_alternative<FreeCameraMotion>(vehicles_[i].motion)) {
-      command.inputs.push_back(fly(estimate, goal, i, tick));
+      command.inputs.push_back(fly(goal, i, tick));
       const Eigen::Vector3d& to = goal.team[i].to;
       command.wanted.emplace_back(to.x(), to.y(), to.z(), goal.team[i].heading_rad);
       continue;
     }
-    command.inputs.push_back(laws_[i]->act(estimate.belief.mean(estimate.vehicles[i].block), t));
+    command.inputs.push_back(laws_[i]->act(last_known_[i], t));
     if (vehicles_[i].settings.law == "none") continue;
     const Reference wanted = at(vehicles_[i].settings.path, t);
     command.wanted.emplace_back(wanted.position.x(), wanted.position.y(), wanted.position.z(),

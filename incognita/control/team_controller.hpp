@@ -10,6 +10,7 @@
 #include "incognita/control/steering.hpp"
 #include "incognita/messages/command.hpp"
 #include "incognita/messages/goal.hpp"
+#include "incognita/messages/observation.hpp"
 #include "incognita/messages/tick.hpp"
 #include "incognita/slam/team_estimate.hpp"
 
@@ -29,12 +30,14 @@ class TeamController {
 
   /// Nothing before the start; once lost, bodies in space brake from their last known motion. Goals for the
   /// team, newly decided, take the place of the paths.
-  Command act(const TeamEstimate& estimate, const Goal& goal, const Tick& tick);
+  /// Persons go by what their hands feel, seen.felt, and not by the estimate.
+  Command act(const TeamEstimate& estimate, const Goal& goal, const Observation& seen, const Tick& tick);
 
  private:
   void turn_to(const Goal& goal);
   Command brake(const Tick& tick);
-  SmallVector fly(const TeamEstimate& estimate, const Goal& goal, std::size_t vehicle, const Tick& tick);
+  void take_states(const TeamEstimate& estimate, const Observation& seen);
+  SmallVector fly(const Goal& goal, std::size_t vehicle, const Tick& tick);
 
   std::vector<VehicleSteering> vehicles_;
   double period_s_;

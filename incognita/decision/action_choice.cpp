@@ -73,7 +73,9 @@ bool ActionChoice::choose(const Form& belief, BlockId vehicle, const BlockVector
   if (due || (settings_.horizon == 1 && settings_.schedule != "at-decisions"))
     score(belief, vehicle, state, moves, expectation);
   if (!due) return false;
-  chosen_ = compare(state, moves);
+  // Of its first frame it knows one action only: it stays
+  const bool knows_one = chosen_ < 0 && settings_.schedule == "one-per-frame";
+  chosen_ = knows_one ? moves.stay() : compare(state, moves);
   end_t_ = tick.t + settings_.period_s;
   return true;
 }

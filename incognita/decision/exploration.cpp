@@ -31,7 +31,7 @@ Exploration::Exploration(const ExplorationSettings& settings, std::uint64_t seed
   unseen_cells_ = cells_.prod();
   seen_s_.assign(static_cast<std::size_t>(unseen_cells_), 0);
   for (int i = 0; i < settings_.expected_landmarks; ++i) {
-    expected_.push_back({i, Eigen::Vector3d::Zero()});
+    expected_.push_back({next_index_++, {}});
     move_elsewhere(expected_.back());
   }
 }
@@ -77,6 +77,10 @@ void Exploration::look(const std::function<bool(const Eigen::Vector3d&)>& in_vie
   std::stable_partition(expected_.begin(), expected_.end(),
                         [&](const ExpectedLandmark& e) { return !seen(cell_of(e.position)); });
   if (expected_.size() > left) expected_.resize(left);
+  while (expected_.size() < left) {  // what was mapped was dropped again
+    expected_.push_back({next_index_++, {}});
+    move_elsewhere(expected_.back());
+  }
   for (ExpectedLandmark& e : expected_)
     if (seen(cell_of(e.position))) move_elsewhere(e);
   std::sort(expected_.begin(), expected_.end(),

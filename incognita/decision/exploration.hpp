@@ -49,6 +49,7 @@ class Exploration {
   std::vector<ExpectedLandmark> expected_;
   RandomStream random_;
   int unseen_cells_ = 0;
+  int next_index_ = 0;
 };
 
 /// Entropy in nats of landmarks that are not mapped: what a map of fixed dimension (Figure 6.3) has beside

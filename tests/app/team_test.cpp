@@ -77,7 +77,7 @@ Result run(const Scene& scene, double duration_s, std::uint64_t seed) {
   while (const Tick tick = clock.next()) {
     const auto truth = world.move(command, tick);
     estimator.update(result.estimate, command, sensor.look(truth, tick), tick);
-    command = controller.act(result.estimate, {}, tick);
+    command = controller.act(result.estimate, {}, {}, tick);
     result.position_error_m = 0;
     for (std::size_t i = 0; i < scene.vehicles.size(); ++i) {
       const AnyMotion& motion = scene.vehicles[i].motion;
@@ -390,13 +390,13 @@ TEST(Team, ABodyThatIsLostBrakes) {
   SmallVector flying = e.belief.mean(e.vehicles[0].block);
   flying.segment<3>(7) << 0.4, 0, -0.2;
   e.belief.set_mean(e.vehicles[0].block, flying);
-  controller.act(e, {}, {1, 0.05, 0.05});
+  controller.act(e, {}, {}, {1, 0.05, 0.05});
   e.status.state = TrackingState::lost;
-  const Command braking = controller.act(e, {}, {2, 0.1, 0.05});
+  const Command braking = controller.act(e, {}, {}, {2, 0.1, 0.05});
   ASSERT_EQ(braking.inputs.size(), 1u);
   EXPECT_NEAR(braking.inputs[0][0], -0.8, 1e-12);
   EXPECT_NEAR(braking.inputs[0][2], 0.4, 1e-12);
-  EXPECT_TRUE(controller.act(e, {}, {30, 1.5, 0.05}).inputs.empty()) << "then nothing";
+  EXPECT_TRUE(controller.act(e, {}, {}, {30, 1.5, 0.05}).inputs.empty()) << "then nothing";
 }
 
 TEST(Team, GivesTheSameForTheSameSeed) {

@@ -65,13 +65,44 @@ TEST(CameraController, BrakesFromTheLastKnownMotionWhenLostThenDoesNothing) {
   estimate.started = true;
   estimate.status.state = TrackingState::tracking;
   CameraController controller({});
-  controller.act(estimate, {}, {0, 0, 0});
+  controller.act(estimate, {}, {}, {0, 0, 0});
   estimate.status.state = TrackingState::lost;
   double velocity = 0.4;
   for (int k = 1; k < 60; ++k)
-    velocity += controller.act(estimate, {}, {k, k / 30.0, 1 / 30.0}).linear_acceleration.x() / 30;
+    velocity += controller.act(estimate, {}, {}, {k, k / 30.0, 1 / 30.0}).linear_acceleration.x() / 30;
   EXPECT_NEAR(velocity, 0, 0.03);
-  EXPECT_TRUE(controller.act(estimate, {}, {60, 2.0, 1 / 30.0}).linear_acceleration.isZero());
+  EXPECT_TRUE(controller.act(estimate, {}, {}, {60, 2.0, 1 / 30.0}).linear_acceleration.isZero());
+}
+
+/// An estimate that is wrong, or jumps, moves nobody's hand.
+TEST(CameraController, APersonGoesByWhatTheHandFeels) {
+  PersonSettings person;
+  person.holds = true;
+  person.delay_s = person.sigma_way_ratio = person.wrong = 0;
+  CameraController controller({}, person);
+  Estimate estimate;
+  CameraState believed = at_rest();
+  believed.x() += 0.5;
+  estimate.camera =
+      estimate.belief.add_vehicle(FreeCameraMotion::chart, believed, FreeCameraMotion::Jacobian::Identity());
+  estimate.started = true;
+  estimate.status.state = TrackingState::tracking;
+  Goal goal;
+  goal.decided = true;
+  goal.from = believed.head<3>();
+  goal.to = goal.from + Eigen::Vector3d(0, 0.3, 0);
+  goal.end_t = 1;
+  CameraState hand = at_rest();
+  Observation seen;
+  for (int k = 0; k <= 45; ++k) {
+    seen.felt.assign(1, hand);
+    const Command command = controller.act(estimate, goal, seen, {k, k / 30.0, k == 0 ? 0 : 1 / 30.0});
+    EXPECT_TRUE(command.by_hand);
+    EXPECT_LT(command.linear_acceleration.norm(), 2) << "0.3 m in a second by the least jerk";
+    hand = FreeCameraMotion{}.f<double>(hand, command.as_input(), 1 / 30.0);
+    goal.decided = false;
+  }
+  EXPECT_NEAR((hand.head<3>() - at_rest().head<3>() - Eigen::Vector3d(0, 0.3, 0)).norm(), 0, 0.02);
 }
 
 }  // namespace

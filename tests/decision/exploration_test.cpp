@@ -60,6 +60,9 @@ TEST(Exploration, WhatIsMappedIsNoLongerExpected) {
   EXPECT_EQ(e.expected().size(), 6u);
   e.look(nothing, 0.1, 12);
   EXPECT_TRUE(e.expected().empty());
+  e.look(nothing, 0.1, 7);
+  ASSERT_EQ(e.expected().size(), 3u) << "what is dropped from the map is expected again";
+  EXPECT_EQ(e.expected().front().index, 10) << "and is no old acquaintance";
 }
 
 TEST(Exploration, ExpectsNothingUnlessTold) {

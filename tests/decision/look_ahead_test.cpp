@@ -200,7 +200,8 @@ TEST(ActionChoice, OneActionAFrameChoosesTheSameWhereNothingChanges) {
   bool one_each = true;
   std::vector<int> chosen = choices(s, 1, &one_each);
   EXPECT_TRUE(one_each);
-  chosen.erase(chosen.begin());  // in its first frame it has scored one only
+  EXPECT_EQ(chosen.front(), 1) << "in its first frame it has scored one only, and stays";
+  chosen.erase(chosen.begin());
   EXPECT_EQ(chosen, std::vector<int>(9, 2));
 }
 

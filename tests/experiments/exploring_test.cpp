@@ -66,7 +66,8 @@ TEST(Exploring, OnImagesToo) {
 }
 
 TEST(Exploring, CountsLandmarksThatComeBack) {
-  const exploring::Run run = explore("hand-held", {"run.duration_s=20", "decision.schedule=at-decisions"}, 1);
+  const exploring::Run run =
+      explore("hand-held", {"run.duration_s=20", "decision.schedule=at-decisions", "explore.counted=all"}, 1);
   int returned = 0;
   for (const Decision& d : run.decisions) {
     if (d.t_s < away_s) {

@@ -11,7 +11,7 @@ namespace incognita::exploring {
 
 /// Translation by mutual information, gaze by (i), (ii), (iii) of the thesis, in their order.
 const std::vector<Strategy>& by_gaze();
-/// At random, along a square, standing; they turn as (i) does.
+/// At random, along a fixed sequence of moves, standing; they turn as (i) does.
 const std::vector<Strategy>& baselines();
 
 /// Of a vehicle that carries the camera: mutual information, at random, to and fro, standing.

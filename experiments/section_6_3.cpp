@@ -4,10 +4,11 @@
 // Experiment: scenarios/free-camera.toml (room of 6 x 6 x 2.5 m, 33 points, 6 of them known; 0.3 m a second;
 // 35 s). The plan of the comparison, written before the runs: strategies in the same rooms with the same
 // noises (paired by seed); what counts is the entropy of camera, map and what is not mapped yet together
-// (Figure 6.3: always 27 landmarks), at the end; beside it how many go astray and the position's error,
+// (Figure 6.3: always 27 landmarks), at the end; beside it how many are lost and the position's error,
 // landmarks located (known to 0.3 of their distance), the share of the room that was looked at, and when the
 // 14th was located. Differences are means with intervals by bootstrap over the seeds. A run that ends lost
 // counts with what it last believed, which is more than it knows. Baselines turn as (i) does.
+// Added after runs: a difference must show, too, among the rooms in which neither run went astray.
 #include <fmt/format.h>
 
 #include <algorithm>

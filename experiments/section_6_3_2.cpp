@@ -31,16 +31,16 @@ const std::vector<Strategy>& hands() {
   return all;
 }
 
-/// Of seconds from the first return on, in which the map stayed the same landmarks: how much more the entropy
+/// Of seconds after the first return, in which the map stayed the same landmarks: how much more the entropy
 /// fell, in the mean, where landmarks came back than where none did; of camera, map and what is not mapped,
 /// whose dimension stays. Not a number where one of the two never was.
 double fall_by_returning(const Run& run) {
   double fallen[2] = {0, 0}, count[2] = {0, 0};
   const auto returned = [](const exploring::Decision& d) { return d.returned > 0; };
   const auto first = std::find_if(run.decisions.begin(), run.decisions.end(), returned);
-  // Before, nothing could have been away for so long, and entropy falls by more
-  for (auto i = static_cast<std::size_t>(first - run.decisions.begin()); i < run.decisions.size(); ++i) {
-    if (i == 0) continue;
+  // Until then nothing could have been away for so long, and entropy falls by more; nor does the first itself
+  // count, as the earliest would always be among those with returns
+  for (auto i = static_cast<std::size_t>(first - run.decisions.begin()) + 1; i < run.decisions.size(); ++i) {
     const exploring::Decision &before = run.decisions[i - 1], &now = run.decisions[i];
     const double fall = before.entropy_extended - now.entropy_extended;
     if (before.mapped != now.mapped || !std::isfinite(fall)) continue;

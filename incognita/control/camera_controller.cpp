@@ -23,16 +23,17 @@ CameraController::CameraController(const ControlSettings& settings, const Person
 Command CameraController::act(const Estimate& estimate, const Goal& goal, const Observation& seen,
                               const Tick& tick) {
   if (!estimate.started) return {};
+  const bool lost = estimate.status.state == TrackingState::lost;
   const bool feels = person_ && !seen.felt.empty();
-  if (feels) last_known_ = seen.felt.front();
-  if (estimate.status.state == TrackingState::lost) {
+  if (!lost) lost_t_ = -1;
+  if (feels && lost_t_ < 0) last_known_ = seen.felt.front();
+  if (lost) {
     if (lost_t_ < 0) lost_t_ = tick.t;
     if (person_) person_->forget();
     Command command = brake(tick);
     command.by_hand = person_.has_value();
     return command;
   }
-  lost_t_ = -1;
   if (!feels) last_known_ = estimate.camera_state();
   const Gaze gaze = gaze_of(goal, tick);
   const Eigen::Vector3d rate_in_camera(0, -gaze.rate, 0);  // left about z is about -y of the camera

@@ -79,8 +79,9 @@ SmallVector TeamController::fly(const Goal& goal, std::size_t i, const Tick& tic
   return wished.cwiseMax(-s.most_input).cwiseMin(s.most_input);
 }
 
-/// last_known_ <- what is steered by.
+/// last_known_ <- what is steered by; once lost, it stays what it was, to brake from.
 void TeamController::take_states(const TeamEstimate& estimate, const Observation& seen) {
+  if (lost_t_) return;
   if (!persons_.empty() && seen.felt.size() == vehicles_.size()) {
     last_known_ = seen.felt;
   } else if (estimate.status.state != TrackingState::lost) {
@@ -95,9 +96,9 @@ Command TeamController::act(const TeamEstimate& estimate, const Goal& goal, cons
   Command command;
   command.by_hand = !persons_.empty();
   if (!estimate.started) return command;
+  if (estimate.status.state != TrackingState::lost) lost_t_.reset();
   take_states(estimate, seen);
   if (estimate.status.state == TrackingState::lost) return brake(tick);
-  lost_t_.reset();
   const bool has_goals = goal.team.size() == vehicles_.size();
   if (goal.decided && has_goals) turn_to(goal);
   const double t = tick.t - *first_t_;

@@ -62,6 +62,7 @@ ActionChoice::ActionChoice(const DecisionSettings& settings, std::vector<std::st
 
 void ActionChoice::forget() {
   chosen_ = -1;
+  scored_ = 0;
   std::fill(scores_.begin(), scores_.end(), 0);
 }
 
@@ -73,9 +74,7 @@ bool ActionChoice::choose(const Form& belief, BlockId vehicle, const BlockVector
   if (due || (settings_.horizon == 1 && settings_.schedule != "at-decisions"))
     score(belief, vehicle, state, moves, expectation);
   if (!due) return false;
-  // Of its first frame it knows one action only: it stays
-  const bool knows_one = chosen_ < 0 && settings_.schedule == "one-per-frame";
-  chosen_ = knows_one ? moves.stay() : compare(state, moves);
+  chosen_ = compare(state, moves);
   end_t_ = tick.t + settings_.period_s;
   return true;
 }
@@ -112,7 +111,12 @@ void ActionChoice::allow(const BlockVector& state, const Moves& moves) {
 
 int ActionChoice::compare(const BlockVector& state, const Moves& moves) {
   allow(state, moves);
-  if (settings_.strategy == "mutual-information") return best_of(scores_, allowed_, moves.stay());
+  if (settings_.strategy == "mutual-information") {
+    const auto stay = static_cast<std::size_t>(moves.stay());
+    // While some have no score yet it stays, where it may
+    const bool waits = settings_.schedule == "one-per-frame" && scored_ < order_.size();
+    return waits && allowed_[stay] ? moves.stay() : best_of(scores_, allowed_, moves.stay());
+  }
   if (settings_.strategy == "fixed-path") return next_of_sequence(moves);
   if (settings_.strategy == "none") return moves.stay();
   std::vector<int> possible;

@@ -31,7 +31,7 @@ Exploration::Exploration(const ExplorationSettings& settings, std::uint64_t seed
   unseen_cells_ = cells_.prod();
   seen_s_.assign(static_cast<std::size_t>(unseen_cells_), 0);
   for (int i = 0; i < settings_.expected_landmarks; ++i) {
-    expected_.push_back({next_index_++, {}});
+    expected_.push_back({i, {}});
     move_elsewhere(expected_.back());
   }
 }
@@ -76,10 +76,13 @@ void Exploration::look(const std::function<bool(const Eigen::Vector3d&)>& in_vie
   // Those that were looked at are the first to have been mapped
   std::stable_partition(expected_.begin(), expected_.end(),
                         [&](const ExpectedLandmark& e) { return !seen(cell_of(e.position)); });
-  if (expected_.size() > left) expected_.resize(left);
-  while (expected_.size() < left) {  // what was mapped was dropped again
-    expected_.push_back({next_index_++, {}});
-    move_elsewhere(expected_.back());
+  while (expected_.size() > left) {
+    mapped_.push_back(expected_.back());
+    expected_.pop_back();
+  }
+  while (expected_.size() < left) {  // what left the map is where it was expected before
+    expected_.push_back(mapped_.back());
+    mapped_.pop_back();
   }
   for (ExpectedLandmark& e : expected_)
     if (seen(cell_of(e.position))) move_elsewhere(e);

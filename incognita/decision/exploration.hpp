@@ -45,11 +45,10 @@ class Exploration {
 
   ExplorationSettings settings_;
   Eigen::Vector3i cells_;
-  std::vector<double> seen_s_;  ///< per cell
-  std::vector<ExpectedLandmark> expected_;
+  std::vector<double> seen_s_;                       ///< per cell
+  std::vector<ExpectedLandmark> expected_, mapped_;  ///< mapped_: those taken to be, the last to go last
   RandomStream random_;
   int unseen_cells_ = 0;
-  int next_index_ = 0;
 };
 
 /// Entropy in nats of landmarks that are not mapped: what a map of fixed dimension (Figure 6.3) has beside

@@ -85,6 +85,14 @@ void check_start(const Scenario& s, List& found) {
           {"decision.min_bound_m", "must, with decision.max_bound_m, leave team.positions_m inside"});
 }
 
+/// What a hand feels is told in the frame of the room, goals in that of the filter.
+void check_held(const Scenario& s, List& found) {
+  if (s.person.holds && s.run.world == "room" && s.start.from == "free")
+    found.push_back({"person.holds",
+                     "must be false with start.from = \"free\": the hand is told where to move "
+                     "in the frame of the room, which only a target fixes"});
+}
+
 void check_counted(const Scenario& s, List& found) {
   if (s.exploration.counted == "as-mapped" && s.run.world == "points")
     found.push_back(
@@ -98,6 +106,7 @@ void check_decision(const Scenario& scenario, List& found) {
   check_horizon(scenario.decision, found);
   check_box(scenario, found);
   check_counted(scenario, found);
+  check_held(scenario, found);
   check_start(scenario, found);
 }
 

@@ -210,7 +210,7 @@ void search(List& list, SearchSettings& s) {
           {"search.gate_probability", &s.gate_probability, "",
            "of a right match passing each consistency test", between(0.5, 0.999999)},
           {"search.max_alone_sigma_px", &s.max_alone_sigma_px, "px",
-           "a match is not believed where the others say no more than that it is within this",
+           "what returns is not believed where the other matches say no more than that it is within this",
            above_up_to(0, 1e9)},
       });
 }

@@ -159,8 +159,9 @@ std::string decision(std::string_view key, const Choices& c) {
   const std::string moved = c.carried ? c.by_plant() : c.by_model();
   if (key.starts_with("gaze")) return unless(c.body && !driven, moved);
   if (one_of(key, {"step_m", "moves_m"})) return unless(!driven, moved);
-  if (one_of(key, {"accelerations", "impulse_s", "acceleration_m_s2", "turn_acceleration_rad_s2"}))
-    return unless(driven, moved);
+  if (key == "accelerations" || key == "impulse_s") return unless(driven, moved);
+  if (one_of(key, {"acceleration_m_s2", "turn_acceleration_rad_s2"}))
+    return unless(driven && c.s.decision.accelerations.empty(), driven ? "decision.accelerations" : moved);
   return "";
 }
 

@@ -17,6 +17,8 @@ inline std::array<std::uint8_t, 3> look_colour(LookOutcome outcome) {
       return {235, 60, 60};
     case LookOutcome::inconsistent:
       return {220, 60, 220};
+    case LookOutcome::alone:
+      return {240, 170, 40};
     case LookOutcome::not_tried:
       return {170, 170, 170};
     case LookOutcome::born:

@@ -82,7 +82,7 @@ Json pose() { return object({{"position", xyz("m")}, {"orientation", quaternion(
 Json look() {
   return object({{"id", integer()},
                  {"kind", one_of({"anchor", "landmark", "line", "vehicle"})},
-                 {"outcome", one_of({"matched", "not-found", "inconsistent", "not-tried", "born"})},
+                 {"outcome", one_of({"matched", "not-found", "inconsistent", "alone", "not-tried", "born"})},
                  {"predicted", array(number(), "u, v: px, before the image was used"), sometimes},
                  {"innovation_cov", array(number(), "uu, uv, vv: px^2"), sometimes},
                  {"measured", array(number(), "u, v: px"), sometimes},

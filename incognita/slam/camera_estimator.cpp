@@ -173,6 +173,7 @@ void CameraEstimator::track(Estimate& estimate, const Image& image, const Tick& 
     if (estimate.update.outcome == UpdateReport::Outcome::updated) learn_planes(estimate, estimate.looks);
     clock.mark("update");
   }
+  count_frames_away(estimate);
   estimate.status =
       judge(estimate.status, estimate.matched, estimate.predicted, sigma_position(estimate), settings_);
   if (estimate.status.state == TrackingState::lost) return get_lost(estimate);

@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace incognita {
 namespace {
@@ -57,63 +58,76 @@ Selected select(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& S, cons
   return s;
 }
 
-/// Of a group all together: covariance^-1 and covariance^-1 r. The innovation of member j given the others
-/// has covariance ([S^-1]_jj)^-1 and mean ([S^-1]_jj)^-1 [S^-1 r]_j.
-struct Together {
-  Eigen::MatrixXd inverse;
-  Eigen::VectorXd whitened;
-  Together(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& S, const std::vector<int>& group) {
+/// Drops the member that agrees least with all the others together, until every one passes. The innovation of
+/// a member given the others has covariance ([S^-1]_jj)^-1 and mean ([S^-1]_jj)^-1 [S^-1 r]_j.
+void leave_one_out(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& S, double gate,
+                   std::vector<int>& group) {
+  while (group.size() > 1) {
     const Selected s = select(residuals, S, group);
-    inverse = s.S.llt().solve(Eigen::MatrixXd::Identity(s.S.rows(), s.S.cols()));
-    whitened = inverse * s.residuals;
-  }
-  /// Mahalanobis distance squared of a member given the others.
-  double distance(int member) const {
-    const Eigen::Vector2d w = whitened.segment<2>(2 * member);
-    return w.dot(inverse.block<2, 2>(2 * member, 2 * member).inverse() * w);
-  }
-  /// px^2, along the axis where the others say least: the inverse of the smaller eigenvalue.
-  double variance(int member) const {
-    const Block information = inverse.block<2, 2>(2 * member, 2 * member);
-    const double half = information.trace() / 2;
-    return 1 / (half - std::sqrt(std::max(0.0, half * half - information.determinant())));
-  }
-};
-
-/// Drops the member for which `measure` of it given the others is greatest and above `limit`, until there is
-/// none.
-template <class Measure>
-void drop_worst(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& S, double limit, Measure measure,
-                std::vector<int>& group, std::size_t least) {
-  while (group.size() > least) {
-    const Together together(residuals, S, group);
+    const Eigen::MatrixXd inverse = s.S.llt().solve(Eigen::MatrixXd::Identity(s.S.rows(), s.S.cols()));
+    const Eigen::VectorXd whitened = inverse * s.residuals;
     int worst = -1;
-    double most = limit;
+    double worst_distance = gate;
     for (int a = 0; a < static_cast<int>(group.size()); ++a) {
-      const double of_a = measure(together, a);
-      if (!(of_a > most)) continue;
-      most = of_a;
-      worst = a;
+      const Eigen::Vector2d w = whitened.segment<2>(2 * a);
+      const double distance = w.dot(inverse.block<2, 2>(2 * a, 2 * a).inverse() * w);
+      if (distance > worst_distance) {
+        worst_distance = distance;
+        worst = a;
+      }
     }
     if (worst < 0) return;
     group.erase(group.begin() + worst);
   }
 }
 
+/// px^2, along the axis where the others say least, of a member of a group with that covariance^-1: its own
+/// block is the inverse of its covariance given the others.
+double variance_given_others(const Eigen::MatrixXd& inverse, int member) {
+  const Block information = inverse.block<2, 2>(2 * member, 2 * member);
+  const double half = information.trace() / 2;
+  const double least = half - std::sqrt(std::max(0.0, half * half - information.determinant()));
+  return least > 0 ? 1 / least : std::numeric_limits<double>::infinity();
+}
+
 }  // namespace
 
-std::vector<bool> agreeing_matches(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& S, double gate,
-                                   double max_alone_sigma_px) {
+std::vector<bool> agreeing_matches(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& S, double gate) {
   std::vector<bool> agrees(residuals.size() / 2, false);
   std::vector<int> group = largest_group(residuals, S, gate);
-  drop_worst(
-      residuals, S, gate, [](const Together& t, int member) { return t.distance(member); }, group, 1);
-  if (std::isfinite(max_alone_sigma_px))
-    drop_worst(
-        residuals, S, max_alone_sigma_px * max_alone_sigma_px,
-        [](const Together& t, int member) { return t.variance(member); }, group, 0);
+  leave_one_out(residuals, S, gate, group);
   for (const int i : group) agrees[i] = true;
   return agrees;
+}
+
+std::vector<bool> matches_alone(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& S,
+                                const std::vector<bool>& agrees, const std::vector<bool>& returning,
+                                double max_sigma_px) {
+  std::vector<bool> alone(agrees.size(), false);
+  std::vector<int> group;
+  bool any = false;
+  for (int i = 0; i < static_cast<int>(agrees.size()); ++i) {
+    if (!agrees[i]) continue;
+    group.push_back(i);
+    any = any || returning[i];
+  }
+  while (any && !group.empty()) {
+    const Selected s = select(residuals, S, group);
+    const Eigen::MatrixXd inverse = s.S.llt().solve(Eigen::MatrixXd::Identity(s.S.rows(), s.S.cols()));
+    int worst = -1;
+    double most = max_sigma_px * max_sigma_px;
+    for (int a = 0; a < static_cast<int>(group.size()); ++a) {
+      if (!returning[group[a]]) continue;
+      const double variance = variance_given_others(inverse, a);
+      if (variance <= most) continue;
+      most = variance;
+      worst = a;
+    }
+    if (worst < 0) break;
+    alone[group[worst]] = true;
+    group.erase(group.begin() + worst);
+  }
+  return alone;
 }
 
 }  // namespace incognita

@@ -8,7 +8,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <limits>
 #include <vector>
 
 namespace incognita {
@@ -17,11 +16,14 @@ namespace incognita {
 /// `gate`: chi-square threshold with 2 degrees of freedom.
 /// Returns, for each match, whether it is in the agreed group. A lone match agrees with itself if its own
 /// innovation passes the gate.
-///
-/// `max_alone_sigma_px`: a match of which the others say no more than that it is within a larger standard
-/// deviation, along the axis where they say least, is not taken. In so large a place chance finds something
-/// alike, and nobody is there to disagree: so loops are closed wrongly.
-std::vector<bool> agreeing_matches(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& S, double gate,
-                                   double max_alone_sigma_px = std::numeric_limits<double>::infinity());
+std::vector<bool> agreeing_matches(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& S, double gate);
+
+/// Of the matches that agree and are `returning` those that nothing bears out: of which the others that agree
+/// say no more than that they are within a standard deviation above `max_sigma_px`, along the axis where they
+/// say least. In so large a place chance finds something alike, and nobody is there to disagree: so loops
+/// are closed wrongly. The worst goes first, and those left are asked again without it.
+std::vector<bool> matches_alone(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& S,
+                                const std::vector<bool>& agrees, const std::vector<bool>& returning,
+                                double max_sigma_px);
 
 }  // namespace incognita

@@ -48,6 +48,7 @@ struct Landmark {
   PatchView view;
   int attempts = 0;       ///< searches in frames that were otherwise matched
   int matches = 0;        ///< of them, how many updated the filter
+  int frames_away = 0;    ///< since it last updated the filter, or was born
   int line_failures = 0;  ///< lines only: searches in a row that found nothing
 
   bool mapped() const { return kind == Kind::point || kind == Kind::inverse_depth; }

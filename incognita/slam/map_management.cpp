@@ -4,9 +4,15 @@
 
 namespace incognita {
 
+void count_frames_away(Estimate& estimate) {
+  for (Landmark& landmark : estimate.catalogue) ++landmark.frames_away;
+  for (const Look& look : estimate.looks)
+    if (look.outcome == LookOutcome::matched) estimate.catalogue[look.landmark].frames_away = 0;
+}
+
 void count_attempts(Estimate& estimate) {
   for (const Look& look : estimate.looks) {
-    if (look.outcome == LookOutcome::not_tried) continue;
+    if (look.outcome == LookOutcome::not_tried || look.outcome == LookOutcome::alone) continue;
     Landmark& landmark = estimate.catalogue[look.landmark];
     ++landmark.attempts;
     landmark.matches += look.outcome == LookOutcome::matched;

@@ -6,6 +6,9 @@
 
 namespace incognita {
 
+/// Counts for how many frames each landmark was not matched; of every frame that is tracked.
+void count_frames_away(Estimate& estimate);
+
 /// Counts this frame's searches. A frame that matched hardly anything says nothing about single landmarks
 /// (the lens may be covered), so the caller leaves it out.
 void count_attempts(Estimate& estimate);

@@ -8,6 +8,13 @@
 #include "incognita/slam/predict_looks.hpp"
 
 namespace incognita {
+namespace {
+
+/// Frames without a match after which a landmark that is matched again has been away. One that was just born
+/// is matched in every frame, and nothing but itself tells its depth.
+constexpr int frames_until_away = 15;
+
+}  // namespace
 
 int measure(const SummedImage& image, const std::vector<Landmark>& catalogue, const SearchSettings& settings,
             std::vector<Look>& looks) {
@@ -52,10 +59,19 @@ int reject_inconsistent(const Estimate& estimate, const CameraSlamSettings& sett
   Eigen::VectorXd residuals(S.rows());
   for (std::size_t i = 0; i < matched.size(); ++i) residuals.segment<2>(2 * i) = affine[i].residual;
   const double gate = chi_square_quantile(settings.search.gate_probability, 2);
-  const std::vector<bool> agrees = agreeing_matches(residuals, S, gate, settings.search.max_alone_sigma_px);
-  for (std::size_t i = 0; i < matched.size(); ++i)
+  const std::vector<bool> agrees = agreeing_matches(residuals, S, gate);
+  std::vector<bool> returning;
+  for (const Look* look : matched)
+    returning.push_back(estimate.catalogue[look->landmark].frames_away >= frames_until_away);
+  const std::vector<bool> alone =
+      matches_alone(residuals, S, agrees, returning, settings.search.max_alone_sigma_px);
+  int left = 0;
+  for (std::size_t i = 0; i < matched.size(); ++i) {
     if (!agrees[i]) matched[i]->outcome = LookOutcome::inconsistent;
-  return static_cast<int>(std::count(agrees.begin(), agrees.end(), true));
+    if (alone[i]) matched[i]->outcome = LookOutcome::alone;
+    left += matched[i]->outcome == LookOutcome::matched;
+  }
+  return left;
 }
 
 }  // namespace incognita

@@ -23,7 +23,7 @@ struct SearchSettings {
   int max_measurements = 12;     ///< looks searched for in a frame, the most uncertain first
   double max_half_axis_px = 60;  ///< an ellipse is searched no further out than this
   double gate_probability = 0.99;  ///< of a right match passing each consistency test
-  double max_alone_sigma_px = 8;   ///< a match that the others tell nothing nearer of is not believed
+  double max_alone_sigma_px = 8;   ///< what returns and the others tell nothing nearer of is not believed
 };
 
 struct BirthSettings {

@@ -28,6 +28,7 @@ enum class LookOutcome {
   matched,
   not_found,
   inconsistent,
+  alone,  ///< found where nothing speaks against it, and nothing else for it
   not_tried,
   born,  ///< a new landmark was made of it
 };
@@ -40,6 +41,8 @@ inline const char* name(LookOutcome outcome) {
       return "not-found";
     case LookOutcome::inconsistent:
       return "inconsistent";
+    case LookOutcome::alone:
+      return "alone";
     case LookOutcome::not_tried:
       return "not-tried";
     case LookOutcome::born:

@@ -268,6 +268,8 @@ TEST(TeamScenario, ACarriedCameraRefusesWhatItsCarrierCanNot) {
   refused("active", {"control.max_acceleration_m_s2=1"}, "means nothing with plant.motion = `terrain`");
   refused("active", {"person.holds=true"}, "means nothing with plant.motion = `terrain`");
   refused("active", {"decision.accelerations=[[0.5, 0]]"}, "must have [0, 0], to go on as it goes");
+  refused("active", {"decision.accelerations=[[0, 0]]", "decision.acceleration_m_s2=1"},
+          "means nothing with decision.accelerations");
   refused("active", {"team.positions_m=[[0, 0, 1]]"}, "stands on the ground");
 }
 

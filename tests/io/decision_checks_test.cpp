@@ -49,6 +49,11 @@ TEST(DecisionChecks, RefuseWhatNoDecisionCanBeMadeOf) {
              "must be `all` with run.world = \"points\"");
 }
 
+TEST(DecisionChecks, AHandNeedsTheFrameOfTheRoom) {
+  EXPECT_HAS(complaint(room + "[person]\nholds = true\n"),
+             "person.holds = true: must be false with start.from");
+}
+
 TEST(DecisionChecks, LetTheRestPass) {
   EXPECT_EQ(complaint(room + "[decision]\nmoves_m = [[0.3, 0, 0], [0, 0, 0]]\n"), "(none)");
   EXPECT_EQ(complaint(points + "[decision]\nhorizon = 3\n"), "(none)");

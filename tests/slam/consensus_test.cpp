@@ -87,24 +87,38 @@ Frame loop_closing(int recent, int returning) {
   return f;
 }
 
-TEST(Consensus, WhatComesBackAloneIsNotBelieved) {
-  const Frame one = loop_closing(6, 1), two = loop_closing(6, 2);
-  std::vector<bool> recent(7, true);
-  EXPECT_EQ(agreeing_matches(one.residuals, one.S, gate), recent) << "nothing speaks against it";
-  EXPECT_EQ(agreeing_matches(one.residuals, one.S, gate, 31), recent) << "near enough by itself";
-  recent.back() = false;
-  EXPECT_EQ(agreeing_matches(one.residuals, one.S, gate, 8), recent) << "and nothing for it";
-  EXPECT_EQ(agreeing_matches(two.residuals, two.S, gate, 8), std::vector<bool>(8, true)) << "one another";
+std::vector<bool> last(int of, int returning) {
+  std::vector<bool> which(static_cast<std::size_t>(of), false);
+  std::fill(which.end() - returning, which.end(), true);
+  return which;
 }
 
-TEST(Consensus, TwoThatComeBackOtherwiseAreBothNotBelieved) {
+TEST(Consensus, WhatComesBackAloneIsNotBelieved) {
+  const Frame one = loop_closing(6, 1), two = loop_closing(6, 2);
+  const std::vector<bool> all(7, true), none(7, false);
+  EXPECT_EQ(agreeing_matches(one.residuals, one.S, gate), all) << "nothing speaks against it";
+  EXPECT_EQ(matches_alone(one.residuals, one.S, all, last(7, 1), 8), last(7, 1)) << "and nothing for it";
+  EXPECT_EQ(matches_alone(one.residuals, one.S, all, last(7, 1), 31), none) << "near enough by itself";
+  EXPECT_EQ(matches_alone(one.residuals, one.S, all, none, 8), none) << "one that was just born";
+  EXPECT_EQ(matches_alone(two.residuals, two.S, std::vector<bool>(8, true), last(8, 2), 8),
+            std::vector<bool>(8, false))
+      << "two bear each other out";
+}
+
+TEST(Consensus, OfTwoThatComeBackOtherwiseNoneIsBelieved) {
   Frame f = loop_closing(6, 2);
   f.residuals.tail<2>() << -20, 10;
-  std::vector<bool> recent(8, true);
-  recent[6] = recent[7] = false;
-  EXPECT_EQ(agreeing_matches(f.residuals, f.S, gate, 8), recent);
-  const Eigen::Matrix2d large = 900 * Eigen::Matrix2d::Identity();
-  EXPECT_EQ(agreeing_matches(Eigen::Vector2d(3, 4), large, gate, 8), std::vector<bool>{false}) << "alone";
+  const std::vector<bool> agrees = agreeing_matches(f.residuals, f.S, gate);
+  const std::vector<bool> alone = matches_alone(f.residuals, f.S, agrees, last(8, 2), 8);
+  for (std::size_t i = 6; i < 8; ++i) EXPECT_FALSE(agrees[i] && !alone[i]) << i;
+  for (std::size_t i = 0; i < 6; ++i) EXPECT_TRUE(agrees[i] && !alone[i]) << i;
+}
+
+TEST(Consensus, AMatchThatNothingAtAllIsKnownOfIsAlone) {
+  const Eigen::Matrix2d large = 1e18 * Eigen::Matrix2d::Identity();
+  const std::vector<bool> yes{true};
+  EXPECT_EQ(matches_alone(Eigen::Vector2d(3, 4), large, yes, yes, 8), yes);
+  EXPECT_EQ(matches_alone(Eigen::Vector2d(3, 4), large, {false}, yes, 8), std::vector<bool>{false});
 }
 
 TEST(Consensus, NoMatchesAgreeOnNothing) {

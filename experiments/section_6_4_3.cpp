@@ -58,7 +58,7 @@ LedgerEntry run(const ExperimentSettings& all_seeds) {
             "driving at random", all, runs[1],
             "it drives to where most of the room is in view, and maps no more there"),
       backs_away("6.4.3-backwards", "Section 6.4.3, Figure 6.13", "mostly backwards", "before a wall ahead",
-                 runs[0], "")};
+                 runs[0], "it turns to what is not mapped yet, and drives there ahead")};
   entry.claims.front().measured +=
       ". " + in_numbers(driving(), runs) + "; " + in_numbers("all in view counted", all);
   entry.figures.push_back(draw_plot(settings.out, vehicle_figure(runs[0].front()), nullptr));

@@ -61,8 +61,8 @@ Claim backs_away(const std::string& id, const std::string& place, const std::str
                  const std::string& start, const Runs& runs, const std::string& why);
 
 /// That `ours` leave less entropy than `theirs`, by paired differences, of all rooms and of those in which
-/// neither went astray, lost or off by more than 0.5 m; `what`: theirs are. Beside it how
-/// many of either went astray, how far they are off, and how many pairs had no entropy to compare.
+/// neither went astray; `what`: theirs are. Beside it how many of either did, how far they are off, and how
+/// many pairs had no entropy to compare.
 Claim beats(const std::string& id, const std::string& place, const std::string& statement,
             const std::string& what, const Runs& ours, const Runs& theirs, const std::string& why);
 

@@ -86,6 +86,18 @@ const std::vector<Strategy>& driving() {
   return all;
 }
 
+std::vector<Claim> against_baselines(const Told& told, const std::string& what, const Runs& active,
+                                     const std::vector<Runs>& runs) {
+  const std::string leaves = what + " leaves less entropy than ";
+  return {beats(told.id + "-random", told.place, leaves + "moving at random, the gaze turning alike",
+                "moving at random", active, runs[0], told.why),
+          beats(told.id + "-fixed", told.place,
+                leaves + "a fixed path, three moves each ahead, left, back and right by a heading that turns",
+                "the fixed path", active, runs[1], told.why),
+          beats(told.id + "-standing", told.place, leaves + "standing and looking around", "standing", active,
+                runs[2], told.why)};
+}
+
 std::vector<Claim> gaze_claims(const Told& told, const std::vector<Runs>& runs) {
   return {lower_at_the_14th(told, runs), fewer_landmarks(told, runs)};
 }

@@ -9,18 +9,23 @@
 
 namespace incognita::exploring {
 
+/// What is told of claims of Section 6.3: their ids begin with `id`, `why` says why they do not hold.
+struct Told {
+  std::string id, place, why;
+};
+
 /// Translation by mutual information, gaze by (i), (ii), (iii) of the thesis, in their order.
 const std::vector<Strategy>& by_gaze();
 /// At random, along a fixed sequence of moves, standing; they turn as (i) does.
 const std::vector<Strategy>& baselines();
 
+/// That `active` leaves less entropy than each of the baselines, of which `runs` are. Ids end in `-random`,
+/// `-fixed` and `-standing`; `what` begins the statement, e.g. "Moving by mutual information".
+std::vector<Claim> against_baselines(const Told& told, const std::string& what, const Runs& active,
+                                     const std::vector<Runs>& runs);
+
 /// Of a vehicle that carries the camera: mutual information, at random, to and fro, standing.
 const std::vector<Strategy>& driving();
-
-/// What is told of claims of Section 6.3: their ids begin with `id`, `why` says why the first does not hold.
-struct Told {
-  std::string id, place, why;
-};
 
 /// Runs `by_gaze`: entropies at the 14th landmark, and how fast landmarks are located.
 std::vector<Claim> gaze_claims(const Told& told, const std::vector<Runs>& runs);

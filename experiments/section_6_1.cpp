@@ -248,17 +248,6 @@ void look_often(Plane& plane, int looks, RandomStream& random) {
   }
 }
 
-/// I(X_r; Z | M): what the looks would teach of the camera were the map known.
-double of_camera_given_map(const ImaginedStep& step, const BlockMatrix& given_map) {
-  const auto rows = static_cast<Eigen::Index>(step.looks.size());
-  Eigen::MatrixXd H(rows, 3);
-  for (Eigen::Index i = 0; i < rows; ++i) H.row(i) = step.looks[static_cast<std::size_t>(i)].Hv;
-  const Eigen::MatrixXd S = H * (step.A * given_map * step.A.transpose() + step.N) * H.transpose() /
-                                (sigma_bearing * sigma_bearing) +
-                            Eigen::MatrixXd::Identity(rows, rows);
-  return std::log(S.determinant()) / 2;
-}
-
 /// What the ways teach of the map, at the most, nats; and how much less than by the best way is learnt by the
 /// one that is best for the camera, as it is, and were the map known.
 struct Taught {
@@ -269,13 +258,12 @@ Taught taught_by_all_ways(const Plane& plane) {
   const BlockMatrix given_map = vehicle_given_map(plane.belief, plane.camera);
   double most = 0, most_own = 0, most_given = 0, by_own = 0, by_given = 0;
   for (int d = -180; d < 180; d += 3) {
-    const ImaginedStep step = plane.step_to(way(d));
     InformationGain gain;
     gain.start(plane.belief, plane.camera);
-    gain.push(step);
+    gain.push(plane.step_to(way(d)));
     const double of_all = gain.of_state(), own = gain.of_vehicle(),
-                 own_given_map = of_camera_given_map(step, given_map);
-    taught.of_map = std::max(taught.of_map, of_all - own_given_map);
+                 of_map = gain.of_position_and_map(0, given_map), own_given_map = of_all - of_map;
+    taught.of_map = std::max(taught.of_map, of_map);
     most = std::max(most, of_all);
     if (own > most_own) most_own = own, by_own = of_all;
     if (own_given_map > most_given) most_given = own_given_map, by_given = of_all;

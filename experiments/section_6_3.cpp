@@ -55,22 +55,6 @@ std::vector<Runs> runs_of_all(const std::vector<Strategy>& strategies, const Exp
   return runs;
 }
 
-std::vector<Claim> against_baselines(const Runs& active, const std::vector<Runs>& runs) {
-  const char* place = "Section 6.2, 6.3.1";
-  return {
-      beats("6.3-random", place,
-            "Moving by mutual information leaves less entropy than moving at random, the gaze turning "
-            "alike",
-            "moving at random", active, runs[0], ""),
-      beats(
-          "6.3-fixed", place,
-          "Likewise less than along a fixed path, three moves each ahead, left, back and right by a heading "
-          "that turns",
-          "the fixed path", active, runs[1], ""),
-      beats("6.3-standing", place, "Likewise less than standing and looking around", "standing", active,
-            runs[2], "")};
-}
-
 std::vector<Claim> beyond_the_thesis(const Runs& active, const std::vector<Runs>& variant) {
   const char *place = "Section 6.2, 6.3.1", *none = "no difference that so many rooms show";
   return {beats("6.3-look-ahead-2", place,
@@ -96,7 +80,7 @@ LedgerEntry run(const ExperimentSettings& all_seeds) {
   const auto add = [&](const std::vector<Claim>& claims) {
     entry.claims.insert(entry.claims.end(), claims.begin(), claims.end());
   };
-  add(against_baselines(gaze[0], other));
+  add(against_baselines({"6.3", "Section 6.2, 6.3.1", ""}, "Moving by mutual information", gaze[0], other));
   entry.claims.front().measured += ". " + in_numbers(by_gaze(), gaze) + "; " +
                                    in_numbers(baselines(), other) + "; " + in_numbers(variants(), variant);
   add(gaze_claims({"6.3", "Section 6.3.1",

@@ -45,8 +45,9 @@ class Exploration {
 
   ExplorationSettings settings_;
   Eigen::Vector3i cells_;
-  std::vector<double> seen_s_;                       ///< per cell
-  std::vector<ExpectedLandmark> expected_, mapped_;  ///< mapped_: those taken to be, the last to go last
+  std::vector<double> seen_s_;  ///< per cell
+  std::vector<ExpectedLandmark> expected_;
+  std::vector<ExpectedLandmark> mapped_;  ///< those that are taken to be mapped by now, in that order
   RandomStream random_;
   int unseen_cells_ = 0;
 };

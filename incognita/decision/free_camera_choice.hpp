@@ -14,8 +14,7 @@ namespace incognita {
 class FreeCameraChoice {
  public:
   /// `period_s` and the like from the settings; sigmas: of the accelerations that nobody commanded;
-  /// `who`: which of its team. Throws
-  /// std::invalid_argument as ActionChoice and Translations do.
+  /// `who`: which of its team. Throws std::invalid_argument as ActionChoice and Translations do.
   FreeCameraChoice(const DecisionSettings& settings, double sigma_acceleration_m_s2,
                    double sigma_angular_acceleration_rad_s2, std::uint64_t seed, std::size_t who = 0);
 

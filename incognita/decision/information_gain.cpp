@@ -275,17 +275,18 @@ BlockMatrix InformationGain::vehicle_now() const {
 
 double InformationGain::of_position_and_map(int kept, const BlockMatrix& vehicle_given_map) const {
   if (steps_.size() > 1) throw std::logic_error("what position and map learn is worked out for one step");
-  if (kept < 1 || kept > vehicle_errors_)
+  if (kept < 0 || kept > vehicle_errors_)
     throw std::invalid_argument("of the vehicle's " + std::to_string(vehicle_errors_) + " errors " +
                                 std::to_string(kept) + " can not be its position");
   if (steps_.empty() || rows_ == 0) return 0;
   const Step& step = steps_.front();
   const int rest = vehicle_errors_ - kept;
   const BlockMatrix C = step.A * vehicle_given_map * step.A.transpose() + step.N_total;
-  const BlockMatrix across = C.bottomLeftCorner(rest, kept);
-  const BlockMatrix own = C.topLeftCorner(kept, kept);
-  const BlockMatrix left =
-      C.bottomRightCorner(rest, rest) - across * own.ldlt().solve(BlockMatrix(across.transpose()));
+  BlockMatrix left = C.bottomRightCorner(rest, rest);
+  if (kept > 0) {
+    const BlockMatrix across = C.bottomLeftCorner(rest, kept);
+    left -= across * C.topLeftCorner(kept, kept).ldlt().solve(BlockMatrix(across.transpose()));
+  }
   const auto Hv = step.Hv.rightCols(rest);
   Eigen::MatrixXd S = Hv * left * Hv.transpose();
   int row = 0;

@@ -33,10 +33,10 @@ class InformationGain {
   double of_state() const { return gain_; }
   /// I(X_v; Z): the vehicle alone, at the end of the path (end of thesis 6.1.1).
   double of_vehicle() const;
-  /// I(X_p, M; Z): the vehicle's first `kept` errors at the end of the path, and the map (thesis 6.3.2), by
-  /// the chain rule: what the rest would learn were those known is taken off. `vehicle_given_map`: covariance
-  /// of the vehicle were the map known, see vehicle_given_map(). Of paths of one step: std::logic_error
-  /// otherwise; std::invalid_argument where the vehicle has not so many errors.
+  /// I(X_p, M; Z): the vehicle's first `kept` errors at the end of the path, and the map (thesis 6.3.2); with
+  /// 0 of the map alone. By the chain rule: what the rest would learn were those known is taken off.
+  /// `vehicle_given_map`: covariance of the vehicle were the map known, see vehicle_given_map(). Of paths of
+  /// one step: std::logic_error otherwise; std::invalid_argument where the vehicle has not so many errors.
   double of_position_and_map(int kept, const BlockMatrix& vehicle_given_map) const;
 
   /// Sum over the looks of the last step of the trace of H' S_i^-1 H, thesis (6.8), with S_i the covariance

@@ -43,19 +43,13 @@ std::vector<int> largest_group(const Eigen::VectorXd& residuals, const Eigen::Ma
   return best;
 }
 
-struct Selected {
-  Eigen::VectorXd residuals;
-  Eigen::MatrixXd S;
-};
-
-Selected select(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& S, const std::vector<int>& group) {
+/// The inverse of the joint covariance of a group.
+Eigen::MatrixXd information_of(const Eigen::MatrixXd& S, const std::vector<int>& group) {
   const int n = static_cast<int>(group.size());
-  Selected s{Eigen::VectorXd(2 * n), Eigen::MatrixXd(2 * n, 2 * n)};
-  for (int a = 0; a < n; ++a) {
-    s.residuals.segment<2>(2 * a) = residuals.segment<2>(2 * group[a]);
-    for (int b = 0; b < n; ++b) s.S.block<2, 2>(2 * a, 2 * b) = S.block<2, 2>(2 * group[a], 2 * group[b]);
-  }
-  return s;
+  Eigen::MatrixXd own(2 * n, 2 * n);
+  for (int a = 0; a < n; ++a)
+    for (int b = 0; b < n; ++b) own.block<2, 2>(2 * a, 2 * b) = S.block<2, 2>(2 * group[a], 2 * group[b]);
+  return own.llt().solve(Eigen::MatrixXd::Identity(2 * n, 2 * n));
 }
 
 /// Drops the member that agrees least with all the others together, until every one passes. The innovation of
@@ -63,9 +57,11 @@ Selected select(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& S, cons
 void leave_one_out(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& S, double gate,
                    std::vector<int>& group) {
   while (group.size() > 1) {
-    const Selected s = select(residuals, S, group);
-    const Eigen::MatrixXd inverse = s.S.llt().solve(Eigen::MatrixXd::Identity(s.S.rows(), s.S.cols()));
-    const Eigen::VectorXd whitened = inverse * s.residuals;
+    const Eigen::MatrixXd inverse = information_of(S, group);
+    Eigen::VectorXd own(inverse.rows());
+    for (int a = 0; a < static_cast<int>(group.size()); ++a)
+      own.segment<2>(2 * a) = residuals.segment<2>(2 * group[a]);
+    const Eigen::VectorXd whitened = inverse * own;
     int worst = -1;
     double worst_distance = gate;
     for (int a = 0; a < static_cast<int>(group.size()); ++a) {
@@ -100,9 +96,8 @@ std::vector<bool> agreeing_matches(const Eigen::VectorXd& residuals, const Eigen
   return agrees;
 }
 
-std::vector<bool> matches_alone(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& S,
-                                const std::vector<bool>& agrees, const std::vector<bool>& returning,
-                                double max_sigma_px) {
+std::vector<bool> matches_alone(const Eigen::MatrixXd& S, const std::vector<bool>& agrees,
+                                const std::vector<bool>& returning, double max_sigma_px) {
   std::vector<bool> alone(agrees.size(), false);
   std::vector<int> group;
   bool any = false;
@@ -112,8 +107,7 @@ std::vector<bool> matches_alone(const Eigen::VectorXd& residuals, const Eigen::M
     any = any || returning[i];
   }
   while (any && !group.empty()) {
-    const Selected s = select(residuals, S, group);
-    const Eigen::MatrixXd inverse = s.S.llt().solve(Eigen::MatrixXd::Identity(s.S.rows(), s.S.cols()));
+    const Eigen::MatrixXd inverse = information_of(S, group);
     int worst = -1;
     double most = max_sigma_px * max_sigma_px;
     for (int a = 0; a < static_cast<int>(group.size()); ++a) {

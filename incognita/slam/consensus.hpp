@@ -22,8 +22,8 @@ std::vector<bool> agreeing_matches(const Eigen::VectorXd& residuals, const Eigen
 /// say no more than that they are within a standard deviation above `max_sigma_px`, along the axis where they
 /// say least. In so large a place chance finds something alike, and nobody is there to disagree: so loops
 /// are closed wrongly. The worst goes first, and those left are asked again without it.
-std::vector<bool> matches_alone(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& S,
-                                const std::vector<bool>& agrees, const std::vector<bool>& returning,
-                                double max_sigma_px);
+/// `S`: as above; the masks and what is returned: one for each match.
+std::vector<bool> matches_alone(const Eigen::MatrixXd& S, const std::vector<bool>& agrees,
+                                const std::vector<bool>& returning, double max_sigma_px);
 
 }  // namespace incognita

@@ -63,8 +63,7 @@ int reject_inconsistent(const Estimate& estimate, const CameraSlamSettings& sett
   std::vector<bool> returning;
   for (const Look* look : matched)
     returning.push_back(estimate.catalogue[look->landmark].frames_away >= frames_until_away);
-  const std::vector<bool> alone =
-      matches_alone(residuals, S, agrees, returning, settings.search.max_alone_sigma_px);
+  const std::vector<bool> alone = matches_alone(S, agrees, returning, settings.search.max_alone_sigma_px);
   int left = 0;
   for (std::size_t i = 0; i < matched.size(); ++i) {
     if (!agrees[i]) matched[i]->outcome = LookOutcome::inconsistent;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/QR>
 #include <cmath>
 #include <optional>
 
@@ -55,17 +56,20 @@ std::string text_of(const TomlEntry& entry, const std::string& file) {
   refuse(file, entry.line, entry.key, "must be a text, and is " + entry.value.kind());
 }
 
-Eigen::Vector3d vector_of(const TomlEntry& entry, const std::string& file) {
+template <int size>
+Eigen::Vector<double, size> vector_of(const TomlEntry& entry, const std::string& file) {
   const auto* items = std::get_if<TomlArray>(&entry.value.value);
-  Eigen::Vector3d vector(NAN, NAN, NAN);
-  for (std::size_t i = 0; items && items->size() == 3 && i < 3; ++i) {
+  Eigen::Vector<double, size> vector = Eigen::Vector<double, size>::Constant(NAN);
+  for (std::size_t i = 0; items && items->size() == size && i < size; ++i) {
     const TomlValue& item = (*items)[i];
-    if (const auto* whole = std::get_if<std::int64_t>(&item.value)) vector[i] = static_cast<double>(*whole);
-    if (const auto* real = std::get_if<double>(&item.value)) vector[i] = *real;
+    const auto at = static_cast<Eigen::Index>(i);
+    if (const auto* whole = std::get_if<std::int64_t>(&item.value)) vector[at] = static_cast<double>(*whole);
+    if (const auto* real = std::get_if<double>(&item.value)) vector[at] = *real;
   }
   if (!vector.allFinite() || vector.cwiseAbs().maxCoeff() > 1e6) {
     refuse(file, entry.line, entry.key,
-           "must be a list of three finite numbers up to 1e6, and is " + entry.value.written());
+           fmt::format("must be a list of {} finite numbers up to 1e6, and is {}",
+                       size == 2 ? "two" : "three", entry.value.written()));
   }
   return vector;
 }
@@ -73,7 +77,8 @@ Eigen::Vector3d vector_of(const TomlEntry& entry, const std::string& file) {
 /// SceneLib: x left, y up, z forward. Here: x forward, y left, z up. Both are right-handed.
 Eigen::Vector3d from_scenelib(const Eigen::Vector3d& v) { return {v.z(), v.x(), v.y()}; }
 
-Image read_patch(const TomlEntry& entry, const std::string& file, const Folders& folders) {
+/// The first of that name in the folders; one of one grey is refused.
+Image read_named_image(const TomlEntry& entry, const std::string& file, const Folders& folders) {
   const std::string name = text_of(entry, file);
   std::optional<std::filesystem::path> path;
   for (const std::filesystem::path& folder : folders) {
@@ -82,25 +87,59 @@ Image read_patch(const TomlEntry& entry, const std::string& file, const Folders&
   if (!path) {
     std::string looked;
     for (const std::filesystem::path& folder : folders)
-      looked += (looked.empty() ? "" : ", ") + shown(folder / name);
+      looked +=
+          (looked.empty() ? "" : ", ") + (is_embedded(folder) ? "those built in" : shown(folder / name));
     refuse(file, entry.line, entry.key,
            fmt::format("{} is not there (looked for {}); see docs/data.md", name, looked));
   }
-  Image patch;
+  Image image;
   try {
-    patch = read_image(*path);
+    image = read_image(*path);
   } catch (const std::runtime_error& error) {
     refuse(file, entry.line, entry.key, error.what());
   }
+  const int pixels = image.width() * image.height();
+  const auto [least, most] = std::minmax_element(image.row(0), image.row(0) + pixels);
+  if (*most - *least < 8) refuse(file, entry.line, entry.key, name + " is of one grey: nothing to recognise");
+  return image;
+}
+
+Image read_patch(const TomlEntry& entry, const std::string& file, const Folders& folders) {
+  Image patch = read_named_image(entry, file, folders);
   const int size = patch.width();
   if (size != patch.height() || size % 2 == 0 || size < smallest_patch_px || size > largest_patch_px) {
     refuse(file, entry.line, entry.key,
-           fmt::format("{} must be an odd square of {} to {} px, and is {}x{}", name, smallest_patch_px,
-                       largest_patch_px, patch.width(), patch.height()));
+           fmt::format("{} must be an odd square of {} to {} px, and is {}x{}", text_of(entry, file),
+                       smallest_patch_px, largest_patch_px, patch.width(), patch.height()));
   }
-  const auto [least, most] = std::minmax_element(patch.row(0), patch.row(0) + size * size);
-  if (*most - *least < 8) refuse(file, entry.line, entry.key, name + " is of one grey: nothing to recognise");
   return patch;
+}
+
+/// Where the pixels are, from where the corners are among them.
+Target::Picture read_picture(const TomlEntry& entry, const std::vector<Target::Corner>& corners,
+                             const Eigen::MatrixX2d& pixels, const Eigen::Vector3d& normal,
+                             const std::string& file, const Folders& folders) {
+  Target::Picture picture{read_named_image(entry, file, folders), {}};
+  for (Eigen::Index i = 0; i < pixels.rows(); ++i)
+    if (pixels.row(i).minCoeff() < 0 || pixels(i, 0) > picture.image.width() - 1 ||
+        pixels(i, 1) > picture.image.height() - 1)
+      refuse(file, entry.line, entry.key,
+             fmt::format("must be of the whole target, and corner {} is outside, by its picture_px", i));
+  Eigen::MatrixX3d at(pixels.rows(), 3), positions(pixels.rows(), 3);
+  at << pixels, Eigen::VectorXd::Ones(pixels.rows());
+  for (Eigen::Index i = 0; i < positions.rows(); ++i)
+    positions.row(i) = corners[static_cast<std::size_t>(i)].position;
+  picture.world_from_px = at.colPivHouseholderQr().solve(positions).transpose();
+  const Eigen::Vector3d right = picture.world_from_px.col(0), down = picture.world_from_px.col(1);
+  const double misfit = (at * picture.world_from_px.transpose() - positions).rowwise().norm().maxCoeff();
+  if (misfit > std::min(right.norm(), down.norm()))
+    refuse(file, entry.line, entry.key,
+           fmt::format("must be taken straight on: with each picture_px where its corner is in it, the "
+                       "corners are up to {:.3g} m off, more than a pixel",
+                       misfit));
+  if (right.cross(down).dot(normal) >= 0)
+    refuse(file, entry.line, entry.key, "is mirrored: the normal points away from who sees it so");
+  return picture;
 }
 
 void check_geometry(const Target& target, const std::string& file, int line) {
@@ -130,10 +169,27 @@ Target::Corner read_corner(const TomlValue& value, bool scenelib, const std::str
                            const Folders& folders) {
   const auto* corner = std::get_if<TomlTable>(&value.value);
   if (!corner) refuse(file, value.line, "corner", "must be a table, written [[corner]]");
-  refuse_unknown(*corner, {"position_m", "patch"}, file);
-  const Eigen::Vector3d position = vector_of(need(*corner, "position_m", file, value.line), file);
+  refuse_unknown(*corner, {"position_m", "patch", "picture_px"}, file);
+  const auto position = vector_of<3>(need(*corner, "position_m", file, value.line), file);
   return {scenelib ? from_scenelib(position) : position,
           read_patch(need(*corner, "patch", file, value.line), file, folders)};
+}
+
+/// One row for each corner, u and v.
+Eigen::MatrixX2d read_picture_pixels(const TomlArray& corners, const std::string& file) {
+  Eigen::MatrixX2d pixels(corners.size(), 2);
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const auto& corner = std::get<TomlTable>(corners[i].value);
+    pixels.row(static_cast<Eigen::Index>(i)) =
+        vector_of<2>(need(corner, "picture_px", file, corners[i].line), file);
+  }
+  return pixels;
+}
+
+void refuse_pixels(const TomlArray& corners, const std::string& file) {
+  for (const TomlValue& corner : corners)
+    if (const TomlEntry* pixel = find(std::get<TomlTable>(corner.value), "picture_px"))
+      refuse(file, pixel->line, pixel->key, "is of no use without `picture`");
 }
 
 }  // namespace
@@ -141,7 +197,7 @@ Target::Corner read_corner(const TomlValue& value, bool scenelib, const std::str
 Target read_target(const std::filesystem::path& path, const Folders& patch_folders) {
   const std::string file = shown(path);
   const TomlTable table = parse_toml(read_file(path, largest_target), file);
-  refuse_unknown(table, {"name", "normal", "axes", "corner"}, file);
+  refuse_unknown(table, {"name", "normal", "axes", "picture", "corner"}, file);
   Folders folders = {path.parent_path()};
   folders.insert(folders.end(), patch_folders.begin(), patch_folders.end());
 
@@ -153,7 +209,7 @@ Target read_target(const std::filesystem::path& path, const Folders& patch_folde
   Target target;
   target.name = text_of(need(table, "name", file, 1), file);
   const TomlEntry& normal = need(table, "normal", file, 1);
-  target.normal = vector_of(normal, file);
+  target.normal = vector_of<3>(normal, file);
   if (target.normal.norm() < 1e-6) refuse(file, normal.line, "normal", "must not be zero");
   target.normal = (scenelib ? from_scenelib(target.normal) : target.normal).normalized();
 
@@ -167,6 +223,11 @@ Target read_target(const std::filesystem::path& path, const Folders& patch_folde
   for (const TomlValue& value : *corners)
     target.corners.push_back(read_corner(value, scenelib, file, folders));
   check_geometry(target, file, corner.line);
+  if (const TomlEntry* picture = find(table, "picture"))
+    target.picture = read_picture(*picture, target.corners, read_picture_pixels(*corners, file),
+                                  target.normal, file, folders);
+  else
+    refuse_pixels(*corners, file);
   return target;
 }
 
@@ -175,7 +236,9 @@ std::filesystem::path find_target(const LoadedScenario& loaded) {
 }
 
 Target load_target(const LoadedScenario& loaded) {
-  return read_target(find_target(loaded), data_folders(loaded.file));
+  Folders folders = data_folders(loaded.file);
+  folders.push_back(std::filesystem::path(embedded_root) / "targets");
+  return read_target(find_target(loaded), folders);
 }
 
 }  // namespace incognita

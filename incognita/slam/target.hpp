@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,9 +16,15 @@ struct Target {
     Eigen::Vector3d position;  ///< world, m, z up
     Image patch;               ///< odd square, its centre pixel is the corner
   };
+  /// The whole target and what is around it, taken straight on from its printed side.
+  struct Picture {
+    Image image;
+    Eigen::Matrix3d world_from_px;  ///< of (u, v, 1), m: rows to the right and downwards for who faces it
+  };
   std::string name;
   std::vector<Corner> corners;      ///< four or more, in one plane
   Eigen::Vector3d normal{0, 0, 1};  ///< unit, world, pointing out of the printed side
+  std::optional<Picture> picture;   ///< without it nothing but the corners can be recognised
 };
 
 }  // namespace incognita

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "incognita/slam/target_picture.hpp"
 #include "incognita/vision/corners.hpp"
 
 namespace incognita {
@@ -22,6 +23,9 @@ constexpr double max_refinement_px = 2;  // from where the pose puts a corner to
 // Likeness less 0.2 per pixel of misfit. A target gives 0.9 and more, even seen from 60 degrees aside; what
 // only happens to stand as its corners do hardly ever gives 0.85, and every textured room has such places.
 constexpr double min_score = 0.87;
+// To the picture, where there is one. In the rendered room a target gives 0.984 and more where its pose is
+// right, up to 0.973 where it is tilted wrongly, for it is flat and far, and other things give 0.4.
+constexpr double min_likeness_at_first = 0.7, min_likeness = 0.98;
 
 struct Place {
   Eigen::Vector2d pixel;
@@ -124,8 +128,14 @@ double likeness(const std::vector<const Place*>& corners) {
   return correlation - 0.2 * std::max(dark[1] - dark[0], bright[1] - bright[0]) / contrast;
 }
 
+/// Whether what is seen from the pose is the target's picture, where there is one.
+bool looks_like_it(const Target& target, const Camera& camera, const Image& image, const TargetPose& pose,
+                   double least) {
+  return !target.picture || likeness_to_picture(target, camera, image, pose) > least;
+}
+
 /// Tries every combination of places, one per corner.
-void try_combinations(const Target& target, const Camera& camera,
+void try_combinations(const Target& target, const Camera& camera, const Image& image,
                       const std::vector<std::vector<Place>>& places, double sigma_pixel_px,
                       std::optional<TargetPose>& best) {
   const QuickLook quick(target, std::min(max_patch_size, target.corners.front().patch.width()));
@@ -147,8 +157,9 @@ void try_combinations(const Target& target, const Camera& camera,
                         poses[0].covariance.diagonal().head<3>().maxCoeff() < max_sigma_m * max_sigma_m &&
                         target.normal.dot(poses[0].position - points[0]) > 0;
       // Half a pixel of misfit weighs as much as 0.1 of correlation
-      if (good && alike - 0.2 * poses[0].rms_px > best_score) {
-        best_score = alike - 0.2 * poses[0].rms_px;
+      const double score = good ? alike - 0.2 * poses[0].rms_px : 0;
+      if (score > best_score && looks_like_it(target, camera, image, poses[0], min_likeness_at_first)) {
+        best_score = score;
         best = poses[0];
       }
     }
@@ -158,6 +169,10 @@ void try_combinations(const Target& target, const Camera& camera,
       if (!more) index[c] = 0;
     }
   }
+}
+
+std::string no_pose(const Target& target) {
+  return "places like the corners of target " + target.name + " fit no camera pose";
 }
 
 /// Four corners far apart and not on one line: combinations of more would take time exponential in their
@@ -211,21 +226,24 @@ std::vector<Eigen::Vector2d> to_edges(const Image& image, const std::vector<Eige
   return refined;
 }
 
-/// Solved again from all corners, refined; nothing when that does not fit. Of the two poses that a flat
-/// target allows, the one nearer to what was found.
-std::optional<TargetPose> refined(const Target& target, const Camera& camera, const Image& image,
-                                  double sigma_pixel_px, const TargetPose& found) {
+/// Solved again from all corners, each taken from its edges. Of the two poses that a flat target allows, the
+/// one nearer to what was found.
+TargetSearch refined(const Target& target, const Camera& camera, const Image& image, double sigma_pixel_px,
+                     const TargetPose& found) {
   std::vector<Eigen::Vector3d> points;
   for (const auto& corner : target.corners) points.push_back(corner.position);
   const auto expected = seen_from(found, target, camera);
-  if (!expected) return std::nullopt;
+  if (!expected) return {std::nullopt, "not all corners of target " + target.name + " are in the image"};
   const int window = std::min(max_patch_size, target.corners.front().patch.width());
   const auto poses = solve_pose(points, to_edges(image, *expected, window), camera, sigma_pixel_px);
   const auto nearest = std::min_element(poses.begin(), poses.end(), [&](const auto& a, const auto& b) {
     return (a.position - found.position).norm() < (b.position - found.position).norm();
   });
-  if (nearest == poses.end() || nearest->rms_px > max_rms_px) return std::nullopt;
-  return *nearest;
+  if (nearest == poses.end() || nearest->rms_px > max_rms_px) return {std::nullopt, no_pose(target)};
+  if (!looks_like_it(target, camera, image, *nearest, min_likeness))
+    return {std::nullopt,
+            "what stands as the corners of target " + target.name + " does not look like its picture"};
+  return {*nearest, ""};
 }
 
 }  // namespace
@@ -244,12 +262,10 @@ TargetSearch find_target(const Target& target, const Camera& camera, const Summe
       return {std::nullopt, "corner " + std::to_string(c) + " of target " + target.name +
                                 " is nowhere in the image (correlation below 0.7)"};
   }
-  TargetSearch result;
-  try_combinations(four, camera, places, sigma_pixel_px, result.pose);
-  if (result.pose) result.pose = refined(target, camera, image.image(), sigma_pixel_px, *result.pose);
-  if (!result.pose)
-    result.reason = "places like the corners of target " + target.name + " fit no camera pose";
-  return result;
+  std::optional<TargetPose> found;
+  try_combinations(four, camera, image.image(), places, sigma_pixel_px, found);
+  if (!found) return {std::nullopt, no_pose(target)};
+  return refined(target, camera, image.image(), sigma_pixel_px, *found);
 }
 
 }  // namespace incognita

@@ -18,6 +18,7 @@ incognita_program_test(program_test
 # Apart, as it alone renders and writes images: the others start faster without the libraries for that
 incognita_program_test(program_recording_test SOURCES app/program_recording_test.cpp
                        USES incognita::io incognita::world opencv_core opencv_imgcodecs fmt::fmt)
+incognita_test(target_start_test SOURCES app/target_start_test.cpp USES incognita::io incognita::slam incognita::world)
 incognita_test(davison_test SOURCES app/davison_test.cpp USES incognita::app opencv_imgproc opencv_core)
 incognita_test(reproduce_test SOURCES app/reproduce_test.cpp
                USES incognita_app_reproduce incognita::experiments CLI11::CLI11 nlohmann_json::nlohmann_json)

@@ -26,8 +26,9 @@ using testing::still_read;
 TEST(DamagedTarget, IsReadOrRefused) {
   const Scratch scratch;
   scratch.write("p.pgm", pgm(11, 11));
-  std::string whole = "name = \"sheet\"\nnormal = [-1, 0, 0]\naxes = \"world\"\n";
-  for (const char* at : {"[3, 0.2, 1]", "[3, -0.2, 1]", "[3, 0.2, 1.5]", "[3, -0.2, 1.5]"})
+  std::string whole = "name = \"sheet\"\nnormal = [-1, 0, 0]\naxes = \"world\"\npicture = \"p.pgm\"\n";
+  for (const char* at : {"[3, 0.2, 1]\npicture_px = [1, 9]", "[3, -0.2, 1]\npicture_px = [9, 9]",
+                         "[3, 0.2, 1.5]\npicture_px = [1, 2]", "[3, -0.2, 1.5]\npicture_px = [9, 2]"})
     whole += std::string("[[corner]]\nposition_m = ") + at + "\npatch = \"p.pgm\"\n";
   const int fine = still_read(whole, 300, [&](const std::string& text) {
     const Target target = read_target(scratch.write("t.toml", text));

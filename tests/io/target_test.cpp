@@ -107,6 +107,69 @@ TEST(Target, RefusesPatchesThatCannotBe) {
              "/nowhere/t.toml: cannot be read: No such file");
 }
 
+/// A corner that is seen at (u, v) of the picture.
+std::string seen(const std::string& position, const std::string& pixel) {
+  return corner(position) + "picture_px = " + pixel + "\n";
+}
+
+const std::string pictured = head + "picture = \"whole.pgm\"\n" + seen("[3, 0.2, 1]", "[10, 35]") +
+                             seen("[3, -0.2, 1]", "[50, 35]") + seen("[3, 0.2, 1.2]", "[10, 15]");
+
+TEST(Target, MayHaveAPicture) {
+  const Scratch scratch;
+  scratch.write("p.pgm", pgm(11, 11));
+  scratch.write("whole.pgm", pgm(60, 50));
+  const Target target = read_target(scratch.write("t.toml", pictured + seen("[3, -0.2, 1.2]", "[50, 15]")));
+  ASSERT_TRUE(target.picture);
+  EXPECT_EQ(target.picture->image.width(), 60);
+  for (const auto& [pixel, at] : {std::pair<Eigen::Vector3d, Eigen::Vector3d>{{10, 35, 1}, {3, 0.2, 1}},
+                                  {{30, 25, 1}, {3, 0, 1.1}},
+                                  {{0, 0, 1}, {3, 0.3, 1.35}}})
+    EXPECT_NEAR((target.picture->world_from_px * pixel - at).norm(), 0, 1e-12);
+}
+
+TEST(Target, RefusesPicturesThatCannotBe) {
+  const Scratch scratch;
+  scratch.write("p.pgm", pgm(11, 11));
+  scratch.write("whole.pgm", pgm(60, 50));
+  scratch.write("flat.pgm", "P5\n11 11\n255\n" + std::string(121, 'x'));
+  const auto complaint = [&](const std::string& text) {
+    return message_of([&] { read_target(scratch.write("t.toml", text)); });
+  };
+  const std::string last = seen("[3, -0.2, 1.2]", "[50, 15]");
+  EXPECT_EQ(complaint(pictured + last), "(none)");
+  EXPECT_HAS(complaint(pictured + corner("[3, -0.2, 1.2]")), "t.toml:16: picture_px: is missing");
+  EXPECT_HAS(complaint(pictured + seen("[3, -0.2, 1.2]", "[50]")),
+             "picture_px: must be a list of two finite numbers");
+  EXPECT_HAS(complaint(pictured + seen("[3, -0.2, 1.2]", "[45, 20]")),
+             "t.toml:3: picture: must be taken straight on");
+  EXPECT_HAS(complaint(pictured + seen("[3, -0.2, 1.2]", "[60, 15]")),
+             "t.toml:3: picture: must be of the whole target, and corner 3 is outside");
+  EXPECT_HAS(complaint(head + "picture = \"whole.pgm\"\n" + seen("[3, 0.2, 1]", "[50, 35]") +
+                       seen("[3, -0.2, 1]", "[10, 35]") + seen("[3, 0.2, 1.2]", "[50, 15]") +
+                       seen("[3, -0.2, 1.2]", "[10, 15]")),
+             "picture: is mirrored");
+  const auto named = [&](const std::string& name) {
+    return head + "picture = \"" + name + "\"\n" + pictured.substr(pictured.find("[[")) + last;
+  };
+  EXPECT_HAS(complaint(named("none.pgm")), "t.toml:3: picture: none.pgm is not there");
+  EXPECT_HAS(complaint(named("flat.pgm")), "flat.pgm is of one grey");
+  EXPECT_HAS(complaint(head + four + "picture_px = [1, 2]\n"), "picture_px: is of no use without `picture`");
+}
+
+/// As docs/scenarios.md has it for a room of another length.
+TEST(Target, FindsPatchesAmongThoseBuiltIn) {
+  const Scratch scratch;
+  std::string text = read_file(std::filesystem::path(embedded_root) / "targets/sheet.toml", 1 << 20);
+  for (std::size_t at; (at = text.find("[3, ")) != std::string::npos;) text.replace(at, 4, "[5, ");
+  scratch.write("mine.toml", text);
+  const LoadedScenario loaded =
+      load_scenario(scratch.write("s.toml", "[start]\ntarget = \"mine.toml\"\n").string());
+  const Target target = load_target(loaded);
+  EXPECT_EQ(target.corners[0].position.x(), 5);
+  EXPECT_TRUE(target.picture);
+}
+
 TEST(Target, IsFoundBesideItsScenario) {
   const Scratch scratch;
   const std::string file = scratch.write("s.toml", "[start]\ntarget = \"mine.toml\"\n").string();

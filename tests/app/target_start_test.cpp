@@ -1,0 +1,69 @@
+// Where a camera begins by the sheet in the rendered room: near it rightly, and from far rather not at all.
+#include <gtest/gtest.h>
+
+#include "incognita/io/camera.hpp"
+#include "incognita/io/load_scenario.hpp"
+#include "incognita/io/target_file.hpp"
+#include "incognita/math/random.hpp"
+#include "incognita/models/heading.hpp"
+#include "incognita/slam/target_pose.hpp"
+#include "incognita/world/render.hpp"
+
+namespace incognita {
+namespace {
+
+struct Found {
+  int pictures = 0, poses = 0;
+  double most_m = 0;       ///< that a pose is off
+  double most_sigmas = 0;  ///< the same, by its covariance
+};
+
+/// From around a distance from the sheet, over rooms, looking towards it by and large.
+Found found_from(double distance_m, int rooms) {
+  const LoadedScenario loaded = load_scenario("room");
+  const Scenario& s = loaded.scenario;
+  const Camera camera = make_camera(s.camera);
+  const Target target = load_target(loaded);
+  const RayTable rays(camera);
+  Found found;
+  for (int seed = 1; seed <= rooms; ++seed) {
+    const Room room(s.room, seed);
+    RandomStream random(seed, "start");
+    const auto about = [&](double sigma) { return sigma * random.normal(); };
+    const Eigen::Vector3d at(3 - distance_m, about(0.2), 1.3 + about(0.2));
+    Image image;
+    render(room, rays, at, level_gaze(about(0.1)), image);
+    SummedImage summed;
+    summed.assign(image);
+    const TargetSearch search = find_target(target, camera, summed, s.slam.filter.sigma_pixel_px);
+    ++found.pictures;
+    EXPECT_NE(search.pose.has_value(), !search.reason.empty()) << "a pose, or why there is none";
+    if (!search.pose) continue;
+    ++found.poses;
+    const Eigen::Vector3d off = search.pose->position - at;
+    const Eigen::Matrix3d P = search.pose->covariance.topLeftCorner<3, 3>();
+    found.most_m = std::max(found.most_m, off.norm());
+    found.most_sigmas = std::max(found.most_sigmas, std::sqrt(off.dot(P.ldlt().solve(off))));
+  }
+  return found;
+}
+
+TEST(TargetStart, NearTheSheetItIsFound) {
+  for (const double distance_m : {0.9, 1.4}) {
+    const Found found = found_from(distance_m, 8);
+    EXPECT_GE(found.poses, 7) << "of " << found.pictures << " from " << distance_m << " m";
+    EXPECT_LT(found.most_m, 0.15) << distance_m;
+    EXPECT_LT(found.most_sigmas, 3.5) << distance_m;
+  }
+}
+
+/// From there its corners are a few pixels apart, and other things stand likewise.
+TEST(TargetStart, FromFarNothingElseIsTakenForIt) {
+  for (const double distance_m : {2.4, 3.0, 4.0}) {
+    const Found found = found_from(distance_m, 8);
+    EXPECT_LT(found.most_m, 0.6) << found.poses << " of " << found.pictures << " from " << distance_m << " m";
+  }
+}
+
+}  // namespace
+}  // namespace incognita

@@ -89,7 +89,7 @@ Plot figure(const Plane& plane) {
   Panel map{"(a) from above", "x, m", "y, m", {}, true};
   Curve points{"landmarks", Style::stars, {}, {}, {}, Colour::ink};
   for (const Eigen::Vector2d& p : plane.points) points.x.push_back(p.x()), points.y.push_back(p.y());
-  Curve rose{"gain by direction, 0.25 m a nat above the least", Style::line, {}, {}, {}, Colour::blue};
+  Curve rose{"gain, 0.25 m a nat", Style::line, {}, {}, {}, Colour::blue};
   Panel by_angle{"(b) by direction", "degrees to the left", "nats", {}};
   Curve gains{"I(X; Z)", Style::line, {}, {}, {}, Colour::blue};
   double least = 1e9;

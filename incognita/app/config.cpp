@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "incognita/app/assemble.hpp"
 #include "incognita/app/assemble_planar.hpp"
 #include "incognita/app/assemble_room_vehicle.hpp"
 #include "incognita/app/assemble_team.hpp"
@@ -107,7 +108,11 @@ std::vector<std::string> check(const LoadedScenario& loaded) {
     for (std::string& line : check_team(loaded)) found.push_back(std::move(line));
     return found;
   }
-  if (is_room_vehicle(s)) assemble_room_vehicle(loaded);  // which refuses what a run would
+  if (is_room_vehicle(s)) {
+    assemble_room_vehicle(loaded);  // which refuses what a run would
+  } else if (s.run.world == "room") {
+    assemble(loaded);  // likewise
+  }
   if (s.run.sensor == "range-bearing") {
     const PlanarAssembly assembly = assemble_planar(loaded);  // which refuses what a run would
     const RangeRecording& recording = *assembly.recording;

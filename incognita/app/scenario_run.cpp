@@ -44,8 +44,7 @@ struct Passed {
 
 Ending ending_of(const Passed& passed) {
   const Snapshot& last = passed.last;
-  if (passed.stopped)
-    return {RunStatus::interrupted, fmt::format("interrupted at t = {:.3f} s", last.tick.t)};
+  if (passed.stopped) return {RunStatus::interrupted, fmt::format("stopped at t = {:.3f} s", last.tick.t)};
   if (!passed.ever_tracked) return {RunStatus::failed, "never started: " + last.status.reason};
   if (last.status.state == TrackingState::lost)
     return {RunStatus::failed, fmt::format("lost at the end: {}", last.status.reason)};

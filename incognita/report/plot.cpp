@@ -201,6 +201,23 @@ std::string range_text(const char* axis, const std::optional<std::pair<double, d
   return fmt::format("set {}range {}\n", axis, text);
 }
 
+/// Of both axes where they are alike: the longer one's, or those of the shorter run into each other.
+double common_tic(const Panel& panel) {
+  double longest = 0;
+  for (const auto& of : {&Curve::x, &Curve::y}) {
+    double least = std::numeric_limits<double>::infinity(), most = -least;
+    for (const Curve& c : panel.curves)
+      for (const double value : c.*of)
+        if (std::isfinite(value)) least = std::min(least, value), most = std::max(most, value);
+    longest = std::max(longest, most - least);
+  }
+  if (!(longest > 0)) return 1;
+  const double least = longest / 6, power = std::pow(10, std::floor(std::log10(least)));
+  for (const double step : {1.0, 2.0, 5.0})
+    if (step * power >= least) return step * power;
+  return 10 * power;
+}
+
 std::string curve_axes(const Panel& panel) {
   // gnuplot refuses to draw where nothing says how long an axis is
   const bool empty = std::none_of(panel.curves.begin(), panel.curves.end(),
@@ -210,7 +227,8 @@ std::string curve_axes(const Panel& panel) {
   text += panel.log_y ? "set logscale y\nset format y '%g'\n" : "unset logscale y\n";
   text += range_text("x", panel.x_range, empty ? "[0:1]" : fitted);
   text += range_text("y", panel.y_range, empty ? (panel.log_y ? "[1:10]" : "[0:1]") : "[*:*]");
-  return text + (panel.equal_axes ? "set size ratio -1\n" : "set size noratio\n");
+  if (!panel.equal_axes) return text + "set size noratio\nset xtics autofreq\nset ytics autofreq\n";
+  return text + fmt::format("set size ratio -1\nset xtics {0:g}\nset ytics {0:g}\n", common_tic(panel));
 }
 
 std::string curves_script(const Panel& panel, Rows& rows) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -19,6 +20,13 @@ void check(const Terrain& terrain, const Box& inside) {
         throw std::invalid_argument(
             "the terrain must reach all over the floor of the room, and does not reach (" +
             std::to_string(x) + ", " + std::to_string(y) + ")");
+}
+
+std::invalid_argument too_high(float highest_m) {
+  std::ostringstream why;
+  why << "the terrain rises to " << highest_m << " m, and must stay " << headroom_m
+      << " m under the ceiling: make it lower ([terrain]), or the room higher (room.size_m)";
+  return std::invalid_argument(why.str());
 }
 
 }  // namespace
@@ -42,9 +50,7 @@ Ground::Ground(const Terrain& terrain, const Box& inside) {
   const auto [low, high] = std::minmax_element(heights_m_.begin(), heights_m_.end());
   lowest_m_ = *low;
   highest_m_ = *high;
-  if (highest_m_ > inside.max.z() - headroom_m)
-    throw std::invalid_argument("the terrain rises to " + std::to_string(highest_m_) + " m, and must stay " +
-                                std::to_string(headroom_m) + " m under the ceiling");
+  if (highest_m_ > inside.max.z() - headroom_m) throw too_high(highest_m_);
   for (int j = 0; j + 1 < rows; ++j)
     for (int i = 0; i + 1 < columns_; ++i) {
       const float* h = &heights_m_[static_cast<std::size_t>(j) * columns_ + i];

@@ -162,10 +162,10 @@ void expect_interrupted(int signal, int times) {
   for (int i = 0; i < times; ++i) program.signal(signal);
   const Ended ended = program.wait();
   EXPECT_EQ(ended.code, 1);
-  EXPECT_SAYS(ended.err, "interrupted, interrupted at t = ");
+  EXPECT_SAYS(ended.err, "interrupted, stopped at t = ");
   const nlohmann::json summary = testing::summary_of(run);
   EXPECT_EQ(summary["status"], "interrupted");
-  EXPECT_SAYS(summary["reason"].get<std::string>(), "interrupted at t = ");
+  EXPECT_SAYS(summary["reason"].get<std::string>(), "stopped at t = ");
   EXPECT_EQ(testing::lines(run / "series.csv").size(), summary["frames"].get<std::size_t>() + 1);
   EXPECT_EQ(testing::lines(run / "estimate.tum").size(), summary["tracked_frames"].get<std::size_t>() + 1);
   for (const char* last : {"map.csv", "map.ply", "series.mat"}) EXPECT_TRUE(exists(run / last)) << last;

@@ -112,6 +112,10 @@ TEST(ProgramScenario, RefusesATargetThatIsNotWhereTheRoomHasIt) {
   EXPECT_EQ(ended.code, 2);
   EXPECT_SAYS(ended.err, "start.target = targets/sheet.toml: has a corner at [3, 0.21, 1.4485]");
   EXPECT_SAYS(ended.err, "hangs at x = 5 (room.size_m, --set)");
+  const Ended check = testing::incognita({"config", "--check", "room", "--set", "room.size_m=[10, 6, 2.5]"},
+                                         scratch.folder());
+  EXPECT_EQ(check.code, 2);
+  EXPECT_EQ(check.err, ended.err);
   EXPECT_EQ(testing::everything_in(scratch.folder()).size(), 0u);
 }
 

@@ -105,5 +105,44 @@ TEST(CameraController, APersonGoesByWhatTheHandFeels) {
   EXPECT_NEAR((hand.head<3>() - at_rest().head<3>() - Eigen::Vector3d(0, 0.3, 0)).norm(), 0, 0.02);
 }
 
+/// Who is told nothing more does not carry on: the hand comes to rest from what it last felt, and what was
+/// shown before is not done afterwards.
+TEST(CameraController, AHandStopsWhenItsFilterIsLost) {
+  PersonSettings person;
+  person.holds = true;
+  person.delay_s = 1;
+  person.sigma_way_ratio = person.wrong = 0;
+  CameraController controller({}, person);
+  Estimate estimate;
+  estimate.camera =
+      estimate.belief.add_vehicle(FreeCameraMotion::chart, at_rest(), FreeCameraMotion::Jacobian::Identity());
+  estimate.started = true;
+  estimate.status.state = TrackingState::tracking;
+  Goal goal;
+  goal.decided = true;
+  goal.to = Eigen::Vector3d(0.3, 0, 0);
+  goal.end_t = 1;
+  CameraState hand = at_rest();
+  hand.segment<3>(7) << 0.4, -0.2, 0;
+  Observation seen;
+  const auto step = [&](int k) {
+    seen.felt.assign(1, hand);
+    const Command command = controller.act(estimate, goal, seen, {k, k / 30.0, k == 0 ? 0 : 1 / 30.0});
+    EXPECT_TRUE(command.by_hand) << k;
+    hand = FreeCameraMotion{}.f<double>(hand, command.as_input(), 1 / 30.0);
+    goal.decided = false;
+  };
+  step(0);
+  const double before = hand.segment<3>(7).norm();
+  ASSERT_GT(before, 0.2);
+  estimate.status.state = TrackingState::lost;
+  for (int k = 1; k < 45; ++k) step(k);
+  EXPECT_LT(hand.segment<3>(7).norm(), 0.05 * before);
+  estimate.status.state = TrackingState::tracking;
+  const Eigen::Vector3d rest = hand.head<3>();
+  for (int k = 45; k < 120; ++k) step(k);
+  EXPECT_LT((hand.head<3>() - rest).norm(), 0.05) << "what was shown before it was lost is forgotten";
+}
+
 }  // namespace
 }  // namespace incognita

@@ -205,6 +205,23 @@ TEST(ActionChoice, OneActionAFrameChoosesTheSameWhereNothingChanges) {
   EXPECT_EQ(chosen, std::vector<int>(9, 2));
 }
 
+/// Two frames a period, three actions: the first that can be chosen by all is the second period's.
+TEST(ActionChoice, OneActionAFrameWaitsUntilAllHaveAScore) {
+  DecisionSettings s;
+  s.schedule = "one-per-frame";
+  s.period_s = 0.2;
+  for (const std::uint64_t seed : {1, 2, 3, 4, 5}) {
+    std::vector<int> chosen = choices(s, seed);
+    ASSERT_GT(chosen.size(), 40u);
+    EXPECT_EQ(chosen.front(), 1) << "stay";
+    int waited = 0;
+    while (chosen[waited] == 1) ++waited;
+    EXPECT_LE(waited, 2);
+    chosen.erase(chosen.begin(), chosen.begin() + waited);
+    EXPECT_EQ(chosen, std::vector<int>(chosen.size(), 2)) << "of seed " << seed;
+  }
+}
+
 TEST(ActionChoice, ScoresOnlyWhenItChoosesWhereItIsToldSo) {
   DecisionSettings s;
   const std::vector<int> in_every_frame = choices(s, 1);

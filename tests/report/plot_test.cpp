@@ -111,7 +111,7 @@ TEST(Plot, ScriptNamesTheRowsOfEachCurve) {
       text, "every ::6::7 using 3:4 with lines linecolor rgb pink linewidth 1.3 dashtype 2 title \"dashed\"");
   EXPECT_HAS(text, "every ::8::9 using 3:4 with lines linecolor rgb green linewidth 0.6 notitle");
   EXPECT_HAS(text, "every ::10::12 using 3:4 with steps");
-  EXPECT_HAS(text, "set size ratio -1");
+  EXPECT_HAS(text, "set size ratio -1\nset xtics 1\nset ytics 1\n");
   EXPECT_HAS(text, "set logscale y");
   EXPECT_HAS(text, "set yrange [0.001:1]");
   EXPECT_HAS(text, "set multiplot layout 2,2 title \"everything\"");

@@ -10,6 +10,7 @@
 
 #include "bench/timing.hpp"
 #include "incognita/app/assemble.hpp"
+#include "incognita/app/snapshot_of.hpp"
 #include "incognita/decision/camera_decision.hpp"
 #include "incognita/decision/exploration.hpp"
 #include "incognita/models/heading.hpp"
@@ -155,9 +156,10 @@ void look_ahead(benchmark::State& state) {
 }
 BENCHMARK(look_ahead)->Arg(1)->Arg(2)->Arg(3)->Arg(4)->Unit(benchmark::kMillisecond);
 
-/// A frame of camera SLAM and the scores of all actions, seven translations in every frame and three turns
-/// every 50 ms. The estimator runs in the rendered room, its map filled up with landmarks behind it; the
-/// decision looks at a map of the same size all around it, of which some two hundred would be in view.
+/// All that the loop does in a frame but see and write it down: camera SLAM, the scores of all actions, seven
+/// translations in every frame and three turns every 50 ms, the command, and what is told of them. The
+/// estimator runs in the rendered room, its map filled up with landmarks behind it; the decision looks at a
+/// map of the same size all around it, of which some two hundred would be in view.
 void frame(benchmark::State& state) {
   const auto landmarks = static_cast<int>(state.range(0));
   const std::vector<std::string> sets{
@@ -193,15 +195,19 @@ void frame(benchmark::State& state) {
   settings.gaze = "mutual-information";
   CameraDecision decision(WideAngleCamera{}, twelve_looks(), settings,
                           {.expected_landmarks = landmarks + 30});
-  std::vector<double> all, deciding;
+  std::vector<double> all, deciding, telling;
   for (auto _ : state) {
     const Tick tick = next();
-    const double update = seconds([&] {
-      room.boxes.estimator.update(estimate, {}, images[static_cast<std::size_t>(tick.frame) % images.size()],
-                                  tick);
-    });
-    deciding.push_back(1e3 * seconds([&] { benchmark::DoNotOptimize(decision.choose(around, tick)); }));
-    all.push_back(1e3 * update + deciding.back());
+    const Observation& seen = images[static_cast<std::size_t>(tick.frame) % images.size()];
+    const double update = seconds([&] { room.boxes.estimator.update(estimate, {}, seen, tick); });
+    Goal goal;
+    deciding.push_back(1e3 * seconds([&] { goal = decision.choose(around, tick); }));
+    telling.push_back(1e3 * seconds([&] {
+                        const Command command = room.boxes.controller.act(estimate, goal, seen, tick);
+                        benchmark::DoNotOptimize(snapshot_of(tick, std::nullopt, seen, estimate, goal,
+                                                             decision.actions(), command, {}));
+                      }));
+    all.push_back(1e3 * update + deciding.back() + telling.back());
     state.SetIterationTime(1e-3 * all.back());
   }
   if (estimate.status.state != TrackingState::tracking) state.SkipWithError("does not track");
@@ -209,6 +215,7 @@ void frame(benchmark::State& state) {
   state.counters["median_ms"] = median(all);
   state.counters["p99_ms"] = all[all.size() * 99 / 100];
   state.counters["deciding_ms"] = median(deciding);
+  state.counters["telling_ms"] = median(telling);
   state.counters["states"] = static_cast<double>(estimate.belief.errors());
 }
 BENCHMARK(frame)->Arg(100)->Arg(300)->Arg(1000)->Iterations(300)->UseManualTime()->Unit(

@@ -49,9 +49,10 @@ LedgerEntry run(const ExperimentSettings& all_seeds) {
             "Driving by mutual information leaves less entropy than driving at random, by the accelerations "
             "of Table 6.1",
             "driving at random", runs[0], runs[1], ""),
-      beats("6.4.3-fixed", place, "Likewise less than driving to and fro", "driving to and fro", runs[0],
-            runs[2], ""),
-      beats("6.4.3-standing", place, "Likewise less than standing", "standing", runs[0], runs[3], ""),
+      beats("6.4.3-fixed", place, "Driving by mutual information leaves less entropy than driving to and fro",
+            "driving to and fro", runs[0], runs[2], ""),
+      beats("6.4.3-standing", place, "Driving by mutual information leaves less entropy than standing",
+            "standing", runs[0], runs[3], ""),
       beats("6.4.3-all-counted", "Section 6.2, Figure 6.3, on images",
             "With all landmarks counted that are expected in view, as printed, driving by mutual information "
             "leaves less entropy than driving at random",

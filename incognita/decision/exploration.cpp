@@ -31,7 +31,7 @@ Exploration::Exploration(const ExplorationSettings& settings, std::uint64_t seed
   unseen_cells_ = cells_.prod();
   seen_s_.assign(static_cast<std::size_t>(unseen_cells_), 0);
   for (int i = 0; i < settings_.expected_landmarks; ++i) {
-    expected_.push_back({i, {}});
+    expected_.push_back(ExpectedLandmark{i});
     move_elsewhere(expected_.back());
   }
 }

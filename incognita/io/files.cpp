@@ -13,8 +13,10 @@
 namespace incognita {
 namespace {
 
+/// None outside of what is built in, as `../` may lead to.
 const EmbeddedFile* find_embedded(const std::filesystem::path& path) {
-  const std::string name = path.lexically_normal().string().substr(embedded_root.size() + 1);
+  const std::filesystem::path within = path.native().substr(embedded_root.size() + 1);
+  const std::string name = within.lexically_normal().string();
   for (const EmbeddedFile& file : embedded_files()) {
     if (file.name == name) return &file;
   }

@@ -21,6 +21,8 @@ namespace {
 constexpr std::size_t largest_target = 1 << 20;
 constexpr int smallest_patch_px = 9, largest_patch_px = 101;
 constexpr std::size_t most_corners = 100;
+constexpr int largest_picture_px = 100;                                     // kept of either side
+constexpr double least_apart_px = 4, largest_misfit_px = 0.5, skew = 0.05;  // of corners, in a picture
 using Folders = std::vector<std::filesystem::path>;
 
 [[noreturn]] void refuse(const std::string& file, int line, const std::string& key, const std::string& why) {
@@ -115,30 +117,67 @@ Image read_patch(const TomlEntry& entry, const std::string& file, const Folders&
   return patch;
 }
 
+/// Means over squares of pixels, so that none is finer than what a camera sees of a target.
+void shrink(Target::Picture& picture) {
+  const Image& whole = picture.image;
+  const int side = (std::max(whole.width(), whole.height()) + largest_picture_px - 1) / largest_picture_px;
+  if (side == 1) return;
+  Image small(std::max(1, whole.width() / side), std::max(1, whole.height() / side));
+  for (int v = 0; v < small.height(); ++v)
+    for (int u = 0; u < small.width(); ++u) {
+      int sum = 0, count = 0;
+      for (int y = v * side; y < std::min((v + 1) * side, whole.height()); ++y)
+        for (int x = u * side; x < std::min((u + 1) * side, whole.width()); ++x) sum += whole(x, y), ++count;
+      small(u, v) = static_cast<std::uint8_t>((sum + count / 2) / count);
+    }
+  const double middle = (side - 1) / 2.0;  // of the first square, px of the whole
+  Eigen::Matrix3d whole_from_small;
+  whole_from_small << side, 0, middle, 0, side, middle, 0, 0, 1;
+  picture.image = std::move(small);
+  picture.world_from_px *= whole_from_small;
+}
+
+void check_pixels(const Image& image, const Eigen::MatrixX2d& pixels, const TomlEntry& entry,
+                  const std::string& file) {
+  for (Eigen::Index i = 0; i < pixels.rows(); ++i) {
+    if (pixels.row(i).minCoeff() < 0 || pixels(i, 0) > image.width() - 1 || pixels(i, 1) > image.height() - 1)
+      refuse(file, entry.line, entry.key,
+             fmt::format("must be of the whole target, and corner {} is outside, by its picture_px", i));
+    for (Eigen::Index k = 0; k < i; ++k)
+      if ((pixels.row(i) - pixels.row(k)).norm() < least_apart_px)
+        refuse(file, entry.line, entry.key,
+               fmt::format("must be larger: corners {} and {} are less than {} px apart in it", k, i,
+                           least_apart_px));
+  }
+}
+
 /// Where the pixels are, from where the corners are among them.
 Target::Picture read_picture(const TomlEntry& entry, const std::vector<Target::Corner>& corners,
                              const Eigen::MatrixX2d& pixels, const Eigen::Vector3d& normal,
                              const std::string& file, const Folders& folders) {
   Target::Picture picture{read_named_image(entry, file, folders), {}};
-  for (Eigen::Index i = 0; i < pixels.rows(); ++i)
-    if (pixels.row(i).minCoeff() < 0 || pixels(i, 0) > picture.image.width() - 1 ||
-        pixels(i, 1) > picture.image.height() - 1)
-      refuse(file, entry.line, entry.key,
-             fmt::format("must be of the whole target, and corner {} is outside, by its picture_px", i));
+  check_pixels(picture.image, pixels, entry, file);
   Eigen::MatrixX3d at(pixels.rows(), 3), positions(pixels.rows(), 3);
   at << pixels, Eigen::VectorXd::Ones(pixels.rows());
   for (Eigen::Index i = 0; i < positions.rows(); ++i)
     positions.row(i) = corners[static_cast<std::size_t>(i)].position;
   picture.world_from_px = at.colPivHouseholderQr().solve(positions).transpose();
   const Eigen::Vector3d right = picture.world_from_px.col(0), down = picture.world_from_px.col(1);
-  const double misfit = (at * picture.world_from_px.transpose() - positions).rowwise().norm().maxCoeff();
-  if (misfit > std::min(right.norm(), down.norm()))
+  const double px_m = std::sqrt(right.norm() * down.norm());
+  Eigen::Index worst = 0;
+  const double misfit =
+      (at * picture.world_from_px.transpose() - positions).rowwise().norm().maxCoeff(&worst) / px_m;
+  const bool square =
+      std::abs(right.dot(down)) < skew * px_m * px_m && std::abs(right.norm() - down.norm()) < skew * px_m;
+  if (!square || !(misfit < largest_misfit_px))
     refuse(file, entry.line, entry.key,
-           fmt::format("must be taken straight on: with each picture_px where its corner is in it, the "
-                       "corners are up to {:.3g} m off, more than a pixel",
-                       misfit));
+           fmt::format(
+               "must be taken straight on, its pixels square, with each picture_px where its corner is in "
+               "it; by them corner {} is off by {:.2g} px, and a pixel {:.3g} m wide and {:.3g} m high",
+               worst, misfit, right.norm(), down.norm()));
   if (right.cross(down).dot(normal) >= 0)
     refuse(file, entry.line, entry.key, "is mirrored: the normal points away from who sees it so");
+  shrink(picture);
   return picture;
 }
 

@@ -201,34 +201,49 @@ std::string range_text(const char* axis, const std::optional<std::pair<double, d
   return fmt::format("set {}range {}\n", axis, text);
 }
 
-/// Of both axes where they are alike: the longer one's, or those of the shorter run into each other.
-double common_tic(const Panel& panel) {
-  double longest = 0;
-  for (const auto& of : {&Curve::x, &Curve::y}) {
-    double least = std::numeric_limits<double>::infinity(), most = -least;
-    for (const Curve& c : panel.curves)
-      for (const double value : c.*of)
-        if (std::isfinite(value)) least = std::min(least, value), most = std::max(most, value);
-    longest = std::max(longest, most - least);
-  }
-  if (!(longest > 0)) return 1;
-  const double least = longest / 6, power = std::pow(10, std::floor(std::log10(least)));
+constexpr const char* own_tics = "set xtics autofreq\nset ytics autofreq\n";
+using Range = std::pair<double, double>;
+
+/// Of all that is drawn; [0, 0] of nothing.
+Range extent(const Panel& panel, std::vector<double> Curve::*of) {
+  Range range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  for (const Curve& c : panel.curves)
+    for (const double value : c.*of)
+      if (std::isfinite(value)) range = {std::min(range.first, value), std::max(range.second, value)};
+  return range.first <= range.second ? range : Range{0, 0};
+}
+
+/// Six or fewer along that length, of 1, 2 or 5 times a power of ten.
+double tic_of(double length) {
+  if (!(length > 0)) return 1;
+  const double least = length / 6, power = std::pow(10, std::floor(std::log10(least)));
   for (const double step : {1.0, 2.0, 5.0})
     if (step * power >= least) return step * power;
   return 10 * power;
+}
+
+/// Tics alike on both axes: left to itself each has its own, and those of the shorter run into each other.
+std::string equal_axes(const Panel& panel) {
+  const Range all_x = extent(panel, &Curve::x), all_y = extent(panel, &Curve::y);
+  const auto length = [](const Range& r) { return r.second - r.first; };
+  const double margin = 0.05 * std::max({length(all_x), length(all_y), 1e-9});
+  const auto with_margin = [&](const Range& r) { return Range{r.first - margin, r.second + margin}; };
+  const Range x = panel.x_range.value_or(with_margin(all_x)), y = panel.y_range.value_or(with_margin(all_y));
+  return range_text("x", x, "") + range_text("y", y, "") +
+         fmt::format("set size ratio -1\nset xtics {0:g}\nset ytics {0:g}\n",
+                     tic_of(std::max(length(x), length(y))));
 }
 
 std::string curve_axes(const Panel& panel) {
   // gnuplot refuses to draw where nothing says how long an axis is
   const bool empty = std::none_of(panel.curves.begin(), panel.curves.end(),
                                   [&](const Curve& c) { return has_points(c, panel.log_y); });
-  const std::string fitted = panel.equal_axes ? "[*:*]" : "[*:*] noextend";
   std::string text = "set border 3\nset key tmargin center horizontal\n";
   text += panel.log_y ? "set logscale y\nset format y '%g'\n" : "unset logscale y\n";
-  text += range_text("x", panel.x_range, empty ? "[0:1]" : fitted);
+  if (panel.equal_axes && !empty) return text + equal_axes(panel);
+  text += range_text("x", panel.x_range, empty ? "[0:1]" : "[*:*] noextend");
   text += range_text("y", panel.y_range, empty ? (panel.log_y ? "[1:10]" : "[0:1]") : "[*:*]");
-  if (!panel.equal_axes) return text + "set size noratio\nset xtics autofreq\nset ytics autofreq\n";
-  return text + fmt::format("set size ratio -1\nset xtics {0:g}\nset ytics {0:g}\n", common_tic(panel));
+  return text + (panel.equal_axes ? "set size ratio -1\n" : "set size noratio\n") + own_tics;
 }
 
 std::string curves_script(const Panel& panel, Rows& rows) {
@@ -277,6 +292,7 @@ std::string surfaces_script(const Panel& panel, std::size_t panel_index) {
                                 block_name(panel_index, i), colour, title_of(s.label)));
   }
   std::string text = "set border 31\nset key bmargin center horizontal\nunset logscale y\nset size noratio\n";
+  text += own_tics;
   text += range_text("x", panel.x_range, "[*:*] noextend") + range_text("y", panel.y_range, "[*:*] noextend");
   text += "set zlabel " + gnuplot_string(panel.z_label) + " rotate by 90\n";
   if (parts.empty()) return text + "set xrange [0:1]\nset yrange [0:1]\nplot NaN notitle\n";

@@ -35,7 +35,9 @@ double likeness_to_picture(const Target& target, const Camera& camera, const Ima
   const auto& [picture, world_from_px] = *target.picture;
   const Eigen::Matrix3d camera_from_world = rotation_matrix(pose.world_from_camera).transpose();
   const int pixels = picture.width() * picture.height();
-  const int step = std::max(1, static_cast<int>(std::ceil(std::sqrt(pixels / double(most_samples)))));
+  const int least_side = std::min(picture.width(), picture.height());
+  const int step = std::clamp(static_cast<int>(std::ceil(std::sqrt(pixels / double(most_samples)))), 1,
+                              std::max(1, least_side));
   Correlation seen;
   int tried = 0;
   for (int v = step / 2; v < picture.height(); v += step)

@@ -4,7 +4,9 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <limits>
+#include <sstream>
 
 #include "incognita/slam/target_picture.hpp"
 #include "incognita/vision/corners.hpp"
@@ -128,22 +130,36 @@ double likeness(const std::vector<const Place*>& corners) {
   return correlation - 0.2 * std::max(dark[1] - dark[0], bright[1] - bright[0]) / contrast;
 }
 
-/// Whether what is seen from the pose is the target's picture, where there is one.
-bool looks_like_it(const Target& target, const Camera& camera, const Image& image, const TargetPose& pose,
-                   double least) {
-  return !target.picture || likeness_to_picture(target, camera, image, pose) > least;
+/// Of what is seen from the pose to the target's picture; 1 where there is none.
+double likeness_where_pictured(const Target& target, const Camera& camera, const Image& image,
+                               const TargetPose& pose) {
+  return target.picture ? likeness_to_picture(target, camera, image, pose) : 1;
+}
+
+struct Best {
+  std::optional<TargetPose> pose;
+  std::optional<double> unlike;  ///< the most likeness to the picture, of poses that were not like it enough
+};
+
+/// The next choice of one place for each corner, as an odometer counts; false after the last.
+bool next(std::vector<std::size_t>& index, const std::vector<std::vector<Place>>& places) {
+  for (std::size_t c = 0; c < places.size(); ++c) {
+    if (++index[c] < places[c].size()) return true;
+    index[c] = 0;
+  }
+  return false;
 }
 
 /// Tries every combination of places, one per corner.
-void try_combinations(const Target& target, const Camera& camera, const Image& image,
-                      const std::vector<std::vector<Place>>& places, double sigma_pixel_px,
-                      std::optional<TargetPose>& best) {
+Best try_combinations(const Target& target, const Camera& camera, const Image& image,
+                      const std::vector<std::vector<Place>>& places, double sigma_pixel_px) {
+  Best best;
   const QuickLook quick(target, std::min(max_patch_size, target.corners.front().patch.width()));
   std::vector<Eigen::Vector3d> points;
   for (const auto& corner : target.corners) points.push_back(corner.position);
   std::vector<std::size_t> index(places.size(), 0);
   double best_score = min_score;
-  for (bool more = true; more;) {
+  do {
     std::vector<Eigen::Vector2d> pixels;
     std::vector<const Place*> corners;
     for (std::size_t c = 0; c < places.size(); ++c) {
@@ -158,17 +174,23 @@ void try_combinations(const Target& target, const Camera& camera, const Image& i
                         target.normal.dot(poses[0].position - points[0]) > 0;
       // Half a pixel of misfit weighs as much as 0.1 of correlation
       const double score = good ? alike - 0.2 * poses[0].rms_px : 0;
-      if (score > best_score && looks_like_it(target, camera, image, poses[0], min_likeness_at_first)) {
-        best_score = score;
-        best = poses[0];
-      }
+      if (score <= best_score) continue;
+      const double like = likeness_where_pictured(target, camera, image, poses[0]);
+      if (like > min_likeness_at_first)
+        best_score = score, best.pose = poses[0];
+      else
+        best.unlike = std::max(best.unlike.value_or(like), like);
     }
-    more = false;
-    for (std::size_t c = 0; c < places.size() && !more; ++c) {
-      more = ++index[c] < places[c].size();
-      if (!more) index[c] = 0;
-    }
-  }
+  } while (next(index, places));
+  return best;
+}
+
+std::string not_like(const Target& target, double likeness) {
+  std::ostringstream why;
+  why << std::setprecision(3) << "what stands as the corners of target " << target.name
+      << " is like its picture to " << likeness << " only, less than " << min_likeness
+      << ": start nearer, or see whether picture_px are right to a quarter of a pixel";
+  return why.str();
 }
 
 std::string no_pose(const Target& target) {
@@ -240,9 +262,8 @@ TargetSearch refined(const Target& target, const Camera& camera, const Image& im
     return (a.position - found.position).norm() < (b.position - found.position).norm();
   });
   if (nearest == poses.end() || nearest->rms_px > max_rms_px) return {std::nullopt, no_pose(target)};
-  if (!looks_like_it(target, camera, image, *nearest, min_likeness))
-    return {std::nullopt,
-            "what stands as the corners of target " + target.name + " does not look like its picture"};
+  const double like = likeness_where_pictured(target, camera, image, *nearest);
+  if (like < min_likeness) return {std::nullopt, not_like(target, like)};
   return {*nearest, ""};
 }
 
@@ -262,10 +283,9 @@ TargetSearch find_target(const Target& target, const Camera& camera, const Summe
       return {std::nullopt, "corner " + std::to_string(c) + " of target " + target.name +
                                 " is nowhere in the image (correlation below 0.7)"};
   }
-  std::optional<TargetPose> found;
-  try_combinations(four, camera, image.image(), places, sigma_pixel_px, found);
-  if (!found) return {std::nullopt, no_pose(target)};
-  return refined(target, camera, image.image(), sigma_pixel_px, *found);
+  const Best best = try_combinations(four, camera, image.image(), places, sigma_pixel_px);
+  if (best.pose) return refined(target, camera, image.image(), sigma_pixel_px, *best.pose);
+  return {std::nullopt, best.unlike ? not_like(target, *best.unlike) : no_pose(target)};
 }
 
 }  // namespace incognita

@@ -99,7 +99,8 @@ TEST(RoomVehicle, IsRefusedWithTheKey) {
   const auto complaint = [](const std::vector<std::string>& sets) {
     return message_of([&] { assemble_room_vehicle(load_scenario("rendered-terrain", sets)); });
   };
-  EXPECT_HAS(complaint({"terrain.amplitude_m=3"}), "the terrain rises to");
+  EXPECT_HAS(complaint({"terrain.amplitude_m=3"}),
+             "the terrain rises to 6 m, and must stay 0.5 m under the ceiling: make it lower");
   EXPECT_HAS(complaint({"room.size_m=[8, 6, 2.5]"}), "start.target = targets/sheet.toml: has a corner at");
 }
 

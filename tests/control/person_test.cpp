@@ -112,12 +112,12 @@ TEST(Person, WhoForgetsDoesNothingThatWasShownBefore) {
   PersonSettings s = exact();
   s.delay_s = 0.5;
   Person person(s, 1, "person");
-  const Eigen::Vector3d here(4, 5, 6);
+  const Eigen::Vector3d there(4, 5, 6);
   person.obey({{0, 0, 0}, {1, 0, 0}, 0, 1}, true, {0, 0, 0}, 0);
   person.forget();
-  const Way after = person.obey({{0, 0, 0}, {1, 0, 0}, 0, 1}, false, here, 2);
-  EXPECT_EQ(after.from, here);
-  EXPECT_EQ(after.to, here);
+  const Way after = person.obey({{0, 0, 0}, {1, 0, 0}, 0, 1}, false, there, 2);
+  EXPECT_EQ(after.from, there);
+  EXPECT_EQ(after.to, there);
 }
 
 }  // namespace

@@ -27,8 +27,8 @@ TEST(DamagedTarget, IsReadOrRefused) {
   const Scratch scratch;
   scratch.write("p.pgm", pgm(11, 11));
   std::string whole = "name = \"sheet\"\nnormal = [-1, 0, 0]\naxes = \"world\"\npicture = \"p.pgm\"\n";
-  for (const char* at : {"[3, 0.2, 1]\npicture_px = [1, 9]", "[3, -0.2, 1]\npicture_px = [9, 9]",
-                         "[3, 0.2, 1.5]\npicture_px = [1, 2]", "[3, -0.2, 1.5]\npicture_px = [9, 2]"})
+  for (const char* at : {"[3, 0.2, 1]\npicture_px = [1, 10]", "[3, -0.2, 1]\npicture_px = [9, 10]",
+                         "[3, 0.2, 1.5]\npicture_px = [1, 0]", "[3, -0.2, 1.5]\npicture_px = [9, 0]"})
     whole += std::string("[[corner]]\nposition_m = ") + at + "\npatch = \"p.pgm\"\n";
   const int fine = still_read(whole, 300, [&](const std::string& text) {
     const Target target = read_target(scratch.write("t.toml", text));

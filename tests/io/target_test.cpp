@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "incognita/io/files.hpp"
+#include "incognita/io/image_file.hpp"
 #include "tests/scratch.hpp"
 
 namespace incognita {
@@ -97,6 +98,7 @@ TEST(Target, RefusesPatchesThatCannotBe) {
     return complaint(head + three + corner("[3, -0.2, 1.5]", patch));
   };
   EXPECT_HAS(with("none.pgm"), "t.toml:14: patch: none.pgm is not there");
+  EXPECT_HAS(with("../../x.pgm"), "t.toml:14: patch: ../../x.pgm is not there");
   EXPECT_HAS(with("even.pgm"),
              "t.toml:14: patch: even.pgm must be an odd square of 9 to 101 px, and is 12x12");
   EXPECT_HAS(with("oblong.pgm"), "and is 11x13");
@@ -128,6 +130,28 @@ TEST(Target, MayHaveAPicture) {
     EXPECT_NEAR((target.picture->world_from_px * pixel - at).norm(), 0, 1e-12);
 }
 
+/// Of 180x150 px means over squares of 2.
+TEST(Target, KeepsNoMoreOfAPictureThanACameraSees) {
+  const Scratch scratch;
+  scratch.write("p.pgm", pgm(11, 11));
+  scratch.write("whole.pgm", pgm(180, 150));
+  std::string text = head + "picture = \"whole.pgm\"\n" + seen("[3, 0.2, 1]", "[31, 106]") +
+                     seen("[3, -0.2, 1]", "[151, 106]") + seen("[3, 0.2, 1.2]", "[31, 46]") +
+                     seen("[3, -0.2, 1.2]", "[151, 46]");
+  const Target target = read_target(scratch.write("t.toml", text));
+  ASSERT_TRUE(target.picture);
+  const Image& kept = target.picture->image;
+  ASSERT_EQ(kept.width(), 90);
+  ASSERT_EQ(kept.height(), 75);
+  const Image whole = read_image(scratch.folder() / "whole.pgm");
+  const int sum = whole(20, 30) + whole(21, 30) + whole(20, 31) + whole(21, 31);
+  EXPECT_EQ(kept(10, 15), (sum + 2) / 4);
+  EXPECT_NEAR(
+      (target.picture->world_from_px * Eigen::Vector3d(15.25, 52.75, 1) - Eigen::Vector3d(3, 0.2, 1)).norm(),
+      0, 1e-12)
+      << "where the first corner is, between the pixels of the kept";
+}
+
 TEST(Target, RefusesPicturesThatCannotBe) {
   const Scratch scratch;
   scratch.write("p.pgm", pgm(11, 11));
@@ -143,6 +167,17 @@ TEST(Target, RefusesPicturesThatCannotBe) {
              "picture_px: must be a list of two finite numbers");
   EXPECT_HAS(complaint(pictured + seen("[3, -0.2, 1.2]", "[45, 20]")),
              "t.toml:3: picture: must be taken straight on");
+  const auto corners = [&](const std::vector<std::string>& pixels) {
+    return complaint(head + "picture = \"whole.pgm\"\n" + seen("[3, 0.2, 1]", pixels[0]) +
+                     seen("[3, -0.2, 1]", pixels[1]) + seen("[3, 0.2, 1.2]", pixels[2]) +
+                     seen("[3, -0.2, 1.2]", pixels[3]));
+  };
+  EXPECT_HAS(corners({"[10, 35]", "[50, 45]", "[10, 15]", "[50, 25]"}), "must be taken straight on")
+      << "sheared";
+  EXPECT_HAS(corners({"[10, 25]", "[50, 25]", "[10, 15]", "[50, 15]"}),
+             "a pixel 0.01 m wide and 0.02 m high");
+  EXPECT_HAS(corners({"[10, 15]", "[50, 15]", "[10, 15]", "[50, 15]"}),
+             "corners 0 and 2 are less than 4 px apart");
   EXPECT_HAS(complaint(pictured + seen("[3, -0.2, 1.2]", "[60, 15]")),
              "t.toml:3: picture: must be of the whole target, and corner 3 is outside");
   EXPECT_HAS(complaint(head + "picture = \"whole.pgm\"\n" + seen("[3, 0.2, 1]", "[50, 35]") +
@@ -168,6 +203,12 @@ TEST(Target, FindsPatchesAmongThoseBuiltIn) {
   const Target target = load_target(loaded);
   EXPECT_EQ(target.corners[0].position.x(), 5);
   EXPECT_TRUE(target.picture);
+  for (const char* outside : {"../../x", "../room.toml", "../../../../sheet_corner0.pgm"}) {
+    std::string other = text;
+    other.replace(other.find("sheet_corner0.pgm"), 17, outside);
+    scratch.write("mine.toml", other);
+    EXPECT_HAS(message_of([&] { load_target(loaded); }), "mine.toml:") << outside;
+  }
 }
 
 TEST(Target, IsFoundBesideItsScenario) {

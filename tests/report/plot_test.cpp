@@ -117,6 +117,26 @@ TEST(Plot, ScriptNamesTheRowsOfEachCurve) {
   EXPECT_HAS(text, "set multiplot layout 2,2 title \"everything\"");
 }
 
+/// Tics are those of what is shown, not of what lies outside.
+TEST(Plot, AlikeAxesHaveAlikeTics) {
+  const Scratch scratch;
+  Plot plot = plot_of({{"path", Style::line, {0, 55}, {12, 14.5}}});
+  plot.panels[0].equal_axes = true;
+  Panel shown;
+  shown.equal_axes = true;
+  shown.x_range = shown.y_range = {{-3.2, 3.2}};
+  shown.curves = {{"far away", Style::line, {0, 40}, {0, 1}}};
+  Panel net;
+  net.surfaces = {{"net", {0, 1, 2}, {0, 1}, {1, 2, 3, 4, 5, 6}}};
+  plot.panels.insert(plot.panels.end(), {shown, net});
+  drawn(scratch, plot);
+  const std::string text = script(scratch);
+  EXPECT_HAS(text, "set xrange [-2.75:57.75]\nset yrange [9.25:17.25]\nset size ratio -1\nset xtics 20\n");
+  EXPECT_HAS(text, "set yrange [-3.2:3.2]\nset size ratio -1\nset xtics 2\nset ytics 2\n");
+  EXPECT_LT(text.rfind("set xtics 2\n"), text.rfind("set xtics autofreq\n"))
+      << "nor those of the panel before";
+}
+
 TEST(Plot, WhatIsNoNumberIsAGap) {
   const Scratch scratch;
   const std::string svg =

@@ -48,14 +48,13 @@ Panel from_above(const std::string& title, const Run& run) {
 }
 
 Panel choices(const std::string& title, const Run& run) {
-  Panel p{title, "t, s", "number", {}};
+  Panel p{title, "t, s", "", {}};
   Curve chosen{"", Style::steps, {}, {}, {}, Colour::blue};
   for (const Decision& d : run.decisions) {
     chosen.x.push_back(d.t_s);
     chosen.y.push_back(d.chosen);
   }
-  for (std::size_t i = 0; i < run.actions.size(); ++i)
-    p.x_label += (i > 0 ? ", " : ";   ") + std::to_string(i) + " " + run.actions[i];
+  p.y_names = run.actions;
   p.curves = {chosen};
   p.y_range = {-0.5, static_cast<double>(run.actions.size()) - 0.5};
   return p;

@@ -234,6 +234,14 @@ std::string equal_axes(const Panel& panel) {
                      tic_of(std::max(length(x), length(y))));
 }
 
+std::string names(const std::vector<std::string>& of_y) {
+  if (of_y.empty()) return "";
+  std::vector<std::string> tics;
+  for (const std::string& name : of_y)
+    tics.push_back(fmt::format("{} {}", gnuplot_string(name), tics.size()));
+  return fmt::format("set ytics ({})\n", fmt::join(tics, ", "));
+}
+
 std::string curve_axes(const Panel& panel) {
   // gnuplot refuses to draw where nothing says how long an axis is
   const bool empty = std::none_of(panel.curves.begin(), panel.curves.end(),
@@ -243,7 +251,8 @@ std::string curve_axes(const Panel& panel) {
   if (panel.equal_axes && !empty) return text + equal_axes(panel);
   text += range_text("x", panel.x_range, empty ? "[0:1]" : "[*:*] noextend");
   text += range_text("y", panel.y_range, empty ? (panel.log_y ? "[1:10]" : "[0:1]") : "[*:*]");
-  return text + (panel.equal_axes ? "set size ratio -1\n" : "set size noratio\n") + own_tics;
+  text += panel.equal_axes ? "set size ratio -1\n" : "set size noratio\n";
+  return text + own_tics + names(panel.y_names);
 }
 
 std::string curves_script(const Panel& panel, Rows& rows) {

@@ -54,6 +54,7 @@ struct Panel {
   bool log_y = false;                                                   ///< what is not positive is a gap
   std::vector<Surface> surfaces = {};
   std::string z_label = {};
+  std::vector<std::string> y_names = {};  ///< of y = 0, 1, ...; in place of the numbers
 };
 
 struct Plot {

@@ -117,6 +117,17 @@ TEST(Plot, ScriptNamesTheRowsOfEachCurve) {
   EXPECT_HAS(text, "set multiplot layout 2,2 title \"everything\"");
 }
 
+TEST(Plot, NamesMayStandForNumbers) {
+  const Scratch scratch;
+  Plot plot = plot_of({{"chosen", Style::steps, {0, 1, 2}, {1, 0, 1}}});
+  plot.panels.push_back(plot.panels.front());
+  plot.panels.front().y_names = {"stay", "go \"up\""};
+  drawn(scratch, plot);
+  const std::string text = script(scratch);
+  EXPECT_HAS(text, R"(set ytics ("stay" 0, "go \042up\042" 1))");
+  EXPECT_LT(text.find("set ytics ("), text.rfind("set ytics autofreq")) << "of one panel only";
+}
+
 /// Tics are those of what is shown, not of what lies outside.
 TEST(Plot, AlikeAxesHaveAlikeTics) {
   const Scratch scratch;

@@ -74,10 +74,12 @@ LedgerEntry run(const ExperimentSettings& all_seeds) {
   const Runs from_the_middle =
       runs_of("terrain", {"from the middle", {"team.positions_m=[[0, 0, 0]]"}}, settings);
   const char* place = "Section 6.4.2";
-  Claim random = beats("6.4-random", place,
-                       "Driving by mutual information leaves less entropy than driving at random, by the "
-                       "accelerations of Table 6.1",
-                       "driving at random", runs[0], runs[1], "");
+  Claim random =
+      beats("6.4-random", place,
+            "Driving by mutual information leaves less entropy than driving at random, by the "
+            "accelerations of Table 6.1",
+            "driving at random", runs[0], runs[1],
+            "at random it goes astray in most rooms; in the few where it does not no difference shows");
   random.measured += ". " + in_numbers(driving(), runs);
   entry.claims = {
       random,

@@ -133,7 +133,7 @@ std::vector<std::string> check(const LoadedScenario& loaded) {
     found.push_back(fmt::format("all {} images are there, the first is {}x{}", recording->frames.size(),
                                 s.camera.width_px, s.camera.height_px));
   }
-  if (!is_room_vehicle(s)) assemble(loaded);  // as above
+  if (!is_room_vehicle(s)) assemble(loaded);  // which refuses what a run would
   return found;
 }
 
@@ -165,7 +165,7 @@ CLI::App* add_config(CLI::App& app, std::function<int()>& job) {
       ->add_option("--set", options->sets, "Set a value before printing: section.name=value; may be repeated")
       ->allow_extra_args(false);
   command->add_flag("--check", options->check,
-                    "Only check: settings, target, and that the recording is there and fits");
+                    "Only check: settings, target, room or recording, and all else that a run needs");
   command->add_flag("--json", options->json, "One JSON document on standard output");
   command->footer(
       "Example: incognita config room --set run.seed=7\n         incognita config davison --check");

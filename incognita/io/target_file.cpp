@@ -5,6 +5,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "incognita/io/data_folder.hpp"
@@ -21,8 +22,9 @@ namespace {
 constexpr std::size_t largest_target = 1 << 20;
 constexpr int smallest_patch_px = 9, largest_patch_px = 101;
 constexpr std::size_t most_corners = 100;
-constexpr int largest_picture_px = 100;                                     // kept of either side
-constexpr double least_apart_px = 4, largest_misfit_px = 0.5, skew = 0.05;  // of corners, in a picture
+constexpr int smallest_picture_px = 9, largest_picture_px = 100;  // each way; larger ones are shrunk
+constexpr double least_apart_px = 4, largest_misfit_px = 0.25;    // of corners, in a picture as it is kept
+constexpr double skew = 0.05;  // of a picture's pixels: cosine between the sides, their difference as a share
 using Folders = std::vector<std::filesystem::path>;
 
 [[noreturn]] void refuse(const std::string& file, int line, const std::string& key, const std::string& why) {
@@ -117,67 +119,79 @@ Image read_patch(const TomlEntry& entry, const std::string& file, const Folders&
   return patch;
 }
 
-/// Means over squares of pixels, so that none is finer than what a camera sees of a target.
-void shrink(Target::Picture& picture) {
-  const Image& whole = picture.image;
-  const int side = (std::max(whole.width(), whole.height()) + largest_picture_px - 1) / largest_picture_px;
-  if (side == 1) return;
-  Image small(std::max(1, whole.width() / side), std::max(1, whole.height() / side));
+/// Means over squares of `side` pixels; what is left over at the right and below is dropped.
+Image shrunk(const Image& whole, int side) {
+  Image small(whole.width() / side, whole.height() / side);
   for (int v = 0; v < small.height(); ++v)
     for (int u = 0; u < small.width(); ++u) {
-      int sum = 0, count = 0;
-      for (int y = v * side; y < std::min((v + 1) * side, whole.height()); ++y)
-        for (int x = u * side; x < std::min((u + 1) * side, whole.width()); ++x) sum += whole(x, y), ++count;
-      small(u, v) = static_cast<std::uint8_t>((sum + count / 2) / count);
+      int sum = 0;
+      for (int y = v * side; y < (v + 1) * side; ++y)
+        for (int x = u * side; x < (u + 1) * side; ++x) sum += whole(x, y);
+      small(u, v) = static_cast<std::uint8_t>((sum + side * side / 2) / (side * side));
     }
-  const double middle = (side - 1) / 2.0;  // of the first square, px of the whole
-  Eigen::Matrix3d whole_from_small;
-  whole_from_small << side, 0, middle, 0, side, middle, 0, 0, 1;
-  picture.image = std::move(small);
-  picture.world_from_px *= whole_from_small;
+  return small;
 }
 
-void check_pixels(const Image& image, const Eigen::MatrixX2d& pixels, const TomlEntry& entry,
-                  const std::string& file) {
-  for (Eigen::Index i = 0; i < pixels.rows(); ++i) {
-    if (pixels.row(i).minCoeff() < 0 || pixels(i, 0) > image.width() - 1 || pixels(i, 1) > image.height() - 1)
-      refuse(file, entry.line, entry.key,
-             fmt::format("must be of the whole target, and corner {} is outside, by its picture_px", i));
+void check_apart(const Eigen::MatrixX2d& pixels, const TomlEntry& entry, const std::string& file) {
+  for (Eigen::Index i = 0; i < pixels.rows(); ++i)
     for (Eigen::Index k = 0; k < i; ++k)
       if ((pixels.row(i) - pixels.row(k)).norm() < least_apart_px)
         refuse(file, entry.line, entry.key,
-               fmt::format("must be larger: corners {} and {} are less than {} px apart in it", k, i,
-                           least_apart_px));
-  }
+               fmt::format(
+                   "shows too little: corners {} and {} are less than {} px apart in it, of {} px at the "
+                   "most that are kept",
+                   k, i, least_apart_px, largest_picture_px));
 }
 
-/// Where the pixels are, from where the corners are among them.
-Target::Picture read_picture(const TomlEntry& entry, const std::vector<Target::Corner>& corners,
-                             const Eigen::MatrixX2d& pixels, const Eigen::Vector3d& normal,
-                             const std::string& file, const Folders& folders) {
-  Target::Picture picture{read_named_image(entry, file, folders), {}};
-  check_pixels(picture.image, pixels, entry, file);
+/// Where pixels are, from where the corners are among them: m of (u, v, 1).
+Eigen::Matrix3d world_from(const Eigen::MatrixX2d& pixels, const std::vector<Target::Corner>& corners,
+                           const TomlEntry& entry, const std::string& file) {
   Eigen::MatrixX3d at(pixels.rows(), 3), positions(pixels.rows(), 3);
   at << pixels, Eigen::VectorXd::Ones(pixels.rows());
   for (Eigen::Index i = 0; i < positions.rows(); ++i)
     positions.row(i) = corners[static_cast<std::size_t>(i)].position;
-  picture.world_from_px = at.colPivHouseholderQr().solve(positions).transpose();
-  const Eigen::Vector3d right = picture.world_from_px.col(0), down = picture.world_from_px.col(1);
-  const double px_m = std::sqrt(right.norm() * down.norm());
-  Eigen::Index worst = 0;
-  const double misfit =
-      (at * picture.world_from_px.transpose() - positions).rowwise().norm().maxCoeff(&worst) / px_m;
-  const bool square =
-      std::abs(right.dot(down)) < skew * px_m * px_m && std::abs(right.norm() - down.norm()) < skew * px_m;
-  if (!square || !(misfit < largest_misfit_px))
+  const Eigen::Matrix3d world_from_px = at.colPivHouseholderQr().solve(positions).transpose();
+  const double wide = world_from_px.col(0).norm(), high = world_from_px.col(1).norm();
+  const double cosine = world_from_px.col(0).dot(world_from_px.col(1)) / (wide * high);
+  // Written so that what is no number is refused
+  if (!(std::abs(cosine) < skew && std::abs(wide - high) < skew * wide))
+    refuse(
+        file, entry.line, entry.key,
+        fmt::format(
+            "must be taken straight on, its pixels square; by picture_px they are {:.3g} m wide and {:.3g} "
+            "m high, and rows and columns {:.0f} degrees apart",
+            wide, high, std::acos(cosine) * 180 / std::numbers::pi));
+  const double misfit_px = (at * world_from_px.transpose() - positions).rowwise().norm().maxCoeff() / wide;
+  if (!(misfit_px < largest_misfit_px))
+    refuse(
+        file, entry.line, entry.key,
+        fmt::format(
+            "must be taken straight on, with each picture_px where its corner is in it; the corners' places "
+            "are up to {:.2g} px from there",
+            misfit_px));
+  return world_from_px;
+}
+
+/// No finer than what a camera sees of a target.
+Target::Picture read_picture(const TomlEntry& entry, const std::vector<Target::Corner>& corners,
+                             Eigen::MatrixX2d pixels, const Eigen::Vector3d& normal, const std::string& file,
+                             const Folders& folders) {
+  const Image whole = read_named_image(entry, file, folders);
+  for (Eigen::Index i = 0; i < pixels.rows(); ++i)
+    if (pixels.row(i).minCoeff() < 0 || pixels(i, 0) > whole.width() - 1 || pixels(i, 1) > whole.height() - 1)
+      refuse(file, entry.line, entry.key,
+             fmt::format("must be of the whole target, and corner {} is outside, by its picture_px", i));
+  const int side = (std::max(whole.width(), whole.height()) + largest_picture_px - 1) / largest_picture_px;
+  if (std::min(whole.width(), whole.height()) < side * smallest_picture_px)
     refuse(file, entry.line, entry.key,
-           fmt::format(
-               "must be taken straight on, its pixels square, with each picture_px where its corner is in "
-               "it; by them corner {} is off by {:.2g} px, and a pixel {:.3g} m wide and {:.3g} m high",
-               worst, misfit, right.norm(), down.norm()));
+           fmt::format("must be {} px or more each way, and not much longer than wide; it is {}x{}",
+                       smallest_picture_px, whole.width(), whole.height()));
+  pixels = (pixels.array() - (side - 1) / 2.0) / side;
+  check_apart(pixels, entry, file);
+  const Target::Picture picture{shrunk(whole, side), world_from(pixels, corners, entry, file)};
+  const Eigen::Vector3d right = picture.world_from_px.col(0), down = picture.world_from_px.col(1);
   if (right.cross(down).dot(normal) >= 0)
     refuse(file, entry.line, entry.key, "is mirrored: the normal points away from who sees it so");
-  shrink(picture);
   return picture;
 }
 

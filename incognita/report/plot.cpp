@@ -204,16 +204,17 @@ std::string range_text(const char* axis, const std::optional<std::pair<double, d
 constexpr const char* own_tics = "set xtics autofreq\nset ytics autofreq\n";
 using Range = std::pair<double, double>;
 
-/// Of all that is drawn; [0, 0] of nothing.
-Range extent(const Panel& panel, std::vector<double> Curve::*of) {
-  Range range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+/// How far apart the least and the most of what is drawn are; 0 of nothing.
+double extent(const Panel& panel, const std::vector<std::vector<double> Curve::*>& of) {
+  double least = std::numeric_limits<double>::infinity(), most = -least;
   for (const Curve& c : panel.curves)
-    for (const double value : c.*of)
-      if (std::isfinite(value)) range = {std::min(range.first, value), std::max(range.second, value)};
-  return range.first <= range.second ? range : Range{0, 0};
+    for (const auto values : of)
+      for (const double value : c.*values)
+        if (std::isfinite(value)) least = std::min(least, value), most = std::max(most, value);
+  return least <= most ? most - least : 0;
 }
 
-/// Six or fewer along that length, of 1, 2 or 5 times a power of ten.
+/// So far apart that six or fewer go into the length: 1, 2 or 5 times a power of ten.
 double tic_of(double length) {
   if (!(length > 0)) return 1;
   const double least = length / 6, power = std::pow(10, std::floor(std::log10(least)));
@@ -223,15 +224,14 @@ double tic_of(double length) {
 }
 
 /// Tics alike on both axes: left to itself each has its own, and those of the shorter run into each other.
+/// gnuplot extends each axis to the next tic.
 std::string equal_axes(const Panel& panel) {
-  const Range all_x = extent(panel, &Curve::x), all_y = extent(panel, &Curve::y);
-  const auto length = [](const Range& r) { return r.second - r.first; };
-  const double margin = 0.05 * std::max({length(all_x), length(all_y), 1e-9});
-  const auto with_margin = [&](const Range& r) { return Range{r.first - margin, r.second + margin}; };
-  const Range x = panel.x_range.value_or(with_margin(all_x)), y = panel.y_range.value_or(with_margin(all_y));
-  return range_text("x", x, "") + range_text("y", y, "") +
-         fmt::format("set size ratio -1\nset xtics {0:g}\nset ytics {0:g}\n",
-                     tic_of(std::max(length(x), length(y))));
+  const auto shown = [](const std::optional<Range>& range, double otherwise) {
+    return range ? range->second - range->first : otherwise;
+  };
+  const double tic = tic_of(std::max(shown(panel.x_range, extent(panel, {&Curve::x})),
+                                     shown(panel.y_range, extent(panel, {&Curve::y, &Curve::y2}))));
+  return fmt::format("set size ratio -1\nset xtics {0:g}\nset ytics {0:g}\n", tic);
 }
 
 std::string names(const std::vector<std::string>& of_y) {
@@ -248,11 +248,11 @@ std::string curve_axes(const Panel& panel) {
                                   [&](const Curve& c) { return has_points(c, panel.log_y); });
   std::string text = "set border 3\nset key tmargin center horizontal\n";
   text += panel.log_y ? "set logscale y\nset format y '%g'\n" : "unset logscale y\n";
-  if (panel.equal_axes && !empty) return text + equal_axes(panel);
-  text += range_text("x", panel.x_range, empty ? "[0:1]" : "[*:*] noextend");
+  const std::string fitted = panel.equal_axes ? "[*:*]" : "[*:*] noextend";
+  text += range_text("x", panel.x_range, empty ? "[0:1]" : fitted);
   text += range_text("y", panel.y_range, empty ? (panel.log_y ? "[1:10]" : "[0:1]") : "[*:*]");
-  text += panel.equal_axes ? "set size ratio -1\n" : "set size noratio\n";
-  return text + own_tics + names(panel.y_names);
+  text += panel.equal_axes ? equal_axes(panel) : std::string("set size noratio\n") + own_tics;
+  return text + names(panel.y_names);
 }
 
 std::string curves_script(const Panel& panel, Rows& rows) {

@@ -8,8 +8,6 @@
 namespace incognita {
 namespace {
 
-constexpr int most_samples = 500;
-
 class Correlation {
  public:
   void add(double a, double b) {
@@ -34,21 +32,15 @@ double likeness_to_picture(const Target& target, const Camera& camera, const Ima
   if (!target.picture) throw std::invalid_argument("the target has no picture");
   const auto& [picture, world_from_px] = *target.picture;
   const Eigen::Matrix3d camera_from_world = rotation_matrix(pose.world_from_camera).transpose();
-  const int pixels = picture.width() * picture.height();
-  const int least_side = std::min(picture.width(), picture.height());
-  const int step = std::clamp(static_cast<int>(std::ceil(std::sqrt(pixels / double(most_samples)))), 1,
-                              std::max(1, least_side));
   Correlation seen;
-  int tried = 0;
-  for (int v = step / 2; v < picture.height(); v += step)
-    for (int u = step / 2; u < picture.width(); u += step) {
-      ++tried;
+  for (int v = 0; v < picture.height(); ++v)
+    for (int u = 0; u < picture.width(); ++u) {
       const Eigen::Vector3d at = world_from_px * Eigen::Vector3d(u, v, 1);
       const auto pixel = camera.project(camera_from_world * (at - pose.position));
       if (pixel && camera.contains(pixel->pixel))
         seen.add(picture(u, v), image.sample(pixel->pixel.x(), pixel->pixel.y()));
     }
-  return 2 * seen.samples() < tried ? -1 : seen.value();
+  return 2 * seen.samples() < picture.width() * picture.height() ? -1 : seen.value();
 }
 
 }  // namespace incognita

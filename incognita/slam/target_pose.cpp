@@ -4,7 +4,6 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 #include <limits>
 #include <sstream>
 
@@ -25,9 +24,10 @@ constexpr double max_refinement_px = 2;  // from where the pose puts a corner to
 // Likeness less 0.2 per pixel of misfit. A target gives 0.9 and more, even seen from 60 degrees aside; what
 // only happens to stand as its corners do hardly ever gives 0.85, and every textured room has such places.
 constexpr double min_score = 0.87;
-// To the picture, where there is one. In the rendered room a target gives 0.984 and more where its pose is
-// right, up to 0.973 where it is tilted wrongly, for it is flat and far, and other things give 0.4.
+// To the picture, where there is one. In the rendered room a target gives 0.98 and more where its pose is
+// right, mostly less where it is tilted wrongly, for it is flat and far, and other things give 0.4.
 constexpr double min_likeness_at_first = 0.7, min_likeness = 0.98;
+constexpr double gate_sigmas = 3;  // within which two poses fit alike
 
 struct Place {
   Eigen::Vector2d pixel;
@@ -185,11 +185,18 @@ Best try_combinations(const Target& target, const Camera& camera, const Image& i
   return best;
 }
 
-std::string not_like(const Target& target, double likeness) {
+/// `least`: the likeness that it would need.
+std::string not_like(const Target& target, double likeness, double least) {
   std::ostringstream why;
-  why << std::setprecision(3) << "what stands as the corners of target " << target.name
-      << " is like its picture to " << likeness << " only, less than " << min_likeness
-      << ": start nearer, or see whether picture_px are right to a quarter of a pixel";
+  why << "what stands as the corners of target " << target.name;
+  if (likeness <= -1) {
+    why << " has less than half of its picture in the image, or is of one grey there";
+  } else {
+    why << " is like its picture to " << std::floor(1000 * likeness) / 1000 << " only, and must be to "
+        << least;
+    if (least == min_likeness)
+      why << ": start nearer, or see whether picture_px are right to a quarter of a pixel";
+  }
   return why.str();
 }
 
@@ -248,6 +255,15 @@ std::vector<Eigen::Vector2d> to_edges(const Image& image, const std::vector<Eige
   return refined;
 }
 
+/// Whether the pixels fit both poses that a flat target allows, and those are far apart: seen from far, and
+/// nearly straight on, only the noise says which.
+bool two_fit(const std::vector<TargetPose>& poses, double sigma_pixel_px) {
+  if (poses.size() < 2) return false;
+  const double worse = std::pow(poses[1].rms_px, 2) - std::pow(poses[0].rms_px, 2);
+  return static_cast<double>(poses[0].pixels.size()) * worse < std::pow(gate_sigmas * sigma_pixel_px, 2) &&
+         (poses[0].position - poses[1].position).norm() > 2 * max_sigma_m;
+}
+
 /// Solved again from all corners, each taken from its edges. Of the two poses that a flat target allows, the
 /// one nearer to what was found.
 TargetSearch refined(const Target& target, const Camera& camera, const Image& image, double sigma_pixel_px,
@@ -263,7 +279,10 @@ TargetSearch refined(const Target& target, const Camera& camera, const Image& im
   });
   if (nearest == poses.end() || nearest->rms_px > max_rms_px) return {std::nullopt, no_pose(target)};
   const double like = likeness_where_pictured(target, camera, image, *nearest);
-  if (like < min_likeness) return {std::nullopt, not_like(target, like)};
+  if (like < min_likeness) return {std::nullopt, not_like(target, like, min_likeness)};
+  if (two_fit(poses, sigma_pixel_px))
+    return {std::nullopt, "two poses fit the corners of target " + target.name +
+                              ", as it is flat and far: start nearer, or more from aside"};
   return {*nearest, ""};
 }
 
@@ -285,7 +304,8 @@ TargetSearch find_target(const Target& target, const Camera& camera, const Summe
   }
   const Best best = try_combinations(four, camera, image.image(), places, sigma_pixel_px);
   if (best.pose) return refined(target, camera, image.image(), sigma_pixel_px, *best.pose);
-  return {std::nullopt, best.unlike ? not_like(target, *best.unlike) : no_pose(target)};
+  return {std::nullopt,
+          best.unlike ? not_like(target, *best.unlike, min_likeness_at_first) : no_pose(target)};
 }
 
 }  // namespace incognita

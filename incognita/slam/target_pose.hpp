@@ -28,7 +28,8 @@ struct TargetSearch {
 
 /// Looks for four corner patches, those farthest apart, in the whole image by correlation, and tries the
 /// combinations of the best places. The pose is then solved again from all corners, each taken from the edges
-/// around where the first pose puts it; what is seen from there must be the target's picture, if it has one.
+/// around where the first pose puts it; what is seen from there must be the target's picture, if it has one,
+/// and the other pose that a flat target allows must fit worse, or be near.
 TargetSearch find_target(const Target& target, const Camera& camera, const SummedImage& image,
                          double sigma_pixel_px);
 

@@ -8,9 +8,16 @@
 #include "incognita/models/heading.hpp"
 #include "incognita/slam/target_pose.hpp"
 #include "incognita/world/render.hpp"
+#include "tests/scratch.hpp"
 
 namespace incognita {
 namespace {
+
+struct From {
+  double distance_m, sigma_heading_rad;
+  int first_room, rooms;
+  bool pictured = true;
+};
 
 struct Found {
   int pictures = 0, poses = 0;
@@ -19,21 +26,21 @@ struct Found {
 };
 
 /// From around a distance from the sheet, over rooms, looking towards it by and large.
-Found found_from(double distance_m, int rooms, bool pictured = true) {
+Found found_from(const From& from) {
   const LoadedScenario loaded = load_scenario("room");
   const Scenario& s = loaded.scenario;
   const Camera camera = make_camera(s.camera);
   Target target = load_target(loaded);
-  if (!pictured) target.picture.reset();
+  if (!from.pictured) target.picture.reset();
   const RayTable rays(camera);
   Found found;
-  for (int seed = 1; seed <= rooms; ++seed) {
+  for (int seed = from.first_room; seed < from.first_room + from.rooms; ++seed) {
     const Room room(s.room, seed);
     RandomStream random(seed, "start");
     const auto about = [&](double sigma) { return sigma * random.normal(); };
-    const Eigen::Vector3d at(3 - distance_m, about(0.2), 1.3 + about(0.2));
+    const Eigen::Vector3d at(3 - from.distance_m, about(0.2), 1.3 + about(0.2));
     Image image;
-    render(room, rays, at, level_gaze(about(0.1)), image);
+    render(room, rays, at, level_gaze(about(from.sigma_heading_rad)), image);
     SummedImage summed;
     summed.assign(image);
     const TargetSearch search = find_target(target, camera, summed, s.slam.filter.sigma_pixel_px);
@@ -51,7 +58,7 @@ Found found_from(double distance_m, int rooms, bool pictured = true) {
 
 TEST(TargetStart, NearTheSheetItIsFound) {
   for (const double distance_m : {0.9, 1.4}) {
-    const Found found = found_from(distance_m, 8);
+    const Found found = found_from({distance_m, 0.1, 1, 8});
     EXPECT_GE(found.poses, 7) << "of " << found.pictures << " from " << distance_m << " m";
     EXPECT_LT(found.most_m, 0.15) << distance_m;
     EXPECT_LT(found.most_sigmas, 3.5) << distance_m;
@@ -60,11 +67,38 @@ TEST(TargetStart, NearTheSheetItIsFound) {
 
 /// From there its corners are a few pixels apart, and other things stand likewise.
 TEST(TargetStart, FromFarNothingElseIsTakenForIt) {
-  EXPECT_GT(found_from(2.4, 8, false).most_m, 1) << "were it not for the picture";
   for (const double distance_m : {2.4, 3.0, 4.0}) {
-    const Found found = found_from(distance_m, 8);
+    const Found found = found_from({distance_m, 0.1, 1, 8});
     EXPECT_LT(found.most_m, 0.6) << found.poses << " of " << found.pictures << " from " << distance_m << " m";
   }
+  EXPECT_GT(found_from({4, 0.5, 32, 1, false}).most_m, 1) << "were it not for the picture";
+  EXPECT_EQ(found_from({4, 0.5, 32, 1}).poses, 0);
+}
+
+/// Whose picture is not what hangs there is told so, and not that its corners are wrong.
+TEST(TargetStart, SaysWhenItIsThePictureThatDiffers) {
+  const LoadedScenario loaded = load_scenario("room");
+  const Camera camera = make_camera(loaded.scenario.camera);
+  const Room room(loaded.scenario.room, 1);
+  Image image;
+  render(room, RayTable(camera), {1.6, 0, 1.3}, level_gaze(0), image);
+  SummedImage summed;
+  summed.assign(image);
+  const auto reason = [&](const auto& change) {
+    Target target = load_target(loaded);
+    change(*target.picture);
+    return find_target(target, camera, summed, loaded.scenario.slam.filter.sigma_pixel_px).reason;
+  };
+  EXPECT_EQ(reason([](Target::Picture&) {}), "");
+  EXPECT_HAS(reason([](Target::Picture& p) { p.world_from_px(1, 2) += 0.05; }),
+             "and must be to 0.98: start nearer");
+  EXPECT_HAS(reason([](Target::Picture& p) { p.world_from_px(1, 2) += 20; }),
+             "less than half of its picture");
+  EXPECT_HAS(reason([](Target::Picture& p) {
+               for (int v = 0; v < p.image.height(); ++v)
+                 for (int u = 0; u < p.image.width(); ++u) p.image(u, v) = 255 - p.image(u, v);
+             }),
+             "only, and must be to 0.7");
 }
 
 }  // namespace

@@ -142,10 +142,19 @@ TEST(Plot, AlikeAxesHaveAlikeTics) {
   plot.panels.insert(plot.panels.end(), {shown, net});
   drawn(scratch, plot);
   const std::string text = script(scratch);
-  EXPECT_HAS(text, "set xrange [-2.75:57.75]\nset yrange [9.25:17.25]\nset size ratio -1\nset xtics 20\n");
+  EXPECT_HAS(text, "set yrange [*:*]\nset size ratio -1\nset xtics 10\nset ytics 10\n");
   EXPECT_HAS(text, "set yrange [-3.2:3.2]\nset size ratio -1\nset xtics 2\nset ytics 2\n");
-  EXPECT_LT(text.rfind("set xtics 2\n"), text.rfind("set xtics autofreq\n"))
-      << "nor those of the panel before";
+  const std::size_t reset = text.rfind("set xtics autofreq\n");
+  ASSERT_NE(reset, std::string::npos);
+  EXPECT_LT(text.rfind("set xtics 2\n"), reset) << "nor those of the panel before";
+}
+
+TEST(Plot, OfOnePointHasTics) {
+  const Scratch scratch;
+  Plot plot = plot_of({{"one", Style::stars, {1e6}, {5}}});
+  plot.panels[0].equal_axes = true;
+  drawn(scratch, plot);
+  EXPECT_HAS(script(scratch), "set size ratio -1\nset xtics 1\nset ytics 1\n");
 }
 
 TEST(Plot, WhatIsNoNumberIsAGap) {

@@ -31,7 +31,7 @@ incognita_embed(systems embedded_systems *.toml)
 incognita_room(io
   SOURCES io/acfr_recording.cpp io/camera.cpp io/camera_checks.cpp io/data_folder.cpp io/decision_checks.cpp io/decision_setting_list.cpp io/euroc_recording.cpp io/files.cpp io/image_file.cpp
           io/image_folder.cpp io/load_scenario.cpp io/mat_numbers.cpp io/mat_structure.cpp io/mrclam_recording.cpp
-          io/named_table.cpp io/number_table.cpp io/path_file.cpp io/point_file.cpp io/range_recording.cpp
+          io/named_table.cpp io/number_table.cpp io/path_file.cpp io/picture_of_target.cpp io/point_file.cpp io/range_recording.cpp
           io/range_recording_builder.cpp io/range_tables.cpp
           io/recorded.cpp io/recording.cpp io/reflectors.cpp io/scenario_checks.cpp io/scenario_file.cpp io/setting.cpp io/settings.cpp
           io/system_file.cpp io/target_file.cpp io/team_checks.cpp io/terrain_file.cpp io/team_meanings.cpp io/team_setting_list.cpp io/toml_depth.cpp io/toml_value.cpp io/tum_recording.cpp

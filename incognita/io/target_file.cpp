@@ -3,14 +3,14 @@
 #include <fmt/format.h>
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 #include <cmath>
-#include <numbers>
 #include <optional>
+#include <stdexcept>
 
 #include "incognita/io/data_folder.hpp"
 #include "incognita/io/files.hpp"
 #include "incognita/io/image_file.hpp"
+#include "incognita/io/picture_of_target.hpp"
 #include "incognita/io/scenario_file.hpp"
 #include "incognita/io/toml_value.hpp"
 #include "incognita/math/nearest_name.hpp"
@@ -22,9 +22,6 @@ namespace {
 constexpr std::size_t largest_target = 1 << 20;
 constexpr int smallest_patch_px = 9, largest_patch_px = 101;
 constexpr std::size_t most_corners = 100;
-constexpr int smallest_picture_px = 9, largest_picture_px = 100;  // each way; larger ones are shrunk
-constexpr double least_apart_px = 4, largest_misfit_px = 0.25;    // of corners, in a picture as it is kept
-constexpr double skew = 0.05;  // of a picture's pixels: cosine between the sides, their difference as a share
 using Folders = std::vector<std::filesystem::path>;
 
 [[noreturn]] void refuse(const std::string& file, int line, const std::string& key, const std::string& why) {
@@ -119,80 +116,14 @@ Image read_patch(const TomlEntry& entry, const std::string& file, const Folders&
   return patch;
 }
 
-/// Means over squares of `side` pixels; what is left over at the right and below is dropped.
-Image shrunk(const Image& whole, int side) {
-  Image small(whole.width() / side, whole.height() / side);
-  for (int v = 0; v < small.height(); ++v)
-    for (int u = 0; u < small.width(); ++u) {
-      int sum = 0;
-      for (int y = v * side; y < (v + 1) * side; ++y)
-        for (int x = u * side; x < (u + 1) * side; ++x) sum += whole(x, y);
-      small(u, v) = static_cast<std::uint8_t>((sum + side * side / 2) / (side * side));
-    }
-  return small;
-}
-
-void check_apart(const Eigen::MatrixX2d& pixels, const TomlEntry& entry, const std::string& file) {
-  for (Eigen::Index i = 0; i < pixels.rows(); ++i)
-    for (Eigen::Index k = 0; k < i; ++k)
-      if ((pixels.row(i) - pixels.row(k)).norm() < least_apart_px)
-        refuse(file, entry.line, entry.key,
-               fmt::format(
-                   "shows too little: corners {} and {} are less than {} px apart in it, of {} px at the "
-                   "most that are kept",
-                   k, i, least_apart_px, largest_picture_px));
-}
-
-/// Where pixels are, from where the corners are among them: m of (u, v, 1).
-Eigen::Matrix3d world_from(const Eigen::MatrixX2d& pixels, const std::vector<Target::Corner>& corners,
-                           const TomlEntry& entry, const std::string& file) {
-  Eigen::MatrixX3d at(pixels.rows(), 3), positions(pixels.rows(), 3);
-  at << pixels, Eigen::VectorXd::Ones(pixels.rows());
-  for (Eigen::Index i = 0; i < positions.rows(); ++i)
-    positions.row(i) = corners[static_cast<std::size_t>(i)].position;
-  const Eigen::Matrix3d world_from_px = at.colPivHouseholderQr().solve(positions).transpose();
-  const double wide = world_from_px.col(0).norm(), high = world_from_px.col(1).norm();
-  const double cosine = world_from_px.col(0).dot(world_from_px.col(1)) / (wide * high);
-  // Written so that what is no number is refused
-  if (!(std::abs(cosine) < skew && std::abs(wide - high) < skew * wide))
-    refuse(
-        file, entry.line, entry.key,
-        fmt::format(
-            "must be taken straight on, its pixels square; by picture_px they are {:.3g} m wide and {:.3g} "
-            "m high, and rows and columns {:.0f} degrees apart",
-            wide, high, std::acos(cosine) * 180 / std::numbers::pi));
-  const double misfit_px = (at * world_from_px.transpose() - positions).rowwise().norm().maxCoeff() / wide;
-  if (!(misfit_px < largest_misfit_px))
-    refuse(
-        file, entry.line, entry.key,
-        fmt::format(
-            "must be taken straight on, with each picture_px where its corner is in it; the corners' places "
-            "are up to {:.2g} px from there",
-            misfit_px));
-  return world_from_px;
-}
-
-/// No finer than what a camera sees of a target.
-Target::Picture read_picture(const TomlEntry& entry, const std::vector<Target::Corner>& corners,
-                             Eigen::MatrixX2d pixels, const Eigen::Vector3d& normal, const std::string& file,
-                             const Folders& folders) {
+Target::Picture read_picture(const TomlEntry& entry, const Target& target, const Eigen::MatrixX2d& pixels,
+                             const std::string& file, const Folders& folders) {
   const Image whole = read_named_image(entry, file, folders);
-  for (Eigen::Index i = 0; i < pixels.rows(); ++i)
-    if (pixels.row(i).minCoeff() < 0 || pixels(i, 0) > whole.width() - 1 || pixels(i, 1) > whole.height() - 1)
-      refuse(file, entry.line, entry.key,
-             fmt::format("must be of the whole target, and corner {} is outside, by its picture_px", i));
-  const int side = (std::max(whole.width(), whole.height()) + largest_picture_px - 1) / largest_picture_px;
-  if (std::min(whole.width(), whole.height()) < side * smallest_picture_px)
-    refuse(file, entry.line, entry.key,
-           fmt::format("must be {} px or more each way, and not much longer than wide; it is {}x{}",
-                       smallest_picture_px, whole.width(), whole.height()));
-  pixels = (pixels.array() - (side - 1) / 2.0) / side;
-  check_apart(pixels, entry, file);
-  const Target::Picture picture{shrunk(whole, side), world_from(pixels, corners, entry, file)};
-  const Eigen::Vector3d right = picture.world_from_px.col(0), down = picture.world_from_px.col(1);
-  if (right.cross(down).dot(normal) >= 0)
-    refuse(file, entry.line, entry.key, "is mirrored: the normal points away from who sees it so");
-  return picture;
+  try {
+    return picture_of(target, whole, pixels);
+  } catch (const std::invalid_argument& error) {
+    refuse(file, entry.line, entry.key, error.what());
+  }
 }
 
 void check_geometry(const Target& target, const std::string& file, int line) {
@@ -277,8 +208,7 @@ Target read_target(const std::filesystem::path& path, const Folders& patch_folde
     target.corners.push_back(read_corner(value, scenelib, file, folders));
   check_geometry(target, file, corner.line);
   if (const TomlEntry* picture = find(table, "picture"))
-    target.picture = read_picture(*picture, target.corners, read_picture_pixels(*corners, file),
-                                  target.normal, file, folders);
+    target.picture = read_picture(*picture, target, read_picture_pixels(*corners, file), file, folders);
   else
     refuse_pixels(*corners, file);
   return target;

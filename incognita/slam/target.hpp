@@ -19,7 +19,7 @@ struct Target {
   /// The whole target and what is around it, taken straight on from its printed side.
   struct Picture {
     Image image;
-    Eigen::Matrix3d world_from_px;  ///< of (u, v, 1), m: rows to the right and downwards for who faces it
+    Eigen::Matrix3d world_from_px;  ///< m of (u, v, 1): a pixel to the right, one down, where (0, 0) is
   };
   std::string name;
   std::vector<Corner> corners;      ///< four or more, in one plane

@@ -76,13 +76,13 @@ bool beyond_three_sigma(const Eigen::Vector3d& error, const Eigen::Matrix3d& cov
   return square->sum > three_sigma_chi_square[square->dof];
 }
 
-std::optional<double> mean_pose_nees(const MatchedTrajectories& matched,
-                                     const std::vector<StampedCovariance>& covariances) {
+std::optional<MeanNees> mean_pose_nees(const MatchedTrajectories& matched,
+                                       const std::vector<StampedCovariance>& covariances) {
   std::vector<StampedCovariance> sorted = covariances;
   const auto before = [](const StampedCovariance& a, const StampedCovariance& b) { return a.t < b.t; };
   std::stable_sort(sorted.begin(), sorted.end(), before);
   double sum = 0;
-  int count = 0;
+  std::size_t count = 0;
   for (std::size_t i = 0; i < matched.estimate.size(); ++i) {
     const auto found =
         std::lower_bound(sorted.begin(), sorted.end(), StampedCovariance{matched.estimate[i].t, {}}, before);
@@ -93,7 +93,7 @@ std::optional<double> mean_pose_nees(const MatchedTrajectories& matched,
     ++count;
   }
   if (count == 0) return std::nullopt;
-  return sum / count;
+  return MeanNees{sum / static_cast<double>(count), count};
 }
 
 }  // namespace incognita

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -35,9 +36,14 @@ std::optional<double> pose_nees(const PoseError& error, const PoseCovariance& co
 /// pose_nees(). A covariance that is not positive definite then either counts when there is an error at all.
 bool beyond_three_sigma(const Eigen::Vector3d& error, const Eigen::Matrix3d& covariance);
 
+struct MeanNees {
+  double value = 0;
+  std::size_t count = 0;  ///< poses behind it
+};
+
 /// Mean of pose_nees over matched poses whose covariance is known at the estimate's own time stamp; nothing
 /// when there is none.
-std::optional<double> mean_pose_nees(const MatchedTrajectories& matched,
-                                     const std::vector<StampedCovariance>& covariances);
+std::optional<MeanNees> mean_pose_nees(const MatchedTrajectories& matched,
+                                       const std::vector<StampedCovariance>& covariances);
 
 }  // namespace incognita

@@ -12,21 +12,20 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
-#include "incognita/analysis/pose_consistency.hpp"
 #include "incognita/analysis/trajectory.hpp"
-#include "incognita/app/say.hpp"
+#include "incognita/app/compare_trajectories.hpp"
 #include "incognita/messages/errors.hpp"
 #include "incognita/record/number.hpp"
-#include "incognita/record/tum.hpp"
+#include "incognita/record/team_tables.hpp"
 
 namespace incognita {
 namespace fs = std::filesystem;
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr std::size_t min_matches = 3;  // fewer points fit any trajectory
 
 struct Options {
   std::string estimate, truth, covariance;
@@ -36,35 +35,48 @@ struct Options {
   bool json = false;
 };
 
-struct Answer {
-  std::size_t matched = 0, estimate_poses = 0, truth_poses = 0;
-  AlignmentKind kind = AlignmentKind::none;
-  Alignment alignment;
-  ErrorStatistics ate;
-  RelativePoseError rpe;
-  std::optional<double> mean_nees;
+/// What was asked for, as files.
+struct Asked {
+  std::vector<TrajectoryFiles> vehicles;
+  bool team = false;  ///< a run directory of several
 };
 
-/// A run directory stands for the files in it.
-Options resolved(Options options) {
+std::string if_there(const fs::path& file) { return fs::exists(file) ? file.string() : ""; }
+
+TrajectoryFiles files_of(const fs::path& run, std::size_t vehicle) {
+  const auto file = [&](const char* name) { return run / name_for_vehicle(name, vehicle); };
+  return {file("estimate.tum").string(), if_there(file("truth.tum")), if_there(file("covariance.csv"))};
+}
+
+Asked asked_of_run(const Options& options) {
   const fs::path run = options.estimate;
-  if (!fs::exists(run)) throw InputError(run.string() + ": there is no such file or folder");
-  if (!fs::is_directory(run)) {
-    if (options.truth.empty())
-      throw InputError("evaluate: --truth is needed: a TUM or EuRoC file with the true poses");
-    return options;
-  }
-  options.estimate = run / "estimate.tum";
-  if (!fs::exists(options.estimate))
+  if (!fs::exists(run / "estimate.tum"))
     throw InputError(run.string() + ": is a folder without estimate.tum, so no run directory");
-  if (options.truth.empty()) {
-    if (!fs::exists(run / "truth.tum"))
-      throw InputError(run.string() + ": the run knew no truth; give it with --truth FILE");
-    options.truth = run / "truth.tum";
-  }
-  if (options.covariance.empty() && fs::exists(run / "covariance.csv"))
-    options.covariance = run / "covariance.csv";
-  return options;
+  Asked asked;
+  for (std::size_t i = 0; i == 0 || fs::exists(run / name_for_vehicle("estimate.tum", i)); ++i)
+    asked.vehicles.push_back(files_of(run, i));
+  asked.team = asked.vehicles.size() > 1;
+  if (asked.team && (!options.truth.empty() || !options.covariance.empty()))
+    throw InputError(fmt::format(
+        "{}: is the run of a team of {} vehicles, and --truth and --covariance name one file: compare {} and "
+        "so on with files of their own, or the run with the truth that it has",
+        run.string(), asked.vehicles.size(), (run / name_for_vehicle("estimate.tum", 1)).string()));
+  TrajectoryFiles& first = asked.vehicles.front();
+  if (!options.truth.empty()) first.truth = options.truth;
+  if (!options.covariance.empty()) first.covariance = options.covariance;
+  const auto has_truth = [](const TrajectoryFiles& files) { return !files.truth.empty(); };
+  if (std::none_of(asked.vehicles.begin(), asked.vehicles.end(), has_truth))
+    throw InputError(run.string() + ": the run knew no truth; give it with --truth FILE");
+  return asked;
+}
+
+/// A run directory stands for the files in it.
+Asked resolved(const Options& options) {
+  if (!fs::exists(options.estimate)) throw InputError(options.estimate + ": there is no such file or folder");
+  if (fs::is_directory(options.estimate)) return asked_of_run(options);
+  if (options.truth.empty())
+    throw InputError("evaluate: --truth is needed: a TUM or EuRoC file with the true poses");
+  return {{{options.estimate, options.truth, options.covariance}}, false};
 }
 
 /// `auto`: what a run says of itself in summary.json, else se3, the field's custom.
@@ -79,77 +91,40 @@ AlignmentKind alignment_of(const Options& asked) {
   return AlignmentKind::se3;
 }
 
-std::string span_of(const Trajectory& trajectory) {
-  const auto [first, last] = std::minmax_element(trajectory.begin(), trajectory.end(),
-                                                 [](const auto& a, const auto& b) { return a.t < b.t; });
-  return fmt::format("{} to {} s", first->t, last->t);
-}
-
-/// Says why there is none where one was asked for.
-std::optional<double> nees(const Options& options, AlignmentKind kind, const MatchedTrajectories& matched) {
-  if (options.covariance.empty()) return std::nullopt;
-  if (kind != AlignmentKind::none) {
-    say("evaluate: no NEES: it needs --align none, a fit would hide errors that the covariance counts\n");
-    return std::nullopt;
-  }
-  const auto mean = mean_pose_nees(matched, read_covariances(options.covariance));
-  if (!mean) say("evaluate: no NEES: {} has no usable covariance at the matched times\n", options.covariance);
-  return mean;
-}
-
-bool is_finite(const Answer& answer) {
-  const auto finite = [](const ErrorStatistics& s) { return s.count == 0 || std::isfinite(s.rmse); };
-  return std::isfinite(answer.alignment.scale) && finite(answer.ate) && finite(answer.rpe.translation_m);
-}
-
-/// Nothing when the trajectories cannot be compared; the reason goes to standard error.
-std::optional<Answer> compare(const Options& options, AlignmentKind kind) {
-  const Trajectory estimate = read_trajectory(options.estimate), truth = read_trajectory(options.truth);
-  MatchedTrajectories matched = match(estimate, truth, options.max_dt_s);
-  Answer answer{matched.estimate.size(), estimate.size(), truth.size(), kind, {}, {}, {}, {}};
-  if (answer.matched < min_matches) {
-    say("evaluate: {} of {} estimated poses have a true one within {} s, at least {} are needed. The "
-        "estimate spans {}, the truth {}; see --max-dt\n",
-        answer.matched, estimate.size(), options.max_dt_s, min_matches, span_of(estimate), span_of(truth));
-    return std::nullopt;
-  }
-  const auto alignment = align(matched, kind);
-  if (!alignment) {
-    say("evaluate: one of the trajectories never moves, so there is no scale; use --align se3\n");
-    return std::nullopt;
-  }
-  answer.alignment = *alignment;
-  answer.mean_nees = nees(options, kind, matched);
-  matched.estimate = aligned(matched.estimate, *alignment);
-  answer.ate = absolute_trajectory_error(matched);
-  answer.rpe = relative_pose_error(matched, {options.rpe_delta_s, 0});
-  if (is_finite(answer)) return answer;
-  say("evaluate: the positions are too large to be compared; are they in metres?\n");
-  return std::nullopt;
-}
-
 Json json_of(const ErrorStatistics& s) {
   if (s.count == 0)
     return {{"count", 0}, {"rmse", nullptr}, {"mean", nullptr}, {"median", nullptr}, {"max", nullptr}};
   return {{"count", s.count}, {"rmse", s.rmse}, {"mean", s.mean}, {"median", s.median}, {"max", s.max}};
 }
 
-void print_json(const Answer& answer, double delta_s) {
-  Json json{{"matched", answer.matched},
-            {"estimate_poses", answer.estimate_poses},
-            {"truth_poses", answer.truth_poses},
-            {"alignment", name(answer.kind)},
-            {"scale", answer.alignment.scale},
-            {"ate_m", json_of(answer.ate)},
-            {"rpe",
-             {{"delta_s", delta_s},
-              {"translation_m", json_of(answer.rpe.translation_m)},
-              {"rotation_rad", json_of(answer.rpe.rotation_rad)}}}};
-  if (answer.mean_nees) json["mean_nees"] = *answer.mean_nees;
+Json rpe_json(const RelativePoseError& rpe, double delta_s) {
+  return {{"delta_s", delta_s},
+          {"translation_m", json_of(rpe.translation_m)},
+          {"rotation_rad", json_of(rpe.rotation_rad)}};
+}
+
+Json json_of(const TrajectoryErrors& v, double delta_s) {
+  Json json{{"matched", v.matched},
+            {"estimate_poses", v.estimate_poses},
+            {"truth_poses", v.truth_poses},
+            {"ate_m", json_of(v.ate_m)},
+            {"rpe", rpe_json(v.rpe, delta_s)}};
+  if (v.nees) json["mean_nees"] = v.nees->value;
+  return json;
+}
+
+/// Of a team, the errors of all poses, then those of each vehicle.
+void print_json(const TrajectoryComparison& c, AlignmentKind kind, double delta_s, bool team) {
+  Json json{{"matched", c.matched},    {"estimate_poses", c.estimate_poses}, {"truth_poses", c.truth_poses},
+            {"alignment", name(kind)}, {"scale", c.alignment.scale},         {"ate_m", json_of(c.ate_m)}};
+  if (!team) json["rpe"] = rpe_json(c.vehicles.front().rpe, delta_s);
+  if (c.nees) json["mean_nees"] = c.nees->value;
+  if (team)
+    for (const TrajectoryErrors& v : c.vehicles) json["vehicles"].push_back(json_of(v, delta_s));
   fmt::print("{}\n", json.dump(2));
 }
 
-void print_row(const char* what, const ErrorStatistics& s) {
+void print_row(const std::string& what, const ErrorStatistics& s) {
   if (s.count == 0)
     fmt::print("{:<22} no two matched poses are that far apart in time, or one has no orientation\n", what);
   else
@@ -157,14 +132,39 @@ void print_row(const char* what, const ErrorStatistics& s) {
                s.mean, s.median, s.max, s.count);
 }
 
-void print_table(const Answer& answer, double delta_s) {
-  fmt::print("matched {} of {} estimated and {} true poses; alignment {}, scale {:.6g}\n", answer.matched,
-             answer.estimate_poses, answer.truth_poses, name(answer.kind), answer.alignment.scale);
-  print_row("ATE, m", answer.ate);
-  print_row(fmt::format("RPE over {:g} s, m", delta_s).c_str(), answer.rpe.translation_m);
-  print_row(fmt::format("RPE over {:g} s, rad", delta_s).c_str(), answer.rpe.rotation_rad);
-  if (answer.mean_nees)
-    fmt::print("NEES per degree of freedom {:.4g} (1 is right, more is overconfident)\n", *answer.mean_nees);
+void print_nees(const std::optional<MeanNees>& nees) {
+  if (!nees) return;
+  fmt::print("NEES per degree of freedom {:.4g} (1 is right, more is overconfident)\n", nees->value);
+}
+
+void print_relative(const RelativePoseError& rpe, double delta_s) {
+  print_row(fmt::format("RPE over {:g} s, m", delta_s), rpe.translation_m);
+  print_row(fmt::format("RPE over {:g} s, rad", delta_s), rpe.rotation_rad);
+}
+
+void print_table(const TrajectoryComparison& c, AlignmentKind kind, double delta_s) {
+  fmt::print("matched {} of {} estimated and {} true poses; alignment {}, scale {:.6g}\n", c.matched,
+             c.estimate_poses, c.truth_poses, name(kind), c.alignment.scale);
+  print_row("ATE, m", c.ate_m);
+  print_relative(c.vehicles.front().rpe, delta_s);
+  print_nees(c.nees);
+}
+
+/// Each vehicle over its own truth, then all poses together.
+void print_team(const TrajectoryComparison& c, AlignmentKind kind, double delta_s) {
+  for (std::size_t i = 0; i < c.vehicles.size(); ++i) {
+    const TrajectoryErrors& v = c.vehicles[i];
+    fmt::print("vehicle {}: matched {} of {} estimated and {} true poses\n", i + 1, v.matched,
+               v.estimate_poses, v.truth_poses);
+    if (v.matched == 0) continue;
+    print_row("ATE, m", v.ate_m);
+    print_relative(v.rpe, delta_s);
+    print_nees(v.nees);
+  }
+  fmt::print("all vehicles: matched {} of {} estimated and {} true poses; alignment {}, scale {:.6g}\n",
+             c.matched, c.estimate_poses, c.truth_poses, name(kind), c.alignment.scale);
+  print_row("ATE, m", c.ate_m);
+  print_nees(c.nees);
 }
 
 /// CLI11's own checks let NaN pass, which compares with nothing.
@@ -176,15 +176,17 @@ CLI::Validator number_where(const char* allowed, bool (*is_allowed)(double)) {
   return CLI::Validator(check, "");
 }
 
-int evaluate(const Options& asked) {
-  const AlignmentKind kind = alignment_of(asked);
-  const Options options = resolved(asked);
-  const auto answer = compare(options, kind);
-  if (!answer) return 1;
+int evaluate(const Options& options) {
+  const AlignmentKind kind = alignment_of(options);
+  const Asked asked = resolved(options);
+  const auto comparison = compare_trajectories(asked.vehicles, {kind, options.max_dt_s, options.rpe_delta_s});
+  if (!comparison) return 1;
   if (options.json)
-    print_json(*answer, options.rpe_delta_s);
+    print_json(*comparison, kind, options.rpe_delta_s, asked.team);
+  else if (asked.team)
+    print_team(*comparison, kind, options.rpe_delta_s);
   else
-    print_table(*answer, options.rpe_delta_s);
+    print_table(*comparison, kind, options.rpe_delta_s);
   return 0;
 }
 

@@ -160,6 +160,7 @@ RunOutcome run_vehicle(const LoadedScenario& loaded, const OpenKeeper& open, con
   info.body = "vehicle";
   info.ranges = true;
   info.ate_alignment = assembly.frame_is_fixed ? "none" : "se3";
+  info.truth_recorded = !assembly.recording->truth.empty();
   return run_boxes(assembly.boxes, info, loaded, open, manner);
 }
 

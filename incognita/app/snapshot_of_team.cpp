@@ -16,8 +16,8 @@ SnapshotVehicle in_space(const TeamEstimate& e, std::size_t i, const std::option
   SnapshotVehicle out;
   out.estimate = {t, vehicle.pose.position, vehicle.pose.world_from_body};
   out.covariance = vehicle.pose_covariance;
-  if (truth && i < truth->poses.size())
-    out.truth = StampedPose{t, truth->poses[i].position, truth->poses[i].world_from_body};
+  if (truth && i < truth->poses.size() && truth->poses[i])
+    out.truth = StampedPose{t, truth->poses[i]->position, truth->poses[i]->world_from_body};
   if (i < command.wanted.size()) out.wanted = command.wanted[i];
   if (i < command.inputs.size()) out.input = command.inputs[i];
   return out;
@@ -64,7 +64,7 @@ Snapshot snapshot_of(const Tick& tick, const std::optional<Truth>& truth, const 
                      const Command& command, const std::vector<std::pair<const char*, double>>& loop_ms) {
   Snapshot s;
   s.tick = tick;
-  s.truth = truth;
+  if (truth && (truth->poses.empty() || truth->poses.front())) s.truth = truth;
   s.status = e.status;
   for (std::size_t i = 0; i < e.vehicles.size(); ++i)
     s.vehicles.push_back(in_space(e, i, truth, command, tick.t));

@@ -108,7 +108,7 @@ void Recorder::open_series() {
 
 void Recorder::write_series(const Snapshot& snapshot) {
   if (!with_errors_) {
-    with_errors_ = compare_with_truth_ && snapshot.truth.has_value();
+    with_errors_ = compare_with_truth_ && (info_.truth_recorded || snapshot.truth.has_value());
     open_series();
   }
   const std::vector<double> values = series_row(snapshot, *with_errors_);

@@ -20,11 +20,14 @@ constexpr std::size_t max_warnings = 5;
 constexpr std::size_t max_names = 50;
 constexpr std::size_t max_vehicles = 40;  // the others are in vehicles.csv
 
-constexpr const char* reserved[] = {
-    "status",      "reason",        "frames",        "landmarks", "lost_frames",    "entropy",
-    "mean_nis",    "ate_m",         "ate_alignment", "mean_nees", "timing_ms",      "seed",
-    "version",     "anchors",       "decisions",     "warnings",  "tracked_frames", "overconfident_frames",
-    "exploration", "observability", "vehicles"};
+constexpr const char* reserved[] = {"status",        "reason",         "frames",
+                                    "landmarks",     "lost_frames",    "entropy",
+                                    "mean_nis",      "ate_m",          "ate_alignment",
+                                    "mean_nees",     "timing_ms",      "seed",
+                                    "version",       "anchors",        "decisions",
+                                    "warnings",      "tracked_frames", "overconfident_frames",
+                                    "exploration",   "observability",  "vehicles",
+                                    "compared_poses"};
 
 std::string short_text(const std::string& text) {
   return text.size() <= max_text_bytes ? text : text.substr(0, max_text_bytes) + "...";
@@ -129,7 +132,7 @@ void RunSummary::add(const Snapshot& snapshot) {
   // where an entropy is not known, as in a frame without a pose, the last one known stands
   if (std::isfinite(snapshot.entropy.total)) entropy_ = snapshot.entropy;
   if (snapshot.nis_dof > 0) nis_per_dof_.add(snapshot.nis / snapshot.nis_dof);
-  if (snapshot.truth) compare_with_truth(snapshot);
+  compare_with_truth(snapshot);
   if (has_pose(snapshot)) team_.add(snapshot);
   for (const auto& [stage, ms] : snapshot.timing_ms) {
     auto found =
@@ -159,13 +162,22 @@ std::string RunSummary::in_words() const {
   if (std::isfinite(nees)) words += fmt::format(", NEES {:.3g}", nees);
   if (std::isfinite(nis_per_dof_.value())) words += fmt::format(", NIS {:.3g}", nis_per_dof_.value());
   constexpr double far_too_sure = 10;  // three times as far off as its sigmas say
-  return nees > far_too_sure ? words + ": far surer of itself than it may be" : words;
+  if (nees > far_too_sure) words += ": far surer of itself than it may be";
+  return words + where_truth_was_known();
+}
+
+std::string RunSummary::where_truth_was_known() const {
+  if (!team_.empty()) return "\n" + team_.in_words(tracked_frames_);
+  const auto compared = static_cast<std::int64_t>(matched_.estimate.size());
+  if (compared == tracked_frames_) return "";
+  return fmt::format("; truth at {} of {} tracked frames", compared, tracked_frames_);
 }
 
 void RunSummary::compare_with_truth(const Snapshot& s) {
-  has_truth_ = true;
+  has_truth_ = has_truth_ || s.truth ||
+               std::any_of(s.vehicles.begin(), s.vehicles.end(), [](const auto& v) { return v.truth; });
   if (!has_pose(s)) return;
-  compare(true_pose(s.tick, *s.truth), estimated_pose(s), pose_covariance(s), s.status.state);
+  if (s.truth) compare(true_pose(s.tick, *s.truth), estimated_pose(s), pose_covariance(s), s.status.state);
   for (std::size_t i = 1; i < s.vehicles.size(); ++i)
     if (s.vehicles[i].truth)
       compare(*s.vehicles[i].truth, s.vehicles[i].estimate, s.vehicles[i].covariance, s.status.state);
@@ -191,6 +203,7 @@ std::string RunSummary::json(RunStatus status, const std::string& reason) const 
             {"entropy", {{"vehicle", entropy_.vehicle}, {"map", entropy_.map}, {"total", entropy_.total}}},
             {"mean_nis", nis_per_dof_.value()}};
   if (has_truth_) {
+    json["compared_poses"] = matched_.estimate.size();
     json["ate_m"] = ate_m();
     json["ate_alignment"] = name(alignment_);
     json["mean_nees"] = nees_per_dof_.value();
@@ -208,7 +221,8 @@ std::string RunSummary::json(RunStatus status, const std::string& reason) const 
     const std::vector<TeamSummary::Vehicle> all = team_.vehicles();
     for (std::size_t i = 0; i < std::min(all.size(), max_vehicles); ++i) {
       const TeamSummary::Vehicle& v = all[i];
-      vehicles.push_back({{"ate_m", v.ate_m},
+      vehicles.push_back({{"compared_frames", v.compared_frames},
+                          {"ate_m", v.ate_m},
                           {"mean_nees", v.mean_nees},
                           {"from_path_m", {{"median", v.from_path_median_m}, {"p95", v.from_path_p95_m}}}});
     }

@@ -28,6 +28,7 @@ struct RunInfo {
   std::int64_t seed = 0;
   std::string version;
   std::string ate_alignment = "none";  ///< `none` where anchors fix the frame, `sim3` where the scale is free
+  bool truth_recorded = false;         ///< a recording with truth, though the first frames may have none
   std::string body = "camera";         ///< whose pose it is: `camera` or `vehicle`
   bool ranges = false;                 ///< looks are ranges and bearings, not pixels
   int vehicles = 0;                    ///< of a team; 0: there is none
@@ -74,6 +75,9 @@ class RunSummary {
   void compare(const StampedPose& truth, const StampedPose& estimate, const PoseCovariance& covariance,
                TrackingState state);
   double ate_m() const;
+  /// Of how many frames the errors are, where not of all; of a team, each vehicle's errors over its own
+  /// truth.
+  std::string where_truth_was_known() const;
 
   std::string version_;
   std::int64_t seed_;

@@ -1,5 +1,7 @@
 #include "incognita/record/team_summary.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 #include <cmath>
 #include <limits>
@@ -12,7 +14,7 @@ namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-double over(double sum, int count) { return count > 0 ? sum / count : unknown; }
+double over(double sum, std::int64_t count) { return count > 0 ? sum / static_cast<double>(count) : unknown; }
 
 }  // namespace
 
@@ -46,11 +48,23 @@ std::vector<TeamSummary::Vehicle> TeamSummary::vehicles() const {
   for (const Sums& sums : vehicles_) {
     const auto& all = sums.from_path_m;
     const std::vector<double> late(all.begin() + static_cast<std::ptrdiff_t>(all.size() * 2 / 3), all.end());
-    out.push_back({std::sqrt(over(sums.squares, sums.compared)), over(sums.nees, sums.nees_count),
-                   late.empty() ? unknown : quantile(late, 0.5),
+    out.push_back({sums.compared, std::sqrt(over(sums.squares, sums.compared)),
+                   over(sums.nees, sums.nees_count), late.empty() ? unknown : quantile(late, 0.5),
                    late.empty() ? unknown : quantile(late, 0.95)});
   }
   return out;
+}
+
+std::string TeamSummary::in_words(std::int64_t tracked_frames) const {
+  std::string text;
+  int number = 0;
+  for (const Vehicle& v : vehicles()) {
+    text += fmt::format("{}vehicle {}: ", text.empty() ? "" : "\n", ++number);
+    if (v.compared_frames > 0) text += fmt::format("{:.3g} m rms, ", v.ate_m);
+    if (std::isfinite(v.mean_nees)) text += fmt::format("NEES {:.3g}, ", v.mean_nees);
+    text += fmt::format("truth at {} of {} tracked frames", v.compared_frames, tracked_frames);
+  }
+  return text;
 }
 
 }  // namespace incognita

@@ -1,6 +1,8 @@
 // What summary.json says of each vehicle of a team.
 #pragma once
 
+#include <cstdint>
+#include <string>
 #include <vector>
 
 #include "incognita/record/snapshot.hpp"
@@ -13,9 +15,11 @@ double from_path_m(const SnapshotVehicle& vehicle, bool flies, const Eigen::Vect
 
 class TeamSummary {
  public:
-  struct Vehicle {     ///< NaN where there is nothing to say
-    double ate_m;      ///< rms distance of estimate and truth
-    double mean_nees;  ///< per degree of freedom
+  /// Each over the frames at which its own truth is known; NaN where there is nothing to say.
+  struct Vehicle {
+    std::int64_t compared_frames;  ///< with a pose and a truth: those that the errors are of
+    double ate_m;                  ///< rms distance of estimate and truth
+    double mean_nees;              ///< per degree of freedom
     double from_path_median_m,
         from_path_p95_m;  ///< true distance from where it was to be, over the last third
   };
@@ -27,11 +31,13 @@ class TeamSummary {
 
   bool empty() const { return vehicles_.empty(); }
   std::vector<Vehicle> vehicles() const;
+  /// A line per vehicle: its errors, and at how many of `tracked_frames` its truth was known.
+  std::string in_words(std::int64_t tracked_frames) const;
 
  private:
   struct Sums {
     double squares = 0, nees = 0;
-    int compared = 0, nees_count = 0;
+    std::int64_t compared = 0, nees_count = 0;
     std::vector<double> from_path_m;
   };
   bool flies_;

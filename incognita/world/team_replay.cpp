@@ -27,17 +27,19 @@ Tick TeamReplayClock::next() {
 
 std::optional<Truth> TeamReplayWorld::move(const Command&, const Tick& tick) {
   Truth truth;
+  bool any_known = false;
   for (const RangeRecording& r : *recordings_) {
+    std::optional<RigidPose>& pose = truth.poses.emplace_back();
     const auto place = true_place(r, tick.t);
-    if (!place || !place->heading_rad) return std::nullopt;
-    truth.vehicles.push_back(
-        (SmallVector(3) << place->position.x(), place->position.y(), *place->heading_rad).finished());
+    if (!place || !place->heading_rad) continue;
+    const Eigen::Vector3d on_plane(place->position.x(), place->position.y(), *place->heading_rad);
+    pose = on_floor(planar::Pose<double>(on_plane)).pose;
+    any_known = true;
+    const double half = on_plane[2] / 2;
+    if (truth.poses.size() == 1)
+      truth.camera.head<7>() << on_plane[0], on_plane[1], 0, std::cos(half), 0, 0, std::sin(half);
   }
-  for (const SmallVector& pose : truth.vehicles)
-    truth.poses.push_back(on_floor(planar::Pose<double>(pose)).pose);
-  const SmallVector& first = truth.vehicles.front();
-  truth.camera.head<7>() << first[0], first[1], 0, std::cos(first[2] / 2), 0, 0, std::sin(first[2] / 2);
-  return truth;
+  return any_known ? std::optional(truth) : std::nullopt;
 }
 
 TeamReplaySensor::TeamReplaySensor(SharedTeamRecording recordings, bool sees_vehicles, double max_range_m)

@@ -25,7 +25,8 @@ class TeamReplayClock final : public Clock {
   std::size_t done_ = 0;
 };
 
-/// The true places of all, where all are known. Commands move nothing: what was recorded has happened.
+/// The true place of each, where it is known: motion capture loses one vehicle and keeps the others. Commands
+/// move nothing: what was recorded has happened.
 class TeamReplayWorld final : public World {
  public:
   explicit TeamReplayWorld(SharedTeamRecording recordings) : recordings_(std::move(recordings)) {}

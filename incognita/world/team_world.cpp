@@ -61,7 +61,7 @@ std::optional<Truth> TeamWorld::move(const Command& command, const Tick& tick) {
                                            : carried_out);
     truth.poses.push_back(pose_of(plants_[i].motion(), truth.vehicles.back()));
   }
-  const RigidPose& first = truth.poses.front();
+  const RigidPose& first = *truth.poses.front();
   truth.camera.head<3>() = first.position;
   truth.camera.segment<4>(3) = first.world_from_body;
   if (std::holds_alternative<FreeCameraMotion>(plants_.front().motion()))

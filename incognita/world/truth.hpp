@@ -1,6 +1,7 @@
 // What really happens. It goes to the sensors and to the record, never to the estimator.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "incognita/math/small_matrix.hpp"
@@ -17,7 +18,9 @@ struct Truth {
   std::vector<SmallVector> inputs =
       {};  ///< of a team: what each carried out since the tick before; 0 by hand
   std::vector<Eigen::Vector2d> wheels = {};  ///< of a team of carried cameras: m/s and rad/s of each carrier
-  std::vector<RigidPose> poses = {};         ///< of a team: each one's body in space
+  /// Of a team: each one's body in space, where it is known. A recording may know that of some vehicles only;
+  /// without that of the first, `camera` means nothing.
+  std::vector<std::optional<RigidPose>> poses = {};
 };
 
 }  // namespace incognita

@@ -89,7 +89,7 @@ TEST(MeanPoseNees, UsesCovariancesOfTheSameStampOnly) {
   const StampedPose truth{1, {1, 0, 0}, {1, 0, 0, 0}}, later{2, {1, 0, 0}, {1, 0, 0, 0}};
   const StampedPose first{1, {0, 0, 0}, {1, 0, 0, 0}}, second{2, {0, 0, 0}, {1, 0, 0, 0}};
   const MatchedTrajectories matched{{first, second}, {truth, later}};
-  EXPECT_NEAR(*mean_pose_nees(matched, {{2, PoseCovariance::Identity()}}), 1.0 / 6, 1e-12);
+  EXPECT_NEAR(mean_pose_nees(matched, {{2, PoseCovariance::Identity()}})->value, 1.0 / 6, 1e-12);
   EXPECT_FALSE(mean_pose_nees(matched, {{3, PoseCovariance::Identity()}}));
 }
 

@@ -102,6 +102,24 @@ TEST_F(ProgramRanges, RunsOnTables) {
   EXPECT_SILENT_ON(bytes_of(run() / "effective.toml"), "[camera]");
 }
 
+/// Motion capture is often switched on after the robot.
+TEST_F(ProgramRanges, TruthThatBeginsLateIsComparedFromThenOn) {
+  std::istringstream truth(bytes_of(drive() / "truth.csv"));
+  std::string late, line;
+  for (int n = 0; std::getline(truth, line); ++n)
+    if (n == 0 || std::stod(line) > 10) late += line + "\n";
+  std::ofstream(drive() / "truth.csv", std::ios::binary) << late;
+  const auto landmark = drive_planar_loop({}, 5).landmarks[0].position;
+  const Ended ended = go({"--set", "vehicle_filter.anchors_m=[[" + std::to_string(landmark.x()) + ", " +
+                                       std::to_string(landmark.y()) + "]]"});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const auto summary = testing::summary_of(run());
+  EXPECT_EQ(summary["compared_poses"], 50);  // scans of 11 s to 60 s
+  EXPECT_SAYS(ended.err, "truth at 50 of 61 tracked frames");
+  EXPECT_SAYS(testing::lines(run() / "series.csv").front(), ",error_x_m,");
+  testing::expect_whole_tables(run());
+}
+
 TEST_F(ProgramRanges, AnchorsMakeErrorsAbsolute) {
   const auto landmark = drive_planar_loop({}, 5).landmarks[0].position;  // seen from the start
   const Ended ended = go({"--set", "vehicle_filter.anchors_m=[[" + std::to_string(landmark.x()) + ", " +

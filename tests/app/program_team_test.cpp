@@ -2,9 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <sstream>
 
+#include "incognita/record/tum.hpp"
+#include "tests/app/generated_team.hpp"
 #include "tests/app/program.hpp"
 #include "tests/scratch.hpp"
 
@@ -98,6 +101,94 @@ TEST(ProgramTeam, GivesTheSameBytesForTheSameSeed) {
     EXPECT_EQ(bytes_of(scratch.folder() / "a" / file), bytes_of(scratch.folder() / "b" / file)) << file;
     EXPECT_NE(bytes_of(scratch.folder() / "a" / file), bytes_of(scratch.folder() / "c" / file)) << file;
   }
+}
+
+/// A run of two robots whose truth has gaps: 16 of 21 ticks of robot 1 have it, 18 of robot 2.
+class RecordedTeamWithGaps : public ::testing::Test {
+ protected:
+  RecordedTeamWithGaps() {
+    team_.write(scratch_, "recording");
+    scratch_.write("s.toml",
+                   "[run]\nworld = \"recording\"\nsensor = \"range-bearing\"\n[recording]\nfolder = \"" +
+                       (scratch_.folder() / "recording").string() +
+                       "\"\nformat = \"mrclam\"\nteam = true\n[vehicle]\nmodel = \"differential-drive\"\n"
+                       "sigma_speed_m_s = 0.1\nsigma_turn_rate_rad_s = 0.1\n[ranges]\nsigma_range_m = 0.1\n"
+                       "sigma_bearing_rad = 0.05\n");
+  }
+
+  std::filesystem::path run() const { return scratch_.folder() / "run"; }
+
+  /// From the estimated poses and the path that the robot really took, over the ticks at which its own truth
+  /// is recorded.
+  struct Worked {
+    int ticks = 0;
+    double rms_m = 0;
+  };
+  Worked errors_of(std::size_t robot) const {
+    Worked out;
+    const auto estimate = read_trajectory(run() / (robot == 0 ? "estimate.tum" : "estimate-2.tum"));
+    for (const StampedPose& pose : estimate) {
+      if (team_.without_truth[robot].has(pose.t)) continue;
+      ++out.ticks;
+      out.rms_m +=
+          (pose.position - Eigen::Vector3d(team_.true_x_m(pose.t), team_.y_m(robot), 0)).squaredNorm();
+    }
+    out.rms_m = std::sqrt(out.rms_m / out.ticks);
+    return out;
+  }
+
+  testing::GeneratedTeam team_;
+  Scratch scratch_;
+};
+
+TEST_F(RecordedTeamWithGaps, ComparesEachRobotWhereItsOwnTruthIsKnown) {
+  const Ended ended =
+      testing::incognita({"run", "s.toml", "--out", "run", "--no-figures"}, scratch_.folder());
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const auto summary = testing::summary_of(run());
+  EXPECT_EQ(summary["tracked_frames"], 21);
+  const int ticks[] = {16, 18};
+  ASSERT_EQ(summary["vehicles"].size(), 2u);
+  for (std::size_t robot = 0; robot < 2; ++robot) {
+    const Worked worked = errors_of(robot);
+    EXPECT_EQ(worked.ticks, ticks[robot]);
+    EXPECT_EQ(summary["vehicles"][robot]["compared_frames"], worked.ticks);
+    EXPECT_NEAR(summary["vehicles"][robot]["ate_m"].get<double>(), worked.rms_m, 1e-9);
+    EXPECT_TRUE(summary["vehicles"][robot]["mean_nees"].is_number());
+  }
+  EXPECT_EQ(summary["compared_poses"], ticks[0] + ticks[1]);
+  EXPECT_SAYS(ended.err, "truth at 16 of 21 tracked frames");
+  EXPECT_SAYS(ended.err, "truth at 18 of 21 tracked frames");
+  testing::expect_whole_tables(run());
+}
+
+TEST_F(RecordedTeamWithGaps, EvaluateComparesEachRobotTheSame) {
+  ASSERT_EQ(testing::incognita({"run", "s.toml", "--out", "run", "--no-figures"}, scratch_.folder()).code, 0);
+  const Ended ended = testing::incognita({"evaluate", "run", "--json"}, scratch_.folder());
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const auto answer = nlohmann::json::parse(ended.out), summary = testing::summary_of(run());
+  ASSERT_EQ(answer["vehicles"].size(), 2u);
+  for (std::size_t robot = 0; robot < 2; ++robot) {
+    const auto &one = answer["vehicles"][robot], &told = summary["vehicles"][robot];
+    EXPECT_EQ(one["matched"], told["compared_frames"]);
+    EXPECT_EQ(one["estimate_poses"], 21);
+    EXPECT_NEAR(one["ate_m"]["rmse"].get<double>(), told["ate_m"].get<double>(), 1e-9);
+    EXPECT_NEAR(one["mean_nees"].get<double>(), told["mean_nees"].get<double>(), 1e-6);
+  }
+  EXPECT_EQ(answer["matched"], summary["compared_poses"]);
+  EXPECT_NEAR(answer["ate_m"]["rmse"].get<double>(), summary["ate_m"].get<double>(), 1e-9);
+  EXPECT_NEAR(answer["mean_nees"].get<double>(), summary["mean_nees"].get<double>(), 1e-6);
+  const std::string table = testing::incognita({"evaluate", "run"}, scratch_.folder()).out;
+  EXPECT_SAYS(table, "vehicle 2: matched 18 of 21 estimated and 18 true poses");
+  EXPECT_SAYS(table, "all vehicles: matched 34 of 42 estimated and 34 true poses; alignment none");
+}
+
+TEST_F(RecordedTeamWithGaps, EvaluateRefusesOneTruthForSeveralRobots) {
+  ASSERT_EQ(testing::incognita({"run", "s.toml", "--out", "run", "--no-figures"}, scratch_.folder()).code, 0);
+  const Ended ended = testing::incognita({"evaluate", "run", "--truth", "run/truth.tum"}, scratch_.folder());
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_SAYS(ended.err, "team of 2 vehicles");
+  EXPECT_SAYS(ended.err, "estimate-2.tum");
 }
 
 TEST(ProgramTeam, ChoosesItsMovesAndSaysWhy) {

@@ -29,7 +29,8 @@ incognita_test(observability_watch_test SOURCES app/observability_watch_test.cpp
 incognita_test(team_test SOURCES app/team_test.cpp USES incognita::control incognita::world)
 incognita_test(team_recording_test SOURCES app/team_recording_test.cpp USES incognita::app)
 incognita_test(team_scenario_test SOURCES app/team_scenario_test.cpp USES incognita::app fmt::fmt)
-incognita_program_test(program_team_test SOURCES app/program_team_test.cpp)
+incognita_program_test(program_team_test SOURCES app/program_team_test.cpp
+                       USES incognita::record fmt::fmt)
 # Apart, as it alone kills what it starts
 incognita_program_test(program_campaign_test SOURCES app/program_campaign_test.cpp)
 incognita_test(room_vehicle_test SOURCES app/room_vehicle_test.cpp USES incognita::app)

@@ -7,6 +7,7 @@
 
 #include "incognita/models/range_bearing.hpp"
 #include "incognita/world/planar_loop.hpp"
+#include "incognita/world/team_replay.hpp"
 
 namespace incognita {
 namespace {
@@ -113,6 +114,24 @@ TEST(PlanarLoop, HasTheNoiseItSays) {
   EXPECT_NEAR(std::sqrt(bearing / looks), settings.sigma_bearing_rad, 0.05 * settings.sigma_bearing_rad);
   EXPECT_NEAR(std::sqrt(speed / steps), settings.sigma_speed_m_s, 0.05 * settings.sigma_speed_m_s);
   EXPECT_NEAR(std::sqrt(turn / steps), settings.sigma_turn_rate_rad_s, 0.05 * settings.sigma_turn_rate_rad_s);
+}
+
+TEST(TeamReplayWorld, KnowsEachRobotWhereItsOwnTruthIs) {
+  RangeRecording first = *small(), second = *small();
+  second.truth = {{1.0, {7, 1}, 0.5}, {1.4, {7, 2}, 0.5}};
+  TeamReplayWorld world(
+      std::make_shared<const std::vector<RangeRecording>>(std::vector<RangeRecording>{first, second}));
+  const auto both = world.move({}, {0, 1.2, 0}), second_only = world.move({}, {1, 1.3, 0.1}),
+             nobody = world.move({}, {2, 2, 0.7});
+  ASSERT_TRUE(both && second_only);
+  ASSERT_EQ(both->poses.size(), 2u);
+  ASSERT_TRUE(both->poses[0] && both->poses[1]);
+  EXPECT_EQ(both->poses[0]->position, Eigen::Vector3d(4, 0, 0));
+  EXPECT_EQ(both->camera.head<3>(), both->poses[0]->position);
+  EXPECT_FALSE(second_only->poses[0]);  // its neighbors are 1.7 s apart
+  ASSERT_TRUE(second_only->poses[1]);
+  EXPECT_NEAR(second_only->poses[1]->position.y(), 1.75, 1e-12);
+  EXPECT_FALSE(nobody);
 }
 
 }  // namespace

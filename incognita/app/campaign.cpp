@@ -21,6 +21,7 @@
 #include "incognita/app/say.hpp"
 #include "incognita/io/files.hpp"
 #include "incognita/messages/errors.hpp"
+#include "incognita/report/campaign_limit.hpp"
 
 namespace incognita {
 namespace fs = std::filesystem;
@@ -145,6 +146,7 @@ int lead(Ranks& ranks, const Options& options, const fs::path& out) {
   const CrewAtWork crew(ranks);
   const std::size_t jobs = jobs_of(options, ranks);
   const Shard shard = shard_of(options);
+  limit_measures(options.measures);  // which refuses a limit that is no number
   const CampaignPlan plan = plan_campaign(options.request);
   if (options.table_alone && !fs::is_directory(out / "runs"))
     throw InputError(fmt::format("--table: {} holds no campaign; see --out", out.string()));
@@ -224,7 +226,11 @@ void add_options(CLI::App& command, Options& options) {
           "What the others are compared with; keys not named take their first value [the first variant]")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
-  command.add_option("--measure", options.measures, "Only these in the tables, e.g. ate_m; runs.csv has all")
+  command
+      .add_option("--measure", options.measures,
+                  "Only these in the tables, e.g. ate_m, or ate_m.below:0.1 for the share of runs that are "
+                  "done and below; "
+                  "runs.csv has all")
       ->type_name("NAME")
       ->allow_extra_args(false);
   command.add_option("--out", options.out, "Folder of the campaign [out/campaign]")->type_name("DIR");

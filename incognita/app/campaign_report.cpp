@@ -89,6 +89,11 @@ void print_text(const Campaign& campaign, const std::vector<VariantStatistics>& 
                  variant.name, run.seed, run.reason);
     }
   if (failed > most_shown) fmt::print("and {} more: runs.csv\n", failed - most_shown);
+  if (failed > 0 && limit_measures(measures).empty())
+    fmt::print(
+        "A variant that loses its hard seeds looks better in such a mean than it is; a limit counts them "
+        "all, "
+        "e.g. --measure ate_m.below:0.1\n");
 }
 
 }  // namespace
@@ -102,10 +107,10 @@ int report_campaign(const CampaignPlan& plan, const CampaignFolder& folder, cons
     return 1;
   }
   const std::vector<std::string> names = all_names(campaign);
-  if (const std::string fault = unknown_measure(options.measures, names); !fault.empty())
+  if (const std::string fault = unknown_measure(base_names(options.measures), names); !fault.empty())
     throw InputError(fault);
   tell_where_seeds_do_nothing(campaign);
-  const std::vector<VariantStatistics> statistics = statistics_of(campaign);
+  const std::vector<VariantStatistics> statistics = statistics_of(campaign, limit_measures(options.measures));
   const std::vector<std::string>& in_files = options.measures.empty() ? names : options.measures;
   const std::string json = campaign_json(campaign, statistics, in_files);
   write_durably(folder.path() / "runs.csv", runs_csv(campaign));

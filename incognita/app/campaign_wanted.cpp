@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "incognita/math/nearest_name.hpp"
+#include "incognita/report/campaign_limit.hpp"
 #include "incognita/report/campaign_measures.hpp"
 
 namespace incognita {
@@ -16,9 +17,9 @@ bool is_among(const std::string& name, const std::vector<std::string>& names) {
 
 }  // namespace
 
-WantedMeasures::WantedMeasures(std::vector<std::string> names, const CampaignPlan& plan,
+WantedMeasures::WantedMeasures(const std::vector<std::string>& names, const CampaignPlan& plan,
                                const CampaignFolder& folder)
-    : names_(std::move(names)) {
+    : names_(base_names(names)) {
   if (names_.empty()) return;
   for (std::size_t v = 0; v < plan.variants.size(); ++v) silent_.insert(v);
   variants_ = plan.variants.size();

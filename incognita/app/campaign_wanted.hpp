@@ -16,7 +16,8 @@ namespace incognita {
 class WantedMeasures {
  public:
   /// Takes in the runs that the folder has.
-  WantedMeasures(std::vector<std::string> names, const CampaignPlan& plan, const CampaignFolder& folder);
+  WantedMeasures(const std::vector<std::string>& names, const CampaignPlan& plan,
+                 const CampaignFolder& folder);
 
   void add(std::size_t run, const RunResult& result);
 

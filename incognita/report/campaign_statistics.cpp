@@ -37,7 +37,14 @@ BySeed failures_of(const CampaignVariant& variant) {
   return failed;
 }
 
-PairedComparison compare(const BySeed& values, const BySeed& reference) {
+BySeed successes_of(const CampaignVariant& variant, const LimitMeasure& measure) {
+  BySeed successes;
+  for (const CampaignRun& run : variant.runs)
+    successes[run.seed] = success(measure, run.done, run.measured.measures);
+  return successes;
+}
+
+void compare(const BySeed& values, const BySeed& reference, MeasureStatistics& s) {
   std::vector<double> a, b;
   for (const auto& [seed, value] : values) {
     const auto same_seed = reference.find(seed);
@@ -45,7 +52,8 @@ PairedComparison compare(const BySeed& values, const BySeed& reference) {
     a.push_back(value);
     b.push_back(same_seed->second);
   }
-  return compare_pairs(a, b);
+  s.versus_baseline = compare_pairs(a, b);
+  s.pairs_left_out = a.size() - s.versus_baseline.pairs;
 }
 
 std::vector<double> known(const BySeed& values) {
@@ -55,11 +63,28 @@ std::vector<double> known(const BySeed& values) {
   return list;
 }
 
-MeasureStatistics statistics_of(const std::string& measure, const BySeed& values, const BySeed& reference) {
+MeasureStatistics statistics_of(const std::string& measure, const BySeed& values, const BySeed& reference,
+                                const VariantStatistics& variant) {
   const std::vector<double> list = known(values);
   const Interval none{unknown, unknown, unknown};
-  return {measure, list.size(), list.empty() ? none : mean_of(list), median_of(list),
-          compare(values, reference)};
+  MeasureStatistics s;
+  s.measure = measure;
+  s.n = list.size();
+  s.ended = variant.done + variant.failed;
+  s.share_failed = share_of(variant.failed, s.ended).value;
+  s.mean = list.empty() ? none : mean_of(list);
+  s.median = median_of(list);
+  compare(values, reference, s);
+  return s;
+}
+
+/// Of values that are 0 or 1.
+MeasureStatistics share_statistics_of(const std::string& measure, const BySeed& values,
+                                      const BySeed& reference, const VariantStatistics& variant) {
+  MeasureStatistics s = statistics_of(measure, values, reference, variant);
+  const std::vector<double> list = known(values);
+  s.mean = share_of(static_cast<std::size_t>(std::count(list.begin(), list.end(), 1.0)), list.size());
+  return s;
 }
 
 }  // namespace
@@ -78,7 +103,8 @@ std::vector<std::string> timing_names(const Campaign& campaign) {
   return names_of(campaign, &RunMeasures::timings);
 }
 
-std::vector<VariantStatistics> statistics_of(const Campaign& campaign) {
+std::vector<VariantStatistics> statistics_of(const Campaign& campaign,
+                                             const std::vector<LimitMeasure>& limits) {
   const CampaignVariant& baseline = campaign.variants[campaign.baseline];
   std::vector<VariantStatistics> all;
   for (const CampaignVariant& variant : campaign.variants) {
@@ -86,15 +112,19 @@ std::vector<VariantStatistics> statistics_of(const Campaign& campaign) {
     s.runs = campaign.seeds.size();
     for (const CampaignRun& run : variant.runs) ++(run.done ? s.done : s.failed);
     s.missing = s.runs - s.done - s.failed;
-    s.measures.push_back(statistics_of("failed", failures_of(variant), failures_of(baseline)));
-    s.measures.back().mean = share_of(s.failed, s.done + s.failed);
+    s.measures.push_back(share_statistics_of("failed", failures_of(variant), failures_of(baseline), s));
     all.push_back(std::move(s));
   }
   for (const std::string& measure : measure_names(campaign)) {
     const BySeed reference = values_of(baseline, measure);
     for (std::size_t v = 0; v < all.size(); ++v)
-      all[v].measures.push_back(statistics_of(measure, values_of(campaign.variants[v], measure), reference));
+      all[v].measures.push_back(
+          statistics_of(measure, values_of(campaign.variants[v], measure), reference, all[v]));
   }
+  for (const LimitMeasure& limit : limits)
+    for (std::size_t v = 0; v < all.size(); ++v)
+      all[v].measures.push_back(share_statistics_of(limit.name, successes_of(campaign.variants[v], limit),
+                                                    successes_of(baseline, limit), all[v]));
   return all;
 }
 

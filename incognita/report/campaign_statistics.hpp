@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "incognita/analysis/statistics.hpp"
+#include "incognita/report/campaign_limit.hpp"
 #include "incognita/report/campaign_measures.hpp"
 
 namespace incognita {
@@ -36,23 +37,27 @@ struct Campaign {
 
 struct MeasureStatistics {
   std::string measure;
-  std::size_t n = 0;  ///< runs that are done and have a value
-  Interval mean;      ///< by Student's t; of `failed` by Wilson's score
+  std::size_t n = 0;        ///< runs that have a value, that is, are done; of `failed` and successes all
+  std::size_t ended = 0;    ///< runs of the variant that ended, done or failed
+  double share_failed = 0;  ///< of them; NaN when none ended
+  Interval mean;  ///< by Student's t; of `failed` and successes, which are shares, by Wilson's score
   double median = 0;
-  /// Against the baseline, over the seeds on which both are done and have a value.
+  /// Against the baseline, over the seeds on which both have a value.
   PairedComparison versus_baseline;
+  std::size_t pairs_left_out = 0;  ///< seeds that ended in both and have no value in one of them
 };
 
 struct VariantStatistics {
   std::size_t runs = 0, done = 0, failed = 0, missing = 0;
   /// Of every measure that any run of the campaign has, in one order for all variants. The first is `failed`:
-  /// 1 for a run that failed and 0 for one that is done, over all that ended.
+  /// 1 for a run that failed and 0 for one that is done, over all that ended. The last are the successes.
   std::vector<MeasureStatistics> measures;
 };
 
 /// One entry per variant. Depends on nothing but the runs: neither on their order nor on how they were
 /// spread.
-std::vector<VariantStatistics> statistics_of(const Campaign& campaign);
+std::vector<VariantStatistics> statistics_of(const Campaign& campaign,
+                                             const std::vector<LimitMeasure>& limits = {});
 
 /// Names of all measures, in the order in which variants and seeds first have them.
 std::vector<std::string> measure_names(const Campaign& campaign);

@@ -40,6 +40,8 @@ Json json_of(double value) { return std::isfinite(value) ? Json(value) : Json(nu
 
 Json json_of(const MeasureStatistics& m, bool is_baseline) {
   Json json{{"n", m.n},
+            {"ended", m.ended},
+            {"share_failed", json_of(m.share_failed)},
             {"mean", json_of(m.mean.value)},
             {"low", json_of(m.mean.low)},
             {"high", json_of(m.mean.high)},
@@ -47,6 +49,7 @@ Json json_of(const MeasureStatistics& m, bool is_baseline) {
   if (is_baseline) return json;
   const PairedComparison& c = m.versus_baseline;
   json["versus_baseline"] = {{"pairs", c.pairs},
+                             {"pairs_left_out", m.pairs_left_out},
                              {"difference", json_of(c.difference.value)},
                              {"low", json_of(c.difference.low)},
                              {"high", json_of(c.difference.high)},
@@ -63,15 +66,18 @@ std::string with_interval(const Interval& i) {
 
 std::string share(double value) { return std::isnan(value) ? "-" : fmt::format("{:.0f} %", 100 * value); }
 
+std::string of(std::size_t count, std::size_t all) { return fmt::format("{} of {}", count, all); }
+
 std::string text_row(const std::string& variant, std::size_t width, const MeasureStatistics& m,
                      bool is_baseline) {
   const std::string median = std::isnan(m.median) ? "-" : fmt::format("{:.4g}", m.median);
-  std::string row =
-      fmt::format("  {:<{}}  {:>6}  {:<32}  {:<10}", variant, width, m.n, with_interval(m.mean), median);
+  std::string row = fmt::format("  {:<{}}  {:>9}  {:>6}  {:<32}  {:<10}", variant, width, of(m.n, m.ended),
+                                share(m.share_failed), with_interval(m.mean), median);
   const PairedComparison& c = m.versus_baseline;
   row += is_baseline ? "  baseline"
-                     : fmt::format("  {:<34}  {:>6}  {:>6}  {:>6}", with_interval(c.difference), c.pairs,
-                                   share(c.share_lower), share(c.share_higher));
+                     : fmt::format("  {:<34}  {:>9}  {:>6}  {:>6}", with_interval(c.difference),
+                                   of(c.pairs, c.pairs + m.pairs_left_out), share(c.share_lower),
+                                   share(c.share_higher));
   return row + "\n";
 }
 
@@ -111,17 +117,19 @@ std::string timings_csv(const Campaign& campaign) {
 std::string table_csv(const Campaign& campaign, const std::vector<VariantStatistics>& statistics,
                       const std::vector<std::string>& measures) {
   std::string text =
-      "variant,measure,n,mean,mean_low,mean_high,median,pairs,difference,difference_low,difference_high,"
-      "share_lower,share_higher\n";
+      "variant,measure,n,ended,share_failed,mean,mean_low,mean_high,median,pairs,pairs_left_out,difference,"
+      "difference_low,difference_high,share_lower,share_higher\n";
   for (std::size_t v = 0; v < statistics.size(); ++v)
     for (const MeasureStatistics& m : statistics[v].measures) {
       if (!wanted(m, measures)) continue;
       std::string row = first_cell(campaign.variants[v].name);
       append_cell(row, m.measure);
       append_count(row, m.n);
-      append_cells(row, {m.mean.value, m.mean.low, m.mean.high, m.median});
+      append_count(row, m.ended);
+      append_cells(row, {m.share_failed, m.mean.value, m.mean.low, m.mean.high, m.median});
       const PairedComparison& c = m.versus_baseline;
       append_count(row, c.pairs);
+      append_count(row, m.pairs_left_out);
       append_cells(row,
                    {c.difference.value, c.difference.low, c.difference.high, c.share_lower, c.share_higher});
       text += row + "\n";
@@ -156,9 +164,9 @@ std::string table_text(const Campaign& campaign, const std::vector<VariantStatis
   for (const CampaignVariant& variant : campaign.variants) width = std::max(width, variant.name.size());
   std::string text;
   for (const std::string& measure : measures) {
-    text += fmt::format("{}{:<{}}  {:>6}  {:<32}  {:<10}  {:<34}  {:>6}  {:>6}  {:>6}\n",
-                        text.empty() ? "" : "\n", measure, width + 2, "runs", "mean (95 %)", "median",
-                        "minus the baseline's (95 %)", "pairs", "lower", "higher");
+    text += fmt::format("{}{:<{}}  {:>9}  {:>6}  {:<32}  {:<10}  {:<34}  {:>9}  {:>6}  {:>6}\n",
+                        text.empty() ? "" : "\n", measure, width + 2, "runs", "failed", "mean (95 %)",
+                        "median", "minus the baseline's (95 %)", "pairs", "lower", "higher");
     for (std::size_t v = 0; v < statistics.size(); ++v)
       for (const MeasureStatistics& m : statistics[v].measures)
         if (m.measure == measure)

@@ -235,12 +235,36 @@ TEST(ProgramCampaign, CountsRunsThatFail) {
   EXPECT_EQ(lost["measures"]["failed"]["versus_baseline"]["difference"], 1);
   EXPECT_EQ(lost["measures"]["ate_m"]["n"], 0);
   EXPECT_EQ(lost["measures"]["ate_m"]["mean"], nullptr);
+  EXPECT_EQ(lost["measures"]["ate_m"]["ended"], 5);
+  EXPECT_EQ(lost["measures"]["ate_m"]["share_failed"], 1);
+  EXPECT_EQ(lost["measures"]["ate_m"]["versus_baseline"]["pairs"], 0);
+  EXPECT_EQ(lost["measures"]["ate_m"]["versus_baseline"]["pairs_left_out"], 5);
   EXPECT_SAYS(ended.out, "failed, and left out above");
+  EXPECT_SAYS(ended.out, "0 of 5   100 %");
+  EXPECT_SAYS(ended.out, "--measure ate_m.below:0.1");
   EXPECT_SAYS(ended.err, "seed 3: failed: ");
   EXPECT_EQ(testing::lines(place / "c/runs.csv").size(), 1u + 10u);
   EXPECT_EQ(testing::faults(answer, schema()), "");
   const Ended again = place.campaign(what);
   EXPECT_SAYS(again.err, "10 made before, 0 to make");
+  Words limited = what;
+  limited.insert(limited.end(), {"--measure", "ate_m.below:1000", "--json"});
+  const Json within = Json::parse(place.campaign(limited).out);
+  EXPECT_EQ(testing::faults(within, schema()), "");
+  EXPECT_EQ(within["variants"][0]["measures"]["ate_m.below:1000"]["mean"], 1);
+  EXPECT_EQ(within["variants"][1]["measures"]["ate_m.below:1000"]["mean"], 0);
+  EXPECT_EQ(within["variants"][1]["measures"]["ate_m.below:1000"]["versus_baseline"]["difference"], -1);
+}
+
+TEST(ProgramCampaign, RefusesALimitThatIsNoneBeforeAnyRun) {
+  const Place place;
+  const Ended ended = place.campaign({"--seeds", "1..3", "--measure", "ate_m.below:low"});
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_SAYS(ended.err, "--measure ate_m.below:low: a limit is a number");
+  EXPECT_TRUE(place.results().empty());
+  const Ended unknown = place.campaign({"--seeds", "1..3", "--jobs", "1", "--measure", "ate.below:1"});
+  EXPECT_EQ(unknown.code, 2);
+  EXPECT_SAYS(unknown.err, "--measure ate: no run has measured that; the nearest is ate_m");
 }
 
 std::vector<pid_t> children_of(pid_t process) {

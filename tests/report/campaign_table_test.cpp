@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "incognita/messages/errors.hpp"
 #include "tests/scratch.hpp"
 
 namespace incognita {
@@ -74,6 +75,60 @@ TEST(CampaignStatistics, CountFailuresAsAMeasure) {
   EXPECT_DOUBLE_EQ(failed.versus_baseline.difference.value, 1.0 / 6);
 }
 
+TEST(CampaignStatistics, SayHowManyRunsAndPairsAFailureTookOut) {
+  const auto all = statistics_of(two_variants());
+  const MeasureStatistics &a = find(all[0], "error_m"), &b = find(all[1], "error_m");
+  EXPECT_EQ(a.ended, 7u);
+  EXPECT_DOUBLE_EQ(a.share_failed, 1.0 / 7);
+  EXPECT_EQ(b.ended, 6u);
+  EXPECT_DOUBLE_EQ(b.share_failed, 1.0 / 6);
+  EXPECT_EQ(b.pairs_left_out, 1u);  // seed 6; seed 7 has not ended in both
+  EXPECT_EQ(find(all[1], "failed").pairs_left_out, 0u);
+}
+
+/// What loses its bad seeds has the smaller mean error and no more successes.
+TEST(CampaignStatistics, ALimitCountsRunsThatFailed) {
+  Campaign campaign{"small", "1", {1, 2, 3, 4, 5, 6}, {}, 0};
+  campaign.variants.push_back(
+      {"keeps", {}, {run(1, 1), run(2, 1), run(3, 1), run(4, 5), run(5, 5), run(6, 5)}});
+  campaign.variants.push_back(
+      {"loses", {}, {run(1, 1), run(2, 1), run(3, 1), failure(4, 1), failure(5, 1), failure(6, 1)}});
+  const auto all = statistics_of(campaign, limit_measures({"failed", "error_m.below:2", "error_m.above:2"}));
+  EXPECT_LT(find(all[1], "error_m").mean.value, find(all[0], "error_m").mean.value);
+  const MeasureStatistics &keeps = find(all[0], "error_m.below:2"), &loses = find(all[1], "error_m.below:2");
+  EXPECT_EQ(loses.n, 6u);
+  EXPECT_DOUBLE_EQ(keeps.mean.value, 0.5);
+  EXPECT_DOUBLE_EQ(loses.mean.value, 0.5);
+  EXPECT_NEAR(loses.mean.low, 0.1876, 1e-4);  // Wilson's score of 3 in 6
+  EXPECT_EQ(loses.versus_baseline.pairs, 6u);
+  EXPECT_EQ(loses.pairs_left_out, 0u);
+  EXPECT_EQ(loses.versus_baseline.difference.value, 0);
+  EXPECT_DOUBLE_EQ(find(all[1], "error_m.above:2").versus_baseline.difference.value, -0.5);
+}
+
+TEST(CampaignStatistics, ALimitIsANumber) {
+  EXPECT_FALSE(limit_measure("vehicles.1.ate_m"));
+  EXPECT_EQ(limit_measure("vehicles.1.ate_m.below:1e-2")->base, "vehicles.1.ate_m");
+  for (const char* wrong : {"ate_m.below:", "ate_m.below:low", "ate_m.above:nan", ".below:1"})
+    EXPECT_THROW(limit_measure(wrong), InputError) << wrong;
+}
+
+TEST(CampaignTables, SayTheShareThatFailedBesideEveryMean) {
+  const Campaign campaign = two_variants();
+  const auto all = statistics_of(campaign, limit_measures({"error_m.below:2.5"}));
+  const std::vector<std::string> wanted{"error_m", "error_m.below:2.5"};
+  const std::string text = table_text(campaign, all, wanted);
+  EXPECT_HAS(text, "     5 of 6    17 %  3.6 (");
+  EXPECT_HAS(text, "5 of 6    20 %    80 %");
+  const std::string table = table_csv(campaign, all, wanted);
+  EXPECT_HAS(table, "variant,measure,n,ended,share_failed,mean,");
+  EXPECT_HAS(table, "a=2,error_m,5,6,0.166");
+  EXPECT_HAS(table, "a=2,error_m.below:2.5,6,6,0.166");
+  const std::string json = campaign_json(campaign, all, wanted);
+  EXPECT_HAS(json, "\"ended\": 6");
+  EXPECT_HAS(json, "\"pairs_left_out\": 1");
+}
+
 TEST(CampaignTables, QuoteAndNeverSayInfinite) {
   const Campaign campaign = two_variants();
   const std::string runs = runs_csv(campaign);
@@ -86,7 +141,7 @@ TEST(CampaignTables, QuoteAndNeverSayInfinite) {
   for (CampaignVariant& variant : one.variants) variant.runs.resize(1);
   const std::string table = table_csv(one, statistics_of(one), {"failed", "error_m"});
   EXPECT_EQ(table.find("inf"), std::string::npos) << table;
-  EXPECT_HAS(table, "a=2,error_m,1,2,nan,nan,2,1,1,nan,nan,0,1\n");
+  EXPECT_HAS(table, "a=2,error_m,1,1,0,2,nan,nan,2,1,0,1,nan,nan,0,1\n");
   EXPECT_EQ(campaign_json(one, statistics_of(one), {"error_m"}).find("inf"), std::string::npos);
   EXPECT_HAS(table_text(one, statistics_of(one), {"error_m"}), "too few");
 }

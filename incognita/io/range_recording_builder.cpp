@@ -107,6 +107,21 @@ void RangeRecordingBuilder::skip(const std::string& kind, const std::string& whe
   }
 }
 
+/// A single fix from before the odometry often says where the vehicle starts: that is not another clock.
+void RangeRecordingBuilder::note_clocks() {
+  const auto &truth = recording_.truth, &fixes = recording_.fixes;
+  const std::string odometry = span_of(recording_.odometry);
+  if (!truth.empty() && apart(truth, recording_.odometry))
+    note(
+        fmt::format("the truth ({}) and the odometry ({}) have no time in common", span_of(truth), odometry));
+  if (fixes.empty() || !apart(fixes, recording_.odometry)) return;
+  const bool before = fixes.back().t < recording_.odometry.front().t;
+  note(fmt::format(
+      "the fixes ({}) are all from {} the odometry ({}): {}", span_of(fixes), before ? "before" : "after",
+      odometry,
+      before ? "with vehicle_start.at_first_fix the vehicle starts at the first" : "is that one clock?"));
+}
+
 RangeRecording RangeRecordingBuilder::finish(const std::string& where) {
   if (recording_.odometry.empty()) throw InputError(fmt::format("{}: there is no odometry", where));
   if (recording_.scans.empty()) throw InputError(fmt::format("{}: there are no scans", where));
@@ -115,11 +130,7 @@ RangeRecording RangeRecordingBuilder::finish(const std::string& where) {
         "{}: the odometry ({}) and the scans ({}) have no time in common; both must be on one clock, in s",
         where, span_of(recording_.odometry), span_of(recording_.scans)));
   }
-  for (const auto& [name, places] : {std::pair("truth", &recording_.truth), {"fixes", &recording_.fixes}}) {
-    if (places->empty() || !apart(*places, recording_.odometry)) continue;
-    note(fmt::format("the {} ({}) and the odometry ({}) have no time in common", name, span_of(*places),
-                     span_of(recording_.odometry)));
-  }
+  note_clocks();
   for (const Skipped& skipped : skipped_) {
     note(fmt::format("{} {}, the first at {}", skipped.count, skipped.kind, skipped.first));
   }

@@ -36,6 +36,7 @@ class RangeRecordingBuilder {
   RangeRecording finish(const std::string& where);
 
  private:
+  void note_clocks();
   struct Skipped {
     std::string kind;
     std::string first;

@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <span>
 #include <string>
 #include <string_view>
 
+#include "incognita/math/time_stamp.hpp"
 #include "incognita/messages/errors.hpp"
 #include "incognita/record/number.hpp"
 
@@ -71,13 +71,9 @@ double finite_number(const Line& line, std::string_view word) {
   return *value;
 }
 
-/// Whole nanoseconds do not fit a double: seconds and the rest are split before they become one.
-double seconds_from_nanoseconds(const Line& line, std::string_view word) {
-  std::int64_t ns = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), ns);
-  if (error != std::errc{} || end != word.data() + word.size())
-    line.refuse(fmt::format("`{}` is not a time stamp in whole nanoseconds", shown(word)));
-  return static_cast<double>(ns / 1'000'000'000) + static_cast<double>(ns % 1'000'000'000) * 1e-9;
+double seconds_of(const Line& line, std::string_view word) {
+  if (const auto t = seconds_from_nanoseconds(word)) return *t;
+  line.refuse(fmt::format("`{}` is not a time stamp in whole nanoseconds", shown(word)));
 }
 
 Eigen::Vector4d unit_quaternion(const Line& line, const Eigen::Vector4d& q) {
@@ -101,16 +97,22 @@ StampedPose euroc_pose(const Line& line, std::span<const std::string_view> cells
     line.refuse(fmt::format("{} columns, at least 8 are needed: timestamp x y z qw qx qy qz", cells.size()));
   double v[8];
   for (std::size_t i = 1; i < 8; ++i) v[i] = finite_number(line, cells[i]);
-  return {seconds_from_nanoseconds(line, cells[0]),
-          {v[1], v[2], v[3]},
-          unit_quaternion(line, {v[4], v[5], v[6], v[7]})};
+  return {seconds_of(line, cells[0]), {v[1], v[2], v[3]}, unit_quaternion(line, {v[4], v[5], v[6], v[7]})};
 }
 
-/// `#timestamp [ns],p_RS_R_x [m],...` and the like; commas tell it from a comment of a TUM file.
-bool is_euroc_header(std::string_view text) {
+/// The names of the columns, if this line has them.
+enum class Header { none, tum, euroc };
+
+/// EuRoC's names, `#timestamp [ns],p_RS_R_x [m],...`, have commas between and the quaternion's w first;
+/// TUM's,
+/// `# timestamp tx ty tz qx qy qz qw`, may have commas too, and have it last.
+Header header_of(std::string_view text) {
   const std::size_t first = text.find_first_not_of("# \t");
-  return first != std::string_view::npos && text.substr(first).starts_with("timestamp") &&
-         text.find(',') != std::string_view::npos;
+  if (first == std::string_view::npos || !text.substr(first).starts_with("timestamp")) return Header::none;
+  const std::size_t x = text.find("qx");
+  if (text.find("tx") != std::string_view::npos || (x != std::string_view::npos && x < text.find("qw")))
+    return Header::tum;
+  return text.find(',') == std::string_view::npos ? Header::none : Header::euroc;
 }
 
 std::ifstream open_text(const std::filesystem::path& path) {
@@ -128,8 +130,8 @@ Trajectory read_trajectory(const std::filesystem::path& path) {
   Trajectory trajectory;
   bool euroc = false, oriented = true;
   for (Line line{path, 0, {}}; next_line(in, line);) {
-    if (trajectory.empty() && is_euroc_header(line.text)) {
-      euroc = true;
+    if (const Header header = header_of(line.text); trajectory.empty() && header != Header::none) {
+      euroc = header == Header::euroc;
       continue;
     }
     const auto cells = words(line.text);

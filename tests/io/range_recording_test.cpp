@@ -153,6 +153,20 @@ TEST(RangeTables, AreRead) {
   EXPECT_HAS(recording.notes[0], "taken for the format `tables`");
 }
 
+/// The odometry is of 0 to 0.2 s.
+TEST(RangeTables, SayWhatFixesFromAnotherTimeAreGoodFor) {
+  Tables tables;
+  const auto note_on = [&](const char* fix) {
+    tables.fixes = std::string("t_s,x_m,y_m\n") + fix + "\n";
+    const RangeRecording recording = tables.read();
+    return recording.notes.empty() ? "" : recording.notes.back();
+  };
+  EXPECT_HAS(note_on("-0.5,1,2"), "the fixes (-0.5 s to -0.5 s) are all from before the odometry");
+  EXPECT_HAS(note_on("-0.5,1,2"), "with vehicle_start.at_first_fix the vehicle starts at the first");
+  EXPECT_HAS(note_on("5,1,2"), "are all from after the odometry (0 s to 0.2 s): is that one clock?");
+  EXPECT_EQ(note_on("0.1,1,2").find("fixes"), std::string::npos);
+}
+
 TEST(RangeTables, AreReadInAnyOrderOfColumnsAndAsOthersWriteThem) {
   Tables tables;
   tables.odometry =

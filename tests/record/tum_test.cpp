@@ -50,6 +50,24 @@ TEST(ReadTrajectory, OfEuroc) {
   EXPECT_NEAR(poses[0].orientation[2], -0.827383, 1e-5);
 }
 
+TEST(ReadTrajectory, OfTumWhoseHeaderHasCommas) {
+  for (const char* header : {"# timestamp, tx, ty, tz, qx, qy, qz, qw\n", "#timestamp,tx,ty,tz,qx,qy,qz,qw\n",
+                             "timestamp,x,y,z,qx,qy,qz,qw\n", "# timestamp tx ty tz qx qy qz qw\n",
+                             "timestamp tx ty tz qx qy qz qw\n"}) {
+    const Trajectory poses = read(std::string(header) + "12.5,1,2,3,0.6,0,0,0.8\n");
+    ASSERT_EQ(poses.size(), 1u) << header;
+    EXPECT_EQ(poses[0].t, 12.5) << header;
+    EXPECT_TRUE(poses[0].orientation.isApprox(Eigen::Vector4d(0.8, 0.6, 0, 0))) << header;
+  }
+}
+
+TEST(ReadTrajectory, OfEurocWithZerosBehindItsStamps) {
+  const Trajectory poses = read("timestamp,x,y,z,qw,qx,qy,qz\n1403636580838555648.0,1,2,3,0.8,0.6,0,0\n");
+  ASSERT_EQ(poses.size(), 1u);
+  EXPECT_NEAR(poses[0].t, 1403636580.838555648, 1e-6);
+  EXPECT_TRUE(poses[0].orientation.isApprox(Eigen::Vector4d(0.8, 0.6, 0, 0)));
+}
+
 TEST(ReadTrajectory, RefusesNamingTheLineAndWhy) {
   EXPECT_NE(refusal("0 0 0 0 0 0 0 1\n1 0 0\n").find("poses:2: 3 columns"), std::string::npos);
   EXPECT_NE(refusal("0 0 0 zero 0 0 0 1\n").find("`zero` is not a number"), std::string::npos);

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "incognita/io/camera.hpp"
+#include "incognita/io/camera_of_recording.hpp"
 #include "incognita/io/files.hpp"
 #include "incognita/io/recorded.hpp"
 #include "incognita/io/recording.hpp"
@@ -29,6 +30,8 @@ struct Place {
 Place recorded_place(const LoadedScenario& loaded, const Camera& camera, std::vector<std::string>& notes) {
   const auto recording = std::make_shared<const Recording>(read_recording(loaded));
   notes = recording->notes;
+  if (std::string compared = compare_camera(loaded, *recording); !compared.empty())
+    notes.push_back(std::move(compared));
   return {std::make_unique<RecordedClock>(recording, loaded.scenario.run.duration_s),
           std::make_unique<RecordedWorld>(recording),
           std::make_unique<RecordedSensor>(recording, camera.width(), camera.height())};

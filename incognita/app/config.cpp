@@ -14,6 +14,7 @@
 #include "incognita/app/assemble_room_vehicle.hpp"
 #include "incognita/app/assemble_team.hpp"
 #include "incognita/app/say.hpp"
+#include "incognita/io/camera_of_recording.hpp"
 #include "incognita/io/files.hpp"
 #include "incognita/io/load_scenario.hpp"
 #include "incognita/io/recorded.hpp"
@@ -125,8 +126,10 @@ std::vector<std::string> check(const LoadedScenario& loaded) {
   }
   if (s.run.world == "recording") {
     const auto recording = std::make_shared<const Recording>(read_recording(loaded));
+    const std::string compared = compare_camera(loaded, *recording);
     const RecordedSensor first_image_fits(recording, s.camera.width_px, s.camera.height_px);
     found.insert(found.end(), recording->notes.begin(), recording->notes.end());
+    if (!compared.empty()) found.push_back(compared);
     for (const Recording::Frame& frame : recording->frames) {
       if (!file_exists(frame.image)) throw InputError(frame.image.string() + ": is listed and not there");
     }

@@ -41,11 +41,23 @@ std::string publication(const std::string& path) {
   return "\nSee docs/data.md for where recordings are published and how they are laid out.";
 }
 
+/// INCOGNITA_DATA; empty where it is not set.
+std::string chosen_folder() {
+  const char* chosen = std::getenv("INCOGNITA_DATA");
+  return chosen ? chosen : "";
+}
+
+std::string remedy() {
+  if (chosen_folder().empty()) return "Put it under data/, or set INCOGNITA_DATA to the folder that has it.";
+  return "INCOGNITA_DATA is set, so that only this folder is looked at: put it there, set INCOGNITA_DATA to "
+         "the "
+         "folder that has it, or unset it to use data/.";
+}
+
 }  // namespace
 
 std::vector<std::filesystem::path> data_folders(const std::filesystem::path& scenario_file) {
-  const char* chosen = std::getenv("INCOGNITA_DATA");
-  if (chosen && *chosen) return {chosen};
+  if (const std::string chosen = chosen_folder(); !chosen.empty()) return {chosen};
   std::vector<std::filesystem::path> folders = {"data", "../shared/data"};
   if (!scenario_file.empty() && !is_embedded(scenario_file)) {
     const std::filesystem::path above = std::filesystem::absolute(scenario_file).parent_path().parent_path();
@@ -68,10 +80,8 @@ std::filesystem::path find_data(const std::string& path, const std::filesystem::
     if (std::filesystem::exists(folder / path, ignored)) return folder / path;
     looked += (looked.empty() ? "" : ", ") + (folder / path).string();
   }
-  throw InputError(
-      fmt::format("{}: {} is not in the data folder (looked for {}).\nPut it under data/, or set "
-                  "INCOGNITA_DATA to the folder that has it.{}",
-                  wanted_by, path, looked, publication(path)));
+  throw InputError(fmt::format("{}: {} is not in the data folder (looked for {}).\n{}{}", wanted_by, path,
+                               looked, remedy(), publication(path)));
 }
 
 }  // namespace incognita

@@ -1,60 +1,38 @@
 #include <fmt/format.h>
 
-#include <Eigen/LU>
-#include <charconv>
+#include <cmath>
 #include <optional>
 
 #include "incognita/io/files.hpp"
 #include "incognita/io/number_table.hpp"
 #include "incognita/io/recording_formats.hpp"
 #include "incognita/math/quaternion.hpp"
+#include "incognita/math/time_stamp.hpp"
 #include "incognita/messages/errors.hpp"
 
 namespace incognita {
 namespace {
 
 constexpr const char* truth_file = "state_groundtruth_estimate0/data.csv";
+constexpr const char* sensor_file = "cam0/sensor.yaml";
 
 std::filesystem::path mav_folder(const std::filesystem::path& folder) {
   return file_exists(folder / "cam0/data.csv") ? folder : folder / "mav0";
 }
 
-/// Whole nanoseconds since 1970 need 61 bits, more than a double has: split before converting.
+EurocSensor sensor_in(const std::filesystem::path& mav) {
+  return file_exists(mav / sensor_file) ? read_euroc_sensor(mav / sensor_file) : EurocSensor{};
+}
+
 double seconds(const TableLine& line) {
   const std::string& cell = line.text(0);
-  std::int64_t ns = 0;
-  const char* end = cell.data() + cell.size();
-  const auto [stopped, error] = std::from_chars(cell.data(), end, ns);
-  if (error != std::errc() || stopped != end) {
-    throw InputError(
-        fmt::format("{}: column 1 must be a stamp in whole nanoseconds, and is `{}`", line.where, cell));
-  }
-  return static_cast<double>(ns / 1'000'000'000) + static_cast<double>(ns % 1'000'000'000) * 1e-9;
+  if (const auto t = seconds_from_nanoseconds(cell)) return *t;
+  throw InputError(
+      fmt::format("{}: column 1 must be a stamp in whole nanoseconds, and is `{}`", line.where, cell));
 }
 
-/// The sixteen numbers of `T_BS: data: [...]`, row by row: body_from_camera.
-std::optional<Eigen::Matrix4d> body_from_camera(const std::filesystem::path& file) {
-  if (!file_exists(file)) return std::nullopt;
-  const std::string yaml = read_file(file, 1 << 20);
-  std::size_t at = yaml.find("T_BS:");
-  at = at == std::string::npos ? at : yaml.find('[', at);
-  if (at == std::string::npos) return std::nullopt;
-  Eigen::Matrix4d m;
-  for (int i = 0; i < 16; ++i) {
-    at = yaml.find_first_not_of("[, \t\r\n", at);
-    if (at == std::string::npos) return std::nullopt;
-    const auto [stopped, error] =
-        std::from_chars(yaml.data() + at, yaml.data() + yaml.size(), m(i / 4, i % 4));
-    if (error != std::errc()) return std::nullopt;
-    at = static_cast<std::size_t>(stopped - yaml.data());
-  }
-  const Eigen::Matrix3d r = m.topLeftCorner<3, 3>();
-  const bool rotates = (r * r.transpose() - Eigen::Matrix3d::Identity()).norm() < 1e-3 && r.determinant() > 0;
-  return rotates ? std::optional(m) : std::nullopt;
-}
-
-void read_truth(const std::filesystem::path& mav, Recording& recording) {
-  const std::optional<Eigen::Matrix4d> body = body_from_camera(mav / "cam0/sensor.yaml");
+void read_truth(const std::filesystem::path& mav, const std::optional<Eigen::Matrix4d>& body,
+                Recording& recording) {
   recording.notes.push_back(
       body ? "the truth is made the camera's with T_BS of cam0/sensor.yaml"
            : "the truth is the body's, not the camera's: there is no T_BS in cam0/sensor.yaml");
@@ -79,15 +57,29 @@ void read_truth(const std::filesystem::path& mav, Recording& recording) {
   }
 }
 
+void note_camera(const EurocSensor& sensor, Recording& recording) {
+  recording.camera = sensor.camera;
+  if (!sensor.camera)
+    recording.notes.push_back(
+        fmt::format("no intrinsics in {}: the camera is compared with nothing", sensor_file));
+  else if (!sensor.camera->unfit.empty())
+    recording.notes.push_back(fmt::format("{}: {}, which no camera model here is: the camera is not compared",
+                                          sensor_file, sensor.camera->unfit));
+}
+
 }  // namespace
 
 bool looks_like_euroc(const std::filesystem::path& folder) {
   return file_exists(mav_folder(folder) / "cam0/data.csv");
 }
 
+std::optional<CalibratedCamera> camera_in_euroc(const std::filesystem::path& folder) {
+  return sensor_in(mav_folder(folder)).camera;
+}
+
 Recording read_euroc(const std::filesystem::path& folder) {
   const std::filesystem::path mav = mav_folder(folder);
-  Recording recording{"euroc", folder, {}, {}, {}};
+  Recording recording{"euroc", folder, {}, {}, {}, {}};
   for (const TableLine& line : read_table(mav / "cam0/data.csv")) {
     const double t = seconds(line);
     if (!recording.frames.empty() && t <= recording.frames.back().t) {
@@ -97,8 +89,10 @@ Recording read_euroc(const std::filesystem::path& folder) {
   }
   if (recording.frames.empty())
     throw InputError(fmt::format("{}: lists no images", (mav / "cam0/data.csv").string()));
+  const EurocSensor sensor = sensor_in(mav);
+  note_camera(sensor, recording);
   if (file_exists(mav / truth_file)) {
-    read_truth(mav, recording);
+    read_truth(mav, sensor.body_from_camera, recording);
   } else {
     recording.notes.push_back(fmt::format("there is no {}: the truth is unknown", truth_file));
   }

@@ -38,6 +38,44 @@ std::optional<std::uint64_t> netpbm_number(std::string_view bytes, std::size_t& 
   return number;
 }
 
+/// The big-endian number of two bytes.
+int two_bytes(std::string_view bytes, std::size_t at) {
+  return static_cast<int>(byte(bytes, at) << 8 | byte(bytes, at + 1));
+}
+
+std::optional<ImageHeader> netpbm_header(std::string_view bytes) {
+  std::size_t at = 2;
+  const auto width = netpbm_number(bytes, at), height = netpbm_number(bytes, at),
+             most = netpbm_number(bytes, at);
+  if (!width || !height || !most) return std::nullopt;
+  const bool colour = bytes[1] == '3' || bytes[1] == '6';
+  return ImageHeader{static_cast<int>(*width), static_cast<int>(*height), colour ? 3 : 1,
+                     *most > 255 ? 16 : 8};
+}
+
+/// IHDR, which is the first chunk. Colour types: 0 grey, 2 colour, 3 palette, and 4 more with alpha.
+std::optional<ImageHeader> png_header(std::string_view bytes) {
+  if (bytes.size() < 26 || bytes.substr(12, 4) != "IHDR") return std::nullopt;
+  const int type = static_cast<int>(byte(bytes, 25));
+  const int width = two_bytes(bytes, 16) << 16 | two_bytes(bytes, 18),
+            height = two_bytes(bytes, 20) << 16 | two_bytes(bytes, 22);
+  return ImageHeader{width, height, type == 0 || type == 4 ? 1 : 3, static_cast<int>(byte(bytes, 24))};
+}
+
+/// The frame's segment, SOF0 to SOF15 but for DHT, JPG and DAC, which lie between.
+std::optional<ImageHeader> jpeg_header(std::string_view bytes) {
+  std::size_t at = 2;
+  while (at + 10 <= bytes.size() && byte(bytes, at) == 0xff) {
+    const std::uint32_t marker = byte(bytes, at + 1);
+    const bool frame = marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
+    if (frame)
+      return ImageHeader{two_bytes(bytes, at + 7), two_bytes(bytes, at + 5),
+                         static_cast<int>(byte(bytes, at + 9)), static_cast<int>(byte(bytes, at + 4))};
+    at += marker == 0xff ? 1 : 2 + static_cast<std::size_t>(two_bytes(bytes, at + 2));
+  }
+  return std::nullopt;
+}
+
 /// P5 and P6: header, one white space, raw samples. P2 and P3: as many numbers as samples.
 const char* check_netpbm(std::string_view bytes) {
   const char type = bytes[1];
@@ -88,6 +126,15 @@ const char* check_bmp(std::string_view bytes) {
 }
 
 }  // namespace
+
+std::optional<ImageHeader> image_header(std::string_view bytes) {
+  if (bytes.size() < 4) return std::nullopt;
+  if (bytes[0] == 'P' && (bytes[1] == '5' || bytes[1] == '6' || bytes[1] == '2' || bytes[1] == '3'))
+    return netpbm_header(bytes);
+  if (bytes.starts_with("\xff\xd8")) return jpeg_header(bytes);
+  if (bytes.starts_with("\x89PNG")) return png_header(bytes);
+  return std::nullopt;
+}
 
 const char* why_cut_short(std::string_view bytes) {
   if (bytes.empty()) return "the file is empty";

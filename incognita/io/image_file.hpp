@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <filesystem>
+#include <optional>
 #include <string_view>
 
 #include "incognita/vision/image.hpp"
@@ -17,6 +18,14 @@ Image read_image(const std::filesystem::path& path);
 /// The image as shares of white, 0 to 1, to the full depth of a file of 8 or 16 bits; rows as in the image.
 /// Throws likewise.
 Eigen::MatrixXd read_shares_of_white(const std::filesystem::path& path);
+
+struct ImageHeader {
+  int width = 0, height = 0, channels = 1, bits = 8;  ///< bits of each sample
+};
+
+/// What the first bytes of a PNG, JPEG, PGM or PPM file say of it; nothing for other formats, or where the
+/// bytes end before its header does.
+std::optional<ImageHeader> image_header(std::string_view bytes);
 
 /// Why the bytes cannot be a whole image file, or nothing. Decoders fill what is missing with grey without a
 /// word.

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fnmatch.h>
 
 #include <algorithm>
 #include <cctype>
@@ -6,6 +7,7 @@
 #include <optional>
 #include <system_error>
 
+#include "incognita/io/image_kinds.hpp"
 #include "incognita/io/recording_formats.hpp"
 #include "incognita/messages/errors.hpp"
 
@@ -64,6 +66,10 @@ std::optional<std::int64_t> number_in(const std::string& name) {
   return std::stoll(name.substr(begin, end - begin));
 }
 
+bool fits(const std::string& pattern, const std::string& name) {
+  return fnmatch(pattern.c_str(), name.c_str(), 0) == 0;
+}
+
 /// What is said of names that count one by one and leave some out; empty when all is well, or they do not
 /// count.
 std::string missing_numbers(const std::vector<std::string>& names) {
@@ -84,10 +90,10 @@ std::string missing_numbers(const std::vector<std::string>& names) {
 
 }  // namespace
 
-Recording read_image_folder(const std::filesystem::path& folder, double rate_hz) {
+Recording read_image_folder(const std::filesystem::path& folder, double rate_hz, const std::string& pattern) {
   std::vector<std::string> names;
   std::string folders;
-  int others = 0;
+  int others = 0, unchosen = 0;
   std::error_code error;
   for (std::filesystem::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
     std::error_code ignored;
@@ -95,24 +101,37 @@ Recording read_image_folder(const std::filesystem::path& folder, double rate_hz)
     if (it->is_directory(ignored)) {
       folders += (folders.empty() ? "" : ", ") + name;
     } else if (is_image_name(it->path())) {
-      names.push_back(name);
+      if (pattern.empty() || fits(pattern, name))
+        names.push_back(name);
+      else
+        ++unchosen;
     } else {
       ++others;
     }
   }
   if (error) throw InputError(fmt::format("{}: cannot be read: {}", folder.string(), error.message()));
+  if (names.empty() && unchosen > 0)
+    throw InputError(fmt::format("{}: recording.pattern = \"{}\" fits the names of none of its {} images",
+                                 folder.string(), pattern, unchosen));
   if (names.empty()) {
     throw InputError(fmt::format("{}: there are no images in this folder{}", folder.string(),
                                  folders.empty() ? "" : "; it has the folders " + folders));
   }
   std::sort(names.begin(), names.end(), naturally_before);
-  Recording recording{"images", folder, {}, {}, {}};
+  const std::string odd_names = pattern.empty() ? check_names(folder, names) : "",
+                    odd_headers = check_headers(folder, names);
+  Recording recording{"images", folder, {}, {}, {}, {}};
   for (const std::string& name : names) {
     recording.frames.push_back({static_cast<double>(recording.frames.size()) / rate_hz, folder / name});
   }
   recording.notes.push_back(fmt::format("{} images, {} to {}, at {} Hz by run.rate_hz", names.size(),
                                         names.front(), names.back(), rate_hz));
   if (const std::string gaps = missing_numbers(names); !gaps.empty()) recording.notes.push_back(gaps);
+  for (const std::string& odd : {odd_names, odd_headers})
+    if (!odd.empty()) recording.notes.push_back(odd);
+  if (unchosen > 0)
+    recording.notes.push_back(
+        fmt::format("{} images whose names do not fit recording.pattern are left out", unchosen));
   if (others > 0) recording.notes.push_back(fmt::format("{} files that are not images are left out", others));
   return recording;
 }

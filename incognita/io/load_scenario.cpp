@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <system_error>
 
+#include "incognita/io/camera_of_recording.hpp"
 #include "incognita/io/files.hpp"
 #include "incognita/io/scenario_checks.hpp"
 #include "incognita/io/settings.hpp"
@@ -94,6 +95,7 @@ class Reader {
     if (faults_.empty()) {
       default_association();
       follow_beliefs();
+      take_camera_of_recording(loaded_);
       refuse_what_means_nothing();
     }
     if (faults_.empty()) {  // else what contradicts may only follow from what was refused

@@ -3,9 +3,11 @@
 
 #include <Eigen/Core>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "incognita/io/euroc_camera.hpp"
 #include "incognita/io/load_scenario.hpp"
 
 namespace incognita {
@@ -24,14 +26,17 @@ struct Recording {
   };
   std::string format;  ///< `images`, `tum` or `euroc`
   std::filesystem::path folder;
-  std::vector<Frame> frames;        ///< one at least
-  std::vector<RecordedPose> truth;  ///< in time order; empty where the truth is unknown
-  std::vector<std::string> notes;   ///< what was guessed or left out, for printing
+  std::vector<Frame> frames;               ///< one at least
+  std::vector<RecordedPose> truth;         ///< in time order; empty where the truth is unknown
+  std::vector<std::string> notes;          ///< what was guessed or left out, for printing
+  std::optional<CalibratedCamera> camera;  ///< where the recording has its calibration
 };
 
 /// `format` is `auto`, `images`, `tum` or `euroc`; `rate_hz` gives images without stamps their times.
-/// Throws InputError naming file and line.
-Recording read_recording(const std::filesystem::path& folder, const std::string& format, double rate_hz);
+/// `pattern` chooses among images by their names, as a shell does; empty: all. Throws InputError naming file
+/// and line.
+Recording read_recording(const std::filesystem::path& folder, const std::string& format, double rate_hz,
+                         const std::string& pattern = "");
 
 /// The recording that a scenario names, found under the data folder.
 Recording read_recording(const LoadedScenario& loaded);

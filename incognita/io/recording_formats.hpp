@@ -5,8 +5,9 @@
 
 namespace incognita {
 
-/// A folder of images, taken in the natural order of their names (img2 before img10), at a steady rate.
-Recording read_image_folder(const std::filesystem::path& folder, double rate_hz);
+/// A folder of images, taken in the natural order of their names (img2 before img10), at a steady rate. Those
+/// of two cameras side by side are refused, unless a pattern chooses among them.
+Recording read_image_folder(const std::filesystem::path& folder, double rate_hz, const std::string& pattern);
 
 /// The TUM RGB-D benchmark: rgb.txt (`stamp file`) and, if there, groundtruth.txt (`t x y z qx qy qz qw`),
 /// the pose of the optical frame.
@@ -17,5 +18,7 @@ bool looks_like_tum(const std::filesystem::path& folder);
 /// state_groundtruth_estimate0/data.csv, the body's pose, made the camera's with T_BS of cam0/sensor.yaml.
 Recording read_euroc(const std::filesystem::path& folder);
 bool looks_like_euroc(const std::filesystem::path& folder);
+/// Of cam0/sensor.yaml alone; nothing where there is none.
+std::optional<CalibratedCamera> camera_in_euroc(const std::filesystem::path& folder);
 
 }  // namespace incognita

@@ -5,6 +5,7 @@ endif()
 
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(MATIO REQUIRED IMPORTED_TARGET GLOBAL matio)
+pkg_check_modules(YAML_CPP REQUIRED IMPORTED_TARGET GLOBAL yaml-cpp)
 
 # incognita_embed(FOLDER FUNCTION PATTERN...): files of the project's FOLDER, built into the program so that it runs
 # from any folder, and listed by FUNCTION. Adds the source to embedded_sources.
@@ -29,15 +30,15 @@ incognita_embed(scenarios embedded_files *.toml targets/*.toml targets/*.pgm)
 incognita_embed(systems embedded_systems *.toml)
 
 incognita_room(io
-  SOURCES io/acfr_recording.cpp io/camera.cpp io/camera_checks.cpp io/data_folder.cpp io/decision_checks.cpp io/decision_setting_list.cpp io/euroc_recording.cpp io/files.cpp io/image_file.cpp
-          io/image_folder.cpp io/load_scenario.cpp io/mat_numbers.cpp io/mat_structure.cpp io/mrclam_recording.cpp
+  SOURCES io/acfr_recording.cpp io/camera.cpp io/camera_checks.cpp io/camera_of_recording.cpp io/data_folder.cpp io/decision_checks.cpp io/decision_setting_list.cpp io/euroc_camera.cpp io/euroc_recording.cpp io/files.cpp io/image_file.cpp
+          io/image_folder.cpp io/image_kinds.cpp io/load_scenario.cpp io/mat_numbers.cpp io/mat_structure.cpp io/mrclam_recording.cpp
           io/named_table.cpp io/number_table.cpp io/path_file.cpp io/picture_of_target.cpp io/point_file.cpp io/range_recording.cpp
           io/range_recording_builder.cpp io/range_tables.cpp
           io/recorded.cpp io/recording.cpp io/reflectors.cpp io/scenario_checks.cpp io/scenario_file.cpp io/setting.cpp io/settings.cpp
           io/system_file.cpp io/target_file.cpp io/team_checks.cpp io/terrain_file.cpp io/team_meanings.cpp io/team_setting_list.cpp io/toml_depth.cpp io/toml_value.cpp io/tum_recording.cpp
           ${embedded_sources}
   USES incognita::models incognita::messages incognita::analysis
-  PRIVATE_USES fmt::fmt opencv_core opencv_imgcodecs PkgConfig::MATIO)
+  PRIVATE_USES fmt::fmt opencv_core opencv_imgcodecs PkgConfig::MATIO PkgConfig::YAML_CPP)
 target_compile_definitions(incognita_io PRIVATE INCOGNITA_VERSION="${PROJECT_VERSION}")
 
 include(app/config.cmake OPTIONAL)

@@ -35,10 +35,12 @@ struct CameraSettings {
 };
 
 struct RecordingSettings {
-  std::string folder;           ///< relative to the data folder
-  std::string format = "auto";  ///< `auto`, `images`, `tum`, `euroc`, `acfr`, `mrclam`, `tables`
-  int robot = 1;                ///< `mrclam`: which of the five
-  bool team = false;            ///< `mrclam`: all five in one belief
+  std::string folder;             ///< relative to the data folder
+  std::string format = "auto";    ///< `auto`, `images`, `tum`, `euroc`, `acfr`, `mrclam`, `tables`
+  std::string pattern;            ///< `images`: of the names, as a shell has it; empty: all
+  bool check_calibration = true;  ///< `euroc`: the camera against the recording's own calibration
+  int robot = 1;                  ///< `mrclam`: which of the five
+  bool team = false;              ///< `mrclam`: all five in one belief
 };
 
 struct Scenario {

@@ -25,7 +25,10 @@ void check_sources(const Scenario& s, List& found) {
     found.push_back({"recording.folder", "must name the recording, run.world being `recording`"});
   }
   if (s.run.sensor == "camera" && s.start.from == "target" && s.start.target.empty()) {
-    found.push_back({"start.target", "must name a target file, start.from being `target`"});
+    found.push_back(
+        {"start.target",
+         "must name a target file, start.from being `target`; without a target write start.from = "
+         "\"free\": the camera starts at the origin, and lengths are relative"});
   }
 }
 

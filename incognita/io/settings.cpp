@@ -62,6 +62,12 @@ void recording(List& list, RecordingSettings& s) {
                    "images, ranges, or a benchmark's folder; relative to the data folder", any()},
                   {"recording.format", &s.format, "", "auto guesses from the folder and says what it guessed",
                    one_of({"auto", "images", "tum", "euroc", "acfr", "mrclam", "tables"})},
+                  {"recording.pattern", &s.pattern, "",
+                   "images: only those whose names fit, * for anything and ? for one letter; empty: all, if "
+                   "they are of one kind",
+                   any()},
+                  {"recording.check_calibration", &s.check_calibration, "",
+                   "euroc: whether [camera] must agree with cam0/sensor.yaml", any()},
                   {"recording.robot", &s.robot, "", "mrclam: which of the five", between(1, 5)},
                   {"recording.team", &s.team, "", "mrclam: all five in one belief", any()},
               });
@@ -397,10 +403,26 @@ bool of_speeds(const std::string& key) {
 
 }  // namespace
 
+namespace {
+
+/// Of what a recording of images alone has, by the format that it is said to be of.
+std::string why_no_images(const std::string& key, const Scenario& s) {
+  const char* format = key == "recording.pattern"             ? "images"
+                       : key == "recording.check_calibration" ? "euroc"
+                                                              : nullptr;
+  if (!format) return "";
+  if (s.run.sensor != "camera") return "run.sensor = `" + s.run.sensor + "`";
+  const std::string& given = s.recording.format;
+  return given == "auto" || given == format ? "" : "recording.format = `" + given + "`";
+}
+
+}  // namespace
+
 std::string why_meaningless(const std::string& key, const Scenario& s) {
   if (is_team(s)) return why_meaningless_to_team(key, s);
   if (is_room_vehicle(s)) return why_meaningless_to_room_vehicle(key, s);
   if (key == "filter.odometry" || key == "filter.sigma_slip_m_s") return "a camera that is on no vehicle";
+  if (const std::string why = why_no_images(key, s); !why.empty()) return why;
   if (is_of_teams(section_of(key))) return "run.world = `" + s.run.world + "`";
   if (!section_means_something(section_of(key), s.run.sensor)) return "run.sensor = `" + s.run.sensor + "`";
   if (section_of(key) == "person") {

@@ -180,7 +180,7 @@ std::string run(std::string_view key, const Choices& c) {
 
 std::string recording(std::string_view key, const Choices& c) {
   if (!c.recorded) return c.by_world();
-  return unless(key != "robot", "recording.team = true");
+  return unless(!one_of(key, {"robot", "pattern", "check_calibration"}), "recording.team = true");
 }
 
 std::string in_points(const std::string& section, std::string_view key, const Choices& c) {

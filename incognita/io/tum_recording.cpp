@@ -10,7 +10,7 @@ namespace incognita {
 bool looks_like_tum(const std::filesystem::path& folder) { return file_exists(folder / "rgb.txt"); }
 
 Recording read_tum(const std::filesystem::path& folder) {
-  Recording recording{"tum", folder, {}, {}, {}};
+  Recording recording{"tum", folder, {}, {}, {}, {}};
   for (const TableLine& line : read_table(folder / "rgb.txt")) {
     const double t = line.number(0);
     if (!recording.frames.empty() && t <= recording.frames.back().t) {

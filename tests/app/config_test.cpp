@@ -40,6 +40,7 @@ TEST(Config, AnswersInJson) {
   EXPECT_EQ(document.at("scenario"), "davison");
   Scenario scenario;
   scenario.run.world = "recording";
+  scenario.recording.format = "images";
   ASSERT_EQ(document.at("settings").size(), settings_in_force(scenario).size());
   for (const nlohmann::json& setting : document.at("settings")) {
     if (setting.at("key") == "run.seed") {

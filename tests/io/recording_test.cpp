@@ -60,6 +60,98 @@ TEST(ImageFolder, SaysWhichNumbersAreMissing) {
     EXPECT_EQ(notes_on(whole).find("missing"), std::string::npos) << notes_on(whole);
 }
 
+std::string png(int width, int height, int type) {
+  std::vector<std::uint8_t> bytes;
+  cv::imencode(".png", cv::Mat(height, width, type, cv::Scalar(7, 8, 9)), bytes);
+  return {bytes.begin(), bytes.end()};
+}
+
+/// As RGB-D recordings are often unpacked: colour and depth in one folder.
+struct ColourAndDepth {
+  Scratch scratch;
+  ColourAndDepth() {
+    for (int i = 0; i < 3; ++i) {
+      scratch.write("frame-00" + std::to_string(i) + ".color.png", png(20, 16, CV_8UC3));
+      scratch.write("frame-00" + std::to_string(i) + ".depth.png", png(20, 16, CV_16U));
+    }
+  }
+  Recording read(const std::string& pattern) const {
+    return read_recording(scratch.folder(), "auto", 25, pattern);
+  }
+};
+
+TEST(ImageFolder, RefusesTheImagesOfTwoCameras) {
+  const ColourAndDepth folder;
+  const std::string text = message_of([&] { folder.read(""); });
+  EXPECT_HAS(text,
+             "the 6 images have names of 2 kinds: 3 frame-*.color.png (the first frame-000.color.png), 3 "
+             "frame-*.depth.png");
+  EXPECT_HAS(text, "recording.pattern = \"frame-*.color.png\"");
+  const std::string all = message_of([&] { folder.read("*"); });
+  EXPECT_HAS(
+      all,
+      "not alike: 3 of 20x16 px with 8 bits (the first frame-000.color.png), 3 of 20x16 px with 16 bits");
+}
+
+TEST(ImageFolder, TakesThoseOfAPattern) {
+  const ColourAndDepth folder;
+  const Recording recording = folder.read("*.color.png");
+  ASSERT_EQ(recording.frames.size(), 3u);
+  EXPECT_EQ(recording.frames[2].image.filename(), "frame-002.color.png");
+  EXPECT_HAS(recording.notes.back(), "3 images whose names do not fit recording.pattern are left out");
+  EXPECT_HAS(message_of([&] { folder.read("*.jpg"); }), "fits the names of none of its 6 images");
+  const Scratch tum;
+  tum.write("rgb.txt", "1 a.png\n");
+  EXPECT_HAS(message_of([&] { read_recording(tum.folder(), "auto", 25, "*"); }),
+             "means nothing with the format `tum`");
+}
+
+TEST(ImageFolder, LooksIntoImagesWhoseNamesAreAlike) {
+  const Scratch scratch;
+  for (int i = 0; i < 4; ++i)
+    scratch.write("image" + std::to_string(i) + ".png", png(i % 2 ? 20 : 40, 16, CV_8U));
+  EXPECT_HAS(message_of([&] { read_recording(scratch.folder(), "images", 25); }),
+             "not alike: 2 of 40x16 px with 8 bits (the first image0.png), 2 of 20x16 px with 8 bits");
+  for (int i = 0; i < 4; ++i)
+    scratch.write("image" + std::to_string(i) + ".png", png(20, 16, i % 2 ? CV_8U : CV_8UC3));
+  EXPECT_HAS(read_recording(scratch.folder(), "images", 25).notes.back(),
+             "images of two kinds: 2 in colour (the first image0.png), 2 grey (the first image1.png)");
+}
+
+TEST(ImageFolder, OneImageOfAnotherKindIsSaidAndNoMore) {
+  const Scratch scratch;
+  for (int i = 0; i < 30; ++i) scratch.write("a" + std::to_string(i) + ".pgm", pgm(20, 16));
+  scratch.write("target.pgm", pgm(30, 16));
+  const Recording recording = read_recording(scratch.folder(), "images", 25);
+  EXPECT_EQ(recording.frames.size(), 31u);
+  std::string notes;
+  for (const std::string& note : recording.notes) notes += note + "\n";
+  EXPECT_HAS(notes, "names of 2 kinds: 30 a*.pgm (the first a0.pgm), 1 target.pgm");
+  EXPECT_HAS(notes, "not alike: 30 of 20x16 px with 8 bits (the first a0.pgm), 1 of 30x16 px");
+}
+
+TEST(ImageHeader, IsThatOfTheFile) {
+  const auto is = [](const std::string& bytes, int width, int height, int channels, int bits) {
+    const auto h = image_header(bytes);
+    return h && h->width == width && h->height == height && h->channels == channels && h->bits == bits;
+  };
+  EXPECT_TRUE(is(png(300, 16, CV_8U), 300, 16, 1, 8));
+  EXPECT_TRUE(is(png(20, 300, CV_16U), 20, 300, 1, 16));
+  EXPECT_TRUE(is(png(20, 16, CV_8UC3), 20, 16, 3, 8));
+  EXPECT_TRUE(is(png(20, 16, CV_8UC4), 20, 16, 3, 8));
+  EXPECT_TRUE(is("P5 # made here\n20 16\n65535\n", 20, 16, 1, 16));
+  EXPECT_TRUE(is("P6\n20 16\n255\n", 20, 16, 3, 8));
+  for (const int type : {CV_8U, CV_8UC3}) {
+    std::vector<std::uint8_t> bytes;
+    cv::imencode(".jpg", cv::Mat(300, 20, type, cv::Scalar(7, 8, 9)), bytes);
+    EXPECT_TRUE(is({bytes.begin(), bytes.end()}, 20, 300, type == CV_8U ? 1 : 3, 8));
+    for (std::size_t end = 0; end < bytes.size(); ++end)
+      image_header({reinterpret_cast<char*>(bytes.data()), end});
+  }
+  for (const char* other : {"", "P5", "P5\n20\n", "BM..............", "text of no image"})
+    EXPECT_FALSE(image_header(other)) << other;
+}
+
 TEST(ImageFolder, SaysWhatIsThereInstead) {
   const Scratch scratch;
   scratch.write("frames/a.pgm", pgm(20, 16));
@@ -146,6 +238,18 @@ TEST(EurocRecording, MakesTheTruthTheCameras) {
   scratch.write("mav0/cam0/data.csv", "12.5,a.png\n");
   EXPECT_HAS(message_of([&] { read_recording(scratch.folder(), "auto", 30); }),
              "data.csv:1: column 1 must be a stamp in whole nanoseconds, and is `12.5`");
+}
+
+TEST(EurocRecording, TakesStampsWithZerosBehindThePoint) {
+  const Scratch scratch;
+  scratch.write("cam0/data.csv", "1403636579763555584.0,a.png\n1403636579813555456.0,b.png\n");
+  scratch.write("state_groundtruth_estimate0/data.csv",
+                "#timestamp, p_x, ...\n1403636579763555584.000,1,2,3,1,0,0,0,0,0,0\n");
+  const Recording recording = read_recording(scratch.folder(), "auto", 30);
+  ASSERT_EQ(recording.frames.size(), 2u);
+  EXPECT_NEAR(recording.frames[1].t - recording.frames[0].t, 0.049999872, 1e-6);
+  ASSERT_EQ(recording.truth.size(), 1u);
+  EXPECT_EQ(recording.truth[0].t, recording.frames[0].t);
 }
 
 SharedRecording three_images(const Scratch& scratch) {
@@ -277,7 +381,12 @@ TEST_F(DataFolder, SearchesInOrder) {
   EXPECT_EQ(find_data("far", "", "x"), scratch_.folder() / "project/data/far");
   EXPECT_HAS(message_of([&] { find_data("mine", scenario, "s.toml:3: recording.folder"); }),
              "s.toml:3: recording.folder: mine is not in the data folder");
+  const std::string text = message_of([&] { find_data("mine", scenario, "x"); });
+  EXPECT_HAS(text, "INCOGNITA_DATA is set, so that only this folder is looked at");
+  EXPECT_EQ(text.find("Put it under data/"), std::string::npos) << text;
   unsetenv("INCOGNITA_DATA");
+  EXPECT_HAS(message_of([&] { find_data("none", scenario, "x"); }),
+             "Put it under data/, or set INCOGNITA_DATA");
 }
 
 TEST_F(DataFolder, SaysWhereAMissingRecordingIsPublished) {

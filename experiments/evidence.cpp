@@ -6,9 +6,47 @@
 #include <cmath>
 
 namespace incognita {
+namespace {
+
+Claim undecided(Claim claim, std::string why) {
+  claim.verdict = Verdict::undecided;
+  claim.why = std::move(why);
+  return claim;
+}
+
+}  // namespace
+
+Finding is_above(const Interval& i, double bound) {
+  if (i.low > bound) return Finding::shown;
+  return i.high <= bound ? Finding::refuted : Finding::undecided;
+}
+
+Finding is_below(const Interval& i, double bound) {
+  if (i.high < bound) return Finding::shown;
+  return i.low >= bound ? Finding::refuted : Finding::undecided;
+}
+
+Finding agrees(const Interval& i, double value, double margin) {
+  return is_above(i, value - margin) && is_below(i, value + margin);
+}
+
+Finding differs(const Interval& i, double value) {
+  return i.low > value || i.high < value ? Finding::shown : Finding::undecided;
+}
+
+Finding happens_in(double share, std::size_t count, std::size_t of) {
+  return is_above(share_of(count, of, shown_at), share);
+}
 
 std::string text(const Interval& i, const std::string& unit) {
-  return fmt::format("{:.3g}{}{} ({:.3g} to {:.3g})", i.value, unit.empty() ? "" : " ", unit, i.low, i.high);
+  if (!std::isfinite(i.value)) return "unknown (no runs to compare)";
+  const std::string value = fmt::format("{:.3g}{}{}", i.value, unit.empty() ? "" : " ", unit);
+  if (!std::isfinite(i.low) || !std::isfinite(i.high)) return value + " (too few runs for an interval)";
+  return fmt::format("{} ({:.3g} to {:.3g})", value, i.low, i.high);
+}
+
+std::string decimals(double x, int digits) {
+  return std::isfinite(x) ? fmt::format("{:.{}f}", x, digits) : "unknown";
 }
 
 std::string below(double difference) {
@@ -16,9 +54,17 @@ std::string below(double difference) {
   return fmt::format("below 1e{:.0f}", exponent);
 }
 
-Claim judged(Claim claim, bool printed, bool corrected) {
-  claim.verdict = printed ? Verdict::holds : corrected ? Verdict::holds_as_corrected : Verdict::does_not_hold;
-  if (printed) claim.why.clear();
+Claim judged(Claim claim, Finding printed, Finding corrected) {
+  if (claim.runs < claim.least_runs)
+    return undecided(std::move(claim), fmt::format("it rests on {} run{}, and takes at least {}", claim.runs,
+                                                   claim.runs == 1 ? "" : "s", claim.least_runs));
+  if (printed == Finding::undecided) return undecided(std::move(claim), "the interval holds both answers");
+  if (printed == Finding::refuted && corrected == Finding::undecided)
+    return undecided(std::move(claim), "not as printed; whether as corrected, the interval leaves open");
+  claim.verdict = printed == Finding::shown     ? Verdict::holds
+                  : corrected == Finding::shown ? Verdict::holds_as_corrected
+                                                : Verdict::does_not_hold;
+  if (claim.verdict == Verdict::holds) claim.why.clear();
   return claim;
 }
 

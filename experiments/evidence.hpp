@@ -1,9 +1,12 @@
-// From runs to verdicts: how what chance leaves open is put into words, and how a claim is judged.
+// From runs to verdicts: how an interval is written, what it shows, and how a claim is judged.
 //
-// Intervals are 95 % where they are shown. A claim that something equals its prediction is judged at 99.9 %,
-// so that a true one seldom fails when the number of runs is another.
+// A statement about chance is shown, refuted or undecided, never "not significant, so false": its interval
+// lies on one side of the bound, on the other, or holds both. A statement that two things are equal comes
+// with the margin within which they count as equal, so that it can be shown too. Intervals are 95 % where
+// they are printed without a level; `judged_at` is the level of statements of which many are tested at once.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "incognita/analysis/statistics.hpp"
@@ -11,17 +14,57 @@
 
 namespace incognita {
 
-inline constexpr double shown = usual_confidence, judged_at = 0.999;
+inline constexpr double shown_at = usual_confidence, judged_at = 0.999;
 
-/// `0.158 m (0.143 to 0.176)`
+/// Runs that a claim about chance rests on at the least; with fewer its verdict is `undecided`.
+inline constexpr int enough_runs = 20;
+
+/// What runs say of a statement. Where there is no chance it is shown or refuted, so a bool converts.
+class Finding {
+ public:
+  enum Value { refuted, undecided, shown };
+  constexpr Finding(Value value) : value_(value) {}
+  constexpr Finding(bool is_shown) : value_(is_shown ? shown : refuted) {}
+  friend constexpr bool operator==(Finding, Finding) = default;
+
+  /// Kleene's three-valued logic. Both sides are evaluated.
+  friend constexpr Finding operator&&(Finding a, Finding b) { return a.value_ < b.value_ ? a : b; }
+  friend constexpr Finding operator||(Finding a, Finding b) { return a.value_ > b.value_ ? a : b; }
+  friend constexpr Finding operator!(Finding a) { return Value(shown - a.value_); }
+
+ private:
+  Value value_;
+};
+
+/// That the quantity is above the bound: the whole interval is (shown), or none of it (refuted).
+Finding is_above(const Interval& interval, double bound);
+Finding is_below(const Interval& interval, double bound);
+
+/// That the quantity is within `margin` of `value`; margin > 0.
+Finding agrees(const Interval& interval, double value, double margin);
+
+/// That the quantity is not exactly `value`: never refuted, as an interval always leaves some difference.
+Finding differs(const Interval& interval, double value);
+
+/// That something happens in at least this share of all cases, by Wilson's interval, 95 %; `count` of `of`
+/// did.
+Finding happens_in(double share, std::size_t count, std::size_t of);
+
+/// `0.158 m (0.143 to 0.176)`. In place of what is not a number, or of an infinite interval, it says so.
 std::string text(const Interval& interval, const std::string& unit = "");
+
+/// With so many digits after the point; `unknown` for what is not finite.
+std::string decimals(double x, int digits);
 
 /// What is as good as zero, the same on every processor: the power of ten it stays below, `below 1e-9`; 1e-12
 /// at least.
 std::string below(double difference);
 
-/// The claim with its verdict. `printed`: what the thesis says passed; else `corrected`: what `why` says
-/// instead did. Where the claim holds as it is there is nothing to explain, and `why` goes.
-Claim judged(Claim claim, bool printed, bool corrected = false);
+/// The claim with its verdict. `printed`: what the thesis says; `corrected`: what `why` says instead.
+/// - printed shown: holds, and `why` goes, as there is nothing to explain;
+/// - printed refuted, corrected shown: holds as corrected;
+/// - both refuted: does not hold;
+/// - else, or with fewer runs than Claim::least_runs: undecided, and `why` says what was missing.
+Claim judged(Claim claim, Finding printed, Finding corrected = Finding::refuted);
 
 }  // namespace incognita

@@ -161,8 +161,9 @@ Claim map_alone_is_better(int seeds) {
                                fmt::join(lines, "; "), text(rms_of(map), "m"), text(rms_of(all), "m"),
                                text(mean_of(gain), "m^2")),
        .why = "it is not",
-       .runs = seeds},
-      better && mean_of(gain).low > 0);
+       .runs = seeds,
+       .least_runs = enough_runs},
+      better && is_above(mean_of(gain), 0));
 }
 
 Claim pseudo_noise_on_everything() {

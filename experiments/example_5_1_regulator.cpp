@@ -320,7 +320,7 @@ Claim frozen_eigenvalues() {
                  .why = "of a matrix that stays as it is. Of one that changes the eigenvalues of each say "
                         "nothing of the product; what decides is whether a norm of the error falls at every "
                         "step, as that of the position does here, see (5.10)"},
-                each < 1 && in_turns < 1, each < 1 && in_turns > 1);
+                each < 1 && in_turns < 1);
 }
 
 }  // namespace

@@ -64,12 +64,14 @@ Runs first(const Runs& all, int count) {
   return {all.begin(), all.begin() + std::min<std::ptrdiff_t>(count, std::ssize(all))};
 }
 
+Interval exponential(const Interval& i) { return {std::exp(i.value), std::exp(i.low), std::exp(i.high)}; }
+
 /// By which factor b's is larger than a's in the same rooms: 99.9 % interval about the geometric mean.
 Interval factor(const Runs& a, const Runs& b, double Summary::*what) {
   std::vector<double> logarithms;
   for (std::size_t i = 0; i < a.size(); ++i) logarithms.push_back(std::log(b[i].*what / (a[i].*what)));
   const Interval mean = bootstrap_mean(logarithms, judged_at);
-  return {std::exp(mean.value), std::exp(mean.low), std::exp(mean.high)};
+  return exponential(mean);
 }
 
 std::string numbers(const Runs& runs) {
@@ -91,13 +93,14 @@ Claim short_loops(const Compared& c) {
        .statement =
            "Closing short loops is crucial to reduce the uncertainty: round the same circle in the same "
            "time and by fits and starts, but never back, the largest sigma is larger and the estimate "
-           "twice as far off or more (99.9 % intervals above 1 and about 2)",
+           "twice as far off or more (99.9 % intervals of the factors above 1 and above 2)",
        .printed = "crucial",
        .measured = fmt::format("back and forth {}; never back {}; factors {} of the error and {} of sigma",
                                numbers(c.example), numbers(c.surges), text(error), text(sigma)),
        .why = "it is not",
-       .runs = static_cast<int>(c.surges.size())},
-      error.low > 1 && sigma.low > 1 && error.value >= 2);
+       .runs = static_cast<int>(c.surges.size()),
+       .least_runs = enough_runs},
+      is_above(error, 2) && is_above(sigma, 1));
 }
 
 Claim varied_motion(const Compared& c) {
@@ -113,15 +116,15 @@ Claim varied_motion(const Compared& c) {
        .printed = "good estimator behaviour",
        .measured = fmt::format("steady {}; by fits and starts {}: factor {}; against back and forth {}",
                                numbers(c.steady), numbers(c.surges), text(alone), text(returning)),
-       .why = "when it comes back. By fits and starts alone the difference is too small to be seen in so "
-              "many runs",
-       .runs = static_cast<int>(c.steady.size())},
-      alone.low > 1, returning.low > 1);
+       .why = "when it comes back; by fits and starts alone it does not",
+       .runs = static_cast<int>(c.steady.size()),
+       .least_runs = enough_runs},
+      is_above(alone, 1), is_above(returning, 1));
 }
 
 Claim most_stable(const Compared& c) {
   const auto worse = [&](const Runs& other) {
-    return factor(c.example, other, &Summary::rms_error_m).low > 1;
+    return is_above(factor(c.example, other, &Summary::rms_error_m), 1);
   };
   return judged(
       {.id = "5.4-most-stable",
@@ -135,7 +138,8 @@ Claim most_stable(const Compared& c) {
            numbers(c.example), numbers(c.surges), numbers(c.steady), numbers(c.outward), numbers(c.swings)),
        .why = "of those that go all around the room. One that swings in place knows better where it is, and "
               "maps fewer points",
-       .runs = static_cast<int>(c.steady.size())},
+       .runs = static_cast<int>(c.steady.size()),
+       .least_runs = enough_runs},
       worse(c.surges) && worse(c.steady) && worse(c.outward) && worse(c.swings),
       worse(c.surges) && worse(c.steady) && worse(c.outward));
 }
@@ -171,10 +175,6 @@ Claim sideways(int seeds) {
   const auto across = swinging(Vector3d::UnitY()), ahead = swinging(Vector3d::UnitX());
   const Interval near = bootstrap_mean(larger_by(across, ahead, radians(20)), judged_at),
                  all = bootstrap_mean(larger_by(across, ahead, pi), judged_at);
-  const auto times = [](const Interval& i) {
-    return fmt::format("{:.2f} times ({:.2f} to {:.2f})", std::exp(i.value), std::exp(i.low),
-                       std::exp(i.high));
-  };
   return judged(
       {.id = "5.4-sideways",
        .place = "head of Section 5.2.2",
@@ -184,10 +184,11 @@ Claim sideways(int seeds) {
            "intervals)",
        .printed = "larger reductions",
        .measured = fmt::format("along against across: all points {}, those within 20 degrees of the axis {}",
-                               times(all), times(near)),
+                               text(exponential(all), "times"), text(exponential(near), "times")),
        .why = "of points near the axis. In an image 97 degrees wide the others show parallax either way",
-       .runs = seeds},
-      all.low > 0, near.low > 0);
+       .runs = seeds,
+       .least_runs = enough_runs},
+      is_above(all, 0), is_above(near, 0));
 }
 
 }  // namespace

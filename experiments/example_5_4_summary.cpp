@@ -125,8 +125,12 @@ double share_near_path(const std::vector<Summary>& runs) {
   return static_cast<double>(near) / static_cast<double>(runs.size());
 }
 
-bool follows(const std::vector<Summary>& runs) { return share_near_path(runs) >= 0.95; }
+Finding follows(const std::vector<Summary>& runs) {
+  const auto near =
+      std::count_if(runs.begin(), runs.end(), [](const Summary& s) { return s.most_off_m <= near_path_m; });
+  return happens_in(0.95, static_cast<std::size_t>(near), runs.size());
+}
 
-int fewer(const ExperimentSettings& settings) { return std::max(5, settings.seeds / 10); }
+int fewer(const ExperimentSettings& settings) { return std::max(5, settings.seeds / 5); }
 
 }  // namespace incognita::swinging_camera

@@ -53,16 +53,18 @@ std::string in_numbers(const std::string& name, const Runs& runs);
 /// the six ways are. Not a number where it only stayed.
 double share_across(const Run& run);
 
-/// Lost at the end, or off by more than 0.5 m (rms).
-bool went_astray(const Run& run);
+/// Lost at the end, or with a position error above 0.5 m (rms).
+bool diverged(const Run& run);
 
-/// That a vehicle that starts there goes more than half of its way backwards.
+/// The claim that a vehicle that starts there goes more than half of its way backwards. `variant` ends the
+/// statement.
 Claim backs_away(const std::string& id, const std::string& place, const std::string& printed,
-                 const std::string& start, const Runs& runs, const std::string& why);
+                 const std::string& start, const Runs& runs, const std::string& why,
+                 const std::string& variant = "");
 
-/// That `ours` leave less entropy than `theirs`, by paired differences, of all rooms and of those in which
-/// neither went astray; `what`: theirs are. Beside it how many of either did, how far they are off, and how
-/// many pairs had no entropy to compare.
+/// The claim that `ours` leave less entropy than `theirs`, by paired differences, in all rooms and in those
+/// in which neither diverged; `what` names theirs. The measured text adds how many of either diverged, their
+/// position errors, and how many pairs had no entropy to compare.
 Claim beats(const std::string& id, const std::string& place, const std::string& statement,
             const std::string& what, const Runs& ours, const Runs& theirs, const std::string& why);
 

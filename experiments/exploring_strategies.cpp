@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "experiments/evidence.hpp"
@@ -23,44 +24,48 @@ double time_of_the_14th(const Run& run) { return run.located_at_s(14).value_or(s
 double located(const Run& run) { return static_cast<double>(run.located_t_s.size()); }
 
 /// The printed order of the entropies at the 14th landmark: (iii) below (ii) below (i).
-Claim lower_at_the_14th(const Told& told, const std::vector<Runs>& runs) {
-  std::string shown;
+Claim lower_at_the_14th(const Common& common, const std::vector<Runs>& runs) {
+  std::string medians;
   for (std::size_t s = 0; s < 3; ++s)
-    shown += fmt::format("{} {:.0f} nats at {:.1f} s{}", by_gaze()[s].name,
-                         median_of_known(each(runs[s], at_the_14th)),
-                         median_of_known(each(runs[s], time_of_the_14th)), s < 2 ? "; " : "");
+    medians += fmt::format("{} {} nats at {} s{}", by_gaze()[s].name,
+                           decimals(median_of_known(each(runs[s], at_the_14th)), 0),
+                           decimals(median_of_known(each(runs[s], time_of_the_14th)), 1), s < 2 ? "; " : "");
   const auto fisher = each(runs[2], at_the_14th);
-  const Interval to_i = bootstrap_mean(less(fisher, each(runs[0], at_the_14th)), judged_at),
-                 to_ii = bootstrap_mean(less(fisher, each(runs[1], at_the_14th)), judged_at);
-  Claim claim{told.id + "-14th-entropy",
-              told.place + ", Figure 6.4",
-              "With the same number of landmarks gaze by (6.8) has the lower entropy: at the 14th landmark "
-              "below those of a constant rate and of mutual information",
-              "-530, -550 and -610 at 19, 18 and 30 s",
-              fmt::format("medians: {}. (iii) less (i): {} nats, less (ii): {} (99.9 %)", shown, text(to_i),
-                          text(to_ii)),
-              Verdict::does_not_hold,
-              told.why,
-              static_cast<int>(runs[0].size())};
-  return judged(claim, to_i.high < 0 && to_ii.high < 0);
+  const std::vector<double> less_i = less(fisher, each(runs[0], at_the_14th)),
+                            less_ii = less(fisher, each(runs[1], at_the_14th));
+  const Interval to_i = bootstrap_mean(less_i, judged_at), to_ii = bootstrap_mean(less_ii, judged_at);
+  return judged(
+      {.id = common.id + "-14th-entropy",
+       .place = common.place + ", Figure 6.4",
+       .statement =
+           "With the same number of landmarks gaze by (6.8) has the lower entropy: at the 14th landmark "
+           "below those of a constant rate and of mutual information" +
+           common.variant,
+       .printed = "-530, -550 and -610 at 19, 18 and 30 s",
+       .measured = fmt::format("medians: {}. (iii) less (i): {} nats, less (ii): {} (99.9 %)", medians,
+                               text(to_i), text(to_ii)),
+       .why = common.why,
+       .runs = static_cast<int>(std::min(less_i.size(), less_ii.size())),
+       .least_runs = enough_runs},
+      is_below(to_i, 0) && is_below(to_ii, 0));
 }
 
-Claim fewer_landmarks(const Told& told, const std::vector<Runs>& runs) {
+Claim fewer_landmarks(const Common& common, const std::vector<Runs>& runs) {
   const auto fisher = each(runs[2], located);
   const Interval fewer_i = bootstrap_mean(less(fisher, each(runs[0], located)), judged_at),
                  fewer_ii = bootstrap_mean(less(fisher, each(runs[1], located)), judged_at);
-  Claim claim{told.id + "-fewer-landmarks",
-              told.place,
-              "A constant rate and mutual information insert landmarks faster than (6.8), which looks at "
-              "those it has: fewer located after 35 s than with either",
-              "at a faster pace",
-              fmt::format("(iii) less (i): {}, less (ii): {} (99.9 %)", text(fewer_i), text(fewer_ii)),
-              Verdict::does_not_hold,
-              fewer_i.high < 0
-                  ? "fewer than with a constant rate; than with mutual information so many rooms do not show"
-                  : "no difference that so many rooms show",
-              static_cast<int>(runs[0].size())};
-  return judged(claim, fewer_i.high < 0 && fewer_ii.high < 0, fewer_i.high < 0);
+  return judged(
+      {.id = common.id + "-fewer-landmarks",
+       .place = common.place,
+       .statement = "A constant rate and mutual information initialize landmarks faster than (6.8), which "
+                    "measures those it has: fewer located after 35 s than with either" +
+                    common.variant,
+       .printed = "at a faster pace",
+       .measured = fmt::format("(iii) less (i): {}, less (ii): {} (99.9 %)", text(fewer_i), text(fewer_ii)),
+       .why = "fewer than with a constant rate, but not than with mutual information",
+       .runs = static_cast<int>(runs[0].size()),
+       .least_runs = enough_runs},
+      is_below(fewer_i, 0) && is_below(fewer_ii, 0), is_below(fewer_i, 0));
 }
 
 }  // namespace
@@ -88,35 +93,40 @@ const std::vector<Strategy>& driving() {
   return all;
 }
 
-std::vector<Claim> against_baselines(const Told& told, const std::string& what, const Runs& active,
+std::vector<Claim> against_baselines(const Common& common, const std::string& what, const Runs& active,
                                      const std::vector<Runs>& runs) {
   const std::string leaves = what + " leaves less entropy than ";
-  return {beats(told.id + "-random", told.place, leaves + "moving at random, the gaze turning alike",
-                "moving at random", active, runs[0], told.why),
-          beats(told.id + "-fixed", told.place,
-                leaves + "a fixed path, three moves each ahead, left, back and right by a heading that turns",
-                "the fixed path", active, runs[1], told.why),
-          beats(told.id + "-standing", told.place, leaves + "standing and looking around", "standing", active,
-                runs[2], told.why)};
+  return {
+      beats(common.id + "-random", common.place,
+            leaves + "moving at random, the gaze turning alike" + common.variant, "moving at random", active,
+            runs[0], common.why),
+      beats(common.id + "-fixed", common.place,
+            leaves + "a fixed path, three moves each ahead, left, back and right by a heading that turns" +
+                common.variant,
+            "the fixed path", active, runs[1], common.why),
+      beats(common.id + "-standing", common.place, leaves + "standing and looking around" + common.variant,
+            "standing", active, runs[2], common.why)};
 }
 
-std::vector<Claim> gaze_claims(const Told& told, const std::vector<Runs>& runs) {
-  return {lower_at_the_14th(told, runs), fewer_landmarks(told, runs)};
+std::vector<Claim> gaze_claims(const Common& common, const std::vector<Runs>& runs) {
+  return {lower_at_the_14th(common, runs), fewer_landmarks(common, runs)};
 }
 
-Claim moves_across(const Told& told, const Runs& runs, const std::string& whose) {
+Claim moves_across(const Common& common, const Runs& runs, const std::string& whose) {
   const std::vector<double> shares = each(runs, share_across);
   const Interval more = bootstrap_mean(less(shares, std::vector<double>(shares.size(), 2.0 / 3)), judged_at);
-  Claim claim{told.id + "-across",
-              told.place,
-              "The moves that teach most are across the line of sight: up, down, left and right "
-              "more often than their two thirds of all moves",
-              "repeated up-down movements, as well as left-right",
-              fmt::format("share of a run's moves less two thirds: {} (99.9 %), {}", text(more), whose),
-              Verdict::does_not_hold,
-              told.why,
-              static_cast<int>(runs.size())};
-  return judged(claim, more.low > 0);
+  return judged(
+      {.id = common.id + "-across",
+       .place = common.place,
+       .statement = "The most informative moves are across the line of sight: up, down, left and right more "
+                    "often than their two thirds of all moves" +
+                    common.variant,
+       .printed = "repeated up-down movements, as well as left-right",
+       .measured = fmt::format("share of a run's moves less two thirds: {} (99.9 %), {}", text(more), whose),
+       .why = common.why,
+       .runs = static_cast<int>(runs.size()),
+       .least_runs = enough_runs},
+      is_above(more, 0));
 }
 
 std::string in_numbers(const std::vector<Strategy>& strategies, const std::vector<Runs>& runs) {

@@ -9,29 +9,34 @@
 
 namespace incognita::exploring {
 
-/// What is told of claims of Section 6.3: their ids begin with `id`, `why` says why they do not hold.
-struct Told {
-  std::string id, place, why;
+/// What claims of Section 6.3 have in common: ids begin with `id`, `why` says why they do not hold, and
+/// `variant` ends each statement where the set-up is not the thesis'.
+struct Common {
+  std::string id, place, why, variant;
 };
+
+/// explore.counted = "as-mapped": ours, beside the printed metric that counts all.
+inline const std::string as_mapped =
+    ". Variant: unseen landmarks count only as far as they would be mapped (explore.counted = as-mapped)";
 
 /// Translation by mutual information, gaze by (i), (ii), (iii) of the thesis, in their order.
 const std::vector<Strategy>& by_gaze();
 /// At random, along a fixed sequence of moves, standing; they turn as (i) does.
 const std::vector<Strategy>& baselines();
 
-/// That `active` leaves less entropy than each of the baselines, of which `runs` are. Ids end in `-random`,
-/// `-fixed` and `-standing`; `what` begins the statement, e.g. "Moving by mutual information".
-std::vector<Claim> against_baselines(const Told& told, const std::string& what, const Runs& active,
+/// The claims that `active` leaves less entropy than each of the baselines, whose runs are `runs`. Ids end in
+/// `-random`, `-fixed` and `-standing`; `what` begins the statement, e.g. "Moving by mutual information".
+std::vector<Claim> against_baselines(const Common& common, const std::string& what, const Runs& active,
                                      const std::vector<Runs>& runs);
 
 /// Of a vehicle that carries the camera: mutual information, at random, to and fro, standing.
 const std::vector<Strategy>& driving();
 
 /// Runs `by_gaze`: entropies at the 14th landmark, and how fast landmarks are located.
-std::vector<Claim> gaze_claims(const Told& told, const std::vector<Runs>& runs);
+std::vector<Claim> gaze_claims(const Common& common, const std::vector<Runs>& runs);
 
 /// That moves are across the line of sight more often than by chance; `whose`: which runs these are.
-Claim moves_across(const Told& told, const Runs& runs, const std::string& whose);
+Claim moves_across(const Common& common, const Runs& runs, const std::string& whose);
 
 /// Numbers of several strategies, one after the other.
 std::string in_numbers(const std::vector<Strategy>& strategies, const std::vector<Runs>& runs);

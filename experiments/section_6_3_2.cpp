@@ -5,10 +5,11 @@
 // images a second; 0.3 m a second; 35 s) and scenarios/hand-held.toml (commands of a second each, done by a
 // hand; 40 s). The plan of the comparison, written before the runs: as for points (section_6_3.cpp),
 // strategies paired by seed, judged by the entropy of camera, map and what is not mapped yet together at the
-// end, of always 150 landmarks; a run that is lost counts with its last decision's. Of what nobody has seen
-// so many count as would be mapped, but in runs that say otherwise: that was chosen after runs in which all
-// counted; rooms 1 to 16 served for it, and here are others. Of the person: a hand that obeys after 1 s in
-// place of 0.3 s, and one that goes another way half of the time in place of one time in twenty.
+// end, of always 150 landmarks; a run that is lost counts with its last decision's. The printed metric counts
+// all landmarks that are expected in unseen places, and its rows stand first. Our variant counts only as many
+// as would be mapped: it was chosen after runs in which the printed metric failed, in rooms 1 to 16; here are
+// others, and its rows say so. Operators: one who obeys after 1 s in place of 0.3 s, and one who goes another
+// way half of the time in place of one time in twenty.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,6 +25,13 @@ namespace {
 using namespace exploring;
 
 const char* const place = "Section 6.3, on images";
+
+/// The same strategy with the metric as printed, explore.counted = "all"; the scenarios have our variant.
+Strategy as_printed(Strategy strategy) {
+  strategy.name += ", all counted";
+  strategy.sets.push_back("explore.counted=all");
+  return strategy;
+}
 
 const std::vector<Strategy>& hands() {
   static const std::vector<Strategy> all{
@@ -50,78 +58,98 @@ double fall_by_returning(const Run& run) {
   return fallen[1] / count[1] - fallen[0] / count[0];
 }
 
-Claim closing_loops(const Runs& runs) {
-  const Interval more =
-      bootstrap_mean(less(each(runs, fall_by_returning), std::vector<double>(runs.size())), judged_at);
-  return judged({.id = "6.3.2-loops",
+Claim closing_loops(const Common& common, const Runs& runs) {
+  const std::vector<double> all = less(each(runs, fall_by_returning), std::vector<double>(runs.size()));
+  const Interval more = bootstrap_mean(all, judged_at);
+  return judged({.id = common.id + "-loops",
                  .place = "Section 6.3.2, Figure 6.7",
-                 .statement = "Closing loops reduces entropy: with a camera in the hand it falls by more in "
-                              "seconds in which landmarks are matched that were away for 5 s than in others, "
-                              "the map staying the same landmarks",
+                 .statement = "Closing loops reduces entropy: with a hand-held camera it falls by more in "
+                              "seconds in which landmarks are matched that were out of view for 5 s than in "
+                              "others, the map staying the same landmarks" +
+                              common.variant,
                  .printed = "an interesting effect in the reduction of entropy",
                  .measured = fmt::format("{} nats more a second (99.9 %)", text(more)),
-                 .why = "no difference that so many rooms show: what else is in view "
-                        "in those seconds teaches as much",
-                 .runs = static_cast<int>(runs.size())},
-                more.low > 0);
+                 .why = "it falls by less: the other landmarks in view in those seconds are as informative",
+                 .runs = static_cast<int>(all.size()),
+                 .least_runs = enough_runs},
+                is_above(more, 0));
 }
 
 std::vector<Claim> of_hands(const std::vector<Runs>& hand) {
   const char* held = "Section 6.3.2, beside it";
   std::vector<Claim> claims{
-      beats("6.3.2-late", held,
-            "A person who obeys a second late, when the next command is already there, leaves more entropy "
-            "than one who obeys within 0.3 s",
-            "a late one, of the prompt one", hand[0], hand[1],
-            "a command that comes late is still a good one"),
+      beats(
+          "6.3.2-late", held,
+          std::string(
+              "A person who obeys a second late, when the next command is already there, leaves more entropy "
+              "than one who obeys within 0.3 s") +
+              as_mapped,
+          "a late one, of the prompt one", hand[0], hand[1], "a command that comes late is still a good one"),
       beats("6.3.2-wrong", held,
-            "A person who goes another way than told half of the time leaves more entropy than one who does "
-            "so one time in twenty",
-            "who is often wrong, of who rarely is", hand[0], hand[2], "")};
+            "A person who goes another way than commanded half of the time leaves more entropy than one who "
+            "does so one time in twenty" +
+                as_mapped,
+            "who is often wrong, of who rarely is", hand[0], hand[2], "it makes no difference")};
   claims.front().measured += ". " + in_numbers(hands(), hand);
   return claims;
 }
 
-/// As the thesis has it, all that would be in view.
-const std::vector<Strategy>& all_counted() {
-  static const std::vector<Strategy> all{
-      {"all in view counted", {"explore.counted=all", "decision.gaze=constant-rate"}}};
-  return all;
+Claim counting(const Runs& variant, const Runs& printed) {
+  return beats(
+      "6.3.2-counted", "Section 6.2, Figure 6.3, beside it",
+      "Counting unseen landmarks only as far as they would be mapped (our variant) leaves less entropy "
+      "than counting all that would be in view, as printed",
+      "counting all", variant, printed, "it leaves more");
 }
 
-Claim counting(const Runs& ours, const Runs& all) {
-  return beats("6.3.2-counted", "Section 6.2, Figure 6.3, beside it",
-               "Of landmarks that nobody has seen to count no more than would be mapped where they are seen "
-               "leaves less entropy than to count all that would be in view",
-               "counting all", ours, all, "");
+/// Runs by strategy.
+using ByStrategy = std::vector<Runs>;
+
+ByStrategy runs_of_all(const std::vector<Strategy>& strategies, const std::string& scenario,
+                       const ExperimentSettings& settings) {
+  ByStrategy runs;
+  for (const Strategy& s : strategies) runs.push_back(runs_of(scenario, s, settings, fresh_rooms));
+  return runs;
+}
+
+std::vector<Strategy> all_as_printed(std::vector<Strategy> strategies) {
+  for (Strategy& s : strategies) s = as_printed(s);
+  return strategies;
+}
+
+/// What runs by one metric say: of moving, of the gaze, of a hand-held camera.
+std::vector<Claim> by_metric(const Common& common, const ByStrategy& gaze, const ByStrategy& other,
+                             const Runs& hand) {
+  std::vector<Claim> claims = against_baselines(common, "Moving by mutual information", gaze[0], other);
+  for (const Claim& claim : gaze_claims(common, gaze)) claims.push_back(claim);
+  Common of_hand = common;
+  of_hand.place = "Section 6.3.2";
+  claims.push_back(moves_across(of_hand, hand, "commands to a person"));
+  claims.push_back(closing_loops(common, hand));
+  return claims;
 }
 
 LedgerEntry run(const ExperimentSettings& all_seeds) {
   ExperimentSettings settings = all_seeds;
-  settings.seeds = (all_seeds.seeds + 1) / 2;  // ten ways
+  settings.seeds = (all_seeds.seeds + 1) / 2;  // thirteen ways
   LedgerEntry entry{section_6_3_2.id, section_6_3_2.title, "", {}, {}};
-  std::vector<Runs> gaze, other, hand, counted;
-  for (const Strategy& s : by_gaze()) gaze.push_back(runs_of("explore-room", s, settings, fresh_rooms));
-  for (const Strategy& s : baselines()) other.push_back(runs_of("explore-room", s, settings, fresh_rooms));
-  for (const Strategy& s : all_counted())
-    counted.push_back(runs_of("explore-room", s, settings, fresh_rooms));
-  for (const Strategy& s : hands()) hand.push_back(runs_of("hand-held", s, settings, fresh_rooms));
-  const auto add = [&](const std::vector<Claim>& claims) {
+  const std::vector<Strategy> printed_gaze = all_as_printed(by_gaze());
+  const ByStrategy printed = runs_of_all(printed_gaze, "explore-room", settings),
+                   mapped = runs_of_all(by_gaze(), "explore-room", settings),
+                   other = runs_of_all(baselines(), "explore-room", settings),
+                   hand = runs_of_all(hands(), "hand-held", settings);
+  const Runs printed_hand = runs_of("hand-held", as_printed(hands()[0]), settings, fresh_rooms);
+  const auto add = [&](std::vector<Claim> claims, const std::string& numbers) {
+    claims.front().measured += ". " + numbers;
     entry.claims.insert(entry.claims.end(), claims.begin(), claims.end());
   };
-  add(against_baselines({"6.3.2", place, ""}, "Moving by mutual information", gaze[0], other));
-  entry.claims.front().measured += ". " + in_numbers(by_gaze(), gaze) + "; " +
-                                   in_numbers(baselines(), other) + "; " + in_numbers(all_counted(), counted);
-  add(gaze_claims({"6.3.2", place, ""}, gaze));
-  entry.claims.push_back(counting(gaze[0], counted[0]));
-  add(against_baselines({"6.3.2-all", "Section 6.2, Figure 6.3, on images",
-                         "it goes to where most of the room is in view, and maps no more there"},
-                        "With all landmarks counted that are expected in view, as printed, moving by mutual "
-                        "information",
-                        counted[0], other));
-  entry.claims.push_back(moves_across({"6.3.2", "Section 6.3.2", ""}, hand[0], "commands to a person"));
-  entry.claims.push_back(closing_loops(hand[0]));
-  add(of_hands(hand));
+  add(by_metric({"6.3.2", place, "it goes to where most of the room is in view, and maps no more there", ""},
+                printed, other, printed_hand),
+      in_numbers(printed_gaze, printed) + "; " + in_numbers(baselines(), other));
+  add(by_metric({"6.3.2-as-mapped", place, "it leaves more", as_mapped}, mapped, other, hand[0]),
+      in_numbers(by_gaze(), mapped));
+  entry.claims.push_back(counting(mapped[0], printed[0]));
+  for (const Claim& claim : of_hands(hand)) entry.claims.push_back(claim);
   const Run& first = hand[0].front();
   entry.figures.push_back(
       draw_plot(settings.out,

@@ -4,9 +4,10 @@
 // of 0.05 m; 15 images a second, decisions every 15th by Table 6.1; walls and boxes are kept clear of by the
 // low level; 35 s). The plan of the comparison, written before the runs: as in Section 6.4 with points,
 // strategies paired by seed, judged by the entropy of camera, map and what is not mapped yet together at the
-// end, of always 150 landmarks; a run that is lost counts with its last decision's. That of what nobody has
-// seen so many count as would be mapped was chosen after runs in which all counted; rooms 1 to 16 served for
-// it, and here are others.
+// end, of always 150 landmarks; a run that is lost counts with its last decision's. The printed metric counts
+// all landmarks that are expected in unseen places, and its rows stand first; our variant, which the scenario
+// has, counts only as many as would be mapped. It was chosen after runs in which the printed metric failed,
+// in rooms 1 to 16; here are others.
 #include "experiments/evidence.hpp"
 #include "experiments/exploring_strategies.hpp"
 #include "experiments/list.hpp"
@@ -44,24 +45,30 @@ LedgerEntry run(const ExperimentSettings& all_seeds) {
   const char* place = "Section 6.4.3, on images";
   const Runs all =
       runs_of("explore-terrain", {"all in view counted", {"explore.counted=all"}}, settings, fresh_rooms);
-  entry.claims = {
-      beats("6.4.3-random", place,
-            "Driving by mutual information leaves less entropy than driving at random, by the accelerations "
-            "of Table 6.1",
-            "driving at random", runs[0], runs[1], ""),
-      beats("6.4.3-fixed", place, "Driving by mutual information leaves less entropy than driving to and fro",
-            "driving to and fro", runs[0], runs[2], ""),
-      beats("6.4.3-standing", place, "Driving by mutual information leaves less entropy than standing",
-            "standing", runs[0], runs[3], ""),
-      beats("6.4.3-all-counted", "Section 6.2, Figure 6.3, on images",
-            "With all landmarks counted that are expected in view, as printed, driving by mutual information "
-            "leaves less entropy than driving at random",
-            "driving at random", all, runs[1],
-            "it drives to where most of the room is in view, and maps no more there"),
-      backs_away("6.4.3-backwards", "Section 6.4.3, Figure 6.13", "mostly backwards", "before a wall ahead",
-                 runs[0], "it turns to what is not mapped yet, and drives there ahead")};
-  entry.claims.front().measured +=
-      ". " + in_numbers(driving(), runs) + "; " + in_numbers("all in view counted", all);
+  const auto by_metric = [&](const Common& common, const Runs& active) {
+    const std::string leaves = "Driving by mutual information leaves less entropy than ";
+    return std::vector<Claim>{
+        beats(common.id + "-random", common.place,
+              leaves + "driving at random, by the accelerations of Table 6.1" + common.variant,
+              "driving at random", active, runs[1], common.why),
+        beats(common.id + "-fixed", common.place, leaves + "driving to and fro" + common.variant,
+              "driving to and fro", active, runs[2], common.why),
+        beats(common.id + "-standing", common.place, leaves + "standing" + common.variant, "standing", active,
+              runs[3], common.why),
+        backs_away(common.id + "-backwards", "Section 6.4.3, Figure 6.13", "mostly backwards",
+                   "before a wall ahead", active,
+                   "it turns to what is not mapped yet, and drives there ahead", common.variant)};
+  };
+  const auto add = [&](std::vector<Claim> claims, const std::string& numbers) {
+    claims.front().measured += ". " + numbers;
+    entry.claims.insert(entry.claims.end(), claims.begin(), claims.end());
+  };
+  add(by_metric(
+          {"6.4.3", place, "it drives to where most of the room is in view, and maps no more there", ""},
+          all),
+      in_numbers("all counted", all));
+  add(by_metric({"6.4.3-as-mapped", place, "it leaves more", as_mapped}, runs[0]),
+      in_numbers(driving(), runs));
   entry.figures.push_back(draw_plot(settings.out, vehicle_figure(runs[0].front()), nullptr));
   return entry;
 }

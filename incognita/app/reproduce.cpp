@@ -93,27 +93,43 @@ void print_table(const LedgerEntry& entry) {
   std::fflush(stdout);  // the next one may take a while
 }
 
-void say_how_it_went(const Options& options, const std::vector<LedgerEntry>& entries) {
-  std::size_t counts[3] = {0, 0, 0}, missing = 0;
-  for (const LedgerEntry& entry : entries) {
-    for (const Claim& claim : entry.claims) ++counts[static_cast<std::size_t>(claim.verdict)];
+std::size_t missing_figures(const Options& options, const std::vector<LedgerEntry>& entries) {
+  std::size_t missing = 0;
+  for (const LedgerEntry& entry : entries)
     missing += static_cast<std::size_t>(
         std::count_if(entry.figures.begin(), entry.figures.end(),
                       [&](const LedgerFigure& f) { return !fs::exists(options.out / fs::path(f.file)); }));
-  }
-  if (missing > 0)
+  return missing;
+}
+
+/// `3 claims: 1 holds, 0 hold as corrected, 1 does not hold, 1 is undecided`
+std::string counted(const std::vector<LedgerEntry>& entries) {
+  std::size_t counts[4] = {0, 0, 0, 0}, all = 0;
+  for (const LedgerEntry& entry : entries)
+    for (const Claim& claim : entry.claims) ++counts[static_cast<std::size_t>(claim.verdict)], ++all;
+  const auto verb = [](std::size_t n, const char* one, const char* many) {
+    return fmt::format("{} {}", n, n == 1 ? one : many);
+  };
+  return fmt::format("{}: {}, {}, {}, {}", verb(all, "claim", "claims"), verb(counts[0], "holds", "hold"),
+                     verb(counts[1], "holds as corrected", "hold as corrected"),
+                     verb(counts[2], "does not hold", "do not hold"),
+                     verb(counts[3], "is undecided", "are undecided"));
+}
+
+void say_how_it_went(const Options& options, const std::vector<LedgerEntry>& entries) {
+  if (const std::size_t missing = missing_figures(options, entries); missing > 0)
     say("reproduce: {} figures are not drawn (is gnuplot installed?); scripts and data are in {}\n", missing,
         (options.out / fs::path("figures")).string());
-  const auto skipped = std::count_if(entries.begin(), entries.end(),
-                                     [](const LedgerEntry& entry) { return !entry.skipped.empty(); });
   if (options.seeds < ExperimentSettings{}.seeds)
-    say("with {} seeds instead of {} a verdict about chance may be another: too few runs cannot show that a "
-        "claim "
-        "holds\n",
+    say("with {} seeds instead of {} more claims are undecided: an interval is the wider the fewer runs "
+        "there are\n",
         options.seeds, ExperimentSettings{}.seeds);
-  if (skipped > 0) say("{} of {} entries were skipped: claims.md says why\n", skipped, entries.size());
-  say("{} claims: {} hold, {} hold as corrected, {} do not hold; see {}\n", counts[0] + counts[1] + counts[2],
-      counts[0], counts[1], counts[2], (options.out / fs::path("claims.md")).string());
+  std::vector<std::string> skipped;
+  for (const LedgerEntry& entry : entries)
+    if (!entry.skipped.empty()) skipped.push_back(entry.id);
+  const std::string page = (options.out / fs::path("claims.md")).string();
+  if (!skipped.empty()) say("skipped: {}; {} says why\n", fmt::join(skipped, ", "), page);
+  if (skipped.size() < entries.size()) say("{}; see {}\n", counted(entries), page);
 }
 
 /// What the experiments gave that did not fail. The ledger is written after each: whatever ends this job

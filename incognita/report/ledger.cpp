@@ -11,12 +11,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr Verdict verdicts[] = {Verdict::holds, Verdict::holds_as_corrected, Verdict::does_not_hold};
+constexpr Verdict verdicts[] = {Verdict::holds, Verdict::holds_as_corrected, Verdict::does_not_hold,
+                                Verdict::undecided};
 
 Json json_of(const Claim& claim) {
   return {{"id", claim.id},           {"place", claim.place},       {"statement", claim.statement},
           {"printed", claim.printed}, {"measured", claim.measured}, {"verdict", name(claim.verdict)},
-          {"why", claim.why},         {"runs", claim.runs}};
+          {"why", claim.why},         {"runs", claim.runs},         {"least_runs", claim.least_runs}};
 }
 
 Json json_of(const LedgerEntry& entry) {
@@ -80,6 +81,8 @@ const char* name(Verdict verdict) {
       return "holds-as-corrected";
     case Verdict::does_not_hold:
       return "does-not-hold";
+    case Verdict::undecided:
+      return "undecided";
   }
   return "unknown";
 }
@@ -96,11 +99,19 @@ std::string ledger_markdown(const std::vector<LedgerEntry>& entries) {
       "# Claims\n\n"
       "What the thesis says, claim by claim, and what came out when it was computed. A claim holds, holds "
       "as\n"
-      "corrected, or does not hold, and the last column says why. `incognita reproduce --out DIR` makes this "
-      "page\nagain, as `DIR/claims.md`, with every figure and its numbers beside it.\n\n"
+      "corrected, or does not hold, and the last column says why. It is undecided where the interval that "
+      "the\n"
+      "runs give holds both answers, or where there are fewer runs than it takes. Intervals are 95 % unless "
+      "a\n"
+      "level is given. `incognita reproduce --out DIR` makes this page again, as `DIR/claims.md`, with "
+      "every\n"
+      "figure and its numbers beside it.\n\n"
       "| verdict | claims |\n|---|---|\n";
   for (const Verdict verdict : verdicts)
     text += fmt::format("| {} | {} |\n", in_words(verdict), count(entries, verdict));
+  const auto skipped =
+      std::count_if(entries.begin(), entries.end(), [](const LedgerEntry& e) { return !e.skipped.empty(); });
+  if (skipped > 0) text += fmt::format("| (entries skipped) | {} |\n", skipped);
   for (const LedgerEntry& entry : entries) text += section(entry);
   return text;
 }

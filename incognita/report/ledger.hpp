@@ -7,8 +7,9 @@
 
 namespace incognita {
 
-enum class Verdict { holds, holds_as_corrected, does_not_hold };
-/// As the ledger writes it: `holds`, `holds-as-corrected`, `does-not-hold`.
+/// `undecided`: the runs leave both answers open, or there are too few of them.
+enum class Verdict { holds, holds_as_corrected, does_not_hold, undecided };
+/// As the ledger writes it: `holds`, `holds-as-corrected`, `does-not-hold`, `undecided`.
 const char* name(Verdict verdict);
 
 struct Claim {
@@ -18,8 +19,9 @@ struct Claim {
   std::string printed;    ///< the printed value or formula; empty where there is none
   std::string measured;   ///< what came out, with its unit and interval
   Verdict verdict = Verdict::does_not_hold;
-  std::string why;     ///< the correction, or why it does not hold; may be empty where it holds
-  int runs = 1;        ///< how many independent runs it rests on
+  std::string why;     ///< the correction, why it does not hold, or why it is undecided; empty where it holds
+  int runs = 1;        ///< independent runs it rests on
+  int least_runs = 1;  ///< runs without which it is undecided; 1 where there is no chance
   bool timed = false;  ///< its verdict is of this machine and this moment: no test may rest on it
 };
 
@@ -33,7 +35,7 @@ struct LedgerFigure {
 struct LedgerEntry {
   std::string id;  ///< `3.1`
   std::string title;
-  std::string skipped;  ///< why nothing was done, e.g. that a recording is not there; else empty
+  std::string skipped;  ///< why nothing was done, e.g. that a recording is missing; else empty
   std::vector<Claim> claims;
   std::vector<LedgerFigure> figures;
 };

@@ -77,7 +77,7 @@ TEST(Reproduce, RunsTheExampleOfAFigureAndGivesItsWholeEntry) {
   EXPECT_TRUE(fs::exists(scratch / "out/figures/fig-1.2.csv"));
   EXPECT_HAS(result.err, "[1/1] 1.1: Draws");
   EXPECT_HAS(result.err, "half of it");
-  EXPECT_HAS(result.err, "1 claims: 0 hold, 0 hold as corrected, 1 do not hold");
+  EXPECT_HAS(result.err, "1 claim: 0 hold, 0 hold as corrected, 1 does not hold, 0 are undecided");
 }
 
 TEST(Reproduce, GoesOnAfterAFailureAndSaysSo) {
@@ -99,6 +99,8 @@ TEST(Reproduce, WhatIsSkippedIsNoFailure) {
   EXPECT_EQ(result.code, 0);
   EXPECT_EQ(Json::parse(result.out)[0]["skipped"], "the recording is not there");
   EXPECT_HAS(result.err, "skipped: the recording is not there");
+  EXPECT_HAS(result.err, "skipped: 1.3; ");
+  EXPECT_EQ(result.err.find("0 claims"), std::string::npos) << result.err;
 }
 
 TEST(Reproduce, NothingOfAnEarlierLedgerStays) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <regex>
 #include <set>
 #include <sstream>
 
@@ -48,6 +49,14 @@ std::string published() {
   return text.str();
 }
 
+/// No `inf` and no `nan` as a number in what a reader sees.
+void expect_finite_numbers(const LedgerEntry& entry) {
+  static const std::regex not_a_number("(^|[^A-Za-z])(inf|nan)([^A-Za-z]|$)");
+  for (const Claim& claim : entry.claims)
+    for (const std::string& cell : {claim.statement, claim.measured, claim.why})
+      EXPECT_FALSE(std::regex_search(cell, not_a_number)) << claim.id << ": " << cell;
+}
+
 class Claims : public ::testing::TestWithParam<Experiment> {};
 
 TEST_P(Claims, ArePublishedAsTheyComeOut) {
@@ -58,6 +67,7 @@ TEST_P(Claims, ArePublishedAsTheyComeOut) {
   const LedgerEntry entry = GetParam().run(settings);
   if (!entry.skipped.empty()) GTEST_SKIP() << entry.skipped;
   EXPECT_FALSE(entry.claims.empty());
+  expect_finite_numbers(entry);
   for (const Claim& claim : entry.claims) {
     const Cells compared = claim.timed || GetParam().costly ? Cells::of_the_thesis : Cells::all;
     LedgerEntry alone = entry;
@@ -66,6 +76,22 @@ TEST_P(Claims, ArePublishedAsTheyComeOut) {
     for (const std::string& row : rows_of(ledger_markdown({alone}), compared))
       EXPECT_TRUE(page.count(row)) << "docs/claims.md lacks\n"
                                    << row << "\n`incognita reproduce` writes the page again";
+  }
+}
+
+/// With a single run nothing about chance is decided, and every number that is written is one.
+TEST_P(Claims, OfChanceAreUndecidedAfterOneRun) {
+  const std::string& id = GetParam().id;
+  if (id.starts_with("4.") || id == "text-4") return;  // no chance in Chapter 4
+  const testing::Scratch scratch;
+  ExperimentSettings settings;
+  settings.out = scratch.folder();
+  settings.seeds = 1;
+  const LedgerEntry entry = GetParam().run(settings);
+  expect_finite_numbers(entry);
+  for (const Claim& claim : entry.claims) {
+    if (claim.least_runs == 1) continue;
+    EXPECT_EQ(claim.verdict == Verdict::undecided, claim.runs < claim.least_runs) << claim.id;
   }
 }
 

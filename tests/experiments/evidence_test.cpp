@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+
 namespace incognita {
 namespace {
 
@@ -17,6 +20,55 @@ TEST(Evidence, WhatIsAsGoodAsZeroStaysBelowAPowerOfTen) {
   EXPECT_EQ(below(4e-5), "below 1e-4");
 }
 
+TEST(Evidence, NoInfinityAndNoNanReachesAReader) {
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(text({0.158, -inf, inf}, "m"), "0.158 m (too few runs for an interval)");
+  EXPECT_EQ(text({std::nan(""), -inf, inf}, "m"), "unknown (no runs to compare)");
+  EXPECT_EQ(text({inf, 3, inf}, "s"), "unknown (no runs to compare)");
+  EXPECT_EQ(decimals(1.2345, 2), "1.23");
+  EXPECT_EQ(decimals(std::nan(""), 2), "unknown");
+  EXPECT_EQ(decimals(-inf, 2), "unknown");
+}
+
+TEST(Finding, AnIntervalThatHoldsBothAnswersDecidesNothing) {
+  EXPECT_EQ(is_above({2, 1, 3}, 0), Finding::shown);
+  EXPECT_EQ(is_above({-2, -3, -1}, 0), Finding::refuted);
+  EXPECT_EQ(is_above({1, -1, 3}, 0), Finding::undecided);
+  EXPECT_EQ(is_below({-2, -3, -1}, 0), Finding::shown);
+  EXPECT_EQ(is_below({2, 1, 3}, 0), Finding::refuted);
+  EXPECT_EQ(is_below({1, -1, 3}, 0), Finding::undecided);
+  const double nan = std::nan("");
+  EXPECT_EQ(is_above({nan, nan, nan}, 0), Finding::undecided);
+  EXPECT_EQ(is_below({nan, nan, nan}, 0), Finding::undecided);
+}
+
+TEST(Finding, EqualityTakesAMargin) {
+  EXPECT_EQ(agrees({1.01, 0.95, 1.07}, 1, 0.1), Finding::shown);
+  EXPECT_EQ(agrees({1.3, 1.2, 1.4}, 1, 0.1), Finding::refuted);
+  EXPECT_EQ(agrees({0.7, 0.6, 0.8}, 1, 0.1), Finding::refuted);
+  EXPECT_EQ(agrees({1.0, 0.5, 1.5}, 1, 0.1), Finding::undecided);
+  EXPECT_EQ(agrees({1.1, 1.05, 1.15}, 1, 0.1), Finding::undecided);
+  EXPECT_EQ(differs({0.1, 0.05, 0.15}, 0), Finding::shown);
+  EXPECT_EQ(differs({0.1, -0.05, 0.25}, 0), Finding::undecided);
+}
+
+TEST(Finding, SharesTakeRuns) {
+  EXPECT_EQ(happens_in(0.95, 200, 200), Finding::shown);
+  EXPECT_EQ(happens_in(0.95, 20, 20), Finding::undecided);
+  EXPECT_EQ(happens_in(0.95, 10, 20), Finding::refuted);
+  EXPECT_EQ(happens_in(0.95, 0, 0), Finding::undecided);
+}
+
+TEST(Finding, CombinesByKleene) {
+  const Finding yes = true, no = false, open = Finding::undecided;
+  EXPECT_EQ(yes && open, open);
+  EXPECT_EQ(no && open, no);
+  EXPECT_EQ(yes || open, yes);
+  EXPECT_EQ(no || open, open);
+  EXPECT_EQ(!open, open);
+  EXPECT_EQ(!yes, no);
+}
+
 TEST(Evidence, ReasonsStayOnlyWhereThereIsSomethingToExplain) {
   Claim claim;
   claim.why = "because";
@@ -25,6 +77,28 @@ TEST(Evidence, ReasonsStayOnlyWhereThereIsSomethingToExplain) {
   EXPECT_EQ(judged(claim, false, true).verdict, Verdict::holds_as_corrected);
   EXPECT_EQ(judged(claim, false).verdict, Verdict::does_not_hold);
   EXPECT_EQ(judged(claim, false).why, "because");
+}
+
+TEST(Evidence, NotSignificantIsNotFalse) {
+  Claim claim;
+  claim.why = "because it is false";
+  const Finding open = Finding::undecided;
+  EXPECT_EQ(judged(claim, open).verdict, Verdict::undecided);
+  EXPECT_EQ(judged(claim, open).why, "the interval holds both answers");
+  EXPECT_EQ(judged(claim, open, true).verdict, Verdict::undecided);
+  EXPECT_EQ(judged(claim, false, open).verdict, Verdict::undecided);
+  EXPECT_EQ(judged(claim, true, open).verdict, Verdict::holds);
+}
+
+TEST(Evidence, TooFewRunsDecideNothing) {
+  Claim claim;
+  claim.runs = 4, claim.least_runs = enough_runs;
+  for (const bool is_so : {true, false}) {
+    EXPECT_EQ(judged(claim, is_so).verdict, Verdict::undecided);
+    EXPECT_EQ(judged(claim, is_so).why, "it rests on 4 runs, and takes at least 20");
+  }
+  claim.runs = enough_runs;
+  EXPECT_EQ(judged(claim, true).verdict, Verdict::holds);
 }
 
 }  // namespace

@@ -102,7 +102,7 @@ TEST(Summary, SaysWhatIsInTheCourse) {
   EXPECT_NEAR(s.map_off_m, 0.2, 1e-12);
   EXPECT_NEAR(s.map_sigma_m, std::sqrt(3.0), 1e-12);
   EXPECT_EQ(s.error_m.size(), 10u);
-  EXPECT_FALSE(follows({s}));
+  EXPECT_EQ(follows({s}), Finding::refuted);
 }
 
 using Verdicts = std::map<std::string, std::string>;

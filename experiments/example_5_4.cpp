@@ -12,7 +12,7 @@
 // beside it.
 //
 // Measured from 5 s on where it says `settled`; sigma of a position is the root of the trace. `seeds` rooms
-// for the example as it stands, a fifth of them (the first, paired) for what is compared with it.
+// for the example as it stands and for other knowledge, a fifth of them (the first, paired) for other paths.
 #include "experiments/example_5_4.hpp"
 #include "experiments/list.hpp"
 

@@ -200,7 +200,7 @@ Compared compare_paths(const ExperimentSettings& settings, const Runs& example) 
 }
 
 std::vector<Claim> path_claims(const ExperimentSettings& settings, const Compared& compared) {
-  return {short_loops(compared), varied_motion(compared), most_stable(compared), sideways(fewer(settings))};
+  return {short_loops(compared), varied_motion(compared), most_stable(compared), sideways(settings.seeds)};
 }
 
 }  // namespace incognita::swinging_camera

@@ -118,7 +118,7 @@ Verdicts verdicts(const std::vector<Claim>& claims) {
 TEST(Example5_4, VerdictsOnItsEquations) {
   const char *yes = "holds", *corrected = "holds-as-corrected";
   ExperimentSettings settings;
-  settings.seeds = 40;
+  settings.seeds = 200;
   EXPECT_EQ(verdicts(model_claims()), (Verdicts{{"5.4-sampled", corrected},
                                                 {"5.4-quaternion", corrected},
                                                 {"5.4-norm", yes},

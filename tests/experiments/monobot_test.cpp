@@ -122,11 +122,10 @@ constexpr const char *yes = "holds", *corrected = "holds-as-corrected", *no = "d
 
 using Verdicts = std::map<std::string, std::string>;
 
-/// With 40 runs, as they came out with 200.
 void expect_verdicts(const Experiment& experiment, const Verdicts& expected) {
   const testing::Scratch scratch;
   std::filesystem::create_directories(scratch / "figures");
-  const LedgerEntry entry = experiment.run({scratch.folder(), 40, {}});
+  const LedgerEntry entry = experiment.run({scratch.folder(), ExperimentSettings{}.seeds, {}});
   EXPECT_EQ(entry.id, experiment.id);
   Verdicts found;
   for (const Claim& claim : entry.claims) {

@@ -9,7 +9,7 @@ if(INCOGNITA_MPI)
     target_link_libraries(incognita_program PRIVATE MPI::MPI_CXX)
   endif()
 endif()
-target_sources(incognita_program PRIVATE app/campaign.cpp app/campaign_crew.cpp app/campaign_folder.cpp app/campaign_lock.cpp
+target_sources(incognita_program PRIVATE app/campaign.cpp app/campaign_crew.cpp app/campaign_folder.cpp
                app/campaign_plan.cpp app/campaign_progress.cpp app/campaign_report.cpp app/campaign_run.cpp
                app/campaign_wanted.cpp app/process_pool.cpp ${ranks})
 find_package(Boost 1.74 REQUIRED)  # headers only: checksums

@@ -13,11 +13,11 @@
 
 #include "incognita/app/campaign_crew.hpp"
 #include "incognita/app/campaign_folder.hpp"
-#include "incognita/app/campaign_lock.hpp"
 #include "incognita/app/campaign_plan.hpp"
 #include "incognita/app/campaign_progress.hpp"
 #include "incognita/app/campaign_report.hpp"
 #include "incognita/app/campaign_wanted.hpp"
+#include "incognita/app/folder_lock.hpp"
 #include "incognita/app/say.hpp"
 #include "incognita/io/files.hpp"
 #include "incognita/messages/errors.hpp"
@@ -141,6 +141,17 @@ void tell_unkept(const CampaignPlan& plan, const CampaignFolder& folder) {
     say("--keep-runs: {} runs were made before without it, and are not made again to keep them\n", unkept);
 }
 
+std::unique_ptr<FolderLock> locked(const fs::path& out, const std::string& digest,
+                                   const std::optional<Shard>& shard) {
+  std::optional<SharedCampaign> share;
+  if (shard) share = {digest_of(fmt::format("{}/{}", digest, shard->of)), *shard};
+  try {
+    return std::make_unique<FolderLock>(out, share);
+  } catch (const RecordError& error) {
+    throw InputError(fmt::format("--out {}: {}", out.string(), error.what()));
+  }
+}
+
 /// Rank 0, which alone writes.
 int lead(Ranks& ranks, const Options& options, const fs::path& out) {
   const CrewAtWork crew(ranks);
@@ -155,7 +166,7 @@ int lead(Ranks& ranks, const Options& options, const fs::path& out) {
                            {options.measures, options.json});
 
   const std::string digest = digest_of(plan);
-  const CampaignLock lock(out, digest, options.shard ? std::optional(shard) : std::nullopt);
+  const auto lock = locked(out, digest, options.shard ? std::optional(shard) : std::nullopt);
   const CampaignFolder folder(out, plan, INCOGNITA_VERSION);
   Lead work{jobs, runs_to_make(plan, folder, shard), digest, {}, {}, {}};
   tell_work(plan, options, shard, work.runs.size());

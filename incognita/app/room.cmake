@@ -6,7 +6,7 @@ incognita_room(app SOURCES app/assemble.cpp app/assemble_planar.cpp app/assemble
                     incognita::io PRIVATE_USES fmt::fmt)
 include(app/reproduce.cmake)
 include(app/observe.cmake)
-add_executable(incognita_program app/main.cpp app/run.cpp app/progress.cpp app/scenario_run.cpp app/standard_streams.cpp app/usage.cpp)
+add_executable(incognita_program app/main.cpp app/folder_lock.cpp app/run.cpp app/progress.cpp app/scenario_run.cpp app/standard_streams.cpp app/usage.cpp)
 incognita_reuse_precompiled(incognita_program incognita_common)
 set_target_properties(incognita_program PROPERTIES OUTPUT_NAME incognita)
 target_compile_definitions(incognita_program PRIVATE INCOGNITA_VERSION="${PROJECT_VERSION}")

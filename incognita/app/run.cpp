@@ -13,6 +13,7 @@
 #include <thread>
 #include <vector>
 
+#include "incognita/app/folder_lock.hpp"
 #include "incognita/app/progress.hpp"
 #include "incognita/app/say.hpp"
 #include "incognita/app/scenario_run.hpp"
@@ -84,7 +85,7 @@ void wait_until(std::chrono::steady_clock::time_point start, double t_s) {
 class TheRecord : public RunKeeper {
  public:
   TheRecord(const std::string& out, const Options& options, const RunInfo& info, std::int64_t frames)
-      : figures_(!options.no_figures), recorder_(out, info), progress_(frames) {
+      : figures_(!options.no_figures), lock_(out), recorder_(out, info), progress_(frames) {
     if (options.save_frames) pictures_.emplace(recorder_.path(), info.patch_size_px);
   }
 
@@ -119,6 +120,7 @@ class TheRecord : public RunKeeper {
 
  private:
   bool figures_;
+  FolderLock lock_;  ///< before anything of an earlier run is touched
   Recorder recorder_;
   std::optional<FramePictures> pictures_;
   std::optional<Progress> progress_;

@@ -268,5 +268,33 @@ TEST(ProgramRun, NothingIsLostByAFolderUsedBefore) {
   EXPECT_EQ(testing::lines(scratch.folder() / "run/series.csv").size(), 4u);
 }
 
+TEST(ProgramRun, AFolderIsWrittenByOneRunAtATime) {
+  const Scratch scratch;
+  const auto run = scratch.folder() / "same";
+  Program first(room_for("3600", "same"), Circumstances{scratch.folder()});
+  ASSERT_TRUE(testing::has_lines(run / "series.csv", 20));
+  const std::set<std::string> files = testing::everything_in(run);
+  const std::string settings = testing::contents(run / "effective.toml");
+  const Ended second = testing::incognita(room_for("0.2", "same", {"--seed", "9"}), scratch.folder());
+  EXPECT_EQ(second.code, 2);
+  EXPECT_SAYS(second.err, "--out same: another run or campaign is at work in it");
+  EXPECT_SAYS(second.err, "choose another folder with --out");
+  EXPECT_EQ(second.out, "");
+  EXPECT_EQ(testing::everything_in(run), files);
+  EXPECT_EQ(testing::contents(run / "effective.toml"), settings);
+  const Ended campaign = testing::incognita(
+      {"campaign", "room", "--seeds", "1", "--duration", "0.1", "--out", "same"}, scratch.folder());
+  EXPECT_EQ(campaign.code, 2);
+  EXPECT_SAYS(campaign.err, "--out same: another run or campaign is at work in it");
+
+  first.signal(SIGKILL);
+  EXPECT_EQ(first.wait().signal, SIGKILL);
+  EXPECT_TRUE(exists(run / ".lock")) << "left by the killed run";
+  const Ended next = testing::incognita(room_for("0.2", "same", {"--seed", "9"}), scratch.folder());
+  EXPECT_EQ(next.code, 0) << next.err;
+  EXPECT_EQ(testing::lines(run / "series.csv").size(), 7u);
+  EXPECT_FALSE(exists(run / ".lock"));
+}
+
 }  // namespace
 }  // namespace incognita

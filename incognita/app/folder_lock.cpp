@@ -1,4 +1,4 @@
-#include "incognita/app/campaign_lock.hpp"
+#include "incognita/app/folder_lock.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -8,7 +8,6 @@
 #include <cerrno>
 #include <system_error>
 
-#include "incognita/app/campaign_plan.hpp"
 #include "incognita/app/say.hpp"
 #include "incognita/messages/errors.hpp"
 #include "incognita/record/folders.hpp"
@@ -18,10 +17,10 @@ namespace incognita {
 namespace fs = std::filesystem;
 namespace {
 
-// Locks are on bytes of the file, none of which need be there. A campaign that is alone has them all. A share
-// has the byte of its number for itself and, together with the others of its plan, the byte that stands for
-// the plan; then it looks whether anyone has another plan's.
-constexpr off_t plans = off_t{1} << 40, plans_end = plans << 1;
+// Locks are on bytes of the file, none of which need be there. A run, or a campaign that is alone, has them
+// all. A share has the byte of its number for itself and, together with the others of its campaign, the byte
+// that stands for the campaign; then it checks whether anyone has another campaign's.
+constexpr off_t campaigns = off_t{1} << 40, campaigns_end = campaigns << 1;
 constexpr off_t everything = 0;  // as a length
 
 struct flock bytes(short kind, off_t from, off_t length) {
@@ -51,27 +50,26 @@ std::string busy(const fs::path& folder, const std::string& who) {
                      folder.string(), who);
 }
 
-off_t byte_of(const std::string& plan_digest, std::size_t shards) {
-  constexpr std::size_t digits = 9;  // of 4 bits: fewer than there are bytes for plans
-  return plans +
-         std::stoll(digest_of(fmt::format("{}/{}", plan_digest, shards)).substr(0, digits), nullptr, 16);
+off_t byte_of(const SharedCampaign& share) {
+  constexpr std::size_t digits = 9;  // of 4 bits: fewer than there are bytes for campaigns
+  return campaigns + std::stoll(share.digest.substr(0, digits), nullptr, 16);
 }
 
 /// 0, or why there can be no locks. Throws InputError when others are in the way.
-int lock_for(int descriptor, const fs::path& folder, const std::string& plan_digest,
-             const std::optional<Shard>& shard) {
+int lock_for(int descriptor, const fs::path& folder, const std::optional<SharedCampaign>& share) {
   const auto tried = [](int error, const std::string& refusal) {
     if (is_held_by_another(error)) throw InputError(refusal);
     return error;
   };
-  const std::string another = busy(folder, "another campaign");
-  if (!shard) return tried(take(descriptor, F_WRLCK, 0, everything), another);
-  const off_t plan = byte_of(plan_digest, shard->of);
-  if (const int error = tried(take(descriptor, F_RDLCK, plan, 1), another)) return error;
-  if (others_have(descriptor, plans, plan) || others_have(descriptor, plan + 1, plans_end))
+  const std::string another = busy(folder, "another run or campaign");
+  if (!share) return tried(take(descriptor, F_WRLCK, 0, everything), another);
+  const Shard shard = share->shard;
+  const off_t campaign = byte_of(*share);
+  if (const int error = tried(take(descriptor, F_RDLCK, campaign, 1), another)) return error;
+  if (others_have(descriptor, campaigns, campaign) || others_have(descriptor, campaign + 1, campaigns_end))
     throw InputError(busy(folder, "another campaign, or another number of shards of this one,"));
-  return tried(take(descriptor, F_WRLCK, static_cast<off_t>(shard->which), 1),
-               busy(folder, fmt::format("another process with --shard {}/{}", shard->which + 1, shard->of)));
+  return tried(take(descriptor, F_WRLCK, static_cast<off_t>(shard.which), 1),
+               busy(folder, fmt::format("another process with --shard {}/{}", shard.which + 1, shard.of)));
 }
 
 /// Whether the file is still the one of that name, and not one that its last owner has removed.
@@ -82,30 +80,28 @@ bool is_current(int descriptor, const fs::path& file) {
 
 int opened(const fs::path& file) {
   const int descriptor = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-  if (descriptor < 0)
-    throw InputError(fmt::format("--out {}: {}", file.parent_path().string(), write_failure(file, errno)));
+  if (descriptor < 0) throw RecordError(write_failure(file, errno));
   return descriptor;
 }
 
 void make(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
-  if (error)
-    throw InputError(fmt::format("--out {}: {}", folder.string(), write_failure(folder, error.value())));
+  if (!error && !fs::is_directory(folder)) error = std::make_error_code(std::errc::not_a_directory);
+  if (error) throw RecordError(write_failure(folder, error.value()));
 }
 
 }  // namespace
 
-CampaignLock::CampaignLock(const fs::path& folder, const std::string& plan_digest,
-                           const std::optional<Shard>& shard)
+FolderLock::FolderLock(const fs::path& folder, const std::optional<SharedCampaign>& share)
     : file_(folder / ".lock"), made_(missing_folders(folder)) {
   try {
     do {
       make(folder);
       if (descriptor_ >= 0) ::close(descriptor_);
       descriptor_ = opened(file_);
-      if (const int error = lock_for(descriptor_, folder, plan_digest, shard))
-        say("{} cannot be locked ({}): that no other campaign works there is yours to see to\n",
+      if (const int error = lock_for(descriptor_, folder, share))
+        say("{} cannot be locked ({}): make sure that no other run or campaign writes to it\n",
             folder.string(), std::generic_category().message(error));
     } while (!is_current(descriptor_, file_));
   } catch (...) {
@@ -115,7 +111,7 @@ CampaignLock::CampaignLock(const fs::path& folder, const std::string& plan_diges
   }
 }
 
-CampaignLock::~CampaignLock() {
+FolderLock::~FolderLock() {
   if (take(descriptor_, F_WRLCK, 0, everything) == 0 && is_current(descriptor_, file_))
     ::unlink(file_.c_str());
   ::close(descriptor_);

@@ -70,9 +70,42 @@ double longest_step_s(const Trajectory& path) {
   return steps.empty() ? 1.0 : 5 * quantile(steps, 0.5);
 }
 
-/// What the map figure must show: paths, anchors, and landmarks that are known to be somewhere.
-Box map_box(const CsvTable& map, const Trajectory& estimate, const Trajectory& truth) {
+/// The truth in the frame, and the unit, of the estimate; empty where the two cannot be aligned.
+Trajectory truth_on_estimate(const Trajectory& truth, const Trajectory& estimate, AlignmentKind kind) {
+  if (truth.empty() || kind == AlignmentKind::none) return truth;
+  constexpr double same_frame_s = 1e-6;
+  const auto a = align(match(estimate, truth, same_frame_s), kind);
+  if (!a) return {};
+  return aligned(truth, {1 / a->scale, a->rotation.transpose(),
+                         -1 / a->scale * (a->rotation.transpose() * a->translation)});
+}
+
+/// "$name << EOD", x and y of each pose.
+std::string path_block(const std::string& name, const Trajectory& path) {
+  std::string block = fmt::format("${} << EOD\n", name);
+  for (const StampedPose& pose : path) block += fmt::format("{},{}\n", pose.position.x(), pose.position.y());
+  return block + "EOD\n";
+}
+
+std::string axis_label(const std::string& axis, AlignmentKind alignment) {
+  return axis + (alignment == AlignmentKind::sim3 ? ", arbitrary units (scale unobservable)" : ", m");
+}
+
+std::vector<Eigen::Vector2d> surveyed_places(const fs::path& run_directory) {
+  std::vector<Eigen::Vector2d> places;
+  if (!fs::exists(run_directory / "surveyed.csv")) return places;
+  const CsvTable table = read_csv(run_directory / "surveyed.csv");
+  const auto x = table.numbers("x"), y = table.numbers("y");
+  for (std::size_t i = 0; i < x.size(); ++i) places.emplace_back(x[i], y[i]);
+  return places;
+}
+
+/// What the map figure must show: paths, anchors, surveyed landmarks, and landmarks that are known to be
+/// somewhere.
+Box map_box(const CsvTable& map, const Trajectory& estimate, const Trajectory& truth,
+            const std::vector<Eigen::Vector2d>& surveyed) {
   Box box;
+  for (const Eigen::Vector2d& place : surveyed) box.include(place.x(), place.y());
   for (const Trajectory* path : {&estimate, &truth})
     for (const StampedPose& pose : *path) box.include(pose.position.x(), pose.position.y());
   const auto x = map.numbers("x"), y = map.numbers("y"), pxx = map.numbers("pxx"), pyy = map.numbers("pyy");
@@ -179,19 +212,23 @@ bool can_err(const CsvTable& series, const std::string& column) {
 
 }  // namespace
 
-std::optional<std::string> map_script(const fs::path& run_directory) {
+std::optional<std::string> map_script(const fs::path& run_directory, AlignmentKind alignment) {
   const CsvTable map = read_csv(run_directory / "map.csv");
   const Trajectory estimate = poses_if_any(run_directory / "estimate.tum");
-  const Trajectory truth = poses_if_any(run_directory / "truth.tum");
-  Box box = map_box(map, estimate, truth);
+  const Trajectory truth = truth_on_estimate(poses_if_any(run_directory / "truth.tum"), estimate, alignment);
+  const auto surveyed = surveyed_places(run_directory);
+  const Box box = map_box(map, estimate, truth, surveyed);
   if (box.empty()) return std::nullopt;
   const double margin = 0.06 * std::max({box.high[0] - box.low[0], box.high[1] - box.low[1], 0.2});
+  const bool moved = alignment != AlignmentKind::none && !truth.empty();
   std::string script = figure_head("map", 760, 720);
+  if (moved) script += path_block("truth", truth);
   script += fmt::format(
       "set datafile separator ', '  # tables and TUM files in one plot\n"
-      "set size ratio -1\nset xrange [{}:{}]\nset yrange [{}:{}]\nset xlabel 'x, m'\nset ylabel 'y, m'\n"
+      "set size ratio -1\nset xrange [{}:{}]\nset yrange [{}:{}]\nset xlabel '{}'\nset ylabel '{}'\n"
       "set key outside top center horizontal maxrows 1\nset style fill transparent solid 0.18\n",
-      box.low[0] - margin, box.high[0] + margin, box.low[1] - margin, box.high[1] + margin);
+      box.low[0] - margin, box.high[0] + margin, box.low[1] - margin, box.high[1] + margin,
+      axis_label("x", alignment), axis_label("y", alignment));
   script +=  // columns of map.csv: 3 x, 4 y, 6 pxx, 7 pxy, 9 pyy; eigenvalues of the 2x2 covariance in closed
              // form
       "root(pxx,pxy,pyy) = sqrt(0.25 * (pxx - pyy)**2 + pxy**2)\n"
@@ -206,8 +243,13 @@ std::optional<std::string> map_script(const fs::path& run_directory) {
       "notitle, \\\n"
       "     '' skip 1 using (anchor($3)):4 with points pointtype 9 pointsize 1.0 linecolor rgb amber title "
       "'anchors'";
+  if (!surveyed.empty())
+    script +=
+        ", \\\n     'surveyed.csv' skip 1 using 2:3 with points pointtype 6 pointsize 1.0 linecolor rgb ink "
+        "linewidth 0.9 title 'surveyed'";
   if (!truth.empty())
-    script += ", \\\n     'truth.tum' using 2:3 with lines linecolor rgb ink linewidth 1.3 title 'true path'";
+    script += fmt::format(", \\\n     {} with lines linecolor rgb ink linewidth 1.3 title 'true path{}'",
+                          moved ? "$truth using 1:2" : "'truth.tum' using 2:3", moved ? ", aligned" : "");
   if (!estimate.empty())
     script += fmt::format(
         ", \\\n     last = {}, 'estimate.tum' using (gap = $1 - last, last = $1, gap > {} ? NaN : $2):3 "
@@ -216,14 +258,15 @@ std::optional<std::string> map_script(const fs::path& run_directory) {
   return script + "\n";
 }
 
-std::optional<std::string> errors_script(const fs::path& run_directory) {
+std::optional<std::string> errors_script(const fs::path& run_directory, AlignmentKind alignment) {
   const CsvTable series = read_csv(run_directory / "series.csv");
   if (finite(series.numbers("two_sigma_x_m")).empty()) return std::nullopt;
   const bool with_errors = series.find("error_x_m").has_value(), spatial = can_err(series, "z_m");
+  const bool metric = alignment != AlignmentKind::sim3;
   std::vector<std::pair<std::string, std::string>> positions, turns;  // column and label of each panel
   for (const char* axis : {"x", "y", "z"})
     if (spatial || can_err(series, std::string(axis) + "_m"))
-      positions.emplace_back(std::string(axis) + "_m", std::string(axis) + ", cm");
+      positions.emplace_back(std::string(axis) + "_m", std::string(axis) + (metric ? ", cm" : ", arbitrary"));
   for (const char* axis : {"x", "y", "z"})
     if (spatial || can_err(series, std::string("rot") + axis + "_rad"))
       turns.emplace_back(std::string("rot") + axis + "_rad",
@@ -234,9 +277,10 @@ std::optional<std::string> errors_script(const fs::path& run_directory) {
       "set datafile columnheaders\nset multiplot layout {},{} columnsfirst margins {},0.985,0.135,0.91 "
       "spacing 0.13,0.04\nset key at screen 0.515,0.99 center top horizontal maxrows 1\n",
       rows, spatial ? 2 : 1, spatial ? 0.075 : 0.1);
-  if (spatial) script += "set title 'position, world axes'\n";
+  const char* unit = metric ? "" : " (scale unobservable: arbitrary units)";
+  if (spatial) script += fmt::format("set title 'position, world axes{}'\n", unit);
   for (std::size_t i = 0; i < positions.size(); ++i)
-    script += error_panel(series, positions[i].first, positions[i].second, 100, with_errors,
+    script += error_panel(series, positions[i].first, positions[i].second, metric ? 100 : 1, with_errors,
                           i + 1 == positions.size() && (spatial || turns.empty()));
   if (spatial) script += "set title 'rotation, body axes'\n";
   constexpr double degrees = 180 / std::numbers::pi;
@@ -246,7 +290,7 @@ std::optional<std::string> errors_script(const fs::path& run_directory) {
   return script + "unset multiplot\n";
 }
 
-std::optional<std::string> entropy_script(const fs::path& run_directory) {
+std::optional<std::string> entropy_script(const fs::path& run_directory, AlignmentKind) {
   const CsvTable series = read_csv(run_directory / "series.csv");
   if (finite(series.numbers("entropy_total_nats")).empty()) return std::nullopt;
   std::string script = figure_head("entropy", 900, 560) + time_range(series) + "set datafile columnheaders\n";
@@ -271,7 +315,7 @@ std::optional<std::string> entropy_script(const fs::path& run_directory) {
   return script;
 }
 
-std::optional<std::string> advice_script(const fs::path& run_directory) {
+std::optional<std::string> advice_script(const fs::path& run_directory, AlignmentKind) {
   const CsvTable actions = read_csv(run_directory / "actions.csv");
   if (actions.rows.empty() || actions.columns.size() < 3) return std::nullopt;
   std::string script = figure_head("advice", 960, 600);

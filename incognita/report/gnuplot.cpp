@@ -36,7 +36,10 @@ std::string draw_script(const fs::path& folder, const std::string& name) {
   std::error_code ignored;
   const auto result = run_child({"gnuplot", "figures/" + name + ".gp"}, folder);
   if (!result || result->exit_code != 0) fs::remove(svg, ignored);  // an earlier one would not show this run
-  if (!result) return "gnuplot is not installed: the figures' scripts are there, the figures are not";
+  if (!result)
+    return "gnuplot is not installed: the figures' scripts are there, the figures are not; install it "
+           "(Debian, "
+           "Ubuntu: `apt-get install gnuplot-nox`)";
   if (result->exit_code != 0) {
     const std::string said = first_line(result->output);
     return "gnuplot could not draw figures/" + name +

@@ -23,13 +23,13 @@ constexpr std::array<std::pair<const char*, FigureScript>, 6> figures{{{"map", m
 
 }  // namespace
 
-std::vector<std::string> draw_run_figures(const fs::path& run_directory) {
+std::vector<std::string> draw_run_figures(const fs::path& run_directory, AlignmentKind alignment) {
   std::error_code error;
   fs::create_directories(run_directory / "figures", error);
   if (error) throw RecordError(write_failure(run_directory / "figures", error.value()));
   std::vector<std::string> warnings;
   for (const auto& [name, script_of] : figures) {
-    const auto script = script_of(run_directory);
+    const auto script = script_of(run_directory, alignment);
     if (!script) continue;
     write_whole_file(run_directory / "figures" / (std::string(name) + ".gp"), *script);
     const std::string warning = draw_script(run_directory, name);

@@ -137,7 +137,7 @@ Map map_blocks(const fs::path& run_directory) {
 
 }  // namespace
 
-std::optional<std::string> vehicles_script(const fs::path& run_directory) {
+std::optional<std::string> vehicles_script(const fs::path& run_directory, AlignmentKind) {
   const auto table = vehicles_of(run_directory);
   if (!table || !knows(*table, "x_m") || on_line(*table)) return std::nullopt;
   std::vector<std::string> plots;
@@ -173,7 +173,7 @@ std::optional<std::string> vehicles_script(const fs::path& run_directory) {
          join(plots);
 }
 
-std::optional<std::string> control_script(const fs::path& run_directory) {
+std::optional<std::string> control_script(const fs::path& run_directory, AlignmentKind) {
   const auto table = vehicles_of(run_directory);
   if (!table || !knows(*table, "wanted_x_m")) return std::nullopt;
   const std::size_t vehicles = count_of(*table);

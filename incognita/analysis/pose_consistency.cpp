@@ -22,16 +22,10 @@ PoseNumbers numbers(const StampedPose& pose) {
   return x;
 }
 
-/// e' P^-1 e.
-struct NormalisedSquare {
-  double sum = 0;
-  int dof = 0;
-};
-
 /// Of some components: not those without an error to speak of (NaN), nor those that are exact by
 /// construction, as a height is on a plane (error and variance 0).
 template <int N>
-std::optional<NormalisedSquare> normalised_square(const Eigen::Matrix<double, N, 1>& e,
+std::optional<NormalizedSquare> normalized_square(const Eigen::Matrix<double, N, 1>& e,
                                                   const Eigen::Matrix<double, N, N>& P,
                                                   std::initializer_list<int> components) {
   std::vector<int> states;
@@ -45,7 +39,7 @@ std::optional<NormalisedSquare> normalised_square(const Eigen::Matrix<double, N,
   constexpr double least = 1e-6;  // of the standard deviation
   for (Eigen::Index i = 0; i < part.rows(); ++i)
     if (!(factor.matrixLLT()(i, i) > least * std::sqrt(part(i, i)))) return std::nullopt;
-  return NormalisedSquare{factor.matrixL().solve(Eigen::VectorXd(e(states))).squaredNorm(),
+  return NormalizedSquare{factor.matrixL().solve(Eigen::VectorXd(e(states))).squaredNorm(),
                           static_cast<int>(states.size())};
 }
 
@@ -60,20 +54,26 @@ PoseError pose_error(const StampedPose& truth, const StampedPose& estimate) {
   return error;
 }
 
-std::optional<double> pose_nees(const PoseError& error, const PoseCovariance& covariance) {
-  auto square = normalised_square<6>(error, covariance, {0, 1, 2, 3, 4, 5});
+std::optional<NormalizedSquare> pose_normalized_square(const PoseError& error,
+                                                       const PoseCovariance& covariance) {
+  auto square = normalized_square<6>(error, covariance, {0, 1, 2, 3, 4, 5});
   const bool follow =
       (covariance.diagonal().segment<3>(2).array() > 0).all();  // height, roll and pitch: no states
-  if (!square && follow) square = normalised_square<6>(error, covariance, {0, 1, 5});
+  if (!square && follow) square = normalized_square<6>(error, covariance, {0, 1, 5});
+  return square;
+}
+
+std::optional<double> pose_nees(const PoseError& error, const PoseCovariance& covariance) {
+  const auto square = pose_normalized_square(error, covariance);
   if (!square) return std::nullopt;
-  return square->sum / square->dof;
+  return square->sum / square->degrees_of_freedom;
 }
 
 bool beyond_three_sigma(const Eigen::Vector3d& error, const Eigen::Matrix3d& covariance) {
-  auto square = normalised_square<3>(error, covariance, {0, 1, 2});
-  if (!square && covariance(2, 2) > 0) square = normalised_square<3>(error, covariance, {0, 1});
+  auto square = normalized_square<3>(error, covariance, {0, 1, 2});
+  if (!square && covariance(2, 2) > 0) square = normalized_square<3>(error, covariance, {0, 1});
   if (!square) return !error.isZero();
-  return square->sum > three_sigma_chi_square[square->dof];
+  return square->sum > three_sigma_chi_square[square->degrees_of_freedom];
 }
 
 std::optional<MeanNees> mean_pose_nees(const MatchedTrajectories& matched,

@@ -23,12 +23,20 @@ struct StampedCovariance {
 /// truth (-) estimate in that order; NaN for the rotation where either orientation is not known.
 PoseError pose_error(const StampedPose& truth, const StampedPose& estimate);
 
-/// Normalised estimation error squared of the pose divided by its degrees of freedom, so that 1 is right.
-/// Those are 6, less components whose error is not known (NaN) or that are exact by construction (error and
-/// variance 0, as height, roll and pitch on a plane). Where the covariance of the
-/// rest is not positive definite, and height, roll and pitch are not said to be exact, as on uneven ground,
-/// which gives them, x, y and rotZ alone are taken; nothing where theirs is not either: there is no such
-/// number for a pose said to be exact.
+/// e' P^-1 e of some components of an error, and how many they are.
+struct NormalizedSquare {
+  double sum = 0;
+  int degrees_of_freedom = 0;
+};
+
+/// Normalized estimation error squared of the pose. Its degrees of freedom are 6, less components whose error
+/// is not known (NaN) or that are exact by construction (error and variance 0, as height, roll and pitch on a
+/// plane). Where the covariance of the rest is not positive definite, and height, roll and pitch are not said
+/// to be exact, as on uneven ground, which gives them, x, y and rotZ alone are taken; nothing where theirs is
+/// not either: there is no such number for a pose said to be exact.
+std::optional<NormalizedSquare> pose_normalized_square(const PoseError& error,
+                                                       const PoseCovariance& covariance);
+/// The same divided by its degrees of freedom, so that 1 is right.
 std::optional<double> pose_nees(const PoseError& error, const PoseCovariance& covariance);
 
 /// Whether a position lies beyond 3 sigma of its covariance: its Mahalanobis distance squared exceeds the

@@ -1,7 +1,8 @@
 incognita_room(analysis
   SOURCES analysis/closed_loop.cpp analysis/expression_guard.cpp analysis/expression_postfix.cpp analysis/linear_system.cpp
           analysis/map_error.cpp analysis/median.cpp analysis/null_space.cpp analysis/observability_monitor.cpp
-          analysis/observability_report.cpp analysis/pose_consistency.cpp analysis/row_sum.cpp analysis/statistics.cpp
+          analysis/observability_report.cpp analysis/pose_consistency.cpp
+          analysis/row_sum.cpp analysis/run_consistency.cpp analysis/statistics.cpp
           analysis/symmetries.cpp analysis/system_check.cpp analysis/trajectory.cpp
   USES incognita::math incognita::models incognita::belief PRIVATE_USES Boost::headers)
 

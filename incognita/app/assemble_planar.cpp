@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "incognita/io/clock_warnings.hpp"
 #include "incognita/io/files.hpp"
 #include "incognita/io/range_recording.hpp"
 #include "incognita/messages/errors.hpp"
@@ -92,6 +93,14 @@ std::vector<std::string> left_out(const RangeRecording& recording, const PlanarS
 
 }  // namespace
 
+Survey survey_of(const RangeRecording& recording, bool identified) {
+  Survey survey;
+  survey.identified = identified;
+  for (const RangeRecording::Landmark& landmark : recording.landmarks)
+    survey.landmarks.push_back({landmark.identity, {landmark.position.x(), landmark.position.y(), 0}});
+  return survey;
+}
+
 PlanarAssembly assemble_planar(SharedRangeRecording recording, const PlanarSlamSettings& s,
                                double duration_s) {
   const Fixes fixes = s.filter.use_fixes ? Fixes::all : s.start.at_first_fix ? Fixes::first : Fixes::none;
@@ -107,7 +116,8 @@ PlanarAssembly assemble_planar(SharedRangeRecording recording, const PlanarSlamS
            {}},
           recording,
           s.filter.use_fixes || !s.filter.anchors.empty(),
-          std::move(notes)};
+          std::move(notes),
+          clock_warnings(*recording)};
 }
 
 PlanarAssembly assemble_planar(const LoadedScenario& loaded) {

@@ -6,6 +6,7 @@
 
 #include "incognita/app/loop.hpp"
 #include "incognita/io/load_scenario.hpp"
+#include "incognita/record/map_survey.hpp"
 #include "incognita/world/range_replay.hpp"
 
 namespace incognita {
@@ -15,6 +16,7 @@ struct PlanarAssembly {
   SharedRangeRecording recording;
   bool frame_is_fixed = true;      ///< by anchors or fixes; else the map is about where the vehicle started
   std::vector<std::string> notes;  ///< what was guessed or left out, for printing
+  std::vector<std::string> warnings = {};  ///< what is most likely wrong with the recording
 };
 
 /// Throws InputError naming file and key or value.
@@ -23,5 +25,8 @@ PlanarAssembly assemble_planar(const LoadedScenario& loaded);
 /// The same on a recording that is at hand, e.g. simulated.
 PlanarAssembly assemble_planar(SharedRangeRecording recording, const PlanarSlamSettings& settings,
                                double duration_s);
+
+/// The surveyed landmarks of a recording. `identified`: the map has their identities.
+Survey survey_of(const RangeRecording& recording, bool identified);
 
 }  // namespace incognita

@@ -8,7 +8,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "incognita/app/assemble_planar.hpp"
 #include "incognita/app/team_models.hpp"
+#include "incognita/io/clock_warnings.hpp"
 #include "incognita/io/data_folder.hpp"
 #include "incognita/io/files.hpp"
 #include "incognita/io/range_formats.hpp"
@@ -103,6 +105,16 @@ std::optional<std::set<std::int64_t>> names_of(const TeamSettings& team) {
   return named;
 }
 
+Survey survey_of(const PointPlace& place) {
+  Survey survey;
+  survey.identified = true;
+  for (const auto& [identity, point] : place) {
+    survey.landmarks.push_back({identity, Eigen::Vector3d::Zero()});
+    survey.landmarks.back().position.head(point.size()) = point;
+  }
+  return survey;
+}
+
 TeamAssembly simulated(const LoadedScenario& loaded) {
   const Scenario& s = loaded.scenario;
   const double period_s = 1 / s.run.rate_hz;
@@ -138,7 +150,8 @@ TeamAssembly simulated(const LoadedScenario& loaded) {
       {std::make_unique<RoomClock>(s.run.rate_hz, s.run.duration_s), world_of(s, vehicles, ground),
        std::move(sensor), std::move(estimator), TeamDecision(team, decision_of(s)), std::move(controller)},
       notes_of(loaded),
-      std::move(sightings)};
+      std::move(sightings),
+      names_of(team) ? Survey{} : survey_of(place)};
 }
 
 /// Each starts where the motion capture has it when all know how they move.
@@ -173,14 +186,21 @@ TeamAssembly recorded(const LoadedScenario& loaded) {
     throw InputError(fmt::format("{}: run.duration_s = {}: nothing was seen by then",
                                  loaded.sources.at("run.duration_s"), s.run.duration_s));
   TeamSettings team = recorded_team(loaded, *robots, first.t);
-  std::vector<std::string> notes;
-  for (const RangeRecording& robot : *robots)
+  std::vector<std::string> notes, warnings;
+  for (std::size_t i = 0; i < robots->size(); ++i) {
+    const RangeRecording& robot = (*robots)[i];
     notes.insert(notes.end(), robot.notes.begin(), robot.notes.end());
+    for (const std::string& warning : clock_warnings(robot))
+      warnings.push_back(fmt::format("robot {}: {}", i + 1, warning));
+  }
   return {{std::move(clock), std::make_unique<TeamReplayWorld>(robots),
            std::make_unique<TeamReplaySensor>(robots, s.team.start.sees_team, s.planar.sensor.max_range_m),
            estimator_of(loaded, team), TeamDecision(team, {.decision = {}, .decides = false}),
            TeamController({}, 1)},
-          std::move(notes)};
+          std::move(notes),
+          nullptr,
+          survey_of(robots->front(), true),
+          std::move(warnings)};
 }
 
 }  // namespace

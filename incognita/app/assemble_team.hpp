@@ -7,6 +7,7 @@
 
 #include "incognita/app/loop.hpp"
 #include "incognita/io/load_scenario.hpp"
+#include "incognita/record/map_survey.hpp"
 #include "incognita/world/team_world.hpp"
 
 namespace incognita {
@@ -16,6 +17,8 @@ struct TeamAssembly {
   std::vector<std::string> notes;  ///< what was guessed, for printing
   /// What each sighting really is of, tick by tick, for who scores; null where the estimator is told.
   std::shared_ptr<const SightingTruth> sightings = nullptr;
+  Survey survey = {};                      ///< the true landmarks, where the map has their identities
+  std::vector<std::string> warnings = {};  ///< what is most likely wrong with a recording
 };
 
 /// Throws InputError naming file and key or value: vehicles that can not carry that sensor, laws that can not

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdint>
+#include <cstdio>
 #include <memory>
 #include <optional>
 #include <string>
@@ -85,7 +86,12 @@ void wait_until(std::chrono::steady_clock::time_point start, double t_s) {
 class TheRecord : public RunKeeper {
  public:
   TheRecord(const std::string& out, const Options& options, const RunInfo& info, std::int64_t frames)
-      : figures_(!options.no_figures), lock_(out), recorder_(out, info), progress_(frames) {
+      : figures_(!options.no_figures),
+        alignment_(alignment_kind(info.ate_alignment).value_or(AlignmentKind::none)),
+        lock_(out),
+        recorder_(out, info),
+        progress_(frames) {
+    for (const std::string& warning : info.warnings) say("warning: {}\n", warning);
     if (options.save_frames) pictures_.emplace(recorder_.path(), info.patch_size_px);
   }
 
@@ -111,7 +117,10 @@ class TheRecord : public RunKeeper {
     const auto finishing = [&](const std::filesystem::path& directory) {
       std::vector<std::string> all = warnings;
       if (!figures_) return all;
-      for (std::string& warning : draw_run_figures(directory)) all.push_back(std::move(warning));
+      for (std::string& warning : draw_run_figures(directory, alignment_)) {
+        say("{}\n", warning);
+        all.push_back(std::move(warning));
+      }
       return all;
     };
     for (const std::string& warning : warnings) say("{}\n", warning);
@@ -120,6 +129,7 @@ class TheRecord : public RunKeeper {
 
  private:
   bool figures_;
+  AlignmentKind alignment_;
   FolderLock lock_;  ///< before anything of an earlier run is touched
   Recorder recorder_;
   std::optional<FramePictures> pictures_;
@@ -144,10 +154,12 @@ int run(const Options& options) {
   const std::string out = options.out.value_or("out/" + loaded.name);
   std::optional<double> first_t;
   std::chrono::steady_clock::time_point start;
+  double wall_s = 0;
   RunManner manner;
   manner.tell = [](const std::string& line) { say("{}\n", line); };
   manner.keep_going = [&](const Tick& tick) {
     if (!first_t) first_t = tick.t, start = std::chrono::steady_clock::now();
+    wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (options.realtime) wait_until(start, tick.t - *first_t);
     return !interrupted;
   };
@@ -156,8 +168,9 @@ int run(const Options& options) {
     return std::make_unique<TheRecord>(out, options, info, frames);
   };
   const RunOutcome outcome = run_scenario(loaded, open, manner);
-  if (!outcome.quality.empty()) say("{}\n", outcome.quality);
-  say("{}{}{}: see {}\n", name(outcome.status), outcome.reason.empty() ? "" : ", ", outcome.reason, out);
+  if (outcome.status != RunStatus::done)
+    say("{}{}{}: see {}\n", name(outcome.status), outcome.reason.empty() ? "" : ", ", outcome.reason, out);
+  std::fputs(in_words(outcome.report, wall_s, out).c_str(), stdout);
   return outcome.status == RunStatus::done ? 0 : 1;
 }
 

@@ -161,6 +161,8 @@ RunOutcome run_vehicle(const LoadedScenario& loaded, const OpenKeeper& open, con
   info.ranges = true;
   info.ate_alignment = assembly.frame_is_fixed ? "none" : "se3";
   info.truth_recorded = !assembly.recording->truth.empty();
+  info.warnings = assembly.warnings;
+  info.survey = survey_of(*assembly.recording, loaded.scenario.planar.association.method == "known");
   return run_boxes(assembly.boxes, info, loaded, open, manner);
 }
 
@@ -181,6 +183,8 @@ RunOutcome run_team(const LoadedScenario& loaded, const OpenKeeper& open, const 
   info.vehicles = static_cast<int>(assembly.boxes.estimator.settings().members.size());
   info.inputs = inputs_of(is_carried(loaded.scenario) ? "terrain" : model);
   info.steered_m = steered_point(loaded.scenario);
+  info.survey = std::move(assembly.survey);
+  info.warnings = std::move(assembly.warnings);
   std::optional<AssociationScore> score;
   if (assembly.sightings) score.emplace(assembly.sightings);
   return run_boxes(assembly.boxes, info, loaded, open, manner, std::move(score));

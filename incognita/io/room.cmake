@@ -30,7 +30,7 @@ incognita_embed(scenarios embedded_files *.toml targets/*.toml targets/*.pgm)
 incognita_embed(systems embedded_systems *.toml)
 
 incognita_room(io
-  SOURCES io/acfr_recording.cpp io/camera.cpp io/camera_checks.cpp io/camera_of_recording.cpp io/data_folder.cpp io/decision_checks.cpp io/decision_setting_list.cpp io/euroc_camera.cpp io/euroc_recording.cpp io/files.cpp io/image_file.cpp
+  SOURCES io/acfr_recording.cpp io/camera.cpp io/camera_checks.cpp io/camera_of_recording.cpp io/clock_warnings.cpp io/data_folder.cpp io/decision_checks.cpp io/decision_setting_list.cpp io/euroc_camera.cpp io/euroc_recording.cpp io/files.cpp io/image_file.cpp
           io/image_folder.cpp io/image_kinds.cpp io/load_scenario.cpp io/mat_numbers.cpp io/mat_structure.cpp io/mrclam_recording.cpp
           io/named_table.cpp io/number_table.cpp io/path_file.cpp io/picture_of_target.cpp io/point_file.cpp io/range_recording.cpp
           io/range_recording_builder.cpp io/range_tables.cpp

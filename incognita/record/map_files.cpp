@@ -34,6 +34,16 @@ void write_map_csv(const std::filesystem::path& path, const std::vector<Snapshot
   write_whole_file(path, text);
 }
 
+void write_survey_csv(const std::filesystem::path& path, const std::vector<SurveyedLandmark>& landmarks) {
+  std::string text = "id,x,y,z\n";
+  for (const SurveyedLandmark& landmark : landmarks) {
+    text += std::to_string(landmark.id);
+    for (const double p : landmark.position) append_cell(text, p);
+    text += '\n';
+  }
+  write_whole_file(path, text);
+}
+
 void write_map_ply(const std::filesystem::path& path, const std::vector<SnapshotLandmark>& landmarks) {
   std::string text = fmt::format(
       "ply\nformat ascii 1.0\ncomment landmarks of an incognita run, m, z up\nelement vertex {}\n"

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "incognita/record/map_survey.hpp"
 #include "incognita/record/snapshot.hpp"
 
 namespace incognita {
@@ -11,6 +12,9 @@ namespace incognita {
 /// `id,kind,x,y,z,pxx,pxy,pxz,pyy,pyz,pzz,sightings`. Throws RecordError, leaving no half file; so does the
 /// next.
 void write_map_csv(const std::filesystem::path& path, const std::vector<SnapshotLandmark>& landmarks);
+
+/// `id,x,y,z` of surveyed landmarks; throws likewise.
+void write_survey_csv(const std::filesystem::path& path, const std::vector<SurveyedLandmark>& landmarks);
 
 /// ASCII PLY: landmarks grey, the lighter the better known; anchors orange.
 void write_map_ply(const std::filesystem::path& path, const std::vector<SnapshotLandmark>& landmarks);

@@ -200,6 +200,10 @@ RunOutcome Recorder::finish(RunStatus status, const std::string& reason, const F
   attempt([&] { log_->close(map_); });
   attempt([&] { write_map_csv(directory_.file("map.csv"), map_); });
   attempt([&] { write_map_ply(directory_.file("map.ply"), map_); });
+  attempt([&] {
+    const auto survey = summary_.survey_on_map();
+    if (!survey.empty()) write_survey_csv(directory_.file("surveyed.csv"), survey);
+  });
   attempt([&] { write_series_mat(); });
   attempt([&] {
     if (!finishing) return;
@@ -212,7 +216,7 @@ RunOutcome Recorder::finish(RunStatus status, const std::string& reason, const F
     outcome.reason = outcome.status == RunStatus::failed ? outcome.reason + "; " + failure : failure;
     outcome.status = RunStatus::failed;
   }
-  outcome.quality = summary_.in_words();
+  outcome.report = summary_.report(outcome.status, outcome.reason);
   summary_file_->finish(summary_.json(outcome.status, outcome.reason));
   return outcome;
 }

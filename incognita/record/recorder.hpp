@@ -22,7 +22,7 @@ namespace incognita {
 struct RunOutcome {
   RunStatus status = RunStatus::done;
   std::string reason;
-  std::string quality = {};  ///< how good it was, in a line; empty where no truth is known
+  RunReport report = {};  ///< what it achieved; status and reason as here
 };
 
 /// Writes a run directory. Its files:
@@ -40,8 +40,8 @@ struct RunOutcome {
 /// - timings.csv: milliseconds per stage; alone, with series.mat and summary.json, in differing from run to
 /// run.
 /// - run.mcap: the snapshots, for replay and for viewers; see SnapshotLog.
-/// - map.csv, map.ply, series.mat: at the end. summary.json: at once, brought up to date about once per
-/// second.
+/// - map.csv, map.ply, series.mat, surveyed.csv where landmarks are surveyed: at the end. summary.json: at
+/// once, brought up to date about once per second.
 ///
 /// Same snapshots, same bytes, in all but those three. An earlier run in the same folder is removed first.
 class Recorder {

@@ -6,10 +6,10 @@ pkg_check_modules(MATIO REQUIRED IMPORTED_TARGET GLOBAL matio)
 find_package(Boost 1.74 REQUIRED)  # headers only: CRC-32
 
 incognita_room(record
-  SOURCES record/durable_file.cpp record/exploration_summary.cpp record/folders.cpp record/image_text.cpp record/map_files.cpp
-          record/mat_file.cpp record/mcap_file.cpp record/mcap_records.cpp record/message_schemas.cpp record/number.cpp
-          record/padded_file.cpp record/pose_rows.cpp record/recorder.cpp
-          record/row_file.cpp record/run_directory.cpp record/run_summary.cpp record/series.cpp
+  SOURCES record/consistency_summary.cpp record/durable_file.cpp record/exploration_summary.cpp record/folders.cpp record/image_text.cpp record/map_files.cpp
+          record/map_survey.cpp record/mat_file.cpp record/mcap_file.cpp record/mcap_records.cpp record/message_schemas.cpp record/number.cpp
+          record/padded_file.cpp record/path_summary.cpp record/pose_rows.cpp record/recorder.cpp
+          record/row_file.cpp record/run_directory.cpp record/run_report.cpp record/run_summary.cpp record/series.cpp
           record/snapshot_log.cpp record/snapshot_message.cpp record/team_summary.cpp record/team_tables.cpp
           record/timing_table.cpp record/tum.cpp record/viewer_messages.cpp record/write_at.cpp
   USES incognita::math incognita::models incognita::messages incognita::analysis

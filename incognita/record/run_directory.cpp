@@ -14,7 +14,7 @@ namespace {
 constexpr std::array run_files{"effective.toml", "summary.json", "estimate.tum", "truth.tum",
                                "covariance.csv", "actions.csv",  "map.csv",      "map.ply",
                                "series.csv",     "looks.csv",    "timings.csv",  "series.mat",
-                               "run.mcap",       "vehicles.csv"};
+                               "run.mcap",       "vehicles.csv", "surveyed.csv"};
 
 /// prefix, so many digits or more, suffix
 bool is_numbered(std::string_view name, std::string_view prefix, std::string_view suffix,

@@ -1,9 +1,8 @@
 #include "incognita/record/run_summary.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -15,19 +14,27 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
 constexpr std::size_t max_text_bytes = 1000;  // of one string: the document has to fit its place on the disk
 constexpr std::size_t max_warnings = 5;
 constexpr std::size_t max_names = 50;
 constexpr std::size_t max_vehicles = 40;  // the others are in vehicles.csv
 
-constexpr const char* reserved[] = {"status",        "reason",         "frames",
-                                    "landmarks",     "lost_frames",    "entropy",
-                                    "mean_nis",      "ate_m",          "ate_alignment",
-                                    "mean_nees",     "timing_ms",      "seed",
-                                    "version",       "anchors",        "decisions",
-                                    "warnings",      "tracked_frames", "overconfident_frames",
-                                    "exploration",   "observability",  "vehicles",
-                                    "compared_poses"};
+constexpr const char* reserved[] = {"status",         "reason",
+                                    "frames",         "landmarks",
+                                    "lost_frames",    "entropy",
+                                    "mean_nis",       "ate_m",
+                                    "ate_alignment",  "mean_nees",
+                                    "timing_ms",      "seed",
+                                    "version",        "anchors",
+                                    "decisions",      "warnings",
+                                    "tracked_frames", "overconfident_frames",
+                                    "exploration",    "observability",
+                                    "vehicles",       "degraded_frames",
+                                    "path_m",         "drift_percent",
+                                    "map_error_m",    "map_error_landmarks",
+                                    "consistency",    "compared_poses"};
 
 std::string short_text(const std::string& text) {
   return text.size() <= max_text_bytes ? text : text.substr(0, max_text_bytes) + "...";
@@ -83,29 +90,57 @@ Json observability_json(const ObservabilityReport& report) {
   return json;
 }
 
-}  // namespace
-
-const char* name(RunStatus status) {
-  switch (status) {
-    case RunStatus::done:
-      return "done";
-    case RunStatus::failed:
-      return "failed";
-    case RunStatus::interrupted:
-      return "interrupted";
-  }
-  return "unknown";
+Json band_json(const std::optional<MeanNormalizedSquare>& value) {
+  if (!value) return nullptr;
+  return {value->band.low, value->band.high};
 }
 
+Json mean_json(const std::optional<MeanNormalizedSquare>& value) {
+  return value ? Json(value->mean) : Json(nullptr);
+}
+
+Json pose_json(const ConsistencyReport& report, std::size_t robot) {
+  const PoseConsistency pose = robot < report.robots.size() ? report.robots[robot] : report.pose;
+  return {{"verdict", name(pose.verdict())},
+          {"nees_band", band_json(pose.nees)},
+          {"overconfident_frames", pose.overconfident_frames},
+          {"frames_with_truth", pose.frames_with_truth}};
+}
+
+Json consistency_json(const ConsistencyReport& report) {
+  return {{"verdict", name(report.verdict)},
+          {"nis", mean_json(report.nis)},
+          {"nis_band", band_json(report.nis)},
+          {"outlier_share", report.outlier_share ? Json(*report.outlier_share) : Json(nullptr)},
+          {"nees", mean_json(report.pose.nees)},
+          {"nees_band", band_json(report.pose.nees)},
+          {"overconfident_frames", report.pose.overconfident_frames},
+          {"frames_with_truth", report.pose.frames_with_truth},
+          {"symptom", report.symptom},
+          {"causes", report.causes}};
+}
+
+/// The true path; without truth that of the estimate, if it is in m.
+double path_json(const BodyReport& body, const RunReport& report) {
+  return report.true_path || report.scale_known ? body.path_length : unknown;
+}
+
+}  // namespace
+
 bool same_frame_as_truth(const RunInfo& info) { return info.ate_alignment == name(AlignmentKind::none); }
+bool scale_is_known(const RunInfo& info) { return info.ate_alignment != name(AlignmentKind::sim3); }
 
 RunSummary::RunSummary(const RunInfo& info)
-    : version_(info.version), seed_(info.seed), team_(info.body == "camera", info.steered_m) {
+    : version_(info.version),
+      seed_(info.seed),
+      consistency_(same_frame_as_truth(info)),
+      survey_(info.survey),
+      warnings_(info.warnings),
+      team_(info.body == "camera", info.steered_m) {
   const auto kind = alignment_kind(info.ate_alignment);
   if (!kind)
     throw std::invalid_argument("ate_alignment `" + info.ate_alignment + "`; none, se3, sim3 or yaw");
   alignment_ = *kind;
-  const double unknown = std::numeric_limits<double>::quiet_NaN();
   entropy_ = {unknown, unknown, unknown};
   for (const auto& [key, value] : info.extra) note(key, value);
 }
@@ -122,8 +157,11 @@ void RunSummary::note(const std::string& key, SummaryValue value) {
 }
 
 void RunSummary::add(const Snapshot& snapshot) {
+  if (frames_ == 0) first_t_s_ = snapshot.tick.t;
+  last_t_s_ = snapshot.tick.t;
   ++frames_;
   if (has_pose(snapshot)) ++tracked_frames_;
+  if (snapshot.status.state == TrackingState::degraded) ++degraded_frames_;
   if (snapshot.status.state == TrackingState::lost) ++lost_frames_;
   if (snapshot.advice.decided) ++decisions_;
   exploration_.add(snapshot);
@@ -131,7 +169,9 @@ void RunSummary::add(const Snapshot& snapshot) {
   anchors_ = static_cast<int>(snapshot.landmarks.size()) - landmarks_;
   // where an entropy is not known, as in a frame without a pose, the last one known stands
   if (std::isfinite(snapshot.entropy.total)) entropy_ = snapshot.entropy;
-  if (snapshot.nis_dof > 0) nis_per_dof_.add(snapshot.nis / snapshot.nis_dof);
+  consistency_.add(snapshot);
+  paths_.add(snapshot);
+  if (!survey_.landmarks.empty()) map_ = snapshot.landmarks;
   compare_with_truth(snapshot);
   if (has_pose(snapshot)) team_.add(snapshot);
   for (const auto& [stage, ms] : snapshot.timing_ms) {
@@ -142,74 +182,127 @@ void RunSummary::add(const Snapshot& snapshot) {
   }
 }
 
-void RunSummary::compare(const StampedPose& truth, const StampedPose& estimate, const PoseCovariance& P,
-                         TrackingState state) {
-  matched_.truth.push_back(truth);
-  matched_.estimate.push_back(estimate);
-  if (alignment_ != AlignmentKind::none) return;  // a covariance speaks of the frame it is in
-  const PoseError error = pose_error(truth, estimate);
-  if (const auto nees = pose_nees(error, P)) nees_per_dof_.add(*nees);
-  if (state == TrackingState::tracking && beyond_three_sigma(error.head<3>(), P.topLeftCorner<3, 3>()))
-    ++overconfident_frames_;
-}
-
-std::string RunSummary::in_words() const {
-  const double error_m = has_truth_ ? ate_m() : std::numeric_limits<double>::quiet_NaN();
-  if (!std::isfinite(error_m)) return "";
-  std::string words = fmt::format("position off by {:.3g} m rms", error_m);
-  if (alignment_ != AlignmentKind::none) words += fmt::format(" after a fit ({})", name(alignment_));
-  const double nees = nees_per_dof_.value();
-  if (std::isfinite(nees)) words += fmt::format(", NEES {:.3g}", nees);
-  if (std::isfinite(nis_per_dof_.value())) words += fmt::format(", NIS {:.3g}", nis_per_dof_.value());
-  constexpr double far_too_sure = 10;  // three times as far off as its sigmas say
-  if (nees > far_too_sure) words += ": far surer of itself than it may be";
-  return words + where_truth_was_known();
-}
-
-std::string RunSummary::where_truth_was_known() const {
-  if (!team_.empty()) return "\n" + team_.in_words(tracked_frames_);
-  const auto compared = static_cast<std::int64_t>(matched_.estimate.size());
-  if (compared == tracked_frames_) return "";
-  return fmt::format("; truth at {} of {} tracked frames", compared, tracked_frames_);
-}
-
 void RunSummary::compare_with_truth(const Snapshot& s) {
   has_truth_ = has_truth_ || s.truth ||
                std::any_of(s.vehicles.begin(), s.vehicles.end(), [](const auto& v) { return v.truth; });
   if (!has_pose(s)) return;
-  if (s.truth) compare(true_pose(s.tick, *s.truth), estimated_pose(s), pose_covariance(s), s.status.state);
+  const auto compare = [&](const StampedPose& truth, const StampedPose& estimate) {
+    matched_.truth.push_back(truth);
+    matched_.estimate.push_back(estimate);
+  };
+  if (s.truth) compare(true_pose(s.tick, *s.truth), estimated_pose(s));
   for (std::size_t i = 1; i < s.vehicles.size(); ++i)
-    if (s.vehicles[i].truth)
-      compare(*s.vehicles[i].truth, s.vehicles[i].estimate, s.vehicles[i].covariance, s.status.state);
+    if (s.vehicles[i].truth) compare(*s.vehicles[i].truth, s.vehicles[i].estimate);
 }
 
-double RunSummary::ate_m() const {
-  const auto alignment = align(matched_, alignment_);
-  if (!alignment || matched_.estimate.empty()) return std::numeric_limits<double>::quiet_NaN();
+double RunSummary::ate_m(const std::optional<Alignment>& alignment) const {
+  if (!alignment || matched_.estimate.empty()) return unknown;
   return absolute_trajectory_error({aligned(matched_.estimate, *alignment), matched_.truth}).rmse;
 }
 
+RunReport RunSummary::report(RunStatus status, const std::string& reason) const {
+  RunReport r;
+  r.status = status;
+  r.reason = reason;
+  r.duration_s = last_t_s_ - first_t_s_;
+  r.frames = frames_;
+  r.tracked_frames = tracked_frames_;
+  r.degraded_frames = degraded_frames_;
+  r.lost_frames = lost_frames_;
+  r.alignment = alignment_;
+  r.scale_known = alignment_ != AlignmentKind::sim3;
+  r.landmarks = landmarks_;
+  r.anchors = anchors_;
+  r.consistency = consistency_.report();
+  r.decisions = decisions_;
+  r.warnings = warnings_;
+  const auto alignment = align(matched_, alignment_);
+  report_paths(r, alignment);
+  report_map(r);
+  return r;
+}
+
+void RunSummary::report_paths(RunReport& r, const std::optional<Alignment>& alignment) const {
+  const std::vector<BodyPath>& paths = paths_.bodies();
+  r.true_path = has_truth_ && std::all_of(paths.begin(), paths.end(), [](const BodyPath& path) {
+                  return path.true_length_m.has_value();
+                });
+  if (!paths.empty()) r.body.path_length = 0;
+  r.body.ate_m = ate_m(alignment);
+  r.body.compared_frames = paths.size() > 1 ? tracked_frames_ : std::ssize(matched_.estimate);
+  const std::vector<TeamSummary::Vehicle> team = team_.vehicles();
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    BodyReport body;
+    body.path_length = r.true_path ? *paths[i].true_length_m : paths[i].estimated_length;
+    if (paths[i].truth && alignment && r.true_path && body.path_length > 0) {
+      const StampedPose last = aligned({*paths[i].estimate}, *alignment).front();
+      body.drift_percent = 100 * (last.position - paths[i].truth->position).norm() / body.path_length;
+    }
+    r.body.path_length += body.path_length;
+    if (paths.size() == 1) r.body.drift_percent = body.drift_percent;
+    if (i < team.size()) body.ate_m = team[i].ate_m, body.compared_frames = team[i].compared_frames;
+    if (i < r.consistency.robots.size()) body.consistency = r.consistency.robots[i];
+    if (paths.size() > 1) r.robots.push_back(body);
+  }
+}
+
+std::optional<Alignment> RunSummary::truth_from_map() const {
+  if (alignment_ == AlignmentKind::none) return Alignment{};
+  // Without a true trajectory the map is fitted to the survey itself
+  return matched_.truth.empty() ? align_to_survey(map_, survey_, alignment_) : align(matched_, alignment_);
+}
+
+void RunSummary::report_map(RunReport& r) const {
+  r.surveyed = static_cast<int>(survey_.landmarks.size());
+  if (r.surveyed == 0) return;
+  const auto alignment = truth_from_map();
+  if (!alignment) return;
+  const SurveyedMapError error = surveyed_map_error(map_, survey_, *alignment);
+  r.map_error_m = error.rms_m;
+  r.map_error_landmarks = error.matched;
+}
+
+std::vector<SurveyedLandmark> RunSummary::survey_on_map() const {
+  if (survey_.landmarks.empty()) return {};
+  const auto a = truth_from_map();
+  if (!a) return {};
+  std::vector<SurveyedLandmark> out = survey_.landmarks;
+  for (SurveyedLandmark& landmark : out)
+    landmark.position = a->rotation.transpose() * (landmark.position - a->translation) / a->scale;
+  return out;
+}
+
 std::string RunSummary::json(RunStatus status, const std::string& reason) const {
+  const RunReport report = this->report(status, reason);
   Json json{{"status", name(status)},
             {"reason", short_text(reason)},
             {"version", version_},
             {"seed", seed_},
             {"frames", frames_},
             {"tracked_frames", tracked_frames_},
+            {"degraded_frames", degraded_frames_},
             {"lost_frames", lost_frames_},
             {"landmarks", landmarks_},
             {"anchors", anchors_},
             {"decisions", decisions_},
             {"entropy", {{"vehicle", entropy_.vehicle}, {"map", entropy_.map}, {"total", entropy_.total}}},
-            {"mean_nis", nis_per_dof_.value()}};
+            {"mean_nis", consistency_.mean_nis()},
+            {"path_m", path_json(report.body, report)}};
   if (has_truth_) {
     json["compared_poses"] = matched_.estimate.size();
-    json["ate_m"] = ate_m();
+    json["ate_m"] = report.body.ate_m;
     json["ate_alignment"] = name(alignment_);
-    json["mean_nees"] = nees_per_dof_.value();
-    json["overconfident_frames"] =
-        alignment_ == AlignmentKind::none ? Json(overconfident_frames_) : Json(nullptr);
+    json["drift_percent"] = report.body.drift_percent;
+    json["mean_nees"] = consistency_.mean_nees();
+    json["overconfident_frames"] = alignment_ == AlignmentKind::none
+                                       ? Json(report.consistency.pose.overconfident_frames)
+                                       : Json(nullptr);
   }
+  if (report.surveyed > 0) {
+    json["map_error_m"] = report.map_error_m;
+    json["map_error_landmarks"] = report.map_error_landmarks;
+  }
+  json["consistency"] = consistency_json(report.consistency);
   const auto told = [](const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); };
   constexpr int thesis_landmarks = 14;  // whose time and entropy Section 6.3.1 tells
   json["exploration"] = {{"located", exploration_.located()},
@@ -224,6 +317,7 @@ std::string RunSummary::json(RunStatus status, const std::string& reason) const 
       vehicles.push_back({{"compared_frames", v.compared_frames},
                           {"ate_m", v.ate_m},
                           {"mean_nees", v.mean_nees},
+                          {"consistency", pose_json(report.consistency, i)},
                           {"from_path_m", {{"median", v.from_path_median_m}, {"p95", v.from_path_p95_m}}}});
     }
   }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -11,14 +10,16 @@
 
 #include "incognita/analysis/observability_report.hpp"
 #include "incognita/analysis/trajectory.hpp"
+#include "incognita/record/consistency_summary.hpp"
 #include "incognita/record/exploration_summary.hpp"
+#include "incognita/record/map_survey.hpp"
+#include "incognita/record/path_summary.hpp"
+#include "incognita/record/run_report.hpp"
+#include "incognita/record/run_status.hpp"
 #include "incognita/record/snapshot.hpp"
 #include "incognita/record/team_summary.hpp"
 
 namespace incognita {
-
-enum class RunStatus { done, failed, interrupted };
-const char* name(RunStatus status);
 
 using SummaryValue = std::variant<bool, std::int64_t, double, std::string>;
 
@@ -33,13 +34,17 @@ struct RunInfo {
   bool ranges = false;                 ///< looks are ranges and bearings, not pixels
   int vehicles = 0;                    ///< of a team; 0: there is none
   Eigen::Vector2d steered_m{0, 0};     ///< of a team: the point to be on the path, before and left of its own
-  std::vector<std::string> inputs = {};  ///< of a team's vehicles: names with units, e.g. "speed_m_s"
-  int patch_size_px = 11;                ///< side of the squares that are searched for, to draw them
+  std::vector<std::string> inputs = {};    ///< of a team's vehicles: names with units, e.g. "speed_m_s"
+  int patch_size_px = 11;                  ///< side of the squares that are searched for, to draw them
+  std::vector<std::string> warnings = {};  ///< what is most likely wrong with the input
+  Survey survey = {};                      ///< true landmarks, for comparison; none where they are not known
   std::vector<std::pair<std::string, SummaryValue>> extra;  ///< more fields for summary.json
 };
 
 /// Whether estimate and truth can be compared as they are.
 bool same_frame_as_truth(const RunInfo& info);
+/// Whether lengths of the estimate are in m; else their unit is arbitrary.
+bool scale_is_known(const RunInfo& info);
 
 class RunSummary {
  public:
@@ -54,42 +59,32 @@ class RunSummary {
 
   /// The JSON document (docs/schemas/summary.schema.json).
   std::string json(RunStatus status, const std::string& reason) const;
-  /// How far from the truth, and how sure of that, in a line; empty without truth.
-  std::string in_words() const;
+  RunReport report(RunStatus status, const std::string& reason) const;
+  /// The surveyed landmarks in the frame of the map; none where the two cannot be aligned.
+  std::vector<SurveyedLandmark> survey_on_map() const;
 
  private:
-  struct Mean {
-    double sum = 0;
-    std::int64_t count = 0;
-    void add(double value) {
-      sum += value;
-      ++count;
-    }
-    /// NaN, that is null in JSON, without values.
-    double value() const {
-      return count ? sum / static_cast<double>(count) : std::numeric_limits<double>::quiet_NaN();
-    }
-  };
-
+  std::optional<Alignment> truth_from_map() const;
   void compare_with_truth(const Snapshot& snapshot);
-  void compare(const StampedPose& truth, const StampedPose& estimate, const PoseCovariance& covariance,
-               TrackingState state);
-  double ate_m() const;
-  /// Of how many frames the errors are, where not of all; of a team, each vehicle's errors over its own
-  /// truth.
-  std::string where_truth_was_known() const;
+  double ate_m(const std::optional<Alignment>& alignment) const;
+  void report_paths(RunReport& report, const std::optional<Alignment>& alignment) const;
+  void report_map(RunReport& report) const;
 
   std::string version_;
   std::int64_t seed_;
   AlignmentKind alignment_;
   std::vector<std::pair<std::string, SummaryValue>> extra_;
-  std::vector<std::string> warnings_;
 
   ExplorationSummary exploration_;
-  std::int64_t frames_ = 0, tracked_frames_ = 0, lost_frames_ = 0, overconfident_frames_ = 0, decisions_ = 0;
+  std::int64_t frames_ = 0, tracked_frames_ = 0, degraded_frames_ = 0, lost_frames_ = 0, decisions_ = 0;
+  double first_t_s_ = 0, last_t_s_ = 0;
   int landmarks_ = 0, anchors_ = 0;
   SnapshotEntropy entropy_;
-  Mean nis_per_dof_, nees_per_dof_;
+  ConsistencySummary consistency_;
+  PathSummary paths_;
+  Survey survey_;
+  std::vector<std::string> warnings_;
+  std::vector<SnapshotLandmark> map_;  ///< of the last frame, where there is a survey to compare it with
   bool has_truth_ = false;
   std::optional<ObservabilityReport> observability_;
   MatchedTrajectories matched_;

@@ -1,7 +1,5 @@
 #include "incognita/record/team_summary.hpp"
 
-#include <fmt/format.h>
-
 #include <Eigen/Geometry>
 #include <cmath>
 #include <limits>
@@ -53,18 +51,6 @@ std::vector<TeamSummary::Vehicle> TeamSummary::vehicles() const {
                    late.empty() ? unknown : quantile(late, 0.95)});
   }
   return out;
-}
-
-std::string TeamSummary::in_words(std::int64_t tracked_frames) const {
-  std::string text;
-  int number = 0;
-  for (const Vehicle& v : vehicles()) {
-    text += fmt::format("{}vehicle {}: ", text.empty() ? "" : "\n", ++number);
-    if (v.compared_frames > 0) text += fmt::format("{:.3g} m rms, ", v.ate_m);
-    if (std::isfinite(v.mean_nees)) text += fmt::format("NEES {:.3g}, ", v.mean_nees);
-    text += fmt::format("truth at {} of {} tracked frames", v.compared_frames, tracked_frames);
-  }
-  return text;
 }
 
 }  // namespace incognita

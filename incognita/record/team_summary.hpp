@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "incognita/record/snapshot.hpp"
@@ -31,8 +30,6 @@ class TeamSummary {
 
   bool empty() const { return vehicles_.empty(); }
   std::vector<Vehicle> vehicles() const;
-  /// A line per vehicle: its errors, and at how many of `tracked_frames` its truth was known.
-  std::string in_words(std::int64_t tracked_frames) const;
 
  private:
   struct Sums {

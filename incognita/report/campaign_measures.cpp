@@ -29,9 +29,13 @@ void gather(const Json& value, const std::string& name, Measures& all) {
     all.emplace_back(name, value.get<double>());
   else if (value.is_null())
     all.emplace_back(name, std::numeric_limits<double>::quiet_NaN());
-  else if (value.is_object())
-    for (const auto& [key, part] : value.items()) gather(part, below(name, key), all);
-  else if (value.is_array())
+  else if (value.is_object()) {
+    for (const auto& [key, part] : value.items()) {
+      if (key == "consistency")
+        continue;  // its numbers are mean_nis, mean_nees and overconfident_frames again
+      gather(part, below(name, key), all);
+    }
+  } else if (value.is_array())
     for (std::size_t i = 0; i < value.size(); ++i)
       gather(value[i], below(name, name_of_item(value[i], i)), all);
 }

@@ -2,7 +2,10 @@
 // scenario.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
+#include <map>
 #include <sstream>
 
 #include "incognita/io/range_recording.hpp"
@@ -42,13 +45,17 @@ std::string bytes_of(const std::filesystem::path& file) {
   return out.str();
 }
 
+RangeRecording minute_of_driving() {
+  PlanarLoopSettings settings;
+  settings.duration_s = 60;
+  return drive_planar_loop(settings, 5);
+}
+
 /// A minute of the simulated loop as tables in `drive`, and a scenario `s.toml` over them.
 class ProgramRanges : public ::testing::Test {
  protected:
   ProgramRanges() {
-    PlanarLoopSettings settings;
-    settings.duration_s = 60;
-    write_range_tables(drive_planar_loop(settings, 5), drive());
+    write_range_tables(minute_of_driving(), drive());
     std::string text = scenario;
     text.replace(text.find("FOLDER"), 6, drive().string());
     scratch_.write("s.toml", text);
@@ -79,6 +86,11 @@ class ProgramRanges : public ::testing::Test {
     std::string out, one;
     for (int n = 1; std::getline(in, one); ++n) out += (n == line ? with : one) + "\n";
     std::ofstream(drive() / table, std::ios::binary) << out;
+  }
+  /// Rewrites the whole drive.
+  void drive_again(RangeRecording recording) {
+    std::filesystem::remove_all(drive());
+    write_range_tables(recording, drive());
   }
   Scratch scratch_;
 };
@@ -115,7 +127,7 @@ TEST_F(ProgramRanges, TruthThatBeginsLateIsComparedFromThenOn) {
   ASSERT_EQ(ended.code, 0) << ended.err;
   const auto summary = testing::summary_of(run());
   EXPECT_EQ(summary["compared_poses"], 50);  // scans of 11 s to 60 s
-  EXPECT_SAYS(ended.err, "truth at 50 of 61 tracked frames");
+  EXPECT_SAYS(ended.out, "truth at 50 of 61 tracked frames");
   EXPECT_SAYS(testing::lines(run() / "series.csv").front(), ",error_x_m,");
   testing::expect_whole_tables(run());
 }
@@ -247,6 +259,103 @@ TEST_F(ProgramRanges, ChecksAScenario) {
   const Ended json = testing::incognita({"config", "s.toml", "--json"}, scratch_.folder());
   EXPECT_SAYS(json.out, "vehicle_filter.anchors_m");
   EXPECT_SILENT_ON(json.out, "camera.fu_px");
+}
+
+TEST_F(ProgramRanges, SaysAtItsEndWhatItAchieved) {
+  const Ended ended = go();
+  EXPECT_SAYS(ended.out, "run          done\n");
+  EXPECT_SAYS(ended.out, "frames       61 in 60.0 s: 61 tracked, 0 lost\n");
+  EXPECT_SAYS(ended.out, "after se3 alignment, drift ");
+  EXPECT_SAYS(ended.out, "; map error ");
+  EXPECT_SAYS(ended.out, "of 20 surveyed landmarks\n");
+  EXPECT_SAYS(ended.out, "consistency  consistent: NIS ");
+  EXPECT_SAYS(ended.out, "results      run\n");
+  EXPECT_LE(std::count(ended.out.begin(), ended.out.end(), '\n'), 12);
+  EXPECT_SILENT_ON(ended.err, "results");
+  const auto summary = testing::summary_of(run());
+  EXPECT_NEAR(summary["path_m"], 60, 6) << "1 m/s for a minute";
+  EXPECT_GT(summary["map_error_landmarks"], 10);
+  EXPECT_LT(summary["map_error_m"], 1);
+  EXPECT_EQ(summary["consistency"]["verdict"], "consistent");
+  EXPECT_TRUE(summary["consistency"]["causes"].empty());
+}
+
+TEST_F(ProgramRanges, TheMapErrorIsThatOfMapCsvAgainstSurveyedCsv) {
+  ASSERT_EQ(go().code, 0);
+  std::map<std::string, std::pair<double, double>> surveyed;
+  std::istringstream survey(bytes_of(run() / "surveyed.csv")), map(bytes_of(run() / "map.csv"));
+  const auto cells = [](const std::string& row) {
+    std::istringstream in(row);
+    std::vector<std::string> out;
+    for (std::string cell; std::getline(in, cell, ',');) out.push_back(cell);
+    return out;
+  };
+  std::string row;
+  std::getline(survey, row);
+  EXPECT_EQ(row, "id,x,y,z");
+  while (std::getline(survey, row)) {
+    const auto c = cells(row);
+    surveyed[c[0]] = {std::stod(c[1]), std::stod(c[2])};
+  }
+  EXPECT_EQ(surveyed.size(), 20u);
+  std::getline(map, row);
+  double sum = 0;
+  int count = 0;
+  while (std::getline(map, row)) {
+    const auto c = cells(row);
+    ASSERT_TRUE(surveyed.contains(c[0]));
+    sum += std::pow(std::stod(c[2]) - surveyed[c[0]].first, 2) +
+           std::pow(std::stod(c[3]) - surveyed[c[0]].second, 2);
+    ++count;
+  }
+  const auto summary = testing::summary_of(run());
+  EXPECT_EQ(summary["map_error_landmarks"], count);
+  EXPECT_NEAR(summary["map_error_m"], std::sqrt(sum / count), 1e-4);
+}
+
+TEST_F(ProgramRanges, MirroredBearingsAreOverconfident) {
+  RangeRecording mirrored = minute_of_driving();
+  for (auto& scan : mirrored.scans)
+    for (Detection& d : scan.detections) d.bearing_rad = -d.bearing_rad;
+  drive_again(mirrored);
+  const Ended ended = go({"--duration", "40"});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_SAYS(ended.out, "consistency  overconfident: NIS ");
+  EXPECT_SAYS(ended.out, "from the start");
+  EXPECT_SAYS(ended.out, "usual causes: sign or axis of a measurement");
+  const auto consistency = testing::summary_of(run())["consistency"];
+  EXPECT_EQ(consistency["verdict"], "overconfident");
+  EXPECT_GT(consistency["nis"], consistency["nis_band"][1]);
+  EXPECT_GE(consistency["causes"].size(), 4u);
+}
+
+TEST_F(ProgramRanges, MirroredBearingsThatTheGateRefusesAreSaidToo) {
+  PlanarLoopSettings exact;
+  exact.duration_s = 60;
+  exact.sigma_range_m = exact.sigma_bearing_rad = exact.sigma_speed_m_s = exact.sigma_turn_rate_rad_s = 0.02;
+  RangeRecording mirrored = drive_planar_loop(exact, 5);
+  for (auto& scan : mirrored.scans)
+    for (Detection& d : scan.detections) d.bearing_rad = -d.bearing_rad;
+  drive_again(mirrored);
+  const Ended ended =
+      go({"--set", "ranges.sigma_range_m=0.02", "--set", "ranges.sigma_bearing_rad=0.02", "--set",
+          "vehicle.sigma_speed_m_s=0.02", "--set", "vehicle.sigma_turn_rate_rad_s=0.02"});
+  EXPECT_SAYS(ended.out, "consistency  overconfident");
+  EXPECT_SAYS(ended.out, "of the measurements are outside their gates");
+  EXPECT_SAYS(ended.out, "usual causes: sign or axis of a measurement");
+}
+
+TEST_F(ProgramRanges, WarnsOfOdometryInMilliseconds) {
+  RangeRecording milliseconds = minute_of_driving();
+  for (Odometry& odometry : milliseconds.odometry) odometry.t *= 1000;
+  drive_again(milliseconds);
+  const Ended ended = go();
+  EXPECT_SAYS(ended.err,
+              "warning: the odometry (0 s to 60000 s) and the scans (0 s to 60 s) have only 0.1 %");
+  EXPECT_SAYS(ended.err, "is held for 60 s");
+  const auto warnings = testing::summary_of(run())["warnings"];
+  EXPECT_EQ(warnings.size(), 2u);
+  EXPECT_SAYS(ended.out, "warnings     2, the first: the odometry");
 }
 
 TEST_F(ProgramRanges, IsEvaluated) {

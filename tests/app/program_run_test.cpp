@@ -1,5 +1,6 @@
 // Whole runs in the rendered room: repeated, interrupted, killed, and blinded.
 #include <gtest/gtest.h>
+#include <stdlib.h>
 
 #include <algorithm>
 #include <chrono>
@@ -266,6 +267,57 @@ TEST(ProgramRun, NothingIsLostByAFolderUsedBefore) {
   EXPECT_EQ(testing::incognita(room_for("0.1", "run"), scratch.folder()).code, 0);
   EXPECT_EQ(testing::contents(scratch.folder() / "run/notes.txt"), "mine");
   EXPECT_EQ(testing::lines(scratch.folder() / "run/series.csv").size(), 4u);
+}
+
+TEST(ProgramRun, SaysAtItsEndWhatItAchieved) {
+  const Scratch scratch;
+  const Ended ended = testing::incognita(room_for("2", "run"), scratch.folder());
+  for (const char* line : {"run          done\n", "frames       60 in 2.0 s: ", "path         ",
+                           "trajectory   ATE ", "map          ", "consistency  consistent: NEES ",
+                           "decisions    2\n", "speed        ", "results      run\n"})
+    EXPECT_SAYS(ended.out, line);
+  EXPECT_LE(std::count(ended.out.begin(), ended.out.end(), '\n'), 12);
+  EXPECT_SAYS(ended.err, "scale: fixed by 4 anchors");
+  EXPECT_SILENT_ON(ended.err, "results");
+  const nlohmann::json said = testing::summary_of(scratch.folder() / "run")["consistency"];
+  EXPECT_EQ(said["verdict"], "consistent");
+  EXPECT_LE(said["frames_with_truth"], 60);
+}
+
+TEST(ProgramRun, SaysWhatItAchievedWhenItWasLostToo) {
+  const Scratch scratch;
+  const Ended ended =
+      testing::incognita(room_for("5", "run", {"--set", "room.cover_lens_from_s=2"}), scratch.folder());
+  EXPECT_EQ(ended.code, 1);
+  EXPECT_SAYS(ended.out, "run          failed, lost at the end: ");
+  EXPECT_SAYS(ended.out, "frames       150 in 5.0 s: ");
+  EXPECT_SILENT_ON(ended.out, " 0 lost");
+}
+
+TEST(ProgramRun, CallsNothingMetersWhereTheScaleIsUnobservable) {
+  const Scratch scratch;
+  const Ended ended = testing::incognita(
+      {"run", "room", "--duration", "2", "--out", "run", "--set", "start.from=free"}, scratch.folder());
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_SAYS(ended.out, " after sim3 alignment");
+  const std::string map = testing::contents(scratch.folder() / "run/figures/map.svg");
+  EXPECT_SAYS(map, "x, arbitrary units (scale unobservable)");
+  EXPECT_SILENT_ON(map, "x, m<");
+  EXPECT_SAYS(testing::contents(scratch.folder() / "run/figures/errors.svg"), "arbitrary");
+}
+
+TEST(ProgramRun, SaysThatGnuplotIsMissing) {
+  const Scratch scratch;
+  const std::string path = ::getenv("PATH");
+  ::setenv("PATH", scratch.folder().c_str(), 1);
+  const Ended ended =
+      testing::incognita({"run", "room", "--duration", "0.5", "--out", "run"}, scratch.folder());
+  ::setenv("PATH", path.c_str(), 1);
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_SAYS(ended.err, "gnuplot is not installed");
+  EXPECT_SAYS(ended.err, "apt-get install gnuplot-nox");
+  EXPECT_FALSE(exists(scratch.folder() / "run/figures/map.svg"));
+  EXPECT_TRUE(exists(scratch.folder() / "run/figures/map.gp"));
 }
 
 TEST(ProgramRun, AFolderIsWrittenByOneRunAtATime) {

@@ -157,8 +157,8 @@ TEST_F(RecordedTeamWithGaps, ComparesEachRobotWhereItsOwnTruthIsKnown) {
     EXPECT_TRUE(summary["vehicles"][robot]["mean_nees"].is_number());
   }
   EXPECT_EQ(summary["compared_poses"], ticks[0] + ticks[1]);
-  EXPECT_SAYS(ended.err, "truth at 16 of 21 tracked frames");
-  EXPECT_SAYS(ended.err, "truth at 18 of 21 tracked frames");
+  EXPECT_SAYS(ended.out, "truth at 16 of 21 tracked frames");
+  EXPECT_SAYS(ended.out, "truth at 18 of 21 tracked frames");
   testing::expect_whole_tables(run());
 }
 

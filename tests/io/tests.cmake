@@ -4,7 +4,8 @@ incognita_test(recording_test SOURCES io/euroc_camera_test.cpp io/recording_test
 incognita_test(mutation_test SOURCES io/mutation_test.cpp USES incognita::io opencv_core opencv_imgcodecs
                PkgConfig::MATIO)
 incognita_test(system_file_test SOURCES io/system_file_test.cpp USES incognita::io)
-incognita_test(range_recording_test SOURCES io/range_recording_test.cpp io/mrclam_team_test.cpp USES incognita::io PkgConfig::MATIO)
+incognita_test(range_recording_test SOURCES io/clock_warnings_test.cpp io/range_recording_test.cpp io/mrclam_team_test.cpp
+               USES incognita::io incognita::world PkgConfig::MATIO)
 incognita_test(path_file_test SOURCES io/path_file_test.cpp USES incognita::io incognita::steering)
 incognita_test(target_test SOURCES io/target_test.cpp USES incognita::io)
 find_package(CLI11 REQUIRED)

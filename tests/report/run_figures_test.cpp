@@ -53,6 +53,44 @@ TEST(RunFigures, AreAllDrawn) {
   EXPECT_NE(contents(scratch / "run/figures/advice.svg").find("forward"), std::string::npos);
 }
 
+TEST(RunFigures, CallNoLengthMetersWhereTheScaleIsUnobservable) {
+  const Scratch scratch;
+  RunInfo info;
+  info.ate_alignment = "sim3";
+  Recorder recorder(scratch / "run", info);
+  for (int i = 0; i < 60; ++i) {
+    Snapshot snapshot = testing::synthetic_snapshot({}, i);
+    snapshot.truth->camera.head<3>() *= 3;  // the estimate's unit is 3 m
+    snapshot.truth->camera.head<3>() += Eigen::Vector3d(50, 0, 0);
+    recorder.publish(snapshot);
+  }
+  recorder.finish(RunStatus::done, "");
+  EXPECT_EQ(draw_run_figures(scratch / "run", AlignmentKind::sim3), std::vector<std::string>{});
+  const std::string map = contents(scratch / "run/figures/map.svg"),
+                    errors = contents(scratch / "run/figures/errors.svg");
+  EXPECT_NE(map.find("x, arbitrary units (scale unobservable)"), std::string::npos);
+  EXPECT_EQ(map.find("x, m<"), std::string::npos);
+  EXPECT_NE(map.find("true path, aligned"), std::string::npos);
+  EXPECT_EQ(errors.find("x, cm<"), std::string::npos);
+  EXPECT_NE(errors.find("arbitrary units"), std::string::npos);
+  // The truth is drawn over the estimate, not 50 m beside it
+  const std::string script = contents(scratch / "run/figures/map.gp");
+  const double right = std::stod(script.substr(script.find(':', script.find("set xrange")) + 1));
+  EXPECT_LT(right, 10);
+}
+
+TEST(RunFigures, ShowSurveyedLandmarksWhereTheMapHasThem) {
+  const Scratch scratch;
+  RunInfo info;
+  info.survey = {{{2, {1, 2, 0}}, {3, {-1, 2, 0}}}, true};
+  Recorder recorder(scratch / "run", info);
+  for (int i = 0; i < 60; ++i) recorder.publish(testing::synthetic_snapshot({}, i));
+  recorder.finish(RunStatus::done, "");
+  EXPECT_EQ(draw_run_figures(scratch / "run"), std::vector<std::string>{});
+  EXPECT_EQ(contents(scratch / "run/surveyed.csv"), "id,x,y,z\n2,1,2,0\n3,-1,2,0\n");
+  EXPECT_NE(contents(scratch / "run/figures/map.svg").find(">surveyed<"), std::string::npos);
+}
+
 TEST(RunFigures, WithoutTruthShowTheBounds) {
   const Scratch scratch;
   SyntheticRun run;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "incognita/analysis/motion_inputs.hpp"
+
 namespace incognita {
 namespace {
 
@@ -16,35 +18,12 @@ std::map<Slot, Slot> rates_of(const SymbolicSystem& system) {
   return rates;
 }
 
-/// What the kind of motion makes of an input: nothing, zero always, or tied to the state or to a number.
-enum class Input { free, zero, held };
-
-Input kind_of(const SymbolicSystem& system, std::size_t which) {
-  for (const auto& a : system.assignments) {
-    if (!a.to_input || a.target != system.inputs[which]) continue;
-    return system.graph[a.value].expression->is_zero() ? Input::zero : Input::held;
-  }
-  const NamedRange& range = system.input_ranges[which];
-  if (range.low < range.high) return Input::free;
-  return range.low == 0 ? Input::zero : Input::held;
-}
+bool is_atomic(const ex& e) { return GiNaC::is_a<GiNaC::numeric>(e) || GiNaC::is_a<GiNaC::symbol>(e); }
 
 }  // namespace
 
 LieAlgebra::LieAlgebra(const SymbolicSystem& system, int other_inputs) : system_(system) {
   add_fields(other_inputs);
-}
-
-LieAlgebra::Inputs LieAlgebra::sorted_inputs() const {
-  Inputs inputs;
-  for (std::size_t i = 0; i < system_.inputs.size(); ++i) {
-    const Slot input = system_.inputs[i];
-    const Input kind = kind_of(system_, i);
-    if (kind == Input::zero) inputs.zero[system_.graph[input].symbol] = 0;
-    if (kind == Input::free) inputs.free.push_back(input);
-    if (kind == Input::held) inputs.held.push_back(input);
-  }
-  return inputs;
 }
 
 /// As far as that shows without rewriting: a second derivative that is not 0 on sight counts as one.
@@ -77,22 +56,56 @@ std::vector<Slot> LieAlgebra::measurements() const {
 GiNaC::exmap LieAlgebra::replaced(GiNaC::exmap with, const std::string& tag) {
   std::vector<Slot> wanted = measurements();
   for (const auto& [state, rate] : rates_of(system_)) wanted.push_back(rate);
+  return replaced(std::move(with), tag, wanted);
+}
+
+GiNaC::exmap LieAlgebra::replaced(GiNaC::exmap with, const std::string& tag,
+                                  const std::vector<Slot>& wanted) {
   const std::vector<bool> needed = system_.graph.needed_for(wanted);
   for (Slot slot = 0; slot < static_cast<Slot>(needed.size()); ++slot) {
     if (!needed[static_cast<std::size_t>(slot)] || !system_.graph[slot].expression) continue;
     const ex before = *system_.graph[slot].expression,
              after = before.subs(with, GiNaC::subs_options::no_pattern);
     if (after.is_equal(before)) continue;
-    const ex symbol = system_.graph[slot].symbol;
-    const bool simple = GiNaC::is_a<GiNaC::numeric>(after) || GiNaC::is_a<GiNaC::symbol>(after);
-    with[symbol] = after;
-    if (simple) continue;
-    const std::string name = system_.graph[slot].name + tag;
-    const Owner owner = system_.graph[slot].owner;
-    const Place place = system_.graph[slot].place;
-    with[symbol] = system_.graph[system_.graph.define(name, owner, after, place)].symbol;
+    with[system_.graph[slot].symbol] = is_atomic(after) ? after : quantity_like(slot, after, tag);
   }
   return with;
+}
+
+/// The symbol of a new quantity that takes a given one's place.
+ex LieAlgebra::quantity_like(Slot original, const ex& expression, const std::string& tag) {
+  const std::string name = system_.graph[original].name + tag;
+  const Owner owner = system_.graph[original].owner;
+  const Place place = system_.graph[original].place;
+  return system_.graph[system_.graph.define(name, owner, expression, place)].symbol;
+}
+
+/// Puts the expressions of tied inputs in their place, in all rates and measurements.
+void LieAlgebra::substitute(const std::vector<SymbolicSystem::Assignment>& tied) {
+  if (tied.empty()) return;
+  GiNaC::exmap with;
+  for (const auto& a : tied) {
+    std::vector<Slot> parts;
+    for (const auto& [part, partial] : system_.graph[a.value].partials) parts.push_back(part);
+    const ex value =
+        system_.graph[a.value].expression->subs(replaced(with, "", parts), GiNaC::subs_options::no_pattern);
+    const ex symbol = system_.graph[a.target].symbol;
+    with[symbol] = is_atomic(value) ? value : quantity_like(a.target, value, "");
+  }
+  with = replaced(with, "");
+  for (auto* block : {&system_.vehicle, &system_.landmark, &system_.anchor})
+    for (auto* quantities : {&block->rates, &block->measurements})
+      for (Slot& slot : *quantities) slot = substituted(slot, with);
+}
+
+/// The quantity under the name of a given one that has its expression with tied inputs substituted.
+LieAlgebra::Slot LieAlgebra::substituted(Slot original, const GiNaC::exmap& with) {
+  const auto found = with.find(system_.graph[original].symbol);
+  if (found == with.end()) return original;
+  const auto slot_of = [&](const ex& e) { return system_.graph.slot_of(GiNaC::ex_to<GiNaC::symbol>(e)); };
+  const bool own = GiNaC::is_a<GiNaC::symbol>(found->second) &&
+                   system_.graph[slot_of(found->second)].name == system_.graph[original].name;
+  return slot_of(own ? found->second : quantity_like(original, found->second, ""));
 }
 
 VectorField LieAlgebra::field(const std::string& name, const GiNaC::exmap& with) const {
@@ -124,10 +137,13 @@ bool LieAlgebra::measures(const std::vector<Slot>& inputs) const {
 }
 
 void LieAlgebra::add_fields(int other_inputs) {
-  Inputs inputs = sorted_inputs();
+  MotionInputs inputs = motion_inputs(system_);
+  substitute(inputs.tied);
   std::vector<Slot> all = inputs.held;
   all.insert(all.end(), inputs.free.begin(), inputs.free.end());
-  nonlinear_ = !is_linear_in(inputs.free);
+  const bool affine_in_draws =
+      system_.draws.empty() || (inputs_affine_in_draws(system_) && is_linear_in(all));
+  nonlinear_ = inputs.mixed || !affine_in_draws || !is_linear_in(inputs.free);
   if (nonlinear_) {
     inputs.held = all;
     inputs.free.clear();
@@ -190,8 +206,7 @@ ex LieAlgebra::derived(Slot quantity, int field, Place place) {
       total += partial * derived(inner, field, place);
     }
   }
-  const bool simple = GiNaC::is_a<GiNaC::numeric>(total) || GiNaC::is_a<GiNaC::symbol>(total);
-  if (!simple) {
+  if (!is_atomic(total)) {
     const Owner owner = system_.graph[quantity].owner;
     const std::string name = "L_" + along.name + " " + system_.graph[quantity].name;
     total = system_.graph[system_.graph.define(name, owner, total, place)].symbol;

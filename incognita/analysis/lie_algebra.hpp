@@ -39,17 +39,14 @@ class LieAlgebra {
   Slot derive(Slot quantity, int field, Place place);
 
  private:
-  /// Inputs by what the kind of motion makes of them.
-  struct Inputs {
-    std::vector<Slot> free, held;
-    GiNaC::exmap zero;
-  };
-
   GiNaC::ex derived(Slot quantity, int field, Place place);
-  Inputs sorted_inputs() const;
   bool is_linear_in(const std::vector<Slot>& inputs) const;
   bool moves_with(const std::vector<Slot>& inputs) const;
   GiNaC::exmap replaced(GiNaC::exmap inputs, const std::string& tag);
+  GiNaC::exmap replaced(GiNaC::exmap inputs, const std::string& tag, const std::vector<Slot>& wanted);
+  GiNaC::ex quantity_like(Slot original, const GiNaC::ex& expression, const std::string& tag);
+  void substitute(const std::vector<SymbolicSystem::Assignment>& tied);
+  Slot substituted(Slot original, const GiNaC::exmap& with);
   VectorField field(const std::string& name, const GiNaC::exmap& with) const;
   bool measures(const std::vector<Slot>& inputs) const;
   void add_fields(int other_inputs);

@@ -194,7 +194,7 @@ class Search {
 
   std::vector<Word> measurements() const {
     std::vector<Word> words;
-    const SymbolicSystem& s = instance_.system();
+    const SymbolicSystem& s = algebra_.system();
     const auto add = [&](Owner owner, const SymbolicSystem::Block& block, const BlockText& text) {
       for (std::size_t i = 0; i < block.measurements.size(); ++i)
         words.push_back({owner, block.measurements[i], 0, text.measurements[i].expression.place, false});

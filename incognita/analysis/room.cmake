@@ -10,8 +10,9 @@ incognita_room(analysis
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(GINAC REQUIRED IMPORTED_TARGET GLOBAL ginac)
 incognita_room(systems
-  SOURCES analysis/canonical_expression.cpp analysis/explain_observability.cpp analysis/expression_graph.cpp
-          analysis/latex_names.cpp analysis/lie_algebra.cpp analysis/lie_derivatives.cpp analysis/observability.cpp
+  SOURCES analysis/assignment_order.cpp analysis/canonical_expression.cpp analysis/explain_observability.cpp analysis/expression_graph.cpp
+          analysis/latex_names.cpp analysis/lie_algebra.cpp analysis/lie_derivatives.cpp analysis/motion_inputs.cpp
+          analysis/observability.cpp
           analysis/observability_latex.cpp analysis/observability_matrices.cpp analysis/parse_expression.cpp
           analysis/symbolic_system.cpp analysis/system_instance.cpp analysis/system_motion.cpp analysis/tape.cpp
   USES incognita::analysis PRIVATE_USES PkgConfig::GINAC Boost::headers)

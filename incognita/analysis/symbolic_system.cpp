@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "incognita/analysis/assignment_order.hpp"
+
 namespace incognita {
 namespace {
 
@@ -164,6 +166,7 @@ class Maker {
       system_.draw_ranges.push_back(draw);
     }
     for (const NamedExpression& a : found->assignments) add_assignment(a);
+    system_.assignments = in_order_of_evaluation(graph(), system_.assignments);
   }
 
   void add_assignment(const NamedExpression& a) {

@@ -52,7 +52,7 @@ struct SymbolicSystem {
   std::vector<Direction> directions, error_directions;
   std::vector<std::string> vehicle_error_names, landmark_error_names;
   std::string motion = "general";
-  std::vector<Assignment> assignments;
+  std::vector<Assignment> assignments;  ///< in the order in which they are evaluated
   std::vector<Slot> draws;
   std::vector<NamedRange> draw_ranges;
 

@@ -18,30 +18,27 @@ class Assigner {
  public:
   explicit Assigner(const SystemInstance& instance) : system_(instance.system()) {}
 
-  /// At the start: every state that the motion sets, then inputs.
+  /// At the start: every state and input that the motion sets.
   void start(SystemPoint& point, RandomStream& random) {
     draw(random);
-    for (const auto& a : system_.assignments)
-      if (!a.to_input) point.x[state(a)] = value(a, point);
-    set_inputs(point);
+    for (const auto& a : system_.assignments) assign(a, point);
   }
 
-  /// At the start of a later segment: disturbed states, as the motion sets them or drawn anew, then inputs.
+  /// At the start of a later segment: disturbed states and inputs, as the motion sets them or drawn anew.
   void next(SystemPoint& point, RandomStream& random) {
     draw(random);
     for (const int disturbed : system_.disturbed) {
-      const NamedRange& range = system_.vehicle.region[static_cast<std::size_t>(disturbed)];
-      double now = drawn(range, random);
-      for (const auto& a : system_.assignments)
-        if (!a.to_input && state(a) == disturbed) now = value(a, point);
-      point.x[disturbed] = now;
+      const double fresh = drawn(system_.vehicle.region[static_cast<std::size_t>(disturbed)], random);
+      if (!is_assigned(disturbed)) point.x[disturbed] = fresh;
     }
-    set_inputs(point);
+    for (const auto& a : system_.assignments)
+      if (a.to_input || is_disturbed(state(a))) assign(a, point);
   }
 
   void other_inputs(SystemPoint& point, RandomStream& random) {
     draw(random);
-    set_inputs(point);
+    for (const auto& a : system_.assignments)
+      if (a.to_input) assign(a, point);
   }
 
  private:
@@ -51,15 +48,23 @@ class Assigner {
   }
   int state(const SymbolicSystem::Assignment& a) const { return index_in(system_.vehicle.states, a.target); }
 
+  bool is_disturbed(int which) const {
+    return std::count(system_.disturbed.begin(), system_.disturbed.end(), which) > 0;
+  }
+
+  bool is_assigned(int which) const {
+    return std::any_of(system_.assignments.begin(), system_.assignments.end(),
+                       [&](const auto& a) { return !a.to_input && state(a) == which; });
+  }
+
   void draw(RandomStream& random) {
     system_.graph.prepare(values_, system_.columns());
     for (std::size_t i = 0; i < system_.draws.size(); ++i)
       values_.value[system_.draws[i]] = drawn(system_.draw_ranges[i], random);
   }
 
-  void set_inputs(SystemPoint& point) {
-    for (const auto& a : system_.assignments)
-      if (a.to_input) point.u[index_in(system_.inputs, a.target)] = value(a, point);
+  void assign(const SymbolicSystem::Assignment& a, SystemPoint& point) {
+    (a.to_input ? point.u[index_in(system_.inputs, a.target)] : point.x[state(a)]) = value(a, point);
   }
 
   double value(const SymbolicSystem::Assignment& a, const SystemPoint& point) {

@@ -192,7 +192,7 @@ void frame(benchmark::State& state) {
     estimate.catalogue.push_back(std::move(landmark));
   }
   DecisionSettings settings;
-  settings.gaze = "mutual-information";
+  settings.gaze = DecisionSettings::Gaze::mutual_information;
   CameraDecision decision(WideAngleCamera{}, twelve_looks(), settings,
                           {.expected_landmarks = landmarks + 30});
   std::vector<double> all, deciding, telling;

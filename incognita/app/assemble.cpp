@@ -54,7 +54,7 @@ Assembly assembled(const LoadedScenario& loaded) {
   const auto seed = static_cast<std::uint64_t>(scenario.run.seed);
   const Camera camera = make_camera(scenario.camera);
   std::optional<Target> target;
-  if (scenario.start.from == "target") target = load_target(loaded);
+  if (scenario.start.from == StartSettings::From::target) target = load_target(loaded);
   const bool scale_is_known = target.has_value();
   std::vector<std::string> notes;
   Place place = scenario.run.world == "recording" ? recorded_place(loaded, camera, notes)

@@ -64,7 +64,7 @@ RoomVehicleAssembly assembled(const LoadedScenario& loaded) {
   const auto seed = static_cast<std::uint64_t>(s.run.seed);
   const Camera camera = make_camera(s.camera);
   std::optional<Target> target;
-  if (s.start.from == "target") target = load_target(loaded);
+  if (s.start.from == StartSettings::From::target) target = load_target(loaded);
   const bool scale_is_known = target.has_value();
   const Terrain ground = ground_of(loaded);
   const auto room = std::make_shared<const Room>(room_of(s), seed, ground);

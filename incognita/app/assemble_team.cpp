@@ -57,7 +57,6 @@ void know_landmarks(TeamSettings& team, const PointPlace& place, int known) {
 TeamDecisionSettings decision_of(const Scenario& s) {
   TeamDecisionSettings out;
   out.decision = s.decision;
-  out.decision.gaze = s.decision.gaze == "swing" ? "hold" : s.decision.gaze;  // to and fro is of images
   out.decides = s.team.steer.law == "active";
   out.tick_s = 1 / s.run.rate_hz;
   out.exploration = s.exploration;

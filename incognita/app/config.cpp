@@ -15,6 +15,7 @@
 #include "incognita/app/assemble_team.hpp"
 #include "incognita/app/say.hpp"
 #include "incognita/io/camera_of_recording.hpp"
+#include "incognita/io/enum_words.hpp"
 #include "incognita/io/files.hpp"
 #include "incognita/io/load_scenario.hpp"
 #include "incognita/io/recorded.hpp"
@@ -44,6 +45,8 @@ nlohmann::json as_json(const Setting& setting) {
       nlohmann::json list = nlohmann::json::array();
       for (const Eigen::Vector2d& point : *field) list.push_back({point.x(), point.y()});
       return list;
+    } else if constexpr (std::is_enum_v<std::remove_cvref_t<decltype(*field)>>) {
+      return word_of(*field);
     } else {
       return *field;
     }
@@ -119,7 +122,7 @@ std::vector<std::string> check(const LoadedScenario& loaded) {
                                 recording.landmarks.size()));
     return found;
   }
-  if (s.start.from == "target") {
+  if (s.start.from == StartSettings::From::target) {
     const Target target = load_target(loaded);
     found.push_back(fmt::format("target {}: {} corners, {}", target.name, target.corners.size(),
                                 shown(find_target(loaded))));

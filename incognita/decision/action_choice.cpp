@@ -11,12 +11,8 @@
 namespace incognita {
 namespace {
 
-Metric metric_of(const std::string& word) {
-  if (word == "state") return Metric::state;
-  if (word == "position-and-map") return Metric::position_and_map;
-  if (word == "vehicle") return Metric::vehicle;
-  throw std::invalid_argument("`" + word + "` is nothing that can be learnt");
-}
+using Strategy = DecisionSettings::Strategy;
+using Schedule = DecisionSettings::Schedule;
 
 std::vector<int> read_sequence(const std::string& text, const std::vector<std::string>& names) {
   std::vector<int> sequence;
@@ -33,7 +29,7 @@ std::vector<int> read_sequence(const std::string& text, const std::vector<std::s
 }
 
 LookAheadSettings look_ahead_of(const DecisionSettings& s, int position_errors) {
-  return {metric_of(s.metric), s.horizon, s.max_evaluations, position_errors};
+  return {s.metric, s.horizon, s.max_evaluations, position_errors};
 }
 
 std::string stream_of(const std::string& name, std::size_t who) {
@@ -53,10 +49,11 @@ ActionChoice::ActionChoice(const DecisionSettings& settings, std::vector<std::st
       scores_(names_.size(), 0),
       allowed_(names_.size(), false),
       order_(names_.size()) {
-  if (settings_.strategy == "fixed-path" && sequence_.empty())
-    throw std::invalid_argument("a fixed path needs a sequence of actions");
-  if (settings_.schedule == "one-per-frame" && settings_.horizon > 1)
-    throw std::invalid_argument("one action per frame can not be scored together with those after it");
+  if (settings_.strategy == Strategy::fixed_path && sequence_.empty())
+    throw std::invalid_argument("decision.sequence: must name actions, decision.strategy being `fixed-path`");
+  if (settings_.schedule == Schedule::one_per_frame && settings_.horizon > 1)
+    throw std::invalid_argument("decision.horizon = " + std::to_string(settings_.horizon) +
+                                ": must be 1 with decision.schedule = `one-per-frame`");
   std::iota(order_.begin(), order_.end(), 0);
 }
 
@@ -69,9 +66,8 @@ void ActionChoice::forget() {
 template <class Form>
 bool ActionChoice::choose(const Form& belief, BlockId vehicle, const BlockVector& state, const Moves& moves,
                           const Expectation& expectation, const Tick& tick) {
-  // Rounding of the times of frames must not decide whether a period has one more
-  const bool due = chosen_ < 0 || tick.t >= end_t_ - 1e-9;
-  if (due || (settings_.horizon == 1 && settings_.schedule != "at-decisions"))
+  const bool due = chosen_ < 0 || has_come(end_t_, tick.t);
+  if (due || (settings_.horizon == 1 && settings_.schedule != Schedule::at_decisions))
     score(belief, vehicle, state, moves, expectation);
   if (!due) return false;
   chosen_ = compare(state, moves);
@@ -88,7 +84,7 @@ template bool ActionChoice::choose(const AnyBelief&, BlockId, const BlockVector&
 template <class Form>
 void ActionChoice::score(const Form& belief, BlockId vehicle, const BlockVector& state, const Moves& moves,
                          const Expectation& expectation) {
-  if (settings_.schedule != "one-per-frame") {
+  if (settings_.schedule != Schedule::one_per_frame) {
     scores_ = look_ahead_.scores(belief, vehicle, state, moves, expectation);
     return;
   }
@@ -111,17 +107,30 @@ void ActionChoice::allow(const BlockVector& state, const Moves& moves) {
 
 int ActionChoice::compare(const BlockVector& state, const Moves& moves) {
   allow(state, moves);
-  if (settings_.strategy == "mutual-information") {
-    const auto stay = static_cast<std::size_t>(moves.stay());
-    // While some have no score yet it stays, where it may
-    const bool waits = settings_.schedule == "one-per-frame" && scored_ < order_.size();
-    return waits && allowed_[stay] ? moves.stay() : best_of(scores_, allowed_, moves.stay());
+  switch (settings_.strategy) {
+    case Strategy::mutual_information:
+      return most_informative(moves);
+    case Strategy::fixed_path:
+      return next_of_sequence(moves);
+    case Strategy::random:
+      return any_allowed();
+    case Strategy::none:
+      break;
   }
-  if (settings_.strategy == "fixed-path") return next_of_sequence(moves);
-  if (settings_.strategy == "none") return moves.stay();
+  return moves.stay();
+}
+
+int ActionChoice::most_informative(const Moves& moves) const {
+  const auto stay = static_cast<std::size_t>(moves.stay());
+  // While some have no score yet it stays, where it may
+  const bool waits = settings_.schedule == Schedule::one_per_frame && scored_ < order_.size();
+  return waits && allowed_[stay] ? moves.stay() : best_of(scores_, allowed_, moves.stay());
+}
+
+int ActionChoice::any_allowed() {
   std::vector<int> possible;
-  for (int a = 0; a < moves.count(); ++a)
-    if (allowed_[static_cast<std::size_t>(a)]) possible.push_back(a);
+  for (std::size_t a = 0; a < allowed_.size(); ++a)
+    if (allowed_[a]) possible.push_back(static_cast<int>(a));
   return possible[static_cast<std::size_t>(random_.below(static_cast<int>(possible.size())))];
 }
 

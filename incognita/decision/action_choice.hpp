@@ -39,6 +39,8 @@ class ActionChoice {
              const Expectation& expectation);
   void allow(const BlockVector& state, const Moves& moves);
   int compare(const BlockVector& state, const Moves& moves);
+  int most_informative(const Moves& moves) const;
+  int any_allowed();
   int next_of_sequence(const Moves& moves);
 
   DecisionSettings settings_;

@@ -23,7 +23,7 @@ std::variant<FreeCameraChoice, VehicleChoice> choice_of(const DecisionSettings& 
 CameraDecision::CameraDecision(Camera camera, const CameraSlamSettings& slam,
                                const DecisionSettings& settings, const ExplorationSettings& exploration,
                                std::uint64_t seed, const std::optional<Carrier>& carrier)
-    : expectation_(std::move(camera), slam, exploration.counted == "as-mapped"),
+    : expectation_(std::move(camera), slam, exploration.counted == ExplorationSettings::Counted::as_mapped),
       exploration_(exploration, seed),
       choice_(choice_of(settings, slam.filter, carrier, seed)),
       names_(std::visit([](const auto& choice) { return choice.names(); }, choice_)) {}
@@ -56,7 +56,8 @@ Goal CameraDecision::choose(const Estimate& estimate, const Observation& seen, c
     std::get<VehicleChoice>(choice_).choose(estimate.belief, estimate.camera, camera, wheels, expectation_,
                                             tick, goal_);
   }
-  if (goal_.decided && exploration_.settings().expected_landmarks > 0 && tick.t >= entropy_due_t_ - 1e-9) {
+  if (goal_.decided && exploration_.settings().expected_landmarks > 0 &&
+      (!entropy_due_t_ || has_come(*entropy_due_t_, tick.t))) {
     goal_.entropy_extended = extended_entropy(estimate, exploration_.settings());
     entropy_due_t_ = tick.t + entropy_period_s(estimate.belief.errors());
   }

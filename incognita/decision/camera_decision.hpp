@@ -46,7 +46,7 @@ class CameraDecision {
   std::variant<FreeCameraChoice, VehicleChoice> choice_;
   std::vector<std::string> names_;
   Goal goal_;
-  double entropy_due_t_ = 0;  ///< s, when the extended entropy is worked out again
+  std::optional<double> entropy_due_t_;  ///< s, when the extended entropy is worked out again
 };
 
 }  // namespace incognita

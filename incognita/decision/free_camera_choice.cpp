@@ -5,13 +5,15 @@
 namespace incognita {
 namespace {
 
-Metric gaze_metric(const std::string& gaze) {
-  if (gaze == "fisher") return Metric::fisher;
-  return gaze == "fisher-given-state" ? Metric::fisher_given_state : Metric::state;
+using Gaze = DecisionSettings::Gaze;
+
+Metric gaze_metric(Gaze gaze) {
+  if (gaze == Gaze::fisher) return Metric::fisher;
+  return gaze == Gaze::fisher_given_state ? Metric::fisher_given_state : Metric::state;
 }
 
-bool compares_turns(const std::string& gaze) {
-  return gaze == "mutual-information" || gaze == "fisher" || gaze == "fisher-given-state";
+bool compares_turns(Gaze gaze) {
+  return gaze == Gaze::mutual_information || gaze == Gaze::fisher || gaze == Gaze::fisher_given_state;
 }
 
 }  // namespace
@@ -40,12 +42,12 @@ void FreeCameraChoice::turn(const Form& belief, BlockId vehicle, const CameraSta
   const bool first = !looking_;
   if (first) {
     heading_rad_ = heading_of(free_camera::orientation(camera));
-    heading_rate_rad_s_ = settings_.gaze == "constant-rate" ? settings_.gaze_rate_rad_s : 0;
+    heading_rate_rad_s_ = settings_.gaze == Gaze::constant_rate ? settings_.gaze_rate_rad_s : 0;
     looking_ = true;
   } else {
     heading_rad_ += heading_rate_rad_s_ * tick.dt;
   }
-  if (!compares_turns(settings_.gaze) || (!first && tick.t < gaze_t_ + settings_.gaze_period_s - 1e-9))
+  if (!compares_turns(settings_.gaze) || (!first && !has_come(gaze_t_ + settings_.gaze_period_s, tick.t)))
     return;
   gaze_t_ = tick.t;
   const std::vector<double>& scores = gaze_.scores(belief, vehicle, camera, turns_, expectation);
@@ -55,7 +57,7 @@ void FreeCameraChoice::turn(const Form& belief, BlockId vehicle, const CameraSta
 template <class Form>
 void FreeCameraChoice::choose(const Form& belief, BlockId vehicle, const CameraState& camera,
                               const Expectation& expectation, const Tick& tick, Goal& goal) {
-  if (settings_.gaze != "swing") {
+  if (settings_.gaze != Gaze::swing) {
     turn(belief, vehicle, camera, expectation, tick);
     goal.heading_rad = heading_rad_;
     goal.heading_rate_rad_s = heading_rate_rad_s_;

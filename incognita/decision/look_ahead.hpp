@@ -5,12 +5,10 @@
 
 #include "incognita/decision/expectation.hpp"
 #include "incognita/decision/information_gain.hpp"
+#include "incognita/decision/metric.hpp"
 #include "incognita/decision/moves.hpp"
 
 namespace incognita {
-
-/// What an action is worth by: of the information of the looks along the path.
-enum class Metric { state, position_and_map, vehicle, fisher, fisher_given_state };
 
 /// In the unit of the metric: nats, or for the Fisher traces the sum of inverse squares of m, rad and so on.
 double value_of(const InformationGain& gain, Metric metric, int position_errors,

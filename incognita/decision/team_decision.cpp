@@ -1,6 +1,7 @@
 #include "incognita/decision/team_decision.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 #include "incognita/decision/extended_entropy.hpp"
@@ -39,6 +40,9 @@ TeamDecision::TeamDecision(TeamSettings team, const TeamDecisionSettings& settin
       continue;
     }
     if (is_body(member)) {
+      if (d.gaze == DecisionSettings::Gaze::swing)
+        throw std::invalid_argument(
+            "decision.gaze: `swing` is of a camera in the rendered room; take `hold`");
       in_space_.emplace_back(d, member.input_sigmas[0], member.input_sigmas[3], settings_.seed,
                              in_space_.size());
       continue;
@@ -148,7 +152,8 @@ Goal TeamDecision::choose(const TeamEstimate& e, const Tick& tick) {
     choose_in_space(e, tick);
   else
     choose_on_ground(e, tick);
-  if (goal_.decided && exploration_.settings().expected_landmarks > 0 && tick.t >= entropy_due_t_ - 1e-9) {
+  if (goal_.decided && exploration_.settings().expected_landmarks > 0 &&
+      (!entropy_due_t_ || has_come(*entropy_due_t_, tick.t))) {
     goal_.entropy_extended = extended_entropy(e, exploration_.settings());
     entropy_due_t_ = tick.t + entropy_period_s(e.belief.errors());
   }

@@ -20,8 +20,14 @@
 
 namespace incognita {
 
+/// The gaze is held: CameraController alone swings it.
+inline DecisionSettings with_held_gaze(DecisionSettings settings = {}) {
+  settings.gaze = DecisionSettings::Gaze::hold;
+  return settings;
+}
+
 struct TeamDecisionSettings {
-  DecisionSettings decision;
+  DecisionSettings decision = with_held_gaze();
   bool decides = true;   ///< false: there is nothing to decide
   double tick_s = 0.1;   ///< how long an input is held
   Reach reach = {};      ///< beyond, points are not expected to be seen
@@ -60,7 +66,7 @@ class TeamDecision {
   std::vector<std::unique_ptr<Moves>> moves_;  ///< likewise, of all others
   std::vector<ActionChoice> on_ground_;
   Goal goal_;
-  double entropy_due_t_ = 0;  ///< s, when the extended entropy is worked out again
+  std::optional<double> entropy_due_t_;  ///< s, when the extended entropy is worked out again
 };
 
 }  // namespace incognita

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "incognita/io/enum_words.hpp"
 #include "incognita/io/setting.hpp"
 
 namespace incognita::allowed {
@@ -39,6 +40,11 @@ inline Allowed one_of(std::vector<std::string> choices) {
   Allowed a;
   a.choices = std::move(choices);
   return a;
+}
+/// The words for the values of an enumeration.
+template <class Enum>
+Allowed words(Enum example) {
+  return one_of(all_words_of(example));
 }
 
 }  // namespace incognita::allowed

@@ -20,15 +20,15 @@ void check_actions(const DecisionSettings& s, List& found) {
   if (!speeds.empty() &&
       std::none_of(speeds.begin(), speeds.end(), [](const auto& change) { return change.isZero(); }))
     found.push_back({"decision.accelerations", "must have [0, 0], to go on as it goes"});
-  if (s.strategy == "fixed-path" && s.sequence.empty())
+  if (s.strategy == DecisionSettings::Strategy::fixed_path && s.sequence.empty())
     found.push_back({"decision.sequence", "must name actions, decision.strategy being `fixed-path`"});
 }
 
 void check_horizon(const DecisionSettings& s, List& found) {
   if (s.horizon == 1) return;
-  if (s.metric == "position-and-map")
+  if (s.metric == Metric::position_and_map)
     found.push_back({"decision.horizon", "must be 1 with decision.metric = `position-and-map`"});
-  if (s.schedule == "one-per-frame")
+  if (s.schedule == DecisionSettings::Schedule::one_per_frame)
     found.push_back({"decision.horizon", "must be 1 with decision.schedule = `one-per-frame`"});
 }
 
@@ -87,16 +87,27 @@ void check_start(const Scenario& s, List& found) {
 
 /// What a hand feels is told in the frame of the room, goals in that of the filter.
 void check_held(const Scenario& s, List& found) {
-  if (s.person.holds && s.run.world == "room" && s.start.from == "free")
+  if (s.person.holds && s.run.world == "room" && s.start.from == StartSettings::From::free)
     found.push_back({"person.holds",
                      "must be false with start.from = \"free\": the hand is told where to move "
                      "in the frame of the room, which only a target fixes"});
 }
 
 void check_counted(const Scenario& s, List& found) {
-  if (s.exploration.counted == "as-mapped" && s.run.world == "points")
+  if (s.exploration.counted == ExplorationSettings::Counted::as_mapped && s.run.world == "points")
     found.push_back(
         {"explore.counted", "must be `all` with run.world = \"points\": all in view is mapped there"});
+}
+
+/// CameraController swings the gaze, which flies in the rendered room and with recordings.
+void check_gaze(const Scenario& s, List& found) {
+  const bool is_free_camera = s.planar.vehicle.model == "free-camera" && !is_carried(s);
+  if (s.run.world == "points" && is_free_camera && s.team.steer.law == "active" &&
+      s.decision.gaze == DecisionSettings::Gaze::swing)
+    found.push_back({"decision.gaze",
+                     "must be `hold`, `constant-rate`, `mutual-information`, `fisher` or "
+                     "`fisher-given-state` with run.world = `points`: the swing to and fro is "
+                     "of the rendered room"});
 }
 
 }  // namespace
@@ -106,6 +117,7 @@ void check_decision(const Scenario& scenario, List& found) {
   check_horizon(scenario.decision, found);
   check_box(scenario, found);
   check_counted(scenario, found);
+  check_gaze(scenario, found);
   check_held(scenario, found);
   check_start(scenario, found);
 }

@@ -9,30 +9,29 @@ using namespace allowed;
 using List = std::vector<Setting>;
 
 void strategy(List& list, DecisionSettings& s) {
-  list.insert(list.end(),
-              {
-                  {"decision.strategy", &s.strategy, "", "none: stay where it started",
-                   one_of({"mutual-information", "random", "fixed-path", "none"})},
-                  {"decision.metric", &s.metric, "",
-                   "what is to be learnt: all; without gaze and velocities; the vehicle alone",
-                   one_of({"state", "position-and-map", "vehicle"})},
-                  {"decision.horizon", &s.horizon, "", "actions looked ahead; 1: greedy", between(1, 20)},
-                  {"decision.max_evaluations", &s.max_evaluations, "",
-                   "of imagined looks in one comparison, more than which no longer sequence is followed",
-                   between(1, 10000000)},
-                  {"decision.schedule", &s.schedule, "",
-                   "when actions are scored: all in every frame, all when one is chosen, or one a frame in "
-                   "random order",
-                   one_of({"every-frame", "at-decisions", "one-per-frame"})},
-                  {"decision.sequence", &s.sequence, "",
-                   "fixed-path: names of actions with spaces between, again and again", any()},
-                  {"decision.period_s", &s.period_s, "s",
-                   "an action lasts this long, then all are compared again", between(0.001, 1e4)},
-                  {"decision.min_bound_m", &s.min_bound_m, "m",
-                   "goals outside this box of the world are not chosen", any()},
-                  {"decision.max_bound_m", &s.max_bound_m, "m",
-                   "goals outside this box of the world are not chosen", any()},
-              });
+  list.insert(
+      list.end(),
+      {
+          {"decision.strategy", &s.strategy, "", "none: stay where it started", words(s.strategy)},
+          {"decision.metric", &s.metric, "",
+           "what is to be learnt: all; without gaze and velocities; the vehicle alone", words(s.metric)},
+          {"decision.horizon", &s.horizon, "", "actions looked ahead; 1: greedy", between(1, 20)},
+          {"decision.max_evaluations", &s.max_evaluations, "",
+           "of imagined looks in one comparison, more than which no longer sequence is followed",
+           between(1, 10000000)},
+          {"decision.schedule", &s.schedule, "",
+           "when actions are scored: all in every frame, all when one is chosen, or one a frame in "
+           "random order",
+           words(s.schedule)},
+          {"decision.sequence", &s.sequence, "",
+           "fixed-path: names of actions with spaces between, again and again", any()},
+          {"decision.period_s", &s.period_s, "s", "an action lasts this long, then all are compared again",
+           between(0.001, 1e4)},
+          {"decision.min_bound_m", &s.min_bound_m, "m", "goals outside this box of the world are not chosen",
+           any()},
+          {"decision.max_bound_m", &s.max_bound_m, "m", "goals outside this box of the world are not chosen",
+           any()},
+      });
 }
 
 void actions(List& list, DecisionSettings& s) {
@@ -58,8 +57,7 @@ void gaze(List& list, DecisionSettings& s) {
       list.end(),
       {
           {"decision.gaze", &s.gaze, "",
-           "how a free camera turns: to and fro, steadily to the left, or as teaches most",
-           one_of({"swing", "hold", "constant-rate", "mutual-information", "fisher", "fisher-given-state"})},
+           "how a free camera turns: to and fro, steadily to the left, or as teaches most", words(s.gaze)},
           {"decision.gaze_rate_rad_s", &s.gaze_rate_rad_s, "rad/s", "of its turns", between(0, 10)},
           {"decision.gaze_period_s", &s.gaze_period_s, "s", "turns are compared again", between(0.001, 1e4)},
           {"decision.gaze_ahead_s", &s.gaze_ahead_s, "s", "how long turns are imagined to last",
@@ -77,7 +75,7 @@ void explore(List& list, ExplorationSettings& s) {
                   {"explore.counted", &s.counted, "",
                    "which of those in view count: all, or so many as a camera would map there "
                    "(map.wanted_visible)",
-                   one_of({"all", "as-mapped"})},
+                   words(s.counted)},
                   {"explore.min_m", &s.min_m, "m", "the place: a box of the world", any()},
                   {"explore.max_m", &s.max_m, "m", "the place: a box of the world", any()},
                   {"explore.cell_m", &s.cell_m, "m", "side of the cells that the place is told in",

@@ -66,6 +66,7 @@ class Reader {
     for (const TomlEntry& entry : parse_toml(read_file(path, largest_scenario), file))
       read_section(file, entry);
     default_association();
+    default_gaze();
   }
 
   void override_with(const std::string& key, const std::string& value, const std::string& source) {
@@ -94,6 +95,7 @@ class Reader {
     // word
     if (faults_.empty()) {
       default_association();
+      default_gaze();
       follow_beliefs();
       take_camera_of_recording(loaded_);
       refuse_what_means_nothing();
@@ -129,6 +131,13 @@ class Reader {
     if (is_default("association.method")) now.method = usual.method;
     if (is_default("association.gate_probability")) now.gate_probability = usual.gate_probability;
     if (is_default("association.birth_probability")) now.birth_probability = usual.birth_probability;
+  }
+
+  /// In a place of points there is no swing to and fro (decision_checks.cpp).
+  void default_gaze() {
+    if (loaded_.sources.at("decision.gaze") != "default") return;
+    const bool points = loaded_.scenario.run.world == "points";
+    loaded_.scenario.decision.gaze = points ? DecisionSettings::Gaze::hold : DecisionSettings{}.gaze;
   }
 
   /// A simulated vehicle is as noisy as its filter believes, unless the scenario says otherwise.

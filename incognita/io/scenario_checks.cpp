@@ -24,7 +24,7 @@ void check_sources(const Scenario& s, List& found) {
   if (s.run.world == "recording" && s.recording.folder.empty()) {
     found.push_back({"recording.folder", "must name the recording, run.world being `recording`"});
   }
-  if (s.run.sensor == "camera" && s.start.from == "target" && s.start.target.empty()) {
+  if (s.run.sensor == "camera" && s.start.from == StartSettings::From::target && s.start.target.empty()) {
     found.push_back(
         {"start.target",
          "must name a target file, start.from being `target`; without a target write start.from = "

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <type_traits>
 
+#include "incognita/io/enum_words.hpp"
 #include "incognita/math/nearest_name.hpp"
 #include "incognita/messages/errors.hpp"
 
@@ -46,7 +48,7 @@ std::int64_t whole_for(const Setting& setting, const TomlValue& value) {
   return *whole;
 }
 
-void set(std::string* field, const Setting& setting, const TomlValue& value) {
+std::string text_for(const Setting& setting, const TomlValue& value) {
   const auto* text = std::get_if<std::string>(&value.value);
   if (!text) throw wrong_kind(setting, value);
   const auto& choices = setting.allowed.choices;
@@ -54,7 +56,19 @@ void set(std::string* field, const Setting& setting, const TomlValue& value) {
     throw BadValue{
         fmt::format("must be {}; the nearest is `{}`", setting.allowed.text(), nearest_name(*text, choices))};
   }
-  *field = *text;
+  return *text;
+}
+
+void set(std::string* field, const Setting& setting, const TomlValue& value) {
+  *field = text_for(setting, value);
+}
+
+template <class Enum>
+requires std::is_enum_v<Enum>
+void set(Enum* field, const Setting& setting, const TomlValue& value) {
+  const std::string text = text_for(setting, value);
+  for (const auto& [known, word] : words_of(*field))
+    if (text == word) *field = known;
 }
 
 void set(std::int64_t* field, const Setting& setting, const TomlValue& value) {
@@ -103,6 +117,8 @@ void set(std::vector<Item>* field, const Setting& setting, const TomlValue& valu
 }
 
 std::string write(const std::string* text) { return toml_string(*text); }
+template <class Enum>
+requires std::is_enum_v<Enum> std::string write(const Enum* choice) { return toml_string(word_of(*choice)); }
 std::string write(const int* whole) { return std::to_string(*whole); }
 std::string write(const std::int64_t* whole) { return std::to_string(*whole); }
 std::string write(const double* real) { return toml_number(*real); }
@@ -158,7 +174,7 @@ std::string Setting::kind() const {
                                           "a list of [x, y]",
                                           "a list of [x, y, z]",
                                           "a list of numbers"};
-  return names[field.index()];
+  return field.index() < std::size(names) ? names[field.index()] : names[0];  // words of enumerations
 }
 
 void assign(const Setting& setting, const TomlValue& value) {
@@ -166,7 +182,7 @@ void assign(const Setting& setting, const TomlValue& value) {
 }
 
 void assign_text(const Setting& setting, std::string_view text) {
-  const bool is_text = std::holds_alternative<std::string*>(setting.field);
+  const bool is_text = setting.kind() == "a text";
   const bool quoted = text.size() >= 2 && (text.front() == '"' || text.front() == '\'');
   if (is_text && !quoted) return assign(setting, TomlValue{std::string(text), 0});
   const BadValue unreadable{fmt::format("must be {}", setting.kind())};

@@ -9,7 +9,9 @@
 #include <variant>
 #include <vector>
 
+#include "incognita/decision/settings.hpp"
 #include "incognita/io/toml_value.hpp"
+#include "incognita/slam/settings.hpp"
 
 namespace incognita {
 
@@ -28,7 +30,10 @@ struct Allowed {
 struct Setting {
   std::string key;  ///< "section.name"; the name ends with the unit
   std::variant<std::string*, int*, std::int64_t*, double*, Eigen::Vector3d*, bool*, Eigen::Vector2d*,
-               std::vector<Eigen::Vector2d>*, std::vector<Eigen::Vector3d>*, std::vector<double>*>
+               std::vector<Eigen::Vector2d>*, std::vector<Eigen::Vector3d>*, std::vector<double>*,
+               DecisionSettings::Strategy*, Metric*, DecisionSettings::Schedule*, DecisionSettings::Gaze*,
+               ExplorationSettings::Counted*, BirthSettings::Method*, BirthSettings::Center*,
+               StartSettings::From*>
       field;
   std::string unit;  ///< empty for counts, ratios and texts
   std::string help;

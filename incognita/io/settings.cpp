@@ -168,15 +168,15 @@ void association(List& list, DataAssociationSettings& s) {
 }
 
 void start(List& list, StartSettings& s) {
-  list.insert(list.end(), {
-                              {"start.from", &s.from, "",
-                               "target: pose solved from the known target; free: here is the origin",
-                               one_of({"target", "free"})},
-                              {"start.target", &s.target, "",
-                               "target file, found beside the scenario or under the data folder", any()},
-                              {"start.max_search_s", &s.max_search_s, "s",
-                               "give up when the target was not found by then", above_up_to(0, 1e6)},
-                          });
+  list.insert(list.end(),
+              {
+                  {"start.from", &s.from, "",
+                   "target: pose solved from the known target; free: here is the origin", words(s.from)},
+                  {"start.target", &s.target, "",
+                   "target file, found beside the scenario or under the data folder", any()},
+                  {"start.max_search_s", &s.max_search_s, "s",
+                   "give up when the target was not found by then", above_up_to(0, 1e6)},
+              });
 }
 
 void filter(List& list, FilterSettings& s) {
@@ -225,11 +225,9 @@ void birth(List& list, BirthSettings& s) {
   list.insert(
       list.end(),
       {
-          {"birth.method", &s.method, "", "how a new feature is represented",
-           one_of({"inverse-depth", "depth-line"})},
+          {"birth.method", &s.method, "", "how a new feature is represented", words(s.method)},
           {"birth.centre", &s.centre, "",
-           "of a patch: `edges`, where they meet, or `peak`, of the corner measure",
-           one_of({"edges", "peak"})},
+           "of a patch: `edges`, where they meet, or `peak`, of the corner measure", words(s.centre)},
           {"birth.box_width_px", &s.box_width_px, "px", "of the box a new feature is looked for in",
            between(16, 16384)},
           {"birth.box_height_px", &s.box_height_px, "px", "of the box a new feature is looked for in",

@@ -84,7 +84,8 @@ std::optional<Eigen::Vector2d> find_new_corner(const Image& image, const Estimat
     const auto corner = strongest_corner(image, box, settings.search.patch_size_px);
     if (!corner || corner->strength < birth.min_corner_strength) continue;
     std::optional<Eigen::Vector2d> centre(std::in_place, corner->u, corner->v);
-    if (birth.centre == "edges") centre = centre_of_corner(image, *centre, settings.search.patch_size_px);
+    if (birth.centre == BirthSettings::Center::edges)
+      centre = centre_of_corner(image, *centre, settings.search.patch_size_px);
     if (!centre || !stays_in_view(*centre, camera, now, birth)) continue;
     // The centre may lie outside the box, and there on a corner that is mapped already
     const PixelBox there{static_cast<int>(std::lround(centre->x())),
@@ -107,7 +108,7 @@ bool give_birth(const Image& image, const Eigen::Vector2d& pixel, Estimate& esti
   landmark.view = *std::move(view);
   const double pixel_var = std::pow(settings.filter.sigma_pixel_px, 2);
   Eigen::Matrix<double, 6, 6> noise = pixel_var * born->Jz * born->Jz.transpose();
-  if (birth.method == "depth-line") {
+  if (birth.method == BirthSettings::Method::depth_line) {
     landmark.kind = Landmark::Kind::line;
     landmark.particles =
         uniform_depths(birth, Eigen::Vector3d(born->landmark[3], born->landmark[4], 1).norm());

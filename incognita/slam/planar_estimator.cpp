@@ -21,7 +21,9 @@ namespace {
 void expect_word(const char* setting, const std::string& word,
                  std::initializer_list<std::string_view> words) {
   if (std::find(words.begin(), words.end(), word) != words.end()) return;
-  throw std::invalid_argument(std::string(setting) + ": `" + word + "` is not one of its words");
+  std::string all;
+  for (const std::string_view one : words) all += (all.empty() ? "`" : ", `") + std::string(one) + "`";
+  throw std::invalid_argument(std::string(setting) + " = `" + word + "`: must be one of " + all);
 }
 
 void check(const PlanarSlamSettings& s) {

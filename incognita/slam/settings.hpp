@@ -27,12 +27,16 @@ struct SearchSettings {
 };
 
 struct BirthSettings {
-  std::string method = "inverse-depth";  ///< `inverse-depth` or `depth-line`
-  int box_width_px = 80;                 ///< of the box a new feature is looked for in
+  enum class Method { inverse_depth, depth_line };
+  /// Of a patch: where its edges meet, or the peak of the corner measure.
+  enum class Center { edges, peak };
+
+  Method method = Method::inverse_depth;
+  int box_width_px = 80;  ///< of the box a new feature is looked for in
   int box_height_px = 60;
   double min_corner_strength = 30;  ///< smaller eigenvalue of the structure tensor, grey levels^2 per pixel
-  std::string centre = "edges";  ///< of a patch: `edges`, where they meet, or `peak`, of the corner measure
-  double look_ahead_s = 0.5;     ///< a corner about to leave the view within this time is not taken
+  Center centre = Center::edges;
+  double look_ahead_s = 0.5;  ///< a corner about to leave the view within this time is not taken
   double sigma_slope =
       0.7;  ///< tangent of a patch's tilt, per axis, before it is learnt; 0: faces the camera
   int max_new_per_frame = 1;
@@ -64,9 +68,13 @@ struct LostSettings {
 };
 
 struct StartSettings {
-  std::string from = "target";  ///< `target`: pose solved from the known target; `free`: here is the origin
-  std::string target;           ///< target file, found beside the scenario or under the data folder
-  double max_search_s = 10;     ///< give up when the target was not found by then
+  enum class From {
+    target,  ///< pose solved from the known target
+    free     ///< here is the origin
+  };
+  From from = From::target;
+  std::string target;        ///< target file, found beside the scenario or under the data folder
+  double max_search_s = 10;  ///< give up when the target was not found by then
 };
 
 struct CameraSlamSettings {

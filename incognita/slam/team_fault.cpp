@@ -71,10 +71,12 @@ std::string fault_in(const TeamSettings& s) {
   if (s.members.empty()) return "a team needs a vehicle";
   const auto& words = {"analytic", "iterated", "unscented-vehicle", "first-estimate"};
   if (std::find(words.begin(), words.end(), s.filter.lineariser) == words.end())
-    return "`" + s.filter.lineariser + "` is no lineariser";
+    return "team_filter.lineariser = `" + s.filter.lineariser +
+           "`: must be one of `analytic`, `iterated`, `unscented-vehicle`, "
+           "`first-estimate`";
   const TeamAssociationSettings& a = s.association;
   if (a.method != "known" && a.method != "nearest")
-    return "`" + a.method + "` is no way to associate a team's sightings";
+    return "association.method = `" + a.method + "`: must be `known` or `nearest` for a team";
   if (!(a.gate_probability < 1 && a.birth_probability < 1 && a.gate_probability <= a.birth_probability))
     return "the gate of a birth must be the gate of a match or wider, and both less than 1";
   for (const TeamMember& m : s.members) {
@@ -92,7 +94,8 @@ std::string fault_in(const TeamSettings& s) {
                " must have as many numbers as the place has dimensions";
   }
   if (s.filter.form == "information") return fault_in_information(s);
-  if (s.filter.form != "covariance") return "`" + s.filter.form + "` is no form of a filter";
+  if (s.filter.form != "covariance")
+    return "team_filter.form = `" + s.filter.form + "`: must be `covariance` or `information`";
   return "";
 }
 

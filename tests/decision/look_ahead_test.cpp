@@ -159,14 +159,14 @@ TEST(BestOf, StaysWhereNothingIsGainedOrAllowed) {
 
 /// Ten seconds of choices at 10 frames a second.
 std::vector<int> choices(const DecisionSettings& settings, std::uint64_t seed,
-                         bool* scored_one_each = nullptr) {
+                         bool* scored_one_each = nullptr, const Tick& first = {0, 0, 0}) {
   Line line;
   ActionChoice choice(settings, {"left", "stay", "right"}, seed);
   std::vector<int> chosen;
   std::vector<double> before;
   for (int k = 0; k < 100; ++k) {
-    const bool decided =
-        choice.choose(line.belief, line.robot, line.at, Steps(), line.points, {k, 0.1 * k, 0.1});
+    const Tick tick{first.frame + k, first.t + 0.1 * k, 0.1};
+    const bool decided = choice.choose(line.belief, line.robot, line.at, Steps(), line.points, tick);
     if (decided) chosen.push_back(choice.chosen());
     if (scored_one_each && !before.empty()) {
       int changed = 0;
@@ -181,12 +181,12 @@ std::vector<int> choices(const DecisionSettings& settings, std::uint64_t seed,
 TEST(ActionChoice, ChoosesOnceAPeriodByStrategy) {
   DecisionSettings s;
   EXPECT_EQ(choices(s, 1), std::vector<int>(10, 2));
-  s.strategy = "none";
+  s.strategy = DecisionSettings::Strategy::none;
   EXPECT_EQ(choices(s, 1), std::vector<int>(10, 1));
-  s.strategy = "fixed-path";
+  s.strategy = DecisionSettings::Strategy::fixed_path;
   s.sequence = "left left right";
   EXPECT_EQ(choices(s, 1), (std::vector<int>{0, 0, 2, 0, 0, 2, 0, 0, 2, 0}));
-  s.strategy = "random";
+  s.strategy = DecisionSettings::Strategy::random;
   s.sequence = "";
   const std::vector<int> random = choices(s, 1);
   for (int a = 0; a < 3; ++a) EXPECT_GT(std::count(random.begin(), random.end(), a), 0);
@@ -196,7 +196,7 @@ TEST(ActionChoice, ChoosesOnceAPeriodByStrategy) {
 
 TEST(ActionChoice, OneActionAFrameChoosesTheSameWhereNothingChanges) {
   DecisionSettings s;
-  s.schedule = "one-per-frame";
+  s.schedule = DecisionSettings::Schedule::one_per_frame;
   bool one_each = true;
   std::vector<int> chosen = choices(s, 1, &one_each);
   EXPECT_TRUE(one_each);
@@ -205,10 +205,19 @@ TEST(ActionChoice, OneActionAFrameChoosesTheSameWhereNothingChanges) {
   EXPECT_EQ(chosen, std::vector<int>(9, 2));
 }
 
+/// Whatever the first tick: times since 1970 have a rounding of their own.
+TEST(ActionChoice, ChoosesAsOftenWhateverTheFirstTick) {
+  DecisionSettings s;
+  s.period_s = 0.3;
+  EXPECT_EQ(choices(s, 1).size(), 34u);
+  EXPECT_EQ(choices(s, 1, nullptr, {17, 1.3e9, 0}).size(), 34u);
+  EXPECT_EQ(choices(s, 1, nullptr, {5, -1000.1, 0}).size(), 34u);
+}
+
 /// Two frames a period, three actions: the first that can be chosen by all is the second period's.
 TEST(ActionChoice, OneActionAFrameWaitsUntilAllHaveAScore) {
   DecisionSettings s;
-  s.schedule = "one-per-frame";
+  s.schedule = DecisionSettings::Schedule::one_per_frame;
   s.period_s = 0.2;
   for (const std::uint64_t seed : {1, 2, 3, 4, 5}) {
     std::vector<int> chosen = choices(s, seed);
@@ -225,14 +234,14 @@ TEST(ActionChoice, OneActionAFrameWaitsUntilAllHaveAScore) {
 TEST(ActionChoice, ScoresOnlyWhenItChoosesWhereItIsToldSo) {
   DecisionSettings s;
   const std::vector<int> in_every_frame = choices(s, 1);
-  s.schedule = "at-decisions";
+  s.schedule = DecisionSettings::Schedule::at_decisions;
   EXPECT_EQ(choices(s, 1), in_every_frame);
 }
 
 TEST(ActionChoice, RefusesWhatCanNotBe) {
   const std::vector<std::string> names{"left", "stay", "right"};
   DecisionSettings s;
-  s.strategy = "fixed-path";
+  s.strategy = DecisionSettings::Strategy::fixed_path;
   EXPECT_THROW(ActionChoice(s, names, 1), std::invalid_argument);
   s.sequence = "left rihgt";
   try {
@@ -242,7 +251,7 @@ TEST(ActionChoice, RefusesWhatCanNotBe) {
     EXPECT_NE(std::string(error.what()).find("nearest is `right`"), std::string::npos) << error.what();
   }
   s = {};
-  s.schedule = "one-per-frame";
+  s.schedule = DecisionSettings::Schedule::one_per_frame;
   s.horizon = 2;
   EXPECT_THROW(ActionChoice(s, names, 1), std::invalid_argument);
 }
@@ -278,7 +287,7 @@ TEST(LookAhead, WhatIsNoNumberIsNeverTheBest) {
 TEST(ActionChoice, EachVehicleOfATeamDrawsItsOwn) {
   const Line line;
   DecisionSettings settings;
-  settings.strategy = "random";
+  settings.strategy = DecisionSettings::Strategy::random;
   const std::vector<std::string> names{"left", "stay", "right"};
   ActionChoice first(settings, names, 1, 1), again(settings, names, 1, 1), second(settings, names, 1, 1, 1);
   int same = 0, apart = 0;

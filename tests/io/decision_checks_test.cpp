@@ -49,6 +49,17 @@ TEST(DecisionChecks, RefuseWhatNoDecisionCanBeMadeOf) {
              "must be `all` with run.world = \"points\"");
 }
 
+/// In a place of points nothing swings: told, it is refused; not told, the gaze is held, and said to be.
+TEST(DecisionChecks, RefuseASwingWhereThereIsNone) {
+  EXPECT_HAS(complaint(points + "[decision]\ngaze = \"swing\"\n"),
+             "decision.gaze = \"swing\": must be `hold`, `constant-rate`, `mutual-information`, `fisher` or "
+             "`fisher-given-state` with run.world = `points`");
+  EXPECT_EQ(complaint(room + "[decision]\ngaze = \"swing\"\n"), "(none)");
+  const testing::Scratch scratch;
+  EXPECT_HAS(effective_toml(load_scenario(scratch.write("points.toml", points).string())), "gaze = \"hold\"");
+  EXPECT_HAS(effective_toml(load_scenario(scratch.write("room.toml", room).string())), "gaze = \"swing\"");
+}
+
 TEST(DecisionChecks, AHandNeedsTheFrameOfTheRoom) {
   EXPECT_HAS(complaint(room + "[person]\nholds = true\n"),
              "person.holds = true: must be false with start.from");

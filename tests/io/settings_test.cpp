@@ -79,7 +79,7 @@ TEST(Settings, EveryFieldIsBound) {
   for (const Setting& setting : list_settings(scenario)) {
     bytes += std::visit([](auto* f) { return sizeof *f; }, setting.field);
   }
-  constexpr std::size_t padding = 116;
+  constexpr std::size_t padding = 133;
   EXPECT_EQ(sizeof(Scenario), bytes + padding);
 }
 
@@ -93,10 +93,25 @@ TEST(Settings, DefaultsAreAllowedAndReadBack) {
   }
 }
 
+/// Every word of a choice is taken, and written back as it was given.
+TEST(Settings, ChoicesAreReadAndWrittenByTheirWords) {
+  Scenario scenario;
+  int choices = 0;
+  for (const Setting& setting : list_settings(scenario)) {
+    for (const std::string& word : setting.allowed.choices) {
+      assign_text(setting, word);
+      EXPECT_EQ(setting.written(), "\"" + word + "\"") << setting.key;
+    }
+    choices += setting.allowed.choices.empty() ? 0 : 1;
+  }
+  EXPECT_GE(choices, 20);
+  EXPECT_EQ(scenario.decision.gaze, DecisionSettings::Gaze::fisher_given_state) << "the last of its words";
+}
+
 TEST(Settings, DefaultsAreTheStructs) {
   LoadedScenario mine = loaded(free_start);
   Scenario defaults;
-  defaults.start.from = "free";
+  defaults.start.from = StartSettings::From::free;
   const std::vector<Setting> read = list_settings(mine.scenario), wanted = list_settings(defaults);
   for (std::size_t i = 0; i < read.size(); ++i) {
     EXPECT_EQ(read[i].written(), wanted[i].written()) << read[i].key;
@@ -112,7 +127,7 @@ TEST(LoadScenario, ReadsEveryKindOfValue) {
   EXPECT_EQ(mine.scenario.run.seed, 12345678901);
   EXPECT_EQ(mine.scenario.run.duration_s, 7);
   EXPECT_EQ(mine.scenario.slam.search.patch_size_px, 13);
-  EXPECT_EQ(mine.scenario.slam.birth.method, "depth-line");
+  EXPECT_EQ(mine.scenario.slam.birth.method, BirthSettings::Method::depth_line);
   EXPECT_EQ(mine.scenario.room.size_m, Eigen::Vector3d(4, 5.5, 2.25));
   EXPECT_EQ(mine.name, "mine");
   EXPECT_TRUE(mine.sources.at("search.patch_size_px").ends_with("mine.toml:7"));
@@ -139,7 +154,7 @@ TEST(LoadScenario, SetTakesTextsAndLists) {
              {"recording.folder=a b=c", "decision.max_bound_m=[2, 1, 3.5]", "birth.method=\"depth-line\""});
   EXPECT_EQ(mine.scenario.recording.folder, "a b=c");
   EXPECT_EQ(mine.scenario.decision.max_bound_m, Eigen::Vector3d(2, 1, 3.5));
-  EXPECT_EQ(mine.scenario.slam.birth.method, "depth-line");
+  EXPECT_EQ(mine.scenario.slam.birth.method, BirthSettings::Method::depth_line);
 }
 
 TEST(LoadScenario, RefusesUnknownNamesWithTheNearest) {

@@ -6,8 +6,10 @@
 #include <string>
 
 #include "incognita/slam/birth.hpp"
+#include "incognita/slam/camera_validation.hpp"
 #include "incognita/slam/depth_line.hpp"
 #include "incognita/slam/entropy.hpp"
+#include "incognita/slam/follow_wheels.hpp"
 #include "incognita/slam/learn_planes.hpp"
 #include "incognita/slam/map_management.hpp"
 #include "incognita/slam/measure.hpp"
@@ -40,7 +42,9 @@ CameraEstimator::CameraEstimator(Camera camera, std::optional<Target> target,
       settings_(settings),
       max_search_s_(max_search_s),
       odometry_(odometry),
-      random_(seed, "slam.birth") {}
+      random_(seed, "slam.birth") {
+  validate(settings_, target_, max_search_s_, odometry_);
+}
 
 void CameraEstimator::update(Estimate& estimate, const Command& command, const Observation& seen,
                              const Tick& tick) {
@@ -49,12 +53,12 @@ void CameraEstimator::update(Estimate& estimate, const Command& command, const O
   estimate.line_looks.clear();
   estimate.predicted = estimate.matched = estimate.visible = 0;
   estimate.update = {};
-  if (tick.frame == 0) first_t_ = tick.t;
-  static const Image nothing;
-  const Image& image = seen.image ? *seen.image : nothing;
-  if (!image.empty()) {
-    check_size(image, camera_);
-    summed_.assign(image);
+  if (!estimate.first_t) estimate.first_t = tick.t;
+  const SummedImage* image = nullptr;
+  if (seen.image && !seen.image->empty()) {
+    check_size(*seen.image, camera_);
+    summed_.assign(*seen.image);
+    image = &summed_;
   }
   clock.mark("sums");
   if (!estimate.started) {
@@ -63,17 +67,21 @@ void CameraEstimator::update(Estimate& estimate, const Command& command, const O
     wait_in_place(estimate, image);
   } else {
     predict(estimate, command, tick.dt);
-    follow_wheels(estimate, seen);
+    // Before the search, whose ellipses it narrows
+    if (odometry_ && !seen.odometry.empty())
+      follow_wheels(estimate.belief, estimate.camera, *odometry_, seen.odometry.back().input);
     track(estimate, image, tick, clock);
   }
 }
 
-void CameraEstimator::start(Estimate& estimate, const Image& image, const Tick& tick, StageClock& clock) {
+void CameraEstimator::start(Estimate& estimate, const SummedImage* seen, const Tick& tick,
+                            StageClock& clock) {
   estimate.status.state = TrackingState::starting;
-  if (image.empty()) {
+  if (!seen) {
     estimate.status.reason = "no image yet";
     return;
   }
+  const Image& image = seen->image();
   CameraState x = CameraState::Zero();
   if (!target_) {  // the first view is the origin, level, looking along x
     const Eigen::Matrix3d world_from_camera = (Eigen::Matrix3d() << 0, 0, 1, -1, 0, 0, 0, -1, 0).finished();
@@ -81,10 +89,10 @@ void CameraEstimator::start(Estimate& estimate, const Image& image, const Tick& 
     start_at(estimate, x, 1e-8 * Eigen::Matrix<double, 6, 6>::Identity());
     estimate.status.reason = "started without a target: the scale is not observable";
   } else {
-    const TargetSearch search = find_target(*target_, camera_, summed_, settings_.filter.sigma_pixel_px);
+    const TargetSearch search = find_target(*target_, camera_, *seen, settings_.filter.sigma_pixel_px);
     if (!search.pose) {
       estimate.status.reason = search.reason;
-      if (tick.t - first_t_ > max_search_s_) estimate.status.state = TrackingState::lost;
+      if (tick.t - *estimate.first_t > max_search_s_) estimate.status.state = TrackingState::lost;
       return;
     }
     x.head<3>() = search.pose->position;
@@ -136,18 +144,6 @@ void CameraEstimator::predict(Estimate& estimate, const Command& command, double
       {estimate.camera, step.x, step.F, step.G * variances.asDiagonal() * step.G.transpose()});
 }
 
-/// Before the search, whose ellipses it narrows. One reading a tick is of the tick's mean speeds, which are
-/// those of the state: (5.24) moves with them.
-void CameraEstimator::follow_wheels(Estimate& estimate, const Observation& seen) const {
-  if (!odometry_ || seen.odometry.empty()) return;
-  const auto look = odometry_->look(estimate.camera_state());
-  AffineLook affine;
-  affine.add(estimate.camera, look.H);
-  affine.residual = WheelOdometry::measured(seen.odometry.back().input) - look.z;
-  affine.R = look.R;
-  estimate.belief.update({&affine, 1});
-}
-
 void CameraEstimator::correct(Estimate& estimate) const {
   std::vector<AffineLook> looks;
   for (const Look& look : estimate.looks)
@@ -157,37 +153,42 @@ void CameraEstimator::correct(Estimate& estimate) const {
   estimate.update = estimate.belief.update(looks);
 }
 
-void CameraEstimator::track(Estimate& estimate, const Image& image, const Tick& tick, StageClock& clock) {
+void CameraEstimator::track(Estimate& estimate, const SummedImage* seen, const Tick& tick,
+                            StageClock& clock) {
   predict_looks(estimate, camera_, settings_, estimate.looks);
   estimate.visible = static_cast<int>(estimate.looks.size());
   clock.mark("predict");
-  if (!image.empty()) {
-    estimate.predicted = measure(summed_, estimate.catalogue, settings_.search, estimate.looks);
-    clock.mark("search");
-    weigh_planes(estimate, camera_, image, settings_.search.patch_size_px, estimate.looks);
-    clock.mark("planes");
-    estimate.matched = reject_inconsistent(estimate, settings_, estimate.looks);
-    clock.mark("consensus");
-    correct(estimate);
-    if (estimate.update.outcome == UpdateReport::Outcome::singular) estimate.matched = 0;  // none was used
-    if (estimate.update.outcome == UpdateReport::Outcome::updated) learn_planes(estimate, estimate.looks);
-    clock.mark("update");
-  }
+  if (seen) match(estimate, *seen, clock);
   count_frames_away(estimate);
   estimate.status =
       judge(estimate.status, estimate.matched, estimate.predicted, sigma_position(estimate), settings_);
   if (estimate.status.state == TrackingState::lost) return get_lost(estimate);
-  if (estimate.status.state == TrackingState::tracking) {
-    count_attempts(estimate);
-    simplify_landmarks(estimate, settings_.birth);
-    follow_lines(summed_, estimate, camera_, settings_);
-    clock.mark("lines");
-    add_landmarks(estimate, image);
-    clock.mark("births");
-    delete_bad_landmarks(estimate, settings_.map);
-  }
+  if (seen && estimate.status.state == TrackingState::tracking) keep_map(estimate, *seen, clock);
   refresh_entropy(estimate, tick);
   clock.mark("map");
+}
+
+void CameraEstimator::match(Estimate& estimate, const SummedImage& seen, StageClock& clock) {
+  estimate.predicted = measure(seen, estimate.catalogue, settings_.search, estimate.looks);
+  clock.mark("search");
+  weigh_planes(estimate, camera_, seen.image(), settings_.search.patch_size_px, estimate.looks);
+  clock.mark("planes");
+  estimate.matched = reject_inconsistent(estimate, settings_, estimate.looks);
+  clock.mark("consensus");
+  correct(estimate);
+  if (estimate.update.outcome == UpdateReport::Outcome::singular) estimate.matched = 0;  // none was used
+  if (estimate.update.outcome == UpdateReport::Outcome::updated) learn_planes(estimate, estimate.looks);
+  clock.mark("update");
+}
+
+void CameraEstimator::keep_map(Estimate& estimate, const SummedImage& seen, StageClock& clock) {
+  count_attempts(estimate);
+  simplify_landmarks(estimate, settings_.birth);
+  follow_lines(seen, estimate, camera_, settings_);
+  clock.mark("lines");
+  add_landmarks(estimate, seen.image());
+  clock.mark("births");
+  delete_bad_landmarks(estimate, settings_.map);
 }
 
 /// The camera stands still where it was last believed to be, as unsure as a short search around allows.
@@ -210,12 +211,12 @@ void CameraEstimator::get_lost(Estimate& estimate) const {
 }
 
 /// Lost: every frame tries the map from where the camera was lost; enough agreeing matches end it.
-void CameraEstimator::wait_in_place(Estimate& estimate, const Image& image) {
-  if (!estimate.started || image.empty()) return;
+void CameraEstimator::wait_in_place(Estimate& estimate, const SummedImage* seen) {
+  if (!estimate.started || !seen) return;
   predict_looks(estimate, camera_, settings_, estimate.looks);
   estimate.visible = static_cast<int>(estimate.looks.size());
-  estimate.predicted = measure(summed_, estimate.catalogue, settings_.search, estimate.looks);
-  weigh_planes(estimate, camera_, image, settings_.search.patch_size_px, estimate.looks);
+  estimate.predicted = measure(*seen, estimate.catalogue, settings_.search, estimate.looks);
+  weigh_planes(estimate, camera_, seen->image(), settings_.search.patch_size_px, estimate.looks);
   estimate.matched = reject_inconsistent(estimate, settings_, estimate.looks);
   const bool enough = estimate.matched >= std::min(matches_to_recover, settings_.search.max_measurements);
   if (enough) correct(estimate);
@@ -245,9 +246,10 @@ void CameraEstimator::add_landmarks(Estimate& estimate, const Image& image) {
 }
 
 void CameraEstimator::refresh_entropy(Estimate& estimate, const Tick& tick) {
-  if (tick.t - entropy_t_ >= entropy_period_s(estimate.belief.errors()) - 1e-9) {
+  const double period_s = entropy_period_s(estimate.belief.errors());
+  if (!estimate.entropy_t || has_come(*estimate.entropy_t + period_s, tick.t)) {
     estimate.entropy = all_entropies(estimate);
-    entropy_t_ = tick.t;
+    estimate.entropy_t = tick.t;
   } else {
     estimate.entropy.vehicle = vehicle_entropy(estimate);
   }

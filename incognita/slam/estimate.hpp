@@ -91,6 +91,8 @@ struct Estimate {
   std::vector<Landmark> catalogue;
   std::int64_t next_id = 0;
   TrackingStatus status;
+  std::optional<double> first_t;    ///< s, of the first tick: when the search for the target began
+  std::optional<double> entropy_t;  ///< s, when the entropy of the whole was last worked out
 
   // Of the last frame
   std::vector<Look> looks;

@@ -131,9 +131,10 @@ Observation TeamSensor::look(const std::optional<Truth>& truth, const Tick& tick
     VehicleView view;
     if (tick.dt > 0) view.input = truth->inputs[i];
     if (i < truth->wheels.size()) view.wheels = truth->wheels[i];
-    if (tick.frame % vehicles_[i].ticks_per_look == 0) look_around(i, *truth, view);
+    if (ticks_ % vehicles_[i].ticks_per_look == 0) look_around(i, *truth, view);
     seen.team.push_back(std::move(view));
   }
+  ++ticks_;
   return seen;
 }
 

@@ -67,6 +67,7 @@ class TeamSensor final : public Sensor {
   std::vector<SimulatedVehicle> vehicles_;
   PointPlace place_;
   bool sees_vehicles_;
+  std::int64_t ticks_ = 0;  ///< so far
   std::vector<RandomStream> noise_;
   std::optional<std::set<std::int64_t>> named_;
   std::shared_ptr<SightingTruth> truth_ = std::make_shared<SightingTruth>();

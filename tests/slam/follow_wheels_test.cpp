@@ -1,11 +1,12 @@
-// Wheels in the camera's filter: an update by what they tell leaves it as sure as it may be, and surer.
+// Wheel odometry as a measurement of the camera.
+#include "incognita/slam/follow_wheels.hpp"
+
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
+#include <cmath>
 
-#include "incognita/belief/belief.hpp"
 #include "incognita/math/random.hpp"
-#include "incognita/models/wheel_odometry.hpp"
 
 namespace incognita {
 namespace {
@@ -21,7 +22,22 @@ Error gaussian(RandomStream& random, const Error& sigmas) {
   return e;
 }
 
-TEST(FollowWheels, LeavesTheFilterAsSureAsItMayBe) {
+/// Velocity and rate of a camera whose axle moves as its wheels turn, but for slip: h() is linear in them,
+/// and leaves two of the rates free.
+Eigen::Matrix<double, 6, 1> motion_on(const WheelOdometry& odometry, const Eigen::Vector2d& wheels,
+                                      State camera, RandomStream& random) {
+  const double slip = odometry.sigma_slip_m_s;
+  WheelOdometry::Measured<double> axle = WheelOdometry::measured(wheels);
+  for (int k = 0; k < 3; ++k) axle[k] += slip * random.normal();
+  camera.tail<6>() = gaussian(random, Error::Constant(0.3)).tail<6>();
+  const WheelOdometry::Look at = odometry.look(camera);
+  const Eigen::Matrix<double, 4, 6> H = at.H.rightCols<6>();
+  return camera.tail<6>() + H.transpose() * (H * H.transpose()).ldlt().solve(axle - at.z);
+}
+
+/// The wheels say what the camera's motion is, of an axle that slips: NEES and NIS are those of their degrees
+/// of freedom.
+TEST(FollowWheels, LeavesTheFilterConsistent) {
   const WheelOdometry odometry{{0.1, 0, 0.8, 0, 0}, 0.05, 0.03, 0.02};
   Error sigmas;
   sigmas << 0.05, 0.05, 0.05, 0.02, 0.02, 0.02, 0.1, 0.1, 0.1, 0.1, 0.1, 0.1;
@@ -32,7 +48,8 @@ TEST(FollowWheels, LeavesTheFilterAsSureAsItMayBe) {
     State truth = State::Zero();
     truth.segment<4>(3) =
         quaternion_exp<double>(Vector3<double>(random.normal(), random.normal(), random.normal()));
-    truth.tail<6>() = gaussian(random, Error::Constant(0.3)).tail<6>();
+    Eigen::Vector2d wheels(0.5 * random.normal(), 0.3 * random.normal());
+    truth.tail<6>() = motion_on(odometry, wheels, truth, random);
     State mean = truth;
     Error error = gaussian(random, sigmas);
     FreeCameraMotion::chart.plus(numbers(mean), numbers(error));
@@ -40,15 +57,9 @@ TEST(FollowWheels, LeavesTheFilterAsSureAsItMayBe) {
     Belief belief;
     const BlockId camera =
         belief.add_vehicle(FreeCameraMotion::chart, mean, sigmas.cwiseAbs2().asDiagonal().toDenseMatrix());
-    const WheelOdometry::Look look = odometry.look(mean);
-    WheelOdometry::Measured<double> z = odometry.h<double>(truth);
-    for (int k = 0; k < 4; ++k) z[k] += std::sqrt(look.R(k, k)) * random.normal();
-    AffineLook affine;
-    affine.add(camera, look.H);
-    affine.residual = z - look.z;
-    affine.R = look.R;
-    const UpdateReport report = belief.update({&affine, 1});
-    nis += report.nis;
+    wheels[0] += odometry.sigma_speed_m_s * random.normal();
+    wheels[1] += odometry.sigma_turn_rate_rad_s * random.normal();
+    nis += follow_wheels(belief, camera, odometry, wheels).nis;
 
     State after = belief.mean(camera);
     FreeCameraMotion::chart.minus(numbers(truth), numbers(after), numbers(error));

@@ -112,6 +112,21 @@ WideAngleCamera lens() {
 }
 
 /// Height counts in how far a camera sees: a vehicle on the floor is in space too.
+/// The first of so many ticks is one that it measures in, whatever its number.
+TEST(TeamSensor, MeasuresInItsFirstTick) {
+  SimulatedVehicle v = vehicle(DifferentialDrive{0, 0}, LaserScanner{}, vec({0, 0, 0}));
+  v.ticks_per_look = 5;
+  for (const std::int64_t first : {0, 17}) {
+    TeamWorld world({v}, 1);
+    TeamSensor sensor({v}, ring(4, 3), false, 1);
+    for (int k = 0; k <= 10; ++k) {
+      const Tick tick{first + k, 0.1 * k, k == 0 ? 0 : 0.1};
+      EXPECT_EQ(sensor.look(world.move({}, tick), tick).team[0].landmarks.empty(), k % 5 != 0)
+          << first << "+" << k;
+    }
+  }
+}
+
 TEST(TeamSensor, ACameraSeesWhatItsImageHasAndAsFarAsItCan) {
   const CarriedCamera camera{Camera(lens()), {.up_m = 0}};
   const PointPlace place{{1, vec({3, 0, 0})},    {2, vec({-3, 0, 0})},  {3, vec({3, 2.9, 0})},

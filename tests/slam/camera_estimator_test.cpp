@@ -1,0 +1,172 @@
+// The camera estimator's state: when it began, what it does without images, and what it refuses.
+#include "incognita/slam/camera_estimator.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "incognita/models/wide_angle_camera.hpp"
+
+namespace incognita {
+namespace {
+
+const Camera camera(WideAngleCamera{.kd1 = 9e-6});
+
+/// Blocks of random greys, so that corners are everywhere.
+std::shared_ptr<const Image> blocks(std::uint64_t seed) {
+  RandomStream random(seed, "blocks");
+  constexpr int side = 16;
+  auto image = std::make_shared<Image>(camera.width(), camera.height());
+  for (int v = 0; v < image->height(); v += side)
+    for (int u = 0; u < image->width(); u += side) {
+      const auto grey = static_cast<std::uint8_t>(20 + random.below(215));
+      for (int y = v; y < std::min(v + side, image->height()); ++y)
+        for (int x = u; x < std::min(u + side, image->width()); ++x) (*image)(x, y) = grey;
+    }
+  return image;
+}
+
+Observation seeing(std::shared_ptr<const Image> image) {
+  Observation seen;
+  seen.image = std::move(image);
+  return seen;
+}
+
+/// Four patches that are in no image of blocks.
+Target target() {
+  Target target;
+  target.name = "rings";
+  target.normal = {-1, 0, 0};
+  for (const Eigen::Vector3d& at :
+       {Eigen::Vector3d(0, 0.1, 0.1), {0, -0.1, 0.1}, {0, -0.1, -0.1}, {0, 0.1, -0.1}}) {
+    Image patch(11, 11);
+    for (int v = 0; v < 11; ++v)
+      for (int u = 0; u < 11; ++u)
+        patch(u, v) = static_cast<std::uint8_t>(((u - 5) * (u - 5) + (v - 5) * (v - 5)) * 5 % 250);
+    target.corners.push_back({at, patch});
+  }
+  return target;
+}
+
+CameraEstimator estimator(const CameraSlamSettings& settings = {}) {
+  return {camera, std::nullopt, settings, 10, 1};
+}
+
+/// `k` ticks after a first one of any number and time.
+Tick tick(std::int64_t first_frame, double first_t, int k) {
+  return {first_frame + k, first_t + k / 30.0, k == 0 ? 0 : 1 / 30.0};
+}
+
+struct Begins {
+  std::int64_t frame;
+  double t;
+};
+const Begins begins[] = {{0, 0}, {17, 1.3e9}, {3, -5}};
+
+TEST(CameraEstimator, SearchesForItsTargetAsLongWhateverItsFirstTick) {
+  const auto image = blocks(1);
+  for (const auto& [frame, t] : begins) {
+    CameraEstimator searching(camera, target(), {}, 2, 1);
+    Estimate estimate;
+    for (const int k : {0, 1, 30, 59}) {
+      searching.update(estimate, {}, seeing(image), tick(frame, t, k));
+      EXPECT_EQ(estimate.status.state, TrackingState::starting) << "frame " << frame << " + " << k;
+    }
+    searching.update(estimate, {}, seeing(image), tick(frame, t, 62));
+    EXPECT_EQ(estimate.status.state, TrackingState::lost) << "after 2 s without its target";
+    // The same estimator, another estimate: another beginning
+    Estimate anew;
+    searching.update(anew, {}, seeing(image), tick(frame, t + 100, 0));
+    EXPECT_EQ(anew.status.state, TrackingState::starting);
+  }
+}
+
+TEST(CameraEstimator, TracksAlikeWhateverItsFirstTick) {
+  std::vector<Eigen::VectorXd> means;
+  std::vector<Eigen::MatrixXd> covariances;
+  for (const auto& [frame, t] : begins) {
+    CameraEstimator tracking = estimator();
+    Estimate estimate;
+    for (int k = 0; k < 20; ++k) tracking.update(estimate, {}, seeing(blocks(1)), tick(frame, t, k));
+    EXPECT_EQ(estimate.status.state, TrackingState::tracking) << estimate.status.reason;
+    EXPECT_GE(estimate.mapped_count(), 8);
+    means.emplace_back(estimate.camera_state());
+    covariances.emplace_back(estimate.belief.covariance(estimate.camera));
+    EXPECT_GT(estimate.entropy.map, -1e9);
+  }
+  EXPECT_EQ(means[0], means[1]);
+  EXPECT_EQ(means[0], means[2]);
+  EXPECT_EQ(covariances[0], covariances[1]);
+}
+
+/// An image may go when the tick is over: nothing of it is looked at in the next.
+TEST(CameraEstimator, KeepsNoImageAndSearchesNothingWithoutOne) {
+  CameraSlamSettings settings;
+  settings.birth.method = BirthSettings::Method::depth_line;
+  settings.map.wanted_visible = 20;
+  settings.lost.min_matches = 1;
+  CameraEstimator with_points = estimator(), tracking = estimator(settings);
+  Estimate estimate;
+  auto image = blocks(1);
+  // Lines are followed while points hold the camera
+  for (int k = 0; k < 6; ++k)
+    (k == 0 ? with_points : tracking).update(estimate, {}, seeing(image), tick(0, 0, k));
+  ASSERT_FALSE(estimate.line_looks.empty());
+  const std::size_t landmarks = estimate.catalogue.size();
+  const std::weak_ptr<const Image> gone = image;
+  image.reset();
+  ASSERT_TRUE(gone.expired());
+  for (int k = 6; k < 9; ++k) {
+    tracking.update(estimate, {}, {}, tick(0, 0, k));
+    EXPECT_TRUE(estimate.line_looks.empty());
+    EXPECT_EQ(estimate.matched, 0);
+    EXPECT_EQ(estimate.catalogue.size(), landmarks) << "no line failed by it";
+    EXPECT_EQ(estimate.status.state, TrackingState::degraded) << estimate.status.reason;
+  }
+}
+
+std::string refusal(const std::function<void(CameraSlamSettings&)>& change) {
+  CameraSlamSettings settings;
+  change(settings);
+  try {
+    estimator(settings);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(CameraEstimator, RefusesSettingsThatCannotBe) {
+  EXPECT_EQ(refusal([](auto&) {}), "accepted");
+  EXPECT_EQ(refusal([](auto& s) { s.filter.sigma_pixel_px = 0; }),
+            "filter.sigma_pixel_px = 0: must be more than 0, and finite");
+  EXPECT_EQ(refusal([](auto& s) { s.filter.sigma_acceleration_m_s2 = -1; }),
+            "filter.sigma_acceleration_m_s2 = -1: must be 0 or more, and finite");
+  EXPECT_EQ(refusal([](auto& s) { s.filter.sigma_start_velocity_m_s = std::nan(""); }),
+            "filter.sigma_start_velocity_m_s = nan: must be 0 or more, and finite");
+  EXPECT_EQ(refusal([](auto& s) { s.search.patch_size_px = 10; }),
+            "search.patch_size_px = 10: must be odd, 9 to 15");
+  EXPECT_EQ(refusal([](auto& s) { s.search.gate_probability = 1; }),
+            "search.gate_probability = 1: must be more than 0 and less than 1");
+  EXPECT_EQ(refusal([](auto& s) { s.birth.max_depth_m = 0.1; }),
+            "birth.max_depth_m = 0.1: must be more than birth.min_depth_m, and finite");
+  EXPECT_EQ(refusal([](auto& s) { s.birth.particles = 1; }), "birth.particles = 1: must be 2 or more");
+  EXPECT_EQ(refusal([](auto& s) { s.map.max_scale = 1; }),
+            "map.max_scale = 1: must be more than 1, and finite");
+  EXPECT_EQ(refusal([](auto& s) { s.lost.min_matches = 0; }), "lost.min_matches = 0: must be 1 or more");
+}
+
+TEST(CameraEstimator, RefusesATargetOrWheelsThatCannotBe) {
+  Target three = target();
+  three.corners.pop_back();
+  EXPECT_THROW(CameraEstimator(camera, three, {}, 10, 1), std::invalid_argument);
+  EXPECT_THROW(CameraEstimator(camera, target(), {}, 0, 1), std::invalid_argument);
+  WheelOdometry odometry;
+  odometry.sigma_turn_rate_rad_s = 0;
+  EXPECT_THROW(CameraEstimator(camera, target(), {}, 10, 1, odometry), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace incognita

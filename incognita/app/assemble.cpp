@@ -6,6 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "incognita/app/operator_assembly.hpp"
 #include "incognita/io/camera.hpp"
 #include "incognita/io/camera_of_recording.hpp"
 #include "incognita/io/files.hpp"
@@ -13,7 +14,6 @@
 #include "incognita/io/recording.hpp"
 #include "incognita/io/target_file.hpp"
 #include "incognita/messages/errors.hpp"
-#include "incognita/world/held_sensor.hpp"
 #include "incognita/world/room_camera.hpp"
 #include "incognita/world/room_clock.hpp"
 #include "incognita/world/room_world.hpp"
@@ -44,9 +44,11 @@ Place rendered_place(const LoadedScenario& loaded, const Camera& camera,
   auto room = std::make_shared<const Room>(scenario.room, seed);
   if (target) check_sheet(loaded, *target, room->layout().sheet);
   std::unique_ptr<Sensor> sensor = std::make_unique<RoomCamera>(room, camera, scenario.room, seed);
-  if (scenario.person.holds) sensor = std::make_unique<HeldSensor>(std::move(sensor));
+  std::optional<OperatorHand> hand;
+  if (scenario.person.holds) hand = operator_of(scenario, 0);
   return {std::make_unique<RoomClock>(scenario.run.rate_hz, scenario.run.duration_s),
-          std::make_unique<RoomWorld>(room->layout(), scenario.room, seed), std::move(sensor)};
+          std::make_unique<RoomWorld>(room->layout(), scenario.room, seed, std::move(hand)),
+          std::move(sensor)};
 }
 
 Assembly assembled(const LoadedScenario& loaded) {
@@ -62,7 +64,7 @@ Assembly assembled(const LoadedScenario& loaded) {
   return {{std::move(place.clock), std::move(place.world), std::move(place.sensor),
            CameraEstimator(camera, std::move(target), scenario.slam, scenario.start.max_search_s, seed),
            CameraDecision(camera, scenario.slam, scenario.decision, scenario.exploration, seed),
-           CameraController(scenario.control, scenario.person, seed)},
+           CameraController(scenario.control, scenario.person.holds)},
           scale_is_known,
           std::move(notes)};
 }

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "incognita/app/assemble_planar.hpp"
+#include "incognita/app/operator_assembly.hpp"
 #include "incognita/app/team_models.hpp"
 #include "incognita/io/clock_warnings.hpp"
 #include "incognita/io/data_folder.hpp"
@@ -16,7 +17,6 @@
 #include "incognita/io/range_formats.hpp"
 #include "incognita/io/team_setting_list.hpp"
 #include "incognita/messages/errors.hpp"
-#include "incognita/world/held_sensor.hpp"
 #include "incognita/world/range_replay.hpp"
 #include "incognita/world/room_clock.hpp"
 #include "incognita/world/team_replay.hpp"
@@ -89,7 +89,11 @@ std::vector<std::string> notes_of(const LoadedScenario& loaded) {
 std::unique_ptr<World> world_of(const Scenario& s, const std::vector<SimulatedVehicle>& vehicles,
                                 const Terrain& ground) {
   const auto seed = static_cast<std::uint64_t>(s.run.seed);
-  if (!is_carried(s)) return std::make_unique<TeamWorld>(vehicles, seed);
+  if (!is_carried(s)) {
+    std::vector<OperatorHand> hands;
+    for (std::size_t i = 0; s.person.holds && i < vehicles.size(); ++i) hands.push_back(operator_of(s, i));
+    return std::make_unique<TeamWorld>(vehicles, seed, std::move(hands));
+  }
   std::vector<CameraCarrier> carriers;
   for (std::size_t i = 0; i < vehicles.size(); ++i) carriers.push_back(carrier_of(s, i, ground));
   return std::make_unique<CarriedCameraWorld>(std::move(carriers), seed);
@@ -140,14 +144,12 @@ TeamAssembly simulated(const LoadedScenario& loaded) {
   TeamController controller =
       made(loaded, held ? "steer.input" : "steer.law",
            held ? fmt::format("[{}]", fmt::join(s.team.steer.input, ", ")) : s.team.steer.law,
-           [&] { return TeamController(std::move(steering), period_s, s.person, seed); });
+           [&] { return TeamController(std::move(steering), period_s, s.person.holds); });
   auto points = std::make_unique<TeamSensor>(vehicles, place, s.team.start.sees_team, seed, names_of(team));
   auto sightings = names_of(team) ? points->truth() : nullptr;
-  std::unique_ptr<Sensor> sensor = std::move(points);
-  if (s.person.holds) sensor = std::make_unique<HeldSensor>(std::move(sensor));
   return {
       {std::make_unique<RoomClock>(s.run.rate_hz, s.run.duration_s), world_of(s, vehicles, ground),
-       std::move(sensor), std::move(estimator), TeamDecision(team, decision_of(s)), std::move(controller)},
+       std::move(points), std::move(estimator), TeamDecision(team, decision_of(s)), std::move(controller)},
       notes_of(loaded),
       std::move(sightings),
       names_of(team) ? Survey{} : survey_of(place)};

@@ -1,6 +1,6 @@
 find_package(CLI11 REQUIRED)
 # The loop and its wiring: what experiments and tests drive without a command line
-incognita_room(app SOURCES app/assemble.cpp app/assemble_planar.cpp app/assemble_room_vehicle.cpp app/assemble_team.cpp app/association_score.cpp app/loop.cpp app/observability_watch.cpp
+incognita_room(app SOURCES app/assemble.cpp app/assemble_planar.cpp app/assemble_room_vehicle.cpp app/assemble_team.cpp app/association_score.cpp app/loop.cpp app/observability_watch.cpp app/operator_assembly.cpp
                            app/snapshot_of.cpp app/snapshot_of_team.cpp app/snapshot_parts.cpp app/team_models.cpp
                USES incognita::slam incognita::decision incognita::control incognita::world incognita::record
                     incognita::io PRIVATE_USES fmt::fmt)

@@ -1,10 +1,8 @@
 // Steers a free camera along its goal, its gaze level: thesis (5.29), track_reference.hpp.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 
-#include "incognita/control/person.hpp"
 #include "incognita/control/settings.hpp"
 #include "incognita/messages/command.hpp"
 #include "incognita/messages/goal.hpp"
@@ -16,27 +14,23 @@ namespace incognita {
 
 class CameraController {
  public:
-  /// `person`: who may move it by hand instead.
-  explicit CameraController(const ControlSettings& settings, const PersonSettings& person = {},
-                            std::uint64_t seed = 1);
+  /// `by_hand`: an operator holds the camera, and is shown the goal.
+  explicit CameraController(const ControlSettings& settings, bool by_hand = false);
 
   /// What to do until the next tick. Before the start nothing; when lost, brake from the last known motion,
-  /// then nothing. A person goes by what the hand feels, seen.felt, and not by the estimate.
+  /// then nothing.
   Command act(const Estimate& estimate, const Goal& goal, const Observation& seen, const Tick& tick);
 
  private:
-  struct Gaze {
-    double heading, rate;  ///< rad, rad/s, to the left
-  };
-  Gaze gaze_of(const Goal& goal, const Tick& tick);
+  Heading gaze_of(const Goal& goal, const Tick& tick);
   Command brake(const Tick& tick) const;
 
   ControlSettings settings_;
-  std::optional<Person> person_;
+  bool by_hand_;
   std::optional<double> first_heading_;
   std::optional<double> first_t_;
   CameraState last_known_ = CameraState::Zero();
-  double lost_t_ = -1;
+  std::optional<double> lost_t_;
 };
 
 }  // namespace incognita

@@ -1,4 +1,4 @@
-// What can be set on the controller (5.29), and on a person in its place.
+// What can be set on the controller (5.29).
 #pragma once
 
 namespace incognita {
@@ -12,15 +12,6 @@ struct ControlSettings {
   double max_angular_acceleration_rad_s2 = 3.0;
   double gaze_amplitude_rad = 0.0;  ///< the gaze swings by this much to either side about the vertical
   double gaze_period_s = 20.0;      ///< of one full swing
-};
-
-/// A person who moves the camera by hand as a screen says, thesis 6.3.2. What the hand does nobody tells the
-/// filter.
-struct PersonSettings {
-  bool holds = false;            ///< the camera
-  double delay_s = 0.3;          ///< from what is shown to what is done
-  double wrong = 0;              ///< probability that another of the six ways is gone, of the same length
-  double sigma_way_ratio = 0.2;  ///< of how far is gone, over how far was shown
 };
 
 }  // namespace incognita

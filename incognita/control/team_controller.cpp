@@ -1,20 +1,19 @@
 #include "incognita/control/team_controller.hpp"
 
 #include <cmath>
-#include <string>
+#include <stdexcept>
 #include <utility>
 
-#include "incognita/control/track_reference.hpp"
-#include "incognita/models/heading.hpp"
+#include "incognita/control/fly_segment.hpp"
 
 namespace incognita {
 
-TeamController::TeamController(std::vector<VehicleSteering> vehicles, double period_s,
-                               const PersonSettings& person, std::uint64_t seed)
-    : vehicles_(std::move(vehicles)), period_s_(period_s) {
+TeamController::TeamController(std::vector<VehicleSteering> vehicles, double period_s, bool by_hand)
+    : vehicles_(std::move(vehicles)), period_s_(period_s), by_hand_(by_hand) {
   for (const VehicleSteering& v : vehicles_) {
+    if (by_hand_ && !std::holds_alternative<FreeCameraMotion>(v.motion))
+      throw std::invalid_argument("an operator moves cameras that are free, and no other vehicles");
     laws_.push_back(make_steering(v.motion, v.settings, period_s_));
-    if (person.holds) persons_.emplace_back(person, seed, "person." + std::to_string(persons_.size()));
   }
 }
 
@@ -34,6 +33,10 @@ Eigen::Vector3d steered_to(const VehicleSteering& v, const VehicleGoal& goal) {
   return goal.to + forward_m * Eigen::Vector3d(std::cos(goal.heading_rad), std::sin(goal.heading_rad), 0);
 }
 
+Eigen::Vector4d wanted_at(const VehicleGoal& goal) {
+  return {goal.to.x(), goal.to.y(), goal.to.z(), goal.heading_rad};
+}
+
 }  // namespace
 
 void TeamController::turn_to(const Goal& goal) {
@@ -49,9 +52,7 @@ void TeamController::turn_to(const Goal& goal) {
 Command TeamController::brake(const Tick& tick) {
   constexpr double braking_s = 0.5;
   if (!lost_t_) lost_t_ = tick.t;
-  for (Person& person : persons_) person.forget();
   Command command;
-  command.by_hand = !persons_.empty();
   if (tick.t - *lost_t_ >= braking_s || last_known_.size() != vehicles_.size()) return command;
   for (std::size_t i = 0; i < vehicles_.size(); ++i) {
     const SmallVector& most = vehicles_[i].settings.most_input;
@@ -65,40 +66,47 @@ Command TeamController::brake(const Tick& tick) {
 }
 
 /// A body in space goes to its goal with the least jerk, looking where the goal says: (5.29).
-SmallVector TeamController::fly(const Goal& goal, std::size_t i, const Tick& tick) {
+SmallVector TeamController::fly(const Goal& goal, std::size_t i, const Tick& tick) const {
   const VehicleGoal& to = goal.team[i];
-  const SmallVector& state = last_known_[i];
-  Way way{to.from, to.to, goal.start_t, goal.end_t};
-  if (!persons_.empty()) way = persons_[i].obey(way, goal.decided, state.head<3>(), tick.t);
-  const Reference r = minimum_jerk(way.from, way.to, way.start_t, way.end_t, tick.t);
-  const Eigen::Vector3d rate(0, -to.heading_rate_rad_s, 0);  // left about z is about -y of the camera
   const SteeringSettings& s = vehicles_[i].settings;
-  const SmallVector wished = track_reference(CameraState(state), r.position, r.velocity, r.acceleration,
-                                             level_gaze(to.heading_rad), rate, s.camera)
-                                 .as_input();
+  const SmallVector wished =
+      fly_segment(CameraState(last_known_[i]), {to.from, to.to, goal.start_t, goal.end_t},
+                  {to.heading_rad, to.heading_rate_rad_s}, tick.t, s.camera)
+          .as_input();
   return wished.cwiseMax(-s.most_input).cwiseMin(s.most_input);
 }
 
-/// last_known_ <- what is steered by; once lost, it stays what it was, to brake from.
-void TeamController::take_states(const TeamEstimate& estimate, const Observation& seen) {
-  if (lost_t_) return;
-  if (!persons_.empty() && seen.felt.size() == vehicles_.size()) {
-    last_known_ = seen.felt;
-  } else if (estimate.status.state != TrackingState::lost) {
-    last_known_.clear();
-    for (const TeamVehicle& v : estimate.vehicles) last_known_.emplace_back(estimate.belief.mean(v.block));
+/// What screens show the operators; nothing while the estimate is lost.
+Command TeamController::shown(const Goal& goal, bool lost) const {
+  Command command;
+  command.by_hand = true;
+  if (lost) return command;
+  for (const VehicleGoal& to : goal.team) {
+    command.user_commands.push_back({{to.from, to.to, goal.start_t, goal.end_t},
+                                     goal.decided,
+                                     Heading{to.heading_rad, to.heading_rate_rad_s}});
+    command.wanted.push_back(wanted_at(to));
   }
+  return command;
 }
 
-Command TeamController::act(const TeamEstimate& estimate, const Goal& goal, const Observation& seen,
+/// last_known_ <- the estimate; once lost, it stays what it was, to brake from.
+void TeamController::take_states(const TeamEstimate& estimate) {
+  if (estimate.status.state == TrackingState::lost) return;
+  lost_t_.reset();
+  last_known_.clear();
+  for (const TeamVehicle& v : estimate.vehicles) last_known_.emplace_back(estimate.belief.mean(v.block));
+}
+
+Command TeamController::act(const TeamEstimate& estimate, const Goal& goal, const Observation&,
                             const Tick& tick) {
   if (!first_t_) first_t_ = tick.t;
+  if (!estimate.started) return {};
+  const bool lost = estimate.status.state == TrackingState::lost;
+  if (by_hand_) return shown(goal, lost);
+  take_states(estimate);
+  if (lost) return brake(tick);
   Command command;
-  command.by_hand = !persons_.empty();
-  if (!estimate.started) return command;
-  if (estimate.status.state != TrackingState::lost) lost_t_.reset();
-  take_states(estimate, seen);
-  if (estimate.status.state == TrackingState::lost) return brake(tick);
   const bool has_goals = goal.team.size() == vehicles_.size();
   if (goal.decided && has_goals) turn_to(goal);
   const double t = tick.t - *first_t_;
@@ -109,8 +117,7 @@ Command TeamController::act(const TeamEstimate& estimate, const Goal& goal, cons
     }
     if (has_goals && std::holds_alternative<FreeCameraMotion>(vehicles_[i].motion)) {
       command.inputs.push_back(fly(goal, i, tick));
-      const Eigen::Vector3d& to = goal.team[i].to;
-      command.wanted.emplace_back(to.x(), to.y(), to.z(), goal.team[i].heading_rad);
+      command.wanted.push_back(wanted_at(goal.team[i]));
       continue;
     }
     command.inputs.push_back(laws_[i]->act(last_known_[i], t));

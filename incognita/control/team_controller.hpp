@@ -1,12 +1,10 @@
 // Steers each vehicle of a team along a path of its own, or to the goals that a decision sets.
 #pragma once
 
-#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
 
-#include "incognita/control/person.hpp"
 #include "incognita/control/steering.hpp"
 #include "incognita/messages/command.hpp"
 #include "incognita/messages/goal.hpp"
@@ -23,26 +21,25 @@ struct VehicleSteering {
 
 class TeamController {
  public:
-  /// `period_s`: how long a command is held. `person`: one for each body in space, who may move it by hand.
-  /// Throws std::invalid_argument as make_steering and Person do.
-  TeamController(std::vector<VehicleSteering> vehicles, double period_s, const PersonSettings& person = {},
-                 std::uint64_t seed = 1);
+  /// `period_s`: how long a command is held. `by_hand`: operators hold the vehicles, all of them cameras that
+  /// are free, and are shown the goals. Throws std::invalid_argument as make_steering does.
+  TeamController(std::vector<VehicleSteering> vehicles, double period_s, bool by_hand = false);
 
   /// Nothing before the start; once lost, bodies in space brake from their last known motion. Goals for the
   /// team, newly decided, take the place of the paths.
-  /// Persons go by what their hands feel, seen.felt, and not by the estimate.
   Command act(const TeamEstimate& estimate, const Goal& goal, const Observation& seen, const Tick& tick);
 
  private:
   void turn_to(const Goal& goal);
   Command brake(const Tick& tick);
-  void take_states(const TeamEstimate& estimate, const Observation& seen);
-  SmallVector fly(const Goal& goal, std::size_t vehicle, const Tick& tick);
+  void take_states(const TeamEstimate& estimate);
+  SmallVector fly(const Goal& goal, std::size_t vehicle, const Tick& tick) const;
+  Command shown(const Goal& goal, bool lost) const;
 
   std::vector<VehicleSteering> vehicles_;
   double period_s_;
   std::vector<std::unique_ptr<Steering>> laws_;
-  std::vector<Person> persons_;  ///< one for each vehicle, or none
+  bool by_hand_;
   std::optional<double> first_t_, lost_t_;
   std::vector<SmallVector> last_known_;
 };

@@ -15,7 +15,10 @@ Command track_reference(const CameraState& estimate, const Eigen::Vector3d& posi
                                 settings.gain_orientation_per_s2 * quaternion_log(to_gaze) -
                                 settings.gain_rate_per_s * (free_camera::angular_rate(estimate) - gaze_rate);
   const double most = settings.max_acceleration_m_s2, most_angular = settings.max_angular_acceleration_rad_s2;
-  return {f.cwiseMax(-most).cwiseMin(most), alpha.cwiseMax(-most_angular).cwiseMin(most_angular), {}};
+  Command command;
+  command.linear_acceleration = f.cwiseMax(-most).cwiseMin(most);
+  command.angular_acceleration = alpha.cwiseMax(-most_angular).cwiseMin(most_angular);
+  return command;
 }
 
 }  // namespace incognita

@@ -53,7 +53,7 @@ struct Scenario {
   ExplorationSettings exploration;
   PlanarSlamSettings planar;
   ControlSettings control;
-  PersonSettings person;
+  OperatorSettings person;
   RoomSettings room;
   TeamScenario team;
 };

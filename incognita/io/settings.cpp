@@ -310,7 +310,7 @@ void control(List& list, ControlSettings& s) {
       });
 }
 
-void person(List& list, PersonSettings& s) {
+void person(List& list, OperatorSettings& s) {
   list.insert(
       list.end(),
       {

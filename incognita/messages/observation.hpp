@@ -70,9 +70,6 @@ struct Observation {
   std::vector<PositionReading> fixes;  ///< since the tick before, in time order
   std::vector<VehicleView> team;       ///< where vehicles name what they see: one for each
   std::vector<ConeRange> around;       ///< what stands around a vehicle, of this very tick
-  /// What persons who hold cameras feel of where they are and how they move, a free camera's state each:
-  /// known to the hand alone
-  std::vector<SmallVector> felt;
 };
 
 }  // namespace incognita

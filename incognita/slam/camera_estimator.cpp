@@ -136,7 +136,7 @@ void CameraEstimator::start_at(Estimate& estimate, const CameraState& x,
 }
 
 void CameraEstimator::predict(Estimate& estimate, const Command& command, double dt) const {
-  const auto step = FreeCameraMotion{}.step(estimate.camera_state(), command.as_told(), dt);
+  const auto step = FreeCameraMotion{}.step(estimate.camera_state(), command.as_input(), dt);
   Eigen::Matrix<double, 6, 1> variances;
   variances.head<3>().setConstant(std::pow(settings_.filter.sigma_acceleration_m_s2, 2));
   variances.tail<3>().setConstant(std::pow(settings_.filter.sigma_angular_acceleration_rad_s2, 2));

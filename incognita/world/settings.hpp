@@ -1,4 +1,4 @@
-// What can be set on the rendered room.
+// What can be set on the rendered room, and on an operator who moves a camera in it or elsewhere.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,6 +17,14 @@ struct RoomSettings {
   double sigma_angular_acceleration_rad_s2 = 0.3;
   double clearance_m = 0.15;      ///< the camera's body stops this far from walls and boxes
   double cover_lens_from_s = -1;  ///< the lens is covered from then on; never when negative
+};
+
+/// An operator who moves the camera by hand as a screen says, thesis 6.3.2.
+struct OperatorSettings {
+  bool holds = false;            ///< the camera
+  double delay_s = 0.3;          ///< from what is shown to what is done
+  double wrong = 0;              ///< probability that another of the six directions is taken, as far
+  double sigma_way_ratio = 0.2;  ///< of how far it is moved, over how far was shown
 };
 
 }  // namespace incognita

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <span>
 #include <stdexcept>
+#include <utility>
 
 namespace incognita {
 namespace {
@@ -45,22 +46,36 @@ void check(const SimulatedVehicle& v, const PointPlace& place) {
 
 }  // namespace
 
-TeamWorld::TeamWorld(const std::vector<SimulatedVehicle>& vehicles, std::uint64_t seed) {
+TeamWorld::TeamWorld(const std::vector<SimulatedVehicle>& vehicles, std::uint64_t seed,
+                     std::vector<OperatorHand> hands)
+    : hands_(std::move(hands)) {
   if (vehicles.empty()) throw std::invalid_argument("a team needs a vehicle");
-  for (std::size_t i = 0; i < vehicles.size(); ++i)
+  need(hands_.empty() || hands_.size() == vehicles.size(),
+       std::to_string(vehicles.size()) + " vehicles, and " + std::to_string(hands_.size()) + " operators");
+  for (std::size_t i = 0; i < vehicles.size(); ++i) {
+    need(hands_.empty() || std::holds_alternative<FreeCameraMotion>(vehicles[i].motion),
+         "an operator moves a camera that is free");
     plants_.emplace_back(vehicles[i].motion, vehicles[i].plant, seed, stream_of("plant", i));
+  }
+}
+
+SmallVector TeamWorld::input_of(const Command& command, std::size_t i) {
+  const Plant& plant = plants_[i];
+  if (!hands_.empty() && last_t_)
+    return hands_[i].move(command, i, FreeCameraMotion::State<double>(plant.state()), *last_t_);
+  return i < command.inputs.size() ? command.inputs[i] : SmallVector::Zero(inputs_of(plant.motion()));
 }
 
 std::optional<Truth> TeamWorld::move(const Command& command, const Tick& tick) {
   Truth truth;
   for (std::size_t i = 0; i < plants_.size(); ++i) {
-    const SmallVector none = SmallVector::Zero(inputs_of(plants_[i].motion()));
-    truth.vehicles.push_back(plants_[i].move(i < command.inputs.size() ? command.inputs[i] : none, tick.dt));
+    truth.vehicles.push_back(plants_[i].move(input_of(command, i), tick.dt));
     const SmallVector& carried_out = plants_[i].carried_out();
-    truth.inputs.push_back(command.by_hand ? SmallVector(SmallVector::Zero(carried_out.size()))
-                                           : carried_out);
+    // Nobody measures what a hand does
+    truth.inputs.push_back(hands_.empty() ? carried_out : SmallVector(SmallVector::Zero(carried_out.size())));
     truth.poses.push_back(pose_of(plants_[i].motion(), truth.vehicles.back()));
   }
+  last_t_ = tick.t;
   const RigidPose& first = *truth.poses.front();
   truth.camera.head<3>() = first.position;
   truth.camera.segment<4>(3) = first.world_from_body;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "incognita/models/any_sensor.hpp"
+#include "incognita/world/operator_model.hpp"
 #include "incognita/world/plant.hpp"
 #include "incognita/world/world.hpp"
 
@@ -32,14 +33,20 @@ struct SimulatedVehicle {
 
 class TeamWorld final : public World {
  public:
-  /// Throws std::invalid_argument where sizes do not fit.
-  TeamWorld(const std::vector<SimulatedVehicle>& vehicles, std::uint64_t seed);
+  /// `hands`: of operators who move the vehicles, free cameras all; none, or one for each. Throws
+  /// std::invalid_argument where sizes do not fit.
+  TeamWorld(const std::vector<SimulatedVehicle>& vehicles, std::uint64_t seed,
+            std::vector<OperatorHand> hands = {});
 
   /// Vehicles without an input have one of 0: they stand still, bodies in space go on as they go.
   std::optional<Truth> move(const Command& command, const Tick& tick) override;
 
  private:
+  SmallVector input_of(const Command& command, std::size_t vehicle);
+
   std::vector<Plant> plants_;
+  std::vector<OperatorHand> hands_;
+  std::optional<double> last_t_;  ///< of the tick before: when the command was given
 };
 
 /// Which landmark each sighting was of at the last tick, for who scores: per vehicle, in its view's order.

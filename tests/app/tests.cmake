@@ -33,4 +33,5 @@ incognita_program_test(program_team_test SOURCES app/program_team_test.cpp
                        USES incognita::record fmt::fmt)
 # Apart, as it alone kills what it starts
 incognita_program_test(program_campaign_test SOURCES app/program_campaign_test.cpp)
+incognita_test(withheld_truth_test SOURCES app/withheld_truth_test.cpp USES incognita::app)
 incognita_test(room_vehicle_test SOURCES app/room_vehicle_test.cpp USES incognita::app)

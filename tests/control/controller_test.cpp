@@ -74,74 +74,38 @@ TEST(CameraController, BrakesFromTheLastKnownMotionWhenLostThenDoesNothing) {
   EXPECT_TRUE(controller.act(estimate, {}, {}, {60, 2.0, 1 / 30.0}).linear_acceleration.isZero());
 }
 
-/// An estimate that is wrong, or jumps, moves nobody's hand.
-TEST(CameraController, APersonGoesByWhatTheHandFeels) {
-  PersonSettings person;
-  person.holds = true;
-  person.delay_s = person.sigma_way_ratio = person.wrong = 0;
-  CameraController controller({}, person);
+/// An operator is shown the goal; what the hand does with it nobody on the robot's side knows.
+TEST(CameraController, ShowsAnOperatorTheGoalAndAsksForNoInput) {
   Estimate estimate;
-  CameraState believed = at_rest();
-  believed.x() += 0.5;
-  estimate.camera =
-      estimate.belief.add_vehicle(FreeCameraMotion::chart, believed, FreeCameraMotion::Jacobian::Identity());
-  estimate.started = true;
-  estimate.status.state = TrackingState::tracking;
+  CameraState moving = at_rest();
+  moving.segment<3>(7) << 0.4, 0, 0;
+  CameraController controller({}, true);
   Goal goal;
   goal.decided = true;
-  goal.from = believed.head<3>();
-  goal.to = goal.from + Eigen::Vector3d(0, 0.3, 0);
+  goal.to = {0, 0.3, 0};
   goal.end_t = 1;
-  CameraState hand = at_rest();
-  Observation seen;
-  for (int k = 0; k <= 45; ++k) {
-    seen.felt.assign(1, hand);
-    const Command command = controller.act(estimate, goal, seen, {k, k / 30.0, k == 0 ? 0 : 1 / 30.0});
-    EXPECT_TRUE(command.by_hand);
-    EXPECT_LT(command.linear_acceleration.norm(), 2) << "0.3 m in a second by the least jerk";
-    hand = FreeCameraMotion{}.f<double>(hand, command.as_input(), 1 / 30.0);
-    goal.decided = false;
-  }
-  EXPECT_NEAR((hand.head<3>() - at_rest().head<3>() - Eigen::Vector3d(0, 0.3, 0)).norm(), 0, 0.02);
-}
-
-/// Who is told nothing more does not carry on: the hand comes to rest from what it last felt, and what was
-/// shown before is not done afterwards.
-TEST(CameraController, AHandStopsWhenItsFilterIsLost) {
-  PersonSettings person;
-  person.holds = true;
-  person.delay_s = 1;
-  person.sigma_way_ratio = person.wrong = 0;
-  CameraController controller({}, person);
-  Estimate estimate;
+  EXPECT_FALSE(controller.act(estimate, goal, {}, {0, 0, 0}).by_hand) << "not started";
   estimate.camera =
-      estimate.belief.add_vehicle(FreeCameraMotion::chart, at_rest(), FreeCameraMotion::Jacobian::Identity());
+      estimate.belief.add_vehicle(FreeCameraMotion::chart, moving, FreeCameraMotion::Jacobian::Identity());
   estimate.started = true;
   estimate.status.state = TrackingState::tracking;
-  Goal goal;
-  goal.decided = true;
-  goal.to = Eigen::Vector3d(0.3, 0, 0);
-  goal.end_t = 1;
-  CameraState hand = at_rest();
-  hand.segment<3>(7) << 0.4, -0.2, 0;
-  Observation seen;
-  const auto step = [&](int k) {
-    seen.felt.assign(1, hand);
-    const Command command = controller.act(estimate, goal, seen, {k, k / 30.0, k == 0 ? 0 : 1 / 30.0});
-    EXPECT_TRUE(command.by_hand) << k;
-    hand = FreeCameraMotion{}.f<double>(hand, command.as_input(), 1 / 30.0);
-    goal.decided = false;
-  };
-  step(0);
-  const double before = hand.segment<3>(7).norm();
-  ASSERT_GT(before, 0.2);
+  Command command = controller.act(estimate, goal, {}, {1, 0.1, 0.1});
+  EXPECT_TRUE(command.by_hand);
+  EXPECT_TRUE(command.as_input().isZero());
+  ASSERT_EQ(command.user_commands.size(), 1u);
+  EXPECT_EQ(command.user_commands[0].segment.to, goal.to);
+  EXPECT_EQ(command.user_commands[0].segment.end_t, 1);
+  EXPECT_TRUE(command.user_commands[0].is_new);
+  EXPECT_FALSE(command.user_commands[0].gaze);
+  goal.decided = false;
+  goal.heading_rad = 0.5;
+  command = controller.act(estimate, goal, {}, {2, 0.2, 0.1});
+  EXPECT_FALSE(command.user_commands[0].is_new);
+  EXPECT_EQ(command.user_commands[0].gaze->rad, 0.5);
   estimate.status.state = TrackingState::lost;
-  for (int k = 1; k < 45; ++k) step(k);
-  EXPECT_LT(hand.segment<3>(7).norm(), 0.05 * before);
-  estimate.status.state = TrackingState::tracking;
-  const Eigen::Vector3d rest = hand.head<3>();
-  for (int k = 45; k < 120; ++k) step(k);
-  EXPECT_LT((hand.head<3>() - rest).norm(), 0.05) << "what was shown before it was lost is forgotten";
+  command = controller.act(estimate, goal, {}, {3, 0.3, 0.1});
+  EXPECT_TRUE(command.by_hand && command.user_commands.empty()) << "come to rest";
+  EXPECT_TRUE(command.as_input().isZero());
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 incognita_test(control_test SOURCES control/controller_test.cpp USES incognita::control)
 incognita_test(steering_test
                SOURCES control/car_linearisation_test.cpp control/feedback_linearisation_test.cpp
-                       control/lqg_regulator_test.cpp control/lqr_test.cpp control/person_test.cpp control/path_acceleration_test.cpp
+                       control/lqg_regulator_test.cpp control/lqr_test.cpp control/path_acceleration_test.cpp
                        control/reference_path_test.cpp
                USES incognita::steering)
 incognita_test(steering_laws_test SOURCES control/steering_laws_test.cpp USES incognita::steering incognita::world)

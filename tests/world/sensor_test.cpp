@@ -3,7 +3,6 @@
 #include "incognita/models/heading.hpp"
 #include "incognita/models/wide_angle_camera.hpp"
 #include "incognita/world/free_camera_plant.hpp"
-#include "incognita/world/held_sensor.hpp"
 #include "incognita/world/image_noise.hpp"
 #include "incognita/world/render.hpp"
 #include "incognita/world/room_camera.hpp"
@@ -69,23 +68,6 @@ TEST(image_noise, stays_between_black_and_white) {
   EXPECT_NEAR(moments(black).mean, 50 / std::sqrt(2 * 3.14159), 2) << "half a normal, not wrapped around";
   EXPECT_NEAR(moments(white).mean, 255 - 50 / std::sqrt(2 * 3.14159), 2);
   EXPECT_THROW(ImageNoise(-1, 3), std::invalid_argument);
-}
-
-/// Sees nothing.
-class BlindSensor final : public Sensor {
- public:
-  Observation look(const std::optional<Truth>&, const Tick&) override { return {}; }
-};
-
-TEST(held_sensor, feels_the_true_states_of_all_that_are_held) {
-  HeldSensor sensor(std::make_unique<BlindSensor>());
-  EXPECT_TRUE(sensor.look(std::nullopt, Tick{0, 0, 0}).felt.empty()) << "of a recording nobody knows";
-  Truth truth = start();
-  const auto alone = sensor.look(truth, Tick{0, 0, 0}).felt;
-  ASSERT_EQ(alone.size(), 1u);
-  EXPECT_EQ(alone[0], truth.camera);
-  truth.vehicles = {Eigen::VectorXd::Constant(13, 1), Eigen::VectorXd::Constant(13, 2)};
-  EXPECT_EQ(sensor.look(truth, Tick{1, 0.1, 0.1}).felt, truth.vehicles) << "a team";
 }
 
 TEST(room_camera, is_the_render_plus_noise) {

@@ -1,0 +1,14 @@
+// A free camera that flies along a segment.
+#pragma once
+
+#include "incognita/control/settings.hpp"
+#include "incognita/messages/command.hpp"
+#include "incognita/models/camera_look.hpp"
+
+namespace incognita {
+
+/// (5.29), track_reference.hpp, along the segment from rest to rest with the least jerk, looking level.
+Command fly_segment(const CameraState& state, const Segment& segment, const Heading& gaze, double t,
+                    const ControlSettings& settings);
+
+}  // namespace incognita

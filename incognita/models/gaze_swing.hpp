@@ -1,0 +1,27 @@
+// A camera that looks to and fro about the vertical.
+#pragma once
+
+#include <cmath>
+#include <numbers>
+
+namespace incognita {
+
+/// Where a level camera looks, about z from +x, and how fast that turns, to the left.
+struct Heading {
+  double rad = 0;
+  double rate_rad_s = 0;
+};
+
+struct GazeSwing {
+  double amplitude_rad = 0;
+  double period_s = 20;
+
+  /// `t`: s since it looked along `middle_rad`.
+  Heading at(double middle_rad, double t) const {
+    const double phase = 2 * std::numbers::pi * t / period_s;
+    return {middle_rad + amplitude_rad * std::sin(phase),
+            amplitude_rad * std::cos(phase) * 2 * std::numbers::pi / period_s};
+  }
+};
+
+}  // namespace incognita

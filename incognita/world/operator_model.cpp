@@ -1,0 +1,97 @@
+#include "incognita/world/operator_model.hpp"
+
+#include <Eigen/Geometry>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "incognita/messages/tick.hpp"
+#include "incognita/models/heading.hpp"
+
+namespace incognita {
+namespace {
+
+using Input = FreeCameraMotion::Input<double>;
+using State = FreeCameraMotion::State<double>;
+
+/// A displacement, its opposite, and the four of its length across it.
+std::array<Eigen::Vector3d, 6> six_directions(const Eigen::Vector3d& displacement) {
+  const bool vertical = std::abs(displacement.z()) > displacement.head<2>().norm();
+  const Eigen::Vector3d reference = vertical ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitZ();
+  const Eigen::Vector3d a = displacement.norm() * displacement.cross(reference).normalized(),
+                        b = displacement.norm() * displacement.cross(a).normalized();
+  return {displacement, -displacement, a, -a, b, -b};
+}
+
+void need(bool ok, const char* key, double value, const char* limit) {
+  if (!ok)
+    throw std::invalid_argument(std::string(key) + " = " + std::to_string(value) + ": must be " + limit);
+}
+
+}  // namespace
+
+OperatorModel::OperatorModel(const OperatorSettings& settings, std::uint64_t seed, const std::string& name)
+    : settings_(settings), random_(seed, name) {
+  need(settings_.delay_s >= 0, "person.delay_s", settings_.delay_s, "0 or more");
+  need(settings_.wrong >= 0 && settings_.wrong <= 1, "person.wrong", settings_.wrong, "0 to 1");
+  need(settings_.sigma_way_ratio >= 0, "person.sigma_way_ratio", settings_.sigma_way_ratio, "0 or more");
+}
+
+/// Three numbers are drawn whatever comes of it, so that operators who err more draw the same.
+Eigen::Vector3d OperatorModel::understood(const Eigen::Vector3d& displacement) {
+  const bool wrong = random_.uniform(0, 1) < settings_.wrong;
+  const int other = 1 + random_.below(5);
+  const double far = std::max(0.0, 1 + settings_.sigma_way_ratio * random_.normal());
+  if (displacement.isZero()) return displacement;
+  return far * six_directions(displacement)[wrong ? static_cast<std::size_t>(other) : 0];
+}
+
+void OperatorModel::forget() {
+  waiting_.clear();
+  started_ = false;
+}
+
+const Segment& OperatorModel::follow(const UserCommand& shown, const Eigen::Vector3d& at, double t) {
+  if (!started_) in_progress_ = {at, at, t, t};
+  started_ = true;
+  if (shown.is_new) waiting_.push_back(shown.segment);
+  while (!waiting_.empty() && has_come(waiting_.front().start_t + settings_.delay_s, t)) {
+    const Segment& now = waiting_.front();
+    in_progress_ = {at, at + understood(now.to - now.from), t, t + now.end_t - now.start_t};
+    waiting_.pop_front();
+  }
+  return in_progress_;
+}
+
+OperatorHand::OperatorHand(OperatorModel model, HandMotion motion, const GazeSwing& swing)
+    : model_(std::move(model)), motion_(std::move(motion)), swing_(swing) {}
+
+Input OperatorHand::move(const Command& command, std::size_t camera, const State& state, double t) {
+  if (!command.by_hand) return Input::Zero();
+  if (camera >= command.user_commands.size()) return stop(state, t);
+  stopped_.reset();
+  const UserCommand& shown = command.user_commands[camera];
+  const Heading looks = gaze(shown, state, t);
+  return motion_(state, model_.follow(shown, free_camera::position(state), t), looks, t);
+}
+
+/// In half a second, by what was felt of the motion when the screen went dark.
+Input OperatorHand::stop(const State& state, double t) {
+  constexpr double braking_s = 0.5;
+  if (!stopped_) stopped_ = {state, t};
+  model_.forget();
+  if (t - stopped_->t >= braking_s) return Input::Zero();
+  return -stopped_->state.tail<6>() / braking_s;
+}
+
+Heading OperatorHand::gaze(const UserCommand& shown, const State& state, double t) {
+  if (shown.gaze) return *shown.gaze;
+  if (!first_gaze_) {
+    first_gaze_ = {heading_of(free_camera::orientation(state)), 0};
+    swing_start_t_ = t;
+  }
+  return swing_.at(first_gaze_->rad, t - swing_start_t_);
+}
+
+}  // namespace incognita

@@ -1,0 +1,165 @@
+// What is on the robot's side of the loop (estimator, decision, controller) cannot depend on the truth: fed
+// with the observations and ticks of a run alone, without a world, it gives the same estimates and commands.
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "incognita/app/assemble.hpp"
+#include "incognita/app/assemble_room_vehicle.hpp"
+#include "incognita/app/assemble_team.hpp"
+#include "incognita/app/loop.hpp"
+#include "incognita/io/load_scenario.hpp"
+#include "incognita/record/snapshot_message.hpp"
+
+namespace incognita {
+namespace {
+
+// Nothing true has a place in an observation: no state of the world's, and nothing that an operator feels.
+template <class T>
+constexpr bool has_truth = requires(T o) {
+  o.felt;
+}
+|| requires(T o) { o.truth; }
+|| requires(T o) { o.states; }
+|| requires(T o) { o.camera; };
+static_assert(!has_truth<Observation> && !has_truth<VehicleView>);
+
+struct Given {
+  std::vector<Tick> ticks;
+  std::vector<Observation> observations;
+};
+
+class RecordingClock final : public Clock {
+ public:
+  RecordingClock(std::unique_ptr<Clock> clock, Given& given) : clock_(std::move(clock)), given_(given) {}
+  Tick next() override {
+    const Tick tick = clock_->next();
+    if (tick) given_.ticks.push_back(tick);
+    return tick;
+  }
+  std::int64_t expected_frames() const override { return clock_->expected_frames(); }
+
+ private:
+  std::unique_ptr<Clock> clock_;
+  Given& given_;
+};
+
+class RecordingSensor final : public Sensor {
+ public:
+  RecordingSensor(std::unique_ptr<Sensor> sensor, Given& given) : sensor_(std::move(sensor)), given_(given) {}
+  Observation look(const std::optional<Truth>& truth, const Tick& tick) override {
+    given_.observations.push_back(sensor_->look(truth, tick));
+    return given_.observations.back();
+  }
+
+ private:
+  std::unique_ptr<Sensor> sensor_;
+  Given& given_;
+};
+
+class GivenClock final : public Clock {
+ public:
+  explicit GivenClock(const Given& given) : given_(given) {}
+  Tick next() override { return next_ < given_.ticks.size() ? given_.ticks[next_++] : Tick{}; }
+  std::int64_t expected_frames() const override { return 0; }
+
+ private:
+  const Given& given_;
+  std::size_t next_ = 0;
+};
+
+class NoWorld final : public World {
+ public:
+  std::optional<Truth> move(const Command&, const Tick&) override { return std::nullopt; }
+};
+
+class GivenSensor final : public Sensor {
+ public:
+  explicit GivenSensor(const Given& given) : given_(given) {}
+  Observation look(const std::optional<Truth>&, const Tick&) override {
+    return given_.observations.at(next_++);
+  }
+
+ private:
+  const Given& given_;
+  std::size_t next_ = 0;
+};
+
+std::string commands_of(const Command& command) {
+  std::string text = std::to_string(command.by_hand);
+  const auto add = [&](const auto& numbers) {
+    for (Eigen::Index i = 0; i < numbers.size(); ++i) text += " " + std::to_string(numbers[i]);
+  };
+  for (const UserCommand& user : command.user_commands) {
+    add(user.segment.from), add(user.segment.to);
+    text += user.is_new ? " new" : "";
+  }
+  for (const SmallVector& input : command.inputs) add(input);
+  return text;
+}
+
+/// All that the robot's side made of each tick, in text that tells any two numbers apart.
+template <class SomeBoxes>
+std::vector<std::string> run(SomeBoxes& boxes) {
+  std::vector<std::string> made;
+  run_loop(
+      boxes,
+      [&](const Snapshot& s) {
+        Snapshot known = s;
+        known.truth.reset();
+        for (SnapshotVehicle& vehicle : known.vehicles) vehicle.truth.reset();
+        made.push_back(snapshot_message(known, true) + commands_of(s.command));
+      },
+      [](const Tick&) { return true; });
+  return made;
+}
+
+/// `assembled`: makes the same boxes anew.
+template <class Assembled>
+void expect_same_without_a_world(const Assembled& assembled) {
+  Given given;
+  auto with = assembled();
+  with.boxes.clock = std::make_unique<RecordingClock>(std::move(with.boxes.clock), given);
+  with.boxes.sensor = std::make_unique<RecordingSensor>(std::move(with.boxes.sensor), given);
+  const std::vector<std::string> in_the_world = run(with.boxes);
+  auto without = assembled();
+  without.boxes.clock = std::make_unique<GivenClock>(given);
+  without.boxes.world = std::make_unique<NoWorld>();
+  without.boxes.sensor = std::make_unique<GivenSensor>(given);
+  const std::vector<std::string> alone = run(without.boxes);
+  ASSERT_GT(in_the_world.size(), 20u);
+  ASSERT_EQ(alone.size(), in_the_world.size());
+  for (std::size_t k = 0; k < alone.size(); ++k) ASSERT_EQ(alone[k], in_the_world[k]) << "tick " << k;
+}
+
+LoadedScenario loaded(const std::string& name, const std::vector<std::string>& sets) {
+  return load_scenario(name, sets, {});
+}
+
+TEST(WithheldTruth, OfAFreeCameraInTheRoom) {
+  for (const char* name : {"room", "hand-held"})
+    expect_same_without_a_world([&] { return assemble(loaded(name, {"run.duration_s=3"})); });
+}
+
+TEST(WithheldTruth, OfAVehicleInTheRoom) {
+  expect_same_without_a_world(
+      [] { return assemble_room_vehicle(loaded("explore-terrain", {"run.duration_s=2"})); });
+}
+
+TEST(WithheldTruth, OfATeam) {
+  for (const char* name : {"two-robots", "terrain"})
+    expect_same_without_a_world([&] { return assemble_team(loaded(name, {"run.duration_s=4"})); });
+}
+
+TEST(WithheldTruth, OfCamerasThatOperatorsHold) {
+  expect_same_without_a_world([] {
+    return assemble_team(
+        loaded("free-camera", {"run.duration_s=3", "person.holds=true", "person.delay_s=0.1"}));
+  });
+}
+
+}  // namespace
+}  // namespace incognita

@@ -1,5 +1,5 @@
 # A thin front for the CMake presets. On a fresh machine ./demo and ./test install what is needed first.
-.PHONY: build test bench check clean configure
+.PHONY: build test bench docs check clean configure
 
 build: configure
 	cmake --build --preset release --target incognita_program
@@ -15,6 +15,11 @@ BENCHES = $(shell sed -n 's/^ *incognita_bench(\([A-Za-z0-9_]*\).*/\1/p' bench/*
 bench: configure
 	cmake --build --preset release
 	@set -e; for bench in $(BENCHES); do echo "== $$bench"; build/$$bench; done
+
+# Numbers and pictures of README.md and docs/; what measures time: tools/make-docs --timed, after `make bench`
+docs: build
+	cmake --build --preset release --target patch_error
+	tools/make-docs
 
 check: configure
 	tools/check-format

@@ -1,0 +1,1 @@
+"""What tools/make-docs is made of: the list docs/numbers.toml, its runs, and the marked blocks of the pages."""

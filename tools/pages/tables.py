@@ -1,0 +1,131 @@
+"""Rows and numbers of single pages, made of results. Every function with a docstring may be used in docs/numbers.toml."""
+
+import math
+import statistics
+import tomllib
+from functools import partial
+
+from pages.results import Results
+
+
+def claim(results: Results, run: str, id: str) -> str:
+    """What `reproduce` measured for a claim, without the name in front and what is compared behind."""
+    claims = (c for entry in results.document(f"{run}/claims.json") for c in entry["claims"])
+    measured = next(c for c in claims if c["id"] == id)["measured"]
+    return measured.split(": ", 1)[-1].split(";")[0]
+
+
+def first(results: Results, seeds: int, values: dict[int, float]) -> list[float]:
+    """The values of seeds 1 to `seeds`."""
+    return [value for seed, value in values.items() if seed <= seeds]
+
+
+def range_of(results: Results, campaign: str, measure: str, scale: float = 1, digits: int = 2) -> str:
+    """`2.71 to 3.58`: least and largest over the seeds."""
+    values = results.per_seed(campaign, measure).values()
+    return f"{scale * min(values):.{digits}f} to {scale * max(values):.{digits}f}"
+
+
+def rms_px(results: Results, path: str) -> float:
+    """Of a table by build/patch_error: the error of a match."""
+    return math.sqrt(float(results.rows(path)[0]["covariance_px2"]))
+
+
+def fast_px(results: Results, path: str) -> float:
+    """Of such a table: the part of the error that is not there in the next frame any more."""
+    now, next_frame = (float(row["covariance_px2"]) for row in results.rows(path)[:2])
+    return math.sqrt(now - next_frame)
+
+
+def car_row(results: Results, folder: str) -> str:
+    """A filter's rank and what it has gained of its heading."""
+    report, heading = results.summary(folder)["observability"], results.direction(folder, "heading")
+    scenario = tomllib.loads((results.output_folder / folder / "effective.toml").read_text())
+    start = math.degrees(scenario["vehicle_start"]["sigma_heading_rad"])
+    gained = math.degrees(heading["believed_sigma"]) if heading["gained"] else math.inf
+    last = list(results.rows(f"{folder}/covariance.csv")[-1].values())
+    filter_sigma = math.degrees(math.sqrt(float(last[36])))  # after t, the 6x6 covariance row by row
+    told = f"{gained:.2f}" if heading["gained"] else "nothing"
+    both = 1 / math.sqrt(1 / gained**2 + 1 / start**2)
+    return (f"| `{folder.split('/')[-1]}` | {report['rank']}, {report['ideal_rank']}, {report['errors']} | {told} | "
+            f"{both:.2f} | {filter_sigma:.2f} |")
+
+
+def camera_row(results: Results, folder: str) -> str:
+    """Ranks of a camera without a target, and what it wrongly takes for known."""
+    report = results.summary(folder)["observability"]
+    turn, scale = results.direction(folder, "turn about z"), results.direction(folder, "scale")
+    return (f"| `{folder.removeprefix('free-')}` | {report['rank']} | {report['ideal_rank']} | {report['errors']} | "
+            f"{report['wrongly_believed']} | {math.degrees(turn['sigma_from_looks']):.2f} | "
+            f"{scale['sigma_from_looks']:.1%}, {scale['believed_sigma']:.1%} |")
+
+
+def right_matches(results: Results, campaign: str, variant: str = "") -> float:
+    """Share of all matches of a campaign's runs that were right."""
+    right, wrong = (sum(results.per_seed(campaign, f"matches_{word}", variant).values()) for word in ("right", "wrong"))
+    return right / (right + wrong)
+
+
+def names_row(results: Results, campaign: str) -> str:
+    """Cells of errors without identities, those with them in brackets."""
+    def middle(measure: str, variant: str) -> float:
+        return statistics.median(results.per_seed(campaign, measure, variant).values())
+
+    largest = max(results.per_seed(campaign, "ate_m", "nearest").values())
+    return (f"{middle('ate_m', 'nearest'):.3f} ({middle('ate_m', 'known'):.3f}), {largest:.2f} | "
+            f"{middle('mean_nees', 'nearest'):.2f} ({middle('mean_nees', 'known'):.2f})")
+
+
+def rough_cell(results: Results, campaign: str, *variant: str) -> str:
+    """`1 of 6; 4.2, 10.1`: runs that failed, median and largest error of the others in cm."""
+    acceleration, odometry = variant
+    rows = [row for row in results.rows(f"{campaign}/runs.csv")
+            if set(row["variant"].split()) >= {f"filter.sigma_acceleration_m_s2={acceleration}",
+                                               f"filter.odometry={odometry}"}]
+    errors = [100 * float(row["ate_m"]) for row in rows if row["status"] == "done"]
+    return f"{len(rows) - len(errors)} of {len(rows)}; {statistics.median(errors):.1f}, {max(errors):.1f}"
+
+
+def bench_row(results: Results, run: str, name: str, cells: str) -> str:
+    """A row of a table: `counter:format` is a counter of the benchmark, any other word stands as it is."""
+    counters = results.bench(run, name)
+    cells = (f"{counters[word.partition(':')[0]]:{word.partition(':')[2]}}" if ":" in word else word.replace("_", " ")
+             for word in cells.split())
+    return f"| {' | '.join(cells)} |"
+
+
+def path_rows(results: Results, run: str) -> str:
+    """Of build/belief_bench: each instruction set's rank update against Eigen's."""
+    rows = []
+    for path, name in (("avx512", "avx512"), ("avx2", "avx2"), ("baseline", "baseline (SSE2)")):
+        try:
+            sizes = {size: results.bench(run, f"rank_update/{path}/{size}") for size in (300, 600, 1200, 3000)}
+        except StopIteration:
+            continue  # this processor does not have it
+        ratios = " | ".join(f"{counters['ratio']:.2f}" for counters in sizes.values())
+        rows.append(f"| {name} | {ratios} | {sizes[1200]['GB/s']:.1f} | {sizes[1200]['pass_GB/s']:.1f} |")
+    return "\n".join(rows)
+
+
+def stages(results: Results, folder: str, *names: str) -> str:
+    """Medians of stages of a run, as cells."""
+    times = results.summary(folder)["timing_ms"]
+    return " | ".join(f"{times[name]['median']:.2f}" for name in names)
+
+
+def stage_row(results: Results, folder: str, name: str) -> str:
+    """Median and 99th percentile of a stage of a run."""
+    times = results.summary(folder)["timing_ms"][name]
+    return f"| `{name}` | {times['median']:.2f} | {times['p99']:.2f} |"
+
+
+def megabytes(results: Results, path: str) -> float:
+    """Size of a file."""
+    return (results.output_folder / path).stat().st_size / 1e6
+
+
+def functions(results: Results) -> dict:
+    """All of the above by name, for these results."""
+    own = {name: value for name, value in globals().items()
+           if callable(value) and getattr(value, "__module__", "") == __name__ and name != "functions"}
+    return {name: partial(value, results) for name, value in own.items()}

@@ -1,9 +1,9 @@
 # Draws the figure of docs/consistency.md:
-#   gnuplot -e "now='now.csv'; facing='facing.csv'; peak='peak.csv'; nees='nees.txt'; out='patch-error.svg'" \
-#     experiments/patch_error.gp
-# The first three come from build/patch_error; nees has a row per seed with the NEES of the three ways.
+#   gnuplot -e "folder='FOLDER'; room='RUNS'" experiments/patch_error.gp
+# FOLDER/now.csv, facing.csv, peak.csv are by build/patch_error; RUNS and FOLDER/campaign/runs.csv are of campaigns with the
+# NEES of every seed, the default and the two other ways. docs/numbers.toml has the commands.
 set terminal svg size 900,340 font "sans,12" background "white"
-set output out
+set output folder.'/patch-error.svg'
 set datafile separator ","
 set multiplot layout 1,2
 set title "Mean product of a patch's error with its own, later"
@@ -12,18 +12,19 @@ set ylabel "px^2"
 set logscale y
 set yrange [0.001:1]
 set key top right
-plot peak using 1:(abs($2)) skip 1 with linespoints pt 7 ps 0.4 lc rgb "#c0392b" title "centred at the corner measure's peak", \
-     facing using 1:(abs($2)) skip 1 with linespoints pt 7 ps 0.4 lc rgb "#e69f00" title "centred where edges meet", \
-     now using 1:(abs($2)) skip 1 with linespoints pt 7 ps 0.4 lc rgb "#0072b2" title "and the plane learnt"
+plot folder.'/peak.csv' using 1:(abs($2)) skip 1 with linespoints pt 7 ps 0.4 lc rgb "#c0392b" title "centred at the corner measure's peak", \
+     folder.'/facing.csv' using 1:(abs($2)) skip 1 with linespoints pt 7 ps 0.4 lc rgb "#e69f00" title "centred where edges meet", \
+     folder.'/now.csv' using 1:(abs($2)) skip 1 with linespoints pt 7 ps 0.4 lc rgb "#0072b2" title "and the plane estimated"
 set title "NEES of the pose, one mark per seed"
 unset logscale y
-set yrange [0:3.5]
-set xrange [0:21]
+set yrange [0:*]
+set xrange [0:11]
 set xlabel "seed"
 set ylabel "NEES / 6"
-set datafile separator whitespace
+campaign = folder.'/campaign/runs.csv'
+nees(word) = strstrt(strcol("variant"), word) > 0 ? column("mean_nees") : NaN
 plot 1 with lines lc rgb "#999999" notitle, \
-     nees using 1:2 with points pt 7 ps 0.6 lc rgb "#c0392b" notitle, \
-     nees using 1:3 with points pt 7 ps 0.6 lc rgb "#e69f00" notitle, \
-     nees using 1:4 with points pt 7 ps 0.6 lc rgb "#0072b2" notitle
+     campaign using (column("seed")):(nees("peak")) with points pt 7 ps 0.6 lc rgb "#c0392b" notitle, \
+     campaign using (column("seed")):(nees("edges")) with points pt 7 ps 0.6 lc rgb "#e69f00" notitle, \
+     room using (column("seed")):(column("mean_nees")) with points pt 7 ps 0.6 lc rgb "#0072b2" notitle
 unset multiplot

@@ -72,7 +72,13 @@ class MakeDocs(unittest.TestCase):
         self.expect(0, "--check", said="within 1 %")
 
     def test_without_a_tolerance_every_digit_counts(self):
-        self.write(PAGE.replace("3.412", "3.413"), LIST.replace("tolerance = 0.01", ""))
+        self.write(PAGE.replace("3.412", "3.413"), LIST.replace("tolerance = 0.01", "tolerance = 0"))
+        self.expect(1, "--check", said="is stale")
+
+    def test_one_unit_of_the_last_decimal_passes_and_a_count_does_not(self):
+        self.write(PAGE.replace("3.412", "3.413"), LIST.replace("tolerance = 0.01", "tolerance = 1e-9"))
+        self.expect(0, "--check", said="0 stale")
+        self.write(PAGE.replace("10 runs", "11 runs"))
         self.expect(1, "--check", said="is stale")
 
     def test_words_are_compared_exactly(self):

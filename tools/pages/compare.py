@@ -6,14 +6,15 @@ NUMBER = re.compile(r"(?<![A-Za-z0-9_.])[-+]?\d+(?:\.\d+)?(?:[eE][-+]?\d+)?(?![A
 
 
 def last_digit(number: str) -> float:
-    """What one unit of the last digit written is worth: 0.01 in `3.42`, 10 in `1.2e2`."""
+    """What one unit of the last decimal written is worth: 0.01 in `3.42`, 10 in `1.2e2`; 0 for whole numbers: a count
+    is not rounded."""
     mantissa, _, exponent = number.lower().partition("e")
     decimals = len(mantissa.partition(".")[2])
-    return 10.0 ** (int(exponent or 0) - decimals)
+    return 10.0 ** (int(exponent or 0) - decimals) if decimals else 0.0
 
 
 def same_number(old: str, new: str, tolerance: float) -> bool:
-    """One unit of the last digit is always allowed where there is a tolerance: rounding may go either way."""
+    """One unit of the last decimal is always allowed where there is a tolerance: rounding may go either way."""
     if old == new:
         return True
     if tolerance == 0:

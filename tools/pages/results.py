@@ -13,6 +13,10 @@ def code(text: str) -> str:
     return "\n".join(("    " + line).rstrip() for line in text.rstrip("\n").split("\n"))
 
 
+def percent(share: float, digits: int = 0) -> str:
+    return f"{100 * share:.{digits}f} %"
+
+
 class Results:
     def __init__(self, output_folder: Path, commands: dict[str, str]):
         self.output_folder, self.commands = output_folder, commands
@@ -20,7 +24,7 @@ class Results:
     def names(self) -> dict:
         """What an f-string of the list may call."""
         own = {name: getattr(self, name) for name in dir(self) if not name.startswith("_") and name != "names"}
-        return {"code": code, "median": statistics.median, "mean": statistics.fmean} | {
+        return {"code": code, "percent": percent, "median": statistics.median, "mean": statistics.fmean} | {
             name: value for name, value in own.items() if callable(value)}
 
     def shell(self, run: str) -> str:

@@ -5,7 +5,7 @@ import statistics
 import tomllib
 from functools import partial
 
-from pages.results import Results
+from pages.results import Results, percent
 
 
 def claim(results: Results, run: str, id: str) -> str:
@@ -57,7 +57,7 @@ def camera_row(results: Results, folder: str) -> str:
     turn, scale = results.direction(folder, "turn about z"), results.direction(folder, "scale")
     return (f"| `{folder.removeprefix('free-')}` | {report['rank']} | {report['ideal_rank']} | {report['errors']} | "
             f"{report['wrongly_believed']} | {math.degrees(turn['sigma_from_looks']):.2f} | "
-            f"{scale['sigma_from_looks']:.1%}, {scale['believed_sigma']:.1%} |")
+            f"{percent(scale['sigma_from_looks'], 1)}, {percent(scale['believed_sigma'], 1)} |")
 
 
 def right_matches(results: Results, campaign: str, variant: str = "") -> float:

@@ -1,5 +1,6 @@
 """tools/make-docs on a small project: what comes out passes, what is stale, unmarked or unlisted does not."""
 
+import fcntl
 import struct
 import subprocess
 import sys
@@ -137,6 +138,17 @@ class MakeDocs(unittest.TestCase):
     def test_a_command_that_fails_is_an_error(self):
         self.write(PAGE, LIST.replace("printf 'P %s'", "false; printf 'P %s'"))
         self.expect(1, "--check", said="drive: code 1 of")
+
+    def test_a_picture_that_the_run_did_not_leave_is_an_error(self):
+        self.write(PAGE, LIST.replace('file = "map.svg"', 'file = "figures/map.svg"'))
+        self.expect(1, "--check", said="run drive left no figures/map.svg")
+
+    def test_two_at_once_are_refused(self):
+        (self.project / "out" / "docs").mkdir(parents=True)
+        with (self.project / "out" / "docs" / "lock").open("w") as lock:
+            fcntl.flock(lock, fcntl.LOCK_EX)
+            self.expect(1, "--check", said="another tools/make-docs is at work")
+        self.expect(0, "--check")
 
     def test_missing_recordings_are_said_and_skipped(self):
         self.write(PAGE.replace("3.412", "9"), LIST.replace("seconds = 0", 'seconds = 0\nrecordings = "nowhere"'))

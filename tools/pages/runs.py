@@ -1,6 +1,7 @@
 """Makes the runs of the list. What a run writes is under out/docs/ID; a run whose commands, program and inputs are
 those of the last time is not made again."""
 
+import fcntl
 import hashlib
 import os
 import re
@@ -8,6 +9,7 @@ import resource
 import shutil
 import subprocess
 import sys
+from contextlib import contextmanager
 from pathlib import Path
 
 from pages.listing import Listing, Run
@@ -24,9 +26,12 @@ def processor_seconds() -> float:
 
 
 def this_machine() -> str:
+    """Its processor, and that other work was going on, which makes times longer."""
     models = [line.partition(":")[2].strip() for line in Path("/proc/cpuinfo").read_text().split("\n")
               if line.startswith("model name")]
-    return f"{models[0] if models else 'unnamed processor'}, {os.cpu_count()} cores"
+    load = os.getloadavg()[0]
+    busy = f", busy (load {load:.1f} before the run)" if load > 0.5 * os.cpu_count() else ""
+    return f"{models[0] if models else 'unnamed processor'}, {os.cpu_count()} cores{busy}"
 
 
 class Runner:
@@ -47,6 +52,17 @@ class Runner:
         places = [Path(named)] if named else [self.project / "data", self.project / ".." / "shared" / "data"]
         return not any((place / run.recordings).exists() for place in places)
 
+    @contextmanager
+    def alone(self):
+        """While it lasts no other process makes runs in the same folder. Throws RunError where one does already."""
+        self.output_folder.mkdir(parents=True, exist_ok=True)
+        with (self.output_folder / "lock").open("w") as lock:
+            try:
+                fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            except BlockingIOError:
+                raise RunError(f"{self.output_folder}: another tools/make-docs is at work there; wait for its end") from None
+            yield
+
     def make(self, run: Run) -> None:
         """Makes the run and those it uses, if need be. Throws RunError."""
         for other in run.uses:
@@ -58,14 +74,13 @@ class Runner:
             return
         if state != begun:  # what another program left would be taken for this one's; an interrupted campaign goes on
             shutil.rmtree(self.folder(run), ignore_errors=True)
-        self.folder(run).parent.mkdir(parents=True, exist_ok=True)
         stamp.write_text(begun)
         self.execute(run)
         stamp.write_text(done)
 
     def execute(self, run: Run) -> None:
         print(f"{run.id}: about {run.seconds:g} s of processor time", end="", flush=True, file=sys.stderr)
-        start = processor_seconds()
+        start, machine = processor_seconds(), this_machine()
         commands = re.sub(r"(?m)(^|(?<=[ (]))build/", self.build.rstrip("/") + "/", run.commands)
         self.folder(run).mkdir(exist_ok=True)
         ended = subprocess.run(["bash", "-euo", "pipefail", "-c", commands], cwd=self.project, text=True,
@@ -74,7 +89,7 @@ class Runner:
         if ended.returncode != 0:
             raise RunError(f"{run.id}: code {ended.returncode} of\n{run.commands}\n{ended.stderr[-2000:]}")
         self.printed(run).write_text(ended.stdout)
-        (self.output_folder / f"{run.id}.machine").write_text(this_machine())
+        (self.output_folder / f"{run.id}.machine").write_text(machine)
 
     def key(self, run: Run) -> str:
         """Of everything the result depends on: the commands, the files they name, and the runs they use."""

@@ -76,16 +76,6 @@ def names_row(results: Results, campaign: str) -> str:
             f"{middle('mean_nees', 'nearest'):.2f} ({middle('mean_nees', 'known'):.2f})")
 
 
-def rough_cell(results: Results, campaign: str, *variant: str) -> str:
-    """`1 of 6; 4.2, 10.1`: runs that failed, median and largest error of the others in cm."""
-    acceleration, odometry = variant
-    rows = [row for row in results.rows(f"{campaign}/runs.csv")
-            if set(row["variant"].split()) >= {f"filter.sigma_acceleration_m_s2={acceleration}",
-                                               f"filter.odometry={odometry}"}]
-    errors = [100 * float(row["ate_m"]) for row in rows if row["status"] == "done"]
-    return f"{len(rows) - len(errors)} of {len(rows)}; {statistics.median(errors):.1f}, {max(errors):.1f}"
-
-
 def bench_row(results: Results, run: str, name: str, cells: str) -> str:
     """A row of a table: `counter:format` is a counter of the benchmark, any other word stands as it is."""
     counters = results.bench(run, name)

@@ -12,13 +12,13 @@ set ylabel "px^2"
 set logscale y
 set yrange [0.001:1]
 set key top right
-plot folder.'/peak.csv' using 1:(abs($2)) skip 1 with linespoints pt 7 ps 0.4 lc rgb "#c0392b" title "centred at the corner measure's peak", \
-     folder.'/facing.csv' using 1:(abs($2)) skip 1 with linespoints pt 7 ps 0.4 lc rgb "#e69f00" title "centred where edges meet", \
+plot folder.'/peak.csv' using 1:(abs($2)) skip 1 with linespoints pt 7 ps 0.4 lc rgb "#c0392b" title "centered at the corner measure's peak", \
+     folder.'/facing.csv' using 1:(abs($2)) skip 1 with linespoints pt 7 ps 0.4 lc rgb "#e69f00" title "centered where edges meet", \
      folder.'/now.csv' using 1:(abs($2)) skip 1 with linespoints pt 7 ps 0.4 lc rgb "#0072b2" title "and the plane estimated"
 set title "NEES of the pose, one mark per seed"
 unset logscale y
 set yrange [0:*]
-set xrange [0:11]
+set xrange [0:10.5]
 set xlabel "seed"
 set ylabel "NEES / 6"
 campaign = folder.'/campaign/runs.csv'

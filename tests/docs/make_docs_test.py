@@ -159,6 +159,9 @@ class MakeDocs(unittest.TestCase):
         self.expect(0, "--check", "drive", said="0 stale")
         self.expect(0, said="0 blocks and pictures")
         self.expect(0, "--timed", said="drive: changed")
+        for _ in range(2):  # measured anew each time, though by several blocks only once
+            ended = self.run_tool("--timed")
+            self.assertEqual(ended.stderr.count("drive: about"), 1, ended.stderr)
 
     def test_an_unknown_id_is_answered_with_the_nearest(self):
         self.expect(2, "--check", "drvie", said="the nearest is `drive`")

@@ -1,5 +1,5 @@
 """Makes the runs of the list. What a run writes is under out/docs/ID; a run whose commands, program and inputs are
-those of the last time is not made again."""
+those of the last time is not made again, unless it measures time."""
 
 import fcntl
 import hashlib
@@ -38,6 +38,7 @@ class Runner:
     def __init__(self, project: Path, build: str, listing: Listing):
         self.project, self.build, self.listing = project, build, listing
         self.output_folder = project / "out" / "docs"
+        self.timed_now: set[str] = set()  # times are measured anew by every call of the tool, once
 
     def folder(self, run: Run) -> Path:
         return self.output_folder / run.id
@@ -70,13 +71,14 @@ class Runner:
         stamp, key = self.output_folder / f"{run.id}.stamp", self.key(run)
         begun, done = f"begun {key}\n", f"done {key}\n"
         state = stamp.read_text() if stamp.exists() else ""
-        if state == done:
+        if state == done and not (run.timed and run.id not in self.timed_now):
             return
         if state != begun:  # what another program left would be taken for this one's; an interrupted campaign goes on
             shutil.rmtree(self.folder(run), ignore_errors=True)
         stamp.write_text(begun)
         self.execute(run)
         stamp.write_text(done)
+        self.timed_now.add(run.id)
 
     def execute(self, run: Run) -> None:
         print(f"{run.id}: about {run.seconds:g} s of processor time", end="", flush=True, file=sys.stderr)

@@ -352,7 +352,9 @@ TEST(Forms, InformationIsRefusedWhereItWouldBeInfinite) {
   settings.filter.form = "covariance";
   EXPECT_EQ(fault_in(settings), "");
   settings.filter.form = "square-root";
-  EXPECT_NE(fault_in(settings).find("no form of a filter"), std::string::npos);
+  EXPECT_NE(
+      fault_in(settings).find("team_filter.form = `square-root`: must be `covariance` or `information`"),
+      std::string::npos);
 }
 
 /// Vehicles that cross each other's way, a hand's breadth apart, keep a belief that is as sure as it may be.
@@ -422,7 +424,10 @@ TEST(Team, RefusesWhatCannotBe) {
   refused(changed, "more than 0");
   changed = scene.filter;
   changed.filter.lineariser = "linear";
-  refused(changed, "no lineariser");
+  refused(changed, "team_filter.lineariser = `linear`: must be one of `analytic`");
+  changed = scene.filter;
+  changed.association.method = "joint";
+  refused(changed, "association.method = `joint`: must be `known` or `nearest`");
   changed = scene.filter;
   changed.anchors[3] = vec({1, 2, 3});
   refused(changed, "anchor 3");

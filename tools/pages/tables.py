@@ -1,5 +1,6 @@
 """Rows and numbers of single pages, made of results. Every function with a docstring may be used in docs/numbers.toml."""
 
+import json
 import math
 import statistics
 import tomllib
@@ -13,6 +14,23 @@ def claim(results: Results, run: str, id: str) -> str:
     claims = (c for entry in results.document(f"{run}/claims.json") for c in entry["claims"])
     measured = next(c for c in claims if c["id"] == id)["measured"]
     return measured.split(": ", 1)[-1].split(";")[0]
+
+
+def verdict_row(results: Results, folder: str) -> str:
+    """A scenario's NEES, NIS and verdicts: of the runs of a campaign that are done, or of one run."""
+    paths = sorted((results.output_folder / folder).glob("runs/*/seed-*.json"))
+    summaries = [json.loads(path.read_text()) for path in paths] or [results.summary(folder)]
+    done = [s["consistency"] for s in summaries if s["status"] == "done"]
+
+    def spread(measure: str) -> str:
+        values = [c[measure] for c in done if c[measure] is not None]
+        low, high = f"{min(values):.2f}", f"{max(values):.2f}"
+        return low if low == high else f"{low} to {high}"
+
+    verdicts = [c["verdict"] for c in done]
+    name = folder.split("/")[-1].removesuffix("-40")
+    return (f"| `{name}` | {len(done)} | {spread('nees')} | {spread('nis')} | {verdicts.count('overconfident')} | "
+            f"{verdicts.count('conservative')} |")
 
 
 def first(results: Results, seeds: int, values: dict[int, float]) -> list[float]:

@@ -9,8 +9,8 @@
 namespace incognita {
 
 /// States before inputs and otherwise as given, but every input before the assignments that name it, directly
-/// or through definitions. A state that another state's assignment names keeps its place: its value from
-/// before the motion began is meant. Throws SystemError, with the place, where inputs depend on themselves.
+/// or through definitions. States are set in the order of the file: a later one sees what an earlier one was
+/// set to. Throws SystemError, with the place, where inputs depend on themselves.
 std::vector<SymbolicSystem::Assignment> in_order_of_evaluation(
     const ExpressionGraph& graph, const std::vector<SymbolicSystem::Assignment>& assignments);
 

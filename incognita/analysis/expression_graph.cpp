@@ -110,6 +110,16 @@ ExpressionGraph::Slot ExpressionGraph::slot_of(const GiNaC::symbol& symbol) cons
   return slots_.at(symbol);
 }
 
+bool ExpressionGraph::is_affine_in(const GiNaC::ex& expression, const std::vector<Slot>& atoms) const {
+  for (const Slot one : atoms) {
+    const GiNaC::ex first = derivative(expression, one);
+    if (first.has(GiNaC::abs(GiNaC::wild()))) return false;
+    for (const Slot other : atoms)
+      if (!derivative(first, other).is_zero()) return false;
+  }
+  return true;
+}
+
 GiNaC::ex ExpressionGraph::derivative(const GiNaC::ex& expression, Slot atom) const {
   std::map<Slot, GiNaC::ex> known;
   return derivative(expression, atom, known);

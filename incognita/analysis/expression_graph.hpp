@@ -58,6 +58,10 @@ class ExpressionGraph {
   /// Derivative to an atom, written out in terms of named quantities.
   GiNaC::ex derivative(const GiNaC::ex& expression, Slot atom) const;
 
+  /// Whether every second derivative to the atoms is 0 on sight. What has abs in a first derivative counts as
+  /// not affine: its second derivative is 0 wherever it has one.
+  bool is_affine_in(const GiNaC::ex& expression, const std::vector<Slot>& atoms) const;
+
   /// Values, and gradients to the states, of every quantity of one owner; those of the vehicle must stand
   /// there already when it is another's. Throws SystemError where one is not finite.
   struct Evaluation {

@@ -84,11 +84,7 @@ bool inputs_affine_in_draws(const SymbolicSystem& system) {
   for (const auto& a : system.assignments) {
     const Names names(system.graph, a.value);
     if (!a.to_input || !names.any_of(drawn)) continue;
-    for (const Slot one : drawn) {
-      const ex first = system.graph.derivative(*system.graph[a.value].expression, one);
-      for (const Slot other : drawn)
-        if (!system.graph.derivative(first, other).is_zero()) return false;
-    }
+    if (!system.graph.is_affine_in(*system.graph[a.value].expression, drawn)) return false;
     drawn.push_back(a.target);
   }
   return true;

@@ -26,6 +26,7 @@ const char* name(Consistency verdict) {
 }
 
 Consistency MeanNormalizedSquare::verdict() const {
+  if (!std::isfinite(mean)) return Consistency::unknown;
   if (mean > band.high) return Consistency::overconfident;
   return mean < band.low ? Consistency::conservative : Consistency::consistent;
 }

@@ -8,6 +8,7 @@
 #include <csignal>
 #include <cstdint>
 #include <cstdio>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -85,8 +86,11 @@ void wait_until(std::chrono::steady_clock::time_point start, double t_s) {
 /// A run directory, pictures if wanted, and what is said on standard error meanwhile.
 class TheRecord : public RunKeeper {
  public:
-  TheRecord(const std::string& out, const Options& options, const RunInfo& info, std::int64_t frames)
-      : figures_(!options.no_figures),
+  /// `frame_done` is called at the end of every frame.
+  TheRecord(const std::string& out, const Options& options, const RunInfo& info, std::int64_t frames,
+            std::function<void()> frame_done)
+      : frame_done_(std::move(frame_done)),
+        figures_(!options.no_figures),
         alignment_(alignment_kind(info.ate_alignment).value_or(AlignmentKind::none)),
         lock_(out),
         recorder_(out, info),
@@ -101,6 +105,7 @@ class TheRecord : public RunKeeper {
     progress_->show(s.tick.frame + 1, fmt::format("{}, {} matched, {} landmarks", name(s.status.state),
                                                   s.matched, s.landmarks.size()));
     teller_.tell(s);
+    frame_done_();
   }
 
   void note(const ObservabilityReport& report, const std::vector<std::string>& in_words) override {
@@ -128,6 +133,7 @@ class TheRecord : public RunKeeper {
   }
 
  private:
+  std::function<void()> frame_done_;
   bool figures_;
   AlignmentKind alignment_;
   FolderLock lock_;  ///< before anything of an earlier run is touched
@@ -159,13 +165,14 @@ int run(const Options& options) {
   manner.tell = [](const std::string& line) { say("{}\n", line); };
   manner.keep_going = [&](const Tick& tick) {
     if (!first_t) first_t = tick.t, start = std::chrono::steady_clock::now();
-    wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (options.realtime) wait_until(start, tick.t - *first_t);
     return !interrupted;
   };
   const OpenKeeper open = [&](const RunInfo& info, std::int64_t frames) {
     heed_signals();
-    return std::make_unique<TheRecord>(out, options, info, frames);
+    return std::make_unique<TheRecord>(out, options, info, frames, [&] {
+      wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    });
   };
   const RunOutcome outcome = run_scenario(loaded, open, manner);
   if (outcome.status != RunStatus::done)

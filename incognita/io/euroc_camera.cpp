@@ -29,17 +29,19 @@ class SensorFile {
   }
 
   bool has(const char* key) const { return root_[key].IsDefined(); }
-  std::string word(const char* key) const { return root_[key].IsScalar() ? root_[key].Scalar() : ""; }
+  std::string word(const char* key) const {
+    return has(key) && root_[key].IsScalar() ? root_[key].Scalar() : "";
+  }
   std::vector<double> numbers(const char* key) const { return numbers(key, root_[key]); }
 
   /// OpenCV's and EuRoC's way to write a matrix: `rows`, `cols`, `data`.
   std::vector<double> matrix(const char* key) const {
     const YAML::Node node = root_[key];
-    return node.IsMap() ? numbers(key, node["data"]) : numbers(key, node);
+    return node.IsDefined() && node.IsMap() ? numbers(key, node["data"]) : numbers(key, node);
   }
 
   [[noreturn]] void refuse(const char* key, const std::string& why) const {
-    refuse(root_[key].Mark(), fmt::format("{} {}", key, why));
+    refuse(has(key) ? root_[key].Mark() : YAML::Mark::null_mark(), fmt::format("{} {}", key, why));
   }
 
  private:

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <fnmatch.h>
 
 #include <algorithm>
 #include <cctype>
@@ -66,10 +65,6 @@ std::optional<std::int64_t> number_in(const std::string& name) {
   return std::stoll(name.substr(begin, end - begin));
 }
 
-bool fits(const std::string& pattern, const std::string& name) {
-  return fnmatch(pattern.c_str(), name.c_str(), 0) == 0;
-}
-
 /// What is said of names that count one by one and leave some out; empty when all is well, or they do not
 /// count.
 std::string missing_numbers(const std::vector<std::string>& names) {
@@ -101,7 +96,7 @@ Recording read_image_folder(const std::filesystem::path& folder, double rate_hz,
     if (it->is_directory(ignored)) {
       folders += (folders.empty() ? "" : ", ") + name;
     } else if (is_image_name(it->path())) {
-      if (pattern.empty() || fits(pattern, name))
+      if (pattern.empty() || fits_pattern(pattern, name))
         names.push_back(name);
       else
         ++unchosen;
@@ -118,7 +113,7 @@ Recording read_image_folder(const std::filesystem::path& folder, double rate_hz,
                                  folders.empty() ? "" : "; it has the folders " + folders));
   }
   std::sort(names.begin(), names.end(), naturally_before);
-  const std::string odd_names = pattern.empty() ? check_names(folder, names) : "",
+  const std::string odd_names = pattern == "*" ? "" : check_names(folder, names),
                     odd_headers = check_headers(folder, names);
   Recording recording{"images", folder, {}, {}, {}, {}};
   for (const std::string& name : names) {

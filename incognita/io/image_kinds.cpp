@@ -1,10 +1,14 @@
 #include "incognita/io/image_kinds.hpp"
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <fnmatch.h>
 
 #include <algorithm>
 #include <fstream>
+#include <map>
 #include <optional>
+#include <set>
+#include <utility>
 
 #include "incognita/io/image_file.hpp"
 #include "incognita/messages/errors.hpp"
@@ -66,7 +70,45 @@ std::optional<ImageHeader> header_of(const std::filesystem::path& file) {
   return image_header(bytes);
 }
 
+/// Whether the words of the kind, as a pattern, take nothing of another: "*.png" takes "1_depth.png" too.
+bool takes_only_its_own(const Kind& kind, const std::vector<std::string>& names) {
+  const auto taken = std::count_if(names.begin(), names.end(),
+                                   [&](const std::string& name) { return fits_pattern(kind.words, name); });
+  return static_cast<std::size_t>(taken) == kind.count;
+}
+
+/// "cam1_0007.png" as {"cam1_", "0007.png"}: before and after the first number with something behind it.
+std::pair<std::string, std::string> first_number_apart(const std::string& name) {
+  const auto begin = std::find_if(name.begin(), name.end(), is_digit);
+  const auto end = std::find_if_not(begin, name.end(), is_digit);
+  return {{name.begin(), end}, {end, name.end()}};
+}
+
+/// The names before the second number where each of a few stands with the same second numbers, as those of
+/// two cameras do, "cam0_" and "cam1_"; else nothing. Minutes before seconds look alike, so this is no
+/// refusal.
+std::vector<std::string> cameras_by_number(const std::vector<std::string>& names) {
+  std::map<std::string, std::set<std::string>> rest;
+  for (const std::string& name : names) {
+    const auto [first, second] = first_number_apart(name);
+    if (std::none_of(second.begin(), second.end(), is_digit)) return {};
+    rest[first].insert(second);
+  }
+  constexpr std::size_t most_cameras = 8;
+  if (rest.size() < 2 || rest.size() > most_cameras || rest.begin()->second.size() < 2) return {};
+  std::vector<std::string> cameras;
+  for (const auto& [first, second] : rest) {
+    if (second != rest.begin()->second) return {};
+    cameras.push_back(first);
+  }
+  return cameras;
+}
+
 }  // namespace
+
+bool fits_pattern(const std::string& pattern, const std::string& name) {
+  return fnmatch(pattern.c_str(), name.c_str(), 0) == 0;
+}
 
 std::string check_names(const std::filesystem::path& folder, const std::vector<std::string>& names) {
   std::vector<Kind> kinds;
@@ -74,10 +116,17 @@ std::string check_names(const std::filesystem::path& folder, const std::vector<s
   sort(kinds);
   if (is_another_camera(kinds, names.size()))
     throw InputError(
-        fmt::format("{}: the {} images have names of {} kinds: {}. A recording is of one camera: choose with "
-                    "recording.pattern, "
-                    "e.g. recording.pattern = \"{}\"; \"*\" takes all",
-                    folder.string(), names.size(), kinds.size(), list_of(kinds), kinds[0].words));
+        fmt::format("{}: the {} images have names of {} kinds: {}. A recording is of one camera: {}; "
+                    "recording.pattern = \"*\" takes all",
+                    folder.string(), names.size(), kinds.size(), list_of(kinds),
+                    takes_only_its_own(kinds[0], names)
+                        ? fmt::format("choose, e.g. recording.pattern = \"{}\"", kinds[0].words)
+                        : "put its images in a folder of their own"));
+  if (const auto cameras = cameras_by_number(names); !cameras.empty())
+    return fmt::format(
+        "the same numbers stand behind {}: if these are cameras, choose one, e.g. "
+        "recording.pattern = \"{}*\"",
+        fmt::join(cameras, ", "), cameras.front());
   if (kinds.size() < 2 || kinds[0].count < 2) return "";
   return fmt::format("names of {} kinds: {}; all are taken, unless recording.pattern chooses", kinds.size(),
                      list_of(kinds));

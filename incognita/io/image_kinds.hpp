@@ -8,6 +8,9 @@
 
 namespace incognita {
 
+/// As a shell does: `*` for anything, `?` for one letter.
+bool fits_pattern(const std::string& pattern, const std::string& name);
+
 /// Names are of one kind when they differ in their numbers alone. Throws InputError with the kinds, their
 /// counts and the remedy where a second kind has its share of the folder; else says, in words, what stands
 /// out, or nothing.

@@ -37,6 +37,7 @@ void PathSummary::add(std::size_t body, const std::optional<StampedPose>& truth,
     last_estimate_[body] = estimate;
   }
   if (truth && estimate) path.truth = truth, path.estimate = estimate;
+  path.truth_has_gaps |= estimate && !truth;
 }
 
 }  // namespace incognita

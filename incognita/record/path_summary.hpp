@@ -12,6 +12,7 @@ namespace incognita {
 struct BodyPath {
   double estimated_length = 0;                 ///< m, or arbitrary units where the scale is unobservable
   std::optional<double> true_length_m;         ///< where the truth was ever known
+  bool truth_has_gaps = false;                 ///< not known at some frame with an estimate
   std::optional<StampedPose> estimate, truth;  ///< the last at a time when both were known
 };
 

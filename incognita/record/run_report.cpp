@@ -39,7 +39,12 @@ std::string path_in_words(const BodyReport& body, const RunReport& r) {
 }
 
 std::string errors_in_words(const BodyReport& body, const RunReport& r) {
-  if (!std::isfinite(body.ate_m)) return "no error: the truth is not known";
+  if (!std::isfinite(body.ate_m))
+    return !r.truth_known          ? "no error: the truth is not known"
+           : r.tracked_frames == 0 ? "no error: there is no pose to compare with the truth"
+           : r.alignment == AlignmentKind::none
+               ? "no error: the truth is not known where there is a pose"
+               : "no error: too few poses with a known truth for an alignment";
   std::string text = "ATE " + length_in_words(body.ate_m);
   if (r.alignment != AlignmentKind::none) text += fmt::format(" after {} alignment", name(r.alignment));
   if (std::isfinite(body.drift_percent))

@@ -28,9 +28,10 @@ struct RunReport {
   double duration_s = 0;  ///< from the first frame to the last, in the time of the run
   std::int64_t frames = 0, tracked_frames = 0, degraded_frames = 0, lost_frames = 0;
   AlignmentKind alignment = AlignmentKind::none;
-  bool scale_known = true;  ///< else lengths of the estimate have an arbitrary unit
-  bool true_path = false;   ///< path lengths are those of the true path
-  BodyReport body;          ///< of a team: of all its robots together
+  bool scale_known = true;   ///< else lengths of the estimate have an arbitrary unit
+  bool truth_known = false;  ///< at any frame
+  bool true_path = false;    ///< path lengths are those of the true path, known at every frame with a pose
+  BodyReport body;           ///< of a team: of all its robots together
   std::vector<BodyReport> robots;
   int landmarks = 0, anchors = 0;
   int surveyed = 0;  ///< landmarks that the map can be compared with; 0: none

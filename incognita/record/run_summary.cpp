@@ -224,8 +224,9 @@ RunReport RunSummary::report(RunStatus status, const std::string& reason) const 
 
 void RunSummary::report_paths(RunReport& r, const std::optional<Alignment>& alignment) const {
   const std::vector<BodyPath>& paths = paths_.bodies();
+  r.truth_known = has_truth_;
   r.true_path = has_truth_ && std::all_of(paths.begin(), paths.end(), [](const BodyPath& path) {
-                  return path.true_length_m.has_value();
+                  return path.true_length_m && !path.truth_has_gaps;
                 });
   if (!paths.empty()) r.body.path_length = 0;
   r.body.ate_m = ate_m(alignment);

@@ -103,16 +103,16 @@ StampedPose euroc_pose(const Line& line, std::span<const std::string_view> cells
 /// The names of the columns, if this line has them.
 enum class Header { none, tum, euroc };
 
-/// EuRoC's names, `#timestamp [ns],p_RS_R_x [m],...`, have commas between and the quaternion's w first;
-/// TUM's,
-/// `# timestamp tx ty tz qx qy qz qw`, may have commas too, and have it last.
+/// Where the quaternion's parts are named, their order decides: TUM's, `# timestamp tx ty tz qx qy qz qw`,
+/// have w last, EuRoC's, `#timestamp [ns],p_RS_R_x [m],...,q_RS_w [],q_RS_x []...`, first. Either may have
+/// commas.
 Header header_of(std::string_view text) {
   const std::size_t first = text.find_first_not_of("# \t");
   if (first == std::string_view::npos || !text.substr(first).starts_with("timestamp")) return Header::none;
-  const std::size_t x = text.find("qx");
-  if (text.find("tx") != std::string_view::npos || (x != std::string_view::npos && x < text.find("qw")))
-    return Header::tum;
-  return text.find(',') == std::string_view::npos ? Header::none : Header::euroc;
+  const std::size_t x = text.find("qx"), w = text.find("qw"), none = std::string_view::npos;
+  if (x != none && w != none) return x < w ? Header::tum : Header::euroc;
+  if (text.find("tx") != none) return Header::tum;
+  return text.find(',') == none ? Header::none : Header::euroc;
 }
 
 std::ifstream open_text(const std::filesystem::path& path) {

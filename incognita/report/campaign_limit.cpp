@@ -21,6 +21,9 @@ std::optional<LimitMeasure> limit_measure(const std::string& name) {
     if (at == 0 || !limit || !std::isfinite(*limit))
       throw InputError(fmt::format(
           "--measure {}: a limit is a number after the name of a measure, as in ate_m{}0.1", name, word));
+    if (name.substr(0, at) == "failed")
+      throw InputError(
+          fmt::format("--measure {}: `failed` is the share of runs that failed; it has no limit", name));
     return LimitMeasure{name, name.substr(0, at), below, *limit};
   }
   return std::nullopt;
@@ -42,10 +45,10 @@ std::vector<std::string> base_names(const std::vector<std::string>& names) {
   return bases;
 }
 
-double success(const LimitMeasure& measure, bool done, const Measures& measures) {
+double success(const LimitMeasure& measure, bool done, const Measures& measures, bool known_to_any) {
   if (!done) return 0;
   const double value = value_of(measures, measure.base);
-  if (std::isnan(value)) return std::numeric_limits<double>::quiet_NaN();
+  if (std::isnan(value)) return known_to_any ? 0 : std::numeric_limits<double>::quiet_NaN();
   return (measure.below ? value < measure.limit : value > measure.limit) ? 1 : 0;
 }
 

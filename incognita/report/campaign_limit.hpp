@@ -19,7 +19,8 @@ struct LimitMeasure {
   double limit = 0;
 };
 
-/// Nothing for a name without `.below:` or `.above:`. Throws InputError where no number follows.
+/// Nothing for a name without `.below:` or `.above:`. Throws InputError where no number follows, and for
+/// `failed`, which is a share already.
 std::optional<LimitMeasure> limit_measure(const std::string& name);
 
 /// Those among the names, in their order.
@@ -28,7 +29,8 @@ std::vector<LimitMeasure> limit_measures(const std::vector<std::string>& names);
 /// The names of summary.json's own behind the wanted ones.
 std::vector<std::string> base_names(const std::vector<std::string>& names);
 
-/// 1 for a success, else 0; NaN for a run that is done and has no value.
-double success(const LimitMeasure& measure, bool done, const Measures& measures);
+/// 1 for a success, else 0. A run that is done without a value, as of what never happened in it, is none;
+/// where no run of the campaign has one (`known_to_any`), nothing was measured, and it is NaN.
+double success(const LimitMeasure& measure, bool done, const Measures& measures, bool known_to_any);
 
 }  // namespace incognita

@@ -24,6 +24,14 @@ std::string below(const std::string& name, const std::string& part) {
   return name.empty() ? part : fmt::format("{}.{}", name, part);
 }
 
+/// Numbers of the consistency verdict that stand under names of their own as well, and its bands.
+bool repeats_another(const std::string& name) {
+  for (const char* repeated : {"consistency.nis", "consistency.nis_band", "consistency.nees",
+                               "consistency.nees_band", "consistency.overconfident_frames"})
+    if (name == repeated) return true;
+  return name.starts_with("vehicles.") && name.ends_with(".nees_band");
+}
+
 void gather(const Json& value, const std::string& name, Measures& all) {
   if (value.is_number())
     all.emplace_back(name, value.get<double>());
@@ -31,9 +39,8 @@ void gather(const Json& value, const std::string& name, Measures& all) {
     all.emplace_back(name, std::numeric_limits<double>::quiet_NaN());
   else if (value.is_object()) {
     for (const auto& [key, part] : value.items()) {
-      if (key == "consistency")
-        continue;  // its numbers are mean_nis, mean_nees and overconfident_frames again
-      gather(part, below(name, key), all);
+      const std::string whole = below(name, key);
+      if (!repeats_another(whole)) gather(part, whole, all);
     }
   } else if (value.is_array())
     for (std::size_t i = 0; i < value.size(); ++i)

@@ -37,10 +37,17 @@ BySeed failures_of(const CampaignVariant& variant) {
   return failed;
 }
 
-BySeed successes_of(const CampaignVariant& variant, const LimitMeasure& measure) {
+bool is_known_to_any(const Campaign& campaign, const std::string& measure) {
+  for (const CampaignVariant& variant : campaign.variants)
+    for (const CampaignRun& run : variant.runs)
+      if (run.done && std::isfinite(value_of(run.measured.measures, measure))) return true;
+  return false;
+}
+
+BySeed successes_of(const CampaignVariant& variant, const LimitMeasure& measure, bool known_to_any) {
   BySeed successes;
   for (const CampaignRun& run : variant.runs)
-    successes[run.seed] = success(measure, run.done, run.measured.measures);
+    successes[run.seed] = success(measure, run.done, run.measured.measures, known_to_any);
   return successes;
 }
 
@@ -121,10 +128,13 @@ std::vector<VariantStatistics> statistics_of(const Campaign& campaign,
       all[v].measures.push_back(
           statistics_of(measure, values_of(campaign.variants[v], measure), reference, all[v]));
   }
-  for (const LimitMeasure& limit : limits)
+  for (const LimitMeasure& limit : limits) {
+    const bool known = is_known_to_any(campaign, limit.base);
     for (std::size_t v = 0; v < all.size(); ++v)
-      all[v].measures.push_back(share_statistics_of(limit.name, successes_of(campaign.variants[v], limit),
-                                                    successes_of(baseline, limit), all[v]));
+      all[v].measures.push_back(share_statistics_of(limit.name,
+                                                    successes_of(campaign.variants[v], limit, known),
+                                                    successes_of(baseline, limit, known), all[v]));
+  }
   return all;
 }
 

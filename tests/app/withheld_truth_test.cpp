@@ -2,6 +2,8 @@
 // with the observations and ticks of a run alone, without a world, it gives the same estimates and commands.
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
+
 #include <memory>
 #include <string>
 #include <utility>
@@ -91,7 +93,7 @@ class GivenSensor final : public Sensor {
 std::string commands_of(const Command& command) {
   std::string text = std::to_string(command.by_hand);
   const auto add = [&](const auto& numbers) {
-    for (Eigen::Index i = 0; i < numbers.size(); ++i) text += " " + std::to_string(numbers[i]);
+    for (Eigen::Index i = 0; i < numbers.size(); ++i) text += fmt::format(" {}", numbers[i]);
   };
   for (const UserCommand& user : command.user_commands) {
     add(user.segment.from), add(user.segment.to);

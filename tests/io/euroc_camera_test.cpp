@@ -79,6 +79,14 @@ TEST(EurocCamera, SaysWhichModelIsNotHere) {
             "camera_model is `omni`");
 }
 
+TEST(EurocCamera, WithoutAKeySaysWhich) {
+  EXPECT_EQ(read(with("distortion_model: radial-tangential\n", "")).camera->unfit, "");
+  EXPECT_EQ(read(with("camera_model: pinhole\n", "")).camera->unfit, "camera_model is ``");
+  EXPECT_HAS(complaint(with("resolution: [752, 480]\n", "")),
+             "sensor.yaml: resolution must be a list of numbers");
+  EXPECT_HAS(complaint(with("  data: [", "  dates: [")), "T_BS must be a list of numbers");
+}
+
 TEST(EurocCamera, RefusesNamingTheLine) {
   EXPECT_HAS(complaint(with("[458.654, 457.296,", "[458.654, 457,296,")),
              "sensor.yaml:18: intrinsics must be fu, fv");

@@ -1,6 +1,7 @@
 // Recordings of every layout, made here, and each way in which one can be broken.
 #include "incognita/io/recording.hpp"
 
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -104,6 +105,30 @@ TEST(ImageFolder, TakesThoseOfAPattern) {
   tum.write("rgb.txt", "1 a.png\n");
   EXPECT_HAS(message_of([&] { read_recording(tum.folder(), "auto", 25, "*"); }),
              "means nothing with the format `tum`");
+}
+
+TEST(ImageFolder, ProposesNoPatternThatTakesBothCameras) {
+  const Scratch scratch;
+  for (const char* number : {"0", "1"})
+    for (const char* kind : {".png", "_depth.png"})
+      scratch.write(std::string(number) + kind, png(20, 16, CV_8U));
+  const auto read = [&](const char* pattern) {
+    return read_recording(scratch.folder(), "auto", 25, pattern);
+  };
+  for (const char* pattern : {"", "*.png"})
+    EXPECT_HAS(message_of([&] { read(pattern); }), "put its images in a folder of their own") << pattern;
+  EXPECT_EQ(read("[0-9].png").frames.size(), 2u);
+  EXPECT_EQ(read("*").frames.size(), 4u);
+}
+
+TEST(ImageFolder, SaysWhereTwoCamerasDifferInANumberOnly) {
+  const Scratch scratch;
+  for (const char* name : {"cam0_00.png", "cam0_01.png", "cam1_00.png", "cam1_01.png"})
+    scratch.write(name, png(20, 16, CV_8U));
+  const Recording recording = read_recording(scratch.folder(), "auto", 25, "");
+  EXPECT_HAS(fmt::format("{}", fmt::join(recording.notes, "\n")),
+             "the same numbers stand behind cam0_, cam1_: if these are cameras, choose one, e.g. "
+             "recording.pattern = \"cam0_*\"");
 }
 
 TEST(ImageFolder, LooksIntoImagesWhoseNamesAreAlike) {

@@ -15,6 +15,8 @@ RunReport room() {
   r.true_path = true;
   r.body.path_length = 8.4123;
   r.body.ate_m = 0.00248;
+  r.body.compared_frames = 1800;
+  r.truth_known = true;
   r.body.drift_percent = 0.0412;
   r.landmarks = 36;
   r.anchors = 4;
@@ -94,6 +96,7 @@ TEST(RunReport, HasALineForEachRobotOfATeam) {
   r.robots[0].consistency = {1797, 0, mean(1.1)};
   r.robots[1].consistency = {900, 150, mean(3.4)};
   r.robots[1].ate_m = 0.152;
+  r.robots[1].compared_frames = 900;
   const std::string text = in_words(r, 4, "x");
   EXPECT_NE(
       text.find("  robot 1    path 8.41 m, ATE 2.5 mm, drift 0.041 % of the path, NEES 1.10 (0.50 to 2.00), "

@@ -50,6 +50,12 @@ TEST(ReadTrajectory, OfEuroc) {
   EXPECT_NEAR(poses[0].orientation[2], -0.827383, 1e-5);
 }
 
+TEST(ReadTrajectory, WhoseHeaderNamesTheQuaternionItsOrderDecides) {
+  const Trajectory poses = read("#timestamp,tx,ty,tz,qw,qx,qy,qz\n1403636579763555584,1,2,3,0.8,0.6,0,0\n");
+  ASSERT_EQ(poses.size(), 1u);
+  EXPECT_TRUE(poses[0].orientation.isApprox(Eigen::Vector4d(0.8, 0.6, 0, 0)));
+}
+
 TEST(ReadTrajectory, OfTumWhoseHeaderHasCommas) {
   for (const char* header : {"# timestamp, tx, ty, tz, qx, qy, qz, qw\n", "#timestamp,tx,ty,tz,qx,qy,qz,qw\n",
                              "timestamp,x,y,z,qx,qy,qz,qw\n", "# timestamp tx ty tz qx qy qz qw\n",

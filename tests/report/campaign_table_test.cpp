@@ -106,10 +106,24 @@ TEST(CampaignStatistics, ALimitCountsRunsThatFailed) {
   EXPECT_DOUBLE_EQ(find(all[1], "error_m.above:2").versus_baseline.difference.value, -0.5);
 }
 
+/// What never happens in a run has no time at which it happened.
+TEST(CampaignStatistics, ALimitCountsWhatNeverHappenedAsAMiss) {
+  const double never = std::nan("");
+  Campaign campaign{"small", "1", {1, 2, 3}, {}, 0};
+  campaign.variants.push_back({"often", {}, {run(1, 1), run(2, 1), run(3, never)}});
+  campaign.variants.push_back({"seldom", {}, {run(1, 1), run(2, never), run(3, never)}});
+  const auto all = statistics_of(campaign, limit_measures({"error_m.below:2", "nothing.below:2"}));
+  EXPECT_DOUBLE_EQ(find(all[0], "error_m.below:2").mean.value, 2.0 / 3);
+  EXPECT_DOUBLE_EQ(find(all[1], "error_m.below:2").mean.value, 1.0 / 3);
+  EXPECT_EQ(find(all[1], "error_m.below:2").n, 3u);
+  EXPECT_EQ(find(all[1], "nothing.below:2").n, 0u);
+}
+
 TEST(CampaignStatistics, ALimitIsANumber) {
   EXPECT_FALSE(limit_measure("vehicles.1.ate_m"));
   EXPECT_EQ(limit_measure("vehicles.1.ate_m.below:1e-2")->base, "vehicles.1.ate_m");
-  for (const char* wrong : {"ate_m.below:", "ate_m.below:low", "ate_m.above:nan", ".below:1"})
+  for (const char* wrong :
+       {"ate_m.below:", "ate_m.below:low", "ate_m.above:nan", ".below:1", "failed.below:0.5"})
     EXPECT_THROW(limit_measure(wrong), InputError) << wrong;
 }
 
@@ -149,13 +163,13 @@ TEST(CampaignTables, QuoteAndNeverSayInfinite) {
 TEST(CampaignMeasures, AreTheNumbersOfASummary) {
   const RunMeasures run =
       measures_of(R"({"status": "done", "seed": 7, "frames": 3, "entropy": {"total": -1.5},
-    "ate_m": null, "vehicles": [{"ate_m": 1}, {"ate_m": 2}], "consistency": {"nis": 1, "nis_band": [0.5, 2]}, "timing_ms": {"frame": {"median": 4}},
+    "ate_m": null, "vehicles": [{"ate_m": 1}, {"ate_m": 2}], "consistency": {"nis": 1, "nis_band": [0.5, 2], "outlier_share": 0.1}, "timing_ms": {"frame": {"median": 4}},
     "observability": {"ambiguous": false, "directions": [{"name": "turn about x", "sigma": 0.5}]}})");
   std::vector<std::string> names;
   for (const auto& [name, value] : run.measures) names.push_back(name);
-  EXPECT_EQ(names,
-            (std::vector<std::string>{"frames", "entropy.total", "ate_m", "vehicles.1.ate_m",
-                                      "vehicles.2.ate_m", "observability.directions.turn_about_x.sigma"}));
+  EXPECT_EQ(names, (std::vector<std::string>{"frames", "entropy.total", "ate_m", "vehicles.1.ate_m",
+                                             "vehicles.2.ate_m", "consistency.outlier_share",
+                                             "observability.directions.turn_about_x.sigma"}));
   EXPECT_TRUE(std::isnan(value_of(run.measures, "ate_m")));
   EXPECT_EQ(value_of(run.measures, "vehicles.2.ate_m"), 2);
   ASSERT_EQ(run.timings.size(), 1u);

@@ -6,8 +6,8 @@ NUMBER = re.compile(r"(?<![A-Za-z0-9_.])[-+]?\d+(?:\.\d+)?(?:[eE][-+]?\d+)?(?![A
 
 
 def last_digit(number: str) -> float:
-    """What one unit of the last decimal written is worth: 0.01 in `3.42`, 10 in `1.2e2`; 0 for whole numbers: a count
-    is not rounded."""
+    """What one unit of the last decimal written is worth: 0.01 in `3.42`, 10 in `1.2e2`; 0 for whole numbers,
+    which have the relative tolerance alone."""
     mantissa, _, exponent = number.lower().partition("e")
     decimals = len(mantissa.partition(".")[2])
     return 10.0 ** (int(exponent or 0) - decimals) if decimals else 0.0

@@ -77,11 +77,11 @@ bool takes_only_its_own(const Kind& kind, const std::vector<std::string>& names)
   return static_cast<std::size_t>(taken) == kind.count;
 }
 
-/// "cam1_0007.png" as {"cam1_", "0007.png"}: before and after the first number with something behind it.
-std::pair<std::string, std::string> first_number_apart(const std::string& name) {
-  const auto begin = std::find_if(name.begin(), name.end(), is_digit);
-  const auto end = std::find_if_not(begin, name.end(), is_digit);
-  return {{name.begin(), end}, {end, name.end()}};
+/// "cam1_0007.png" as {"cam1_", "0007.png"}: before the second number and from there on.
+std::pair<std::string, std::string> at_second_number(const std::string& name) {
+  const auto first = std::find_if(name.begin(), name.end(), is_digit);
+  const auto second = std::find_if(std::find_if_not(first, name.end(), is_digit), name.end(), is_digit);
+  return {{name.begin(), second}, {second, name.end()}};
 }
 
 /// The names before the second number where each of a few stands with the same second numbers, as those of
@@ -90,8 +90,8 @@ std::pair<std::string, std::string> first_number_apart(const std::string& name) 
 std::vector<std::string> cameras_by_number(const std::vector<std::string>& names) {
   std::map<std::string, std::set<std::string>> rest;
   for (const std::string& name : names) {
-    const auto [first, second] = first_number_apart(name);
-    if (std::none_of(second.begin(), second.end(), is_digit)) return {};
+    const auto [first, second] = at_second_number(name);
+    if (second.empty()) return {};
     rest[first].insert(second);
   }
   constexpr std::size_t most_cameras = 8;

@@ -135,7 +135,8 @@ Claim inside_two_sigma(const ExperimentSettings& settings, const Runs& example, 
        .printed = "bounded for the 2 sigma variance",
        .measured = fmt::format(
            "no anchors, start known to 1 cm and 0.6 degrees: {}; known exactly: {}; to 5 cm and 1.7 degrees: "
-           "{} ({} runs each of these two). Six anchors: {}. Sigma of the orientation at the end, no anchors: "
+           "{} ({} runs each of these two). Six anchors: {}. Sigma of the orientation at the end, no "
+           "anchors: "
            "{:.2f} degrees, and "
            "{:.2f} with a hundredth of the true noises, which leaves Jacobians nearly those at the truth",
            consistency(example), consistency(with_start(0, 0, seeds)),

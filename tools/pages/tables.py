@@ -19,7 +19,7 @@ def claim(results: Results, run: str, id: str) -> str:
 def verdict_row(results: Results, folder: str) -> str:
     """A scenario's NEES, NIS and verdicts: of the runs of a campaign that are done, or of one run."""
     paths = sorted((results.output_folder / folder).glob("runs/*/seed-*.json"))
-    summaries = [json.loads(path.read_text()) for path in paths] or [results.summary(folder)]
+    summaries = [json.loads(path.read_text())["summary"] for path in paths] or [results.summary(folder)]
     done = [s["consistency"] for s in summaries if s["status"] == "done"]
 
     def spread(measure: str) -> str:

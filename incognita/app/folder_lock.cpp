@@ -61,7 +61,7 @@ int lock_for(int descriptor, const fs::path& folder, const std::optional<SharedC
     if (is_held_by_another(error)) throw InputError(refusal);
     return error;
   };
-  const std::string another = busy(folder, "another run or campaign");
+  const std::string another = busy(folder, "another command");
   if (!share) return tried(take(descriptor, F_WRLCK, 0, everything), another);
   const Shard shard = share->shard;
   const off_t campaign = byte_of(*share);

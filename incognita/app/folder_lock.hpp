@@ -1,4 +1,4 @@
-// Who writes to an output folder: one run, one campaign, or several shares of one campaign.
+// Who writes to an output folder: one run, one `reproduce`, one campaign, or several shares of one campaign.
 #pragma once
 
 #include <cstddef>

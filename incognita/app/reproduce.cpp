@@ -14,6 +14,7 @@
 #include <system_error>
 #include <vector>
 
+#include "incognita/app/folder_lock.hpp"
 #include "incognita/app/say.hpp"
 #include "incognita/math/nearest_name.hpp"
 #include "incognita/messages/errors.hpp"
@@ -158,8 +159,7 @@ std::vector<LedgerEntry> run_all(const Options& options, const std::vector<const
   return entries;
 }
 
-void prepare_folder(const std::string& out) {
-  if (out.empty()) throw InputError("--out: names nothing; a folder is wanted");
+void make_figures_folder(const std::string& out) {
   std::error_code error;
   fs::create_directories(fs::path(out) / "figures", error);
   if (error) throw RecordError(write_failure(out, error.value()));
@@ -170,7 +170,9 @@ int reproduce(const Options& options, const Experiments& all) {
   if (options.list) return list(experiments, options.json);
   std::signal(SIGPIPE, SIG_IGN);  // the ledger matters more than who listens to how it goes
   std::signal(SIGXFSZ, SIG_IGN);  // a full disk is an error that is reported, not a death
-  prepare_folder(options.out);
+  if (options.out.empty()) throw InputError("--out: names nothing; a folder is wanted");
+  const FolderLock lock(options.out);  // before anything of an earlier run is touched
+  make_figures_folder(options.out);
   const std::vector<LedgerEntry> entries = run_all(options, experiments);
   if (options.json) fmt::print("{}", ledger_json(entries));
   say_how_it_went(options, entries);

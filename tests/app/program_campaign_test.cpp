@@ -535,7 +535,7 @@ TEST(ProgramCampaign, OneCampaignAtATimeWorksInAFolder) {
     words.insert(words.end(), more.begin(), more.end());
     const Ended second = place.campaign(words);
     EXPECT_EQ(second.code, 2);
-    EXPECT_SAYS(second.err, "--out c: another run or campaign is at work in it");
+    EXPECT_SAYS(second.err, "--out c: another command is at work in it");
     EXPECT_EQ(second.out, "");
   }
   EXPECT_EQ(testing::everything_in(place / "c"), before);
@@ -564,7 +564,7 @@ TEST(ProgramCampaign, SharesOfOneCampaignWorkTogetherEachOnce) {
       {{"--shard", "1/2"}, "another process with --shard 1/2 is at work in it"},
       {{"--shard", "2/3"}, "another number of shards of this one, is at work in it"},
       {{"--shard", "2/2", "--vary", vary}, "another campaign, or "},
-      {{}, "--out c: another run or campaign is at work in it"}};
+      {{}, "--out c: another command is at work in it"}};
   for (const auto& [words, message] : refused) {
     const Ended second = ended(words);
     EXPECT_EQ(second.code, 2);

@@ -329,7 +329,7 @@ TEST(ProgramRun, AFolderIsWrittenByOneRunAtATime) {
   const std::string settings = testing::contents(run / "effective.toml");
   const Ended second = testing::incognita(room_for("0.2", "same", {"--seed", "9"}), scratch.folder());
   EXPECT_EQ(second.code, 2);
-  EXPECT_SAYS(second.err, "--out same: another run or campaign is at work in it");
+  EXPECT_SAYS(second.err, "--out same: another command is at work in it");
   EXPECT_SAYS(second.err, "choose another folder with --out");
   EXPECT_EQ(second.out, "");
   EXPECT_EQ(testing::everything_in(run), files);
@@ -337,7 +337,11 @@ TEST(ProgramRun, AFolderIsWrittenByOneRunAtATime) {
   const Ended campaign = testing::incognita(
       {"campaign", "room", "--seeds", "1", "--duration", "0.1", "--out", "same"}, scratch.folder());
   EXPECT_EQ(campaign.code, 2);
-  EXPECT_SAYS(campaign.err, "--out same: another run or campaign is at work in it");
+  EXPECT_SAYS(campaign.err, "--out same: another command is at work in it");
+  const Ended claims = testing::incognita({"reproduce", "6.1", "--out", "same"}, scratch.folder());
+  EXPECT_EQ(claims.code, 2);
+  EXPECT_SAYS(claims.err, "--out same: another command is at work in it");
+  EXPECT_EQ(testing::everything_in(run), files);
 
   first.signal(SIGKILL);
   EXPECT_EQ(first.wait().signal, SIGKILL);

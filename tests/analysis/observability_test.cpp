@@ -557,6 +557,7 @@ TEST(AssignedInput, MayHaveADrawInAnyPower) {
       "[motion.chosen]\ndraw.q = [1, 2]\nu = \"q\"\n";
   expect_ranks(in_motion(read_system(head + "w = \"q^2\"\n", "p.toml")), 4, 4);
   expect_ranks(in_motion(read_system(head + "w = \"3*q\"\n", "p.toml")), 3, 3);
+  expect_ranks(in_motion(read_system(head + "w = \"abs(q - 1.5)\"\n", "p.toml")), 4, 4);
 }
 
 TEST(AssignedInput, IsSetBeforeAStateThatIsSetFromIt) {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "bench/timing.hpp"
-#include "incognita/app/assemble.hpp"
-#include "incognita/app/snapshot_of.hpp"
+#include "incognita/app/loop/assemble.hpp"
+#include "incognita/app/loop/snapshot_of.hpp"
 #include "incognita/decision/camera_decision.hpp"
 #include "incognita/decision/exploration.hpp"
 #include "incognita/models/heading.hpp"

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "../tests/record/synthetic_run.hpp"
-#include "incognita/record/snapshot_log.hpp"
+#include "incognita/record/mcap/snapshot_log.hpp"
 
 using namespace incognita;
 

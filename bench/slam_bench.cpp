@@ -6,7 +6,7 @@
 #include <map>
 #include <string>
 
-#include "incognita/app/assemble.hpp"
+#include "incognita/app/loop/assemble.hpp"
 
 using namespace incognita;
 

@@ -18,10 +18,10 @@
 #include <vector>
 
 #include "bench/timing.hpp"
-#include "incognita/slam/team_estimator.hpp"
-#include "incognita/slam/team_looks.hpp"
+#include "incognita/slam/points/team_estimator.hpp"
+#include "incognita/slam/points/team_looks.hpp"
+#include "incognita/world/points/team_world.hpp"
 #include "incognita/world/room_clock.hpp"
-#include "incognita/world/team_world.hpp"
 
 namespace {
 

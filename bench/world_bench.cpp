@@ -4,8 +4,8 @@
 
 #include "incognita/models/heading.hpp"
 #include "incognita/models/wide_angle_camera.hpp"
-#include "incognita/world/free_camera_plant.hpp"
-#include "incognita/world/room_camera.hpp"
+#include "incognita/world/rendered/free_camera_plant.hpp"
+#include "incognita/world/rendered/room_camera.hpp"
 
 using namespace incognita;
 

@@ -1,5 +1,5 @@
-#include "experiments/experiment.hpp"
 #include "experiments/list.hpp"
+#include "incognita/report/experiment.hpp"
 
 namespace incognita {
 

@@ -7,13 +7,13 @@
 #include <map>
 #include <memory>
 
-#include "incognita/io/load_scenario.hpp"
-#include "incognita/io/range_recording.hpp"
+#include "incognita/io/recordings/range_recording.hpp"
+#include "incognita/io/scenario/load_scenario.hpp"
 #include "incognita/math/angles.hpp"
 #include "incognita/messages/errors.hpp"
 #include "incognita/models/range_bearing.hpp"
-#include "incognita/slam/planar_estimator.hpp"
-#include "incognita/world/range_replay.hpp"
+#include "incognita/slam/points/planar_estimator.hpp"
+#include "incognita/world/replay/range_replay.hpp"
 
 namespace incognita::car_park {
 namespace {

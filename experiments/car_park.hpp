@@ -13,11 +13,11 @@
 #include <string>
 #include <vector>
 
-#include "experiments/experiment.hpp"
-#include "incognita/analysis/map_error.hpp"
+#include "incognita/analysis/evaluation/map_error.hpp"
+#include "incognita/report/experiment.hpp"
 #include "incognita/report/plot.hpp"
-#include "incognita/slam/planar_settings.hpp"
-#include "incognita/world/range_recording.hpp"
+#include "incognita/slam/points/planar_settings.hpp"
+#include "incognita/world/replay/range_recording.hpp"
 
 namespace incognita::car_park {
 

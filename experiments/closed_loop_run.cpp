@@ -9,7 +9,7 @@
 
 #include "incognita/control/team_controller.hpp"
 #include "incognita/math/random.hpp"
-#include "incognita/slam/team_estimator.hpp"
+#include "incognita/slam/points/team_estimator.hpp"
 #include "incognita/world/room_clock.hpp"
 
 namespace incognita::closed_loop {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <functional>
 
-#include "incognita/analysis/closed_loop.hpp"
+#include "incognita/analysis/observability/closed_loop.hpp"
 #include "incognita/control/lqg_regulator.hpp"
 
 namespace incognita::closed_loop {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "experiments/closed_loop_run.hpp"
-#include "experiments/experiment.hpp"
+#include "incognita/report/experiment.hpp"
 
 namespace incognita::closed_loop {
 

@@ -1,7 +1,7 @@
 // Consistency of the planar filters: Section 3.1 with [70], and contribution 3 (unscented vehicle states,
 // [6]).
 //
-// Experiment, written down first: eight circles of 10 m among 20 landmarks as world/planar_loop.hpp has it,
+// Experiment, written down first: eight circles of 10 m among 20 landmarks as world/points/planar_loop.hpp has it,
 // identities known, every filter given the noises that the drive truly has; noises large enough for
 // linearisation to matter were found with seeds 1 to 40, results are from seeds 1001, 1002, ... Measured:
 // NEES of the pose over its 3 degrees of freedom, averaged over the scans of a drive; mean over at most 100

@@ -12,7 +12,7 @@
 #include <cstddef>
 #include <string>
 
-#include "incognita/analysis/statistics.hpp"
+#include "incognita/analysis/evaluation/statistics.hpp"
 #include "incognita/report/ledger.hpp"
 
 namespace incognita {

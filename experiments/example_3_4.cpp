@@ -17,7 +17,7 @@
 
 #include "experiments/evidence.hpp"
 #include "experiments/list.hpp"
-#include "incognita/analysis/linear_system.hpp"
+#include "incognita/analysis/observability/linear_system.hpp"
 #include "incognita/math/random.hpp"
 #include "incognita/models/planar_vehicle.hpp"
 #include "incognita/models/range_bearing.hpp"

@@ -15,9 +15,9 @@
 #include "experiments/evidence.hpp"
 #include "experiments/list.hpp"
 #include "experiments/observability_claims.hpp"
-#include "incognita/analysis/lie_algebra.hpp"
-#include "incognita/analysis/system_instance.hpp"
-#include "incognita/io/system_file.hpp"
+#include "incognita/analysis/systems/lie_algebra.hpp"
+#include "incognita/analysis/systems/system_instance.hpp"
+#include "incognita/io/formats/system_file.hpp"
 
 namespace incognita::observability_claims {
 namespace {

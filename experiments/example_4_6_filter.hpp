@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "incognita/analysis/linear_system.hpp"
+#include "incognita/analysis/observability/linear_system.hpp"
 #include "incognita/models/planar_vehicle.hpp"
 #include "incognita/report/plot.hpp"
 

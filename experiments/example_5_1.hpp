@@ -4,10 +4,10 @@
 
 #include <vector>
 
-#include "experiments/experiment.hpp"
-#include "incognita/analysis/linear_system.hpp"
+#include "incognita/analysis/observability/linear_system.hpp"
 #include "incognita/math/random.hpp"
 #include "incognita/models/planar_vehicle.hpp"
+#include "incognita/report/experiment.hpp"
 
 namespace incognita::section_5_1 {
 

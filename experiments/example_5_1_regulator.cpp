@@ -12,7 +12,7 @@
 
 #include "experiments/evidence.hpp"
 #include "experiments/example_5_1.hpp"
-#include "incognita/analysis/closed_loop.hpp"
+#include "incognita/analysis/observability/closed_loop.hpp"
 #include "incognita/control/lqr.hpp"
 #include "incognita/models/monobot.hpp"
 

@@ -16,7 +16,7 @@
 #include "experiments/evidence.hpp"
 #include "experiments/example_5_1.hpp"
 #include "experiments/monobot.hpp"
-#include "incognita/analysis/closed_loop.hpp"
+#include "incognita/analysis/observability/closed_loop.hpp"
 #include "incognita/control/lqr.hpp"
 
 namespace incognita::section_5_1 {

@@ -13,7 +13,7 @@
 #include "experiments/closed_loop_statistics.hpp"
 #include "experiments/evidence.hpp"
 #include "experiments/example_5_1.hpp"
-#include "incognita/analysis/closed_loop.hpp"
+#include "incognita/analysis/observability/closed_loop.hpp"
 #include "incognita/control/lqg_regulator.hpp"
 #include "incognita/models/on_arc.hpp"
 #include "incognita/models/planar_frame.hpp"

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "experiments/closed_loop_run.hpp"
-#include "experiments/experiment.hpp"
+#include "incognita/report/experiment.hpp"
 #include "incognita/report/plot.hpp"
 
 namespace incognita::section_5_3 {

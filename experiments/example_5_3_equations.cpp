@@ -15,7 +15,7 @@
 #include "experiments/example_5_1.hpp"
 #include "experiments/example_5_2.hpp"
 #include "experiments/example_5_3.hpp"
-#include "incognita/analysis/closed_loop.hpp"
+#include "incognita/analysis/observability/closed_loop.hpp"
 #include "incognita/control/feedback_linearisation.hpp"
 #include "incognita/math/random.hpp"
 #include "incognita/models/on_arc.hpp"

@@ -16,7 +16,7 @@
 #include "experiments/evidence.hpp"
 #include "experiments/example_5_2.hpp"
 #include "experiments/example_5_3.hpp"
-#include "incognita/analysis/linear_system.hpp"
+#include "incognita/analysis/observability/linear_system.hpp"
 #include "incognita/math/random.hpp"
 #include "incognita/models/planar_frame.hpp"
 #include "incognita/models/range_bearing.hpp"

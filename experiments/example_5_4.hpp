@@ -7,7 +7,7 @@
 
 #include "experiments/evidence.hpp"
 #include "experiments/example_5_4_run.hpp"
-#include "experiments/experiment.hpp"
+#include "incognita/report/experiment.hpp"
 #include "incognita/report/plot.hpp"
 
 namespace incognita::swinging_camera {

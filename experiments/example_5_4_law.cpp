@@ -8,7 +8,7 @@
 #include "experiments/evidence.hpp"
 #include "experiments/example_5_4.hpp"
 #include "experiments/seeds.hpp"
-#include "incognita/analysis/closed_loop.hpp"
+#include "incognita/analysis/observability/closed_loop.hpp"
 #include "incognita/models/heading.hpp"
 #include "incognita/world/plant.hpp"
 

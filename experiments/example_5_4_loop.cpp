@@ -7,7 +7,7 @@
 
 #include "experiments/evidence.hpp"
 #include "experiments/example_5_4.hpp"
-#include "incognita/analysis/median.hpp"
+#include "incognita/analysis/evaluation/median.hpp"
 
 namespace incognita::swinging_camera {
 namespace {

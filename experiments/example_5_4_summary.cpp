@@ -3,7 +3,7 @@
 
 #include "experiments/example_5_4.hpp"
 #include "experiments/seeds.hpp"
-#include "incognita/analysis/trajectory.hpp"
+#include "incognita/analysis/evaluation/trajectory.hpp"
 
 namespace incognita::swinging_camera {
 namespace {

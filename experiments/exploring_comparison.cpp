@@ -9,7 +9,7 @@
 
 #include "experiments/evidence.hpp"
 #include "experiments/seeds.hpp"
-#include "incognita/analysis/median.hpp"
+#include "incognita/analysis/evaluation/median.hpp"
 #include "incognita/math/quaternion.hpp"
 
 namespace incognita::exploring {

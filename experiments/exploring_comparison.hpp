@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "experiments/experiment.hpp"
 #include "experiments/exploring_run.hpp"
+#include "incognita/report/experiment.hpp"
 #include "incognita/report/plot.hpp"
 
 namespace incognita::exploring {

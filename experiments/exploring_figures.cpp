@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "experiments/exploring_comparison.hpp"
-#include "incognita/analysis/pose_consistency.hpp"
+#include "incognita/analysis/evaluation/pose_consistency.hpp"
 
 namespace incognita::exploring {
 namespace {

@@ -6,12 +6,12 @@
 #include <map>
 #include <utility>
 
-#include "incognita/app/assemble.hpp"
-#include "incognita/app/assemble_room_vehicle.hpp"
-#include "incognita/app/assemble_team.hpp"
-#include "incognita/io/team_setting_list.hpp"
-#include "incognita/record/exploration_summary.hpp"
-#include "incognita/record/series.hpp"
+#include "incognita/app/loop/assemble.hpp"
+#include "incognita/app/loop/assemble_room_vehicle.hpp"
+#include "incognita/app/loop/assemble_team.hpp"
+#include "incognita/io/scenario/team_setting_list.hpp"
+#include "incognita/record/snapshot/series.hpp"
+#include "incognita/record/summary/exploration_summary.hpp"
 
 namespace incognita::exploring {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "incognita/record/snapshot.hpp"
+#include "incognita/record/snapshot/snapshot.hpp"
 
 namespace incognita::exploring {
 

@@ -2,7 +2,7 @@
 // the constant in it known elsewhere; all_experiments.cpp puts it on the list that the program has.
 #pragma once
 
-#include "experiments/experiment.hpp"
+#include "incognita/report/experiment.hpp"
 
 namespace incognita {
 

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "incognita/analysis/linear_system.hpp"
+#include "incognita/analysis/observability/linear_system.hpp"
 #include "incognita/report/ledger.hpp"
 #include "incognita/report/plot.hpp"
 

@@ -7,9 +7,9 @@
 #include <memory>
 #include <stdexcept>
 
-#include "incognita/analysis/lie_derivatives.hpp"
-#include "incognita/analysis/observability_matrices.hpp"
-#include "incognita/io/system_file.hpp"
+#include "incognita/analysis/observability/lie_derivatives.hpp"
+#include "incognita/analysis/observability/observability_matrices.hpp"
+#include "incognita/io/formats/system_file.hpp"
 
 namespace incognita::observability_claims {
 namespace {

@@ -20,9 +20,9 @@
 #include <string>
 #include <vector>
 
-#include "incognita/analysis/linearisation.hpp"
-#include "incognita/analysis/null_space.hpp"
-#include "incognita/analysis/system_text.hpp"
+#include "incognita/analysis/observability/null_space.hpp"
+#include "incognita/analysis/systems/linearisation.hpp"
+#include "incognita/analysis/systems/system_text.hpp"
 
 namespace incognita::observability_claims {
 

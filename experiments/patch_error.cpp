@@ -15,10 +15,10 @@
 #include <string>
 #include <vector>
 
-#include "incognita/app/assemble.hpp"
-#include "incognita/io/camera.hpp"
+#include "incognita/app/loop/assemble.hpp"
+#include "incognita/io/scenario/camera.hpp"
 #include "incognita/messages/errors.hpp"
-#include "incognita/world/room_layout.hpp"
+#include "incognita/world/rendered/room_layout.hpp"
 
 using namespace incognita;
 

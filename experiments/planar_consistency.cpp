@@ -6,8 +6,8 @@
 #include "incognita/math/angles.hpp"
 #include "incognita/math/random.hpp"
 #include "incognita/models/range_bearing.hpp"
-#include "incognita/slam/planar_estimator.hpp"
-#include "incognita/world/range_replay.hpp"
+#include "incognita/slam/points/planar_estimator.hpp"
+#include "incognita/world/replay/range_replay.hpp"
 
 namespace incognita {
 namespace {

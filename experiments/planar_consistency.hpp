@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "incognita/slam/planar_settings.hpp"
-#include "incognita/world/planar_loop.hpp"
+#include "incognita/slam/points/planar_settings.hpp"
+#include "incognita/world/points/planar_loop.hpp"
 
 namespace incognita {
 

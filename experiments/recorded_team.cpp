@@ -7,12 +7,12 @@
 #include <ctime>
 #include <memory>
 
-#include "incognita/io/data_folder.hpp"
-#include "incognita/io/range_formats.hpp"
+#include "incognita/io/formats/data_folder.hpp"
+#include "incognita/io/recordings/range_formats.hpp"
 #include "incognita/math/angles.hpp"
-#include "incognita/slam/team_estimator.hpp"
-#include "incognita/world/range_replay.hpp"
-#include "incognita/world/team_replay.hpp"
+#include "incognita/slam/points/team_estimator.hpp"
+#include "incognita/world/replay/range_replay.hpp"
+#include "incognita/world/replay/team_replay.hpp"
 
 namespace incognita::recorded_team {
 namespace {

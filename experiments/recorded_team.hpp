@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "incognita/analysis/map_error.hpp"
-#include "incognita/world/range_recording.hpp"
+#include "incognita/analysis/evaluation/map_error.hpp"
+#include "incognita/world/replay/range_recording.hpp"
 
 namespace incognita::recorded_team {
 

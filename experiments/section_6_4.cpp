@@ -14,7 +14,7 @@
 #include "experiments/evidence.hpp"
 #include "experiments/exploring_strategies.hpp"
 #include "experiments/list.hpp"
-#include "incognita/analysis/statistics.hpp"
+#include "incognita/analysis/evaluation/statistics.hpp"
 
 namespace incognita {
 namespace {

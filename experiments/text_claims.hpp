@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "incognita/analysis/linear_system.hpp"
+#include "incognita/analysis/observability/linear_system.hpp"
 #include "incognita/report/ledger.hpp"
 
 namespace incognita {

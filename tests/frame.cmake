@@ -11,7 +11,7 @@ set(another_flags ${CMAKE_CXX_FLAGS})
 if(INCOGNITA_SANITIZE)
   string(APPEND another_flags " -fsanitize=${INCOGNITA_SANITIZE}")
 endif()
-set(installed -DCMAKE_PREFIX_PATH=${another_prefix} -DEVERY_ROOM=ON)
+set(installed -DCMAKE_PREFIX_PATH=${another_prefix} -DEVERY_MODULE=ON)
 set(beside -DINCOGNITA_SOURCE=${PROJECT_SOURCE_DIR})
 
 add_test(NAME frame.library_forgotten COMMAND ${CMAKE_COMMAND} -E rm -rf ${another_build})

@@ -1,5 +1,5 @@
 // What was done to a belief, in the order it was done: for whoever works out what its filter may know, and
-// what it only believes (analysis/observability_monitor.hpp).
+// what it only believes (analysis/observability/observability_monitor.hpp).
 #pragma once
 
 #include <variant>

@@ -8,7 +8,7 @@
 #include "incognita/messages/goal.hpp"
 #include "incognita/messages/observation.hpp"
 #include "incognita/messages/tick.hpp"
-#include "incognita/slam/estimate.hpp"
+#include "incognita/slam/features/estimate.hpp"
 
 namespace incognita {
 

@@ -11,7 +11,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "incognita/analysis/closed_loop.hpp"
+#include "incognita/analysis/observability/closed_loop.hpp"
 #include "incognita/math/expect_size.hpp"
 
 namespace incognita {

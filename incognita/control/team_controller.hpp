@@ -10,7 +10,7 @@
 #include "incognita/messages/goal.hpp"
 #include "incognita/messages/observation.hpp"
 #include "incognita/messages/tick.hpp"
-#include "incognita/slam/team_estimate.hpp"
+#include "incognita/slam/points/team_estimate.hpp"
 
 namespace incognita {
 

@@ -12,7 +12,7 @@
 #include "incognita/messages/observation.hpp"
 #include "incognita/messages/tick.hpp"
 #include "incognita/models/mount.hpp"
-#include "incognita/slam/estimate.hpp"
+#include "incognita/slam/features/estimate.hpp"
 
 namespace incognita {
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "incognita/decision/extended_entropy.hpp"
-#include "incognita/slam/entropy_values.hpp"
+#include "incognita/slam/mapper/entropy_values.hpp"
 
 namespace incognita {
 namespace {

@@ -16,8 +16,8 @@
 #include "incognita/messages/goal.hpp"
 #include "incognita/messages/observation.hpp"
 #include "incognita/messages/tick.hpp"
-#include "incognita/slam/estimate.hpp"
-#include "incognita/slam/settings.hpp"
+#include "incognita/slam/features/estimate.hpp"
+#include "incognita/slam/features/settings.hpp"
 
 namespace incognita {
 

@@ -3,7 +3,7 @@
 #include <tuple>
 #include <utility>
 
-#include "incognita/slam/predict_looks.hpp"
+#include "incognita/slam/features/predict_looks.hpp"
 
 namespace incognita {
 

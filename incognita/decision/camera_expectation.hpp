@@ -5,8 +5,8 @@
 
 #include "incognita/decision/expectation.hpp"
 #include "incognita/models/camera.hpp"
-#include "incognita/slam/estimate.hpp"
-#include "incognita/slam/settings.hpp"
+#include "incognita/slam/features/estimate.hpp"
+#include "incognita/slam/features/settings.hpp"
 
 namespace incognita {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "incognita/decision/settings.hpp"
-#include "incognita/slam/estimate.hpp"
-#include "incognita/slam/team_estimate.hpp"
+#include "incognita/slam/features/estimate.hpp"
+#include "incognita/slam/points/team_estimate.hpp"
 
 namespace incognita {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "incognita/decision/moves.hpp"
-#include "incognita/slam/team_settings.hpp"
+#include "incognita/slam/points/team_settings.hpp"
 
 namespace incognita {
 

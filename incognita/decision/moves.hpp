@@ -9,7 +9,7 @@
 #include "incognita/belief/affine.hpp"
 #include "incognita/decision/actions.hpp"
 #include "incognita/models/mount.hpp"
-#include "incognita/slam/settings.hpp"
+#include "incognita/slam/features/settings.hpp"
 
 namespace incognita {
 

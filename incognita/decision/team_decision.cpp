@@ -7,7 +7,7 @@
 #include "incognita/decision/extended_entropy.hpp"
 #include "incognita/decision/ground_moves.hpp"
 #include "incognita/models/heading.hpp"
-#include "incognita/slam/entropy_values.hpp"
+#include "incognita/slam/mapper/entropy_values.hpp"
 
 namespace incognita {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "incognita/slam/team_looks.hpp"
+#include "incognita/slam/points/team_looks.hpp"
 
 namespace incognita {
 

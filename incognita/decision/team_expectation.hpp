@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "incognita/decision/expectation.hpp"
-#include "incognita/slam/team_estimate.hpp"
-#include "incognita/slam/team_settings.hpp"
+#include "incognita/slam/points/team_estimate.hpp"
+#include "incognita/slam/points/team_settings.hpp"
 
 namespace incognita {
 

@@ -15,7 +15,7 @@ foreach(file IN LISTS FILES)
 endforeach()
 get_filename_component(folder "${ROOT}" NAME)
 file(WRITE "${OUT}.new" "// Generated from ${folder}/ by embed.cmake.
-#include \"incognita/io/embedded.hpp\"
+#include \"incognita/io/formats/embedded.hpp\"
 
 namespace incognita {
 namespace {

@@ -12,8 +12,8 @@
 #include <system_error>
 
 #include "incognita/messages/errors.hpp"
-#include "incognita/record/look_colour.hpp"
-#include "incognita/record/row_file.hpp"
+#include "incognita/record/files/row_file.hpp"
+#include "incognita/record/snapshot/look_colour.hpp"
 
 namespace incognita {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "incognita/record/snapshot.hpp"
+#include "incognita/record/snapshot/snapshot.hpp"
 
 namespace incognita {
 

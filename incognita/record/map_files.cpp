@@ -7,8 +7,8 @@
 #include <iterator>
 #include <string>
 
-#include "incognita/record/number.hpp"
-#include "incognita/record/row_file.hpp"
+#include "incognita/record/files/number.hpp"
+#include "incognita/record/files/row_file.hpp"
 
 namespace incognita {
 namespace {

@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <vector>
 
-#include "incognita/record/map_survey.hpp"
-#include "incognita/record/snapshot.hpp"
+#include "incognita/record/snapshot/snapshot.hpp"
+#include "incognita/record/summary/map_survey.hpp"
 
 namespace incognita {
 

@@ -7,11 +7,11 @@
 #include <limits>
 
 #include "incognita/messages/errors.hpp"
+#include "incognita/record/files/mat_file.hpp"
+#include "incognita/record/files/number.hpp"
 #include "incognita/record/map_files.hpp"
-#include "incognita/record/mat_file.hpp"
-#include "incognita/record/number.hpp"
-#include "incognita/record/pose_rows.hpp"
-#include "incognita/record/series.hpp"
+#include "incognita/record/snapshot/pose_rows.hpp"
+#include "incognita/record/snapshot/series.hpp"
 
 namespace incognita {
 namespace {

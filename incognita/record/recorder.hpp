@@ -7,14 +7,14 @@
 #include <string>
 #include <vector>
 
-#include "incognita/record/padded_file.hpp"
-#include "incognita/record/row_file.hpp"
+#include "incognita/record/files/padded_file.hpp"
+#include "incognita/record/files/row_file.hpp"
+#include "incognita/record/mcap/snapshot_log.hpp"
 #include "incognita/record/run_directory.hpp"
-#include "incognita/record/run_summary.hpp"
-#include "incognita/record/snapshot.hpp"
-#include "incognita/record/snapshot_log.hpp"
+#include "incognita/record/snapshot/snapshot.hpp"
+#include "incognita/record/summary/run_summary.hpp"
+#include "incognita/record/summary/timing_table.hpp"
 #include "incognita/record/team_tables.hpp"
-#include "incognita/record/timing_table.hpp"
 
 namespace incognita {
 

@@ -4,8 +4,8 @@
 #include <system_error>
 
 #include "incognita/messages/errors.hpp"
-#include "incognita/record/folders.hpp"
-#include "incognita/record/row_file.hpp"
+#include "incognita/record/files/folders.hpp"
+#include "incognita/record/files/row_file.hpp"
 
 namespace incognita {
 namespace fs = std::filesystem;

@@ -8,10 +8,10 @@
 
 #include "incognita/math/angles.hpp"
 #include "incognita/math/quaternion.hpp"
-#include "incognita/record/number.hpp"
-#include "incognita/record/pose_rows.hpp"
-#include "incognita/record/series.hpp"
-#include "incognita/record/team_summary.hpp"
+#include "incognita/record/files/number.hpp"
+#include "incognita/record/snapshot/pose_rows.hpp"
+#include "incognita/record/snapshot/series.hpp"
+#include "incognita/record/summary/team_summary.hpp"
 
 namespace incognita {
 namespace {

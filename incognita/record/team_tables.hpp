@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "incognita/record/row_file.hpp"
+#include "incognita/record/files/row_file.hpp"
 #include "incognita/record/run_directory.hpp"
-#include "incognita/record/run_summary.hpp"
-#include "incognita/record/snapshot.hpp"
+#include "incognita/record/snapshot/snapshot.hpp"
+#include "incognita/record/summary/run_summary.hpp"
 
 namespace incognita {
 

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "incognita/messages/errors.hpp"
-#include "incognita/record/number.hpp"
+#include "incognita/record/files/number.hpp"
 #include "incognita/report/campaign_statistics.hpp"
 
 namespace incognita {

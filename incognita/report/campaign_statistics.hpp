@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "incognita/analysis/statistics.hpp"
+#include "incognita/analysis/evaluation/statistics.hpp"
 #include "incognita/report/campaign_limit.hpp"
 #include "incognita/report/campaign_measures.hpp"
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "incognita/record/number.hpp"
+#include "incognita/record/files/number.hpp"
 
 namespace incognita {
 namespace {

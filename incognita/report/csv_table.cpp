@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "incognita/messages/errors.hpp"
-#include "incognita/record/number.hpp"
+#include "incognita/record/files/number.hpp"
 
 namespace incognita {
 namespace {

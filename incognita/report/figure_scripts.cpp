@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "incognita/analysis/trajectory.hpp"
+#include "incognita/analysis/evaluation/trajectory.hpp"
 #include "incognita/messages/errors.hpp"
-#include "incognita/record/tum.hpp"
+#include "incognita/record/files/tum.hpp"
 #include "incognita/report/csv_table.hpp"
 #include "incognita/report/figure_style.hpp"
 #include "incognita/report/gnuplot.hpp"

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "incognita/analysis/trajectory.hpp"
+#include "incognita/analysis/evaluation/trajectory.hpp"
 
 namespace incognita {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "incognita/analysis/observability.hpp"
+#include "incognita/analysis/observability/observability.hpp"
 
 namespace incognita {
 

@@ -13,8 +13,8 @@
 #include <system_error>
 
 #include "incognita/messages/errors.hpp"
-#include "incognita/record/number.hpp"
-#include "incognita/record/row_file.hpp"
+#include "incognita/record/files/number.hpp"
+#include "incognita/record/files/row_file.hpp"
 #include "incognita/report/figure_style.hpp"
 #include "incognita/report/gnuplot.hpp"
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "incognita/messages/errors.hpp"
-#include "incognita/record/row_file.hpp"
+#include "incognita/record/files/row_file.hpp"
 #include "incognita/report/figure_scripts.hpp"
 #include "incognita/report/gnuplot.hpp"
 #include "incognita/report/team_figures.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "incognita/analysis/trajectory.hpp"
+#include "incognita/analysis/evaluation/trajectory.hpp"
 
 namespace incognita {
 

@@ -1,11 +1,11 @@
 // (5.5) against plant and filter run side by side.
-#include "incognita/analysis/closed_loop.hpp"
+#include "incognita/analysis/observability/closed_loop.hpp"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
 
-#include "incognita/analysis/linear_system.hpp"
+#include "incognita/analysis/observability/linear_system.hpp"
 #include "incognita/math/random.hpp"
 #include "tests/scratch.hpp"
 

@@ -1,11 +1,11 @@
 // Expressions mean what they say, their derivatives are right, and their order is always the same.
-#include "incognita/analysis/expression_graph.hpp"
+#include "incognita/analysis/systems/expression_graph.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "incognita/analysis/canonical_expression.hpp"
+#include "incognita/analysis/systems/canonical_expression.hpp"
 #include "incognita/math/random.hpp"
 
 namespace incognita {

@@ -1,12 +1,12 @@
 // What passes for an expression, every way in which a text is none, and the order it is computed in.
-#include "incognita/analysis/expression_guard.hpp"
+#include "incognita/analysis/systems/expression_guard.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <map>
 
-#include "incognita/analysis/expression_postfix.hpp"
+#include "incognita/analysis/systems/expression_postfix.hpp"
 #include "incognita/math/random.hpp"
 
 namespace incognita {

@@ -1,6 +1,6 @@
 // The monobot of thesis Examples 3.1 and 3.3: what can be observed and controlled, and where its filter
 // settles.
-#include "incognita/analysis/linear_system.hpp"
+#include "incognita/analysis/observability/linear_system.hpp"
 
 #include <gtest/gtest.h>
 

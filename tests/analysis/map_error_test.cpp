@@ -1,4 +1,4 @@
-#include "incognita/analysis/map_error.hpp"
+#include "incognita/analysis/evaluation/map_error.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Ranks and null spaces, decided as they should be whatever the units, and said to be unclear where they are.
-#include "incognita/analysis/null_space.hpp"
+#include "incognita/analysis/observability/null_space.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The monitor's information against dense matrices built the long way: ranks, and every number.
-#include "incognita/analysis/observability_monitor.hpp"
+#include "incognita/analysis/observability/observability_monitor.hpp"
 
 #include <gtest/gtest.h>
 

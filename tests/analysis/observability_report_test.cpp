@@ -1,5 +1,5 @@
 // What is said of drives and camera paths whose symmetries are known.
-#include "incognita/analysis/observability_report.hpp"
+#include "incognita/analysis/observability/observability_report.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "incognita/analysis/observability_monitor.hpp"
+#include "incognita/analysis/observability/observability_monitor.hpp"
 #include "incognita/math/random.hpp"
 #include "incognita/models/planar_frame.hpp"
 #include "incognita/models/range_bearing.hpp"

@@ -1,6 +1,6 @@
 // The systems of Chapter 4 against ranks that an independent program found, and the tool against what must
 // hold of any system.
-#include "incognita/analysis/observability.hpp"
+#include "incognita/analysis/observability/observability.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,11 +9,11 @@
 #include <map>
 #include <sstream>
 
-#include "incognita/analysis/symbolic_system.hpp"
-#include "incognita/analysis/system_error.hpp"
-#include "incognita/analysis/system_instance.hpp"
-#include "incognita/analysis/system_motion.hpp"
-#include "incognita/io/system_file.hpp"
+#include "incognita/analysis/systems/symbolic_system.hpp"
+#include "incognita/analysis/systems/system_error.hpp"
+#include "incognita/analysis/systems/system_instance.hpp"
+#include "incognita/analysis/systems/system_motion.hpp"
+#include "incognita/io/formats/system_file.hpp"
 
 namespace incognita {
 namespace {

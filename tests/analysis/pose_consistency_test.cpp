@@ -1,4 +1,4 @@
-#include "incognita/analysis/pose_consistency.hpp"
+#include "incognita/analysis/evaluation/pose_consistency.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "incognita/analysis/run_consistency.hpp"
+#include "incognita/analysis/evaluation/run_consistency.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Intervals against tables and exact cases.
-#include "incognita/analysis/statistics.hpp"
+#include "incognita/analysis/evaluation/statistics.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "incognita/analysis/median.hpp"
+#include "incognita/analysis/evaluation/median.hpp"
 #include "incognita/math/random.hpp"
 
 namespace incognita {

@@ -1,5 +1,5 @@
 // Symmetries by what they promise: looks do not see them, motions carry them on, anchors take them away.
-#include "incognita/analysis/symmetries.hpp"
+#include "incognita/analysis/observability/symmetries.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "incognita/analysis/trajectory.hpp"
+#include "incognita/analysis/evaluation/trajectory.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,8 +3,8 @@
 
 #include <cstdio>
 
-#include "incognita/analysis/map_error.hpp"
-#include "incognita/app/assemble_planar.hpp"
+#include "incognita/analysis/evaluation/map_error.hpp"
+#include "incognita/app/loop/assemble_planar.hpp"
 #include "incognita/messages/errors.hpp"
 
 namespace incognita {

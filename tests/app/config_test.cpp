@@ -1,12 +1,12 @@
 // `incognita config`, called as the program calls it.
-#include "incognita/app/config.hpp"
+#include "incognita/app/commands/config.hpp"
 
 #include <gtest/gtest.h>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "incognita/io/settings.hpp"
+#include "incognita/io/scenario/settings.hpp"
 #include "tests/app/captured.hpp"
 #include "tests/scratch.hpp"
 

@@ -10,10 +10,10 @@
 #include <optional>
 #include <vector>
 
-#include "incognita/app/assemble.hpp"
-#include "incognita/io/camera.hpp"
-#include "incognita/io/data_folder.hpp"
-#include "incognita/io/target_file.hpp"
+#include "incognita/app/loop/assemble.hpp"
+#include "incognita/io/formats/data_folder.hpp"
+#include "incognita/io/scenario/camera.hpp"
+#include "incognita/io/scenario/target_file.hpp"
 #include "incognita/messages/errors.hpp"
 
 namespace incognita {

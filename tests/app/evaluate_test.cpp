@@ -1,4 +1,4 @@
-#include "incognita/app/evaluate.hpp"
+#include "incognita/app/commands/evaluate.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // What a run says that it knows, of filters that are known to know better and worse.
-#include "incognita/app/observability_watch.hpp"
+#include "incognita/app/loop/observability_watch.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <limits>
 #include <memory>
 
-#include "incognita/app/assemble_planar.hpp"
+#include "incognita/app/loop/assemble_planar.hpp"
 #include "incognita/models/wide_angle_camera.hpp"
-#include "incognita/world/planar_loop.hpp"
+#include "incognita/world/points/planar_loop.hpp"
 
 namespace incognita {
 namespace {

@@ -8,8 +8,8 @@
 #include <map>
 #include <sstream>
 
-#include "incognita/io/range_recording.hpp"
-#include "incognita/world/planar_loop.hpp"
+#include "incognita/io/recordings/range_recording.hpp"
+#include "incognita/world/points/planar_loop.hpp"
 #include "tests/app/program.hpp"
 #include "tests/scratch.hpp"
 

@@ -6,11 +6,11 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 
-#include "incognita/io/camera.hpp"
-#include "incognita/io/load_scenario.hpp"
-#include "incognita/world/room_camera.hpp"
+#include "incognita/io/scenario/camera.hpp"
+#include "incognita/io/scenario/load_scenario.hpp"
+#include "incognita/world/rendered/room_camera.hpp"
+#include "incognita/world/rendered/room_world.hpp"
 #include "incognita/world/room_clock.hpp"
-#include "incognita/world/room_world.hpp"
 #include "tests/app/program.hpp"
 #include "tests/scratch.hpp"
 

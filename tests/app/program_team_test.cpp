@@ -6,7 +6,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "incognita/record/tum.hpp"
+#include "incognita/record/files/tum.hpp"
 #include "tests/app/generated_team.hpp"
 #include "tests/app/program.hpp"
 #include "tests/scratch.hpp"

@@ -1,5 +1,5 @@
 // `incognita reproduce` with experiments made for these tests.
-#include "incognita/app/reproduce.hpp"
+#include "incognita/app/commands/reproduce.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // A vehicle with a camera on uneven ground in the rendered room, from its scenario to a run.
 #include <gtest/gtest.h>
 
-#include "incognita/analysis/pose_consistency.hpp"
-#include "incognita/app/assemble_room_vehicle.hpp"
-#include "incognita/io/settings.hpp"
+#include "incognita/analysis/evaluation/pose_consistency.hpp"
+#include "incognita/app/loop/assemble_room_vehicle.hpp"
+#include "incognita/io/scenario/settings.hpp"
 #include "incognita/messages/errors.hpp"
 #include "tests/scratch.hpp"
 

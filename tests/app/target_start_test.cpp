@@ -1,13 +1,13 @@
 // Where a camera begins by the sheet in the rendered room: near it rightly, and from far rather not at all.
 #include <gtest/gtest.h>
 
-#include "incognita/io/camera.hpp"
-#include "incognita/io/load_scenario.hpp"
-#include "incognita/io/target_file.hpp"
+#include "incognita/io/scenario/camera.hpp"
+#include "incognita/io/scenario/load_scenario.hpp"
+#include "incognita/io/scenario/target_file.hpp"
 #include "incognita/math/random.hpp"
 #include "incognita/models/heading.hpp"
-#include "incognita/slam/target_pose.hpp"
-#include "incognita/world/render.hpp"
+#include "incognita/slam/features/target_pose.hpp"
+#include "incognita/world/rendered/render.hpp"
 #include "tests/scratch.hpp"
 
 namespace incognita {

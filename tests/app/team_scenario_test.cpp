@@ -8,11 +8,11 @@
 #include <string>
 #include <tuple>
 
-#include "incognita/app/assemble_team.hpp"
-#include "incognita/app/association_score.hpp"
-#include "incognita/app/loop.hpp"
-#include "incognita/io/settings.hpp"
-#include "incognita/io/team_setting_list.hpp"
+#include "incognita/app/loop/assemble_team.hpp"
+#include "incognita/app/loop/association_score.hpp"
+#include "incognita/app/loop/loop.hpp"
+#include "incognita/io/scenario/settings.hpp"
+#include "incognita/io/scenario/team_setting_list.hpp"
 #include "incognita/math/random.hpp"
 #include "incognita/messages/errors.hpp"
 #include "tests/scratch.hpp"

@@ -8,9 +8,9 @@
 
 #include "incognita/control/team_controller.hpp"
 #include "incognita/models/wide_angle_camera.hpp"
-#include "incognita/slam/team_estimator.hpp"
+#include "incognita/slam/points/team_estimator.hpp"
+#include "incognita/world/points/team_world.hpp"
 #include "incognita/world/room_clock.hpp"
-#include "incognita/world/team_world.hpp"
 
 namespace incognita {
 namespace {

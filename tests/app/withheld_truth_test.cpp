@@ -9,12 +9,12 @@
 #include <utility>
 #include <vector>
 
-#include "incognita/app/assemble.hpp"
-#include "incognita/app/assemble_room_vehicle.hpp"
-#include "incognita/app/assemble_team.hpp"
-#include "incognita/app/loop.hpp"
-#include "incognita/io/load_scenario.hpp"
-#include "incognita/record/snapshot_message.hpp"
+#include "incognita/app/loop/assemble.hpp"
+#include "incognita/app/loop/assemble_room_vehicle.hpp"
+#include "incognita/app/loop/assemble_team.hpp"
+#include "incognita/app/loop/loop.hpp"
+#include "incognita/io/scenario/load_scenario.hpp"
+#include "incognita/record/mcap/snapshot_message.hpp"
 
 namespace incognita {
 namespace {

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "incognita/math/random.hpp"
-#include "incognita/world/floor_plan.hpp"
+#include "incognita/world/rendered/floor_plan.hpp"
 
 namespace incognita {
 namespace {

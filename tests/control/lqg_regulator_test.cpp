@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "incognita/analysis/closed_loop.hpp"
+#include "incognita/analysis/observability/closed_loop.hpp"
 #include "incognita/control/feedback_linearisation.hpp"
 #include "incognita/math/random.hpp"
 #include "tests/scratch.hpp"

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include "incognita/analysis/closed_loop.hpp"
+#include "incognita/analysis/observability/closed_loop.hpp"
 #include "incognita/math/random.hpp"
 #include "tests/scratch.hpp"
 

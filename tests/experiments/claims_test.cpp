@@ -9,7 +9,7 @@
 #include <set>
 #include <sstream>
 
-#include "experiments/experiment.hpp"
+#include "incognita/report/experiment.hpp"
 #include "tests/scratch.hpp"
 
 namespace incognita {

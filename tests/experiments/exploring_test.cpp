@@ -6,7 +6,7 @@
 
 #include "experiments/exploring_strategies.hpp"
 #include "experiments/seeds.hpp"
-#include "incognita/analysis/statistics.hpp"
+#include "incognita/analysis/evaluation/statistics.hpp"
 
 namespace incognita::exploring {
 namespace {

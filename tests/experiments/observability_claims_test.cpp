@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "experiments/example_4_2.hpp"
-#include "incognita/analysis/observability.hpp"
-#include "incognita/io/system_file.hpp"
+#include "incognita/analysis/observability/observability.hpp"
+#include "incognita/io/formats/system_file.hpp"
 
 namespace incognita::observability_claims {
 namespace {

@@ -16,10 +16,10 @@
 #include <string>
 #include <string_view>
 
-#include "incognita/analysis/symbolic_system.hpp"
-#include "incognita/analysis/system_error.hpp"
-#include "incognita/analysis/system_instance.hpp"
-#include "incognita/io/system_file.hpp"
+#include "incognita/analysis/systems/symbolic_system.hpp"
+#include "incognita/analysis/systems/system_error.hpp"
+#include "incognita/analysis/systems/system_instance.hpp"
+#include "incognita/io/formats/system_file.hpp"
 #include "incognita/messages/errors.hpp"
 
 namespace {

@@ -1,8 +1,8 @@
-#include "incognita/io/clock_warnings.hpp"
+#include "incognita/io/recordings/clock_warnings.hpp"
 
 #include <gtest/gtest.h>
 
-#include "incognita/world/planar_loop.hpp"
+#include "incognita/world/points/planar_loop.hpp"
 
 namespace incognita {
 namespace {

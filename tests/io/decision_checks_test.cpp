@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "incognita/io/load_scenario.hpp"
-#include "incognita/io/settings.hpp"
+#include "incognita/io/scenario/load_scenario.hpp"
+#include "incognita/io/scenario/settings.hpp"
 #include "tests/scratch.hpp"
 
 namespace incognita {

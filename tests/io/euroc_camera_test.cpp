@@ -1,9 +1,9 @@
 // The calibration that a EuRoC recording brings along, and the camera of the scenario that follows it.
-#include "incognita/io/euroc_camera.hpp"
+#include "incognita/io/recordings/euroc_camera.hpp"
 
 #include <gtest/gtest.h>
 
-#include "incognita/io/camera_of_recording.hpp"
+#include "incognita/io/recordings/camera_of_recording.hpp"
 #include "tests/scratch.hpp"
 
 namespace incognita {

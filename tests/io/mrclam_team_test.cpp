@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "incognita/io/range_formats.hpp"
+#include "incognita/io/recordings/range_formats.hpp"
 #include "tests/scratch.hpp"
 
 namespace incognita {

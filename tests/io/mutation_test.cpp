@@ -8,10 +8,10 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 
-#include "incognita/io/image_file.hpp"
-#include "incognita/io/range_recording.hpp"
-#include "incognita/io/recording.hpp"
-#include "incognita/io/target_file.hpp"
+#include "incognita/io/formats/image_file.hpp"
+#include "incognita/io/recordings/range_recording.hpp"
+#include "incognita/io/recordings/recording.hpp"
+#include "incognita/io/scenario/target_file.hpp"
 #include "tests/io/damage.hpp"
 #include "tests/io/mat_writer.hpp"
 #include "tests/scratch.hpp"

@@ -1,5 +1,5 @@
 // Paths from tables: what they mean, and each way in which one can be wrong.
-#include "incognita/io/path_file.hpp"
+#include "incognita/io/formats/path_file.hpp"
 
 #include <gtest/gtest.h>
 

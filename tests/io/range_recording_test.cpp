@@ -1,13 +1,13 @@
 // Range-bearing recordings of every layout, made here, and each way in which one can be broken.
-#include "incognita/io/range_recording.hpp"
+#include "incognita/io/recordings/range_recording.hpp"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 #include <stdexcept>
 
-#include "incognita/io/data_folder.hpp"
-#include "incognita/io/reflectors.hpp"
+#include "incognita/io/formats/data_folder.hpp"
+#include "incognita/io/recordings/reflectors.hpp"
 #include "tests/io/mat_writer.hpp"
 #include "tests/scratch.hpp"
 

@@ -1,5 +1,5 @@
 // Recordings of every layout, made here, and each way in which one can be broken.
-#include "incognita/io/recording.hpp"
+#include "incognita/io/recordings/recording.hpp"
 
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
@@ -8,10 +8,10 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 
-#include "incognita/io/data_folder.hpp"
-#include "incognita/io/files.hpp"
-#include "incognita/io/image_file.hpp"
-#include "incognita/io/recorded.hpp"
+#include "incognita/io/formats/data_folder.hpp"
+#include "incognita/io/formats/files.hpp"
+#include "incognita/io/formats/image_file.hpp"
+#include "incognita/io/recordings/recorded.hpp"
 #include "tests/scratch.hpp"
 
 namespace incognita {

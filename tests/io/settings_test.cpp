@@ -1,13 +1,13 @@
 // The list of settings, reading files and the command line, and every way in which both can be wrong.
-#include "incognita/io/settings.hpp"
+#include "incognita/io/scenario/settings.hpp"
 
 #include <gtest/gtest.h>
 
 #include <random>
 #include <set>
 
-#include "incognita/io/files.hpp"
-#include "incognita/io/load_scenario.hpp"
+#include "incognita/io/formats/files.hpp"
+#include "incognita/io/scenario/load_scenario.hpp"
 #include "incognita/math/nearest_name.hpp"
 #include "tests/scratch.hpp"
 

@@ -1,13 +1,13 @@
 // Systems written as TOML: what is read, and every way in which such a file can be wrong.
-#include "incognita/io/system_file.hpp"
+#include "incognita/io/formats/system_file.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <regex>
 
-#include "incognita/io/toml_depth.hpp"
-#include "incognita/io/toml_value.hpp"
+#include "incognita/io/formats/toml_depth.hpp"
+#include "incognita/io/formats/toml_value.hpp"
 #include "tests/io/damage.hpp"
 #include "tests/scratch.hpp"
 

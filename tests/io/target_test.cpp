@@ -1,12 +1,12 @@
 // Target files: what they mean, and each way in which one can be wrong.
-#include "incognita/io/target_file.hpp"
+#include "incognita/io/scenario/target_file.hpp"
 
 #include <gtest/gtest.h>
 
 #include <functional>
 
-#include "incognita/io/files.hpp"
-#include "incognita/io/image_file.hpp"
+#include "incognita/io/formats/files.hpp"
+#include "incognita/io/formats/image_file.hpp"
 #include "tests/scratch.hpp"
 
 namespace incognita {

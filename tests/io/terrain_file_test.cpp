@@ -1,12 +1,12 @@
 // Height maps from images: where each pixel lies, to what depth, and what is refused.
-#include "incognita/io/terrain_file.hpp"
+#include "incognita/io/scenario/terrain_file.hpp"
 
 #include <gtest/gtest.h>
 
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 
-#include "incognita/io/settings.hpp"
+#include "incognita/io/scenario/settings.hpp"
 #include "tests/scratch.hpp"
 
 namespace incognita {

@@ -1,4 +1,4 @@
-#include "incognita/record/consistency_summary.hpp"
+#include "incognita/record/summary/consistency_summary.hpp"
 
 #include <gtest/gtest.h>
 

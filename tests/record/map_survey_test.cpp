@@ -1,4 +1,4 @@
-#include "incognita/record/map_survey.hpp"
+#include "incognita/record/summary/map_survey.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "incognita/record/mcap_file.hpp"
+#include "incognita/record/mcap/mcap_file.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>

@@ -11,8 +11,8 @@
 
 #include "file_size_limit.hpp"
 #include "incognita/messages/errors.hpp"
-#include "incognita/record/number.hpp"
-#include "incognita/record/tum.hpp"
+#include "incognita/record/files/number.hpp"
+#include "incognita/record/files/tum.hpp"
 #include "mcap_reader.hpp"
 #include "schema.hpp"
 #include "synthetic_run.hpp"

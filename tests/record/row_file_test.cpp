@@ -1,4 +1,4 @@
-#include "incognita/record/row_file.hpp"
+#include "incognita/record/files/row_file.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "file_size_limit.hpp"
 #include "incognita/messages/errors.hpp"
-#include "incognita/record/number.hpp"
+#include "incognita/record/files/number.hpp"
 #include "tests/scratch.hpp"
 
 namespace incognita {

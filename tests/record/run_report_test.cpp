@@ -1,4 +1,4 @@
-#include "incognita/record/run_report.hpp"
+#include "incognita/record/summary/run_report.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "incognita/record/snapshot_log.hpp"
+#include "incognita/record/mcap/snapshot_log.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 
 #include "file_size_limit.hpp"
 #include "incognita/messages/errors.hpp"
-#include "incognita/record/image_text.hpp"
-#include "incognita/record/series.hpp"
+#include "incognita/record/files/image_text.hpp"
+#include "incognita/record/snapshot/series.hpp"
 #include "mcap_reader.hpp"
 #include "schema.hpp"
 #include "synthetic_run.hpp"

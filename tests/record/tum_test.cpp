@@ -1,4 +1,4 @@
-#include "incognita/record/tum.hpp"
+#include "incognita/record/files/tum.hpp"
 
 #include <gtest/gtest.h>
 

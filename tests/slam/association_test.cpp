@@ -1,5 +1,5 @@
 // Data association against every set of pairings there is, and where nearest neighbours go wrong.
-#include "incognita/slam/association.hpp"
+#include "incognita/slam/points/association.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The camera estimator's state: when it began, what it does without images, and what it refuses.
-#include "incognita/slam/camera_estimator.hpp"
+#include "incognita/slam/features/camera_estimator.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "incognita/slam/consensus.hpp"
+#include "incognita/slam/features/consensus.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "incognita/slam/entropy.hpp"
+#include "incognita/slam/features/entropy.hpp"
 
 #include <gtest/gtest.h>
 

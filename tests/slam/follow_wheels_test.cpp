@@ -1,5 +1,5 @@
 // Wheel odometry as a measurement of the camera.
-#include "incognita/slam/follow_wheels.hpp"
+#include "incognita/slam/features/follow_wheels.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // What is counted of landmarks from frame to frame.
-#include "incognita/slam/map_management.hpp"
+#include "incognita/slam/features/map_management.hpp"
 
 #include <gtest/gtest.h>
 

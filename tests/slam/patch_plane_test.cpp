@@ -1,13 +1,13 @@
 // Planes of patches, on pictures of a tilted texture cast ray by ray.
-#include "incognita/slam/patch_plane.hpp"
+#include "incognita/slam/features/patch_plane.hpp"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 
 #include "incognita/models/pinhole_camera.hpp"
-#include "incognita/slam/learn_planes.hpp"
-#include "incognita/slam/predict_looks.hpp"
+#include "incognita/slam/features/learn_planes.hpp"
+#include "incognita/slam/features/predict_looks.hpp"
 #include "incognita/vision/search.hpp"
 #include "tests/vision/pattern.hpp"
 

@@ -1,5 +1,5 @@
 // The planar estimator by hand-made observations: starts, matches, births, refusals, frames and filters.
-#include "incognita/slam/planar_estimator.hpp"
+#include "incognita/slam/points/planar_estimator.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include "incognita/math/gaussian.hpp"
 #include "incognita/math/random.hpp"
 #include "incognita/models/range_bearing.hpp"
-#include "incognita/slam/planar_looks.hpp"
-#include "incognita/slam/planar_motion.hpp"
+#include "incognita/slam/points/planar_looks.hpp"
+#include "incognita/slam/points/planar_motion.hpp"
 
 namespace incognita {
 namespace {

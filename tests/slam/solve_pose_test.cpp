@@ -6,7 +6,7 @@
 
 #include "incognita/math/random.hpp"
 #include "incognita/models/wide_angle_camera.hpp"
-#include "incognita/slam/target_pose.hpp"
+#include "incognita/slam/features/target_pose.hpp"
 
 namespace incognita {
 namespace {

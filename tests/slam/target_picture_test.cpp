@@ -1,5 +1,5 @@
 // Whether what is seen is the target's picture: on a camera's image that is drawn from the picture itself.
-#include "incognita/slam/target_picture.hpp"
+#include "incognita/slam/features/target_picture.hpp"
 
 #include <gtest/gtest.h>
 

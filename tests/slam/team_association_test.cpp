@@ -1,6 +1,6 @@
 // Sightings without names: nearest neighbours find out what they are of, from nothing but where they are
 // seen.
-#include "incognita/slam/team_association.hpp"
+#include "incognita/slam/points/team_association.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include "incognita/math/gaussian.hpp"
 #include "incognita/math/random.hpp"
 #include "incognita/models/range_bearing.hpp"
-#include "incognita/slam/team_estimator.hpp"
+#include "incognita/slam/points/team_estimator.hpp"
 
 namespace incognita::testing {
 namespace {

@@ -1,5 +1,5 @@
 // The team estimator by hand-made observations: what a tick costs the heap.
-#include "incognita/slam/team_estimator.hpp"
+#include "incognita/slam/points/team_estimator.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,13 @@
 // What a vehicle of a team sees of another, and of landmarks, as the filter takes it: predictions and
 // Jacobians by both against differences of the belief's means.
-#include "incognita/slam/team_looks.hpp"
+#include "incognita/slam/points/team_looks.hpp"
 
 #include <gtest/gtest.h>
 
 #include <functional>
 
 #include "incognita/models/wide_angle_camera.hpp"
-#include "incognita/slam/team_estimator.hpp"
+#include "incognita/slam/points/team_estimator.hpp"
 #include "tests/small_vectors.hpp"
 
 namespace incognita {

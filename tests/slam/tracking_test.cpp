@@ -1,4 +1,4 @@
-#include "incognita/slam/tracking.hpp"
+#include "incognita/slam/features/tracking.hpp"
 
 #include <gtest/gtest.h>
 

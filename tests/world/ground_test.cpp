@@ -1,5 +1,5 @@
 // The uneven floor of the rendered room: where rays meet it, and what a camera sees of it.
-#include "incognita/world/ground.hpp"
+#include "incognita/world/rendered/ground.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include "incognita/math/random.hpp"
 #include "incognita/models/heading.hpp"
 #include "incognita/models/wide_angle_camera.hpp"
-#include "incognita/world/render.hpp"
+#include "incognita/world/rendered/render.hpp"
 
 using namespace incognita;
 

@@ -5,7 +5,7 @@
 
 #include "incognita/math/angles.hpp"
 #include "incognita/models/heading.hpp"
-#include "incognita/world/room_world.hpp"
+#include "incognita/world/rendered/room_world.hpp"
 
 using namespace incognita;
 

@@ -1,13 +1,13 @@
 // Recordings of ranges as the loop sees them, and the simulated drive.
-#include "incognita/world/range_replay.hpp"
+#include "incognita/world/replay/range_replay.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "incognita/models/range_bearing.hpp"
-#include "incognita/world/planar_loop.hpp"
-#include "incognita/world/team_replay.hpp"
+#include "incognita/world/points/planar_loop.hpp"
+#include "incognita/world/replay/team_replay.hpp"
 
 namespace incognita {
 namespace {

@@ -1,4 +1,4 @@
-#include "incognita/world/render.hpp"
+#include "incognita/world/rendered/render.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "incognita/models/heading.hpp"
 #include "incognita/models/wide_angle_camera.hpp"
-#include "incognita/world/free_camera_plant.hpp"
+#include "incognita/world/rendered/free_camera_plant.hpp"
 
 using namespace incognita;
 

@@ -1,4 +1,4 @@
-#include "incognita/world/room.hpp"
+#include "incognita/world/rendered/room.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // A vehicle on the uneven floor of the rendered room: where its camera is, what its wheels tell, what stops
 // it.
-#include "incognita/world/room_vehicle.hpp"
+#include "incognita/world/rendered/room_vehicle.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,10 +2,10 @@
 
 #include "incognita/models/heading.hpp"
 #include "incognita/models/wide_angle_camera.hpp"
-#include "incognita/world/free_camera_plant.hpp"
-#include "incognita/world/image_noise.hpp"
-#include "incognita/world/render.hpp"
-#include "incognita/world/room_camera.hpp"
+#include "incognita/world/rendered/free_camera_plant.hpp"
+#include "incognita/world/rendered/image_noise.hpp"
+#include "incognita/world/rendered/render.hpp"
+#include "incognita/world/rendered/room_camera.hpp"
 #include "incognita/world/room_clock.hpp"
 
 using namespace incognita;

@@ -1,6 +1,6 @@
 // A simulated place of points and the vehicles in it: who sees what and whom, how far and which way, with
 // noise that follows from the seed alone.
-#include "incognita/world/team_world.hpp"
+#include "incognita/world/points/team_world.hpp"
 
 #include <gtest/gtest.h>
 

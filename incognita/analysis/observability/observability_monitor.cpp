@@ -1,0 +1,428 @@
+#include "incognita/analysis/observability/observability_monitor.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <Eigen/QR>
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+
+namespace incognita {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double least_pivot = 1e-12;  // of the largest: less cannot be divided by
+constexpr double least_share = 1e-12;  // of a variance: less is rounding
+
+/// M = F F', F with as many columns as M has rank, for M positive semi-definite: Cholesky's factor, the
+/// largest pivot left first (Eigen's LDLT looks at the diagonal it began with). Told through the
+/// correlations, so that metres and radians do not hide each other.
+MatrixXd factor_of(const MatrixXd& M) {
+  VectorXd sigma = M.diagonal().cwiseMax(0).cwiseSqrt();
+  for (double& s : sigma)
+    if (!(s > 0)) s = 1;
+  const MatrixXd C = sigma.cwiseInverse().asDiagonal() * M * sigma.cwiseInverse().asDiagonal();
+  MatrixXd F = MatrixXd::Zero(C.rows(), C.cols());
+  VectorXd left = C.diagonal();
+  Eigen::Index rank = 0, at = 0;
+  for (; rank < C.rows() && left.maxCoeff(&at) > least_share; ++rank) {
+    F.col(rank) = (C.col(at) - F.leftCols(rank) * F.row(at).head(rank).transpose()) / std::sqrt(left[at]);
+    left -= F.col(rank).cwiseAbs2();
+    left[at] = 0;
+  }
+  return sigma.asDiagonal() * F.leftCols(rank);
+}
+
+/// Rows = Q R in their first columns: R, and Q' times the other columns. The reflectors are applied one after
+/// the other, Q' is never formed.
+MatrixXd turned_upright(MatrixXd rows, Eigen::Index columns) {
+  const Eigen::HouseholderQR<MatrixXd> qr(rows.leftCols(columns));
+  rows.leftCols(columns) = qr.matrixQR().triangularView<Eigen::Upper>();
+  auto others = rows.rightCols(rows.cols() - columns);
+  others.applyOnTheLeft(qr.householderQ().adjoint());
+  return rows;
+}
+
+/// What rows say that does not depend on some unknowns, which they hold by these factors.
+MatrixXd rows_without(const MatrixXd& factors, MatrixXd rows) {
+  Eigen::ColPivHouseholderQR<MatrixXd> qr(factors);
+  qr.setThreshold(least_pivot);
+  rows.applyOnTheLeft(qr.householderQ().adjoint());
+  return rows.bottomRows(rows.rows() - qr.rank());
+}
+
+/// A = diag(rows) B diag(columns), the largest of each row and column of B near 1: metres and radians, and
+/// the unit of length, do not make a matrix look singular.
+struct Equilibrated {
+  VectorXd rows, columns;
+  MatrixXd B;
+  explicit Equilibrated(const MatrixXd& A) : rows(A.rowwise().lpNorm<Eigen::Infinity>()), B(A) {
+    for (double& r : rows)
+      if (!(r > 0)) r = 1;
+    B = rows.cwiseInverse().asDiagonal() * A;
+    columns = B.colwise().lpNorm<Eigen::Infinity>().transpose();
+    for (double& c : columns)
+      if (!(c > 0)) c = 1;
+    B = B * columns.cwiseInverse().asDiagonal();
+  }
+};
+
+/// Whether a motion can be undone, and has at least so large a share of its largest pivot left.
+bool can_be_undone(const MatrixXd& A, double least) {
+  const Eigen::FullPivLU<MatrixXd> lu(Equilibrated(A).B);
+  const auto pivots = lu.matrixLU().diagonal().cwiseAbs();
+  return pivots.minCoeff() > least * pivots.maxCoeff();
+}
+
+/// What a motion that cannot be undone forgets, and the rest undone: all that A takes to y is
+/// inverse * y + forgotten * anything.
+struct PartlyUndone {
+  MatrixXd inverse, forgotten;
+  explicit PartlyUndone(const MatrixXd& A) {
+    const Equilibrated e(A);
+    const Eigen::JacobiSVD<MatrixXd> svd(e.B, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    const auto& values = svd.singularValues();
+    const Eigen::Index rank = (values.array() > least_pivot * values[0]).count();
+    const MatrixXd V = e.columns.cwiseInverse().asDiagonal() * svd.matrixV();
+    inverse = V.leftCols(rank) * values.head(rank).cwiseInverse().asDiagonal() *
+              svd.matrixU().leftCols(rank).transpose() * e.rows.cwiseInverse().asDiagonal();
+    forgotten = V.rightCols(A.cols() - rank);
+  }
+};
+
+/// Whether an error of a newborn is an error of one parent and nothing else but noise of its own: which one.
+std::optional<Eigen::Index> copied_error(const BlockBirth& birth, Eigen::Index row, BlockId parent) {
+  std::optional<Eigen::Index> copied;
+  for (const BlockParent& p : birth.parents) {
+    if (p.J.row(row).isZero(0)) continue;
+    Eigen::Index at = 0;
+    if (p.block != parent || copied || p.J.row(row).cwiseAbs().maxCoeff(&at) != 1 ||
+        p.J.row(row).cwiseAbs().sum() != 1)
+      return std::nullopt;
+    copied = at;
+  }
+  if (birth.noise.row(row).cwiseAbs().sum() != std::abs(birth.noise(row, row))) return std::nullopt;
+  return copied;
+}
+
+/// A square matrix: a basis of the null space of M, which has full rank, then M^+.
+MatrixXd null_space_and_inverse(const MatrixXd& M) {
+  const Eigen::Index rows = M.rows(), columns = M.cols();
+  if (rows == 0) return MatrixXd::Identity(columns, columns);
+  const Eigen::JacobiSVD<MatrixXd> svd(M, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  MatrixXd C(columns, columns);
+  C.leftCols(columns - rows) = svd.matrixV().rightCols(columns - rows);
+  C.rightCols(rows) = svd.matrixV().leftCols(rows) * svd.singularValues().cwiseInverse().asDiagonal() *
+                      svd.matrixU().transpose();
+  return C;
+}
+
+}  // namespace
+
+ObservabilityMonitor::ObservabilityMonitor(BlockId vehicle, int vehicle_errors, Motions motions)
+    : motions_(motions),
+      blocks_{{vehicle, 0, vehicle_errors}},
+      index_of_{{vehicle, 0}},
+      V_(MatrixXd::Zero(vehicle_errors, vehicle_errors)) {}
+
+void ObservabilityMonitor::follow(const BeliefTrace& trace) {
+  struct Visitor {
+    ObservabilityMonitor& monitor;
+    void operator()(const AffineMotion& motion) { monitor.move(motion); }
+    void operator()(const AffineLook& look) { monitor.look(look); }
+    void operator()(const BlockBirth& birth) { monitor.give_birth(birth); }
+    void operator()(const BlockReplacement& replacement) { monitor.replace(replacement); }
+    void operator()(const BlockDrop& drop) { monitor.drop(drop.block); }
+    void operator()(Reshaping how) {
+      monitor.uncovered_ = how == Reshaping::carried ? Uncovered::carried : Uncovered::decorrelated;
+    }
+  };
+  for (const BeliefEvent& event : trace)
+    if (!uncovered_) std::visit(Visitor{*this}, event);
+}
+
+const ObservabilityMonitor::Block* ObservabilityMonitor::find(BlockId id) const {
+  const auto at = index_of_.find(id);
+  return at == index_of_.end() ? nullptr : &blocks_[at->second];
+}
+
+const ObservabilityMonitor::Block& ObservabilityMonitor::find_or_add(BlockId id, int errors) {
+  if (const Block* block = find(id)) return *block;
+  const Eigen::Index old = V_.cols();
+  V_.conservativeResize(Eigen::NoChange, old + errors);
+  V_.rightCols(errors).setZero();
+  L_.grow(errors);
+  added_.conservativeResize(L_.size());
+  added_.tail(errors).setZero();
+  index_of_[id] = blocks_.size();
+  blocks_.push_back({id, static_cast<int>(old), errors});
+  return blocks_.back();
+}
+
+// Motions
+// ---------------------------------------------------------------------------------------------------------
+
+/// Motions between looks are composed, and applied when the next look comes: as long as their product can be
+/// undone without loss. Each is asked by itself whether it can be undone, as many that shrink an error a
+/// little never forget it.
+void ObservabilityMonitor::move(const AffineMotion& motion) {
+  constexpr double well = 1e-6;      // of the largest pivot, in no unit
+  constexpr double near_one = 1e-3;  // a product that shrinks or grows more, in any unit, is undone in pieces
+  if (motion.block != blocks_.front().id) {
+    uncovered_ = Uncovered::other_mover;
+    return;
+  }
+  if (!motion.A.allFinite() || !motion.N.allFinite()) {
+    uncovered_ = Uncovered::not_finite;
+    return;
+  }
+  absorb_rows();
+  if (motions_ == Motions::tell_nothing)
+    return forget(MatrixXd::Identity(vehicle_errors(), vehicle_errors()));
+  if (!can_be_undone(motion.A, least_pivot)) {
+    apply_motion();
+    const PartlyUndone undone(motion.A);
+    forget(undone.forgotten);
+    return put_motion(V_.leftCols(vehicle_errors()) * undone.inverse, factor_of(motion.N));
+  }
+  const BlockMatrix product = moved_ ? BlockMatrix(motion.A * A_) : motion.A;
+  const double volume = std::abs(product.determinant());
+  if (moved_ && can_be_undone(product, well) && volume > near_one && volume < 1 / near_one) {
+    A_ = product;
+    N_ = (motion.A * N_ * motion.A.transpose() + motion.N).eval();
+    return;
+  }
+  apply_motion();
+  A_ = motion.A;
+  N_ = motion.N;
+  moved_ = true;
+}
+
+void ObservabilityMonitor::apply_motion() {
+  if (!moved_) return;
+  moved_ = false;
+  const Equilibrated e(A_);
+  const MatrixXd inverse =
+      e.columns.cwiseInverse().asDiagonal() * e.B.fullPivLu().inverse() * e.rows.cwiseInverse().asDiagonal();
+  put_motion(V_.leftCols(vehicle_errors()) * inverse, factor_of(N_));
+}
+
+/// error before = A^-1 (error after - F w), w of unit covariance: rows for w, which is then eliminated.
+/// `before` is V A^-1.
+void ObservabilityMonitor::put_motion(const MatrixXd& before, const MatrixXd& F) {
+  const int size = vehicle_errors();
+  const Eigen::Index noises = F.cols(), landmarks = V_.cols() - size;
+  MatrixXd rows = MatrixXd::Zero(noises + size, noises + size);
+  rows.topLeftCorner(noises, noises).setIdentity();
+  rows.bottomLeftCorner(size, noises) = -before * F;
+  rows.bottomRightCorner(size, size) = before;
+  const Eigen::HouseholderQR<MatrixXd> qr(rows);
+  const MatrixXd Qt = qr.householderQ().adjoint();  // small, and the map is wide
+  V_.leftCols(size) =
+      qr.matrixQR().triangularView<Eigen::Upper>().toDenseMatrix().bottomRightCorner(size, size);
+  V_.rightCols(landmarks) = Qt.bottomRightCorner(size, size) * V_.rightCols(landmarks);
+}
+
+/// What the vehicle's rows say whatever the errors in these directions are.
+void ObservabilityMonitor::forget(const MatrixXd& directions) {
+  const int size = vehicle_errors();
+  const MatrixXd left = rows_without(V_.leftCols(size) * directions, V_);
+  V_.setZero();
+  V_.topRows(left.rows()) = left;
+  if (directions.cols() == size) V_.leftCols(size).setZero();
+}
+
+// Looks
+// ---------------------------------------------------------------------------------------------------------
+
+void ObservabilityMonitor::look(const AffineLook& look) {
+  apply_motion();
+  std::vector<Part> parts;
+  for (int i = 0; i < look.part_count; ++i) {
+    const LookJacobian& H = look.parts[i].H;
+    parts.push_back({0, find_or_add(look.parts[i].block, static_cast<int>(H.cols())).first, H});
+  }
+  add_rows(parts, look.R);
+}
+
+void ObservabilityMonitor::give_birth(const BlockBirth& birth) {
+  apply_motion();
+  const Eigen::Index errors = birth.noise.rows();
+  std::vector<Eigen::Index> measured;
+  for (Eigen::Index i = 0; i < errors; ++i)
+    if (std::any_of(birth.parents.begin(), birth.parents.end(),
+                    [&](const BlockParent& parent) { return !parent.J.row(i).isZero(0); }))
+      measured.push_back(i);
+  const int first = find_or_add(birth.block, static_cast<int>(errors)).first;
+  for (std::size_t from = 0; from < measured.size(); from += max_look_rows) {  // a look has so many rows
+    const std::vector<Eigen::Index> some(
+        measured.begin() + static_cast<std::ptrdiff_t>(from),
+        measured.begin() + static_cast<std::ptrdiff_t>(std::min(measured.size(), from + max_look_rows)));
+    const auto rows = static_cast<Eigen::Index>(some.size());
+    const MatrixXd own = MatrixXd::Identity(errors, errors)(some, Eigen::all);
+    std::vector<Part> parts{{0, first, own}};
+    for (const BlockParent& parent : birth.parents) {
+      const MatrixXd J = parent.J(some, Eigen::all);
+      parts.push_back({0, find_or_add(parent.block, static_cast<int>(J.cols())).first, -J});
+    }
+    LookMatrix R = birth.noise(some, some);
+    for (std::size_t i = 0; i < some.size(); ++i)
+      if (const auto copied = copied_error(birth, some[i], blocks_.front().id); copied && *copied < places_)
+        R.diagonal()[static_cast<Eigen::Index>(i)] =
+            std::max(R.diagonal()[static_cast<Eigen::Index>(i)], exact_place_sigma_ * exact_place_sigma_);
+    R.diagonal().array() += 1e-14 * std::max(1e-14, R.trace() / static_cast<double>(rows));
+    add_rows(parts, R);
+  }
+}
+
+void ObservabilityMonitor::add_rows(const std::vector<Part>& parts, const LookMatrix& R) {
+  constexpr int most_rows = 64;  // that wait: time and memory are linear in the looks, also without motions
+  const Eigen::LLT<LookMatrix> llt(R);
+  if (llt.info() != Eigen::Success) return;  // no update takes such a look
+  if (!std::all_of(parts.begin(), parts.end(), [](const Part& part) { return part.H.allFinite(); })) {
+    uncovered_ = Uncovered::not_finite;
+    return;
+  }
+  for (const Part& part : parts) pending_.push_back({row_count_, part.first, llt.matrixL().solve(part.H)});
+  row_count_ += static_cast<int>(R.rows());
+  if (row_count_ >= most_rows) absorb_rows();
+}
+
+/// V and the rows that wait are turned until nothing but V has to do with the vehicle.
+void ObservabilityMonitor::absorb_rows() {
+  if (row_count_ == 0) return;
+  MatrixXd rows = MatrixXd::Zero(V_.rows() + row_count_, V_.cols());
+  rows.topRows(V_.rows()) = V_;
+  for (const Part& part : pending_)
+    rows.block(V_.rows() + part.row, part.first, part.H.rows(), part.H.cols()) += part.H;
+  pending_.clear();
+  row_count_ = 0;
+  put_rows(std::move(rows));
+}
+
+/// V from any rows; those that are left, free of the vehicle, go to the map.
+void ObservabilityMonitor::put_rows(MatrixXd rows) {
+  const int size = vehicle_errors();
+  const Eigen::Index kept = std::min<Eigen::Index>(size, rows.rows());
+  rows = turned_upright(std::move(rows), size);
+  V_.setZero();
+  V_.topRows(kept) = rows.topRows(kept);
+  const auto of_map = rows.bottomRightCorner(rows.rows() - kept, rows.cols() - size);
+  L_.add(of_map);
+  if (of_map.rows() > 0) added_ += of_map.colwise().squaredNorm().transpose();
+}
+
+// Blocks that go or change
+// ---------------------------------------------------------------------------------------------------------
+
+/// Takes out of L what it says of so many errors: rows over all errors, so that L = rows' rows + what is
+/// left. With the block's own part B = F F': rows = F^+ (its rows of L).
+MatrixXd ObservabilityMonitor::take_rows_of(int first, int count) {
+  const int at = first - vehicle_errors();
+  MatrixXd L = L_.matrix();
+  const MatrixXd F = factor_of(L.block(at, at, count, count));
+  MatrixXd rows = MatrixXd::Zero(F.cols(), V_.cols());
+  if (F.cols() == 0) return rows;
+  auto of_map = rows.rightCols(L.cols());
+  of_map = F.completeOrthogonalDecomposition().pseudoInverse() * L.middleRows(at, count);
+  L -= of_map.transpose() * of_map;
+  L.middleRows(at, count).setZero();
+  L.middleCols(at, count).setZero();
+  L_.set(L);
+  return rows;
+}
+
+/// Marginalises errors out; their columns stay, and are zero.
+void ObservabilityMonitor::eliminate(int first, int count) {
+  if (count == 0) return;
+  absorb_rows();
+  const MatrixXd taken = take_rows_of(first, count);
+  MatrixXd rows(taken.rows() + V_.rows(), V_.cols());
+  rows << taken, V_;
+  const MatrixXd factors = rows.middleCols(first, count);
+  rows = rows_without(factors, std::move(rows));
+  rows.middleCols(first, count).setZero();
+  put_rows(std::move(rows));
+}
+
+/// Columns and rows of errors of which nothing is said any more.
+void ObservabilityMonitor::remove_columns(int first, int count) {
+  if (count == 0) return;
+  std::vector<Eigen::Index> kept;
+  for (Eigen::Index i = 0; i < V_.cols(); ++i)
+    if (i < first || i >= first + count) kept.push_back(i);
+  V_ = V_(Eigen::all, kept).eval();
+  kept.erase(kept.begin(), kept.begin() + vehicle_errors());
+  for (Eigen::Index& i : kept) i -= vehicle_errors();
+  L_.set(L_.matrix()(kept, kept));
+  added_ = added_(kept).eval();
+}
+
+void ObservabilityMonitor::drop(BlockId id) {
+  const Block* block = find(id);
+  if (!block) return;
+  eliminate(block->first, block->errors);
+  shrink(*block, block->errors);
+}
+
+/// A block loses its first errors, of which nothing is said any more, or goes with its last.
+void ObservabilityMonitor::shrink(const Block& block, int by) {
+  remove_columns(block.first, by);
+  const auto at = blocks_.begin() + (&block - blocks_.data());
+  for (auto later = at + 1; later != blocks_.end(); ++later) later->first -= by;
+  at->errors -= by;
+  if (at->errors > 0) return;
+  index_of_.erase(at->id);
+  for (auto later = blocks_.erase(at); later != blocks_.end(); ++later) --index_of_[later->id];
+}
+
+/// These errors = C * as many others, told instead of them.
+void ObservabilityMonitor::transform_block(int first, int count, const MatrixXd& C) {
+  const int at = first - vehicle_errors();
+  V_.middleCols(first, count) = (V_.middleCols(first, count) * C).eval();
+  MatrixXd L = L_.matrix();
+  L.middleCols(at, count) = (L.middleCols(at, count) * C).eval();
+  L.middleRows(at, count) = (C.transpose() * L.middleRows(at, count)).eval();
+  L_.set(L);
+  // |L_ij| <= sqrt(L_ii L_jj): (C' L C)_jj <= (sum of |C_ij| sqrt(L_ii))^2
+  added_.segment(at, count) =
+      (C.cwiseAbs().transpose() * added_.segment(at, count).cwiseSqrt()).cwiseAbs2().eval();
+}
+
+/// U' (new error) = (anything; T J (old error)) with U' = (B'; T), B spanning the noise. The old error is
+/// (T J)^+ (T new) and something of the null space of T J, which is not asked for any more.
+void ObservabilityMonitor::replace(const BlockReplacement& r) {
+  const Block* block = find(r.block);
+  if (!block) return;
+  absorb_rows();
+  const int first = block->first, old = block->errors, size = static_cast<int>(r.J.rows());
+  const Eigen::JacobiSVD<MatrixXd> noise(MatrixXd(r.noise), Eigen::ComputeFullU);
+  const double largest = noise.singularValues()[0];
+  const auto noisy = static_cast<int>((noise.singularValues().array() > least_share * largest).count());
+  const int known = size - noisy;
+  const MatrixXd T = noise.matrixU().rightCols(known).transpose();
+  transform_block(first, old, null_space_and_inverse(T * r.J));
+  eliminate(first, old - known);
+  shrink(*block, old - size);
+  transform_block(first, size, noise.matrixU().transpose());
+}
+
+MatrixXd ObservabilityMonitor::information() {
+  absorb_rows();
+  apply_motion();
+  MatrixXd Y = V_.transpose() * V_;
+  Y.bottomRightCorner(L_.size(), L_.size()) += L_.matrix();
+  return Y;
+}
+
+VectorXd ObservabilityMonitor::gathered() {
+  absorb_rows();
+  apply_motion();
+  VectorXd all = V_.colwise().squaredNorm().transpose();
+  all.tail(L_.size()) += added_;
+  return all;
+}
+
+}  // namespace incognita

@@ -1,0 +1,415 @@
+#include "incognita/analysis/observability/observability_report.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+namespace incognita {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+MatrixXd in_units(const MatrixXd& Y, const VectorXd& units) {
+  return units.asDiagonal() * Y * units.asDiagonal();
+}
+
+/// What rounding can leave of a zero among the eigenvalues of a sum of many looks: of all that was ever
+/// added, as what is forgotten leaves its rounding behind.
+double rounding_of(const VectorXd& gathered, const VectorXd& units) {
+  if (gathered.size() == 0) return 0;
+  constexpr double eps = std::numeric_limits<double>::epsilon();
+  return 16 * eps * static_cast<double>(gathered.size()) *
+         gathered.cwiseProduct(units.cwiseAbs2()).maxCoeff();
+}
+
+/// Covariances that an information leaves. Where it has none they are very large instead of infinite: a prior
+/// is added that is too weak to be taken for information, and strong enough for rounding.
+class Covariances {
+ public:
+  Covariances(const MonitoredInformation& information, const VectorXd& units) : units_(units) {
+    const MatrixXd scaled = in_units(information.Y, units);
+    prior_ = std::max(1e-8, rounding_of(information.gathered, units) / 4);
+    for (int attempt = 0; attempt < 10; ++attempt, prior_ *= 10) {
+      MatrixXd with_prior = scaled;
+      with_prior.diagonal().array() += prior_;
+      llt_.compute(with_prior);
+      if (llt_.info() == Eigen::Success) return;
+    }
+  }
+  /// Of functionals, one a row.
+  MatrixXd of(const MatrixXd& G) const {
+    const MatrixXd scaled = (G * units_.asDiagonal()).transpose();
+    const MatrixXd half = llt_.matrixL().solve(scaled);
+    return half.transpose() * half;
+  }
+  /// A variance from which on there may be nothing but the prior, in units squared: one that every error had
+  /// a part in gives so many times as much information.
+  double nothing() const { return 0.1 / (prior_ * static_cast<double>(units_.size())); }
+
+ private:
+  VectorXd units_;
+  double prior_ = 0;
+  Eigen::LLT<MatrixXd> llt_;
+};
+
+/// A quantity and the size that is as good as not knowing it.
+struct Quantity {
+  const char* name;
+  const char* unit;
+  double size;
+};
+
+/// What an information leaves of the quantities; empty where nothing is followed.
+struct Left {
+  MatrixXd covariance;
+  double nothing = 0;  ///< see Covariances
+
+  /// Standard deviation of a quantity, where there is more than the prior.
+  std::optional<double> sigma(Eigen::Index i, double size) const {
+    if (covariance.size() == 0 || !(covariance(i, i) < nothing * size * size)) return std::nullopt;
+    return std::sqrt(std::max(0.0, covariance(i, i)));
+  }
+};
+
+struct Believed {
+  std::vector<Quantity> quantities;
+  Left by_filter;
+  std::optional<Left> by_looks;  ///< where they are told apart
+};
+
+/// How much each quantity changes along each remaining symmetry, in its own size.
+MatrixXd changes(const Believed& believed, const VectorXd& place, const RemainingSymmetries& left) {
+  const auto count = static_cast<Eigen::Index>(believed.quantities.size());
+  MatrixXd by_generator = MatrixXd::Identity(count, count);
+  by_generator.topRows(place.size()) = displacement(place, left.about);
+  MatrixXd out = by_generator * left.basis;
+  for (Eigen::Index i = 0; i < count; ++i)
+    out.row(i) /= believed.quantities[static_cast<std::size_t>(i)].size;
+  for (Eigen::Index i = 0; i < out.cols(); ++i) out.col(i) /= out.col(i).cwiseAbs().maxCoeff();
+  return out;
+}
+
+/// Of the symmetries that remain, along how many the information is worth something. Where rounding made the
+/// prior of Covariances strong, a small variance may be the prior's: that is nothing.
+int count_gained(const std::vector<Quantity>& quantities, const Left& left, const MatrixXd& along) {
+  if (along.cols() == 0 || left.covariance.size() == 0) return 0;
+  VectorXd inverse_size(along.rows());
+  for (Eigen::Index i = 0; i < along.rows(); ++i)
+    inverse_size[i] = 1 / quantities[static_cast<std::size_t>(i)].size;
+  const MatrixXd F = along.completeOrthogonalDecomposition().pseudoInverse() * inverse_size.asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(F * left.covariance * F.transpose(),
+                                                      Eigen::EigenvaluesOnly);
+  return static_cast<int>((eigen.eigenvalues().array() < std::min(1.0, left.nothing)).count());
+}
+
+void count_believed(ObservabilityReport& report, const Believed& believed, const MatrixXd& along) {
+  const int gained = count_gained(believed.quantities, believed.by_filter, along);
+  report.wrongly_believed =
+      believed.by_looks ? std::min(gained, count_gained(believed.quantities, *believed.by_looks, along))
+                        : gained;
+  report.by_motion_model = gained - report.wrongly_believed;
+}
+
+void put_quantities(ObservabilityReport& report, const Believed& believed, const MatrixXd& along) {
+  for (std::size_t i = 0; i < believed.quantities.size(); ++i) {
+    const Quantity& q = believed.quantities[i];
+    const auto row = static_cast<Eigen::Index>(i);
+    QuantityReport out;
+    out.name = q.name;
+    out.unit = q.unit;
+    out.ideally_observable = along.cols() == 0 || along.row(row).cwiseAbs().maxCoeff() < 1e-6;
+    out.believed_sigma = believed.by_filter.sigma(row, q.size);
+    out.gained = out.believed_sigma && *out.believed_sigma < q.size;
+    if (believed.by_looks) {
+      out.sigma_from_looks = believed.by_looks->sigma(row, q.size);
+      out.by_motion_model = out.gained && !(out.sigma_from_looks && *out.sigma_from_looks < q.size);
+    }
+    report.quantities.push_back(std::move(out));
+  }
+}
+
+template <class Scene>
+ObservabilityReport held_against(const MonitoredInformation& of_filter, const Scene& scene,
+                                 const FixedPoints& fixed, const std::string& uncovered,
+                                 const Believed& believed) {
+  ObservabilityReport report;
+  report.uncovered = uncovered;
+  report.anchors = fixed.anchors;
+  report.position_fixes = fixed.position_fixes;
+  MatrixXd places = fixed.places;
+  places.conservativeResize(Scene::dimension, Eigen::NoChange);
+  const RemainingSymmetries left = remaining_symmetries(places);
+  report.ideal_nullity = static_cast<int>(left.basis.cols());
+  const MatrixXd along = changes(believed, scene.place(), left);
+  put_quantities(report, believed, along);
+  if (!uncovered.empty()) return report;
+  report.information = rank_of_information(of_filter, units_of(scene));
+  count_believed(report, believed, along);
+  return report;
+}
+
+// Of a camera
+// ---------------------------------------------------------------------------------------------------------
+
+/// A row for each landmark that has a place: the relative change of its distance from the camera. The last
+/// row, where there are fixed points, is for the distance from their middle.
+MatrixXd distances(const SpatialScene& scene, const FixedPoints& fixed, std::vector<std::int64_t>& ids) {
+  MatrixXd G = MatrixXd::Zero(static_cast<Eigen::Index>(scene.landmarks.size() + 1), scene.errors);
+  Eigen::Index row = 0;
+  for (const auto& landmark : scene.landmarks) {
+    const auto at = place_of(landmark);
+    if (!at) continue;
+    const Eigen::Vector3d away = at->position - scene.place();
+    const Eigen::RowVector3d along = away.transpose() / away.squaredNorm();
+    G.row(row).head<3>() = -along;
+    G.row(row++).segment(landmark.first, at->J.cols()) = along * at->J;
+    ids.push_back(landmark.id);
+  }
+  if (fixed.places.cols() > 0) {
+    const Eigen::Vector3d away = scene.place() - fixed.places.rowwise().mean();
+    if (away.squaredNorm() > 0) G.row(row++).head<3>() = away.transpose() / away.squaredNorm();
+  }
+  return G.topRows(row);
+}
+
+/// Weights of the mean of least variance: (1' C^-1 1)^-1 1' C^-1.
+Eigen::RowVectorXd best_weights(const MatrixXd& C) {
+  const VectorXd ones = VectorXd::Ones(C.rows());
+  const VectorXd raw = C.ldlt().solve(ones);
+  return raw.transpose() / raw.sum();
+}
+
+/// The velocity in camera axes, d(R' v), and the angular rate.
+MatrixXd rates(const SpatialScene& scene) {
+  const Eigen::Matrix3d camera_from_world =
+      rotation_matrix<double>(free_camera::orientation(scene.camera)).transpose();
+  const Eigen::Vector3d v = camera_from_world * free_camera::velocity(scene.camera);
+  MatrixXd G = MatrixXd::Zero(6, scene.errors);
+  G.block<3, 3>(0, 3) = skew<double>(v);
+  G.block<3, 3>(0, 6) = camera_from_world;
+  G.block<3, 3>(3, 9).setIdentity();
+  return G;
+}
+
+/// Functionals of a camera and their covariance: place and turn about the world's axes (6), rates (6), then
+/// the distances. The scale is the weighted mean of the distances' relative changes.
+struct CameraFunctionals {
+  std::vector<std::int64_t> ids;  ///< of the landmarks whose distances they are
+  MatrixXd G, C;
+  Eigen::RowVectorXd weights;  ///< of the distances
+  double nothing = 0;
+
+  Eigen::Index count() const { return G.rows() - 12; }
+  /// The scale as a combination of the functionals; zero without distances.
+  Eigen::RowVectorXd scale() const {
+    Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(G.rows());
+    if (count() > 0) row.tail(count()) = weights;
+    return row;
+  }
+};
+
+CameraFunctionals functionals(const MonitoredInformation& information, const SpatialScene& scene,
+                              const FixedPoints& fixed) {
+  CameraFunctionals f;
+  const MatrixXd far = distances(scene, fixed, f.ids);
+  f.G = MatrixXd::Zero(12 + far.rows(), scene.errors);
+  f.G.block<3, 3>(0, 0).setIdentity();
+  f.G.block<3, 3>(3, 3) = rotation_matrix<double>(free_camera::orientation(scene.camera));
+  f.G.middleRows<6>(6) = rates(scene);
+  f.G.bottomRows(far.rows()) = far;
+  const Covariances covariances(information, units_of(scene));
+  f.C = covariances.of(f.G);
+  f.nothing = covariances.nothing();
+  if (f.count() > 0) f.weights = best_weights(f.C.bottomRightCorner(f.count(), f.count()));
+  return f;
+}
+
+std::vector<Quantity> quantities_of(const SpatialScene& scene) {
+  const double length = typical_distance(scene);
+  return {{"x", "m", length},         {"y", "m", length},         {"z", "m", length},
+          {"turn about x", "rad", 1}, {"turn about y", "rad", 1}, {"turn about z", "rad", 1},
+          {"scale", "1", 1}};
+}
+
+Left left_of(const CameraFunctionals& f) {
+  MatrixXd S = MatrixXd::Zero(7, f.G.rows());
+  S.topLeftCorner<6, 6>().setIdentity();
+  S.row(6) = f.scale();
+  Left out{S * f.C * S.transpose(), f.nothing};
+  if (f.count() == 0) out.covariance(6, 6) = 10 * f.nothing;
+  return out;
+}
+
+/// What would be known whatever the frame and scale are, were it seen well: depths and rates, the depths and
+/// the velocity against the scale where that is not known itself.
+std::vector<std::string> not_learnt(const CameraFunctionals& f, const SpatialScene& scene, bool scale_known) {
+  MatrixXd relative = MatrixXd::Identity(f.G.rows(), f.G.rows());
+  if (!scale_known) {
+    const Eigen::Vector3d v = rotation_matrix<double>(free_camera::orientation(scene.camera)).transpose() *
+                              free_camera::velocity(scene.camera);
+    relative.middleRows<3>(6) -= v * f.scale();
+    for (Eigen::Index i = 12; i < relative.rows(); ++i) relative.row(i) -= f.scale();
+  }
+  const VectorXd variances = (relative * f.C * relative.transpose()).diagonal();
+  const double length = typical_distance(scene);
+  std::vector<std::string> names;
+  if (variances.segment<3>(6).maxCoeff() > length * length) names.emplace_back("velocity");
+  if (variances.segment<3>(9).maxCoeff() > 1) names.emplace_back("angular rate");
+  for (std::size_t i = 0; i < f.ids.size(); ++i)
+    if (variances[12 + static_cast<Eigen::Index>(i)] > 1)
+      names.push_back("depth of landmark " + std::to_string(f.ids[i]));
+  for (const auto& landmark : scene.landmarks)
+    if (!place_of(landmark)) names.push_back("depth of landmark " + std::to_string(landmark.id));
+  return names;
+}
+
+// In words
+// ---------------------------------------------------------------------------------------------------------
+
+std::string number(double value, const char* unit) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.2g%s", value, unit);
+  return text;
+}
+
+std::string sigma_in_words(double sigma, const std::string& unit) {
+  if (unit == "rad") return number(sigma * 57.29577951308232, " deg");
+  if (unit == "1") return number(sigma * 100, " %");
+  return number(sigma, " m");
+}
+
+std::string fixed_by(const ObservabilityReport& report) {
+  std::string text;
+  if (report.anchors > 0)
+    text = std::to_string(report.anchors) + (report.anchors == 1 ? " anchor" : " anchors");
+  if (report.position_fixes) text += text.empty() ? "position fixes" : " and position fixes";
+  return text;
+}
+
+/// Quantities that a person has one word for.
+struct Group {
+  const char* word;
+  std::vector<const QuantityReport*> members;
+};
+
+std::vector<Group> groups_of(const ObservabilityReport& report) {
+  Group place{"place", {}}, turns{"orientation", {}}, scale{"scale", {}};
+  for (const QuantityReport& q : report.quantities)
+    (q.unit == "m" ? place : q.unit == "rad" ? turns : scale).members.push_back(&q);
+  if (turns.members.size() == 1) turns.word = "heading";
+  std::vector<Group> groups{place, turns};
+  if (!scale.members.empty()) groups.push_back(scale);
+  return groups;
+}
+
+std::string of_observable(const Group& group, const ObservabilityReport& report) {
+  const bool all = std::all_of(group.members.begin(), group.members.end(), [](auto* q) { return q->gained; });
+  const std::string by = fixed_by(report);
+  if (!report.uncovered.empty()) return std::string(group.word) + ": can be fixed by " + by;
+  if (all) return std::string(group.word) + ": fixed by " + by;
+  return std::string(group.word) + ": could be fixed by " + by +
+         ", but too little has been learnt of it so far";
+}
+
+/// Of what a group cannot know and yet gained, by looks or by motions alone, the member that is known best.
+const QuantityReport* best_gained(const Group& group, bool by_motion_model) {
+  const QuantityReport* best = nullptr;
+  for (const QuantityReport* q : group.members)
+    if (!q->ideally_observable && q->gained && q->by_motion_model == by_motion_model &&
+        (!best || *q->believed_sigma < *best->believed_sigma))
+      best = q;
+  return best;
+}
+
+std::string of_unobservable(const Group& group, const ObservabilityReport& report) {
+  std::string text = std::string(group.word) + ": unobservable";
+  if (const std::string by = fixed_by(report); !by.empty()) text += " with " + by;
+  const bool many = group.members.size() > 1;
+  const QuantityReport* by_looks = best_gained(group, false);
+  if (by_looks)
+    text += ", yet the filter believes to know " + (many ? by_looks->name : "it") + " to " +
+            sigma_in_words(by_looks->sigma_from_looks.value_or(*by_looks->believed_sigma), by_looks->unit) +
+            " from its looks";
+  if (const QuantityReport* q = best_gained(group, true))
+    text += (by_looks ? "; " : " by looks, ") + (many ? q->name + " known" : std::string("known")) + " to " +
+            sigma_in_words(*q->believed_sigma, q->unit) + " by its motion model";
+  return text;
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  constexpr std::size_t most = 8;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(most, names.size()); ++i) text += (i ? ", " : "") + names[i];
+  if (names.size() > most) text += " and " + std::to_string(names.size() - most) + " more";
+  return text;
+}
+
+}  // namespace
+
+double InformationRank::gap() const { return least_counted / std::max(most_not_counted, tolerance / 1e3); }
+
+InformationRank rank_of_information(const MonitoredInformation& information, const VectorXd& units) {
+  constexpr double unclear = 30;  // factor
+  InformationRank out;
+  out.errors = static_cast<int>(information.Y.rows());
+  if (information.Y.size() == 0) return out;
+  const MatrixXd scaled = in_units(information.Y, units);
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(scaled, Eigen::EigenvaluesOnly);
+  out.tolerance = rounding_of(information.gathered, units);
+  out.ambiguous = out.tolerance * unclear > 1;      // rounding hides what is worth something
+  for (const double value : eigen.eigenvalues()) {  // the smallest first
+    if (value > out.tolerance && out.rank++ == 0) out.least_counted = value;
+    if (!(value > out.tolerance)) out.most_not_counted = std::max(0.0, value);
+    out.ambiguous = out.ambiguous || (value > out.tolerance / unclear && value < out.tolerance * unclear);
+  }
+  return out;
+}
+
+ObservabilityReport observability_report(const MonitoredInformation& of_filter, const PlanarScene& scene,
+                                         const FixedPoints& fixed, const std::string& uncovered) {
+  const double length = typical_distance(scene);
+  Believed believed{{{"x", "m", length}, {"y", "m", length}, {"heading", "rad", 1}}, {}, {}};
+  if (uncovered.empty()) {
+    const Covariances covariances(of_filter, units_of(scene));
+    believed.by_filter = {covariances.of(MatrixXd::Identity(3, scene.errors)), covariances.nothing()};
+  }
+  return held_against(of_filter, scene, fixed, uncovered, believed);
+}
+
+ObservabilityReport observability_report(const MonitoredInformation& of_filter,
+                                         const MonitoredInformation& of_looks, const SpatialScene& scene,
+                                         const FixedPoints& fixed, const std::string& uncovered) {
+  Believed believed{quantities_of(scene), {}, {}};
+  if (!uncovered.empty()) return held_against(of_filter, scene, fixed, uncovered, believed);
+  const CameraFunctionals f = functionals(of_filter, scene, fixed);
+  believed.by_filter = left_of(f);
+  if (of_looks.Y.size() > 0) believed.by_looks = left_of(functionals(of_looks, scene, fixed));
+  ObservabilityReport report = held_against(of_filter, scene, fixed, uncovered, believed);
+  report.without_information = not_learnt(f, scene, report.quantities.back().ideally_observable);
+  return report;
+}
+
+std::vector<std::string> in_words(const ObservabilityReport& report) {
+  std::vector<std::string> lines;
+  for (const Group& group : groups_of(report)) {
+    const bool observable = std::all_of(group.members.begin(), group.members.end(),
+                                        [](auto* q) { return q->ideally_observable; });
+    lines.push_back(observable ? of_observable(group, report) : of_unobservable(group, report));
+  }
+  if (!report.without_information.empty())
+    lines.push_back("nothing learnt so far of: " + listed(report.without_information));
+  if (!report.uncovered.empty())
+    lines.push_back("what the filter believes of these is not worked out: " + report.uncovered);
+  else if (report.information.ambiguous)
+    lines.push_back("the rank of its information, " + std::to_string(report.information.rank) + " of " +
+                    std::to_string(report.information.errors) +
+                    ", is not clear: an eigenvalue is near rounding");
+  return lines;
+}
+
+}  // namespace incognita

@@ -1,0 +1,58 @@
+#include "incognita/analysis/observability/row_sum.hpp"
+
+#include <algorithm>
+
+#include "incognita/belief/rank_update.hpp"
+
+namespace incognita {
+
+void RowSum::reserve(int size) {
+  if (size <= capacity_) return;
+  capacity_ = std::max(size, capacity_ + capacity_ / 2);
+  int stride = round_up_to_panel(capacity_);
+  if (stride % 512 == 0) stride += 8;  // columns a power of two apart would share cache sets
+  AlignedBuffer grown(static_cast<std::size_t>(stride) * static_cast<std::size_t>(capacity_ + 3));
+  for (int j = 0; j < size_; ++j)
+    std::copy_n(minus_.data() + static_cast<long>(j) * stride_, size_,
+                grown.data() + static_cast<long>(j) * stride);
+  minus_ = std::move(grown);
+  stride_ = stride;
+}
+
+void RowSum::grow(int by) {
+  reserve(size_ + by);
+  for (int j = 0; j < size_ + by; ++j)
+    std::fill_n(minus_.data() + static_cast<long>(j) * stride_ + size_, by, 0.0);
+  size_ += by;
+}
+
+void RowSum::add(const Eigen::Ref<const Eigen::MatrixXd>& rows) {
+  const auto rank = static_cast<int>(rows.rows());
+  if (rank == 0 || size_ == 0) return;
+  constexpr int panel = rank_update_panel;
+  const std::size_t wanted =
+      static_cast<std::size_t>(round_up_to_panel(size_)) * static_cast<std::size_t>(rank);
+  if (packed_.size() < wanted) packed_ = AlignedBuffer(wanted);
+  std::fill_n(packed_.data(), wanted, 0.0);
+  for (int i = 0; i < size_; ++i)
+    for (int k = 0; k < rank; ++k)
+      packed_.data()[static_cast<long>(i / panel) * panel * rank + static_cast<long>(k) * panel + i % panel] =
+          rows(k, i);
+  rank_update(minus_.data(), stride_, size_, packed_.data(), rank);
+}
+
+Eigen::MatrixXd RowSum::matrix() const {
+  const Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>> lower(minus_.data(), size_, size_,
+                                                                         Eigen::OuterStride<>(stride_));
+  Eigen::MatrixXd full = lower.selfadjointView<Eigen::Lower>();
+  return -full;
+}
+
+void RowSum::set(const Eigen::MatrixXd& matrix) {
+  size_ = 0;
+  grow(static_cast<int>(matrix.rows()));
+  Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>(minus_.data(), size_, size_,
+                                                       Eigen::OuterStride<>(stride_)) = -matrix;
+}
+
+}  // namespace incognita

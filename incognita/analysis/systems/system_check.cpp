@@ -1,0 +1,367 @@
+#include "incognita/analysis/systems/system_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <span>
+
+#include "incognita/analysis/systems/expression_guard.hpp"
+#include "incognita/math/nearest_name.hpp"
+
+namespace incognita {
+namespace {
+
+using Names = std::vector<std::string>;
+
+constexpr std::size_t most_states = 64, most_measurements = 64, most_definitions = 256, most_others = 64;
+constexpr std::size_t longest_name = 40, longest_title = 80;
+
+bool is_identifier(const std::string& name) {
+  const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  const auto inside = [&](char c) { return letter(c) || (c >= '0' && c <= '9') || c == '_'; };
+  return !name.empty() && name.size() <= longest_name && letter(name[0]) &&
+         std::all_of(name.begin(), name.end(), inside);
+}
+
+void need_identifier(const std::string& name, Place place) {
+  if (!is_identifier(name))
+    throw SystemError(place, quoted_name(name) +
+                                 " is no name; names are a letter and then letters, digits and _, " +
+                                 std::to_string(longest_name) + " at most");
+}
+
+/// Of motions, directions and errors: any text that can be shown on one line.
+void need_title(const std::string& title, Place place) {
+  const bool printable = std::none_of(
+      title.begin(), title.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; });
+  if (title.empty() || title.size() > longest_title || !printable)
+    throw SystemError(place, "a name of 1 to " + std::to_string(longest_title) +
+                                 " characters on one line is wanted here, and not " + quoted_name(title));
+}
+
+template <class T>
+void need_few(const std::vector<T>& items, std::size_t most, const std::string& what) {
+  if (items.size() > most)
+    throw SystemError(items[most].place, "there are " + std::to_string(items.size()) + " " + what +
+                                             " here; at most " + std::to_string(most) + " are read");
+}
+
+template <class T>
+Names names_of(const std::vector<T>& items) {
+  Names names;
+  for (const T& item : items) names.push_back(item.name);
+  return names;
+}
+
+Names operator+(Names a, const Names& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+bool contains(const Names& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+std::string with_nearest(const std::string& fault, const std::string& name, const Names& names) {
+  return fault + (names.empty() ? "" : "; the nearest is " + quoted_name(nearest_name(name, names)));
+}
+
+/// Each is one of `known`, and none comes twice.
+template <class T>
+void need_known(const std::vector<T>& items, const Names& known, const std::string& what) {
+  std::set<std::string> seen;
+  for (const T& item : items) {
+    if (!contains(known, item.name))
+      throw SystemError(item.place,
+                        with_nearest("there is no " + what + " " + quoted_name(item.name), item.name, known));
+    if (!seen.insert(item.name).second)
+      throw SystemError(item.place, quoted_name(item.name) + " stands here twice");
+  }
+}
+
+void need_ranges(const std::vector<NamedRange>& ranges) {
+  for (const NamedRange& range : ranges) {
+    if (!std::isfinite(range.low) || !std::isfinite(range.high) || !std::isfinite(range.high - range.low))
+      throw SystemError(range.place, "the range of " + quoted_name(range.name) + " must be finite");
+    if (range.low > range.high)
+      throw SystemError(range.place,
+                        "the range of " + quoted_name(range.name) + " is empty; write [lowest, highest]");
+  }
+}
+
+/// The names that an expression sees.
+class Scope {
+ public:
+  void add(const std::string& what, const std::string& name, Place place) {
+    need_identifier(name, place);
+    // The last two would be a table's own words where states are given values
+    if (is_reserved_name(name) || name == "landmark" || name == "draw")
+      throw SystemError(place, quoted_name(name) + " has a meaning of its own; choose another name");
+    const auto [at, added] = owners_.insert({name, {what, place}});
+    if (!added) {
+      const Owner& owner = at->second;
+      const std::string line = owner.place.line > 0 ? ", in line " + std::to_string(owner.place.line) : "";
+      throw SystemError(place, "there is " + owner.what + " " + quoted_name(name) + " already" + line);
+    }
+    names_.insert(std::lower_bound(names_.begin(), names_.end(), name), name);
+  }
+
+  template <class T>
+  void add_all(const std::string& what, const std::vector<T>& items) {
+    for (const T& item : items) add(what, item.name, item.place);
+  }
+
+  void check(const ExpressionText& expression) const {
+    try {
+      checked_tokens(expression.text, names_);
+    } catch (const ExpressionError& error) {
+      throw SystemError(place_in(expression, error.offset), error.what());
+    }
+  }
+
+  template <class T>
+  void check_all(const std::vector<T>& items) const {
+    for (const T& item : items) check(item.expression);
+  }
+
+ private:
+  struct Owner {
+    std::string what;  ///< "a state"
+    Place place;
+  };
+  Names names_;  ///< sorted
+  std::map<std::string, Owner> owners_;
+};
+
+class SystemCheck {
+ public:
+  explicit SystemCheck(const SystemText& system) : system_(system) {}
+
+  void run() {
+    check_head();
+    check_parameters();
+    vehicle_.add_all("an input", system_.inputs);
+    check_block(system_.vehicle, "", vehicle_);
+    need_known(system_.disturbed, names_of(system_.vehicle.states), "state");
+    check_landmark();
+    check_anchor();
+    need_something_to_observe();
+    need_known(system_.disturbed, names_of(system_.vehicle.states), "state of the vehicle");
+    need_few(system_.motions, most_others, "motions");
+    for (const MotionText& motion : system_.motions) check_motion(motion);
+    check_directions(system_.directions, system_.landmark_directions);
+    if (system_.error_form) check_error_form(*system_.error_form);
+  }
+
+ private:
+  void check_head() const {
+    if (system_.representation != "world" && system_.representation != "relative")
+      throw SystemError(
+          {}, "representation must be `world` or `relative`, and is " + quoted_name(system_.representation));
+    if (!(system_.segment_duration_s > 0) || !std::isfinite(system_.segment_duration_s))
+      throw SystemError({}, "segment_duration_s must be finite and more than 0");
+  }
+
+  void check_parameters() {
+    need_few(system_.parameters, most_definitions, "parameters");
+    need_few(system_.inputs, most_others, "inputs");
+    for (const NamedNumber& parameter : system_.parameters) {
+      if (!std::isfinite(parameter.value))
+        throw SystemError(parameter.place, quoted_name(parameter.name) + " must be finite");
+    }
+    need_ranges(system_.inputs);
+    vehicle_.add_all("a parameter", system_.parameters);
+  }
+
+  /// Adds what the block names to what it sees, and checks all but its error rows.
+  /// `section`: what the names of its sections begin with.
+  static void check_block(const BlockText& block, const std::string& section, Scope& scope) {
+    need_few(block.states, most_states, "states");
+    need_few(block.definitions, most_definitions, "definitions");
+    need_few(block.measurements, most_measurements, "measurements");
+    need_ranges(block.region);
+    // First, so that a forgotten equation is not met as an unknown name
+    if (!block.states.empty() || !block.region.empty()) check_region(block, section);
+    scope.add_all("a state", block.states);
+    for (const NamedExpression& definition : block.definitions) {
+      scope.check(definition.expression);
+      scope.add("a definition", definition.name, definition.place);
+    }
+    scope.check_all(block.states);
+    for (const MeasurementText& measurement : block.measurements) check_measurement(measurement, scope);
+    need_known(block.measurements, names_of(block.measurements), "measurement");
+  }
+
+  static void check_measurement(const MeasurementText& measurement, const Scope& scope) {
+    need_identifier(measurement.name, measurement.place);
+    scope.check(measurement.expression);
+    if (!(measurement.sigma > 0) || !std::isfinite(measurement.sigma))
+      throw SystemError(measurement.place,
+                        "sigma of " + quoted_name(measurement.name) + " must be finite and more than 0");
+  }
+
+  static void check_region(const BlockText& block, const std::string& section) {
+    const Names states = names_of(block.states), ranges = names_of(block.region);
+    if (states.empty())
+      throw SystemError(block.region[0].place, "the region is of " + quoted_name(ranges[0]) +
+                                                   ", and there are no states; write " + ranges[0] +
+                                                   " = \"its rate of change\" under [" + section + "states]");
+    for (const NamedRange& range : block.region) {
+      if (!contains(states, range.name))
+        throw SystemError(range.place, with_nearest("state " + quoted_name(range.name) + " has no equation",
+                                                    range.name, states));
+    }
+    need_known(block.region, states, "state");
+    for (const NamedExpression& state : block.states) {
+      if (!contains(ranges, state.name))
+        throw SystemError(state.place, "state " + quoted_name(state.name) + " has no region; write " +
+                                           state.name + " = [lowest, highest] under [" + section + "region]");
+    }
+  }
+
+  void check_landmark() {
+    landmark_ = vehicle_;
+    if (!system_.landmark) return;
+    if (system_.landmark->states.empty())
+      throw SystemError({}, "a landmark needs a state; one whose place is known is an anchor");
+    check_block(*system_.landmark, "landmark.", landmark_);
+    need_tellable_names();
+  }
+
+  /// State y of landmark 1 is shown as y_1.
+  void need_tellable_names() const {
+    for (const NamedExpression& state : system_.vehicle.states) {
+      const std::size_t bar = state.name.rfind('_');
+      if (bar == std::string::npos || bar + 1 == state.name.size()) continue;
+      const bool number = state.name.find_first_not_of("0123456789", bar + 1) == std::string::npos;
+      if (number && contains(landmark_states(), state.name.substr(0, bar)))
+        throw SystemError(state.place, quoted_name(state.name) + " is what state " +
+                                           quoted_name(state.name.substr(0, bar)) +
+                                           " of a landmark is called; choose another name");
+    }
+  }
+
+  void check_anchor() {
+    anchor_ = vehicle_;
+    if (!system_.anchor) return;
+    BlockText known = *system_.anchor;
+    if (!known.states.empty())
+      throw SystemError(known.states[0].place, "an anchor has constants, and no states");
+    need_few(known.region, most_states, "constants");
+    need_ranges(known.region);
+    anchor_.add_all("a constant", known.region);
+    known.region.clear();
+    check_block(known, "anchor.", anchor_);
+  }
+
+  void need_something_to_observe() const {
+    const auto measures = [](const std::optional<BlockText>& b) { return b && !b->measurements.empty(); };
+    if (system_.vehicle.states.empty() && !system_.landmark)
+      throw SystemError({}, "the system has no states; write x = \"its rate of change\" under [states]");
+    if (system_.vehicle.measurements.empty() && !measures(system_.landmark) && !measures(system_.anchor))
+      throw SystemError({},
+                        "the system has no measurement; write one under [measurements], "
+                        "[landmark.measurements] or [anchor.measurements]");
+  }
+
+  void check_motion(const MotionText& motion) const {
+    need_title(motion.name, motion.place);
+    if (motion.name == "general")
+      throw SystemError(motion.place, "every system has the motion `general`; choose another name");
+    need_few(motion.draws, most_others, "draws");
+    need_known(motion.assignments, names_of(system_.vehicle.states) + names_of(system_.inputs),
+               "state or input");
+    need_ranges(motion.draws);
+    Scope scope = vehicle_;
+    scope.add_all("a draw", motion.draws);
+    scope.check_all(motion.assignments);
+  }
+
+  Names landmark_states() const { return system_.landmark ? names_of(system_.landmark->states) : Names{}; }
+
+  void check_directions(const std::vector<DirectionText>& common,
+                        const std::vector<DirectionText>& of_landmark) const {
+    need_few(common, most_others, "directions");
+    need_few(of_landmark, most_others, "directions");
+    need_known(common, names_of(common), "direction");
+    need_known(of_landmark, names_of(of_landmark), "direction");
+    for (const DirectionText& direction : common)
+      check_direction(direction, names_of(system_.vehicle.states));
+    for (const DirectionText& direction : of_landmark) {
+      if (contains(names_of(common), direction.name))
+        throw SystemError(direction.place,
+                          "there is a direction " + quoted_name(direction.name) + " already");
+      check_direction(direction, {});
+    }
+  }
+
+  void check_direction(const DirectionText& direction, const Names& vehicle_states) const {
+    need_title(direction.name, direction.place);
+    need_known(direction.vehicle, vehicle_states, "state");
+    need_known(direction.landmark, landmark_states(), "landmark state");
+    vehicle_.check_all(direction.vehicle);
+    landmark_.check_all(direction.landmark);
+    if (direction.vehicle.empty() && direction.landmark.empty())
+      throw SystemError(direction.place, "direction " + quoted_name(direction.name) + " moves nothing");
+  }
+
+  void check_error_form(const ErrorFormText& form) const {
+    const Names vehicle = names_of(system_.vehicle.states), both = vehicle + landmark_states();
+    need_known(form.names, both, "state");
+    std::set<std::string> taken;
+    for (const NamedExpression& error : form.names) {
+      need_title(error.expression.text, error.expression.place);
+      if (!taken.insert(error.expression.text).second)
+        throw SystemError(error.expression.place,
+                          "there is an error " + quoted_name(error.expression.text) + " already");
+    }
+    check_directions(form.directions, form.landmark_directions);
+    check_error_rows(system_.vehicle, vehicle, vehicle_);
+    if (system_.landmark) check_error_rows(*system_.landmark, both, landmark_);
+    if (system_.anchor) check_error_rows(*system_.anchor, vehicle, anchor_);
+  }
+
+  /// A state's row that is not there is 0. A measurement's would make it measure nothing, and was forgotten.
+  static void check_error_rows(const BlockText& block, const Names& columns, const Scope& scope) {
+    need_known(block.error_F, names_of(block.states), "state");
+    need_known(block.error_H, names_of(block.measurements), "measurement");
+    for (const auto* rows : {&block.error_F, &block.error_H}) {
+      for (const SparseRow& row : *rows) {
+        need_known(row.entries, columns, "state");
+        scope.check_all(row.entries);
+      }
+    }
+    for (const MeasurementText& measurement : block.measurements) {
+      if (!contains(names_of(block.error_H), measurement.name))
+        throw SystemError(measurement.place,
+                          "the error form has no row for measurement " + quoted_name(measurement.name));
+    }
+  }
+
+  const SystemText& system_;
+  Scope vehicle_, landmark_, anchor_;
+};
+
+}  // namespace
+
+void check_system(const SystemText& system) { SystemCheck(system).run(); }
+
+std::string quoted_name(const std::string& name) {
+  constexpr std::size_t most = 60;
+  std::size_t length = std::min(name.size(), most);
+  while (length > 0 && length < name.size() && (name[length] & 0xc0) == 0x80)
+    --length;  // not inside a character
+  std::string shown = name.substr(0, length);
+  for (char& c : shown) {
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+  }
+  return "`" + shown + (length < name.size() ? "...`" : "`");
+}
+
+Place place_in(const ExpressionText& expression, int offset) {
+  const bool has_place = expression.place.column > 0 && expression.text.find('\n') == std::string::npos;
+  return {expression.place.line, expression.place.column + (has_place ? offset : 0)};
+}
+
+}  // namespace incognita

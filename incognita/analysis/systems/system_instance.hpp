@@ -1,0 +1,99 @@
+// A system with so many landmarks and anchors, in numbers.
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "incognita/analysis/systems/linearisation.hpp"
+#include "incognita/analysis/systems/symbolic_system.hpp"
+
+namespace incognita {
+
+struct NamedDirection {
+  std::string name;
+  Eigen::VectorXd vector;    ///< n
+  bool of_landmark = false;  ///< moves one landmark alone
+};
+
+class SystemInstance {
+ public:
+  /// Throws std::invalid_argument for landmarks or anchors of a system that has none, for numbers below zero,
+  /// and where nothing is measured. Keeps a reference to the system.
+  SystemInstance(const SymbolicSystem& system, int landmarks, int anchors);
+
+  int states() const { return states_; }
+  int measurements() const { return measurements_; }
+  int landmarks() const { return landmarks_; }
+  int anchors() const { return anchors_; }
+  const SymbolicSystem& system() const { return *system_; }
+  const std::vector<std::string>& names() const { return names_; }              ///< of the states
+  const std::vector<std::string>& error_names() const { return error_names_; }  ///< of the error form
+  bool has_error_form() const { return system_->text.error_form.has_value(); }
+
+  /// n: what is much of each state, by its region. Sizes of states are compared in these.
+  const Eigen::VectorXd& units() const { return units_; }
+
+  /// All of these throw SystemError where an expression has no finite value.
+  Eigen::VectorXd rate(const SystemPoint& point) const;
+  /// The F of linearise(), without the work for H.
+  Eigen::MatrixXd rate_derivative(const SystemPoint& point) const;
+  /// Exact derivatives.
+  Linearisation linearise(const SystemPoint& point) const;
+  /// In the coordinates of the stated error form; exact derivatives where none is stated.
+  Linearisation error_form(const SystemPoint& point) const;
+  /// The directions that the file names, at this point, those of single landmarks first; of the error form
+  /// when asked.
+  std::vector<NamedDirection> directions(const SystemPoint& point, bool of_error_form) const;
+
+  /// Gives an atom that is neither state nor input its value, for good.
+  void hold(ExpressionGraph::Slot atom, double value) { held_.emplace_back(atom, value); }
+
+  /// Calls back once for the vehicle and once for each landmark and anchor, with every quantity of its owner
+  /// evaluated. `of`: which landmark or anchor, from 0; `first`: its first state among all (-1: an anchor).
+  /// `only`: which quantities, by slot; all where there is none.
+  template <class Visit>
+  void visit(const SystemPoint& point, bool with_gradients, Visit&& visit,
+             const std::vector<bool>* only = nullptr) const;
+
+ private:
+  int first_state(int landmark) const;
+
+  const SymbolicSystem* system_;
+  int landmarks_, anchors_, states_, measurements_;
+  std::vector<std::string> names_, error_names_;
+  Eigen::VectorXd units_;
+  std::vector<std::pair<ExpressionGraph::Slot, double>> held_;
+  std::vector<bool> for_rates_;                     // quantities, by slot
+  mutable ExpressionGraph::Evaluation evaluation_;  // room to work
+};
+
+template <class Visit>
+void SystemInstance::visit(const SystemPoint& point, bool with_gradients, Visit&& visit,
+                           const std::vector<bool>* only) const {
+  const SymbolicSystem& s = *system_;
+  auto& e = evaluation_;
+  s.graph.prepare(e, s.columns());
+  const auto put = [&](const std::vector<ExpressionGraph::Slot>& slots, const Eigen::VectorXd& from,
+                       int first) {
+    for (std::size_t i = 0; i < slots.size(); ++i) e.value[slots[i]] = from[first + static_cast<int>(i)];
+  };
+  for (const auto& [slot, value] : s.parameters) e.value[slot] = value;
+  for (const auto& [slot, value] : held_) e.value[slot] = value;
+  put(s.inputs, point.u, 0);
+  put(s.vehicle.states, point.x, 0);
+  s.graph.evaluate(Owner::vehicle, e, with_gradients, only);
+  visit(Owner::vehicle, s.vehicle, 0, 0, e);
+  for (int i = 0; i < landmarks_; ++i) {
+    put(s.landmark.states, point.x, first_state(i));
+    s.graph.evaluate(Owner::landmark, e, with_gradients, only);
+    visit(Owner::landmark, s.landmark, i, first_state(i), e);
+  }
+  for (int i = 0; i < anchors_; ++i) {
+    put(s.anchor.states, point.anchors, i * static_cast<int>(s.anchor.states.size()));
+    s.graph.evaluate(Owner::anchor, e, with_gradients, only);
+    visit(Owner::anchor, s.anchor, i, -1, e);
+  }
+}
+
+}  // namespace incognita

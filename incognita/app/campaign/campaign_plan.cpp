@@ -1,0 +1,254 @@
+#include "incognita/app/campaign/campaign_plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/crc.hpp>
+#include <charconv>
+#include <set>
+
+#include "incognita/io/formats/files.hpp"
+#include "incognita/io/scenario/scenario_file.hpp"
+#include "incognita/io/scenario/settings.hpp"
+#include "incognita/messages/errors.hpp"
+
+namespace incognita {
+namespace {
+
+constexpr std::size_t most_runs = 1'000'000;
+constexpr std::size_t largest_named_file = 64 << 20;
+constexpr std::string_view seeds_form = "written as 1..100 or 1,5,10..20";
+
+/// A --vary taken apart.
+struct Varied {
+  std::string key;
+  std::vector<std::string> values;
+};
+
+std::string trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos) return "";
+  return std::string(text.substr(first, text.find_last_not_of(" \t") - first + 1));
+}
+
+std::int64_t seed_of_text(const std::string& text, const std::string& all) {
+  std::int64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size() || value < 0 || text.empty())
+    throw InputError(
+        fmt::format("--seeds {}: `{}` is no seed; they are whole numbers from 0, {}", all, text, seeds_form));
+  return value;
+}
+
+Varied take_apart(const std::string& vary) {
+  const std::size_t equals = vary.find('=');
+  if (equals == std::string::npos || equals == 0)
+    throw InputError(fmt::format(
+        "--vary {}: must be written section.name=value,value, e.g. --vary decision.step_m=0.2,0.3", vary));
+  Varied varied{vary.substr(0, equals), {}};
+  try {
+    varied.values = split_values(vary.substr(equals + 1));
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("--vary {}: {}", vary, error.what()));
+  }
+  return varied;
+}
+
+std::string key_of(const std::string& set) { return set.substr(0, set.find('=')); }
+
+/// A key that is told in two ways would be ignored in one of them.
+void refuse_two_masters(const CampaignRequest& request, const std::vector<Varied>& lists) {
+  std::set<std::string> keys;
+  for (const Varied& list : lists) {
+    if (list.key == "run.seed") throw InputError("--vary run.seed: the seeds are given by --seeds");
+    if (!keys.insert(list.key).second)
+      throw InputError(fmt::format("--vary {}: given twice; put all its values into one list", list.key));
+    if (list.key == "run.duration_s" && request.duration_s)
+      throw InputError("--vary run.duration_s and --duration set the same; leave one of them out");
+  }
+  for (const std::string& set : request.sets) {
+    if (key_of(set) == "run.seed") throw InputError("--set run.seed: the seeds are given by --seeds");
+    if (keys.contains(key_of(set)))
+      throw InputError(
+          fmt::format("--set {0} and --vary {0} set the same; leave one of them out", key_of(set)));
+  }
+}
+
+/// A text without its quotes: a name that a person types.
+std::string plain(const std::string& written) {
+  const bool quoted =
+      written.size() >= 2 && written.front() == '"' && written.find('\\') == std::string::npos;
+  return quoted ? written.substr(1, written.size() - 2) : written;
+}
+
+void describe(Variant& variant, LoadedScenario loaded, const std::vector<Varied>& lists) {
+  for (const Setting& setting : settings_in_force(loaded.scenario)) {
+    const std::string written = setting.written();
+    const bool follows = loaded.sources.at(setting.key).starts_with("as ");
+    if (setting.key != "run.seed" && !follows) variant.settings[setting.key] = written;
+    const bool names_file = setting.key == "start.target" || setting.key == "points.file" ||
+                            setting.key == "path.file" || setting.key == "terrain.file";
+    const std::string* file = names_file ? *std::get_if<std::string*>(&setting.field) : nullptr;
+    if (file && !file->empty())
+      variant.files[setting.key] =
+          digest_of(read_file(find_named_file(loaded, setting.key, *file), largest_named_file));
+  }
+  for (const Varied& list : lists) {
+    const std::string& value = variant.settings.at(list.key);
+    variant.varied[list.key] = value;
+    variant.name += (variant.name.empty() ? "" : " ") + list.key + "=" + plain(value);
+  }
+  if (lists.empty()) variant.name = loaded.name;
+}
+
+std::vector<Variant> all_variants(const CampaignRequest& request, const std::vector<Varied>& lists,
+                                  std::size_t count) {
+  std::vector<Variant> variants(count);
+  for (std::size_t v = 0; v < count; ++v) {
+    std::size_t left = v, block = count;
+    for (const Varied& list : lists) {
+      block /= list.values.size();
+      variants[v].flags.push_back({list.key, list.values[left / block], "--vary"});
+      left %= block;
+    }
+    if (request.duration_s)
+      variants[v].flags.push_back({"run.duration_s", *request.duration_s, "--duration"});
+  }
+  return variants;
+}
+
+void refuse_twins(const std::vector<Variant>& variants) {
+  std::set<std::string> names;
+  for (const Variant& variant : variants)
+    if (!names.insert(variant.name).second)
+      throw InputError(
+          fmt::format("--vary: the variant {} is there twice; leave one of its values out", variant.name));
+}
+
+/// The variant that has what is named and the first value of all else.
+std::size_t find_baseline(const CampaignRequest& request, const CampaignPlan& plan,
+                          const std::vector<Varied>& lists) {
+  std::map<std::string, std::string> wanted = plan.variants.front().varied;
+  for (const std::string& assignment : request.baseline) {
+    const Varied named = take_apart(assignment);
+    const auto list =
+        std::find_if(lists.begin(), lists.end(), [&](const Varied& l) { return l.key == named.key; });
+    if (list == lists.end())
+      throw InputError(fmt::format("--baseline {}: {} is not varied; it names values given to --vary",
+                                   assignment, named.key));
+    const auto has_it = [&](const Variant& v) {
+      const std::string& value = v.varied.at(named.key);
+      return named.values.size() == 1 && (value == named.values[0] || plain(value) == plain(named.values[0]));
+    };
+    const auto found = std::find_if(plan.variants.begin(), plan.variants.end(), has_it);
+    if (found == plan.variants.end())
+      throw InputError(fmt::format("--baseline {}: is none of the values given to --vary {}: {}", assignment,
+                                   named.key, fmt::join(list->values, ", ")));
+    wanted[named.key] = found->varied.at(named.key);
+  }
+  const auto found = std::find_if(plan.variants.begin(), plan.variants.end(),
+                                  [&](const Variant& v) { return v.varied == wanted; });
+  return static_cast<std::size_t>(found - plan.variants.begin());
+}
+
+}  // namespace
+
+std::string digest_of(const std::string& text) {
+  boost::crc_optimal<64, 0x42F0E1EBA9EA3693, ~0ull, ~0ull, true, true> crc;
+  crc.process_bytes(text.data(), text.size());
+  return fmt::format("{:016x}", static_cast<std::uint64_t>(crc.checksum()));
+}
+
+std::string digest_of(const CampaignPlan& plan) {
+  std::string text = fmt::format("{}\n{}\n", INCOGNITA_VERSION, fmt::join(plan.seeds, " "));
+  for (const Variant& variant : plan.variants)
+    for (const auto* part : {&variant.settings, &variant.files})
+      for (const auto& [key, value] : *part) text += fmt::format("{} = {}\n", key, value);
+  return digest_of(text);
+}
+
+std::vector<std::string> split_values(const std::string& text) {
+  std::vector<std::string> values(1);
+  int depth = 0;
+  char quote = 0;
+  for (const char c : text) {
+    if (c == ',' && depth == 0 && !quote) {
+      values.emplace_back();
+      continue;
+    }
+    if (quote)
+      quote = c == quote ? 0 : quote;
+    else if (c == '"' || c == '\'')
+      quote = c;
+    else
+      depth += (c == '[') - (c == ']');
+    values.back() += c;
+    if (depth < 0) break;
+  }
+  if (depth != 0 || quote) throw InputError("brackets or quotes do not close");
+  for (std::string& value : values) {
+    value = trimmed(value);
+    if (value.empty())
+      throw InputError("a value is missing; commas stand between values, except inside brackets and quotes");
+  }
+  return values;
+}
+
+std::vector<std::int64_t> parse_seeds(const std::string& text) {
+  std::vector<std::int64_t> seeds;
+  std::size_t begin = 0;
+  for (;;) {
+    const std::size_t comma = std::min(text.find(',', begin), text.size());
+    const std::string part = trimmed(std::string_view(text).substr(begin, comma - begin));
+    const std::size_t dots = part.find("..");
+    const std::int64_t first = seed_of_text(part.substr(0, dots), text);
+    const std::int64_t last = dots == std::string::npos ? first : seed_of_text(part.substr(dots + 2), text);
+    if (last < first)
+      throw InputError(fmt::format("--seeds {}: {} runs backwards, {}", text, part, seeds_form));
+    if (static_cast<std::uint64_t>(last - first) >= most_runs || seeds.size() > most_runs)
+      throw InputError(fmt::format("--seeds {}: more than {} runs", text, most_runs));
+    for (std::int64_t seed = first;; ++seed) {
+      seeds.push_back(seed);
+      if (seed == last) break;
+    }
+    if (comma == text.size()) break;
+    begin = comma + 1;
+  }
+  std::sort(seeds.begin(), seeds.end());
+  const auto twice = std::adjacent_find(seeds.begin(), seeds.end());
+  if (twice != seeds.end()) throw InputError(fmt::format("--seeds {}: {} is there twice", text, *twice));
+  return seeds;
+}
+
+LoadedScenario load_run(const CampaignPlan& plan, const Variant& variant, std::int64_t seed) {
+  std::vector<Flag> flags = variant.flags;
+  flags.push_back({"run.seed", std::to_string(seed), "--seeds"});
+  return load_scenario(plan.scenario, plan.sets, flags);
+}
+
+CampaignPlan plan_campaign(const CampaignRequest& request) {
+  std::vector<Varied> lists;
+  for (const std::string& vary : request.vary) lists.push_back(take_apart(vary));
+  refuse_two_masters(request, lists);
+  CampaignPlan plan;
+  plan.scenario = request.scenario;
+  plan.sets = request.sets;
+  plan.seeds = parse_seeds(request.seeds);
+  std::size_t count = 1;
+  for (const Varied& list : lists) {
+    count *= list.values.size();
+    if (count * plan.seeds.size() > most_runs)
+      throw InputError(fmt::format("campaign: more than {} runs; fewer --seeds or --vary values", most_runs));
+  }
+  plan.variants = all_variants(request, lists, count);
+  for (Variant& variant : plan.variants) {
+    LoadedScenario loaded = load_run(plan, variant, plan.seeds.back());
+    plan.scenario_name = loaded.name;
+    describe(variant, std::move(loaded), lists);
+  }
+  refuse_twins(plan.variants);
+  plan.baseline = find_baseline(request, plan, lists);
+  return plan;
+}
+
+}  // namespace incognita

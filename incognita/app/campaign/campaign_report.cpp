@@ -1,0 +1,131 @@
+#include "incognita/app/campaign/campaign_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "incognita/app/campaign/campaign_wanted.hpp"
+#include "incognita/app/console/say.hpp"
+#include "incognita/messages/errors.hpp"
+#include "incognita/record/files/durable_file.hpp"
+#include "incognita/report/campaign_table.hpp"
+
+namespace incognita {
+namespace {
+
+constexpr std::size_t most_shown = 20;
+
+/// What a person looks at first.
+constexpr const char* telling[] = {"failed",      "ate_m",         "mean_nees", "mean_nis",
+                                   "lost_frames", "entropy.total", "landmarks"};
+
+Campaign gather(const CampaignPlan& plan, const CampaignFolder& folder) {
+  Campaign campaign{plan.scenario_name, INCOGNITA_VERSION, plan.seeds, {}, plan.baseline};
+  for (const Variant& variant : plan.variants)
+    campaign.variants.push_back({variant.name, {variant.varied.begin(), variant.varied.end()}, {}});
+  std::set<std::string> programs;
+  for (std::size_t run = 0; run < plan.runs(); ++run) {  // by rising seed in every variant
+    const auto result = folder.read(run);
+    if (!result) continue;
+    programs.insert(result->program);
+    CampaignRun one{plan.seed_of(run), result->status == "done", result->reason, result->seconds, {}};
+    if (!result->summary_json.empty()) one.measured = measures_of(result->summary_json);
+    campaign.variants[run % plan.variants.size()].runs.push_back(std::move(one));
+  }
+  if (programs.size() > 1)
+    say("the runs are of {} builds of this program; whether they differ in what counts is yours to know\n",
+        programs.size());
+  return campaign;
+}
+
+bool same(const Measures& a, const Measures& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) {
+    return x.first == y.first && (x.second == y.second || (std::isnan(x.second) && std::isnan(y.second)));
+  });
+}
+
+/// As of a recording, where nothing is drawn: then more runs are not more evidence.
+void tell_where_seeds_do_nothing(const Campaign& campaign) {
+  for (const CampaignVariant& variant : campaign.variants) {
+    const auto as_the_first = [&](const CampaignRun& run) {
+      return run.done && same(run.measured.measures, variant.runs.front().measured.measures);
+    };
+    if (variant.runs.size() > 1 && std::all_of(variant.runs.begin(), variant.runs.end(), as_the_first))
+      say("{}: every seed gave the same, so that there is nothing random in it; its intervals say nothing\n",
+          variant.name);
+  }
+}
+
+std::vector<std::string> all_names(const Campaign& campaign) {
+  std::vector<std::string> names = measure_names(campaign);
+  names.insert(names.begin(), "failed");
+  return names;
+}
+
+/// Of those that are told first the ones that say something here.
+std::vector<std::string> shown(const std::vector<VariantStatistics>& statistics) {
+  std::vector<std::string> names;
+  for (const char* name : telling)
+    for (const VariantStatistics& s : statistics) {
+      const bool known = std::any_of(s.measures.begin(), s.measures.end(), [&](const MeasureStatistics& m) {
+        return m.measure == name && m.n > 0;
+      });
+      if (known && (names.empty() || names.back() != name)) names.emplace_back(name);
+    }
+  return names;
+}
+
+void print_text(const Campaign& campaign, const std::vector<VariantStatistics>& statistics,
+                const std::vector<std::string>& measures) {
+  fmt::print("{}", table_text(campaign, statistics, measures));
+  std::size_t failed = 0;
+  for (const CampaignVariant& variant : campaign.variants)
+    for (const CampaignRun& run : variant.runs) {
+      if (run.done || ++failed > most_shown) continue;
+      fmt::print("{}{}, seed {}: {}\n",
+                 failed == 1 ? "\nfailed, and left out above except where failures are counted:\n" : "",
+                 variant.name, run.seed, run.reason);
+    }
+  if (failed > most_shown) fmt::print("and {} more: runs.csv\n", failed - most_shown);
+  if (failed > 0 && limit_measures(measures).empty())
+    fmt::print(
+        "A variant that loses its hard seeds looks better in such a mean than it is; a limit counts them "
+        "all, "
+        "e.g. --measure ate_m.below:0.1\n");
+}
+
+}  // namespace
+
+int report_campaign(const CampaignPlan& plan, const CampaignFolder& folder, const ReportOptions& options) {
+  const Campaign campaign = gather(plan, folder);
+  std::size_t ended = 0;
+  for (const CampaignVariant& variant : campaign.variants) ended += variant.runs.size();
+  if (ended == 0) {
+    say("incognita: none of the {} runs has been made yet\n", plan.runs());
+    return 1;
+  }
+  const std::vector<std::string> names = all_names(campaign);
+  if (const std::string fault = unknown_measure(base_names(options.measures), names); !fault.empty())
+    throw InputError(fault);
+  tell_where_seeds_do_nothing(campaign);
+  const std::vector<VariantStatistics> statistics = statistics_of(campaign, limit_measures(options.measures));
+  const std::vector<std::string>& in_files = options.measures.empty() ? names : options.measures;
+  const std::string json = campaign_json(campaign, statistics, in_files);
+  write_durably(folder.path() / "runs.csv", runs_csv(campaign));
+  write_durably(folder.path() / "timings.csv", timings_csv(campaign));
+  write_durably(folder.path() / "table.csv", table_csv(campaign, statistics, in_files));
+  write_durably(folder.path() / "campaign.json", json);
+  if (options.json)
+    fmt::print("{}", json);
+  else
+    print_text(campaign, statistics, options.measures.empty() ? shown(statistics) : options.measures);
+  say("{} measures in {}\n", in_files.size(), (folder.path() / "table.csv").string());
+  if (ended == plan.runs()) return 0;
+  say("incognita: {} of {} runs are missing; the same command without --table makes them\n",
+      plan.runs() - ended, plan.runs());
+  return 1;
+}
+
+}  // namespace incognita

@@ -1,0 +1,271 @@
+#include "incognita/app/commands/campaign.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <thread>
+
+#include "incognita/app/campaign/campaign_crew.hpp"
+#include "incognita/app/campaign/campaign_folder.hpp"
+#include "incognita/app/campaign/campaign_plan.hpp"
+#include "incognita/app/campaign/campaign_progress.hpp"
+#include "incognita/app/campaign/campaign_report.hpp"
+#include "incognita/app/campaign/campaign_wanted.hpp"
+#include "incognita/app/console/folder_lock.hpp"
+#include "incognita/app/console/say.hpp"
+#include "incognita/io/formats/files.hpp"
+#include "incognita/messages/errors.hpp"
+#include "incognita/report/campaign_limit.hpp"
+
+namespace incognita {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::size_t largest_program = 1 << 30;
+constexpr std::size_t most_jobs = 1024, most_shards = 1'000'000;
+
+struct Options {
+  CampaignRequest request;
+  std::optional<std::string> out, jobs, shard;
+  std::vector<std::string> measures;
+  bool json = false, keep_runs = false, table_alone = false;
+};
+
+volatile std::sig_atomic_t interrupted = 0;
+void interrupt(int) { interrupted = 1; }
+
+void heed_signals() {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    if (std::signal(signal, interrupt) == SIG_IGN && signal == SIGHUP) std::signal(signal, SIG_IGN);  // nohup
+  }
+  std::signal(SIGXFSZ, SIG_IGN);  // a full disk is an error that is reported, not a death
+  std::signal(SIGPIPE, SIG_IGN);
+}
+
+/// Nothing when it is not a whole number from 1 on.
+std::optional<std::size_t> count_of(std::string_view text, std::size_t most) {
+  std::size_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool whole = error == std::errc{} && end == text.data() + text.size();
+  return whole && value >= 1 && value <= most ? std::optional(value) : std::nullopt;
+}
+
+std::size_t jobs_of(const Options& options, const Ranks& ranks) {
+  // mpirun starts as many processes as there are to be runs at a time
+  if (!options.jobs) return ranks.size() > 1 ? 1 : std::max(1u, std::thread::hardware_concurrency());
+  if (const auto jobs = count_of(*options.jobs, most_jobs)) return *jobs;
+  throw InputError(fmt::format("--jobs {}: must be a whole number from 1 to {}", *options.jobs, most_jobs));
+}
+
+Shard shard_of(const Options& options) {
+  if (!options.shard) return {};
+  const std::string_view text = *options.shard;
+  const std::size_t slash = text.find('/');
+  const auto which = count_of(text.substr(0, slash), most_shards);
+  const auto of =
+      slash == std::string_view::npos ? std::nullopt : count_of(text.substr(slash + 1), most_shards);
+  if (!which || !of || *which > *of)
+    throw InputError(fmt::format("--shard {}: must be written i/N, i from 1 to N: 1/4, 2/4, 3/4, 4/4", text));
+  if (options.table_alone) throw InputError("--shard and --table: a shard makes runs, --table makes none");
+  return {*which - 1, *of};
+}
+
+/// Those that have not ended yet and are this process' to make: r with r mod `of` = `which`.
+std::vector<std::size_t> runs_to_make(const CampaignPlan& plan, const CampaignFolder& folder,
+                                      const Shard& shard) {
+  std::vector<std::size_t> runs;
+  for (std::size_t run = shard.which; run < plan.runs(); run += shard.of)
+    if (!folder.has(run)) runs.push_back(run);
+  return runs;
+}
+
+/// Makes the runs and writes each down when it has ended. How many are still to make. Throws InputError when
+/// a run cannot be made or what is wanted of them all is known not to come.
+std::size_t make_runs(Ranks& ranks, const CampaignPlan& plan, const CampaignFolder& folder,
+                      WantedMeasures wanted, Lead lead) {
+  const std::string program = digest_of(read_file("/proc/self/exe", largest_program));
+  CampaignProgress progress(plan, lead.runs.size());
+  std::size_t ended = 0;
+  std::string fault;
+  lead.taken = [&](std::size_t run, const RunEnd& end) {
+    if (!end.result) {
+      if (end.bad_input)
+        fault = fmt::format("{}, seed {}: {}", plan.variant_of(run).name, plan.seed_of(run), end.trouble);
+      else
+        progress.tell_trouble(run, end.trouble);
+      return !end.bad_input;
+    }
+    RunResult result = *end.result;
+    result.program = program;
+    folder.write(run, result);
+    ++ended;
+    progress.tell(run, result);
+    wanted.add(run, result);
+    fault = wanted.fault();
+    return fault.empty();
+  };
+  lead.stopping = [] { return interrupted != 0; };
+  fault = wanted.fault();
+  if (fault.empty()) lead_crew(ranks, lead);
+  if (!fault.empty()) {
+    folder.discard_what_is_empty();
+    throw InputError(fault);
+  }
+  return lead.runs.size() - ended;
+}
+
+void tell_work(const CampaignPlan& plan, const Options& options, const Shard& shard, std::size_t to_make) {
+  const std::size_t share = (plan.runs() - shard.which + shard.of - 1) / shard.of;
+  say("{} runs: variants {}, seeds {}{}; {} made before, {} to make\n", plan.runs(), plan.variants.size(),
+      plan.seeds.size(), options.shard ? fmt::format("; {} of them in shard {}", share, *options.shard) : "",
+      share - to_make, to_make);
+}
+
+std::optional<fs::path> kept(const fs::path& out, const Options& options, const CampaignPlan& plan,
+                             std::size_t run) {
+  return options.keep_runs ? std::optional(run_directory(fs::absolute(out), plan, run)) : std::nullopt;
+}
+
+/// Runs that ended in an earlier call, which kept nothing but their summaries.
+void tell_unkept(const CampaignPlan& plan, const CampaignFolder& folder) {
+  std::size_t unkept = 0;
+  for (std::size_t run = 0; run < plan.runs(); ++run)
+    unkept += folder.has(run) && !fs::exists(run_directory(folder.path(), plan, run));
+  if (unkept > 0)
+    say("--keep-runs: {} runs were made before without it, and are not made again to keep them\n", unkept);
+}
+
+std::unique_ptr<FolderLock> locked(const fs::path& out, const std::string& digest,
+                                   const std::optional<Shard>& shard) {
+  std::optional<SharedCampaign> share;
+  if (shard) share = {digest_of(fmt::format("{}/{}", digest, shard->of)), *shard};
+  try {
+    return std::make_unique<FolderLock>(out, share);
+  } catch (const RecordError& error) {
+    throw InputError(fmt::format("--out {}: {}", out.string(), error.what()));
+  }
+}
+
+/// Rank 0, which alone writes.
+int lead(Ranks& ranks, const Options& options, const fs::path& out) {
+  const CrewAtWork crew(ranks);
+  const std::size_t jobs = jobs_of(options, ranks);
+  const Shard shard = shard_of(options);
+  limit_measures(options.measures);  // which refuses a limit that is no number
+  const CampaignPlan plan = plan_campaign(options.request);
+  if (options.table_alone && !fs::is_directory(out / "runs"))
+    throw InputError(fmt::format("--table: {} holds no campaign; see --out", out.string()));
+  if (options.table_alone)
+    return report_campaign(plan, CampaignFolder(out, plan, INCOGNITA_VERSION),
+                           {options.measures, options.json});
+
+  const std::string digest = digest_of(plan);
+  const auto lock = locked(out, digest, options.shard ? std::optional(shard) : std::nullopt);
+  const CampaignFolder folder(out, plan, INCOGNITA_VERSION);
+  Lead work{jobs, runs_to_make(plan, folder, shard), digest, {}, {}, {}};
+  tell_work(plan, options, shard, work.runs.size());
+  if (options.keep_runs) tell_unkept(plan, folder);
+  work.make = [&](std::size_t run) { return make_run(plan, run, kept(out, options, plan, run)); };
+  const std::size_t left = make_runs(ranks, plan, folder, {options.measures, plan, folder}, std::move(work));
+  folder.tidy();
+  if (left > 0) {
+    say("incognita: {}{} runs are still to make; the same command goes on\n",
+        interrupted ? "interrupted: " : "", left);
+    return 1;
+  }
+  if (!options.shard) return report_campaign(plan, folder, {options.measures, options.json});
+  say("shard {} is done; when all are, the same command without --shard makes the table\n", *options.shard);
+  return 0;
+}
+
+/// Any other rank. What is wrong here is told to rank 0, which tells the user.
+int serve(Ranks& ranks, const Options& options, const fs::path& out) {
+  std::size_t jobs = 1;
+  std::optional<CampaignPlan> plan;
+  std::string wrong;
+  try {
+    jobs = jobs_of(options, ranks);
+    plan = plan_campaign(options.request);
+  } catch (const InputError& error) {
+    wrong = error.what();
+  }
+  serve_in_crew(ranks, jobs, [&](std::size_t run, const std::string& digest) {
+    if (!plan) return no_run(wrong);
+    if (digest_of(*plan) != digest)
+      return no_run("other machines have another program, scenario or file that it names than the first one");
+    return make_run(*plan, run, kept(out, options, *plan, run));
+  });
+  return 0;
+}
+
+int campaign(const Options& options) {
+  if (options.out && options.out->empty()) throw InputError("--out: names nothing; a folder is wanted");
+  const fs::path out = options.out.value_or("out/campaign");
+  heed_signals();
+  ::setenv("OPENCV_FOR_THREADS_NUM", "1", 0);  // one run a core is faster than one run on all
+  Ranks ranks;
+  return ranks.rank() == 0 ? lead(ranks, options, out) : serve(ranks, options, out);
+}
+
+void add_options(CLI::App& command, Options& options) {
+  CampaignRequest& request = options.request;
+  command.add_option("scenario", request.scenario, "Scenario file, or the name of a built-in one")
+      ->capture_default_str();
+  command.add_option("--seeds", request.seeds, "The same in every variant: 1..100, or 1,5,10..20")
+      ->type_name("LIST")
+      ->capture_default_str();
+  command
+      .add_option(
+          "--vary", request.vary,
+          "Values of a setting: one variant each, with several --vary one for each combination. Commas "
+          "separate, except in brackets and quotes")
+      ->type_name("KEY=VALUE,VALUE")
+      ->allow_extra_args(false);
+  command.add_option("--set", request.sets, "Override a setting in every variant")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  command.add_option("--duration", request.duration_s, "Stop each run after so many seconds")->type_name("S");
+  command
+      .add_option(
+          "--baseline", request.baseline,
+          "What the others are compared with; keys not named take their first value [the first variant]")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  command
+      .add_option("--measure", options.measures,
+                  "Only these in the tables, e.g. ate_m, or ate_m.below:0.1 for the share of runs that are "
+                  "done and below; "
+                  "runs.csv has all")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
+  command.add_option("--out", options.out, "Folder of the campaign [out/campaign]")->type_name("DIR");
+  command.add_option("--jobs", options.jobs, "Runs at a time [as many as cores; 1 per process of mpirun]")
+      ->type_name("N");
+  command.add_option("--shard", options.shard, "Make only the i-th of N shares of the runs, and no table")
+      ->type_name("i/N");
+  command.add_flag("--table", options.table_alone, "Make no runs, only the tables of what is there");
+  command.add_flag("--keep-runs", options.keep_runs, "Keep each run's directory, without figures");
+  command.add_flag("--json", options.json, "One JSON document on standard output: docs/schemas");
+}
+
+}  // namespace
+
+CLI::App* add_campaign(CLI::App& app, std::function<int()>& job) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("campaign", "Many seeds and settings, and what they say together");
+  add_options(*command, *options);
+  command->footer(
+      "Example:\n  incognita campaign room --seeds 1..50 --vary decision.strategy=none,mutual-information "
+      "\\\n"
+      "                          --duration 20 --out out/strategies\n");
+  command->callback([options, &job] { job = [options] { return campaign(*options); }; });
+  return command;
+}
+
+}  // namespace incognita

@@ -1,0 +1,60 @@
+// The program: one file per command, and here the exit codes.
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <functional>
+
+#include "incognita/app/commands/campaign.hpp"
+#include "incognita/app/commands/config.hpp"
+#include "incognita/app/commands/evaluate.hpp"
+#include "incognita/app/commands/observe.hpp"
+#include "incognita/app/commands/reproduce.hpp"
+#include "incognita/app/commands/run.hpp"
+#include "incognita/app/console/say.hpp"
+#include "incognita/app/console/standard_streams.hpp"
+#include "incognita/app/console/usage.hpp"
+#include "incognita/messages/errors.hpp"
+
+namespace {
+
+enum ExitCode { done = 0, job_failed = 1, bad_input = 2 };
+
+int carry_out(int argc, char** argv) {
+  CLI::App app{"incognita: maps an unknown place, knows how sure it is, and moves to learn more",
+               "incognita"};
+  app.set_version_flag("--version", INCOGNITA_VERSION);
+  app.require_subcommand(1);
+  app.footer("Example:\n  incognita run room\n\n`incognita COMMAND --help` tells more.\n");
+  app.failure_message(incognita::usage_message);
+  std::function<int()> job;
+  incognita::add_run(app, job);
+  incognita::add_evaluate(app, job);
+  incognita::add_config(app, job);
+  incognita::add_observe(app, job);
+  incognita::add_campaign(app, job);
+  incognita::add_reproduce(app, job, incognita::all_experiments());
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? done : bad_input;
+  }
+  try {
+    return job();
+  } catch (const incognita::InputError& error) {
+    incognita::say("incognita: {}\n", error.what());
+    return bad_input;
+  } catch (const std::exception& error) {
+    incognita::say("incognita: {}\n", error.what());
+    return job_failed;
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  incognita::take_closed_streams();
+  const int code = carry_out(argc, argv);
+  const std::string lost = incognita::why_output_failed();
+  if (lost.empty()) return code;
+  incognita::say("incognita: standard output: {}\n", lost);
+  return code == done ? job_failed : code;
+}

@@ -1,0 +1,120 @@
+#include "incognita/app/commands/observe.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <limits>
+#include <memory>
+#include <new>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "incognita/analysis/observability/observability.hpp"
+#include "incognita/analysis/systems/system_error.hpp"
+#include "incognita/app/console/say.hpp"
+#include "incognita/io/formats/system_file.hpp"
+#include "incognita/messages/errors.hpp"
+#include "incognita/report/observability_answer.hpp"
+
+namespace incognita {
+namespace {
+
+struct Options {
+  std::string system, representation;
+  ObservabilitySettings analysis;
+  std::optional<int> features;
+  std::int64_t seed = 1;
+  bool json = false, latex = false, no_lie = false;
+};
+
+std::string at(const SystemText& text, Place place) {
+  return place.line > 0 ? fmt::format("{}:{}:{}: ", text.file, place.line, place.column) : text.file + ": ";
+}
+
+ObservabilityAnalysis analyse(const SystemText& text, const Options& options) {
+  try {
+    return analyse_observability(text, options.analysis);
+  } catch (const SystemTooLarge& error) {
+    throw InputError(at(text, error.place) + error.what() +
+                     "; give large parts names under definitions, ask for a lower --lie-order, or leave the "
+                     "Lie derivatives out with --no-lie");
+  } catch (const SystemError& error) {
+    throw InputError(at(text, error.place) + error.what());
+  } catch (const std::invalid_argument& error) {
+    // Of what was asked for: a built-in system's file is none of the user's
+    throw InputError(options.system + ": " + error.what());
+  } catch (const std::bad_alloc&) {
+    throw InputError(
+        text.file + ": more than memory holds; ask for less, or leave the Lie derivatives out with --no-lie");
+  }
+}
+
+int observe(Options options) {
+  if (options.json && options.latex) throw InputError("observe: --json or --latex, not both");
+  options.analysis.lie = !options.no_lie;
+  const SystemText text = load_system(options.system, options.representation);
+  options.analysis.landmarks = options.features.value_or(text.landmark ? 1 : 0);
+  options.analysis.seed = static_cast<std::uint64_t>(options.seed);
+  const std::size_t states =
+      text.vehicle.states.size() +
+      (text.landmark ? text.landmark->states.size() * static_cast<std::size_t>(options.analysis.landmarks)
+                     : 0);
+  constexpr std::size_t takes_long = 400;  // cost grows with the cube
+  if (states > takes_long)
+    say("observe: {} states; singular values of matrices of this size take minutes\n", states);
+  const ObservabilityAnalysis analysis = analyse(text, options);
+  if (options.json)
+    fmt::print("{}", observability_json(analysis, options.analysis));
+  else if (options.latex)
+    fmt::print("{}", observability_latex(text, analysis));
+  else
+    fmt::print("{}", observability_table(text, analysis, options.analysis));
+  // The others say it in their answers
+  if (options.latex)
+    for (const std::string& line : analysis.disagreements) say("observe: {}\n", line);
+  return 0;
+}
+
+}  // namespace
+
+CLI::App* add_observe(CLI::App& app, std::function<int()>& job) {
+  CLI::App* command = app.add_subcommand("observe", "What can be seen of a system, and what cannot");
+  const auto o = std::make_shared<Options>();
+  std::string names;
+  for (const std::string& name : built_in_systems()) names += (names.empty() ? "" : ", ") + name;
+  command->add_option("SYSTEM", o->system, "One that is built in (" + names + "), or a file")->required();
+  command
+      ->add_option("--features", o->features,
+                   "Landmarks whose place is estimated; 1 if not given, 0 for a system without landmarks")
+      ->check(CLI::Range(0, 500));
+  command->add_option("--anchors", o->analysis.anchors, "Landmarks whose place is known")
+      ->check(CLI::Range(0, 500))
+      ->capture_default_str();
+  command
+      ->add_option("--segments", o->analysis.segments, "Stretches of the motion, each with inputs of its own")
+      ->check(CLI::Range(1, 50))
+      ->capture_default_str();
+  command->add_option("--representation", o->representation, "world or relative; the file's own if not given")
+      ->check(CLI::IsMember({"world", "relative"}));
+  command
+      ->add_option("--motion", o->analysis.motion, "general, or a kind that the system knows: straight, ...")
+      ->capture_default_str();
+  command->add_option("--seed", o->seed, "Of the operating point")
+      ->check(CLI::Range(std::int64_t{0}, std::numeric_limits<std::int64_t>::max()))
+      ->capture_default_str();
+  command->add_option("--lie-order", o->analysis.lie_settings.max_order, "Highest order of Lie derivatives")
+      ->check(CLI::Range(0, 30))
+      ->capture_default_str();
+  command->add_flag("--no-lie", o->no_lie, "Without Lie derivatives");
+  command->add_flag("--json", o->json, "The answer as JSON");
+  command->add_flag("--latex", o->latex, "The matrices, in symbols, as LaTeX");
+  command->footer(
+      "Example:\n  incognita observe planar --features 2 --anchors 1\n  incognita observe mine.toml --motion "
+      "straight --json\n\ndocs/add-a-system.md shows how to write a system down.\n");
+  command->callback([o, &job] { job = [o] { return observe(*o); }; });
+  return command;
+}
+
+}  // namespace incognita

@@ -1,0 +1,216 @@
+#include "incognita/app/commands/reproduce.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <csignal>
+#include <exception>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "incognita/app/console/folder_lock.hpp"
+#include "incognita/app/console/say.hpp"
+#include "incognita/math/nearest_name.hpp"
+#include "incognita/messages/errors.hpp"
+#include "incognita/record/files/row_file.hpp"
+#include "incognita/report/ledger.hpp"
+
+namespace incognita {
+namespace fs = std::filesystem;
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Experiments = std::vector<Experiment>;
+
+constexpr int max_seeds = 100'000;
+
+struct Options {
+  std::vector<std::string> ids;
+  std::string out = "out/reproduce";
+  int seeds = ExperimentSettings{}.seeds;
+  bool json = false;
+  bool list = false;
+};
+
+bool draws(const Experiment& experiment, const std::string& figure) {
+  return std::find(experiment.figures.begin(), experiment.figures.end(), figure) != experiment.figures.end();
+}
+
+std::vector<std::string> all_ids(const Experiments& experiments) {
+  std::vector<std::string> ids;
+  for (const Experiment& e : experiments) ids.push_back(e.id);
+  for (const Experiment& e : experiments) ids.insert(ids.end(), e.figures.begin(), e.figures.end());
+  return ids;
+}
+
+/// Where the example, or the figure's, is in the list.
+std::size_t index_of(const std::string& id, const Experiments& experiments) {
+  const auto found = std::find_if(experiments.begin(), experiments.end(),
+                                  [&](const Experiment& e) { return e.id == id || draws(e, id); });
+  if (found != experiments.end()) return static_cast<std::size_t>(found - experiments.begin());
+  const std::string nearest = nearest_name(id, all_ids(experiments));
+  throw InputError(fmt::format("reproduce: there is no example or figure `{}`{}; --list names all", id,
+                               nearest.empty() ? "" : fmt::format("; the nearest is `{}`", nearest)));
+}
+
+/// Each once, in the order of the thesis.
+std::vector<const Experiment*> chosen(const std::vector<std::string>& ids, const Experiments& experiments) {
+  std::vector<bool> wanted(experiments.size(), ids.empty());
+  for (const std::string& id : ids) wanted[index_of(id, experiments)] = true;
+  std::vector<const Experiment*> list;
+  for (std::size_t i = 0; i < experiments.size(); ++i)
+    if (wanted[i]) list.push_back(&experiments[i]);
+  return list;
+}
+
+int list(const std::vector<const Experiment*>& experiments, bool json) {
+  Json document = Json::array();
+  for (const Experiment* e : experiments) {
+    document.push_back({{"id", e->id}, {"title", e->title}, {"figures", e->figures}});
+    const std::string figures = e->figures.empty() ? "" : fmt::format(" ({})", fmt::join(e->figures, ", "));
+    if (!json) fmt::print("{:<8} {}{}\n", e->id, e->title, figures);
+  }
+  if (json) fmt::print("{}\n", document.dump(2));
+  return 0;
+}
+
+void write_ledger(const fs::path& out, const std::vector<LedgerEntry>& entries) {
+  write_whole_file(out / "claims.json", ledger_json(entries));
+  write_whole_file(out / "claims.md", ledger_markdown(entries));
+}
+
+void print_table(const LedgerEntry& entry) {
+  fmt::print("{}: {}\n", entry.id, entry.title);
+  if (!entry.skipped.empty()) fmt::print("  skipped: {}\n", entry.skipped);
+  for (const Claim& claim : entry.claims)
+    fmt::print("  {:<18}  {}: {}\n  {:<18}  measured: {}\n", name(claim.verdict), claim.place,
+               claim.statement, "", claim.measured);
+  std::fflush(stdout);  // the next one may take a while
+}
+
+std::size_t missing_figures(const Options& options, const std::vector<LedgerEntry>& entries) {
+  std::size_t missing = 0;
+  for (const LedgerEntry& entry : entries)
+    missing += static_cast<std::size_t>(
+        std::count_if(entry.figures.begin(), entry.figures.end(),
+                      [&](const LedgerFigure& f) { return !fs::exists(options.out / fs::path(f.file)); }));
+  return missing;
+}
+
+/// `3 claims: 1 holds, 0 hold as corrected, 1 does not hold, 1 is undecided`
+std::string counted(const std::vector<LedgerEntry>& entries) {
+  std::size_t counts[4] = {0, 0, 0, 0}, all = 0;
+  for (const LedgerEntry& entry : entries)
+    for (const Claim& claim : entry.claims) ++counts[static_cast<std::size_t>(claim.verdict)], ++all;
+  const auto verb = [](std::size_t n, const char* one, const char* many) {
+    return fmt::format("{} {}", n, n == 1 ? one : many);
+  };
+  return fmt::format("{}: {}, {}, {}, {}", verb(all, "claim", "claims"), verb(counts[0], "holds", "hold"),
+                     verb(counts[1], "holds as corrected", "hold as corrected"),
+                     verb(counts[2], "does not hold", "do not hold"),
+                     verb(counts[3], "is undecided", "are undecided"));
+}
+
+void say_how_it_went(const Options& options, const std::vector<LedgerEntry>& entries) {
+  if (const std::size_t missing = missing_figures(options, entries); missing > 0)
+    say("reproduce: {} figures are not drawn (is gnuplot installed?); scripts and data are in {}\n", missing,
+        (options.out / fs::path("figures")).string());
+  if (options.seeds < ExperimentSettings{}.seeds)
+    say("with {} seeds instead of {} more claims are undecided: an interval is the wider the fewer runs "
+        "there are\n",
+        options.seeds, ExperimentSettings{}.seeds);
+  std::vector<std::string> skipped;
+  for (const LedgerEntry& entry : entries)
+    if (!entry.skipped.empty()) skipped.push_back(entry.id);
+  const std::string page = (options.out / fs::path("claims.md")).string();
+  if (!skipped.empty()) say("skipped: {}; {} says why\n", fmt::join(skipped, ", "), page);
+  if (skipped.size() < entries.size()) say("{}; see {}\n", counted(entries), page);
+}
+
+/// What the experiments gave that did not fail. The ledger is written after each: whatever ends this job
+/// early leaves the one of all that ran.
+std::vector<LedgerEntry> run_all(const Options& options, const std::vector<const Experiment*>& experiments) {
+  const ExperimentSettings settings{options.out, options.seeds,
+                                    [](const std::string& line) { say("  {}\n", line); }};
+  std::vector<LedgerEntry> entries;
+  write_ledger(options.out, entries);
+  for (std::size_t i = 0; i < experiments.size(); ++i) {
+    const Experiment& experiment = *experiments[i];
+    say("[{}/{}] {}: {}\n", i + 1, experiments.size(), experiment.id, experiment.title);
+    try {
+      entries.push_back(experiment.run(settings));
+    } catch (const std::exception& error) {
+      say("reproduce: {} failed: {}\n", experiment.id, error.what());
+      continue;
+    }
+    write_ledger(options.out, entries);
+    const LedgerEntry& entry = entries.back();
+    if (!options.json)
+      print_table(entry);
+    else if (!entry.skipped.empty())
+      say("  skipped: {}\n", entry.skipped);
+  }
+  return entries;
+}
+
+void make_figures_folder(const std::string& out) {
+  std::error_code error;
+  fs::create_directories(fs::path(out) / "figures", error);
+  if (error) throw RecordError(write_failure(out, error.value()));
+}
+
+int reproduce(const Options& options, const Experiments& all) {
+  const std::vector<const Experiment*> experiments = chosen(options.ids, all);
+  if (options.list) return list(experiments, options.json);
+  std::signal(SIGPIPE, SIG_IGN);  // the ledger matters more than who listens to how it goes
+  std::signal(SIGXFSZ, SIG_IGN);  // a full disk is an error that is reported, not a death
+  if (options.out.empty()) throw InputError("--out: names nothing; a folder is wanted");
+  const FolderLock lock(options.out);  // before anything of an earlier run is touched
+  make_figures_folder(options.out);
+  const std::vector<LedgerEntry> entries = run_all(options, experiments);
+  if (options.json) fmt::print("{}", ledger_json(entries));
+  say_how_it_went(options, entries);
+  return entries.size() == experiments.size() ? 0 : 1;
+}
+
+std::string why_no_count(const std::string& word) {
+  int value = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (error == std::errc{} && end == word.data() + word.size() && value >= 1 && value <= max_seeds) return "";
+  return fmt::format("{}: must be a whole number from 1 to {}", word, max_seeds);
+}
+
+}  // namespace
+
+CLI::App* add_reproduce(CLI::App& app, std::function<int()>& job,
+                        const std::vector<Experiment>& experiments) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      app.add_subcommand("reproduce", "The thesis' examples and figures again, each with its claims checked");
+  command->add_option("ID", options->ids, "Examples (3.1) and figures (fig-3.4) [all]")->type_name("");
+  command->add_option("--out", options->out, "Folder for claims.json, claims.md and figures/")
+      ->type_name("DIR")
+      ->capture_default_str();
+  command
+      ->add_option("--seeds", options->seeds,
+                   "Independent runs behind a claim about chance; costly ones take fewer, some more: `runs` "
+                   "in --json says")
+      ->type_name("N")
+      ->check(CLI::Validator(why_no_count, ""))
+      ->capture_default_str();
+  command->add_flag("--json", options->json, "One JSON document on standard output: docs/schemas");
+  command->add_flag("--list", options->list, "Only name what there is");
+  command->footer("Example: incognita reproduce 3.1 fig-3.8 --seeds 50 --out out/examples");
+  command->callback([options, &job, &experiments] {
+    job = [options, &experiments] { return reproduce(*options, experiments); };
+  });
+  return command;
+}
+
+}  // namespace incognita

@@ -1,0 +1,206 @@
+#include "incognita/app/commands/run.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstdint>
+#include <cstdio>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "incognita/app/console/folder_lock.hpp"
+#include "incognita/app/console/progress.hpp"
+#include "incognita/app/console/say.hpp"
+#include "incognita/app/loop/scenario_run.hpp"
+#include "incognita/io/scenario/team_setting_list.hpp"
+#include "incognita/messages/errors.hpp"
+#include "incognita/record/frame_pictures.hpp"
+#include "incognita/record/recorder.hpp"
+#include "incognita/report/run_figures.hpp"
+
+namespace incognita {
+namespace {
+
+struct Options {
+  std::string scenario = "room";
+  std::optional<std::string> out;
+  std::vector<std::string> sets;
+  std::optional<std::string> seed, duration_s;  // texts: the setting knows what it may be
+  bool realtime = false;
+  bool save_frames = false;
+  bool no_figures = false;
+};
+
+volatile std::sig_atomic_t interrupted = 0;
+void interrupt(int) { interrupted = 1; }
+
+/// Asked to end, however often, the run closes its files first; that takes a frame and the figures.
+void heed_signals() {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    if (std::signal(signal, interrupt) == SIG_IGN && signal == SIGHUP) std::signal(signal, SIG_IGN);  // nohup
+  }
+  std::signal(SIGXFSZ, SIG_IGN);  // a full disk is an error that is reported, not a death
+}
+
+LoadedScenario load(const Options& options) {
+  std::vector<Flag> flags;
+  if (options.seed) flags.push_back({"run.seed", *options.seed, "--seed"});
+  if (options.duration_s) flags.push_back({"run.duration_s", *options.duration_s, "--duration"});
+  return load_scenario(options.scenario, options.sets, flags);
+}
+
+/// Says on standard error when the tracking state changes, once.
+class StateTeller {
+ public:
+  void tell(const Snapshot& s) {
+    const bool is_lost = s.status.state == TrackingState::lost;
+    if (is_lost && !was_lost_) say("t = {:.3f} s: lost: {}\n", s.tick.t, s.status.reason);
+    if (!is_lost && was_lost_) say("t = {:.3f} s: {}: {}\n", s.tick.t, name(s.status.state), s.status.reason);
+    was_lost_ = is_lost;
+    if (s.command.by_hand && s.advice.decided && s.advice.chosen >= 0)
+      say("t = {:.2f} s: {}\n", s.tick.t, s.advice.actions[static_cast<std::size_t>(s.advice.chosen)]);
+  }
+
+ private:
+  bool was_lost_ = false;
+};
+
+/// In naps: whoever interrupts a run of one frame an hour does not wait an hour.
+void wait_until(std::chrono::steady_clock::time_point start, double t_s) {
+  constexpr double nap_s = 0.05;
+  for (;;) {
+    const std::chrono::duration<double> waited = std::chrono::steady_clock::now() - start;
+    const double left_s = t_s - waited.count();
+    if (interrupted || left_s <= 0) return;
+    std::this_thread::sleep_for(std::chrono::duration<double>(std::min(left_s, nap_s)));
+  }
+}
+
+/// A run directory, pictures if wanted, and what is said on standard error meanwhile.
+class TheRecord : public RunKeeper {
+ public:
+  /// `frame_done` is called at the end of every frame.
+  TheRecord(const std::string& out, const Options& options, const RunInfo& info, std::int64_t frames,
+            std::function<void()> frame_done)
+      : frame_done_(std::move(frame_done)),
+        figures_(!options.no_figures),
+        alignment_(alignment_kind(info.ate_alignment).value_or(AlignmentKind::none)),
+        lock_(out),
+        recorder_(out, info),
+        progress_(frames) {
+    for (const std::string& warning : info.warnings) say("warning: {}\n", warning);
+    if (options.save_frames) pictures_.emplace(recorder_.path(), info.patch_size_px);
+  }
+
+  void publish(const Snapshot& s) override {
+    recorder_.publish(s);
+    if (pictures_) pictures_->publish(s);
+    progress_->show(s.tick.frame + 1, fmt::format("{}, {} matched, {} landmarks", name(s.status.state),
+                                                  s.matched, s.landmarks.size()));
+    teller_.tell(s);
+    frame_done_();
+  }
+
+  void note(const ObservabilityReport& report, const std::vector<std::string>& in_words) override {
+    progress_.reset();
+    recorder_.note(report);
+    for (const std::string& line : in_words) say("{}\n", line);
+  }
+
+  void note(const std::string& key, const SummaryValue& value) override { recorder_.note(key, value); }
+
+  RunOutcome finish(RunStatus status, const std::string& reason,
+                    const std::vector<std::string>& warnings) override {
+    progress_.reset();  // its line on the terminal goes
+    const auto finishing = [&](const std::filesystem::path& directory) {
+      std::vector<std::string> all = warnings;
+      if (!figures_) return all;
+      for (std::string& warning : draw_run_figures(directory, alignment_)) {
+        say("{}\n", warning);
+        all.push_back(std::move(warning));
+      }
+      return all;
+    };
+    for (const std::string& warning : warnings) say("{}\n", warning);
+    return recorder_.finish(status, reason, finishing);
+  }
+
+ private:
+  std::function<void()> frame_done_;
+  bool figures_;
+  AlignmentKind alignment_;
+  FolderLock lock_;  ///< before anything of an earlier run is touched
+  Recorder recorder_;
+  std::optional<FramePictures> pictures_;
+  std::optional<Progress> progress_;
+  StateTeller teller_;
+};
+
+void refuse_pictures_without_images(const Scenario& scenario) {
+  if (is_team(scenario)) throw InputError("--save-frames: there are no images where points are named");
+  if (scenario.run.sensor != "camera")
+    throw InputError("--save-frames: there are no images with run.sensor = range-bearing");
+}
+
+int run(const Options& options) {
+  std::signal(SIGPIPE, SIG_IGN);  // the record matters more than who listens to how it goes
+  if (options.scenario.empty())
+    throw InputError("the scenario names nothing; a file or a built-in one is wanted");
+  if (options.out && options.out->empty()) throw InputError("--out: names nothing; a folder is wanted");
+  const LoadedScenario loaded = load(options);
+  for (const std::string& line : loaded.overrides) say("{}\n", line);
+  if (options.save_frames) refuse_pictures_without_images(loaded.scenario);
+  const std::string out = options.out.value_or("out/" + loaded.name);
+  std::optional<double> first_t;
+  std::chrono::steady_clock::time_point start;
+  double wall_s = 0;
+  RunManner manner;
+  manner.tell = [](const std::string& line) { say("{}\n", line); };
+  manner.keep_going = [&](const Tick& tick) {
+    if (!first_t) first_t = tick.t, start = std::chrono::steady_clock::now();
+    if (options.realtime) wait_until(start, tick.t - *first_t);
+    return !interrupted;
+  };
+  const OpenKeeper open = [&](const RunInfo& info, std::int64_t frames) {
+    heed_signals();
+    return std::make_unique<TheRecord>(out, options, info, frames, [&] {
+      wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    });
+  };
+  const RunOutcome outcome = run_scenario(loaded, open, manner);
+  if (outcome.status != RunStatus::done)
+    say("{}{}{}: see {}\n", name(outcome.status), outcome.reason.empty() ? "" : ", ", outcome.reason, out);
+  std::fputs(in_words(outcome.report, wall_s, out).c_str(), stdout);
+  return outcome.status == RunStatus::done ? 0 : 1;
+}
+
+}  // namespace
+
+CLI::App* add_run(CLI::App& app, std::function<int()>& job) {
+  CLI::App* command = app.add_subcommand("run", "Run the loop from a scenario file");
+  auto options = std::make_shared<Options>();
+  command->add_option("scenario", options->scenario, "Scenario file, or the name of a built-in one")
+      ->capture_default_str();
+  command->add_option("--out", options->out, "Run directory [out/<scenario>]")->type_name("DIR");
+  command->add_option("--seed", options->seed, "Seed of all randomness")->type_name("N");
+  command->add_option("--set", options->sets, "Override a setting, e.g. --set map.wanted_visible=20")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  command->add_option("--duration", options->duration_s, "Stop after so many seconds")->type_name("S");
+  command->add_flag("--realtime", options->realtime, "No faster than the clock on the wall");
+  command->add_flag("--save-frames", options->save_frames,
+                    "Write a picture of every frame, ellipses drawn in");
+  command->add_flag("--no-figures", options->no_figures, "Leave out the figures");
+  command->footer("Example:\n  incognita run room --seed 7 --duration 20 --out out/first\n");
+  command->callback([options, &job] { job = [options] { return run(*options); }; });
+  return command;
+}
+
+}  // namespace incognita

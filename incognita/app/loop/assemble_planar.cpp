@@ -1,0 +1,143 @@
+#include "incognita/app/loop/assemble_planar.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "incognita/io/formats/files.hpp"
+#include "incognita/io/recordings/clock_warnings.hpp"
+#include "incognita/io/recordings/range_recording.hpp"
+#include "incognita/messages/errors.hpp"
+
+namespace incognita {
+namespace {
+
+void check_vehicle(const LoadedScenario& loaded, const RangeRecording& recording) {
+  const std::string& model = loaded.scenario.planar.vehicle.model;
+  if (recording.vehicle == model) return;
+  throw InputError(fmt::format("{}: vehicle.model = {}: the odometry of this recording is that of `{}`",
+                               loaded.sources.at("vehicle.model"), model, recording.vehicle));
+}
+
+void check_identities(const LoadedScenario& loaded, const RangeRecording& recording) {
+  if (loaded.scenario.planar.association.method != "known") return;
+  for (const RangeRecording::Scan& scan : recording.scans)
+    for (const Detection& detection : scan.detections)
+      if (detection.identity != Detection::unknown) return;
+  throw InputError(
+      fmt::format("{}: association.method = known: no detection of this recording says which landmark it "
+                  "is of; take `joint` or `nearest`",
+                  loaded.sources.at("association.method")));
+}
+
+void check_fixes(const LoadedScenario& loaded, const RangeRecording& recording) {
+  const PlanarSlamSettings& s = loaded.scenario.planar;
+  if (!recording.fixes.empty() || !(s.start.at_first_fix || s.filter.use_fixes)) return;
+  const char* key = s.filter.use_fixes ? "vehicle_filter.use_fixes" : "vehicle_start.at_first_fix";
+  throw InputError(
+      fmt::format("{}: {} = true: no external sensor is in this recording", loaded.sources.at(key), key));
+}
+
+/// A recording without a scan in time would end as one that never started. Every reader refuses one without
+/// scans.
+void check_scans(const LoadedScenario& loaded, const RangeRecording& recording) {
+  const double duration_s = loaded.scenario.run.duration_s,
+               first = recording.scans.front().t - start_time(recording);
+  if (first <= duration_s) return;
+  throw InputError(
+      fmt::format("{}: run.duration_s = {}: the first scan of this recording comes {:.1f} s after its start",
+                  loaded.sources.at("run.duration_s"), duration_s, first));
+}
+
+/// How the sensor tells the anchors, found among the surveyed landmarks; nothing where one is not among them.
+std::optional<std::vector<std::int64_t>> identities_of_anchors(const std::vector<Eigen::Vector2d>& anchors,
+                                                               const RangeRecording& recording) {
+  constexpr double same_place_m = 0.05;
+  std::vector<std::int64_t> identities;
+  for (const Eigen::Vector2d& anchor : anchors) {
+    const auto surveyed = std::find_if(
+        recording.landmarks.begin(), recording.landmarks.end(),
+        [&](const auto& landmark) { return (landmark.position - anchor).norm() <= same_place_m; });
+    if (surveyed == recording.landmarks.end()) return std::nullopt;
+    identities.push_back(surveyed->identity);
+  }
+  return identities;
+}
+
+/// What of a recording the run will not use, with counts.
+std::vector<std::string> left_out(const RangeRecording& recording, const PlanarSlamSettings& s) {
+  std::size_t all = 0, far = 0, nameless = 0, placed = 0;
+  for (const RangeRecording::Scan& scan : recording.scans) {
+    placed += true_place(recording, scan.t).has_value();
+    for (const Detection& d : scan.detections) {
+      ++all;
+      far += d.range_m > s.sensor.max_range_m;
+      nameless += d.identity == Detection::unknown;
+    }
+  }
+  std::vector<std::string> notes;
+  if (far > 0)
+    notes.push_back(fmt::format("{} of {} detections are beyond ranges.max_range_m = {} and left out", far,
+                                all, s.sensor.max_range_m));
+  if (nameless > 0 && s.association.method == "known")
+    notes.push_back(fmt::format("{} of {} detections do not say which landmark they are of and are left out",
+                                nameless, all));
+  if (!recording.truth.empty() && placed < recording.scans.size())
+    notes.push_back(
+        fmt::format("the truth is known at {} of {} scans: between two true places at most half a second "
+                    "apart",
+                    placed, recording.scans.size()));
+  return notes;
+}
+
+}  // namespace
+
+Survey survey_of(const RangeRecording& recording, bool identified) {
+  Survey survey;
+  survey.identified = identified;
+  for (const RangeRecording::Landmark& landmark : recording.landmarks)
+    survey.landmarks.push_back({landmark.identity, {landmark.position.x(), landmark.position.y(), 0}});
+  return survey;
+}
+
+PlanarAssembly assemble_planar(SharedRangeRecording recording, const PlanarSlamSettings& s,
+                               double duration_s) {
+  const Fixes fixes = s.filter.use_fixes ? Fixes::all : s.start.at_first_fix ? Fixes::first : Fixes::none;
+  const auto identities = identities_of_anchors(s.filter.anchors, *recording);
+  PlanarEstimator estimator(s, identities.value_or(std::vector<std::int64_t>{}));
+  std::vector<std::string> notes = recording->notes;
+  for (std::string& note : left_out(*recording, s)) notes.push_back(std::move(note));
+  return {{std::make_unique<RangeClock>(recording, duration_s),
+           std::make_unique<RangeWorld>(recording),
+           std::make_unique<RangeSensor>(recording, fixes, s.sensor.max_range_m),
+           std::move(estimator),
+           {},
+           {}},
+          recording,
+          s.filter.use_fixes || !s.filter.anchors.empty(),
+          std::move(notes),
+          clock_warnings(*recording)};
+}
+
+PlanarAssembly assemble_planar(const LoadedScenario& loaded) {
+  auto recording = std::make_shared<const RangeRecording>(read_range_recording(loaded));
+  const PlanarSlamSettings& settings = loaded.scenario.planar;
+  check_vehicle(loaded, *recording);
+  check_identities(loaded, *recording);
+  check_fixes(loaded, *recording);
+  check_scans(loaded, *recording);
+  if (settings.association.method == "known" && !identities_of_anchors(settings.filter.anchors, *recording))
+    throw InputError(
+        fmt::format("{}: vehicle_filter.anchors_m: with association.method = known each anchor must be "
+                    "one of the recording's surveyed landmarks (landmarks.csv), within 5 cm: the sensor "
+                    "tells them by their identity",
+                    loaded.sources.at("vehicle_filter.anchors_m")));
+  try {
+    return assemble_planar(std::move(recording), settings, loaded.scenario.run.duration_s);
+  } catch (const std::invalid_argument& error) {
+    throw InputError(shown(loaded.file) + ": " + error.what());
+  }
+}
+
+}  // namespace incognita

@@ -1,0 +1,17 @@
+// A vehicle in the rendered room, from its scenario to the boxes of the loop.
+#pragma once
+
+#include "incognita/app/loop/loop.hpp"
+#include "incognita/io/scenario/load_scenario.hpp"
+
+namespace incognita {
+
+struct RoomVehicleAssembly {
+  VehicleBoxes boxes;
+  bool scale_is_known = true;  ///< fixed by the target; else free
+};
+
+/// Throws InputError naming file and key or value.
+RoomVehicleAssembly assemble_room_vehicle(const LoadedScenario& loaded);
+
+}  // namespace incognita

@@ -1,0 +1,217 @@
+#include "incognita/app/loop/assemble_team.hpp"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <utility>
+
+#include "incognita/app/loop/assemble_planar.hpp"
+#include "incognita/app/loop/operator_assembly.hpp"
+#include "incognita/app/loop/team_models.hpp"
+#include "incognita/io/formats/data_folder.hpp"
+#include "incognita/io/formats/files.hpp"
+#include "incognita/io/recordings/clock_warnings.hpp"
+#include "incognita/io/recordings/range_formats.hpp"
+#include "incognita/io/scenario/team_setting_list.hpp"
+#include "incognita/messages/errors.hpp"
+#include "incognita/world/replay/range_replay.hpp"
+#include "incognita/world/replay/team_replay.hpp"
+#include "incognita/world/room_clock.hpp"
+
+namespace incognita {
+namespace {
+
+/// What a box refuses is said with the setting that has most to do with it.
+template <class Make>
+auto made(const LoadedScenario& loaded, const std::string& key, const std::string& value, const Make& make) {
+  try {
+    return make();
+  } catch (const std::invalid_argument& error) {
+    throw InputError(fmt::format("{}: {} = {}: {}", loaded.sources.at(key), key, value, error.what()));
+  }
+}
+
+TeamEstimator estimator_of(const LoadedScenario& loaded, const TeamSettings& team) {
+  const Scenario& s = loaded.scenario;
+  const TeamMember& first = team.members.front();
+  made(loaded, "run.sensor", s.run.sensor, [&] {
+    const std::string fault = misfit(first.motion, first.sensor);
+    if (!fault.empty()) throw std::invalid_argument(fault);
+    return 0;
+  });
+  return made(loaded, "team_filter.lineariser", s.team.filter.lineariser,
+              [&] { return TeamEstimator(team); });
+}
+
+/// The first so many, or all, of the landmarks are known before.
+void know_landmarks(TeamSettings& team, const PointPlace& place, int known) {
+  for (const auto& [identity, point] : place) {
+    if (known >= 0 && static_cast<int>(team.anchors.size()) >= known) return;
+    team.anchors.emplace(identity, point);
+  }
+}
+
+TeamDecisionSettings decision_of(const Scenario& s) {
+  TeamDecisionSettings out;
+  out.decision = s.decision;
+  out.decides = s.team.steer.law == "active";
+  out.tick_s = 1 / s.run.rate_hz;
+  out.exploration = s.exploration;
+  out.seed = static_cast<std::uint64_t>(s.run.seed);
+  if (is_carried(s)) {
+    const SteerChoice& can = s.team.steer;
+    out.carrier = Carrier{mount_of(s), can.max_speed_m_s, can.max_turn_rate_rad_s};
+  }
+  if (s.run.sensor == "range-bearing" || s.run.sensor == "bearing")
+    out.reach = {s.planar.sensor.max_range_m,
+                 s.team.plant.field_of_view_rad >= 6.2831853 ? 7 : s.team.plant.field_of_view_rad};
+  return out;
+}
+
+/// A first guess of depths that has nothing to do with the place makes landmarks that a filter cannot mend.
+std::vector<std::string> notes_of(const LoadedScenario& loaded) {
+  const Scenario& s = loaded.scenario;
+  const PointsSettings& points = s.team.points;
+  const bool all_known = points.known < 0 || points.known >= points.count;
+  if ((s.run.sensor != "camera" && s.run.sensor != "bearing") || !points.file.empty() || all_known) return {};
+  const double near_m = 1 / (s.slam.birth.inverse_depth_per_m + 2 * s.slam.birth.sigma_inverse_depth_per_m);
+  const double believed_m = 1 / s.slam.birth.inverse_depth_per_m, place_m = s.team.points.size_m.norm() / 2;
+  if (believed_m > place_m / 6 && near_m < place_m) return {};
+  return {fmt::format(
+      "birth.inverse_depth_per_m = {} (from {}): a new landmark is first believed to be {:.3g} m away, "
+      "and the place reaches {:.3g} m: tell a depth that fits it, or the map may break",
+      s.slam.birth.inverse_depth_per_m, loaded.sources.at("birth.inverse_depth_per_m"), believed_m, place_m)};
+}
+
+std::unique_ptr<World> world_of(const Scenario& s, const std::vector<SimulatedVehicle>& vehicles,
+                                const Terrain& ground) {
+  const auto seed = static_cast<std::uint64_t>(s.run.seed);
+  if (!is_carried(s)) {
+    std::vector<OperatorHand> hands;
+    for (std::size_t i = 0; s.person.holds && i < vehicles.size(); ++i) hands.push_back(operator_of(s, i));
+    return std::make_unique<TeamWorld>(vehicles, seed, std::move(hands));
+  }
+  std::vector<CameraCarrier> carriers;
+  for (std::size_t i = 0; i < vehicles.size(); ++i) carriers.push_back(carrier_of(s, i, ground));
+  return std::make_unique<CarriedCameraWorld>(std::move(carriers), seed);
+}
+
+/// What a sensor can name; nothing: all. Anchors are known by their look, as the fiduciary points of Section
+/// 6.3.1 are.
+std::optional<std::set<std::int64_t>> names_of(const TeamSettings& team) {
+  if (team.association.method == "known") return std::nullopt;
+  std::set<std::int64_t> named;
+  for (const auto& [identity, anchor] : team.anchors) named.insert(identity);
+  return named;
+}
+
+Survey survey_of(const PointPlace& place) {
+  Survey survey;
+  survey.identified = true;
+  for (const auto& [identity, point] : place) {
+    survey.landmarks.push_back({identity, Eigen::Vector3d::Zero()});
+    survey.landmarks.back().position.head(point.size()) = point;
+  }
+  return survey;
+}
+
+TeamAssembly simulated(const LoadedScenario& loaded) {
+  const Scenario& s = loaded.scenario;
+  const double period_s = 1 / s.run.rate_hz;
+  const auto seed = static_cast<std::uint64_t>(s.run.seed);
+  const PointPlace place = place_of(loaded);
+  const Terrain ground = ground_of(loaded);
+  TeamSettings team;
+  team.filter = filter_of(s);
+  const DataAssociationSettings& association = s.planar.association;
+  team.association = {association.method, association.gate_probability, association.birth_probability};
+  know_landmarks(team, place, s.team.points.known);
+  if (s.team.points.known > static_cast<int>(place.size()))
+    throw InputError(fmt::format("{}: points.known = {}: there are {} landmarks",
+                                 loaded.sources.at("points.known"), s.team.points.known, place.size()));
+  std::vector<SimulatedVehicle> vehicles;
+  std::vector<VehicleSteering> steering;
+  for (std::size_t i = 0; i < vehicles_of(s); ++i) {
+    team.members.push_back(member_of(s, i, ground));
+    vehicles.push_back(simulated_vehicle(s, i, ground));
+    steering.push_back(steering_of(loaded, i, ground));
+  }
+  TeamEstimator estimator = estimator_of(loaded, team);
+  const bool held = s.team.steer.law == "none" && !s.team.steer.input.empty();
+  TeamController controller =
+      made(loaded, held ? "steer.input" : "steer.law",
+           held ? fmt::format("[{}]", fmt::join(s.team.steer.input, ", ")) : s.team.steer.law,
+           [&] { return TeamController(std::move(steering), period_s, s.person.holds); });
+  auto points = std::make_unique<TeamSensor>(vehicles, place, s.team.start.sees_team, seed, names_of(team));
+  auto sightings = names_of(team) ? points->truth() : nullptr;
+  return {
+      {std::make_unique<RoomClock>(s.run.rate_hz, s.run.duration_s), world_of(s, vehicles, ground),
+       std::move(points), std::move(estimator), TeamDecision(team, decision_of(s)), std::move(controller)},
+      notes_of(loaded),
+      std::move(sightings),
+      names_of(team) ? Survey{} : survey_of(place)};
+}
+
+/// Each starts where the motion capture has it when all know how they move.
+TeamSettings recorded_team(const LoadedScenario& loaded, const std::vector<RangeRecording>& robots,
+                           double t) {
+  const Scenario& s = loaded.scenario;
+  TeamSettings team;
+  team.filter = filter_of(s);
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    const auto place = true_place(robots[i], t);
+    if (!place || !place->heading_rad)
+      throw InputError(
+          fmt::format("{}: recording.folder: where robot {} starts is not known: its ground truth is "
+                      "wanted at t = {:.3f} s",
+                      loaded.sources.at("recording.folder"), i + 1, t));
+    Scenario at_start = s;
+    at_start.team.start.positions_m = {{place->position.x(), place->position.y(), 0}};
+    at_start.team.start.headings_rad = {*place->heading_rad};
+    team.members.push_back(member_of(at_start, 0, {}));
+  }
+  return team;
+}
+
+TeamAssembly recorded(const LoadedScenario& loaded) {
+  const Scenario& s = loaded.scenario;
+  const auto robots = std::make_shared<const std::vector<RangeRecording>>(read_mrclam_team(find_data(
+      s.recording.folder, loaded.file, loaded.sources.at("recording.folder") + ": recording.folder")));
+  auto clock = std::make_unique<TeamReplayClock>(robots, s.run.duration_s);
+  TeamReplayClock glance(robots, s.run.duration_s);
+  const Tick first = glance.next();
+  if (!first)
+    throw InputError(fmt::format("{}: run.duration_s = {}: nothing was seen by then",
+                                 loaded.sources.at("run.duration_s"), s.run.duration_s));
+  TeamSettings team = recorded_team(loaded, *robots, first.t);
+  std::vector<std::string> notes, warnings;
+  for (std::size_t i = 0; i < robots->size(); ++i) {
+    const RangeRecording& robot = (*robots)[i];
+    notes.insert(notes.end(), robot.notes.begin(), robot.notes.end());
+    for (const std::string& warning : clock_warnings(robot))
+      warnings.push_back(fmt::format("robot {}: {}", i + 1, warning));
+  }
+  return {{std::move(clock), std::make_unique<TeamReplayWorld>(robots),
+           std::make_unique<TeamReplaySensor>(robots, s.team.start.sees_team, s.planar.sensor.max_range_m),
+           estimator_of(loaded, team), TeamDecision(team, {.decision = {}, .decides = false}),
+           TeamController({}, 1)},
+          std::move(notes),
+          nullptr,
+          survey_of(robots->front(), true),
+          std::move(warnings)};
+}
+
+}  // namespace
+
+TeamAssembly assemble_team(const LoadedScenario& loaded) {
+  try {
+    return loaded.scenario.run.world == "recording" ? recorded(loaded) : simulated(loaded);
+  } catch (const std::invalid_argument& error) {
+    throw InputError(shown(loaded.file) + ": " + error.what());
+  }
+}
+
+}  // namespace incognita

@@ -1,0 +1,50 @@
+// The loop: five boxes, five messages, one door.
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "incognita/control/camera_controller.hpp"
+#include "incognita/control/no_controller.hpp"
+#include "incognita/control/team_controller.hpp"
+#include "incognita/control/vehicle_controller.hpp"
+#include "incognita/decision/camera_decision.hpp"
+#include "incognita/decision/no_decision.hpp"
+#include "incognita/decision/team_decision.hpp"
+#include "incognita/decision/vehicle_decision.hpp"
+#include "incognita/record/snapshot/snapshot.hpp"
+#include "incognita/slam/features/camera_estimator.hpp"
+#include "incognita/slam/points/planar_estimator.hpp"
+#include "incognita/slam/points/team_estimator.hpp"
+#include "incognita/world/world.hpp"
+
+namespace incognita {
+
+template <class Estimator_, class Decision, class Controller>
+struct BoxesOf {
+  using Estimator = Estimator_;
+  std::unique_ptr<Clock> clock;
+  std::unique_ptr<World> world;
+  std::unique_ptr<Sensor> sensor;
+  Estimator estimator;
+  Decision decision;
+  Controller controller;
+};
+using Boxes = BoxesOf<CameraEstimator, CameraDecision, CameraController>;
+/// A vehicle that measures ranges and bearings; where it goes is not ours to choose.
+using PlanarBoxes = BoxesOf<PlanarEstimator, NoDecision, NoController>;
+/// Vehicles of any kind that name what they see, in one belief.
+using TeamBoxes = BoxesOf<TeamEstimator, TeamDecision, TeamController>;
+
+/// A vehicle in the rendered room that carries the camera.
+using VehicleBoxes = BoxesOf<CameraEstimator, VehicleDecision, VehicleController>;
+
+/// Runs until the clock ends or `keep_going` says no. Whatever the boxes and the record throw passes through;
+/// what was published before stays published.
+/// `watch`, if given, sees the estimate after each update, with the trace of what was done to its belief.
+template <class SomeBoxes>
+void run_loop(SomeBoxes& boxes, const std::function<void(const Snapshot&)>& publish,
+              const std::function<bool(const Tick&)>& keep_going,
+              const std::function<void(const typename SomeBoxes::Estimator::Estimate&)>& watch = {});
+
+}  // namespace incognita

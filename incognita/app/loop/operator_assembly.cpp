@@ -1,0 +1,20 @@
+#include "incognita/app/loop/operator_assembly.hpp"
+
+#include <string>
+
+#include "incognita/control/fly_segment.hpp"
+
+namespace incognita {
+
+OperatorHand operator_of(const Scenario& s, std::size_t camera) {
+  const auto seed = static_cast<std::uint64_t>(s.run.seed);
+  const HandMotion motion = [settings = s.control](const CameraState& state, const Segment& segment,
+                                                   const Heading& gaze, double t) {
+    return fly_segment(state, segment, gaze, t, settings).as_input();
+  };
+  return {OperatorModel(s.person, seed, "person." + std::to_string(camera)),
+          motion,
+          {s.control.gaze_amplitude_rad, s.control.gaze_period_s}};
+}
+
+}  // namespace incognita

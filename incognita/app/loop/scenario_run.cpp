@@ -1,0 +1,202 @@
+#include "incognita/app/loop/scenario_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "incognita/app/loop/assemble.hpp"
+#include "incognita/app/loop/assemble_planar.hpp"
+#include "incognita/app/loop/assemble_room_vehicle.hpp"
+#include "incognita/app/loop/assemble_team.hpp"
+#include "incognita/app/loop/association_score.hpp"
+#include "incognita/app/loop/observability_watch.hpp"
+#include "incognita/app/loop/team_models.hpp"
+#include "incognita/io/scenario/team_setting_list.hpp"
+#include "incognita/record/recorder.hpp"
+
+namespace incognita {
+namespace {
+
+/// How the run ended, from the loop's own view.
+struct Ending {
+  RunStatus status = RunStatus::done;
+  std::string reason;
+  std::vector<std::string> warnings = {};
+};
+
+/// What is remembered of the frames that passed.
+struct Passed {
+  Snapshot last;
+  bool ever_tracked = false, ever_looked = false, stopped = false;
+  std::int64_t frames = 0, doubted = 0;
+  std::string doubt;
+
+  void add(const Snapshot& snapshot) {
+    last = snapshot;
+    ever_tracked |=
+        snapshot.status.state != TrackingState::starting && snapshot.status.state != TrackingState::lost;
+    ever_looked |= !snapshot.looks.empty();
+    ++frames;
+    if (snapshot.status.state == TrackingState::degraded) ++doubted, doubt = snapshot.status.reason;
+  }
+};
+
+Ending ending_of(const Passed& passed) {
+  const Snapshot& last = passed.last;
+  if (passed.stopped) return {RunStatus::interrupted, fmt::format("stopped at t = {:.3f} s", last.tick.t)};
+  if (!passed.ever_tracked) return {RunStatus::failed, "never started: " + last.status.reason};
+  if (last.status.state == TrackingState::lost)
+    return {RunStatus::failed, fmt::format("lost at the end: {}", last.status.reason)};
+  return {};
+}
+
+/// `to_see`: whether there is anything.
+std::vector<std::string> warnings_of(const Passed& passed, bool to_see) {
+  const Snapshot& last = passed.last;
+  std::vector<std::string> warnings;
+  const auto unseen = std::count_if(last.landmarks.begin(), last.landmarks.end(),
+                                    [](const SnapshotLandmark& l) { return l.anchor && l.sightings == 0; });
+  if (unseen > 0 && last.vehicles.empty())
+    warnings.push_back(fmt::format("anchors never matched: {}; are they where they should be?", unseen));
+  if (to_see && !last.vehicles.empty() && !passed.ever_looked)
+    warnings.push_back("nothing was seen in the whole run");
+  constexpr double most_doubted = 0.1;  // of all frames
+  if (static_cast<double>(passed.doubted) > most_doubted * static_cast<double>(passed.frames))
+    warnings.push_back(
+        fmt::format("degraded in {} of {} frames: {}", passed.doubted, passed.frames, passed.doubt));
+  return warnings;
+}
+
+template <class SomeBoxes>
+Ending drive(SomeBoxes& boxes, RunKeeper& keeper, ObservabilityWatch* watch, AssociationScore* score,
+             const RunManner& manner, bool to_see) {
+  Passed passed;
+  const auto publish = [&](const Snapshot& snapshot) {
+    passed.add(snapshot);
+    if (score) score->add(snapshot);
+    keeper.publish(snapshot);
+  };
+  const auto keep_going = [&](const Tick& tick) {
+    passed.stopped = manner.keep_going && !manner.keep_going(tick);
+    return !passed.stopped;
+  };
+  std::function<void(const typename SomeBoxes::Estimator::Estimate&)> watching;
+  if constexpr (requires(const typename SomeBoxes::Estimator::Estimate& estimate) {
+                  watch->follow(estimate);
+                })
+    if (watch) watching = [watch](const auto& estimate) { watch->follow(estimate); };
+  try {
+    run_loop(boxes, std::function<void(const Snapshot&)>(publish),
+             std::function<bool(const Tick&)>(keep_going), watching);
+  } catch (const std::exception& error) {
+    return {RunStatus::failed, fmt::format("at frame {}: {}", passed.last.tick.frame + 1, error.what())};
+  }
+  Ending ending = ending_of(passed);
+  ending.warnings = warnings_of(passed, to_see);
+  return ending;
+}
+
+RunInfo info_of(const LoadedScenario& loaded) {
+  RunInfo info;
+  info.effective_toml = effective_toml(loaded);
+  info.seed = loaded.scenario.run.seed;
+  info.version = INCOGNITA_VERSION;
+  info.patch_size_px = loaded.scenario.slam.search.patch_size_px;
+  return info;
+}
+
+void note(const AssociationScore& score, RunKeeper& keeper) {
+  keeper.note("matches_right", score.right());
+  keeper.note("matches_wrong", score.wrong());
+  keeper.note("matches_missed", score.missed());
+  keeper.note("landmarks_born_again", std::int64_t{score.born_again()});
+}
+
+/// Drives the boxes; `info` is complete. `score`, where what the estimator sees has no names.
+template <class SomeBoxes>
+RunOutcome run_boxes(SomeBoxes& boxes, const RunInfo& info, const LoadedScenario& loaded,
+                     const OpenKeeper& open, const RunManner& manner,
+                     std::optional<AssociationScore> score = std::nullopt) {
+  const std::unique_ptr<RunKeeper> keeper = open(info, boxes.clock->expected_frames());
+  std::optional<ObservabilityWatch> watch;
+  if (loaded.scenario.run.observability && info.vehicles == 0) watch.emplace();
+  const PointsSettings& points = loaded.scenario.team.points;
+  const bool to_see = points.count > 0 || !points.file.empty();
+  const Ending ending =
+      drive(boxes, *keeper, watch ? &*watch : nullptr, score ? &*score : nullptr, manner, to_see);
+  if (score) note(*score, *keeper);
+  if (watch)
+    if (const auto report = watch->report()) keeper->note(*report, in_words(*report));
+  return keeper->finish(ending.status, ending.reason, ending.warnings);
+}
+
+RunOutcome run_camera(const LoadedScenario& loaded, const OpenKeeper& open, const RunManner& manner) {
+  Assembly assembly = assemble(loaded);
+  for (const std::string& line : assembly.notes) manner.tell(line);
+  if (!assembly.scale_is_known) manner.tell("no target: the scale is not observable, lengths are relative");
+  RunInfo info = info_of(loaded);
+  // A recording's truth is in its own world, which a target need not share
+  const bool own_frame = loaded.scenario.run.world == "recording";
+  info.ate_alignment = !assembly.scale_is_known ? "sim3" : own_frame ? "se3" : "none";
+  return run_boxes(assembly.boxes, info, loaded, open, manner);
+}
+
+RunOutcome run_room_vehicle(const LoadedScenario& loaded, const OpenKeeper& open, const RunManner& manner) {
+  RoomVehicleAssembly assembly = assemble_room_vehicle(loaded);
+  if (!assembly.scale_is_known) manner.tell("no target: the scale is not observable, lengths are relative");
+  RunInfo info = info_of(loaded);
+  info.ate_alignment = assembly.scale_is_known ? "none" : "sim3";
+  return run_boxes(assembly.boxes, info, loaded, open, manner);
+}
+
+RunOutcome run_vehicle(const LoadedScenario& loaded, const OpenKeeper& open, const RunManner& manner) {
+  PlanarAssembly assembly = assemble_planar(loaded);
+  for (const std::string& line : assembly.notes) manner.tell(line);
+  if (!assembly.frame_is_fixed)
+    manner.tell(
+        "no anchors: place and heading are not observable, the map is about where the vehicle started");
+  RunInfo info = info_of(loaded);
+  info.body = "vehicle";
+  info.ranges = true;
+  info.ate_alignment = assembly.frame_is_fixed ? "none" : "se3";
+  info.truth_recorded = !assembly.recording->truth.empty();
+  info.warnings = assembly.warnings;
+  info.survey = survey_of(*assembly.recording, loaded.scenario.planar.association.method == "known");
+  return run_boxes(assembly.boxes, info, loaded, open, manner);
+}
+
+/// What the inputs of a motion are called.
+std::vector<std::string> inputs_of(const std::string& model) {
+  if (model == "monobot") return {"speed_m_s"};
+  if (model == "ackermann") return {"speed_m_s", "steering_rad"};
+  if (model != "free-camera") return {"speed_m_s", "turn_rate_rad_s"};
+  return {"ax_m_s2", "ay_m_s2", "az_m_s2", "alphax_rad_s2", "alphay_rad_s2", "alphaz_rad_s2"};
+}
+
+RunOutcome run_team(const LoadedScenario& loaded, const OpenKeeper& open, const RunManner& manner) {
+  TeamAssembly assembly = assemble_team(loaded);
+  for (const std::string& line : assembly.notes) manner.tell(line);
+  const std::string& model = loaded.scenario.planar.vehicle.model;
+  RunInfo info = info_of(loaded);
+  info.body = model == "free-camera" ? "camera" : "vehicle";
+  info.vehicles = static_cast<int>(assembly.boxes.estimator.settings().members.size());
+  info.inputs = inputs_of(is_carried(loaded.scenario) ? "terrain" : model);
+  info.steered_m = steered_point(loaded.scenario);
+  info.survey = std::move(assembly.survey);
+  info.warnings = std::move(assembly.warnings);
+  std::optional<AssociationScore> score;
+  if (assembly.sightings) score.emplace(assembly.sightings);
+  return run_boxes(assembly.boxes, info, loaded, open, manner, std::move(score));
+}
+
+}  // namespace
+
+RunOutcome run_scenario(const LoadedScenario& loaded, const OpenKeeper& open, const RunManner& manner) {
+  if (is_team(loaded.scenario)) return run_team(loaded, open, manner);
+  if (is_room_vehicle(loaded.scenario)) return run_room_vehicle(loaded, open, manner);
+  return loaded.scenario.run.sensor == "camera" ? run_camera(loaded, open, manner)
+                                                : run_vehicle(loaded, open, manner);
+}
+
+}  // namespace incognita

@@ -1,0 +1,90 @@
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "incognita/app/loop/snapshot_of.hpp"
+#include "incognita/app/loop/snapshot_parts.hpp"
+
+namespace incognita {
+namespace {
+
+constexpr std::array team_stages{"predict", "associate", "update", "births", "poses", "entropy"};
+
+SnapshotVehicle in_space(const TeamEstimate& e, std::size_t i, const std::optional<Truth>& truth,
+                         const Command& command, double t) {
+  const TeamVehicle& vehicle = e.vehicles[i];
+  SnapshotVehicle out;
+  out.estimate = {t, vehicle.pose.position, vehicle.pose.world_from_body};
+  out.covariance = vehicle.pose_covariance;
+  if (truth && i < truth->poses.size() && truth->poses[i])
+    out.truth = StampedPose{t, truth->poses[i]->position, truth->poses[i]->world_from_body};
+  if (i < command.wanted.size()) out.wanted = command.wanted[i];
+  if (i < command.inputs.size()) out.input = command.inputs[i];
+  return out;
+}
+
+/// The place of a point on a line, a plane or in space; what is not told is 0 and certain.
+SnapshotLandmark in_space(std::int64_t id, const AnyPoint& at, const SmallMatrix& P, int sightings) {
+  SnapshotLandmark out{id, false, Eigen::Vector3d::Zero(), Eigen::Matrix3d::Zero(), sightings};
+  const Eigen::Index size = at.position.size();
+  out.position.head(size) = at.position;
+  out.covariance.topLeftCorner(size, size) = at.J * P * at.J.transpose();
+  return out;
+}
+
+SnapshotLandmark known(std::int64_t id, const TeamAnchor& anchor) {
+  SnapshotLandmark out{id, true, Eigen::Vector3d::Zero(), Eigen::Matrix3d::Zero(), anchor.sightings};
+  out.position.head(anchor.position.size()) = anchor.position;
+  return out;
+}
+
+double number(const SmallVector& numbers, Eigen::Index i) {
+  return i < numbers.size() ? numbers[i] : std::numeric_limits<double>::quiet_NaN();
+}
+
+SnapshotLook look_of(const TeamLook& look) {
+  SnapshotLook out;
+  out.id = look.identity;
+  out.anchor = look.anchor;
+  out.vehicle = look.vehicle;
+  out.of_vehicle = look.of_vehicle;
+  out.predicted = {number(look.predicted, 0), number(look.predicted, 1)};
+  out.measured = Eigen::Vector2d(number(look.measured, 0), number(look.measured, 1));
+  out.innovation_cov.setConstant(std::numeric_limits<double>::quiet_NaN());
+  const Eigen::Index size = std::min<Eigen::Index>(2, look.innovation_cov.rows());
+  out.innovation_cov.topLeftCorner(size, size) = look.innovation_cov.topLeftCorner(size, size);
+  out.outcome = look.outcome;
+  return out;
+}
+
+}  // namespace
+
+Snapshot snapshot_of(const Tick& tick, const std::optional<Truth>& truth, const Observation&,
+                     const TeamEstimate& e, const Goal& goal, const std::vector<std::string>& actions,
+                     const Command& command, const std::vector<std::pair<const char*, double>>& loop_ms) {
+  Snapshot s;
+  s.tick = tick;
+  if (truth && (truth->poses.empty() || truth->poses.front())) s.truth = truth;
+  s.status = e.status;
+  for (std::size_t i = 0; i < e.vehicles.size(); ++i)
+    s.vehicles.push_back(in_space(e, i, truth, command, tick.t));
+  if (e.started) {
+    s.camera.head<3>() = s.vehicles.front().estimate.position;
+    s.camera.segment<4>(3) = s.vehicles.front().estimate.orientation;
+    s.covariance.topLeftCorner<6, 6>() = s.vehicles.front().covariance;
+  }
+  for (const auto& [identity, anchor] : e.anchors) s.landmarks.push_back(known(identity, anchor));
+  for (const auto& [identity, landmark] : e.landmarks)
+    if (const auto at = position_of(landmark.form, e.belief.mean(landmark.block)))
+      s.landmarks.push_back(in_space(identity, *at, e.belief.covariance(landmark.block), landmark.sightings));
+  for (const TeamLook& look : e.looks) s.looks.push_back(look_of(look));
+  s.predicted = static_cast<int>(e.looks.size());
+  s.matched = e.matched;
+  put_update(s, e.update, e.entropy);
+  s.advice = advice_of(goal, actions);
+  s.command = command;
+  s.timing_ms = timing_of(e.timing_ms, team_stages, loop_ms);
+  return s;
+}
+
+}  // namespace incognita

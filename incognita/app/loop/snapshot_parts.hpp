@@ -1,0 +1,27 @@
+// What every snapshot has, whoever estimates.
+#pragma once
+
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "incognita/belief/belief.hpp"
+#include "incognita/messages/goal.hpp"
+#include "incognita/record/snapshot/snapshot.hpp"
+#include "incognita/slam/mapper/entropy_values.hpp"
+
+namespace incognita {
+
+using StageTimes = std::vector<std::pair<const char*, double>>;
+
+/// The loop's stages with the estimator's own in its place, each snapshot the same in the same order, zero
+/// where one was not reached; then `frame`: everything that a robot would have to do.
+StageTimes timing_of(const StageTimes& measured, std::span<const char* const> in_estimator,
+                     const StageTimes& loop_ms);
+
+SnapshotAdvice advice_of(const Goal& goal, const std::vector<std::string>& actions);
+
+void put_update(Snapshot& snapshot, const UpdateReport& update, const Entropy& entropy);
+
+}  // namespace incognita

@@ -1,0 +1,302 @@
+#include "incognita/app/loop/team_models.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+#include <utility>
+
+#include "incognita/io/formats/path_file.hpp"
+#include "incognita/io/formats/point_file.hpp"
+#include "incognita/io/scenario/camera.hpp"
+#include "incognita/io/scenario/scenario_file.hpp"
+#include "incognita/io/scenario/team_setting_list.hpp"
+#include "incognita/io/scenario/terrain_file.hpp"
+#include "incognita/messages/errors.hpp"
+#include "incognita/models/heading.hpp"
+
+namespace incognita {
+namespace {
+
+SmallVector list(std::initializer_list<double> numbers) {
+  SmallVector v(static_cast<Eigen::Index>(numbers.size()));
+  std::copy(numbers.begin(), numbers.end(), v.begin());
+  return v;
+}
+
+bool is_body(const Scenario& s) { return s.planar.vehicle.model == "free-camera"; }
+bool is_line(const Scenario& s) { return s.planar.vehicle.model == "monobot"; }
+bool is_car(const Scenario& s) { return s.planar.vehicle.model == "ackermann"; }
+
+/// Three numbers along the axes, three about them.
+SmallVector six(double linear, double angular) {
+  return list({linear, linear, linear, angular, angular, angular});
+}
+
+double heading_of_start(const TeamStartSettings& s, std::size_t i) {
+  return s.headings_rad.size() == 1 ? s.headings_rad.front() : s.headings_rad.at(i);
+}
+
+/// Of what moves: a carried camera's is that of its carrier.
+SmallVector start_of(const Scenario& s, std::size_t i) {
+  const Eigen::Vector3d& at = s.team.start.positions_m.at(i);
+  const double heading = heading_of_start(s.team.start, i);
+  if (is_line(s)) return list({at.x()});
+  if (!is_body(s) || is_carried(s)) return list({at.x(), at.y(), heading});
+  SmallVector state = SmallVector::Zero(FreeCameraMotion::chart.ambient());
+  state.head<3>() = at;
+  state.segment<4>(3) = level_gaze(heading);
+  return state;
+}
+
+/// Of the state that is estimated: a carried camera's is where its carrier has it, standing.
+SmallVector believed_start(const Scenario& s, std::size_t i, const Terrain& ground) {
+  const SmallVector start = start_of(s, i);
+  if (!is_carried(s)) return start;
+  const CameraCarrier carrier{{ground}, {}, mount_of(s)};
+  return carried_camera(carrier, start.head<3>(), TerrainVehicle::State<double>::Zero());
+}
+
+struct StartSigmas {
+  double position_m, height_m, heading_rad, velocity_m_s, rate_rad_s;
+};
+SmallVector of_start(const Scenario& s, const StartSigmas& sigma) {
+  if (is_line(s)) return list({sigma.position_m});
+  if (!is_body(s)) return list({sigma.position_m, sigma.position_m, sigma.heading_rad});
+  SmallVector sigmas(FreeCameraMotion::error_size);
+  sigmas << six(sigma.position_m, sigma.heading_rad), six(sigma.velocity_m_s, sigma.rate_rad_s);
+  sigmas[2] = sigma.height_m;
+  return sigmas;
+}
+
+struct InputSigmas {
+  double speed_m_s, turn_rate_rad_s, steering_rad, acceleration_m_s2, angular_acceleration_rad_s2;
+};
+SmallVector of_inputs(const Scenario& s, const InputSigmas& sigma) {
+  if (is_line(s)) return list({sigma.speed_m_s});
+  if (is_car(s)) return list({sigma.speed_m_s, sigma.steering_rad});
+  if (is_body(s)) return six(sigma.acceleration_m_s2, sigma.angular_acceleration_rad_s2);
+  return list({sigma.speed_m_s, sigma.turn_rate_rad_s});
+}
+
+SmallVector of_sensor(const AnySensor& sensor, double range_m, double bearing_rad, double pixel_px) {
+  if (std::holds_alternative<LineScanner>(sensor)) return list({range_m});
+  if (std::holds_alternative<LaserScanner>(sensor)) return list({range_m, bearing_rad});
+  if (std::holds_alternative<DirectionFinder>(sensor)) return list({bearing_rad});
+  return SmallVector::Constant(chart_of(sensor).tangent(), pixel_px);
+}
+
+bool measures_ranges(const AnySensor& sensor) {
+  return std::holds_alternative<LineScanner>(sensor) || std::holds_alternative<LaserScanner>(sensor);
+}
+
+SmallVector limits_of(const Scenario& s) {
+  const SteerChoice& can = s.team.steer;
+  if (is_carried(s)) return list({can.max_speed_m_s, can.max_turn_rate_rad_s});
+  return of_inputs(s, {can.max_speed_m_s, can.max_turn_rate_rad_s, can.max_steering_rad,
+                       s.control.max_acceleration_m_s2, s.control.max_angular_acceleration_rad_s2});
+}
+
+/// Of what moves: speed and turn rate where a camera is carried.
+PlantSettings plant_of(const Scenario& s, std::size_t i) {
+  const PlantChoice& p = s.team.plant;
+  PlantSettings plant;
+  plant.start = start_of(s, i);
+  plant.most_input = limits_of(s);
+  plant.least_input = -plant.most_input;
+  if (is_carried(s)) {
+    plant.start_sigmas =
+        list({p.sigma_start_position_m, p.sigma_start_position_m, p.sigma_start_heading_rad});
+    plant.input_sigmas = list({p.sigma_speed_m_s, p.sigma_turn_rate_rad_s});
+    plant.input_ratios = list({p.speed_ratio, p.turn_ratio});
+    return plant;
+  }
+  // Speeds are 0 at the start, which the filter may know less well
+  plant.start_sigmas =
+      of_start(s, {p.sigma_start_position_m, p.sigma_start_height_m, p.sigma_start_heading_rad, 0, 0});
+  plant.input_sigmas = of_inputs(s, {p.sigma_speed_m_s, p.sigma_turn_rate_rad_s, p.sigma_steering_rad,
+                                     p.sigma_acceleration_m_s2, p.sigma_angular_acceleration_rad_s2});
+  plant.input_ratios = of_inputs(s, {p.speed_ratio, p.turn_ratio, p.turn_ratio, 1, 1});
+  return plant;
+}
+
+Path path_of(const LoadedScenario& loaded, const Eigen::Vector3d& offset) {
+  const PathChoice& p = loaded.scenario.team.path;
+  const Eigen::Vector3d centre = p.centre_m + offset;
+  if (p.kind == "point") return PointPath{centre, p.heading_rad};
+  if (p.kind == "circle") return CirclePath{centre, p.radius_m, p.rate_rad_s, p.phase_rad};
+  if (p.kind == "back-and-forth") return BackAndForthPath{centre, p.radius_m, p.amplitude_rad};
+  if (p.kind == "way-points") {
+    WayPointPath path{p.points_m, p.speed_m_s};
+    for (Eigen::Vector3d& point : path.points) point += offset;
+    return path;
+  }
+  PathSamples samples = read_path(find_named_file(loaded, "path.file", p.file));
+  for (const Eigen::Vector3d& place : samples.position)
+    if ((!is_body(loaded.scenario) && place.z() != 0) || (is_line(loaded.scenario) && place.y() != 0))
+      throw InputError(
+          fmt::format("{}: path.file = {}: has {} other than 0, where vehicle.model = `{}` can not go",
+                      loaded.sources.at("path.file"), p.file, is_line(loaded.scenario) ? "y or z" : "z",
+                      loaded.scenario.planar.vehicle.model));
+  for (Eigen::Vector3d& place : samples.position) place += offset;
+  return through(samples);
+}
+
+Diagonal diagonal(const std::vector<double>& numbers) {
+  return Diagonal(SmallVector(
+      Eigen::Map<const Eigen::VectorXd>(numbers.data(), static_cast<Eigen::Index>(numbers.size()))));
+}
+
+/// Of none it stands still.
+SmallVector held_input(const Scenario& s, int inputs) {
+  const std::vector<double>& told = s.team.steer.input;
+  if (told.empty()) return SmallVector::Zero(inputs);
+  return Eigen::Map<const Eigen::VectorXd>(told.data(), static_cast<Eigen::Index>(told.size()));
+}
+
+}  // namespace
+
+Terrain ground_of(const LoadedScenario& loaded) {
+  const Scenario& s = loaded.scenario;
+  const bool uneven = s.planar.vehicle.model == "terrain" || s.team.plant.motion == "terrain";
+  return uneven ? terrain_of(loaded) : Terrain{};
+}
+
+Mount mount_of(const Scenario& s) {
+  const MountChoice& m = s.team.mount;
+  return {m.forward_m, m.left_m, m.up_m, m.pitch_rad, m.yaw_rad};
+}
+
+std::size_t vehicles_of(const Scenario& s) { return s.team.start.positions_m.size(); }
+
+AnyMotion motion_of(const Scenario& s, const Terrain& ground) {
+  const VehicleSettings& v = s.planar.vehicle;
+  if (is_line(s)) return MonobotMotion{};
+  if (is_body(s)) return FreeCameraMotion{};
+  if (is_car(s)) return AckermannCar{v.wheelbase_m, v.wheel_left_m, {v.sensor_forward_m, v.sensor_left_m}};
+  if (v.model == "terrain") return TerrainVehicle{ground};
+  return DifferentialDrive{v.sensor_forward_m, v.sensor_left_m};
+}
+
+AnySensor sensor_of(const Scenario& s) {
+  if (s.run.sensor == "bearing") return DirectionFinder{};
+  if (s.run.sensor == "range-bearing" && is_line(s)) return LineScanner{};
+  if (s.run.sensor == "range-bearing") return LaserScanner{};
+  const Camera camera = make_camera(s.camera);
+  const Mount mount = mount_of(s);
+  if (s.run.sensor == "camera") return CarriedCamera{camera, mount};
+  StereoCamera stereo{camera};
+  stereo.baseline_m = s.team.stereo.baseline_m;
+  stereo.least_disparity_px = s.team.stereo.least_disparity_px;
+  return CarriedStereo{stereo, mount};
+}
+
+TeamMember member_of(const Scenario& s, std::size_t i, const Terrain& ground) {
+  const VehicleSettings& v = s.planar.vehicle;
+  const FilterSettings& f = s.slam.filter;
+  TeamMember m{motion_of(s, ground), sensor_of(s), {}, {}, {}, {}};
+  m.start = believed_start(s, i, ground);
+  const TeamStartSettings& start = s.team.start;
+  m.start_sigmas = of_start(s, {start.sigma_position_m, start.sigma_height_m, start.sigma_heading_rad,
+                                f.sigma_start_velocity_m_s, f.sigma_start_angular_rate_rad_s});
+  m.input_sigmas = of_inputs(s, {v.sigma_speed_m_s, v.sigma_turn_rate_rad_s, v.sigma_steering_rad,
+                                 f.sigma_acceleration_m_s2, f.sigma_angular_acceleration_rad_s2});
+  m.sigmas =
+      of_sensor(m.sensor, s.planar.sensor.sigma_range_m, s.planar.sensor.sigma_bearing_rad, f.sigma_pixel_px);
+  if (measures_ranges(m.sensor)) m.sigma_range_ratio = s.planar.sensor.sigma_range_ratio;
+  return m;
+}
+
+TeamFilterSettings filter_of(const Scenario& s) {
+  TeamFilterSettings f;
+  f.lineariser = s.team.filter.lineariser;
+  f.form = s.team.filter.form;
+  f.gate_probability = s.team.filter.gate_probability;
+  f.inverse_depth_per_m = s.slam.birth.inverse_depth_per_m;
+  f.sigma_inverse_depth_per_m = s.slam.birth.sigma_inverse_depth_per_m;
+  f.max_linearity_index = s.slam.birth.max_linearity;
+  f.max_sigma_position_m = s.planar.lost.max_sigma_position_m;
+  return f;
+}
+
+CameraCarrier carrier_of(const Scenario& s, std::size_t i, const Terrain& ground) {
+  return {{ground}, plant_of(s, i), mount_of(s)};
+}
+
+SimulatedVehicle simulated_vehicle(const Scenario& s, std::size_t i, const Terrain& ground) {
+  const PlantChoice& p = s.team.plant;
+  SimulatedVehicle v{motion_of(s, ground), {}, sensor_of(s), {}};
+  if (p.motion == "terrain" && !is_carried(s)) v.motion = TerrainVehicle{ground};
+  v.plant = plant_of(s, i);
+  v.sigmas = of_sensor(v.sensor, p.sigma_range_m, p.sigma_bearing_rad, p.sigma_pixel_px);
+  if (measures_ranges(v.sensor)) v.sigma_range_ratio = p.sigma_range_ratio;
+  const bool camera = dimensions_of(v.sensor) == 3;
+  if (!camera) v.max_range_m = s.planar.sensor.max_range_m;
+  // A whole turn sees all around, the bearing of pi and its rounding included
+  v.field_of_view_rad = p.field_of_view_rad >= 6.2831853 ? 7 : p.field_of_view_rad;
+  v.ticks_per_look = p.ticks_per_look;
+  return v;
+}
+
+Eigen::Vector2d steered_point(const Scenario& s) {
+  const std::string& law = s.team.steer.law;
+  const VehicleSettings& v = s.planar.vehicle;
+  if (v.model == "differential-drive" && law == "tracking") return {-v.sensor_forward_m, -v.sensor_left_m};
+  const bool linearised = law == "feedback-linearisation" || law == "active";
+  if (v.model == "terrain" && linearised) return {s.team.steer.control_point_m, 0};
+  return {0, 0};
+}
+
+VehicleSteering steering_of(const LoadedScenario& loaded, std::size_t i, const Terrain& ground) {
+  const Scenario& s = loaded.scenario;
+  const SteerChoice& c = s.team.steer;
+  SteeringSettings out;
+  if (is_carried(s)) {
+    out.input = held_input(s, TerrainVehicle::input_size);
+    out.most_input = limits_of(s);
+    return {TerrainVehicle{ground}, out};
+  }
+  out.law = c.law != "active" ? c.law : is_line(s) ? "tracking" : "feedback-linearisation";
+  AnyMotion motion = motion_of(s, ground);
+  out.input = held_input(s, inputs_of(motion));
+  out.gain_per_s = diagonal(c.gain_per_s);
+  out.control_point_m = c.control_point_m;
+  out.gain_along_per_s = c.gain_along_per_s;
+  out.gain_across_per_m2 = c.gain_across_per_m2;
+  out.gain_heading_per_m = c.gain_heading_per_m;
+  out.weight_state = diagonal(c.weight_state);
+  out.weight_input = diagonal(c.weight_input);
+  out.camera = s.control;
+  out.most_input = limits_of(s);
+  const std::vector<Eigen::Vector3d>& offsets = s.team.path.offsets_m;
+  const Eigen::Vector3d offset = offsets.empty() ? Eigen::Vector3d(0, 0, 0) : offsets.at(i);
+  if (c.law == "active")
+    out.path = PointPath{s.team.start.positions_m.at(i), heading_of_start(s.team.start, i)};
+  else if (c.law != "none")
+    out.path = path_of(loaded, offset);
+  return {std::move(motion), out};
+}
+
+PointPlace place_of(const LoadedScenario& loaded) {
+  const Scenario& s = loaded.scenario;
+  const PointsSettings& p = s.team.points;
+  const int dimensions = dimensions_of(sensor_of(s));
+  std::map<std::int64_t, Eigen::Vector3d> points;
+  if (!p.file.empty()) points = read_points(find_named_file(loaded, "points.file", p.file));
+  RandomStream random(static_cast<std::uint64_t>(s.run.seed), "points");
+  for (int i = 0; p.file.empty() && i < p.count; ++i) {
+    const double x = random.uniform(-0.5, 0.5), y = random.uniform(-0.5, 0.5), z = random.uniform(0, 1);
+    points[i] = {p.centre_m.x() + x * p.size_m.x(), p.centre_m.y() + y * p.size_m.y(), z * p.size_m.z()};
+  }
+  PointPlace place;
+  for (const auto& [identity, point] : points) {
+    if (!p.file.empty() && !point.tail(3 - dimensions).isZero())
+      throw InputError(
+          fmt::format("{}: points.file = {}: landmark {} is off the {} that run.sensor = `{}` knows of",
+                      loaded.sources.at("points.file"), p.file, identity, dimensions == 1 ? "line" : "plane",
+                      s.run.sensor));
+    place[identity] = point.head(dimensions);
+  }
+  return place;
+}
+
+}  // namespace incognita

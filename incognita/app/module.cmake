@@ -1,0 +1,20 @@
+find_package(CLI11 REQUIRED)
+# The loop and its wiring: what experiments and tests drive without a command line
+incognita_module(app FOLDERS app/loop WITHOUT app/loop/scenario_run.cpp
+                 USES incognita::slam incognita::decision incognita::control incognita::world incognita::record
+                      incognita::io PRIVATE_USES fmt::fmt)
+# Used by every command that writes to a folder
+add_library(incognita_app_folder_lock STATIC app/console/folder_lock.cpp)
+target_link_libraries(incognita_app_folder_lock PUBLIC incognita::record PRIVATE fmt::fmt)
+incognita_reuse_precompiled(incognita_app_folder_lock incognita_common)
+include(app/commands/reproduce.cmake)
+include(app/commands/observe.cmake)
+add_executable(incognita_program app/commands/main.cpp app/commands/run.cpp app/console/progress.cpp app/loop/scenario_run.cpp app/console/standard_streams.cpp app/console/usage.cpp)
+incognita_reuse_precompiled(incognita_program incognita_common)
+set_target_properties(incognita_program PROPERTIES OUTPUT_NAME incognita)
+target_compile_definitions(incognita_program PRIVATE INCOGNITA_VERSION="${PROJECT_VERSION}")
+target_link_libraries(incognita_program PRIVATE incognita::app incognita::pictures incognita::report
+                      incognita_app_config incognita_app_folder_lock incognita::evaluate incognita_app_reproduce incognita_app_observe
+                      CLI11::CLI11 fmt::fmt
+                      incognita::experiments)  # made later, in experiments/
+include(app/commands/campaign.cmake)

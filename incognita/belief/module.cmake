@@ -1,0 +1,10 @@
+set(instruction_sets belief/rank_update_avx2.cpp belief/rank_update_avx512.cpp)
+incognita_module(belief FOLDERS belief WITHOUT ${instruction_sets} USES incognita::math)
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+  # Only these two files may use newer instructions; rank_update.cpp asks the processor before calling them.
+  target_sources(incognita_belief PRIVATE ${instruction_sets})
+  set_source_files_properties(belief/rank_update_avx2.cpp PROPERTIES COMPILE_OPTIONS "-mavx2;-mfma;-ffp-contract=fast")
+  set_source_files_properties(belief/rank_update_avx512.cpp PROPERTIES COMPILE_OPTIONS "-mavx512f;-ffp-contract=fast")
+  set_source_files_properties(${instruction_sets} PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
+  set_source_files_properties(belief/rank_update.cpp PROPERTIES COMPILE_DEFINITIONS INCOGNITA_X86_PATHS)
+endif()

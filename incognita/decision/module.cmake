@@ -1,0 +1,1 @@
+incognita_module(decision FOLDERS decision USES incognita::slam)

@@ -1,0 +1,37 @@
+# Scenario files, calibration, targets, recordings.
+if(NOT fmt_FOUND)
+  find_package(fmt REQUIRED)
+endif()
+
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(MATIO REQUIRED IMPORTED_TARGET GLOBAL matio)
+pkg_check_modules(YAML_CPP REQUIRED IMPORTED_TARGET GLOBAL yaml-cpp)
+
+# incognita_embed(FOLDER FUNCTION PATTERN...): files of the project's FOLDER, built into the program so that it runs
+# from any folder, and listed by FUNCTION. Adds the source to embedded_sources.
+function(incognita_embed folder function)
+  set(root ${PROJECT_SOURCE_DIR}/${folder})
+  list(TRANSFORM ARGN PREPEND ${root}/ OUTPUT_VARIABLE patterns)
+  file(GLOB names RELATIVE ${root} CONFIGURE_DEPENDS ${patterns})
+  list(TRANSFORM names PREPEND ${root}/ OUTPUT_VARIABLE paths)
+  set(source ${CMAKE_CURRENT_BINARY_DIR}/io/${function}.cpp)
+  add_custom_command(
+    OUTPUT ${source}
+    COMMAND ${CMAKE_COMMAND} -DROOT=${root} "-DFILES=${names}" -DFUNCTION=${function} -DOUT=${source}
+            -P ${CMAKE_CURRENT_SOURCE_DIR}/io/embed.cmake
+    DEPENDS ${paths} ${CMAKE_CURRENT_SOURCE_DIR}/io/embed.cmake
+    COMMENT "Building in ${folder}/"
+    VERBATIM)
+  set(embedded_sources ${embedded_sources} ${source} PARENT_SCOPE)
+endfunction()
+
+file(MAKE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/io)
+incognita_embed(scenarios embedded_files *.toml targets/*.toml targets/*.pgm)
+incognita_embed(systems embedded_systems *.toml)
+
+incognita_module(io FOLDERS io/formats io/scenario io/recordings SOURCES ${embedded_sources}
+                 USES incognita::models incognita::messages incognita::analysis
+                 PRIVATE_USES fmt::fmt opencv_core opencv_imgcodecs PkgConfig::MATIO PkgConfig::YAML_CPP)
+target_compile_definitions(incognita_io PRIVATE INCOGNITA_VERSION="${PROJECT_VERSION}")
+
+include(app/commands/config.cmake OPTIONAL)

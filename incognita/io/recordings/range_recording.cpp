@@ -1,0 +1,75 @@
+#include "incognita/io/recordings/range_recording.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <system_error>
+#include <vector>
+
+#include "incognita/io/formats/data_folder.hpp"
+#include "incognita/io/recordings/range_formats.hpp"
+#include "incognita/messages/errors.hpp"
+
+namespace incognita {
+namespace {
+
+std::vector<std::string> folders_in(const std::filesystem::path& folder) {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (std::filesystem::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+    std::error_code ignored;
+    if (it->is_directory(ignored)) names.push_back(it->path().filename().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::string guess_format(const std::filesystem::path& folder) {
+  if (looks_like_range_tables(folder)) return "tables";
+  if (looks_like_acfr(folder)) return "acfr";
+  if (looks_like_mrclam(folder)) return "mrclam";
+  const std::vector<std::string> inside = folders_in(folder);
+  throw InputError(
+      fmt::format("{}: no recording of ranges and bearings is recognised{}.\n"
+                  "tables: odometry.csv and detections.csv; acfr: data_set.mat; mrclam: Barcodes.dat and, "
+                  "for each robot N,\n"
+                  "RobotN_Odometry.dat and RobotN_Measurement.dat. See docs/range-recordings.md.",
+                  folder.string(),
+                  inside.empty() ? "" : fmt::format("; it has the folders {}", fmt::join(inside, ", "))));
+}
+
+RangeRecording read_as(const std::string& format, const std::filesystem::path& folder, int robot) {
+  if (format == "acfr") return read_acfr(folder);
+  if (format == "mrclam") return read_mrclam(folder, robot);
+  if (format == "tables") return read_range_tables(folder);
+  throw InputError(
+      fmt::format("recording.format = {}: must be `auto`, `acfr`, `mrclam` or `tables`", format));
+}
+
+}  // namespace
+
+RangeRecording read_range_recording(const std::filesystem::path& folder, const std::string& format,
+                                    int robot) {
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(folder, ignored)) {
+    throw InputError(fmt::format("{}: is not a folder; a recording is one", folder.string()));
+  }
+  if (format != "auto") return read_as(format, folder, robot);
+  const std::string guess = guess_format(folder);
+  RangeRecording recording = read_as(guess, folder, robot);
+  recording.notes.insert(recording.notes.begin(),
+                         fmt::format("{}: taken for the format `{}`", folder.string(), guess));
+  return recording;
+}
+
+RangeRecording read_range_recording(const LoadedScenario& loaded) {
+  const RecordingSettings& settings = loaded.scenario.recording;
+  const auto source = loaded.sources.find("recording.folder");
+  const std::string wanted_by =
+      fmt::format("{}: recording.folder", source == loaded.sources.end() ? "default" : source->second);
+  return read_range_recording(find_data(settings.folder, loaded.file, wanted_by), settings.format,
+                              settings.robot);
+}
+
+}  // namespace incognita

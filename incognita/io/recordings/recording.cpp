@@ -1,0 +1,58 @@
+#include "incognita/io/recordings/recording.hpp"
+
+#include <fmt/format.h>
+
+#include <system_error>
+
+#include "incognita/io/formats/data_folder.hpp"
+#include "incognita/io/recordings/recording_formats.hpp"
+#include "incognita/messages/errors.hpp"
+
+namespace incognita {
+namespace {
+
+std::string guess_format(const std::filesystem::path& folder) {
+  if (looks_like_tum(folder)) return "tum";
+  if (looks_like_euroc(folder)) return "euroc";
+  return "images";
+}
+
+Recording read_as(const std::string& format, const std::filesystem::path& folder, double rate_hz,
+                  const std::string& pattern) {
+  if (format != "images" && !pattern.empty())
+    throw InputError(
+        fmt::format("recording.pattern = \"{}\": means nothing with the format `{}`, whose tables list "
+                    "the images",
+                    pattern, format));
+  if (format == "tum") return read_tum(folder);
+  if (format == "euroc") return read_euroc(folder);
+  if (format == "images") return read_image_folder(folder, rate_hz, pattern);
+  throw InputError(fmt::format("recording.format = {}: must be `auto`, `images`, `tum` or `euroc`", format));
+}
+
+}  // namespace
+
+Recording read_recording(const std::filesystem::path& folder, const std::string& format, double rate_hz,
+                         const std::string& pattern) {
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(folder, ignored)) {
+    throw InputError(fmt::format("{}: is not a folder; a recording is one", folder.string()));
+  }
+  if (format != "auto") return read_as(format, folder, rate_hz, pattern);
+  const std::string guess = guess_format(folder);
+  Recording recording = read_as(guess, folder, rate_hz, pattern);
+  recording.notes.insert(recording.notes.begin(),
+                         fmt::format("{}: taken for the format `{}`", folder.string(), guess));
+  return recording;
+}
+
+Recording read_recording(const LoadedScenario& loaded) {
+  const RecordingSettings& settings = loaded.scenario.recording;
+  const auto source = loaded.sources.find("recording.folder");
+  const std::string wanted_by =
+      fmt::format("{}: recording.folder", source == loaded.sources.end() ? "default" : source->second);
+  return read_recording(find_data(settings.folder, loaded.file, wanted_by), settings.format,
+                        loaded.scenario.run.rate_hz, settings.pattern);
+}
+
+}  // namespace incognita

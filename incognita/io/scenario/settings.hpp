@@ -1,0 +1,27 @@
+// The one list that binds every field of a scenario to its key.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "incognita/io/scenario/scenario.hpp"
+#include "incognita/io/scenario/setting.hpp"
+
+namespace incognita {
+
+/// Every setting, section by section, bound to the fields of `scenario`, which must outlive the list.
+std::vector<Setting> list_settings(Scenario& scenario);
+
+/// Those of them that mean something in this scenario.
+std::vector<Setting> settings_in_force(Scenario& scenario);
+
+/// With which other setting this one means nothing, so that it would be ignored: "run.sensor = `camera`".
+/// Empty where it means something.
+std::string why_meaningless(const std::string& key, const Scenario& scenario);
+
+/// "run" of "run.seed".
+std::string section_of(const std::string& key);
+/// "seed" of "run.seed".
+std::string name_in_section(const std::string& key);
+
+}  // namespace incognita

@@ -1,0 +1,1 @@
+incognita_module(messages FOLDERS messages USES incognita::vision incognita::models)

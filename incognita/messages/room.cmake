@@ -1,1 +1,0 @@
-incognita_room(messages USES incognita::vision)

@@ -1,0 +1,1 @@
+incognita_module(models FOLDERS models USES incognita::math)

@@ -1,0 +1,205 @@
+#include "incognita/record/mcap/message_schemas.hpp"
+
+#include <initializer_list>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+namespace incognita::message_schemas {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Field {
+  const char* name;
+  Json schema;
+  bool always = true;
+};
+constexpr bool sometimes = false;
+
+Json typed(const char* type, const char* description = "") {
+  Json schema;
+  schema["type"] = type;
+  if (*description) schema["description"] = description;
+  return schema;
+}
+
+Json number(const char* description = "") { return typed("number", description); }
+Json integer(const char* description = "") { return typed("integer", description); }
+Json text(const char* description = "") { return typed("string", description); }
+Json flag(const char* description = "") { return typed("boolean", description); }
+
+Json array(const Json& items, const char* description = "") {
+  Json schema = typed("array", description);
+  schema["items"] = items;
+  return schema;
+}
+
+Json one_of(std::initializer_list<const char*> words) {
+  Json schema = typed("string");
+  for (const char* word : words) schema["enum"].push_back(word);
+  return schema;
+}
+
+Json object(std::initializer_list<Field> fields, const char* description = "") {
+  Json properties = Json::object(), required = Json::array();
+  for (const Field& field : fields) {
+    properties[field.name] = field.schema;
+    if (field.always) required.push_back(field.name);
+  }
+  Json schema = typed("object", description);
+  schema["properties"] = std::move(properties);
+  schema["required"] = std::move(required);
+  schema["additionalProperties"] = false;
+  return schema;
+}
+
+Json unused() { return array(object({}), "empty"); }
+
+std::string document(const char* title, const Json& schema) {
+  Json titled;
+  titled["title"] = title;
+  titled.update(schema);
+  return titled.dump();
+}
+
+Json time(const char* description) { return object({{"sec", integer()}, {"nsec", integer()}}, description); }
+Json timestamp() { return time("since the start of the run, or as the recording stamps it"); }
+
+Json xyz(const char* description) {
+  return object({{"x", number()}, {"y", number()}, {"z", number()}}, description);
+}
+
+Json quaternion(const char* description) {
+  return object({{"x", number()}, {"y", number()}, {"z", number()}, {"w", number()}}, description);
+}
+
+Json colour() {
+  return object({{"r", number()}, {"g", number()}, {"b", number()}, {"a", number()}}, "from 0 to 1");
+}
+
+Json pose() { return object({{"position", xyz("m")}, {"orientation", quaternion("")}}); }
+
+Json look() {
+  return object({{"id", integer()},
+                 {"kind", one_of({"anchor", "landmark", "line", "vehicle"})},
+                 {"outcome", one_of({"matched", "not-found", "inconsistent", "alone", "not-tried", "born"})},
+                 {"predicted", array(number(), "u, v: px, before the image was used"), sometimes},
+                 {"innovation_cov", array(number(), "uu, uv, vv: px^2"), sometimes},
+                 {"measured", array(number(), "u, v: px"), sometimes},
+                 {"correlation", number("of the best place found"), sometimes},
+                 {"vehicle", integer("of a team: which of them looked, from 1"), sometimes}});
+}
+
+Json vehicle() {
+  return object({{"position", xyz("m, world")},
+                 {"orientation", quaternion("world_from_vehicle")},
+                 {"pose_covariance", array(number(), "6x6 row by row, as that of the first"), sometimes},
+                 {"wanted", array(number(), "x, y, z (m) and heading (rad) where it was to be"), sometimes},
+                 {"input", array(number(), "as its motion takes it"), sometimes}});
+}
+
+Json landmark() {
+  return object({{"id", integer()},
+                 {"kind", one_of({"anchor", "landmark"})},
+                 {"sightings", integer("matches so far")},
+                 {"position", xyz("m, world"), sometimes},
+                 {"covariance", array(number(), "m^2, 3x3 row by row"), sometimes}});
+}
+
+Json entropy() {
+  return object(
+      {{"vehicle", number(), sometimes}, {"map", number(), sometimes}, {"total", number(), sometimes}},
+      "nats");
+}
+
+Json advice() {
+  const Json candidate = object({{"action", text()}, {"score", number("nats"), sometimes}});
+  return object({{"decided", flag("whether a decision was taken in this very frame")},
+                 {"chosen", integer("index of the candidate in force, -1 for none")},
+                 {"candidates", array(candidate)}});
+}
+
+Json command() {
+  return object({{"linear_acceleration", xyz("m/s^2, world axes")},
+                 {"angular_acceleration", xyz("rad/s^2, camera axes")}});
+}
+
+}  // namespace
+
+std::string frame_transform() {
+  return document("foxglove.FrameTransform", object({{"timestamp", timestamp()},
+                                                     {"parent_frame_id", text()},
+                                                     {"child_frame_id", text()},
+                                                     {"translation", xyz("m, of the child in the parent")},
+                                                     {"rotation", quaternion("parent_from_child")}}));
+}
+
+std::string pose_in_frame() {
+  return document("foxglove.PoseInFrame",
+                  object({{"timestamp", timestamp()}, {"frame_id", text()}, {"pose", pose()}}));
+}
+
+std::string scene_update() {
+  const Json sphere = object({{"pose", pose()}, {"size", xyz("m, diameters")}, {"color", colour()}});
+  Json entity = object({{"timestamp", timestamp()},
+                        {"frame_id", text()},
+                        {"id", text("an entity replaces the one before of the same id")},
+                        {"lifetime", time("0: until it is replaced")},
+                        {"frame_locked", flag()},
+                        {"spheres", array(sphere)}});
+  for (const char* kind : unused_in_scenes) {
+    entity["properties"][kind] = unused();
+    entity["required"].push_back(kind);
+  }
+  return document("foxglove.SceneUpdate", object({{"deletions", unused()}, {"entities", array(entity)}}));
+}
+
+std::string compressed_image() {
+  Json data = text();
+  data["contentEncoding"] = "base64";
+  return document(
+      "foxglove.CompressedImage",
+      object({{"timestamp", timestamp()}, {"frame_id", text()}, {"data", data}, {"format", text()}}));
+}
+
+std::string image_annotations() {
+  const Json point = object({{"x", number("px")}, {"y", number("px")}});
+  const Json outline = object({{"timestamp", timestamp()},
+                               {"type", integer("2: a closed line")},
+                               {"points", array(point)},
+                               {"outline_color", colour()},
+                               {"outline_colors", unused()},
+                               {"fill_color", colour()},
+                               {"thickness", number("px")}});
+  return document("foxglove.ImageAnnotations",
+                  object({{"circles", unused()}, {"points", array(outline)}, {"texts", unused()}}));
+}
+
+std::string snapshot() {
+  return document(
+      "incognita.Snapshot",
+      object({{"frame", integer("counts from 0")},
+              {"t", number("s")},
+              {"dt", number("s, since the frame before")},
+              {"state", one_of({"starting", "tracking", "degraded", "lost", "relocated"})},
+              {"reason", text("why that state")},
+              {"position", xyz("m, world; as the next, not while starting or lost"), sometimes},
+              {"orientation", quaternion("world_from_camera"), sometimes},
+              {"velocity", xyz("m/s, world"), sometimes},
+              {"angular_rate", xyz("rad/s, camera axes"), sometimes},
+              {"pose_covariance",
+               array(number(), "6x6 row by row: x y z (m, world), rotation (rad, camera axes)"), sometimes},
+              {"matched", integer("looks that updated the filter")},
+              {"predicted", integer("looks searched for")},
+              {"nis_dof", integer("degrees of freedom; 0 without an update")},
+              {"nis", number("normalised innovation squared, a sum"), sometimes},
+              {"entropy", entropy()},
+              {"advice", advice()},
+              {"command", command()},
+              {"vehicles", array(vehicle(), "of a team; the first is the one above"), sometimes},
+              {"looks", array(look())},
+              {"landmark_ids", array(integer())},
+              {"landmarks", array(landmark(), "about once a second"), sometimes}}));
+}
+
+}  // namespace incognita::message_schemas

@@ -1,0 +1,139 @@
+#include "incognita/record/mcap/snapshot_message.hpp"
+
+#include <cmath>
+#include <initializer_list>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "incognita/record/snapshot/series.hpp"
+
+namespace incognita {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json xyz(const Eigen::Vector3d& v) { return {{"x", v.x()}, {"y", v.y()}, {"z", v.z()}}; }
+
+void put(Json& json, const char* key, double value) {
+  if (std::isfinite(value)) json[key] = value;
+}
+
+/// Digits that say something of a pixel or a correlation; looks.csv has all.
+double shortened(double value) { return std::round(value * 1e4) / 1e4; }
+
+/// A sensor that tells one number has no second.
+void put_shortened(Json& json, const char* key, std::initializer_list<double> values) {
+  Json list = Json::array();
+  for (const double value : values)
+    if (std::isfinite(value)) list.push_back(shortened(value));
+  if (!list.empty()) json[key] = std::move(list);
+}
+
+/// Row by row.
+void put(Json& json, const char* key, const Eigen::MatrixXd& values) {
+  if (!values.allFinite()) return;
+  Json& list = json[key] = Json::array();
+  for (Eigen::Index i = 0; i < values.rows(); ++i)
+    for (Eigen::Index j = 0; j < values.cols(); ++j) list.push_back(values(i, j));
+}
+
+void put_camera(Json& json, const Snapshot& snapshot) {
+  if (!has_pose(snapshot) || !snapshot.camera.allFinite()) return;
+  const Eigen::Vector4d q = free_camera::orientation(snapshot.camera);
+  json["position"] = xyz(free_camera::position(snapshot.camera));
+  json["orientation"] = {{"x", q[1]}, {"y", q[2]}, {"z", q[3]}, {"w", q[0]}};
+  json["velocity"] = xyz(free_camera::velocity(snapshot.camera));
+  json["angular_rate"] = xyz(free_camera::angular_rate(snapshot.camera));
+  put(json, "pose_covariance", Eigen::MatrixXd(pose_covariance(snapshot)));
+}
+
+Json look_json(const SnapshotLook& look, bool of_team) {
+  Json json{
+      {"id", look.of_vehicle ? look.id + 1 : look.id}, {"kind", kind(look)}, {"outcome", name(look.outcome)}};
+  if (of_team) json["vehicle"] = look.vehicle + 1;
+  const Eigen::Matrix2d& S = look.innovation_cov;
+  put_shortened(json, "predicted", {look.predicted.x(), look.predicted.y()});
+  put_shortened(json, "innovation_cov", {S(0, 0), S(0, 1), S(1, 1)});
+  if (!look.measured) return json;
+  put_shortened(json, "measured", {look.measured->x(), look.measured->y()});
+  put(json, "correlation", shortened(look.correlation));
+  return json;
+}
+
+Json vehicle_json(const SnapshotVehicle& vehicle) {
+  const Eigen::Vector4d& q = vehicle.estimate.orientation;
+  Json json{{"position", xyz(vehicle.estimate.position)},
+            {"orientation", {{"x", q[1]}, {"y", q[2]}, {"z", q[3]}, {"w", q[0]}}}};
+  put(json, "pose_covariance", Eigen::MatrixXd(vehicle.covariance));
+  if (vehicle.wanted) put(json, "wanted", Eigen::MatrixXd(*vehicle.wanted));
+  if (vehicle.input.size() > 0) put(json, "input", Eigen::MatrixXd(vehicle.input));
+  return json;
+}
+
+void put_vehicles(Json& json, const Snapshot& snapshot) {
+  if (snapshot.vehicles.empty() || !has_pose(snapshot)) return;
+  Json& vehicles = json["vehicles"] = Json::array();
+  for (const SnapshotVehicle& vehicle : snapshot.vehicles)
+    if (vehicle.estimate.position.allFinite()) vehicles.push_back(vehicle_json(vehicle));
+}
+
+Json landmark_json(const SnapshotLandmark& landmark) {
+  Json json{{"id", landmark.id},
+            {"kind", landmark.anchor ? "anchor" : "landmark"},
+            {"sightings", landmark.sightings}};
+  if (landmark.position.allFinite()) json["position"] = xyz(landmark.position);
+  put(json, "covariance", Eigen::MatrixXd(landmark.covariance));
+  return json;
+}
+
+Json entropy_json(const SnapshotEntropy& entropy) {
+  Json json = Json::object();
+  put(json, "vehicle", entropy.vehicle);
+  put(json, "map", entropy.map);
+  put(json, "total", entropy.total);
+  return json;
+}
+
+Json advice_json(const SnapshotAdvice& advice) {
+  Json json{{"decided", advice.decided}, {"chosen", advice.chosen}};
+  Json& candidates = json["candidates"] = Json::array();
+  for (std::size_t i = 0; i < advice.actions.size(); ++i) {
+    Json candidate = Json::object();
+    candidate["action"] = advice.actions[i];
+    if (i < advice.scores.size()) put(candidate, "score", advice.scores[i]);
+    candidates.push_back(std::move(candidate));
+  }
+  return json;
+}
+
+}  // namespace
+
+std::string snapshot_message(const Snapshot& snapshot, bool landmarks) {
+  Json json{{"frame", snapshot.tick.frame},
+            {"t", snapshot.tick.t},
+            {"dt", snapshot.tick.dt},
+            {"state", name(snapshot.status.state)},
+            {"reason", snapshot.status.reason}};
+  put_camera(json, snapshot);
+  json["matched"] = snapshot.matched;
+  json["predicted"] = snapshot.predicted;
+  json["nis_dof"] = snapshot.nis_dof;
+  if (snapshot.nis_dof > 0) put(json, "nis", snapshot.nis);
+  json["entropy"] = entropy_json(snapshot.entropy);
+  json["advice"] = advice_json(snapshot.advice);
+  json["command"] = {{"linear_acceleration", xyz(snapshot.command.linear_acceleration)},
+                     {"angular_acceleration", xyz(snapshot.command.angular_acceleration)}};
+  put_vehicles(json, snapshot);
+  Json& looks = json["looks"] = Json::array();
+  for (const SnapshotLook& look : snapshot.looks)
+    looks.push_back(look_json(look, !snapshot.vehicles.empty()));
+  Json& ids = json["landmark_ids"] = Json::array();
+  for (const SnapshotLandmark& landmark : snapshot.landmarks) ids.push_back(landmark.id);
+  if (landmarks) {
+    Json& map = json["landmarks"] = Json::array();
+    for (const SnapshotLandmark& landmark : snapshot.landmarks) map.push_back(landmark_json(landmark));
+  }
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace incognita

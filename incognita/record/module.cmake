@@ -1,0 +1,15 @@
+find_package(fmt REQUIRED)
+find_package(nlohmann_json 3.11 REQUIRED)
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(MATIO REQUIRED IMPORTED_TARGET GLOBAL matio)
+find_package(Boost 1.74 REQUIRED)  # headers only: CRC-32
+
+incognita_module(record FOLDERS record record/files record/snapshot record/summary record/mcap
+                 WITHOUT record/frame_pictures.cpp
+                 USES incognita::math incognita::models incognita::messages incognita::analysis
+                 PRIVATE_USES Boost::headers fmt::fmt nlohmann_json::nlohmann_json opencv_core opencv_imgcodecs
+                              PkgConfig::MATIO)
+
+# Apart, because only a program that draws pictures should need OpenCV's drawing
+incognita_module(pictures SOURCES record/frame_pictures.cpp USES incognita::record
+                 PRIVATE_USES fmt::fmt opencv_core opencv_imgproc opencv_imgcodecs)

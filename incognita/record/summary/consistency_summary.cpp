@@ -1,0 +1,178 @@
+#include "incognita/record/summary/consistency_summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+#include "incognita/record/snapshot/series.hpp"
+
+namespace incognita {
+namespace {
+
+struct ComparedPose {
+  StampedPose truth, estimate;
+  PoseCovariance covariance;
+};
+
+/// Those of a snapshot whose truth is known; of a team one for each robot.
+std::vector<std::optional<ComparedPose>> compared_poses(const Snapshot& s) {
+  std::vector<std::optional<ComparedPose>> poses;
+  for (const SnapshotVehicle& v : s.vehicles) {
+    poses.emplace_back();
+    if (v.truth) poses.back() = {*v.truth, v.estimate, v.covariance};
+  }
+  if (!s.vehicles.empty()) return poses;
+  poses.emplace_back();
+  if (s.truth) poses.back() = {true_pose(s.tick, *s.truth), estimated_pose(s), pose_covariance(s)};
+  return poses;
+}
+
+/// Whether the first fifth of the updates is already beyond the band: a wrong model shows at once, a map that
+/// goes wrong later.
+bool beyond_from_the_start(const std::vector<double>& nis, const Interval& band) {
+  const auto first = static_cast<std::ptrdiff_t>(std::max<std::size_t>(1, nis.size() / 5));
+  return std::accumulate(nis.begin(), nis.begin() + first, 0.0) / static_cast<double>(first) > band.high;
+}
+
+void explain_large_nis(ConsistencyReport& report, bool from_the_start) {
+  if (from_the_start) {
+    report.symptom =
+        "measurements are farther from their predictions than the filter expects, from the start";
+    report.causes = {"sign or axis of a measurement (bearings are positive to the left)",
+                     "unit (degrees for radians, mm for m)",
+                     "clock (ms for s, odometry and measurements shifted in time)",
+                     "measurement noise set too low"};
+  } else {
+    report.symptom = "measurements come to be farther from their predictions than the filter expects";
+    report.causes = {"motion noise set too low (slip, jerks)", "wrong data association",
+                     "measurement noise set too low"};
+  }
+}
+
+void explain_large_nees(ConsistencyReport& report) {
+  report.symptom = "measurements fit their predictions, yet the pose is farther off than its covariance says";
+  report.causes = {"start pose farther off than its sigma says", "truth in another frame or on another clock",
+                   "wrong data association or duplicate landmarks",
+                   "errors that last, as of a bias, where the filter assumes white noise", "linearization"};
+}
+
+void explain_conservative(ConsistencyReport& report) {
+  report.symptom = report.pose.nees ? "the pose is nearer to the truth than its covariance says"
+                                    : "innovations are smaller than the filter expects";
+  report.causes = {"measurement noise set too high, or set for errors that last",
+                   "motion noise set too high"};
+}
+
+void explain_outliers(ConsistencyReport& report) {
+  explain_large_nis(report, true);
+  report.symptom = fmt::format(
+      "{:.0f} % of the measurements are outside their gates (a consistent filter: up to {:.0f} %)",
+      100 * *report.outlier_share, 100 * highest_outlier_share);
+}
+
+void explain_low_nis(ConsistencyReport& report) {
+  report.symptom =
+      "innovations are smaller than the filter expects: its measurement noise allows for errors that last, "
+      "or is "
+      "set too high";
+}
+
+bool has_many_outliers(const ConsistencyReport& report) {
+  return report.outlier_share && *report.outlier_share > highest_outlier_share;
+}
+
+/// The truth decides where it is known: a low NIS alone is what a measurement noise set higher for errors
+/// that last gives. A high NIS is no filter's that has the right model.
+Consistency verdict_of(const ConsistencyReport& report) {
+  const auto overconfident = [](const PoseConsistency& pose) {
+    return pose.verdict() == Consistency::overconfident;
+  };
+  if (overconfident(report.pose) || std::any_of(report.robots.begin(), report.robots.end(), overconfident))
+    return Consistency::overconfident;
+  if (has_many_outliers(report)) return Consistency::overconfident;
+  const Consistency by_nis = report.nis ? report.nis->verdict() : Consistency::unknown;
+  return by_nis == Consistency::overconfident || !report.pose.nees ? by_nis : report.pose.verdict();
+}
+
+}  // namespace
+
+void ConsistencySummary::Sum::add(double square, int dof) {
+  per_dof += square / dof;
+  dof_in_all += dof;
+  ++count;
+}
+
+double ConsistencySummary::Sum::mean() const {
+  return count > 0 ? per_dof / static_cast<double>(count) : std::numeric_limits<double>::quiet_NaN();
+}
+
+void ConsistencySummary::add(const Snapshot& snapshot) {
+  if (snapshot.nis_dof > 0) {
+    nis_.add(snapshot.nis, snapshot.nis_dof);
+    nis_per_dof_.push_back(snapshot.nis / snapshot.nis_dof);
+  }
+  for (const SnapshotLook& look : snapshot.looks) {
+    matches_ += look.outcome == LookOutcome::matched;
+    outliers_ += look.outcome == LookOutcome::inconsistent;
+  }
+  if (compare_ && has_pose(snapshot)) compare(snapshot);
+}
+
+void ConsistencySummary::compare(const Snapshot& snapshot) {
+  const bool claims = snapshot.status.state == TrackingState::tracking;
+  const auto poses = compared_poses(snapshot);
+  bodies_.resize(std::max(bodies_.size(), poses.size()));
+  bool any_truth = false, any_overconfident = false;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    if (!poses[i]) continue;
+    Body& body = bodies_[i];
+    const PoseError error = pose_error(poses[i]->truth, poses[i]->estimate);
+    const PoseCovariance& P = poses[i]->covariance;
+    const bool overconfident = claims && beyond_three_sigma(error.head<3>(), P.topLeftCorner<3, 3>());
+    ++body.frames_with_truth;
+    body.overconfident_frames += overconfident;
+    any_truth = true;
+    any_overconfident |= overconfident;
+    const auto square = pose_normalized_square(error, P);
+    if (!square) continue;
+    body.nees.add(square->sum, square->degrees_of_freedom);
+    body.most_dof = std::max(body.most_dof, square->degrees_of_freedom);
+    nees_.add(square->sum, square->degrees_of_freedom);
+  }
+  frames_with_truth_ += any_truth;
+  overconfident_frames_ += any_overconfident;
+}
+
+ConsistencyReport ConsistencySummary::report() const {
+  ConsistencyReport report;
+  report.nis = mean_nis_of_run(nis_.mean(), nis_.count, nis_.dof_in_all);
+  if (const std::int64_t all = matches_ + outliers_; all >= fewest_samples)
+    report.outlier_share = static_cast<double>(outliers_) / static_cast<double>(all);
+  int dof = 0;
+  for (const Body& body : bodies_) {
+    dof += body.most_dof;
+    if (bodies_.size() > 1)
+      report.robots.push_back({body.frames_with_truth, body.overconfident_frames,
+                               mean_nees_of_run(body.nees.mean(), body.nees.count, body.most_dof)});
+  }
+  report.pose = {frames_with_truth_, overconfident_frames_, mean_nees_of_run(nees_.mean(), nees_.count, dof)};
+  report.verdict = verdict_of(report);
+  const Consistency by_nis = report.nis ? report.nis->verdict() : Consistency::unknown;
+  if (by_nis == Consistency::overconfident)
+    explain_large_nis(report, beyond_from_the_start(nis_per_dof_, report.nis->band));
+  else if (has_many_outliers(report))
+    explain_outliers(report);
+  else if (report.verdict == Consistency::overconfident)
+    explain_large_nees(report);
+  else if (report.verdict == Consistency::conservative)
+    explain_conservative(report);
+  else if (by_nis == Consistency::conservative)
+    explain_low_nis(report);
+  else if (report.verdict == Consistency::unknown)
+    report.symptom = fmt::format("fewer than {} updates", fewest_samples);
+  return report;
+}
+
+}  // namespace incognita

@@ -1,0 +1,334 @@
+#include "incognita/record/summary/run_summary.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "incognita/record/files/quantile.hpp"
+#include "incognita/record/snapshot/series.hpp"
+
+namespace incognita {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+constexpr std::size_t max_text_bytes = 1000;  // of one string: the document has to fit its place on the disk
+constexpr std::size_t max_warnings = 5;
+constexpr std::size_t max_names = 50;
+constexpr std::size_t max_vehicles = 40;  // the others are in vehicles.csv
+
+constexpr const char* reserved[] = {"status",         "reason",
+                                    "frames",         "landmarks",
+                                    "lost_frames",    "entropy",
+                                    "mean_nis",       "ate_m",
+                                    "ate_alignment",  "mean_nees",
+                                    "timing_ms",      "seed",
+                                    "version",        "anchors",
+                                    "decisions",      "warnings",
+                                    "tracked_frames", "overconfident_frames",
+                                    "exploration",    "observability",
+                                    "vehicles",       "degraded_frames",
+                                    "path_m",         "drift_percent",
+                                    "map_error_m",    "map_error_landmarks",
+                                    "consistency",    "compared_poses"};
+
+std::string short_text(const std::string& text) {
+  return text.size() <= max_text_bytes ? text : text.substr(0, max_text_bytes) + "...";
+}
+
+Json json_of(const SummaryValue& value) {
+  if (const auto* text = std::get_if<std::string>(&value)) return short_text(*text);
+  return std::visit([](const auto& v) { return Json(v); }, value);
+}
+
+Json timing_json(const std::vector<std::pair<std::string, std::vector<double>>>& stage_ms) {
+  Json timing = Json::object();
+  for (const auto& [stage, ms] : stage_ms)
+    timing[stage] = {{"median", quantile(ms, 0.5)}, {"p99", quantile(ms, 0.99)}};
+  return timing;
+}
+
+Json quantity_json(const QuantityReport& q) {
+  Json json{{"name", q.name},
+            {"unit", q.unit},
+            {"ideally_observable", q.ideally_observable},
+            {"gained", q.gained},
+            {"by_motion_model", q.by_motion_model},
+            {"believed_sigma", nullptr},
+            {"sigma_from_looks", nullptr}};
+  if (q.believed_sigma) json["believed_sigma"] = *q.believed_sigma;
+  if (q.sigma_from_looks) json["sigma_from_looks"] = *q.sigma_from_looks;
+  return json;
+}
+
+Json observability_json(const ObservabilityReport& report) {
+  Json json{{"followed", report.uncovered.empty()},
+            {"why_not", short_text(report.uncovered)},
+            {"anchors", report.anchors},
+            {"position_fixes", report.position_fixes},
+            {"ideal_nullity", report.ideal_nullity},
+            {"directions", Json::array()}};
+  for (const QuantityReport& q : report.quantities) json["directions"].push_back(quantity_json(q));
+  if (!report.uncovered.empty()) return json;
+  const InformationRank& information = report.information;
+  json["errors"] = information.errors;
+  json["ideal_rank"] = information.errors - report.ideal_nullity;
+  json["rank"] = information.rank;
+  json["nullity"] = information.nullity();
+  json["gap"] = information.gap();
+  json["ambiguous"] = information.ambiguous;
+  json["wrongly_believed"] = report.wrongly_believed;
+  json["by_motion_model"] = report.by_motion_model;
+  json["without_information"] = Json::array();
+  for (std::size_t i = 0; i < std::min(report.without_information.size(), max_names); ++i)
+    json["without_information"].push_back(report.without_information[i]);
+  json["without_information_count"] = report.without_information.size();
+  return json;
+}
+
+Json band_json(const std::optional<MeanNormalizedSquare>& value) {
+  if (!value) return nullptr;
+  return {value->band.low, value->band.high};
+}
+
+Json mean_json(const std::optional<MeanNormalizedSquare>& value) {
+  return value ? Json(value->mean) : Json(nullptr);
+}
+
+Json pose_json(const ConsistencyReport& report, std::size_t robot) {
+  const PoseConsistency pose = robot < report.robots.size() ? report.robots[robot] : report.pose;
+  return {{"verdict", name(pose.verdict())},
+          {"nees_band", band_json(pose.nees)},
+          {"overconfident_frames", pose.overconfident_frames},
+          {"frames_with_truth", pose.frames_with_truth}};
+}
+
+Json consistency_json(const ConsistencyReport& report) {
+  return {{"verdict", name(report.verdict)},
+          {"nis", mean_json(report.nis)},
+          {"nis_band", band_json(report.nis)},
+          {"outlier_share", report.outlier_share ? Json(*report.outlier_share) : Json(nullptr)},
+          {"nees", mean_json(report.pose.nees)},
+          {"nees_band", band_json(report.pose.nees)},
+          {"overconfident_frames", report.pose.overconfident_frames},
+          {"frames_with_truth", report.pose.frames_with_truth},
+          {"symptom", report.symptom},
+          {"causes", report.causes}};
+}
+
+/// The true path; without truth that of the estimate, if it is in m.
+double path_json(const BodyReport& body, const RunReport& report) {
+  return report.true_path || report.scale_known ? body.path_length : unknown;
+}
+
+}  // namespace
+
+bool same_frame_as_truth(const RunInfo& info) { return info.ate_alignment == name(AlignmentKind::none); }
+bool scale_is_known(const RunInfo& info) { return info.ate_alignment != name(AlignmentKind::sim3); }
+
+RunSummary::RunSummary(const RunInfo& info)
+    : version_(info.version),
+      seed_(info.seed),
+      consistency_(same_frame_as_truth(info)),
+      survey_(info.survey),
+      warnings_(info.warnings),
+      team_(info.body == "camera", info.steered_m) {
+  const auto kind = alignment_kind(info.ate_alignment);
+  if (!kind)
+    throw std::invalid_argument("ate_alignment `" + info.ate_alignment + "`; none, se3, sim3 or yaw");
+  alignment_ = *kind;
+  entropy_ = {unknown, unknown, unknown};
+  for (const auto& [key, value] : info.extra) note(key, value);
+}
+
+void RunSummary::note(const std::string& key, SummaryValue value) {
+  if (std::find(std::begin(reserved), std::end(reserved), key) != std::end(reserved))
+    throw std::invalid_argument("summary.json has its own `" + key + "`");
+  for (auto& [name, old] : extra_)
+    if (name == key) {
+      old = std::move(value);
+      return;
+    }
+  extra_.emplace_back(key, std::move(value));
+}
+
+void RunSummary::add(const Snapshot& snapshot) {
+  if (frames_ == 0) first_t_s_ = snapshot.tick.t;
+  last_t_s_ = snapshot.tick.t;
+  ++frames_;
+  if (has_pose(snapshot)) ++tracked_frames_;
+  if (snapshot.status.state == TrackingState::degraded) ++degraded_frames_;
+  if (snapshot.status.state == TrackingState::lost) ++lost_frames_;
+  if (snapshot.advice.decided) ++decisions_;
+  exploration_.add(snapshot);
+  landmarks_ = mapped_landmarks(snapshot);
+  anchors_ = static_cast<int>(snapshot.landmarks.size()) - landmarks_;
+  // where an entropy is not known, as in a frame without a pose, the last one known stands
+  if (std::isfinite(snapshot.entropy.total)) entropy_ = snapshot.entropy;
+  consistency_.add(snapshot);
+  paths_.add(snapshot);
+  if (!survey_.landmarks.empty()) map_ = snapshot.landmarks;
+  compare_with_truth(snapshot);
+  if (has_pose(snapshot)) team_.add(snapshot);
+  for (const auto& [stage, ms] : snapshot.timing_ms) {
+    auto found =
+        std::find_if(stage_ms_.begin(), stage_ms_.end(), [&](const auto& s) { return s.first == stage; });
+    if (found == stage_ms_.end()) found = stage_ms_.insert(found, {stage, {}});
+    found->second.push_back(ms);
+  }
+}
+
+void RunSummary::compare_with_truth(const Snapshot& s) {
+  has_truth_ = has_truth_ || s.truth ||
+               std::any_of(s.vehicles.begin(), s.vehicles.end(), [](const auto& v) { return v.truth; });
+  if (!has_pose(s)) return;
+  const auto compare = [&](const StampedPose& truth, const StampedPose& estimate) {
+    matched_.truth.push_back(truth);
+    matched_.estimate.push_back(estimate);
+  };
+  if (s.truth) compare(true_pose(s.tick, *s.truth), estimated_pose(s));
+  for (std::size_t i = 1; i < s.vehicles.size(); ++i)
+    if (s.vehicles[i].truth) compare(*s.vehicles[i].truth, s.vehicles[i].estimate);
+}
+
+double RunSummary::ate_m(const std::optional<Alignment>& alignment) const {
+  if (!alignment || matched_.estimate.empty()) return unknown;
+  return absolute_trajectory_error({aligned(matched_.estimate, *alignment), matched_.truth}).rmse;
+}
+
+RunReport RunSummary::report(RunStatus status, const std::string& reason) const {
+  RunReport r;
+  r.status = status;
+  r.reason = reason;
+  r.duration_s = last_t_s_ - first_t_s_;
+  r.frames = frames_;
+  r.tracked_frames = tracked_frames_;
+  r.degraded_frames = degraded_frames_;
+  r.lost_frames = lost_frames_;
+  r.alignment = alignment_;
+  r.scale_known = alignment_ != AlignmentKind::sim3;
+  r.landmarks = landmarks_;
+  r.anchors = anchors_;
+  r.consistency = consistency_.report();
+  r.decisions = decisions_;
+  r.warnings = warnings_;
+  const auto alignment = align(matched_, alignment_);
+  report_paths(r, alignment);
+  report_map(r);
+  return r;
+}
+
+void RunSummary::report_paths(RunReport& r, const std::optional<Alignment>& alignment) const {
+  const std::vector<BodyPath>& paths = paths_.bodies();
+  r.truth_known = has_truth_;
+  r.true_path = has_truth_ && std::all_of(paths.begin(), paths.end(), [](const BodyPath& path) {
+                  return path.true_length_m && !path.truth_has_gaps;
+                });
+  if (!paths.empty()) r.body.path_length = 0;
+  r.body.ate_m = ate_m(alignment);
+  r.body.compared_frames = paths.size() > 1 ? tracked_frames_ : std::ssize(matched_.estimate);
+  const std::vector<TeamSummary::Vehicle> team = team_.vehicles();
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    BodyReport body;
+    body.path_length = r.true_path ? *paths[i].true_length_m : paths[i].estimated_length;
+    if (paths[i].truth && alignment && r.true_path && body.path_length > 0) {
+      const StampedPose last = aligned({*paths[i].estimate}, *alignment).front();
+      body.drift_percent = 100 * (last.position - paths[i].truth->position).norm() / body.path_length;
+    }
+    r.body.path_length += body.path_length;
+    if (paths.size() == 1) r.body.drift_percent = body.drift_percent;
+    if (i < team.size()) body.ate_m = team[i].ate_m, body.compared_frames = team[i].compared_frames;
+    if (i < r.consistency.robots.size()) body.consistency = r.consistency.robots[i];
+    if (paths.size() > 1) r.robots.push_back(body);
+  }
+}
+
+std::optional<Alignment> RunSummary::truth_from_map() const {
+  if (alignment_ == AlignmentKind::none) return Alignment{};
+  // Without a true trajectory the map is fitted to the survey itself
+  return matched_.truth.empty() ? align_to_survey(map_, survey_, alignment_) : align(matched_, alignment_);
+}
+
+void RunSummary::report_map(RunReport& r) const {
+  r.surveyed = static_cast<int>(survey_.landmarks.size());
+  if (r.surveyed == 0) return;
+  const auto alignment = truth_from_map();
+  if (!alignment) return;
+  const SurveyedMapError error = surveyed_map_error(map_, survey_, *alignment);
+  r.map_error_m = error.rms_m;
+  r.map_error_landmarks = error.matched;
+}
+
+std::vector<SurveyedLandmark> RunSummary::survey_on_map() const {
+  if (survey_.landmarks.empty()) return {};
+  const auto a = truth_from_map();
+  if (!a) return {};
+  std::vector<SurveyedLandmark> out = survey_.landmarks;
+  for (SurveyedLandmark& landmark : out)
+    landmark.position = a->rotation.transpose() * (landmark.position - a->translation) / a->scale;
+  return out;
+}
+
+std::string RunSummary::json(RunStatus status, const std::string& reason) const {
+  const RunReport report = this->report(status, reason);
+  Json json{{"status", name(status)},
+            {"reason", short_text(reason)},
+            {"version", version_},
+            {"seed", seed_},
+            {"frames", frames_},
+            {"tracked_frames", tracked_frames_},
+            {"degraded_frames", degraded_frames_},
+            {"lost_frames", lost_frames_},
+            {"landmarks", landmarks_},
+            {"anchors", anchors_},
+            {"decisions", decisions_},
+            {"entropy", {{"vehicle", entropy_.vehicle}, {"map", entropy_.map}, {"total", entropy_.total}}},
+            {"mean_nis", consistency_.mean_nis()},
+            {"path_m", path_json(report.body, report)}};
+  if (has_truth_) {
+    json["compared_poses"] = matched_.estimate.size();
+    json["ate_m"] = report.body.ate_m;
+    json["ate_alignment"] = name(alignment_);
+    json["drift_percent"] = report.body.drift_percent;
+    json["mean_nees"] = consistency_.mean_nees();
+    json["overconfident_frames"] = alignment_ == AlignmentKind::none
+                                       ? Json(report.consistency.pose.overconfident_frames)
+                                       : Json(nullptr);
+  }
+  if (report.surveyed > 0) {
+    json["map_error_m"] = report.map_error_m;
+    json["map_error_landmarks"] = report.map_error_landmarks;
+  }
+  json["consistency"] = consistency_json(report.consistency);
+  const auto told = [](const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); };
+  constexpr int thesis_landmarks = 14;  // whose time and entropy Section 6.3.1 tells
+  json["exploration"] = {{"located", exploration_.located()},
+                         {"t_14_located_s", told(exploration_.located_t_s(thesis_landmarks))},
+                         {"coverage", told(exploration_.coverage())},
+                         {"entropy_extended", told(exploration_.entropy_extended())}};
+  if (!team_.empty()) {
+    Json& vehicles = json["vehicles"] = Json::array();
+    const std::vector<TeamSummary::Vehicle> all = team_.vehicles();
+    for (std::size_t i = 0; i < std::min(all.size(), max_vehicles); ++i) {
+      const TeamSummary::Vehicle& v = all[i];
+      vehicles.push_back({{"compared_frames", v.compared_frames},
+                          {"ate_m", v.ate_m},
+                          {"mean_nees", v.mean_nees},
+                          {"consistency", pose_json(report.consistency, i)},
+                          {"from_path_m", {{"median", v.from_path_median_m}, {"p95", v.from_path_p95_m}}}});
+    }
+  }
+  if (observability_) json["observability"] = observability_json(*observability_);
+  json["timing_ms"] = timing_json(stage_ms_);
+  json["warnings"] = Json::array();
+  for (std::size_t i = 0; i < std::min(warnings_.size(), max_warnings); ++i)
+    json["warnings"].push_back(short_text(warnings_[i]));
+  for (const auto& [key, value] : extra_) json[key] = json_of(value);
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace incognita

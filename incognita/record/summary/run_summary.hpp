@@ -1,0 +1,95 @@
+// What summary.json says of a run, gathered snapshot by snapshot.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "incognita/analysis/evaluation/trajectory.hpp"
+#include "incognita/analysis/observability/observability_report.hpp"
+#include "incognita/record/snapshot/snapshot.hpp"
+#include "incognita/record/summary/consistency_summary.hpp"
+#include "incognita/record/summary/exploration_summary.hpp"
+#include "incognita/record/summary/map_survey.hpp"
+#include "incognita/record/summary/path_summary.hpp"
+#include "incognita/record/summary/run_report.hpp"
+#include "incognita/record/summary/run_status.hpp"
+#include "incognita/record/summary/team_summary.hpp"
+
+namespace incognita {
+
+using SummaryValue = std::variant<bool, std::int64_t, double, std::string>;
+
+/// What is known of a run before it starts.
+struct RunInfo {
+  std::string effective_toml;  ///< every setting in force and where it came from, as text
+  std::int64_t seed = 0;
+  std::string version;
+  std::string ate_alignment = "none";  ///< `none` where anchors fix the frame, `sim3` where the scale is free
+  bool truth_recorded = false;         ///< a recording with truth, though the first frames may have none
+  std::string body = "camera";         ///< whose pose it is: `camera` or `vehicle`
+  bool ranges = false;                 ///< looks are ranges and bearings, not pixels
+  int vehicles = 0;                    ///< of a team; 0: there is none
+  Eigen::Vector2d steered_m{0, 0};     ///< of a team: the point to be on the path, before and left of its own
+  std::vector<std::string> inputs = {};    ///< of a team's vehicles: names with units, e.g. "speed_m_s"
+  int patch_size_px = 11;                  ///< side of the squares that are searched for, to draw them
+  std::vector<std::string> warnings = {};  ///< what is most likely wrong with the input
+  Survey survey = {};                      ///< true landmarks, for comparison; none where they are not known
+  std::vector<std::pair<std::string, SummaryValue>> extra;  ///< more fields for summary.json
+};
+
+/// Whether estimate and truth can be compared as they are.
+bool same_frame_as_truth(const RunInfo& info);
+/// Whether lengths of the estimate are in m; else their unit is arbitrary.
+bool scale_is_known(const RunInfo& info);
+
+class RunSummary {
+ public:
+  /// Throws std::invalid_argument when the alignment is none of `none`, `se3`, `sim3`, `yaw`.
+  explicit RunSummary(const RunInfo& info);
+
+  void add(const Snapshot& snapshot);
+  /// One more field, or another value for it. Throws std::invalid_argument for a name of the contract's.
+  void note(const std::string& key, SummaryValue value);
+  void note(const ObservabilityReport& report) { observability_ = report; }
+  void warn(const std::string& warning) { warnings_.push_back(warning); }
+
+  /// The JSON document (docs/schemas/summary.schema.json).
+  std::string json(RunStatus status, const std::string& reason) const;
+  RunReport report(RunStatus status, const std::string& reason) const;
+  /// The surveyed landmarks in the frame of the map; none where the two cannot be aligned.
+  std::vector<SurveyedLandmark> survey_on_map() const;
+
+ private:
+  std::optional<Alignment> truth_from_map() const;
+  void compare_with_truth(const Snapshot& snapshot);
+  double ate_m(const std::optional<Alignment>& alignment) const;
+  void report_paths(RunReport& report, const std::optional<Alignment>& alignment) const;
+  void report_map(RunReport& report) const;
+
+  std::string version_;
+  std::int64_t seed_;
+  AlignmentKind alignment_;
+  std::vector<std::pair<std::string, SummaryValue>> extra_;
+
+  ExplorationSummary exploration_;
+  std::int64_t frames_ = 0, tracked_frames_ = 0, degraded_frames_ = 0, lost_frames_ = 0, decisions_ = 0;
+  double first_t_s_ = 0, last_t_s_ = 0;
+  int landmarks_ = 0, anchors_ = 0;
+  SnapshotEntropy entropy_;
+  ConsistencySummary consistency_;
+  PathSummary paths_;
+  Survey survey_;
+  std::vector<std::string> warnings_;
+  std::vector<SnapshotLandmark> map_;  ///< of the last frame, where there is a survey to compare it with
+  bool has_truth_ = false;
+  std::optional<ObservabilityReport> observability_;
+  MatchedTrajectories matched_;
+  std::vector<std::pair<std::string, std::vector<double>>> stage_ms_;
+  TeamSummary team_;
+};
+
+}  // namespace incognita

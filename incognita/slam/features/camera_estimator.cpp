@@ -1,0 +1,258 @@
+#include "incognita/slam/features/camera_estimator.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "incognita/slam/features/birth.hpp"
+#include "incognita/slam/features/camera_validation.hpp"
+#include "incognita/slam/features/depth_line.hpp"
+#include "incognita/slam/features/entropy.hpp"
+#include "incognita/slam/features/follow_wheels.hpp"
+#include "incognita/slam/features/learn_planes.hpp"
+#include "incognita/slam/features/map_management.hpp"
+#include "incognita/slam/features/measure.hpp"
+#include "incognita/slam/features/predict_looks.hpp"
+#include "incognita/slam/features/target_pose.hpp"
+#include "incognita/slam/features/tracking.hpp"
+#include "incognita/slam/mapper/stage_clock.hpp"
+
+namespace incognita {
+namespace {
+
+constexpr int matches_to_recover = 6;          // from being lost: more than chance gives
+constexpr double lost_sigma_position_m = 0.1;  // how far the camera is looked for around where it was lost
+constexpr double lost_sigma_rotation_rad = 0.1;
+
+void check_size(const Image& image, const Camera& camera) {
+  if (image.width() != camera.width() || image.height() != camera.height())
+    throw std::invalid_argument("image is " + std::to_string(image.width()) + "x" +
+                                std::to_string(image.height()) + ", the camera is calibrated for " +
+                                std::to_string(camera.width()) + "x" + std::to_string(camera.height()));
+}
+
+}  // namespace
+
+CameraEstimator::CameraEstimator(Camera camera, std::optional<Target> target,
+                                 const CameraSlamSettings& settings, double max_search_s, std::uint64_t seed,
+                                 const std::optional<WheelOdometry>& odometry)
+    : camera_(std::move(camera)),
+      target_(std::move(target)),
+      settings_(settings),
+      max_search_s_(max_search_s),
+      odometry_(odometry),
+      random_(seed, "slam.birth") {
+  validate(settings_, target_, max_search_s_, odometry_);
+}
+
+void CameraEstimator::update(Estimate& estimate, const Command& command, const Observation& seen,
+                             const Tick& tick) {
+  StageClock clock(estimate.timing_ms);
+  estimate.looks.clear();
+  estimate.line_looks.clear();
+  estimate.predicted = estimate.matched = estimate.visible = 0;
+  estimate.update = {};
+  if (!estimate.first_t) estimate.first_t = tick.t;
+  const SummedImage* image = nullptr;
+  if (seen.image && !seen.image->empty()) {
+    check_size(*seen.image, camera_);
+    summed_.assign(*seen.image);
+    image = &summed_;
+  }
+  clock.mark("sums");
+  if (!estimate.started) {
+    start(estimate, image, tick, clock);
+  } else if (estimate.status.state == TrackingState::lost) {
+    wait_in_place(estimate, image);
+  } else {
+    predict(estimate, command, tick.dt);
+    // Before the search, whose ellipses it narrows
+    if (odometry_ && !seen.odometry.empty())
+      follow_wheels(estimate.belief, estimate.camera, *odometry_, seen.odometry.back().input);
+    track(estimate, image, tick, clock);
+  }
+}
+
+void CameraEstimator::start(Estimate& estimate, const SummedImage* seen, const Tick& tick,
+                            StageClock& clock) {
+  estimate.status.state = TrackingState::starting;
+  if (!seen) {
+    estimate.status.reason = "no image yet";
+    return;
+  }
+  const Image& image = seen->image();
+  CameraState x = CameraState::Zero();
+  if (!target_) {  // the first view is the origin, level, looking along x
+    const Eigen::Matrix3d world_from_camera = (Eigen::Matrix3d() << 0, 0, 1, -1, 0, 0, 0, -1, 0).finished();
+    x.segment<4>(3) = quaternion_from_matrix(world_from_camera);
+    start_at(estimate, x, 1e-8 * Eigen::Matrix<double, 6, 6>::Identity());
+    estimate.status.reason = "started without a target: the scale is not observable";
+  } else {
+    const TargetSearch search = find_target(*target_, camera_, *seen, settings_.filter.sigma_pixel_px);
+    if (!search.pose) {
+      estimate.status.reason = search.reason;
+      if (tick.t - *estimate.first_t > max_search_s_) estimate.status.state = TrackingState::lost;
+      return;
+    }
+    x.head<3>() = search.pose->position;
+    x.segment<4>(3) = search.pose->world_from_camera;
+    start_at(estimate, x, search.pose->covariance);
+    for (std::size_t i = 0; i < target_->corners.size(); ++i) {
+      auto view = cut_view(image, search.pose->pixels[i], x, camera_, settings_);
+      if (!view) continue;
+      Landmark anchor;
+      anchor.id = estimate.next_id++;
+      anchor.kind = Landmark::Kind::anchor;
+      anchor.anchor = target_->corners[i].position;
+      anchor.view = *std::move(view);
+      anchor.view.plane.facing = target_->normal;
+      anchor.view.plane.slope_cov.setZero();
+      estimate.catalogue.push_back(std::move(anchor));
+    }
+    estimate.status.reason =
+        "target " + target_->name + " found, " + std::to_string(search.pose->rms_px) + " px rms";
+  }
+  estimate.status.state = TrackingState::tracking;
+  // The first map at once: without a target there is nothing else to hold on to
+  for (;;) {
+    const std::size_t before = estimate.catalogue.size();
+    predict_looks(estimate, camera_, settings_, estimate.looks);
+    add_landmarks(estimate, image);
+    if (estimate.catalogue.size() == before) break;
+  }
+  refresh_entropy(estimate, tick);
+  clock.mark("start");
+}
+
+void CameraEstimator::start_at(Estimate& estimate, const CameraState& x,
+                               const Eigen::Matrix<double, 6, 6>& pose_cov) {
+  FreeCameraMotion::Jacobian P = FreeCameraMotion::Jacobian::Zero();
+  P.topLeftCorner<6, 6>() = pose_cov;
+  P.diagonal().segment<3>(6).setConstant(std::pow(settings_.filter.sigma_start_velocity_m_s, 2));
+  P.diagonal().segment<3>(9).setConstant(std::pow(settings_.filter.sigma_start_angular_rate_rad_s, 2));
+  estimate.camera = estimate.belief.add_vehicle(FreeCameraMotion::chart, x, P);
+  estimate.started = true;
+}
+
+void CameraEstimator::predict(Estimate& estimate, const Command& command, double dt) const {
+  const auto step = FreeCameraMotion{}.step(estimate.camera_state(), command.as_input(), dt);
+  Eigen::Matrix<double, 6, 1> variances;
+  variances.head<3>().setConstant(std::pow(settings_.filter.sigma_acceleration_m_s2, 2));
+  variances.tail<3>().setConstant(std::pow(settings_.filter.sigma_angular_acceleration_rad_s2, 2));
+  estimate.belief.predict(
+      {estimate.camera, step.x, step.F, step.G * variances.asDiagonal() * step.G.transpose()});
+}
+
+void CameraEstimator::correct(Estimate& estimate) const {
+  std::vector<AffineLook> looks;
+  for (const Look& look : estimate.looks)
+    if (look.outcome == LookOutcome::matched)
+      looks.push_back(affine_look(look, estimate.catalogue[look.landmark], estimate.camera,
+                                  settings_.filter.sigma_pixel_px));
+  estimate.update = estimate.belief.update(looks);
+}
+
+void CameraEstimator::track(Estimate& estimate, const SummedImage* seen, const Tick& tick,
+                            StageClock& clock) {
+  predict_looks(estimate, camera_, settings_, estimate.looks);
+  estimate.visible = static_cast<int>(estimate.looks.size());
+  clock.mark("predict");
+  if (seen) match(estimate, *seen, clock);
+  count_frames_away(estimate);
+  estimate.status =
+      judge(estimate.status, estimate.matched, estimate.predicted, sigma_position(estimate), settings_);
+  if (estimate.status.state == TrackingState::lost) return get_lost(estimate);
+  if (seen && estimate.status.state == TrackingState::tracking) keep_map(estimate, *seen, clock);
+  refresh_entropy(estimate, tick);
+  clock.mark("map");
+}
+
+void CameraEstimator::match(Estimate& estimate, const SummedImage& seen, StageClock& clock) {
+  estimate.predicted = measure(seen, estimate.catalogue, settings_.search, estimate.looks);
+  clock.mark("search");
+  weigh_planes(estimate, camera_, seen.image(), settings_.search.patch_size_px, estimate.looks);
+  clock.mark("planes");
+  estimate.matched = reject_inconsistent(estimate, settings_, estimate.looks);
+  clock.mark("consensus");
+  correct(estimate);
+  if (estimate.update.outcome == UpdateReport::Outcome::singular) estimate.matched = 0;  // none was used
+  if (estimate.update.outcome == UpdateReport::Outcome::updated) learn_planes(estimate, estimate.looks);
+  clock.mark("update");
+}
+
+void CameraEstimator::keep_map(Estimate& estimate, const SummedImage& seen, StageClock& clock) {
+  count_attempts(estimate);
+  simplify_landmarks(estimate, settings_.birth);
+  follow_lines(seen, estimate, camera_, settings_);
+  clock.mark("lines");
+  add_landmarks(estimate, seen.image());
+  clock.mark("births");
+  delete_bad_landmarks(estimate, settings_.map);
+}
+
+/// The camera stands still where it was last believed to be, as unsure as a short search around allows.
+void CameraEstimator::get_lost(Estimate& estimate) const {
+  CameraState x = estimate.camera_state();
+  x.tail<6>().setZero();
+  FreeCameraMotion::Jacobian N = FreeCameraMotion::Jacobian::Zero();
+  N.diagonal().head<3>().setConstant(std::pow(lost_sigma_position_m, 2));
+  N.diagonal().segment<3>(3).setConstant(std::pow(lost_sigma_rotation_rad, 2));
+  N.diagonal().segment<3>(6).setConstant(std::pow(settings_.filter.sigma_start_velocity_m_s, 2));
+  N.diagonal().segment<3>(9).setConstant(std::pow(settings_.filter.sigma_start_angular_rate_rad_s, 2));
+  FreeCameraMotion::Jacobian A = FreeCameraMotion::Jacobian::Identity();
+  A.bottomRightCorner<6, 6>().setZero();
+  estimate.belief.predict({estimate.camera, x, A, N});
+  std::erase_if(estimate.catalogue, [&](const Landmark& landmark) {
+    if (landmark.kind != Landmark::Kind::line) return false;
+    estimate.belief.drop(landmark.block);
+    return true;
+  });
+}
+
+/// Lost: every frame tries the map from where the camera was lost; enough agreeing matches end it.
+void CameraEstimator::wait_in_place(Estimate& estimate, const SummedImage* seen) {
+  if (!estimate.started || !seen) return;
+  predict_looks(estimate, camera_, settings_, estimate.looks);
+  estimate.visible = static_cast<int>(estimate.looks.size());
+  estimate.predicted = measure(*seen, estimate.catalogue, settings_.search, estimate.looks);
+  weigh_planes(estimate, camera_, seen->image(), settings_.search.patch_size_px, estimate.looks);
+  estimate.matched = reject_inconsistent(estimate, settings_, estimate.looks);
+  const bool enough = estimate.matched >= std::min(matches_to_recover, settings_.search.max_measurements);
+  if (enough) correct(estimate);
+  if (!enough || !(sigma_position(estimate) <= settings_.lost.max_sigma_position_m)) {
+    if (enough) get_lost(estimate);  // matched, and still unsure: looked for around there
+    for (Look& look : estimate.looks)
+      if (look.outcome == LookOutcome::matched) look.outcome = LookOutcome::inconsistent;
+    estimate.matched = 0;
+    estimate.update = {};
+    return;
+  }
+  estimate.status = {TrackingState::relocated, std::to_string(estimate.matched) + " features matched again",
+                     0};
+}
+
+void CameraEstimator::add_landmarks(Estimate& estimate, const Image& image) {
+  int visible = 0, lines = 0;
+  for (const Look& look : estimate.looks) visible += look.kind != Landmark::Kind::line;
+  for (const Landmark& landmark : estimate.catalogue) lines += landmark.kind == Landmark::Kind::line;
+  for (int i = 0; i < settings_.birth.max_new_per_frame; ++i) {
+    if (visible + lines + i >= settings_.map.wanted_visible) return;
+    if (estimate.mapped_count() + lines >= settings_.map.max_landmarks) return;
+    const auto corner = find_new_corner(image, estimate, camera_, settings_, random_);
+    if (!corner) return;
+    if (!give_birth(image, *corner, estimate, camera_, settings_)) return;
+  }
+}
+
+void CameraEstimator::refresh_entropy(Estimate& estimate, const Tick& tick) {
+  const double period_s = entropy_period_s(estimate.belief.errors());
+  if (!estimate.entropy_t || has_come(*estimate.entropy_t + period_s, tick.t)) {
+    estimate.entropy = all_entropies(estimate);
+    estimate.entropy_t = tick.t;
+  } else {
+    estimate.entropy.vehicle = vehicle_entropy(estimate);
+  }
+}
+
+}  // namespace incognita

@@ -1,0 +1,17 @@
+// What a camera estimator refuses.
+#pragma once
+
+#include <optional>
+
+#include "incognita/models/wheel_odometry.hpp"
+#include "incognita/slam/features/settings.hpp"
+#include "incognita/slam/features/target.hpp"
+
+namespace incognita {
+
+/// Throws std::invalid_argument, with the key of a scenario file and the value, for the first setting that
+/// cannot be.
+void validate(const CameraSlamSettings& settings, const std::optional<Target>& target, double max_search_s,
+              const std::optional<WheelOdometry>& odometry);
+
+}  // namespace incognita

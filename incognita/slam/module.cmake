@@ -1,0 +1,3 @@
+incognita_module(slam FOLDERS slam/mapper slam/points slam/features
+                 USES incognita::belief incognita::models incognita::messages incognita::vision
+                 PRIVATE_USES opencv_calib3d opencv_core)

@@ -1,0 +1,170 @@
+#include "incognita/slam/points/team_looks.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace incognita {
+namespace {
+
+std::span<const double> numbers(const SmallVector& v) {
+  return {v.data(), static_cast<std::size_t>(v.size())};
+}
+
+SmallVector residual_of(const AnySensor& sensor, const SmallVector& measured, const SmallVector& predicted) {
+  SmallVector residual(measured.size());
+  chart_of(sensor).minus(numbers(measured), numbers(predicted),
+                         {residual.data(), static_cast<std::size_t>(residual.size())});
+  return residual;
+}
+
+bool uses_first_estimates(const TeamSettings& s) { return s.filter.lineariser == "first-estimate"; }
+
+/// A point that is looked at, where it is told in the belief, and what of it depends on that block.
+struct Target {
+  LandmarkForm form;
+  SmallVector mean, first;
+  std::optional<BlockId> block;  ///< none: an anchor
+  SmallMatrix by_block;          ///< d(mean) / d(error of the block)
+};
+
+/// `dimensions`: of the place, in which all are looked at.
+std::optional<Target> target_of(const TeamEstimate& e, bool of_vehicle, std::int64_t identity, int dimensions,
+                                const TeamSettings& settings) {
+  if (of_vehicle) {
+    const auto other = static_cast<std::size_t>(identity);
+    const TeamVehicle& seen = e.vehicles.at(other);
+    const AnyMotion& motion = settings.members[other].motion;
+    const AnyPoint at = position_of(motion, e.belief.mean(seen.block), dimensions);
+    return Target{
+        {}, at.position, position_of(motion, seen.prediction, dimensions).position, seen.block, at.J};
+  }
+  const auto anchor = settings.anchors.find(identity);
+  if (anchor != settings.anchors.end()) return Target{{}, anchor->second, anchor->second, std::nullopt, {}};
+  const auto found = e.landmarks.find(identity);
+  if (found == e.landmarks.end()) return std::nullopt;
+  const TeamLandmark& landmark = found->second;
+  const SmallVector mean = e.belief.mean(landmark.block);
+  const int errors = e.belief.chart(landmark.block).tangent();
+  return Target{landmark.form, mean, landmark.first, landmark.block, SmallMatrix::Identity(errors, errors)};
+}
+
+/// Whether two of a team are so near each other, for how well one knows where they are, that a Jacobian no
+/// longer tells what a look does: what is left out of it, the look's change by their relative position times
+/// that position's sigma over their distance, is as large as the noise.
+bool too_near(const TeamEstimate& e, std::size_t viewer, std::size_t other, const SmallMatrix& Hl,
+              const SmallMatrix& R, const TeamSettings& settings) {
+  const int dimensions = dimensions_of(settings.members[viewer].sensor);
+  const BlockId a = e.vehicles[viewer].block, b = e.vehicles[other].block;
+  const AnyPoint from = position_of(settings.members[viewer].motion, e.belief.mean(a), dimensions);
+  const AnyPoint to = position_of(settings.members[other].motion, e.belief.mean(b), dimensions);
+  const SmallMatrix across = from.J * e.belief.covariance(a, b) * to.J.transpose();
+  const SmallMatrix P = from.J * e.belief.covariance(a) * from.J.transpose() +
+                        to.J * e.belief.covariance(b) * to.J.transpose() - across - across.transpose();
+  const double squared_share = P.trace() / (to.position - from.position).squaredNorm();
+  const SmallVector changes = (Hl * P * Hl.transpose()).diagonal();
+  return ((changes * squared_share).array() > R.diagonal().array()).any();
+}
+
+}  // namespace
+
+SmallMatrix sighting_noise(const TeamMember& member, const SmallVector& z) {
+  SmallVector sigmas = member.sigmas;
+  sigmas[0] += member.sigma_range_ratio * std::abs(z[0]);
+  return sigmas.cwiseAbs2().asDiagonal();
+}
+
+std::optional<LinearisedSighting> linearised_sighting(const TeamEstimate& e, int vehicle, bool of_vehicle,
+                                                      const Sighting& sighting,
+                                                      const TeamSettings& settings) {
+  const TeamVehicle& viewer = e.vehicles[static_cast<std::size_t>(vehicle)];
+  const TeamMember& member = settings.members[static_cast<std::size_t>(vehicle)];
+  const auto target = target_of(e, of_vehicle, sighting.identity, dimensions_of(member.sensor), settings);
+  if (!target) return std::nullopt;
+  const auto seen =
+      look_at(member.sensor, member.motion, e.belief.mean(viewer.block), target->form, target->mean);
+  const auto derived =
+      uses_first_estimates(settings)
+          ? look_at(member.sensor, member.motion, viewer.prediction, target->form, target->first)
+          : seen;
+  if (!seen || !derived) return std::nullopt;
+  const SmallMatrix R = sighting_noise(member, sighting.z);
+  if (of_vehicle && too_near(e, static_cast<std::size_t>(vehicle),
+                             static_cast<std::size_t>(sighting.identity), derived->Hl, R, settings))
+    return std::nullopt;
+  LinearisedSighting out;
+  out.predicted = seen->z;
+  out.look.add(viewer.block, derived->Hv);
+  if (target->block) out.look.add(*target->block, (derived->Hl * target->by_block).eval());
+  out.look.residual = residual_of(member.sensor, sighting.z, seen->z);
+  out.look.R = R;
+  return out;
+}
+
+void measure(LinearisedSighting& look, const TeamMember& member, const SmallVector& z) {
+  look.look.residual = residual_of(member.sensor, z, look.predicted);
+  look.look.R = sighting_noise(member, z);
+}
+
+bool give_birth(TeamEstimate& e, int vehicle, const Sighting& sighting, const TeamSettings& settings) {
+  const TeamVehicle& viewer = e.vehicles[static_cast<std::size_t>(vehicle)];
+  const TeamMember& member = settings.members[static_cast<std::size_t>(vehicle)];
+  auto birth = birth_from(member.sensor, member.motion, e.belief.mean(viewer.block), sighting.z,
+                          settings.filter.inverse_depth_per_m);
+  if (!birth) return false;
+  if (uses_first_estimates(
+          settings)) {  // as the looks to come will be linearised, or they would gain information
+    const auto look = look_at(member.sensor, member.motion, viewer.prediction, birth->form, birth->landmark);
+    if (!look) return false;
+    birth->Jz = Eigen::Matrix2d(look->Hl).inverse();
+    birth->Jv = -birth->Jz * look->Hv;
+  }
+  SmallMatrix noise = birth->Jz * sighting_noise(member, sighting.z) * birth->Jz.transpose();
+  if (birth->Jd.size() > 0) {
+    const double sigma = settings.filter.sigma_inverse_depth_per_m;
+    noise += sigma * sigma * birth->Jd * birth->Jd.transpose();
+  }
+  // Where it was first seen from is a copy of the vehicle's own position: a hair of noise keeps the
+  // covariance positive definite
+  if (birth->form.kind == LandmarkForm::Kind::inverse_depth)
+    noise.diagonal().head(birth->landmark.size() == 4 ? 2 : 3).array() += 1e-8;
+  const BlockParent parent{viewer.block, birth->Jv};
+  TeamLandmark landmark{sighting.identity, birth->form, 0, birth->landmark, 1};
+  landmark.block = e.belief.augment(birth->chart, birth->landmark, {&parent, 1}, noise);
+  e.landmarks.emplace(sighting.identity, landmark);
+  return true;
+}
+
+void settle_depths(TeamEstimate& e, const TeamSettings& settings) {
+  for (auto next = e.landmarks.begin(); next != e.landmarks.end();) {
+    const auto at = next++;
+    TeamLandmark& landmark = at->second;
+    if (landmark.form.kind == LandmarkForm::Kind::point) continue;
+    const SmallVector mean = e.belief.mean(landmark.block);
+    const Eigen::Index last = mean.size() - 1;
+    if (mean[last] < 0) {
+      e.belief.drop(landmark.block);
+      e.landmarks.erase(at);
+      continue;
+    }
+    const double var = e.belief.covariance(landmark.block)(last, last);
+    const int dimensions = dimensions_of(settings.members.front().sensor);  // all have the same
+    double index = 1e9;
+    for (std::size_t i = 0; i < e.vehicles.size(); ++i)
+      index = std::min(index, linearity_index(landmark.form, mean, var,
+                                              position_of(settings.members[i].motion,
+                                                          e.belief.mean(e.vehicles[i].block), dimensions)
+                                                  .position));
+    if (!(index < settings.filter.max_linearity_index)) continue;
+    const auto point = position_of(landmark.form, mean);
+    if (!point) continue;
+    const auto size = point->position.size();
+    e.belief.replace(landmark.block, Chart::line(static_cast<int>(size)), point->position, point->J,
+                     BlockMatrix::Zero(size, size));
+    landmark.form.kind = LandmarkForm::Kind::point;
+    landmark.first = point->position;
+  }
+}
+
+}  // namespace incognita

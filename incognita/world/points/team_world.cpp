@@ -1,0 +1,156 @@
+#include "incognita/world/points/team_world.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <stdexcept>
+#include <utility>
+
+namespace incognita {
+namespace {
+
+std::string stream_of(const char* what, std::size_t vehicle) {
+  return std::string("team.") + what + "." + std::to_string(vehicle);
+}
+
+/// Whether a scanner looks that way; of a camera its image decides.
+bool inside_view(const SimulatedVehicle& vehicle, const AnyLook& look) {
+  if (!look.in_view) return false;
+  const bool scanner = std::holds_alternative<LaserScanner>(vehicle.sensor) ||
+                       std::holds_alternative<DirectionFinder>(vehicle.sensor);
+  return !scanner || std::abs(look.z[look.z.size() - 1]) <= vehicle.field_of_view_rad / 2;
+}
+
+void need(bool ok, const std::string& what) {
+  if (!ok) throw std::invalid_argument(what);
+}
+
+void check(const SimulatedVehicle& v, const PointPlace& place) {
+  const std::string fault = misfit(v.motion, v.sensor);
+  need(fault.empty(), fault);
+  const int numbers = chart_of(v.sensor).tangent();
+  need(v.sigmas.size() == numbers, "a sensor needs " + std::to_string(numbers) + " sigmas");
+  need(v.sigmas.allFinite() && (v.sigmas.array() >= 0).all() && v.sigma_range_ratio >= 0 &&
+           std::isfinite(v.sigma_range_ratio),
+       "the sigmas of a sensor must be zero or positive");
+  need(v.ticks_per_look >= 1, "a sensor looks at every tick or more rarely");
+  need(v.max_range_m > 0 && v.field_of_view_rad > 0, "how far and how wide a sensor sees must be positive");
+  for (const auto& [identity, point] : place) {
+    const std::string which = "landmark " + std::to_string(identity);
+    need(point.size() == dimensions_of(v.sensor),
+         which + " has " + std::to_string(point.size()) + " numbers, and the sensor measures in " +
+             std::to_string(dimensions_of(v.sensor)) + " dimensions");
+    need(point.allFinite(), which + " is nowhere: its numbers must be finite");
+  }
+}
+
+}  // namespace
+
+TeamWorld::TeamWorld(const std::vector<SimulatedVehicle>& vehicles, std::uint64_t seed,
+                     std::vector<OperatorHand> hands)
+    : hands_(std::move(hands)) {
+  if (vehicles.empty()) throw std::invalid_argument("a team needs a vehicle");
+  need(hands_.empty() || hands_.size() == vehicles.size(),
+       std::to_string(vehicles.size()) + " vehicles, and " + std::to_string(hands_.size()) + " operators");
+  for (std::size_t i = 0; i < vehicles.size(); ++i) {
+    need(hands_.empty() || std::holds_alternative<FreeCameraMotion>(vehicles[i].motion),
+         "an operator moves a camera that is free");
+    plants_.emplace_back(vehicles[i].motion, vehicles[i].plant, seed, stream_of("plant", i));
+  }
+}
+
+SmallVector TeamWorld::input_of(const Command& command, std::size_t i) {
+  const Plant& plant = plants_[i];
+  if (!hands_.empty() && last_t_)
+    return hands_[i].move(command, i, FreeCameraMotion::State<double>(plant.state()), *last_t_);
+  return i < command.inputs.size() ? command.inputs[i] : SmallVector::Zero(inputs_of(plant.motion()));
+}
+
+std::optional<Truth> TeamWorld::move(const Command& command, const Tick& tick) {
+  Truth truth;
+  for (std::size_t i = 0; i < plants_.size(); ++i) {
+    truth.vehicles.push_back(plants_[i].move(input_of(command, i), tick.dt));
+    const SmallVector& carried_out = plants_[i].carried_out();
+    // Nobody measures what a hand does
+    truth.inputs.push_back(hands_.empty() ? carried_out : SmallVector(SmallVector::Zero(carried_out.size())));
+    truth.poses.push_back(pose_of(plants_[i].motion(), truth.vehicles.back()));
+  }
+  last_t_ = tick.t;
+  const RigidPose& first = *truth.poses.front();
+  truth.camera.head<3>() = first.position;
+  truth.camera.segment<4>(3) = first.world_from_body;
+  if (std::holds_alternative<FreeCameraMotion>(plants_.front().motion()))
+    truth.camera = truth.vehicles.front();
+  return truth;
+}
+
+TeamSensor::TeamSensor(std::vector<SimulatedVehicle> vehicles, PointPlace place, bool sees_vehicles,
+                       std::uint64_t seed, std::optional<std::set<std::int64_t>> named)
+    : vehicles_(std::move(vehicles)),
+      place_(std::move(place)),
+      sees_vehicles_(sees_vehicles),
+      named_(std::move(named)) {
+  for (std::size_t i = 0; i < vehicles_.size(); ++i) {
+    check(vehicles_[i], place_);
+    noise_.emplace_back(seed, stream_of("sensor", i));
+  }
+}
+
+std::optional<SmallVector> TeamSensor::measured(std::size_t i, const SmallVector& state,
+                                                const SmallVector& point) {
+  const SimulatedVehicle& v = vehicles_[i];
+  const SmallVector from = position_of(v.motion, state, dimensions_of(v.sensor)).position;
+  if (!((from - point).norm() <= v.max_range_m)) return std::nullopt;
+  const auto look = look_at(v.sensor, v.motion, state, {}, point);
+  if (!look || !inside_view(v, *look)) return std::nullopt;
+  SmallVector z = look->z, error(v.sigmas.size());
+  for (Eigen::Index k = 0; k < error.size(); ++k)
+    error[k] = (v.sigmas[k] + (k == 0 ? v.sigma_range_ratio * std::abs(z[0]) : 0)) * noise_[i].normal();
+  chart_of(v.sensor).plus({z.data(), static_cast<std::size_t>(z.size())},
+                          {error.data(), static_cast<std::size_t>(error.size())});
+  // Noise can make a near range negative: a scanner tells no such thing
+  if (std::holds_alternative<LaserScanner>(v.sensor) && !(z[0] > 0)) return std::nullopt;
+  return z;
+}
+
+void TeamSensor::look_around(std::size_t i, const Truth& truth, VehicleView& view) {
+  for (const auto& [identity, point] : place_)
+    if (auto z = measured(i, truth.vehicles[i], point)) view.landmarks.push_back({identity, *z});
+  take_names(view, truth_->at(i));
+  for (std::size_t j = 0; sees_vehicles_ && j < vehicles_.size(); ++j) {
+    if (j == i) continue;
+    const SmallVector other =
+        position_of(vehicles_[j].motion, truth.vehicles[j], dimensions_of(vehicles_[i].sensor)).position;
+    if (auto z = measured(i, truth.vehicles[i], other))
+      view.vehicles.push_back({static_cast<std::int64_t>(j), *z});
+  }
+}
+
+/// Nor may the order in which they come tell what they are.
+void TeamSensor::take_names(VehicleView& view, std::vector<std::int64_t>& truth) const {
+  const auto is_named = [&](const Sighting& s) { return !named_ || named_->count(s.identity) > 0; };
+  const auto nameless = std::stable_partition(view.landmarks.begin(), view.landmarks.end(), is_named);
+  std::stable_sort(nameless, view.landmarks.end(), [](const Sighting& a, const Sighting& b) {
+    return std::lexicographical_compare(a.z.begin(), a.z.end(), b.z.begin(), b.z.end());
+  });
+  for (const Sighting& s : view.landmarks) truth.push_back(s.identity);
+  for (auto s = nameless; s != view.landmarks.end(); ++s) s->identity = Detection::unknown;
+}
+
+Observation TeamSensor::look(const std::optional<Truth>& truth, const Tick& tick) {
+  Observation seen;
+  if (!truth || truth->vehicles.size() != vehicles_.size())
+    throw std::logic_error("a team's sensor without its team");
+  truth_->assign(vehicles_.size(), {});
+  for (std::size_t i = 0; i < vehicles_.size(); ++i) {
+    VehicleView view;
+    if (tick.dt > 0) view.input = truth->inputs[i];
+    if (i < truth->wheels.size()) view.wheels = truth->wheels[i];
+    if (ticks_ % vehicles_[i].ticks_per_look == 0) look_around(i, *truth, view);
+    seen.team.push_back(std::move(view));
+  }
+  ++ticks_;
+  return seen;
+}
+
+}  // namespace incognita

@@ -1,0 +1,51 @@
+// The uneven floor of a rendered room: a terrain's heights on a fine grid, straight between them, as rays
+// meet it. The grid is the floor: whoever looks twice sees the same.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "incognita/models/terrain.hpp"
+#include "incognita/world/rendered/box.hpp"
+
+namespace incognita {
+
+class Ground {
+ public:
+  /// Under the walls of `inside`. Throws std::invalid_argument where the terrain is not known all over it, or
+  /// is too high for a room.
+  Ground(const Terrain& terrain, const Box& inside);
+
+  double lowest_m() const { return lowest_m_; }
+  double highest_m() const { return highest_m_; }
+
+  struct Place {
+    float height = 0;                ///< m
+    float slope_x = 0, slope_y = 0;  ///< m per m
+  };
+  /// Beyond the walls that of the nearest place inside.
+  Place at(float x, float y) const {
+    const float along = std::clamp((x - x0_m_) * per_m_, 0.0f, last_x_);
+    const float across = std::clamp((y - y0_m_) * per_m_, 0.0f, last_y_);
+    const int i = static_cast<int>(along), j = static_cast<int>(across);
+    const float a = along - static_cast<float>(i), b = across - static_cast<float>(j);
+    const float *row = &heights_m_[static_cast<std::size_t>(j) * columns_ + i], *next = row + columns_;
+    const float near = row[0] + a * (row[1] - row[0]), far = next[0] + a * (next[1] - next[0]);
+    const float up_x = (1 - b) * (row[1] - row[0]) + b * (next[1] - next[0]);
+    return {near + b * (far - near), up_x * per_m_, (far - near) * per_m_};
+  }
+
+  /// The parameter at which the ray from `eye`, which is above the ground, along `d` first meets the ground;
+  /// `most` where it does not before that.
+  float meet(const std::array<float, 3>& eye, const std::array<float, 3>& d, float most) const;
+
+ private:
+  int columns_ = 0;
+  float x0_m_ = 0, y0_m_ = 0, per_m_ = 1, last_x_ = 0, last_y_ = 0;
+  float steepest_ = 0;  ///< of all slopes
+  double lowest_m_ = 0, highest_m_ = 0;
+  std::vector<float> heights_m_;  ///< row by row along x
+};
+
+}  // namespace incognita

@@ -1,0 +1,37 @@
+#include "incognita/world/rendered/image_noise.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace incognita {
+namespace {
+
+constexpr int table_size = 1 << 17;
+
+}  // namespace
+
+ImageNoise::ImageNoise(double sigma_grey, std::uint64_t seed) : random_(seed, "sensor.image") {
+  if (!(sigma_grey >= 0 && sigma_grey <= 100))
+    throw std::invalid_argument("room sigma_image_grey must be 0 to 100, got " + std::to_string(sigma_grey));
+  if (sigma_grey == 0) return;
+  table_.resize(table_size);
+  for (std::int16_t& n : table_) n = static_cast<std::int16_t>(std::lround(sigma_grey * random_.normal()));
+}
+
+void ImageNoise::add_to(Image& image) {
+  if (table_.empty()) return;
+  const int width = image.width();
+  for (int v = 0; v < image.height(); ++v) {
+    std::uint8_t* pixel = image.row(v);
+    for (int u = 0; u < width; u += table_size / 8) {  // one stretch, unless an image is very wide
+      const int count = std::min(width - u, table_size / 8);
+      const std::int16_t* noise = &table_[random_.below(table_size - count + 1)];
+      for (int i = 0; i < count; ++i)
+        pixel[u + i] = static_cast<std::uint8_t>(std::clamp(pixel[u + i] + noise[i], 0, 255));
+    }
+  }
+}
+
+}  // namespace incognita

@@ -1,0 +1,367 @@
+#include "incognita/world/rendered/render.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "incognita/math/quaternion.hpp"
+#include "incognita/world/rendered/plane.hpp"
+
+namespace incognita {
+namespace {
+
+using Direction = std::array<float, 3>;  ///< world axes, of any length
+using BoxBits = std::uint32_t;           ///< one bit per box of the room
+
+constexpr int tile_px = RayTable::tile_px;
+constexpr float white_grey = 236, black_grey = 14;  // of the sheet
+constexpr int sheet_wall = 1;                       // at the upper end of x
+constexpr int floor_wall = 4;                       // at the lower end of z
+constexpr std::uint8_t nothing = 255;               // id where no surface is seen
+
+struct Hit {
+  float t = std::numeric_limits<float>::max();  ///< ray parameter
+  int surface = 0;                              ///< 2 * axis + side
+  int box = -1;                                 ///< -1: the room itself
+};
+
+struct Bounds {  ///< a box relative to the camera
+  std::array<float, 3> min, max;
+};
+
+/// What can be seen in a tile.
+struct TileView {
+  BoxBits boxes = 0;
+  int wall = -1;        ///< the only wall seen, if there is only one and no box
+  bool sheet = false;   ///< whether the sheet may be seen
+  bool ground = false;  ///< whether uneven ground may be
+};
+
+/// What a ray meets.
+struct Seen {
+  std::uint8_t id = nothing;  ///< of the surface
+  float nearness = 0;         ///< on uneven ground: 1 / ray parameter, which is affine over a plane's pixels
+};
+
+inline int lit(int grey, const Surface& surface) {
+  return std::min(static_cast<int>(static_cast<float>(grey) * surface.light), 255 * 256);
+}
+
+inline std::uint8_t rounded(int grey_256) { return static_cast<std::uint8_t>((grey_256 + 128) >> 8); }
+
+/// Share of a pixel's width, centred at `x`, that lies within +-half.
+float share_within(float x, float half, float width) {
+  const float low = std::max(x - 0.5f * width, -half), high = std::min(x + 0.5f * width, half);
+  return std::max(0.0f, high - low) / width;
+}
+
+/// One picture: everything that is the same for all of its pixels.
+class Picture {
+ public:
+  Picture(const Room& room, const RayTable& rays, const Eigen::Vector3d& position,
+          const Eigen::Vector4d& world_from_camera);
+
+  void draw(Image& out);
+
+ private:
+  Bounds relative(const Box& box) const;
+  Direction turned(float x, float y, float z = 1) const {
+    return {r_[0] * x + r_[1] * y + r_[2] * z, r_[3] * x + r_[4] * y + r_[5] * z,
+            r_[6] * x + r_[7] * y + r_[8] * z};
+  }
+  float distance_to(const Hit& hit) const;
+
+  TileView view_of(const RayTable::Cone& cone) const;
+  bool only_wall(int wall, const Direction& axis, float sin_half_angle) const;
+
+  void draw_rays(std::size_t first, int count, const TileView& view, std::uint8_t* pixels);
+  void draw_wall(std::size_t first, int count, const TileView& view, std::uint8_t* pixels);
+  void smooth_edges(Image& out) const;
+  bool on_edge(std::size_t at) const;
+  bool on_crest(std::size_t at) const;
+  int mean_of_four(std::size_t at, const TileView& view) const;
+
+  int grey(float x, float y, float footprint, const TileView& view, Seen& seen) const;
+  int ground_grey(const Direction& d, float t, float footprint) const;
+  Hit leave_room(const Direction& d, const Direction& inverse) const;
+  void enter_boxes(const Direction& d, const Direction& inverse, BoxBits boxes, Hit& hit) const;
+  int with_sheet(int wall, const Direction& d, float footprint) const;
+
+  const Room& room_;
+  const RayTable& rays_;
+  Eigen::Vector3d position_;
+  std::array<float, 9> r_;  ///< world_from_camera, row by row
+  Direction eye_;           ///< the camera, m
+  Bounds inside_, sheet_, ground_;
+  std::vector<Bounds> boxes_;
+  std::vector<TileView> tiles_;
+  std::vector<std::uint8_t> ids_;  ///< of the surface each pixel sees
+  std::vector<float> nearness_;    ///< of the uneven ground each pixel sees; none where the floor is level
+};
+
+Picture::Picture(const Room& room, const RayTable& rays, const Eigen::Vector3d& position,
+                 const Eigen::Vector4d& world_from_camera)
+    : room_(room), rays_(rays), position_(position), ids_(rays.x.size(), nothing) {
+  const Eigen::Matrix3d r = rotation_matrix<double>(world_from_camera);
+  for (int i = 0; i < 9; ++i) r_[i] = static_cast<float>(r(i / 3, i % 3));
+  inside_ = relative(room.layout().inside);
+  for (int i = 0; i < 3; ++i) eye_[i] = static_cast<float>(position[i]);
+  if (const Ground* ground = room.ground()) {
+    Box bounds = room.layout().inside;
+    bounds.max.z() = ground->highest_m();
+    ground_ = relative(bounds);
+    nearness_.assign(rays.x.size(), 0);
+  }
+  const Sheet& sheet = room.layout().sheet;
+  const Eigen::Vector3d half(0, sheet.width / 2, sheet.height / 2), middle(sheet.x, sheet.y, sheet.z);
+  sheet_ = relative({middle - half, middle + half});
+  for (const Box& box : room.layout().boxes) boxes_.push_back(relative(box));
+  tiles_.reserve(rays.cones.size());
+  for (const RayTable::Cone& cone : rays.cones) tiles_.push_back(view_of(cone));
+}
+
+Bounds Picture::relative(const Box& box) const {
+  Bounds b;
+  for (int i = 0; i < 3; ++i) {
+    b.min[i] = static_cast<float>(box.min[i] - position_[i]);
+    b.max[i] = static_cast<float>(box.max[i] - position_[i]);
+  }
+  return b;
+}
+
+/// A ray in a cone that meets a box passes there no farther from the axis of the cone than the far end of the
+/// box times the sine of the half angle: the axis then meets the box grown by as much.
+bool may_meet(const Bounds& box, const Direction& axis, float sin_half_angle) {
+  float reach_squared = 0, enter = 0, leave = std::numeric_limits<float>::max();
+  for (int i = 0; i < 3; ++i) reach_squared += std::max(box.min[i] * box.min[i], box.max[i] * box.max[i]);
+  const float margin = std::sqrt(reach_squared) * sin_half_angle;
+  for (int i = 0; i < 3; ++i) {
+    const float low = (box.min[i] - margin) / axis[i], high = (box.max[i] + margin) / axis[i];
+    enter = std::max(enter, std::min(low, high));
+    leave = std::min(leave, std::max(low, high));
+  }
+  return enter <= leave || sin_half_angle >= 1;
+}
+
+TileView Picture::view_of(const RayTable::Cone& cone) const {
+  const Direction axis = turned(cone.axis.x(), cone.axis.y(), cone.axis.z());
+  TileView view;
+  for (std::size_t i = 0; i < boxes_.size(); ++i)
+    if (may_meet(boxes_[i], axis, cone.sin_half_angle)) view.boxes |= BoxBits{1} << i;
+  view.sheet = may_meet(sheet_, axis, cone.sin_half_angle);
+  view.ground = room_.ground() && may_meet(ground_, axis, cone.sin_half_angle);
+  const int wall = leave_room(axis, {1 / axis[0], 1 / axis[1], 1 / axis[2]}).surface;
+  if (!view.boxes && !view.ground && only_wall(wall, axis, cone.sin_half_angle)) view.wall = wall;
+  return view;
+}
+
+/// Whether a cone lies between the four planes through the camera and the edges of a wall.
+bool Picture::only_wall(int wall, const Direction& axis, float sin_half_angle) const {
+  const int k = wall / 2;
+  const float to_wall = 1.0f / (wall % 2 ? inside_.max[k] : inside_.min[k]);
+  for (const int i : {across_of[k], down_of[k]})
+    for (const float to_next : {1.0f / inside_.min[i], 1.0f / inside_.max[i]}) {
+      const float length = std::sqrt(to_wall * to_wall + to_next * to_next);
+      if (!(axis[k] * to_wall - axis[i] * to_next > sin_half_angle * length)) return false;
+    }
+  return true;
+}
+
+void Picture::draw(Image& out) {
+  for (int v = 0; v < rays_.height; ++v)
+    for (int tile = 0; tile < rays_.tiles_across; ++tile) {
+      const TileView& view = tiles_[v / tile_px * rays_.tiles_across + tile];
+      const int u = tile * tile_px, count = std::min(tile_px, rays_.width - u);
+      if (view.wall >= 0)
+        draw_wall(rays_.index(u, v), count, view, out.row(v) + u);
+      else
+        draw_rays(rays_.index(u, v), count, view, out.row(v) + u);
+    }
+  smooth_edges(out);
+}
+
+void Picture::draw_rays(std::size_t first, int count, const TileView& view, std::uint8_t* pixels) {
+  for (int i = 0; i < count; ++i) {
+    const std::size_t at = first + i;
+    Seen seen;
+    pixels[i] = 0;
+    if (rays_.footprint[at] > 0)
+      pixels[i] = rounded(grey(rays_.x[at], rays_.y[at], rays_.footprint[at], view, seen));
+    ids_[at] = seen.id;
+    if (view.ground) nearness_[at] = seen.nearness;
+  }
+}
+
+/// Where only one wall can be seen there is nothing to choose, and a row of pixels is worked out at once.
+void Picture::draw_wall(std::size_t first, int count, const TileView& view, std::uint8_t* pixels) {
+  const Surface& surface = room_.walls()[view.wall];
+  const Plane plane(surface, view.wall / 2, distance_to({0, view.wall, -1}), position_);
+  const auto covered = plane.covered<tile_px>(r_, &rays_.x[first], &rays_.y[first], &rays_.footprint[first]);
+  for (int i = 0; i < count; ++i) {
+    const std::size_t at = first + i;
+    pixels[i] = 0;
+    if (!(rays_.footprint[at] > 0)) continue;
+    int grey = sample(surface.texture, covered, i);
+    if (view.sheet && view.wall == sheet_wall)
+      grey = with_sheet(grey, turned(rays_.x[at], rays_.y[at]), rays_.footprint[at]);
+    pixels[i] = rounded(lit(grey, surface));
+    ids_[at] = static_cast<std::uint8_t>(view.wall);
+  }
+}
+
+/// Textures come smooth from their pyramids; only where two surfaces meet do steps appear. There, and there
+/// alone, four rays are cast for a pixel. Tiles that see one wall only have no such place, not even at their
+/// borders.
+void Picture::smooth_edges(Image& out) const {
+  for (int v = 1; v < rays_.height - 1; ++v)
+    for (int tile = 0; tile < rays_.tiles_across; ++tile) {
+      const TileView& view = tiles_[v / tile_px * rays_.tiles_across + tile];
+      if (view.wall >= 0) continue;
+      const int begin = std::max(1, tile * tile_px), end = std::min((tile + 1) * tile_px, rays_.width - 1);
+      for (int u = begin; u < end; ++u)
+        if (const std::size_t at = rays_.index(u, v); on_edge(at) || (view.ground && on_crest(at)))
+          out(u, v) = rounded(mean_of_four(at, view));
+    }
+}
+
+bool Picture::on_edge(std::size_t at) const {
+  const std::uint8_t* id = &ids_[at];
+  const std::array<std::uint8_t, 4> around{id[1], id[-1], id[rays_.stride], id[-rays_.stride]};
+  const bool same = id[0] == around[0] && id[0] == around[1] && id[0] == around[2] && id[0] == around[3];
+  return !same && id[0] != nothing && std::find(around.begin(), around.end(), nothing) == around.end();
+}
+
+/// Where a rise of the ground hides what lies behind it, both the same surface.
+bool Picture::on_crest(std::size_t at) const {
+  constexpr float share = 0.01f;
+  const float* n = &nearness_[at];
+  const float left = n[-1], right = n[1], above = n[-rays_.stride], below = n[rays_.stride];
+  if (!(std::min({n[0], left, right, above, below}) > 0)) return false;
+  return std::max(std::abs(left + right - 2 * n[0]), std::abs(above + below - 2 * n[0])) > share * n[0];
+}
+
+int Picture::mean_of_four(std::size_t at, const TileView& view) const {
+  const float *x = &rays_.x[at], *y = &rays_.y[at];
+  const int down = rays_.stride;
+  const float xu = 0.125f * (x[1] - x[-1]), yu = 0.125f * (y[1] - y[-1]);  // a quarter pixel
+  const float xv = 0.125f * (x[down] - x[-down]), yv = 0.125f * (y[down] - y[-down]);
+  Seen seen;
+  int sum = 0;
+  for (const auto& [du, dv] : {std::pair(-1.f, -1.f), {1.f, -1.f}, {-1.f, 1.f}, {1.f, 1.f}})
+    sum += grey(*x + du * xu + dv * xv, *y + du * yu + dv * yv, 0.6f * rays_.footprint[at], view, seen);
+  return sum / 4;
+}
+
+/// The floor's paint where a ray along `d` meets uneven ground at `t`, laid on from above, lit from above.
+int Picture::ground_grey(const Direction& d, float t, float footprint) const {
+  constexpr float lamp_x = 0.35f, lamp_y = 0.2f;  // of its direction, over that upwards
+  const Surface& floor = room_.walls()[floor_wall];
+  const float x = eye_[0] + t * d[0], y = eye_[1] + t * d[1];
+  const Ground::Place at = room_.ground()->at(x, y);
+  // As Plane::covered with the slope of the place: how fast ray and ground close in takes the normal's part
+  const float closing = std::max(at.slope_x * d[0] + at.slope_y * d[1] - d[2], 1e-3f);
+  const float footprint_m = t * footprint, stretch = footprint_m / closing;
+  const Covered<1> covered{{x * floor.u_per_m + floor.u_at_0},
+                           {y * floor.v_per_m + floor.v_at_0},
+                           {std::clamp(stretch * d[0] * floor.u_per_m, -1e5f, 1e5f)},
+                           {std::clamp(stretch * d[1] * floor.v_per_m, -1e5f, 1e5f)},
+                           {footprint_m * std::abs(floor.v_per_m)}};
+  const float upright = 1 / std::sqrt(1 + at.slope_x * at.slope_x + at.slope_y * at.slope_y);
+  const float light = std::clamp((1 - lamp_x * at.slope_x - lamp_y * at.slope_y) * upright, 0.3f, 1.3f);
+  return lit(static_cast<int>(static_cast<float>(sample(floor.texture, covered, 0)) * light), floor);
+}
+
+/// 256 times the grey that a ray sees, and what it meets.
+inline int Picture::grey(float x, float y, float footprint, const TileView& view, Seen& seen) const {
+  const Direction d = turned(x, y), inverse{1.0f / d[0], 1.0f / d[1], 1.0f / d[2]};
+  Hit hit = leave_room(d, inverse);
+  if (view.boxes) enter_boxes(d, inverse, view.boxes, hit);
+  if (view.ground) {
+    if (const float t = room_.ground()->meet(eye_, d, hit.t); t < hit.t) {
+      seen = {floor_wall, 1 / t};
+      return ground_grey(d, t, footprint);
+    }
+  }
+  seen = {static_cast<std::uint8_t>((hit.box + 1) * 6 + hit.surface), 0};
+  const Surface& surface = (hit.box < 0 ? room_.walls() : room_.box_surfaces(hit.box))[hit.surface];
+  const Plane plane(surface, hit.surface / 2, distance_to(hit), position_);
+  const int paint = sample(surface.texture, plane.covered<1>(r_, &x, &y, &footprint), 0);
+  const bool sheet = view.sheet && hit.box < 0 && hit.surface == sheet_wall;
+  return lit(sheet ? with_sheet(paint, d, footprint) : paint, surface);
+}
+
+float Picture::distance_to(const Hit& hit) const {
+  const Bounds& b = hit.box < 0 ? inside_ : boxes_[hit.box];
+  return hit.surface % 2 ? b.max[hit.surface / 2] : b.min[hit.surface / 2];
+}
+
+inline Hit Picture::leave_room(const Direction& d, const Direction& inverse) const {
+  Hit hit;
+  for (int i = 0; i < 3; ++i) {
+    const int side = d[i] > 0;
+    const float t = (side ? inside_.max[i] : inside_.min[i]) * inverse[i];
+    if (t < hit.t) hit = {t, 2 * i + side, -1};
+  }
+  return hit;
+}
+
+/// Of the boxes a ray enters before what it has hit so far, the nearest.
+void Picture::enter_boxes(const Direction& d, const Direction& inverse, BoxBits boxes, Hit& hit) const {
+  for (; boxes; boxes &= boxes - 1) {
+    const int box = std::countr_zero(boxes);
+    const Bounds& b = boxes_[box];
+    float enter = 0, leave = hit.t;
+    int surface = -1;
+    for (int i = 0; i < 3; ++i) {
+      const bool up = d[i] > 0;
+      const float first = (up ? b.min[i] : b.max[i]) * inverse[i],
+                  last = (up ? b.max[i] : b.min[i]) * inverse[i];
+      if (first > enter) {
+        enter = first;
+        surface = 2 * i + !up;
+      }
+      leave = std::min(leave, last);
+    }
+    if (surface >= 0 && enter < leave) hit = {enter, surface, box};
+  }
+}
+
+/// The sheet is not a texture but worked out exactly, so that its corners are as sharp as the camera can see
+/// them.
+inline int Picture::with_sheet(int wall, const Direction& d, float footprint) const {
+  const Sheet& s = room_.layout().sheet;
+  const float per_d = 1.0f / d[0], t = inside_.max[0] * per_d, footprint_m = t * footprint;
+  const float y = static_cast<float>(position_.y() - s.y) + t * d[1];
+  const float z = static_cast<float>(position_.z() - s.z) + t * d[2];
+  const float half_width = static_cast<float>(s.width / 2), half_height = static_cast<float>(s.height / 2);
+  const float ty = d[1] * per_d, tz = d[2] * per_d;
+  const float width = footprint_m * std::sqrt(1 + ty * ty), height = footprint_m * std::sqrt(1 + tz * tz);
+  if (std::abs(y) > half_width + width || std::abs(z) > half_height + height) return wall;
+  const float paper = share_within(y, half_width, width) * share_within(z, half_height, height);
+  const float ink = share_within(y, static_cast<float>(s.black_width / 2), width) *
+                    share_within(z, static_cast<float>(s.black_height / 2), height);
+  const float sheet = white_grey + ink * (black_grey - white_grey);
+  return static_cast<int>(static_cast<float>(wall) * (1 - paper) + 256 * sheet * paper);
+}
+
+}  // namespace
+
+void render(const Room& room, const RayTable& rays, const Eigen::Vector3d& position,
+            const Eigen::Vector4d& world_from_camera, Image& out) {
+  if (out.width() != rays.width || out.height() != rays.height) out = Image(rays.width, rays.height);
+  const Ground* ground = room.ground();
+  const Eigen::Vector3f at = position.cast<float>();
+  const bool buried = ground && !(at.z() > ground->at(at.x(), at.y()).height);
+  if (buried || !room.layout().inside.contains(position)) {
+    out = Image(rays.width, rays.height);
+    return;
+  }
+  Picture(room, rays, position, world_from_camera).draw(out);
+}
+
+}  // namespace incognita

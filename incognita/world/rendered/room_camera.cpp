@@ -1,0 +1,36 @@
+#include "incognita/world/rendered/room_camera.hpp"
+
+#include <stdexcept>
+#include <utility>
+
+#include "incognita/world/rendered/render.hpp"
+
+namespace incognita {
+namespace {
+
+constexpr std::uint8_t covered_grey = 8;  // a lens cap lets a little light through
+
+}  // namespace
+
+RoomCamera::RoomCamera(std::shared_ptr<const Room> room, const Camera& camera, const RoomSettings& settings,
+                       std::uint64_t seed)
+    : room_(std::move(room)),
+      rays_(camera),
+      noise_(settings.sigma_image_grey, seed),
+      cover_lens_from_s_(settings.cover_lens_from_s) {}
+
+Observation RoomCamera::look(const std::optional<Truth>& truth, const Tick& tick) {
+  if (!truth) throw std::invalid_argument("the camera of the rendered room needs the true pose");
+  auto image = std::make_shared<Image>();
+  if (covered(tick))
+    *image = Image(rays_.width, rays_.height, covered_grey);
+  else
+    render(*room_, rays_, free_camera::position(truth->camera), free_camera::orientation(truth->camera),
+           *image);
+  noise_.add_to(*image);
+  Observation seen;
+  seen.image = std::move(image);
+  return seen;
+}
+
+}  // namespace incognita

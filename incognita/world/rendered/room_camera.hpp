@@ -1,0 +1,35 @@
+// The camera in the rendered room.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "incognita/models/camera.hpp"
+#include "incognita/world/rendered/image_noise.hpp"
+#include "incognita/world/rendered/ray_table.hpp"
+#include "incognita/world/rendered/room.hpp"
+#include "incognita/world/settings.hpp"
+#include "incognita/world/world.hpp"
+
+namespace incognita {
+
+class RoomCamera final : public Sensor {
+ public:
+  /// The room is shared, as painting it takes longer than anything else.
+  RoomCamera(std::shared_ptr<const Room> room, const Camera& camera, const RoomSettings& settings,
+             std::uint64_t seed);
+
+  /// The same seed and the same poses in the same order give the same bytes. Throws std::invalid_argument
+  /// without a true pose: there is nothing to render.
+  Observation look(const std::optional<Truth>& truth, const Tick& tick) override;
+
+ private:
+  bool covered(const Tick& tick) const { return cover_lens_from_s_ >= 0 && tick.t >= cover_lens_from_s_; }
+
+  std::shared_ptr<const Room> room_;
+  RayTable rays_;
+  ImageNoise noise_;
+  double cover_lens_from_s_;
+};
+
+}  // namespace incognita

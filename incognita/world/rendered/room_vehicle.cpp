@@ -1,0 +1,60 @@
+#include "incognita/world/rendered/room_vehicle.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace incognita {
+
+RoomVehicle::RoomVehicle(const TerrainVehicle& body, const Mount& mount, const PlantSettings& plant,
+                         const RoomLayout& layout, double radius_m, std::uint64_t seed)
+    : body_(body), mount_(mount), plan_(layout), radius_m_(radius_m), plant_(body, plant, seed, "vehicle") {
+  const double free_m = plan_.free_around(plant_.state().head<2>());
+  if (free_m < radius_m)
+    throw std::invalid_argument("the vehicle starts " + std::to_string(free_m) +
+                                " m from a wall or a box, and needs " + std::to_string(radius_m) +
+                                " m (room.clearance_m): start it elsewhere, or take another room.boxes");
+}
+
+/// It may turn where it stands, and leave what it stands too near to.
+void RoomVehicle::stop_at_obstacles(const SmallVector& before) {
+  const double free_m = plan_.free_around(plant_.state().head<2>());
+  held_up_ = free_m < radius_m_ && free_m < plan_.free_around(before.head<2>());
+  if (held_up_) plant_.put(Eigen::Vector3d(before[0], before[1], plant_.state()[2]));
+}
+
+std::optional<Truth> RoomVehicle::move(const Command& command, const Tick& tick) {
+  const SmallVector none = SmallVector::Zero(TerrainVehicle::input_size), before = plant_.state();
+  plant_.move(command.inputs.empty() ? none : command.inputs.front(), tick.dt);
+  if (tick.dt > 0) stop_at_obstacles(before);
+  const TerrainVehicle::State<double> x = plant_.state();
+  TerrainVehicle::Input<double> u = plant_.in_force();
+  if (held_up_) u[0] = 0;
+  const MountedCamera<TerrainVehicle::error_size> seat = mount_.on(body_.pose(x));
+  const Eigen::Matrix<double, 6, 1> speeds = seat.J * body_.rate<double>(x, u);
+  Truth truth;
+  truth.camera = seat.camera;
+  truth.camera.tail<6>() = speeds;
+  truth.vehicles.push_back(plant_.state());
+  truth.inputs.push_back(plant_.carried_out());
+  return truth;
+}
+
+RoomVehicleSensor::RoomVehicleSensor(RoomCamera camera, const RoomLayout& layout, const RangeRing& ring,
+                                     std::uint64_t seed)
+    : camera_(std::move(camera)), plan_(layout), ring_(ring), noise_(seed, "vehicle.ranges") {}
+
+Observation RoomVehicleSensor::look(const std::optional<Truth>& truth, const Tick& tick) {
+  Observation seen = camera_.look(truth, tick);
+  if (truth->vehicles.empty()) throw std::logic_error("a vehicle's sensor without its vehicle");
+  if (tick.dt > 0) seen.odometry.push_back({tick.t, truth->inputs.front()});
+  const SmallVector& x = truth->vehicles.front();
+  seen.around = look_around(plan_, ring_, x.head<2>(), x[2]);
+  for (ConeRange& cone : seen.around)
+    if (cone.range_m < ring_.reach_m)
+      cone.range_m = std::clamp(cone.range_m + ring_.sigma_m * noise_.normal(), 0.0, ring_.reach_m);
+  return seen;
+}
+
+}  // namespace incognita

@@ -1,0 +1,37 @@
+// The rendered room as the loop sees it: a body that obeys commands, or an operator's hand.
+#pragma once
+
+#include <optional>
+#include <utility>
+
+#include "incognita/world/operator_model.hpp"
+#include "incognita/world/rendered/free_camera_plant.hpp"
+#include "incognita/world/world.hpp"
+
+namespace incognita {
+
+class RoomWorld final : public World {
+ public:
+  RoomWorld(const RoomLayout& layout, const RoomSettings& settings, std::uint64_t seed,
+            std::optional<OperatorHand> hand = {})
+      : plant_(settings, layout, seed), hand_(std::move(hand)) {}
+
+  /// A tick without duration, as the first one is, changes nothing: it says where the camera starts.
+  std::optional<Truth> move(const Command& command, const Tick& tick) override {
+    Command carried_out = command;
+    if (hand_ && last_t_) {
+      const FreeCameraMotion::Input<double> input = hand_->move(command, 0, plant_.state(), *last_t_);
+      carried_out.linear_acceleration = input.head<3>();
+      carried_out.angular_acceleration = input.tail<3>();
+    }
+    last_t_ = tick.t;
+    return Truth{plant_.move(carried_out, tick.dt)};
+  }
+
+ private:
+  FreeCameraPlant plant_;
+  std::optional<OperatorHand> hand_;
+  std::optional<double> last_t_;  ///< of the tick before: when the command was given
+};
+
+}  // namespace incognita

@@ -2,6 +2,7 @@
 
 import json
 import math
+import re
 import statistics
 import tomllib
 from functools import partial
@@ -76,6 +77,53 @@ def camera_row(results: Results, folder: str) -> str:
     return (f"| `{folder.removeprefix('free-')}` | {report['rank']} | {report['ideal_rank']} | {report['errors']} | "
             f"{report['wrongly_believed']} | {math.degrees(turn['sigma_from_looks']):.2f} | "
             f"{percent(scale['sigma_from_looks'], 1)}, {percent(scale['believed_sigma'], 1)} |")
+
+
+NUMBER = r"(-?[\d.]+(?:e[+-]\d+)?)"
+COMPARISON = re.compile(rf"entropy less that of (?:moving |driving |the )?([a-z ]+): {NUMBER} \({NUMBER} to {NUMBER}\) nats .*?"
+                        r"lower in (\d+) of (\d+) rooms.*?diverged (\d+) and (\d+), "
+                        rf"position error {NUMBER} and {NUMBER} m \(median\)")
+COVERAGE = re.compile(rf"([a-z() ,]+): entropy {NUMBER} .*? located, {NUMBER} \([^()]*\) % seen")
+
+
+def plain(number: str) -> str:
+    """`-1.47e+03` as -1470."""
+    return f"{float(number):.4g}" if "e" in number else number
+
+
+def comparison(results: Results, section: str, against: str, as_mapped: bool) -> tuple[list[str], str]:
+    """Numbers and verdict of the claim of the ledger that moving by information leaves less entropy than another
+    strategy. `as_mapped`: in the variant that counts unseen landmarks as far as they would be mapped."""
+    for row in ledger_section(results, section).split("\n"):
+        found = COMPARISON.search(row)
+        if found and found[1] == against and ("explore.counted = as-mapped" in row) == as_mapped:
+            return [plain(number) for number in found.groups()[1:]], row.split(" | ")[4]
+    raise KeyError(f"docs/claims.md, {section}: no comparison with `{against}`")
+
+
+def ledger_section(results: Results, section: str) -> str:
+    """A section of docs/claims.md."""
+    return results.output("ledger").split(f"\n## {section}: ")[1].split("\n## ")[0]
+
+
+def coverage(results: Results, section: str, strategy: str) -> str:
+    """Percent of the room that a strategy has seen, of docs/claims.md."""
+    return next(share for name, _, share in COVERAGE.findall(ledger_section(results, section)) if name.strip() == strategy)
+
+
+def gain_row(results: Results, section: str, ours: str, against: str, baseline: str, as_mapped: bool = False) -> str:
+    """What moving by information gained over another strategy, and what it cost: cells."""
+    (gap, low, high, lower, rooms, *diverged, error, other_error), verdict = comparison(results, section, against, as_mapped)
+    return (f"{gap} ({low} to {high}) | {lower} of {rooms} | {verdict} | {error} / {other_error} | "
+            f"{coverage(results, section, ours)} / {coverage(results, section, baseline)} | {' / '.join(diverged)} |")
+
+
+def gain_sentence(results: Results, section: str, ours: str, against: str, baseline: str) -> str:
+    """The same in words, of the variant."""
+    (gap, low, high, lower, rooms, _, _, error, other_error), _ = comparison(results, section, against, True)
+    return (f"Over {rooms} rooms, this strategy leaves {gap.lstrip('-')} nats less entropy than random motion (99.9 % interval "
+            f"{high.lstrip('-')} to {low.lstrip('-')}), but its median position error is {error} m against {other_error} m, "
+            f"and it sees {coverage(results, section, ours)} % of the room against {coverage(results, section, baseline)} %.")
 
 
 def right_matches(results: Results, campaign: str, variant: str = "") -> float:

@@ -121,9 +121,9 @@ def gain_row(results: Results, section: str, ours: str, against: str, baseline: 
 def gain_sentence(results: Results, section: str, ours: str, against: str, baseline: str) -> str:
     """The same in words, of the variant."""
     (gap, low, high, lower, rooms, _, _, error, other_error), _ = comparison(results, section, against, True)
-    return (f"Over {rooms} rooms, this strategy leaves {gap.lstrip('-')} nats less entropy than random motion (99.9 % interval "
+    return (f"Over {rooms} rooms, mutual information leaves {gap.lstrip('-')} nats less entropy than random motion (99.9 % interval "
             f"{high.lstrip('-')} to {low.lstrip('-')}), but its median position error is {error} m against {other_error} m, "
-            f"and it sees {coverage(results, section, ours)} % of the room against {coverage(results, section, baseline)} %.")
+            f"and the camera sees {coverage(results, section, ours)} % of the room against {coverage(results, section, baseline)} %.")
 
 
 def right_matches(results: Results, campaign: str, variant: str = "") -> float:

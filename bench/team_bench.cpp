@@ -83,7 +83,7 @@ class Team {
         estimator_(filter_of(vehicles_)) {
     command_.inputs.assign(vehicles_.size(), Eigen::Vector2d(speed_m_s, speed_m_s / radius_m));
     TeamSensor everything(vehicles_, place_, false, 2);
-    for (SimulatedVehicle& v : vehicles_) v.max_range_m = range_m;
+    for (SimulatedVehicle& v : vehicles_) v.reach.max_range_m = range_m;
     sensor_.emplace(vehicles_, place_, true, 1);
     tick_ = clock_.next();
     truth_ = world_.move(command_, tick_);

@@ -12,7 +12,8 @@
 #include "incognita/math/angles.hpp"
 #include "incognita/messages/errors.hpp"
 #include "incognita/models/range_bearing.hpp"
-#include "incognita/slam/points/planar_estimator.hpp"
+#include "incognita/slam/points/single_vehicle.hpp"
+#include "incognita/slam/points/team_estimator.hpp"
 #include "incognita/world/replay/range_replay.hpp"
 
 namespace incognita::car_park {
@@ -37,17 +38,17 @@ void identify(Data& data) {
   settings.filter.anchors = data.anchors;
   settings.start.heading_rad = radians(right_heading_deg);
   settings.start.sigma_heading_rad = radians(2);
-  const auto recording = std::make_shared<const RangeRecording>(data.recording);
-  RangeClock clock(recording, duration_s);
-  RangeSensor sensor(recording, Fixes::first, settings.sensor.max_range_m);
-  const PlanarEstimator estimator(settings);
-  PlanarEstimate estimate;
+  const auto recordings = std::make_shared<const std::vector<RangeRecording>>(1, data.recording);
+  RangeClock clock(recordings, duration_s);
+  RangeSensor sensor(recordings, {settings.sensor.max_range_m, Fixes::first});
+  const TeamEstimator estimator(single_vehicle(settings));
+  TeamEstimate estimate;
   while (const Tick tick = clock.next()) {
     estimator.update(estimate, {}, sensor.look({}, tick), tick);
     if (!estimate.started) continue;
     for (Detection& d : data.recording.scans[static_cast<std::size_t>(tick.frame)].detections) {
       const Eigen::Vector2d at =
-          RangeBearing::j<double>(vehicle_pose(estimate).pose, {d.range_m, d.bearing_rad});
+          RangeBearing::j<double>(planar::Pose<double>(estimate.vehicles.front().state), {d.range_m, d.bearing_rad});
       double nearest_m = 1;
       for (std::size_t b = 0; b < data.recording.landmarks.size(); ++b) {
         const double distance = (data.recording.landmarks[b].position - at).norm();
@@ -61,19 +62,19 @@ void identify(Data& data) {
 class Driver {
  public:
   Driver(const Data& data, const PlanarSlamSettings& settings) : data_(data), settings_(settings) {
-    for (std::size_t b = 0; b < data.recording.landmarks.size(); ++b)
-      for (const Eigen::Vector2d& anchor : settings.filter.anchors)
+    for (const Eigen::Vector2d& anchor : settings.filter.anchors)
+      for (std::size_t b = 0; b < data.recording.landmarks.size(); ++b)
         if ((data.recording.landmarks[b].position - anchor).norm() < 0.01)
           anchors_.push_back(static_cast<int>(b));
   }
 
   Drive run() {
-    const auto recording = std::make_shared<const RangeRecording>(data_.recording);
-    RangeClock clock(recording, duration_s);
-    RangeSensor sensor(recording, settings_.filter.use_fixes ? Fixes::all : Fixes::first,
-                       settings_.sensor.max_range_m);
-    const PlanarEstimator estimator(settings_);
-    PlanarEstimate estimate;
+    const auto recordings = std::make_shared<const std::vector<RangeRecording>>(1, data_.recording);
+    RangeClock clock(recordings, duration_s);
+    RangeSensor sensor(recordings,
+                       {settings_.sensor.max_range_m, settings_.filter.use_fixes ? Fixes::all : Fixes::first});
+    const TeamEstimator estimator(single_vehicle(settings_, std::vector<std::int64_t>(anchors_.begin(), anchors_.end())));
+    TeamEstimate estimate;
     while (const Tick tick = clock.next()) {
       estimator.update(estimate, {}, sensor.look({}, tick), tick);
       if (estimate.started) gather(estimate, tick);
@@ -87,23 +88,22 @@ class Driver {
     return std::find(anchors_.begin(), anchors_.end(), beacon) != anchors_.end();
   }
 
-  void gather(const PlanarEstimate& e, const Tick& tick) {
-    const PlanarPoseEstimate vehicle = vehicle_pose(e);
+  void gather(const TeamEstimate& e, const Tick& tick) {
+    const TeamVehicle& vehicle = e.vehicles.front();
     const auto truth = true_place(data_.recording, tick.t);
     drive_.t.push_back(tick.t);
-    drive_.path.push_back(vehicle.pose.head<2>());
+    drive_.path.push_back(vehicle.state.head<2>());
     drive_.gps.push_back(truth ? truth->position : Eigen::Vector2d(unknown, unknown));
-    drive_.sigma_m.push_back(worst_sigma(vehicle.covariance.topLeftCorner<2, 2>()));
-    drive_.sigma_heading_rad.push_back(std::sqrt(std::max(0.0, vehicle.covariance(2, 2))));
+    drive_.sigma_m.push_back(worst_sigma(vehicle.state_covariance.topLeftCorner<2, 2>()));
+    drive_.sigma_heading_rad.push_back(std::sqrt(std::max(0.0, vehicle.state_covariance(2, 2))));
     drive_.lost_scans += e.status.state == TrackingState::lost;
     gather_looks(e, data_.recording.scans[static_cast<std::size_t>(tick.frame)].detections);
-    for (const PlanarLandmark& landmark : e.catalogue) {
-      if (landmark.anchor) continue;
-      const PlanarPosition at = position_of(landmark, e);
-      Track& track = tracks_[landmark.id];
+    for (const auto& [id, landmark] : e.landmarks) {
+      const TeamPosition at = *position_of(landmark, e);
+      Track& track = tracks_[id];
       track.t.push_back(tick.t);
       track.sigma_m.push_back(worst_sigma(at.covariance));
-      const int beacon = born_of_[landmark.id];
+      const int beacon = born_of_[id];
       track.error_m.push_back(
           beacon < 0
               ? unknown
@@ -111,27 +111,26 @@ class Driver {
     }
   }
 
-  void gather_looks(const PlanarEstimate& e, const std::vector<Detection>& detections) {
+  void gather_looks(const TeamEstimate& e, const std::vector<Detection>& detections) {
     for (std::size_t d = 0; d < e.looks.size(); ++d) {
-      const PlanarLook& look = e.looks[d];
+      const TeamLook& look = e.looks[d];
       const int beacon = static_cast<int>(detections[d].identity);
       ++drive_.detections;
       if (beacon >= 0) ++seen_[beacon];
-      if (look.outcome == LookOutcome::born) born_of_[look.id] = beacon;
+      if (look.outcome == LookOutcome::born) born_of_[look.identity] = beacon;
       if (look.outcome != LookOutcome::matched) continue;
       ++drive_.matched;
       if (beacon < 0) continue;
-      if (look.anchor ? !is_anchor(beacon) : born_of_[look.id] != beacon) ++drive_.wrong;
+      if (look.anchor ? !is_anchor(beacon) : born_of_[look.identity] != beacon) ++drive_.wrong;
     }
   }
 
-  void compare(const PlanarEstimate& e) {
-    for (const PlanarLandmark& landmark : e.catalogue) {
-      if (landmark.anchor) continue;
-      const PlanarPosition at = position_of(landmark, e);
+  void compare(const TeamEstimate& e) {
+    for (const auto& [id, landmark] : e.landmarks) {
+      const TeamPosition at = *position_of(landmark, e);
       drive_.landmarks.push_back(at.position);
       drive_.covariances.push_back(at.covariance);
-      drive_.tracks.push_back(tracks_[landmark.id]);
+      drive_.tracks.push_back(tracks_[id]);
     }
     std::vector<Eigen::Vector2d> surveyed, path, gps;
     std::vector<int> which;

@@ -67,7 +67,7 @@ Scene scene_of(const Setup& s) {
     const SmallVector most = robot.steering.most_input;
     SimulatedVehicle vehicle{
         m.motion, {m.start, m.start_sigmas, m.input_sigmas, -most, most}, m.sensor, m.sigmas};
-    vehicle.field_of_view_rad = std::numbers::pi;
+    vehicle.reach.field_of_view_rad = std::numbers::pi;
     scene.vehicles.push_back(vehicle);
     scene.filter.members.push_back(m);
     scene.steering.push_back({m.motion, robot.steering});

@@ -6,7 +6,8 @@
 #include "incognita/math/angles.hpp"
 #include "incognita/math/random.hpp"
 #include "incognita/models/range_bearing.hpp"
-#include "incognita/slam/points/planar_estimator.hpp"
+#include "incognita/slam/points/single_vehicle.hpp"
+#include "incognita/slam/points/team_estimator.hpp"
 #include "incognita/world/replay/range_replay.hpp"
 
 namespace incognita {
@@ -54,30 +55,32 @@ StandingVehicle standing_vehicle(std::uint64_t seed, const std::string& linearis
   s.association.method = "known";
   s.association.gate_probability = 1 - 1e-12;
   s.start.sigma_heading_rad = radians(standing_sigma_heading_deg);
-  const PlanarEstimator estimator(s);
+  const TeamEstimator estimator(single_vehicle(s));
   RandomStream random(seed, "standing vehicle");
   const planar::Pose<double> truth(0, 0, s.start.sigma_heading_rad * random.normal());
   const Eigen::Vector2d landmark(10, 0);
-  PlanarEstimate estimate;
+  TeamEstimate estimate;
   for (int k = 0; k < standing_looks; ++k) {
-    const Eigen::Vector2d z = RangeBearing::h<double>(truth, landmark);
+    Eigen::Vector2d z = RangeBearing::h<double>(truth, landmark);
+    z[0] += s.sensor.sigma_range_m * random.normal();
+    z[1] += s.sensor.sigma_bearing_rad * random.normal();
     Observation seen;
-    seen.detections = {{z[0] + s.sensor.sigma_range_m * random.normal(),
-                        z[1] + s.sensor.sigma_bearing_rad * random.normal(), 0}};
+    seen.team.resize(1);
+    seen.team[0].landmarks = {{0, z}};
     estimator.update(estimate, {}, seen, {k, static_cast<double>(k), k > 0 ? 1.0 : 0.0});
   }
-  const PlanarPoseEstimate at = vehicle_pose(estimate);
-  return {degrees(std::sqrt(at.covariance(2, 2))),
-          std::pow(wrap_angle(truth[2] - at.pose[2]), 2) / at.covariance(2, 2)};
+  const TeamVehicle& at = estimate.vehicles.front();
+  return {degrees(std::sqrt(at.state_covariance(2, 2))),
+          std::pow(wrap_angle(truth[2] - at.state[2]), 2) / at.state_covariance(2, 2)};
 }
 
 PlanarConsistency planar_consistency(const PlanarLoopSettings& drive, std::uint64_t seed,
                                      const PlanarFilterSettings& filter) {
-  const auto recording = std::make_shared<const RangeRecording>(drive_planar_loop(drive, seed));
-  RangeClock clock(recording, drive.duration_s);
-  RangeSensor sensor(recording, filter.use_fixes ? Fixes::all : Fixes::none, drive.max_range_m * 2);
-  const PlanarEstimator estimator(settings_for(drive, filter));
-  PlanarEstimate estimate;
+  const auto recordings = std::make_shared<const std::vector<RangeRecording>>(1, drive_planar_loop(drive, seed));
+  RangeClock clock(recordings, drive.duration_s);
+  RangeSensor sensor(recordings, {drive.max_range_m * 2, filter.use_fixes ? Fixes::all : Fixes::none});
+  const TeamEstimator estimator(single_vehicle(settings_for(drive, filter)));
+  TeamEstimate estimate;
   PlanarConsistency sum;
   double scans = 0, updates = 0;
   while (const Tick tick = clock.next()) {
@@ -87,11 +90,11 @@ PlanarConsistency planar_consistency(const PlanarLoopSettings& drive, std::uint6
       ++updates;
     }
     if (tick.frame == 0) continue;  // the start is known exactly
-    const auto truth = true_place(*recording, tick.t);
-    const PlanarPoseEstimate at = vehicle_pose(estimate);
+    const auto truth = true_place(recordings->front(), tick.t);
+    const TeamVehicle& at = estimate.vehicles.front();
     Eigen::Vector3d error;
-    error << truth->position - at.pose.head<2>(), wrap_angle(*truth->heading_rad - at.pose[2]);
-    sum.nees += error.dot(at.covariance.llt().solve(error)) / 3;
+    error << truth->position - at.state.head<2>(), wrap_angle(*truth->heading_rad - at.state[2]);
+    sum.nees += error.dot(Eigen::Matrix3d(at.state_covariance).llt().solve(error)) / 3;
     sum.position_rms_m += error.head<2>().squaredNorm();
     sum.heading_rms_rad += error[2] * error[2];
     ++scans;

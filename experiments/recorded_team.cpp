@@ -12,7 +12,6 @@
 #include "incognita/math/angles.hpp"
 #include "incognita/slam/points/team_estimator.hpp"
 #include "incognita/world/replay/range_replay.hpp"
-#include "incognita/world/replay/team_replay.hpp"
 
 namespace incognita::recorded_team {
 namespace {
@@ -56,8 +55,8 @@ class Driver {
   }
 
   Drive run() {
-    TeamReplayClock clock(recordings_, duration_s);
-    TeamReplaySensor sensor(recordings_, setup_.see_each_other, 1e9);
+    RangeClock clock(recordings_, duration_s);
+    RangeSensor sensor(recordings_, {.measures_vehicles = setup_.see_each_other});
     Tick tick = clock.next();
     const double start_t = tick.t;
     const TeamEstimator estimator(settings_of(robots_, start_t, setup_));
@@ -154,7 +153,7 @@ class Driver {
 
 /// Scans that show nothing at the times of the others' scans; none from before the team's first.
 void look_at_all_times(RangeRecording& robot, const Robots& team) {
-  TeamReplayClock clock(std::make_shared<const Robots>(team), duration_s);
+  RangeClock clock(std::make_shared<const Robots>(team), duration_s);
   std::vector<RangeRecording::Scan> scans;
   auto own = robot.scans.begin();
   while (const Tick tick = clock.next()) {

@@ -14,8 +14,8 @@ namespace incognita {
 class AnyBelief {
  public:
   AnyBelief() = default;  ///< in covariance form
-  AnyBelief(Belief belief) : form_(std::move(belief)) {}
-  AnyBelief(InformationBelief belief) : form_(std::move(belief)) {}
+  explicit AnyBelief(Belief belief) : form_(std::move(belief)) {}
+  explicit AnyBelief(InformationBelief belief) : form_(std::move(belief)) {}
 
   /// What holds for one form only, by std::visit.
   const std::variant<Belief, InformationBelief>& form() const { return form_; }
@@ -79,6 +79,19 @@ class AnyBelief {
   }
   void innovation_covariance(std::span<const AffineLook> looks, Eigen::MatrixXd& S) const {
     std::visit([&](const auto& b) { b.innovation_covariance(looks, S); }, form_);
+  }
+
+  // Of the covariance form alone; in information form each throws std::bad_variant_access
+  // -------------------------------------------------------------------------------------------------
+
+  void carry(const AffineMotion& mover, std::span<const Belief::Carried> others) {
+    std::get<Belief>(form_).carry(mover, others);
+  }
+  void decorrelate(Belief::Scope scope) { std::get<Belief>(form_).decorrelate(scope); }
+  /// Whether the map's correlations are dropped at every update; never in information form.
+  bool drops_correlations() const {
+    const Belief* belief = std::get_if<Belief>(&form_);
+    return belief && belief->correlations() == MapCorrelations::dropped;
   }
 
  private:

@@ -95,7 +95,7 @@ void TeamController::take_states(const TeamEstimate& estimate) {
   if (estimate.status.state == TrackingState::lost) return;
   lost_t_.reset();
   last_known_.clear();
-  for (const TeamVehicle& v : estimate.vehicles) last_known_.emplace_back(estimate.belief.mean(v.block));
+  for (const TeamVehicle& v : estimate.vehicles) last_known_.emplace_back(v.state);
 }
 
 Command TeamController::act(const TeamEstimate& estimate, const Goal& goal, const Observation&,

@@ -30,7 +30,6 @@ struct TeamDecisionSettings {
   DecisionSettings decision = with_held_gaze();
   bool decides = true;   ///< false: there is nothing to decide
   double tick_s = 0.1;   ///< how long an input is held
-  Reach reach = {};      ///< beyond, points are not expected to be seen
   int max_looks = 1000;  ///< of the map, in one set of imagined looks: the most uncertain
   ExplorationSettings exploration = {};
   std::optional<Carrier> carrier = {};  ///< of cameras that do not fly but are carried

@@ -7,21 +7,18 @@
 
 namespace incognita {
 
-TeamExpectation::TeamExpectation(TeamSettings team, const Reach& reach, int max_looks)
-    : team_(std::move(team)), reach_(reach), max_looks_(max_looks) {}
+TeamExpectation::TeamExpectation(TeamSettings team, int max_looks)
+    : team_(std::move(team)), max_looks_(max_looks) {}
 
 /// What the sensor would tell from there; nothing where it would not see the place.
 std::optional<AnyLook> TeamExpectation::look_from(const SmallVector& vehicle, const SmallVector& from,
                                                   const LandmarkForm& form, const SmallVector& told,
                                                   const SmallVector& place) const {
-  if ((place - from).norm() > reach_.max_range_m) return std::nullopt;
   const TeamMember& member = team_.members[vehicle_];
+  const double distance_m = (place - from).norm();
+  if (distance_m > member.reach.max_range_m) return std::nullopt;
   auto look = look_at(member.sensor, member.motion, vehicle, form, told);
-  if (!look || !look->in_view) return std::nullopt;
-  const bool has_bearing = std::holds_alternative<LaserScanner>(member.sensor) ||
-                           std::holds_alternative<DirectionFinder>(member.sensor);
-  if (has_bearing && std::abs(look->z[look->z.size() - 1]) > reach_.field_of_view_rad / 2)
-    return std::nullopt;
+  if (!look || !is_in_view(member.sensor, member.reach, *look, distance_m)) return std::nullopt;
   return look;
 }
 

@@ -10,16 +10,10 @@
 
 namespace incognita {
 
-/// How far and how wide a sensor of ranges or bearings sees; a camera its image.
-struct Reach {
-  double max_range_m = 1e9;
-  double field_of_view_rad = 7;  ///< about straight ahead
-};
-
 class TeamExpectation final : public Expectation {
  public:
   /// `max_looks`: of the map, the most uncertain.
-  TeamExpectation(TeamSettings team, const Reach& reach, int max_looks);
+  TeamExpectation(TeamSettings team, int max_looks);
 
   /// The team as it is now, and landmarks that nobody has seen; both must stay until the next call.
   void prepare(const TeamEstimate& estimate, std::size_t vehicle, const std::vector<ExpectedLandmark>& unseen,
@@ -49,7 +43,6 @@ class TeamExpectation final : public Expectation {
   double innovation_trace(const ExpectedLook& look) const;
 
   TeamSettings team_;
-  Reach reach_;
   int max_looks_;
   const TeamEstimate* estimate_ = nullptr;
   std::size_t vehicle_ = 0;

@@ -40,7 +40,7 @@ struct ConeRange {
   double range_m = 0;         ///< from the middle of the axle; the sensor's reach where there is nothing
 };
 
-/// Whether a detection says anything: a range above 0, finite, with a finite bearing.
+/// Whether a detection is usable: finite, with a range above 0.
 inline bool is_usable(const Detection& detection) {
   return std::isfinite(detection.range_m) && detection.range_m > 0 && std::isfinite(detection.bearing_rad);
 }
@@ -56,6 +56,7 @@ struct VehicleView {
   std::optional<SmallVector>
       input;  ///< what it carried out since the tick before, as its motion model takes it
   std::vector<Odometry> odometry;  ///< or, where it was recorded, each reading since then, in time order
+  std::vector<PositionReading> fixes = {};  ///< of an external sensor, since the tick before, in time order
   /// Speed, m/s, and turn rate, rad/s, by the encoders of what carries a camera; its filter does not ask
   std::optional<Eigen::Vector2d> wheels;
   std::vector<Sighting> landmarks;  ///< of this very tick
@@ -65,10 +66,8 @@ struct VehicleView {
 struct Observation {
   std::shared_ptr<const Image>
       image;                       ///< immutable, shared with the record; null when the camera gave nothing
-  std::vector<Odometry> odometry;  ///< since the tick before, in time order
-  std::vector<Detection> detections;   ///< of this very tick
-  std::vector<PositionReading> fixes;  ///< since the tick before, in time order
-  std::vector<VehicleView> team;       ///< where vehicles name what they see: one for each
+  std::vector<Odometry> odometry;  ///< of the vehicle that carries that camera, since the tick before, in time order
+  std::vector<VehicleView> team;   ///< of vehicles that detect points: one for each
   std::vector<ConeRange> around;       ///< what stands around a vehicle, of this very tick
 };
 

@@ -148,6 +148,13 @@ std::optional<AnyLook> look_at(const AnySensor& sensor, const AnyMotion& motion,
       sensor);
 }
 
+bool is_in_view(const AnySensor& sensor, const Reach& reach, const AnyLook& look, double distance_m) {
+  if (!look.in_view || !(distance_m <= reach.max_range_m)) return false;
+  const bool has_bearing =
+      std::holds_alternative<LaserScanner>(sensor) || std::holds_alternative<DirectionFinder>(sensor);
+  return !has_bearing || std::abs(look.z[look.z.size() - 1]) <= reach.field_of_view_rad / 2;
+}
+
 namespace {
 
 std::optional<AnyBirth> birth_in_space(const CarriedCamera& carried, const Seat& seat, const SmallVector& z,

@@ -57,6 +57,15 @@ struct AnyLook {
 std::optional<AnyLook> look_at(const AnySensor& sensor, const AnyMotion& motion, const SmallVector& vehicle,
                                const LandmarkForm& form, const SmallVector& landmark);
 
+/// How far and how wide a sensor measures; a camera measures what its image has.
+struct Reach {
+  double max_range_m = 1e9;
+  double field_of_view_rad = 7;  ///< of a scanner, about straight ahead; 7 is more than a full turn
+};
+
+/// Whether a sensor with that reach measures a point `distance_m` away that it predicts as `look`.
+bool is_in_view(const AnySensor& sensor, const Reach& reach, const AnyLook& look, double distance_m);
+
 struct AnyBirth {
   LandmarkForm form;
   Chart chart;

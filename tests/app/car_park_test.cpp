@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "incognita/analysis/evaluation/map_error.hpp"
-#include "incognita/app/loop/assemble_planar.hpp"
+#include "incognita/app/loop/assemble_ranges.hpp"
 #include "incognita/messages/errors.hpp"
 
 namespace incognita {
@@ -18,24 +18,24 @@ struct Outcome {
 /// The first 112 s.
 Outcome drive(const std::string& scenario, std::vector<std::string> sets = {}) {
   sets.push_back("run.duration_s=112");
-  PlanarAssembly assembly = assemble_planar(load_scenario(scenario, sets));
+  RangeAssembly assembly = assemble_ranges(load_scenario(scenario, sets));
   auto& [clock, world, sensor, estimator, decision, controller] = assembly.boxes;
-  PlanarEstimate estimate;
+  TeamEstimate estimate;
   Outcome out;
   while (const Tick tick = clock->next()) {
     estimator.update(estimate, {}, sensor->look({}, tick), tick);
     out.lost += estimate.status.state == TrackingState::lost;
-    const auto truth = true_place(*assembly.recording, tick.t);
+    const auto truth = true_place(assembly.recording(), tick.t);
     if (!truth || !estimate.started) continue;
-    out.path.emplace_back(vehicle_pose(estimate).pose.head<2>());
+    out.path.emplace_back(estimate.vehicles.front().state.head<2>());
     out.gps.push_back(truth->position);
   }
-  for (const PlanarLandmark& landmark : estimate.catalogue)
-    if (!landmark.anchor) out.landmarks.push_back(position_of(landmark, estimate).position);
-  for (const auto& beacon : assembly.recording->landmarks) {
+  for (const auto& [id, landmark] : estimate.landmarks)
+    out.landmarks.emplace_back(position_of(landmark, estimate)->position);
+  for (const auto& beacon : assembly.recording().landmarks) {
     bool anchor = false;
-    for (const PlanarLandmark& l : estimate.catalogue)
-      anchor |= l.anchor && (l.position - beacon.position).norm() < 0.01;
+    for (const auto& [id, a] : estimate.anchors)
+      anchor |= (Eigen::Vector2d(a.position) - beacon.position).norm() < 0.01;
     if (!anchor) out.beacons.push_back(beacon.position);
   }
   return out;

@@ -7,7 +7,7 @@
 #include <limits>
 #include <memory>
 
-#include "incognita/app/loop/assemble_planar.hpp"
+#include "incognita/app/loop/assemble_ranges.hpp"
 #include "incognita/models/wide_angle_camera.hpp"
 #include "incognita/world/points/planar_loop.hpp"
 
@@ -42,17 +42,17 @@ Watched drive(double duration_s,
               const std::function<void(PlanarSlamSettings&, const RangeRecording&)>& change) {
   PlanarLoopSettings loop;
   loop.duration_s = duration_s;
-  const auto recording = std::make_shared<const RangeRecording>(drive_planar_loop(loop, 5));
+  const RangeRecording recording = drive_planar_loop(loop, 5);
   PlanarSlamSettings settings = settings_for(loop);
-  change(settings, *recording);
-  PlanarAssembly assembly = assemble_planar(recording, settings, duration_s + 1);
+  change(settings, recording);
+  RangeAssembly assembly = assemble_ranges(recording, settings, duration_s + 1);
   ObservabilityWatch watch;
   Watched out;
   run_loop(assembly.boxes, std::function<void(const Snapshot&)>([](const Snapshot&) {}),
            std::function<bool(const Tick&)>([](const Tick&) { return true; }),
-           std::function<void(const PlanarEstimate&)>([&](const PlanarEstimate& estimate) {
+           std::function<void(const TeamEstimate&)>([&](const TeamEstimate& estimate) {
              watch.follow(estimate);
-             out.filter_sigma_heading = std::sqrt(vehicle_pose(estimate).covariance(2, 2));
+             out.filter_sigma_heading = std::sqrt(estimate.vehicles.front().state_covariance(2, 2));
            }));
   out.report = watch.report().value();
   return out;
@@ -143,12 +143,13 @@ TEST(ObservabilityWatch, SaysWhatItDoesNotFollow) {
 
 TEST(ObservabilityWatch, SaysThatNumbersAreNotFiniteAndWhatCanBeKnownAllTheSame) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  PlanarEstimate estimate;
-  estimate.vehicle =
+  TeamEstimate estimate;
+  estimate.vehicles.resize(1);
+  estimate.vehicles[0].block =
       estimate.belief.add_vehicle(planar::pose_chart, Eigen::Vector3d::Zero(), Eigen::Matrix3d::Identity());
   estimate.started = true;
   for (const bool of_mean : {true, false}) {
-    PlanarEstimate broken = estimate;
+    TeamEstimate broken = estimate;
     ObservabilityWatch watch;
     broken.belief.keep_trace(true);
     watch.follow(broken);
@@ -156,7 +157,7 @@ TEST(ObservabilityWatch, SaysThatNumbersAreNotFiniteAndWhatCanBeKnownAllTheSame)
     const Eigen::Vector3d next = of_mean ? Eigen::Vector3d(nan, 0, 0) : Eigen::Vector3d(1, 2, 3);
     Eigen::Matrix3d A = Eigen::Matrix3d::Identity();
     if (!of_mean) A(0, 0) = nan;
-    broken.belief.predict({broken.vehicle, next, A, Eigen::Matrix3d::Identity()});
+    broken.belief.predict({broken.vehicles[0].block, next, A, Eigen::Matrix3d::Identity()});
     watch.follow(broken);
     const auto report = watch.report();
     ASSERT_TRUE(report);
@@ -238,14 +239,13 @@ TEST(ObservabilityWatch, ACameraThatIsCommandedIsNotAccusedOfWhatItIsTold) {
 TEST(ObservabilityWatch, NothingIsNotedWhereNobodyWatches) {
   PlanarLoopSettings loop;
   loop.duration_s = 5;
-  PlanarAssembly assembly = assemble_planar(
-      std::make_shared<const RangeRecording>(drive_planar_loop(loop, 5)), settings_for(loop), 10);
+  RangeAssembly assembly = assemble_ranges(drive_planar_loop(loop, 5), settings_for(loop), 10);
   auto& [clock, world, sensor, estimator, decision, controller] = assembly.boxes;
-  PlanarEstimate unwatched, watched;
+  TeamEstimate unwatched, watched;
   watched.belief.keep_trace(true);
   while (const Tick tick = clock->next()) {
     const Observation seen = sensor->look({}, tick);
-    for (PlanarEstimate* estimate : {&unwatched, &watched}) estimator.update(*estimate, {}, seen, tick);
+    for (TeamEstimate* estimate : {&unwatched, &watched}) estimator.update(*estimate, {}, seen, tick);
     EXPECT_TRUE(unwatched.belief.trace().empty());
     EXPECT_FALSE(watched.belief.trace().empty());
     watched.belief.clear_trace();

@@ -10,7 +10,6 @@
 #include "incognita/messages/errors.hpp"
 #include "incognita/slam/points/team_estimator.hpp"
 #include "incognita/world/replay/range_replay.hpp"
-#include "incognita/world/replay/team_replay.hpp"
 
 namespace incognita {
 namespace {
@@ -37,8 +36,8 @@ struct Errors {
 
 Errors drive(const std::vector<RangeRecording>& robots, bool see_each_other) {
   const auto shared = std::make_shared<const std::vector<RangeRecording>>(robots);
-  TeamReplayClock clock(shared, 900);
-  TeamReplaySensor sensor(shared, see_each_other, 1e9);
+  RangeClock clock(shared, 900);
+  RangeSensor sensor(shared, {.measures_vehicles = see_each_other});
   Tick tick = clock.next();
   TeamSettings settings;
   settings.filter.gate_probability = 0.999;

@@ -163,7 +163,6 @@ TEST(TeamScenario, RefusesAtStartWithTheReason) {
   refused({"team_filter.lineariser=linear"}, "team_filter.lineariser", "nearest");
   refused({"plant.motion=terrain"}, "plant.motion", "tilts");
   refused({"run.rate_hz=10000", "run.duration_s=1e7"}, "run.duration_s", "ticks");
-  refused({"association.method=joint"}, "association.method", "`known` or `nearest`");
   refused({"association.method=nearest", "association.birth_probability=0.9"},
           "association.birth_probability", "what is inside its gate is no new one");
   refused({"points.file=nowhere.csv"}, "points.count", "means nothing with points.file");

@@ -37,7 +37,7 @@ struct Scene {
         member.sensor,
         member.sigmas,
         member.sigma_range_ratio};
-    v.max_range_m = max_range_m;
+    v.reach.max_range_m = max_range_m;
     vehicles.push_back(v);
     filter.members.push_back(member);
     steering.push_back(steer);

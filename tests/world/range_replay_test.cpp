@@ -7,22 +7,25 @@
 
 #include "incognita/models/range_bearing.hpp"
 #include "incognita/world/points/planar_loop.hpp"
-#include "incognita/world/replay/team_replay.hpp"
 
 namespace incognita {
 namespace {
 
-SharedRangeRecording small() {
+SharedRangeRecordings shared(std::vector<RangeRecording> recordings) {
+  return std::make_shared<const std::vector<RangeRecording>>(std::move(recordings));
+}
+
+RangeRecording small() {
   RangeRecording r;
   r.odometry = {{0.9, {1, 0}}, {1.5, {2, 0}}, {2.5, {3, 0}}};
   r.scans = {{1, {{5, 0.1, 3}, {50, 0, 4}}}, {2, {}}, {3, {{6, 0.2, 3}}}};
   r.truth = {{0.8, {0, 0}, 3.0}, {1.2, {4, 0}, -3.0}, {2.9, {8, 8}, 0.0}};
   r.fixes = {{0.8, {0.1, 0}, {}}, {1.9, {3, 0}, {}}};
-  return std::make_shared<const RangeRecording>(r);
+  return r;
 }
 
 TEST(RangeClock, TicksOncePerScanUntilItsTimeIsUp) {
-  RangeClock clock(small(), 1.5);  // from 0.8, the first event of any kind
+  RangeClock clock(shared({small()}), 1.5);  // from 0.8, the first event of any kind
   EXPECT_EQ(clock.expected_frames(), 2);
   const Tick first = clock.next(), second = clock.next();
   EXPECT_EQ(first.t, 1);
@@ -32,42 +35,42 @@ TEST(RangeClock, TicksOncePerScanUntilItsTimeIsUp) {
 }
 
 TEST(RangeSensor, TellsWhatCameSinceTheTickBefore) {
-  RangeSensor sensor(small(), Fixes::all, 30);
-  const Observation first = sensor.look({}, {0, 1, 0}), second = sensor.look({}, {1, 2, 1});
+  RangeSensor sensor(shared({small()}), {30, Fixes::all});
+  const VehicleView first = sensor.look({}, {0, 1, 0}).team.at(0), second = sensor.look({}, {1, 2, 1}).team.at(0);
   ASSERT_EQ(first.odometry.size(), 1u);
-  ASSERT_EQ(first.detections.size(), 1u);  // the other is beyond 30 m
-  EXPECT_EQ(first.detections[0].identity, 3);
+  ASSERT_EQ(first.landmarks.size(), 1u);  // the other is beyond 30 m
+  EXPECT_EQ(first.landmarks[0].identity, 3);
   ASSERT_EQ(first.fixes.size(), 1u);
   EXPECT_EQ(first.fixes[0].position.x(), 0.1);
   ASSERT_EQ(second.odometry.size(), 1u);
   EXPECT_EQ(second.odometry[0].t, 1.5);
-  EXPECT_TRUE(second.detections.empty());
+  EXPECT_TRUE(second.landmarks.empty());
   ASSERT_EQ(second.fixes.size(), 1u);
   EXPECT_EQ(second.fixes[0].t, 1.9);
 }
 
 TEST(RangeSensor, GivesNoMoreFixesThanAreWanted) {
-  RangeSensor none(small(), Fixes::none, 30), first(small(), Fixes::first, 30);
-  EXPECT_TRUE(none.look({}, {0, 1, 0}).fixes.empty());
-  EXPECT_FALSE(first.look({}, {0, 1, 0}).fixes.empty());
-  EXPECT_TRUE(first.look({}, {1, 2, 1}).fixes.empty());
+  RangeSensor none(shared({small()}), {30, Fixes::none}), first(shared({small()}), {30, Fixes::first});
+  EXPECT_TRUE(none.look({}, {0, 1, 0}).team.at(0).fixes.empty());
+  EXPECT_FALSE(first.look({}, {0, 1, 0}).team.at(0).fixes.empty());
+  EXPECT_TRUE(first.look({}, {1, 2, 1}).team.at(0).fixes.empty());
 }
 
 TEST(TruePlace, LiesBetweenItsNeighboursAndTurnsTheShortWay) {
-  const auto recording = small();
-  const auto place = true_place(*recording, 1.0);
+  const RangeRecording recording = small();
+  const auto place = true_place(recording, 1.0);
   ASSERT_TRUE(place);
   EXPECT_NEAR(place->position.x(), 2, 1e-12);
   EXPECT_NEAR(std::abs(*place->heading_rad), M_PI, 1e-9);
-  EXPECT_FALSE(true_place(*recording, 2.0));  // a hole of 1.7 s
-  EXPECT_FALSE(true_place(*recording, 0.5));
-  EXPECT_FALSE(true_place(*recording, 3.5));
+  EXPECT_FALSE(true_place(recording, 2.0));  // a hole of 1.7 s
+  EXPECT_FALSE(true_place(recording, 0.5));
+  EXPECT_FALSE(true_place(recording, 3.5));
 }
 
 TEST(RangeWorld, SaysWhetherTheOrientationIsKnown) {
-  RangeRecording r = *small();
+  RangeRecording r = small();
   for (auto& place : r.truth) place.heading_rad.reset();
-  RangeWorld blind(std::make_shared<const RangeRecording>(r)), seeing(small());
+  RangeWorld blind(shared({r})), seeing(shared({small()}));
   EXPECT_FALSE(blind.move({}, {0, 1, 0})->orientation_known);
   EXPECT_TRUE(seeing.move({}, {0, 1, 0})->orientation_known);
   EXPECT_FALSE(seeing.move({}, {1, 2, 1}));
@@ -116,11 +119,10 @@ TEST(PlanarLoop, HasTheNoiseItSays) {
   EXPECT_NEAR(std::sqrt(turn / steps), settings.sigma_turn_rate_rad_s, 0.05 * settings.sigma_turn_rate_rad_s);
 }
 
-TEST(TeamReplayWorld, KnowsEachRobotWhereItsOwnTruthIs) {
-  RangeRecording first = *small(), second = *small();
+TEST(RangeWorld, KnowsEachRobotWhereItsOwnTruthIs) {
+  RangeRecording first = small(), second = small();
   second.truth = {{1.0, {7, 1}, 0.5}, {1.4, {7, 2}, 0.5}};
-  TeamReplayWorld world(
-      std::make_shared<const std::vector<RangeRecording>>(std::vector<RangeRecording>{first, second}));
+  RangeWorld world(shared({first, second}));
   const auto both = world.move({}, {0, 1.2, 0}), second_only = world.move({}, {1, 1.3, 0.1}),
              nobody = world.move({}, {2, 2, 0.7});
   ASSERT_TRUE(both && second_only);

@@ -83,11 +83,11 @@ TEST(TeamSensor, TellsExactlyWhatIsThereWithoutNoise) {
 
 TEST(TeamSensor, SeesAsFarAsItCan) {
   SimulatedVehicle v = vehicle(DifferentialDrive{}, LaserScanner{}, vec({0, 0, 0}));
-  v.max_range_m = 5;
+  v.reach.max_range_m = 5;
   const PointPlace place{{1, vec({4.999, 0})}, {2, vec({-3, 4})}, {3, vec({0, 5.001})}, {4, vec({50, 50})}};
   EXPECT_EQ(names(seen_by(v, place)), (std::set<std::int64_t>{1, 2}));
   SimulatedVehicle on_line = vehicle(MonobotMotion{}, LineScanner{}, vec({1}));
-  on_line.max_range_m = 2;
+  on_line.reach.max_range_m = 2;
   EXPECT_EQ(names(seen_by(on_line, {{1, vec({-0.9})}, {2, vec({3.1})}, {3, vec({2})}})),
             (std::set<std::int64_t>{1, 3}));
 }
@@ -96,10 +96,10 @@ TEST(TeamSensor, SeesAsWideAsItCan) {
   for (const AnySensor& scanner : {AnySensor(LaserScanner{}), AnySensor(DirectionFinder{})}) {
     SimulatedVehicle v = vehicle(DifferentialDrive{}, scanner, vec({0, 0, pi}));  // looks along -x
     const PointPlace place = ring(36, 3);
-    v.field_of_view_rad = radians(95);
+    v.reach.field_of_view_rad = radians(95);
     for (const Sighting& s : seen_by(v, place)) EXPECT_LT(place.at(s.identity).x(), 0);
     EXPECT_EQ(seen_by(v, place).size(), 9u) << "10 degrees apart";
-    v.field_of_view_rad = 7;
+    v.reach.field_of_view_rad = 7;
     EXPECT_EQ(seen_by(v, place).size(), 36u) << "all around, also behind at the wrap";
   }
 }
@@ -136,7 +136,7 @@ TEST(TeamSensor, ACameraSeesWhatItsImageHasAndAsFarAsItCan) {
        {AnyMotion(DifferentialDrive{}), AnyMotion(AckermannCar{}), AnyMotion(TerrainVehicle{})}) {
     SimulatedVehicle v = vehicle(motion, camera, vec({0, 0, 0}));
     EXPECT_EQ(names(seen_by(v, place)), (std::set<std::int64_t>{1, 3, 5}));
-    v.max_range_m = 3.5;
+    v.reach.max_range_m = 3.5;
     EXPECT_EQ(names(seen_by(v, place)), (std::set<std::int64_t>{1})) << motion.index();
   }
 }
@@ -171,8 +171,8 @@ TEST(TeamSensor, VehiclesSeeEachOtherAndNotThemselves) {
   std::vector<SimulatedVehicle> team;
   for (const SmallVector& pose : {vec({0, 0, 0}), vec({3, 0, pi}), vec({20, 0, 1})})
     team.push_back(vehicle(DifferentialDrive{0.3, 0}, LaserScanner{}, pose));
-  team[1].max_range_m = 10;
-  team[2].field_of_view_rad = 0.5;  // looks elsewhere
+  team[1].reach.max_range_m = 10;
+  team[2].reach.field_of_view_rad = 0.5;  // looks elsewhere
   const Observation seen = first_look(team, ring(4, 2), true);
   ASSERT_EQ(seen.team.size(), 3u);
   EXPECT_EQ(names(seen.team[0].vehicles), (std::set<std::int64_t>{1, 2}));
@@ -296,8 +296,8 @@ TEST(TeamWorld, RefusesWhatCannotBe) {
   for (const double bad : {-0.1, nan}) {
     EXPECT_HAS(changed([&](auto& v) { v.sigmas[1] = bad; }), "zero or positive");
     EXPECT_HAS(changed([&](auto& v) { v.sigma_range_ratio = bad; }), "zero or positive");
-    EXPECT_HAS(changed([&](auto& v) { v.max_range_m = bad; }), "must be positive");
-    EXPECT_HAS(changed([&](auto& v) { v.field_of_view_rad = bad; }), "must be positive");
+    EXPECT_HAS(changed([&](auto& v) { v.reach.max_range_m = bad; }), "must be positive");
+    EXPECT_HAS(changed([&](auto& v) { v.reach.field_of_view_rad = bad; }), "must be positive");
   }
   TeamSensor sensor({good}, {}, false, 1);
   EXPECT_THROW(sensor.look(std::nullopt, {}), std::logic_error);

@@ -11,7 +11,7 @@
 
 #include "incognita/app/console/say.hpp"
 #include "incognita/app/loop/assemble.hpp"
-#include "incognita/app/loop/assemble_planar.hpp"
+#include "incognita/app/loop/assemble_ranges.hpp"
 #include "incognita/app/loop/assemble_room_vehicle.hpp"
 #include "incognita/app/loop/assemble_team.hpp"
 #include "incognita/io/formats/files.hpp"
@@ -114,8 +114,8 @@ std::vector<std::string> check(const LoadedScenario& loaded) {
   }
   if (is_room_vehicle(s)) assemble_room_vehicle(loaded);  // which refuses what a run would
   if (s.run.sensor == "range-bearing") {
-    const PlanarAssembly assembly = assemble_planar(loaded);  // which refuses what a run would
-    const RangeRecording& recording = *assembly.recording;
+    const RangeAssembly assembly = assemble_ranges(loaded);  // which refuses what a run would
+    const RangeRecording& recording = assembly.recording();
     found.insert(found.end(), assembly.notes.begin(), assembly.notes.end());
     found.push_back(fmt::format("{} odometry readings, {} scans, {} true places, {} surveyed landmarks",
                                 recording.odometry.size(), recording.scans.size(), recording.truth.size(),

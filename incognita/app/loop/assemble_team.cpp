@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "incognita/app/loop/assemble_planar.hpp"
+#include "incognita/app/loop/assemble_ranges.hpp"
 #include "incognita/app/loop/operator_assembly.hpp"
 #include "incognita/app/loop/team_models.hpp"
 #include "incognita/io/formats/data_folder.hpp"
@@ -18,7 +18,6 @@
 #include "incognita/io/scenario/team_setting_list.hpp"
 #include "incognita/messages/errors.hpp"
 #include "incognita/world/replay/range_replay.hpp"
-#include "incognita/world/replay/team_replay.hpp"
 #include "incognita/world/room_clock.hpp"
 
 namespace incognita {
@@ -65,9 +64,6 @@ TeamDecisionSettings decision_of(const Scenario& s) {
     const SteerChoice& can = s.team.steer;
     out.carrier = Carrier{mount_of(s), can.max_speed_m_s, can.max_turn_rate_rad_s};
   }
-  if (s.run.sensor == "range-bearing" || s.run.sensor == "bearing")
-    out.reach = {s.planar.sensor.max_range_m,
-                 s.team.plant.field_of_view_rad >= 6.2831853 ? 7 : s.team.plant.field_of_view_rad};
   return out;
 }
 
@@ -126,8 +122,10 @@ TeamAssembly simulated(const LoadedScenario& loaded) {
   const Terrain ground = ground_of(loaded);
   TeamSettings team;
   team.filter = filter_of(s);
+  team.lost.max_sigma_position_m = s.planar.lost.max_sigma_position_m;
   const DataAssociationSettings& association = s.planar.association;
-  team.association = {association.method, association.gate_probability, association.birth_probability};
+  team.association = {association.method, association.gate_probability, association.max_nodes,
+                      association.birth_probability, association.birth_distance_m};
   know_landmarks(team, place, s.team.points.known);
   if (s.team.points.known > static_cast<int>(place.size()))
     throw InputError(fmt::format("{}: points.known = {}: there are {} landmarks",
@@ -161,6 +159,7 @@ TeamSettings recorded_team(const LoadedScenario& loaded, const std::vector<Range
   const Scenario& s = loaded.scenario;
   TeamSettings team;
   team.filter = filter_of(s);
+  team.lost.max_sigma_position_m = s.planar.lost.max_sigma_position_m;
   for (std::size_t i = 0; i < robots.size(); ++i) {
     const auto place = true_place(robots[i], t);
     if (!place || !place->heading_rad)
@@ -180,8 +179,8 @@ TeamAssembly recorded(const LoadedScenario& loaded) {
   const Scenario& s = loaded.scenario;
   const auto robots = std::make_shared<const std::vector<RangeRecording>>(read_mrclam_team(find_data(
       s.recording.folder, loaded.file, loaded.sources.at("recording.folder") + ": recording.folder")));
-  auto clock = std::make_unique<TeamReplayClock>(robots, s.run.duration_s);
-  TeamReplayClock glance(robots, s.run.duration_s);
+  auto clock = std::make_unique<RangeClock>(robots, s.run.duration_s);
+  RangeClock glance(robots, s.run.duration_s);
   const Tick first = glance.next();
   if (!first)
     throw InputError(fmt::format("{}: run.duration_s = {}: nothing was seen by then",
@@ -194,8 +193,9 @@ TeamAssembly recorded(const LoadedScenario& loaded) {
     for (const std::string& warning : clock_warnings(robot))
       warnings.push_back(fmt::format("robot {}: {}", i + 1, warning));
   }
-  return {{std::move(clock), std::make_unique<TeamReplayWorld>(robots),
-           std::make_unique<TeamReplaySensor>(robots, s.team.start.sees_team, s.planar.sensor.max_range_m),
+  return {{std::move(clock), std::make_unique<RangeWorld>(robots),
+           std::make_unique<RangeSensor>(robots, RangeSensorSettings{s.planar.sensor.max_range_m, Fixes::none,
+                                                                     s.team.start.sees_team}),
            estimator_of(loaded, team), TeamDecision(team, {.decision = {}, .decides = false}),
            TeamController({}, 1)},
           std::move(notes),

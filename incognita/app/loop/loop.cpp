@@ -54,8 +54,6 @@ using KeepGoing = std::function<bool(const Tick&)>;
 template void run_loop(Boxes&, const Publish&, const KeepGoing&, const std::function<void(const Estimate&)>&);
 template void run_loop(VehicleBoxes&, const Publish&, const KeepGoing&,
                        const std::function<void(const Estimate&)>&);
-template void run_loop(PlanarBoxes&, const Publish&, const KeepGoing&,
-                       const std::function<void(const PlanarEstimate&)>&);
 template void run_loop(TeamBoxes&, const Publish&, const KeepGoing&,
                        const std::function<void(const TeamEstimate&)>&);
 

@@ -5,16 +5,13 @@
 #include <memory>
 
 #include "incognita/control/camera_controller.hpp"
-#include "incognita/control/no_controller.hpp"
 #include "incognita/control/team_controller.hpp"
 #include "incognita/control/vehicle_controller.hpp"
 #include "incognita/decision/camera_decision.hpp"
-#include "incognita/decision/no_decision.hpp"
 #include "incognita/decision/team_decision.hpp"
 #include "incognita/decision/vehicle_decision.hpp"
 #include "incognita/record/snapshot/snapshot.hpp"
 #include "incognita/slam/features/camera_estimator.hpp"
-#include "incognita/slam/points/planar_estimator.hpp"
 #include "incognita/slam/points/team_estimator.hpp"
 #include "incognita/world/world.hpp"
 
@@ -31,9 +28,7 @@ struct BoxesOf {
   Controller controller;
 };
 using Boxes = BoxesOf<CameraEstimator, CameraDecision, CameraController>;
-/// A vehicle that measures ranges and bearings; where it goes is not ours to choose.
-using PlanarBoxes = BoxesOf<PlanarEstimator, NoDecision, NoController>;
-/// Vehicles of any kind that name what they see, in one belief.
+/// Vehicles of any kind that detect points, in one belief.
 using TeamBoxes = BoxesOf<TeamEstimator, TeamDecision, TeamController>;
 
 /// A vehicle in the rendered room that carries the camera.

@@ -13,14 +13,13 @@ Form form_of(Landmark::Kind kind) {
                                                  : Form::point;
 }
 
-PlanarScene scene_of(const PlanarEstimate& estimate, const ObservabilityMonitor& monitor) {
+PlanarScene scene_of(const TeamEstimate& estimate, const ObservabilityMonitor& monitor) {
   PlanarScene scene;
-  scene.vehicle = estimate.belief.mean(estimate.vehicle);
+  scene.vehicle = estimate.belief.mean(estimate.vehicles.front().block);
   scene.errors = monitor.errors();
-  for (const PlanarLandmark& landmark : estimate.catalogue) {
-    const auto* block = landmark.anchor ? nullptr : monitor.find(landmark.block);
-    if (block) scene.landmarks.push_back({landmark.id, block->first, estimate.belief.mean(landmark.block)});
-  }
+  for (const auto& [identity, landmark] : estimate.landmarks)
+    if (const auto* block = monitor.find(landmark.block))
+      scene.landmarks.push_back({identity, block->first, estimate.belief.mean(landmark.block)});
   return scene;
 }
 
@@ -78,7 +77,7 @@ MonitoredInformation information_of(ObservabilityMonitor& monitor) {
 
 }  // namespace
 
-void ObservabilityWatch::follow(const Belief& belief, BlockId vehicle) {
+void ObservabilityWatch::follow(const AnyBelief& belief, BlockId vehicle) {
   if (!monitor_) monitor_.emplace(vehicle, belief.chart(vehicle).tangent());
   monitor_->follow(belief.trace());
 }
@@ -114,14 +113,12 @@ void ObservabilityWatch::follow(const Estimate& estimate) {
   put(scene_of(estimate, &*monitor_));
 }
 
-void ObservabilityWatch::follow(const PlanarEstimate& estimate) {
+void ObservabilityWatch::follow(const TeamEstimate& estimate) {
   if (!estimate.started) return;
-  follow(estimate.belief, estimate.vehicle);
-  for (const PlanarLook& look : estimate.looks) {
-    if (!look.anchor || look.outcome != LookOutcome::matched) continue;
-    for (const PlanarLandmark& landmark : estimate.catalogue)
-      if (landmark.anchor && landmark.id == look.id) see_anchor(look.id, landmark.position);
-  }
+  follow(estimate.belief, estimate.vehicles.front().block);
+  for (const TeamLook& look : estimate.looks)
+    if (look.anchor && look.outcome == LookOutcome::matched)
+      see_anchor(look.identity, estimate.anchors.at(look.identity).position);
   for (const UsedFix& fix : estimate.fixes) use_fix(fix);
   put(scene_of(estimate, *monitor_));
 }

@@ -10,7 +10,7 @@
 #include "incognita/analysis/observability/observability_monitor.hpp"
 #include "incognita/analysis/observability/observability_report.hpp"
 #include "incognita/slam/features/estimate.hpp"
-#include "incognita/slam/points/planar_estimate.hpp"
+#include "incognita/slam/points/team_estimate.hpp"
 
 namespace incognita {
 
@@ -18,13 +18,14 @@ class ObservabilityWatch {
  public:
   /// After each tick, with the trace of that tick alone: Belief::keep_trace().
   void follow(const Estimate& estimate);
-  void follow(const PlanarEstimate& estimate);
+  /// Of one vehicle on a plane.
+  void follow(const TeamEstimate& estimate);
 
   /// As of the last tick; nothing while the estimator has not started. Cubic in the map.
   std::optional<ObservabilityReport> report();
 
  private:
-  void follow(const Belief& belief, BlockId vehicle);
+  void follow(const AnyBelief& belief, BlockId vehicle);
   void follow_camera(const Estimate& estimate);
   template <class Scene>
   void put(Scene scene);

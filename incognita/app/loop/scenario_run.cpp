@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "incognita/app/loop/assemble.hpp"
-#include "incognita/app/loop/assemble_planar.hpp"
+#include "incognita/app/loop/assemble_ranges.hpp"
 #include "incognita/app/loop/assemble_room_vehicle.hpp"
 #include "incognita/app/loop/assemble_team.hpp"
 #include "incognita/app/loop/association_score.hpp"
@@ -70,9 +70,10 @@ std::vector<std::string> warnings_of(const Passed& passed, bool to_see) {
 
 template <class SomeBoxes>
 Ending drive(SomeBoxes& boxes, RunKeeper& keeper, ObservabilityWatch* watch, AssociationScore* score,
-             const RunManner& manner, bool to_see) {
+             const RunManner& manner, bool to_see, bool with_vehicles) {
   Passed passed;
-  const auto publish = [&](const Snapshot& snapshot) {
+  const auto publish = [&](Snapshot snapshot) {
+    if (!with_vehicles) snapshot.vehicles.clear();
     passed.add(snapshot);
     if (score) score->add(snapshot);
     keeper.publish(snapshot);
@@ -123,8 +124,8 @@ RunOutcome run_boxes(SomeBoxes& boxes, const RunInfo& info, const LoadedScenario
   if (loaded.scenario.run.observability && info.vehicles == 0) watch.emplace();
   const PointsSettings& points = loaded.scenario.team.points;
   const bool to_see = points.count > 0 || !points.file.empty();
-  const Ending ending =
-      drive(boxes, *keeper, watch ? &*watch : nullptr, score ? &*score : nullptr, manner, to_see);
+  const Ending ending = drive(boxes, *keeper, watch ? &*watch : nullptr, score ? &*score : nullptr, manner, to_see,
+                              info.vehicles > 0);
   if (score) note(*score, *keeper);
   if (watch)
     if (const auto report = watch->report()) keeper->note(*report, in_words(*report));
@@ -151,7 +152,7 @@ RunOutcome run_room_vehicle(const LoadedScenario& loaded, const OpenKeeper& open
 }
 
 RunOutcome run_vehicle(const LoadedScenario& loaded, const OpenKeeper& open, const RunManner& manner) {
-  PlanarAssembly assembly = assemble_planar(loaded);
+  RangeAssembly assembly = assemble_ranges(loaded);
   for (const std::string& line : assembly.notes) manner.tell(line);
   if (!assembly.frame_is_fixed)
     manner.tell(
@@ -160,9 +161,9 @@ RunOutcome run_vehicle(const LoadedScenario& loaded, const OpenKeeper& open, con
   info.body = "vehicle";
   info.ranges = true;
   info.ate_alignment = assembly.frame_is_fixed ? "none" : "se3";
-  info.truth_recorded = !assembly.recording->truth.empty();
+  info.truth_recorded = !assembly.recording().truth.empty();
   info.warnings = assembly.warnings;
-  info.survey = survey_of(*assembly.recording, loaded.scenario.planar.association.method == "known");
+  info.survey = survey_of(assembly.recording(), loaded.scenario.planar.association.method == "known");
   return run_boxes(assembly.boxes, info, loaded, open, manner);
 }
 

@@ -9,7 +9,6 @@
 #include "incognita/messages/observation.hpp"
 #include "incognita/record/snapshot/snapshot.hpp"
 #include "incognita/slam/features/estimate.hpp"
-#include "incognita/slam/points/planar_estimate.hpp"
 #include "incognita/slam/points/team_estimate.hpp"
 
 namespace incognita {
@@ -20,13 +19,6 @@ namespace incognita {
 Snapshot snapshot_of(const Tick& tick, const std::optional<Truth>& truth, const Observation& seen,
                      const Estimate& estimate, const Goal& goal, const std::vector<std::string>& actions,
                      const Command& command, const std::vector<std::pair<const char*, double>>& loop_ms);
-
-/// A vehicle on a plane as a body in space: height, roll and pitch are 0 and certain. Looks are ranges (m)
-/// and bearings (rad).
-Snapshot snapshot_of(const Tick& tick, const std::optional<Truth>& truth, const Observation& seen,
-                     const PlanarEstimate& estimate, const Goal& goal,
-                     const std::vector<std::string>& actions, const Command& command,
-                     const std::vector<std::pair<const char*, double>>& loop_ms);
 
 /// Vehicles of a team, each as a body in space. Looks are numbers of the sensor's, the first two of each.
 Snapshot snapshot_of(const Tick& tick, const std::optional<Truth>& truth, const Observation& seen,

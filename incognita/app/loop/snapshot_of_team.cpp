@@ -8,7 +8,7 @@
 namespace incognita {
 namespace {
 
-constexpr std::array team_stages{"predict", "associate", "update", "births", "poses", "entropy"};
+constexpr std::array team_stages{"predict", "associate", "update", "births", "decorrelate", "poses", "entropy"};
 
 SnapshotVehicle in_space(const TeamEstimate& e, std::size_t i, const std::optional<Truth>& truth,
                          const Command& command, double t) {
@@ -23,12 +23,12 @@ SnapshotVehicle in_space(const TeamEstimate& e, std::size_t i, const std::option
   return out;
 }
 
-/// The place of a point on a line, a plane or in space; what is not told is 0 and certain.
-SnapshotLandmark in_space(std::int64_t id, const AnyPoint& at, const SmallMatrix& P, int sightings) {
+/// A point on a line, a plane or in space; the coordinates that it does not have are 0 and certain.
+SnapshotLandmark in_space(std::int64_t id, const TeamPosition& at, int sightings) {
   SnapshotLandmark out{id, false, Eigen::Vector3d::Zero(), Eigen::Matrix3d::Zero(), sightings};
   const Eigen::Index size = at.position.size();
   out.position.head(size) = at.position;
-  out.covariance.topLeftCorner(size, size) = at.J * P * at.J.transpose();
+  out.covariance.topLeftCorner(size, size) = at.covariance;
   return out;
 }
 
@@ -75,8 +75,7 @@ Snapshot snapshot_of(const Tick& tick, const std::optional<Truth>& truth, const 
   }
   for (const auto& [identity, anchor] : e.anchors) s.landmarks.push_back(known(identity, anchor));
   for (const auto& [identity, landmark] : e.landmarks)
-    if (const auto at = position_of(landmark.form, e.belief.mean(landmark.block)))
-      s.landmarks.push_back(in_space(identity, *at, e.belief.covariance(landmark.block), landmark.sightings));
+    if (const auto at = position_of(landmark, e)) s.landmarks.push_back(in_space(identity, *at, landmark.sightings));
   for (const TeamLook& look : e.looks) s.looks.push_back(look_of(look));
   s.predicted = static_cast<int>(e.looks.size());
   s.matched = e.matched;

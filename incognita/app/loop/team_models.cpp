@@ -190,6 +190,16 @@ AnySensor sensor_of(const Scenario& s) {
   return CarriedStereo{stereo, mount};
 }
 
+/// A camera measures what is in its image. A full turn includes the bearing of pi and its rounding.
+static Reach reach_of(const Scenario& s, const AnySensor& sensor) {
+  Reach reach;
+  if (dimensions_of(sensor) == 3) return reach;
+  reach.max_range_m = s.planar.sensor.max_range_m;
+  const double field_rad = s.team.plant.field_of_view_rad;
+  if (field_rad < 6.2831853) reach.field_of_view_rad = field_rad;
+  return reach;
+}
+
 TeamMember member_of(const Scenario& s, std::size_t i, const Terrain& ground) {
   const VehicleSettings& v = s.planar.vehicle;
   const FilterSettings& f = s.slam.filter;
@@ -203,6 +213,7 @@ TeamMember member_of(const Scenario& s, std::size_t i, const Terrain& ground) {
   m.sigmas =
       of_sensor(m.sensor, s.planar.sensor.sigma_range_m, s.planar.sensor.sigma_bearing_rad, f.sigma_pixel_px);
   if (measures_ranges(m.sensor)) m.sigma_range_ratio = s.planar.sensor.sigma_range_ratio;
+  m.reach = reach_of(s, m.sensor);
   return m;
 }
 
@@ -214,7 +225,6 @@ TeamFilterSettings filter_of(const Scenario& s) {
   f.inverse_depth_per_m = s.slam.birth.inverse_depth_per_m;
   f.sigma_inverse_depth_per_m = s.slam.birth.sigma_inverse_depth_per_m;
   f.max_linearity_index = s.slam.birth.max_linearity;
-  f.max_sigma_position_m = s.planar.lost.max_sigma_position_m;
   return f;
 }
 
@@ -229,10 +239,7 @@ SimulatedVehicle simulated_vehicle(const Scenario& s, std::size_t i, const Terra
   v.plant = plant_of(s, i);
   v.sigmas = of_sensor(v.sensor, p.sigma_range_m, p.sigma_bearing_rad, p.sigma_pixel_px);
   if (measures_ranges(v.sensor)) v.sigma_range_ratio = p.sigma_range_ratio;
-  const bool camera = dimensions_of(v.sensor) == 3;
-  if (!camera) v.max_range_m = s.planar.sensor.max_range_m;
-  // A whole turn sees all around, the bearing of pi and its rounding included
-  v.field_of_view_rad = p.field_of_view_rad >= 6.2831853 ? 7 : p.field_of_view_rad;
+  v.reach = reach_of(s, v.sensor);
   v.ticks_per_look = p.ticks_per_look;
   return v;
 }

@@ -125,12 +125,14 @@ class Reader {
       usual.method = "known";
       usual.gate_probability = 0.9999;
       usual.birth_probability = 0.99999999;
+      usual.birth_distance_m = 0;
     }
     DataAssociationSettings& now = loaded_.scenario.planar.association;
     const auto is_default = [&](const char* key) { return loaded_.sources.at(key) == "default"; };
     if (is_default("association.method")) now.method = usual.method;
     if (is_default("association.gate_probability")) now.gate_probability = usual.gate_probability;
     if (is_default("association.birth_probability")) now.birth_probability = usual.birth_probability;
+    if (is_default("association.birth_distance_m")) now.birth_distance_m = usual.birth_distance_m;
   }
 
   /// In a place of points there is no swing to and fro (decision_checks.cpp).

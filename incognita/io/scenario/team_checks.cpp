@@ -72,9 +72,7 @@ void check_apart(const Scenario& s, List& found) {
 
 void check_association(const Scenario& s, List& found) {
   const DataAssociationSettings& a = s.planar.association;
-  if (a.method == "joint")
-    found.push_back({"association.method", "must be `known` or `nearest` in a place of points"});
-  if (a.method == "nearest" && a.birth_probability < a.gate_probability)
+  if (a.method != "known" && a.birth_probability < a.gate_probability)
     found.push_back({"association.birth_probability",
                      "must be association.gate_probability or more: what is inside its gate is no new one"});
 }

@@ -134,9 +134,8 @@ std::string birth(std::string_view key, const Choices& c) {
 std::string association(std::string_view key, const Choices& c) {
   if (key == "method") return "";
   const std::string& method = c.s.planar.association.method;
-  if (one_of(key, {"gate_probability", "birth_probability"}))
-    return unless(method == "nearest", "association.method = `" + method + "`");
-  return c.by_world();
+  if (key == "max_nodes") return unless(method == "joint", "association.method = `" + method + "`");
+  return unless(method != "known", "association.method = `" + method + "`");
 }
 
 std::string points(std::string_view key, const Choices& c) {

@@ -24,7 +24,7 @@ std::vector<double> gates_up_to(int most, double probability) {
 /// covariance of those taken grows and shrinks by one pairing at a time.
 class BranchAndBound {
  public:
-  BranchAndBound(const Belief& belief, std::span<const Pairing> pairings, const std::vector<double>& alone,
+  BranchAndBound(const AnyBelief& belief, std::span<const Pairing> pairings, const std::vector<double>& alone,
                  const AssociationSettings& settings)
       : pairings_(pairings), settings_(settings) {
     collect(alone);
@@ -142,7 +142,7 @@ class BranchAndBound {
 
 }  // namespace
 
-std::vector<double> individual_distances(const Belief& belief, std::span<const Pairing> pairings) {
+std::vector<double> individual_distances(const AnyBelief& belief, std::span<const Pairing> pairings) {
   std::vector<double> distances;
   Eigen::MatrixXd S;
   for (const Pairing& pairing : pairings) {
@@ -171,7 +171,7 @@ std::vector<int> nearest_first(std::span<const Candidate> candidates) {
   return chosen;
 }
 
-Association nearest_neighbours(const Belief& belief, std::span<const Pairing> pairings,
+Association nearest_neighbours(const AnyBelief& belief, std::span<const Pairing> pairings,
                                const AssociationSettings& settings) {
   const std::vector<double> distances = individual_distances(belief, pairings);
   const std::vector<double> own_gates = gates_up_to(max_look_rows, settings.probability);
@@ -190,7 +190,7 @@ Association nearest_neighbours(const Belief& belief, std::span<const Pairing> pa
   return association;
 }
 
-Association jointly_compatible(const Belief& belief, std::span<const Pairing> pairings,
+Association jointly_compatible(const AnyBelief& belief, std::span<const Pairing> pairings,
                                const AssociationSettings& settings) {
   return BranchAndBound(belief, pairings, individual_distances(belief, pairings), settings).run();
 }

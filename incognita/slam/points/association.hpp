@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "incognita/belief/affine.hpp"
-#include "incognita/belief/belief.hpp"
+#include "incognita/belief/any_belief.hpp"
 
 namespace incognita {
 
@@ -43,15 +43,15 @@ struct Candidate {
 std::vector<int> nearest_first(std::span<const Candidate> candidates);
 
 /// r' S^-1 r of each pairing alone; infinite where S is not positive definite or a number is not finite.
-std::vector<double> individual_distances(const Belief& belief, std::span<const Pairing> pairings);
+std::vector<double> individual_distances(const AnyBelief& belief, std::span<const Pairing> pairings);
 
 /// Of the pairings inside their own gate, the nearest first; each measurement and each landmark once.
-Association nearest_neighbours(const Belief& belief, std::span<const Pairing> pairings,
+Association nearest_neighbours(const AnyBelief& belief, std::span<const Pairing> pairings,
                                const AssociationSettings& settings);
 
 /// The most pairings that are inside their own gates and inside the gate of all together; of sets as large
 /// the one that is nearest.
-Association jointly_compatible(const Belief& belief, std::span<const Pairing> pairings,
+Association jointly_compatible(const AnyBelief& belief, std::span<const Pairing> pairings,
                                const AssociationSettings& settings);
 
 }  // namespace incognita

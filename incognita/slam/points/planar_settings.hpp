@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "incognita/slam/points/team_settings.hpp"
+
 namespace incognita {
 
 struct VehicleSettings {
@@ -36,14 +38,6 @@ struct PlanarFilterSettings {
   double sigma_fix_m = 0.1;
 };
 
-struct DataAssociationSettings {
-  std::string method = "joint";       ///< `known`, `nearest` or `joint`
-  double gate_probability = 0.95;     ///< of a right pairing
-  std::int64_t max_nodes = 100000;    ///< of the joint search
-  double birth_probability = 0.9999;  ///< a detection outside this gate of every landmark is of a new one
-  double birth_distance_m = 1.0;      ///< and at least so far from every landmark
-};
-
 struct PlanarStartSettings {
   Eigen::Vector2d position_m{0.0, 0.0};
   double heading_rad = 0;
@@ -54,7 +48,8 @@ struct PlanarStartSettings {
 
 struct PlanarLostSettings {
   double max_sigma_position_m = 10;  ///< beyond, lost whatever matches
-  int max_unmatched_scans = 10;      ///< so many scans in a row that show landmarks, none of them known: lost
+  /// Scans in a row with detections of which none matches a landmark that is predicted in view: lost
+  int max_unmatched_scans = 10;
 };
 
 struct PlanarSlamSettings {
@@ -66,27 +61,12 @@ struct PlanarSlamSettings {
   PlanarLostSettings lost;
 };
 
-/// A setting that makes no sense with another.
-struct PlanarFilterConflict {
-  const char* key;  ///< as a scenario writes it
-  const char* why;
-};
-
-/// The first conflict, if there is one.
-inline std::optional<PlanarFilterConflict> conflict_in(const PlanarFilterSettings& filter) {
-  const bool from_vehicle = filter.map_frame == "vehicle";
-  if (from_vehicle && filter.lineariser == "first-estimate")
-    return {{"vehicle_filter.lineariser",
-             "first-estimate Jacobians belong to a map told in the world, vehicle_filter.map_frame"}};
-  if (from_vehicle && filter.decorrelate != "nothing")
-    return {{"vehicle_filter.decorrelate",
-             "must be `nothing` with vehicle_filter.map_frame = `vehicle`: such a map moves as a whole"}};
-  if (filter.lineariser == "iterated" && filter.decorrelate == "map-linear")
-    return {
-        {"vehicle_filter.decorrelate",
-         "must not be `map-linear` with vehicle_filter.lineariser = `iterated`: it uses looks one after the "
-         "other; take `map`"}};
-  return std::nullopt;
+inline std::optional<FilterIncompatibility> conflict_in(const PlanarFilterSettings& filter) {
+  TeamFilterSettings same;
+  same.lineariser = filter.lineariser;
+  same.map_frame = filter.map_frame;
+  same.decorrelate = filter.decorrelate;
+  return conflict_in(same);
 }
 
 }  // namespace incognita

@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <numeric>
+#include <optional>
 
 #include "incognita/math/gaussian.hpp"
 #include "incognita/slam/points/association.hpp"
@@ -11,13 +12,16 @@
 namespace incognita {
 namespace {
 
+bool has_anchor_identity(const Sighting& sighting, const TeamSettings& settings) {
+  return settings.anchors_have_identity && settings.anchors.count(sighting.identity) > 0;
+}
+
 std::vector<std::size_t> in_order(const std::vector<Sighting>& sightings, const TeamSettings& settings) {
   std::vector<std::size_t> order(sightings.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
     const Sighting &a = sightings[i], &b = sightings[j];
-    const bool a_named = settings.anchors.count(a.identity) > 0;
-    const bool b_named = settings.anchors.count(b.identity) > 0;
+    const bool a_named = has_anchor_identity(a, settings), b_named = has_anchor_identity(b, settings);
     if (a_named != b_named) return a_named;
     if (a_named) return a.identity < b.identity;
     return std::lexicographical_compare(a.z.begin(), a.z.end(), b.z.begin(), b.z.end());
@@ -25,64 +29,104 @@ std::vector<std::size_t> in_order(const std::vector<Sighting>& sightings, const 
   return order;
 }
 
-/// The sightings without a name, against every landmark.
-class NamelessSightings {
+/// The detections without identity, against every landmark.
+class UnidentifiedDetections {
  public:
-  NamelessSightings(const TeamEstimate& e, int vehicle, const std::vector<Sighting>& sightings,
-                    std::vector<std::size_t> nameless, const TeamSettings& settings)
-      : e_(e),
-        vehicle_(vehicle),
-        sightings_(sightings),
-        nameless_(std::move(nameless)),
-        settings_(settings),
-        fresh_(nameless_.size(), true) {
-    if (nameless_.empty()) return;
-    const auto rows = static_cast<int>(sightings_[nameless_.front()].z.size());
+  UnidentifiedDetections(const TeamEstimate& e, int vehicle, const std::vector<Sighting>& sightings,
+                         const std::vector<std::size_t>& unidentified, const TeamSettings& settings)
+      : e_(e), vehicle_(vehicle), sightings_(sightings), settings_(settings) {
+    const AnySensor& sensor = member().sensor;
+    for (const std::size_t s : unidentified)
+      if (is_usable(sensor, sightings[s].z)) usable_.push_back(s);
+    if (usable_.empty()) return;
+    const auto rows = static_cast<int>(sightings_[usable_.front()].z.size());
     gate_ = chi_square_quantile(settings.association.gate_probability, rows);
     birth_gate_ = chi_square_quantile(settings.association.birth_probability, rows);
-    for (const auto& [number, landmark] : e.landmarks) hold_against(number);
+    is_new_.assign(usable_.size(), true);
+    for (const std::size_t s : usable_) points_.push_back(point_of(e, vehicle, sightings[s].z, settings));
+    if (!settings.anchors_have_identity)
+      for (const auto& [number, position] : settings.anchors) gate_against(number);
+    for (const auto& [number, landmark] : e.landmarks) gate_against(number);
   }
 
-  void tell(ViewAssociation& out) const {
-    for (const int c : nearest_first(candidates_)) {
-      const Candidate& pair = candidates_[static_cast<std::size_t>(c)];
-      out.landmarks[nameless_[static_cast<std::size_t>(pair.measurement)]] =
-          numbers_[static_cast<std::size_t>(pair.landmark)];
+  void associate(ViewAssociation& out) const {
+    const AssociationSettings joint{settings_.association.gate_probability, settings_.association.max_nodes};
+    if (settings_.association.method == "joint") {
+      const Association found = jointly_compatible(e_.belief, pairings_, joint);
+      out.capped = found.capped;
+      for (const int p : found.chosen) take(pairings_[static_cast<std::size_t>(p)].measurement,
+                                            pairings_[static_cast<std::size_t>(p)].landmark, out);
+    } else {
+      for (const int c : nearest_first(candidates_)) take(candidates_[static_cast<std::size_t>(c)].measurement,
+                                                          candidates_[static_cast<std::size_t>(c)].landmark, out);
     }
-    for (std::size_t s = 0; s < nameless_.size(); ++s)
-      if (fresh_[s]) out.newcomers.push_back(nameless_[s]);
+    std::vector<std::size_t> chosen;
+    for (std::size_t s = 0; s < usable_.size(); ++s) {
+      if (!is_new_[s] || near_another(s, chosen)) continue;
+      chosen.push_back(s);
+      out.newcomers.push_back(usable_[s]);
+    }
   }
 
  private:
-  /// What is predicted of a landmark is the same for all sightings; only residual and noise are their own.
-  void hold_against(std::int64_t number) {
-    auto expected =
-        linearised_sighting(e_, vehicle_, false, {number, sightings_[nameless_.front()].z}, settings_);
+  const TeamMember& member() const { return settings_.members[static_cast<std::size_t>(vehicle_)]; }
+
+  void take(int measurement, int landmark, ViewAssociation& out) const {
+    out.landmarks[usable_[static_cast<std::size_t>(measurement)]] = numbers_[static_cast<std::size_t>(landmark)];
+  }
+
+  /// The prediction of a landmark is the same for all detections; only innovation and noise are their own.
+  void gate_against(std::int64_t number) {
+    auto expected = linearised_sighting(e_, vehicle_, false, {number, sightings_[usable_.front()].z}, settings_);
     if (!expected) return;
-    const TeamMember& member = settings_.members[static_cast<std::size_t>(vehicle_)];
+    const std::optional<SmallVector> at = position(number);
     e_.belief.innovation_covariance({&expected->look, 1}, S_);
-    const SmallMatrix believed = S_ - expected->look.R;
-    for (std::size_t s = 0; s < nameless_.size(); ++s) {
-      measure(*expected, member, sightings_[nameless_[s]].z);
-      const Eigen::LLT<SmallMatrix> llt(SmallMatrix(believed + expected->look.R));
+    const SmallMatrix predicted_cov = S_ - expected->look.R;
+    for (std::size_t s = 0; s < usable_.size(); ++s) {
+      if (at && points_[s] && near(*points_[s], *at)) is_new_[s] = false;
+      measure(*expected, member(), sightings_[usable_[s]].z);
+      const Eigen::LLT<SmallMatrix> llt(SmallMatrix(predicted_cov + expected->look.R));
       if (llt.info() != Eigen::Success) continue;
       const double distance = llt.matrixL().solve(SmallVector(expected->look.residual)).squaredNorm();
-      if (distance <= birth_gate_) fresh_[s] = false;
-      if (distance <= gate_)
-        candidates_.push_back({static_cast<int>(s), static_cast<int>(numbers_.size()), distance});
+      if (distance <= birth_gate_) is_new_[s] = false;
+      if (distance > gate_) continue;
+      const int measurement = static_cast<int>(s), landmark = static_cast<int>(numbers_.size());
+      candidates_.push_back({measurement, landmark, distance});
+      if (settings_.association.method == "joint") pairings_.push_back({measurement, landmark, expected->look});
     }
     numbers_.push_back(number);
+  }
+
+  /// A landmark or anchor in the frame of the map; nothing at infinity.
+  std::optional<SmallVector> position(std::int64_t number) const {
+    const auto landmark = e_.landmarks.find(number);
+    if (landmark == e_.landmarks.end()) return anchor_position(e_, settings_.anchors.at(number));
+    const auto at = position_of(landmark->second.form, e_.belief.mean(landmark->second.block));
+    return at ? std::optional(at->position) : std::nullopt;
+  }
+
+  bool near(const SmallVector& a, const SmallVector& b) const {
+    return (a - b).norm() < settings_.association.birth_distance_m;
+  }
+
+  /// Two detections so near to each other are of one new landmark.
+  bool near_another(std::size_t s, const std::vector<std::size_t>& chosen) const {
+    return points_[s] && std::any_of(chosen.begin(), chosen.end(), [&](std::size_t other) {
+             return points_[other] && near(*points_[s], *points_[other]);
+           });
   }
 
   const TeamEstimate& e_;
   int vehicle_;
   const std::vector<Sighting>& sightings_;
-  std::vector<std::size_t> nameless_;  ///< indices of sightings
   const TeamSettings& settings_;
-  std::vector<bool> fresh_;  ///< per nameless sighting: outside every wide gate
+  std::vector<std::size_t> usable_;                 ///< indices of detections
+  std::vector<std::optional<SmallVector>> points_;  ///< of each in the frame of the map
+  std::vector<bool> is_new_;                        ///< of each: outside every wide gate
   double gate_ = 0, birth_gate_ = 0;
-  std::vector<std::int64_t> numbers_;  ///< of the landmarks that candidates speak of
+  std::vector<std::int64_t> numbers_;  ///< of the landmarks that candidates and pairings name
   std::vector<Candidate> candidates_;  ///< inside the gate
+  std::vector<Pairing> pairings_;      ///< the same, linearized, for the joint search
   Eigen::MatrixXd S_;
 };
 
@@ -93,14 +137,14 @@ ViewAssociation associate_view(const TeamEstimate& e, int vehicle, const std::ve
   ViewAssociation out;
   out.order = in_order(sightings, settings);
   out.landmarks.assign(sightings.size(), Detection::unknown);
-  std::vector<std::size_t> nameless;
+  std::vector<std::size_t> unidentified;
   for (const std::size_t s : out.order) {
-    if (settings.anchors.count(sightings[s].identity) > 0)
+    if (has_anchor_identity(sightings[s], settings))
       out.landmarks[s] = sightings[s].identity;
     else
-      nameless.push_back(s);
+      unidentified.push_back(s);
   }
-  NamelessSightings(e, vehicle, sightings, std::move(nameless), settings).tell(out);
+  UnidentifiedDetections(e, vehicle, sightings, unidentified, settings).associate(out);
   return out;
 }
 

@@ -1,5 +1,5 @@
-// Which landmark each sighting without a name is of, by nearest neighbours: thesis Section 6.3.1, "nearest
-// neighbour chi-squared tests are computed to guarantee correct matching".
+// Data association of detections without identity: nearest neighbor, thesis Section 6.3.1 ("nearest neighbour
+// chi-squared tests are computed to guarantee correct matching"), or joint compatibility.
 #pragma once
 
 #include <cstdint>
@@ -12,18 +12,23 @@
 namespace incognita {
 
 struct ViewAssociation {
-  /// Per sighting the number of its landmark or anchor, Detection::unknown where it is of none.
+  /// Per detection the number of its landmark or anchor, Detection::unknown where it has none.
   std::vector<std::int64_t> landmarks;
-  std::vector<std::size_t> newcomers;  ///< sightings outside the wide gate of every landmark
-  /// All sightings: anchors by number, then the others by what was measured. So the answer, to the last bit,
-  /// does not depend on the order in which a sensor tells them, which might say what they are.
+  std::vector<std::size_t> newcomers;  ///< candidates for new landmarks: outside the wide gate of every landmark
+  /// All detections: anchors by number, then the others by their numbers. So the result, to the last bit, does not
+  /// depend on the order of the detections, which might give away what they are.
   std::vector<std::size_t> order;
+  bool capped = false;  ///< the joint search reached its cap: a better association may exist
 };
 
-/// Of one vehicle's view: an anchor is known by its look, no other name is read. Each landmark has one
-/// sighting at most and each sighting one landmark, the nearest pair first by the squared Mahalanobis
-/// distance r' S^-1 r, S = H P H' + R over the vehicle's and the landmark's errors and their correlations.
-/// What is outside every gate and inside a wide one is left alone.
+/// Of the detections of one vehicle. Anchors are known by their identity where settings.anchors_have_identity; no
+/// other identity is read. Each landmark has one detection at most and each detection one landmark.
+///
+/// `nearest` takes the nearest pair first by the squared Mahalanobis distance r' S^-1 r, S = H P H' + R over the errors
+/// of vehicle and landmark and their correlations; `joint` takes the largest jointly compatible set
+/// (association.hpp). A detection outside every gate and inside a wide one, or nearer to a landmark than
+/// `birth_distance_m`, is neither associated nor a candidate; of two candidates nearer to each other than that, the
+/// first is.
 ViewAssociation associate_view(const TeamEstimate& estimate, int vehicle,
                                const std::vector<Sighting>& landmarks, const TeamSettings& settings);
 

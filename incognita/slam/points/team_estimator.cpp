@@ -1,21 +1,20 @@
 #include "incognita/slam/points/team_estimator.hpp"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <set>
-#include <sstream>
 #include <stdexcept>
 
 #include "incognita/belief/iterated_update.hpp"
 #include "incognita/math/gaussian.hpp"
-#include "incognita/slam/mapper/belief_entropy.hpp"
+#include "incognita/models/planar_frame.hpp"
 #include "incognita/slam/mapper/stage_clock.hpp"
 #include "incognita/slam/points/team_association.hpp"
 #include "incognita/slam/points/team_looks.hpp"
 #include "incognita/slam/points/team_motion.hpp"
+#include "incognita/slam/points/team_status.hpp"
 
 namespace incognita {
 namespace {
@@ -47,20 +46,61 @@ TeamEstimator::TeamEstimator(TeamSettings settings) : settings_(std::move(settin
   if (!fault.empty()) throw std::invalid_argument(fault);
 }
 
-void TeamEstimator::start(TeamEstimate& e, const Tick& tick) const {
+namespace {
+
+AnyBelief empty_belief(const TeamFilterSettings& filter) {
+  if (filter.form == "information") return AnyBelief(InformationBelief());
+  return AnyBelief(
+      Belief(64, filter.decorrelate == "map-linear" ? MapCorrelations::dropped : MapCorrelations::kept));
+}
+
+/// The vehicle alone, or of a map in its frame also the world as it sees it.
+void add_vehicle(TeamEstimate& e, const TeamMember& member, const SmallVector& start, double t, bool in_vehicle_frame) {
+  const SmallMatrix P = member.start_sigmas.cwiseAbs2().asDiagonal();
+  TeamVehicle& vehicle = e.vehicles.emplace_back();
+  vehicle.t = t;
+  if (in_vehicle_frame) {
+    const planar::FramedPose world = planar::inverse(planar::Pose<double>(start));
+    vehicle.block = e.belief.add_vehicle(planar::pose_chart, Eigen::Vector3d::Zero(), Eigen::Matrix3d::Zero());
+    e.world =
+        e.belief.add_vehicle(planar::pose_chart, world.pose, world.by_frame * P * world.by_frame.transpose());
+  } else {
+    vehicle.block = e.belief.add_vehicle(chart_of(member.motion), start, P);
+  }
+  vehicle.prediction = e.belief.mean(vehicle.block);
+}
+
+double start_time(const TeamMember& member, const VehicleView& view, double t) {
+  if (member.start_time == TeamMember::StartTime::first_fix) return view.fixes.front().t;
+  if (member.start_time == TeamMember::StartTime::first_reading && !view.odometry.empty())
+    return std::min(t, view.odometry.front().t);
+  return t;
+}
+
+bool waits_for_fix(const TeamMember& member, const VehicleView& view) {
+  return member.start_time == TeamMember::StartTime::first_fix && view.fixes.empty();
+}
+
+}  // namespace
+
+void TeamEstimator::start(TeamEstimate& e, const Observation& seen, const Tick& tick) const {
+  for (std::size_t i = 0; i < settings_.members.size(); ++i)
+    if (waits_for_fix(settings_.members[i], seen.team[i])) {
+      e.status.reason = "waiting for the first position fix";
+      return;
+    }
   const bool watched = e.belief.keeps_trace();
-  e.belief = settings_.filter.form == "information" ? AnyBelief(InformationBelief()) : AnyBelief(Belief());
+  e.belief = empty_belief(settings_.filter);
   e.vehicles.clear();
   e.landmarks.clear();
+  e.world.reset();
   e.belief.keep_trace(watched);
   for (const auto& [identity, position] : settings_.anchors) e.anchors[identity] = {position, 0};
-  for (const TeamMember& member : settings_.members) {
-    TeamVehicle vehicle;
-    vehicle.block = e.belief.add_vehicle(chart_of(member.motion), member.start,
-                                         SmallMatrix(member.start_sigmas.cwiseAbs2().asDiagonal()));
-    vehicle.prediction = member.start;
-    vehicle.t = tick.t;
-    e.vehicles.push_back(vehicle);
+  for (std::size_t i = 0; i < settings_.members.size(); ++i) {
+    const TeamMember& member = settings_.members[i];
+    SmallVector at = member.start;
+    if (member.start_time == TeamMember::StartTime::first_fix) at.head<2>() = seen.team[i].fixes.front().position;
+    add_vehicle(e, member, at, start_time(member, seen.team[i], tick.t), settings_.filter.map_frame == "vehicle");
   }
   e.started = true;
   e.status = {TrackingState::tracking, "", 0};
@@ -91,12 +131,20 @@ void consider(TeamEstimate& e, std::size_t look, const Gate& gate, const TeamSet
   used.looks.push_back(at->look);
 }
 
-/// By the names that the sensor tells. What has none is left alone.
+/// Whether a detection of the same vehicle and landmark comes before `end` in the list of this tick.
+bool was_measured(const TeamEstimate& e, int vehicle, std::int64_t identity, std::size_t end) {
+  return std::any_of(e.looks.begin(), e.looks.begin() + static_cast<std::ptrdiff_t>(end), [&](const TeamLook& look) {
+    return look.vehicle == vehicle && !look.of_vehicle && look.identity == identity;
+  });
+}
+
+/// By the identities that the sensor measures, each once. Detections without identity are not used.
 void go_by_names(TeamEstimate& e, int vehicle, const VehicleView& view, const Gate& gate,
                  const TeamSettings& settings) {
   for (const Sighting& s : view.landmarks) {
     note(e, vehicle, false, s.identity, s.z, settings);
     const std::size_t look = e.looks.size() - 1;
+    if (was_measured(e, vehicle, s.identity, look)) continue;
     consider(e, look, gate, settings);
     const bool known = e.looks[look].anchor || e.landmarks.count(s.identity) > 0;
     if (!known && s.identity != Detection::unknown) e.used.newcomers.push_back(look);
@@ -108,6 +156,7 @@ void go_by_names(TeamEstimate& e, int vehicle, const VehicleView& view, const Ga
 void go_by_places(TeamEstimate& e, int vehicle, const VehicleView& view, const Gate& gate,
                   const TeamSettings& settings) {
   const ViewAssociation taken = associate_view(e, vehicle, view.landmarks, settings);
+  e.association_capped = e.association_capped || taken.capped;
   const std::size_t first = e.looks.size();
   for (std::size_t s = 0; s < view.landmarks.size(); ++s)
     note(e, vehicle, false, taken.landmarks[s], view.landmarks[s].z, settings);
@@ -122,7 +171,8 @@ void sort_out(TeamEstimate& e, const Observation& seen, const TeamSettings& sett
   e.used.told.clear();
   e.used.looks.clear();
   e.used.newcomers.clear();
-  const auto go = settings.association.method == "nearest" ? go_by_places : go_by_names;
+  e.association_capped = false;
+  const auto go = settings.association.method == "known" ? go_by_names : go_by_places;
   for (std::size_t i = 0; i < seen.team.size(); ++i) {
     const int vehicle = static_cast<int>(i);
     go(e, vehicle, seen.team[i], gate, settings);
@@ -131,6 +181,7 @@ void sort_out(TeamEstimate& e, const Observation& seen, const TeamSettings& sett
       consider(e, e.looks.size() - 1, gate, settings);
     }
   }
+  e.capped_associations += e.association_capped;
 }
 
 /// The same sightings about the belief's present means; without parts where the sensor could not have it.
@@ -165,11 +216,13 @@ void correct(TeamEstimate& e, const TeamSettings& settings) {
     const IterationSettings until{.max_iterations = 20, .tolerance_sigmas = 1e-3};
     const IterationReport report = update_iterated(e.belief, blocks_of(used.looks), again, until);
     e.update = report.update;
+    e.iterations = report.iterations;
     e.unsettled_updates += !report.converged;
   } else {
     e.update = e.belief.update(used.looks);
   }
   const bool done = e.update.outcome == UpdateReport::Outcome::updated;
+  e.refused = e.refused || e.update.outcome == UpdateReport::Outcome::singular;
   constexpr double forgetting = 0.9;
   e.recent_nis = forgetting * e.recent_nis + (done ? e.update.nis : 0);
   e.recent_rows = forgetting * e.recent_rows + (done ? e.update.rows : 0);
@@ -202,14 +255,17 @@ void give_births(TeamEstimate& e, const TeamSettings& settings) {
 
 void TeamEstimator::update(TeamEstimate& e, const Command&, const Observation& seen, const Tick& tick) const {
   if (seen.team.size() != settings_.members.size())
-    throw std::invalid_argument("views of " + std::to_string(seen.team.size()) +
-                                " vehicles were given to a team of " +
+    throw std::invalid_argument("observations of " + std::to_string(seen.team.size()) +
+                                " vehicles were given to an estimator of " +
                                 std::to_string(settings_.members.size()));
-  if (!e.started) start(e, tick);
   StageClock stage(e.timing_ms);
   e.looks.clear();
-  e.matched = 0;
+  e.fixes.clear();
+  e.matched = e.iterations = 0;
   e.update = {};
+  e.refused = false;
+  if (!e.started) start(e, seen, tick);
+  if (!e.started) return;
   for (std::size_t i = 0; i < e.vehicles.size(); ++i) {
     e.vehicles[i].wheels = seen.team[i].wheels;
     predict_vehicle(e, i, seen.team[i], tick.t, settings_);
@@ -222,8 +278,12 @@ void TeamEstimator::update(TeamEstimate& e, const Command&, const Observation& s
   give_births(e, settings_);
   settle_depths(e, settings_);
   stage.mark("births");
+  recenter_map(e);
+  if (settings_.filter.decorrelate == "everything") e.belief.decorrelate(Belief::Scope::everything);
+  if (settings_.filter.decorrelate == "map") e.belief.decorrelate(Belief::Scope::map);
+  stage.mark("decorrelate");
   tell_poses(e);
-  judge(e);
+  e.status = assess(e, settings_);
   stage.mark("poses");
   refresh_entropy(e, tick.t);
   stage.mark("entropy");
@@ -232,98 +292,38 @@ void TeamEstimator::update(TeamEstimate& e, const Command&, const Observation& s
 void TeamEstimator::refresh_entropy(TeamEstimate& e, double t) const {
   const double period_s = entropy_period_s(e.belief.errors());
   if (e.entropy_t && t - *e.entropy_t < period_s) return;
-  int vehicles = 0;
-  for (const TeamVehicle& v : e.vehicles) vehicles += e.belief.chart(v.block).tangent();
-  e.entropy = entropies_of(e.belief, vehicles);
+  e.entropy = entropies(e);
   e.entropy_t = t;
-}
-
-void TeamEstimator::tell_poses(TeamEstimate& e) const {
-  for (std::size_t i = 0; i < e.vehicles.size(); ++i) {
-    TeamVehicle& vehicle = e.vehicles[i];
-    const SmallVector mean = e.belief.mean(vehicle.block);
-    const SmallMatrix J = pose_jacobian(settings_.members[i].motion, mean);
-    vehicle.pose = pose_of(settings_.members[i].motion, mean);
-    vehicle.pose_covariance = J * e.belief.covariance(vehicle.block) * J.transpose();
-  }
 }
 
 namespace {
 
-double residuals_in_sigmas(const TeamEstimate& e) {
-  return e.recent_rows > 0 ? std::sqrt(e.recent_nis / e.recent_rows) : 0;
-}
-
-/// Landmarks that it knows are seen, and none where it believes them to be.
-bool recognises_nothing(const TeamEstimate& e) {
-  const auto known = std::count_if(e.looks.begin(), e.looks.end(), [](const TeamLook& look) {
-    return !look.of_vehicle && look.outcome != LookOutcome::born;
-  });
-  constexpr int least = 3;
-  return known >= least && e.matched == 0;
-}
-
-/// What speaks for the whole team being lost, whatever it believes; empty where nothing does.
-std::string lost_by_what_is_seen(TeamEstimate& e) {
-  constexpr int most_ticks = 10;
-  constexpr double most_sigmas = 10;
-  e.unmatched_ticks = recognises_nothing(e) ? e.unmatched_ticks + 1 : e.matched > 0 ? 0 : e.unmatched_ticks;
-  e.doubted_ticks = residuals_in_sigmas(e) > most_sigmas ? e.doubted_ticks + 1 : 0;
-  if (e.unmatched_ticks >= most_ticks)
-    return "known landmarks are seen, and none where they should be, for " +
-           std::to_string(e.unmatched_ticks) + " ticks";
-  if (e.doubted_ticks < most_ticks) return "";
-  std::ostringstream what;
-  what.precision(3);
-  what << "what is seen is " << residuals_in_sigmas(e)
-       << " times as far from what was expected as its sigmas say, for " << e.doubted_ticks << " ticks";
-  return what.str();
-}
-
-/// Why the estimate is not to be trusted, though it is not lost; empty where nothing speaks against it.
-std::string doubt(const TeamEstimate& e) {
-  if (e.update.outcome == UpdateReport::Outcome::singular)
-    return "an update was refused: within rounding it would leave nothing of a variance";
-  // By chance less often than once in a million, and residuals twice as large as they should be
-  constexpr double chance = 1e-6, most_ratio = 4;
-  const int rows = static_cast<int>(std::ceil(e.recent_rows));
-  if (rows == 0 || e.recent_nis < most_ratio * e.recent_rows ||
-      e.recent_nis < chi_square_quantile(1 - chance, rows))
-    return "";
-  std::ostringstream what;
-  what.precision(3);
-  what << "what is seen is " << residuals_in_sigmas(e)
-       << " times as far from what was expected as its sigmas say: noises or first depths do not fit";
-  return what.str();
+/// State and covariance of a vehicle in the world.
+void express_in_world(const TeamEstimate& e, TeamVehicle& vehicle) {
+  if (!e.world) {
+    vehicle.state = e.belief.mean(vehicle.block);
+    vehicle.state_covariance = e.belief.covariance(vehicle.block);
+    return;
+  }
+  const planar::FramedPose at = planar::in_frame(planar::Pose<double>(e.belief.mean(*e.world)),
+                                                 planar::Pose<double>(e.belief.mean(vehicle.block)));
+  const SmallMatrix cross = at.by_pose * e.belief.covariance(vehicle.block, *e.world) * at.by_frame.transpose();
+  vehicle.state = at.pose;
+  vehicle.state_covariance = at.by_frame * e.belief.covariance(*e.world) * at.by_frame.transpose() +
+                             at.by_pose * e.belief.covariance(vehicle.block) * at.by_pose.transpose() + cross +
+                             cross.transpose();
 }
 
 }  // namespace
 
-void TeamEstimator::judge(TeamEstimate& e) const {
-  const bool many = settings_.members.size() > 1;
+void TeamEstimator::tell_poses(TeamEstimate& e) const {
   for (std::size_t i = 0; i < e.vehicles.size(); ++i) {
-    const TeamVehicle& vehicle = e.vehicles[i];
-    const auto lost = [&](const std::string& reason) {
-      e.status.state = TrackingState::lost;
-      e.status.reason = (many ? "vehicle " + std::to_string(i + 1) + ": " : "") + reason;
-    };
-    if (!vehicle.pose.position.allFinite() || !vehicle.pose_covariance.allFinite())
-      return lost("pose or covariance is not a number");
-    const Eigen::Matrix3d P = vehicle.pose_covariance.topLeftCorner<3, 3>();
-    const double sigma = std::sqrt(std::max(0.0, P.selfadjointView<Eigen::Lower>().eigenvalues().maxCoeff()));
-    if (!(sigma <= settings_.filter.max_sigma_position_m))
-      return lost("position sigma " + std::to_string(sigma) + " m, the limit is " +
-                  std::to_string(settings_.filter.max_sigma_position_m));
+    TeamVehicle& vehicle = e.vehicles[i];
+    express_in_world(e, vehicle);
+    const SmallMatrix J = pose_jacobian(settings_.members[i].motion, vehicle.state);
+    vehicle.pose = pose_of(settings_.members[i].motion, vehicle.state);
+    vehicle.pose_covariance = J * vehicle.state_covariance * J.transpose();
   }
-  const std::string lost = lost_by_what_is_seen(e);
-  if (!lost.empty()) {
-    e.status.state = TrackingState::lost;
-    e.status.reason = lost;
-    return;
-  }
-  const std::string reason = doubt(e);
-  e.status.state = reason.empty() ? TrackingState::tracking : TrackingState::degraded;
-  e.status.reason = reason;
 }
 
 }  // namespace incognita

@@ -33,10 +33,9 @@ class TeamEstimator {
               const Tick& tick) const;
 
  private:
-  void start(TeamEstimate& estimate, const Tick& tick) const;
+  void start(TeamEstimate& estimate, const Observation& seen, const Tick& tick) const;
   void tell_poses(TeamEstimate& estimate) const;
   void refresh_entropy(TeamEstimate& estimate, double t) const;
-  void judge(TeamEstimate& estimate) const;
 
   TeamSettings settings_;
 };

@@ -8,6 +8,10 @@
 namespace incognita {
 namespace {
 
+bool is_planar(const TeamMember& m) {
+  return std::holds_alternative<DifferentialDrive>(m.motion) || std::holds_alternative<AckermannCar>(m.motion);
+}
+
 bool is_laser_on_plane(const TeamMember& m) { return std::holds_alternative<LaserScanner>(m.sensor); }
 
 std::string fault_in_sizes(const TeamMember& m) {
@@ -65,20 +69,58 @@ std::string fault_in_iterated(const TeamMember& m, const TeamSettings& s) {
          "or take `analytic`";
 }
 
+/// A map in the vehicle's frame is that of one vehicle on a plane.
+std::string fault_in_map_frame(const TeamSettings& s) {
+  const TeamFilterSettings& f = s.filter;
+  if (f.map_frame == "world") return "";
+  if (f.map_frame != "vehicle")
+    return "vehicle_filter.map_frame = `" + f.map_frame + "`: must be one of `world`, `vehicle`";
+  if (s.members.size() > 1) return "vehicle_filter.map_frame = `vehicle`: a map in the frame of one of several vehicles is not supported; take `world`";
+  if (!is_planar(s.members.front()) || !is_laser_on_plane(s.members.front()))
+    return "vehicle_filter.map_frame = `vehicle`: only for a vehicle on a plane that measures ranges and bearings; take `world`";
+  if (f.form == "information")
+    return "vehicle_filter.map_frame = `vehicle`: the information form cannot change the frame of a map; take `covariance`";
+  return "";
+}
+
+/// Correlations are dropped from the covariance of one vehicle and its map.
+std::string fault_in_decorrelation(const TeamSettings& s) {
+  const TeamFilterSettings& f = s.filter;
+  if (f.decorrelate == "nothing") return "";
+  const auto& words = {"everything", "map", "map-linear"};
+  if (std::find(words.begin(), words.end(), f.decorrelate) == words.end())
+    return "vehicle_filter.decorrelate = `" + f.decorrelate +
+           "`: must be one of `nothing`, `everything`, `map`, `map-linear`";
+  if (s.members.size() > 1)
+    return "vehicle_filter.decorrelate = `" + f.decorrelate + "`: only for one vehicle; take `nothing`";
+  if (f.form == "information")
+    return "vehicle_filter.decorrelate = `" + f.decorrelate + "`: the information form keeps all correlations";
+  return "";
+}
+
+std::string fault_in_association(const TeamSettings& s) {
+  const DataAssociationSettings& a = s.association;
+  if (a.method != "known" && a.method != "nearest" && a.method != "joint")
+    return "association.method = `" + a.method + "`: must be one of `known`, `nearest`, `joint`";
+  if (!(a.gate_probability < 1 && a.birth_probability < 1 && a.gate_probability <= a.birth_probability))
+    return "the gate of a new landmark must be the gate of a match or wider, and both less than 1";
+  if (a.method == "known" && !s.anchors_have_identity && !s.anchors.empty())
+    return "vehicle_filter.anchors_m: with association by identity each anchor needs one";
+  return "";
+}
+
 }  // namespace
 
 std::string fault_in(const TeamSettings& s) {
-  if (s.members.empty()) return "a team needs a vehicle";
+  if (s.members.empty()) return "an estimator needs a vehicle";
   const auto& words = {"analytic", "iterated", "unscented-vehicle", "first-estimate"};
   if (std::find(words.begin(), words.end(), s.filter.lineariser) == words.end())
     return "team_filter.lineariser = `" + s.filter.lineariser +
            "`: must be one of `analytic`, `iterated`, `unscented-vehicle`, "
            "`first-estimate`";
-  const TeamAssociationSettings& a = s.association;
-  if (a.method != "known" && a.method != "nearest")
-    return "association.method = `" + a.method + "`: must be `known` or `nearest` for a team";
-  if (!(a.gate_probability < 1 && a.birth_probability < 1 && a.gate_probability <= a.birth_probability))
-    return "the gate of a birth must be the gate of a match or wider, and both less than 1";
+  for (const std::string& fault : {fault_in_map_frame(s), fault_in_decorrelation(s), fault_in_association(s)})
+    if (!fault.empty()) return fault;
+  if (const auto conflict = conflict_in(s.filter)) return std::string(conflict->key) + ": " + conflict->why;
   for (const TeamMember& m : s.members) {
     for (const std::string& fault : {misfit(m.motion, m.sensor), fault_in_sizes(m)})
       if (!fault.empty()) return fault;

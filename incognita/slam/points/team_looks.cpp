@@ -5,6 +5,8 @@
 #include <cmath>
 #include <span>
 
+#include "incognita/models/planar_frame.hpp"
+
 namespace incognita {
 namespace {
 
@@ -29,7 +31,15 @@ struct Target {
   SmallMatrix by_block;          ///< d(mean) / d(error of the block)
 };
 
-/// `dimensions`: of the place, in which all are looked at.
+/// An anchor is where it is in the world; in a map in the vehicle's frame, where the world's pose puts it.
+Target target_of_anchor(const TeamEstimate& e, const SmallVector& anchor) {
+  if (!e.world) return {{}, anchor, anchor, std::nullopt, {}};
+  const planar::FramedPoint here =
+      planar::out_of_frame(planar::Pose<double>(e.belief.mean(*e.world)), Eigen::Vector2d(anchor));
+  return {{}, here.point, here.point, *e.world, here.by_frame};
+}
+
+/// `dimensions`: of the map, in which all points are measured.
 std::optional<Target> target_of(const TeamEstimate& e, bool of_vehicle, std::int64_t identity, int dimensions,
                                 const TeamSettings& settings) {
   if (of_vehicle) {
@@ -41,7 +51,7 @@ std::optional<Target> target_of(const TeamEstimate& e, bool of_vehicle, std::int
         {}, at.position, position_of(motion, seen.prediction, dimensions).position, seen.block, at.J};
   }
   const auto anchor = settings.anchors.find(identity);
-  if (anchor != settings.anchors.end()) return Target{{}, anchor->second, anchor->second, std::nullopt, {}};
+  if (anchor != settings.anchors.end()) return target_of_anchor(e, anchor->second);
   const auto found = e.landmarks.find(identity);
   if (found == e.landmarks.end()) return std::nullopt;
   const TeamLandmark& landmark = found->second;
@@ -80,6 +90,7 @@ std::optional<LinearisedSighting> linearised_sighting(const TeamEstimate& e, int
                                                       const TeamSettings& settings) {
   const TeamVehicle& viewer = e.vehicles[static_cast<std::size_t>(vehicle)];
   const TeamMember& member = settings.members[static_cast<std::size_t>(vehicle)];
+  if (!is_usable(member.sensor, sighting.z)) return std::nullopt;
   const auto target = target_of(e, of_vehicle, sighting.identity, dimensions_of(member.sensor), settings);
   if (!target) return std::nullopt;
   const auto seen =
@@ -102,6 +113,47 @@ std::optional<LinearisedSighting> linearised_sighting(const TeamEstimate& e, int
   return out;
 }
 
+AffineLook linearised_fix(const TeamEstimate& e, std::size_t vehicle, const Eigen::Vector2d& fix,
+                          const TeamSettings& settings) {
+  const TeamMember& member = settings.members[vehicle];
+  const BlockId block = e.vehicles[vehicle].block;
+  AffineLook look;
+  if (e.world) {
+    const planar::FramedPose seen = planar::in_frame(planar::Pose<double>(e.belief.mean(*e.world)),
+                                                     planar::Pose<double>(e.belief.mean(block)));
+    look.add(block, seen.by_pose.topRows<2>());
+    look.add(*e.world, seen.by_frame.topRows<2>());
+    look.residual = fix - seen.pose.head<2>();
+  } else {
+    const AnyPoint at = position_of(member.motion, e.belief.mean(block), 2);
+    look.add(block, at.J);
+    look.residual = fix - Eigen::Vector2d(at.position);
+  }
+  look.R = member.sigma_fix_m * member.sigma_fix_m * Eigen::Matrix2d::Identity();
+  return look;
+}
+
+SmallVector anchor_position(const TeamEstimate& e, const SmallVector& anchor) {
+  return target_of_anchor(e, anchor).mean;
+}
+
+bool is_usable(const AnySensor& sensor, const SmallVector& z) {
+  return z.size() == chart_of(sensor).ambient() && z.allFinite() &&
+         (!std::holds_alternative<LaserScanner>(sensor) || z[0] > 0);
+}
+
+std::optional<SmallVector> point_of(const TeamEstimate& e, int vehicle, const SmallVector& z,
+                                    const TeamSettings& settings) {
+  const TeamMember& member = settings.members[static_cast<std::size_t>(vehicle)];
+  if (!is_usable(member.sensor, z) || !tells_distance(member.sensor)) return std::nullopt;
+  const auto birth =
+      birth_from(member.sensor, member.motion, e.belief.mean(e.vehicles[static_cast<std::size_t>(vehicle)].block), z,
+                 settings.filter.inverse_depth_per_m);
+  if (!birth) return std::nullopt;
+  const auto at = position_of(birth->form, birth->landmark);
+  return at ? std::optional(at->position) : std::nullopt;
+}
+
 void measure(LinearisedSighting& look, const TeamMember& member, const SmallVector& z) {
   look.look.residual = residual_of(member.sensor, z, look.predicted);
   look.look.R = sighting_noise(member, z);
@@ -110,6 +162,7 @@ void measure(LinearisedSighting& look, const TeamMember& member, const SmallVect
 bool give_birth(TeamEstimate& e, int vehicle, const Sighting& sighting, const TeamSettings& settings) {
   const TeamVehicle& viewer = e.vehicles[static_cast<std::size_t>(vehicle)];
   const TeamMember& member = settings.members[static_cast<std::size_t>(vehicle)];
+  if (!is_usable(member.sensor, sighting.z)) return false;
   auto birth = birth_from(member.sensor, member.motion, e.belief.mean(viewer.block), sighting.z,
                           settings.filter.inverse_depth_per_m);
   if (!birth) return false;

@@ -25,6 +25,21 @@ std::optional<LinearisedSighting> linearised_sighting(const TeamEstimate& estima
                                                       bool of_vehicle, const Sighting& sighting,
                                                       const TeamSettings& settings);
 
+/// A position fix of a vehicle (world, m), linearized about the belief's means.
+AffineLook linearised_fix(const TeamEstimate& estimate, std::size_t vehicle, const Eigen::Vector2d& fix,
+                          const TeamSettings& settings);
+
+/// The point that a detection places in the frame of the map, from the vehicle's present mean; nothing where it is not
+/// usable (not finite, or no positive range) or the sensor measures no distance.
+std::optional<SmallVector> point_of(const TeamEstimate& estimate, int vehicle, const SmallVector& z,
+                                    const TeamSettings& settings);
+
+/// Where an anchor (world, m) is in the frame of the map.
+SmallVector anchor_position(const TeamEstimate& estimate, const SmallVector& anchor);
+
+/// Whether the numbers of a detection are finite, and its range, where the sensor measures one, is positive.
+bool is_usable(const AnySensor& sensor, const SmallVector& z);
+
 /// Makes it the same look with another measurement: residual and noise are that one's.
 void measure(LinearisedSighting& look, const TeamMember& member, const SmallVector& z);
 

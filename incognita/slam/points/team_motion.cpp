@@ -6,6 +6,7 @@
 #include "incognita/belief/linearise.hpp"
 #include "incognita/models/held_acceleration.hpp"
 #include "incognita/models/on_arc.hpp"
+#include "incognita/slam/points/team_looks.hpp"
 
 namespace incognita {
 namespace {
@@ -37,8 +38,8 @@ AffineMotion linearised_motion(const TeamMember& member, const std::string& line
       member.motion);
 }
 
-/// One input held for so long. `period`: for how long its one draw of noise is held; of a piece of it each
-/// has its share of the variance.
+/// One input held for `dt` seconds. The noise is one draw per reading, held for `period` seconds: a piece of a reading
+/// has its share of the variance, so that the pieces of T seconds add up to T^2 Q.
 void hold(TeamEstimate& e, std::size_t which, const SmallVector& input, double dt, double period,
           const TeamSettings& settings) {
   const TeamMember& member = settings.members[which];
@@ -58,7 +59,41 @@ void hold_until(TeamEstimate& e, std::size_t which, double until, const TeamSett
   const double dt = until - vehicle.t;
   if (!(dt > 0)) return;
   vehicle.t = until;
+  // The period of the present reading is that of the one before: how long it will stand is not known yet
   if (vehicle.input) hold(e, which, *vehicle.input, dt, vehicle.input_period, settings);
+}
+
+void correct_by_fix(TeamEstimate& e, std::size_t which, const PositionReading& fix, const TeamSettings& settings) {
+  const double sigma_m = settings.members[which].sigma_fix_m;
+  const AffineLook look = linearised_fix(e, which, fix.position, settings);
+  e.update = e.belief.update({&look, 1});
+  if (e.update.outcome == UpdateReport::Outcome::updated)
+    e.fixes.push_back({static_cast<int>(which), fix.position, sigma_m});
+  else
+    e.refused = true;
+}
+
+/// The readings and fixes of one vehicle in the order of their times.
+void predict_through_readings(TeamEstimate& e, std::size_t which, const VehicleView& view, double t,
+                              const TeamSettings& settings) {
+  TeamVehicle& vehicle = e.vehicles[which];
+  auto fix = view.fixes.begin();
+  const auto use_fixes_until = [&](double until) {
+    for (; settings.members[which].sigma_fix_m > 0 && fix != view.fixes.end() && fix->t <= until; ++fix) {
+      if (fix->t < vehicle.t) continue;  // from before the start
+      hold_until(e, which, fix->t, settings);
+      correct_by_fix(e, which, *fix, settings);
+    }
+  };
+  for (const Odometry& reading : view.odometry) {
+    use_fixes_until(reading.t);
+    hold_until(e, which, reading.t, settings);
+    if (vehicle.input && reading.t > vehicle.input_t) vehicle.input_period = reading.t - vehicle.input_t;
+    vehicle.input = reading.input;
+    vehicle.input_t = reading.t;
+  }
+  use_fixes_until(t);
+  hold_until(e, which, t, settings);
 }
 
 }  // namespace
@@ -66,20 +101,27 @@ void hold_until(TeamEstimate& e, std::size_t which, double until, const TeamSett
 void predict_vehicle(TeamEstimate& e, std::size_t which, const VehicleView& view, double t,
                      const TeamSettings& settings) {
   TeamVehicle& vehicle = e.vehicles[which];
-  if (view.input) {
-    const double dt = t - vehicle.t;
-    if (dt > 0) hold(e, which, *view.input, dt, dt, settings);
-    vehicle.t = t;
-  } else {
-    for (const Odometry& reading : view.odometry) {
-      hold_until(e, which, reading.t, settings);
-      if (vehicle.input && reading.t > vehicle.input_t) vehicle.input_period = reading.t - vehicle.input_t;
-      vehicle.input = reading.input;
-      vehicle.input_t = reading.t;
-    }
-    hold_until(e, which, t, settings);
+  if (!view.input) return predict_through_readings(e, which, view, t, settings);
+  const double dt = t - vehicle.t;
+  if (dt > 0) hold(e, which, *view.input, dt, dt, settings);
+  vehicle.t = t;
+  for (const PositionReading& fix : view.fixes)
+    if (settings.members[which].sigma_fix_m > 0) correct_by_fix(e, which, fix, settings);
+}
+
+void recenter_map(TeamEstimate& e) {
+  if (!e.world) return;
+  const BlockId vehicle = e.vehicles.front().block;
+  const planar::Pose<double> moved = e.belief.mean(vehicle);
+  const planar::FramedPose world = planar::in_frame(moved, planar::Pose<double>(e.belief.mean(*e.world)));
+  std::vector<Belief::Carried> others{{*e.world, world.pose, world.by_pose, world.by_frame}};
+  for (const auto& [identity, landmark] : e.landmarks) {
+    const planar::FramedPoint at = planar::in_frame(moved, Eigen::Vector2d(e.belief.mean(landmark.block)));
+    others.push_back({landmark.block, at.point, at.by_point, at.by_frame});
   }
-  vehicle.prediction = e.belief.mean(vehicle.block);
+  const Eigen::Matrix3d zero = Eigen::Matrix3d::Zero();
+  e.belief.carry({vehicle, Eigen::Vector3d::Zero(), zero, zero}, others);
+  e.vehicles.front().prediction = Eigen::Vector3d::Zero();
 }
 
 }  // namespace incognita

@@ -1,4 +1,4 @@
-// Prediction of the vehicles of a team, each through what it told.
+// Prediction of the vehicles through their time-stamped inputs and position fixes.
 #pragma once
 
 #include "incognita/messages/observation.hpp"
@@ -7,9 +7,13 @@
 
 namespace incognita {
 
-/// Carries one vehicle to the tick's time: through its odometry readings, each held until the next, or
-/// through the one input that it says it carried out. Nothing moves before anything was told.
+/// Predicts one vehicle to the time of the tick: through its odometry readings, each held until the next, or through
+/// the one input that it carried out since the last tick. Position fixes correct it at their own times, where the
+/// vehicle uses them. Nothing moves before the first input. Sets `estimate.refused` when a fix was refused.
 void predict_vehicle(TeamEstimate& estimate, std::size_t which, const VehicleView& view, double t,
                      const TeamSettings& settings);
+
+/// Re-expresses a map in the vehicle's frame in the present frame of the vehicle. No-op for a map in the world.
+void recenter_map(TeamEstimate& estimate);
 
 }  // namespace incognita

@@ -1,8 +1,8 @@
 // A simulated drive in circles among landmarks: what consistency is measured on.
 //
-// The plant is the differential drive of thesis (3.16) with l = 0, stepped at the odometry's rate; its inputs
-// are those commanded plus white noise held for one step, and the odometry tells what was commanded. So a
-// filter that is given the same noises has the right model in every respect but that it linearises.
+// The plant is the differential drive of thesis (3.16) with l = 0, integrated along the arc of each odometry step; its
+// inputs are the commanded ones plus white noise held for one step, and the odometry is the command. So a filter that
+// is given the same noises has the right model, and what is left is its linearization.
 #pragma once
 
 #include <cstdint>

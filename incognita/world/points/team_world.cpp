@@ -13,14 +13,6 @@ std::string stream_of(const char* what, std::size_t vehicle) {
   return std::string("team.") + what + "." + std::to_string(vehicle);
 }
 
-/// Whether a scanner looks that way; of a camera its image decides.
-bool inside_view(const SimulatedVehicle& vehicle, const AnyLook& look) {
-  if (!look.in_view) return false;
-  const bool scanner = std::holds_alternative<LaserScanner>(vehicle.sensor) ||
-                       std::holds_alternative<DirectionFinder>(vehicle.sensor);
-  return !scanner || std::abs(look.z[look.z.size() - 1]) <= vehicle.field_of_view_rad / 2;
-}
-
 void need(bool ok, const std::string& what) {
   if (!ok) throw std::invalid_argument(what);
 }
@@ -34,7 +26,7 @@ void check(const SimulatedVehicle& v, const PointPlace& place) {
            std::isfinite(v.sigma_range_ratio),
        "the sigmas of a sensor must be zero or positive");
   need(v.ticks_per_look >= 1, "a sensor looks at every tick or more rarely");
-  need(v.max_range_m > 0 && v.field_of_view_rad > 0, "how far and how wide a sensor sees must be positive");
+  need(v.reach.max_range_m > 0 && v.reach.field_of_view_rad > 0, "how far and how wide a sensor sees must be positive");
   for (const auto& [identity, point] : place) {
     const std::string which = "landmark " + std::to_string(identity);
     need(point.size() == dimensions_of(v.sensor),
@@ -100,9 +92,10 @@ std::optional<SmallVector> TeamSensor::measured(std::size_t i, const SmallVector
                                                 const SmallVector& point) {
   const SimulatedVehicle& v = vehicles_[i];
   const SmallVector from = position_of(v.motion, state, dimensions_of(v.sensor)).position;
-  if (!((from - point).norm() <= v.max_range_m)) return std::nullopt;
+  const double distance_m = (from - point).norm();
+  if (!(distance_m <= v.reach.max_range_m)) return std::nullopt;
   const auto look = look_at(v.sensor, v.motion, state, {}, point);
-  if (!look || !inside_view(v, *look)) return std::nullopt;
+  if (!look || !is_in_view(v.sensor, v.reach, *look, distance_m)) return std::nullopt;
   SmallVector z = look->z, error(v.sigmas.size());
   for (Eigen::Index k = 0; k < error.size(); ++k)
     error[k] = (v.sigmas[k] + (k == 0 ? v.sigma_range_ratio * std::abs(z[0]) : 0)) * noise_[i].normal();

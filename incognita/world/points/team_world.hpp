@@ -26,8 +26,7 @@ struct SimulatedVehicle {
   AnySensor sensor;
   SmallVector sigmas;            ///< true noise of each number that is measured
   double sigma_range_ratio = 0;  ///< added to the first of them, times what is measured
-  double max_range_m = 1e9;      ///< farther points are not seen
-  double field_of_view_rad = 7;  ///< of a scanner, about straight ahead; more than a turn sees all around
+  Reach reach = {};              ///< beyond, points are not measured
   int ticks_per_look = 1;        ///< it looks at every so many-th tick, the first being one
 };
 

@@ -5,19 +5,9 @@
 #include <limits>
 
 #include "incognita/math/angles.hpp"
+#include "incognita/models/mount.hpp"
 
 namespace incognita {
-namespace {
-
-FreeCameraMotion::State<double> upright(const RangeRecording::Place& place) {
-  FreeCameraMotion::State<double> state = FreeCameraMotion::State<double>::Zero();
-  const double half = place.heading_rad.value_or(0) / 2;
-  state.head<7>() << place.position.x(), place.position.y(), 0, std::cos(half), 0, 0, std::sin(half);
-  return state;
-}
-
-}  // namespace
-
 double start_time(const RangeRecording& r) {
   double first = std::numeric_limits<double>::infinity();
   const auto look = [&](const auto& events) {
@@ -44,37 +34,70 @@ std::optional<RangeRecording::Place> true_place(const RangeRecording& r, double 
   return place;
 }
 
-RangeClock::RangeClock(SharedRangeRecording recording, double duration_s) : recording_(std::move(recording)) {
-  const double end = start_time(*recording_) + duration_s;
-  ticks_ = std::count_if(recording_->scans.begin(), recording_->scans.end(),
-                         [&](const RangeRecording::Scan& scan) { return scan.t <= end; });
+RangeClock::RangeClock(const SharedRangeRecordings& recordings, double duration_s) {
+  double start = recordings->size() == 1 ? start_time(recordings->front()) : -std::numeric_limits<double>::infinity();
+  if (recordings->size() > 1)
+    for (const RangeRecording& r : *recordings) start = std::max(start, r.odometry.front().t);
+  for (const RangeRecording& r : *recordings)
+    for (const RangeRecording::Scan& scan : r.scans)
+      if (scan.t >= start && scan.t <= start + duration_s) times_.push_back(scan.t);
+  std::sort(times_.begin(), times_.end());
+  times_.erase(std::unique(times_.begin(), times_.end()), times_.end());
 }
 
 Tick RangeClock::next() {
-  if (done_ >= ticks_) return {};
-  const auto k = static_cast<std::size_t>(done_);
-  const double t = recording_->scans[k].t;
-  return {done_++, t, k == 0 ? 0 : t - recording_->scans[k - 1].t};
+  if (done_ >= times_.size()) return {};
+  const std::size_t k = done_++;
+  return {static_cast<std::int64_t>(k), times_[k], k == 0 ? 0 : times_[k] - times_[k - 1]};
 }
 
 std::optional<Truth> RangeWorld::move(const Command&, const Tick& tick) {
-  const auto place = true_place(*recording_, tick.t);
-  if (!place) return std::nullopt;
-  return Truth{upright(*place), place->heading_rad.has_value(), {}, {}};
+  Truth truth;
+  bool any_known = false;
+  for (const RangeRecording& r : *recordings_) {
+    std::optional<RigidPose>& pose = truth.poses.emplace_back();
+    const auto place = true_place(r, tick.t);
+    // One vehicle may have a GPS, which measures no heading; of a team each needs its own
+    if (!place || (!place->heading_rad && recordings_->size() > 1)) continue;
+    const Eigen::Vector3d on_plane(place->position.x(), place->position.y(), place->heading_rad.value_or(0));
+    pose = on_floor(planar::Pose<double>(on_plane)).pose;
+    any_known = true;
+    truth.orientation_known = place->heading_rad.has_value();
+    const double half = on_plane[2] / 2;
+    if (truth.poses.size() == 1)
+      truth.camera.head<7>() << on_plane[0], on_plane[1], 0, std::cos(half), 0, 0, std::sin(half);
+  }
+  return any_known ? std::optional(truth) : std::nullopt;
+}
+
+RangeSensor::RangeSensor(SharedRangeRecordings recordings, const RangeSensorSettings& settings)
+    : recordings_(std::move(recordings)), settings_(settings), done_(recordings_->size()) {}
+
+VehicleView RangeSensor::next(const RangeRecording& r, Progress& done, double t) const {
+  VehicleView view;
+  for (; done.odometry < r.odometry.size() && r.odometry[done.odometry].t <= t; ++done.odometry)
+    view.odometry.push_back(r.odometry[done.odometry]);
+  for (; done.fixes < r.fixes.size() && r.fixes[done.fixes].t <= t; ++done.fixes) {
+    if (settings_.fixes == Fixes::none || (settings_.fixes == Fixes::first && done.fix_given)) continue;
+    view.fixes.push_back({r.fixes[done.fixes].t, r.fixes[done.fixes].position});
+    done.fix_given = true;
+  }
+  const auto add = [&](const std::vector<Detection>& detections, std::vector<Sighting>& to) {
+    for (const Detection& d : detections)
+      if (!(d.range_m > settings_.max_range_m)) to.push_back({d.identity, Eigen::Vector2d(d.range_m, d.bearing_rad)});
+  };
+  for (; done.scans < r.scans.size() && r.scans[done.scans].t <= t; ++done.scans) {
+    if (r.scans[done.scans].t < t) continue;  // from before the first tick
+    add(r.scans[done.scans].detections, view.landmarks);
+    if (settings_.measures_vehicles) add(r.scans[done.scans].vehicles, view.vehicles);
+  }
+  return view;
 }
 
 Observation RangeSensor::look(const std::optional<Truth>&, const Tick& tick) {
-  const RangeRecording& r = *recording_;
   Observation seen;
-  for (; odometry_done_ < r.odometry.size() && r.odometry[odometry_done_].t <= tick.t; ++odometry_done_)
-    seen.odometry.push_back(r.odometry[odometry_done_]);
-  for (; fixes_done_ < r.fixes.size() && r.fixes[fixes_done_].t <= tick.t; ++fixes_done_) {
-    if (fixes_ == Fixes::none || (fixes_ == Fixes::first && fix_given_)) continue;
-    seen.fixes.push_back({r.fixes[fixes_done_].t, r.fixes[fixes_done_].position});
-    fix_given_ = true;
-  }
-  for (const Detection& detection : r.scans[static_cast<std::size_t>(tick.frame)].detections)
-    if (detection.range_m <= max_range_m_) seen.detections.push_back(detection);
+  for (std::size_t i = 0; i < recordings_->size(); ++i)
+    seen.team.push_back(next((*recordings_)[i], done_[i], tick.t));
   return seen;
 }
 

@@ -1,56 +1,67 @@
-// A recording of ranges and bearings as the loop sees it: its clock, its sensors and, where known, the truth.
+// Recordings of vehicles that measure ranges and bearings, made on one clock, as the loop sees them: the clock, the
+// sensors and, where known, the truth.
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "incognita/world/replay/range_recording.hpp"
 #include "incognita/world/world.hpp"
 
 namespace incognita {
 
-using SharedRangeRecording = std::shared_ptr<const RangeRecording>;
+/// One per vehicle. Vehicle i of a recording's `vehicles` detections is the i-th.
+using SharedRangeRecordings = std::shared_ptr<const std::vector<RangeRecording>>;
 
-/// A tick per scan, until `duration_s` have passed since the first event of any kind.
+/// A tick for each time at which any of them scanned, until `duration_s` have passed since the start: of one
+/// recording its first event of any kind, of several the time from which all have odometry.
 class RangeClock final : public Clock {
  public:
-  RangeClock(SharedRangeRecording recording, double duration_s);
+  RangeClock(const SharedRangeRecordings& recordings, double duration_s);
   Tick next() override;
-  std::int64_t expected_frames() const override { return ticks_; }
+  std::int64_t expected_frames() const override { return static_cast<std::int64_t>(times_.size()); }
 
  private:
-  SharedRangeRecording recording_;
-  std::int64_t ticks_ = 0;
-  std::int64_t done_ = 0;
+  std::vector<double> times_;
+  std::size_t done_ = 0;
 };
 
-/// The true place between the two known next to the tick's time, if they are at most half a second apart.
+/// The true pose of each vehicle, where it is known: interpolated between two poses at most half a second apart.
 /// Commands move nothing: what was recorded has happened.
 class RangeWorld final : public World {
  public:
-  explicit RangeWorld(SharedRangeRecording recording) : recording_(std::move(recording)) {}
+  explicit RangeWorld(SharedRangeRecordings recordings) : recordings_(std::move(recordings)) {}
   std::optional<Truth> move(const Command& command, const Tick& tick) override;
 
  private:
-  SharedRangeRecording recording_;
+  SharedRangeRecordings recordings_;
 };
 
-/// Which of the recording's position fixes the vehicle is told of.
+/// Which position fixes of a recording the vehicle measures.
 enum class Fixes { none, first, all };
 
-/// Scan k at tick k, with what the wheels and the external sensor told since tick k - 1.
+struct RangeSensorSettings {
+  double max_range_m = 1e9;     ///< detections beyond are left out
+  Fixes fixes = Fixes::none;
+  bool measures_vehicles = false;  ///< whether detections of other vehicles of the team are used
+};
+
+/// At each tick the scans of its time, with the odometry and the fixes since the tick before.
 class RangeSensor final : public Sensor {
  public:
-  /// Detections beyond `max_range_m` are left out.
-  RangeSensor(SharedRangeRecording recording, Fixes fixes, double max_range_m)
-      : recording_(std::move(recording)), fixes_(fixes), max_range_m_(max_range_m) {}
+  RangeSensor(SharedRangeRecordings recordings, const RangeSensorSettings& settings);
   Observation look(const std::optional<Truth>& truth, const Tick& tick) override;
 
  private:
-  SharedRangeRecording recording_;
-  Fixes fixes_;
-  double max_range_m_;
-  std::size_t odometry_done_ = 0, fixes_done_ = 0;
-  bool fix_given_ = false;
+  struct Progress {
+    std::size_t odometry = 0, fixes = 0, scans = 0;
+    bool fix_given = false;
+  };
+  VehicleView next(const RangeRecording& recording, Progress& done, double t) const;
+
+  SharedRangeRecordings recordings_;
+  RangeSensorSettings settings_;
+  std::vector<Progress> done_;
 };
 
 /// Time of the first event that the vehicle could know of, s: odometry, scan or fix.

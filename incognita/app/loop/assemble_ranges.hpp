@@ -7,24 +7,26 @@
 #include "incognita/app/loop/loop.hpp"
 #include "incognita/io/scenario/load_scenario.hpp"
 #include "incognita/record/summary/map_survey.hpp"
+#include "incognita/slam/points/planar_settings.hpp"
 #include "incognita/world/replay/range_replay.hpp"
 
 namespace incognita {
 
-struct PlanarAssembly {
-  PlanarBoxes boxes;
-  SharedRangeRecording recording;
-  bool frame_is_fixed = true;      ///< by anchors or fixes; else the map is about where the vehicle started
-  std::vector<std::string> notes;  ///< what was guessed or left out, for printing
+struct RangeAssembly {
+  TeamBoxes boxes;
+  SharedRangeRecordings recordings;  ///< one
+  bool frame_is_fixed = true;        ///< by anchors or fixes; else the map is relative to the start of the vehicle
+  std::vector<std::string> notes;    ///< what was guessed or left out, for printing
   std::vector<std::string> warnings = {};  ///< what is most likely wrong with the recording
+
+  const RangeRecording& recording() const { return recordings->front(); }
 };
 
 /// Throws InputError naming file and key or value.
-PlanarAssembly assemble_planar(const LoadedScenario& loaded);
+RangeAssembly assemble_ranges(const LoadedScenario& loaded);
 
 /// The same on a recording that is at hand, e.g. simulated.
-PlanarAssembly assemble_planar(SharedRangeRecording recording, const PlanarSlamSettings& settings,
-                               double duration_s);
+RangeAssembly assemble_ranges(RangeRecording recording, const PlanarSlamSettings& settings, double duration_s);
 
 /// The surveyed landmarks of a recording. `identified`: the map has their identities.
 Survey survey_of(const RangeRecording& recording, bool identified);

@@ -1,4 +1,4 @@
-#include "incognita/app/loop/assemble_planar.hpp"
+#include "incognita/app/loop/assemble_ranges.hpp"
 
 #include <fmt/format.h>
 
@@ -9,6 +9,7 @@
 #include "incognita/io/recordings/clock_warnings.hpp"
 #include "incognita/io/recordings/range_recording.hpp"
 #include "incognita/messages/errors.hpp"
+#include "incognita/slam/points/single_vehicle.hpp"
 
 namespace incognita {
 namespace {
@@ -101,40 +102,40 @@ Survey survey_of(const RangeRecording& recording, bool identified) {
   return survey;
 }
 
-PlanarAssembly assemble_planar(SharedRangeRecording recording, const PlanarSlamSettings& s,
-                               double duration_s) {
-  const Fixes fixes = s.filter.use_fixes ? Fixes::all : s.start.at_first_fix ? Fixes::first : Fixes::none;
-  const auto identities = identities_of_anchors(s.filter.anchors, *recording);
-  PlanarEstimator estimator(s, identities.value_or(std::vector<std::int64_t>{}));
-  std::vector<std::string> notes = recording->notes;
-  for (std::string& note : left_out(*recording, s)) notes.push_back(std::move(note));
-  return {{std::make_unique<RangeClock>(recording, duration_s),
-           std::make_unique<RangeWorld>(recording),
-           std::make_unique<RangeSensor>(recording, fixes, s.sensor.max_range_m),
-           std::move(estimator),
-           {},
-           {}},
-          recording,
+RangeAssembly assemble_ranges(RangeRecording recording, const PlanarSlamSettings& s, double duration_s) {
+  const auto recordings = std::make_shared<const std::vector<RangeRecording>>(1, std::move(recording));
+  const RangeRecording& r = recordings->front();
+  RangeSensorSettings sensor;
+  sensor.max_range_m = s.sensor.max_range_m;
+  sensor.fixes = s.filter.use_fixes ? Fixes::all : s.start.at_first_fix ? Fixes::first : Fixes::none;
+  const auto identities = identities_of_anchors(s.filter.anchors, r);
+  const TeamSettings team = single_vehicle(s, identities.value_or(std::vector<std::int64_t>{}));
+  std::vector<std::string> notes = r.notes;
+  for (std::string& note : left_out(r, s)) notes.push_back(std::move(note));
+  return {{std::make_unique<RangeClock>(recordings, duration_s), std::make_unique<RangeWorld>(recordings),
+           std::make_unique<RangeSensor>(recordings, sensor), TeamEstimator(team),
+           TeamDecision(team, {.decision = {}, .decides = false}), TeamController({}, 1)},
+          recordings,
           s.filter.use_fixes || !s.filter.anchors.empty(),
           std::move(notes),
-          clock_warnings(*recording)};
+          clock_warnings(r)};
 }
 
-PlanarAssembly assemble_planar(const LoadedScenario& loaded) {
-  auto recording = std::make_shared<const RangeRecording>(read_range_recording(loaded));
+RangeAssembly assemble_ranges(const LoadedScenario& loaded) {
+  RangeRecording recording = read_range_recording(loaded);
   const PlanarSlamSettings& settings = loaded.scenario.planar;
-  check_vehicle(loaded, *recording);
-  check_identities(loaded, *recording);
-  check_fixes(loaded, *recording);
-  check_scans(loaded, *recording);
-  if (settings.association.method == "known" && !identities_of_anchors(settings.filter.anchors, *recording))
+  check_vehicle(loaded, recording);
+  check_identities(loaded, recording);
+  check_fixes(loaded, recording);
+  check_scans(loaded, recording);
+  if (settings.association.method == "known" && !identities_of_anchors(settings.filter.anchors, recording))
     throw InputError(
         fmt::format("{}: vehicle_filter.anchors_m: with association.method = known each anchor must be "
                     "one of the recording's surveyed landmarks (landmarks.csv), within 5 cm: the sensor "
                     "tells them by their identity",
                     loaded.sources.at("vehicle_filter.anchors_m")));
   try {
-    return assemble_planar(std::move(recording), settings, loaded.scenario.run.duration_s);
+    return assemble_ranges(std::move(recording), settings, loaded.scenario.run.duration_s);
   } catch (const std::invalid_argument& error) {
     throw InputError(shown(loaded.file) + ": " + error.what());
   }

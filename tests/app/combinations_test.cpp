@@ -1,0 +1,146 @@
+// Options that any vehicle may combine: each combination runs over a fixed set of seeds, and the normalized estimation
+// error of all poses together (NEES) must be inside its chi-square band.
+#include <gtest/gtest.h>
+
+#include <Eigen/Cholesky>
+#include <cstdio>
+
+#include "incognita/app/loop/assemble_team.hpp"
+#include "incognita/math/angles.hpp"
+#include "incognita/math/gaussian.hpp"
+
+namespace incognita {
+namespace {
+
+constexpr int seeds = 20;
+
+/// The errors of all vehicles on a plane at the end of a run: e' P^-1 e, with the correlations between them.
+struct JointError {
+  double nees = 0;
+  int dof = 0;
+  bool lost = false;
+  std::size_t landmarks = 0;
+};
+
+double joint_nees(const TeamEstimate& e, const Truth& truth) {
+  const auto n = static_cast<Eigen::Index>(e.vehicles.size());
+  Eigen::VectorXd error(3 * n);
+  Eigen::MatrixXd P(3 * n, 3 * n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const TeamVehicle& v = e.vehicles[static_cast<std::size_t>(i)];
+    const SmallVector& x = truth.vehicles[static_cast<std::size_t>(i)];
+    error.segment<3>(3 * i) << x[0] - v.state[0], x[1] - v.state[1], wrap_angle(x[2] - v.state[2]);
+    for (Eigen::Index j = 0; j < n; ++j)
+      P.block<3, 3>(3 * i, 3 * j) = e.belief.covariance(v.block, e.vehicles[static_cast<std::size_t>(j)].block);
+    P.block<3, 3>(3 * i, 3 * i) = v.state_covariance;
+  }
+  return error.dot(P.llt().solve(error));
+}
+
+using Change = std::function<void(TeamSettings&)>;
+using Sense = std::function<void(Observation&, const Truth&, const Tick&)>;
+
+/// Runs a scenario with a changed estimator; `sense` adds measurements that the scenario's own sensor does not make.
+JointError run(const std::string& scenario, std::vector<std::string> sets, int seed, const Change& change,
+               const Sense& sense = {}) {
+  sets.push_back("run.seed=" + std::to_string(seed));
+  TeamAssembly assembly = assemble_team(load_scenario(scenario, sets));
+  auto& [clock, world, sensor, scenario_estimator, decision, controller] = assembly.boxes;
+  TeamSettings settings = scenario_estimator.settings();
+  change(settings);
+  const TeamEstimator estimator(settings);
+  TeamEstimate estimate;
+  Command command;
+  JointError out;
+  while (const Tick tick = clock->next()) {
+    const auto truth = world->move(command, tick);
+    Observation seen = sensor->look(truth, tick);
+    if (sense) sense(seen, *truth, tick);
+    estimator.update(estimate, command, seen, tick);
+    command = controller.act(estimate, decision.choose(estimate, tick), seen, tick);
+    out.lost = out.lost || estimate.status.state == TrackingState::lost;
+    out.nees = joint_nees(estimate, *truth);
+  }
+  out.dof = static_cast<int>(3 * estimate.vehicles.size());
+  out.landmarks = estimate.landmarks.size();
+  return out;
+}
+
+/// Sums over the seeds, and holds the sum to the 99.9 % band of its degrees of freedom.
+void expect_consistent(const char* name, const std::string& scenario, const std::vector<std::string>& sets,
+                       std::size_t landmarks, const Change& change,
+                       const std::function<Sense(int seed)>& sense_of = {}) {
+  double nees = 0;
+  int dof = 0;
+  for (int seed = 1; seed <= seeds; ++seed) {
+    const JointError one = run(scenario, sets, seed, change, sense_of ? sense_of(seed) : Sense{});
+    EXPECT_FALSE(one.lost) << name << ", seed " << seed;
+    EXPECT_LE(one.landmarks, landmarks) << name << ", seed " << seed << ": duplicate landmarks";
+    nees += one.nees;
+    dof += one.dof;
+  }
+  std::printf("%s: NEES %.2f per degree of freedom (%.2f to %.2f)\n", name, nees / dof,
+              chi_square_quantile(0.0005, dof) / dof, chi_square_quantile(0.9995, dof) / dof);
+  EXPECT_GT(nees, chi_square_quantile(0.0005, dof)) << name;
+  EXPECT_LT(nees, chi_square_quantile(0.9995, dof)) << name;
+}
+
+const std::vector<std::string> team_of_three = {
+    "run.duration_s=20", "team.positions_m=[[-6, 0, 0], [6, 0, 0], [0, 8, 0]]",
+    "team.headings_rad=[1.5708, -1.5708, 0]", "path.offsets_m=[[-6, 0, 0], [6, 0, 0], [0, 8, 0]]",
+    "path.radius_m=4", "team.sigma_position_m=0.1", "team.sigma_heading_rad=0.05"};
+
+std::vector<std::string> with(std::vector<std::string> sets, const std::vector<std::string>& more) {
+  sets.insert(sets.end(), more.begin(), more.end());
+  return sets;
+}
+
+TEST(Combinations, JointCompatibilityInATeamOfThree) {
+  expect_consistent("joint compatibility, three vehicles", "two-robots",
+                    with(team_of_three, {"association.method=joint"}), 16,
+                    [](TeamSettings& s) { ASSERT_EQ(s.association.method, "joint"); });
+}
+
+/// The first vehicle alone has a GPS; the others profit through the common landmarks.
+TEST(Combinations, PositionFixesOfOneVehicleOfATeam) {
+  constexpr double sigma_m = 0.2;
+  const auto fixes = [](int seed) -> Sense {
+    const auto noise = std::make_shared<RandomStream>(static_cast<std::uint64_t>(seed), "test: fixes");
+    return [noise](Observation& seen, const Truth& truth, const Tick& tick) {
+      const Eigen::Vector2d off(noise->normal(), noise->normal());
+      seen.team[0].fixes = {{tick.t, Eigen::Vector2d(truth.vehicles[0].head<2>()) + sigma_m * off}};
+    };
+  };
+  const auto use_fixes = [](TeamSettings& s) { s.members[0].sigma_fix_m = sigma_m; };
+  expect_consistent("fixes of one vehicle of three", "two-robots", team_of_three, 16, use_fixes, fixes);
+  const auto sigma_of_last = [&](const Change& change) {
+    TeamAssembly assembly = assemble_team(load_scenario("two-robots", team_of_three));
+    auto& [clock, world, sensor, scenario_estimator, decision, controller] = assembly.boxes;
+    TeamSettings settings = scenario_estimator.settings();
+    change(settings);
+    const TeamEstimator estimator(settings);
+    TeamEstimate e;
+    Command command;
+    const Sense sense = fixes(1);
+    while (const Tick tick = clock->next()) {
+      const auto truth = world->move(command, tick);
+      Observation seen = sensor->look(truth, tick);
+      sense(seen, *truth, tick);
+      estimator.update(e, command, seen, tick);
+      command = controller.act(e, {}, seen, tick);
+    }
+    return std::sqrt(e.vehicles.back().state_covariance.topLeftCorner(2, 2).trace());
+  };
+  EXPECT_LT(sigma_of_last(use_fixes), 0.8 * sigma_of_last([](TeamSettings&) {}));
+}
+
+TEST(Combinations, AMapInTheFrameOfACarUnderControl) {
+  expect_consistent("map in the vehicle's frame, Ackermann car under control", "circle",
+                    {"run.duration_s=20", "vehicle.model=ackermann", "vehicle.sigma_steering_rad=0.02",
+                     "vehicle.wheelbase_m=1", "vehicle.wheel_left_m=0.3", "vehicle.sensor_left_m=0",
+                     "steer.max_steering_rad=0.6", "team.sigma_position_m=0.1", "team.sigma_heading_rad=0.05"},
+                    16, [](TeamSettings& s) { s.filter.map_frame = "vehicle"; });
+}
+
+}  // namespace
+}  // namespace incognita

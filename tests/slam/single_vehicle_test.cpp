@@ -1,0 +1,418 @@
+// The estimator of one vehicle on a plane by hand-made observations: starts, matches, new landmarks, refusals, frames
+// and linearizations.
+#include "incognita/slam/points/single_vehicle.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "incognita/math/gaussian.hpp"
+#include "incognita/math/random.hpp"
+#include "incognita/models/range_bearing.hpp"
+#include "incognita/slam/points/team_estimator.hpp"
+#include "incognita/slam/points/team_looks.hpp"
+
+namespace incognita {
+namespace {
+
+using Pose = planar::Pose<double>;
+
+Sighting detection(double range_m, double bearing_rad, std::int64_t identity = Detection::unknown) {
+  return {identity, Eigen::Vector2d(range_m, bearing_rad)};
+}
+
+Observation of_one() {
+  Observation seen = of_one();
+  seen.team.resize(1);
+  return seen;
+}
+
+Pose pose(const TeamEstimate& e) { return e.vehicles.front().state; }
+Eigen::Matrix3d covariance(const TeamEstimate& e) { return e.vehicles.front().state_covariance; }
+std::size_t map_size(const TeamEstimate& e) { return e.landmarks.size() + e.anchors.size(); }
+
+/// The mapped landmark nearest to a point.
+TeamPosition nearest(const TeamEstimate& e, const Eigen::Vector2d& point) {
+  TeamPosition best{Eigen::Vector2d::Constant(1e9), {}};
+  for (const auto& [id, landmark] : e.landmarks) {
+    const TeamPosition at = *position_of(landmark, e);
+    if ((at.position - point).norm() < (best.position - point).norm()) best = at;
+  }
+  return best;
+}
+
+BlockId block(const TeamEstimate& e, int which) { return std::next(e.landmarks.begin(), which)->second.block; }
+
+PlanarSlamSettings drive_settings() {
+  PlanarSlamSettings s;
+  s.vehicle.model = "differential-drive";
+  s.vehicle.sensor_forward_m = s.vehicle.sensor_left_m = 0;
+  s.vehicle.sigma_speed_m_s = 0.05;
+  s.vehicle.sigma_turn_rate_rad_s = 0.02;
+  s.sensor.sigma_range_m = 0.05;
+  s.association.method = "known";
+  return s;
+}
+
+const std::vector<Eigen::Vector2d> landmarks{{5, 3}, {8, -2}, {2, 6}, {12, 4}};
+
+/// A drive along a gentle curve, a tick a second, exact but for the given noise.
+struct Drive {
+  Pose truth{0, 0, 0};
+  RandomStream random{1, "test drive"};
+  double noise = 1;
+  std::int64_t frame = 0;
+
+  Observation next(const PlanarSlamSettings& s) {
+    Observation seen = of_one();
+    const double t = static_cast<double>(frame);
+    if (frame > 0) {
+      const Eigen::Vector2d off(s.vehicle.sigma_speed_m_s * random.normal() * noise,
+                                s.vehicle.sigma_turn_rate_rad_s * random.normal() * noise);
+      truth = DifferentialDrive{}.f<double>(truth, Eigen::Vector2d(0.5, 0.05) + off, 1);
+    }
+    seen.team[0].odometry = {{t, {0.5, 0.05}}};
+    for (std::size_t i = 0; i < landmarks.size(); ++i) {
+      const Eigen::Vector2d z = RangeBearing::h<double>(truth, landmarks[i]);
+      const double range_m = z[0] + noise * s.sensor.sigma_range_m * random.normal();
+      seen.team[0].landmarks.push_back(
+          detection(range_m, wrap_angle(z[1] + noise * s.sensor.sigma_bearing_rad * random.normal()),
+                    static_cast<std::int64_t>(i)));
+    }
+    return seen;
+  }
+  void step(const TeamEstimator& estimator, TeamEstimate& e, const PlanarSlamSettings& s) {
+    const Observation seen = next(s);
+    estimator.update(e, {}, seen, tick());
+  }
+  Tick tick() { return {frame, static_cast<double>(frame), frame++ > 0 ? 1.0 : 0.0}; }
+};
+
+TeamEstimate run(const PlanarSlamSettings& s, int ticks, double noise = 1, bool anonymous = false,
+                   Drive* out = nullptr) {
+  const TeamEstimator estimator(single_vehicle(s));
+  TeamEstimate e;
+  Drive drive;
+  drive.noise = noise;
+  for (int k = 0; k < ticks; ++k) {
+    Observation seen = drive.next(s);
+    if (anonymous)
+      for (Sighting& d : seen.team[0].landmarks) d.identity = Detection::unknown;
+    estimator.update(e, {}, seen, drive.tick());
+  }
+  if (out) *out = drive;
+  return e;
+}
+
+TEST(SingleVehicle, MapsWhatItSees) {
+  for (const char* method : {"known", "nearest", "joint"}) {
+    PlanarSlamSettings s = drive_settings();
+    s.association.method = method;
+    Drive drive;
+    const TeamEstimate e = run(s, 30, 1, s.association.method != "known", &drive);
+    ASSERT_EQ(map_size(e), landmarks.size()) << method;
+    for (std::size_t i = 0; i < landmarks.size(); ++i)
+      EXPECT_LT((nearest(e, landmarks[i]).position - landmarks[i]).norm(), 0.2) << method;
+    EXPECT_LT((pose(e) - drive.truth).norm(), 0.2);
+    EXPECT_EQ(e.status.state, TrackingState::tracking);
+    EXPECT_EQ(e.matched, 4);
+  }
+}
+
+TEST(SingleVehicle, EveryFilterIsTheSameWhereNothingIsToLinearise) {
+  PlanarSlamSettings s = drive_settings();
+  s.vehicle.sigma_speed_m_s = s.vehicle.sigma_turn_rate_rad_s = 1e-7;
+  s.sensor.sigma_range_m = s.sensor.sigma_bearing_rad = 1e-7;
+  const TeamEstimate plain = run(s, 20);
+  const Eigen::Matrix3d P = covariance(plain);
+  for (const char* lineariser : {"iterated", "unscented-vehicle", "first-estimate"}) {
+    s.filter.lineariser = lineariser;
+    const TeamEstimate other = run(s, 20);
+    EXPECT_LT((pose(other) - pose(plain)).norm(), 1e-11) << lineariser;
+    EXPECT_LT((covariance(other) - P).norm(), 1e-3 * P.norm()) << lineariser;
+  }
+  s.filter.lineariser = "analytic";
+  s.filter.map_frame = "vehicle";
+  const TeamEstimate relative = run(s, 20);
+  EXPECT_LT((pose(relative) - pose(plain)).norm(), 1e-11);
+  EXPECT_LT((covariance(relative) - P).norm(), 1e-3 * P.norm());
+  for (std::size_t i = 0; i < landmarks.size(); ++i) {
+    const TeamPosition a = nearest(relative, landmarks[i]), b = nearest(plain, landmarks[i]);
+    EXPECT_LT((a.position - b.position).norm(), 1e-11);
+    EXPECT_LT((a.covariance - b.covariance).norm(), 1e-3 * b.covariance.norm());
+  }
+}
+
+TEST(SingleVehicle, FirstEstimatesGainNoHeadingWithoutAnchors) {
+  PlanarSlamSettings s = drive_settings();
+  s.start.sigma_heading_rad = 0.2;
+  const double analytic = covariance(run(s, 60))(2, 2);
+  s.filter.lineariser = "first-estimate";
+  const double kept = covariance(run(s, 60))(2, 2);
+  EXPECT_GE(kept, 0.04 * (1 - 1e-9));
+  EXPECT_LT(analytic, 0.04);
+}
+
+TEST(SingleVehicle, AnchorsAndFixesFixTheFrame) {
+  for (const char* frame : {"world", "vehicle"}) {
+    PlanarSlamSettings s = drive_settings();
+    s.filter.map_frame = frame;
+    s.start = {{0.3, -0.2}, 0.1, false, 0.5, 0.2};
+    s.filter.anchors = {landmarks[0], landmarks[1]};
+    s.association.method = "joint";
+    Drive drive;
+    const TeamEstimate anchored = run(s, 40, 1, true, &drive);
+    EXPECT_LT((pose(anchored) - drive.truth).norm(), 0.15) << frame;
+    EXPECT_EQ(map_size(anchored), 4u) << frame;
+    EXPECT_EQ(anchored.anchors.size(), 2u) << frame;
+  }
+}
+
+TEST(SingleVehicle, FixesAreUsedInEitherFrame) {
+  for (const char* frame : {"world", "vehicle"}) {
+    PlanarSlamSettings s = drive_settings();
+    s.filter.map_frame = frame;
+    s.filter.use_fixes = true;
+    s.filter.sigma_fix_m = 0.05;
+    s.start = {{1, 1}, 0.2, false, 1, 0.4};
+    const TeamEstimator estimator(single_vehicle(s));
+    TeamEstimate e;
+    Drive drive;
+    for (int k = 0; k < 40; ++k) {
+      Observation seen = drive.next(s);
+      seen.team[0].fixes = {{static_cast<double>(drive.frame), drive.truth.head<2>()}};
+      estimator.update(e, {}, seen, drive.tick());
+    }
+    EXPECT_LT((pose(e) - drive.truth).norm(), 0.1) << frame;
+  }
+}
+
+TEST(SingleVehicle, WaitsForTheFirstFixWhenItIsToStartThere) {
+  PlanarSlamSettings s = drive_settings();
+  s.start.at_first_fix = true;
+  const TeamEstimator estimator(single_vehicle(s));
+  TeamEstimate e;
+  Observation seen = of_one();
+  estimator.update(e, {}, seen, {0, 0, 0});
+  EXPECT_FALSE(e.started);
+  EXPECT_EQ(e.status.state, TrackingState::starting);
+  EXPECT_FALSE(e.status.reason.empty());
+  seen.team[0].fixes = {{1, {3, 4}}};
+  estimator.update(e, {}, seen, {1, 1, 1});
+  EXPECT_TRUE(e.started);
+  EXPECT_EQ(pose(e).head<2>(), Eigen::Vector2d(3, 4));
+}
+
+TEST(SingleVehicle, RefusesAKnownLandmarkFarFromWhereItIs) {
+  const PlanarSlamSettings s = drive_settings();
+  const TeamEstimator estimator(single_vehicle(s));
+  TeamEstimate e;
+  Drive drive;
+  for (int k = 0; k < 10; ++k) drive.step(estimator, e, s);
+  Observation seen = drive.next(s);
+  seen.team[0].landmarks[2].z[0] += 3;
+  estimator.update(e, {}, seen, drive.tick());
+  EXPECT_EQ(e.matched, 3);
+  EXPECT_EQ(e.looks[2].outcome, LookOutcome::inconsistent);
+  EXPECT_EQ(map_size(e), 4u);
+}
+
+TEST(SingleVehicle, LeavesAloneWhatHasNoIdentityWhereIdentitiesAreWanted) {
+  const PlanarSlamSettings s = drive_settings();
+  EXPECT_EQ(map_size(run(s, 5, 1, true)), 0u);
+}
+
+TEST(SingleVehicle, TwoDetectionsOfOnePlaceAreOneLandmark) {
+  PlanarSlamSettings s = drive_settings();
+  s.association.method = "joint";
+  const TeamEstimator estimator(single_vehicle(s));
+  TeamEstimate e;
+  Observation seen = of_one();
+  seen.team[0].landmarks = {detection(5, 0.1), detection(5.02, 0.1), detection(9, -1)};
+  estimator.update(e, {}, seen, {0, 0, 0});
+  EXPECT_EQ(map_size(e), 2u);
+  EXPECT_EQ(e.looks[0].outcome, LookOutcome::born);
+  EXPECT_NE(e.looks[1].outcome, LookOutcome::born);
+}
+
+TEST(SingleVehicle, SaysThatItIsLost) {
+  PlanarSlamSettings s = drive_settings();
+  s.lost.max_sigma_position_m = 0.3;
+  const TeamEstimator estimator(single_vehicle(s));
+  TeamEstimate e;
+  for (int k = 0; k < 200; ++k) {
+    Observation blind = of_one();
+    blind.team[0].odometry = {{static_cast<double>(k), {1, 0.1}}};
+    estimator.update(e, {}, blind, {k, static_cast<double>(k), k > 0 ? 1.0 : 0.0});
+  }
+  EXPECT_EQ(e.status.state, TrackingState::lost);
+  EXPECT_NE(e.status.reason.find("the limit is 0.3"), std::string::npos) << e.status.reason;
+}
+
+TEST(SingleVehicle, IsLostWhenNothingIsWhereItShouldBe) {
+  PlanarSlamSettings s = drive_settings();
+  const TeamEstimator estimator(single_vehicle(s));
+  TeamEstimate e;
+  Drive drive;
+  for (int k = 0; k < 5; ++k) drive.step(estimator, e, s);
+  for (int k = 0; k < s.lost.max_unmatched_scans; ++k) {
+    Observation seen = drive.next(s);
+    for (Sighting& d : seen.team[0].landmarks) d.z[0] += 20;
+    estimator.update(e, {}, seen, drive.tick());
+  }
+  EXPECT_EQ(e.status.state, TrackingState::lost);
+}
+
+/// An input is held until the next reading, whatever the ticks are.
+TEST(SingleVehicle, HoldsEachInputUntilTheNext) {
+  PlanarSlamSettings s = drive_settings();
+  const TeamEstimator estimator(single_vehicle(s));
+  TeamEstimate e;
+  Observation first = of_one(), second = of_one();
+  first.team[0].odometry = {{0, {1, 0}}};
+  second.team[0].odometry = {{0.5, {3, 0}}, {0.75, {0, 0}}};
+  estimator.update(e, {}, first, {0, 0.25, 0});
+  EXPECT_NEAR(pose(e)[0], 0.25, 1e-12);  // it starts at the first reading
+  estimator.update(e, {}, second, {1, 2, 1.75});
+  EXPECT_NEAR(pose(e)[0], 0.5 * 1 + 0.25 * 3, 1e-12);
+}
+
+TEST(SingleVehicle, UsesAFixAtItsOwnTime) {
+  for (const char* frame : {"world", "vehicle"}) {
+    PlanarSlamSettings s = drive_settings();
+    s.filter.map_frame = frame;
+    s.filter.use_fixes = true;
+    s.filter.sigma_fix_m = 1e-3;
+    s.start.sigma_position_m = 1;
+    const TeamEstimator estimator(single_vehicle(s));
+    TeamEstimate e;
+    Observation seen = of_one();
+    seen.team[0].odometry = {{0, {10, 0}}};
+    seen.team[0].fixes = {{0.1, {1, 0.5}}, {0.2, {2, 0.5}}};  // half a metre beside where it thinks it is
+    estimator.update(e, {}, seen, {0, 1, 0});
+    EXPECT_NEAR(pose(e)[0], 10, 0.1) << frame;
+    EXPECT_NEAR(pose(e)[1], 0.5, 0.1) << frame;
+  }
+}
+
+TEST(SingleVehicle, AnchorsAreKnownByTheirIdentity) {
+  PlanarSlamSettings s = drive_settings();
+  s.filter.anchors = {landmarks[2], landmarks[0]};
+  EXPECT_THROW(TeamEstimator(single_vehicle(s)), std::invalid_argument);
+  const TeamEstimator estimator(single_vehicle(s, {2, 0}));
+  TeamEstimate e;
+  Drive drive;
+  for (int k = 0; k < 5; ++k) drive.step(estimator, e, s);
+  EXPECT_EQ(map_size(e), 4u);
+  EXPECT_EQ(e.matched, 4);
+}
+
+TEST(SingleVehicle, SaysThatAnUpdateWasRefused) {
+  for (const char* decorrelate : {"nothing", "map-linear"}) {
+    PlanarSlamSettings s = drive_settings();
+    s.filter.decorrelate = decorrelate;
+    s.filter.anchors = {landmarks[0], landmarks[1]};
+    s.start.sigma_position_m = 1e9;
+    s.sensor.sigma_range_m = s.sensor.sigma_bearing_rad = 1e-5;
+    s.lost.max_sigma_position_m = 1e12;
+    s.association.gate_probability = 1 - 1e-9;
+    const TeamEstimator estimator(single_vehicle(s, {0, 1}));
+    TeamEstimate e;
+    Drive drive;
+    drive.step(estimator, e, s);
+    EXPECT_EQ(e.update.outcome, UpdateReport::Outcome::singular) << decorrelate;
+    EXPECT_EQ(e.status.state, TrackingState::degraded) << decorrelate;
+    EXPECT_EQ(e.matched, 0) << decorrelate;
+  }
+}
+
+TEST(SingleVehicle, LeavesAloneWhatIsNoDetection) {
+  for (const char* method : {"known", "nearest", "joint"}) {
+    PlanarSlamSettings s = drive_settings();
+    s.association.method = method;
+    const TeamEstimator estimator(single_vehicle(s));
+    TeamEstimate e;
+    Observation seen = of_one();
+    seen.team[0].landmarks = {detection(std::nan(""), 0.1, 1), detection(-3, 0.1, 2),
+                              detection(5, std::nan(""), 3), detection(5, 0.1, 4)};
+    estimator.update(e, {}, seen, {0, 0, 0});
+    EXPECT_EQ(map_size(e), 1u) << method;
+    EXPECT_TRUE(pose(e).allFinite());
+  }
+}
+
+TEST(SingleVehicle, NewLandmarksAloneDoNotKeepItFromBeingLost) {
+  PlanarSlamSettings s = drive_settings();
+  s.association.method = "joint";
+  const TeamEstimator estimator(single_vehicle(s));
+  TeamEstimate e;
+  for (int k = 0; k < s.lost.max_unmatched_scans + 3; ++k) {
+    Observation seen = of_one();
+    seen.team[0].landmarks = {detection(5.0 + 10 * k, 0.1)};
+    estimator.update(e, {}, seen, {k, static_cast<double>(k), 1.0});
+  }
+  EXPECT_EQ(e.status.state, TrackingState::lost);
+}
+
+TEST(SingleVehicle, EntropiesOfABlockDiagonalMapAreThoseOfItsMatrix) {
+  PlanarSlamSettings s = drive_settings();
+  s.filter.decorrelate = "map-linear";
+  s.start.sigma_position_m = s.start.sigma_heading_rad = 0.1;
+  const TeamEstimate e = run(s, 5);
+  const Eigen::MatrixXd P = e.belief.dense_covariance();
+  const Entropy entropy = entropies(e);
+  EXPECT_NEAR(entropy.total, gaussian_entropy(log_det(P), static_cast<int>(P.rows())), 1e-8);
+  EXPECT_NEAR(entropy.map, gaussian_entropy(log_det(P.bottomRightCorner(8, 8)), 8), 1e-8);
+}
+
+TEST(SingleVehicle, KeepsTheMapBlockDiagonalWhenAsked) {
+  for (const char* decorrelate : {"map", "map-linear"}) {
+    PlanarSlamSettings s = drive_settings();
+    s.filter.decorrelate = decorrelate;
+    const TeamEstimate e = run(s, 20);
+    for (int i = 0; i < 4; ++i)
+      for (int j = 0; j < i; ++j)
+        EXPECT_TRUE(e.belief.covariance(block(e, i), block(e, j)).isZero(0)) << decorrelate;
+    EXPECT_FALSE(e.belief.covariance(e.vehicles[0].block, block(e, 0)).isZero(0)) << decorrelate;
+  }
+  PlanarSlamSettings s = drive_settings();
+  s.filter.decorrelate = "everything";
+  const TeamEstimate e = run(s, 20);
+  EXPECT_TRUE(e.belief.covariance(e.vehicles[0].block, block(e, 0)).isZero(0));
+}
+
+TEST(SingleVehicle, RefusesWhatMakesNoSense) {
+  PlanarSlamSettings s = drive_settings();
+  s.filter.lineariser = "magic";
+  EXPECT_THROW(TeamEstimator(single_vehicle(s)), std::invalid_argument);
+  s.filter.lineariser = "iterated";
+  s.filter.decorrelate = "map-linear";
+  EXPECT_THROW(TeamEstimator(single_vehicle(s)), std::invalid_argument);
+  s.filter.decorrelate = "nothing";
+  s.filter.lineariser = "first-estimate";
+  s.filter.map_frame = "vehicle";
+  EXPECT_THROW(TeamEstimator(single_vehicle(s)), std::invalid_argument);
+  s.filter.lineariser = "analytic";
+  s.filter.decorrelate = "map";
+  EXPECT_THROW(TeamEstimator(single_vehicle(s)), std::invalid_argument);
+}
+
+TEST(SingleVehicle, FirstEstimatesLinearizeWhereTheyWereFirst) {
+  PlanarSlamSettings s = drive_settings();
+  s.filter.lineariser = "first-estimate";
+  Drive drive;
+  const TeamEstimate e = run(s, 10, 1, false, &drive);
+  const TeamLandmark& landmark = e.landmarks.at(1);
+  const auto look = linearised_sighting(e, 0, false, detection(8, 0, 1), single_vehicle(s));
+  const auto first = RangeBearing::look(Pose(e.vehicles[0].prediction), Eigen::Vector2d(landmark.first));
+  ASSERT_TRUE(look && first);
+  EXPECT_LT((look->look.parts[0].H - first->Hv).norm(), 1e-15);
+  EXPECT_LT((look->look.parts[1].H - first->Hl).norm(), 1e-15);
+  EXPECT_LT((look->predicted - RangeBearing::h<double>(Pose(e.belief.mean(e.vehicles[0].block)),
+                                                       Eigen::Vector2d(e.belief.mean(landmark.block))))
+                .norm(),
+            1e-15);
+}
+
+}  // namespace
+}  // namespace incognita

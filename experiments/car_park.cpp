@@ -47,8 +47,8 @@ void identify(Data& data) {
     estimator.update(estimate, {}, sensor.look({}, tick), tick);
     if (!estimate.started) continue;
     for (Detection& d : data.recording.scans[static_cast<std::size_t>(tick.frame)].detections) {
-      const Eigen::Vector2d at =
-          RangeBearing::j<double>(planar::Pose<double>(estimate.vehicles.front().state), {d.range_m, d.bearing_rad});
+      const Eigen::Vector2d at = RangeBearing::j<double>(
+          planar::Pose<double>(estimate.vehicles.front().state), {d.range_m, d.bearing_rad});
       double nearest_m = 1;
       for (std::size_t b = 0; b < data.recording.landmarks.size(); ++b) {
         const double distance = (data.recording.landmarks[b].position - at).norm();
@@ -71,9 +71,10 @@ class Driver {
   Drive run() {
     const auto recordings = std::make_shared<const std::vector<RangeRecording>>(1, data_.recording);
     RangeClock clock(recordings, duration_s);
-    RangeSensor sensor(recordings,
-                       {settings_.sensor.max_range_m, settings_.filter.use_fixes ? Fixes::all : Fixes::first});
-    const TeamEstimator estimator(single_vehicle(settings_, std::vector<std::int64_t>(anchors_.begin(), anchors_.end())));
+    RangeSensor sensor(
+        recordings, {settings_.sensor.max_range_m, settings_.filter.use_fixes ? Fixes::all : Fixes::first});
+    const TeamEstimator estimator(
+        single_vehicle(settings_, std::vector<std::int64_t>(anchors_.begin(), anchors_.end())));
     TeamEstimate estimate;
     while (const Tick tick = clock.next()) {
       estimator.update(estimate, {}, sensor.look({}, tick), tick);

@@ -76,7 +76,8 @@ StandingVehicle standing_vehicle(std::uint64_t seed, const std::string& linearis
 
 PlanarConsistency planar_consistency(const PlanarLoopSettings& drive, std::uint64_t seed,
                                      const PlanarFilterSettings& filter) {
-  const auto recordings = std::make_shared<const std::vector<RangeRecording>>(1, drive_planar_loop(drive, seed));
+  const auto recordings =
+      std::make_shared<const std::vector<RangeRecording>>(1, drive_planar_loop(drive, seed));
   RangeClock clock(recordings, drive.duration_s);
   RangeSensor sensor(recordings, {drive.max_range_m * 2, filter.use_fixes ? Fixes::all : Fixes::none});
   const TeamEstimator estimator(single_vehicle(settings_for(drive, filter)));

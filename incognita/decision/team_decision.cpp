@@ -33,7 +33,8 @@ TeamDecision::TeamDecision(TeamSettings team, const TeamDecisionSettings& settin
       expectation_(team_, settings.max_looks) {
   if (!settings_.decides) return;
   if (team_.filter.map_frame == "vehicle")
-    throw std::invalid_argument("vehicle_filter.map_frame = vehicle: information gain is predicted in the world frame; take `world`");
+    throw std::invalid_argument(
+        "vehicle_filter.map_frame = vehicle: information gain is predicted in the world frame; take `world`");
   const DecisionSettings& d = settings_.decision;
   for (const TeamMember& member : team_.members) {
     if (settings_.carrier) {

@@ -8,6 +8,8 @@
 #include "incognita/app/loop/assemble_team.hpp"
 #include "incognita/math/angles.hpp"
 #include "incognita/math/gaussian.hpp"
+#include "incognita/math/random.hpp"
+#include "tests/scratch.hpp"
 
 namespace incognita {
 namespace {
@@ -31,7 +33,8 @@ double joint_nees(const TeamEstimate& e, const Truth& truth) {
     const SmallVector& x = truth.vehicles[static_cast<std::size_t>(i)];
     error.segment<3>(3 * i) << x[0] - v.state[0], x[1] - v.state[1], wrap_angle(x[2] - v.state[2]);
     for (Eigen::Index j = 0; j < n; ++j)
-      P.block<3, 3>(3 * i, 3 * j) = e.belief.covariance(v.block, e.vehicles[static_cast<std::size_t>(j)].block);
+      P.block<3, 3>(3 * i, 3 * j) =
+          e.belief.covariance(v.block, e.vehicles[static_cast<std::size_t>(j)].block);
     P.block<3, 3>(3 * i, 3 * i) = v.state_covariance;
   }
   return error.dot(P.llt().solve(error));
@@ -85,10 +88,13 @@ void expect_consistent(const char* name, const std::string& scenario, const std:
   EXPECT_LT(nees, chi_square_quantile(0.9995, dof)) << name;
 }
 
-const std::vector<std::string> team_of_three = {
-    "run.duration_s=20", "team.positions_m=[[-6, 0, 0], [6, 0, 0], [0, 8, 0]]",
-    "team.headings_rad=[1.5708, -1.5708, 0]", "path.offsets_m=[[-6, 0, 0], [6, 0, 0], [0, 8, 0]]",
-    "path.radius_m=4", "team.sigma_position_m=0.1", "team.sigma_heading_rad=0.05"};
+const std::vector<std::string> team_of_three = {"run.duration_s=20",
+                                                "team.positions_m=[[-6, 0, 0], [6, 0, 0], [0, 8, 0]]",
+                                                "team.headings_rad=[1.5708, -1.5708, 0]",
+                                                "path.offsets_m=[[-6, 0, 0], [6, 0, 0], [0, 8, 0]]",
+                                                "path.radius_m=4",
+                                                "team.sigma_position_m=0.1",
+                                                "team.sigma_heading_rad=0.05"};
 
 std::vector<std::string> with(std::vector<std::string> sets, const std::vector<std::string>& more) {
   sets.insert(sets.end(), more.begin(), more.end());
@@ -103,12 +109,13 @@ TEST(Combinations, JointCompatibilityInATeamOfThree) {
 
 /// The first vehicle alone has a GPS; the others profit through the common landmarks.
 TEST(Combinations, PositionFixesOfOneVehicleOfATeam) {
-  constexpr double sigma_m = 0.2;
+  static constexpr double sigma_m = 0.2;
   const auto fixes = [](int seed) -> Sense {
     const auto noise = std::make_shared<RandomStream>(static_cast<std::uint64_t>(seed), "test: fixes");
     return [noise](Observation& seen, const Truth& truth, const Tick& tick) {
       const Eigen::Vector2d off(noise->normal(), noise->normal());
-      seen.team[0].fixes = {{tick.t, Eigen::Vector2d(truth.vehicles[0].head<2>()) + sigma_m * off}};
+      const Eigen::Vector2d at = truth.vehicles[0].head<2>();
+      seen.team[0].fixes.push_back({tick.t, at + sigma_m * off});
     };
   };
   const auto use_fixes = [](TeamSettings& s) { s.members[0].sigma_fix_m = sigma_m; };
@@ -135,11 +142,42 @@ TEST(Combinations, PositionFixesOfOneVehicleOfATeam) {
 }
 
 TEST(Combinations, AMapInTheFrameOfACarUnderControl) {
-  expect_consistent("map in the vehicle's frame, Ackermann car under control", "circle",
-                    {"run.duration_s=20", "vehicle.model=ackermann", "vehicle.sigma_steering_rad=0.02",
-                     "vehicle.wheelbase_m=1", "vehicle.wheel_left_m=0.3", "vehicle.sensor_left_m=0",
-                     "steer.max_steering_rad=0.6", "team.sigma_position_m=0.1", "team.sigma_heading_rad=0.05"},
-                    16, [](TeamSettings& s) { s.filter.map_frame = "vehicle"; });
+  const testing::Scratch folder;
+  const std::filesystem::path car = folder.write("car.toml", R"(
+[run]
+world = "points"
+sensor = "range-bearing"
+rate_hz = 10
+duration_s = 20
+
+[vehicle]
+model = "ackermann"
+wheelbase_m = 1
+wheel_left_m = 0.3
+sensor_forward_m = 0.3
+sensor_left_m = 0
+sigma_speed_m_s = 0.05
+sigma_steering_rad = 0.02
+
+[team]
+positions_m = [[0, 0, 0]]
+sigma_position_m = 0.1
+sigma_heading_rad = 0.05
+
+[points]
+count = 16
+size_m = [30, 30, 0]
+
+[steer]
+law = "feedback-linearisation"
+max_speed_m_s = 1
+
+[path]
+kind = "circle"
+radius_m = 7
+)");
+  expect_consistent("map in the vehicle's frame, Ackermann car under control", car.string(), {}, 16,
+                    [](TeamSettings& s) { s.filter.map_frame = "vehicle"; });
 }
 
 }  // namespace

@@ -243,7 +243,7 @@ TEST(TeamScenario, RefusesWhatItWouldIgnore) {
   ignored("terrain.length_m=3", "vehicle.model");
   ignored("stereo.baseline_m=0.2", "run.sensor");
   ignored("decision.step_m=0.2", "steer.law");
-  ignored("association.birth_distance_m=2", "run.world");
+  ignored("association.birth_distance_m=2", "association.method");
   ignored("association.gate_probability=0.9", "association.method = `known`");
   ignored("control.gain_velocity_per_s=1", "vehicle.model");
   ignored("plant.sigma_pixel_px=1", "run.sensor");

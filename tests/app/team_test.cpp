@@ -375,7 +375,7 @@ TEST(Team, SaysThatItIsLostWhereNothingIsWhereItShouldBe) {
   scene.filter.filter.gate_probability = 0.99;
   const Result result = run(scene, 20, 1);
   EXPECT_EQ(result.estimate.status.state, TrackingState::lost);
-  EXPECT_NE(result.estimate.status.reason.find("none where they should be"), std::string::npos)
+  EXPECT_NE(result.estimate.status.reason.find("no detection matches a landmark"), std::string::npos)
       << result.estimate.status.reason;
 }
 
@@ -389,9 +389,7 @@ TEST(Team, ABodyThatIsLostBrakes) {
   Observation nothing;
   nothing.team.resize(1);
   estimator.update(e, {}, nothing, {0, 0, 0});
-  SmallVector flying = e.belief.mean(e.vehicles[0].block);
-  flying.segment<3>(7) << 0.4, 0, -0.2;
-  e.belief.set_mean(e.vehicles[0].block, flying);
+  e.vehicles[0].state.segment<3>(7) << 0.4, 0, -0.2;
   controller.act(e, {}, {}, {1, 0.05, 0.05});
   e.status.state = TrackingState::lost;
   const Command braking = controller.act(e, {}, {}, {2, 0.1, 0.05});
@@ -426,8 +424,8 @@ TEST(Team, RefusesWhatCannotBe) {
   changed.filter.lineariser = "linear";
   refused(changed, "team_filter.lineariser = `linear`: must be one of `analytic`");
   changed = scene.filter;
-  changed.association.method = "joint";
-  refused(changed, "association.method = `joint`: must be `known` or `nearest`");
+  changed.association.method = "jointly";
+  refused(changed, "association.method = `jointly`: must be one of `known`, `nearest`, `joint`");
   changed = scene.filter;
   changed.anchors[3] = vec({1, 2, 3});
   refused(changed, "anchor 3");

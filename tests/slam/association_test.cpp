@@ -24,7 +24,7 @@ const Eigen::Matrix2d noise = Vector2d(0.1 * 0.1, 0.02 * 0.02).asDiagonal();
 
 /// A vehicle that is not sure where it is, and landmarks it has mapped from there.
 struct Scene {
-  Belief belief;
+  AnyBelief belief;
   BlockId vehicle;
   std::vector<BlockId> landmarks;
 
@@ -56,7 +56,7 @@ struct Scene {
   }
 };
 
-double joint_distance(const Belief& belief, const std::vector<Pairing>& pairings,
+double joint_distance(const AnyBelief& belief, const std::vector<Pairing>& pairings,
                       const std::vector<int>& chosen) {
   if (chosen.empty()) return 0;
   std::vector<AffineLook> looks;
@@ -72,7 +72,7 @@ double joint_distance(const Belief& belief, const std::vector<Pairing>& pairings
 
 /// The best set by trying all of them; like the search, a set counts if each of its beginnings passes too.
 struct Exhaustive {
-  const Belief& belief;
+  const AnyBelief& belief;
   const std::vector<Pairing>& pairings;
   int measurements;
   double probability;

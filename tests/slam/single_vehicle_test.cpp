@@ -8,6 +8,7 @@
 
 #include "incognita/math/gaussian.hpp"
 #include "incognita/math/random.hpp"
+#include "incognita/models/on_arc.hpp"
 #include "incognita/models/range_bearing.hpp"
 #include "incognita/slam/points/team_estimator.hpp"
 #include "incognita/slam/points/team_looks.hpp"
@@ -22,9 +23,9 @@ Sighting detection(double range_m, double bearing_rad, std::int64_t identity = D
 }
 
 Observation of_one() {
-  Observation seen = of_one();
-  seen.team.resize(1);
-  return seen;
+  Observation one;
+  one.team.resize(1);
+  return one;
 }
 
 Pose pose(const TeamEstimate& e) { return e.vehicles.front().state; }
@@ -41,7 +42,9 @@ TeamPosition nearest(const TeamEstimate& e, const Eigen::Vector2d& point) {
   return best;
 }
 
-BlockId block(const TeamEstimate& e, int which) { return std::next(e.landmarks.begin(), which)->second.block; }
+BlockId block(const TeamEstimate& e, int which) {
+  return std::next(e.landmarks.begin(), which)->second.block;
+}
 
 PlanarSlamSettings drive_settings() {
   PlanarSlamSettings s;
@@ -69,7 +72,7 @@ struct Drive {
     if (frame > 0) {
       const Eigen::Vector2d off(s.vehicle.sigma_speed_m_s * random.normal() * noise,
                                 s.vehicle.sigma_turn_rate_rad_s * random.normal() * noise);
-      truth = DifferentialDrive{}.f<double>(truth, Eigen::Vector2d(0.5, 0.05) + off, 1);
+      truth = OnArc<DifferentialDrive>{}.f<double>(truth, Eigen::Vector2d(0.5, 0.05) + off, 1);
     }
     seen.team[0].odometry = {{t, {0.5, 0.05}}};
     for (std::size_t i = 0; i < landmarks.size(); ++i) {
@@ -89,7 +92,7 @@ struct Drive {
 };
 
 TeamEstimate run(const PlanarSlamSettings& s, int ticks, double noise = 1, bool anonymous = false,
-                   Drive* out = nullptr) {
+                 Drive* out = nullptr) {
   const TeamEstimator estimator(single_vehicle(s));
   TeamEstimate e;
   Drive drive;

@@ -202,9 +202,15 @@ TEST(TeamAssociation, NumbersAreNeverAnAnchorsNorGivenTwice) {
 
 TEST(TeamAssociation, GatesMustFitEachOther) {
   Drive drive;
+  drive.settings.association.method = "nearest";
   drive.settings.association.birth_probability = 0.9;
   EXPECT_NE(fault_in(drive.settings), "");
-  drive.settings.association = {"joint", 0.95, 0.9999};
+  drive.settings.association.birth_probability = 0.9999;
+  for (const char* method : {"known", "nearest", "joint"}) {
+    drive.settings.association.method = method;
+    EXPECT_EQ(fault_in(drive.settings), "") << method;
+  }
+  drive.settings.association.method = "nearest-neighbor";
   EXPECT_NE(fault_in(drive.settings), "");
 }
 

@@ -68,7 +68,7 @@ int doubted(double noise) {
     estimator.update(estimate, {}, seen, convoy.tick());
     if (estimate.status.state != TrackingState::degraded) continue;
     ++count;
-    EXPECT_NE(estimate.status.reason.find("times as far"), std::string::npos) << estimate.status.reason;
+    EXPECT_NE(estimate.status.reason.find("sigma rms"), std::string::npos) << estimate.status.reason;
   }
   return count;
 }

@@ -36,7 +36,8 @@ TEST(RangeClock, TicksOncePerScanUntilItsTimeIsUp) {
 
 TEST(RangeSensor, TellsWhatCameSinceTheTickBefore) {
   RangeSensor sensor(shared({small()}), {30, Fixes::all});
-  const VehicleView first = sensor.look({}, {0, 1, 0}).team.at(0), second = sensor.look({}, {1, 2, 1}).team.at(0);
+  const VehicleView first = sensor.look({}, {0, 1, 0}).team.at(0),
+                    second = sensor.look({}, {1, 2, 1}).team.at(0);
   ASSERT_EQ(first.odometry.size(), 1u);
   ASSERT_EQ(first.landmarks.size(), 1u);  // the other is beyond 30 m
   EXPECT_EQ(first.landmarks[0].identity, 3);

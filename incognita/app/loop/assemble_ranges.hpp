@@ -15,8 +15,8 @@ namespace incognita {
 struct RangeAssembly {
   TeamBoxes boxes;
   SharedRangeRecordings recordings;  ///< one
-  bool frame_is_fixed = true;        ///< by anchors or fixes; else the map is relative to the start of the vehicle
-  std::vector<std::string> notes;    ///< what was guessed or left out, for printing
+  bool frame_is_fixed = true;  ///< by anchors or fixes; else the map is relative to the start of the vehicle
+  std::vector<std::string> notes;          ///< what was guessed or left out, for printing
   std::vector<std::string> warnings = {};  ///< what is most likely wrong with the recording
 
   const RangeRecording& recording() const { return recordings->front(); }
@@ -26,7 +26,8 @@ struct RangeAssembly {
 RangeAssembly assemble_ranges(const LoadedScenario& loaded);
 
 /// The same on a recording that is at hand, e.g. simulated.
-RangeAssembly assemble_ranges(RangeRecording recording, const PlanarSlamSettings& settings, double duration_s);
+RangeAssembly assemble_ranges(RangeRecording recording, const PlanarSlamSettings& settings,
+                              double duration_s);
 
 /// The surveyed landmarks of a recording. `identified`: the map has their identities.
 Survey survey_of(const RangeRecording& recording, bool identified);

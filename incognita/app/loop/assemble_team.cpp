@@ -194,8 +194,8 @@ TeamAssembly recorded(const LoadedScenario& loaded) {
       warnings.push_back(fmt::format("robot {}: {}", i + 1, warning));
   }
   return {{std::move(clock), std::make_unique<RangeWorld>(robots),
-           std::make_unique<RangeSensor>(robots, RangeSensorSettings{s.planar.sensor.max_range_m, Fixes::none,
-                                                                     s.team.start.sees_team}),
+           std::make_unique<RangeSensor>(
+               robots, RangeSensorSettings{s.planar.sensor.max_range_m, Fixes::none, s.team.start.sees_team}),
            estimator_of(loaded, team), TeamDecision(team, {.decision = {}, .decides = false}),
            TeamController({}, 1)},
           std::move(notes),

@@ -124,8 +124,8 @@ RunOutcome run_boxes(SomeBoxes& boxes, const RunInfo& info, const LoadedScenario
   if (loaded.scenario.run.observability && info.vehicles == 0) watch.emplace();
   const PointsSettings& points = loaded.scenario.team.points;
   const bool to_see = points.count > 0 || !points.file.empty();
-  const Ending ending = drive(boxes, *keeper, watch ? &*watch : nullptr, score ? &*score : nullptr, manner, to_see,
-                              info.vehicles > 0);
+  const Ending ending = drive(boxes, *keeper, watch ? &*watch : nullptr, score ? &*score : nullptr, manner,
+                              to_see, info.vehicles > 0);
   if (score) note(*score, *keeper);
   if (watch)
     if (const auto report = watch->report()) keeper->note(*report, in_words(*report));

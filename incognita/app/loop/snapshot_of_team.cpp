@@ -8,7 +8,8 @@
 namespace incognita {
 namespace {
 
-constexpr std::array team_stages{"predict", "associate", "update", "births", "decorrelate", "poses", "entropy"};
+constexpr std::array team_stages{"predict",     "associate", "update", "births",
+                                 "decorrelate", "poses",     "entropy"};
 
 SnapshotVehicle in_space(const TeamEstimate& e, std::size_t i, const std::optional<Truth>& truth,
                          const Command& command, double t) {
@@ -75,7 +76,8 @@ Snapshot snapshot_of(const Tick& tick, const std::optional<Truth>& truth, const 
   }
   for (const auto& [identity, anchor] : e.anchors) s.landmarks.push_back(known(identity, anchor));
   for (const auto& [identity, landmark] : e.landmarks)
-    if (const auto at = position_of(landmark, e)) s.landmarks.push_back(in_space(identity, *at, landmark.sightings));
+    if (const auto at = position_of(landmark, e))
+      s.landmarks.push_back(in_space(identity, *at, landmark.sightings));
   for (const TeamLook& look : e.looks) s.looks.push_back(look_of(look));
   s.predicted = static_cast<int>(e.looks.size());
   s.matched = e.matched;

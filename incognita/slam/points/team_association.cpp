@@ -54,11 +54,13 @@ class UnidentifiedDetections {
     if (settings_.association.method == "joint") {
       const Association found = jointly_compatible(e_.belief, pairings_, joint);
       out.capped = found.capped;
-      for (const int p : found.chosen) take(pairings_[static_cast<std::size_t>(p)].measurement,
-                                            pairings_[static_cast<std::size_t>(p)].landmark, out);
+      for (const int p : found.chosen)
+        take(pairings_[static_cast<std::size_t>(p)].measurement,
+             pairings_[static_cast<std::size_t>(p)].landmark, out);
     } else {
-      for (const int c : nearest_first(candidates_)) take(candidates_[static_cast<std::size_t>(c)].measurement,
-                                                          candidates_[static_cast<std::size_t>(c)].landmark, out);
+      for (const int c : nearest_first(candidates_))
+        take(candidates_[static_cast<std::size_t>(c)].measurement,
+             candidates_[static_cast<std::size_t>(c)].landmark, out);
     }
     std::vector<std::size_t> chosen;
     for (std::size_t s = 0; s < usable_.size(); ++s) {
@@ -72,12 +74,14 @@ class UnidentifiedDetections {
   const TeamMember& member() const { return settings_.members[static_cast<std::size_t>(vehicle_)]; }
 
   void take(int measurement, int landmark, ViewAssociation& out) const {
-    out.landmarks[usable_[static_cast<std::size_t>(measurement)]] = numbers_[static_cast<std::size_t>(landmark)];
+    out.landmarks[usable_[static_cast<std::size_t>(measurement)]] =
+        numbers_[static_cast<std::size_t>(landmark)];
   }
 
   /// The prediction of a landmark is the same for all detections; only innovation and noise are their own.
   void gate_against(std::int64_t number) {
-    auto expected = linearised_sighting(e_, vehicle_, false, {number, sightings_[usable_.front()].z}, settings_);
+    auto expected =
+        linearised_sighting(e_, vehicle_, false, {number, sightings_[usable_.front()].z}, settings_);
     if (!expected) return;
     const std::optional<SmallVector> at = position(number);
     e_.belief.innovation_covariance({&expected->look, 1}, S_);
@@ -92,7 +96,8 @@ class UnidentifiedDetections {
       if (distance > gate_) continue;
       const int measurement = static_cast<int>(s), landmark = static_cast<int>(numbers_.size());
       candidates_.push_back({measurement, landmark, distance});
-      if (settings_.association.method == "joint") pairings_.push_back({measurement, landmark, expected->look});
+      if (settings_.association.method == "joint")
+        pairings_.push_back({measurement, landmark, expected->look});
     }
     numbers_.push_back(number);
   }

@@ -14,7 +14,8 @@ namespace incognita {
 struct ViewAssociation {
   /// Per detection the number of its landmark or anchor, Detection::unknown where it has none.
   std::vector<std::int64_t> landmarks;
-  std::vector<std::size_t> newcomers;  ///< candidates for new landmarks: outside the wide gate of every landmark
+  std::vector<std::size_t>
+      newcomers;  ///< candidates for new landmarks: outside the wide gate of every landmark
   /// All detections: anchors by number, then the others by their numbers. So the result, to the last bit, does not
   /// depend on the order of the detections, which might give away what they are.
   std::vector<std::size_t> order;

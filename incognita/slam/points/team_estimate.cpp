@@ -13,7 +13,8 @@ namespace {
 TeamPosition out_of_vehicle_frame(const TeamLandmark& landmark, const TeamEstimate& e) {
   const Eigen::Vector2d mean = e.belief.mean(landmark.block);
   const planar::FramedPoint at = planar::in_frame(planar::Pose<double>(e.belief.mean(*e.world)), mean);
-  const SmallMatrix cross = at.by_point * e.belief.covariance(landmark.block, *e.world) * at.by_frame.transpose();
+  const SmallMatrix cross =
+      at.by_point * e.belief.covariance(landmark.block, *e.world) * at.by_frame.transpose();
   return {at.point, at.by_frame * e.belief.covariance(*e.world) * at.by_frame.transpose() +
                         at.by_point * e.belief.covariance(landmark.block) * at.by_point.transpose() + cross +
                         cross.transpose()};

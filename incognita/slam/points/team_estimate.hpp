@@ -25,8 +25,9 @@ struct TeamVehicle {
   double t = 0;                      ///< s, up to which it is predicted
   std::optional<SmallVector> input;  ///< the last odometry reading, held until the next
   double input_t = 0;                ///< s, of that reading
-  std::optional<Eigen::Vector2d> wheels;  ///< speed, m/s, and turn rate, rad/s, of the vehicle that carries a camera
-  double input_period = 0;                ///< s, between the last two readings; 0 before the second
+  std::optional<Eigen::Vector2d>
+      wheels;               ///< speed, m/s, and turn rate, rad/s, of the vehicle that carries a camera
+  double input_period = 0;  ///< s, between the last two readings; 0 before the second
 
   // After the last tick, in the world
   SmallVector state;             ///< as the motion model has it
@@ -54,9 +55,9 @@ struct TeamLook {
   int vehicle = 0;
   bool of_vehicle = false;
   bool anchor = false;
-  std::int64_t identity = 0;   ///< of the landmark that it was associated with; Detection::unknown: none
-  SmallVector measured;        ///< as the sensor measures
-  SmallVector predicted;       ///< before the update; empty where there was no prediction, or of a new landmark
+  std::int64_t identity = 0;  ///< of the landmark that it was associated with; Detection::unknown: none
+  SmallVector measured;       ///< as the sensor measures
+  SmallVector predicted;  ///< before the update; empty where there was no prediction, or of a new landmark
   SmallMatrix innovation_cov;  ///< of the innovation, rows x rows; empty likewise
   LookOutcome outcome = LookOutcome::not_tried;
 };
@@ -80,7 +81,8 @@ struct TeamEstimate {
   AnyBelief belief;
   bool started = false;
   std::vector<TeamVehicle> vehicles;
-  std::optional<BlockId> world;  ///< pose of the world seen from the vehicle, where the map is in the vehicle's frame
+  std::optional<BlockId>
+      world;  ///< pose of the world seen from the vehicle, where the map is in the vehicle's frame
   /// By identity, or by a number of the estimator's own where detections have none; anchors are not among them
   std::map<std::int64_t, TeamLandmark> landmarks;
   std::int64_t next_number = 0;  ///< of the estimator's own; none is given twice
@@ -93,9 +95,9 @@ struct TeamEstimate {
   UsedSightings used;  ///< kept so that a tick allocates nothing; for the estimator alone
   int matched = 0;
   UpdateReport update;
-  bool refused = false;             ///< an update or a fix could not be used within rounding
-  bool association_capped = false;  ///< the joint search reached its cap
-  int iterations = 0;               ///< of the iterated update
+  bool refused = false;                        ///< an update or a fix could not be used within rounding
+  bool association_capped = false;             ///< the joint search reached its cap
+  int iterations = 0;                          ///< of the iterated update
   int doubted_ticks = 0, unmatched_ticks = 0;  ///< in a row
   double recent_nis = 0, recent_rows = 0;      ///< of the last updates, each counting 0.9 of the one after it
   Entropy entropy;                             ///< of all vehicles; of map and whole about once a second

@@ -55,13 +55,15 @@ AnyBelief empty_belief(const TeamFilterSettings& filter) {
 }
 
 /// The vehicle alone, or of a map in its frame also the world as it sees it.
-void add_vehicle(TeamEstimate& e, const TeamMember& member, const SmallVector& start, double t, bool in_vehicle_frame) {
+void add_vehicle(TeamEstimate& e, const TeamMember& member, const SmallVector& start, double t,
+                 bool in_vehicle_frame) {
   const SmallMatrix P = member.start_sigmas.cwiseAbs2().asDiagonal();
   TeamVehicle& vehicle = e.vehicles.emplace_back();
   vehicle.t = t;
   if (in_vehicle_frame) {
     const planar::FramedPose world = planar::inverse(planar::Pose<double>(start));
-    vehicle.block = e.belief.add_vehicle(planar::pose_chart, Eigen::Vector3d::Zero(), Eigen::Matrix3d::Zero());
+    vehicle.block =
+        e.belief.add_vehicle(planar::pose_chart, Eigen::Vector3d::Zero(), Eigen::Matrix3d::Zero());
     e.world =
         e.belief.add_vehicle(planar::pose_chart, world.pose, world.by_frame * P * world.by_frame.transpose());
   } else {
@@ -99,8 +101,10 @@ void TeamEstimator::start(TeamEstimate& e, const Observation& seen, const Tick& 
   for (std::size_t i = 0; i < settings_.members.size(); ++i) {
     const TeamMember& member = settings_.members[i];
     SmallVector at = member.start;
-    if (member.start_time == TeamMember::StartTime::first_fix) at.head<2>() = seen.team[i].fixes.front().position;
-    add_vehicle(e, member, at, start_time(member, seen.team[i], tick.t), settings_.filter.map_frame == "vehicle");
+    if (member.start_time == TeamMember::StartTime::first_fix)
+      at.head<2>() = seen.team[i].fixes.front().position;
+    add_vehicle(e, member, at, start_time(member, seen.team[i], tick.t),
+                settings_.filter.map_frame == "vehicle");
   }
   e.started = true;
   e.status = {TrackingState::tracking, "", 0};
@@ -118,6 +122,7 @@ void note(TeamEstimate& e, int vehicle, bool of_vehicle, std::int64_t identity, 
 void consider(TeamEstimate& e, std::size_t look, const Gate& gate, const TeamSettings& settings) {
   TeamLook& told = e.looks[look];
   UsedSightings& used = e.used;
+  if (!is_usable(settings.members[static_cast<std::size_t>(told.vehicle)].sensor, told.measured)) return;
   const auto at =
       linearised_sighting(e, told.vehicle, told.of_vehicle, {told.identity, told.measured}, settings);
   if (!at) return;
@@ -133,9 +138,10 @@ void consider(TeamEstimate& e, std::size_t look, const Gate& gate, const TeamSet
 
 /// Whether a detection of the same vehicle and landmark comes before `end` in the list of this tick.
 bool was_measured(const TeamEstimate& e, int vehicle, std::int64_t identity, std::size_t end) {
-  return std::any_of(e.looks.begin(), e.looks.begin() + static_cast<std::ptrdiff_t>(end), [&](const TeamLook& look) {
-    return look.vehicle == vehicle && !look.of_vehicle && look.identity == identity;
-  });
+  return std::any_of(e.looks.begin(), e.looks.begin() + static_cast<std::ptrdiff_t>(end),
+                     [&](const TeamLook& look) {
+                       return look.vehicle == vehicle && !look.of_vehicle && look.identity == identity;
+                     });
 }
 
 /// By the identities that the sensor measures, each once. Detections without identity are not used.
@@ -307,11 +313,12 @@ void express_in_world(const TeamEstimate& e, TeamVehicle& vehicle) {
   }
   const planar::FramedPose at = planar::in_frame(planar::Pose<double>(e.belief.mean(*e.world)),
                                                  planar::Pose<double>(e.belief.mean(vehicle.block)));
-  const SmallMatrix cross = at.by_pose * e.belief.covariance(vehicle.block, *e.world) * at.by_frame.transpose();
+  const SmallMatrix cross =
+      at.by_pose * e.belief.covariance(vehicle.block, *e.world) * at.by_frame.transpose();
   vehicle.state = at.pose;
   vehicle.state_covariance = at.by_frame * e.belief.covariance(*e.world) * at.by_frame.transpose() +
-                             at.by_pose * e.belief.covariance(vehicle.block) * at.by_pose.transpose() + cross +
-                             cross.transpose();
+                             at.by_pose * e.belief.covariance(vehicle.block) * at.by_pose.transpose() +
+                             cross + cross.transpose();
 }
 
 }  // namespace

@@ -9,7 +9,8 @@ namespace incognita {
 namespace {
 
 bool is_planar(const TeamMember& m) {
-  return std::holds_alternative<DifferentialDrive>(m.motion) || std::holds_alternative<AckermannCar>(m.motion);
+  return std::holds_alternative<DifferentialDrive>(m.motion) ||
+         std::holds_alternative<AckermannCar>(m.motion);
 }
 
 bool is_laser_on_plane(const TeamMember& m) { return std::holds_alternative<LaserScanner>(m.sensor); }
@@ -75,7 +76,8 @@ std::string fault_in_map_frame(const TeamSettings& s) {
   if (f.map_frame == "world") return "";
   if (f.map_frame != "vehicle")
     return "vehicle_filter.map_frame = `" + f.map_frame + "`: must be one of `world`, `vehicle`";
-  if (s.members.size() > 1) return "vehicle_filter.map_frame = `vehicle`: a map in the frame of one of several vehicles is not supported; take `world`";
+  if (s.members.size() > 1)
+    return "vehicle_filter.map_frame = `vehicle`: a map in the frame of one of several vehicles is not supported; take `world`";
   if (!is_planar(s.members.front()) || !is_laser_on_plane(s.members.front()))
     return "vehicle_filter.map_frame = `vehicle`: only for a vehicle on a plane that measures ranges and bearings; take `world`";
   if (f.form == "information")
@@ -94,7 +96,8 @@ std::string fault_in_decorrelation(const TeamSettings& s) {
   if (s.members.size() > 1)
     return "vehicle_filter.decorrelate = `" + f.decorrelate + "`: only for one vehicle; take `nothing`";
   if (f.form == "information")
-    return "vehicle_filter.decorrelate = `" + f.decorrelate + "`: the information form keeps all correlations";
+    return "vehicle_filter.decorrelate = `" + f.decorrelate +
+           "`: the information form keeps all correlations";
   return "";
 }
 
@@ -102,7 +105,8 @@ std::string fault_in_association(const TeamSettings& s) {
   const DataAssociationSettings& a = s.association;
   if (a.method != "known" && a.method != "nearest" && a.method != "joint")
     return "association.method = `" + a.method + "`: must be one of `known`, `nearest`, `joint`";
-  if (!(a.gate_probability < 1 && a.birth_probability < 1 && a.gate_probability <= a.birth_probability))
+  if (a.method != "known" &&
+      !(a.gate_probability < 1 && a.birth_probability < 1 && a.gate_probability <= a.birth_probability))
     return "the gate of a new landmark must be the gate of a match or wider, and both less than 1";
   if (a.method == "known" && !s.anchors_have_identity && !s.anchors.empty())
     return "vehicle_filter.anchors_m: with association by identity each anchor needs one";

@@ -90,7 +90,6 @@ std::optional<LinearisedSighting> linearised_sighting(const TeamEstimate& e, int
                                                       const TeamSettings& settings) {
   const TeamVehicle& viewer = e.vehicles[static_cast<std::size_t>(vehicle)];
   const TeamMember& member = settings.members[static_cast<std::size_t>(vehicle)];
-  if (!is_usable(member.sensor, sighting.z)) return std::nullopt;
   const auto target = target_of(e, of_vehicle, sighting.identity, dimensions_of(member.sensor), settings);
   if (!target) return std::nullopt;
   const auto seen =
@@ -146,9 +145,9 @@ std::optional<SmallVector> point_of(const TeamEstimate& e, int vehicle, const Sm
                                     const TeamSettings& settings) {
   const TeamMember& member = settings.members[static_cast<std::size_t>(vehicle)];
   if (!is_usable(member.sensor, z) || !tells_distance(member.sensor)) return std::nullopt;
-  const auto birth =
-      birth_from(member.sensor, member.motion, e.belief.mean(e.vehicles[static_cast<std::size_t>(vehicle)].block), z,
-                 settings.filter.inverse_depth_per_m);
+  const auto birth = birth_from(member.sensor, member.motion,
+                                e.belief.mean(e.vehicles[static_cast<std::size_t>(vehicle)].block), z,
+                                settings.filter.inverse_depth_per_m);
   if (!birth) return std::nullopt;
   const auto at = position_of(birth->form, birth->landmark);
   return at ? std::optional(at->position) : std::nullopt;

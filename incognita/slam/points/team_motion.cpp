@@ -63,7 +63,8 @@ void hold_until(TeamEstimate& e, std::size_t which, double until, const TeamSett
   if (vehicle.input) hold(e, which, *vehicle.input, dt, vehicle.input_period, settings);
 }
 
-void correct_by_fix(TeamEstimate& e, std::size_t which, const PositionReading& fix, const TeamSettings& settings) {
+void correct_by_fix(TeamEstimate& e, std::size_t which, const PositionReading& fix,
+                    const TeamSettings& settings) {
   const double sigma_m = settings.members[which].sigma_fix_m;
   const AffineLook look = linearised_fix(e, which, fix.position, settings);
   e.update = e.belief.update({&look, 1});

@@ -30,7 +30,7 @@ struct TeamMember {
   double sigma_range_ratio = 0;  ///< added to the first of them, times the measurement: of ranges
   double sigma_fix_m = 0;        ///< of a position fix, per axis; 0: fixes do not correct the vehicle
   StartTime start_time = StartTime::first_tick;
-  Reach reach = {};              ///< beyond, landmarks are not expected to be measured
+  Reach reach = {};  ///< beyond, landmarks are not expected to be measured
 };
 
 struct TeamFilterSettings {
@@ -62,9 +62,10 @@ inline std::optional<FilterIncompatibility> conflict_in(const TeamFilterSettings
     return {{"vehicle_filter.decorrelate",
              "must be `nothing` with vehicle_filter.map_frame = `vehicle`: such a map moves as a whole"}};
   if (filter.lineariser == "iterated" && filter.decorrelate == "map-linear")
-    return {{"vehicle_filter.decorrelate",
-             "must not be `map-linear` with vehicle_filter.lineariser = `iterated`: it uses measurements one after the "
-             "other; take `map`"}};
+    return {
+        {"vehicle_filter.decorrelate",
+         "must not be `map-linear` with vehicle_filter.lineariser = `iterated`: it uses measurements one after the "
+         "other; take `map`"}};
   return std::nullopt;
 }
 

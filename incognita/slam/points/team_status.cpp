@@ -74,27 +74,31 @@ std::string lost_by_measurements(TeamEstimate& e, const TeamSettings& settings) 
 std::string doubt(const TeamEstimate& e, const TeamSettings& settings) {
   if (e.refused) return "an update was refused: within rounding it would leave nothing of a variance";
   if (e.association_capped)
-    return "the joint association reached its cap of " + std::to_string(settings.association.max_nodes) + " nodes";
+    return "the joint association reached its cap of " + std::to_string(settings.association.max_nodes) +
+           " nodes";
   // By chance less often than once in a million, and twice as large as expected
   constexpr double chance = 1e-6, most_ratio = 4;
   const int rows = static_cast<int>(std::ceil(e.recent_rows));
   if (rows == 0 || e.recent_nis < most_ratio * e.recent_rows ||
       e.recent_nis < chi_square_quantile(1 - chance, rows))
     return "";
-  return of_numbers(innovation_sigmas(e),
-                    " sigma rms are the normalized innovations, expected 1: noises or initial depths do not fit");
+  return of_numbers(
+      innovation_sigmas(e),
+      " sigma rms are the normalized innovations, expected 1: noises or initial depths do not fit");
 }
 
 /// Why one vehicle is lost; empty where it is not.
 std::string lost_by_covariance(const TeamVehicle& vehicle, const TeamLostSettings& lost) {
   const SmallMatrix& P = vehicle.state_covariance;
-  if (!vehicle.pose.position.allFinite() || !vehicle.pose_covariance.allFinite() || !(P.diagonal().minCoeff() >= 0))
+  if (!vehicle.pose.position.allFinite() || !vehicle.pose_covariance.allFinite() ||
+      !(P.diagonal().minCoeff() >= 0))
     return "pose or covariance is not a number";
   const Eigen::Matrix3d position_cov = vehicle.pose_covariance.topLeftCorner<3, 3>();
   const double sigma =
       std::sqrt(std::max(0.0, position_cov.selfadjointView<Eigen::Lower>().eigenvalues().maxCoeff()));
   if (sigma <= lost.max_sigma_position_m) return "";
-  return "position sigma " + std::to_string(sigma) + " m, the limit is " + std::to_string(lost.max_sigma_position_m);
+  return "position sigma " + std::to_string(sigma) + " m, the limit is " +
+         std::to_string(lost.max_sigma_position_m);
 }
 
 }  // namespace
@@ -103,7 +107,8 @@ TrackingStatus assess(TeamEstimate& e, const TeamSettings& settings) {
   for (std::size_t i = 0; i < e.vehicles.size(); ++i) {
     const std::string lost = lost_by_covariance(e.vehicles[i], settings.lost);
     if (lost.empty()) continue;
-    return {TrackingState::lost, (e.vehicles.size() > 1 ? "vehicle " + std::to_string(i + 1) + ": " : "") + lost, 0};
+    return {TrackingState::lost,
+            (e.vehicles.size() > 1 ? "vehicle " + std::to_string(i + 1) + ": " : "") + lost, 0};
   }
   if (const std::string lost = lost_by_measurements(e, settings); !lost.empty())
     return {TrackingState::lost, lost, 0};

@@ -26,7 +26,8 @@ void check(const SimulatedVehicle& v, const PointPlace& place) {
            std::isfinite(v.sigma_range_ratio),
        "the sigmas of a sensor must be zero or positive");
   need(v.ticks_per_look >= 1, "a sensor looks at every tick or more rarely");
-  need(v.reach.max_range_m > 0 && v.reach.field_of_view_rad > 0, "how far and how wide a sensor sees must be positive");
+  need(v.reach.max_range_m > 0 && v.reach.field_of_view_rad > 0,
+       "how far and how wide a sensor sees must be positive");
   for (const auto& [identity, point] : place) {
     const std::string which = "landmark " + std::to_string(identity);
     need(point.size() == dimensions_of(v.sensor),

@@ -35,7 +35,8 @@ std::optional<RangeRecording::Place> true_place(const RangeRecording& r, double 
 }
 
 RangeClock::RangeClock(const SharedRangeRecordings& recordings, double duration_s) {
-  double start = recordings->size() == 1 ? start_time(recordings->front()) : -std::numeric_limits<double>::infinity();
+  double start =
+      recordings->size() == 1 ? start_time(recordings->front()) : -std::numeric_limits<double>::infinity();
   if (recordings->size() > 1)
     for (const RangeRecording& r : *recordings) start = std::max(start, r.odometry.front().t);
   for (const RangeRecording& r : *recordings)
@@ -84,7 +85,8 @@ VehicleView RangeSensor::next(const RangeRecording& r, Progress& done, double t)
   }
   const auto add = [&](const std::vector<Detection>& detections, std::vector<Sighting>& to) {
     for (const Detection& d : detections)
-      if (!(d.range_m > settings_.max_range_m)) to.push_back({d.identity, Eigen::Vector2d(d.range_m, d.bearing_rad)});
+      if (!(d.range_m > settings_.max_range_m))
+        to.push_back({d.identity, Eigen::Vector2d(d.range_m, d.bearing_rad)});
   };
   for (; done.scans < r.scans.size() && r.scans[done.scans].t <= t; ++done.scans) {
     if (r.scans[done.scans].t < t) continue;  // from before the first tick

@@ -41,7 +41,7 @@ class RangeWorld final : public World {
 enum class Fixes { none, first, all };
 
 struct RangeSensorSettings {
-  double max_range_m = 1e9;     ///< detections beyond are left out
+  double max_range_m = 1e9;  ///< detections beyond are left out
   Fixes fixes = Fixes::none;
   bool measures_vehicles = false;  ///< whether detections of other vehicles of the team are used
 };

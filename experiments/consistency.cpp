@@ -55,7 +55,6 @@ Claim overconfident(const Result& ekf) {
                  .statement = "The EKF is over-confident on a loop: mean NEES above 1",
                  .printed = "can lead to divergence",
                  .measured = row(ekf),
-                 .why = "it is not, on this drive",
                  .runs = static_cast<int>(ekf.nees.size()),
                  .least_runs = enough_runs},
                 is_above(ekf.mean_nees(), 1));
@@ -79,7 +78,6 @@ Claim consistent_with_little_noise(int seeds) {
            "half of the turn noise its mean NEES is within 0.2 of 1",
        .printed = "due to linearisation",
        .measured = "NEES " + text(mean),
-       .why = "something else remains",
        .runs = seeds,
        .least_runs = enough_runs},
       agrees(mean, 1, 0.2));
@@ -101,7 +99,6 @@ Claim first_estimates(const Result& fej, const Result& ekf) {
            "NEES within 0.2 of 1, below the EKF's",
        .printed = "",
        .measured = row(fej),
-       .why = "it does not",
        .runs = static_cast<int>(fej.nees.size()),
        .least_runs = enough_runs},
       agrees(fej.mean_nees(), 1, 0.2) && is_above(paired(ekf, fej), 0));
@@ -135,7 +132,6 @@ Claim iterated(const Result& iterated, const Result& ekf) {
            "below the EKF's on the same drives, above 1",
        .printed = "",
        .measured = fmt::format("{}; EKF's less this {}", row(iterated), text(gain)),
-       .why = "it does not",
        .runs = static_cast<int>(ekf.nees.size()),
        .least_runs = enough_runs},
       is_above(gain, 0) && is_above(iterated.mean_nees(), 1));
@@ -180,7 +176,6 @@ Claim vehicle_that_stands(int seeds) {
                                standing_sigma_heading_deg, text(mean_of(sigma["analytic"]), "°"),
                                standing_looks, text(ekf), text(mean_of(sigma["first-estimate"]), "°"),
                                text(bootstrap_mean(nees["first-estimate"]))),
-       .why = "it does not",
        .runs = seeds,
        .least_runs = enough_runs},
       is_below(mean_of(sigma["analytic"]), 0.9 * standing_sigma_heading_deg));

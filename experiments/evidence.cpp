@@ -65,6 +65,7 @@ Claim judged(Claim claim, Finding printed, Finding corrected) {
                   : corrected == Finding::shown ? Verdict::holds_as_corrected
                                                 : Verdict::does_not_hold;
   if (claim.verdict == Verdict::holds) claim.why.clear();
+  if (claim.verdict == Verdict::does_not_hold && claim.why.empty()) claim.why = "not investigated";
   return claim;
 }
 

@@ -66,7 +66,7 @@ std::string below(double difference);
 /// The claim with its verdict. `printed`: what the thesis says; `corrected`: what `why` says instead.
 /// - printed shown: holds, and `why` goes, as there is nothing to explain;
 /// - printed refuted, corrected shown: holds as corrected;
-/// - both refuted: does not hold;
+/// - both refuted: does not hold; without a `why`, that is without a diagnosis, it says "not investigated";
 /// - else, or with fewer runs than Claim::least_runs: undecided, and `why` says what was missing.
 Claim judged(Claim claim, Finding printed, Finding corrected = Finding::refuted);
 

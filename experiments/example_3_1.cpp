@@ -77,7 +77,6 @@ Claim one_eigenvalue_is_one() {
                  .measured = fmt::format("largest differences over 1000 gains, a third of them with k1 = k2 "
                                          "to 1e-9, where both eigenvalues are 1: {} and {}",
                                          below(off_one), below(off_other)),
-                 .why = "",
                  .runs = 1000},
                 std::max(off_one, off_other) <= 1e-12);
 }
@@ -206,8 +205,7 @@ Claim always_one() {
                  .printed = "1",
                  .measured = fmt::format("difference of one from 1 {}; the other is between {:.3g} "
                                          "and {:.3g}, over s_v 0.05 to 2 m, s_w 0.05 to 1.5 m",
-                                         below(off_one), lowest, highest),
-                 .why = "an eigenvalue left its place"},
+                                         below(off_one), lowest, highest)},
                 off_one <= 1e-12 && lowest > 0 && highest < 1);
 }
 
@@ -229,7 +227,6 @@ Claim finite_steady_error(int seeds) {
                                          "robot {} after 1000, predicted {:.3f} m",
                                          text(after_100, "m"), text(after_1000, "m"), landmark,
                                          text(rms_of(monobot::errors(runs, 0, 1000)), "m"), robot),
-                 .why = "the errors are not those of the limit covariance",
                  .runs = seeds,
                  .least_runs = enough_runs},
                 as_predicted);
@@ -254,7 +251,6 @@ Claim depends_on_the_start(int seeds) {
                  .printed = "",
                  .measured = fmt::format("of 1 m, in m, was lost {}; slope {}", below(lost),
                                          text(slope_of(first, last))),
-                 .why = "the start was forgotten",
                  .runs = seeds,
                  .least_runs = enough_runs},
                 lost <= 1e-9 && slope_one);
@@ -286,7 +282,6 @@ Claim more_landmarks(int seeds) {
                                "1 less that with 20: {}. But never below the robot's first error: 1000 "
                                "landmarks born from looks of a robot that starts with 1 m settle at {:.4f} m",
                                fmt::join(lines, "; "), text(mean_of(difference), "m^2"), std::sqrt(floor)),
-       .why = "more landmarks did not help",
        .runs = runs,
        .least_runs = enough_runs},
       is_above(mean_of(difference), 0) && std::is_sorted(variances.rbegin(), variances.rend()) &&
@@ -310,8 +305,7 @@ Claim landmark_gain_vanishes() {
        .printed = "0",
        .measured = fmt::format(
            "after 10, 100 and 10000 steps, by number of landmarks: {}; with two it falls as step^{:.2f}",
-           fmt::join(lines, "; "), exponent),
-       .why = "it stays above"},
+           fmt::join(lines, "; "), exponent)},
       last < 1e-3);
 }
 

@@ -49,8 +49,7 @@ Claim stable() {
        .printed = "stable",
        .measured = fmt::format(
            "by number of landmarks, after 1000 steps, change from step 500 on, largest eigenvalue: {}",
-           fmt::join(lines, "; ")),
-       .why = "it does not settle"},
+           fmt::join(lines, "; "))},
       all);
 }
 
@@ -106,8 +105,7 @@ Claim independent_of_the_start() {
            "them (robot 0, 1, 100 m^2, landmark 1, 1, 0.01 m^2) it settles in the same place, to 1e-6",
        .printed = "independent",
        .measured = fmt::format("largest relative difference after 600 steps: {} (Example 3.1: {:.2g})",
-                               below(of_anchored), of_free),
-       .why = "it depends on it"},
+                               below(of_anchored), of_free)},
       of_anchored < 1e-6);
 }
 
@@ -130,8 +128,7 @@ Claim lower_than_without_anchor() {
        .place = "Example 3.10",
        .statement = "Variances reach lower values than in the partially observable case, at every step",
        .printed = "lower",
-       .measured = fmt::format("after 100 steps: {}", fmt::join(lines, "; ")),
-       .why = "one does not"},
+       .measured = fmt::format("after 100 steps: {}", fmt::join(lines, "; "))},
       lower);
 }
 
@@ -160,7 +157,6 @@ Claim map_alone_is_better(int seeds) {
                                "against {}; mean square less: {}",
                                fmt::join(lines, "; "), text(rms_of(map), "m"), text(rms_of(all), "m"),
                                text(mean_of(gain), "m^2")),
-       .why = "it is not",
        .runs = seeds,
        .least_runs = enough_runs},
       better && is_above(mean_of(gain), 0));
@@ -183,8 +179,7 @@ Claim pseudo_noise_on_everything() {
                  .statement = "Fully observable, pseudo-noise on robot and landmarks (0.05 m a step) leaves "
                               "a steady state with gains that are not zero",
                  .printed = "steady",
-                 .measured = fmt::format("by number of landmarks: {}", fmt::join(lines, "; ")),
-                 .why = "it has none"},
+                 .measured = fmt::format("by number of landmarks: {}", fmt::join(lines, "; "))},
                 all);
 }
 

@@ -38,8 +38,7 @@ Claim relative_map(const Drive& ekf, const Drive& first_estimate) {
                     "beacons: within 0.25 m rms after a rigid fit, at least twice as far before",
        .printed = "rotated and shifted",
        .measured =
-           fmt::format("EKF: {}. With first-estimate Jacobians: {}", numbers(ekf), numbers(first_estimate)),
-       .why = "it is not"},
+           fmt::format("EKF: {}. With first-estimate Jacobians: {}", numbers(ekf), numbers(first_estimate))},
       ekf.fitted.error.rms_m < good_map_m && ekf.map_rms_m > 2 * ekf.fitted.error.rms_m);
 }
 
@@ -73,8 +72,7 @@ Claim mapped_once(const Drive& ekf, const Drive& first_estimate) {
        .place = "Figure 3.6",
        .statement = "Every beacon that is seen at least ten times is mapped, none twice",
        .printed = "",
-       .measured = fmt::format("EKF: {}. First-estimate Jacobians: {}", counts(ekf), counts(first_estimate)),
-       .why = "some are missing or mapped twice"},
+       .measured = fmt::format("EKF: {}. First-estimate Jacobians: {}", counts(ekf), counts(first_estimate))},
       once(ekf));
 }
 
@@ -136,8 +134,7 @@ Claim covariance_keeps_the_start(const Drive& first_estimate, const Data& data) 
        .printed = "lower bound P0",
        .measured = fmt::format("least landmark sigma in any direction {:.3f} m, vehicle {:.3f} m (in its "
                                "worst) and {:.2f}° at the end",
-                               least, first_estimate.last_sigma_m(), heading),
-       .why = "the filter has gained what it cannot know"},
+                               least, first_estimate.last_sigma_m(), heading)},
       least > 0.99 * start && heading > 0.99 * degrees(data.settings.start.sigma_heading_rad));
 }
 
@@ -152,8 +149,7 @@ Claim false_gain(const Drive& ekf, const Data& data) {
            "than it was at the start, which nothing it sees can justify",
        .printed = "inconsistent",
        .measured = fmt::format("heading sigma {:.1f}° at the start, {:.2f}° at the end, its error {:.1f}°",
-                               start, heading, degrees(std::abs(ekf.fitted.fit.turn_rad))),
-       .why = "it does not"},
+                               start, heading, degrees(std::abs(ekf.fitted.fit.turn_rad)))},
       heading < 0.9 * start);
 }
 

@@ -63,8 +63,7 @@ Claim wrong_associations(const Drive& dropped, const Drive& kept) {
            "{} of {} matches wrong, {} of {} detections unmatched, {} landmarks for 15 beacons; "
            "whole filter: {} wrong, {} unmatched, {} landmarks",
            dropped.wrong, dropped.matched, dropped.detections - dropped.matched, dropped.detections,
-           dropped.landmarks.size(), kept.wrong, kept.detections - kept.matched, kept.landmarks.size()),
-       .why = "there are none"},
+           dropped.landmarks.size(), kept.wrong, kept.detections - kept.matched, kept.landmarks.size())},
       dropped.wrong > kept.wrong || dropped.landmarks.size() > kept.landmarks.size());
 }
 

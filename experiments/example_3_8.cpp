@@ -49,8 +49,7 @@ Claim bounded() {
        .printed = "bounded",
        .measured = fmt::format(
            "by number of landmarks, variances after 600 steps and growth as a share of the process noise: {}",
-           fmt::join(lines, "; ")),
-       .why = "it grows"},
+           fmt::join(lines, "; "))},
       all);
 }
 
@@ -65,8 +64,7 @@ Claim one_landmark_is_as_before() {
                  .place = "Example 3.8",
                  .statement = "With one landmark this is Example 3.1: the same gains and covariances",
                  .printed = "identical",
-                 .measured = fmt::format("largest difference over 600 steps: {}", off),
-                 .why = "they differ"},
+                 .measured = fmt::format("largest difference over 600 steps: {}", off)},
                 off == 0);
 }
 
@@ -86,8 +84,7 @@ Claim landmark_variance_is_greater() {
        .measured = fmt::format("after 100 steps {:.4f} against {:.4f} m^2; the robot's is the same, {:.4f} "
                                "against {:.4f} m^2, because nothing is added to the mean of equal landmarks",
                                dropped.posterior[100](1, 1), plain.posterior[100](1, 1),
-                               dropped.posterior[100](0, 0), plain.posterior[100](0, 0)),
-       .why = "it is not"},
+                               dropped.posterior[100](0, 0), plain.posterior[100](0, 0))},
       greater);
 }
 
@@ -102,8 +99,7 @@ Claim landmark_gain_settles() {
        .printed = "not 0",
        .measured = fmt::format("landmark 1 by its own look: {:.4f}; change in 300 steps {}. The "
                                "gain of the landmarks' mean still goes to zero: {}",
-                               last, below(change), below(of_mean)),
-       .why = "it vanishes or does not settle"},
+                               last, below(change), below(of_mean))},
       last > 1e-3 && change < 1e-6);
 }
 
@@ -189,8 +185,7 @@ std::vector<Claim> rank_condition() {
                "tested with the map decorrelated, everything decorrelated, and a constant noise on all "
                "landmarks, with and without the robot, 1 to 4 of them",
            .printed = "rank dP <= rank O",
-           .measured = table,
-           .why = "it converges with a larger rank"},
+           .measured = table},
           only_when),
       judged(
           {.id = "3.8-rank-enough",

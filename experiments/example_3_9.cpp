@@ -47,8 +47,7 @@ Claim association_problems(const Drive& d) {
                  .printed = "some",
                  .measured = fmt::format(
                      "{} of {} matches wrong, {} landmarks for 15 beacons, map {:.2f} m rms after a fit",
-                     d.wrong, d.matched, d.landmarks.size(), d.fitted.error.rms_m),
-                 .why = "there are none here"},
+                     d.wrong, d.matched, d.landmarks.size(), d.fitted.error.rms_m)},
                 d.wrong > 0 || d.landmarks.size() != 15);
 }
 
@@ -66,8 +65,7 @@ Claim avoidable(const Data& data) {
            "1° and right, the same filter makes at most 2 % wrong matches and maps the 15 beacons",
        .printed = "",
        .measured = fmt::format("{} of {} matches wrong, {} landmarks, map {:.3f} m rms after a fit", d.wrong,
-                               d.matched, d.landmarks.size(), d.fitted.error.rms_m),
-       .why = "other causes remain"},
+                               d.matched, d.landmarks.size(), d.fitted.error.rms_m)},
       d.wrong <= 0.02 * d.matched && d.landmarks.size() == 15);
 }
 

@@ -67,7 +67,6 @@ Claim error_form() {
                  .statement = "F and H of the error form are the derivatives of (4.11) and (4.12), to 1e-9",
                  .printed = "",
                  .measured = fmt::format("largest difference in {} motions {}", motions, below(difference)),
-                 .why = "they are not",
                  .runs = motions},
                 difference < planar::rounding);
 }
@@ -89,7 +88,6 @@ Claim first_segment() {
        .statement = "Q_1 is H and one row H F, which has but a heading; higher powers are zero; to 1e-9",
        .printed = "(-r_y v sin - r_x v cos)/d^2",
        .measured = fmt::format("largest difference in {} motions {}", motions, below(difference)),
-       .why = "it is not",
        .runs = motions},
       difference < planar::rounding);
 }
@@ -112,7 +110,6 @@ Claim f_null_space() {
                                "1, 2, 3 segments are {}",
                                dimension(spaces), world().stays() ? "all" : "not all",
                                one ? "the same" : "not the same"),
-       .why = "it does not",
        .runs = motions},
       basis && world().stays() && one);
 }
@@ -133,7 +130,6 @@ Claim instant_null_space() {
                  .printed = "dimension 3",
                  .measured = fmt::format("dimension {} of 5 in {} motions; the printed vectors span it: {}",
                                          dimension(s.stripped(1)), motions, basis ? "yes" : "no"),
-                 .why = "they do not span it",
                  .runs = motions},
                 basis);
 }
@@ -248,7 +244,6 @@ Claim two_segments() {
        .printed = "dimension 2",
        .measured = fmt::format("{}, in {} motions; the printed vectors span it: {}", s.text(), motions,
                                basis ? "yes" : "no"),
-       .why = "they do not span it",
        .runs = motions},
       basis);
 }
@@ -270,7 +265,6 @@ Claim more_of_it() {
        .printed = "dimension 2",
        .measured = fmt::format("dimensions left by SOM and TOM after 1/2/3/4/5 segments, by features: {}",
                                fmt::join(lines, "; ")),
-       .why = "they change it",
        .runs = 3 * motions},
       all);
 }

@@ -70,7 +70,6 @@ Claim anchored_null_space() {
                  .printed = "dimension 1",
                  .measured = fmt::format("dimension {} of 5 in {} motions; the printed vector spans it: {}",
                                          dimension(s.stripped(1)), motions, basis ? "yes" : "no"),
-                 .why = "it does not span it",
                  .runs = motions},
                 basis);
 }
@@ -83,7 +82,6 @@ Claim anchored_two_segments() {
        .statement = "With two anchors vehicle and feature are completely observable in two segments",
        .printed = "0",
        .measured = fmt::format("{}, in {} motions", s.text(), motions),
-       .why = "they are not",
        .runs = motions},
       dimension(s.stripped(2)) == 0 && s.true_dimension() == 0);
 }
@@ -106,7 +104,6 @@ Claim anchored_total() {
        .measured = fmt::format("(4.9) holds in {} segments; dimensions left by the TOM after 1/2/3 segments, "
                                "by anchors: {}",
                                stays ? "all" : "not all", fmt::join(lines, "; ")),
-       .why = "it has not",
        .runs = 3 * motions},
       stays && full);
 }
@@ -204,7 +201,6 @@ Claim nonlinear_anchors() {
        .measured =
            fmt::format("dimensions left by the Lie derivatives at {} points, features and anchors: {}",
                        motions, fmt::join(lines, "; ")),
-       .why = "it does not",
        .runs = 4 * motions},
       found == std::vector{1, 0, 1, 0});
 }

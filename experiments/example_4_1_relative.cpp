@@ -132,7 +132,6 @@ Claim instant_null_space() {
        .measured = fmt::format("dimension with 1/2/3 features in {} motions {}; the printed vectors span it: "
                                "{}",
                                motions, joined(found), basis ? "yes" : "no"),
-       .why = "they do not span it",
        .runs = 3 * motions},
       basis);
 }
@@ -179,7 +178,6 @@ Claim footnote() {
                                "turned, {}",
                                joined({dimension(spaces)}), motions, joined({s.true_dimension()}),
                                turn_alone && leaves_the_turn(s, 1) ? "both" : "not both"),
-       .why = "it is",
        .runs = motions},
       turn_alone && leaves_the_turn(s, 1));
 }
@@ -194,7 +192,6 @@ Claim ahead_instant() {
                  .printed = "r_x",
                  .measured = fmt::format("dimension {} in {} motions; it is r_x: {}",
                                          dimension(s.stripped(1)), motions, basis ? "yes" : "no"),
-                 .why = "it is not",
                  .runs = motions},
                 basis);
 }
@@ -226,7 +223,6 @@ Claim two_segments() {
                  .statement = "SOM and TOM have full rank in two segments",
                  .printed = "0",
                  .measured = by_features(),
-                 .why = "they have not",
                  .runs = 3 * motions},
                 full);
 }
@@ -266,7 +262,6 @@ Claim ahead_for_good() {
                  .measured = fmt::format("{}, in {} motions. SOM leaves r_x: {}; the motion itself r_x and "
                                          "the turn of all: {}",
                                          s.text(), motions, yes_no(mode), yes_no(along)),
-                 .why = "it does not",
                  .runs = motions},
                 mode && along);
 }
@@ -278,7 +273,6 @@ Claim abeam_for_good() {
                  .statement = "With the feature abeam at first SOM and TOM have full rank in two segments",
                  .printed = "0",
                  .measured = fmt::format("{}, in {} motions straight on", s.text(), motions),
-                 .why = "they have not",
                  .runs = motions},
                 dimension(s.stripped(2)) == 0 && dimension(s.total(2)) == 0);
 }
@@ -311,7 +305,6 @@ Claim pure_rotation() {
        .printed = "one more than features",
        .measured = fmt::format("{}, by features: {}; states outside the null spaces: {}", legend,
                                fmt::join(lines, "; "), listed({seen.begin(), seen.end()})),
-       .why = "it is otherwise",
        .runs = 6 * motions},
       all && seen.empty());
 }

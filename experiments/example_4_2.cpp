@@ -74,7 +74,6 @@ Claim world_null_space() {
        .measured = fmt::format("{}, in {} motions; the printed vectors span that of two and three segments: "
                                "{}. The state has {} entries; printed are vectors of 14",
                                s.text(), motions, yes_no(basis), s.error_states().size()),
-       .why = "they do not span it",
        .runs = motions},
       basis);
 }
@@ -114,7 +113,6 @@ Claim range_bearing_world() {
                  .statement = "With range and bearing the world-centric map is partially observable",
                  .printed = "partially",
                  .measured = fmt::format("{}, by features: {}", legend, fmt::join(lines, "; ")),
-                 .why = "it is not",
                  .runs = 2 * motions},
                 all);
 }
@@ -215,7 +213,6 @@ Claim anchored_two_segments() {
                      "dimensions left by SOM and TOM after 1/2/3 segments, anchors and features: {}; by the "
                      "motion itself, 3 and 1: {}",
                      fmt::join(lines, "; "), study(world(1, 3)).true_dimension()),
-                 .why = "it has not",
                  .runs = 6 * motions},
                 all);
 }

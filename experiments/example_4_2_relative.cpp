@@ -125,7 +125,6 @@ Claim independent_rows() {
                  .statement = "Q_1 has six independent rows",
                  .printed = "6",
                  .measured = fmt::format("rank {} of 9 in {} motions", 9 - left, motions),
-                 .why = "it has not",
                  .runs = motions},
                 left == 3);
 }
@@ -207,7 +206,6 @@ Claim partially_reconstructed() {
        .measured = fmt::format("directions of three that N(Q_1) leaves open in {} motions: of r {}, of psi "
                                "{}, of v {}; states outside it: {}",
                                motions, joined({of_r}), joined({of_psi}), joined({of_v}), listed(seen)),
-       .why = "they can",
        .runs = motions},
       seen.empty() && in_part(of_r) && in_part(of_psi));
 }
@@ -224,7 +222,6 @@ Claim two_segments() {
        .printed = "0",
        .measured = fmt::format("{}, in {} motions; (4.9) holds in {}, and with two features in {}", s.text(),
                                motions, leaves ? "none" : "some", more.stays() ? "all" : "not all"),
-       .why = "they have not",
        .runs = 2 * motions},
       full && leaves);
 }
@@ -283,7 +280,6 @@ Claim unaccelerated_ranks() {
            "two",
        .printed = "4 of 9, 2",
        .measured = fmt::format("{}, in {} motions: {}", legend, motions, by_unaccelerated(relative())),
-       .why = "they are others",
        .runs = 3 * motions},
       all);
 }

@@ -92,7 +92,6 @@ Claim one_anchor() {
        .printed = "4 of 8, 1",
        .measured =
            fmt::format("rank {} of 8 in {} motions; {}", 8 - dimension(s.stripped(1)), motions, s.text()),
-       .why = "they are others",
        .runs = motions},
       dimension(s.stripped(1)) == 4 && dimension(s.stripped(2)) == 1);
 }
@@ -142,7 +141,6 @@ Claim two_anchors() {
        .printed = "6 of 8, 0",
        .measured = fmt::format("rank {} of 8 in {} motions, states outside N(Q_1): {}; {}",
                                8 - dimension(s.stripped(1)), motions, listed(seen), s.text()),
-       .why = "they do not",
        .runs = motions},
       dimension(s.stripped(1)) == 2 && seen == velocities && dimension(s.stripped(2)) == 0 &&
           s.true_dimension() == 0);
@@ -167,7 +165,6 @@ Claim three_anchors() {
        .printed = "dimension 1",
        .measured = fmt::format("dimension with 3/4 anchors in {} motions {}; the printed vector spans it: {}",
                                motions, joined(found), basis ? "yes" : "no"),
-       .why = "it does not span it",
        .runs = 2 * motions},
       basis);
 }
@@ -213,7 +210,6 @@ Claim f_null_space() {
                                "with 3 anchors in {} of {} motions, with one {}",
                                below(difference), dimension(spaces), s.stays() ? "all" : "not all", motions,
                                world(1, 1).stays() ? "too" : "not"),
-       .why = "it does not",
        .runs = 2 * motions},
       difference < planar_cv::rounding && basis && s.stays() && world(1, 4).stays());
 }
@@ -231,7 +227,6 @@ Claim three_anchors_two_segments() {
                  .statement = "With more than two anchors SOM and TOM have full rank in two segments",
                  .printed = "0",
                  .measured = fmt::format("{}, by anchors: {}", legend, fmt::join(lines, "; ")),
-                 .why = "they have not",
                  .runs = 2 * motions},
                 all);
 }

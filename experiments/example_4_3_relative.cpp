@@ -121,7 +121,6 @@ Claim nothing_in_one_segment() {
                  .statement = "No state is completely observable in one segment, not even the orientation",
                  .printed = "none",
                  .measured = fmt::format("states outside N(Q_1) in {} motions: {}", motions, listed(seen)),
-                 .why = "one is",
                  .runs = motions},
                 seen.empty());
 }

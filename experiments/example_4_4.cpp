@@ -185,7 +185,6 @@ Claim two_segments() {
        .measured = fmt::format("{}, by anchors: {}. With two SOM and TOM have full rank in two segments: {}; "
                                "the motion itself leaves the turn of all about the line through them: {}",
                                legend, fmt::join(lines, "; "), yes_no(full), yes_no(turns)),
-       .why = "it is not",
        .runs = 4 * motions},
       all);
 }
@@ -198,7 +197,6 @@ Claim as_on_the_plane() {
                  .printed = "",
                  .measured = fmt::format("{}, with three anchors: space {}; plane {}", legend,
                                          space.numbers(), plane.numbers()),
-                 .why = "it is not",
                  .runs = 2 * motions},
                 space.dimensions() == plane.dimensions() && space.true_dimension() == plane.true_dimension());
 }

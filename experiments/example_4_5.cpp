@@ -128,7 +128,6 @@ Claim rank() {
        .measured = fmt::format("rank {} at {} points, derivatives of all orders; largest difference of the "
                                "printed second column from d(sin phi/rho) {}",
                                3 - left, motions, below(difference)),
-       .why = "they do not",
        .runs = motions},
       left == 1 && difference < rounding);
 }
@@ -150,7 +149,6 @@ Claim null_space_of_all() {
        .printed = "[0 0 1]: dimension 1",
        .measured = fmt::format("dimension with 1/2/3 features at {} points {}; the heading spans it: {}",
                                motions, joined(found), heading ? "yes" : "no"),
-       .why = "it is not",
        .runs = 3 * motions},
       heading);
 }
@@ -175,7 +173,6 @@ Claim contrary() {
                        "{}: what SOM and TOM find {} on coordinates",
                        legend, motions, s.numbers(), joined({dimension(by_lie)}), yes_no(unseen),
                        in_polar.numbers(), depends ? "depends" : "does not depend"),
-       .why = "they agree",
        .runs = 2 * motions},
       linear_finds_it && unseen);
 }

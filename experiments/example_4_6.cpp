@@ -262,7 +262,6 @@ Claim at_rest_rank() {
        .printed = "2",
        .measured = fmt::format("rank {}; largest marginal information of a state: {}", all.at_end[0],
                                none_alone ? "0" : "above 0"),
-       .why = "another rank, or a state is known",
        .runs = count(runs())},
       all.throughout && all.clear && all.at_end[0] == 2 && none_alone);
 }
@@ -352,7 +351,6 @@ Claim global_modes() {
        .measured = fmt::format("above zero: {}, {}; at least {:.2f} and {:.2f} of these directions are "
                                "in what nothing is known of",
                                text(of_north), text(of_east), least_outside(north), least_outside(east)),
-       .why = "it does not",
        .runs = count(runs())},
       of_north == Since::never && of_east == Since::never);
 }
@@ -373,7 +371,6 @@ Claim relative_at_rest() {
        .printed = "0",
        .measured = fmt::format("largest up to 10 s: {:.2g} 1/m^2 of coordinates, {:.2g} of distances", value,
                                distances),
-       .why = "there is",
        .runs = count(runs())},
       value == 0 && distances == 0);
 }
@@ -423,7 +420,6 @@ Claim line_of_sight() {
            fmt::format("largest up to 14 s: {:.2g} 1/m^2, rank {}. At 14 s with feature 1 so many "
                        "degrees beside: {}; as angle^{:.2f}",
                        ahead, ranks_of_all().at_end[1], fmt::join(lines, "; "), exponent_of(offs, values)),
-       .why = "it is",
        .runs = count(runs())},
       ahead == 0 && most(constantly(difference(x, x1)), north_until_s) == 0 && off_is_known);
 }

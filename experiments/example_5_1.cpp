@@ -92,7 +92,6 @@ Claim arrives(const std::vector<Arrival>& all) {
                                spread_text(each(all, [](const Arrival& a) { return a.believed_m; }), "m"),
                                mean_of(each(all, [](const Arrival& a) { return a.mapped; })).value,
                                text(mean_of(each(all, [](const Arrival& a) { return a.map_rms_m; })), "m")),
-       .why = "fewer arrive",
        .runs = runs,
        .least_runs = enough_runs},
       happens_in(0.95, static_cast<std::size_t>(there), all.size()));
@@ -141,7 +140,6 @@ Claim consistent(const std::vector<Arrival>& all) {
        .measured = fmt::format(
            "NEES {}; error within two sigmas at {:.1f}, {:.1f}, {:.1f} % of the ticks (x, y, heading)",
            text(nees), within[0], within[1], within[2]),
-       .why = "the filter is overconfident",
        .runs = static_cast<int>(all.size()),
        .least_runs = enough_runs},
       is_below(nees, 1.2));

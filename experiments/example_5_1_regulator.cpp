@@ -132,7 +132,6 @@ Claim duality() {
                  .printed = "its dual",
                  .measured = fmt::format("largest relative difference of {} systems that settle: {}", settled,
                                          below(worst)),
-                 .why = "they differ",
                  .runs = systems},
                 settled >= systems / 2 && worst <= as_good_as_equal);
 }
@@ -170,7 +169,6 @@ Claim optimal() {
        .measured = fmt::format("largest relative difference of the cost from Riccati's {}; {} other gains "
                                "each: of the regulator from {:.6f} times as much, of the filter from {:.6f}",
                                below(worst), others, least_by_L, least_by_K),
-       .why = "another gain is cheaper",
        .runs = systems},
       worst <= as_good_as_equal && least_by_L > 1 && least_by_K > 1);
 }
@@ -196,7 +194,6 @@ Claim decomposition() {
            "largest relative difference of the sum of the two {}, of the error's term with another control "
            "{}; with another gain of the filter than Kalman's the sum is off by up to {:.0f} %",
            below(with_kalman), below(by_control), 100 * with_another),
-       .why = "they do not add up",
        .runs = systems},
       with_kalman <= as_good_as_equal && by_control <= as_good_as_equal);
 }

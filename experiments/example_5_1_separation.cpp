@@ -103,7 +103,6 @@ Claim eigenvalues() {
            fmt::format("largest distance between an eigenvalue of plant and filter and its like of the "
                        "parts, {} loops: {}; of a filter whose F is not the plant's, at least {:.2g}",
                        loops, below(same), elsewhere),
-       .why = "they are others",
        .runs = loops},
       same <= 1e-6 && stable_together);
 }
@@ -169,7 +168,6 @@ Claim filter_of_any_control(int seeds) {
            "monobot with an anchor and two landmarks, L = 0.1, 0.5, 1, 1.9, the same noises: errors over 100 "
            "steps differ, in m, {}, covariances, in m^2, {}; the farthest it went by up to {:.2f} m",
            below(errors), below(covariances), paths),
-       .why = "they do",
        .runs = seeds},
       errors <= as_good_as_zero && covariances <= as_good_as_zero);
 }
@@ -222,7 +220,6 @@ Claim control_of_any_noise() {
                  .measured = fmt::format("{} systems, {} pairs of Q and R each over four decades, {} other "
                                          "gains: from 1 + {:.1e} times the cost a step",
                                          judged_systems, noises, others, least - 1),
-                 .why = "another gain is cheaper for some noise",
                  .runs = judged_systems},
                 judged_systems >= systems / 2 && least > 1);
 }
@@ -261,7 +258,6 @@ Claim observable_filter() {
            "largest of {} choices of noises and one to three landmarks, 1000 steps: 1 - {:.1e}; after 100 "
            "steps 1 - {:.1e}, after 1000 1 - {:.1e}. What is left of the first error: at most {:.1e}",
            choices, 1 - largest, 1 - at_100, 1 - at_1000, longest),
-       .why = "one is not",
        .runs = choices},
       largest < 1);
 }
@@ -354,7 +350,6 @@ std::vector<Claim> vehicle(const ExperimentSettings& settings, const std::vector
                            "estimation (the filter's sigma changes with the gain, 95 % interval without 0)",
               .printed = "some influence",
               .measured = measured,
-              .why = "none is seen",
               .runs = settings.seeds,
               .least_runs = enough_runs},
              differs(sigma, 0));
@@ -380,7 +375,6 @@ std::vector<Claim> vehicle(const ExperimentSettings& settings, const std::vector
        .printed = "stable",
        .measured = fmt::format("rms error from 32.5 s to 40 s less that of the 7.5 s before: {} over {} runs",
                                text(grown, "m"), growth.size()),
-       .why = "it grows",
        .runs = static_cast<int>(growth.size()),
        .least_runs = enough_runs},
       is_below(grown, 0.005));

@@ -112,7 +112,6 @@ Claim converges(const std::vector<Round>& all) {
                                spread_text(each(all, [](const Round& r) { return r.tracking_rms_m; }), "m"),
                                spread_text(each(all, [](const Round& r) { return r.believed_rms_m; }), "m"),
                                quantile(each(all, [](const Round& r) { return r.largest_m; }), 1)),
-       .why = "fewer do",
        .runs = runs,
        .least_runs = enough_runs},
       happens_in(0.95, static_cast<std::size_t>(there), all.size()));
@@ -131,7 +130,6 @@ Claim steady_state(const std::vector<Round>& all) {
            "{}, {}; r w is {:.4f} m/s, of the axle then {:.4f}", text(speed, "m/s"), text(turn, "deg/s"),
            circle.radius_m * circle.rate_rad_s,
            circle.rate_rad_s * std::sqrt(std::pow(circle.radius_m, 2) - std::pow(body.forward_m, 2))),
-       .why = "they settle elsewhere",
        .runs = static_cast<int>(all.size()),
        .least_runs = enough_runs},
       agrees(speed, 0.6, 0.05) && agrees(turn, 5, 0.1));
@@ -154,7 +152,6 @@ Claim saturated(const std::vector<Round>& all) {
                                "{:.0f} %, in 95 % of the seeds above {:.0f} %",
                                quantile(each(all, [](const Round& r) { return r.first_error_m; }), 0.5),
                                top_speed_m_s, quantile(shares, 0.5), quantile(shares, 0.05)),
-       .why = "it does not",
        .runs = static_cast<int>(all.size()),
        .least_runs = enough_runs},
       above_in_95_percent(shares, 50));
@@ -175,7 +172,6 @@ Claim turn_rate(const std::vector<Round>& all) {
                        text(mean_of(each(all, [](const Round& r) { return r.turn_early_deg_s; })), "deg/s"),
                        text(mean_of(each(all, [](const Round& r) { return r.turn_late_deg_s; })), "deg/s"),
                        quantile(ratios, 0.05)),
-       .why = "it does not",
        .runs = static_cast<int>(all.size()),
        .least_runs = enough_runs},
       above_in_95_percent(ratios, 3));
@@ -199,7 +195,6 @@ Claim starts_on_path(const std::vector<Round>& on, const std::vector<Round>& awa
            period_s *
                mean_of(each(away, [](const Round& r) { return static_cast<double>(r.above_early); })).value,
            share_text(count_of(away, [](const Round& r) { return r.above_late > 0; }), runs)),
-       .why = "it does not",
        .runs = runs,
        .least_runs = enough_runs},
       happens_in(0.95, static_cast<std::size_t>(without), on.size()));
@@ -228,7 +223,6 @@ Claim guaranteed(const ExperimentSettings& settings) {
        .printed = "guaranteed",
        .measured = fmt::format("largest from 40 s to 60 s: {}, of all {:.2f} m; growth {}",
                                spread_text(worst, "m"), quantile(worst, 1), text(grown, "m")),
-       .why = "some seeds lose the path",
        .runs = settings.seeds,
        .least_runs = enough_runs},
       quantile(worst, 1) < 3 && is_below(grown, 0.1));
@@ -247,7 +241,6 @@ Claim consistent(const std::vector<Round>& all) {
        .measured = fmt::format(
            "NEES {}; error within two sigmas at {:.1f}, {:.1f}, {:.1f} % of the ticks (x, y, heading)",
            text(bootstrap_mean(nees)), within[0], within[1], within[2]),
-       .why = "the filter is overconfident",
        .runs = static_cast<int>(all.size()),
        .least_runs = enough_runs},
       is_below(bootstrap_mean(nees), 1.2));

@@ -107,7 +107,6 @@ Claim linearised() {
                  .measured = fmt::format("largest difference at {} poses and velocities, in m/s: {}. Held "
                                          "for {} s at up to 1 rad/s the way is turned by up to {:.1f} deg",
                                          places, below(worst), period_s, turned),
-                 .why = "it does not",
                  .runs = places},
                 worst <= as_good_as_zero);
 }

@@ -100,8 +100,7 @@ Claim whole_pose() {
                  .measured = fmt::format(
                      "regulator of the pose at rest: {}. From {} headings, after 60 s: at most {:.1e} m from "
                      "the point, with headings from {:.0f} to {:.0f} deg",
-                     sentence(regulator.outcome), headings, farthest, degrees(least), degrees(most)),
-                 .why = "it can"},
+                     sentence(regulator.outcome), headings, farthest, degrees(least), degrees(most))},
                 regulator.outcome == RegulatorOutcome::not_stabilisable && farthest < 1e-3 &&
                     most - least > radians(20));
 }
@@ -123,8 +122,7 @@ Claim free_heading() {
        .printed = "accurately",
        .measured = fmt::format("from {} headings at most {:.1f} mm off in the second round; headings at the "
                                "end differ, in rad, {}",
-                               headings, 1000 * worst, below(spread)),
-       .why = "it is not"},
+                               headings, 1000 * worst, below(spread))},
       worst < 0.01 && spread < 1e-6);
 }
 

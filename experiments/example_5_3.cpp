@@ -98,7 +98,6 @@ Claim converges(const std::vector<Team>& all) {
                                spread_text(each(all, [](const Team& t) { return t.tracking_rms_m; }), "m"),
                                spread_text(each(all, [](const Team& t) { return t.believed_rms_m; }), "m"),
                                quantile(each(all, [](const Team& t) { return t.largest_m; }), 1)),
-       .why = "fewer do",
        .runs = runs,
        .least_runs = enough_runs},
       happens_in(0.95, static_cast<std::size_t>(there), all.size()));
@@ -117,7 +116,6 @@ Claim consistent(const std::vector<Team>& all) {
        .measured = fmt::format(
            "joint NEES {}, at the end {}, {:.1f} of 16 landmarks mapped; of the poses alone {}", text(joint),
            text(last), mean_of(each(all, [](const Team& t) { return t.mapped; })).value, text(poses)),
-       .why = "it is not",
        .runs = static_cast<int>(all.size()),
        .least_runs = enough_runs},
       agrees(joint, 1, 0.1) && agrees(last, 1, 0.1));
@@ -161,7 +159,6 @@ Claim any_number(const ExperimentSettings& settings) {
        .printed = "direct",
        .measured = fmt::format("rms from 15 s on and joint NEES by number of robots, {} seeds each: {}",
                                few.seeds, measured),
-       .why = "it is not",
        .runs = few.seeds,
        .least_runs = enough_runs},
       all_follow);

@@ -197,8 +197,7 @@ Claim observability() {
                               "one robot and of two, place and heading of the whole stay unobservable, and "
                               "two known landmarks make all observable",
                  .printed = "not able",
-                 .measured = "unobservable directions along the way: " + measured,
-                 .why = "it does"},
+                 .measured = "unobservable directions along the way: " + measured},
                 none_gained && all_with_two);
 }
 

@@ -61,7 +61,6 @@ Claim never_rise(const std::vector<Traces>& all) {
                  .printed = "decrease",
                  .measured = fmt::format("largest relative rise of any landmark at any tick of any seed: {}",
                                          below(rise)),
-                 .why = "one rises",
                  .runs = static_cast<int>(all.size())},
                 rise <= 1e-9);
 }

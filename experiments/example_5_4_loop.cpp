@@ -34,7 +34,6 @@ Claim follows_the_path(const Runs& example) {
            100 * share_near_path(example), median(example, &Summary::most_off_m),
            quantile(each(example, &Summary::most_off_m), 0.95), greatest(example, &Summary::most_off_m),
            std::count_if(example.begin(), example.end(), [](const Summary& s) { return s.lost; })),
-       .why = "it strays farther",
        .runs = count(example),
        .least_runs = enough_runs},
       follows(example));
@@ -56,7 +55,6 @@ Claim tracking_error(const Runs& example) {
                        median(example, &Summary::believed_off_m), text(believed, "m"),
                        median(example, &Summary::truly_off_m), median(example, &Summary::truly_off_95_m),
                        degrees * median(example, &Summary::gaze_off_95_rad)),
-       .why = "they do not",
        .runs = count(example),
        .least_runs = enough_runs},
       is_below(believed, 0.1));
@@ -81,7 +79,6 @@ Claim bounded_accelerations(const ExperimentSettings& settings, const Runs& exam
            text(limited), greatest(example, &Summary::most_m_s2), greatest(example, &Summary::most_rad_s2),
            at(rest.path, 0).velocity.norm(), 100 * mean_of_runs(resting, &Summary::at_limit_at_first),
            100 * share_near_path(resting), count(resting)),
-       .why = "they do not",
        .runs = count(example),
        .least_runs = enough_runs},
       is_below(limited, 1e-3));
@@ -162,7 +159,6 @@ Claim variant_covariance(const Runs& example) {
        .measured =
            fmt::format("{}: from {:.3f} to {:.3f} m", text(median_interval(ratio), "times"),
                        median(example, &Summary::least_sigma_m), median(example, &Summary::most_sigma_m)),
-       .why = "it is not",
        .runs = count(example),
        .least_runs = enough_runs},
       is_above(median_interval(ratio), 2));
@@ -226,7 +222,6 @@ Claim scale(const Runs& example, const Knowing& k) {
            fmt::format("path off in scale (median run): images alone {}, given the commands {}, six anchors "
                        "{}, images and anchors {}",
                        text(none, "%"), text(told, "%"), text(anchored, "%"), text(both, "%")),
-       .why = "it is known",
        .runs = count(k.untold),
        .least_runs = enough_runs},
       is_above({none.value / both.value, none.low / both.high, none.high / both.low}, 10));

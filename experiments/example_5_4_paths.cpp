@@ -97,7 +97,6 @@ Claim short_loops(const Compared& c) {
        .printed = "crucial",
        .measured = fmt::format("back and forth {}; never back {}; factors {} of the error and {} of sigma",
                                numbers(c.example), numbers(c.surges), text(error), text(sigma)),
-       .why = "it is not",
        .runs = static_cast<int>(c.surges.size()),
        .least_runs = enough_runs},
       is_above(error, 2) && is_above(sigma, 1));

@@ -356,7 +356,6 @@ Claim consistent(const std::string& id, const std::string& place, Setup setup, i
                     "step within 0.25 of 1",
        .printed = "",
        .measured = fmt::format("by number of landmarks: {}", fmt::join(lines, "; ")),
-       .why = "it is not",
        .runs = seeds,
        .least_runs = enough_runs},
       within);

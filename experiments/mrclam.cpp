@@ -61,8 +61,7 @@ Claim joint_beats_alone(const Drives& d) {
                        d.joint.recorded_s, list(joint), four_ways(d.alone, &RobotCourse::rms_m), list(fitted),
                        four_ways(d.alone, &RobotCourse::fitted_rms_m),
                        list(of_robots(d.joint, &RobotCourse::rms_heading_rad), " rad"),
-                       list(of_robots(d.alone.plain, &RobotCourse::rms_heading_rad), " rad")),
-       .why = "not for every robot"},
+                       list(of_robots(d.alone.plain, &RobotCourse::rms_heading_rad), " rad"))},
       least_ratio(joint, alone) > 1 && least_ratio(fitted, alone_fitted) > 1);
 }
 
@@ -79,8 +78,7 @@ Claim seeing_each_other(const Drives& d) {
        .measured = fmt::format("with {}; without, the map shared, {}; alone {}. {} sightings, {} of them of "
                                "robots",
                                list(joint), list(shared), list(alone), d.joint.looks,
-                               d.joint.looks - d.shared_map.looks),
-       .why = "not for every robot"},
+                               d.joint.looks - d.shared_map.looks)},
       least_ratio(joint, shared) > 1);
 }
 
@@ -198,8 +196,7 @@ Claim sensitivity(const Robots& robots) {
            "None of this hangs on the noises that the filter is given: with those of the odometry or "
            "of the sensor halved or doubled, joint is still better for every robot",
        .printed = "",
-       .measured = numbers,
-       .why = "for some robot it is not"},
+       .measured = numbers},
       least > 1);
 }
 
@@ -212,7 +209,6 @@ Claim cost(const Drives& d) {
                     "faster than it was recorded, on one processor",
        .printed = "",
        .measured = times > 20 ? "more than 20 times" : fmt::format("{:.1f} times", times),
-       .why = "it is slower",
        .timed = true},
       times > 20 && !d.joint.lost);
 }

@@ -44,7 +44,6 @@ Claim explores(const Runs& ours, const Runs& blind) {
            "the room is seen than without, gaze by mutual information",
        .printed = "the only thing that prevents our control strategies from defaulting to homeostasis",
        .measured = fmt::format("share of the room: {} more (99.9 %)", text(more)),
-       .why = "it does not",
        .runs = static_cast<int>(ours.size()),
        .least_runs = enough_runs},
       is_above(more, 0));

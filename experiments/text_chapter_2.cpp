@@ -75,8 +75,7 @@ Claim vehicle_is_bounded() {
        .printed = "bounded",
        .measured = fmt::format(
            "after 100 and 10000 steps {:.4f} and {:.4f} m^2; from odometry alone {:.0f} m^2 after 10000",
-           at_100, at_10000, dead_reckoning),
-       .why = "it still changes"},
+           at_100, at_10000, dead_reckoning)},
       std::abs(at_10000 - at_100) <= 1e-9);
 }
 
@@ -98,8 +97,7 @@ Claim correlations_grow() {
                  .printed = "monotonically",
                  .measured = fmt::format(
                      "from step 1 to 300, two and five landmarks from two starts each: {}; largest fall {}",
-                     fmt::join(lines, "; "), below(fall)),
-                 .why = "one falls"},
+                     fmt::join(lines, "; "), below(fall))},
                 fall <= rounding);
 }
 
@@ -124,8 +122,7 @@ Claim lower_bound() {
        .printed = "a lower bound",
        .measured = fmt::format(
            "nearest to it after 1000 steps, 27 combinations of noise, number and start: {:.2g} m^2 above",
-           nearest),
-       .why = "one fell below"},
+           nearest)},
       nearest >= -rounding);
 }
 
@@ -179,8 +176,7 @@ Claim riccati_depends() {
        .measured = fmt::format("covariance of landmarks born at the start: P_r + q, robot P_r + 2 q, with q "
                                "= (sqrt(s_v^4 + 4 s_v^2 s_w^2/n) - s_v^2)/2; largest relative difference "
                                "over {} combinations {}. Landmarks known before add what was known",
-                               cases, below(off)),
-       .why = "it is another function"},
+                               cases, below(off))},
       off <= 1e-9);
 }
 
@@ -252,8 +248,7 @@ Claim dependent_errors() {
        .printed = "",
        .measured = fmt::format("landmark of a known robot that stands still: {:.2e} and {:.2e} m^2 after 100 "
                                "and 1000 steps; of one that moves by 0.1 m a step: {:.4f} and {:.4f} m^2",
-                               still_100, still_1000, moving_100, moving_1000),
-       .why = "it goes another way"},
+                               still_100, still_1000, moving_100, moving_1000)},
       cancels && moving_1000 > 0.99 * moving_100);
 }
 
@@ -280,7 +275,6 @@ Claim optimal() {
        .measured = fmt::format(
            "1000 other gains: trace at least {:.6f} times as large; (2.17) against the Joseph form: {}",
            least, below(off)),
-       .why = "another gain is better",
        .runs = 1000},
       least > 1 && off <= 1e-12);
 }
@@ -308,7 +302,6 @@ Claim nonholonomic() {
            "fastest sideways in 1000 poses and inputs, in m/s, {}; after ahead, left, back, right "
            "at 1 m/s and 1 rad/s, 0.3 s each: {:.3f} m sideways with the first heading",
            below(sideways), x.y()),
-       .why = "it can, or it cannot get there",
        .runs = 1000},
       sideways <= 1e-9 && std::abs(x.y()) > 0.05 && std::abs(x[2]) < 1e-9);
 }
@@ -388,7 +381,6 @@ Claim stationary_vehicle(int seeds) {
            "heading known to 10 degrees, said to be known after 100 looks, by noise of the bearing in "
            "degrees: {}; with Jacobians at the first estimates 10 in every run (difference {})",
            fmt::join(lines, "; "), below(off)),
-       .why = "it is not",
        .runs = seeds,
        .least_runs = enough_runs},
       optimistic && is_above(bootstrap_mean(nees), 1) && off < 1e-6);

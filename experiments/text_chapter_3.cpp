@@ -74,8 +74,7 @@ Claim determinants_fall() {
        .printed = "decreases",
        .measured = fmt::format(
            "largest relative rise at a step, {} principal submatrices of four landmarks, 100 steps: {}",
-           submatrices, below(rise)),
-       .why = "one rises"},
+           submatrices, below(rise))},
       rise <= rounding);
 }
 
@@ -95,8 +94,7 @@ Claim fully_correlated() {
        .measured =
            fmt::format("1 - correlation of two landmarks after 100, 1000, 10000 steps: {:.2g}, {:.2g}, "
                        "{:.2g}, as step^{:.2f}. Not so with an anchor: correlation {:.2f} then",
-                       missing[0], missing[1], missing[2], exponent_of(steps, missing), anchored[2]),
-       .why = "it does not reach 1"},
+                       missing[0], missing[1], missing[2], exponent_of(steps, missing), anchored[2])},
       missing[2] < 0.1 * missing[0]);
 }
 
@@ -130,8 +128,7 @@ Claim four_kinds() {
                  .printed = "",
                  .measured = fmt::format("between 100 and 10000 steps: {}. Neither is necessary: the monobot "
                                          "without anchor and noise has none and stays bounded and regular",
-                                         fmt::join(lines, "; ")),
-                 .why = "one of them does not"},
+                                         fmt::join(lines, "; "))},
                 as_said);
 }
 
@@ -160,7 +157,6 @@ Claim unique_limit() {
                  .measured = fmt::format("20 first covariances each, 1 to 3 landmarks: largest relative "
                                          "difference {}, smallest eigenvalue {:.4f} m^2",
                                          below(spread), least),
-                 .why = "there are several, or it is singular",
                  .runs = 60},
                 settled && spread <= 1e-9 && least > 1e-6);
 }
@@ -181,8 +177,7 @@ Claim solutions_without_anchor() {
        .printed = "at least one",
        .measured = fmt::format(
            "[c+p c; c c] solves it for every c >= 0 (relative difference {}): from which start decides",
-           below(off)),
-       .why = "none"},
+           below(off))},
       off <= rounding);
 }
 
@@ -222,7 +217,6 @@ Claim known_states_stay() {
                     "estimate remains as it is; to 1e-12",
        .printed = "0",
        .measured = fmt::format("largest gain along the null vector of 200 covariances: {}", below(largest)),
-       .why = "it is not",
        .runs = 200},
       largest <= rounding);
 }
@@ -254,8 +248,7 @@ Claim controllable_dimension() {
        .printed = "dim x_r",
        .measured = fmt::format("rank for the monobot (1 state) and a vehicle of the plane in motion (3), by "
                                "number of landmarks: {}",
-                               fmt::join(lines, "; ")),
-       .why = "it differs"},
+                               fmt::join(lines, "; "))},
       as_said);
 }
 
@@ -285,8 +278,7 @@ Claim error_equation() {
        .statement = "e_{k+1} = (F - KHF) e_k + (I - KH) v_k - K w_{k+1}, to 1e-12",
        .printed = "",
        .measured = fmt::format(
-           "largest difference from the engine's errors, four runs of 100 steps, in m: {}", below(off)),
-       .why = "another equation"},
+           "largest difference from the engine's errors, four runs of 100 steps, in m: {}", below(off))},
       off <= rounding);
 }
 
@@ -310,8 +302,7 @@ Claim one_pole() {
                  .printed = "one",
                  .measured = fmt::format("on the circle after 100 steps, by number of landmarks: {}. With n "
                                          "landmarks n - 1 more go there as one over the number of steps",
-                                         fmt::join(lines, "; ")),
-                 .why = "it is not one"},
+                                         fmt::join(lines, "; "))},
                 one);
 }
 
@@ -355,8 +346,7 @@ Claim first_observation() {
                  .printed = "",
                  .measured = fmt::format("left in the landmark after 100 and 1000 steps: {:.4f} and {:.4f} "
                                          "m; with an anchor {:.4f} and {:.4f} m",
-                                         free_100, free_1000, anchored_100, anchored_1000),
-                 .why = "it is forgotten, or never"},
+                                         free_100, free_1000, anchored_100, anchored_1000)},
                 free_1000 > 0.99 * free_100 && free_1000 > 0.01 && anchored_1000 < 0.2 * anchored_100);
 }
 
@@ -380,8 +370,7 @@ Claim unstable_system() {
        .printed = "stable",
        .measured = fmt::format("norm of what is left of the first error after 100 and 10000 steps, with an "
                                "anchor: {:.1e}, {:.1e}",
-                               at_100, kept.norm()),
-       .why = "it is not forgotten"},
+                               at_100, kept.norm())},
       kept.norm() < 0.1 * at_100);
 }
 
@@ -423,8 +412,7 @@ Claim remedies() {
        .statement = "Anchoring the map to the first landmark, a sensor that sees the vehicle, or landmarks "
                     "relative to the vehicle make the system observable and its filter stable",
        .printed = "",
-       .measured = fmt::format("three landmarks: {}", fmt::join(lines, "; ")),
-       .why = "one does not"},
+       .measured = fmt::format("three landmarks: {}", fmt::join(lines, "; "))},
       all);
 }
 
@@ -465,8 +453,7 @@ Claim perfect_relative_map() {
        .statement =
            "A perfect relative map is produced: the variance of the distance of two landmarks goes to zero",
        .printed = "0",
-       .measured = fmt::format("after 100 and 10000 steps: {:.2e}, {:.2e} m^2", at_100, at_10000),
-       .why = "it stays"},
+       .measured = fmt::format("after 100 and 10000 steps: {:.2e}, {:.2e} m^2", at_100, at_10000)},
       at_10000 < 0.1 * at_100);
 }
 
@@ -513,8 +500,7 @@ Claim pseudo_noise_controls() {
        .place = "Section 3.3",
        .statement = "Pseudo-noise on the landmark states makes the system controllable",
        .printed = "rank n + 1",
-       .measured = fmt::format("rank without and with, by number of landmarks: {}", fmt::join(lines, "; ")),
-       .why = "a rank is missing"},
+       .measured = fmt::format("rank without and with, by number of landmarks: {}", fmt::join(lines, "; "))},
       full);
 }
 
@@ -562,8 +548,7 @@ Claim decorrelation_needs_observability() {
                     "observable: full decorrelation diverges without the anchor and not with it",
        .printed = "",
        .measured = fmt::format("trace after 1000 steps over that after 500: {:.3f} without, {:.3f} with",
-                               free, anchored),
-       .why = "it does not depend on it"},
+                               free, anchored)},
       free > 1.5 && anchored < 1.01);
 }
 

@@ -60,7 +60,6 @@ Claim world_is_partial() {
                  .statement = "World-centric maps without anchors are partially observable in any SLAM case",
                  .printed = "partially",
                  .measured = lines.text(),
-                 .why = "one is not",
                  .runs = lines.runs()},
                 all);
 }
@@ -75,7 +74,6 @@ Claim planar_anchors() {
        .statement = "With anchors (two) the planar vehicle is fully observable, as long as it translates",
        .printed = "fully",
        .measured = lines.text(),
-       .why = "it is not",
        .runs = lines.runs()},
       moving.true_dimension() == 0 && dimension(moving.stripped(2)) == 0 && rest.true_dimension() > 0 &&
           dimension(rest.stripped(3)) > 0);
@@ -96,7 +94,6 @@ Claim planar_at_rest() {
                  .statement = "At zero velocity the planar vehicle's system simply is unobservable",
                  .printed = "unobservable",
                  .measured = lines.text(),
-                 .why = "it is not",
                  .runs = lines.runs()},
                 all);
 }
@@ -269,7 +266,6 @@ Claim lower_limit() {
            "dimensions left by SOM and TOM after 1/2/3/4/5/6 segments: {}; translations among them, "
            "and left by the motion itself: {}",
            fmt::join(lines, "; "), always ? "always" : "not always"),
-       .why = "they do not",
        .runs = 4 * motions},
       settles && always);
 }

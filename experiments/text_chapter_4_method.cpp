@@ -91,7 +91,6 @@ Claim steps() {
        .measured = fmt::format("{} random systems of 6 states, 2 of them not seen: left after 6 and after 30 "
                                "steps: {}",
                                systems, same_space ? "2 in all" : "not the same in all"),
-       .why = "it is not",
        .runs = systems},
       same_space);
 }
@@ -129,7 +128,6 @@ Claim condition() {
                      "(4.9) holds in {} of {} cases, in {} of them the null spaces are the same; of "
                      "the other {} cases the dimensions are in {}",
                      met, met + others, kept, others, others_kept),
-                 .why = "they have not",
                  .runs = motions * (met + others)},
                 met > 0 && met == kept);
 }
@@ -217,7 +215,6 @@ Claim one_look() {
        .printed = "unobservable",
        .measured = fmt::format("dimensions left by one look at one feature, with 0/1/2/3 anchors: {}",
                                fmt::join(lines, "; ")),
-       .why = "it does not",
        .runs = 16 * motions},
       never);
 }
@@ -257,7 +254,6 @@ Claim turning_only() {
            fmt::format("{}, with three anchors, turning on the spot: planar {}; cv6 {}; what is left is "
                        "the distance: {}",
                        legend, flat.numbers(), space.numbers(), both ? "yes" : "no"),
-       .why = "it does",
        .runs = 2 * motions},
       both);
 }
@@ -283,7 +279,6 @@ Claim line_of_sight() {
            fmt::format("{}, with two anchors, straight on: {}; with the feature straight ahead {}: its "
                        "distance, {}",
                        legend, aside.numbers(), s.numbers(), distance_alone ? "yes" : "no"),
-       .why = "it does",
        .runs = 2 * motions},
       distance_alone && aside.true_dimension() == 0);
 }

@@ -19,7 +19,7 @@ struct Claim {
   std::string printed;    ///< the printed value or formula; empty where there is none
   std::string measured;   ///< what came out, with its unit and interval
   Verdict verdict = Verdict::does_not_hold;
-  std::string why;     ///< the correction, why it does not hold, or why it is undecided; empty where it holds
+  std::string why;     ///< the correction, the diagnosis, or why it is undecided; empty where it holds
   int runs = 1;        ///< independent runs it rests on
   int least_runs = 1;  ///< runs without which it is undecided; 1 where there is no chance
   bool timed = false;  ///< its verdict is of this machine and this moment: no test may rest on it

@@ -77,6 +77,9 @@ TEST(Evidence, ReasonsStayOnlyWhereThereIsSomethingToExplain) {
   EXPECT_EQ(judged(claim, false, true).verdict, Verdict::holds_as_corrected);
   EXPECT_EQ(judged(claim, false).verdict, Verdict::does_not_hold);
   EXPECT_EQ(judged(claim, false).why, "because");
+  claim.why.clear();
+  EXPECT_EQ(judged(claim, false).why, "not investigated");
+  EXPECT_EQ(judged(claim, true).why, "");
 }
 
 TEST(Evidence, NotSignificantIsNotFalse) {

@@ -4,3 +4,4 @@ incognita_test(camera_slam_test SOURCES slam/active_search_test.cpp slam/camera_
                slam/corner_choice_test.cpp slam/depth_line_test.cpp slam/expected_matches_test.cpp
                slam/landmark_initialization_test.cpp slam/landmark_upkeep_test.cpp
                USES incognita::slam)
+incognita_test(camera_consistency_test SOURCES slam/camera_consistency_test.cpp USES incognita::io incognita::slam incognita::world)

@@ -1,7 +1,5 @@
 // The depth of a new landmark by hypotheses on its line of sight (thesis C.3): reweighted by Bayes, pruned,
-// made a point when sigma/depth is small, given up when nothing is found.
-#include "incognita/slam/features/depth_line.hpp"
-
+// made a point when sigma/depth is small.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -9,47 +7,13 @@
 #include <algorithm>
 #include <numbers>
 
-#include "tests/slam/synthetic_scene.hpp"
+#include "tests/slam/depth_line_scene.hpp"
 
 namespace incognita {
 namespace {
 
 using namespace synthetic;
-
-const Wall wall(2);
-const CameraState origin = camera_at({0, 0, 0});
-
-CameraSlamSettings with_lines() {
-  CameraSlamSettings settings;
-  settings.birth.method = BirthSettings::Method::depth_line;
-  settings.filter.sigma_pixel_px = 0.5;
-  return settings;
-}
-
-/// One line begun at the origin; the camera's pose has every correlation.
-struct Scene {
-  CameraSlamSettings settings = with_lines();
-  Estimate estimate = estimate_at(origin, correlated_covariance(1e-3, 5));
-  SummedImage summed;
-  Image image;
-  Eigen::Vector3d truth;
-
-  explicit Scene(std::size_t corner = 40, const CameraSlamSettings& s = with_lines()) : settings(s) {
-    truth = wall.corners_in_view(origin, 40).at(corner);
-    EXPECT_TRUE(give_birth(wall.seen_from(origin), pixel_of(origin, truth), estimate, camera, settings));
-  }
-  Landmark& line() { return estimate.catalogue.at(0); }
-  void follow(const CameraState& from, const Wall& seen = wall) { follow_in(from, seen.seen_from(from)); }
-  void follow_in(const CameraState& from, Image of) {
-    image = std::move(of);
-    summed.assign(image);
-    move_camera(estimate, from);
-    estimate.line_looks.clear();
-    follow_lines(summed, estimate, camera, settings);
-  }
-};
-
-CameraState aside(double m) { return camera_at({0, m, 0}); }
+using Scene = DepthLineScene;
 
 /// The point of a line at a hypothesis, from errors of the line's five parameters.
 Eigen::Vector3d point_on(const Landmark& line, const Belief& belief, double inverse_depth,
@@ -186,69 +150,22 @@ TEST(DepthLine, BecomesAPointWhenSigmaOverDepthIsSmall) {
   }
 }
 
-TEST(DepthLine, IsGivenUpAfterTooManyFailuresInARow) {
-  Scene scene;
-  scene.settings.birth.max_line_failures = 4;
-  scene.settings.birth.depth_ratio = 1e-6;
-  const Wall other(2, 99);
-  for (int k = 1; k <= 3; ++k) {
-    scene.follow(aside(0.02), other);
-    ASSERT_EQ(scene.estimate.catalogue.size(), 1u);
-    EXPECT_EQ(scene.estimate.line_looks.at(0).outcome, LookOutcome::not_found);
-    EXPECT_EQ(scene.line().line_failures, k);
-    EXPECT_EQ(scene.line().particles.size(), 100u) << "a failure says nothing of the depth";
-  }
-  scene.follow(aside(0.02));
-  ASSERT_EQ(scene.estimate.line_looks.at(0).outcome, LookOutcome::matched);
-  for (int k = 1; k <= 3; ++k) scene.follow(aside(0.02), other);
-  ASSERT_EQ(scene.estimate.catalogue.size(), 1u) << "the match began the count anew";
-  scene.follow(aside(0.02), other);
-  EXPECT_TRUE(scene.estimate.catalogue.empty());
-  EXPECT_EQ(scene.estimate.belief.errors(), 12) << "and its block is gone";
-}
-
-/// Out of view is a failure too, or it would be followed for ever.
-TEST(DepthLine, OutOfViewIsGivenUpToo) {
-  Scene scene;
-  scene.settings.birth.max_line_failures = 3;
-  for (int k = 0; k < 3; ++k) {
-    ASSERT_EQ(scene.estimate.catalogue.size(), 1u);
-    scene.follow(camera_at({0, 0, 0}, M_PI));
-    EXPECT_TRUE(scene.estimate.line_looks.empty());
-  }
-  EXPECT_TRUE(scene.estimate.catalogue.empty());
-}
-
-/// Found 12 sigmas from the only hypothesis: no depth on the line explains that.
-TEST(DepthLine, IsDroppedWhenNoHypothesisExplainsTheMatch) {
-  for (const bool right : {false, true}) {
+/// Just below the ratio it is a point, just above a line.
+TEST(DepthLine, TheRatioOfSigmaToDepthDecides) {
+  const CameraState from = aside(0.05);
+  Scene dry(40);
+  Estimate before = dry.estimate;
+  move_camera(before, from);
+  dry.follow(from);
+  const auto measured = dry.estimate.line_looks.at(0).measured;
+  ASSERT_TRUE(measured);
+  const Depth depth = depth_of(reweighted(before, before.catalogue[0], *measured, dry.settings));
+  for (const double factor : {0.995, 1.005}) {
     Scene scene(40);
-    scene.estimate = estimate_at(origin, 1e-10 * CameraCov::Identity());
-    ASSERT_TRUE(give_birth(wall.seen_from(origin), pixel_of(origin, scene.truth), scene.estimate, camera,
-                           scene.settings));
-    scene.settings.search.gate_sigmas = 20;
-    // Moved by 0.2 m: 19.5 px of parallax at 2 m, 6 px more at 1.53 m
-    scene.line().particles = {{right ? 1 / 2.0 : 1 / 1.53, 1.0}};
-    scene.follow(aside(0.2));
-    ASSERT_EQ(scene.estimate.line_looks.size(), 1u);
-    EXPECT_EQ(scene.estimate.line_looks[0].outcome, right ? LookOutcome::matched : LookOutcome::inconsistent);
-    EXPECT_EQ(scene.estimate.catalogue.size(), right ? 1u : 0u);
-    EXPECT_EQ(scene.estimate.belief.errors(), right ? 15 : 12);
+    scene.settings.birth.depth_ratio = factor * depth.sigma / depth.mean;
+    scene.follow(from);
+    EXPECT_EQ(scene.line().kind, factor < 1 ? Landmark::Kind::line : Landmark::Kind::point);
   }
-}
-
-TEST(DepthLine, LeavesOtherLandmarksAlone) {
-  Scene scene;
-  const Eigen::Vector3d at = wall.point_at(origin, {90, 90});
-  add_point(scene.estimate, wall.seen_from(origin), origin, at, at, 0.01, scene.settings);
-  const Landmark& point = scene.estimate.catalogue[1];
-  const Eigen::MatrixXd before = scene.estimate.belief.covariance(point.block);
-  scene.settings.birth.max_line_failures = 1;
-  scene.follow(aside(0.02), Wall(2, 99));
-  ASSERT_EQ(scene.estimate.catalogue.size(), 1u);
-  EXPECT_EQ(scene.line().kind, Landmark::Kind::point);
-  EXPECT_EQ(scene.estimate.belief.covariance(scene.line().block), before);
-  EXPECT_TRUE(scene.estimate.line_looks.size() == 1);
 }
 
 }  // namespace

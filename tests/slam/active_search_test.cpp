@@ -46,7 +46,6 @@ struct Scene {
     predict_looks(estimate, camera, settings, estimate.looks);
     return measure(summed, estimate.catalogue, settings.search, estimate.looks);
   }
-  const Look& look_of(const Landmark& landmark) const { return look_of(landmark.id); }
   const Look& look_of(std::int64_t id) const {
     return *std::find_if(estimate.looks.begin(), estimate.looks.end(),
                          [id](const Look& look) { return look.id == id; });

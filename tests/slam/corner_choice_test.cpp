@@ -27,7 +27,7 @@ std::vector<Eigen::Vector2d> chosen(const Image& image, const Estimate& estimate
   return corners;
 }
 
-/// Gray, but for one dark quadrant of a square: a single corner at (u, v), and three more at `side` from it.
+/// Gray, but for a dark square whose first pixel is (u, v).
 Image one_square(double u, double v, int side) {
   Image image(model.width, model.height, 160);
   for (int y = 0; y < side; ++y)

@@ -28,7 +28,7 @@ using CameraCov = FreeCameraMotion::Jacobian;
 inline const WideAngleCamera model{};  ///< 320x240, 195 px, no distortion
 inline const Camera camera{model};
 
-/// A camera at rest. `heading_rad` from +x to the left, `roll_pitch_yaw` a further turn in camera axes.
+/// A camera at rest. `heading_rad` from +x to the left, `turn` a rotation vector after it, in camera axes.
 inline CameraState camera_at(const Eigen::Vector3d& position, double heading_rad = 0,
                              const Eigen::Vector3d& turn = {0, 0, 0}) {
   CameraState x = CameraState::Zero();

@@ -1,0 +1,189 @@
+// The active search (thesis C.2): the most uncertain landmarks first, each inside its own ellipse, and what
+// the other matches do not confirm is left out.
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+
+#include "incognita/slam/features/measure.hpp"
+#include "incognita/slam/features/predict_looks.hpp"
+#include "tests/slam/synthetic_scene.hpp"
+
+namespace incognita {
+namespace {
+
+using namespace synthetic;
+
+const Wall wall(2);
+const CameraState origin = camera_at({0, 0, 0});
+constexpr double px_per_m = 195 / 2.0;  // on the wall, seen from the origin
+
+/// Landmarks at corners of the wall, spread over the image, all where they are believed to be but for `off`.
+struct Scene {
+  CameraSlamSettings settings;
+  Image image = wall.seen_from(origin);
+  Estimate estimate;
+  SummedImage summed;
+
+  explicit Scene(double sigma_camera_m) : estimate(estimate_at(origin, camera_covariance(sigma_camera_m))) {
+    settings.filter.sigma_pixel_px = 0.5;
+  }
+  static CameraCov camera_covariance(double sigma_m) {
+    CameraCov P = 1e-8 * CameraCov::Identity();
+    P.topLeftCorner<3, 3>() *= sigma_m * sigma_m / 1e-8;
+    return P;
+  }
+
+  /// `off_px`: of the mean from the truth, in the image.
+  Landmark& add(std::size_t corner, double sigma_px, const Eigen::Vector2d& off_px = {0, 0}) {
+    const Eigen::Vector3d at = wall.corners_in_view(origin, 40).at(corner);
+    const Eigen::Vector3d off(0, -off_px.x() / px_per_m, -off_px.y() / px_per_m);
+    return add_point(estimate, image, origin, at, at + off, sigma_px / px_per_m, settings);
+  }
+
+  int search() {
+    summed.assign(image);
+    predict_looks(estimate, camera, settings, estimate.looks);
+    return measure(summed, estimate.catalogue, settings.search, estimate.looks);
+  }
+  const Look& look_of(std::int64_t id) const {
+    return *std::find_if(estimate.looks.begin(), estimate.looks.end(),
+                         [id](const Look& look) { return look.id == id; });
+  }
+  LookOutcome outcome(std::int64_t id) const { return look_of(id).outcome; }
+  Eigen::Vector2d truth(std::size_t corner) const {
+    return pixel_of(origin, wall.corners_in_view(origin, 40).at(corner));
+  }
+};
+
+TEST(ActiveSearch, TheMostUncertainFirstAndNoMoreThanAllowed) {
+  Scene scene(1e-4);
+  const double sigmas_px[] = {1, 5, 2, 6, 3, 4};
+  for (std::size_t i = 0; i < 6; ++i) scene.add(9 * i, sigmas_px[i]);
+  scene.settings.search.max_measurements = 3;
+  EXPECT_EQ(scene.search(), 3);
+  for (std::int64_t id = 0; id < 6; ++id)
+    EXPECT_EQ(scene.outcome(id), sigmas_px[id] >= 4 ? LookOutcome::matched : LookOutcome::not_tried) << id;
+  scene.settings.search.max_measurements = 12;
+  EXPECT_EQ(scene.search(), 6);
+  for (std::int64_t id = 0; id < 6; ++id) EXPECT_EQ(scene.outcome(id), LookOutcome::matched) << id;
+}
+
+TEST(ActiveSearch, FindsThePatchInsideItsEllipseAndNowhereElse) {
+  constexpr double sigma_px = 4;  // with that of the pixel: 4.03
+  const Eigen::Vector2d directions[] = {{1, 0}, {0, 1}, {-0.6, 0.8}};
+  for (const Eigen::Vector2d& way : directions) {
+    Scene inside(1e-5), outside(1e-5);
+    inside.settings.search.min_correlation = outside.settings.search.min_correlation = 0.95;  // nothing alike
+    inside.add(30, sigma_px, 10.5 * way);
+    outside.add(30, sigma_px, 15 * way);
+    inside.search();
+    ASSERT_EQ(inside.outcome(0), LookOutcome::matched) << way.transpose();
+    EXPECT_LT((*inside.look_of(0).measured - inside.truth(30)).norm(), 0.3);
+    outside.search();
+    EXPECT_EQ(outside.outcome(0), LookOutcome::not_found) << way.transpose();
+    EXPECT_FALSE(outside.look_of(0).measured);
+  }
+}
+
+/// The best place of another scene: it is inside the ellipse, whatever it is like.
+TEST(ActiveSearch, StaysInTheEllipseOfAnotherScene) {
+  Scene scene(0.03);
+  scene.settings.search.min_correlation = -1;
+  for (std::size_t i = 0; i < 6; ++i) scene.add(9 * i, 3 + static_cast<double>(i));
+  scene.image = Wall(2, 77).seen_from(origin);
+  EXPECT_EQ(scene.search(), 6);
+  for (const Look& look : scene.estimate.looks) {
+    ASSERT_TRUE(look.measured);
+    const Eigen::Vector2d r = *look.measured - look.predicted;
+    // The peak between the pixels may be half a pixel beyond
+    const double reach = std::max(0.0, r.norm() - 0.75) / r.norm();
+    EXPECT_LE(reach * reach * r.dot(look.innovation_cov.inverse() * r), 9);
+  }
+}
+
+TEST(ActiveSearch, GoesNoFurtherOutThanTheLargestHalfAxis) {
+  Scene scene(1e-5);
+  scene.settings.search.max_half_axis_px = 8;
+  scene.settings.search.min_correlation = 0.95;
+  scene.add(30, 20, {10, 0});
+  scene.search();
+  EXPECT_EQ(scene.outcome(0), LookOutcome::not_found);
+  scene.settings.search.max_half_axis_px = 12;
+  scene.search();
+  EXPECT_EQ(scene.outcome(0), LookOutcome::matched);
+}
+
+TEST(ActiveSearch, BelowTheLeastCorrelationNothingIsFound) {
+  Scene scene(1e-5);
+  scene.add(30, 2);
+  scene.image = Wall(2, 77).seen_from(origin);
+  EXPECT_EQ(scene.search(), 1) << "it was searched for";
+  EXPECT_EQ(scene.outcome(0), LookOutcome::not_found);
+  EXPECT_FALSE(scene.look_of(0).measured);
+  const double correlation = scene.look_of(0).correlation;
+  EXPECT_LT(correlation, 0.8);
+  scene.settings.search.min_correlation = correlation - 0.01;
+  scene.search();
+  EXPECT_EQ(scene.outcome(0), LookOutcome::matched);
+}
+
+/// Five agree that the camera is where it is. One landmark is 12 px from where the map has it: far inside the
+/// ellipse that the camera's uncertainty gives, far outside of what the five leave.
+TEST(ActiveSearch, AnOutlierThatTheOthersContradictIsRejected) {
+  Scene scene(0.05);  // 5 px each
+  for (std::size_t i = 0; i < 5; ++i) scene.add(9 * i, 0.3);
+  scene.add(45, 0.3, {12, 0});
+  EXPECT_EQ(scene.search(), 6);
+  EXPECT_EQ(scene.outcome(5), LookOutcome::matched) << "by itself nothing speaks against it";
+  EXPECT_EQ(reject_inconsistent(scene.estimate, scene.settings, scene.estimate.looks), 5);
+  EXPECT_EQ(scene.outcome(5), LookOutcome::inconsistent);
+  EXPECT_TRUE(scene.look_of(5).measured) << "what was found there stays on record";
+  for (std::int64_t id = 0; id < 5; ++id) EXPECT_EQ(scene.outcome(id), LookOutcome::matched) << id;
+}
+
+TEST(ActiveSearch, WithoutMatchesNothingIsLeft) {
+  Scene scene(0.05);
+  scene.add(30, 2);
+  scene.image = Image(model.width, model.height, 90);
+  scene.search();
+  EXPECT_EQ(reject_inconsistent(scene.estimate, scene.settings, scene.estimate.looks), 0);
+  EXPECT_EQ(scene.outcome(0), LookOutcome::not_found);
+}
+
+/// Recent landmarks fix the camera; one that returns after some frames is itself uncertain by 12 px, and no
+/// other match says where it should be.
+TEST(ActiveSearch, AReturningLandmarkThatNothingConfirmsIsAlone) {
+  for (const int frames_away : {14, 15}) {
+    Scene scene(0.02);
+    for (std::size_t i = 0; i < 5; ++i) scene.add(9 * i, 0.3);
+    scene.add(45, 12).frames_away = frames_away;
+    scene.search();
+    ASSERT_EQ(scene.outcome(5), LookOutcome::matched);
+    const bool returns = frames_away >= 15;
+    EXPECT_EQ(reject_inconsistent(scene.estimate, scene.settings, scene.estimate.looks), returns ? 5 : 6);
+    EXPECT_EQ(scene.outcome(5), returns ? LookOutcome::alone : LookOutcome::matched) << frames_away;
+  }
+  Scene precise(0.02);
+  for (std::size_t i = 0; i < 5; ++i) precise.add(9 * i, 0.3);
+  precise.add(45, 6).frames_away = 100;
+  precise.search();
+  EXPECT_EQ(reject_inconsistent(precise.estimate, precise.settings, precise.estimate.looks), 6)
+      << "less uncertain than max_alone_sigma_px";
+}
+
+/// The camera itself is uncertain by much more than a pixel: two landmarks that return say the same of it.
+TEST(ActiveSearch, ReturningLandmarksConfirmEachOther) {
+  for (const std::size_t count : {1u, 2u}) {
+    Scene scene(0.15);  // 15 px
+    for (std::size_t i = 0; i < count; ++i) scene.add(9 + 27 * i, 0.3).frames_away = 40;
+    scene.search();
+    const int left = reject_inconsistent(scene.estimate, scene.settings, scene.estimate.looks);
+    EXPECT_EQ(left, count == 1 ? 0 : 2);
+    for (const Look& look : scene.estimate.looks)
+      EXPECT_EQ(look.outcome, count == 1 ? LookOutcome::alone : LookOutcome::matched);
+  }
+}
+
+}  // namespace
+}  // namespace incognita

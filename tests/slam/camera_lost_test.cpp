@@ -1,0 +1,208 @@
+// What the single-camera estimator does when it sees nothing it knows: degraded, lost, and back again.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "incognita/slam/features/camera_estimator.hpp"
+#include "incognita/slam/features/tracking.hpp"
+#include "tests/slam/scene_with_target.hpp"
+
+namespace incognita {
+namespace {
+
+using namespace synthetic;
+
+const CameraState origin = camera_at({0, 0, 0});
+
+/// Tracks the wall from a known start: the camera slides to the left by 2 cm a frame, so that depths are
+/// known.
+struct Tracked {
+  CameraSlamSettings settings;
+  CameraEstimator estimator;
+  Estimate estimate;
+  CameraState truth = origin;
+  int k = 0;
+
+  explicit Tracked(const CameraSlamSettings& s = defaults())
+      : settings(s), estimator(camera, sheet_target(), s, 10, 1) {
+    for (int i = 0; i < 12; ++i) {
+      truth = camera_at({0, 0.02 * std::min(i, 8), 0});
+      see(wall_with_sheet().shared_view(truth));
+    }
+    EXPECT_EQ(estimate.status.state, TrackingState::tracking) << estimate.status.reason;
+    EXPECT_GE(estimate.matched, 8);
+    EXPECT_LT(position_error_m(), 0.02);
+  }
+  static CameraSlamSettings defaults() {
+    CameraSlamSettings settings;
+    settings.filter.sigma_pixel_px = 0.5;
+    return settings;
+  }
+
+  void see(const std::shared_ptr<const Image>& image, const Command& command = {}) {
+    estimator.update(estimate, command, seeing(image), tick(k++));
+  }
+  void see_gray() { see(seeing_gray(8).image); }
+  void see_nothing(const Command& command = {}) { see(nullptr, command); }
+  double position_error_m() const { return camera_error(truth, estimate.camera_state()).head<3>().norm(); }
+};
+
+TEST(CameraLost, ACoveredLensIsDegradedAndThenLost) {
+  for (const bool covered : {true, false}) {  // or no image at all
+    Tracked t;
+    const std::size_t landmarks = t.estimate.catalogue.size();
+    const std::vector<Landmark> before = t.estimate.catalogue;
+    for (int i = 1; i < t.settings.lost.max_frames; ++i) {
+      covered ? t.see_gray() : t.see_nothing();
+      EXPECT_EQ(t.estimate.status.state, TrackingState::degraded) << i;
+      EXPECT_EQ(t.estimate.status.frames_with_few, i);
+      EXPECT_EQ(t.estimate.matched, 0);
+      EXPECT_NE(t.estimate.status.reason.find("0 of "), std::string::npos) << t.estimate.status.reason;
+      ASSERT_EQ(t.estimate.catalogue.size(), landmarks) << "none is deleted, none begun";
+    }
+    covered ? t.see_gray() : t.see_nothing();
+    EXPECT_EQ(t.estimate.status.state, TrackingState::lost);
+    EXPECT_NE(t.estimate.status.reason.find("10 frames in a row with fewer than 3"), std::string::npos)
+        << t.estimate.status.reason;
+    ASSERT_EQ(t.estimate.catalogue.size(), landmarks);
+    for (std::size_t i = 0; i < landmarks; ++i)
+      EXPECT_EQ(t.estimate.catalogue[i].attempts, before[i].attempts) << "the lens failed, not the landmarks";
+  }
+}
+
+TEST(CameraLost, NotAfterAShortBlink) {
+  Tracked t;
+  for (int i = 0; i < 5; ++i) t.see_gray();
+  EXPECT_EQ(t.estimate.status.state, TrackingState::degraded);
+  t.see(wall_with_sheet().shared_view(t.truth));
+  EXPECT_EQ(t.estimate.status.state, TrackingState::tracking) << t.estimate.status.reason;
+  EXPECT_EQ(t.estimate.status.frames_with_few, 0);
+  EXPECT_LT(t.position_error_m(), 0.02);
+}
+
+TEST(CameraLost, WhenThePositionIsTooUncertain) {
+  CameraSlamSettings settings = Tracked::defaults();
+  settings.lost.max_frames = 1000;
+  settings.lost.max_sigma_position_m = 0.2;
+  settings.filter.sigma_acceleration_m_s2 = 5;
+  Tracked t(settings);
+  double sigma_before = 0;
+  for (int i = 0; t.estimate.status.state != TrackingState::lost; ++i) {
+    ASSERT_LT(i, 60);
+    sigma_before = sigma_position(t.estimate);
+    ASSERT_LE(sigma_before, 0.2) << "beyond the limit it must say so";
+    t.see_gray();
+  }
+  EXPECT_GT(sigma_before, 0.1) << "and not long before";
+  EXPECT_NE(t.estimate.status.reason.find("position sigma"), std::string::npos) << t.estimate.status.reason;
+  EXPECT_NE(t.estimate.status.reason.find("limit 0.2 m"), std::string::npos) << t.estimate.status.reason;
+}
+
+void get_lost(Tracked& t) {
+  for (int i = 0; i < t.settings.lost.max_frames; ++i) t.see_gray();
+  ASSERT_EQ(t.estimate.status.state, TrackingState::lost);
+}
+
+/// Nothing that is commanded or imagined moves a camera that is lost: it is looked for where it was.
+TEST(CameraLost, StaysWhereItWas) {
+  Tracked t;
+  get_lost(t);
+  const CameraState there = t.estimate.camera_state();
+  EXPECT_LT((there.head<3>() - t.truth.head<3>()).norm(), 0.1) << "ten frames further at the last velocity";
+  EXPECT_TRUE(there.tail<6>().isZero(0)) << "at rest";
+  const double sigma_m = sigma_position(t.estimate);
+  EXPECT_GT(sigma_m, 0.1) << "as uncertain as a search around allows";
+  EXPECT_LT(sigma_m, 0.3);
+  const Eigen::MatrixXd P = t.estimate.belief.dense_covariance();
+  Command push;
+  push.linear_acceleration = {3, -2, 1};
+  push.angular_acceleration = {1, 1, -2};
+  const auto elsewhere = Wall(1.4, 99).shared_view(t.truth);
+  for (int i = 0; i < 30; ++i) {
+    i % 3 == 0 ? t.see_nothing(push) : t.see(i % 3 == 1 ? seeing_gray(8).image : elsewhere, push);
+    ASSERT_EQ(t.estimate.status.state, TrackingState::lost) << i;
+    EXPECT_EQ(t.estimate.camera_state(), there) << i;
+    EXPECT_EQ(t.estimate.matched, 0) << "what matched by chance is not used";
+    EXPECT_FALSE(t.estimate.status.reason.empty());
+    for (const Look& look : t.estimate.looks) EXPECT_NE(look.outcome, LookOutcome::matched);
+  }
+  EXPECT_EQ(t.estimate.belief.dense_covariance(), P);
+}
+
+TEST(CameraLost, IsRelocatedWhenTheViewIsBack) {
+  Tracked t;
+  get_lost(t);
+  // Carried away from where it was lost, by as much as it is looked for
+  t.truth = camera_at(t.truth.head<3>() + Eigen::Vector3d(0.03, -0.05, 0.02), 0.03);
+  t.see(wall_with_sheet().shared_view(t.truth));
+  ASSERT_EQ(t.estimate.status.state, TrackingState::relocated) << t.estimate.status.reason;
+  EXPECT_GE(t.estimate.matched, 6);
+  EXPECT_NE(t.estimate.status.reason.find(std::to_string(t.estimate.matched)), std::string::npos)
+      << t.estimate.status.reason;
+  EXPECT_EQ(t.estimate.status.frames_with_few, 0);
+  EXPECT_LT(t.position_error_m(), 0.03);
+  EXPECT_LT(sigma_position(t.estimate), 0.1);
+  for (int i = 0; i < 5; ++i) {
+    t.see(wall_with_sheet().shared_view(t.truth));
+    ASSERT_EQ(t.estimate.status.state, TrackingState::tracking) << t.estimate.status.reason;
+  }
+  EXPECT_LT(t.position_error_m(), 0.02);
+  const auto error = camera_error(t.truth, t.estimate.camera_state());
+  EXPECT_LT(error.segment<3>(3).norm(), 0.015);
+}
+
+/// Six agreeing matches end it; fewer may be chance.
+TEST(CameraLost, IsNotRelocatedByAFewMatches) {
+  Tracked t;
+  get_lost(t);
+  Image part = Wall(1.4, 99).seen_from(t.truth);
+  const Image whole = wall_with_sheet().seen_from(t.truth);
+  // Another wall but around four of the landmarks
+  const CameraState x = t.estimate.camera_state();
+  int shown = 0;
+  for (const Landmark& landmark : t.estimate.catalogue) {
+    const auto at = position_of(landmark, t.estimate.belief);
+    if (!at || shown == 4) continue;
+    const Eigen::Vector2d pixel = pixel_of(x, at->position);
+    if (!camera.contains(pixel, 20)) continue;
+    ++shown;
+    for (int v = -12; v <= 12; ++v)
+      for (int u = -12; u <= 12; ++u) {
+        const int pu = static_cast<int>(pixel.x()) + u, pv = static_cast<int>(pixel.y()) + v;
+        part(pu, pv) = whole(pu, pv);
+      }
+  }
+  ASSERT_EQ(shown, 4);
+  for (int i = 0; i < 3; ++i) {
+    t.see(std::make_shared<const Image>(part));
+    EXPECT_EQ(t.estimate.status.state, TrackingState::lost) << t.estimate.status.reason;
+    EXPECT_EQ(t.estimate.camera_state(), x);
+  }
+}
+
+/// The depth hypotheses of lines are those of a camera that was known: they go.
+TEST(CameraLost, ForgetsItsDepthLines) {
+  CameraSlamSettings settings = Tracked::defaults();
+  settings.birth.method = BirthSettings::Method::depth_line;
+  settings.birth.depth_ratio = 0.01;  // none becomes a point
+  settings.birth.max_line_failures = 1000;
+  settings.map.wanted_visible = 16;
+  CameraEstimator estimator(camera, sheet_target(), settings, 10, 1);
+  Estimate estimate;
+  const auto view = wall_with_sheet().shared_view(origin);
+  for (int k = 0; k < 5; ++k) estimator.update(estimate, {}, seeing(view), tick(k));
+  ASSERT_GT(estimate.catalogue.size(), 8u);
+  ASSERT_FALSE(estimate.line_looks.empty());
+  for (int k = 5; estimate.status.state != TrackingState::lost; ++k) {
+    ASSERT_LT(k, 20);
+    // In ticks without an image nothing is left of the image before, which is gone
+    estimator.update(estimate, {}, k % 2 ? Observation{} : seeing_gray(8), tick(k));
+    EXPECT_TRUE(estimate.line_looks.empty());
+  }
+  EXPECT_EQ(estimate.catalogue.size(), 4u) << "the anchors stay";
+  EXPECT_EQ(estimate.belief.errors(), 12);
+}
+
+}  // namespace
+}  // namespace incognita

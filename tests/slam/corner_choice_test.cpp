@@ -1,0 +1,156 @@
+// Which corners of an image become landmarks: none near another, none about to leave the view, none where
+// nothing is to be seen (thesis C.4).
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "incognita/slam/features/birth.hpp"
+#include "incognita/slam/features/predict_looks.hpp"
+#include "tests/slam/synthetic_scene.hpp"
+
+namespace incognita {
+namespace {
+
+using namespace synthetic;
+
+const CameraState origin = camera_at({0, 0, 0});
+const CameraCov well_known = 1e-6 * CameraCov::Identity();
+
+/// What `times` draws choose, nothing being added to the map.
+std::vector<Eigen::Vector2d> chosen(const Image& image, const Estimate& estimate,
+                                    const CameraSlamSettings& settings, int times, std::uint64_t seed = 1) {
+  RandomStream random(seed, "test");
+  std::vector<Eigen::Vector2d> corners;
+  for (int i = 0; i < times; ++i)
+    if (const auto corner = find_new_corner(image, estimate, camera, settings, random))
+      corners.push_back(*corner);
+  return corners;
+}
+
+/// Gray, but for a dark square whose first pixel is (u, v).
+Image one_square(double u, double v, int side) {
+  Image image(model.width, model.height, 160);
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x) image(static_cast<int>(u) + x, static_cast<int>(v) + y) = 40;
+  return image;
+}
+
+TEST(CornerChoice, NoneInFlatImages) {
+  CameraSlamSettings settings;
+  const Estimate estimate = estimate_at(origin, well_known);
+  EXPECT_TRUE(chosen(Image(model.width, model.height, 128), estimate, settings, 20).empty());
+
+  Image noisy(model.width, model.height);
+  RandomStream random(2, "noise");
+  for (int v = 0; v < model.height; ++v)
+    for (int u = 0; u < model.width; ++u)
+      noisy(u, v) = static_cast<std::uint8_t>(std::lround(128 + 2 * random.normal()));
+  EXPECT_TRUE(chosen(noisy, estimate, settings, 20).empty()) << "weaker than min_corner_strength";
+  settings.birth.min_corner_strength = 0.1;
+  EXPECT_FALSE(chosen(noisy, estimate, settings, 20).empty()) << "it is the strength that decides";
+}
+
+TEST(CornerChoice, IsWhereTheEdgesMeet) {
+  CameraSlamSettings settings;
+  const auto corners = chosen(one_square(150, 110, 60), estimate_at(origin, well_known), settings, 30);
+  ASSERT_FALSE(corners.empty());
+  for (const Eigen::Vector2d& at : corners) {
+    // Between the pixels 149 and 150 of one side, 209 and 210 of the other
+    EXPECT_LT(std::min(std::abs(at.x() - 149.5), std::abs(at.x() - 209.5)), 0.3) << at.transpose();
+    EXPECT_LT(std::min(std::abs(at.y() - 109.5), std::abs(at.y() - 169.5)), 0.3) << at.transpose();
+  }
+}
+
+/// A small square: all its corners are within the box that a landmark in its middle keeps free.
+TEST(CornerChoice, NoneNearAFeatureThatIsExpected) {
+  const CameraSlamSettings settings;
+  const Image image = one_square(156, 116, 8);
+  const Eigen::Vector2d middle(160, 120);
+  const Estimate empty = estimate_at(origin, well_known);
+  ASSERT_FALSE(chosen(image, empty, settings, 20).empty());
+
+  for (const auto method : {BirthSettings::Method::inverse_depth, BirthSettings::Method::depth_line}) {
+    CameraSlamSettings other = settings;
+    other.birth.method = method;
+    Estimate begun = empty;
+    ASSERT_TRUE(give_birth(image, middle, begun, camera, other));
+    EXPECT_TRUE(chosen(image, begun, other, 60).empty()) << "begun in this very frame, or a line";
+  }
+  Estimate searched = empty;
+  const Eigen::Vector3d at = Wall(2).point_at(origin, middle);
+  add_point(searched, image, origin, at, at, 0.01, settings).attempts = 5;
+  EXPECT_FALSE(chosen(image, searched, settings, 20).empty()) << "not expected to be seen in this frame";
+  predict_looks(searched, camera, settings, searched.looks);
+  ASSERT_EQ(searched.looks.size(), 1u);
+  EXPECT_TRUE(chosen(image, searched, settings, 60).empty());
+  searched.looks[0].measured = middle + Eigen::Vector2d(100, 40);
+  EXPECT_FALSE(chosen(image, searched, settings, 20).empty()) << "where it was found counts";
+}
+
+TEST(CornerChoice, UntilTheImageIsFullKeepsFeaturesApart) {
+  CameraSlamSettings settings;
+  settings.birth.box_width_px = settings.birth.box_height_px = 24;
+  Estimate estimate = estimate_at(origin, well_known);
+  const Image image = Wall(2).seen_from(origin);
+  RandomStream random(1, "test");
+  std::vector<Eigen::Vector2d> taken;
+  while (const auto corner = find_new_corner(image, estimate, camera, settings, random)) {
+    ASSERT_LT(taken.size(), 400u);
+    for (const Eigen::Vector2d& other : taken)
+      EXPECT_GE((*corner - other).lpNorm<Eigen::Infinity>(), settings.search.patch_size_px / 2)
+          << corner->transpose() << " beside " << other.transpose();
+    taken.push_back(*corner);
+    ASSERT_TRUE(give_birth(image, *corner, estimate, camera, settings));
+  }
+  EXPECT_GT(taken.size(), 15u);
+}
+
+/// Share of corners that will be out of the image in `look_ahead_s`, were they `depth_m` away.
+double share_leaving(const std::vector<Eigen::Vector2d>& corners, const CameraState& now, double depth_m,
+                     double look_ahead_s) {
+  CameraState later = now;
+  later.head<3>() += look_ahead_s * free_camera::velocity(now);
+  later.segment<4>(3) = quaternion_product<double>(
+      free_camera::orientation(now),
+      quaternion_exp<double>(Eigen::Vector3d(look_ahead_s * free_camera::angular_rate(now))));
+  int leaving = 0;
+  for (const Eigen::Vector2d& at : corners) {
+    const Eigen::Vector3d point =
+        free_camera::position(now) +
+        rotation_matrix<double>(free_camera::orientation(now)) * camera.unproject(at)->normalized() * depth_m;
+    const auto seen = camera.project(PointLandmark::in_camera<double>(later, point));
+    leaving += !seen || !camera.contains(seen->pixel);
+  }
+  return static_cast<double>(leaving) / static_cast<double>(corners.size());
+}
+
+TEST(CornerChoice, NoneThatIsAboutToLeaveTheView) {
+  CameraSlamSettings settings;
+  settings.birth.look_ahead_s = 0.5;
+  const Image image = Wall(2).seen_from(origin);
+  CameraState turning = origin, sliding = origin;
+  turning[11] = 0.8;  // rad/s about camera y: what is at the left leaves
+  sliding[8] = 0.6;   // m/s to the left: what is near, at the right, leaves
+  for (const CameraState& now : {turning, sliding}) {
+    const auto kept = chosen(image, estimate_at(now, well_known), settings, 150);
+    ASSERT_GT(kept.size(), 50u);
+    for (const double depth_m : {settings.birth.min_depth_m, 1.0, settings.birth.max_depth_m})
+      EXPECT_EQ(share_leaving(kept, now, depth_m, 0.5), 0) << depth_m;
+    settings.birth.look_ahead_s = 0;
+    EXPECT_GT(share_leaving(chosen(image, estimate_at(now, well_known), settings, 150), now,
+                            settings.birth.min_depth_m, 0.5),
+              0)
+        << "were it not for the look ahead";
+    settings.birth.look_ahead_s = 0.5;
+  }
+}
+
+TEST(CornerChoice, SameRandomStreamSameCorners) {
+  const Image image = Wall(2).seen_from(origin);
+  const Estimate estimate = estimate_at(origin, well_known);
+  EXPECT_EQ(chosen(image, estimate, {}, 10, 7), chosen(image, estimate, {}, 10, 7));
+  EXPECT_NE(chosen(image, estimate, {}, 10, 7), chosen(image, estimate, {}, 10, 8));
+}
+
+}  // namespace
+}  // namespace incognita

@@ -19,11 +19,13 @@ auto with_state(const AnyMotion& motion, const SmallVector& state, With with) {
 
 const MotionTraits& traits_of(const AnyMotion& motion) {
   return std::visit(
-      [](const auto& model) -> const MotionTraits& { return motion_traits<std::decay_t<decltype(model)>>; }, motion);
+      [](const auto& model) -> const MotionTraits& { return motion_traits<std::decay_t<decltype(model)>>; },
+      motion);
 }
 
 const Chart& chart_of(const AnyMotion& motion) {
-  return std::visit([](const auto& model) -> const Chart& { return std::decay_t<decltype(model)>::chart; }, motion);
+  return std::visit([](const auto& model) -> const Chart& { return std::decay_t<decltype(model)>::chart; },
+                    motion);
 }
 
 int inputs_of(const AnyMotion& motion) {
@@ -38,7 +40,8 @@ SmallVector rate_of(const AnyMotion& motion, const SmallVector& state, const Sma
 
 AnyStep step_of(const AnyMotion& motion, const SmallVector& state, const SmallVector& input, double dt) {
   return with_state(motion, state, [&](const auto& model, const auto& x) -> AnyStep {
-    const auto step = model.step(x, typename std::decay_t<decltype(model)>::template Input<double>(input), dt);
+    const auto step =
+        model.step(x, typename std::decay_t<decltype(model)>::template Input<double>(input), dt);
     return {step.x, step.F, step.G};
   });
 }
@@ -54,7 +57,8 @@ SmallMatrix pose_jacobian(const AnyMotion& motion, const SmallVector& state) {
 }
 
 double heading_by(const AnyMotion& motion, const SmallVector& state) {
-  return with_state(motion, state, [](const auto& model, const auto& x) -> double { return model.heading(x); });
+  return with_state(motion, state,
+                    [](const auto& model, const auto& x) -> double { return model.heading(x); });
 }
 
 SmallVector at_rest(const AnyMotion& motion, const Eigen::Vector3d& position, double heading_rad) {

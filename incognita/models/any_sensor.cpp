@@ -49,7 +49,8 @@ const SensorTraits& traits_of(const AnySensor& sensor) {
 }
 
 std::string misfit(const AnyMotion& motion, const AnySensor& sensor) {
-  return std::visit([&](const auto& s) -> std::string { return s.incompatibility(traits_of(motion)); }, sensor);
+  return std::visit([&](const auto& s) -> std::string { return s.incompatibility(traits_of(motion)); },
+                    sensor);
 }
 
 const Chart& chart_of(const AnySensor& sensor) {
@@ -67,7 +68,8 @@ bool tells_distance(const AnySensor& sensor) {
 std::optional<AnyLook> look_at(const AnySensor& sensor, const AnyMotion& motion, const SmallVector& vehicle,
                                const LandmarkForm& form, const SmallVector& landmark) {
   auto prediction = std::visit(
-      [&](const auto& s) { return s.predict_measurement(sensor_pose(s, motion, vehicle), form, landmark); }, sensor);
+      [&](const auto& s) { return s.predict_measurement(sensor_pose(s, motion, vehicle), form, landmark); },
+      sensor);
   if (prediction) pad_columns(prediction->Hv, motion);
   return prediction;
 }

@@ -45,14 +45,17 @@ std::optional<AnyLook> CarriedStereo::predict_measurement(const MountedPose& pos
                                                           const SmallVector& landmark) const {
   const auto as_any = [&](const auto& prediction) -> std::optional<AnyLook> {
     if (!prediction) return std::nullopt;
-    return AnyLook{prediction->z, through(prediction->Hv, pose), prediction->Hl, stereo.contains(*prediction)};
+    return AnyLook{prediction->z, through(prediction->Hv, pose), prediction->Hl,
+                   stereo.contains(*prediction)};
   };
-  if (form.kind == LandmarkForm::Kind::point) return as_any(stereo.look(pose.camera, Eigen::Vector3d(landmark)));
-  return as_any(stereo.look(pose.camera, InverseDepthLandmark{form.birth_axes},
-                            InverseDepthLandmark::State(landmark)));
+  if (form.kind == LandmarkForm::Kind::point)
+    return as_any(stereo.look(pose.camera, Eigen::Vector3d(landmark)));
+  return as_any(
+      stereo.look(pose.camera, InverseDepthLandmark{form.birth_axes}, InverseDepthLandmark::State(landmark)));
 }
 
-std::optional<AnyBirth> CarriedStereo::initialize(const MountedPose& pose, const SmallVector& z, double) const {
+std::optional<AnyBirth> CarriedStereo::initialize(const MountedPose& pose, const SmallVector& z,
+                                                  double) const {
   const auto born = stereo.distant_birth(pose.camera, Eigen::Vector3d(z));
   if (!born) return std::nullopt;
   return AnyBirth{{LandmarkForm::Kind::inverse_depth, born->form.world_from_birth},

@@ -29,7 +29,7 @@ struct MonobotMotion {
   static constexpr Space space = Space::line;
   static constexpr int position_size = 1;
   static constexpr std::array<Quantity, 1> state{{{"x", "m", "position"}}}, error = state,
-                                           input{{{"speed", "m/s"}}};
+                                                                            input{{{"speed", "m/s"}}};
   static constexpr Chart chart = Chart::line(1);
   using Integrator = MonobotMotion;
 
@@ -57,7 +57,9 @@ struct MonobotMotion {
 
   PoseOf<error_size> pose(const State<double>& x) const { return pose_on_line<error_size>(x[0]); }
   double heading(const State<double>&) const { return 0; }
-  static State<double> at_rest(const Eigen::Vector3d& position, double) { return State<double>(position.x()); }
+  static State<double> at_rest(const Eigen::Vector3d& position, double) {
+    return State<double>(position.x());
+  }
 };
 
 struct RelativePosition {

@@ -41,15 +41,19 @@ struct MotionTraits {
   bool in_space() const { return space == Space::space; }
   /// Whether the state is a planar pose and nothing else.
   bool is_planar_pose() const { return on_plane() && state.size() == 3; }
-  bool has_input(std::string_view name) const {
+  bool has_input(std::string_view wanted) const {
     for (const Quantity& quantity : input)
-      if (quantity.name == name) return true;
+      if (quantity.name == wanted) return true;
     return false;
   }
 };
 
 /// A model that a scenario can choose. `M::Integrator` is the model that filters predict with: the model itself, or
 /// one made from it that integrates a held input more exactly.
+///
+/// Optional: `static constexpr auto parameters()`, what a scenario may set (quantity.hpp); `Terrain terrain`, the ground,
+/// which is set from outside; `steered_as()`, a simpler model with the same inputs, whose state is how this one's begins
+/// and whose control laws steer this one (control/steering.hpp).
 template <class M>
 concept MotionModel = requires(const M& model, const typename M::template State<double>& x,
                                const typename M::template Input<double>& u, double dt,

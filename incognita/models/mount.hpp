@@ -41,12 +41,17 @@ struct Mount {
   static constexpr auto parameters() {
     using P = Parameter<Mount>;
     return std::array{
-        P{{"forward", "m"}, [](Mount& m) -> double& { return m.forward_m; }, {-100, 100},
+        P{{"forward", "m"},
+          [](Mount& m) -> double& { return m.forward_m; },
+          {-100, 100},
           "the optic center before the vehicle's point, in body axes"},
         P{{"left", "m"}, [](Mount& m) -> double& { return m.left_m; }, {-100, 100}, "left of it"},
         P{{"up", "m"}, [](Mount& m) -> double& { return m.up_m; }, {-100, 100}, "above it"},
         P{{"pitch", "rad"}, [](Mount& m) -> double& { return m.pitch_rad; }, {-1.6, 1.6}, "the view upward"},
-        P{{"yaw", "rad"}, [](Mount& m) -> double& { return m.yaw_rad; }, {-3.2, 3.2}, "the view to the left"}};
+        P{{"yaw", "rad"},
+          [](Mount& m) -> double& { return m.yaw_rad; },
+          {-3.2, 3.2},
+          "the view to the left"}};
   }
 
   Vector3<double> lever() const { return {forward_m, left_m, up_m}; }

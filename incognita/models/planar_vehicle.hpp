@@ -66,11 +66,14 @@ struct DifferentialDrive {
 
   static constexpr auto parameters() {
     using P = Parameter<DifferentialDrive>;
-    return std::array{
-        P{{"sensor_forward", "m"}, [](DifferentialDrive& d) -> double& { return d.forward_m; }, {-1000, 1000},
-          "sensor before the middle of the axle"},
-        P{{"sensor_left", "m"}, [](DifferentialDrive& d) -> double& { return d.left_m; }, {-1000, 1000},
-          "sensor left of the middle of the axle"}};
+    return std::array{P{{"sensor_forward", "m"},
+                        [](DifferentialDrive& d) -> double& { return d.forward_m; },
+                        {-1000, 1000},
+                        "sensor before the middle of the axle"},
+                      P{{"sensor_left", "m"},
+                        [](DifferentialDrive& d) -> double& { return d.left_m; },
+                        {-1000, 1000},
+                        "sensor left of the middle of the axle"}};
   }
 
   // As a car has them: what drives the axle, and where the point is
@@ -111,7 +114,9 @@ struct DifferentialDrive {
     return step;
   }
 
-  PoseOf<error_size> pose(const State<double>& x) const { return pose_on_floor<error_size>(x[0], x[1], x[2]); }
+  PoseOf<error_size> pose(const State<double>& x) const {
+    return pose_on_floor<error_size>(x[0], x[1], x[2]);
+  }
   double heading(const State<double>& x) const { return x[2]; }
   static State<double> at_rest(const Eigen::Vector3d& position, double heading) {
     return {position.x(), position.y(), heading};
@@ -147,15 +152,22 @@ struct AckermannCar {
 
   static constexpr auto parameters() {
     using P = Parameter<AckermannCar>;
-    return std::array{
-        P{{"wheelbase", "m"}, [](AckermannCar& c) -> double& { return c.wheelbase_m; }, {0, 1000, true},
-          "from the rear axle to the front axle"},
-        P{{"wheel_left", "m"}, [](AckermannCar& c) -> double& { return c.wheel_left_m; }, {-1000, 1000},
-          "the wheel whose speed is measured, left of the middle of the rear axle"},
-        P{{"sensor_forward", "m"}, [](AckermannCar& c) -> double& { return c.body.forward_m; }, {-1000, 1000},
-          "sensor before the middle of the rear axle"},
-        P{{"sensor_left", "m"}, [](AckermannCar& c) -> double& { return c.body.left_m; }, {-1000, 1000},
-          "sensor left of the middle of the rear axle"}};
+    return std::array{P{{"wheelbase", "m"},
+                        [](AckermannCar& c) -> double& { return c.wheelbase_m; },
+                        {0, 1000, true},
+                        "from the rear axle to the front axle"},
+                      P{{"wheel_left", "m"},
+                        [](AckermannCar& c) -> double& { return c.wheel_left_m; },
+                        {-1000, 1000},
+                        "the wheel whose speed is measured, left of the middle of the rear axle"},
+                      P{{"sensor_forward", "m"},
+                        [](AckermannCar& c) -> double& { return c.body.forward_m; },
+                        {-1000, 1000},
+                        "sensor before the middle of the rear axle"},
+                      P{{"sensor_left", "m"},
+                        [](AckermannCar& c) -> double& { return c.body.left_m; },
+                        {-1000, 1000},
+                        "sensor left of the middle of the rear axle"}};
   }
 
   /// Speed of the middle of the rear axle (m/s) and turn rate (rad/s).

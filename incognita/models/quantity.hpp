@@ -2,24 +2,37 @@
 #pragma once
 
 #include <array>
+#include <initializer_list>
 #include <limits>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "incognita/math/small_matrix.hpp"
 
 namespace incognita {
 
 /// One number of a state, an error, an input, a measurement, or a parameter.
 struct Quantity {
-  std::string_view name;       ///< "speed"
-  std::string_view unit;       ///< "m/s"; empty for ratios
-  std::string_view kind = {};  ///< where several numbers share one sigma or limit: "acceleration" for ax, ay, az
+  std::string_view name;  ///< "speed"
+  std::string_view unit;  ///< "m/s"; empty for ratios
+  std::string_view kind =
+      {};  ///< where several numbers share one sigma or limit: "acceleration" for ax, ay, az
 
   /// The name with its unit, as in files and settings: "speed_m_s".
   std::string key() const;
   /// The same of the kind; key() where there is none.
   std::string kind_key() const;
 };
+
+/// A number for every quantity of that key, or of that kind: {"speed_m_s", 0.5}.
+struct KeyedValue {
+  std::string_view key;
+  double value;
+};
+/// One number for each quantity. Throws std::invalid_argument naming the quantity for which there is none.
+SmallVector values_of(std::span<const Quantity> quantities, std::initializer_list<KeyedValue> values);
 
 /// A unit as the end of a key: "m_s2" for "m/s^2", "per_m" for "1/m".
 std::string unit_suffix(std::string_view unit);

@@ -30,6 +30,7 @@ struct LineScanner {
   static constexpr std::array<Quantity, 1> measurement{{{"position", "m", "range"}}};
   static constexpr Chart chart = Chart::line(1);
   static constexpr bool measures_distance = true;
+  static constexpr auto initial_form = LandmarkForm::Kind::point;
   using Pose = Eigen::Matrix<double, 1, 1>;
 
   static std::string incompatibility(const MotionTraits& motion);
@@ -49,14 +50,18 @@ struct LineScanner {
 /// Range and bearing: thesis (3.19).
 struct LaserScanner {
   static constexpr std::string_view name = "range-bearing", word = name;
-  static constexpr std::string_view summary = "range and bearing of a point on a plane, as a laser scanner measures";
+  static constexpr std::string_view summary =
+      "range and bearing of a point on a plane, as a laser scanner measures";
   static constexpr int dimensions = 2;
   static constexpr std::array<Quantity, 2> measurement{{{"range", "m"}, {"bearing", "rad"}}};
   static constexpr Chart chart = RangeBearing::chart;
   static constexpr bool measures_distance = true;
+  static constexpr auto initial_form = LandmarkForm::Kind::point;
   using Pose = planar::Pose<double>;
 
-  static std::string incompatibility(const MotionTraits& motion) { return incompatibility_of_scanner(motion); }
+  static std::string incompatibility(const MotionTraits& motion) {
+    return incompatibility_of_scanner(motion);
+  }
   std::optional<AnyLook> predict_measurement(const Pose& pose, const LandmarkForm&,
                                              const SmallVector& landmark) const {
     const auto prediction = RangeBearing::look(pose, Eigen::Vector2d(landmark));
@@ -82,9 +87,12 @@ struct DirectionFinder {
   static constexpr std::array<Quantity, 1> measurement{{{"bearing", "rad"}}};
   static constexpr Chart chart = Bearing::chart;
   static constexpr bool measures_distance = false;
+  static constexpr auto initial_form = LandmarkForm::Kind::inverse_depth;
   using Pose = planar::Pose<double>;
 
-  static std::string incompatibility(const MotionTraits& motion) { return incompatibility_of_scanner(motion); }
+  static std::string incompatibility(const MotionTraits& motion) {
+    return incompatibility_of_scanner(motion);
+  }
   std::optional<AnyLook> predict_measurement(const Pose& pose, const LandmarkForm& form,
                                              const SmallVector& landmark) const;
   std::optional<AnyBirth> initialize(const Pose& pose, const SmallVector& z, double inverse_depth) const;

@@ -10,8 +10,8 @@ namespace {
 
 [[noreturn]] void refuse(const char* what, std::string_view name, const std::vector<std::string>& names) {
   const std::string given(name);
-  throw std::invalid_argument("`" + given + "` is no " + what + "; the nearest is `" + nearest_name(given, names) +
-                              "`");
+  throw std::invalid_argument("`" + given + "` is no " + what + "; the nearest is `" +
+                              nearest_name(given, names) + "`");
 }
 
 }  // namespace
@@ -54,12 +54,13 @@ std::vector<std::string> sensor_words() {
 }
 
 AnyMotion make_motion(std::string_view name) {
-  std::optional<AnyMotion> made;
+  bool found = false;
+  AnyMotion made;
   for_each_type<AnyMotion>([&]<class M>(std::type_identity<M>) {
-    if (M::name == name) made = M{};
+    if (M::name == name) made.emplace<M>(), found = true;
   });
-  if (!made) refuse("motion model", name, motion_names());
-  return std::move(*made);
+  if (!found) refuse("motion model", name, motion_names());
+  return made;
 }
 
 const MotionTraits& motion_traits_of(std::string_view name) {
@@ -68,15 +69,25 @@ const MotionTraits& motion_traits_of(std::string_view name) {
   refuse("motion model", name, motion_names());
 }
 
-AnySensor make_sensor(std::string_view word, const MotionTraits& motion) {
-  std::optional<AnySensor> first, fitting;
+const SensorTraits& sensor_traits_of(std::string_view word, const MotionTraits& motion) {
+  const SensorTraits* found = nullptr;
+  bool fits = false;
   for_each_type<AnySensor>([&]<class S>(std::type_identity<S>) {
-    if (S::word != word) return;
-    if (!first) first = S{};
-    if (!fitting && S::incompatibility(motion).empty()) fitting = S{};
+    if (S::word != word || fits) return;
+    fits = S::incompatibility(motion).empty();
+    if (!found || fits || S::name == word) found = &sensor_traits<S>;
   });
-  if (!first) refuse("sensor", word, sensor_words());
-  return fitting ? std::move(*fitting) : std::move(*first);
+  if (!found) refuse("sensor", word, sensor_words());
+  return *found;
+}
+
+AnySensor make_sensor(std::string_view word, const MotionTraits& motion) {
+  const std::string_view name = sensor_traits_of(word, motion).name;
+  AnySensor made;
+  for_each_type<AnySensor>([&]<class S>(std::type_identity<S>) {
+    if (S::name == name) made.emplace<S>();
+  });
+  return made;
 }
 
 void set_terrain(AnyMotion& motion, const Terrain& terrain) {
@@ -85,6 +96,15 @@ void set_terrain(AnyMotion& motion, const Terrain& terrain) {
         if constexpr (requires { model.terrain = terrain; }) model.terrain = terrain;
       },
       motion);
+}
+
+void set_camera(AnySensor& sensor, const Camera& camera, const Mount& mount) {
+  std::visit(
+      [&](auto& s) {
+        if constexpr (requires { s.lens() = camera; }) s.lens() = camera;
+        if constexpr (requires { s.mount = mount; }) s.mount = mount;
+      },
+      sensor);
 }
 
 }  // namespace incognita

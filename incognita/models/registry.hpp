@@ -63,8 +63,9 @@ std::vector<std::string> sensor_words();
 /// Throw std::invalid_argument with the nearest name where there is none of that name.
 AnyMotion make_motion(std::string_view name);
 const MotionTraits& motion_traits_of(std::string_view name);
-/// Of sensors that share the word the one that fits the motion; the first where none does.
+/// Of sensors that share the word the one that fits the motion; where none does, the one of that name.
 AnySensor make_sensor(std::string_view word, const MotionTraits& motion);
+const SensorTraits& sensor_traits_of(std::string_view word, const MotionTraits& motion);
 
 /// Sets every parameter of a model to value(key, default), as `sensor_forward_m`.
 template <class Variant, class Value>
@@ -74,5 +75,7 @@ void set_model_parameters(Variant& model, Value value) {
 
 /// The ground under a vehicle that needs one.
 void set_terrain(AnyMotion& motion, const Terrain& terrain);
+/// The lens of a camera and how it is mounted; nothing to other sensors.
+void set_camera(AnySensor& sensor, const Camera& camera, const Mount& mount);
 
 }  // namespace incognita

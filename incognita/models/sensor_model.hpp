@@ -60,6 +60,7 @@ struct SensorTraits {
   int dimensions = 2;        ///< numbers of a point
   std::span<const Quantity> measurement;
   bool measures_distance = true;
+  LandmarkForm::Kind initial_form = LandmarkForm::Kind::point;  ///< of a new landmark
 
   bool measures(std::string_view kind) const {
     for (const Quantity& quantity : measurement)
@@ -70,7 +71,8 @@ struct SensorTraits {
 
 /// A sensor that a scenario can choose. `S::Pose` is where it measures from: its position on a line, planar::Pose, or
 /// MountedPose in space; sensors in space have a `mount`. Jacobians are with respect to the error of that pose; for a
-/// MountedPose they are with respect to the error of the vehicle.
+/// MountedPose they are with respect to the error of the vehicle. Optional: `static constexpr auto parameters()`, what a
+/// scenario may set (quantity.hpp); `Camera& lens()`, which is set from outside.
 template <class S>
 concept SensorModel = requires(const S& sensor, const typename S::Pose& pose, const LandmarkForm& form,
                                const SmallVector& landmark, const SmallVector& z, const AnyLook& prediction,
@@ -81,6 +83,7 @@ concept SensorModel = requires(const S& sensor, const typename S::Pose& pose, co
   { S::summary } -> std::convertible_to<std::string_view>;
   { S::dimensions } -> std::convertible_to<int>;
   { S::measures_distance } -> std::convertible_to<bool>;
+  { S::initial_form } -> std::convertible_to<LandmarkForm::Kind>;
   { S::chart } -> std::convertible_to<const Chart&>;
   requires S::measurement.size() == S::chart.tangent();
   /// Why it cannot be on a vehicle; empty when it can.
@@ -96,7 +99,7 @@ concept SensorModel = requires(const S& sensor, const typename S::Pose& pose, co
 };
 
 template <SensorModel S>
-inline constexpr SensorTraits sensor_traits{S::name,       S::word,        S::summary,
-                                            S::dimensions, S::measurement, S::measures_distance};
+inline constexpr SensorTraits sensor_traits{
+    S::name, S::word, S::summary, S::dimensions, S::measurement, S::measures_distance, S::initial_form};
 
 }  // namespace incognita

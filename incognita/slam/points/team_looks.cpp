@@ -138,17 +138,16 @@ SmallVector anchor_position(const TeamEstimate& e, const SmallVector& anchor) {
 }
 
 bool is_usable(const AnySensor& sensor, const SmallVector& z) {
-  return z.size() == chart_of(sensor).ambient() && z.allFinite() &&
-         (!std::holds_alternative<LaserScanner>(sensor) || z[0] > 0);
+  return z.size() == chart_of(sensor).ambient() && z.allFinite() && is_possible(sensor, z);
 }
 
 std::optional<SmallVector> point_of(const TeamEstimate& e, int vehicle, const SmallVector& z,
                                     const TeamSettings& settings) {
   const TeamMember& member = settings.members[static_cast<std::size_t>(vehicle)];
   if (!is_usable(member.sensor, z) || !tells_distance(member.sensor)) return std::nullopt;
-  const auto birth =
-      birth_from(member.sensor, member.motion, e.belief.mean(e.vehicles[static_cast<std::size_t>(vehicle)].block), z,
-                 settings.filter.inverse_depth_per_m);
+  const auto birth = birth_from(member.sensor, member.motion,
+                                e.belief.mean(e.vehicles[static_cast<std::size_t>(vehicle)].block), z,
+                                settings.filter.inverse_depth_per_m);
   if (!birth) return std::nullopt;
   const auto at = position_of(birth->form, birth->landmark);
   return at ? std::optional(at->position) : std::nullopt;

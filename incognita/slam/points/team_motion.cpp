@@ -4,15 +4,10 @@
 #include <type_traits>
 
 #include "incognita/belief/linearise.hpp"
-#include "incognita/models/held_acceleration.hpp"
-#include "incognita/models/on_arc.hpp"
 #include "incognita/slam/points/team_looks.hpp"
 
 namespace incognita {
 namespace {
-
-template <class Model>
-constexpr bool is_planar = std::is_same_v<Model, DifferentialDrive> || std::is_same_v<Model, AckermannCar>;
 
 AffineMotion linearised_motion(const TeamMember& member, const std::string& lineariser,
                                const AnyBelief& belief, BlockId block, const SmallVector& input,
@@ -25,17 +20,7 @@ AffineMotion linearised_motion(const TeamMember& member, const std::string& line
     if (lineariser == "unscented-vehicle") return unscented(model, belief, block, u, noise, dt);
     return linearised(model, belief, block, u, noise, dt);
   };
-  return std::visit(
-      [&](const auto& model) {
-        using Model = std::decay_t<decltype(model)>;
-        if constexpr (is_planar<Model>)
-          return by(OnArc<Model>{model});
-        else if constexpr (std::is_same_v<Model, FreeCameraMotion>)
-          return by(HeldAcceleration{});
-        else
-          return by(model);
-      },
-      member.motion);
+  return std::visit([&](const auto& model) { return by(integrator_of(model)); }, member.motion);
 }
 
 /// One input held for `dt` seconds. The noise is one draw per reading, held for `period` seconds: a piece of a reading
@@ -63,7 +48,8 @@ void hold_until(TeamEstimate& e, std::size_t which, double until, const TeamSett
   if (vehicle.input) hold(e, which, *vehicle.input, dt, vehicle.input_period, settings);
 }
 
-void correct_by_fix(TeamEstimate& e, std::size_t which, const PositionReading& fix, const TeamSettings& settings) {
+void correct_by_fix(TeamEstimate& e, std::size_t which, const PositionReading& fix,
+                    const TeamSettings& settings) {
   const double sigma_m = settings.members[which].sigma_fix_m;
   const AffineLook look = linearised_fix(e, which, fix.position, settings);
   e.update = e.belief.update({&look, 1});

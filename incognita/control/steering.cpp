@@ -165,6 +165,14 @@ struct BodyRegulation final : Steering {
   }
 };
 
+/// A law of a simpler vehicle, whose state is how this one's begins.
+struct SteeredAs final : Steering {
+  std::unique_ptr<Steering> law;
+  int size;
+  SteeredAs(std::unique_ptr<Steering> of_simpler, int numbers) : law(std::move(of_simpler)), size(numbers) {}
+  SmallVector act(const SmallVector& x, double t) const override { return law->act(x.head(size), t); }
+};
+
 struct Maker {
   const SteeringSettings& s;
   double period;
@@ -190,6 +198,14 @@ struct Maker {
   std::unique_ptr<Steering> operator()(const FreeCameraMotion&) const {
     if (is("lqg")) return std::make_unique<BodyRegulation>(s, period);
     return std::make_unique<BodyLinearisation>(s);
+  }
+  template <class Model>
+  std::unique_ptr<Steering> operator()(const Model& model) const {
+    if constexpr (requires { model.steered_as(); }) {
+      const auto simpler = model.steered_as();
+      return std::make_unique<SteeredAs>((*this)(simpler), simpler.state_size);
+    }
+    throw std::logic_error("a motion that no law steers");
   }
 };
 

@@ -199,6 +199,11 @@ struct Judge {
       return first_of({need_point(s), need_small_body_turns(s, period_s), fault_in_weights(s, 12, 6)});
     return fault_in_body_tracking(s, period_s);
   }
+  template <class Model>
+  std::string operator()(const Model& model) const {
+    if constexpr (requires { model.steered_as(); }) return (*this)(model.steered_as());
+    return words("no law steers the motion `", std::string(Model::name), "`: take `none`");
+  }
 };
 
 }  // namespace

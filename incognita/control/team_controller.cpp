@@ -11,7 +11,7 @@ namespace incognita {
 TeamController::TeamController(std::vector<VehicleSteering> vehicles, double period_s, bool by_hand)
     : vehicles_(std::move(vehicles)), period_s_(period_s), by_hand_(by_hand) {
   for (const VehicleSteering& v : vehicles_) {
-    if (by_hand_ && !std::holds_alternative<FreeCameraMotion>(v.motion))
+    if (by_hand_ && !traits_of(v.motion).in_space())
       throw std::invalid_argument("an operator moves cameras that are free, and no other vehicles");
     laws_.push_back(make_steering(v.motion, v.settings, period_s_));
   }
@@ -28,7 +28,7 @@ SmallVector driven(const VehicleSteering& v, const Eigen::Vector2d& drive) {
 /// On uneven ground it is the point before the axle that is brought to the path: to where it is at the goal.
 Eigen::Vector3d steered_to(const VehicleSteering& v, const VehicleGoal& goal) {
   const bool ahead =
-      std::holds_alternative<TerrainVehicle>(v.motion) && v.settings.law == "feedback-linearisation";
+      traits_of(v.motion).space == Space::uneven_ground && v.settings.law == "feedback-linearisation";
   const double forward_m = ahead ? v.settings.control_point_m : 0;
   return goal.to + forward_m * Eigen::Vector3d(std::cos(goal.heading_rad), std::sin(goal.heading_rad), 0);
 }
@@ -57,8 +57,7 @@ Command TeamController::brake(const Tick& tick) {
   for (std::size_t i = 0; i < vehicles_.size(); ++i) {
     const SmallVector& most = vehicles_[i].settings.most_input;
     SmallVector input = SmallVector::Zero(inputs_of(vehicles_[i].motion));
-    if (std::holds_alternative<FreeCameraMotion>(vehicles_[i].motion))
-      input = -last_known_[i].tail<6>() / braking_s;
+    if (traits_of(vehicles_[i].motion).in_space()) input = -last_known_[i].tail<6>() / braking_s;
     if (most.size() == input.size()) input = input.cwiseMax(-most).cwiseMin(most).eval();
     command.inputs.push_back(input);
   }
@@ -115,7 +114,7 @@ Command TeamController::act(const TeamEstimate& estimate, const Goal& goal, cons
       command.inputs.push_back(driven(vehicles_[i], *goal.team[i].drive));
       continue;
     }
-    if (has_goals && std::holds_alternative<FreeCameraMotion>(vehicles_[i].motion)) {
+    if (has_goals && traits_of(vehicles_[i].motion).in_space()) {
       command.inputs.push_back(fly(goal, i, tick));
       command.wanted.push_back(wanted_at(goal.team[i]));
       continue;

@@ -9,7 +9,7 @@ namespace {
 
 /// On a line there is no way to the side, and on the ground none up.
 std::vector<Translation> possible(const AnyMotion& motion, std::vector<Translation> actions) {
-  const bool line = std::holds_alternative<MonobotMotion>(motion);
+  const bool line = traits_of(motion).on_line();
   std::erase_if(actions, [&](const Translation& a) {
     return a.displacement_m.z() != 0 || (line && a.displacement_m.y() != 0);
   });
@@ -29,13 +29,13 @@ GroundMoves::GroundMoves(const TeamMember& member, const std::vector<Translation
 }
 
 Outcome GroundMoves::after(const BlockVector& state, int action) const {
-  const bool line = std::holds_alternative<MonobotMotion>(member_.motion);
-  const double heading = line ? 0 : state[2];
+  const MotionTraits& motion = traits_of(member_.motion);
+  const double heading = heading_by(member_.motion, state);
   const Eigen::Vector3d way = Eigen::AngleAxisd(heading, Eigen::Vector3d::UnitZ()) *
                               actions_[static_cast<std::size_t>(action)].displacement_m;
   Outcome out{state, {}, {}};
-  out.state.head(line ? 1 : 2) += way.head(line ? 1 : 2);
-  if (!line && !way.isZero()) out.state[2] = std::atan2(way.y(), way.x());
+  out.state.head(motion.position_size) += way.head(motion.position_size);
+  if (!motion.on_line() && !way.isZero()) out.state[2] = std::atan2(way.y(), way.x());
   const int errors = chart_of(member_.motion).tangent();
   const AnyStep step =
       step_of(member_.motion, out.state, SmallVector::Zero(inputs_of(member_.motion)), step_s_);

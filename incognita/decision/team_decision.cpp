@@ -6,25 +6,9 @@
 
 #include "incognita/decision/extended_entropy.hpp"
 #include "incognita/decision/ground_moves.hpp"
-#include "incognita/models/heading.hpp"
 #include "incognita/slam/mapper/entropy_values.hpp"
 
 namespace incognita {
-namespace {
-
-bool is_body(const TeamMember& member) { return std::holds_alternative<FreeCameraMotion>(member.motion); }
-
-/// How many of a vehicle's first errors are its position.
-int position_errors_of(const TeamMember& member) {
-  return std::holds_alternative<MonobotMotion>(member.motion) ? 1 : is_body(member) ? 3 : 2;
-}
-
-double heading_by(const TeamMember& member, const SmallVector& state) {
-  if (is_body(member)) return heading_of(Eigen::Vector4d(state.segment<4>(3)));
-  return std::holds_alternative<MonobotMotion>(member.motion) ? 0 : state[2];
-}
-
-}  // namespace
 
 TeamDecision::TeamDecision(TeamSettings team, const TeamDecisionSettings& settings)
     : team_(std::move(team)),
@@ -42,7 +26,7 @@ TeamDecision::TeamDecision(TeamSettings team, const TeamDecisionSettings& settin
                             settings_.seed, carried_.size());
       continue;
     }
-    if (is_body(member)) {
+    if (traits_of(member.motion).in_space()) {
       if (d.gaze == DecisionSettings::Gaze::swing)
         throw std::invalid_argument(
             "decision.gaze: `swing` is of a camera in the rendered room; take `hold`");
@@ -52,8 +36,8 @@ TeamDecision::TeamDecision(TeamSettings team, const TeamDecisionSettings& settin
     }
     auto moves = std::make_unique<GroundMoves>(member, translations_of(d), d.period_s, settings_.tick_s,
                                                Bounds{d.min_bound_m, d.max_bound_m});
-    on_ground_.emplace_back(d, names_of(moves->actions()), settings_.seed, position_errors_of(member),
-                            on_ground_.size());
+    on_ground_.emplace_back(d, names_of(moves->actions()), settings_.seed,
+                            traits_of(member.motion).position_size, on_ground_.size());
     moves_.push_back(std::move(moves));
   }
   names_ = !carried_.empty()    ? carried_.front().names()
@@ -83,7 +67,7 @@ void TeamDecision::choose_in_space(const TeamEstimate& e, const Tick& tick) {
     if (own.decided) {
       goal.from = own.from;
       goal.to = own.to;
-      goal.heading_rad = heading_by(team_.members[i], e.belief.mean(e.vehicles[i].block));
+      goal.heading_rad = heading_by(team_.members[i].motion, e.belief.mean(e.vehicles[i].block));
     }
     if (own.heading_rad)
       goal.heading_rad = *own.heading_rad, goal.heading_rate_rad_s = own.heading_rate_rad_s;
@@ -124,7 +108,7 @@ void TeamDecision::choose_on_ground(const TeamEstimate& e, const Tick& tick) {
     if (decided) {
       const SmallVector after = moves_[i]->after(state, choice.chosen()).state;
       goal_.team[i] = {e.vehicles[i].pose.position, pose_of(team_.members[i].motion, after).position,
-                       heading_by(team_.members[i], after), 0};
+                       heading_by(team_.members[i].motion, after), 0};
     }
     if (i > 0) continue;
     goal_.scores = choice.scores();

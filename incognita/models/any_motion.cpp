@@ -1,8 +1,27 @@
 #include "incognita/models/any_motion.hpp"
 
-#include "incognita/models/mount.hpp"
+#include <algorithm>
 
 namespace incognita {
+namespace {
+
+/// with(model, its state).
+template <class With>
+auto with_state(const AnyMotion& motion, const SmallVector& state, With with) {
+  return std::visit(
+      [&](const auto& model) {
+        return with(model, typename std::decay_t<decltype(model)>::template State<double>(state));
+      },
+      motion);
+}
+
+}  // namespace
+
+const MotionTraits& traits_of(const AnyMotion& motion) {
+  return std::visit(
+      [](const auto& model) -> const MotionTraits& { return motion_traits<std::decay_t<decltype(model)>>; },
+      motion);
+}
 
 const Chart& chart_of(const AnyMotion& motion) {
   return std::visit([](const auto& model) -> const Chart& { return std::decay_t<decltype(model)>::chart; },
@@ -14,56 +33,62 @@ int inputs_of(const AnyMotion& motion) {
 }
 
 SmallVector rate_of(const AnyMotion& motion, const SmallVector& state, const SmallVector& input) {
-  return std::visit(
-      [&](const auto& model) -> SmallVector {
-        using Model = std::decay_t<decltype(model)>;
-        return model.rate(typename Model::template State<double>(state),
-                          typename Model::template Input<double>(input));
-      },
-      motion);
+  return with_state(motion, state, [&](const auto& model, const auto& x) -> SmallVector {
+    return model.rate(x, typename std::decay_t<decltype(model)>::template Input<double>(input));
+  });
 }
 
 AnyStep step_of(const AnyMotion& motion, const SmallVector& state, const SmallVector& input, double dt) {
-  return std::visit(
-      [&](const auto& model) -> AnyStep {
-        using Model = std::decay_t<decltype(model)>;
-        const auto step = model.step(typename Model::template State<double>(state),
-                                     typename Model::template Input<double>(input), dt);
-        return {step.x, step.F, step.G};
-      },
-      motion);
+  return with_state(motion, state, [&](const auto& model, const auto& x) -> AnyStep {
+    const auto step =
+        model.step(x, typename std::decay_t<decltype(model)>::template Input<double>(input), dt);
+    return {step.x, step.F, step.G};
+  });
 }
 
 RigidPose pose_of(const AnyMotion& motion, const SmallVector& state) {
+  return with_state(motion, state,
+                    [](const auto& model, const auto& x) -> RigidPose { return model.pose(x).pose; });
+}
+
+SmallMatrix pose_jacobian(const AnyMotion& motion, const SmallVector& state) {
+  return with_state(motion, state,
+                    [](const auto& model, const auto& x) -> SmallMatrix { return model.pose(x).J; });
+}
+
+double heading_by(const AnyMotion& motion, const SmallVector& state) {
+  return with_state(motion, state,
+                    [](const auto& model, const auto& x) -> double { return model.heading(x); });
+}
+
+SmallVector at_rest(const AnyMotion& motion, const Eigen::Vector3d& position, double heading_rad) {
   return std::visit(
-      [&](const auto& model) -> RigidPose {
-        using Model = std::decay_t<decltype(model)>;
-        const typename Model::template State<double> x = state;
-        if constexpr (std::is_same_v<Model, FreeCameraMotion>)
-          return {x.template head<3>(), x.template segment<4>(3)};
-        else if constexpr (std::is_same_v<Model, MonobotMotion>)
-          return {{x[0], 0, 0}, {1, 0, 0, 0}};
-        else if constexpr (std::is_same_v<Model, TerrainVehicle>)
-          return model.pose(x).pose;
-        else
-          return on_floor(x).pose;
+      [&](const auto& model) -> SmallVector {
+        return std::decay_t<decltype(model)>::at_rest(position, heading_rad);
       },
       motion);
 }
 
-SmallMatrix pose_jacobian(const AnyMotion& motion, const SmallVector& state) {
-  return std::visit(
-      [&](const auto& model) -> SmallMatrix {
-        using Model = std::decay_t<decltype(model)>;
-        const typename Model::template State<double> x = state;
-        if constexpr (std::is_same_v<Model, FreeCameraMotion> || std::is_same_v<Model, MonobotMotion>)
-          return SmallMatrix::Identity(6, Model::error_size);  // position first, then rotation
-        else if constexpr (std::is_same_v<Model, TerrainVehicle>)
-          return model.pose(x).J;
-        else
-          return on_floor(x).J;
-      },
-      motion);
+AnyPoint position_of(const AnyMotion& motion, const SmallVector& vehicle) {
+  return with_state(motion, vehicle, [&](const auto& model, const auto& x) -> AnyPoint {
+    using Model = std::decay_t<decltype(model)>;
+    constexpr int size = Model::position_size;
+    if constexpr (size == dimensions_of(Model::space)) {
+      return {x.template head<size>(), SmallMatrix::Identity(size, Model::error_size)};
+    } else {
+      const auto body = model.pose(x);  // the ground gives the height
+      return {body.pose.position, body.J.template topRows<3>()};
+    }
+  });
+}
+
+AnyPoint position_of(const AnyMotion& motion, const SmallVector& vehicle, int dimensions) {
+  const AnyPoint own = position_of(motion, vehicle);
+  const Eigen::Index both = std::min<Eigen::Index>(dimensions, own.position.size());
+  AnyPoint at{SmallVector::Zero(dimensions), SmallMatrix::Zero(dimensions, own.J.cols())};
+  at.position.head(both) = own.position.head(both);
+  at.J.topRows(both) = own.J.topRows(both);
+  return at;
 }
 
 }  // namespace incognita

@@ -1,20 +1,15 @@
 // Motion models that a scenario chooses: one value for any of them, sizes known when the program runs.
 #pragma once
 
-#include <variant>
-
 #include "incognita/math/chart.hpp"
 #include "incognita/math/small_matrix.hpp"
-#include "incognita/models/free_camera.hpp"
-#include "incognita/models/monobot.hpp"
-#include "incognita/models/planar_vehicle.hpp"
+#include "incognita/models/registry.hpp"
 #include "incognita/models/rigid_pose.hpp"
-#include "incognita/models/terrain_vehicle.hpp"
 
 namespace incognita {
 
-using AnyMotion =
-    std::variant<MonobotMotion, DifferentialDrive, AckermannCar, TerrainVehicle, FreeCameraMotion>;
+/// What the model states about itself.
+const MotionTraits& traits_of(const AnyMotion& motion);
 
 /// Numbers of the state: chart_of(motion).ambient(). Errors: chart_of(motion).tangent().
 const Chart& chart_of(const AnyMotion& motion);
@@ -34,5 +29,19 @@ AnyStep step_of(const AnyMotion& motion, const SmallVector& state, const SmallVe
 RigidPose pose_of(const AnyMotion& motion, const SmallVector& state);
 /// d(pose error) / d(state error), 6 x errors.
 SmallMatrix pose_jacobian(const AnyMotion& motion, const SmallVector& state);
+/// About the world's z axis, from +x, rad; 0 on a line.
+double heading_by(const AnyMotion& motion, const SmallVector& state);
+/// The state at rest at a place (m, world) with a heading (rad).
+SmallVector at_rest(const AnyMotion& motion, const Eigen::Vector3d& position, double heading_rad);
+
+/// A place with how it depends on what tells it.
+struct AnyPoint {
+  SmallVector position;  ///< 1, 2 or 3, m
+  SmallMatrix J;         ///< d(position) / d(error)
+};
+/// Where a vehicle is, in the dimensions of its own motion.
+AnyPoint position_of(const AnyMotion& motion, const SmallVector& vehicle);
+/// In those of a place: what is on a plane or a line is at 0 in the others.
+AnyPoint position_of(const AnyMotion& motion, const SmallVector& vehicle, int dimensions);
 
 }  // namespace incognita

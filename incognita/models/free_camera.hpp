@@ -8,11 +8,17 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
+#include <string_view>
 
 #include "incognita/math/chart.hpp"
 #include "incognita/math/quaternion.hpp"
+#include "incognita/models/heading.hpp"
+#include "incognita/models/motion_model.hpp"
 
 namespace incognita {
+
+struct HeldAcceleration;  ///< its integrator: held_acceleration.hpp
 
 struct FreeCameraMotion {
   static constexpr int state_size = 13;
@@ -25,7 +31,43 @@ struct FreeCameraMotion {
   using Jacobian = Eigen::Matrix<double, error_size, error_size>;
   using InputJacobian = Eigen::Matrix<double, error_size, input_size>;
 
+  static constexpr std::string_view name = "free-camera";
+  static constexpr std::string_view summary = "a camera that moves freely in space, driven by accelerations";
+  static constexpr Space space = Space::space;
+  static constexpr int position_size = 3;
+  static constexpr std::array<Quantity, state_size> state{{{"x", "m"},
+                                                           {"y", "m"},
+                                                           {"z", "m"},
+                                                           {"qw", ""},
+                                                           {"qx", ""},
+                                                           {"qy", ""},
+                                                           {"qz", ""},
+                                                           {"vx", "m/s"},
+                                                           {"vy", "m/s"},
+                                                           {"vz", "m/s"},
+                                                           {"wx", "rad/s"},
+                                                           {"wy", "rad/s"},
+                                                           {"wz", "rad/s"}}};
+  static constexpr std::array<Quantity, error_size> error{{{"x", "m", "position"},
+                                                           {"y", "m", "position"},
+                                                           {"z", "m", "height"},
+                                                           {"rotX", "rad", "heading"},
+                                                           {"rotY", "rad", "heading"},
+                                                           {"rotZ", "rad", "heading"},
+                                                           {"vx", "m/s", "velocity"},
+                                                           {"vy", "m/s", "velocity"},
+                                                           {"vz", "m/s", "velocity"},
+                                                           {"wx", "rad/s", "angular_rate"},
+                                                           {"wy", "rad/s", "angular_rate"},
+                                                           {"wz", "rad/s", "angular_rate"}}};
+  static constexpr std::array<Quantity, input_size> input{{{"ax", "m/s^2", "acceleration"},
+                                                           {"ay", "m/s^2", "acceleration"},
+                                                           {"az", "m/s^2", "acceleration"},
+                                                           {"alphax", "rad/s^2", "angular_acceleration"},
+                                                           {"alphay", "rad/s^2", "angular_acceleration"},
+                                                           {"alphaz", "rad/s^2", "angular_acceleration"}}};
   static constexpr Chart chart{{Chart::Kind::line, 3}, {Chart::Kind::quaternion, 4}, {Chart::Kind::line, 6}};
+  using Integrator = HeldAcceleration;
 
   struct Step {
     State<double> x;  ///< the state after dt
@@ -43,6 +85,16 @@ struct FreeCameraMotion {
   State<S> f(const State<S>& x, const Input<S>& u, double dt) const;
 
   Step step(const State<double>& x, const Input<double>& u, double dt) const;
+
+  PoseOf<error_size> pose(const State<double>& x) const {
+    return pose_in_space<error_size>(x.head<3>(), x.segment<4>(3));
+  }
+  /// That of its optical axis, seen from above.
+  double heading(const State<double>& x) const { return heading_of(x.segment<4>(3)); }
+  /// Level.
+  static State<double> at_rest(const Eigen::Vector3d& position, double heading) {
+    return (State<double>() << position, level_gaze(heading), Eigen::Matrix<double, 6, 1>::Zero()).finished();
+  }
 };
 
 /// Names for the parts of a free camera's state.

@@ -24,9 +24,11 @@ struct HeldAcceleration {
   using Step = FreeCameraMotion::Step;
   static constexpr Chart chart = FreeCameraMotion::chart;
 
+  FreeCameraMotion motion = {};  ///< what it integrates
+
   template <class S>
   State<S> rate(const State<S>& x, const Input<S>& u) const {
-    return FreeCameraMotion{}.rate<S>(x, u);
+    return motion.rate<S>(x, u);
   }
 
   template <class S>

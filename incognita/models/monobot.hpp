@@ -5,8 +5,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
+#include <string_view>
 
 #include "incognita/math/chart.hpp"
+#include "incognita/models/motion_model.hpp"
 
 namespace incognita {
 
@@ -21,7 +24,14 @@ struct MonobotMotion {
   using Jacobian = Eigen::Matrix<double, error_size, error_size>;
   using InputJacobian = Eigen::Matrix<double, error_size, input_size>;
 
+  static constexpr std::string_view name = "monobot";
+  static constexpr std::string_view summary = "a robot on a line, driven by its speed";
+  static constexpr Space space = Space::line;
+  static constexpr int position_size = 1;
+  static constexpr std::array<Quantity, 1> state{{{"x", "m", "position"}}}, error = state,
+                                                                            input{{{"speed", "m/s"}}};
   static constexpr Chart chart = Chart::line(1);
+  using Integrator = MonobotMotion;
 
   struct Step {
     State<double> x;  ///< the state after dt
@@ -43,6 +53,12 @@ struct MonobotMotion {
 
   Step step(const State<double>& x, const Input<double>& u, double dt) const {
     return {f<double>(x, u, dt), Jacobian::Identity(), InputJacobian::Constant(dt)};
+  }
+
+  PoseOf<error_size> pose(const State<double>& x) const { return pose_on_line<error_size>(x[0]); }
+  double heading(const State<double>&) const { return 0; }
+  static State<double> at_rest(const Eigen::Vector3d& position, double) {
+    return State<double>(position.x());
   }
 };
 

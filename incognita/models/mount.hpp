@@ -9,10 +9,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cmath>
 
 #include "incognita/models/free_camera.hpp"
 #include "incognita/models/planar_vehicle.hpp"
+#include "incognita/models/quantity.hpp"
 #include "incognita/models/rigid_pose.hpp"
 
 namespace incognita {
@@ -26,10 +28,7 @@ struct MountedCamera {
 
 /// A planar vehicle on the floor z = 0.
 inline PoseOf<3> on_floor(const planar::Pose<double>& pose) {
-  PoseOf<3> out{{{pose[0], pose[1], 0}, quaternion_exp<double>(Vector3<double>(0, 0, pose[2]))}, {}};
-  out.J.setZero();
-  out.J(0, 0) = out.J(1, 1) = out.J(5, 2) = 1;
-  return out;
+  return pose_on_floor<3>(pose[0], pose[1], pose[2]);
 }
 
 struct Mount {
@@ -38,6 +37,22 @@ struct Mount {
   double up_m = 0;
   double pitch_rad = 0;  ///< upwards
   double yaw_rad = 0;    ///< to the left
+
+  static constexpr auto parameters() {
+    using P = Parameter<Mount>;
+    return std::array{
+        P{{"forward", "m"},
+          [](Mount& m) -> double& { return m.forward_m; },
+          {-100, 100},
+          "the optic center before the vehicle's point, in body axes"},
+        P{{"left", "m"}, [](Mount& m) -> double& { return m.left_m; }, {-100, 100}, "left of it"},
+        P{{"up", "m"}, [](Mount& m) -> double& { return m.up_m; }, {-100, 100}, "above it"},
+        P{{"pitch", "rad"}, [](Mount& m) -> double& { return m.pitch_rad; }, {-1.6, 1.6}, "the view upward"},
+        P{{"yaw", "rad"},
+          [](Mount& m) -> double& { return m.yaw_rad; },
+          {-3.2, 3.2},
+          "the view to the left"}};
+  }
 
   Vector3<double> lever() const { return {forward_m, left_m, up_m}; }
 

@@ -7,10 +7,13 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cmath>
+#include <string_view>
 
 #include "incognita/math/angles.hpp"
 #include "incognita/math/chart.hpp"
+#include "incognita/models/motion_model.hpp"
 
 namespace incognita {
 
@@ -21,6 +24,10 @@ using PoseJacobian = Eigen::Matrix3d;
 using PoseInputJacobian = Eigen::Matrix<double, 3, 2>;
 
 inline constexpr Chart pose_chart{{Chart::Kind::line, 2}, {Chart::Kind::angle, 1}};
+inline constexpr std::array<Quantity, 3> pose_quantities{
+    {{"x", "m", "position"}, {"y", "m", "position"}, {"heading", "rad"}}};
+inline constexpr std::array<Quantity, 2> drive_quantities{{{"speed", "m/s"}, {"turn_rate", "rad/s"}}};
+inline constexpr std::array<Quantity, 2> car_quantities{{{"speed", "m/s"}, {"steering", "rad"}}};
 
 struct Step {
   Pose<double> x;       ///< the pose after dt
@@ -28,6 +35,10 @@ struct Step {
   PoseInputJacobian G;  ///< d(error after) / d(input), also of noise that is added to the input
 };
 }  // namespace planar
+
+/// The integrator of planar vehicles: on_arc.hpp.
+template <class Vehicle>
+struct OnArc;
 
 /// Two driven wheels on one axle. Input (2): speed of the middle of the axle (m/s), turn rate (rad/s).
 struct DifferentialDrive {
@@ -41,10 +52,29 @@ struct DifferentialDrive {
   using Jacobian = planar::PoseJacobian;
   using InputJacobian = planar::PoseInputJacobian;
   using Step = planar::Step;
+  static constexpr std::string_view name = "differential-drive";
+  static constexpr std::string_view summary = "two driven wheels on one axle";
+  static constexpr Space space = Space::plane;
+  static constexpr int position_size = 2;
+  static constexpr auto state = planar::pose_quantities, error = state;
+  static constexpr auto input = planar::drive_quantities;
   static constexpr Chart chart = planar::pose_chart;
+  using Integrator = OnArc<DifferentialDrive>;
 
   double forward_m = 0;  ///< the l of (3.16)
   double left_m = 0;
+
+  static constexpr auto parameters() {
+    using P = Parameter<DifferentialDrive>;
+    return std::array{P{{"sensor_forward", "m"},
+                        [](DifferentialDrive& d) -> double& { return d.forward_m; },
+                        {-1000, 1000},
+                        "sensor before the middle of the axle"},
+                      P{{"sensor_left", "m"},
+                        [](DifferentialDrive& d) -> double& { return d.left_m; },
+                        {-1000, 1000},
+                        "sensor left of the middle of the axle"}};
+  }
 
   // As a car has them: what drives the axle, and where the point is
   template <class S>
@@ -83,6 +113,14 @@ struct DifferentialDrive {
     step.G *= dt;
     return step;
   }
+
+  PoseOf<error_size> pose(const State<double>& x) const {
+    return pose_on_floor<error_size>(x[0], x[1], x[2]);
+  }
+  double heading(const State<double>& x) const { return x[2]; }
+  static State<double> at_rest(const Eigen::Vector3d& position, double heading) {
+    return {position.x(), position.y(), heading};
+  }
 };
 
 /// A car steered by its front wheels whose speed is measured at its left rear wheel. Input (2): speed of that
@@ -99,11 +137,38 @@ struct AckermannCar {
   using Jacobian = planar::PoseJacobian;
   using InputJacobian = planar::PoseInputJacobian;
   using Step = planar::Step;
+  static constexpr std::string_view name = "ackermann";
+  static constexpr std::string_view summary = "a car steered by its front wheels";
+  static constexpr Space space = Space::plane;
+  static constexpr int position_size = 2;
+  static constexpr auto state = planar::pose_quantities, error = state;
+  static constexpr auto input = planar::car_quantities;
   static constexpr Chart chart = planar::pose_chart;
+  using Integrator = OnArc<AckermannCar>;
 
   double wheelbase_m = 2.83;
   double wheel_left_m = 0.76;         ///< from the middle of the rear axle to the wheel that is measured
   DifferentialDrive body{3.78, 0.5};  ///< where the point is, from the middle of the rear axle
+
+  static constexpr auto parameters() {
+    using P = Parameter<AckermannCar>;
+    return std::array{P{{"wheelbase", "m"},
+                        [](AckermannCar& c) -> double& { return c.wheelbase_m; },
+                        {0, 1000, true},
+                        "from the rear axle to the front axle"},
+                      P{{"wheel_left", "m"},
+                        [](AckermannCar& c) -> double& { return c.wheel_left_m; },
+                        {-1000, 1000},
+                        "the wheel whose speed is measured, left of the middle of the rear axle"},
+                      P{{"sensor_forward", "m"},
+                        [](AckermannCar& c) -> double& { return c.body.forward_m; },
+                        {-1000, 1000},
+                        "sensor before the middle of the rear axle"},
+                      P{{"sensor_left", "m"},
+                        [](AckermannCar& c) -> double& { return c.body.left_m; },
+                        {-1000, 1000},
+                        "sensor left of the middle of the rear axle"}};
+  }
 
   /// Speed of the middle of the rear axle (m/s) and turn rate (rad/s).
   template <class S>
@@ -140,6 +205,12 @@ struct AckermannCar {
     Step step = body.step(x, at_axle<double>(u), dt);
     step.G = (step.G * axle_by_input(u)).eval();
     return step;
+  }
+
+  PoseOf<error_size> pose(const State<double>& x) const { return body.pose(x); }
+  double heading(const State<double>& x) const { return x[2]; }
+  static State<double> at_rest(const Eigen::Vector3d& position, double heading) {
+    return DifferentialDrive::at_rest(position, heading);
   }
 };
 

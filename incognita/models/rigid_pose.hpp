@@ -21,4 +21,27 @@ struct PoseOf {
   Eigen::Matrix<double, 6, errors> J;  ///< d(pose error) / d(state error)
 };
 
+/// A body along the x axis whose state begins with its position, m.
+template <int errors>
+PoseOf<errors> pose_on_line(double x) {
+  PoseOf<errors> out{{{x, 0, 0}, {1, 0, 0, 0}}, Eigen::Matrix<double, 6, errors>::Zero()};
+  out.J(0, 0) = 1;
+  return out;
+}
+
+/// A body on the floor z = 0 whose state begins with x, y (m) and heading (rad).
+template <int errors>
+PoseOf<errors> pose_on_floor(double x, double y, double heading) {
+  PoseOf<errors> out{{{x, y, 0}, quaternion_exp<double>(Vector3<double>(0, 0, heading))},
+                     Eigen::Matrix<double, 6, errors>::Zero()};
+  out.J(0, 0) = out.J(1, 1) = out.J(5, 2) = 1;
+  return out;
+}
+
+/// A body in space whose state begins with its position (m) and orientation (w,x,y,z).
+template <int errors>
+PoseOf<errors> pose_in_space(const Eigen::Vector3d& position, const Eigen::Vector4d& world_from_body) {
+  return {{position, world_from_body}, Eigen::Matrix<double, 6, errors>::Identity()};
+}
+
 }  // namespace incognita

@@ -46,7 +46,14 @@ struct TerrainVehicle {
   using Jacobian = planar::PoseJacobian;
   using InputJacobian = planar::PoseInputJacobian;
   using Step = planar::Step;
+  static constexpr std::string_view name = "terrain";
+  static constexpr std::string_view summary = "two driven wheels that follow uneven ground";
+  static constexpr Space space = Space::uneven_ground;
+  static constexpr int position_size = 2;
+  static constexpr auto state = planar::pose_quantities, error = state;
+  static constexpr auto input = planar::drive_quantities;
   static constexpr Chart chart = planar::pose_chart;
+  using Integrator = TerrainVehicle;
 
   Terrain terrain;
   /// A step is cut into equal pieces, so many that none drives or turns further than this.
@@ -92,6 +99,10 @@ struct TerrainVehicle {
   Matrix3<S> axes(const State<S>& x) const;
 
   PoseOf<error_size> pose(const State<double>& x) const;
+  double heading(const State<double>& x) const { return x[2]; }
+  static State<double> at_rest(const Eigen::Vector3d& position, double heading) {
+    return {position.x(), position.y(), heading};
+  }
 };
 
 template <class S>

@@ -34,7 +34,9 @@ void check_numbers(const AckermannCar& car, const PlantSettings& s) {
         " rad a car would turn about the wheel whose speed is measured, or beyond it");
   }
 }
-void check_numbers(const auto&, const PlantSettings&) {}
+void check_numbers(const auto& model, const PlantSettings& s) {
+  if constexpr (requires { model.steered_as(); }) check_numbers(model.steered_as(), s);
+}
 
 void check(const AnyMotion& motion, const PlantSettings& s) {
   const Chart& chart = chart_of(motion);
@@ -61,7 +63,9 @@ void keep_steering(const AckermannCar& car, SmallVector& input) {
                right = car.wheel_left_m < 0 ? inside : std::numbers::pi / 2;
   input[1] = std::clamp(input[1], -right + margin, left - margin);
 }
-void keep_steering(const auto&, SmallVector&) {}
+void keep_steering(const auto& model, SmallVector& input) {
+  if constexpr (requires { model.steered_as(); }) keep_steering(model.steered_as(), input);
+}
 
 std::span<double> numbers(SmallVector& v) { return {v.data(), static_cast<std::size_t>(v.size())}; }
 

@@ -31,8 +31,8 @@ void for_every_birth(const std::function<void(const Case&, const SmallVector& z,
   for_every_case([&](const Case& c) {
     const auto look = c.look();
     if (c.point.size() == 0 || c.form.kind != LandmarkForm::Kind::point || !look || !look->in_view) return;
-    const bool no_disparity =
-        std::holds_alternative<CarriedStereo>(c.sensor) && !(look->z[0] - look->z[2] > 0.5);
+    const auto* stereo = std::get_if<CarriedStereo>(&c.sensor);
+    const bool no_disparity = stereo && !(look->z[0] - look->z[2] > stereo->stereo.least_disparity_px);
     const auto born = birth_from(c.sensor, c.motion, c.vehicle, look->z, 0.25);
     ASSERT_EQ(born.has_value(), !no_disparity) << c.name();
     if (born) with(c, look->z, *born), ++tried;

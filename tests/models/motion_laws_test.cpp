@@ -1,4 +1,4 @@
-// What every motion model obeys. A model joins by one line in the list below.
+// What every registered motion model obeys, and the integrator of each.
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
@@ -6,52 +6,55 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "incognita/math/random.hpp"
-#include "incognita/models/free_camera.hpp"
-#include "incognita/models/held_acceleration.hpp"
-#include "incognita/models/monobot.hpp"
-#include "incognita/models/on_arc.hpp"
-#include "incognita/models/planar_vehicle.hpp"
-#include "incognita/models/terrain_vehicle.hpp"
 #include "tests/models/dual.hpp"
-#include "tests/models/grounds.hpp"
+#include "tests/models/registered.hpp"
 
 namespace incognita {
 namespace {
 
-struct SensorOffTheAxle : DifferentialDrive {
-  SensorOffTheAxle() : DifferentialDrive{0.4, -0.3} {}
+template <class M>
+struct Plain {
+  using Model = M;
+  static std::vector<M> examples() { return registered::examples<M>(); }
 };
-struct OnASteepSlope : TerrainVehicle {
-  OnASteepSlope() : TerrainVehicle{grounds::steep_slope()} {}
+template <class M>
+struct Integrated {
+  using Model = typename M::Integrator;
+  static std::vector<Model> examples() {
+    std::vector<Model> all;
+    for (const M& model : registered::examples<M>()) all.push_back(integrator_of(model));
+    return all;
+  }
 };
-struct OnGentleWaves : TerrainVehicle {
-  OnGentleWaves() : TerrainVehicle{grounds::gentle_waves()} {}
-};
-struct OnAHeightMap : TerrainVehicle {  // also beyond its edge
-  OnAHeightMap() : TerrainVehicle{grounds::small_height_map()} {}
-};
-
-using Motions = ::testing::Types<  //
-    FreeCameraMotion,              //
-    HeldAcceleration,              //
-    MonobotMotion,                 //
-    DifferentialDrive,             //
-    SensorOffTheAxle,              //
-    AckermannCar,                  //
-    OnArc<SensorOffTheAxle>,       //
-    OnArc<AckermannCar>,           //
-    TerrainVehicle,                //
-    OnASteepSlope,                 //
-    OnGentleWaves,                 //
-    OnAHeightMap                   //
-    >;
 
 template <class M>
+using PlainAndIntegrated = std::conditional_t<std::is_same_v<M, typename M::Integrator>, std::tuple<Plain<M>>,
+                                              std::tuple<Plain<M>, Integrated<M>>>;
+template <class Tuple>
+struct AsTypes;
+template <class... T>
+struct AsTypes<std::tuple<T...>> {
+  using type = ::testing::Types<T...>;
+};
+template <class Variant>
+struct AllOf;
+template <class... M>
+struct AllOf<std::variant<M...>> {
+  using type = typename AsTypes<decltype(std::tuple_cat(std::declval<PlainAndIntegrated<M>>()...))>::type;
+};
+using Motions = AllOf<AnyMotion>::type;
+
+template <class Tag>
 class MotionLaws : public ::testing::Test {
  protected:
+  using M = typename Tag::Model;
   using State = typename M::template State<double>;
   using Input = typename M::template Input<double>;
   using Error = Eigen::Matrix<double, M::error_size, 1>;
@@ -177,92 +180,98 @@ class MotionLaws : public ::testing::Test {
 TYPED_TEST_SUITE(MotionLaws, Motions);
 
 TYPED_TEST(MotionLaws, JacobiansAreExact) {
-  constexpr int states = TypeParam::state_size, inputs = TypeParam::input_size, all = states + inputs;
-  const TypeParam model;
-  for (const auto& [x, u, dt] : this->cases()) {
-    const auto y = model.template f<Dual<all>>(variables<all>(x), variables<all>(u, states), dt);
-    const Eigen::Matrix<double, states, all> J = derivatives<all, states>(y);
-    const auto step = model.step(x, u, dt);
-    const typename TypeParam::Jacobian F =
-        this->d_minus(step.x) * J.template leftCols<states>() * this->d_plus(x);
-    const typename TypeParam::InputJacobian G = this->d_minus(step.x) * J.template rightCols<inputs>();
-    EXPECT_LE((step.F - F).norm(), 1e-13 * F.norm())
-        << "x " << x.transpose() << " u " << u.transpose() << " dt " << dt << "\ncoded\n"
-        << step.F << "\nexact\n"
-        << F;
-    EXPECT_LE((step.G - G).norm(), 1e-13 * G.norm())
-        << "x " << x.transpose() << " u " << u.transpose() << " dt " << dt << "\ncoded\n"
-        << step.G << "\nexact\n"
-        << G;
-  }
+  using Model = typename TypeParam::Model;
+  constexpr int states = Model::state_size, inputs = Model::input_size, all = states + inputs;
+  for (const Model& model : TypeParam::examples())
+    for (const auto& [x, u, dt] : this->cases()) {
+      const auto y = model.template f<Dual<all>>(variables<all>(x), variables<all>(u, states), dt);
+      const Eigen::Matrix<double, states, all> J = derivatives<all, states>(y);
+      const auto step = model.step(x, u, dt);
+      const typename Model::Jacobian F =
+          this->d_minus(step.x) * J.template leftCols<states>() * this->d_plus(x);
+      const typename Model::InputJacobian G = this->d_minus(step.x) * J.template rightCols<inputs>();
+      EXPECT_LE((step.F - F).norm(), 1e-13 * F.norm())
+          << "x " << x.transpose() << " u " << u.transpose() << " dt " << dt << "\ncoded\n"
+          << step.F << "\nexact\n"
+          << F;
+      EXPECT_LE((step.G - G).norm(), 1e-13 * G.norm())
+          << "x " << x.transpose() << " u " << u.transpose() << " dt " << dt << "\ncoded\n"
+          << step.G << "\nexact\n"
+          << G;
+    }
 }
 
 TYPED_TEST(MotionLaws, StepIsF) {
-  const TypeParam model;
-  for (const auto& [x, u, dt] : this->cases())
-    EXPECT_EQ(model.step(x, u, dt).x, model.template f<double>(x, u, dt));
+  using Model = typename TypeParam::Model;
+  for (const Model& model : TypeParam::examples())
+    for (const auto& [x, u, dt] : this->cases())
+      EXPECT_EQ(model.step(x, u, dt).x, model.template f<double>(x, u, dt));
 }
 
 TYPED_TEST(MotionLaws, NothingHappensInNoTime) {
-  const TypeParam model;
-  for (const auto& [x, u, dt] : this->cases()) {
-    const auto step = model.step(x, u, 0);
-    EXPECT_LE((step.x - x).norm(), 4e-16 * std::max(1.0, x.norm()));
-    EXPECT_EQ(step.F, typename TypeParam::Jacobian(TypeParam::Jacobian::Identity()));
-    EXPECT_EQ(step.G.norm(), 0);
-  }
+  using Model = typename TypeParam::Model;
+  for (const Model& model : TypeParam::examples())
+    for (const auto& [x, u, dt] : this->cases()) {
+      const auto step = model.step(x, u, 0);
+      EXPECT_LE((step.x - x).norm(), 4e-16 * std::max(1.0, x.norm()));
+      EXPECT_EQ(step.F, typename Model::Jacobian(Model::Jacobian::Identity()));
+      EXPECT_EQ(step.G.norm(), 0);
+    }
 }
 
 /// A step is the motion of rate() to first order at least: halving the time leaves a quarter of what it
 /// misses, where a wrong rate would leave half. What is far smaller than a step's second order is let pass: a
 /// third derivative may jump, as where the cells of a height map meet.
 TYPED_TEST(MotionLaws, AShortStepIsTheContinuousMotion) {
-  const TypeParam model;
-  for (const auto& [x, u, unused] : this->cases()) {
-    const auto missed = [&, &x = x, &u = u](double dt) {
-      return this->minus(model.template f<double>(x, u, dt), this->integrated(model, x, u, dt)).norm();
-    };
-    const double speed = model.template rate<double>(x, u).norm() + u.norm();
-    for (const double dt : {1e-2 / (1 + speed), 1e-4 / (1 + speed)}) {
-      const double let_pass = 1e-3 * std::pow(dt * speed, 2) + 1e-13 * (1 + x.norm());
-      EXPECT_LE(missed(dt / 2), 0.27 * missed(dt) + let_pass)
-          << "x " << x.transpose() << " u " << u.transpose() << " dt " << dt;
-      EXPECT_LE(missed(dt), 0.1 * dt * speed + let_pass)
-          << "x " << x.transpose() << " u " << u.transpose() << " dt " << dt;
+  using Model = typename TypeParam::Model;
+  for (const Model& model : TypeParam::examples())
+    for (const auto& [x, u, unused] : this->cases()) {
+      const auto missed = [&, &x = x, &u = u](double dt) {
+        return this->minus(model.template f<double>(x, u, dt), this->integrated(model, x, u, dt)).norm();
+      };
+      const double speed = model.template rate<double>(x, u).norm() + u.norm();
+      for (const double dt : {1e-2 / (1 + speed), 1e-4 / (1 + speed)}) {
+        const double let_pass = 1e-3 * std::pow(dt * speed, 2) + 1e-13 * (1 + x.norm());
+        EXPECT_LE(missed(dt / 2), 0.27 * missed(dt) + let_pass)
+            << "x " << x.transpose() << " u " << u.transpose() << " dt " << dt;
+        EXPECT_LE(missed(dt), 0.1 * dt * speed + let_pass)
+            << "x " << x.transpose() << " u " << u.transpose() << " dt " << dt;
+      }
     }
-  }
 }
 
 TYPED_TEST(MotionLaws, InputNoiseAddsUncertaintyAndNeverTakesItAway) {
-  const TypeParam model;
+  using Model = typename TypeParam::Model;
   RandomStream random(1, "noise");
-  for (const auto& [x, u, dt] : this->cases()) {
-    Eigen::Matrix<double, TypeParam::input_size, 1> variances;
-    for (double& variance : variances) variance = std::pow(10.0, random.uniform(-4, 2));
-    const auto G = model.step(x, u, dt).G;
-    const Eigen::MatrixXd noise = G * variances.asDiagonal() * G.transpose();
-    ASSERT_TRUE(noise.allFinite());
-    EXPECT_LE((noise - noise.transpose()).norm(), 1e-15 * noise.norm());
-    const Eigen::VectorXd eigenvalues = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(noise).eigenvalues();
-    EXPECT_GE(eigenvalues.minCoeff(), -1e-13 * noise.norm()) << "dt " << dt;
-    if (dt > 1e-3 && u.norm() > 0) {  // a car at rest does not feel its steering
-      const int rank = static_cast<int>((eigenvalues.array() > 1e-12 * eigenvalues.maxCoeff()).count());
-      EXPECT_EQ(rank, TypeParam::input_size) << "every input reaches the state";
+  for (const Model& model : TypeParam::examples())
+    for (const auto& [x, u, dt] : this->cases()) {
+      Eigen::Matrix<double, Model::input_size, 1> variances;
+      for (double& variance : variances) variance = std::pow(10.0, random.uniform(-4, 2));
+      const auto G = model.step(x, u, dt).G;
+      const Eigen::MatrixXd noise = G * variances.asDiagonal() * G.transpose();
+      ASSERT_TRUE(noise.allFinite());
+      EXPECT_LE((noise - noise.transpose()).norm(), 1e-15 * noise.norm());
+      const Eigen::VectorXd eigenvalues = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(noise).eigenvalues();
+      EXPECT_GE(eigenvalues.minCoeff(), -1e-13 * noise.norm()) << "dt " << dt;
+      if (dt > 1e-3 && u.norm() > 0) {  // a car at rest does not feel its steering
+        const int rank = static_cast<int>((eigenvalues.array() > 1e-12 * eigenvalues.maxCoeff()).count());
+        EXPECT_EQ(rank, Model::input_size) << "every input reaches the state";
+      }
     }
-  }
 }
 
 TYPED_TEST(MotionLaws, FirstOrderPredictsSmallErrors) {
-  const TypeParam model;
+  using Model = typename TypeParam::Model;
   RandomStream random(1, "small errors");
-  for (const auto& [x, u, dt] : this->cases()) {
-    typename TestFixture::Error e;
-    for (double& number : e) number = 1e-4 * random.normal();
-    const auto step = model.step(x, u, dt);
-    const auto moved = this->minus(model.template f<double>(this->plus(x, e), u, dt), step.x);
-    EXPECT_LE((moved - step.F * e).norm(), 10 * step.F.norm() * e.squaredNorm() + 1e-13 * x.norm())
-        << "dt " << dt;
-  }
+  for (const Model& model : TypeParam::examples())
+    for (const auto& [x, u, dt] : this->cases()) {
+      typename TestFixture::Error e;
+      for (double& number : e) number = 1e-4 * random.normal();
+      const auto step = model.step(x, u, dt);
+      const auto moved = this->minus(model.template f<double>(this->plus(x, e), u, dt), step.x);
+      EXPECT_LE((moved - step.F * e).norm(), 10 * step.F.norm() * e.squaredNorm() + 1e-13 * x.norm())
+          << "dt " << dt;
+    }
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -16,8 +17,8 @@
 #include "incognita/math/random.hpp"
 #include "incognita/models/any_sensor.hpp"
 #include "incognita/models/bearing.hpp"
-#include "tests/models/grounds.hpp"
 #include "tests/models/landmark_cases.hpp"
+#include "tests/models/registered.hpp"
 #include "tests/small_vectors.hpp"
 
 namespace incognita::sensor_cases {
@@ -48,40 +49,10 @@ inline void expect_jacobian(const SmallMatrix& told, const SmallMatrix& found, c
 
 // Every motion with every sensor
 
-inline const Mount mount{.forward_m = 0.2, .left_m = -0.1, .up_m = 0.6, .pitch_rad = -0.2, .yaw_rad = 0.4};
-
-inline std::vector<AnyMotion> motions() {
-  return {MonobotMotion{},
-          DifferentialDrive{0.3, 0.1},
-          AckermannCar{},
-          TerrainVehicle{grounds::steep_waves()},
-          TerrainVehicle{grounds::steep_slope()},
-          FreeCameraMotion{}};
-}
-
-inline std::vector<AnySensor> sensors() {
-  return {LineScanner{},
-          LaserScanner{},
-          DirectionFinder{},
-          CarriedCamera{Camera(wide), mount},
-          CarriedCamera{Camera(pinhole), mount},
-          CarriedStereo{{Camera(wide), 0.12}, mount},
-          CarriedStereo{{Camera(pinhole), 0.12}, mount}};
-}
-
-/// Vehicles anywhere, and with their heading at the wrap.
-inline std::vector<SmallVector> states(const AnyMotion& motion) {
-  RandomStream random(1, "states");
-  std::vector<SmallVector> all;
-  for (int i = 0; i < 5; ++i) {
-    SmallVector x(chart_of(motion).ambient());
-    for (double& number : x) number = random.uniform(-3, 3);
-    if (x.size() == 13) x.segment<4>(3).normalize();
-    if (x.size() == 3 && i < 2) x[2] = i == 0 ? pi : -pi + 1e-5;
-    all.push_back(x);
-  }
-  return all;
-}
+using registered::motions;
+using registered::sensors;
+using registered::states;
+inline const Mount mount = registered::some_mount;
 
 /// The camera's axes and place, from the vehicle's pose and how it is mounted.
 struct Lens {
@@ -96,14 +67,18 @@ struct Lens {
 inline Lens lens_on(const AnyMotion& motion, const SmallVector& x) {
   const RigidPose pose = pose_of(motion, x);
   const Eigen::Matrix3d body = rotation_matrix<double>(pose.world_from_body);
-  if (std::holds_alternative<FreeCameraMotion>(motion)) return {body, pose.position};
+  if (traits_of(motion).in_space()) return {body, pose.position};
   return {body * mount.body_from_camera(), pose.position + body * mount.lever()};
 }
 
-inline const Camera* lens_of(const AnySensor& sensor) {
-  if (const auto* one = std::get_if<CarriedCamera>(&sensor)) return &one->camera;
-  if (const auto* two = std::get_if<CarriedStereo>(&sensor)) return &two->stereo.camera;
-  return nullptr;
+/// The lens of a camera; none of other sensors.
+inline std::optional<Camera> lens_of(AnySensor sensor) {
+  return std::visit(
+      [](auto& s) -> std::optional<Camera> {
+        if constexpr (requires { s.lens(); }) return s.lens();
+        return std::nullopt;
+      },
+      sensor);
 }
 
 /// A vehicle and a landmark that it sees.
@@ -120,7 +95,7 @@ struct Case {
   std::optional<AnyLook> look() const { return look_at(sensor, motion, vehicle, form, landmark); }
   std::string name() const {
     std::ostringstream text;
-    text << "motion " << motion.index() << ", sensor " << sensor.index() << ", at " << vehicle.transpose()
+    text << traits_of(motion).name << ", " << traits_of(sensor).name << ", at " << vehicle.transpose()
          << ", sees " << landmark.transpose();
     return text.str();
   }
@@ -141,7 +116,7 @@ inline void add_on_plane(std::vector<Case>& all, const AnyMotion& motion, const 
       const double way = x[2] + bearing;
       const SmallVector point = vec({x[0] + range * std::cos(way), x[1] + range * std::sin(way)});
       all.push_back({motion, sensor, x, {}, point, Chart::line(2), point, std::min(range, 1.0)});
-      if (!std::holds_alternative<DirectionFinder>(sensor)) continue;
+      if (traits_of(sensor).initial_form == LandmarkForm::Kind::point) continue;
       const LandmarkForm form{LandmarkForm::Kind::inverse_depth, {1, 0, 0, 0}};
       for (const Eigen::Vector2d& from : {Eigen::Vector2d(0, 0), Eigen::Vector2d(0.4, -2)}) {
         const Eigen::Vector2d seen = point - (x.head<2>() + from);
@@ -166,7 +141,7 @@ inline void add_on_plane(std::vector<Case>& all, const AnyMotion& motion, const 
 /// depths from another view, up to infinity and past it.
 inline void add_in_space(std::vector<Case>& all, const AnyMotion& motion, const AnySensor& sensor,
                          const SmallVector& x) {
-  const Camera& camera = *lens_of(sensor);
+  const Camera camera = *lens_of(sensor);
   const Lens lens = lens_on(motion, x);
   const double right = camera.width() - 1, low = camera.height() - 1;
   for (const Eigen::Vector2d& pixel :
@@ -196,8 +171,9 @@ inline void add_in_space(std::vector<Case>& all, const AnyMotion& motion, const 
 
 inline void for_every_case(const std::function<void(const Case&)>& with) {
   int tried = 0;
+  const std::vector<AnySensor> all_sensors = sensors();
   for (const AnyMotion& motion : motions())
-    for (const AnySensor& sensor : sensors()) {
+    for (const AnySensor& sensor : all_sensors) {
       if (!misfit(motion, sensor).empty()) continue;
       std::vector<Case> all;
       for (const SmallVector& x : states(motion))

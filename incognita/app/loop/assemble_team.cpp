@@ -72,7 +72,7 @@ std::vector<std::string> notes_of(const LoadedScenario& loaded) {
   const Scenario& s = loaded.scenario;
   const PointsSettings& points = s.team.points;
   const bool all_known = points.known < 0 || points.known >= points.count;
-  if ((s.run.sensor != "camera" && s.run.sensor != "bearing") || !points.file.empty() || all_known) return {};
+  if (tells_distance(sensor_of(s)) || !points.file.empty() || all_known) return {};
   const double near_m = 1 / (s.slam.birth.inverse_depth_per_m + 2 * s.slam.birth.sigma_inverse_depth_per_m);
   const double believed_m = 1 / s.slam.birth.inverse_depth_per_m, place_m = s.team.points.size_m.norm() / 2;
   if (believed_m > place_m / 6 && near_m < place_m) return {};

@@ -168,21 +168,20 @@ RunOutcome run_vehicle(const LoadedScenario& loaded, const OpenKeeper& open, con
 }
 
 /// What the inputs of a motion are called.
-std::vector<std::string> inputs_of(const std::string& model) {
-  if (model == "monobot") return {"speed_m_s"};
-  if (model == "ackermann") return {"speed_m_s", "steering_rad"};
-  if (model != "free-camera") return {"speed_m_s", "turn_rate_rad_s"};
-  return {"ax_m_s2", "ay_m_s2", "az_m_s2", "alphax_rad_s2", "alphay_rad_s2", "alphaz_rad_s2"};
+std::vector<std::string> inputs_of(const MotionTraits& motion) {
+  std::vector<std::string> names;
+  for (const Quantity& input : motion.input) names.push_back(input.key());
+  return names;
 }
 
 RunOutcome run_team(const LoadedScenario& loaded, const OpenKeeper& open, const RunManner& manner) {
   TeamAssembly assembly = assemble_team(loaded);
   for (const std::string& line : assembly.notes) manner.tell(line);
-  const std::string& model = loaded.scenario.planar.vehicle.model;
+  const MotionTraits& motion = motion_traits_of(loaded.scenario.planar.vehicle.model);
   RunInfo info = info_of(loaded);
-  info.body = model == "free-camera" ? "camera" : "vehicle";
+  info.body = motion.in_space() ? "camera" : "vehicle";
   info.vehicles = static_cast<int>(assembly.boxes.estimator.settings().members.size());
-  info.inputs = inputs_of(is_carried(loaded.scenario) ? "terrain" : model);
+  info.inputs = inputs_of(is_carried(loaded.scenario) ? motion_traits<TerrainVehicle> : motion);
   info.steered_m = steered_point(loaded.scenario);
   info.survey = std::move(assembly.survey);
   info.warnings = std::move(assembly.warnings);

@@ -12,7 +12,6 @@
 #include "incognita/io/scenario/team_setting_list.hpp"
 #include "incognita/io/scenario/terrain_file.hpp"
 #include "incognita/messages/errors.hpp"
-#include "incognita/models/heading.hpp"
 
 namespace incognita {
 namespace {
@@ -23,14 +22,7 @@ SmallVector list(std::initializer_list<double> numbers) {
   return v;
 }
 
-bool is_body(const Scenario& s) { return s.planar.vehicle.model == "free-camera"; }
-bool is_line(const Scenario& s) { return s.planar.vehicle.model == "monobot"; }
-bool is_car(const Scenario& s) { return s.planar.vehicle.model == "ackermann"; }
-
-/// Three numbers along the axes, three about them.
-SmallVector six(double linear, double angular) {
-  return list({linear, linear, linear, angular, angular, angular});
-}
+const MotionTraits& motion_traits_in(const Scenario& s) { return motion_traits_of(s.planar.vehicle.model); }
 
 double heading_of_start(const TeamStartSettings& s, std::size_t i) {
   return s.headings_rad.size() == 1 ? s.headings_rad.front() : s.headings_rad.at(i);
@@ -40,12 +32,8 @@ double heading_of_start(const TeamStartSettings& s, std::size_t i) {
 SmallVector start_of(const Scenario& s, std::size_t i) {
   const Eigen::Vector3d& at = s.team.start.positions_m.at(i);
   const double heading = heading_of_start(s.team.start, i);
-  if (is_line(s)) return list({at.x()});
-  if (!is_body(s) || is_carried(s)) return list({at.x(), at.y(), heading});
-  SmallVector state = SmallVector::Zero(FreeCameraMotion::chart.ambient());
-  state.head<3>() = at;
-  state.segment<4>(3) = level_gaze(heading);
-  return state;
+  if (is_carried(s)) return TerrainVehicle::at_rest(at, heading);
+  return at_rest(make_motion(s.planar.vehicle.model), at, heading);
 }
 
 /// Of the state that is estimated: a carried camera's is where its carrier has it, standing.
@@ -60,34 +48,31 @@ struct StartSigmas {
   double position_m, height_m, heading_rad, velocity_m_s, rate_rad_s;
 };
 SmallVector of_start(const Scenario& s, const StartSigmas& sigma) {
-  if (is_line(s)) return list({sigma.position_m});
-  if (!is_body(s)) return list({sigma.position_m, sigma.position_m, sigma.heading_rad});
-  SmallVector sigmas(FreeCameraMotion::error_size);
-  sigmas << six(sigma.position_m, sigma.heading_rad), six(sigma.velocity_m_s, sigma.rate_rad_s);
-  sigmas[2] = sigma.height_m;
-  return sigmas;
+  return values_of(motion_traits_in(s).error, {{"position_m", sigma.position_m},
+                                               {"height_m", sigma.height_m},
+                                               {"heading_rad", sigma.heading_rad},
+                                               {"velocity_m_s", sigma.velocity_m_s},
+                                               {"angular_rate_rad_s", sigma.rate_rad_s}});
 }
 
 struct InputSigmas {
   double speed_m_s, turn_rate_rad_s, steering_rad, acceleration_m_s2, angular_acceleration_rad_s2;
 };
 SmallVector of_inputs(const Scenario& s, const InputSigmas& sigma) {
-  if (is_line(s)) return list({sigma.speed_m_s});
-  if (is_car(s)) return list({sigma.speed_m_s, sigma.steering_rad});
-  if (is_body(s)) return six(sigma.acceleration_m_s2, sigma.angular_acceleration_rad_s2);
-  return list({sigma.speed_m_s, sigma.turn_rate_rad_s});
+  return values_of(motion_traits_in(s).input,
+                   {{"speed_m_s", sigma.speed_m_s},
+                    {"turn_rate_rad_s", sigma.turn_rate_rad_s},
+                    {"steering_rad", sigma.steering_rad},
+                    {"acceleration_m_s2", sigma.acceleration_m_s2},
+                    {"angular_acceleration_rad_s2", sigma.angular_acceleration_rad_s2}});
 }
 
 SmallVector of_sensor(const AnySensor& sensor, double range_m, double bearing_rad, double pixel_px) {
-  if (std::holds_alternative<LineScanner>(sensor)) return list({range_m});
-  if (std::holds_alternative<LaserScanner>(sensor)) return list({range_m, bearing_rad});
-  if (std::holds_alternative<DirectionFinder>(sensor)) return list({bearing_rad});
-  return SmallVector::Constant(chart_of(sensor).tangent(), pixel_px);
+  return values_of(traits_of(sensor).measurement,
+                   {{"range_m", range_m}, {"bearing_rad", bearing_rad}, {"pixel_px", pixel_px}});
 }
 
-bool measures_ranges(const AnySensor& sensor) {
-  return std::holds_alternative<LineScanner>(sensor) || std::holds_alternative<LaserScanner>(sensor);
-}
+bool measures_ranges(const AnySensor& sensor) { return traits_of(sensor).measures("range"); }
 
 SmallVector limits_of(const Scenario& s) {
   const SteerChoice& can = s.team.steer;
@@ -130,12 +115,13 @@ Path path_of(const LoadedScenario& loaded, const Eigen::Vector3d& offset) {
     for (Eigen::Vector3d& point : path.points) point += offset;
     return path;
   }
+  const MotionTraits& motion = motion_traits_in(loaded.scenario);
   PathSamples samples = read_path(find_named_file(loaded, "path.file", p.file));
   for (const Eigen::Vector3d& place : samples.position)
-    if ((!is_body(loaded.scenario) && place.z() != 0) || (is_line(loaded.scenario) && place.y() != 0))
+    if ((!motion.in_space() && place.z() != 0) || (motion.on_line() && place.y() != 0))
       throw InputError(
           fmt::format("{}: path.file = {}: has {} other than 0, where vehicle.model = `{}` can not go",
-                      loaded.sources.at("path.file"), p.file, is_line(loaded.scenario) ? "y or z" : "z",
+                      loaded.sources.at("path.file"), p.file, motion.on_line() ? "y or z" : "z",
                       loaded.scenario.planar.vehicle.model));
   for (Eigen::Vector3d& place : samples.position) place += offset;
   return through(samples);
@@ -157,7 +143,7 @@ SmallVector held_input(const Scenario& s, int inputs) {
 
 Terrain ground_of(const LoadedScenario& loaded) {
   const Scenario& s = loaded.scenario;
-  const bool uneven = s.planar.vehicle.model == "terrain" || s.team.plant.motion == "terrain";
+  const bool uneven = motion_traits_in(s).space == Space::uneven_ground || s.team.plant.motion == "terrain";
   return uneven ? terrain_of(loaded) : Terrain{};
 }
 
@@ -169,25 +155,19 @@ Mount mount_of(const Scenario& s) {
 std::size_t vehicles_of(const Scenario& s) { return s.team.start.positions_m.size(); }
 
 AnyMotion motion_of(const Scenario& s, const Terrain& ground) {
-  const VehicleSettings& v = s.planar.vehicle;
-  if (is_line(s)) return MonobotMotion{};
-  if (is_body(s)) return FreeCameraMotion{};
-  if (is_car(s)) return AckermannCar{v.wheelbase_m, v.wheel_left_m, {v.sensor_forward_m, v.sensor_left_m}};
-  if (v.model == "terrain") return TerrainVehicle{ground};
-  return DifferentialDrive{v.sensor_forward_m, v.sensor_left_m};
+  AnyMotion motion = motion_of(s.planar.vehicle);
+  set_terrain(motion, ground);
+  return motion;
 }
 
 AnySensor sensor_of(const Scenario& s) {
-  if (s.run.sensor == "bearing") return DirectionFinder{};
-  if (s.run.sensor == "range-bearing" && is_line(s)) return LineScanner{};
-  if (s.run.sensor == "range-bearing") return LaserScanner{};
-  const Camera camera = make_camera(s.camera);
-  const Mount mount = mount_of(s);
-  if (s.run.sensor == "camera") return CarriedCamera{camera, mount};
-  StereoCamera stereo{camera};
-  stereo.baseline_m = s.team.stereo.baseline_m;
-  stereo.least_disparity_px = s.team.stereo.least_disparity_px;
-  return CarriedStereo{stereo, mount};
+  AnySensor sensor = make_sensor(s.run.sensor, motion_traits_in(s));
+  if (dimensions_of(sensor) == 3) set_camera(sensor, make_camera(s.camera), mount_of(s));
+  TeamScenario values = s.team;
+  set_model_parameters(sensor, [&](const std::string& key, double usual) {
+    return values.sensor_parameter(s.run.sensor + "." + key, usual);
+  });
+  return sensor;
 }
 
 /// A camera measures what is in its image. A full turn includes the bearing of pi and its rounding.
@@ -247,9 +227,10 @@ SimulatedVehicle simulated_vehicle(const Scenario& s, std::size_t i, const Terra
 Eigen::Vector2d steered_point(const Scenario& s) {
   const std::string& law = s.team.steer.law;
   const VehicleSettings& v = s.planar.vehicle;
-  if (v.model == "differential-drive" && law == "tracking") return {-v.sensor_forward_m, -v.sensor_left_m};
+  const MotionTraits& motion = motion_traits_in(s);
+  if (motion.on_plane() && law == "tracking") return {-v.sensor_forward_m, -v.sensor_left_m};
   const bool linearised = law == "feedback-linearisation" || law == "active";
-  if (v.model == "terrain" && linearised) return {s.team.steer.control_point_m, 0};
+  if (motion.space == Space::uneven_ground && linearised) return {s.team.steer.control_point_m, 0};
   return {0, 0};
 }
 
@@ -262,7 +243,7 @@ VehicleSteering steering_of(const LoadedScenario& loaded, std::size_t i, const T
     out.most_input = limits_of(s);
     return {TerrainVehicle{ground}, out};
   }
-  out.law = c.law != "active" ? c.law : is_line(s) ? "tracking" : "feedback-linearisation";
+  out.law = c.law != "active" ? c.law : motion_traits_in(s).on_line() ? "tracking" : "feedback-linearisation";
   AnyMotion motion = motion_of(s, ground);
   out.input = held_input(s, inputs_of(motion));
   out.gain_per_s = diagonal(c.gain_per_s);

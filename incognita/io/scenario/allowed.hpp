@@ -7,6 +7,7 @@
 
 #include "incognita/io/scenario/enum_words.hpp"
 #include "incognita/io/scenario/setting.hpp"
+#include "incognita/models/quantity.hpp"
 
 namespace incognita::allowed {
 
@@ -34,6 +35,12 @@ inline Allowed above_up_to(double least, double most) {
 inline Allowed odd_between(double least, double most) {
   Allowed a = between(least, most);
   a.odd = true;
+  return a;
+}
+/// As a model declares it.
+inline Allowed within(const Range& range) {
+  Allowed a = between(range.least, range.most);
+  a.more_than_least = range.more_than_least;
   return a;
 }
 inline Allowed one_of(std::vector<std::string> choices) {

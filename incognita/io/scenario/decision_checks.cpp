@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "incognita/io/scenario/team_setting_list.hpp"
+#include "incognita/models/registry.hpp"
 
 namespace incognita {
 namespace {
@@ -101,7 +102,7 @@ void check_counted(const Scenario& s, List& found) {
 
 /// CameraController swings the gaze, which flies in the rendered room and with recordings.
 void check_gaze(const Scenario& s, List& found) {
-  const bool is_free_camera = s.planar.vehicle.model == "free-camera" && !is_carried(s);
+  const bool is_free_camera = motion_traits_of(s.planar.vehicle.model).in_space() && !is_carried(s);
   if (s.run.world == "points" && is_free_camera && s.team.steer.law == "active" &&
       s.decision.gaze == DecisionSettings::Gaze::swing)
     found.push_back({"decision.gaze",

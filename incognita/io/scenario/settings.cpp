@@ -6,6 +6,7 @@
 #include "incognita/io/scenario/allowed.hpp"
 #include "incognita/io/scenario/decision_setting_list.hpp"
 #include "incognita/io/scenario/team_setting_list.hpp"
+#include "incognita/models/registry.hpp"
 
 namespace incognita {
 namespace {
@@ -20,8 +21,7 @@ void run(List& list, RunSettings& s) {
           {"run.world", &s.world, "", "where what is seen comes from",
            one_of({"room", "points", "recording"})},
           {"run.sensor", &s.sensor, "",
-           "what the estimator sees with; it decides which sections mean something",
-           one_of({"camera", "range-bearing", "bearing", "stereo"})},
+           "what the estimator sees with; it decides which sections mean something", one_of(sensor_words())},
           {"run.seed", &s.seed, "", "of every random stream; same seed, same bytes", at_least(0)},
           {"run.duration_s", &s.duration_s, "s", "at most; a recording may end before", above_up_to(0, 1e7)},
           {"run.rate_hz", &s.rate_hz, "Hz",
@@ -73,26 +73,31 @@ void recording(List& list, RecordingSettings& s) {
               });
 }
 
+/// The parameters that motion models declare. Models that share one share its key.
+void motion_parameters(List& list, VehicleSettings& s) {
+  const std::size_t first = list.size();
+  for (const MotionEntry& motion : registered_motions())
+    for (const ParameterInfo& p : motion.parameters) {
+      const std::string key = "vehicle." + p.quantity.key();
+      const auto has_key = [&](const Setting& setting) { return setting.key == key; };
+      if (std::any_of(list.begin() + static_cast<std::ptrdiff_t>(first), list.end(), has_key)) continue;
+      list.push_back({key, &s.parameter(p.quantity.key(), p.default_value), std::string(p.quantity.unit),
+                      std::string(p.help), within(p.range)});
+    }
+}
+
 void vehicle(List& list, VehicleSettings& s) {
-  list.insert(list.end(),
-              {
-                  {"vehicle.model", &s.model, "", "how it moves, and what its odometry means",
-                   one_of({"ackermann", "differential-drive", "monobot", "terrain", "free-camera"})},
-                  {"vehicle.wheelbase_m", &s.wheelbase_m, "m", "ackermann", above_up_to(0, 1000)},
-                  {"vehicle.wheel_left_m", &s.wheel_left_m, "m",
-                   "ackermann: the wheel whose speed is measured, left of the middle of the rear axle",
-                   between(-1000, 1000)},
-                  {"vehicle.sensor_forward_m", &s.sensor_forward_m, "m",
-                   "sensor before the middle of the rear or only axle", between(-1000, 1000)},
-                  {"vehicle.sensor_left_m", &s.sensor_left_m, "m", "sensor left of the middle of the axle",
-                   between(-1000, 1000)},
-                  {"vehicle.sigma_speed_m_s", &s.sigma_speed_m_s, "m/s",
-                   "of the speed told, held for one reading", between(0, 1000)},
-                  {"vehicle.sigma_steering_rad", &s.sigma_steering_rad, "rad",
-                   "ackermann: of the angle told, likewise", between(0, 3.2)},
-                  {"vehicle.sigma_turn_rate_rad_s", &s.sigma_turn_rate_rad_s, "rad/s",
-                   "differential-drive: of the turn rate told, likewise", between(0, 1000)},
-              });
+  list.push_back(
+      {"vehicle.model", &s.model, "", "how it moves, and what its odometry means", one_of(motion_names())});
+  motion_parameters(list, s);
+  list.insert(list.end(), {
+                              {"vehicle.sigma_speed_m_s", &s.sigma_speed_m_s, "m/s",
+                               "of the speed told, held for one reading", between(0, 1000)},
+                              {"vehicle.sigma_steering_rad", &s.sigma_steering_rad, "rad",
+                               "of the steering angle told, likewise", between(0, 3.2)},
+                              {"vehicle.sigma_turn_rate_rad_s", &s.sigma_turn_rate_rad_s, "rad/s",
+                               "of the turn rate told, likewise", between(0, 1000)},
+                          });
 }
 
 void vehicle_start(List& list, PlanarStartSettings& s) {
@@ -432,10 +437,8 @@ std::string why_meaningless(const std::string& key, const Scenario& s) {
     return std::find(keys.begin(), keys.end(), key) != keys.end();
   };
   const std::string model = "vehicle.model = `" + s.planar.vehicle.model + "`";
-  const bool car = s.planar.vehicle.model == "ackermann";
-  if (!car && any_of({"vehicle.wheelbase_m", "vehicle.wheel_left_m", "vehicle.sigma_steering_rad"}))
+  if (section_of(key) == "vehicle" && !applies_to_motion(name_in_section(key), s.planar.vehicle.model))
     return model;
-  if (car && key == "vehicle.sigma_turn_rate_rad_s") return model;
   const std::string& method = s.planar.association.method;
   if (method != "joint" && key == "association.max_nodes") return "association.method = `" + method + "`";
   if (method == "known" && any_of({"association.birth_probability", "association.birth_distance_m"}))

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "incognita/io/scenario/team_setting_list.hpp"
+#include "incognita/models/registry.hpp"
 
 namespace incognita {
 namespace {
@@ -79,15 +80,10 @@ void check_association(const Scenario& s, List& found) {
 
 /// What (5.1) and (5.9) weigh, and what is held, by what the motion has.
 void check_gains(const Scenario& s, List& found) {
-  const std::string& model = s.planar.vehicle.model;
-  const bool line = model == "monobot", body = model == "free-camera";
-  const std::size_t inputs = line                     ? 1
-                             : body && !is_carried(s) ? 6
-                                                      : 2,
-                    axes = line ? 1 : 2,
-                    regulated = line   ? 1
-                                : body ? 12
-                                       : 2;
+  const MotionTraits& motion = motion_traits_of(s.planar.vehicle.model);
+  const std::size_t inputs = is_carried(s) ? motion_traits<TerrainVehicle>.input.size() : motion.input.size(),
+                    axes = motion.on_line() ? 1 : 2,
+                    regulated = motion.in_space() ? motion.error.size() : axes;
   const SteerChoice& c = s.team.steer;
   if (!c.input.empty() && c.input.size() != inputs)
     found.push_back(
@@ -114,8 +110,9 @@ void check_path(const Scenario& s, List& found) {
 /// What stands on the ground or on a line has no height, nor a place beside the line, to choose.
 void check_dimensions(const Scenario& s, List& found) {
   const std::string& model = s.planar.vehicle.model;
-  if (model == "free-camera" && !is_carried(s)) return;
-  const bool line = model == "monobot";
+  const MotionTraits& motion = motion_traits_of(model);
+  if (motion.in_space() && !is_carried(s)) return;
+  const bool line = motion.on_line();
   const auto check_places = [&](const char* key, const std::vector<Eigen::Vector3d>& places) {
     for (const Eigen::Vector3d& place : places)
       if (place.z() != 0 || (line && place.y() != 0))
@@ -132,13 +129,15 @@ void check_dimensions(const Scenario& s, List& found) {
   check_places("path.centre_m", {s.team.path.centre_m});
   check_places("path.points_m", s.team.path.points_m);
   if (line && (s.team.path.kind == "circle" || s.team.path.kind == "back-and-forth"))
-    found.push_back({"path.kind", "must be `point`, `way-points` or `file` with vehicle.model = `monobot`"});
+    found.push_back(
+        {"path.kind", "must be `point`, `way-points` or `file` with vehicle.model = `" + model + "`"});
 }
 
 /// A law that steers a position needs a point off the axle, thesis (5.13): its inverse has 1 / l in it.
 void check_control_point(const Scenario& s, List& found) {
   constexpr double least_m = 0.01;
-  const std::string &model = s.planar.vehicle.model, &law = s.team.steer.law;
+  const std::string& law = s.team.steer.law;
+  const MotionTraits& motion = motion_traits_of(s.planar.vehicle.model);
   if (law == "none" || law == "tracking") return;
   const auto refuse = [&](const char* key) {
     found.push_back(
@@ -146,10 +145,10 @@ void check_control_point(const Scenario& s, List& found) {
                           "that is steered cannot be moved sideways",
                           least_m, law)});
   };
-  if ((model == "differential-drive" || model == "ackermann") &&
-      std::abs(s.planar.vehicle.sensor_forward_m) < least_m)
+  if (motion.on_plane() && std::abs(s.planar.vehicle.sensor_forward_m) < least_m)
     refuse("vehicle.sensor_forward_m");
-  if (model == "terrain" && std::abs(s.team.steer.control_point_m) < least_m) refuse("steer.control_point_m");
+  if (motion.space == Space::uneven_ground && std::abs(s.team.steer.control_point_m) < least_m)
+    refuse("steer.control_point_m");
 }
 
 void check_known(const Scenario& s, List& found) {
@@ -175,8 +174,9 @@ void check_form(const Scenario& s, List& found) {
                        "has infinite information"});
   };
   check("team.sigma_position_m", s.team.start.sigma_position_m);
-  if (s.planar.vehicle.model != "monobot") check("team.sigma_heading_rad", s.team.start.sigma_heading_rad);
-  if (s.planar.vehicle.model != "free-camera") return;
+  const MotionTraits& motion = motion_traits_of(s.planar.vehicle.model);
+  if (!motion.on_line()) check("team.sigma_heading_rad", s.team.start.sigma_heading_rad);
+  if (!motion.in_space()) return;
   check("filter.sigma_start_velocity_m_s", s.slam.filter.sigma_start_velocity_m_s);
   check("filter.sigma_start_angular_rate_rad_s", s.slam.filter.sigma_start_angular_rate_rad_s);
 }
@@ -202,7 +202,8 @@ void check_plant(const Scenario& s, List& found) {
     return found.push_back({"steer.law",
                             "must be `active`, or `none` with a steer.input of a speed and a turn "
                             "rate, with plant.motion = `terrain` under a camera that is carried"});
-  if (s.team.plant.motion == "terrain" && s.run.sensor != "camera" && s.run.sensor != "stereo")
+  const SensorTraits& sensor = sensor_traits_of(s.run.sensor, motion_traits_of(s.planar.vehicle.model));
+  if (s.team.plant.motion == "terrain" && sensor.dimensions != 3)
     return found.push_back({"plant.motion", "must be `as-believed` with run.sensor = `" + s.run.sensor +
                                                 "`: on uneven ground the plane of a scanner tilts"});
   if (s.team.plant.motion == "terrain" && (v.sensor_forward_m != 0 || v.sensor_left_m != 0))
@@ -213,7 +214,8 @@ void check_plant(const Scenario& s, List& found) {
 }
 
 void check_terrain(const Scenario& s, List& found) {
-  const bool uneven = s.planar.vehicle.model == "terrain" || s.team.plant.motion == "terrain";
+  const MotionTraits& motion = motion_traits_of(s.planar.vehicle.model);
+  const bool uneven = motion.space == Space::uneven_ground || s.team.plant.motion == "terrain";
   if (uneven && s.team.terrain.kind == "image" && s.team.terrain.file.empty())
     found.push_back({"terrain.file", "must name a grey image, terrain.kind being `image`"});
 }
@@ -285,7 +287,8 @@ void check_team(const Scenario& s, List& found) {
   check_bounds(s, found);
   check_plant(s, found);
   check_terrain(s, found);
-  if (s.run.sensor == "camera" || s.run.sensor == "stereo") check_camera(s, found);
+  if (sensor_traits_of(s.run.sensor, motion_traits_of(s.planar.vehicle.model)).dimensions == 3)
+    check_camera(s, found);
 }
 
 }  // namespace incognita

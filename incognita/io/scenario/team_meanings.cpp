@@ -5,6 +5,7 @@
 
 #include "incognita/io/scenario/settings.hpp"
 #include "incognita/io/scenario/team_setting_list.hpp"
+#include "incognita/models/registry.hpp"
 
 namespace incognita {
 namespace {
@@ -22,9 +23,11 @@ struct Choices {
   const std::string& law = s.team.steer.law;
   const std::string& path = s.team.path.kind;
   bool recorded = s.run.world == "recording";
-  bool camera = sensor == "camera" || sensor == "stereo";
-  bool body = model == "free-camera", line = model == "monobot", car = model == "ackermann",
-       ground = model == "terrain", drive = model == "differential-drive";
+  const MotionTraits& motion = motion_traits_of(model);
+  const SensorTraits& measured = sensor_traits_of(sensor, motion);
+  bool camera = measured.dimensions == 3;
+  bool body = motion.in_space(), line = motion.on_line(), ground = motion.space == Space::uneven_ground;
+  bool turns = motion.has_input("turn_rate"), steers = motion.has_input("steering");
   bool carried = is_carried(s);  ///< a camera that knows nothing of the wheels under it
 
   std::string by_sensor() const { return "run.sensor = `" + sensor + "`"; }
@@ -40,11 +43,7 @@ struct Choices {
 std::string unless(bool means, const std::string& why) { return means ? "" : why; }
 
 std::string vehicle(std::string_view key, const Choices& c) {
-  if (one_of(key, {"wheelbase_m", "wheel_left_m", "sigma_steering_rad"})) return unless(c.car, c.by_model());
-  if (one_of(key, {"sensor_forward_m", "sensor_left_m"})) return unless(c.car || c.drive, c.by_model());
-  if (key == "sigma_turn_rate_rad_s") return unless(c.drive || c.ground, c.by_model());
-  if (key == "sigma_speed_m_s") return unless(!c.body, c.by_model());
-  return "";
+  return unless(applies_to_motion(std::string(key), c.model), c.by_model());
 }
 
 /// Of the filter, and of the plant.
@@ -52,7 +51,7 @@ std::string ranges(std::string_view key, const Choices& c) {
   if (c.camera) return c.by_sensor();
   if (key == "sigma_bearing_rad") return unless(!c.line, c.by_model());
   if (one_of(key, {"sigma_range_m", "sigma_range_ratio"}))
-    return unless(c.sensor == "range-bearing", c.by_sensor());
+    return unless(c.measured.measures("range"), c.by_sensor());
   return "";
 }
 
@@ -73,10 +72,10 @@ std::string plant(std::string_view key, const Choices& c) {
     return "";
   if (c.carried && key == "sigma_start_height_m") return c.by_plant();
   if (one_of(key, {"sigma_speed_m_s", "speed_ratio"})) return unless(!c.body, c.by_model());
-  if (key == "sigma_steering_rad") return unless(c.car, c.by_model());
-  if (key == "sigma_turn_rate_rad_s") return unless(c.drive || c.ground, c.by_model());
-  if (key == "turn_ratio") return unless(!c.body && !c.line, c.by_model());
-  if (key == "motion") return unless(c.drive || c.body, c.by_model());
+  if (key == "sigma_steering_rad") return unless(c.steers, c.by_model());
+  if (key == "sigma_turn_rate_rad_s") return unless(c.turns, c.by_model());
+  if (key == "turn_ratio") return unless(c.turns || c.steers, c.by_model());
+  if (key == "motion") return unless((c.motion.is_planar_pose() && c.turns) || c.body, c.by_model());
   if (key == "sigma_start_height_m") return unless(c.body, c.by_model());
   if (key == "sigma_start_heading_rad") return unless(!c.line, c.by_model());
   return "";
@@ -98,8 +97,8 @@ std::string steer(std::string_view key, const Choices& c) {
   if (key == "input") return unless(c.law == "none", c.by_law());
   if (c.carried) return unless(one_of(key, {"max_speed_m_s", "max_turn_rate_rad_s"}), c.by_plant());
   if (key == "max_speed_m_s") return unless(!c.body, c.by_model());
-  if (key == "max_turn_rate_rad_s") return unless(c.drive || c.ground, c.by_model());
-  if (key == "max_steering_rad") return unless(c.car, c.by_model());
+  if (key == "max_turn_rate_rad_s") return unless(c.turns, c.by_model());
+  if (key == "max_steering_rad") return unless(c.steers, c.by_model());
   const bool linearised = c.law == "feedback-linearisation" || c.law == "active";
   if (one_of(key, {"weight_state", "weight_input"})) return unless(c.law == "lqg", c.by_law());
   if (key == "gain_per_s") {
@@ -108,7 +107,7 @@ std::string steer(std::string_view key, const Choices& c) {
   }
   if (key == "control_point_m") return unless(c.ground && linearised, c.ground ? c.by_law() : c.by_model());
   if (c.law != "tracking") return c.by_law();  // its three gains
-  return unless(c.drive || c.ground, c.by_model());
+  return unless(c.turns, c.by_model());
 }
 
 std::string path(std::string_view key, const Choices& c) {
@@ -125,9 +124,10 @@ std::string path(std::string_view key, const Choices& c) {
 
 /// Inverse depths are for landmarks whose distance is not told; how they become points, for stereo's too.
 std::string birth(std::string_view key, const Choices& c) {
-  if (key == "max_linearity") return unless(c.sensor != "range-bearing", c.by_sensor());
+  if (key == "max_linearity")
+    return unless(c.measured.initial_form == LandmarkForm::Kind::inverse_depth, c.by_sensor());
   if (one_of(key, {"inverse_depth_per_m", "sigma_inverse_depth_per_m"}))
-    return unless(c.sensor == "bearing" || c.sensor == "camera", c.by_sensor());
+    return unless(!c.measured.measures_distance, c.by_sensor());
   return c.by_world();
 }
 
@@ -193,7 +193,7 @@ std::string in_points(const std::string& section, std::string_view key, const Ch
   if (section == "terrain") return terrain(key, c);
   if (section == "mount")
     return unless(c.camera && (!c.body || c.carried), c.camera ? c.by_model() : c.by_sensor());
-  if (section == "stereo") return unless(c.sensor == "stereo", c.by_sensor());
+  if (is_of_sensor(section)) return unless(c.sensor == section, c.by_sensor());
   if (section == "steer") return steer(key, c);
   if (section == "path") return path(key, c);
   if (section == "filter") return filter(key, c);
@@ -217,7 +217,8 @@ std::string on_wheels(const std::string& section, std::string_view key, const Ch
 }  // namespace
 
 bool is_room_vehicle(const Scenario& s) {
-  return s.run.world == "room" && s.run.sensor == "camera" && s.planar.vehicle.model == "terrain";
+  return s.run.world == "room" && s.run.sensor == "camera" &&
+         motion_traits_of(s.planar.vehicle.model).space == Space::uneven_ground;
 }
 
 std::string why_meaningless_to_room_vehicle(const std::string& full_key, const Scenario& s) {
@@ -242,13 +243,35 @@ bool is_team(const Scenario& s) {
 }
 
 bool is_carried(const Scenario& s) {
-  return s.run.world == "points" && s.planar.vehicle.model == "free-camera" &&
+  return s.run.world == "points" && motion_traits_of(s.planar.vehicle.model).in_space() &&
          s.team.plant.motion == "terrain";
 }
 
+bool is_of_sensor(const std::string& section) {
+  const std::vector<SensorEntry>& sensors = registered_sensors();
+  return std::any_of(sensors.begin(), sensors.end(), [&](const SensorEntry& sensor) {
+    return sensor.traits.word == section && !sensor.parameters.empty();
+  });
+}
+
 bool is_of_teams(const std::string& section) {
-  return one_of(section,
-                {"team", "team_filter", "points", "plant", "terrain", "mount", "stereo", "steer", "path"});
+  return is_of_sensor(section) ||
+         one_of(section, {"team", "team_filter", "points", "plant", "terrain", "mount", "steer", "path"});
+}
+
+bool applies_to_motion(const std::string& key, const std::string& model) {
+  const MotionTraits& motion = motion_traits_of(model);
+  if (key == "sigma_speed_m_s") return motion.has_input("speed");
+  if (key == "sigma_turn_rate_rad_s") return motion.has_input("turn_rate");
+  if (key == "sigma_steering_rad") return motion.has_input("steering");
+  bool of_any = false;
+  for (const MotionEntry& entry : registered_motions())
+    for (const ParameterInfo& p : entry.parameters) {
+      if (p.quantity.key() != key) continue;
+      if (entry.traits.name == model) return true;
+      of_any = true;
+    }
+  return !of_any;
 }
 
 std::string why_meaningless_to_team(const std::string& full_key, const Scenario& s) {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -113,6 +114,14 @@ struct TeamScenario {
   StereoChoice stereo;
   SteerChoice steer;
   PathChoice path;
+  std::map<std::string, double> sensor_parameters = {};  ///< of further sensors, by full key: "sonar.range_m"
+
+  /// The parameter of that full key, as the sensors declare it. A new one begins with `default_value`.
+  double& sensor_parameter(const std::string& key, double default_value) {
+    if (key == "stereo.baseline_m") return stereo.baseline_m;
+    if (key == "stereo.least_disparity_px") return stereo.least_disparity_px;
+    return sensor_parameters.emplace(key, default_value).first->second;
+  }
 };
 
 }  // namespace incognita

@@ -1,6 +1,7 @@
 #include "incognita/io/scenario/team_setting_list.hpp"
 
 #include "incognita/io/scenario/allowed.hpp"
+#include "incognita/models/registry.hpp"
 
 namespace incognita {
 namespace {
@@ -122,13 +123,14 @@ void mount(List& list, MountChoice& s) {
                           });
 }
 
-void stereo(List& list, StereoChoice& s) {
-  list.insert(list.end(), {
-                              {"stereo.baseline_m", &s.baseline_m, "m", "from the left camera to the right",
-                               above_up_to(0, 100)},
-                              {"stereo.least_disparity_px", &s.least_disparity_px, "px",
-                               "with less a landmark is not born", above_up_to(0, 1000)},
-                          });
+/// A section per sensor that has parameters, as they declare them.
+void sensors(List& list, TeamScenario& s) {
+  for (const SensorEntry& sensor : registered_sensors())
+    for (const ParameterInfo& p : sensor.parameters) {
+      const std::string key = std::string(sensor.traits.word) + "." + p.quantity.key();
+      list.push_back({key, &s.sensor_parameter(key, p.default_value), std::string(p.quantity.unit),
+                      std::string(p.help), within(p.range)});
+    }
 }
 
 void steer(List& list, SteerChoice& s) {
@@ -216,7 +218,7 @@ void list_team_settings(List& list, TeamScenario& t) {
   plant(list, t.plant);
   terrain(list, t.terrain);
   mount(list, t.mount);
-  stereo(list, t.stereo);
+  sensors(list, t);
   steer(list, t.steer);
   path(list, t.path);
 }

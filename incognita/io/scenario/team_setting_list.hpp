@@ -28,6 +28,12 @@ std::vector<std::pair<const char*, const char*>> beliefs_of_noises();
 /// Whether a section belongs to teams alone.
 bool is_of_teams(const std::string& section);
 
+/// Whether a section holds the parameters of a sensor.
+bool is_of_sensor(const std::string& section);
+
+/// Whether a key of [vehicle] applies to a motion model; one that no model declares applies to all.
+bool applies_to_motion(const std::string& key, const std::string& model);
+
 /// With which other setting a key means nothing in a team's scenario; empty where it means something.
 std::string why_meaningless_to_team(const std::string& key, const Scenario& scenario);
 /// Likewise of a vehicle in the rendered room.

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,15 +13,24 @@
 namespace incognita {
 
 struct VehicleSettings {
-  std::string model = "ackermann";  ///< `ackermann` or `differential-drive`
+  std::string model = "ackermann";  ///< the name of a motion model: models/registry.hpp
   double wheelbase_m = 2.83;        ///< `ackermann`
   double wheel_left_m = 0.76;       ///< `ackermann`: from the middle of the rear axle to the wheel measured
   double sensor_forward_m = 0;      ///< sensor from the middle of the rear or only axle
   double sensor_left_m = 0;
   double sigma_speed_m_s = 0.7;  ///< of the speed that the wheel or the axle tells, held for one reading
-  double sigma_steering_rad = 0.12217;  ///< `ackermann`
-  double sigma_turn_rate_rad_s = 0.05;  ///< `differential-drive`
+  double sigma_steering_rad = 0.12217;            ///< `ackermann`
+  double sigma_turn_rate_rad_s = 0.05;            ///< `differential-drive`
+  std::map<std::string, double> parameters = {};  ///< of motion models beyond the above, by key
+
+  /// The parameter of that key, as the motion models declare it. A new one begins with `default_value`.
+  double& parameter(const std::string& key, double default_value);
 };
+
+/// The motion model with its parameters; uneven ground is level. Throws std::invalid_argument for an unknown model.
+AnyMotion motion_of(const VehicleSettings& settings);
+/// The sigma of each input of the motion.
+SmallVector input_sigmas_of(const VehicleSettings& settings, const MotionTraits& motion);
 
 struct RangeBearingSettings {
   double sigma_range_m = 0.1;

@@ -5,23 +5,16 @@
 namespace incognita {
 namespace {
 
-AnyMotion motion_of(const VehicleSettings& v) {
-  const DifferentialDrive body{v.sensor_forward_m, v.sensor_left_m};
-  if (v.model == "differential-drive") return body;
-  if (v.model == "ackermann") return AckermannCar{v.wheelbase_m, v.wheel_left_m, body};
-  throw std::invalid_argument("vehicle.model = `" + v.model +
-                              "`: must be one of `ackermann`, `differential-drive`");
-}
-
 TeamMember member_of(const PlanarSlamSettings& s) {
+  if (!motion_traits_of(s.vehicle.model).is_planar_pose())
+    throw std::invalid_argument("vehicle.model = `" + s.vehicle.model +
+                                "`: must be one of `ackermann`, `differential-drive`");
   TeamMember member{motion_of(s.vehicle), LaserScanner{}, {}, {}, {}, {}};
   const PlanarStartSettings& start = s.start;
   member.start = Eigen::Vector3d(start.position_m.x(), start.position_m.y(), wrap_angle(start.heading_rad));
   member.start_sigmas =
       Eigen::Vector3d(start.sigma_position_m, start.sigma_position_m, start.sigma_heading_rad);
-  const bool car = s.vehicle.model == "ackermann";
-  member.input_sigmas = Eigen::Vector2d(s.vehicle.sigma_speed_m_s,
-                                        car ? s.vehicle.sigma_steering_rad : s.vehicle.sigma_turn_rate_rad_s);
+  member.input_sigmas = input_sigmas_of(s.vehicle, traits_of(member.motion));
   member.sigmas = Eigen::Vector2d(s.sensor.sigma_range_m, s.sensor.sigma_bearing_rad);
   member.sigma_range_ratio = s.sensor.sigma_range_ratio;
   member.sigma_fix_m = s.filter.use_fixes ? s.filter.sigma_fix_m : 0;

@@ -8,12 +8,11 @@
 namespace incognita {
 namespace {
 
-bool is_planar(const TeamMember& m) {
-  return std::holds_alternative<DifferentialDrive>(m.motion) ||
-         std::holds_alternative<AckermannCar>(m.motion);
-}
+bool is_planar(const TeamMember& m) { return traits_of(m.motion).is_planar_pose(); }
 
-bool is_laser_on_plane(const TeamMember& m) { return std::holds_alternative<LaserScanner>(m.sensor); }
+bool measures_points_of_plane(const TeamMember& m) {
+  return dimensions_of(m.sensor) == 2 && tells_distance(m.sensor);
+}
 
 std::string fault_in_sizes(const TeamMember& m) {
   const Chart& chart = chart_of(m.motion);
@@ -55,7 +54,7 @@ std::string fault_in_information(const TeamSettings& s) {
 std::string fault_in_iterated(const TeamMember& m, const TeamSettings& s) {
   constexpr double most = 0.03;
   constexpr double most_velocity = 0.02;
-  if (!std::holds_alternative<FreeCameraMotion>(m.motion)) return "";
+  if (!traits_of(m.motion).in_space()) return "";
   // Depths and velocity are told by their product: iterated to its mode, both are believed where none was
   // learnt
   if (!tells_distance(m.sensor) && m.start_sigmas.tail<6>().maxCoeff() > most_velocity)
@@ -78,7 +77,7 @@ std::string fault_in_map_frame(const TeamSettings& s) {
     return "vehicle_filter.map_frame = `" + f.map_frame + "`: must be one of `world`, `vehicle`";
   if (s.members.size() > 1)
     return "vehicle_filter.map_frame = `vehicle`: a map in the frame of one of several vehicles is not supported; take `world`";
-  if (!is_planar(s.members.front()) || !is_laser_on_plane(s.members.front()))
+  if (!is_planar(s.members.front()) || !measures_points_of_plane(s.members.front()))
     return "vehicle_filter.map_frame = `vehicle`: only for a vehicle on a plane that measures ranges and bearings; take `world`";
   if (f.form == "information")
     return "vehicle_filter.map_frame = `vehicle`: the information form cannot change the frame of a map; take `covariance`";
@@ -130,7 +129,7 @@ std::string fault_in(const TeamSettings& s) {
       if (!fault.empty()) return fault;
     if (dimensions_of(m.sensor) != dimensions_of(s.members.front().sensor))
       return "vehicles whose landmarks have different dimensions can not share a map";
-    if (s.filter.lineariser == "first-estimate" && !is_laser_on_plane(m))
+    if (s.filter.lineariser == "first-estimate" && !(is_planar(m) && measures_points_of_plane(m)))
       return "first-estimate Jacobians are derived for ranges and bearings on a plane only";
     if (s.filter.lineariser == "iterated")
       if (const std::string fault = fault_in_iterated(m, s); !fault.empty()) return fault;

@@ -137,8 +137,7 @@ SmallVector anchor_position(const TeamEstimate& e, const SmallVector& anchor) {
 }
 
 bool is_usable(const AnySensor& sensor, const SmallVector& z) {
-  return z.size() == chart_of(sensor).ambient() && z.allFinite() &&
-         (!std::holds_alternative<LaserScanner>(sensor) || z[0] > 0);
+  return z.size() == chart_of(sensor).ambient() && z.allFinite() && is_possible(sensor, z);
 }
 
 std::optional<SmallVector> point_of(const TeamEstimate& e, int vehicle, const SmallVector& z,

@@ -4,15 +4,10 @@
 #include <type_traits>
 
 #include "incognita/belief/linearise.hpp"
-#include "incognita/models/held_acceleration.hpp"
-#include "incognita/models/on_arc.hpp"
 #include "incognita/slam/points/team_looks.hpp"
 
 namespace incognita {
 namespace {
-
-template <class Model>
-constexpr bool is_planar = std::is_same_v<Model, DifferentialDrive> || std::is_same_v<Model, AckermannCar>;
 
 AffineMotion linearised_motion(const TeamMember& member, const std::string& lineariser,
                                const AnyBelief& belief, BlockId block, const SmallVector& input,
@@ -25,17 +20,7 @@ AffineMotion linearised_motion(const TeamMember& member, const std::string& line
     if (lineariser == "unscented-vehicle") return unscented(model, belief, block, u, noise, dt);
     return linearised(model, belief, block, u, noise, dt);
   };
-  return std::visit(
-      [&](const auto& model) {
-        using Model = std::decay_t<decltype(model)>;
-        if constexpr (is_planar<Model>)
-          return by(OnArc<Model>{model});
-        else if constexpr (std::is_same_v<Model, FreeCameraMotion>)
-          return by(HeldAcceleration{});
-        else
-          return by(model);
-      },
-      member.motion);
+  return std::visit([&](const auto& model) { return by(integrator_of(model)); }, member.motion);
 }
 
 /// One input held for `dt` seconds. The noise is one draw per reading, held for `period` seconds: a piece of a reading

@@ -46,7 +46,7 @@ TeamWorld::TeamWorld(const std::vector<SimulatedVehicle>& vehicles, std::uint64_
   need(hands_.empty() || hands_.size() == vehicles.size(),
        std::to_string(vehicles.size()) + " vehicles, and " + std::to_string(hands_.size()) + " operators");
   for (std::size_t i = 0; i < vehicles.size(); ++i) {
-    need(hands_.empty() || std::holds_alternative<FreeCameraMotion>(vehicles[i].motion),
+    need(hands_.empty() || traits_of(vehicles[i].motion).in_space(),
          "an operator moves a camera that is free");
     plants_.emplace_back(vehicles[i].motion, vehicles[i].plant, seed, stream_of("plant", i));
   }
@@ -72,8 +72,7 @@ std::optional<Truth> TeamWorld::move(const Command& command, const Tick& tick) {
   const RigidPose& first = *truth.poses.front();
   truth.camera.head<3>() = first.position;
   truth.camera.segment<4>(3) = first.world_from_body;
-  if (std::holds_alternative<FreeCameraMotion>(plants_.front().motion()))
-    truth.camera = truth.vehicles.front();
+  if (traits_of(plants_.front().motion()).in_space()) truth.camera = truth.vehicles.front();
   return truth;
 }
 
@@ -102,8 +101,7 @@ std::optional<SmallVector> TeamSensor::measured(std::size_t i, const SmallVector
     error[k] = (v.sigmas[k] + (k == 0 ? v.sigma_range_ratio * std::abs(z[0]) : 0)) * noise_[i].normal();
   chart_of(v.sensor).plus({z.data(), static_cast<std::size_t>(z.size())},
                           {error.data(), static_cast<std::size_t>(error.size())});
-  // Noise can make a near range negative: a scanner tells no such thing
-  if (std::holds_alternative<LaserScanner>(v.sensor) && !(z[0] > 0)) return std::nullopt;
+  if (!is_possible(v.sensor, z)) return std::nullopt;
   return z;
 }
 

@@ -19,8 +19,8 @@ namespace {
 
 using namespace incognita;
 
-constexpr int camera_errors = 12, landmark_errors = 3, look_rows = 2, look_count = 12;
-constexpr int rank = look_rows * look_count;
+constexpr int camera_errors = 12, landmark_errors = 3, measurement_rows = 2, measurement_count = 12;
+constexpr int rank = measurement_rows * measurement_count;
 
 struct Normal {
   RandomStream stream{7, "bench"};
@@ -35,8 +35,8 @@ Eigen::MatrixXd random_matrix(int rows, int columns) {
 /// A camera that has seen every landmark of a map, and what it does next.
 struct Scene {
   Belief belief;
-  AffineMotion motion;
-  std::vector<AffineLook> looks;
+  LinearizedMotion motion;
+  std::vector<LinearizedMeasurement> measurements;
 
   explicit Scene(int errors) : belief(errors) {
     const Chart chart{{Chart::Kind::line, 3}, {Chart::Kind::quaternion, 4}, {Chart::Kind::line, 6}};
@@ -52,14 +52,14 @@ struct Scene {
     }
     motion = {camera, mean, BlockMatrix::Identity(camera_errors, camera_errors),
               1e-2 * BlockMatrix::Identity(camera_errors, camera_errors)};
-    for (int i = 0; i < look_count; ++i) {  // spread over the map from its first landmark to its last
-      AffineLook look;
-      look.add(camera, random_matrix(look_rows, camera_errors));
-      look.add(landmarks[(landmarks.size() - 1) * i / (look_count - 1)],
-               random_matrix(look_rows, landmark_errors));
-      look.residual = LookVector::Zero(look_rows);
-      look.R = LookMatrix::Identity(look_rows, look_rows);
-      looks.push_back(look);
+    for (int i = 0; i < measurement_count; ++i) {  // spread over the map from its first landmark to its last
+      LinearizedMeasurement measurement;
+      measurement.add(camera, random_matrix(measurement_rows, camera_errors));
+      measurement.add(landmarks[(landmarks.size() - 1) * i / (measurement_count - 1)],
+                      random_matrix(measurement_rows, landmark_errors));
+      measurement.residual = MeasurementVector::Zero(measurement_rows);
+      measurement.R = MeasurementMatrix::Identity(measurement_rows, measurement_rows);
+      measurements.push_back(measurement);
     }
   }
 };
@@ -91,11 +91,11 @@ void update(benchmark::State& state) {
   EigenUpdate eigen(scene.belief.errors());
   Turns turns;
   std::vector<double> predictions;
-  scene.belief.update(scene.looks);  // warm: allocates its workspace
+  scene.belief.update(scene.measurements);  // warm: allocates its workspace
   for (auto _ : state) {
     predictions.push_back(seconds([&] { scene.belief.predict(scene.motion); }));
     const double ours = seconds([&] {
-      const UpdateReport report = scene.belief.update(scene.looks);
+      const UpdateReport report = scene.belief.update(scene.measurements);
       if (report.outcome != UpdateReport::Outcome::updated) state.SkipWithError("the update was refused");
     });
     turns.add(ours, seconds([&] { eigen(); }));

@@ -54,7 +54,7 @@ Estimate among(int landmarks) {
         e.belief.augment(PointLandmark::chart, at, {&parent, 1}, sigma * sigma * Eigen::Matrix3d::Identity());
     landmark.view.camera_position = {0, 0, 0};
     landmark.view.world_from_camera = x.segment<4>(3);
-    e.catalogue.push_back(std::move(landmark));
+    e.catalog.push_back(std::move(landmark));
   }
   return e;
 }
@@ -66,17 +66,18 @@ double by_determinants(const Eigen::MatrixXd& P, const ImaginedStep& step, const
   moved.topRows(12) = step.A * moved.topRows(12);
   moved.leftCols(12) = moved.leftCols(12) * step.A.transpose();
   moved.topLeftCorner(12, 12) += step.N;
-  Eigen::MatrixXd H = Eigen::MatrixXd::Zero(2 * static_cast<Eigen::Index>(step.looks.size()), P.cols());
-  for (std::size_t i = 0; i < step.looks.size(); ++i) {
+  Eigen::MatrixXd H =
+      Eigen::MatrixXd::Zero(2 * static_cast<Eigen::Index>(step.measurements.size()), P.cols());
+  for (std::size_t i = 0; i < step.measurements.size(); ++i) {
     const auto row = 2 * static_cast<Eigen::Index>(i);
-    H.block(row, 0, 2, 12) = step.looks[i].Hv;
-    if (step.looks[i].Hl.cols() > 0)
-      H.block(row, belief.offset(step.looks[i].block), 2, 3) = step.looks[i].Hl;
+    H.block(row, 0, 2, 12) = step.measurements[i].Hv;
+    if (step.measurements[i].Hl.cols() > 0)
+      H.block(row, belief.offset(step.measurements[i].block), 2, 3) = step.measurements[i].Hl;
   }
   const Eigen::MatrixXd HP = H * moved;
   const Eigen::MatrixXd S =
       HP * H.transpose() +
-      Eigen::MatrixXd(step.looks[0].R(0, 0) * Eigen::MatrixXd::Identity(H.rows(), H.rows()));
+      Eigen::MatrixXd(step.measurements[0].R(0, 0) * Eigen::MatrixXd::Identity(H.rows(), H.rows()));
   const Eigen::MatrixXd after = moved - HP.transpose() * S.ldlt().solve(HP);
   return 0.5 * (moved.partialPivLu().matrixLU().diagonal().array().abs().log().sum() -
                 after.partialPivLu().matrixLU().diagonal().array().abs().log().sum());
@@ -94,20 +95,20 @@ void evaluation(benchmark::State& state) {
   ImaginedStep step;
   const CameraState now = e.camera_state();
   std::int64_t evaluations = 0;
-  std::size_t looks = 0;
+  std::size_t measurements = 0;
   const auto evaluate = [&] {
-    const Outcome out = moves.after(now, static_cast<int>(evaluations++ % 7));
+    const ActionOutcome out = moves.after(now, static_cast<int>(evaluations++ % 7));
     step.A = out.A;
     step.N = out.N;
-    expectation.expect(out.state, step.looks);
+    expectation.expect(out.state, step.measurements);
     gain.push(step);
     benchmark::DoNotOptimize(gain.of_state());
     gain.pop();
-    looks = step.looks.size();
+    measurements = step.measurements.size();
   };
   gain.start(e.belief, e.camera);
   for (auto _ : state) evaluate();
-  state.counters["looks"] = static_cast<double>(looks);
+  state.counters["looks"] = static_cast<double>(measurements);
   state.counters["states"] = static_cast<double>(e.belief.errors());
   if (state.range(1) > 0) {
     state.counters["a_second"] = 70 / seconds([&] {
@@ -173,7 +174,7 @@ void frame(benchmark::State& state) {
   const auto next = [&] { return Tick{count, static_cast<double>(count) * dt, count++ == 0 ? 0 : dt}; };
   for (int i = 0; i < 30; ++i) {
     const Tick tick = next();
-    images.push_back(room.boxes.sensor->look(room.boxes.world->move({}, tick), tick));
+    images.push_back(room.boxes.sensor->measure(room.boxes.world->move({}, tick), tick));
     room.boxes.estimator.update(estimate, {}, images.back(), tick);
   }
   Eigen::Matrix<double, 3, 12> with_camera = Eigen::Matrix<double, 3, 12>::Zero();
@@ -185,29 +186,30 @@ void frame(benchmark::State& state) {
         Eigen::Vector3d(-random.uniform(1, 4), random.uniform(-2, 2), random.uniform(-1, 1));
     Landmark landmark;
     landmark.id = estimate.next_id++;
-    landmark.view = estimate.catalogue.back().view;
+    landmark.view = estimate.catalog.back().view;
     const Belief::Parent parent{estimate.camera, with_camera};
     landmark.block =
         estimate.belief.augment(Chart::line(3), at, {&parent, 1}, 1e-4 * Eigen::Matrix3d::Identity());
-    estimate.catalogue.push_back(std::move(landmark));
+    estimate.catalog.push_back(std::move(landmark));
   }
   DecisionSettings settings;
   settings.gaze = DecisionSettings::Gaze::mutual_information;
   CameraDecision decision(WideAngleCamera{}, twelve_looks(), settings,
                           {.expected_landmarks = landmarks + 30});
-  std::vector<double> all, deciding, telling;
+  std::vector<double> all, deciding, worth_reporting;
   for (auto _ : state) {
     const Tick tick = next();
-    const Observation& seen = images[static_cast<std::size_t>(tick.frame) % images.size()];
-    const double update = seconds([&] { room.boxes.estimator.update(estimate, {}, seen, tick); });
+    const Observation& observation = images[static_cast<std::size_t>(tick.frame) % images.size()];
+    const double update = seconds([&] { room.boxes.estimator.update(estimate, {}, observation, tick); });
     Goal goal;
     deciding.push_back(1e3 * seconds([&] { goal = decision.choose(around, tick); }));
-    telling.push_back(1e3 * seconds([&] {
-                        const Command command = room.boxes.controller.act(estimate, goal, seen, tick);
-                        benchmark::DoNotOptimize(snapshot_of(tick, std::nullopt, seen, estimate, goal,
-                                                             decision.actions(), command, {}));
-                      }));
-    all.push_back(1e3 * update + deciding.back() + telling.back());
+    worth_reporting.push_back(
+        1e3 * seconds([&] {
+          const Command command = room.boxes.controller.act(estimate, goal, observation, tick);
+          benchmark::DoNotOptimize(
+              snapshot_of(tick, std::nullopt, observation, estimate, goal, decision.actions(), command, {}));
+        }));
+    all.push_back(1e3 * update + deciding.back() + worth_reporting.back());
     state.SetIterationTime(1e-3 * all.back());
   }
   if (estimate.status.state != TrackingState::tracking) state.SkipWithError("does not track");
@@ -215,7 +217,7 @@ void frame(benchmark::State& state) {
   state.counters["median_ms"] = median(all);
   state.counters["p99_ms"] = all[all.size() * 99 / 100];
   state.counters["deciding_ms"] = median(deciding);
-  state.counters["telling_ms"] = median(telling);
+  state.counters["telling_ms"] = median(worth_reporting);
   state.counters["states"] = static_cast<double>(estimate.belief.errors());
 }
 BENCHMARK(frame)->Arg(100)->Arg(300)->Arg(1000)->Iterations(300)->UseManualTime()->Unit(

@@ -69,17 +69,17 @@ class World {
 /// The filter, and what it is told at a step.
 class Slam {
  public:
-  explicit Slam(int landmarks, MapCorrelations correlations = MapCorrelations::kept)
+  explicit Slam(int landmarks, MapCorrelations correlations = MapCorrelations::full)
       : world_(landmarks),
         belief_(3 + 2 * landmarks, correlations),
         vehicle_(belief_.add_vehicle(planar::pose_chart, world_.pose(0), 1e-6 * Eigen::Matrix3d::Identity())),
         ids_(static_cast<std::size_t>(landmarks), unmapped),
         seen_(seen_count) {
-    birth();
+    initialization();
     for (int i = 0; i < landmarks; ++i) {  // the first lap
       listen();
       step();
-      birth();
+      initialization();
     }
   }
 
@@ -101,11 +101,11 @@ class Slam {
 
   UpdateReport step() {
     predict();
-    looks_.clear();
+    measurements_.clear();
     const planar::Pose<double> x = belief_.mean(vehicle_);
     for (const Seen& seen : seen_)
-      if (seen.id != unmapped) look(x, seen);
-    return belief_.update(looks_);
+      if (seen.id != unmapped) measure(x, seen);
+    return belief_.update(measurements_);
   }
 
  private:
@@ -121,26 +121,27 @@ class Slam {
     belief_.predict({vehicle_, next.x, next.F, next.G * variances.asDiagonal() * next.G.transpose()});
   }
 
-  void look(const planar::Pose<double>& x, const Seen& seen) {
-    const auto expected = RangeBearing::look(x, belief_.mean(seen.id));
+  void measure(const planar::Pose<double>& x, const Seen& seen) {
+    const auto expected = RangeBearing::predict_measurement(x, belief_.mean(seen.id));
     if (!expected) return;
-    AffineLook& look = looks_.emplace_back();
-    look.add(vehicle_, expected->Hv);
-    look.add(seen.id, expected->Hl);
-    look.residual.resize(2);
-    RangeBearing::chart.minus({seen.z.data(), 2}, {expected->z.data(), 2}, {look.residual.data(), 2});
-    look.R = noise();
+    LinearizedMeasurement& measurement = measurements_.emplace_back();
+    measurement.add(vehicle_, expected->Hv);
+    measurement.add(seen.id, expected->Hl);
+    measurement.residual.resize(2);
+    RangeBearing::chart.minus({seen.z.data(), 2}, {expected->z.data(), 2}, {measurement.residual.data(), 2});
+    measurement.R = noise();
   }
 
-  void birth() {
+  void initialization() {
     for (int i = 0; i < seen_count; ++i) {
       const int landmark = world_.seen(step_, i);
       BlockId& id = ids_[static_cast<std::size_t>(landmark)];
       if (id != unmapped) continue;
-      const auto born = RangeBearing::birth(belief_.mean(vehicle_), world_.measured(step_, landmark));
-      const Belief::Parent parent{vehicle_, born.Jv};
-      id = belief_.augment(RangeBearing::landmark_chart, born.landmark, {&parent, 1},
-                           born.Jz * noise() * born.Jz.transpose());
+      const auto initialized =
+          RangeBearing::initialize(belief_.mean(vehicle_), world_.measured(step_, landmark));
+      const Belief::Parent parent{vehicle_, initialized.Jv};
+      id = belief_.augment(RangeBearing::landmark_chart, initialized.landmark, {&parent, 1},
+                           initialized.Jz * noise() * initialized.Jz.transpose());
     }
   }
 
@@ -153,7 +154,7 @@ class Slam {
   BlockId vehicle_;
   std::vector<BlockId> ids_;
   std::vector<Seen> seen_;
-  std::vector<AffineLook> looks_;
+  std::vector<LinearizedMeasurement> measurements_;
   Eigen::Vector2d u_{0, 0};
   long step_ = 0;
 };
@@ -254,7 +255,7 @@ void dropped(benchmark::State& state) {
   const std::vector<double> sizes{100, 200, 400, 800, 1600};
   static std::map<int, Slam> all;
   for (const double n : sizes)
-    all.try_emplace(static_cast<int>(n), static_cast<int>(n), MapCorrelations::dropped);
+    all.try_emplace(static_cast<int>(n), static_cast<int>(n), MapCorrelations::block_diagonal);
   std::map<int, std::vector<double>> times;
   for (auto _ : state)
     for (auto& [n, slam] : all)

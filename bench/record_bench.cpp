@@ -28,7 +28,7 @@ void publish(benchmark::State& state) {
   const auto path = std::filesystem::temp_directory_path() / ("record_bench_" + std::to_string(::getpid()));
   Snapshot snapshot = testing::synthetic_snapshot({}, 450);
   snapshot.image = noisy_image();
-  for (int i = 0; i < 5; ++i) snapshot.looks.push_back(snapshot.looks[static_cast<std::size_t>(i)]);
+  for (int i = 0; i < 5; ++i) snapshot.matches.push_back(snapshot.matches[static_cast<std::size_t>(i)]);
   std::int64_t frame = 0;
   {
     SnapshotLog log(path, RunInfo{});

@@ -34,12 +34,12 @@ void add_unseen(Estimate& estimate, int count) {
         Eigen::Vector3d(-random.uniform(1, 4), random.uniform(-2, 2), random.uniform(-1, 1));
     Landmark landmark;
     landmark.id = estimate.next_id++;
-    landmark.view = estimate.catalogue.back().view;
+    landmark.view = estimate.catalog.back().view;
     landmark.view.camera_position = x.head<3>();
     const Belief::Parent parent{estimate.camera, with_camera};
     landmark.block =
         estimate.belief.augment(Chart::line(3), at, {&parent, 1}, 1e-4 * Eigen::Matrix3d::Identity());
-    estimate.catalogue.push_back(std::move(landmark));
+    estimate.catalog.push_back(std::move(landmark));
   }
 }
 
@@ -53,7 +53,7 @@ Standing standing(int landmarks) {
   auto& boxes = s.assembly.boxes;
   for (int i = 0; i < 30; ++i) {
     const Tick tick = s.next();
-    s.images.push_back(boxes.sensor->look(boxes.world->move({}, tick), tick));
+    s.images.push_back(boxes.sensor->measure(boxes.world->move({}, tick), tick));
     boxes.estimator.update(s.estimate, {}, s.images.back(), tick);
   }
   add_unseen(s.estimate, landmarks - s.estimate.mapped_count());

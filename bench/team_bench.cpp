@@ -19,7 +19,7 @@
 
 #include "bench/timing.hpp"
 #include "incognita/slam/points/team_estimator.hpp"
-#include "incognita/slam/points/team_looks.hpp"
+#include "incognita/slam/points/team_measurements.hpp"
 #include "incognita/world/points/team_world.hpp"
 #include "incognita/world/room_clock.hpp"
 
@@ -33,8 +33,8 @@ constexpr int group = 4;
 
 double side_of(int landmarks) { return std::sqrt(landmarks / landmarks_per_m2); }
 
-PointPlace drawn_place(int landmarks) {
-  PointPlace place;
+PointLandmarks drawn_landmarks(int landmarks) {
+  PointLandmarks place;
   RandomStream random(7, "place");
   const double half = side_of(landmarks) / 2;
   for (int i = 0; i < landmarks; ++i)
@@ -50,11 +50,11 @@ std::vector<SimulatedVehicle> drawn_team(int robots, int landmarks) {
   std::vector<SimulatedVehicle> team;
   for (int i = 0; i < robots; ++i) {
     const int g = i / group;
-    const Eigen::Vector2d centre(pitch * (g % across - 0.5 * (across - 1)),
+    const Eigen::Vector2d center(pitch * (g % across - 0.5 * (across - 1)),
                                  pitch * (g / across - 0.5 * (across - 1))),
         beside(apart_m * (i % 2 ? 1 : -1), apart_m * (i / 2 % 2 ? 1 : -1));
-    const SmallVector start = Eigen::Vector3d(centre.x() + beside.x(), centre.y() + beside.y(), 0);
-    SimulatedVehicle v{DifferentialDrive{}, {}, LaserScanner{}, Eigen::Vector2d(0.1, 0.02)};
+    const SmallVector start = Eigen::Vector3d(center.x() + beside.x(), center.y() + beside.y(), 0);
+    SimulatedVehicle v{DifferentialDrive{}, {}, RangeBearingSensor{}, Eigen::Vector2d(0.1, 0.02)};
     v.plant = {start, Eigen::Vector3d::Constant(0.01), Eigen::Vector2d::Constant(0.05),
                Eigen::Vector2d::Constant(-2), Eigen::Vector2d::Constant(2)};
     team.push_back(v);
@@ -76,18 +76,18 @@ TeamSettings filter_of(const std::vector<SimulatedVehicle>& team) {
 class Team {
  public:
   Team(int robots, int landmarks, double range_m)
-      : place_(drawn_place(landmarks)),
+      : points_(drawn_landmarks(landmarks)),
         vehicles_(drawn_team(robots, landmarks)),
         world_(vehicles_, 1),
         clock_(rate_hz, 1e6),
         estimator_(filter_of(vehicles_)) {
     command_.inputs.assign(vehicles_.size(), Eigen::Vector2d(speed_m_s, speed_m_s / radius_m));
-    TeamSensor everything(vehicles_, place_, false, 2);
+    TeamSensor everything(vehicles_, points_, false, 2);
     for (SimulatedVehicle& v : vehicles_) v.reach.max_range_m = range_m;
-    sensor_.emplace(vehicles_, place_, true, 1);
+    sensor_.emplace(vehicles_, points_, true, 1);
     tick_ = clock_.next();
     truth_ = world_.move(command_, tick_);
-    seen_ = everything.look(truth_, tick_);
+    seen_ = everything.measure(truth_, tick_);
     for (std::size_t i = 1; i < seen_.team.size(); ++i) seen_.team[i].landmarks.clear();
     update();
   }
@@ -96,7 +96,7 @@ class Team {
   void listen() {
     tick_ = clock_.next();
     truth_ = world_.move(command_, tick_);
-    seen_ = sensor_->look(truth_, tick_);
+    seen_ = sensor_->measure(truth_, tick_);
   }
   void update() { estimator_.update(estimate_, command_, seen_, tick_); }
 
@@ -104,16 +104,16 @@ class Team {
   const Belief& belief() const { return std::get<Belief>(estimate_.belief.form()); }
   const Observation& seen() const { return seen_; }
   /// What was seen last, linearised about the present means, robot by robot.
-  std::vector<std::vector<AffineLook>> looks() const {
-    std::vector<std::vector<AffineLook>> all(seen_.team.size());
-    const auto add = [&](std::size_t robot, bool of_vehicle, const Sighting& s) {
+  std::vector<std::vector<LinearizedMeasurement>> measurements() const {
+    std::vector<std::vector<LinearizedMeasurement>> all(seen_.team.size());
+    const auto add = [&](std::size_t robot, bool of_vehicle, const PointDetection& s) {
       const auto at =
-          linearised_sighting(estimate_, static_cast<int>(robot), of_vehicle, s, estimator_.settings());
-      if (at) all[robot].push_back(at->look);
+          linearize_detection(estimate_, static_cast<int>(robot), of_vehicle, s, estimator_.settings());
+      if (at) all[robot].push_back(at->linearized);
     };
     for (std::size_t i = 0; i < all.size(); ++i) {
-      for (const Sighting& s : seen_.team[i].landmarks) add(i, false, s);
-      for (const Sighting& s : seen_.team[i].vehicles) add(i, true, s);
+      for (const PointDetection& s : seen_.team[i].landmarks) add(i, false, s);
+      for (const PointDetection& s : seen_.team[i].vehicles) add(i, true, s);
     }
     return all;
   }
@@ -127,11 +127,11 @@ class Team {
   }
 
  private:
-  PointPlace place_;
+  PointLandmarks points_;
   std::vector<SimulatedVehicle> vehicles_;
   TeamWorld world_;
   std::optional<TeamSensor> sensor_;
-  RoomClock clock_;
+  FixedRateClock clock_;
   TeamEstimator estimator_;
   TeamEstimate estimate_;
   Command command_;
@@ -153,10 +153,10 @@ struct Bare {
 /// How much each robot sees.
 struct Sights {
   double landmarks = 0, others = 0, ticks = 0;
-  void add(const Observation& seen) {
-    for (const VehicleView& view : seen.team) {
-      landmarks += static_cast<double>(view.landmarks.size()) / static_cast<double>(seen.team.size());
-      others += static_cast<double>(view.vehicles.size()) / static_cast<double>(seen.team.size());
+  void add(const Observation& observation) {
+    for (const VehicleObservation& view : observation.team) {
+      landmarks += static_cast<double>(view.landmarks.size()) / static_cast<double>(observation.team.size());
+      others += static_cast<double>(view.vehicles.size()) / static_cast<double>(observation.team.size());
     }
     ++ticks;
   }
@@ -181,7 +181,7 @@ void tick(benchmark::State& state) {
   Team team = team_of(state);
   Bare bare(team.belief().errors());
   Sights sights;
-  std::vector<double> wall, processor, ratios, looks;
+  std::vector<double> wall, processor, ratios, measurements;
   std::map<std::string, std::vector<double>> stages;
   for (auto _ : state) {
     team.listen();
@@ -190,13 +190,13 @@ void tick(benchmark::State& state) {
     processor.push_back(own);
     ratios.push_back(own / bare.seconds_of(team.estimate().update.rows));
     for (const auto& [stage, ms] : team.estimate().timing_ms) stages[stage].push_back(ms);
-    looks.push_back(team.estimate().matched);
+    measurements.push_back(team.estimate().matched);
     sights.add(team.seen());
     state.SetIterationTime(own);
   }
   for (const auto& [stage, times] : stages) state.counters[stage] = median(times);
   sights.report(state);
-  state.counters["looks"] = median(looks);
+  state.counters["looks"] = median(measurements);
   state.counters["states"] = team.belief().errors();
   state.counters["processor_ms"] = 1e3 * median(processor);
   state.counters["processor_p99"] = 1e3 * p99(processor);
@@ -209,17 +209,17 @@ void tick(benchmark::State& state) {
 /// The update as the textbook has it, on dense matrices: (A.2.5), (A.2.6).
 struct Textbook {
   Eigen::MatrixXd P;
-  void update(const Belief& layout, const std::vector<AffineLook>& looks) {
+  void update(const Belief& layout, const std::vector<LinearizedMeasurement>& measurements) {
     Eigen::Index rows = 0, row = 0;
-    for (const AffineLook& look : looks) rows += look.rows();
+    for (const LinearizedMeasurement& measurement : measurements) rows += measurement.rows();
     Eigen::MatrixXd H = Eigen::MatrixXd::Zero(rows, P.rows()), R = Eigen::MatrixXd::Zero(rows, rows);
-    for (const AffineLook& look : looks) {
-      for (int i = 0; i < look.part_count; ++i) {
-        const AffineLook::Part& part = look.parts[static_cast<std::size_t>(i)];
-        H.block(row, layout.offset(part.block), look.rows(), part.H.cols()) += part.H;
+    for (const LinearizedMeasurement& measurement : measurements) {
+      for (int i = 0; i < measurement.part_count; ++i) {
+        const LinearizedMeasurement::Part& part = measurement.parts[static_cast<std::size_t>(i)];
+        H.block(row, layout.offset(part.block), measurement.rows(), part.H.cols()) += part.H;
       }
-      R.block(row, row, look.rows(), look.rows()) = look.R;
-      row += look.rows();
+      R.block(row, row, measurement.rows(), measurement.rows()) = measurement.R;
+      row += measurement.rows();
     }
     const Eigen::MatrixXd PHt = P * H.transpose(), S = H * PHt + R;
     const Eigen::MatrixXd K = S.llt().solve(PHt.transpose()).transpose();
@@ -232,34 +232,34 @@ void ways(benchmark::State& state) {
   Team team = team_of(state);
   team.listen();
   team.update();
-  const std::vector<std::vector<AffineLook>> by_robot = team.looks();
-  std::vector<AffineLook> all;
-  for (const auto& looks : by_robot) all.insert(all.end(), looks.begin(), looks.end());
-  Belief at_once = team.belief(), by_robots = at_once, by_looks = at_once;
+  const std::vector<std::vector<LinearizedMeasurement>> by_robot = team.measurements();
+  std::vector<LinearizedMeasurement> all;
+  for (const auto& measurements : by_robot) all.insert(all.end(), measurements.begin(), measurements.end());
+  Belief at_once = team.belief(), by_robots = at_once, by_measurements = at_once;
   Textbook textbook{at_once.dense_covariance()};
-  std::vector<double> ours, robots, looks, dense;
+  std::vector<double> ours, robots, measurements, dense;
   for (auto _ : state) {
     ours.push_back(processor_seconds([&] { at_once.update(all); }));
     robots.push_back(processor_seconds([&] {
       for (const auto& of_robot : by_robot) by_robots.update(of_robot);
     }));
-    looks.push_back(processor_seconds([&] {
-      for (const AffineLook& look : all) by_looks.update({&look, 1});
+    measurements.push_back(processor_seconds([&] {
+      for (const LinearizedMeasurement& measurement : all) by_measurements.update({&measurement, 1});
     }));
     dense.push_back(processor_seconds([&] { textbook.update(at_once, all); }));
     state.SetIterationTime(ours.back());
   }
   state.counters["looks"] = static_cast<double>(all.size());
   for (const auto& [name, times] :
-       {std::pair{"at_once", &ours}, {"by_robot", &robots}, {"by_look", &looks}, {"textbook", &dense}})
+       {std::pair{"at_once", &ours}, {"by_robot", &robots}, {"by_look", &measurements}, {"textbook", &dense}})
     state.counters[name] = 1e3 * median(*times);
   // That all did the same
   const Eigen::MatrixXd P = at_once.dense_covariance();
   const auto apart = [&](const Eigen::MatrixXd& other) {
     return (P - other).cwiseAbs().maxCoeff() / P.maxCoeff();
   };
-  state.counters["apart"] =
-      std::max({apart(by_robots.dense_covariance()), apart(by_looks.dense_covariance()), apart(textbook.P)});
+  state.counters["apart"] = std::max(
+      {apart(by_robots.dense_covariance()), apart(by_measurements.dense_covariance()), apart(textbook.P)});
 }
 
 BENCHMARK(tick)->Args({20, 500, 8})->UseManualTime()->Iterations(300)->Unit(benchmark::kMillisecond);

@@ -17,18 +17,18 @@ const std::shared_ptr<const Room>& room() {
 }
 
 /// One whole look, noise and all, while the camera turns once around in the middle of the room.
-void look(benchmark::State& state) {
+void measure(benchmark::State& state) {
   RoomCamera camera(room(), WideAngleCamera{.kd1 = 9e-6}, RoomSettings{}, 1);
   Truth truth;
   truth.camera.head<3>() << 0.3, -0.2, 1.3;
   std::int64_t frame = 0;
   for (auto _ : state) {
     truth.camera.segment<4>(3) = level_gaze(0.05 * static_cast<double>(frame));
-    benchmark::DoNotOptimize(camera.look(truth, Tick{frame++, 0, 0}));
+    benchmark::DoNotOptimize(camera.measure(truth, Tick{frame++, 0, 0}));
   }
   state.counters["frames"] = benchmark::Counter(static_cast<double>(frame), benchmark::Counter::kIsRate);
 }
-BENCHMARK(look)->Unit(benchmark::kMillisecond);
+BENCHMARK(measurement)->Unit(benchmark::kMillisecond);
 
 void paint_room(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(Room(RoomSettings{}, 2));

@@ -34,7 +34,7 @@ double worst_sigma(const Eigen::Matrix2d& P) {
 /// unknown association do not look at it.
 void identify(Data& data) {
   PlanarSlamSettings settings = data.settings;
-  settings.filter.lineariser = "first-estimate";
+  settings.filter.linearization = "first-estimate";
   settings.filter.anchors = data.anchors;
   settings.start.heading_rad = radians(right_heading_deg);
   settings.start.sigma_heading_rad = radians(2);
@@ -44,7 +44,7 @@ void identify(Data& data) {
   const TeamEstimator estimator(single_vehicle(settings));
   TeamEstimate estimate;
   while (const Tick tick = clock.next()) {
-    estimator.update(estimate, {}, sensor.look({}, tick), tick);
+    estimator.update(estimate, {}, sensor.measure({}, tick), tick);
     if (!estimate.started) continue;
     for (Detection& d : data.recording.scans[static_cast<std::size_t>(tick.frame)].detections) {
       const Eigen::Vector2d at = RangeBearing::j<double>(
@@ -77,7 +77,7 @@ class Driver {
         single_vehicle(settings_, std::vector<std::int64_t>(anchors_.begin(), anchors_.end())));
     TeamEstimate estimate;
     while (const Tick tick = clock.next()) {
-      estimator.update(estimate, {}, sensor.look({}, tick), tick);
+      estimator.update(estimate, {}, sensor.measure({}, tick), tick);
       if (estimate.started) gather(estimate, tick);
     }
     compare(estimate);
@@ -91,20 +91,20 @@ class Driver {
 
   void gather(const TeamEstimate& e, const Tick& tick) {
     const TeamVehicle& vehicle = e.vehicles.front();
-    const auto truth = true_place(data_.recording, tick.t);
+    const auto truth = true_position(data_.recording, tick.t);
     drive_.t.push_back(tick.t);
     drive_.path.push_back(vehicle.state.head<2>());
     drive_.gps.push_back(truth ? truth->position : Eigen::Vector2d(unknown, unknown));
     drive_.sigma_m.push_back(worst_sigma(vehicle.state_covariance.topLeftCorner<2, 2>()));
     drive_.sigma_heading_rad.push_back(std::sqrt(std::max(0.0, vehicle.state_covariance(2, 2))));
     drive_.lost_scans += e.status.state == TrackingState::lost;
-    gather_looks(e, data_.recording.scans[static_cast<std::size_t>(tick.frame)].detections);
+    gather_measurements(e, data_.recording.scans[static_cast<std::size_t>(tick.frame)].detections);
     for (const auto& [id, landmark] : e.landmarks) {
       const TeamPosition at = *position_of(landmark, e);
       Track& track = tracks_[id];
       track.t.push_back(tick.t);
       track.sigma_m.push_back(worst_sigma(at.covariance));
-      const int beacon = born_of_[id];
+      const int beacon = initialized_from_[id];
       track.error_m.push_back(
           beacon < 0
               ? unknown
@@ -112,17 +112,17 @@ class Driver {
     }
   }
 
-  void gather_looks(const TeamEstimate& e, const std::vector<Detection>& detections) {
-    for (std::size_t d = 0; d < e.looks.size(); ++d) {
-      const TeamLook& look = e.looks[d];
+  void gather_measurements(const TeamEstimate& e, const std::vector<Detection>& detections) {
+    for (std::size_t d = 0; d < e.matches.size(); ++d) {
+      const Match& match = e.matches[d];
       const int beacon = static_cast<int>(detections[d].identity);
       ++drive_.detections;
       if (beacon >= 0) ++seen_[beacon];
-      if (look.outcome == LookOutcome::born) born_of_[look.identity] = beacon;
-      if (look.outcome != LookOutcome::matched) continue;
+      if (match.outcome == MatchOutcome::initialized) initialized_from_[match.identity] = beacon;
+      if (match.outcome != MatchOutcome::matched) continue;
       ++drive_.matched;
       if (beacon < 0) continue;
-      if (look.anchor ? !is_anchor(beacon) : born_of_[look.identity] != beacon) ++drive_.wrong;
+      if (match.anchor ? !is_anchor(beacon) : initialized_from_[match.identity] != beacon) ++drive_.wrong;
     }
   }
 
@@ -173,7 +173,7 @@ class Driver {
   PlanarSlamSettings settings_;
   std::vector<int> anchors_;
   std::map<std::int64_t, Track> tracks_;
-  std::map<std::int64_t, int> born_of_;
+  std::map<std::int64_t, int> initialized_from_;
   std::map<int, int> seen_;
   Drive drive_;
 };
@@ -185,8 +185,8 @@ std::vector<double> plus_minus(const std::vector<double>& sigma, double factor) 
 }
 
 Curve path_curve(const std::string& label, const std::vector<Eigen::Vector2d>& path, Style style,
-                 Colour colour) {
-  Curve curve{label, style, {}, {}, {}, colour};
+                 Color color) {
+  Curve curve{label, style, {}, {}, {}, color};
   for (const Eigen::Vector2d& p : path) curve.x.push_back(p.x()), curve.y.push_back(p.y());
   return curve;
 }
@@ -202,7 +202,7 @@ double Drive::mean_landmark_sigma_m() const {
 Data load() {
   const LoadedScenario loaded = load_scenario("car-park");
   Data data{read_range_recording(loaded), loaded.scenario.planar, {}};
-  data.settings.filter.lineariser = "analytic";
+  data.settings.filter.linearization = "analytic";
   data.settings.lost.max_sigma_position_m = 1e6;  // how far it goes is what is asked
   data.anchors = {{2.8953, -4.0353}, {9.9489, 6.9239}};
   identify(data);
@@ -260,15 +260,15 @@ LedgerFigure four_frames(const ExperimentSettings& out, const std::string& id, c
   Panel a{"(a) vehicle", "t, s", "from GPS, m", {}}, b{"(b) vehicle", "t, s", "σ", {}},
       c{"(c) landmarks", "t, s", "from their beacons, m", {}}, e{"(d) landmarks", "t, s", "σ, m", {}};
   a.curves = {
-      {"2σ", Style::band, d.t, std::vector<double>(d.t.size(), 0.0), plus_minus(d.sigma_m, 2), Colour::sky},
-      {"error", Style::line, d.t, off, {}, Colour::orange}};
-  b.curves = {{"position, m", Style::line, d.t, d.sigma_m, {}, Colour::blue},
-              {"heading, °", Style::line, d.t, degrees, {}, Colour::green}};
+      {"2σ", Style::band, d.t, std::vector<double>(d.t.size(), 0.0), plus_minus(d.sigma_m, 2), Color::sky},
+      {"error", Style::line, d.t, off, {}, Color::orange}};
+  b.curves = {{"position, m", Style::line, d.t, d.sigma_m, {}, Color::blue},
+              {"heading, °", Style::line, d.t, degrees, {}, Color::green}};
   b.log_y = true;
   e.log_y = true;
   for (const Track& track : d.tracks) {
-    c.curves.push_back({"", Style::thin, track.t, track.error_m, {}, Colour::automatic});
-    e.curves.push_back({"", Style::thin, track.t, track.sigma_m, {}, Colour::automatic});
+    c.curves.push_back({"", Style::thin, track.t, track.error_m, {}, Color::automatic});
+    e.curves.push_back({"", Style::thin, track.t, track.sigma_m, {}, Color::automatic});
   }
   return draw_plot(out.out, {id, title, 2, {a, b, c, e}}, nullptr);
 }
@@ -278,14 +278,14 @@ LedgerFigure map(const ExperimentSettings& out, const std::string& id, const std
   std::vector<Eigen::Vector2d> beacons;
   for (const auto& landmark : data.recording.landmarks) beacons.push_back(landmark.position);
   Panel panel{"", "east, m", "north, m", {}, true};
-  panel.curves = {path_curve("GPS", d.gps, Style::thin, Colour::grey),
-                  path_curve("estimated path", d.path, Style::line, Colour::orange),
-                  path_curve("surveyed beacons", beacons, Style::circles, Colour::ink),
-                  path_curve("landmarks", d.landmarks, Style::crosses, Colour::blue)};
+  panel.curves = {path_curve("GPS", d.gps, Style::thin, Color::gray),
+                  path_curve("estimated path", d.path, Style::line, Color::orange),
+                  path_curve("surveyed beacons", beacons, Style::circles, Color::ink),
+                  path_curve("landmarks", d.landmarks, Style::crosses, Color::blue)};
   Curve outlines = ellipses("2σ", d.landmarks, d.covariances);
-  outlines.colour = Colour::blue;
+  outlines.color = Color::blue;
   panel.curves.push_back(outlines);
-  if (!anchors.empty()) panel.curves.push_back(path_curve("anchors", anchors, Style::stars, Colour::green));
+  if (!anchors.empty()) panel.curves.push_back(path_curve("anchors", anchors, Style::stars, Color::green));
   return draw_plot(out.out, {id, title, 1, {panel}}, nullptr);
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr Colour colours[] = {Colour::blue, Colour::orange, Colour::green, Colour::pink};
+constexpr Color colors[] = {Color::blue, Color::orange, Color::green, Color::pink};
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<double> times(const Run& run) {
@@ -22,9 +22,9 @@ std::vector<double> times(const Run& run) {
 }
 
 template <class Of>
-Curve over_time(const std::string& label, const Run& run, std::size_t robot, const Of& of, Colour colour,
+Curve over_time(const std::string& label, const Run& run, std::size_t robot, const Of& of, Color color,
                 Style style = Style::line) {
-  Curve curve{label, style, times(run), {}, {}, colour};
+  Curve curve{label, style, times(run), {}, {}, color};
   for (const Instant& i : run.instants) curve.y.push_back(of(i.robots[robot]));
   return curve;
 }
@@ -50,28 +50,28 @@ Panel error_panel(const std::string& title, const Run& run, std::size_t robot, i
   static constexpr const char* labels[] = {"error of x, m", "error of y, m", "error of heading, deg"};
   Panel panel = panel_over_time(title, labels[state]);
   const auto sigma = [&](const RobotInstant& r) { return 2 * unit * std::sqrt(r.covariance(state, state)); };
-  Curve band = over_time("2 sigma", run, robot, sigma, Colour::grey, Style::band);
+  Curve band = over_time("2 sigma", run, robot, sigma, Color::gray, Style::band);
   band.y2 = band.y;
   for (double& y : band.y2) y = -y;
   panel.curves = {band, over_time(
                             "truth less estimate", run, robot,
-                            [&](const RobotInstant& r) { return unit * r.error()[state]; }, Colour::blue)};
+                            [&](const RobotInstant& r) { return unit * r.error()[state]; }, Color::blue)};
   return panel;
 }
 
 Panel position_panel(const std::string& title, const Run& run, std::size_t robot) {
   Panel panel = panel_over_time(title, "estimate, m");
   panel.curves = {over_time(
-                      "x", run, robot, [](const RobotInstant& r) { return r.mean.x(); }, Colour::blue),
+                      "x", run, robot, [](const RobotInstant& r) { return r.mean.x(); }, Color::blue),
                   over_time(
-                      "y", run, robot, [](const RobotInstant& r) { return r.mean.y(); }, Colour::orange)};
+                      "y", run, robot, [](const RobotInstant& r) { return r.mean.y(); }, Color::orange)};
   return panel;
 }
 
 Panel heading_panel(const std::string& title, const Run& run, std::size_t robot) {
   Panel panel = panel_over_time(title, "estimate, deg");
   panel.curves = {with_gaps(over_time(
-      "heading", run, robot, [](const RobotInstant& r) { return degrees(r.mean[2]); }, Colour::green))};
+      "heading", run, robot, [](const RobotInstant& r) { return degrees(r.mean[2]); }, Color::green))};
   panel.y_range = {-185, 185};
   return panel;
 }
@@ -80,16 +80,16 @@ Panel command_panel(const std::string& title, const Run& run, std::size_t robot)
   Panel panel = panel_over_time(title, "command");
   panel.curves = {
       over_time(
-          "turn rate, rad/s", run, robot, [](const RobotInstant& r) { return r.input[1]; }, Colour::orange),
+          "turn rate, rad/s", run, robot, [](const RobotInstant& r) { return r.input[1]; }, Color::orange),
       over_time(
-          "speed, m/s", run, robot, [](const RobotInstant& r) { return r.input[0]; }, Colour::blue)};
+          "speed, m/s", run, robot, [](const RobotInstant& r) { return r.input[0]; }, Color::blue)};
   panel.y_range = {-1.15, 1.15};
   return panel;
 }
 
 Curve path_of(const std::string& label, const Run& run, std::size_t robot, bool truth, Style style,
-              Colour colour) {
-  Curve curve{label, style, {}, {}, {}, colour};
+              Color color) {
+  Curve curve{label, style, {}, {}, {}, color};
   for (const Instant& i : run.instants) {
     const planar::Pose<double>& pose = truth ? i.robots[robot].truth : i.robots[robot].mean;
     curve.x.push_back(pose.x()), curve.y.push_back(pose.y());
@@ -98,17 +98,17 @@ Curve path_of(const std::string& label, const Run& run, std::size_t robot, bool 
 }
 
 Curve wanted(const std::string& label, const Path& path, const Run& run) {
-  Curve curve{label, Style::dashed, {}, {}, {}, Colour::grey};
+  Curve curve{label, Style::dashed, {}, {}, {}, Color::gray};
   for (const Instant& i : run.instants) {
     const Vector2d p = at(path, i.t_s).position.head<2>();
     curve.x.push_back(p.x()), curve.y.push_back(p.y());
   }
-  if (std::holds_alternative<PointPath>(path)) curve.style = Style::crosses, curve.colour = Colour::ink;
+  if (std::holds_alternative<PointPath>(path)) curve.style = Style::crosses, curve.color = Color::ink;
   return curve;
 }
 
 /// Every ten seconds.
-Curve robot_ellipses(const std::string& label, const Run& run, std::size_t robot, Colour colour) {
+Curve robot_ellipses(const std::string& label, const Run& run, std::size_t robot, Color color) {
   std::vector<Vector2d> means;
   std::vector<Eigen::Matrix2d> covariances;
   for (std::size_t k = 0; k < run.instants.size(); k += 100) {
@@ -117,7 +117,7 @@ Curve robot_ellipses(const std::string& label, const Run& run, std::size_t robot
     covariances.emplace_back(r.covariance.topLeftCorner<2, 2>());
   }
   Curve curve = ellipses(label, means, covariances);
-  curve.colour = colour;
+  curve.color = color;
   return curve;
 }
 
@@ -126,7 +126,7 @@ Curve map_ellipses(const Run& run) {
   std::vector<Eigen::Matrix2d> covariances;
   for (const MappedLandmark& l : run.map) means.push_back(l.mean), covariances.push_back(l.covariance);
   Curve curve = ellipses("map, 2 sigma", means, covariances);
-  curve.colour = Colour::green;
+  curve.color = Color::green;
   return curve;
 }
 
@@ -144,12 +144,12 @@ Plot map_figure(const std::string& id, const std::string& title, const Setup& se
     const std::string goal = std::holds_alternative<PointPath>(path) ? "goal" : "path";
     const planar::Pose<double>& start = run.instants.front().robots[i].truth;
     panel.curves.push_back(wanted(i == 0 ? goal : "", path, run));
-    panel.curves.push_back(path_of("robot" + who, run, i, true, Style::line, colours[i]));
-    panel.curves.push_back(path_of(i == 0 ? "estimate" : "", run, i, false, Style::thin, Colour::ink));
-    panel.curves.push_back(robot_ellipses("", run, i, colours[i]));
-    panel.curves.push_back({i == 0 ? "start" : "", Style::circles, {start.x()}, {start.y()}, {}, colours[i]});
+    panel.curves.push_back(path_of("robot" + who, run, i, true, Style::line, colors[i]));
+    panel.curves.push_back(path_of(i == 0 ? "estimate" : "", run, i, false, Style::thin, Color::ink));
+    panel.curves.push_back(robot_ellipses("", run, i, colors[i]));
+    panel.curves.push_back({i == 0 ? "start" : "", Style::circles, {start.x()}, {start.y()}, {}, colors[i]});
   }
-  Curve landmarks{"landmarks", Style::stars, {}, {}, {}, Colour::grey};
+  Curve landmarks{"landmarks", Style::stars, {}, {}, {}, Color::gray};
   for (const auto& [identity, point] : setup.place)
     landmarks.x.push_back(point[0]), landmarks.y.push_back(point[1]);
   panel.curves.push_back(landmarks);
@@ -181,14 +181,14 @@ Plot state_figure(const std::string& id, const std::string& title, const Run& ru
 Plot eigenvalue_figure(const std::string& id, const std::string& title, const Run& run,
                        const std::function<Eigen::Matrix2d(const planar::Pose<double>&)>& gain) {
   Panel panel = panel_over_time("", "magnitude of the eigenvalues of F - G L");
-  Curve sizes[3] = {{"largest", Style::line, times(run), {}, {}, Colour::blue},
-                    {"second", Style::line, times(run), {}, {}, Colour::orange},
-                    {"third", Style::line, times(run), {}, {}, Colour::green}};
+  Curve sizes[3] = {{"largest", Style::line, times(run), {}, {}, Color::blue},
+                    {"second", Style::line, times(run), {}, {}, Color::orange},
+                    {"third", Style::line, times(run), {}, {}, Color::green}};
   for (const Instant& i : run.instants) {
     const Eigen::Vector3d now = moduli(i.robots[0], gain(i.robots[0].mean));
     for (int k = 0; k < 3; ++k) sizes[k].y.push_back(now[k]);
   }
-  panel.curves = {{"1", Style::dashed, {0, run.instants.back().t_s}, {1, 1}, {}, Colour::grey},
+  panel.curves = {{"1", Style::dashed, {0, run.instants.back().t_s}, {1, 1}, {}, Color::gray},
                   sizes[2],
                   sizes[1],
                   sizes[0]};

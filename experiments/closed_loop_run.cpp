@@ -54,14 +54,14 @@ struct Scene {
 };
 
 TeamMember member_of(const Setup& s, const Robot& robot) {
-  TeamMember m{body, LaserScanner{}, robot.start, start_sigmas, input_sigmas, look_sigmas};
+  TeamMember m{body, RangeBearingSensor{}, robot.start, start_sigmas, input_sigmas, measurement_sigmas};
   m.start_sigmas *= s.noise, m.input_sigmas *= s.noise, m.sigmas *= s.noise;
   return m;
 }
 
 Scene scene_of(const Setup& s) {
   Scene scene;
-  scene.filter.filter.lineariser = s.lineariser;
+  scene.filter.filter.linearization = s.linearization;
   for (const Robot& robot : s.robots) {
     const TeamMember m = member_of(s, robot);
     const SmallVector most = robot.steering.most_input;
@@ -79,12 +79,12 @@ Scene scene_of(const Setup& s) {
 
 /// Between scans the wheels alone tell something.
 Observation odometry_alone(const Truth& truth) {
-  Observation seen;
+  Observation observation;
   for (const SmallVector& input : truth.inputs) {
-    seen.team.emplace_back();
-    seen.team.back().input = input;
+    observation.team.emplace_back();
+    observation.team.back().input = input;
   }
-  return seen;
+  return observation;
 }
 
 Instant instant_of(const Tick& tick, const Truth& truth, const TeamEstimate& e, const Command& command,
@@ -100,7 +100,7 @@ Instant instant_of(const Tick& tick, const Truth& truth, const TeamEstimate& e, 
   return now;
 }
 
-double joint_nees(const Instant& now, const TeamEstimate& e, const PointPlace& place) {
+double joint_nees(const Instant& now, const TeamEstimate& e, const PointLandmarks& place) {
   Eigen::VectorXd error(e.belief.errors());
   for (std::size_t i = 0; i < e.vehicles.size(); ++i)
     error.segment<3>(e.belief.offset(e.vehicles[i].block)) = now.robots[i].error();
@@ -112,7 +112,7 @@ double joint_nees(const Instant& now, const TeamEstimate& e, const PointPlace& p
 
 }  // namespace
 
-PointPlace sixteen_landmarks() {
+PointLandmarks sixteen_landmarks() {
   RandomStream random(1, "place");
   const std::vector<Vector2d> taken = ways();
   std::vector<Vector2d> points;
@@ -120,7 +120,7 @@ PointPlace sixteen_landmarks() {
     const double x = random.uniform(-12, 12), y = random.uniform(-12, 12);
     if (clear_of(taken, {x, y}, 1) && clear_of(points, {x, y}, 2.5)) points.emplace_back(x, y);
   }
-  PointPlace place;
+  PointLandmarks place;
   for (const Vector2d& point : points) place[static_cast<std::int64_t>(place.size())] = point;
   return place;
 }
@@ -147,14 +147,14 @@ Run drive(const Setup& setup, std::uint64_t seed) {
   TeamSensor sensor(scene.vehicles, setup.place, false, seed);
   const TeamEstimator estimator(scene.filter);
   TeamController controller(std::move(scene.steering), period_s);
-  RoomClock clock(1 / period_s, setup.duration_s);
+  FixedRateClock clock(1 / period_s, setup.duration_s);
   TeamEstimate estimate;
   Command command;
   Run run;
   while (const Tick tick = clock.next()) {
     const auto truth = world.move(command, tick);
     const bool scans = tick.frame % ticks_per_scan == 0;
-    estimator.update(estimate, command, scans ? sensor.look(truth, tick) : odometry_alone(*truth), tick);
+    estimator.update(estimate, command, scans ? sensor.measure(truth, tick) : odometry_alone(*truth), tick);
     command = controller.act(estimate, {}, {}, tick);
     run.instants.push_back(instant_of(tick, *truth, estimate, command, setup.place.size()));
     if (tick.frame % ticks_per_joint_nees == 0)

@@ -26,7 +26,7 @@ inline constexpr DifferentialDrive body{0.3, 0};                      ///< where
 inline constexpr double top_speed_m_s = 1, top_turn_rate = 1;         ///< m/s, rad/s
 inline const Eigen::Vector3d start_sigmas(0.05, 0.05, radians(0.5));  ///< m, m, rad
 inline const Eigen::Vector2d input_sigmas(0.1, 0.1);                  ///< m/s, rad/s, of each tick
-inline const Eigen::Vector2d look_sigmas(0.1, radians(1));            ///< m, rad
+inline const Eigen::Vector2d measurement_sigmas(0.1, radians(1));     ///< m, rad
 inline constexpr int ticks_per_scan = 2;
 
 struct Robot {
@@ -36,16 +36,16 @@ struct Robot {
 
 struct Setup {
   std::vector<Robot> robots;
-  PointPlace place;
+  PointLandmarks place;
   int anchors = 0;  ///< the first so many landmarks are known to the filter
   double duration_s = 60;
   double noise = 1;  ///< all sigmas, of start, inputs and sensor, times this
-  std::string lineariser = "analytic";
+  std::string linearization = "analytic";
 };
 
 /// 16 landmarks, drawn once over 24 m x 24 m: 2.5 m from each other, 1 m from the line of Example 5.1 and the
 /// circles of Examples 5.2 and 5.3.
-PointPlace sixteen_landmarks();
+PointLandmarks sixteen_landmarks();
 
 Robot robot(const planar::Pose<double>& start, const std::string& law, const Path& path);
 

@@ -35,7 +35,7 @@ Eigen::Vector3d moduli(const RobotInstant& at, const Eigen::Matrix2d& L);
 template <class Of>
 auto over_seeds(const ExperimentSettings& settings, const std::string& what, const Setup& setup,
                 const Of& of) {
-  if (settings.tell) settings.tell(what + ": " + std::to_string(settings.seeds) + " runs");
+  if (settings.report) settings.report(what + ": " + std::to_string(settings.seeds) + " runs");
   std::vector<decltype(of(Run()))> all;
   for (int seed = 1; seed <= settings.seeds; ++seed)
     all.push_back(of(drive(setup, static_cast<std::uint64_t>(seed))));

@@ -30,7 +30,7 @@ struct Result {
 std::vector<Result> drive_all(int seeds, const ExperimentSettings& settings) {
   std::vector<Result> results;
   for (const PlanarFilterChoice& choice : planar_filter_choices()) {
-    if (settings.tell) settings.tell(fmt::format("consistency: {}, {} drives", choice.name, seeds));
+    if (settings.report) settings.report(fmt::format("consistency: {}, {} drives", choice.name, seeds));
     Result result{choice.name, {}, {}, {}};
     for (int seed = 1; seed <= seeds; ++seed) {
       const PlanarConsistency one =
@@ -50,14 +50,14 @@ std::string row(const Result& r) {
 }
 
 Claim overconfident(const Result& ekf) {
-  return judged({.id = "consistency-ekf",
-                 .place = "Section 3.1: approximations due to linearisation",
-                 .statement = "The EKF is over-confident on a loop: mean NEES above 1",
-                 .printed = "can lead to divergence",
-                 .measured = row(ekf),
-                 .runs = static_cast<int>(ekf.nees.size()),
-                 .least_runs = enough_runs},
-                is_above(ekf.mean_nees(), 1));
+  return assessed({.id = "consistency-ekf",
+                   .place = "Section 3.1: approximations due to linearisation",
+                   .statement = "The EKF is over-confident on a loop: mean NEES above 1",
+                   .printed = "can lead to divergence",
+                   .measured = row(ekf),
+                   .runs = static_cast<int>(ekf.nees.size()),
+                   .least_runs = enough_runs},
+                  is_above(ekf.mean_nees(), 1));
 }
 
 Claim consistent_with_little_noise(int seeds) {
@@ -70,7 +70,7 @@ Claim consistent_with_little_noise(int seeds) {
                                       PlanarFilterSettings{})
                        .nees);
   const Interval mean = bootstrap_mean(nees);
-  return judged(
+  return assessed(
       {.id = "consistency-little-noise",
        .place = "Section 3.1: approximations due to linearisation",
        .statement =
@@ -91,7 +91,7 @@ Interval paired(const Result& a, const Result& b) {
 }
 
 Claim first_estimates(const Result& fej, const Result& ekf) {
-  return judged(
+  return assessed(
       {.id = "consistency-first-estimate",
        .place = "Huang, Mourikis, Roumeliotis (ISER 2008), beside Section 3.1",
        .statement =
@@ -106,7 +106,7 @@ Claim first_estimates(const Result& fej, const Result& ekf) {
 
 Claim unscented_vehicle(const Result& unscented, const Result& ekf) {
   const Interval gain = paired(ekf, unscented);
-  return judged(
+  return assessed(
       {.id = "consistency-unscented",
        .place = "Section 1.3, third contribution, with [6]",
        .statement =
@@ -124,7 +124,7 @@ Claim unscented_vehicle(const Result& unscented, const Result& ekf) {
 
 Claim iterated(const Result& iterated, const Result& ekf) {
   const Interval gain = paired(ekf, iterated);
-  return judged(
+  return assessed(
       {.id = "consistency-iterated",
        .place = "Section 3.1: approximations due to linearisation",
        .statement =
@@ -139,7 +139,7 @@ Claim iterated(const Result& iterated, const Result& ekf) {
 
 Claim relative_map(const Result& relative, const Result& ekf) {
   const Interval gain = paired(ekf, relative);
-  return judged(
+  return assessed(
       {.id = "consistency-relative",
        .place = "Section 3.2, third way; Section 3.5",
        .statement =
@@ -157,14 +157,14 @@ Claim relative_map(const Result& relative, const Result& ekf) {
 
 Claim vehicle_that_stands(int seeds) {
   std::map<std::string, std::vector<double>> sigma, nees;
-  for (const char* lineariser : {"analytic", "first-estimate"})
+  for (const char* linearization : {"analytic", "first-estimate"})
     for (int seed = 1; seed <= seeds; ++seed) {
-      const StandingVehicle one = standing_vehicle(static_cast<std::uint64_t>(seed), lineariser);
-      sigma[lineariser].push_back(one.sigma_heading_deg);
-      nees[lineariser].push_back(one.nees);
+      const StandingVehicle one = standing_vehicle(static_cast<std::uint64_t>(seed), linearization);
+      sigma[linearization].push_back(one.sigma_heading_deg);
+      nees[linearization].push_back(one.nees);
     }
   const Interval ekf = bootstrap_mean(nees["analytic"]);
-  return judged(
+  return assessed(
       {.id = "consistency-standing",
        .place = "Chapter 3, introduction, with [70]",
        .statement =
@@ -185,7 +185,7 @@ LedgerFigure nees_figure(const ExperimentSettings& settings, const std::vector<R
   Panel panel{"", "share of drives", "NEES of the pose, 1 is right", {}};
   panel.log_y = true;
   for (const Result& r : results) {
-    Curve curve{r.name, Style::line, {}, r.nees, {}, Colour::automatic};
+    Curve curve{r.name, Style::line, {}, r.nees, {}, Color::automatic};
     std::sort(curve.y.begin(), curve.y.end());
     for (std::size_t i = 0; i < r.nees.size(); ++i)
       curve.x.push_back((static_cast<double>(i) + 0.5) / static_cast<double>(r.nees.size()));

@@ -54,7 +54,7 @@ std::string below(double difference) {
   return fmt::format("below 1e{:.0f}", exponent);
 }
 
-Claim judged(Claim claim, Finding printed, Finding corrected) {
+Claim assessed(Claim claim, Finding printed, Finding corrected) {
   if (claim.runs < claim.least_runs)
     return undecided(std::move(claim), fmt::format("it rests on {} run{}, and takes at least {}", claim.runs,
                                                    claim.runs == 1 ? "" : "s", claim.least_runs));

@@ -3,7 +3,7 @@
 // A statement about chance is shown, refuted or undecided, never "not significant, so false": its interval
 // lies on one side of the bound, on the other, or holds both. A statement that two things are equal comes
 // with the margin within which they count as equal, so that it can be shown too. Intervals are 95 % where
-// they are printed without a level; `judged_at` is the level of statements of which many are tested at once.
+// they are printed without a level; `assessed_at` is the level of statements of which many are tested at once.
 //
 // The margins of Chapters 2 to 5 were chosen with results known, and so was the larger number of runs in
 // parts of Example 5.4.
@@ -17,7 +17,7 @@
 
 namespace incognita {
 
-inline constexpr double shown_at = usual_confidence, judged_at = 0.999;
+inline constexpr double shown_at = usual_confidence, assessed_at = 0.999;
 
 /// Runs that a claim about chance rests on at the least; with fewer its verdict is `undecided`.
 inline constexpr int enough_runs = 20;
@@ -68,6 +68,6 @@ std::string below(double difference);
 /// - printed refuted, corrected shown: holds as corrected;
 /// - both refuted: does not hold; without a `why`, that is without a diagnosis, it says "not investigated";
 /// - else, or with fewer runs than Claim::least_runs: undecided, and `why` says what was missing.
-Claim judged(Claim claim, Finding printed, Finding corrected = Finding::refuted);
+Claim assessed(Claim claim, Finding printed, Finding corrected = Finding::refuted);
 
 }  // namespace incognita

@@ -26,13 +26,14 @@ using Eigen::MatrixXd;
 using Eigen::Vector2d;
 using monobot::Setup;
 
-const std::vector<double> process_noises_m = {0.05, 0.1, 0.3, 0.7, 2}, look_noises_m = {0.05, 0.2, 0.5, 1.5};
+const std::vector<double> process_noises_m = {0.05, 0.1, 0.3, 0.7, 2},
+                          measurement_noises_m = {0.05, 0.2, 0.5, 1.5};
 
 /// Calls for every pair of noises with their standard deviations.
 template <class Work>
 void for_all_noises(Work&& work) {
   for (const double v : process_noises_m)
-    for (const double w : look_noises_m) work(v, w);
+    for (const double w : measurement_noises_m) work(v, w);
 }
 
 LinearSystem system(double v, double w) { return monobot::system({.sigma_v_m = v, .sigma_w_m = w}); }
@@ -69,16 +70,17 @@ Claim one_eigenvalue_is_one() {
     off_one = std::max(off_one, (A * Vector2d::Ones() - Vector2d::Ones()).norm());
     off_other = std::max(off_other, std::abs(A.trace() - 1 - (1 + k1 - k2)));
   }
-  return judged({.id = "3.1-eigenvalue-one",
-                 .place = "(3.8), Example 3.1",
-                 .statement = "For every gain the eigenvalues of F - KHF are 1 and k1 - k2 + 1; tested on "
-                              "the vector [1 1]', which must come back unchanged, and the trace, to 1e-12",
-                 .printed = "{1, k1 - k2 + 1}",
-                 .measured = fmt::format("largest differences over 1000 gains, a third of them with k1 = k2 "
-                                         "to 1e-9, where both eigenvalues are 1: {} and {}",
-                                         below(off_one), below(off_other)),
-                 .runs = 1000},
-                std::max(off_one, off_other) <= 1e-12);
+  return assessed(
+      {.id = "3.1-eigenvalue-one",
+       .place = "(3.8), Example 3.1",
+       .statement = "For every gain the eigenvalues of F - KHF are 1 and k1 - k2 + 1; tested on "
+                    "the vector [1 1]', which must come back unchanged, and the trace, to 1e-12",
+       .printed = "{1, k1 - k2 + 1}",
+       .measured = fmt::format("largest differences over 1000 gains, a third of them with k1 = k2 "
+                               "to 1e-9, where both eigenvalues are 1: {} and {}",
+                               below(off_one), below(off_other)),
+       .runs = 1000},
+      std::max(off_one, off_other) <= 1e-12);
 }
 
 /// The covariance in the steady state: the first estimates corrected once by what all looks together say of
@@ -99,7 +101,7 @@ Claim steady_state_covariance() {
         std::max(of_second_step, distance(printed(v, w).P, predicted(s, updated(s, P0, kalman_gain(s, P0)))));
   });
   const Matrix2d P = steady(0.1, 0.2);
-  return judged(
+  return assessed(
       {.id = "3.1-steady-covariance",
        .place = "(3.9), Example 3.1",
        .statement =
@@ -108,8 +110,8 @@ Claim steady_state_covariance() {
        .measured =
            fmt::format("with the same noises [{:.4f} {:.4f}; {:.4f} {:.4f}] m^2. Largest relative difference "
                        "from the limit over {} pairs of noises: printed {:.2g}, ours {}",
-                       P(0, 0), P(0, 1), P(1, 0), P(1, 1), process_noises_m.size() * look_noises_m.size(),
-                       of_printed, below(of_ours)),
+                       P(0, 0), P(0, 1), P(1, 0), P(1, 1),
+                       process_noises_m.size() * measurement_noises_m.size(), of_printed, below(of_ours)),
        .why = fmt::format(
            "what is printed is the covariance after one update and one prediction (difference {}). The limit "
            "is "
@@ -129,7 +131,7 @@ Claim steady_state_gain() {
     of_ours = std::max({of_ours, distance(ours, l.K), std::abs((p + w * w) / s2 - 1)});
   });
   const Vector2d K = printed(0.1, 0.2).K, ours = limit(0.1, 0.2).K;
-  return judged(
+  return assessed(
       {.id = "3.1-steady-gain",
        .place = "(3.10) and the gain above it, Example 3.1",
        .statement = "Gain and innovation variance in the steady state, to 1e-9",
@@ -155,7 +157,7 @@ Claim printed_matrix() {
     of_printed = std::max(of_printed, distance(as_printed / s2, A));
     of_ours = std::max(of_ours, distance(ours / s2, A));
   });
-  return judged(
+  return assessed(
       {.id = "3.1-printed-dynamics",
        .place = "(3.11), Example 3.1",
        .statement = "F - KHF with the gain printed above it, to 1e-12",
@@ -178,7 +180,7 @@ Claim second_eigenvalue() {
     of_limit = std::max(of_limit, std::abs(w * w / (p + w * w) - at_limit));
   });
   const double s2 = printed(0.1, 0.2).s2;
-  return judged(
+  return assessed(
       {.id = "3.1-second-eigenvalue",
        .place = "below (3.11), Example 3.1",
        .statement = "The second eigenvalue for that gain, to 1e-9",
@@ -198,15 +200,16 @@ Claim always_one() {
     lowest = std::min(lowest, A.trace() - 1);
     highest = std::max(highest, A.trace() - 1);
   });
-  return judged({.id = "3.1-marginal",
-                 .place = "Figure 3.3, Example 3.1",
-                 .statement = "Whatever the noises, one eigenvalue is 1 (to 1e-12) and the other inside the "
-                              "circle: the error dynamics are marginally stable, also in the steady state",
-                 .printed = "1",
-                 .measured = fmt::format("difference of one from 1 {}; the other is between {:.3g} "
-                                         "and {:.3g}, over s_v 0.05 to 2 m, s_w 0.05 to 1.5 m",
-                                         below(off_one), lowest, highest)},
-                off_one <= 1e-12 && lowest > 0 && highest < 1);
+  return assessed(
+      {.id = "3.1-marginal",
+       .place = "Figure 3.3, Example 3.1",
+       .statement = "Whatever the noises, one eigenvalue is 1 (to 1e-12) and the other inside the "
+                    "circle: the error dynamics are marginally stable, also in the steady state",
+       .printed = "1",
+       .measured = fmt::format("difference of one from 1 {}; the other is between {:.3g} "
+                               "and {:.3g}, over s_v 0.05 to 2 m, s_w 0.05 to 1.5 m",
+                               below(off_one), lowest, highest)},
+      off_one <= 1e-12 && lowest > 0 && highest < 1);
 }
 
 Claim finite_steady_error(int seeds) {
@@ -218,18 +221,19 @@ Claim finite_steady_error(int seeds) {
   const double landmark = std::sqrt(P(1, 1)), robot = std::sqrt(P(0, 0) - setup.sigma_v_m * setup.sigma_v_m);
   const Finding as_predicted = agrees(after_1000, landmark, 0.2 * landmark) &&
                                agrees(rms_of(monobot::errors(runs, 0, 1000)), robot, 0.2 * robot);
-  return judged({.id = "3.1-finite-error",
-                 .place = "below (3.11), Figure 3.4 (b), (c)",
-                 .statement = "The errors of robot and landmark neither grow nor vanish: rms over runs after "
-                              "1000 steps as the limit covariance says, to a fifth",
-                 .printed = "finite",
-                 .measured = fmt::format("landmark {} after 100 steps, {} after 1000, predicted {:.3f} m; "
-                                         "robot {} after 1000, predicted {:.3f} m",
-                                         text(after_100, "m"), text(after_1000, "m"), landmark,
-                                         text(rms_of(monobot::errors(runs, 0, 1000)), "m"), robot),
-                 .runs = seeds,
-                 .least_runs = enough_runs},
-                as_predicted);
+  return assessed(
+      {.id = "3.1-finite-error",
+       .place = "below (3.11), Figure 3.4 (b), (c)",
+       .statement = "The errors of robot and landmark neither grow nor vanish: rms over runs after "
+                    "1000 steps as the limit covariance says, to a fifth",
+       .printed = "finite",
+       .measured = fmt::format("landmark {} after 100 steps, {} after 1000, predicted {:.3f} m; "
+                               "robot {} after 1000, predicted {:.3f} m",
+                               text(after_100, "m"), text(after_1000, "m"), landmark,
+                               text(rms_of(monobot::errors(runs, 0, 1000)), "m"), robot),
+       .runs = seeds,
+       .least_runs = enough_runs},
+      as_predicted);
 }
 
 Claim depends_on_the_start(int seeds) {
@@ -243,17 +247,18 @@ Claim depends_on_the_start(int seeds) {
   const auto runs = monobot::simulate_all({.robot_var_m2 = 1, .landmark_var_m2 = {}}, seeds);
   const auto first = monobot::errors(runs, 0, 0), last = monobot::errors(runs, 1, 100);
   const Finding slope_one = agrees(slope_of(first, last), 1, 0.05);
-  return judged({.id = "3.1-initial-conditions",
-                 .place = "below (3.11), Example 3.1",
-                 .statement = "The steady-state error depends on the initial conditions: all first estimates "
-                              "wrong by 1 m stay wrong by 1 m (to 1e-9 over 1000 steps), and over runs the "
-                              "landmark's final error follows the robot's first with slope 1 to 0.05",
-                 .printed = "",
-                 .measured = fmt::format("of 1 m, in m, was lost {}; slope {}", below(lost),
-                                         text(slope_of(first, last))),
-                 .runs = seeds,
-                 .least_runs = enough_runs},
-                lost <= 1e-9 && slope_one);
+  return assessed(
+      {.id = "3.1-initial-conditions",
+       .place = "below (3.11), Example 3.1",
+       .statement = "The steady-state error depends on the initial conditions: all first estimates "
+                    "wrong by 1 m stay wrong by 1 m (to 1e-9 over 1000 steps), and over runs the "
+                    "landmark's final error follows the robot's first with slope 1 to 0.05",
+       .printed = "",
+       .measured =
+           fmt::format("of 1 m, in m, was lost {}; slope {}", below(lost), text(slope_of(first, last))),
+       .runs = seeds,
+       .least_runs = enough_runs},
+      lost <= 1e-9 && slope_one);
 }
 
 Claim more_landmarks(int seeds) {
@@ -272,7 +277,7 @@ Claim more_landmarks(int seeds) {
   }
   const double floor =
       monobot::settled_prior({.landmarks = 1000, .robot_var_m2 = 1, .landmark_var_m2 = {}})(1, 1);
-  return judged(
+  return assessed(
       {.id = "3.1-more-landmarks",
        .place = "below Figure 3.3, Example 3.1",
        .statement = "The steady-state error, smaller than the initial one, is smaller the more landmarks "
@@ -298,7 +303,7 @@ Claim landmark_gain_vanishes() {
     last = std::max(last, largest(10'000));
     exponent = exponent_of({100, 1000, 10'000}, {largest(100), largest(1000), largest(10'000)});
   }
-  return judged(
+  return assessed(
       {.id = "3.1-landmark-gain",
        .place = "below Figure 3.3, Figure 3.4 (d)",
        .statement = "The landmark part of the gain goes to zero; tested: below 1e-3 after 10000 steps",
@@ -319,7 +324,7 @@ Claim landmark_variance_vanishes() {
         fmt::format("{}: {:.4f}, {:.4f} m^2, limit {:.4f} m^2", n, P[100](1, 1), P[10'000](1, 1), limit));
     vanishes = vanishes && P[10'000](1, 1) < 0.1 * P[100](1, 1);
   }
-  return judged(
+  return assessed(
       {.id = "3.1-landmark-variance",
        .place = "below Figure 3.3, Example 3.1; Section 3.5",
        .statement = "The uncertainty of stationary landmarks approaches zero; tested: 100 times the steps "

@@ -41,7 +41,7 @@ Claim stable() {
     lines.push_back(fmt::format("{}: robot {:.5f}, landmark {:.5f} m^2, change {}, eigenvalue {:.3f}", n,
                                 P(0, 0), P(1, 1), below(change), largest));
   }
-  return judged(
+  return assessed(
       {.id = "3.10-stable",
        .place = "Figure 3.18, Section 3.4",
        .statement = "With an anchor everything can be decorrelated and the filter stays stable: the "
@@ -69,7 +69,7 @@ Claim gain_never_zero(const std::string& id, const std::string& place, Decorrela
     lines.push_back(fmt::format("{}: {:.4f}, {:.4f}", n, at_100, at_1000));
     never = never && at_1000 > 0.5 * at_100;
   }
-  return judged(
+  return assessed(
       {.id = id,
        .place = place,
        .statement = fmt::format("With an anchor and {} decorrelated the landmarks' gains never reach zero",
@@ -97,7 +97,7 @@ Claim independent_of_the_start() {
     of_anchored = std::max(of_anchored, spread(decorrelated(n, Decorrelated::everything, 600)));
     of_free = std::min(of_free, spread({.landmarks = n, .steps = 600}));
   }
-  return judged(
+  return assessed(
       {.id = "3.10-start",
        .place = "Example 3.10",
        .statement =
@@ -123,7 +123,7 @@ Claim lower_than_without_anchor() {
                       what == Decorrelated::map ? "map" : "everything", n, anchored[100](0, 0),
                       free[100](0, 0), anchored[100](1, 1), free[100](1, 1)));
     }
-  return judged(
+  return assessed(
       {.id = "3.10-variance",
        .place = "Example 3.10",
        .statement = "Variances reach lower values than in the partially observable case, at every step",
@@ -147,7 +147,7 @@ Claim map_alone_is_better(int seeds) {
   const auto map = last(Decorrelated::map), all = last(Decorrelated::everything);
   std::vector<double> gain;
   for (std::size_t i = 0; i < map.size(); ++i) gain.push_back(all[i] * all[i] - map[i] * map[i]);
-  return judged(
+  return assessed(
       {.id = "3.10-map-alone",
        .place = "below Figure 3.18, Section 3.4",
        .statement = "Also with full observability it is best to decorrelate only the map: smaller trace "
@@ -174,13 +174,14 @@ Claim pseudo_noise_on_everything() {
     lines.push_back(fmt::format("{}: {}, landmark {:.5f} m^2 before the update, gain {:.4f}", n, limit.reason,
                                 limit.P(1, 1), limit.K(1, 1)));
   }
-  return judged({.id = "3.10-pseudo-noise",
-                 .place = "Section 3.4",
-                 .statement = "Fully observable, pseudo-noise on robot and landmarks (0.05 m a step) leaves "
-                              "a steady state with gains that are not zero",
-                 .printed = "steady",
-                 .measured = fmt::format("by number of landmarks: {}", fmt::join(lines, "; "))},
-                all);
+  return assessed(
+      {.id = "3.10-pseudo-noise",
+       .place = "Section 3.4",
+       .statement = "Fully observable, pseudo-noise on robot and landmarks (0.05 m a step) leaves "
+                    "a steady state with gains that are not zero",
+       .printed = "steady",
+       .measured = fmt::format("by number of landmarks: {}", fmt::join(lines, "; "))},
+      all);
 }
 
 LedgerEntry run(const ExperimentSettings& settings) {

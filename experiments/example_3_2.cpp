@@ -31,7 +31,7 @@ std::string numbers(const Drive& d) {
 }
 
 Claim relative_map(const Drive& ekf, const Drive& first_estimate) {
-  return judged(
+  return assessed(
       {.id = "3.2-relative-map",
        .place = "Example 3.2, Figure 3.6",
        .statement = "The relative map is internally consistent, but rotated and shifted from the actual "
@@ -43,7 +43,7 @@ Claim relative_map(const Drive& ekf, const Drive& first_estimate) {
 }
 
 Claim perfect_relative_map(const Drive& ekf) {
-  return judged(
+  return assessed(
       {.id = "3.2-perfect",
        .place = "text after Example 3.2, with [40]",
        .statement = "A perfect relative map is produced: to the 2 cm of the survey",
@@ -67,7 +67,7 @@ Claim mapped_once(const Drive& ekf, const Drive& first_estimate) {
         d.often_seen_mapped, d.often_seen, d.landmarks.size(), d.fitted.error.twice.size(),
         d.fitted.error.unmatched.size(), d.wrong, d.matched);
   };
-  return judged(
+  return assessed(
       {.id = "3.2-mapped-once",
        .place = "Figure 3.6",
        .statement = "Every beacon that is seen at least ten times is mapped, none twice",
@@ -100,7 +100,7 @@ Claim depends_on_the_start(const Data& data) {
     return *std::max_element(v.begin(), v.end()) - *std::min_element(v.begin(), v.end());
   };
   const double slope = slope_of(off, turns).value;
-  return judged(
+  return assessed(
       {.id = "3.2-start",
        .place = "Example 3.2, Figure 3.5 (c)",
        .statement =
@@ -125,7 +125,7 @@ Claim covariance_keeps_the_start(const Drive& first_estimate, const Data& data) 
   for (const Eigen::Matrix2d& P : first_estimate.covariances)
     least = std::min(least, std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(P).eigenvalues()[0]));
   const double heading = degrees(first_estimate.sigma_heading_rad.back());
-  return judged(
+  return assessed(
       {.id = "3.2-bound",
        .place = "Section 3.1, third property",
        .statement =
@@ -141,7 +141,7 @@ Claim covariance_keeps_the_start(const Drive& first_estimate, const Data& data) 
 Claim false_gain(const Drive& ekf, const Data& data) {
   const double heading = degrees(ekf.sigma_heading_rad.back()),
                start = degrees(data.settings.start.sigma_heading_rad);
-  return judged(
+  return assessed(
       {.id = "3.2-false-gain",
        .place = "Section 3.1, with [70]",
        .statement =
@@ -156,7 +156,7 @@ Claim false_gain(const Drive& ekf, const Data& data) {
 LedgerEntry run(const ExperimentSettings& settings) {
   return car_park::entry(example_3_2, [&](const Data& data, LedgerEntry& entry) {
     PlanarSlamSettings first_estimate = data.settings;
-    first_estimate.filter.lineariser = "first-estimate";
+    first_estimate.filter.linearization = "first-estimate";
     const Drive ekf = car_park::drive(data, data.settings), fej = car_park::drive(data, first_estimate);
     entry.claims = {relative_map(ekf, fej), perfect_relative_map(ekf),
                     mapped_once(ekf, fej),  depends_on_the_start(data),

@@ -61,12 +61,12 @@ Claim full_rank() {
     lines.push_back(fmt::format("{}: {} of {} (without {})", n, anchored.rank, n + 1, free.rank));
     full = full && anchored.rank == n + 1;
   }
-  return judged({.id = "3.3-observable",
-                 .place = "below (3.12), Example 3.3",
-                 .statement = "With the anchor the observability matrix has full rank",
-                 .printed = "full",
-                 .measured = fmt::format("rank by number of landmarks: {}", fmt::join(lines, "; "))},
-                full);
+  return assessed({.id = "3.3-observable",
+                   .place = "below (3.12), Example 3.3",
+                   .statement = "With the anchor the observability matrix has full rank",
+                   .printed = "full",
+                   .measured = fmt::format("rank by number of landmarks: {}", fmt::join(lines, "; "))},
+                  full);
 }
 
 Claim closed_form_gains() {
@@ -82,7 +82,7 @@ Claim closed_form_gains() {
           std::max(of_example, (closed_form_gain(v, w, false) - elsewhere).norm() / elsewhere.norm());
     }
   const LinearSystem s = system(0.1, 0.2);
-  return judged(
+  return assessed(
       {.id = "3.3-gains",
        .place = "(3.14), (3.15), Example 3.3",
        .statement = "These are the gains of the second step from the covariance I, to 1e-12",
@@ -107,13 +107,13 @@ Claim inside_the_circle() {
       lowest = std::min(lowest, values[0]);
       highest = std::max(highest, values[1]);
     }
-  return judged({.id = "3.3-inside",
-                 .place = "Figure 3.7, Example 3.3",
-                 .statement = "With those gains no eigenvalue of F - KHF reaches 0 or 1",
-                 .printed = "inside (0, 1)",
-                 .measured = fmt::format("between {:.4f} and {:.4f} over s_v and s_w from 0.05 to 2 m",
-                                         lowest, highest)},
-                lowest > 0 && highest < 1);
+  return assessed({.id = "3.3-inside",
+                   .place = "Figure 3.7, Example 3.3",
+                   .statement = "With those gains no eigenvalue of F - KHF reaches 0 or 1",
+                   .printed = "inside (0, 1)",
+                   .measured = fmt::format("between {:.4f} and {:.4f} over s_v and s_w from 0.05 to 2 m",
+                                           lowest, highest)},
+                  lowest > 0 && highest < 1);
 }
 
 Claim inside_at_every_step() {
@@ -132,7 +132,7 @@ Claim inside_at_every_step() {
       P = predicted(s, updated(s, P, K));
     }
   }
-  return judged(
+  return assessed(
       {.id = "3.3-any-noise",
        .place = "below (3.15), Section 3.2",
        .statement = "The observability matrix having full rank, the eigenvalues of F - KHF are inside the "
@@ -153,7 +153,7 @@ double distance_from_one(int steps) {
 Claim inside_in_the_limit() {
   const double at_100 = distance_from_one(100), at_1000 = distance_from_one(1000),
                at_10000 = distance_from_one(10'000);
-  return judged(
+  return assessed(
       {.id = "3.3-limit-inside",
        .place = "below (3.15), Section 3.2",
        .statement = "In the steady state, too, full observability keeps the eigenvalues off 1; tested: 100 "
@@ -183,19 +183,19 @@ Claim forgets_the_start(int seeds) {
           fmt::format("{} with {}: {}", state == 0 ? "robot" : "landmark", n, text(mean_of(last), "m")));
     }
   }
-  return judged({.id = "3.3-zero-mean",
-                 .place = "above Example 3.4, Figure 3.8 (b), (c)",
-                 .statement = "The errors converge to zero mean: all first estimates wrong by 1 m are "
-                              "forgotten, and the mean error over runs is 0 after 100 steps, to 0.03 m",
-                 .printed = "0",
-                 .measured = fmt::format(
-                     "of 1 m there is left after 10, 100, 1000 steps: robot {:.2g}, {:.2g}, {:.2g} m, "
-                     "landmark {:.2g}, {:.2g}, {:.2g} m, as one over the number of steps. Means: {}",
-                     left(0, 10), left(0, 100), left(0, 1000), left(1, 10), left(1, 100), left(1, 1000),
-                     fmt::join(lines, "; ")),
-                 .runs = seeds,
-                 .least_runs = enough_runs},
-                left.col(1000).maxCoeff() < 0.02 && zero_mean);
+  return assessed({.id = "3.3-zero-mean",
+                   .place = "above Example 3.4, Figure 3.8 (b), (c)",
+                   .statement = "The errors converge to zero mean: all first estimates wrong by 1 m are "
+                                "forgotten, and the mean error over runs is 0 after 100 steps, to 0.03 m",
+                   .printed = "0",
+                   .measured = fmt::format(
+                       "of 1 m there is left after 10, 100, 1000 steps: robot {:.2g}, {:.2g}, {:.2g} m, "
+                       "landmark {:.2g}, {:.2g}, {:.2g} m, as one over the number of steps. Means: {}",
+                       left(0, 10), left(0, 100), left(0, 1000), left(1, 10), left(1, 100), left(1, 1000),
+                       fmt::join(lines, "; ")),
+                   .runs = seeds,
+                   .least_runs = enough_runs},
+                  left.col(1000).maxCoeff() < 0.02 && zero_mean);
 }
 
 Claim smaller_variances() {
@@ -209,7 +209,7 @@ Claim smaller_variances() {
     lines.push_back(fmt::format("{}: robot {:.4f} against {:.4f} m^2, landmark {:.5f} against {:.4f} m^2", n,
                                 anchored[100](0, 0), free[100](0, 0), anchored[100](1, 1), free[100](1, 1)));
   }
-  return judged(
+  return assessed(
       {.id = "3.3-variance",
        .place = "above Example 3.4, Figure 3.8",
        .statement = "Robot and landmark variances are smaller than without an anchor, at every step",

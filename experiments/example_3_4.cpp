@@ -31,11 +31,11 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using std::numbers::pi;
 
-constexpr int places = 100, looks = 8;
+constexpr int places = 100, measurements = 8;
 constexpr double dt = 0.5;  // s
 
 /// A pose, an input and points to look at, anchors or landmarks.
-struct Place {
+struct SourceLocation {
   Vector3d pose;
   Vector2d input;
   Vector2d landmark;
@@ -49,8 +49,8 @@ Vector2d point(RandomStream& random, const Vector3d& pose) {
   }
 }
 
-Place random_place(RandomStream& random) {
-  Place p;
+SourceLocation random_position(RandomStream& random) {
+  SourceLocation p;
   p.pose << point(random, Vector3d::Zero()), random.uniform(-pi, pi);
   p.input << random.uniform(0.5, 2), random.uniform(0.2, 1);
   p.landmark = point(random, p.pose);
@@ -58,10 +58,10 @@ Place random_place(RandomStream& random) {
   return p;
 }
 
-std::vector<Place> random_places() {
+std::vector<SourceLocation> random_positions() {
   RandomStream random(1, "places");
-  std::vector<Place> all;
-  for (int i = 0; i < places; ++i) all.push_back(random_place(random));
+  std::vector<SourceLocation> all;
+  for (int i = 0; i < places; ++i) all.push_back(random_position(random));
   return all;
 }
 
@@ -96,7 +96,7 @@ constexpr double as_good_as_zero = 1e-6;
 
 Claim state_jacobian() {
   Wrong wrong;
-  for (const Place& p : random_places()) {
+  for (const SourceLocation& p : random_positions()) {
     const double c = std::cos(p.pose[2]), s = std::sin(p.pose[2]), v = p.input[0], lw = 0.3 * p.input[1];
     Eigen::Matrix3d printed = Eigen::Matrix3d::Identity();
     printed.col(2).head<2>() << -(v * s - lw * c) * dt, (v * c - lw * s) * dt;
@@ -105,19 +105,19 @@ Claim state_jacobian() {
     };
     wrong.take(printed, vehicle.step(p.pose, p.input, dt).F, differences(f, p.pose));
   }
-  return judged({.id = "3.4-F",
-                 .place = "(3.17)",
-                 .statement = "Jacobian of (3.16) by the state, to 1e-6",
-                 .printed = "first row, last entry -(v sin - l w cos) dt",
-                 .measured = wrong.text(),
-                 .why = "-(v sin + l w cos) dt",
-                 .runs = places},
-                wrong.printed <= as_good_as_zero, wrong.ours <= as_good_as_zero);
+  return assessed({.id = "3.4-F",
+                   .place = "(3.17)",
+                   .statement = "Jacobian of (3.16) by the state, to 1e-6",
+                   .printed = "first row, last entry -(v sin - l w cos) dt",
+                   .measured = wrong.text(),
+                   .why = "-(v sin + l w cos) dt",
+                   .runs = places},
+                  wrong.printed <= as_good_as_zero, wrong.ours <= as_good_as_zero);
 }
 
 Claim input_jacobian() {
   Wrong wrong;
-  for (const Place& p : random_places()) {
+  for (const SourceLocation& p : random_positions()) {
     const double c = std::cos(p.pose[2]), s = std::sin(p.pose[2]);
     Eigen::Matrix<double, 3, 2> printed;
     printed << c * dt, -0.3 * s * dt, s * dt, 0.3 * c * dt, 0, 1;
@@ -126,14 +126,14 @@ Claim input_jacobian() {
     };
     wrong.take(printed, vehicle.step(p.pose, p.input, dt).G, differences(f, p.input));
   }
-  return judged({.id = "3.4-G",
-                 .place = "(3.18)",
-                 .statement = "Jacobian of (3.16) by the input noises, to 1e-6",
-                 .printed = "last row [0 1]",
-                 .measured = wrong.text(),
-                 .why = "[0 dt]",
-                 .runs = places},
-                wrong.printed <= as_good_as_zero, wrong.ours <= as_good_as_zero);
+  return assessed({.id = "3.4-G",
+                   .place = "(3.18)",
+                   .statement = "Jacobian of (3.16) by the input noises, to 1e-6",
+                   .printed = "last row [0 1]",
+                   .measured = wrong.text(),
+                   .why = "[0 dt]",
+                   .runs = places},
+                  wrong.printed <= as_good_as_zero, wrong.ours <= as_good_as_zero);
 }
 
 double wrapped(double angle) { return wrap_angle<double>(angle); }
@@ -143,19 +143,19 @@ double wrapped(double angle) { return wrap_angle<double>(angle); }
 Claim bearing() {
   double printed = 0, without_quarter = 0, ours = 0;
   int behind = 0;
-  for (const Place& p : random_places()) {
+  for (const SourceLocation& p : random_positions()) {
     const Vector2d d = p.landmark - p.pose.head<2>();
     const double as_printed = std::atan(d.y() / d.x()) - p.pose[2] + pi / 2;
-    const Vector2d z = RangeBearing::look(p.pose, p.landmark)->z;
+    const Vector2d z = RangeBearing::predict_measurement(p.pose, p.landmark)->z;
     const auto miss = [&](double b) {
-      return (RangeBearing::birth(p.pose, {z[0], b}).landmark - p.landmark).norm();
+      return (RangeBearing::initialize(p.pose, {z[0], b}).landmark - p.landmark).norm();
     };
     printed = std::max(printed, miss(as_printed));
     without_quarter = std::max(without_quarter, miss(as_printed - pi / 2));
     behind += miss(as_printed - pi / 2) > 1 ? 1 : 0;
     ours = std::max(ours, miss(z[1]));
   }
-  return judged(
+  return assessed(
       {.id = "3.4-bearing",
        .place = "(3.19)",
        .statement =
@@ -172,13 +172,13 @@ Claim bearing() {
 
 Claim anchor_bearing() {
   double printed = 0, ours = 0;
-  for (const Place& p : random_places()) {
-    const double truth = RangeBearing::look(p.pose, Vector2d::Zero())->z[1];
+  for (const SourceLocation& p : random_positions()) {
+    const double truth = RangeBearing::predict_measurement(p.pose, Vector2d::Zero())->z[1];
     const double x = p.pose.x(), y = p.pose.y();
     printed = std::max(printed, std::abs(wrapped(std::atan(y / x) - p.pose[2] + pi / 2 - truth)));
     ours = std::max(ours, std::abs(wrapped(std::atan2(-y, -x) - p.pose[2] - truth)));
   }
-  return judged(
+  return assessed(
       {.id = "3.4-anchor-bearing",
        .place = "(3.21)",
        .statement = "The bearing of an anchor at the origin is (3.19) with the landmark there, to 1e-6 rad",
@@ -191,18 +191,18 @@ Claim anchor_bearing() {
 }
 
 /// One look at an anchor or at the landmark; by the pose and the landmark.
-MatrixXd look_rows(const Vector3d& pose, const Vector2d& at, bool anchor) {
-  const auto look = RangeBearing::look(pose, at);
+MatrixXd measurement_rows(const Vector3d& pose, const Vector2d& at, bool anchor) {
+  const auto prediction = RangeBearing::predict_measurement(pose, at);
   MatrixXd H = MatrixXd::Zero(2, 5);
-  H.leftCols<3>() = look->Hv;
-  if (!anchor) H.rightCols<2>() = look->Hl;
+  H.leftCols<3>() = prediction->Hv;
+  if (!anchor) H.rightCols<2>() = prediction->Hl;
   return H;
 }
 
 /// (3.20) and (3.22), differentiated together by pose and landmark.
-Claim look_jacobians() {
+Claim measurement_jacobians() {
   Wrong wrong;
-  for (const Place& p : random_places()) {
+  for (const SourceLocation& p : random_positions()) {
     const double x = p.pose.x(), y = p.pose.y(), r2 = x * x + y * y, r = std::sqrt(r2);
     const Vector2d to = p.landmark - p.pose.head<2>();
     const double d = to.norm(), d2 = d * d;
@@ -210,7 +210,7 @@ Claim look_jacobians() {
     printed << x / r, y / r, 0, 0, 0, -y / r2, x / r2, -1, 0, 0,  //
         -to.x() / d, -to.y() / d, 0, to.x() / d, to.y() / d,      //
         to.y() / d2, -to.x() / d2, -1, -to.y() / d2, to.x() / d2;
-    ours << look_rows(p.pose, Vector2d::Zero(), true), look_rows(p.pose, p.landmark, false);
+    ours << measurement_rows(p.pose, Vector2d::Zero(), true), measurement_rows(p.pose, p.landmark, false);
     Eigen::VectorXd state(5);
     state << p.pose, p.landmark;
     const auto h = [](const Eigen::VectorXd& s) -> Eigen::VectorXd {
@@ -221,13 +221,13 @@ Claim look_jacobians() {
     };
     wrong.take(printed, ours, differences(h, state));
   }
-  return judged({.id = "3.4-H",
-                 .place = "(3.20), (3.22)",
-                 .statement = "Jacobians of range and bearing, of a landmark and of the anchor, to 1e-6",
-                 .printed = "",
-                 .measured = wrong.text(),
-                 .runs = places},
-                wrong.printed <= as_good_as_zero, wrong.ours <= as_good_as_zero);
+  return assessed({.id = "3.4-H",
+                   .place = "(3.20), (3.22)",
+                   .statement = "Jacobians of range and bearing, of a landmark and of the anchor, to 1e-6",
+                   .printed = "",
+                   .measured = wrong.text(),
+                   .runs = places},
+                  wrong.printed <= as_good_as_zero, wrong.ours <= as_good_as_zero);
 }
 
 // Observability ---------------------------------------------------------------------------------------
@@ -238,10 +238,10 @@ struct View {
 };
 
 /// What is seen from a pose; states: pose, landmark.
-MatrixXd rows_seen(const Place& p, const Vector3d& pose, const View& view) {
+MatrixXd rows_seen(const SourceLocation& p, const Vector3d& pose, const View& view) {
   MatrixXd H(2 * (view.anchors + 1) + (view.oriented ? 1 : 0), 5);
-  for (int a = 0; a < view.anchors; ++a) H.middleRows(2 * a, 2) = look_rows(pose, p.anchors[a], true);
-  H.middleRows(2 * view.anchors, 2) = look_rows(pose, p.landmark, false);
+  for (int a = 0; a < view.anchors; ++a) H.middleRows(2 * a, 2) = measurement_rows(pose, p.anchors[a], true);
+  H.middleRows(2 * view.anchors, 2) = measurement_rows(pose, p.landmark, false);
   if (view.oriented) H.bottomRows(1) << 0, 0, -1, 0, 0;
   return H;
 }
@@ -253,7 +253,7 @@ MatrixXd transition(const DifferentialDrive& drive, const Vector3d& pose, const 
 }
 
 /// (3.24)
-MatrixXd frozen(const Place& p, const View& view, const DifferentialDrive& drive) {
+MatrixXd frozen(const SourceLocation& p, const View& view, const DifferentialDrive& drive) {
   LinearSystem s;
   s.F = transition(drive, p.pose, p.input);
   s.H = rows_seen(p, p.pose, view);
@@ -264,12 +264,12 @@ MatrixXd frozen(const Place& p, const View& view, const DifferentialDrive& drive
 }
 
 /// The same with each H and F where the vehicle then is.
-MatrixXd along_the_motion(const Place& p, const View& view, const DifferentialDrive& drive) {
+MatrixXd along_the_motion(const SourceLocation& p, const View& view, const DifferentialDrive& drive) {
   Vector3d pose = p.pose;
   MatrixXd since_start = MatrixXd::Identity(5, 5);
   const Eigen::Index rows = rows_seen(p, pose, view).rows();
-  MatrixXd O(looks * rows, 5);
-  for (int k = 0; k < looks; ++k) {
+  MatrixXd O(measurements * rows, 5);
+  for (int k = 0; k < measurements; ++k) {
     O.middleRows(k * rows, rows) = rows_seen(p, pose, view) * since_start;
     since_start = transition(drive, pose, p.input) * since_start;
     pose = drive.step(pose, p.input, dt).x;
@@ -294,7 +294,7 @@ template <class Build>
 Ranks ranks(const Build& build) {
   Ranks all;
   bool clear = true;
-  for (const Place& p : random_places()) {
+  for (const SourceLocation& p : random_positions()) {
     const Rank r = rank_of(build(p), 1e-9);
     const Eigen::VectorXd relative = r.singular_values / r.singular_values[0];
     all.least_kept = std::min(all.least_kept, relative[r.rank - 1]);
@@ -307,18 +307,18 @@ Ranks ranks(const Build& build) {
 }
 
 Ranks frozen_rank(const View& view, const DifferentialDrive& drive = vehicle) {
-  return ranks([&](const Place& p) { return frozen(p, view, drive); });
+  return ranks([&](const SourceLocation& p) { return frozen(p, view, drive); });
 }
 
 Ranks true_rank(const View& view, const DifferentialDrive& drive = vehicle) {
-  return ranks([&](const Place& p) { return along_the_motion(p, view, drive); });
+  return ranks([&](const SourceLocation& p) { return along_the_motion(p, view, drive); });
 }
 
 /// (3.25), rows five to eight: what H F has in the heading's column beyond H.
 Claim printed_product() {
   double printed = 0, ours = 0;
   const DifferentialDrive at_axle;
-  for (const Place& p : random_places()) {
+  for (const SourceLocation& p : random_positions()) {
     const double c = std::cos(p.pose[2]), s = std::sin(p.pose[2]), v = p.input[0], x = p.pose.x(),
                  y = p.pose.y();
     const Vector2d to = p.landmark - p.pose.head<2>();
@@ -330,44 +330,44 @@ Claim printed_product() {
                                     -(to.x() * v * c + to.y() * v * s) / (d * d),
                                     -(x * v * s - y * v * c) / r, (x * v * c + y * v * s) / r2);
     MatrixXd H(4, 5);
-    H << look_rows(p.pose, p.landmark, false), look_rows(p.pose, Vector2d::Zero(), true);
+    H << measurement_rows(p.pose, p.landmark, false), measurement_rows(p.pose, Vector2d::Zero(), true);
     const Eigen::Vector4d truth = (H * transition(at_axle, p.pose, p.input) - H).col(2) / dt;
     printed = std::max(printed, (as_printed - truth).cwiseAbs().maxCoeff());
     ours = std::max(ours, (corrected - truth).cwiseAbs().maxCoeff());
   }
-  return judged({.id = "3.4-product",
-                 .place = "(3.25), rows 5 to 8",
-                 .statement = "Heading's column of (H F - H)/dt with l = 0, to 1e-6",
-                 .printed = "rows -(dx v sin + dy v cos)/d, -(dx v cos - dy v sin)/d^2, (x v sin + y v "
-                            "cos)/r^2, (x v cos + y v sin)/r^2",
-                 .measured = fmt::format("largest difference at {} places: printed {:.2g}, ours {}", places,
-                                         printed, below(ours)),
-                 .why = "(dx v sin - dy v cos)/d, -(dx v cos + dy v sin)/d^2, -(x v sin - y v cos)/r, and "
-                        "the last as printed",
-                 .runs = places},
-                printed <= as_good_as_zero, ours <= as_good_as_zero);
+  return assessed({.id = "3.4-product",
+                   .place = "(3.25), rows 5 to 8",
+                   .statement = "Heading's column of (H F - H)/dt with l = 0, to 1e-6",
+                   .printed = "rows -(dx v sin + dy v cos)/d, -(dx v cos - dy v sin)/d^2, (x v sin + y v "
+                              "cos)/r^2, (x v cos + y v sin)/r^2",
+                   .measured = fmt::format("largest difference at {} places: printed {:.2g}, ours {}", places,
+                                           printed, below(ours)),
+                   .why = "(dx v sin - dy v cos)/d, -(dx v cos + dy v sin)/d^2, -(x v sin - y v cos)/r, and "
+                          "the last as printed",
+                   .runs = places},
+                  printed <= as_good_as_zero, ours <= as_good_as_zero);
 }
 
 Claim frozen_product_rank() {
   const Ranks offset = frozen_rank({.anchors = 1}), at_axle = frozen_rank({.anchors = 1}, {});
-  return judged({.id = "3.4-frozen-rank",
-                 .place = "(3.24), (3.25)",
-                 .statement = "The product (3.24) has full rank with one anchor, also with l other than 0",
-                 .printed = "5",
-                 .measured = fmt::format("l = 0.3 m: {}; l = 0: {}", offset.text(), at_axle.text()),
-                 .runs = places},
-                offset.is(5) && at_axle.is(5));
+  return assessed({.id = "3.4-frozen-rank",
+                   .place = "(3.24), (3.25)",
+                   .statement = "The product (3.24) has full rank with one anchor, also with l other than 0",
+                   .printed = "5",
+                   .measured = fmt::format("l = 0.3 m: {}; l = 0: {}", offset.text(), at_axle.text()),
+                   .runs = places},
+                  offset.is(5) && at_axle.is(5));
 }
 
 Claim one_anchor_observes_all() {
   const Ranks one = true_rank({.anchors = 1});
-  return judged(
+  return assessed(
       {.id = "3.4-one-anchor",
        .place = "below (3.25)",
        .statement =
            "One anchor and any other landmark guarantee that the vehicle of the plane is fully observable",
        .printed = "rank 5",
-       .measured = fmt::format("along the motion, over {} looks: {}", looks, one.text()),
+       .measured = fmt::format("along the motion, over {} looks: {}", measurements, one.text()),
        .why = "turning everything about the anchor changes no look. That (3.24) has full rank is an "
               "artefact: its F moves the vehicle on, while H stays where it was",
        .runs = places},
@@ -376,19 +376,19 @@ Claim one_anchor_observes_all() {
 
 Claim what_it_takes() {
   const Ranks two = true_rank({.anchors = 2}), oriented = true_rank({.anchors = 1, .oriented = true});
-  return judged({.id = "3.4-two-anchors",
-                 .place = "below (3.25)",
-                 .statement = "One anchor with orientation, or two without, are enough",
-                 .printed = "rank 5",
-                 .measured = fmt::format("along the motion: two anchors {}; one with orientation {}",
-                                         two.text(), oriented.text()),
-                 .runs = places},
-                two.is(5) && oriented.is(5));
+  return assessed({.id = "3.4-two-anchors",
+                   .place = "below (3.25)",
+                   .statement = "One anchor with orientation, or two without, are enough",
+                   .printed = "rank 5",
+                   .measured = fmt::format("along the motion: two anchors {}; one with orientation {}",
+                                           two.text(), oriented.text()),
+                   .runs = places},
+                  two.is(5) && oriented.is(5));
 }
 
 Claim no_anchor() {
   const Ranks product = frozen_rank({}), truth = true_rank({});
-  return judged(
+  return assessed(
       {.id = "3.4-no-anchor",
        .place = "Section 3.1, above Example 3.2",
        .statement =
@@ -406,11 +406,11 @@ Claim no_anchor() {
 // Figure 3.9 ------------------------------------------------------------------------------------------
 
 Curve outline(const std::string& label, const Vector3d& pose, const std::vector<Vector2d>& corners,
-              Style style, Colour colour) {
+              Style style, Color color) {
   Curve curve;
   curve.label = label;
   curve.style = style;
-  curve.colour = colour;
+  curve.color = color;
   for (const Vector2d& corner : corners) {
     const Vector2d at = pose.head<2>() + Eigen::Rotation2Dd(pose[2]) * corner;
     curve.x.push_back(at.x());
@@ -435,15 +435,15 @@ Plot geometry() {
   p.y_label = "y, m";
   p.equal_axes = true;
   p.curves = {outline("body", pose, {{-0.2, -0.22}, {0.42, -0.22}, {0.42, 0.22}, {-0.2, 0.22}, {-0.2, -0.22}},
-                      Style::line, Colour::ink),
-              outline("axle and wheels", pose, {{0, -0.25}, {0, 0.25}}, Style::line, Colour::grey),
-              outline("", pose, wheel(-0.28), Style::line, Colour::grey),
-              outline("", pose, wheel(0.28), Style::line, Colour::grey),
-              outline("l, from the axle to the sensor", pose, {{0, 0}, {l, 0}}, Style::line, Colour::orange),
-              outline("sensor (x_r, y_r)", pose, {{l, 0}}, Style::circles, Colour::orange),
+                      Style::line, Color::ink),
+              outline("axle and wheels", pose, {{0, -0.25}, {0, 0.25}}, Style::line, Color::gray),
+              outline("", pose, wheel(-0.28), Style::line, Color::gray),
+              outline("", pose, wheel(0.28), Style::line, Color::gray),
+              outline("l, from the axle to the sensor", pose, {{0, 0}, {l, 0}}, Style::line, Color::orange),
+              outline("sensor (x_r, y_r)", pose, {{l, 0}}, Style::circles, Color::orange),
               outline("heading theta", pose, {{l, 0}, {0.75, 0}, {0.69, 0.03}, {0.69, -0.03}, {0.75, 0}},
-                      Style::line, Colour::blue),
-              outline("world x", {pose.x(), pose.y(), 0}, {{0, 0}, {0.75, 0}}, Style::dashed, Colour::grey)};
+                      Style::line, Color::blue),
+              outline("world x", {pose.x(), pose.y(), 0}, {{0, 0}, {0.75, 0}}, Style::dashed, Color::gray)};
   Plot plot{"fig-3.9", "Vehicle with differential steering", 1, {p}};
   return plot;
 }
@@ -454,7 +454,7 @@ LedgerEntry run(const ExperimentSettings& settings) {
                   input_jacobian(),
                   bearing(),
                   anchor_bearing(),
-                  look_jacobians(),
+                  measurement_jacobians(),
                   printed_product(),
                   frozen_product_rank(),
                   one_anchor_observes_all(),

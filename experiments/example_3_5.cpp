@@ -18,10 +18,10 @@ namespace {
 using car_park::Data;
 using car_park::Drive;
 
-PlanarSlamSettings anchored(const Data& data, const char* lineariser) {
+PlanarSlamSettings anchored(const Data& data, const char* linearization) {
   PlanarSlamSettings s = data.settings;
   s.filter.anchors = data.anchors;
-  s.filter.lineariser = lineariser;
+  s.filter.linearization = linearization;
   return s;
 }
 
@@ -32,7 +32,7 @@ std::string errors(const char* filter, const Drive& d) {
 Claim absolute_error(const Data& data, const Drive& ekf, const Drive& fej, const Drive& alone) {
   PlanarSlamSettings relative = anchored(data, "analytic");
   relative.filter.map_frame = "vehicle";
-  return judged(
+  return assessed(
       {.id = "3.5-absolute",
        .place = "Example 3.5, Figures 3.10 (c), 3.11",
        .statement =
@@ -53,12 +53,12 @@ struct Independence {
   double worst = 0;
   std::string text;
 };
-Independence independence(const Data& data, const char* lineariser, const Drive& own) {
+Independence independence(const Data& data, const char* linearization, const Drive& own) {
   Independence out;
   out.text = fmt::format("{:.3f} and {:.3f} m from the recording's start", own.mean_landmark_sigma_m(),
                          own.last_sigma_m());
   for (const car_park::Start& start : car_park::other_starts()) {
-    const Drive d = car_park::drive(data, start.applied_to(anchored(data, lineariser)));
+    const Drive d = car_park::drive(data, start.applied_to(anchored(data, linearization)));
     out.worst = std::max(out.worst, car_park::apart(own, d));
     out.text +=
         fmt::format(", {:.3f} and {:.3f} with {}", d.mean_landmark_sigma_m(), d.last_sigma_m(), start.name);
@@ -69,7 +69,7 @@ Independence independence(const Data& data, const char* lineariser, const Drive&
 Claim independent_of_the_start(const Data& data, const Drive& ekf, const Drive& fej) {
   const Independence by_ekf = independence(data, "analytic", ekf),
                      by_fej = independence(data, "first-estimate", fej);
-  return judged(
+  return assessed(
       {.id = "3.5-independent",
        .place = "Example 3.5, Figure 3.10 (b), (d)",
        .statement =
@@ -92,7 +92,7 @@ Claim reduced_covariance(const Drive& ekf, const Drive& ekf_alone, const Drive& 
                        with.mean_landmark_sigma_m(), without.mean_landmark_sigma_m(), with.last_sigma_m(),
                        without.last_sigma_m());
   };
-  return judged(
+  return assessed(
       {.id = "3.5-covariance",
        .place = "Example 3.5, Figure 3.10 (b), (d)",
        .statement =
@@ -108,11 +108,11 @@ Claim reduced_covariance(const Drive& ekf, const Drive& ekf_alone, const Drive& 
 
 Claim external_sensor(const Data& data) {
   PlanarSlamSettings s = data.settings;
-  s.filter.lineariser = "first-estimate";
+  s.filter.linearization = "first-estimate";
   s.filter.use_fixes = true;
   s.filter.sigma_fix_m = 0.1;
   const Drive d = car_park::drive(data, s);
-  return judged(
+  return assessed(
       {.id = "3.5-external",
        .place = "Section 3.2, second way; Section 3.5",
        .statement =
@@ -126,7 +126,7 @@ Claim external_sensor(const Data& data) {
 LedgerEntry run(const ExperimentSettings& settings) {
   return car_park::entry(example_3_5, [&](const Data& data, LedgerEntry& entry) {
     PlanarSlamSettings unanchored = data.settings;
-    unanchored.filter.lineariser = "first-estimate";
+    unanchored.filter.linearization = "first-estimate";
     const Drive ekf = car_park::drive(data, anchored(data, "analytic")),
                 fej = car_park::drive(data, anchored(data, "first-estimate")),
                 alone = car_park::drive(data, unanchored), ekf_alone = car_park::drive(data, data.settings);

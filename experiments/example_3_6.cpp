@@ -39,12 +39,12 @@ Claim unbounded() {
                                   last, exponent));
     }
   }
-  return judged({.id = "3.6-unbounded",
-                 .place = "Example 3.6, Figure 3.12",
-                 .statement = "Both the robot's and the landmarks' variances become unbounded",
-                 .printed = "unbounded",
-                 .measured = fmt::format("{}", fmt::join(lines, "; "))},
-                grow);
+  return assessed({.id = "3.6-unbounded",
+                   .place = "Example 3.6, Figure 3.12",
+                   .statement = "Both the robot's and the landmarks' variances become unbounded",
+                   .printed = "unbounded",
+                   .measured = fmt::format("{}", fmt::join(lines, "; "))},
+                  grow);
 }
 
 /// What a step adds to each variance before the update, in the long run.
@@ -59,7 +59,7 @@ Claim how_fast() {
     lines.push_back(fmt::format("{}: {:.3g}, predicted {:.3g}", n, rate, predicted));
     off = std::max(off, std::abs(rate / predicted - 1));
   }
-  return judged(
+  return assessed(
       {.id = "3.6-rate",
        .place = "Example 3.6",
        .statement =
@@ -81,7 +81,7 @@ Claim full_rank_inflation() {
     full = full && rank == n + 1;
     controllable = controllable && with_noise == n + 1;
   }
-  return judged(
+  return assessed(
       {.id = "3.6-full-rank",
        .place = "Example 3.6",
        .statement = "The inflation that decorrelates everything has full rank, more than can be observed, "
@@ -108,7 +108,7 @@ Claim inflation_is_noise() {
   const MatrixXd ours = s.F * before * s.F.transpose() + G * noise * G.transpose();
   const double off = (ours - course.prior[100]).norm() / course.prior[100].norm();
   const bool fits = stacked.cols() == G.cols() && stacked.rows() == G.cols();
-  return judged(
+  return assessed(
       {.id = "3.6-as-noise",
        .place = "(3.26), (3.27)",
        .statement = "Adding dP is the same as a process noise that enters by G' = [G I], to 1e-12",

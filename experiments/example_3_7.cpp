@@ -36,7 +36,7 @@ Claim unbounded(const Drive& dropped, const Drive& kept, const Data& data) {
         "{:.0f} %",
         largest(d, false), largest(d, true), d.mean_landmark_sigma_m(), 100 * car_park::largest_growth(d));
   };
-  return judged(
+  return assessed(
       {.id = "3.7-unbounded",
        .place = "Example 3.7, Figure 3.13 (b), (d)",
        .statement =
@@ -53,7 +53,7 @@ Claim unbounded(const Drive& dropped, const Drive& kept, const Data& data) {
 }
 
 Claim wrong_associations(const Drive& dropped, const Drive& kept) {
-  return judged(
+  return assessed(
       {.id = "3.7-association",
        .place = "Example 3.7, Figure 3.14",
        .statement =

@@ -42,7 +42,7 @@ Claim bounded() {
                                 P[600](1, 1), below(g)));
     all = all && std::abs(g) < least_growth;
   }
-  return judged(
+  return assessed(
       {.id = "3.8-bounded",
        .place = "Example 3.8, Figure 3.15, Section 3.5",
        .statement = "With only the map decorrelated the covariance converges",
@@ -60,12 +60,12 @@ Claim one_landmark_is_as_before() {
   for (std::size_t k = 1; k < plain.gain.size(); ++k)
     off = std::max(
         {off, (plain.gain[k] - dropped.gain[k]).norm(), (plain.posterior[k] - dropped.posterior[k]).norm()});
-  return judged({.id = "3.8-one-landmark",
-                 .place = "Example 3.8",
-                 .statement = "With one landmark this is Example 3.1: the same gains and covariances",
-                 .printed = "identical",
-                 .measured = fmt::format("largest difference over 600 steps: {}", off)},
-                off == 0);
+  return assessed({.id = "3.8-one-landmark",
+                   .place = "Example 3.8",
+                   .statement = "With one landmark this is Example 3.1: the same gains and covariances",
+                   .printed = "identical",
+                   .measured = fmt::format("largest difference over 600 steps: {}", off)},
+                  off == 0);
 }
 
 Claim landmark_variance_is_greater() {
@@ -75,7 +75,7 @@ Claim landmark_variance_is_greater() {
   for (std::size_t k = 2; k < plain.posterior.size();
        ++k)  // before the first update there is nothing to drop
     greater = greater && dropped.posterior[k](1, 1) > plain.posterior[k](1, 1);
-  return judged(
+  return assessed(
       {.id = "3.8-variance",
        .place = "Example 3.8",
        .statement = "With two landmarks their variance is greater than without decorrelation, at every step "
@@ -92,7 +92,7 @@ Claim landmark_gain_settles() {
   const auto gain = monobot::course(decorrelated(2)).gain;
   const double last = gain[600](1, 0), change = std::abs(last - gain[300](1, 0));
   const double of_mean = (gain[600].row(1) + gain[600].row(2)).cwiseAbs().maxCoeff();
-  return judged(
+  return assessed(
       {.id = "3.8-gain",
        .place = "Example 3.8, Figure 3.15 (d)",
        .statement = "With two landmarks their gains do not become zero; they converge to a steady state",
@@ -112,16 +112,17 @@ Claim controllable() {
     lines.push_back(fmt::format("{}: {} of {}", n, rank, n + 1));
     full = full && rank == n + 1;
   }
-  return judged({.id = "3.8-controllable",
-                 .place = "Example 3.8, Section 3.3",
-                 .statement = "Decorrelating the map makes the system controllable",
-                 .printed = "rank n + 1",
-                 .measured = fmt::format("rank of [G Q^1/2, dP^1/2] by number of landmarks n: {}",
-                                         fmt::join(lines, "; ")),
-                 .why = "the dP of least trace has rank n - 1: it reaches the differences between landmarks "
-                        "and leaves their mean alone. That is why the filter stays bounded; were the mean "
-                        "reached too, all would drift together (see the pseudo-noise of (3.29))"},
-                full);
+  return assessed(
+      {.id = "3.8-controllable",
+       .place = "Example 3.8, Section 3.3",
+       .statement = "Decorrelating the map makes the system controllable",
+       .printed = "rank n + 1",
+       .measured =
+           fmt::format("rank of [G Q^1/2, dP^1/2] by number of landmarks n: {}", fmt::join(lines, "; ")),
+       .why = "the dP of least trace has rank n - 1: it reaches the differences between landmarks "
+              "and leaves their mean alone. That is why the filter stays bounded; were the mean "
+              "reached too, all would drift together (see the pseudo-noise of (3.29))"},
+      full);
 }
 
 /// A case of (3.29): what is added, and whether the covariance then stays bounded.
@@ -177,7 +178,7 @@ std::vector<Claim> rank_condition() {
   const std::string table =
       fmt::format("rank dP, rank [G Q^1/2, dP^1/2], rank O: {}", fmt::join(lines, "; "));
   return {
-      judged(
+      assessed(
           {.id = "3.8-rank-condition",
            .place = "(3.29)",
            .statement =
@@ -187,7 +188,7 @@ std::vector<Claim> rank_condition() {
            .printed = "rank dP <= rank O",
            .measured = table},
           only_when),
-      judged(
+      assessed(
           {.id = "3.8-rank-enough",
            .place = "(3.29), as it is used in Section 3.3",
            .statement = "The rank of dP tells whether the covariance stays bounded: rank dP <= rank O is "

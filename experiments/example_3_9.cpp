@@ -27,7 +27,7 @@ Claim bounded(const Drive& d, const Data& data) {
     return fmt::format("largest growth {:.0f} %, at the end vehicle {:.2f} m, landmarks {:.2f} m",
                        100 * car_park::largest_growth(one), one.last_sigma_m(), one.mean_landmark_sigma_m());
   };
-  return judged(
+  return assessed(
       {.id = "3.9-bounded",
        .place = "Example 3.9, Figure 3.16 (b), (d)",
        .statement = "With only the map decorrelated the covariances stay bounded: no "
@@ -41,14 +41,14 @@ Claim bounded(const Drive& d, const Data& data) {
 }
 
 Claim association_problems(const Drive& d) {
-  return judged({.id = "3.9-association",
-                 .place = "Example 3.9, Figure 3.17",
-                 .statement = "There are some data association problems due to the large covariances",
-                 .printed = "some",
-                 .measured = fmt::format(
-                     "{} of {} matches wrong, {} landmarks for 15 beacons, map {:.2f} m rms after a fit",
-                     d.wrong, d.matched, d.landmarks.size(), d.fitted.error.rms_m)},
-                d.wrong > 0 || d.landmarks.size() != 15);
+  return assessed({.id = "3.9-association",
+                   .place = "Example 3.9, Figure 3.17",
+                   .statement = "There are some data association problems due to the large covariances",
+                   .printed = "some",
+                   .measured = fmt::format(
+                       "{} of {} matches wrong, {} landmarks for 15 beacons, map {:.2f} m rms after a fit",
+                       d.wrong, d.matched, d.landmarks.size(), d.fitted.error.rms_m)},
+                  d.wrong > 0 || d.landmarks.size() != 15);
 }
 
 Claim avoidable(const Data& data) {
@@ -57,7 +57,7 @@ Claim avoidable(const Data& data) {
   s.start.sigma_heading_rad /= 15;  // one degree, about the right heading: what a compass would give
   s.start.heading_rad -= 0.2618;
   const Drive d = car_park::drive(data, s);
-  return judged(
+  return assessed(
       {.id = "3.9-start",
        .place = "Example 3.9",
        .statement =

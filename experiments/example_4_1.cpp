@@ -62,13 +62,13 @@ Claim error_form() {
                     (course.exact[0].H - H).cwiseAbs().maxCoeff());
   };
   const double difference = largest(world(), wrong);
-  return judged({.id = "4.1-F-H",
-                 .place = "(4.14), (4.15)",
-                 .statement = "F and H of the error form are the derivatives of (4.11) and (4.12), to 1e-9",
-                 .printed = "",
-                 .measured = fmt::format("largest difference in {} motions {}", motions, below(difference)),
-                 .runs = motions},
-                difference < planar::rounding);
+  return assessed({.id = "4.1-F-H",
+                   .place = "(4.14), (4.15)",
+                   .statement = "F and H of the error form are the derivatives of (4.11) and (4.12), to 1e-9",
+                   .printed = "",
+                   .measured = fmt::format("largest difference in {} motions {}", motions, below(difference)),
+                   .runs = motions},
+                  difference < planar::rounding);
 }
 
 Claim first_segment() {
@@ -82,7 +82,7 @@ Claim first_segment() {
     return std::max((H * F - printed).cwiseAbs().maxCoeff(), (H * F * F).cwiseAbs().maxCoeff());
   };
   const double difference = largest(world(), wrong);
-  return judged(
+  return assessed(
       {.id = "4.1-Q1",
        .place = "(4.16), footnote 1",
        .statement = "Q_1 is H and one row H F, which has but a heading; higher powers are zero; to 1e-9",
@@ -100,7 +100,7 @@ Claim f_null_space() {
   });
   bool one = true;
   for (int k = 1; k <= 3; ++k) one = one && same(world().stripped(k), world().total(k));
-  return judged(
+  return assessed(
       {.id = "4.1-F-null-space",
        .place = "(4.19), (4.9)",
        .statement = "N(F_j) is all but the heading and contains N(Q_j), so that TOM and SOM have one null "
@@ -124,24 +124,24 @@ std::vector<VectorXd> vectors_4_17(const Course& c) {
 Claim instant_null_space() {
   const Study& s = world();
   const bool basis = are_basis(s.stripped(1), s.courses(), vectors_4_17);
-  return judged({.id = "4.1-instant-null-space",
-                 .place = "(4.17)",
-                 .statement = "Null space of one segment, with nothing of the heading in it",
-                 .printed = "dimension 3",
-                 .measured = fmt::format("dimension {} of 5 in {} motions; the printed vectors span it: {}",
-                                         dimension(s.stripped(1)), motions, basis ? "yes" : "no"),
-                 .runs = motions},
-                basis);
+  return assessed({.id = "4.1-instant-null-space",
+                   .place = "(4.17)",
+                   .statement = "Null space of one segment, with nothing of the heading in it",
+                   .printed = "dimension 3",
+                   .measured = fmt::format("dimension {} of 5 in {} motions; the printed vectors span it: {}",
+                                           dimension(s.stripped(1)), motions, basis ? "yes" : "no"),
+                   .runs = motions},
+                  basis);
 }
 
 Claim orientation() {
-  const auto in_segment = seen_states(world().stripped(1), world().error_states()),
-             along = seen_states(world().along(), world().states());
+  const auto in_segment = observable_states(world().stripped(1), world().error_states()),
+             along = observable_states(world().along(), world().states());
   const std::vector<std::string> heading{"theta"};
   const bool turns = contain(world().along(), world().courses(), [](const Course& c) {
     return std::vector<VectorXd>{turn(c.points[0], Vector2d::Zero())};
   });
-  return judged(
+  return assessed(
       {.id = "4.1-orientation",
        .place = "below (4.17), Section 4.4",
        .statement = "The vehicle's orientation is the only completely observable state, as long as it moves",
@@ -166,15 +166,15 @@ Claim at_rest() {
   };
   const bool printed = are_basis(s.stripped(1), s.courses(), vectors(-1)),
              corrected = are_basis(s.stripped(1), s.courses(), vectors(1));
-  const bool unseen = seen_states(s.stripped(1), s.error_states()).empty();
-  return judged(
+  const bool unseen = observable_states(s.stripped(1), s.error_states()).empty();
+  return assessed(
       {.id = "4.1-standing",
        .place = "(4.18)",
        .statement = "At rest the null space has dimension 4, and the heading is not observable either",
        .printed = "4th vector [d^2 0 -r_y 0 0]",
        .measured = fmt::format("{} (turning on the spot); states outside the null space: {}. The 4th vector "
                                "is {} with -r_y, {} with r_y",
-                               s.text(), listed(seen_states(s.stripped(1), s.error_states())),
+                               s.text(), listed(observable_states(s.stripped(1), s.error_states())),
                                printed ? "in it" : "not in it", corrected ? "in it" : "not in it"),
        .why = "[d^2 0 r_y 0 0]",
        .runs = motions},
@@ -204,7 +204,7 @@ Claim anywhere() {
   const double row = std::max({wrong_row(around), wrong_row(ahead), wrong_row(abeam)});
   const bool falls_short = of_4_17 == 2 && contain(ahead.stripped(1), ahead.courses(), vectors_4_17),
              row_is_so = row < planar::rounding && size_of_row(abeam) < planar::rounding;
-  return judged(
+  return assessed(
       {.id = "4.1-anywhere",
        .place = "below (4.18)",
        .statement = "One segment leaves three modes wherever the feature is, except on the optical axis",
@@ -237,7 +237,7 @@ std::vector<VectorXd> translations(int features) {
 Claim two_segments() {
   const Study& s = world();
   const bool basis = are_basis(s.stripped(2), s.courses(), [](const Course&) { return translations(1); });
-  return judged(
+  return assessed(
       {.id = "4.1-two-segments",
        .place = "(4.20)",
        .statement = "Null space of the SOM of two segments: the two translations of vehicle and feature",
@@ -258,7 +258,7 @@ Claim more_of_it() {
       all =
           all && are_basis(s.stripped(k), s.courses(), [&](const Course&) { return translations(features); });
   }
-  return judged(
+  return assessed(
       {.id = "4.1-more",
        .place = "below (4.20)",
        .statement = "More features or segments do not change the null space of the SOM: two translations",
@@ -285,7 +285,7 @@ Claim unobservable_modes() {
     corrected = corrected && are_basis(s.along(), s.courses(), with_turn) && dimension(s.stripped(3)) == 2 &&
                 dimension(s.total(3)) == 2;
   }
-  return judged(
+  return assessed(
       {.id = "4.1-modes",
        .place = "below (4.20)",
        .statement = "The system's unobservable modes are the two translations of vehicle and map, for any "

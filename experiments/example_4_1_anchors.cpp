@@ -47,15 +47,15 @@ Claim anchored_h() {
       };
       printed = std::max(printed, wrong(da * da)), corrected = std::max(corrected, wrong(da));
     }
-  return judged({.id = "4.1-anchored-H",
-                 .place = "(4.21)",
-                 .statement = "Rows of H for anchors are the derivatives of (4.12), to 1e-9",
-                 .printed = "divided by da^2, da = (a_y - y)^2 + (a_x - x)^2",
-                 .measured = fmt::format("largest difference in {} motions: printed {:.2g}, ours {}", motions,
-                                         printed, below(corrected)),
-                 .why = "da is the square already",
-                 .runs = motions},
-                printed < rounding, corrected < rounding);
+  return assessed({.id = "4.1-anchored-H",
+                   .place = "(4.21)",
+                   .statement = "Rows of H for anchors are the derivatives of (4.12), to 1e-9",
+                   .printed = "divided by da^2, da = (a_y - y)^2 + (a_x - x)^2",
+                   .measured = fmt::format("largest difference in {} motions: printed {:.2g}, ours {}",
+                                           motions, printed, below(corrected)),
+                   .why = "da is the square already",
+                   .runs = motions},
+                  printed < rounding, corrected < rounding);
 }
 
 Claim anchored_null_space() {
@@ -64,19 +64,19 @@ Claim anchored_null_space() {
     const Vector2d r = r_of(c.points[0]);
     return {five(0, 0, 0, -r.x(), -r.y())};
   });
-  return judged({.id = "4.1-anchored-null-space",
-                 .place = "(4.22)",
-                 .statement = "Null space of one segment with two anchors: the distance of the feature",
-                 .printed = "dimension 1",
-                 .measured = fmt::format("dimension {} of 5 in {} motions; the printed vector spans it: {}",
-                                         dimension(s.stripped(1)), motions, basis ? "yes" : "no"),
-                 .runs = motions},
-                basis);
+  return assessed({.id = "4.1-anchored-null-space",
+                   .place = "(4.22)",
+                   .statement = "Null space of one segment with two anchors: the distance of the feature",
+                   .printed = "dimension 1",
+                   .measured = fmt::format("dimension {} of 5 in {} motions; the printed vector spans it: {}",
+                                           dimension(s.stripped(1)), motions, basis ? "yes" : "no"),
+                   .runs = motions},
+                  basis);
 }
 
 Claim anchored_two_segments() {
   const Study& s = world(1, 2);
-  return judged(
+  return assessed(
       {.id = "4.1-anchored-two-segments",
        .place = "below (4.22)",
        .statement = "With two anchors vehicle and feature are completely observable in two segments",
@@ -95,7 +95,7 @@ Claim anchored_total() {
     stays = stays && s.stays();
     full = full && dimension(s.total(2)) == 0;
   }
-  return judged(
+  return assessed(
       {.id = "4.1-anchored-total",
        .place = "below (4.22)",
        .statement = "N(Q_j) is within N(F_j), and the TOM has full rank in two segments, for one or more "
@@ -125,7 +125,7 @@ Claim anchors_needed() {
   const bool one_does = full_in_two(one) && never_full(world(1, 0)),
              always_two = full_in_two(two) && full_in_two(world(1, 3)),
              in_truth_two_and_one = one.true_dimension() > 0 && at_once.true_dimension() == 0;
-  return judged(
+  return assessed(
       {.id = "4.1-anchors-needed",
        .place = "above (4.21)",
        .statement = "For the linear analysis two anchors and two time segments are needed for full "
@@ -144,7 +144,7 @@ Claim one_anchor_twice() {
   const bool turns = are_basis(one.along(), one.courses(), [](const Course& c) -> std::vector<VectorXd> {
     return {turn(c.points[0], c.points[0].anchors)};
   });
-  return judged(
+  return assessed(
       {.id = "4.1-one-anchor-twice",
        .place = "above (4.21)",
        .statement = "One anchor seen from two different steps is equivalent to two anchors",
@@ -171,7 +171,7 @@ Claim range_and_bearing() {
   const bool in_truth = one.true_dimension() > 0 && at_once.true_dimension() == 0,
              by_matrices = never_full(one) && full_at_once(at_once),
              one_does = never_full(with(0, 3)) && full_at_once(one) && full_at_once(at_once);
-  return judged(
+  return assessed(
       {.id = "4.1-range-bearing",
        .place = "above (4.21), of [3, 85]",
        .statement = "With range and bearing one segment and two anchors are needed",
@@ -192,7 +192,7 @@ Claim nonlinear_anchors() {
       found.push_back(d);
       lines.push_back(fmt::format("{} and {}: {}", features, anchors, joined({d})));
     }
-  return judged(
+  return assessed(
       {.id = "4.1-nonlinear-anchors",
        .place = "head of Chapter 4, above (4.21), of [11]",
        .statement = "By the nonlinear analysis absolute localisation, with a map or without, takes two "

@@ -102,7 +102,7 @@ Claim measurement_matrix() {
       printed = std::max(printed, (as_printed - exact).cwiseAbs().maxCoeff());
       corrected = std::max(corrected, (ours - exact).cwiseAbs().maxCoeff());
     }
-  return judged(
+  return assessed(
       {.id = "4.1-relative-H",
        .place = "(4.23), (4.24)",
        .statement = "H of features told by r = x_f - p is the derivative of (4.12), to 1e-9",
@@ -124,7 +124,7 @@ Claim instant_null_space() {
     basis = basis &&
             are_basis(s.stripped(1), s.courses(), [&](const Course& c) { return distances(c, features); });
   }
-  return judged(
+  return assessed(
       {.id = "4.1-relative-null-space",
        .place = "(4.25)",
        .statement = "Null space of one segment: the distance of each feature",
@@ -142,12 +142,12 @@ Claim orientation() {
   bool printed = true, turns = true;
   for (const int features : {1, 2, 3}) {
     const Study& s = relative(features);
-    in_segment.push_back(listed(seen_states(s.stripped(1), s.error_states())));
-    along.push_back(listed(seen_states(s.along(), s.states())));
+    in_segment.push_back(listed(observable_states(s.stripped(1), s.error_states())));
+    along.push_back(listed(observable_states(s.along(), s.states())));
     printed = printed && in_segment.back() == "theta" && along.back() == "theta";
     turns = turns && leaves_the_turn(s, features);
   }
-  return judged(
+  return assessed(
       {.id = "4.1-relative-orientation",
        .place = "below (4.25)",
        .statement = "The orientation is the one state that is observable in one segment, however many "
@@ -168,7 +168,7 @@ Claim footnote() {
   const Study& s = relative();
   const bool turn_alone =
       are_basis(spaces, s.courses(), [](const Course& c) -> std::vector<VectorXd> { return {turned(c, 1)}; });
-  return judged(
+  return assessed(
       {.id = "4.1-footnote-2",
        .place = "footnote 2",
        .statement = "By Lie derivatives the orientation with respect to a global frame is not observable for "
@@ -186,14 +186,15 @@ Claim ahead_instant() {
   const Study& s = straight_ahead();
   const bool basis = are_basis(s.stripped(1), s.courses(),
                                [](const Course&) -> std::vector<VectorXd> { return {three(1, 0, 0)}; });
-  return judged({.id = "4.1-ahead",
-                 .place = "below (4.25)",
-                 .statement = "With the feature straight ahead (r_y = 0) the unobservable mode of Q_1 is r_x",
-                 .printed = "r_x",
-                 .measured = fmt::format("dimension {} in {} motions; it is r_x: {}",
-                                         dimension(s.stripped(1)), motions, basis ? "yes" : "no"),
-                 .runs = motions},
-                basis);
+  return assessed(
+      {.id = "4.1-ahead",
+       .place = "below (4.25)",
+       .statement = "With the feature straight ahead (r_y = 0) the unobservable mode of Q_1 is r_x",
+       .printed = "r_x",
+       .measured = fmt::format("dimension {} in {} motions; it is r_x: {}", dimension(s.stripped(1)), motions,
+                               basis ? "yes" : "no"),
+       .runs = motions},
+      basis);
 }
 
 Claim abeam_instant() {
@@ -202,7 +203,7 @@ Claim abeam_instant() {
   const auto both = [](const Course& c) -> std::vector<VectorXd> {
     return {three(0, 1, 0), three(-r_to(c.points[0], 0).y(), 0, 1)};
   };
-  return judged(
+  return assessed(
       {.id = "4.1-abeam",
        .place = "below (4.25)",
        .statement = "With the feature abeam (r_x = 0) the unobservable mode of Q_1 is r_y",
@@ -218,13 +219,13 @@ Claim two_segments() {
   for (const int features : {1, 2, 3})
     full =
         full && dimension(relative(features).stripped(2)) == 0 && dimension(relative(features).total(2)) == 0;
-  return judged({.id = "4.1-relative-two-segments",
-                 .place = "below (4.25)",
-                 .statement = "SOM and TOM have full rank in two segments",
-                 .printed = "0",
-                 .measured = by_features(),
-                 .runs = 3 * motions},
-                full);
+  return assessed({.id = "4.1-relative-two-segments",
+                   .place = "below (4.25)",
+                   .statement = "SOM and TOM have full rank in two segments",
+                   .printed = "0",
+                   .measured = by_features(),
+                   .runs = 3 * motions},
+                  full);
 }
 
 Claim fully_observable() {
@@ -235,7 +236,7 @@ Claim fully_observable() {
     turns = turns && leaves_the_turn(s, features);
     by_matrices = by_matrices && dimension(s.stripped(2)) == 0 && dimension(s.total(2)) == 0;
   }
-  return judged(
+  return assessed(
       {.id = "4.1-relative-observable",
        .place = "below (4.25), Section 4.4",
        .statement = "Opposite to the world-centric map this system becomes fully observable in two segments",
@@ -255,26 +256,27 @@ Claim ahead_for_good() {
     mode = mode && are_basis(s.stripped(k), s.courses(),
                              [](const Course&) -> std::vector<VectorXd> { return {three(1, 0, 0)}; });
   const bool along = leaves_distance_and_turn(s);
-  return judged({.id = "4.1-ahead-for-good",
-                 .place = "below (4.25)",
-                 .statement = "Driving straight at a feature the system remains unobservable, with mode r_x",
-                 .printed = "r_x",
-                 .measured = fmt::format("{}, in {} motions. SOM leaves r_x: {}; the motion itself r_x and "
-                                         "the turn of all: {}",
-                                         s.text(), motions, yes_no(mode), yes_no(along)),
-                 .runs = motions},
-                mode && along);
+  return assessed(
+      {.id = "4.1-ahead-for-good",
+       .place = "below (4.25)",
+       .statement = "Driving straight at a feature the system remains unobservable, with mode r_x",
+       .printed = "r_x",
+       .measured = fmt::format("{}, in {} motions. SOM leaves r_x: {}; the motion itself r_x and "
+                               "the turn of all: {}",
+                               s.text(), motions, yes_no(mode), yes_no(along)),
+       .runs = motions},
+      mode && along);
 }
 
 Claim abeam_for_good() {
   const Study& s = abeam();
-  return judged({.id = "4.1-abeam-two-segments",
-                 .place = "below (4.25)",
-                 .statement = "With the feature abeam at first SOM and TOM have full rank in two segments",
-                 .printed = "0",
-                 .measured = fmt::format("{}, in {} motions straight on", s.text(), motions),
-                 .runs = motions},
-                dimension(s.stripped(2)) == 0 && dimension(s.total(2)) == 0);
+  return assessed({.id = "4.1-abeam-two-segments",
+                   .place = "below (4.25)",
+                   .statement = "With the feature abeam at first SOM and TOM have full rank in two segments",
+                   .printed = "0",
+                   .measured = fmt::format("{}, in {} motions straight on", s.text(), motions),
+                   .runs = motions},
+                  dimension(s.stripped(2)) == 0 && dimension(s.total(2)) == 0);
 }
 
 Claim pure_rotation() {
@@ -293,11 +295,11 @@ Claim pure_rotation() {
       all = all && s.dimensions() == one_more && s.total_dimensions() == one_more &&
             s.true_dimension() == features + 1;
       for (const auto& states :
-           {seen_states(s.stripped(3), s.error_states()), seen_states(s.along(), s.states())})
+           {observable_states(s.stripped(3), s.error_states()), observable_states(s.along(), s.states())})
         seen.insert(states.begin(), states.end());
       lines.push_back(fmt::format("{}{}: {}", features, change.apply ? ", turning" : "", s.numbers()));
     }
-  return judged(
+  return assessed(
       {.id = "4.1-pure-rotation",
        .place = "below (4.25), Section 4.4",
        .statement = "Without translation the null space has one vector more, SOM and TOM never have full "
@@ -312,7 +314,7 @@ Claim pure_rotation() {
 Claim no_rotation() {
   const Study &s = relative(1, "straight"), &ahead = straight_ahead();
   const bool as_matrices = dimension(s.stripped(2)) == 0 && dimension(ahead.stripped(3)) > 0;
-  return judged(
+  return assessed(
       {.id = "4.1-no-rotation",
        .place = "end of the relative map, Example 4.1",
        .statement = "Without rotation the system is completely observable in two segments, except with a "

@@ -66,7 +66,7 @@ Claim world_null_space() {
   };
   const bool basis = are_basis(s.stripped(2), s.courses(), translations) &&
                      are_basis(s.stripped(3), s.courses(), translations);
-  return judged(
+  return assessed(
       {.id = "4.2-world-null-space",
        .place = "(4.35)",
        .statement = "Null space of the SOM: the three translations of vehicle and feature",
@@ -80,13 +80,13 @@ Claim world_null_space() {
 
 Claim world_recovered() {
   const Study& s = study(world());
-  const auto in_som = seen_states(s.stripped(3), s.error_states()),
-             along = seen_states(s.along(), s.states());
+  const auto in_som = observable_states(s.stripped(3), s.error_states()),
+             along = observable_states(s.along(), s.states());
   const std::vector<std::string> printed{"vx", "vy", "vz", "phi", "theta", "psi"}, ours{"vz", "phi", "theta"};
   const bool yaws = contain(s.along(), s.courses(), [](const Course& c) -> std::vector<VectorXd> {
     return {yawed(c.points[0], Vector3d::Zero())};
   });
-  return judged(
+  return assessed(
       {.id = "4.2-world-recovered",
        .place = "below (4.35)",
        .statement = "Not fully observable: linear velocity and misalignments are recovered, and nothing else",
@@ -108,13 +108,13 @@ Claim range_bearing_world() {
     all = all && dimension(s.stripped(3)) > 0 && s.true_dimension() > 0;
     lines.push_back(fmt::format("{}: {}", features, s.numbers()));
   }
-  return judged({.id = "4.2-range-bearing-world",
-                 .place = "below (4.28), of [19]",
-                 .statement = "With range and bearing the world-centric map is partially observable",
-                 .printed = "partially",
-                 .measured = fmt::format("{}, by features: {}", legend, fmt::join(lines, "; ")),
-                 .runs = 2 * motions},
-                all);
+  return assessed({.id = "4.2-range-bearing-world",
+                   .place = "below (4.28), of [19]",
+                   .statement = "With range and bearing the world-centric map is partially observable",
+                   .printed = "partially",
+                   .measured = fmt::format("{}, by features: {}", legend, fmt::join(lines, "; ")),
+                   .runs = 2 * motions},
+                  all);
 }
 
 // Anchors ---------------------------------------------------------------------------------------------
@@ -125,7 +125,7 @@ Claim few_anchors() {
     return {yawed(c.points[0], c.points[0].anchors)};
   });
   const bool missed = dimension(one.stripped(2)) == 0 && dimension(one.total(2)) == 0;
-  return judged(
+  return assessed(
       {.id = "4.2-few-anchors",
        .place = "head of Section 4.1.2, below (4.37)",
        .statement = "One or two anchors leave the system partially observable; it takes more than two",
@@ -168,32 +168,32 @@ Claim anchored_null_space() {
   std::vector<int> by_features;
   for (const int features : {1, 2, 3})
     by_features.push_back(dimension(study(world(features, 3)).stripped(1)));
-  return judged({.id = "4.2-anchored-null-space",
-                 .place = "(4.38)",
-                 .statement = "Null space of one segment with three or more anchors and one feature",
-                 .printed = "[0 0 0 C r], [r x f 0 f 0]: dimension 2",
-                 .measured = fmt::format(
-                     "dimension with 3 and 4 anchors {} and {} in {} motions; with 3 anchors and 1/2/3 "
-                     "features {}. The second vector lies in the null space without anchors: {}",
-                     dimension(three.stripped(1)), dimension(four.stripped(1)), motions, joined(by_features),
-                     without ? "yes" : "no"),
-                 .why = "1: the distance of the feature, [0 0 0 r] with r in axes of the world",
-                 .runs = 5 * motions},
-                both(printed), both(ours));
+  return assessed({.id = "4.2-anchored-null-space",
+                   .place = "(4.38)",
+                   .statement = "Null space of one segment with three or more anchors and one feature",
+                   .printed = "[0 0 0 C r], [r x f 0 f 0]: dimension 2",
+                   .measured = fmt::format(
+                       "dimension with 3 and 4 anchors {} and {} in {} motions; with 3 anchors and 1/2/3 "
+                       "features {}. The second vector lies in the null space without anchors: {}",
+                       dimension(three.stripped(1)), dimension(four.stripped(1)), motions,
+                       joined(by_features), without ? "yes" : "no"),
+                   .why = "1: the distance of the feature, [0 0 0 r] with r in axes of the world",
+                   .runs = 5 * motions},
+                  both(printed), both(ours));
 }
 
 Claim anchored_recovered() {
   const Study& s = study(world(1, 3));
-  const auto seen = seen_states(s.stripped(1), s.error_states());
-  return judged({.id = "4.2-anchored-recovered",
-                 .place = "below (4.38)",
-                 .statement = "With three or more anchors one segment recovers linear velocities only",
-                 .printed = "velocities",
-                 .measured = fmt::format("states outside N(Q_1) with 3 anchors in {} motions: {}", motions,
-                                         listed(seen)),
-                 .why = "all states of the vehicle",
-                 .runs = motions},
-                seen == velocities, seen == of_vehicle && s.true_dimension() == 0);
+  const auto seen = observable_states(s.stripped(1), s.error_states());
+  return assessed({.id = "4.2-anchored-recovered",
+                   .place = "below (4.38)",
+                   .statement = "With three or more anchors one segment recovers linear velocities only",
+                   .printed = "velocities",
+                   .measured = fmt::format("states outside N(Q_1) with 3 anchors in {} motions: {}", motions,
+                                           listed(seen)),
+                   .why = "all states of the vehicle",
+                   .runs = motions},
+                  seen == velocities, seen == of_vehicle && s.true_dimension() == 0);
 }
 
 Claim anchored_two_segments() {
@@ -205,16 +205,17 @@ Claim anchored_two_segments() {
       all = all && dimension(s.stripped(2)) == 0;
       lines.push_back(fmt::format("{} and {}: {}", anchors, features, s.segments_text()));
     }
-  return judged({.id = "4.2-anchored-two-segments",
-                 .place = "below (4.38)",
-                 .statement = "With three or more anchors the SOM has full rank in two segments",
-                 .printed = "0",
-                 .measured = fmt::format(
-                     "dimensions left by SOM and TOM after 1/2/3 segments, anchors and features: {}; by the "
-                     "motion itself, 3 and 1: {}",
-                     fmt::join(lines, "; "), study(world(1, 3)).true_dimension()),
-                 .runs = 6 * motions},
-                all);
+  return assessed(
+      {.id = "4.2-anchored-two-segments",
+       .place = "below (4.38)",
+       .statement = "With three or more anchors the SOM has full rank in two segments",
+       .printed = "0",
+       .measured = fmt::format(
+           "dimensions left by SOM and TOM after 1/2/3 segments, anchors and features: {}; by the "
+           "motion itself, 3 and 1: {}",
+           fmt::join(lines, "; "), study(world(1, 3)).true_dimension()),
+       .runs = 6 * motions},
+      all);
 }
 
 /// What (4.38) is followed by: so many dimensions left in one segment and in two, and the states that are
@@ -226,8 +227,8 @@ struct Recovery {
   explicit Recovery(const Study& s)
       : in_one(dimension(s.stripped(1))),
         in_two(dimension(s.stripped(2))),
-        at_once(seen_states(s.stripped(1), s.error_states())),
-        then(seen_states(s.stripped(2), s.error_states())) {}
+        at_once(observable_states(s.stripped(1), s.error_states())),
+        then(observable_states(s.stripped(2), s.error_states())) {}
 
   bool as_printed() const {
     return in_one == 4 && in_two == 1 && at_once == velocities && then == velocities_and_feature;
@@ -243,7 +244,7 @@ Claim anchored_unaccelerated() {
   const Recovery falling(falls), floating(weightless), accelerated(pushed);
   const bool in_truth =
       falls.true_dimension() == 0 && weightless.true_dimension() == 0 && pushed.true_dimension() == 0;
-  return judged(
+  return assessed(
       {.id = "4.2-anchored-unaccelerated",
        .place = "below (4.38)",
        .statement = "Without acceleration (f = 0) three anchors leave four in one segment, which still "

@@ -104,7 +104,7 @@ Matrix3d rate_of_T(const Vector3d& angles, const Vector3d& by) {
 
 }  // namespace
 
-Misaligned misaligned(const Linearisation& exact, const Vector3d& angles, Eigen::Index first,
+Misaligned misaligned(const Linearization& exact, const Vector3d& angles, Eigen::Index first,
                       const Vector3d& rate) {
   const Eigen::Index n = exact.F.rows();
   MatrixXd S = MatrixXd::Identity(n, n), S_rate = MatrixXd::Zero(n, n);  // ours by those
@@ -153,7 +153,7 @@ const Study& level() {
 int left_by_transitions(double sign) {
   return dimension(null_spaces(level(), [&](const Course& course) {
     MatrixXd M(0, 12), moved = MatrixXd::Identity(12, 12);
-    for (const Linearisation& form : course.forms) {
+    for (const Linearization& form : course.forms) {
       MatrixXd F = form.F;
       F.block<3, 3>(3, 6) *= sign;
       M.conservativeResize(M.rows() + 2, 12);
@@ -173,11 +173,11 @@ Claim force_matrix() {
     });
   };
   const double printed = std::min(wrong(1, 1), wrong(-1, -1)), corrected = wrong(1, -1);
-  const auto other = [](Linearisation& form, const SystemPoint&) { form.F.block<3, 3>(3, 6) *= -1; };
+  const auto other = [](Linearization& form, const SystemPoint&) { form.F.block<3, 3>(3, 6) *= -1; };
   std::vector<int> with_other;
   for (const int k : {1, 2, 3}) with_other.push_back(dimension(stripped_with(s, k, other)));
   const int left = left_by_transitions(1), left_as_printed = left_by_transitions(-1);
-  return judged(
+  return assessed(
       {.id = "4.2-F",
        .place = "(4.30), (4.31)",
        .statement = "F has [x f], of the sign that [x r] has in H, to 1e-9",
@@ -203,15 +203,15 @@ Claim partials() {
     printed = std::max(printed, apart(as_printed, b.by_r));
     corrected = std::max(corrected, apart(ours, b.by_r));
   }
-  return judged({.id = "4.2-partials",
-                 .place = "(4.34)",
-                 .statement = "Derivative of azimuth and elevation by r^s, to 1e-9",
-                 .printed = "second row [-, +, +], and 0_2x3 in the first",
-                 .measured = fmt::format("largest difference in {} motions: printed {:.2g}, ours {}", motions,
-                                         printed, below(corrected)),
-                 .why = "[-r_x r_z, -r_y r_z, d^2]/(d (d^2 + r_z^2)), and one 0",
-                 .runs = motions},
-                printed < 1e-9, corrected < 1e-9);
+  return assessed({.id = "4.2-partials",
+                   .place = "(4.34)",
+                   .statement = "Derivative of azimuth and elevation by r^s, to 1e-9",
+                   .printed = "second row [-, +, +], and 0_2x3 in the first",
+                   .measured = fmt::format("largest difference in {} motions: printed {:.2g}, ours {}",
+                                           motions, printed, below(corrected)),
+                   .why = "[-r_x r_z, -r_y r_z, d^2]/(d (d^2 + r_z^2)), and one 0",
+                   .runs = motions},
+                  printed < 1e-9, corrected < 1e-9);
 }
 
 Claim measurement_matrix() {
@@ -227,17 +227,17 @@ Claim measurement_matrix() {
     });
   };
   const double printed = std::min(wrong(false, false), wrong(false, true)), corrected = wrong(true, false);
-  return judged({.id = "4.2-H",
-                 .place = "(4.32), (4.33)",
-                 .statement = "H is dz/dr^s [-I 0 [x r] I], to 1e-9",
-                 .printed = "",
-                 .measured = fmt::format(
-                     "largest difference from exact derivatives in {} motions: printed {:.2g}, ours "
-                     "{}",
-                     motions, printed, below(corrected)),
-                 .why = "dz/dr^s C [-I 0 [r x] I], r in axes of the world",
-                 .runs = motions},
-                printed < 1e-9, corrected < 1e-9);
+  return assessed({.id = "4.2-H",
+                   .place = "(4.32), (4.33)",
+                   .statement = "H is dz/dr^s [-I 0 [x r] I], to 1e-9",
+                   .printed = "",
+                   .measured = fmt::format(
+                       "largest difference from exact derivatives in {} motions: printed {:.2g}, ours "
+                       "{}",
+                       motions, printed, below(corrected)),
+                   .why = "dz/dr^s C [-I 0 [r x] I], r in axes of the world",
+                   .runs = motions},
+                  printed < 1e-9, corrected < 1e-9);
 }
 
 /// [-I 0 [x r] 0] before which dz/dr^s stands, or that with C; r of the anchor, by one sign of [x r].
@@ -262,16 +262,16 @@ Claim anchor_rows() {
   const double printed = nearest({wrong_anchor_rows(false, false, 1), wrong_anchor_rows(false, false, -1),
                                   wrong_anchor_rows(false, true, 1), wrong_anchor_rows(false, true, -1)}),
                corrected = wrong_anchor_rows(true, false, 1);
-  return judged({.id = "4.2-anchored-H",
-                 .place = "(4.36), (4.37)",
-                 .statement = "Rows of H for an anchor are dz/dr^s [-I 0 [x r] 0], with its r, to 1e-9",
-                 .printed = "",
-                 .measured = fmt::format("largest difference from exact derivatives in {} motions, three "
-                                         "anchors: printed {:.2g}, ours {}",
-                                         motions, printed, below(corrected)),
-                 .why = "dz/dr^s C [-I 0 [r x] 0], r in axes of the world",
-                 .runs = motions},
-                printed < 1e-9, corrected < 1e-9);
+  return assessed({.id = "4.2-anchored-H",
+                   .place = "(4.36), (4.37)",
+                   .statement = "Rows of H for an anchor are dz/dr^s [-I 0 [x r] 0], with its r, to 1e-9",
+                   .printed = "",
+                   .measured = fmt::format("largest difference from exact derivatives in {} motions, three "
+                                           "anchors: printed {:.2g}, ours {}",
+                                           motions, printed, below(corrected)),
+                   .why = "dz/dr^s C [-I 0 [r x] 0], r in axes of the world",
+                   .runs = motions},
+                  printed < 1e-9, corrected < 1e-9);
 }
 
 }  // namespace

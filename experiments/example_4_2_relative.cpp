@@ -71,17 +71,17 @@ double wrong_rows(double of_r, double of_psi) {
 
 Claim measurement_matrix() {
   const double printed = nearest({wrong_rows(-1, 1), wrong_rows(-1, -1)}), corrected = wrong_rows(1, 1);
-  return judged({.id = "4.2-relative-H",
-                 .place = "(4.39), (4.40)",
-                 .statement = "The measurement is [-I 0 [x r]] of features told by r = x_f - p, to 1e-9 "
-                              "(before it dz/dr^s C)",
-                 .printed = "-I",
-                 .measured = fmt::format("largest difference from exact derivatives in {} motions, either "
-                                         "sign of [x r]: printed {:.2g}, ours {}",
-                                         motions, printed, below(corrected)),
-                 .why = "[I 0 [r x]]: I, as (4.41) has it, for r = x_f - p; -I is for p - x_f",
-                 .runs = motions},
-                printed < 1e-9, corrected < 1e-9);
+  return assessed({.id = "4.2-relative-H",
+                   .place = "(4.39), (4.40)",
+                   .statement = "The measurement is [-I 0 [x r]] of features told by r = x_f - p, to 1e-9 "
+                                "(before it dz/dr^s C)",
+                   .printed = "-I",
+                   .measured = fmt::format("largest difference from exact derivatives in {} motions, either "
+                                           "sign of [x r]: printed {:.2g}, ours {}",
+                                           motions, printed, below(corrected)),
+                   .why = "[I 0 [r x]]: I, as (4.41) has it, for r = x_f - p; -I is for p - x_f",
+                   .runs = motions},
+                  printed < 1e-9, corrected < 1e-9);
 }
 
 /// Rows of (4.41), with A for dz/dr^s.
@@ -120,13 +120,13 @@ double size_of_third_power() {
 
 Claim independent_rows() {
   const int left = dimension(study(relative()).stripped(1));
-  return judged({.id = "4.2-relative-Q1",
-                 .place = "(4.41)",
-                 .statement = "Q_1 has six independent rows",
-                 .printed = "6",
-                 .measured = fmt::format("rank {} of 9 in {} motions", 9 - left, motions),
-                 .runs = motions},
-                left == 3);
+  return assessed({.id = "4.2-relative-Q1",
+                   .place = "(4.41)",
+                   .statement = "Q_1 has six independent rows",
+                   .printed = "6",
+                   .measured = fmt::format("rank {} of 9 in {} motions", 9 - left, motions),
+                   .runs = motions},
+                  left == 3);
 }
 
 /// Of (4.42), with `directed` for what is printed as C r.
@@ -157,7 +157,7 @@ Claim entries() {
                without_minus = wrong_4_41(true, false, 1, 1), third = size_of_third_power();
   const bool explains = are_basis(spaces_of_4_41(), study(relative()).courses(),
                                   [](const Course& c) { return vectors_4_42(c, true); });
-  return judged(
+  return assessed(
       {.id = "4.2-relative-Q1-entries",
        .place = "(4.41)",
        .statement = "Q_1 is H, H F and H F F with these entries, and nothing more, to 1e-9",
@@ -178,7 +178,7 @@ Claim instant_null_space() {
     return are_basis(s.stripped(1), s.courses(),
                      [&](const Course& c) { return vectors_4_42(c, as_printed); });
   };
-  return judged(
+  return assessed(
       {.id = "4.2-relative-null-space",
        .place = "(4.42), (4.43)",
        .statement = "Null space of one segment",
@@ -194,11 +194,11 @@ Claim instant_null_space() {
 
 Claim partially_reconstructed() {
   const Study& s = study(relative());
-  const auto seen = seen_states(s.stripped(1), s.error_states());
+  const auto seen = observable_states(s.stripped(1), s.error_states());
   const int of_v = dimension_within(s.stripped(1), 0, 3), of_psi = dimension_within(s.stripped(1), 3, 3),
             of_r = dimension_within(s.stripped(1), 6, 3);
   const auto in_part = [](int left) { return left == 1 || left == 2; };
-  return judged(
+  return assessed(
       {.id = "4.2-relative-partially",
        .place = "below (4.43)",
        .statement = "Relative position and misalignment can only be partially reconstructed in one segment",
@@ -215,7 +215,7 @@ Claim two_segments() {
   const bool full = dimension(s.stripped(2)) == 0 && dimension(s.total(2)) == 0;
   const bool leaves =
       std::none_of(s.courses().begin(), s.courses().end(), [](const Course& c) { return c.stays; });
-  return judged(
+  return assessed(
       {.id = "4.2-relative-two-segments",
        .place = "(4.44)",
        .statement = "SOM and TOM have full rank in two segments, although N(Q_j) is not within N(F_j)",
@@ -228,7 +228,7 @@ Claim two_segments() {
 
 Claim fully_observable() {
   const Study& s = study(relative());
-  return judged(
+  return assessed(
       {.id = "4.2-relative-observable",
        .place = "head of Section 4.1.2",
        .statement = "The relative map makes bearing-only SLAM with inertial sensors fully observable",
@@ -255,7 +255,7 @@ Claim range_and_bearing() {
     all = all && s.true_dimension() == 0;
     but_the_heading = but_the_heading && leaves_the_yaw(s);
   }
-  return judged(
+  return assessed(
       {.id = "4.2-range-bearing-relative",
        .place = "below (4.28), of [19]",
        .statement = "With range and bearing the relative map is completely observable in two segments",
@@ -272,7 +272,7 @@ Claim unaccelerated_ranks() {
     const Study& s = study(unaccelerated(relative(), how));
     all = all && dimension(s.stripped(1)) == 5 && dimension(s.stripped(2)) == 2;
   }
-  return judged(
+  return assessed(
       {.id = "4.2-relative-unaccelerated",
        .place = "below (4.44)",
        .statement =
@@ -290,11 +290,11 @@ Claim unaccelerated_recovered() {
   bool printed = true;
   for (const auto how : {Unaccelerated::falls, Unaccelerated::weightless}) {
     const Study& s = study(unaccelerated(relative(), how));
-    in_som.push_back(listed(seen_states(s.stripped(2), s.error_states())));
-    along.push_back(listed(seen_states(s.along(), s.states())));
-    printed = printed && seen_states(s.along(), s.states()) == velocities;
+    in_som.push_back(listed(observable_states(s.stripped(2), s.error_states())));
+    along.push_back(listed(observable_states(s.along(), s.states())));
+    printed = printed && observable_states(s.along(), s.states()) == velocities;
   }
-  return judged(
+  return assessed(
       {.id = "4.2-relative-unaccelerated-recovered",
        .place = "below (4.44)",
        .statement = "Without acceleration (f = 0) the only observable state is the linear velocity",

@@ -27,8 +27,8 @@ const Study& world(int features = 1, int anchors = 0, const std::string& motion 
   return study({.system = "planar-cv", .features = features, .anchors = anchors, .motion = motion});
 }
 
-std::vector<std::string> seen_in_segment(const Study& s) {
-  return seen_states(s.stripped(1), s.error_states());
+std::vector<std::string> observable_in_segment(const Study& s) {
+  return observable_states(s.stripped(1), s.error_states());
 }
 
 /// Everything turned about a place, and scaled from it.
@@ -46,26 +46,26 @@ Claim world_dimensions() {
   for (const int features : {1, 2, 3})
     lines.push_back(fmt::format("{}: {}", features, world(features).numbers()));
   const std::vector<int> found = world().dimensions();
-  return judged(
+  return assessed(
       {.id = "4.3-world",
        .place = "below (4.45)",
        .statement = "Without anchors one segment leaves six and recovers no state, the SOM leaves two",
        .printed = "6, then 2",
        .measured = fmt::format("{}, by features: {}; states outside N(Q_1): {}", legend,
-                               fmt::join(lines, "; "), listed(seen_in_segment(world()))),
+                               fmt::join(lines, "; "), listed(observable_in_segment(world()))),
        .why = "two only after three segments: 6, 4, 2",
        .runs = 3 * motions},
-      found == std::vector{6, 2, 2} && seen_in_segment(world()).empty(),
-      found == std::vector{6, 4, 2} && seen_in_segment(world()).empty());
+      found == std::vector{6, 2, 2} && observable_in_segment(world()).empty(),
+      found == std::vector{6, 4, 2} && observable_in_segment(world()).empty());
 }
 
 Claim world_recovered() {
   const Study& s = world();
-  const auto in_som = seen_states(s.stripped(3), s.error_states()),
-             along = seen_states(s.along(), s.states());
+  const auto in_som = observable_states(s.stripped(3), s.error_states()),
+             along = observable_states(s.along(), s.states());
   const bool turns = contain(s.along(), s.courses(),
                              [](const Course& c) { return turn_and_scale(c.points[0], Vector2d::Zero()); });
-  return judged(
+  return assessed(
       {.id = "4.3-world-recovered",
        .place = "below (4.45)",
        .statement = "Without anchors linear and angular velocities are recovered, and nothing else",
@@ -85,7 +85,7 @@ Claim world_recovered() {
 
 Claim one_anchor() {
   const Study& s = world(1, 1);
-  return judged(
+  return assessed(
       {.id = "4.3-one-anchor",
        .place = "below (4.46)",
        .statement = "With one anchor the rank of Q_1 is four, and the SOM of two segments leaves one",
@@ -97,8 +97,8 @@ Claim one_anchor() {
 }
 
 Claim one_anchor_velocities() {
-  const auto one = seen_in_segment(world(1, 1)), two = seen_in_segment(world(1, 2));
-  return judged(
+  const auto one = observable_in_segment(world(1, 1)), two = observable_in_segment(world(1, 2));
+  return assessed(
       {.id = "4.3-one-anchor-velocities",
        .place = "below (4.46)",
        .statement = "With one anchor linear and angular velocities are recovered in the first segment",
@@ -116,7 +116,7 @@ Claim one_anchor_for_good() {
     return turn_and_scale(c.points[0], c.points[0].anchors);
   });
   const bool takes_it = dimension(s.stripped(3)) == 0 && dimension(s.total(3)) == 0;
-  return judged(
+  return assessed(
       {.id = "4.3-one-anchor-for-good",
        .place = "below (4.46)",
        .statement = "With one anchor no more than these directions are recovered: one is left for good",
@@ -132,8 +132,8 @@ Claim one_anchor_for_good() {
 
 Claim two_anchors() {
   const Study& s = world(1, 2);
-  const auto seen = seen_in_segment(s);
-  return judged(
+  const auto seen = observable_in_segment(s);
+  return assessed(
       {.id = "4.3-two-anchors",
        .place = "below (4.46)",
        .statement = "With two anchors Q_1 has rank six and recovers velocities only; two segments make the "
@@ -158,7 +158,7 @@ Claim three_anchors() {
               return {v};
             });
   }
-  return judged(
+  return assessed(
       {.id = "4.3-three-anchors",
        .place = "(4.47)",
        .statement = "Null space of one segment with more than two anchors: the distance of the feature",
@@ -170,9 +170,10 @@ Claim three_anchors() {
 }
 
 Claim translating() {
-  const auto at_rest = seen_in_segment(world(1, 3, "stationary")), moving = seen_in_segment(world(1, 3));
+  const auto at_rest = observable_in_segment(world(1, 3, "stationary")),
+             moving = observable_in_segment(world(1, 3));
   const Study& s = world(1, 3, "stationary");
-  return judged(
+  return assessed(
       {.id = "4.3-translating",
        .place = "below (4.47)",
        .statement = "With more than two anchors position, orientation and velocities are recovered in the "
@@ -201,7 +202,7 @@ Claim f_null_space() {
     const MatrixXd I = MatrixXd::Identity(8, 8);
     return std::vector<VectorXd>{I.col(0), I.col(1), I.col(2), I.col(6), I.col(7)};
   });
-  return judged(
+  return assessed(
       {.id = "4.3-F-null-space",
        .place = "(4.46), (4.48)",
        .statement = "F and its null space, which contains N(Q_j) with more than two anchors",
@@ -222,13 +223,13 @@ Claim three_anchors_two_segments() {
     lines.push_back(fmt::format("{}: {}", anchors, s.numbers()));
     all = all && dimension(s.stripped(2)) == 0 && dimension(s.total(2)) == 0 && s.true_dimension() == 0;
   }
-  return judged({.id = "4.3-three-anchors-two-segments",
-                 .place = "below (4.48)",
-                 .statement = "With more than two anchors SOM and TOM have full rank in two segments",
-                 .printed = "0",
-                 .measured = fmt::format("{}, by anchors: {}", legend, fmt::join(lines, "; ")),
-                 .runs = 2 * motions},
-                all);
+  return assessed({.id = "4.3-three-anchors-two-segments",
+                   .place = "below (4.48)",
+                   .statement = "With more than two anchors SOM and TOM have full rank in two segments",
+                   .printed = "0",
+                   .measured = fmt::format("{}, by anchors: {}", legend, fmt::join(lines, "; ")),
+                   .runs = 2 * motions},
+                  all);
 }
 
 LedgerEntry run(const ExperimentSettings&) {

@@ -28,7 +28,7 @@ VectorXd six(double rx, double ry, double theta, double vx, double vy, double om
   return (VectorXd(6) << theta, vx, vy, omega, rx, ry).finished();
 }
 
-void zero_heading(Linearisation& form, const SystemPoint&) { form.H.col(0).setZero(); }
+void zero_heading(Linearization& form, const SystemPoint&) { form.H.col(0).setZero(); }
 
 /// What SOM leaves with the printed zero.
 std::vector<int> dimensions_with_zero(const Study& s) {
@@ -71,17 +71,17 @@ Claim first_segment() {
     rows(0, 2) = rows(1, 5) = -1;
     corrected = std::max(corrected, (exact - rows).cwiseAbs().maxCoeff());
   }
-  return judged({.id = "4.3-relative-Q1",
-                 .place = "(4.50), (4.51)",
-                 .statement = "Q_1 with H of (4.24), to 1e-9",
-                 .printed = "0 in the columns of heading and turn rate",
-                 .measured = fmt::format(
-                     "largest difference from exact derivatives in {} motions: printed {:.2g}, ours "
-                     "{}",
-                     motions, printed, below(corrected)),
-                 .why = "-1 there, as (4.24) has it (r is p - x_f here)",
-                 .runs = motions},
-                printed < rounding, corrected < rounding);
+  return assessed({.id = "4.3-relative-Q1",
+                   .place = "(4.50), (4.51)",
+                   .statement = "Q_1 with H of (4.24), to 1e-9",
+                   .printed = "0 in the columns of heading and turn rate",
+                   .measured = fmt::format(
+                       "largest difference from exact derivatives in {} motions: printed {:.2g}, ours "
+                       "{}",
+                       motions, printed, below(corrected)),
+                   .why = "-1 there, as (4.24) has it (r is p - x_f here)",
+                   .runs = motions},
+                  printed < rounding, corrected < rounding);
 }
 
 Claim instant_null_space() {
@@ -97,7 +97,7 @@ Claim instant_null_space() {
             six(0, 0, 0, r.y(), -r.x(), 1)};
   };
   const bool of_zero = are_basis(stripped_with(s, 1, zero_heading), s.courses(), printed);
-  return judged(
+  return assessed(
       {.id = "4.3-relative-null-space",
        .place = "(4.52)",
        .statement = "Null space of one segment",
@@ -115,14 +115,14 @@ Claim instant_null_space() {
 }
 
 Claim nothing_in_one_segment() {
-  const auto seen = seen_states(relative().stripped(1), relative().error_states());
-  return judged({.id = "4.3-relative-instant",
-                 .place = "below (4.52)",
-                 .statement = "No state is completely observable in one segment, not even the orientation",
-                 .printed = "none",
-                 .measured = fmt::format("states outside N(Q_1) in {} motions: {}", motions, listed(seen)),
-                 .runs = motions},
-                seen.empty());
+  const auto seen = observable_states(relative().stripped(1), relative().error_states());
+  return assessed({.id = "4.3-relative-instant",
+                   .place = "below (4.52)",
+                   .statement = "No state is completely observable in one segment, not even the orientation",
+                   .printed = "none",
+                   .measured = fmt::format("states outside N(Q_1) in {} motions: {}", motions, listed(seen)),
+                   .runs = motions},
+                  seen.empty());
 }
 
 Claim more_segments() {
@@ -133,9 +133,9 @@ Claim more_segments() {
   const bool of_zero = are_basis(stripped_with(s, 2, zero_heading), s.courses(), printed) &&
                        are_basis(stripped_with(s, 3, zero_heading), s.courses(), printed),
              third_takes_both = s.dimensions() == std::vector{4, 2, 0};
-  const auto seen = seen_states(s.along(), s.states());
+  const auto seen = observable_states(s.along(), s.states());
   const bool turn_rate = std::find(seen.begin(), seen.end(), "wz") != seen.end();
-  return judged(
+  return assessed(
       {.id = "4.3-relative-two-segments",
        .place = "(4.53)",
        .statement = "Two or more segments leave two modes, orientation and angular velocity",
@@ -163,7 +163,7 @@ Claim more_features() {
     corrected = corrected && leaves_turn_and_scale(features) && dimensions_with_zero(s)[1] == 2 &&
                 dimension(s.stripped(2)) == (features == 1 ? 2 : 1);
   }
-  return judged(
+  return assessed(
       {.id = "4.3-relative-features",
        .place = "below (4.53)",
        .statement = "More features do not change that the SOM of two segments leaves two modes",
@@ -179,10 +179,10 @@ Claim more_features() {
 
 Claim must_move() {
   const Study &s = relative(), &rest = relative(1, "stationary");
-  const auto seen = seen_states(s.along(), s.states());
+  const auto seen = observable_states(s.along(), s.states());
   const auto has = [&](const char* name) { return std::find(seen.begin(), seen.end(), name) != seen.end(); };
   const bool lost = rest.true_dimension() > s.true_dimension() && rest.dimensions() == std::vector{4, 4, 4};
-  return judged(
+  return assessed(
       {.id = "4.3-relative-moving",
        .place = "below (4.53)",
        .statement = "The velocity must be nonzero to at least recover the relative positions",
@@ -208,7 +208,7 @@ Claim never_full() {
     reached = reached && dimension(s.stripped(3)) == 0 && dimension(s.total(3)) == 0;
     with_zero = with_zero && dimensions_with_zero(s)[2] > 0;
   }
-  return judged(
+  return assessed(
       {.id = "4.3-relative-never",
        .place = "end of Example 4.3",
        .statement = "No relative map of a constant-velocity model is fully observable, or reaches the rank "

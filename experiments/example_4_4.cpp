@@ -95,7 +95,7 @@ std::vector<VectorXd> our_vectors(const Course& course) {
 Claim instant_null_space() {
   const Study &one = world(1), &two = world(2);
   const bool basis = are_basis(one.stripped(1), one.courses(), our_vectors);
-  return judged(
+  return assessed(
       {.id = "4.4-null-space",
        .place = "(4.56)",
        .statement = "With two anchors one segment leaves seven and sees eight combinations of states",
@@ -118,7 +118,7 @@ Claim basis_vectors() {
   };
   const std::vector<int> as_printed = inside(false), in_world = inside(true);
   const bool ours = are_basis(one.stripped(1), one.courses(), our_vectors);
-  return judged(
+  return assessed(
       {.id = "4.4-basis",
        .place = "(4.56)",
        .statement = "Vectors of that null space",
@@ -142,7 +142,7 @@ Claim rows() {
       general = general && rows == 2 * features + 2 * anchors;
       if (features == 1) found.push_back(rows);
     }
-  return judged(
+  return assessed(
       {.id = "4.4-rows",
        .place = "below (4.56)",
        .statement = "With one feature and three or more anchors H has ten rows, in general 2 nm + 2 na",
@@ -176,7 +176,7 @@ Claim two_segments() {
     const Study& s = world(anchors);
     all = all && dimension(s.stripped(2)) == 0 && s.true_dimension() == 0;
   }
-  return judged(
+  return assessed(
       {.id = "4.4-two-segments",
        .place = "(4.57)",
        .statement = "With more than two anchors the SOM has full rank, and the system is observable, in two "
@@ -191,14 +191,15 @@ Claim two_segments() {
 
 Claim as_on_the_plane() {
   const Study &space = world(3), &plane = study({.system = "planar-cv", .anchors = 3});
-  return judged({.id = "4.4-as-on-the-plane",
-                 .place = "end of Example 4.4",
-                 .statement = "That is as with the constant-velocity model of the plane",
-                 .printed = "",
-                 .measured = fmt::format("{}, with three anchors: space {}; plane {}", legend,
-                                         space.numbers(), plane.numbers()),
-                 .runs = 2 * motions},
-                space.dimensions() == plane.dimensions() && space.true_dimension() == plane.true_dimension());
+  return assessed(
+      {.id = "4.4-as-on-the-plane",
+       .place = "end of Example 4.4",
+       .statement = "That is as with the constant-velocity model of the plane",
+       .printed = "",
+       .measured = fmt::format("{}, with three anchors: space {}; plane {}", legend, space.numbers(),
+                               plane.numbers()),
+       .runs = 2 * motions},
+      space.dimensions() == plane.dimensions() && space.true_dimension() == plane.true_dimension());
 }
 
 /// F of (4.55) by misalignments, without the feature's rows and columns; its first state p or r = x_f - p.
@@ -217,7 +218,7 @@ double wrong_F(bool told_from_vehicle) {
 
 Claim error_form() {
   const double of_r = wrong_F(true), of_p = wrong_F(false);
-  return judged(
+  return assessed(
       {.id = "4.4-F",
        .place = "(4.55) and F below it",
        .statement = "The error form of (4.54) is r' = v, v' = 0, psi' = C' omega, omega' = 0, to 1e-9",

@@ -75,7 +75,7 @@ Claim model() {
   const double of_equations = either(equations, Vector3d(0, -1, 1)),
                of_fields = either(fields, Vector3d(0, 0, 1)),
                corrected = wrong_fields(ours, Vector3d(0, -1, 1), false);
-  return judged(
+  return assessed(
       {.id = "4.5-model",
        .place = "(4.69) to (4.73)",
        .statement = "The model in polar coordinates follows from (4.11), to 1e-9",
@@ -97,16 +97,16 @@ Claim first_order() {
     second = std::max(second, std::abs(at.by_omega[1] - 0));
     ours = std::max(ours, std::abs(at.by_omega[1] + 1));
   }
-  return judged({.id = "4.5-first-order",
-                 .place = "(4.74), (4.75)",
-                 .statement = "Lie derivatives of the bearing along both fields, to 1e-9",
-                 .printed = "sin phi/rho and 0",
-                 .measured = fmt::format(
-                     "largest difference in {} motions: the first {}, the second {:.2g}, from -1 {}", motions,
-                     below(first), second, below(ours)),
-                 .why = "the second is -1. Its differential is 0 all the same",
-                 .runs = motions},
-                first < rounding && second < rounding, first < rounding && ours < rounding);
+  return assessed({.id = "4.5-first-order",
+                   .place = "(4.74), (4.75)",
+                   .statement = "Lie derivatives of the bearing along both fields, to 1e-9",
+                   .printed = "sin phi/rho and 0",
+                   .measured = fmt::format(
+                       "largest difference in {} motions: the first {}, the second {:.2g}, from -1 {}",
+                       motions, below(first), second, below(ours)),
+                   .why = "the second is -1. Its differential is 0 all the same",
+                   .runs = motions},
+                  first < rounding && second < rounding, first < rounding && ours < rounding);
 }
 
 Claim rank() {
@@ -120,7 +120,7 @@ Claim rank() {
     difference = std::max(difference, (exact - printed).cwiseAbs().maxCoeff());
   }
   const int left = dimension(lie(polar()));
-  return judged(
+  return assessed(
       {.id = "4.5-rank",
        .place = "(4.76)",
        .statement = "The differentials of all Lie derivatives span two of three dimensions",
@@ -142,7 +142,7 @@ Claim null_space_of_all() {
                 return std::vector<VectorXd>{VectorXd::Unit(1 + 2 * features, 0)};
               });
   }
-  return judged(
+  return assessed(
       {.id = "4.5-null-space",
        .place = "(4.77), head of Chapter 4",
        .statement = "What they do not span is the orientation",
@@ -163,7 +163,7 @@ Claim contrary() {
   const bool linear_finds_it = dimension(s.stripped(2)) == 0 && dimension(s.total(2)) == 0,
              unseen = are_basis(by_lie, s.courses(), turned) && are_basis(s.along(), s.courses(), turned),
              depends = s.dimensions() != in_polar.dimensions();
-  return judged(
+  return assessed(
       {.id = "4.5-contrary",
        .place = "below (4.77)",
        .statement = "The global orientation is not observable, contrary to what the linear analysis shows",
@@ -242,7 +242,7 @@ Claim recursion() {
       }
     }
   }
-  return judged(
+  return assessed(
       {.id = "4.5-recursion",
        .place = "(4.64), (4.66)",
        .statement = "The differential of a Lie derivative from the one before, orders 1 to 3, to 1e-9",

@@ -225,7 +225,7 @@ Claim rank_claim() {
                    measured = ranks_with(Jacobians::measured_speed),
                    segments = ranks_of(stripped(usual().setup), usual().drive);
   const Ranks printed{2, 4, 5};
-  return judged(
+  return assessed(
       {.id = "4.6-rank",
        .place = "Figure 4.4, Example 4.6",
        .statement = "Rank of the information matrix at rest, while moving north, while turning to the east",
@@ -254,7 +254,7 @@ Claim at_rest_rank() {
   for (int i = 0; i < states; ++i)
     none_alone = none_alone && most(constantly(state(i)), at_rest_until_s) == 0;
   const RankCourse all = ranks_of_all();
-  return judged(
+  return assessed(
       {.id = "4.6-stationary",
        .place = "below Figure 4.4, Example 4.6",
        .statement = "At rest only two states are observable, combinations of the positions of vehicle "
@@ -267,9 +267,9 @@ Claim at_rest_rank() {
 }
 
 /// Columns in units: everything moved north, moved east, turned about the origin.
-MatrixXd rigid_motions(const Run& run, std::size_t look) {
+MatrixXd rigid_motions(const Run& run, std::size_t measurement) {
   const auto& [first, second] = run.setup.features;
-  const auto& pose = run.drive[look].pose;
+  const auto& pose = run.drive[measurement].pose;
   MatrixXd all = MatrixXd::Zero(states, 3);
   for (const int i : {x, x1, x2}) all(i, 0) = 1, all(i + 1, 1) = 1;
   all.col(2) << Vector2d(-pose.y(), pose.x()) / unit_m, 1, Vector2d(-first.y(), first.x()) / unit_m,
@@ -295,7 +295,7 @@ Claim deficiency() {
     most_missing = std::max(most_missing, missing), least_missing = std::min(least_missing, missing);
   }
   constexpr double same = 1e-9;
-  return judged(
+  return assessed(
       {.id = "4.6-deficiency",
        .place = "Figure 4.4, Example 4.6",
        .statement = "After 14 s a rank deficiency of two remains: the modes of (4.20), place of the whole to "
@@ -318,7 +318,7 @@ Claim orientation() {
   const auto by = [&](Jacobians jacobians, double dt) {
     return at(Run({.dt_s = dt, .jacobians = jacobians}), c, end_s);
   };
-  return judged(
+  return assessed(
       {.id = "4.6-orientation",
        .place = "Figure 4.5, Example 4.6",
        .statement = "The orientation becomes observable when the vehicle moves: its marginal information is "
@@ -343,7 +343,7 @@ Claim global_modes() {
   const Direction north = constantly(state(x) + state(x1) + state(x2)),
                   east = constantly(state(y) + state(y1) + state(y2));
   const Since of_north = since(north), of_east = since(east);
-  return judged(
+  return assessed(
       {.id = "4.6-global-modes",
        .place = "Figure 4.6 (a), Example 4.6",
        .statement = "Information of the modes x_r + sum x_f and y_r + sum y_f remains zero",
@@ -363,7 +363,7 @@ Claim relative_at_rest() {
   double distances = 0;
   for (const Direction& c : {Direction(distance_to_1), Direction(distance_to_2), Direction(distance_between)})
     distances = std::max(distances, most(c, at_rest_until_s));
-  return judged(
+  return assessed(
       {.id = "4.6-relative-at-rest",
        .place = "Figure 4.6 (b), (c), Example 4.6",
        .statement = "Before the vehicle moves there is no information about the position of features "
@@ -378,7 +378,7 @@ Claim relative_at_rest() {
 Claim relative_2() {
   const Since north = since(constantly(difference(x, x2))), east = since(constantly(difference(y, y2))),
               distance = since(distance_to_2);
-  return judged(
+  return assessed(
       {.id = "4.6-relative-2",
        .place = "below Figure 4.5, Example 4.6",
        .statement =
@@ -408,7 +408,7 @@ Claim line_of_sight() {
     off_is_known = off_is_known && last.rank.rank == 4 && last.clear() && values.back() > 0;
     lines.push_back(fmt::format("{}: rank {}, {:.2g} 1/m^2", off, last.rank.rank, values.back()));
   }
-  return judged(
+  return assessed(
       {.id = "4.6-line-of-sight",
        .place = "below Figure 4.5, Example 4.6",
        .statement =
@@ -427,7 +427,7 @@ Claim line_of_sight() {
 Claim relative_1() {
   const Direction x_mode = constantly(difference(x, x1)), y_mode = constantly(difference(y, y1));
   const Since north = since(x_mode), east = since(y_mode), distance = since(distance_to_1);
-  return judged(
+  return assessed(
       {.id = "4.6-relative-1",
        .place = "Figure 4.6 (b), Example 4.6",
        .statement =
@@ -452,7 +452,7 @@ Claim relative_features() {
   Setup s;
   s.features.second.x() = s.features.first.x();
   const Run abreast(s);
-  return judged(
+  return assessed(
       {.id = "4.6-relative-features",
        .place = "Figure 4.6 (c), Example 4.6",
        .statement =
@@ -475,20 +475,20 @@ Claim relative_features() {
 
 /// How many looks of all settings have another rank than the information matrix.
 int differing(std::vector<Knowledge> (*of)(const Setup&)) {
-  int looks = 0;
+  int measurements = 0;
   for (const Run& run : runs()) {
     const std::vector<Knowledge> other = of(run.setup);
     for (std::size_t k = 0; k < other.size(); ++k)
-      looks += !other[k].clear() || other[k].rank.rank != run.known[k].rank.rank ? 1 : 0;
+      measurements += !other[k].clear() || other[k].rank.rank != run.known[k].rank.rank ? 1 : 0;
   }
-  return looks;
+  return measurements;
 }
 
 Claim link() {
-  int looks = 0;
-  for (const Run& run : runs()) looks += static_cast<int>(run.known.size());
+  int measurements = 0;
+  for (const Run& run : runs()) measurements += static_cast<int>(run.known.size());
   const int segments = differing(stripped), motion = differing(along_the_motion);
-  return judged(
+  return assessed(
       {.id = "4.6-link",
        .place = "Section 4.3, above Example 4.6",
        .statement = "The rank of the information matrix at any point is directly linked to that of the "
@@ -497,7 +497,7 @@ Claim link() {
        .measured =
            fmt::format("of {} looks in {} settings it differs at {} from that of (4.8), each step a "
                        "segment, and at {} from that of [H_0; H_1 F_0; H_2 F_1 F_0; ...] along the motion",
-                       looks, count(runs()), segments, motion),
+                       measurements, count(runs()), segments, motion),
        .why = "to that along the motion, not to the chapter's (4.8)",
        .runs = count(runs())},
       segments == 0, motion == 0);
@@ -508,7 +508,7 @@ Claim truth_does_not_matter() {
   const RankCourse estimates = ranks_of(strays);
   const Ranks at_truth = ranks_of(usual()).at_end;
   const Direction c = constantly(state(heading));
-  return judged(
+  return assessed(
       {.id = "4.6-truth",
        .place = "Example 4.6",
        .statement =

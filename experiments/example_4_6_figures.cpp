@@ -10,8 +10,8 @@ constexpr double gap = std::numeric_limits<double>::quiet_NaN();
 
 Plot map() {
   const Run u{Setup{}};
-  Curve path{"vehicle", Style::line, {}, {}, {}, Colour::blue},
-      stops{"after 0, 10, 14, 20 s", Style::circles, {}, {}, {}, Colour::blue};
+  Curve path{"vehicle", Style::line, {}, {}, {}, Color::blue},
+      stops{"after 0, 10, 14, 20 s", Style::circles, {}, {}, {}, Color::blue};
   for (const Instant& i : u.drive) path.x.push_back(i.pose.y()), path.y.push_back(i.pose.x());
   for (const double t : {0.0, 10.0, 14.0, 20.0}) {
     const auto& pose = u.drive[u.look_at(t)].pose;
@@ -26,8 +26,8 @@ Plot map() {
   p.y_range = {-1, 17};
   p.curves = {path,
               stops,
-              {"feature 1", Style::stars, {first.y()}, {first.x()}, {}, Colour::orange},
-              {"feature 2", Style::stars, {second.y()}, {second.x()}, {}, Colour::green}};
+              {"feature 1", Style::stars, {first.y()}, {first.x()}, {}, Color::orange},
+              {"feature 2", Style::stars, {second.y()}, {second.x()}, {}, Color::green}};
   return {"fig-4.3", "Trajectory and features", 1, {p}};
 }
 
@@ -38,13 +38,13 @@ std::vector<double> times(const Run& run) {
 }
 
 Curve over_time(const std::string& label, const Run& run, const std::vector<double>& values,
-                Colour colour = Colour::automatic, Style style = Style::line) {
-  return {label, style, times(run), values, {}, colour};
+                Color color = Color::automatic, Style style = Style::line) {
+  return {label, style, times(run), values, {}, color};
 }
 
 Curve rank_curve(const std::string& label, const Run& run, const std::vector<Knowledge>& known, Style style,
-                 Colour colour, std::size_t every = 1) {
-  Curve curve{label, style, {}, {}, {}, colour};
+                 Color color, std::size_t every = 1) {
+  Curve curve{label, style, {}, {}, {}, color};
   for (std::size_t k = 0; k < known.size(); k += every) {
     curve.x.push_back(run.drive[k].t_s);
     curve.y.push_back(known[k].rank.rank);
@@ -59,10 +59,10 @@ Plot ranks_over_time() {
   ranks.y_label = "rank";
   ranks.y_range = {0, 7};
   ranks.curves = {
-      {"printed", Style::dashed, {0, 10, 10, 14, 14, 20}, {2, 2, 4, 4, 5, 5}, {}, Colour::grey},
-      rank_curve("information matrix", u, u.known, Style::steps, Colour::blue),
-      rank_curve("along the motion", u, along_the_motion(u.setup), Style::crosses, Colour::blue, 10),
-      rank_curve("stripped (4.8)", u, stripped(u.setup), Style::circles, Colour::orange, 10)};
+      {"printed", Style::dashed, {0, 10, 10, 14, 14, 20}, {2, 2, 4, 4, 5, 5}, {}, Color::gray},
+      rank_curve("information matrix", u, u.known, Style::steps, Color::blue),
+      rank_curve("along the motion", u, along_the_motion(u.setup), Style::crosses, Color::blue, 10),
+      rank_curve("stripped (4.8)", u, stripped(u.setup), Style::circles, Color::orange, 10)};
   Panel values;
   values.title = "Singular values of the root of the information matrix, metres in units of 10";
   values.x_label = "time, s";
@@ -75,11 +75,11 @@ Plot ranks_over_time() {
       const Rank& r = u.known[k].rank;
       (i < r.rank ? kept : left)[k] = r.singular_values[i] / r.singular_values[0];
     }
-    values.curves.push_back(over_time(i == 0 ? "counted" : "", u, kept, Colour::blue));
-    values.curves.push_back(over_time(i == 0 ? "left out" : "", u, left, Colour::grey, Style::points));
+    values.curves.push_back(over_time(i == 0 ? "counted" : "", u, kept, Color::blue));
+    values.curves.push_back(over_time(i == 0 ? "left out" : "", u, left, Color::gray, Style::points));
   }
   values.curves.push_back(
-      {"tolerance", Style::dashed, {0, end_s}, {rank_tolerance, rank_tolerance}, {}, Colour::ink});
+      {"tolerance", Style::dashed, {0, end_s}, {rank_tolerance, rank_tolerance}, {}, Color::ink});
   return {"fig-4.4", "Rank of the information matrix and of two observability matrices", 1, {ranks, values}};
 }
 
@@ -91,9 +91,9 @@ Plot orientation_over_time() {
   p.x_label = "time, s";
   p.y_label = "information, 1/rad^2";
   p.y_range = {-0.05, 1.25};
-  p.curves = {over_time("at the truth", u, information(u, c), Colour::blue),
-              over_time("odometry a step late", late, information(late, c), Colour::orange, Style::dashed),
-              over_time("at estimates 1 cm off", strays, information(strays, c), Colour::grey)};
+  p.curves = {over_time("at the truth", u, information(u, c), Color::blue),
+              over_time("odometry a step late", late, information(late, c), Color::orange, Style::dashed),
+              over_time("at estimates 1 cm off", strays, information(strays, c), Color::gray)};
   return {"fig-4.5", "Marginal information of the heading, by where Jacobians are taken", 1, {p}};
 }
 
@@ -103,8 +103,8 @@ Panel mode_panel(const std::string& title, const Run& run, const std::string& x_
   p.title = title;
   p.x_label = "time, s";
   p.y_label = "information, 1/m^2";
-  p.curves = {over_time(x_name, run, information(run, x_mode), Colour::blue),
-              over_time(y_name, run, information(run, y_mode), Colour::orange, Style::dashed)};
+  p.curves = {over_time(x_name, run, information(run, x_mode), Color::blue),
+              over_time(y_name, run, information(run, y_mode), Color::orange, Style::dashed)};
   return p;
 }
 
@@ -124,8 +124,8 @@ std::vector<Panel> modes_of(const Run& run, const std::string& whose) {
 Plot modes_over_time() {
   const Run u{Setup{}};
   std::vector<Panel> truth = modes_of(u, "Jacobians at the truth");
-  truth[1].curves.push_back(over_time("distance", u, information(u, distance_to_1), Colour::green));
-  truth[2].curves.push_back(over_time("distance", u, information(u, distance_between), Colour::green));
+  truth[1].curves.push_back(over_time("distance", u, information(u, distance_to_1), Color::green));
+  truth[2].curves.push_back(over_time("distance", u, information(u, distance_between), Color::green));
   const std::vector<Panel> late =
       modes_of(Run(Setup{.jacobians = Jacobians::odometry_late}), "odometry a step late");
   Plot plot{"fig-4.6", "Marginal information of modes", 2, {}};

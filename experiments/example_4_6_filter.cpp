@@ -63,14 +63,14 @@ Stray stray(RandomStream& random, const Pose& pose, const Features& features) {
 }
 
 /// F and H of each step of a drive, and of the look after it.
-class Linearised {
+class Linearized {
  public:
-  explicit Linearised(const Setup& setup) : setup_(setup), drive_(drive(setup.dt_s)) {
+  explicit Linearized(const Setup& setup) : setup_(setup), drive_(drive(setup.dt_s)) {
     for (const Instant& i : drive_) strays_.push_back(stray(random_, i.pose, setup.features));
     for (std::size_t k = 0; k < drive_.size(); ++k) speed_errors_.push_back(0.02 * encoders_.normal());
   }
 
-  std::size_t looks() const { return drive_.size(); }
+  std::size_t measurements() const { return drive_.size(); }
 
   /// Of the step that leads to look k.
   planar::PoseJacobian F(std::size_t k) const {
@@ -151,9 +151,9 @@ MatrixXd bearing_rows(const Pose& pose, const Features& features) {
   MatrixXd H = MatrixXd::Zero(2, states);
   int row = 0;
   for (const Vector2d& feature : {features.first, features.second}) {
-    const auto look = RangeBearing::look(pose, feature);
-    H.row(row).head<3>() = look.value().Hv.row(1);
-    H.row(row).segment<2>(3 + 2 * row) = look.value().Hl.row(1);
+    const auto prediction = RangeBearing::predict_measurement(pose, feature);
+    H.row(row).head<3>() = prediction.value().Hv.row(1);
+    H.row(row).segment<2>(3 + 2 * row) = prediction.value().Hl.row(1);
     ++row;
   }
   return H;
@@ -165,7 +165,7 @@ MatrixXd with_features(const planar::PoseJacobian& F) {
   return whole;
 }
 
-void RootInformation::look(const MatrixXd& H, double sigma) {
+void RootInformation::measure(const MatrixXd& H, double sigma) {
   root_ = triangle_of(stacked(root_, H / sigma));
 }
 
@@ -202,30 +202,30 @@ double Knowledge::marginal(const VectorXd& c) const {
 }
 
 std::vector<Knowledge> course(const Setup& setup) {
-  const Linearised steps(setup);
+  const Linearized steps(setup);
   MatrixXd compass = MatrixXd::Zero(1, states);
   compass(0, heading) = 1;
   MatrixXd noise_into = MatrixXd::Zero(states, 2);
   const Vector2d sigmas(setup.noise.sigma_speed_mps, setup.noise.sigma_turn_radps);
   RootInformation filter(states);
-  if (setup.sigma_heading_rad) filter.look(compass, *setup.sigma_heading_rad);
+  if (setup.sigma_heading_rad) filter.measure(compass, *setup.sigma_heading_rad);
   std::vector<Knowledge> all;
-  for (std::size_t k = 0; k < steps.looks(); ++k) {
+  for (std::size_t k = 0; k < steps.measurements(); ++k) {
     if (k > 0) {
       noise_into.topRows<3>() = steps.G(k);
       filter.move(with_features(steps.F(k)), noise_into, sigmas);
     }
-    filter.look(steps.H(k), setup.noise.sigma_bearing_rad);
+    filter.measure(steps.H(k), setup.noise.sigma_bearing_rad);
     all.emplace_back(filter.root());
   }
   return all;
 }
 
 std::vector<Knowledge> along_the_motion(const Setup& setup) {
-  const Linearised steps(setup);
+  const Linearized steps(setup);
   MatrixXd since_start = MatrixXd::Identity(states, states), rows = MatrixXd::Zero(states, states);
   std::vector<Knowledge> all;
-  for (std::size_t k = 0; k < steps.looks(); ++k) {
+  for (std::size_t k = 0; k < steps.measurements(); ++k) {
     if (k > 0) since_start = with_features(steps.F(k)) * since_start;
     rows = triangle_of(stacked(rows, steps.H(k) * since_start));
     all.emplace_back(rows);

@@ -84,7 +84,7 @@ class RootInformation {
   explicit RootInformation(Eigen::Index size) : root_(Eigen::MatrixXd::Zero(size, size)) {}
 
   /// Y + H'H / sigma^2
-  void look(const Eigen::MatrixXd& H, double sigma);
+  void measure(const Eigen::MatrixXd& H, double sigma);
   /// M - M G (G'M G + Q^-1)^-1 G'M with M = F^-T Y F^-1, also where Y or Q has no inverse; Q is diagonal.
   void move(const Eigen::MatrixXd& F, const Eigen::MatrixXd& G, const Eigen::VectorXd& sigmas);
 
@@ -134,16 +134,16 @@ struct Run {
 };
 
 /// A direction of the state, where the vehicle is after a look.
-using Direction = std::function<Eigen::VectorXd(const Run&, std::size_t look)>;
+using Direction = std::function<Eigen::VectorXd(const Run&, std::size_t measurement)>;
 
 inline constexpr int x = 0, y = 1, heading = 2, x1 = 3, y1 = 4, x2 = 5, y2 = 6;  // states
 Eigen::VectorXd state(int i);
 Eigen::VectorXd difference(int i, int j);
 Direction constantly(const Eigen::VectorXd& c);
 /// Distances, by the state.
-Eigen::VectorXd distance_to_1(const Run& run, std::size_t look);
-Eigen::VectorXd distance_to_2(const Run& run, std::size_t look);
-Eigen::VectorXd distance_between(const Run& run, std::size_t look);
+Eigen::VectorXd distance_to_1(const Run& run, std::size_t measurement);
+Eigen::VectorXd distance_to_2(const Run& run, std::size_t measurement);
+Eigen::VectorXd distance_between(const Run& run, std::size_t measurement);
 
 /// Marginal information after each look, in 1/m^2 or 1/rad^2.
 std::vector<double> information(const Run& run, const Direction& c);

@@ -78,7 +78,7 @@ Claim arrives(const std::vector<Arrival>& all) {
   const int runs = static_cast<int>(all.size());
   const auto there = static_cast<int>(
       std::count_if(all.begin(), all.end(), [](const Arrival& a) { return a.arrived_s < by_s; }));
-  return judged(
+  return assessed(
       {.id = "5.1-arrives",
        .place = "Example 5.1, Figure 5.3",
        .statement = "The regulator drives the vehicle from (-7, 0) to (10, 10) while it builds a map: 95 % "
@@ -107,7 +107,7 @@ Claim three_eigenvalues(const std::vector<Arrival>& all) {
   RobotInstant rest{{0, 0, 0}, {0, 0, 0}, Eigen::Matrix3d::Zero(), {0, 0}};
   const Eigen::Vector3d at_rest = moduli(rest, gain(rest.mean));
   const auto percent = [](int part, int whole) { return whole > 0 ? 100.0 * part / whole : 0.0; };
-  return judged(
+  return assessed(
       {.id = "5.1-eigenvalues",
        .place = "below (5.6), Figure 5.5",
        .statement = "The three eigenvalues of F - G L are less than one during the whole simulation time",
@@ -131,7 +131,7 @@ Claim consistent(const std::vector<Arrival>& all) {
   const Interval nees = bootstrap_mean(each(all, [](const Arrival& a) { return a.nees; }));
   Eigen::Array3d within = Eigen::Array3d::Zero();
   for (const Arrival& a : all) within += 100 * a.within / static_cast<double>(all.size());
-  return judged(
+  return assessed(
       {.id = "5.1-consistent",
        .place = "Figure 5.4",
        .statement = "The estimate stays usable for control: mean NEES of the pose, over its 3 degrees of "

@@ -125,15 +125,16 @@ Claim duality() {
     ++settled;
     worst = std::max({worst, relative(dual.T, filter.P), relative(dual.L.transpose(), s.F * filter.K)});
   }
-  return judged({.id = "5.1-duality",
-                 .place = "Chapter 5, introduction; Section 5.1",
-                 .statement = "LQG regulation is the dual of the Kalman filter: (5.3) and (5.4) for F', H', "
-                              "G Q G' and R give the filter's covariance and F K, to 1e-8",
-                 .printed = "its dual",
-                 .measured = fmt::format("largest relative difference of {} systems that settle: {}", settled,
-                                         below(worst)),
-                 .runs = systems},
-                settled >= systems / 2 && worst <= as_good_as_equal);
+  return assessed(
+      {.id = "5.1-duality",
+       .place = "Chapter 5, introduction; Section 5.1",
+       .statement = "LQG regulation is the dual of the Kalman filter: (5.3) and (5.4) for F', H', "
+                    "G Q G' and R give the filter's covariance and F K, to 1e-8",
+       .printed = "its dual",
+       .measured =
+           fmt::format("largest relative difference of {} systems that settle: {}", settled, below(worst)),
+       .runs = systems},
+      settled >= systems / 2 && worst <= as_good_as_equal);
 }
 
 std::vector<MatrixXd> disturbed(RandomStream& random, std::vector<MatrixXd> gains) {
@@ -160,7 +161,7 @@ Claim optimal() {
       least_by_K = std::min(least_by_K, expected_cost(t, t.L, disturbed(random, t.K)).whole / cost.whole);
     }
   }
-  return judged(
+  return assessed(
       {.id = "5.1-optimal",
        .place = "Section 5.1, (5.1)-(5.3)",
        .statement = "For a linear system with Gaussian noises and a quadratic cost the optimal solution is "
@@ -184,7 +185,7 @@ Claim decomposition() {
     by_control = std::max(by_control, relative(cost.error, lazy.error));
     with_another = std::max(with_another, relative(other.whole, other.estimate + other.error));
   }
-  return judged(
+  return assessed(
       {.id = "5.1-decomposition",
        .place = "below (5.1)",
        .statement = "(5.1) falls into a term of the estimate and the input and one of the estimation error, "
@@ -224,7 +225,7 @@ Claim index_of_T() {
     const double ratio = cost_without_noise(t, std::vector<MatrixXd>(steps, same.L)) / best;
     least = std::min(least, ratio), most = std::max(most, ratio);
   }
-  return judged(
+  return assessed(
       {.id = "5.1-index",
        .place = "(5.3), (5.4)",
        .statement =
@@ -258,7 +259,7 @@ Claim to_zero() {
   const SteadyGain line = steady_gain(one, dt * one, one, one);
   const double a = 1 - dt * line.L(0, 0), sigma_v = 0.1;
   const double var = std::pow(dt * sigma_v, 2) / (1 - a * a);  // of x+ = a x + dt v
-  return judged(
+  return assessed(
       {.id = "5.1-to-zero",
        .place = "below (5.1)",
        .statement = "With Q1 and Q2 positive semi-definite the minimisation drives the state to zero",
@@ -284,11 +285,11 @@ double left_on_line(double L) {
 Claim any_gain() {
   const MatrixXd one = MatrixXd::Identity(1, 1);
   const auto told = [&](double L) {
-    return fmt::format("{} ({:.2g} m)", is_stabilising(one, dt * one, L * one) ? "stable" : "unstable",
+    return fmt::format("{} ({:.2g} m)", is_stabilizing(one, dt * one, L * one) ? "stable" : "unstable",
                        left_on_line(L));
   };
-  const auto stable = [&](double L) { return is_stabilising(one, dt * one, L * one) && left_on_line(L) < 1; };
-  return judged(
+  const auto stable = [&](double L) { return is_stabilizing(one, dt * one, L * one) && left_on_line(L) < 1; };
+  return assessed(
       {.id = "5.1-any-gain",
        .place = "above Example 5.1",
        .statement =
@@ -306,18 +307,19 @@ Claim frozen_eigenvalues() {
   A << 0.5, 2, 0, 0.5;
   const double each = stability_of(A).spectral_radius,
                in_turns = std::sqrt(stability_of(MatrixXd(A.transpose() * A)).spectral_radius);
-  return judged({.id = "5.1-frozen",
-                 .place = "Figure 5.5 and Figure 5.8, captions; below (5.12)",
-                 .statement = "Asymptotic stability is guaranteed when the eigenvalues of F - G L, which "
-                              "change with every step, are less than one",
-                 .printed = "guaranteed",
-                 .measured = fmt::format("[0.5 2; 0 0.5] and its transpose, both with eigenvalues {:.1f}, in "
-                                         "turns: an error grows {:.2f} times a step",
-                                         each, in_turns),
-                 .why = "of a matrix that stays as it is. Of one that changes the eigenvalues of each say "
-                        "nothing of the product; what decides is whether a norm of the error falls at every "
-                        "step, as that of the position does here, see (5.10)"},
-                each < 1 && in_turns < 1);
+  return assessed(
+      {.id = "5.1-frozen",
+       .place = "Figure 5.5 and Figure 5.8, captions; below (5.12)",
+       .statement = "Asymptotic stability is guaranteed when the eigenvalues of F - G L, which "
+                    "change with every step, are less than one",
+       .printed = "guaranteed",
+       .measured = fmt::format("[0.5 2; 0 0.5] and its transpose, both with eigenvalues {:.1f}, in "
+                               "turns: an error grows {:.2f} times a step",
+                               each, in_turns),
+       .why = "of a matrix that stays as it is. Of one that changes the eigenvalues of each say "
+              "nothing of the product; what decides is whether a norm of the error falls at every "
+              "step, as that of the position does here, see (5.10)"},
+      each < 1 && in_turns < 1);
 }
 
 }  // namespace

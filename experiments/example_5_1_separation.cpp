@@ -65,16 +65,17 @@ Claim structure() {
       w = w_next;
     }
   }
-  return judged({.id = "5.1-structure",
-                 .place = "(5.5)",
-                 .statement = "(5.5) is how state and estimation error move, with z_k = H x_k + w_k; to 1e-9",
-                 .printed = "noise w_k",
-                 .measured = fmt::format("against plant and filter stepped side by side, largest relative "
-                                         "difference of {} loops: printed {:.2g}, with w_(k+1) {}",
-                                         loops, printed, below(ours)),
-                 .why = "all signs are right; the noise is that of the measurement after the step, w_(k+1)",
-                 .runs = loops},
-                printed <= as_good_as_zero, ours <= as_good_as_zero);
+  return assessed(
+      {.id = "5.1-structure",
+       .place = "(5.5)",
+       .statement = "(5.5) is how state and estimation error move, with z_k = H x_k + w_k; to 1e-9",
+       .printed = "noise w_k",
+       .measured = fmt::format("against plant and filter stepped side by side, largest relative "
+                               "difference of {} loops: printed {:.2g}, with w_(k+1) {}",
+                               loops, printed, below(ours)),
+       .why = "all signs are right; the noise is that of the measurement after the step, w_(k+1)",
+       .runs = loops},
+      printed <= as_good_as_zero, ours <= as_good_as_zero);
 }
 
 Claim eigenvalues() {
@@ -92,7 +93,7 @@ Claim eigenvalues() {
     filter.F += 0.1 * some_matrix(random, plant.F.rows(), plant.F.cols());
     elsewhere = std::min(elsewhere, separation(plant, filter, loop.L, loop.K).spectral_distance);
   }
-  return judged(
+  return assessed(
       {.id = "5.1-eigenvalues-of-loop",
        .place = "below (5.5)",
        .statement =
@@ -158,7 +159,7 @@ Claim filter_of_any_control(int seeds) {
       paths = std::max(paths, std::abs(other.farthest_m - slow.farthest_m));
     }
   }
-  return judged(
+  return assessed(
       {.id = "5.1-filter-alone",
        .place = "below (5.1) and (5.4)",
        .statement = "Linear: the estimation error does not depend on the input, and the filter not on what "
@@ -192,14 +193,14 @@ double settled_cost(const LinearSystem& s, const MatrixXd& Q1, const MatrixXd& Q
 Claim control_of_any_noise() {
   RandomStream random(3, "noises");
   constexpr int systems = 40, noises = 5, others = 10;
-  int judged_systems = 0;
+  int assessed_systems = 0;
   double least = 1e300;
   for (int i = 0; i < systems; ++i) {
     LinearSystem s = some_system(random);
     const MatrixXd Q1 = some_weight(random, s.F.rows()), Q2 = some_weight(random, s.G.cols());
     const SteadyGain gain = steady_gain(s.F, s.G, Q1, Q2);
     if (gain.outcome != RegulatorOutcome::converged) continue;
-    ++judged_systems;
+    ++assessed_systems;
     for (int k = 0; k < noises; ++k) {
       s.Q = std::pow(10, random.uniform(-2, 2)) * some_weight(random, s.Q.rows());
       s.R = std::pow(10, random.uniform(-2, 2)) * some_weight(random, s.R.rows());
@@ -212,16 +213,16 @@ Claim control_of_any_noise() {
       }
     }
   }
-  return judged({.id = "5.1-control-alone",
-                 .place = "below (5.4)",
-                 .statement = "Linear: the best control gain does not depend on P, Q and R: whatever they "
-                              "are, gains other than (5.3) cost more",
-                 .printed = "does not depend",
-                 .measured = fmt::format("{} systems, {} pairs of Q and R each over four decades, {} other "
-                                         "gains: from 1 + {:.1e} times the cost a step",
-                                         judged_systems, noises, others, least - 1),
-                 .runs = judged_systems},
-                judged_systems >= systems / 2 && least > 1);
+  return assessed({.id = "5.1-control-alone",
+                   .place = "below (5.4)",
+                   .statement = "Linear: the best control gain does not depend on P, Q and R: whatever they "
+                                "are, gains other than (5.3) cost more",
+                   .printed = "does not depend",
+                   .measured = fmt::format("{} systems, {} pairs of Q and R each over four decades, {} other "
+                                           "gains: from 1 + {:.1e} times the cost a step",
+                                           assessed_systems, noises, others, least - 1),
+                   .runs = assessed_systems},
+                  assessed_systems >= systems / 2 && least > 1);
 }
 
 Claim observable_filter() {
@@ -248,7 +249,7 @@ Claim observable_filter() {
     }
     longest = std::max(longest, left.norm());
   }
-  return judged(
+  return assessed(
       {.id = "5.1-observable-filter",
        .place = "above Example 5.1",
        .statement = "For a fully observable monobot F - K H F is always stable: with an anchor all its "
@@ -312,7 +313,7 @@ Claim need_of_observability(const std::vector<double>& free_m, const std::vector
   };
   const std::vector<double> known_m =
       closed_loop::each(anchored, [](const Estimated& e) { return e.final_m; });
-  return judged(
+  return assessed(
       {.id = "5.1-must-be-observable",
        .place = "Section 5.3",
        .statement = "SLAM must be fully observable for its estimates to be used by any controller: without "
@@ -344,16 +345,16 @@ std::vector<Claim> vehicle(const ExperimentSettings& settings, const std::vector
       1000 * mean_of(closed_loop::each(soft, [](const Estimated& e) { return e.error_m; })).value,
       1000 * mean_of(closed_loop::each(soft, [](const Estimated& e) { return e.sigma_m; })).value);
   const Claim nonlinear =
-      judged({.id = "5.1-separation-nonlinear",
-              .place = "Section 5.1, end; Section 5.3",
-              .statement = "For a nonlinear system separation is not sure: the control influences the "
-                           "estimation (the filter's sigma changes with the gain, 95 % interval without 0)",
-              .printed = "some influence",
-              .measured = measured,
-              .runs = settings.seeds,
-              .least_runs = enough_runs},
-             differs(sigma, 0));
-  const Claim unaffected = judged(
+      assessed({.id = "5.1-separation-nonlinear",
+                .place = "Section 5.1, end; Section 5.3",
+                .statement = "For a nonlinear system separation is not sure: the control influences the "
+                             "estimation (the filter's sigma changes with the gain, 95 % interval without 0)",
+                .printed = "some influence",
+                .measured = measured,
+                .runs = settings.seeds,
+                .least_runs = enough_runs},
+               differs(sigma, 0));
+  const Claim unaffected = assessed(
       {.id = "5.1-unaffected",
        .place = "Section 5.3",
        .statement = "The control strategies do not affect the estimation performance of fully observable EKF "
@@ -365,8 +366,8 @@ std::vector<Claim> vehicle(const ExperimentSettings& settings, const std::vector
        .runs = settings.seeds,
        .least_runs = enough_runs},
       !(differs(error, 0) || differs(sigma, 0)));
-  const Interval grown = mean_of(growth, judged_at);
-  const Claim stable = judged(
+  const Interval grown = mean_of(growth, assessed_at);
+  const Claim stable = assessed(
       {.id = "5.1-stable",
        .place = "Section 5.1, end",
        .statement = "LQG in SLAM is stable for a controllable vehicle, and with full observability so "

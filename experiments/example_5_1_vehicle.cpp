@@ -15,7 +15,7 @@
 #include "experiments/example_5_1.hpp"
 #include "incognita/analysis/observability/closed_loop.hpp"
 #include "incognita/control/lqg_regulator.hpp"
-#include "incognita/models/on_arc.hpp"
+#include "incognita/models/arc_motion.hpp"
 #include "incognita/models/planar_frame.hpp"
 
 namespace incognita::section_5_1 {
@@ -32,7 +32,7 @@ using Eigen::Vector2d;
 using Pose = planar::Pose<double>;
 
 const Vector2d goal(10, 10);
-constexpr OnArc<DifferentialDrive> vehicle{body};
+constexpr ArcMotion<DifferentialDrive> vehicle{body};
 constexpr PlanarLimits limits{closed_loop::top_speed_m_s, closed_loop::top_turn_rate};
 
 /// (5.6), its rows multiplied by factors.
@@ -100,23 +100,24 @@ std::vector<Claim> optimality(int seeds) {
       far_least, far_most, near_least, near_most, best.factors[0], best.factors[1], text(mean),
       cost(start, {1, 1}));
   const bool beaten = std::max(far_most, near_most) > 0.1;
-  return {judged({.id = "5.1-optimal-vehicle",
-                  .place = "below (5.6)",
-                  .statement = "The control strategy is optimal by duality from the EKF: no constant factors "
-                               "on the rows of L make (5.1) less by 0.1 %",
-                  .printed = "optimal by duality",
-                  .measured = measured,
-                  .why = "(5.3) is the optimum of the linear system that the vehicle is at one heading; that "
-                         "moving changes the heading, and limits, are not in it",
-                  .runs = seeds},
-                 !beaten),
-          judged({.id = "5.1-no-guarantee",
-                  .place = "Example 5.1",
-                  .statement = "For this nonlinear case there is no guarantee that the control is optimal",
-                  .printed = "no guarantee",
-                  .measured = measured,
-                  .runs = seeds},
-                 beaten)};
+  return {
+      assessed({.id = "5.1-optimal-vehicle",
+                .place = "below (5.6)",
+                .statement = "The control strategy is optimal by duality from the EKF: no constant factors "
+                             "on the rows of L make (5.1) less by 0.1 %",
+                .printed = "optimal by duality",
+                .measured = measured,
+                .why = "(5.3) is the optimum of the linear system that the vehicle is at one heading; that "
+                       "moving changes the heading, and limits, are not in it",
+                .runs = seeds},
+               !beaten),
+      assessed({.id = "5.1-no-guarantee",
+                .place = "Example 5.1",
+                .statement = "For this nonlinear case there is no guarantee that the control is optimal",
+                .printed = "no guarantee",
+                .measured = measured,
+                .runs = seeds},
+               beaten)};
 }
 
 /// Without noise, from (-7, 0) at heading 0. What each step leaves of the distance is looked at from 25 s to
@@ -141,7 +142,7 @@ Claim finite_time() {
       stability_of(planar_closed_loop(body, {0, 0, 0}, {0, 0}, closed_loop::period_s, gain({0, 0, 0})))
           .eigenvalues.cwiseAbs();
   std::sort(modes.begin(), modes.end());
-  return judged(
+  return assessed(
       {.id = "5.1-finite-time",
        .place = "Section 5.3",
        .statement = "The first law reaches a desired location in finite time",

@@ -1,7 +1,7 @@
 // Example 5.2: the vehicle of the plane round a circle by feedback linearisation, while it maps.
 //
 // Experiment: closed_loop_run.hpp; circle (5.14) of 7 m at 5 deg/s, the reference at (7, 0) at first; the law
-// of control/feedback_linearisation.hpp with Q2 = 0.5/s I, for 100 s. The thesis prints no start: (-7, 0) as
+// of control/feedback_linearization.hpp with Q2 = 0.5/s I, for 100 s. The thesis prints no start: (-7, 0) as
 // in Example 5.1, facing away from the path's start, so that what it says of the first seconds can be seen;
 // and (7, 0) along the path. The robot has arrived when it stays within 0.5 m of the reference from then on;
 // the last 50 s are the steady state.
@@ -54,18 +54,18 @@ struct Round {
 
 void take_steady(Round& r, const Run& run, const std::vector<double>& distances) {
   int n = 0;
-  double squares = 0, turns = 0, believed = 0;
+  double squares = 0, turns = 0, estimated = 0;
   for (std::size_t k = 0; k < run.instants.size(); ++k) {
     if (run.instants[k].t_s < steady_s) continue;
     const Eigen::Vector2d& u = run.instants[k].robots[0].input;
     squares += distances[k] * distances[k], r.largest_m = std::max(r.largest_m, distances[k]);
     const Eigen::Vector2d wanted = at(Path(circle), run.instants[k].t_s).position.head<2>();
-    believed += (run.instants[k].robots[0].mean.head<2>() - wanted).squaredNorm();
+    estimated += (run.instants[k].robots[0].mean.head<2>() - wanted).squaredNorm();
     r.speed_m_s += u[0], r.turn_rate_deg_s += degrees(u[1]);
     turns += std::pow(degrees(u[1]) - 5, 2), ++n;
   }
   r.tracking_rms_m = std::sqrt(squares / n), r.turn_late_deg_s = std::sqrt(turns / n);
-  r.believed_rms_m = std::sqrt(believed / n);
+  r.believed_rms_m = std::sqrt(estimated / n);
   r.speed_m_s /= n, r.turn_rate_deg_s /= n;
 }
 
@@ -99,7 +99,7 @@ int count_of(const std::vector<Round>& all, const std::function<bool(const Round
 Claim converges(const std::vector<Round>& all) {
   const int runs = static_cast<int>(all.size());
   const int there = count_of(all, [](const Round& r) { return r.arrived_s < arrived_by_s; });
-  return judged(
+  return assessed(
       {.id = "5.2-converges",
        .place = "Example 5.2, Figure 5.6",
        .statement = "The vehicle comes to the circle and follows it, while it maps: 95 % of the seeds within "
@@ -120,7 +120,7 @@ Claim converges(const std::vector<Round>& all) {
 Claim steady_state(const std::vector<Round>& all) {
   const Interval speed = mean_of(each(all, [](const Round&r) { return r.speed_m_s; })),
                  turn = mean_of(each(all, [](const Round&r) { return r.turn_rate_deg_s; }));
-  return judged(
+  return assessed(
       {.id = "5.2-steady-state",
        .place = "Example 5.2, Figure 5.7",
        .statement = "Speed and turn rate settle around 0.6 m/s and 5 deg/s: means of the last 50 s within "
@@ -142,7 +142,7 @@ Finding above_in_95_percent(const std::vector<double>& samples, double bound) {
 
 Claim saturated(const std::vector<Round>& all) {
   const std::vector<double> shares = each(all, [](const Round& r) { return 100 * r.saturated; });
-  return judged(
+  return assessed(
       {.id = "5.2-saturated",
        .place = "Example 5.2, Figure 5.7",
        .statement = "At first the law chooses a saturated speed to reach the path: at more than half of the "
@@ -160,7 +160,7 @@ Claim saturated(const std::vector<Round>& all) {
 Claim turn_rate(const std::vector<Round>& all) {
   const std::vector<double> ratios =
       each(all, [](const Round& r) { return r.turn_early_deg_s / r.turn_late_deg_s; });
-  return judged(
+  return assessed(
       {.id = "5.2-turn-rate",
        .place = "Example 5.2, Figure 5.7",
        .statement =
@@ -181,7 +181,7 @@ Claim starts_on_path(const std::vector<Round>& on, const std::vector<Round>& awa
   const int runs = static_cast<int>(on.size());
   const int without = count_of(on, [](const Round&r) { return r.above_early + r.above_late == 0; }),
             with = count_of(away, [](const Round&r) { return r.above_early > 0; });
-  return judged(
+  return assessed(
       {.id = "5.2-start-on-path",
        .place = "below Figure 5.8",
        .statement = "A path that begins at the vehicle's first pose would suffice against the unstable "
@@ -213,8 +213,8 @@ Claim guaranteed(const ExperimentSettings& settings) {
   const auto all = over_seeds(settings, "5.2, two anchors, noises times 8", rough, largest_of);
   const std::vector<double> worst = each(all, [](const auto&p) { return std::max(p.first, p.second); }),
                             growth = each(all, [](const auto&p) { return p.second - p.first; });
-  const Interval grown = mean_of(growth, judged_at);
-  return judged(
+  const Interval grown = mean_of(growth, assessed_at);
+  return assessed(
       {.id = "5.2-guaranteed",
        .place = "Section 5.2, end of Example 5.2",
        .statement = "In SLAM with full observability the control is stable: with two known landmarks, even "
@@ -232,7 +232,7 @@ Claim consistent(const std::vector<Round>& all) {
   const std::vector<double> nees = each(all, [](const Round& r) { return r.nees; });
   Eigen::Array3d within = Eigen::Array3d::Zero();
   for (const Round& r : all) within += 100 * r.within / static_cast<double>(all.size());
-  return judged(
+  return assessed(
       {.id = "5.2-consistent",
        .place = "Figure 5.7",
        .statement = "The estimate stays usable for control: mean NEES of the pose, over its 3 degrees of "

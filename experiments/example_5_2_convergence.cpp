@@ -12,9 +12,9 @@
 
 #include "experiments/evidence.hpp"
 #include "experiments/example_5_2.hpp"
-#include "incognita/control/feedback_linearisation.hpp"
+#include "incognita/control/feedback_linearization.hpp"
 #include "incognita/control/held_command.hpp"
-#include "incognita/models/on_arc.hpp"
+#include "incognita/models/arc_motion.hpp"
 
 namespace incognita::section_5_2 {
 namespace {
@@ -32,7 +32,7 @@ double worst_ratio(double k, double hold_s, double turn_rate) {
     const Vector2d velocity(forward, turn_rate * body.forward_m);
     const Pose start(-velocity.x() / k, -velocity.y() / k, 0);
     const Pose end =
-        OnArc<DifferentialDrive>{body}.f<double>(start, input_for_velocity(body, 0, velocity), hold_s);
+        ArcMotion<DifferentialDrive>{body}.f<double>(start, input_for_velocity(body, 0, velocity), hold_s);
     worst = std::max(worst, end.head<2>().norm() / start.head<2>().norm());
   }
   return worst;
@@ -45,7 +45,7 @@ double farthest_m(double lever_m, double k, double hold_s) {
   double farthest = 0;
   for (int i = 0; i < 200; ++i) {
     const Vector2d u = input_for_velocity(vehicle, pose[2], -k * pose.head<2>());
-    pose = OnArc<DifferentialDrive>{vehicle}.f<double>(pose, u, hold_s);
+    pose = ArcMotion<DifferentialDrive>{vehicle}.f<double>(pose, u, hold_s);
     farthest = std::max(farthest, pose.head<2>().norm());
   }
   return farthest;
@@ -62,7 +62,7 @@ Claim gains() {
   const auto after = [](double factor) { return std::pow(std::abs(factor), 20); };
   const bool corrected =
       under < 1 && over > 1 && slow_under < 1 && slow_over > 1 && left > 0.3 && stays <= 0.3 * (1 + 1e-9);
-  return judged(
+  return assessed(
       {.id = "5.2-gain",
        .place = "(5.10)",
        .statement = "The error dynamics are asymptotically stable if Q2 is positive semi-definite",
@@ -100,16 +100,17 @@ Claim finite_time() {
   const Left of_still(still, origin), of_moving(moving, circle);
   const double factor = 1 - gain_per_s * period_s, left = still.distance_m(origin, 400),
                behind = moving.distance_m(circle, 400);
-  return judged({.id = "5.2-finite-time",
-                 .place = "below (5.13)",
-                 .statement = "The tracking error converges to zero in finite time",
-                 .printed = "finite time",
-                 .measured = fmt::format(
-                     "without noise: after 40 s {:.1e} m from a point, {:.1e} m on the circle; from 20 s on "
-                     "each command leaves {:.4f} to {:.4f} and {:.4f} to {:.4f} of it, 1 - K dt is {:.4f}",
-                     left, behind, of_still.least, of_still.most, of_moving.least, of_moving.most, factor),
-                 .why = "asymptotically: each command leaves the same share of the error"},
-                left == 0 && behind == 0, of_still.is(factor) && of_moving.is(factor));
+  return assessed(
+      {.id = "5.2-finite-time",
+       .place = "below (5.13)",
+       .statement = "The tracking error converges to zero in finite time",
+       .printed = "finite time",
+       .measured = fmt::format(
+           "without noise: after 40 s {:.1e} m from a point, {:.1e} m on the circle; from 20 s on "
+           "each command leaves {:.4f} to {:.4f} and {:.4f} to {:.4f} of it, 1 - K dt is {:.4f}",
+           left, behind, of_still.least, of_still.most, of_moving.least, of_moving.most, factor),
+       .why = "asymptotically: each command leaves the same share of the error"},
+      left == 0 && behind == 0, of_still.is(factor) && of_moving.is(factor));
 }
 
 }  // namespace

@@ -15,9 +15,9 @@
 
 #include "experiments/evidence.hpp"
 #include "experiments/example_5_2.hpp"
-#include "incognita/control/feedback_linearisation.hpp"
+#include "incognita/control/feedback_linearization.hpp"
 #include "incognita/math/random.hpp"
-#include "incognita/models/on_arc.hpp"
+#include "incognita/models/arc_motion.hpp"
 
 namespace incognita::section_5_2 {
 namespace {
@@ -41,21 +41,21 @@ Way drive(const DifferentialDrive& vehicle, const Law& law, Pose pose, double du
   for (long k = 0; k < ticks; ++k) {
     way.poses.push_back(pose);
     way.inputs.push_back(limited(law(pose, period_s * static_cast<double>(k)), limits).input());
-    pose = OnArc<DifferentialDrive>{vehicle}.f<double>(pose, way.inputs.back(), period_s);
+    pose = ArcMotion<DifferentialDrive>{vehicle}.f<double>(pose, way.inputs.back(), period_s);
   }
   return way;
 }
 
-struct Place {
+struct SourceLocation {
   Pose pose;
   Vector2d input;
 };
 
-std::vector<Place> some_places() {
+std::vector<SourceLocation> some_places() {
   RandomStream random(1, "places");
-  std::vector<Place> all;
+  std::vector<SourceLocation> all;
   for (int i = 0; i < places; ++i) {
-    Place p;
+    SourceLocation p;
     p.pose << random.uniform(-10, 10), random.uniform(-10, 10), random.uniform(-3.1, 3.1);
     p.input << random.uniform(-1, 1), random.uniform(-1, 1);
     all.push_back(p);
@@ -65,50 +65,51 @@ std::vector<Place> some_places() {
 
 Claim model() {
   double printed = 0, ours = 0, held = 0;
-  for (const Place& p : some_places()) {
+  for (const SourceLocation& p : some_places()) {
     const Vector2d y = p.pose.head<2>(), velocity = point_velocity_by_input(body, p.pose[2]) * p.input;
-    const Vector2d next = OnArc<DifferentialDrive>{body}.f<double>(p.pose, p.input, period_s).head<2>();
+    const Vector2d next = ArcMotion<DifferentialDrive>{body}.f<double>(p.pose, p.input, period_s).head<2>();
     printed = std::max(printed, (velocity - next).norm());
     held = std::max(held, (y + period_s * velocity - next).norm());
     ours = std::max(ours, (velocity - body.rate<double>(p.pose, p.input).head<2>()).norm());
   }
-  return judged({.id = "5.2-model",
-                 .place = "(5.7), (5.20)",
-                 .statement = "How the control point moves, to 1e-9",
-                 .printed = "y_(k+1) = Q_r u_k",
-                 .measured = fmt::format(
-                     "largest difference at {} poses and inputs: printed {:.3g} m; its velocity from Q_r u, "
-                     "in m/s, {}; y_k + dt Q_r u_k with the input held for {} s {:.2g} m",
-                     places, printed, below(ours), period_s, held),
-                 .why = "it is the velocity of the point that is Q_r u, so that y_(k+1) is y_k + dt Q_r u_k "
-                        "but for what the body turns meanwhile",
-                 .runs = places},
-                printed <= as_good_as_zero, ours <= as_good_as_zero);
+  return assessed(
+      {.id = "5.2-model",
+       .place = "(5.7), (5.20)",
+       .statement = "How the control point moves, to 1e-9",
+       .printed = "y_(k+1) = Q_r u_k",
+       .measured = fmt::format(
+           "largest difference at {} poses and inputs: printed {:.3g} m; its velocity from Q_r u, "
+           "in m/s, {}; y_k + dt Q_r u_k with the input held for {} s {:.2g} m",
+           places, printed, below(ours), period_s, held),
+       .why = "it is the velocity of the point that is Q_r u, so that y_(k+1) is y_k + dt Q_r u_k "
+              "but for what the body turns meanwhile",
+       .runs = places},
+      printed <= as_good_as_zero, ours <= as_good_as_zero);
 }
 
-Claim linearised() {
+Claim linearized() {
   double worst = 0, turned = 0;
-  for (const Place& p : some_places()) {
+  for (const SourceLocation& p : some_places()) {
     const Vector2d wanted = p.input;  // any velocity
     const Vector2d u = input_for_velocity(body, p.pose[2], wanted);
     worst = std::max(worst, (body.rate<double>(p.pose, u).head<2>() - wanted).norm());
     const PlanarCommand command = limited(u, limits);
     const Vector2d moved =
-        OnArc<DifferentialDrive>{body}.f<double>(p.pose, command.input(), period_s).head<2>() -
+        ArcMotion<DifferentialDrive>{body}.f<double>(p.pose, command.input(), period_s).head<2>() -
         p.pose.head<2>();
     const double angle = std::acos(std::min(1.0, moved.normalized().dot(wanted.normalized())));
     turned = std::max(turned, degrees(angle));
   }
-  return judged({.id = "5.2-linearised",
-                 .place = "(5.8), Section 5.2",
-                 .statement = "With u = Q_r^-1 U the nonlinearity is cancelled exactly, not approximately: "
-                              "the control point moves with the velocity U at every heading, to 1e-9 m/s",
-                 .printed = "exact",
-                 .measured = fmt::format("largest difference at {} poses and velocities, in m/s: {}. Held "
-                                         "for {} s at up to 1 rad/s the way is turned by up to {:.1f} deg",
-                                         places, below(worst), period_s, turned),
-                 .runs = places},
-                worst <= as_good_as_zero);
+  return assessed({.id = "5.2-linearised",
+                   .place = "(5.8), Section 5.2",
+                   .statement = "With u = Q_r^-1 U the nonlinearity is cancelled exactly, not approximately: "
+                                "the control point moves with the velocity U at every heading, to 1e-9 m/s",
+                   .printed = "exact",
+                   .measured = fmt::format("largest difference at {} poses and velocities, in m/s: {}. Held "
+                                           "for {} s at up to 1 rad/s the way is turned by up to {:.1f} deg",
+                                           places, below(worst), period_s, turned),
+                   .runs = places},
+                  worst <= as_good_as_zero);
 }
 
 Claim pseudo_inverse() {
@@ -125,18 +126,19 @@ Claim pseudo_inverse() {
   for (std::size_t k = 720; k < way.poses.size(); ++k)
     mean += way.distance_m(circle, k) / static_cast<double>(way.poses.size() - 720);
   const bool usable = printed > as_good_as_zero;
-  return judged({.id = "5.2-pseudo-inverse",
-                 .place = "footnote 1, Section 5.2; below Figure 5.8",
-                 .statement = "Where Q_r has not full rank (l = 0) the pseudo-inverse can be used in (5.8); "
-                              "off the axle Q_r has full rank",
-                 .printed = "(Q_r' Q_r)^-1 Q_r'",
-                 .measured = fmt::format("l = 0: det(Q_r' Q_r) = {:.1e}; l = {} m: det(Q_r) = {:.3f} m. With "
-                                         "l = 0 and Moore and Penrose's, which exists, the vehicle never "
-                                         "turns and is {:.1f} m off its path on average of the second round",
-                                         printed, body.forward_m, off_axle.determinant(), mean),
-                 .why = "det Q_r = l: off the axle it has full rank. On it Q_r' Q_r is singular exactly "
-                        "where the formula is meant for, and the true pseudo-inverse asks for no turn"},
-                usable && mean < 0.05, !usable && off_axle.determinant() > as_good_as_zero);
+  return assessed(
+      {.id = "5.2-pseudo-inverse",
+       .place = "footnote 1, Section 5.2; below Figure 5.8",
+       .statement = "Where Q_r has not full rank (l = 0) the pseudo-inverse can be used in (5.8); "
+                    "off the axle Q_r has full rank",
+       .printed = "(Q_r' Q_r)^-1 Q_r'",
+       .measured = fmt::format("l = 0: det(Q_r' Q_r) = {:.1e}; l = {} m: det(Q_r) = {:.3f} m. With "
+                               "l = 0 and Moore and Penrose's, which exists, the vehicle never "
+                               "turns and is {:.1f} m off its path on average of the second round",
+                               printed, body.forward_m, off_axle.determinant(), mean),
+       .why = "det Q_r = l: off the axle it has full rank. On it Q_r' Q_r is singular exactly "
+              "where the formula is meant for, and the true pseudo-inverse asks for no turn"},
+      usable && mean < 0.05, !usable && off_axle.determinant() > as_good_as_zero);
 }
 
 struct Reading {
@@ -179,7 +181,7 @@ Claim law() {
   for (const Reading& r : {printed, rate, of_5_21, of_5_9, ours})
     measured += fmt::format(" {} {:.3g} m;", r.name, r.mean_m);
   measured += fmt::format(" ours at most {:.1e} m", ours.worst_m);
-  return judged(
+  return assessed(
       {.id = "5.2-law",
        .place = "(5.8), (5.9), (5.12), (5.15)",
        .statement = "The control law follows the circle, within 5 cm in the second round",
@@ -202,7 +204,7 @@ Claim velocity_of_path() {
     printed = std::max(printed, (wanted_velocity(t, false) - truth).norm());
     ours = std::max(ours, (wanted_velocity(t, true) - truth).norm());
   }
-  return judged(
+  return assessed(
       {.id = "5.2-velocity",
        .place = "(5.15)",
        .statement = "(5.15) is the velocity of (5.14), to 1e-6 m/s",
@@ -223,7 +225,7 @@ double Way::distance_m(const Path& path, std::size_t tick) const {
 }
 
 Way follow(const Path& path, const Pose& start, double duration_s) {
-  const FeedbackLinearisation law(
+  const FeedbackLinearization law(
       {.body = body, .gain_per_s = gain_per_s * Matrix2d::Identity(), .hold_s = period_s, .limits = limits});
   return drive(
       body, [&](const Pose& pose, double t) { return law.act(pose, at(path, t)).input(); }, start,
@@ -231,7 +233,7 @@ Way follow(const Path& path, const Pose& start, double duration_s) {
 }
 
 std::vector<Claim> equation_claims() {
-  return {model(), linearised(), pseudo_inverse(), law(), velocity_of_path()};
+  return {model(), linearized(), pseudo_inverse(), law(), velocity_of_path()};
 }
 
 }  // namespace incognita::section_5_2

@@ -63,23 +63,24 @@ Counted count() {
 
 Claim initial_transient() {
   const Counted c = count();
-  return judged({.id = "5.2-eigenvalues",
-                 .place = "above and in Figure 5.8",
-                 .statement = "While the tracking error is large at first the error dynamics are not stable; "
-                              "once the vehicle is near its path they are",
-                 .printed = "not stable, then stable",
-                 .measured = fmt::format(
-                     "from (-7, 0) at {} headings: an eigenvalue above 1 at {} of {} ticks more than 1 m "
-                     "off, at {} of {} nearer; up to {:.4f}, for at most {:.1f} s; from {} of the headings. "
-                     "With the vehicle going forwards {} times, going backwards and none above 1 {} times",
-                     headings, c.far_above, c.far, c.close_above, c.close, c.largest, c.longest_s,
-                     c.headings_above, c.ahead_above, c.back_below),
-                 .why = "stable near the path, yes; at first it is not the size of the error that makes it "
-                        "unstable, but going backwards: then the heading turns away from where it goes until "
-                        "the vehicle has turned round. Started facing the path it is stable all the way"},
-                c.far_above == c.far && c.close_above == 0,
-                c.far_above > 0 && c.far_above < c.far && c.close_above == 0 && c.ahead_above == 0 &&
-                    c.back_below == 0);
+  return assessed(
+      {.id = "5.2-eigenvalues",
+       .place = "above and in Figure 5.8",
+       .statement = "While the tracking error is large at first the error dynamics are not stable; "
+                    "once the vehicle is near its path they are",
+       .printed = "not stable, then stable",
+       .measured = fmt::format(
+           "from (-7, 0) at {} headings: an eigenvalue above 1 at {} of {} ticks more than 1 m "
+           "off, at {} of {} nearer; up to {:.4f}, for at most {:.1f} s; from {} of the headings. "
+           "With the vehicle going forwards {} times, going backwards and none above 1 {} times",
+           headings, c.far_above, c.far, c.close_above, c.close, c.largest, c.longest_s, c.headings_above,
+           c.ahead_above, c.back_below),
+       .why = "stable near the path, yes; at first it is not the size of the error that makes it "
+              "unstable, but going backwards: then the heading turns away from where it goes until "
+              "the vehicle has turned round. Started facing the path it is stable all the way"},
+      c.far_above == c.far && c.close_above == 0,
+      c.far_above > 0 && c.far_above < c.far && c.close_above == 0 && c.ahead_above == 0 &&
+          c.back_below == 0);
 }
 
 Claim whole_pose() {
@@ -92,17 +93,18 @@ Claim whole_pose() {
     farthest = std::max(farthest, way.poses.back().head<2>().norm());
     least = std::min(least, way.poses.back()[2]), most = std::max(most, way.poses.back()[2]);
   }
-  return judged({.id = "5.2-whole-pose",
-                 .place = "below Figure 5.8, with [17]",
-                 .statement = "The whole pose of this vehicle cannot be stabilised (at a point, by a linear "
-                              "law of its inputs); its position can, and the heading ends where it will",
-                 .printed = "cannot",
-                 .measured = fmt::format(
-                     "regulator of the pose at rest: {}. From {} headings, after 60 s: at most {:.1e} m from "
-                     "the point, with headings from {:.0f} to {:.0f} deg",
-                     sentence(regulator.outcome), headings, farthest, degrees(least), degrees(most))},
-                regulator.outcome == RegulatorOutcome::not_stabilisable && farthest < 1e-3 &&
-                    most - least > radians(20));
+  return assessed(
+      {.id = "5.2-whole-pose",
+       .place = "below Figure 5.8, with [17]",
+       .statement = "The whole pose of this vehicle cannot be stabilised (at a point, by a linear "
+                    "law of its inputs); its position can, and the heading ends where it will",
+       .printed = "cannot",
+       .measured = fmt::format(
+           "regulator of the pose at rest: {}. From {} headings, after 60 s: at most {:.1e} m from "
+           "the point, with headings from {:.0f} to {:.0f} deg",
+           sentence(regulator.outcome), headings, farthest, degrees(least), degrees(most))},
+      regulator.outcome == RegulatorOutcome::not_stabilizable && farthest < 1e-3 &&
+          most - least > radians(20));
 }
 
 Claim free_heading() {
@@ -113,7 +115,7 @@ Claim free_heading() {
     if (i == 0) first = way.poses.back()[2];
     spread = std::max(spread, std::abs(wrap_angle(way.poses.back()[2] - first)));
   }
-  return judged(
+  return assessed(
       {.id = "5.2-free-heading",
        .place = "below Figure 5.8",
        .statement = "With the position controlled only and the heading free the path is still followed "

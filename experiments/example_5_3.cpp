@@ -26,7 +26,7 @@ namespace section_5_3 {
 closed_loop::Setup two_circles() {
   closed_loop::Setup s;
   for (const double x : {-6.0, 6.0}) {
-    const CirclePath circle{.centre = {x, 0, 0}, .radius_m = 5};
+    const CirclePath circle{.center = {x, 0, 0}, .radius_m = 5};
     s.robots.push_back(closed_loop::robot({x, 0, 0}, "feedback-linearisation", circle));
     s.robots.back().steering.gain_per_s = section_5_2::gain_per_s;
   }
@@ -52,7 +52,7 @@ struct Team {
 };
 
 void take_tracking(Team& team, const Setup& setup, const Run& run) {
-  double squares = 0, believed = 0;
+  double squares = 0, estimated = 0;
   int n = 0;
   for (std::size_t robot = 0; robot < setup.robots.size(); ++robot) {
     const Path& path = setup.robots[robot].steering.path;
@@ -62,13 +62,13 @@ void take_tracking(Team& team, const Setup& setup, const Run& run) {
       if (!(distances[k] < near_m)) team.arrived_s = std::max(team.arrived_s, t + period_s);
       if (t < std::min(steady_s, setup.duration_s / 2)) continue;
       squares += distances[k] * distances[k], ++n;
-      believed +=
+      estimated +=
           (run.instants[k].robots[robot].mean.head<2>() - at(path, t).position.head<2>()).squaredNorm();
       team.largest_m = std::max(team.largest_m, distances[k]);
     }
     team.nees += mean_nees(run, robot) / static_cast<double>(setup.robots.size());
   }
-  team.tracking_rms_m = std::sqrt(squares / n), team.believed_rms_m = std::sqrt(believed / n);
+  team.tracking_rms_m = std::sqrt(squares / n), team.believed_rms_m = std::sqrt(estimated / n);
 }
 
 Team team_of(const Setup& setup, const Run& run) {
@@ -85,7 +85,7 @@ Claim converges(const std::vector<Team>& all) {
   const int runs = static_cast<int>(all.size());
   const auto there = static_cast<int>(
       std::count_if(all.begin(), all.end(), [](const Team& t) { return t.arrived_s < arrived_by_s; }));
-  return judged(
+  return assessed(
       {.id = "5.3-converges",
        .place = "Example 5.3, Figure 5.9",
        .statement = "Both robots come to their circles and follow them, while they map: 95 % of the seeds "
@@ -107,7 +107,7 @@ Claim consistent(const std::vector<Team>& all) {
   const Interval joint = bootstrap_mean(each(all, [](const Team&t) { return t.joint_nees; })),
                  last = mean_of(each(all, [](const Team&t) { return t.last_joint_nees; })),
                  poses = bootstrap_mean(each(all, [](const Team&t) { return t.nees; }));
-  return judged(
+  return assessed(
       {.id = "5.3-consistent",
        .place = "Figure 5.10, (5.18), (5.19)",
        .statement = "The joint belief of both robots and their map is consistent: mean NEES, over its "
@@ -151,7 +151,7 @@ Claim any_number(const ExperimentSettings& settings) {
     measured += fmt::format("{}{}: {:.3f} m, {}", measured.empty() ? "" : "; ", robots,
                             mean_of(tracking).value, text(nees));
   }
-  return judged(
+  return assessed(
       {.id = "5.3-any-number",
        .place = "Section 5.2.1",
        .statement = "The extension to a group of vehicles is direct: one to four robots on one circle, each "

@@ -16,9 +16,9 @@
 #include "experiments/example_5_2.hpp"
 #include "experiments/example_5_3.hpp"
 #include "incognita/analysis/observability/closed_loop.hpp"
-#include "incognita/control/feedback_linearisation.hpp"
+#include "incognita/control/feedback_linearization.hpp"
 #include "incognita/math/random.hpp"
-#include "incognita/models/on_arc.hpp"
+#include "incognita/models/arc_motion.hpp"
 #include "incognita/models/range_bearing.hpp"
 
 namespace incognita::section_5_3 {
@@ -44,10 +44,10 @@ double mean_error_m(double sign) {
   for (const Robot& robot : two_circles().robots) {
     Pose pose = robot.start;
     for (int k = 0; k < 1440; ++k) {
-      const Reference wanted = at(robot.steering.path, k * period_s);
-      if (k >= 720) sum += (pose.head<2>() - wanted.position.head<2>()).norm(), ++ticks;
-      const Vector2d velocity = velocity_towards(wanted, sign * K, pose.head<2>());
-      pose = OnArc<DifferentialDrive>{body}.f<double>(
+      const Reference reference = at(robot.steering.path, k * period_s);
+      if (k >= 720) sum += (pose.head<2>() - reference.position.head<2>()).norm(), ++ticks;
+      const Vector2d velocity = velocity_towards(reference, sign * K, pose.head<2>());
+      pose = ArcMotion<DifferentialDrive>{body}.f<double>(
           pose, limited(input_for_velocity(body, pose[2], velocity), limits).input(), period_s);
     }
   }
@@ -56,15 +56,16 @@ double mean_error_m(double sign) {
 
 Claim law() {
   const double printed = mean_error_m(-1), ours = mean_error_m(1);
-  return judged({.id = "5.3-law",
-                 .place = "(5.21)",
-                 .statement = "The control law takes each robot to its path: within 1 cm in the second round",
-                 .printed = "u = Q_r^-1 (y*_(k+1) - Q2 (y* - y))",
-                 .measured = fmt::format("mean error of the second round, y*_(k+1) taken as the path's "
-                                         "velocity: printed {:.1f} m, ours {:.1e} m",
-                                         printed, ours),
-                 .why = "the error has the other sign, y - y*: as printed it drives away from the path"},
-                printed < 0.01, ours < 0.01);
+  return assessed(
+      {.id = "5.3-law",
+       .place = "(5.21)",
+       .statement = "The control law takes each robot to its path: within 1 cm in the second round",
+       .printed = "u = Q_r^-1 (y*_(k+1) - Q2 (y* - y))",
+       .measured = fmt::format("mean error of the second round, y*_(k+1) taken as the path's "
+                               "velocity: printed {:.1f} m, ours {:.1e} m",
+                               printed, ours),
+       .why = "the error has the other sign, y - y*: as printed it drives away from the path"},
+      printed < 0.01, ours < 0.01);
 }
 
 Claim closed_loop_equation() {
@@ -85,16 +86,17 @@ Claim closed_loop_equation() {
     const Vector2d velocity = now.velocity.head<2>() - K * error + Q_r * v;
     ours = std::max(ours, (y + period_s * velocity - next).norm());
   }
-  return judged({.id = "5.3-closed-loop",
-                 .place = "(5.20), (5.22)",
-                 .statement = "How a robot moves under the law with plant noise v: against (3.16), to 1e-9 m",
-                 .printed = "y_(k+1) = y*_(k+1) - Q2 (y_k - y*_k) + Q_r v_k",
-                 .measured = fmt::format("largest difference at {} places: printed {:.2f} m, ours, in m, {}",
-                                         places, printed, below(ours)),
-                 .why = "y_(k+1) = y_k + dt (ydot* - Q2 (y_k - y*_k) + Q_r v_k), as (5.20) is the velocity "
-                        "and not the next place; y in Q2 (y - y*) is what is believed",
-                 .runs = places},
-                printed <= as_good_as_zero, ours <= as_good_as_zero);
+  return assessed(
+      {.id = "5.3-closed-loop",
+       .place = "(5.20), (5.22)",
+       .statement = "How a robot moves under the law with plant noise v: against (3.16), to 1e-9 m",
+       .printed = "y_(k+1) = y*_(k+1) - Q2 (y_k - y*_k) + Q_r v_k",
+       .measured = fmt::format("largest difference at {} places: printed {:.2f} m, ours, in m, {}", places,
+                               printed, below(ours)),
+       .why = "y_(k+1) = y_k + dt (ydot* - Q2 (y_k - y*_k) + Q_r v_k), as (5.20) is the velocity "
+              "and not the next place; y in Q2 (y - y*) is what is believed",
+       .runs = places},
+      printed <= as_good_as_zero, ours <= as_good_as_zero);
 }
 
 Claim error_recursion() {
@@ -116,7 +118,7 @@ Claim error_recursion() {
     ours = std::max(ours,
                     (A * (x - x_hat) + noise - (x_next - x_hat_next)).norm() / (x_next - x_hat_next).norm());
   }
-  return judged(
+  return assessed(
       {.id = "5.3-error",
        .place = "(5.23)",
        .statement = "(F - K H F) x + (G - K H G) v - K w is how the estimate moves on, to 1e-9",
@@ -137,7 +139,7 @@ struct Point {
   std::vector<Vector2d> landmarks;
 };
 
-ControlledSystem linearised(const Point& at) {
+ControlledSystem linearized(const Point& at) {
   const auto robots = static_cast<Index>(at.poses.size()),
              landmarks = static_cast<Index>(at.landmarks.size());
   const Index n = 3 * robots + 2 * landmarks;
@@ -149,10 +151,11 @@ ControlledSystem linearised(const Point& at) {
     s.F.block<3, 3>(3 * r, 3 * r) = step.F;
     s.G.block<3, 2>(3 * r, 2 * r) = step.G;
     for (Index l = 0; l < landmarks; ++l) {
-      const auto look = RangeBearing::look(at.poses[i], at.landmarks[static_cast<std::size_t>(l)]);
+      const auto prediction =
+          RangeBearing::predict_measurement(at.poses[i], at.landmarks[static_cast<std::size_t>(l)]);
       const Index row = 2 * (r * landmarks + l);
-      s.H.block<2, 3>(row, 3 * r) = look->Hv;
-      s.H.block<2, 2>(row, 3 * robots + 2 * l) = look->Hl;
+      s.H.block<2, 3>(row, 3 * r) = prediction->Hv;
+      s.H.block<2, 2>(row, 3 * robots + 2 * l) = prediction->Hl;
     }
   }
   return s;
@@ -185,7 +188,7 @@ std::vector<Claim> separable() {
   }
   for (const MappedLandmark& l : run.map)
     truth.landmarks.push_back(l.truth), belief.landmarks.push_back(l.mean);
-  const ControlledSystem plant = linearised(truth), filter = linearised(belief);
+  const ControlledSystem plant = linearized(truth), filter = linearized(belief);
   const MatrixXd L = gain_of(belief, plant.F.rows()), gain = kalman(filter);
   const Separation same = separation(filter, filter, L, gain), apart = separation(plant, filter, L, gain);
 
@@ -205,33 +208,34 @@ std::vector<Claim> separable() {
     return farthest;
   };
   const double of_Q_r = in_loop(Q_r), of_control = in_loop(positions.topLeftCorner<2, 2>());
-  return {judged({.id = "5.3-separable",
-                  .place = "below (5.23)",
-                  .statement = "Estimation and control of the team are separable: the eigenvalues of the "
-                               "closed loop, linearised, are those of F - G L together with those of F - K H "
-                               "F, to 1e-6, the filter at its estimate",
-                  .printed = "separable",
-                  .measured = fmt::format(
-                      "{} states of plant and filter: distance of the eigenvalues {} where the filter is "
-                      "linearised where the plant is, {:.1e} where it is linearised at its estimate; what of "
-                      "the state gets into the error: {} and {:.1e} of the whole",
-                      same.whole.eigenvalues.size(), below(same.spectral_distance), apart.spectral_distance,
-                      below(same.coupling), apart.coupling),
-                  .why = "as far as the Jacobians of the filter are those of the plant; taken at the "
-                         "estimate they are not quite"},
-                 apart.holds && apart.coupling <= as_good_as_zero,
-                 same.holds && same.coupling <= as_good_as_zero),
-          judged({.id = "5.3-eigenvalues",
-                  .place = "below (5.23)",
-                  .statement =
-                      "The eigenvalues of the feedback dynamics are among those of the closed loop, to 1e-6",
-                  .printed = "those of Q_r(y_k)",
-                  .measured = fmt::format("farthest from any eigenvalue of the loop: of Q_r {:.3f}, of I - "
-                                          "Q2 dt {}; |eigenvalues| of Q_r {:.3f}, whatever Q2 is",
-                                          of_Q_r, below(of_control), stability_of(Q_r).spectral_radius),
-                  .why = "of I - Q2 dt for the positions, of F - G L with the headings; Q_r is how inputs "
-                         "move the control point, and its eigenvalues say nothing of feedback"},
-                 of_Q_r <= 1e-6, of_control <= 1e-6)};
+  return {
+      assessed({.id = "5.3-separable",
+                .place = "below (5.23)",
+                .statement = "Estimation and control of the team are separable: the eigenvalues of the "
+                             "closed loop, linearised, are those of F - G L together with those of F - K H "
+                             "F, to 1e-6, the filter at its estimate",
+                .printed = "separable",
+                .measured = fmt::format(
+                    "{} states of plant and filter: distance of the eigenvalues {} where the filter is "
+                    "linearised where the plant is, {:.1e} where it is linearised at its estimate; what of "
+                    "the state gets into the error: {} and {:.1e} of the whole",
+                    same.whole.eigenvalues.size(), below(same.spectral_distance), apart.spectral_distance,
+                    below(same.coupling), apart.coupling),
+                .why = "as far as the Jacobians of the filter are those of the plant; taken at the "
+                       "estimate they are not quite"},
+               apart.holds && apart.coupling <= as_good_as_zero,
+               same.holds && same.coupling <= as_good_as_zero),
+      assessed({.id = "5.3-eigenvalues",
+                .place = "below (5.23)",
+                .statement =
+                    "The eigenvalues of the feedback dynamics are among those of the closed loop, to 1e-6",
+                .printed = "those of Q_r(y_k)",
+                .measured = fmt::format("farthest from any eigenvalue of the loop: of Q_r {:.3f}, of I - "
+                                        "Q2 dt {}; |eigenvalues| of Q_r {:.3f}, whatever Q2 is",
+                                        of_Q_r, below(of_control), stability_of(Q_r).spectral_radius),
+                .why = "of I - Q2 dt for the positions, of F - G L with the headings; Q_r is how inputs "
+                       "move the control point, and its eigenvalues say nothing of feedback"},
+               of_Q_r <= 1e-6, of_control <= 1e-6)};
 }
 
 }  // namespace

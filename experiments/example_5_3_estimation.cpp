@@ -37,7 +37,7 @@ using Pose = planar::Pose<double>;
 struct Problem {
   Pose truth, prior;
   Matrix3d P;
-  std::vector<Vector2d> landmarks, looks;
+  std::vector<Vector2d> landmarks, measurements;
 };
 
 Vector3d difference(const Pose& a, const Pose& b) {
@@ -57,8 +57,8 @@ Problem some_problem(RandomStream& random, const Vector3d& sigmas) {
     if ((at - p.truth.head<2>()).norm() < 2) continue;
     p.landmarks.push_back(at);
     Vector2d z = RangeBearing::h<double>(p.truth, at);
-    for (int i = 0; i < 2; ++i) z[i] += look_sigmas[i] * random.normal();
-    p.looks.push_back(z);
+    for (int i = 0; i < 2; ++i) z[i] += measurement_sigmas[i] * random.normal();
+    p.measurements.push_back(z);
   }
   return p;
 }
@@ -73,25 +73,25 @@ Looks looks_from(const Problem& p, const Pose& pose) {
   Looks out;
   for (Index l = 0; l < 3; ++l) {
     const auto i = static_cast<std::size_t>(l);
-    const auto look = RangeBearing::look(pose, p.landmarks[i]);
-    out.H.middleRows(2 * l, 2) = look->Hv;
-    out.residual[2 * l] = p.looks[i][0] - look->z[0];
-    out.residual[2 * l + 1] = wrap_angle(p.looks[i][1] - look->z[1]);
+    const auto prediction = RangeBearing::predict_measurement(pose, p.landmarks[i]);
+    out.H.middleRows(2 * l, 2) = prediction->Hv;
+    out.residual[2 * l] = p.measurements[i][0] - prediction->z[0];
+    out.residual[2 * l + 1] = wrap_angle(p.measurements[i][1] - prediction->z[1]);
   }
   return out;
 }
 
-MatrixXd look_noise() { return look_sigmas.cwiseAbs2().replicate(3, 1).asDiagonal(); }
+MatrixXd measurement_noise() { return measurement_sigmas.cwiseAbs2().replicate(3, 1).asDiagonal(); }
 
 /// What least squares minimise.
 double squares(const Problem& p, const Pose& pose) {
   const Vector3d e = difference(pose, p.prior);
   const VectorXd r = looks_from(p, pose).residual;
-  return e.dot(p.P.inverse() * e) + r.dot(look_noise().inverse() * r);
+  return e.dot(p.P.inverse() * e) + r.dot(measurement_noise().inverse() * r);
 }
 
 Pose least_squares(const Problem& p, Pose pose) {
-  const MatrixXd weight = look_noise().inverse();
+  const MatrixXd weight = measurement_noise().inverse();
   for (int i = 0; i < 50; ++i) {
     const Looks at = looks_from(p, pose);
     const Matrix3d A = p.P.inverse() + at.H.transpose() * weight * at.H;
@@ -114,12 +114,13 @@ Excess excess(const Vector3d& sigmas, int problems) {
   for (int i = 0; i < problems; ++i) {
     const Problem p = some_problem(random, sigmas);
     const Looks at = looks_from(p, p.prior);
-    const MatrixXd S = at.H * p.P * at.H.transpose() + look_noise(), K = p.P * at.H.transpose() * S.inverse();
+    const MatrixXd S = at.H * p.P * at.H.transpose() + measurement_noise(),
+                   K = p.P * at.H.transpose() * S.inverse();
     const Pose ekf = p.prior + K * at.residual;
     const double best = std::min(squares(p, least_squares(p, p.truth)), squares(p, least_squares(p, ekf)));
     all.push_back(squares(p, ekf) - best);
     const Matrix3d rest = Matrix3d::Identity() - K * at.H, printed = p.P - K * S * K.transpose(),
-                   joseph = rest * p.P * rest.transpose() + K * look_noise() * K.transpose();
+                   joseph = rest * p.P * rest.transpose() + K * measurement_noise() * K.transpose();
     out.covariance = std::max(out.covariance, (printed - joseph).norm() / joseph.norm());
   }
   std::sort(all.begin(), all.end());
@@ -130,7 +131,7 @@ Excess excess(const Vector3d& sigmas, int problems) {
 Claim optimal_estimate() {
   constexpr int problems = 200;
   const Excess vague = excess({0.5, 0.5, radians(20)}, problems), usual = excess(start_sigmas, problems);
-  return judged(
+  return assessed(
       {.id = "5.3-least-squares",
        .place = "(5.18), (5.19)",
        .statement = "(5.18) is the optimal estimate in the sense of least squares: no other pose has a lower "
@@ -165,10 +166,10 @@ Unseen unseen(const Setup& setup, int anchors) {
       for (const auto& [identity, point] : setup.place) {
         const auto i = static_cast<std::size_t>(r);
         const Pose &first = run.instants[0].robots[i].truth, &now = run.instants[k].robots[i].truth;
-        const auto look = RangeBearing::look(now, Eigen::Vector2d(point));
+        const auto prediction = RangeBearing::predict_measurement(now, Eigen::Vector2d(point));
         MatrixXd H = MatrixXd::Zero(2, n);
-        H.middleCols<3>(3 * r) = look->Hv * planar::jacobian_between(first, now);
-        if (identity >= anchors) H.middleCols<2>(3 * robots + 2 * (identity - anchors)) = look->Hl;
+        H.middleCols<3>(3 * r) = prediction->Hv * planar::jacobian_between(first, now);
+        if (identity >= anchors) H.middleCols<2>(3 * robots + 2 * (identity - anchors)) = prediction->Hl;
         rows.emplace_back(H.row(0)), rows.emplace_back(H.row(1));
       }
   MatrixXd M(static_cast<Index>(rows.size()), n);
@@ -191,14 +192,15 @@ Claim observability() {
     measured += fmt::format("{}{}: {}, with two known landmarks {}", measured.empty() ? "" : "; ", name,
                             free.directions, two.directions);
   }
-  return judged({.id = "5.3-observability",
-                 .place = "Section 5.3; below (5.23)",
-                 .statement = "A low-level control law does not gain observability: along all these ways, of "
-                              "one robot and of two, place and heading of the whole stay unobservable, and "
-                              "two known landmarks make all observable",
-                 .printed = "not able",
-                 .measured = "unobservable directions along the way: " + measured},
-                none_gained && all_with_two);
+  return assessed(
+      {.id = "5.3-observability",
+       .place = "Section 5.3; below (5.23)",
+       .statement = "A low-level control law does not gain observability: along all these ways, of "
+                    "one robot and of two, place and heading of the whole stay unobservable, and "
+                    "two known landmarks make all observable",
+       .printed = "not able",
+       .measured = "unobservable directions along the way: " + measured},
+      none_gained && all_with_two);
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ Eigen::Matrix<double, 2, 3> by_frame(const Eigen::Vector2d& p) {
 Matrix3d information_of_start(const Setup& setup, const Robot& robot) {
   const section_5_2::Way way = section_5_2::follow(robot.steering.path, robot.start, setup.duration_s);
   const Eigen::Matrix2d Q = input_sigmas.cwiseAbs2().asDiagonal();
-  const Eigen::Vector2d weight = look_sigmas.cwiseAbs2().cwiseInverse();
+  const Eigen::Vector2d weight = measurement_sigmas.cwiseAbs2().cwiseInverse();
   Matrix3d Y = Matrix3d::Zero();
   for (std::size_t k = way.poses.size(); k-- > 0;) {
     const planar::Step step = body.step(way.poses[k], way.inputs[k], period_s);
@@ -44,9 +44,9 @@ Matrix3d information_of_start(const Setup& setup, const Robot& robot) {
     Y = step.F.transpose() * kept * step.F;
     if (k % ticks_per_scan != 0) continue;
     for (const auto& [identity, point] : setup.place) {
-      const auto look = RangeBearing::look(way.poses[k], Eigen::Vector2d(point));
-      if (std::abs(look->z[1]) <= std::numbers::pi / 2)
-        Y += look->Hv.transpose() * weight.asDiagonal() * look->Hv;
+      const auto prediction = RangeBearing::predict_measurement(way.poses[k], Eigen::Vector2d(point));
+      if (std::abs(prediction->z[1]) <= std::numbers::pi / 2)
+        Y += prediction->Hv.transpose() * weight.asDiagonal() * prediction->Hv;
     }
   }
   return Y;
@@ -54,15 +54,15 @@ Matrix3d information_of_start(const Setup& setup, const Robot& robot) {
 
 Claim never_rise(const std::vector<Traces>& all) {
   const double rise = quantile(each(all, [](const Traces& t) { return t.rise; }), 1);
-  return judged({.id = "5.3-traces-fall",
-                 .place = "Figure 5.11",
-                 .statement = "All landmark localisation uncertainties decrease as the algorithm proceeds: "
-                              "no trace ever rises, to 1e-9 of itself",
-                 .printed = "decrease",
-                 .measured = fmt::format("largest relative rise of any landmark at any tick of any seed: {}",
-                                         below(rise)),
-                 .runs = static_cast<int>(all.size())},
-                rise <= 1e-9);
+  return assessed({.id = "5.3-traces-fall",
+                   .place = "Figure 5.11",
+                   .statement = "All landmark localisation uncertainties decrease as the algorithm proceeds: "
+                                "no trace ever rises, to 1e-9 of itself",
+                   .printed = "decrease",
+                   .measured = fmt::format(
+                       "largest relative rise of any landmark at any tick of any seed: {}", below(rise)),
+                   .runs = static_cast<int>(all.size())},
+                  rise <= 1e-9);
 }
 
 /// Lowest, median and highest of many runs, as text, and whether none is below.
@@ -83,29 +83,30 @@ Claim settle(const ExperimentSettings& settings, const std::vector<Traces>& all)
   const auto [low, high] = std::minmax_element(least.begin(), least.end());
   ExperimentSettings few = settings;
   few.seeds = std::min(settings.seeds, enough_runs);
-  const auto longer = [&](const std::string& lineariser) {
+  const auto longer = [&](const std::string& linearization) {
     Setup setup = two_circles();
     setup.duration_s = 400;
-    setup.lineariser = lineariser;
-    return Span(over_seeds(few, "5.3, 400 s, " + lineariser, setup,
+    setup.linearization = linearization;
+    return Span(over_seeds(few, "5.3, 400 s, " + linearization, setup,
                            [&](const Run& run) { return traces_of(run, least); }));
   };
   const Span usual(all), ekf = longer("analytic"), first = longer("first-estimate");
-  return judged({.id = "5.3-traces-settle",
-                 .place = "Figure 5.11, below (5.23)",
-                 .statement = "The landmarks' traces reach an asymptotic minimum, the least that the starts "
-                              "leave open: they come within a quarter of it in 80 s and never fall below it",
-                 .printed = "asymptotic minimum",
-                 .measured = fmt::format("least {:.4f} to {:.4f} m^2 by landmark. After 80 s {}; after 400 "
-                                         "s, {} seeds, {}; with first-estimate Jacobians {}",
-                                         *low, *high, usual.text(), few.seeds, ekf.text(), first.text()),
-                 .why = "so it looks for the time of the figure, but the EKF goes on below what can be "
-                        "known: its Jacobians at estimates that change tell it of the frame, of which "
-                        "nothing that it sees does. With first-estimate Jacobians the minimum is one",
-                 .runs = few.seeds,
-                 .least_runs = enough_runs},
-                usual.highest < 1.25 && usual.stays_above() && ekf.stays_above(),
-                usual.highest < 1.25 && usual.stays_above() && first.stays_above());
+  return assessed(
+      {.id = "5.3-traces-settle",
+       .place = "Figure 5.11, below (5.23)",
+       .statement = "The landmarks' traces reach an asymptotic minimum, the least that the starts "
+                    "leave open: they come within a quarter of it in 80 s and never fall below it",
+       .printed = "asymptotic minimum",
+       .measured = fmt::format("least {:.4f} to {:.4f} m^2 by landmark. After 80 s {}; after 400 "
+                               "s, {} seeds, {}; with first-estimate Jacobians {}",
+                               *low, *high, usual.text(), few.seeds, ekf.text(), first.text()),
+       .why = "so it looks for the time of the figure, but the EKF goes on below what can be "
+              "known: its Jacobians at estimates that change tell it of the frame, of which "
+              "nothing that it sees does. With first-estimate Jacobians the minimum is one",
+       .runs = few.seeds,
+       .least_runs = enough_runs},
+      usual.highest < 1.25 && usual.stays_above() && ekf.stays_above(),
+      usual.highest < 1.25 && usual.stays_above() && first.stays_above());
 }
 
 }  // namespace
@@ -153,15 +154,15 @@ Plot traces_figure(const Run& run) {
   panel.log_y = true;
   const std::vector<double> least = least_traces(two_circles());
   for (std::size_t l = 0; l < least.size(); ++l) {
-    Curve curve{l == 0 ? "landmarks" : "", Style::thin, {}, {}, {}, Colour::blue};
+    Curve curve{l == 0 ? "landmarks" : "", Style::thin, {}, {}, {}, Color::blue};
     for (const Instant& i : run.instants) curve.x.push_back(i.t_s), curve.y.push_back(i.traces[l]);
     panel.curves.push_back(curve);
   }
   const auto [low, high] = std::minmax_element(least.begin(), least.end());
   const double end_s = run.instants.back().t_s;
   const std::string label = "least of the nearest and of the farthest";
-  panel.curves.push_back({label, Style::dashed, {0, end_s}, {*low, *low}, {}, Colour::orange});
-  panel.curves.push_back({"", Style::dashed, {0, end_s}, {*high, *high}, {}, Colour::orange});
+  panel.curves.push_back({label, Style::dashed, {0, end_s}, {*low, *low}, {}, Color::orange});
+  panel.curves.push_back({"", Style::dashed, {0, end_s}, {*high, *high}, {}, Color::orange});
   return {"fig-5.11", "Two robots: traces of the landmarks' covariances", 1, {panel}};
 }
 

@@ -22,8 +22,8 @@ namespace {
 namespace camera = swinging_camera;
 
 LedgerEntry run(const ExperimentSettings& settings) {
-  const auto tell = [&](const char* what) {
-    if (settings.tell) settings.tell(what);
+  const auto report = [&](const char* what) {
+    if (settings.report) settings.report(what);
   };
   LedgerEntry entry{example_5_4.id, example_5_4.title, "", {}, {}};
   const auto take = [&](const std::vector<Claim>& claims) {
@@ -31,11 +31,11 @@ LedgerEntry run(const ExperimentSettings& settings) {
   };
   take(camera::model_claims());
   take(camera::law_claims(settings));
-  tell("the example as it stands");
+  report("the example as it stands");
   const auto example = camera::runs({}, settings.seeds);
-  tell("other gains, starts and sources of length");
+  report("other gains, starts and sources of length");
   take(camera::loop_claims(settings, example));
-  tell("other paths");
+  report("other paths");
   const auto compared = camera::compare_paths(settings, example);
   take(camera::path_claims(settings, compared));
   for (const Plot& plot : camera::figures(compared))

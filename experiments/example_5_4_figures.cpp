@@ -12,25 +12,23 @@ using Eigen::Vector3d;
 constexpr double pi = std::numbers::pi;
 constexpr double degrees = 180 / pi;
 
-Curve curve(const std::string& label, Style style, Colour colour) {
-  return {label, style, {}, {}, {}, colour};
-}
+Curve curve(const std::string& label, Style style, Color color) { return {label, style, {}, {}, {}, color}; }
 
 void add(Curve& c, double x, double y) { c.x.push_back(x), c.y.push_back(y); }
 
 /// f over the instants of a course.
 template <class F>
-Curve over_time(const std::string& label, const Course& course, const F& f, Colour colour,
+Curve over_time(const std::string& label, const Course& course, const F& f, Color color,
                 Style style = Style::line) {
-  Curve c = curve(label, style, colour);
+  Curve c = curve(label, style, color);
   for (const Instant& i : course.instants) add(c, i.t, f(i));
   return c;
 }
 
 // Figure 5.12 -----------------------------------------------------------------------------------------
 
-Curve reference(const std::string& label, double from_s, double to_s, Style style, Colour colour) {
-  Curve c = curve(label, style, colour);
+Curve reference(const std::string& label, double from_s, double to_s, Style style, Color color) {
+  Curve c = curve(label, style, color);
   for (double t = from_s; t <= to_s; t += 0.02) {
     const Vector3d p = at(Path(BackAndForthPath{}), t).position;
     add(c, p.x(), p.y());
@@ -40,14 +38,13 @@ Curve reference(const std::string& label, double from_s, double to_s, Style styl
 
 Plot wanted_path() {
   Panel above{"(a) from above", "x, m", "y, m", {}, true};
-  Curve start = curve("start", Style::circles, Colour::orange),
-        centre = curve("", Style::crosses, Colour::ink);
-  add(start, -1.5, 0), add(centre, 0, 0);
-  above.curves = {reference("all around, 12 pi s", 0, 12 * pi, Style::dashed, Colour::grey),
-                  reference("the first 2 pi s", 0, 2 * pi, Style::line, Colour::blue), start, centre};
+  Curve start = curve("start", Style::circles, Color::orange), center = curve("", Style::crosses, Color::ink);
+  add(start, -1.5, 0), add(center, 0, 0);
+  above.curves = {reference("all around, 12 pi s", 0, 12 * pi, Style::dashed, Color::gray),
+                  reference("the first 2 pi s", 0, 2 * pi, Style::line, Color::blue), start, center};
   above.x_range = above.y_range = {-2.2, 2.2};
   Panel angle{"(b) angle on the circle", "t, s", "degrees", {}};
-  Curve p = curve("p", Style::line, Colour::blue), mean = curve("-2 w k/pi", Style::dashed, Colour::grey);
+  Curve p = curve("p", Style::line, Color::blue), mean = curve("-2 w k/pi", Style::dashed, Color::gray);
   for (double t = 0; t <= 12 * pi; t += 0.05) {
     add(p, t, -degrees * at(Path(BackAndForthPath{}), t).heading);
     add(mean, t, -degrees * 2 * BackAndForthPath{}.amplitude_rad * t / pi);
@@ -67,54 +64,53 @@ struct View {
 
 Panel seen(const Course& course, const View& v) {
   Panel panel{v.title, v.right_label, v.up_label, {}, true};
-  Curve points = curve("points", Style::stars, Colour::amber),
-        mapped = curve("map", Style::crosses, Colour::blue),
-        wanted = curve("desired", Style::dashed, Colour::ink),
-        believed = curve("estimated", Style::line, Colour::orange),
-        truth = curve("true", Style::thin, Colour::green);
+  Curve points = curve("points", Style::stars, Color::amber),
+        mapped = curve("map", Style::crosses, Color::blue),
+        wanted = curve("desired", Style::dashed, Color::ink),
+        estimated = curve("estimated", Style::line, Color::orange),
+        truth = curve("true", Style::thin, Color::green);
   std::vector<Eigen::Vector2d> means;
   std::vector<Eigen::Matrix2d> covariances;
   for (const Vector3d& p : course.place) add(points, p[v.right], p[v.up]);
   for (const MappedPoint& p : course.map) {
-    add(mapped, p.believed[v.right], p.believed[v.up]);
-    means.emplace_back(p.believed[v.right], p.believed[v.up]);
+    add(mapped, p.estimated[v.right], p.estimated[v.up]);
+    means.emplace_back(p.estimated[v.right], p.estimated[v.up]);
     covariances.push_back(p.covariance({v.right, v.up}, {v.right, v.up}));
   }
   for (const Instant& i : course.instants) {
-    add(wanted, i.wanted.position[v.right], i.wanted.position[v.up]);
-    add(believed, i.mean[v.right], i.mean[v.up]);
+    add(wanted, i.reference.position[v.right], i.reference.position[v.up]);
+    add(estimated, i.mean[v.right], i.mean[v.up]);
     add(truth, i.truth[v.right], i.truth[v.up]);
   }
   Curve outlines = ellipses("2σ", means, covariances);
-  outlines.colour = Colour::sky;
-  panel.curves = {outlines, points, mapped, truth, believed, wanted};
+  outlines.color = Color::sky;
+  panel.curves = {outlines, points, mapped, truth, estimated, wanted};
   return panel;
 }
 
 Panel commands(const Course& course, const char* title, const char* label, int first) {
   Panel panel{title, "t, s", label, {}};
-  const Colour colours[] = {Colour::blue, Colour::orange, Colour::green};
+  const Color colors[] = {Color::blue, Color::orange, Color::green};
   const char* names[] = {"x", "y", "z"};
   for (int k = 0; k < 3; ++k)
     panel.curves.push_back(over_time(
-        names[k], course, [&](const Instant& i) { return i.command[first + k]; }, colours[k], Style::thin));
+        names[k], course, [&](const Instant& i) { return i.command[first + k]; }, colors[k], Style::thin));
   return panel;
 }
 
 Plot loop(const Course& course) {
   Panel tracking{"(c) desired less estimated position", "t, s", "m", {}},
       off{"(c) distance from the path", "t, s", "m", {}};
-  const Colour colours[] = {Colour::blue, Colour::orange, Colour::green};
+  const Color colors[] = {Color::blue, Color::orange, Color::green};
   const char* names[] = {"x", "y", "z"};
   for (int k = 0; k < 3; ++k)
     tracking.curves.push_back(over_time(
-        names[k], course, [&](const Instant& i) { return i.wanted.position[k] - i.mean[k]; }, colours[k],
+        names[k], course, [&](const Instant& i) { return i.reference.position[k] - i.mean[k]; }, colors[k],
         Style::thin));
-  off.curves = {
-      over_time(
-          "true", course, [](const Instant& i) { return i.truly_off_m(); }, Colour::green),
-      over_time(
-          "estimated", course, [](const Instant& i) { return i.believed_off_m(); }, Colour::orange)};
+  off.curves = {over_time(
+                    "true", course, [](const Instant& i) { return i.truly_off_m(); }, Color::green),
+                over_time(
+                    "estimated", course, [](const Instant& i) { return i.believed_off_m(); }, Color::orange)};
   Panel above = seen(course, {"(a) from above", 0, 1, "x, m", "y, m"}),
         aside = seen(course, {"(a) from the side", 0, 2, "x, m", "z, m"});
   above.x_range = aside.x_range = {-4.3, 4.3};
@@ -131,11 +127,11 @@ Plot loop(const Course& course) {
 Panel within_sigma(const Course& course, const char* title, const char* label, int k, double unit) {
   Panel panel{title, "t, s", label, {}};
   Curve band = over_time(
-      "2σ", course, [&](const Instant& i) { return -2 * unit * i.sigma[k]; }, Colour::sky, Style::band);
+      "2σ", course, [&](const Instant& i) { return -2 * unit * i.sigma[k]; }, Color::sky, Style::band);
   for (const Instant& i : course.instants) band.y2.push_back(2 * unit * i.sigma[k]);
   panel.curves = {band,
                   over_time(
-                      "error", course, [&](const Instant& i) { return unit * i.error[k]; }, Colour::orange)};
+                      "error", course, [&](const Instant& i) { return unit * i.error[k]; }, Color::orange)};
   return panel;
 }
 
@@ -153,8 +149,8 @@ Plot errors(const std::string& id, const std::string& title, const Course& cours
 
 /// Over runs, each second.
 Curve over_runs(const std::string& label, const std::vector<Summary>& runs,
-                std::vector<double> Summary::*what, Colour colour) {
-  Curve c = curve(label, Style::line, colour);
+                std::vector<double> Summary::*what, Color color) {
+  Curve c = curve(label, Style::line, color);
   for (std::size_t k = 0; k < (runs.front().*what).size(); ++k) {
     double squares = 0;
     for (const Summary& s : runs) squares += (s.*what)[k] * (s.*what)[k];
@@ -166,31 +162,31 @@ Curve over_runs(const std::string& label, const std::vector<Summary>& runs,
 Plot paths(const Compared& c) {
   Panel sigma{"(a) sigma of the position", "t, s", "m", {}},
       error{"(b) error of the position", "t, s", "m", {}};
-  const auto both = [&](const char* name, const std::vector<Summary>& runs, Colour colour) {
-    sigma.curves.push_back(over_runs(name, runs, &Summary::sigma_m, colour));
-    error.curves.push_back(over_runs(name, runs, &Summary::error_m, colour));
+  const auto both = [&](const char* name, const std::vector<Summary>& runs, Color color) {
+    sigma.curves.push_back(over_runs(name, runs, &Summary::sigma_m, color));
+    error.curves.push_back(over_runs(name, runs, &Summary::error_m, color));
   };
-  both("back and forth", c.example, Colour::blue);
-  both("never back", c.surges, Colour::orange);
-  both("steady", c.steady, Colour::pink);
-  both("in place", c.swings, Colour::green);
+  both("back and forth", c.example, Color::blue);
+  both("never back", c.surges, Color::orange);
+  both("steady", c.steady, Color::pink);
+  both("in place", c.swings, Color::green);
   return {"fig-5.14-paths", "Round the same circle, rms over runs", 2, {sigma, error}};
 }
 
 Plot laws() {
   Panel above{"(a) a camera that knows its state, from above", "x, m", "y, m", {}, true},
       gaze{"(b) gaze, disturbed", "t, s", "degrees off", {}};
-  const auto way = [&](const char* name, Law law, Colour colour) {
+  const auto way = [&](const char* name, Law law, Color color) {
     Setup s;
     s.law = law;
-    Curve c = curve(name, Style::line, colour);
+    Curve c = curve(name, Style::line, color);
     for (const auto& x : steered(s, 0, 1)) add(c, x[0], x[1]);
     above.curves.push_back(c);
   };
-  const auto drift = [&](const char* name, Law law, Colour colour) {
+  const auto drift = [&](const char* name, Law law, Color color) {
     Setup s;
     s.law = law;
-    Curve c = curve(name, Style::line, colour);
+    Curve c = curve(name, Style::line, color);
     const auto states = steered(s, s.sigma_angular_acceleration_rad_s2, 1);
     for (std::size_t k = 0; k < states.size(); ++k) {
       const double t = static_cast<double>(k) / s.rate_hz;
@@ -198,13 +194,13 @@ Plot laws() {
     }
     gaze.curves.push_back(c);
   };
-  way("v - y*, printed", Law::as_printed, Colour::orange);
-  way("v - v*", Law::velocity_mended, Colour::pink);
-  way("and a*", Law::corrected, Colour::blue);
-  above.curves.push_back(reference("desired", 0, 12 * pi, Style::dashed, Colour::ink));
+  way("v - y*, printed", Law::as_printed, Color::orange);
+  way("v - v*", Law::velocity_mended, Color::pink);
+  way("and a*", Law::corrected, Color::blue);
+  above.curves.push_back(reference("desired", 0, 12 * pi, Style::dashed, Color::ink));
   above.x_range = above.y_range = {-3.4, 3.4};
-  drift("rates alone, printed", Law::rate_alone, Colour::orange);
-  drift("with the orientation", Law::corrected, Colour::blue);
+  drift("rates alone, printed", Law::rate_alone, Color::orange);
+  drift("with the orientation", Law::corrected, Color::blue);
   return {"fig-5.13-laws", "(5.29) as printed and corrected", 2, {above, gaze}};
 }
 

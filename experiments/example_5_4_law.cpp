@@ -35,7 +35,7 @@ Claim amplitude() {
   }
   const double w = path.amplitude_rad;
   const bool ours = std::abs(most - w * (2 - 2 / pi)) < 1e-5 && std::abs(least + w * (2 + 2 / pi)) < 1e-5;
-  return judged(
+  return assessed(
       {.id = "5.4-amplitude",
        .place = "(5.28), caption of Figure 5.12",
        .statement = "The camera turns about the vertical at the constant rate w_y* of (5.28), to 1 %",
@@ -50,7 +50,7 @@ Claim returns() {
   const double forward = angle(0.5 * std::acos(1 / pi)) - angle(-0.5 * std::acos(1 / pi));
   const double back = (at(path, pi).position - at(path, 0).position).norm(),
                around = (at(path, 12 * pi).position - at(path, 0).position).norm();
-  return judged(
+  return assessed(
       {.id = "5.4-returns",
        .place = "below (5.27), (5.28)",
        .statement =
@@ -80,7 +80,7 @@ Claim derivatives() {
     const double x_camera = std::cos(p) * -x + std::sin(p) * -z;  // of the centre, (5.26)
     gaze = std::max(gaze, std::abs(x_camera));
   }
-  return judged(
+  return assessed(
       {.id = "5.4-derivative",
        .place = "(5.28)",
        .statement = "Differentiating y* by time gives the wanted velocities (to 1e-8), and the camera "
@@ -124,7 +124,7 @@ double farthest_m(Law law) {
 Claim velocity_term() {
   const double printed = farthest_m(Law::as_printed), mended = farthest_m(Law::velocity_mended),
                ours = farthest_m(Law::corrected);
-  return judged(
+  return assessed(
       {.id = "5.4-velocity",
        .place = "(5.29), first row",
        .statement = "The law brings a camera that knows its state to the path: within 0.05 m from 20 s on",
@@ -164,7 +164,7 @@ Claim orientation_term(const ExperimentSettings& settings) {
     return is_below({d.late.value / d.early.value, d.late.low / d.early.high, d.late.high / d.early.low},
                     1.5);
   };
-  return judged(
+  return assessed(
       {.id = "5.4-orientation",
        .place = "(5.29), second row",
        .statement =
@@ -195,7 +195,7 @@ Claim regulates() {
   s.path = PointPath{{-1.5, 0, 0}, 0};
   const State end = steered_from(pushed(s), s, 0, 1).back();
   const double off = (end.head<3>() - Vector3d(-1.5, 0, 0)).norm(), gaze = gaze_off_rad(end, at(s.path, 0));
-  return judged(
+  return assessed(
       {.id = "5.4-regulates",
        .place = "below (5.29)",
        .statement = "The law can regulate the system to a certain position: from 0.37 m and 17 degrees "
@@ -216,7 +216,7 @@ Claim asymptotic() {
     numbers += fmt::format("{}{:.1f} mm at {:.0f} Hz", numbers.empty() ? "" : ", ", 1e3 * left.back(), rate);
   }
   const double exponent = exponent_of(periods, left);
-  return judged(
+  return assessed(
       {.id = "5.4-asymptotic",
        .place = "Sections 5.2.2 and 5.3",
        .statement = "The law guarantees asymptotic stability along the path: without noise the tracking "
@@ -232,7 +232,7 @@ Claim asymptotic() {
 double spectral_radius(double gain_position, double gain_velocity, double dt) {
   Eigen::Matrix2d F;
   F << 1, dt, 0, 1;
-  return is_stabilising(F, Eigen::Vector2d(dt * dt / 2, dt), Eigen::RowVector2d(gain_position, gain_velocity))
+  return is_stabilizing(F, Eigen::Vector2d(dt * dt / 2, dt), Eigen::RowVector2d(gain_position, gain_velocity))
       .spectral_radius;
 }
 
@@ -245,7 +245,7 @@ Claim any_psd_gain() {
     (spectral_radius(p, v, middle) < 1 ? stable : unstable) = middle;
   }
   const double as_run = spectral_radius(p, v, 0.05), semidefinite = spectral_radius(0, v, 0.05);
-  return judged(
+  return assessed(
       {.id = "5.4-psd",
        .place = "below (5.29)",
        .statement = "Any positive semi-definite gains stabilise an axis whose command is held: spectral "

@@ -21,7 +21,7 @@ int count(const Runs& runs) { return static_cast<int>(runs.size()); }
 double greatest(const Runs& runs, double Summary::*what) { return quantile(each(runs, what), 1); }
 
 Claim follows_the_path(const Runs& example) {
-  return judged(
+  return assessed(
       {.id = "5.4-follows",
        .place = "below (5.29), Figure 5.13 (a)",
        .statement =
@@ -40,8 +40,8 @@ Claim follows_the_path(const Runs& example) {
 }
 
 Claim tracking_error(const Runs& example) {
-  const Interval believed = median_interval(each(example, &Summary::believed_off_95_m));
-  return judged(
+  const Interval estimated = median_interval(each(example, &Summary::believed_off_95_m));
+  return assessed(
       {.id = "5.4-tracking",
        .place = "Figure 5.13 (c)",
        .statement =
@@ -52,12 +52,12 @@ Claim tracking_error(const Runs& example) {
            fmt::format("desired less estimated {:.3f} m (median of ticks), {} (95 %). Desired less "
                        "true, which the law cannot see, {:.3f} and {:.3f} m; the gaze is off by {:.1f} "
                        "degrees (95 %)",
-                       median(example, &Summary::believed_off_m), text(believed, "m"),
+                       median(example, &Summary::believed_off_m), text(estimated, "m"),
                        median(example, &Summary::truly_off_m), median(example, &Summary::truly_off_95_m),
                        degrees * median(example, &Summary::gaze_off_95_rad)),
        .runs = count(example),
        .least_runs = enough_runs},
-      is_below(believed, 0.1));
+      is_below(estimated, 0.1));
 }
 
 Claim bounded_accelerations(const ExperimentSettings& settings, const Runs& example) {
@@ -65,7 +65,7 @@ Claim bounded_accelerations(const ExperimentSettings& settings, const Runs& exam
   rest.starts_at_rest = true;
   const Runs resting = runs(rest, fewer(settings));
   const Interval limited = bootstrap_mean(each(example, &Summary::at_limit));
-  return judged(
+  return assessed(
       {.id = "5.4-bounded",
        .place = "Figure 5.13 (b)",
        .statement =
@@ -123,7 +123,7 @@ Claim inside_two_sigma(const ExperimentSettings& settings, const Runs& example, 
   Setup quiet;
   quiet.noise_times = 0.01;
   const Runs true_jacobians = runs(quiet, seeds);
-  return judged(
+  return assessed(
       {.id = "5.4-inside",
        .place = "Figure 5.14",
        .statement =
@@ -150,7 +150,7 @@ Claim inside_two_sigma(const ExperimentSettings& settings, const Runs& example, 
 Claim variant_covariance(const Runs& example) {
   std::vector<double> ratio;
   for (const Summary& s : example) ratio.push_back(s.most_sigma_m / s.least_sigma_m);
-  return judged(
+  return assessed(
       {.id = "5.4-variant",
        .place = "Figure 5.14",
        .statement = "The covariance is quite variant: within a run and once settled the largest sigma of "
@@ -183,7 +183,7 @@ Knowing other_knowledge(int seeds) {
 }
 
 Claim without_odometry(const Runs& example, const Knowing& k) {
-  return judged(
+  return assessed(
       {.id = "5.4-no-odometry",
        .place = "last paragraph of Section 5.2.2",
        .statement =
@@ -211,7 +211,7 @@ Interval typical_scale_off(const Runs& runs) {
 Claim scale(const Runs& example, const Knowing& k) {
   const Interval none = typical_scale_off(k.untold), told = typical_scale_off(example),
                  anchored = typical_scale_off(k.anchored), both = typical_scale_off(k.untold_anchored);
-  return judged(
+  return assessed(
       {.id = "5.4-scale",
        .place = "head of Section 5.2.2",
        .statement =
@@ -228,7 +228,7 @@ Claim scale(const Runs& example, const Knowing& k) {
 }
 
 Claim must_be_observable(const Runs& example, const Knowing& k) {
-  return judged(
+  return assessed(
       {.id = "5.4-observable",
        .place = "Section 5.3",
        .statement =
@@ -259,7 +259,7 @@ Interval change(const Runs& example, const Runs& other) {
   std::vector<double> logarithms;
   for (std::size_t i = 0; i < other.size(); ++i)
     logarithms.push_back(std::log(other[i].rms_error_m / example[i].rms_error_m));
-  return bootstrap_mean(logarithms, judged_at);
+  return bootstrap_mean(logarithms, assessed_at);
 }
 
 Claim separable(const ExperimentSettings& settings, const Runs& example) {
@@ -275,7 +275,7 @@ Claim separable(const ExperimentSettings& settings, const Runs& example) {
   const auto percent = [](const Interval& i) {
     return text({100 * std::expm1(i.value), 100 * std::expm1(i.low), 100 * std::expm1(i.high)}, "%");
   };
-  return judged(
+  return assessed(
       {.id = "5.4-separable",
        .place = "Example 5.4, Section 5.3",
        .statement =

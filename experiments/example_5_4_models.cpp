@@ -69,7 +69,7 @@ Claim quaternion_step() {
     longer = std::max(longer, turned(2).norm() - 1);
     ours = std::max(ours, off(turned(1)));
   }
-  return judged(
+  return assessed(
       {.id = "5.4-quaternion",
        .place = "(5.25)",
        .statement = "P q is the orientation after dt at the rate w, to 1e-9 rad",
@@ -103,19 +103,20 @@ Claim sampled_motion() {
     old_rate = std::max(old_rate, off(x.tail<3>()));
     new_rate = std::max(new_rate, off(x.tail<3>() + u.tail<3>() * dt));
   }
-  return judged({.id = "5.4-sampled",
-                 .place = "(5.24)",
-                 .statement = "Where the camera is after accelerations were held for dt, to 1e-9 m",
-                 .printed = "p + (v + f dt) dt",
-                 .measured = fmt::format(
-                     "against the motion integrated over 50 ms with up to 3 m/s^2 and 3 rad/s^2 an axis: "
-                     "printed off by up to {:.1f} mm, p + v dt + f dt^2/2 {}; the orientation by {:.1f} mrad "
-                     "with the old rate, as printed, and by {:.1f} with the new one",
-                     1e3 * printed, below(exact), 1e3 * old_rate, 1e3 * new_rate),
-                 .why = "the velocity changes during the tick: half of f dt^2. (5.24) is right for an "
-                        "impulse at its start",
-                 .runs = places},
-                printed <= 1e-9, exact <= 1e-9);
+  return assessed(
+      {.id = "5.4-sampled",
+       .place = "(5.24)",
+       .statement = "Where the camera is after accelerations were held for dt, to 1e-9 m",
+       .printed = "p + (v + f dt) dt",
+       .measured = fmt::format(
+           "against the motion integrated over 50 ms with up to 3 m/s^2 and 3 rad/s^2 an axis: "
+           "printed off by up to {:.1f} mm, p + v dt + f dt^2/2 {}; the orientation by {:.1f} mrad "
+           "with the old rate, as printed, and by {:.1f} with the new one",
+           1e3 * printed, below(exact), 1e3 * old_rate, 1e3 * new_rate),
+       .why = "the velocity changes during the tick: half of f dt^2. (5.24) is right for an "
+              "impulse at its start",
+       .runs = places},
+      printed <= 1e-9, exact <= 1e-9);
 }
 
 Claim linear_input() {
@@ -133,7 +134,7 @@ Claim linear_input() {
     const State bent = after(a + b) - after(a) - after(b) + after(Input::Zero());
     turned = std::max(turned, bent.segment<4>(3).norm());
   }
-  return judged(
+  return assessed(
       {.id = "5.4-linear",
        .place = "below (5.28)",
        .statement =
@@ -170,7 +171,7 @@ Claim lens_signs() {
     right = std::max(right, (printed_pixel(davison, left_up, 2 * davison.kd1) - z).norm());
     half = std::max(half, (printed_pixel(davison, left_up, davison.kd1) - z).norm());
   }
-  return judged(
+  return assessed(
       {.id = "5.4-lens",
        .place = "(5.26), (5.27)",
        .statement = "Pixel of a point in camera axes (z ahead, x to the right, y down), to 1e-9 pixels",
@@ -189,7 +190,7 @@ Claim unit_norm() {
   const Course course = run({}, 1);
   double off = 0;
   for (const Instant& i : course.instants) off = std::max(off, std::abs(i.mean.segment<4>(3).norm() - 1));
-  return judged(
+  return assessed(
       {.id = "5.4-norm",
        .place = "below (5.25)",
        .statement = "Normalising at each update removes the redundancy of the quaternion: its length "

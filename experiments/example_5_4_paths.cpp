@@ -37,11 +37,11 @@ Path sampled(const std::function<std::pair<Vector3d, double>(double)>& pose) {
 enum class Looks { inward, outward };
 
 /// On the circle of (5.28), at the angle that is p there.
-Path on_circle(const std::function<double(double)>& angle, Looks looks = Looks::inward) {
+Path on_circle(const std::function<double(double)>& angle, Looks measurements = Looks::inward) {
   return sampled([=](double t) {
     const double p = angle(t);
     return std::pair(Vector3d(circle.radius_m * Vector3d(-std::cos(p), std::sin(p), 0)),
-                     looks == Looks::inward ? -p : pi - p);
+                     measurements == Looks::inward ? -p : pi - p);
   });
 }
 
@@ -70,7 +70,7 @@ Interval exponential(const Interval& i) { return {std::exp(i.value), std::exp(i.
 Interval factor(const Runs& a, const Runs& b, double Summary::*what) {
   std::vector<double> logarithms;
   for (std::size_t i = 0; i < a.size(); ++i) logarithms.push_back(std::log(b[i].*what / (a[i].*what)));
-  const Interval mean = bootstrap_mean(logarithms, judged_at);
+  const Interval mean = bootstrap_mean(logarithms, assessed_at);
   return exponential(mean);
 }
 
@@ -87,7 +87,7 @@ std::string numbers(const Runs& runs) {
 Claim short_loops(const Compared& c) {
   const Interval error = factor(c.example, c.surges, &Summary::rms_error_m),
                  sigma = factor(c.example, c.surges, &Summary::most_sigma_m);
-  return judged(
+  return assessed(
       {.id = "5.4-short-loops",
        .place = "Section 5.2.2, Figure 5.14",
        .statement =
@@ -105,7 +105,7 @@ Claim short_loops(const Compared& c) {
 Claim varied_motion(const Compared& c) {
   const Interval alone = factor(c.surges, c.steady, &Summary::rms_error_m),
                  returning = factor(c.example, c.steady, &Summary::rms_error_m);
-  return judged(
+  return assessed(
       {.id = "5.4-varied",
        .place = "head of Section 5.2.2, after [118]",
        .statement =
@@ -125,7 +125,7 @@ Claim most_stable(const Compared& c) {
   const auto worse = [&](const Runs& other) {
     return is_above(factor(c.example, other, &Summary::rms_error_m), 1);
   };
-  return judged(
+  return assessed(
       {.id = "5.4-most-stable",
        .place = "below (5.27)",
        .statement =
@@ -172,9 +172,9 @@ Claim sideways(int seeds) {
     return over_seeds(seeds, [&](std::uint64_t seed) { return run(s, seed); });
   };
   const auto across = swinging(Vector3d::UnitY()), ahead = swinging(Vector3d::UnitX());
-  const Interval near = bootstrap_mean(larger_by(across, ahead, radians(20)), judged_at),
-                 all = bootstrap_mean(larger_by(across, ahead, pi), judged_at);
-  return judged(
+  const Interval near = bootstrap_mean(larger_by(across, ahead, radians(20)), assessed_at),
+                 all = bootstrap_mean(larger_by(across, ahead, pi), assessed_at);
+  return assessed(
       {.id = "5.4-sideways",
        .place = "head of Section 5.2.2",
        .statement =

@@ -40,13 +40,13 @@ struct PrintedLaw final : Steering {
   explicit PrintedLaw(const Setup& s)
       : path(s.path), gains(s.control), mended(s.law == Law::velocity_mended) {}
   SmallVector act(const SmallVector& x, double t) const override {
-    const Reference wanted = at(path, t);
+    const Reference reference = at(path, t);
     SmallVector u(6);
     u.head<3>() =
-        -gains.gain_velocity_per_s * (x.segment<3>(7) - (mended ? wanted.velocity : wanted.position)) -
-        gains.gain_position_per_s2 * (x.head<3>() - wanted.position);
-    u.tail<3>() = Vector3d(0, -wanted.heading_acceleration, 0) -
-                  gains.gain_rate_per_s * (x.tail<3>() - Vector3d(0, -wanted.heading_rate, 0));
+        -gains.gain_velocity_per_s * (x.segment<3>(7) - (mended ? reference.velocity : reference.position)) -
+        gains.gain_position_per_s2 * (x.head<3>() - reference.position);
+    u.tail<3>() = Vector3d(0, -reference.heading_acceleration, 0) -
+                  gains.gain_rate_per_s * (x.tail<3>() - Vector3d(0, -reference.heading_rate, 0));
     return u.cwiseMax(-most_of(gains)).cwiseMin(most_of(gains));
   }
 };
@@ -64,9 +64,9 @@ struct RateAlone final : Steering {
   }
 };
 
-PointPlace room_of(int points, std::uint64_t seed) {
+PointLandmarks room_of(int points, std::uint64_t seed) {
   RandomStream random(seed, "room");
-  PointPlace place;
+  PointLandmarks place;
   for (int i = 0; i < points; ++i) {
     Vector3d point;
     for (int k = 0; k < 3; ++k) point[k] = random.uniform(-half_room_m[k], half_room_m[k]);
@@ -90,12 +90,12 @@ SimulatedVehicle body_of(const Setup& s) {
   const SmallVector most = most_of(s.control);
   const PlantSettings plant{start_of(s), s.noise_times * start_sigmas(s), s.noise_times * disturbances(s),
                             -most, most};
-  return {FreeCameraMotion{}, plant, CarriedCamera{lens()},
+  return {FreeCameraMotion{}, plant, CameraSensor{lens()},
           SmallVector::Constant(2, s.noise_times * s.sigma_pixel_px)};
 }
 
-TeamSettings filter_of(const Setup& s, const PointPlace& place) {
-  TeamMember member{FreeCameraMotion{}, CarriedCamera{lens()}, start_of(s), start_sigmas(s), {}, {}};
+TeamSettings filter_of(const Setup& s, const PointLandmarks& place) {
+  TeamMember member{FreeCameraMotion{}, CameraSensor{lens()}, start_of(s), start_sigmas(s), {}, {}};
   member.input_sigmas = s.told ? disturbances(s) : six(s.sigma_untold, s.sigma_untold);
   member.sigmas = SmallVector::Constant(2, s.sigma_pixel_px);
   TeamSettings settings;
@@ -121,7 +121,7 @@ void compare(const TeamEstimate& e, Instant& at) {
   at.lost = e.status.state == TrackingState::lost;
 }
 
-std::vector<MappedPoint> map_of(const TeamEstimate& e, const PointPlace& place) {
+std::vector<MappedPoint> map_of(const TeamEstimate& e, const PointLandmarks& place) {
   std::vector<MappedPoint> map;
   for (const auto& [identity, landmark] : e.landmarks) {
     const auto point = position_of(landmark.form, e.belief.mean(landmark.block));
@@ -162,29 +162,30 @@ Camera lens() {
   return davison;
 }
 
-double gaze_off_rad(const State& camera, const Reference& wanted) {
-  const Eigen::Vector4d looks = free_camera::orientation(camera), should = level_gaze(wanted.heading);
-  return quaternion_log(quaternion_product<double>(quaternion_conjugate(should), looks)).norm();
+double gaze_off_rad(const State& camera, const Reference& reference) {
+  const Eigen::Vector4d measurements = free_camera::orientation(camera),
+                        should = level_gaze(reference.heading);
+  return quaternion_log(quaternion_product<double>(quaternion_conjugate(should), measurements)).norm();
 }
 
 Course run(const Setup& s, std::uint64_t seed) {
-  const PointPlace place = room_of(s.points, seed);
+  const PointLandmarks place = room_of(s.points, seed);
   TeamWorld world({body_of(s)}, seed);
   TeamSensor sensor({body_of(s)}, place, false, seed);
   const TeamEstimator estimator(filter_of(s, place));
   const auto law = law_of(s);
-  RoomClock clock(s.rate_hz, s.duration_s);
+  FixedRateClock clock(s.rate_hz, s.duration_s);
   TeamEstimate estimate;
   Command command;
   Course course;
   while (const Tick tick = clock.next()) {
     const auto truth = world.move(command, tick);
-    Observation seen = sensor.look(truth, tick);
-    if (!s.told && seen.team.front().input) seen.team.front().input->setZero();
-    estimator.update(estimate, command, seen, tick);
+    Observation observation = sensor.measure(truth, tick);
+    if (!s.told && observation.team.front().input) observation.team.front().input->setZero();
+    estimator.update(estimate, command, observation, tick);
     Instant now;
     now.t = tick.t;
-    now.wanted = at(s.path, tick.t);
+    now.reference = at(s.path, tick.t);
     now.truth = truth->vehicles.front();
     compare(estimate, now);
     now.command = law->act(s.steered_by_truth ? now.truth : now.mean, tick.t);

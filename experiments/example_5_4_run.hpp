@@ -82,10 +82,10 @@ struct Instant {
 };
 
 /// Between where a camera looks and where it should.
-double gaze_off_rad(const FreeCameraMotion::State<double>& camera, const Reference& wanted);
+double gaze_off_rad(const FreeCameraMotion::State<double>& camera, const Reference& reference);
 
 struct MappedPoint {
-  Eigen::Vector3d believed, truth;
+  Eigen::Vector3d estimated, truth;
   Eigen::Matrix3d covariance;
 };
 

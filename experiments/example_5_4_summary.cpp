@@ -30,7 +30,7 @@ double scale_off(const Course& course) {
 void add_map(const Course& course, Summary& s) {
   std::vector<double> off, sigma;
   for (const MappedPoint& p : course.map) {
-    off.push_back((p.believed - p.truth).norm());
+    off.push_back((p.estimated - p.truth).norm());
     sigma.push_back(std::sqrt(p.covariance.trace()));
   }
   s.mapped = static_cast<int>(course.map.size());
@@ -40,7 +40,7 @@ void add_map(const Course& course, Summary& s) {
 }
 
 void add_settled(const Course& course, Summary& s) {
-  std::vector<double> believed, truth, gaze;
+  std::vector<double> estimated, truth, gaze;
   double limited = 0, limited_at_first = 0, at_first = 0;
   s.least_sigma_m = 1e9;
   for (const Instant& i : course.instants) {
@@ -48,18 +48,18 @@ void add_settled(const Course& course, Summary& s) {
       limited_at_first += is_at_limit(i.command), ++at_first;
       continue;
     }
-    believed.push_back(i.believed_off_m());
+    estimated.push_back(i.believed_off_m());
     truth.push_back(i.truly_off_m());
-    gaze.push_back(gaze_off_rad(i.truth, i.wanted));
+    gaze.push_back(gaze_off_rad(i.truth, i.reference));
     limited += is_at_limit(i.command);
     s.most_m_s2 = std::max(s.most_m_s2, i.command.head<3>().cwiseAbs().maxCoeff());
     s.most_rad_s2 = std::max(s.most_rad_s2, i.command.tail<3>().cwiseAbs().maxCoeff());
     s.least_sigma_m = std::min(s.least_sigma_m, i.sigma_position_m());
     s.most_sigma_m = std::max(s.most_sigma_m, i.sigma_position_m());
   }
-  s.at_limit = limited / static_cast<double>(believed.size());
+  s.at_limit = limited / static_cast<double>(estimated.size());
   s.at_limit_at_first = limited_at_first / at_first;
-  s.believed_off_m = quantile(believed, 0.5), s.believed_off_95_m = quantile(believed, 0.95);
+  s.believed_off_m = quantile(estimated, 0.5), s.believed_off_95_m = quantile(estimated, 0.95);
   s.truly_off_m = quantile(truth, 0.5), s.truly_off_95_m = quantile(truth, 0.95);
   s.most_off_m = quantile(truth, 1);
   s.gaze_off_95_rad = quantile(gaze, 0.95);
@@ -69,7 +69,7 @@ void add_settled(const Course& course, Summary& s) {
 
 Summary summary(const Course& course) {
   Summary s;
-  double squares = 0, looks = 0;
+  double squares = 0, measurements = 0;
   for (const Instant& i : course.instants) {
     const double error = i.position_error_m();
     squares += error * error;
@@ -77,7 +77,7 @@ Summary summary(const Course& course) {
     for (int k = 0; k < 6; ++k)
       s.inside[static_cast<std::size_t>(k)] += std::abs(i.error[k]) <= 2 * i.sigma[k];
     s.pose_nees += i.pose_nees;
-    if (i.nis > 0) s.nis += i.nis, ++looks;
+    if (i.nis > 0) s.nis += i.nis, ++measurements;
     s.lost = s.lost || i.lost;
     if (i.t >= static_cast<double>(s.error_m.size()))
       s.error_m.push_back(error), s.sigma_m.push_back(i.sigma_position_m());
@@ -86,7 +86,7 @@ Summary summary(const Course& course) {
   for (double& share : s.inside) share /= count;
   s.rms_error_m = std::sqrt(squares / count);
   s.pose_nees /= count;
-  s.nis /= looks;
+  s.nis /= measurements;
   s.last_sigma_angle_rad = course.instants.back().sigma.tail<3>().norm() / std::sqrt(3.0);
   s.scale_off = scale_off(course);
   add_settled(course, s);

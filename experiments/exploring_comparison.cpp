@@ -61,7 +61,8 @@ double typically_off_m(const Runs& runs) {
 
 Runs runs_of(const std::string& scenario, const Strategy& strategy, const ExperimentSettings& settings,
              std::uint64_t first) {
-  if (settings.tell) settings.tell(fmt::format("  {}, {}: {} runs", scenario, strategy.name, settings.seeds));
+  if (settings.report)
+    settings.report(fmt::format("  {}, {}: {} runs", scenario, strategy.name, settings.seeds));
   return over_seeds(settings.seeds, [&](std::uint64_t seed) {
     return explore(scenario, sets_of(strategy), first - 1 + seed);
   });
@@ -117,14 +118,14 @@ Claim backs_away(const std::string& id, const std::string& place, const std::str
   std::vector<double> beyond_half;
   for (const double share : shares)
     if (std::isfinite(share)) beyond_half.push_back(share - 0.5);
-  const Interval more = bootstrap_mean(beyond_half, judged_at);
+  const Interval more = bootstrap_mean(beyond_half, assessed_at);
   int slower = 0, faster = 0;
   for (const Run& run : runs)
     for (const Decision& d : run.decisions) {
       slower += d.action.starts_with("slower");
       faster += d.action.starts_with("faster");
     }
-  return judged(
+  return assessed(
       {.id = id,
        .place = place,
        .statement = "The vehicle explores by repeatedly choosing a negative linear acceleration: of "
@@ -156,7 +157,7 @@ Claim beats(const std::string& id, const std::string& place, const std::string& 
   const std::vector<double> all = less(each(ours, final_entropy), each(theirs, final_entropy)),
                             found = less(each(ours, entropy_if_not_diverged),
                                          each(theirs, entropy_if_not_diverged));
-  const Interval gap = bootstrap_mean(all, judged_at), gap_if_found = bootstrap_mean(found, judged_at);
+  const Interval gap = bootstrap_mean(all, assessed_at), gap_if_found = bootstrap_mean(found, assessed_at);
   const auto better = std::count_if(all.begin(), all.end(), [](double d) { return d < 0; });
   const std::size_t left_out = ours.size() - all.size();
   std::string measured = fmt::format(
@@ -166,15 +167,15 @@ Claim beats(const std::string& id, const std::string& place, const std::string& 
     measured +=
         fmt::format("; in the {} in which neither diverged {} nats", found.size(), text(gap_if_found));
   const Finding in_all = is_below(gap, 0), in_found = is_below(gap_if_found, 0);
-  Claim claim = judged({.id = id,
-                        .place = place,
-                        .statement = statement,
-                        .printed = "",
-                        .measured = measured + "; " + price(ours, theirs),
-                        .why = why,
-                        .runs = static_cast<int>(all.size()),
-                        .least_runs = enough_runs},
-                       in_all && in_found);
+  Claim claim = assessed({.id = id,
+                          .place = place,
+                          .statement = statement,
+                          .printed = "",
+                          .measured = measured + "; " + price(ours, theirs),
+                          .why = why,
+                          .runs = static_cast<int>(all.size()),
+                          .least_runs = enough_runs},
+                         in_all && in_found);
   if (claim.verdict == Verdict::undecided && claim.runs >= claim.least_runs && in_all == Finding::shown)
     claim.why = "shown for all rooms; among those in which neither diverged the interval holds both answers";
   return claim;

@@ -76,9 +76,9 @@ Panel from_above(const std::string& title, const Run& run);
 Panel choices(const std::string& title, const Run& run);
 /// A number of every instant.
 template <class F>
-Curve over_time(const std::string& label, const Run& run, const F& f, Colour colour,
+Curve over_time(const std::string& label, const Run& run, const F& f, Color color,
                 Style style = Style::line) {
-  Curve c{label, style, {}, {}, {}, colour};
+  Curve c{label, style, {}, {}, {}, color};
   for (const Instant& i : run.instants) c.x.push_back(i.t_s), c.y.push_back(f(i));
   return c;
 }

@@ -10,8 +10,8 @@ namespace {
 /// One axis of an error, between its bounds.
 Panel error_panel(const std::string& title, const std::string& unit, const Run& run, int axis) {
   Panel p{title, "t, s", unit, {}};
-  Curve band{"2 sigma", Style::band, {}, {}, {}, Colour::sky};
-  Curve error{"error", Style::line, {}, {}, {}, Colour::blue};
+  Curve band{"2 sigma", Style::band, {}, {}, {}, Color::sky};
+  Curve error{"error", Style::line, {}, {}, {}, Color::blue};
   for (const Instant& i : run.instants) {
     const double bound = 2 * std::sqrt(std::max(0.0, i.covariance(axis, axis)));
     band.x.push_back(i.t_s), band.y.push_back(-bound), band.y2.push_back(bound);
@@ -25,13 +25,13 @@ Panel error_panel(const std::string& title, const std::string& unit, const Run& 
 
 Panel from_above(const std::string& title, const Run& run) {
   Panel p{title, "x, m", "y, m", {}, true};
-  Curve truth{"camera", Style::line, {}, {}, {}, Colour::blue},
-      believed{"believed", Style::dashed, {}, {}, {}, Colour::orange};
+  Curve truth{"camera", Style::line, {}, {}, {}, Color::blue},
+      estimated{"believed", Style::dashed, {}, {}, {}, Color::orange};
   for (const Instant& i : run.instants) {
     truth.x.push_back(i.truth.position.x()), truth.y.push_back(i.truth.position.y());
-    believed.x.push_back(i.estimate.position.x()), believed.y.push_back(i.estimate.position.y());
+    estimated.x.push_back(i.estimate.position.x()), estimated.y.push_back(i.estimate.position.y());
   }
-  Curve anchors{"anchors", Style::stars, {}, {}, {}, Colour::ink};
+  Curve anchors{"anchors", Style::stars, {}, {}, {}, Color::ink};
   std::vector<Eigen::Vector2d> means;
   std::vector<Eigen::Matrix2d> covariances;
   for (const SnapshotLandmark& l : run.map) {
@@ -42,14 +42,14 @@ Panel from_above(const std::string& title, const Run& run) {
     means.emplace_back(l.position.head<2>());
     covariances.emplace_back(l.covariance.topLeftCorner<2, 2>());
   }
-  p.curves = {ellipses("landmarks, 2 sigma", means, covariances), anchors, truth, believed};
+  p.curves = {ellipses("landmarks, 2 sigma", means, covariances), anchors, truth, estimated};
   p.x_range = p.y_range = {-3.2, 3.2};
   return p;
 }
 
 Panel choices(const std::string& title, const Run& run) {
   Panel p{title, "t, s", "", {}};
-  Curve chosen{"", Style::steps, {}, {}, {}, Colour::blue};
+  Curve chosen{"", Style::steps, {}, {}, {}, Color::blue};
   for (const Decision& d : run.decisions) {
     chosen.x.push_back(d.t_s);
     chosen.y.push_back(d.chosen);
@@ -62,17 +62,17 @@ Panel choices(const std::string& title, const Run& run) {
 
 Panel entropies(const std::string& title, const Run& run) {
   Panel p{title, "t, s", "entropy, nats", {}};
-  Curve located{"located", Style::points, {}, {}, {}, Colour::green};
+  Curve located{"located", Style::points, {}, {}, {}, Color::green};
   for (int n = 1; n <= static_cast<int>(run.located_t_s.size()); ++n) {
     located.x.push_back(*run.located_at_s(n));
     located.y.push_back(run.entropy_when_located(n).value_or(std::nan("")));
   }
   p.curves = {over_time(
-                  "camera", run, [](const Instant& i) { return i.entropy.vehicle; }, Colour::sky),
+                  "camera", run, [](const Instant& i) { return i.entropy.vehicle; }, Color::sky),
               over_time(
-                  "map", run, [](const Instant& i) { return i.entropy.map; }, Colour::orange),
+                  "map", run, [](const Instant& i) { return i.entropy.map; }, Color::orange),
               over_time(
-                  "all", run, [](const Instant& i) { return i.entropy.total; }, Colour::ink),
+                  "all", run, [](const Instant& i) { return i.entropy.total; }, Color::ink),
               located};
   return p;
 }

@@ -17,8 +17,8 @@ namespace incognita::exploring {
 namespace {
 
 Decision decision_of(const Snapshot& s) {
-  Decision d{s.tick.t, s.advice.chosen, s.advice.actions.at(static_cast<std::size_t>(s.advice.chosen)),
-             s.advice.scores, s.advice.entropy_extended.value_or(std::nan(""))};
+  Decision d{s.tick.t, s.decision.chosen, s.decision.actions.at(static_cast<std::size_t>(s.decision.chosen)),
+             s.decision.scores, s.decision.entropy_extended.value_or(std::nan(""))};
   for (const SnapshotLandmark& l : s.landmarks)
     if (!l.anchor) d.mapped.push_back(l.id);
   return d;
@@ -30,10 +30,10 @@ class Gathered {
   void add(const Snapshot& s) {
     summary_.add(s);
     run_.map = s.landmarks;
-    run_.actions = s.advice.actions;
+    run_.actions = s.decision.actions;
     run_.lost = s.status.state == TrackingState::lost;
     returned_ += returned(s);
-    if (s.advice.decided && s.advice.chosen >= 0) {
+    if (s.decision.decided && s.decision.chosen >= 0) {
       run_.decisions.push_back(decision_of(s));
       run_.decisions.back().returned = std::exchange(returned_, 0);
     }
@@ -62,9 +62,9 @@ class Gathered {
 
   int returned(const Snapshot& s) {
     int count = 0;
-    for (const SnapshotLook& look : s.looks) {
-      if (look.outcome != LookOutcome::matched || look.anchor) continue;
-      const auto [last, first] = matched_t_s_.try_emplace(look.id, s.tick.t);
+    for (const SnapshotMatch& match : s.matches) {
+      if (match.outcome != MatchOutcome::matched || match.anchor) continue;
+      const auto [last, first] = matched_t_s_.try_emplace(match.id, s.tick.t);
       count += !first && s.tick.t - last->second > away_s;
       last->second = s.tick.t;
     }

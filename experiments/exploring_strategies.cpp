@@ -33,8 +33,8 @@ Claim lower_at_the_14th(const Common& common, const std::vector<Runs>& runs) {
   const auto fisher = each(runs[2], at_the_14th);
   const std::vector<double> less_i = less(fisher, each(runs[0], at_the_14th)),
                             less_ii = less(fisher, each(runs[1], at_the_14th));
-  const Interval to_i = bootstrap_mean(less_i, judged_at), to_ii = bootstrap_mean(less_ii, judged_at);
-  return judged(
+  const Interval to_i = bootstrap_mean(less_i, assessed_at), to_ii = bootstrap_mean(less_ii, assessed_at);
+  return assessed(
       {.id = common.id + "-14th-entropy",
        .place = common.place + ", Figure 6.4",
        .statement =
@@ -52,9 +52,9 @@ Claim lower_at_the_14th(const Common& common, const std::vector<Runs>& runs) {
 
 Claim fewer_landmarks(const Common& common, const std::vector<Runs>& runs) {
   const auto fisher = each(runs[2], located);
-  const Interval fewer_i = bootstrap_mean(less(fisher, each(runs[0], located)), judged_at),
-                 fewer_ii = bootstrap_mean(less(fisher, each(runs[1], located)), judged_at);
-  return judged(
+  const Interval fewer_i = bootstrap_mean(less(fisher, each(runs[0], located)), assessed_at),
+                 fewer_ii = bootstrap_mean(less(fisher, each(runs[1], located)), assessed_at);
+  return assessed(
       {.id = common.id + "-fewer-landmarks",
        .place = common.place,
        .statement = "A constant rate and mutual information initialize landmarks faster than (6.8), which "
@@ -114,8 +114,9 @@ std::vector<Claim> gaze_claims(const Common& common, const std::vector<Runs>& ru
 
 Claim moves_across(const Common& common, const Runs& runs, const std::string& whose) {
   const std::vector<double> shares = each(runs, share_across);
-  const Interval more = bootstrap_mean(less(shares, std::vector<double>(shares.size(), 2.0 / 3)), judged_at);
-  return judged(
+  const Interval more =
+      bootstrap_mean(less(shares, std::vector<double>(shares.size(), 2.0 / 3)), assessed_at);
+  return assessed(
       {.id = common.id + "-across",
        .place = common.place,
        .statement = "The most informative moves are across the line of sight: up, down, left and right more "

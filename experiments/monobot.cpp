@@ -12,7 +12,7 @@
 
 #include "experiments/evidence.hpp"
 #include "incognita/belief/belief.hpp"
-#include "incognita/belief/linearise.hpp"
+#include "incognita/belief/linearize.hpp"
 #include "incognita/math/random.hpp"
 #include "incognita/models/monobot.hpp"
 
@@ -33,13 +33,13 @@ class Filter {
     robot_ = belief_.add_vehicle(MonobotMotion::chart, first_estimate.head(1), scalar(setup.robot_var_m2));
     for (int i = 1; i < first_estimate.size(); ++i)
       landmarks_.push_back(setup.landmark_var_m2 ? with_variance(first_estimate.segment(i, 1))
-                                                 : born(first_estimate.segment(i, 1)));
+                                                 : initialized(first_estimate.segment(i, 1)));
   }
 
   void predict() {
     const auto Q = MonobotMotion::Jacobian(setup_.sigma_v_m * setup_.sigma_v_m);
     const auto no_command = MonobotMotion::Input<double>(0.0);
-    belief_.predict(linearised(MonobotMotion{}, belief_, robot_, no_command, Q, dt));
+    belief_.predict(linearized(MonobotMotion{}, belief_, robot_, no_command, Q, dt));
   }
 
   /// dP of (3.26)
@@ -53,7 +53,7 @@ class Filter {
 
   /// Column by column: what the estimates would move by if that look alone were 1 m more than expected.
   MatrixXd gain() {
-    std::vector<AffineLook> unit = looks(expected());
+    std::vector<LinearizedMeasurement> unit = measurements(expected());
     std::vector<BlockId> blocks{robot_};
     blocks.insert(blocks.end(), landmarks_.begin(), landmarks_.end());
     MatrixXd K(blocks.size(), unit.size());
@@ -69,7 +69,7 @@ class Filter {
   }
 
   void update(const VectorXd& z) {
-    const auto report = belief_.update(looks(z));
+    const auto report = belief_.update(measurements(z));
     if (report.outcome != UpdateReport::Outcome::updated)
       throw std::runtime_error("the monobot's looks are singular");
   }
@@ -77,8 +77,9 @@ class Filter {
   VectorXd expected() const {
     const VectorXd x = estimate();
     VectorXd z(x.size() - (setup_.anchored ? 0 : 1));
-    if (setup_.anchored) z[0] = RelativePosition::look(x[0], 0).z[0];
-    for (int i = 1; i < x.size(); ++i) z[z.size() - x.size() + i] = RelativePosition::look(x[0], x[i]).z[0];
+    if (setup_.anchored) z[0] = RelativePosition::predict_measurement(x[0], 0).z[0];
+    for (int i = 1; i < x.size(); ++i)
+      z[z.size() - x.size() + i] = RelativePosition::predict_measurement(x[0], x[i]).z[0];
     return z;
   }
 
@@ -96,25 +97,26 @@ class Filter {
     return belief_.augment(Chart::line(1), mean, {}, scalar(*setup_.landmark_var_m2));
   }
 
-  BlockId born(const VectorXd& mean) {
-    const RelativePosition::Birth birth;
-    const Belief::Parent parent{robot_, birth.Jv};
+  BlockId initialized(const VectorXd& mean) {
+    const RelativePosition::Initialization initialization;
+    const Belief::Parent parent{robot_, initialization.Jv};
     const double R = setup_.sigma_w_m * setup_.sigma_w_m;
-    return belief_.augment(Chart::line(1), mean, {&parent, 1}, birth.Jz * R * birth.Jz.transpose());
+    return belief_.augment(Chart::line(1), mean, {&parent, 1},
+                           initialization.Jz * R * initialization.Jz.transpose());
   }
 
-  std::vector<AffineLook> looks(const VectorXd& z) const {
+  std::vector<LinearizedMeasurement> measurements(const VectorXd& z) const {
     const VectorXd residual = z - expected();
-    std::vector<AffineLook> looks(residual.size());
-    const RelativePosition::Look model{};
-    const std::size_t anchors = looks.size() - landmarks_.size();
-    for (std::size_t i = 0; i < looks.size(); ++i) {
-      looks[i].add(robot_, model.Hv);
-      if (i >= anchors) looks[i].add(landmarks_[i - anchors], model.Hl);
-      looks[i].residual = residual.segment(i, 1);
-      looks[i].R = scalar(setup_.sigma_w_m * setup_.sigma_w_m);
+    std::vector<LinearizedMeasurement> measurements(residual.size());
+    const RelativePosition::Prediction model{};
+    const std::size_t anchors = measurements.size() - landmarks_.size();
+    for (std::size_t i = 0; i < measurements.size(); ++i) {
+      measurements[i].add(robot_, model.Hv);
+      if (i >= anchors) measurements[i].add(landmarks_[i - anchors], model.Hl);
+      measurements[i].residual = residual.segment(i, 1);
+      measurements[i].R = scalar(setup_.sigma_w_m * setup_.sigma_w_m);
     }
-    return looks;
+    return measurements;
   }
 
   Setup setup_;
@@ -130,8 +132,9 @@ class World {
       : setup_(setup), truth_(VectorXd::Constant(states(setup), landmark_m)), first_(named(seed, "first")) {
     truth_[0] = robot_start_m;
     motion_ = named(seed, "motion");
-    if (setup.anchored) looks_.push_back(named(seed, "anchor"));
-    for (int i = 1; i <= setup.landmarks; ++i) looks_.push_back(named(seed, fmt::format("landmark {}", i)));
+    if (setup.anchored) measurements_.push_back(named(seed, "anchor"));
+    for (int i = 1; i <= setup.landmarks; ++i)
+      measurements_.push_back(named(seed, fmt::format("landmark {}", i)));
   }
 
   VectorXd first_estimate() {
@@ -139,20 +142,21 @@ class World {
     x[0] += std::sqrt(setup_.robot_var_m2) * first_.normal();
     for (int i = 1; i < x.size(); ++i)
       x[i] = setup_.landmark_var_m2 ? landmark_m + std::sqrt(*setup_.landmark_var_m2) * first_.normal()
-                                    : RelativePosition::birth(x[0], first_look(i)).landmark[0];
+                                    : RelativePosition::initialize(x[0], first_measurement(i)).landmark[0];
     return x.array() + setup_.shift_m;
   }
 
   void move() { truth_[0] += setup_.sigma_v_m * motion_.normal(); }
 
-  VectorXd look() {
-    VectorXd z(static_cast<Eigen::Index>(looks_.size()));
+  VectorXd measure() {
+    VectorXd z(static_cast<Eigen::Index>(measurements_.size()));
     const Eigen::Index anchors = z.size() - setup_.landmarks;
     for (Eigen::Index i = 0; i < z.size(); ++i) {
       const double place = i < anchors ? 0 : truth_[i - anchors + 1];
-      z[i] = RelativePosition::look(truth_[0], place).z[0] + setup_.sigma_w_m * looks_[i].normal();
+      z[i] = RelativePosition::predict_measurement(truth_[0], place).z[0] +
+             setup_.sigma_w_m * measurements_[i].normal();
     }
-    if (!looked_) z[anchors] += setup_.first_look_error_m;
+    if (!looked_) z[anchors] += setup_.first_measurement_error_m;
     looked_ = true;
     return z;
   }
@@ -164,14 +168,15 @@ class World {
     return {static_cast<std::uint64_t>(seed), "monobot " + source};
   }
 
-  double first_look(int landmark) {
-    return RelativePosition::look(truth_[0], truth_[landmark]).z[0] + setup_.sigma_w_m * first_.normal();
+  double first_measurement(int landmark) {
+    return RelativePosition::predict_measurement(truth_[0], truth_[landmark]).z[0] +
+           setup_.sigma_w_m * first_.normal();
   }
 
   Setup setup_;
   VectorXd truth_;
   RandomStream first_, motion_ = first_;
-  std::vector<RandomStream> looks_;
+  std::vector<RandomStream> measurements_;
   bool looked_ = false;
 };
 
@@ -197,7 +202,7 @@ Panel states_panel(const Run& run) {
   }
   for (Eigen::Index i = 0; i < std::min<Eigen::Index>(run.truth.rows(), 2); ++i) {  // landmarks are all there
     p.curves.push_back(over_steps(i == 0 ? "truth" : "", numbers(run.truth.row(i)), Style::dashed));
-    p.curves.back().colour = Colour::ink;
+    p.curves.back().color = Color::ink;
   }
   return p;
 }
@@ -209,7 +214,7 @@ Panel errors_panel(const Run& run, Eigen::Index first, Eigen::Index last, const 
   const VectorXd bound = 2 * run.variance.row(first).tail(steps).cwiseSqrt().transpose();
   Curve band = over_steps("2 sigma", numbers(-bound), Style::band, 1);
   band.y2 = numbers(bound);
-  band.colour = Colour::grey;
+  band.color = Color::gray;
   p.curves.push_back(band);
   for (Eigen::Index i = first; i <= last; ++i)
     p.curves.push_back(over_steps(first == last ? "error" : fmt::format("error {}", i),
@@ -223,11 +228,11 @@ Panel gains_panel(const Setup& setup, const Course& course) {
   Panel p = panel("", "gain");
   const int first = setup.anchored ? 0 : 1;
   for (int state = 0; state < 2; ++state)
-    for (int look = first; look <= (state == 0 ? 1 : setup.landmarks); ++look) {
+    for (int measurement = first; measurement <= (state == 0 ? 1 : setup.landmarks); ++measurement) {
       std::vector<double> gains;
       for (std::size_t k = 1; k < course.gain.size(); ++k)
-        gains.push_back(course.gain[k](state, look - first));
-      const std::string label = fmt::format("{} by z{}", state == 0 ? "robot" : "landmark 1", look);
+        gains.push_back(course.gain[k](state, measurement - first));
+      const std::string label = fmt::format("{} by z{}", state == 0 ? "robot" : "landmark 1", measurement);
       p.curves.push_back(over_steps(label, gains, Style::line, 1));
     }
   return p;
@@ -244,15 +249,15 @@ double nees(const VectorXd& error, const MatrixXd& P) {
 int states(const Setup& setup) { return 1 + setup.landmarks; }
 
 LinearSystem system(const Setup& setup) {
-  const int n = states(setup), first = setup.anchored ? 1 : 0, looks = first + setup.landmarks;
+  const int n = states(setup), first = setup.anchored ? 1 : 0, measurements = first + setup.landmarks;
   LinearSystem s;
   s.F = MatrixXd::Identity(n, n);
   s.G = VectorXd::Unit(n, 0);
   s.Q = scalar(setup.sigma_v_m * setup.sigma_v_m);
-  s.H = MatrixXd::Zero(looks, n);
+  s.H = MatrixXd::Zero(measurements, n);
   s.H.col(0).setConstant(-1);
   s.H.bottomRightCorner(setup.landmarks, setup.landmarks).setIdentity();
-  s.R = setup.sigma_w_m * setup.sigma_w_m * MatrixXd::Identity(looks, looks);
+  s.R = setup.sigma_w_m * setup.sigma_w_m * MatrixXd::Identity(measurements, measurements);
   return s;
 }
 
@@ -318,8 +323,8 @@ Run simulate(const Setup& setup, int seed) {
     world.move();
     filter.predict();
     filter.decorrelate();
-    run.look.col(k) = world.look();
-    filter.update(run.look.col(k));
+    run.measurement.col(k) = world.measure();
+    filter.update(run.measurement.col(k));
     keep(k);
   }
   return run;
@@ -349,7 +354,7 @@ Claim consistent(const std::string& id, const std::string& place, Setup setup, i
         fmt::format("{}: {}, chi-square band {:.3f} to {:.3f}", n, text(mean_of(last)), band.low, band.high));
     within = within && agrees(mean_of(last), 1, 0.25);
   }
-  return judged(
+  return assessed(
       {.id = id,
        .place = place,
        .statement = "The filter is consistent: mean NEES over its degrees of freedom after the last "
@@ -374,7 +379,7 @@ Claim inflated(const std::string& id, const Setup& setup, int seeds) {
   const auto last = errors(simulate_all(setup, seeds), 1, setup.steps);
   const double actual_sigma = std::sqrt(actual(1, 1));
   const Finding as_computed = agrees(rms_of(last), actual_sigma, 0.2 * actual_sigma);
-  return judged(
+  return assessed(
       {.id = id,
        .place = "Section 3.3",
        .statement =

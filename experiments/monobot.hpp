@@ -33,8 +33,8 @@ struct Setup {
   double robot_var_m2 = 0;
   std::optional<double> landmark_var_m2 = 1;  ///< nothing: born from a first look, (2.20)-(2.26)
   // what is wrong and the filter does not know
-  double shift_m = 0;             ///< of all first estimates alike
-  double first_look_error_m = 0;  ///< added to the first look at the first landmark
+  double shift_m = 0;                    ///< of all first estimates alike
+  double first_measurement_error_m = 0;  ///< added to the first look at the first landmark
 };
 
 int states(const Setup& setup);  ///< the robot's and the landmarks'
@@ -68,7 +68,7 @@ std::vector<Eigen::MatrixXd> actual_covariances(const Setup& setup, const Course
 /// One run. Columns are steps from 0, rows the robot and the landmarks; m.
 struct Run {
   Eigen::MatrixXd truth, estimate, variance;
-  Eigen::MatrixXd look;  ///< what was seen, rows as in (3.12); column 0 is empty
+  Eigen::MatrixXd measurement;  ///< what was seen, rows as in (3.12); column 0 is empty
   Eigen::VectorXd nees;  ///< of all states together; 1 is right. NaN at 0, where the robot is known exactly
   Eigen::MatrixXd error() const { return truth - estimate; }  ///< (3.1)
 };

@@ -47,7 +47,7 @@ Claim joint_beats_alone(const Drives& d) {
              fitted = of_robots(d.joint, &RobotCourse::fitted_rms_m),
              alone = best_robots(d.alone, &RobotCourse::rms_m),
              alone_fitted = best_robots(d.alone, &RobotCourse::fitted_rms_m);
-  return judged(
+  return assessed(
       {.id = "mrclam-joint",
        .place = "Section 5.2.1, (5.16)-(5.19)",
        .statement =
@@ -69,7 +69,7 @@ Claim seeing_each_other(const Drives& d) {
   const auto joint = of_robots(d.joint, &RobotCourse::rms_m),
              shared = of_robots(d.shared_map, &RobotCourse::rms_m),
              alone = best_robots(d.alone, &RobotCourse::rms_m);
-  return judged(
+  return assessed(
       {.id = "mrclam-each-other",
        .place = "(5.17)",
        .statement = "Measurements of each other help beyond the map that they share: every robot's rms "
@@ -77,8 +77,8 @@ Claim seeing_each_other(const Drives& d) {
        .printed = "",
        .measured = fmt::format("with {}; without, the map shared, {}; alone {}. {} sightings, {} of them of "
                                "robots",
-                               list(joint), list(shared), list(alone), d.joint.looks,
-                               d.joint.looks - d.shared_map.looks)},
+                               list(joint), list(shared), list(alone), d.joint.measurements,
+                               d.joint.measurements - d.shared_map.measurements)},
       least_ratio(joint, shared) > 1);
 }
 
@@ -90,7 +90,7 @@ Claim landmarks(const Robots& robots, const Drives& d) {
   };
   const auto off = landmark_errors(d.joint);
   const bool all_there = d.joint.landmarks.size() == robots.front().landmarks.size();
-  return judged(
+  return assessed(
       {.id = "mrclam-landmarks",
        .place = "Section 5.2.1",
        .statement =
@@ -117,7 +117,7 @@ double largest_factor(const std::vector<double>& a, const std::vector<double>& b
   return std::exp(most);
 }
 
-Claim linearised_once(const Drives& d) {
+Claim linearized_once(const Drives& d) {
   const auto alone = of_robots(d.alone.plain, &RobotCourse::rms_m),
              alone_iterated = of_robots(d.alone.iterated, &RobotCourse::rms_m);
   const double joint = largest_factor(of_robots(d.joint, &RobotCourse::rms_m),
@@ -127,7 +127,7 @@ Claim linearised_once(const Drives& d) {
     blind.push_back(drive.longest_blind_s);
     heading.push_back(degrees * drive.robots.front().most_sigma_heading_rad);
   }
-  return judged(
+  return assessed(
       {.id = "mrclam-linearised",
        .place = "(5.18), (5.19)",
        .statement =
@@ -152,7 +152,7 @@ Claim consistent(const Robots& robots, const Drives& d) {
   doubled.input_sigmas_times = 2;
   const Drive wide = together(robots, doubled);
   const auto nees = of_robots(d.joint, &RobotCourse::nees);
-  return judged(
+  return assessed(
       {.id = "mrclam-consistent",
        .place = "(5.18), (5.19)",
        .statement =
@@ -189,7 +189,7 @@ Claim sensitivity(const Robots& robots) {
     numbers += fmt::format("{}{}: joint {}, alone {}", numbers.empty() ? "" : "; ", v.name, list(joint),
                            list(alone));
   }
-  return judged(
+  return assessed(
       {.id = "mrclam-noises",
        .place = "Section 5.2.1",
        .statement =
@@ -202,7 +202,7 @@ Claim sensitivity(const Robots& robots) {
 
 Claim cost(const Drives& d) {
   const double times = d.joint.recorded_s / d.joint.took_s;
-  return judged(
+  return assessed(
       {.id = "mrclam-cost",
        .place = "Section 5.2.1",
        .statement = "One belief of five robots and 15 landmarks is affordable: updated more than 20 times "
@@ -226,7 +226,7 @@ LedgerEntry run(const ExperimentSettings& settings) {
   entry.claims = {joint_beats_alone(drives),
                   seeing_each_other(drives),
                   landmarks(robots, drives),
-                  linearised_once(drives),
+                  linearized_once(drives),
                   consistent(robots, drives),
                   sensitivity(robots),
                   cost(drives)};

@@ -11,7 +11,7 @@ namespace incognita::recorded_team {
 namespace {
 
 Setup iterated(Setup setup) {
-  setup.lineariser = "iterated";
+  setup.linearization = "iterated";
   return setup;
 }
 
@@ -24,8 +24,8 @@ std::vector<double> best(const Alone& alone, const Get& of_drive) {
   return least;
 }
 
-Curve points(const std::string& label, Style style, Colour colour, const std::vector<double>& y) {
-  Curve curve{label, style, {}, y, {}, colour};
+Curve points(const std::string& label, Style style, Color color, const std::vector<double>& y) {
+  Curve curve{label, style, {}, y, {}, color};
   for (std::size_t i = 0; i < y.size(); ++i) curve.x.push_back(static_cast<double>(i + 1));
   return curve;
 }
@@ -33,9 +33,9 @@ Curve points(const std::string& label, Style style, Colour colour, const std::ve
 /// Not more often than that, in s: nobody sees 16 points a second.
 constexpr double drawn_every_s = 2;
 
-Curve thinned(const std::string& label, const RobotCourse& robot, Colour colour,
+Curve thinned(const std::string& label, const RobotCourse& robot, Color color,
               const std::function<std::pair<double, double>(std::size_t)>& at) {
-  Curve curve{label, Style::thin, {}, {}, {}, colour};
+  Curve curve{label, Style::thin, {}, {}, {}, color};
   double next = 0;
   for (std::size_t k = 0; k < robot.t_s.size(); ++k) {
     if (robot.t_s[k] < next) continue;
@@ -49,10 +49,10 @@ Curve thinned(const std::string& label, const RobotCourse& robot, Colour colour,
 Plot table(const Drives& d) {
   const auto panel = [&](const char* title, Number what) {
     Panel p{title, "robot", "rms position error, m", {}};
-    p.curves = {points("joint", Style::circles, Colour::blue, of_robots(d.joint, what)),
-                points("shared map", Style::crosses, Colour::green, of_robots(d.shared_map, what)),
-                points("alone", Style::stars, Colour::orange, of_robots(d.alone.plain, what)),
-                points("alone, best of four", Style::stars, Colour::grey, best_robots(d.alone, what))};
+    p.curves = {points("joint", Style::circles, Color::blue, of_robots(d.joint, what)),
+                points("shared map", Style::crosses, Color::green, of_robots(d.shared_map, what)),
+                points("alone", Style::stars, Color::orange, of_robots(d.alone.plain, what)),
+                points("alone, best of four", Style::stars, Color::gray, best_robots(d.alone, what))};
     p.log_y = true;
     p.y_range = {0.05, 2};
     p.x_range = {0.5, static_cast<double>(d.alone.plain.size()) + 0.5};
@@ -67,17 +67,17 @@ Plot table(const Drives& d) {
 
 Plot landmark_table(const Drives& d) {
   Panel p{"", "landmark", "distance from the survey, m", {}};
-  const auto curve = [&](const std::string& label, const Drive& drive, Style style, Colour colour) {
-    Curve c = points(label, style, colour, landmark_errors(drive));
+  const auto curve = [&](const std::string& label, const Drive& drive, Style style, Color color) {
+    Curve c = points(label, style, color, landmark_errors(drive));
     for (std::size_t i = 0; i < drive.landmarks.size(); ++i)
       c.x[i] = static_cast<double>(drive.landmarks[i].identity);
     return c;
   };
-  const Colour colours[] = {Colour::orange, Colour::green, Colour::pink, Colour::amber, Colour::sky};
+  const Color colors[] = {Color::orange, Color::green, Color::pink, Color::amber, Color::sky};
   for (std::size_t i = 0; i < d.alone.plain.size(); ++i)
     p.curves.push_back(
-        curve(fmt::format("robot {} alone", i + 1), d.alone.plain[i], Style::crosses, colours[i % 5]));
-  p.curves.push_back(curve("joint", d.joint, Style::circles, Colour::blue));
+        curve(fmt::format("robot {} alone", i + 1), d.alone.plain[i], Style::crosses, colors[i % 5]));
+  p.curves.push_back(curve("joint", d.joint, Style::circles, Color::blue));
   p.log_y = true;
   p.x_range = {5.5, 20.5};
   return {"fig-mrclam-landmarks", "Landmarks after a rigid fit to the survey", 1, {p}};
@@ -86,23 +86,23 @@ Plot landmark_table(const Drives& d) {
 Panel map_of(const char* title, const Drive& drive) {
   Panel panel{title, "x, m", "y, m", {}, true};
   panel.x_range = {-2.5, 8.5}, panel.y_range = {-5.5, 5.5};
-  std::vector<Eigen::Vector2d> believed;
+  std::vector<Eigen::Vector2d> estimated;
   std::vector<Eigen::Matrix2d> covariances;
-  Curve mapped{"landmarks", Style::crosses, {}, {}, {}, Colour::blue},
-      surveyed{"surveyed", Style::circles, {}, {}, {}, Colour::ink};
+  Curve mapped{"landmarks", Style::crosses, {}, {}, {}, Color::blue},
+      surveyed{"surveyed", Style::circles, {}, {}, {}, Color::ink};
   for (const MappedLandmark& l : drive.landmarks) {
-    believed.push_back(l.believed), covariances.push_back(l.covariance);
-    mapped.x.push_back(l.believed.x()), mapped.y.push_back(l.believed.y());
+    estimated.push_back(l.estimated), covariances.push_back(l.covariance);
+    mapped.x.push_back(l.estimated.x()), mapped.y.push_back(l.estimated.y());
     surveyed.x.push_back(l.surveyed.x()), surveyed.y.push_back(l.surveyed.y());
   }
   const RobotCourse& robot = drive.robots.front();
   const auto place = [](const std::vector<Eigen::Vector2d>& path) {
     return [&path](std::size_t k) { return std::pair(path[k].x(), path[k].y()); };
   };
-  Curve outlines = ellipses("2σ", believed, covariances);
-  outlines.colour = Colour::sky;
-  panel.curves = {thinned("motion capture", robot, Colour::grey, place(robot.truth)),
-                  thinned("estimated", robot, Colour::orange, place(robot.believed)), outlines, surveyed,
+  Curve outlines = ellipses("2σ", estimated, covariances);
+  outlines.color = Color::sky;
+  panel.curves = {thinned("motion capture", robot, Color::gray, place(robot.truth)),
+                  thinned("estimated", robot, Color::orange, place(robot.estimated)), outlines, surveyed,
                   mapped};
   return panel;
 }
@@ -117,14 +117,14 @@ Plot maps(const Drives& d) {
 Plot errors(const Drives& d) {
   Plot plot{"fig-mrclam-errors", "Distance from motion capture", 2, {}};
   for (std::size_t i = 0; i < d.alone.plain.size(); ++i) {
-    const auto curve = [](const char* name, const RobotCourse& robot, Colour colour) {
-      return thinned(name, robot, colour, [&](std::size_t k) {
-        return std::pair(robot.t_s[k], (robot.believed[k] - robot.truth[k]).norm());
+    const auto curve = [](const char* name, const RobotCourse& robot, Color color) {
+      return thinned(name, robot, color, [&](std::size_t k) {
+        return std::pair(robot.t_s[k], (robot.estimated[k] - robot.truth[k]).norm());
       });
     };
     Panel panel{fmt::format("robot {}", i + 1), "t, s", "m", {}};
-    panel.curves = {curve("alone", d.alone.plain[i].robots.front(), Colour::orange),
-                    curve("joint", d.joint.robots[i], Colour::blue)};
+    panel.curves = {curve("alone", d.alone.plain[i].robots.front(), Color::orange),
+                    curve("joint", d.joint.robots[i], Color::blue)};
     panel.log_y = true;
     panel.y_range = {0.01, 10};
     plot.panels.push_back(panel);

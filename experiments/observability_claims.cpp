@@ -14,7 +14,7 @@
 namespace incognita::observability_claims {
 namespace {
 
-constexpr char stream[] = "operating points";  // as analyse_observability() names it
+constexpr char stream[] = "operating points";  // as analyze_observability() names it
 
 SystemText text_of(const Case& which) {
   SystemText text = load_system(which.system, which.representation);
@@ -33,8 +33,8 @@ Course course_of(const SystemInstance& instance, const SystemMotion& motion) {
   for (const MotionSegment& segment : motion.segments) {
     course.points.push_back(segment.start);
     course.forms.push_back(instance.error_form(segment.start));
-    course.exact.push_back(instance.linearise(segment.start));
-    const Linearisation& form = course.forms.back();
+    course.exact.push_back(instance.linearize(segment.start));
+    const Linearization& form = course.forms.back();
     course.stays = course.stays && null_space_stays(form, null_space(segment_observability(form)));
   }
   return course;
@@ -143,7 +143,7 @@ Spaces lie(const Case& which, int how_many) {
   for (int seed = 1; seed <= how_many; ++seed) {
     RandomStream random(static_cast<std::uint64_t>(seed), stream);
     const SystemMotion motion = draw_motion(instance, which.segments, random);
-    const LieAnalysis analysis = analyse_lie(instance, motion, random);
+    const LieAnalysis analysis = analyze_lie(instance, motion, random);
     if (!analysis.closed)
       throw std::runtime_error(which.system + ": Lie derivatives of higher orders may see more");
     spaces.push_back(analysis.space);
@@ -221,7 +221,7 @@ bool same(const Spaces& a, const Spaces& b) {
   return true;
 }
 
-std::vector<std::string> seen_states(const Spaces& spaces, const std::vector<std::string>& states) {
+std::vector<std::string> observable_states(const Spaces& spaces, const std::vector<std::string>& states) {
   std::vector<std::string> seen;
   for (std::size_t state = 0; state < states.size(); ++state) {
     const auto sees = [&](const NullSpace& space) { return !touched(space.basis)[state]; };
@@ -232,10 +232,10 @@ std::vector<std::string> seen_states(const Spaces& spaces, const std::vector<std
 }
 
 Spaces stripped_with(const Study& study, int k,
-                     const std::function<void(Linearisation&, const SystemPoint&)>& change) {
+                     const std::function<void(Linearization&, const SystemPoint&)>& change) {
   Spaces spaces;
   for (const Course& course : study.courses()) {
-    std::vector<Linearisation> forms = course.forms;
+    std::vector<Linearization> forms = course.forms;
     for (std::size_t j = 0; j < forms.size(); ++j) change(forms[j], course.points[j]);
     const auto upto = stripped_observability(segment_observability(forms));
     spaces.push_back(null_space(upto[static_cast<std::size_t>(k - 1)]));

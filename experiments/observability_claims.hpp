@@ -21,7 +21,7 @@
 #include <vector>
 
 #include "incognita/analysis/observability/null_space.hpp"
-#include "incognita/analysis/systems/linearisation.hpp"
+#include "incognita/analysis/systems/linearization.hpp"
 #include "incognita/analysis/systems/system_text.hpp"
 
 namespace incognita::observability_claims {
@@ -51,7 +51,7 @@ inline constexpr double in_space_s = 0.25;
 /// One motion: where each segment begins, F and H there in the system's error form, and by exact derivatives.
 struct Course {
   std::vector<SystemPoint> points;
-  std::vector<Linearisation> forms, exact;
+  std::vector<Linearization> forms, exact;
   bool stays = false;  ///< (4.9) holds in each segment
 };
 
@@ -127,11 +127,11 @@ int dimension_within(const Spaces& spaces, Eigen::Index first, Eigen::Index coun
 bool same(const Spaces& a, const Spaces& b);
 
 /// States that no vector of any space touches; with a question mark where some motions' do.
-std::vector<std::string> seen_states(const Spaces& spaces, const std::vector<std::string>& states);
+std::vector<std::string> observable_states(const Spaces& spaces, const std::vector<std::string>& states);
 
 /// (4.8) of the first k segments when F and H are not the system's.
 Spaces stripped_with(const Study& study, int k,
-                     const std::function<void(Linearisation&, const SystemPoint&)>& change);
+                     const std::function<void(Linearization&, const SystemPoint&)>& change);
 
 /// Largest of a number over all motions.
 double largest(const Study& study, const std::function<double(const Course&)>& of);

@@ -58,23 +58,23 @@ std::map<std::int64_t, Errors> errors_of_a_run(const std::string& seed,
   std::map<std::int64_t, Errors> errors;
   while (const Tick tick = clock->next()) {
     const auto truth = world->move(command, tick);
-    const Observation seen = sensor->look(truth, tick);
-    estimator.update(estimate, command, seen, tick);
+    const Observation observation = sensor->measure(truth, tick);
+    estimator.update(estimate, command, observation, tick);
     const Eigen::Vector3d position = free_camera::position(truth->camera);
     const Eigen::Matrix3d R = rotation_matrix<double>(free_camera::orientation(truth->camera));
-    for (const Look& look : estimate.looks) {
-      const auto place = places.find(look.id);
-      if (look.outcome != LookOutcome::matched || place == places.end()) continue;
+    for (const FeatureMatch& match : estimate.matches) {
+      const auto place = places.find(match.id);
+      if (match.outcome != MatchOutcome::matched || place == places.end()) continue;
       const auto at = camera.project(R.transpose() * (place->second - position));
-      if (at) errors[look.id][tick.frame] = *look.measured - at->pixel;
+      if (at) errors[match.id][tick.frame] = *match.measured - at->pixel;
     }
-    for (const Landmark& born : estimate.catalogue) {
-      if (places.count(born.id)) continue;
-      const auto ray = camera.unproject(born.view.pixel);
-      const bool known = born.kind == Landmark::Kind::anchor;
-      if (ray) places[born.id] = known ? born.anchor : first_surface(room, position, R * *ray);
+    for (const Landmark& initialized : estimate.catalog) {
+      if (places.count(initialized.id)) continue;
+      const auto ray = camera.unproject(initialized.view.pixel);
+      const bool known = initialized.kind == Landmark::Kind::anchor;
+      if (ray) places[initialized.id] = known ? initialized.anchor : first_surface(room, position, R * *ray);
     }
-    command = controller.act(estimate, decision.choose(estimate, tick), seen, tick);
+    command = controller.act(estimate, decision.choose(estimate, tick), observation, tick);
   }
   return errors;
 }

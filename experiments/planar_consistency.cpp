@@ -33,9 +33,9 @@ PlanarSlamSettings settings_for(const PlanarLoopSettings& drive, const PlanarFil
 
 std::vector<PlanarFilterChoice> planar_filter_choices() {
   std::vector<PlanarFilterChoice> choices;
-  const auto add = [&](const char* name, const char* lineariser, const char* frame) {
+  const auto add = [&](const char* name, const char* linearization, const char* frame) {
     PlanarFilterSettings filter;
-    filter.lineariser = lineariser;
+    filter.linearization = linearization;
     filter.map_frame = frame;
     choices.push_back({name, filter});
   };
@@ -47,11 +47,11 @@ std::vector<PlanarFilterChoice> planar_filter_choices() {
   return choices;
 }
 
-StandingVehicle standing_vehicle(std::uint64_t seed, const std::string& lineariser) {
+StandingVehicle standing_vehicle(std::uint64_t seed, const std::string& linearization) {
   PlanarSlamSettings s;
   s.vehicle.model = "differential-drive";
   s.sensor = {0.1, 0, radians(1), 80};
-  s.filter.lineariser = lineariser;
+  s.filter.linearization = linearization;
   s.association.method = "known";
   s.association.gate_probability = 1 - 1e-12;
   s.start.sigma_heading_rad = radians(standing_sigma_heading_deg);
@@ -64,10 +64,10 @@ StandingVehicle standing_vehicle(std::uint64_t seed, const std::string& linearis
     Eigen::Vector2d z = RangeBearing::h<double>(truth, landmark);
     z[0] += s.sensor.sigma_range_m * random.normal();
     z[1] += s.sensor.sigma_bearing_rad * random.normal();
-    Observation seen;
-    seen.team.resize(1);
-    seen.team[0].landmarks = {{0, z}};
-    estimator.update(estimate, {}, seen, {k, static_cast<double>(k), k > 0 ? 1.0 : 0.0});
+    Observation observation;
+    observation.team.resize(1);
+    observation.team[0].landmarks = {{0, z}};
+    estimator.update(estimate, {}, observation, {k, static_cast<double>(k), k > 0 ? 1.0 : 0.0});
   }
   const TeamVehicle& at = estimate.vehicles.front();
   return {degrees(std::sqrt(at.state_covariance(2, 2))),
@@ -85,13 +85,13 @@ PlanarConsistency planar_consistency(const PlanarLoopSettings& drive, std::uint6
   PlanarConsistency sum;
   double scans = 0, updates = 0;
   while (const Tick tick = clock.next()) {
-    estimator.update(estimate, {}, sensor.look({}, tick), tick);
+    estimator.update(estimate, {}, sensor.measure({}, tick), tick);
     if (estimate.update.rows > 0) {
       sum.nis += estimate.update.nis / estimate.update.rows;
       ++updates;
     }
     if (tick.frame == 0) continue;  // the start is known exactly
-    const auto truth = true_place(recordings->front(), tick.t);
+    const auto truth = true_position(recordings->front(), tick.t);
     const TeamVehicle& at = estimate.vehicles.front();
     Eigen::Vector3d error;
     error << truth->position - at.state.head<2>(), wrap_angle(*truth->heading_rad - at.state[2]);

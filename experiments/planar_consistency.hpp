@@ -39,6 +39,6 @@ struct StandingVehicle {
   double sigma_heading_deg = 0;  ///< at the end
   double nees = 0;               ///< of the heading at the end
 };
-StandingVehicle standing_vehicle(std::uint64_t seed, const std::string& lineariser);
+StandingVehicle standing_vehicle(std::uint64_t seed, const std::string& linearization);
 
 }  // namespace incognita

@@ -27,9 +27,9 @@ double processor_seconds() {
 }
 
 TeamMember member_of(const RangeRecording& robot, double start_t, const Setup& setup) {
-  TeamMember member{DifferentialDrive{}, LaserScanner{}, {}, {}, {}, {}};
-  auto place = true_place(robot, start_t);
-  for (double t = start_t; !place; t += 0.1) place = true_place(robot, t);
+  TeamMember member{DifferentialDrive{}, RangeBearingSensor{}, {}, {}, {}, {}};
+  auto place = true_position(robot, start_t);
+  for (double t = start_t; !place; t += 0.1) place = true_position(robot, t);
   member.start = Vector3d(place->position.x(), place->position.y(), *place->heading_rad);
   member.start_sigmas = Vector3d::Constant(0.01);
   member.input_sigmas = setup.input_sigmas_times * Vector2d(0.1, 0.5);
@@ -40,7 +40,7 @@ TeamMember member_of(const RangeRecording& robot, double start_t, const Setup& s
 
 TeamSettings settings_of(const Robots& robots, double start_t, const Setup& setup) {
   TeamSettings settings;
-  settings.filter.lineariser = setup.lineariser;
+  settings.filter.linearization = setup.linearization;
   settings.filter.gate_probability = 0.999;
   for (const RangeRecording& robot : robots) settings.members.push_back(member_of(robot, start_t, setup));
   return settings;
@@ -63,9 +63,9 @@ class Driver {
     TeamEstimate estimate;
     double matched_t = start_t;
     for (; tick; tick = clock.next()) {
-      const Observation seen = sensor.look({}, tick);
+      const Observation observation = sensor.measure({}, tick);
       const double before = processor_seconds();
-      estimator.update(estimate, {}, seen, tick);
+      estimator.update(estimate, {}, observation, tick);
       drive_.took_s += processor_seconds() - before;
       drive_.recorded_s = tick.t - start_t;
       drive_.longest_blind_s = std::max(drive_.longest_blind_s, tick.t - matched_t);
@@ -81,14 +81,14 @@ class Driver {
   void count(const TeamEstimate& e) {
     squares_ += e.update.nis, rows_ += e.update.rows;
     drive_.lost = drive_.lost || e.status.state == TrackingState::lost;
-    for (const TeamLook& look : e.looks) {
-      drive_.looks += look.outcome == LookOutcome::matched || look.outcome == LookOutcome::inconsistent;
-      drive_.left_out += look.outcome == LookOutcome::inconsistent;
+    for (const Match& match : e.matches) {
+      drive_.measurements += match.outcome == MatchOutcome::matched || match.outcome == MatchOutcome::outlier;
+      drive_.left_out += match.outcome == MatchOutcome::outlier;
     }
   }
 
   void compare(const TeamEstimate& e, std::size_t i, double t, double start_t) {
-    const auto place = true_place(robots_[i], t);
+    const auto place = true_position(robots_[i], t);
     if (!place) return;
     const Vector3d mean = e.belief.mean(e.vehicles[i].block);
     const Eigen::Matrix3d P = e.belief.covariance(e.vehicles[i].block);
@@ -96,7 +96,7 @@ class Driver {
     error << place->position - mean.head<2>(), wrap_angle(*place->heading_rad - mean[2]);
     RobotCourse& course = drive_.robots[i];
     course.t_s.push_back(t - start_t);
-    course.believed.emplace_back(mean.head<2>());
+    course.estimated.emplace_back(mean.head<2>());
     course.truth.push_back(place->position);
     course.sigma_m.push_back(
         std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(P.topLeftCorner<2, 2>()).eigenvalues()[1]));
@@ -111,8 +111,8 @@ class Driver {
     for (RobotCourse& course : drive_.robots) {
       const auto count = static_cast<double>(course.t_s.size());
       for (std::size_t k = 0; k < course.t_s.size(); ++k) {
-        course.rms_m += (course.believed[k] - course.truth[k]).squaredNorm() / count;
-        course.fitted_rms_m += (drive_.fit(course.believed[k]) - course.truth[k]).squaredNorm() / count;
+        course.rms_m += (course.estimated[k] - course.truth[k]).squaredNorm() / count;
+        course.fitted_rms_m += (drive_.fit(course.estimated[k]) - course.truth[k]).squaredNorm() / count;
       }
       course.rms_m = std::sqrt(course.rms_m), course.fitted_rms_m = std::sqrt(course.fitted_rms_m);
       course.rms_heading_rad = std::sqrt(course.rms_heading_rad / count);
@@ -121,21 +121,21 @@ class Driver {
   }
 
   void fit_landmarks(const TeamEstimate& e) {
-    std::vector<Vector2d> believed, surveyed;
+    std::vector<Vector2d> estimated, surveyed;
     for (const RangeRecording::Landmark& landmark : robots_.front().landmarks) {
       const auto found = e.landmarks.find(landmark.identity);
       if (found == e.landmarks.end()) continue;
       const BlockId block = found->second.block;
-      believed.emplace_back(e.belief.mean(block));
+      estimated.emplace_back(e.belief.mean(block));
       surveyed.push_back(landmark.position);
-      drive_.landmarks.push_back({landmark.identity, believed.back(), landmark.position,
+      drive_.landmarks.push_back({landmark.identity, estimated.back(), landmark.position,
                                   Eigen::Matrix2d(e.belief.covariance(block))});
     }
-    drive_.fit = fit_rigid(believed, surveyed);
+    drive_.fit = fit_rigid(estimated, surveyed);
     const auto count = static_cast<double>(drive_.landmarks.size());
     for (MappedLandmark& l : drive_.landmarks) {
-      l.off_m = (l.believed - l.surveyed).norm(),
-      l.fitted_off_m = (drive_.fit(l.believed) - l.surveyed).norm();
+      l.off_m = (l.estimated - l.surveyed).norm(),
+      l.fitted_off_m = (drive_.fit(l.estimated) - l.surveyed).norm();
       drive_.map_rms_m += l.off_m * l.off_m / count;
       drive_.fitted_map_rms_m += l.fitted_off_m * l.fitted_off_m / count;
     }
@@ -152,7 +152,7 @@ class Driver {
 };
 
 /// Scans that show nothing at the times of the others' scans; none from before the team's first.
-void look_at_all_times(RangeRecording& robot, const Robots& team) {
+void measure_at_all_times(RangeRecording& robot, const Robots& team) {
   RangeClock clock(std::make_shared<const Robots>(team), duration_s);
   std::vector<RangeRecording::Scan> scans;
   auto own = robot.scans.begin();
@@ -174,7 +174,7 @@ Drive alone(const Robots& robots, std::size_t which, const Setup& setup, Times t
   Setup by_itself = setup;
   by_itself.see_each_other = false;
   Robots only = {robots[which]};
-  if (times == Times::of_team) look_at_all_times(only.front(), robots);
+  if (times == Times::of_team) measure_at_all_times(only.front(), robots);
   return Driver(only, by_itself).run();
 }
 

@@ -25,13 +25,13 @@ Robots load();
 
 struct Setup {
   bool see_each_other = true;
-  std::string lineariser = "analytic";
+  std::string linearization = "analytic";
   double input_sigmas_times = 1, sensor_sigmas_times = 1;
 };
 
 struct RobotCourse {
   std::vector<double> t_s, sigma_m;  ///< since the start; of the position, in the worst direction
-  std::vector<Eigen::Vector2d> believed, truth;
+  std::vector<Eigen::Vector2d> estimated, truth;
   double rms_m = 0, fitted_rms_m = 0;  ///< of the position, as it is and after the fit of the landmarks
   double rms_heading_rad = 0;
   double most_sigma_heading_rad = 0;
@@ -40,7 +40,7 @@ struct RobotCourse {
 
 struct MappedLandmark {
   std::int64_t identity = 0;
-  Eigen::Vector2d believed, surveyed;
+  Eigen::Vector2d estimated, surveyed;
   Eigen::Matrix2d covariance;
   double off_m = 0, fitted_off_m = 0;
 };
@@ -50,10 +50,10 @@ struct Drive {
   std::vector<MappedLandmark> landmarks;
   PlanarFit fit;  ///< rigid, of the estimated landmarks to the surveyed ones
   double map_rms_m = 0, fitted_map_rms_m = 0;
-  double nis = 0;                     ///< over its degrees of freedom
-  int looks = 0, left_out = 0;        ///< sightings of what was known; of them, outside the gate
-  double longest_blind_s = 0;         ///< without a sighting
-  double recorded_s = 0, took_s = 0;  ///< of the recording, and of one processor
+  double nis = 0;                      ///< over its degrees of freedom
+  int measurements = 0, left_out = 0;  ///< sightings of what was known; of them, outside the gate
+  double longest_blind_s = 0;          ///< without a sighting
+  double recorded_s = 0, took_s = 0;   ///< of the recording, and of one processor
   bool lost = false;
 };
 

@@ -41,26 +41,27 @@ struct Plane {
       blocks.push_back(belief.augment(Chart::line(2), at, {}, 0.25 * Eigen::Matrix2d::Identity()));
   }
 
-  ImaginedStep step_to(const Eigen::Vector2d& place) const {
+  ImaginedStep step_to(const Eigen::Vector2d& position) const {
     ImaginedStep step{BlockMatrix::Identity(3, 3), 1e-4 * BlockMatrix::Identity(3, 3), {}};
     for (std::size_t i = 0; i < points.size(); ++i) {
-      const auto seen = Bearing::look(planar::Pose<double>(place.x(), place.y(), 0), points[i]);
-      if (!seen || std::abs(seen->z[0]) > pi / 2) continue;
-      ExpectedLook look;
-      look.of = ExpectedLook::Of::mapped;
-      look.block = blocks[i];
-      look.Hv = seen->Hv;
-      look.Hl = seen->Hl;
-      look.R = sigma_bearing * sigma_bearing * LookMatrix::Identity(1, 1);
-      step.looks.push_back(look);
+      const auto prediction =
+          Bearing::predict_measurement(planar::Pose<double>(position.x(), position.y(), 0), points[i]);
+      if (!prediction || std::abs(prediction->z[0]) > pi / 2) continue;
+      PredictedMeasurement measurement;
+      measurement.of = PredictedMeasurement::Of::mapped;
+      measurement.block = blocks[i];
+      measurement.Hv = prediction->Hv;
+      measurement.Hl = prediction->Hl;
+      measurement.R = sigma_bearing * sigma_bearing * MeasurementMatrix::Identity(1, 1);
+      step.measurements.push_back(measurement);
     }
     return step;
   }
 
-  double gain_at(const Eigen::Vector2d& place) const {
+  double gain_at(const Eigen::Vector2d& position) const {
     InformationGain gain;
     gain.start(belief, camera);
-    gain.push(step_to(place));
+    gain.push(step_to(position));
     return gain.of_state();
   }
 };
@@ -70,14 +71,15 @@ Eigen::Vector2d way(int degrees) {
 }
 
 /// (6.6) by the determinants of the whole covariance, before and after.
-double by_determinants(const Plane& plane, const Eigen::Vector2d& place) {
-  const ImaginedStep step = plane.step_to(place);
+double by_determinants(const Plane& plane, const Eigen::Vector2d& position) {
+  const ImaginedStep step = plane.step_to(position);
   Eigen::MatrixXd P = plane.belief.dense_covariance();
   P.topLeftCorner(3, 3) += step.N;
-  Eigen::MatrixXd H = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(step.looks.size()), P.cols());
-  for (std::size_t i = 0; i < step.looks.size(); ++i) {
-    H.block(static_cast<Eigen::Index>(i), 0, 1, 3) = step.looks[i].Hv;
-    H.block(static_cast<Eigen::Index>(i), plane.belief.offset(step.looks[i].block), 1, 2) = step.looks[i].Hl;
+  Eigen::MatrixXd H = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(step.measurements.size()), P.cols());
+  for (std::size_t i = 0; i < step.measurements.size(); ++i) {
+    H.block(static_cast<Eigen::Index>(i), 0, 1, 3) = step.measurements[i].Hv;
+    H.block(static_cast<Eigen::Index>(i), plane.belief.offset(step.measurements[i].block), 1, 2) =
+        step.measurements[i].Hl;
   }
   const Eigen::MatrixXd S =
       H * P * H.transpose() + sigma_bearing * sigma_bearing * Eigen::MatrixXd::Identity(H.rows(), H.rows());
@@ -87,11 +89,11 @@ double by_determinants(const Plane& plane, const Eigen::Vector2d& place) {
 
 Plot figure(const Plane& plane) {
   Panel map{"(a) from above", "x, m", "y, m", {}, true};
-  Curve points{"landmarks", Style::stars, {}, {}, {}, Colour::ink};
+  Curve points{"landmarks", Style::stars, {}, {}, {}, Color::ink};
   for (const Eigen::Vector2d& p : plane.points) points.x.push_back(p.x()), points.y.push_back(p.y());
-  Curve rose{"gain, 0.25 m a nat", Style::line, {}, {}, {}, Colour::blue};
+  Curve rose{"gain, 0.25 m a nat", Style::line, {}, {}, {}, Color::blue};
   Panel by_angle{"(b) by direction", "degrees to the left", "nats", {}};
-  Curve gains{"I(X; Z)", Style::line, {}, {}, {}, Colour::blue};
+  Curve gains{"I(X; Z)", Style::line, {}, {}, {}, Color::blue};
   double least = 1e9;
   for (int d = -180; d <= 180; d += 3) least = std::min(least, plane.gain_at(way(d)));
   for (int d = -180; d <= 180; d += 3) {
@@ -116,7 +118,7 @@ int best_way(const Plane& plane) {
 double direction_of(const Eigen::Vector2d& p) { return std::atan2(p.y(), p.x()) * 180 / pi; }
 
 /// A place of the kind that the figure shows: its own is not told.
-Plane drawn_place(RandomStream& random) {
+Plane drawn_landmarks(RandomStream& random) {
   const auto at = [&](double from, double to) {
     const double angle = random.uniform(from, to) * pi / 180, away = random.uniform(1, 2.5);
     return Eigen::Vector2d(away * std::cos(angle), away * std::sin(angle));
@@ -130,7 +132,7 @@ Claim where_it_is_best(const Plane& plane) {
   int between = 0;
   RandomStream random(2, "figure-6.2");
   for (int i = 0; i < layouts; ++i) {
-    const Plane other = drawn_place(random);
+    const Plane other = drawn_landmarks(random);
     const int best = best_way(other);
     between += best < direction_of(other.points[1]) && best > direction_of(other.points[2]);
   }
@@ -148,7 +150,7 @@ Claim where_it_is_best(const Plane& plane) {
       Verdict::does_not_hold,
       "in none of these places",
       layouts};
-  return judged(claim, between > 0);
+  return assessed(claim, between > 0);
 }
 
 /// (6.6): the printed determinants, ours, and that nothing is lost by looking.
@@ -156,8 +158,8 @@ std::vector<Claim> identities(const Plane& plane) {
   double apart = 0, least = 1e9;
   RandomStream random(6, "section-6.1");
   for (int i = 0; i < 1000; ++i) {
-    const Eigen::Vector2d place(random.uniform(-1, 1), random.uniform(-1, 1));
-    const double ours = plane.gain_at(place), theirs = by_determinants(plane, place);
+    const Eigen::Vector2d position(random.uniform(-1, 1), random.uniform(-1, 1));
+    const double ours = plane.gain_at(position), theirs = by_determinants(plane, position);
     apart = std::max(apart, std::abs(ours - theirs) / (1 + theirs));
     least = std::min(least, ours);
   }
@@ -195,9 +197,9 @@ std::vector<Claim> identities(const Plane& plane) {
                             0.5 * std::log(2 * pi * variance), gaussian_entropy(std::log(variance), 1)),
                 Verdict::holds,
                 "with e: half of log((2 pi e)^n |P|). Differences of entropies, all that decides, are right"};
-  return {judged(same, apart < 1e-9), judged(positive, least > 0),
-          judged(entropy, std::abs(integral - 0.5 * std::log(2 * pi * variance)) < 1e-6,
-                 std::abs(integral - gaussian_entropy(std::log(variance), 1)) < 1e-6)};
+  return {assessed(same, apart < 1e-9), assessed(positive, least > 0),
+          assessed(entropy, std::abs(integral - 0.5 * std::log(2 * pi * variance)) < 1e-6,
+                   std::abs(integral - gaussian_entropy(std::log(variance), 1)) < 1e-6)};
 }
 
 /// (6.8) has S where the Fisher information of a look has R, and they order looks the other way round.
@@ -207,7 +209,7 @@ Claim fisher() {
     other.belief.replace(other.blocks[0], Chart::line(2), other.points[0],
                          2 * landmark_sigma * BlockMatrix::Identity(2, 2), BlockMatrix::Zero(2, 2));
     ImaginedStep step = other.step_to({0, 0});
-    step.looks.resize(1);
+    step.measurements.resize(1);
     InformationGain gain;
     gain.start(other.belief, other.camera);
     gain.push(step);
@@ -227,22 +229,22 @@ Claim fisher() {
               "S grows with what is not known, so its inverse falls: (6.8) prefers landmarks that are well "
               "known. The Fisher "
               "information given the state, with R, does not depend on it; mutual information grows with it"};
-  return judged(claim, unsure[0] > sure[0]);
+  return assessed(claim, unsure[0] > sure[0]);
 }
 
 /// The landmarks looked at from all around until no more is learnt of one by another.
-void look_often(Plane& plane, int looks, RandomStream& random) {
-  for (int i = 0; i < looks; ++i) {
-    const Eigen::Vector2d place(random.uniform(-1, 1), random.uniform(-1, 1));
-    const ImaginedStep step = plane.step_to(place);
-    plane.belief.predict({plane.camera, Eigen::Vector3d(place.x(), place.y(), 0), step.A, step.N});
-    std::vector<AffineLook> seen;
-    for (const ExpectedLook& look : step.looks) {
-      AffineLook affine;
-      affine.add(plane.camera, look.Hv);
-      affine.add(look.block, look.Hl);
-      affine.residual = LookVector::Zero(1);
-      affine.R = look.R;
+void measure_often(Plane& plane, int measurements, RandomStream& random) {
+  for (int i = 0; i < measurements; ++i) {
+    const Eigen::Vector2d position(random.uniform(-1, 1), random.uniform(-1, 1));
+    const ImaginedStep step = plane.step_to(position);
+    plane.belief.predict({plane.camera, Eigen::Vector3d(position.x(), position.y(), 0), step.A, step.N});
+    std::vector<LinearizedMeasurement> seen;
+    for (const PredictedMeasurement& measurement : step.measurements) {
+      LinearizedMeasurement affine;
+      affine.add(plane.camera, measurement.Hv);
+      affine.add(measurement.block, measurement.Hl);
+      affine.residual = MeasurementVector::Zero(1);
+      affine.R = measurement.R;
       seen.push_back(affine);
     }
     plane.belief.update(seen);
@@ -276,18 +278,18 @@ Taught taught_by_all_ways(const Plane& plane) {
 
 /// In places of the kind of Figure 6.2.
 Claim once_correlated() {
-  constexpr int layouts = 30, looks = 1500;
+  constexpr int layouts = 30, measurements = 1500;
   Taught worst;
   RandomStream random(7, "section-6.1");
   for (int i = 0; i < layouts; ++i) {
-    Plane plane = drawn_place(random);
-    look_often(plane, looks, random);
+    Plane plane = drawn_landmarks(random);
+    measure_often(plane, measurements, random);
     const Taught taught = taught_by_all_ways(plane);
     worst.of_map = std::max(worst.of_map, taught.of_map);
     worst.lost_by_own = std::max(worst.lost_by_own, taught.lost_by_own);
     worst.lost_by_own_given_map = std::max(worst.lost_by_own_given_map, taught.lost_by_own_given_map);
   }
-  return judged(
+  return assessed(
       {.id = "6.1-fully-correlated",
        .place = "end of Section 6.1.1",
        .statement = "Once the map is fully correlated there is nothing to learn of it, and the camera's own "
@@ -298,7 +300,7 @@ Claim once_correlated() {
            fmt::format("worst of {} places after {} looks from all around: {:.4f} nats of the map, by "
                        "the camera's way {:.3f} nats less than by the best, by its way were the map "
                        "known {:.4f}; in a map not looked at yet {:.2f} nats of the map",
-                       layouts, looks, worst.of_map, worst.lost_by_own, worst.lost_by_own_given_map,
+                       layouts, measurements, worst.of_map, worst.lost_by_own, worst.lost_by_own_given_map,
                        taught_by_all_ways(Plane()).of_map),
        .why = "with the camera's entropy given the map. By itself it also counts what looks tell of where "
               "camera and map are together, which they do not tell",

@@ -35,8 +35,8 @@ const std::vector<Strategy>& variants() {
 
 Claim explores(const Runs& ours, const Runs& blind) {
   const auto seen = [](const Run& r) { return r.coverage; };
-  const Interval more = bootstrap_mean(less(each(ours, seen), each(blind, seen)), judged_at);
-  return judged(
+  const Interval more = bootstrap_mean(less(each(ours, seen), each(blind, seen)), assessed_at);
+  return assessed(
       {.id = "6.3-unseen-pay",
        .place = "Section 6.2, Figure 6.3",
        .statement =

@@ -33,7 +33,7 @@ Strategy as_printed(Strategy strategy) {
   return strategy;
 }
 
-const std::vector<Strategy>& hands() {
+const std::vector<Strategy>& actuators() {
   static const std::vector<Strategy> all{
       {"obedient", {}}, {"late", {"person.delay_s=1"}}, {"often wrong", {"person.wrong=0.5"}}};
   return all;
@@ -60,22 +60,23 @@ double fall_by_returning(const Run& run) {
 
 Claim closing_loops(const Common& common, const Runs& runs) {
   const std::vector<double> all = less(each(runs, fall_by_returning), std::vector<double>(runs.size()));
-  const Interval more = bootstrap_mean(all, judged_at);
-  return judged({.id = common.id + "-loops",
-                 .place = "Section 6.3.2, Figure 6.7",
-                 .statement = "Closing loops reduces entropy: with a hand-held camera it falls by more in "
-                              "seconds in which landmarks are matched that were out of view for 5 s than in "
-                              "others, the map staying the same landmarks" +
-                              common.variant,
-                 .printed = "an interesting effect in the reduction of entropy",
-                 .measured = fmt::format("{} nats more a second (99.9 %)", text(more)),
-                 .why = "it falls by less: the other landmarks in view in those seconds are as informative",
-                 .runs = static_cast<int>(all.size()),
-                 .least_runs = enough_runs},
-                is_above(more, 0));
+  const Interval more = bootstrap_mean(all, assessed_at);
+  return assessed(
+      {.id = common.id + "-loops",
+       .place = "Section 6.3.2, Figure 6.7",
+       .statement = "Closing loops reduces entropy: with a hand-held camera it falls by more in "
+                    "seconds in which landmarks are matched that were out of view for 5 s than in "
+                    "others, the map staying the same landmarks" +
+                    common.variant,
+       .printed = "an interesting effect in the reduction of entropy",
+       .measured = fmt::format("{} nats more a second (99.9 %)", text(more)),
+       .why = "it falls by less: the other landmarks in view in those seconds are as informative",
+       .runs = static_cast<int>(all.size()),
+       .least_runs = enough_runs},
+      is_above(more, 0));
 }
 
-std::vector<Claim> of_hands(const std::vector<Runs>& hand) {
+std::vector<Claim> of_operators(const std::vector<Runs>& actuator) {
   const char* held = "Section 6.3.2, beside it";
   std::vector<Claim> claims{
       beats(
@@ -84,13 +85,14 @@ std::vector<Claim> of_hands(const std::vector<Runs>& hand) {
               "A person who obeys a second late, when the next command is already there, leaves more entropy "
               "than one who obeys within 0.3 s") +
               as_mapped,
-          "a late one, of the prompt one", hand[0], hand[1], "a command that comes late is still a good one"),
+          "a late one, of the prompt one", actuator[0], actuator[1],
+          "a command that comes late is still a good one"),
       beats("6.3.2-wrong", held,
             "A person who goes another way than commanded half of the time leaves more entropy than one who "
             "does so one time in twenty" +
                 as_mapped,
-            "who is often wrong, of who rarely is", hand[0], hand[2], "it makes no difference")};
-  claims.front().measured += ". " + in_numbers(hands(), hand);
+            "who is often wrong, of who rarely is", actuator[0], actuator[2], "it makes no difference")};
+  claims.front().measured += ". " + in_numbers(actuators(), actuator);
   return claims;
 }
 
@@ -118,13 +120,13 @@ LedgerEntry run(const ExperimentSettings& all_seeds) {
   LedgerEntry entry{section_6_3_2.id, section_6_3_2.title, "", {}, {}};
   const ByStrategy mapped = runs_of_all(by_gaze(), "explore-room", settings),
                    other = runs_of_all(baselines(), "explore-room", settings),
-                   hand = runs_of_all(hands(), "hand-held", settings);
+                   actuator = runs_of_all(actuators(), "hand-held", settings);
   const Strategy all_counted = as_printed(by_gaze()[0]);
   const Runs printed = runs_of("explore-room", all_counted, settings, fresh_rooms);
   const Common as_thesis{"6.3.2", place,
                          "it goes to where most of the room is in view, and maps no more there", ""},
       variant{"6.3.2-as-mapped", place, "it leaves more", as_mapped},
-      of_hand{variant.id, "Section 6.3.2", "they are not", as_mapped};
+      of_operator{variant.id, "Section 6.3.2", "they are not", as_mapped};
   const auto add = [&](const std::vector<Claim>& claims) {
     entry.claims.insert(entry.claims.end(), claims.begin(), claims.end());
   };
@@ -134,10 +136,10 @@ LedgerEntry run(const ExperimentSettings& all_seeds) {
   add(against_baselines(variant, "Moving by mutual information", mapped[0], other));
   entry.claims[3].measured += ". " + in_numbers(by_gaze(), mapped);
   add(gaze_claims(variant, mapped));
-  add({moves_across(of_hand, hand[0], "commands to a person"), closing_loops(variant, hand[0])});
+  add({moves_across(of_operator, actuator[0], "commands to a person"), closing_loops(variant, actuator[0])});
   entry.claims.push_back(counting(mapped[0], printed));
-  for (const Claim& claim : of_hands(hand)) entry.claims.push_back(claim);
-  const auto& first = hand[0].front();
+  for (const Claim& claim : of_operators(actuator)) entry.claims.push_back(claim);
+  const auto& first = actuator[0].front();
   entry.figures.push_back(
       draw_plot(settings.out,
                 {"fig-6.7",

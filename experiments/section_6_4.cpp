@@ -33,26 +33,27 @@ double share_inside(const Run& run) {
 }
 
 Claim inside_its_bounds(const Runs& runs) {
-  const Interval inside = bootstrap_mean(each(runs, share_inside), judged_at);
-  return judged({.id = "6.4-bounds",
-                 .place = "Figure 6.10",
-                 .statement = "A camera that flies is model enough for one on wheels: 95 % of the errors of "
-                              "its position are inside their 2 sigma bounds, ground and wheels unknown to "
-                              "the filter",
-                 .printed = "2 sigma variance bounds",
-                 .measured = fmt::format("{} inside (99.9 %)", text(inside)),
-                 .why = "the filter is slightly overconfident: what the ground does to the camera is not "
-                        "white noise",
-                 .runs = static_cast<int>(runs.size()),
-                 .least_runs = enough_runs},
-                is_above(inside, 0.95));
+  const Interval inside = bootstrap_mean(each(runs, share_inside), assessed_at);
+  return assessed(
+      {.id = "6.4-bounds",
+       .place = "Figure 6.10",
+       .statement = "A camera that flies is model enough for one on wheels: 95 % of the errors of "
+                    "its position are inside their 2 sigma bounds, ground and wheels unknown to "
+                    "the filter",
+       .printed = "2 sigma variance bounds",
+       .measured = fmt::format("{} inside (99.9 %)", text(inside)),
+       .why = "the filter is slightly overconfident: what the ground does to the camera is not "
+              "white noise",
+       .runs = static_cast<int>(runs.size()),
+       .least_runs = enough_runs},
+      is_above(inside, 0.95));
 }
 
 /// Table 6.1 as printed: accelerations of one cycle of fifteen.
 Claim one_cycle(const Runs& runs) {
   const auto kept = std::count_if(runs.begin(), runs.end(), [](const Run& r) { return !diverged(r); });
-  const Interval found = share_of(static_cast<std::size_t>(kept), runs.size(), judged_at);
-  return judged(
+  const Interval found = share_of(static_cast<std::size_t>(kept), runs.size(), assessed_at);
+  return assessed(
       {.id = "6.4-one-cycle",
        .place = "Section 6.4.2, Table 6.1",
        .statement = "Accelerations that act for one cycle of fifteen, as printed, keep the vehicle "

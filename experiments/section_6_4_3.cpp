@@ -30,9 +30,9 @@ Plot vehicle_figure(const Run& run) {
            {"Height",
             "t, s",
             "z, m",
-            {over_time("camera", run, true_height, Colour::blue),
-             over_time("believed", run, height, Colour::orange, Style::dashed)}},
-           {"Heading", "t, s", "rad", {over_time("believed", run, heading, Colour::orange)}},
+            {over_time("camera", run, true_height, Color::blue),
+             over_time("believed", run, height, Color::orange, Style::dashed)}},
+           {"Heading", "t, s", "rad", {over_time("believed", run, heading, Color::orange)}},
            choices("Chosen every second", run)}};
 }
 

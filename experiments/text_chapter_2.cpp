@@ -34,10 +34,10 @@ constexpr double rounding = 1e-12;
 /// From a known robot, as in Example 3.1, and from one known to 1 m with landmarks born from what it sees.
 std::vector<Setup> starts(int landmarks, int steps = 300) {
   const Setup known{.landmarks = landmarks, .steps = steps};
-  Setup born = known;
-  born.robot_var_m2 = 1;
-  born.landmark_var_m2.reset();
-  return {known, born};
+  Setup initialized = known;
+  initialized.robot_var_m2 = 1;
+  initialized.landmark_var_m2.reset();
+  return {known, initialized};
 }
 
 Claim precision_increases() {
@@ -51,7 +51,7 @@ Claim precision_increases() {
         landmark_rise = std::max(landmark_rise, rise.tail(n).maxCoeff());
       }
     }
-  return judged(
+  return assessed(
       {.id = "text-2.2-precision",
        .place = "Section 2.2",
        .statement = "The precision of vehicle and landmark locations increases monotonically: no variance "
@@ -67,7 +67,7 @@ Claim precision_increases() {
 Claim vehicle_is_bounded() {
   const auto P = monobot::course({.steps = 10'000}).posterior;
   const double at_100 = P[100](0, 0), at_10000 = P[10'000](0, 0), dead_reckoning = 10'000 * 0.1 * 0.1;
-  return judged(
+  return assessed(
       {.id = "text-2.2-bounded",
        .place = "Sections 2.1 and 2.2",
        .statement = "The vehicle's estimate becomes bounded, where dead reckoning is lost: variance "
@@ -91,14 +91,14 @@ Claim correlations_grow() {
         fall = std::max(fall, correlation(P[k - 1], 1, 2) - correlation(P[k], 1, 2));
       lines.push_back(fmt::format("{:.3f} to {:.4f}", correlation(P[1], 1, 2), correlation(P[300], 1, 2)));
     }
-  return judged({.id = "text-2.2-correlations",
-                 .place = "Section 2.2 and 2.2.1",
-                 .statement = "Correlations between landmarks increase monotonically as they are observed",
-                 .printed = "monotonically",
-                 .measured = fmt::format(
-                     "from step 1 to 300, two and five landmarks from two starts each: {}; largest fall {}",
-                     fmt::join(lines, "; "), below(fall))},
-                fall <= rounding);
+  return assessed({.id = "text-2.2-correlations",
+                   .place = "Section 2.2 and 2.2.1",
+                   .statement = "Correlations between landmarks increase monotonically as they are observed",
+                   .printed = "monotonically",
+                   .measured = fmt::format(
+                       "from step 1 to 300, two and five landmarks from two starts each: {}; largest fall {}",
+                       fmt::join(lines, "; "), below(fall))},
+                  fall <= rounding);
 }
 
 /// What n landmarks, born from the looks of a robot of variance `robot`, have in common for ever.
@@ -115,7 +115,7 @@ Claim lower_bound() {
         const MatrixXd P = filtered(monobot::system(setup), monobot::first_covariance(setup), 1000);
         nearest = std::min(nearest, P.diagonal().tail(n).minCoeff() - robot);
       }
-  return judged(
+  return assessed(
       {.id = "text-3.1-lower-bound",
        .place = "Sections 2.2 and 3.1, property (3)",
        .statement = "No landmark's variance falls below the vehicle's when the first landmark was first seen",
@@ -139,7 +139,7 @@ Claim bound_is_reached() {
       of_ours = std::max(of_ours, std::abs(limit / ours - 1));
       lines.push_back(fmt::format("s_v {} m, {} landmarks: {:.4f} m^2", v, n, limit));
     }
-  return judged(
+  return assessed(
       {.id = "text-3.1-bound-reached",
        .place = "Sections 2.2 and 3.1, property (3)",
        .statement =
@@ -167,7 +167,7 @@ Claim riccati_depends() {
           off = std::max({off, std::abs(P(0, 1) / common - 1), std::abs(P(0, 0) / (common + relative) - 1)});
           ++cases;
         }
-  return judged(
+  return assessed(
       {.id = "text-2.18-depends",
        .place = "below (2.18), Section 3.1",
        .statement = "In linear SLAM the Riccati equation still converges, to a solution that is a function "
@@ -185,49 +185,52 @@ Claim riccati_needs_observability() {
   const LinearSystem s = monobot::system(setup);
   const RiccatiLimit limit = iterate_riccati(s, predicted(s, monobot::first_covariance(setup)));
   const int rank = rank_of(observability_matrix(s)).rank;
-  return judged({.id = "text-2.18-only-if",
-                 .place = "below (2.18)",
-                 .statement = "The solution of the Riccati equation converges only if (F, H) is completely "
-                              "observable: the monobot without an anchor must not settle",
-                 .printed = "does not converge",
-                 .measured = fmt::format("observability rank {} of 2, and it {}", rank, limit.reason),
-                 .why = "nothing excites what cannot be observed (F = I, no noise on the landmark), so it "
-                        "stays as it was born. Section 3.1 says so itself"},
-                rank < 2 && !limit.settled);
+  return assessed({.id = "text-2.18-only-if",
+                   .place = "below (2.18)",
+                   .statement = "The solution of the Riccati equation converges only if (F, H) is completely "
+                                "observable: the monobot without an anchor must not settle",
+                   .printed = "does not converge",
+                   .measured = fmt::format("observability rank {} of 2, and it {}", rank, limit.reason),
+                   .why = "nothing excites what cannot be observed (F = I, no noise on the landmark), so it "
+                          "stays as it was born. Section 3.1 says so itself"},
+                  rank < 2 && !limit.settled);
 }
 
 /// Variance of a landmark that a robot of variance P_rr gives birth to, by drawing both noises.
-Claim birth_covariance() {
-  constexpr double robot_sigma = 0.5, look_sigma = 0.2;  // m
+Claim initial_covariance() {
+  constexpr double robot_sigma = 0.5, measurement_sigma = 0.2;  // m
   constexpr int draws = 100'000;
   RandomStream random(1, "births");
   double squares = 0;
   for (int i = 0; i < draws; ++i) {
-    const double robot_error = robot_sigma * random.normal(), noise = look_sigma * random.normal();
-    const double z = RelativePosition::look(0, 2).z[0] + noise;
-    squares += std::pow(RelativePosition::birth(robot_error, z).landmark[0] - 2, 2);
+    const double robot_error = robot_sigma * random.normal(), noise = measurement_sigma * random.normal();
+    const double z = RelativePosition::predict_measurement(0, 2).z[0] + noise;
+    squares += std::pow(RelativePosition::initialize(robot_error, z).landmark[0] - 2, 2);
   }
-  const RelativePosition::Birth birth;
+  const RelativePosition::Initialization initialization;
   Belief belief;
   const BlockId robot = belief.add_vehicle(Chart::line(1), Eigen::VectorXd::Zero(1),
                                            MatrixXd::Constant(1, 1, robot_sigma * robot_sigma));
-  const Belief::Parent parent{robot, birth.Jv};
-  const MatrixXd noise = birth.Jz * (look_sigma * look_sigma) * birth.Jz.transpose();
+  const Belief::Parent parent{robot, initialization.Jv};
+  const MatrixXd noise =
+      initialization.Jz * (measurement_sigma * measurement_sigma) * initialization.Jz.transpose();
   const double ours =
       belief.covariance(belief.augment(Chart::line(1), Eigen::VectorXd::Zero(1), {&parent, 1}, noise))(0, 0);
   const double drawn = squares / draws, P = robot_sigma * robot_sigma;
-  const double printed = birth.Jv[0] * P * birth.Jv[0] + birth.Jz[0] * P * birth.Jz[0];
-  return judged({.id = "text-2.25-birth",
-                 .place = "(2.25)",
-                 .statement = "Covariance of a new landmark (robot known to 0.5 m, look to 0.2 m), to 3 % of "
-                              "what drawing them gives",
-                 .printed = fmt::format("J_r P_rr J_r' + J_m P_rr J_m': {:.3f} m^2", printed),
-                 .measured = fmt::format("drawn {:.3f} m^2, ours {:.3f} m^2. With range and bearing P_rr is "
-                                         "3x3 and J_m 2x2: the printed product does not exist",
-                                         drawn, ours),
-                 .why = "J_r P_rr J_r' + J_m R J_m', with the noise of the first measurement",
-                 .runs = draws},
-                std::abs(printed / drawn - 1) <= 0.03, std::abs(ours / drawn - 1) <= 0.03);
+  const double printed =
+      initialization.Jv[0] * P * initialization.Jv[0] + initialization.Jz[0] * P * initialization.Jz[0];
+  return assessed(
+      {.id = "text-2.25-birth",
+       .place = "(2.25)",
+       .statement = "Covariance of a new landmark (robot known to 0.5 m, look to 0.2 m), to 3 % of "
+                    "what drawing them gives",
+       .printed = fmt::format("J_r P_rr J_r' + J_m P_rr J_m': {:.3f} m^2", printed),
+       .measured = fmt::format("drawn {:.3f} m^2, ours {:.3f} m^2. With range and bearing P_rr is "
+                               "3x3 and J_m 2x2: the printed product does not exist",
+                               drawn, ours),
+       .why = "J_r P_rr J_r' + J_m R J_m', with the noise of the first measurement",
+       .runs = draws},
+      std::abs(printed / drawn - 1) <= 0.03, std::abs(ours / drawn - 1) <= 0.03);
 }
 
 Claim dependent_errors() {
@@ -239,7 +242,7 @@ Claim dependent_errors() {
                moving_100 = landmark_variance(0.1, 100), moving_1000 = landmark_variance(0.1, 1000);
   const bool cancels =
       std::abs(still_100 * 101 / 0.04 - 1) < 1e-9 && std::abs(still_1000 * 1001 / 0.04 - 1) < 1e-9;
-  return judged(
+  return assessed(
       {.id = "text-2.2.3-dependent",
        .place = "Section 2.2.3",
        .statement = "Where errors are independent more and more looks cancel them out: variance as one over "
@@ -266,7 +269,7 @@ Claim optimal() {
     off = std::max(off, (updated(s, P, K) - (P - K * S * K.transpose())).norm() / P.norm());
     least = std::min(least, updated(s, P, other).trace() / updated(s, P, K).trace());
   }
-  return judged(
+  return assessed(
       {.id = "text-2.2.1-optimal",
        .place = "Section 2.2.1, (2.16), (2.17)",
        .statement = "The Kalman filter is the estimator of minimum mean square error: every other gain has a "
@@ -292,7 +295,7 @@ Claim nonholonomic() {
   Vector3d x = Vector3d::Zero();  // ahead, turn, back, turn back: 0.3 s each
   for (const Vector2d& u : {Vector2d(1, 0), Vector2d(0, 1), Vector2d(-1, 0), Vector2d(0, -1)})
     x = at_axle.step(x, u, 0.3).x;
-  return judged(
+  return assessed(
       {.id = "text-2.1-nonholonomic",
        .place = "Section 2.1",
        .statement = "A wheeled vehicle cannot move sideways (below 1e-9 m/s), but its constraint cannot be "
@@ -330,18 +333,19 @@ Standing stand_and_look(int seed, double sigma_bearing, bool first_estimates) {
   Belief belief;
   const Eigen::Matrix3d P = sigma.cwiseAbs2().asDiagonal();
   const BlockId vehicle = belief.add_vehicle(planar::pose_chart, start, P);
-  const auto birth = RangeBearing::birth(start, draw());
-  const Belief::Parent parent{vehicle, birth.Jv};
-  const Eigen::Matrix2d birth_noise = birth.Jz * R * birth.Jz.transpose();
-  const BlockId landmark =
-      belief.augment(RangeBearing::landmark_chart, birth.landmark, {&parent, 1}, birth_noise);
-  const auto first = RangeBearing::look(start, birth.landmark);
+  const auto initialization = RangeBearing::initialize(start, draw());
+  const Belief::Parent parent{vehicle, initialization.Jv};
+  const Eigen::Matrix2d initialization_noise = initialization.Jz * R * initialization.Jz.transpose();
+  const BlockId landmark = belief.augment(RangeBearing::landmark_chart, initialization.landmark, {&parent, 1},
+                                          initialization_noise);
+  const auto first = RangeBearing::predict_measurement(start, initialization.landmark);
   for (int k = 0; k < 100; ++k) {
-    const auto look = RangeBearing::look(Vector3d(belief.mean(vehicle)), Vector2d(belief.mean(landmark)));
-    AffineLook affine;
-    affine.add(vehicle, first_estimates ? first->Hv : look->Hv);
-    affine.add(landmark, first_estimates ? first->Hl : look->Hl);
-    const Vector2d residual = draw() - look->z;
+    const auto prediction =
+        RangeBearing::predict_measurement(Vector3d(belief.mean(vehicle)), Vector2d(belief.mean(landmark)));
+    LinearizedMeasurement affine;
+    affine.add(vehicle, first_estimates ? first->Hv : prediction->Hv);
+    affine.add(landmark, first_estimates ? first->Hl : prediction->Hl);
+    const Vector2d residual = draw() - prediction->z;
     affine.residual = Vector2d(residual[0], wrap_angle<double>(residual[1]));
     affine.R = R;
     belief.update({&affine, 1});
@@ -353,7 +357,7 @@ Standing stand_and_look(int seed, double sigma_bearing, bool first_estimates) {
 
 Claim stationary_vehicle(int seeds) {
   std::vector<std::string> lines;
-  Finding optimistic = true;
+  Finding optimiztic = true;
   double off = 0;
   std::vector<double> nees;
   for (const double bearing : {1.0, 3.0, 10.0}) {
@@ -365,11 +369,11 @@ Claim stationary_vehicle(int seeds) {
       nees.push_back(ekf.heading_nees);
       off = std::max(off, std::abs(stand_and_look(seed, bearing * deg, true).heading_sigma_deg - 10));
     }
-    optimistic = optimistic && is_below(mean_of(sigma, judged_at), 10);
+    optimiztic = optimiztic && is_below(mean_of(sigma, assessed_at), 10);
     lines.push_back(
         fmt::format("{}: {}, NEES {}", bearing, text(mean_of(sigma), "degrees"), text(bootstrap_mean(nees))));
   }
-  return judged(
+  return assessed(
       {.id = "text-2.2.3-stationary",
        .place = "Section 2.2.3 and head of Chapter 3",
        .statement = "The EKF of a stationary vehicle is optimistic, because Jacobians are evaluated at "
@@ -383,7 +387,7 @@ Claim stationary_vehicle(int seeds) {
            fmt::join(lines, "; "), below(off)),
        .runs = seeds,
        .least_runs = enough_runs},
-      optimistic && is_above(bootstrap_mean(nees), 1) && off < 1e-6);
+      optimiztic && is_above(bootstrap_mean(nees), 1) && off < 1e-6);
 }
 
 }  // namespace
@@ -398,7 +402,7 @@ std::vector<Claim> chapter_2_claims(int seeds) {
           stationary_vehicle(seeds),
           riccati_depends(),
           riccati_needs_observability(),
-          birth_covariance(),
+          initial_covariance(),
           lower_bound(),
           bound_is_reached()};
 }

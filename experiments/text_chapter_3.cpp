@@ -53,9 +53,9 @@ double smallest_eigenvalue(const MatrixXd& symmetric) {
 Claim determinants_fall() {
   double rise = 0;
   int submatrices = 0;
-  for (const bool born : {false, true}) {
+  for (const bool initialized : {false, true}) {
     Setup setup{.landmarks = 4};
-    if (born) setup.robot_var_m2 = 1, setup.landmark_var_m2.reset();
+    if (initialized) setup.robot_var_m2 = 1, setup.landmark_var_m2.reset();
     const auto P = monobot::course(setup).posterior;
     for (unsigned chosen = 1; chosen < 16; ++chosen, ++submatrices) {
       std::vector<int> rows;
@@ -67,7 +67,7 @@ Claim determinants_fall() {
       }
     }
   }
-  return judged(
+  return assessed(
       {.id = "text-3.1-determinants",
        .place = "Section 3.1, property (1)",
        .statement = "The determinant of any submatrix of the map's covariance decreases monotonically",
@@ -85,7 +85,7 @@ Claim fully_correlated() {
     missing.push_back(1 - correlation(after({.landmarks = 2}, static_cast<int>(k))));
     anchored.push_back(correlation(after({.landmarks = 2, .anchored = true}, static_cast<int>(k))));
   }
-  return judged(
+  return assessed(
       {.id = "text-3.1-correlated",
        .place = "Section 3.1, property (2)",
        .statement =
@@ -121,15 +121,16 @@ Claim four_kinds() {
   const bool as_said = std::all_of(kinds.begin(), kinds.end(), [](const Kind& k) {
     return (!k.observable || k.bounded) && (!k.noisy || k.regular);
   });
-  return judged({.id = "text-3.1-two-conditions",
-                 .place = "Section 3.1",
-                 .statement = "Observability keeps the covariance from becoming unbounded, controllability "
-                              "from becoming singular",
-                 .printed = "",
-                 .measured = fmt::format("between 100 and 10000 steps: {}. Neither is necessary: the monobot "
-                                         "without anchor and noise has none and stays bounded and regular",
-                                         fmt::join(lines, "; "))},
-                as_said);
+  return assessed(
+      {.id = "text-3.1-two-conditions",
+       .place = "Section 3.1",
+       .statement = "Observability keeps the covariance from becoming unbounded, controllability "
+                    "from becoming singular",
+       .printed = "",
+       .measured = fmt::format("between 100 and 10000 steps: {}. Neither is necessary: the monobot "
+                               "without anchor and noise has none and stays bounded and regular",
+                               fmt::join(lines, "; "))},
+      as_said);
 }
 
 Claim unique_limit() {
@@ -149,16 +150,16 @@ Claim unique_limit() {
       least = std::min(least, smallest_eigenvalue(limit.P));
     }
   }
-  return judged({.id = "text-3.1-unique",
-                 .place = "head of Chapter 3, Section 3.1",
-                 .statement = "Observable and controllable, the Riccati equation converges to a unique "
-                              "positive definite solution, whatever the first covariance; to 1e-9",
-                 .printed = "unique",
-                 .measured = fmt::format("20 first covariances each, 1 to 3 landmarks: largest relative "
-                                         "difference {}, smallest eigenvalue {:.4f} m^2",
-                                         below(spread), least),
-                 .runs = 60},
-                settled && spread <= 1e-9 && least > 1e-6);
+  return assessed({.id = "text-3.1-unique",
+                   .place = "head of Chapter 3, Section 3.1",
+                   .statement = "Observable and controllable, the Riccati equation converges to a unique "
+                                "positive definite solution, whatever the first covariance; to 1e-9",
+                   .printed = "unique",
+                   .measured = fmt::format("20 first covariances each, 1 to 3 landmarks: largest relative "
+                                           "difference {}, smallest eigenvalue {:.4f} m^2",
+                                           below(spread), least),
+                   .runs = 60},
+                  settled && spread <= 1e-9 && least > 1e-6);
 }
 
 Claim solutions_without_anchor() {
@@ -169,7 +170,7 @@ Claim solutions_without_anchor() {
     const MatrixXd P = MatrixXd::Constant(2, 2, c) + MatrixXd(Eigen::Vector2d(p, 0).asDiagonal());
     off = std::max(off, (predicted(s, updated(s, P, kalman_gain(s, P))) - P).norm() / P.norm());
   }
-  return judged(
+  return assessed(
       {.id = "text-3.5-psd-solution",
        .place = "Section 3.5",
        .statement =
@@ -185,7 +186,7 @@ Claim uncorrupted_states() {
   const double free_100 = after({}, 100)(1, 1), free_10000 = after({}, 10'000)(1, 1);
   const double anchored_100 = after({.anchored = true}, 100)(1, 1),
                anchored_10000 = after({.anchored = true}, 10'000)(1, 1);
-  return judged(
+  return assessed(
       {.id = "text-3.1-uncorrupted",
        .place = "Section 3.1, Section 3.5",
        .statement = "Under partial controllability the variances of the states that no noise reaches are "
@@ -210,7 +211,7 @@ Claim known_states_stay() {
     const MatrixXd K = kalman_gain(monobot::system(setup), M * M.transpose());
     largest = std::max(largest, (known.transpose() * K).norm());
   }
-  return judged(
+  return assessed(
       {.id = "text-3.1-known-states",
        .place = "Section 3.1",
        .statement = "For what a semi-definite covariance says is known perfectly the gain is zero, and the "
@@ -240,7 +241,7 @@ Claim controllable_dimension() {
     lines.push_back(fmt::format("{}: {} and {}", n, line, planar));
     as_said = as_said && line == 1 && planar == 3;
   }
-  return judged(
+  return assessed(
       {.id = "text-3.3-controllable",
        .place = "(3.3)",
        .statement =
@@ -266,13 +267,13 @@ Claim error_equation() {
       const MatrixXd e = run.error();
       for (int k = 1; k <= setup.steps; ++k) {
         const VectorXd v = run.truth.col(k) - run.truth.col(k - 1),
-                       w = run.look.col(k) - s.H * run.truth.col(k);
+                       w = run.measurement.col(k) - s.H * run.truth.col(k);
         const VectorXd next =
             error_dynamics(s, gain[k]) * e.col(k - 1) + v - gain[k] * (s.H * v) - gain[k] * w;
         off = std::max(off, (next - e.col(k)).cwiseAbs().maxCoeff());
       }
     }
-  return judged(
+  return assessed(
       {.id = "text-3.2-dynamics",
        .place = "(3.2)",
        .statement = "e_{k+1} = (F - KHF) e_k + (I - KH) v_k - K w_{k+1}, to 1e-12",
@@ -295,15 +296,16 @@ Claim one_pole() {
     lines.push_back(fmt::format("{}: {}", n, on_circle));
     one = one && on_circle == 1 && at_100.maxCoeff() < 1 + 1e-9;
   }
-  return judged({.id = "text-3.1-one-pole",
-                 .place = "Section 3.1, Section 3.5",
-                 .statement = "Partial observability puts one eigenvalue of F - KHF on the unit circle (to "
-                              "1e-6), for any number of landmarks",
-                 .printed = "one",
-                 .measured = fmt::format("on the circle after 100 steps, by number of landmarks: {}. With n "
-                                         "landmarks n - 1 more go there as one over the number of steps",
-                                         fmt::join(lines, "; "))},
-                one);
+  return assessed(
+      {.id = "text-3.1-one-pole",
+       .place = "Section 3.1, Section 3.5",
+       .statement = "Partial observability puts one eigenvalue of F - KHF on the unit circle (to "
+                    "1e-6), for any number of landmarks",
+       .printed = "one",
+       .measured = fmt::format("on the circle after 100 steps, by number of landmarks: {}. With n "
+                               "landmarks n - 1 more go there as one over the number of steps",
+                               fmt::join(lines, "; "))},
+      one);
 }
 
 Claim stays_where_it_was_born(int seeds) {
@@ -312,7 +314,7 @@ Claim stays_where_it_was_born(int seeds) {
   for (const auto& run : runs)
     moved = std::max(moved, std::abs(run.estimate(1, 1000) - run.estimate(1, 100)));
   const auto last = monobot::errors(runs, 1, 1000);
-  return judged(
+  return assessed(
       {.id = "text-3.5-constant-error",
        .place = "Sections 3.1 and 3.5",
        .statement =
@@ -334,20 +336,21 @@ Claim first_observation() {
   const auto left = [](bool anchored, int step) {
     const Setup as_it_is{.anchored = anchored, .steps = 1000};
     Setup misled = as_it_is;
-    misled.first_look_error_m = 1;
+    misled.first_measurement_error_m = 1;
     return std::abs(simulate(misled, 1).estimate(1, step) - simulate(as_it_is, 1).estimate(1, step));
   };
   const double free_100 = left(false, 100), free_1000 = left(false, 1000), anchored_100 = left(true, 100),
                anchored_1000 = left(true, 1000);
-  return judged({.id = "text-3.5-first-look",
-                 .place = "head of Chapter 3, Sections 2.2.1 and 3.5",
-                 .statement = "Partial observability makes the final map depend on the first observations: "
-                              "an error of 1 m in the first look is not forgotten, and with an anchor it is",
-                 .printed = "",
-                 .measured = fmt::format("left in the landmark after 100 and 1000 steps: {:.4f} and {:.4f} "
-                                         "m; with an anchor {:.4f} and {:.4f} m",
-                                         free_100, free_1000, anchored_100, anchored_1000)},
-                free_1000 > 0.99 * free_100 && free_1000 > 0.01 && anchored_1000 < 0.2 * anchored_100);
+  return assessed(
+      {.id = "text-3.5-first-look",
+       .place = "head of Chapter 3, Sections 2.2.1 and 3.5",
+       .statement = "Partial observability makes the final map depend on the first observations: "
+                    "an error of 1 m in the first look is not forgotten, and with an anchor it is",
+       .printed = "",
+       .measured = fmt::format("left in the landmark after 100 and 1000 steps: {:.4f} and {:.4f} "
+                               "m; with an anchor {:.4f} and {:.4f} m",
+                               free_100, free_1000, anchored_100, anchored_1000)},
+      free_1000 > 0.99 * free_100 && free_1000 > 0.01 && anchored_1000 < 0.2 * anchored_100);
 }
 
 Claim unstable_system() {
@@ -362,7 +365,7 @@ Claim unstable_system() {
     kept = error_dynamics(s, K) * kept;
     if (k == 100) at_100 = kept.norm();
   }
-  return judged(
+  return assessed(
       {.id = "text-3.1-unstable",
        .place = "Section 3.1",
        .statement = "Asymptotic stability of the filter needs observability, not a stable system: the first "
@@ -406,7 +409,7 @@ Claim remedies() {
   try_it("first landmark as anchor", fixed);
   try_it("outside sensor", watched);
   try_it("relative map", relative(3));
-  return judged(
+  return assessed(
       {.id = "text-3.5-remedies",
        .place = "Sections 3.1, 3.2 and 3.5",
        .statement = "Anchoring the map to the first landmark, a sensor that sees the vehicle, or landmarks "
@@ -429,7 +432,7 @@ Claim map_determinant() {
     lines.push_back(fmt::format("{}: {:.1e}, {:.1e} m^{}", n, at_100, at_10000, 2 * n));
     (n == 1 ? one : more) = (n == 1 ? true : more) && at_10000 < 0.1 * at_100;
   }
-  return judged(
+  return assessed(
       {.id = "text-3.1-map-determinant",
        .place = "Section 3.1",
        .statement = "The determinant of the landmarks' covariance approaches zero",
@@ -447,7 +450,7 @@ Claim perfect_relative_map() {
     return difference.dot(after({.landmarks = 3}, steps) * difference);
   };
   const double at_100 = variance(100), at_10000 = variance(10'000);
-  return judged(
+  return assessed(
       {.id = "text-3.1-relative-map",
        .place = "below Example 3.2",
        .statement =
@@ -470,7 +473,7 @@ Claim landmarks_stop_moving() {
       lines.push_back(fmt::format("{}{}: {:.2g}", n, anchored ? " and an anchor" : "", share));
       all = all && share < 0.01;
     }
-  return judged(
+  return assessed(
       {.id = "text-3-small-number",
        .place = "head of Chapter 3",
        .statement = "Updates do not change the landmark estimates after just a small number of iterations, "
@@ -495,7 +498,7 @@ Claim pseudo_noise_controls() {
     lines.push_back(fmt::format("{}: {} and {} of {}", n, without, with, n + 1));
     full = full && with == n + 1;
   }
-  return judged(
+  return assessed(
       {.id = "text-3.3-pseudo-noise",
        .place = "Section 3.3",
        .statement = "Pseudo-noise on the landmark states makes the system controllable",
@@ -521,17 +524,17 @@ Claim pseudo_noise_remedies() {
     lines.push_back(
         fmt::format("{}: {:.2e} m^2 a step, with an anchor gain {:.3f}", n, drift, limit.K(1, 1)));
   }
-  return judged({.id = "text-3.5-pseudo-noise",
-                 .place = "Sections 3.1 and 3.5",
-                 .statement = "That gains go to zero is remedied by pseudo-noise on the landmark states: "
-                              "gains settle above zero, and the covariance settles",
-                 .printed = "remedied",
-                 .measured = fmt::format(
-                     "growth of the landmarks' variance without an anchor, by number of landmarks: {}",
-                     fmt::join(lines, "; ")),
-                 .why = "only with an anchor. Without, all drift together without bound, by 1/(1/s_v^2 + "
-                        "n/q) a step where q is the noise on each landmark"},
-                settled && anchored_settles, drifts_as_predicted && anchored_settles);
+  return assessed({.id = "text-3.5-pseudo-noise",
+                   .place = "Sections 3.1 and 3.5",
+                   .statement = "That gains go to zero is remedied by pseudo-noise on the landmark states: "
+                                "gains settle above zero, and the covariance settles",
+                   .printed = "remedied",
+                   .measured = fmt::format(
+                       "growth of the landmarks' variance without an anchor, by number of landmarks: {}",
+                       fmt::join(lines, "; ")),
+                   .why = "only with an anchor. Without, all drift together without bound, by 1/(1/s_v^2 + "
+                          "n/q) a step where q is the noise on each landmark"},
+                  settled && anchored_settles, drifts_as_predicted && anchored_settles);
 }
 
 Claim decorrelation_needs_observability() {
@@ -541,7 +544,7 @@ Claim decorrelation_needs_observability() {
     return P[1000].trace() / P[500].trace();
   };
   const double free = growth(false), anchored = growth(true);
-  return judged(
+  return assessed(
       {.id = "text-1-decorrelation",
        .place = "Section 1.4, Section 2.2.1",
        .statement = "Whether decorrelating the covariance is stable depends on whether the system is "

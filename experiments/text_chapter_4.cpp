@@ -55,20 +55,21 @@ Claim world_is_partial() {
     const Study& s = lines.add(system, of(system));
     all = all && dimension(s.stripped(3)) > 0 && s.true_dimension() > 0;
   }
-  return judged({.id = "text-4-world",
-                 .place = "Sections 4.1.1 and 4.1.2",
-                 .statement = "World-centric maps without anchors are partially observable in any SLAM case",
-                 .printed = "partially",
-                 .measured = lines.text(),
-                 .runs = lines.runs()},
-                all);
+  return assessed(
+      {.id = "text-4-world",
+       .place = "Sections 4.1.1 and 4.1.2",
+       .statement = "World-centric maps without anchors are partially observable in any SLAM case",
+       .printed = "partially",
+       .measured = lines.text(),
+       .runs = lines.runs()},
+      all);
 }
 
 Claim planar_anchors() {
   Lines lines;
   const Study &moving = lines.add("moving", of("planar", 2)),
               &rest = lines.add("at rest", of("planar", 2, "stationary"));
-  return judged(
+  return assessed(
       {.id = "text-4-planar-anchors",
        .place = "Section 4.1.1",
        .statement = "With anchors (two) the planar vehicle is fully observable, as long as it translates",
@@ -82,20 +83,21 @@ Claim planar_anchors() {
 Claim planar_at_rest() {
   Lines lines;
   bool all = true;
-  const auto look = [&](const std::string& name, const Case& which) {
+  const auto measurement = [&](const std::string& name, const Case& which) {
     const Study& s = lines.add(name, which);
     all = all && dimension(s.stripped(3)) > 0 && s.true_dimension() > 0;
   };
   for (const int anchors : {0, 1, 2, 3})
-    look(fmt::format("{} anchor{}", anchors, anchors == 1 ? "" : "s"), of("planar", anchors, "stationary"));
-  look("relative map", relative("planar", "stationary"));
-  return judged({.id = "text-4-planar-at-rest",
-                 .place = "Section 4.4",
-                 .statement = "At zero velocity the planar vehicle's system simply is unobservable",
-                 .printed = "unobservable",
-                 .measured = lines.text(),
-                 .runs = lines.runs()},
-                all);
+    measure(fmt::format("{} anchor{}", anchors, anchors == 1 ? "" : "s"),
+            of("planar", anchors, "stationary"));
+  measure("relative map", relative("planar", "stationary"));
+  return assessed({.id = "text-4-planar-at-rest",
+                   .place = "Section 4.4",
+                   .statement = "At zero velocity the planar vehicle's system simply is unobservable",
+                   .printed = "unobservable",
+                   .measured = lines.text(),
+                   .runs = lines.runs()},
+                  all);
 }
 
 /// The relative inertial map turned about the line on which the body travels: r by v x r, and the
@@ -122,7 +124,7 @@ Claim third_step() {
   for (int k = 3; k <= many; ++k)
     one_for_good = one_for_good && are_basis(on.stripped(k), on.courses(), turn_about_travel) &&
                    dimension(on.total(k)) == 1;
-  return judged(
+  return assessed(
       {.id = "text-4-third-step",
        .place = "Section 4.4",
        .statement = "Without acceleration the inertial model becomes one of constant velocity, and takes a "
@@ -154,7 +156,7 @@ Claim exteroceptive_only() {
                         told.true_dimension() > 0 && free.true_dimension() > 0;
   const auto lacks = [](const Study& s) { return dimension(s.stripped(3)) > 0 && dimension(s.total(3)) > 0; };
   const bool but_one = lacks(flat_rest) && lacks(space_rest) && lacks(no_anchor) && lacks(free);
-  return judged(
+  return assessed(
       {.id = "text-4-only-anchors",
        .place = "Section 4.1.4",
        .statement = "Constant-velocity systems are fully observable with anchors and translation, and with "
@@ -174,7 +176,7 @@ Claim cv_velocities() {
   for (const char* system : {"planar-cv", "cv6"})
     for (const int anchors : {1, 2, 3}) {
       const Study& s = study(of(system, anchors));
-      const auto seen = seen_states(s.stripped(1), s.error_states());
+      const auto seen = observable_states(s.stripped(1), s.error_states());
       const auto is_velocity = [](const std::string& state) { return state[0] == 'v' || state[0] == 'w'; };
       const auto recovered = std::count_if(seen.begin(), seen.end(), is_velocity);
       const auto wanted = std::count_if(s.error_states().begin(), s.error_states().end(), is_velocity);
@@ -182,7 +184,7 @@ Claim cv_velocities() {
       from_two = from_two && (anchors == 1 ? recovered == 0 : recovered == wanted);
       lines.push_back(fmt::format("{}, {}: {} of {}", system, anchors, recovered, wanted));
     }
-  return judged(
+  return assessed(
       {.id = "text-4-cv-velocities",
        .place = "Section 4.4",
        .statement = "With anchors one segment recovers the velocities of the constant-velocity models",
@@ -218,7 +220,7 @@ Claim accelerations() {
   const bool unknown_do_not = changing.dimensions() == constant.dimensions() &&
                               changing.true_dimension() == constant.true_dimension() &&
                               rest.true_dimension() > 0;
-  return judged(
+  return assessed(
       {.id = "text-4-accelerations",
        .place = "Section 4.4",
        .statement = "In constant-velocity models the accelerations, inputs to the system, do not affect "
@@ -256,7 +258,7 @@ Claim lower_limit() {
     }
     lines.push_back(fmt::format("{} {}", system, s.segments_text()));
   }
-  return judged(
+  return assessed(
       {.id = "text-4-lower-limit",
        .place = "Section 4.4",
        .statement = "World-centric maps reach a lower limit of unobservable modes; the global position is "
@@ -284,7 +286,7 @@ Claim becomes_observable() {
     return {(VectorXd(9) << aside(0), Eigen::Vector3d::UnitZ(), aside(6)).finished()};  // v, angles, r
   };
   const auto leaves_turn = [&](const Study& s) { return are_basis(s.along(), s.courses(), turned); };
-  return judged(
+  return assessed(
       {.id = "text-4-observable",
        .place = "Section 4.4",
        .statement =

@@ -22,7 +22,7 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-MatrixXd gramian(const Linearisation& form, const MatrixXd& inner) {
+MatrixXd gramian(const Linearization& form, const MatrixXd& inner) {
   const auto at = [&](double t) -> MatrixXd {
     const MatrixXd moved = MatrixXd::Identity(form.F.rows(), form.F.cols()) + t * form.F;  // F F = 0
     return moved.transpose() * inner * moved;
@@ -39,7 +39,7 @@ Claim gramian_claim() {
                corrected = null_spaces(s, [](const Course&c) {
                  return gramian(c.forms[0], c.forms[0].H.transpose() * c.forms[0].H);
                });
-  return judged(
+  return assessed(
       {.id = "text-4-gramian",
        .place = "(4.1)",
        .statement = "The null space of the Gramian is what cannot be observed: that of (4.2)",
@@ -83,7 +83,7 @@ Claim steps() {
     };
     same_space = same_space && left_after(n).nullity == 2 && same({left_after(n)}, {left_after(5 * n)});
   }
-  return judged(
+  return assessed(
       {.id = "text-4-steps",
        .place = "below (4.1)",
        .statement = "What is unobservable over n steps is unobservable over any number",
@@ -120,16 +120,16 @@ Claim condition() {
     else
       ++others, others_kept += s.dimensions() == s.total_dimensions();
   }
-  return judged({.id = "text-4-condition",
-                 .place = "(4.9), (4.10)",
-                 .statement = "Where N(Q_j) is within N(F_j), SOM and TOM have the same null space",
-                 .printed = "",
-                 .measured = fmt::format(
-                     "(4.9) holds in {} of {} cases, in {} of them the null spaces are the same; of "
-                     "the other {} cases the dimensions are in {}",
-                     met, met + others, kept, others, others_kept),
-                 .runs = motions * (met + others)},
-                met > 0 && met == kept);
+  return assessed({.id = "text-4-condition",
+                   .place = "(4.9), (4.10)",
+                   .statement = "Where N(Q_j) is within N(F_j), SOM and TOM have the same null space",
+                   .printed = "",
+                   .measured = fmt::format(
+                       "(4.9) holds in {} of {} cases, in {} of them the null spaces are the same; of "
+                       "the other {} cases the dimensions are in {}",
+                       met, met + others, kept, others, others_kept),
+                   .runs = motions * (met + others)},
+                  met > 0 && met == kept);
 }
 
 /// Why SOM finds more: all turned about the origin, neither one look nor the motion sees it, but the row H F
@@ -177,7 +177,7 @@ Claim piecewise() {
         "SOM and TOM find more than there is: H stays frozen in a segment while F moves the vehicle on, so "
         "that H F is not how H changes";
   if (no_better) why += ". Shorter segments do not mend it";
-  return judged(
+  return assessed(
       {.id = "text-4-piecewise",
        .place = "below (4.2), of [55]",
        .statement = "Piecewise constant segments keep the characteristic behaviour: the TOM leaves what the "
@@ -195,7 +195,7 @@ Claim piecewise() {
       all.loses_nothing && all.agree && of_fine == fine.true_dimension());
 }
 
-Claim one_look() {
+Claim one_measurement() {
   bool never = true;
   std::vector<std::string> lines;
   for (const char* system : {"planar", "inertial", "planar-cv", "cv6"}) {
@@ -208,7 +208,7 @@ Claim one_look() {
     }
     lines.push_back(fmt::format("{} {}", system, joined(left)));
   }
-  return judged(
+  return assessed(
       {.id = "text-4-one-look",
        .place = "head of Chapter 4",
        .statement = "One measurement step leaves bearing-only SLAM unobservable",
@@ -244,7 +244,7 @@ Claim turning_only() {
                               .segment_s = in_space_s});
   const bool both = are_basis(flat.along(), flat.courses(), [](const Course& c) { return distance(c, 2); }) &&
                     are_basis(space.along(), space.courses(), [](const Course& c) { return distance(c, 3); });
-  return judged(
+  return assessed(
       {.id = "text-4-turning",
        .place = "head of Chapter 4",
        .statement = "A purely rotating camera tells nothing of how far a feature is, however well anchors "
@@ -269,7 +269,7 @@ Claim line_of_sight() {
               &aside = study({.system = "planar", .anchors = 2, .motion = "straight"});
   const bool distance_alone =
       are_basis(s.along(), s.courses(), [](const Course& c) { return distance(c, 2); });
-  return judged(
+  return assessed(
       {.id = "text-4-line-of-sight",
        .place = "head of Chapter 4",
        .statement = "Looking at a feature along the line on which the camera moves forward does not tell its "
@@ -286,7 +286,8 @@ Claim line_of_sight() {
 }  // namespace
 
 std::vector<Claim> method_claims() {
-  return {one_look(), turning_only(), line_of_sight(), gramian_claim(), steps(), condition(), piecewise()};
+  return {one_measurement(), turning_only(), line_of_sight(), gramian_claim(),
+          steps(),           condition(),    piecewise()};
 }
 
 }  // namespace incognita::observability_claims

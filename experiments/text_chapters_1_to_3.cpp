@@ -27,10 +27,10 @@ Plot riccati_limits() {
     return robot + monobot::relative_variance(v, 0.2, n) - v * v;
   };
   Panel over_number, over_start;
-  const Colour colours[] = {Colour::blue, Colour::orange, Colour::green};
+  const Color colors[] = {Color::blue, Color::orange, Color::green};
   for (int i = 0; i < 3; ++i) {
     const double v = std::array{0.05, 0.1, 0.3}[i];
-    Curve line{fmt::format("s_v = {} m", v), Style::line, {}, {}, {}, colours[i]}, circles = line;
+    Curve line{fmt::format("s_v = {} m", v), Style::line, {}, {}, {}, colors[i]}, circles = line;
     circles.style = Style::circles, circles.label.clear();
     for (int n = 1; n <= 10; ++n) {
       line.x.push_back(n), line.y.push_back(closed_form(v, n, 0));
@@ -38,8 +38,7 @@ Plot riccati_limits() {
     }
     over_number.curves.insert(over_number.curves.end(), {line, circles});
     const int count = std::array{1, 2, 10}[i];
-    Curve from{
-        fmt::format("{} landmark{}", count, count > 1 ? "s" : ""), Style::line, {}, {}, {}, colours[i]},
+    Curve from{fmt::format("{} landmark{}", count, count > 1 ? "s" : ""), Style::line, {}, {}, {}, colors[i]},
         at = from;
     at.style = Style::circles, at.label.clear();
     for (int step = 0; step <= 5; ++step) {

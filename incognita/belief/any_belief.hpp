@@ -67,31 +67,31 @@ class AnyBelief {
   void drop(BlockId id) {
     std::visit([&](auto& b) { b.drop(id); }, form_);
   }
-  void predict(const AffineMotion& motion) {
+  void predict(const LinearizedMotion& motion) {
     std::visit([&](auto& b) { b.predict(motion); }, form_);
   }
-  UpdateReport update(std::span<const AffineLook> looks) {
-    return std::visit([&](auto& b) { return b.update(looks); }, form_);
+  UpdateReport update(std::span<const LinearizedMeasurement> measurements) {
+    return std::visit([&](auto& b) { return b.update(measurements); }, form_);
   }
-  bool correction(std::span<const AffineLook> looks, std::span<const BlockId> blocks,
+  bool correction(std::span<const LinearizedMeasurement> measurements, std::span<const BlockId> blocks,
                   std::span<BlockVector> out) {
-    return std::visit([&](auto& b) { return b.correction(looks, blocks, out); }, form_);
+    return std::visit([&](auto& b) { return b.correction(measurements, blocks, out); }, form_);
   }
-  void innovation_covariance(std::span<const AffineLook> looks, Eigen::MatrixXd& S) const {
-    std::visit([&](const auto& b) { b.innovation_covariance(looks, S); }, form_);
+  void innovation_covariance(std::span<const LinearizedMeasurement> measurements, Eigen::MatrixXd& S) const {
+    std::visit([&](const auto& b) { b.innovation_covariance(measurements, S); }, form_);
   }
 
   // Of the covariance form alone; in information form each throws std::bad_variant_access
   // -------------------------------------------------------------------------------------------------
 
-  void carry(const AffineMotion& mover, std::span<const Belief::Carried> others) {
-    std::get<Belief>(form_).carry(mover, others);
+  void change_frame(const LinearizedMotion& frame_motion, std::span<const Belief::MovedBlock> others) {
+    std::get<Belief>(form_).change_frame(frame_motion, others);
   }
   void decorrelate(Belief::Scope scope) { std::get<Belief>(form_).decorrelate(scope); }
   /// Whether the map's correlations are dropped at every update; never in information form.
   bool drops_correlations() const {
     const Belief* belief = std::get_if<Belief>(&form_);
-    return belief && belief->correlations() == MapCorrelations::dropped;
+    return belief && belief->correlations() == MapCorrelations::block_diagonal;
   }
 
  private:

@@ -47,7 +47,7 @@ void Belief::reserve_rank(int rank) {
 BlockId Belief::add_vehicle(const Chart& chart, const Eigen::Ref<const Eigen::VectorXd>& mean,
                             const Eigen::Ref<const Eigen::MatrixXd>& covariance) {
   check_vehicle(chart, mean, covariance);
-  if (vehicles_ == 1 && correlations_ == MapCorrelations::dropped)
+  if (vehicles_ == 1 && correlations_ == MapCorrelations::block_diagonal)
     throw std::logic_error("dropped correlations: one vehicle, not more");
   const int first = errors_;
   reserve(first + chart.tangent());
@@ -59,7 +59,7 @@ BlockId Belief::add_vehicle(const Chart& chart, const Eigen::Ref<const Eigen::Ve
 
 BlockId Belief::augment(const Chart& chart, const Eigen::Ref<const Eigen::VectorXd>& mean,
                         std::span<const Parent> parents, const Eigen::Ref<const Eigen::MatrixXd>& noise) {
-  check_birth(chart, mean, parents, noise);
+  check_new_block(chart, mean, parents, noise);
   const int old = errors_, size = chart.tangent();
   reserve(old + size);
   const BlockId id = append(chart, mean);
@@ -83,8 +83,8 @@ BlockId Belief::augment(const Chart& chart, const Eigen::Ref<const Eigen::Vector
       }
       p(old + i, old + j) = sum;
     }
-  if (correlations_ == MapCorrelations::dropped) separate_newborn(blocks_.back());
-  if (trace_) trace_->emplace_back(BlockBirth{id, {parents.begin(), parents.end()}, noise});
+  if (correlations_ == MapCorrelations::block_diagonal) separate_new_block(blocks_.back());
+  if (trace_) trace_->emplace_back(BlockAugmentation{id, {parents.begin(), parents.end()}, noise});
   return id;
 }
 
@@ -115,7 +115,7 @@ void Belief::drop(BlockId id) {
   note(BlockDrop{id});
 }
 
-void Belief::predict(const AffineMotion& motion) {
+void Belief::predict(const LinearizedMotion& motion) {
   check(motion);
   const Block& b = block(motion.block);
   const int size = b.chart.tangent(), first = b.error, after = first + size;

@@ -12,8 +12,8 @@
 #include <Eigen/Core>
 #include <span>
 
-#include "incognita/belief/affine.hpp"
 #include "incognita/belief/aligned_buffer.hpp"
+#include "incognita/belief/linearized.hpp"
 #include "incognita/belief/state_layout.hpp"
 #include "incognita/belief/triangle.hpp"
 #include "incognita/belief/update_report.hpp"
@@ -22,8 +22,8 @@ namespace incognita {
 
 /// What becomes of the correlations between landmarks.
 enum class MapCorrelations {
-  kept,     ///< as Kalman has it
-  dropped,  ///< the map stays block diagonal, thesis (3.28), its blocks inflated by what that takes
+  full,            ///< as Kalman has it
+  block_diagonal,  ///< the map stays block diagonal, thesis (3.28), its blocks inflated by what that takes
 };
 
 class Belief : public StateLayout {
@@ -31,7 +31,7 @@ class Belief : public StateLayout {
   /// `expected_errors`: how large the covariance is expected to grow; more is allocated when it does. With
   /// `dropped` correlations update() and augment() are linear in the map, not quadratic; memory stays
   /// quadratic. One vehicle only then.
-  explicit Belief(int expected_errors = 64, MapCorrelations correlations = MapCorrelations::kept);
+  explicit Belief(int expected_errors = 64, MapCorrelations correlations = MapCorrelations::full);
 
   // What is in it
   // -------------------------------------------------------------------------------------------------
@@ -65,36 +65,36 @@ class Belief : public StateLayout {
   void drop(BlockId id);
 
   /// (A.2.1)-(A.2.4). Linear in the size of the state.
-  void predict(const AffineMotion& motion);
+  void predict(const LinearizedMotion& motion);
 
   /// (A.2.5), (A.2.6) with all looks at once: P <- P - W W' with W = P H' L^-T, S = L L', on one triangle.
   /// An S that is not positive definite to rounding comes back as `singular`, and so does a variance of which
   /// rounding would leave nothing, e.g. a prior 1e16 times the variance of a look; update_joseph() still
   /// takes that one. With dropped correlations looks are used one after the other, and one that would leave
   /// nothing of a variance is left out; `singular` then means that all were.
-  UpdateReport update(std::span<const AffineLook> looks);
+  UpdateReport update(std::span<const LinearizedMeasurement> measurements);
 
   /// The same with the Joseph form (A.2.7) on dense matrices: slower, allocates, keeps P positive for any
   /// gain. Not for dropped correlations: throws std::logic_error.
-  UpdateReport update_joseph(std::span<const AffineLook> looks);
+  UpdateReport update_joseph(std::span<const LinearizedMeasurement> measurements);
 
   /// What update() would add to the errors of some blocks, without doing it: `out` has one vector for each.
   /// False when update() would refuse S. Costs nothing that grows with the map. Not for dropped correlations,
   /// whose looks are used one after the other: throws std::logic_error.
-  bool correction(std::span<const AffineLook> looks, std::span<const BlockId> blocks,
+  bool correction(std::span<const LinearizedMeasurement> measurements, std::span<const BlockId> blocks,
                   std::span<BlockVector> out);
 
   /// One block moves and takes all others along, as landmarks told in the frame of a vehicle do:
   /// its error after = A * error before, that of each other block = A_i * its own + B_i * that of the mover.
   /// Whoever is not among `others` stays. Quadratic in the state; allocates. Not for dropped correlations:
   /// throws std::logic_error.
-  struct Carried {
+  struct MovedBlock {
     BlockId block = 0;
     BlockVector x_next;  ///< mean after
     BlockMatrix A;       ///< errors x errors
     BlockMatrix B;       ///< errors x errors of the mover
   };
-  void carry(const AffineMotion& mover, std::span<const Carried> others);
+  void change_frame(const LinearizedMotion& frame_motion, std::span<const MovedBlock> others);
 
   /// Makes the covariance block diagonal, or only the map's part of it (3.28), with the least trace added:
   /// see inflation.hpp. For maps to study: slower than anything else here. The first block is the
@@ -104,7 +104,7 @@ class Belief : public StateLayout {
 
   /// Innovation covariance S = H P H' + R of looks, all of them together; sized rows x rows, both triangles.
   /// Costs nothing that grows with the map.
-  void innovation_covariance(std::span<const AffineLook> looks, Eigen::MatrixXd& S) const;
+  void innovation_covariance(std::span<const LinearizedMeasurement> measurements, Eigen::MatrixXd& S) const;
 
  private:
   using Matrix = Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
@@ -112,23 +112,23 @@ class Belief : public StateLayout {
 
   void reserve(int errors);
   void reserve_rank(int rank);
-  void gather_above(const LookJacobian& H, const Block& b, int first, int last, double* out) const;
-  void gather_below(const LookJacobian& H, const Block& b, int first, int last, double* out) const;
-  void gather_PHt(std::span<const AffineLook> looks, int rank);
-  LookJacobian times_covariance(const AffineLook& look, const Block& to) const;
+  void gather_above(const MeasurementJacobian& H, const Block& b, int first, int last, double* out) const;
+  void gather_below(const MeasurementJacobian& H, const Block& b, int first, int last, double* out) const;
+  void gather_PHt(std::span<const LinearizedMeasurement> measurements, int rank);
+  MeasurementJacobian times_covariance(const LinearizedMeasurement& measurement, const Block& to) const;
   bool compute_delta(int rank);
-  void innovation_from_PHt(std::span<const AffineLook> looks);
-  bool factorise_innovation(std::span<const AffineLook> looks, UpdateReport& report);
-  bool factorise_filled(std::span<const AffineLook> looks, UpdateReport& report);
-  UpdateReport update_dropping(std::span<const AffineLook> looks);
+  void innovation_from_PHt(std::span<const LinearizedMeasurement> measurements);
+  bool factorize_innovation(std::span<const LinearizedMeasurement> measurements, UpdateReport& report);
+  bool factorize_filled(std::span<const LinearizedMeasurement> measurements, UpdateReport& report);
+  UpdateReport update_block_diagonal(std::span<const LinearizedMeasurement> measurements);
   bool leaves_variances(int rank);
-  bool take_look(const AffineLook& look, std::span<double> delta);
-  void align_columns(const AffineLook& look);
+  bool apply_measurement(const LinearizedMeasurement& measurement, std::span<double> delta);
+  void align_columns(const LinearizedMeasurement& measurement);
   void shrink_arrow(int rank);
   void shrink_map(int rank, int column);
-  void separate_newborn(const Block& newborn);
+  void separate_new_block(const Block& new_block);
   template <class Destination>
-  void fill_innovation_covariance(std::span<const AffineLook> looks, Destination& S) const;
+  void fill_innovation_covariance(std::span<const LinearizedMeasurement> measurements, Destination& S) const;
 
   /// P with one valid triangle, the lower.
   Matrix P() { return {P_.column(0), errors_, errors_, Eigen::OuterStride<>(P_.stride)}; }
@@ -138,7 +138,7 @@ class Belief : public StateLayout {
   Matrix S(int rows) { return {S_.data(), rows, rows, Eigen::OuterStride<>(S_stride_)}; }
 
   Triangle P_;
-  MapCorrelations correlations_ = MapCorrelations::kept;
+  MapCorrelations correlations_ = MapCorrelations::full;
 
   // Workspace of update(), kept so that it allocates nothing
   int rank_capacity_ = 0;

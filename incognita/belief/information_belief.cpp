@@ -90,14 +90,14 @@ InformationBelief::LogDeterminants InformationBelief::log_determinants(int first
   // det P = det P_others * det P_first|others, and the latter is the inverse of the first's own information
   ReverseFactor own;
   own.load(information_, first);
-  const double given_others = own.factorise() ? -own.log_det() : nan;
+  const double given_others = own.factorize() ? -own.log_det() : nan;
   return {known->log_det_of_inverse(first), -known->log_det() - given_others, -known->log_det()};
 }
 
 const ReverseFactor* InformationBelief::factor() const {
   if (!factor_known_) {
     factor_.load(information_, errors_);
-    factor_positive_ = factor_.factorise();
+    factor_positive_ = factor_.factorize();
     factor_known_ = true;
   }
   return factor_positive_ ? &factor_ : nullptr;
@@ -120,7 +120,7 @@ BlockId InformationBelief::add_vehicle(const Chart& chart, const Eigen::Ref<cons
 BlockId InformationBelief::augment(const Chart& chart, const Eigen::Ref<const Eigen::VectorXd>& mean,
                                    std::span<const BlockParent> parents,
                                    const Eigen::Ref<const Eigen::MatrixXd>& noise) {
-  check_birth(chart, mean, parents, noise);
+  check_new_block(chart, mean, parents, noise);
   const BlockMatrix own = inverse_of(noise, "the noise of a landmark");
   const BlockId id = append_independent(chart, mean, own, false);
   // The error of the newborn less J times that of its parents is noise: as a look at all of them
@@ -139,7 +139,7 @@ BlockId InformationBelief::augment(const Chart& chart, const Eigen::Ref<const Ei
           if (at + i >= from.error + j) information_.column(from.error + j)[at + i] += shared(i, j);
     }
   }
-  if (trace_) trace_->emplace_back(BlockBirth{id, {parents.begin(), parents.end()}, noise});
+  if (trace_) trace_->emplace_back(BlockAugmentation{id, {parents.begin(), parents.end()}, noise});
   return id;
 }
 
@@ -170,13 +170,13 @@ void InformationBelief::replace(BlockId id, const Chart& chart, const Eigen::Ref
 void InformationBelief::drop(BlockId id) {
   const Block b = block(id);
   fill_cross(b, b.chart.tangent(), [](const auto& of_block) { return of_block; });
-  marginalise(own_information(b));
+  marginalize(own_information(b));
   information_.remove(b.error, b.chart.tangent(), errors_);
   forget(id);
   note(BlockDrop{id});
 }
 
-void InformationBelief::predict(const AffineMotion& motion) {
+void InformationBelief::predict(const LinearizedMotion& motion) {
   check(motion);
   transform(block(motion.block), motion.A, motion.N);
   set_mean(motion.block, motion.x_next);
@@ -231,11 +231,11 @@ void InformationBelief::transform(const Block& b, const BlockMatrix& J, const Bl
   }
   for (int j = 0; j < size; ++j)
     for (int i = j; i < size; ++i) information_.column(b.error + j)[b.error + i] = y(i, j);
-  marginalise(k);
+  marginalize(k);
 }
 
 /// Marginalises out errors of that information, whose information with all others is in cross_.
-void InformationBelief::marginalise(const BlockMatrix& own) {
+void InformationBelief::marginalize(const BlockMatrix& own) {
   changed();
   const int count = static_cast<int>(own.rows());
   const Eigen::LLT<BlockMatrix> llt(own);

@@ -15,8 +15,8 @@
 #include <span>
 #include <vector>
 
-#include "incognita/belief/affine.hpp"
 #include "incognita/belief/aligned_buffer.hpp"
+#include "incognita/belief/linearized.hpp"
 #include "incognita/belief/reverse_factor.hpp"
 #include "incognita/belief/state_layout.hpp"
 #include "incognita/belief/triangle.hpp"
@@ -56,11 +56,11 @@ class InformationBelief : public StateLayout {
                const BlockMatrix& J, const BlockMatrix& noise);
   void drop(BlockId id);
   /// A A' + N must be positive definite: neither alone needs to be.
-  void predict(const AffineMotion& motion);
-  UpdateReport update(std::span<const AffineLook> looks);
-  bool correction(std::span<const AffineLook> looks, std::span<const BlockId> blocks,
+  void predict(const LinearizedMotion& motion);
+  UpdateReport update(std::span<const LinearizedMeasurement> measurements);
+  bool correction(std::span<const LinearizedMeasurement> measurements, std::span<const BlockId> blocks,
                   std::span<BlockVector> out);
-  void innovation_covariance(std::span<const AffineLook> looks, Eigen::MatrixXd& S) const;
+  void innovation_covariance(std::span<const LinearizedMeasurement> measurements, Eigen::MatrixXd& S) const;
 
  private:
   void reserve(int errors);
@@ -70,11 +70,11 @@ class InformationBelief : public StateLayout {
   void transform(const Block& b, const BlockMatrix& J, const BlockMatrix& noise);
   template <class Cross>
   void fill_cross(const Block& b, int columns, const Cross& cross);
-  void marginalise(const BlockMatrix& own);
-  bool whiten_looks(std::span<const AffineLook> looks, UpdateReport& report);
-  bool solve(std::span<const AffineLook> looks, UpdateReport& report);
+  void marginalize(const BlockMatrix& own);
+  bool whiten_measurements(std::span<const LinearizedMeasurement> measurements, UpdateReport& report);
+  bool solve(std::span<const LinearizedMeasurement> measurements, UpdateReport& report);
   template <class Add>
-  void add_looks(const Add& add) const;
+  void add_measurements(const Add& add) const;
   const ReverseFactor* factor() const;
   void changed() { factor_known_ = false; }
 
@@ -85,7 +85,7 @@ class InformationBelief : public StateLayout {
 
   // Workspace
   ReverseFactor posterior_;
-  std::vector<AffineLook> white_;  ///< looks whose noise is of unit covariance
+  std::vector<LinearizedMeasurement> white_;  ///< looks whose noise is of unit covariance
   Eigen::VectorXd delta_;
   AlignedBuffer cross_;   ///< information between all errors and those that are marginalised out
   AlignedBuffer packed_;  ///< the same, as rank_update takes it

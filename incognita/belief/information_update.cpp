@@ -9,26 +9,28 @@ namespace incognita {
 
 /// Looks in units of their noise into white_. False when a noise is not positive definite or a residual not
 /// finite.
-bool InformationBelief::whiten_looks(std::span<const AffineLook> looks, UpdateReport& report) {
-  white_.assign(looks.begin(), looks.end());
-  for (AffineLook& look : white_) {
-    const Eigen::LLT<LookMatrix> R(look.R);
-    if (R.info() != Eigen::Success || !look.residual.allFinite()) return false;
-    for (int i = 0; i < look.rows(); ++i) report.log_det_R += 2 * std::log(R.matrixLLT()(i, i));
-    R.matrixL().solveInPlace(look.residual);
-    for (int i = 0; i < look.part_count; ++i) R.matrixL().solveInPlace(look.parts[i].H);
+bool InformationBelief::whiten_measurements(std::span<const LinearizedMeasurement> measurements,
+                                            UpdateReport& report) {
+  white_.assign(measurements.begin(), measurements.end());
+  for (LinearizedMeasurement& measurement : white_) {
+    const Eigen::LLT<MeasurementMatrix> R(measurement.R);
+    if (R.info() != Eigen::Success || !measurement.residual.allFinite()) return false;
+    for (int i = 0; i < measurement.rows(); ++i) report.log_det_R += 2 * std::log(R.matrixLLT()(i, i));
+    R.matrixL().solveInPlace(measurement.residual);
+    for (int i = 0; i < measurement.part_count; ++i) R.matrixL().solveInPlace(measurement.parts[i].H);
   }
   return true;
 }
 
 /// add(row, column, value) for all elements of H' R^-1 H on and below the diagonal.
 template <class Add>
-void InformationBelief::add_looks(const Add& add) const {
-  for (const AffineLook& look : white_)
-    for (int a = 0; a < look.part_count; ++a)
-      for (int b = 0; b < look.part_count; ++b) {
-        const LookJacobian &Ha = look.parts[a].H, &Hb = look.parts[b].H;
-        const int row = block(look.parts[a].block).error, column = block(look.parts[b].block).error;
+void InformationBelief::add_measurements(const Add& add) const {
+  for (const LinearizedMeasurement& measurement : white_)
+    for (int a = 0; a < measurement.part_count; ++a)
+      for (int b = 0; b < measurement.part_count; ++b) {
+        const MeasurementJacobian &Ha = measurement.parts[a].H, &Hb = measurement.parts[b].H;
+        const int row = block(measurement.parts[a].block).error,
+                  column = block(measurement.parts[b].block).error;
         for (int j = 0; j < Hb.cols(); ++j)
           for (int i = 0; i < Ha.cols(); ++i)
             if (row + i >= column + j) add(row + i, column + j, Ha.col(i).dot(Hb.col(j)));
@@ -37,26 +39,26 @@ void InformationBelief::add_looks(const Add& add) const {
 
 /// posterior_ <- factor of the information with the looks, delta_ <- what they add to the errors. False when
 /// they can not be used within rounding.
-bool InformationBelief::solve(std::span<const AffineLook> looks, UpdateReport& report) {
-  report.rows = check(looks);
-  if (!whiten_looks(looks, report)) return false;
+bool InformationBelief::solve(std::span<const LinearizedMeasurement> measurements, UpdateReport& report) {
+  report.rows = check(measurements);
+  if (!whiten_measurements(measurements, report)) return false;
   posterior_.load(information_, errors_);
-  add_looks([&](int i, int j, double value) { posterior_.add(i, j, value); });
-  if (!posterior_.factorise()) return false;
+  add_measurements([&](int i, int j, double value) { posterior_.add(i, j, value); });
+  if (!posterior_.factorize()) return false;
   delta_ = Eigen::VectorXd::Zero(errors_);  // first the information vector
-  for (const AffineLook& look : white_)
-    for (int i = 0; i < look.part_count; ++i)
-      delta_.segment(block(look.parts[i].block).error, look.parts[i].H.cols()) +=
-          look.parts[i].H.transpose() * look.residual;
+  for (const LinearizedMeasurement& measurement : white_)
+    for (int i = 0; i < measurement.part_count; ++i)
+      delta_.segment(block(measurement.parts[i].block).error, measurement.parts[i].H.cols()) +=
+          measurement.parts[i].H.transpose() * measurement.residual;
   posterior_.solve(delta_);
   return delta_.allFinite();
 }
 
-UpdateReport InformationBelief::update(std::span<const AffineLook> looks) {
+UpdateReport InformationBelief::update(std::span<const LinearizedMeasurement> measurements) {
   UpdateReport report;
-  if (looks.empty()) return report;
+  if (measurements.empty()) return report;
   const ReverseFactor* prior = factor();
-  if (prior == nullptr || !solve(looks, report)) {
+  if (prior == nullptr || !solve(measurements, report)) {
     report.outcome = UpdateReport::Outcome::singular;
     return report;
   }
@@ -65,26 +67,27 @@ UpdateReport InformationBelief::update(std::span<const AffineLook> looks) {
   const Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>> information(
       information_.storage.data(), errors_, errors_, Eigen::OuterStride<>(information_.stride));
   report.nis = delta_.dot(information.selfadjointView<Eigen::Lower>() * delta_);
-  for (const AffineLook& look : white_) {
-    LookVector left = look.residual;
-    for (int i = 0; i < look.part_count; ++i)
-      left -= look.parts[i].H * delta_.segment(block(look.parts[i].block).error, look.parts[i].H.cols());
+  for (const LinearizedMeasurement& measurement : white_) {
+    MeasurementVector left = measurement.residual;
+    for (int i = 0; i < measurement.part_count; ++i)
+      left -= measurement.parts[i].H *
+              delta_.segment(block(measurement.parts[i].block).error, measurement.parts[i].H.cols());
     report.nis += left.squaredNorm();
   }
   // det S = det R * det(information with the looks) / det(information without)
   report.log_det_S = report.log_det_R + posterior_.log_det() - prior->log_det();
-  add_looks([&](int i, int j, double value) { information_.column(j)[i] += value; });
+  add_measurements([&](int i, int j, double value) { information_.column(j)[i] += value; });
   std::swap(factor_, posterior_);
   shift_mean({delta_.data(), static_cast<std::size_t>(errors_)});
   report.outcome = UpdateReport::Outcome::updated;
-  note(looks);
+  note(measurements);
   return report;
 }
 
-bool InformationBelief::correction(std::span<const AffineLook> looks, std::span<const BlockId> blocks,
-                                   std::span<BlockVector> out) {
+bool InformationBelief::correction(std::span<const LinearizedMeasurement> measurements,
+                                   std::span<const BlockId> blocks, std::span<BlockVector> out) {
   UpdateReport report;
-  if (looks.empty() || !solve(looks, report)) return false;
+  if (measurements.empty() || !solve(measurements, report)) return false;
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     const Block& b = block(blocks[i]);
     out[i] = delta_.segment(b.error, b.chart.tangent());
@@ -92,14 +95,15 @@ bool InformationBelief::correction(std::span<const AffineLook> looks, std::span<
   return true;
 }
 
-void InformationBelief::innovation_covariance(std::span<const AffineLook> looks, Eigen::MatrixXd& S) const {
-  const int rows = check(looks);
+void InformationBelief::innovation_covariance(std::span<const LinearizedMeasurement> measurements,
+                                              Eigen::MatrixXd& S) const {
+  const int rows = check(measurements);
   S.resize(rows, rows);
   int row = 0;
-  for (const AffineLook& a : looks) {
+  for (const LinearizedMeasurement& a : measurements) {
     int column = 0;
-    for (const AffineLook& b : looks) {
-      LookMatrix sum = LookMatrix::Zero(a.rows(), b.rows());
+    for (const LinearizedMeasurement& b : measurements) {
+      MeasurementMatrix sum = MeasurementMatrix::Zero(a.rows(), b.rows());
       if (row == column) sum = a.R;
       for (int i = 0; i < a.part_count; ++i)
         for (int j = 0; j < b.part_count; ++j)

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "incognita/belief/affine.hpp"
-#include "incognita/belief/linearise.hpp"
+#include "incognita/belief/linearize.hpp"
+#include "incognita/belief/linearized.hpp"
 #include "incognita/belief/update_report.hpp"
 #include "incognita/math/chart.hpp"
 
@@ -30,7 +30,8 @@ struct IterationReport {
 /// d(y) / d(e) of x (+) (shift + e) = (x (+) shift) (+) y at e = 0: how an error that is told in the chart at
 /// x is told in the chart where the shift leads. The identity where the chart is flat; of one with a
 /// quaternion, whose right Jacobian it has, from differences, to 1e-10.
-inline BlockMatrix retold(const Chart& chart, const BlockVector& x, const BlockVector& shift) {
+inline BlockMatrix chart_transition_jacobian(const Chart& chart, const BlockVector& x,
+                                             const BlockVector& shift) {
   constexpr double h = 1e-5;
   const int n = chart.tangent();
   if (chart.ambient() == n) return BlockMatrix::Identity(n, n);
@@ -50,7 +51,7 @@ inline BlockMatrix retold(const Chart& chart, const BlockVector& x, const BlockV
 struct IteratedBlocks {
   std::vector<BlockId> ids;
   std::vector<BlockVector> prior, shift;
-  std::vector<BlockMatrix> J;  ///< of `retold`
+  std::vector<BlockMatrix> J;  ///< of `chart_transition_jacobian`
 
   template <class Form>
   IteratedBlocks(const Form& belief, std::span<const BlockId> blocks)
@@ -71,12 +72,12 @@ struct IteratedBlocks {
   }
 
   /// z - h(x_i) - H_i (x_0 - x_i), and x_0 - x_i = -shift
-  void tell_at_prior(AffineLook& look) const {
-    for (int part = 0; part < look.part_count; ++part)
+  void express_at_prior(LinearizedMeasurement& measurement) const {
+    for (int part = 0; part < measurement.part_count; ++part)
       for (std::size_t i = 0; i < ids.size(); ++i) {
-        if (ids[i] != look.parts[part].block) continue;
-        look.parts[part].H = (look.parts[part].H * J[i]).eval();
-        look.residual += look.parts[part].H * shift[i];
+        if (ids[i] != measurement.parts[part].block) continue;
+        measurement.parts[part].H = (measurement.parts[part].H * J[i]).eval();
+        measurement.residual += measurement.parts[part].H * shift[i];
       }
   }
 
@@ -88,9 +89,9 @@ struct IteratedBlocks {
     for (std::size_t i = 0; i < ids.size(); ++i) {
       const BlockVector variances = belief.covariance(ids[i]).diagonal().cwiseMax(0);
       for (Eigen::Index k = 0; k < variances.size(); ++k) {
-        const double settled =
+        const double tolerance_ =
             std::max(settings.tolerance, settings.tolerance_sigmas * std::sqrt(variances[k]));
-        most = std::max(most, std::abs(next[i][k] - shift[i][k]) / settled);
+        most = std::max(most, std::abs(next[i][k] - shift[i][k]) / tolerance_);
       }
     }
     return most;
@@ -98,39 +99,39 @@ struct IteratedBlocks {
 };
 
 /// Iterated update (Bell, Cathey 1993: Gauss-Newton on the posterior): linearises again where the update
-/// would put the blocks that are looked from and at. `looks_at(belief)` gives the looks linearised about the
+/// would put the blocks that are looked from and at. `linearize_at(belief)` gives the looks linearised about the
 /// belief's means, the same measurements in the same order each time; one without parts can not be had there,
 /// and stays as it was linearised last. The covariance is that of the last linearisation.
 ///
 /// The prior is told in the charts where it was made, and so is every step: a Jacobian by an error here is
 /// taken back there.
-template <class Form, class LooksAt>
-IterationReport update_iterated(Form& belief, std::span<const BlockId> blocks, LooksAt&& looks_at,
+template <class Form, class Linearizer>
+IterationReport update_iterated(Form& belief, std::span<const BlockId> blocks, Linearizer&& linearize_at,
                                 const IterationSettings& settings = {}) {
   IterationReport report;
   IteratedBlocks at(belief, blocks);
   std::vector<BlockVector> next(blocks.size());
   const std::vector<BlockVector> zero = at.shift;
-  std::vector<AffineLook> last;
+  std::vector<LinearizedMeasurement> last;
   for (;;) {
     for (std::size_t i = 0; i < blocks.size(); ++i)
-      at.J[i] = retold(belief.chart(blocks[i]), at.prior[i], at.shift[i]);
+      at.J[i] = chart_transition_jacobian(belief.chart(blocks[i]), at.prior[i], at.shift[i]);
     at.move_to(belief, at.shift);
-    std::vector<AffineLook> looks = looks_at(belief);
-    for (std::size_t k = 0; k < looks.size(); ++k)
-      if (looks[k].part_count > 0)
-        at.tell_at_prior(looks[k]);
+    std::vector<LinearizedMeasurement> measurements = linearize_at(belief);
+    for (std::size_t k = 0; k < measurements.size(); ++k)
+      if (measurements[k].part_count > 0)
+        at.express_at_prior(measurements[k]);
       else
-        looks[k] = last.at(k);
+        measurements[k] = last.at(k);
     at.move_to(belief, zero);
-    const bool usable = belief.correction(looks, blocks, next);
+    const bool usable = belief.correction(measurements, blocks, next);
     report.converged = usable && at.largest_change(belief, next, settings) <= 1;
     if (!usable || report.converged || ++report.iterations >= settings.max_iterations) {
-      report.update = belief.update(looks);
+      report.update = belief.update(measurements);
       return report;
     }
     at.shift = next;
-    last = std::move(looks);
+    last = std::move(measurements);
   }
 }
 

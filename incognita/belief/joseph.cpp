@@ -6,12 +6,12 @@
 
 namespace incognita {
 
-UpdateReport Belief::update_joseph(std::span<const AffineLook> looks) {
-  if (correlations_ == MapCorrelations::dropped)
+UpdateReport Belief::update_joseph(std::span<const LinearizedMeasurement> measurements) {
+  if (correlations_ == MapCorrelations::block_diagonal)
     throw std::logic_error("update_joseph: it would fill a map whose correlations are dropped");
   UpdateReport report;
-  if (looks.empty()) return report;
-  if (!factorise_innovation(looks, report)) {
+  if (measurements.empty()) return report;
+  if (!factorize_innovation(measurements, report)) {
     report.outcome = UpdateReport::Outcome::singular;
     return report;
   }
@@ -19,14 +19,14 @@ UpdateReport Belief::update_joseph(std::span<const AffineLook> looks) {
   Eigen::MatrixXd R = Eigen::MatrixXd::Zero(report.rows, report.rows);
   Eigen::VectorXd residual(report.rows);
   int row = 0;
-  for (const AffineLook& look : looks) {
-    for (int i = 0; i < look.part_count; ++i) {
-      const Block& b = block(look.parts[i].block);
-      H.block(row, b.error, look.rows(), b.chart.tangent()) += look.parts[i].H;
+  for (const LinearizedMeasurement& measurement : measurements) {
+    for (int i = 0; i < measurement.part_count; ++i) {
+      const Block& b = block(measurement.parts[i].block);
+      H.block(row, b.error, measurement.rows(), b.chart.tangent()) += measurement.parts[i].H;
     }
-    R.block(row, row, look.rows(), look.rows()) = look.R;
-    residual.segment(row, look.rows()) = look.residual;
-    row += look.rows();
+    R.block(row, row, measurement.rows(), measurement.rows()) = measurement.R;
+    residual.segment(row, measurement.rows()) = measurement.residual;
+    row += measurement.rows();
   }
   const Eigen::MatrixXd full = dense_covariance();
   const Eigen::MatrixXd S = H * full * H.transpose() + R;
@@ -36,7 +36,7 @@ UpdateReport Belief::update_joseph(std::span<const AffineLook> looks) {
   const Eigen::VectorXd delta = K * residual;
   shift_mean({delta.data(), static_cast<std::size_t>(errors_)});
   report.outcome = UpdateReport::Outcome::updated;
-  note(looks);
+  note(measurements);
   return report;
 }
 

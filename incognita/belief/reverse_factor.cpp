@@ -22,7 +22,7 @@ void ReverseFactor::load(const Triangle& matrix, int size) {
       }
 }
 
-bool ReverseFactor::factorise() {
+bool ReverseFactor::factorize() {
   const Eigen::VectorXd before = L().diagonal();
   if (!cholesky(L_.storage.data(), L_.stride, size_, workspace_.data())) return false;
   for (int i = 0; i < size_; ++i)  // a pivot that is what rounding left of its row means nothing

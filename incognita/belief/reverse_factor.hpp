@@ -14,11 +14,11 @@ namespace incognita {
 
 class ReverseFactor {
  public:
-  /// Takes the lower triangle of a matrix; add() may then add to it before factorise().
+  /// Takes the lower triangle of a matrix; add() may then add to it before factorize().
   void load(const Triangle& matrix, int size);
   void add(int row, int column, double value) { L_.column(size_ - 1 - row)[size_ - 1 - column] += value; }
   /// False when the matrix is not positive definite within rounding.
-  bool factorise();
+  bool factorize();
 
   double log_det() const;
   /// Of the inverse's first rows and columns.

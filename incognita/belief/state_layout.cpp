@@ -59,9 +59,9 @@ void StateLayout::check_vehicle(const Chart& chart, const Eigen::Ref<const Eigen
           size_of(covariance), ", its chart has ", chart.tangent(), " errors");
 }
 
-void StateLayout::check_birth(const Chart& chart, const Eigen::Ref<const Eigen::VectorXd>& mean,
-                              std::span<const BlockParent> parents,
-                              const Eigen::Ref<const Eigen::MatrixXd>& noise) const {
+void StateLayout::check_new_block(const Chart& chart, const Eigen::Ref<const Eigen::VectorXd>& mean,
+                                  std::span<const BlockParent> parents,
+                                  const Eigen::Ref<const Eigen::MatrixXd>& noise) const {
   const int size = chart.tangent();
   require_mean(chart, mean);
   require(size_of(noise) == Size{size, size}, "landmark noise is ", size_of(noise), ", its chart has ", size,
@@ -83,7 +83,7 @@ void StateLayout::check_replacement(BlockId id, const Chart& chart,
           old_size, " errors by ", size, " does not fit: J ", size_of(J), ", noise ", size_of(noise));
 }
 
-void StateLayout::check(const AffineMotion& motion) const {
+void StateLayout::check(const LinearizedMotion& motion) const {
   const int size = block(motion.block).chart.tangent();
   require_mean(block(motion.block).chart, motion.x_next);
   require(size_of(motion.A) == Size{size, size} && size_of(motion.N) == Size{size, size}, "motion of block ",
@@ -91,17 +91,17 @@ void StateLayout::check(const AffineMotion& motion) const {
           size_of(motion.N));
 }
 
-int StateLayout::check(std::span<const AffineLook> looks) const {
+int StateLayout::check(std::span<const LinearizedMeasurement> measurements) const {
   int rows = 0;
-  for (const AffineLook& look : looks) {
-    require(size_of(look.R) == Size{look.rows(), look.rows()}, "look has ", look.rows(),
-            " numbers, its noise is ", size_of(look.R));
-    for (int i = 0; i < look.part_count; ++i) {
-      const Size fits{look.rows(), block(look.parts[i].block).chart.tangent()};
-      require(size_of(look.parts[i].H) == fits, "H for block ", look.parts[i].block, " is ",
-              size_of(look.parts[i].H), ", must be ", fits);
+  for (const LinearizedMeasurement& measurement : measurements) {
+    require(size_of(measurement.R) == Size{measurement.rows(), measurement.rows()}, "look has ",
+            measurement.rows(), " numbers, its noise is ", size_of(measurement.R));
+    for (int i = 0; i < measurement.part_count; ++i) {
+      const Size fits{measurement.rows(), block(measurement.parts[i].block).chart.tangent()};
+      require(size_of(measurement.parts[i].H) == fits, "H for block ", measurement.parts[i].block, " is ",
+              size_of(measurement.parts[i].H), ", must be ", fits);
     }
-    rows += look.rows();
+    rows += measurement.rows();
   }
   return rows;
 }
@@ -172,8 +172,8 @@ const BeliefTrace& StateLayout::trace() const {
   return trace_ ? *trace_ : nothing;
 }
 
-void StateLayout::note(std::span<const AffineLook> looks) {
-  if (trace_) trace_->insert(trace_->end(), looks.begin(), looks.end());
+void StateLayout::note(std::span<const LinearizedMeasurement> measurements) {
+  if (trace_) trace_->insert(trace_->end(), measurements.begin(), measurements.end());
 }
 
 }  // namespace incognita

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "incognita/belief/affine.hpp"
+#include "incognita/belief/linearized.hpp"
 #include "incognita/belief/trace.hpp"
 #include "incognita/math/chart.hpp"
 
@@ -49,13 +49,13 @@ class StateLayout {
   // All throw std::invalid_argument, with the sizes, when sizes do not fit
   void check_vehicle(const Chart& chart, const Eigen::Ref<const Eigen::VectorXd>& mean,
                      const Eigen::Ref<const Eigen::MatrixXd>& covariance) const;
-  void check_birth(const Chart& chart, const Eigen::Ref<const Eigen::VectorXd>& mean,
-                   std::span<const BlockParent> parents,
-                   const Eigen::Ref<const Eigen::MatrixXd>& noise) const;
+  void check_new_block(const Chart& chart, const Eigen::Ref<const Eigen::VectorXd>& mean,
+                       std::span<const BlockParent> parents,
+                       const Eigen::Ref<const Eigen::MatrixXd>& noise) const;
   void check_replacement(BlockId id, const Chart& chart, const Eigen::Ref<const Eigen::VectorXd>& mean,
                          const BlockMatrix& J, const BlockMatrix& noise) const;
-  void check(const AffineMotion& motion) const;
-  int check(std::span<const AffineLook> looks) const;  ///< rows of all looks
+  void check(const LinearizedMotion& motion) const;
+  int check(std::span<const LinearizedMeasurement> measurements) const;  ///< rows of all looks
 
   BlockId append(const Chart& chart, const Eigen::Ref<const Eigen::VectorXd>& mean);
   BlockId append_vehicle(const Chart& chart, const Eigen::Ref<const Eigen::VectorXd>& mean);
@@ -64,7 +64,7 @@ class StateLayout {
   void forget(BlockId id);
   void shift_mean(std::span<const double> delta);
 
-  void note(std::span<const AffineLook> looks);
+  void note(std::span<const LinearizedMeasurement> measurements);
   template <class Event>
   void note(const Event& event) {
     if (trace_) trace_->emplace_back(event);

@@ -5,12 +5,12 @@
 #include <variant>
 #include <vector>
 
-#include "incognita/belief/affine.hpp"
+#include "incognita/belief/linearized.hpp"
 
 namespace incognita {
 
 /// A block was born: its error is sum of J_i * (error of parent i) + noise.
-struct BlockBirth {
+struct BlockAugmentation {
   BlockId block = 0;
   std::vector<BlockParent> parents;
   BlockMatrix noise;  ///< errors x errors
@@ -29,14 +29,14 @@ struct BlockDrop {
 };
 
 /// The covariance was changed by something else than motions and looks.
-enum class Reshaping {
-  carried,       ///< all blocks moved with one, as a map told in the frame of its vehicle does
-  decorrelated,  ///< correlations were dropped
+enum class CovarianceEdit {
+  frame_changed,  ///< all blocks moved with one, as a map told in the frame of its vehicle does
+  decorrelated,   ///< correlations were dropped
 };
 
 /// A look is one that corrected the belief: what was refused is not noted.
-using BeliefEvent =
-    std::variant<AffineMotion, AffineLook, BlockBirth, BlockReplacement, BlockDrop, Reshaping>;
+using BeliefEvent = std::variant<LinearizedMotion, LinearizedMeasurement, BlockAugmentation, BlockReplacement,
+                                 BlockDrop, CovarianceEdit>;
 using BeliefTrace = std::vector<BeliefEvent>;
 
 }  // namespace incognita

@@ -14,11 +14,12 @@
 namespace incognita {
 
 /// H P, only the columns of one block.
-LookJacobian Belief::times_covariance(const AffineLook& look, const Block& to) const {
-  LookJacobian HP = LookJacobian::Zero(look.rows(), to.chart.tangent());
-  for (int part = 0; part < look.part_count; ++part) {
-    const LookJacobian& H = look.parts[part].H;
-    const int from = block(look.parts[part].block).error;
+MeasurementJacobian Belief::times_covariance(const LinearizedMeasurement& measurement,
+                                             const Block& to) const {
+  MeasurementJacobian HP = MeasurementJacobian::Zero(measurement.rows(), to.chart.tangent());
+  for (int part = 0; part < measurement.part_count; ++part) {
+    const MeasurementJacobian& H = measurement.parts[part].H;
+    const int from = block(measurement.parts[part].block).error;
     for (int j = 0; j < HP.cols(); ++j)
       for (int k = 0; k < H.cols(); ++k) {
         const double p = entry(from + k, to.error + j);
@@ -29,21 +30,22 @@ LookJacobian Belief::times_covariance(const AffineLook& look, const Block& to) c
 }
 
 template <class Destination>
-void Belief::fill_innovation_covariance(std::span<const AffineLook> looks, Destination& S) const {
+void Belief::fill_innovation_covariance(std::span<const LinearizedMeasurement> measurements,
+                                        Destination& S) const {
   int row = 0;
-  for (std::size_t a = 0; a < looks.size(); ++a) {
+  for (std::size_t a = 0; a < measurements.size(); ++a) {
     // Nearly all looks start with the vehicle that looked: its product is made once for all of them
     BlockId vehicle = 0;
-    LookJacobian HP_vehicle;
+    MeasurementJacobian HP_vehicle;
     int column = 0;
     for (std::size_t b = 0; b <= a; ++b) {
-      const AffineLook& other = looks[b];
-      LookMatrix sum = LookMatrix::Zero(looks[a].rows(), other.rows());
-      if (a == b) sum = looks[a].R;
+      const LinearizedMeasurement& other = measurements[b];
+      MeasurementMatrix sum = MeasurementMatrix::Zero(measurements[a].rows(), other.rows());
+      if (a == b) sum = measurements[a].R;
       for (int part = 0; part < other.part_count; ++part) {
         const BlockId id = other.parts[part].block;
         const bool known = part == 0 && b > 0 && id == vehicle;
-        const LookJacobian HP = known ? HP_vehicle : times_covariance(looks[a], block(id));
+        const MeasurementJacobian HP = known ? HP_vehicle : times_covariance(measurements[a], block(id));
         sum += HP.lazyProduct(other.parts[part].H.transpose());
         if (part == 0 && !known) vehicle = id, HP_vehicle = HP;
       }
@@ -51,19 +53,21 @@ void Belief::fill_innovation_covariance(std::span<const AffineLook> looks, Desti
       if (a != b) S.block(column, row, sum.cols(), sum.rows()) = sum.transpose();
       column += other.rows();
     }
-    row += looks[a].rows();
+    row += measurements[a].rows();
   }
 }
 
-void Belief::innovation_covariance(std::span<const AffineLook> looks, Eigen::MatrixXd& S) const {
-  const int rows = check(looks);
+void Belief::innovation_covariance(std::span<const LinearizedMeasurement> measurements,
+                                   Eigen::MatrixXd& S) const {
+  const int rows = check(measurements);
   S.resize(rows, rows);
-  fill_innovation_covariance(looks, S);
+  fill_innovation_covariance(measurements, S);
 }
 
 /// out[r, m] += H[m, :] * P[block, r] for the errors r of [first, last) up to the block's end, whose part of
 /// P lies along rows.
-void Belief::gather_above(const LookJacobian& H, const Block& b, int first, int last, double* out) const {
+void Belief::gather_above(const MeasurementJacobian& H, const Block& b, int first, int last,
+                          double* out) const {
   const int size = b.chart.tangent(), rows = static_cast<int>(H.rows());
   const auto add = [&](int r, const double* p) {
     for (int m = 0; m < rows; ++m) {
@@ -81,7 +85,8 @@ void Belief::gather_above(const LookJacobian& H, const Block& b, int first, int 
 }
 
 /// The same for the errors [first, last) below the block, whose part of P lies along columns.
-void Belief::gather_below(const LookJacobian& H, const Block& b, int first, int last, double* out) const {
+void Belief::gather_below(const MeasurementJacobian& H, const Block& b, int first, int last,
+                          double* out) const {
   const int size = b.chart.tangent(), from = std::max(first, b.error + size);
   if (from >= last) return;
   const double* P_from = P_.column(b.error) + from;
@@ -93,41 +98,42 @@ void Belief::gather_below(const LookJacobian& H, const Block& b, int first, int 
 }
 
 /// P H', errors x rows. A few errors at a time, so that what all looks read stays in the caches.
-void Belief::gather_PHt(std::span<const AffineLook> looks, int rank) {
+void Belief::gather_PHt(std::span<const LinearizedMeasurement> measurements, int rank) {
   for (int m = 0; m < rank; ++m)
     std::fill_n(PHt_.data() + static_cast<long>(m) * P_.stride, round_up_to_panel(errors_), 0.0);
   const auto for_each_part = [&](const auto& work) {
     double* out = PHt_.data();
-    for (const AffineLook& look : looks) {
-      for (int i = 0; i < look.part_count; ++i) work(look.parts[i].H, block(look.parts[i].block), out);
-      out += static_cast<long>(look.rows()) * P_.stride;
+    for (const LinearizedMeasurement& measurement : measurements) {
+      for (int i = 0; i < measurement.part_count; ++i)
+        work(measurement.parts[i].H, block(measurement.parts[i].block), out);
+      out += static_cast<long>(measurement.rows()) * P_.stride;
     }
   };
   constexpr int chunk = 64;
   for (int i = 0; i < errors_; i += chunk) {
     const int end = std::min(i + chunk, errors_);
     for_each_part(
-        [&](const LookJacobian& H, const Block& b, double* out) { gather_above(H, b, i, end, out); });
+        [&](const MeasurementJacobian& H, const Block& b, double* out) { gather_above(H, b, i, end, out); });
     for_each_part(
-        [&](const LookJacobian& H, const Block& b, double* out) { gather_below(H, b, i, end, out); });
+        [&](const MeasurementJacobian& H, const Block& b, double* out) { gather_below(H, b, i, end, out); });
   }
 }
 
 /// The same as fill_innovation_covariance, lower triangle, where P H' is there: its columns for one look stay
 /// in the first cache while all others take what they need of them.
-void Belief::innovation_from_PHt(std::span<const AffineLook> looks) {
+void Belief::innovation_from_PHt(std::span<const LinearizedMeasurement> measurements) {
   int column = 0;
-  for (std::size_t a = 0; a < looks.size(); ++a) {
-    const int columns = looks[a].rows();
+  for (std::size_t a = 0; a < measurements.size(); ++a) {
+    const int columns = measurements[a].rows();
     int row = column;
-    for (std::size_t b = a; b < looks.size(); row += looks[b++].rows())
+    for (std::size_t b = a; b < measurements.size(); row += measurements[b++].rows())
       for (int m = 0; m < columns; ++m) {
         const double* PHt = PHt_.data() + static_cast<long>(column + m) * P_.stride;
         double* out = S_.data() + row + static_cast<long>(column + m) * S_stride_;
-        for (int i = 0; i < looks[b].rows(); ++i) out[i] = a == b ? looks[a].R(i, m) : 0;
-        for (int part = 0; part < looks[b].part_count; ++part) {
-          const LookJacobian& H = looks[b].parts[part].H;
-          const double* of_block = PHt + block(looks[b].parts[part].block).error;
+        for (int i = 0; i < measurements[b].rows(); ++i) out[i] = a == b ? measurements[a].R(i, m) : 0;
+        for (int part = 0; part < measurements[b].part_count; ++part) {
+          const MeasurementJacobian& H = measurements[b].parts[part].H;
+          const double* of_block = PHt + block(measurements[b].parts[part].block).error;
           for (int k = 0; k < H.cols(); ++k)
             for (int i = 0; i < H.rows(); ++i) out[i] += H(i, k) * of_block[k];
         }
@@ -136,24 +142,24 @@ void Belief::innovation_from_PHt(std::span<const AffineLook> looks) {
   }
 }
 
-bool Belief::factorise_innovation(std::span<const AffineLook> looks, UpdateReport& report) {
-  report.rows = check(looks);
+bool Belief::factorize_innovation(std::span<const LinearizedMeasurement> measurements, UpdateReport& report) {
+  report.rows = check(measurements);
   reserve_rank(report.rows);
   auto filled = S(report.rows);
-  fill_innovation_covariance(looks, filled);
-  return factorise_filled(looks, report);
+  fill_innovation_covariance(measurements, filled);
+  return factorize_filled(measurements, report);
 }
 
 /// S_ <- L with S = L L', residual_ <- L^-1 residual, and what the report says of them. False when S is not
 /// positive.
-bool Belief::factorise_filled(std::span<const AffineLook> looks, UpdateReport& report) {
+bool Belief::factorize_filled(std::span<const LinearizedMeasurement> measurements, UpdateReport& report) {
   int row = 0;
-  for (const AffineLook& look : looks) {
-    residual_.segment(row, look.rows()) = look.residual;
-    row += look.rows();
-    const Eigen::LLT<LookMatrix> R(look.R);
+  for (const LinearizedMeasurement& measurement : measurements) {
+    residual_.segment(row, measurement.rows()) = measurement.residual;
+    row += measurement.rows();
+    const Eigen::LLT<MeasurementMatrix> R(measurement.R);
     if (R.info() != Eigen::Success) return false;
-    for (int i = 0; i < look.rows(); ++i) report.log_det_R += 2 * std::log(R.matrixLLT()(i, i));
+    for (int i = 0; i < measurement.rows(); ++i) report.log_det_R += 2 * std::log(R.matrixLLT()(i, i));
   }
   if (!cholesky(S_.data(), S_stride_, report.rows, packed_.data())) return false;
   const auto L = S(report.rows);
@@ -194,38 +200,38 @@ bool Belief::compute_delta(int rank) {
   return true;
 }
 
-bool Belief::correction(std::span<const AffineLook> looks, std::span<const BlockId> blocks,
+bool Belief::correction(std::span<const LinearizedMeasurement> measurements, std::span<const BlockId> blocks,
                         std::span<BlockVector> out) {
-  if (correlations_ == MapCorrelations::dropped)
+  if (correlations_ == MapCorrelations::block_diagonal)
     throw std::logic_error("correction: looks are used one after the other where correlations are dropped");
   UpdateReport report;
-  if (looks.empty() || !factorise_innovation(looks, report)) return false;
+  if (measurements.empty() || !factorize_innovation(measurements, report)) return false;
   auto y = residual_.head(report.rows);  // S^-1 residual
   S(report.rows).triangularView<Eigen::Lower>().transpose().solveInPlace(y);
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     out[i] = BlockVector::Zero(block(blocks[i]).chart.tangent());
     int row = 0;
-    for (const AffineLook& look : looks) {
-      const LookVector of_look = y.segment(row, look.rows());
-      for (int part = 0; part < look.part_count; ++part) {
-        const BlockVector weighted = look.parts[part].H.transpose().lazyProduct(of_look);
-        out[i] += covariance(blocks[i], look.parts[part].block).lazyProduct(weighted);
+    for (const LinearizedMeasurement& measurement : measurements) {
+      const MeasurementVector of_measurement = y.segment(row, measurement.rows());
+      for (int part = 0; part < measurement.part_count; ++part) {
+        const BlockVector weighted = measurement.parts[part].H.transpose().lazyProduct(of_measurement);
+        out[i] += covariance(blocks[i], measurement.parts[part].block).lazyProduct(weighted);
       }
-      row += look.rows();
+      row += measurement.rows();
     }
   }
   return true;
 }
 
-UpdateReport Belief::update(std::span<const AffineLook> looks) {
-  if (correlations_ == MapCorrelations::dropped) return update_dropping(looks);
+UpdateReport Belief::update(std::span<const LinearizedMeasurement> measurements) {
+  if (correlations_ == MapCorrelations::block_diagonal) return update_block_diagonal(measurements);
   UpdateReport report;
-  if (looks.empty()) return report;
-  report.rows = check(looks);
+  if (measurements.empty()) return report;
+  report.rows = check(measurements);
   reserve_rank(report.rows);
-  gather_PHt(looks, report.rows);
-  innovation_from_PHt(looks);
-  if (!factorise_filled(looks, report)) {
+  gather_PHt(measurements, report.rows);
+  innovation_from_PHt(measurements);
+  if (!factorize_filled(measurements, report)) {
     report.outcome = UpdateReport::Outcome::singular;
     return report;
   }
@@ -238,7 +244,7 @@ UpdateReport Belief::update(std::span<const AffineLook> looks) {
   rank_update(P_.column(0), P_.stride, errors_, packed_.data(), report.rows);
   shift_mean({delta_.data(), static_cast<std::size_t>(errors_)});
   report.outcome = UpdateReport::Outcome::updated;
-  note(looks);
+  note(measurements);
   return report;
 }
 

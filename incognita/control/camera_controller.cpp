@@ -11,7 +11,7 @@ constexpr double braking_s = 0.5;
 /// A screen shows nothing while the estimate is lost.
 Command shown(const Goal& goal, bool lost) {
   Command command;
-  command.by_hand = true;
+  command.operator_controlled = true;
   if (lost) return command;
   UserCommand& user = command.user_commands.emplace_back();
   user.segment = {goal.from, goal.to, goal.start_t, goal.end_t};
@@ -22,14 +22,14 @@ Command shown(const Goal& goal, bool lost) {
 
 }  // namespace
 
-CameraController::CameraController(const ControlSettings& settings, bool by_hand)
-    : settings_(settings), by_hand_(by_hand) {}
+CameraController::CameraController(const ControlSettings& settings, bool operator_controlled)
+    : settings_(settings), operator_controlled_(operator_controlled) {}
 
 Command CameraController::act(const Estimate& estimate, const Goal& goal, const Observation&,
                               const Tick& tick) {
   if (!estimate.started) return {};
   const bool lost = estimate.status.state == TrackingState::lost;
-  if (by_hand_) return shown(goal, lost);
+  if (operator_controlled_) return shown(goal, lost);
   if (lost) {
     if (!lost_t_) lost_t_ = tick.t;
     return brake(tick);

@@ -14,19 +14,19 @@ namespace incognita {
 
 class CameraController {
  public:
-  /// `by_hand`: an operator holds the camera, and is shown the goal.
-  explicit CameraController(const ControlSettings& settings, bool by_hand = false);
+  /// `operator_controlled`: an operator holds the camera, and is shown the goal.
+  explicit CameraController(const ControlSettings& settings, bool operator_controlled = false);
 
   /// What to do until the next tick. Before the start nothing; when lost, brake from the last known motion,
   /// then nothing.
-  Command act(const Estimate& estimate, const Goal& goal, const Observation& seen, const Tick& tick);
+  Command act(const Estimate& estimate, const Goal& goal, const Observation& observation, const Tick& tick);
 
  private:
   Heading gaze_of(const Goal& goal, const Tick& tick);
   Command brake(const Tick& tick) const;
 
   ControlSettings settings_;
-  bool by_hand_;
+  bool operator_controlled_;
   std::optional<double> first_heading_;
   std::optional<double> first_t_;
   CameraState last_known_ = CameraState::Zero();

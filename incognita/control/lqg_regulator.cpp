@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "incognita/control/feedback_linearisation.hpp"
+#include "incognita/control/feedback_linearization.hpp"
 #include "incognita/math/expect_size.hpp"
 
 namespace incognita {
@@ -34,10 +34,10 @@ Regulation regulate(const MatrixXd& F, const MatrixXd& G, const VectorXd& x_hat,
   if (!(largest.array() > 0).all()) throw std::invalid_argument("the largest inputs must be positive");
   answer.u = VectorXd::Zero(G.cols());
   if (answer.gain.outcome != RegulatorOutcome::converged) return answer;
-  const VectorXd wanted = holding_input(F, G, goal) - answer.gain.L * (x_hat - goal);
-  if (!wanted.allFinite()) throw std::invalid_argument("the estimate or the goal is not finite");
-  answer.u = wanted.cwiseMax(-largest).cwiseMin(largest);
-  answer.saturated = answer.u != wanted;
+  const VectorXd desired = holding_input(F, G, goal) - answer.gain.L * (x_hat - goal);
+  if (!desired.allFinite()) throw std::invalid_argument("the estimate or the goal is not finite");
+  answer.u = desired.cwiseMax(-largest).cwiseMin(largest);
+  answer.saturated = answer.u != desired;
   return answer;
 }
 

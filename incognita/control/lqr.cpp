@@ -25,7 +25,7 @@ constexpr double largest_residual = 1e-8;  // relative
 constexpr double least = std::numeric_limits<double>::min();
 
 template <class... Parts>
-std::string words(const Parts&... parts) {
+std::string format_message(const Parts&... parts) {
   std::ostringstream text;
   (text << ... << parts);
   return text.str();
@@ -34,17 +34,18 @@ std::string words(const Parts&... parts) {
 template <class Answer>
 Answer refused(Answer answer, RegulatorOutcome outcome, const std::string& why) {
   answer.outcome = outcome;
-  answer.reason = words(sentence(outcome), ": ", why);
+  answer.reason = format_message(sentence(outcome), ": ", why);
   return answer;
 }
 
 void expect_finite(const char* name, const MatrixXd& M) {
-  if (!M.allFinite()) throw std::invalid_argument(words(name, " has an entry that is not finite"));
+  if (!M.allFinite()) throw std::invalid_argument(format_message(name, " has an entry that is not finite"));
 }
 
 void check_sizes(const MatrixXd& F, const MatrixXd& G, const MatrixXd& Q1, const MatrixXd& Q2) {
   const Eigen::Index n = F.rows(), m = G.cols();
-  if (n == 0 || m == 0) throw std::invalid_argument(words("a system of ", n, " states and ", m, " inputs"));
+  if (n == 0 || m == 0)
+    throw std::invalid_argument(format_message("a system of ", n, " states and ", m, " inputs"));
   expect_size("F", F, n, n);
   expect_size("G", G, n, m);
   expect_size("Q1", Q1, n, n);
@@ -58,11 +59,11 @@ void check_sizes(const MatrixXd& F, const MatrixXd& G, const MatrixXd& Q1, const
 /// Why M is not symmetric and positive (semi-)definite.
 std::optional<std::string> not_definite(const char* name, const MatrixXd& M, bool strictly) {
   const double size = M.cwiseAbs().maxCoeff(), skew = (M - M.transpose()).cwiseAbs().maxCoeff();
-  if (skew > rounding * size) return words(name, " is not symmetric, by ", skew);
+  if (skew > rounding * size) return format_message(name, " is not symmetric, by ", skew);
   const double lowest = Eigen::SelfAdjointEigenSolver<MatrixXd>(M, Eigen::EigenvaluesOnly).eigenvalues()[0];
   if (strictly && !(lowest > 0))
-    return words(name, " has the eigenvalue ", lowest, ", which is not positive");
-  if (lowest < -rounding * size) return words(name, " has the negative eigenvalue ", lowest);
+    return format_message(name, " has the eigenvalue ", lowest, ", which is not positive");
+  if (lowest < -rounding * size) return format_message(name, " has the negative eigenvalue ", lowest);
   return std::nullopt;
 }
 
@@ -85,10 +86,11 @@ std::optional<std::complex<double>> unreached_mode(const MatrixXd& F, const Matr
 }
 
 std::string named(std::complex<double> mode) {
-  const std::string at = std::abs(mode.imag()) > mode_margin
-                             ? words(mode.real(), mode.imag() < 0 ? " - " : " + ", std::abs(mode.imag()), "i")
-                             : words(mode.real());
-  return words("the mode ", at, ", of magnitude ", std::abs(mode));
+  const std::string at =
+      std::abs(mode.imag()) > mode_margin
+          ? format_message(mode.real(), mode.imag() < 0 ? " - " : " + ", std::abs(mode.imag()), "i")
+          : format_message(mode.real());
+  return format_message("the mode ", at, ", of magnitude ", std::abs(mode));
 }
 
 /// (5.3); nothing where Q2 + G' T G is not definite.
@@ -136,7 +138,7 @@ std::optional<SteadyGain> refusal_before_start(const MatrixXd& F, const MatrixXd
   const Eigen::VectorXcd modes = stability_of(F).eigenvalues;
   if (!modes.allFinite()) return refused(SteadyGain{}, not_converged, "the eigenvalues of F were not found");
   if (const auto mode = unreached_mode(F, G, modes))
-    return refused(SteadyGain{}, not_stabilisable, named(*mode));
+    return refused(SteadyGain{}, not_stabilizable, named(*mode));
   if (const auto mode = unreached_mode(F.transpose(), Q1, modes))
     return refused(SteadyGain{}, not_detectable, named(*mode));
   return std::nullopt;
@@ -151,16 +153,16 @@ SteadyGain verified(SteadyGain answer, const MatrixXd& F, const MatrixXd& G, con
   const double terms = std::max({answer.T.norm(), uncontrolled.norm(), least});
   answer.L = *L;
   answer.residual = (answer.T - cost_before(F, G, Q1, Q2, *L, answer.T)).norm() / terms;
-  const double radius = is_stabilising(F, G, *L).spectral_radius;
+  const double radius = is_stabilizing(F, G, *L).spectral_radius;
   if (!(answer.residual <= largest_residual) || !(radius < 1)) {
     answer.L = answer.T = MatrixXd();
-    return refused(
-        answer, RegulatorOutcome::not_converged,
-        words("what was found misses (5.4) by ", answer.residual, " and has spectral radius ", radius));
+    return refused(answer, RegulatorOutcome::not_converged,
+                   format_message("what was found misses (5.4) by ", answer.residual,
+                                  " and has spectral radius ", radius));
   }
   answer.outcome = RegulatorOutcome::converged;
-  answer.reason =
-      words(sentence(answer.outcome), ": ", answer.iterations, " doublings, spectral radius ", radius);
+  answer.reason = format_message(sentence(answer.outcome), ": ", answer.iterations,
+                                 " doublings, spectral radius ", radius);
   return answer;
 }
 
@@ -172,7 +174,7 @@ std::string_view sentence(RegulatorOutcome outcome) {
       return "the regulator is found";
     case RegulatorOutcome::cost_not_definite:
       return "the cost is not one: Q1 must be symmetric and positive semi-definite, Q2 definite";
-    case RegulatorOutcome::not_stabilisable:
+    case RegulatorOutcome::not_stabilizable:
       return "no gain stabilises: the inputs do not reach a mode that does not die out by itself";
     case RegulatorOutcome::not_detectable:
       return "the cheapest gain would not stabilise: a mode that does not die out by itself costs nothing";
@@ -187,7 +189,7 @@ HorizonGains finite_horizon_gains(const MatrixXd& F, const MatrixXd& G, const Ma
   check_sizes(F, G, Q1, Q2);
   expect_size("T_end", T_end, F.rows(), F.rows());
   expect_finite("T_end", T_end);
-  if (steps < 0) throw std::invalid_argument(words("a way of ", steps, " steps"));
+  if (steps < 0) throw std::invalid_argument(format_message("a way of ", steps, " steps"));
   using enum RegulatorOutcome;
   for (const auto& why :
        {not_definite("Q1", Q1, false), not_definite("Q2", Q2, false), not_definite("T_end", T_end, false)}) {
@@ -197,15 +199,15 @@ HorizonGains finite_horizon_gains(const MatrixXd& F, const MatrixXd& G, const Ma
   answer.T0 = T_end;
   for (int k = steps - 1; k >= 0; --k) {
     const auto L = gain(F, G, Q2, answer.T0);
-    if (!L) return refused(HorizonGains{}, cost_not_definite, words("Q2 + G' T G of step ", k));
+    if (!L) return refused(HorizonGains{}, cost_not_definite, format_message("Q2 + G' T G of step ", k));
     answer.T0 = cost_before(F, G, Q1, Q2, *L, answer.T0);
     if (!answer.T0.allFinite())
-      return refused(HorizonGains{}, not_converged, words("not finite at step ", k));
+      return refused(HorizonGains{}, not_converged, format_message("not finite at step ", k));
     answer.L.push_back(*L);
   }
   std::reverse(answer.L.begin(), answer.L.end());
   answer.outcome = converged;
-  answer.reason = words(sentence(converged), ": ", steps, " steps");
+  answer.reason = format_message(sentence(converged), ": ", steps, " steps");
   return answer;
 }
 
@@ -219,15 +221,15 @@ SteadyGain steady_gain(const MatrixXd& F, const MatrixXd& G, const MatrixXd& Q1,
   while (!(changed <= settings.tolerance)) {
     if (answer.iterations >= settings.max_iterations) {
       return refused(answer, RegulatorOutcome::not_converged,
-                     words("T still changes by ", changed, " of its largest entry after ",
-                           settings.max_iterations, " doublings, the cap"));
+                     format_message("T still changes by ", changed, " of its largest entry after ",
+                                    settings.max_iterations, " doublings, the cap"));
     }
     const MatrixXd before = doubling.T;
     doubling.next();
     ++answer.iterations;
     if (!doubling.T.allFinite()) {
       return refused(answer, RegulatorOutcome::not_converged,
-                     words("T is not finite after ", answer.iterations, " doublings"));
+                     format_message("T is not finite after ", answer.iterations, " doublings"));
     }
     changed = change(before, doubling.T);
   }

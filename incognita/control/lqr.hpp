@@ -20,7 +20,7 @@ namespace incognita {
 enum class RegulatorOutcome {
   converged,
   cost_not_definite,
-  not_stabilisable,
+  not_stabilizable,
   not_detectable,
   not_converged,
 };

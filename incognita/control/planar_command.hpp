@@ -32,13 +32,13 @@ struct PlanarCommand {
 };
 
 /// Speed and turn rate shrunk by the same factor: every point of the body keeps its direction of motion.
-inline PlanarCommand limited(const Eigen::Vector2d& wanted, const PlanarLimits& limits) {
-  const double excess =
-      std::max(std::abs(wanted[0]) / limits.max_speed_m_s, std::abs(wanted[1]) / limits.max_turn_rate_rad_s);
-  if (!(excess > 1)) return {wanted[0], wanted[1], false};
+inline PlanarCommand limited(const Eigen::Vector2d& desired, const PlanarLimits& limits) {
+  const double excess = std::max(std::abs(desired[0]) / limits.max_speed_m_s,
+                                 std::abs(desired[1]) / limits.max_turn_rate_rad_s);
+  if (!(excess > 1)) return {desired[0], desired[1], false};
   // The clamp is for the last bit of the division
-  return {std::clamp(wanted[0] / excess, -limits.max_speed_m_s, limits.max_speed_m_s),
-          std::clamp(wanted[1] / excess, -limits.max_turn_rate_rad_s, limits.max_turn_rate_rad_s), true};
+  return {std::clamp(desired[0] / excess, -limits.max_speed_m_s, limits.max_speed_m_s),
+          std::clamp(desired[1] / excess, -limits.max_turn_rate_rad_s, limits.max_turn_rate_rad_s), true};
 }
 
 }  // namespace incognita

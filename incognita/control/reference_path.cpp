@@ -33,7 +33,7 @@ Reference on(const CirclePath& path, double t) {
   const double rate = path.rate_rad_s, moving = t < 0 ? 0 : rate;
   const double angle = path.phase_rad + rate * std::max(t, 0.0);
   const Vector3d out(std::cos(angle), std::sin(angle), 0), left(-out.y(), out.x(), 0);
-  return {.position = path.centre + path.radius_m * out,
+  return {.position = path.center + path.radius_m * out,
           .velocity = path.radius_m * moving * left,
           .acceleration = -path.radius_m * moving * moving * out,
           .heading = angle + std::copysign(pi / 2, rate),
@@ -45,7 +45,7 @@ Reference on(const BackAndForthPath& path, double t) {
   const double p = path.amplitude_rad * (std::sin(2 * s) - 2 * s / pi);
   const double rate = moving * (2 * std::cos(2 * s) - 2 / pi), acceleration = -4 * moving * std::sin(2 * s);
   const Vector3d out(-std::cos(p), std::sin(p), 0), along(std::sin(p), std::cos(p), 0);  // d(out)/dp
-  return {.position = path.centre + path.radius_m * out,
+  return {.position = path.center + path.radius_m * out,
           .velocity = path.radius_m * rate * along,
           .acceleration = path.radius_m * (acceleration * along - rate * rate * out),
           .heading = -p,
@@ -90,8 +90,8 @@ void expect(bool right, const char* what) {
   if (!right) throw std::invalid_argument(what);
 }
 
-void check_circle(const Vector3d& centre, double radius) {
-  expect(centre.allFinite(), "the centre of the path is not finite");
+void check_circle(const Vector3d& center, double radius) {
+  expect(center.allFinite(), "the centre of the path is not finite");
   expect(radius > 0 && std::isfinite(radius), "the radius of the path must be positive");
 }
 
@@ -145,12 +145,12 @@ void check(const Path& path) {
             expect(p.position.allFinite() && std::isfinite(p.heading_rad), "the point is not finite");
           },
           [](const CirclePath& p) {
-            check_circle(p.centre, p.radius_m);
+            check_circle(p.center, p.radius_m);
             expect(p.rate_rad_s != 0 && std::isfinite(p.rate_rad_s), "the rate of the circle must not be 0");
             expect(std::isfinite(p.phase_rad), "the phase of the circle is not finite");
           },
           [](const BackAndForthPath& p) {
-            check_circle(p.centre, p.radius_m);
+            check_circle(p.center, p.radius_m);
             expect(p.amplitude_rad != 0 && std::isfinite(p.amplitude_rad),
                    "the amplitude of the path must not be 0");
           },

@@ -24,7 +24,7 @@ struct PointPath {
 /// Round a circle at a steady rate, thesis (5.14). (5.15) is meant as its velocity and lacks the factor
 /// `rate_rad_s`. The heading is the direction of travel.
 struct CirclePath {
-  Eigen::Vector3d centre{0, 0, 0};
+  Eigen::Vector3d center{0, 0, 0};
   double radius_m = 7;
   double rate_rad_s = radians(5);  ///< positive to the left; not 0
   double phase_rad = 0;            ///< where on the circle it starts
@@ -39,7 +39,7 @@ struct CirclePath {
 /// rate but the amplitude of the angle; the rate is amplitude (2 cos 2t - 2/pi). It is not periodic: every pi
 /// seconds it comes back 2 amplitudes short.
 struct BackAndForthPath {
-  Eigen::Vector3d centre{0, 0, 0};
+  Eigen::Vector3d center{0, 0, 0};
   double radius_m = 1.5;
   double amplitude_rad = radians(15);
 };

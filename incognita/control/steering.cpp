@@ -6,11 +6,11 @@
 #include <stdexcept>
 #include <utility>
 
-#include "incognita/control/car_linearisation.hpp"
-#include "incognita/control/feedback_linearisation.hpp"
+#include "incognita/control/car_linearization.hpp"
+#include "incognita/control/feedback_linearization.hpp"
 #include "incognita/control/lqg_regulator.hpp"
 #include "incognita/control/planar_tracking.hpp"
-#include "incognita/control/steering_fault.hpp"
+#include "incognita/control/steering_validation.hpp"
 #include "incognita/control/track_reference.hpp"
 #include "incognita/models/heading.hpp"
 #include "incognita/models/held_acceleration.hpp"
@@ -49,9 +49,9 @@ Eigen::MatrixXd gain_of(const LinearPlant& plant, const SteeringSettings& s) {
   return gain.L;
 }
 
-struct Held final : Steering {
+struct HeldInput final : Steering {
   SmallVector input;
-  explicit Held(SmallVector held) : input(std::move(held)) {}
+  explicit HeldInput(SmallVector held) : input(std::move(held)) {}
   SmallVector act(const SmallVector&, double) const override { return input; }
 };
 
@@ -61,8 +61,8 @@ struct LineTracking final : Steering {
   explicit LineTracking(const SteeringSettings& settings) : s(settings) {}
   SmallVector act(const SmallVector& x, double t) const override {
     const Reference r = at(s.path, t);
-    const double wanted = r.velocity.x() - s.gain_per_s.numbers[0] * (x[0] - r.position.x());
-    return SmallVector::Constant(1, std::clamp(wanted, -s.most_input[0], s.most_input[0]));
+    const double desired = r.velocity.x() - s.gain_per_s.numbers[0] * (x[0] - r.position.x());
+    return SmallVector::Constant(1, std::clamp(desired, -s.most_input[0], s.most_input[0]));
   }
 };
 
@@ -89,11 +89,11 @@ struct PlanarTracking final : Steering {
   }
 };
 
-struct DriveLinearisation final : Steering {
+struct DriveLinearization final : Steering {
   SteeringSettings s;
-  FeedbackLinearisation law;
+  FeedbackLinearization law;
   bool on_ground;  // the state is the axle's middle: its control point lies before it
-  DriveLinearisation(const SteeringSettings& settings, const DifferentialDrive& body, double period,
+  DriveLinearization(const SteeringSettings& settings, const DifferentialDrive& body, double period,
                      bool ground)
       : s(settings),
         law({body, settings.gain_per_s.matrix(2), period, planar_limits(settings)}),
@@ -107,7 +107,7 @@ struct DriveLinearisation final : Steering {
 struct CarSteering final : Steering {
   SteeringSettings s;
   AckermannCar car;
-  CarLinearisation law;
+  CarLinearization law;
   CarSteering(const SteeringSettings& settings, const AckermannCar& c, double period)
       : s(settings),
         car(c),
@@ -132,9 +132,9 @@ struct DriveRegulation final : Steering {
 };
 
 /// (5.29); the gaze is the path's heading.
-struct BodyLinearisation final : Steering {
+struct BodyLinearization final : Steering {
   SteeringSettings s;
-  explicit BodyLinearisation(const SteeringSettings& settings) : s(settings) {}
+  explicit BodyLinearization(const SteeringSettings& settings) : s(settings) {}
   SmallVector act(const SmallVector& x, double t) const override {
     const Reference r = at(s.path, t);
     // Turning left about z is turning about -y of a camera that is level
@@ -173,7 +173,7 @@ struct SteeredAs final : Steering {
   SmallVector act(const SmallVector& x, double t) const override { return law->act(x.head(size), t); }
 };
 
-struct Maker {
+struct SteeringFactory {
   const SteeringSettings& s;
   double period;
 
@@ -186,18 +186,18 @@ struct Maker {
   std::unique_ptr<Steering> operator()(const DifferentialDrive& body) const {
     if (is("lqg")) return std::make_unique<DriveRegulation>(s, body, period);
     if (is("tracking")) return std::make_unique<PlanarTracking>(s, body);
-    return std::make_unique<DriveLinearisation>(s, body, period, false);
+    return std::make_unique<DriveLinearization>(s, body, period, false);
   }
   std::unique_ptr<Steering> operator()(const AckermannCar& car) const {
     return std::make_unique<CarSteering>(s, car, period);
   }
   std::unique_ptr<Steering> operator()(const TerrainVehicle&) const {
     if (is("tracking")) return std::make_unique<PlanarTracking>(s, DifferentialDrive{0, 0});
-    return std::make_unique<DriveLinearisation>(s, DifferentialDrive{s.control_point_m, 0}, period, true);
+    return std::make_unique<DriveLinearization>(s, DifferentialDrive{s.control_point_m, 0}, period, true);
   }
   std::unique_ptr<Steering> operator()(const FreeCameraMotion&) const {
     if (is("lqg")) return std::make_unique<BodyRegulation>(s, period);
-    return std::make_unique<BodyLinearisation>(s);
+    return std::make_unique<BodyLinearization>(s);
   }
   template <class Model>
   std::unique_ptr<Steering> operator()(const Model& model) const {
@@ -212,10 +212,10 @@ struct Maker {
 }  // namespace
 
 std::unique_ptr<Steering> make_steering(const AnyMotion& motion, const SteeringSettings& s, double period_s) {
-  const std::string fault = fault_in(motion, s, period_s);
-  if (!fault.empty()) refuse(fault);
-  if (s.law == "none") return std::make_unique<Held>(s.input);
-  return std::visit(Maker{s, period_s}, motion);
+  const std::string problem = validate_steering(motion, s, period_s);
+  if (!problem.empty()) refuse(problem);
+  if (s.law == "none") return std::make_unique<HeldInput>(s.input);
+  return std::visit(SteeringFactory{s, period_s}, motion);
 }
 
 }  // namespace incognita

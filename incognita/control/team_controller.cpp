@@ -8,10 +8,11 @@
 
 namespace incognita {
 
-TeamController::TeamController(std::vector<VehicleSteering> vehicles, double period_s, bool by_hand)
-    : vehicles_(std::move(vehicles)), period_s_(period_s), by_hand_(by_hand) {
+TeamController::TeamController(std::vector<VehicleSteering> vehicles, double period_s,
+                               bool operator_controlled)
+    : vehicles_(std::move(vehicles)), period_s_(period_s), operator_controlled_(operator_controlled) {
   for (const VehicleSteering& v : vehicles_) {
-    if (by_hand_ && !traits_of(v.motion).in_space())
+    if (operator_controlled_ && !traits_of(v.motion).in_space())
       throw std::invalid_argument("an operator moves cameras that are free, and no other vehicles");
     laws_.push_back(make_steering(v.motion, v.settings, period_s_));
   }
@@ -33,7 +34,7 @@ Eigen::Vector3d steered_to(const VehicleSteering& v, const VehicleGoal& goal) {
   return goal.to + forward_m * Eigen::Vector3d(std::cos(goal.heading_rad), std::sin(goal.heading_rad), 0);
 }
 
-Eigen::Vector4d wanted_at(const VehicleGoal& goal) {
+Eigen::Vector4d reference_at(const VehicleGoal& goal) {
   return {goal.to.x(), goal.to.y(), goal.to.z(), goal.heading_rad};
 }
 
@@ -78,13 +79,13 @@ SmallVector TeamController::fly(const Goal& goal, std::size_t i, const Tick& tic
 /// What screens show the operators; nothing while the estimate is lost.
 Command TeamController::shown(const Goal& goal, bool lost) const {
   Command command;
-  command.by_hand = true;
+  command.operator_controlled = true;
   if (lost) return command;
   for (const VehicleGoal& to : goal.team) {
     command.user_commands.push_back({{to.from, to.to, goal.start_t, goal.end_t},
                                      goal.decided,
                                      Heading{to.heading_rad, to.heading_rate_rad_s}});
-    command.wanted.push_back(wanted_at(to));
+    command.references.push_back(reference_at(to));
   }
   return command;
 }
@@ -102,7 +103,7 @@ Command TeamController::act(const TeamEstimate& estimate, const Goal& goal, cons
   if (!first_t_) first_t_ = tick.t;
   if (!estimate.started) return {};
   const bool lost = estimate.status.state == TrackingState::lost;
-  if (by_hand_) return shown(goal, lost);
+  if (operator_controlled_) return shown(goal, lost);
   take_states(estimate);
   if (lost) return brake(tick);
   Command command;
@@ -116,14 +117,14 @@ Command TeamController::act(const TeamEstimate& estimate, const Goal& goal, cons
     }
     if (has_goals && traits_of(vehicles_[i].motion).in_space()) {
       command.inputs.push_back(fly(goal, i, tick));
-      command.wanted.push_back(wanted_at(goal.team[i]));
+      command.references.push_back(reference_at(goal.team[i]));
       continue;
     }
     command.inputs.push_back(laws_[i]->act(last_known_[i], t));
     if (vehicles_[i].settings.law == "none") continue;
-    const Reference wanted = at(vehicles_[i].settings.path, t);
-    command.wanted.emplace_back(wanted.position.x(), wanted.position.y(), wanted.position.z(),
-                                wanted.heading);
+    const Reference reference = at(vehicles_[i].settings.path, t);
+    command.references.emplace_back(reference.position.x(), reference.position.y(), reference.position.z(),
+                                    reference.heading);
   }
   return command;
 }

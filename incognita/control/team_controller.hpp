@@ -21,13 +21,14 @@ struct VehicleSteering {
 
 class TeamController {
  public:
-  /// `period_s`: how long a command is held. `by_hand`: operators hold the vehicles, all of them cameras that
+  /// `period_s`: how long a command is held. `operator_controlled`: operators hold the vehicles, all of them cameras that
   /// are free, and are shown the goals. Throws std::invalid_argument as make_steering does.
-  TeamController(std::vector<VehicleSteering> vehicles, double period_s, bool by_hand = false);
+  TeamController(std::vector<VehicleSteering> vehicles, double period_s, bool operator_controlled = false);
 
   /// Nothing before the start; once lost, bodies in space brake from their last known motion. Goals for the
   /// team, newly decided, take the place of the paths.
-  Command act(const TeamEstimate& estimate, const Goal& goal, const Observation& seen, const Tick& tick);
+  Command act(const TeamEstimate& estimate, const Goal& goal, const Observation& observation,
+              const Tick& tick);
 
  private:
   void turn_to(const Goal& goal);
@@ -39,7 +40,7 @@ class TeamController {
   std::vector<VehicleSteering> vehicles_;
   double period_s_;
   std::vector<std::unique_ptr<Steering>> laws_;
-  bool by_hand_;
+  bool operator_controlled_;
   std::optional<double> first_t_, lost_t_;
   std::vector<SmallVector> last_known_;
 };

@@ -9,7 +9,7 @@
 
 #include "incognita/control/settings.hpp"
 #include "incognita/messages/command.hpp"
-#include "incognita/models/camera_look.hpp"
+#include "incognita/models/camera_measurement.hpp"
 
 namespace incognita {
 

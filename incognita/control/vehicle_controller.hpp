@@ -5,7 +5,7 @@
 #include <memory>
 #include <optional>
 
-#include "incognita/control/keep_clear.hpp"
+#include "incognita/control/obstacle_avoidance.hpp"
 #include "incognita/control/steering.hpp"
 #include "incognita/messages/command.hpp"
 #include "incognita/messages/goal.hpp"
@@ -22,24 +22,24 @@ planar::Pose<double> axle_under(const CameraState& camera, const Mount& mount);
 struct VehicleDriving {
   SteeringSettings steering;  ///< of a TerrainVehicle; where a goal does not say how to drive
   Mount mount;
-  std::optional<KeepClear> keep_clear = {};
+  std::optional<ObstacleAvoidanceSettings> obstacle_avoidance = {};
 };
 
 class VehicleController {
  public:
-  /// `period_s`: how long a command is held. Throws std::invalid_argument as make_steering and KeepClear do.
+  /// `period_s`: how long a command is held. Throws std::invalid_argument as make_steering and ObstacleAvoidanceSettings do.
   VehicleController(const VehicleDriving& driving, double period_s);
 
   /// Before the start and when lost it stands still. A goal's `drive` comes before the law.
-  Command act(const Estimate& estimate, const Goal& goal, const Observation& seen, const Tick& tick);
+  Command act(const Estimate& estimate, const Goal& goal, const Observation& observation, const Tick& tick);
 
  private:
-  Eigen::Vector2d wanted(const Estimate& estimate, const Goal& goal, const Tick& tick);
+  Eigen::Vector2d desired_drive(const Estimate& estimate, const Goal& goal, const Tick& tick);
 
   VehicleDriving driving_;
   std::unique_ptr<Steering> law_;
   std::optional<double> first_t_;
-  Side away_ = Side::none;
+  TurnSide turn_side_ = TurnSide::none;
 };
 
 }  // namespace incognita

@@ -64,28 +64,28 @@ void ActionChoice::forget() {
 }
 
 template <class Form>
-bool ActionChoice::choose(const Form& belief, BlockId vehicle, const BlockVector& state, const Moves& moves,
-                          const Expectation& expectation, const Tick& tick) {
+bool ActionChoice::choose(const Form& belief, BlockId vehicle, const BlockVector& state,
+                          const ActionSet& action_set, const Expectation& expectation, const Tick& tick) {
   const bool due = chosen_ < 0 || has_come(end_t_, tick.t);
   if (due || (settings_.horizon == 1 && settings_.schedule != Schedule::at_decisions))
-    score(belief, vehicle, state, moves, expectation);
+    score(belief, vehicle, state, action_set, expectation);
   if (!due) return false;
-  chosen_ = compare(state, moves);
+  chosen_ = compare(state, action_set);
   end_t_ = tick.t + settings_.period_s;
   return true;
 }
 
-template bool ActionChoice::choose(const Belief&, BlockId, const BlockVector&, const Moves&,
+template bool ActionChoice::choose(const Belief&, BlockId, const BlockVector&, const ActionSet&,
                                    const Expectation&, const Tick&);
-template bool ActionChoice::choose(const AnyBelief&, BlockId, const BlockVector&, const Moves&,
+template bool ActionChoice::choose(const AnyBelief&, BlockId, const BlockVector&, const ActionSet&,
                                    const Expectation&, const Tick&);
 
 /// Also for strategies that do not ask: what they could have learnt is worth telling.
 template <class Form>
-void ActionChoice::score(const Form& belief, BlockId vehicle, const BlockVector& state, const Moves& moves,
-                         const Expectation& expectation) {
+void ActionChoice::score(const Form& belief, BlockId vehicle, const BlockVector& state,
+                         const ActionSet& action_set, const Expectation& expectation) {
   if (settings_.schedule != Schedule::one_per_frame) {
-    scores_ = look_ahead_.scores(belief, vehicle, state, moves, expectation);
+    scores_ = look_ahead_.scores(belief, vehicle, state, action_set, expectation);
     return;
   }
   const std::size_t turn = scored_++ % order_.size();
@@ -94,37 +94,37 @@ void ActionChoice::score(const Form& belief, BlockId vehicle, const BlockVector&
       std::swap(order_[i - 1], order_[static_cast<std::size_t>(order_stream_.below(static_cast<int>(i)))]);
   const int action = order_[turn];
   scores_[static_cast<std::size_t>(action)] =
-      look_ahead_.score_of(belief, vehicle, state, action, moves, expectation);
+      look_ahead_.score_of(belief, vehicle, state, action, action_set, expectation);
 }
 
 /// Where all end out of bounds, those that end the least so: a vehicle that drives can not stay.
-void ActionChoice::allow(const BlockVector& state, const Moves& moves) {
+void ActionChoice::allow(const BlockVector& state, const ActionSet& action_set) {
   outside_m_.clear();
-  for (int a = 0; a < moves.count(); ++a) outside_m_.push_back(moves.after(state, a).outside_m);
+  for (int a = 0; a < action_set.count(); ++a) outside_m_.push_back(action_set.after(state, a).outside_m);
   const double least = *std::min_element(outside_m_.begin(), outside_m_.end());
   for (std::size_t a = 0; a < outside_m_.size(); ++a) allowed_[a] = outside_m_[a] <= least;
 }
 
-int ActionChoice::compare(const BlockVector& state, const Moves& moves) {
-  allow(state, moves);
+int ActionChoice::compare(const BlockVector& state, const ActionSet& action_set) {
+  allow(state, action_set);
   switch (settings_.strategy) {
     case Strategy::mutual_information:
-      return most_informative(moves);
+      return most_informative(action_set);
     case Strategy::fixed_path:
-      return next_of_sequence(moves);
+      return next_of_sequence(action_set);
     case Strategy::random:
       return any_allowed();
     case Strategy::none:
       break;
   }
-  return moves.stay();
+  return action_set.stay();
 }
 
-int ActionChoice::most_informative(const Moves& moves) const {
-  const auto stay = static_cast<std::size_t>(moves.stay());
+int ActionChoice::most_informative(const ActionSet& action_set) const {
+  const auto stay = static_cast<std::size_t>(action_set.stay());
   // While some have no score yet it stays, where it may
   const bool waits = settings_.schedule == Schedule::one_per_frame && scored_ < order_.size();
-  return waits && allowed_[stay] ? moves.stay() : best_of(scores_, allowed_, moves.stay());
+  return waits && allowed_[stay] ? action_set.stay() : best_of(scores_, allowed_, action_set.stay());
 }
 
 int ActionChoice::any_allowed() {
@@ -135,9 +135,9 @@ int ActionChoice::any_allowed() {
 }
 
 /// One that is not allowed is waited out: the path stays what it is.
-int ActionChoice::next_of_sequence(const Moves& moves) {
+int ActionChoice::next_of_sequence(const ActionSet& action_set) {
   const int action = sequence_[taken_++ % sequence_.size()];
-  return allowed_[static_cast<std::size_t>(action)] ? action : moves.stay();
+  return allowed_[static_cast<std::size_t>(action)] ? action : action_set.stay();
 }
 
 }  // namespace incognita

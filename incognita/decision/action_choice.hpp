@@ -22,7 +22,7 @@ class ActionChoice {
 
   /// Scores actions; once per period compares them. True when one was chosen in this tick.
   template <class Form>
-  bool choose(const Form& belief, BlockId vehicle, const BlockVector& state, const Moves& moves,
+  bool choose(const Form& belief, BlockId vehicle, const BlockVector& state, const ActionSet& action_set,
               const Expectation& expectation, const Tick& tick);
 
   /// After the estimate was lost, the next tick compares anew.
@@ -35,13 +35,13 @@ class ActionChoice {
 
  private:
   template <class Form>
-  void score(const Form& belief, BlockId vehicle, const BlockVector& state, const Moves& moves,
+  void score(const Form& belief, BlockId vehicle, const BlockVector& state, const ActionSet& action_set,
              const Expectation& expectation);
-  void allow(const BlockVector& state, const Moves& moves);
-  int compare(const BlockVector& state, const Moves& moves);
-  int most_informative(const Moves& moves) const;
+  void allow(const BlockVector& state, const ActionSet& action_set);
+  int compare(const BlockVector& state, const ActionSet& action_set);
+  int most_informative(const ActionSet& action_set) const;
   int any_allowed();
-  int next_of_sequence(const Moves& moves);
+  int next_of_sequence(const ActionSet& action_set);
 
   DecisionSettings settings_;
   std::vector<std::string> names_;

@@ -11,7 +11,7 @@ namespace {
 
 std::variant<FreeCameraChoice, VehicleChoice> choice_of(const DecisionSettings& settings,
                                                         const FilterSettings& filter,
-                                                        const std::optional<Carrier>& carrier,
+                                                        const std::optional<CarrierSettings>& carrier,
                                                         std::uint64_t seed) {
   const double linear = filter.sigma_acceleration_m_s2, angular = filter.sigma_angular_acceleration_rad_s2;
   if (carrier) return VehicleChoice(settings, *carrier, linear, angular, seed);
@@ -22,7 +22,7 @@ std::variant<FreeCameraChoice, VehicleChoice> choice_of(const DecisionSettings& 
 
 CameraDecision::CameraDecision(Camera camera, const CameraSlamSettings& slam,
                                const DecisionSettings& settings, const ExplorationSettings& exploration,
-                               std::uint64_t seed, const std::optional<Carrier>& carrier)
+                               std::uint64_t seed, const std::optional<CarrierSettings>& carrier)
     : expectation_(std::move(camera), slam, exploration.counted == ExplorationSettings::Counted::as_mapped),
       exploration_(exploration, seed),
       choice_(choice_of(settings, slam.filter, carrier, seed)),
@@ -31,12 +31,12 @@ CameraDecision::CameraDecision(Camera camera, const CameraSlamSettings& slam,
 void CameraDecision::explore(const Estimate& estimate, const Tick& tick) {
   if (exploration_.settings().expected_landmarks == 0) return;
   const CameraState now = estimate.camera_state();
-  exploration_.look([&](const Eigen::Vector3d& place) { return expectation_.in_view(now, place); }, tick.dt,
-                    estimate.mapped_count());
+  exploration_.update([&](const Eigen::Vector3d& position) { return expectation_.in_view(now, position); },
+                      tick.dt, estimate.mapped_count());
   goal_.coverage = exploration_.coverage();
 }
 
-Goal CameraDecision::choose(const Estimate& estimate, const Observation& seen, const Tick& tick) {
+Goal CameraDecision::choose(const Estimate& estimate, const Observation& observation, const Tick& tick) {
   goal_.decided = false;
   if (!estimate.started || estimate.status.state == TrackingState::lost) {
     std::visit([](auto& choice) { choice.forget(); }, choice_);
@@ -52,7 +52,7 @@ Goal CameraDecision::choose(const Estimate& estimate, const Observation& seen, c
     flies->choose(estimate.belief, estimate.camera, camera, expectation_, tick, goal_);
   } else {
     std::optional<Eigen::Vector2d> wheels;
-    if (!seen.odometry.empty()) wheels = seen.odometry.back().input;
+    if (!observation.odometry.empty()) wheels = observation.odometry.back().input;
     std::get<VehicleChoice>(choice_).choose(estimate.belief, estimate.camera, camera, wheels, expectation_,
                                             tick, goal_);
   }

@@ -26,13 +26,13 @@ class CameraDecision {
   /// `carrier`: of a camera that does not fly. Throws std::invalid_argument where the settings can not be.
   CameraDecision(Camera camera, const CameraSlamSettings& slam, const DecisionSettings& settings,
                  const ExplorationSettings& exploration = {}, std::uint64_t seed = 1,
-                 const std::optional<Carrier>& carrier = {});
+                 const std::optional<CarrierSettings>& carrier = {});
 
   /// Scores every action in every frame; compares them, and sets a new goal, once per period. Actions that
   /// would end outside the bounds are scored but not chosen. Without a pose to start from (starting, lost)
   /// there is no action.
   /// `seen`: what the wheels of a carrier tell, or nothing.
-  Goal choose(const Estimate& estimate, const Observation& seen, const Tick& tick);
+  Goal choose(const Estimate& estimate, const Observation& observation, const Tick& tick);
   Goal choose(const Estimate& estimate, const Tick& tick) { return choose(estimate, {}, tick); }
 
   /// Names of the actions.

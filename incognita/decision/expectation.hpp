@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "incognita/decision/expected_look.hpp"
 #include "incognita/decision/exploration.hpp"
+#include "incognita/decision/predicted_measurement.hpp"
 
 namespace incognita {
 
@@ -12,7 +12,7 @@ class Expectation {
  public:
   virtual ~Expectation() = default;
   /// Replaces `looks` by what would be seen with the vehicle in that state.
-  virtual void expect(const BlockVector& state, std::vector<ExpectedLook>& looks) const = 0;
+  virtual void expect(const BlockVector& state, std::vector<PredictedMeasurement>& measurements) const = 0;
 };
 
 /// The smallest of the `most` largest traces, which a search for so many looks would take: those of the

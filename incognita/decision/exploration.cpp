@@ -36,7 +36,7 @@ Exploration::Exploration(const ExplorationSettings& settings, std::uint64_t seed
   }
 }
 
-Eigen::Vector3d Exploration::centre_of(int cell) const {
+Eigen::Vector3d Exploration::center_of(int cell) const {
   const int row = cell / cells_.x();
   const Eigen::Vector3i which(cell % cells_.x(), row % cells_.y(), row / cells_.y());
   const Eigen::Vector3d at = which.cast<double>();
@@ -44,9 +44,9 @@ Eigen::Vector3d Exploration::centre_of(int cell) const {
   return settings_.min_m + (at.array() + 0.5).matrix().cwiseProduct(size);
 }
 
-int Exploration::cell_of(const Eigen::Vector3d& place) const {
+int Exploration::cell_of(const Eigen::Vector3d& position) const {
   const Eigen::Array3d share =
-      (place - settings_.min_m).array() / (settings_.max_m - settings_.min_m).array();
+      (position - settings_.min_m).array() / (settings_.max_m - settings_.min_m).array();
   const Eigen::Array3i at =
       (share * cells_.cast<double>().array()).floor().cast<int>().max(0).min(cells_.array() - 1);
   return at.x() + cells_.x() * (at.y() + cells_.y() * at.z());
@@ -62,11 +62,11 @@ void Exploration::move_elsewhere(ExpectedLandmark& landmark) {
   while (seen(cell_of(landmark.position))) draw();
 }
 
-void Exploration::look(const std::function<bool(const Eigen::Vector3d&)>& in_view, double dt, int mapped) {
+void Exploration::update(const std::function<bool(const Eigen::Vector3d&)>& in_view, double dt, int mapped) {
   if (settings_.expected_landmarks == 0) return;
   for (int cell = 0; cell < static_cast<int>(seen_s_.size()); ++cell) {
     double& s = seen_s_[static_cast<std::size_t>(cell)];
-    if (s >= settings_.seen_s || !in_view(centre_of(cell))) continue;
+    if (s >= settings_.seen_s || !in_view(center_of(cell))) continue;
     s += dt;
     // Rounding of sums of dt must not decide whether a cell needs one more frame
     if (s > settings_.seen_s * (1 - 1e-9)) s = settings_.seen_s, --unseen_cells_;

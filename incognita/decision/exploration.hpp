@@ -29,7 +29,7 @@ class Exploration {
 
   /// What is in view for `dt` seconds, and how many landmarks of the box are mapped. In cells that were seen
   /// nothing is expected any more: it is elsewhere, as long as there is an elsewhere.
-  void look(const std::function<bool(const Eigen::Vector3d&)>& in_view, double dt, int mapped);
+  void update(const std::function<bool(const Eigen::Vector3d&)>& in_view, double dt, int mapped);
 
   /// Landmarks that are not mapped yet, at most expected_landmarks less what is mapped.
   const std::vector<ExpectedLandmark>& expected() const { return expected_; }
@@ -38,8 +38,8 @@ class Exploration {
   const ExplorationSettings& settings() const { return settings_; }
 
  private:
-  Eigen::Vector3d centre_of(int cell) const;
-  int cell_of(const Eigen::Vector3d& place) const;
+  Eigen::Vector3d center_of(int cell) const;
+  int cell_of(const Eigen::Vector3d& position) const;
   bool seen(int cell) const { return seen_s_[static_cast<std::size_t>(cell)] >= settings_.seen_s; }
   void move_elsewhere(ExpectedLandmark& landmark);
 

@@ -11,9 +11,9 @@ namespace {
 
 constexpr double least_inverse_depth_per_m = 0.01;  // a point cannot be told at infinity
 
-Eigen::Index rows_of(const std::vector<ToldError>& told) {
+Eigen::Index rows_of(const std::vector<LinearTransform>& transforms) {
   Eigen::Index rows = 0;
-  for (const ToldError& part : told) rows += part.J.rows();
+  for (const LinearTransform& part : transforms) rows += part.J.rows();
   return rows;
 }
 
@@ -26,16 +26,16 @@ std::optional<double> with_unmapped(double entropy, int mapped, const Exploratio
 
 }  // namespace
 
-double entropy_of(const Eigen::MatrixXd& P, const std::vector<ToldError>& told) {
-  const Eigen::Index size = rows_of(told);
+double entropy_of(const Eigen::MatrixXd& P, const std::vector<LinearTransform>& transforms) {
+  const Eigen::Index size = rows_of(transforms);
   Eigen::MatrixXd JP(size, P.cols()), JPJ(size, size);
   Eigen::Index at = 0;
-  for (const ToldError& part : told) {
+  for (const LinearTransform& part : transforms) {
     JP.middleRows(at, part.J.rows()).noalias() = part.J * P.middleRows(part.first, part.J.cols());
     at += part.J.rows();
   }
   at = 0;
-  for (const ToldError& part : told) {
+  for (const LinearTransform& part : transforms) {
     JPJ.middleCols(at, part.J.rows()).noalias() =
         JP.middleCols(part.first, part.J.cols()) * part.J.transpose();
     at += part.J.rows();
@@ -46,10 +46,11 @@ double entropy_of(const Eigen::MatrixXd& P, const std::vector<ToldError>& told) 
 std::optional<double> extended_entropy(const Estimate& estimate, const ExplorationSettings& exploration) {
   const Belief& belief = estimate.belief;
   const int camera = belief.chart(estimate.camera).tangent();
-  std::vector<ToldError> told{{belief.offset(estimate.camera), BlockMatrix::Identity(camera, camera)}};
-  for (const Landmark& landmark : estimate.catalogue) {
+  std::vector<LinearTransform> transforms{
+      {belief.offset(estimate.camera), BlockMatrix::Identity(camera, camera)}};
+  for (const Landmark& landmark : estimate.catalog) {
     if (!landmark.mapped()) continue;
-    ToldError& part = told.emplace_back();
+    LinearTransform& part = transforms.emplace_back();
     part.first = belief.offset(landmark.block);
     if (landmark.kind == Landmark::Kind::point) {
       part.J = BlockMatrix::Identity(3, 3);
@@ -57,34 +58,34 @@ std::optional<double> extended_entropy(const Estimate& estimate, const Explorati
     }
     InverseDepthLandmark::State y = belief.mean(landmark.block);
     y[5] = std::max(y[5], least_inverse_depth_per_m);
-    part.J = landmark.birth_axes.point(y).J;
+    part.J = landmark.initial_axes.point(y).J;
   }
-  const auto mapped = static_cast<int>(told.size()) - 1;
-  return with_unmapped(entropy_of(belief.dense_covariance(), told), mapped, exploration, 3);
+  const auto mapped = static_cast<int>(transforms.size()) - 1;
+  return with_unmapped(entropy_of(belief.dense_covariance(), transforms), mapped, exploration, 3);
 }
 
 std::optional<double> extended_entropy(const TeamEstimate& estimate, const ExplorationSettings& exploration) {
   const AnyBelief& belief = estimate.belief;
-  std::vector<ToldError> told;
+  std::vector<LinearTransform> transforms;
   int dimensions = 3;  // of the place; all landmarks have the same
   for (const TeamVehicle& vehicle : estimate.vehicles) {
     const int errors = belief.chart(vehicle.block).tangent();
-    told.push_back({belief.offset(vehicle.block), BlockMatrix::Identity(errors, errors)});
+    transforms.push_back({belief.offset(vehicle.block), BlockMatrix::Identity(errors, errors)});
   }
   int mapped = 0;
   for (const auto& [identity, landmark] : estimate.landmarks) {
     SmallVector mean = belief.mean(landmark.block);
-    if (landmark.form.kind == LandmarkForm::Kind::inverse_depth) {
+    if (landmark.form.kind == LandmarkParametrization::Kind::inverse_depth) {
       double& inverse_depth = mean[mean.size() - 1];
       inverse_depth = std::max(inverse_depth, least_inverse_depth_per_m);
     }
     const auto at = position_of(landmark.form, mean);
     if (!at) continue;
-    told.push_back({belief.offset(landmark.block), at->J});
+    transforms.push_back({belief.offset(landmark.block), at->J});
     dimensions = static_cast<int>(at->J.rows());
     ++mapped;
   }
-  return with_unmapped(entropy_of(belief.dense_covariance(), told), mapped, exploration, dimensions);
+  return with_unmapped(entropy_of(belief.dense_covariance(), transforms), mapped, exploration, dimensions);
 }
 
 }  // namespace incognita

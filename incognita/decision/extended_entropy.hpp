@@ -13,14 +13,14 @@
 namespace incognita {
 
 /// A part of the extended state, by first order: J times the error of the belief from `first` on.
-struct ToldError {
+struct LinearTransform {
   int first = 0;
   BlockMatrix J;  ///< errors as they are told x errors of the block
 };
 
 /// Entropy in nats of what is told of the errors of covariance `P`. Not a number where its covariance is not
 /// positive definite. Cubic in what is told.
-double entropy_of(const Eigen::MatrixXd& P, const std::vector<ToldError>& told);
+double entropy_of(const Eigen::MatrixXd& P, const std::vector<LinearTransform>& transforms);
 
 /// Of camera, map and what is not mapped, in nats; landmarks are told as points. None once more are mapped
 /// than were expected: its dimension would be another.

@@ -7,7 +7,7 @@
 
 #include "incognita/decision/action_choice.hpp"
 #include "incognita/messages/goal.hpp"
-#include "incognita/models/camera_look.hpp"
+#include "incognita/models/camera_measurement.hpp"
 
 namespace incognita {
 

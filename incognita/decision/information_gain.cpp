@@ -15,19 +15,20 @@ namespace incognita {
 namespace {
 
 /// Room for so many rows and columns; what is there stays. Rare, so that the loop does not allocate.
-void make_room(Eigen::MatrixXd& m, Eigen::Index rows, Eigen::Index columns) {
+void grow_storage(Eigen::MatrixXd& m, Eigen::Index rows, Eigen::Index columns) {
   if (rows <= m.rows() && columns <= m.cols()) return;
   m.conservativeResize(std::max(m.rows(), rows + rows / 2), std::max(m.cols(), columns + columns / 2));
 }
 
-double log_det_of_noise(const std::vector<ExpectedLook>& looks) {
+double log_det_of_noise(const std::vector<PredictedMeasurement>& measurements) {
   double sum = 0;
-  for (const ExpectedLook& look : looks) sum += log_det(look.R);
+  for (const PredictedMeasurement& measurement : measurements) sum += log_det(measurement.R);
   return sum;
 }
 
-std::int64_t identity_of(const ExpectedLook& look) {
-  return look.of == ExpectedLook::Of::mapped ? static_cast<std::int64_t>(look.block) : look.unseen;
+std::int64_t identity_of(const PredictedMeasurement& measurement) {
+  return measurement.of == PredictedMeasurement::Of::mapped ? static_cast<std::int64_t>(measurement.block)
+                                                            : measurement.unseen;
 }
 
 }  // namespace
@@ -52,11 +53,12 @@ void InformationGain::begin(int vehicle_errors) {
     steps_.pop_back();
   }
   vehicle_errors_ = vehicle_errors;
-  known_.assign(1, {ExpectedLook::Of::mapped, static_cast<std::int64_t>(vehicle_), 0, vehicle_errors});
+  known_.assign(1,
+                {PredictedMeasurement::Of::mapped, static_cast<std::int64_t>(vehicle_), 0, vehicle_errors});
   rows_ = 0;
   columns_ = vehicle_errors;
   gain_ = 0;
-  make_room(P_, columns_, columns_);
+  grow_storage(P_, columns_, columns_);
   P_.topLeftCorner(columns_, columns_) = covariance(known_[0], known_[0]);
 }
 
@@ -66,15 +68,15 @@ BlockMatrix InformationGain::covariance(const Known& a, const Known& b) const {
 }
 
 /// Where the errors of what is looked at are; -1 for an anchor, which has none.
-int InformationGain::column_of(const ExpectedLook& look) {
-  if (look.of == ExpectedLook::Of::anchor) return -1;
-  const std::int64_t id = identity_of(look);
-  const auto size = static_cast<int>(look.Hl.cols());
-  const auto at =
-      static_cast<std::size_t>(std::find_if(known_.begin() + 1, known_.end(),
-                                            [&](const Known& k) { return k.of == look.of && k.id == id; }) -
-                               known_.begin());
-  if (at == known_.size()) know(look, size);
+int InformationGain::column_of(const PredictedMeasurement& measurement) {
+  if (measurement.of == PredictedMeasurement::Of::anchor) return -1;
+  const std::int64_t id = identity_of(measurement);
+  const auto size = static_cast<int>(measurement.Hl.cols());
+  const auto at = static_cast<std::size_t>(
+      std::find_if(known_.begin() + 1, known_.end(),
+                   [&](const Known& k) { return k.of == measurement.of && k.id == id; }) -
+      known_.begin());
+  if (at == known_.size()) add_landmark_columns(measurement, size);
   const Known& found = known_[at];
   if (found.size != size)
     throw std::invalid_argument("a look has " + std::to_string(size) + " columns for a landmark of " +
@@ -82,16 +84,17 @@ int InformationGain::column_of(const ExpectedLook& look) {
   return found.column;
 }
 
-void InformationGain::know(const ExpectedLook& look, int size) {
-  const Known added{look.of, identity_of(look), columns_, size};
-  make_room(P_, columns_ + size, columns_ + size);
-  if (look.of == ExpectedLook::Of::unseen) {
+void InformationGain::add_landmark_columns(const PredictedMeasurement& measurement, int size) {
+  const Known added{measurement.of, identity_of(measurement), columns_, size};
+  grow_storage(P_, columns_ + size, columns_ + size);
+  if (measurement.of == PredictedMeasurement::Of::unseen) {
     P_.block(0, columns_, columns_, size).setZero();
     P_.block(columns_, 0, size, columns_).setZero();
-    P_.block(columns_, columns_, size, size) = look.unseen_var_m2 * Eigen::MatrixXd::Identity(size, size);
+    P_.block(columns_, columns_, size, size) =
+        measurement.unseen_var_m2 * Eigen::MatrixXd::Identity(size, size);
   } else {
     for (const Known& k : known_) {
-      if (k.of == ExpectedLook::Of::unseen) {
+      if (k.of == PredictedMeasurement::Of::unseen) {
         P_.block(k.column, columns_, k.size, size).setZero();
       } else {
         const BlockMatrix cross = covariance(k, added);
@@ -127,28 +130,28 @@ void InformationGain::push(const ImaginedStep& imagined) {
     step.A_total = imagined.A * steps_.back().A_total;
     step.N_total += imagined.A * steps_.back().N_total * imagined.A.transpose();
   }
-  step.looks.assign(imagined.looks.begin(), imagined.looks.end());
-  step.log_det_R = log_det_of_noise(step.looks);
-  take_looks(step);
+  step.measurements.assign(imagined.measurements.begin(), imagined.measurements.end());
+  step.log_det_R = log_det_of_noise(step.measurements);
+  apply_measurements(step);
   steps_.push_back(std::move(step));
   fill_rows(steps_.back());
-  factorise(steps_.back());
+  factorize(steps_.back());
 }
 
 /// What the looks are of, and how they depend on the vehicle as it is now.
-void InformationGain::take_looks(Step& step) {
+void InformationGain::apply_measurements(Step& step) {
   int rows = 0;
-  for (const ExpectedLook& look : step.looks) rows += look.rows();
+  for (const PredictedMeasurement& measurement : step.measurements) rows += measurement.rows();
   step.Hv.resize(rows, vehicle_errors_);
   step.columns.clear();
-  make_room(Hv_, rows_ + rows, vehicle_errors_);
+  grow_storage(Hv_, rows_ + rows, vehicle_errors_);
   int row = 0;
-  for (const ExpectedLook& look : step.looks) {
-    if (look.Hv.rows() != look.rows() || look.Hv.cols() != vehicle_errors_)
+  for (const PredictedMeasurement& measurement : step.measurements) {
+    if (measurement.Hv.rows() != measurement.rows() || measurement.Hv.cols() != vehicle_errors_)
       throw std::invalid_argument("a look does not fit its vehicle");
-    step.Hv.middleRows(row, look.rows()) = look.Hv;
-    step.columns.push_back(column_of(look));
-    row += look.rows();
+    step.Hv.middleRows(row, measurement.rows()) = measurement.Hv;
+    step.columns.push_back(column_of(measurement));
+    row += measurement.rows();
   }
   Hv_.block(rows_, 0, rows, vehicle_errors_).noalias() = step.Hv * step.A_total;
   rows_ += rows;
@@ -158,19 +161,19 @@ void InformationGain::take_looks(Step& step) {
 /// else: products with all other columns would be with zeros.
 void InformationGain::fill_rows(const Step& step) {
   const int first = step.rows_before, rows = rows_ - first;
-  make_room(S_, rows_, rows_);
-  make_room(PH_, columns_, rows);
-  make_room(PvH_, vehicle_errors_, rows_);
+  grow_storage(S_, rows_, rows_);
+  grow_storage(PH_, columns_, rows);
+  grow_storage(PvH_, vehicle_errors_, rows_);
   auto PH = PH_.topLeftCorner(columns_, rows);
   PH.noalias() =
       P_.topLeftCorner(columns_, vehicle_errors_) * Hv_.block(first, 0, rows, vehicle_errors_).transpose();
   int row = 0;
-  for (std::size_t i = 0; i < step.looks.size(); ++i) {
-    const ExpectedLook& look = step.looks[i];
+  for (std::size_t i = 0; i < step.measurements.size(); ++i) {
+    const PredictedMeasurement& measurement = step.measurements[i];
     if (step.columns[i] >= 0)
-      PH.middleCols(row, look.rows()) +=
-          P_.block(0, step.columns[i], columns_, look.Hl.cols()).lazyProduct(look.Hl.transpose());
-    row += look.rows();
+      PH.middleCols(row, measurement.rows()) += P_.block(0, step.columns[i], columns_, measurement.Hl.cols())
+                                                    .lazyProduct(measurement.Hl.transpose());
+    row += measurement.rows();
   }
   PvH_.block(0, first, vehicle_errors_, rows) = PH.topRows(vehicle_errors_);
   S_.block(first, 0, rows, rows_).noalias() =
@@ -182,12 +185,14 @@ void InformationGain::fill_rows(const Step& step) {
 /// To the rows of S_ from `first` on, in the columns of that step's looks, what comes by their landmarks.
 void InformationGain::add_landmarks(const Step& of, int first, int rows) {
   int column = of.rows_before;
-  for (std::size_t i = 0; i < of.looks.size(); ++i) {
-    const ExpectedLook& look = of.looks[i];
+  for (std::size_t i = 0; i < of.measurements.size(); ++i) {
+    const PredictedMeasurement& measurement = of.measurements[i];
     if (of.columns[i] >= 0)
-      S_.block(first, column, rows, look.rows()) +=
-          PH_.block(of.columns[i], 0, look.Hl.cols(), rows).transpose().lazyProduct(look.Hl.transpose());
-    column += look.rows();
+      S_.block(first, column, rows, measurement.rows()) +=
+          PH_.block(of.columns[i], 0, measurement.Hl.cols(), rows)
+              .transpose()
+              .lazyProduct(measurement.Hl.transpose());
+    column += measurement.rows();
   }
 }
 
@@ -204,17 +209,17 @@ void InformationGain::add_noise(const Step& step) {
     Phi = (Phi * before.A).eval();
   }
   int row = first;
-  for (const ExpectedLook& look : step.looks) {
-    S_.block(row, row, look.rows(), look.rows()) += look.R;
-    row += look.rows();
+  for (const PredictedMeasurement& measurement : step.measurements) {
+    S_.block(row, row, measurement.rows(), measurement.rows()) += measurement.R;
+    row += measurement.rows();
   }
 }
 
 /// The factor grows by the step's rows, and the gain by what they add.
-void InformationGain::factorise(const Step& step) {
+void InformationGain::factorize(const Step& step) {
   const int first = step.rows_before, rows = rows_ - first;
   if (rows == 0) return;
-  make_room(L_, rows_, rows_);
+  grow_storage(L_, rows_, rows_);
   auto L21 = L_.block(first, 0, rows, first);
   L21 = S_.block(first, 0, rows, first);
   const auto L11 = L_.topLeftCorner(first, first);
@@ -290,9 +295,9 @@ double InformationGain::of_position_and_map(int kept, const BlockMatrix& vehicle
   const auto Hv = step.Hv.rightCols(rest);
   Eigen::MatrixXd S = Hv * left * Hv.transpose();
   int row = 0;
-  for (const ExpectedLook& look : step.looks) {
-    S.block(row, row, look.rows(), look.rows()) += look.R;
-    row += look.rows();
+  for (const PredictedMeasurement& measurement : step.measurements) {
+    S.block(row, row, measurement.rows(), measurement.rows()) += measurement.R;
+    row += measurement.rows();
   }
   return gain_ - 0.5 * (log_det(S) - step.log_det_R);
 }
@@ -300,9 +305,9 @@ double InformationGain::of_position_and_map(int kept, const BlockMatrix& vehicle
 namespace {
 
 /// trace(H' W^-1 H) of one look.
-double trace_of(const ExpectedLook& look, const LookMatrix& W) {
-  LookMatrix HH = look.Hv * look.Hv.transpose();
-  if (look.Hl.cols() > 0) HH += look.Hl * look.Hl.transpose();
+double trace_of(const PredictedMeasurement& measurement, const MeasurementMatrix& W) {
+  MeasurementMatrix HH = measurement.Hv * measurement.Hv.transpose();
+  if (measurement.Hl.cols() > 0) HH += measurement.Hl * measurement.Hl.transpose();
   return W.llt().solve(HH).trace();
 }
 
@@ -312,9 +317,9 @@ double InformationGain::fisher_trace() const {
   double sum = 0;
   if (steps_.empty()) return sum;
   int row = steps_.back().rows_before;
-  for (const ExpectedLook& look : steps_.back().looks) {
-    sum += trace_of(look, S_.block(row, row, look.rows(), look.rows()));
-    row += look.rows();
+  for (const PredictedMeasurement& measurement : steps_.back().measurements) {
+    sum += trace_of(measurement, S_.block(row, row, measurement.rows(), measurement.rows()));
+    row += measurement.rows();
   }
   return sum;
 }
@@ -322,7 +327,8 @@ double InformationGain::fisher_trace() const {
 double InformationGain::fisher_trace_given_state() const {
   double sum = 0;
   if (steps_.empty()) return sum;
-  for (const ExpectedLook& look : steps_.back().looks) sum += trace_of(look, look.R);
+  for (const PredictedMeasurement& measurement : steps_.back().measurements)
+    sum += trace_of(measurement, measurement.R);
   return sum;
 }
 

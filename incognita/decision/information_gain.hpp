@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "incognita/belief/any_belief.hpp"
-#include "incognita/decision/expected_look.hpp"
+#include "incognita/decision/predicted_measurement.hpp"
 
 namespace incognita {
 
@@ -47,7 +47,7 @@ class InformationGain {
 
  private:
   struct Known {  ///< a landmark that the path has looked at
-    ExpectedLook::Of of;
+    PredictedMeasurement::Of of;
     std::int64_t id;  ///< block, or which of the unseen
     int column;       ///< of its errors in P_
     int size;
@@ -61,19 +61,19 @@ class InformationGain {
     BlockMatrix N_total;  ///< noise gathered up to the end of the step
     Eigen::MatrixXd Hv;   ///< of its looks, stacked
     double log_det_R = 0;
-    std::vector<ExpectedLook> looks;
+    std::vector<PredictedMeasurement> measurements;
     std::vector<int> columns;  ///< of their landmarks' errors in P_; -1 for an anchor
   };
 
   void begin(int vehicle_errors);
   BlockMatrix covariance(const Known& a, const Known& b) const;
-  int column_of(const ExpectedLook& look);
-  void know(const ExpectedLook& look, int size);
-  void take_looks(Step& step);
+  int column_of(const PredictedMeasurement& measurement);
+  void add_landmark_columns(const PredictedMeasurement& measurement, int size);
+  void apply_measurements(Step& step);
   void fill_rows(const Step& step);
   void add_landmarks(const Step& of, int first, int rows);
   void add_noise(const Step& step);
-  void factorise(const Step& step);
+  void factorize(const Step& step);
   BlockMatrix vehicle_now() const;
 
   const Belief* belief_ = nullptr;

@@ -35,14 +35,14 @@ LookAhead::LookAhead(const LookAheadSettings& settings) : settings_(settings) {
 
 template <class Form>
 const std::vector<double>& LookAhead::scores(const Form& belief, BlockId vehicle, const BlockVector& state,
-                                             const Moves& moves, const Expectation& expectation) {
-  const int actions = moves.count();
+                                             const ActionSet& action_set, const Expectation& expectation) {
+  const int actions = action_set.count();
   evaluations_ = 0;
   if (settings_.metric == Metric::position_and_map) given_map_ = vehicle_given_map(belief, vehicle);
   gain_.start(belief, vehicle);
   scores_.assign(static_cast<std::size_t>(actions), 0);
   next_.clear();
-  for (int a = 0; a < actions; ++a) evaluate(moves, expectation, {{}, state, 0}, a, next_);
+  for (int a = 0; a < actions; ++a) evaluate(action_set, expectation, {{}, state, 0}, a, next_);
   allowed_.clear();
   for (const Node& node : next_) {
     scores_[static_cast<std::size_t>(node.actions[0])] = node.score;
@@ -52,38 +52,38 @@ const std::vector<double>& LookAhead::scores(const Form& belief, BlockId vehicle
     keep_best(actions, settings_.horizon - depth + 1);
     next_.clear();
     for (const Node& node : level_) {
-      walk(moves, expectation, state, node);
-      for (int a = 0; a < actions; ++a) evaluate(moves, expectation, node, a, next_);
+      walk(action_set, expectation, state, node);
+      for (int a = 0; a < actions; ++a) evaluate(action_set, expectation, node, a, next_);
     }
-    tell_best(actions);
+    back_up_scores(actions);
   }
   return scores_;
 }
 
 template const std::vector<double>& LookAhead::scores(const Belief&, BlockId, const BlockVector&,
-                                                      const Moves&, const Expectation&);
+                                                      const ActionSet&, const Expectation&);
 template const std::vector<double>& LookAhead::scores(const AnyBelief&, BlockId, const BlockVector&,
-                                                      const Moves&, const Expectation&);
+                                                      const ActionSet&, const Expectation&);
 
 template <class Form>
 double LookAhead::score_of(const Form& belief, BlockId vehicle, const BlockVector& state, int action,
-                           const Moves& moves, const Expectation& expectation) {
+                           const ActionSet& action_set, const Expectation& expectation) {
   evaluations_ = 0;
   if (settings_.metric == Metric::position_and_map) given_map_ = vehicle_given_map(belief, vehicle);
   gain_.start(belief, vehicle);
   next_.clear();
-  evaluate(moves, expectation, {{}, state, 0}, action, next_);
+  evaluate(action_set, expectation, {{}, state, 0}, action, next_);
   return next_.front().score;
 }
 
-template double LookAhead::score_of(const Belief&, BlockId, const BlockVector&, int, const Moves&,
+template double LookAhead::score_of(const Belief&, BlockId, const BlockVector&, int, const ActionSet&,
                                     const Expectation&);
-template double LookAhead::score_of(const AnyBelief&, BlockId, const BlockVector&, int, const Moves&,
+template double LookAhead::score_of(const AnyBelief&, BlockId, const BlockVector&, int, const ActionSet&,
                                     const Expectation&);
 
 /// scores_ <- of each first action the best of next_; one that leads nowhere further keeps what it teaches
 /// until there.
-void LookAhead::tell_best(int actions) {
+void LookAhead::back_up_scores(int actions) {
   goes_on_.assign(static_cast<std::size_t>(actions), false);
   for (const Node& node : next_) {
     const auto first = static_cast<std::size_t>(node.actions[0]);
@@ -93,14 +93,14 @@ void LookAhead::tell_best(int actions) {
 }
 
 /// `gain_` stands at `from`. What is not allowed is told where it is the first, and left out further on.
-void LookAhead::evaluate(const Moves& moves, const Expectation& expectation, const Node& from, int action,
-                         std::vector<Node>& into) {
-  Outcome outcome = moves.after(from.state, action);
+void LookAhead::evaluate(const ActionSet& action_set, const Expectation& expectation, const Node& from,
+                         int action, std::vector<Node>& into) {
+  ActionOutcome outcome = action_set.after(from.state, action);
   const bool first = from.actions.empty();
   if (!outcome.allowed() && !first) return;
   step_.A = outcome.A;
   step_.N = outcome.N;
-  expectation.expect(outcome.state, step_.looks);
+  expectation.expect(outcome.state, step_.measurements);
   gain_.push(step_);
   ++evaluations_;
   Node node{from.actions, outcome.state,
@@ -129,15 +129,15 @@ void LookAhead::keep_best(int actions, int levels_left) {
   std::swap(level_, next_);
 }
 
-void LookAhead::walk(const Moves& moves, const Expectation& expectation, const BlockVector& state,
+void LookAhead::walk(const ActionSet& action_set, const Expectation& expectation, const BlockVector& state,
                      const Node& to) {
   while (gain_.steps() > 0) gain_.pop();
   BlockVector at = state;
   for (const int action : to.actions) {
-    const Outcome outcome = moves.after(at, action);
+    const ActionOutcome outcome = action_set.after(at, action);
     step_.A = outcome.A;
     step_.N = outcome.N;
-    expectation.expect(outcome.state, step_.looks);
+    expectation.expect(outcome.state, step_.measurements);
     gain_.push(step_);
     at = outcome.state;
   }

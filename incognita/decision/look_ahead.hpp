@@ -3,10 +3,10 @@
 
 #include <vector>
 
+#include "incognita/decision/action_sets.hpp"
 #include "incognita/decision/expectation.hpp"
 #include "incognita/decision/information_gain.hpp"
 #include "incognita/decision/metric.hpp"
-#include "incognita/decision/moves.hpp"
 
 namespace incognita {
 
@@ -31,12 +31,12 @@ class LookAhead {
   /// further. The belief is not touched.
   template <class Form>
   const std::vector<double>& scores(const Form& belief, BlockId vehicle, const BlockVector& state,
-                                    const Moves& moves, const Expectation& expectation);
+                                    const ActionSet& action_set, const Expectation& expectation);
 
   /// Of one action by itself.
   template <class Form>
   double score_of(const Form& belief, BlockId vehicle, const BlockVector& state, int action,
-                  const Moves& moves, const Expectation& expectation);
+                  const ActionSet& action_set, const Expectation& expectation);
 
   /// Of each action, whether it is allowed.
   const std::vector<bool>& allowed() const { return allowed_; }
@@ -49,11 +49,12 @@ class LookAhead {
     double score = 0;
     bool allowed = true;
   };
-  void evaluate(const Moves& moves, const Expectation& expectation, const Node& from, int action,
+  void evaluate(const ActionSet& action_set, const Expectation& expectation, const Node& from, int action,
                 std::vector<Node>& into);
-  void tell_best(int actions);
+  void back_up_scores(int actions);
   void keep_best(int actions, int levels_left);
-  void walk(const Moves& moves, const Expectation& expectation, const BlockVector& state, const Node& to);
+  void walk(const ActionSet& action_set, const Expectation& expectation, const BlockVector& state,
+            const Node& to);
 
   LookAheadSettings settings_;
   InformationGain gain_;

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "incognita/decision/extended_entropy.hpp"
-#include "incognita/decision/ground_moves.hpp"
+#include "incognita/decision/ground_actions.hpp"
 #include "incognita/slam/mapper/entropy_values.hpp"
 
 namespace incognita {
@@ -14,7 +14,7 @@ TeamDecision::TeamDecision(TeamSettings team, const TeamDecisionSettings& settin
     : team_(std::move(team)),
       settings_(settings),
       exploration_(settings.exploration, settings.seed),
-      expectation_(team_, settings.max_looks) {
+      expectation_(team_, settings.max_measurements) {
   if (!settings_.decides) return;
   if (team_.filter.map_frame == "vehicle")
     throw std::invalid_argument(
@@ -34,11 +34,11 @@ TeamDecision::TeamDecision(TeamSettings team, const TeamDecisionSettings& settin
                              in_space_.size());
       continue;
     }
-    auto moves = std::make_unique<GroundMoves>(member, translations_of(d), d.period_s, settings_.tick_s,
-                                               Bounds{d.min_bound_m, d.max_bound_m});
-    on_ground_.emplace_back(d, names_of(moves->actions()), settings_.seed,
+    auto action_set = std::make_unique<GroundActions>(
+        member, translations_of(d), d.period_s, settings_.tick_s, WorldBounds{d.min_bound_m, d.max_bound_m});
+    on_ground_.emplace_back(d, names_of(action_set->actions()), settings_.seed,
                             traits_of(member.motion).position_size, on_ground_.size());
-    moves_.push_back(std::move(moves));
+    action_set_.push_back(std::move(action_set));
   }
   names_ = !carried_.empty()    ? carried_.front().names()
            : !in_space_.empty() ? in_space_.front().names()
@@ -51,8 +51,9 @@ void TeamDecision::explore(const TeamEstimate& e, const Tick& tick) {
   for (std::size_t i = 0; i < e.vehicles.size(); ++i) {
     const SmallVector state = e.belief.mean(e.vehicles[i].block);
     expectation_.prepare(e, i, exploration_.expected(), exploration_.settings().variance_expected_m2);
-    exploration_.look([&](const Eigen::Vector3d& place) { return expectation_.in_view(state, place); }, share,
-                      static_cast<int>(e.landmarks.size()));
+    exploration_.update(
+        [&](const Eigen::Vector3d& position) { return expectation_.in_view(state, position); }, share,
+        static_cast<int>(e.landmarks.size()));
   }
   goal_.coverage = exploration_.coverage();
 }
@@ -71,12 +72,12 @@ void TeamDecision::choose_in_space(const TeamEstimate& e, const Tick& tick) {
     }
     if (own.heading_rad)
       goal.heading_rad = *own.heading_rad, goal.heading_rate_rad_s = own.heading_rate_rad_s;
-    if (i == 0) tell(own);
+    if (i == 0) share_goal(own);
   }
 }
 
 /// What the whole goal says is the first vehicle's.
-void TeamDecision::tell(const Goal& first) {
+void TeamDecision::share_goal(const Goal& first) {
   goal_.scores = first.scores;
   goal_.chosen = first.chosen;
   goal_.decided = first.decided;
@@ -87,7 +88,7 @@ void TeamDecision::tell(const Goal& first) {
   goal_.end_t = first.end_t;
 }
 
-void TeamDecision::choose_carried(const TeamEstimate& e, const Tick& tick) {
+void TeamDecision::choose_for_carrier(const TeamEstimate& e, const Tick& tick) {
   for (std::size_t i = 0; i < e.vehicles.size(); ++i) {
     expectation_.prepare(e, i, exploration_.expected(), exploration_.settings().variance_expected_m2);
     const TeamVehicle& vehicle = e.vehicles[i];
@@ -95,7 +96,7 @@ void TeamDecision::choose_carried(const TeamEstimate& e, const Tick& tick) {
     Goal own;
     carried_[i].choose(e.belief, vehicle.block, camera, vehicle.wheels, expectation_, tick, own);
     goal_.team[i].drive = own.drive;
-    if (i == 0) tell(own);
+    if (i == 0) share_goal(own);
   }
 }
 
@@ -104,9 +105,10 @@ void TeamDecision::choose_on_ground(const TeamEstimate& e, const Tick& tick) {
     expectation_.prepare(e, i, exploration_.expected(), exploration_.settings().variance_expected_m2);
     const SmallVector state = e.belief.mean(e.vehicles[i].block);
     ActionChoice& choice = on_ground_[i];
-    const bool decided = choice.choose(e.belief, e.vehicles[i].block, state, *moves_[i], expectation_, tick);
+    const bool decided =
+        choice.choose(e.belief, e.vehicles[i].block, state, *action_set_[i], expectation_, tick);
     if (decided) {
-      const SmallVector after = moves_[i]->after(state, choice.chosen()).state;
+      const SmallVector after = action_set_[i]->after(state, choice.chosen()).state;
       goal_.team[i] = {e.vehicles[i].pose.position, pose_of(team_.members[i].motion, after).position,
                        heading_by(team_.members[i].motion, after), 0};
     }
@@ -134,7 +136,7 @@ Goal TeamDecision::choose(const TeamEstimate& e, const Tick& tick) {
   goal_.team.resize(e.vehicles.size());
   explore(e, tick);
   if (!carried_.empty())
-    choose_carried(e, tick);
+    choose_for_carrier(e, tick);
   else if (!in_space_.empty())
     choose_in_space(e, tick);
   else

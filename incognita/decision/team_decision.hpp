@@ -28,11 +28,11 @@ inline DecisionSettings with_held_gaze(DecisionSettings settings = {}) {
 
 struct TeamDecisionSettings {
   DecisionSettings decision = with_held_gaze();
-  bool decides = true;   ///< false: there is nothing to decide
-  double tick_s = 0.1;   ///< how long an input is held
-  int max_looks = 1000;  ///< of the map, in one set of imagined looks: the most uncertain
+  bool decides = true;          ///< false: there is nothing to decide
+  double tick_s = 0.1;          ///< how long an input is held
+  int max_measurements = 1000;  ///< of the map, in one set of imagined looks: the most uncertain
   ExplorationSettings exploration = {};
-  std::optional<Carrier> carrier = {};  ///< of cameras that do not fly but are carried
+  std::optional<CarrierSettings> carrier = {};  ///< of cameras that do not fly but are carried
   std::uint64_t seed = 1;
 };
 
@@ -51,8 +51,8 @@ class TeamDecision {
  private:
   void explore(const TeamEstimate& estimate, const Tick& tick);
   void choose_in_space(const TeamEstimate& estimate, const Tick& tick);
-  void choose_carried(const TeamEstimate& estimate, const Tick& tick);
-  void tell(const Goal& first);
+  void choose_for_carrier(const TeamEstimate& estimate, const Tick& tick);
+  void share_goal(const Goal& first);
   void choose_on_ground(const TeamEstimate& estimate, const Tick& tick);
 
   TeamSettings team_;
@@ -60,9 +60,9 @@ class TeamDecision {
   std::vector<std::string> names_;
   Exploration exploration_;
   TeamExpectation expectation_;
-  std::vector<FreeCameraChoice> in_space_;     ///< one for each vehicle, of bodies in space
-  std::vector<VehicleChoice> carried_;         ///< or one for each carrier
-  std::vector<std::unique_ptr<Moves>> moves_;  ///< likewise, of all others
+  std::vector<FreeCameraChoice> in_space_;              ///< one for each vehicle, of bodies in space
+  std::vector<VehicleChoice> carried_;                  ///< or one for each carrier
+  std::vector<std::unique_ptr<ActionSet>> action_set_;  ///< likewise, of all others
   std::vector<ActionChoice> on_ground_;
   Goal goal_;
   std::optional<double> entropy_due_t_;  ///< s, when the extended entropy is worked out again

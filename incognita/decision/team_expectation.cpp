@@ -3,23 +3,25 @@
 #include <cmath>
 #include <utility>
 
-#include "incognita/slam/points/team_looks.hpp"
+#include "incognita/slam/points/team_measurements.hpp"
 
 namespace incognita {
 
-TeamExpectation::TeamExpectation(TeamSettings team, int max_looks)
-    : team_(std::move(team)), max_looks_(max_looks) {}
+TeamExpectation::TeamExpectation(TeamSettings team, int max_measurements)
+    : team_(std::move(team)), max_measurements_(max_measurements) {}
 
 /// What the sensor would tell from there; nothing where it would not see the place.
-std::optional<AnyLook> TeamExpectation::look_from(const SmallVector& vehicle, const SmallVector& from,
-                                                  const LandmarkForm& form, const SmallVector& told,
-                                                  const SmallVector& place) const {
+std::optional<AnyPrediction> TeamExpectation::predict_from(const SmallVector& vehicle,
+                                                           const SmallVector& from,
+                                                           const LandmarkParametrization& form,
+                                                           const SmallVector& landmark,
+                                                           const SmallVector& position) const {
   const TeamMember& member = team_.members[vehicle_];
-  const double distance_m = (place - from).norm();
+  const double distance_m = (position - from).norm();
   if (distance_m > member.reach.max_range_m) return std::nullopt;
-  auto look = look_at(member.sensor, member.motion, vehicle, form, told);
-  if (!look || !is_in_view(member.sensor, member.reach, *look, distance_m)) return std::nullopt;
-  return look;
+  auto prediction = predict_measurement(member.sensor, member.motion, vehicle, form, landmark);
+  if (!prediction || !is_in_view(member.sensor, member.reach, *prediction, distance_m)) return std::nullopt;
+  return prediction;
 }
 
 void TeamExpectation::prepare(const TeamEstimate& estimate, std::size_t vehicle,
@@ -38,11 +40,11 @@ void TeamExpectation::add_targets() {
   for (const auto& [identity, anchor] : team_.anchors) targets_.push_back({{}, anchor, {}, 0, anchor, true});
   for (const auto& [identity, landmark] : e.landmarks) {
     const SmallVector mean = e.belief.mean(landmark.block);
-    const auto place = position_of(landmark.form, mean);
+    const auto position = position_of(landmark.form, mean);
     const int errors = e.belief.chart(landmark.block).tangent();
-    if (place)
+    if (position)
       targets_.push_back({landmark.form, mean, SmallMatrix::Identity(errors, errors), landmark.block,
-                          place->position, false});
+                          position->position, false});
   }
   for (std::size_t j = 0; j < e.vehicles.size(); ++j) {
     if (j == vehicle_) continue;
@@ -53,71 +55,76 @@ void TeamExpectation::add_targets() {
 
 /// Of H P H', the vehicle as sure of itself as it is now: an order among looks, not a covariance to reckon
 /// with.
-double TeamExpectation::innovation_trace(const ExpectedLook& look) const {
+double TeamExpectation::innovation_trace(const PredictedMeasurement& measurement) const {
   const AnyBelief& belief = estimate_->belief;
   const BlockId viewer = estimate_->vehicles[vehicle_].block;
-  double trace = (look.Hv * belief.covariance(viewer)).cwiseProduct(look.Hv).sum();
-  if (look.of != ExpectedLook::Of::mapped) return trace;
-  trace += (look.Hl * belief.covariance(look.block)).cwiseProduct(look.Hl).sum();
-  return trace + 2 * (look.Hv * belief.covariance(viewer, look.block)).cwiseProduct(look.Hl).sum();
+  double trace = (measurement.Hv * belief.covariance(viewer)).cwiseProduct(measurement.Hv).sum();
+  if (measurement.of != PredictedMeasurement::Of::mapped) return trace;
+  trace += (measurement.Hl * belief.covariance(measurement.block)).cwiseProduct(measurement.Hl).sum();
+  return trace + 2 * (measurement.Hv * belief.covariance(viewer, measurement.block))
+                         .cwiseProduct(measurement.Hl)
+                         .sum();
 }
 
-bool TeamExpectation::in_view(const BlockVector& state, const Eigen::Vector3d& place) const {
+bool TeamExpectation::in_view(const BlockVector& state, const Eigen::Vector3d& position) const {
   const TeamMember& member = team_.members[vehicle_];
   const int dimensions = dimensions_of(member.sensor);
-  const SmallVector vehicle = state.head(chart_of(member.motion).ambient()), point = place.head(dimensions);
+  const SmallVector vehicle = state.head(chart_of(member.motion).ambient()),
+                    point = position.head(dimensions);
   const SmallVector from = position_of(member.motion, vehicle, dimensions).position;
-  return look_from(vehicle, from, {}, point, point).has_value();
+  return predict_from(vehicle, from, {}, point, point).has_value();
 }
 
 /// looks <- all of the map and of the team that would be seen.
-void TeamExpectation::see(const SmallVector& vehicle, const SmallVector& from,
-                          std::vector<ExpectedLook>& looks) const {
-  looks.clear();
+void TeamExpectation::add_visible(const SmallVector& vehicle, const SmallVector& from,
+                                  std::vector<PredictedMeasurement>& measurements) const {
+  measurements.clear();
   for (const Target& target : targets_) {
-    const auto seen = look_from(vehicle, from, target.form, target.told, target.place);
-    if (!seen) continue;
-    ExpectedLook& look = looks.emplace_back();
-    look.of = target.known ? ExpectedLook::Of::anchor : ExpectedLook::Of::mapped;
-    look.block = target.block;
-    look.Hv = seen->Hv;
+    const auto prediction = predict_from(vehicle, from, target.form, target.landmark, target.position);
+    if (!prediction) continue;
+    PredictedMeasurement& measurement = measurements.emplace_back();
+    measurement.of = target.known ? PredictedMeasurement::Of::anchor : PredictedMeasurement::Of::mapped;
+    measurement.block = target.block;
+    measurement.Hv = prediction->Hv;
     if (target.known)
-      look.Hl.resize(seen->Hv.rows(), 0);
+      measurement.Hl.resize(prediction->Hv.rows(), 0);
     else
-      look.Hl = seen->Hl * target.by_block;
-    look.R = sighting_noise(team_.members[vehicle_], seen->z);
+      measurement.Hl = prediction->Hl * target.by_block;
+    measurement.R = detection_noise(team_.members[vehicle_], prediction->z);
   }
 }
 
 /// They stay in order.
-void TeamExpectation::keep_most_uncertain(std::vector<ExpectedLook>& looks) const {
-  const auto most = static_cast<std::size_t>(max_looks_);
-  if (looks.size() <= most) return;
+void TeamExpectation::keep_most_uncertain(std::vector<PredictedMeasurement>& measurements) const {
+  const auto most = static_cast<std::size_t>(max_measurements_);
+  if (measurements.size() <= most) return;
   traces_.clear();
-  for (const ExpectedLook& look : looks) traces_.push_back(innovation_trace(look));
-  const double least = least_of_the_best(traces_, max_looks_, sorted_);
+  for (const PredictedMeasurement& measurement : measurements)
+    traces_.push_back(innovation_trace(measurement));
+  const double least = least_of_the_best(traces_, max_measurements_, sorted_);
   std::size_t kept = 0;
-  for (std::size_t i = 0; i < looks.size() && kept < most; ++i) {
+  for (std::size_t i = 0; i < measurements.size() && kept < most; ++i) {
     if (traces_[i] < least) continue;
-    if (kept != i) looks[kept] = looks[i];
+    if (kept != i) measurements[kept] = measurements[i];
     ++kept;
   }
-  looks.resize(kept);
+  measurements.resize(kept);
 }
 
-void TeamExpectation::expect(const BlockVector& state, std::vector<ExpectedLook>& looks) const {
+void TeamExpectation::expect(const BlockVector& state,
+                             std::vector<PredictedMeasurement>& measurements) const {
   const TeamMember& member = team_.members[vehicle_];
   const int dimensions = dimensions_of(member.sensor);
   const SmallVector vehicle = state.head(chart_of(member.motion).ambient());
   const SmallVector from = position_of(member.motion, vehicle, dimensions).position;
-  see(vehicle, from, looks);
-  keep_most_uncertain(looks);
+  add_visible(vehicle, from, measurements);
+  keep_most_uncertain(measurements);
   for (const ExpectedLandmark& unseen : *unseen_) {
     const SmallVector point = unseen.position.head(dimensions);
-    const auto seen = look_from(vehicle, from, {}, point, point);
-    if (!seen) continue;
-    looks.push_back({ExpectedLook::Of::unseen, 0, unseen.index, unseen_var_m2_, seen->Hv, seen->Hl,
-                     sighting_noise(member, seen->z)});
+    const auto prediction = predict_from(vehicle, from, {}, point, point);
+    if (!prediction) continue;
+    measurements.push_back({PredictedMeasurement::Of::unseen, 0, unseen.index, unseen_var_m2_, prediction->Hv,
+                            prediction->Hl, detection_noise(member, prediction->z)});
   }
 }
 

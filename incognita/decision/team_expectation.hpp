@@ -12,38 +12,39 @@ namespace incognita {
 
 class TeamExpectation final : public Expectation {
  public:
-  /// `max_looks`: of the map, the most uncertain.
-  TeamExpectation(TeamSettings team, int max_looks);
+  /// `max_measurements`: of the map, the most uncertain.
+  TeamExpectation(TeamSettings team, int max_measurements);
 
   /// The team as it is now, and landmarks that nobody has seen; both must stay until the next call.
   void prepare(const TeamEstimate& estimate, std::size_t vehicle, const std::vector<ExpectedLandmark>& unseen,
                double unseen_var_m2);
 
   /// `state`: of the vehicle; of a motion with fewer numbers what is behind them is not looked at.
-  void expect(const BlockVector& state, std::vector<ExpectedLook>& looks) const override;
+  void expect(const BlockVector& state, std::vector<PredictedMeasurement>& measurements) const override;
 
   /// Whether a place would be seen from that state.
-  bool in_view(const BlockVector& state, const Eigen::Vector3d& place) const;
+  bool in_view(const BlockVector& state, const Eigen::Vector3d& position) const;
 
  private:
   struct Target {
-    LandmarkForm form;
-    SmallVector told;      ///< as its form has it
+    LandmarkParametrization form;
+    SmallVector landmark;  ///< as its form has it
     SmallMatrix by_block;  ///< d(told) / d(error of the block); empty for an anchor
     BlockId block = 0;
-    SmallVector place;
+    SmallVector position;
     bool known = false;  ///< an anchor
   };
   void add_targets();
-  std::optional<AnyLook> look_from(const SmallVector& vehicle, const SmallVector& from,
-                                   const LandmarkForm& form, const SmallVector& told,
-                                   const SmallVector& place) const;
-  void see(const SmallVector& vehicle, const SmallVector& from, std::vector<ExpectedLook>& looks) const;
-  void keep_most_uncertain(std::vector<ExpectedLook>& looks) const;
-  double innovation_trace(const ExpectedLook& look) const;
+  std::optional<AnyPrediction> predict_from(const SmallVector& vehicle, const SmallVector& from,
+                                            const LandmarkParametrization& form, const SmallVector& landmark,
+                                            const SmallVector& position) const;
+  void add_visible(const SmallVector& vehicle, const SmallVector& from,
+                   std::vector<PredictedMeasurement>& measurements) const;
+  void keep_most_uncertain(std::vector<PredictedMeasurement>& measurements) const;
+  double innovation_trace(const PredictedMeasurement& measurement) const;
 
   TeamSettings team_;
-  int max_looks_;
+  int max_measurements_;
   const TeamEstimate* estimate_ = nullptr;
   std::size_t vehicle_ = 0;
   const std::vector<ExpectedLandmark>* unseen_ = nullptr;

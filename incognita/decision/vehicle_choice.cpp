@@ -2,7 +2,7 @@
 
 namespace incognita {
 
-VehicleChoice::VehicleChoice(const DecisionSettings& s, const Carrier& carrier,
+VehicleChoice::VehicleChoice(const DecisionSettings& s, const CarrierSettings& carrier,
                              double sigma_acceleration_m_s2, double sigma_angular_acceleration_rad_s2,
                              std::uint64_t seed, std::size_t who)
     : changes_(speed_changes_of(s), s.period_s,

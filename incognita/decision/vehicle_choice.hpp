@@ -9,13 +9,13 @@
 
 #include "incognita/decision/action_choice.hpp"
 #include "incognita/messages/goal.hpp"
-#include "incognita/models/camera_look.hpp"
+#include "incognita/models/camera_measurement.hpp"
 #include "incognita/models/mount.hpp"
 
 namespace incognita {
 
 /// What carries a camera: a vehicle with two driven wheels.
-struct Carrier {
+struct CarrierSettings {
   Mount mount;
   double max_speed_m_s = 1;
   double max_turn_rate_rad_s = 1;
@@ -25,8 +25,9 @@ class VehicleChoice {
  public:
   /// Sigmas: of the accelerations that the filter's motion, which knows of no wheels, takes for noise. Throws
   /// std::invalid_argument as ActionChoice and SpeedChanges do.
-  VehicleChoice(const DecisionSettings& settings, const Carrier& carrier, double sigma_acceleration_m_s2,
-                double sigma_angular_acceleration_rad_s2, std::uint64_t seed, std::size_t who = 0);
+  VehicleChoice(const DecisionSettings& settings, const CarrierSettings& carrier,
+                double sigma_acceleration_m_s2, double sigma_angular_acceleration_rad_s2, std::uint64_t seed,
+                std::size_t who = 0);
 
   /// Scores, chosen, times, from, to and drive of the goal. `camera`: where the camera is believed to be.
   /// `wheels`: speed, m/s, and turn rate, rad/s, as the encoders tell; without them as they were told to

@@ -16,8 +16,8 @@ class VehicleDecision {
   VehicleDecision() = default;
   explicit VehicleDecision(CameraDecision decision) : decision_(std::move(decision)) {}
 
-  Goal choose(const Estimate& estimate, const Observation& seen, const Tick& tick) {
-    return decision_ ? decision_->choose(estimate, seen, tick) : Goal{};
+  Goal choose(const Estimate& estimate, const Observation& observation, const Tick& tick) {
+    return decision_ ? decision_->choose(estimate, observation, tick) : Goal{};
   }
   const std::vector<std::string>& actions() const { return decision_ ? decision_->actions() : none_; }
 

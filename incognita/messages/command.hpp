@@ -29,14 +29,14 @@ struct Command {
   Eigen::Vector3d angular_acceleration = Eigen::Vector3d::Zero();  ///< rad/s^2, camera axes
 
   /// An operator moves the camera: no input is asked for, and none is known
-  bool by_hand = false;
+  bool operator_controlled = false;
   /// Of each camera that is moved by hand; none: come to rest
   std::vector<UserCommand> user_commands = {};
 
   /// Of a team: each vehicle's, as its motion model takes it; none: stand still
   std::vector<SmallVector> inputs = {};
   /// Of a team: x, y, z (m, world) and heading (rad) where each is to be now; none where it follows nothing
-  std::vector<Eigen::Vector4d> wanted = {};
+  std::vector<Eigen::Vector4d> references = {};
 
   Eigen::Matrix<double, 6, 1> as_input() const {
     Eigen::Matrix<double, 6, 1> u;

@@ -46,29 +46,30 @@ inline bool is_usable(const Detection& detection) {
 }
 
 /// What a sensor measured of a point, by name where it has one.
-struct Sighting {
+struct PointDetection {
   std::int64_t identity = 0;  ///< of a landmark, or Detection::unknown; of another vehicle which, from 0
   SmallVector z;              ///< as the sensor measures
 };
 
 /// What one vehicle of a team knows by itself.
-struct VehicleView {
+struct VehicleObservation {
   std::optional<SmallVector>
       input;  ///< what it carried out since the tick before, as its motion model takes it
   std::vector<Odometry> odometry;  ///< or, where it was recorded, each reading since then, in time order
   std::vector<PositionReading> fixes = {};  ///< of an external sensor, since the tick before, in time order
   /// Speed, m/s, and turn rate, rad/s, by the encoders of what carries a camera; its filter does not ask
   std::optional<Eigen::Vector2d> wheels;
-  std::vector<Sighting> landmarks;  ///< of this very tick
-  std::vector<Sighting> vehicles;   ///< others of the team, of this very tick
+  std::vector<PointDetection> landmarks;  ///< of this very tick
+  std::vector<PointDetection> vehicles;   ///< others of the team, of this very tick
 };
 
 struct Observation {
   std::shared_ptr<const Image>
-      image;                       ///< immutable, shared with the record; null when the camera gave nothing
-  std::vector<Odometry> odometry;  ///< of the vehicle that carries that camera, since the tick before, in time order
-  std::vector<VehicleView> team;   ///< of vehicles that detect points: one for each
-  std::vector<ConeRange> around;       ///< what stands around a vehicle, of this very tick
+      image;  ///< immutable, shared with the record; null when the camera gave nothing
+  std::vector<Odometry>
+      odometry;  ///< of the vehicle that carries that camera, since the tick before, in time order
+  std::vector<VehicleObservation> team;     ///< of vehicles that detect points: one for each
+  std::vector<ConeRange> proximity_ranges;  ///< what stands around a vehicle, of this very tick
 };
 
 }  // namespace incognita

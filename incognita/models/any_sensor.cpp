@@ -48,7 +48,7 @@ const SensorTraits& traits_of(const AnySensor& sensor) {
       [](const auto& s) -> const SensorTraits& { return sensor_traits<std::decay_t<decltype(s)>>; }, sensor);
 }
 
-std::string misfit(const AnyMotion& motion, const AnySensor& sensor) {
+std::string incompatibility(const AnyMotion& motion, const AnySensor& sensor) {
   return std::visit([&](const auto& s) -> std::string { return s.incompatibility(traits_of(motion)); },
                     sensor);
 }
@@ -61,12 +61,14 @@ int dimensions_of(const AnySensor& sensor) {
   return std::visit([](const auto& s) { return std::decay_t<decltype(s)>::dimensions; }, sensor);
 }
 
-bool tells_distance(const AnySensor& sensor) {
+bool measures_distance(const AnySensor& sensor) {
   return std::visit([](const auto& s) { return std::decay_t<decltype(s)>::measures_distance; }, sensor);
 }
 
-std::optional<AnyLook> look_at(const AnySensor& sensor, const AnyMotion& motion, const SmallVector& vehicle,
-                               const LandmarkForm& form, const SmallVector& landmark) {
+std::optional<AnyPrediction> predict_measurement(const AnySensor& sensor, const AnyMotion& motion,
+                                                 const SmallVector& vehicle,
+                                                 const LandmarkParametrization& form,
+                                                 const SmallVector& landmark) {
   auto prediction = std::visit(
       [&](const auto& s) { return s.predict_measurement(sensor_pose(s, motion, vehicle), form, landmark); },
       sensor);
@@ -74,42 +76,44 @@ std::optional<AnyLook> look_at(const AnySensor& sensor, const AnyMotion& motion,
   return prediction;
 }
 
-bool is_in_view(const AnySensor& sensor, const Reach& reach, const AnyLook& look, double distance_m) {
-  if (!look.in_view || !(distance_m <= reach.max_range_m)) return false;
-  return std::visit([&](const auto& s) { return s.in_field_of_view(look, reach); }, sensor);
+bool is_in_view(const AnySensor& sensor, const SensorLimits& sensor_limits, const AnyPrediction& prediction,
+                double distance_m) {
+  if (!prediction.in_view || !(distance_m <= sensor_limits.max_range_m)) return false;
+  return std::visit([&](const auto& s) { return s.in_field_of_view(prediction, sensor_limits); }, sensor);
 }
 
 bool is_possible(const AnySensor& sensor, const SmallVector& z) {
   return std::visit([&](const auto& s) { return s.is_possible(z); }, sensor);
 }
 
-std::optional<AnyBirth> birth_from(const AnySensor& sensor, const AnyMotion& motion,
-                                   const SmallVector& vehicle, const SmallVector& z, double inverse_depth) {
-  auto birth = std::visit(
+std::optional<AnyInitialization> initialize_landmark(const AnySensor& sensor, const AnyMotion& motion,
+                                                     const SmallVector& vehicle, const SmallVector& z,
+                                                     double inverse_depth) {
+  auto initialization = std::visit(
       [&](const auto& s) { return s.initialize(sensor_pose(s, motion, vehicle), z, inverse_depth); }, sensor);
-  if (birth) pad_columns(birth->Jv, motion);
-  return birth;
+  if (initialization) pad_columns(initialization->Jv, motion);
+  return initialization;
 }
 
-std::optional<AnyPoint> position_of(const LandmarkForm& form, const SmallVector& landmark) {
-  if (form.kind == LandmarkForm::Kind::point)
+std::optional<AnyPoint> position_of(const LandmarkParametrization& form, const SmallVector& landmark) {
+  if (form.kind == LandmarkParametrization::Kind::point)
     return AnyPoint{landmark, SmallMatrix::Identity(landmark.size(), landmark.size())};
   if (!(landmark[landmark.size() - 1] > 0)) return std::nullopt;
   if (landmark.size() == PlanarInverseDistance::size) {
     const auto point = PlanarInverseDistance::point(PlanarInverseDistance::State<double>(landmark));
     return AnyPoint{point.position, point.J};
   }
-  const auto point = InverseDepthLandmark{form.birth_axes}.point(InverseDepthLandmark::State(landmark));
+  const auto point = InverseDepthLandmark{form.initial_axes}.point(InverseDepthLandmark::State(landmark));
   return AnyPoint{point.position, point.J};
 }
 
-double linearity_index(const LandmarkForm& form, const SmallVector& landmark, double inverse_depth_var,
-                       const SmallVector& vehicle_position) {
-  if (form.kind == LandmarkForm::Kind::point) return 0;
+double linearity_index(const LandmarkParametrization& form, const SmallVector& landmark,
+                       double inverse_depth_var, const SmallVector& vehicle_position) {
+  if (form.kind == LandmarkParametrization::Kind::point) return 0;
   if (landmark.size() == PlanarInverseDistance::size)
     return PlanarInverseDistance::linearity_index(PlanarInverseDistance::State<double>(landmark),
                                                   inverse_depth_var, Eigen::Vector2d(vehicle_position));
-  return InverseDepthLandmark{form.birth_axes}.linearity_index(
+  return InverseDepthLandmark{form.initial_axes}.linearity_index(
       InverseDepthLandmark::State(landmark), inverse_depth_var, Eigen::Vector3d(vehicle_position));
 }
 

@@ -14,31 +14,35 @@ namespace incognita {
 const SensorTraits& traits_of(const AnySensor& sensor);
 
 /// Why a sensor can not ride on a vehicle; empty when it can.
-std::string misfit(const AnyMotion& motion, const AnySensor& sensor);
+std::string incompatibility(const AnyMotion& motion, const AnySensor& sensor);
 
 const Chart& chart_of(const AnySensor& sensor);  ///< of a measurement
 int dimensions_of(const AnySensor& sensor);      ///< numbers of a point
-bool tells_distance(const AnySensor& sensor);
+bool measures_distance(const AnySensor& sensor);
 
 /// Nothing where the sensor has no measurement, as behind a camera. Of motions and sensors that fit.
-std::optional<AnyLook> look_at(const AnySensor& sensor, const AnyMotion& motion, const SmallVector& vehicle,
-                               const LandmarkForm& form, const SmallVector& landmark);
+std::optional<AnyPrediction> predict_measurement(const AnySensor& sensor, const AnyMotion& motion,
+                                                 const SmallVector& vehicle,
+                                                 const LandmarkParametrization& form,
+                                                 const SmallVector& landmark);
 
 /// Whether a sensor with that reach measures a point `distance_m` away that it predicts as `look`.
-bool is_in_view(const AnySensor& sensor, const Reach& reach, const AnyLook& look, double distance_m);
+bool is_in_view(const AnySensor& sensor, const SensorLimits& sensor_limits, const AnyPrediction& prediction,
+                double distance_m);
 
 /// Whether the sensor can give such numbers, noise included.
 bool is_possible(const AnySensor& sensor, const SmallVector& z);
 
 /// `inverse_depth` (1/m): the mean before anything is known. Nothing where no point can be made of it.
-std::optional<AnyBirth> birth_from(const AnySensor& sensor, const AnyMotion& motion,
-                                   const SmallVector& vehicle, const SmallVector& z, double inverse_depth);
+std::optional<AnyInitialization> initialize_landmark(const AnySensor& sensor, const AnyMotion& motion,
+                                                     const SmallVector& vehicle, const SmallVector& z,
+                                                     double inverse_depth);
 
 /// Where a landmark is. Nothing for one that is at infinity or behind where it was first seen.
-std::optional<AnyPoint> position_of(const LandmarkForm& form, const SmallVector& landmark);
+std::optional<AnyPoint> position_of(const LandmarkParametrization& form, const SmallVector& landmark);
 /// Civera's: below about 0.1 a point does as well. 0 for a point. `vehicle_position`: in the dimensions of
 /// the landmark's place.
-double linearity_index(const LandmarkForm& form, const SmallVector& landmark, double inverse_depth_var,
-                       const SmallVector& vehicle_position);
+double linearity_index(const LandmarkParametrization& form, const SmallVector& landmark,
+                       double inverse_depth_var, const SmallVector& vehicle_position);
 
 }  // namespace incognita

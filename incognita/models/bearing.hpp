@@ -24,7 +24,7 @@ struct Bearing {
   using Pose = planar::Pose<double>;
   using Scalar = Eigen::Matrix<double, 1, 1>;
 
-  struct Look {
+  struct Prediction {
     Scalar z;                        ///< rad
     Eigen::Matrix<double, 1, 3> Hv;  ///< d(z) / d(pose error)
     Eigen::Matrix<double, 1, 2> Hl;  ///< d(z) / d(landmark)
@@ -37,14 +37,14 @@ struct Bearing {
   }
 
   /// Nothing for a point where the sensor is.
-  static std::optional<Look> look(const Pose& pose, const Eigen::Vector2d& point) {
+  static std::optional<Prediction> predict_measurement(const Pose& pose, const Eigen::Vector2d& point) {
     const double dx = point.x() - pose.x(), dy = point.y() - pose.y();
     const double d2 = dx * dx + dy * dy;
     if (!(d2 > least_range_m * least_range_m)) return std::nullopt;
-    Look look{h<double>(pose, point), {}, {}};
-    look.Hl << -dy / d2, dx / d2;
-    look.Hv << -look.Hl, -1;
-    return look;
+    Prediction prediction{h<double>(pose, point), {}, {}};
+    prediction.Hl << -dy / d2, dx / d2;
+    prediction.Hv << -prediction.Hl, -1;
+    return prediction;
   }
 };
 
@@ -55,12 +55,12 @@ struct PlanarInverseDistance {
   using State = Eigen::Matrix<S, size, 1>;  ///< birth x, y (m), direction (rad, about z from +x), 1/m
   using Pose = planar::Pose<double>;
 
-  struct Look {
+  struct Prediction {
     Bearing::Scalar z;               ///< rad
     Eigen::Matrix<double, 1, 3> Hv;  ///< d(z) / d(pose error)
     Eigen::Matrix<double, 1, 4> Hl;  ///< d(z) / d(landmark error)
   };
-  struct Birth {
+  struct Initialization {
     State<double> landmark;
     Eigen::Matrix<double, 4, 3> Jv;  ///< d(landmark error) / d(pose error)
     Eigen::Matrix<double, 4, 2> Jz;  ///< d(landmark error) / d(bearing, inverse distance)
@@ -86,24 +86,25 @@ struct PlanarInverseDistance {
   }
 
   /// Nothing for a landmark where the sensor is.
-  static std::optional<Look> look(const Pose& pose, const State<double>& y) {
+  static std::optional<Prediction> predict_measurement(const Pose& pose, const State<double>& y) {
     const Eigen::Vector2d a = along<double>(pose, y);
     const double a2 = a.squaredNorm();
     if (!(a2 > std::pow(Bearing::least_range_m * y[3], 2))) return std::nullopt;
     const Eigen::RowVector2d turn(-a.y() / a2, a.x() / a2);  // d(direction) / d(along)
-    Look look{h<double>(pose, y), {}, {}};
-    look.Hv << -y[3] * turn, -1;
-    look.Hl << y[3] * turn, turn * Eigen::Vector2d(-std::sin(y[2]), std::cos(y[2])),
+    Prediction prediction{h<double>(pose, y), {}, {}};
+    prediction.Hv << -y[3] * turn, -1;
+    prediction.Hl << y[3] * turn, turn * Eigen::Vector2d(-std::sin(y[2]), std::cos(y[2])),
         turn * (y.head<2>() - pose.head<2>());
-    return look;
+    return prediction;
   }
 
   /// `inverse_distance` (1/m) is the mean before anything is known; zero is allowed.
-  static Birth birth(const Pose& pose, double bearing, double inverse_distance) {
-    Birth birth{{pose[0], pose[1], wrap_angle(pose[2] + bearing), inverse_distance}, {}, {}};
-    birth.Jv << Eigen::Matrix3d::Identity(), Eigen::RowVector3d::Zero();
-    birth.Jz << Eigen::Matrix2d::Zero(), Eigen::Matrix2d::Identity();
-    return birth;
+  static Initialization initialize(const Pose& pose, double bearing, double inverse_distance) {
+    Initialization initialization{
+        {pose[0], pose[1], wrap_angle(pose[2] + bearing), inverse_distance}, {}, {}};
+    initialization.Jv << Eigen::Matrix3d::Identity(), Eigen::RowVector3d::Zero();
+    initialization.Jz << Eigen::Matrix2d::Zero(), Eigen::Matrix2d::Identity();
+    return initialization;
   }
 
   /// The same landmark as a point; needs a positive inverse distance.

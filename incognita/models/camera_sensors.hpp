@@ -22,14 +22,14 @@ struct MountedPose {
 std::string incompatibility_of_camera(const MotionTraits& motion);
 
 /// A camera; a free camera is itself what it is mounted on, and the mount is not used.
-struct CarriedCamera {
+struct CameraSensor {
   static constexpr std::string_view name = "camera", word = name;
   static constexpr std::string_view summary = "pixel of a point in space";
   static constexpr int dimensions = 3;
   static constexpr std::array<Quantity, 2> measurement{{{"u", "px", "pixel"}, {"v", "px", "pixel"}}};
   static constexpr Chart chart = Chart::line(2);
   static constexpr bool measures_distance = false;
-  static constexpr auto initial_form = LandmarkForm::Kind::inverse_depth;
+  static constexpr auto initial_form = LandmarkParametrization::Kind::inverse_depth;
   using Pose = MountedPose;
 
   Camera camera = WideAngleCamera{};
@@ -37,16 +37,19 @@ struct CarriedCamera {
   Camera& lens() { return camera; }
 
   static std::string incompatibility(const MotionTraits& motion) { return incompatibility_of_camera(motion); }
-  std::optional<AnyLook> predict_measurement(const MountedPose& pose, const LandmarkForm& form,
-                                             const SmallVector& landmark) const;
-  std::optional<AnyBirth> initialize(const MountedPose& pose, const SmallVector& z,
-                                     double inverse_depth) const;
-  bool in_field_of_view(const AnyLook& prediction, const Reach&) const { return prediction.in_view; }
+  std::optional<AnyPrediction> predict_measurement(const MountedPose& pose,
+                                                   const LandmarkParametrization& form,
+                                                   const SmallVector& landmark) const;
+  std::optional<AnyInitialization> initialize(const MountedPose& pose, const SmallVector& z,
+                                              double inverse_depth) const;
+  bool in_field_of_view(const AnyPrediction& prediction, const SensorLimits&) const {
+    return prediction.in_view;
+  }
   bool is_possible(const SmallVector&) const { return true; }
 };
 
 /// Two cameras side by side, mounted as one.
-struct CarriedStereo {
+struct StereoSensor {
   static constexpr std::string_view name = "stereo", word = name;
   static constexpr std::string_view summary =
       "pixel of a point in a left image and its column in the right one";
@@ -55,7 +58,7 @@ struct CarriedStereo {
       {{"u", "px", "pixel"}, {"v", "px", "pixel"}, {"u_right", "px", "pixel"}}};
   static constexpr Chart chart = Chart::line(3);
   static constexpr bool measures_distance = true;
-  static constexpr auto initial_form = LandmarkForm::Kind::inverse_depth;
+  static constexpr auto initial_form = LandmarkParametrization::Kind::inverse_depth;
   using Pose = MountedPose;
 
   StereoCamera stereo = {WideAngleCamera{}};
@@ -63,23 +66,26 @@ struct CarriedStereo {
   Camera& lens() { return stereo.camera; }
 
   static constexpr auto parameters() {
-    using P = Parameter<CarriedStereo>;
+    using P = Parameter<StereoSensor>;
     return std::array{P{{"baseline", "m"},
-                        [](CarriedStereo& s) -> double& { return s.stereo.baseline_m; },
+                        [](StereoSensor& s) -> double& { return s.stereo.baseline_m; },
                         {0, 100, true},
                         "from the left camera to the right one"},
                       P{{"least_disparity", "px"},
-                        [](CarriedStereo& s) -> double& { return s.stereo.least_disparity_px; },
+                        [](StereoSensor& s) -> double& { return s.stereo.least_disparity_px; },
                         {0, 1000, true},
                         "with less no landmark is initialized"}};
   }
 
   static std::string incompatibility(const MotionTraits& motion) { return incompatibility_of_camera(motion); }
-  std::optional<AnyLook> predict_measurement(const MountedPose& pose, const LandmarkForm& form,
-                                             const SmallVector& landmark) const;
-  std::optional<AnyBirth> initialize(const MountedPose& pose, const SmallVector& z,
-                                     double inverse_depth) const;
-  bool in_field_of_view(const AnyLook& prediction, const Reach&) const { return prediction.in_view; }
+  std::optional<AnyPrediction> predict_measurement(const MountedPose& pose,
+                                                   const LandmarkParametrization& form,
+                                                   const SmallVector& landmark) const;
+  std::optional<AnyInitialization> initialize(const MountedPose& pose, const SmallVector& z,
+                                              double inverse_depth) const;
+  bool in_field_of_view(const AnyPrediction& prediction, const SensorLimits&) const {
+    return prediction.in_view;
+  }
   bool is_possible(const SmallVector&) const { return true; }
 };
 

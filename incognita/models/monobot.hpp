@@ -64,20 +64,20 @@ struct MonobotMotion {
 
 struct RelativePosition {
   using Scalar = Eigen::Matrix<double, 1, 1>;
-  struct Look {
+  struct Prediction {
     Scalar z;
     Scalar Hv{-1.0};  ///< d(z) / d(robot), (3.7)
     Scalar Hl{1.0};   ///< d(z) / d(landmark)
   };
-  struct Birth {
+  struct Initialization {
     Scalar landmark;
     Scalar Jv{1.0};  ///< d(landmark) / d(robot)
     Scalar Jz{1.0};  ///< d(landmark) / d(z)
   };
 
   /// (3.6)
-  static Look look(double robot, double landmark) { return {Scalar(landmark - robot)}; }
-  static Birth birth(double robot, double z) { return {Scalar(robot + z)}; }
+  static Prediction predict_measurement(double robot, double landmark) { return {Scalar(landmark - robot)}; }
+  static Initialization initialize(double robot, double z) { return {Scalar(robot + z)}; }
 };
 
 }  // namespace incognita

@@ -1,7 +1,7 @@
 // Where a camera sits on a vehicle, so that any vehicle can carry any camera.
 //
 //   const auto seat = mount.on(on_floor(pose));             // or mount.on(terrain_vehicle.pose(x))
-//   const auto look = PointLandmark::look(camera, seat.camera, point);
+//   const auto look = PointLandmark::predict_measurement(camera, seat.camera, point);
 //   Hv = by_vehicle(look->Hv, seat.J);                      // d(z) / d(vehicle error)
 //
 // The camera looks along the body's forward axis, its image upright, then turned to the left by `yaw_rad` and

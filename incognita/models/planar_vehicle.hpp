@@ -36,9 +36,9 @@ struct Step {
 };
 }  // namespace planar
 
-/// The integrator of planar vehicles: on_arc.hpp.
+/// The integrator of planar vehicles: arc_motion.hpp.
 template <class Vehicle>
-struct OnArc;
+struct ArcMotion;
 
 /// Two driven wheels on one axle. Input (2): speed of the middle of the axle (m/s), turn rate (rad/s).
 struct DifferentialDrive {
@@ -59,7 +59,7 @@ struct DifferentialDrive {
   static constexpr auto state = planar::pose_quantities, error = state;
   static constexpr auto input = planar::drive_quantities;
   static constexpr Chart chart = planar::pose_chart;
-  using Integrator = OnArc<DifferentialDrive>;
+  using Integrator = ArcMotion<DifferentialDrive>;
 
   double forward_m = 0;  ///< the l of (3.16)
   double left_m = 0;
@@ -144,7 +144,7 @@ struct AckermannCar {
   static constexpr auto state = planar::pose_quantities, error = state;
   static constexpr auto input = planar::car_quantities;
   static constexpr Chart chart = planar::pose_chart;
-  using Integrator = OnArc<AckermannCar>;
+  using Integrator = ArcMotion<AckermannCar>;
 
   double wheelbase_m = 2.83;
   double wheel_left_m = 0.76;         ///< from the middle of the rear axle to the wheel that is measured

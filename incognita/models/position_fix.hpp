@@ -9,11 +9,11 @@
 namespace incognita {
 
 struct PositionFix {
-  struct Look {
+  struct Prediction {
     Eigen::Vector2d z;               ///< m
     Eigen::Matrix<double, 2, 3> Hv;  ///< d(z) / d(pose error)
   };
-  static Look look(const planar::Pose<double>& pose) {
+  static Prediction predict_measurement(const planar::Pose<double>& pose) {
     return {pose.head<2>(), Eigen::Matrix<double, 2, 3>::Identity()};
   }
 };

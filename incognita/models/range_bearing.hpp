@@ -21,12 +21,12 @@ struct RangeBearing {
   static constexpr double least_range_m = 1e-6;  ///< nearer than this a bearing means nothing
   using Pose = planar::Pose<double>;
 
-  struct Look {
+  struct Prediction {
     Eigen::Vector2d z;               ///< m, rad
     Eigen::Matrix<double, 2, 3> Hv;  ///< d(z) / d(pose error)
     Eigen::Matrix2d Hl;              ///< d(z) / d(landmark)
   };
-  struct Birth {
+  struct Initialization {
     Eigen::Vector2d landmark;
     Eigen::Matrix<double, 2, 3> Jv;  ///< d(landmark) / d(pose error)
     Eigen::Matrix2d Jz;              ///< d(landmark) / d(z); (2.25) with the noise of z, not of the pose
@@ -48,22 +48,22 @@ struct RangeBearing {
   }
 
   /// Nothing for a point where the sensor is.
-  static std::optional<Look> look(const Pose& pose, const Eigen::Vector2d& point) {
+  static std::optional<Prediction> predict_measurement(const Pose& pose, const Eigen::Vector2d& point) {
     const double dx = point.x() - pose.x(), dy = point.y() - pose.y();
     const double d2 = dx * dx + dy * dy, d = std::sqrt(d2);
     if (!(d > least_range_m)) return std::nullopt;
-    Look look{h<double>(pose, point), {}, {}};
-    look.Hl << dx / d, dy / d, -dy / d2, dx / d2;
-    look.Hv << -look.Hl, Eigen::Vector2d(0, -1);  // (3.20)
-    return look;
+    Prediction prediction{h<double>(pose, point), {}, {}};
+    prediction.Hl << dx / d, dy / d, -dy / d2, dx / d2;
+    prediction.Hv << -prediction.Hl, Eigen::Vector2d(0, -1);  // (3.20)
+    return prediction;
   }
 
-  static Birth birth(const Pose& pose, const Eigen::Vector2d& z) {
+  static Initialization initialize(const Pose& pose, const Eigen::Vector2d& z) {
     const double c = std::cos(pose[2] + z[1]), s = std::sin(pose[2] + z[1]);
-    Birth birth{j<double>(pose, z), {}, {}};
-    birth.Jv << 1, 0, -z[0] * s, 0, 1, z[0] * c;
-    birth.Jz << c, -z[0] * s, s, z[0] * c;
-    return birth;
+    Initialization initialization{j<double>(pose, z), {}, {}};
+    initialization.Jv << 1, 0, -z[0] * s, 0, 1, z[0] * c;
+    initialization.Jz << c, -z[0] * s, s, z[0] * c;
+    return initialization;
   }
 };
 

@@ -2,7 +2,7 @@
 
 namespace incognita {
 
-std::string LineScanner::incompatibility(const MotionTraits& motion) {
+std::string RelativePositionSensor::incompatibility(const MotionTraits& motion) {
   return motion.on_line() ? "" : "the scanner of a line belongs to a vehicle on a line";
 }
 
@@ -21,25 +21,28 @@ std::string incompatibility_of_scanner(const MotionTraits& motion) {
   return "";
 }
 
-std::optional<AnyLook> DirectionFinder::predict_measurement(const Pose& pose, const LandmarkForm& form,
-                                                            const SmallVector& landmark) const {
-  const auto as_any = [](const auto& prediction) -> std::optional<AnyLook> {
+std::optional<AnyPrediction> BearingSensor::predict_measurement(const Pose& pose,
+                                                                const LandmarkParametrization& form,
+                                                                const SmallVector& landmark) const {
+  const auto as_any = [](const auto& prediction) -> std::optional<AnyPrediction> {
     if (!prediction) return std::nullopt;
-    return AnyLook{prediction->z, prediction->Hv, prediction->Hl};
+    return AnyPrediction{prediction->z, prediction->Hv, prediction->Hl};
   };
-  if (form.kind == LandmarkForm::Kind::point) return as_any(Bearing::look(pose, Eigen::Vector2d(landmark)));
-  return as_any(PlanarInverseDistance::look(pose, PlanarInverseDistance::State<double>(landmark)));
+  if (form.kind == LandmarkParametrization::Kind::point)
+    return as_any(Bearing::predict_measurement(pose, Eigen::Vector2d(landmark)));
+  return as_any(
+      PlanarInverseDistance::predict_measurement(pose, PlanarInverseDistance::State<double>(landmark)));
 }
 
-std::optional<AnyBirth> DirectionFinder::initialize(const Pose& pose, const SmallVector& z,
-                                                    double inverse_depth) const {
-  const auto born = PlanarInverseDistance::birth(pose, z[0], inverse_depth);
-  return AnyBirth{{LandmarkForm::Kind::inverse_depth, {1, 0, 0, 0}},
-                  PlanarInverseDistance::chart,
-                  born.landmark,
-                  born.Jv,
-                  born.Jz.col(0),
-                  born.Jz.col(1)};
+std::optional<AnyInitialization> BearingSensor::initialize(const Pose& pose, const SmallVector& z,
+                                                           double inverse_depth) const {
+  const auto initialized = PlanarInverseDistance::initialize(pose, z[0], inverse_depth);
+  return AnyInitialization{{LandmarkParametrization::Kind::inverse_depth, {1, 0, 0, 0}},
+                           PlanarInverseDistance::chart,
+                           initialized.landmark,
+                           initialized.Jv,
+                           initialized.Jz.col(0),
+                           initialized.Jz.col(1)};
 }
 
 }  // namespace incognita

@@ -9,11 +9,11 @@
 #include <variant>
 #include <vector>
 
+#include "incognita/models/arc_motion.hpp"
 #include "incognita/models/camera_sensors.hpp"
 #include "incognita/models/free_camera.hpp"
 #include "incognita/models/held_acceleration.hpp"
 #include "incognita/models/monobot.hpp"
-#include "incognita/models/on_arc.hpp"
 #include "incognita/models/planar_vehicle.hpp"
 #include "incognita/models/range_sensors.hpp"
 #include "incognita/models/terrain_vehicle.hpp"
@@ -22,7 +22,8 @@ namespace incognita {
 
 using AnyMotion =
     std::variant<MonobotMotion, DifferentialDrive, AckermannCar, TerrainVehicle, FreeCameraMotion>;
-using AnySensor = std::variant<LineScanner, LaserScanner, DirectionFinder, CarriedCamera, CarriedStereo>;
+using AnySensor =
+    std::variant<RelativePositionSensor, RangeBearingSensor, BearingSensor, CameraSensor, StereoSensor>;
 
 /// with(Type) for each alternative of a variant, as a std::type_identity.
 template <class Variant, class With>

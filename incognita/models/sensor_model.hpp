@@ -19,21 +19,22 @@
 namespace incognita {
 
 /// How a landmark is told.
-struct LandmarkForm {
+struct LandmarkParametrization {
   enum class Kind { point, inverse_depth };
   Kind kind = Kind::point;
-  Eigen::Vector4d birth_axes{1, 0, 0, 0};  ///< of an inverse depth in space: world_from_birth, a constant
+  Eigen::Vector4d initial_axes{1, 0, 0,
+                               0};  ///< of an inverse depth in space: world_from_initial_camera, a constant
 };
 
-struct AnyLook {
+struct AnyPrediction {
   SmallVector z;
   SmallMatrix Hv;       ///< rows x errors of the vehicle
   SmallMatrix Hl;       ///< rows x errors of the landmark
   bool in_view = true;  ///< of a camera: whether its image has the pixel
 };
 
-struct AnyBirth {
-  LandmarkForm form;
+struct AnyInitialization {
+  LandmarkParametrization form;
   Chart chart;
   SmallVector landmark;
   SmallMatrix Jv;  ///< d(landmark error) / d(vehicle error)
@@ -42,7 +43,7 @@ struct AnyBirth {
 };
 
 /// How far and how wide a sensor measures; a camera measures what its image has.
-struct Reach {
+struct SensorLimits {
   double max_range_m = 1e9;
   double field_of_view_rad = 7;  ///< of a scanner, about straight ahead; 7 is more than a full turn
 };
@@ -60,7 +61,7 @@ struct SensorTraits {
   int dimensions = 2;        ///< numbers of a point
   std::span<const Quantity> measurement;
   bool measures_distance = true;
-  LandmarkForm::Kind initial_form = LandmarkForm::Kind::point;  ///< of a new landmark
+  LandmarkParametrization::Kind initial_form = LandmarkParametrization::Kind::point;  ///< of a new landmark
 
   bool measures(std::string_view kind) const {
     for (const Quantity& quantity : measurement)
@@ -74,26 +75,28 @@ struct SensorTraits {
 /// MountedPose they are with respect to the error of the vehicle. Optional: `static constexpr auto parameters()`, what a
 /// scenario may set (quantity.hpp); `Camera& lens()`, which is set from outside.
 template <class S>
-concept SensorModel = requires(const S& sensor, const typename S::Pose& pose, const LandmarkForm& form,
-                               const SmallVector& landmark, const SmallVector& z, const AnyLook& prediction,
-                               const Reach& reach, double inverse_depth, const MotionTraits& motion) {
+concept SensorModel = requires(const S& sensor, const typename S::Pose& pose,
+                               const LandmarkParametrization& form, const SmallVector& landmark,
+                               const SmallVector& z, const AnyPrediction& prediction,
+                               const SensorLimits& sensor_limits, double inverse_depth,
+                               const MotionTraits& motion) {
   requires std::default_initializable<S>;
   { S::name } -> std::convertible_to<std::string_view>;
   { S::word } -> std::convertible_to<std::string_view>;
   { S::summary } -> std::convertible_to<std::string_view>;
   { S::dimensions } -> std::convertible_to<int>;
   { S::measures_distance } -> std::convertible_to<bool>;
-  { S::initial_form } -> std::convertible_to<LandmarkForm::Kind>;
+  { S::initial_form } -> std::convertible_to<LandmarkParametrization::Kind>;
   { S::chart } -> std::convertible_to<const Chart&>;
   requires S::measurement.size() == S::chart.tangent();
   /// Why it cannot be on a vehicle; empty when it can.
   { S::incompatibility(motion) } -> std::convertible_to<std::string>;
   /// Nothing where the sensor has no measurement, as behind a camera.
-  { sensor.predict_measurement(pose, form, landmark) } -> std::same_as<std::optional<AnyLook>>;
+  { sensor.predict_measurement(pose, form, landmark) } -> std::same_as<std::optional<AnyPrediction>>;
   /// `inverse_depth` (1/m): the mean before anything is known. Nothing where no point can be made of z.
-  { sensor.initialize(pose, z, inverse_depth) } -> std::same_as<std::optional<AnyBirth>>;
+  { sensor.initialize(pose, z, inverse_depth) } -> std::same_as<std::optional<AnyInitialization>>;
   /// Whether a prediction is inside the field of view.
-  { sensor.in_field_of_view(prediction, reach) } -> std::same_as<bool>;
+  { sensor.in_field_of_view(prediction, sensor_limits) } -> std::same_as<bool>;
   /// Whether the sensor can give such numbers, noise included.
   { sensor.is_possible(z) } -> std::same_as<bool>;
 };

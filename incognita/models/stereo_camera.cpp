@@ -18,8 +18,9 @@ void StereoCamera::check() const {
 namespace {
 
 /// `seen_from(camera)`: the look of one camera of the pair.
-template <class Look, class SeenFrom>
-std::optional<Look> look_of_pair(const CameraState& left, double baseline_m, const SeenFrom& seen_from) {
+template <class Prediction, class SeenFrom>
+std::optional<Prediction> predict_stereo(const CameraState& left, double baseline_m,
+                                         const SeenFrom& seen_from) {
   const Eigen::Matrix3d axes = rotation_matrix<double>(free_camera::orientation(left));
   const Eigen::Vector3d lever = baseline_m * Eigen::Vector3d::UnitX();
   CameraState right = left;
@@ -27,27 +28,29 @@ std::optional<Look> look_of_pair(const CameraState& left, double baseline_m, con
   const auto by_left = seen_from(left);
   const auto by_right = seen_from(right);
   if (!by_left || !by_right) return std::nullopt;
-  Look look{{by_left->pixel.x(), by_left->pixel.y(), by_right->pixel.x()}, by_right->pixel, {}, {}};
-  look.Hv << by_left->Hv, by_right->Hv.row(0);
+  Prediction prediction{
+      {by_left->pixel.x(), by_left->pixel.y(), by_right->pixel.x()}, by_right->pixel, {}, {}};
+  prediction.Hv << by_left->Hv, by_right->Hv.row(0);
   // Turning the pair by e carries the right one by axes (e x lever) too
-  look.Hv.template block<1, 3>(2, 3) -= look.Hv.template block<1, 3>(2, 0) * axes * skew<double>(lever);
-  look.Hl << by_left->Hl, by_right->Hl.row(0);
-  return look;
+  prediction.Hv.template block<1, 3>(2, 3) -=
+      prediction.Hv.template block<1, 3>(2, 0) * axes * skew<double>(lever);
+  prediction.Hl << by_left->Hl, by_right->Hl.row(0);
+  return prediction;
 }
 
 }  // namespace
 
-std::optional<StereoCamera::Look> StereoCamera::look(const CameraState& left,
-                                                     const Eigen::Vector3d& point) const {
-  return look_of_pair<Look>(
-      left, baseline_m, [&](const CameraState& from) { return PointLandmark::look(camera, from, point); });
+std::optional<StereoCamera::Prediction> StereoCamera::predict_measurement(
+    const CameraState& left, const Eigen::Vector3d& point) const {
+  return predict_stereo<Prediction>(left, baseline_m, [&](const CameraState& from) {
+    return PointLandmark::predict_measurement(camera, from, point);
+  });
 }
 
-std::optional<StereoCamera::DistantLook> StereoCamera::look(const CameraState& left,
-                                                            const InverseDepthLandmark& form,
-                                                            const InverseDepthLandmark::State& y) const {
-  return look_of_pair<DistantLook>(left, baseline_m,
-                                   [&](const CameraState& from) { return form.look(camera, from, y); });
+std::optional<StereoCamera::InverseDepthPrediction> StereoCamera::predict_measurement(
+    const CameraState& left, const InverseDepthLandmark& form, const InverseDepthLandmark::State& y) const {
+  return predict_stereo<InverseDepthPrediction>(
+      left, baseline_m, [&](const CameraState& from) { return form.predict_measurement(camera, from, y); });
 }
 
 /// The inverse depth (1/m) at which a point on the left camera's ray (x, y, 1) is in that column of the right
@@ -77,8 +80,8 @@ std::optional<double> StereoCamera::inverse_depth(const Eigen::Vector3d& ray, do
   return std::nullopt;
 }
 
-std::optional<StereoCamera::Birth> StereoCamera::birth(const CameraState& left,
-                                                       const Eigen::Vector3d& z) const {
+std::optional<StereoCamera::Initialization> StereoCamera::initialize(const CameraState& left,
+                                                                     const Eigen::Vector3d& z) const {
   if (!(z[0] - z[2] > least_disparity_px)) return std::nullopt;
   const auto ray = camera.unproject(z.head<2>());
   if (!ray) return std::nullopt;
@@ -86,34 +89,35 @@ std::optional<StereoCamera::Birth> StereoCamera::birth(const CameraState& left,
   if (!rho || !(*rho > 0)) return std::nullopt;
   const Eigen::Vector3d point =
       free_camera::position(left) + rotation_matrix<double>(free_camera::orientation(left)) * (*ray / *rho);
-  const auto seen = look(left, point);
-  if (!seen) return std::nullopt;
+  const auto prediction = predict_measurement(left, point);
+  if (!prediction) return std::nullopt;
   // What is born is seen as it was measured, whatever the errors: Hl Jv + Hv = 0, Hl Jz = I
-  Birth birth{point, {}, seen->Hl.inverse()};
-  birth.Jv = -birth.Jz * seen->Hv;
-  if (!birth.Jz.allFinite()) return std::nullopt;
-  return birth;
+  Initialization initialization{point, {}, prediction->Hl.inverse()};
+  initialization.Jv = -initialization.Jz * prediction->Hv;
+  if (!initialization.Jz.allFinite()) return std::nullopt;
+  return initialization;
 }
 
-std::optional<StereoCamera::DistantBirth> StereoCamera::distant_birth(const CameraState& left,
-                                                                      const Eigen::Vector3d& z) const {
-  const auto point = birth(left, z);
+std::optional<StereoCamera::InverseDepthInitialization> StereoCamera::initialize_inverse_depth(
+    const CameraState& left, const Eigen::Vector3d& z) const {
+  const auto point = initialize(left, z);
   if (!point) return std::nullopt;
   const Eigen::Matrix3d axes = rotation_matrix<double>(free_camera::orientation(left));
   const double depth = axes.col(2).dot(point->landmark - free_camera::position(left));
-  const auto seen_from = InverseDepthLandmark::birth(camera, left, z.head<2>(), 1 / depth);
+  const auto seen_from = InverseDepthLandmark::initialize(camera, left, z.head<2>(), 1 / depth);
   if (!seen_from) return std::nullopt;
-  DistantBirth born{{seen_from->world_from_birth}, seen_from->landmark, {}, {}};
-  const auto seen = look(left, born.form, born.landmark);
-  if (!seen) return std::nullopt;
+  InverseDepthInitialization initialized{{seen_from->world_from_initial_camera}, seen_from->landmark, {}, {}};
+  const auto prediction = predict_measurement(left, initialized.form, initialized.landmark);
+  if (!prediction) return std::nullopt;
   // Its place of birth is the camera's own; the rest follows from Hl Jv + Hv = 0, Hl Jz = I
-  const Eigen::Matrix3d by_rest = seen->Hl.rightCols<3>().inverse();
-  born.Jv.setZero();
-  born.Jv.topLeftCorner<3, 3>().setIdentity();
-  born.Jv.bottomRows<3>() = -by_rest * (seen->Hv + seen->Hl.leftCols<3>() * born.Jv.topRows<3>());
-  born.Jz << Eigen::Matrix3d::Zero(), by_rest;
-  if (!born.Jz.allFinite()) return std::nullopt;
-  return born;
+  const Eigen::Matrix3d by_rest = prediction->Hl.rightCols<3>().inverse();
+  initialized.Jv.setZero();
+  initialized.Jv.topLeftCorner<3, 3>().setIdentity();
+  initialized.Jv.bottomRows<3>() =
+      -by_rest * (prediction->Hv + prediction->Hl.leftCols<3>() * initialized.Jv.topRows<3>());
+  initialized.Jz << Eigen::Matrix3d::Zero(), by_rest;
+  if (!initialized.Jz.allFinite()) return std::nullopt;
+  return initialized;
 }
 
 }  // namespace incognita

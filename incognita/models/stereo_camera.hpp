@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "incognita/models/camera.hpp"
-#include "incognita/models/camera_look.hpp"
+#include "incognita/models/camera_measurement.hpp"
 
 namespace incognita {
 
@@ -22,7 +22,7 @@ struct StereoCamera {
 
   using Jacobian = Eigen::Matrix<double, 3, FreeCameraMotion::error_size>;
 
-  struct Look {
+  struct Prediction {
     Eigen::Vector3d z;      ///< px: u and v in the left image, u in the right one
     Eigen::Vector2d right;  ///< px, the whole pixel in the right image
     Jacobian Hv;            ///< d(z) / d(camera error); velocity and rate columns are zero
@@ -30,19 +30,19 @@ struct StereoCamera {
   };
   /// Of an inverse-depth landmark: its looks are nearly linear however far it is, as those of a point are
   /// not.
-  struct DistantLook {
+  struct InverseDepthPrediction {
     Eigen::Vector3d z;
     Eigen::Vector2d right;
     Jacobian Hv;
     Eigen::Matrix<double, 3, 6> Hl;
   };
-  struct DistantBirth {
+  struct InverseDepthInitialization {
     InverseDepthLandmark form;
     InverseDepthLandmark::State landmark;
     Eigen::Matrix<double, 6, FreeCameraMotion::error_size> Jv;
     Eigen::Matrix<double, 6, 3> Jz;
   };
-  struct Birth {
+  struct Initialization {
     Eigen::Vector3d landmark;                                   ///< m, world
     Eigen::Matrix<double, 3, FreeCameraMotion::error_size> Jv;  ///< d(landmark) / d(camera error)
     Eigen::Matrix3d Jz;                                         ///< d(landmark) / d(z)
@@ -52,23 +52,26 @@ struct StereoCamera {
   void check() const;
 
   /// Nothing where either camera is not defined, as behind them; the pixels may lie outside the images.
-  std::optional<Look> look(const CameraState& left, const Eigen::Vector3d& point) const;
+  std::optional<Prediction> predict_measurement(const CameraState& left, const Eigen::Vector3d& point) const;
 
-  std::optional<DistantLook> look(const CameraState& left, const InverseDepthLandmark& form,
-                                  const InverseDepthLandmark::State& landmark) const;
+  std::optional<InverseDepthPrediction> predict_measurement(
+      const CameraState& left, const InverseDepthLandmark& form,
+      const InverseDepthLandmark::State& landmark) const;
 
   /// Whether both cameras have it in their images, at least `margin` pixels from the edge.
-  template <class SomeLook>
-  bool contains(const SomeLook& look, double margin = 0) const {
-    return camera.contains(look.z.template head<2>(), margin) && camera.contains(look.right, margin);
+  template <class SomePrediction>
+  bool contains(const SomePrediction& prediction, double margin = 0) const {
+    return camera.contains(prediction.z.template head<2>(), margin) &&
+           camera.contains(prediction.right, margin);
   }
 
   /// Where the rays meet. Nothing where the disparity is too small, or no ray reaches the pixels.
-  std::optional<Birth> birth(const CameraState& left, const Eigen::Vector3d& z) const;
+  std::optional<Initialization> initialize(const CameraState& left, const Eigen::Vector3d& z) const;
 
   /// The same point, told by where it was seen from, the direction and the inverse depth: a disparity tells
   /// that one with an error that is nearly Gaussian, and a distance with one that is not.
-  std::optional<DistantBirth> distant_birth(const CameraState& left, const Eigen::Vector3d& z) const;
+  std::optional<InverseDepthInitialization> initialize_inverse_depth(const CameraState& left,
+                                                                     const Eigen::Vector3d& z) const;
 
  private:
   std::optional<double> inverse_depth(const Eigen::Vector3d& ray, double u_right) const;

@@ -42,18 +42,18 @@ struct WheelOdometry {
     return z;
   }
 
-  struct Look {
+  struct Prediction {
     Measured<double> z;                                           ///< as the camera's state says
     Eigen::Matrix<double, size, FreeCameraMotion::error_size> H;  ///< d(z) / d(error of the camera)
     Eigen::Matrix<double, size, size> R;
   };
 
-  Look look(const FreeCameraMotion::State<double>& camera) const {
+  Prediction predict_measurement(const FreeCameraMotion::State<double>& camera) const {
     const Eigen::Matrix3d C = mount.body_from_camera();
     const Eigen::Matrix3d camera_from_world =
         rotation_matrix<double>(free_camera::orientation(camera)).transpose();
     const Eigen::Vector3d v = camera_from_world * free_camera::velocity(camera);
-    Look out{h<double>(camera), {}, {}};
+    Prediction out{h<double>(camera), {}, {}};
     out.H.setZero();
     out.H.block<3, 3>(0, 3) = C * skew<double>(v);  // R' v turns by v x e
     out.H.block<3, 3>(0, 6) = C * camera_from_world;

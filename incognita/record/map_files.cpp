@@ -14,7 +14,7 @@ namespace incognita {
 namespace {
 
 /// 80 for a landmark known to a metre or worse, 230 for one known to a centimetre or better.
-int grey(const SnapshotLandmark& landmark) {
+int gray(const SnapshotLandmark& landmark) {
   const double sigma_m = std::sqrt(std::max(landmark.covariance.trace(), 1e-12));
   return static_cast<int>(std::clamp(80 - 75 * std::log10(sigma_m), 80.0, 230.0));
 }
@@ -29,7 +29,7 @@ void write_map_csv(const std::filesystem::path& path, const std::vector<Snapshot
     for (const double p : landmark.position) append_cell(text, p);
     for (int i = 0; i < 3; ++i)
       for (int j = i; j < 3; ++j) append_cell(text, landmark.covariance(i, j));
-    fmt::format_to(std::back_inserter(text), ",{}\n", landmark.sightings);
+    fmt::format_to(std::back_inserter(text), ",{}\n", landmark.detection_count);
   }
   write_whole_file(path, text);
 }
@@ -52,7 +52,7 @@ void write_map_ply(const std::filesystem::path& path, const std::vector<Snapshot
       landmarks.size());
   for (const SnapshotLandmark& landmark : landmarks) {
     const auto& p = landmark.position;
-    const int g = grey(landmark);
+    const int g = gray(landmark);
     fmt::format_to(std::back_inserter(text), "{} {} {} ", p.x(), p.y(), p.z());
     text += landmark.anchor ? "255 140 0\n" : fmt::format("{} {} {}\n", g, g, g);
   }

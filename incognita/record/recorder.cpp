@@ -17,34 +17,34 @@ namespace incognita {
 namespace {
 
 constexpr const char* cut_short = "the program ended before the run did";
-constexpr const char* looks_header =
+constexpr const char* matches_header =
     "t,id,kind,u_predicted,v_predicted,sigma_u,sigma_v,u_measured,v_measured,correlation,outcome";
-constexpr const char* range_looks_header =
+constexpr const char* range_matches_header =
     "t,id,kind,range_predicted_m,bearing_predicted_rad,sigma_range_m,sigma_bearing_rad,range_measured_m,"
     "bearing_measured_rad,outcome";
-constexpr const char* team_looks_header =
+constexpr const char* team_matches_header =
     "t,id,kind,predicted_1,predicted_2,sigma_1,sigma_2,measured_1,measured_2,vehicle,outcome";
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-std::string looks_header_of(const RunInfo& info) {
-  return info.vehicles > 0 ? team_looks_header : info.ranges ? range_looks_header : looks_header;
+std::string matches_header_of(const RunInfo& info) {
+  return info.vehicles > 0 ? team_matches_header : info.ranges ? range_matches_header : matches_header;
 }
 
-std::string look_row(double t, const SnapshotLook& look, const RunInfo& info) {
+std::string match_row(double t, const SnapshotMatch& match, const RunInfo& info) {
   std::string row;
   append_number(row, t);
   // vehicles are counted from 1 where people read them
-  row += fmt::format(",{},{}", look.of_vehicle ? look.id + 1 : look.id, kind(look));
-  const Eigen::Vector2d sigma = look.innovation_cov.diagonal().cwiseMax(0).cwiseSqrt();
-  const Eigen::Vector2d measured = look.measured.value_or(Eigen::Vector2d(unknown, unknown));
+  row += fmt::format(",{},{}", match.of_vehicle ? match.id + 1 : match.id, kind(match));
+  const Eigen::Vector2d sigma = match.innovation_cov.diagonal().cwiseMax(0).cwiseSqrt();
+  const Eigen::Vector2d measured = match.measured.value_or(Eigen::Vector2d(unknown, unknown));
   for (const double value :
-       {look.predicted.x(), look.predicted.y(), sigma.x(), sigma.y(), measured.x(), measured.y()})
+       {match.predicted.x(), match.predicted.y(), sigma.x(), sigma.y(), measured.x(), measured.y()})
     append_cell(row, value);
   if (info.vehicles > 0)
-    append_cell(row, std::to_string(look.vehicle + 1));
+    append_cell(row, std::to_string(match.vehicle + 1));
   else if (!info.ranges)
-    append_cell(row, look.correlation);
-  append_cell(row, name(look.outcome));
+    append_cell(row, match.correlation);
+  append_cell(row, name(match.outcome));
   return row;
 }
 
@@ -65,7 +65,7 @@ void Recorder::open_files(const RunInfo& info) {
   write_whole_file(directory_.file("effective.toml"), info.effective_toml);
   estimate_ = RowFile(directory_.file("estimate.tum"), tum_header(info.body));
   covariance_ = RowFile(directory_.file("covariance.csv"), covariance_header());
-  looks_ = RowFile(directory_.file("looks.csv"), looks_header_of(info));
+  matches_ = RowFile(directory_.file("looks.csv"), matches_header_of(info));
   timings_ = TimingTable(directory_.file("timings.csv"));
   if (info.vehicles > 0) team_.emplace(directory_, info);
   log_.emplace(directory_.file("run.mcap"), info);
@@ -77,11 +77,11 @@ void Recorder::publish(const Snapshot& snapshot) {
   write_pose(snapshot);
   write_series(snapshot);
   write_decision(snapshot);
-  write_looks(snapshot);
+  write_matches(snapshot);
   if (team_) team_->publish(snapshot);
   timings_.add(snapshot);
   log_->publish(snapshot);
-  keep_summary_fresh(snapshot.tick.t);
+  refresh_summary(snapshot.tick.t);
 }
 
 void Recorder::write_pose(const Snapshot& snapshot) {
@@ -131,24 +131,26 @@ void Recorder::open_actions(const std::vector<std::string>& actions) {
 }
 
 void Recorder::write_decision(const Snapshot& snapshot) {
-  const SnapshotAdvice& advice = snapshot.advice;
-  if (!advice.decided) return;
-  if (!actions_opened_) open_actions(advice.actions);
-  const bool named = advice.chosen >= 0 && static_cast<std::size_t>(advice.chosen) < advice.actions.size();
+  const SnapshotDecision& decision = snapshot.decision;
+  if (!decision.decided) return;
+  if (!actions_opened_) open_actions(decision.actions);
+  const bool named =
+      decision.chosen >= 0 && static_cast<std::size_t>(decision.chosen) < decision.actions.size();
   std::string row;
   append_number(row, snapshot.tick.t);
-  append_cell(row, named ? std::string_view(advice.actions[static_cast<std::size_t>(advice.chosen)]) : "");
+  append_cell(row,
+              named ? std::string_view(decision.actions[static_cast<std::size_t>(decision.chosen)]) : "");
   for (std::size_t i = 0; i < candidates_; ++i)
-    append_cell(row, i < advice.scores.size() ? advice.scores[i] : unknown);
+    append_cell(row, i < decision.scores.size() ? decision.scores[i] : unknown);
   actions_.append(row, snapshot.tick.t);
 }
 
-void Recorder::write_looks(const Snapshot& snapshot) {
-  for (const SnapshotLook& look : snapshot.looks)
-    looks_.append(look_row(snapshot.tick.t, look, info_), snapshot.tick.t);
+void Recorder::write_matches(const Snapshot& snapshot) {
+  for (const SnapshotMatch& match : snapshot.matches)
+    matches_.append(match_row(snapshot.tick.t, match, info_), snapshot.tick.t);
 }
 
-void Recorder::keep_summary_fresh(double t_s) {
+void Recorder::refresh_summary(double t_s) {
   if (!first_t_s_) first_t_s_ = t_s;
   if (!summary_t_s_) summary_t_s_ = t_s;
   // a summary looks at the whole run: the longer that is, the rarer, so that it never costs more than a
@@ -191,7 +193,7 @@ RunOutcome Recorder::finish(RunStatus status, const std::string& reason, const F
   attempt([&] {
     if (!actions_opened_) open_actions({});
   });
-  for (RowFile* file : {&estimate_, &truth_, &covariance_, &series_, &actions_, &looks_})
+  for (RowFile* file : {&estimate_, &truth_, &covariance_, &series_, &actions_, &matches_})
     attempt([&] { file->close(); });
   attempt([&] {
     if (team_) team_->close();

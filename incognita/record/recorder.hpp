@@ -71,8 +71,8 @@ class Recorder {
   void write_pose(const Snapshot& snapshot);
   void write_series(const Snapshot& snapshot);
   void write_decision(const Snapshot& snapshot);
-  void write_looks(const Snapshot& snapshot);
-  void keep_summary_fresh(double t_s);
+  void write_matches(const Snapshot& snapshot);
+  void refresh_summary(double t_s);
   void open_series();
   void open_actions(const std::vector<std::string>& actions);
   void write_series_mat() const;
@@ -82,7 +82,7 @@ class Recorder {
   RunSummary summary_;
   RunDirectory directory_;
   std::optional<PaddedFile> summary_file_;
-  RowFile estimate_, truth_, covariance_, series_, actions_, looks_;
+  RowFile estimate_, truth_, covariance_, series_, actions_, matches_;
   TimingTable timings_;
   std::optional<TeamTables> team_;
   std::optional<SnapshotLog> log_;

@@ -47,11 +47,11 @@ Eigen::Vector4d two_sigmas(const SnapshotVehicle& v) {
 }
 
 /// A path's heading grows on through pi; here it is told as the others are.
-Eigen::Vector4d wanted_of(const SnapshotVehicle& v) {
-  if (!v.wanted) return Eigen::Vector4d::Constant(unknown);
-  Eigen::Vector4d wanted = *v.wanted;
-  wanted[3] = wrap_angle(wanted[3]);
-  return wanted;
+Eigen::Vector4d reference_of(const SnapshotVehicle& v) {
+  if (!v.reference) return Eigen::Vector4d::Constant(unknown);
+  Eigen::Vector4d reference = *v.reference;
+  reference[3] = wrap_angle(reference[3]);
+  return reference;
 }
 
 }  // namespace
@@ -81,7 +81,7 @@ std::string TeamTables::vehicle_row(const Snapshot& s, std::size_t i) const {
   append_cell(row, std::to_string(i + 1));
   for (const Eigen::Vector4d& numbers :
        {posed ? four(v.estimate, camera) : nowhere, posed ? two_sigmas(v) : nowhere,
-        v.truth ? four(*v.truth, camera) : nowhere, wanted_of(v)})
+        v.truth ? four(*v.truth, camera) : nowhere, reference_of(v)})
     for (const double number : numbers) append_cell(row, number);
   append_cell(row, from_path_m(v, camera, steered_m_));
   append_cell(row, v.truth && posed

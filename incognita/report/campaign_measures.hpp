@@ -16,7 +16,7 @@ struct RunMeasures {
 };
 
 /// Every number, in the order of the document: `ate_m`, `entropy.total`, `vehicles.1.mean_nees`,
-/// `observability.directions.scale.believed_sigma`. An item of a list goes by its `name` if it has one, else
+/// `observability.directions.scale.estimated_sigma`. An item of a list goes by its `name` if it has one, else
 /// by its place, from 1. The seed is none of them. Throws std::invalid_argument when the text is no JSON
 /// object.
 RunMeasures measures_of(const std::string& summary_json);

@@ -32,7 +32,7 @@ void append_cells(std::string& row, std::initializer_list<double> values) {
   for (const double value : values) append_cell(row, finite(value));
 }
 
-bool wanted(const MeasureStatistics& m, const std::vector<std::string>& measures) {
+bool requested(const MeasureStatistics& m, const std::vector<std::string>& measures) {
   return std::find(measures.begin(), measures.end(), m.measure) != measures.end();
 }
 
@@ -121,7 +121,7 @@ std::string table_csv(const Campaign& campaign, const std::vector<VariantStatist
       "difference_low,difference_high,share_lower,share_higher\n";
   for (std::size_t v = 0; v < statistics.size(); ++v)
     for (const MeasureStatistics& m : statistics[v].measures) {
-      if (!wanted(m, measures)) continue;
+      if (!requested(m, measures)) continue;
       std::string row = first_cell(campaign.variants[v].name);
       append_cell(row, m.measure);
       append_count(row, m.n);
@@ -152,7 +152,7 @@ std::string campaign_json(const Campaign& campaign, const std::vector<VariantSta
       if (!run.done) one["failures"].push_back({{"seed", run.seed}, {"reason", run.reason}});
     Json& all = one["measures"] = Json::object();
     for (const MeasureStatistics& m : s.measures)
-      if (wanted(m, measures)) all[m.measure] = json_of(m, v == campaign.baseline);
+      if (requested(m, measures)) all[m.measure] = json_of(m, v == campaign.baseline);
     json["variants"].push_back(std::move(one));
   }
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -105,7 +105,7 @@ std::vector<Eigen::Vector2d> surveyed_places(const fs::path& run_directory) {
 Box map_box(const CsvTable& map, const Trajectory& estimate, const Trajectory& truth,
             const std::vector<Eigen::Vector2d>& surveyed) {
   Box box;
-  for (const Eigen::Vector2d& place : surveyed) box.include(place.x(), place.y());
+  for (const Eigen::Vector2d& position : surveyed) box.include(position.x(), position.y());
   for (const Trajectory* path : {&estimate, &truth})
     for (const StampedPose& pose : *path) box.include(pose.position.x(), pose.position.y());
   const auto x = map.numbers("x"), y = map.numbers("y"), pxx = map.numbers("pxx"), pyy = map.numbers("pyy");
@@ -171,9 +171,9 @@ std::string chosen_block(const CsvTable& actions) {
   return block + "EOD\n";
 }
 
-constexpr const char* candidate_colours[] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00",
-                                             "#56b4e9", "#7a5195", "#8c6d31", "#555555", "#b5a900"};
-std::string candidate_colour(std::size_t i) { return candidate_colours[i % std::size(candidate_colours)]; }
+constexpr const char* candidate_colors[] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00",
+                                            "#56b4e9", "#7a5195", "#8c6d31", "#555555", "#b5a900"};
+std::string candidate_color(std::size_t i) { return candidate_colors[i % std::size(candidate_colors)]; }
 
 std::string score_panel(const CsvTable& actions) {
   std::string panel =
@@ -182,7 +182,7 @@ std::string score_panel(const CsvTable& actions) {
   for (std::size_t k = 2; k < actions.columns.size(); ++k)
     panel += fmt::format(
         "'actions.csv' using 1:{} with steps linecolor rgb '{}' linewidth 1.3 title {}, \\\n     ", k + 1,
-        candidate_colour(k - 2), gnuplot_string(actions.columns[k]));
+        candidate_color(k - 2), gnuplot_string(actions.columns[k]));
   return panel +
          "$chosen using 1:4 with points pointtype 6 pointsize 0.7 linecolor rgb ink linewidth 1.2 title "
          "'chosen'\n";
@@ -200,7 +200,7 @@ std::string chosen_panel(const CsvTable& actions) {
     panel += fmt::format(
         "{}$chosen using 1:($3 == {} ? $3 : NaN):1:2:($3 - 0.32):($3 + 0.32) with boxxyerror linecolor rgb "
         "'{}'",
-        k > 2 ? ", \\\n     " : "", k - 2, candidate_colour(k - 2));
+        k > 2 ? ", \\\n     " : "", k - 2, candidate_color(k - 2));
   return panel + "\n";
 }
 
@@ -315,7 +315,7 @@ std::optional<std::string> entropy_script(const fs::path& run_directory, Alignme
   return script;
 }
 
-std::optional<std::string> advice_script(const fs::path& run_directory, AlignmentKind) {
+std::optional<std::string> decision_script(const fs::path& run_directory, AlignmentKind) {
   const CsvTable actions = read_csv(run_directory / "actions.csv");
   if (actions.rows.empty() || actions.columns.size() < 3) return std::nullopt;
   std::string script = figure_head("advice", 960, 600);

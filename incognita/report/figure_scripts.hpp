@@ -25,6 +25,7 @@ std::optional<std::string> errors_script(const std::filesystem::path& run_direct
 std::optional<std::string> entropy_script(const std::filesystem::path& run_directory,
                                           AlignmentKind alignment);
 /// Every candidate's score at each decision, and the action chosen.
-std::optional<std::string> advice_script(const std::filesystem::path& run_directory, AlignmentKind alignment);
+std::optional<std::string> decision_script(const std::filesystem::path& run_directory,
+                                           AlignmentKind alignment);
 
 }  // namespace incognita

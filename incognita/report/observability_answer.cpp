@@ -61,7 +61,7 @@ std::string vectors_of(const std::string& what, const std::vector<UnobservableDi
   return text;
 }
 
-std::string states_that_are_seen(const ObservabilityAnalysis& a) {
+std::string observable_states(const ObservabilityAnalysis& a) {
   std::string seen, unseen;
   for (const StateInformation& state : a.information) {
     std::string& list = state.sigma ? seen : unseen;
@@ -93,7 +93,7 @@ std::string start_of(const ObservabilityAnalysis& a) {
   constexpr std::size_t longest = 100;
   const bool is_short = start.size() <= longest;
   return fmt::format("{}{} looks in all. {} in --json.\n", is_short ? "Segment 1 is at " + start + ". " : "",
-                     a.look_times_s.size(),
+                     a.measurement_times_s.size(),
                      is_short ? "Every digit, the other segments, anchors and the times of looks are"
                               : "Where segments start, their inputs, anchors and the times of looks are");
 }
@@ -118,14 +118,14 @@ std::string observability_table(const SystemText& text, const ObservabilityAnaly
   out += vectors_of(fmt::format("SOM does not see, after {}", counted(int(segments), "segment", "segments")),
                     a.segments.back().stripped.directions, a.error_states);
   const bool barely = std::any_of(a.information.begin(), a.information.end(),
-                                  [](const StateInformation& i) { return i.barely_seen; });
+                                  [](const StateInformation& i) { return i.weakly_observable; });
   out += "\n" + vectors_of("The motion does not show", a.local.directions, a.states, barely) + "\n";
   // Else the states by themselves would contradict what the motion shows
   if (a.fisher.space.nullity != a.local.space.nullity)
     out += vectors_of("The Fisher information does not show", a.fisher.directions, a.states) + "\n";
   if (a.lie && a.lie->space.nullity != a.local.space.nullity)
     out += vectors_of("The Lie derivatives do not show", a.lie_directions, a.states) + "\n";
-  out += states_that_are_seen(a);
+  out += observable_states(a);
   for (const std::string& line : a.disagreements) out += "\nThe methods disagree. " + line + "\n";
   for (const auto* lines : {&a.doubts, &a.notes})
     for (const std::string& line : *lines) out += "\nNote. " + line + "\n";
@@ -204,8 +204,8 @@ std::string observability_json(const ObservabilityAnalysis& a, const Observabili
             {"states", a.states},
             {"error_states", a.error_states},
             {"anchors_at", anchors_json(a)},
-            {"looks_per_segment", a.looks_per_segment},
-            {"look_times_s", a.look_times_s},
+            {"looks_per_segment", a.measurements_per_segment},
+            {"look_times_s", a.measurement_times_s},
             {"segments", Json::array()},
             {"local_nullity", a.local.space.nullity},
             {"local_gap", gap_json(a.local.space)},

@@ -25,8 +25,8 @@ namespace {
 constexpr double gap = std::numeric_limits<double>::quiet_NaN();
 constexpr int wide_panel_px = 760, panel_px = 480;      // alone in its row, or not
 constexpr int low_panel_px = 300, high_panel_px = 440;  // a curve over time; what is looked at as a map
-constexpr Colour turns[] = {Colour::blue,  Colour::orange, Colour::green, Colour::pink,
-                            Colour::amber, Colour::sky,    Colour::ink,   Colour::grey};
+constexpr Color turns[] = {Color::blue,  Color::orange, Color::green, Color::pink,
+                           Color::amber, Color::sky,    Color::ink,   Color::gray};
 
 [[noreturn]] void refuse(const Plot& plot, const std::string& what) {
   throw std::invalid_argument("plot `" + plot.id + "`: " + what);
@@ -106,24 +106,24 @@ std::string table_of(const Plot& plot) {
 
 // The script ----------------------------------------------------------------------------------------------
 
-const char* name(Colour colour) {
-  switch (colour) {
-    case Colour::blue:
+const char* name(Color color) {
+  switch (color) {
+    case Color::blue:
       return "blue";
-    case Colour::orange:
+    case Color::orange:
       return "orange";
-    case Colour::green:
+    case Color::green:
       return "green";
-    case Colour::pink:
+    case Color::pink:
       return "pink";
-    case Colour::amber:
+    case Color::amber:
       return "amber";
-    case Colour::sky:
+    case Color::sky:
       return "sky";
-    case Colour::grey:
+    case Color::gray:
       return "grey";
-    case Colour::ink:
-    case Colour::automatic:
+    case Color::ink:
+    case Color::automatic:
       break;
   }
   return "ink";
@@ -132,19 +132,19 @@ const char* name(Colour colour) {
 /// Hands out the palette to those who have no colour of their own.
 class Palette {
  public:
-  const char* colour(Colour wanted) {
-    return name(wanted == Colour::automatic ? turns[next_++ % std::size(turns)] : wanted);
+  const char* color(Color wanted) {
+    return name(wanted == Color::automatic ? turns[next_++ % std::size(turns)] : wanted);
   }
 
  private:
   std::size_t next_ = 0;
 };
 
-struct Look {
+struct FeatureMatch {
   const char *columns, *shape, *pen;  ///< what is drawn, as what, and with what besides its colour
 };
 
-Look look_of(Style style) {
+FeatureMatch match_of(Style style) {
   switch (style) {
     case Style::line:
       break;
@@ -260,11 +260,11 @@ std::string curves_script(const Panel& panel, Rows& rows) {
   Palette palette;
   for (const Curve& c : panel.curves) {
     const std::string place = rows.next(c.x.size());
-    const Look look = look_of(c.style);
-    const std::string drawn = fmt::format("with {} rgb {} {} {}", look.shape, palette.colour(c.colour),
-                                          look.pen, title_of(c.label));
+    const FeatureMatch match = match_of(c.style);
+    const std::string drawn = fmt::format("with {} rgb {} {} {}", match.shape, palette.color(c.color),
+                                          match.pen, title_of(c.label));
     if (has_points(c, panel.log_y))
-      parts.push_back(fmt::format("data skip 1 {} using {} {}", place, look.columns, drawn));
+      parts.push_back(fmt::format("data skip 1 {} using {} {}", place, match.columns, drawn));
     else if (!c.label.empty())  // what is not there is in the key all the same
       parts.push_back("NaN " + drawn);
   }
@@ -295,10 +295,10 @@ std::string surfaces_script(const Panel& panel, std::size_t panel_index) {
   Palette palette;
   for (std::size_t i = 0; i < panel.surfaces.size(); ++i) {
     const Surface& s = panel.surfaces[i];
-    const char* colour = palette.colour(s.colour);
+    const char* color = palette.color(s.color);
     if (std::none_of(s.z.begin(), s.z.end(), [](double z) { return std::isfinite(z); })) continue;
     parts.push_back(fmt::format("{} using 1:2:3 with lines linecolor rgb {} linewidth 0.7 {}",
-                                block_name(panel_index, i), colour, title_of(s.label)));
+                                block_name(panel_index, i), color, title_of(s.label)));
   }
   std::string text = "set border 31\nset key bmargin center horizontal\nunset logscale y\nset size noratio\n";
   text += own_tics;
@@ -350,7 +350,7 @@ Curve ellipses(std::string label, const std::vector<Eigen::Vector2d>& means,
     throw std::invalid_argument(
         fmt::format("ellipses: {} means, {} covariances", means.size(), covariances.size()));
   constexpr int corners = 48;
-  Curve curve{std::move(label), Style::thin, {}, {}, {}, Colour::automatic};
+  Curve curve{std::move(label), Style::thin, {}, {}, {}, Color::automatic};
   for (std::size_t i = 0; i < means.size(); ++i) {
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(covariances[i]);
     const Eigen::Matrix2d root =
@@ -368,7 +368,7 @@ Curve ellipses(std::string label, const std::vector<Eigen::Vector2d>& means,
 }
 
 Curve over_steps(std::string label, std::vector<double> y, Style style, double first) {
-  Curve curve{std::move(label), style, {}, std::move(y), {}, Colour::automatic};
+  Curve curve{std::move(label), style, {}, std::move(y), {}, Color::automatic};
   for (std::size_t i = 0; i < curve.y.size(); ++i) curve.x.push_back(first + static_cast<double>(i));
   return curve;
 }

@@ -26,7 +26,7 @@ enum class Style {
 
 /// Of the palette that all figures share; `automatic` takes its colours in turn, as the curves of a panel
 /// come.
-enum class Colour { automatic, blue, orange, green, pink, amber, sky, ink, grey };
+enum class Color { automatic, blue, orange, green, pink, amber, sky, ink, gray };
 
 /// NaN is a gap. Curves of the same kind may share one entry of the key: leave the others' labels empty.
 struct Curve {
@@ -34,7 +34,7 @@ struct Curve {
   Style style = Style::line;
   std::vector<double> x, y;     ///< of equal length
   std::vector<double> y2 = {};  ///< a band's other edge, as long; else empty
-  Colour colour = Colour::automatic;
+  Color color = Color::automatic;
 };
 
 /// Heights over a grid, drawn as a net. NaN is a hole.
@@ -42,7 +42,7 @@ struct Surface {
   std::string label;
   std::vector<double> x, y;  ///< grid lines, two or more each
   std::vector<double> z;     ///< z[j * x.size() + i] at (x[i], y[j])
-  Colour colour = Colour::automatic;
+  Color color = Color::automatic;
 };
 
 /// Holds curves, or surfaces: not both.

@@ -17,10 +17,10 @@ namespace incognita {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr const char* colours[] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"};
+constexpr const char* colors[] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"};
 constexpr std::size_t most_named = 6;  // beyond, a key says nothing that colours could
 
-std::string colour(std::size_t vehicle) { return colours[vehicle % std::size(colours)]; }
+std::string color(std::size_t vehicle) { return colors[vehicle % std::size(colors)]; }
 
 std::optional<CsvTable> vehicles_of(const fs::path& run_directory) {
   const fs::path file = run_directory / "vehicles.csv";
@@ -59,7 +59,7 @@ std::string join(const std::vector<std::string>& plots) {
   return fmt::format("plot {}\n", fmt::join(plots, ", \\\n     "));
 }
 
-std::string of_vehicle(std::size_t i) { return fmt::format("linecolor rgb '{}' linewidth 1.2", colour(i)); }
+std::string of_vehicle(std::size_t i) { return fmt::format("linecolor rgb '{}' linewidth 1.2", color(i)); }
 
 /// "input_speed_m_s" is "speed, m/s".
 std::string label_of(const std::string& input) {

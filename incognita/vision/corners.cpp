@@ -23,7 +23,7 @@ std::optional<Corner> strongest_corner(const Image& image, const PixelBox& box, 
   return Corner{at.x + wanted.x, at.y + wanted.y, best * 255.0 * 255.0 / 4.0};
 }
 
-std::optional<Eigen::Vector2d> centre_of_corner(const Image& image, const Eigen::Vector2d& near,
+std::optional<Eigen::Vector2d> center_of_corner(const Image& image, const Eigen::Vector2d& near,
                                                 int window_px, int left_out_px) {
   const cv::Mat pixels(image.height(), image.width(), CV_8UC1, const_cast<std::uint8_t*>(image.row(0)));
   const int half = window_px / 2;

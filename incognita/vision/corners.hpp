@@ -27,7 +27,7 @@ std::optional<Corner> strongest_corner(const Image& image, const PixelBox& box, 
 /// the window just has the corner in it somewhere, a patch that is stretched or sheared about its centre
 /// stays in its place. Nothing when that point is not in the window around `near`. A square of `left_out_px`
 /// in the middle is left out: there a blurred corner is rounded, which draws the point inwards.
-std::optional<Eigen::Vector2d> centre_of_corner(const Image& image, const Eigen::Vector2d& near,
+std::optional<Eigen::Vector2d> center_of_corner(const Image& image, const Eigen::Vector2d& near,
                                                 int window_px, int left_out_px = 0);
 
 }  // namespace incognita

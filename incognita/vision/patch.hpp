@@ -15,7 +15,7 @@ inline constexpr int max_patch_size = 15;
 /// A piece of the image a landmark was first seen in, larger than what is compared so that it can be warped.
 struct PatchTexture {
   Image pixels;
-  Eigen::Vector2d centre;  ///< where in `pixels` the landmark is, px
+  Eigen::Vector2d center;  ///< where in `pixels` the landmark is, px
 };
 
 /// A patch ready to be searched for: mean taken off, rows padded to 16 so that one vector operation takes a
@@ -31,7 +31,7 @@ struct PatchTemplate {
 
 /// Cuts a square of `side` pixels around a place in the image, or as much of it as there is.
 /// Nothing when the landmark itself would be nearer than `core_px` to the edge of the image.
-std::optional<PatchTexture> cut_texture(const Image& image, const Eigen::Vector2d& centre, int side,
+std::optional<PatchTexture> cut_texture(const Image& image, const Eigen::Vector2d& center, int side,
                                         int core_px);
 
 /// What the texture looks like when one pixel of the view is `texture_from_view` pixels of the texture (2x2).

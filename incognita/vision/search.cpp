@@ -13,7 +13,7 @@ namespace {
 /// A pixel's part in the sums: its grey in the upper half, its square in the lower.
 constexpr auto both = [] {
   std::array<std::uint64_t, 256> table{};
-  for (std::uint64_t grey = 0; grey < 256; ++grey) table[grey] = grey << 32 | grey * grey;
+  for (std::uint64_t gray = 0; gray < 256; ++gray) table[gray] = gray << 32 | gray * gray;
   return table;
 }();
 
@@ -108,10 +108,10 @@ struct Extent {
 Extent extent(const Ellipse& ellipse, double max_half_axis_px) {
   const double du = std::min(max_half_axis_px, ellipse.gate_sigmas * std::sqrt(ellipse.covariance(0, 0)));
   const double dv = std::min(max_half_axis_px, ellipse.gate_sigmas * std::sqrt(ellipse.covariance(1, 1)));
-  return {static_cast<int>(std::ceil(ellipse.centre.x() - du)),
-          static_cast<int>(std::floor(ellipse.centre.x() + du)),
-          static_cast<int>(std::ceil(ellipse.centre.y() - dv)),
-          static_cast<int>(std::floor(ellipse.centre.y() + dv))};
+  return {static_cast<int>(std::ceil(ellipse.center.x() - du)),
+          static_cast<int>(std::floor(ellipse.center.x() + du)),
+          static_cast<int>(std::ceil(ellipse.center.y() - dv)),
+          static_cast<int>(std::floor(ellipse.center.y() + dv))};
 }
 
 }  // namespace
@@ -124,7 +124,7 @@ std::optional<Found> search(CorrelationSheet& sheet, const Ellipse& ellipse, dou
   double best = -2;
   for (int v = box.v_min; v <= box.v_max; ++v)
     for (int u = box.u_min; u <= box.u_max; ++u) {
-      const Eigen::Vector2d d(u - ellipse.centre.x(), v - ellipse.centre.y());
+      const Eigen::Vector2d d(u - ellipse.center.x(), v - ellipse.center.y());
       if (d.dot(inverse * d) > gate) continue;
       const double here = sheet.at(u, v);
       if (here > best) {

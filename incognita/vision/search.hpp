@@ -58,7 +58,7 @@ class CorrelationSheet {
 };
 
 struct Ellipse {
-  Eigen::Vector2d centre;      ///< px
+  Eigen::Vector2d center;      ///< px
   Eigen::Matrix2d covariance;  ///< px^2
   double gate_sigmas = 3;
 };

@@ -28,7 +28,7 @@ std::optional<Truth> CarriedCameraWorld::move(const Command& command, const Tick
     truth.vehicles.emplace_back(
         carried_camera(carriers_[i], plant.state().head<3>(), plant.rate().head<3>()));
     truth.inputs.emplace_back(SmallVector::Zero(FreeCameraMotion::input_size));
-    truth.wheels.emplace_back(plant.carried_out());
+    truth.wheels.emplace_back(plant.executed());
     truth.poses.push_back(pose_of(FreeCameraMotion{}, truth.vehicles.back()));
   }
   truth.camera = truth.vehicles.front();

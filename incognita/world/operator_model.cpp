@@ -64,20 +64,20 @@ const Segment& OperatorModel::follow(const UserCommand& shown, const Eigen::Vect
   return in_progress_;
 }
 
-OperatorHand::OperatorHand(OperatorModel model, HandMotion motion, const GazeSwing& swing)
+OperatorActuator::OperatorActuator(OperatorModel model, OperatorMotion motion, const GazeSwing& swing)
     : model_(std::move(model)), motion_(std::move(motion)), swing_(swing) {}
 
-Input OperatorHand::move(const Command& command, std::size_t camera, const State& state, double t) {
-  if (!command.by_hand) return Input::Zero();
+Input OperatorActuator::move(const Command& command, std::size_t camera, const State& state, double t) {
+  if (!command.operator_controlled) return Input::Zero();
   if (camera >= command.user_commands.size()) return stop(state, t);
   stopped_.reset();
   const UserCommand& shown = command.user_commands[camera];
-  const Heading looks = gaze(shown, state, t);
-  return motion_(state, model_.follow(shown, free_camera::position(state), t), looks, t);
+  const Heading measurements = gaze(shown, state, t);
+  return motion_(state, model_.follow(shown, free_camera::position(state), t), measurements, t);
 }
 
 /// In half a second, by what was felt of the motion when the screen went dark.
-Input OperatorHand::stop(const State& state, double t) {
+Input OperatorActuator::stop(const State& state, double t) {
   constexpr double braking_s = 0.5;
   if (!stopped_) stopped_ = {state, t};
   model_.forget();
@@ -85,7 +85,7 @@ Input OperatorHand::stop(const State& state, double t) {
   return -stopped_->state.tail<6>() / braking_s;
 }
 
-Heading OperatorHand::gaze(const UserCommand& shown, const State& state, double t) {
+Heading OperatorActuator::gaze(const UserCommand& shown, const State& state, double t) {
   if (shown.gaze) return *shown.gaze;
   if (!first_gaze_) {
     first_gaze_ = {heading_of(free_camera::orientation(state)), 0};

@@ -45,17 +45,17 @@ class OperatorModel {
 
 /// How a hand moves a free camera along a segment, looking level along a heading: the accelerations of (5.24)
 /// from the true state.
-using HandMotion = std::function<FreeCameraMotion::Input<double>(
+using OperatorMotion = std::function<FreeCameraMotion::Input<double>(
     const FreeCameraMotion::State<double>& state, const Segment& segment, const Heading& gaze, double t)>;
 
 /// An operator's hand on one camera.
-class OperatorHand {
+class OperatorActuator {
  public:
   /// `swing`: where the operator looks while nothing says where.
-  OperatorHand(OperatorModel model, HandMotion motion, const GazeSwing& swing = {});
+  OperatorActuator(OperatorModel model, OperatorMotion motion, const GazeSwing& swing = {});
 
   /// The input of the camera from `t` on, in the true state of that time. Without user commands a camera in
-  /// the hand comes to rest; one that was not handed over yet (`by_hand` false) is not touched.
+  /// the hand comes to rest; one that was not handed over yet (`operator_controlled` false) is not touched.
   FreeCameraMotion::Input<double> move(const Command& command, std::size_t camera,
                                        const FreeCameraMotion::State<double>& state, double t);
 
@@ -68,7 +68,7 @@ class OperatorHand {
     double t;
   };
   OperatorModel model_;
-  HandMotion motion_;
+  OperatorMotion motion_;
   GazeSwing swing_;
   std::optional<Moment> stopped_;      ///< when the screen went dark
   std::optional<Heading> first_gaze_;  ///< the middle of the swing

@@ -84,7 +84,7 @@ Plant::Plant(AnyMotion motion, const PlantSettings& settings, std::uint64_t seed
     : motion_(std::move(motion)), settings_(settings), disturbance_(seed, name + ".disturbance") {
   check(motion_, settings_);
   state_ = drawn_start(motion_, settings_, seed, name);
-  carried_out_ = in_force_ = SmallVector::Zero(inputs_of(motion_));
+  executed_ = in_force_ = SmallVector::Zero(inputs_of(motion_));
 }
 
 const SmallVector& Plant::move(const SmallVector& input, double dt_s) {
@@ -92,8 +92,8 @@ const SmallVector& Plant::move(const SmallVector& input, double dt_s) {
   if (!(dt_s >= 0 && std::isfinite(dt_s)))
     throw std::invalid_argument("a tick must last zero or more seconds, got " + std::to_string(dt_s));
   if (dt_s == 0) return state_;
-  carried_out_ = input.cwiseMax(settings_.least_input).cwiseMin(settings_.most_input);
-  SmallVector u = carried_out_;
+  executed_ = input.cwiseMax(settings_.least_input).cwiseMin(settings_.most_input);
+  SmallVector u = executed_;
   if (settings_.input_ratios.size() > 0) u.array() *= settings_.input_ratios.array();
   for (Eigen::Index i = 0; i < u.size(); ++i) u[i] += settings_.input_sigmas[i] * disturbance_.normal();
   std::visit([&](const auto& model) { keep_steering(model, u); }, motion_);

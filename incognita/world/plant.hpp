@@ -29,7 +29,7 @@ class Plant {
   const SmallVector& state() const { return state_; }
   /// The input of the last tick as it was carried out, within the limits and before it was disturbed: what
   /// odometry tells.
-  const SmallVector& carried_out() const { return carried_out_; }
+  const SmallVector& executed() const { return executed_; }
   /// The same as it really was: of wheels of their true size, and disturbed.
   const SmallVector& in_force() const { return in_force_; }
 
@@ -47,7 +47,7 @@ class Plant {
   AnyMotion motion_;
   PlantSettings settings_;
   RandomStream disturbance_;
-  SmallVector state_, carried_out_, in_force_;
+  SmallVector state_, executed_, in_force_;
 };
 
 }  // namespace incognita

@@ -11,7 +11,7 @@ constexpr double max_frames = 1e9;  // a year at 30 Hz: what counts frames stays
 
 }  // namespace
 
-RoomClock::RoomClock(double rate_hz, double duration_s) : rate_hz_(rate_hz) {
+FixedRateClock::FixedRateClock(double rate_hz, double duration_s) : rate_hz_(rate_hz) {
   if (!(rate_hz > 0 && rate_hz <= 1e6))
     throw std::invalid_argument("rate_hz must be above 0 and at most 1e6, got " + std::to_string(rate_hz));
   if (!(duration_s > 0 && duration_s * rate_hz <= max_frames))
@@ -21,7 +21,7 @@ RoomClock::RoomClock(double rate_hz, double duration_s) : rate_hz_(rate_hz) {
   if (frames_ < 1) frames_ = 1;
 }
 
-Tick RoomClock::next() {
+Tick FixedRateClock::next() {
   if (next_ >= frames_) return {};
   const std::int64_t frame = next_++;
   return {frame, static_cast<double>(frame) / rate_hz_, frame == 0 ? 0.0 : 1 / rate_hz_};

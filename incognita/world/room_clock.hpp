@@ -5,10 +5,10 @@
 
 namespace incognita {
 
-class RoomClock final : public Clock {
+class FixedRateClock final : public Clock {
  public:
   /// Ticks at 0, 1/rate, ... before `duration_s`. Throws std::invalid_argument when either is not positive.
-  RoomClock(double rate_hz, double duration_s);
+  FixedRateClock(double rate_hz, double duration_s);
 
   Tick next() override;
   std::int64_t expected_frames() const override { return frames_; }

@@ -12,7 +12,7 @@ struct RoomSettings {
   double start_heading_rad = 0.0;                   ///< about z, from +x
   double sigma_start_position_m = 0.05;             ///< the true start is drawn around the above
   double sigma_start_heading_rad = 0.03;
-  double sigma_image_grey = 2.0;         ///< image noise, grey levels
+  double sigma_image_gray = 2.0;         ///< image noise, grey levels
   double sigma_acceleration_m_s2 = 0.3;  ///< true disturbance per axis, held for one frame
   double sigma_angular_acceleration_rad_s2 = 0.3;
   double clearance_m = 0.15;      ///< the camera's body stops this far from walls and boxes

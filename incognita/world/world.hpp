@@ -34,7 +34,7 @@ class Sensor {
  public:
   virtual ~Sensor() = default;
   /// Throws std::runtime_error naming file and remedy when the sensor fails for good.
-  virtual Observation look(const std::optional<Truth>& truth, const Tick& tick) = 0;
+  virtual Observation measure(const std::optional<Truth>& truth, const Tick& tick) = 0;
 };
 
 }  // namespace incognita

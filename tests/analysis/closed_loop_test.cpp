@@ -69,7 +69,7 @@ TEST(ClosedLoop, HasTheEigenvaluesOfItsPartsAndNoOthers) {
   }
 }
 
-TEST(ClosedLoop, DoesNotSeparateWhenTheFilterIsLinearisedElsewhere) {
+TEST(ClosedLoop, DoesNotSeparateWhenTheFilterIsLinearizedElsewhere) {
   RandomStream random(3, "loops");
   for (int i = 0; i < 50; ++i) {
     const auto [plant, L, K] = random_loop(random);
@@ -105,9 +105,9 @@ TEST(ClosedLoop, SteadyFilterAndItsErrorDynamicsAreTheSameMatrix) {
 
 TEST(Stability, IsOfTheLargestEigenvalue) {
   const MatrixXd F = Eigen::Vector2d(1.5, 0.2).asDiagonal(), G = Eigen::Vector2d(1, 0);
-  EXPECT_FALSE(is_stabilising(F, G, Eigen::RowVector2d(0, 0)));
-  EXPECT_NEAR(is_stabilising(F, G, Eigen::RowVector2d(0, 0)).spectral_radius, 1.5, 1e-15);
-  EXPECT_TRUE(is_stabilising(F, G, Eigen::RowVector2d(1, 0)));
+  EXPECT_FALSE(is_stabilizing(F, G, Eigen::RowVector2d(0, 0)));
+  EXPECT_NEAR(is_stabilizing(F, G, Eigen::RowVector2d(0, 0)).spectral_radius, 1.5, 1e-15);
+  EXPECT_TRUE(is_stabilizing(F, G, Eigen::RowVector2d(1, 0)));
   EXPECT_FALSE(stability_of(MatrixXd::Identity(2, 2))) << "on the circle is not inside";
   EXPECT_FALSE(stability_of(MatrixXd::Constant(2, 2, NAN))) << "unknown is not stable";
   EXPECT_TRUE(stability_of(MatrixXd(0, 0)));
@@ -116,7 +116,7 @@ TEST(Stability, IsOfTheLargestEigenvalue) {
 TEST(ClosedLoop, SaysWhichSizeIsWrong) {
   const MatrixXd I = MatrixXd::Identity(2, 2), three = MatrixXd::Identity(3, 3);
   const auto complaint = [](auto action) { return message_of<std::invalid_argument>(action); };
-  EXPECT_EQ(complaint([&] { is_stabilising(I, I, three); }), "L is 3x3, not 2x2");
+  EXPECT_EQ(complaint([&] { is_stabilizing(I, I, three); }), "L is 3x3, not 2x2");
   EXPECT_EQ(complaint([&] { closed_loop_matrix({I, I, three}, I, I); }), "H is 3x3, not 3x2");
   EXPECT_EQ(complaint([&] { closed_loop_noise({I, I, I}, three); }), "K is 3x3, not 2x2");
   EXPECT_EQ(complaint([&] { stability_of(MatrixXd(2, 3)); }), "A is 2x3, not 2x2");

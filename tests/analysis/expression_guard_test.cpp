@@ -26,7 +26,7 @@ std::string taken_apart(const std::string& text) {
 }
 
 /// "offset: what is wrong", or "fine".
-std::string fault(const std::string& text) {
+std::string problem(const std::string& text) {
   try {
     checked_tokens(text, known);
     return "fine";
@@ -56,9 +56,9 @@ TEST(ExpressionGuard, KnowsEveryFunction) {
   for (const ExpressionFunction& function : expression_functions()) {
     const std::string name(function.name);
     const std::string right = function.arguments == 1 ? "(x)" : "(x, y)";
-    EXPECT_EQ(fault(name + right), "fine");
-    EXPECT_EQ(fault("1 + " + name), "4: `" + name + "` is a function; write " + name + "(...)");
-    EXPECT_TRUE(fault("1 + " + name + "(x, y, x)").starts_with("4: `" + name + "` takes ")) << name;
+    EXPECT_EQ(problem(name + right), "fine");
+    EXPECT_EQ(problem("1 + " + name), "4: `" + name + "` is a function; write " + name + "(...)");
+    EXPECT_TRUE(problem("1 + " + name + "(x, y, x)").starts_with("4: `" + name + "` takes ")) << name;
     EXPECT_TRUE(is_reserved_name(name));
   }
   EXPECT_EQ(expression_functions().size(), 14u);
@@ -124,38 +124,38 @@ TEST(ExpressionGuard, RefusesWithPlaceAndRemedy) {
       {"0.00000000000000000000000000001e-300",
        "0: `0.00000000000000000000000000001e-300` is out of the range"}};
   for (const auto& [text, wanted] : cases)
-    EXPECT_TRUE(fault(text).starts_with(wanted)) << "`" << text << "` gives `" << fault(text) << "`";
+    EXPECT_TRUE(problem(text).starts_with(wanted)) << "`" << text << "` gives `" << problem(text) << "`";
 }
 
 TEST(ExpressionGuard, NulIsACharacterLikeAnyOther) {
-  EXPECT_TRUE(fault(std::string("a\0b", 3)).starts_with("1: U+0000 means nothing"));
+  EXPECT_TRUE(problem(std::string("a\0b", 3)).starts_with("1: U+0000 means nothing"));
 }
 
 TEST(ExpressionGuard, HasLimits) {
-  EXPECT_EQ(fault(std::string(40, '1')), "fine");
-  EXPECT_EQ(fault(std::string(41, '1')), "0: a number has at most 40 characters, and this 41");
-  EXPECT_EQ(fault("1e300"), "fine");
-  EXPECT_EQ(fault("x" + std::string(4095, ' ')), "fine");
+  EXPECT_EQ(problem(std::string(40, '1')), "fine");
+  EXPECT_EQ(problem(std::string(41, '1')), "0: a number has at most 40 characters, and this 41");
+  EXPECT_EQ(problem("1e300"), "fine");
+  EXPECT_EQ(problem("x" + std::string(4095, ' ')), "fine");
   EXPECT_TRUE(
-      fault("x" + std::string(4096, ' ')).starts_with("0: an expression has at most 4096 characters"));
-  EXPECT_TRUE(fault(std::string(4000, 'x')).starts_with("0: there is no `xxx"));
+      problem("x" + std::string(4096, ' ')).starts_with("0: an expression has at most 4096 characters"));
+  EXPECT_TRUE(problem(std::string(4000, 'x')).starts_with("0: there is no `xxx"));
 }
 
 TEST(ExpressionGuard, DepthIsParenthesesSignsAndPowers) {
   const auto nested = [](int n) { return repeated("(", n) + "x" + repeated(")", n); };
-  EXPECT_EQ(fault(nested(100)), "fine");
-  EXPECT_TRUE(fault(nested(101)).starts_with("100: parentheses, signs and powers inside each other"));
-  EXPECT_EQ(fault(repeated("-", 100) + "x"), "fine");
-  EXPECT_TRUE(fault(repeated("-+", 51) + "x").starts_with("100: parentheses"));
-  EXPECT_EQ(fault(repeated("x^", 100) + "x"), "fine");
-  EXPECT_TRUE(fault(repeated("x^", 101) + "x").starts_with("201: parentheses"));
-  EXPECT_TRUE(fault(repeated("x^-", 51) + "x").starts_with("151: parentheses"));
-  EXPECT_TRUE(fault(repeated("-(", 51) + "x").starts_with("100: parentheses"));
-  EXPECT_TRUE(fault(repeated("sin(", 101)).starts_with("403: parentheses"));
+  EXPECT_EQ(problem(nested(100)), "fine");
+  EXPECT_TRUE(problem(nested(101)).starts_with("100: parentheses, signs and powers inside each other"));
+  EXPECT_EQ(problem(repeated("-", 100) + "x"), "fine");
+  EXPECT_TRUE(problem(repeated("-+", 51) + "x").starts_with("100: parentheses"));
+  EXPECT_EQ(problem(repeated("x^", 100) + "x"), "fine");
+  EXPECT_TRUE(problem(repeated("x^", 101) + "x").starts_with("201: parentheses"));
+  EXPECT_TRUE(problem(repeated("x^-", 51) + "x").starts_with("151: parentheses"));
+  EXPECT_TRUE(problem(repeated("-(", 51) + "x").starts_with("100: parentheses"));
+  EXPECT_TRUE(problem(repeated("sin(", 101)).starts_with("403: parentheses"));
   // Side by side is not deep
-  EXPECT_EQ(fault(repeated("-x^2*", 500) + "x"), "fine");
-  EXPECT_EQ(fault(repeated("(x)-", 1000) + "x"), "fine");
-  EXPECT_EQ(fault(repeated("atan2(-x^2, -y^2) + ", 200) + "x"), "fine");
+  EXPECT_EQ(problem(repeated("-x^2*", 500) + "x"), "fine");
+  EXPECT_EQ(problem(repeated("(x)-", 1000) + "x"), "fine");
+  EXPECT_EQ(problem(repeated("atan2(-x^2, -y^2) + ", 200) + "x"), "fine");
 }
 
 double apply(const ExpressionToken& token, std::vector<double>& stack) {
@@ -222,7 +222,7 @@ TEST(ExpressionGuard, AnyWordsAreTakenOrRefused) {
   for (int i = 0; i < 50'000; ++i) {
     std::string text;
     for (int n = 1 + random.below(9); n > 0; --n) text += words[random.below(std::size(words))];
-    if (fault(text) == "fine") {
+    if (problem(text) == "fine") {
       computed(text);
       ++fine;
     }

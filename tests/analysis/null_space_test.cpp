@@ -123,7 +123,7 @@ TEST(NullSpace, KnowsItsDirectionsInAnyUnits) {
   EXPECT_TRUE(space.contains(Eigen::Vector3d(1e6, 1, 1e6)));
   EXPECT_FALSE(space.contains(Eigen::Vector3d(1e6, 1, 0.999e6)));
   EXPECT_FALSE(space.contains(Eigen::Vector3d::Zero()));
-  EXPECT_GT(space.seen(Eigen::Vector3d::UnitY()), 0.1);
+  EXPECT_GT(space.observed_share(Eigen::Vector3d::UnitY()), 0.1);
 }
 
 /// Whose null space the columns of B span.

@@ -55,7 +55,7 @@ struct LongWay {
     return all;
   }
   void add(const MatrixXd& H, const MatrixXd& R) { Y += H.transpose() * R.inverse() * H; }
-  void move(const AffineMotion& m) {
+  void move(const LinearizedMotion& m) {
     MatrixXd T = MatrixXd::Identity(Y.rows(), Y.cols());
     T.topLeftCorner(size, size) = pseudo_inverse(m.A);
     Eigen::FullPivLU<MatrixXd> lu{MatrixXd(m.A)};
@@ -120,7 +120,7 @@ class BothWays {
          noise);
   }
   void move(const MatrixXd& A, int noises, double noise) {
-    AffineMotion m;
+    LinearizedMotion m;
     m.block = vehicle;
     m.A = A;
     const MatrixXd G = noise * random_matrix(random_, errors_, noises);
@@ -130,40 +130,40 @@ class BothWays {
   }
   void look_at_all(int times) {
     for (int i = 0; i < times; ++i)
-      for (const BlockId id : live) look(id, 2);
+      for (const BlockId id : live) add_measurement(id, 2);
   }
-  void look(BlockId id, int rows) {
-    AffineLook look;
+  void add_measurement(BlockId id, int rows) {
+    LinearizedMeasurement measurement;
     const MatrixXd Hv = random_matrix(random_, rows, errors_), noise = random_matrix(random_, rows, rows);
-    look.add(vehicle, Hv);
-    look.R = MatrixXd::Identity(rows, rows) + noise * noise.transpose();
-    look.residual = VectorXd::Zero(rows);
+    measurement.add(vehicle, Hv);
+    measurement.R = MatrixXd::Identity(rows, rows) + noise * noise.transpose();
+    measurement.residual = VectorXd::Zero(rows);
     MatrixXd all = long_way.spread(vehicle, Hv);
     if (id != vehicle) {
       const MatrixXd Hl = random_matrix(random_, rows, long_way.errors_of.at(id));
-      look.add(id, Hl);
+      measurement.add(id, Hl);
       all += long_way.spread(id, Hl);
     }
-    monitor.look(look);
-    long_way.add(all, look.R);
+    monitor.add_measurement(measurement);
+    long_way.add(all, measurement.R);
   }
   /// `assumed`: so many of its last errors are a guess.
-  BlockId birth(int size, int assumed) {
-    BlockBirth birth;
-    birth.block = ++last_;
+  BlockId initialization(int size, int assumed) {
+    BlockAugmentation initialization;
+    initialization.block = ++last_;
     MatrixXd J = random_matrix(random_, size, errors_);
     J.bottomRows(assumed).setZero();
-    birth.parents.push_back({vehicle, J});
+    initialization.parents.push_back({vehicle, J});
     const MatrixXd noise = random_matrix(random_, size, size);
-    birth.noise = 0.1 * MatrixXd::Identity(size, size) + noise * noise.transpose();
-    monitor.give_birth(birth);
-    long_way.grow(birth.block, size);
+    initialization.noise = 0.1 * MatrixXd::Identity(size, size) + noise * noise.transpose();
+    monitor.augment(initialization);
+    long_way.grow(initialization.block, size);
     const int measured = size - assumed;
-    const MatrixXd H = long_way.spread(birth.block, MatrixXd::Identity(measured, size)) -
+    const MatrixXd H = long_way.spread(initialization.block, MatrixXd::Identity(measured, size)) -
                        long_way.spread(vehicle, J.topRows(measured));
-    long_way.add(H, birth.noise.topLeftCorner(measured, measured));
-    live.insert(birth.block);
-    return birth.block;
+    long_way.add(H, initialization.noise.topLeftCorner(measured, measured));
+    live.insert(initialization.block);
+    return initialization.block;
   }
   void replace(BlockId id, int size, bool noisy) {
     BlockReplacement r{id, random_matrix(random_, size, long_way.errors_of.at(id)),
@@ -206,9 +206,9 @@ TEST(ObservabilityMonitor, IsTheInformationFilterWithoutPrior) {
       both.move(2, 0.5);
       if (step % 3 == 1) both.move(2, 0.2);  // two in a row
       for (const BlockId id : both.live)
-        both.look(id, 1 + static_cast<int>((id + static_cast<unsigned>(step)) % 2));
-      if (step % 2 == 0) both.birth(3, 1);
-      if (step == 3) both.look(vehicle, 2);
+        both.add_measurement(id, 1 + static_cast<int>((id + static_cast<unsigned>(step)) % 2));
+      if (step % 2 == 0) both.initialize(3, 1);
+      if (step == 3) both.add_measurement(vehicle, 2);
       both.compare("looks and births");
       if (step == 2) both.replace(1, 2, false);
       if (step == 3) both.replace(2, 3, true);
@@ -221,9 +221,9 @@ TEST(ObservabilityMonitor, IsTheInformationFilterWithoutPrior) {
 
 TEST(ObservabilityMonitor, ABlockAsLargeAsBeforeIsToldAnew) {
   BothWays both(11, 4);
-  for (int i = 0; i < 3; ++i) both.birth(3, 1);
+  for (int i = 0; i < 3; ++i) both.initialize(3, 1);
   for (int round = 0; round < 3; ++round)
-    for (const BlockId id : both.live) both.look(id, 2);
+    for (const BlockId id : both.live) both.add_measurement(id, 2);
   both.replace(2, 3, false);
   both.compare("without noise");
   both.replace(1, 3, true);
@@ -233,9 +233,9 @@ TEST(ObservabilityMonitor, ABlockAsLargeAsBeforeIsToldAnew) {
 // Then nothing is known of it, and what it taught of others stays
 TEST(ObservabilityMonitor, ABlockThatIsAllNoiseIsNew) {
   BothWays both(12, 4);
-  for (int i = 0; i < 3; ++i) both.birth(3, 1);
+  for (int i = 0; i < 3; ++i) both.initialize(3, 1);
   for (int round = 0; round < 3; ++round)
-    for (const BlockId id : both.live) both.look(id, 2);
+    for (const BlockId id : both.live) both.add_measurement(id, 2);
   ObservabilityMonitor dropped = both.monitor;
   dropped.drop(3);
   both.monitor.replace({3, MatrixXd::Identity(2, 3), MatrixXd::Identity(2, 2)});
@@ -251,7 +251,7 @@ struct StackedSystem {
   explicit StackedSystem(std::uint64_t seed) : random(seed, "stacked"), monitor(vehicle, errors) {}
 
   void move() {
-    AffineMotion m;
+    LinearizedMotion m;
     m.block = vehicle;
     m.A = MatrixXd::Identity(errors, errors) + 0.3 * random_matrix(random, errors, errors);
     const MatrixXd G = random_matrix(random, errors, 2);
@@ -259,14 +259,14 @@ struct StackedSystem {
     Phi = (m.A * Phi).eval();
     monitor.move(m);
   }
-  void look(BlockId id) {
-    AffineLook look;
+  void add_measurement(BlockId id) {
+    LinearizedMeasurement measurement;
     const MatrixXd Hv = random_matrix(random, 1, errors), Hl = random_matrix(random, 1, size);
-    look.add(vehicle, Hv);
-    look.add(id, Hl);
-    look.R = MatrixXd::Identity(1, 1);
-    look.residual = VectorXd::Zero(1);
-    monitor.look(look);
+    measurement.add(vehicle, Hv);
+    measurement.add(id, Hl);
+    measurement.R = MatrixXd::Identity(1, 1);
+    measurement.residual = VectorXd::Zero(1);
+    monitor.add_measurement(measurement);
     MatrixXd row = MatrixXd::Zero(1, errors + size * blocks);
     row.leftCols(errors) = Hv * Phi;
     row.middleCols(errors + size * (id - 1), size) = Hl;
@@ -286,11 +286,11 @@ TEST(ObservabilityMonitor, HasTheRankOfTheStackedMatrix) {
   int poor = 0;
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
     StackedSystem system(seed);
-    for (BlockId id = 1; id <= StackedSystem::blocks; ++id) system.look(id);
+    for (BlockId id = 1; id <= StackedSystem::blocks; ++id) system.add_measurement(id);
     for (int step = 0; step < 4; ++step) {
       system.move();
       for (BlockId id = 1; id <= StackedSystem::blocks; ++id)
-        if (system.random.below(3) == 0) system.look(id);
+        if (system.random.below(3) == 0) system.add_measurement(id);
     }
     const std::vector<BlockId> dropped{2, 5};
     for (const BlockId id : dropped) system.monitor.drop(id);
@@ -312,14 +312,14 @@ TEST(ObservabilityMonitor, TakesNoiseThatIsPerfectlyCorrelated) {
     ObservabilityMonitor monitor(vehicle, 6);
     LongWay long_way(6);
     for (int step = 0; step < 5; ++step) {
-      AffineLook look;
+      LinearizedMeasurement measurement;
       const MatrixXd H = random_matrix(random, 3, 6);
-      look.add(vehicle, H);
-      look.R = 0.01 * MatrixXd::Identity(3, 3);
-      look.residual = VectorXd::Zero(3);
-      monitor.look(look);
-      long_way.add(H, look.R);
-      AffineMotion m;
+      measurement.add(vehicle, H);
+      measurement.R = 0.01 * MatrixXd::Identity(3, 3);
+      measurement.residual = VectorXd::Zero(3);
+      monitor.add_measurement(measurement);
+      long_way.add(H, measurement.R);
+      LinearizedMotion m;
       m.block = vehicle;
       m.A = MatrixXd::Identity(6, 6);
       m.A.topRightCorner(3, 3) = dt * MatrixXd::Identity(3, 3);
@@ -339,7 +339,7 @@ TEST(ObservabilityMonitor, TakesNoiseThatIsPerfectlyCorrelated) {
 // As of a camera that is put at rest where it is: its pose and the map stay known
 TEST(ObservabilityMonitor, AMotionThatCannotBeUndoneTakesWhatItForgetsAndNoMore) {
   BothWays both(7, 4);
-  for (int i = 0; i < 3; ++i) both.birth(2, 0);
+  for (int i = 0; i < 3; ++i) both.initialize(2, 0);
   both.look_at_all(4);
   MatrixXd rest = MatrixXd::Identity(4, 4);
   rest(3, 3) = 0;
@@ -356,7 +356,7 @@ TEST(ObservabilityMonitor, AMotionThatCannotBeUndoneTakesWhatItForgetsAndNoMore)
 // What is put in place of what it forgets is nobody's business: the rest is asked for
 TEST(ObservabilityMonitor, AMotionMayForgetDirectionsThatAreNoAxis) {
   BothWays both(17, 4);
-  for (int i = 0; i < 3; ++i) both.birth(2, 0);
+  for (int i = 0; i < 3; ++i) both.initialize(2, 0);
   both.look_at_all(4);
   RandomStream random(8, "skew");
   const MatrixXd to = random_matrix(random, 4, 2);
@@ -371,7 +371,7 @@ TEST(ObservabilityMonitor, AMotionMayForgetDirectionsThatAreNoAxis) {
 
 TEST(ObservabilityMonitor, AMotionThatForgetsAllLeavesTheMap) {
   BothWays both(9, 4);
-  for (int i = 0; i < 3; ++i) both.birth(2, 0);
+  for (int i = 0; i < 3; ++i) both.initialize(2, 0);
   both.look_at_all(4);
   both.move(MatrixXd::Zero(4, 4), 4, 1);
   const MatrixXd Y = both.monitor.information();
@@ -383,7 +383,7 @@ TEST(ObservabilityMonitor, AMotionThatForgetsAllLeavesTheMap) {
 // Each shrinks an error a little, all together below rounding, and none forgets it
 TEST(ObservabilityMonitor, ManyMotionsInARowAreNotOneThatCannotBeUndone) {
   BothWays both(10, 4);
-  for (int i = 0; i < 3; ++i) both.birth(2, 0);
+  for (int i = 0; i < 3; ++i) both.initialize(2, 0);
   both.look_at_all(4);
   MatrixXd slower = MatrixXd::Identity(4, 4);
   slower(3, 3) = 0.5;
@@ -395,12 +395,12 @@ TEST(ObservabilityMonitor, ManyMotionsInARowAreNotOneThatCannotBeUndone) {
 TEST(ObservabilityMonitor, TheUnitOfLengthDoesNotMakeAMotionSingular) {
   const double per_m = 1e6;  // and a vehicle that turns 1 km away
   ObservabilityMonitor monitor(vehicle, 3);
-  AffineLook look;
-  look.add(vehicle, Eigen::Vector3d(1 / per_m, 1 / per_m, 1).asDiagonal().toDenseMatrix());
-  look.residual = VectorXd::Zero(3);
-  look.R = MatrixXd::Identity(3, 3);
-  monitor.look(look);
-  AffineMotion motion;
+  LinearizedMeasurement measurement;
+  measurement.add(vehicle, Eigen::Vector3d(1 / per_m, 1 / per_m, 1).asDiagonal().toDenseMatrix());
+  measurement.residual = VectorXd::Zero(3);
+  measurement.R = MatrixXd::Identity(3, 3);
+  monitor.add_measurement(measurement);
+  LinearizedMotion motion;
   motion.block = vehicle;
   motion.A = MatrixXd::Identity(3, 3);
   motion.A.topRightCorner(2, 1) << -1e3 * per_m, 1e3 * per_m;
@@ -412,7 +412,7 @@ TEST(ObservabilityMonitor, TheUnitOfLengthDoesNotMakeAMotionSingular) {
 
 // Only what is seen of several landmarks at once, from one place
 TEST(ObservabilityMonitor, MotionsMayTellNothing) {
-  ObservabilityMonitor looks(vehicle, 4, ObservabilityMonitor::Motions::tell_nothing);
+  ObservabilityMonitor measurements(vehicle, 4, ObservabilityMonitor::Motions::uninformative);
   MatrixXd of_map = MatrixXd::Zero(6, 6);
   RandomStream random(13, "nothing");
   for (int step = 0; step < 5; ++step) {
@@ -422,22 +422,22 @@ TEST(ObservabilityMonitor, MotionsMayTellNothing) {
       MatrixXd own = MatrixXd::Zero(2, 6);
       own.middleCols<2>(2 * (i - 1)) = H.block<2, 2>(2 * (i - 1), 4);
       H.block<2, 6>(2 * (i - 1), 4) = own;
-      AffineLook look;
-      look.add(vehicle, H.block<2, 4>(2 * (i - 1), 0));
-      look.add(id, own.middleCols<2>(2 * (i - 1)));
-      look.residual = VectorXd::Zero(2);
-      look.R = MatrixXd::Identity(2, 2);
-      looks.look(look);
+      LinearizedMeasurement measurement;
+      measurement.add(vehicle, H.block<2, 4>(2 * (i - 1), 0));
+      measurement.add(id, own.middleCols<2>(2 * (i - 1)));
+      measurement.residual = VectorXd::Zero(2);
+      measurement.R = MatrixXd::Identity(2, 2);
+      measurements.add_measurement(measurement);
     }
-    AffineMotion motion;
+    LinearizedMotion motion;
     motion.block = vehicle;
     motion.A = MatrixXd::Identity(4, 4);
     motion.N = MatrixXd::Zero(4, 4);
-    looks.move(motion);
+    measurements.move(motion);
     const MatrixXd Hv = H.leftCols(4), Hm = H.rightCols(6);
     of_map += Hm.transpose() * (MatrixXd::Identity(6, 6) - Hv * pseudo_inverse(Hv)) * Hm;
   }
-  const MatrixXd Y = looks.information();
+  const MatrixXd Y = measurements.information();
   EXPECT_TRUE(Y.topRows(4).isZero(0));
   EXPECT_LT((Y.bottomRightCorner(6, 6) - of_map).norm(), 1e-9 * of_map.norm());
 }
@@ -446,22 +446,22 @@ TEST(ObservabilityMonitor, MotionsMayTellNothing) {
 // x 12000
 TEST(ObservabilityMonitor, LooksWithoutMotionCostWhatTheyCostWithIt) {
   BothWays both(14, 4);
-  for (int i = 0; i < 3; ++i) both.birth(2, 0);
+  for (int i = 0; i < 3; ++i) both.initialize(2, 0);
   int most = 0;
   for (int i = 0; i < 200; ++i) {
     both.look_at_all(10);
     most = std::max(most, both.monitor.waiting_rows());
   }
   both.compare("waited");
-  EXPECT_LE(most, 64 + max_look_rows);
+  EXPECT_LE(most, 64 + max_measurement_rows);
 }
 
 // Ids are never used again: a long run's are large, and not many at a time
 TEST(ObservabilityMonitor, KeepsNothingOfBlocksThatAreGone) {
   ObservabilityMonitor monitor(vehicle, 2);
   for (const BlockId id : {5u, 4'000'000'000u, 7u}) {
-    BlockBirth birth{id, {{vehicle, MatrixXd::Identity(2, 2)}}, MatrixXd::Identity(2, 2)};
-    monitor.give_birth(birth);
+    BlockAugmentation initialization{id, {{vehicle, MatrixXd::Identity(2, 2)}}, MatrixXd::Identity(2, 2)};
+    monitor.augment(initialization);
   }
   monitor.drop(5);
   EXPECT_EQ(monitor.find(5), nullptr);
@@ -474,7 +474,7 @@ TEST(ObservabilityMonitor, KeepsNothingOfBlocksThatAreGone) {
 
 TEST(ObservabilityMonitor, WhatWasAddedIsRememberedWhenItIsForgotten) {
   BothWays both(15, 4);
-  for (int i = 0; i < 3; ++i) both.birth(3, 0);
+  for (int i = 0; i < 3; ++i) both.initialize(3, 0);
   both.look_at_all(3);
   both.move(4, 1e3);
   both.look_at_all(1);
@@ -489,12 +489,12 @@ TEST(ObservabilityMonitor, WhatWasAddedIsRememberedWhenItIsForgotten) {
 
 // A copy of the vehicle's place is weighed as exact as was said, all else as its noise has it
 TEST(ObservabilityMonitor, ANewbornsPlaceIsNoMoreExactThanTheScene) {
-  BlockBirth birth{1, {{vehicle, MatrixXd::Identity(3, 3)}}, MatrixXd::Zero(3, 3)};
-  birth.noise.diagonal() << 1e-8, 1e-8, 1e-8;
-  birth.noise(0, 2) = birth.noise(2, 0) = 1e-9;  // not by itself
+  BlockAugmentation initialization{1, {{vehicle, MatrixXd::Identity(3, 3)}}, MatrixXd::Zero(3, 3)};
+  initialization.noise.diagonal() << 1e-8, 1e-8, 1e-8;
+  initialization.noise(0, 2) = initialization.noise(2, 0) = 1e-9;  // not by itself
   ObservabilityMonitor monitor(vehicle, 3);
-  monitor.take_as_exact(2, 0.05);
-  monitor.give_birth(birth);
+  monitor.set_exact_position(2, 0.05);
+  monitor.augment(initialization);
   const VectorXd own = monitor.information().diagonal().tail(3);
   EXPECT_GT(own[0], 1e7);
   EXPECT_NEAR(own[1], 1 / (0.05 * 0.05), 1e-6);
@@ -506,25 +506,25 @@ TEST(ObservabilityMonitor, FollowsABelief) {
   RandomStream random(5, "belief");
   Belief belief;
   const MatrixXd prior = 1e7 * MatrixXd::Identity(3, 3);
-  const BlockId mover = belief.add_vehicle(Chart::line(3), VectorXd::Zero(3), prior);
+  const BlockId frame_motion = belief.add_vehicle(Chart::line(3), VectorXd::Zero(3), prior);
   belief.keep_trace(true);
-  ObservabilityMonitor monitor(mover, 3);
+  ObservabilityMonitor monitor(frame_motion, 3);
   std::vector<BlockId> landmarks;
   for (int step = 0; step < 12; ++step) {
     const MatrixXd G = 0.1 * random_matrix(random, 3, 2);
     const MatrixXd A = MatrixXd::Identity(3, 3) + 0.1 * random_matrix(random, 3, 3);
-    belief.predict({mover, VectorXd::Zero(3), A, G * G.transpose()});
-    std::vector<AffineLook> looks;
+    belief.predict({frame_motion, VectorXd::Zero(3), A, G * G.transpose()});
+    std::vector<LinearizedMeasurement> measurements;
     for (const BlockId id : landmarks) {
-      AffineLook& look = looks.emplace_back();
-      look.add(mover, random_matrix(random, 2, 3));
-      look.add(id, random_matrix(random, 2, 2));
-      look.residual = VectorXd::Zero(2);
-      look.R = 0.01 * MatrixXd::Identity(2, 2);
+      LinearizedMeasurement& measurement = measurements.emplace_back();
+      measurement.add(frame_motion, random_matrix(random, 2, 3));
+      measurement.add(id, random_matrix(random, 2, 2));
+      measurement.residual = VectorXd::Zero(2);
+      measurement.R = 0.01 * MatrixXd::Identity(2, 2);
     }
-    belief.update(looks);
+    belief.update(measurements);
     if (step < 4) {
-      const Belief::Parent parent{mover, random_matrix(random, 2, 3)};
+      const Belief::Parent parent{frame_motion, random_matrix(random, 2, 3)};
       landmarks.push_back(
           belief.augment(Chart::line(2), VectorXd::Zero(2), {&parent, 1}, 0.1 * MatrixXd::Identity(2, 2)));
     }
@@ -539,18 +539,18 @@ TEST(ObservabilityMonitor, FollowsABelief) {
 
 TEST(ObservabilityMonitor, SaysWhatItDoesNotCover) {
   for (const auto& [how, why] :
-       {std::pair{Reshaping::carried, ObservabilityMonitor::Uncovered::carried},
-        std::pair{Reshaping::decorrelated, ObservabilityMonitor::Uncovered::decorrelated}}) {
+       {std::pair{CovarianceEdit::frame_changed, ObservabilityMonitor::Uncovered::frame_changed},
+        std::pair{CovarianceEdit::decorrelated, ObservabilityMonitor::Uncovered::decorrelated}}) {
     ObservabilityMonitor monitor(vehicle, 3);
     EXPECT_FALSE(monitor.uncovered());
     monitor.follow({how, BlockDrop{17}});
     EXPECT_EQ(monitor.uncovered(), why);
   }
   ObservabilityMonitor monitor(vehicle, 3);
-  AffineMotion other;
+  LinearizedMotion other;
   other.block = 5;
   monitor.follow({other});
-  EXPECT_EQ(monitor.uncovered(), ObservabilityMonitor::Uncovered::other_mover);
+  EXPECT_EQ(monitor.uncovered(), ObservabilityMonitor::Uncovered::other_block);
 }
 
 }  // namespace

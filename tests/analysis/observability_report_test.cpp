@@ -44,17 +44,19 @@ struct Drive {
     for (int step = 0; step <= steps; ++step) {
       const planar::Pose<double> here = scene.vehicle + off * beside(random);
       for (std::size_t i = 0; i < points.size(); ++i) {
-        const auto seen = RangeBearing::look(here, points[i] + off * beside(random).head<2>());
-        AffineLook look;
-        look.add(vehicle, seen->Hv);
-        if (i >= static_cast<std::size_t>(known)) look.add(static_cast<BlockId>(i) + 1, seen->Hl);
-        look.residual = Vector2d::Zero();
-        look.R = Vector2d(0.01, 1e-4).asDiagonal();
-        monitor.look(look);
+        const auto prediction =
+            RangeBearing::predict_measurement(here, points[i] + off * beside(random).head<2>());
+        LinearizedMeasurement measurement;
+        measurement.add(vehicle, prediction->Hv);
+        if (i >= static_cast<std::size_t>(known))
+          measurement.add(static_cast<BlockId>(i) + 1, prediction->Hl);
+        measurement.residual = Vector2d::Zero();
+        measurement.R = Vector2d(0.01, 1e-4).asDiagonal();
+        monitor.add_measurement(measurement);
       }
       const planar::Pose<double> next =
           DifferentialDrive{}.f<double>(here, {0.5 + 0.1 * random.normal(), 0.1 + 0.1 * random.normal()}, 1);
-      AffineMotion motion;
+      LinearizedMotion motion;
       motion.block = vehicle;
       motion.A = planar::jacobian_between(here, next);
       motion.N = Vector3d(1e-3, 1e-3, 1e-4).asDiagonal();
@@ -66,8 +68,8 @@ struct Drive {
           {static_cast<std::int64_t>(i), monitor.find(static_cast<BlockId>(i) + 1)->first, points[i]});
     scene.errors = monitor.errors();
     fixed.anchors = known;
-    fixed.places.resize(2, known);
-    for (int i = 0; i < known; ++i) fixed.places.col(i) = points[static_cast<std::size_t>(i)];
+    fixed.positions.resize(2, known);
+    for (int i = 0; i < known; ++i) fixed.positions.col(i) = points[static_cast<std::size_t>(i)];
   }
   static planar::Pose<double> beside(RandomStream& random) {
     return {random.normal(), random.normal(), random.normal()};
@@ -87,9 +89,9 @@ TEST(ObservabilityReport, ExactJacobiansLearnNothingOfAFrameWithoutAnchors) {
   EXPECT_EQ(report.information.errors, 11);
   EXPECT_FALSE(report.information.ambiguous);
   EXPECT_GT(report.information.gap(), 1e6);
-  EXPECT_EQ(report.wrongly_believed, 0);
+  EXPECT_EQ(report.spurious_information, 0);
   for (const QuantityReport& q : report.quantities) {
-    EXPECT_FALSE(q.ideally_observable || q.gained || q.believed_sigma) << q.name;
+    EXPECT_FALSE(q.ideally_observable || q.gained || q.estimated_sigma) << q.name;
   }
   EXPECT_EQ(in_words(report), (std::vector<std::string>{"place: unobservable", "heading: unobservable"}));
 }
@@ -98,21 +100,21 @@ TEST(ObservabilityReport, JacobiansThatMoveLearnTheHeadingAndNotThePlace) {
   const ObservabilityReport report = Drive(0.02).report();
   EXPECT_EQ(report.ideal_nullity, 3);
   EXPECT_EQ(report.information.nullity(), 2);
-  EXPECT_EQ(report.wrongly_believed, 1);
-  EXPECT_FALSE(quantity(report, "x").believed_sigma || quantity(report, "y").believed_sigma);
+  EXPECT_EQ(report.spurious_information, 1);
+  EXPECT_FALSE(quantity(report, "x").estimated_sigma || quantity(report, "y").estimated_sigma);
   const QuantityReport heading = quantity(report, "heading");
   EXPECT_TRUE(heading.gained);
   EXPECT_FALSE(heading.ideally_observable);
   EXPECT_NE(in_words(report)[1].find("heading: unobservable, yet the filter believes to know it to "),
             std::string::npos);
-  EXPECT_LT(*quantity(Drive(0.04).report(), "heading").believed_sigma, *heading.believed_sigma);
+  EXPECT_LT(*quantity(Drive(0.04).report(), "heading").estimated_sigma, *heading.estimated_sigma);
 }
 
 TEST(ObservabilityReport, OneAnchorLeavesATurnAndTwoNothing) {
   const ObservabilityReport one = Drive(0, 1).report();
   EXPECT_EQ(one.ideal_nullity, 1);
   EXPECT_EQ(one.information.nullity(), 1);
-  EXPECT_EQ(one.wrongly_believed, 0);
+  EXPECT_EQ(one.spurious_information, 0);
   EXPECT_EQ(in_words(one)[1], "heading: unobservable with 1 anchor");
   const ObservabilityReport two = Drive(0, 2).report();
   EXPECT_EQ(two.ideal_nullity, 0);
@@ -128,7 +130,7 @@ TEST(ObservabilityReport, WhatIsNotFollowedIsNotBelieved) {
       observability_report(MonitoredInformation{}, drive.scene, drive.fixed, "the map moves");
   EXPECT_EQ(report.ideal_nullity, 0);
   EXPECT_EQ(report.information.errors, 0);
-  EXPECT_FALSE(quantity(report, "heading").believed_sigma);
+  EXPECT_FALSE(quantity(report, "heading").estimated_sigma);
   EXPECT_EQ(in_words(report), (std::vector<std::string>{
                                   "place: can be fixed by 2 anchors", "heading: can be fixed by 2 anchors",
                                   "what the filter believes of these is not worked out: the map moves"}));
@@ -141,12 +143,12 @@ struct Journey {
   int known = 0;  ///< points
   bool moves = true;
   int steps = 20;
-  double unit = 1;           ///< all lengths are so many times as long, but for the hair of noise of a birth
-  bool exact_places = true;  ///< that hair is told to be one
-  double acceleration = 0;   ///< commanded, to and fro, of this amplitude
-  double sigma = 1;          ///< assumed accelerations, linear and angular
-  double off = 0;            ///< Jacobians so far beside the truth, other each time
-  int points_from = 1000;    ///< step from which landmarks are told as points
+  double unit = 1;  ///< all lengths are so many times as long, but for the hair of noise of a birth
+  bool exact_positions = true;  ///< that hair is told to be one
+  double acceleration = 0;      ///< commanded, to and fro, of this amplitude
+  double sigma = 1;             ///< assumed accelerations, linear and angular
+  double off = 0;               ///< Jacobians so far beside the truth, other each time
+  int points_from = 1000;       ///< step from which landmarks are told as points
 };
 
 /// A camera that turns and moves, or stands still, and sees points: some of them known, the others born with
@@ -158,9 +160,9 @@ class Path {
     if (j_.moves) scene_.camera.tail<6>() << 0.3, 0.1, 0.05, 0.02, -0.03, 0.05;
     scene_.camera.segment<3>(7) *= j_.unit;
     for (ObservabilityMonitor* monitor : both())
-      if (j_.exact_places) monitor->take_as_exact(3, 5e-5 * 2.4 * j_.unit);
+      if (j_.exact_positions) monitor->set_exact_position(3, 5e-5 * 2.4 * j_.unit);
     for (int i = 0; i < j_.known; ++i) look_at(i, true);
-    for (int i = j_.known; i < 8; ++i) give_birth(i);
+    for (int i = j_.known; i < 8; ++i) augment(i);
     for (int step = 0; step < j_.steps; ++step) {
       move(step / 30.0);
       for (int i = 0; i < 8; ++i) look_at(i, i < j_.known);
@@ -170,15 +172,15 @@ class Path {
     for (auto& landmark : scene_.landmarks)
       landmark.first = monitor_.find(static_cast<BlockId>(landmark.id + 1))->first;
     fixed_.anchors = j_.known;
-    fixed_.places.resize(3, j_.known);
-    for (int i = 0; i < j_.known; ++i) fixed_.places.col(i) = point(i);
+    fixed_.positions.resize(3, j_.known);
+    for (int i = 0; i < j_.known; ++i) fixed_.positions.col(i) = point(i);
   }
   ObservabilityReport report() {
-    return observability_report(information_of(monitor_), information_of(looks_), scene_, fixed_);
+    return observability_report(information_of(monitor_), information_of(measurements_), scene_, fixed_);
   }
 
  private:
-  std::array<ObservabilityMonitor*, 2> both() { return {&monitor_, &looks_}; }
+  std::array<ObservabilityMonitor*, 2> both() { return {&monitor_, &measurements_}; }
   Vector3d point(int i) const {
     return j_.unit * Vector3d(0.5 * (i % 3) - 0.5, 0.4 * (i / 3) - 0.3, 2 + 0.3 * (i % 4));
   }
@@ -189,7 +191,7 @@ class Path {
     const auto step = FreeCameraMotion{}.step(scene_.camera, u, 1.0 / 30);
     variances.setConstant(j_.sigma * j_.sigma);
     variances.head<3>() *= j_.unit * j_.unit;
-    AffineMotion motion;
+    LinearizedMotion motion;
     motion.block = vehicle;
     motion.A = step.F;
     motion.N = step.G * variances.asDiagonal() * step.G.transpose();
@@ -198,7 +200,7 @@ class Path {
   }
   void tell_as_points() {
     for (auto& landmark : scene_.landmarks) {
-      const auto at = place_of(landmark);
+      const auto at = landmark_point(landmark);
       const BlockReplacement told{static_cast<BlockId>(landmark.id + 1), at->J, Eigen::Matrix3d::Zero()};
       for (ObservabilityMonitor* monitor : both()) monitor->replace(told);
       landmark.form = SpatialScene::Landmark::Form::point;
@@ -211,54 +213,54 @@ class Path {
     for (int i = 0; i < 3; ++i) x[i] += j_.off * j_.unit * random_.normal();
     return x;
   }
-  void give_birth(int i) {
-    const auto pixel = PointLandmark::look(camera_, scene_.camera, point(i))->pixel;
+  void augment(int i) {
+    const auto pixel = PointLandmark::predict_measurement(camera_, scene_.camera, point(i))->pixel;
     const double depth = point(i).z();  // all are born at the start
-    const auto born = InverseDepthLandmark::birth(camera_, scene_.camera, pixel, 1 / depth);
-    BlockBirth birth;
-    birth.block = static_cast<BlockId>(i + 1);
-    birth.parents.push_back({vehicle, born->Jv});
-    Eigen::Matrix<double, 6, 6> noise = 0.16 * born->Jz * born->Jz.transpose();
+    const auto initialized = InverseDepthLandmark::initialize(camera_, scene_.camera, pixel, 1 / depth);
+    BlockAugmentation initialization;
+    initialization.block = static_cast<BlockId>(i + 1);
+    initialization.parents.push_back({vehicle, initialized->Jv});
+    Eigen::Matrix<double, 6, 6> noise = 0.16 * initialized->Jz * initialized->Jz.transpose();
     noise.topLeftCorner<3, 3>() += 1e-8 * Eigen::Matrix3d::Identity();
     noise(5, 5) += 0.25;
-    birth.noise = noise;
-    for (ObservabilityMonitor* monitor : both()) monitor->give_birth(birth);
+    initialization.noise = noise;
+    for (ObservabilityMonitor* monitor : both()) monitor->augment(initialization);
     SpatialScene::Landmark& landmark = scene_.landmarks.emplace_back();
     landmark.id = i;
     landmark.form = SpatialScene::Landmark::Form::inverse_depth;
-    landmark.birth_axes.world_from_birth = born->world_from_birth;
-    landmark.mean = born->landmark;
+    landmark.initial_axes.world_from_initial_camera = initialized->world_from_initial_camera;
+    landmark.mean = initialized->landmark;
   }
   void look_at(int i, bool known) {
-    AffineLook look;
+    LinearizedMeasurement measurement;
     if (known) {
-      look.add(vehicle, PointLandmark::look(camera_, scene_.camera, point(i))->Hv);
+      measurement.add(vehicle, PointLandmark::predict_measurement(camera_, scene_.camera, point(i))->Hv);
     } else {
       for (const auto& landmark : scene_.landmarks)
-        if (landmark.id == i) add_look(look, landmark);
+        if (landmark.id == i) add_measurement(measurement, landmark);
     }
-    look.residual = Vector2d::Zero();
-    look.R = 0.16 * Eigen::Matrix2d::Identity();
-    for (ObservabilityMonitor* monitor : both()) monitor->look(look);
+    measurement.residual = Vector2d::Zero();
+    measurement.R = 0.16 * Eigen::Matrix2d::Identity();
+    for (ObservabilityMonitor* monitor : both()) monitor->add_measurement(measurement);
   }
-  void add_look(AffineLook& look, const SpatialScene::Landmark& landmark) {
+  void add_measurement(LinearizedMeasurement& measurement, const SpatialScene::Landmark& landmark) {
     const CameraState from = believed_camera();
     const auto block = static_cast<BlockId>(landmark.id + 1);
     const auto add = [&](const auto& seen) {
-      look.add(vehicle, seen->Hv);
-      look.add(block, seen->Hl);
+      measurement.add(vehicle, seen->Hv);
+      measurement.add(block, seen->Hl);
     };
     if (landmark.form == SpatialScene::Landmark::Form::point)
-      add(PointLandmark::look(camera_, from, landmark.mean.head<3>()));
+      add(PointLandmark::predict_measurement(camera_, from, landmark.mean.head<3>()));
     else
-      add(landmark.birth_axes.look(camera_, from, landmark.mean));
+      add(landmark.initial_axes.predict_measurement(camera_, from, landmark.mean));
   }
 
   Journey j_;
   RandomStream random_{1, "path"};
   Camera camera_ = WideAngleCamera{};
   ObservabilityMonitor monitor_{vehicle, 12};
-  ObservabilityMonitor looks_{vehicle, 12, ObservabilityMonitor::Motions::tell_nothing};
+  ObservabilityMonitor measurements_{vehicle, 12, ObservabilityMonitor::Motions::uninformative};
   SpatialScene scene_;
   FixedPoints fixed_;
 };
@@ -270,7 +272,7 @@ TEST(ObservabilityReport, AMovingCameraLacksWhatItsAnchorsDoNotFix) {
     EXPECT_EQ(report.ideal_nullity, ideal[known]) << known;
     EXPECT_EQ(report.information.nullity(), ideal[known]) << known;
     EXPECT_FALSE(report.information.ambiguous) << known;
-    EXPECT_EQ(report.wrongly_believed, 0) << known;
+    EXPECT_EQ(report.spurious_information, 0) << known;
     EXPECT_TRUE(report.without_information.empty()) << report.without_information.front();
     const QuantityReport scale = quantity(report, "scale");
     EXPECT_EQ(scale.ideally_observable, known >= 2) << known;
@@ -290,12 +292,12 @@ TEST(ObservabilityReport, WhatAMotionModelTellsIsNotWronglyBelieved) {
   const ObservabilityReport report = Path({.steps = 200, .acceleration = 1, .sigma = 0.02}).report();
   EXPECT_EQ(report.ideal_nullity, 7);
   EXPECT_EQ(report.information.nullity(), 3);
-  EXPECT_EQ(report.wrongly_believed, 0);
+  EXPECT_EQ(report.spurious_information, 0);
   EXPECT_EQ(report.by_motion_model, 4);
   const QuantityReport scale = quantity(report, "scale");
   EXPECT_TRUE(scale.gained && scale.by_motion_model);
-  EXPECT_LT(*scale.believed_sigma, 0.1);
-  EXPECT_FALSE(scale.sigma_from_looks);
+  EXPECT_LT(*scale.estimated_sigma, 0.1);
+  EXPECT_FALSE(scale.sigma_from_measurements);
   EXPECT_FALSE(quantity(report, "x").by_motion_model);
   const std::vector<std::string> words = in_words(report);
   EXPECT_EQ(words[0], "place: unobservable");
@@ -308,7 +310,7 @@ TEST(ObservabilityReport, WhatAMotionModelTellsIsNotWronglyBelieved) {
 TEST(ObservabilityReport, SmallAccelerationsAloneAreNoReference) {
   const ObservabilityReport report = Path({.steps = 200, .sigma = 0.001}).report();
   EXPECT_EQ(report.information.nullity(), 7);
-  EXPECT_EQ(report.wrongly_believed, 0);
+  EXPECT_EQ(report.spurious_information, 0);
   EXPECT_EQ(report.by_motion_model, 0);
 }
 
@@ -316,11 +318,11 @@ TEST(ObservabilityReport, WhatLooksTellOfAScaleIsWronglyBelieved) {
   for (const double acceleration : {0.0, 1.0}) {
     const ObservabilityReport report =
         Path({.steps = 200, .acceleration = acceleration, .sigma = 0.02, .off = 0.05}).report();
-    EXPECT_GE(report.wrongly_believed, 1) << acceleration;
-    EXPECT_LE(report.wrongly_believed + report.by_motion_model, 7);
+    EXPECT_GE(report.spurious_information, 1) << acceleration;
+    EXPECT_LE(report.spurious_information + report.by_motion_model, 7);
     const QuantityReport scale = quantity(report, "scale");
-    EXPECT_TRUE(scale.gained && scale.sigma_from_looks && !scale.by_motion_model) << acceleration;
-    EXPECT_LE(*scale.believed_sigma, *scale.sigma_from_looks * (1 + 1e-9));
+    EXPECT_TRUE(scale.gained && scale.sigma_from_measurements && !scale.by_motion_model) << acceleration;
+    EXPECT_LE(*scale.estimated_sigma, *scale.sigma_from_measurements * (1 + 1e-9));
     EXPECT_NE(in_words(report)[2].find("yet the filter believes to know it to "), std::string::npos);
   }
 }
@@ -329,14 +331,14 @@ TEST(ObservabilityReport, WhatLooksTellOfAScaleIsWronglyBelieved) {
 TEST(ObservabilityReport, TheUnitOfLengthDoesNotMatter) {
   for (const double acceleration : {0.0, 1.0}) {
     Journey journey{.steps = 100, .acceleration = acceleration, .sigma = 0.1};
-    const ObservabilityReport in_metres = Path(journey).report();
-    EXPECT_FALSE(in_metres.information.ambiguous);
+    const ObservabilityReport in_meters = Path(journey).report();
+    EXPECT_FALSE(in_meters.information.ambiguous);
     for (const double unit : {1e-3, 1e3}) {
       journey.unit = unit;
       const ObservabilityReport report = Path(journey).report();
-      EXPECT_EQ(report.information.rank, in_metres.information.rank) << unit;
+      EXPECT_EQ(report.information.rank, in_meters.information.rank) << unit;
       EXPECT_FALSE(report.information.ambiguous) << unit;
-      EXPECT_EQ(report.by_motion_model, in_metres.by_motion_model) << unit;
+      EXPECT_EQ(report.by_motion_model, in_meters.by_motion_model) << unit;
     }
   }
 }
@@ -344,19 +346,19 @@ TEST(ObservabilityReport, TheUnitOfLengthDoesNotMatter) {
 // Weighed as it is, a hair among kilometres leaves nothing but rounding of the rest
 TEST(ObservabilityReport, ARankIsTheSameInAnyUnitOrSaidToBeUnclear) {
   for (const int points_from : {1000, 50})
-    for (const bool exact_places : {true, false}) {
-      if (!exact_places && points_from == 50)
+    for (const bool exact_positions : {true, false}) {
+      if (!exact_positions && points_from == 50)
         continue;  // rounding of what is told anew is not followed so far
-      Journey journey{.steps = 100, .exact_places = exact_places, .acceleration = 1, .sigma = 0.1};
+      Journey journey{.steps = 100, .exact_positions = exact_positions, .acceleration = 1, .sigma = 0.1};
       const int nullity = Path(journey).report().information.nullity();
       journey.points_from = points_from;
       for (const double unit : {1e-3, 1e2, 1e3, 1e4}) {
         journey.unit = unit;
         const ObservabilityReport report = Path(journey).report();
         EXPECT_TRUE(report.information.ambiguous || report.information.nullity() == nullity)
-            << unit << " " << points_from << " " << exact_places << ", " << report.information.nullity()
+            << unit << " " << points_from << " " << exact_positions << ", " << report.information.nullity()
             << ", tolerance " << report.information.tolerance;
-        EXPECT_EQ(report.wrongly_believed, 0) << unit << " " << points_from << " " << exact_places;
+        EXPECT_EQ(report.spurious_information, 0) << unit << " " << points_from << " " << exact_positions;
       }
     }
 }

@@ -82,7 +82,7 @@ TEST_P(ThesisSystem, HasTheRanksThatAnotherProgramFound) {
     settings.anchors = expected.anchors;
     settings.motion = expected.motion;
     settings.segments = 4;
-    const auto a = analyse_observability(load_system(GetParam(), expected.representation), settings);
+    const auto a = analyze_observability(load_system(GetParam(), expected.representation), settings);
     EXPECT_EQ(stripped(a), expected.som);
     EXPECT_EQ(total(a), expected.tom);
     EXPECT_EQ(condition(a), expected.condition);
@@ -105,10 +105,10 @@ TEST_P(BuiltIn, DoesNotDependOnTheOperatingPoint) {
   const SystemText text = load_system(GetParam());
   ObservabilitySettings settings;
   settings.lie = false;
-  const auto first = analyse_observability(text, settings);
+  const auto first = analyze_observability(text, settings);
   for (std::uint64_t seed = 2; seed <= 50; ++seed) {
     settings.seed = seed;
-    const auto a = analyse_observability(text, settings);
+    const auto a = analyze_observability(text, settings);
     ASSERT_EQ(stripped(a), stripped(first)) << "seed " << seed;
     ASSERT_EQ(total(a), total(first)) << "seed " << seed;
     ASSERT_EQ(a.local.space.nullity, first.local.space.nullity) << "seed " << seed;
@@ -122,10 +122,10 @@ TEST_P(BuiltIn, HasLieDerivativesThatDoNotDependOnTheOperatingPointEither) {
   ObservabilitySettings settings;
   settings.segments = 1;
   const bool large = text.vehicle.states.size() > 5;
-  const auto first = analyse_observability(text, settings);
+  const auto first = analyze_observability(text, settings);
   for (std::uint64_t seed = 2; seed <= (large ? 5u : 50u); ++seed) {
     settings.seed = seed;
-    const auto a = analyse_observability(text, settings);
+    const auto a = analyze_observability(text, settings);
     ASSERT_EQ(a.lie->space.nullity, first.lie->space.nullity) << "seed " << seed;
     ASSERT_EQ(a.lie->order, first.lie->order) << "seed " << seed;
   }
@@ -137,7 +137,7 @@ TEST_P(BuiltIn, HasTheDerivativesOfItsEquations) {
   RandomStream random(7, "derivatives");
   for (int trial = 0; trial < 5; ++trial) {
     const SystemPoint point = draw_motion(instance, 1, random).segments.front().start;
-    const Linearisation exact = instance.linearise(point);
+    const Linearization exact = instance.linearize(point);
     for (int column = 0; column < instance.states(); ++column) {
       const double step = 1e-6;
       SystemPoint up = point, down = point;
@@ -182,7 +182,7 @@ TEST_P(ErrorForm, IsTheSameSystemInOtherCoordinates) {
   RandomStream random(8, "error form");
   for (int trial = 0; trial < 5; ++trial) {
     const SystemPoint point = draw_motion(instance, 1, random).segments.front().start;
-    const Linearisation exact = instance.linearise(point), error = instance.error_form(point);
+    const Linearization exact = instance.linearize(point), error = instance.error_form(point);
     const Eigen::MatrixXd T = misalignment(instance, point);
     EXPECT_LT((error.H * T - exact.H).norm(), 1e-12 * exact.H.norm());
     // e = T dx, so that e' = (T' + T F) T^-1 e, with T' along the motion
@@ -206,7 +206,7 @@ SystemText drone() { return load_system(INCOGNITA_SOURCE_DIR "/docs/systems/dron
 TEST(Observability, OfASystemThatAUserWroteDown) {
   ObservabilitySettings settings;
   settings.landmarks = 2;
-  const auto a = analyse_observability(drone(), settings);
+  const auto a = analyze_observability(drone(), settings);
   EXPECT_EQ(a.local.space.nullity, 3) << "beacons and drone can be moved together";
   EXPECT_EQ(a.lie->space.nullity, 3);
   const Eigen::VectorXd shift = (Eigen::VectorXd(9) << 1, 0, 0, 1, 0, 0, 1, 0, 0).finished();
@@ -219,46 +219,46 @@ TEST(Observability, TakesInputsThatEnterNonlinearly) {
   car.inputs[1] = {"steer", {}, -0.5, 0.5};
   car.vehicle.states[2].expression.text = "v*tan(steer)/2";
   car.motions.clear();
-  const auto a = analyse_observability(car, {});
+  const auto a = analyze_observability(car, {});
   EXPECT_TRUE(a.lie->inputs_nonlinear);
   EXPECT_EQ(a.lie->space.nullity, 3);
   EXPECT_EQ(a.local.space.nullity, 3);
 }
 
 TEST(Observability, NamesWhatCannotBeSeen) {
-  const auto a = analyse_observability(load_system("cv6"), {.landmarks = 2, .lie = false});
+  const auto a = analyze_observability(load_system("cv6"), {.landmarks = 2, .lie = false});
   std::vector<std::string> names;
   for (const auto& d : a.local.directions) names.push_back(d.name);
   EXPECT_EQ(names,
             (std::vector<std::string>{"translation along x", "translation along y", "translation along z",
                                       "rotation about x", "rotation about y", "rotation about z", "scale"}));
-  const auto still = analyse_observability(load_system("planar"), {.anchors = 2, .motion = "stationary"});
+  const auto still = analyze_observability(load_system("planar"), {.anchors = 2, .motion = "stationary"});
   ASSERT_EQ(still.local.directions.size(), 2u);
   EXPECT_EQ(still.local.directions[0].name, "depth of feature 1");
 }
 
 TEST(Observability, SaysWhereTheMethodsDisagreeAndWhy) {
-  const auto a = analyse_observability(load_system("planar"), {.anchors = 1});
+  const auto a = analyze_observability(load_system("planar"), {.anchors = 1});
   ASSERT_FALSE(a.disagreements.empty());
   EXPECT_NE(a.disagreements.front().find("frozen"), std::string::npos) << a.disagreements.front();
-  const auto agree = analyse_observability(load_system("planar"), {.anchors = 2});
+  const auto agree = analyze_observability(load_system("planar"), {.anchors = 2});
   EXPECT_TRUE(agree.disagreements.empty()) << agree.disagreements.front();
 }
 
 TEST(Observability, GivesLeastSigmasThatMatchTheInformation) {
-  const auto a = analyse_observability(load_system("monobot"), {.anchors = 1, .segments = 1, .lie = false});
+  const auto a = analyze_observability(load_system("monobot"), {.anchors = 1, .segments = 1, .lie = false});
   // One landmark and one anchor, looked at 9 times with 0.1 m: x is known to 0.1/3 m, the landmark to sqrt(2)
   // of it
   ASSERT_TRUE(a.information[0].sigma && a.information[1].sigma);
   EXPECT_NEAR(*a.information[0].sigma, 0.1 / 3, 1e-9);
   EXPECT_NEAR(*a.information[1].sigma, std::sqrt(2) * 0.1 / 3, 1e-9);
-  const auto none = analyse_observability(load_system("monobot"), {.lie = false});
+  const auto none = analyze_observability(load_system("monobot"), {.lie = false});
   EXPECT_FALSE(none.information[0].sigma);
 }
 
 TEST(Observability, IsTheSameForTheSameSeed) {
-  const auto once = analyse_observability(load_system("inertial"), {.lie = false}),
-             again = analyse_observability(load_system("inertial"), {.lie = false});
+  const auto once = analyze_observability(load_system("inertial"), {.lie = false}),
+             again = analyze_observability(load_system("inertial"), {.lie = false});
   EXPECT_EQ(once.local.space.singular_values, again.local.space.singular_values);
   EXPECT_EQ(once.points[2].x, again.points[2].x);
 }
@@ -266,7 +266,7 @@ TEST(Observability, IsTheSameForTheSameSeed) {
 TEST(Observability, FollowsTheLieDerivativesNoFurtherThanToldAndSaysSo) {
   ObservabilitySettings settings;
   settings.lie_settings.max_order = 1;
-  const auto a = analyse_observability(load_system("cv6"), settings);
+  const auto a = analyze_observability(load_system("cv6"), settings);
   EXPECT_FALSE(a.lie->closed);
   EXPECT_EQ(a.lie->orders_examined, 1);
   ASSERT_FALSE(a.doubts.empty());
@@ -274,11 +274,11 @@ TEST(Observability, FollowsTheLieDerivativesNoFurtherThanToldAndSaysSo) {
 }
 
 TEST(Observability, RefusesWhatTheSystemDoesNotHave) {
-  EXPECT_THROW(analyse_observability(load_system("planar", "relative"), {.anchors = 1}),
+  EXPECT_THROW(analyze_observability(load_system("planar", "relative"), {.anchors = 1}),
                std::invalid_argument);
-  EXPECT_THROW(analyse_observability(load_system("planar"), {.motion = "sideways"}), std::invalid_argument);
-  EXPECT_THROW(analyse_observability(load_system("planar"), {.landmarks = 0}), std::invalid_argument);
-  EXPECT_THROW(analyse_observability(load_system("planar"), {.segments = 0}), std::invalid_argument);
+  EXPECT_THROW(analyze_observability(load_system("planar"), {.motion = "sideways"}), std::invalid_argument);
+  EXPECT_THROW(analyze_observability(load_system("planar"), {.landmarks = 0}), std::invalid_argument);
+  EXPECT_THROW(analyze_observability(load_system("planar"), {.segments = 0}), std::invalid_argument);
 }
 
 /// A vehicle that measures itself, and has no landmarks.
@@ -289,19 +289,19 @@ SystemText alone(const std::string& states, const std::string& region, const std
                      "alone.toml");
 }
 
-ObservabilityAnalysis analysed(const SystemText& text, int segments = 3) {
-  return analyse_observability(text, {.landmarks = 0, .segments = segments});
+ObservabilityAnalysis analyzed(const SystemText& text, int segments = 3) {
+  return analyze_observability(text, {.landmarks = 0, .segments = segments});
 }
 
 TEST(Observability, CountsInputsThatAreInMeasurements) {
   const auto a =
-      analysed(alone("a = 0\nb = 0\n", "a = [1, 2]\nb = [1, 2]\n", "z = \"u*a + b\"\n", "u = [-1, 1]\n"));
+      analyzed(alone("a = 0\nb = 0\n", "a = [1, 2]\nb = [1, 2]\n", "z = \"u*a + b\"\n", "u = [-1, 1]\n"));
   EXPECT_EQ(a.lie->space.nullity, 0);
   EXPECT_EQ(a.local.space.nullity, 0);
 }
 
 TEST(Observability, TakesAsManyNonlinearInputsAsItNeeds) {
-  const auto a = analysed(
+  const auto a = analyzed(
       alone("x = \"u*a + u^2*b + u^3*c + u^4*d\"\na = 0\nb = 0\nc = 0\nd = 0\n",
             "x = [1, 2]\na = [1, 2]\nb = [1, 2]\nc = [1, 2]\nd = [1, 2]\n", "z = \"x\"\n", "u = [0.5, 2]\n"),
       6);
@@ -311,7 +311,7 @@ TEST(Observability, TakesAsManyNonlinearInputsAsItNeeds) {
 
 TEST(Observability, TakesAnInputThatCannotVaryForAConstant) {
   const auto a =
-      analysed(alone("x = \"v\"\nk = 0\n", "x = [1, 2]\nk = [1, 2]\n", "z = \"k*x\"\n", "v = [0, 0]\n"));
+      analyzed(alone("x = \"v\"\nk = 0\n", "x = [1, 2]\nk = [1, 2]\n", "z = \"k*x\"\n", "v = [0, 0]\n"));
   EXPECT_EQ(a.lie->space.nullity, 1);
   EXPECT_EQ(a.local.space.nullity, 1);
 }
@@ -319,27 +319,27 @@ TEST(Observability, TakesAnInputThatCannotVaryForAConstant) {
 TEST(Observability, DoesNotMeetAnOscillationAtOnePhaseOnly) {
   // 4 Hz, where eight even looks a second would always meet p at 0
   const auto a =
-      analysed(alone("x = \"p\"\np = \"-(8*pi)^2*x\"\n", "x = [1, 2]\np = [1, 2]\n", "z = \"x\"\n"));
+      analyzed(alone("x = \"p\"\np = \"-(8*pi)^2*x\"\n", "x = [1, 2]\np = [1, 2]\n", "z = \"x\"\n"));
   EXPECT_EQ(a.local.space.nullity, 0);
 }
 
 TEST(Observability, KnowsMeasurementsOfAnySize) {
   for (const char* z : {"z = \"1e200*x\"\n", "z = \"1e-200*x\"\n"}) {
-    const auto a = analysed(alone("x = 1\n", "x = [1, 2]\n", z));
+    const auto a = analyzed(alone("x = 1\n", "x = [1, 2]\n", z));
     EXPECT_EQ(a.segments[0].stripped.space.nullity, 0) << z;
     EXPECT_EQ(a.local.space.nullity, 0) << z;
   }
 }
 
 TEST(Observability, DoesNotTrustAMotionThatGrows) {
-  const auto a = analysed(alone("x = \"9*x\"\nk = 0\n", "x = [1, 2]\nk = [1, 2]\n", "z = \"x\"\n"));
+  const auto a = analyzed(alone("x = \"9*x\"\nk = 0\n", "x = [1, 2]\nk = [1, 2]\n", "z = \"x\"\n"));
   ASSERT_FALSE(a.doubts.empty());
   EXPECT_NE(a.doubts.front().find("grow by a factor"), std::string::npos) << a.doubts.front();
   EXPECT_FALSE(a.sigmas_trusted);
 }
 
 TEST(Observability, SaysWhenARankIsOnTheEdge) {
-  const auto a = analysed(
+  const auto a = analyzed(
       alone("a = 0\nb = 0\n", "a = [1, 2]\nb = [1, 2]\n", "z1 = \"a + b\"\nz2 = \"a + (1 + 4e-10)*b\"\n"));
   EXPECT_FALSE(a.doubts.empty());
 }
@@ -355,7 +355,7 @@ TEST(Observability, DoesNotWriteDefinitionsOut) {
     text += "d" + std::to_string(i) + " = \"(sin(" + before + ") + " + before + ")/4\"\n";
   }
   try {
-    EXPECT_EQ(analysed(read_system(text, "deep.toml")).lie->space.nullity, 0);
+    EXPECT_EQ(analyzed(read_system(text, "deep.toml")).lie->space.nullity, 0);
   } catch (const SystemTooLarge&) {
     SUCCEED() << "refused in time";
   }
@@ -368,12 +368,12 @@ SystemText measuring(const std::string& text) {
       "line.toml");
 }
 
-Place refused(const std::string& text, const std::string& because) {
+SourceLocation refused(const std::string& text, const std::string& because) {
   try {
-    analyse_observability(measuring(text), {.landmarks = 0});
+    analyze_observability(measuring(text), {.landmarks = 0});
   } catch (const SystemError& error) {
     EXPECT_NE(std::string(error.what()).find(because), std::string::npos) << error.what();
-    return error.place;
+    return error.position;
   }
   ADD_FAILURE() << text << " was not refused";
   return {};
@@ -395,7 +395,7 @@ TEST(Observability, DoesNotDependOnUnits) {
     const std::string text = std::string("name = \"sum\"\n[states]\nx = 0\ny = 0\nw = 0\n[region]\n") +
                              "x = [-1, 1]\ny = " + region + "\nw = [-1, 1]\n[measurements]\nz = \"x + " + k +
                              "*y\"\n";
-    const ObservabilityAnalysis a = analyse_observability(read_system(text, "sum.toml"), {.landmarks = 0});
+    const ObservabilityAnalysis a = analyze_observability(read_system(text, "sum.toml"), {.landmarks = 0});
     for (const NullSpace* space :
          {&a.segments.back().stripped.space, &a.segments.back().total.space, &a.local.space, &a.lie->space}) {
       EXPECT_EQ(space->nullity, 2) << text;
@@ -407,12 +407,12 @@ TEST(Observability, DoesNotDependOnUnits) {
 }
 
 TEST(Observability, SaysWhatIsTooSmallToTell) {
-  const ObservabilityAnalysis clear = analyse_observability(chain_of("0.01"), {.landmarks = 0});
+  const ObservabilityAnalysis clear = analyze_observability(chain_of("0.01"), {.landmarks = 0});
   EXPECT_EQ(clear.lie->space.nullity, 0);
   EXPECT_EQ(clear.local.space.nullity, 0);
   EXPECT_TRUE(clear.disagreements.empty());
   // The last state acts on the measurement by 1e-18 of the first
-  const ObservabilityAnalysis faint = analyse_observability(chain_of("1e-6"), {.landmarks = 0});
+  const ObservabilityAnalysis faint = analyze_observability(chain_of("1e-6"), {.landmarks = 0});
   EXPECT_TRUE(faint.local.space.nullity == 0 || faint.local.space.ambiguous);
   EXPECT_TRUE(faint.lie->space.nullity == 0 || !faint.lie->closed);
   for (const std::string& said : faint.disagreements)
@@ -438,22 +438,22 @@ ObservabilityAnalysis beside_the_axis(const std::string& y) {
       "y = [1, 5]\n[anchor.constants]\na = [-5, 5]\n[anchor.measurements]\nr = \"sqrt((a-x)^2 + y^2)\"\n"
       "[motion.near]\ny = " +
       y + "\n";
-  return analyse_observability(read_system(text, "m.toml"), {.landmarks = 0, .anchors = 2, .motion = "near"});
+  return analyze_observability(read_system(text, "m.toml"), {.landmarks = 0, .anchors = 2, .motion = "near"});
 }
 
 TEST(Observability, SaysWhatIsSeenInPrincipleOnly) {
   const ObservabilityAnalysis near = beside_the_axis("1e-6");
   EXPECT_EQ(near.local.space.nullity, 0);
-  EXPECT_TRUE(near.information[1].barely_seen && !near.information[0].barely_seen);
+  EXPECT_TRUE(near.information[1].weakly_observable && !near.information[0].weakly_observable);
   EXPECT_TRUE(says(near, "y is seen in principle only: sigma 1.3e+06 where its region is 4 wide."))
       << remarks(near);
   const ObservabilityAnalysis far = beside_the_axis("2");
-  EXPECT_FALSE(far.information[1].barely_seen);
+  EXPECT_FALSE(far.information[1].weakly_observable);
   EXPECT_FALSE(says(far, "in principle")) << remarks(far);
 }
 
 TEST(Observability, NamesTheStatesWhoseEffectIsAsFaintAsRounding) {
-  const ObservabilityAnalysis a = analyse_observability(
+  const ObservabilityAnalysis a = analyze_observability(
       read_system("name = \"faint\"\n[states]\nx = 0\ny = 0\n[region]\nx = [-5e8, 5e8]\ny = [-5, 5]\n"
                   "[measurements]\nz = \"sqrt(x^2 + y^2)\"\n",
                   "faint.toml"),
@@ -467,7 +467,7 @@ TEST(Observability, NamesTheStatesWhoseEffectIsAsFaintAsRounding) {
 
 TEST(Observability, SaysWhyTheInformationLeavesMoreOpen) {
   const auto a =
-      analysed(alone("x = 0\nb = 0\n", "x = [0, 1]\nb = [0, 1]\n", "m = \"1e-12*x\"\nn = \"x + b\"\n"));
+      analyzed(alone("x = 0\nb = 0\n", "x = [0, 1]\nb = [0, 1]\n", "m = \"1e-12*x\"\nn = \"x + b\"\n"));
   EXPECT_EQ(a.local.space.nullity, 0);
   EXPECT_EQ(a.fisher.space.nullity, 1);
   EXPECT_TRUE(says(a, "weighs each measurement with its sensitivity over its sigma")) << remarks(a);
@@ -475,7 +475,7 @@ TEST(Observability, SaysWhyTheInformationLeavesMoreOpen) {
 
 TEST(Observability, SaysWhichInputsNothingUses) {
   const auto a =
-      analysed(alone("x = \"v\"\n", "x = [1, 2]\n", "z = \"x\"\n", "v = [0, 1]\nspare = [0, 1]\n"));
+      analyzed(alone("x = \"v\"\n", "x = [1, 2]\n", "z = \"x\"\n", "v = [0, 1]\nspare = [0, 1]\n"));
   EXPECT_TRUE(says(a, "Input `spare` is in no equation and no measurement")) << remarks(a);
   EXPECT_FALSE(says(a, "`v`")) << remarks(a);
 }
@@ -492,7 +492,7 @@ SystemText wheels(const std::string& motion) {
 }
 
 ObservabilityAnalysis in_motion(const SystemText& text) {
-  return analyse_observability(text, {.landmarks = 0, .motion = "chosen"});
+  return analyze_observability(text, {.landmarks = 0, .motion = "chosen"});
 }
 
 void expect_ranks(const ObservabilityAnalysis& a, int lie, int local) {
@@ -574,7 +574,7 @@ TEST(AssignedInput, ThatDependsOnItselfIsRefusedInWords) {
     try {
       in_motion(wheels(motion));
     } catch (const SystemError& error) {
-      EXPECT_GT(error.place.line, 0);
+      EXPECT_GT(error.position.line, 0);
       return error.what();
     }
     return "accepted";

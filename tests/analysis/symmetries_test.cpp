@@ -33,9 +33,9 @@ TEST(Symmetries, RangesAndBearingsDoNotSeeThem) {
     scene.vehicle = planar::Pose<double>(random.normal(), random.normal(), random.normal());
     scene.landmarks = {{0, 3, {random.normal(), random.normal()}}};
     scene.errors = 5;
-    const auto look = RangeBearing::look(scene.vehicle, scene.landmarks[0].position);
+    const auto prediction = RangeBearing::predict_measurement(scene.vehicle, scene.landmarks[0].position);
     MatrixXd H(2, 5);
-    H << look->Hv, look->Hl;
+    H << prediction->Hv, prediction->Hl;
     const MatrixXd N = symmetry_directions(scene, {random.normal(), random.normal()});
     EXPECT_LT((H * N).norm(), 1e-12 * (1 + H.norm()));
     // From here to there, however it got there
@@ -62,18 +62,19 @@ TEST(Symmetries, ACameraDoesNotSeeThemWhateverItsLandmarksAreToldAs) {
     point.mean.head<3>() = in_front(scene.camera, random);
     inverse.first = 15;
     inverse.form = Form::inverse_depth;
-    const CameraState birth = some_camera(random);
-    inverse.birth_axes.world_from_birth = free_camera::orientation(birth);
-    inverse.mean << free_camera::position(birth), random.normal(), random.normal(), random.uniform(0.1, 1);
+    const CameraState initialization = some_camera(random);
+    inverse.initial_axes.world_from_initial_camera = free_camera::orientation(initialization);
+    inverse.mean << free_camera::position(initialization), random.normal(), random.normal(),
+        random.uniform(0.1, 1);
     scene.landmarks = {point, inverse};
     const MatrixXd N =
         symmetry_directions(scene, Eigen::Vector3d(random.normal(), random.normal(), random.normal()));
-    const auto of_point = PointLandmark::look(camera, scene.camera, point.mean.head<3>());
+    const auto of_point = PointLandmark::predict_measurement(camera, scene.camera, point.mean.head<3>());
     MatrixXd H = MatrixXd::Zero(2, 21);
     H.leftCols<12>() = of_point->Hv;
     H.middleCols<3>(12) = of_point->Hl;
     EXPECT_LT((H * N).norm(), 1e-11 * (1 + H.norm()));
-    const auto of_inverse = inverse.birth_axes.look(camera, scene.camera, inverse.mean);
+    const auto of_inverse = inverse.initial_axes.predict_measurement(camera, scene.camera, inverse.mean);
     if (!of_inverse) continue;  // behind the camera
     ++inverse_depths;
     H.setZero();
@@ -93,12 +94,12 @@ TEST(Symmetries, AnInverseDepthLandmarkMovesAsThePointItStandsFor) {
     SpatialScene::Landmark landmark;
     landmark.first = 12;
     landmark.form = Form::inverse_depth;
-    landmark.birth_axes.world_from_birth = free_camera::orientation(scene.camera);
+    landmark.initial_axes.world_from_initial_camera = free_camera::orientation(scene.camera);
     landmark.mean << free_camera::position(scene.camera), random.normal(), random.normal(),
         random.uniform(0.1, 1);
     scene.landmarks = {landmark};
     const Eigen::Vector3d c(random.normal(), random.normal(), random.normal());
-    const auto at = place_of(landmark);
+    const auto at = landmark_point(landmark);
     const MatrixXd moved = at->J * symmetry_directions(scene, c).bottomRows(6);
     EXPECT_LT((moved - displacement(at->position, c)).norm(), 1e-10 * (1 + moved.norm()));
   }

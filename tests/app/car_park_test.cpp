@@ -23,9 +23,9 @@ Outcome drive(const std::string& scenario, std::vector<std::string> sets = {}) {
   TeamEstimate estimate;
   Outcome out;
   while (const Tick tick = clock->next()) {
-    estimator.update(estimate, {}, sensor->look({}, tick), tick);
+    estimator.update(estimate, {}, sensor->measure({}, tick), tick);
     out.lost += estimate.status.state == TrackingState::lost;
-    const auto truth = true_place(assembly.recording(), tick.t);
+    const auto truth = true_position(assembly.recording(), tick.t);
     if (!truth || !estimate.started) continue;
     out.path.emplace_back(estimate.vehicles.front().state.head<2>());
     out.gps.push_back(truth->position);

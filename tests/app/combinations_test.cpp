@@ -57,10 +57,10 @@ JointError run(const std::string& scenario, std::vector<std::string> sets, int s
   JointError out;
   while (const Tick tick = clock->next()) {
     const auto truth = world->move(command, tick);
-    Observation seen = sensor->look(truth, tick);
-    if (sense) sense(seen, *truth, tick);
-    estimator.update(estimate, command, seen, tick);
-    command = controller.act(estimate, decision.choose(estimate, tick), seen, tick);
+    Observation observation = sensor->measure(truth, tick);
+    if (sense) sense(observation, *truth, tick);
+    estimator.update(estimate, command, observation, tick);
+    command = controller.act(estimate, decision.choose(estimate, tick), observation, tick);
     out.lost = out.lost || estimate.status.state == TrackingState::lost;
     out.nees = joint_nees(estimate, *truth);
   }
@@ -112,10 +112,10 @@ TEST(Combinations, PositionFixesOfOneVehicleOfATeam) {
   static constexpr double sigma_m = 0.2;
   const auto fixes = [](int seed) -> Sense {
     const auto noise = std::make_shared<RandomStream>(static_cast<std::uint64_t>(seed), "test: fixes");
-    return [noise](Observation& seen, const Truth& truth, const Tick& tick) {
+    return [noise](Observation& observation, const Truth& truth, const Tick& tick) {
       const Eigen::Vector2d off(noise->normal(), noise->normal());
       const Eigen::Vector2d at = truth.vehicles[0].head<2>();
-      seen.team[0].fixes.push_back({tick.t, at + sigma_m * off});
+      observation.team[0].fixes.push_back({tick.t, at + sigma_m * off});
     };
   };
   const auto use_fixes = [](TeamSettings& s) { s.members[0].sigma_fix_m = sigma_m; };
@@ -131,10 +131,10 @@ TEST(Combinations, PositionFixesOfOneVehicleOfATeam) {
     const Sense sense = fixes(1);
     while (const Tick tick = clock->next()) {
       const auto truth = world->move(command, tick);
-      Observation seen = sensor->look(truth, tick);
-      sense(seen, *truth, tick);
-      estimator.update(e, command, seen, tick);
-      command = controller.act(e, {}, seen, tick);
+      Observation observation = sensor->measure(truth, tick);
+      sense(observation, *truth, tick);
+      estimator.update(e, command, observation, tick);
+      command = controller.act(e, {}, observation, tick);
     }
     return std::sqrt(e.vehicles.back().state_covariance.topLeftCorner(2, 2).trace());
   };

@@ -28,9 +28,9 @@ using Corners = std::array<Eigen::Vector2d, 4>;
 /// The dark quadrilateral on a light ground that is larger than any other, without a look at any estimate: by
 /// threshold, contour and polygon. Nothing when there is none wholly in view.
 std::optional<Corners> detect_target(const Image& image) {
-  const cv::Mat grey(image.height(), image.width(), CV_8UC1, const_cast<std::uint8_t*>(image.row(0)));
+  const cv::Mat gray(image.height(), image.width(), CV_8UC1, const_cast<std::uint8_t*>(image.row(0)));
   cv::Mat dark;
-  cv::threshold(grey, dark, 110, 255, cv::THRESH_BINARY_INV);
+  cv::threshold(gray, dark, 110, 255, cv::THRESH_BINARY_INV);
   std::vector<std::vector<cv::Point>> contours;
   cv::findContours(dark, contours, cv::RETR_LIST, cv::CHAIN_APPROX_NONE);
   std::vector<cv::Point2f> best;
@@ -45,9 +45,9 @@ std::optional<Corners> detect_target(const Image& image) {
     // A5 lying: wider than high, and filled like a rectangle
     const bool shaped =
         box.width > 1.1 * box.height && box.width < 2.2 * box.height && area > 0.8 * box.area();
-    cv::Mat filled = cv::Mat::zeros(grey.size(), CV_8UC1);
+    cv::Mat filled = cv::Mat::zeros(gray.size(), CV_8UC1);
     cv::fillPoly(filled, std::vector{polygon}, 255);
-    const bool black = cv::mean(grey, filled)[0] < 90;
+    const bool black = cv::mean(gray, filled)[0] < 90;
     if (!black || polygon.size() != 4 || !cv::isContourConvex(polygon) || !inside || !shaped ||
         area < best_area)
       continue;
@@ -55,7 +55,7 @@ std::optional<Corners> detect_target(const Image& image) {
     best_area = area;
   }
   if (best.empty()) return std::nullopt;
-  cv::cornerSubPix(grey, best, {3, 3}, {-1, -1}, {cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 30, 0.01});
+  cv::cornerSubPix(gray, best, {3, 3}, {-1, -1}, {cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 30, 0.01});
   Corners corners;
   // As the target lists them: top left, top right, bottom left, bottom right
   std::sort(best.begin(), best.end(), [](const auto& a, const auto& b) { return a.y < b.y; });
@@ -76,8 +76,8 @@ double worst_px(const CameraState& x, const Target& target, const Camera& camera
 }
 
 bool any_anchor_matched(const Estimate& estimate) {
-  for (const Look& look : estimate.looks)
-    if (look.kind == Landmark::Kind::anchor && look.outcome == LookOutcome::matched) return true;
+  for (const FeatureMatch& match : estimate.matches)
+    if (match.kind == Landmark::Kind::anchor && match.outcome == MatchOutcome::matched) return true;
   return false;
 }
 
@@ -94,12 +94,12 @@ Return come_back(Assembly& assembly, const Target& target, const Camera& camera)
   Return found;
   bool measured_again = false;
   while (const Tick tick = clock->next()) {
-    const Observation seen = sensor->look(std::nullopt, tick);
-    estimator.update(estimate, Command{}, seen, tick);
+    const Observation observation = sensor->measure(std::nullopt, tick);
+    estimator.update(estimate, Command{}, observation, tick);
     found.lost_frames += estimate.status.state == TrackingState::lost;
     if (tick.frame > gone_from && any_anchor_matched(estimate)) measured_again = true;
     if (tick.frame <= back_from || measured_again) continue;
-    if (const auto corners = detect_target(*seen.image)) {
+    if (const auto corners = detect_target(*observation.image)) {
       found.px.push_back(worst_px(estimate.camera_state(), target, camera, *corners));
       std::printf("frame %d: %.2f px\n", static_cast<int>(tick.frame), found.px.back());
     }

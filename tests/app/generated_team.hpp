@@ -42,9 +42,9 @@ struct GeneratedTeam {
       odometry += fmt::format("{:.2f} {} 0\n", t, said);
       if (!without_truth[robot].has(t)) truth += fmt::format("{:.2f} {} {} 0\n", t, true_x_m(t), y_m(robot));
       if (k % see_every != 0) continue;
-      seen += sighting(robot, t, 16, 3, 1);
-      seen += sighting(robot, t, 17, 6, 1.5);
-      seen += sighting(robot, t, robot == 0 ? 12 : 11, true_x_m(t), y_m(1 - robot));
+      seen += detection(robot, t, 16, 3, 1);
+      seen += detection(robot, t, 17, 6, 1.5);
+      seen += detection(robot, t, robot == 0 ? 12 : 11, true_x_m(t), y_m(1 - robot));
     }
     const std::string name = fmt::format("{}/Robot{}_", folder, robot + 1);
     scratch.write(name + "Odometry.dat", odometry);
@@ -52,7 +52,7 @@ struct GeneratedTeam {
     scratch.write(name + "Groundtruth.dat", truth);
   }
 
-  std::string sighting(std::size_t robot, double t, int barcode, double x_m, double y_of_it_m) const {
+  std::string detection(std::size_t robot, double t, int barcode, double x_m, double y_of_it_m) const {
     const double dx = x_m - true_x_m(t), dy = y_of_it_m - y_m(robot);
     return fmt::format("{:.2f} {} {:.9f} {:.9f}\n", t, barcode, std::hypot(dx, dy), std::atan2(dy, dx));
   }

@@ -58,9 +58,9 @@ Watched drive(double duration_s,
   return out;
 }
 
-Watched drive_with(double duration_s, const char* lineariser) {
+Watched drive_with(double duration_s, const char* linearization) {
   return drive(duration_s,
-               [&](PlanarSlamSettings& s, const RangeRecording&) { s.filter.lineariser = lineariser; });
+               [&](PlanarSlamSettings& s, const RangeRecording&) { s.filter.linearization = linearization; });
 }
 
 const QuantityReport& heading(const ObservabilityReport& report) { return report.quantities.back(); }
@@ -73,11 +73,11 @@ TEST(ObservabilityWatch, AnExtendedFilterWronglyLearnsTheHeading) {
     const ObservabilityReport& report = run.report;
     EXPECT_EQ(report.ideal_nullity, 3);
     EXPECT_EQ(report.information.nullity(), 2);
-    EXPECT_EQ(report.wrongly_believed, 1);
+    EXPECT_EQ(report.spurious_information, 1);
     EXPECT_FALSE(report.information.ambiguous);
-    EXPECT_FALSE(report.quantities[0].believed_sigma || report.quantities[1].believed_sigma);
+    EXPECT_FALSE(report.quantities[0].estimated_sigma || report.quantities[1].estimated_sigma);
     ASSERT_TRUE(heading(report).gained);
-    const double sigma = *heading(report).believed_sigma;
+    const double sigma = *heading(report).estimated_sigma;
     EXPECT_LT(sigma, before);
     before = sigma;
     // The filter's own covariance: what it was told at the start, and what it has learnt since
@@ -91,8 +91,8 @@ TEST(ObservabilityWatch, AnExtendedFilterWronglyLearnsTheHeading) {
 TEST(ObservabilityWatch, FirstEstimatesLearnNothingOfIt) {
   const Watched run = drive_with(250, "first-estimate");
   EXPECT_EQ(run.report.information.nullity(), 3);
-  EXPECT_EQ(run.report.wrongly_believed, 0);
-  EXPECT_FALSE(heading(run.report).believed_sigma);
+  EXPECT_EQ(run.report.spurious_information, 0);
+  EXPECT_FALSE(heading(run.report).estimated_sigma);
   EXPECT_GE(run.filter_sigma_heading, start_sigma_rad * (1 - 1e-9));
 }
 
@@ -109,14 +109,14 @@ TEST(ObservabilityWatch, AnchorsAndFixesFixTheFrame) {
   EXPECT_TRUE(fixed.report.position_fixes);
   EXPECT_EQ(fixed.report.ideal_nullity, 0);
   EXPECT_EQ(in_words(fixed.report)[1], "heading: fixed by position fixes");
-  EXPECT_NEAR(*heading(fixed.report).believed_sigma, fixed.filter_sigma_heading,
+  EXPECT_NEAR(*heading(fixed.report).estimated_sigma, fixed.filter_sigma_heading,
               0.05 * fixed.filter_sigma_heading);
 }
 
 TEST(ObservabilityWatch, OneAnchorIsOneAnchor) {
   const Watched run = drive(60, [](PlanarSlamSettings& s, const RangeRecording& r) {
     s.filter.anchors = {r.landmarks[0].position};
-    s.filter.lineariser = "first-estimate";
+    s.filter.linearization = "first-estimate";
   });
   EXPECT_EQ(run.report.ideal_nullity, 1);
   EXPECT_EQ(run.report.information.nullity(), 1);
@@ -127,7 +127,7 @@ TEST(ObservabilityWatch, SaysWhatItDoesNotFollow) {
   const Watched from_vehicle =
       drive(20, [](PlanarSlamSettings& s, const RangeRecording&) { s.filter.map_frame = "vehicle"; });
   EXPECT_EQ(from_vehicle.report.uncovered, "the map is told in the vehicle's frame");
-  EXPECT_FALSE(heading(from_vehicle.report).believed_sigma);
+  EXPECT_FALSE(heading(from_vehicle.report).estimated_sigma);
   EXPECT_EQ(in_words(from_vehicle.report).size(), 3u);
   const Watched anchored = drive(20, [](PlanarSlamSettings& s, const RangeRecording& r) {
     s.filter.map_frame = "vehicle";
@@ -164,7 +164,7 @@ TEST(ObservabilityWatch, SaysThatNumbersAreNotFiniteAndWhatCanBeKnownAllTheSame)
     EXPECT_EQ(report->uncovered, of_mean ? "the estimate is not finite" : "its information is not finite");
     EXPECT_EQ(report->ideal_nullity, 3);
     ASSERT_EQ(report->quantities.size(), 3u);
-    EXPECT_FALSE(report->quantities[0].ideally_observable || report->quantities[0].believed_sigma);
+    EXPECT_FALSE(report->quantities[0].ideally_observable || report->quantities[0].estimated_sigma);
   }
 }
 
@@ -181,7 +181,7 @@ struct ThrownCamera {
     estimate.started = true;
     estimate.belief.keep_trace(true);
     for (int i = 0; i < 9; ++i) {
-      Landmark& landmark = estimate.catalogue.emplace_back();
+      Landmark& landmark = estimate.catalog.emplace_back();
       landmark.id = i;
       const Eigen::Vector3d at(0.5 * (i % 3) - 0.5, 0.4 * (i / 3) - 0.4, 2 + 0.3 * (i % 4));
       landmark.kind = i < anchors ? Landmark::Kind::anchor : Landmark::Kind::point;
@@ -198,22 +198,23 @@ struct ThrownCamera {
     u.head<3>() << std::cos(2 * t), 0.7 * std::sin(2 * t), 0.5 * std::cos(2 * t);
     const auto moved = FreeCameraMotion{}.step(estimate.camera_state(), u, 1.0 / 30);
     estimate.belief.predict({estimate.camera, moved.x, moved.F, 1e-4 * moved.G * moved.G.transpose()});
-    std::vector<AffineLook> looks;
-    estimate.looks.clear();
-    for (const Landmark& landmark : estimate.catalogue) {
-      const auto seen = PointLandmark::look(Camera{WideAngleCamera{}}, moved.x, landmark.anchor);
-      AffineLook& look = looks.emplace_back();
-      look.add(estimate.camera, seen->Hv);
-      if (landmark.kind == Landmark::Kind::point) look.add(landmark.block, seen->Hl);
-      look.residual = Eigen::Vector2d::Zero();
-      look.R = 0.16 * Eigen::Matrix2d::Identity();
-      Look& told = estimate.looks.emplace_back();
+    std::vector<LinearizedMeasurement> measurements;
+    estimate.matches.clear();
+    for (const Landmark& landmark : estimate.catalog) {
+      const auto prediction =
+          PointLandmark::predict_measurement(Camera{WideAngleCamera{}}, moved.x, landmark.anchor);
+      LinearizedMeasurement& measurement = measurements.emplace_back();
+      measurement.add(estimate.camera, prediction->Hv);
+      if (landmark.kind == Landmark::Kind::point) measurement.add(landmark.block, prediction->Hl);
+      measurement.residual = Eigen::Vector2d::Zero();
+      measurement.R = 0.16 * Eigen::Matrix2d::Identity();
+      FeatureMatch& told = estimate.matches.emplace_back();
       told.id = landmark.id;
       told.kind = landmark.kind;
       told.point = landmark.anchor;
-      told.outcome = LookOutcome::matched;
+      told.outcome = MatchOutcome::matched;
     }
-    estimate.update = estimate.belief.update(looks);
+    estimate.update = estimate.belief.update(measurements);
     watch.follow(estimate);
     estimate.belief.clear_trace();
   }
@@ -224,15 +225,15 @@ struct ThrownCamera {
 TEST(ObservabilityWatch, ACameraThatIsCommandedIsNotAccusedOfWhatItIsTold) {
   const ObservabilityReport free = ThrownCamera(0).watch.report().value();
   EXPECT_EQ(free.ideal_nullity, 7);
-  EXPECT_EQ(free.wrongly_believed, 0);
+  EXPECT_EQ(free.spurious_information, 0);
   EXPECT_EQ(free.by_motion_model, 4);
   const ObservabilityReport one = ThrownCamera(1).watch.report().value();
   EXPECT_EQ(one.ideal_nullity, 4);
-  EXPECT_EQ(one.wrongly_believed, 0);
+  EXPECT_EQ(one.spurious_information, 0);
   EXPECT_EQ(one.by_motion_model, 4);
   const ObservabilityReport fixed = ThrownCamera(4).watch.report().value();
   EXPECT_EQ(fixed.ideal_nullity, 0);
-  EXPECT_EQ(fixed.wrongly_believed + fixed.by_motion_model, 0);
+  EXPECT_EQ(fixed.spurious_information + fixed.by_motion_model, 0);
   EXPECT_EQ(in_words(fixed)[2], "scale: fixed by 4 anchors");
 }
 
@@ -244,8 +245,8 @@ TEST(ObservabilityWatch, NothingIsNotedWhereNobodyWatches) {
   TeamEstimate unwatched, watched;
   watched.belief.keep_trace(true);
   while (const Tick tick = clock->next()) {
-    const Observation seen = sensor->look({}, tick);
-    for (TeamEstimate* estimate : {&unwatched, &watched}) estimator.update(*estimate, {}, seen, tick);
+    const Observation observation = sensor->add_measurement({}, tick);
+    for (TeamEstimate* estimate : {&unwatched, &watched}) estimator.update(*estimate, {}, observation, tick);
     EXPECT_TRUE(unwatched.belief.trace().empty());
     EXPECT_FALSE(watched.belief.trace().empty());
     watched.belief.clear_trace();

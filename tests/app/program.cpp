@@ -79,9 +79,9 @@ void expect_whole_rows(const fs::path& table, char separator) {
   }
   const std::vector<std::string> rows = lines(table);
   ASSERT_FALSE(rows.empty()) << table;
-  const std::size_t wanted = separator == ' ' ? 8 : cells(rows.front(), separator);
+  const std::size_t requested = separator == ' ' ? 8 : cells(rows.front(), separator);
   for (std::size_t i = 1; i < rows.size(); ++i)
-    ASSERT_EQ(cells(rows[i], separator), wanted) << table << rows[i];
+    ASSERT_EQ(cells(rows[i], separator), requested) << table << rows[i];
 }
 
 }  // namespace
@@ -152,7 +152,7 @@ nlohmann::json summary_of(const fs::path& run) {
   auto summary = nlohmann::json::parse(contents(run / "summary.json"), nullptr, false);
   EXPECT_TRUE(summary.is_object()) << contents(run / "summary.json");
   if (summary.is_object()) {
-    EXPECT_EQ(faults(summary, schema), "");
+    EXPECT_EQ(problems(summary, schema), "");
   }
   return summary;
 }

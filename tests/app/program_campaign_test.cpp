@@ -29,9 +29,9 @@ constexpr const char* tables[] = {"runs.csv", "table.csv", "campaign.json"};
 constexpr const char* vary = "plant.sigma_speed_m_s=0.05,0.2";
 
 /// A folder with a scenario whose runs take some milliseconds.
-class Place : public Scratch {
+class TimedPosition : public Scratch {
  public:
-  Place() {
+  TimedPosition() {
     write("small.toml",
           "[run]\nworld = \"points\"\nsensor = \"range-bearing\"\nrate_hz = 10\nduration_s = 2\n"
           "[vehicle]\nmodel = \"differential-drive\"\nsensor_forward_m = 0.3\nsensor_left_m = 0\n");
@@ -61,7 +61,7 @@ class Place : public Scratch {
   }
 };
 
-void expect_same_tables(const Place& place, const char* a, const char* b) {
+void expect_same_tables(const TimedPosition& place, const char* a, const char* b) {
   for (const char* table : tables) {
     EXPECT_NE(place.read(table, a), "") << table;
     EXPECT_EQ(place.read(table, a), place.read(table, b)) << table;
@@ -82,7 +82,7 @@ TEST(ProgramCampaign, HelpHasAnExample) {
 }
 
 TEST(ProgramCampaign, MakesTheRunsThatRunMakes) {
-  const Place place;
+  const TimedPosition place;
   const Ended ended = place.campaign({"--seeds", "3..5", "--vary", vary});
   ASSERT_EQ(ended.code, 0) << ended.err;
   EXPECT_SAYS(ended.out, "ate_m");
@@ -107,19 +107,19 @@ TEST(ProgramCampaign, MakesTheRunsThatRunMakes) {
 }
 
 TEST(ProgramCampaign, AnswersAsTheSchemaSays) {
-  const Place place;
+  const TimedPosition place;
   const Ended ended = place.campaign({"--seeds", "1..6", "--vary", vary, "--json"});
   ASSERT_EQ(ended.code, 0) << ended.err;
   EXPECT_EQ(ended.out, place.read("campaign.json"));
-  EXPECT_EQ(testing::faults(Json::parse(ended.out), schema()), "");
+  EXPECT_EQ(testing::problems(Json::parse(ended.out), schema()), "");
   const Ended again = place.campaign({"--seeds", "1..6", "--vary", vary, "--json", "--measure", "ate_m"});
   const Json answer = Json::parse(again.out);
-  EXPECT_EQ(testing::faults(answer, schema()), "");
+  EXPECT_EQ(testing::problems(answer, schema()), "");
   for (const Json& variant : answer["variants"]) EXPECT_EQ(variant["measures"].size(), 1u);
 }
 
 TEST(ProgramCampaign, GivesTheSameBytesHoweverItIsSpread) {
-  const Place place;
+  const TimedPosition place;
   const Words what = {"--seeds", "1..7", "--vary", vary, "--vary", "points.count=8,16"};
   const auto with = [&](Words words, const Words& more) {
     words.insert(words.end(), more.begin(), more.end());
@@ -140,7 +140,7 @@ TEST(ProgramCampaign, GivesTheSameBytesHoweverItIsSpread) {
 }
 
 TEST(ProgramCampaign, SaysWhatAnEarlyTableLacks) {
-  const Place place;
+  const TimedPosition place;
   const Words what = {"--seeds", "1..4", "--vary", vary};
   ASSERT_EQ(place.campaign({"--seeds", "1..4", "--vary", vary, "--shard", "1/2"}).code, 0);
   const Ended table = place.campaign({"--seeds", "1..4", "--vary", vary, "--table", "--json"});
@@ -151,7 +151,7 @@ TEST(ProgramCampaign, SaysWhatAnEarlyTableLacks) {
 }
 
 /// Starts it again and again, and kills it each time a little later, until it gets to its end.
-int kill_until_done(const Place& place, const Words& what, bool with_children) {
+int kill_until_done(const TimedPosition& place, const Words& what, bool with_children) {
   std::mt19937 random(7);
   for (int kills = 0;; ++kills) {
     Program program(place.words(what, "killed"), {place.folder()});
@@ -171,7 +171,7 @@ int kill_until_done(const Place& place, const Words& what, bool with_children) {
 class KilledAtAnyMoment : public ::testing::TestWithParam<bool> {};
 
 TEST_P(KilledAtAnyMoment, GivesTheSameTable) {
-  const Place place;
+  const TimedPosition place;
   const Words what = {"--seeds", "1..40", "--vary", vary, "--jobs", "3"};
   ASSERT_EQ(place.campaign(what, "whole").code, 0);
   EXPECT_GE(kill_until_done(place, what, GetParam()), 2);
@@ -182,7 +182,7 @@ TEST_P(KilledAtAnyMoment, GivesTheSameTable) {
 INSTANTIATE_TEST_SUITE_P(Campaign, KilledAtAnyMoment, ::testing::Bool());
 
 TEST(ProgramCampaign, RepeatsNoRunThatHasEnded) {
-  const Place place;
+  const TimedPosition place;
   ASSERT_EQ(place.campaign({"--seeds", "1..4", "--vary", vary}).code, 0);
   std::vector<std::pair<fs::path, std::string>> before;
   for (const fs::path& file : place.results()) before.emplace_back(file, contents(file));
@@ -195,7 +195,7 @@ TEST(ProgramCampaign, RepeatsNoRunThatHasEnded) {
 }
 
 TEST(ProgramCampaign, SurvivesWhatLiesAbout) {
-  const Place place;
+  const TimedPosition place;
   const Words what = {"--seeds", "1..3", "--vary", vary};
   ASSERT_EQ(place.campaign(what, "whole").code, 0);
   ASSERT_EQ(place.campaign(what).code, 0);
@@ -220,7 +220,7 @@ TEST(ProgramCampaign, SurvivesWhatLiesAbout) {
 }
 
 TEST(ProgramCampaign, CountsRunsThatFail) {
-  const Place place;
+  const TimedPosition place;
   const Words what = {"--seeds", "1..5", "--vary", "vehicle_lost.max_sigma_position_m=10,0.011"};
   const Ended ended = place.campaign(what);
   EXPECT_EQ(ended.code, 0) << ended.err;
@@ -244,20 +244,20 @@ TEST(ProgramCampaign, CountsRunsThatFail) {
   EXPECT_SAYS(ended.out, "--measure ate_m.below:0.1");
   EXPECT_SAYS(ended.err, "seed 3: failed: ");
   EXPECT_EQ(testing::lines(place / "c/runs.csv").size(), 1u + 10u);
-  EXPECT_EQ(testing::faults(answer, schema()), "");
+  EXPECT_EQ(testing::problems(answer, schema()), "");
   const Ended again = place.campaign(what);
   EXPECT_SAYS(again.err, "10 made before, 0 to make");
   Words limited = what;
   limited.insert(limited.end(), {"--measure", "ate_m.below:1000", "--json"});
   const Json within = Json::parse(place.campaign(limited).out);
-  EXPECT_EQ(testing::faults(within, schema()), "");
+  EXPECT_EQ(testing::problems(within, schema()), "");
   EXPECT_EQ(within["variants"][0]["measures"]["ate_m.below:1000"]["mean"], 1);
   EXPECT_EQ(within["variants"][1]["measures"]["ate_m.below:1000"]["mean"], 0);
   EXPECT_EQ(within["variants"][1]["measures"]["ate_m.below:1000"]["versus_baseline"]["difference"], -1);
 }
 
 TEST(ProgramCampaign, RefusesALimitThatIsNoneBeforeAnyRun) {
-  const Place place;
+  const TimedPosition place;
   const Ended ended = place.campaign({"--seeds", "1..3", "--measure", "ate_m.below:low"});
   EXPECT_EQ(ended.code, 2);
   EXPECT_SAYS(ended.err, "--measure ate_m.below:low: a limit is a number");
@@ -288,7 +288,7 @@ pid_t process_of_a_run() {
 }
 
 TEST(ProgramCampaign, ARunThatCrashesIsAResult) {
-  const Place place;
+  const TimedPosition place;
   Program program(place.words({"--seeds", "1..3", "--duration", "20000", "--jobs", "1"}), {place.folder()});
   for (int i = 0; i < 3; ++i) {
     const pid_t run = process_of_a_run();
@@ -302,11 +302,11 @@ TEST(ProgramCampaign, ARunThatCrashesIsAResult) {
   const Json answer = Json::parse(place.read("campaign.json"));
   EXPECT_EQ(answer["variants"][0]["failed"], 3);
   EXPECT_SAYS(answer["variants"][0]["failures"][1]["reason"].get<std::string>(), "crashed: signal 6");
-  EXPECT_EQ(testing::faults(answer, schema()), "");
+  EXPECT_EQ(testing::problems(answer, schema()), "");
 }
 
 TEST(ProgramCampaign, ARunThatIsKilledIsMadeAgain) {
-  const Place place;
+  const TimedPosition place;
   const Words what = {"--seeds", "1..2", "--duration", "300", "--jobs", "1"};
   ASSERT_EQ(place.campaign(what, "whole").code, 0);
   Program program(place.words(what), {place.folder()});
@@ -322,7 +322,7 @@ TEST(ProgramCampaign, ARunThatIsKilledIsMadeAgain) {
 }
 
 TEST(ProgramCampaign, AskedToEndItEnds) {
-  const Place place;
+  const TimedPosition place;
   const Words what = {"--seeds", "1..40", "--duration", "60", "--vary", vary, "--jobs", "2"};
   for (const int signal : {SIGINT, SIGTERM}) {
     Program program(place.words(what), {place.folder()});
@@ -340,7 +340,7 @@ TEST(ProgramCampaign, AskedToEndItEnds) {
 }
 
 TEST(ProgramCampaign, KeepsWholeRunsWhenAsked) {
-  const Place place;
+  const TimedPosition place;
   ASSERT_EQ(place.campaign({"--seeds", "1..2", "--keep-runs"}).code, 0);
   ASSERT_EQ(place.campaign({"--seeds", "1..2"}, "bare").code, 0);
   expect_same_tables(place, "bare", "c");
@@ -360,7 +360,7 @@ TEST(ProgramCampaign, KeepsWholeRunsWhenAsked) {
 }
 
 TEST(ProgramCampaign, AFullDiskIsSaidAndTheRestGoesOn) {
-  const Place place;
+  const TimedPosition place;
   const Words what = {"--seeds", "1..40"};
   ASSERT_EQ(place.campaign(what, "whole").code, 0);
   std::uintmax_t largest = 0;
@@ -384,7 +384,7 @@ TEST(ProgramCampaign, AFullDiskIsSaidAndTheRestGoesOn) {
 }
 
 TEST(ProgramCampaign, ValuesMayBeLists) {
-  const Place place;
+  const TimedPosition place;
   const Ended ended = place.campaign({"--seeds", "1", "--vary", "points.size_m=[20, 20, 0],[30,30,0]",
                                       "--baseline", "points.size_m=[30.0, 30.0, 0.0]"});
   ASSERT_EQ(ended.code, 0) << ended.err;
@@ -397,7 +397,7 @@ TEST(ProgramCampaign, ValuesMayBeLists) {
 }
 
 TEST(ProgramCampaign, RefusesBeforeAnyRun) {
-  const Place place;
+  const TimedPosition place;
   place.write("in-the-way", "a file\n");
   const std::size_t before = testing::everything_in(place.folder()).size();
   const std::pair<Words, std::string> wrong[] = {
@@ -446,7 +446,7 @@ TEST(ProgramCampaign, RefusesBeforeAnyRun) {
 }
 
 TEST(ProgramCampaign, LeavesNothingWhereNoRunCanStart) {
-  const Place place;
+  const TimedPosition place;
   place.write("recorded.toml",
               "[run]\nworld = \"recording\"\n[recording]\nfolder = \"nowhere\"\n[start]\nfrom = \"free\"\n");
   const std::size_t before = testing::everything_in(place.folder()).size();
@@ -458,7 +458,7 @@ TEST(ProgramCampaign, LeavesNothingWhereNoRunCanStart) {
 }
 
 TEST(ProgramCampaign, SaysWhereSeedsDoNothing) {
-  const Place place;
+  const TimedPosition place;
   Words still = {"--seeds", "1..2", "--set", "points.file=points.csv"};
   for (const char* noise : {"plant.sigma_speed_m_s", "plant.sigma_turn_rate_rad_s", "plant.sigma_range_m",
                             "plant.sigma_bearing_rad", "team.sigma_position_m", "team.sigma_heading_rad"})
@@ -471,7 +471,7 @@ TEST(ProgramCampaign, SaysWhereSeedsDoNothing) {
 }
 
 TEST(ProgramCampaign, RefusesAMeasureThatNobodyMeasuresAfterTheFirstRun) {
-  const Place place;
+  const TimedPosition place;
   const Ended ended = place.campaign({"--seeds", "1..200", "--jobs", "1", "--measure", "ate"});
   EXPECT_EQ(ended.code, 2);
   EXPECT_SAYS(ended.err,
@@ -491,7 +491,7 @@ TEST(ProgramCampaign, RefusesAMeasureThatNobodyMeasuresAfterTheFirstRun) {
 }
 
 TEST(ProgramCampaign, AMeasureOfTheLastVariantAloneIsNotRefused) {
-  const Place place;
+  const TimedPosition place;
   const Words what = {"--seeds", "1..3",   "--jobs",
                       "1",       "--vary", "team.positions_m=[[0, 0, 0]],[[0, 0, 0], [2, 0, 0]]"};
   Words right = what, wrong = what;
@@ -507,7 +507,7 @@ TEST(ProgramCampaign, AMeasureOfTheLastVariantAloneIsNotRefused) {
 }
 
 TEST(ProgramCampaign, ARunThatFailsSaysNothingOfWhatOthersMeasure) {
-  const Place place;
+  const TimedPosition place;
   // every run of this one is lost, and ends so
   const Ended ended = place.campaign({"--seeds", "1..5", "--jobs", "1", "--measure", "ate", "--set",
                                       "vehicle_lost.max_sigma_position_m=0.011"});
@@ -517,7 +517,7 @@ TEST(ProgramCampaign, ARunThatFailsSaysNothingOfWhatOthersMeasure) {
 }
 
 /// A campaign that is at work, and would be for minutes.
-std::unique_ptr<Program> at_work(const Place& place, Words more = {}) {
+std::unique_ptr<Program> at_work(const TimedPosition& place, Words more = {}) {
   more.insert(more.begin(), {"--seeds", "1..2", "--duration", "20000", "--jobs", "1"});
   auto program = std::make_unique<Program>(place.words(more), testing::Circumstances{place.folder()});
   EXPECT_NE(process_of_a_run(), 0);
@@ -525,7 +525,7 @@ std::unique_ptr<Program> at_work(const Place& place, Words more = {}) {
 }
 
 TEST(ProgramCampaign, OneCampaignAtATimeWorksInAFolder) {
-  const Place place;
+  const TimedPosition place;
   ASSERT_EQ(place.campaign({"--seeds", "1", "--duration", "20"}, "elsewhere").code, 0);
   auto first = at_work(place);
   const std::set<std::string> before = testing::everything_in(place / "c");
@@ -553,7 +553,7 @@ TEST(ProgramCampaign, OneCampaignAtATimeWorksInAFolder) {
 }
 
 TEST(ProgramCampaign, SharesOfOneCampaignWorkTogetherEachOnce) {
-  const Place place;
+  const TimedPosition place;
   const auto first = at_work(place, {"--shard", "1/2"});
   const auto ended = [&](const Words& more) {
     Words words = {"--seeds", "1..2", "--duration", "20000"};
@@ -581,7 +581,7 @@ TEST(ProgramCampaign, SharesOfOneCampaignWorkTogetherEachOnce) {
 }
 
 TEST(ProgramCampaign, RefusesAFolderOfSomethingElse) {
-  const Place place;
+  const TimedPosition place;
   ASSERT_EQ(place.campaign({"--seeds", "1..2", "--vary", vary}).code, 0);
   const std::string table = place.read("table.csv");
   const auto refused = [&](const Words& words, const std::string& because) {
@@ -606,7 +606,7 @@ TEST(ProgramCampaign, RefusesAFolderOfSomethingElse) {
 }
 
 TEST(ProgramCampaign, RefusesTheSameFolderOverOtherGround) {
-  const Place place;
+  const TimedPosition place;
   place.write("hills.toml",
               "[run]\nworld = \"points\"\nsensor = \"camera\"\nrate_hz = 10\nduration_s = 0.5\n"
               "[vehicle]\nmodel = \"terrain\"\n"
@@ -625,7 +625,7 @@ TEST(ProgramCampaign, RefusesTheSameFolderOverOtherGround) {
 }
 
 /// The words behind `mpirun -n N incognita campaign`, waited for; exit code and what it said go to files.
-int with_mpirun(const Place& place, const Words& words, int ranks) {
+int with_mpirun(const TimedPosition& place, const Words& words, int ranks) {
   std::string line =
       "cd '" + place.folder().string() +
       "' && OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 timeout -s KILL 100 mpirun "
@@ -637,7 +637,7 @@ int with_mpirun(const Place& place, const Words& words, int ranks) {
 
 TEST(ProgramCampaign, ManyMachinesGiveTheSameTable) {
   if (std::system("mpirun --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "there is no mpirun here";
-  const Place place;
+  const TimedPosition place;
   const Words what = {"--seeds", "1..20", "--vary", vary};
   ASSERT_EQ(place.campaign(what, "whole").code, 0);
   const int code = with_mpirun(place, place.words(what), 4);

@@ -28,7 +28,7 @@ json answer(Words words) {
   EXPECT_EQ(ended.code, 0) << ended.err;
   const json document = json::parse(ended.out, nullptr, false);
   std::ifstream schema(INCOGNITA_SOURCE_DIR "/docs/schemas/observe.schema.json");
-  EXPECT_EQ(testing::faults(document, json::parse(schema)), "");
+  EXPECT_EQ(testing::problems(document, json::parse(schema)), "");
   return document;
 }
 

@@ -34,9 +34,9 @@ std::string as_pgm(const Image& image) {
 }
 
 std::string as_png(const Image& image) {
-  const cv::Mat grey(image.height(), image.width(), CV_8U, const_cast<std::uint8_t*>(image.row(0)));
+  const cv::Mat gray(image.height(), image.width(), CV_8U, const_cast<std::uint8_t*>(image.row(0)));
   std::vector<std::uint8_t> bytes;
-  cv::imencode(".png", grey, bytes);
+  cv::imencode(".png", gray, bytes);
   return {bytes.begin(), bytes.end()};
 }
 
@@ -46,10 +46,11 @@ class ProgramRecording : public ::testing::Test {
   ProgramRecording() {
     const Scenario room = load_scenario("room").scenario;
     const auto painted = std::make_shared<const Room>(room.room, 1);
-    RoomClock clock(room.run.rate_hz, frames / room.run.rate_hz);
+    FixedRateClock clock(room.run.rate_hz, frames / room.run.rate_hz);
     RoomWorld world(painted->layout(), room.room, 1);
     RoomCamera camera(painted, make_camera(room.camera), room.room, 1);
-    while (const Tick tick = clock.next()) images_.push_back(camera.look(world.move({}, tick), tick).image);
+    while (const Tick tick = clock.next())
+      images_.push_back(camera.measure(world.move({}, tick), tick).image);
     scratch_.write("s.toml",
                    "[run]\nworld = \"recording\"\n[recording]\nfolder = \"" + images().string() +
                        "\"\n[start]\ntarget = \"targets/sheet.toml\"\n[decision]\nstrategy = \"none\"\n");

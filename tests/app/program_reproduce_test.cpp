@@ -80,8 +80,8 @@ TEST(ProgramReproduce, AnswersAsTheSchemaSays) {
   EXPECT_EQ(ended.code, 0) << ended.err;
   const Json json = Json::parse(ended.out, nullptr, false);
   ASSERT_TRUE(json.is_array()) << ended.out;
-  EXPECT_EQ(testing::faults(json, Json::parse(testing::contents(std::string(INCOGNITA_SOURCE_DIR) +
-                                                                "/docs/schemas/reproduce.schema.json"))),
+  EXPECT_EQ(testing::problems(json, Json::parse(testing::contents(std::string(INCOGNITA_SOURCE_DIR) +
+                                                                  "/docs/schemas/reproduce.schema.json"))),
             "");
   ASSERT_EQ(json.size(), 1u);
   EXPECT_EQ(json[0]["id"], id);

@@ -113,11 +113,11 @@ double nearest_matches(const std::filesystem::path& run) {
     by_frame[cell[0]].push_back({std::stod(cell[7]), std::stod(cell[8])});
   }
   double nearest = 1e9;
-  for (const auto& [t, places] : by_frame)
-    for (std::size_t a = 0; a < places.size(); ++a)
+  for (const auto& [t, positions] : by_frame)
+    for (std::size_t a = 0; a < positions.size(); ++a)
       for (std::size_t b = 0; b < a; ++b)
-        nearest = std::min(
-            nearest, std::hypot(places[a].first - places[b].first, places[a].second - places[b].second));
+        nearest = std::min(nearest, std::hypot(positions[a].first - positions[b].first,
+                                               positions[a].second - positions[b].second));
   return nearest;
 }
 

@@ -23,7 +23,7 @@ using testing::Json;
 using testing::Scratch;
 
 LedgerEntry draws(const ExperimentSettings& settings) {
-  if (settings.tell) settings.tell("half of it");
+  if (settings.report) settings.report("half of it");
   Plot plot;
   plot.id = "fig-1.2";
   plot.panels.resize(1);
@@ -69,8 +69,8 @@ TEST(Reproduce, RunsTheExampleOfAFigureAndGivesItsWholeEntry) {
   ASSERT_EQ(json.size(), 1u);  // named twice, run once
   EXPECT_EQ(json[0]["claims"][0]["verdict"], "does-not-hold");
   EXPECT_EQ(json[0]["claims"][0]["measured"], "7 runs");
-  EXPECT_EQ(testing::faults(json, Json::parse(contents(std::string(INCOGNITA_SOURCE_DIR) +
-                                                       "/docs/schemas/reproduce.schema.json"))),
+  EXPECT_EQ(testing::problems(json, Json::parse(contents(std::string(INCOGNITA_SOURCE_DIR) +
+                                                         "/docs/schemas/reproduce.schema.json"))),
             "");
   EXPECT_EQ(contents(scratch / "out/claims.json"), result.out);
   EXPECT_HAS(contents(scratch / "out/claims.md"), "| (1.1) | it counts |");

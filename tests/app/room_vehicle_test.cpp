@@ -70,24 +70,24 @@ TEST(RoomVehicle, DecidesHowItDrivesAndDecidesTheSameAgain) {
   const Ran ran = explored({"run.duration_s=5", "run.rate_hz=15"}),
             again = explored({"run.duration_s=5", "run.rate_hz=15"});
   EXPECT_EQ(ran.lost, 0);
-  EXPECT_EQ(ran.last.advice.actions.size(), 7u);
-  EXPECT_GE(ran.last.advice.chosen, 0);
-  EXPECT_GT(ran.last.advice.coverage.value_or(0), 0.05);
+  EXPECT_EQ(ran.last.decision.actions.size(), 7u);
+  EXPECT_GE(ran.last.decision.chosen, 0);
+  EXPECT_GT(ran.last.decision.coverage.value_or(0), 0.05);
   EXPECT_LT(ran.rms_m, 0.1);
   const Ran stood = explored({"run.duration_s=5", "run.rate_hz=15", "decision.strategy=none"});
   EXPECT_GT((ran.last.truth->camera - stood.last.truth->camera).head<3>().norm(), 0.2) << "it drove";
   EXPECT_EQ(ran.last.camera, again.last.camera);
-  EXPECT_EQ(ran.last.advice.scores, again.last.advice.scores);
+  EXPECT_EQ(ran.last.decision.scores, again.last.decision.scores);
 }
 
 TEST(RoomVehicle, KeepsClearOfWalls) {
   const testing::Scratch scratch;
-  const auto straight_on = [&](const std::string& keep_clear) {
+  const auto straight_on = [&](const std::string& obstacle_avoidance) {
     const std::string text =
         "[run]\nduration_s = 9\nrate_hz = 15\n[vehicle]\nmodel = \"terrain\"\n[start]\nfrom = "
         "\"free\"\n[mount]\nup_m = 1.2\nyaw_rad = 1.57\n[terrain]\namplitude_m = 0.03\n[room]\nclearance_m = "
         "0.3\n[steer]\ninput = [0.5, 0]\n";
-    return run(load_scenario(scratch.write("mine.toml", text + keep_clear).string())).farthest_m;
+    return run(load_scenario(scratch.write("mine.toml", text + obstacle_avoidance).string())).farthest_m;
   };
   EXPECT_GT(straight_on("keep_clear_m = 0.9"), 2) << "it never came near";
   EXPECT_LT(straight_on("keep_clear_m = 0.9"), 3 - 0.3 - 0.03);

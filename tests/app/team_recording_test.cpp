@@ -16,9 +16,9 @@ namespace {
 
 /// Commands are told, not what the wheels did: their noise is mostly what robots make of them.
 TeamMember member_of(const RangeRecording& recording, double first_t) {
-  TeamMember member{DifferentialDrive{}, LaserScanner{}, {}, {}, {}, {}};
-  auto place = true_place(recording, first_t);
-  for (double t = first_t; !place; t += 0.1) place = true_place(recording, t);
+  TeamMember member{DifferentialDrive{}, RangeBearingSensor{}, {}, {}, {}, {}};
+  auto place = true_position(recording, first_t);
+  for (double t = first_t; !place; t += 0.1) place = true_position(recording, t);
   member.start = Eigen::Vector3d(place->position.x(), place->position.y(), *place->heading_rad);
   member.start_sigmas = Eigen::Vector3d::Constant(0.01);
   member.input_sigmas = Eigen::Vector2d(0.1, 0.5);
@@ -46,20 +46,20 @@ Errors drive(const std::vector<RangeRecording>& robots, bool see_each_other) {
   TeamEstimate estimate;
   std::vector<double> squares(robots.size()), count(robots.size());
   for (; tick; tick = clock.next()) {
-    estimator.update(estimate, {}, sensor.look({}, tick), tick);
+    estimator.update(estimate, {}, sensor.measure({}, tick), tick);
     for (std::size_t i = 0; i < robots.size(); ++i) {
-      const auto place = true_place(robots[i], tick.t);
+      const auto place = true_position(robots[i], tick.t);
       if (!place) continue;
-      const Eigen::Vector2d believed = estimate.belief.mean(estimate.vehicles[i].block).head<2>();
-      squares[i] += (believed - place->position).squaredNorm();
+      const Eigen::Vector2d estimated = estimate.belief.mean(estimate.vehicles[i].block).head<2>();
+      squares[i] += (estimated - place->position).squaredNorm();
       ++count[i];
     }
   }
   Errors errors{{}, 0, estimate.status.state};
   for (std::size_t i = 0; i < robots.size(); ++i) errors.rms_m.push_back(std::sqrt(squares[i] / count[i]));
   for (const auto& surveyed : robots.front().landmarks) {
-    const Eigen::Vector2d believed = estimate.belief.mean(estimate.landmarks.at(surveyed.identity).block);
-    errors.landmarks_m += (believed - surveyed.position).squaredNorm();
+    const Eigen::Vector2d estimated = estimate.belief.mean(estimate.landmarks.at(surveyed.identity).block);
+    errors.landmarks_m += (estimated - surveyed.position).squaredNorm();
   }
   errors.landmarks_m = std::sqrt(errors.landmarks_m / static_cast<double>(robots.front().landmarks.size()));
   return errors;

@@ -118,9 +118,9 @@ TEST_P(Blocks, RunOrAreRefusedWithTheReason) {
   const SnapshotVehicle& v = ran.last.vehicles.front();
   ASSERT_TRUE(v.truth.has_value());
   EXPECT_LT((v.truth->position - v.estimate.position).norm(), 0.5);
-  EXPECT_EQ(v.wanted.has_value(), c.law != "none");
+  EXPECT_EQ(v.reference.has_value(), c.law != "none");
   EXPECT_TRUE(std::isfinite(ran.last.entropy.total));
-  EXPECT_EQ(ran.last.advice.actions.empty(), c.law != "active");
+  EXPECT_EQ(ran.last.decision.actions.empty(), c.law != "active");
 }
 
 std::string name_of(const ::testing::TestParamInfo<Words>& info) {
@@ -186,7 +186,7 @@ TEST(TeamScenario, TruthsFollowBeliefsUpToTheirLimits) {
   const auto setting = [&](const std::string& key) {
     return *std::find_if(settings.begin(), settings.end(), [&](const Setting& s) { return s.key == key; });
   };
-  for (const auto& [truth, belief] : beliefs_of_noises()) {
+  for (const auto& [truth, belief] : true_noise_defaults()) {
     EXPECT_LE(setting(belief).allowed.most, setting(truth).allowed.most) << belief;
     EXPECT_GE(setting(belief).allowed.least, setting(truth).allowed.least) << belief;
   }
@@ -280,27 +280,27 @@ TEST(TeamScenario, ACarriedCameraDrivesAsItIsToldAndKnowsHowSureItIs) {
   EXPECT_LT((v.truth->position - v.estimate.position).norm(), 0.2);
   EXPECT_EQ(v.input.size(), 2);
   const Ran active = run(load(carried + "[steer]\nlaw = \"active\"\n"));
-  EXPECT_EQ(active.last.advice.actions.size(), 7u);
-  EXPECT_EQ(active.last.advice.actions[3], "slower");
-  EXPECT_GE(active.last.advice.chosen, 0);
+  EXPECT_EQ(active.last.decision.actions.size(), 7u);
+  EXPECT_EQ(active.last.decision.actions[3], "slower");
+  EXPECT_GE(active.last.decision.chosen, 0);
 }
 
 /// What a hand does nobody tells the filter, whose input stays 0; the hand moves it all the same.
 TEST(TeamScenario, APersonMovesTheCamera) {
-  const std::string by_hand =
+  const std::string operator_controlled =
       "[run]\nworld = \"points\"\nsensor = \"camera\"\nrate_hz = 15\nduration_s = 4\n[vehicle]\nmodel = "
       "\"free-camera\"\n[camera]\nkd1_per_px2 = 9e-6\n[team]\npositions_m = [[-1.5, 0, 1.2]]\n[points]\n"
       "count = 31\nsize_m = [6, 6, 2.5]\nknown = 6\n[filter]\nsigma_acceleration_m_s2 = 2\n[steer]\nlaw = "
       "\"active\"\n[decision]\ngaze = \"hold\"\n";
-  const Ran hand = run(load(by_hand, {"person.holds=true", "person.delay_s=0.5"}));
-  const Ran robot = run(load(by_hand));
-  EXPECT_TRUE(hand.last.command.by_hand);
-  EXPECT_FALSE(robot.last.command.by_hand);
-  EXPECT_GT((hand.last.truth->camera.head<3>() - Eigen::Vector3d(-1.5, 0, 1.2)).norm(), 0.1);
-  EXPECT_TRUE(hand.last.truth->inputs.front().isZero());
+  const Ran actuator = run(load(operator_controlled, {"person.holds=true", "person.delay_s=0.5"}));
+  const Ran robot = run(load(operator_controlled));
+  EXPECT_TRUE(actuator.last.command.operator_controlled);
+  EXPECT_FALSE(robot.last.command.operator_controlled);
+  EXPECT_GT((actuator.last.truth->camera.head<3>() - Eigen::Vector3d(-1.5, 0, 1.2)).norm(), 0.1);
+  EXPECT_TRUE(actuator.last.truth->inputs.front().isZero());
   EXPECT_FALSE(robot.last.truth->inputs.front().isZero());
-  EXPECT_LT((hand.last.truth->camera - hand.last.camera).head<3>().norm(), 0.3);
-  const std::string why = complaint(by_hand, {"person.delay_s=0.5"});
+  EXPECT_LT((actuator.last.truth->camera - actuator.last.camera).head<3>().norm(), 0.3);
+  const std::string why = complaint(operator_controlled, {"person.delay_s=0.5"});
   EXPECT_NE(why.find("means nothing with person.holds = false"), std::string::npos) << why;
 }
 
@@ -309,12 +309,12 @@ struct Nameless {
   Ran ran;
   std::vector<SnapshotVehicle> way;
   std::int64_t right = 0, wrong = 0, missed = 0;
-  int born_again = 0;
+  int duplicate_landmarks = 0;
 };
 
 Nameless run_nameless(const LoadedScenario& loaded) {
   TeamAssembly assembly = assemble_team(loaded);
-  AssociationScore score(assembly.sightings);
+  AssociationScore score(assembly.association_truth);
   Nameless out;
   run_loop(assembly.boxes, std::function<void(const Snapshot&)>([&](const Snapshot& s) {
              score.add(s);
@@ -323,11 +323,11 @@ Nameless run_nameless(const LoadedScenario& loaded) {
            }),
            std::function<bool(const Tick&)>([](const Tick&) { return true; }));
   out.right = score.right(), out.wrong = score.wrong(), out.missed = score.missed();
-  out.born_again = score.born_again();
+  out.duplicate_landmarks = score.duplicate_landmarks();
   return out;
 }
 
-const std::vector<std::string> nameless = {"association.method=nearest"};
+const std::vector<std::string> without_identity = {"association.method=nearest"};
 
 /// Whatever the world calls its points: the estimate is the same, to the last bit. Without noise, which is
 /// drawn for one point after the other, by their names.
@@ -365,12 +365,13 @@ TEST(TeamScenario, PointsWithoutNamesAreWhatTheyAreByTheirPlacesAlone) {
 TEST(TeamScenario, MatchesWhatItSeesOnThePlane) {
   const std::string two = "team.positions_m=[[-2, 0, 0], [2, -6, 0]]";
   for (const char* seed : {"run.seed=1", "run.seed=2", "run.seed=3"}) {
-    const std::vector<std::string> sets = {nameless[0], seed, two, "path.offsets_m=[[0, 0, 0], [4, -6, 0]]"};
+    const std::vector<std::string> sets = {without_identity[0], seed, two,
+                                           "path.offsets_m=[[0, 0, 0], [4, -6, 0]]"};
     const Nameless n = run_nameless(load(drive, sets));
     EXPECT_GT(n.right, 500);
     EXPECT_LT(n.wrong, n.right / 100);
     EXPECT_LT(n.missed, n.right / 10);
-    EXPECT_LE(n.born_again, 1);
+    EXPECT_LE(n.duplicate_landmarks, 1);
     EXPECT_EQ(n.ran.last.status.state, TrackingState::tracking);
   }
 }
@@ -388,17 +389,17 @@ double mean_nees(const std::vector<SnapshotVehicle>& way) {
 TEST(TeamScenario, AFreeCameraFindsWhatItSeesAndIsAsSureOfItselfAsByNames) {
   const std::vector<std::string> seeds = {"run.seed=1", "run.seed=2", "run.seed=6"};
   std::int64_t right = 0, wrong = 0, missed = 0;
-  int born_again = 0;
+  int duplicate_landmarks = 0;
   double by_places = 0, by_names = 0;
   for (const std::string& seed : seeds) {
     const std::vector<std::string> sets = {seed, "run.duration_s=7"};
     const Nameless n = run_nameless(load_scenario(
         "free-camera", std::vector<std::string>{sets[0], sets[1], "association.method=nearest"}));
-    right += n.right, wrong += n.wrong, missed += n.missed, born_again += n.born_again;
+    right += n.right, wrong += n.wrong, missed += n.missed, duplicate_landmarks += n.duplicate_landmarks;
     by_places += mean_nees(n.way) / static_cast<double>(seeds.size());
     TeamAssembly told = assemble_team(
         load_scenario("free-camera", std::vector<std::string>{sets[0], sets[1], "association.method=known"}));
-    EXPECT_EQ(told.sightings, nullptr);
+    EXPECT_EQ(told.association_truth, nullptr);
     std::vector<SnapshotVehicle> way;
     run_loop(told.boxes, std::function<void(const Snapshot&)>([&](const Snapshot& s) {
                way.push_back(s.vehicles.front());
@@ -407,11 +408,12 @@ TEST(TeamScenario, AFreeCameraFindsWhatItSeesAndIsAsSureOfItselfAsByNames) {
     by_names += mean_nees(way) / static_cast<double>(seeds.size());
   }
   RecordProperty("right", std::to_string(right)), RecordProperty("wrong", std::to_string(wrong));
-  RecordProperty("missed", std::to_string(missed)), RecordProperty("born_again", std::to_string(born_again));
+  RecordProperty("missed", std::to_string(missed)),
+      RecordProperty("born_again", std::to_string(duplicate_landmarks));
   EXPECT_GT(right, 4000);
   EXPECT_LT(static_cast<double>(wrong), 0.02 * static_cast<double>(right));
   EXPECT_LT(static_cast<double>(missed), 0.02 * static_cast<double>(right));
-  EXPECT_LE(born_again, 3);
+  EXPECT_LE(duplicate_landmarks, 3);
   EXPECT_LT(by_places, 1.3 * by_names);
 }
 
@@ -434,11 +436,12 @@ TEST(TeamScenario, ReadsPlacesAndPathsFromTables) {
       "= "
       "\"file\"\nfile = \"path.csv\"\n";
   const Ran ran = run(load_scenario(scratch.write("s.toml", text).string(), {}));
-  ASSERT_EQ(ran.last.looks.size(), 2u);
-  EXPECT_EQ(ran.last.looks[0].id, 7);
-  EXPECT_TRUE(ran.last.looks[0].anchor);
-  EXPECT_LT((ran.last.vehicles[0].truth->position.head<2>() - ran.last.vehicles[0].wanted->head<2>()).norm(),
-            0.4);
+  ASSERT_EQ(ran.last.matches.size(), 2u);
+  EXPECT_EQ(ran.last.matches[0].id, 7);
+  EXPECT_TRUE(ran.last.matches[0].anchor);
+  EXPECT_LT(
+      (ran.last.vehicles[0].truth->position.head<2>() - ran.last.vehicles[0].reference->head<2>()).norm(),
+      0.4);
   scratch.write("points.csv", "id,x,y\n7,3,1\n7,-2,4\n");
   try {
     run(load_scenario((scratch.folder() / "s.toml").string(), {}));
@@ -466,7 +469,7 @@ TEST(TeamScenario, LooksMayBeRarerThanTicks) {
   TeamAssembly assembly = assemble_team(load(drive, {"plant.ticks_per_look=5"}));
   int looked = 0, ticks = 0;
   run_loop(assembly.boxes, std::function<void(const Snapshot&)>([&](const Snapshot& s) {
-             looked += !s.looks.empty();
+             looked += !s.matches.empty();
              ++ticks;
            }),
            std::function<bool(const Tick&)>([](const Tick&) { return true; }));

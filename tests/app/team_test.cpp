@@ -26,7 +26,7 @@ struct Scene {
   std::vector<SimulatedVehicle> vehicles;
   TeamSettings filter;
   std::vector<SteeringSettings> steering;
-  PointPlace place;
+  PointLandmarks place;
   double rate_hz = 10;
   bool see_each_other = false;
 
@@ -70,26 +70,26 @@ Result run(const Scene& scene, double duration_s, std::uint64_t seed) {
   for (std::size_t i = 0; i < scene.steering.size(); ++i)
     steered.push_back({scene.vehicles[i].motion, scene.steering[i]});
   TeamController controller(std::move(steered), 1 / scene.rate_hz);
-  RoomClock clock(scene.rate_hz, duration_s);
+  FixedRateClock clock(scene.rate_hz, duration_s);
   Result result;
   Command command;
   int all = 0, late = 0;
   while (const Tick tick = clock.next()) {
     const auto truth = world.move(command, tick);
-    estimator.update(result.estimate, command, sensor.look(truth, tick), tick);
+    estimator.update(result.estimate, command, sensor.measure(truth, tick), tick);
     command = controller.act(result.estimate, {}, {}, tick);
     result.position_error_m = 0;
     for (std::size_t i = 0; i < scene.vehicles.size(); ++i) {
       const AnyMotion& motion = scene.vehicles[i].motion;
       const SmallVector at_truth = position_of(motion, truth->vehicles[i]).position;
-      const SmallVector believed =
+      const SmallVector estimated =
           position_of(motion, result.estimate.belief.mean(result.estimate.vehicles[i].block)).position;
-      result.position_error_m = std::max(result.position_error_m, (at_truth - believed).norm());
+      result.position_error_m = std::max(result.position_error_m, (at_truth - estimated).norm());
       if (tick.frame > 0) result.nees += nees_of(scene, result.estimate, *truth, i), ++all;
       if (tick.t < duration_s * 2 / 3) continue;
-      const Reference wanted = at(scene.steering[i].path, tick.t);
+      const Reference reference = at(scene.steering[i].path, tick.t);
       const auto size = std::min<Eigen::Index>(at_truth.size(), 2);
-      result.tracking_m += (wanted.position.head(size) - at_truth.head(size)).norm(), ++late;
+      result.tracking_m += (reference.position.head(size) - at_truth.head(size)).norm(), ++late;
     }
   }
   result.nees /= all;
@@ -97,8 +97,8 @@ Result run(const Scene& scene, double duration_s, std::uint64_t seed) {
   return result;
 }
 
-PointPlace drawn_place(int count, int dimensions, double half_m, double height_m) {
-  PointPlace place;
+PointLandmarks drawn_landmarks(int count, int dimensions, double half_m, double height_m) {
+  PointLandmarks place;
   RandomStream random(7, "place");
   for (int i = 0; i < count; ++i) {
     place[i] = SmallVector(dimensions);
@@ -124,25 +124,26 @@ AnyMotion motion_named(const std::string& name) {
 }
 
 AnySensor sensor_named(const std::string& name, const AnyMotion& motion) {
-  if (name == "range-bearing" && std::holds_alternative<MonobotMotion>(motion)) return LineScanner{};
-  if (name == "range-bearing") return LaserScanner{};
-  if (name == "bearing") return DirectionFinder{};
+  if (name == "range-bearing" && std::holds_alternative<MonobotMotion>(motion))
+    return RelativePositionSensor{};
+  if (name == "range-bearing") return RangeBearingSensor{};
+  if (name == "bearing") return BearingSensor{};
   const Mount mount{0.1, 0, 0.6, 0, 0};
-  if (name == "camera") return CarriedCamera{wide_angle(), mount};
+  if (name == "camera") return CameraSensor{wide_angle(), mount};
   StereoCamera stereo{wide_angle()};
   stereo.baseline_m = 0.3;
-  return CarriedStereo{stereo, mount};
+  return StereoSensor{stereo, mount};
 }
 
 SmallVector sigmas_of(const AnySensor& sensor) {
-  if (std::holds_alternative<LineScanner>(sensor)) return vec({0.1});
-  if (std::holds_alternative<LaserScanner>(sensor)) return vec({0.1, 0.02});
-  if (std::holds_alternative<DirectionFinder>(sensor)) return vec({0.01});
+  if (std::holds_alternative<RelativePositionSensor>(sensor)) return vec({0.1});
+  if (std::holds_alternative<RangeBearingSensor>(sensor)) return vec({0.1, 0.02});
+  if (std::holds_alternative<BearingSensor>(sensor)) return vec({0.01});
   return SmallVector::Constant(chart_of(sensor).tangent(), 1.0);
 }
 
 /// A vehicle that goes round, or on a line to a point; sees what it needs to keep its place.
-Scene scene_of(const AnyMotion& motion, const AnySensor& sensor, const std::string& lineariser,
+Scene scene_of(const AnyMotion& motion, const AnySensor& sensor, const std::string& linearization,
                const std::string& form = "covariance") {
   Scene scene;
   TeamMember member{motion, sensor, {}, {}, {}, sigmas_of(sensor)};
@@ -158,7 +159,7 @@ Scene scene_of(const AnyMotion& motion, const AnySensor& sensor, const std::stri
   member.input_sigmas = free ? SmallVector::Constant(6, 0.2) : SmallVector::Constant(inputs_of(motion), 0.05);
   if (free) {
     BackAndForthPath path;
-    path.centre = {0, 0, 1.2};
+    path.center = {0, 0, 1.2};
     steer.path = path;
     steer.most_input = SmallVector::Constant(6, 3);
   } else if (line) {
@@ -173,11 +174,11 @@ Scene scene_of(const AnyMotion& motion, const AnySensor& sensor, const std::stri
     steer.most_input = std::holds_alternative<AckermannCar>(motion) ? vec({1.5, 0.6}) : vec({1.5, 1});
   }
   const int dimensions = dimensions_of(sensor);
-  scene.place = drawn_place(dimensions == 3 ? 60 : 20, dimensions, line ? 12 : 8, 2.5);
+  scene.place = drawn_landmarks(dimensions == 3 ? 60 : 20, dimensions, line ? 12 : 8, 2.5);
   scene.rate_hz = dimensions == 3 ? 20 : 10;
-  scene.filter.filter.lineariser = lineariser;
+  scene.filter.filter.linearization = linearization;
   scene.filter.filter.form = form;
-  if (!tells_distance(sensor))  // they fix place and scale
+  if (!measures_distance(sensor))  // they fix place and scale
     for (int i = 0; i < (dimensions == 3 ? 8 : 4); ++i) scene.filter.anchors[i] = scene.place[i];
   scene.add(member, steer, 1e9);
   return scene;
@@ -186,9 +187,9 @@ Scene scene_of(const AnyMotion& motion, const AnySensor& sensor, const std::stri
 using Combination = std::tuple<const char*, const char*, const char*, const char*>;
 /// A line has no bearings and no images; scanners of the plane belong on the plane, and so do the
 /// first-estimate Jacobians that were derived for them.
-bool makes_sense(const std::string& motion, const std::string& sensor, const std::string& lineariser) {
+bool makes_sense(const std::string& motion, const std::string& sensor, const std::string& linearization) {
   const bool on_plane = motion == "differential-drive" || motion == "ackermann";
-  if (lineariser == "first-estimate") return on_plane && sensor == "range-bearing";
+  if (linearization == "first-estimate") return on_plane && sensor == "range-bearing";
   if (motion == "monobot") return sensor == "range-bearing";
   return on_plane || sensor == "camera" || sensor == "stereo";
 }
@@ -196,15 +197,15 @@ bool makes_sense(const std::string& motion, const std::string& sensor, const std
 class Combinations : public ::testing::TestWithParam<Combination> {};
 
 TEST_P(Combinations, RunsAndKnowsHowSureItIsOrIsRefused) {
-  const auto [motion_name, sensor_name, lineariser, form] = GetParam();
+  const auto [motion_name, sensor_name, linearization, form] = GetParam();
   const AnyMotion motion = motion_named(motion_name);
   const AnySensor sensor = sensor_named(sensor_name, motion);
-  const Scene scene = scene_of(motion, sensor, lineariser, form);
-  const std::string fault = fault_in(scene.filter);
-  ASSERT_EQ(fault.empty(), makes_sense(motion_name, sensor_name, lineariser)) << fault;
-  if (!fault.empty()) {
+  const Scene scene = scene_of(motion, sensor, linearization, form);
+  const std::string problem = validate_team_settings(scene.filter);
+  ASSERT_EQ(problem.empty(), makes_sense(motion_name, sensor_name, linearization)) << problem;
+  if (!problem.empty()) {
     EXPECT_THROW(TeamEstimator{scene.filter}, std::invalid_argument);
-    EXPECT_GT(fault.size(), 40u) << "a reason, in words";
+    EXPECT_GT(problem.size(), 40u) << "a reason, in words";
     return;
   }
   double nees = 0;
@@ -243,15 +244,15 @@ INSTANTIATE_TEST_SUITE_P(All, Combinations,
 Scene three_on_circles(bool see_each_other, int landmarks, double sigma_start) {
   Scene scene;
   scene.see_each_other = see_each_other;
-  scene.place = drawn_place(landmarks, 2, 12, 0);
+  scene.place = drawn_landmarks(landmarks, 2, 12, 0);
   for (int i = 0; i < 3; ++i) {
     const SmallVector at_start = SmallVector::Constant(3, sigma_start);
-    TeamMember member{DifferentialDrive{0.3, 0}, LaserScanner{},  vec({4.0 * i - 4, -1, 1.57}), at_start,
+    TeamMember member{DifferentialDrive{0.3, 0}, RangeBearingSensor{}, vec({4.0 * i - 4, -1, 1.57}), at_start,
                       vec({0.1, 0.1}),           vec({0.1, 0.02})};
     SteeringSettings steer;
     steer.law = "feedback-linearisation";
     CirclePath path;
-    path.centre = {4.0 * i - 4, 0, 0};
+    path.center = {4.0 * i - 4, 0, 0};
     path.radius_m = 3;
     path.rate_rad_s = 0.15;
     steer.path = path;
@@ -297,9 +298,9 @@ std::vector<BlockId> blocks_of(const TeamEstimate& estimate) {
 class Forms : public ::testing::TestWithParam<std::tuple<const char*, bool>> {};
 
 TEST_P(Forms, GiveTheSameAnswers) {
-  const auto [lineariser, known_map] = GetParam();
+  const auto [linearization, known_map] = GetParam();
   Scene scene = three_on_circles(true, 20, 0.01);
-  scene.filter.filter.lineariser = lineariser;
+  scene.filter.filter.linearization = linearization;
   scene.filter.filter.gate_probability = 0.999;
   if (known_map) scene.filter.anchors = scene.place;
   TeamSettings changed = scene.filter;
@@ -308,16 +309,16 @@ TEST_P(Forms, GiveTheSameAnswers) {
   TeamEstimate a, b;
   TeamWorld world(scene.vehicles, 5);
   TeamSensor sensor(scene.vehicles, scene.place, true, 5);
-  RoomClock clock(10, 30);
+  FixedRateClock clock(10, 30);
   Command command;
   for (const SteeringSettings& steer : scene.steering) command.inputs.push_back(steer.most_input * 0.3);
   // The root of a covariance that sigma points need enlarges rounding where two directions are alike
-  const double tolerance = lineariser == std::string("unscented-vehicle") ? 1e-6 : 1e-8;
+  const double tolerance = linearization == std::string("unscented-vehicle") ? 1e-6 : 1e-8;
   std::size_t first_seen = 0;
   while (const Tick tick = clock.next()) {
-    const Observation seen = sensor.look(world.move(command, tick), tick);
-    covariance.update(a, command, seen, tick);
-    information.update(b, command, seen, tick);
+    const Observation observation = sensor.measure(world.move(command, tick), tick);
+    covariance.update(a, command, observation, tick);
+    information.update(b, command, observation, tick);
     if (tick.frame == 0) first_seen = a.landmarks.size();
     ASSERT_EQ(a.matched, b.matched) << tick.frame;
     ASSERT_NEAR(a.update.nis, b.update.nis, tolerance * (1 + a.update.nis)) << tick.frame;
@@ -341,20 +342,20 @@ INSTANTIATE_TEST_SUITE_P(All, Forms,
 
 TEST(Forms, InformationIsRefusedWhereItWouldBeInfinite) {
   const AnyMotion motion = motion_named("differential-drive");
-  TeamSettings settings = scene_of(motion, DirectionFinder{}, "analytic", "information").filter;
-  EXPECT_EQ(fault_in(settings), "");
+  TeamSettings settings = scene_of(motion, BearingSensor{}, "analytic", "information").filter;
+  EXPECT_EQ(validate_team_settings(settings), "");
   settings.filter.sigma_inverse_depth_per_m = 0;
-  EXPECT_NE(fault_in(settings).find("inverse depth that is known exactly"), std::string::npos);
+  EXPECT_NE(validate_team_settings(settings).find("inverse depth that is known exactly"), std::string::npos);
   settings.filter.sigma_inverse_depth_per_m = 0.25;
   settings.members[0].start_sigmas[2] = 0;
-  EXPECT_NE(fault_in(settings).find("start that is known exactly"), std::string::npos);
+  EXPECT_NE(validate_team_settings(settings).find("start that is known exactly"), std::string::npos);
   EXPECT_THROW(TeamEstimator{settings}, std::invalid_argument);
   settings.filter.form = "covariance";
-  EXPECT_EQ(fault_in(settings), "");
+  EXPECT_EQ(validate_team_settings(settings), "");
   settings.filter.form = "square-root";
-  EXPECT_NE(
-      fault_in(settings).find("team_filter.form = `square-root`: must be `covariance` or `information`"),
-      std::string::npos);
+  EXPECT_NE(validate_team_settings(settings).find(
+                "team_filter.form = `square-root`: must be `covariance` or `information`"),
+            std::string::npos);
 }
 
 /// Vehicles that cross each other's way, a hand's breadth apart, keep a belief that is as sure as it may be.
@@ -362,7 +363,7 @@ TEST(Team, StaysConsistentWhereVehiclesMeet) {
   double nees = 0;
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     Scene scene = three_on_circles(true, 20, 0.01);
-    for (SteeringSettings& steer : scene.steering) std::get<CirclePath>(steer.path).centre.setZero();
+    for (SteeringSettings& steer : scene.steering) std::get<CirclePath>(steer.path).center.setZero();
     nees += run(scene, 60, seed).nees / 5;
   }
   EXPECT_LT(nees, 2);
@@ -411,8 +412,8 @@ TEST(Team, RefusesWhatCannotBe) {
   const AnyMotion motion = motion_named("differential-drive");
   Scene scene = scene_of(motion, sensor_named("range-bearing", motion), "analytic");
   const auto refused = [](const TeamSettings& settings, const char* because) {
-    const std::string fault = fault_in(settings);
-    EXPECT_NE(fault.find(because), std::string::npos) << fault;
+    const std::string problem = validate_team_settings(settings);
+    EXPECT_NE(problem.find(because), std::string::npos) << problem;
   };
   TeamSettings changed = scene.filter;
   changed.members[0].sigmas = vec({0.1});
@@ -421,7 +422,7 @@ TEST(Team, RefusesWhatCannotBe) {
   changed.members[0].sigmas = vec({0.1, 0});
   refused(changed, "more than 0");
   changed = scene.filter;
-  changed.filter.lineariser = "linear";
+  changed.filter.linearization = "linear";
   refused(changed, "team_filter.lineariser = `linear`: must be one of `analytic`");
   changed = scene.filter;
   changed.association.method = "jointly";
@@ -431,11 +432,11 @@ TEST(Team, RefusesWhatCannotBe) {
   refused(changed, "anchor 3");
   const AnyMotion body = motion_named("free-camera");
   changed = scene_of(body, sensor_named("stereo", body), "iterated").filter;
-  EXPECT_EQ(fault_in(changed), "");
+  EXPECT_EQ(validate_team_settings(changed), "");
   changed.filter.max_linearity_index = 0.1;
   refused(changed, "turns a map that no anchor fixes");
   changed.anchors[1] = vec({1, 2, 3});
-  EXPECT_EQ(fault_in(changed), "");
+  EXPECT_EQ(validate_team_settings(changed), "");
   changed = scene.filter;
   changed.members.clear();
   refused(changed, "needs a vehicle");

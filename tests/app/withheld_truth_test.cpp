@@ -27,7 +27,7 @@ constexpr bool has_truth = requires(T o) {
 || requires(T o) { o.truth; }
 || requires(T o) { o.states; }
 || requires(T o) { o.camera; };
-static_assert(!has_truth<Observation> && !has_truth<VehicleView>);
+static_assert(!has_truth<Observation> && !has_truth<VehicleObservation>);
 
 struct Given {
   std::vector<Tick> ticks;
@@ -52,8 +52,8 @@ class RecordingClock final : public Clock {
 class RecordingSensor final : public Sensor {
  public:
   RecordingSensor(std::unique_ptr<Sensor> sensor, Given& given) : sensor_(std::move(sensor)), given_(given) {}
-  Observation look(const std::optional<Truth>& truth, const Tick& tick) override {
-    given_.observations.push_back(sensor_->look(truth, tick));
+  Observation measure(const std::optional<Truth>& truth, const Tick& tick) override {
+    given_.observations.push_back(sensor_->measure(truth, tick));
     return given_.observations.back();
   }
 
@@ -81,7 +81,7 @@ class NoWorld final : public World {
 class GivenSensor final : public Sensor {
  public:
   explicit GivenSensor(const Given& given) : given_(given) {}
-  Observation look(const std::optional<Truth>&, const Tick&) override {
+  Observation measure(const std::optional<Truth>&, const Tick&) override {
     return given_.observations.at(next_++);
   }
 
@@ -91,7 +91,7 @@ class GivenSensor final : public Sensor {
 };
 
 std::string commands_of(const Command& command) {
-  std::string text = std::to_string(command.by_hand);
+  std::string text = std::to_string(command.operator_controlled);
   const auto add = [&](const auto& numbers) {
     for (Eigen::Index i = 0; i < numbers.size(); ++i) text += fmt::format(" {}", numbers[i]);
   };

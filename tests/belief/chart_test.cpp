@@ -15,10 +15,10 @@ TEST(Charts, AnAngleIsWrappedWhenTheUpdateCarriesItOverTheEnd) {
   Belief belief;
   const BlockId robot = belief.add_vehicle(planar_pose, Eigen::Vector3d(1, 2, std::numbers::pi - 0.1),
                                            Eigen::Matrix3d::Identity());
-  AffineLook compass;
+  LinearizedMeasurement compass;
   compass.add(robot, Eigen::RowVector3d(0, 0, 1));
-  compass.residual = LookVector::Constant(1, 0.4);
-  compass.R = LookMatrix::Identity(1, 1);
+  compass.residual = MeasurementVector::Constant(1, 0.4);
+  compass.R = MeasurementMatrix::Identity(1, 1);
   belief.update({&compass, 1});
   EXPECT_NEAR(belief.mean(robot)[2], -std::numbers::pi + 0.1, 1e-14);  // half of the residual, over the end
   EXPECT_EQ(belief.mean(robot)[0], 1);
@@ -30,20 +30,20 @@ TEST(Charts, ARotationTurnsInItsOwnFrameAndStaysAUnitQuaternion) {
   Eigen::VectorXd mean(7);
   mean << 1, 2, 3, start;
   const BlockId camera = belief.add_vehicle(spatial_pose, mean, Eigen::MatrixXd::Identity(6, 6));
-  AffineLook look;
+  LinearizedMeasurement measurement;
   Eigen::MatrixXd H = Eigen::MatrixXd::Zero(3, 6);
   H.rightCols(3).setIdentity();
-  look.add(camera, H);
-  look.residual = Eigen::Vector3d(0.2, 0.5, -0.8);
-  look.R = 3 * Eigen::Matrix3d::Identity();  // gain 1/4
-  belief.update({&look, 1});
+  measurement.add(camera, H);
+  measurement.residual = Eigen::Vector3d(0.2, 0.5, -0.8);
+  measurement.R = 3 * Eigen::Matrix3d::Identity();  // gain 1/4
+  belief.update({&measurement, 1});
   const Eigen::Vector4d expected =
       quaternion_product<double>(start, quaternion_exp<double>(Eigen::Vector3d(0.05, 0.125, -0.2)));
   EXPECT_TRUE(close(belief.mean(camera).tail(4), expected, 1e-14));
   for (int i = 0; i < 10000; ++i) {
     belief.predict(
         {camera, belief.mean(camera), BlockMatrix::Identity(6, 6), 0.1 * BlockMatrix::Identity(6, 6)});
-    belief.update({&look, 1});
+    belief.update({&measurement, 1});
   }
   EXPECT_NEAR(belief.mean(camera).tail(4).norm(), 1, 1e-14);
 }

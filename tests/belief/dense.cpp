@@ -25,36 +25,37 @@ Map::Map(RandomStream& random, const std::vector<int>& vehicle_sizes,
   }
 }
 
-AffineLook random_look(RandomStream& random, const Belief& belief, int rows,
-                       const std::vector<BlockId>& blocks) {
-  AffineLook look;
-  for (const BlockId id : blocks) look.add(id, random_matrix(random, rows, belief.chart(id).tangent()));
-  look.residual = random_matrix(random, rows, 1);
-  look.R = random_covariance(random, rows);
-  return look;
+LinearizedMeasurement random_measurement(RandomStream& random, const Belief& belief, int rows,
+                                         const std::vector<BlockId>& blocks) {
+  LinearizedMeasurement measurement;
+  for (const BlockId id : blocks)
+    measurement.add(id, random_matrix(random, rows, belief.chart(id).tangent()));
+  measurement.residual = random_matrix(random, rows, 1);
+  measurement.R = random_covariance(random, rows);
+  return measurement;
 }
 
-Stacked::Stacked(const Belief& belief, std::span<const AffineLook> looks) {
+Stacked::Stacked(const Belief& belief, std::span<const LinearizedMeasurement> measurements) {
   int rows = 0;
-  for (const AffineLook& look : looks) rows += look.rows();
+  for (const LinearizedMeasurement& measurement : measurements) rows += measurement.rows();
   H = Eigen::MatrixXd::Zero(rows, belief.errors());
   R = Eigen::MatrixXd::Zero(rows, rows);
   residual.resize(rows);
   int row = 0;
-  for (const AffineLook& look : looks) {
-    for (int i = 0; i < look.part_count; ++i)
-      H.block(row, belief.offset(look.parts[i].block), look.rows(), look.parts[i].H.cols()) +=
-          look.parts[i].H;
-    R.block(row, row, look.rows(), look.rows()) = look.R;
-    residual.segment(row, look.rows()) = look.residual;
-    row += look.rows();
+  for (const LinearizedMeasurement& measurement : measurements) {
+    for (int i = 0; i < measurement.part_count; ++i)
+      H.block(row, belief.offset(measurement.parts[i].block), measurement.rows(),
+              measurement.parts[i].H.cols()) += measurement.parts[i].H;
+    R.block(row, row, measurement.rows(), measurement.rows()) = measurement.R;
+    residual.segment(row, measurement.rows()) = measurement.residual;
+    row += measurement.rows();
   }
 }
 
-Posterior textbook_update(const Eigen::MatrixXd& P, const Stacked& looks) {
-  const Eigen::MatrixXd S = looks.H * P * looks.H.transpose() + looks.R;
-  const Eigen::MatrixXd K = P * looks.H.transpose() * S.inverse();
-  return {P - K * S * K.transpose(), S, K * looks.residual};
+Posterior textbook_update(const Eigen::MatrixXd& P, const Stacked& measurements) {
+  const Eigen::MatrixXd S = measurements.H * P * measurements.H.transpose() + measurements.R;
+  const Eigen::MatrixXd K = P * measurements.H.transpose() * S.inverse();
+  return {P - K * S * K.transpose(), S, K * measurements.residual};
 }
 
 Eigen::VectorXd stacked_mean(const Belief& belief, const std::vector<BlockId>& ids) {

@@ -24,14 +24,14 @@ struct Map {
 };
 
 /// One look of the given rows at the given blocks.
-AffineLook random_look(RandomStream& random, const Belief& belief, int rows,
-                       const std::vector<BlockId>& blocks);
+LinearizedMeasurement random_measurement(RandomStream& random, const Belief& belief, int rows,
+                                         const std::vector<BlockId>& blocks);
 
 /// All looks as one: H, R and residual over the whole state.
 struct Stacked {
   Eigen::MatrixXd H, R;
   Eigen::VectorXd residual;
-  Stacked(const Belief& belief, std::span<const AffineLook> looks);
+  Stacked(const Belief& belief, std::span<const LinearizedMeasurement> measurements);
 };
 
 struct Posterior {
@@ -39,7 +39,7 @@ struct Posterior {
   Eigen::VectorXd delta;
 };
 /// (A.2.5), (A.2.6) as printed: K = P H' S^-1, P - K S K', K * residual.
-Posterior textbook_update(const Eigen::MatrixXd& P, const Stacked& looks);
+Posterior textbook_update(const Eigen::MatrixXd& P, const Stacked& measurements);
 
 /// Means of all blocks on lines, in the order of their offsets.
 Eigen::VectorXd stacked_mean(const Belief& belief, const std::vector<BlockId>& ids);

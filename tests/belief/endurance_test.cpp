@@ -47,14 +47,15 @@ class Life {
   }
 
   Eigen::MatrixXd update() {
-    std::vector<AffineLook> looks;
+    std::vector<LinearizedMeasurement> measurements;
     for (int i = 1 + random_.below(4); i > 0; --i) {
       std::vector<BlockId> blocks = {any(vehicles_)};
       if (!landmarks_.empty()) blocks.push_back(any(landmarks_));
-      looks.push_back(random_look(random_, belief_, 1 + random_.below(3), blocks));
+      measurements.push_back(random_measurement(random_, belief_, 1 + random_.below(3), blocks));
     }
-    const Eigen::MatrixXd expected = textbook_update(belief_.dense_covariance(), Stacked(belief_, looks)).P;
-    EXPECT_EQ(belief_.update(looks).outcome, UpdateReport::Outcome::updated);
+    const Eigen::MatrixXd expected =
+        textbook_update(belief_.dense_covariance(), Stacked(belief_, measurements)).P;
+    EXPECT_EQ(belief_.update(measurements).outcome, UpdateReport::Outcome::updated);
     return expected;
   }
 

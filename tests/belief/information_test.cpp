@@ -37,19 +37,19 @@ struct Pair {
     ids.push_back(covariance.augment(chart, mean, parents, noise));
     ASSERT_EQ(information.augment(chart, mean, parents, noise), ids.back());
   }
-  AffineMotion motion(RandomStream& random, BlockId id) const {
+  LinearizedMotion motion(RandomStream& random, BlockId id) const {
     const int size = covariance.chart(id).tangent();
     const Eigen::MatrixXd G = 0.3 * random_matrix(random, size, std::max(1, size - 1));  // N is singular
     return {id, mean_on(random, covariance.chart(id)),
             BlockMatrix::Identity(size, size) + 0.2 * random_matrix(random, size, size), G * G.transpose()};
   }
-  std::vector<AffineLook> looks(RandomStream& random) const {
-    std::vector<AffineLook> all;
+  std::vector<LinearizedMeasurement> measurements(RandomStream& random) const {
+    std::vector<LinearizedMeasurement> all;
     for (int i = 1 + random.below(6); i > 0; --i) {
       std::vector<BlockId> blocks;
       for (int k = 1 + random.below(3); k > 0; --k)
         blocks.push_back(ids[static_cast<std::size_t>(random.below(static_cast<int>(ids.size())))]);
-      all.push_back(random_look(random, covariance, 1 + random.below(4), blocks));
+      all.push_back(random_measurement(random, covariance, 1 + random.below(4), blocks));
     }
     return all;
   }
@@ -85,22 +85,23 @@ TEST(InformationForm, HasTheAnswersOfTheCovarianceFormWhateverIsDone) {
         both.information.drop(any);
         std::erase(both.ids, any);
       } else if (what <= 4) {
-        const AffineMotion motion = both.motion(random, any);
+        const LinearizedMotion motion = both.motion(random, any);
         both.covariance.predict(motion);
         both.information.predict(motion);
       } else {
-        const std::vector<AffineLook> looks = both.looks(random);
+        const std::vector<LinearizedMeasurement> measurements = both.measurements(random);
         Eigen::MatrixXd S, theirs;
-        both.covariance.innovation_covariance(looks, S);
-        both.information.innovation_covariance(looks, theirs);
+        both.covariance.innovation_covariance(measurements, S);
+        both.information.innovation_covariance(measurements, theirs);
         ASSERT_TRUE(close(theirs, S, 1e-9));
         std::vector<BlockVector> expected(both.ids.size()), corrections(both.ids.size());
-        ASSERT_TRUE(both.covariance.correction(looks, both.ids, expected));
-        ASSERT_TRUE(both.information.correction(looks, both.ids, corrections));
+        ASSERT_TRUE(both.covariance.correction(measurements, both.ids, expected));
+        ASSERT_TRUE(both.information.correction(measurements, both.ids, corrections));
         for (std::size_t i = 0; i < expected.size(); ++i)
           EXPECT_LE((corrections[i] - expected[i]).norm(), 1e-8 * (1 + expected[i].norm()));
         ASSERT_TRUE(both.same(1e-8)) << "asking changes nothing";
-        const UpdateReport a = both.covariance.update(looks), b = both.information.update(looks);
+        const UpdateReport a = both.covariance.update(measurements),
+                           b = both.information.update(measurements);
         ASSERT_EQ(a.outcome, UpdateReport::Outcome::updated);
         ASSERT_EQ(b.outcome, UpdateReport::Outcome::updated);
         EXPECT_EQ(a.rows, b.rows);
@@ -139,8 +140,8 @@ TEST(InformationForm, NeedsNoInverseOfAMotion) {
   both.add_vehicle(random, Chart::line(4));
   both.augment(random, Chart::line(2));
   // Two of the errors are forgotten and drawn anew, the others kept exactly
-  AffineMotion motion{both.ids[0], Eigen::VectorXd::Zero(4), BlockMatrix::Zero(4, 4),
-                      BlockMatrix::Zero(4, 4)};
+  LinearizedMotion motion{both.ids[0], Eigen::VectorXd::Zero(4), BlockMatrix::Zero(4, 4),
+                          BlockMatrix::Zero(4, 4)};
   motion.A.topLeftCorner(2, 2).setIdentity();
   motion.N.bottomRightCorner(2, 2) = 0.5 * Eigen::Matrix2d::Identity();
   both.covariance.predict(motion);
@@ -188,10 +189,10 @@ TEST(InformationForm, RefusesLooksThatCannotBeUsed) {
   const Photograph before(both.covariance, both.ids);
   const Eigen::MatrixXd information = both.information.dense_information();
   EXPECT_EQ(both.information.update({}).outcome, UpdateReport::Outcome::nothing);
-  AffineLook bad = random_look(random, both.covariance, 2, {both.ids[0]});
+  LinearizedMeasurement bad = random_measurement(random, both.covariance, 2, {both.ids[0]});
   bad.R(0, 0) = bad.R(0, 1) = bad.R(1, 0) = 0;
   EXPECT_EQ(both.information.update({&bad, 1}).outcome, UpdateReport::Outcome::singular);
-  bad = random_look(random, both.covariance, 2, {both.ids[0]});
+  bad = random_measurement(random, both.covariance, 2, {both.ids[0]});
   bad.residual[0] = std::nan("");
   EXPECT_EQ(both.information.update({&bad, 1}).outcome, UpdateReport::Outcome::singular);
   bad.residual[0] = 0;
@@ -210,8 +211,8 @@ TEST(InformationForm, SaysWhenNothingIsKnownAnyMore) {
   both.information.predict({both.ids[0], Eigen::Vector2d::Zero(), I, std::nan("") * I});
   EXPECT_TRUE(both.information.covariance(both.ids[1]).hasNaN());
   EXPECT_TRUE(std::isnan(both.information.log_determinants(2).all));
-  const AffineLook look = random_look(random, both.covariance, 2, {both.ids[0]});
-  EXPECT_EQ(both.information.update({&look, 1}).outcome, UpdateReport::Outcome::singular);
+  const LinearizedMeasurement measurement = random_measurement(random, both.covariance, 2, {both.ids[0]});
+  EXPECT_EQ(both.information.update({&measurement, 1}).outcome, UpdateReport::Outcome::singular);
 }
 
 TEST(InformationForm, NotesWhatTheCovarianceFormNotes) {
@@ -227,12 +228,12 @@ TEST(InformationForm, NotesWhatTheCovarianceFormNotes) {
         belief.augment(Chart::line(2), Eigen::Vector2d::Zero(), {&parent, 1}, random_covariance(same, 2));
     const BlockMatrix I = BlockMatrix::Identity(2, 2);
     belief.predict({vehicle, Eigen::Vector2d::Zero(), I, I});
-    AffineLook look;
-    look.add(vehicle, I);
-    look.add(landmark, I);
-    look.residual = Eigen::Vector2d::Ones();
-    look.R = I;
-    belief.update({&look, 1});
+    LinearizedMeasurement measurement;
+    measurement.add(vehicle, I);
+    measurement.add(landmark, I);
+    measurement.residual = Eigen::Vector2d::Ones();
+    measurement.R = I;
+    belief.update({&measurement, 1});
     belief.replace(landmark, Chart::line(1), Eigen::VectorXd::Zero(1), I.topRows(1), BlockMatrix::Zero(1, 1));
     belief.drop(landmark);
   }
@@ -248,13 +249,13 @@ TEST(InformationForm, IteratesToTheSame) {
   both.augment(random, Chart::line(2));
   const auto range = [&](const auto& belief) {
     const Eigen::Vector2d apart = belief.mean(both.ids[1]) - belief.mean(both.ids[0]);
-    AffineLook look;
+    LinearizedMeasurement measurement;
     const Eigen::RowVector2d direction = apart.transpose() / apart.norm();
-    look.add(both.ids[0], -direction);
-    look.add(both.ids[1], direction);
-    look.residual = Eigen::VectorXd::Constant(1, 4 - apart.norm());
-    look.R = 0.05 * Eigen::MatrixXd::Identity(1, 1);
-    return std::vector<AffineLook>{look};
+    measurement.add(both.ids[0], -direction);
+    measurement.add(both.ids[1], direction);
+    measurement.residual = Eigen::VectorXd::Constant(1, 4 - apart.norm());
+    measurement.R = 0.05 * Eigen::MatrixXd::Identity(1, 1);
+    return std::vector<LinearizedMeasurement>{measurement};
   };
   const IterationSettings until{.max_iterations = 100};
   const IterationReport a = update_iterated(both.covariance, both.ids, range, until),

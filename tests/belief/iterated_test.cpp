@@ -64,24 +64,24 @@ struct Scene {
     return b;
   }
 
-  std::vector<AffineLook> looks(const Belief& b) const {
+  std::vector<LinearizedMeasurement> measurements(const Belief& b) const {
     const Pose x = b.mean(0);
-    std::vector<AffineLook> all;
+    std::vector<LinearizedMeasurement> all;
     for (std::size_t i = 0; i < points.size(); ++i) {
       const Vector3d c = seen(x, points[i]);
       Eigen::Matrix<double, 3, 6> H;
       H << -rotation_matrix<double>(x.tail<4>()).transpose(), skew<double>(c);
-      AffineLook look;
-      look.add(0, H);
-      look.residual = measured[i] - c;
-      look.R = sigma_m * sigma_m * Matrix3d::Identity();
-      all.push_back(look);
+      LinearizedMeasurement measurement;
+      measurement.add(0, H);
+      measurement.residual = measured[i] - c;
+      measurement.R = sigma_m * sigma_m * Matrix3d::Identity();
+      all.push_back(measurement);
     }
     return all;
   }
 
   /// Prior and looks, each whitened: what is least where the state is most probable.
-  Eigen::VectorXd misfits(const Error& e) const {
+  Eigen::VectorXd costs(const Error& e) const {
     const Pose x = plus(prior, e);
     Eigen::VectorXd all(6 + 3 * points.size());
     all.head<6>() = P.llt().matrixL().solve(e);
@@ -96,14 +96,14 @@ struct Scene {
     Error e = Error::Zero();
     double damping = 1e-3;
     for (int step = 0; step < 500; ++step) {
-      const Eigen::VectorXd m = misfits(e);
+      const Eigen::VectorXd m = costs(e);
       Eigen::MatrixXd J(m.size(), 6);
       for (int k = 0; k < 6; ++k)
-        J.col(k) = (misfits(e + 1e-6 * Error::Unit(k)) - misfits(e - 1e-6 * Error::Unit(k))) / 2e-6;
+        J.col(k) = (costs(e + 1e-6 * Error::Unit(k)) - costs(e - 1e-6 * Error::Unit(k))) / 2e-6;
       Eigen::Matrix<double, 6, 6> A = J.transpose() * J;
       A.diagonal() *= 1 + damping;
       const Error next = e - A.ldlt().solve(J.transpose() * m);
-      const bool better = misfits(next).squaredNorm() < m.squaredNorm();
+      const bool better = costs(next).squaredNorm() < m.squaredNorm();
       damping *= better ? 0.3 : 4;
       if (better) e = next;
     }
@@ -117,12 +117,12 @@ TEST(IteratedUpdate, OfATurnedBodyIsTheMostProbableState) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const Scene scene(seed);
     Belief belief = scene.belief(), once = scene.belief();
-    const auto looks_at = [&](const Belief& b) { return scene.looks(b); };
-    const IterationReport report = update_iterated(belief, blocks, looks_at, {200, 1e-10});
+    const auto linearize_at = [&](const Belief& b) { return scene.measurements(b); };
+    const IterationReport report = update_iterated(belief, blocks, linearize_at, {200, 1e-10});
     EXPECT_TRUE(report.converged) << seed;
     const Error best = scene.most_probable(), found = minus(belief.mean(0), scene.prior);
     EXPECT_LE((found - best).norm(), 1e-6) << seed;
-    once.update(scene.looks(once));
+    once.update(scene.measurements(once));
     apart_after_one = std::max(apart_after_one, (minus(once.mean(0), scene.prior) - best).norm());
     farthest_turn = std::max(farthest_turn, best.tail<3>().norm());
   }
@@ -133,11 +133,11 @@ TEST(IteratedUpdate, OfATurnedBodyIsTheMostProbableState) {
 TEST(IteratedUpdate, SettlesWhereAChangeIsLittleOfTheSpread) {
   const Scene scene(3);
   constexpr BlockId blocks[] = {0};
-  const auto looks_at = [&](const Belief& b) { return scene.looks(b); };
+  const auto linearize_at = [&](const Belief& b) { return scene.measurements(b); };
   Belief fine = scene.belief(), coarse = scene.belief();
-  const IterationReport all = update_iterated(fine, blocks, looks_at, {200, 1e-10});
+  const IterationReport all = update_iterated(fine, blocks, linearize_at, {200, 1e-10});
   const IterationReport few = update_iterated(
-      coarse, blocks, looks_at, {.max_iterations = 200, .tolerance = 1e-10, .tolerance_sigmas = 1e-2});
+      coarse, blocks, linearize_at, {.max_iterations = 200, .tolerance = 1e-10, .tolerance_sigmas = 1e-2});
   EXPECT_TRUE(few.converged);
   EXPECT_LT(few.iterations, all.iterations);
   const Error apart = minus(coarse.mean(0), fine.mean(0));
@@ -150,27 +150,27 @@ TEST(IteratedUpdate, KeepsALookThatIsLostOnTheWay) {
   constexpr BlockId blocks[] = {0};
   int asked = 0;
   const auto second_lost = [&](const Belief& b) {
-    std::vector<AffineLook> looks = scene.looks(b);
-    if (asked++ > 0) looks[1] = AffineLook{};
-    return looks;
+    std::vector<LinearizedMeasurement> measurements = scene.measurements(b);
+    if (asked++ > 0) measurements[1] = LinearizedMeasurement{};
+    return measurements;
   };
   Belief belief = scene.belief();
   EXPECT_TRUE(update_iterated(belief, blocks, second_lost, {200, 1e-10}).converged);
   // As if it had been linear from the start
   Belief wanted = scene.belief();
-  const AffineLook linear = scene.looks(wanted)[1];
+  const LinearizedMeasurement linear = scene.measurements(wanted)[1];
   const Belief at_prior = scene.belief();
   const auto second_linear = [&](const Belief& b) {
-    std::vector<AffineLook> looks = scene.looks(b);
+    std::vector<LinearizedMeasurement> measurements = scene.measurements(b);
     const Pose x = b.mean(0);
     const Error moved = minus(x, scene.prior);
-    looks[1] = linear;
+    measurements[1] = linear;
     // H (x (+) e (-) x_0) by e
     Eigen::Matrix<double, 6, 6> J = Eigen::Matrix<double, 6, 6>::Identity();
     J.block<3, 3>(3, 3) = right_jacobian(moved.tail<3>()).inverse();
-    looks[1].residual -= linear.parts[0].H * moved;
-    looks[1].parts[0].H = linear.parts[0].H * J;
-    return looks;
+    measurements[1].residual -= linear.parts[0].H * moved;
+    measurements[1].parts[0].H = linear.parts[0].H * J;
+    return measurements;
   };
   EXPECT_TRUE(update_iterated(wanted, blocks, second_linear, {200, 1e-10}).converged);
   EXPECT_LE(minus(belief.mean(0), wanted.mean(0)).norm(), 1e-7);

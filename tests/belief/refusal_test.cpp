@@ -14,14 +14,14 @@ class Refusal : public ::testing::Test {
   Map map{random, {6}, {3, 3, 6}};
   std::vector<BlockId> ids{0, 1, 2, 3};
 
-  AffineLook look(BlockId landmark) {
-    return random_look(random, map.belief, 2, {map.vehicles[0], landmark});
+  LinearizedMeasurement measurement(BlockId landmark) {
+    return random_measurement(random, map.belief, 2, {map.vehicles[0], landmark});
   }
 
-  void refuses(const std::vector<AffineLook>& looks) {
+  void refuses(const std::vector<LinearizedMeasurement>& measurements) {
     const Photograph before(map.belief, ids);
-    EXPECT_EQ(map.belief.update(looks).outcome, UpdateReport::Outcome::singular);
-    EXPECT_EQ(map.belief.update_joseph(looks).outcome, UpdateReport::Outcome::singular);
+    EXPECT_EQ(map.belief.update(measurements).outcome, UpdateReport::Outcome::singular);
+    EXPECT_EQ(map.belief.update_joseph(measurements).outcome, UpdateReport::Outcome::singular);
     EXPECT_TRUE(Photograph(map.belief, ids) == before);
   }
 
@@ -43,38 +43,38 @@ class Refusal : public ::testing::Test {
 };
 
 TEST_F(Refusal, OfTheSamePerfectLookTwice) {
-  AffineLook perfect = look(1);
-  perfect.R = 1e-20 * LookMatrix::Identity(2, 2);
+  LinearizedMeasurement perfect = measurement(1);
+  perfect.R = 1e-20 * MeasurementMatrix::Identity(2, 2);
   refuses({perfect, perfect});
 }
 
 TEST_F(Refusal, OfLooksThatDifferByNothingButRounding) {
   for (int run = 0; run < 50; ++run) {  // S is singular, yet its last pivot may come out positive
-    AffineLook a = look(1), b = a;
-    a.R = b.R = 1e-20 * LookMatrix::Identity(2, 2);
+    LinearizedMeasurement a = measurement(1), b = a;
+    a.R = b.R = 1e-20 * MeasurementMatrix::Identity(2, 2);
     for (int i = 0; i < 2; ++i) b.parts[i].H *= 1.0 / 3.0;
     refuses({a, b});
   }
 }
 
 TEST_F(Refusal, OfNoiseThatIsNotPositive) {
-  AffineLook negative = look(1), zero = look(2), undefined = look(3);
+  LinearizedMeasurement negative = measurement(1), zero = measurement(2), undefined = measurement(3);
   negative.R(1, 1) = -1;
   zero.R.setZero();
   undefined.R(0, 0) = std::numeric_limits<double>::quiet_NaN();
   refuses({negative});
-  refuses({look(1), zero});
+  refuses({measurement(1), zero});
   refuses({undefined});
 }
 
 TEST_F(Refusal, OfNumbersThatAreNot) {
   for (const double bad :
        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
-    AffineLook residual = look(1), jacobian = look(2);
+    LinearizedMeasurement residual = measurement(1), jacobian = measurement(2);
     residual.residual[1] = bad;
     jacobian.parts[0].H(0, 2) = bad;
     refuses({residual});
-    refuses({jacobian, look(1)});
+    refuses({jacobian, measurement(1)});
   }
 }
 
@@ -82,10 +82,10 @@ TEST_F(Refusal, OfAnUpdateThatRoundingWouldLeaveNothingOf) {
   Belief vague;
   const BlockId robot =
       vague.add_vehicle(Chart::line(1), Eigen::VectorXd::Zero(1), Eigen::MatrixXd::Constant(1, 1, 1e17));
-  AffineLook fix;
+  LinearizedMeasurement fix;
   fix.add(robot, Eigen::MatrixXd::Identity(1, 1));
-  fix.residual = LookVector::Constant(1, 5);
-  fix.R = LookMatrix::Identity(1, 1);
+  fix.residual = MeasurementVector::Constant(1, 5);
+  fix.R = MeasurementMatrix::Identity(1, 1);
   EXPECT_EQ(vague.update({&fix, 1}).outcome, UpdateReport::Outcome::singular);
   EXPECT_EQ(vague.covariance(robot)(0, 0), 1e17);
   EXPECT_EQ(vague.mean(robot)[0], 0);
@@ -95,15 +95,16 @@ TEST_F(Refusal, OfAnUpdateThatRoundingWouldLeaveNothingOf) {
 }
 
 TEST_F(Refusal, OfLooksThatDoNotFit) {
-  AffineLook wide = look(1), tall = look(1), noise = look(1), gone = look(1);
+  LinearizedMeasurement wide = measurement(1), tall = measurement(1), noise = measurement(1),
+                        gone = measurement(1);
   wide.parts[1].H.setZero(2, 4);
   tall.parts[0].H.setZero(3, 6);
   noise.R.setIdentity(3, 3);
   gone.parts[1].block = 99;
   for (const auto& update : {&Belief::update, &Belief::update_joseph}) {
-    const auto call = [&](const AffineLook& bad) {
-      const std::vector<AffineLook> looks = {look(2), bad};
-      (map.belief.*update)(looks);
+    const auto call = [&](const LinearizedMeasurement& bad) {
+      const std::vector<LinearizedMeasurement> measurements = {measurement(2), bad};
+      (map.belief.*update)(measurements);
     };
     throws("2x4", "2x3", [&] { call(wide); });
     throws("3x6", "2x6", [&] { call(tall); });
@@ -115,14 +116,14 @@ TEST_F(Refusal, OfLooksThatDoNotFit) {
 }
 
 TEST_F(Refusal, OfALookAtTooManyBlocks) {
-  AffineLook many = random_look(random, map.belief, 1, {0, 1, 2});
+  LinearizedMeasurement many = random_measurement(random, map.belief, 1, {0, 1, 2});
   EXPECT_THROW(many.add(3, Eigen::MatrixXd::Zero(1, 6)), std::length_error);
   EXPECT_EQ(many.part_count, 3);
 }
 
 TEST_F(Refusal, OfMotionThatDoesNotFit) {
-  const AffineMotion good{0, BlockVector::Zero(6), BlockMatrix::Identity(6, 6), BlockMatrix::Zero(6, 6)};
-  AffineMotion mean = good, A = good, N = good, gone = good;
+  const LinearizedMotion good{0, BlockVector::Zero(6), BlockMatrix::Identity(6, 6), BlockMatrix::Zero(6, 6)};
+  LinearizedMotion mean = good, A = good, N = good, gone = good;
   mean.x_next.setZero(7);
   A.A.setIdentity(6, 5);
   N.N.setIdentity(3, 3);

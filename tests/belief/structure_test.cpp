@@ -142,10 +142,11 @@ TEST(Copy, GoesItsOwnWay) {
   const std::vector<BlockId> ids = {map.vehicles[0], map.landmarks[0], map.landmarks[1]};
   const Photograph before(map.belief, ids);
   Belief copy = map.belief;
-  const AffineLook look = random_look(random, copy, 2, {map.vehicles[0], map.landmarks[1]});
-  copy.update({&look, 1});
+  const LinearizedMeasurement measurement =
+      random_measurement(random, copy, 2, {map.vehicles[0], map.landmarks[1]});
+  copy.update({&measurement, 1});
   EXPECT_TRUE(Photograph(map.belief, ids) == before);
-  map.belief.update({&look, 1});
+  map.belief.update({&measurement, 1});
   EXPECT_TRUE(Photograph(map.belief, ids) == Photograph(copy, ids));  // the same bytes
   EXPECT_FALSE(Photograph(map.belief, ids) == before);
 }

@@ -40,8 +40,8 @@ TEST(TrackReference, BringsTheConstantVelocityModelToThePlaceAndGaze) {  // thes
     x = FreeCameraMotion{}.f<double>(x, u.as_input(), 1 / 30.0);
   }
   Eigen::Matrix<double, 12, 1> error;
-  const CameraState wanted = at_rest();
-  FreeCameraMotion::chart.minus({x.data(), 13}, {wanted.data(), 13}, {error.data(), 12});
+  const CameraState desired = at_rest();
+  FreeCameraMotion::chart.minus({x.data(), 13}, {desired.data(), 13}, {error.data(), 12});
   EXPECT_LT(error.norm(), 1e-4);
 }
 
@@ -84,13 +84,13 @@ TEST(CameraController, ShowsAnOperatorTheGoalAndAsksForNoInput) {
   goal.decided = true;
   goal.to = {0, 0.3, 0};
   goal.end_t = 1;
-  EXPECT_FALSE(controller.act(estimate, goal, {}, {0, 0, 0}).by_hand) << "not started";
+  EXPECT_FALSE(controller.act(estimate, goal, {}, {0, 0, 0}).operator_controlled) << "not started";
   estimate.camera =
       estimate.belief.add_vehicle(FreeCameraMotion::chart, moving, FreeCameraMotion::Jacobian::Identity());
   estimate.started = true;
   estimate.status.state = TrackingState::tracking;
   Command command = controller.act(estimate, goal, {}, {1, 0.1, 0.1});
-  EXPECT_TRUE(command.by_hand);
+  EXPECT_TRUE(command.operator_controlled);
   EXPECT_TRUE(command.as_input().isZero());
   ASSERT_EQ(command.user_commands.size(), 1u);
   EXPECT_EQ(command.user_commands[0].segment.to, goal.to);
@@ -104,7 +104,7 @@ TEST(CameraController, ShowsAnOperatorTheGoalAndAsksForNoInput) {
   EXPECT_EQ(command.user_commands[0].gaze->rad, 0.5);
   estimate.status.state = TrackingState::lost;
   command = controller.act(estimate, goal, {}, {3, 0.3, 0.1});
-  EXPECT_TRUE(command.by_hand && command.user_commands.empty()) << "come to rest";
+  EXPECT_TRUE(command.operator_controlled && command.user_commands.empty()) << "come to rest";
   EXPECT_TRUE(command.as_input().isZero());
 }
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "incognita/analysis/observability/closed_loop.hpp"
-#include "incognita/control/feedback_linearisation.hpp"
+#include "incognita/control/feedback_linearization.hpp"
 #include "incognita/math/random.hpp"
 #include "tests/scratch.hpp"
 
@@ -61,7 +61,7 @@ TEST(Regulate, RefusesWithReasons) {
   EXPECT_HAS(complaint(x, Vector2d(1, 0), -largest), "must be positive");
   EXPECT_HAS(complaint(Vector2d(NAN, 0), Vector2d(1, 0), largest), "not finite");
   const Regulation stuck = regulate(I, Vector2d(1, 0), x, Vector2d(0, 0), {I, one}, largest);
-  EXPECT_EQ(stuck.gain.outcome, RegulatorOutcome::not_stabilisable);
+  EXPECT_EQ(stuck.gain.outcome, RegulatorOutcome::not_stabilizable);
   EXPECT_TRUE(stuck.u.isZero());
 }
 
@@ -100,7 +100,7 @@ TEST(PlanarRegulator, PositionIsStableAndTheHeadingIsLeftAlone) {
     const Pose pose(random.normal(), random.normal(), random.uniform(-4, 4));
     const Matrix2d L = PlanarRegulator(settings).act(pose, {3, 4}).L;
     const Matrix2d G = point_velocity_by_input(settings.body, pose[2]) * settings.period_s;
-    EXPECT_TRUE(is_stabilising(Matrix2d::Identity(), G, L));
+    EXPECT_TRUE(is_stabilizing(Matrix2d::Identity(), G, L));
     const Eigen::Matrix3d at_rest = planar_closed_loop(settings.body, pose, {0, 0}, settings.period_s, L);
     EXPECT_NEAR(stability_of(at_rest).spectral_radius, 1, 1e-12) << "the heading stays where it is";
     const Eigen::Vector3cd modes = stability_of(at_rest).eigenvalues;

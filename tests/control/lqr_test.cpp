@@ -81,7 +81,7 @@ TEST(SteadyGain, OfTheDoubleIntegrator) {
   EXPECT_LE((answer.L - Eigen::RowVector2d(0.422082440385454, 1.243928853903714)).norm(), 1e-11);
 }
 
-TEST(SteadyGain, StabilisesWhateverIsControllable) {
+TEST(SteadyGain, StabilizesWhateverIsControllable) {
   RandomStream random(1, "regulators");
   for (int i = 0; i < 300; ++i) {
     const int n = 1 + random.below(6), m = 1 + random.below(3);
@@ -89,7 +89,7 @@ TEST(SteadyGain, StabilisesWhateverIsControllable) {
     const MatrixXd Q1 = random_definite(random, n), Q2 = random_definite(random, m);
     const SteadyGain answer = steady_gain(F, G, Q1, Q2);
     ASSERT_EQ(answer.outcome, converged) << answer.reason;
-    EXPECT_TRUE(is_stabilising(F, G, answer.L));
+    EXPECT_TRUE(is_stabilizing(F, G, answer.L));
     EXPECT_LE(residual(F, G, Q1, Q2, answer.T), 1e-9);
     EXPECT_LE(answer.residual, 1e-9);
     EXPECT_LE(answer.iterations, 30);
@@ -103,7 +103,7 @@ TEST(SteadyGain, ServesSystemsThatSettleInAMillionSteps) {
   const MatrixXd G = Vector2d(0.5e-6, 1e-3), Q1 = Vector2d(1e-8, 0).asDiagonal();
   const SteadyGain answer = steady_gain(F, G, Q1, scalar(1));
   ASSERT_EQ(answer.outcome, converged) << answer.reason;
-  EXPECT_GT(is_stabilising(F, G, answer.L).spectral_radius, 1 - 1e-4);
+  EXPECT_GT(is_stabilizing(F, G, answer.L).spectral_radius, 1 - 1e-4);
   EXPECT_LE(residual(F, G, Q1, scalar(1), answer.T), 1e-9);
 }
 
@@ -192,7 +192,7 @@ TEST(SteadyGain, NamesTheModeThatTheInputsDoNotReach) {
     G.topRows(2) = random_matrix(random, 2, 2);
     Turned s = turned(random, F, G);
     const SteadyGain growing = steady_gain(s.F, s.G, identity(4), identity(2));
-    EXPECT_EQ(growing.outcome, not_stabilisable);
+    EXPECT_EQ(growing.outcome, not_stabilizable);
     EXPECT_HAS(growing.reason, "of magnitude 1.3");
     F.bottomRightCorner(2, 2) = 0.5 * spiral;  // dies out by itself: no matter
     s = turned(random, F, G);
@@ -202,7 +202,7 @@ TEST(SteadyGain, NamesTheModeThatTheInputsDoNotReach) {
 
 TEST(SteadyGain, CannotMoveALandmark) {  // the monobot (3.7): the second mode stays where it is
   const SteadyGain answer = steady_gain(identity(2), Vector2d(1, 0), identity(2), scalar(1));
-  EXPECT_EQ(answer.outcome, not_stabilisable);
+  EXPECT_EQ(answer.outcome, not_stabilizable);
   EXPECT_HAS(answer.reason, "the mode 1, of magnitude 1");
   EXPECT_EQ(answer.L.size(), 0);
 }
@@ -213,7 +213,7 @@ TEST(SteadyGain, RefusesModesOutOfReachThatCoincideWithOthers) {
   F << 1, 1, 0, 1;  // one Jordan block, whose lower end is out of reach
   for (int i = 0; i < 100; ++i) {
     const Turned s = turned(random, F, Vector2d(1, 0));
-    EXPECT_EQ(steady_gain(s.F, s.G, identity(2), scalar(1)).outcome, not_stabilisable);
+    EXPECT_EQ(steady_gain(s.F, s.G, identity(2), scalar(1)).outcome, not_stabilizable);
   }
 }
 
@@ -275,7 +275,7 @@ TEST(SteadyGain, ThrowsWhereSizesOrEntriesCannotBe) {
 
 TEST(RegulatorOutcome, HasASentenceForEach) {
   for (const RegulatorOutcome outcome :
-       {converged, cost_not_definite, not_stabilisable, not_detectable, not_converged})
+       {converged, cost_not_definite, not_stabilizable, not_detectable, not_converged})
     EXPECT_GT(sentence(outcome).size(), 10u);
 }
 

@@ -102,18 +102,18 @@ TEST(CirclePath, IsTheThesisCircleWithItsTrueVelocity) {  // (5.14), and (5.15) 
 }
 
 /// (5.28) in the thesis' axes, turned into ours and seen by a camera.
-TEST(BackAndForthPath, IsTheThesisPathAndLooksAtTheCentre) {
+TEST(BackAndForthPath, IsTheThesisPathAndLooksAtTheCenter) {
   const BackAndForthPath path{{0.3, -0.4, 1.2}, 1.5, radians(15)};
   for (double t = 0; t < 30; t += 0.37) {
     const double p = path.amplitude_rad * (std::sin(2 * t) - 2 * t / pi);
     const Vector3d thesis(path.radius_m * std::sin(p), 0, -path.radius_m * std::cos(p));  // left, up, forward
     const Reference reference = at(path, t);
-    EXPECT_LE((reference.position - path.centre - Vector3d(thesis.z(), thesis.x(), thesis.y())).norm(),
+    EXPECT_LE((reference.position - path.center - Vector3d(thesis.z(), thesis.x(), thesis.y())).norm(),
               1e-12);
     const Eigen::Vector4d gaze = level_gaze(reference.heading);  // w, x, y, z
     const Eigen::Quaterniond world_from_camera(gaze[0], gaze[1], gaze[2], gaze[3]);
     const Vector3d axis = world_from_camera * Vector3d(0, 0, 1);
-    EXPECT_LE((axis - (path.centre - reference.position) / path.radius_m).norm(), 1e-12);
+    EXPECT_LE((axis - (path.center - reference.position) / path.radius_m).norm(), 1e-12);
     EXPECT_NEAR(reference.heading_rate, -path.amplitude_rad * (2 * std::cos(2 * t) - 2 / pi), 1e-12);
   }
   EXPECT_NEAR(at(path, 3 + pi).heading - at(path, 3).heading, 2 * path.amplitude_rad, 1e-12)
@@ -211,7 +211,7 @@ TEST(ReferencePath, RefusesWhatIsNone) {
   EXPECT_HAS(complaint(CirclePath{.rate_rad_s = 0}), "the rate of the circle must not be 0");
   EXPECT_HAS(complaint(CirclePath{.phase_rad = INFINITY}), "the phase of the circle is not finite");
   EXPECT_HAS(complaint(BackAndForthPath{.amplitude_rad = NAN}), "the amplitude of the path");
-  EXPECT_HAS(complaint(BackAndForthPath{.centre = {0, NAN, 0}}), "the centre of the path is not finite");
+  EXPECT_HAS(complaint(BackAndForthPath{.center = {0, NAN, 0}}), "the centre of the path is not finite");
   EXPECT_HAS(complaint(WayPointPath{}), "there are no way-points");
   EXPECT_HAS(complaint(WayPointPath{{{0, 0, 0}}, 0}), "the speed between way-points must be positive");
   EXPECT_HAS(complaint(WayPointPath{{{0, 0, NAN}}, 1}), "a way-point is not finite");

@@ -24,12 +24,12 @@ using testing::minus;
 using testing::vec;
 
 Path circle(double rate_rad_s = 0.12) {
-  return CirclePath{.centre = {1, 2, 0}, .radius_m = 4, .rate_rad_s = rate_rad_s, .phase_rad = 1};
+  return CirclePath{.center = {1, 2, 0}, .radius_m = 4, .rate_rad_s = rate_rad_s, .phase_rad = 1};
 }
 Path point() { return PointPath{.position = {3, 2, 1}, .heading_rad = 0.5}; }
 Path way_points() { return WayPointPath{{{0, 0, 0}, {6, 0, 0}, {6, 5, 0}, {-2, 7, 0}}, 0.5}; }
 Path swing(double radius_m, double amplitude_rad = 0.2) {
-  return BackAndForthPath{.centre = {0, 0, 1.2}, .radius_m = radius_m, .amplitude_rad = amplitude_rad};
+  return BackAndForthPath{.center = {0, 0, 1.2}, .radius_m = radius_m, .amplitude_rad = amplitude_rad};
 }
 /// Slowly round an eight, up and down besides, looking where it goes.
 Path eight(double size = 1) {
@@ -147,9 +147,9 @@ struct Off {
 Off off(const Case& c, const SmallVector& x, const Reference& r) {
   if (&c.motion == &line) return {std::abs(x[0] - r.position.x()), 0};
   if (&c.motion == &body) {
-    SmallVector wanted = x;
-    wanted.segment<4>(3) = level_gaze(r.heading);
-    return {(x.head<3>() - r.position).norm(), minus(chart_of(c.motion), x, wanted).segment<3>(3).norm()};
+    SmallVector desired = x;
+    desired.segment<4>(3) = level_gaze(r.heading);
+    return {(x.head<3>() - r.position).norm(), minus(chart_of(c.motion), x, desired).segment<3>(3).norm()};
   }
   // Tracking steers the axle, the other laws a point that is off it
   const bool tracks = c.law == "tracking";
@@ -176,7 +176,7 @@ Off driven(const Case& c, const SmallVector& start) {
     if (t > 0.8 * c.duration_s) worst = {std::max(worst.m, now.m), std::max(worst.rad, now.rad)};
     const SmallVector input = law->act(plant.state(), t);
     plant.move(input, c.period_s);
-    EXPECT_EQ(plant.carried_out(), input) << "more than it can do, at t = " << t;
+    EXPECT_EQ(plant.executed(), input) << "more than it can do, at t = " << t;
   }
   return worst;
 }

@@ -60,13 +60,13 @@ TEST(VehicleController, StandsStillBeforeTheStartAndWhenLost) {
 
 TEST(VehicleController, KeepsClearWhateverItIsTold) {
   VehicleDriving d = driving();
-  d.keep_clear = KeepClear{0.8, 0.3, {0.5, 0.6}};
+  d.obstacle_avoidance = ObstacleAvoidanceSettings{0.8, 0.3, {0.5, 0.6}};
   VehicleController controller(d, 0.1);
-  Observation seen;
-  seen.around.push_back({0, 0.1, 0.3});
+  Observation observation;
+  observation.proximity_ranges.push_back({0, 0.1, 0.3});
   Goal goal;
   goal.drive = Eigen::Vector2d(0.5, 0);
-  const Eigen::Vector2d u = input(controller.act(at({}, {0, 0, 0}), goal, seen, {0, 0, 0}));
+  const Eigen::Vector2d u = input(controller.act(at({}, {0, 0, 0}), goal, observation, {0, 0, 0}));
   EXPECT_NEAR(u[0], 0, 1e-12);
   EXPECT_NEAR(std::abs(u[1]), 0.6, 1e-12);
 }
@@ -90,7 +90,7 @@ TEST(VehicleController, RefusesWhatCannotSteer) {
   VehicleDriving d = driving("lqg");
   EXPECT_THROW(VehicleController(d, 0.1), std::invalid_argument);
   d = driving();
-  d.keep_clear = KeepClear{0.2, 0.3, {0.5, 0.6}};
+  d.obstacle_avoidance = ObstacleAvoidanceSettings{0.2, 0.3, {0.5, 0.6}};
   EXPECT_THROW(VehicleController(d, 0.1), std::invalid_argument);
 }
 

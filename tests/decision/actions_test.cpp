@@ -48,7 +48,7 @@ Estimate two_landmarks() {
         Eigen::Vector3d(0.25, 1e-4, 1e-4).asDiagonal();  // unsure along the line of sight
     landmark.block = estimate.belief.augment(PointLandmark::chart, at, {}, cov);
     landmark.view = {{Image(21, 21, 100), {10, 10}}, {160, 120}, {0, 0, 0}, x.segment<4>(3), {{-1, 0, 0}}, 0};
-    estimate.catalogue.push_back(landmark);
+    estimate.catalog.push_back(landmark);
   }
   return estimate;
 }

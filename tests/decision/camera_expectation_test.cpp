@@ -29,50 +29,52 @@ Estimate before(int landmarks) {
     landmark.block =
         e.belief.augment(PointLandmark::chart, at, {}, sigma * sigma * Eigen::Matrix3d::Identity());
     landmark.view = {{Image(21, 21, 100), {10, 10}}, {160, 120}, {0, 0, 0}, x.segment<4>(3), {{-1, 0, 0}}, 0};
-    e.catalogue.push_back(landmark);
+    e.catalog.push_back(landmark);
   }
   return e;
 }
 
-std::vector<ExpectedLandmark> expected_before(int count) {
+std::vector<ExpectedLandmark> predicted_before(int count) {
   std::vector<ExpectedLandmark> all;
   for (int i = 0; i < count; ++i) all.push_back({i, {3, 0.02 * i, 0.1}});
   return all;
 }
 
-std::vector<ExpectedLook> expect(const Estimate& e, const std::vector<ExpectedLandmark>& unseen,
-                                 const CameraSlamSettings& slam, bool as_mapped) {
+std::vector<PredictedMeasurement> expect(const Estimate& e, const std::vector<ExpectedLandmark>& unseen,
+                                         const CameraSlamSettings& slam, bool as_mapped) {
   CameraExpectation expectation(WideAngleCamera{}, slam, as_mapped);
   expectation.prepare(e, unseen, 1.5);
-  std::vector<ExpectedLook> looks;
-  expectation.expect(e.camera_state(), looks);
-  return looks;
+  std::vector<PredictedMeasurement> measurements;
+  expectation.expect(e.camera_state(), measurements);
+  return measurements;
 }
 
-std::ptrdiff_t count(const std::vector<ExpectedLook>& looks, ExpectedLook::Of of) {
-  return std::count_if(looks.begin(), looks.end(), [&](const ExpectedLook& l) { return l.of == of; });
+std::ptrdiff_t count(const std::vector<PredictedMeasurement>& measurements, PredictedMeasurement::Of of) {
+  return std::count_if(measurements.begin(), measurements.end(),
+                       [&](const PredictedMeasurement& l) { return l.of == of; });
 }
 
 TEST(CameraExpectation, SearchesForTheMostUncertain) {
   const Estimate e = before(20);
   CameraSlamSettings slam;
   slam.search.max_measurements = 20;
-  auto trace = [&](const ExpectedLook& l) {
+  auto trace = [&](const PredictedMeasurement& l) {
     return (l.Hv * e.belief.covariance(e.camera) * l.Hv.transpose() +
             l.Hl * e.belief.covariance(l.block) * l.Hl.transpose())
         .trace();
   };
-  std::vector<ExpectedLook> all = expect(e, {}, slam, false);
+  std::vector<PredictedMeasurement> all = expect(e, {}, slam, false);
   ASSERT_EQ(all.size(), 20u);
   slam.search.max_measurements = 7;
-  const std::vector<ExpectedLook> some = expect(e, {}, slam, false);
+  const std::vector<PredictedMeasurement> some = expect(e, {}, slam, false);
   ASSERT_EQ(some.size(), 7u);
-  std::sort(all.begin(), all.end(),
-            [&](const ExpectedLook& a, const ExpectedLook& b) { return trace(a) > trace(b); });
+  std::sort(all.begin(), all.end(), [&](const PredictedMeasurement& a, const PredictedMeasurement& b) {
+    return trace(a) > trace(b);
+  });
   for (int i = 0; i < 7; ++i) {
     const BlockId block = all[static_cast<std::size_t>(i)].block;
-    EXPECT_TRUE(
-        std::any_of(some.begin(), some.end(), [&](const ExpectedLook& l) { return l.block == block; }))
+    EXPECT_TRUE(std::any_of(some.begin(), some.end(),
+                            [&](const PredictedMeasurement& l) { return l.block == block; }))
         << i << " of the most uncertain is not searched for";
   }
 }
@@ -81,12 +83,14 @@ TEST(CameraExpectation, OfWhatNobodySawNoMoreThanWouldBeMapped) {
   CameraSlamSettings slam;
   slam.map.wanted_visible = 12;
   for (const int mapped : {0, 5, 11, 12, 20}) {
-    const auto looks = expect(before(mapped), expected_before(30), slam, true);
-    EXPECT_EQ(count(looks, ExpectedLook::Of::unseen), std::max(0, 12 - mapped)) << mapped << " mapped";
-    EXPECT_EQ(count(looks, ExpectedLook::Of::mapped), std::min(12, mapped));
+    const auto measurements = expect(before(mapped), predicted_before(30), slam, true);
+    EXPECT_EQ(count(measurements, PredictedMeasurement::Of::unseen), std::max(0, 12 - mapped))
+        << mapped << " mapped";
+    EXPECT_EQ(count(measurements, PredictedMeasurement::Of::mapped), std::min(12, mapped));
   }
-  EXPECT_EQ(count(expect(before(2), expected_before(3), slam, true), ExpectedLook::Of::unseen), 3);
-  EXPECT_EQ(count(expect(before(20), expected_before(30), slam, false), ExpectedLook::Of::unseen), 30)
+  EXPECT_EQ(count(expect(before(2), predicted_before(3), slam, true), PredictedMeasurement::Of::unseen), 3);
+  EXPECT_EQ(count(expect(before(20), predicted_before(30), slam, false), PredictedMeasurement::Of::unseen),
+            30)
       << "all of them, unless told otherwise";
 }
 

@@ -40,28 +40,28 @@ TEST(Exploration, LandmarksLeaveWhatWasSeenAndStayElsewhere) {
     return count;
   };
   EXPECT_GT(count_east(), 0);
-  for (int i = 0; i < 9; ++i) e.look(east, 0.1, 0);
+  for (int i = 0; i < 9; ++i) e.update(east, 0.1, 0);
   EXPECT_EQ(e.coverage(), 0) << "a second makes a cell seen, and not before";
-  e.look(east, 0.1, 0);
+  e.update(east, 0.1, 0);
   EXPECT_NEAR(e.coverage(), 0.5, 1e-12);
   EXPECT_EQ(e.expected().size(), 20u);
   EXPECT_EQ(count_east(), 0);
   const auto before = e.expected();
-  e.look(nothing, 0.1, 0);
+  e.update(nothing, 0.1, 0);
   for (std::size_t i = 0; i < before.size(); ++i) EXPECT_EQ(e.expected()[i].position, before[i].position);
-  for (int i = 0; i < 10; ++i) e.look([](const Eigen::Vector3d&) { return true; }, 0.1, 0);
+  for (int i = 0; i < 10; ++i) e.update([](const Eigen::Vector3d&) { return true; }, 0.1, 0);
   EXPECT_EQ(e.coverage(), 1);
   EXPECT_TRUE(e.expected().empty()) << "there is no elsewhere";
 }
 
 TEST(Exploration, WhatIsMappedIsNoLongerExpected) {
   Exploration e(room(10), 1);
-  e.look(nothing, 0.1, 4);
+  e.update(nothing, 0.1, 4);
   EXPECT_EQ(e.expected().size(), 6u);
   const std::vector<ExpectedLandmark> before = e.expected();
-  e.look(nothing, 0.1, 12);
+  e.update(nothing, 0.1, 12);
   EXPECT_TRUE(e.expected().empty());
-  e.look(nothing, 0.1, 4);
+  e.update(nothing, 0.1, 4);
   ASSERT_EQ(e.expected().size(), 6u) << "what is dropped from the map is expected again";
   for (std::size_t i = 0; i < 6; ++i)
     EXPECT_EQ(e.expected()[i].position, before[i].position) << "where it was before";
@@ -69,7 +69,7 @@ TEST(Exploration, WhatIsMappedIsNoLongerExpected) {
 
 TEST(Exploration, ExpectsNothingUnlessTold) {
   Exploration e({}, 1);
-  e.look([](const Eigen::Vector3d&) { return true; }, 10, 0);
+  e.update([](const Eigen::Vector3d&) { return true; }, 10, 0);
   EXPECT_TRUE(e.expected().empty());
   EXPECT_EQ(e.coverage(), 0);
 }

@@ -22,14 +22,14 @@ Eigen::MatrixXd some_covariance(int size) {
 
 TEST(ExtendedEntropy, IsThatOfWhatIsTold) {
   const Eigen::MatrixXd P = some_covariance(12 + 3 + 6);
-  const Eigen::MatrixXd told = some_covariance(6).topRows(3);
+  const Eigen::MatrixXd transforms = some_covariance(6).topRows(3);
   Eigen::MatrixXd J = Eigen::MatrixXd::Zero(18, 21);
   J.topLeftCorner(15, 15).setIdentity();
-  J.bottomRightCorner(3, 6) = told;
+  J.bottomRightCorner(3, 6) = transforms;
   const double expected = gaussian_entropy(log_det(J * P * J.transpose()), 18);
   const BlockMatrix camera = BlockMatrix::Identity(12, 12), point = BlockMatrix::Identity(3, 3);
-  EXPECT_NEAR(entropy_of(P, {{0, camera}, {12, point}, {15, told}}), expected, 1e-9);
-  EXPECT_NEAR(entropy_of(P, {{15, told}, {0, camera}, {12, point}}), expected, 1e-9) << "in any order";
+  EXPECT_NEAR(entropy_of(P, {{0, camera}, {12, point}, {15, transforms}}), expected, 1e-9);
+  EXPECT_NEAR(entropy_of(P, {{15, transforms}, {0, camera}, {12, point}}), expected, 1e-9) << "in any order";
   EXPECT_TRUE(std::isnan(entropy_of(-P, {{0, camera}})));
 }
 
@@ -52,11 +52,11 @@ TEST(ExtendedEntropy, ALandmarkMappedAsBadlyAsItWasExpectedTeachesNothing) {
   landmark.kind = Landmark::Kind::point;
   landmark.block =
       e.belief.augment(PointLandmark::chart, Eigen::Vector3d(1, 2, 3), {}, 1.5 * Eigen::Matrix3d::Identity());
-  e.catalogue.push_back(landmark);
+  e.catalog.push_back(landmark);
   EXPECT_NEAR(extended_entropy(e, exploration).value(), before, 1e-9);
   landmark.block = e.belief.augment(PointLandmark::chart, Eigen::Vector3d(1, 2, 3), {},
                                     0.015 * Eigen::Matrix3d::Identity());
-  e.catalogue.push_back(landmark);
+  e.catalog.push_back(landmark);
   EXPECT_NEAR(extended_entropy(e, exploration).value(), before - 1.5 * std::log(100), 1e-9);
   exploration.expected_landmarks = 1;
   EXPECT_FALSE(extended_entropy(e, exploration)) << "more are mapped: another dimension";

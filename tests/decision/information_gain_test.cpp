@@ -42,28 +42,28 @@ struct SmallMap {
   }
 };
 
-ExpectedLook random_look(RandomStream& random, const SmallMap& map, int of) {
-  ExpectedLook look;
-  look.Hv = random_matrix(random, 2, 12);
-  look.R = random_covariance(random, 2);
-  if (of < 0) return look;
-  look.Hl = random_matrix(random, 2, 3);
+PredictedMeasurement random_measurement(RandomStream& random, const SmallMap& map, int of) {
+  PredictedMeasurement measurement;
+  measurement.Hv = random_matrix(random, 2, 12);
+  measurement.R = random_covariance(random, 2);
+  if (of < 0) return measurement;
+  measurement.Hl = random_matrix(random, 2, 3);
   if (of < static_cast<int>(map.landmarks.size())) {
-    look.of = ExpectedLook::Of::mapped;
-    look.block = map.landmarks[static_cast<std::size_t>(of)];
+    measurement.of = PredictedMeasurement::Of::mapped;
+    measurement.block = map.landmarks[static_cast<std::size_t>(of)];
   } else {
-    look.of = ExpectedLook::Of::unseen;
-    look.unseen = of - static_cast<int>(map.landmarks.size());
-    look.unseen_var_m2 = unseen_var;
+    measurement.of = PredictedMeasurement::Of::unseen;
+    measurement.unseen = of - static_cast<int>(map.landmarks.size());
+    measurement.unseen_var_m2 = unseen_var;
   }
-  return look;
+  return measurement;
 }
 
 /// An anchor, some of the map, and one that nobody has seen yet.
 ImaginedStep random_step(RandomStream& random, const SmallMap& map) {
   ImaginedStep step{random_matrix(random, 12, 12) * 0.5, random_covariance(random, 12), {}};
   for (int of = -1; of < static_cast<int>(map.landmarks.size()) + unseen_count; ++of)
-    if (random.below(3) > 0) step.looks.push_back(random_look(random, map, of));
+    if (random.below(3) > 0) step.measurements.push_back(random_measurement(random, map, of));
   return step;
 }
 
@@ -84,15 +84,17 @@ struct Textbook {
     P.topLeftCorner(12, 12) += step.N;
   }
   void update(const ImaginedStep& step, const SmallMap& map) {
-    const auto rows = 2 * static_cast<Eigen::Index>(step.looks.size());
+    const auto rows = 2 * static_cast<Eigen::Index>(step.measurements.size());
     Eigen::MatrixXd H = Eigen::MatrixXd::Zero(rows, P.cols()), R = Eigen::MatrixXd::Zero(rows, rows);
-    for (std::size_t i = 0; i < step.looks.size(); ++i) {
-      const ExpectedLook& look = step.looks[i];
+    for (std::size_t i = 0; i < step.measurements.size(); ++i) {
+      const PredictedMeasurement& measurement = step.measurements[i];
       const auto row = 2 * static_cast<Eigen::Index>(i);
-      H.block(row, 0, 2, 12) = look.Hv;
-      if (look.of == ExpectedLook::Of::mapped) H.block(row, map.belief.offset(look.block), 2, 3) = look.Hl;
-      if (look.of == ExpectedLook::Of::unseen) H.block(row, errors + 3 * look.unseen, 2, 3) = look.Hl;
-      R.block(row, row, 2, 2) = look.R;
+      H.block(row, 0, 2, 12) = measurement.Hv;
+      if (measurement.of == PredictedMeasurement::Of::mapped)
+        H.block(row, map.belief.offset(measurement.block), 2, 3) = measurement.Hl;
+      if (measurement.of == PredictedMeasurement::Of::unseen)
+        H.block(row, errors + 3 * measurement.unseen, 2, 3) = measurement.Hl;
+      R.block(row, row, 2, 2) = measurement.R;
     }
     const Eigen::MatrixXd S = H * P * H.transpose() + R;
     P = (P - P * H.transpose() * S.inverse() * H * P).eval();
@@ -201,8 +203,9 @@ TEST(InformationGain, NoLooksTeachNothingAndMoreLooksTeachMore) {
   const ImaginedStep all = random_step(random, map);
   ImaginedStep some{all.A, all.N, {}};
   double before = -1;
-  for (std::size_t count = 0; count <= all.looks.size(); ++count) {
-    some.looks.assign(all.looks.begin(), all.looks.begin() + static_cast<std::ptrdiff_t>(count));
+  for (std::size_t count = 0; count <= all.measurements.size(); ++count) {
+    some.measurements.assign(all.measurements.begin(),
+                             all.measurements.begin() + static_cast<std::ptrdiff_t>(count));
     InformationGain gain;
     gain.start(map.belief, map.vehicle);
     gain.push(some);
@@ -224,21 +227,22 @@ TEST(InformationGain, FisherTraceIsThatOfTheWholeMatrices) {
   gain.start(map.belief, map.vehicle);
   gain.push(step);
   double thesis = 0, given_state = 0;
-  for (const ExpectedLook& look : step.looks) {
-    Eigen::MatrixXd H(2, 12 + look.Hl.cols());
-    H << look.Hv, look.Hl;
-    ImaginedStep alone{step.A, step.N, {look}};
+  for (const PredictedMeasurement& measurement : step.measurements) {
+    Eigen::MatrixXd H(2, 12 + measurement.Hl.cols());
+    H << measurement.Hv, measurement.Hl;
+    ImaginedStep alone{step.A, step.N, {measurement}};
     Textbook textbook(map);
     textbook.move(alone);
     std::vector<Eigen::Index> errors;
     for (int i = 0; i < 12; ++i) errors.push_back(i);
-    const int at = look.of == ExpectedLook::Of::mapped   ? map.belief.offset(look.block)
-                   : look.of == ExpectedLook::Of::unseen ? textbook.errors + 3 * look.unseen
-                                                         : -1;
+    const int at = measurement.of == PredictedMeasurement::Of::mapped ? map.belief.offset(measurement.block)
+                   : measurement.of == PredictedMeasurement::Of::unseen
+                       ? textbook.errors + 3 * measurement.unseen
+                       : -1;
     for (int i = 0; at >= 0 && i < 3; ++i) errors.push_back(at + i);
-    const Eigen::MatrixXd S = H * textbook.P(errors, errors) * H.transpose() + Eigen::MatrixXd(look.R);
+    const Eigen::MatrixXd S = H * textbook.P(errors, errors) * H.transpose() + Eigen::MatrixXd(measurement.R);
     thesis += (H.transpose() * S.inverse() * H).trace();
-    given_state += (H.transpose() * Eigen::MatrixXd(look.R).inverse() * H).trace();
+    given_state += (H.transpose() * Eigen::MatrixXd(measurement.R).inverse() * H).trace();
   }
   EXPECT_NEAR(gain.fisher_trace(), thesis, 1e-9 * thesis);
   EXPECT_NEAR(gain.fisher_trace_given_state(), given_state, 1e-9 * given_state);
@@ -254,21 +258,21 @@ TEST(InformationGain, SurvivesWhereDeterminantsUnderflow) {
                                                1e-4 * Eigen::MatrixXd::Identity(3, 3)));
   ASSERT_EQ(map.belief.dense_covariance().determinant(), 0);
   ImaginedStep step{Eigen::MatrixXd::Identity(12, 12), Eigen::MatrixXd::Zero(12, 12), {}};
-  std::vector<AffineLook> looks;
+  std::vector<LinearizedMeasurement> measurements;
   for (int of = 0; of < 101; ++of) {
-    step.looks.push_back(random_look(random, map, of));
-    AffineLook look;
-    look.add(map.vehicle, step.looks.back().Hv);
-    look.add(step.looks.back().block, step.looks.back().Hl);
-    look.residual = Eigen::Vector2d::Zero();
-    look.R = step.looks.back().R;
-    looks.push_back(look);
+    step.measurements.push_back(random_measurement(random, map, of));
+    LinearizedMeasurement measurement;
+    measurement.add(map.vehicle, step.measurements.back().Hv);
+    measurement.add(step.measurements.back().block, step.measurements.back().Hl);
+    measurement.residual = Eigen::Vector2d::Zero();
+    measurement.R = step.measurements.back().R;
+    measurements.push_back(measurement);
   }
   InformationGain gain;
   gain.start(map.belief, map.vehicle);
   gain.push(step);
   Belief updated = map.belief;
-  const UpdateReport report = updated.update(looks);
+  const UpdateReport report = updated.update(measurements);
   EXPECT_NEAR(gain.of_state(), 0.5 * (report.log_det_S - report.log_det_R), 1e-7);
   EXPECT_NEAR(gain.of_state(),
               0.5 * (log_det(map.belief.dense_covariance()) - log_det(updated.dense_covariance())), 1e-6);
@@ -282,11 +286,12 @@ TEST(InformationGain, RefusesWhatDoesNotFit) {
   ImaginedStep step = random_step(random, map);
   step.A = Eigen::MatrixXd::Identity(3, 3);
   EXPECT_THROW(gain.push(step), std::invalid_argument);
-  step = {Eigen::MatrixXd::Identity(12, 12), Eigen::MatrixXd::Zero(12, 12), {random_look(random, map, 0)}};
-  step.looks[0].Hl = random_matrix(random, 2, 4);
+  step = {
+      Eigen::MatrixXd::Identity(12, 12), Eigen::MatrixXd::Zero(12, 12), {random_measurement(random, map, 0)}};
+  step.measurements[0].Hl = random_matrix(random, 2, 4);
   EXPECT_THROW(gain.push(step), std::invalid_argument);
-  step.looks = {random_look(random, map, 0)};
-  step.looks[0].Hv = random_matrix(random, 2, 6);
+  step.measurements = {random_measurement(random, map, 0)};
+  step.measurements[0].Hv = random_matrix(random, 2, 6);
   gain.start(map.belief, map.vehicle);
   EXPECT_THROW(gain.push(step), std::invalid_argument);
 }
@@ -296,13 +301,13 @@ TEST(InformationGain, OfAVehicleThatIsKnownExactlyAlongOneAxis) {
   Belief belief;
   const Eigen::Matrix2d P = Eigen::Vector2d(0, 0.04).asDiagonal();
   const BlockId vehicle = belief.add_vehicle(Chart::line(2), Eigen::Vector2d::Zero(), P);
-  ExpectedLook look;
-  look.Hv = LookJacobian::Identity(2, 2);
-  look.Hl.resize(2, 0);
-  look.R = 0.01 * LookMatrix::Identity(2, 2);
+  PredictedMeasurement measurement;
+  measurement.Hv = MeasurementJacobian::Identity(2, 2);
+  measurement.Hl.resize(2, 0);
+  measurement.R = 0.01 * MeasurementMatrix::Identity(2, 2);
   InformationGain gain;
   gain.start(belief, vehicle);
-  gain.push({BlockMatrix::Identity(2, 2), BlockMatrix::Zero(2, 2), {look}});
+  gain.push({BlockMatrix::Identity(2, 2), BlockMatrix::Zero(2, 2), {measurement}});
   EXPECT_NEAR(gain.of_vehicle(), 0.5 * std::log(1 + 0.04 / 0.01), 1e-12);
   EXPECT_NEAR(gain.of_vehicle(), gain.of_state(), 1e-12);
   EXPECT_THROW(gain.of_position_and_map(3, P), std::invalid_argument);

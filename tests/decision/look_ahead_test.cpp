@@ -14,12 +14,12 @@ namespace incognita {
 namespace {
 
 /// A robot on a line that steps left, stays or steps right, and past a wall at x = 30 may not.
-class Steps final : public Moves {
+class Steps final : public ActionSet {
  public:
   int count() const override { return 3; }
   int stay() const override { return 1; }
-  Outcome after(const BlockVector& state, int action) const override {
-    Outcome out{state, BlockMatrix::Identity(1, 1), 0.01 * BlockMatrix::Identity(1, 1)};
+  ActionOutcome after(const BlockVector& state, int action) const override {
+    ActionOutcome out{state, BlockMatrix::Identity(1, 1), 0.01 * BlockMatrix::Identity(1, 1)};
     out.state[0] += action - 1;
     out.outside_m = std::max(0.0, out.state[0] - 30);
     return out;
@@ -30,27 +30,27 @@ class Steps final : public Moves {
 class NearPoints final : public Expectation {
  public:
   struct Point {
-    ExpectedLook::Of of;
+    PredictedMeasurement::Of of;
     BlockId block;
     int unseen;
     double x;
   };
   std::vector<Point> points;
-  void expect(const BlockVector& state, std::vector<ExpectedLook>& looks) const override {
-    looks.clear();
+  void expect(const BlockVector& state, std::vector<PredictedMeasurement>& measurements) const override {
+    measurements.clear();
     for (const Point& p : points) {
       const double away = std::abs(p.x - state[0]);
       if (away > 1.5) continue;
-      ExpectedLook look;
-      look.of = p.of;
-      look.block = p.block;
-      look.unseen = p.unseen;
-      look.unseen_var_m2 = 4;
-      look.Hv = -LookJacobian::Identity(1, 1);
-      look.Hl = LookJacobian::Identity(1, 1);
-      if (p.of == ExpectedLook::Of::anchor) look.Hl.resize(1, 0);
-      look.R = (0.01 + 0.1 * away * away) * LookMatrix::Identity(1, 1);
-      looks.push_back(look);
+      PredictedMeasurement measurement;
+      measurement.of = p.of;
+      measurement.block = p.block;
+      measurement.unseen = p.unseen;
+      measurement.unseen_var_m2 = 4;
+      measurement.Hv = -MeasurementJacobian::Identity(1, 1);
+      measurement.Hl = MeasurementJacobian::Identity(1, 1);
+      if (p.of == PredictedMeasurement::Of::anchor) measurement.Hl.resize(1, 0);
+      measurement.R = (0.01 + 0.1 * away * away) * MeasurementMatrix::Identity(1, 1);
+      measurements.push_back(measurement);
     }
   }
 };
@@ -68,11 +68,12 @@ struct Line {
     const auto map = [&](double x, double sigma) {
       const BlockId id = belief.augment(Chart::line(1), Eigen::VectorXd::Constant(1, x), {},
                                         sigma * sigma * Eigen::MatrixXd::Identity(1, 1));
-      points.points.push_back({ExpectedLook::Of::mapped, id, 0, x});
+      points.points.push_back({PredictedMeasurement::Of::mapped, id, 0, x});
     };
     map(1.8, 0.15);
-    for (int i = 0; i < 5; ++i) points.points.push_back({ExpectedLook::Of::unseen, 0, i, -3.0 - 0.1 * i});
-    points.points.push_back({ExpectedLook::Of::anchor, 0, 0, 2.2});
+    for (int i = 0; i < 5; ++i)
+      points.points.push_back({PredictedMeasurement::Of::unseen, 0, i, -3.0 - 0.1 * i});
+    points.points.push_back({PredictedMeasurement::Of::anchor, 0, 0, 2.2});
   }
   std::vector<double> scores(int horizon, int evaluations = 1000) {
     LookAhead ahead({Metric::state, horizon, evaluations, 1});
@@ -92,10 +93,10 @@ double best_of_all(const Line& line, int first, int horizon) {
     for (int step = 0, rest = code; step < horizon; ++step) {
       const int action = step == 0 ? first : rest % 3;
       if (step > 0) rest /= 3;
-      const Outcome out = Steps().after(at, action);
+      const ActionOutcome out = Steps().after(at, action);
       allowed = allowed && out.allowed();
       ImaginedStep imagined{out.A, out.N, {}};
-      line.points.expect(out.state, imagined.looks);
+      line.points.expect(out.state, imagined.measurements);
       gain.push(imagined);
       at = out.state;
     }
@@ -257,12 +258,12 @@ TEST(ActionChoice, RefusesWhatCanNotBe) {
 }
 
 /// A vehicle that cannot stop: whatever it does now, all that may follow ends past the wall.
-class DeadEnd final : public Moves {
+class DeadEnd final : public ActionSet {
  public:
   int count() const override { return 3; }
   int stay() const override { return 1; }
-  Outcome after(const BlockVector& state, int action) const override {
-    Outcome out{state, BlockMatrix::Identity(1, 1), 0.01 * BlockMatrix::Identity(1, 1)};
+  ActionOutcome after(const BlockVector& state, int action) const override {
+    ActionOutcome out{state, BlockMatrix::Identity(1, 1), 0.01 * BlockMatrix::Identity(1, 1)};
     out.state[0] += 1 + 0.2 * action;
     out.outside_m = std::max(0.0, out.state[0] - 1.5);
     return out;

@@ -12,7 +12,7 @@ TeamSettings one_camera() {
   SmallVector start = SmallVector::Zero(13);
   start.segment<4>(3) = level_gaze(0);
   TeamSettings team;
-  team.members.push_back({FreeCameraMotion{}, CarriedCamera{Camera(WideAngleCamera{}), {}}, start,
+  team.members.push_back({FreeCameraMotion{}, CameraSensor{Camera(WideAngleCamera{}), {}}, start,
                           SmallVector::Constant(12, 0.01), SmallVector::Constant(6, 0.3),
                           SmallVector::Constant(2, 1)});
   return team;

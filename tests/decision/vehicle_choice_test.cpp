@@ -16,17 +16,18 @@ constexpr double sigma = 0.3;
 /// A landmark that is seen the better the nearer the camera is to a place; none where there is none.
 class Beacon final : public Expectation {
  public:
-  std::optional<Eigen::Vector3d> place;
-  void expect(const BlockVector& state, std::vector<ExpectedLook>& looks) const override {
-    looks.clear();
-    if (!place) return;
-    ExpectedLook look;
-    look.of = ExpectedLook::Of::anchor;
-    look.Hv = LookJacobian::Zero(3, 12);
-    look.Hv.leftCols<3>().setIdentity();
-    look.Hl.resize(3, 0);
-    look.R = (0.01 + (*place - state.head<3>()).squaredNorm()) * LookJacobian::Identity(3, 3);
-    looks.push_back(look);
+  std::optional<Eigen::Vector3d> position;
+  void expect(const BlockVector& state, std::vector<PredictedMeasurement>& measurements) const override {
+    measurements.clear();
+    if (!position) return;
+    PredictedMeasurement measurement;
+    measurement.of = PredictedMeasurement::Of::anchor;
+    measurement.Hv = MeasurementJacobian::Zero(3, 12);
+    measurement.Hv.leftCols<3>().setIdentity();
+    measurement.Hl.resize(3, 0);
+    measurement.R =
+        (0.01 + (*position - state.head<3>()).squaredNorm()) * MeasurementJacobian::Identity(3, 3);
+    measurements.push_back(measurement);
   }
 };
 
@@ -51,7 +52,7 @@ struct Driven {
     settings.impulse_s = 1;  // 0.5 m/s and 0.3 rad/s at once
   }
   Goal first() {
-    VehicleChoice choice(settings, Carrier{}, sigma, sigma, 1);
+    VehicleChoice choice(settings, CarrierSettings{}, sigma, sigma, 1);
     Goal goal;
     Tick tick;
     tick.frame = 0;
@@ -62,17 +63,17 @@ struct Driven {
 
 TEST(VehicleChoice, DrivesToWhereMostIsSeen) {
   Driven d;
-  d.beacon.place = Eigen::Vector3d(-2, 0, 0.6);
+  d.beacon.position = Eigen::Vector3d(-2, 0, 0.6);
   const Goal back = d.first();
   EXPECT_EQ(*back.drive, Eigen::Vector2d(-0.5, 0));
   EXPECT_NEAR((back.to - Eigen::Vector3d(-0.5, 0, 0.6)).norm(), 0, 1e-12);
-  d.beacon.place = Eigen::Vector3d(2, 0, 0.6);
+  d.beacon.position = Eigen::Vector3d(2, 0, 0.6);
   EXPECT_EQ(*d.first().drive, Eigen::Vector2d(0.5, 0));
 }
 
 TEST(VehicleChoice, ChangesTheSpeedsThatTheWheelsTell) {
   Driven d;
-  d.beacon.place = Eigen::Vector3d(-2, 0, 0.6);
+  d.beacon.position = Eigen::Vector3d(-2, 0, 0.6);
   d.wheels = Eigen::Vector2d(0.3, 0);
   EXPECT_NEAR((*d.first().drive - Eigen::Vector2d(-0.2, 0)).norm(), 0, 1e-12);
 }
@@ -84,7 +85,7 @@ TEST(VehicleChoice, TurnsBackWhereAllEndsOutOfBounds) {
   d.settings.min_bound_m = {-9, -9, -9};
   d.settings.max_bound_m = {0.1, 9, 9};
   d.wheels = Eigen::Vector2d(0.9, 0);
-  d.beacon.place = Eigen::Vector3d(2, 0, 0.6);
+  d.beacon.position = Eigen::Vector3d(2, 0, 0.6);
   const Goal goal = d.first();
   EXPECT_NEAR(goal.drive->x(), 0.4, 1e-12);
   EXPECT_GT(goal.to.x(), 0.1) << "out of bounds it is";
@@ -94,7 +95,7 @@ TEST(VehicleChoice, HowHighItStandsIsNoActionsChoice) {
   Driven d;
   d.settings.min_bound_m = {-9, -9, 2};
   d.settings.max_bound_m = {9, 9, 3};
-  d.beacon.place = Eigen::Vector3d(-2, 0, 0.6);
+  d.beacon.position = Eigen::Vector3d(-2, 0, 0.6);
   EXPECT_EQ(*d.first().drive, Eigen::Vector2d(-0.5, 0));
 }
 
@@ -107,15 +108,15 @@ TEST(VehicleChoice, GoesOnAsItGoesWhereNothingIsSeen) {
 
 TEST(VehicleChoice, StandsAfterTheEstimateWasLost) {
   Driven d;
-  d.beacon.place = Eigen::Vector3d(2, 0, 0.6);
-  VehicleChoice choice(d.settings, Carrier{}, sigma, sigma, 1);
+  d.beacon.position = Eigen::Vector3d(2, 0, 0.6);
+  VehicleChoice choice(d.settings, CarrierSettings{}, sigma, sigma, 1);
   Goal goal;
   Tick tick;
   tick.frame = 0;
   choice.choose(d.belief, d.vehicle, d.camera, {}, d.beacon, tick, goal);
   ASSERT_EQ(*goal.drive, Eigen::Vector2d(0.5, 0));
   choice.forget();
-  d.beacon.place.reset();
+  d.beacon.position.reset();
   choice.choose(d.belief, d.vehicle, d.camera, {}, d.beacon, tick, goal);
   EXPECT_EQ(*goal.drive, Eigen::Vector2d(0, 0));
 }
@@ -123,10 +124,10 @@ TEST(VehicleChoice, StandsAfterTheEstimateWasLost) {
 TEST(VehicleChoice, TakesASetOfOnesOwn) {
   Driven d;
   d.settings.accelerations = {{0, 0}, {0.1, 0}, {0, 0.2}};
-  const VehicleChoice choice(d.settings, Carrier{}, sigma, sigma, 1);
+  const VehicleChoice choice(d.settings, CarrierSettings{}, sigma, sigma, 1);
   EXPECT_EQ(choice.names(), (std::vector<std::string>{"stay", "faster", "left"}));
   d.settings.accelerations = {{0.1, 0}};
-  EXPECT_THROW(VehicleChoice(d.settings, Carrier{}, sigma, sigma, 1), std::invalid_argument);
+  EXPECT_THROW(VehicleChoice(d.settings, CarrierSettings{}, sigma, sigma, 1), std::invalid_argument);
 }
 
 }  // namespace

@@ -65,7 +65,7 @@ TEST(ClosedLoopRuns, KnownLandmarksAreNotMappedAndMoreNoiseErrsMore) {
 }
 
 TEST(ClosedLoopRuns, LandmarksAreClearOfTheWays) {
-  const PointPlace place = sixteen_landmarks();
+  const PointLandmarks place = sixteen_landmarks();
   EXPECT_EQ(place.size(), 16u);
   for (const auto& [identity, point] : place) {
     const Eigen::Vector2d p = point;

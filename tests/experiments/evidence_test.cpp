@@ -72,36 +72,36 @@ TEST(Finding, CombinesByKleene) {
 TEST(Evidence, ReasonsStayOnlyWhereThereIsSomethingToExplain) {
   Claim claim;
   claim.why = "because";
-  EXPECT_EQ(judged(claim, true).verdict, Verdict::holds);
-  EXPECT_EQ(judged(claim, true).why, "");
-  EXPECT_EQ(judged(claim, false, true).verdict, Verdict::holds_as_corrected);
-  EXPECT_EQ(judged(claim, false).verdict, Verdict::does_not_hold);
-  EXPECT_EQ(judged(claim, false).why, "because");
+  EXPECT_EQ(assessed(claim, true).verdict, Verdict::holds);
+  EXPECT_EQ(assessed(claim, true).why, "");
+  EXPECT_EQ(assessed(claim, false, true).verdict, Verdict::holds_as_corrected);
+  EXPECT_EQ(assessed(claim, false).verdict, Verdict::does_not_hold);
+  EXPECT_EQ(assessed(claim, false).why, "because");
   claim.why.clear();
-  EXPECT_EQ(judged(claim, false).why, "not investigated");
-  EXPECT_EQ(judged(claim, true).why, "");
+  EXPECT_EQ(assessed(claim, false).why, "not investigated");
+  EXPECT_EQ(assessed(claim, true).why, "");
 }
 
 TEST(Evidence, NotSignificantIsNotFalse) {
   Claim claim;
   claim.why = "because it is false";
   const Finding open = Finding::undecided;
-  EXPECT_EQ(judged(claim, open).verdict, Verdict::undecided);
-  EXPECT_EQ(judged(claim, open).why, "the interval holds both answers");
-  EXPECT_EQ(judged(claim, open, true).verdict, Verdict::undecided);
-  EXPECT_EQ(judged(claim, false, open).verdict, Verdict::undecided);
-  EXPECT_EQ(judged(claim, true, open).verdict, Verdict::holds);
+  EXPECT_EQ(assessed(claim, open).verdict, Verdict::undecided);
+  EXPECT_EQ(assessed(claim, open).why, "the interval holds both answers");
+  EXPECT_EQ(assessed(claim, open, true).verdict, Verdict::undecided);
+  EXPECT_EQ(assessed(claim, false, open).verdict, Verdict::undecided);
+  EXPECT_EQ(assessed(claim, true, open).verdict, Verdict::holds);
 }
 
 TEST(Evidence, TooFewRunsDecideNothing) {
   Claim claim;
   claim.runs = 4, claim.least_runs = enough_runs;
   for (const bool is_so : {true, false}) {
-    EXPECT_EQ(judged(claim, is_so).verdict, Verdict::undecided);
-    EXPECT_EQ(judged(claim, is_so).why, "it rests on 4 runs, and takes at least 20");
+    EXPECT_EQ(assessed(claim, is_so).verdict, Verdict::undecided);
+    EXPECT_EQ(assessed(claim, is_so).why, "it rests on 4 runs, and takes at least 20");
   }
   claim.runs = enough_runs;
-  EXPECT_EQ(judged(claim, true).verdict, Verdict::holds);
+  EXPECT_EQ(assessed(claim, true).verdict, Verdict::holds);
 }
 
 }  // namespace

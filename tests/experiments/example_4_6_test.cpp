@@ -84,7 +84,7 @@ TEST(RootInformationTest, IsTheInformationFilterWithSingularMatricesToo) {
                    F = MatrixXd::Identity(7, 7) + 0.3 * some_matrix(random, 7, 7);
     const VectorXd sigmas = Vector2d(0.3, 2);
     RootInformation filter(7);
-    filter.look(H, 0.5);
+    filter.measure(H, 0.5);
     EXPECT_LE((filter.matrix() - 4 * H.transpose() * H).norm(), 1e-10);
     const MatrixXd back = F.inverse(), M = 4 * back.transpose() * H.transpose() * H * back;
     const MatrixXd Q_inverse = sigmas.cwiseAbs2().cwiseInverse().asDiagonal();
@@ -104,12 +104,12 @@ TEST(RootInformationTest, IsTheInverseOfTheKalmanFiltersCovariance) {
   s.R = 0.01 * MatrixXd::Identity(2, 2);
   MatrixXd P = 9 * MatrixXd::Identity(4, 4);
   RootInformation filter(4);
-  filter.look(MatrixXd::Identity(4, 4), 3);
+  filter.measure(MatrixXd::Identity(4, 4), 3);
   for (int k = 0; k < 20; ++k) {
     P = predicted(s, P);
     P = updated(s, P, kalman_gain(s, P));
     filter.move(s.F, s.G, VectorXd::Constant(1, 0.5));
-    filter.look(s.H, 0.1);
+    filter.measure(s.H, 0.1);
   }
   EXPECT_LE((filter.matrix() * P - MatrixXd::Identity(4, 4)).norm(), 1e-8);
 }
@@ -119,17 +119,17 @@ TEST(RootInformationTest, WithoutProcessNoiseNothingIsLost) {
   const MatrixXd H = some_matrix(random, 2, 7), G = some_matrix(random, 7, 2),
                  F = MatrixXd::Identity(7, 7) + 0.3 * some_matrix(random, 7, 7);
   RootInformation filter(7);
-  filter.look(H, 1);
+  filter.measure(H, 1);
   filter.move(F, G, VectorXd::Zero(2));
   EXPECT_LE((F.transpose() * filter.matrix() * F - H.transpose() * H).norm(), 1e-10);
 }
 
-TEST(KnowledgeTest, MarginalIsTheLimitOfEverWeakerPriors) {
+TEST(KnowledgeTest, MarginalizTheLimitOfEverWeakerPriors) {
   RandomStream random(4, "matrices");
   for (int run = 0; run < 20; ++run) {
     const MatrixXd H = some_matrix(random, 4, states);
     RootInformation filter(states);
-    filter.look(H, 1);
+    filter.measure(H, 1);
     const Knowledge known(filter.root());
     EXPECT_EQ(known.rank.rank, 4);
     EXPECT_TRUE(known.clear());
@@ -147,7 +147,7 @@ TEST(KnowledgeTest, MarginalOfAStateIsTheSchurComplement) {
   MatrixXd H = some_matrix(random, 5, states);
   H.row(4) = VectorXd::Unit(states, 2).transpose();  // a state that is known, in a matrix that is singular
   RootInformation filter(states);
-  filter.look(H, 0.7);
+  filter.measure(H, 0.7);
   const MatrixXd Y = filter.matrix();
   const std::vector<int> others{0, 1, 3, 4, 5, 6};
   const MatrixXd Ymm = Y(others, others);
@@ -184,10 +184,10 @@ TEST(TwoBearingsTest, RankIsThatOfWhatIsSeenOfTheFirstState) {
   }
   const auto known = course(setup);
   for (const double t : {0.0, 10.0, 14.0, 20.0}) {
-    const auto looks = static_cast<Eigen::Index>(std::lround(t / dt)) + 1;
-    const Rank seen = rank_of(J.topRows(2 * looks), 1e-6);
+    const auto measurements = static_cast<Eigen::Index>(std::lround(t / dt)) + 1;
+    const Rank seen = rank_of(J.topRows(2 * measurements), 1e-6);
     EXPECT_GT(seen.gap, 100) << t;
-    EXPECT_EQ(known[static_cast<std::size_t>(looks - 1)].rank.rank, seen.rank) << t;
+    EXPECT_EQ(known[static_cast<std::size_t>(measurements - 1)].rank.rank, seen.rank) << t;
   }
 }
 

@@ -61,9 +61,9 @@ TEST(SwingingCamera, StaysWhereItKnowsItselfToBe) {
   const CameraSetup setup = brief();
   const auto states = steered(setup, 0, 1);
   for (std::size_t k = 0; k < states.size(); ++k) {
-    const Reference wanted = at(setup.path, static_cast<double>(k) / setup.rate_hz);
-    EXPECT_LT((states[k].head<3>() - wanted.position).norm(), 0.02);
-    EXPECT_LT(gaze_off_rad(states[k], wanted), 0.05);
+    const Reference reference = at(setup.path, static_cast<double>(k) / setup.rate_hz);
+    EXPECT_LT((states[k].head<3>() - reference.position).norm(), 0.02);
+    EXPECT_LT(gaze_off_rad(states[k], reference), 0.05);
   }
 }
 

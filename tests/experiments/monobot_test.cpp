@@ -39,9 +39,9 @@ TEST(MonobotFilter, IsTheRiccatiEquation) {
 TEST(MonobotFilter, StartsAsItsSetupSays) {
   const MatrixXd known = monobot::first_covariance({.landmarks = 2});
   EXPECT_EQ(known, MatrixXd(Eigen::Vector3d(0, 1, 1).asDiagonal()));
-  const MatrixXd born = monobot::first_covariance({.robot_var_m2 = 0.25, .landmark_var_m2 = {}});
-  EXPECT_NEAR(born(1, 1), 0.25 + 0.04, 1e-15);
-  EXPECT_NEAR(born(0, 1), 0.25, 1e-15);
+  const MatrixXd initialized = monobot::first_covariance({.robot_var_m2 = 0.25, .landmark_var_m2 = {}});
+  EXPECT_NEAR(initialized(1, 1), 0.25 + 0.04, 1e-15);
+  EXPECT_NEAR(initialized(0, 1), 0.25, 1e-15);
 }
 
 TEST(MonobotFilter, SettlesWhereTheClosedFormSays) {
@@ -81,7 +81,7 @@ TEST(MonobotFilter, ErrsAsItSaysUnlessInflated) {
 TEST(MonobotRun, SameSeedSameNoisesWhateverTheSetup) {
   const auto one = monobot::simulate({}, 3), many = monobot::simulate({.landmarks = 4, .anchored = true}, 3);
   EXPECT_EQ(one.truth.row(0), many.truth.row(0));
-  EXPECT_LE((one.look.row(0) - many.look.row(1)).rightCols(100).cwiseAbs().maxCoeff(), 1e-15);
+  EXPECT_LE((one.measurement.row(0) - many.measurement.row(1)).rightCols(100).cwiseAbs().maxCoeff(), 1e-15);
   EXPECT_EQ(one.estimate, monobot::simulate({}, 3).estimate);
   EXPECT_NE(one.truth.row(0), monobot::simulate({}, 4).truth.row(0));
   EXPECT_EQ(one.truth(0, 0), -1);

@@ -90,9 +90,9 @@ TEST(SpacesTest, StatesThatOnlySomeMotionsSeeAreQuestionable) {
   MatrixXd third(2, 3);
   third << 1, -1, 0, 0, 0, 1;
   const std::vector<std::string> names{"x", "y", "z"};
-  EXPECT_EQ(seen_states({of(third), of(third)}, names), std::vector<std::string>{"z"});
-  EXPECT_EQ(seen_states({of(third), of(difference())}, names), std::vector<std::string>{"z?"});
-  EXPECT_TRUE(seen_states({of(difference())}, names).empty());
+  EXPECT_EQ(observable_states({of(third), of(third)}, names), std::vector<std::string>{"z"});
+  EXPECT_EQ(observable_states({of(third), of(difference())}, names), std::vector<std::string>{"z?"});
+  EXPECT_TRUE(observable_states({of(difference())}, names).empty());
 }
 
 TEST(SpacesTest, Words) {
@@ -111,7 +111,7 @@ TEST(StudyTest, IsWhatTheProgramSaysOfTheSameMotions) {
     settings.anchors = 1;
     settings.seed = static_cast<std::uint64_t>(seed);
     settings.lie = false;
-    const ObservabilityAnalysis analysis = analyse_observability(load_system("planar-cv"), settings);
+    const ObservabilityAnalysis analysis = analyze_observability(load_system("planar-cv"), settings);
     const Course& course = s.courses()[static_cast<std::size_t>(seed - 1)];
     for (std::size_t k = 0; k < 3; ++k) {
       EXPECT_EQ(course.points[k].x, analysis.points[k].x);
@@ -134,8 +134,8 @@ TEST(StudyTest, ChangesAreAppliedAndKeptApart) {
 
 TEST(StudyTest, MatricesThatAreNotTheSystems) {
   const Study& s = study({.system = "planar"});
-  const Spaces as_it_is = stripped_with(s, 2, [](Linearisation&, const SystemPoint&) {}),
-               blind = stripped_with(s, 2, [](Linearisation&form, const SystemPoint&) { form.F.setZero(); });
+  const Spaces as_it_is = stripped_with(s, 2, [](Linearization&, const SystemPoint&) {}),
+               blind = stripped_with(s, 2, [](Linearization&form, const SystemPoint&) { form.F.setZero(); });
   EXPECT_TRUE(same(as_it_is, s.stripped(2)));
   EXPECT_FALSE(same(blind, s.stripped(2)));
 }
@@ -162,13 +162,13 @@ TEST(MisalignedTest, ExactDerivativesBecomeTheErrorForm) {
 
 TEST(MisalignedTest, BearingsByTheirDerivative) {
   const Vector3d s(3, -2, 1.5);
-  const auto look = [](const Vector3d& at) {
+  const auto measurement = [](const Vector3d& at) {
     return Eigen::Vector2d(std::atan2(at.y(), at.x()), std::atan2(at.z(), at.head<2>().norm()));
   };
   constexpr double h = 1e-5;
   for (int axis = 0; axis < 3; ++axis) {
     const Vector3d step = h * Vector3d::Unit(axis);
-    const Eigen::Vector2d slope = (look(s + step) - look(s - step)) / (2 * h);
+    const Eigen::Vector2d slope = (measure(s + step) - measure(s - step)) / (2 * h);
     EXPECT_LT((inertial::bearings_by(s).col(axis) - slope).norm(), 1e-9);
   }
 }

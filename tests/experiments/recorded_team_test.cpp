@@ -17,10 +17,10 @@ namespace {
 
 const std::vector<Eigen::Vector2d> places = {{0, 4}, {3, -1}, {-2, -2}};
 
-/// Goes round to the left at 0.3 m/s; told at 20 Hz; looks at landmarks `looks_until_s` and at the other
+/// Goes round to the left at 0.3 m/s; told at 20 Hz; looks at landmarks `measurements_until_s` and at the other
 /// robot.
-RangeRecording robot(const planar::Pose<double>& start, double first_look_s, double looks_until_s,
-                     const std::vector<planar::Pose<double>>& other,
+RangeRecording robot(const planar::Pose<double>& start, double first_measurement_s,
+                     double measurements_until_s, const std::vector<planar::Pose<double>>& other,
                      std::vector<planar::Pose<double>>& poses) {
   RangeRecording r;
   r.vehicle = "differential-drive";
@@ -32,16 +32,17 @@ RangeRecording robot(const planar::Pose<double>& start, double first_look_s, dou
     r.odometry.push_back({t, input});
     r.truth.push_back({t, pose.head<2>(), pose[2]});
     poses.push_back(pose);
-    if (k % 10 == 0 && t >= first_look_s) {
-      RangeRecording::Scan scan{t + first_look_s * 0.01, {}};
-      if (t < looks_until_s)
+    if (k % 10 == 0 && t >= first_measurement_s) {
+      RangeRecording::Scan scan{t + first_measurement_s * 0.01, {}};
+      if (t < measurements_until_s)
         for (std::size_t i = 0; i < places.size(); ++i) {
-          const auto look = RangeBearing::look(pose, places[i]);
-          scan.detections.push_back({look->z[0], look->z[1], static_cast<std::int64_t>(i) + 6});
+          const auto prediction = RangeBearing::predict_measurement(pose, places[i]);
+          scan.detections.push_back({prediction->z[0], prediction->z[1], static_cast<std::int64_t>(i) + 6});
         }
       if (!other.empty()) {
-        const auto look = RangeBearing::look(pose, other[static_cast<std::size_t>(k)].head<2>());
-        scan.vehicles.push_back({look->z[0], look->z[1], 0});
+        const auto prediction =
+            RangeBearing::predict_measurement(pose, other[static_cast<std::size_t>(k)].head<2>());
+        scan.vehicles.push_back({prediction->z[0], prediction->z[1], 0});
       }
       r.scans.push_back(scan);
     }
@@ -67,7 +68,7 @@ TEST(RecordedTeam, IsLookedAtAtTheSameTimesTogetherAndAlone) {
     const Drive by_itself = alone(robots, i, {});
     ASSERT_EQ(by_itself.robots.size(), 1u);
     EXPECT_EQ(by_itself.robots[0].t_s, joint.robots[i].t_s);
-    EXPECT_LT(by_itself.looks, joint.looks);
+    EXPECT_LT(by_itself.measurements, joint.measurements);
   }
 }
 

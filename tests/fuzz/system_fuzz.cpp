@@ -37,7 +37,7 @@ void use(const SystemText& text) {
       for (const NamedRange& r : *ranges) values[i++] = r.low / 2 + r.high / 2;
     return values;
   };
-  instance.linearise(
+  instance.linearize(
       {middle(system.vehicle.region, text.landmark ? system.landmark.region : std::vector<NamedRange>{}),
        middle(system.input_ranges, {}), middle(system.anchor.region, {})});
 }

@@ -88,13 +88,13 @@ void expect_sound(const RangeRecording& recording) {
   for (const Odometry& one : recording.odometry) EXPECT_TRUE(std::isfinite(one.t) && one.input.allFinite());
   for (const RangeRecording::Scan& scan : recording.scans) {
     EXPECT_TRUE(std::isfinite(scan.t));
-    for (const Detection& seen : scan.detections) {
-      EXPECT_TRUE(std::isfinite(seen.range_m) && seen.range_m > 0);
-      EXPECT_LE(std::abs(seen.bearing_rad), 3.1416);
-      EXPECT_GE(seen.identity, Detection::unknown);
+    for (const Detection& detection : scan.detections) {
+      EXPECT_TRUE(std::isfinite(detection.range_m) && detection.range_m > 0);
+      EXPECT_LE(std::abs(detection.bearing_rad), 3.1416);
+      EXPECT_GE(detection.identity, Detection::unknown);
     }
   }
-  for (const RangeRecording::Place& place : recording.truth)
+  for (const RangeRecording::TimedPosition& place : recording.truth)
     EXPECT_TRUE(std::isfinite(place.t) && place.position.allFinite() &&
                 std::isfinite(place.heading_rad.value_or(0)));
   for (const RangeRecording::Landmark& landmark : recording.landmarks)

@@ -264,7 +264,8 @@ TEST(RangeTables, RefuseFilesWithoutRowsAndClocksApart) {
   EXPECT_HAS(all_notes(tables.read()), "the truth (1305031102.17 s to");
 }
 
-void expect_same(const std::vector<RangeRecording::Place>& a, const std::vector<RangeRecording::Place>& b) {
+void expect_same(const std::vector<RangeRecording::TimedPosition>& a,
+                 const std::vector<RangeRecording::TimedPosition>& b) {
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t i = 0; i < a.size(); ++i) {
     EXPECT_EQ(a[i].t, b[i].t);

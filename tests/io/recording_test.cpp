@@ -68,9 +68,9 @@ std::string png(int width, int height, int type) {
 }
 
 /// As RGB-D recordings are often unpacked: colour and depth in one folder.
-struct ColourAndDepth {
+struct ColorAndDepth {
   Scratch scratch;
-  ColourAndDepth() {
+  ColorAndDepth() {
     for (int i = 0; i < 3; ++i) {
       scratch.write("frame-00" + std::to_string(i) + ".color.png", png(20, 16, CV_8UC3));
       scratch.write("frame-00" + std::to_string(i) + ".depth.png", png(20, 16, CV_16U));
@@ -82,7 +82,7 @@ struct ColourAndDepth {
 };
 
 TEST(ImageFolder, RefusesTheImagesOfTwoCameras) {
-  const ColourAndDepth folder;
+  const ColorAndDepth folder;
   const std::string text = message_of([&] { folder.read(""); });
   EXPECT_HAS(text,
              "the 6 images have names of 2 kinds: 3 frame-*.color.png (the first frame-000.color.png), 3 "
@@ -95,7 +95,7 @@ TEST(ImageFolder, RefusesTheImagesOfTwoCameras) {
 }
 
 TEST(ImageFolder, TakesThoseOfAPattern) {
-  const ColourAndDepth folder;
+  const ColorAndDepth folder;
   const Recording recording = folder.read("*.color.png");
   ASSERT_EQ(recording.frames.size(), 3u);
   EXPECT_EQ(recording.frames[2].image.filename(), "frame-002.color.png");
@@ -305,13 +305,13 @@ TEST(RecordedSensor, GivesImageAfterImage) {
   const Scratch scratch;
   RecordedSensor sensor(three_images(scratch), 20, 16);
   for (int k : {0, 1, 2, 0}) {
-    const Observation seen = sensor.look(std::nullopt, {k, 0, 0});
-    ASSERT_TRUE(seen.image);
-    EXPECT_EQ((*seen.image)(0, 0), k);
-    EXPECT_EQ((*seen.image)(5, 4), k + 3 * 5 + 7 * 4);
+    const Observation observation = sensor.measure(std::nullopt, {k, 0, 0});
+    ASSERT_TRUE(observation.image);
+    EXPECT_EQ((*observation.image)(0, 0), k);
+    EXPECT_EQ((*observation.image)(5, 4), k + 3 * 5 + 7 * 4);
   }
   EXPECT_HAS(message_of<RecordError>([&] {
-               sensor.look(std::nullopt, {3, 0, 0});
+               sensor.measure(std::nullopt, {3, 0, 0});
              }),
              "frame 3 was asked for, the recording has 3");
 }
@@ -330,7 +330,7 @@ TEST(RecordedSensor, FailsHalfWayAsAJob) {
   const Scratch scratch;
   RecordedSensor sensor(three_images(scratch), 20, 16);
   const auto complaint = [&] {
-    return message_of<RecordError>([&] { sensor.look(std::nullopt, {1, 0.1, 0.1}); });
+    return message_of<RecordError>([&] { sensor.measure(std::nullopt, {1, 0.1, 0.1}); });
   };
   scratch.write("a1.pgm", pgm(21, 16));
   EXPECT_HAS(complaint(), "a1.pgm: frame 1 is 21x16 px, camera.width_px and camera.height_px expect 20x16");

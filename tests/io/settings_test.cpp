@@ -127,7 +127,7 @@ TEST(LoadScenario, ReadsEveryKindOfValue) {
   EXPECT_EQ(mine.scenario.run.seed, 12345678901);
   EXPECT_EQ(mine.scenario.run.duration_s, 7);
   EXPECT_EQ(mine.scenario.slam.search.patch_size_px, 13);
-  EXPECT_EQ(mine.scenario.slam.birth.method, BirthSettings::Method::depth_line);
+  EXPECT_EQ(mine.scenario.slam.initialization.method, InitializationSettings::Method::depth_line);
   EXPECT_EQ(mine.scenario.room.size_m, Eigen::Vector3d(4, 5.5, 2.25));
   EXPECT_EQ(mine.name, "mine");
   EXPECT_TRUE(mine.sources.at("search.patch_size_px").ends_with("mine.toml:7"));
@@ -154,7 +154,7 @@ TEST(LoadScenario, SetTakesTextsAndLists) {
              {"recording.folder=a b=c", "decision.max_bound_m=[2, 1, 3.5]", "birth.method=\"depth-line\""});
   EXPECT_EQ(mine.scenario.recording.folder, "a b=c");
   EXPECT_EQ(mine.scenario.decision.max_bound_m, Eigen::Vector3d(2, 1, 3.5));
-  EXPECT_EQ(mine.scenario.slam.birth.method, BirthSettings::Method::depth_line);
+  EXPECT_EQ(mine.scenario.slam.initialization.method, InitializationSettings::Method::depth_line);
 }
 
 TEST(LoadScenario, RefusesUnknownNamesWithTheNearest) {
@@ -336,7 +336,7 @@ TEST(EffectiveToml, GivesTheSameScenarioAgain) {
     const std::vector<Setting> a = list_settings(first.scenario), b = list_settings(again.scenario);
     for (std::size_t i = 0; i < a.size(); ++i) {
       EXPECT_EQ(a[i].written(), b[i].written()) << a[i].key;
-      const bool in_force = why_meaningless(a[i].key, first.scenario).empty();
+      const bool in_force = inapplicable_reason(a[i].key, first.scenario).empty();
       EXPECT_EQ(again.sources.at(a[i].key) == "default", !in_force) << a[i].key;
     }
     EXPECT_HAS(text, "sigma_pixel_px = 0.4234567890123457  # --set; px; ");

@@ -94,26 +94,28 @@ std::string with(const std::string& part, const std::string& by) {
   return text.replace(at, part.size(), by);
 }
 
-std::string at(const Place& place) { return std::to_string(place.line) + ":" + std::to_string(place.column); }
+std::string at(const TimedPosition& location) {
+  return std::to_string(location.line) + ":" + std::to_string(location.column);
+}
 
 std::string told(const std::vector<NamedExpression>& all) {
   std::string text;
   for (const NamedExpression& e : all)
-    text += e.name + "@" + at(e.place) + "=" + e.expression.text + "@" + at(e.expression.place) + " ";
+    text += e.name + "@" + at(e.location) + "=" + e.expression.text + "@" + at(e.expression.location) + " ";
   return text;
 }
 
 std::string told(const std::vector<NamedRange>& all) {
   std::string text;
   for (const NamedRange& r : all)
-    text += r.name + "@" + at(r.place) + "=" + toml_number(r.low) + ".." + toml_number(r.high) + " ";
+    text += r.name + "@" + at(r.location) + "=" + toml_number(r.low) + ".." + toml_number(r.high) + " ";
   return text;
 }
 
 std::string told(const std::vector<MeasurementText>& all) {
   std::string text;
   for (const MeasurementText& m : all)
-    text += m.name + "@" + at(m.place) + "=" + m.expression.text + "@" + at(m.expression.place) + "+-" +
+    text += m.name + "@" + at(m.location) + "=" + m.expression.text + "@" + at(m.expression.location) + "+-" +
             toml_number(m.sigma) + " ";
   return text;
 }
@@ -121,22 +123,22 @@ std::string told(const std::vector<MeasurementText>& all) {
 std::string told(const std::vector<DirectionText>& all) {
   std::string text;
   for (const DirectionText& d : all)
-    text += "[" + d.name + "@" + at(d.place) + " " + told(d.vehicle) + "| " + told(d.landmark) + "] ";
+    text += "[" + d.name + "@" + at(d.location) + " " + told(d.vehicle) + "| " + told(d.landmark) + "] ";
   return text;
 }
 
 std::string told(const std::vector<SparseRow>& all) {
   std::string text;
   for (const SparseRow& row : all)
-    text += "[" + row.name + "@" + at(row.place) + " " + told(row.entries) + "] ";
+    text += "[" + row.name + "@" + at(row.location) + " " + told(row.entries) + "] ";
   return text;
 }
 
 /// What is told, whatever the lines it stands in.
 template <class T>
-std::string placeless(const T& items) {
-  static const std::regex place("@[0-9]+:[0-9]+");
-  return std::regex_replace(told(items), place, "");
+std::string without_location(const T& items) {
+  static const std::regex location("@[0-9]+:[0-9]+");
+  return std::regex_replace(told(items), location, "");
 }
 
 TEST(SystemFile, ReadsPlanarExactly) {
@@ -148,30 +150,30 @@ TEST(SystemFile, ReadsPlanarExactly) {
   EXPECT_EQ(planar.representation, "world");
   EXPECT_EQ(planar.segment_duration_s, 1.0);
   EXPECT_TRUE(planar.parameters.empty());
-  EXPECT_EQ(placeless(planar.inputs), "v=0.5..2.0 omega=-1.0..1.0 ");
-  EXPECT_EQ(placeless(planar.vehicle.states), "x=v*cos(theta) y=v*sin(theta) theta=omega ");
-  EXPECT_EQ(placeless(planar.vehicle.region), "x=-2.0..2.0 y=-2.0..2.0 theta=-3.0..3.0 ");
+  EXPECT_EQ(without_location(planar.inputs), "v=0.5..2.0 omega=-1.0..1.0 ");
+  EXPECT_EQ(without_location(planar.vehicle.states), "x=v*cos(theta) y=v*sin(theta) theta=omega ");
+  EXPECT_EQ(without_location(planar.vehicle.region), "x=-2.0..2.0 y=-2.0..2.0 theta=-3.0..3.0 ");
   EXPECT_TRUE(planar.vehicle.definitions.empty() && planar.vehicle.measurements.empty());
   ASSERT_TRUE(planar.landmark && planar.anchor);
-  EXPECT_EQ(placeless(planar.landmark->states), "xf=0 yf=0 ");
-  EXPECT_EQ(placeless(planar.landmark->region), "xf=3.0..9.0 yf=3.0..9.0 ");
-  EXPECT_EQ(placeless(planar.landmark->definitions), "rx=xf - x ry=yf - y ");
-  EXPECT_EQ(placeless(planar.landmark->measurements), "bearing=atan2(ry, rx) - theta+-0.01 ");
+  EXPECT_EQ(without_location(planar.landmark->states), "xf=0 yf=0 ");
+  EXPECT_EQ(without_location(planar.landmark->region), "xf=3.0..9.0 yf=3.0..9.0 ");
+  EXPECT_EQ(without_location(planar.landmark->definitions), "rx=xf - x ry=yf - y ");
+  EXPECT_EQ(without_location(planar.landmark->measurements), "bearing=atan2(ry, rx) - theta+-0.01 ");
   EXPECT_TRUE(planar.anchor->states.empty());
-  EXPECT_EQ(placeless(planar.anchor->region), "ax=-9.0..-3.0 ay=-9.0..9.0 ");
-  EXPECT_EQ(placeless(planar.anchor->definitions), "bx=ax - x by=ay - y ");
-  EXPECT_EQ(placeless(planar.anchor->measurements), "bearing=atan2(by, bx) - theta+-0.01 ");
+  EXPECT_EQ(without_location(planar.anchor->region), "ax=-9.0..-3.0 ay=-9.0..9.0 ");
+  EXPECT_EQ(without_location(planar.anchor->definitions), "bx=ax - x by=ay - y ");
+  EXPECT_EQ(without_location(planar.anchor->measurements), "bearing=atan2(by, bx) - theta+-0.01 ");
   ASSERT_GE(planar.motions.size(), 2u);
   EXPECT_EQ(planar.motions[0].name, "straight");
-  EXPECT_EQ(placeless(planar.motions[0].assignments), "omega=0 ");
-  EXPECT_EQ(placeless(planar.motions[1].assignments), "v=0 omega=0 ");
-  EXPECT_EQ(placeless(planar.directions),
+  EXPECT_EQ(without_location(planar.motions[0].assignments), "omega=0 ");
+  EXPECT_EQ(without_location(planar.motions[1].assignments), "v=0 omega=0 ");
+  EXPECT_EQ(without_location(planar.directions),
             "[translation along x x=1 | xf=1 ] "
             "[translation along y y=1 | yf=1 ] "
             "[rotation x=-y y=x theta=1 | xf=-yf "
             "yf=xf ] "
             "[scale x=x y=y | xf=xf yf=yf ] ");
-  EXPECT_EQ(placeless(planar.landmark_directions), "[depth | xf=rx yf=ry ] ");
+  EXPECT_EQ(without_location(planar.landmark_directions), "[depth | xf=rx yf=ry ] ");
   EXPECT_FALSE(planar.error_form);
 }
 
@@ -220,10 +222,11 @@ TEST(SystemFile, EveryBuiltInSystemIsReadAndFoundByName) {
 }
 
 /// What stands at each place of the file is what was read from there.
-void expect_there(const std::vector<std::string>& lines, const Place& place, const std::string& text) {
-  ASSERT_GE(place.line, 1) << text;
-  const std::string& line = lines.at(static_cast<std::size_t>(place.line) - 1);
-  EXPECT_EQ(line.substr(static_cast<std::size_t>(place.column) - 1, text.size()), text) << line;
+void expect_there(const std::vector<std::string>& lines, const TimedPosition& location,
+                  const std::string& text) {
+  ASSERT_GE(location.line, 1) << text;
+  const std::string& line = lines.at(static_cast<std::size_t>(location.line) - 1);
+  EXPECT_EQ(line.substr(static_cast<std::size_t>(location.column) - 1, text.size()), text) << line;
 }
 
 TEST(SystemFile, PlacesAreThoseOfTheFile) {
@@ -232,9 +235,9 @@ TEST(SystemFile, PlacesAreThoseOfTheFile) {
     const SystemText system = load_system(name);
     const auto expect_all_there = [&](const std::vector<NamedExpression>& all) {
       for (const NamedExpression& e : all) {
-        expect_there(file, e.place, e.name);
+        expect_there(file, e.location, e.name);
         if (e.expression.text.find('\n') == std::string::npos)
-          expect_there(file, e.expression.place, e.expression.text);
+          expect_there(file, e.expression.location, e.expression.text);
       }
     };
     for (const BlockText* block : {&system.vehicle, system.landmark ? &*system.landmark : nullptr}) {
@@ -242,13 +245,13 @@ TEST(SystemFile, PlacesAreThoseOfTheFile) {
       expect_all_there(block->states);
       expect_all_there(block->definitions);
       for (const MeasurementText& m : block->measurements)
-        expect_there(file, m.expression.place, m.expression.text);
-      for (const NamedRange& range : block->region) expect_there(file, range.place, range.name);
+        expect_there(file, m.expression.location, m.expression.text);
+      for (const NamedRange& range : block->region) expect_there(file, range.location, range.name);
       for (const SparseRow& row : block->error_F) expect_all_there(row.entries);
     }
     for (const DirectionText& direction : system.directions) {
       expect_there(
-          file, direction.place,
+          file, direction.location,
           direction.name.find(' ') == std::string::npos ? direction.name : '"' + direction.name + '"');
       expect_all_there(direction.landmark);
     }
@@ -290,16 +293,16 @@ struct Fault {
   const char *part, *by, *message;
 };
 
-void expect_faults(std::initializer_list<Fault> faults) {
-  for (const Fault& fault : faults) {
-    const std::string message = complaint(with(fault.part, fault.by));
-    EXPECT_TRUE(message.starts_with(fault.message))
-        << fault.by << "\n  gives " << message << "\n  not   " << fault.message;
+void expect_problems(std::initializer_list<Fault> problems) {
+  for (const Fault& problem : problems) {
+    const std::string message = complaint(with(problem.part, problem.by));
+    EXPECT_TRUE(message.starts_with(problem.message))
+        << problem.by << "\n  gives " << message << "\n  not   " << problem.message;
   }
 }
 
 TEST(SystemFile, RefusesWrongKeysAndKinds) {
-  expect_faults({
+  expect_problems({
       {"name = \"cart\"\n", "", "s.toml: the system has no name; write name = \"...\" at the top"},
       {"name = \"cart\"", "name = 3", "s.toml:1:8: `name` must be a text, and is a whole number"},
       {"name = \"cart\"", "name = \"\"",
@@ -343,7 +346,7 @@ TEST(SystemFile, RefusesWrongKeysAndKinds) {
 
 TEST(SystemFile, RefusesWrongNames) {
   const std::string long_name(41, 'x');
-  expect_faults({
+  expect_problems({
       {"L = 1.5", "\"my L\" = 1.5", "s.toml:8:1: `my L` is no name; names are a letter and then"},
       {"L = 1.5", "_L = 1.5", "s.toml:8:1: `_L` is no name"},
       {"L = 1.5", "\"\" = 1.5", "s.toml:8:1: `` is no name"},
@@ -382,7 +385,7 @@ TEST(SystemFile, RefusesNamesThatALandmarksStateWillHave) {
 }
 
 TEST(SystemFile, RefusesNamesOfNothing) {
-  expect_faults({
+  expect_problems({
       {"w = [0.5, 1e1]", "ww = [0.5, 1e1]", "s.toml:19:1: state `ww` has no equation; the nearest is `w`"},
       {"w = [0.5, 1e1]\n", "",
        "s.toml:13:1: state `w` has no region; write w = [lowest, highest] under [region]"},
@@ -415,7 +418,7 @@ TEST(SystemFile, DisturbedStatesAreTheVehicles) {
   const SystemText cart = read_system(disturbed("[\"w\", 'x']"), "s.toml");
   ASSERT_EQ(cart.disturbed.size(), 2u);
   EXPECT_EQ(cart.disturbed[0].name, "w");
-  EXPECT_EQ(at(cart.disturbed[1].place), "6:19");
+  EXPECT_EQ(at(cart.disturbed[1].location), "6:19");
   EXPECT_EQ(complaint(disturbed("[\"w\", \"v\"]")), "s.toml:6:19: there is no state `v`; the nearest is `x`");
   EXPECT_EQ(complaint(disturbed("[\"w\", \"w\"]")), "s.toml:6:19: `w` stands here twice");
   EXPECT_TRUE(complaint(disturbed("[\"w\", 1]")).starts_with("s.toml:6:13: `disturbed` must be a list of"));
@@ -423,7 +426,7 @@ TEST(SystemFile, DisturbedStatesAreTheVehicles) {
 }
 
 TEST(SystemFile, RefusesWrongRangesAndWhatIsMissing) {
-  expect_faults({
+  expect_problems({
       {"v = [-1, 1]", "v = [1, -1]", "s.toml:10:1: the range of `v` is empty; write [lowest, highest]"},
       {"v = [-1, 1]", "v = [-1.7e308, 1.7e308]", "s.toml:10:1: the range of `v` must be finite"},
       {"q = [-9, -3]", "q = [-3, -9]", "s.toml:33:1: the range of `q` is empty"},
@@ -438,7 +441,7 @@ TEST(SystemFile, RefusesWrongRangesAndWhatIsMissing) {
 }
 
 TEST(SystemFile, RefusesWrongExpressionsWhereTheyAreWrong) {
-  expect_faults({
+  expect_problems({
       {"\"v + drag\"", "\"v + darg\"", "s.toml:12:10: there is no `darg` that this expression sees"},
       {"\"v + drag\"", "'v + * drag'", "s.toml:12:10: nothing stands between `+` and `*`"},
       {"\"v + drag\"", "\"v + r\"", "s.toml:12:10: there is no `r` that this expression sees"},

@@ -239,12 +239,12 @@ TEST(Target, DavisonsPatchesAgreeWithTheirCorners) {
   }
   for (const Target::Corner& c : target.corners) {
     const Image& patch = c.patch;
-    const auto grey = [&](bool right, bool low) { return patch(right ? 10 : 0, low ? 10 : 0); };
+    const auto gray = [&](bool right, bool low) { return patch(right ? 10 : 0, low ? 10 : 0); };
     const bool inside_is_right = c.position.y() > 0;  // world y is to the left
     const bool inside_is_low = c.position.z() > 0;
     for (const bool right : {false, true}) {
       for (const bool low : {false, true}) {
-        EXPECT_EQ(grey(right, low) < 100, right == inside_is_right && low == inside_is_low);
+        EXPECT_EQ(gray(right, low) < 100, right == inside_is_right && low == inside_is_low);
       }
     }
   }

@@ -24,10 +24,10 @@ LoadedScenario load(const Scratch& scratch, const std::string& text) {
 
 /// 5 columns, 3 rows: white in the upper right corner, a given grey left of the middle.
 template <class Pixel>
-cv::Mat ground(Pixel white, Pixel grey) {
+cv::Mat ground(Pixel white, Pixel gray) {
   cv::Mat map = cv::Mat_<Pixel>::zeros(3, 5);
   map.at<Pixel>(0, 4) = white;
-  map.at<Pixel>(1, 1) = grey;
+  map.at<Pixel>(1, 1) = gray;
   return map;
 }
 

@@ -38,7 +38,7 @@ Expected expected_of(const Case& c) {
   const Eigen::Vector2d pixel = lens.project(seen)->pixel;
   set("u", pixel.x()), set("v", pixel.y());
   expected.in_view = lens.contains(pixel);
-  if (const auto* two = std::get_if<CarriedStereo>(&c.sensor)) {
+  if (const auto* two = std::get_if<StereoSensor>(&c.sensor)) {
     const Eigen::Vector2d other =
         lens.project(seen - two->stereo.baseline_m * Eigen::Vector3d::UnitX())->pixel;
     set("u_right", other.x());
@@ -50,52 +50,55 @@ Expected expected_of(const Case& c) {
 TEST(AnySensor, TellsWhereThePointIs) {
   for_every_case([](const Case& c) {
     if (c.point.size() == 0) return;
-    const auto look = c.look();
-    ASSERT_TRUE(look) << c.name();
-    EXPECT_TRUE(is_possible(c.sensor, look->z)) << c.name();
+    const auto prediction = c.predict_measurement();
+    ASSERT_TRUE(prediction) << c.name();
+    EXPECT_TRUE(is_possible(c.sensor, prediction->z)) << c.name();
     const Expected expected = expected_of(c);
-    EXPECT_EQ(look->in_view, expected.in_view) << c.name();
+    EXPECT_EQ(prediction->in_view, expected.in_view) << c.name();
     if (!expected.z.allFinite()) return;
-    EXPECT_LE(minus(chart_of(c.sensor), look->z, expected.z).norm(), 1e-9 * (1 + expected.z.norm()))
+    EXPECT_LE(minus(chart_of(c.sensor), prediction->z, expected.z).norm(), 1e-9 * (1 + expected.z.norm()))
         << c.name();
-    if (c.point.size() == 2) EXPECT_LE(std::abs(look->z[look->z.size() - 1]), pi);
+    if (c.point.size() == 2) EXPECT_LE(std::abs(prediction->z[prediction->z.size() - 1]), pi);
   });
 }
 
 TEST(AnySensor, LooksHaveTheJacobiansOfDifferences) {
   for_every_case([](const Case& c) {
-    const auto look = c.look();
-    ASSERT_TRUE(look) << c.name();
+    const auto prediction = c.predict_measurement();
+    ASSERT_TRUE(prediction) << c.name();
     const Chart& chart = chart_of(c.sensor);
     const double step = 3e-4 * c.away_m;
-    expect_jacobian(
-        look->Hv,
-        differences(
-            chart_of(c.motion), c.vehicle, chart,
-            [&](const SmallVector& x) { return look_at(c.sensor, c.motion, x, c.form, c.landmark)->z; },
-            step),
-        "Hv, " + c.name());
-    expect_jacobian(
-        look->Hl,
-        differences(
-            c.chart, c.landmark, chart,
-            [&](const SmallVector& y) { return look_at(c.sensor, c.motion, c.vehicle, c.form, y)->z; }, step),
-        "Hl, " + c.name());
+    expect_jacobian(prediction->Hv,
+                    differences(
+                        chart_of(c.motion), c.vehicle, chart,
+                        [&](const SmallVector& x) {
+                          return predict_measurement(c.sensor, c.motion, x, c.form, c.landmark)->z;
+                        },
+                        step),
+                    "Hv, " + c.name());
+    expect_jacobian(prediction->Hl,
+                    differences(
+                        c.chart, c.landmark, chart,
+                        [&](const SmallVector& y) {
+                          return predict_measurement(c.sensor, c.motion, c.vehicle, c.form, y)->z;
+                        },
+                        step),
+                    "Hl, " + c.name());
   });
 }
 TEST(AnySensor, TellsNothingOfWhatItCannotSee) {
   for (const AnyMotion& motion : motions())
     for (const AnySensor& sensor : sensors()) {
-      if (!misfit(motion, sensor).empty() || dimensions_of(sensor) == 1) continue;
+      if (!incompatibility(motion, sensor).empty() || dimensions_of(sensor) == 1) continue;
       for (const SmallVector& x : states(motion)) {
         if (dimensions_of(sensor) == 2) {
-          EXPECT_FALSE(look_at(sensor, motion, x, {}, x.head(2))) << "where the sensor is";
+          EXPECT_FALSE(predict_measurement(sensor, motion, x, {}, x.head(2))) << "where the sensor is";
           continue;
         }
         const Lens lens = lens_on(motion, x);
         for (const Eigen::Vector3d& c :
              {Eigen::Vector3d(0, 0, -1), Eigen::Vector3d(0.3, 0.2, -5), Eigen::Vector3d(0, 0, 0)})
-          EXPECT_FALSE(look_at(sensor, motion, x, {}, lens.in_world(c))) << "behind the lens";
+          EXPECT_FALSE(predict_measurement(sensor, motion, x, {}, lens.in_world(c))) << "behind the lens";
       }
     }
 }
@@ -115,10 +118,10 @@ TEST(AnySensor, PositionsHaveTheJacobiansOfDifferences) {
   for_every_case([](const Case& c) {
     const auto at = position_of(c.form, c.landmark);
     ASSERT_EQ(at.has_value(),
-              c.form.kind == LandmarkForm::Kind::point || c.landmark[c.landmark.size() - 1] > 0);
+              c.form.kind == LandmarkParametrization::Kind::point || c.landmark[c.landmark.size() - 1] > 0);
     if (c.point.size() == 0) return;
     EXPECT_LE((at->position - c.point).norm(), 1e-12 * (1 + c.point.norm())) << c.name();
-    const bool point = c.form.kind == LandmarkForm::Kind::point;
+    const bool point = c.form.kind == LandmarkParametrization::Kind::point;
     const double step = point ? 1e-3 : 1e-3 * std::min(1.0, c.landmark[c.landmark.size() - 1]);
     expect_jacobian(at->J,
                     differences(
@@ -142,7 +145,7 @@ TEST(AnySensor, AVehicleOnTheFloorIsAtHeightNothingInSpace) {
 }
 
 TEST(AnySensor, LinearityIndexIsFourSpreadsOverTheDistanceTimesTheCosineOfTheParallax) {
-  const LandmarkForm far{LandmarkForm::Kind::inverse_depth, {1, 0, 0, 0}};
+  const LandmarkParametrization far{LandmarkParametrization::Kind::inverse_depth, {1, 0, 0, 0}};
   const double sigma = 0.01, d = 4, spread_m = sigma * d * d;  // of the distance
   const SmallVector on_plane = vec({1, 2, 0, 1 / d}),
                     in_space = vec({1, 2, 3, 0, 0, 1 / d});  // along +x, along +z
@@ -167,7 +170,7 @@ TEST(AnySensor, WhatDoesNotFitSaysWhy) {
   const auto sensor_list = sensors();
   for (const AnyMotion& motion : motions())
     for (const AnySensor& sensor : sensor_list) {
-      const std::string why = misfit(motion, sensor);
+      const std::string why = incompatibility(motion, sensor);
       if (dimensions_of(traits_of(motion).space) < dimensions_of(sensor) && !traits_of(motion).on_plane()) {
         EXPECT_FALSE(why.empty()) << traits_of(motion).name << ", " << traits_of(sensor).name;
       }
@@ -179,13 +182,14 @@ TEST(AnySensor, WhatDoesNotFitSaysWhy) {
       }
     }
   const auto says = [](const AnyMotion& motion, const AnySensor& sensor, const char* part) {
-    EXPECT_NE(misfit(motion, sensor).find(part), std::string::npos) << misfit(motion, sensor);
+    EXPECT_NE(incompatibility(motion, sensor).find(part), std::string::npos)
+        << incompatibility(motion, sensor);
   };
-  says(MonobotMotion{}, DirectionFinder{}, "a bearing says nothing there");
-  says(DifferentialDrive{}, LineScanner{}, "belongs to a vehicle on a line");
-  says(FreeCameraMotion{}, LineScanner{}, "belongs to a vehicle on a line");
-  says(FreeCameraMotion{}, LaserScanner{}, "nothing of where a body is in space");
-  says(TerrainVehicle{}, DirectionFinder{}, "tilts with the vehicle");
+  says(MonobotMotion{}, BearingSensor{}, "a bearing says nothing there");
+  says(DifferentialDrive{}, RelativePositionSensor{}, "belongs to a vehicle on a line");
+  says(FreeCameraMotion{}, RelativePositionSensor{}, "belongs to a vehicle on a line");
+  says(FreeCameraMotion{}, RangeBearingSensor{}, "nothing of where a body is in space");
+  says(TerrainVehicle{}, BearingSensor{}, "tilts with the vehicle");
 }
 
 }  // namespace

@@ -24,32 +24,33 @@ std::vector<Vector3d> poses() {
 TEST(Bearing, IsTheSecondRowOfRangeAndBearing) {
   for (const Vector3d& pose : poses())
     for (const Vector2d& point : {Vector2d(3, 1), Vector2d(-2, 5), Vector2d(7, -1e3)}) {
-      const auto both = RangeBearing::look(pose, point);
-      const auto one = Bearing::look(pose, point);
+      const auto both = RangeBearing::predict_measurement(pose, point);
+      const auto one = Bearing::predict_measurement(pose, point);
       EXPECT_EQ(one->z[0], both->z[1]);
       EXPECT_EQ((one->Hv - both->Hv.row(1)).norm() + (one->Hl - both->Hl.row(1)).norm(), 0);
     }
 }
 
 TEST(Bearing, NoBearingOfThePlaceOfTheSensor) {
-  EXPECT_FALSE(Bearing::look({1, 2, 3}, {1, 2}));
-  EXPECT_FALSE(Bearing::look({1, 2, 3}, {1 + 1e-7, 2}));
-  EXPECT_FALSE(PlanarInverseDistance::look({1, 2, 3}, {0, 2, 0, 1}));
-  EXPECT_FALSE(PlanarInverseDistance::look({1e6, 2, 3}, {0, 2, 0, 1e-6}));
+  EXPECT_FALSE(Bearing::predict_measurement({1, 2, 3}, {1, 2}));
+  EXPECT_FALSE(Bearing::predict_measurement({1, 2, 3}, {1 + 1e-7, 2}));
+  EXPECT_FALSE(PlanarInverseDistance::predict_measurement({1, 2, 3}, {0, 2, 0, 1}));
+  EXPECT_FALSE(PlanarInverseDistance::predict_measurement({1e6, 2, 3}, {0, 2, 0, 1e-6}));
 }
 
 TEST(PlanarInverseDistance, BirthUndoesLook) {
   for (const Vector3d& pose : poses())
     for (const double bearing : {0.0, 1e-9, pi / 2, -pi / 2, pi - 1e-7, -pi + 1e-7, -2.5})
       for (const double inverse : {0.0, 1e-9, 0.5, 100.0}) {
-        const auto born = PlanarInverseDistance::birth(pose, bearing, inverse);
-        const auto look = PlanarInverseDistance::look(pose, born.landmark);
-        ASSERT_TRUE(look);
-        EXPECT_NEAR(wrap_angle(look->z[0] - bearing), 0, 2e-15);
-        EXPECT_EQ(born.landmark[3], inverse);
+        const auto initialized = PlanarInverseDistance::initialize(pose, bearing, inverse);
+        const auto prediction = PlanarInverseDistance::predict_measurement(pose, initialized.landmark);
+        ASSERT_TRUE(prediction);
+        EXPECT_NEAR(wrap_angle(prediction->z[0] - bearing), 0, 2e-15);
+        EXPECT_EQ(initialized.landmark[3], inverse);
         // To first order too: the pose's error moves the landmark with it, so what is seen stays
-        EXPECT_LE((look->Hv + look->Hl * born.Jv).norm(), 1e-14 * (1 + look->Hv.norm()));
-        EXPECT_LE((look->Hl * born.Jz - Eigen::RowVector2d(1, 0)).norm(), 1e-14);
+        EXPECT_LE((prediction->Hv + prediction->Hl * initialized.Jv).norm(),
+                  1e-14 * (1 + prediction->Hv.norm()));
+        EXPECT_LE((prediction->Hl * initialized.Jz - Eigen::RowVector2d(1, 0)).norm(), 1e-14);
       }
 }
 
@@ -60,9 +61,9 @@ TEST(PlanarInverseDistance, BirthJacobiansAreExact) {
   const auto z = variables<5>(Vector2d(0.7, 0.2), 3);  // wraps: 3.7 rad
   const Eigen::Matrix<D, 4, 1> y(x[0], x[1], wrap_angle<D>(x[2] + z[0]), z[1]);
   const auto J = derivatives<5, 4>(y);
-  const auto born = PlanarInverseDistance::birth(pose, 0.7, 0.2);
-  EXPECT_LE((born.landmark - values<5, 4>(y)).norm(), 1e-15);
-  EXPECT_EQ((born.Jv - J.leftCols<3>()).norm() + (born.Jz - J.rightCols<2>()).norm(), 0);
+  const auto initialized = PlanarInverseDistance::initialize(pose, 0.7, 0.2);
+  EXPECT_LE((initialized.landmark - values<5, 4>(y)).norm(), 1e-15);
+  EXPECT_EQ((initialized.Jv - J.leftCols<3>()).norm() + (initialized.Jz - J.rightCols<2>()).norm(), 0);
 }
 
 TEST(PlanarInverseDistance, PointIsExactAndSeenTheSame) {
@@ -74,8 +75,8 @@ TEST(PlanarInverseDistance, PointIsExactAndSeenTheSame) {
     const auto point = PlanarInverseDistance::point(y);
     EXPECT_LE((point.J - J).norm(), 1e-14 * J.norm());
     const Vector3d pose(0.4, -0.7, 2);
-    const auto by_point = Bearing::look(pose, point.position);
-    const auto by_inverse = PlanarInverseDistance::look(pose, y);
+    const auto by_point = Bearing::predict_measurement(pose, point.position);
+    const auto by_inverse = PlanarInverseDistance::predict_measurement(pose, y);
     EXPECT_NEAR(wrap_angle(by_point->z[0] - by_inverse->z[0]), 0, 1e-14);
     EXPECT_LE((by_point->Hv - by_inverse->Hv).norm(), 1e-13);
     EXPECT_LE((by_point->Hl * point.J - by_inverse->Hl).norm(), 1e-12 * by_inverse->Hl.norm());
@@ -84,8 +85,8 @@ TEST(PlanarInverseDistance, PointIsExactAndSeenTheSame) {
 
 TEST(PlanarInverseDistance, AtInfinityOnlyTurningMatters) {
   const Vector4d y(1, 2, 0.3, 0);
-  const auto here = PlanarInverseDistance::look({5, 6, 1}, y),
-             there = PlanarInverseDistance::look({-50, 9, 1}, y);
+  const auto here = PlanarInverseDistance::predict_measurement({5, 6, 1}, y),
+             there = PlanarInverseDistance::predict_measurement({-50, 9, 1}, y);
   EXPECT_EQ(here->z[0], there->z[0]);
   EXPECT_EQ(here->Hv, Eigen::RowVector3d(0, 0, -1));
   EXPECT_NE(here->Hl[3], 0) << "but a look from elsewhere tells the distance";

@@ -125,10 +125,10 @@ TYPED_TEST(CameraLaws, ProjectUndoesUnproject) {
 }
 
 TYPED_TEST(CameraLaws, RightIsRightAndDownIsDown) {
-  const Vector2d centre = this->model.project(Vector3d(0, 0, 1)).pixel;
-  EXPECT_LE((centre - Vector2d(this->model.u0, this->model.v0)).norm(), 1e-12);
-  EXPECT_GT(this->model.project(Vector3d(0.1, 0, 1)).pixel.x(), centre.x() + 1);
-  EXPECT_GT(this->model.project(Vector3d(0, 0.1, 1)).pixel.y(), centre.y() + 1);
+  const Vector2d center = this->model.project(Vector3d(0, 0, 1)).pixel;
+  EXPECT_LE((center - Vector2d(this->model.u0, this->model.v0)).norm(), 1e-12);
+  EXPECT_GT(this->model.project(Vector3d(0.1, 0, 1)).pixel.x(), center.x() + 1);
+  EXPECT_GT(this->model.project(Vector3d(0, 0.1, 1)).pixel.y(), center.y() + 1);
 }
 
 TYPED_TEST(CameraLaws, BehindTheCameraIsRefused) {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "incognita/math/random.hpp"
-#include "incognita/models/camera_look.hpp"
+#include "incognita/models/camera_measurement.hpp"
 #include "incognita/models/pinhole_camera.hpp"
 #include "incognita/models/wide_angle_camera.hpp"
 

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "incognita/models/camera_look.hpp"
+#include "incognita/models/camera_measurement.hpp"
 #include "tests/models/dual.hpp"
 #include "tests/models/landmark_cases.hpp"
 
@@ -12,14 +12,14 @@ namespace incognita {
 namespace {
 
 template <class Model>
-void check_point_look(const Model& model) {
+void check_point_prediction(const Model& model) {
   RandomStream random(1, "point looks");
   int seen = 0;
   for (const Vector3d& c : ordinary_and_nasty()) {
     const CameraState x = some_camera(random);
     const Vector3d point = to_world(x, c);
-    const auto look = PointLandmark::look(Camera(model), x, point);
-    if (!look) continue;
+    const auto prediction = PointLandmark::predict_measurement(Camera(model), x, point);
+    if (!prediction) continue;
     ++seen;
     constexpr int n = camera_errors + 3;
     const auto e = variables<n>(Eigen::Matrix<double, camera_errors, 1>::Zero().eval());
@@ -27,23 +27,23 @@ void check_point_look(const Model& model) {
     const Vector2<Dual<n>> pixel =
         model.template h<Dual<n>>(PointLandmark::in_camera<Dual<n>>(moved<Dual<n>>(x, e), l));
     const auto J = derivatives<n, 2>(pixel);
-    expect_near(look->pixel, (values<n, 2>(pixel)), 1e-9);
-    expect_near(look->Hv, J.template leftCols<camera_errors>(), 1e-8);
-    expect_near(look->Hl, J.template rightCols<3>(), 1e-8);
+    expect_near(prediction->pixel, (values<n, 2>(pixel)), 1e-9);
+    expect_near(prediction->Hv, J.template leftCols<camera_errors>(), 1e-8);
+    expect_near(prediction->Hl, J.template rightCols<3>(), 1e-8);
   }
   EXPECT_GE(seen, 5);
 }
 
 TEST(PointLook, JacobiansAreThoseOfTheModel) {
-  check_point_look(wide);
-  check_point_look(pinhole);
+  check_point_prediction(wide);
+  check_point_prediction(pinhole);
 }
 
 TEST(PointLook, NothingBehindTheCamera) {
   RandomStream random(2, "behind");
   const CameraState x = some_camera(random);
-  EXPECT_FALSE(PointLandmark::look(Camera(wide), x, to_world(x, {0.1, 0, -1})));
-  EXPECT_FALSE(PointLandmark::look(Camera(wide), x, x.head<3>()));
+  EXPECT_FALSE(PointLandmark::predict_measurement(Camera(wide), x, to_world(x, {0.1, 0, -1})));
+  EXPECT_FALSE(PointLandmark::predict_measurement(Camera(wide), x, x.head<3>()));
 }
 
 struct Case {
@@ -62,7 +62,7 @@ std::vector<Case> inverse_depth_cases() {
       for (const double baseline : {0.0, 0.3}) {
         Case c;
         c.x = some_camera(random);
-        c.axes.world_from_birth = c.x.segment<4>(3);
+        c.axes.world_from_initial_camera = c.x.segment<4>(3);
         c.y << c.x.head<3>(), direction, rho;
         Vector3d turn, step;
         for (int i = 0; i < 3; ++i) {
@@ -77,11 +77,11 @@ std::vector<Case> inverse_depth_cases() {
 }
 
 template <class Model>
-void check_inverse_depth_look(const Model& model) {
+void check_inverse_depth_prediction(const Model& model) {
   int seen = 0;
   for (const Case& c : inverse_depth_cases()) {
-    const auto look = c.axes.look(Camera(model), c.x, c.y);
-    if (!look) continue;
+    const auto prediction = c.axes.predict_measurement(Camera(model), c.x, c.y);
+    if (!prediction) continue;
     ++seen;
     constexpr int n = camera_errors + 6;
     const auto e = variables<n>(Eigen::Matrix<double, camera_errors, 1>::Zero().eval());
@@ -89,30 +89,30 @@ void check_inverse_depth_look(const Model& model) {
     const Vector2<Dual<n>> pixel =
         model.template h<Dual<n>>(c.axes.in_camera<Dual<n>>(moved<Dual<n>>(c.x, e), l));
     const auto J = derivatives<n, 2>(pixel);
-    expect_near(look->pixel, (values<n, 2>(pixel)), 1e-9);
-    expect_near(look->Hv, J.template leftCols<camera_errors>(), 1e-8);
-    expect_near(look->Hl, J.template rightCols<6>(), 1e-8);
+    expect_near(prediction->pixel, (values<n, 2>(pixel)), 1e-9);
+    expect_near(prediction->Hv, J.template leftCols<camera_errors>(), 1e-8);
+    expect_near(prediction->Hl, J.template rightCols<6>(), 1e-8);
   }
   EXPECT_GE(seen, 15);
 }
 
 TEST(InverseDepthLook, JacobiansAreThoseOfTheModel) {
-  check_inverse_depth_look(wide);
-  check_inverse_depth_look(pinhole);
+  check_inverse_depth_prediction(wide);
+  check_inverse_depth_prediction(pinhole);
 }
 
 TEST(InverseDepthLook, IsTheLookOfTheSamePoint) {
   int seen = 0;
   for (const Case& c : inverse_depth_cases()) {
     if (!(c.y[5] > 0)) continue;
-    const auto look = c.axes.look(Camera(wide), c.x, c.y);
-    const auto point = PointLandmark::look(Camera(wide), c.x, c.axes.point(c.y).position);
-    ASSERT_EQ(look.has_value(), point.has_value());
-    if (!look) continue;
+    const auto prediction = c.axes.predict_measurement(Camera(wide), c.x, c.y);
+    const auto point = PointLandmark::predict_measurement(Camera(wide), c.x, c.axes.point(c.y).position);
+    ASSERT_EQ(prediction.has_value(), point.has_value());
+    if (!prediction) continue;
     ++seen;
     // a place 1e12 m away is known to 1e-4 m, that is to 1e-16 rad
-    expect_near(look->pixel, point->pixel, 1e-9);
-    expect_near(look->Hv, point->Hv, 1e-8);
+    expect_near(prediction->pixel, point->pixel, 1e-9);
+    expect_near(prediction->Hv, point->Hv, 1e-8);
   }
   EXPECT_GE(seen, 10);
 }
@@ -120,9 +120,9 @@ TEST(InverseDepthLook, IsTheLookOfTheSamePoint) {
 TEST(InverseDepthLook, AtInfinityOnlyTurningMatters) {
   for (Case c : inverse_depth_cases()) {
     if (c.y[5] != 0) continue;
-    const auto here = c.axes.look(Camera(wide), c.x, c.y);
+    const auto here = c.axes.predict_measurement(Camera(wide), c.x, c.y);
     c.x.head<3>() += Vector3d(5, -7, 3);
-    const auto there = c.axes.look(Camera(wide), c.x, c.y);
+    const auto there = c.axes.predict_measurement(Camera(wide), c.x, c.y);
     ASSERT_EQ(here.has_value(), there.has_value());
     if (!here) continue;
     EXPECT_EQ(here->pixel, there->pixel);
@@ -146,7 +146,8 @@ TEST(InverseDepthPoint, JacobianIsThatOfTheGeometry) {
     if (!(c.y[5] > 1e-6)) continue;
     const auto y = variables<6>(c.y);
     const Vector3<Dual<6>> ray(y[3], y[4], Dual<6>(1));
-    const Vector3<Dual<6>> turned = rotation_matrix<Dual<6>>(c.axes.world_from_birth.cast<Dual<6>>()) * ray;
+    const Vector3<Dual<6>> turned =
+        rotation_matrix<Dual<6>>(c.axes.world_from_initial_camera.cast<Dual<6>>()) * ray;
     const Vector3<Dual<6>> position = y.head<3>() + turned / y[5];
     const auto point = c.axes.point(c.y);
     expect_near(point.position, (values<6, 3>(position)), 1e-12);
@@ -154,35 +155,38 @@ TEST(InverseDepthPoint, JacobianIsThatOfTheGeometry) {
   }
 }
 
-std::vector<Vector2d> pixels_to_be_born_at() {
+std::vector<Vector2d> pixels_to_initialize_at() {
   return {{159.5, 119.5}, {160, 100}, {20, 200}, {0, 0}, {319, 239}, {319, 0}, {0, 119.5}};
 }
 
-TEST(Birth, UndoesTheLook) {
+TEST(Initialization, UndoesTheLook) {
   RandomStream random(5, "births");
   for (const Camera& camera : {Camera(wide), Camera(pinhole)})
-    for (const Vector2d& pixel : pixels_to_be_born_at())
+    for (const Vector2d& pixel : pixels_to_initialize_at())
       for (const double rho : {0.0, 1e-9, 0.5, 50.0}) {
         const CameraState x = some_camera(random);
-        const auto born = InverseDepthLandmark::birth(camera, x, pixel, rho);
-        ASSERT_TRUE(born);
-        EXPECT_EQ(born->landmark[5], rho);
-        const auto look = InverseDepthLandmark{born->world_from_birth}.look(camera, x, born->landmark);
-        ASSERT_TRUE(look);
-        EXPECT_LT((look->pixel - pixel).norm(), 1e-8);
+        const auto initialized = InverseDepthLandmark::initialize(camera, x, pixel, rho);
+        ASSERT_TRUE(initialized);
+        EXPECT_EQ(initialized->landmark[5], rho);
+        const auto prediction =
+            InverseDepthLandmark{initialized->world_from_initial_camera}.predict_measurement(
+                camera, x, initialized->landmark);
+        ASSERT_TRUE(prediction);
+        EXPECT_LT((prediction->pixel - pixel).norm(), 1e-8);
         // and to first order: the camera's error moves the landmark with it, so the pixel stays
-        const Eigen::Matrix<double, 2, camera_errors> stays = look->Hv + look->Hl * born->Jv;
-        EXPECT_LT(stays.norm(), 1e-7 * (1 + look->Hv.norm()));
-        EXPECT_LT((look->Hl * born->Jz - Eigen::Matrix2d::Identity()).norm(), 1e-8);
+        const Eigen::Matrix<double, 2, camera_errors> stays =
+            prediction->Hv + prediction->Hl * initialized->Jv;
+        EXPECT_LT(stays.norm(), 1e-7 * (1 + prediction->Hv.norm()));
+        EXPECT_LT((prediction->Hl * initialized->Jz - Eigen::Matrix2d::Identity()).norm(), 1e-8);
       }
 }
 
-TEST(Birth, JacobiansAreThoseOfTheRay) {
+TEST(Initialization, JacobiansAreThoseOfTheRay) {
   RandomStream random(6, "birth rays");
-  for (const Vector2d& at : pixels_to_be_born_at()) {
+  for (const Vector2d& at : pixels_to_initialize_at()) {
     const CameraState x = some_camera(random);
-    const auto born = InverseDepthLandmark::birth(Camera(wide), x, at, 0.5);
-    ASSERT_TRUE(born);
+    const auto initialized = InverseDepthLandmark::initialize(Camera(wide), x, at, 0.5);
+    ASSERT_TRUE(initialized);
     constexpr int n = camera_errors + 2;
     using D = Dual<n>;
     const auto camera = moved<D>(x, variables<n>(Eigen::Matrix<double, camera_errors, 1>::Zero().eval()));
@@ -191,21 +195,23 @@ TEST(Birth, JacobiansAreThoseOfTheRay) {
     const D root = sqrt(D(1) - D(2 * wide.kd1) * (cu * cu + cv * cv));
     const Vector3<D> ray(cu / (root * D(wide.fu)), cv / (root * D(wide.fv)), D(1));
     const Vector3<D> in_world = rotation_matrix<D>(camera.template segment<4>(3)) * ray;
-    const Vector3<D> in_birth = rotation_matrix<D>(born->world_from_birth.cast<D>()).transpose() * in_world;
+    const Vector3<D> in_initial_camera =
+        rotation_matrix<D>(initialized->world_from_initial_camera.cast<D>()).transpose() * in_world;
     Eigen::Matrix<D, 6, 1> y;
-    y << camera.template head<3>(), in_birth[0] / in_birth[2], in_birth[1] / in_birth[2], D(0.5);
+    y << camera.template head<3>(), in_initial_camera[0] / in_initial_camera[2],
+        in_initial_camera[1] / in_initial_camera[2], D(0.5);
     const auto J = derivatives<n, 6>(y);
-    expect_near(born->landmark, (values<n, 6>(y)), 1e-12);
-    expect_near(born->Jv, J.template leftCols<camera_errors>(), 1e-10);
-    expect_near(born->Jz, J.template rightCols<2>(), 1e-10);
+    expect_near(initialized->landmark, (values<n, 6>(y)), 1e-12);
+    expect_near(initialized->Jv, J.template leftCols<camera_errors>(), 1e-10);
+    expect_near(initialized->Jz, J.template rightCols<2>(), 1e-10);
   }
 }
 
-TEST(Birth, NothingWhereNoRayReaches) {
+TEST(Initialization, NothingWhereNoRayReaches) {
   // the image of infinity is a circle of radius 1/sqrt(2 kd1) = 236 px
   const CameraState x = (CameraState() << 0, 0, 0, 1, Eigen::Matrix<double, 9, 1>::Zero()).finished();
-  EXPECT_TRUE(InverseDepthLandmark::birth(Camera(wide), x, {159.5 + 235, 119.5}, 0.5));
-  EXPECT_FALSE(InverseDepthLandmark::birth(Camera(wide), x, {159.5 + 237, 119.5}, 0.5));
+  EXPECT_TRUE(InverseDepthLandmark::initialize(Camera(wide), x, {159.5 + 235, 119.5}, 0.5));
+  EXPECT_FALSE(InverseDepthLandmark::initialize(Camera(wide), x, {159.5 + 237, 119.5}, 0.5));
 }
 
 }  // namespace

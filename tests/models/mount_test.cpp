@@ -50,13 +50,13 @@ Eigen::Matrix<double, 6, 3> exact(const Mount& mount, const Vector3<D>& position
 TEST(Mount, OnAPlanarVehicleTheJacobianIsExact) {
   for (const Mount& mount : mounts())
     for (const Vector3d& pose : poses()) {
-      const auto seat = mount.on(on_floor(pose));
+      const auto mounted_pose = mount.on(on_floor(pose));
       const auto moved = variables<3>(pose);
       const D c = cos(moved[2]), s = sin(moved[2]), none(0), one(1);
       Matrix3<D> axes;
       axes << c, -s, none, s, c, none, none, none, one;
-      const auto J = exact(mount, {moved[0], moved[1], none}, axes, seat.camera);
-      EXPECT_LE((seat.J - J).norm(), 1e-13 * J.norm());
+      const auto J = exact(mount, {moved[0], moved[1], none}, axes, mounted_pose.camera);
+      EXPECT_LE((mounted_pose.J - J).norm(), 1e-13 * J.norm());
     }
 }
 
@@ -65,10 +65,10 @@ TEST(Mount, OnUnevenGroundTheJacobianIsExact) {
     for (const Mount& mount : mounts())
       for (const Vector3d& pose : poses()) {
         const TerrainVehicle vehicle{ground};
-        const auto seat = mount.on(vehicle.pose(pose));
+        const auto mounted_pose = mount.on(vehicle.pose(pose));
         const auto moved = variables<3>(pose);
-        const auto J = exact(mount, vehicle.position<D>(moved), vehicle.axes<D>(moved), seat.camera);
-        EXPECT_LE((seat.J - J).norm(), 1e-12 * J.norm());
+        const auto J = exact(mount, vehicle.position<D>(moved), vehicle.axes<D>(moved), mounted_pose.camera);
+        EXPECT_LE((mounted_pose.J - J).norm(), 1e-12 * J.norm());
       }
 }
 
@@ -76,11 +76,11 @@ TEST(Mount, ALookThroughItHasTheVehiclesJacobian) {
   const TerrainVehicle vehicle{grounds::gentle_waves()};
   const Mount mount{.forward_m = 0.3, .left_m = 0.1, .up_m = 0.5, .pitch_rad = 0.2, .yaw_rad = -0.3};
   for (const Vector3d& pose : poses()) {
-    const auto seat = mount.on(vehicle.pose(pose));
-    const Vector3d point = to_world(seat.camera, {0.3, -0.2, 2});
-    const auto look = PointLandmark::look(Camera(wide), seat.camera, point);
-    ASSERT_TRUE(look);
-    const Eigen::Matrix<double, 2, 3> Hv = by_vehicle(look->Hv, seat.J);
+    const auto mounted_pose = mount.on(vehicle.pose(pose));
+    const Vector3d point = to_world(mounted_pose.camera, {0.3, -0.2, 2});
+    const auto prediction = PointLandmark::predict_measurement(Camera(wide), mounted_pose.camera, point);
+    ASSERT_TRUE(prediction);
+    const Eigen::Matrix<double, 2, 3> Hv = by_vehicle(prediction->Hv, mounted_pose.J);
     const auto moved = variables<3>(pose);
     const Matrix3<D> axes = vehicle.axes<D>(moved);
     const Vector3<D> at = vehicle.position<D>(moved) + axes * mount.lever().cast<D>();
@@ -99,8 +99,8 @@ TEST(Mount, LooksWhereItIsTurned) {
                 .norm(),
             1e-15);
   const auto ahead = [](const Mount& mount) -> Vector3d {
-    const auto seat = mount.on(on_floor({0, 0, 0}));
-    return rotation_matrix<double>(seat.camera.segment<4>(3)).col(2);
+    const auto mounted_pose = mount.on(on_floor({0, 0, 0}));
+    return rotation_matrix<double>(mounted_pose.camera.segment<4>(3)).col(2);
   };
   expect_near(ahead({.pitch_rad = 0.3}), Vector3d(std::cos(0.3), 0, std::sin(0.3)), 1e-15);
   expect_near(ahead({.yaw_rad = 0.3}), Vector3d(std::cos(0.3), std::sin(0.3), 0), 1e-15);

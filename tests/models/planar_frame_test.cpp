@@ -79,9 +79,9 @@ TEST(PlanarFrame, JacobianBetweenIsEveryVehiclesF) {
 
 TEST(PositionFix, IsThePositionOfThePose) {
   for (const Vector3d& x : poses()) {
-    const PositionFix::Look look = PositionFix::look(x);
-    EXPECT_EQ(look.z, x.head<2>());
-    EXPECT_EQ(look.Hv * x, x.head<2>());
+    const PositionFix::Prediction prediction = PositionFix::predict_measurement(x);
+    EXPECT_EQ(prediction.z, x.head<2>());
+    EXPECT_EQ(prediction.Hv * x, x.head<2>());
   }
 }
 

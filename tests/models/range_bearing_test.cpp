@@ -34,53 +34,54 @@ TEST(RangeBearing, JacobiansAreExact) {
   for (const Vector3d& pose : poses())
     for (const Vector2d& z : places()) {
       const Vector2d point = RangeBearing::j<double>(pose, z);
-      const auto look = RangeBearing::look(pose, point);
-      ASSERT_TRUE(look);
+      const auto prediction = RangeBearing::predict_measurement(pose, point);
+      ASSERT_TRUE(prediction);
       const auto J = derivatives<5, 2>(RangeBearing::h<D>(variables<5>(pose), variables<5>(point, 3)));
-      EXPECT_LE((look->Hv - J.leftCols<3>()).norm(), 1e-12 * J.norm())
+      EXPECT_LE((prediction->Hv - J.leftCols<3>()).norm(), 1e-12 * J.norm())
           << pose.transpose() << " " << z.transpose();
-      EXPECT_LE((look->Hl - J.rightCols<2>()).norm(), 1e-12 * J.norm())
+      EXPECT_LE((prediction->Hl - J.rightCols<2>()).norm(), 1e-12 * J.norm())
           << pose.transpose() << " " << z.transpose();
-      const auto birth = RangeBearing::birth(pose, z);
+      const auto initialization = RangeBearing::initialize(pose, z);
       const auto B = derivatives<5, 2>(RangeBearing::j<D>(variables<5>(pose), variables<5>(z, 3)));
-      EXPECT_LE((birth.Jv - B.leftCols<3>()).norm(), 1e-14 * B.norm());
-      EXPECT_LE((birth.Jz - B.rightCols<2>()).norm(), 1e-14 * B.norm());
+      EXPECT_LE((initialization.Jv - B.leftCols<3>()).norm(), 1e-14 * B.norm());
+      EXPECT_LE((initialization.Jz - B.rightCols<2>()).norm(), 1e-14 * B.norm());
     }
 }
 
 TEST(RangeBearing, BirthUndoesLook) {
   for (const Vector3d& pose : poses())
     for (const Vector2d& z : places()) {
-      const auto look = RangeBearing::look(pose, RangeBearing::birth(pose, z).landmark);
-      ASSERT_TRUE(look);
+      const auto prediction =
+          RangeBearing::predict_measurement(pose, RangeBearing::initialize(pose, z).landmark);
+      ASSERT_TRUE(prediction);
       Vector2d difference;
-      RangeBearing::chart.minus({look->z.data(), 2}, {z.data(), 2}, {difference.data(), 2});
+      RangeBearing::chart.minus({prediction->z.data(), 2}, {z.data(), 2}, {difference.data(), 2});
       // Rounding of positions of some metres, seen from z[0] away
       EXPECT_LE(std::abs(difference[0]), 1e-15 * (20 + z[0])) << pose.transpose() << " " << z.transpose();
       EXPECT_LE(std::abs(difference[1]), 1e-15 * (20 + 20 / z[0]))
           << pose.transpose() << " " << z.transpose();
-      EXPECT_LE(std::abs(look->z[1]), std::numbers::pi);
+      EXPECT_LE(std::abs(prediction->z[1]), std::numbers::pi);
     }
 }
 
 TEST(RangeBearing, NoBearingOfThePlaceOfTheSensor) {
-  EXPECT_FALSE(RangeBearing::look({1, 2, 3}, {1, 2}));
-  EXPECT_FALSE(RangeBearing::look({1, 2, 3}, {1, NAN}));
+  EXPECT_FALSE(RangeBearing::predict_measurement({1, 2, 3}, {1, 2}));
+  EXPECT_FALSE(RangeBearing::predict_measurement({1, 2, 3}, {1, NAN}));
 }
 
 TEST(RangeBearing, LeftIsPositiveAndAheadIsZero) {
-  const auto ahead = RangeBearing::look({1, 1, std::numbers::pi / 2}, {1, 3});
-  const auto left = RangeBearing::look({1, 1, std::numbers::pi / 2}, {0, 1});
+  const auto ahead = RangeBearing::predict_measurement({1, 1, std::numbers::pi / 2}, {1, 3});
+  const auto left = RangeBearing::predict_measurement({1, 1, std::numbers::pi / 2}, {0, 1});
   EXPECT_NEAR(ahead->z[0], 2, 1e-15);
   EXPECT_NEAR(ahead->z[1], 0, 1e-15);
   EXPECT_NEAR(left->z[1], std::numbers::pi / 2, 1e-15);
 }
 
 TEST(RelativePosition, BirthUndoesLook) {
-  EXPECT_EQ(RelativePosition::look(-1, 1).z[0], 2);
-  EXPECT_EQ(RelativePosition::birth(-1, 2).landmark[0], 1);
-  EXPECT_EQ(RelativePosition::look(-1, 1).Hv[0], -1);
-  EXPECT_EQ(RelativePosition::look(-1, 1).Hl[0], 1);
+  EXPECT_EQ(RelativePosition::predict_measurement(-1, 1).z[0], 2);
+  EXPECT_EQ(RelativePosition::initialize(-1, 2).landmark[0], 1);
+  EXPECT_EQ(RelativePosition::predict_measurement(-1, 1).Hv[0], -1);
+  EXPECT_EQ(RelativePosition::predict_measurement(-1, 1).Hl[0], 1);
 }
 
 }  // namespace

@@ -76,14 +76,16 @@ TEST(Registry, NamesMakeModelsAndUnknownOnesNameTheNearest) {
       EXPECT_EQ(traits_of(sensor).word, word);
       bool any_fits = false;
       for (const AnySensor& other : registered::sensors())
-        any_fits |= traits_of(other).word == word && misfit(make_motion(motion.name), other).empty();
-      EXPECT_EQ(misfit(make_motion(motion.name), sensor).empty(), any_fits) << motion.name << ", " << word;
+        any_fits |= traits_of(other).word == word && incompatibility(make_motion(motion.name), other).empty();
+      EXPECT_EQ(incompatibility(make_motion(motion.name), sensor).empty(), any_fits)
+          << motion.name << ", " << word;
     }
   EXPECT_NE(refusal([] { make_sensor("sterio", traits_of(FreeCameraMotion{})); }).find("`stereo`"),
             std::string::npos);
-  EXPECT_TRUE(std::holds_alternative<LineScanner>(make_sensor("range-bearing", traits_of(MonobotMotion{}))));
-  EXPECT_TRUE(
-      std::holds_alternative<LaserScanner>(make_sensor("range-bearing", traits_of(FreeCameraMotion{}))));
+  EXPECT_TRUE(std::holds_alternative<RelativePositionSensor>(
+      make_sensor("range-bearing", traits_of(MonobotMotion{}))));
+  EXPECT_TRUE(std::holds_alternative<RangeBearingSensor>(
+      make_sensor("range-bearing", traits_of(FreeCameraMotion{}))));
 }
 
 TEST(Registry, EveryVehicleHasASensorAndEverySensorAVehicle) {
@@ -91,11 +93,11 @@ TEST(Registry, EveryVehicleHasASensorAndEverySensorAVehicle) {
   const std::vector<AnySensor> sensors = registered::sensors();
   for (const AnyMotion& motion : motions)
     EXPECT_TRUE(std::any_of(sensors.begin(), sensors.end(), [&](const auto& s) {
-      return misfit(motion, s).empty();
+      return incompatibility(motion, s).empty();
     })) << traits_of(motion).name;
   for (const AnySensor& sensor : sensors)
     EXPECT_TRUE(std::any_of(motions.begin(), motions.end(), [&](const auto& m) {
-      return misfit(m, sensor).empty();
+      return incompatibility(m, sensor).empty();
     })) << traits_of(sensor).name;
 }
 
@@ -115,12 +117,12 @@ TEST(Registry, ParametersAreSetByTheirKeys) {
 }
 
 TEST(Registry, AtRestIsWhereItWasPutAndStaysThere) {
-  const Eigen::Vector3d place(1.5, -2, 0.7);
+  const Eigen::Vector3d position(1.5, -2, 0.7);
   for (const AnyMotion& motion : registered::motions())
     for (const double heading : {0.0, 2.5, -3.0}) {
       const MotionTraits& traits = traits_of(motion);
-      const SmallVector x = at_rest(motion, place, heading);
-      EXPECT_LE((x.head(traits.position_size) - place.head(traits.position_size)).norm(), 1e-15)
+      const SmallVector x = at_rest(motion, position, heading);
+      EXPECT_LE((x.head(traits.position_size) - position.head(traits.position_size)).norm(), 1e-15)
           << traits.name;
       if (!traits.on_line()) EXPECT_NEAR(heading_by(motion, x), heading, 1e-12) << traits.name;
       EXPECT_EQ(rate_of(motion, x, SmallVector::Zero(inputs_of(motion))).norm(), 0) << traits.name;

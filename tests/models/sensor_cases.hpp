@@ -86,13 +86,15 @@ struct Case {
   const AnyMotion& motion;
   const AnySensor& sensor;
   SmallVector vehicle;
-  LandmarkForm form;
+  LandmarkParametrization form;
   SmallVector landmark;
   Chart chart;        ///< of the landmark
   SmallVector point;  ///< where it is; empty at infinity and beyond
   double away_m;      ///< the scale on which its look bends
 
-  std::optional<AnyLook> look() const { return look_at(sensor, motion, vehicle, form, landmark); }
+  std::optional<AnyPrediction> predict_measurement() const {
+    return predict_measurement(sensor, motion, vehicle, form, landmark);
+  }
   std::string name() const {
     std::ostringstream text;
     text << traits_of(motion).name << ", " << traits_of(sensor).name << ", at " << vehicle.transpose()
@@ -116,8 +118,8 @@ inline void add_on_plane(std::vector<Case>& all, const AnyMotion& motion, const 
       const double way = x[2] + bearing;
       const SmallVector point = vec({x[0] + range * std::cos(way), x[1] + range * std::sin(way)});
       all.push_back({motion, sensor, x, {}, point, Chart::line(2), point, std::min(range, 1.0)});
-      if (traits_of(sensor).initial_form == LandmarkForm::Kind::point) continue;
-      const LandmarkForm form{LandmarkForm::Kind::inverse_depth, {1, 0, 0, 0}};
+      if (traits_of(sensor).initial_form == LandmarkParametrization::Kind::point) continue;
+      const LandmarkParametrization form{LandmarkParametrization::Kind::inverse_depth, {1, 0, 0, 0}};
       for (const Eigen::Vector2d& from : {Eigen::Vector2d(0, 0), Eigen::Vector2d(0.4, -2)}) {
         const Eigen::Vector2d seen = point - (x.head<2>() + from);
         const SmallVector y =
@@ -151,21 +153,21 @@ inline void add_in_space(std::vector<Case>& all, const AnyMotion& motion, const 
       const Eigen::Vector3d ray = *camera.unproject(pixel);
       const SmallVector point = lens.in_world(depth * ray);
       all.push_back({motion, sensor, x, {}, point, Chart::line(3), point, std::min(depth, 1.0)});
-      const Eigen::Vector4d birth_axes = quaternion_product<double>(
+      const Eigen::Vector4d initial_axes = quaternion_product<double>(
           quaternion_from_matrix(lens.axes), quaternion_exp<double>(Eigen::Vector3d(0.1, -0.2, 0.3)));
-      const LandmarkForm form{LandmarkForm::Kind::inverse_depth, birth_axes};
+      const LandmarkParametrization form{LandmarkParametrization::Kind::inverse_depth, initial_axes};
       const Eigen::Vector3d from = lens.in_world({-0.02, 0.01, -0.03});
-      const Eigen::Matrix3d to_birth = rotation_matrix<double>(birth_axes).transpose();
-      const auto told = [&](const Eigen::Vector3d& in_birth, double inverse) -> SmallVector {
-        return vec({from.x(), from.y(), from.z(), in_birth.x() / in_birth.z(), in_birth.y() / in_birth.z(),
-                    inverse});
+      const Eigen::Matrix3d to_initial_camera = rotation_matrix<double>(initial_axes).transpose();
+      const auto moved = [&](const Eigen::Vector3d& in_initial_camera, double inverse) -> SmallVector {
+        return vec({from.x(), from.y(), from.z(), in_initial_camera.x() / in_initial_camera.z(),
+                    in_initial_camera.y() / in_initial_camera.z(), inverse});
       };
-      const Eigen::Vector3d seen = to_birth * (Eigen::Vector3d(point) - from),
-                            far = to_birth * lens.axes * ray;
-      all.push_back({motion, sensor, x, form, told(seen, 1 / seen.z()), InverseDepthLandmark::chart, point,
+      const Eigen::Vector3d seen = to_initial_camera * (Eigen::Vector3d(point) - from),
+                            far = to_initial_camera * lens.axes * ray;
+      all.push_back({motion, sensor, x, form, moved(seen, 1 / seen.z()), InverseDepthLandmark::chart, point,
                      std::min(depth, 1.0)});
       for (const double inverse : {0.0, 1e-9, -1e-3})
-        all.push_back({motion, sensor, x, form, told(far, inverse), InverseDepthLandmark::chart, {}, 1});
+        all.push_back({motion, sensor, x, form, moved(far, inverse), InverseDepthLandmark::chart, {}, 1});
     }
 }
 
@@ -174,7 +176,7 @@ inline void for_every_case(const std::function<void(const Case&)>& with) {
   const std::vector<AnySensor> all_sensors = sensors();
   for (const AnyMotion& motion : motions())
     for (const AnySensor& sensor : all_sensors) {
-      if (!misfit(motion, sensor).empty()) continue;
+      if (!incompatibility(motion, sensor).empty()) continue;
       std::vector<Case> all;
       for (const SmallVector& x : states(motion))
         dimensions_of(sensor) == 1   ? add_on_line(all, motion, sensor, x)

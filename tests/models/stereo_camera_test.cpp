@@ -24,15 +24,15 @@ Vector3<S> seen(const Model& model, const FreeCameraMotion::State<S>& left, cons
 }
 
 template <class Model>
-void check_look(const Model& model) {
+void check_prediction(const Model& model) {
   RandomStream random(1, "stereo looks");
   const StereoCamera stereo{Camera(model), baseline};
   int tried = 0;
   for (const Vector3d& c : ordinary_and_nasty()) {
     const CameraState x = some_camera(random);
     const Vector3d point = to_world(x, c);
-    const auto look = stereo.look(x, point);
-    if (!look) continue;
+    const auto prediction = stereo.predict_measurement(x, point);
+    if (!prediction) continue;
     ++tried;
     constexpr int n = camera_errors + 3;
     const auto e = variables<n>(Eigen::Matrix<double, camera_errors, 1>::Zero().eval());
@@ -40,17 +40,17 @@ void check_look(const Model& model) {
         seen<Dual<n>>(model, moved<Dual<n>>(x, e), Vector3<Dual<n>>(variables<n>(point, camera_errors)));
     const auto J = derivatives<n, 3>(z);
     // a point a millimetre away is known to 1e-16 m, so to 1e-13 of its place: 1e-10 of a pixel
-    expect_near(look->z, (values<n, 3>(z)), 1e-9);
-    expect_near(look->Hv, J.template leftCols<camera_errors>(), 1e-8);
-    expect_near(look->Hl, J.template rightCols<3>(), 1e-8);
+    expect_near(prediction->z, (values<n, 3>(z)), 1e-9);
+    expect_near(prediction->Hv, J.template leftCols<camera_errors>(), 1e-8);
+    expect_near(prediction->Hl, J.template rightCols<3>(), 1e-8);
   }
   EXPECT_GE(tried, 5);
 }
 
 TEST(StereoLook, JacobiansAreThoseOfTheModel) {
-  check_look(wide);
-  check_look(WideAngleCamera{});
-  check_look(pinhole);
+  check_prediction(wide);
+  check_prediction(WideAngleCamera{});
+  check_prediction(pinhole);
 }
 
 TEST(StereoLook, DisparityIsFocalLengthTimesBaselineOverDepth) {
@@ -58,10 +58,10 @@ TEST(StereoLook, DisparityIsFocalLengthTimesBaselineOverDepth) {
   const StereoCamera stereo{Camera(straight), baseline};
   RandomStream random(2, "disparity");
   const CameraState x = some_camera(random);
-  const auto look = stereo.look(x, to_world(x, {0.2, 0.3, 2}));
-  ASSERT_TRUE(look);
-  EXPECT_NEAR(look->z[0] - look->z[2], straight.fu * baseline / 2, 1e-9);
-  EXPECT_NEAR(look->z[1], look->right.y(), 1e-9) << "rows are the same without distortion";
+  const auto prediction = stereo.predict_measurement(x, to_world(x, {0.2, 0.3, 2}));
+  ASSERT_TRUE(prediction);
+  EXPECT_NEAR(prediction->z[0] - prediction->z[2], straight.fu * baseline / 2, 1e-9);
+  EXPECT_NEAR(prediction->z[1], prediction->right.y(), 1e-9) << "rows are the same without distortion";
 }
 
 TEST(StereoLook, NothingBehindTheCamera) {
@@ -70,17 +70,17 @@ TEST(StereoLook, NothingBehindTheCamera) {
   for (const Camera& camera : {Camera(wide), Camera(pinhole)})
     for (const Vector3d& c :
          {Vector3d(0, 0, -1), Vector3d(0.1, 0, -1e-6), Vector3d(0, 0, 0), Vector3d(NAN, 0, 1)}) {
-      const auto look = StereoCamera{camera, baseline}.look(x, to_world(x, c));
-      EXPECT_FALSE(look && look->z.allFinite()) << c.transpose();
+      const auto prediction = StereoCamera{camera, baseline}.predict_measurement(x, to_world(x, c));
+      EXPECT_FALSE(prediction && prediction->z.allFinite()) << c.transpose();
     }
 }
 
 TEST(StereoLook, BothImagesMustHoldIt) {
   const StereoCamera stereo{Camera(WideAngleCamera{}), baseline};
   const CameraState x = (CameraState() << 0, 0, 0, 1, Eigen::Matrix<double, 9, 1>::Zero()).finished();
-  EXPECT_TRUE(stereo.contains(*stereo.look(x, {0, 0, 1})));
-  EXPECT_TRUE(stereo.camera.contains(stereo.look(x, {-0.75, 0, 1})->z.head<2>()));
-  EXPECT_FALSE(stereo.contains(*stereo.look(x, {-0.75, 0, 1}))) << "left of the right image";
+  EXPECT_TRUE(stereo.contains(*stereo.predict_measurement(x, {0, 0, 1})));
+  EXPECT_TRUE(stereo.camera.contains(stereo.predict_measurement(x, {-0.75, 0, 1})->z.head<2>()));
+  EXPECT_FALSE(stereo.contains(*stereo.predict_measurement(x, {-0.75, 0, 1}))) << "left of the right image";
 }
 
 /// In camera axes: all over the image, and from a hand's breadth to where little disparity is left.
@@ -100,12 +100,12 @@ TEST(StereoBirth, UndoesTheLook) {
       const StereoCamera stereo{camera, baseline};
       const CameraState x = some_camera(random);
       const Vector3d point = to_world(x, c);
-      const auto look = stereo.look(x, point);
-      ASSERT_TRUE(look);
-      const auto born = stereo.birth(x, look->z);
-      ASSERT_TRUE(born) << c.transpose();
-      EXPECT_LE((born->landmark - point).norm(), 1e-9 * c.squaredNorm()) << c.transpose();
-      EXPECT_LE((look->Hl * born->Jz - Eigen::Matrix3d::Identity()).norm(), 1e-6);
+      const auto prediction = stereo.predict_measurement(x, point);
+      ASSERT_TRUE(prediction);
+      const auto initialized = stereo.initialize(x, prediction->z);
+      ASSERT_TRUE(initialized) << c.transpose();
+      EXPECT_LE((initialized->landmark - point).norm(), 1e-9 * c.squaredNorm()) << c.transpose();
+      EXPECT_LE((prediction->Hl * initialized->Jz - Eigen::Matrix3d::Identity()).norm(), 1e-6);
     }
 }
 
@@ -118,10 +118,10 @@ TEST(StereoBirth, JacobiansAreThoseOfTriangulation) {
   RandomStream random(5, "triangulation");
   for (const Vector3d& c : where_both_see()) {
     const CameraState x = some_camera(random);
-    const auto look = stereo.look(x, to_world(x, c));
-    const auto born = stereo.birth(x, look->z);
-    ASSERT_TRUE(born);
-    const auto z = variables<n>(look->z, camera_errors);
+    const auto prediction = stereo.predict_measurement(x, to_world(x, c));
+    const auto initialized = stereo.initialize(x, prediction->z);
+    ASSERT_TRUE(initialized);
+    const auto z = variables<n>(prediction->z, camera_errors);
     const auto camera = moved<D>(x, variables<n>(Eigen::Matrix<double, camera_errors, 1>::Zero().eval()));
     const D depth = D(lens.fu * baseline) / (z[0] - z[2]);
     const Vector3<D> ray((z[0] - D(lens.u0)) / D(lens.fu), (z[1] - D(lens.v0)) / D(lens.fv), D(1));
@@ -129,9 +129,9 @@ TEST(StereoBirth, JacobiansAreThoseOfTriangulation) {
     const Vector3<D> turned = rotation_matrix<D>(camera.template segment<4>(3)) * in_camera;
     const Vector3<D> point = camera.template head<3>() + turned;
     const auto J = derivatives<n, 3>(point);
-    expect_near(born->landmark, (values<n, 3>(point)), 1e-9);
-    expect_near(born->Jv, J.template leftCols<camera_errors>(), 1e-8);
-    expect_near(born->Jz, J.template rightCols<3>(), 1e-8);
+    expect_near(initialized->landmark, (values<n, 3>(point)), 1e-9);
+    expect_near(initialized->Jv, J.template leftCols<camera_errors>(), 1e-8);
+    expect_near(initialized->Jz, J.template rightCols<3>(), 1e-8);
   }
 }
 
@@ -139,14 +139,14 @@ TEST(StereoBirth, NothingWithoutEnoughDisparity) {
   const CameraState x = (CameraState() << 0, 0, 0, 1, Eigen::Matrix<double, 9, 1>::Zero()).finished();
   for (const Camera& camera : {Camera(wide), Camera(pinhole)}) {
     const StereoCamera stereo{camera, baseline, 0.5}, eager{camera, baseline, 0};
-    EXPECT_TRUE(stereo.birth(x, {160, 120, 159}));
-    EXPECT_FALSE(stereo.birth(x, {160, 120, 159.5}));
-    EXPECT_FALSE(stereo.birth(x, {160, 120, 160}));
-    EXPECT_FALSE(stereo.birth(x, {160, 120, 170}));
-    EXPECT_FALSE(eager.birth(x, {160, 120, 160}));
-    EXPECT_TRUE(eager.birth(x, {160, 120, 159.9}));
-    EXPECT_FALSE(stereo.birth(x, {160, 120, NAN}));
-    EXPECT_FALSE(stereo.birth(x, {160, NAN, 150}));
+    EXPECT_TRUE(stereo.initialize(x, {160, 120, 159}));
+    EXPECT_FALSE(stereo.initialize(x, {160, 120, 159.5}));
+    EXPECT_FALSE(stereo.initialize(x, {160, 120, 160}));
+    EXPECT_FALSE(stereo.initialize(x, {160, 120, 170}));
+    EXPECT_FALSE(eager.initialize(x, {160, 120, 160}));
+    EXPECT_TRUE(eager.initialize(x, {160, 120, 159.9}));
+    EXPECT_FALSE(stereo.initialize(x, {160, 120, NAN}));
+    EXPECT_FALSE(stereo.initialize(x, {160, NAN, 150}));
   }
 }
 
@@ -154,9 +154,9 @@ TEST(StereoBirth, NothingWhereNoRayReaches) {
   // the image of infinity is a circle of radius 236 px
   const CameraState x = (CameraState() << 0, 0, 0, 1, Eigen::Matrix<double, 9, 1>::Zero()).finished();
   const StereoCamera stereo{Camera(wide), baseline};
-  EXPECT_TRUE(stereo.birth(x, {159.5, 119.5, 159.5 - 234}));
-  EXPECT_FALSE(stereo.birth(x, {159.5, 119.5, 159.5 - 237}));
-  EXPECT_FALSE(stereo.birth(x, {159.5 + 237, 119.5, 159.5}));
+  EXPECT_TRUE(stereo.initialize(x, {159.5, 119.5, 159.5 - 234}));
+  EXPECT_FALSE(stereo.initialize(x, {159.5, 119.5, 159.5 - 237}));
+  EXPECT_FALSE(stereo.initialize(x, {159.5 + 237, 119.5, 159.5}));
 }
 
 TEST(StereoCamera, WhatCannotBeIsRefused) {

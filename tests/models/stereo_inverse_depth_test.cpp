@@ -27,7 +27,7 @@ std::vector<Case> cases() {
     for (const Vector2d& ray : {Vector2d(0, 0), Vector2d(0.4, -0.3), Vector2d(-0.6, 0.5)})
       for (const double beside : {0.0, 0.05}) {
         Case one{some_camera(random), {}, {}};
-        one.form.world_from_birth = one.x.segment<4>(3);
+        one.form.world_from_initial_camera = one.x.segment<4>(3);
         one.y << to_world(one.x, beside * Vector3d(1, -2, 0.5)), ray, rho;
         const Vector3d turn = beside * Vector3d(1, 2, -3);
         one.x.segment<4>(3) = quaternion_product<double>(one.x.segment<4>(3), quaternion_exp<double>(turn));
@@ -48,36 +48,36 @@ Vector3<S> seen(const Model& model, const InverseDepthLandmark& form, const Free
 }
 
 template <class Model>
-void check_look(const Model& model) {
+void check_prediction(const Model& model) {
   const StereoCamera stereo{Camera(model), baseline};
   int tried = 0;
   for (const Case& c : cases()) {
-    const auto look = stereo.look(c.x, c.form, c.y);
-    if (!look) continue;
+    const auto prediction = stereo.predict_measurement(c.x, c.form, c.y);
+    if (!prediction) continue;
     ++tried;
     constexpr int n = camera_errors + 6;
     const auto e = variables<n>(Eigen::Matrix<double, camera_errors, 1>::Zero().eval());
     const auto z = seen<Dual<n>>(model, c.form, moved<Dual<n>>(c.x, e), variables<n>(c.y, camera_errors));
     const auto J = derivatives<n, 3>(z);
-    expect_near(look->z, (values<n, 3>(z)), 1e-10);
-    expect_near(look->Hv, J.template leftCols<camera_errors>(), 1e-10);
-    expect_near(look->Hl, J.template rightCols<6>(), 1e-10);
+    expect_near(prediction->z, (values<n, 3>(z)), 1e-10);
+    expect_near(prediction->Hv, J.template leftCols<camera_errors>(), 1e-10);
+    expect_near(prediction->Hl, J.template rightCols<6>(), 1e-10);
   }
   EXPECT_GE(tried, 20);
 }
 
 TEST(StereoInverseDepthLook, JacobiansAreThoseOfTheModel) {
-  check_look(wide);
-  check_look(WideAngleCamera{});
-  check_look(pinhole);
+  check_prediction(wide);
+  check_prediction(WideAngleCamera{});
+  check_prediction(pinhole);
 }
 
 TEST(StereoInverseDepthLook, IsTheLookOfTheSamePoint) {
   const StereoCamera stereo{Camera(wide), baseline};
   for (const Case& c : cases()) {
     if (!(c.y[5] > 0.1)) continue;
-    const auto told = stereo.look(c.x, c.form, c.y);
-    const auto point = stereo.look(c.x, c.form.point(c.y).position);
+    const auto told = stereo.predict_measurement(c.x, c.form, c.y);
+    const auto point = stereo.predict_measurement(c.x, c.form.point(c.y).position);
     ASSERT_TRUE(told && point);
     expect_near(told->z, point->z, 1e-10);
     expect_near(told->right, point->right, 1e-10);
@@ -90,10 +90,10 @@ TEST(StereoInverseDepthLook, AtInfinityBothSeeTheSame) {
   const StereoCamera stereo{Camera(pinhole), baseline};
   for (const Case& c : cases()) {
     if (c.y[5] != 0) continue;
-    const auto look = stereo.look(c.x, c.form, c.y);
-    ASSERT_TRUE(look);
-    EXPECT_EQ(look->z[0], look->z[2]);
-    EXPECT_EQ(look->Hv.leftCols<3>().norm(), 0);
+    const auto prediction = stereo.predict_measurement(c.x, c.form, c.y);
+    ASSERT_TRUE(prediction);
+    EXPECT_EQ(prediction->z[0], prediction->z[2]);
+    EXPECT_EQ(prediction->Hv.leftCols<3>().norm(), 0);
   }
 }
 
@@ -111,15 +111,16 @@ TEST(StereoDistantBirth, UndoesTheLook) {
     for (const Vector3d& c : where_both_see()) {
       const StereoCamera stereo{camera, baseline};
       const CameraState x = some_camera(random);
-      const auto look = stereo.look(x, to_world(x, c));
-      const auto born = stereo.distant_birth(x, look->z);
-      ASSERT_TRUE(born) << c.transpose();
-      EXPECT_LE((born->form.point(born->landmark).position - to_world(x, c)).norm(), 1e-9 * c.squaredNorm());
-      const auto again = stereo.look(x, born->form, born->landmark);
+      const auto prediction = stereo.predict_measurement(x, to_world(x, c));
+      const auto initialized = stereo.initialize_inverse_depth(x, prediction->z);
+      ASSERT_TRUE(initialized) << c.transpose();
+      EXPECT_LE((initialized->form.point(initialized->landmark).position - to_world(x, c)).norm(),
+                1e-9 * c.squaredNorm());
+      const auto again = stereo.predict_measurement(x, initialized->form, initialized->landmark);
       ASSERT_TRUE(again);
-      expect_near(again->z, look->z, 1e-10);
-      EXPECT_LE((again->Hl * born->Jz - Eigen::Matrix3d::Identity()).norm(), 1e-9);
-      const StereoCamera::Jacobian stays = again->Hv + again->Hl * born->Jv;
+      expect_near(again->z, prediction->z, 1e-10);
+      EXPECT_LE((again->Hl * initialized->Jz - Eigen::Matrix3d::Identity()).norm(), 1e-9);
+      const StereoCamera::Jacobian stays = again->Hv + again->Hl * initialized->Jv;
       EXPECT_LE(stays.norm(), 1e-9 * again->Hv.norm());
     }
 }
@@ -134,33 +135,33 @@ TEST(StereoDistantBirth, JacobiansAreThoseOfTriangulation) {
   RandomStream random(3, "triangulation");
   for (const Vector3d& c : where_both_see()) {
     const CameraState x = some_camera(random);
-    const auto look = stereo.look(x, to_world(x, c));
-    const auto born = stereo.distant_birth(x, look->z);
-    ASSERT_TRUE(born);
-    const auto z = variables<n>(look->z, camera_errors);
+    const auto prediction = stereo.predict_measurement(x, to_world(x, c));
+    const auto initialized = stereo.initialize_inverse_depth(x, prediction->z);
+    ASSERT_TRUE(initialized);
+    const auto z = variables<n>(prediction->z, camera_errors);
     const auto camera = moved<D>(x, variables<n>(Eigen::Matrix<double, camera_errors, 1>::Zero().eval()));
     const D inverse = (z[0] - z[2]) / D(lens.fu * baseline);
     const Vector3<D> ray((z[0] - D(lens.u0)) / D(lens.fu), (z[1] - D(lens.v0)) / D(lens.fv), D(1));
     const Vector3<D> in_world = rotation_matrix<D>(camera.template segment<4>(3)) * ray;
-    const Vector3<D> in_birth =
-        rotation_matrix<D>(born->form.world_from_birth.cast<D>()).transpose() * in_world;
+    const Vector3<D> in_initial_camera =
+        rotation_matrix<D>(initialized->form.world_from_initial_camera.cast<D>()).transpose() * in_world;
     Eigen::Matrix<D, 6, 1> y;
-    y << camera.template head<3>(), in_birth[0] / in_birth[2], in_birth[1] / in_birth[2],
-        inverse / in_birth[2];
+    y << camera.template head<3>(), in_initial_camera[0] / in_initial_camera[2],
+        in_initial_camera[1] / in_initial_camera[2], inverse / in_initial_camera[2];
     const auto J = derivatives<n, 6>(y);
-    expect_near(born->landmark, (values<n, 6>(y)), 1e-9);
-    expect_near(born->Jv, J.template leftCols<camera_errors>(), 1e-9);
-    expect_near(born->Jz, J.template rightCols<3>(), 1e-9);
+    expect_near(initialized->landmark, (values<n, 6>(y)), 1e-9);
+    expect_near(initialized->Jv, J.template leftCols<camera_errors>(), 1e-9);
+    expect_near(initialized->Jz, J.template rightCols<3>(), 1e-9);
   }
 }
 
 TEST(StereoDistantBirth, NothingWithoutEnoughDisparity) {
   const CameraState x = (CameraState() << 0, 0, 0, 1, Eigen::Matrix<double, 9, 1>::Zero()).finished();
   const StereoCamera stereo{Camera(wide), baseline, 0.5};
-  EXPECT_TRUE(stereo.distant_birth(x, {160, 120, 159}));
+  EXPECT_TRUE(stereo.initialize_inverse_depth(x, {160, 120, 159}));
   for (const double u_right : {159.5, 160.0, 170.0, double(NAN)})
-    EXPECT_FALSE(stereo.distant_birth(x, {160, 120, u_right})) << u_right;
-  EXPECT_FALSE(stereo.distant_birth(x, {NAN, 120, 150}));
+    EXPECT_FALSE(stereo.initialize_inverse_depth(x, {160, 120, u_right})) << u_right;
+  EXPECT_FALSE(stereo.initialize_inverse_depth(x, {NAN, 120, 150}));
 }
 
 }  // namespace

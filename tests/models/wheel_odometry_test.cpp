@@ -43,10 +43,11 @@ TEST(WheelOdometry, JacobianIsExact) {
   for (int i = 0; i < 200; ++i) {
     const State x = drawn(random, i < 100 ? 1 : 20);
     const auto by_error = derivatives<12, 4>(moved<Dual<12>>(x, variables<12>(Error(Error::Zero()))));
-    const WheelOdometry::Look look = odometry.look(x);
-    EXPECT_LT((look.H - by_error).cwiseAbs().maxCoeff(), 1e-10 * (1 + by_error.cwiseAbs().maxCoeff())) << i;
-    EXPECT_EQ(look.z, odometry.h<double>(x));
-    EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d>(look.R).eigenvalues()[0], 0);
+    const WheelOdometry::Prediction prediction = odometry.predict_measurement(x);
+    EXPECT_LT((prediction.H - by_error).cwiseAbs().maxCoeff(), 1e-10 * (1 + by_error.cwiseAbs().maxCoeff()))
+        << i;
+    EXPECT_EQ(prediction.z, odometry.h<double>(x));
+    EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d>(prediction.R).eigenvalues()[0], 0);
   }
 }
 
@@ -59,9 +60,9 @@ TEST(WheelOdometry, AVehicleOnUnevenGroundObeysIt) {
       const TerrainVehicle::State<double> x(random.uniform(-1, 1), random.uniform(-1, 1),
                                             random.uniform(-3, 3));
       const TerrainVehicle::Input<double> u(random.normal(), random.normal());
-      const MountedCamera<3> seat = odometry.mount.on(vehicle.pose(x));
-      State camera = seat.camera;
-      camera.tail<6>() = seat.J * vehicle.rate<double>(x, u);
+      const MountedCamera<3> mounted_pose = odometry.mount.on(vehicle.pose(x));
+      State camera = mounted_pose.camera;
+      camera.tail<6>() = mounted_pose.J * vehicle.rate<double>(x, u);
       EXPECT_LT((odometry.h<double>(camera) - WheelOdometry::measured(u)).norm(), 1e-10);
     }
   }

@@ -79,8 +79,8 @@ TEST(ConsistencySummary, CountsMeasurementsOutsideTheirGates) {
   for (int i = 0; i < 120; ++i) {
     Snapshot snapshot = testing::synthetic_snapshot({}, i);
     snapshot.nis_dof = 0;
-    for (SnapshotLook& look : snapshot.looks)
-      if (look.outcome == LookOutcome::matched) look.outcome = LookOutcome::inconsistent;
+    for (SnapshotMatch& match : snapshot.matches)
+      if (match.outcome == MatchOutcome::matched) match.outcome = MatchOutcome::outlier;
     summary.add(snapshot);
   }
   EXPECT_EQ(summary.report().verdict, Consistency::overconfident);

@@ -20,7 +20,7 @@ Snapshot with_image() {
   return snapshot;
 }
 
-TEST(FramePictures, DrawLooksInTheColoursOfTheirOutcome) {
+TEST(FramePictures, DrawLooksInTheColorsOfTheirOutcome) {
   const testing::Scratch scratch;
   FramePictures(scratch.folder(), 11).publish(with_image());
   const cv::Mat picture = cv::imread((scratch / "frames/frame-000050.png").string());
@@ -43,11 +43,11 @@ TEST(FramePictures, DoNotMindNonsenseOrNoImage) {
   const testing::Scratch scratch;
   FramePictures pictures(scratch.folder(), 11);
   Snapshot snapshot = with_image();
-  snapshot.looks[0].innovation_cov.setConstant(std::nan(""));
-  snapshot.looks[1].predicted.setConstant(1e300);
-  snapshot.looks[1].measured.reset();
-  snapshot.looks[2].innovation_cov.setIdentity();
-  snapshot.looks[2].innovation_cov *= 1e30;
+  snapshot.matches[0].innovation_cov.setConstant(std::nan(""));
+  snapshot.matches[1].predicted.setConstant(1e300);
+  snapshot.matches[1].measured.reset();
+  snapshot.matches[2].innovation_cov.setIdentity();
+  snapshot.matches[2].innovation_cov *= 1e30;
   pictures.publish(snapshot);
   EXPECT_TRUE(std::filesystem::exists(scratch / "frames/frame-000050.png"));
   snapshot.image.reset();

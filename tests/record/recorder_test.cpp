@@ -135,7 +135,7 @@ TEST(Recorder, SummarisesARun) {
   synthetic.lost_to = 110;
   record(scratch / "run", synthetic);
   const Json json = summary(scratch / "run");
-  EXPECT_EQ(testing::faults(json, schema()), "");
+  EXPECT_EQ(testing::problems(json, schema()), "");
   EXPECT_EQ(json["status"], "done");
   EXPECT_EQ(json["frames"], 600);
   EXPECT_EQ(json["lost_frames"], 10);
@@ -162,7 +162,7 @@ ObservabilityReport observability() {
   report.anchors = 1;
   report.ideal_nullity = 4;
   report.information = {200, 197, 1e-3, 5, 1e-6, false};
-  report.wrongly_believed = 1;
+  report.spurious_information = 1;
   report.quantities = {{"x", "m", false, std::nullopt, false, false, std::nullopt},
                        {"scale", "1", false, 0.02, true, false, 0.03}};
   for (int i = 0; i < 300; ++i)
@@ -176,7 +176,7 @@ TEST(Recorder, SaysWhatTheFilterCanKnow) {
   recorder.note(observability());
   recorder.finish(RunStatus::done, "");
   const Json json = summary(scratch / "run"), &said = json["observability"];
-  EXPECT_EQ(testing::faults(json, schema()), "");
+  EXPECT_EQ(testing::problems(json, schema()), "");
   EXPECT_EQ(said["rank"], 197);
   EXPECT_EQ(said["ideal_rank"], 196);
   EXPECT_EQ(said["nullity"], 3);
@@ -195,7 +195,7 @@ TEST(Recorder, SaysWhyTheFilterWasNotFollowed) {
   recorder.note(report);
   recorder.finish(RunStatus::done, "");
   const Json json = summary(scratch / "run");
-  EXPECT_EQ(testing::faults(json, schema()), "");
+  EXPECT_EQ(testing::problems(json, schema()), "");
   EXPECT_EQ(json["observability"]["followed"], false);
   EXPECT_EQ(json["observability"]["why_not"], report.uncovered);
   EXPECT_FALSE(json["observability"].contains("rank"));
@@ -217,7 +217,7 @@ TEST(Recorder, DoesNotCompareCovariancesWithTheTruthOfAnotherFrame) {
   free.ate_alignment = "sim3";
   record(scratch / "run", {}, free);
   const Json json = summary(scratch / "run");
-  EXPECT_EQ(testing::faults(json, schema()), "");
+  EXPECT_EQ(testing::problems(json, schema()), "");
   EXPECT_EQ(json["ate_alignment"], "sim3");
   EXPECT_TRUE(json["mean_nees"].is_null());
   EXPECT_LT(json["ate_m"].get<double>(), 0.04);
@@ -230,7 +230,7 @@ TEST(Recorder, WithoutTruthSaysNothingOfErrors) {
   synthetic.with_truth = false;
   record(scratch / "run", synthetic);
   const Json json = summary(scratch / "run");
-  EXPECT_EQ(testing::faults(json, schema()), "");
+  EXPECT_EQ(testing::problems(json, schema()), "");
   EXPECT_FALSE(json.contains("ate_m"));
   EXPECT_FALSE(fs::exists(scratch / "run/truth.tum"));
 }
@@ -307,7 +307,7 @@ TEST(Recorder, KilledLeavesAValidSummaryAndCompleteRows) {
   ::waitpid(child, &status, 0);
   ASSERT_TRUE(WIFSIGNALED(status));
   const Json json = summary(run);
-  EXPECT_EQ(testing::faults(json, schema()), "");
+  EXPECT_EQ(testing::problems(json, schema()), "");
   EXPECT_EQ(json["status"], "interrupted");
   EXPECT_EQ(json["reason"], "the program ended before the run did");
   EXPECT_GT(json["frames"], 100);
@@ -321,7 +321,7 @@ TEST(Recorder, StartedAndKilledLeavesAValidSummary) {
   const Scratch scratch;
   { const Recorder recorder(scratch / "run", info()); }
   const Json json = summary(scratch / "run");
-  EXPECT_EQ(testing::faults(json, schema()), "");
+  EXPECT_EQ(testing::problems(json, schema()), "");
   EXPECT_EQ(json["status"], "interrupted");
   EXPECT_EQ(fs::file_size(scratch / "run/summary.json"), 16384u);
 }
@@ -370,7 +370,7 @@ TEST(Recorder, OnAFullDiskKeepsWhatItHasAndSaysSo) {
   EXPECT_NE(reason.find("ulimit"), std::string::npos) << reason;
   EXPECT_EQ(outcome.status, RunStatus::failed);
   const Json json = summary(run);
-  EXPECT_EQ(testing::faults(json, schema()), "");
+  EXPECT_EQ(testing::problems(json, schema()), "");
   EXPECT_EQ(json["status"], "failed");
   EXPECT_TRUE(json["reason"].get<std::string>().starts_with(reason));
   EXPECT_GT(json["frames"], 10);
@@ -448,13 +448,13 @@ TEST(SummarySchema, RefusesWhatIsWrong) {
   record(scratch / "run", {});
   Json json = summary(scratch / "run");
   json["status"] = "fine";
-  EXPECT_NE(testing::faults(json, schema()), "");
+  EXPECT_NE(testing::problems(json, schema()), "");
   json["status"] = "done";
   json.erase("frames");
-  EXPECT_NE(testing::faults(json, schema()), "");
+  EXPECT_NE(testing::problems(json, schema()), "");
   json["frames"] = 1;
   json.erase("mean_nees");
-  EXPECT_NE(testing::faults(json, schema()), "");
+  EXPECT_NE(testing::problems(json, schema()), "");
 }
 
 }  // namespace

@@ -23,10 +23,10 @@ inline bool has_type(const Json& value, const std::string& type) {
   throw std::invalid_argument("schema type " + type);
 }
 
-inline void check_object(const Json& value, const Json& schema, const std::string& at, std::string& faults);
+inline void check_object(const Json& value, const Json& schema, const std::string& at, std::string& problems);
 
 /// What is wrong with a value, a line each; nothing when it conforms.
-inline void check(const Json& value, const Json& schema, const std::string& at, std::string& faults) {
+inline void check(const Json& value, const Json& schema, const std::string& at, std::string& problems) {
   static const std::set<std::string> known{
       "$schema",           "title",      "description",          "type",  "enum",    "required",
       "dependentRequired", "properties", "additionalProperties", "items", "minimum", "contentEncoding"};
@@ -36,38 +36,39 @@ inline void check(const Json& value, const Json& schema, const std::string& at, 
     const Json types = schema["type"].is_array() ? schema["type"] : Json::array({schema["type"]});
     bool fits = false;
     for (const auto& type : types) fits = fits || has_type(value, type);
-    if (!fits) faults += at + ": " + value.dump() + " is not " + types.dump() + "\n";
+    if (!fits) problems += at + ": " + value.dump() + " is not " + types.dump() + "\n";
   }
   if (schema.contains("enum") &&
       std::find(schema["enum"].begin(), schema["enum"].end(), value) == schema["enum"].end())
-    faults += at + ": " + value.dump() + " is none of " + schema["enum"].dump() + "\n";
+    problems += at + ": " + value.dump() + " is none of " + schema["enum"].dump() + "\n";
   if (schema.contains("minimum") && value.is_number() && value < schema["minimum"])
-    faults += at + ": " + value.dump() + " is too small\n";
+    problems += at + ": " + value.dump() + " is too small\n";
   if (schema.contains("items") && value.is_array())
-    for (const auto& item : value) check(item, schema["items"], at + "[]", faults);
-  if (value.is_object()) check_object(value, schema, at, faults);
+    for (const auto& item : value) check(item, schema["items"], at + "[]", problems);
+  if (value.is_object()) check_object(value, schema, at, problems);
 }
 
-inline void check_object(const Json& value, const Json& schema, const std::string& at, std::string& faults) {
+inline void check_object(const Json& value, const Json& schema, const std::string& at,
+                         std::string& problems) {
   for (const auto& key : schema.value("required", Json::array()))
-    if (!value.contains(key)) faults += at + ": no " + key.dump() + "\n";
+    if (!value.contains(key)) problems += at + ": no " + key.dump() + "\n";
   const Json dependent = schema.value("dependentRequired", Json::object());
   for (const auto& [key, others] : dependent.items())
     for (const auto& other : others)
       if (value.contains(key) && !value.contains(other))
-        faults += at + ": " + key + " without " + other.dump() + "\n";
+        problems += at + ": " + key + " without " + other.dump() + "\n";
   const Json properties = schema.value("properties", Json::object());
   for (const auto& [key, part] : value.items()) {
     if (properties.contains(key))
-      check(part, properties[key], at + "." + key, faults);
+      check(part, properties[key], at + "." + key, problems);
     else if (schema.value("additionalProperties", Json()) == false)
-      faults += at + ": " + key + " is not foreseen\n";
+      problems += at + ": " + key + " is not foreseen\n";
     else if (schema.contains("additionalProperties"))
-      check(part, schema["additionalProperties"], at + "." + key, faults);
+      check(part, schema["additionalProperties"], at + "." + key, problems);
   }
 }
 
-inline std::string faults(const Json& document, const Json& schema) {
+inline std::string problems(const Json& document, const Json& schema) {
   std::string found;
   check(document, schema, "document", found);
   return found;

@@ -102,7 +102,7 @@ TEST(SnapshotLog, EveryMessageIsAsItsSchemaSays) {
     EXPECT_EQ(schemas[name]["title"], name);
   }
   for (const McapMessage& message : read.messages)
-    ASSERT_EQ(testing::faults(parsed(message), schemas[read.schema_of_topic.at(message.topic)]), "")
+    ASSERT_EQ(testing::problems(parsed(message), schemas[read.schema_of_topic.at(message.topic)]), "")
         << message.topic << ": " << message.data;
 }
 
@@ -145,12 +145,12 @@ TEST(SnapshotLog, SaysWhatTheSnapshotSays) {
   EXPECT_EQ(json["nis_dof"], 10);
   EXPECT_EQ(json["entropy"]["total"], snapshot.entropy.total);
   EXPECT_EQ(json["advice"]["candidates"][2]["action"], "back");
-  EXPECT_EQ(json["advice"]["candidates"][2]["score"], snapshot.advice.scores[2]);
-  EXPECT_EQ(json["advice"]["chosen"], snapshot.advice.chosen);
+  EXPECT_EQ(json["advice"]["candidates"][2]["score"], snapshot.decision.scores[2]);
+  EXPECT_EQ(json["advice"]["chosen"], snapshot.decision.chosen);
   EXPECT_EQ(json["command"]["linear_acceleration"]["y"], 0.2);
   ASSERT_EQ(json["looks"].size(), 8u);
-  EXPECT_NEAR(json["looks"][3]["predicted"][1], snapshot.looks[3].predicted.y(), 1e-4);
-  EXPECT_NEAR(json["looks"][3]["measured"][0], snapshot.looks[3].measured->x(), 1e-4);
+  EXPECT_NEAR(json["looks"][3]["predicted"][1], snapshot.matches[3].predicted.y(), 1e-4);
+  EXPECT_NEAR(json["looks"][3]["measured"][0], snapshot.matches[3].measured->x(), 1e-4);
   EXPECT_EQ(json["looks"][3]["innovation_cov"], Json::parse("[12.0,3.0,6.0]"));
   EXPECT_EQ(json["looks"][5]["outcome"], "not-found");
   EXPECT_FALSE(json["looks"][5].contains("measured"));
@@ -229,16 +229,16 @@ TEST(SnapshotLog, DrawsEllipsesAndPatchesWhereTheyAre) {
   const Json points = parsed(*read.of("/camera/annotations")[25])["points"];
   const Snapshot snapshot = with_image({}, 50);
   ASSERT_EQ(points.size(), 7u + 6u);  // seven were searched for, one of them not found
-  const SnapshotLook& look = snapshot.looks[0];
-  const Eigen::Matrix2d information = look.innovation_cov.inverse();
+  const SnapshotMatch& match = snapshot.matches[0];
+  const Eigen::Matrix2d information = match.innovation_cov.inverse();
   for (const Json& point : points[0]["points"]) {
     const Eigen::Vector2d d =
-        Eigen::Vector2d(point["x"], point["y"]) - Eigen::Vector2d(0.5, 0.5) - look.predicted;
+        Eigen::Vector2d(point["x"], point["y"]) - Eigen::Vector2d(0.5, 0.5) - match.predicted;
     EXPECT_NEAR(std::sqrt(d.dot(information * d)), 3, 0.05);
   }
   ASSERT_EQ(points[1]["points"].size(), 4u);
-  EXPECT_NEAR(points[1]["points"][0]["x"].get<double>() + 5, look.measured->x(), 0.051);  // an 11 px square
-  EXPECT_NEAR(points[1]["points"][2]["y"].get<double>() - 6, look.measured->y(), 0.051);
+  EXPECT_NEAR(points[1]["points"][0]["x"].get<double>() + 5, match.measured->x(), 0.051);  // an 11 px square
+  EXPECT_NEAR(points[1]["points"][2]["y"].get<double>() - 6, match.measured->y(), 0.051);
   EXPECT_EQ(points[0]["outline_color"]["g"], 0.86);
 }
 
@@ -269,12 +269,12 @@ TEST(SnapshotLog, DoesNotMindNonsense) {
   const double unknown = std::numeric_limits<double>::quiet_NaN();
   snapshot.camera.setConstant(unknown);
   snapshot.covariance.setConstant(unknown);
-  snapshot.looks[0].innovation_cov.setConstant(unknown);
-  snapshot.looks[1].predicted.setConstant(1e300);
-  snapshot.looks[2].innovation_cov.setZero();
-  snapshot.looks[3].measured->setConstant(unknown);
+  snapshot.matches[0].innovation_cov.setConstant(unknown);
+  snapshot.matches[1].predicted.setConstant(1e300);
+  snapshot.matches[2].innovation_cov.setZero();
+  snapshot.matches[3].measured->setConstant(unknown);
   snapshot.landmarks[3].covariance.setConstant(unknown);
-  snapshot.advice.scores[1] = -std::numeric_limits<double>::infinity();
+  snapshot.decision.scores[1] = -std::numeric_limits<double>::infinity();
   snapshot.status.reason = "\xff\"\n";
   SnapshotLog log(scratch / "run.mcap", info());
   log.publish(snapshot);
@@ -285,8 +285,8 @@ TEST(SnapshotLog, DoesNotMindNonsense) {
   EXPECT_EQ(read.count("/estimate/pose"), 0u);
   EXPECT_EQ(read.of("/snapshot")[1]->log_time_ns, 0u);
   for (const McapMessage& message : read.messages)
-    EXPECT_EQ(testing::faults(parsed(message),
-                              Json::parse(read.schemas.at(read.schema_of_topic.at(message.topic)))),
+    EXPECT_EQ(testing::problems(parsed(message),
+                                Json::parse(read.schemas.at(read.schema_of_topic.at(message.topic)))),
               "");
 }
 

@@ -40,7 +40,7 @@ inline void add_map(Snapshot& snapshot, int mapped) {
     landmark.id = i;
     landmark.anchor = i < 2;
     landmark.position << 3 * std::cos(0.9 * i), 3 * std::sin(0.9 * i), 0.3 * (i % 7);
-    landmark.sightings = static_cast<int>(snapshot.tick.frame);
+    landmark.detection_count = static_cast<int>(snapshot.tick.frame);
     if (!landmark.anchor) {
       const Eigen::Vector3d away = landmark.position.normalized();
       landmark.covariance =
@@ -50,21 +50,21 @@ inline void add_map(Snapshot& snapshot, int mapped) {
   }
 }
 
-inline void add_looks(Snapshot& snapshot, RandomStream& random) {
-  constexpr LookOutcome outcomes[] = {LookOutcome::matched, LookOutcome::not_found, LookOutcome::inconsistent,
-                                      LookOutcome::not_tried};
+inline void add_measurements(Snapshot& snapshot, RandomStream& random) {
+  constexpr MatchOutcome outcomes[] = {MatchOutcome::matched, MatchOutcome::not_found, MatchOutcome::outlier,
+                                       MatchOutcome::not_searched};
   for (int i = 0; i < 8; ++i) {
-    SnapshotLook look;
-    look.id = i;
-    look.anchor = i < 2;
-    look.line = i == 7;
-    look.predicted << 40 + 35 * i, 60 + 20 * (i % 4);
-    look.innovation_cov << 9 + i, 3, 3, 6;
-    look.outcome = outcomes[i < 5 ? 0 : i - 4];
-    if (look.outcome == LookOutcome::matched || look.outcome == LookOutcome::inconsistent)
-      look.measured = look.predicted + Eigen::Vector2d(random.normal(), random.normal());
-    look.correlation = 0.9;
-    snapshot.looks.push_back(look);
+    SnapshotMatch match;
+    match.id = i;
+    match.anchor = i < 2;
+    match.line = i == 7;
+    match.predicted << 40 + 35 * i, 60 + 20 * (i % 4);
+    match.innovation_cov << 9 + i, 3, 3, 6;
+    match.outcome = outcomes[i < 5 ? 0 : i - 4];
+    if (match.outcome == MatchOutcome::matched || match.outcome == MatchOutcome::outlier)
+      match.measured = match.predicted + Eigen::Vector2d(random.normal(), random.normal());
+    match.correlation = 0.9;
+    snapshot.matches.push_back(match);
   }
   snapshot.predicted = 7;
   snapshot.matched = 5;
@@ -88,11 +88,11 @@ inline void add_pose(Snapshot& snapshot, const SyntheticRun& run, RandomStream& 
   snapshot.camera.segment<4>(3) = quaternion_product<double>(truth.segment<4>(3), quaternion_exp(turn));
 }
 
-inline void add_advice(Snapshot& snapshot, int frame) {
-  snapshot.advice.actions = {"stay", "forward", "back", "left", "right", "up", "down"};
-  for (int i = 0; i < 7; ++i) snapshot.advice.scores.push_back(1 + std::sin(0.3 * frame / 30 + i));
-  snapshot.advice.decided = frame % 30 == 15;
-  snapshot.advice.chosen = (frame + 15) / 30 % 7;
+inline void add_decision(Snapshot& snapshot, int frame) {
+  snapshot.decision.actions = {"stay", "forward", "back", "left", "right", "up", "down"};
+  for (int i = 0; i < 7; ++i) snapshot.decision.scores.push_back(1 + std::sin(0.3 * frame / 30 + i));
+  snapshot.decision.decided = frame % 30 == 15;
+  snapshot.decision.chosen = (frame + 15) / 30 % 7;
 }
 
 inline Snapshot synthetic_snapshot(const SyntheticRun& run, int frame, double pace_ms = 5) {
@@ -103,8 +103,8 @@ inline Snapshot synthetic_snapshot(const SyntheticRun& run, int frame, double pa
   snapshot.status.reason = "5 of 7 features matched";
   add_pose(snapshot, run, random);
   add_map(snapshot, frame / 10);
-  add_looks(snapshot, random);
-  add_advice(snapshot, frame);
+  add_measurements(snapshot, random);
+  add_decision(snapshot, frame);
   const double unknown = std::numeric_limits<double>::quiet_NaN();
   snapshot.entropy = {-50.0 - 0.01 * frame, 3.0 * (frame / 10), -50 - 0.01 * frame + 3.0 * (frame / 10)};
   if (frame < run.starting) snapshot.entropy = {unknown, unknown, unknown};

@@ -130,15 +130,15 @@ TEST(CampaignStatistics, ALimitIsANumber) {
 TEST(CampaignTables, SayTheShareThatFailedBesideEveryMean) {
   const Campaign campaign = two_variants();
   const auto all = statistics_of(campaign, limit_measures({"error_m.below:2.5"}));
-  const std::vector<std::string> wanted{"error_m", "error_m.below:2.5"};
-  const std::string text = table_text(campaign, all, wanted);
+  const std::vector<std::string> requested{"error_m", "error_m.below:2.5"};
+  const std::string text = table_text(campaign, all, requested);
   EXPECT_HAS(text, "     5 of 6    17 %  3.6 (");
   EXPECT_HAS(text, "5 of 6    20 %    80 %");
-  const std::string table = table_csv(campaign, all, wanted);
+  const std::string table = table_csv(campaign, all, requested);
   EXPECT_HAS(table, "variant,measure,n,ended,share_failed,mean,");
   EXPECT_HAS(table, "a=2,error_m,5,6,0.166");
   EXPECT_HAS(table, "a=2,error_m.below:2.5,6,6,0.166");
-  const std::string json = campaign_json(campaign, all, wanted);
+  const std::string json = campaign_json(campaign, all, requested);
   EXPECT_HAS(json, "\"ended\": 6");
   EXPECT_HAS(json, "\"pairs_left_out\": 1");
 }

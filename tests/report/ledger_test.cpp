@@ -15,7 +15,7 @@ using testing::Json;
 std::string schema_faults(const std::string& document) {
   const std::string schema =
       testing::contents(std::string(INCOGNITA_SOURCE_DIR) + "/docs/schemas/reproduce.schema.json");
-  return testing::faults(Json::parse(document), Json::parse(schema));
+  return testing::problems(Json::parse(document), Json::parse(schema));
 }
 
 std::vector<LedgerEntry> example() {

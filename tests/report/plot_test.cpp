@@ -35,7 +35,7 @@ Plot plot_of(std::vector<Curve> curves) {
 Plot everything() {
   Plot plot = plot_of({{"band", Style::band, {0, 1, 2}, {-1, -1, -1}, {1, 2, 1}},
                        {"line", Style::line, {0, 1, 2}, {0.1, 1. / 3, 0}},
-                       {"dashed", Style::dashed, {0, 2}, {1, 0}, {}, Colour::pink},
+                       {"dashed", Style::dashed, {0, 2}, {1, 0}, {}, Color::pink},
                        {"", Style::thin, {0, 2}, {0, 1}},
                        over_steps("steps", {1, 2, 3}, Style::steps, 1)});
   Panel map;

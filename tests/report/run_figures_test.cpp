@@ -155,8 +155,8 @@ TEST(RunFigures, TakeNoNameForACommand) {
   const Scratch scratch;
   Recorder recorder(scratch / "run", RunInfo{});
   Snapshot snapshot = testing::synthetic_snapshot({}, 45);
-  snapshot.advice.actions[0] = "'; system('touch hacked'); '`touch hacked`\\";
-  snapshot.advice.chosen = 0;
+  snapshot.decision.actions[0] = "'; system('touch hacked'); '`touch hacked`\\";
+  snapshot.decision.chosen = 0;
   recorder.publish(snapshot);
   recorder.finish(RunStatus::done, "");
   EXPECT_EQ(draw_run_figures(scratch / "run"), std::vector<std::string>{});

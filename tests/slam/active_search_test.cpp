@@ -5,8 +5,8 @@
 #include <Eigen/LU>
 #include <algorithm>
 
-#include "incognita/slam/features/measure.hpp"
-#include "incognita/slam/features/predict_looks.hpp"
+#include "incognita/slam/features/active_search.hpp"
+#include "incognita/slam/features/predict_matches.hpp"
 #include "tests/slam/synthetic_scene.hpp"
 
 namespace incognita {
@@ -43,14 +43,14 @@ struct Scene {
 
   int search() {
     summed.assign(image);
-    predict_looks(estimate, camera, settings, estimate.looks);
-    return measure(summed, estimate.catalogue, settings.search, estimate.looks);
+    predict_matches(estimate, camera, settings, estimate.matches);
+    return measure(summed, estimate.catalog, settings.search, estimate.matches);
   }
-  const Look& look_of(std::int64_t id) const {
-    return *std::find_if(estimate.looks.begin(), estimate.looks.end(),
-                         [id](const Look& look) { return look.id == id; });
+  const FeatureMatch& match_of(std::int64_t id) const {
+    return *std::find_if(estimate.matches.begin(), estimate.matches.end(),
+                         [id](const FeatureMatch& match) { return match.id == id; });
   }
-  LookOutcome outcome(std::int64_t id) const { return look_of(id).outcome; }
+  MatchOutcome outcome(std::int64_t id) const { return match_of(id).outcome; }
   Eigen::Vector2d truth(std::size_t corner) const {
     return pixel_of(origin, wall.corners_in_view(origin, 40).at(corner));
   }
@@ -63,10 +63,11 @@ TEST(ActiveSearch, TheMostUncertainFirstAndNoMoreThanAllowed) {
   scene.settings.search.max_measurements = 3;
   EXPECT_EQ(scene.search(), 3);
   for (std::int64_t id = 0; id < 6; ++id)
-    EXPECT_EQ(scene.outcome(id), sigmas_px[id] >= 4 ? LookOutcome::matched : LookOutcome::not_tried) << id;
+    EXPECT_EQ(scene.outcome(id), sigmas_px[id] >= 4 ? MatchOutcome::matched : MatchOutcome::not_searched)
+        << id;
   scene.settings.search.max_measurements = 12;
   EXPECT_EQ(scene.search(), 6);
-  for (std::int64_t id = 0; id < 6; ++id) EXPECT_EQ(scene.outcome(id), LookOutcome::matched) << id;
+  for (std::int64_t id = 0; id < 6; ++id) EXPECT_EQ(scene.outcome(id), MatchOutcome::matched) << id;
 }
 
 TEST(ActiveSearch, FindsThePatchInsideItsEllipseAndNowhereElse) {
@@ -78,11 +79,11 @@ TEST(ActiveSearch, FindsThePatchInsideItsEllipseAndNowhereElse) {
     inside.add(30, sigma_px, 10.5 * way);
     outside.add(30, sigma_px, 15 * way);
     inside.search();
-    ASSERT_EQ(inside.outcome(0), LookOutcome::matched) << way.transpose();
-    EXPECT_LT((*inside.look_of(0).measured - inside.truth(30)).norm(), 0.3);
+    ASSERT_EQ(inside.outcome(0), MatchOutcome::matched) << way.transpose();
+    EXPECT_LT((*inside.match_of(0).measured - inside.truth(30)).norm(), 0.3);
     outside.search();
-    EXPECT_EQ(outside.outcome(0), LookOutcome::not_found) << way.transpose();
-    EXPECT_FALSE(outside.look_of(0).measured);
+    EXPECT_EQ(outside.outcome(0), MatchOutcome::not_found) << way.transpose();
+    EXPECT_FALSE(outside.match_of(0).measured);
   }
 }
 
@@ -93,12 +94,12 @@ TEST(ActiveSearch, StaysInTheEllipseOfAnotherScene) {
   for (std::size_t i = 0; i < 6; ++i) scene.add(9 * i, 3 + static_cast<double>(i));
   scene.image = Wall(2, 77).seen_from(origin);
   EXPECT_EQ(scene.search(), 6);
-  for (const Look& look : scene.estimate.looks) {
-    ASSERT_TRUE(look.measured);
-    const Eigen::Vector2d r = *look.measured - look.predicted;
+  for (const FeatureMatch& match : scene.estimate.matches) {
+    ASSERT_TRUE(match.measured);
+    const Eigen::Vector2d r = *match.measured - match.predicted;
     // The peak between the pixels may be half a pixel beyond
     const double reach = std::max(0.0, r.norm() - 0.75) / r.norm();
-    EXPECT_LE(reach * reach * r.dot(look.innovation_cov.inverse() * r), 9);
+    EXPECT_LE(reach * reach * r.dot(match.innovation_cov.inverse() * r), 9);
   }
 }
 
@@ -108,10 +109,10 @@ TEST(ActiveSearch, GoesNoFurtherOutThanTheLargestHalfAxis) {
   scene.settings.search.min_correlation = 0.95;
   scene.add(30, 20, {10, 0});
   scene.search();
-  EXPECT_EQ(scene.outcome(0), LookOutcome::not_found);
+  EXPECT_EQ(scene.outcome(0), MatchOutcome::not_found);
   scene.settings.search.max_half_axis_px = 12;
   scene.search();
-  EXPECT_EQ(scene.outcome(0), LookOutcome::matched);
+  EXPECT_EQ(scene.outcome(0), MatchOutcome::matched);
 }
 
 TEST(ActiveSearch, BelowTheLeastCorrelationNothingIsFound) {
@@ -119,13 +120,13 @@ TEST(ActiveSearch, BelowTheLeastCorrelationNothingIsFound) {
   scene.add(30, 2);
   scene.image = Wall(2, 77).seen_from(origin);
   EXPECT_EQ(scene.search(), 1) << "it was searched for";
-  EXPECT_EQ(scene.outcome(0), LookOutcome::not_found);
-  EXPECT_FALSE(scene.look_of(0).measured);
-  const double correlation = scene.look_of(0).correlation;
+  EXPECT_EQ(scene.outcome(0), MatchOutcome::not_found);
+  EXPECT_FALSE(scene.match_of(0).measured);
+  const double correlation = scene.match_of(0).correlation;
   EXPECT_LT(correlation, 0.8);
   scene.settings.search.min_correlation = correlation - 0.01;
   scene.search();
-  EXPECT_EQ(scene.outcome(0), LookOutcome::matched);
+  EXPECT_EQ(scene.outcome(0), MatchOutcome::matched);
 }
 
 /// Five agree that the camera is where it is. One landmark is 12 px from where the map has it: far inside the
@@ -135,11 +136,11 @@ TEST(ActiveSearch, AnOutlierThatTheOthersContradictIsRejected) {
   for (std::size_t i = 0; i < 5; ++i) scene.add(9 * i, 0.3);
   scene.add(45, 0.3, {12, 0});
   EXPECT_EQ(scene.search(), 6);
-  EXPECT_EQ(scene.outcome(5), LookOutcome::matched) << "by itself nothing speaks against it";
-  EXPECT_EQ(reject_inconsistent(scene.estimate, scene.settings, scene.estimate.looks), 5);
-  EXPECT_EQ(scene.outcome(5), LookOutcome::inconsistent);
-  EXPECT_TRUE(scene.look_of(5).measured) << "what was found there stays on record";
-  for (std::int64_t id = 0; id < 5; ++id) EXPECT_EQ(scene.outcome(id), LookOutcome::matched) << id;
+  EXPECT_EQ(scene.outcome(5), MatchOutcome::matched) << "by itself nothing speaks against it";
+  EXPECT_EQ(reject_outliers(scene.estimate, scene.settings, scene.estimate.matches), 5);
+  EXPECT_EQ(scene.outcome(5), MatchOutcome::outlier);
+  EXPECT_TRUE(scene.match_of(5).measured) << "what was found there stays on record";
+  for (std::int64_t id = 0; id < 5; ++id) EXPECT_EQ(scene.outcome(id), MatchOutcome::matched) << id;
 }
 
 TEST(ActiveSearch, WithoutMatchesNothingIsLeft) {
@@ -147,8 +148,8 @@ TEST(ActiveSearch, WithoutMatchesNothingIsLeft) {
   scene.add(30, 2);
   scene.image = Image(model.width, model.height, 90);
   scene.search();
-  EXPECT_EQ(reject_inconsistent(scene.estimate, scene.settings, scene.estimate.looks), 0);
-  EXPECT_EQ(scene.outcome(0), LookOutcome::not_found);
+  EXPECT_EQ(reject_outliers(scene.estimate, scene.settings, scene.estimate.matches), 0);
+  EXPECT_EQ(scene.outcome(0), MatchOutcome::not_found);
 }
 
 /// Recent landmarks fix the camera; one that returns after some frames is itself uncertain by 12 px, and no
@@ -159,16 +160,16 @@ TEST(ActiveSearch, AReturningLandmarkThatNothingConfirmsIsAlone) {
     for (std::size_t i = 0; i < 5; ++i) scene.add(9 * i, 0.3);
     scene.add(45, 12).frames_away = frames_away;
     scene.search();
-    ASSERT_EQ(scene.outcome(5), LookOutcome::matched);
+    ASSERT_EQ(scene.outcome(5), MatchOutcome::matched);
     const bool returns = frames_away >= 15;
-    EXPECT_EQ(reject_inconsistent(scene.estimate, scene.settings, scene.estimate.looks), returns ? 5 : 6);
-    EXPECT_EQ(scene.outcome(5), returns ? LookOutcome::alone : LookOutcome::matched) << frames_away;
+    EXPECT_EQ(reject_outliers(scene.estimate, scene.settings, scene.estimate.matches), returns ? 5 : 6);
+    EXPECT_EQ(scene.outcome(5), returns ? MatchOutcome::unconfirmed : MatchOutcome::matched) << frames_away;
   }
   Scene precise(0.02);
   for (std::size_t i = 0; i < 5; ++i) precise.add(9 * i, 0.3);
   precise.add(45, 6).frames_away = 100;
   precise.search();
-  EXPECT_EQ(reject_inconsistent(precise.estimate, precise.settings, precise.estimate.looks), 6)
+  EXPECT_EQ(reject_outliers(precise.estimate, precise.settings, precise.estimate.matches), 6)
       << "less uncertain than max_alone_sigma_px";
 }
 
@@ -178,10 +179,10 @@ TEST(ActiveSearch, ReturningLandmarksConfirmEachOther) {
     Scene scene(0.15);  // 15 px
     for (std::size_t i = 0; i < count; ++i) scene.add(9 + 27 * i, 0.3).frames_away = 40;
     scene.search();
-    const int left = reject_inconsistent(scene.estimate, scene.settings, scene.estimate.looks);
+    const int left = reject_outliers(scene.estimate, scene.settings, scene.estimate.matches);
     EXPECT_EQ(left, count == 1 ? 0 : 2);
-    for (const Look& look : scene.estimate.looks)
-      EXPECT_EQ(look.outcome, count == 1 ? LookOutcome::alone : LookOutcome::matched);
+    for (const FeatureMatch& match : scene.estimate.matches)
+      EXPECT_EQ(match.outcome, count == 1 ? MatchOutcome::unconfirmed : MatchOutcome::matched);
   }
 }
 

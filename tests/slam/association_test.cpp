@@ -42,14 +42,16 @@ struct Scene {
     std::vector<Pairing> all;
     for (std::size_t m = 0; m < measurements.size(); ++m)
       for (std::size_t l = 0; l < landmarks.size(); ++l) {
-        const auto look = RangeBearing::look(belief.mean(vehicle), belief.mean(landmarks[l]));
+        const auto prediction =
+            RangeBearing::predict_measurement(belief.mean(vehicle), belief.mean(landmarks[l]));
         Pairing pairing{static_cast<int>(m), static_cast<int>(l), {}};
-        pairing.look.add(vehicle, look->Hv);
-        pairing.look.add(landmarks[l], look->Hl);
+        pairing.linearized.add(vehicle, prediction->Hv);
+        pairing.linearized.add(landmarks[l], prediction->Hl);
         Vector2d residual;
-        RangeBearing::chart.minus({measurements[m].data(), 2}, {look->z.data(), 2}, {residual.data(), 2});
-        pairing.look.residual = residual;
-        pairing.look.R = noise;
+        RangeBearing::chart.minus({measurements[m].data(), 2}, {prediction->z.data(), 2},
+                                  {residual.data(), 2});
+        pairing.linearized.residual = residual;
+        pairing.linearized.R = noise;
         all.push_back(pairing);
       }
     return all;
@@ -59,14 +61,14 @@ struct Scene {
 double joint_distance(const AnyBelief& belief, const std::vector<Pairing>& pairings,
                       const std::vector<int>& chosen) {
   if (chosen.empty()) return 0;
-  std::vector<AffineLook> looks;
+  std::vector<LinearizedMeasurement> measurements;
   VectorXd r(2 * chosen.size());
   for (std::size_t i = 0; i < chosen.size(); ++i) {
-    looks.push_back(pairings[chosen[i]].look);
-    r.segment<2>(2 * i) = pairings[chosen[i]].look.residual;
+    measurements.push_back(pairings[chosen[i]].linearized);
+    r.segment<2>(2 * i) = pairings[chosen[i]].linearized.residual;
   }
   MatrixXd S;
-  belief.innovation_covariance(looks, S);
+  belief.innovation_covariance(measurements, S);
   return r.dot(S.llt().solve(r));
 }
 
@@ -113,7 +115,7 @@ TEST(JointCompatibility, FindsWhatTryingEverySetFinds) {
     for (int i = 0; i < 4; ++i) {
       const Vector2d point =
           random.uniform(0, 1) < 0.8 ? points[i] : Vector2d(random.uniform(2, 5), random.uniform(-2, 2));
-      measurements.push_back(RangeBearing::look(truth, point)->z);
+      measurements.push_back(RangeBearing::predict_measurement(truth, point)->z);
     }
     const auto pairings = scene.pairings(measurements);
     Exhaustive exhaustive{scene.belief, pairings, 4, 0.95, {}, {}, 0};
@@ -130,24 +132,26 @@ TEST(JointCompatibility, FindsWhatTryingEverySetFinds) {
 
 /// Two rows of posts half a metre apart, seen by a vehicle that is 0.4 m beside where it believes to be: each
 /// post looks nearest to its neighbour's.
-TEST(JointCompatibility, HoldsWhereNearestNeighboursTakeTheWrongPost) {
+TEST(JointCompatibility, HoldsWhereNearestNeighborsTakeTheWrongPost) {
   const std::vector<Vector2d> posts = {{4, -1}, {4, -0.4}, {4, 0.2}, {4, 0.8}, {4.9, 0.5}};
   const Scene scene(posts, 0.3, 0.01);
   std::vector<Vector2d> measurements;
-  for (const Vector2d& post : posts) measurements.push_back(RangeBearing::look({0, 0.4, 0}, post)->z);
+  for (const Vector2d& post : posts)
+    measurements.push_back(RangeBearing::predict_measurement({0, 0.4, 0}, post)->z);
   const auto pairings = scene.pairings(measurements);
   const auto right = [&](const Association& a) {
     return std::count_if(a.chosen.begin(), a.chosen.end(),
                          [&](int p) { return pairings[p].measurement == pairings[p].landmark; });
   };
   EXPECT_EQ(right(jointly_compatible(scene.belief, pairings, {})), 5);
-  EXPECT_LT(right(nearest_neighbours(scene.belief, pairings, {})), 4);
+  EXPECT_LT(right(nearest_neighbors(scene.belief, pairings, {})), 4);
 }
 
 TEST(JointCompatibility, ACappedSearchSaysSoAndIsStillOneToOne) {
   std::vector<Vector2d> posts, measurements;
   for (int i = 0; i < 12; ++i) posts.push_back({4 + 0.05 * i, 0.05 * i});
-  for (const Vector2d& post : posts) measurements.push_back(RangeBearing::look({0, 0.1, 0}, post)->z);
+  for (const Vector2d& post : posts)
+    measurements.push_back(RangeBearing::predict_measurement({0, 0.1, 0}, post)->z);
   const Scene scene(posts, 0.5, 0.1);
   const auto pairings = scene.pairings(measurements);
   const Association found = jointly_compatible(scene.belief, pairings, {.max_nodes = 50});
@@ -163,16 +167,16 @@ TEST(JointCompatibility, ACappedSearchSaysSoAndIsStillOneToOne) {
 TEST(Association, NothingIsNotAMatch) {
   const Scene scene({{4, 0}}, 0.1, 0.01);
   EXPECT_TRUE(jointly_compatible(scene.belief, {}, {}).chosen.empty());
-  EXPECT_TRUE(nearest_neighbours(scene.belief, {}, {}).chosen.empty());
+  EXPECT_TRUE(nearest_neighbors(scene.belief, {}, {}).chosen.empty());
   const auto far = scene.pairings({{9, 1}, {NAN, 0}, {4, NAN}});
   EXPECT_TRUE(jointly_compatible(scene.belief, far, {}).chosen.empty());
-  EXPECT_TRUE(nearest_neighbours(scene.belief, far, {}).chosen.empty());
+  EXPECT_TRUE(nearest_neighbors(scene.belief, far, {}).chosen.empty());
 }
 
-TEST(Association, NearestNeighboursAreOneToOne) {
+TEST(Association, NearestNeighborsAreOneToOne) {
   const Scene scene({{4, 0}, {4, 0.3}}, 0.1, 0.01);
   const auto pairings = scene.pairings({{4, 0.001}, {4, 0.02}});
-  const Association found = nearest_neighbours(scene.belief, pairings, {});
+  const Association found = nearest_neighbors(scene.belief, pairings, {});
   ASSERT_EQ(found.chosen.size(), 2u);
   EXPECT_EQ(pairings[found.chosen[0]].measurement, pairings[found.chosen[0]].landmark);
   EXPECT_EQ(pairings[found.chosen[1]].measurement, pairings[found.chosen[1]].landmark);

@@ -74,7 +74,7 @@ Run run(std::uint64_t seed, double duration_s) {
   for (int k = 0; k <= frames; ++k) {
     const Tick tick{k, k / rate_hz, k == 0 ? 0 : 1 / rate_hz};
     const Truth truth{plant.move(command, tick.dt)};
-    estimator.update(estimate, command, sensor.look(truth, tick), tick);
+    estimator.update(estimate, command, sensor.measure(truth, tick), tick);
     command = sway(tick.t);
     run.lost_frames += estimate.status.state == TrackingState::lost;
     if (!estimate.started) continue;

@@ -21,17 +21,17 @@ std::shared_ptr<const Image> blocks(std::uint64_t seed) {
   auto image = std::make_shared<Image>(camera.width(), camera.height());
   for (int v = 0; v < image->height(); v += side)
     for (int u = 0; u < image->width(); u += side) {
-      const auto grey = static_cast<std::uint8_t>(20 + random.below(215));
+      const auto gray = static_cast<std::uint8_t>(20 + random.below(215));
       for (int y = v; y < std::min(v + side, image->height()); ++y)
-        for (int x = u; x < std::min(u + side, image->width()); ++x) (*image)(x, y) = grey;
+        for (int x = u; x < std::min(u + side, image->width()); ++x) (*image)(x, y) = gray;
     }
   return image;
 }
 
 Observation seeing(std::shared_ptr<const Image> image) {
-  Observation seen;
-  seen.image = std::move(image);
-  return seen;
+  Observation observation;
+  observation.image = std::move(image);
+  return observation;
 }
 
 /// Four patches that are in no image of blocks.
@@ -104,7 +104,7 @@ TEST(CameraEstimator, TracksAlikeWhateverItsFirstTick) {
 /// An image may go when the tick is over: nothing of it is looked at in the next.
 TEST(CameraEstimator, KeepsNoImageAndSearchesNothingWithoutOne) {
   CameraSlamSettings settings;
-  settings.birth.method = BirthSettings::Method::depth_line;
+  settings.initialization.method = InitializationSettings::Method::depth_line;
   settings.map.wanted_visible = 20;
   settings.lost.min_matches = 1;
   CameraEstimator with_points = estimator(), tracking = estimator(settings);
@@ -113,16 +113,16 @@ TEST(CameraEstimator, KeepsNoImageAndSearchesNothingWithoutOne) {
   // Lines are followed while points hold the camera
   for (int k = 0; k < 6; ++k)
     (k == 0 ? with_points : tracking).update(estimate, {}, seeing(image), tick(0, 0, k));
-  ASSERT_FALSE(estimate.line_looks.empty());
-  const std::size_t landmarks = estimate.catalogue.size();
+  ASSERT_FALSE(estimate.line_matches.empty());
+  const std::size_t landmarks = estimate.catalog.size();
   const std::weak_ptr<const Image> gone = image;
   image.reset();
   ASSERT_TRUE(gone.expired());
   for (int k = 6; k < 9; ++k) {
     tracking.update(estimate, {}, {}, tick(0, 0, k));
-    EXPECT_TRUE(estimate.line_looks.empty());
+    EXPECT_TRUE(estimate.line_matches.empty());
     EXPECT_EQ(estimate.matched, 0);
-    EXPECT_EQ(estimate.catalogue.size(), landmarks) << "no line failed by it";
+    EXPECT_EQ(estimate.catalog.size(), landmarks) << "no line failed by it";
     EXPECT_EQ(estimate.status.state, TrackingState::degraded) << estimate.status.reason;
   }
 }
@@ -150,9 +150,10 @@ TEST(CameraEstimator, RefusesSettingsThatCannotBe) {
             "search.patch_size_px = 10: must be odd, 9 to 15");
   EXPECT_EQ(refusal([](auto& s) { s.search.gate_probability = 1; }),
             "search.gate_probability = 1: must be more than 0 and less than 1");
-  EXPECT_EQ(refusal([](auto& s) { s.birth.max_depth_m = 0.1; }),
+  EXPECT_EQ(refusal([](auto& s) { s.initialization.max_depth_m = 0.1; }),
             "birth.max_depth_m = 0.1: must be more than birth.min_depth_m, and finite");
-  EXPECT_EQ(refusal([](auto& s) { s.birth.particles = 1; }), "birth.particles = 1: must be 2 or more");
+  EXPECT_EQ(refusal([](auto& s) { s.initialization.particles = 1; }),
+            "birth.particles = 1: must be 2 or more");
   EXPECT_EQ(refusal([](auto& s) { s.map.max_scale = 1; }),
             "map.max_scale = 1: must be more than 1, and finite");
   EXPECT_EQ(refusal([](auto& s) { s.lost.min_matches = 0; }), "lost.min_matches = 0: must be 1 or more");

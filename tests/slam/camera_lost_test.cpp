@@ -51,23 +51,23 @@ struct Tracked {
 TEST(CameraLost, ACoveredLensIsDegradedAndThenLost) {
   for (const bool covered : {true, false}) {  // or no image at all
     Tracked t;
-    const std::size_t landmarks = t.estimate.catalogue.size();
-    const std::vector<Landmark> before = t.estimate.catalogue;
+    const std::size_t landmarks = t.estimate.catalog.size();
+    const std::vector<Landmark> before = t.estimate.catalog;
     for (int i = 1; i < t.settings.lost.max_frames; ++i) {
       covered ? t.see_gray() : t.see_nothing();
       EXPECT_EQ(t.estimate.status.state, TrackingState::degraded) << i;
       EXPECT_EQ(t.estimate.status.frames_with_few, i);
       EXPECT_EQ(t.estimate.matched, 0);
       EXPECT_NE(t.estimate.status.reason.find("0 of "), std::string::npos) << t.estimate.status.reason;
-      ASSERT_EQ(t.estimate.catalogue.size(), landmarks) << "none is deleted, none begun";
+      ASSERT_EQ(t.estimate.catalog.size(), landmarks) << "none is deleted, none begun";
     }
     covered ? t.see_gray() : t.see_nothing();
     EXPECT_EQ(t.estimate.status.state, TrackingState::lost);
     EXPECT_NE(t.estimate.status.reason.find("10 frames in a row with fewer than 3"), std::string::npos)
         << t.estimate.status.reason;
-    ASSERT_EQ(t.estimate.catalogue.size(), landmarks);
+    ASSERT_EQ(t.estimate.catalog.size(), landmarks);
     for (std::size_t i = 0; i < landmarks; ++i)
-      EXPECT_EQ(t.estimate.catalogue[i].attempts, before[i].attempts) << "the lens failed, not the landmarks";
+      EXPECT_EQ(t.estimate.catalog[i].attempts, before[i].attempts) << "the lens failed, not the landmarks";
   }
 }
 
@@ -99,7 +99,7 @@ TEST(CameraLost, WhenThePositionIsTooUncertain) {
   EXPECT_NE(t.estimate.status.reason.find("limit 0.2 m"), std::string::npos) << t.estimate.status.reason;
 }
 
-void get_lost(Tracked& t) {
+void declare_lost(Tracked& t) {
   for (int i = 0; i < t.settings.lost.max_frames; ++i) t.see_gray();
   ASSERT_EQ(t.estimate.status.state, TrackingState::lost);
 }
@@ -107,7 +107,7 @@ void get_lost(Tracked& t) {
 /// Nothing that is commanded or imagined moves a camera that is lost: it is looked for where it was.
 TEST(CameraLost, StaysWhereItWas) {
   Tracked t;
-  get_lost(t);
+  declare_lost(t);
   const CameraState there = t.estimate.camera_state();
   EXPECT_LT((there.head<3>() - t.truth.head<3>()).norm(), 0.1) << "ten frames further at the last velocity";
   EXPECT_TRUE(there.tail<6>().isZero(0)) << "at rest";
@@ -125,14 +125,14 @@ TEST(CameraLost, StaysWhereItWas) {
     EXPECT_EQ(t.estimate.camera_state(), there) << i;
     EXPECT_EQ(t.estimate.matched, 0) << "what matched by chance is not used";
     EXPECT_FALSE(t.estimate.status.reason.empty());
-    for (const Look& look : t.estimate.looks) EXPECT_NE(look.outcome, LookOutcome::matched);
+    for (const FeatureMatch& match : t.estimate.matches) EXPECT_NE(match.outcome, MatchOutcome::matched);
   }
   EXPECT_EQ(t.estimate.belief.dense_covariance(), P);
 }
 
 TEST(CameraLost, IsRelocatedWhenTheViewIsBack) {
   Tracked t;
-  get_lost(t);
+  declare_lost(t);
   // Carried away from where it was lost, by as much as it is looked for
   t.truth = camera_at(t.truth.head<3>() + Eigen::Vector3d(0.03, -0.05, 0.02), 0.03);
   t.see(wall_with_sheet().shared_view(t.truth));
@@ -155,13 +155,13 @@ TEST(CameraLost, IsRelocatedWhenTheViewIsBack) {
 /// Six agreeing matches end it; fewer may be chance.
 TEST(CameraLost, IsNotRelocatedByAFewMatches) {
   Tracked t;
-  get_lost(t);
+  declare_lost(t);
   Image part = Wall(1.4, 99).seen_from(t.truth);
   const Image whole = wall_with_sheet().seen_from(t.truth);
   // Another wall but around four of the landmarks
   const CameraState x = t.estimate.camera_state();
   int shown = 0;
-  for (const Landmark& landmark : t.estimate.catalogue) {
+  for (const Landmark& landmark : t.estimate.catalog) {
     const auto at = position_of(landmark, t.estimate.belief);
     if (!at || shown == 4) continue;
     const Eigen::Vector2d pixel = pixel_of(x, at->position);
@@ -184,23 +184,23 @@ TEST(CameraLost, IsNotRelocatedByAFewMatches) {
 /// The depth hypotheses of lines are those of a camera that was known: they go.
 TEST(CameraLost, ForgetsItsDepthLines) {
   CameraSlamSettings settings = Tracked::defaults();
-  settings.birth.method = BirthSettings::Method::depth_line;
-  settings.birth.depth_ratio = 0.01;  // none becomes a point
-  settings.birth.max_line_failures = 1000;
+  settings.initialization.method = InitializationSettings::Method::depth_line;
+  settings.initialization.depth_ratio = 0.01;  // none becomes a point
+  settings.initialization.max_line_failures = 1000;
   settings.map.wanted_visible = 16;
   CameraEstimator estimator(camera, sheet_target(), settings, 10, 1);
   Estimate estimate;
   const auto view = wall_with_sheet().shared_view(origin);
   for (int k = 0; k < 5; ++k) estimator.update(estimate, {}, seeing(view), tick(k));
-  ASSERT_GT(estimate.catalogue.size(), 8u);
-  ASSERT_FALSE(estimate.line_looks.empty());
+  ASSERT_GT(estimate.catalog.size(), 8u);
+  ASSERT_FALSE(estimate.line_matches.empty());
   for (int k = 5; estimate.status.state != TrackingState::lost; ++k) {
     ASSERT_LT(k, 20);
     // In ticks without an image nothing is left of the image before, which is gone
     estimator.update(estimate, {}, k % 2 ? Observation{} : seeing_gray(8), tick(k));
-    EXPECT_TRUE(estimate.line_looks.empty());
+    EXPECT_TRUE(estimate.line_matches.empty());
   }
-  EXPECT_EQ(estimate.catalogue.size(), 4u) << "the anchors stay";
+  EXPECT_EQ(estimate.catalog.size(), 4u) << "the anchors stay";
   EXPECT_EQ(estimate.belief.errors(), 12);
 }
 

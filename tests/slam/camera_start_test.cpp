@@ -51,7 +51,7 @@ TEST(CameraStart, FromATargetHasItsCornersAsAnchors) {
   estimator.update(estimate, {}, seeing(wall_with_sheet().shared_view(camera_at({0, 0, 0}))), tick(0));
   ASSERT_EQ(estimate.status.state, TrackingState::tracking) << estimate.status.reason;
   std::vector<Landmark> anchors;
-  for (const Landmark& landmark : estimate.catalogue)
+  for (const Landmark& landmark : estimate.catalog)
     if (landmark.kind == Landmark::Kind::anchor) anchors.push_back(landmark);
   const Target target = sheet_target();
   ASSERT_EQ(anchors.size(), 4u);
@@ -86,7 +86,7 @@ TEST(CameraStart, SearchesUntilTheTargetIsSeen) {
       EXPECT_EQ(estimate.status.state, TrackingState::starting);
       EXPECT_NE(estimate.status.reason.find("sheet"), std::string::npos) << estimate.status.reason;
       EXPECT_FALSE(estimate.started);
-      EXPECT_TRUE(estimate.catalogue.empty());
+      EXPECT_TRUE(estimate.catalog.empty());
     }
     estimator.update(estimate, {}, seeing(wall_with_sheet().shared_view(truth)), tick(4, frame, t));
     EXPECT_EQ(estimate.status.state, TrackingState::tracking) << estimate.status.reason;
@@ -115,7 +115,7 @@ TEST(CameraStart, GivesUpAfterTheLongestSearchAndSaysWhy) {
 
 TEST(CameraStart, WithoutATargetTheFirstViewIsTheOrigin) {
   CameraSlamSettings settings;
-  settings.birth.inverse_depth_per_m = 0.4;
+  settings.initialization.inverse_depth_per_m = 0.4;
   settings.map.wanted_visible = 10;
   CameraEstimator estimator(camera, std::nullopt, settings, 10, 1);
   Estimate estimate;
@@ -128,8 +128,8 @@ TEST(CameraStart, WithoutATargetTheFirstViewIsTheOrigin) {
   EXPECT_TRUE(camera_error(camera_at({0, 0, 0}), estimate.camera_state()).isZero(1e-12))
       << "level, looking along +x";
   EXPECT_LT(sigma_position(estimate), 1e-3) << "the origin is where it is by definition";
-  EXPECT_EQ(estimate.catalogue.size(), 10u) << "the first map at once";
-  for (const Landmark& landmark : estimate.catalogue) {
+  EXPECT_EQ(estimate.catalog.size(), 10u) << "the first map at once";
+  for (const Landmark& landmark : estimate.catalog) {
     EXPECT_EQ(landmark.kind, Landmark::Kind::inverse_depth);
     EXPECT_EQ(estimate.belief.mean(landmark.block)[5], 0.4) << "the scale is the prior's";
     EXPECT_TRUE(Eigen::Vector3d(estimate.belief.mean(landmark.block).head<3>()).isZero(0));

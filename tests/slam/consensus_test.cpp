@@ -34,7 +34,7 @@ TEST(Consensus, ConsistentMatchesAreAllTaken) {
   RandomStream random(1, "consensus");
   for (int trial = 0; trial < 50; ++trial) {
     const Frame f = frame(12, random);
-    EXPECT_EQ(agreeing_matches(f.residuals, f.S, gate), std::vector<bool>(12, true));
+    EXPECT_EQ(consistent_matches(f.residuals, f.S, gate), std::vector<bool>(12, true));
   }
 }
 
@@ -46,7 +46,7 @@ TEST(Consensus, PlantedOutliersAreFoundOut) {
     for (const int i : {3, 8}) f.residuals[2 * i + random.below(2)] += random.below(2) ? 12 : -12;
     std::vector<bool> wanted(12, true);
     wanted[3] = wanted[8] = false;
-    EXPECT_EQ(agreeing_matches(f.residuals, f.S, gate), wanted) << "trial " << trial;
+    EXPECT_EQ(consistent_matches(f.residuals, f.S, gate), wanted) << "trial " << trial;
   }
 }
 
@@ -55,8 +55,8 @@ TEST(Consensus, ALoneMatchIsHeldToItsOwnGate) {
   S << 9, 3, 3, 4;
   const Eigen::Vector2d direction(1, 2);
   const double unit = std::sqrt(gate / direction.dot(S.inverse() * direction));
-  EXPECT_EQ(agreeing_matches(0.99 * unit * direction, S, gate), std::vector<bool>{true});
-  EXPECT_EQ(agreeing_matches(1.01 * unit * direction, S, gate), std::vector<bool>{false});
+  EXPECT_EQ(consistent_matches(0.99 * unit * direction, S, gate), std::vector<bool>{true});
+  EXPECT_EQ(consistent_matches(1.01 * unit * direction, S, gate), std::vector<bool>{false});
 }
 
 TEST(Consensus, OfMatchesThatAllDisagreeAtMostOneIsTaken) {
@@ -69,9 +69,9 @@ TEST(Consensus, OfMatchesThatAllDisagreeAtMostOneIsTaken) {
     residuals.segment<2>(2 * i) =
         30 * Eigen::Vector2d(std::cos(2 * M_PI * i / n), std::sin(2 * M_PI * i / n));
   }
-  const auto agrees = agreeing_matches(residuals, S, gate);
+  const auto agrees = consistent_matches(residuals, S, gate);
   EXPECT_LE(std::count(agrees.begin(), agrees.end(), true), 1);
-  EXPECT_EQ(agreeing_matches(10 * residuals, S, gate), std::vector<bool>(n, false)) << "not even alone";
+  EXPECT_EQ(consistent_matches(10 * residuals, S, gate), std::vector<bool>(n, false)) << "not even alone";
 }
 
 /// Innovations of a frame in which `returning` landmarks come back after a drift that none of the `recent`
@@ -96,19 +96,20 @@ std::vector<bool> last(int of, int returning) {
 TEST(Consensus, WhatComesBackAloneIsNotBelieved) {
   const Frame one = loop_closing(6, 1), two = loop_closing(6, 2);
   const std::vector<bool> all(7, true), none(7, false);
-  EXPECT_EQ(agreeing_matches(one.residuals, one.S, gate), all) << "nothing speaks against it";
-  EXPECT_EQ(matches_alone(one.S, all, last(7, 1), 8), last(7, 1)) << "and nothing for it";
-  EXPECT_EQ(matches_alone(one.S, all, last(7, 1), 31), none) << "near enough by itself";
-  EXPECT_EQ(matches_alone(one.S, all, none, 8), none) << "one that was just born";
-  EXPECT_EQ(matches_alone(two.S, std::vector<bool>(8, true), last(8, 2), 8), std::vector<bool>(8, false))
+  EXPECT_EQ(consistent_matches(one.residuals, one.S, gate), all) << "nothing speaks against it";
+  EXPECT_EQ(unconfirmed_matches(one.S, all, last(7, 1), 8), last(7, 1)) << "and nothing for it";
+  EXPECT_EQ(unconfirmed_matches(one.S, all, last(7, 1), 31), none) << "near enough by itself";
+  EXPECT_EQ(unconfirmed_matches(one.S, all, none, 8), none) << "one that was just born";
+  EXPECT_EQ(unconfirmed_matches(two.S, std::vector<bool>(8, true), last(8, 2), 8),
+            std::vector<bool>(8, false))
       << "two bear each other out";
 }
 
 TEST(Consensus, OfTwoThatComeBackOtherwiseNoneIsBelieved) {
   Frame f = loop_closing(6, 2);
   f.residuals.tail<2>() << -20, 10;
-  const std::vector<bool> agrees = agreeing_matches(f.residuals, f.S, gate);
-  const std::vector<bool> alone = matches_alone(f.S, agrees, last(8, 2), 8);
+  const std::vector<bool> agrees = consistent_matches(f.residuals, f.S, gate);
+  const std::vector<bool> alone = unconfirmed_matches(f.S, agrees, last(8, 2), 8);
   for (std::size_t i = 6; i < 8; ++i) EXPECT_FALSE(agrees[i] && !alone[i]) << i;
   for (std::size_t i = 0; i < 6; ++i) EXPECT_TRUE(agrees[i] && !alone[i]) << i;
 }
@@ -117,12 +118,12 @@ TEST(Consensus, OfTwoThatComeBackOtherwiseNoneIsBelieved) {
 TEST(Consensus, AMatchThatNothingIsKnownOfAlongOneAxisIsAlone) {
   const Eigen::Matrix2d S = Eigen::Vector2d(1, 1e20).asDiagonal();
   const std::vector<bool> yes{true}, no{false};
-  EXPECT_EQ(matches_alone(S, yes, yes, 1e9), yes);
-  EXPECT_EQ(matches_alone(S, no, yes, 8), no) << "it is none of those that agree";
+  EXPECT_EQ(unconfirmed_matches(S, yes, yes, 1e9), yes);
+  EXPECT_EQ(unconfirmed_matches(S, no, yes, 8), no) << "it is none of those that agree";
 }
 
 TEST(Consensus, NoMatchesAgreeOnNothing) {
-  EXPECT_TRUE(agreeing_matches(Eigen::VectorXd(0), Eigen::MatrixXd(0, 0), gate).empty());
+  EXPECT_TRUE(consistent_matches(Eigen::VectorXd(0), Eigen::MatrixXd(0, 0), gate).empty());
 }
 
 }  // namespace

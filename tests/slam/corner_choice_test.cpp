@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "incognita/slam/features/birth.hpp"
-#include "incognita/slam/features/predict_looks.hpp"
+#include "incognita/slam/features/landmark_initialization.hpp"
+#include "incognita/slam/features/predict_matches.hpp"
 #include "tests/slam/synthetic_scene.hpp"
 
 namespace incognita {
@@ -46,7 +46,7 @@ TEST(CornerChoice, NoneInFlatImages) {
     for (int u = 0; u < model.width; ++u)
       noisy(u, v) = static_cast<std::uint8_t>(std::lround(128 + 2 * random.normal()));
   EXPECT_TRUE(chosen(noisy, estimate, settings, 20).empty()) << "weaker than min_corner_strength";
-  settings.birth.min_corner_strength = 0.1;
+  settings.initialization.min_corner_strength = 0.1;
   EXPECT_FALSE(chosen(noisy, estimate, settings, 20).empty()) << "it is the strength that decides";
 }
 
@@ -69,27 +69,28 @@ TEST(CornerChoice, NoneNearAFeatureThatIsExpected) {
   const Estimate empty = estimate_at(origin, well_known);
   ASSERT_FALSE(chosen(image, empty, settings, 20).empty());
 
-  for (const auto method : {BirthSettings::Method::inverse_depth, BirthSettings::Method::depth_line}) {
+  for (const auto method :
+       {InitializationSettings::Method::inverse_depth, InitializationSettings::Method::depth_line}) {
     CameraSlamSettings other = settings;
-    other.birth.method = method;
+    other.initialization.method = method;
     Estimate begun = empty;
-    ASSERT_TRUE(give_birth(image, middle, begun, camera, other));
+    ASSERT_TRUE(initialize_landmark(image, middle, begun, camera, other));
     EXPECT_TRUE(chosen(image, begun, other, 60).empty()) << "begun in this very frame, or a line";
   }
   Estimate searched = empty;
   const Eigen::Vector3d at = Wall(2).point_at(origin, middle);
   add_point(searched, image, origin, at, at, 0.01, settings).attempts = 5;
   EXPECT_FALSE(chosen(image, searched, settings, 20).empty()) << "not expected to be seen in this frame";
-  predict_looks(searched, camera, settings, searched.looks);
-  ASSERT_EQ(searched.looks.size(), 1u);
+  predict_matches(searched, camera, settings, searched.matches);
+  ASSERT_EQ(searched.matches.size(), 1u);
   EXPECT_TRUE(chosen(image, searched, settings, 60).empty());
-  searched.looks[0].measured = middle + Eigen::Vector2d(100, 40);
+  searched.matches[0].measured = middle + Eigen::Vector2d(100, 40);
   EXPECT_FALSE(chosen(image, searched, settings, 20).empty()) << "where it was found counts";
 }
 
 TEST(CornerChoice, UntilTheImageIsFullKeepsFeaturesApart) {
   CameraSlamSettings settings;
-  settings.birth.box_width_px = settings.birth.box_height_px = 24;
+  settings.initialization.box_width_px = settings.initialization.box_height_px = 24;
   Estimate estimate = estimate_at(origin, well_known);
   const Image image = Wall(2).seen_from(origin);
   RandomStream random(1, "test");
@@ -100,7 +101,7 @@ TEST(CornerChoice, UntilTheImageIsFullKeepsFeaturesApart) {
       EXPECT_GE((*corner - other).lpNorm<Eigen::Infinity>(), settings.search.patch_size_px / 2)
           << corner->transpose() << " beside " << other.transpose();
     taken.push_back(*corner);
-    ASSERT_TRUE(give_birth(image, *corner, estimate, camera, settings));
+    ASSERT_TRUE(initialize_landmark(image, *corner, estimate, camera, settings));
   }
   EXPECT_GT(taken.size(), 15u);
 }
@@ -118,15 +119,15 @@ double share_leaving(const std::vector<Eigen::Vector2d>& corners, const CameraSt
     const Eigen::Vector3d point =
         free_camera::position(now) +
         rotation_matrix<double>(free_camera::orientation(now)) * camera.unproject(at)->normalized() * depth_m;
-    const auto seen = camera.project(PointLandmark::in_camera<double>(later, point));
-    leaving += !seen || !camera.contains(seen->pixel);
+    const auto projected = camera.project(PointLandmark::in_camera<double>(later, point));
+    leaving += !projected || !camera.contains(projected->pixel);
   }
   return static_cast<double>(leaving) / static_cast<double>(corners.size());
 }
 
 TEST(CornerChoice, NoneThatIsAboutToLeaveTheView) {
   CameraSlamSettings settings;
-  settings.birth.look_ahead_s = 0.5;
+  settings.initialization.look_ahead_s = 0.5;
   const Image image = Wall(2).seen_from(origin);
   CameraState turning = origin, sliding = origin;
   turning[11] = 0.8;  // rad/s about camera y: what is at the left leaves
@@ -134,14 +135,15 @@ TEST(CornerChoice, NoneThatIsAboutToLeaveTheView) {
   for (const CameraState& now : {turning, sliding}) {
     const auto kept = chosen(image, estimate_at(now, well_known), settings, 150);
     ASSERT_GT(kept.size(), 50u);
-    for (const double depth_m : {settings.birth.min_depth_m, 1.0, settings.birth.max_depth_m})
+    for (const double depth_m :
+         {settings.initialization.min_depth_m, 1.0, settings.initialization.max_depth_m})
       EXPECT_EQ(share_leaving(kept, now, depth_m, 0.5), 0) << depth_m;
-    settings.birth.look_ahead_s = 0;
+    settings.initialization.look_ahead_s = 0;
     EXPECT_GT(share_leaving(chosen(image, estimate_at(now, well_known), settings, 150), now,
-                            settings.birth.min_depth_m, 0.5),
+                            settings.initialization.min_depth_m, 0.5),
               0)
         << "were it not for the look ahead";
-    settings.birth.look_ahead_s = 0.5;
+    settings.initialization.look_ahead_s = 0.5;
   }
 }
 

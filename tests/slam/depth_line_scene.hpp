@@ -15,7 +15,7 @@ inline const CameraState origin = camera_at({0, 0, 0});
 
 inline CameraSlamSettings with_lines() {
   CameraSlamSettings settings;
-  settings.birth.method = BirthSettings::Method::depth_line;
+  settings.initialization.method = InitializationSettings::Method::depth_line;
   settings.filter.sigma_pixel_px = 0.5;
   return settings;
 }
@@ -30,16 +30,19 @@ struct DepthLineScene {
 
   explicit DepthLineScene(std::size_t corner = 40, const CameraSlamSettings& s = with_lines()) : settings(s) {
     truth = wall.corners_in_view(origin, 40).at(corner);
-    EXPECT_TRUE(give_birth(wall.seen_from(origin), pixel_of(origin, truth), estimate, camera, settings));
+    EXPECT_TRUE(
+        initialize_landmark(wall.seen_from(origin), pixel_of(origin, truth), estimate, camera, settings));
   }
-  Landmark& line() { return estimate.catalogue.at(0); }
-  void follow(const CameraState& from, const Wall& seen = wall) { follow_in(from, seen.seen_from(from)); }
+  Landmark& line() { return estimate.catalog.at(0); }
+  void follow(const CameraState& from, const Wall& predictions = wall) {
+    follow_in(from, predictions.seen_from(from));
+  }
   void follow_in(const CameraState& from, Image of) {
     image = std::move(of);
     summed.assign(image);
     move_camera(estimate, from);
-    estimate.line_looks.clear();
-    follow_lines(summed, estimate, camera, settings);
+    estimate.line_matches.clear();
+    update_depth_lines(summed, estimate, camera, settings);
   }
 };
 

@@ -19,7 +19,7 @@ using Scene = DepthLineScene;
 Eigen::Vector3d point_on(const Landmark& line, const Belief& belief, double inverse_depth,
                          const Eigen::VectorXd& errors = Eigen::VectorXd::Zero(5)) {
   const Eigen::VectorXd y = Eigen::VectorXd(belief.mean(line.block)) + errors;
-  return y.head<3>() + rotation_matrix<double>(line.birth_axes.world_from_birth) *
+  return y.head<3>() + rotation_matrix<double>(line.initial_axes.world_from_initial_camera) *
                            Eigen::Vector3d(y[3], y[4], 1) / inverse_depth;
 }
 
@@ -79,18 +79,18 @@ TEST(DepthLine, HypothesesAreReweightedByBayes) {
   const CameraState from = aside(0.12);
   Estimate before = scene.estimate;
   move_camera(before, from);
-  scene.settings.birth.depth_ratio = 1e-6;  // stay a line
+  scene.settings.initialization.depth_ratio = 1e-6;  // stay a line
   scene.follow(from);
-  ASSERT_EQ(scene.estimate.line_looks.size(), 1u);
-  const LineLook& look = scene.estimate.line_looks[0];
-  ASSERT_EQ(look.outcome, LookOutcome::matched);
-  EXPECT_LT((*look.measured - pixel_of(from, scene.truth)).norm(), 0.5);
+  ASSERT_EQ(scene.estimate.line_matches.size(), 1u);
+  const LineMatch& match = scene.estimate.line_matches[0];
+  ASSERT_EQ(match.outcome, MatchOutcome::matched);
+  EXPECT_LT((*match.measured - pixel_of(from, scene.truth)).norm(), 0.5);
   const Eigen::Vector3d nearest =
-      point_on(before.catalogue[0], before.belief, before.catalogue[0].particles[0].inverse_depth);
+      point_on(before.catalog[0], before.belief, before.catalog[0].particles[0].inverse_depth);
   EXPECT_FALSE(camera.contains(pixel_of(from, nearest), 6))
       << "or the test does not look at those out of view";
 
-  const auto expected = reweighted(before, before.catalogue[0], *look.measured, scene.settings);
+  const auto expected = reweighted(before, before.catalog[0], *match.measured, scene.settings);
   const auto& particles = scene.line().particles;
   ASSERT_EQ(particles.size(), expected.size());
   EXPECT_LT(particles.size(), 90u) << "pruned";
@@ -116,12 +116,12 @@ TEST(DepthLine, BecomesAPointWhenSigmaOverDepthIsSmall) {
       Estimate before = scene.estimate;
       move_camera(before, from);
       scene.follow(from);
-      ASSERT_EQ(scene.estimate.catalogue.size(), 1u);
-      const Landmark& line = before.catalogue[0];
+      ASSERT_EQ(scene.estimate.catalog.size(), 1u);
+      const Landmark& line = before.catalog[0];
       const auto hypotheses =
-          reweighted(before, line, *scene.estimate.line_looks.at(0).measured, scene.settings);
+          reweighted(before, line, *scene.estimate.line_matches.at(0).measured, scene.settings);
       const Depth depth = depth_of(hypotheses);
-      const bool converged = depth.sigma < scene.settings.birth.depth_ratio * depth.mean;
+      const bool converged = depth.sigma < scene.settings.initialization.depth_ratio * depth.mean;
       ASSERT_EQ(scene.line().kind == Landmark::Kind::point, converged) << k;
       if (!converged) continue;
 
@@ -157,12 +157,12 @@ TEST(DepthLine, TheRatioOfSigmaToDepthDecides) {
   Estimate before = dry.estimate;
   move_camera(before, from);
   dry.follow(from);
-  const auto measured = dry.estimate.line_looks.at(0).measured;
+  const auto measured = dry.estimate.line_matches.at(0).measured;
   ASSERT_TRUE(measured);
-  const Depth depth = depth_of(reweighted(before, before.catalogue[0], *measured, dry.settings));
+  const Depth depth = depth_of(reweighted(before, before.catalog[0], *measured, dry.settings));
   for (const double factor : {0.995, 1.005}) {
     Scene scene(40);
-    scene.settings.birth.depth_ratio = factor * depth.sigma / depth.mean;
+    scene.settings.initialization.depth_ratio = factor * depth.sigma / depth.mean;
     scene.follow(from);
     EXPECT_EQ(scene.line().kind, factor < 1 ? Landmark::Kind::line : Landmark::Kind::point);
   }

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "incognita/slam/features/predict_looks.hpp"
+#include "incognita/slam/features/predict_matches.hpp"
 #include "tests/slam/synthetic_scene.hpp"
 
 namespace incognita {
@@ -14,10 +14,10 @@ using namespace synthetic;
 const Wall wall(2);
 const CameraState origin = camera_at({0, 0, 0});
 
-std::vector<Look> predicted(const Estimate& estimate, const CameraSlamSettings& settings = {}) {
-  std::vector<Look> looks;
-  predict_looks(estimate, camera, settings, looks);
-  return looks;
+std::vector<FeatureMatch> predicted(const Estimate& estimate, const CameraSlamSettings& settings = {}) {
+  std::vector<FeatureMatch> matches;
+  predict_matches(estimate, camera, settings, matches);
+  return matches;
 }
 
 /// A camera with every correlation and one landmark each: anchor, point, inverse depth, line.
@@ -26,14 +26,14 @@ Estimate one_of_each(const CameraSlamSettings& settings) {
   const Image image = wall.seen_from(origin);
   const Eigen::Vector3d at = wall.point_at(origin, {100, 80});
   add_point(estimate, image, origin, at, at, 0.02, settings).kind = Landmark::Kind::anchor;
-  estimate.belief.drop(estimate.catalogue.back().block);
-  estimate.catalogue.back().anchor = at;
+  estimate.belief.drop(estimate.catalog.back().block);
+  estimate.catalog.back().anchor = at;
   const Eigen::Vector3d other = wall.point_at(origin, {200, 100});
   add_point(estimate, image, origin, other, other, 0.02, settings);
   CameraSlamSettings changed = settings;
-  EXPECT_TRUE(give_birth(image, {150, 140}, estimate, camera, changed));
-  changed.birth.method = BirthSettings::Method::depth_line;
-  EXPECT_TRUE(give_birth(image, {120, 160}, estimate, camera, changed));
+  EXPECT_TRUE(initialize_landmark(image, {150, 140}, estimate, camera, changed));
+  changed.initialization.method = InitializationSettings::Method::depth_line;
+  EXPECT_TRUE(initialize_landmark(image, {120, 160}, estimate, camera, changed));
   return estimate;
 }
 
@@ -46,7 +46,7 @@ Eigen::VectorXd pixel_with(const Estimate& estimate, const Landmark& landmark,
   const Eigen::VectorXd y =
       Eigen::VectorXd(estimate.belief.mean(landmark.block)) + errors.tail(errors.size() - 12);
   if (landmark.kind == Landmark::Kind::point) return pixel_of(x, y);
-  return pixel_of(x, landmark.birth_axes.point(y).position);
+  return pixel_of(x, landmark.initial_axes.point(y).position);
 }
 
 TEST(ExpectedMatches, HaveTheInnovationCovarianceOfNumericPropagation) {
@@ -54,16 +54,16 @@ TEST(ExpectedMatches, HaveTheInnovationCovarianceOfNumericPropagation) {
   settings.filter.sigma_pixel_px = 0.6;
   Estimate estimate = one_of_each(settings);
   move_camera(estimate, camera_at({0.1, 0.15, -0.05}, -0.03, {0.02, 0, 0.05}));
-  const std::vector<Look> looks = predicted(estimate, settings);
-  ASSERT_EQ(looks.size(), 3u) << "a line has no depth: it is searched for elsewhere";
-  for (const Look& look : looks) {
-    const Landmark& landmark = estimate.catalogue[look.landmark];
-    EXPECT_EQ(look.id, landmark.id);
-    EXPECT_EQ(look.outcome, LookOutcome::not_tried);
+  const std::vector<FeatureMatch> matches = predicted(estimate, settings);
+  ASSERT_EQ(matches.size(), 3u) << "a line has no depth: it is searched for elsewhere";
+  for (const FeatureMatch& match : matches) {
+    const Landmark& landmark = estimate.catalog[match.landmark];
+    EXPECT_EQ(match.id, landmark.id);
+    EXPECT_EQ(match.outcome, MatchOutcome::not_searched);
     const bool known = landmark.kind == Landmark::Kind::anchor;
     const int own = known ? 0 : estimate.belief.covariance(landmark.block).rows();
     const auto f = [&](const Eigen::VectorXd& e) { return pixel_with(estimate, landmark, e); };
-    EXPECT_TRUE(look.predicted.isApprox(f(Eigen::VectorXd::Zero(12 + own)), 1e-9));
+    EXPECT_TRUE(match.predicted.isApprox(f(Eigen::VectorXd::Zero(12 + own)), 1e-9));
     const Eigen::MatrixXd H = numeric_jacobian(12 + own, 1e-6, f);
     Eigen::MatrixXd P(12 + own, 12 + own);
     P.topLeftCorner(12, 12) = estimate.belief.covariance(estimate.camera);
@@ -73,7 +73,7 @@ TEST(ExpectedMatches, HaveTheInnovationCovarianceOfNumericPropagation) {
       P.bottomLeftCorner(own, 12) = P.topRightCorner(12, own).transpose();
     }
     const Eigen::Matrix2d S = H * P * H.transpose() + 0.36 * Eigen::Matrix2d::Identity();
-    EXPECT_TRUE(look.innovation_cov.isApprox(S, 1e-5)) << look.innovation_cov << "\nnumeric\n" << S;
+    EXPECT_TRUE(match.innovation_cov.isApprox(S, 1e-5)) << match.innovation_cov << "\nnumeric\n" << S;
   }
 }
 
@@ -122,12 +122,14 @@ TEST(ExpectedMatches, WarpTheirPatchAsTheirPlaneIsSeen) {
   add_point(estimate, wall.seen_from(origin), origin, at, at, 0.01, {});
   const CameraState from = camera_at({0.5, 0.4, 0.1}, -0.2, {0, 0, 0.3});
   move_camera(estimate, from);
-  const auto looks = predicted(estimate);
-  ASSERT_EQ(looks.size(), 1u);
+  const auto measurements = predicted(estimate);
+  ASSERT_EQ(measurements.size(), 1u);
   const Eigen::MatrixXd warp = numeric_jacobian(2, 1, [&](const Eigen::VectorXd& d) {
-    return Eigen::VectorXd(pixel_of(origin, wall.point_at(from, looks[0].predicted + d)));
+    return Eigen::VectorXd(pixel_of(origin, wall.point_at(from, measurements[0].predicted + d)));
   });
-  EXPECT_TRUE(looks[0].texture_from_view.isApprox(warp, 0.01)) << looks[0].texture_from_view << "\n" << warp;
+  EXPECT_TRUE(measurements[0].texture_from_view.isApprox(warp, 0.01))
+      << measurements[0].texture_from_view << "\n"
+      << warp;
 }
 
 }  // namespace

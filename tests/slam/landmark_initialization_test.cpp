@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "incognita/slam/features/birth.hpp"
-#include "incognita/slam/features/predict_looks.hpp"
+#include "incognita/slam/features/landmark_initialization.hpp"
+#include "incognita/slam/features/predict_matches.hpp"
 #include "tests/slam/synthetic_scene.hpp"
 
 namespace incognita {
@@ -61,15 +61,15 @@ void expect_propagated(const Belief& belief, BlockId camera_block, BlockId other
 TEST(LandmarkInitialization, OfAnInverseDepthIsTheRayWithItsPropagatedCovariance) {
   CameraSlamSettings settings;
   settings.filter.sigma_pixel_px = 0.7;
-  settings.birth.inverse_depth_per_m = 0.4;
-  settings.birth.sigma_inverse_depth_per_m = 0.3;
+  settings.initialization.inverse_depth_per_m = 0.4;
+  settings.initialization.sigma_inverse_depth_per_m = 0.3;
   Correlated c;
   Estimate& estimate = c.estimate;
   const Eigen::MatrixXd before = estimate.belief.dense_covariance();
-  ASSERT_TRUE(give_birth(Wall(2).seen_from(oblique), pixel, estimate, camera, settings));
+  ASSERT_TRUE(initialize_landmark(Wall(2).seen_from(oblique), pixel, estimate, camera, settings));
 
-  ASSERT_EQ(estimate.catalogue.size(), 1u);
-  const Landmark& landmark = estimate.catalogue[0];
+  ASSERT_EQ(estimate.catalog.size(), 1u);
+  const Landmark& landmark = estimate.catalog[0];
   EXPECT_EQ(landmark.kind, Landmark::Kind::inverse_depth);
   EXPECT_TRUE(landmark.mapped());
   EXPECT_EQ(landmark.attempts, 0);
@@ -91,13 +91,13 @@ TEST(LandmarkInitialization, OfAnInverseDepthIsTheRayWithItsPropagatedCovariance
 
 TEST(LandmarkInitialization, OfADepthLineIsTheRayAndUniformParticles) {
   CameraSlamSettings settings;
-  settings.birth.method = BirthSettings::Method::depth_line;
-  settings.birth.particles = 100;  // thesis C.1: 100, 0.5 m to 5 m
+  settings.initialization.method = InitializationSettings::Method::depth_line;
+  settings.initialization.particles = 100;  // thesis C.1: 100, 0.5 m to 5 m
   Correlated c;
   Estimate& estimate = c.estimate;
-  ASSERT_TRUE(give_birth(Wall(2).seen_from(oblique), pixel, estimate, camera, settings));
+  ASSERT_TRUE(initialize_landmark(Wall(2).seen_from(oblique), pixel, estimate, camera, settings));
 
-  const Landmark& line = estimate.catalogue.at(0);
+  const Landmark& line = estimate.catalog.at(0);
   EXPECT_EQ(line.kind, Landmark::Kind::line);
   EXPECT_FALSE(line.mapped());
   EXPECT_EQ(estimate.mapped_count(), 0);
@@ -111,7 +111,7 @@ TEST(LandmarkInitialization, OfADepthLineIsTheRayAndUniformParticles) {
   for (int i = 0; i < 100; ++i) {
     EXPECT_DOUBLE_EQ(line.particles[i].weight, 0.01);
     y[5] = line.particles[i].inverse_depth;
-    const double distance_m = (line.birth_axes.point(y).position - y.head<3>()).norm();
+    const double distance_m = (line.initial_axes.point(y).position - y.head<3>()).norm();
     EXPECT_NEAR(distance_m, 0.5 + 4.5 * i / 99, 1e-9) << "along the ray, not along the optical axis";
   }
 }
@@ -129,22 +129,23 @@ TEST(LandmarkInitialization, KeepsTheViewItWasSeenFrom) {
   EXPECT_FALSE(view->plane.known());
   for (int dv = -5; dv <= 5; ++dv)
     for (int du = -5; du <= 5; ++du)
-      EXPECT_NEAR(view->texture.pixels.sample(view->texture.centre.x() + du, view->texture.centre.y() + dv),
+      EXPECT_NEAR(view->texture.pixels.sample(view->texture.center.x() + du, view->texture.center.y() + dv),
                   image.sample(pixel.x() + du, pixel.y() + dv), 1e-9);
 }
 
 TEST(LandmarkInitialization, WithoutAWholePatchChangesNothing) {
-  for (const auto method : {BirthSettings::Method::inverse_depth, BirthSettings::Method::depth_line}) {
+  for (const auto method :
+       {InitializationSettings::Method::inverse_depth, InitializationSettings::Method::depth_line}) {
     CameraSlamSettings settings;
-    settings.birth.method = method;
+    settings.initialization.method = method;
     Estimate estimate = estimate_at(oblique, correlated_covariance(0.05, 3));
     const Image image = Wall(2).seen_from(oblique);
     for (const Eigen::Vector2d& at : {Eigen::Vector2d(3, 100), {317, 100}, {100, 2}, {100, 238}})
-      EXPECT_FALSE(give_birth(image, at, estimate, camera, settings));
-    EXPECT_TRUE(estimate.catalogue.empty());
+      EXPECT_FALSE(initialize_landmark(image, at, estimate, camera, settings));
+    EXPECT_TRUE(estimate.catalog.empty());
     EXPECT_EQ(estimate.next_id, 0);
     EXPECT_EQ(estimate.belief.errors(), 12);
-    EXPECT_TRUE(give_birth(image, {9, 100}, estimate, camera, settings)) << "this one fits";
+    EXPECT_TRUE(initialize_landmark(image, {9, 100}, estimate, camera, settings)) << "this one fits";
   }
 }
 

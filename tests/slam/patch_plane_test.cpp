@@ -6,8 +6,8 @@
 #include <Eigen/Geometry>
 
 #include "incognita/models/pinhole_camera.hpp"
-#include "incognita/slam/features/learn_planes.hpp"
-#include "incognita/slam/features/predict_looks.hpp"
+#include "incognita/slam/features/estimate_patch_planes.hpp"
+#include "incognita/slam/features/predict_matches.hpp"
 #include "incognita/vision/search.hpp"
 #include "tests/vision/pattern.hpp"
 
@@ -32,8 +32,8 @@ struct Wall {
       for (int u = 130; u < 190; ++u) {
         const Eigen::Vector3d along = R * *camera.unproject(Eigen::Vector2d(u, v));
         const Eigen::Vector3d at = from + along * (normal.dot(point - from) / normal.dot(along)) - point;
-        const double grey = 128 + pattern(100 * at.dot(right), 100 * at.dot(down));  // waves of 6 to 16 cm
-        image(u, v) = static_cast<std::uint8_t>(std::clamp(std::lround(grey), 0l, 255l));
+        const double gray = 128 + pattern(100 * at.dot(right), 100 * at.dot(down));  // waves of 6 to 16 cm
+        image(u, v) = static_cast<std::uint8_t>(std::clamp(std::lround(gray), 0l, 255l));
       }
     return image;
   }
@@ -89,7 +89,7 @@ TEST_P(PatchPlanes, AreLearntByLookingFromElsewhere) {
     for (const Eigen::Vector3d& about :
          {Eigen::Vector3d(Eigen::Vector3d::UnitY()), Eigen::Vector3d(Eigen::Vector3d::UnitX())}) {
       const CameraState from = on_arc(0.04 * i, about);
-      learn_plane(view.plane, evidence(wall.seen_from(from, camera), from));
+      update_patch_plane(view.plane, evidence(wall.seen_from(from, camera), from));
     }
   const Eigen::Vector2d error = view.plane.slope - truth;
   EXPECT_LT(error.norm(), 0.12) << view.plane.slope.transpose();
@@ -99,7 +99,7 @@ TEST_P(PatchPlanes, AreLearntByLookingFromElsewhere) {
 
 TEST_P(PatchPlanes, TeachNothingFromTheViewTheyWereSeenIn) {
   const CameraState first = on_arc(0, Eigen::Vector3d::UnitY());
-  learn_plane(view.plane, evidence(wall.seen_from(first, camera), first));
+  update_patch_plane(view.plane, evidence(wall.seen_from(first, camera), first));
   EXPECT_LT(view.plane.slope.norm(), 0.02);
   EXPECT_GT(view.plane.slope_cov.trace(), 0.95 * 0.98);
 }

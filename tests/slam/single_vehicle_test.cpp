@@ -8,17 +8,17 @@
 
 #include "incognita/math/gaussian.hpp"
 #include "incognita/math/random.hpp"
-#include "incognita/models/on_arc.hpp"
+#include "incognita/models/arc_motion.hpp"
 #include "incognita/models/range_bearing.hpp"
 #include "incognita/slam/points/team_estimator.hpp"
-#include "incognita/slam/points/team_looks.hpp"
+#include "incognita/slam/points/team_measurements.hpp"
 
 namespace incognita {
 namespace {
 
 using Pose = planar::Pose<double>;
 
-Sighting detection(double range_m, double bearing_rad, std::int64_t identity = Detection::unknown) {
+PointDetection detection(double range_m, double bearing_rad, std::int64_t identity = Detection::unknown) {
   return {identity, Eigen::Vector2d(range_m, bearing_rad)};
 }
 
@@ -67,26 +67,26 @@ struct Drive {
   std::int64_t frame = 0;
 
   Observation next(const PlanarSlamSettings& s) {
-    Observation seen = of_one();
+    Observation observation = of_one();
     const double t = static_cast<double>(frame);
     if (frame > 0) {
       const Eigen::Vector2d off(s.vehicle.sigma_speed_m_s * random.normal() * noise,
                                 s.vehicle.sigma_turn_rate_rad_s * random.normal() * noise);
-      truth = OnArc<DifferentialDrive>{}.f<double>(truth, Eigen::Vector2d(0.5, 0.05) + off, 1);
+      truth = ArcMotion<DifferentialDrive>{}.f<double>(truth, Eigen::Vector2d(0.5, 0.05) + off, 1);
     }
-    seen.team[0].odometry = {{t, {0.5, 0.05}}};
+    observation.team[0].odometry = {{t, {0.5, 0.05}}};
     for (std::size_t i = 0; i < landmarks.size(); ++i) {
       const Eigen::Vector2d z = RangeBearing::h<double>(truth, landmarks[i]);
       const double range_m = z[0] + noise * s.sensor.sigma_range_m * random.normal();
-      seen.team[0].landmarks.push_back(
+      observation.team[0].landmarks.push_back(
           detection(range_m, wrap_angle(z[1] + noise * s.sensor.sigma_bearing_rad * random.normal()),
                     static_cast<std::int64_t>(i)));
     }
-    return seen;
+    return observation;
   }
   void step(const TeamEstimator& estimator, TeamEstimate& e, const PlanarSlamSettings& s) {
-    const Observation seen = next(s);
-    estimator.update(e, {}, seen, tick());
+    const Observation observation = next(s);
+    estimator.update(e, {}, observation, tick());
   }
   Tick tick() { return {frame, static_cast<double>(frame), frame++ > 0 ? 1.0 : 0.0}; }
 };
@@ -98,10 +98,10 @@ TeamEstimate run(const PlanarSlamSettings& s, int ticks, double noise = 1, bool 
   Drive drive;
   drive.noise = noise;
   for (int k = 0; k < ticks; ++k) {
-    Observation seen = drive.next(s);
+    Observation observation = drive.next(s);
     if (anonymous)
-      for (Sighting& d : seen.team[0].landmarks) d.identity = Detection::unknown;
-    estimator.update(e, {}, seen, drive.tick());
+      for (PointDetection& d : observation.team[0].landmarks) d.identity = Detection::unknown;
+    estimator.update(e, {}, observation, drive.tick());
   }
   if (out) *out = drive;
   return e;
@@ -122,19 +122,19 @@ TEST(SingleVehicle, MapsWhatItSees) {
   }
 }
 
-TEST(SingleVehicle, EveryFilterIsTheSameWhereNothingIsToLinearise) {
+TEST(SingleVehicle, EveryFilterIsTheSameWhereNothingIsToLinearize) {
   PlanarSlamSettings s = drive_settings();
   s.vehicle.sigma_speed_m_s = s.vehicle.sigma_turn_rate_rad_s = 1e-7;
   s.sensor.sigma_range_m = s.sensor.sigma_bearing_rad = 1e-7;
   const TeamEstimate plain = run(s, 20);
   const Eigen::Matrix3d P = covariance(plain);
-  for (const char* lineariser : {"iterated", "unscented-vehicle", "first-estimate"}) {
-    s.filter.lineariser = lineariser;
+  for (const char* linearization : {"iterated", "unscented-vehicle", "first-estimate"}) {
+    s.filter.linearization = linearization;
     const TeamEstimate other = run(s, 20);
-    EXPECT_LT((pose(other) - pose(plain)).norm(), 1e-11) << lineariser;
-    EXPECT_LT((covariance(other) - P).norm(), 1e-3 * P.norm()) << lineariser;
+    EXPECT_LT((pose(other) - pose(plain)).norm(), 1e-11) << linearization;
+    EXPECT_LT((covariance(other) - P).norm(), 1e-3 * P.norm()) << linearization;
   }
-  s.filter.lineariser = "analytic";
+  s.filter.linearization = "analytic";
   s.filter.map_frame = "vehicle";
   const TeamEstimate relative = run(s, 20);
   EXPECT_LT((pose(relative) - pose(plain)).norm(), 1e-11);
@@ -150,7 +150,7 @@ TEST(SingleVehicle, FirstEstimatesGainNoHeadingWithoutAnchors) {
   PlanarSlamSettings s = drive_settings();
   s.start.sigma_heading_rad = 0.2;
   const double analytic = covariance(run(s, 60))(2, 2);
-  s.filter.lineariser = "first-estimate";
+  s.filter.linearization = "first-estimate";
   const double kept = covariance(run(s, 60))(2, 2);
   EXPECT_GE(kept, 0.04 * (1 - 1e-9));
   EXPECT_LT(analytic, 0.04);
@@ -182,9 +182,9 @@ TEST(SingleVehicle, FixesAreUsedInEitherFrame) {
     TeamEstimate e;
     Drive drive;
     for (int k = 0; k < 40; ++k) {
-      Observation seen = drive.next(s);
-      seen.team[0].fixes = {{static_cast<double>(drive.frame), drive.truth.head<2>()}};
-      estimator.update(e, {}, seen, drive.tick());
+      Observation observation = drive.next(s);
+      observation.team[0].fixes = {{static_cast<double>(drive.frame), drive.truth.head<2>()}};
+      estimator.update(e, {}, observation, drive.tick());
     }
     EXPECT_LT((pose(e) - drive.truth).norm(), 0.1) << frame;
   }
@@ -195,13 +195,13 @@ TEST(SingleVehicle, WaitsForTheFirstFixWhenItIsToStartThere) {
   s.start.at_first_fix = true;
   const TeamEstimator estimator(single_vehicle(s));
   TeamEstimate e;
-  Observation seen = of_one();
-  estimator.update(e, {}, seen, {0, 0, 0});
+  Observation observation = of_one();
+  estimator.update(e, {}, observation, {0, 0, 0});
   EXPECT_FALSE(e.started);
   EXPECT_EQ(e.status.state, TrackingState::starting);
   EXPECT_FALSE(e.status.reason.empty());
-  seen.team[0].fixes = {{1, {3, 4}}};
-  estimator.update(e, {}, seen, {1, 1, 1});
+  observation.team[0].fixes = {{1, {3, 4}}};
+  estimator.update(e, {}, observation, {1, 1, 1});
   EXPECT_TRUE(e.started);
   EXPECT_EQ(pose(e).head<2>(), Eigen::Vector2d(3, 4));
 }
@@ -212,11 +212,11 @@ TEST(SingleVehicle, RefusesAKnownLandmarkFarFromWhereItIs) {
   TeamEstimate e;
   Drive drive;
   for (int k = 0; k < 10; ++k) drive.step(estimator, e, s);
-  Observation seen = drive.next(s);
-  seen.team[0].landmarks[2].z[0] += 3;
-  estimator.update(e, {}, seen, drive.tick());
+  Observation observation = drive.next(s);
+  observation.team[0].landmarks[2].z[0] += 3;
+  estimator.update(e, {}, observation, drive.tick());
   EXPECT_EQ(e.matched, 3);
-  EXPECT_EQ(e.looks[2].outcome, LookOutcome::inconsistent);
+  EXPECT_EQ(e.matches[2].outcome, MatchOutcome::outlier);
   EXPECT_EQ(map_size(e), 4u);
 }
 
@@ -230,12 +230,12 @@ TEST(SingleVehicle, TwoDetectionsOfOnePlaceAreOneLandmark) {
   s.association.method = "joint";
   const TeamEstimator estimator(single_vehicle(s));
   TeamEstimate e;
-  Observation seen = of_one();
-  seen.team[0].landmarks = {detection(5, 0.1), detection(5.02, 0.1), detection(9, -1)};
-  estimator.update(e, {}, seen, {0, 0, 0});
+  Observation observation = of_one();
+  observation.team[0].landmarks = {detection(5, 0.1), detection(5.02, 0.1), detection(9, -1)};
+  estimator.update(e, {}, observation, {0, 0, 0});
   EXPECT_EQ(map_size(e), 2u);
-  EXPECT_EQ(e.looks[0].outcome, LookOutcome::born);
-  EXPECT_NE(e.looks[1].outcome, LookOutcome::born);
+  EXPECT_EQ(e.matches[0].outcome, MatchOutcome::initialized);
+  EXPECT_NE(e.matches[1].outcome, MatchOutcome::initialized);
 }
 
 TEST(SingleVehicle, SaysThatItIsLost) {
@@ -259,9 +259,9 @@ TEST(SingleVehicle, IsLostWhenNothingIsWhereItShouldBe) {
   Drive drive;
   for (int k = 0; k < 5; ++k) drive.step(estimator, e, s);
   for (int k = 0; k < s.lost.max_unmatched_scans; ++k) {
-    Observation seen = drive.next(s);
-    for (Sighting& d : seen.team[0].landmarks) d.z[0] += 20;
-    estimator.update(e, {}, seen, drive.tick());
+    Observation observation = drive.next(s);
+    for (PointDetection& d : observation.team[0].landmarks) d.z[0] += 20;
+    estimator.update(e, {}, observation, drive.tick());
   }
   EXPECT_EQ(e.status.state, TrackingState::lost);
 }
@@ -289,10 +289,11 @@ TEST(SingleVehicle, UsesAFixAtItsOwnTime) {
     s.start.sigma_position_m = 1;
     const TeamEstimator estimator(single_vehicle(s));
     TeamEstimate e;
-    Observation seen = of_one();
-    seen.team[0].odometry = {{0, {10, 0}}};
-    seen.team[0].fixes = {{0.1, {1, 0.5}}, {0.2, {2, 0.5}}};  // half a metre beside where it thinks it is
-    estimator.update(e, {}, seen, {0, 1, 0});
+    Observation observation = of_one();
+    observation.team[0].odometry = {{0, {10, 0}}};
+    observation.team[0].fixes = {{0.1, {1, 0.5}},
+                                 {0.2, {2, 0.5}}};  // half a metre beside where it thinks it is
+    estimator.update(e, {}, observation, {0, 1, 0});
     EXPECT_NEAR(pose(e)[0], 10, 0.1) << frame;
     EXPECT_NEAR(pose(e)[1], 0.5, 0.1) << frame;
   }
@@ -335,10 +336,10 @@ TEST(SingleVehicle, LeavesAloneWhatIsNoDetection) {
     s.association.method = method;
     const TeamEstimator estimator(single_vehicle(s));
     TeamEstimate e;
-    Observation seen = of_one();
-    seen.team[0].landmarks = {detection(std::nan(""), 0.1, 1), detection(-3, 0.1, 2),
-                              detection(5, std::nan(""), 3), detection(5, 0.1, 4)};
-    estimator.update(e, {}, seen, {0, 0, 0});
+    Observation observation = of_one();
+    observation.team[0].landmarks = {detection(std::nan(""), 0.1, 1), detection(-3, 0.1, 2),
+                                     detection(5, std::nan(""), 3), detection(5, 0.1, 4)};
+    estimator.update(e, {}, observation, {0, 0, 0});
     EXPECT_EQ(map_size(e), 1u) << method;
     EXPECT_TRUE(pose(e).allFinite());
   }
@@ -350,9 +351,9 @@ TEST(SingleVehicle, NewLandmarksAloneDoNotKeepItFromBeingLost) {
   const TeamEstimator estimator(single_vehicle(s));
   TeamEstimate e;
   for (int k = 0; k < s.lost.max_unmatched_scans + 3; ++k) {
-    Observation seen = of_one();
-    seen.team[0].landmarks = {detection(5.0 + 10 * k, 0.1)};
-    estimator.update(e, {}, seen, {k, static_cast<double>(k), 1.0});
+    Observation observation = of_one();
+    observation.team[0].landmarks = {detection(5.0 + 10 * k, 0.1)};
+    estimator.update(e, {}, observation, {k, static_cast<double>(k), 1.0});
   }
   EXPECT_EQ(e.status.state, TrackingState::lost);
 }
@@ -386,33 +387,34 @@ TEST(SingleVehicle, KeepsTheMapBlockDiagonalWhenAsked) {
 
 TEST(SingleVehicle, RefusesWhatMakesNoSense) {
   PlanarSlamSettings s = drive_settings();
-  s.filter.lineariser = "magic";
+  s.filter.linearization = "magic";
   EXPECT_THROW(TeamEstimator(single_vehicle(s)), std::invalid_argument);
-  s.filter.lineariser = "iterated";
+  s.filter.linearization = "iterated";
   s.filter.decorrelate = "map-linear";
   EXPECT_THROW(TeamEstimator(single_vehicle(s)), std::invalid_argument);
   s.filter.decorrelate = "nothing";
-  s.filter.lineariser = "first-estimate";
+  s.filter.linearization = "first-estimate";
   s.filter.map_frame = "vehicle";
   EXPECT_THROW(TeamEstimator(single_vehicle(s)), std::invalid_argument);
-  s.filter.lineariser = "analytic";
+  s.filter.linearization = "analytic";
   s.filter.decorrelate = "map";
   EXPECT_THROW(TeamEstimator(single_vehicle(s)), std::invalid_argument);
 }
 
 TEST(SingleVehicle, FirstEstimatesLinearizeWhereTheyWereFirst) {
   PlanarSlamSettings s = drive_settings();
-  s.filter.lineariser = "first-estimate";
+  s.filter.linearization = "first-estimate";
   Drive drive;
   const TeamEstimate e = run(s, 10, 1, false, &drive);
   const TeamLandmark& landmark = e.landmarks.at(1);
-  const auto look = linearised_sighting(e, 0, false, detection(8, 0, 1), single_vehicle(s));
-  const auto first = RangeBearing::look(Pose(e.vehicles[0].prediction), Eigen::Vector2d(landmark.first));
-  ASSERT_TRUE(look && first);
-  EXPECT_LT((look->look.parts[0].H - first->Hv).norm(), 1e-15);
-  EXPECT_LT((look->look.parts[1].H - first->Hl).norm(), 1e-15);
-  EXPECT_LT((look->predicted - RangeBearing::h<double>(Pose(e.belief.mean(e.vehicles[0].block)),
-                                                       Eigen::Vector2d(e.belief.mean(landmark.block))))
+  const auto measurement = linearize_detection(e, 0, false, detection(8, 0, 1), single_vehicle(s));
+  const auto first =
+      RangeBearing::predict_measurement(Pose(e.vehicles[0].prediction), Eigen::Vector2d(landmark.first));
+  ASSERT_TRUE(measurement && first);
+  EXPECT_LT((measurement->measurement.parts[0].H - first->Hv).norm(), 1e-15);
+  EXPECT_LT((measurement->measurement.parts[1].H - first->Hl).norm(), 1e-15);
+  EXPECT_LT((measurement->predicted - RangeBearing::h<double>(Pose(e.belief.mean(e.vehicles[0].block)),
+                                                              Eigen::Vector2d(e.belief.mean(landmark.block))))
                 .norm(),
             1e-15);
 }

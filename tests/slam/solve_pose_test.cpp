@@ -33,7 +33,8 @@ CameraState looking_at(const Vector3d& from, const Vector3d& at) {
 
 std::vector<Vector2d> pixels_from(const CameraState& x) {
   std::vector<Vector2d> pixels;
-  for (const Vector3d& corner : sheet) pixels.push_back(PointLandmark::look(wide, x, corner).value().pixel);
+  for (const Vector3d& corner : sheet)
+    pixels.push_back(PointLandmark::predict_measurement(wide, x, corner).value().pixel);
   return pixels;
 }
 

@@ -17,8 +17,8 @@
 #include "incognita/messages/tick.hpp"
 #include "incognita/models/heading.hpp"
 #include "incognita/models/wide_angle_camera.hpp"
-#include "incognita/slam/features/birth.hpp"
 #include "incognita/slam/features/estimate.hpp"
+#include "incognita/slam/features/landmark_initialization.hpp"
 #include "incognita/slam/features/settings.hpp"
 
 namespace incognita::synthetic {
@@ -138,8 +138,8 @@ class Wall {
     for (int row = -cells; row < cells; ++row)
       for (int column = -cells; column < cells; ++column) {
         const Eigen::Vector3d at(distance_m_, column * cell_m_, row * cell_m_);
-        const auto seen = camera.project(PointLandmark::in_camera<double>(from, at));
-        if (seen && camera.contains(seen->pixel, margin_px)) corners.push_back(at);
+        const auto projected = camera.project(PointLandmark::in_camera<double>(from, at));
+        if (projected && camera.contains(projected->pixel, margin_px)) corners.push_back(at);
       }
     return corners;
   }
@@ -161,9 +161,9 @@ inline Eigen::Vector2d pixel_of(const CameraState& from, const Eigen::Vector3d& 
 }
 
 inline Observation seeing(std::shared_ptr<const Image> image) {
-  Observation seen;
-  seen.image = std::move(image);
-  return seen;
+  Observation observation;
+  observation.image = std::move(image);
+  return observation;
 }
 
 inline Observation seeing_gray(std::uint8_t gray) {
@@ -201,8 +201,8 @@ inline Landmark& add_point(Estimate& estimate, const Image& image, const CameraS
   landmark.view.plane.slope_cov.setZero();
   landmark.block = estimate.belief.augment(PointLandmark::chart, mean, {},
                                            sigma_m * sigma_m * Eigen::Matrix3d::Identity());
-  estimate.catalogue.push_back(std::move(landmark));
-  return estimate.catalogue.back();
+  estimate.catalog.push_back(std::move(landmark));
+  return estimate.catalog.back();
 }
 
 }  // namespace incognita::synthetic

@@ -49,35 +49,35 @@ Image seen_from(const TargetPose& pose, const Target& target) {
   return image;
 }
 
-double likeness(const Image& image, const TargetPose& pose) {
-  return likeness_to_picture(with_picture(), wide, image, pose);
+double similarity(const Image& image, const TargetPose& pose) {
+  return correlation_with_picture(with_picture(), wide, image, pose);
 }
 
-TEST(TargetPicture, IsRecognisedFromItsPoseAndFromNoOther) {
+TEST(TargetPicture, IsRecognizedFromItsPoseAndFromNoOther) {
   for (const Eigen::Vector3d& from :
        {Eigen::Vector3d(-0.6, 0, 1), {-0.5, 0.4, 1.2}, {-1, -0.5, 0.8}, {-1.2, 0.2, 1}}) {
     const Image image = seen_from(pose_at(from), with_picture());
-    EXPECT_GT(likeness(image, pose_at(from)), 0.95) << from.transpose();
-    EXPECT_LT(likeness(image, pose_at(from + Eigen::Vector3d(0, 0.05, 0))), 0.85) << from.transpose();
-    EXPECT_LT(likeness(image, pose_at(from * 0.6)), 0.85) << from.transpose();
+    EXPECT_GT(similarity(image, pose_at(from)), 0.95) << from.transpose();
+    EXPECT_LT(similarity(image, pose_at(from + Eigen::Vector3d(0, 0.05, 0))), 0.85) << from.transpose();
+    EXPECT_LT(similarity(image, pose_at(from * 0.6)), 0.85) << from.transpose();
   }
 }
 
 TEST(TargetPicture, IsNotWhatIsHardlyInView) {
   const Image image = seen_from(pose_at({-0.6, 0, 1}), with_picture());
-  EXPECT_EQ(likeness(image, pose_at({-0.6, 2, 1})), -1) << "beside the image";
-  EXPECT_EQ(likeness(image, pose_at({0.6, 0, 1})), -1) << "behind";
-  EXPECT_EQ(likeness(Image(320, 240, 90), pose_at({-0.6, 0, 1})), -1) << "of one grey";
-  EXPECT_THROW(likeness_to_picture(Target{}, wide, image, pose_at({-0.6, 0, 1})), std::invalid_argument);
+  EXPECT_EQ(similarity(image, pose_at({-0.6, 2, 1})), -1) << "beside the image";
+  EXPECT_EQ(similarity(image, pose_at({0.6, 0, 1})), -1) << "behind";
+  EXPECT_EQ(similarity(Image(320, 240, 90), pose_at({-0.6, 0, 1})), -1) << "of one grey";
+  EXPECT_THROW(correlation_with_picture(Target{}, wide, image, pose_at({-0.6, 0, 1})), std::invalid_argument);
 }
 
 /// Light and contrast of the room are not those of the picture.
-TEST(TargetPicture, IsRecognisedInOtherLight) {
+TEST(TargetPicture, IsRecognizedInOtherLight) {
   Image image = seen_from(pose_at({-0.6, 0.1, 1}), with_picture());
-  const double before = likeness(image, pose_at({-0.6, 0.1, 1}));
+  const double before = similarity(image, pose_at({-0.6, 0.1, 1}));
   for (int v = 0; v < 240; ++v)
     for (int u = 0; u < 320; ++u) image(u, v) = static_cast<std::uint8_t>(40 + image(u, v) / 2);
-  EXPECT_NEAR(likeness(image, pose_at({-0.6, 0.1, 1})), before, 1e-3);
+  EXPECT_NEAR(similarity(image, pose_at({-0.6, 0.1, 1})), before, 1e-3);
 }
 
 }  // namespace

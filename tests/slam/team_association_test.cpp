@@ -28,7 +28,7 @@ struct Drive {
   explicit Drive(int vehicles = 1, const std::string& method = "nearest") {
     for (int i = 0; i < vehicles; ++i) {
       truth.emplace_back(0, 2.0 * i, 0);
-      settings.members.push_back({DifferentialDrive{}, LaserScanner{}, truth.back(),
+      settings.members.push_back({DifferentialDrive{}, RangeBearingSensor{}, truth.back(),
                                   Eigen::Vector3d::Constant(0.01), Eigen::Vector2d::Constant(0.05),
                                   Eigen::Vector2d(sigma_range_m, sigma_bearing_rad)});
     }
@@ -39,9 +39,9 @@ struct Drive {
 
   /// Views with the true names.
   Observation next() {
-    Observation seen;
+    Observation observation;
     for (planar::Pose<double>& x : truth) {
-      VehicleView view;
+      VehicleObservation view;
       view.input = Eigen::Vector2d(0.5, 0.02);
       const Eigen::Vector2d carried(0.5 + 0.05 * random.normal(), 0.02 + 0.05 * random.normal());
       if (frame > 0) x = DifferentialDrive{}.f<double>(x, carried, 0.1);
@@ -50,9 +50,9 @@ struct Drive {
         z += Eigen::Vector2d(sigma_range_m * random.normal(), sigma_bearing_rad * random.normal());
         view.landmarks.push_back({static_cast<std::int64_t>(i), z});
       }
-      seen.team.push_back(view);
+      observation.team.push_back(view);
     }
-    return seen;
+    return observation;
   }
   Tick tick() {
     const double t = 0.1 * static_cast<double>(frame);
@@ -66,9 +66,9 @@ TeamEstimate estimate_of(Drive drive, const Disguise& disguise) {
   const TeamEstimator estimator(drive.settings);
   TeamEstimate e;
   for (int i = 0; i < 60; ++i) {
-    Observation seen = drive.next();
-    disguise(seen);
-    estimator.update(e, {}, seen, drive.tick());
+    Observation observation = drive.next();
+    disguise(observation);
+    estimator.update(e, {}, observation, drive.tick());
   }
   return e;
 }
@@ -101,7 +101,7 @@ TEST(TeamAssociation, FindsWhatNamesWouldHaveTold) {
       nearest_m =
           std::min(nearest_m, (found.belief.mean(landmark.block) - told.belief.mean(other.block)).norm());
     EXPECT_LT(nearest_m, 0.05);
-    used += static_cast<std::size_t>(landmark.sightings);
+    used += static_cast<std::size_t>(landmark.detection_count);
   }
   // Of 590 sightings that are no births a gate of 0.95 leaves out one in twenty
   EXPECT_GT(used, 10 * 60 * 0.91);
@@ -112,16 +112,16 @@ TEST(TeamAssociation, ReadsNoNameButAnAnchors) {
   std::mt19937 random(3);
   const TeamEstimate plain = estimate_of(Drive(2), nothing);
   EXPECT_EQ(plain.landmarks.size(), 10u);
-  expect_same(plain, estimate_of(Drive(2), [&](Observation& seen) {  // other names in every tick
-                for (VehicleView& view : seen.team) {
+  expect_same(plain, estimate_of(Drive(2), [&](Observation& observation) {  // other names in every tick
+                for (VehicleObservation& view : observation.team) {
                   std::vector<std::int64_t> names = {2, 3, 4, 5, 6, 7, 8, 9, 10, 11};
                   std::shuffle(names.begin(), names.end(), random);
                   for (std::size_t i = 2; i < view.landmarks.size(); ++i)
                     view.landmarks[i].identity = names[i - 2];
                 }
               }));
-  expect_same(plain, estimate_of(Drive(2), [](Observation& seen) {
-                for (VehicleView& view : seen.team)
+  expect_same(plain, estimate_of(Drive(2), [](Observation& observation) {
+                for (VehicleObservation& view : observation.team)
                   for (std::size_t i = 2; i < view.landmarks.size(); ++i)
                     view.landmarks[i].identity = Detection::unknown;
               }));
@@ -129,15 +129,15 @@ TEST(TeamAssociation, ReadsNoNameButAnAnchors) {
 
 TEST(TeamAssociation, DoesNotDependOnTheOrderOfSightings) {
   std::mt19937 random(5);
-  expect_same(estimate_of(Drive(2), nothing), estimate_of(Drive(2), [&](Observation& seen) {
-                for (VehicleView& view : seen.team)
+  expect_same(estimate_of(Drive(2), nothing), estimate_of(Drive(2), [&](Observation& observation) {
+                for (VehicleObservation& view : observation.team)
                   std::shuffle(view.landmarks.begin(), view.landmarks.end(), random);
               }));
 }
 
 TEST(TeamAssociation, ByNamesWhatHasNoneIsLeftAlone) {
-  const TeamEstimate e = estimate_of(Drive(1, "known"), [](Observation& seen) {
-    for (Sighting& s : seen.team[0].landmarks)
+  const TeamEstimate e = estimate_of(Drive(1, "known"), [](Observation& observation) {
+    for (PointDetection& s : observation.team[0].landmarks)
       if (s.identity > 5) s.identity = Detection::unknown;
   });
   EXPECT_EQ(e.landmarks.size(), 4u);
@@ -150,22 +150,22 @@ struct OneLandmark {
 
   OneLandmark() {
     drive.settings.anchors.clear();
-    VehicleView view;
+    VehicleObservation view;
     view.input = Eigen::Vector2d(0, 0);
     view.landmarks.push_back({Detection::unknown, Eigen::Vector2d(5, 0)});
-    Observation seen;
-    seen.team.push_back(view);
-    TeamEstimator(drive.settings).update(e, {}, seen, drive.tick());
+    Observation observation;
+    observation.team.push_back(view);
+    TeamEstimator(drive.settings).update(e, {}, observation, drive.tick());
   }
   std::int64_t number() const { return e.landmarks.begin()->first; }
 
   /// So many sigmas of its innovation farther than expected: of the range, whose variance is the landmark's
   /// own, as it was born, and that of the new look; where the vehicle is drops out.
-  Sighting farther(double sigmas) const {
+  PointDetection farther(double sigmas) const {
     return {Detection::unknown, Eigen::Vector2d(5 + sigmas * std::sqrt(2.0) * sigma_range_m, 0)};
   }
-  ViewAssociation associated(const std::vector<Sighting>& sightings) const {
-    return associate_view(e, 0, sightings, drive.settings);
+  ViewAssociation associated(const std::vector<PointDetection>& detections) const {
+    return associate_view(e, 0, detections, drive.settings);
   }
 };
 
@@ -176,7 +176,7 @@ TEST(TeamAssociation, HasAGateForMatchesAndAWiderOneForBirths) {
                wide = std::sqrt(chi_square_quantile(0.9999, 2));
   const auto taken = [&](double sigmas) {
     const ViewAssociation a = one.associated({one.farther(sigmas)});
-    return a.landmarks[0] == one.number() ? "match" : a.newcomers.empty() ? "alone" : "birth";
+    return a.landmarks[0] == one.number() ? "match" : a.candidates.empty() ? "alone" : "birth";
   };
   EXPECT_STREQ(taken(0), "match");
   EXPECT_STREQ(taken(0.99 * gate), "match");
@@ -189,7 +189,7 @@ TEST(TeamAssociation, GivesEachLandmarkToTheNearestAndToNoOther) {
   const OneLandmark one;
   const ViewAssociation a = one.associated({one.farther(1.5), one.farther(-0.5), one.farther(9)});
   EXPECT_EQ(a.landmarks, (std::vector<std::int64_t>{Detection::unknown, one.number(), Detection::unknown}));
-  EXPECT_EQ(a.newcomers, std::vector<std::size_t>{2});
+  EXPECT_EQ(a.candidates, std::vector<std::size_t>{2});
 }
 
 TEST(TeamAssociation, NumbersAreNeverAnAnchorsNorGivenTwice) {
@@ -203,15 +203,15 @@ TEST(TeamAssociation, NumbersAreNeverAnAnchorsNorGivenTwice) {
 TEST(TeamAssociation, GatesMustFitEachOther) {
   Drive drive;
   drive.settings.association.method = "nearest";
-  drive.settings.association.birth_probability = 0.9;
-  EXPECT_NE(fault_in(drive.settings), "");
-  drive.settings.association.birth_probability = 0.9999;
+  drive.settings.association.initialization_probability = 0.9;
+  EXPECT_NE(validate_team_settings(drive.settings), "");
+  drive.settings.association.initialization_probability = 0.9999;
   for (const char* method : {"known", "nearest", "joint"}) {
     drive.settings.association.method = method;
-    EXPECT_EQ(fault_in(drive.settings), "") << method;
+    EXPECT_EQ(validate_team_settings(drive.settings), "") << method;
   }
   drive.settings.association.method = "nearest-neighbor";
-  EXPECT_NE(fault_in(drive.settings), "");
+  EXPECT_NE(validate_team_settings(drive.settings), "");
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ struct Convoy {
   Convoy(int vehicles, int landmarks) {
     for (int i = 0; i < vehicles; ++i) {
       truth.emplace_back(0, 3.0 * i, 0);
-      settings.members.push_back({DifferentialDrive{}, LaserScanner{}, truth.back(),
+      settings.members.push_back({DifferentialDrive{}, RangeBearingSensor{}, truth.back(),
                                   Eigen::Vector3d::Constant(0.01), Eigen::Vector2d::Constant(0.05),
                                   Eigen::Vector2d(0.1, 0.02)});
     }
@@ -29,9 +29,9 @@ struct Convoy {
   }
 
   Observation next() {
-    Observation seen;
+    Observation observation;
     for (planar::Pose<double>& x : truth) {
-      VehicleView view;
+      VehicleObservation view;
       view.input = Eigen::Vector2d(0.5, 0);
       if (frame > 0) x = DifferentialDrive{}.f<double>(x, Eigen::Vector2d(*view.input), 0.1);
       for (std::size_t i = 0; i < points.size(); ++i)
@@ -40,9 +40,9 @@ struct Convoy {
         if (&truth[i] != &x)
           view.vehicles.push_back({static_cast<std::int64_t>(i),
                                    RangeBearing::h<double>(x, Eigen::Vector2d(truth[i].head<2>()))});
-      seen.team.push_back(view);
+      observation.team.push_back(view);
     }
-    return seen;
+    return observation;
   }
   Tick tick() {
     const double t = 0.1 * static_cast<double>(frame);
@@ -59,13 +59,13 @@ int doubted(double noise) {
   RandomStream random(5, "sightings");
   int count = 0;
   for (int i = 0; i < 100; ++i) {
-    Observation seen = convoy.next();
-    for (VehicleView& view : seen.team)
-      for (auto* sightings : {&view.landmarks, &view.vehicles})
-        for (Sighting& s : *sightings)
+    Observation observation = convoy.next();
+    for (VehicleObservation& view : observation.team)
+      for (auto* detections : {&view.landmarks, &view.vehicles})
+        for (PointDetection& s : *detections)
           for (int k = 0; k < 2; ++k)
             s.z[k] += noise * convoy.settings.members[0].sigmas[k] * random.normal();
-    estimator.update(estimate, {}, seen, convoy.tick());
+    estimator.update(estimate, {}, observation, convoy.tick());
     if (estimate.status.state != TrackingState::degraded) continue;
     ++count;
     EXPECT_NE(estimate.status.reason.find("sigma rms"), std::string::npos) << estimate.status.reason;
@@ -86,13 +86,13 @@ TEST_F(TeamAllocation, NeverHappensInTheLoop) {
   const TeamEstimator estimator(convoy.settings);
   TeamEstimate estimate;
   for (int i = 0; i < 3; ++i) {  // births, then the first update
-    const Observation seen = convoy.next();
-    estimator.update(estimate, {}, seen, convoy.tick());
+    const Observation observation = convoy.next();
+    estimator.update(estimate, {}, observation, convoy.tick());
   }
   for (int i = 0; i < 5; ++i) {
-    const Observation seen = convoy.next();
+    const Observation observation = convoy.next();
     const Tick tick = convoy.tick();
-    EXPECT_EQ(allocations_in([&] { estimator.update(estimate, {}, seen, tick); }), 0);
+    EXPECT_EQ(allocations_in([&] { estimator.update(estimate, {}, observation, tick); }), 0);
     EXPECT_EQ(estimate.matched, 4 * (12 + 3));
   }
 }

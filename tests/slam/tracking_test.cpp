@@ -11,40 +11,41 @@ namespace {
 const CameraSlamSettings settings;  // lost after 10 frames with fewer than 3 matches, or beyond 0.5 m
 constexpr double well_known_m = 0.01;
 
-TEST(Judge, TenFramesWithFewMatchesAreLost) {
+TEST(SteeringValidator, TenFramesWithFewMatchesAreLost) {
   TrackingStatus status;
-  status = judge(status, 12, 12, well_known_m, settings);
+  status = assess(status, 12, 12, well_known_m, settings);
   EXPECT_EQ(status.state, TrackingState::tracking);
   for (int frame = 1; frame < 10; ++frame) {
-    status = judge(status, 2, 12, well_known_m, settings);
+    status = assess(status, 2, 12, well_known_m, settings);
     EXPECT_EQ(status.state, TrackingState::degraded) << "frame " << frame;
     EXPECT_EQ(status.frames_with_few, frame);
   }
-  status = judge(status, 2, 12, well_known_m, settings);
+  status = assess(status, 2, 12, well_known_m, settings);
   EXPECT_EQ(status.state, TrackingState::lost);
   EXPECT_NE(status.reason.find("2 of 12"), std::string::npos) << status.reason;
   EXPECT_NE(status.reason.find("10 frames"), std::string::npos) << status.reason;
 }
 
-TEST(Judge, OneGoodFrameStartsTheCountAgain) {
+TEST(SteeringValidator, OneGoodFrameStartsTheCountAgain) {
   TrackingStatus status;
-  for (int frame = 0; frame < 9; ++frame) status = judge(status, 0, 12, well_known_m, settings);
-  status = judge(status, 3, 12, well_known_m, settings);
+  for (int frame = 0; frame < 9; ++frame) status = assess(status, 0, 12, well_known_m, settings);
+  status = assess(status, 3, 12, well_known_m, settings);
   EXPECT_EQ(status.state, TrackingState::tracking);
   EXPECT_EQ(status.frames_with_few, 0);
   for (int frame = 0; frame < 9; ++frame) {
-    status = judge(status, 0, 12, well_known_m, settings);
+    status = assess(status, 0, 12, well_known_m, settings);
     EXPECT_EQ(status.state, TrackingState::degraded);
   }
-  EXPECT_EQ(judge(status, 0, 12, well_known_m, settings).state, TrackingState::lost);
+  EXPECT_EQ(assess(status, 0, 12, well_known_m, settings).state, TrackingState::lost);
 }
 
-TEST(Judge, AnUncertainPositionIsLostWhateverMatches) {
-  EXPECT_EQ(judge({}, 12, 12, 0.5, settings).state, TrackingState::tracking);
-  const TrackingStatus beyond = judge({}, 12, 12, 0.501, settings);
+TEST(SteeringValidator, AnUncertainPositionIsLostWhateverMatches) {
+  EXPECT_EQ(assess({}, 12, 12, 0.5, settings).state, TrackingState::tracking);
+  const TrackingStatus beyond = assess({}, 12, 12, 0.501, settings);
   EXPECT_EQ(beyond.state, TrackingState::lost);
   EXPECT_NE(beyond.reason.find("limit 0.5 m"), std::string::npos) << beyond.reason;
-  EXPECT_EQ(judge({}, 12, 12, std::numeric_limits<double>::quiet_NaN(), settings).state, TrackingState::lost);
+  EXPECT_EQ(assess({}, 12, 12, std::numeric_limits<double>::quiet_NaN(), settings).state,
+            TrackingState::lost);
 }
 
 TEST(SigmaPosition, IsTheLongestAxis) {

@@ -27,9 +27,9 @@ double naive_strength(const Image& image, int u, int v, int window) {
   return ((xx + yy) / 2 - std::sqrt((xx - yy) * (xx - yy) / 4 + xy * xy)) / (window * window);
 }
 
-void draw_square(Image& image, int u0, int v0, int side, std::uint8_t grey) {
+void draw_square(Image& image, int u0, int v0, int side, std::uint8_t gray) {
   for (int v = v0; v < v0 + side; ++v)
-    for (int u = u0; u < u0 + side; ++u) image(u, v) = grey;
+    for (int u = u0; u < u0 + side; ++u) image(u, v) = gray;
 }
 
 TEST(StrongestCorner, FindsADrawnCornerInItsBoxOnly) {
@@ -101,13 +101,13 @@ Image quarter_plane(double u0, double v0) {
   return image;
 }
 
-TEST(CentreOfCorner, IsWhereTheEdgesMeet) {
+TEST(CenterOfCorner, IsWhereTheEdgesMeet) {
   for (const double fraction : {0.0, 0.2, 0.5, 0.8}) {
     const Eigen::Vector2d corner(30 + fraction, 25 - fraction);
     const Image image = quarter_plane(corner.x(), corner.y());
     const Eigen::Vector2d starts[] = {{30, 25}, {33, 27}, {28, 24}};
     for (const Eigen::Vector2d& start : starts) {
-      const auto all = centre_of_corner(image, start, 11), rounded = centre_of_corner(image, start, 11, 5);
+      const auto all = center_of_corner(image, start, 11), rounded = center_of_corner(image, start, 11, 5);
       ASSERT_TRUE(all && rounded);
       EXPECT_LT((*all - corner).norm(), 0.3);
       EXPECT_LT((*rounded - corner).norm(), 0.1) << rounded->transpose() << " not " << corner.transpose();
@@ -115,8 +115,8 @@ TEST(CentreOfCorner, IsWhereTheEdgesMeet) {
   }
 }
 
-TEST(CentreOfCorner, ThereIsNoneOnBlankPaper) {
-  EXPECT_FALSE(centre_of_corner(Image(60, 50, 128), {30, 25}, 11));
+TEST(CenterOfCorner, ThereIsNoneOnBlankPaper) {
+  EXPECT_FALSE(center_of_corner(Image(60, 50, 128), {30, 25}, 11));
 }
 
 }  // namespace

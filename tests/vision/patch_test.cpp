@@ -65,15 +65,15 @@ TEST(Warp, NothingOfAFlatPatch) {
 
 TEST(CutTexture, KeepsThePlaceAtTheEdge) {
   const Image image = Pattern(4, 35).drawn(60, 50);
-  for (const Vector2d& centre :
+  for (const Vector2d& center :
        {Vector2d(30, 20), Vector2d(5, 5), Vector2d(54, 44), Vector2d(6.3, 43.8), Vector2d(30.4, 5)}) {
-    const auto texture = cut_texture(image, centre, 21, 5);
+    const auto texture = cut_texture(image, center, 21, 5);
     ASSERT_TRUE(texture);
-    EXPECT_DOUBLE_EQ(texture->pixels.sample(texture->centre.x(), texture->centre.y()),
-                     image.sample(centre.x(), centre.y()));
+    EXPECT_DOUBLE_EQ(texture->pixels.sample(texture->center.x(), texture->center.y()),
+                     image.sample(center.x(), center.y()));
   }
-  for (const Vector2d& centre : {Vector2d(4, 20), Vector2d(30, 4), Vector2d(55, 20), Vector2d(30, 45)})
-    EXPECT_FALSE(cut_texture(image, centre, 21, 5)) << centre.transpose();
+  for (const Vector2d& center : {Vector2d(4, 20), Vector2d(30, 4), Vector2d(55, 20), Vector2d(30, 45)})
+    EXPECT_FALSE(cut_texture(image, center, 21, 5)) << center.transpose();
 }
 
 }  // namespace

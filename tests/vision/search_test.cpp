@@ -18,12 +18,12 @@ PatchTemplate patch_at(const Image& image, int u, int v) {
   return warp(*cut_texture(image, Vector2d(u, v), 15, half), Matrix2d::Identity(), size).value();
 }
 
-Ellipse circle(const Vector2d& centre, double radius) {
-  return {centre, Matrix2d::Identity() * radius * radius / 9, 3};
+Ellipse circle(const Vector2d& center, double radius) {
+  return {center, Matrix2d::Identity() * radius * radius / 9, 3};
 }
 
 bool inside(const Ellipse& e, double u, double v) {
-  const Vector2d d = Vector2d(u, v) - e.centre;
+  const Vector2d d = Vector2d(u, v) - e.center;
   return d.dot(e.covariance.inverse() * d) <= e.gate_sigmas * e.gate_sigmas;
 }
 
@@ -177,14 +177,14 @@ TEST(Search, PlacesSharedByTwoEllipsesAreComputedOnce) {
       first += inside(one, u, v);
       both += inside(one, u, v) || inside(other, u, v);
     }
-  constexpr int neighbours = 4;  // of the maximum, for the parabola
+  constexpr int neighbors = 4;  // of the maximum, for the parabola
   EXPECT_EQ(sheet.computed(), 0);
   ASSERT_TRUE(search(sheet, one, 60));
   EXPECT_GE(sheet.computed(), first);
-  EXPECT_LE(sheet.computed(), first + neighbours);
+  EXPECT_LE(sheet.computed(), first + neighbors);
   ASSERT_TRUE(search(sheet, other, 60));
   EXPECT_GE(sheet.computed(), both);
-  EXPECT_LE(sheet.computed(), both + 2 * neighbours);
+  EXPECT_LE(sheet.computed(), both + 2 * neighbors);
   const int done = sheet.computed();
   search(sheet, one, 60);
   search(sheet, other, 60);

@@ -37,7 +37,7 @@ Tick tick(int frame, double t, double dt) {
   return out;
 }
 
-TEST(CarriedCamera, MovesAndTurnsAsItsPlacesSay) {
+TEST(CameraSensor, MovesAndTurnsAsItsPlacesSay) {
   CarriedCameraWorld world({on_waves()}, 1);
   constexpr double dt = 1e-4;
   Camera before = world.move({}, tick(0, 0, 0))->camera;
@@ -55,7 +55,7 @@ TEST(CarriedCamera, MovesAndTurnsAsItsPlacesSay) {
   EXPECT_EQ(middle.wheels[0], Eigen::Vector2d(0.6, 0.5));
 }
 
-TEST(CarriedCamera, IsALeversLengthFromTheGroundUnderTheAxle) {
+TEST(CameraSensor, IsALeversLengthFromTheGroundUnderTheAxle) {
   CameraCarrier carrier = on_waves();
   CarriedCameraWorld world({carrier}, 1);
   for (int i = 0; i < 100; ++i) {
@@ -70,7 +70,7 @@ TEST(CarriedCamera, IsALeversLengthFromTheGroundUnderTheAxle) {
   }
 }
 
-TEST(CarriedCamera, StandsWithoutACommandAndKeepsToItsLimits) {
+TEST(CameraSensor, StandsWithoutACommandAndKeepsToItsLimits) {
   CarriedCameraWorld world({on_waves()}, 1);
   const Camera first = world.move({}, tick(0, 0, 0))->camera;
   EXPECT_EQ(world.move({}, tick(1, 0.1, 0.1))->camera, first);

@@ -73,7 +73,7 @@ TEST(ground, tells_height_and_slope) {
   for (int i = 0; i < 500; ++i) {
     const double x = random.uniform(-2.9, 2.9), y = random.uniform(-2.9, 2.9);
     const GroundPoint<double> exact = terrain.at<double>(x, y);
-    const Ground::Place place = ground.at(float(x), float(y));
+    const Ground::HeightAndSlope place = ground.at(float(x), float(y));
     EXPECT_NEAR(place.height, exact.height, 1e-4);
     EXPECT_NEAR(place.slope_x, exact.x, 0.01);
     EXPECT_NEAR(place.slope_y, exact.y, 0.01);

@@ -28,9 +28,9 @@ using testing::vec;
 SmallVector on_circle(const DifferentialDrive& body, const SmallVector& x, double v, double w, double t) {
   const Vector2d lever(body.forward_m, body.left_m);
   const Vector2d axle = x.head<2>() - Eigen::Rotation2Dd(x[2]) * lever;
-  const Vector2d centre = axle + Eigen::Rotation2Dd(x[2]) * Vector2d(0, v / w);
+  const Vector2d center = axle + Eigen::Rotation2Dd(x[2]) * Vector2d(0, v / w);
   const double heading = x[2] + w * t;
-  const Vector2d point = centre + Eigen::Rotation2Dd(heading) * (lever - Vector2d(0, v / w));
+  const Vector2d point = center + Eigen::Rotation2Dd(heading) * (lever - Vector2d(0, v / w));
   return vec({point.x(), point.y(), wrap_angle(heading)});
 }
 
@@ -140,14 +140,14 @@ TEST(Plant, CutsTheInputOffAndTellsWhatItDid) {
     const int inputs = inputs_of(motion);
     const PlantSettings s = at_rest(motion);
     Plant plant(motion, s, 1, "plant");
-    EXPECT_EQ(plant.carried_out(), SmallVector::Zero(inputs)) << "nothing yet";
+    EXPECT_EQ(plant.executed(), SmallVector::Zero(inputs)) << "nothing yet";
     const SmallVector far = SmallVector::LinSpaced(inputs, -40, 50),
                       near = SmallVector::Constant(inputs, 0.1);
     for (const auto& [asked, done] :
          {std::pair(far, SmallVector(far.cwiseMax(s.least_input).cwiseMin(s.most_input))), {near, near}}) {
       const SmallVector before = plant.state();
       const SmallVector after = plant.move(asked, 0.5);
-      EXPECT_EQ(plant.carried_out(), done);
+      EXPECT_EQ(plant.executed(), done);
       EXPECT_EQ(after, integrate(motion, before, done, 0.5)) << "as if that had been asked";
       EXPECT_EQ(after, plant.state());
     }
@@ -166,7 +166,7 @@ TEST(Plant, IsDisturbedBeyondWhatItTells) {
   for (int k = 0; k < ticks; ++k) {
     const SmallVector before = plant.state();
     const SmallVector after = plant.move(vec({0.5, -0.3}), dt);
-    EXPECT_EQ(plant.carried_out(), vec({0.5, -0.3})) << "the disturbance is not told";
+    EXPECT_EQ(plant.executed(), vec({0.5, -0.3})) << "the disturbance is not told";
     const double w = wrap_angle(after[2] - before[2]) / dt, half = w * dt / 2;
     const double chord =
         (after - before).head<2>().dot(Vector2d(std::cos(before[2] + half), std::sin(before[2] + half)));

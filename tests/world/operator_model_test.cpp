@@ -133,7 +133,7 @@ CameraState at_rest() {
   return x;
 }
 
-OperatorHand hand_of(const OperatorSettings& settings, const GazeSwing& swing = {}) {
+OperatorActuator actuator_of(const OperatorSettings& settings, const GazeSwing& swing = {}) {
   const auto motion = [](const CameraState& state, const Segment& segment, const Heading& gaze, double t) {
     return fly_segment(state, segment, gaze, t, {}).as_input();
   };
@@ -142,12 +142,12 @@ OperatorHand hand_of(const OperatorSettings& settings, const GazeSwing& swing = 
 
 /// A camera in the hand, a tick of 1/30 s after the other.
 struct Held {
-  OperatorHand hand;
+  OperatorActuator actuator;
   CameraState camera = at_rest();
   int ticks = 0;
 
   Eigen::Matrix<double, 6, 1> step(const Command& command) {
-    const auto input = hand.move(command, 0, camera, ticks++ / 30.0);
+    const auto input = actuator.move(command, 0, camera, ticks++ / 30.0);
     camera = FreeCameraMotion{}.f<double>(camera, input, 1 / 30.0);
     return input;
   }
@@ -155,14 +155,14 @@ struct Held {
 
 Command to_operator(const UserCommand& shown) {
   Command command;
-  command.by_hand = true;
+  command.operator_controlled = true;
   command.user_commands = {shown};
   return command;
 }
 
 /// Wherever the screen takes the camera to be: what is done begins where it is.
-TEST(OperatorHand, MovesTheCameraFromWhereItIs) {
-  Held held{hand_of(exact())};
+TEST(OperatorActuator, MovesTheCameraFromWhereItIs) {
+  Held held{actuator_of(exact())};
   UserCommand shown = shown_at(0, {0, 0.3, 0});
   shown.segment.from.x() += 0.5, shown.segment.to.x() += 0.5;
   for (int k = 0; k <= 45; ++k) {
@@ -172,17 +172,17 @@ TEST(OperatorHand, MovesTheCameraFromWhereItIs) {
   EXPECT_NEAR((held.camera.head<3>() - here - Eigen::Vector3d(0, 0.3, 0)).norm(), 0, 0.02);
 }
 
-TEST(OperatorHand, StopsWhenTheScreenGoesDarkAndForgetsWhatItShowed) {
+TEST(OperatorActuator, StopsWhenTheScreenGoesDarkAndForgetsWhatItShowed) {
   OperatorSettings late = exact();
   late.delay_s = 1;
-  Held held{hand_of(late)};
+  Held held{actuator_of(late)};
   held.camera.segment<3>(7) << 0.4, -0.2, 0;
   UserCommand shown = shown_at(0, {0.3, 0, 0});
   held.step(to_operator(shown));
   const double before = held.camera.segment<3>(7).norm();
   ASSERT_GT(before, 0.2);
   Command dark;
-  dark.by_hand = true;
+  dark.operator_controlled = true;
   for (int k = 1; k < 45; ++k) held.step(dark);
   EXPECT_LT(held.camera.segment<3>(7).norm(), 0.05 * before);
   const Eigen::Vector3d rest = held.camera.head<3>();
@@ -191,15 +191,15 @@ TEST(OperatorHand, StopsWhenTheScreenGoesDarkAndForgetsWhatItShowed) {
   EXPECT_LT((held.camera.head<3>() - rest).norm(), 0.05);
 }
 
-TEST(OperatorHand, DoesNotTouchACameraThatWasNotHandedOver) {
-  Held held{hand_of(exact())};
+TEST(OperatorActuator, DoesNotTouchACameraThatWasNotHandedOver) {
+  Held held{actuator_of(exact())};
   held.camera.tail<6>().setConstant(0.1);
   EXPECT_TRUE(held.step({}).isZero());
 }
 
-TEST(OperatorHand, LooksWhereTheScreenSaysOrToAndFro) {
+TEST(OperatorActuator, LooksWhereTheScreenSaysOrToAndFro) {
   UserCommand shown = shown_at(0, {0, 0, 0});
-  Held free{hand_of(exact(), {0.5, 4})}, told = free;
+  Held free{actuator_of(exact(), {0.5, 4})}, told = free;
   for (int k = 0; k <= 30; ++k) free.step(to_operator(shown));
   EXPECT_NEAR(heading_of(free_camera::orientation(free.camera)), 0.5, 0.1) << "after a quarter of a period";
   shown.gaze = {-0.3, 0};

@@ -36,8 +36,8 @@ TEST(RangeClock, TicksOncePerScanUntilItsTimeIsUp) {
 
 TEST(RangeSensor, TellsWhatCameSinceTheTickBefore) {
   RangeSensor sensor(shared({small()}), {30, Fixes::all});
-  const VehicleView first = sensor.look({}, {0, 1, 0}).team.at(0),
-                    second = sensor.look({}, {1, 2, 1}).team.at(0);
+  const VehicleObservation first = sensor.measure({}, {0, 1, 0}).team.at(0),
+                           second = sensor.measure({}, {1, 2, 1}).team.at(0);
   ASSERT_EQ(first.odometry.size(), 1u);
   ASSERT_EQ(first.landmarks.size(), 1u);  // the other is beyond 30 m
   EXPECT_EQ(first.landmarks[0].identity, 3);
@@ -52,20 +52,20 @@ TEST(RangeSensor, TellsWhatCameSinceTheTickBefore) {
 
 TEST(RangeSensor, GivesNoMoreFixesThanAreWanted) {
   RangeSensor none(shared({small()}), {30, Fixes::none}), first(shared({small()}), {30, Fixes::first});
-  EXPECT_TRUE(none.look({}, {0, 1, 0}).team.at(0).fixes.empty());
-  EXPECT_FALSE(first.look({}, {0, 1, 0}).team.at(0).fixes.empty());
-  EXPECT_TRUE(first.look({}, {1, 2, 1}).team.at(0).fixes.empty());
+  EXPECT_TRUE(none.measure({}, {0, 1, 0}).team.at(0).fixes.empty());
+  EXPECT_FALSE(first.measure({}, {0, 1, 0}).team.at(0).fixes.empty());
+  EXPECT_TRUE(first.measure({}, {1, 2, 1}).team.at(0).fixes.empty());
 }
 
-TEST(TruePlace, LiesBetweenItsNeighboursAndTurnsTheShortWay) {
+TEST(TruePlace, LiesBetweenItsNeighborsAndTurnsTheShortWay) {
   const RangeRecording recording = small();
-  const auto place = true_place(recording, 1.0);
-  ASSERT_TRUE(place);
-  EXPECT_NEAR(place->position.x(), 2, 1e-12);
-  EXPECT_NEAR(std::abs(*place->heading_rad), M_PI, 1e-9);
-  EXPECT_FALSE(true_place(recording, 2.0));  // a hole of 1.7 s
-  EXPECT_FALSE(true_place(recording, 0.5));
-  EXPECT_FALSE(true_place(recording, 3.5));
+  const auto reference = true_position(recording, 1.0);
+  ASSERT_TRUE(reference);
+  EXPECT_NEAR(reference->position.x(), 2, 1e-12);
+  EXPECT_NEAR(std::abs(*reference->heading_rad), M_PI, 1e-9);
+  EXPECT_FALSE(true_position(recording, 2.0));  // a hole of 1.7 s
+  EXPECT_FALSE(true_position(recording, 0.5));
+  EXPECT_FALSE(true_position(recording, 3.5));
 }
 
 TEST(RangeWorld, SaysWhetherTheOrientationIsKnown) {
@@ -93,9 +93,9 @@ TEST(PlanarLoop, HasTheNoiseItSays) {
   settings.duration_s = 2000;
   const RangeRecording r = drive_planar_loop(settings, 3);
   double range = 0, bearing = 0, speed = 0, turn = 0;
-  int looks = 0, steps = 0;
+  int measurements = 0, steps = 0;
   for (const auto& scan : r.scans) {
-    const auto truth = true_place(r, scan.t);
+    const auto truth = true_position(r, scan.t);
     const Eigen::Vector3d pose(truth->position.x(), truth->position.y(), *truth->heading_rad);
     for (const Detection& d : scan.detections) {
       const Eigen::Vector2d z =
@@ -103,7 +103,7 @@ TEST(PlanarLoop, HasTheNoiseItSays) {
       EXPECT_LE(z[0], settings.max_range_m);
       range += std::pow(d.range_m - z[0], 2);
       bearing += std::pow(wrap_angle(d.bearing_rad - z[1]), 2);
-      ++looks;
+      ++measurements;
     }
   }
   for (std::size_t k = 0; k + 1 < r.truth.size(); ++k, ++steps) {
@@ -114,8 +114,9 @@ TEST(PlanarLoop, HasTheNoiseItSays) {
     speed += std::pow(v - r.odometry[k].input[0], 2);
     turn += std::pow(wrap_angle(*r.truth[k + 1].heading_rad - heading) / dt - r.odometry[k].input[1], 2);
   }
-  EXPECT_NEAR(std::sqrt(range / looks), settings.sigma_range_m, 0.05 * settings.sigma_range_m);
-  EXPECT_NEAR(std::sqrt(bearing / looks), settings.sigma_bearing_rad, 0.05 * settings.sigma_bearing_rad);
+  EXPECT_NEAR(std::sqrt(range / measurements), settings.sigma_range_m, 0.05 * settings.sigma_range_m);
+  EXPECT_NEAR(std::sqrt(bearing / measurements), settings.sigma_bearing_rad,
+              0.05 * settings.sigma_bearing_rad);
   EXPECT_NEAR(std::sqrt(speed / steps), settings.sigma_speed_m_s, 0.05 * settings.sigma_speed_m_s);
   EXPECT_NEAR(std::sqrt(turn / steps), settings.sigma_turn_rate_rad_s, 0.05 * settings.sigma_turn_rate_rad_s);
 }

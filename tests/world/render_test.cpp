@@ -46,9 +46,9 @@ double standard_deviation(const Image& image) {
 
 /// Where OpenCV finds a corner near a pixel: the point at right angles to all gradients around it.
 Eigen::Vector2d refined(const Image& image, const Eigen::Vector2d& near) {
-  const cv::Mat grey(image.height(), image.width(), CV_8U, const_cast<std::uint8_t*>(image.row(0)));
+  const cv::Mat gray(image.height(), image.width(), CV_8U, const_cast<std::uint8_t*>(image.row(0)));
   std::vector<cv::Point2f> corner{{static_cast<float>(near.x()), static_cast<float>(near.y())}};
-  cv::cornerSubPix(grey, corner, {5, 5}, {-1, -1},
+  cv::cornerSubPix(gray, corner, {5, 5}, {-1, -1},
                    {cv::TermCriteria::EPS | cv::TermCriteria::COUNT, 100, 1e-3});
   return {corner[0].x, corner[0].y};
 }
@@ -64,12 +64,12 @@ Eigen::Vector2d projected(const Camera& camera, const Pose& at, const Eigen::Vec
 /// profile across an edge, however smooth, holds as much black as the edge is far.
 double edge_offset(const Image& image, const Eigen::Vector2d& on_edge, const Eigen::Vector2d& out) {
   constexpr double reach = 4, step = 0.05;
-  const auto grey = [&](double s) {
+  const auto gray = [&](double s) {
     return image.sample(on_edge.x() + s * out.x(), on_edge.y() + s * out.y());
   };
-  const double black = grey(-reach), white = grey(reach);
+  const double black = gray(-reach), white = gray(reach);
   double dark = 0;
-  for (double s = -reach + step / 2; s < reach; s += step) dark += step * (white - grey(s)) / (white - black);
+  for (double s = -reach + step / 2; s < reach; s += step) dark += step * (white - gray(s)) / (white - black);
   return dark - reach;
 }
 
@@ -143,9 +143,9 @@ TEST(render, every_view_is_full_of_texture) {
 TEST(render, corners_are_everywhere) {
   for (double heading = 0; heading < 2 * std::numbers::pi; heading += 0.5) {
     const Image image = picture(WideAngleCamera{.kd1 = 9e-6}, pose(0, 0, 1.3, heading));
-    const cv::Mat grey(image.height(), image.width(), CV_8U, const_cast<std::uint8_t*>(image.row(0)));
+    const cv::Mat gray(image.height(), image.width(), CV_8U, const_cast<std::uint8_t*>(image.row(0)));
     cv::Mat strength;
-    cv::cornerMinEigenVal(grey, strength, 9, 3);
+    cv::cornerMinEigenVal(gray, strength, 9, 3);
     for (int v = 0; v < 4; ++v)
       for (int u = 0; u < 4; ++u) {
         double best = 0;

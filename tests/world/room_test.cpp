@@ -46,11 +46,11 @@ TEST(room_layout, the_target_patches_show_their_corners) {
     const std::string head = "P5\n15 15\n255\n";
     ASSERT_EQ(pgm.size(), head.size() + 15 * 15);
     ASSERT_EQ(pgm.substr(0, head.size()), head);
-    const auto grey = [&](int u, int v) { return static_cast<unsigned char>(pgm[head.size() + 15 * v + u]); };
+    const auto gray = [&](int u, int v) { return static_cast<unsigned char>(pgm[head.size() + 15 * v + u]); };
     for (const int u : {2, 12})
       for (const int v : {2, 12}) {
         const bool black = u == black_u[corner] && v == black_v[corner];
-        EXPECT_EQ(grey(u, v), black ? 14 : 236) << corner << " " << u << " " << v;
+        EXPECT_EQ(gray(u, v), black ? 14 : 236) << corner << " " << u << " " << v;
       }
   }
 }

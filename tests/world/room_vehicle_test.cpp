@@ -45,8 +45,8 @@ Command drive(double speed, double turn_rate) {
 TEST(room_vehicle, carries_its_camera_where_its_mount_says) {
   RoomVehicle world(body, mount, plant({0.3, -0.4, 0.7}), empty_room(), radius_m, 1);
   const auto start = world.move({}, {0, 0, 0});
-  const MountedCamera<3> seat = mount.on(body.pose({0.3, -0.4, 0.7}));
-  EXPECT_EQ(start->camera, seat.camera);
+  const MountedCamera<3> mounted_pose = mount.on(body.pose({0.3, -0.4, 0.7}));
+  EXPECT_EQ(start->camera, mounted_pose.camera);
   Truth before = *start;
   constexpr double dt = 1e-4;
   for (int k = 1; k <= 3000; ++k) {
@@ -68,16 +68,16 @@ TEST(room_vehicle, stops_its_radius_from_walls_and_can_turn_and_leave) {
   Truth truth = *world.move({}, {0, 0, 0});
   for (int k = 1; k < 100; ++k) {
     truth = *world.move(drive(0.8, 0), {k, k * 0.05, 0.05});
-    ASSERT_GE(plan.free_around(truth.vehicles[0].head<2>()), radius_m - 1e-12);
+    ASSERT_GE(plan.clearance_at(truth.vehicles[0].head<2>()), radius_m - 1e-12);
   }
-  EXPECT_LT(plan.free_around(truth.vehicles[0].head<2>()), radius_m + 0.06);
+  EXPECT_LT(plan.clearance_at(truth.vehicles[0].head<2>()), radius_m + 0.06);
   EXPECT_NEAR(truth.inputs[0][0], 0.8, 0) << "its wheels turn on";
   EXPECT_NEAR(truth.camera.segment<3>(7).norm(), 0, 1e-12) << "and it stands";
   const double heading = truth.vehicles[0][2];
   truth = *world.move(drive(0.8, 1), {100, 5, 0.05});
   EXPECT_GT(truth.vehicles[0][2], heading + 0.03);
   for (int k = 101; k < 120; ++k) truth = *world.move(drive(-0.8, 0), {k, k * 0.05, 0.05});
-  EXPECT_GT(plan.free_around(truth.vehicles[0].head<2>()), 0.5);
+  EXPECT_GT(plan.clearance_at(truth.vehicles[0].head<2>()), 0.5);
 }
 
 TEST(room_vehicle, refuses_to_start_in_a_wall) {
@@ -109,12 +109,12 @@ TEST(floor_plan, cones_tell_the_nearest_thing_inside_them) {
   RandomStream random(2, "cones");
   for (int i = 0; i < 60; ++i) {
     const Eigen::Vector2d at(random.uniform(-1.5, 1.5), random.uniform(-1.5, 1.5));
-    if (plan.free_around(at) < 0.1) continue;
+    if (plan.clearance_at(at) < 0.1) continue;
     const double direction = random.uniform(-pi, pi), half = random.uniform(0.02, 0.4);
-    EXPECT_NEAR(plan.free_towards(at, direction, half, 100), nearest_by_rays(room, at, direction, half),
+    EXPECT_NEAR(plan.clearance_towards(at, direction, half, 100), nearest_by_rays(room, at, direction, half),
                 0.01);
   }
-  EXPECT_EQ(plan.free_towards({0, 0}, 0, 0.1, 0.5), 0.5) << "its reach where there is nothing";
+  EXPECT_EQ(plan.clearance_towards({0, 0}, 0, 0.1, 0.5), 0.5) << "its reach where there is nothing";
 }
 
 TEST(floor_plan, a_ring_misses_nothing) {
@@ -123,33 +123,33 @@ TEST(floor_plan, a_ring_misses_nothing) {
   RandomStream random(2, "ring");
   for (int i = 0; i < 60; ++i) {
     const Eigen::Vector2d at(random.uniform(-2, 2), random.uniform(-2, 2));
-    if (plan.free_around(at) == 0) continue;
+    if (plan.clearance_at(at) == 0) continue;
     double least = 1e9;
-    for (const ConeRange& cone : look_around(plan, {24, 100, 0}, at, random.uniform(-pi, pi)))
+    for (const ConeRange& cone : measure_ranges(plan, {24, 100, 0}, at, random.uniform(-pi, pi)))
       least = std::min(least, cone.range_m);
-    EXPECT_NEAR(least, plan.free_around(at), 1e-9);
+    EXPECT_NEAR(least, plan.clearance_at(at), 1e-9);
   }
 }
 
 TEST(room_vehicle, its_sensor_tells_images_wheels_and_ranges) {
   RoomSettings settings;
   settings.boxes = 0;
-  settings.sigma_image_grey = 0;
+  settings.sigma_image_gray = 0;
   const auto room = std::make_shared<const Room>(settings, 1, body.terrain);
   RoomVehicle world(body, mount, plant({0, 0, 0}, 0.1), room->layout(), radius_m, 1);
   RoomVehicleSensor sensor(RoomCamera(room, Camera{WideAngleCamera{}}, settings, 1), room->layout(),
                            {4, 10, 0}, 1);
-  const Observation first = sensor.look(world.move({}, {0, 0, 0}), {0, 0, 0});
+  const Observation first = sensor.measure(world.move({}, {0, 0, 0}), {0, 0, 0});
   EXPECT_TRUE(first.odometry.empty()) << "nothing was driven yet";
-  ASSERT_EQ(first.around.size(), 4u);
-  EXPECT_NEAR(first.around[0].range_m, 3, 1e-9);
-  EXPECT_NEAR(first.around[0].bearing_rad, pi / 4, 1e-12);
+  ASSERT_EQ(first.proximity_ranges.size(), 4u);
+  EXPECT_NEAR(first.proximity_ranges[0].range_m, 3, 1e-9);
+  EXPECT_NEAR(first.proximity_ranges[0].bearing_rad, pi / 4, 1e-12);
   const auto truth = world.move(drive(0.5, 7), {1, 0.1, 0.1});
-  const Observation seen = sensor.look(truth, {1, 0.1, 0.1});
-  ASSERT_EQ(seen.odometry.size(), 1u);
-  EXPECT_EQ(seen.odometry[0].input, Eigen::Vector2d(0.5, 1)) << "what it can do";
-  ASSERT_TRUE(seen.image);
-  EXPECT_EQ(seen.image->width(), 320);
+  const Observation observation = sensor.measure(truth, {1, 0.1, 0.1});
+  ASSERT_EQ(observation.odometry.size(), 1u);
+  EXPECT_EQ(observation.odometry[0].input, Eigen::Vector2d(0.5, 1)) << "what it can do";
+  ASSERT_TRUE(observation.image);
+  EXPECT_EQ(observation.image->width(), 320);
 }
 
 }  // namespace

@@ -73,12 +73,12 @@ TEST(image_noise, stays_between_black_and_white) {
 TEST(room_camera, is_the_render_plus_noise) {
   const WideAngleCamera model{.kd1 = 9e-6};
   RoomSettings quiet;
-  quiet.sigma_image_grey = 0;
+  quiet.sigma_image_gray = 0;
   Image expected;
   render(*room(), RayTable{Camera(model)}, {1.6, 0, 1.3}, level_gaze(0), expected);
-  EXPECT_EQ(*RoomCamera(room(), model, quiet, 1).look(start(), Tick{0, 0, 0}).image, expected);
+  EXPECT_EQ(*RoomCamera(room(), model, quiet, 1).measure(start(), Tick{0, 0, 0}).image, expected);
 
-  const Image noisy = *RoomCamera(room(), model, RoomSettings{}, 1).look(start(), Tick{0, 0, 0}).image;
+  const Image noisy = *RoomCamera(room(), model, RoomSettings{}, 1).measure(start(), Tick{0, 0, 0}).image;
   double squares = 0;
   int count = 0;
   for (int i = 0; i < 320 * 240; ++i)
@@ -92,8 +92,8 @@ TEST(room_camera, is_the_render_plus_noise) {
 TEST(room_camera, same_seed_same_bytes_and_another_seed_others) {
   const auto bytes = [](std::uint64_t seed) {
     RoomCamera camera(room(), WideAngleCamera{}, RoomSettings{}, seed);
-    camera.look(start(), Tick{0, 0, 0});
-    return *camera.look(start(), Tick{1, 0.1, 0.1}).image;
+    camera.measure(start(), Tick{0, 0, 0});
+    return *camera.measure(start(), Tick{1, 0.1, 0.1}).image;
   };
   EXPECT_EQ(bytes(8), bytes(8));
   EXPECT_NE(bytes(8), bytes(9));
@@ -103,9 +103,9 @@ TEST(room_camera, a_covered_lens_is_dark_from_then_on) {
   RoomSettings s;
   s.cover_lens_from_s = 2;
   RoomCamera camera(room(), WideAngleCamera{}, s, 1);
-  EXPECT_GT(moments(*camera.look(start(), Tick{59, 59 / 30.0, 1 / 30.0}).image).mean, 60);
+  EXPECT_GT(moments(*camera.measure(start(), Tick{59, 59 / 30.0, 1 / 30.0}).image).mean, 60);
   for (const double t : {2.0, 2.5, 100.0}) {
-    const Moments m = moments(*camera.look(start(), Tick{60, t, 1 / 30.0}).image);
+    const Moments m = moments(*camera.measure(start(), Tick{60, t, 1 / 30.0}).image);
     EXPECT_LT(m.mean, 12);
     EXPECT_NEAR(m.sigma, 2, 0.2) << "noise goes on";
   }
@@ -113,11 +113,11 @@ TEST(room_camera, a_covered_lens_is_dark_from_then_on) {
 
 TEST(room_camera, needs_the_truth) {
   RoomCamera camera(room(), WideAngleCamera{}, RoomSettings{}, 1);
-  EXPECT_THROW(camera.look(std::nullopt, Tick{0, 0, 0}), std::invalid_argument);
+  EXPECT_THROW(camera.measure(std::nullopt, Tick{0, 0, 0}), std::invalid_argument);
 }
 
 TEST(room_clock, ticks_steadily_and_ends) {
-  RoomClock clock(30, 2);
+  FixedRateClock clock(30, 2);
   EXPECT_EQ(clock.expected_frames(), 60);
   int frames = 0;
   double t = 0;
@@ -130,9 +130,9 @@ TEST(room_clock, ticks_steadily_and_ends) {
   }
   EXPECT_EQ(frames, 60);
   EXPECT_FALSE(clock.next()) << "once ended, it stays so";
-  EXPECT_THROW(RoomClock(0, 1), std::invalid_argument);
-  EXPECT_THROW(RoomClock(30, NAN), std::invalid_argument);
-  EXPECT_THROW(RoomClock(30, 1e300), std::invalid_argument);
+  EXPECT_THROW(FixedRateClock(0, 1), std::invalid_argument);
+  EXPECT_THROW(FixedRateClock(30, NAN), std::invalid_argument);
+  EXPECT_THROW(FixedRateClock(30, 1e300), std::invalid_argument);
 }
 
 }  // namespace

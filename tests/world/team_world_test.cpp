@@ -33,8 +33,8 @@ SimulatedVehicle vehicle(const AnyMotion& motion, const AnySensor& sensor, const
 }
 
 /// Landmarks all around on the plane, named 10, 11, ...
-PointPlace ring(int count, double radius_m) {
-  PointPlace place;
+PointLandmarks ring(int count, double radius_m) {
+  PointLandmarks place;
   for (int i = 0; i < count; ++i) {
     const double way = 2 * pi * i / count;
     place[10 + i] = vec({radius_m * std::cos(way), radius_m * std::sin(way)});
@@ -42,34 +42,35 @@ PointPlace ring(int count, double radius_m) {
   return place;
 }
 
-std::set<std::int64_t> names(const std::vector<Sighting>& seen) {
+std::set<std::int64_t> names(const std::vector<PointDetection>& seen) {
   std::set<std::int64_t> all;
-  for (const Sighting& s : seen) all.insert(s.identity);
+  for (const PointDetection& s : seen) all.insert(s.identity);
   return all;
 }
 
 /// The first look of all.
-Observation first_look(const std::vector<SimulatedVehicle>& team, const PointPlace& place,
-                       bool see_each_other = false, std::uint64_t seed = 1) {
+Observation first_measurement(const std::vector<SimulatedVehicle>& team, const PointLandmarks& place,
+                              bool see_each_other = false, std::uint64_t seed = 1) {
   TeamWorld world(team, seed);
   TeamSensor sensor(team, place, see_each_other, seed);
   const Tick tick{0, 0, 0};
-  return sensor.look(world.move({}, tick), tick);
+  return sensor.measure(world.move({}, tick), tick);
 }
 
-std::vector<Sighting> seen_by(const SimulatedVehicle& v, const PointPlace& place) {
-  return first_look({v}, place).team[0].landmarks;
+std::vector<PointDetection> seen_by(const SimulatedVehicle& v, const PointLandmarks& place) {
+  return first_measurement({v}, place).team[0].landmarks;
 }
 
 TEST(TeamSensor, TellsExactlyWhatIsThereWithoutNoise) {
   const SmallVector pose = vec({1, -2, 2.5});
-  const PointPlace place = ring(16, 5);
+  const PointLandmarks place = ring(16, 5);
   for (const bool ranges : {true, false}) {
-    const AnySensor scanner = ranges ? AnySensor(LaserScanner{}) : AnySensor(DirectionFinder{});
-    const Observation seen = first_look({vehicle(DifferentialDrive{0.3, 0}, scanner, pose)}, place);
-    ASSERT_EQ(seen.team.size(), 1u);
-    ASSERT_EQ(seen.team[0].landmarks.size(), 16u);
-    for (const Sighting& s : seen.team[0].landmarks) {
+    const AnySensor scanner = ranges ? AnySensor(RangeBearingSensor{}) : AnySensor(BearingSensor{});
+    const Observation observation =
+        first_measurement({vehicle(DifferentialDrive{0.3, 0}, scanner, pose)}, place);
+    ASSERT_EQ(observation.team.size(), 1u);
+    ASSERT_EQ(observation.team[0].landmarks.size(), 16u);
+    for (const PointDetection& s : observation.team[0].landmarks) {
       const Eigen::Vector2d way = place.at(s.identity) - pose.head(2);
       const double bearing = wrap_angle(std::atan2(way.y(), way.x()) - pose[2]);
       EXPECT_NEAR(s.z[s.z.size() - 1], bearing, 1e-12);
@@ -77,27 +78,28 @@ TEST(TeamSensor, TellsExactlyWhatIsThereWithoutNoise) {
         EXPECT_NEAR(s.z[0], way.norm(), 1e-12);
       }
     }
-    EXPECT_TRUE(seen.team[0].vehicles.empty());
+    EXPECT_TRUE(observation.team[0].vehicles.empty());
   }
 }
 
 TEST(TeamSensor, SeesAsFarAsItCan) {
-  SimulatedVehicle v = vehicle(DifferentialDrive{}, LaserScanner{}, vec({0, 0, 0}));
+  SimulatedVehicle v = vehicle(DifferentialDrive{}, RangeBearingSensor{}, vec({0, 0, 0}));
   v.reach.max_range_m = 5;
-  const PointPlace place{{1, vec({4.999, 0})}, {2, vec({-3, 4})}, {3, vec({0, 5.001})}, {4, vec({50, 50})}};
+  const PointLandmarks place{
+      {1, vec({4.999, 0})}, {2, vec({-3, 4})}, {3, vec({0, 5.001})}, {4, vec({50, 50})}};
   EXPECT_EQ(names(seen_by(v, place)), (std::set<std::int64_t>{1, 2}));
-  SimulatedVehicle on_line = vehicle(MonobotMotion{}, LineScanner{}, vec({1}));
+  SimulatedVehicle on_line = vehicle(MonobotMotion{}, RelativePositionSensor{}, vec({1}));
   on_line.reach.max_range_m = 2;
   EXPECT_EQ(names(seen_by(on_line, {{1, vec({-0.9})}, {2, vec({3.1})}, {3, vec({2})}})),
             (std::set<std::int64_t>{1, 3}));
 }
 
 TEST(TeamSensor, SeesAsWideAsItCan) {
-  for (const AnySensor& scanner : {AnySensor(LaserScanner{}), AnySensor(DirectionFinder{})}) {
+  for (const AnySensor& scanner : {AnySensor(RangeBearingSensor{}), AnySensor(BearingSensor{})}) {
     SimulatedVehicle v = vehicle(DifferentialDrive{}, scanner, vec({0, 0, pi}));  // looks along -x
-    const PointPlace place = ring(36, 3);
+    const PointLandmarks place = ring(36, 3);
     v.reach.field_of_view_rad = radians(95);
-    for (const Sighting& s : seen_by(v, place)) EXPECT_LT(place.at(s.identity).x(), 0);
+    for (const PointDetection& s : seen_by(v, place)) EXPECT_LT(place.at(s.identity).x(), 0);
     EXPECT_EQ(seen_by(v, place).size(), 9u) << "10 degrees apart";
     v.reach.field_of_view_rad = 7;
     EXPECT_EQ(seen_by(v, place).size(), 36u) << "all around, also behind at the wrap";
@@ -114,24 +116,24 @@ WideAngleCamera lens() {
 /// Height counts in how far a camera sees: a vehicle on the floor is in space too.
 /// The first of so many ticks is one that it measures in, whatever its number.
 TEST(TeamSensor, MeasuresInItsFirstTick) {
-  SimulatedVehicle v = vehicle(DifferentialDrive{0, 0}, LaserScanner{}, vec({0, 0, 0}));
-  v.ticks_per_look = 5;
+  SimulatedVehicle v = vehicle(DifferentialDrive{0, 0}, RangeBearingSensor{}, vec({0, 0, 0}));
+  v.ticks_per_measurement = 5;
   for (const std::int64_t first : {0, 17}) {
     TeamWorld world({v}, 1);
     TeamSensor sensor({v}, ring(4, 3), false, 1);
     for (int k = 0; k <= 10; ++k) {
       const Tick tick{first + k, 0.1 * k, k == 0 ? 0 : 0.1};
-      EXPECT_EQ(sensor.look(world.move({}, tick), tick).team[0].landmarks.empty(), k % 5 != 0)
+      EXPECT_EQ(sensor.measure(world.move({}, tick), tick).team[0].landmarks.empty(), k % 5 != 0)
           << first << "+" << k;
     }
   }
 }
 
 TEST(TeamSensor, ACameraSeesWhatItsImageHasAndAsFarAsItCan) {
-  const CarriedCamera camera{Camera(lens()), {.up_m = 0}};
-  const PointPlace place{{1, vec({3, 0, 0})},    {2, vec({-3, 0, 0})},  {3, vec({3, 2.9, 0})},
-                         {4, vec({3, 3.1, 0})},  {5, vec({3, 0, 2.1})}, {6, vec({3, 0, 2.3})},
-                         {7, vec({0.1, 0, -50})}};
+  const CameraSensor camera{Camera(lens()), {.up_m = 0}};
+  const PointLandmarks place{{1, vec({3, 0, 0})},    {2, vec({-3, 0, 0})},  {3, vec({3, 2.9, 0})},
+                             {4, vec({3, 3.1, 0})},  {5, vec({3, 0, 2.1})}, {6, vec({3, 0, 2.3})},
+                             {7, vec({0.1, 0, -50})}};
   for (const AnyMotion& motion :
        {AnyMotion(DifferentialDrive{}), AnyMotion(AckermannCar{}), AnyMotion(TerrainVehicle{})}) {
     SimulatedVehicle v = vehicle(motion, camera, vec({0, 0, 0}));
@@ -142,24 +144,24 @@ TEST(TeamSensor, ACameraSeesWhatItsImageHasAndAsFarAsItCan) {
 }
 
 TEST(TeamSensor, ARangeIsNeverNegative) {
-  SimulatedVehicle v = vehicle(DifferentialDrive{}, LaserScanner{}, vec({0, 0, 0}));
+  SimulatedVehicle v = vehicle(DifferentialDrive{}, RangeBearingSensor{}, vec({0, 0, 0}));
   v.sigmas = vec({0.5, 0.1});
-  PointPlace place;
+  PointLandmarks place;
   for (int i = 0; i < 1000; ++i) place[i] = vec({0.3, 0});
-  const std::vector<Sighting> seen = seen_by(v, place);
-  for (const Sighting& s : seen) EXPECT_GT(s.z[0], 0);
+  const std::vector<PointDetection> seen = seen_by(v, place);
+  for (const PointDetection& s : seen) EXPECT_GT(s.z[0], 0);
   // As many are left out as a Gaussian has below -0.6 sigma
   EXPECT_NEAR(static_cast<double>(seen.size()), 1000 * 0.7257, 50);
 }
 
 TEST(TeamSensor, HasTheNoiseThatItIsTold) {
-  SimulatedVehicle v = vehicle(DifferentialDrive{}, LaserScanner{}, vec({0, 0, 0}));
+  SimulatedVehicle v = vehicle(DifferentialDrive{}, RangeBearingSensor{}, vec({0, 0, 0}));
   v.sigmas = vec({0.1, 0.02});
   v.sigma_range_ratio = 0.03;
-  PointPlace place;
+  PointLandmarks place;
   for (int i = 0; i < 20'000; ++i) place[i] = vec({-10, 0});  // behind, at the wrap
   double range = 0, bearing = 0;
-  for (const Sighting& s : seen_by(v, place)) {
+  for (const PointDetection& s : seen_by(v, place)) {
     EXPECT_LE(std::abs(s.z[1]), pi);
     range += std::pow(s.z[0] - 10, 2) / 20'000, bearing += std::pow(wrap_angle(s.z[1] - pi), 2) / 20'000;
   }
@@ -170,38 +172,39 @@ TEST(TeamSensor, HasTheNoiseThatItIsTold) {
 TEST(TeamSensor, VehiclesSeeEachOtherAndNotThemselves) {
   std::vector<SimulatedVehicle> team;
   for (const SmallVector& pose : {vec({0, 0, 0}), vec({3, 0, pi}), vec({20, 0, 1})})
-    team.push_back(vehicle(DifferentialDrive{0.3, 0}, LaserScanner{}, pose));
+    team.push_back(vehicle(DifferentialDrive{0.3, 0}, RangeBearingSensor{}, pose));
   team[1].reach.max_range_m = 10;
   team[2].reach.field_of_view_rad = 0.5;  // looks elsewhere
-  const Observation seen = first_look(team, ring(4, 2), true);
-  ASSERT_EQ(seen.team.size(), 3u);
-  EXPECT_EQ(names(seen.team[0].vehicles), (std::set<std::int64_t>{1, 2}));
-  EXPECT_EQ(names(seen.team[1].vehicles), (std::set<std::int64_t>{0})) << "the third is too far";
-  EXPECT_TRUE(seen.team[2].vehicles.empty());
-  const Sighting& other = seen.team[1].vehicles[0];
+  const Observation observation = first_measurement(team, ring(4, 2), true);
+  ASSERT_EQ(observation.team.size(), 3u);
+  EXPECT_EQ(names(observation.team[0].vehicles), (std::set<std::int64_t>{1, 2}));
+  EXPECT_EQ(names(observation.team[1].vehicles), (std::set<std::int64_t>{0})) << "the third is too far";
+  EXPECT_TRUE(observation.team[2].vehicles.empty());
+  const PointDetection& other = observation.team[1].vehicles[0];
   EXPECT_NEAR(other.z[0], 3, 1e-12);
   EXPECT_NEAR(other.z[1], 0, 1e-12) << "they face each other";
-  EXPECT_EQ(seen.team[0].landmarks.size(), 4u);
-  const Observation blind = first_look(team, {}, false);
-  for (const VehicleView& view : blind.team) EXPECT_TRUE(view.vehicles.empty());
+  EXPECT_EQ(observation.team[0].landmarks.size(), 4u);
+  const Observation blind = first_measurement(team, {}, false);
+  for (const VehicleObservation& view : blind.team) EXPECT_TRUE(view.vehicles.empty());
 }
 
 /// A camera sees the others in space, also those whose own state is on a plane.
 TEST(TeamSensor, CamerasSeeVehiclesOnTheFloor) {
-  const CarriedCamera camera{Camera(lens()), {.up_m = 1}};
+  const CameraSensor camera{Camera(lens()), {.up_m = 1}};
   const std::vector<SimulatedVehicle> team{vehicle(DifferentialDrive{}, camera, vec({0, 0, 0})),
                                            vehicle(AckermannCar{}, camera, vec({4, 1, 0}))};
-  const Observation seen = first_look(team, {}, true);
-  ASSERT_EQ(seen.team[0].vehicles.size(), 1u);
-  const SmallVector z = seen.team[0].vehicles[0].z;
+  const Observation observation = first_measurement(team, {}, true);
+  ASSERT_EQ(observation.team[0].vehicles.size(), 1u);
+  const SmallVector z = observation.team[0].vehicles[0].z;
   EXPECT_NEAR(z[0], 159.5 - 160 / 4.0, 1e-9) << "a metre to the left";
   EXPECT_NEAR(z[1], 119.5 + 160 / 4.0, 1e-9) << "and a metre below";
-  EXPECT_TRUE(seen.team[1].vehicles.empty()) << "it is behind";
+  EXPECT_TRUE(observation.team[1].vehicles.empty()) << "it is behind";
 }
 
 TEST(TeamWorld, MovesEachAsCommandedAndTellsWhatWasDone) {
-  const std::vector<SimulatedVehicle> team{vehicle(DifferentialDrive{}, LaserScanner{}, vec({0, 0, 0})),
-                                           vehicle(DifferentialDrive{}, LaserScanner{}, vec({5, 0, 0.1}))};
+  const std::vector<SimulatedVehicle> team{
+      vehicle(DifferentialDrive{}, RangeBearingSensor{}, vec({0, 0, 0})),
+      vehicle(DifferentialDrive{}, RangeBearingSensor{}, vec({5, 0, 0.1}))};
   TeamWorld world(team, 1);
   TeamSensor sensor(team, {}, false, 1);
   const Tick first{0, 0, 0}, second{1, 0.5, 0.5};
@@ -209,39 +212,39 @@ TEST(TeamWorld, MovesEachAsCommandedAndTellsWhatWasDone) {
   command.inputs = {vec({0.4, 4})};  // more than it can turn, and nothing for the other
   const auto before = world.move(command, first);
   EXPECT_EQ(before->vehicles[0], vec({0, 0, 0})) << "no time has passed";
-  const Observation at_first = sensor.look(before, first);
-  for (const VehicleView& view : at_first.team) EXPECT_FALSE(view.input);
+  const Observation at_first = sensor.measure(before, first);
+  for (const VehicleObservation& view : at_first.team) EXPECT_FALSE(view.input);
   const auto after = world.move(command, second);
   EXPECT_EQ(after->inputs[0], vec({0.4, 1}));
   EXPECT_EQ(after->inputs[1], vec({0, 0}));
   EXPECT_NEAR(after->vehicles[0][2], 0.5, 1e-9);
   EXPECT_NEAR((after->vehicles[1] - vec({5, 0, 0.1})).norm(), 0, 1e-12) << "it stands";
-  const Observation seen = sensor.look(after, second);
-  EXPECT_EQ(*seen.team[0].input, after->inputs[0]);
-  EXPECT_EQ(*seen.team[1].input, after->inputs[1]);
+  const Observation observation = sensor.measure(after, second);
+  EXPECT_EQ(*observation.team[0].input, after->inputs[0]);
+  EXPECT_EQ(*observation.team[1].input, after->inputs[1]);
   EXPECT_NEAR((after->camera.head<2>() - after->vehicles[0].head<2>()).norm(), 0, 1e-12) << "of the first";
 }
 
 TEST(TeamSensor, TellsNothingOfWhatItCannotName) {
-  const SimulatedVehicle v = vehicle(DifferentialDrive{}, LaserScanner{}, vec({0, 0, 0.3}));
-  const auto look = [&](const PointPlace& place) {
+  const SimulatedVehicle v = vehicle(DifferentialDrive{}, RangeBearingSensor{}, vec({0, 0, 0.3}));
+  const auto measurement = [&](const PointLandmarks& place) {
     TeamWorld world({v}, 1);
     TeamSensor sensor({v}, place, false, 1, std::set<std::int64_t>{12, 13, 40});
     const Tick tick{0, 0, 0};
-    const Observation seen = sensor.look(world.move({}, tick), tick);
-    return std::pair(seen.team[0].landmarks, sensor.truth()->at(0));
+    const Observation observation = sensor.measure(world.move({}, tick), tick);
+    return std::pair(observation.team[0].landmarks, sensor.truth()->at(0));
   };
-  const PointPlace place = ring(8, 5);  // 10 to 17
-  const auto [seen, truth] = look(place);
+  const PointLandmarks place = ring(8, 5);  // 10 to 17
+  const auto [seen, truth] = measure(place);
   ASSERT_EQ(seen.size(), 8u);
   ASSERT_EQ(truth.size(), 8u);
   for (std::size_t i = 0; i < seen.size(); ++i) {
     EXPECT_EQ(seen[i].identity, i < 2 ? truth[i] : Detection::unknown);
     EXPECT_EQ(seen[i].z, seen_by(v, {{truth[i], place.at(truth[i])}}).front().z) << "so it is of that one";
   }
-  PointPlace renamed = place;
+  PointLandmarks renamed = place;
   std::swap(renamed[10], renamed[17]), std::swap(renamed[11], renamed[15]);
-  const auto [again, other_truth] = look(renamed);
+  const auto [again, other_truth] = measure(renamed);
   EXPECT_NE(truth, other_truth);
   for (std::size_t i = 0; i < seen.size(); ++i) {
     EXPECT_EQ(seen[i].identity, again[i].identity);
@@ -253,7 +256,7 @@ TEST(TeamSensor, TellsNothingOfWhatItCannotName) {
 std::vector<double> told(std::uint64_t seed, int vehicles) {
   std::vector<SimulatedVehicle> team;
   for (int i = 0; i < vehicles; ++i) {
-    SimulatedVehicle v = vehicle(DifferentialDrive{}, LaserScanner{}, vec({0.1 * i, 0, 0}));
+    SimulatedVehicle v = vehicle(DifferentialDrive{}, RangeBearingSensor{}, vec({0.1 * i, 0, 0}));
     v.sigmas = vec({0.1, 0.02});
     v.plant.start_sigmas.setConstant(0.1), v.plant.input_sigmas.setConstant(0.1);
     team.push_back(v);
@@ -263,8 +266,9 @@ std::vector<double> told(std::uint64_t seed, int vehicles) {
   std::vector<double> numbers;
   for (int k = 0; k < 10; ++k) {
     const Tick tick{k, 0.1 * k, k ? 0.1 : 0};
-    const Observation seen = sensor.look(world.move({}, tick), tick);
-    for (const Sighting& s : seen.team[0].landmarks) numbers.insert(numbers.end(), s.z.begin(), s.z.end());
+    const Observation observation = sensor.measure(world.move({}, tick), tick);
+    for (const PointDetection& s : observation.team[0].landmarks)
+      numbers.insert(numbers.end(), s.z.begin(), s.z.end());
   }
   return numbers;
 }
@@ -277,8 +281,8 @@ TEST(TeamWorld, GivesTheSameForTheSameSeedAndAnotherForAnother) {
 
 TEST(TeamWorld, RefusesWhatCannotBe) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  const SimulatedVehicle good = vehicle(DifferentialDrive{}, LaserScanner{}, vec({0, 0, 0}));
-  const auto complaint = [](const SimulatedVehicle& v, const PointPlace& place) {
+  const SimulatedVehicle good = vehicle(DifferentialDrive{}, RangeBearingSensor{}, vec({0, 0, 0}));
+  const auto complaint = [](const SimulatedVehicle& v, const PointLandmarks& place) {
     return message_of<std::invalid_argument>([&] { TeamSensor({v}, place, false, 1); });
   };
   const auto changed = [&](auto change) {
@@ -288,7 +292,7 @@ TEST(TeamWorld, RefusesWhatCannotBe) {
   };
   EXPECT_EQ(complaint(good, ring(3, 1)), "(none)");
   EXPECT_HAS(message_of<std::invalid_argument>([] { TeamWorld({}, 1); }), "a team needs a vehicle");
-  EXPECT_HAS(changed([](auto& v) { v.sensor = LineScanner{}; }), "belongs to a vehicle on a line");
+  EXPECT_HAS(changed([](auto& v) { v.sensor = RelativePositionSensor{}; }), "belongs to a vehicle on a line");
   EXPECT_HAS(changed([](auto& v) { v.sigmas = vec({0.1}); }), "a sensor needs 2 sigmas");
   EXPECT_HAS(complaint(good, {{7, vec({1, 2, 3})}}),
              "landmark 7 has 3 numbers, and the sensor measures in 2");
@@ -300,8 +304,8 @@ TEST(TeamWorld, RefusesWhatCannotBe) {
     EXPECT_HAS(changed([&](auto& v) { v.reach.field_of_view_rad = bad; }), "must be positive");
   }
   TeamSensor sensor({good}, {}, false, 1);
-  EXPECT_THROW(sensor.look(std::nullopt, {}), std::logic_error);
-  EXPECT_THROW(sensor.look(Truth{}, {}), std::logic_error) << "another team's truth";
+  EXPECT_THROW(sensor.measure(std::nullopt, {}), std::logic_error);
+  EXPECT_THROW(sensor.measure(Truth{}, {}), std::logic_error) << "another team's truth";
 }
 
 }  // namespace

@@ -70,10 +70,10 @@ Interval share_of(std::size_t count, std::size_t of, double confidence) {
   if (of == 0) return {unknown, 0, 1};
   const double n = static_cast<double>(of), p = static_cast<double>(count) / n;
   const double z = quantile(boost::math::normal(), (1 + confidence) / 2), zz = z * z / n;
-  const double centre = (p + zz / 2) / (1 + zz);
+  const double center = (p + zz / 2) / (1 + zz);
   const double half = z / (1 + zz) * std::sqrt(p * (1 - p) / n + zz / (4 * n));
   // At the ends the interval reaches them, which rounding need not
-  return {p, count == 0 ? 0 : centre - half, count == of ? 1 : centre + half};
+  return {p, count == 0 ? 0 : center - half, count == of ? 1 : center + half};
 }
 
 double median_of(std::vector<double> samples) {

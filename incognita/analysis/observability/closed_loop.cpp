@@ -63,7 +63,7 @@ Stability stability_of(const MatrixXd& A) {
   return stability;
 }
 
-Stability is_stabilising(const MatrixXd& F, const MatrixXd& G, const MatrixXd& L) {
+Stability is_stabilizing(const MatrixXd& F, const MatrixXd& G, const MatrixXd& L) {
   expect_size("F", F, F.rows(), F.rows());
   expect_size("G", G, F.rows(), G.cols());
   expect_size("L", L, G.cols(), F.rows());
@@ -115,7 +115,7 @@ Separation separation(const ControlledSystem& plant, const ControlledSystem& fil
   const MatrixXd transformed = to_error * joint * to_error;
   Separation answer;
   answer.whole = stability_of(transformed);
-  answer.regulator = is_stabilising(filter.F, filter.G, L);
+  answer.regulator = is_stabilizing(filter.F, filter.G, L);
   answer.estimator = stability_of(filter.F - K * filter.H * filter.F);
   const double scale = std::max(transformed.norm(), std::numeric_limits<double>::min());
   answer.coupling = transformed.bottomLeftCorner(n, n).norm() / scale;

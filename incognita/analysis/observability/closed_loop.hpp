@@ -38,7 +38,7 @@ Stability stability_of(const Eigen::MatrixXd& A);
 
 /// Of F - G L, with F n x n, G n x m and L m x n. Throws std::invalid_argument when these are not their
 /// sizes.
-Stability is_stabilising(const Eigen::MatrixXd& F, const Eigen::MatrixXd& G, const Eigen::MatrixXd& L);
+Stability is_stabilizing(const Eigen::MatrixXd& F, const Eigen::MatrixXd& G, const Eigen::MatrixXd& L);
 
 /// The matrix of (5.5) on (x, e), 2n x 2n. L is m x n, K is n x p.
 Eigen::MatrixXd closed_loop_matrix(const ControlledSystem& system, const Eigen::MatrixXd& L,

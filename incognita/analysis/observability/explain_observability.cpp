@@ -96,9 +96,9 @@ std::vector<UnobservableDirection> named_directions(const NullSpace& space,
   return directions;
 }
 
-SeenSpace seen_space(const NoisyRows& rows, const std::vector<NamedDirection>& named,
-                     const std::vector<std::string>& states, const NullSpaceSettings& settings) {
-  SeenSpace seen{null_space(rows, settings), {}};
+ObservableSpace observable_space(const NoisyRows& rows, const std::vector<NamedDirection>& named,
+                                 const std::vector<std::string>& states, const NullSpaceSettings& settings) {
+  ObservableSpace seen{null_space(rows, settings), {}};
   seen.directions = named_directions(seen.space, named, states);
   return seen;
 }
@@ -119,8 +119,8 @@ bool differ(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
 bool form_changes(const SystemInstance& instance, const std::vector<MotionSample>& samples) {
   for (std::size_t i = 1; i < samples.size(); ++i) {
     if (samples[i].point.u != samples[i - 1].point.u) continue;
-    const Linearisation before = instance.linearise(samples[i - 1].point),
-                        now = instance.linearise(samples[i].point);
+    const Linearization before = instance.linearize(samples[i - 1].point),
+                        now = instance.linearize(samples[i].point);
     if (differ(before.F, now.F) || differ(before.H, now.H)) return true;
   }
   return false;
@@ -128,7 +128,7 @@ bool form_changes(const SystemInstance& instance, const std::vector<MotionSample
 
 /// The SOM against the motion itself: it freezes H while F moves the vehicle on.
 void compare_with_motion(const ObservabilityAnalysis& a, bool changes, std::vector<std::string>& said) {
-  const SeenSpace& stripped = a.segments.back().stripped;
+  const ObservableSpace& stripped = a.segments.back().stripped;
   const int local = a.local.space.nullity, frozen = stripped.space.nullity;
   if (local == frozen) return;
   const bool more = frozen < local;
@@ -196,8 +196,8 @@ void compare_coordinates(const ObservabilityAnalysis& a, const SystemInstance& i
                          const SystemMotion& motion, const NullSpaceSettings& rank,
                          std::vector<std::string>& said) {
   if (!instance.has_error_form()) return;
-  std::vector<Linearisation> exact;
-  for (const MotionSegment& s : motion.segments) exact.push_back(instance.linearise(s.start));
+  std::vector<Linearization> exact;
+  for (const MotionSegment& s : motion.segments) exact.push_back(instance.linearize(s.start));
   std::string stated, plain;
   bool all_alike = true;
   const auto upto = stripped_observability(segment_observability(exact));
@@ -257,19 +257,19 @@ std::string why_not_clear(const NullSpace& space, const std::vector<std::string>
 }
 
 void doubt_ranks(const ObservabilityAnalysis& a, std::vector<std::string>& doubts) {
-  const auto look = [&](const std::string& what, const NullSpace& space,
-                        const std::vector<std::string>& states) {
+  const auto check_rank = [&](const std::string& what, const NullSpace& space,
+                              const std::vector<std::string>& states) {
     if (space.ambiguous)
       doubts.push_back("The rank of " + what + " is not clear: " + std::to_string(space.rank) +
                        " is the best guess: " + why_not_clear(space, states) + ".");
   };
   for (std::size_t k = 0; k < a.segments.size(); ++k) {
-    look("SOM after segment " + std::to_string(k + 1), a.segments[k].stripped.space, a.error_states);
-    look("TOM after segment " + std::to_string(k + 1), a.segments[k].total.space, a.error_states);
+    check_rank("SOM after segment " + std::to_string(k + 1), a.segments[k].stripped.space, a.error_states);
+    check_rank("TOM after segment " + std::to_string(k + 1), a.segments[k].total.space, a.error_states);
   }
-  look("the local matrix", a.local.space, a.states);
-  look("the Fisher information", a.fisher.space, a.states);
-  if (a.lie) look("the Lie derivatives", a.lie->space, a.states);
+  check_rank("the local matrix", a.local.space, a.states);
+  check_rank("the Fisher information", a.fisher.space, a.states);
+  if (a.lie) check_rank("the Lie derivatives", a.lie->space, a.states);
 }
 
 void doubt_lie(const LieAnalysis& lie, std::vector<std::string>& doubts) {
@@ -287,11 +287,11 @@ void doubt_lie(const LieAnalysis& lie, std::vector<std::string>& doubts) {
 }
 
 /// A rank says that something is seen, not that it is of any use.
-void note_what_is_barely_seen(const ObservabilityAnalysis& a, std::vector<std::string>& notes) {
+void note_weakly_observable(const ObservabilityAnalysis& a, std::vector<std::string>& notes) {
   constexpr int most = 6;
   int count = 0;
   for (const StateInformation& i : a.information) {
-    if (!i.barely_seen || ++count > most) continue;
+    if (!i.weakly_observable || ++count > most) continue;
     notes.push_back(i.state + " is seen in principle only: sigma " + short_number("%.2g", *i.sigma) +
                     " where its region is " + short_number("%.3g", i.region_width) + " wide.");
   }
@@ -331,7 +331,7 @@ std::vector<std::string> doubts_in(const ObservabilityAnalysis& a) {
 
 std::vector<std::string> notes_on(const ObservabilityAnalysis& a, const SymbolicSystem& system) {
   std::vector<std::string> notes;
-  if (a.growth <= most_growth) note_what_is_barely_seen(a, notes);
+  if (a.growth <= most_growth) note_weakly_observable(a, notes);
   note_inputs(system, notes);
   return notes;
 }

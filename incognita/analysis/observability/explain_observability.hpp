@@ -15,8 +15,8 @@ std::vector<UnobservableDirection> named_directions(const NullSpace& space,
                                                     const std::vector<NamedDirection>& named,
                                                     const std::vector<std::string>& states);
 
-SeenSpace seen_space(const NoisyRows& rows, const std::vector<NamedDirection>& named,
-                     const std::vector<std::string>& states, const NullSpaceSettings& settings);
+ObservableSpace observable_space(const NoisyRows& rows, const std::vector<NamedDirection>& named,
+                                 const std::vector<std::string>& states, const NullSpaceSettings& settings);
 
 std::vector<std::string> disagreements_in(const ObservabilityAnalysis& analysis,
                                           const SystemInstance& instance, const SystemMotion& motion,

@@ -16,7 +16,7 @@ struct Word {
   Owner owner = Owner::vehicle;
   Slot slot = 0;
   int order = 0;
-  Place place;
+  SourceLocation location;
   bool raised_rank = false;
 };
 
@@ -158,9 +158,9 @@ class Search {
       std::vector<Word> next;
       for (const Word& word : front)
         for (int field = 0; field < static_cast<int>(algebra_.fields().size()); ++field) {
-          const Slot slot = algebra_.derive(word.slot, field, word.place);
+          const Slot slot = algebra_.derive(word.slot, field, word.location);
           if (slot >= 0 && !seen(slot, word.owner))
-            next.push_back({word.owner, slot, order, word.place, false});
+            next.push_back({word.owner, slot, order, word.location, false});
         }
       result.orders_examined = order;
       keep(next, rank, result);
@@ -197,7 +197,7 @@ class Search {
     const SymbolicSystem& s = algebra_.system();
     const auto add = [&](Owner owner, const SymbolicSystem::Block& block, const BlockText& text) {
       for (std::size_t i = 0; i < block.measurements.size(); ++i)
-        words.push_back({owner, block.measurements[i], 0, text.measurements[i].expression.place, false});
+        words.push_back({owner, block.measurements[i], 0, text.measurements[i].expression.location, false});
     };
     add(Owner::vehicle, s.vehicle, s.text.vehicle);
     if (instance_.landmarks() > 0) add(Owner::landmark, s.landmark, *s.text.landmark);
@@ -206,7 +206,7 @@ class Search {
     for (std::size_t i = 0; i < own; ++i)
       for (const auto& other : algebra_.other_measurements())
         if (other.original == words[i].slot)
-          words.push_back({words[i].owner, other.slot, 0, words[i].place, false});
+          words.push_back({words[i].owner, other.slot, 0, words[i].location, false});
     return words;
   }
 
@@ -235,7 +235,7 @@ class Search {
 
 }  // namespace
 
-LieAnalysis analyse_lie(const SystemInstance& instance, const SystemMotion& motion, RandomStream& random,
+LieAnalysis analyze_lie(const SystemInstance& instance, const SystemMotion& motion, RandomStream& random,
                         const LieSettings& settings, const NullSpaceSettings& rank) {
   LieAnalysis result;
   Search search(instance, motion, random);

@@ -15,7 +15,7 @@ namespace incognita {
 
 /// Throws SystemTooLarge, with the measurement's place, when an expression outgrows what algebra can do in
 /// seconds.
-LieAnalysis analyse_lie(const SystemInstance& instance, const SystemMotion& motion, RandomStream& random,
+LieAnalysis analyze_lie(const SystemInstance& instance, const SystemMotion& motion, RandomStream& random,
                         const LieSettings& settings = {}, const NullSpaceSettings& rank = {});
 
 }  // namespace incognita

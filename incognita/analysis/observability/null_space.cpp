@@ -123,7 +123,7 @@ NullSpace null_space(const NoisyRows& M, const NullSpaceSettings& settings) {
   return space;
 }
 
-double NullSpace::seen(const Eigen::VectorXd& direction) const {
+double NullSpace::observed_share(const Eigen::VectorXd& direction) const {
   Eigen::VectorXd scaled = direction.cwiseQuotient(column_scale);
   const double length = scaled.norm();
   if (!(length > 0) || singular_values.size() == 0 || !(singular_values[0] > 0)) return 0;
@@ -133,7 +133,7 @@ double NullSpace::seen(const Eigen::VectorXd& direction) const {
 
 bool NullSpace::contains(const Eigen::VectorXd& direction) const {
   // Directions are told exactly; what the matrix makes of them is rounding and what the rank leaves out
-  return direction.norm() > 0 && seen(direction) <= std::max(tolerance, 1e-12);
+  return direction.norm() > 0 && observed_share(direction) <= std::max(tolerance, 1e-12);
 }
 
 namespace {

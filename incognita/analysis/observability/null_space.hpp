@@ -40,7 +40,7 @@ struct NullSpace {
 
   /// How much of the direction is seen: |M d| of the scaled matrix over the largest singular value, for a
   /// direction of unit length in scaled coordinates. 0 for an unobservable direction.
-  double seen(const Eigen::VectorXd& direction) const;
+  double observed_share(const Eigen::VectorXd& direction) const;
   /// Whether a direction lies in the null space, by the tolerance of the rank.
   bool contains(const Eigen::VectorXd& direction) const;
 

@@ -12,8 +12,8 @@
 namespace incognita {
 namespace {
 
-std::vector<SegmentAnalysis> analyse_segments(const SystemInstance& instance, const SystemMotion& motion,
-                                              const std::vector<Linearisation>& forms,
+std::vector<SegmentAnalysis> analyze_segments(const SystemInstance& instance, const SystemMotion& motion,
+                                              const std::vector<Linearization>& forms,
                                               const NullSpaceSettings& rank) {
   std::vector<double> durations;
   for (const MotionSegment& s : motion.segments) durations.push_back(s.duration_s);
@@ -24,15 +24,15 @@ std::vector<SegmentAnalysis> analyse_segments(const SystemInstance& instance, co
   bool holds = true;
   for (std::size_t k = 0; k < forms.size(); ++k) {
     holds = holds && null_space_stays(forms[k], null_space(Q[k], rank));
-    segments.push_back({seen_space(stripped[k], named, instance.error_names(), rank),
-                        seen_space(total[k], named, instance.error_names(), rank), holds});
+    segments.push_back({observable_space(stripped[k], named, instance.error_names(), rank),
+                        observable_space(total[k], named, instance.error_names(), rank), holds});
   }
   return segments;
 }
 
 /// All that the numbers depend on and that was drawn or chosen here: who has it can compute them again.
-void tell_motion(ObservabilityAnalysis& analysis, const SystemInstance& instance, const SystemMotion& motion,
-                 const std::vector<MotionSample>& samples) {
+void report_motion(ObservabilityAnalysis& analysis, const SystemInstance& instance,
+                   const SystemMotion& motion, const std::vector<MotionSample>& samples) {
   const SymbolicSystem& system = instance.system();
   for (const NamedRange& input : system.input_ranges) analysis.inputs.push_back(input.name);
   for (const NamedRange& constant : system.anchor.region) analysis.constants.push_back(constant.name);
@@ -40,8 +40,8 @@ void tell_motion(ObservabilityAnalysis& analysis, const SystemInstance& instance
     analysis.points.push_back(segment.start);
     analysis.durations_s.push_back(segment.duration_s);
   }
-  analysis.looks_per_segment = static_cast<int>((samples.size() - 1) / motion.segments.size());
-  for (const MotionSample& sample : samples) analysis.look_times_s.push_back(sample.t);
+  analysis.measurements_per_segment = static_cast<int>((samples.size() - 1) / motion.segments.size());
+  for (const MotionSample& sample : samples) analysis.measurement_times_s.push_back(sample.t);
 }
 
 /// Enough moments that rank is not short of rows.
@@ -63,7 +63,7 @@ std::vector<double> region_widths(const SystemInstance& instance) {
 
 /// Of each state about the start, from what the measurements alone tell: the pseudo-inverse of the
 /// information, where the null space has no part of the state.
-std::vector<StateInformation> information_of(const NoisyRows& whitened, const SeenSpace& seen,
+std::vector<StateInformation> information_of(const NoisyRows& whitened, const ObservableSpace& seen,
                                              const SystemInstance& instance) {
   const NullSpace& space = seen.space;
   const Eigen::MatrixXd scaled = whitened.rows * space.column_scale.asDiagonal();
@@ -79,7 +79,7 @@ std::vector<StateInformation> information_of(const NoisyRows& whitened, const Se
     StateInformation of{instance.names()[at], std::nullopt, widths[at], false};
     if (!unobservable[at]) of.sigma = std::sqrt(variance);
     constexpr double much = 10;
-    of.barely_seen = of.sigma && of.region_width > 0 && *of.sigma > much * of.region_width;
+    of.weakly_observable = of.sigma && of.region_width > 0 && *of.sigma > much * of.region_width;
     information.push_back(of);
   }
   return information;
@@ -87,7 +87,7 @@ std::vector<StateInformation> information_of(const NoisyRows& whitened, const Se
 
 }  // namespace
 
-ObservabilityAnalysis analyse_observability(const SystemText& text, const ObservabilitySettings& settings) {
+ObservabilityAnalysis analyze_observability(const SystemText& text, const ObservabilitySettings& settings) {
   const SymbolicSystem system = make_symbolic(text, settings.motion);
   const SystemInstance instance(system, settings.landmarks, settings.anchors);
   RandomStream random(settings.seed, "operating points");
@@ -103,21 +103,21 @@ ObservabilityAnalysis analyse_observability(const SystemText& text, const Observ
   analysis.error_states = instance.error_names();
   for (const MotionSegment& segment : motion.segments)
     analysis.error_forms.push_back(instance.error_form(segment.start));
-  analysis.segments = analyse_segments(instance, motion, analysis.error_forms, settings.rank);
+  analysis.segments = analyze_segments(instance, motion, analysis.error_forms, settings.rank);
 
   const auto samples = follow(instance, motion, samples_per_segment(instance, settings.segments));
-  tell_motion(analysis, instance, motion, samples);
+  report_motion(analysis, instance, motion, samples);
   for (const MotionSample& sample : samples)
     analysis.growth = std::max(analysis.growth, sample.Phi.cwiseAbs().maxCoeff());
   const auto named = instance.directions(motion.segments.front().start, false);
   analysis.local =
-      seen_space(local_observability(instance, samples, false), named, instance.names(), settings.rank);
+      observable_space(local_observability(instance, samples, false), named, instance.names(), settings.rank);
   const NoisyRows whitened = local_observability(instance, samples, true);
-  analysis.fisher = seen_space(whitened, named, instance.names(), settings.rank);
+  analysis.fisher = observable_space(whitened, named, instance.names(), settings.rank);
   analysis.information = information_of(whitened, analysis.fisher, instance);
   analysis.sigmas_trusted = analysis.growth <= most_growth && !analysis.fisher.space.ambiguous;
   if (settings.lie) {
-    analysis.lie = analyse_lie(instance, motion, random, settings.lie_settings, settings.rank);
+    analysis.lie = analyze_lie(instance, motion, random, settings.lie_settings, settings.rank);
     analysis.lie_directions = named_directions(analysis.lie->space, named, instance.names());
   }
   analysis.disagreements = disagreements_in(analysis, instance, motion, samples, settings.rank);

@@ -15,7 +15,7 @@
 
 #include "incognita/analysis/observability/lie_analysis.hpp"
 #include "incognita/analysis/observability/null_space.hpp"
-#include "incognita/analysis/systems/linearisation.hpp"
+#include "incognita/analysis/systems/linearization.hpp"
 #include "incognita/analysis/systems/system_text.hpp"
 
 namespace incognita {
@@ -38,14 +38,14 @@ struct UnobservableDirection {
 };
 
 /// A matrix, what it does not see, and in what words.
-struct SeenSpace {
+struct ObservableSpace {
   NullSpace space;
   std::vector<UnobservableDirection> directions;  ///< as many as the nullity; they span the null space
 };
 
 /// Segments 1 to k together.
 struct SegmentAnalysis {
-  SeenSpace stripped, total;
+  ObservableSpace stripped, total;
   bool condition_holds = false;  ///< (4.9), in every segment up to here
 };
 
@@ -53,24 +53,24 @@ struct StateInformation {
   std::string state;
   std::optional<double>
       sigma;  ///< least standard deviation that the motion allows (Cramer, Rao); none: unobservable
-  double region_width = 0;   ///< 0: its start is given
-  bool barely_seen = false;  ///< sigma is much larger than the region: seen in principle only
+  double region_width = 0;         ///< 0: its start is given
+  bool weakly_observable = false;  ///< sigma is much larger than the region: seen in principle only
 };
 
 struct ObservabilityAnalysis {
   std::string system, representation, motion;
   int landmarks = 0, anchors = 0;
-  std::vector<std::string> states;         ///< of the equations: local, Lie, Fisher
-  std::vector<std::string> error_states;   ///< of the error form: SOM, TOM
-  std::vector<std::string> inputs;         ///< names, in the order of SystemPoint::u
-  std::vector<std::string> constants;      ///< of one anchor, in the order of SystemPoint::anchors
-  std::vector<SystemPoint> points;         ///< where each segment begins
-  std::vector<double> durations_s;         ///< of each segment
-  int looks_per_segment = 0;               ///< its end is the start of the next, or the last look of all
-  std::vector<double> look_times_s;        ///< of all looks along the motion, from its start
-  std::vector<Linearisation> error_forms;  ///< F and H of each segment
+  std::vector<std::string> states;          ///< of the equations: local, Lie, Fisher
+  std::vector<std::string> error_states;    ///< of the error form: SOM, TOM
+  std::vector<std::string> inputs;          ///< names, in the order of SystemPoint::u
+  std::vector<std::string> constants;       ///< of one anchor, in the order of SystemPoint::anchors
+  std::vector<SystemPoint> points;          ///< where each segment begins
+  std::vector<double> durations_s;          ///< of each segment
+  int measurements_per_segment = 0;         ///< its end is the start of the next, or the last look of all
+  std::vector<double> measurement_times_s;  ///< of all looks along the motion, from its start
+  std::vector<Linearization> error_forms;   ///< F and H of each segment
   std::vector<SegmentAnalysis> segments;
-  SeenSpace local, fisher;
+  ObservableSpace local, fisher;
   double growth =
       1;  ///< of small differences along the motion: the largest entry of a transition from its start
   std::vector<StateInformation> information;
@@ -83,7 +83,7 @@ struct ObservabilityAnalysis {
 };
 
 /// Throws SystemError, with the place in the file; std::invalid_argument for what the system does not have.
-ObservabilityAnalysis analyse_observability(const SystemText& text, const ObservabilitySettings& settings);
+ObservabilityAnalysis analyze_observability(const SystemText& text, const ObservabilitySettings& settings);
 
 /// The matrices in symbols: F, H and the rows of the observability matrix of one segment (4.6), of the
 /// vehicle with one landmark and one anchor, as LaTeX; and the Lie rows.

@@ -93,9 +93,10 @@ struct PartlyUndone {
 };
 
 /// Whether an error of a newborn is an error of one parent and nothing else but noise of its own: which one.
-std::optional<Eigen::Index> copied_error(const BlockBirth& birth, Eigen::Index row, BlockId parent) {
+std::optional<Eigen::Index> copied_error(const BlockAugmentation& initialization, Eigen::Index row,
+                                         BlockId parent) {
   std::optional<Eigen::Index> copied;
-  for (const BlockParent& p : birth.parents) {
+  for (const BlockParent& p : initialization.parents) {
     if (p.J.row(row).isZero(0)) continue;
     Eigen::Index at = 0;
     if (p.block != parent || copied || p.J.row(row).cwiseAbs().maxCoeff(&at) != 1 ||
@@ -103,7 +104,8 @@ std::optional<Eigen::Index> copied_error(const BlockBirth& birth, Eigen::Index r
       return std::nullopt;
     copied = at;
   }
-  if (birth.noise.row(row).cwiseAbs().sum() != std::abs(birth.noise(row, row))) return std::nullopt;
+  if (initialization.noise.row(row).cwiseAbs().sum() != std::abs(initialization.noise(row, row)))
+    return std::nullopt;
   return copied;
 }
 
@@ -130,13 +132,14 @@ ObservabilityMonitor::ObservabilityMonitor(BlockId vehicle, int vehicle_errors, 
 void ObservabilityMonitor::follow(const BeliefTrace& trace) {
   struct Visitor {
     ObservabilityMonitor& monitor;
-    void operator()(const AffineMotion& motion) { monitor.move(motion); }
-    void operator()(const AffineLook& look) { monitor.look(look); }
-    void operator()(const BlockBirth& birth) { monitor.give_birth(birth); }
+    void operator()(const LinearizedMotion& motion) { monitor.move(motion); }
+    void operator()(const LinearizedMeasurement& measurement) { monitor.add_measurement(measurement); }
+    void operator()(const BlockAugmentation& initialization) { monitor.augment(initialization); }
     void operator()(const BlockReplacement& replacement) { monitor.replace(replacement); }
     void operator()(const BlockDrop& drop) { monitor.drop(drop.block); }
-    void operator()(Reshaping how) {
-      monitor.uncovered_ = how == Reshaping::carried ? Uncovered::carried : Uncovered::decorrelated;
+    void operator()(CovarianceEdit how) {
+      monitor.uncovered_ =
+          how == CovarianceEdit::frame_changed ? Uncovered::frame_changed : Uncovered::decorrelated;
     }
   };
   for (const BeliefEvent& event : trace)
@@ -167,11 +170,11 @@ const ObservabilityMonitor::Block& ObservabilityMonitor::find_or_add(BlockId id,
 /// Motions between looks are composed, and applied when the next look comes: as long as their product can be
 /// undone without loss. Each is asked by itself whether it can be undone, as many that shrink an error a
 /// little never forget it.
-void ObservabilityMonitor::move(const AffineMotion& motion) {
+void ObservabilityMonitor::move(const LinearizedMotion& motion) {
   constexpr double well = 1e-6;      // of the largest pivot, in no unit
   constexpr double near_one = 1e-3;  // a product that shrinks or grows more, in any unit, is undone in pieces
   if (motion.block != blocks_.front().id) {
-    uncovered_ = Uncovered::other_mover;
+    uncovered_ = Uncovered::other_block;
     return;
   }
   if (!motion.A.allFinite() || !motion.N.allFinite()) {
@@ -179,7 +182,7 @@ void ObservabilityMonitor::move(const AffineMotion& motion) {
     return;
   }
   absorb_rows();
-  if (motions_ == Motions::tell_nothing)
+  if (motions_ == Motions::uninformative)
     return forget(MatrixXd::Identity(vehicle_errors(), vehicle_errors()));
   if (!can_be_undone(motion.A, least_pivot)) {
     apply_motion();
@@ -237,49 +240,52 @@ void ObservabilityMonitor::forget(const MatrixXd& directions) {
 // Looks
 // ---------------------------------------------------------------------------------------------------------
 
-void ObservabilityMonitor::look(const AffineLook& look) {
+void ObservabilityMonitor::add_measurement(const LinearizedMeasurement& measurement) {
   apply_motion();
   std::vector<Part> parts;
-  for (int i = 0; i < look.part_count; ++i) {
-    const LookJacobian& H = look.parts[i].H;
-    parts.push_back({0, find_or_add(look.parts[i].block, static_cast<int>(H.cols())).first, H});
+  for (int i = 0; i < measurement.part_count; ++i) {
+    const MeasurementJacobian& H = measurement.parts[i].H;
+    parts.push_back({0, find_or_add(measurement.parts[i].block, static_cast<int>(H.cols())).first, H});
   }
-  add_rows(parts, look.R);
+  add_rows(parts, measurement.R);
 }
 
-void ObservabilityMonitor::give_birth(const BlockBirth& birth) {
+void ObservabilityMonitor::augment(const BlockAugmentation& initialization) {
   apply_motion();
-  const Eigen::Index errors = birth.noise.rows();
+  const Eigen::Index errors = initialization.noise.rows();
   std::vector<Eigen::Index> measured;
   for (Eigen::Index i = 0; i < errors; ++i)
-    if (std::any_of(birth.parents.begin(), birth.parents.end(),
+    if (std::any_of(initialization.parents.begin(), initialization.parents.end(),
                     [&](const BlockParent& parent) { return !parent.J.row(i).isZero(0); }))
       measured.push_back(i);
-  const int first = find_or_add(birth.block, static_cast<int>(errors)).first;
-  for (std::size_t from = 0; from < measured.size(); from += max_look_rows) {  // a look has so many rows
+  const int first = find_or_add(initialization.block, static_cast<int>(errors)).first;
+  for (std::size_t from = 0; from < measured.size();
+       from += max_measurement_rows) {  // a look has so many rows
     const std::vector<Eigen::Index> some(
         measured.begin() + static_cast<std::ptrdiff_t>(from),
-        measured.begin() + static_cast<std::ptrdiff_t>(std::min(measured.size(), from + max_look_rows)));
+        measured.begin() +
+            static_cast<std::ptrdiff_t>(std::min(measured.size(), from + max_measurement_rows)));
     const auto rows = static_cast<Eigen::Index>(some.size());
     const MatrixXd own = MatrixXd::Identity(errors, errors)(some, Eigen::all);
     std::vector<Part> parts{{0, first, own}};
-    for (const BlockParent& parent : birth.parents) {
+    for (const BlockParent& parent : initialization.parents) {
       const MatrixXd J = parent.J(some, Eigen::all);
       parts.push_back({0, find_or_add(parent.block, static_cast<int>(J.cols())).first, -J});
     }
-    LookMatrix R = birth.noise(some, some);
+    MeasurementMatrix R = initialization.noise(some, some);
     for (std::size_t i = 0; i < some.size(); ++i)
-      if (const auto copied = copied_error(birth, some[i], blocks_.front().id); copied && *copied < places_)
-        R.diagonal()[static_cast<Eigen::Index>(i)] =
-            std::max(R.diagonal()[static_cast<Eigen::Index>(i)], exact_place_sigma_ * exact_place_sigma_);
+      if (const auto copied = copied_error(initialization, some[i], blocks_.front().id);
+          copied && *copied < position_size_)
+        R.diagonal()[static_cast<Eigen::Index>(i)] = std::max(R.diagonal()[static_cast<Eigen::Index>(i)],
+                                                              exact_position_sigma_ * exact_position_sigma_);
     R.diagonal().array() += 1e-14 * std::max(1e-14, R.trace() / static_cast<double>(rows));
     add_rows(parts, R);
   }
 }
 
-void ObservabilityMonitor::add_rows(const std::vector<Part>& parts, const LookMatrix& R) {
+void ObservabilityMonitor::add_rows(const std::vector<Part>& parts, const MeasurementMatrix& R) {
   constexpr int most_rows = 64;  // that wait: time and memory are linear in the looks, also without motions
-  const Eigen::LLT<LookMatrix> llt(R);
+  const Eigen::LLT<MeasurementMatrix> llt(R);
   if (llt.info() != Eigen::Success) return;  // no update takes such a look
   if (!std::all_of(parts.begin(), parts.end(), [](const Part& part) { return part.H.allFinite(); })) {
     uncovered_ = Uncovered::not_finite;

@@ -37,16 +37,16 @@ class ObservabilityMonitor {
 
   /// Why what follows is not the filter's information any more.
   enum class Uncovered {
-    carried,       ///< all blocks moved with one: a map told in the frame of its vehicle
-    decorrelated,  ///< correlations were dropped, variances inflated
-    other_mover,   ///< another block than the vehicle moved
-    not_finite,    ///< a motion or a look has numbers that are not finite
+    frame_changed,  ///< all blocks moved with one: a map told in the frame of its vehicle
+    decorrelated,   ///< correlations were dropped, variances inflated
+    other_block,    ///< another block than the vehicle moved
+    not_finite,     ///< a motion or a look has numbers that are not finite
   };
 
   /// What becomes of motions.
   enum class Motions {
     followed,
-    tell_nothing,  ///< after each the vehicle may be anywhere: what is gained is gained by looks alone
+    uninformative,  ///< after each the vehicle may be anywhere: what is gained is gained by looks alone
   };
 
   ObservabilityMonitor(BlockId vehicle, int vehicle_errors, Motions motions = Motions::followed);
@@ -58,18 +58,18 @@ class ObservabilityMonitor {
   /// What A forgets of the vehicle (as the rates of one that is put at rest, or all of it in the first motion
   /// of an unscented filter that starts exactly) is marginalised out. What the motion puts in its place is a
   /// prior, and no information.
-  void move(const AffineMotion& motion);
+  void move(const LinearizedMotion& motion);
   /// Blocks that were not seen to be born are new, and nothing is known of them.
-  void look(const AffineLook& look);
+  void add_measurement(const LinearizedMeasurement& measurement);
   /// A birth is a look at the newborn. Of its errors those that do not depend on any parent were not measured
   /// but assumed, as the depth of a feature seen once: such a guess is no information.
-  void give_birth(const BlockBirth& birth);
-  /// A newborn that copies one of the vehicle's first `places` errors, its place of birth, is taken to be
+  void augment(const BlockAugmentation& initialization);
+  /// A newborn that copies one of the vehicle's first `position_size` errors, its place of birth, is taken to be
   /// sure of it to `sigma` at best: a hair of noise in metres that stands for none would weigh the more the
   /// longer the scene is in metres, until nothing but rounding is left of the rest.
-  void take_as_exact(int places, double sigma) {
-    places_ = places;
-    exact_place_sigma_ = sigma;
+  void set_exact_position(int position_size, double sigma) {
+    position_size_ = position_size;
+    exact_position_sigma_ = sigma;
   }
   /// What is known of the old block, told of the new one. Where the new one has noise of its own nothing is
   /// taken to be known of it.
@@ -94,11 +94,11 @@ class ObservabilityMonitor {
   struct Part {
     int row;    ///< among those that wait
     int first;  ///< error
-    LookJacobian H;
+    MeasurementJacobian H;
   };
   int vehicle_errors() const { return blocks_.front().errors; }
   const Block& find_or_add(BlockId id, int errors);
-  void add_rows(const std::vector<Part>& parts, const LookMatrix& R);
+  void add_rows(const std::vector<Part>& parts, const MeasurementMatrix& R);
   void absorb_rows();
   void put_rows(Eigen::MatrixXd rows);
   void apply_motion();
@@ -120,8 +120,8 @@ class ObservabilityMonitor {
   int row_count_ = 0;                                  ///< their rows
   bool moved_ = false;                                 ///< A_ and N_ are to be applied
   BlockMatrix A_, N_;
-  int places_ = 0;  ///< see take_as_exact()
-  double exact_place_sigma_ = 0;
+  int position_size_ = 0;  ///< see set_exact_position()
+  double exact_position_sigma_ = 0;
   std::optional<Uncovered> uncovered_;
 };
 

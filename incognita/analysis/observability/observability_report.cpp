@@ -76,20 +76,21 @@ struct Left {
   }
 };
 
-struct Believed {
+struct GainedQuantities {
   std::vector<Quantity> quantities;
   Left by_filter;
-  std::optional<Left> by_looks;  ///< where they are told apart
+  std::optional<Left> by_measurements;  ///< where they are told apart
 };
 
 /// How much each quantity changes along each remaining symmetry, in its own size.
-MatrixXd changes(const Believed& believed, const VectorXd& place, const RemainingSymmetries& left) {
-  const auto count = static_cast<Eigen::Index>(believed.quantities.size());
+MatrixXd changes(const GainedQuantities& gained_quantities, const VectorXd& position,
+                 const RemainingSymmetries& left) {
+  const auto count = static_cast<Eigen::Index>(gained_quantities.quantities.size());
   MatrixXd by_generator = MatrixXd::Identity(count, count);
-  by_generator.topRows(place.size()) = displacement(place, left.about);
+  by_generator.topRows(position.size()) = displacement(position, left.about);
   MatrixXd out = by_generator * left.basis;
   for (Eigen::Index i = 0; i < count; ++i)
-    out.row(i) /= believed.quantities[static_cast<std::size_t>(i)].size;
+    out.row(i) /= gained_quantities.quantities[static_cast<std::size_t>(i)].size;
   for (Eigen::Index i = 0; i < out.cols(); ++i) out.col(i) /= out.col(i).cwiseAbs().maxCoeff();
   return out;
 }
@@ -107,49 +108,54 @@ int count_gained(const std::vector<Quantity>& quantities, const Left& left, cons
   return static_cast<int>((eigen.eigenvalues().array() < std::min(1.0, left.nothing)).count());
 }
 
-void count_believed(ObservabilityReport& report, const Believed& believed, const MatrixXd& along) {
-  const int gained = count_gained(believed.quantities, believed.by_filter, along);
-  report.wrongly_believed =
-      believed.by_looks ? std::min(gained, count_gained(believed.quantities, *believed.by_looks, along))
-                        : gained;
-  report.by_motion_model = gained - report.wrongly_believed;
+void count_spurious(ObservabilityReport& report, const GainedQuantities& gained_quantities,
+                    const MatrixXd& along) {
+  const int gained = count_gained(gained_quantities.quantities, gained_quantities.by_filter, along);
+  report.spurious_information =
+      gained_quantities.by_measurements
+          ? std::min(gained,
+                     count_gained(gained_quantities.quantities, *gained_quantities.by_measurements, along))
+          : gained;
+  report.by_motion_model = gained - report.spurious_information;
 }
 
-void put_quantities(ObservabilityReport& report, const Believed& believed, const MatrixXd& along) {
-  for (std::size_t i = 0; i < believed.quantities.size(); ++i) {
-    const Quantity& q = believed.quantities[i];
+void put_quantities(ObservabilityReport& report, const GainedQuantities& gained_quantities,
+                    const MatrixXd& along) {
+  for (std::size_t i = 0; i < gained_quantities.quantities.size(); ++i) {
+    const Quantity& q = gained_quantities.quantities[i];
     const auto row = static_cast<Eigen::Index>(i);
     QuantityReport out;
     out.name = q.name;
     out.unit = q.unit;
     out.ideally_observable = along.cols() == 0 || along.row(row).cwiseAbs().maxCoeff() < 1e-6;
-    out.believed_sigma = believed.by_filter.sigma(row, q.size);
-    out.gained = out.believed_sigma && *out.believed_sigma < q.size;
-    if (believed.by_looks) {
-      out.sigma_from_looks = believed.by_looks->sigma(row, q.size);
-      out.by_motion_model = out.gained && !(out.sigma_from_looks && *out.sigma_from_looks < q.size);
+    out.estimated_sigma = gained_quantities.by_filter.sigma(row, q.size);
+    out.gained = out.estimated_sigma && *out.estimated_sigma < q.size;
+    if (gained_quantities.by_measurements) {
+      out.sigma_from_measurements = gained_quantities.by_measurements->sigma(row, q.size);
+      out.by_motion_model =
+          out.gained && !(out.sigma_from_measurements && *out.sigma_from_measurements < q.size);
     }
     report.quantities.push_back(std::move(out));
   }
 }
 
 template <class Scene>
-ObservabilityReport held_against(const MonitoredInformation& of_filter, const Scene& scene,
-                                 const FixedPoints& fixed, const std::string& uncovered,
-                                 const Believed& believed) {
+ObservabilityReport compared_with(const MonitoredInformation& of_filter, const Scene& scene,
+                                  const FixedPoints& fixed, const std::string& uncovered,
+                                  const GainedQuantities& gained_quantities) {
   ObservabilityReport report;
   report.uncovered = uncovered;
   report.anchors = fixed.anchors;
   report.position_fixes = fixed.position_fixes;
-  MatrixXd places = fixed.places;
-  places.conservativeResize(Scene::dimension, Eigen::NoChange);
-  const RemainingSymmetries left = remaining_symmetries(places);
+  MatrixXd positions = fixed.positions;
+  positions.conservativeResize(Scene::dimension, Eigen::NoChange);
+  const RemainingSymmetries left = remaining_symmetries(positions);
   report.ideal_nullity = static_cast<int>(left.basis.cols());
-  const MatrixXd along = changes(believed, scene.place(), left);
-  put_quantities(report, believed, along);
+  const MatrixXd along = changes(gained_quantities, scene.position(), left);
+  put_quantities(report, gained_quantities, along);
   if (!uncovered.empty()) return report;
   report.information = rank_of_information(of_filter, units_of(scene));
-  count_believed(report, believed, along);
+  count_spurious(report, gained_quantities, along);
   return report;
 }
 
@@ -162,16 +168,16 @@ MatrixXd distances(const SpatialScene& scene, const FixedPoints& fixed, std::vec
   MatrixXd G = MatrixXd::Zero(static_cast<Eigen::Index>(scene.landmarks.size() + 1), scene.errors);
   Eigen::Index row = 0;
   for (const auto& landmark : scene.landmarks) {
-    const auto at = place_of(landmark);
+    const auto at = landmark_point(landmark);
     if (!at) continue;
-    const Eigen::Vector3d away = at->position - scene.place();
+    const Eigen::Vector3d away = at->position - scene.position();
     const Eigen::RowVector3d along = away.transpose() / away.squaredNorm();
     G.row(row).head<3>() = -along;
     G.row(row++).segment(landmark.first, at->J.cols()) = along * at->J;
     ids.push_back(landmark.id);
   }
-  if (fixed.places.cols() > 0) {
-    const Eigen::Vector3d away = scene.place() - fixed.places.rowwise().mean();
+  if (fixed.positions.cols() > 0) {
+    const Eigen::Vector3d away = scene.position() - fixed.positions.rowwise().mean();
     if (away.squaredNorm() > 0) G.row(row++).head<3>() = away.transpose() / away.squaredNorm();
   }
   return G.topRows(row);
@@ -247,7 +253,7 @@ Left left_of(const CameraFunctionals& f) {
 
 /// What would be known whatever the frame and scale are, were it seen well: depths and rates, the depths and
 /// the velocity against the scale where that is not known itself.
-std::vector<std::string> not_learnt(const CameraFunctionals& f, const SpatialScene& scene, bool scale_known) {
+std::vector<std::string> not_gained(const CameraFunctionals& f, const SpatialScene& scene, bool scale_known) {
   MatrixXd relative = MatrixXd::Identity(f.G.rows(), f.G.rows());
   if (!scale_known) {
     const Eigen::Vector3d v = rotation_matrix<double>(free_camera::orientation(scene.camera)).transpose() *
@@ -264,7 +270,7 @@ std::vector<std::string> not_learnt(const CameraFunctionals& f, const SpatialSce
     if (variances[12 + static_cast<Eigen::Index>(i)] > 1)
       names.push_back("depth of landmark " + std::to_string(f.ids[i]));
   for (const auto& landmark : scene.landmarks)
-    if (!place_of(landmark)) names.push_back("depth of landmark " + std::to_string(landmark.id));
+    if (!landmark_point(landmark)) names.push_back("depth of landmark " + std::to_string(landmark.id));
   return names;
 }
 
@@ -298,11 +304,11 @@ struct Group {
 };
 
 std::vector<Group> groups_of(const ObservabilityReport& report) {
-  Group place{"place", {}}, turns{"orientation", {}}, scale{"scale", {}};
+  Group position{"place", {}}, turns{"orientation", {}}, scale{"scale", {}};
   for (const QuantityReport& q : report.quantities)
-    (q.unit == "m" ? place : q.unit == "rad" ? turns : scale).members.push_back(&q);
+    (q.unit == "m" ? position : q.unit == "rad" ? turns : scale).members.push_back(&q);
   if (turns.members.size() == 1) turns.word = "heading";
-  std::vector<Group> groups{place, turns};
+  std::vector<Group> groups{position, turns};
   if (!scale.members.empty()) groups.push_back(scale);
   return groups;
 }
@@ -321,7 +327,7 @@ const QuantityReport* best_gained(const Group& group, bool by_motion_model) {
   const QuantityReport* best = nullptr;
   for (const QuantityReport* q : group.members)
     if (!q->ideally_observable && q->gained && q->by_motion_model == by_motion_model &&
-        (!best || *q->believed_sigma < *best->believed_sigma))
+        (!best || *q->estimated_sigma < *best->estimated_sigma))
       best = q;
   return best;
 }
@@ -330,14 +336,16 @@ std::string of_unobservable(const Group& group, const ObservabilityReport& repor
   std::string text = std::string(group.word) + ": unobservable";
   if (const std::string by = fixed_by(report); !by.empty()) text += " with " + by;
   const bool many = group.members.size() > 1;
-  const QuantityReport* by_looks = best_gained(group, false);
-  if (by_looks)
-    text += ", yet the filter believes to know " + (many ? by_looks->name : "it") + " to " +
-            sigma_in_words(by_looks->sigma_from_looks.value_or(*by_looks->believed_sigma), by_looks->unit) +
-            " from its looks";
+  const QuantityReport* by_measurements = best_gained(group, false);
+  if (by_measurements)
+    text +=
+        ", yet the filter believes to know " + (many ? by_measurements->name : "it") + " to " +
+        sigma_in_words(by_measurements->sigma_from_measurements.value_or(*by_measurements->estimated_sigma),
+                       by_measurements->unit) +
+        " from its looks";
   if (const QuantityReport* q = best_gained(group, true))
-    text += (by_looks ? "; " : " by looks, ") + (many ? q->name + " known" : std::string("known")) + " to " +
-            sigma_in_words(*q->believed_sigma, q->unit) + " by its motion model";
+    text += (by_measurements ? "; " : " by looks, ") + (many ? q->name + " known" : std::string("known")) +
+            " to " + sigma_in_words(*q->estimated_sigma, q->unit) + " by its motion model";
   return text;
 }
 
@@ -373,24 +381,27 @@ InformationRank rank_of_information(const MonitoredInformation& information, con
 ObservabilityReport observability_report(const MonitoredInformation& of_filter, const PlanarScene& scene,
                                          const FixedPoints& fixed, const std::string& uncovered) {
   const double length = typical_distance(scene);
-  Believed believed{{{"x", "m", length}, {"y", "m", length}, {"heading", "rad", 1}}, {}, {}};
+  GainedQuantities gained_quantities{{{"x", "m", length}, {"y", "m", length}, {"heading", "rad", 1}}, {}, {}};
   if (uncovered.empty()) {
     const Covariances covariances(of_filter, units_of(scene));
-    believed.by_filter = {covariances.of(MatrixXd::Identity(3, scene.errors)), covariances.nothing()};
+    gained_quantities.by_filter = {covariances.of(MatrixXd::Identity(3, scene.errors)),
+                                   covariances.nothing()};
   }
-  return held_against(of_filter, scene, fixed, uncovered, believed);
+  return compared_with(of_filter, scene, fixed, uncovered, gained_quantities);
 }
 
 ObservabilityReport observability_report(const MonitoredInformation& of_filter,
-                                         const MonitoredInformation& of_looks, const SpatialScene& scene,
-                                         const FixedPoints& fixed, const std::string& uncovered) {
-  Believed believed{quantities_of(scene), {}, {}};
-  if (!uncovered.empty()) return held_against(of_filter, scene, fixed, uncovered, believed);
+                                         const MonitoredInformation& of_measurements,
+                                         const SpatialScene& scene, const FixedPoints& fixed,
+                                         const std::string& uncovered) {
+  GainedQuantities gained_quantities{quantities_of(scene), {}, {}};
+  if (!uncovered.empty()) return compared_with(of_filter, scene, fixed, uncovered, gained_quantities);
   const CameraFunctionals f = functionals(of_filter, scene, fixed);
-  believed.by_filter = left_of(f);
-  if (of_looks.Y.size() > 0) believed.by_looks = left_of(functionals(of_looks, scene, fixed));
-  ObservabilityReport report = held_against(of_filter, scene, fixed, uncovered, believed);
-  report.without_information = not_learnt(f, scene, report.quantities.back().ideally_observable);
+  gained_quantities.by_filter = left_of(f);
+  if (of_measurements.Y.size() > 0)
+    gained_quantities.by_measurements = left_of(functionals(of_measurements, scene, fixed));
+  ObservabilityReport report = compared_with(of_filter, scene, fixed, uncovered, gained_quantities);
+  report.without_information = not_gained(f, scene, report.quantities.back().ideally_observable);
   return report;
 }
 

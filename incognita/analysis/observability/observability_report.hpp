@@ -45,7 +45,7 @@ InformationRank rank_of_information(const MonitoredInformation& information, con
 /// What has fixed the frame so far.
 struct FixedPoints {
   Eigen::MatrixXd
-      places;  ///< dimension x number: anchors that corrected the filter, places of position fixes
+      positions;  ///< dimension x number: anchors that corrected the filter, places of position fixes
   int anchors = 0;
   bool position_fixes = false;
 };
@@ -55,10 +55,10 @@ struct QuantityReport {
   std::string unit;  ///< `m`, `rad`, or `1` for the scale, a ratio
   bool ideally_observable = false;
   /// Standard deviation that the filter's own information leaves, without prior; none where it has none
-  std::optional<double> believed_sigma;
+  std::optional<double> estimated_sigma;
   bool gained = false;  ///< that sigma says something: it is less than the scene, a radian, a hundred percent
-  bool by_motion_model = false;            ///< it says something, and what the looks alone leave does not
-  std::optional<double> sigma_from_looks;  ///< the same of looks alone, where they are told apart
+  bool by_motion_model = false;  ///< it says something, and what the looks alone leave does not
+  std::optional<double> sigma_from_measurements;  ///< the same of looks alone, where they are told apart
 };
 
 struct ObservabilityReport {
@@ -68,8 +68,8 @@ struct ObservabilityReport {
   int ideal_nullity = 0;  ///< symmetries that remain
   // Of the filter's information; 0 and empty where it is not followed
   InformationRank information;
-  int wrongly_believed = 0;  ///< of the remaining symmetries, along how many looks have told the filter
-  int by_motion_model = 0;   ///< and along how many more it knows by its motion model
+  int spurious_information = 0;  ///< of the remaining symmetries, along how many looks have told the filter
+  int by_motion_model = 0;       ///< and along how many more it knows by its motion model
   std::vector<QuantityReport> quantities;
   std::vector<std::string> without_information;  ///< what could be known, and of which nothing was learnt
 };
@@ -79,11 +79,12 @@ struct ObservabilityReport {
 /// was gained of them is the looks'.
 ObservabilityReport observability_report(const MonitoredInformation& of_filter, const PlanarScene& scene,
                                          const FixedPoints& fixed, const std::string& uncovered = "");
-/// `of_looks`: by looks alone, motions telling nothing; not asked for, and may be empty, where no symmetry
+/// `of_measurements`: by looks alone, motions telling nothing; not asked for, and may be empty, where no symmetry
 /// remains.
 ObservabilityReport observability_report(const MonitoredInformation& of_filter,
-                                         const MonitoredInformation& of_looks, const SpatialScene& scene,
-                                         const FixedPoints& fixed, const std::string& uncovered = "");
+                                         const MonitoredInformation& of_measurements,
+                                         const SpatialScene& scene, const FixedPoints& fixed,
+                                         const std::string& uncovered = "");
 
 /// The same for a person, a sentence each: "scale: fixed by 4 anchors".
 std::vector<std::string> in_words(const ObservabilityReport& report);

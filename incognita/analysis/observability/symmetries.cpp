@@ -16,9 +16,10 @@ void put_inverse_depth(const SpatialScene::Landmark& landmark, const Eigen::Vect
   const InverseDepthLandmark::State& y = landmark.mean;
   N.topRows<3>() = displacement(y.head<3>(), c);
   const Eigen::Vector3d ray(y[3], y[4], 1);
-  const Eigen::Matrix3d birth_from_world =
-      rotation_matrix<double>(landmark.birth_axes.world_from_birth).transpose();
-  const Eigen::Matrix3d turned = -skew<double>(ray) * birth_from_world;  // d(e x r) / d(turn in the world)
+  const Eigen::Matrix3d initial_camera_from_world =
+      rotation_matrix<double>(landmark.initial_axes.world_from_initial_camera).transpose();
+  const Eigen::Matrix3d turned =
+      -skew<double>(ray) * initial_camera_from_world;  // d(e x r) / d(turn in the world)
   N.block<2, 3>(3, 3) = turned.topRows<2>() - ray.head<2>() * turned.row(2);
   if (landmark.form == Form::ray) return;
   N.block<1, 3>(5, 3) = -y[5] * turned.row(2);
@@ -34,18 +35,18 @@ double median(std::vector<double> values) {
 
 }  // namespace
 
-std::optional<PlaceOfLandmark> place_of(const SpatialScene::Landmark& landmark) {
+std::optional<LandmarkPoint> landmark_point(const SpatialScene::Landmark& landmark) {
   switch (landmark.form) {
     case Form::point:
-      return PlaceOfLandmark{landmark.mean.head<3>(), Eigen::Matrix3d::Identity()};
+      return LandmarkPoint{landmark.mean.head<3>(), Eigen::Matrix3d::Identity()};
     case Form::ray:
       return std::nullopt;
     case Form::inverse_depth:
       break;
   }
   if (!(landmark.mean[5] > 1e-6)) return std::nullopt;
-  const auto point = landmark.birth_axes.point(landmark.mean);
-  return PlaceOfLandmark{point.position, point.J};
+  const auto point = landmark.initial_axes.point(landmark.mean);
+  return LandmarkPoint{point.position, point.J};
 }
 
 Eigen::MatrixXd displacement(const Eigen::VectorXd& point, const Eigen::VectorXd& c) {
@@ -62,7 +63,7 @@ Eigen::MatrixXd displacement(const Eigen::VectorXd& point, const Eigen::VectorXd
 
 Eigen::MatrixXd symmetry_directions(const PlanarScene& scene, const Eigen::Vector2d& c) {
   Eigen::MatrixXd N = Eigen::MatrixXd::Zero(scene.errors, PlanarScene::generators);
-  N.topRows<2>() = displacement(scene.place(), c);
+  N.topRows<2>() = displacement(scene.position(), c);
   N(2, 2) = 1;
   for (const auto& landmark : scene.landmarks)
     N.middleRows<2>(landmark.first) = displacement(landmark.position, c);
@@ -72,7 +73,7 @@ Eigen::MatrixXd symmetry_directions(const PlanarScene& scene, const Eigen::Vecto
 Eigen::MatrixXd symmetry_directions(const SpatialScene& scene, const Eigen::Vector3d& c) {
   Eigen::MatrixXd N = Eigen::MatrixXd::Zero(scene.errors, SpatialScene::generators);
   const Eigen::Vector3d v = free_camera::velocity(scene.camera);
-  N.topRows<3>() = displacement(scene.place(), c);
+  N.topRows<3>() = displacement(scene.position(), c);
   N.block<3, 3>(3, 3) = rotation_matrix<double>(free_camera::orientation(scene.camera)).transpose();
   N.block<3, 3>(6, 3) = -skew<double>(v);
   N.block<3, 1>(6, 6) = v;
@@ -110,14 +111,15 @@ RemainingSymmetries remaining_symmetries(const Eigen::MatrixXd& points) {
 double typical_distance(const PlanarScene& scene) {
   std::vector<double> distances;
   for (const auto& landmark : scene.landmarks)
-    distances.push_back((landmark.position - scene.place()).norm());
+    distances.push_back((landmark.position - scene.position()).norm());
   return median(std::move(distances));
 }
 
 double typical_distance(const SpatialScene& scene) {
   std::vector<double> distances;
   for (const auto& landmark : scene.landmarks)
-    if (const auto at = place_of(landmark)) distances.push_back((at->position - scene.place()).norm());
+    if (const auto at = landmark_point(landmark))
+      distances.push_back((at->position - scene.position()).norm());
   return median(std::move(distances));
 }
 

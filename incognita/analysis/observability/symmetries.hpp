@@ -13,7 +13,7 @@
 #include <optional>
 #include <vector>
 
-#include "incognita/models/camera_look.hpp"
+#include "incognita/models/camera_measurement.hpp"
 #include "incognita/models/planar_vehicle.hpp"
 
 namespace incognita {
@@ -32,7 +32,7 @@ struct PlanarScene {
   std::vector<Landmark> landmarks;
   int errors = 3;
 
-  Eigen::Vector2d place() const { return vehicle.head<2>(); }
+  Eigen::Vector2d position() const { return vehicle.head<2>(); }
 };
 
 /// A free camera (FreeCameraMotion's 12 errors) among landmarks.
@@ -49,7 +49,7 @@ struct SpatialScene {
     std::int64_t id = 0;
     int first = 0;  ///< error
     Form form = Form::point;
-    InverseDepthLandmark birth_axes{};
+    InverseDepthLandmark initial_axes{};
     InverseDepthLandmark::State mean =
         InverseDepthLandmark::State::Zero();  ///< as many numbers as it has errors
   };
@@ -57,16 +57,16 @@ struct SpatialScene {
   std::vector<Landmark> landmarks;
   int errors = FreeCameraMotion::error_size;
 
-  Eigen::Vector3d place() const { return free_camera::position(camera); }
+  Eigen::Vector3d position() const { return free_camera::position(camera); }
 };
 
 /// Where a landmark is, and d(position) / d(errors); nothing for one whose depth is not known or not
 /// positive.
-struct PlaceOfLandmark {
+struct LandmarkPoint {
   Eigen::Vector3d position;
   Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 6> J;
 };
-std::optional<PlaceOfLandmark> place_of(const SpatialScene::Landmark& landmark);
+std::optional<LandmarkPoint> landmark_point(const SpatialScene::Landmark& landmark);
 
 /// Errors x generators: how the scene's errors change under each generator about c.
 Eigen::MatrixXd symmetry_directions(const PlanarScene& scene, const Eigen::Vector2d& c);

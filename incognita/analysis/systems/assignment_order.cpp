@@ -47,7 +47,7 @@ class Order {
     std::string cycle = name(*first);
     for (auto next = first + 1; next != path_.end(); ++next)
       cycle += (next == first + 1 ? " depends on " : ", which depends on ") + name(*next);
-    throw SystemError(graph_[assignments_[*first].value].place,
+    throw SystemError(graph_[assignments_[*first].value].location,
                       "the motion's assignments are circular: " + cycle +
                           "; draw a number for one of them (draw.q = [lowest, highest]) and use it instead");
   }

@@ -45,7 +45,7 @@ SignedNode number_node(const numeric& n) {
 
 }  // namespace
 
-SignedNode Canonicaliser::operator()(const ex& expression) {
+SignedNode Canonicalizer::operator()(const ex& expression) {
   const auto found = known_.find(expression);
   if (found != known_.end()) return found->second;
   SignedNode made = make(expression);
@@ -53,7 +53,7 @@ SignedNode Canonicaliser::operator()(const ex& expression) {
   return made;
 }
 
-SignedNode Canonicaliser::make(const ex& e) {
+SignedNode Canonicalizer::make(const ex& e) {
   CanonicalNode node;
   if (GiNaC::is_a<numeric>(e)) {
     const numeric n = GiNaC::ex_to<numeric>(e);
@@ -81,7 +81,7 @@ SignedNode Canonicaliser::make(const ex& e) {
   return finished(std::move(node), false);
 }
 
-SignedNode Canonicaliser::sum(const ex& e) {
+SignedNode Canonicalizer::sum(const ex& e) {
   CanonicalNode node;
   node.kind = Kind::sum;
   for (std::size_t i = 0; i < e.nops(); ++i) node.parts.push_back((*this)(e.op(i)));
@@ -91,7 +91,7 @@ SignedNode Canonicaliser::sum(const ex& e) {
   return finished(std::move(node), negative);
 }
 
-SignedNode Canonicaliser::product(const ex& e) {
+SignedNode Canonicalizer::product(const ex& e) {
   CanonicalNode node;
   node.kind = Kind::product;
   bool negative = false;
@@ -108,7 +108,7 @@ SignedNode Canonicaliser::product(const ex& e) {
   return finished(std::move(node), negative);
 }
 
-SignedNode Canonicaliser::power(const ex& e) {
+SignedNode Canonicalizer::power(const ex& e) {
   CanonicalNode node;
   node.kind = Kind::power;
   SignedNode base = (*this)(e.op(0));
@@ -277,10 +277,10 @@ SignedNode finished(CanonicalNode node, bool negative) {
 
 std::string written(const SignedNode& expression) { return Writer().write(expression).text; }
 
-std::string written(const ex& expression) { return written(Canonicaliser()(expression)); }
+std::string written(const ex& expression) { return written(Canonicalizer()(expression)); }
 
 std::string in_latex(const ex& expression, const LatexNames& names) {
-  return Writer(names).write(Canonicaliser()(expression)).text;
+  return Writer(names).write(Canonicalizer()(expression)).text;
 }
 
 }  // namespace incognita

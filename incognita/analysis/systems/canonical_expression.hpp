@@ -42,7 +42,7 @@ struct CanonicalNode {
   int binding = 0;   ///< of the text: how tightly it holds together
 };
 
-class Canonicaliser {
+class Canonicalizer {
  public:
   /// Throws std::domain_error for what is not a real function of its symbols, with what that is.
   SignedNode operator()(const GiNaC::ex& expression);

@@ -30,21 +30,21 @@ bool has_long_product(const GiNaC::ex& e) {
 
 }  // namespace
 
-void ExpressionGraph::spend(std::size_t nodes, Place place) {
+void ExpressionGraph::spend(std::size_t nodes, SourceLocation location) {
   spent_ += nodes;
   if (nodes > largest_expression || spent_ > most_nodes)
-    throw SystemTooLarge(
-        place, "too large for symbolic derivatives: more than " +
-                   std::to_string(nodes > largest_expression ? largest_expression : most_nodes) + " terms" +
-                   (nodes > largest_expression ? " in one expression" : ""));
+    throw SystemTooLarge(location,
+                         "too large for symbolic derivatives: more than " +
+                             std::to_string(nodes > largest_expression ? largest_expression : most_nodes) +
+                             " terms" + (nodes > largest_expression ? " in one expression" : ""));
 }
 
-ExpressionGraph::Slot ExpressionGraph::add_atom(const std::string& name, Owner owner, Place place,
+ExpressionGraph::Slot ExpressionGraph::add_atom(const std::string& name, Owner owner, SourceLocation location,
                                                 int column) {
   Quantity quantity;
   quantity.name = name;
   quantity.owner = owner;
-  quantity.place = place;
+  quantity.location = location;
   quantity.symbol = GiNaC::realsymbol(name);
   quantity.column = column;
   quantity.named = true;
@@ -54,11 +54,12 @@ ExpressionGraph::Slot ExpressionGraph::add_atom(const std::string& name, Owner o
 }
 
 ExpressionGraph::Slot ExpressionGraph::define(const std::string& name, Owner owner,
-                                              const GiNaC::ex& expression, Place place, bool named) {
-  spend(tree_size(expression, largest_expression + 1), place);
+                                              const GiNaC::ex& expression, SourceLocation location,
+                                              bool named) {
+  spend(tree_size(expression, largest_expression + 1), location);
   if (has_long_product(expression))
-    throw SystemTooLarge(place, "a product of more than " + std::to_string(most_factors) +
-                                    " factors: give parts of it names, under definitions");
+    throw SystemTooLarge(location, "a product of more than " + std::to_string(most_factors) +
+                                       " factors: give parts of it names, under definitions");
   GiNaC::exset names;
   symbols_in(expression, names);
   Quantity quantity;
@@ -72,7 +73,7 @@ ExpressionGraph::Slot ExpressionGraph::define(const std::string& name, Owner own
     for (const GiNaC::ex& symbol : names) by_slot.emplace(slots_.at(symbol), symbol);
     for (const auto& [from, symbol] : by_slot) {
       const GiNaC::ex partial = expression.diff(GiNaC::ex_to<GiNaC::symbol>(symbol));
-      spend(tree_size(partial, largest_expression + 1), place);
+      spend(tree_size(partial, largest_expression + 1), location);
       quantity.partials.emplace_back(from, partial);
       quantity.partial_tapes.emplace_back(partial, slot);
       quantity.owner = std::max(quantity.owner, (*this)[from].owner);
@@ -80,10 +81,10 @@ ExpressionGraph::Slot ExpressionGraph::define(const std::string& name, Owner own
   } catch (const SystemError&) {
     throw;
   } catch (const std::exception&) {
-    throw SystemError(place, "`" + name + "` " + no_value);
+    throw SystemError(location, "`" + name + "` " + no_value);
   }
   quantity.name = name;
-  quantity.place = place;
+  quantity.location = location;
   quantity.symbol = GiNaC::realsymbol(name);
   quantity.expression = expression;
   slots_[quantity.symbol] = size();
@@ -142,7 +143,7 @@ GiNaC::ex ExpressionGraph::derivative(const GiNaC::ex& expression, Slot atom,
     if (inner->second.is_zero()) continue;
     total += expression.diff(GiNaC::ex_to<GiNaC::symbol>(symbol)) * inner->second;
     if (tree_size(total, largest_expression + 1) > largest_expression)
-      throw SystemTooLarge(Place{},
+      throw SystemTooLarge(SourceLocation{},
                            "a derivative of more than " + std::to_string(largest_expression) + " terms");
   }
   return total;
@@ -182,7 +183,7 @@ void ExpressionGraph::refuse_value(Slot slot, const Evaluation& e, const char* w
   std::string zeros;
   for (const std::string& name : zeros_in(slot, e)) zeros += (zeros.empty() ? "" : " and ") + name;
   throw SystemError(
-      (*this)[slot].place,
+      (*this)[slot].location,
       "`" + (*this)[slot].name + "` " + what + " at the operating point" +
           (zeros.empty() ? "" : ", with " + zeros + " at 0") +
           ": a division by zero, or a function outside its domain; choose " +

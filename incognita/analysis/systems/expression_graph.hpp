@@ -32,7 +32,7 @@ class ExpressionGraph {
   struct Quantity {
     std::string name;
     Owner owner = Owner::vehicle;
-    Place place;  ///< of what it comes from in the file
+    SourceLocation location;  ///< of what it comes from in the file
     GiNaC::realsymbol symbol;
     std::optional<GiNaC::ex> expression;  ///< none: an atom
     std::optional<Tape> tape;
@@ -43,9 +43,9 @@ class ExpressionGraph {
   };
 
   /// Throws SystemError when the graph grows past what can be computed in reasonable time.
-  Slot add_atom(const std::string& name, Owner owner, Place place, int column = -1);
+  Slot add_atom(const std::string& name, Owner owner, SourceLocation location, int column = -1);
   /// `owner`: at least; what it names may make it another's. `named`: later texts may name it.
-  Slot define(const std::string& name, Owner owner, const GiNaC::ex& expression, Place place,
+  Slot define(const std::string& name, Owner owner, const GiNaC::ex& expression, SourceLocation location,
               bool named = false);
   /// Checks, parses, and takes a text that names quantities that `sees` (itself and the vehicle's).
   GiNaC::ex parse(const ExpressionText& text, Owner sees) const;
@@ -79,7 +79,7 @@ class ExpressionGraph {
   std::vector<bool> needed_for(const std::vector<Slot>& slots) const;
 
  private:
-  void spend(std::size_t nodes, Place place);
+  void spend(std::size_t nodes, SourceLocation location);
   std::vector<std::string> zeros_in(Slot slot, const Evaluation& evaluation) const;
   [[noreturn]] void refuse_value(Slot slot, const Evaluation& evaluation, const char* what) const;
   GiNaC::ex derivative(const GiNaC::ex& expression, Slot atom, std::map<Slot, GiNaC::ex>& known) const;

@@ -71,8 +71,8 @@ GiNaC::exmap LieAlgebra::replaced(GiNaC::exmap with, const std::string& tag,
 ex LieAlgebra::quantity_like(Slot original, const ex& expression, const std::string& tag) {
   const std::string name = system_.graph[original].name + tag;
   const Owner owner = system_.graph[original].owner;
-  const Place place = system_.graph[original].place;
-  return system_.graph[system_.graph.define(name, owner, expression, place)].symbol;
+  const SourceLocation location = system_.graph[original].location;
+  return system_.graph[system_.graph.define(name, owner, expression, location)].symbol;
 }
 
 /// Puts the expressions of tied inputs in their place, in all rates and measurements.
@@ -185,7 +185,7 @@ void LieAlgebra::add_further_sets(int count, const std::vector<Slot>& held, cons
   }
 }
 
-ex LieAlgebra::derived(Slot quantity, int field, Place place) {
+ex LieAlgebra::derived(Slot quantity, int field, SourceLocation location) {
   const auto key = std::make_pair(quantity, field);
   const auto found = known_.find(key);
   if (found != known_.end()) return found->second;
@@ -198,20 +198,20 @@ ex LieAlgebra::derived(Slot quantity, int field, Place place) {
     // By index: quantities are added while this one is looked at
     for (std::size_t i = 0; i < system_.graph[quantity].partials.size(); ++i) {
       const auto [inner, partial] = system_.graph[quantity].partials[i];
-      total += partial * derived(inner, field, place);
+      total += partial * derived(inner, field, location);
     }
   }
   if (!is_atomic(total)) {
     const Owner owner = system_.graph[quantity].owner;
     const std::string name = "L_" + along.name + " " + system_.graph[quantity].name;
-    total = system_.graph[system_.graph.define(name, owner, total, place)].symbol;
+    total = system_.graph[system_.graph.define(name, owner, total, location)].symbol;
   }
   known_.emplace(key, total);
   return total;
 }
 
-Slot LieAlgebra::derive(Slot quantity, int field, Place place) {
-  const ex result = derived(quantity, field, place);
+Slot LieAlgebra::derive(Slot quantity, int field, SourceLocation location) {
+  const ex result = derived(quantity, field, location);
   return GiNaC::is_a<GiNaC::symbol>(result) ? system_.graph.slot_of(GiNaC::ex_to<GiNaC::symbol>(result)) : -1;
 }
 

@@ -36,10 +36,10 @@ class LieAlgebra {
   const std::vector<std::vector<Slot>>& input_copies() const { return copies_; }
 
   /// L_field of a quantity, (4.62): a quantity again, or -1 where it is constant.
-  Slot derive(Slot quantity, int field, Place place);
+  Slot derive(Slot quantity, int field, SourceLocation location);
 
  private:
-  GiNaC::ex derived(Slot quantity, int field, Place place);
+  GiNaC::ex derived(Slot quantity, int field, SourceLocation location);
   bool is_linear_in(const std::vector<Slot>& inputs) const;
   bool moves_with(const std::vector<Slot>& inputs) const;
   GiNaC::exmap replaced(GiNaC::exmap inputs, const std::string& tag);

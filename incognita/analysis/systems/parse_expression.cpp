@@ -110,10 +110,10 @@ GiNaC::ex parse_expression(const ExpressionText& text, const std::map<std::strin
   try {
     return computed(in_postfix_order(checked_tokens(text.text, known)), names);
   } catch (const ExpressionError& error) {
-    throw SystemError(place_in(text, error.offset), error.what());
+    throw SystemError(location_in(text, error.offset), error.what());
   } catch (const std::exception&) {
     // Exact arithmetic met 1/0, log(0), atan2(0, 0); its own words name the algebra's classes
-    throw SystemError(text.place, quoted_name(text.text) + " " + no_value);
+    throw SystemError(text.location, quoted_name(text.text) + " " + no_value);
   }
 }
 

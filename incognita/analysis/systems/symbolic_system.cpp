@@ -11,16 +11,16 @@ namespace {
 using Slot = SymbolicSystem::Slot;
 
 /// The system as it grows: each step adds what the next may name.
-class Maker {
+class SystemBuilder {
  public:
-  explicit Maker(const SystemText& text) { system_.text = text; }
+  explicit SystemBuilder(const SystemText& text) { system_.text = text; }
 
   SymbolicSystem make(const std::string& motion) {
     const SystemText& text = system_.text;
     for (const NamedNumber& p : text.parameters)
-      system_.parameters.emplace_back(graph().add_atom(p.name, Owner::vehicle, p.place), p.value);
+      system_.parameters.emplace_back(graph().add_atom(p.name, Owner::vehicle, p.location), p.value);
     for (const NamedRange& input : text.inputs) {
-      system_.inputs.push_back(graph().add_atom(input.name, Owner::vehicle, input.place));
+      system_.inputs.push_back(graph().add_atom(input.name, Owner::vehicle, input.location));
       system_.input_ranges.push_back(input);
     }
     add_block(text.vehicle, Owner::vehicle, system_.vehicle);
@@ -29,7 +29,7 @@ class Maker {
     for (const DisturbedState& d : text.disturbed) {
       system_.disturbed.push_back(index_of(d.name, text.vehicle));
       if (system_.disturbed.back() < 0)
-        throw SystemError(d.place, "there is no state `" + d.name + "` of the vehicle to disturb");
+        throw SystemError(d.location, "there is no state `" + d.name + "` of the vehicle to disturb");
     }
     add_matrices();
     for (const DirectionText& d : text.directions) system_.directions.push_back(direction(d, false));
@@ -43,7 +43,7 @@ class Maker {
   ExpressionGraph& graph() { return system_.graph; }
 
   Slot define(const std::string& name, Owner owner, const ExpressionText& expression) {
-    return graph().define(name, owner, graph().parse(expression, owner), expression.place);
+    return graph().define(name, owner, graph().parse(expression, owner), expression.location);
   }
 
   void add_block(const BlockText& text, Owner owner, SymbolicSystem::Block& block) {
@@ -51,9 +51,9 @@ class Maker {
     block.region = ordered_region(text);
     for (const NamedRange& range : block.region)
       block.states.push_back(
-          graph().add_atom(range.name, owner, range.place, owner == Owner::anchor ? -1 : column++));
+          graph().add_atom(range.name, owner, range.location, owner == Owner::anchor ? -1 : column++));
     for (const NamedExpression& d : text.definitions)
-      graph().define(d.name, owner, graph().parse(d.expression, owner), d.expression.place, true);
+      graph().define(d.name, owner, graph().parse(d.expression, owner), d.expression.location, true);
     for (const NamedExpression& s : text.states)
       block.rates.push_back(define("d " + s.name + "/dt", owner, s.expression));
     for (const MeasurementText& m : text.measurements) {
@@ -70,7 +70,7 @@ class Maker {
       const auto found = std::find_if(text.region.begin(), text.region.end(),
                                       [&](const NamedRange& r) { return r.name == state.name; });
       if (found == text.region.end())
-        throw SystemError(state.place, "state `" + state.name + "` has no region to draw it from");
+        throw SystemError(state.location, "state `" + state.name + "` has no region to draw it from");
       ordered.push_back(*found);
     }
     return ordered;
@@ -83,12 +83,12 @@ class Maker {
   }
 
   /// Of a state, among the vehicle's states and those of one landmark.
-  int column_of(const std::string& name, Place place) const {
+  int column_of(const std::string& name, SourceLocation location) const {
     const SystemText& text = system_.text;
     const int own = index_of(name, text.vehicle);
     if (own >= 0) return own;
     const int theirs = text.landmark ? index_of(name, *text.landmark) : -1;
-    if (theirs < 0) throw SystemError(place, "there is no state `" + name + "`");
+    if (theirs < 0) throw SystemError(location, "there is no state `" + name + "`");
     return static_cast<int>(text.vehicle.states.size()) + theirs;
   }
 
@@ -96,18 +96,18 @@ class Maker {
     const auto found = std::find_if(block.measurements.begin(), block.measurements.end(),
                                     [&](const MeasurementText& m) { return m.name == row.name; });
     if (found == block.measurements.end())
-      throw SystemError(row.place, "there is no measurement `" + row.name + "` here");
+      throw SystemError(row.location, "there is no measurement `" + row.name + "` here");
     return static_cast<int>(found - block.measurements.begin());
   }
 
   void add_matrices(const BlockText& text, Owner owner, SymbolicSystem::Block& block) {
     for (const SparseRow& row : text.error_F)
       for (const NamedExpression& entry : row.entries)
-        block.error_F.push_back({column_of(row.name, row.place), column_of(entry.name, entry.place),
+        block.error_F.push_back({column_of(row.name, row.location), column_of(entry.name, entry.location),
                                  define("F_" + row.name + "_" + entry.name, owner, entry.expression)});
     for (const SparseRow& row : text.error_H)
       for (const NamedExpression& entry : row.entries)
-        block.error_H.push_back({measurement_of(row, text), column_of(entry.name, entry.place),
+        block.error_H.push_back({measurement_of(row, text), column_of(entry.name, entry.location),
                                  define("H_" + row.name + "_" + entry.name, owner, entry.expression)});
   }
 
@@ -162,7 +162,7 @@ class Maker {
                                   "`, but: " + known);
     }
     for (const NamedRange& draw : found->draws) {
-      system_.draws.push_back(graph().add_atom(draw.name, Owner::motion, draw.place));
+      system_.draws.push_back(graph().add_atom(draw.name, Owner::motion, draw.location));
       system_.draw_ranges.push_back(draw);
     }
     for (const NamedExpression& a : found->assignments) add_assignment(a);
@@ -176,7 +176,7 @@ class Maker {
     };
     const bool input = is(system_.inputs);
     if (!input && !is(system_.vehicle.states))
-      throw SystemError(a.place,
+      throw SystemError(a.location,
                         "a motion sets inputs and states of the vehicle; `" + a.name + "` is neither");
     system_.assignments.push_back({*target, input, define("motion " + a.name, Owner::motion, a.expression)});
   }
@@ -187,7 +187,7 @@ class Maker {
 }  // namespace
 
 SymbolicSystem make_symbolic(const SystemText& text, const std::string& motion) {
-  return Maker(text).make(motion);
+  return SystemBuilder(text).make(motion);
 }
 
 }  // namespace incognita

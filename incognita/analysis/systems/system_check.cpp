@@ -24,27 +24,27 @@ bool is_identifier(const std::string& name) {
          std::all_of(name.begin(), name.end(), inside);
 }
 
-void need_identifier(const std::string& name, Place place) {
+void need_identifier(const std::string& name, SourceLocation location) {
   if (!is_identifier(name))
-    throw SystemError(place, quoted_name(name) +
-                                 " is no name; names are a letter and then letters, digits and _, " +
-                                 std::to_string(longest_name) + " at most");
+    throw SystemError(location, quoted_name(name) +
+                                    " is no name; names are a letter and then letters, digits and _, " +
+                                    std::to_string(longest_name) + " at most");
 }
 
 /// Of motions, directions and errors: any text that can be shown on one line.
-void need_title(const std::string& title, Place place) {
+void need_title(const std::string& title, SourceLocation location) {
   const bool printable = std::none_of(
       title.begin(), title.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; });
   if (title.empty() || title.size() > longest_title || !printable)
-    throw SystemError(place, "a name of 1 to " + std::to_string(longest_title) +
-                                 " characters on one line is wanted here, and not " + quoted_name(title));
+    throw SystemError(location, "a name of 1 to " + std::to_string(longest_title) +
+                                    " characters on one line is wanted here, and not " + quoted_name(title));
 }
 
 template <class T>
 void need_few(const std::vector<T>& items, std::size_t most, const std::string& what) {
   if (items.size() > most)
-    throw SystemError(items[most].place, "there are " + std::to_string(items.size()) + " " + what +
-                                             " here; at most " + std::to_string(most) + " are read");
+    throw SystemError(items[most].location, "there are " + std::to_string(items.size()) + " " + what +
+                                                " here; at most " + std::to_string(most) + " are read");
 }
 
 template <class T>
@@ -63,8 +63,8 @@ bool contains(const Names& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-std::string with_nearest(const std::string& fault, const std::string& name, const Names& names) {
-  return fault + (names.empty() ? "" : "; the nearest is " + quoted_name(nearest_name(name, names)));
+std::string with_nearest(const std::string& problem, const std::string& name, const Names& names) {
+  return problem + (names.empty() ? "" : "; the nearest is " + quoted_name(nearest_name(name, names)));
 }
 
 /// Each is one of `known`, and none comes twice.
@@ -73,19 +73,19 @@ void need_known(const std::vector<T>& items, const Names& known, const std::stri
   std::set<std::string> seen;
   for (const T& item : items) {
     if (!contains(known, item.name))
-      throw SystemError(item.place,
+      throw SystemError(item.location,
                         with_nearest("there is no " + what + " " + quoted_name(item.name), item.name, known));
     if (!seen.insert(item.name).second)
-      throw SystemError(item.place, quoted_name(item.name) + " stands here twice");
+      throw SystemError(item.location, quoted_name(item.name) + " stands here twice");
   }
 }
 
 void need_ranges(const std::vector<NamedRange>& ranges) {
   for (const NamedRange& range : ranges) {
     if (!std::isfinite(range.low) || !std::isfinite(range.high) || !std::isfinite(range.high - range.low))
-      throw SystemError(range.place, "the range of " + quoted_name(range.name) + " must be finite");
+      throw SystemError(range.location, "the range of " + quoted_name(range.name) + " must be finite");
     if (range.low > range.high)
-      throw SystemError(range.place,
+      throw SystemError(range.location,
                         "the range of " + quoted_name(range.name) + " is empty; write [lowest, highest]");
   }
 }
@@ -93,30 +93,31 @@ void need_ranges(const std::vector<NamedRange>& ranges) {
 /// The names that an expression sees.
 class Scope {
  public:
-  void add(const std::string& what, const std::string& name, Place place) {
-    need_identifier(name, place);
+  void add(const std::string& what, const std::string& name, SourceLocation location) {
+    need_identifier(name, location);
     // The last two would be a table's own words where states are given values
     if (is_reserved_name(name) || name == "landmark" || name == "draw")
-      throw SystemError(place, quoted_name(name) + " has a meaning of its own; choose another name");
-    const auto [at, added] = owners_.insert({name, {what, place}});
+      throw SystemError(location, quoted_name(name) + " has a meaning of its own; choose another name");
+    const auto [at, added] = owners_.insert({name, {what, location}});
     if (!added) {
       const Owner& owner = at->second;
-      const std::string line = owner.place.line > 0 ? ", in line " + std::to_string(owner.place.line) : "";
-      throw SystemError(place, "there is " + owner.what + " " + quoted_name(name) + " already" + line);
+      const std::string line =
+          owner.location.line > 0 ? ", in line " + std::to_string(owner.location.line) : "";
+      throw SystemError(location, "there is " + owner.what + " " + quoted_name(name) + " already" + line);
     }
     names_.insert(std::lower_bound(names_.begin(), names_.end(), name), name);
   }
 
   template <class T>
   void add_all(const std::string& what, const std::vector<T>& items) {
-    for (const T& item : items) add(what, item.name, item.place);
+    for (const T& item : items) add(what, item.name, item.location);
   }
 
   void check(const ExpressionText& expression) const {
     try {
       checked_tokens(expression.text, names_);
     } catch (const ExpressionError& error) {
-      throw SystemError(place_in(expression, error.offset), error.what());
+      throw SystemError(location_in(expression, error.offset), error.what());
     }
   }
 
@@ -128,7 +129,7 @@ class Scope {
  private:
   struct Owner {
     std::string what;  ///< "a state"
-    Place place;
+    SourceLocation location;
   };
   Names names_;  ///< sorted
   std::map<std::string, Owner> owners_;
@@ -168,7 +169,7 @@ class SystemCheck {
     need_few(system_.inputs, most_others, "inputs");
     for (const NamedNumber& parameter : system_.parameters) {
       if (!std::isfinite(parameter.value))
-        throw SystemError(parameter.place, quoted_name(parameter.name) + " must be finite");
+        throw SystemError(parameter.location, quoted_name(parameter.name) + " must be finite");
     }
     need_ranges(system_.inputs);
     vehicle_.add_all("a parameter", system_.parameters);
@@ -186,7 +187,7 @@ class SystemCheck {
     scope.add_all("a state", block.states);
     for (const NamedExpression& definition : block.definitions) {
       scope.check(definition.expression);
-      scope.add("a definition", definition.name, definition.place);
+      scope.add("a definition", definition.name, definition.location);
     }
     scope.check_all(block.states);
     for (const MeasurementText& measurement : block.measurements) check_measurement(measurement, scope);
@@ -194,29 +195,31 @@ class SystemCheck {
   }
 
   static void check_measurement(const MeasurementText& measurement, const Scope& scope) {
-    need_identifier(measurement.name, measurement.place);
+    need_identifier(measurement.name, measurement.location);
     scope.check(measurement.expression);
     if (!(measurement.sigma > 0) || !std::isfinite(measurement.sigma))
-      throw SystemError(measurement.place,
+      throw SystemError(measurement.location,
                         "sigma of " + quoted_name(measurement.name) + " must be finite and more than 0");
   }
 
   static void check_region(const BlockText& block, const std::string& section) {
     const Names states = names_of(block.states), ranges = names_of(block.region);
     if (states.empty())
-      throw SystemError(block.region[0].place, "the region is of " + quoted_name(ranges[0]) +
-                                                   ", and there are no states; write " + ranges[0] +
-                                                   " = \"its rate of change\" under [" + section + "states]");
+      throw SystemError(block.region[0].location,
+                        "the region is of " + quoted_name(ranges[0]) + ", and there are no states; write " +
+                            ranges[0] + " = \"its rate of change\" under [" + section + "states]");
     for (const NamedRange& range : block.region) {
       if (!contains(states, range.name))
-        throw SystemError(range.place, with_nearest("state " + quoted_name(range.name) + " has no equation",
-                                                    range.name, states));
+        throw SystemError(
+            range.location,
+            with_nearest("state " + quoted_name(range.name) + " has no equation", range.name, states));
     }
     need_known(block.region, states, "state");
     for (const NamedExpression& state : block.states) {
       if (!contains(ranges, state.name))
-        throw SystemError(state.place, "state " + quoted_name(state.name) + " has no region; write " +
-                                           state.name + " = [lowest, highest] under [" + section + "region]");
+        throw SystemError(state.location, "state " + quoted_name(state.name) + " has no region; write " +
+                                              state.name + " = [lowest, highest] under [" + section +
+                                              "region]");
     }
   }
 
@@ -226,19 +229,19 @@ class SystemCheck {
     if (system_.landmark->states.empty())
       throw SystemError({}, "a landmark needs a state; one whose place is known is an anchor");
     check_block(*system_.landmark, "landmark.", landmark_);
-    need_tellable_names();
+    need_distinct_names();
   }
 
   /// State y of landmark 1 is shown as y_1.
-  void need_tellable_names() const {
+  void need_distinct_names() const {
     for (const NamedExpression& state : system_.vehicle.states) {
       const std::size_t bar = state.name.rfind('_');
       if (bar == std::string::npos || bar + 1 == state.name.size()) continue;
       const bool number = state.name.find_first_not_of("0123456789", bar + 1) == std::string::npos;
       if (number && contains(landmark_states(), state.name.substr(0, bar)))
-        throw SystemError(state.place, quoted_name(state.name) + " is what state " +
-                                           quoted_name(state.name.substr(0, bar)) +
-                                           " of a landmark is called; choose another name");
+        throw SystemError(state.location, quoted_name(state.name) + " is what state " +
+                                              quoted_name(state.name.substr(0, bar)) +
+                                              " of a landmark is called; choose another name");
     }
   }
 
@@ -247,7 +250,7 @@ class SystemCheck {
     if (!system_.anchor) return;
     BlockText known = *system_.anchor;
     if (!known.states.empty())
-      throw SystemError(known.states[0].place, "an anchor has constants, and no states");
+      throw SystemError(known.states[0].location, "an anchor has constants, and no states");
     need_few(known.region, most_states, "constants");
     need_ranges(known.region);
     anchor_.add_all("a constant", known.region);
@@ -266,9 +269,9 @@ class SystemCheck {
   }
 
   void check_motion(const MotionText& motion) const {
-    need_title(motion.name, motion.place);
+    need_title(motion.name, motion.location);
     if (motion.name == "general")
-      throw SystemError(motion.place, "every system has the motion `general`; choose another name");
+      throw SystemError(motion.location, "every system has the motion `general`; choose another name");
     need_few(motion.draws, most_others, "draws");
     need_known(motion.assignments, names_of(system_.vehicle.states) + names_of(system_.inputs),
                "state or input");
@@ -290,20 +293,20 @@ class SystemCheck {
       check_direction(direction, names_of(system_.vehicle.states));
     for (const DirectionText& direction : of_landmark) {
       if (contains(names_of(common), direction.name))
-        throw SystemError(direction.place,
+        throw SystemError(direction.location,
                           "there is a direction " + quoted_name(direction.name) + " already");
       check_direction(direction, {});
     }
   }
 
   void check_direction(const DirectionText& direction, const Names& vehicle_states) const {
-    need_title(direction.name, direction.place);
+    need_title(direction.name, direction.location);
     need_known(direction.vehicle, vehicle_states, "state");
     need_known(direction.landmark, landmark_states(), "landmark state");
     vehicle_.check_all(direction.vehicle);
     landmark_.check_all(direction.landmark);
     if (direction.vehicle.empty() && direction.landmark.empty())
-      throw SystemError(direction.place, "direction " + quoted_name(direction.name) + " moves nothing");
+      throw SystemError(direction.location, "direction " + quoted_name(direction.name) + " moves nothing");
   }
 
   void check_error_form(const ErrorFormText& form) const {
@@ -311,9 +314,9 @@ class SystemCheck {
     need_known(form.names, both, "state");
     std::set<std::string> taken;
     for (const NamedExpression& error : form.names) {
-      need_title(error.expression.text, error.expression.place);
+      need_title(error.expression.text, error.expression.location);
       if (!taken.insert(error.expression.text).second)
-        throw SystemError(error.expression.place,
+        throw SystemError(error.expression.location,
                           "there is an error " + quoted_name(error.expression.text) + " already");
     }
     check_directions(form.directions, form.landmark_directions);
@@ -334,7 +337,7 @@ class SystemCheck {
     }
     for (const MeasurementText& measurement : block.measurements) {
       if (!contains(names_of(block.error_H), measurement.name))
-        throw SystemError(measurement.place,
+        throw SystemError(measurement.location,
                           "the error form has no row for measurement " + quoted_name(measurement.name));
     }
   }
@@ -359,9 +362,9 @@ std::string quoted_name(const std::string& name) {
   return "`" + shown + (length < name.size() ? "...`" : "`");
 }
 
-Place place_in(const ExpressionText& expression, int offset) {
-  const bool has_place = expression.place.column > 0 && expression.text.find('\n') == std::string::npos;
-  return {expression.place.line, expression.place.column + (has_place ? offset : 0)};
+SourceLocation location_in(const ExpressionText& expression, int offset) {
+  const bool has_location = expression.location.column > 0 && expression.text.find('\n') == std::string::npos;
+  return {expression.location.line, expression.location.column + (has_location ? offset : 0)};
 }
 
 }  // namespace incognita

@@ -18,7 +18,7 @@ namespace incognita {
 void check_system(const SystemText& system);
 
 /// Of the character `offset` of an expression; of the text as a whole when it has several lines.
-Place place_in(const ExpressionText& expression, int offset);
+SourceLocation location_in(const ExpressionText& expression, int offset);
 
 /// In backticks, cut short and without control characters, whatever a file calls it: for messages.
 std::string quoted_name(const std::string& name);

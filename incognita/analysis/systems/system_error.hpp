@@ -9,8 +9,8 @@
 namespace incognita {
 
 struct SystemError : std::runtime_error {
-  Place place;
-  SystemError(Place where, const std::string& what) : std::runtime_error(what), place(where) {}
+  SourceLocation location;
+  SystemError(SourceLocation where, const std::string& what) : std::runtime_error(what), location(where) {}
 };
 
 /// Nothing is wrong with it, but it is too large for what was asked.

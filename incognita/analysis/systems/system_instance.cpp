@@ -100,9 +100,9 @@ Eigen::MatrixXd SystemInstance::rate_derivative(const SystemPoint& point) const 
   return F;
 }
 
-Linearisation SystemInstance::linearise(const SystemPoint& point) const {
+Linearization SystemInstance::linearize(const SystemPoint& point) const {
   const int vehicle_states = static_cast<int>(system_->vehicle.states.size());
-  Linearisation l{Eigen::MatrixXd::Zero(states_, states_), Eigen::MatrixXd::Zero(measurements_, states_),
+  Linearization l{Eigen::MatrixXd::Zero(states_, states_), Eigen::MatrixXd::Zero(measurements_, states_),
                   Eigen::VectorXd(measurements_), Eigen::MatrixXd::Zero(states_, states_),
                   Eigen::MatrixXd::Zero(measurements_, states_)};
   int row = 0;
@@ -121,10 +121,10 @@ Linearisation SystemInstance::linearise(const SystemPoint& point) const {
   return l;
 }
 
-Linearisation SystemInstance::error_form(const SystemPoint& point) const {
-  if (!has_error_form()) return linearise(point);
+Linearization SystemInstance::error_form(const SystemPoint& point) const {
+  if (!has_error_form()) return linearize(point);
   const int vehicle_states = static_cast<int>(system_->vehicle.states.size());
-  Linearisation l{Eigen::MatrixXd::Zero(states_, states_), Eigen::MatrixXd::Zero(measurements_, states_),
+  Linearization l{Eigen::MatrixXd::Zero(states_, states_), Eigen::MatrixXd::Zero(measurements_, states_),
                   Eigen::VectorXd(measurements_), Eigen::MatrixXd::Zero(states_, states_),
                   Eigen::MatrixXd::Zero(measurements_, states_)};
   int row = 0;
@@ -143,25 +143,27 @@ Linearisation SystemInstance::error_form(const SystemPoint& point) const {
 }
 
 std::vector<NamedDirection> SystemInstance::directions(const SystemPoint& point, bool of_error_form) const {
-  const auto& told = of_error_form && has_error_form() ? system_->error_directions : system_->directions;
-  std::vector<NamedDirection> all(told.size());
+  const auto& directions =
+      of_error_form && has_error_form() ? system_->error_directions : system_->directions;
+  std::vector<NamedDirection> all(directions.size());
   std::vector<NamedDirection> of_landmarks;
-  for (std::size_t d = 0; d < told.size(); ++d) all[d] = {told[d].name, Eigen::VectorXd::Zero(states_)};
+  for (std::size_t d = 0; d < directions.size(); ++d)
+    all[d] = {directions[d].name, Eigen::VectorXd::Zero(states_)};
   visit(point, false, [&](Owner owner, const Block&, int which, int first, const Evaluation& e) {
-    for (std::size_t d = 0; d < told.size(); ++d) {
+    for (std::size_t d = 0; d < directions.size(); ++d) {
       if (owner == Owner::vehicle)
-        for (const auto& [state, value] : told[d].vehicle) all[d].vector[state] = e.value[value];
+        for (const auto& [state, value] : directions[d].vehicle) all[d].vector[state] = e.value[value];
       if (owner != Owner::landmark) continue;
       Eigen::VectorXd& whole = all[d].vector;
-      NamedDirection own{told[d].name + " of feature " + std::to_string(which + 1),
+      NamedDirection own{directions[d].name + " of feature " + std::to_string(which + 1),
                          Eigen::VectorXd::Zero(states_), true};
-      for (const auto& [state, value] : told[d].landmark)
-        (told[d].each_landmark ? own.vector : whole)[first + state] = e.value[value];
-      if (told[d].each_landmark) of_landmarks.push_back(std::move(own));
+      for (const auto& [state, value] : directions[d].landmark)
+        (directions[d].each_landmark ? own.vector : whole)[first + state] = e.value[value];
+      if (directions[d].each_landmark) of_landmarks.push_back(std::move(own));
     }
   });
-  for (std::size_t d = 0; d < told.size(); ++d)
-    if (!told[d].each_landmark) of_landmarks.push_back(std::move(all[d]));
+  for (std::size_t d = 0; d < directions.size(); ++d)
+    if (!directions[d].each_landmark) of_landmarks.push_back(std::move(all[d]));
   return of_landmarks;
 }
 

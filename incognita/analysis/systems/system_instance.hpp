@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "incognita/analysis/systems/linearisation.hpp"
+#include "incognita/analysis/systems/linearization.hpp"
 #include "incognita/analysis/systems/symbolic_system.hpp"
 
 namespace incognita {
@@ -36,12 +36,12 @@ class SystemInstance {
 
   /// All of these throw SystemError where an expression has no finite value.
   Eigen::VectorXd rate(const SystemPoint& point) const;
-  /// The F of linearise(), without the work for H.
+  /// The F of linearize(), without the work for H.
   Eigen::MatrixXd rate_derivative(const SystemPoint& point) const;
   /// Exact derivatives.
-  Linearisation linearise(const SystemPoint& point) const;
+  Linearization linearize(const SystemPoint& point) const;
   /// In the coordinates of the stated error form; exact derivatives where none is stated.
-  Linearisation error_form(const SystemPoint& point) const;
+  Linearization error_form(const SystemPoint& point) const;
   /// The directions that the file names, at this point, those of single landmarks first; of the error form
   /// when asked.
   std::vector<NamedDirection> directions(const SystemPoint& point, bool of_error_form) const;

@@ -111,7 +111,7 @@ std::string written_number(double value) {
 [[noreturn]] void refuse_blow_up(const SystemInstance& instance, double duration) {
   const SymbolicSystem& s = instance.system();
   const auto& rates = s.vehicle.rates.empty() ? s.landmark.rates : s.vehicle.rates;
-  throw SystemError(rates.empty() ? Place{} : s.graph[rates[0]].place,
+  throw SystemError(rates.empty() ? SourceLocation{} : s.graph[rates[0]].location,
                     "the motion cannot be followed for " + written_number(duration) +
                         " s: it grows without bound, or is too fast; choose another region or a shorter "
                         "segment_duration_s");
@@ -189,10 +189,11 @@ namespace {
 
 /// Of a look in its segment, as a part of it: 0 at the start, 1 at the end, and uneven between (by the golden
 /// ratio, other in every segment), so that no oscillation is met at the same phase each time.
-double moment(std::size_t segment, int look, int looks) {
-  if (look == 0 || look == looks) return look == 0 ? 0 : 1;
-  const double golden = 0.6180339887498949, turns = golden * (static_cast<double>(segment) * looks + look);
-  return (look + 0.6 * (turns - std::floor(turns) - 0.5)) / looks;
+double moment(std::size_t segment, int measurement, int measurements) {
+  if (measurement == 0 || measurement == measurements) return measurement == 0 ? 0 : 1;
+  const double golden = 0.6180339887498949,
+               turns = golden * (static_cast<double>(segment) * measurements + measurement);
+  return (measurement + 0.6 * (turns - std::floor(turns) - 0.5)) / measurements;
 }
 
 /// What has become of differences at the start and of jumps since, both in the units of the states.

@@ -13,39 +13,39 @@
 namespace incognita {
 
 /// Of a character in the file; both from 1, 0 where there is no file.
-struct Place {
+struct SourceLocation {
   int line = 0;
   int column = 0;
 };
 
 struct ExpressionText {
   std::string text;
-  Place place;  ///< of the first character of the text
+  SourceLocation location;  ///< of the first character of the text
 };
 
 struct NamedExpression {
   std::string name;
-  Place place;  ///< of the name
+  SourceLocation location;  ///< of the name
   ExpressionText expression;
 };
 
 /// Numbers are drawn from it, evenly.
 struct NamedRange {
   std::string name;
-  Place place;
+  SourceLocation location;
   double low = 0;
   double high = 0;
 };
 
 struct NamedNumber {
   std::string name;
-  Place place;
+  SourceLocation location;
   double value = 0;
 };
 
 struct MeasurementText {
   std::string name;
-  Place place;
+  SourceLocation location;
   ExpressionText expression;
   double sigma = 1;  ///< standard deviation of its noise, in its own unit; > 0
 };
@@ -53,7 +53,7 @@ struct MeasurementText {
 /// A row of a matrix, or a vector: what is not named is 0.
 struct SparseRow {
   std::string name;
-  Place place;
+  SourceLocation location;
   std::vector<NamedExpression> entries;
 };
 
@@ -71,7 +71,7 @@ struct BlockText {
 /// landmark. Landmarks may also have directions of their own (`depth`), one for each of them.
 struct DirectionText {
   std::string name;
-  Place place;
+  SourceLocation location;
   std::vector<NamedExpression> vehicle;
   std::vector<NamedExpression> landmark;
 };
@@ -79,7 +79,7 @@ struct DirectionText {
 /// A kind of motion: what it makes of inputs and initial states.
 struct MotionText {
   std::string name;
-  Place place;
+  SourceLocation location;
   /// Of a state at the start, of an input or a disturbed state at the start of every segment. What they name
   /// has the value it had before.
   std::vector<NamedExpression> assignments;
@@ -96,7 +96,7 @@ struct ErrorFormText {
 
 struct DisturbedState {
   std::string name;
-  Place place;
+  SourceLocation location;
 };
 
 struct SystemText {

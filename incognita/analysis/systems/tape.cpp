@@ -151,7 +151,7 @@ struct Tape::Builder {
 
 Tape::Tape(const GiNaC::ex& expression, const std::function<int(const GiNaC::symbol&)>& slot_of) {
   Builder builder{slot_of, operations_, {}};
-  builder.add(Canonicaliser()(expression));
+  builder.add(Canonicalizer()(expression));
 }
 
 double Tape::run(std::span<const double> slots, std::vector<double>& r) const {

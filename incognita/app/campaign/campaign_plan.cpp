@@ -117,7 +117,7 @@ std::vector<Variant> all_variants(const CampaignRequest& request, const std::vec
   return variants;
 }
 
-void refuse_twins(const std::vector<Variant>& variants) {
+void refuse_duplicates(const std::vector<Variant>& variants) {
   std::set<std::string> names;
   for (const Variant& variant : variants)
     if (!names.insert(variant.name).second)
@@ -128,7 +128,7 @@ void refuse_twins(const std::vector<Variant>& variants) {
 /// The variant that has what is named and the first value of all else.
 std::size_t find_baseline(const CampaignRequest& request, const CampaignPlan& plan,
                           const std::vector<Varied>& lists) {
-  std::map<std::string, std::string> wanted = plan.variants.front().varied;
+  std::map<std::string, std::string> requested = plan.variants.front().varied;
   for (const std::string& assignment : request.baseline) {
     const Varied named = take_apart(assignment);
     const auto list =
@@ -144,10 +144,10 @@ std::size_t find_baseline(const CampaignRequest& request, const CampaignPlan& pl
     if (found == plan.variants.end())
       throw InputError(fmt::format("--baseline {}: is none of the values given to --vary {}: {}", assignment,
                                    named.key, fmt::join(list->values, ", ")));
-    wanted[named.key] = found->varied.at(named.key);
+    requested[named.key] = found->varied.at(named.key);
   }
   const auto found = std::find_if(plan.variants.begin(), plan.variants.end(),
-                                  [&](const Variant& v) { return v.varied == wanted; });
+                                  [&](const Variant& v) { return v.varied == requested; });
   return static_cast<std::size_t>(found - plan.variants.begin());
 }
 
@@ -246,7 +246,7 @@ CampaignPlan plan_campaign(const CampaignRequest& request) {
     plan.scenario_name = loaded.name;
     describe(variant, std::move(loaded), lists);
   }
-  refuse_twins(plan.variants);
+  refuse_duplicates(plan.variants);
   plan.baseline = find_baseline(request, plan, lists);
   return plan;
 }

@@ -15,15 +15,15 @@ class CampaignProgress {
  public:
   CampaignProgress(const CampaignPlan& plan, std::size_t runs);
 
-  void tell(std::size_t run, const RunResult& result);
+  void report(std::size_t run, const RunResult& result);
   /// A run that has to be repeated.
-  void tell_trouble(std::size_t run, const std::string& why);
+  void report_trouble(std::size_t run, const std::string& why);
 
  private:
   const CampaignPlan& plan_;
   std::size_t runs_, ended_ = 0, failed_ = 0;
   Progress line_;
-  std::chrono::steady_clock::time_point told_;
+  std::chrono::steady_clock::time_point reported_;
 };
 
 }  // namespace incognita

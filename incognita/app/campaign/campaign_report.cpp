@@ -6,8 +6,8 @@
 #include <cmath>
 #include <set>
 
-#include "incognita/app/campaign/campaign_wanted.hpp"
-#include "incognita/app/console/say.hpp"
+#include "incognita/app/campaign/requested_measures.hpp"
+#include "incognita/app/console/print_message.hpp"
 #include "incognita/messages/errors.hpp"
 #include "incognita/record/files/durable_file.hpp"
 #include "incognita/report/campaign_table.hpp"
@@ -18,8 +18,8 @@ namespace {
 constexpr std::size_t most_shown = 20;
 
 /// What a person looks at first.
-constexpr const char* telling[] = {"failed",      "ate_m",         "mean_nees", "mean_nis",
-                                   "lost_frames", "entropy.total", "landmarks"};
+constexpr const char* worth_reporting[] = {"failed",      "ate_m",         "mean_nees", "mean_nis",
+                                           "lost_frames", "entropy.total", "landmarks"};
 
 Campaign gather(const CampaignPlan& plan, const CampaignFolder& folder) {
   Campaign campaign{plan.scenario_name, INCOGNITA_VERSION, plan.seeds, {}, plan.baseline};
@@ -35,7 +35,8 @@ Campaign gather(const CampaignPlan& plan, const CampaignFolder& folder) {
     campaign.variants[run % plan.variants.size()].runs.push_back(std::move(one));
   }
   if (programs.size() > 1)
-    say("the runs are of {} builds of this program; whether they differ in what counts is yours to know\n",
+    print_message(
+        "the runs are of {} builds of this program; whether they differ in what counts is yours to know\n",
         programs.size());
   return campaign;
 }
@@ -47,13 +48,14 @@ bool same(const Measures& a, const Measures& b) {
 }
 
 /// As of a recording, where nothing is drawn: then more runs are not more evidence.
-void tell_where_seeds_do_nothing(const Campaign& campaign) {
+void warn_of_unused_seeds(const Campaign& campaign) {
   for (const CampaignVariant& variant : campaign.variants) {
     const auto as_the_first = [&](const CampaignRun& run) {
       return run.done && same(run.measured.measures, variant.runs.front().measured.measures);
     };
     if (variant.runs.size() > 1 && std::all_of(variant.runs.begin(), variant.runs.end(), as_the_first))
-      say("{}: every seed gave the same, so that there is nothing random in it; its intervals say nothing\n",
+      print_message(
+          "{}: every seed gave the same, so that there is nothing random in it; its intervals say nothing\n",
           variant.name);
   }
 }
@@ -67,7 +69,7 @@ std::vector<std::string> all_names(const Campaign& campaign) {
 /// Of those that are told first the ones that say something here.
 std::vector<std::string> shown(const std::vector<VariantStatistics>& statistics) {
   std::vector<std::string> names;
-  for (const char* name : telling)
+  for (const char* name : worth_reporting)
     for (const VariantStatistics& s : statistics) {
       const bool known = std::any_of(s.measures.begin(), s.measures.end(), [&](const MeasureStatistics& m) {
         return m.measure == name && m.n > 0;
@@ -103,13 +105,13 @@ int report_campaign(const CampaignPlan& plan, const CampaignFolder& folder, cons
   std::size_t ended = 0;
   for (const CampaignVariant& variant : campaign.variants) ended += variant.runs.size();
   if (ended == 0) {
-    say("incognita: none of the {} runs has been made yet\n", plan.runs());
+    print_message("incognita: none of the {} runs has been made yet\n", plan.runs());
     return 1;
   }
   const std::vector<std::string> names = all_names(campaign);
-  if (const std::string fault = unknown_measure(base_names(options.measures), names); !fault.empty())
-    throw InputError(fault);
-  tell_where_seeds_do_nothing(campaign);
+  if (const std::string problem = unknown_measure(base_names(options.measures), names); !problem.empty())
+    throw InputError(problem);
+  warn_of_unused_seeds(campaign);
   const std::vector<VariantStatistics> statistics = statistics_of(campaign, limit_measures(options.measures));
   const std::vector<std::string>& in_files = options.measures.empty() ? names : options.measures;
   const std::string json = campaign_json(campaign, statistics, in_files);
@@ -121,10 +123,10 @@ int report_campaign(const CampaignPlan& plan, const CampaignFolder& folder, cons
     fmt::print("{}", json);
   else
     print_text(campaign, statistics, options.measures.empty() ? shown(statistics) : options.measures);
-  say("{} measures in {}\n", in_files.size(), (folder.path() / "table.csv").string());
+  print_message("{} measures in {}\n", in_files.size(), (folder.path() / "table.csv").string());
   if (ended == plan.runs()) return 0;
-  say("incognita: {} of {} runs are missing; the same command without --table makes them\n",
-      plan.runs() - ended, plan.runs());
+  print_message("incognita: {} of {} runs are missing; the same command without --table makes them\n",
+                plan.runs() - ended, plan.runs());
   return 1;
 }
 

@@ -26,9 +26,9 @@ struct Left {
   std::string disk_trouble;
 };
 
-class SummaryAlone : public RunKeeper {
+class SummarySink : public RunSink {
  public:
-  SummaryAlone(const RunInfo& info, Left& left) : summary_(info), left_(left) {}
+  SummarySink(const RunInfo& info, Left& left) : summary_(info), left_(left) {}
   void publish(const Snapshot& snapshot) override { summary_.add(snapshot); }
   void note(const ObservabilityReport& report, const std::vector<std::string>&) override {
     summary_.note(report);
@@ -47,10 +47,10 @@ class SummaryAlone : public RunKeeper {
 };
 
 /// Records beside the place and moves there, so that a run directory in its place is of a run that ended.
-class WholeDirectory : public RunKeeper {
+class DirectorySink : public RunSink {
  public:
-  WholeDirectory(const RunInfo& info, const fs::path& place, Left& left)
-      : place_(place), part_(place.string() + ".part"), recorder_(part_, info), left_(left) {}
+  DirectorySink(const RunInfo& info, const fs::path& folder, Left& left)
+      : place_(folder), part_(folder.string() + ".part"), recorder_(part_, info), left_(left) {}
 
   void publish(const Snapshot& snapshot) override {
     try {
@@ -88,18 +88,18 @@ Json trouble(const std::string& why, bool bad_input = false) {
   return {{"end", bad_input ? "input" : "trouble"}, {"why", why}};
 }
 
-Json run_and_tell(const CampaignPlan& plan, std::size_t run, const std::optional<fs::path>& keep) {
+Json run_and_report(const CampaignPlan& plan, std::size_t run, const std::optional<fs::path>& keep) {
   Left left;
-  const OpenKeeper open = [&](const RunInfo& info, std::int64_t) -> std::unique_ptr<RunKeeper> {
-    if (keep) return std::make_unique<WholeDirectory>(info, *keep, left);
-    return std::make_unique<SummaryAlone>(info, left);
+  const SinkFactory open = [&](const RunInfo& info, std::int64_t) -> std::unique_ptr<RunSink> {
+    if (keep) return std::make_unique<DirectorySink>(info, *keep, left);
+    return std::make_unique<SummarySink>(info, left);
   };
   const LoadedScenario loaded = load_run(plan, plan.variant_of(run), plan.seed_of(run));
   const RunOutcome outcome = run_scenario(loaded, open, {[](const std::string&) {}, {}});
   if (!left.disk_trouble.empty()) return trouble(left.disk_trouble);
-  Json told = ended(name(outcome.status), outcome.reason);
-  told["summary"] = Json::parse(left.summary_json);
-  return told;
+  Json result_json = ended(name(outcome.status), outcome.reason);
+  result_json["summary"] = Json::parse(left.summary_json);
+  return result_json;
 }
 
 std::string dumped(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
@@ -116,7 +116,7 @@ std::string in_words(int signal) { return fmt::format("signal {} ({})", signal, 
 
 std::string make_run(const CampaignPlan& plan, std::size_t run, const std::optional<fs::path>& keep) {
   try {
-    return dumped(run_and_tell(plan, run, keep));
+    return dumped(run_and_report(plan, run, keep));
   } catch (const InputError& error) {
     return dumped(trouble(error.what(), true));
   } catch (const RecordError& error) {

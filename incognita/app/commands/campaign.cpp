@@ -11,14 +11,14 @@
 #include <memory>
 #include <thread>
 
-#include "incognita/app/campaign/campaign_crew.hpp"
 #include "incognita/app/campaign/campaign_folder.hpp"
 #include "incognita/app/campaign/campaign_plan.hpp"
 #include "incognita/app/campaign/campaign_progress.hpp"
 #include "incognita/app/campaign/campaign_report.hpp"
-#include "incognita/app/campaign/campaign_wanted.hpp"
+#include "incognita/app/campaign/campaign_workers.hpp"
+#include "incognita/app/campaign/requested_measures.hpp"
 #include "incognita/app/console/folder_lock.hpp"
-#include "incognita/app/console/say.hpp"
+#include "incognita/app/console/print_message.hpp"
 #include "incognita/io/formats/files.hpp"
 #include "incognita/messages/errors.hpp"
 #include "incognita/report/campaign_limit.hpp"
@@ -40,7 +40,7 @@ struct Options {
 volatile std::sig_atomic_t interrupted = 0;
 void interrupt(int) { interrupted = 1; }
 
-void heed_signals() {
+void handle_signals() {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     if (std::signal(signal, interrupt) == SIG_IGN && signal == SIGHUP) std::signal(signal, SIG_IGN);  // nohup
   }
@@ -88,43 +88,44 @@ std::vector<std::size_t> runs_to_make(const CampaignPlan& plan, const CampaignFo
 /// Makes the runs and writes each down when it has ended. How many are still to make. Throws InputError when
 /// a run cannot be made or what is wanted of them all is known not to come.
 std::size_t make_runs(Ranks& ranks, const CampaignPlan& plan, const CampaignFolder& folder,
-                      WantedMeasures wanted, Lead lead) {
+                      RequestedMeasures requested, CampaignLead lead) {
   const std::string program = digest_of(read_file("/proc/self/exe", largest_program));
   CampaignProgress progress(plan, lead.runs.size());
   std::size_t ended = 0;
-  std::string fault;
+  std::string problem;
   lead.taken = [&](std::size_t run, const RunEnd& end) {
     if (!end.result) {
       if (end.bad_input)
-        fault = fmt::format("{}, seed {}: {}", plan.variant_of(run).name, plan.seed_of(run), end.trouble);
+        problem = fmt::format("{}, seed {}: {}", plan.variant_of(run).name, plan.seed_of(run), end.trouble);
       else
-        progress.tell_trouble(run, end.trouble);
+        progress.report_trouble(run, end.trouble);
       return !end.bad_input;
     }
     RunResult result = *end.result;
     result.program = program;
     folder.write(run, result);
     ++ended;
-    progress.tell(run, result);
-    wanted.add(run, result);
-    fault = wanted.fault();
-    return fault.empty();
+    progress.report(run, result);
+    requested.add(run, result);
+    problem = requested.problem();
+    return problem.empty();
   };
   lead.stopping = [] { return interrupted != 0; };
-  fault = wanted.fault();
-  if (fault.empty()) lead_crew(ranks, lead);
-  if (!fault.empty()) {
+  problem = requested.problem();
+  if (problem.empty()) lead_workers(ranks, lead);
+  if (!problem.empty()) {
     folder.discard_what_is_empty();
-    throw InputError(fault);
+    throw InputError(problem);
   }
   return lead.runs.size() - ended;
 }
 
-void tell_work(const CampaignPlan& plan, const Options& options, const Shard& shard, std::size_t to_make) {
+void report_work(const CampaignPlan& plan, const Options& options, const Shard& shard, std::size_t to_make) {
   const std::size_t share = (plan.runs() - shard.which + shard.of - 1) / shard.of;
-  say("{} runs: variants {}, seeds {}{}; {} made before, {} to make\n", plan.runs(), plan.variants.size(),
-      plan.seeds.size(), options.shard ? fmt::format("; {} of them in shard {}", share, *options.shard) : "",
-      share - to_make, to_make);
+  print_message("{} runs: variants {}, seeds {}{}; {} made before, {} to make\n", plan.runs(),
+                plan.variants.size(), plan.seeds.size(),
+                options.shard ? fmt::format("; {} of them in shard {}", share, *options.shard) : "",
+                share - to_make, to_make);
 }
 
 std::optional<fs::path> kept(const fs::path& out, const Options& options, const CampaignPlan& plan,
@@ -133,12 +134,13 @@ std::optional<fs::path> kept(const fs::path& out, const Options& options, const 
 }
 
 /// Runs that ended in an earlier call, which kept nothing but their summaries.
-void tell_unkept(const CampaignPlan& plan, const CampaignFolder& folder) {
+void report_unkept(const CampaignPlan& plan, const CampaignFolder& folder) {
   std::size_t unkept = 0;
   for (std::size_t run = 0; run < plan.runs(); ++run)
     unkept += folder.has(run) && !fs::exists(run_directory(folder.path(), plan, run));
   if (unkept > 0)
-    say("--keep-runs: {} runs were made before without it, and are not made again to keep them\n", unkept);
+    print_message("--keep-runs: {} runs were made before without it, and are not made again to keep them\n",
+                  unkept);
 }
 
 std::unique_ptr<FolderLock> locked(const fs::path& out, const std::string& digest,
@@ -154,7 +156,7 @@ std::unique_ptr<FolderLock> locked(const fs::path& out, const std::string& diges
 
 /// Rank 0, which alone writes.
 int lead(Ranks& ranks, const Options& options, const fs::path& out) {
-  const CrewAtWork crew(ranks);
+  const WorkerGuard crew(ranks);
   const std::size_t jobs = jobs_of(options, ranks);
   const Shard shard = shard_of(options);
   limit_measures(options.measures);  // which refuses a limit that is no number
@@ -168,19 +170,20 @@ int lead(Ranks& ranks, const Options& options, const fs::path& out) {
   const std::string digest = digest_of(plan);
   const auto lock = locked(out, digest, options.shard ? std::optional(shard) : std::nullopt);
   const CampaignFolder folder(out, plan, INCOGNITA_VERSION);
-  Lead work{jobs, runs_to_make(plan, folder, shard), digest, {}, {}, {}};
-  tell_work(plan, options, shard, work.runs.size());
-  if (options.keep_runs) tell_unkept(plan, folder);
+  CampaignLead work{jobs, runs_to_make(plan, folder, shard), digest, {}, {}, {}};
+  report_work(plan, options, shard, work.runs.size());
+  if (options.keep_runs) report_unkept(plan, folder);
   work.make = [&](std::size_t run) { return make_run(plan, run, kept(out, options, plan, run)); };
   const std::size_t left = make_runs(ranks, plan, folder, {options.measures, plan, folder}, std::move(work));
   folder.tidy();
   if (left > 0) {
-    say("incognita: {}{} runs are still to make; the same command goes on\n",
-        interrupted ? "interrupted: " : "", left);
+    print_message("incognita: {}{} runs are still to make; the same command goes on\n",
+                  interrupted ? "interrupted: " : "", left);
     return 1;
   }
   if (!options.shard) return report_campaign(plan, folder, {options.measures, options.json});
-  say("shard {} is done; when all are, the same command without --shard makes the table\n", *options.shard);
+  print_message("shard {} is done; when all are, the same command without --shard makes the table\n",
+                *options.shard);
   return 0;
 }
 
@@ -195,7 +198,7 @@ int serve(Ranks& ranks, const Options& options, const fs::path& out) {
   } catch (const InputError& error) {
     wrong = error.what();
   }
-  serve_in_crew(ranks, jobs, [&](std::size_t run, const std::string& digest) {
+  serve_as_worker(ranks, jobs, [&](std::size_t run, const std::string& digest) {
     if (!plan) return no_run(wrong);
     if (digest_of(*plan) != digest)
       return no_run("other machines have another program, scenario or file that it names than the first one");
@@ -207,7 +210,7 @@ int serve(Ranks& ranks, const Options& options, const fs::path& out) {
 int campaign(const Options& options) {
   if (options.out && options.out->empty()) throw InputError("--out: names nothing; a folder is wanted");
   const fs::path out = options.out.value_or("out/campaign");
-  heed_signals();
+  handle_signals();
   ::setenv("OPENCV_FOR_THREADS_NUM", "1", 0);  // one run a core is faster than one run on all
   Ranks ranks;
   return ranks.rank() == 0 ? lead(ranks, options, out) : serve(ranks, options, out);

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "incognita/app/console/say.hpp"
+#include "incognita/app/console/print_message.hpp"
 #include "incognita/record/files/tum.hpp"
 
 namespace incognita {
@@ -23,7 +23,8 @@ std::string span_of(const Trajectory& trajectory) {
 std::optional<MeanNees> nees_of(const std::string& covariance_file, const MatchedTrajectories& matched) {
   if (covariance_file.empty() || matched.estimate.empty()) return std::nullopt;
   const auto nees = mean_pose_nees(matched, read_covariances(covariance_file));
-  if (!nees) say("evaluate: no NEES: {} has no usable covariance at the matched times\n", covariance_file);
+  if (!nees)
+    print_message("evaluate: no NEES: {} has no usable covariance at the matched times\n", covariance_file);
   return nees;
 }
 
@@ -81,7 +82,8 @@ void put_errors(const Loaded& loaded, const std::vector<TrajectoryFiles>& vehicl
                 const ComparisonOptions& options, TrajectoryComparison& comparison) {
   const bool fitted = options.alignment != AlignmentKind::none;
   if (fitted && !vehicles.front().covariance.empty())
-    say("evaluate: no NEES: it needs --align none, a fit would hide errors that the covariance counts\n");
+    print_message(
+        "evaluate: no NEES: it needs --align none, a fit would hide errors that the covariance counts\n");
   MatchedTrajectories all;
   for (std::size_t i = 0; i < vehicles.size(); ++i) {
     MatchedTrajectories matched = loaded.matched[i];
@@ -103,7 +105,8 @@ std::optional<TrajectoryComparison> compare_trajectories(const std::vector<Traje
   TrajectoryComparison comparison;
   const Loaded loaded = load(vehicles, options.max_dt_s, comparison);
   if (comparison.matched < min_matches) {
-    say("evaluate: {} of {} estimated poses have a true one within {} s, at least {} are needed. {}\n",
+    print_message(
+        "evaluate: {} of {} estimated poses have a true one within {} s, at least {} are needed. {}\n",
         comparison.matched, comparison.estimate_poses, options.max_dt_s, min_matches, loaded.spans);
     return std::nullopt;
   }
@@ -111,13 +114,13 @@ std::optional<TrajectoryComparison> compare_trajectories(const std::vector<Traje
   for (const MatchedTrajectories& matched : loaded.matched) append(all, matched);
   const auto alignment = align(all, options.alignment);
   if (!alignment) {
-    say("evaluate: one of the trajectories never moves, so there is no scale; use --align se3\n");
+    print_message("evaluate: one of the trajectories never moves, so there is no scale; use --align se3\n");
     return std::nullopt;
   }
   comparison.alignment = *alignment;
   put_errors(loaded, vehicles, options, comparison);
   if (is_finite(comparison)) return comparison;
-  say("evaluate: the positions are too large to be compared; are they in metres?\n");
+  print_message("evaluate: the positions are too large to be compared; are they in metres?\n");
   return std::nullopt;
 }
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "incognita/app/console/say.hpp"
+#include "incognita/app/console/print_message.hpp"
 #include "incognita/app/loop/assemble.hpp"
 #include "incognita/app/loop/assemble_ranges.hpp"
 #include "incognita/app/loop/assemble_room_vehicle.hpp"
@@ -133,7 +133,7 @@ std::vector<std::string> check(const LoadedScenario& loaded) {
     const RecordedSensor first_image_fits(recording, s.camera.width_px, s.camera.height_px);
     found.insert(found.end(), recording->notes.begin(), recording->notes.end());
     if (!compared.empty()) found.push_back(compared);
-    for (const Recording::Frame& frame : recording->frames) {
+    for (const Recording::RecordedFrame& frame : recording->frames) {
       if (!file_exists(frame.image)) throw InputError(frame.image.string() + ": is listed and not there");
     }
     found.push_back(fmt::format("all {} images are there, the first is {}x{}", recording->frames.size(),
@@ -145,7 +145,7 @@ std::vector<std::string> check(const LoadedScenario& loaded) {
 
 int run_config(const Options& options) {
   LoadedScenario loaded = load_scenario(options.scenario, options.sets);
-  for (const std::string& line : loaded.overrides) say("{}\n", line);
+  for (const std::string& line : loaded.overrides) print_message("{}\n", line);
   const std::vector<std::string> checked = options.check ? check(loaded) : std::vector<std::string>{};
   if (options.json) {
     print_json(loaded, checked);

@@ -36,7 +36,7 @@ struct Options {
 };
 
 /// What was asked for, as files.
-struct Asked {
+struct EvaluationRequest {
   std::vector<TrajectoryFiles> vehicles;
   bool team = false;  ///< a run directory of several
 };
@@ -48,11 +48,11 @@ TrajectoryFiles files_of(const fs::path& run, std::size_t vehicle) {
   return {file("estimate.tum").string(), if_there(file("truth.tum")), if_there(file("covariance.csv"))};
 }
 
-Asked asked_of_run(const Options& options) {
+EvaluationRequest request_for_run(const Options& options) {
   const fs::path run = options.estimate;
   if (!fs::exists(run / "estimate.tum"))
     throw InputError(run.string() + ": is a folder without estimate.tum, so no run directory");
-  Asked asked;
+  EvaluationRequest asked;
   for (std::size_t i = 0; i == 0 || fs::exists(run / name_for_vehicle("estimate.tum", i)); ++i)
     asked.vehicles.push_back(files_of(run, i));
   asked.team = asked.vehicles.size() > 1;
@@ -71,9 +71,9 @@ Asked asked_of_run(const Options& options) {
 }
 
 /// A run directory stands for the files in it.
-Asked resolved(const Options& options) {
+EvaluationRequest resolved(const Options& options) {
   if (!fs::exists(options.estimate)) throw InputError(options.estimate + ": there is no such file or folder");
-  if (fs::is_directory(options.estimate)) return asked_of_run(options);
+  if (fs::is_directory(options.estimate)) return request_for_run(options);
   if (options.truth.empty())
     throw InputError("evaluate: --truth is needed: a TUM or EuRoC file with the true poses");
   return {{{options.estimate, options.truth, options.covariance}}, false};
@@ -178,7 +178,7 @@ CLI::Validator number_where(const char* allowed, bool (*is_allowed)(double)) {
 
 int evaluate(const Options& options) {
   const AlignmentKind kind = alignment_of(options);
-  const Asked asked = resolved(options);
+  const EvaluationRequest asked = resolved(options);
   const auto comparison = compare_trajectories(asked.vehicles, {kind, options.max_dt_s, options.rpe_delta_s});
   if (!comparison) return 1;
   if (options.json)

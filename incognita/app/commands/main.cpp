@@ -9,7 +9,7 @@
 #include "incognita/app/commands/observe.hpp"
 #include "incognita/app/commands/reproduce.hpp"
 #include "incognita/app/commands/run.hpp"
-#include "incognita/app/console/say.hpp"
+#include "incognita/app/console/print_message.hpp"
 #include "incognita/app/console/standard_streams.hpp"
 #include "incognita/app/console/usage.hpp"
 #include "incognita/messages/errors.hpp"
@@ -40,10 +40,10 @@ int carry_out(int argc, char** argv) {
   try {
     return job();
   } catch (const incognita::InputError& error) {
-    incognita::say("incognita: {}\n", error.what());
+    incognita::print_message("incognita: {}\n", error.what());
     return bad_input;
   } catch (const std::exception& error) {
-    incognita::say("incognita: {}\n", error.what());
+    incognita::print_message("incognita: {}\n", error.what());
     return job_failed;
   }
 }
@@ -55,6 +55,6 @@ int main(int argc, char** argv) {
   const int code = carry_out(argc, argv);
   const std::string lost = incognita::why_output_failed();
   if (lost.empty()) return code;
-  incognita::say("incognita: standard output: {}\n", lost);
+  incognita::print_message("incognita: standard output: {}\n", lost);
   return code == done ? job_failed : code;
 }

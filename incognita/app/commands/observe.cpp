@@ -13,7 +13,7 @@
 
 #include "incognita/analysis/observability/observability.hpp"
 #include "incognita/analysis/systems/system_error.hpp"
-#include "incognita/app/console/say.hpp"
+#include "incognita/app/console/print_message.hpp"
 #include "incognita/io/formats/system_file.hpp"
 #include "incognita/messages/errors.hpp"
 #include "incognita/report/observability_answer.hpp"
@@ -29,19 +29,20 @@ struct Options {
   bool json = false, latex = false, no_lie = false;
 };
 
-std::string at(const SystemText& text, Place place) {
-  return place.line > 0 ? fmt::format("{}:{}:{}: ", text.file, place.line, place.column) : text.file + ": ";
+std::string at(const SystemText& text, SourceLocation location) {
+  return location.line > 0 ? fmt::format("{}:{}:{}: ", text.file, location.line, location.column)
+                           : text.file + ": ";
 }
 
-ObservabilityAnalysis analyse(const SystemText& text, const Options& options) {
+ObservabilityAnalysis analyze(const SystemText& text, const Options& options) {
   try {
-    return analyse_observability(text, options.analysis);
+    return analyze_observability(text, options.analysis);
   } catch (const SystemTooLarge& error) {
-    throw InputError(at(text, error.place) + error.what() +
+    throw InputError(at(text, error.location) + error.what() +
                      "; give large parts names under definitions, ask for a lower --lie-order, or leave the "
                      "Lie derivatives out with --no-lie");
   } catch (const SystemError& error) {
-    throw InputError(at(text, error.place) + error.what());
+    throw InputError(at(text, error.location) + error.what());
   } catch (const std::invalid_argument& error) {
     // Of what was asked for: a built-in system's file is none of the user's
     throw InputError(options.system + ": " + error.what());
@@ -63,8 +64,8 @@ int observe(Options options) {
                      : 0);
   constexpr std::size_t takes_long = 400;  // cost grows with the cube
   if (states > takes_long)
-    say("observe: {} states; singular values of matrices of this size take minutes\n", states);
-  const ObservabilityAnalysis analysis = analyse(text, options);
+    print_message("observe: {} states; singular values of matrices of this size take minutes\n", states);
+  const ObservabilityAnalysis analysis = analyze(text, options);
   if (options.json)
     fmt::print("{}", observability_json(analysis, options.analysis));
   else if (options.latex)
@@ -73,7 +74,7 @@ int observe(Options options) {
     fmt::print("{}", observability_table(text, analysis, options.analysis));
   // The others say it in their answers
   if (options.latex)
-    for (const std::string& line : analysis.disagreements) say("observe: {}\n", line);
+    for (const std::string& line : analysis.disagreements) print_message("observe: {}\n", line);
   return 0;
 }
 

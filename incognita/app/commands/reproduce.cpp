@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "incognita/app/console/folder_lock.hpp"
-#include "incognita/app/console/say.hpp"
+#include "incognita/app/console/print_message.hpp"
 #include "incognita/math/nearest_name.hpp"
 #include "incognita/messages/errors.hpp"
 #include "incognita/record/files/row_file.hpp"
@@ -61,11 +61,11 @@ std::size_t index_of(const std::string& id, const Experiments& experiments) {
 
 /// Each once, in the order of the thesis.
 std::vector<const Experiment*> chosen(const std::vector<std::string>& ids, const Experiments& experiments) {
-  std::vector<bool> wanted(experiments.size(), ids.empty());
-  for (const std::string& id : ids) wanted[index_of(id, experiments)] = true;
+  std::vector<bool> requested(experiments.size(), ids.empty());
+  for (const std::string& id : ids) requested[index_of(id, experiments)] = true;
   std::vector<const Experiment*> list;
   for (std::size_t i = 0; i < experiments.size(); ++i)
-    if (wanted[i]) list.push_back(&experiments[i]);
+    if (requested[i]) list.push_back(&experiments[i]);
   return list;
 }
 
@@ -117,36 +117,37 @@ std::string counted(const std::vector<LedgerEntry>& entries) {
                      verb(counts[3], "is undecided", "are undecided"));
 }
 
-void say_how_it_went(const Options& options, const std::vector<LedgerEntry>& entries) {
+void report_outcomes(const Options& options, const std::vector<LedgerEntry>& entries) {
   if (const std::size_t missing = missing_figures(options, entries); missing > 0)
-    say("reproduce: {} figures are not drawn (is gnuplot installed?); scripts and data are in {}\n", missing,
-        (options.out / fs::path("figures")).string());
+    print_message("reproduce: {} figures are not drawn (is gnuplot installed?); scripts and data are in {}\n",
+                  missing, (options.out / fs::path("figures")).string());
   if (options.seeds < ExperimentSettings{}.seeds)
-    say("with {} seeds instead of {} more claims are undecided: an interval is the wider the fewer runs "
+    print_message(
+        "with {} seeds instead of {} more claims are undecided: an interval is the wider the fewer runs "
         "there are\n",
         options.seeds, ExperimentSettings{}.seeds);
   std::vector<std::string> skipped;
   for (const LedgerEntry& entry : entries)
     if (!entry.skipped.empty()) skipped.push_back(entry.id);
   const std::string page = (options.out / fs::path("claims.md")).string();
-  if (!skipped.empty()) say("skipped: {}; {} says why\n", fmt::join(skipped, ", "), page);
-  if (skipped.size() < entries.size()) say("{}; see {}\n", counted(entries), page);
+  if (!skipped.empty()) print_message("skipped: {}; {} says why\n", fmt::join(skipped, ", "), page);
+  if (skipped.size() < entries.size()) print_message("{}; see {}\n", counted(entries), page);
 }
 
 /// What the experiments gave that did not fail. The ledger is written after each: whatever ends this job
 /// early leaves the one of all that ran.
 std::vector<LedgerEntry> run_all(const Options& options, const std::vector<const Experiment*>& experiments) {
   const ExperimentSettings settings{options.out, options.seeds,
-                                    [](const std::string& line) { say("  {}\n", line); }};
+                                    [](const std::string& line) { print_message("  {}\n", line); }};
   std::vector<LedgerEntry> entries;
   write_ledger(options.out, entries);
   for (std::size_t i = 0; i < experiments.size(); ++i) {
     const Experiment& experiment = *experiments[i];
-    say("[{}/{}] {}: {}\n", i + 1, experiments.size(), experiment.id, experiment.title);
+    print_message("[{}/{}] {}: {}\n", i + 1, experiments.size(), experiment.id, experiment.title);
     try {
       entries.push_back(experiment.run(settings));
     } catch (const std::exception& error) {
-      say("reproduce: {} failed: {}\n", experiment.id, error.what());
+      print_message("reproduce: {} failed: {}\n", experiment.id, error.what());
       continue;
     }
     write_ledger(options.out, entries);
@@ -154,7 +155,7 @@ std::vector<LedgerEntry> run_all(const Options& options, const std::vector<const
     if (!options.json)
       print_table(entry);
     else if (!entry.skipped.empty())
-      say("  skipped: {}\n", entry.skipped);
+      print_message("  skipped: {}\n", entry.skipped);
   }
   return entries;
 }
@@ -175,7 +176,7 @@ int reproduce(const Options& options, const Experiments& all) {
   make_figures_folder(options.out);
   const std::vector<LedgerEntry> entries = run_all(options, experiments);
   if (options.json) fmt::print("{}", ledger_json(entries));
-  say_how_it_went(options, entries);
+  report_outcomes(options, entries);
   return entries.size() == experiments.size() ? 0 : 1;
 }
 

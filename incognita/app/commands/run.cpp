@@ -16,8 +16,8 @@
 #include <vector>
 
 #include "incognita/app/console/folder_lock.hpp"
+#include "incognita/app/console/print_message.hpp"
 #include "incognita/app/console/progress.hpp"
-#include "incognita/app/console/say.hpp"
 #include "incognita/app/loop/scenario_run.hpp"
 #include "incognita/io/scenario/team_setting_list.hpp"
 #include "incognita/messages/errors.hpp"
@@ -42,7 +42,7 @@ volatile std::sig_atomic_t interrupted = 0;
 void interrupt(int) { interrupted = 1; }
 
 /// Asked to end, however often, the run closes its files first; that takes a frame and the figures.
-void heed_signals() {
+void handle_signals() {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     if (std::signal(signal, interrupt) == SIG_IGN && signal == SIGHUP) std::signal(signal, SIG_IGN);  // nohup
   }
@@ -57,15 +57,17 @@ LoadedScenario load(const Options& options) {
 }
 
 /// Says on standard error when the tracking state changes, once.
-class StateTeller {
+class StateReporter {
  public:
-  void tell(const Snapshot& s) {
+  void report(const Snapshot& s) {
     const bool is_lost = s.status.state == TrackingState::lost;
-    if (is_lost && !was_lost_) say("t = {:.3f} s: lost: {}\n", s.tick.t, s.status.reason);
-    if (!is_lost && was_lost_) say("t = {:.3f} s: {}: {}\n", s.tick.t, name(s.status.state), s.status.reason);
+    if (is_lost && !was_lost_) print_message("t = {:.3f} s: lost: {}\n", s.tick.t, s.status.reason);
+    if (!is_lost && was_lost_)
+      print_message("t = {:.3f} s: {}: {}\n", s.tick.t, name(s.status.state), s.status.reason);
     was_lost_ = is_lost;
-    if (s.command.by_hand && s.advice.decided && s.advice.chosen >= 0)
-      say("t = {:.2f} s: {}\n", s.tick.t, s.advice.actions[static_cast<std::size_t>(s.advice.chosen)]);
+    if (s.command.operator_controlled && s.decision.decided && s.decision.chosen >= 0)
+      print_message("t = {:.2f} s: {}\n", s.tick.t,
+                    s.decision.actions[static_cast<std::size_t>(s.decision.chosen)]);
   }
 
  private:
@@ -84,18 +86,18 @@ void wait_until(std::chrono::steady_clock::time_point start, double t_s) {
 }
 
 /// A run directory, pictures if wanted, and what is said on standard error meanwhile.
-class TheRecord : public RunKeeper {
+class RecorderSink : public RunSink {
  public:
   /// `frame_done` is called at the end of every frame.
-  TheRecord(const std::string& out, const Options& options, const RunInfo& info, std::int64_t frames,
-            std::function<void()> frame_done)
+  RecorderSink(const std::string& out, const Options& options, const RunInfo& info, std::int64_t frames,
+               std::function<void()> frame_done)
       : frame_done_(std::move(frame_done)),
         figures_(!options.no_figures),
         alignment_(alignment_kind(info.ate_alignment).value_or(AlignmentKind::none)),
         lock_(out),
         recorder_(out, info),
         progress_(frames) {
-    for (const std::string& warning : info.warnings) say("warning: {}\n", warning);
+    for (const std::string& warning : info.warnings) print_message("warning: {}\n", warning);
     if (options.save_frames) pictures_.emplace(recorder_.path(), info.patch_size_px);
   }
 
@@ -104,14 +106,14 @@ class TheRecord : public RunKeeper {
     if (pictures_) pictures_->publish(s);
     progress_->show(s.tick.frame + 1, fmt::format("{}, {} matched, {} landmarks", name(s.status.state),
                                                   s.matched, s.landmarks.size()));
-    teller_.tell(s);
+    reporter_.report(s);
     frame_done_();
   }
 
   void note(const ObservabilityReport& report, const std::vector<std::string>& in_words) override {
     progress_.reset();
     recorder_.note(report);
-    for (const std::string& line : in_words) say("{}\n", line);
+    for (const std::string& line : in_words) print_message("{}\n", line);
   }
 
   void note(const std::string& key, const SummaryValue& value) override { recorder_.note(key, value); }
@@ -123,12 +125,12 @@ class TheRecord : public RunKeeper {
       std::vector<std::string> all = warnings;
       if (!figures_) return all;
       for (std::string& warning : draw_run_figures(directory, alignment_)) {
-        say("{}\n", warning);
+        print_message("{}\n", warning);
         all.push_back(std::move(warning));
       }
       return all;
     };
-    for (const std::string& warning : warnings) say("{}\n", warning);
+    for (const std::string& warning : warnings) print_message("{}\n", warning);
     return recorder_.finish(status, reason, finishing);
   }
 
@@ -140,7 +142,7 @@ class TheRecord : public RunKeeper {
   Recorder recorder_;
   std::optional<FramePictures> pictures_;
   std::optional<Progress> progress_;
-  StateTeller teller_;
+  StateReporter reporter_;
 };
 
 void refuse_pictures_without_images(const Scenario& scenario) {
@@ -155,28 +157,29 @@ int run(const Options& options) {
     throw InputError("the scenario names nothing; a file or a built-in one is wanted");
   if (options.out && options.out->empty()) throw InputError("--out: names nothing; a folder is wanted");
   const LoadedScenario loaded = load(options);
-  for (const std::string& line : loaded.overrides) say("{}\n", line);
+  for (const std::string& line : loaded.overrides) print_message("{}\n", line);
   if (options.save_frames) refuse_pictures_without_images(loaded.scenario);
   const std::string out = options.out.value_or("out/" + loaded.name);
   std::optional<double> first_t;
   std::chrono::steady_clock::time_point start;
   double wall_s = 0;
-  RunManner manner;
-  manner.tell = [](const std::string& line) { say("{}\n", line); };
-  manner.keep_going = [&](const Tick& tick) {
+  RunCallbacks callbacks;
+  callbacks.report = [](const std::string& line) { print_message("{}\n", line); };
+  callbacks.keep_going = [&](const Tick& tick) {
     if (!first_t) first_t = tick.t, start = std::chrono::steady_clock::now();
     if (options.realtime) wait_until(start, tick.t - *first_t);
     return !interrupted;
   };
-  const OpenKeeper open = [&](const RunInfo& info, std::int64_t frames) {
-    heed_signals();
-    return std::make_unique<TheRecord>(out, options, info, frames, [&] {
+  const SinkFactory open = [&](const RunInfo& info, std::int64_t frames) {
+    handle_signals();
+    return std::make_unique<RecorderSink>(out, options, info, frames, [&] {
       wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     });
   };
-  const RunOutcome outcome = run_scenario(loaded, open, manner);
+  const RunOutcome outcome = run_scenario(loaded, open, callbacks);
   if (outcome.status != RunStatus::done)
-    say("{}{}{}: see {}\n", name(outcome.status), outcome.reason.empty() ? "" : ", ", outcome.reason, out);
+    print_message("{}{}{}: see {}\n", name(outcome.status), outcome.reason.empty() ? "" : ", ",
+                  outcome.reason, out);
   std::fputs(in_words(outcome.report, wall_s, out).c_str(), stdout);
   return outcome.status == RunStatus::done ? 0 : 1;
 }

@@ -8,7 +8,7 @@
 #include <cerrno>
 #include <system_error>
 
-#include "incognita/app/console/say.hpp"
+#include "incognita/app/console/print_message.hpp"
 #include "incognita/messages/errors.hpp"
 #include "incognita/record/files/folders.hpp"
 #include "incognita/record/files/row_file.hpp"
@@ -101,8 +101,8 @@ FolderLock::FolderLock(const fs::path& folder, const std::optional<SharedCampaig
       if (descriptor_ >= 0) ::close(descriptor_);
       descriptor_ = opened(file_);
       if (const int error = lock_for(descriptor_, folder, share))
-        say("{} cannot be locked ({}): make sure that no other run or campaign writes to it\n",
-            folder.string(), std::generic_category().message(error));
+        print_message("{} cannot be locked ({}): make sure that no other run or campaign writes to it\n",
+                      folder.string(), std::generic_category().message(error));
     } while (!is_current(descriptor_, file_));
   } catch (...) {
     if (descriptor_ >= 0) ::close(descriptor_);

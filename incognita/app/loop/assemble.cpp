@@ -21,13 +21,14 @@
 namespace incognita {
 namespace {
 
-struct Place {
+struct Environment {
   std::unique_ptr<Clock> clock;
   std::unique_ptr<World> world;
   std::unique_ptr<Sensor> sensor;
 };
 
-Place recorded_place(const LoadedScenario& loaded, const Camera& camera, std::vector<std::string>& notes) {
+Environment recorded_environment(const LoadedScenario& loaded, const Camera& camera,
+                                 std::vector<std::string>& notes) {
   const auto recording = std::make_shared<const Recording>(read_recording(loaded));
   notes = recording->notes;
   if (std::string compared = compare_camera(loaded, *recording); !compared.empty())
@@ -37,17 +38,17 @@ Place recorded_place(const LoadedScenario& loaded, const Camera& camera, std::ve
           std::make_unique<RecordedSensor>(recording, camera.width(), camera.height())};
 }
 
-Place rendered_place(const LoadedScenario& loaded, const Camera& camera,
-                     const std::optional<Target>& target) {
+Environment rendered_environment(const LoadedScenario& loaded, const Camera& camera,
+                                 const std::optional<Target>& target) {
   const Scenario& scenario = loaded.scenario;
   const auto seed = static_cast<std::uint64_t>(scenario.run.seed);
   auto room = std::make_shared<const Room>(scenario.room, seed);
   if (target) check_sheet(loaded, *target, room->layout().sheet);
   std::unique_ptr<Sensor> sensor = std::make_unique<RoomCamera>(room, camera, scenario.room, seed);
-  std::optional<OperatorHand> hand;
-  if (scenario.person.holds) hand = operator_of(scenario, 0);
-  return {std::make_unique<RoomClock>(scenario.run.rate_hz, scenario.run.duration_s),
-          std::make_unique<RoomWorld>(room->layout(), scenario.room, seed, std::move(hand)),
+  std::optional<OperatorActuator> actuator;
+  if (scenario.operator_settings.holds) actuator = operator_of(scenario, 0);
+  return {std::make_unique<FixedRateClock>(scenario.run.rate_hz, scenario.run.duration_s),
+          std::make_unique<RoomWorld>(room->layout(), scenario.room, seed, std::move(actuator)),
           std::move(sensor)};
 }
 
@@ -59,12 +60,12 @@ Assembly assembled(const LoadedScenario& loaded) {
   if (scenario.start.from == StartSettings::From::target) target = load_target(loaded);
   const bool scale_is_known = target.has_value();
   std::vector<std::string> notes;
-  Place place = scenario.run.world == "recording" ? recorded_place(loaded, camera, notes)
-                                                  : rendered_place(loaded, camera, target);
-  return {{std::move(place.clock), std::move(place.world), std::move(place.sensor),
+  Environment environment = scenario.run.world == "recording" ? recorded_environment(loaded, camera, notes)
+                                                              : rendered_environment(loaded, camera, target);
+  return {{std::move(environment.clock), std::move(environment.world), std::move(environment.sensor),
            CameraEstimator(camera, std::move(target), scenario.slam, scenario.start.max_search_s, seed),
            CameraDecision(camera, scenario.slam, scenario.decision, scenario.exploration, seed),
-           CameraController(scenario.control, scenario.person.holds)},
+           CameraController(scenario.control, scenario.operator_settings.holds)},
           scale_is_known,
           std::move(notes)};
 }

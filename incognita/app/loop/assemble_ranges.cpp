@@ -68,22 +68,22 @@ std::optional<std::vector<std::int64_t>> identities_of_anchors(const std::vector
 
 /// What of a recording the run will not use, with counts.
 std::vector<std::string> left_out(const RangeRecording& recording, const PlanarSlamSettings& s) {
-  std::size_t all = 0, far = 0, nameless = 0, placed = 0;
+  std::size_t all = 0, far = 0, without_identity = 0, placed = 0;
   for (const RangeRecording::Scan& scan : recording.scans) {
-    placed += true_place(recording, scan.t).has_value();
+    placed += true_position(recording, scan.t).has_value();
     for (const Detection& d : scan.detections) {
       ++all;
       far += d.range_m > s.sensor.max_range_m;
-      nameless += d.identity == Detection::unknown;
+      without_identity += d.identity == Detection::unknown;
     }
   }
   std::vector<std::string> notes;
   if (far > 0)
     notes.push_back(fmt::format("{} of {} detections are beyond ranges.max_range_m = {} and left out", far,
                                 all, s.sensor.max_range_m));
-  if (nameless > 0 && s.association.method == "known")
+  if (without_identity > 0 && s.association.method == "known")
     notes.push_back(fmt::format("{} of {} detections do not say which landmark they are of and are left out",
-                                nameless, all));
+                                without_identity, all));
   if (!recording.truth.empty() && placed < recording.scans.size())
     notes.push_back(
         fmt::format("the truth is known at {} of {} scans: between two true places at most half a second "

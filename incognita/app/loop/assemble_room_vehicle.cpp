@@ -34,10 +34,11 @@ VehicleDriving driving_of(const LoadedScenario& loaded, const Terrain& ground) {
   constexpr double to_spare_m = 0.05;  // for what its ranges err by, and its wheels
   const Scenario& s = loaded.scenario;
   VehicleDriving driving{steering_of(loaded, 0, ground).settings, mount_of(s)};
-  if (s.team.steer.keep_clear_m > 0)
-    driving.keep_clear = KeepClear{s.team.steer.keep_clear_m,
-                                   s.room.clearance_m + to_spare_m,
-                                   {s.team.steer.max_speed_m_s, s.team.steer.max_turn_rate_rad_s}};
+  if (s.team.steer.avoidance_distance_m > 0)
+    driving.obstacle_avoidance =
+        ObstacleAvoidanceSettings{s.team.steer.avoidance_distance_m,
+                                  s.room.clearance_m + to_spare_m,
+                                  {s.team.steer.max_speed_m_s, s.team.steer.max_turn_rate_rad_s}};
   return driving;
 }
 
@@ -54,7 +55,7 @@ VehicleController controller_of(const LoadedScenario& loaded, const Terrain& gro
 VehicleDecision decision_of(const Scenario& s, const Camera& camera) {
   if (s.team.steer.law != "active") return {};
   const SteerChoice& can = s.team.steer;
-  const Carrier carrier{mount_of(s), can.max_speed_m_s, can.max_turn_rate_rad_s};
+  const CarrierSettings carrier{mount_of(s), can.max_speed_m_s, can.max_turn_rate_rad_s};
   return VehicleDecision(CameraDecision(camera, s.slam, s.decision, s.exploration,
                                         static_cast<std::uint64_t>(s.run.seed), carrier));
 }
@@ -76,10 +77,11 @@ RoomVehicleAssembly assembled(const LoadedScenario& loaded) {
                                              s.room.clearance_m, seed);
   auto sensor = std::make_unique<RoomVehicleSensor>(RoomCamera(room, camera, s.room, seed), room->layout(),
                                                     RangeRing{}, seed);
-  return {{std::make_unique<RoomClock>(s.run.rate_hz, s.run.duration_s), std::move(world), std::move(sensor),
-           CameraEstimator(camera, std::move(target), s.slam, s.start.max_search_s, seed, odometry),
-           decision_of(s, camera), controller_of(loaded, ground)},
-          scale_is_known};
+  return {
+      {std::make_unique<FixedRateClock>(s.run.rate_hz, s.run.duration_s), std::move(world), std::move(sensor),
+       CameraEstimator(camera, std::move(target), s.slam, s.start.max_search_s, seed, odometry),
+       decision_of(s, camera), controller_of(loaded, ground)},
+      scale_is_known};
 }
 
 }  // namespace

@@ -37,16 +37,16 @@ TeamEstimator estimator_of(const LoadedScenario& loaded, const TeamSettings& tea
   const Scenario& s = loaded.scenario;
   const TeamMember& first = team.members.front();
   made(loaded, "run.sensor", s.run.sensor, [&] {
-    const std::string fault = misfit(first.motion, first.sensor);
-    if (!fault.empty()) throw std::invalid_argument(fault);
+    const std::string problem = incompatibility(first.motion, first.sensor);
+    if (!problem.empty()) throw std::invalid_argument(problem);
     return 0;
   });
-  return made(loaded, "team_filter.lineariser", s.team.filter.lineariser,
+  return made(loaded, "team_filter.lineariser", s.team.filter.linearization,
               [&] { return TeamEstimator(team); });
 }
 
 /// The first so many, or all, of the landmarks are known before.
-void know_landmarks(TeamSettings& team, const PointPlace& place, int known) {
+void set_anchors(TeamSettings& team, const PointLandmarks& place, int known) {
   for (const auto& [identity, point] : place) {
     if (known >= 0 && static_cast<int>(team.anchors.size()) >= known) return;
     team.anchors.emplace(identity, point);
@@ -60,9 +60,9 @@ TeamDecisionSettings decision_of(const Scenario& s) {
   out.tick_s = 1 / s.run.rate_hz;
   out.exploration = s.exploration;
   out.seed = static_cast<std::uint64_t>(s.run.seed);
-  if (is_carried(s)) {
+  if (has_carried_camera(s)) {
     const SteerChoice& can = s.team.steer;
-    out.carrier = Carrier{mount_of(s), can.max_speed_m_s, can.max_turn_rate_rad_s};
+    out.carrier = CarrierSettings{mount_of(s), can.max_speed_m_s, can.max_turn_rate_rad_s};
   }
   return out;
 }
@@ -72,23 +72,27 @@ std::vector<std::string> notes_of(const LoadedScenario& loaded) {
   const Scenario& s = loaded.scenario;
   const PointsSettings& points = s.team.points;
   const bool all_known = points.known < 0 || points.known >= points.count;
-  if (tells_distance(sensor_of(s)) || !points.file.empty() || all_known) return {};
-  const double near_m = 1 / (s.slam.birth.inverse_depth_per_m + 2 * s.slam.birth.sigma_inverse_depth_per_m);
-  const double believed_m = 1 / s.slam.birth.inverse_depth_per_m, place_m = s.team.points.size_m.norm() / 2;
-  if (believed_m > place_m / 6 && near_m < place_m) return {};
+  if (measures_distance(sensor_of(s)) || !points.file.empty() || all_known) return {};
+  const double near_m =
+      1 / (s.slam.initialization.inverse_depth_per_m + 2 * s.slam.initialization.sigma_inverse_depth_per_m);
+  const double assumed_m = 1 / s.slam.initialization.inverse_depth_per_m,
+               place_m = s.team.points.size_m.norm() / 2;
+  if (assumed_m > place_m / 6 && near_m < place_m) return {};
   return {fmt::format(
       "birth.inverse_depth_per_m = {} (from {}): a new landmark is first believed to be {:.3g} m away, "
       "and the place reaches {:.3g} m: tell a depth that fits it, or the map may break",
-      s.slam.birth.inverse_depth_per_m, loaded.sources.at("birth.inverse_depth_per_m"), believed_m, place_m)};
+      s.slam.initialization.inverse_depth_per_m, loaded.sources.at("birth.inverse_depth_per_m"), assumed_m,
+      place_m)};
 }
 
 std::unique_ptr<World> world_of(const Scenario& s, const std::vector<SimulatedVehicle>& vehicles,
                                 const Terrain& ground) {
   const auto seed = static_cast<std::uint64_t>(s.run.seed);
-  if (!is_carried(s)) {
-    std::vector<OperatorHand> hands;
-    for (std::size_t i = 0; s.person.holds && i < vehicles.size(); ++i) hands.push_back(operator_of(s, i));
-    return std::make_unique<TeamWorld>(vehicles, seed, std::move(hands));
+  if (!has_carried_camera(s)) {
+    std::vector<OperatorActuator> actuators;
+    for (std::size_t i = 0; s.operator_settings.holds && i < vehicles.size(); ++i)
+      actuators.push_back(operator_of(s, i));
+    return std::make_unique<TeamWorld>(vehicles, seed, std::move(actuators));
   }
   std::vector<CameraCarrier> carriers;
   for (std::size_t i = 0; i < vehicles.size(); ++i) carriers.push_back(carrier_of(s, i, ground));
@@ -104,7 +108,7 @@ std::optional<std::set<std::int64_t>> names_of(const TeamSettings& team) {
   return named;
 }
 
-Survey survey_of(const PointPlace& place) {
+Survey survey_of(const PointLandmarks& place) {
   Survey survey;
   survey.identified = true;
   for (const auto& [identity, point] : place) {
@@ -118,18 +122,19 @@ TeamAssembly simulated(const LoadedScenario& loaded) {
   const Scenario& s = loaded.scenario;
   const double period_s = 1 / s.run.rate_hz;
   const auto seed = static_cast<std::uint64_t>(s.run.seed);
-  const PointPlace place = place_of(loaded);
+  const PointLandmarks point_landmarks = point_landmarks_of(loaded);
   const Terrain ground = ground_of(loaded);
   TeamSettings team;
   team.filter = filter_of(s);
   team.lost.max_sigma_position_m = s.planar.lost.max_sigma_position_m;
   const DataAssociationSettings& association = s.planar.association;
   team.association = {association.method, association.gate_probability, association.max_nodes,
-                      association.birth_probability, association.birth_distance_m};
-  know_landmarks(team, place, s.team.points.known);
-  if (s.team.points.known > static_cast<int>(place.size()))
+                      association.initialization_probability, association.initialization_distance_m};
+  set_anchors(team, point_landmarks, s.team.points.known);
+  if (s.team.points.known > static_cast<int>(point_landmarks.size()))
     throw InputError(fmt::format("{}: points.known = {}: there are {} landmarks",
-                                 loaded.sources.at("points.known"), s.team.points.known, place.size()));
+                                 loaded.sources.at("points.known"), s.team.points.known,
+                                 point_landmarks.size()));
   std::vector<SimulatedVehicle> vehicles;
   std::vector<VehicleSteering> steering;
   for (std::size_t i = 0; i < vehicles_of(s); ++i) {
@@ -142,15 +147,16 @@ TeamAssembly simulated(const LoadedScenario& loaded) {
   TeamController controller =
       made(loaded, held ? "steer.input" : "steer.law",
            held ? fmt::format("[{}]", fmt::join(s.team.steer.input, ", ")) : s.team.steer.law,
-           [&] { return TeamController(std::move(steering), period_s, s.person.holds); });
-  auto points = std::make_unique<TeamSensor>(vehicles, place, s.team.start.sees_team, seed, names_of(team));
-  auto sightings = names_of(team) ? points->truth() : nullptr;
+           [&] { return TeamController(std::move(steering), period_s, s.operator_settings.holds); });
+  auto points =
+      std::make_unique<TeamSensor>(vehicles, point_landmarks, s.team.start.sees_team, seed, names_of(team));
+  auto association_truth = names_of(team) ? points->truth() : nullptr;
   return {
-      {std::make_unique<RoomClock>(s.run.rate_hz, s.run.duration_s), world_of(s, vehicles, ground),
+      {std::make_unique<FixedRateClock>(s.run.rate_hz, s.run.duration_s), world_of(s, vehicles, ground),
        std::move(points), std::move(estimator), TeamDecision(team, decision_of(s)), std::move(controller)},
       notes_of(loaded),
-      std::move(sightings),
-      names_of(team) ? Survey{} : survey_of(place)};
+      std::move(association_truth),
+      names_of(team) ? Survey{} : survey_of(point_landmarks)};
 }
 
 /// Each starts where the motion capture has it when all know how they move.
@@ -161,15 +167,15 @@ TeamSettings recorded_team(const LoadedScenario& loaded, const std::vector<Range
   team.filter = filter_of(s);
   team.lost.max_sigma_position_m = s.planar.lost.max_sigma_position_m;
   for (std::size_t i = 0; i < robots.size(); ++i) {
-    const auto place = true_place(robots[i], t);
-    if (!place || !place->heading_rad)
+    const auto reference = true_position(robots[i], t);
+    if (!reference || !reference->heading_rad)
       throw InputError(
           fmt::format("{}: recording.folder: where robot {} starts is not known: its ground truth is "
                       "wanted at t = {:.3f} s",
                       loaded.sources.at("recording.folder"), i + 1, t));
     Scenario at_start = s;
-    at_start.team.start.positions_m = {{place->position.x(), place->position.y(), 0}};
-    at_start.team.start.headings_rad = {*place->heading_rad};
+    at_start.team.start.positions_m = {{reference->position.x(), reference->position.y(), 0}};
+    at_start.team.start.headings_rad = {*reference->heading_rad};
     team.members.push_back(member_of(at_start, 0, {}));
   }
   return team;

@@ -16,7 +16,7 @@ struct TeamAssembly {
   TeamBoxes boxes;
   std::vector<std::string> notes;  ///< what was guessed, for printing
   /// What each sighting really is of, tick by tick, for who scores; null where the estimator is told.
-  std::shared_ptr<const SightingTruth> sightings = nullptr;
+  std::shared_ptr<const AssociationTruth> association_truth = nullptr;
   Survey survey = {};                      ///< the true landmarks, where the map has their identities
   std::vector<std::string> warnings = {};  ///< what is most likely wrong with a recording
 };

@@ -10,21 +10,21 @@ void AssociationScore::add(const Snapshot& s) {
     if (const auto known = landmark_of_.find(landmark.id); known != landmark_of_.end())
       mapped.insert(known->second);
   std::vector<std::size_t> next(truth_->size(), 0);
-  for (const SnapshotLook& look : s.looks) {
-    if (look.of_vehicle) continue;
-    const auto vehicle = static_cast<std::size_t>(look.vehicle);
-    add(look, truth_->at(vehicle).at(next[vehicle]++), mapped);
+  for (const SnapshotMatch& match : s.matches) {
+    if (match.of_vehicle) continue;
+    const auto vehicle = static_cast<std::size_t>(match.vehicle);
+    add(match, truth_->at(vehicle).at(next[vehicle]++), mapped);
   }
 }
 
-void AssociationScore::add(const SnapshotLook& look, std::int64_t truth,
+void AssociationScore::add(const SnapshotMatch& match, std::int64_t truth,
                            const std::set<std::int64_t>& mapped) {
-  if (look.anchor) return;
-  if (look.outcome == LookOutcome::born) {
-    landmark_of_[look.id] = truth;
-    born_again_ += mapped.count(truth) > 0;
-  } else if (look.outcome == LookOutcome::matched) {
-    ++(landmark_of_.at(look.id) == truth ? right_ : wrong_);
+  if (match.anchor) return;
+  if (match.outcome == MatchOutcome::initialized) {
+    landmark_of_[match.id] = truth;
+    duplicate_landmarks_ += mapped.count(truth) > 0;
+  } else if (match.outcome == MatchOutcome::matched) {
+    ++(landmark_of_.at(match.id) == truth ? right_ : wrong_);
   } else {
     missed_ += mapped.count(truth) > 0;
   }

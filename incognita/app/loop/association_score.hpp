@@ -15,7 +15,7 @@ namespace incognita {
 /// born.
 class AssociationScore {
  public:
-  explicit AssociationScore(std::shared_ptr<const SightingTruth> truth) : truth_(std::move(truth)) {}
+  explicit AssociationScore(std::shared_ptr<const AssociationTruth> truth) : truth_(std::move(truth)) {}
 
   /// Of the tick that the truth is of.
   void add(const Snapshot& snapshot);
@@ -24,15 +24,15 @@ class AssociationScore {
   std::int64_t wrong() const { return wrong_; }
   /// Sightings of landmarks that were in the map, and matched with none.
   std::int64_t missed() const { return missed_; }
-  int born_again() const { return born_again_; }  ///< births of what was in the map
+  int duplicate_landmarks() const { return duplicate_landmarks_; }  ///< births of what was in the map
 
  private:
-  void add(const SnapshotLook& look, std::int64_t truth, const std::set<std::int64_t>& mapped);
+  void add(const SnapshotMatch& match, std::int64_t truth, const std::set<std::int64_t>& mapped);
 
-  std::shared_ptr<const SightingTruth> truth_;
+  std::shared_ptr<const AssociationTruth> truth_;
   std::map<std::int64_t, std::int64_t> landmark_of_;  ///< by the estimator's number
   std::int64_t right_ = 0, wrong_ = 0, missed_ = 0;
-  int born_again_ = 0;
+  int duplicate_landmarks_ = 0;
 };
 
 }  // namespace incognita

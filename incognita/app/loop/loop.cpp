@@ -8,9 +8,9 @@ namespace {
 
 /// Who asks the wheels how fast it goes does so beside the estimate.
 template <class Decision, class Estimate>
-Goal choose(Decision& decision, const Estimate& estimate, const Observation& seen, const Tick& tick) {
-  if constexpr (requires { decision.choose(estimate, seen, tick); })
-    return decision.choose(estimate, seen, tick);
+Goal choose(Decision& decision, const Estimate& estimate, const Observation& observation, const Tick& tick) {
+  if constexpr (requires { decision.choose(estimate, observation, tick); })
+    return decision.choose(estimate, observation, tick);
   else
     return decision.choose(estimate, tick);
 }
@@ -32,20 +32,20 @@ void run_loop(SomeBoxes& boxes, const std::function<void(const Snapshot&)>& publ
     StageClock stage(timing_ms);
     const auto truth = world->move(command, tick);  // what really happens (absent on a real robot)
     stage.mark("world");
-    const Observation seen = sensor->look(truth, tick);  // all that the robot can know
+    const Observation observation = sensor->measure(truth, tick);  // all that the robot can know
     stage.mark("sensor");
-    estimator.update(estimate, command, seen, tick);  // in place: belief, landmark catalogue, status
+    estimator.update(estimate, command, observation, tick);  // in place: belief, landmark catalogue, status
     stage.mark("estimator");
-    const Goal goal = choose(decision, estimate, seen, tick);  // which action, which way, every score
+    const Goal goal = choose(decision, estimate, observation, tick);  // which action, which way, every score
     stage.mark("advice");
-    command = controller.act(estimate, goal, seen, tick);
+    command = controller.act(estimate, goal, observation, tick);
     stage.mark("control");
     if (watch) {
       watch(estimate);
       estimate.belief.clear_trace();
       stage.mark("watch");
     }
-    publish(snapshot_of(tick, truth, seen, estimate, goal, decision.actions(), command, timing_ms));
+    publish(snapshot_of(tick, truth, observation, estimate, goal, decision.actions(), command, timing_ms));
   }
 }
 

@@ -28,7 +28,7 @@ SpatialScene scene_of(const Estimate& estimate, const ObservabilityMonitor* moni
   SpatialScene scene;
   scene.camera = estimate.camera_state();
   if (monitor) scene.errors = monitor->errors();
-  for (const Landmark& landmark : estimate.catalogue) {
+  for (const Landmark& landmark : estimate.catalog) {
     if (landmark.kind == Landmark::Kind::anchor) continue;
     const auto* block = monitor ? monitor->find(landmark.block) : nullptr;
     if (monitor && !block) continue;
@@ -36,7 +36,7 @@ SpatialScene scene_of(const Estimate& estimate, const ObservabilityMonitor* moni
     out.id = landmark.id;
     if (block) out.first = block->first;
     out.form = form_of(landmark.kind);
-    out.birth_axes = landmark.birth_axes;
+    out.initial_axes = landmark.initial_axes;
     const auto mean = estimate.belief.mean(landmark.block);
     out.mean.head(mean.size()) = mean;
   }
@@ -47,11 +47,11 @@ constexpr const char* not_finite = "its information is not finite";
 
 std::string why(ObservabilityMonitor::Uncovered uncovered) {
   switch (uncovered) {
-    case ObservabilityMonitor::Uncovered::carried:
+    case ObservabilityMonitor::Uncovered::frame_changed:
       return "the map is told in the vehicle's frame";
     case ObservabilityMonitor::Uncovered::decorrelated:
       return "the filter drops correlations";
-    case ObservabilityMonitor::Uncovered::other_mover:
+    case ObservabilityMonitor::Uncovered::other_block:
       return "more than one vehicle moves";
     case ObservabilityMonitor::Uncovered::not_finite:
       return not_finite;
@@ -62,9 +62,10 @@ std::string why(ObservabilityMonitor::Uncovered uncovered) {
 bool is_finite(const PlanarScene& scene) { return scene.vehicle.allFinite() && units_of(scene).allFinite(); }
 bool is_finite(const SpatialScene& scene) { return scene.camera.allFinite() && units_of(scene).allFinite(); }
 
-bool has_birth(const BeliefTrace& trace) {
-  return std::any_of(trace.begin(), trace.end(),
-                     [](const BeliefEvent& event) { return std::holds_alternative<BlockBirth>(event); });
+bool is_initialized(const BeliefTrace& trace) {
+  return std::any_of(trace.begin(), trace.end(), [](const BeliefEvent& event) {
+    return std::holds_alternative<BlockAugmentation>(event);
+  });
 }
 
 bool is_finite(const MonitoredInformation& information) {
@@ -88,15 +89,16 @@ void ObservabilityWatch::follow_camera(const Estimate& estimate) {
   if (!monitor_) {
     const int errors = estimate.belief.chart(estimate.camera).tangent();
     monitor_.emplace(estimate.camera, errors);
-    looks_.emplace(estimate.camera, errors, ObservabilityMonitor::Motions::tell_nothing);
+    measurement_monitor_.emplace(estimate.camera, errors, ObservabilityMonitor::Motions::uninformative);
   }
-  if (has_birth(estimate.belief.trace())) {
+  if (is_initialized(estimate.belief.trace())) {
     const double length = typical_distance(scene_of(estimate, nullptr));
-    monitor_->take_as_exact(SpatialScene::dimension, exact_share * length);
-    if (looks_) looks_->take_as_exact(SpatialScene::dimension, exact_share * length);
+    monitor_->set_exact_position(SpatialScene::dimension, exact_share * length);
+    if (measurement_monitor_)
+      measurement_monitor_->set_exact_position(SpatialScene::dimension, exact_share * length);
   }
   monitor_->follow(estimate.belief.trace());
-  if (looks_) looks_->follow(estimate.belief.trace());
+  if (measurement_monitor_) measurement_monitor_->follow(estimate.belief.trace());
 }
 
 void ObservabilityWatch::follow(const Estimate& estimate) {
@@ -104,21 +106,21 @@ void ObservabilityWatch::follow(const Estimate& estimate) {
   follow_camera(estimate);
   const std::size_t anchors_before = anchors_.size();
   const bool corrected = estimate.update.outcome == UpdateReport::Outcome::updated;
-  for (const Look& look : estimate.looks)
-    if (corrected && look.kind == Landmark::Kind::anchor && look.outcome == LookOutcome::matched)
-      see_anchor(look.id, look.point);
+  for (const FeatureMatch& match : estimate.matches)
+    if (corrected && match.kind == Landmark::Kind::anchor && match.outcome == MatchOutcome::matched)
+      add_anchor(match.id, match.point);
   if (anchors_.size() > anchors_before &&
-      remaining_symmetries(fixed(SpatialScene::dimension).places).basis.cols() == 0)
-    looks_.reset();
+      remaining_symmetries(fixed(SpatialScene::dimension).positions).basis.cols() == 0)
+    measurement_monitor_.reset();
   put(scene_of(estimate, &*monitor_));
 }
 
 void ObservabilityWatch::follow(const TeamEstimate& estimate) {
   if (!estimate.started) return;
   follow(estimate.belief, estimate.vehicles.front().block);
-  for (const TeamLook& look : estimate.looks)
-    if (look.anchor && look.outcome == LookOutcome::matched)
-      see_anchor(look.identity, estimate.anchors.at(look.identity).position);
+  for (const Match& match : estimate.matches)
+    if (match.anchor && match.outcome == MatchOutcome::matched)
+      add_anchor(match.identity, estimate.anchors.at(match.identity).position);
   for (const UsedFix& fix : estimate.fixes) use_fix(fix);
   put(scene_of(estimate, *monitor_));
 }
@@ -146,10 +148,10 @@ FixedPoints ObservabilityWatch::fixed(Eigen::Index dimension) const {
   FixedPoints out;
   out.anchors = static_cast<int>(anchors_.size());
   out.position_fixes = !fixes_.empty();
-  out.places.resize(dimension, static_cast<Eigen::Index>(anchors_.size() + fixes_.size()));
+  out.positions.resize(dimension, static_cast<Eigen::Index>(anchors_.size() + fixes_.size()));
   Eigen::Index column = 0;
-  for (const auto& [id, place] : anchors_) out.places.col(column++) = place;
-  for (const Eigen::Vector2d& place : fixes_) out.places.col(column++) = place;
+  for (const auto& [id, position] : anchors_) out.positions.col(column++) = position;
+  for (const Eigen::Vector2d& position : fixes_) out.positions.col(column++) = position;
   return out;
 }
 
@@ -158,15 +160,15 @@ std::optional<ObservabilityReport> ObservabilityWatch::report() {
   if (!monitor_) return std::nullopt;
   std::string uncovered = monitor_->uncovered() ? why(*monitor_->uncovered()) : "";
   if (uncovered.empty() && !finite_) uncovered = "the estimate is not finite";
-  MonitoredInformation of_filter, of_looks;
+  MonitoredInformation of_filter, of_measurements;
   if (uncovered.empty()) {
     of_filter = information_of(*monitor_);
-    if (looks_) of_looks = information_of(*looks_);
-    if (!is_finite(of_filter) || !is_finite(of_looks)) uncovered = not_finite;
+    if (measurement_monitor_) of_measurements = information_of(*measurement_monitor_);
+    if (!is_finite(of_filter) || !is_finite(of_measurements)) uncovered = not_finite;
   }
   if (const auto* scene = std::get_if<PlanarScene>(&scene_))
     return observability_report(of_filter, *scene, fixed(PlanarScene::dimension), uncovered);
-  return observability_report(of_filter, of_looks, std::get<SpatialScene>(scene_),
+  return observability_report(of_filter, of_measurements, std::get<SpatialScene>(scene_),
                               fixed(SpatialScene::dimension), uncovered);
 }
 

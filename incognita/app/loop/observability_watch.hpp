@@ -29,13 +29,13 @@ class ObservabilityWatch {
   void follow_camera(const Estimate& estimate);
   template <class Scene>
   void put(Scene scene);
-  void see_anchor(std::int64_t id, const Eigen::VectorXd& place) { anchors_.emplace(id, place); }
+  void add_anchor(std::int64_t id, const Eigen::VectorXd& position) { anchors_.emplace(id, position); }
   void use_fix(const UsedFix& fix);
   FixedPoints fixed(Eigen::Index dimension) const;
 
   std::optional<ObservabilityMonitor> monitor_;
   /// Of a camera, motions telling nothing; given up when no symmetry remains
-  std::optional<ObservabilityMonitor> looks_;
+  std::optional<ObservabilityMonitor> measurement_monitor_;
   std::map<std::int64_t, Eigen::VectorXd> anchors_;                ///< that corrected the filter
   std::vector<Eigen::Vector2d> fixes_;                             ///< places clearly apart
   std::variant<std::monostate, PlanarScene, SpatialScene> scene_;  ///< the last whose numbers are finite

@@ -6,13 +6,13 @@
 
 namespace incognita {
 
-OperatorHand operator_of(const Scenario& s, std::size_t camera) {
+OperatorActuator operator_of(const Scenario& s, std::size_t camera) {
   const auto seed = static_cast<std::uint64_t>(s.run.seed);
-  const HandMotion motion = [settings = s.control](const CameraState& state, const Segment& segment,
-                                                   const Heading& gaze, double t) {
+  const OperatorMotion motion = [settings = s.control](const CameraState& state, const Segment& segment,
+                                                       const Heading& gaze, double t) {
     return fly_segment(state, segment, gaze, t, settings).as_input();
   };
-  return {OperatorModel(s.person, seed, "person." + std::to_string(camera)),
+  return {OperatorModel(s.operator_settings, seed, "person." + std::to_string(camera)),
           motion,
           {s.control.gaze_amplitude_rad, s.control.gaze_period_s}};
 }

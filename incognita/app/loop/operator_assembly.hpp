@@ -9,6 +9,6 @@
 namespace incognita {
 
 /// Who holds that camera, and how a hand moves it: as the controller would from the true state.
-OperatorHand operator_of(const Scenario& scenario, std::size_t camera);
+OperatorActuator operator_of(const Scenario& scenario, std::size_t camera);
 
 }  // namespace incognita

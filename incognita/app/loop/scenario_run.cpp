@@ -19,16 +19,16 @@ namespace incognita {
 namespace {
 
 /// How the run ended, from the loop's own view.
-struct Ending {
+struct RunConclusion {
   RunStatus status = RunStatus::done;
   std::string reason;
   std::vector<std::string> warnings = {};
 };
 
 /// What is remembered of the frames that passed.
-struct Passed {
+struct RunProgress {
   Snapshot last;
-  bool ever_tracked = false, ever_looked = false, stopped = false;
+  bool ever_tracked = false, ever_measured = false, stopped = false;
   std::int64_t frames = 0, doubted = 0;
   std::string doubt;
 
@@ -36,51 +36,52 @@ struct Passed {
     last = snapshot;
     ever_tracked |=
         snapshot.status.state != TrackingState::starting && snapshot.status.state != TrackingState::lost;
-    ever_looked |= !snapshot.looks.empty();
+    ever_measured |= !snapshot.matches.empty();
     ++frames;
     if (snapshot.status.state == TrackingState::degraded) ++doubted, doubt = snapshot.status.reason;
   }
 };
 
-Ending ending_of(const Passed& passed) {
-  const Snapshot& last = passed.last;
-  if (passed.stopped) return {RunStatus::interrupted, fmt::format("stopped at t = {:.3f} s", last.tick.t)};
-  if (!passed.ever_tracked) return {RunStatus::failed, "never started: " + last.status.reason};
+RunConclusion conclusion_of(const RunProgress& progress) {
+  const Snapshot& last = progress.last;
+  if (progress.stopped) return {RunStatus::interrupted, fmt::format("stopped at t = {:.3f} s", last.tick.t)};
+  if (!progress.ever_tracked) return {RunStatus::failed, "never started: " + last.status.reason};
   if (last.status.state == TrackingState::lost)
     return {RunStatus::failed, fmt::format("lost at the end: {}", last.status.reason)};
   return {};
 }
 
 /// `to_see`: whether there is anything.
-std::vector<std::string> warnings_of(const Passed& passed, bool to_see) {
-  const Snapshot& last = passed.last;
+std::vector<std::string> warnings_of(const RunProgress& progress, bool to_see) {
+  const Snapshot& last = progress.last;
   std::vector<std::string> warnings;
-  const auto unseen = std::count_if(last.landmarks.begin(), last.landmarks.end(),
-                                    [](const SnapshotLandmark& l) { return l.anchor && l.sightings == 0; });
+  const auto unseen =
+      std::count_if(last.landmarks.begin(), last.landmarks.end(),
+                    [](const SnapshotLandmark& l) { return l.anchor && l.detection_count == 0; });
   if (unseen > 0 && last.vehicles.empty())
     warnings.push_back(fmt::format("anchors never matched: {}; are they where they should be?", unseen));
-  if (to_see && !last.vehicles.empty() && !passed.ever_looked)
+  if (to_see && !last.vehicles.empty() && !progress.ever_measured)
     warnings.push_back("nothing was seen in the whole run");
   constexpr double most_doubted = 0.1;  // of all frames
-  if (static_cast<double>(passed.doubted) > most_doubted * static_cast<double>(passed.frames))
+  if (static_cast<double>(progress.doubted) > most_doubted * static_cast<double>(progress.frames))
     warnings.push_back(
-        fmt::format("degraded in {} of {} frames: {}", passed.doubted, passed.frames, passed.doubt));
+        fmt::format("degraded in {} of {} frames: {}", progress.doubted, progress.frames, progress.doubt));
   return warnings;
 }
 
 template <class SomeBoxes>
-Ending drive(SomeBoxes& boxes, RunKeeper& keeper, ObservabilityWatch* watch, AssociationScore* score,
-             const RunManner& manner, bool to_see, bool with_vehicles) {
-  Passed passed;
+RunConclusion drive(SomeBoxes& boxes, RunSink& sink, ObservabilityWatch* watch, AssociationScore* score,
+                    const RunCallbacks& callbacks, bool to_see, bool with_vehicles) {
+  RunProgress progress;
   const auto publish = [&](Snapshot snapshot) {
     if (!with_vehicles) snapshot.vehicles.clear();
-    passed.add(snapshot);
+    progress.add(snapshot);
     if (score) score->add(snapshot);
-    keeper.publish(snapshot);
+    sink.publish(snapshot);
   };
   const auto keep_going = [&](const Tick& tick) {
-    passed.stopped = manner.keep_going && !manner.keep_going(tick);
-    return !passed.stopped;
+    progress.stopped = callbacks.keep_going && !callbacks.keep_going(tick);
+    return !progress.stopped;
   };
   std::function<void(const typename SomeBoxes::Estimator::Estimate&)> watching;
   if constexpr (requires(const typename SomeBoxes::Estimator::Estimate& estimate) {
@@ -91,11 +92,11 @@ Ending drive(SomeBoxes& boxes, RunKeeper& keeper, ObservabilityWatch* watch, Ass
     run_loop(boxes, std::function<void(const Snapshot&)>(publish),
              std::function<bool(const Tick&)>(keep_going), watching);
   } catch (const std::exception& error) {
-    return {RunStatus::failed, fmt::format("at frame {}: {}", passed.last.tick.frame + 1, error.what())};
+    return {RunStatus::failed, fmt::format("at frame {}: {}", progress.last.tick.frame + 1, error.what())};
   }
-  Ending ending = ending_of(passed);
-  ending.warnings = warnings_of(passed, to_see);
-  return ending;
+  RunConclusion conclusion = conclusion_of(progress);
+  conclusion.warnings = warnings_of(progress, to_see);
+  return conclusion;
 }
 
 RunInfo info_of(const LoadedScenario& loaded) {
@@ -107,55 +108,58 @@ RunInfo info_of(const LoadedScenario& loaded) {
   return info;
 }
 
-void note(const AssociationScore& score, RunKeeper& keeper) {
-  keeper.note("matches_right", score.right());
-  keeper.note("matches_wrong", score.wrong());
-  keeper.note("matches_missed", score.missed());
-  keeper.note("landmarks_born_again", std::int64_t{score.born_again()});
+void note(const AssociationScore& score, RunSink& sink) {
+  sink.note("matches_right", score.right());
+  sink.note("matches_wrong", score.wrong());
+  sink.note("matches_missed", score.missed());
+  sink.note("landmarks_born_again", std::int64_t{score.duplicate_landmarks()});
 }
 
 /// Drives the boxes; `info` is complete. `score`, where what the estimator sees has no names.
 template <class SomeBoxes>
 RunOutcome run_boxes(SomeBoxes& boxes, const RunInfo& info, const LoadedScenario& loaded,
-                     const OpenKeeper& open, const RunManner& manner,
+                     const SinkFactory& open, const RunCallbacks& callbacks,
                      std::optional<AssociationScore> score = std::nullopt) {
-  const std::unique_ptr<RunKeeper> keeper = open(info, boxes.clock->expected_frames());
+  const std::unique_ptr<RunSink> sink = open(info, boxes.clock->expected_frames());
   std::optional<ObservabilityWatch> watch;
   if (loaded.scenario.run.observability && info.vehicles == 0) watch.emplace();
   const PointsSettings& points = loaded.scenario.team.points;
   const bool to_see = points.count > 0 || !points.file.empty();
-  const Ending ending = drive(boxes, *keeper, watch ? &*watch : nullptr, score ? &*score : nullptr, manner,
-                              to_see, info.vehicles > 0);
-  if (score) note(*score, *keeper);
+  const RunConclusion conclusion = drive(boxes, *sink, watch ? &*watch : nullptr, score ? &*score : nullptr,
+                                         callbacks, to_see, info.vehicles > 0);
+  if (score) note(*score, *sink);
   if (watch)
-    if (const auto report = watch->report()) keeper->note(*report, in_words(*report));
-  return keeper->finish(ending.status, ending.reason, ending.warnings);
+    if (const auto report = watch->report()) sink->note(*report, in_words(*report));
+  return sink->finish(conclusion.status, conclusion.reason, conclusion.warnings);
 }
 
-RunOutcome run_camera(const LoadedScenario& loaded, const OpenKeeper& open, const RunManner& manner) {
+RunOutcome run_camera(const LoadedScenario& loaded, const SinkFactory& open, const RunCallbacks& callbacks) {
   Assembly assembly = assemble(loaded);
-  for (const std::string& line : assembly.notes) manner.tell(line);
-  if (!assembly.scale_is_known) manner.tell("no target: the scale is not observable, lengths are relative");
+  for (const std::string& line : assembly.notes) callbacks.report(line);
+  if (!assembly.scale_is_known)
+    callbacks.report("no target: the scale is not observable, lengths are relative");
   RunInfo info = info_of(loaded);
   // A recording's truth is in its own world, which a target need not share
   const bool own_frame = loaded.scenario.run.world == "recording";
   info.ate_alignment = !assembly.scale_is_known ? "sim3" : own_frame ? "se3" : "none";
-  return run_boxes(assembly.boxes, info, loaded, open, manner);
+  return run_boxes(assembly.boxes, info, loaded, open, callbacks);
 }
 
-RunOutcome run_room_vehicle(const LoadedScenario& loaded, const OpenKeeper& open, const RunManner& manner) {
+RunOutcome run_room_vehicle(const LoadedScenario& loaded, const SinkFactory& open,
+                            const RunCallbacks& callbacks) {
   RoomVehicleAssembly assembly = assemble_room_vehicle(loaded);
-  if (!assembly.scale_is_known) manner.tell("no target: the scale is not observable, lengths are relative");
+  if (!assembly.scale_is_known)
+    callbacks.report("no target: the scale is not observable, lengths are relative");
   RunInfo info = info_of(loaded);
   info.ate_alignment = assembly.scale_is_known ? "none" : "sim3";
-  return run_boxes(assembly.boxes, info, loaded, open, manner);
+  return run_boxes(assembly.boxes, info, loaded, open, callbacks);
 }
 
-RunOutcome run_vehicle(const LoadedScenario& loaded, const OpenKeeper& open, const RunManner& manner) {
+RunOutcome run_vehicle(const LoadedScenario& loaded, const SinkFactory& open, const RunCallbacks& callbacks) {
   RangeAssembly assembly = assemble_ranges(loaded);
-  for (const std::string& line : assembly.notes) manner.tell(line);
+  for (const std::string& line : assembly.notes) callbacks.report(line);
   if (!assembly.frame_is_fixed)
-    manner.tell(
+    callbacks.report(
         "no anchors: place and heading are not observable, the map is about where the vehicle started");
   RunInfo info = info_of(loaded);
   info.body = "vehicle";
@@ -164,7 +168,7 @@ RunOutcome run_vehicle(const LoadedScenario& loaded, const OpenKeeper& open, con
   info.truth_recorded = !assembly.recording().truth.empty();
   info.warnings = assembly.warnings;
   info.survey = survey_of(assembly.recording(), loaded.scenario.planar.association.method == "known");
-  return run_boxes(assembly.boxes, info, loaded, open, manner);
+  return run_boxes(assembly.boxes, info, loaded, open, callbacks);
 }
 
 /// What the inputs of a motion are called.
@@ -174,29 +178,30 @@ std::vector<std::string> inputs_of(const MotionTraits& motion) {
   return names;
 }
 
-RunOutcome run_team(const LoadedScenario& loaded, const OpenKeeper& open, const RunManner& manner) {
+RunOutcome run_team(const LoadedScenario& loaded, const SinkFactory& open, const RunCallbacks& callbacks) {
   TeamAssembly assembly = assemble_team(loaded);
-  for (const std::string& line : assembly.notes) manner.tell(line);
+  for (const std::string& line : assembly.notes) callbacks.report(line);
   const MotionTraits& motion = motion_traits_of(loaded.scenario.planar.vehicle.model);
   RunInfo info = info_of(loaded);
   info.body = motion.in_space() ? "camera" : "vehicle";
   info.vehicles = static_cast<int>(assembly.boxes.estimator.settings().members.size());
-  info.inputs = inputs_of(is_carried(loaded.scenario) ? motion_traits<TerrainVehicle> : motion);
+  info.inputs = inputs_of(has_carried_camera(loaded.scenario) ? motion_traits<TerrainVehicle> : motion);
   info.steered_m = steered_point(loaded.scenario);
   info.survey = std::move(assembly.survey);
   info.warnings = std::move(assembly.warnings);
   std::optional<AssociationScore> score;
-  if (assembly.sightings) score.emplace(assembly.sightings);
-  return run_boxes(assembly.boxes, info, loaded, open, manner, std::move(score));
+  if (assembly.association_truth) score.emplace(assembly.association_truth);
+  return run_boxes(assembly.boxes, info, loaded, open, callbacks, std::move(score));
 }
 
 }  // namespace
 
-RunOutcome run_scenario(const LoadedScenario& loaded, const OpenKeeper& open, const RunManner& manner) {
-  if (is_team(loaded.scenario)) return run_team(loaded, open, manner);
-  if (is_room_vehicle(loaded.scenario)) return run_room_vehicle(loaded, open, manner);
-  return loaded.scenario.run.sensor == "camera" ? run_camera(loaded, open, manner)
-                                                : run_vehicle(loaded, open, manner);
+RunOutcome run_scenario(const LoadedScenario& loaded, const SinkFactory& open,
+                        const RunCallbacks& callbacks) {
+  if (is_team(loaded.scenario)) return run_team(loaded, open, callbacks);
+  if (is_room_vehicle(loaded.scenario)) return run_room_vehicle(loaded, open, callbacks);
+  return loaded.scenario.run.sensor == "camera" ? run_camera(loaded, open, callbacks)
+                                                : run_vehicle(loaded, open, callbacks);
 }
 
 }  // namespace incognita

@@ -15,9 +15,9 @@
 namespace incognita {
 
 /// Where that goes which a run publishes. What publish() throws ends the run as `failed`.
-class RunKeeper {
+class RunSink {
  public:
-  virtual ~RunKeeper() = default;
+  virtual ~RunSink() = default;
   virtual void publish(const Snapshot& snapshot) = 0;
   /// What the filter can and cannot know, once, at the end; in words too.
   virtual void note(const ObservabilityReport& report, const std::vector<std::string>& in_words) = 0;
@@ -28,14 +28,14 @@ class RunKeeper {
 };
 
 /// `frames` to expect; 0: unknown. What it throws stops the run before its first frame.
-using OpenKeeper = std::function<std::unique_ptr<RunKeeper>(const RunInfo& info, std::int64_t frames)>;
+using SinkFactory = std::function<std::unique_ptr<RunSink>(const RunInfo& info, std::int64_t frames)>;
 
-struct RunManner {
-  std::function<void(const std::string& line)> tell;      ///< what was guessed, for printing
+struct RunCallbacks {
+  std::function<void(const std::string& line)> report;    ///< what was guessed, for printing
   std::function<bool(const Tick& tick)> keep_going = {};  ///< false: the run is interrupted
 };
 
 /// Throws InputError, naming file and key or value, for a scenario that cannot start.
-RunOutcome run_scenario(const LoadedScenario& loaded, const OpenKeeper& open, const RunManner& manner);
+RunOutcome run_scenario(const LoadedScenario& loaded, const SinkFactory& open, const RunCallbacks& callbacks);
 
 }  // namespace incognita

@@ -16,12 +16,12 @@ namespace incognita {
 /// `loop_ms`: the loop's own stages; the estimator's are taken apart into what it measured itself. The stage
 /// `frame` is everything a robot would have to do: estimator, advice and control, not the simulated world nor
 /// the files.
-Snapshot snapshot_of(const Tick& tick, const std::optional<Truth>& truth, const Observation& seen,
+Snapshot snapshot_of(const Tick& tick, const std::optional<Truth>& truth, const Observation& observation,
                      const Estimate& estimate, const Goal& goal, const std::vector<std::string>& actions,
                      const Command& command, const std::vector<std::pair<const char*, double>>& loop_ms);
 
 /// Vehicles of a team, each as a body in space. Looks are numbers of the sensor's, the first two of each.
-Snapshot snapshot_of(const Tick& tick, const std::optional<Truth>& truth, const Observation& seen,
+Snapshot snapshot_of(const Tick& tick, const std::optional<Truth>& truth, const Observation& observation,
                      const TeamEstimate& estimate, const Goal& goal, const std::vector<std::string>& actions,
                      const Command& command, const std::vector<std::pair<const char*, double>>& loop_ms);
 

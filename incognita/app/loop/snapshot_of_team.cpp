@@ -19,14 +19,14 @@ SnapshotVehicle in_space(const TeamEstimate& e, std::size_t i, const std::option
   out.covariance = vehicle.pose_covariance;
   if (truth && i < truth->poses.size() && truth->poses[i])
     out.truth = StampedPose{t, truth->poses[i]->position, truth->poses[i]->world_from_body};
-  if (i < command.wanted.size()) out.wanted = command.wanted[i];
+  if (i < command.references.size()) out.reference = command.references[i];
   if (i < command.inputs.size()) out.input = command.inputs[i];
   return out;
 }
 
 /// A point on a line, a plane or in space; the coordinates that it does not have are 0 and certain.
-SnapshotLandmark in_space(std::int64_t id, const TeamPosition& at, int sightings) {
-  SnapshotLandmark out{id, false, Eigen::Vector3d::Zero(), Eigen::Matrix3d::Zero(), sightings};
+SnapshotLandmark in_space(std::int64_t id, const TeamPosition& at, int detection_count) {
+  SnapshotLandmark out{id, false, Eigen::Vector3d::Zero(), Eigen::Matrix3d::Zero(), detection_count};
   const Eigen::Index size = at.position.size();
   out.position.head(size) = at.position;
   out.covariance.topLeftCorner(size, size) = at.covariance;
@@ -34,7 +34,7 @@ SnapshotLandmark in_space(std::int64_t id, const TeamPosition& at, int sightings
 }
 
 SnapshotLandmark known(std::int64_t id, const TeamAnchor& anchor) {
-  SnapshotLandmark out{id, true, Eigen::Vector3d::Zero(), Eigen::Matrix3d::Zero(), anchor.sightings};
+  SnapshotLandmark out{id, true, Eigen::Vector3d::Zero(), Eigen::Matrix3d::Zero(), anchor.detection_count};
   out.position.head(anchor.position.size()) = anchor.position;
   return out;
 }
@@ -43,18 +43,18 @@ double number(const SmallVector& numbers, Eigen::Index i) {
   return i < numbers.size() ? numbers[i] : std::numeric_limits<double>::quiet_NaN();
 }
 
-SnapshotLook look_of(const TeamLook& look) {
-  SnapshotLook out;
-  out.id = look.identity;
-  out.anchor = look.anchor;
-  out.vehicle = look.vehicle;
-  out.of_vehicle = look.of_vehicle;
-  out.predicted = {number(look.predicted, 0), number(look.predicted, 1)};
-  out.measured = Eigen::Vector2d(number(look.measured, 0), number(look.measured, 1));
+SnapshotMatch match_of(const Match& match) {
+  SnapshotMatch out;
+  out.id = match.identity;
+  out.anchor = match.anchor;
+  out.vehicle = match.vehicle;
+  out.of_vehicle = match.of_vehicle;
+  out.predicted = {number(match.predicted, 0), number(match.predicted, 1)};
+  out.measured = Eigen::Vector2d(number(match.measured, 0), number(match.measured, 1));
   out.innovation_cov.setConstant(std::numeric_limits<double>::quiet_NaN());
-  const Eigen::Index size = std::min<Eigen::Index>(2, look.innovation_cov.rows());
-  out.innovation_cov.topLeftCorner(size, size) = look.innovation_cov.topLeftCorner(size, size);
-  out.outcome = look.outcome;
+  const Eigen::Index size = std::min<Eigen::Index>(2, match.innovation_cov.rows());
+  out.innovation_cov.topLeftCorner(size, size) = match.innovation_cov.topLeftCorner(size, size);
+  out.outcome = match.outcome;
   return out;
 }
 
@@ -77,12 +77,12 @@ Snapshot snapshot_of(const Tick& tick, const std::optional<Truth>& truth, const 
   for (const auto& [identity, anchor] : e.anchors) s.landmarks.push_back(known(identity, anchor));
   for (const auto& [identity, landmark] : e.landmarks)
     if (const auto at = position_of(landmark, e))
-      s.landmarks.push_back(in_space(identity, *at, landmark.sightings));
-  for (const TeamLook& look : e.looks) s.looks.push_back(look_of(look));
-  s.predicted = static_cast<int>(e.looks.size());
+      s.landmarks.push_back(in_space(identity, *at, landmark.detection_count));
+  for (const Match& match : e.matches) s.matches.push_back(match_of(match));
+  s.predicted = static_cast<int>(e.matches.size());
   s.matched = e.matched;
   put_update(s, e.update, e.entropy);
-  s.advice = advice_of(goal, actions);
+  s.decision = snapshot_decision(goal, actions);
   s.command = command;
   s.timing_ms = timing_of(e.timing_ms, team_stages, loop_ms);
   return s;

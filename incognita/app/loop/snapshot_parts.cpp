@@ -24,15 +24,15 @@ StageTimes timing_of(const StageTimes& measured, std::span<const char* const> in
   return timing;
 }
 
-SnapshotAdvice advice_of(const Goal& goal, const std::vector<std::string>& actions) {
-  SnapshotAdvice advice;
-  advice.actions = actions;
-  advice.scores = goal.scores;
-  advice.chosen = goal.chosen;
-  advice.decided = goal.decided;
-  advice.coverage = goal.coverage;
-  advice.entropy_extended = goal.entropy_extended;
-  return advice;
+SnapshotDecision snapshot_decision(const Goal& goal, const std::vector<std::string>& actions) {
+  SnapshotDecision decision;
+  decision.actions = actions;
+  decision.scores = goal.scores;
+  decision.chosen = goal.chosen;
+  decision.decided = goal.decided;
+  decision.coverage = goal.coverage;
+  decision.entropy_extended = goal.entropy_extended;
+  return decision;
 }
 
 void put_update(Snapshot& s, const UpdateReport& update, const Entropy& entropy) {

@@ -20,7 +20,7 @@ using StageTimes = std::vector<std::pair<const char*, double>>;
 StageTimes timing_of(const StageTimes& measured, std::span<const char* const> in_estimator,
                      const StageTimes& loop_ms);
 
-SnapshotAdvice advice_of(const Goal& goal, const std::vector<std::string>& actions);
+SnapshotDecision snapshot_decision(const Goal& goal, const std::vector<std::string>& actions);
 
 void put_update(Snapshot& snapshot, const UpdateReport& update, const Entropy& entropy);
 

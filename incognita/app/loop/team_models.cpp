@@ -32,14 +32,14 @@ double heading_of_start(const TeamStartSettings& s, std::size_t i) {
 SmallVector start_of(const Scenario& s, std::size_t i) {
   const Eigen::Vector3d& at = s.team.start.positions_m.at(i);
   const double heading = heading_of_start(s.team.start, i);
-  if (is_carried(s)) return TerrainVehicle::at_rest(at, heading);
+  if (has_carried_camera(s)) return TerrainVehicle::at_rest(at, heading);
   return at_rest(make_motion(s.planar.vehicle.model), at, heading);
 }
 
 /// Of the state that is estimated: a carried camera's is where its carrier has it, standing.
-SmallVector believed_start(const Scenario& s, std::size_t i, const Terrain& ground) {
+SmallVector estimated_start(const Scenario& s, std::size_t i, const Terrain& ground) {
   const SmallVector start = start_of(s, i);
-  if (!is_carried(s)) return start;
+  if (!has_carried_camera(s)) return start;
   const CameraCarrier carrier{{ground}, {}, mount_of(s)};
   return carried_camera(carrier, start.head<3>(), TerrainVehicle::State<double>::Zero());
 }
@@ -76,7 +76,7 @@ bool measures_ranges(const AnySensor& sensor) { return traits_of(sensor).measure
 
 SmallVector limits_of(const Scenario& s) {
   const SteerChoice& can = s.team.steer;
-  if (is_carried(s)) return list({can.max_speed_m_s, can.max_turn_rate_rad_s});
+  if (has_carried_camera(s)) return list({can.max_speed_m_s, can.max_turn_rate_rad_s});
   return of_inputs(s, {can.max_speed_m_s, can.max_turn_rate_rad_s, can.max_steering_rad,
                        s.control.max_acceleration_m_s2, s.control.max_angular_acceleration_rad_s2});
 }
@@ -88,7 +88,7 @@ PlantSettings plant_of(const Scenario& s, std::size_t i) {
   plant.start = start_of(s, i);
   plant.most_input = limits_of(s);
   plant.least_input = -plant.most_input;
-  if (is_carried(s)) {
+  if (has_carried_camera(s)) {
     plant.start_sigmas =
         list({p.sigma_start_position_m, p.sigma_start_position_m, p.sigma_start_heading_rad});
     plant.input_sigmas = list({p.sigma_speed_m_s, p.sigma_turn_rate_rad_s});
@@ -106,10 +106,10 @@ PlantSettings plant_of(const Scenario& s, std::size_t i) {
 
 Path path_of(const LoadedScenario& loaded, const Eigen::Vector3d& offset) {
   const PathChoice& p = loaded.scenario.team.path;
-  const Eigen::Vector3d centre = p.centre_m + offset;
-  if (p.kind == "point") return PointPath{centre, p.heading_rad};
-  if (p.kind == "circle") return CirclePath{centre, p.radius_m, p.rate_rad_s, p.phase_rad};
-  if (p.kind == "back-and-forth") return BackAndForthPath{centre, p.radius_m, p.amplitude_rad};
+  const Eigen::Vector3d center = p.center_m + offset;
+  if (p.kind == "point") return PointPath{center, p.heading_rad};
+  if (p.kind == "circle") return CirclePath{center, p.radius_m, p.rate_rad_s, p.phase_rad};
+  if (p.kind == "back-and-forth") return BackAndForthPath{center, p.radius_m, p.amplitude_rad};
   if (p.kind == "way-points") {
     WayPointPath path{p.points_m, p.speed_m_s};
     for (Eigen::Vector3d& point : path.points) point += offset;
@@ -117,13 +117,13 @@ Path path_of(const LoadedScenario& loaded, const Eigen::Vector3d& offset) {
   }
   const MotionTraits& motion = motion_traits_in(loaded.scenario);
   PathSamples samples = read_path(find_named_file(loaded, "path.file", p.file));
-  for (const Eigen::Vector3d& place : samples.position)
-    if ((!motion.in_space() && place.z() != 0) || (motion.on_line() && place.y() != 0))
+  for (const Eigen::Vector3d& position : samples.position)
+    if ((!motion.in_space() && position.z() != 0) || (motion.on_line() && position.y() != 0))
       throw InputError(
           fmt::format("{}: path.file = {}: has {} other than 0, where vehicle.model = `{}` can not go",
                       loaded.sources.at("path.file"), p.file, motion.on_line() ? "y or z" : "z",
                       loaded.scenario.planar.vehicle.model));
-  for (Eigen::Vector3d& place : samples.position) place += offset;
+  for (Eigen::Vector3d& position : samples.position) position += offset;
   return through(samples);
 }
 
@@ -134,9 +134,9 @@ Diagonal diagonal(const std::vector<double>& numbers) {
 
 /// Of none it stands still.
 SmallVector held_input(const Scenario& s, int inputs) {
-  const std::vector<double>& told = s.team.steer.input;
-  if (told.empty()) return SmallVector::Zero(inputs);
-  return Eigen::Map<const Eigen::VectorXd>(told.data(), static_cast<Eigen::Index>(told.size()));
+  const std::vector<double>& input = s.team.steer.input;
+  if (input.empty()) return SmallVector::Zero(inputs);
+  return Eigen::Map<const Eigen::VectorXd>(input.data(), static_cast<Eigen::Index>(input.size()));
 }
 
 }  // namespace
@@ -171,20 +171,20 @@ AnySensor sensor_of(const Scenario& s) {
 }
 
 /// A camera measures what is in its image. A full turn includes the bearing of pi and its rounding.
-static Reach reach_of(const Scenario& s, const AnySensor& sensor) {
-  Reach reach;
-  if (dimensions_of(sensor) == 3) return reach;
-  reach.max_range_m = s.planar.sensor.max_range_m;
+static SensorLimits reach_of(const Scenario& s, const AnySensor& sensor) {
+  SensorLimits sensor_limits;
+  if (dimensions_of(sensor) == 3) return sensor_limits;
+  sensor_limits.max_range_m = s.planar.sensor.max_range_m;
   const double field_rad = s.team.plant.field_of_view_rad;
-  if (field_rad < 6.2831853) reach.field_of_view_rad = field_rad;
-  return reach;
+  if (field_rad < 6.2831853) sensor_limits.field_of_view_rad = field_rad;
+  return sensor_limits;
 }
 
 TeamMember member_of(const Scenario& s, std::size_t i, const Terrain& ground) {
   const VehicleSettings& v = s.planar.vehicle;
   const FilterSettings& f = s.slam.filter;
   TeamMember m{motion_of(s, ground), sensor_of(s), {}, {}, {}, {}};
-  m.start = believed_start(s, i, ground);
+  m.start = estimated_start(s, i, ground);
   const TeamStartSettings& start = s.team.start;
   m.start_sigmas = of_start(s, {start.sigma_position_m, start.sigma_height_m, start.sigma_heading_rad,
                                 f.sigma_start_velocity_m_s, f.sigma_start_angular_rate_rad_s});
@@ -199,12 +199,12 @@ TeamMember member_of(const Scenario& s, std::size_t i, const Terrain& ground) {
 
 TeamFilterSettings filter_of(const Scenario& s) {
   TeamFilterSettings f;
-  f.lineariser = s.team.filter.lineariser;
+  f.linearization = s.team.filter.linearization;
   f.form = s.team.filter.form;
   f.gate_probability = s.team.filter.gate_probability;
-  f.inverse_depth_per_m = s.slam.birth.inverse_depth_per_m;
-  f.sigma_inverse_depth_per_m = s.slam.birth.sigma_inverse_depth_per_m;
-  f.max_linearity_index = s.slam.birth.max_linearity;
+  f.inverse_depth_per_m = s.slam.initialization.inverse_depth_per_m;
+  f.sigma_inverse_depth_per_m = s.slam.initialization.sigma_inverse_depth_per_m;
+  f.max_linearity_index = s.slam.initialization.max_linearity;
   return f;
 }
 
@@ -215,12 +215,12 @@ CameraCarrier carrier_of(const Scenario& s, std::size_t i, const Terrain& ground
 SimulatedVehicle simulated_vehicle(const Scenario& s, std::size_t i, const Terrain& ground) {
   const PlantChoice& p = s.team.plant;
   SimulatedVehicle v{motion_of(s, ground), {}, sensor_of(s), {}};
-  if (p.motion == "terrain" && !is_carried(s)) v.motion = TerrainVehicle{ground};
+  if (p.motion == "terrain" && !has_carried_camera(s)) v.motion = TerrainVehicle{ground};
   v.plant = plant_of(s, i);
   v.sigmas = of_sensor(v.sensor, p.sigma_range_m, p.sigma_bearing_rad, p.sigma_pixel_px);
   if (measures_ranges(v.sensor)) v.sigma_range_ratio = p.sigma_range_ratio;
   v.reach = reach_of(s, v.sensor);
-  v.ticks_per_look = p.ticks_per_look;
+  v.ticks_per_measurement = p.ticks_per_measurement;
   return v;
 }
 
@@ -229,8 +229,8 @@ Eigen::Vector2d steered_point(const Scenario& s) {
   const VehicleSettings& v = s.planar.vehicle;
   const MotionTraits& motion = motion_traits_in(s);
   if (motion.on_plane() && law == "tracking") return {-v.sensor_forward_m, -v.sensor_left_m};
-  const bool linearised = law == "feedback-linearisation" || law == "active";
-  if (motion.space == Space::uneven_ground && linearised) return {s.team.steer.control_point_m, 0};
+  const bool linearized = law == "feedback-linearisation" || law == "active";
+  if (motion.space == Space::uneven_ground && linearized) return {s.team.steer.control_point_m, 0};
   return {0, 0};
 }
 
@@ -238,7 +238,7 @@ VehicleSteering steering_of(const LoadedScenario& loaded, std::size_t i, const T
   const Scenario& s = loaded.scenario;
   const SteerChoice& c = s.team.steer;
   SteeringSettings out;
-  if (is_carried(s)) {
+  if (has_carried_camera(s)) {
     out.input = held_input(s, TerrainVehicle::input_size);
     out.most_input = limits_of(s);
     return {TerrainVehicle{ground}, out};
@@ -264,7 +264,7 @@ VehicleSteering steering_of(const LoadedScenario& loaded, std::size_t i, const T
   return {std::move(motion), out};
 }
 
-PointPlace place_of(const LoadedScenario& loaded) {
+PointLandmarks point_landmarks_of(const LoadedScenario& loaded) {
   const Scenario& s = loaded.scenario;
   const PointsSettings& p = s.team.points;
   const int dimensions = dimensions_of(sensor_of(s));
@@ -273,9 +273,9 @@ PointPlace place_of(const LoadedScenario& loaded) {
   RandomStream random(static_cast<std::uint64_t>(s.run.seed), "points");
   for (int i = 0; p.file.empty() && i < p.count; ++i) {
     const double x = random.uniform(-0.5, 0.5), y = random.uniform(-0.5, 0.5), z = random.uniform(0, 1);
-    points[i] = {p.centre_m.x() + x * p.size_m.x(), p.centre_m.y() + y * p.size_m.y(), z * p.size_m.z()};
+    points[i] = {p.center_m.x() + x * p.size_m.x(), p.center_m.y() + y * p.size_m.y(), z * p.size_m.z()};
   }
-  PointPlace place;
+  PointLandmarks place;
   for (const auto& [identity, point] : points) {
     if (!p.file.empty() && !point.tail(3 - dimensions).isZero())
       throw InputError(

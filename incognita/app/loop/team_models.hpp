@@ -30,7 +30,7 @@ TeamFilterSettings filter_of(const Scenario& scenario);
 /// What vehicle `i` really is; of one that is carried the camera alone, the rest being carrier_of.
 SimulatedVehicle simulated_vehicle(const Scenario& scenario, std::size_t i, const Terrain& ground);
 
-/// What carries camera `i`, where is_carried().
+/// What carries camera `i`, where has_carried_camera().
 CameraCarrier carrier_of(const Scenario& scenario, std::size_t i, const Terrain& ground);
 
 /// The point of a vehicle that its law brings to the path, before and left of the point that its state tells
@@ -41,6 +41,6 @@ Eigen::Vector2d steered_point(const Scenario& scenario);
 VehicleSteering steering_of(const LoadedScenario& loaded, std::size_t i, const Terrain& ground);
 
 /// The landmarks, drawn or from a table. Throws InputError.
-PointPlace place_of(const LoadedScenario& loaded);
+PointLandmarks point_landmarks_of(const LoadedScenario& loaded);
 
 }  // namespace incognita

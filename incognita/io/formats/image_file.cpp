@@ -48,8 +48,8 @@ std::optional<ImageHeader> netpbm_header(std::string_view bytes) {
   const auto width = netpbm_number(bytes, at), height = netpbm_number(bytes, at),
              most = netpbm_number(bytes, at);
   if (!width || !height || !most) return std::nullopt;
-  const bool colour = bytes[1] == '3' || bytes[1] == '6';
-  return ImageHeader{static_cast<int>(*width), static_cast<int>(*height), colour ? 3 : 1,
+  const bool color = bytes[1] == '3' || bytes[1] == '6';
+  return ImageHeader{static_cast<int>(*width), static_cast<int>(*height), color ? 3 : 1,
                      *most > 255 ? 16 : 8};
 }
 
@@ -166,26 +166,26 @@ cv::Mat decoded(const std::filesystem::path& path, int more) {
 }  // namespace
 
 Eigen::MatrixXd read_shares_of_white(const std::filesystem::path& path) {
-  const cv::Mat grey = decoded(path, cv::IMREAD_ANYDEPTH);
-  if (grey.empty() || (grey.type() != CV_8U && grey.type() != CV_16U))
+  const cv::Mat gray = decoded(path, cv::IMREAD_ANYDEPTH);
+  if (gray.empty() || (gray.type() != CV_8U && gray.type() != CV_16U))
     throw std::runtime_error(
         fmt::format("{}: is not an image of 8 or 16 bits that can be decoded", shown(path)));
-  const bool fine = grey.type() == CV_16U;
-  Eigen::MatrixXd shares(grey.rows, grey.cols);
-  for (int v = 0; v < grey.rows; ++v)
-    for (int u = 0; u < grey.cols; ++u)
-      shares(v, u) = fine ? grey.at<std::uint16_t>(v, u) / 65535.0 : grey.at<std::uint8_t>(v, u) / 255.0;
+  const bool fine = gray.type() == CV_16U;
+  Eigen::MatrixXd shares(gray.rows, gray.cols);
+  for (int v = 0; v < gray.rows; ++v)
+    for (int u = 0; u < gray.cols; ++u)
+      shares(v, u) = fine ? gray.at<std::uint16_t>(v, u) / 65535.0 : gray.at<std::uint8_t>(v, u) / 255.0;
   return shares;
 }
 
 Image read_image(const std::filesystem::path& path) {
-  const cv::Mat grey = decoded(path, 0);
-  if (grey.empty() || grey.type() != CV_8U) {
+  const cv::Mat gray = decoded(path, 0);
+  if (gray.empty() || gray.type() != CV_8U) {
     throw std::runtime_error(fmt::format("{}: is not an image that can be decoded", shown(path)));
   }
-  Image image(grey.cols, grey.rows);
-  for (int v = 0; v < grey.rows; ++v)
-    std::memcpy(image.row(v), grey.ptr(v), static_cast<std::size_t>(grey.cols));
+  Image image(gray.cols, gray.rows);
+  for (int v = 0; v < gray.rows; ++v)
+    std::memcpy(image.row(v), gray.ptr(v), static_cast<std::size_t>(gray.cols));
   return image;
 }
 

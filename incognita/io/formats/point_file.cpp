@@ -29,9 +29,9 @@ std::map<std::int64_t, Eigen::Vector3d> read_points(const std::filesystem::path&
   for (std::size_t row = 0; row < table.rows(); ++row) {
     if (table.empty(row, id)) throw InputError(table.where(row) + ": a landmark needs an id");
     const std::int64_t identity = table.identity(row, id);
-    const Eigen::Vector3d place(coordinate(table, row, x), coordinate(table, row, y),
-                                z ? coordinate(table, row, *z) : 0.0);
-    if (!points.emplace(identity, place).second)
+    const Eigen::Vector3d position(coordinate(table, row, x), coordinate(table, row, y),
+                                   z ? coordinate(table, row, *z) : 0.0);
+    if (!points.emplace(identity, position).second)
       throw InputError(fmt::format("{}: landmark {} is there twice", table.where(row), identity));
   }
   return points;

@@ -23,8 +23,8 @@ namespace {
 constexpr std::size_t largest_system = 1 << 20;
 constexpr std::size_t longest_text = 400;
 
-Place place_of(const TomlEntry& entry) { return {entry.line, entry.column}; }
-Place place_of(const TomlValue& value) { return {value.line, value.column}; }
+SourceLocation place_of(const TomlEntry& entry) { return {entry.line, entry.column}; }
+SourceLocation place_of(const TomlValue& value) { return {value.line, value.column}; }
 
 /// What a key means: its name, and who reads it.
 using Reader = std::function<void(const TomlEntry&)>;
@@ -337,8 +337,8 @@ class SystemReader {
   SystemText system_;
 };
 
-std::string where(const std::string& file, Place place) {
-  return place.line > 0 ? fmt::format("{}:{}:{}", file, place.line, place.column) : file;
+std::string where(const std::string& file, SourceLocation location) {
+  return location.line > 0 ? fmt::format("{}:{}:{}", file, location.line, location.column) : file;
 }
 
 const EmbeddedFile* find_built_in(const std::string& name) {
@@ -373,7 +373,7 @@ SystemText load_file(const std::string& path, const std::string& representation)
 }
 
 /// In words of this program where TOML's reader speaks of its own types.
-std::string toml_fault(const std::string& reason) {
+std::string toml_problem(const std::string& reason) {
   const std::size_t at = reason.find("cannot redefine existing ");
   if (at == std::string::npos) return "not valid TOML: " + reason;
   const std::size_t open = reason.find('\'', at), close = reason.rfind('\'');
@@ -400,9 +400,9 @@ SystemText read_system(std::string_view text, const std::string& file_name) {
     return system;
   } catch (const TomlError& error) {
     throw InputError(
-        fmt::format("{}: {}", where(file_name, {error.line, error.column}), toml_fault(error.reason)));
+        fmt::format("{}: {}", where(file_name, {error.line, error.column}), toml_problem(error.reason)));
   } catch (const SystemError& error) {
-    throw InputError(fmt::format("{}: {}", where(file_name, error.place), error.what()));
+    throw InputError(fmt::format("{}: {}", where(file_name, error.location), error.what()));
   }
 }
 

@@ -98,12 +98,12 @@ class CarPark {
         intensity_(file_.matrix("Intensity", sensors_[2].t.size(), beams)) {}
 
   /// All events, in the order of the file's list.
-  void tell(RangeRecordingBuilder& recording) {
+  void add_to(RangeRecordingBuilder& recording) {
     for (Eigen::Index event = 0; event < time_.size(); ++event) {
       const int kind = kind_of(event);
       Sensor& sensor = sensors_[kind];
       sensor.last = entry_of(event, sensor);
-      tell(recording, kind, sensor.last, time_[event]);
+      add_to(recording, kind, sensor.last, time_[event]);
     }
   }
 
@@ -136,22 +136,22 @@ class CarPark {
     return entry;
   }
 
-  void tell(RangeRecordingBuilder& recording, int kind, Eigen::Index entry, double t) const {
+  void add_to(RangeRecordingBuilder& recording, int kind, Eigen::Index entry, double t) const {
     const std::string where = file_.where(sensors_[kind].time_name, entry);
-    if (kind == 0) tell_fix(recording, where, {t, {east_m_[entry], north_m_[entry]}, std::nullopt});
+    if (kind == 0) add_fix_reading(recording, where, {t, {east_m_[entry], north_m_[entry]}, std::nullopt});
     if (kind == 1) recording.add_odometry(where, {t, {speed_m_s_[entry], steering_rad_[entry]}});
-    if (kind == 2) tell_scan(recording, where, entry, t);
+    if (kind == 2) add_scan_reading(recording, where, entry, t);
   }
 
   /// It is a sensor of the vehicle, and the best that is known of where the vehicle was.
-  static void tell_fix(RangeRecordingBuilder& recording, const std::string& where,
-                       const RangeRecording::Place& fix) {
+  static void add_fix_reading(RangeRecordingBuilder& recording, const std::string& where,
+                              const RangeRecording::TimedPosition& fix) {
     recording.add_fix(where, fix);
     recording.add_truth(where, fix);
   }
 
-  void tell_scan(RangeRecordingBuilder& recording, const std::string& where, Eigen::Index entry,
-                 double t) const {
+  void add_scan_reading(RangeRecordingBuilder& recording, const std::string& where, Eigen::Index entry,
+                        double t) const {
     const std::vector<double> ranges = row_of(range_m_, entry), intensities = row_of(intensity_, entry);
     recording.add_scan(where, t);
     for (std::size_t beam = 0; beam < ranges.size(); ++beam) {
@@ -162,7 +162,8 @@ class CarPark {
       if (intensities[beam] > 0 && !std::isfinite(ranges[beam]))
         recording.skip("reflective beams without a range are skipped", file_.where("Laser", entry));
     }
-    for (const Detection& seen : find_reflectors(ranges, intensities)) recording.add_detection(where, seen);
+    for (const Detection& detection : find_reflectors(ranges, intensities))
+      recording.add_detection(where, detection);
   }
 
   Variables file_;
@@ -198,7 +199,7 @@ bool looks_like_acfr(const std::filesystem::path& folder) { return file_exists(f
 
 RangeRecording read_acfr(const std::filesystem::path& folder) {
   RangeRecordingBuilder recording("acfr", "ackermann");
-  CarPark(folder / data_file).tell(recording);
+  CarPark(folder / data_file).add_to(recording);
   read_beacons(folder / beacon_file, recording);
   recording.note("the truth is that of the GPS, without heading; its fixes are the same");
   return recording.finish((folder / data_file).string());

@@ -57,7 +57,7 @@ void read_measurements(const std::filesystem::path& file, const Subjects& subjec
   for (const TableLine& line : read_table(file)) {
     recording.add_scan(line.where, line.number(0));
     const auto subject = subjects.find(whole_number(line, 1));
-    const Detection seen{line.number(2), line.number(3), Detection::unknown};
+    const Detection detection{line.number(2), line.number(3), Detection::unknown};
     if (subject == subjects.end()) {
       recording.skip(fmt::format("measurements of barcodes that are not in {} are skipped", barcode_file),
                      line.where);
@@ -69,9 +69,9 @@ void read_measurements(const std::filesystem::path& file, const Subjects& subjec
         recording.skip("measurements of other robots are left out", line.where);
       else
         recording.add_vehicle_detection(line.where,
-                                        {seen.range_m, seen.bearing_rad, other - members.begin()});
+                                        {detection.range_m, detection.bearing_rad, other - members.begin()});
     } else {
-      recording.add_detection(line.where, {seen.range_m, seen.bearing_rad, subject->second});
+      recording.add_detection(line.where, {detection.range_m, detection.bearing_rad, subject->second});
     }
   }
 }

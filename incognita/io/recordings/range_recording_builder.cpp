@@ -76,14 +76,15 @@ void RangeRecordingBuilder::add_detection(const std::string& where, Detection de
   (recording_.scans.back().*to).push_back(detection);
 }
 
-void RangeRecordingBuilder::add_truth(const std::string& where, const RangeRecording::Place& place) {
-  in_order(where, recording_.truth, place.t);
-  recording_.truth.push_back(place);
+void RangeRecordingBuilder::add_truth(const std::string& where,
+                                      const RangeRecording::TimedPosition& reading) {
+  in_order(where, recording_.truth, reading.t);
+  recording_.truth.push_back(reading);
 }
 
-void RangeRecordingBuilder::add_fix(const std::string& where, const RangeRecording::Place& place) {
-  in_order(where, recording_.fixes, place.t);
-  recording_.fixes.push_back(place);
+void RangeRecordingBuilder::add_fix(const std::string& where, const RangeRecording::TimedPosition& reading) {
+  in_order(where, recording_.fixes, reading.t);
+  recording_.fixes.push_back(reading);
 }
 
 void RangeRecordingBuilder::add_landmark(const std::string& where, const RangeRecording::Landmark& landmark) {

@@ -23,8 +23,8 @@ class RangeRecordingBuilder {
   void add_detection(const std::string& where, Detection detection);
   /// The same, of another vehicle.
   void add_vehicle_detection(const std::string& where, Detection detection);
-  void add_truth(const std::string& where, const RangeRecording::Place& place);
-  void add_fix(const std::string& where, const RangeRecording::Place& place);
+  void add_truth(const std::string& where, const RangeRecording::TimedPosition& reading);
+  void add_fix(const std::string& where, const RangeRecording::TimedPosition& reading);
   void add_landmark(const std::string& where, const RangeRecording::Landmark& landmark);
 
   /// Counts a row that is left out; finish() notes how many of each kind there were, and where the first.

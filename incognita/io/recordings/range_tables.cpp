@@ -102,9 +102,10 @@ void read_places(const NamedTable& table, RangeRecordingBuilder& recording, Add 
   const auto heading = table.find("heading_rad");
   note_unused(table, {"t_s", "x_m", "y_m", "heading_rad"}, recording);
   for (std::size_t row = 0; row < table.rows(); ++row) {
-    RangeRecording::Place place{table.finite(row, t), {table.finite(row, x), table.finite(row, y)}, {}};
-    if (heading && !table.empty(row, *heading)) place.heading_rad = table.finite(row, *heading);
-    (recording.*add)(table.where(row), place);
+    RangeRecording::TimedPosition reading{
+        table.finite(row, t), {table.finite(row, x), table.finite(row, y)}, {}};
+    if (heading && !table.empty(row, *heading)) reading.heading_rad = table.finite(row, *heading);
+    (recording.*add)(table.where(row), reading);
   }
 }
 
@@ -138,19 +139,19 @@ std::string detections_text(const RangeRecording& recording) {
   std::string text = "t_s,range_m,bearing_rad,identity\n";
   for (const RangeRecording::Scan& scan : recording.scans) {
     if (scan.detections.empty()) text += fmt::format("{},,,\n", scan.t);
-    for (const Detection& seen : scan.detections) {
-      text +=
-          fmt::format("{},{},{},{}\n", scan.t, seen.range_m, seen.bearing_rad, identity_text(seen.identity));
+    for (const Detection& detection : scan.detections) {
+      text += fmt::format("{},{},{},{}\n", scan.t, detection.range_m, detection.bearing_rad,
+                          identity_text(detection.identity));
     }
   }
   return text;
 }
 
-std::string places_text(const std::vector<RangeRecording::Place>& places) {
+std::string places_text(const std::vector<RangeRecording::TimedPosition>& places) {
   std::string text = "t_s,x_m,y_m,heading_rad\n";
-  for (const RangeRecording::Place& place : places) {
-    text += fmt::format("{},{},{},{}\n", place.t, place.position.x(), place.position.y(),
-                        place.heading_rad ? fmt::format("{}", *place.heading_rad) : "");
+  for (const RangeRecording::TimedPosition& reading : places) {
+    text += fmt::format("{},{},{},{}\n", reading.t, reading.position.x(), reading.position.y(),
+                        reading.heading_rad ? fmt::format("{}", *reading.heading_rad) : "");
   }
   return text;
 }

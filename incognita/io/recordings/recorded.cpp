@@ -34,7 +34,7 @@ Truth as_truth(const std::vector<RecordedPose>& poses, std::size_t i) {
 RecordedClock::RecordedClock(SharedRecording recording, double duration_s)
     : recording_(std::move(recording)) {
   const double until = recording_->frames.front().t + duration_s;
-  for (const Recording::Frame& frame : recording_->frames) {
+  for (const Recording::RecordedFrame& frame : recording_->frames) {
     if (frame.t < until) ++frames_;  // like the room's clock: rate x duration frames
   }
 }
@@ -56,10 +56,10 @@ RecordedSensor::RecordedSensor(SharedRecording recording, int width_px, int heig
   }
 }
 
-Observation RecordedSensor::look(const std::optional<Truth>&, const Tick& tick) {
-  Observation seen;
-  seen.image = tick.frame == 0 ? first_ : read(tick.frame);
-  return seen;
+Observation RecordedSensor::measure(const std::optional<Truth>&, const Tick& tick) {
+  Observation observation;
+  observation.image = tick.frame == 0 ? first_ : read(tick.frame);
+  return observation;
 }
 
 std::shared_ptr<const Image> RecordedSensor::read(std::int64_t frame) const {

@@ -30,7 +30,7 @@ class RecordedSensor : public Sensor {
   RecordedSensor(SharedRecording recording, int width_px, int height_px);
 
   /// Throws RecordError naming file and frame when an image is missing, broken or of another size.
-  Observation look(const std::optional<Truth>& truth, const Tick& tick) override;
+  Observation measure(const std::optional<Truth>& truth, const Tick& tick) override;
 
  private:
   std::shared_ptr<const Image> read(std::int64_t frame) const;

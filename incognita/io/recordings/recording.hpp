@@ -20,13 +20,13 @@ struct RecordedPose {
 };
 
 struct Recording {
-  struct Frame {
+  struct RecordedFrame {
     double t = 0;  ///< s, increasing
     std::filesystem::path image;
   };
   std::string format;  ///< `images`, `tum` or `euroc`
   std::filesystem::path folder;
-  std::vector<Frame> frames;               ///< one at least
+  std::vector<RecordedFrame> frames;       ///< one at least
   std::vector<RecordedPose> truth;         ///< in time order; empty where the truth is unknown
   std::vector<std::string> notes;          ///< what was guessed or left out, for printing
   std::optional<CalibratedCamera> camera;  ///< where the recording has its calibration

@@ -12,11 +12,11 @@ namespace {
 
 /// Real lenses send a ray to every pixel at least half-way from the principal point to each edge.
 void need_rays(const Camera& camera, const CameraSettings& s, const char* key, double value) {
-  const Eigen::Vector2d centre(s.u0_px, s.v0_px);
+  const Eigen::Vector2d center(s.u0_px, s.v0_px);
   const Eigen::Vector2d edges[] = {
       {0, s.v0_px}, {s.width_px - 1.0, s.v0_px}, {s.u0_px, 0}, {s.u0_px, s.height_px - 1.0}};
   for (const Eigen::Vector2d& edge : edges) {
-    const Eigen::Vector2d pixel = (centre + edge) / 2;
+    const Eigen::Vector2d pixel = (center + edge) / 2;
     if (camera.unproject(pixel)) continue;
     throw std::invalid_argument(fmt::format(
         "camera {} must leave a ray to every pixel half-way to the edges: none reaches pixel ({:.1f}, "

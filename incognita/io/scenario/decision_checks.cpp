@@ -53,8 +53,8 @@ void check_box(const Scenario& s, List& found) {
   if (s.run.world == "points") {
     if (!s.team.points.file.empty()) return;
     const Eigen::Vector3d& size = s.team.points.size_m;
-    const Eigen::Vector2d& centre = s.team.points.centre_m;
-    min = {centre.x() - size.x() / 2, centre.y() - size.y() / 2, 0};
+    const Eigen::Vector2d& center = s.team.points.center_m;
+    min = {center.x() - size.x() / 2, center.y() - size.y() / 2, 0};
     max = min + size;
     what = "where the points are, points.size_m and points.centre_m";
   }
@@ -88,7 +88,7 @@ void check_start(const Scenario& s, List& found) {
 
 /// What a hand feels is told in the frame of the room, goals in that of the filter.
 void check_held(const Scenario& s, List& found) {
-  if (s.person.holds && s.run.world == "room" && s.start.from == StartSettings::From::free)
+  if (s.operator_settings.holds && s.run.world == "room" && s.start.from == StartSettings::From::free)
     found.push_back({"person.holds",
                      "must be false with start.from = \"free\": the hand is told where to move "
                      "in the frame of the room, which only a target fixes"});
@@ -102,7 +102,7 @@ void check_counted(const Scenario& s, List& found) {
 
 /// CameraController swings the gaze, which flies in the rendered room and with recordings.
 void check_gaze(const Scenario& s, List& found) {
-  const bool is_free_camera = motion_traits_of(s.planar.vehicle.model).in_space() && !is_carried(s);
+  const bool is_free_camera = motion_traits_of(s.planar.vehicle.model).in_space() && !has_carried_camera(s);
   if (s.run.world == "points" && is_free_camera && s.team.steer.law == "active" &&
       s.decision.gaze == DecisionSettings::Gaze::swing)
     found.push_back({"decision.gaze",

@@ -38,11 +38,11 @@ inline constexpr EnumWord<DecisionSettings::Gaze> gaze_words[] = {
     {DecisionSettings::Gaze::fisher_given_state, "fisher-given-state"}};
 inline constexpr EnumWord<ExplorationSettings::Counted> counted_words[] = {
     {ExplorationSettings::Counted::all, "all"}, {ExplorationSettings::Counted::as_mapped, "as-mapped"}};
-inline constexpr EnumWord<BirthSettings::Method> method_words[] = {
-    {BirthSettings::Method::inverse_depth, "inverse-depth"},
-    {BirthSettings::Method::depth_line, "depth-line"}};
-inline constexpr EnumWord<BirthSettings::Center> center_words[] = {{BirthSettings::Center::edges, "edges"},
-                                                                   {BirthSettings::Center::peak, "peak"}};
+inline constexpr EnumWord<InitializationSettings::Method> method_words[] = {
+    {InitializationSettings::Method::inverse_depth, "inverse-depth"},
+    {InitializationSettings::Method::depth_line, "depth-line"}};
+inline constexpr EnumWord<InitializationSettings::Center> center_words[] = {
+    {InitializationSettings::Center::edges, "edges"}, {InitializationSettings::Center::peak, "peak"}};
 inline constexpr EnumWord<StartSettings::From> start_words[] = {{StartSettings::From::target, "target"},
                                                                 {StartSettings::From::free, "free"}};
 
@@ -59,10 +59,10 @@ inline std::span<const EnumWord<DecisionSettings::Gaze>> words_of(DecisionSettin
 inline std::span<const EnumWord<ExplorationSettings::Counted>> words_of(ExplorationSettings::Counted) {
   return counted_words;
 }
-inline std::span<const EnumWord<BirthSettings::Method>> words_of(BirthSettings::Method) {
+inline std::span<const EnumWord<InitializationSettings::Method>> words_of(InitializationSettings::Method) {
   return method_words;
 }
-inline std::span<const EnumWord<BirthSettings::Center>> words_of(BirthSettings::Center) {
+inline std::span<const EnumWord<InitializationSettings::Center>> words_of(InitializationSettings::Center) {
   return center_words;
 }
 inline std::span<const EnumWord<StartSettings::From>> words_of(StartSettings::From) { return start_words; }

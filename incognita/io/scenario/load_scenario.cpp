@@ -72,15 +72,15 @@ class Reader {
   void override_with(const std::string& key, const std::string& value, const std::string& source) {
     const Setting* setting = find(key);
     if (!setting) {
-      faults_.push_back(fmt::format("{}: there is no setting `{}`; the nearest is `{}`", source, key,
-                                    nearest_name(key, keys(settings_))));
+      problems_.push_back(fmt::format("{}: there is no setting `{}`; the nearest is `{}`", source, key,
+                                      nearest_name(key, keys(settings_))));
       return;
     }
     const std::string before = setting->written(), before_source = loaded_.sources[key];
     try {
       assign_text(*setting, value);
     } catch (const BadValue& bad) {
-      faults_.push_back(fmt::format("{}: {} = {}: {}", source, key, value, bad.why));
+      problems_.push_back(fmt::format("{}: {} = {}: {}", source, key, value, bad.why));
       return;
     }
     loaded_.sources[key] = source;
@@ -88,26 +88,26 @@ class Reader {
         fmt::format("{} = {} ({}) replaces {} ({})", key, setting->written(), source, before, before_source));
   }
 
-  void fault(std::string text) { faults_.push_back(std::move(text)); }
+  void problem(std::string text) { problems_.push_back(std::move(text)); }
 
   void check() {
     // What a wrong word leaves is a default: what means nothing with that may mean something with the right
     // word
-    if (faults_.empty()) {
+    if (problems_.empty()) {
       default_association();
       default_gaze();
-      follow_beliefs();
+      apply_true_noise_defaults();
       take_camera_of_recording(loaded_);
-      refuse_what_means_nothing();
+      refuse_inapplicable();
     }
-    if (faults_.empty()) {  // else what contradicts may only follow from what was refused
+    if (problems_.empty()) {  // else what contradicts may only follow from what was refused
       for (const Contradiction& found : find_contradictions(loaded_.scenario)) {
         const Setting* setting = find(found.key);
-        faults_.push_back(fmt::format("{}: {} = {}: {}", loaded_.sources[found.key], found.key,
-                                      setting->written(), found.why));
+        problems_.push_back(fmt::format("{}: {} = {}: {}", loaded_.sources[found.key], found.key,
+                                        setting->written(), found.why));
       }
     }
-    if (!faults_.empty()) throw InputError(join(faults_, "\n"));
+    if (!problems_.empty()) throw InputError(join(problems_, "\n"));
   }
 
  private:
@@ -124,15 +124,17 @@ class Reader {
     if (loaded_.scenario.run.world == "points") {
       usual.method = "known";
       usual.gate_probability = 0.9999;
-      usual.birth_probability = 0.99999999;
-      usual.birth_distance_m = 0;
+      usual.initialization_probability = 0.99999999;
+      usual.initialization_distance_m = 0;
     }
     DataAssociationSettings& now = loaded_.scenario.planar.association;
     const auto is_default = [&](const char* key) { return loaded_.sources.at(key) == "default"; };
     if (is_default("association.method")) now.method = usual.method;
     if (is_default("association.gate_probability")) now.gate_probability = usual.gate_probability;
-    if (is_default("association.birth_probability")) now.birth_probability = usual.birth_probability;
-    if (is_default("association.birth_distance_m")) now.birth_distance_m = usual.birth_distance_m;
+    if (is_default("association.birth_probability"))
+      now.initialization_probability = usual.initialization_probability;
+    if (is_default("association.birth_distance_m"))
+      now.initialization_distance_m = usual.initialization_distance_m;
   }
 
   /// In a place of points there is no swing to and fro (decision_checks.cpp).
@@ -143,28 +145,29 @@ class Reader {
   }
 
   /// A simulated vehicle is as noisy as its filter believes, unless the scenario says otherwise.
-  void follow_beliefs() {
+  void apply_true_noise_defaults() {
     if (loaded_.scenario.run.world != "points") return;
-    for (const auto& [truth, belief] : beliefs_of_noises()) {
+    for (const auto& [truth, belief] : true_noise_defaults()) {
       if (loaded_.sources[truth] != "default") continue;
       try {
         assign_text(*find(truth), find(belief)->written());
         loaded_.sources[truth] = "as " + std::string(belief);
       } catch (const BadValue& bad) {
-        faults_.push_back(fmt::format("{}: {} = {}: as {}, which follows it, it {}", loaded_.sources[belief],
-                                      belief, find(belief)->written(), truth, bad.why));
+        problems_.push_back(fmt::format("{}: {} = {}: as {}, which follows it, it {}",
+                                        loaded_.sources[belief], belief, find(belief)->written(), truth,
+                                        bad.why));
       }
     }
   }
 
   /// A setting of another sensor's or vehicle's would be ignored without a word.
-  void refuse_what_means_nothing() {
+  void refuse_inapplicable() {
     for (const Setting& setting : settings_) {
       const std::string& source = loaded_.sources[setting.key];
-      const bool told = source != "default" && !source.starts_with("as ");
-      const std::string with = !told ? "" : why_meaningless(setting.key, loaded_.scenario);
+      const bool is_set = source != "default" && !source.starts_with("as ");
+      const std::string with = !is_set ? "" : inapplicable_reason(setting.key, loaded_.scenario);
       if (!with.empty())
-        faults_.push_back(
+        problems_.push_back(
             fmt::format("{}: {} = {}: means nothing with {}", source, setting.key, setting.written(), with));
     }
   }
@@ -173,13 +176,13 @@ class Reader {
     const std::vector<std::string> names = sections(settings_);
     const std::string at = fmt::format("{}:{}", file, section.line);
     if (std::find(names.begin(), names.end(), section.key) == names.end()) {
-      faults_.push_back(fmt::format("{}: there is no section `{}`; the nearest is `{}`", at, section.key,
-                                    nearest_name(section.key, names)));
+      problems_.push_back(fmt::format("{}: there is no section `{}`; the nearest is `{}`", at, section.key,
+                                      nearest_name(section.key, names)));
     } else if (const auto* table = std::get_if<TomlTable>(&section.value.value)) {
       for (const TomlEntry& entry : *table) read_setting(file, section.key, entry);
     } else {
-      faults_.push_back(fmt::format("{}: {} = {}: must be a section, written [{}]", at, section.key,
-                                    section.value.written(), section.key));
+      problems_.push_back(fmt::format("{}: {} = {}: must be a section, written [{}]", at, section.key,
+                                      section.value.written(), section.key));
     }
   }
 
@@ -187,21 +190,21 @@ class Reader {
     const std::string at = fmt::format("{}:{}", file, entry.line), key = section + "." + entry.key;
     const Setting* setting = find(key);
     if (!setting) {
-      faults_.push_back(fmt::format("{}: there is no setting `{}`; the nearest is `{}.{}`", at, key, section,
-                                    nearest_name(entry.key, keys(settings_, section))));
+      problems_.push_back(fmt::format("{}: there is no setting `{}`; the nearest is `{}.{}`", at, key,
+                                      section, nearest_name(entry.key, keys(settings_, section))));
       return;
     }
     try {
       assign(*setting, entry.value);
       loaded_.sources[key] = at;
     } catch (const BadValue& bad) {
-      faults_.push_back(fmt::format("{}: {} = {}: {}", at, key, entry.value.written(), bad.why));
+      problems_.push_back(fmt::format("{}: {} = {}: {}", at, key, entry.value.written(), bad.why));
     }
   }
 
   LoadedScenario& loaded_;
   std::vector<Setting> settings_;
-  std::vector<std::string> faults_;
+  std::vector<std::string> problems_;
 };
 
 /// A comment must stay on its line whatever a file is called.
@@ -235,7 +238,7 @@ LoadedScenario load_scenario(const std::string& path_or_name, std::span<const st
   for (const std::string& set : sets) {
     const std::size_t equals = set.find('=');
     if (equals == std::string::npos) {
-      reader.fault(fmt::format("--set: `{}` must be written section.name=value", set));
+      reader.problem(fmt::format("--set: `{}` must be written section.name=value", set));
     } else {
       reader.override_with(set.substr(0, equals), set.substr(equals + 1), "--set");
     }

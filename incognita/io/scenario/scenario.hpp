@@ -53,7 +53,7 @@ struct Scenario {
   ExplorationSettings exploration;
   PlanarSlamSettings planar;
   ControlSettings control;
-  OperatorSettings person;
+  OperatorSettings operator_settings;
   RoomSettings room;
   TeamScenario team;
 };

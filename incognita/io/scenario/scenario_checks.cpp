@@ -33,18 +33,18 @@ void check_sources(const Scenario& s, List& found) {
 }
 
 void check_sizes(const Scenario& s, List& found) {
-  const BirthSettings& birth = s.slam.birth;
+  const InitializationSettings& initialization = s.slam.initialization;
   const auto fits = [&](const char* key, int size, const char* other, int limit) {
     if (size > limit) found.push_back({key, fmt::format("must be at most {}, which is {}", other, limit)});
   };
-  fits("birth.box_width_px", birth.box_width_px, "camera.width_px", s.camera.width_px);
-  fits("birth.box_height_px", birth.box_height_px, "camera.height_px", s.camera.height_px);
+  fits("birth.box_width_px", initialization.box_width_px, "camera.width_px", s.camera.width_px);
+  fits("birth.box_height_px", initialization.box_height_px, "camera.height_px", s.camera.height_px);
   fits("map.wanted_visible", s.slam.map.wanted_visible, "map.max_landmarks", s.slam.map.max_landmarks);
   fits("lost.min_matches", s.slam.lost.min_matches, "search.max_measurements",
        s.slam.search.max_measurements);
-  if (birth.max_depth_m <= birth.min_depth_m) {
-    found.push_back({"birth.max_depth_m",
-                     fmt::format("must be more than birth.min_depth_m, which is {}", birth.min_depth_m)});
+  if (initialization.max_depth_m <= initialization.min_depth_m) {
+    found.push_back({"birth.max_depth_m", fmt::format("must be more than birth.min_depth_m, which is {}",
+                                                      initialization.min_depth_m)});
   }
 }
 
@@ -94,7 +94,8 @@ void check_room(const Scenario& s, List& found) {
 void check_vehicle(const Scenario& s, List& found) {
   if (s.run.world != "recording")
     found.push_back({"run.world", "must be `recording` with run.sensor = `range-bearing`"});
-  if (const auto conflict = conflict_in(s.planar.filter)) found.push_back({conflict->key, conflict->why});
+  if (const auto conflict = find_incompatibility(s.planar.filter))
+    found.push_back({conflict->key, conflict->why});
   if (s.planar.start.at_first_fix && s.planar.start.position_m != Eigen::Vector2d::Zero())
     found.push_back(
         {"vehicle_start.position_m", "must be left out where vehicle_start.at_first_fix is true"});

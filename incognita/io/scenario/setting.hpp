@@ -32,8 +32,8 @@ struct Setting {
   std::variant<std::string*, int*, std::int64_t*, double*, Eigen::Vector3d*, bool*, Eigen::Vector2d*,
                std::vector<Eigen::Vector2d>*, std::vector<Eigen::Vector3d>*, std::vector<double>*,
                DecisionSettings::Strategy*, Metric*, DecisionSettings::Schedule*, DecisionSettings::Gaze*,
-               ExplorationSettings::Counted*, BirthSettings::Method*, BirthSettings::Center*,
-               StartSettings::From*>
+               ExplorationSettings::Counted*, InitializationSettings::Method*,
+               InitializationSettings::Center*, StartSettings::From*>
       field;
   std::string unit;  ///< empty for counts, ratios and texts
   std::string help;

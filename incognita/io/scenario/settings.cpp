@@ -117,7 +117,7 @@ void vehicle_filter(List& list, PlanarFilterSettings& s) {
   list.insert(
       list.end(),
       {
-          {"vehicle_filter.lineariser", &s.lineariser, "", "which Kalman filter",
+          {"vehicle_filter.lineariser", &s.linearization, "", "which Kalman filter",
            one_of({"analytic", "iterated", "unscented-vehicle", "first-estimate"})},
           {"vehicle_filter.map_frame", &s.map_frame, "", "where landmarks are told",
            one_of({"world", "vehicle"})},
@@ -165,9 +165,9 @@ void association(List& list, DataAssociationSettings& s) {
                    "of a right pairing being inside its gate", between(0.5, 0.999999999)},
                   {"association.max_nodes", &s.max_nodes, "", "of the joint search; said when it is reached",
                    between(1, 1e9)},
-                  {"association.birth_probability", &s.birth_probability, "",
+                  {"association.birth_probability", &s.initialization_probability, "",
                    "what is outside this gate of every landmark is a new one", between(0.5, 0.999999999)},
-                  {"association.birth_distance_m", &s.birth_distance_m, "m",
+                  {"association.birth_distance_m", &s.initialization_distance_m, "m",
                    "and at least so far from every landmark", at_least(0)},
               });
 }
@@ -220,19 +220,19 @@ void search(List& list, SearchSettings& s) {
            "an ellipse is searched no further out than this", above_up_to(0, 16384)},
           {"search.gate_probability", &s.gate_probability, "",
            "of a right match passing each consistency test", between(0.5, 0.999999)},
-          {"search.max_alone_sigma_px", &s.max_alone_sigma_px, "px",
+          {"search.max_alone_sigma_px", &s.max_unconfirmed_sigma_px, "px",
            "what returns is not believed where the other matches say no more than that it is within this",
            above_up_to(0, 1e9)},
       });
 }
 
-void birth(List& list, BirthSettings& s) {
+void initialization(List& list, InitializationSettings& s) {
   list.insert(
       list.end(),
       {
           {"birth.method", &s.method, "", "how a new feature is represented", words(s.method)},
-          {"birth.centre", &s.centre, "",
-           "of a patch: `edges`, where they meet, or `peak`, of the corner measure", words(s.centre)},
+          {"birth.centre", &s.center, "",
+           "of a patch: `edges`, where they meet, or `peak`, of the corner measure", words(s.center)},
           {"birth.box_width_px", &s.box_width_px, "px", "of the box a new feature is looked for in",
            between(16, 16384)},
           {"birth.box_height_px", &s.box_height_px, "px", "of the box a new feature is looked for in",
@@ -315,7 +315,7 @@ void control(List& list, ControlSettings& s) {
       });
 }
 
-void person(List& list, OperatorSettings& s) {
+void operator_checks(List& list, OperatorSettings& s) {
   list.insert(
       list.end(),
       {
@@ -342,7 +342,7 @@ void room(List& list, RoomSettings& s) {
            "the true start is drawn around the above", between(0, 10)},
           {"room.sigma_start_heading_rad", &s.sigma_start_heading_rad, "rad",
            "the true start is drawn around the above", between(0, 3.2)},
-          {"room.sigma_image_grey", &s.sigma_image_grey, "grey", "image noise", between(0, 100)},
+          {"room.sigma_image_grey", &s.sigma_image_gray, "grey", "image noise", between(0, 100)},
           {"room.sigma_acceleration_m_s2", &s.sigma_acceleration_m_s2, "m/s^2",
            "true disturbance per axis, held for one frame", between(0, 1000)},
           {"room.sigma_angular_acceleration_rad_s2", &s.sigma_angular_acceleration_rad_s2, "rad/s^2",
@@ -365,12 +365,12 @@ std::vector<Setting> list_settings(Scenario& scenario) {
   start(list, scenario.start);
   filter(list, scenario.slam.filter);
   search(list, scenario.slam.search);
-  birth(list, scenario.slam.birth);
+  initialization(list, scenario.slam.initialization);
   map(list, scenario.slam.map);
   lost(list, scenario.slam.lost);
   list_decision_settings(list, scenario.decision, scenario.exploration);
   control(list, scenario.control);
-  person(list, scenario.person);
+  operator_checks(list, scenario.operator_settings);
   room(list, scenario.room);
   vehicle(list, scenario.planar.vehicle);
   vehicle_start(list, scenario.planar.start);
@@ -384,7 +384,7 @@ std::vector<Setting> list_settings(Scenario& scenario) {
 
 namespace {
 
-bool section_means_something(const std::string& section, const std::string& sensor) {
+bool section_applies(const std::string& section, const std::string& sensor) {
   static const std::vector<std::string> always{"run", "recording"};
   static const std::vector<std::string> ranging{"vehicle",      "vehicle_start", "vehicle_filter",
                                                 "vehicle_lost", "ranges",        "association"};
@@ -421,16 +421,16 @@ std::string why_no_images(const std::string& key, const Scenario& s) {
 
 }  // namespace
 
-std::string why_meaningless(const std::string& key, const Scenario& s) {
-  if (is_team(s)) return why_meaningless_to_team(key, s);
-  if (is_room_vehicle(s)) return why_meaningless_to_room_vehicle(key, s);
+std::string inapplicable_reason(const std::string& key, const Scenario& s) {
+  if (is_team(s)) return inapplicable_to_team(key, s);
+  if (is_room_vehicle(s)) return inapplicable_to_room_vehicle(key, s);
   if (key == "filter.odometry" || key == "filter.sigma_slip_m_s") return "a camera that is on no vehicle";
   if (const std::string why = why_no_images(key, s); !why.empty()) return why;
-  if (is_of_teams(section_of(key))) return "run.world = `" + s.run.world + "`";
-  if (!section_means_something(section_of(key), s.run.sensor)) return "run.sensor = `" + s.run.sensor + "`";
+  if (is_team_section(section_of(key))) return "run.world = `" + s.run.world + "`";
+  if (!section_applies(section_of(key), s.run.sensor)) return "run.sensor = `" + s.run.sensor + "`";
   if (section_of(key) == "person") {
     if (s.run.world == "recording") return "run.world = `recording`";
-    return s.person.holds || key == "person.holds" ? "" : "person.holds = false";
+    return s.operator_settings.holds || key == "person.holds" ? "" : "person.holds = false";
   }
   if (s.run.sensor != "range-bearing") return of_speeds(key) ? "a camera that flies" : "";
   const auto any_of = [&](std::initializer_list<const char*> keys) {
@@ -455,7 +455,7 @@ std::string why_meaningless(const std::string& key, const Scenario& s) {
 std::vector<Setting> settings_in_force(Scenario& scenario) {
   List list = list_settings(scenario);
   std::erase_if(list,
-                [&](const Setting& setting) { return !why_meaningless(setting.key, scenario).empty(); });
+                [&](const Setting& setting) { return !inapplicable_reason(setting.key, scenario).empty(); });
   return list;
 }
 

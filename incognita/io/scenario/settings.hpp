@@ -17,7 +17,7 @@ std::vector<Setting> settings_in_force(Scenario& scenario);
 
 /// With which other setting this one means nothing, so that it would be ignored: "run.sensor = `camera`".
 /// Empty where it means something.
-std::string why_meaningless(const std::string& key, const Scenario& scenario);
+std::string inapplicable_reason(const std::string& key, const Scenario& scenario);
 
 /// "run" of "run.seed".
 std::string section_of(const std::string& key);

@@ -10,7 +10,7 @@
 #include "incognita/io/formats/data_folder.hpp"
 #include "incognita/io/formats/files.hpp"
 #include "incognita/io/formats/image_file.hpp"
-#include "incognita/io/formats/picture_of_target.hpp"
+#include "incognita/io/formats/target_image.hpp"
 #include "incognita/io/formats/toml_value.hpp"
 #include "incognita/io/scenario/scenario_file.hpp"
 #include "incognita/math/nearest_name.hpp"
@@ -120,7 +120,7 @@ Target::Picture read_picture(const TomlEntry& entry, const Target& target, const
                              const std::string& file, const Folders& folders) {
   const Image whole = read_named_image(entry, file, folders);
   try {
-    return picture_of(target, whole, pixels);
+    return target_picture_from(target, whole, pixels);
   } catch (const std::invalid_argument& error) {
     refuse(file, entry.line, entry.key, error.what());
   }

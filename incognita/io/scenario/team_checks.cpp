@@ -73,7 +73,7 @@ void check_apart(const Scenario& s, List& found) {
 
 void check_association(const Scenario& s, List& found) {
   const DataAssociationSettings& a = s.planar.association;
-  if (a.method != "known" && a.birth_probability < a.gate_probability)
+  if (a.method != "known" && a.initialization_probability < a.gate_probability)
     found.push_back({"association.birth_probability",
                      "must be association.gate_probability or more: what is inside its gate is no new one"});
 }
@@ -81,7 +81,8 @@ void check_association(const Scenario& s, List& found) {
 /// What (5.1) and (5.9) weigh, and what is held, by what the motion has.
 void check_gains(const Scenario& s, List& found) {
   const MotionTraits& motion = motion_traits_of(s.planar.vehicle.model);
-  const std::size_t inputs = is_carried(s) ? motion_traits<TerrainVehicle>.input.size() : motion.input.size(),
+  const std::size_t inputs = has_carried_camera(s) ? motion_traits<TerrainVehicle>.input.size()
+                                                   : motion.input.size(),
                     axes = motion.on_line() ? 1 : 2,
                     regulated = motion.in_space() ? motion.error.size() : axes;
   const SteerChoice& c = s.team.steer;
@@ -111,13 +112,13 @@ void check_path(const Scenario& s, List& found) {
 void check_dimensions(const Scenario& s, List& found) {
   const std::string& model = s.planar.vehicle.model;
   const MotionTraits& motion = motion_traits_of(model);
-  if (motion.in_space() && !is_carried(s)) return;
+  if (motion.in_space() && !has_carried_camera(s)) return;
   const bool line = motion.on_line();
   const auto check_places = [&](const char* key, const std::vector<Eigen::Vector3d>& places) {
-    for (const Eigen::Vector3d& place : places)
-      if (place.z() != 0 || (line && place.y() != 0))
+    for (const Eigen::Vector3d& position : places)
+      if (position.z() != 0 || (line && position.y() != 0))
         return found.push_back(
-            {key, is_carried(s)
+            {key, has_carried_camera(s)
                       ? "must have a z of 0: the vehicle that carries the camera stands on the ground"
                       : fmt::format("must have {} with vehicle.model = `{}`",
                                     line ? "y and z of 0" : "a z of 0", model)});
@@ -126,7 +127,7 @@ void check_dimensions(const Scenario& s, List& found) {
   const std::string& law = s.team.steer.law;
   if (law == "none" || law == "active") return;
   check_places("path.offsets_m", s.team.path.offsets_m);
-  check_places("path.centre_m", {s.team.path.centre_m});
+  check_places("path.centre_m", {s.team.path.center_m});
   check_places("path.points_m", s.team.path.points_m);
   if (line && (s.team.path.kind == "circle" || s.team.path.kind == "back-and-forth"))
     found.push_back(
@@ -188,7 +189,7 @@ void check_bounds(const Scenario& s, List& found) {
   if ((d.max_bound_m.array() <= d.min_bound_m.array()).any())
     return found.push_back(
         {"decision.max_bound_m", "must be more than decision.min_bound_m along each axis"});
-  const int axes = is_carried(s) ? 2 : 3;  // how high a camera is carried is up to the ground
+  const int axes = has_carried_camera(s) ? 2 : 3;  // how high a camera is carried is up to the ground
   for (const Eigen::Vector3d& at : s.team.start.positions_m)
     if ((at.head(axes).array() < d.min_bound_m.head(axes).array()).any() ||
         (at.head(axes).array() > d.max_bound_m.head(axes).array()).any())
@@ -198,7 +199,7 @@ void check_bounds(const Scenario& s, List& found) {
 void check_plant(const Scenario& s, List& found) {
   const VehicleSettings& v = s.planar.vehicle;
   const std::string& law = s.team.steer.law;
-  if (is_carried(s) && law != "none" && law != "active")
+  if (has_carried_camera(s) && law != "none" && law != "active")
     return found.push_back({"steer.law",
                             "must be `active`, or `none` with a steer.input of a speed and a turn "
                             "rate, with plant.motion = `terrain` under a camera that is carried"});
@@ -245,8 +246,8 @@ void check_in_room(const Scenario& s, List& found) {
 }
 
 /// Between the body and where avoiding begins there must be a way to slow down on.
-void check_keep_clear(const Scenario& s, List& found) {
-  const double clear = s.team.steer.keep_clear_m;
+void check_obstacle_avoidance(const Scenario& s, List& found) {
+  const double clear = s.team.steer.avoidance_distance_m;
   if (clear == 0) return;
   const double least = s.room.clearance_m + 0.1 + 2 * s.team.steer.max_speed_m_s / s.run.rate_hz;
   if (clear < least)
@@ -267,7 +268,7 @@ void check_room_vehicle(const Scenario& s, List& found) {
   check_dimensions(s, found);
   check_control_point(s, found);
   check_terrain(s, found);
-  check_keep_clear(s, found);
+  check_obstacle_avoidance(s, found);
   if (!(s.team.mount.up_m > 0))
     found.push_back({"mount.up_m", "must be more than 0: the camera sees nothing from under the ground"});
 }

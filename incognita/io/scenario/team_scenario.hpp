@@ -24,7 +24,7 @@ struct TeamStartSettings {
 };
 
 struct TeamFilterChoice {
-  std::string lineariser = "analytic";
+  std::string linearization = "analytic";
   std::string form = "covariance";  ///< `covariance` or `information`
   double gate_probability = 1;
 };
@@ -33,7 +33,7 @@ struct TeamFilterChoice {
 struct PointsSettings {
   int count = 16;
   Eigen::Vector3d size_m{30, 30, 2.5};  ///< drawn evenly in +-x/2, +-y/2 about the centre, and 0 to z
-  Eigen::Vector2d centre_m{0, 0};
+  Eigen::Vector2d center_m{0, 0};
   std::string file;  ///< instead, a table: id,x,y,z
   int known = 0;     ///< so many of them the filter knows; -1: all, a map to find one's place in
 };
@@ -56,7 +56,7 @@ struct PlantChoice {
   double sigma_bearing_rad = 0.0174533;
   double sigma_pixel_px = 1;
   double field_of_view_rad = 6.2831853;  ///< of a scanner, about straight ahead
-  int ticks_per_look = 1;                ///< it looks at every so many-th tick
+  int ticks_per_measurement = 1;         ///< it looks at every so many-th tick
 };
 
 struct TerrainChoice {
@@ -87,12 +87,12 @@ struct SteerChoice {
   double gain_along_per_s = 1, gain_across_per_m2 = 4, gain_heading_per_m = 2;
   std::vector<double> weight_state{1}, weight_input{1};
   double max_speed_m_s = 1, max_turn_rate_rad_s = 1, max_steering_rad = 0.6;
-  double keep_clear_m = 0;  ///< in the rendered room: slower and away from what is nearer; 0: never
+  double avoidance_distance_m = 0;  ///< in the rendered room: slower and away from what is nearer; 0: never
 };
 
 struct PathChoice {
   std::string kind = "point";         ///< `point`, `circle`, `back-and-forth`, `way-points`, `file`
-  Eigen::Vector3d centre_m{0, 0, 0};  ///< the point, or the circle's
+  Eigen::Vector3d center_m{0, 0, 0};  ///< the point, or the circle's
   double heading_rad = 0;             ///< at the point
   double radius_m = 7;
   double rate_rad_s = 0.0872665;

@@ -28,7 +28,7 @@ void team(List& list, TeamStartSettings& s) {
 
 void team_filter(List& list, TeamFilterChoice& s) {
   list.insert(list.end(), {
-                              {"team_filter.lineariser", &s.lineariser, "", "which Kalman filter",
+                              {"team_filter.lineariser", &s.linearization, "", "which Kalman filter",
                                one_of({"analytic", "iterated", "unscented-vehicle", "first-estimate"})},
                               {"team_filter.form", &s.form, "", "what the filter keeps",
                                one_of({"covariance", "information"})},
@@ -43,7 +43,7 @@ void points(List& list, PointsSettings& s) {
       {
           {"points.count", &s.count, "", "landmarks, drawn evenly", between(0, 10000)},
           {"points.size_m", &s.size_m, "m", "of where they are: +-x/2, +-y/2, 0 to z", between(0, 1e6)},
-          {"points.centre_m", &s.centre_m, "m", "of that place", between(-1e6, 1e6)},
+          {"points.centre_m", &s.center_m, "m", "of that place", between(-1e6, 1e6)},
           {"points.file", &s.file, "",
            "a table of them instead, with columns id, x, y and z; found beside the "
            "scenario or under the data folder",
@@ -87,7 +87,7 @@ void plant(List& list, PlantChoice& s) {
            between(0, 100)},
           {"plant.field_of_view_rad", &s.field_of_view_rad, "rad", "of a scanner, about straight ahead",
            above_up_to(0, 6.2831854)},
-          {"plant.ticks_per_look", &s.ticks_per_look, "", "it looks at every so many-th tick",
+          {"plant.ticks_per_look", &s.ticks_per_measurement, "", "it looks at every so many-th tick",
            between(1, 100000)},
       });
 }
@@ -160,7 +160,7 @@ void steer(List& list, SteerChoice& s) {
            above_up_to(0, 1000)},
           {"steer.max_steering_rad", &s.max_steering_rad, "rad", "what the vehicle can do",
            above_up_to(0, 1.5)},
-          {"steer.keep_clear_m", &s.keep_clear_m, "m",
+          {"steer.keep_clear_m", &s.avoidance_distance_m, "m",
            "in the room: slower and away from walls and boxes that are nearer to its axle; 0: never",
            between(0, 10)},
       });
@@ -172,7 +172,7 @@ void path(List& list, PathChoice& s) {
       {
           {"path.kind", &s.kind, "", "where to be, in time",
            one_of({"point", "circle", "back-and-forth", "way-points", "file"})},
-          {"path.centre_m", &s.centre_m, "m", "the point, or the circle's centre", between(-1e6, 1e6)},
+          {"path.centre_m", &s.center_m, "m", "the point, or the circle's centre", between(-1e6, 1e6)},
           {"path.heading_rad", &s.heading_rad, "rad", "point: where to look", between(-6.3, 6.3)},
           {"path.radius_m", &s.radius_m, "m", "of the circle", above_up_to(0, 1e6)},
           {"path.rate_rad_s", &s.rate_rad_s, "rad/s", "round the circle, to the left; not 0",
@@ -195,7 +195,7 @@ void path(List& list, PathChoice& s) {
 
 }  // namespace
 
-std::vector<std::pair<const char*, const char*>> beliefs_of_noises() {
+std::vector<std::pair<const char*, const char*>> true_noise_defaults() {
   return {{"team.sigma_height_m", "team.sigma_position_m"},
           {"plant.sigma_start_position_m", "team.sigma_position_m"},
           {"plant.sigma_start_height_m", "team.sigma_height_m"},

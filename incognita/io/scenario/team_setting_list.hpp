@@ -14,7 +14,7 @@ namespace incognita {
 bool is_team(const Scenario& scenario);
 
 /// Whether a camera is carried by a vehicle that its filter knows nothing of: thesis Section 6.4.
-bool is_carried(const Scenario& scenario);
+bool has_carried_camera(const Scenario& scenario);
 
 /// Whether a vehicle on uneven ground carries the camera through the rendered room.
 bool is_room_vehicle(const Scenario& scenario);
@@ -23,10 +23,10 @@ bool is_room_vehicle(const Scenario& scenario);
 void list_team_settings(std::vector<Setting>& list, TeamScenario& team);
 
 /// Keys of the true noises, each with that of what the filter believes.
-std::vector<std::pair<const char*, const char*>> beliefs_of_noises();
+std::vector<std::pair<const char*, const char*>> true_noise_defaults();
 
 /// Whether a section belongs to teams alone.
-bool is_of_teams(const std::string& section);
+bool is_team_section(const std::string& section);
 
 /// Whether a section holds the parameters of a sensor.
 bool is_of_sensor(const std::string& section);
@@ -35,8 +35,8 @@ bool is_of_sensor(const std::string& section);
 bool applies_to_motion(const std::string& key, const std::string& model);
 
 /// With which other setting a key means nothing in a team's scenario; empty where it means something.
-std::string why_meaningless_to_team(const std::string& key, const Scenario& scenario);
+std::string inapplicable_to_team(const std::string& key, const Scenario& scenario);
 /// Likewise of a vehicle in the rendered room.
-std::string why_meaningless_to_room_vehicle(const std::string& key, const Scenario& scenario);
+std::string inapplicable_to_room_vehicle(const std::string& key, const Scenario& scenario);
 
 }  // namespace incognita

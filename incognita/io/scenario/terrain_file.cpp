@@ -15,7 +15,7 @@ namespace incognita {
 namespace {
 
 /// What a key of the scenario was told, and where.
-std::string told(const LoadedScenario& loaded, const std::string& key, const std::string& value) {
+std::string with_source(const LoadedScenario& loaded, const std::string& key, const std::string& value) {
   const auto source = loaded.sources.find(key);
   return fmt::format("{}: {} = {}", source == loaded.sources.end() ? "default" : source->second, key, value);
 }
@@ -33,7 +33,7 @@ void check_cover(const LoadedScenario& loaded, const HeightMap& map, double leng
       throw InputError(
           fmt::format("{}: the image reaches {:.4g} m by {:.4g} m about the origin, and a vehicle starts at "
                       "[{:g}, {:g}] (team.positions_m): make the image larger or terrain.size_m more",
-                      told(loaded, "terrain.size_m", fmt::format("{:g}", t.size_m)), length_m, width_m,
+                      with_source(loaded, "terrain.size_m", fmt::format("{:g}", t.size_m)), length_m, width_m,
                       start.x(), start.y()));
 }
 
@@ -42,7 +42,7 @@ Terrain image_terrain(const LoadedScenario& loaded) {
   const std::filesystem::path file = find_named_file(loaded, "terrain.file", t.file);
   const auto refuse = [&](const std::string& why) {
     throw InputError(fmt::format("{}: {}: take a grey image of 8 or 16 bits, PNG or PGM for instance",
-                                 told(loaded, "terrain.file", toml_string(t.file)), why));
+                                 with_source(loaded, "terrain.file", toml_string(t.file)), why));
   };
   Eigen::MatrixXd image;
   try {

@@ -11,9 +11,9 @@ constexpr int jpeg_quality = 65;
 }  // namespace
 
 std::string jpeg(const Image& image) {
-  const cv::Mat grey(image.height(), image.width(), CV_8UC1, const_cast<std::uint8_t*>(image.row(0)));
+  const cv::Mat gray(image.height(), image.width(), CV_8UC1, const_cast<std::uint8_t*>(image.row(0)));
   std::vector<unsigned char> bytes;
-  cv::imencode(".jpg", grey, bytes, {cv::IMWRITE_JPEG_QUALITY, jpeg_quality});
+  cv::imencode(".jpg", gray, bytes, {cv::IMWRITE_JPEG_QUALITY, jpeg_quality});
   return {bytes.begin(), bytes.end()};
 }
 

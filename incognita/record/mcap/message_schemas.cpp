@@ -73,7 +73,7 @@ Json quaternion(const char* description) {
   return object({{"x", number()}, {"y", number()}, {"z", number()}, {"w", number()}}, description);
 }
 
-Json colour() {
+Json color() {
   return object({{"r", number()}, {"g", number()}, {"b", number()}, {"a", number()}}, "from 0 to 1");
 }
 
@@ -112,7 +112,7 @@ Json entropy() {
       "nats");
 }
 
-Json advice() {
+Json decision() {
   const Json candidate = object({{"action", text()}, {"score", number("nats"), sometimes}});
   return object({{"decided", flag("whether a decision was taken in this very frame")},
                  {"chosen", integer("index of the candidate in force, -1 for none")},
@@ -140,7 +140,7 @@ std::string pose_in_frame() {
 }
 
 std::string scene_update() {
-  const Json sphere = object({{"pose", pose()}, {"size", xyz("m, diameters")}, {"color", colour()}});
+  const Json sphere = object({{"pose", pose()}, {"size", xyz("m, diameters")}, {"color", color()}});
   Json entity = object({{"timestamp", timestamp()},
                         {"frame_id", text()},
                         {"id", text("an entity replaces the one before of the same id")},
@@ -167,9 +167,9 @@ std::string image_annotations() {
   const Json outline = object({{"timestamp", timestamp()},
                                {"type", integer("2: a closed line")},
                                {"points", array(point)},
-                               {"outline_color", colour()},
+                               {"outline_color", color()},
                                {"outline_colors", unused()},
-                               {"fill_color", colour()},
+                               {"fill_color", color()},
                                {"thickness", number("px")}});
   return document("foxglove.ImageAnnotations",
                   object({{"circles", unused()}, {"points", array(outline)}, {"texts", unused()}}));
@@ -194,7 +194,7 @@ std::string snapshot() {
               {"nis_dof", integer("degrees of freedom; 0 without an update")},
               {"nis", number("normalised innovation squared, a sum"), sometimes},
               {"entropy", entropy()},
-              {"advice", advice()},
+              {"advice", decision()},
               {"command", command()},
               {"vehicles", array(vehicle(), "of a team; the first is the one above"), sometimes},
               {"looks", array(look())},

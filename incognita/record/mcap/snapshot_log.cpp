@@ -82,7 +82,7 @@ void SnapshotLog::put_picture(const Snapshot& snapshot) {
   if (!is_due(time_ns_, picture_time_ns_, picture_every_ns)) return;
   picture_time_ns_ = time_ns_;
   put(images, compressed_image(time_ns_, body_, *snapshot.image));
-  put(annotations, image_annotations(time_ns_, snapshot.looks, patch_size_px_));
+  put(annotations, image_annotations(time_ns_, snapshot.matches, patch_size_px_));
 }
 
 void SnapshotLog::publish(const Snapshot& snapshot) {

@@ -47,16 +47,17 @@ void put_camera(Json& json, const Snapshot& snapshot) {
   put(json, "pose_covariance", Eigen::MatrixXd(pose_covariance(snapshot)));
 }
 
-Json look_json(const SnapshotLook& look, bool of_team) {
-  Json json{
-      {"id", look.of_vehicle ? look.id + 1 : look.id}, {"kind", kind(look)}, {"outcome", name(look.outcome)}};
-  if (of_team) json["vehicle"] = look.vehicle + 1;
-  const Eigen::Matrix2d& S = look.innovation_cov;
-  put_shortened(json, "predicted", {look.predicted.x(), look.predicted.y()});
+Json match_json(const SnapshotMatch& match, bool of_team) {
+  Json json{{"id", match.of_vehicle ? match.id + 1 : match.id},
+            {"kind", kind(match)},
+            {"outcome", name(match.outcome)}};
+  if (of_team) json["vehicle"] = match.vehicle + 1;
+  const Eigen::Matrix2d& S = match.innovation_cov;
+  put_shortened(json, "predicted", {match.predicted.x(), match.predicted.y()});
   put_shortened(json, "innovation_cov", {S(0, 0), S(0, 1), S(1, 1)});
-  if (!look.measured) return json;
-  put_shortened(json, "measured", {look.measured->x(), look.measured->y()});
-  put(json, "correlation", shortened(look.correlation));
+  if (!match.measured) return json;
+  put_shortened(json, "measured", {match.measured->x(), match.measured->y()});
+  put(json, "correlation", shortened(match.correlation));
   return json;
 }
 
@@ -65,7 +66,7 @@ Json vehicle_json(const SnapshotVehicle& vehicle) {
   Json json{{"position", xyz(vehicle.estimate.position)},
             {"orientation", {{"x", q[1]}, {"y", q[2]}, {"z", q[3]}, {"w", q[0]}}}};
   put(json, "pose_covariance", Eigen::MatrixXd(vehicle.covariance));
-  if (vehicle.wanted) put(json, "wanted", Eigen::MatrixXd(*vehicle.wanted));
+  if (vehicle.reference) put(json, "wanted", Eigen::MatrixXd(*vehicle.reference));
   if (vehicle.input.size() > 0) put(json, "input", Eigen::MatrixXd(vehicle.input));
   return json;
 }
@@ -80,7 +81,7 @@ void put_vehicles(Json& json, const Snapshot& snapshot) {
 Json landmark_json(const SnapshotLandmark& landmark) {
   Json json{{"id", landmark.id},
             {"kind", landmark.anchor ? "anchor" : "landmark"},
-            {"sightings", landmark.sightings}};
+            {"sightings", landmark.detection_count}};
   if (landmark.position.allFinite()) json["position"] = xyz(landmark.position);
   put(json, "covariance", Eigen::MatrixXd(landmark.covariance));
   return json;
@@ -94,13 +95,13 @@ Json entropy_json(const SnapshotEntropy& entropy) {
   return json;
 }
 
-Json advice_json(const SnapshotAdvice& advice) {
-  Json json{{"decided", advice.decided}, {"chosen", advice.chosen}};
+Json decision_json(const SnapshotDecision& decision) {
+  Json json{{"decided", decision.decided}, {"chosen", decision.chosen}};
   Json& candidates = json["candidates"] = Json::array();
-  for (std::size_t i = 0; i < advice.actions.size(); ++i) {
+  for (std::size_t i = 0; i < decision.actions.size(); ++i) {
     Json candidate = Json::object();
-    candidate["action"] = advice.actions[i];
-    if (i < advice.scores.size()) put(candidate, "score", advice.scores[i]);
+    candidate["action"] = decision.actions[i];
+    if (i < decision.scores.size()) put(candidate, "score", decision.scores[i]);
     candidates.push_back(std::move(candidate));
   }
   return json;
@@ -120,13 +121,13 @@ std::string snapshot_message(const Snapshot& snapshot, bool landmarks) {
   json["nis_dof"] = snapshot.nis_dof;
   if (snapshot.nis_dof > 0) put(json, "nis", snapshot.nis);
   json["entropy"] = entropy_json(snapshot.entropy);
-  json["advice"] = advice_json(snapshot.advice);
+  json["advice"] = decision_json(snapshot.decision);
   json["command"] = {{"linear_acceleration", xyz(snapshot.command.linear_acceleration)},
                      {"angular_acceleration", xyz(snapshot.command.angular_acceleration)}};
   put_vehicles(json, snapshot);
-  Json& looks = json["looks"] = Json::array();
-  for (const SnapshotLook& look : snapshot.looks)
-    looks.push_back(look_json(look, !snapshot.vehicles.empty()));
+  Json& matches = json["looks"] = Json::array();
+  for (const SnapshotMatch& match : snapshot.matches)
+    matches.push_back(match_json(match, !snapshot.vehicles.empty()));
   Json& ids = json["landmark_ids"] = Json::array();
   for (const SnapshotLandmark& landmark : snapshot.landmarks) ids.push_back(landmark.id);
   if (landmarks) {

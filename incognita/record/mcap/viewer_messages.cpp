@@ -10,7 +10,7 @@
 #include "incognita/math/quaternion.hpp"
 #include "incognita/record/files/image_text.hpp"
 #include "incognita/record/mcap/message_schemas.hpp"
-#include "incognita/record/snapshot/look_colour.hpp"
+#include "incognita/record/snapshot/outcome_color.hpp"
 
 namespace incognita {
 namespace {
@@ -36,7 +36,7 @@ Json pose(const Eigen::Vector3d& position, const Eigen::Vector4d& orientation) {
   return {{"position", xyz(position)}, {"orientation", quaternion(orientation)}};
 }
 
-Json colour(double red, double green, double blue, double opacity = 1) {
+Json color(double red, double green, double blue, double opacity = 1) {
   return {{"r", red}, {"g", green}, {"b", blue}, {"a", opacity}};
 }
 
@@ -48,13 +48,13 @@ Json ellipsoid(const SnapshotLandmark& landmark) {
   const Eigen::Vector3d diameter = 4 * solver.eigenvalues().cwiseMax(0).cwiseSqrt();
   return {{"pose", pose(landmark.position, quaternion_from_matrix(axes))},
           {"size", xyz(diameter.cwiseMax(min_diameter_m))},
-          {"color", colour(0.2, 0.6, 0.9, 0.6)}};
+          {"color", color(0.2, 0.6, 0.9, 0.6)}};
 }
 
 Json ball(const SnapshotLandmark& anchor) {
   return {{"pose", pose(anchor.position, {1, 0, 0, 0})},
           {"size", xyz(Eigen::Vector3d::Constant(anchor_diameter_m))},
-          {"color", colour(1, 0.55, 0)}};
+          {"color", color(1, 0.55, 0)}};
 }
 
 /// Tenths of a pixel are finer than the eye and three times shorter than all digits.
@@ -63,41 +63,42 @@ Json pixel(const Eigen::Vector2d& p) {
   return {{"x", tenths(p.x())}, {"y", tenths(p.y())}};
 }
 
-Json outline(const Json& time, LookOutcome outcome, const std::vector<Eigen::Vector2d>& corners) {
-  const auto [red, green, blue] = look_colour(outcome);
+Json outline(const Json& time, MatchOutcome outcome, const std::vector<Eigen::Vector2d>& corners) {
+  const auto [red, green, blue] = outcome_color(outcome);
   const auto hundredths = [](int byte) { return std::round(byte / 2.55) / 100; };
   Json points = Json::array();
   for (const Eigen::Vector2d& corner : corners) points.push_back(pixel(corner));
   return {{"timestamp", time},
           {"type", line_loop},
           {"points", std::move(points)},
-          {"outline_color", colour(hundredths(red), hundredths(green), hundredths(blue))},
+          {"outline_color", color(hundredths(red), hundredths(green), hundredths(blue))},
           {"outline_colors", nothing},
-          {"fill_color", colour(0, 0, 0, 0)},
+          {"fill_color", color(0, 0, 0, 0)},
           {"thickness", 1}};
 }
 
 /// A polygon on the 3-sigma ellipse, finer when it is large; nothing when there is no such ellipse.
-std::vector<Eigen::Vector2d> search_ellipse(const SnapshotLook& look) {
-  if (look.outcome == LookOutcome::not_tried) return {};
-  if (!look.predicted.allFinite() || !look.innovation_cov.allFinite()) return {};
-  const Eigen::LLT<Eigen::Matrix2d> root(look.innovation_cov);
+std::vector<Eigen::Vector2d> search_ellipse(const SnapshotMatch& match) {
+  if (match.outcome == MatchOutcome::not_searched) return {};
+  if (!match.predicted.allFinite() || !match.innovation_cov.allFinite()) return {};
+  const Eigen::LLT<Eigen::Matrix2d> root(match.innovation_cov);
   if (root.info() != Eigen::Success) return {};
   const Eigen::Matrix2d L = 3 * Eigen::Matrix2d(root.matrixL());
   const int corners = L.norm() < 6 ? 8 : 24;
   std::vector<Eigen::Vector2d> polygon;
   for (int i = 0; i < corners; ++i) {
     const double angle = 2 * std::numbers::pi * i / corners;
-    polygon.emplace_back(look.predicted + L * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
+    polygon.emplace_back(match.predicted + L * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
   }
   return polygon;
 }
 
-std::vector<Eigen::Vector2d> found_patch(const SnapshotLook& look, int patch_size_px) {
-  if (look.outcome == LookOutcome::not_tried || !look.measured || !look.measured->allFinite()) return {};
+std::vector<Eigen::Vector2d> found_patch(const SnapshotMatch& match, int patch_size_px) {
+  if (match.outcome == MatchOutcome::not_searched || !match.measured || !match.measured->allFinite())
+    return {};
   const double h = 0.5 * patch_size_px;
   std::vector<Eigen::Vector2d> square{{-h, -h}, {h, -h}, {h, h}, {-h, h}};
-  for (Eigen::Vector2d& corner : square) corner += *look.measured;
+  for (Eigen::Vector2d& corner : square) corner += *match.measured;
   return square;
 }
 
@@ -149,13 +150,13 @@ std::string compressed_image(std::uint64_t time_ns, std::string_view frame, cons
       .dump();
 }
 
-std::string image_annotations(std::uint64_t time_ns, const std::vector<SnapshotLook>& looks,
+std::string image_annotations(std::uint64_t time_ns, const std::vector<SnapshotMatch>& matches,
                               int patch_size_px) {
   const Json time = stamp(time_ns);
   Json outlines = Json::array();
-  for (const SnapshotLook& look : looks)
-    for (const auto& polygon : {search_ellipse(look), found_patch(look, patch_size_px)})
-      if (!polygon.empty()) outlines.push_back(outline(time, look.outcome, polygon));
+  for (const SnapshotMatch& match : matches)
+    for (const auto& polygon : {search_ellipse(match), found_patch(match, patch_size_px)})
+      if (!polygon.empty()) outlines.push_back(outline(time, match.outcome, polygon));
   return Json{{"circles", nothing}, {"points", std::move(outlines)}, {"texts", nothing}}.dump();
 }
 

@@ -30,7 +30,7 @@ std::string compressed_image(std::uint64_t time_ns, std::string_view frame, cons
 
 /// foxglove.ImageAnnotations: the 3-sigma ellipse of each look that was searched for, in the colour of its
 /// outcome, and a square where its patch was found.
-std::string image_annotations(std::uint64_t time_ns, const std::vector<SnapshotLook>& looks,
+std::string image_annotations(std::uint64_t time_ns, const std::vector<SnapshotMatch>& matches,
                               int patch_size_px);
 
 }  // namespace incognita

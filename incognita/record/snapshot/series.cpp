@@ -87,8 +87,8 @@ std::vector<double> series_row(const Snapshot& snapshot, bool with_errors) {
                           snapshot.entropy.total,
                           snapshot.nis_dof > 0 ? snapshot.nis : unknown,
                           static_cast<double>(snapshot.nis_dof),
-                          snapshot.advice.coverage.value_or(unknown),
-                          snapshot.advice.entropy_extended.value_or(unknown)};
+                          snapshot.decision.coverage.value_or(unknown),
+                          snapshot.decision.entropy_extended.value_or(unknown)};
   append(row, posed ? Eigen::VectorXd(2 * P.diagonal().cwiseMax(0).cwiseSqrt())
                     : Eigen::VectorXd::Constant(6, unknown));
   if (with_errors) append(row, errors(snapshot, P));

@@ -23,10 +23,10 @@ struct SnapshotLandmark {
   bool anchor = false;
   Eigen::Vector3d position = Eigen::Vector3d::Zero();    ///< world, m
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< m^2
-  int sightings = 0;                                     ///< matches so far
+  int detection_count = 0;                               ///< matches so far
 };
 
-struct SnapshotLook {
+struct SnapshotMatch {
   std::int64_t id = 0;
   bool anchor = false;
   bool line = false;  ///< depth not known yet: not in the map proper
@@ -35,13 +35,13 @@ struct SnapshotLook {
   Eigen::Matrix2d innovation_cov = Eigen::Matrix2d::Zero();  ///< px^2
   std::optional<Eigen::Vector2d> measured;                   ///< px, where the search found the patch
   double correlation = 0;                                    ///< normalised, of the best place found
-  LookOutcome outcome = LookOutcome::not_tried;
+  MatchOutcome outcome = MatchOutcome::not_searched;
   int vehicle = 0;          ///< of a team: which of them looked, from 0
   bool of_vehicle = false;  ///< at another of them, whose index is `id`; not at a landmark
 };
 
-inline const char* kind(const SnapshotLook& look) {
-  return look.of_vehicle ? "vehicle" : look.anchor ? "anchor" : look.line ? "line" : "landmark";
+inline const char* kind(const SnapshotMatch& match) {
+  return match.of_vehicle ? "vehicle" : match.anchor ? "anchor" : match.line ? "line" : "landmark";
 }
 
 /// One vehicle of a team, as a body in space.
@@ -49,11 +49,11 @@ struct SnapshotVehicle {
   StampedPose estimate;
   PoseCovariance covariance = PoseCovariance::Zero();
   std::optional<StampedPose> truth;
-  std::optional<Eigen::Vector4d> wanted;  ///< x, y, z (m, world) and heading (rad): where it was to be
-  SmallVector input;                      ///< until the next tick, as its motion takes it
+  std::optional<Eigen::Vector4d> reference;  ///< x, y, z (m, world) and heading (rad): where it was to be
+  SmallVector input;                         ///< until the next tick, as its motion takes it
 };
 
-struct SnapshotAdvice {
+struct SnapshotDecision {
   std::vector<std::string> actions;  ///< names, fixed for a run
   std::vector<double> scores;        ///< nats, one per action, of this frame
   int chosen = -1;                   ///< index; the action now in force
@@ -76,13 +76,13 @@ struct Snapshot {
   FreeCameraMotion::State<double> camera = FreeCameraMotion::State<double>::Zero();
   FreeCameraMotion::Jacobian covariance = FreeCameraMotion::Jacobian::Zero();
   std::vector<SnapshotLandmark> landmarks;  ///< mapped points and anchors
-  std::vector<SnapshotLook> looks;          ///< looks of this frame
+  std::vector<SnapshotMatch> matches;       ///< looks of this frame
   int predicted = 0;                        ///< looks tried (searched for) in this frame
   int matched = 0;                          ///< looks that updated the filter in this frame
   double nis = 0;                           ///< normalised innovation squared of this frame's update, a sum
   int nis_dof = 0;                          ///< its degrees of freedom; 0 when there was no update
   SnapshotEntropy entropy{};
-  SnapshotAdvice advice;
+  SnapshotDecision decision;
   Command command;
   std::vector<SnapshotVehicle> vehicles;  ///< of a team; `camera`, `covariance` and `truth` are the first's
   std::vector<std::pair<const char*, double>> timing_ms;  ///< stage -> ms, same order in every snapshot

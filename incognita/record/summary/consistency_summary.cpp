@@ -113,9 +113,9 @@ void ConsistencySummary::add(const Snapshot& snapshot) {
     nis_.add(snapshot.nis, snapshot.nis_dof);
     nis_per_dof_.push_back(snapshot.nis / snapshot.nis_dof);
   }
-  for (const SnapshotLook& look : snapshot.looks) {
-    matches_ += look.outcome == LookOutcome::matched;
-    outliers_ += look.outcome == LookOutcome::inconsistent;
+  for (const SnapshotMatch& match : snapshot.matches) {
+    matches_ += match.outcome == MatchOutcome::matched;
+    outliers_ += match.outcome == MatchOutcome::outlier;
   }
   if (compare_ && has_pose(snapshot)) compare(snapshot);
 }

@@ -8,8 +8,8 @@
 namespace incognita {
 
 void ExplorationSummary::add(const Snapshot& s) {
-  if (s.advice.coverage) coverage_ = s.advice.coverage;
-  if (s.advice.entropy_extended) entropy_extended_ = s.advice.entropy_extended;
+  if (s.decision.coverage) coverage_ = s.decision.coverage;
+  if (s.decision.entropy_extended) entropy_extended_ = s.decision.entropy_extended;
   for (const SnapshotLandmark& l : s.landmarks) {
     if (l.anchor || located_t_s_.count(l.id) > 0) continue;
     const double away_m = (l.position - s.camera.head<3>()).norm();

@@ -60,8 +60,8 @@ Json quantity_json(const QuantityReport& q) {
             {"by_motion_model", q.by_motion_model},
             {"believed_sigma", nullptr},
             {"sigma_from_looks", nullptr}};
-  if (q.believed_sigma) json["believed_sigma"] = *q.believed_sigma;
-  if (q.sigma_from_looks) json["sigma_from_looks"] = *q.sigma_from_looks;
+  if (q.estimated_sigma) json["believed_sigma"] = *q.estimated_sigma;
+  if (q.sigma_from_measurements) json["sigma_from_looks"] = *q.sigma_from_measurements;
   return json;
 }
 
@@ -81,7 +81,7 @@ Json observability_json(const ObservabilityReport& report) {
   json["nullity"] = information.nullity();
   json["gap"] = information.gap();
   json["ambiguous"] = information.ambiguous;
-  json["wrongly_believed"] = report.wrongly_believed;
+  json["wrongly_believed"] = report.spurious_information;
   json["by_motion_model"] = report.by_motion_model;
   json["without_information"] = Json::array();
   for (std::size_t i = 0; i < std::min(report.without_information.size(), max_names); ++i)
@@ -163,7 +163,7 @@ void RunSummary::add(const Snapshot& snapshot) {
   if (has_pose(snapshot)) ++tracked_frames_;
   if (snapshot.status.state == TrackingState::degraded) ++degraded_frames_;
   if (snapshot.status.state == TrackingState::lost) ++lost_frames_;
-  if (snapshot.advice.decided) ++decisions_;
+  if (snapshot.decision.decided) ++decisions_;
   exploration_.add(snapshot);
   landmarks_ = mapped_landmarks(snapshot);
   anchors_ = static_cast<int>(snapshot.landmarks.size()) - landmarks_;
@@ -304,12 +304,14 @@ std::string RunSummary::json(RunStatus status, const std::string& reason) const 
     json["map_error_landmarks"] = report.map_error_landmarks;
   }
   json["consistency"] = consistency_json(report.consistency);
-  const auto told = [](const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); };
+  const auto or_null = [](const std::optional<double>& value) {
+    return value ? Json(*value) : Json(nullptr);
+  };
   constexpr int thesis_landmarks = 14;  // whose time and entropy Section 6.3.1 tells
   json["exploration"] = {{"located", exploration_.located()},
-                         {"t_14_located_s", told(exploration_.located_t_s(thesis_landmarks))},
-                         {"coverage", told(exploration_.coverage())},
-                         {"entropy_extended", told(exploration_.entropy_extended())}};
+                         {"t_14_located_s", or_null(exploration_.located_t_s(thesis_landmarks))},
+                         {"coverage", or_null(exploration_.coverage())},
+                         {"entropy_extended", or_null(exploration_.entropy_extended())}};
   if (!team_.empty()) {
     Json& vehicles = json["vehicles"] = Json::array();
     const std::vector<TeamSummary::Vehicle> all = team_.vehicles();

@@ -17,13 +17,13 @@ double over(double sum, std::int64_t count) { return count > 0 ? sum / static_ca
 }  // namespace
 
 double from_path_m(const SnapshotVehicle& v, bool flies, const Eigen::Vector2d& steered_m) {
-  if (!v.truth || !v.wanted) return unknown;
+  if (!v.truth || !v.reference) return unknown;
   const Eigen::Vector3d ahead = rotation_matrix<double>(v.truth->orientation).col(0);
   // On uneven ground the point lies before the axle on the map: the way that it looks, of that length there
   const double heading = std::atan2(ahead.y(), ahead.x());
   const Eigen::Vector2d offset = Eigen::Rotation2Dd(heading) * steered_m;
   const Eigen::Vector3d point = v.truth->position + Eigen::Vector3d(offset.x(), offset.y(), 0);
-  const Eigen::Vector3d apart = point - v.wanted->head<3>();
+  const Eigen::Vector3d apart = point - v.reference->head<3>();
   return flies ? apart.norm() : apart.head<2>().norm();
 }
 
@@ -37,7 +37,7 @@ void TeamSummary::add(const Snapshot& s) {
     ++sums.compared;
     if (const auto nees = pose_nees(pose_error(*v.truth, v.estimate), v.covariance))
       sums.nees += *nees, ++sums.nees_count;
-    if (v.wanted) sums.from_path_m.push_back(from_path_m(v, flies_, steered_m_));
+    if (v.reference) sums.from_path_m.push_back(from_path_m(v, flies_, steered_m_));
   }
 }
 

@@ -11,7 +11,7 @@ constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 }
 
 void TimingTable::add(const Snapshot& snapshot) {
-  const bool more = learn_stages(snapshot);
+  const bool more = set_stages(snapshot);
   std::vector<double> ms(stages_.size(), unknown);
   for (const auto& [stage, value] : snapshot.timing_ms)
     ms[static_cast<std::size_t>(std::find(stages_.begin(), stages_.end(), stage) - stages_.begin())] = value;
@@ -23,7 +23,7 @@ void TimingTable::add(const Snapshot& snapshot) {
   }
 }
 
-bool TimingTable::learn_stages(const Snapshot& snapshot) {
+bool TimingTable::set_stages(const Snapshot& snapshot) {
   const std::size_t before = stages_.size();
   for (const auto& [stage, ms] : snapshot.timing_ms)
     if (std::find(stages_.begin(), stages_.end(), stage) == stages_.end()) stages_.push_back(stage);

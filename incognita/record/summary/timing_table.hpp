@@ -27,7 +27,7 @@ class TimingTable {
   std::vector<double> column(std::size_t stage) const;
 
  private:
-  bool learn_stages(const Snapshot& snapshot);
+  bool set_stages(const Snapshot& snapshot);
   void open();
   std::string row(std::size_t frame) const;
 

@@ -5,17 +5,17 @@
 #include <stdexcept>
 #include <string>
 
-#include "incognita/slam/features/birth.hpp"
+#include "incognita/slam/features/active_search.hpp"
 #include "incognita/slam/features/camera_validation.hpp"
 #include "incognita/slam/features/depth_line.hpp"
 #include "incognita/slam/features/entropy.hpp"
-#include "incognita/slam/features/follow_wheels.hpp"
-#include "incognita/slam/features/learn_planes.hpp"
+#include "incognita/slam/features/estimate_patch_planes.hpp"
+#include "incognita/slam/features/landmark_initialization.hpp"
 #include "incognita/slam/features/map_management.hpp"
-#include "incognita/slam/features/measure.hpp"
-#include "incognita/slam/features/predict_looks.hpp"
+#include "incognita/slam/features/predict_matches.hpp"
 #include "incognita/slam/features/target_pose.hpp"
 #include "incognita/slam/features/tracking.hpp"
+#include "incognita/slam/features/wheel_odometry_update.hpp"
 #include "incognita/slam/mapper/stage_clock.hpp"
 
 namespace incognita {
@@ -46,18 +46,18 @@ CameraEstimator::CameraEstimator(Camera camera, std::optional<Target> target,
   validate(settings_, target_, max_search_s_, odometry_);
 }
 
-void CameraEstimator::update(Estimate& estimate, const Command& command, const Observation& seen,
+void CameraEstimator::update(Estimate& estimate, const Command& command, const Observation& observation,
                              const Tick& tick) {
   StageClock clock(estimate.timing_ms);
-  estimate.looks.clear();
-  estimate.line_looks.clear();
+  estimate.matches.clear();
+  estimate.line_matches.clear();
   estimate.predicted = estimate.matched = estimate.visible = 0;
   estimate.update = {};
   if (!estimate.first_t) estimate.first_t = tick.t;
   const SummedImage* image = nullptr;
-  if (seen.image && !seen.image->empty()) {
-    check_size(*seen.image, camera_);
-    summed_.assign(*seen.image);
+  if (observation.image && !observation.image->empty()) {
+    check_size(*observation.image, camera_);
+    summed_.assign(*observation.image);
     image = &summed_;
   }
   clock.mark("sums");
@@ -68,20 +68,21 @@ void CameraEstimator::update(Estimate& estimate, const Command& command, const O
   } else {
     predict(estimate, command, tick.dt);
     // Before the search, whose ellipses it narrows
-    if (odometry_ && !seen.odometry.empty())
-      follow_wheels(estimate.belief, estimate.camera, *odometry_, seen.odometry.back().input);
+    if (odometry_ && !observation.odometry.empty())
+      update_with_wheel_odometry(estimate.belief, estimate.camera, *odometry_,
+                                 observation.odometry.back().input);
     track(estimate, image, tick, clock);
   }
 }
 
-void CameraEstimator::start(Estimate& estimate, const SummedImage* seen, const Tick& tick,
+void CameraEstimator::start(Estimate& estimate, const SummedImage* summed, const Tick& tick,
                             StageClock& clock) {
   estimate.status.state = TrackingState::starting;
-  if (!seen) {
+  if (!summed) {
     estimate.status.reason = "no image yet";
     return;
   }
-  const Image& image = seen->image();
+  const Image& image = summed->image();
   CameraState x = CameraState::Zero();
   if (!target_) {  // the first view is the origin, level, looking along x
     const Eigen::Matrix3d world_from_camera = (Eigen::Matrix3d() << 0, 0, 1, -1, 0, 0, 0, -1, 0).finished();
@@ -89,7 +90,7 @@ void CameraEstimator::start(Estimate& estimate, const SummedImage* seen, const T
     start_at(estimate, x, 1e-8 * Eigen::Matrix<double, 6, 6>::Identity());
     estimate.status.reason = "started without a target: the scale is not observable";
   } else {
-    const TargetSearch search = find_target(*target_, camera_, *seen, settings_.filter.sigma_pixel_px);
+    const TargetSearch search = find_target(*target_, camera_, *summed, settings_.filter.sigma_pixel_px);
     if (!search.pose) {
       estimate.status.reason = search.reason;
       if (tick.t - *estimate.first_t > max_search_s_) estimate.status.state = TrackingState::lost;
@@ -108,7 +109,7 @@ void CameraEstimator::start(Estimate& estimate, const SummedImage* seen, const T
       anchor.view = *std::move(view);
       anchor.view.plane.facing = target_->normal;
       anchor.view.plane.slope_cov.setZero();
-      estimate.catalogue.push_back(std::move(anchor));
+      estimate.catalog.push_back(std::move(anchor));
     }
     estimate.status.reason =
         "target " + target_->name + " found, " + std::to_string(search.pose->rms_px) + " px rms";
@@ -116,10 +117,10 @@ void CameraEstimator::start(Estimate& estimate, const SummedImage* seen, const T
   estimate.status.state = TrackingState::tracking;
   // The first map at once: without a target there is nothing else to hold on to
   for (;;) {
-    const std::size_t before = estimate.catalogue.size();
-    predict_looks(estimate, camera_, settings_, estimate.looks);
+    const std::size_t before = estimate.catalog.size();
+    predict_matches(estimate, camera_, settings_, estimate.matches);
     add_landmarks(estimate, image);
-    if (estimate.catalogue.size() == before) break;
+    if (estimate.catalog.size() == before) break;
   }
   refresh_entropy(estimate, tick);
   clock.mark("start");
@@ -145,54 +146,55 @@ void CameraEstimator::predict(Estimate& estimate, const Command& command, double
 }
 
 void CameraEstimator::correct(Estimate& estimate) const {
-  std::vector<AffineLook> looks;
-  for (const Look& look : estimate.looks)
-    if (look.outcome == LookOutcome::matched)
-      looks.push_back(affine_look(look, estimate.catalogue[look.landmark], estimate.camera,
-                                  settings_.filter.sigma_pixel_px));
-  estimate.update = estimate.belief.update(looks);
+  std::vector<LinearizedMeasurement> measurements;
+  for (const FeatureMatch& match : estimate.matches)
+    if (match.outcome == MatchOutcome::matched)
+      measurements.push_back(linearized_measurement(match, estimate.catalog[match.landmark], estimate.camera,
+                                                    settings_.filter.sigma_pixel_px));
+  estimate.update = estimate.belief.update(measurements);
 }
 
-void CameraEstimator::track(Estimate& estimate, const SummedImage* seen, const Tick& tick,
+void CameraEstimator::track(Estimate& estimate, const SummedImage* summed, const Tick& tick,
                             StageClock& clock) {
-  predict_looks(estimate, camera_, settings_, estimate.looks);
-  estimate.visible = static_cast<int>(estimate.looks.size());
+  predict_matches(estimate, camera_, settings_, estimate.matches);
+  estimate.visible = static_cast<int>(estimate.matches.size());
   clock.mark("predict");
-  if (seen) match(estimate, *seen, clock);
+  if (summed) match(estimate, *summed, clock);
   count_frames_away(estimate);
   estimate.status =
-      judge(estimate.status, estimate.matched, estimate.predicted, sigma_position(estimate), settings_);
-  if (estimate.status.state == TrackingState::lost) return get_lost(estimate);
-  if (seen && estimate.status.state == TrackingState::tracking) keep_map(estimate, *seen, clock);
+      assess(estimate.status, estimate.matched, estimate.predicted, sigma_position(estimate), settings_);
+  if (estimate.status.state == TrackingState::lost) return declare_lost(estimate);
+  if (summed && estimate.status.state == TrackingState::tracking) maintain_map(estimate, *summed, clock);
   refresh_entropy(estimate, tick);
   clock.mark("map");
 }
 
-void CameraEstimator::match(Estimate& estimate, const SummedImage& seen, StageClock& clock) {
-  estimate.predicted = measure(seen, estimate.catalogue, settings_.search, estimate.looks);
+void CameraEstimator::match(Estimate& estimate, const SummedImage& summed, StageClock& clock) {
+  estimate.predicted = active_search(summed, estimate.catalog, settings_.search, estimate.matches);
   clock.mark("search");
-  weigh_planes(estimate, camera_, seen.image(), settings_.search.patch_size_px, estimate.looks);
+  add_plane_uncertainty(estimate, camera_, summed.image(), settings_.search.patch_size_px, estimate.matches);
   clock.mark("planes");
-  estimate.matched = reject_inconsistent(estimate, settings_, estimate.looks);
+  estimate.matched = reject_outliers(estimate, settings_, estimate.matches);
   clock.mark("consensus");
   correct(estimate);
   if (estimate.update.outcome == UpdateReport::Outcome::singular) estimate.matched = 0;  // none was used
-  if (estimate.update.outcome == UpdateReport::Outcome::updated) learn_planes(estimate, estimate.looks);
+  if (estimate.update.outcome == UpdateReport::Outcome::updated)
+    estimate_patch_planes(estimate, estimate.matches);
   clock.mark("update");
 }
 
-void CameraEstimator::keep_map(Estimate& estimate, const SummedImage& seen, StageClock& clock) {
+void CameraEstimator::maintain_map(Estimate& estimate, const SummedImage& summed, StageClock& clock) {
   count_attempts(estimate);
-  simplify_landmarks(estimate, settings_.birth);
-  follow_lines(seen, estimate, camera_, settings_);
+  simplify_landmarks(estimate, settings_.initialization);
+  update_depth_lines(summed, estimate, camera_, settings_);
   clock.mark("lines");
-  add_landmarks(estimate, seen.image());
+  add_landmarks(estimate, summed.image());
   clock.mark("births");
   delete_bad_landmarks(estimate, settings_.map);
 }
 
 /// The camera stands still where it was last believed to be, as unsure as a short search around allows.
-void CameraEstimator::get_lost(Estimate& estimate) const {
+void CameraEstimator::declare_lost(Estimate& estimate) const {
   CameraState x = estimate.camera_state();
   x.tail<6>().setZero();
   FreeCameraMotion::Jacobian N = FreeCameraMotion::Jacobian::Zero();
@@ -203,7 +205,7 @@ void CameraEstimator::get_lost(Estimate& estimate) const {
   FreeCameraMotion::Jacobian A = FreeCameraMotion::Jacobian::Identity();
   A.bottomRightCorner<6, 6>().setZero();
   estimate.belief.predict({estimate.camera, x, A, N});
-  std::erase_if(estimate.catalogue, [&](const Landmark& landmark) {
+  std::erase_if(estimate.catalog, [&](const Landmark& landmark) {
     if (landmark.kind != Landmark::Kind::line) return false;
     estimate.belief.drop(landmark.block);
     return true;
@@ -211,19 +213,19 @@ void CameraEstimator::get_lost(Estimate& estimate) const {
 }
 
 /// Lost: every frame tries the map from where the camera was lost; enough agreeing matches end it.
-void CameraEstimator::wait_in_place(Estimate& estimate, const SummedImage* seen) {
-  if (!estimate.started || !seen) return;
-  predict_looks(estimate, camera_, settings_, estimate.looks);
-  estimate.visible = static_cast<int>(estimate.looks.size());
-  estimate.predicted = measure(*seen, estimate.catalogue, settings_.search, estimate.looks);
-  weigh_planes(estimate, camera_, seen->image(), settings_.search.patch_size_px, estimate.looks);
-  estimate.matched = reject_inconsistent(estimate, settings_, estimate.looks);
+void CameraEstimator::wait_in_place(Estimate& estimate, const SummedImage* summed) {
+  if (!estimate.started || !summed) return;
+  predict_matches(estimate, camera_, settings_, estimate.matches);
+  estimate.visible = static_cast<int>(estimate.matches.size());
+  estimate.predicted = active_search(*summed, estimate.catalog, settings_.search, estimate.matches);
+  add_plane_uncertainty(estimate, camera_, summed->image(), settings_.search.patch_size_px, estimate.matches);
+  estimate.matched = reject_outliers(estimate, settings_, estimate.matches);
   const bool enough = estimate.matched >= std::min(matches_to_recover, settings_.search.max_measurements);
   if (enough) correct(estimate);
   if (!enough || !(sigma_position(estimate) <= settings_.lost.max_sigma_position_m)) {
-    if (enough) get_lost(estimate);  // matched, and still unsure: looked for around there
-    for (Look& look : estimate.looks)
-      if (look.outcome == LookOutcome::matched) look.outcome = LookOutcome::inconsistent;
+    if (enough) declare_lost(estimate);  // matched, and still unsure: looked for around there
+    for (FeatureMatch& match : estimate.matches)
+      if (match.outcome == MatchOutcome::matched) match.outcome = MatchOutcome::outlier;
     estimate.matched = 0;
     estimate.update = {};
     return;
@@ -234,14 +236,14 @@ void CameraEstimator::wait_in_place(Estimate& estimate, const SummedImage* seen)
 
 void CameraEstimator::add_landmarks(Estimate& estimate, const Image& image) {
   int visible = 0, lines = 0;
-  for (const Look& look : estimate.looks) visible += look.kind != Landmark::Kind::line;
-  for (const Landmark& landmark : estimate.catalogue) lines += landmark.kind == Landmark::Kind::line;
-  for (int i = 0; i < settings_.birth.max_new_per_frame; ++i) {
+  for (const FeatureMatch& match : estimate.matches) visible += match.kind != Landmark::Kind::line;
+  for (const Landmark& landmark : estimate.catalog) lines += landmark.kind == Landmark::Kind::line;
+  for (int i = 0; i < settings_.initialization.max_new_per_frame; ++i) {
     if (visible + lines + i >= settings_.map.wanted_visible) return;
     if (estimate.mapped_count() + lines >= settings_.map.max_landmarks) return;
     const auto corner = find_new_corner(image, estimate, camera_, settings_, random_);
     if (!corner) return;
-    if (!give_birth(image, *corner, estimate, camera_, settings_)) return;
+    if (!initialize_landmark(image, *corner, estimate, camera_, settings_)) return;
   }
 }
 

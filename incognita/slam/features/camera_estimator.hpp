@@ -30,21 +30,21 @@ class CameraEstimator {
   /// Brings the estimate from the tick before to this one. `command` is what was asked for since then.
   /// The first tick may have any number and any time: what was begun and when stands in the estimate. An
   /// image of another size than the camera's throws std::invalid_argument.
-  void update(Estimate& estimate, const Command& command, const Observation& seen, const Tick& tick);
+  void update(Estimate& estimate, const Command& command, const Observation& observation, const Tick& tick);
 
   const Camera& camera() const { return camera_; }
   const CameraSlamSettings& settings() const { return settings_; }
 
  private:
   /// Images are null where the tick brought none.
-  void start(Estimate& estimate, const SummedImage* seen, const Tick& tick, StageClock& clock);
+  void start(Estimate& estimate, const SummedImage* summed, const Tick& tick, StageClock& clock);
   void start_at(Estimate& estimate, const CameraState& x, const Eigen::Matrix<double, 6, 6>& pose_cov);
   void predict(Estimate& estimate, const Command& command, double dt) const;
-  void track(Estimate& estimate, const SummedImage* seen, const Tick& tick, StageClock& clock);
-  void match(Estimate& estimate, const SummedImage& seen, StageClock& clock);
-  void keep_map(Estimate& estimate, const SummedImage& seen, StageClock& clock);
-  void wait_in_place(Estimate& estimate, const SummedImage* seen);
-  void get_lost(Estimate& estimate) const;
+  void track(Estimate& estimate, const SummedImage* summed, const Tick& tick, StageClock& clock);
+  void match(Estimate& estimate, const SummedImage& summed, StageClock& clock);
+  void maintain_map(Estimate& estimate, const SummedImage& summed, StageClock& clock);
+  void wait_in_place(Estimate& estimate, const SummedImage* summed);
+  void declare_lost(Estimate& estimate) const;
   void correct(Estimate& estimate) const;
   void add_landmarks(Estimate& estimate, const Image& image);
   static void refresh_entropy(Estimate& estimate, const Tick& tick);

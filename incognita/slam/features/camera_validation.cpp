@@ -47,10 +47,10 @@ void validate(const SearchSettings& s) {
   need_positive("search.max_half_axis_px", s.max_half_axis_px);
   need(s.gate_probability > 0 && s.gate_probability < 1, "search.gate_probability", s.gate_probability,
        "more than 0 and less than 1");
-  need_positive("search.max_alone_sigma_px", s.max_alone_sigma_px);
+  need_positive("search.max_alone_sigma_px", s.max_unconfirmed_sigma_px);
 }
 
-void validate(const BirthSettings& s) {
+void validate(const InitializationSettings& s) {
   need_at_least("birth.box_width_px", s.box_width_px, 16, "16 or more");
   need_at_least("birth.box_height_px", s.box_height_px, 16, "16 or more");
   need_not_negative("birth.min_corner_strength", s.min_corner_strength);
@@ -97,7 +97,7 @@ void validate(const CameraSlamSettings& s, const std::optional<Target>& target, 
               const std::optional<WheelOdometry>& odometry) {
   validate(s.filter);
   validate(s.search);
-  validate(s.birth);
+  validate(s.initialization);
   validate(s.map);
   validate(s.lost);
   need(max_search_s > 0, "start.max_search_s", max_search_s, "more than 0");

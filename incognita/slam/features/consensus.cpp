@@ -88,7 +88,8 @@ double variance_given_others(const Eigen::MatrixXd& inverse, int member) {
 
 }  // namespace
 
-std::vector<bool> agreeing_matches(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& S, double gate) {
+std::vector<bool> consistent_matches(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& S,
+                                     double gate) {
   std::vector<bool> agrees(residuals.size() / 2, false);
   std::vector<int> group = largest_group(residuals, S, gate);
   leave_one_out(residuals, S, gate, group);
@@ -96,8 +97,8 @@ std::vector<bool> agreeing_matches(const Eigen::VectorXd& residuals, const Eigen
   return agrees;
 }
 
-std::vector<bool> matches_alone(const Eigen::MatrixXd& S, const std::vector<bool>& agrees,
-                                const std::vector<bool>& returning, double max_sigma_px) {
+std::vector<bool> unconfirmed_matches(const Eigen::MatrixXd& S, const std::vector<bool>& agrees,
+                                      const std::vector<bool>& returning, double max_sigma_px) {
   std::vector<bool> alone(agrees.size(), false);
   std::vector<int> group;
   bool any = false;

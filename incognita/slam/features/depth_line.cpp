@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "incognita/slam/features/predict_looks.hpp"
+#include "incognita/slam/features/predict_matches.hpp"
 
 namespace incognita {
 namespace {
@@ -26,23 +26,23 @@ InverseDepthLandmark::State line_at(const Landmark& line, const Belief& belief, 
 /// Where each hypothesis should be seen, with the ellipse that camera and ray uncertainty give it.
 std::vector<Hypothesis> project(const Landmark& line, const Estimate& estimate, const Camera& camera,
                                 const CameraSlamSettings& settings) {
-  std::vector<Hypothesis> seen;
+  std::vector<Hypothesis> predictions;
   const CameraState from = estimate.camera_state();
   const double pixel_var = std::pow(settings.filter.sigma_pixel_px, 2);
   Eigen::MatrixXd S(2, 2);
   for (std::size_t i = 0; i < line.particles.size(); ++i) {
-    const auto look =
-        line.birth_axes.look(camera, from, line_at(line, estimate.belief, line.particles[i].inverse_depth));
-    if (!look || !camera.contains(look->pixel, settings.search.patch_size_px / 2 + 1)) continue;
-    AffineLook affine;
-    affine.add(estimate.camera, look->Hv);
-    affine.add(line.block, look->Hl.leftCols<5>());
+    const auto prediction = line.initial_axes.predict_measurement(
+        camera, from, line_at(line, estimate.belief, line.particles[i].inverse_depth));
+    if (!prediction || !camera.contains(prediction->pixel, settings.search.patch_size_px / 2 + 1)) continue;
+    LinearizedMeasurement affine;
+    affine.add(estimate.camera, prediction->Hv);
+    affine.add(line.block, prediction->Hl.leftCols<5>());
     affine.residual = Eigen::Vector2d::Zero();
     affine.R = pixel_var * Eigen::Matrix2d::Identity();
     estimate.belief.innovation_covariance({&affine, 1}, S);
-    seen.push_back({i, {look->pixel, S, settings.search.gate_sigmas}});
+    predictions.push_back({i, {prediction->pixel, S, settings.search.gate_sigmas}});
   }
-  return seen;
+  return predictions;
 }
 
 /// The best match in the union of all ellipses; overlapping ellipses share the correlations of one sheet.
@@ -62,8 +62,8 @@ void start_sheet(CorrelationSheet& sheet, const SummedImage& image, const PatchT
   for (const Hypothesis& h : hypotheses) {
     const Eigen::Array2d half = (settings.gate_sigmas * h.ellipse.covariance.diagonal().array().sqrt())
                                     .min(settings.max_half_axis_px);
-    low = low.min(h.ellipse.centre.array() - half);
-    high = high.max(h.ellipse.centre.array() + half);
+    low = low.min(h.ellipse.center.array() - half);
+    high = high.max(h.ellipse.center.array() + half);
   }
   sheet.start(image, patch, static_cast<int>(low.x()) - 1, static_cast<int>(high.x()) + 2,
               static_cast<int>(low.y()) - 1, static_cast<int>(high.y()) + 2);
@@ -75,7 +75,7 @@ bool reweight(Landmark& line, const std::vector<Hypothesis>& hypotheses, const E
   std::vector<Landmark::Particle> kept;
   double total = 0;
   for (const Hypothesis& h : hypotheses) {
-    const Eigen::Vector2d r = found - h.ellipse.centre;
+    const Eigen::Vector2d r = found - h.ellipse.center;
     const double distance = r.dot(h.ellipse.covariance.inverse() * r);
     const double likelihood =
         std::exp(-0.5 * distance) / (2 * std::numbers::pi * std::sqrt(h.ellipse.covariance.determinant()));
@@ -110,7 +110,7 @@ Depth depth_of(const Landmark& line) {
 /// be.
 void become_point(Landmark& line, Belief& belief, const Depth& depth, double spacing_m) {
   const auto y = line_at(line, belief, 1 / depth.mean);
-  const auto point = line.birth_axes.point(y);
+  const auto point = line.initial_axes.point(y);
   const Eigen::Vector3d along = (point.position - y.head<3>()) / depth.mean;
   const double sigma = std::hypot(depth.sigma, spacing_m / std::sqrt(12.0));
   belief.replace(line.block, PointLandmark::chart, point.position, point.J.leftCols<5>(),
@@ -120,36 +120,37 @@ void become_point(Landmark& line, Belief& belief, const Depth& depth, double spa
 }
 
 /// What is shown of a line: its hypotheses as one Gaussian.
-LineLook look_along(const Landmark& line, const std::vector<Hypothesis>& hypotheses) {
-  LineLook look;
-  look.id = line.id;
+LineMatch predict_line_match(const Landmark& line, const std::vector<Hypothesis>& hypotheses) {
+  LineMatch match;
+  match.id = line.id;
   double total = 0;
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   Eigen::Matrix2d square = Eigen::Matrix2d::Zero();
-  const Eigen::Vector2d origin = hypotheses.front().ellipse.centre;
+  const Eigen::Vector2d origin = hypotheses.front().ellipse.center;
   for (const Hypothesis& h : hypotheses) {
     const double weight = line.particles[h.particle].weight;
-    const Eigen::Vector2d at = h.ellipse.centre - origin;
+    const Eigen::Vector2d at = h.ellipse.center - origin;
     total += weight;
     sum += weight * at;
     square += weight * (h.ellipse.covariance + at * at.transpose());
   }
   const Eigen::Vector2d mean = sum / total;
-  look.predicted = origin + mean;
-  look.innovation_cov = square / total - mean * mean.transpose();
-  return look;
+  match.predicted = origin + mean;
+  match.innovation_cov = square / total - mean * mean.transpose();
+  return match;
 }
 
 /// One line, one image. False when the line is to be given up.
 bool follow(Landmark& line, CorrelationSheet& sheet, const SummedImage& image, Estimate& estimate,
             const Camera& camera, const CameraSlamSettings& settings) {
   const auto hypotheses = project(line, estimate, camera, settings);
-  const auto fail = [&] { return ++line.line_failures < settings.birth.max_line_failures; };
+  const auto fail = [&] { return ++line.line_failures < settings.initialization.max_line_failures; };
   if (hypotheses.empty()) return fail();
-  LineLook& look = estimate.line_looks.emplace_back(look_along(line, hypotheses));
+  LineMatch& match = estimate.line_matches.emplace_back(predict_line_match(line, hypotheses));
   const Depth before = depth_of(line);
   const CameraState from = estimate.camera_state();
-  const Eigen::Vector3d at = line.birth_axes.point(line_at(line, estimate.belief, 1 / before.mean)).position;
+  const Eigen::Vector3d at =
+      line.initial_axes.point(line_at(line, estimate.belief, 1 / before.mean)).position;
   const auto middle = camera.project(PointLandmark::in_camera<double>(from, at));
   if (!middle) return fail();
   const auto warping = local_warp(line.view, line.view.plane.normal(), at, middle->pixel, camera, from);
@@ -158,28 +159,29 @@ bool follow(Landmark& line, CorrelationSheet& sheet, const SummedImage& image, E
   if (!patch) return fail();
   start_sheet(sheet, image, *patch, hypotheses, settings.search);
   const auto found = search_union(sheet, hypotheses, settings.search);
-  look.outcome = LookOutcome::not_found;
+  match.outcome = MatchOutcome::not_found;
   if (!found) return fail();
-  look.correlation = found->correlation;
+  match.correlation = found->correlation;
   if (found->correlation < settings.search.min_correlation) return fail();
   line.line_failures = 0;
-  look.measured = found->pixel;
-  look.outcome = LookOutcome::inconsistent;
+  match.measured = found->pixel;
+  match.outcome = MatchOutcome::outlier;
   if (!reweight(line, hypotheses, found->pixel)) return false;
-  look.outcome = LookOutcome::matched;
+  match.outcome = MatchOutcome::matched;
   const Depth depth = depth_of(line);
-  if (depth.sigma < settings.birth.depth_ratio * depth.mean)
+  if (depth.sigma < settings.initialization.depth_ratio * depth.mean)
     become_point(line, estimate.belief, depth,
-                 (settings.birth.max_depth_m - settings.birth.min_depth_m) / settings.birth.particles);
+                 (settings.initialization.max_depth_m - settings.initialization.min_depth_m) /
+                     settings.initialization.particles);
   return true;
 }
 
 }  // namespace
 
-void follow_lines(const SummedImage& image, Estimate& estimate, const Camera& camera,
-                  const CameraSlamSettings& settings) {
+void update_depth_lines(const SummedImage& image, Estimate& estimate, const Camera& camera,
+                        const CameraSlamSettings& settings) {
   CorrelationSheet sheet;
-  std::erase_if(estimate.catalogue, [&](Landmark& landmark) {
+  std::erase_if(estimate.catalog, [&](Landmark& landmark) {
     if (landmark.kind != Landmark::Kind::line) return false;
     if (follow(landmark, sheet, image, estimate, camera, settings)) return false;
     estimate.belief.drop(landmark.block);

@@ -14,7 +14,7 @@ namespace incognita {
 
 /// Searches for every line once and re-weights its hypotheses. Lines whose depth is known become points;
 /// lines that were not found too often, or whose hypotheses all failed, are dropped.
-void follow_lines(const SummedImage& image, Estimate& estimate, const Camera& camera,
-                  const CameraSlamSettings& settings);
+void update_depth_lines(const SummedImage& image, Estimate& estimate, const Camera& camera,
+                        const CameraSlamSettings& settings);
 
 }  // namespace incognita

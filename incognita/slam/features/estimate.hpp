@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "incognita/belief/belief.hpp"
-#include "incognita/models/camera_look.hpp"
+#include "incognita/models/camera_measurement.hpp"
 #include "incognita/slam/features/patch_plane.hpp"
 #include "incognita/slam/mapper/entropy_values.hpp"
 #include "incognita/slam/mapper/status.hpp"
@@ -41,10 +41,10 @@ struct Landmark {
 
   std::int64_t id = 0;
   Kind kind = Kind::point;
-  BlockId block = 0;                  ///< in the belief, unless an anchor
-  Eigen::Vector3d anchor{0, 0, 0};    ///< world, m; anchors only
-  InverseDepthLandmark birth_axes{};  ///< inverse depth and lines only
-  std::vector<Particle> particles;    ///< lines only
+  BlockId block = 0;                    ///< in the belief, unless an anchor
+  Eigen::Vector3d anchor{0, 0, 0};      ///< world, m; anchors only
+  InverseDepthLandmark initial_axes{};  ///< inverse depth and lines only
+  std::vector<Particle> particles;      ///< lines only
   PatchView view;
   int attempts = 0;       ///< searches in frames that were otherwise matched
   int matches = 0;        ///< of them, how many updated the filter
@@ -55,13 +55,13 @@ struct Landmark {
 };
 
 /// A landmark as it is expected in this frame, and what the search made of it.
-struct Look {
+struct FeatureMatch {
   std::size_t landmark = 0;  ///< index into the catalogue of this frame
   std::int64_t id = 0;
   Landmark::Kind kind = Landmark::Kind::point;
   Eigen::Vector2d predicted;       ///< px, from the belief before this image was used
   Eigen::Matrix2d innovation_cov;  ///< S_i = H_i P H_i' + R, px^2
-  CameraLookJacobian Hv;
+  CameraJacobian Hv;
   Eigen::Matrix<double, 2, Eigen::Dynamic, 0, 2, 6> Hl;  ///< no columns for anchors
   Eigen::Vector3d point;              ///< world, m: where the landmark was taken to be for the warp
   Eigen::Matrix2d texture_from_view;  ///< local map of pixels of this view to pixels of the patch's texture
@@ -69,34 +69,34 @@ struct Look {
   std::optional<PlaneEvidence> plane;                   ///< of a match on a plane that is not known
   Eigen::Matrix2d plane_cov = Eigen::Matrix2d::Zero();  ///< px^2: what that adds to the noise of the match
   double correlation = 0;
-  LookOutcome outcome = LookOutcome::not_tried;
+  MatchOutcome outcome = MatchOutcome::not_searched;
 };
 
 /// A line looked for along all its hypotheses of depth at once, after the camera has been corrected by the
 /// map's looks. It corrects no camera: `matched` re-weights the hypotheses, `inconsistent` means that none
 /// explains what was found.
-struct LineLook {
+struct LineMatch {
   std::int64_t id = 0;
   Eigen::Vector2d predicted;       ///< px, mean over the hypotheses in view, by weight
   Eigen::Matrix2d innovation_cov;  ///< px^2, about that mean: their own and how far they are apart
   std::optional<Eigen::Vector2d> measured;
   double correlation = 0;
-  LookOutcome outcome = LookOutcome::not_tried;
+  MatchOutcome outcome = MatchOutcome::not_searched;
 };
 
 struct Estimate {
   Belief belief{256};
   BlockId camera = 0;
   bool started = false;  ///< whether `belief` holds a camera at all
-  std::vector<Landmark> catalogue;
+  std::vector<Landmark> catalog;
   std::int64_t next_id = 0;
   TrackingStatus status;
   std::optional<double> first_t;    ///< s, of the first tick: when the search for the target began
   std::optional<double> entropy_t;  ///< s, when the entropy of the whole was last worked out
 
   // Of the last frame
-  std::vector<Look> looks;
-  std::vector<LineLook> line_looks;
+  std::vector<FeatureMatch> matches;
+  std::vector<LineMatch> line_matches;
   int predicted = 0;  ///< looks searched for
   int matched = 0;    ///< looks that updated the filter
   int visible = 0;    ///< landmarks expected in view
@@ -108,7 +108,7 @@ struct Estimate {
   /// Landmarks in the map: points and inverse-depth landmarks, not anchors and not lines.
   int mapped_count() const {
     int count = 0;
-    for (const Landmark& landmark : catalogue) count += landmark.mapped();
+    for (const Landmark& landmark : catalog) count += landmark.mapped();
     return count;
   }
 };

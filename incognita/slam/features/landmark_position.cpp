@@ -13,7 +13,7 @@ LandmarkPosition at_depth(const Landmark& landmark, const Belief& belief) {
     square += particle.weight * depth * depth;
   }
   y[5] = 1 / mean;
-  const auto point = landmark.birth_axes.point(y);
+  const auto point = landmark.initial_axes.point(y);
   const Eigen::Matrix<double, 3, 5> J = point.J.leftCols<5>();
   const Eigen::Vector3d along = (point.position - y.head<3>()) / mean;
   return {point.position, J * belief.covariance(landmark.block) * J.transpose() +
@@ -35,7 +35,7 @@ std::optional<LandmarkPosition> position_of(const Landmark& landmark, const Beli
   }
   const InverseDepthLandmark::State y = belief.mean(landmark.block);
   if (!(y[5] > 1e-6)) return std::nullopt;
-  const auto point = landmark.birth_axes.point(y);
+  const auto point = landmark.initial_axes.point(y);
   return LandmarkPosition{point.position, point.J * belief.covariance(landmark.block) * point.J.transpose()};
 }
 

@@ -19,6 +19,6 @@ void count_attempts(Estimate& estimate);
 void delete_bad_landmarks(Estimate& estimate, const MapSettings& settings);
 
 /// Turns inverse-depth landmarks into points where that changes nothing any more (Civera's index).
-void simplify_landmarks(Estimate& estimate, const BirthSettings& settings);
+void simplify_landmarks(Estimate& estimate, const InitializationSettings& settings);
 
 }  // namespace incognita

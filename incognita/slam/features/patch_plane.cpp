@@ -8,11 +8,11 @@ namespace incognita {
 namespace {
 
 constexpr int max_pixels = (max_patch_size - 2) * (max_patch_size - 2);
-constexpr double sigma_grey = 2;  // of the image and of the stored patch, each
+constexpr double sigma_gray = 2;  // of the image and of the stored patch, each
 // What is not noise (interpolation, light, a surface that is not flat) is alike in neighbouring pixels and
 // from view to view. Without these two, slopes were ten times surer than right, against the truth
 // of the room.
-constexpr double misfit_share = 0.1;  // of the patch's contrast, at the least
+constexpr double residual_share = 0.1;  // of the patch's contrast, at the least
 constexpr double correlated_pixels = 100;
 constexpr double max_step = 0.3;   // of a slope at once: beyond, the warp is no longer linear in it
 constexpr double max_slope = 2.5;  // 68 degrees: flatter planes are not tracked anyway
@@ -21,22 +21,22 @@ constexpr double max_slope = 2.5;  // 68 degrees: flatter planes are not tracked
 using Pixels = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_pixels, 1>;
 using Slopes = Eigen::Matrix<double, Eigen::Dynamic, 2, 0, max_pixels, 2>;
 
-template <typename Grey>
-Pixels inner_pixels(int size, const Grey& grey) {
+template <typename Gray>
+Pixels inner_pixels(int size, const Gray& gray) {
   Pixels pixels((size - 2) * (size - 2));
   Eigen::Index i = 0;
   for (int r = 1; r < size - 1; ++r)
-    for (int c = 1; c < size - 1; ++c) pixels[i++] = grey(r, c);
+    for (int c = 1; c < size - 1; ++c) pixels[i++] = gray(r, c);
   return pixels;
 }
 
 /// Grey levels of a template, up to a constant.
-auto grey_of(const PatchTemplate& patch) {
+auto gray_of(const PatchTemplate& patch) {
   return [&patch](int r, int c) { return patch.values[r * PatchTemplate::row_stride + c] / 8.0; };
 }
 
 /// Mean off, length one: what normalised correlation compares. Returns the length.
-double normalise(Pixels& pixels) {
+double normalize(Pixels& pixels) {
   pixels.array() -= pixels.mean();
   const double length = pixels.norm();
   if (length > 0) pixels /= length;
@@ -44,12 +44,12 @@ double normalise(Pixels& pixels) {
 }
 
 Slopes gradient(const PatchTemplate& patch) {
-  const auto grey = grey_of(patch);
+  const auto gray = gray_of(patch);
   Slopes slopes((patch.size - 2) * (patch.size - 2), 2);
   slopes.col(0) =
-      inner_pixels(patch.size, [&](int r, int c) { return (grey(r, c + 1) - grey(r, c - 1)) / 2; });
+      inner_pixels(patch.size, [&](int r, int c) { return (gray(r, c + 1) - gray(r, c - 1)) / 2; });
   slopes.col(1) =
-      inner_pixels(patch.size, [&](int r, int c) { return (grey(r + 1, c) - grey(r - 1, c)) / 2; });
+      inner_pixels(patch.size, [&](int r, int c) { return (gray(r + 1, c) - gray(r - 1, c)) / 2; });
   return slopes;
 }
 
@@ -64,10 +64,10 @@ std::optional<PlaneEvidence> plane_evidence(const Image& image, const Eigen::Vec
                                             const PatchTemplate& expected,
                                             const std::array<PatchTemplate, 2>& tilted, double slope_step) {
   const int size = expected.size, half = size / 2;
-  Pixels patch = inner_pixels(size, grey_of(expected));
-  Pixels seen = inner_pixels(
+  Pixels patch = inner_pixels(size, gray_of(expected));
+  Pixels observed_patch = inner_pixels(
       size, [&](int r, int c) { return image.sample(found.x() + c - half, found.y() + r - half); });
-  const double patch_length = normalise(patch), seen_length = normalise(seen);
+  const double patch_length = normalize(patch), seen_length = normalize(observed_patch);
   if (!(patch_length > 0 && seen_length > 0)) return std::nullopt;
   Slopes by_shift = gradient(expected) / patch_length;
   for (int k = 0; k < 2; ++k) {  // what correlation does not see: a common grey, more contrast
@@ -76,8 +76,8 @@ std::optional<PlaneEvidence> plane_evidence(const Image& image, const Eigen::Vec
   }
   Slopes by_slope(patch.size(), 2);
   for (int k = 0; k < 2; ++k) {
-    Pixels moved = inner_pixels(size, grey_of(tilted[k]));
-    if (!(normalise(moved) > 0)) return std::nullopt;
+    Pixels moved = inner_pixels(size, gray_of(tilted[k]));
+    if (!(normalize(moved) > 0)) return std::nullopt;
     by_slope.col(k) = (moved - patch * patch.dot(moved)) / slope_step;
   }
   const Eigen::Matrix2d structure = by_shift.transpose() * by_shift;
@@ -86,18 +86,18 @@ std::optional<PlaneEvidence> plane_evidence(const Image& image, const Eigen::Vec
   evidence.shift_per_slope = -structure.inverse() * (by_shift.transpose() * by_slope);
   // Least squares for shift and slope at once, the shift eliminated
   const Slopes free_of_shift = by_slope + by_shift * evidence.shift_per_slope;
-  const Pixels residual = seen - patch;
+  const Pixels residual = observed_patch - patch;
   const double noise_var =
-      sigma_grey * sigma_grey * (1 / (seen_length * seen_length) + 1 / (patch_length * patch_length));
+      sigma_gray * sigma_gray * (1 / (seen_length * seen_length) + 1 / (patch_length * patch_length));
   const double pixels = static_cast<double>(residual.size());
   const double var = correlated_pixels * (std::max(noise_var, residual.squaredNorm() / (pixels - 4)) +
-                                          misfit_share * misfit_share / pixels);
+                                          residual_share * residual_share / pixels);
   evidence.information = free_of_shift.transpose() * free_of_shift / var;
   evidence.gradient = free_of_shift.transpose() * residual / var;
   return evidence;
 }
 
-void learn_plane(PatchPlane& plane, const PlaneEvidence& evidence) {
+void update_patch_plane(PatchPlane& plane, const PlaneEvidence& evidence) {
   const Eigen::Matrix2d cov = (plane.slope_cov.inverse() + evidence.information).inverse();
   const Eigen::Vector2d step = cov * evidence.gradient;
   const Eigen::Vector2d whole = plane.slope + step;

@@ -18,7 +18,8 @@ struct PatchPlane {
                          1};    ///< unit, world: towards the camera at birth, or the normal if it is known
   Eigen::Vector2d slope{0, 0};  ///< tangents of the tilt away from `facing`
   Eigen::Matrix2d slope_cov = Eigen::Matrix2d::Zero();  ///< zero: the plane is known
-  Eigen::Vector3d learnt_from{0, 0, 0};  ///< camera position of the last view that taught anything, world, m
+  Eigen::Vector3d estimated_from{0, 0,
+                                 0};  ///< camera position of the last view that taught anything, world, m
 
   bool known() const { return slope_cov.isZero(0); }
   Eigen::Vector3d normal() const { return normal(slope); }
@@ -40,6 +41,6 @@ std::optional<PlaneEvidence> plane_evidence(const Image& image, const Eigen::Vec
                                             const std::array<PatchTemplate, 2>& tilted, double slope_step);
 
 /// Takes evidence into the slope and its covariance.
-void learn_plane(PatchPlane& plane, const PlaneEvidence& evidence);
+void update_patch_plane(PatchPlane& plane, const PlaneEvidence& evidence);
 
 }  // namespace incognita

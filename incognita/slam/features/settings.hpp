@@ -23,10 +23,11 @@ struct SearchSettings {
   int max_measurements = 12;     ///< looks searched for in a frame, the most uncertain first
   double max_half_axis_px = 60;  ///< an ellipse is searched no further out than this
   double gate_probability = 0.99;  ///< of a right match passing each consistency test
-  double max_alone_sigma_px = 8;   ///< what returns and the others tell nothing nearer of is not believed
+  double max_unconfirmed_sigma_px =
+      8;  ///< what returns and the others tell nothing nearer of is not believed
 };
 
-struct BirthSettings {
+struct InitializationSettings {
   enum class Method { inverse_depth, depth_line };
   /// Of a patch: where its edges meet, or the peak of the corner measure.
   enum class Center { edges, peak };
@@ -35,7 +36,7 @@ struct BirthSettings {
   int box_width_px = 80;  ///< of the box a new feature is looked for in
   int box_height_px = 60;
   double min_corner_strength = 30;  ///< smaller eigenvalue of the structure tensor, grey levels^2 per pixel
-  Center centre = Center::edges;
+  Center center = Center::edges;
   double look_ahead_s = 0.5;  ///< a corner about to leave the view within this time is not taken
   double sigma_slope =
       0.7;  ///< tangent of a patch's tilt, per axis, before it is learnt; 0: faces the camera
@@ -80,7 +81,7 @@ struct StartSettings {
 struct CameraSlamSettings {
   FilterSettings filter;
   SearchSettings search;
-  BirthSettings birth;
+  InitializationSettings initialization;
   MapSettings map;
   LostSettings lost;
 };

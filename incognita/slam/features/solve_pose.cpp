@@ -18,10 +18,10 @@ double reproject(const std::vector<Eigen::Vector3d>& points, const std::vector<E
   Jtr.setZero();
   double sum = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto look = PointLandmark::look(camera, x, points[i]);
-    if (!look) return -1;
-    const Eigen::Matrix<double, 2, 6> J = look->Hv.leftCols<6>();
-    const Eigen::Vector2d r = pixels[i] - look->pixel;
+    const auto prediction = PointLandmark::predict_measurement(camera, x, points[i]);
+    if (!prediction) return -1;
+    const Eigen::Matrix<double, 2, 6> J = prediction->Hv.leftCols<6>();
+    const Eigen::Vector2d r = pixels[i] - prediction->pixel;
     JtJ += J.transpose() * J;
     Jtr += J.transpose() * r;
     sum += r.squaredNorm();

@@ -16,8 +16,8 @@ std::string of_matched(int matched, int searched, double gate_sigmas) {
 
 }  // namespace
 
-TrackingStatus judge(const TrackingStatus& before, int matched, int searched, double sigma_position_m,
-                     const CameraSlamSettings& settings) {
+TrackingStatus assess(const TrackingStatus& before, int matched, int searched, double sigma_position_m,
+                      const CameraSlamSettings& settings) {
   TrackingStatus now;
   const LostSettings& lost = settings.lost;
   now.reason = of_matched(matched, searched, settings.search.gate_sigmas);

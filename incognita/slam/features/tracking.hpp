@@ -7,8 +7,8 @@
 namespace incognita {
 
 /// The status after a frame in which `matched` of `searched` looks updated the filter.
-TrackingStatus judge(const TrackingStatus& before, int matched, int searched, double sigma_position_m,
-                     const CameraSlamSettings& settings);
+TrackingStatus assess(const TrackingStatus& before, int matched, int searched, double sigma_position_m,
+                      const CameraSlamSettings& settings);
 
 /// Largest standard deviation of the camera's position along any direction, m.
 double sigma_position(const Estimate& estimate);

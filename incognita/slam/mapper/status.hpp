@@ -24,28 +24,28 @@ inline const char* name(TrackingState state) {
 }
 
 /// What became of one landmark's look in a frame.
-enum class LookOutcome {
+enum class MatchOutcome {
   matched,
   not_found,
-  inconsistent,
-  alone,  ///< found where nothing speaks against it, and nothing else for it
-  not_tried,
-  born,  ///< a new landmark was made of it
+  outlier,
+  unconfirmed,  ///< found where nothing speaks against it, and nothing else for it
+  not_searched,
+  initialized,  ///< a new landmark was made of it
 };
 
-inline const char* name(LookOutcome outcome) {
+inline const char* name(MatchOutcome outcome) {
   switch (outcome) {
-    case LookOutcome::matched:
+    case MatchOutcome::matched:
       return "matched";
-    case LookOutcome::not_found:
+    case MatchOutcome::not_found:
       return "not-found";
-    case LookOutcome::inconsistent:
+    case MatchOutcome::outlier:
       return "inconsistent";
-    case LookOutcome::alone:
+    case MatchOutcome::unconfirmed:
       return "alone";
-    case LookOutcome::not_tried:
+    case MatchOutcome::not_searched:
       return "not-tried";
-    case LookOutcome::born:
+    case MatchOutcome::initialized:
       return "born";
   }
   return "unknown";

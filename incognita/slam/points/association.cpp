@@ -28,16 +28,16 @@ class BranchAndBound {
                  const AssociationSettings& settings)
       : pairings_(pairings), settings_(settings) {
     collect(alone);
-    std::vector<AffineLook> looks;
+    std::vector<LinearizedMeasurement> measurements;
     first_row_.assign(pairings.size(), -1);
     int rows = 0;
     for (const auto& options : options_)
       for (const int p : options) {
         first_row_[p] = rows;
-        rows += pairings[p].look.rows();
-        looks.push_back(pairings[p].look);
+        rows += pairings[p].linearized.rows();
+        measurements.push_back(pairings[p].linearized);
       }
-    if (rows > 0) belief.innovation_covariance(looks, S_);
+    if (rows > 0) belief.innovation_covariance(measurements, S_);
     L_.setZero(rows, rows);
     whitened_.setZero(rows);
     gates_ = gates_up_to(rows, settings.probability);
@@ -58,9 +58,9 @@ class BranchAndBound {
                  ? pairings_[a].measurement < pairings_[b].measurement
                  : alone[a] < alone[b];
     });
-    const std::vector<double> own_gates = gates_up_to(max_look_rows, settings_.probability);
+    const std::vector<double> own_gates = gates_up_to(max_measurement_rows, settings_.probability);
     for (const int p : order) {
-      if (!(alone[p] <= own_gates[pairings_[p].look.rows()])) continue;
+      if (!(alone[p] <= own_gates[pairings_[p].linearized.rows()])) continue;
       const int measurement = pairings_[p].measurement;
       if (options_.empty() || pairings_[options_.back().front()].measurement != measurement)
         options_.emplace_back();
@@ -75,12 +75,12 @@ class BranchAndBound {
   /// Puts a pairing at the end of the path; false, and nothing done, when the innovations are too improbable
   /// together. `distance2` becomes that of the longer path.
   bool push(int p, int rows, double& distance2) {
-    const AffineLook& look = pairings_[p].look;
-    const int n = look.rows();
+    const LinearizedMeasurement& linearized = pairings_[p].linearized;
+    const int n = linearized.rows();
     Eigen::MatrixXd cross(n, rows);
     int column = 0;
     for (const int q : path_) {
-      const int width = pairings_[q].look.rows();
+      const int width = pairings_[q].linearized.rows();
       cross.middleCols(column, width) = S_.block(first_row_[p], first_row_[q], n, width);
       column += width;
     }
@@ -89,7 +89,7 @@ class BranchAndBound {
     const Eigen::MatrixXd own = S_.block(first_row_[p], first_row_[p], n, n) - below * below.transpose();
     const Eigen::LLT<Eigen::MatrixXd> llt(own);
     if (llt.info() != Eigen::Success) return false;
-    const Eigen::VectorXd white = llt.matrixL().solve(look.residual - below * whitened_.head(rows));
+    const Eigen::VectorXd white = llt.matrixL().solve(linearized.residual - below * whitened_.head(rows));
     const double longer = distance2 + white.squaredNorm();
     if (!(longer <= gates_[rows + n])) return false;
     L_.block(rows, 0, n, rows) = below;
@@ -116,7 +116,7 @@ class BranchAndBound {
       if (!can_win(measurement + 1, 1, distance2)) return;
       double longer = distance2;
       if (taken(pairings_[p].landmark) || !push(p, rows, longer)) continue;
-      descend(measurement + 1, rows + pairings_[p].look.rows(), longer);
+      descend(measurement + 1, rows + pairings_[p].linearized.rows(), longer);
       path_.pop_back();
     }
     if (can_win(measurement + 1, 0, distance2)) descend(measurement + 1, rows, distance2);
@@ -146,10 +146,10 @@ std::vector<double> individual_distances(const AnyBelief& belief, std::span<cons
   std::vector<double> distances;
   Eigen::MatrixXd S;
   for (const Pairing& pairing : pairings) {
-    belief.innovation_covariance({&pairing.look, 1}, S);
+    belief.innovation_covariance({&pairing.linearized, 1}, S);
     const Eigen::LLT<Eigen::MatrixXd> llt(S);
     const double d2 = llt.info() == Eigen::Success
-                          ? llt.matrixL().solve(Eigen::VectorXd(pairing.look.residual)).squaredNorm()
+                          ? llt.matrixL().solve(Eigen::VectorXd(pairing.linearized.residual)).squaredNorm()
                           : never;
     distances.push_back(std::isfinite(d2) ? d2 : never);
   }
@@ -171,14 +171,14 @@ std::vector<int> nearest_first(std::span<const Candidate> candidates) {
   return chosen;
 }
 
-Association nearest_neighbours(const AnyBelief& belief, std::span<const Pairing> pairings,
-                               const AssociationSettings& settings) {
+Association nearest_neighbors(const AnyBelief& belief, std::span<const Pairing> pairings,
+                              const AssociationSettings& settings) {
   const std::vector<double> distances = individual_distances(belief, pairings);
-  const std::vector<double> own_gates = gates_up_to(max_look_rows, settings.probability);
+  const std::vector<double> own_gates = gates_up_to(max_measurement_rows, settings.probability);
   std::vector<Candidate> candidates;
   std::vector<int> inside;
   for (std::size_t p = 0; p < pairings.size(); ++p) {
-    if (!(distances[p] <= own_gates[pairings[p].look.rows()])) continue;
+    if (!(distances[p] <= own_gates[pairings[p].linearized.rows()])) continue;
     candidates.push_back({pairings[p].measurement, pairings[p].landmark, distances[p]});
     inside.push_back(static_cast<int>(p));
   }

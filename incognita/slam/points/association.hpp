@@ -10,15 +10,15 @@
 #include <span>
 #include <vector>
 
-#include "incognita/belief/affine.hpp"
 #include "incognita/belief/any_belief.hpp"
+#include "incognita/belief/linearized.hpp"
 
 namespace incognita {
 
 struct Pairing {
   int measurement = 0;
-  int landmark = 0;  ///< any number that tells landmarks apart
-  AffineLook look;   ///< of that landmark, with the residual of that measurement
+  int landmark = 0;                  ///< any number that tells landmarks apart
+  LinearizedMeasurement linearized;  ///< of that landmark, with the residual of that measurement
 };
 
 struct AssociationSettings {
@@ -46,8 +46,8 @@ std::vector<int> nearest_first(std::span<const Candidate> candidates);
 std::vector<double> individual_distances(const AnyBelief& belief, std::span<const Pairing> pairings);
 
 /// Of the pairings inside their own gate, the nearest first; each measurement and each landmark once.
-Association nearest_neighbours(const AnyBelief& belief, std::span<const Pairing> pairings,
-                               const AssociationSettings& settings);
+Association nearest_neighbors(const AnyBelief& belief, std::span<const Pairing> pairings,
+                              const AssociationSettings& settings);
 
 /// The most pairings that are inside their own gates and inside the gate of all together; of sets as large
 /// the one that is nearest.

@@ -40,7 +40,7 @@ struct RangeBearingSettings {
 };
 
 struct PlanarFilterSettings {
-  std::string lineariser = "analytic";  ///< `analytic`, `iterated`, `unscented-vehicle`, `first-estimate`
+  std::string linearization = "analytic";  ///< `analytic`, `iterated`, `unscented-vehicle`, `first-estimate`
   std::string map_frame = "world";  ///< `world` or `vehicle`: where landmarks are told, thesis Section 3.2
   std::string decorrelate = "nothing";   ///< `nothing`, `everything`, `map`, `map-linear`: thesis Section 3.3
   std::vector<Eigen::Vector2d> anchors;  ///< known landmarks, world, m
@@ -71,12 +71,12 @@ struct PlanarSlamSettings {
   PlanarLostSettings lost;
 };
 
-inline std::optional<FilterIncompatibility> conflict_in(const PlanarFilterSettings& filter) {
+inline std::optional<FilterIncompatibility> find_incompatibility(const PlanarFilterSettings& filter) {
   TeamFilterSettings same;
-  same.lineariser = filter.lineariser;
+  same.linearization = filter.linearization;
   same.map_frame = filter.map_frame;
   same.decorrelate = filter.decorrelate;
-  return conflict_in(same);
+  return find_incompatibility(same);
 }
 
 }  // namespace incognita

@@ -9,7 +9,7 @@ TeamMember member_of(const PlanarSlamSettings& s) {
   if (!motion_traits_of(s.vehicle.model).is_planar_pose())
     throw std::invalid_argument("vehicle.model = `" + s.vehicle.model +
                                 "`: must be one of `ackermann`, `differential-drive`");
-  TeamMember member{motion_of(s.vehicle), LaserScanner{}, {}, {}, {}, {}};
+  TeamMember member{motion_of(s.vehicle), RangeBearingSensor{}, {}, {}, {}, {}};
   const PlanarStartSettings& start = s.start;
   member.start = Eigen::Vector3d(start.position_m.x(), start.position_m.y(), wrap_angle(start.heading_rad));
   member.start_sigmas =
@@ -29,7 +29,7 @@ TeamMember member_of(const PlanarSlamSettings& s) {
 TeamSettings single_vehicle(const PlanarSlamSettings& s, const std::vector<std::int64_t>& anchor_identities) {
   TeamSettings team;
   team.members.push_back(member_of(s));
-  team.filter.lineariser = s.filter.lineariser;
+  team.filter.linearization = s.filter.linearization;
   team.filter.map_frame = s.filter.map_frame;
   team.filter.decorrelate = s.filter.decorrelate;
   team.association = s.association;

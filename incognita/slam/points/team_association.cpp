@@ -7,20 +7,21 @@
 
 #include "incognita/math/gaussian.hpp"
 #include "incognita/slam/points/association.hpp"
-#include "incognita/slam/points/team_looks.hpp"
+#include "incognita/slam/points/team_measurements.hpp"
 
 namespace incognita {
 namespace {
 
-bool has_anchor_identity(const Sighting& sighting, const TeamSettings& settings) {
-  return settings.anchors_have_identity && settings.anchors.count(sighting.identity) > 0;
+bool has_anchor_identity(const PointDetection& detection, const TeamSettings& settings) {
+  return settings.anchors_have_identity && settings.anchors.count(detection.identity) > 0;
 }
 
-std::vector<std::size_t> in_order(const std::vector<Sighting>& sightings, const TeamSettings& settings) {
-  std::vector<std::size_t> order(sightings.size());
+std::vector<std::size_t> in_order(const std::vector<PointDetection>& detections,
+                                  const TeamSettings& settings) {
+  std::vector<std::size_t> order(detections.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
-    const Sighting &a = sightings[i], &b = sightings[j];
+    const PointDetection &a = detections[i], &b = detections[j];
     const bool a_named = has_anchor_identity(a, settings), b_named = has_anchor_identity(b, settings);
     if (a_named != b_named) return a_named;
     if (a_named) return a.identity < b.identity;
@@ -32,18 +33,18 @@ std::vector<std::size_t> in_order(const std::vector<Sighting>& sightings, const 
 /// The detections without identity, against every landmark.
 class UnidentifiedDetections {
  public:
-  UnidentifiedDetections(const TeamEstimate& e, int vehicle, const std::vector<Sighting>& sightings,
+  UnidentifiedDetections(const TeamEstimate& e, int vehicle, const std::vector<PointDetection>& detections,
                          const std::vector<std::size_t>& unidentified, const TeamSettings& settings)
-      : e_(e), vehicle_(vehicle), sightings_(sightings), settings_(settings) {
+      : e_(e), vehicle_(vehicle), detections_(detections), settings_(settings) {
     const AnySensor& sensor = member().sensor;
     for (const std::size_t s : unidentified)
-      if (is_usable(sensor, sightings[s].z)) usable_.push_back(s);
+      if (is_usable(sensor, detections[s].z)) usable_.push_back(s);
     if (usable_.empty()) return;
-    const auto rows = static_cast<int>(sightings_[usable_.front()].z.size());
+    const auto rows = static_cast<int>(detections_[usable_.front()].z.size());
     gate_ = chi_square_quantile(settings.association.gate_probability, rows);
-    birth_gate_ = chi_square_quantile(settings.association.birth_probability, rows);
+    initialization_gate_ = chi_square_quantile(settings.association.initialization_probability, rows);
     is_new_.assign(usable_.size(), true);
-    for (const std::size_t s : usable_) points_.push_back(point_of(e, vehicle, sightings[s].z, settings));
+    for (const std::size_t s : usable_) points_.push_back(point_of(e, vehicle, detections[s].z, settings));
     if (!settings.anchors_have_identity)
       for (const auto& [number, position] : settings.anchors) gate_against(number);
     for (const auto& [number, landmark] : e.landmarks) gate_against(number);
@@ -66,7 +67,7 @@ class UnidentifiedDetections {
     for (std::size_t s = 0; s < usable_.size(); ++s) {
       if (!is_new_[s] || near_another(s, chosen)) continue;
       chosen.push_back(s);
-      out.newcomers.push_back(usable_[s]);
+      out.candidates.push_back(usable_[s]);
     }
   }
 
@@ -81,23 +82,23 @@ class UnidentifiedDetections {
   /// The prediction of a landmark is the same for all detections; only innovation and noise are their own.
   void gate_against(std::int64_t number) {
     auto expected =
-        linearised_sighting(e_, vehicle_, false, {number, sightings_[usable_.front()].z}, settings_);
+        linearize_detection(e_, vehicle_, false, {number, detections_[usable_.front()].z}, settings_);
     if (!expected) return;
     const std::optional<SmallVector> at = position(number);
-    e_.belief.innovation_covariance({&expected->look, 1}, S_);
-    const SmallMatrix predicted_cov = S_ - expected->look.R;
+    e_.belief.innovation_covariance({&expected->linearized, 1}, S_);
+    const SmallMatrix predicted_cov = S_ - expected->linearized.R;
     for (std::size_t s = 0; s < usable_.size(); ++s) {
       if (at && points_[s] && near(*points_[s], *at)) is_new_[s] = false;
-      measure(*expected, member(), sightings_[usable_[s]].z);
-      const Eigen::LLT<SmallMatrix> llt(SmallMatrix(predicted_cov + expected->look.R));
+      set_residual(*expected, member(), detections_[usable_[s]].z);
+      const Eigen::LLT<SmallMatrix> llt(SmallMatrix(predicted_cov + expected->linearized.R));
       if (llt.info() != Eigen::Success) continue;
-      const double distance = llt.matrixL().solve(SmallVector(expected->look.residual)).squaredNorm();
-      if (distance <= birth_gate_) is_new_[s] = false;
+      const double distance = llt.matrixL().solve(SmallVector(expected->linearized.residual)).squaredNorm();
+      if (distance <= initialization_gate_) is_new_[s] = false;
       if (distance > gate_) continue;
       const int measurement = static_cast<int>(s), landmark = static_cast<int>(numbers_.size());
       candidates_.push_back({measurement, landmark, distance});
       if (settings_.association.method == "joint")
-        pairings_.push_back({measurement, landmark, expected->look});
+        pairings_.push_back({measurement, landmark, expected->linearized});
     }
     numbers_.push_back(number);
   }
@@ -111,7 +112,7 @@ class UnidentifiedDetections {
   }
 
   bool near(const SmallVector& a, const SmallVector& b) const {
-    return (a - b).norm() < settings_.association.birth_distance_m;
+    return (a - b).norm() < settings_.association.initialization_distance_m;
   }
 
   /// Two detections so near to each other are of one new landmark.
@@ -123,12 +124,12 @@ class UnidentifiedDetections {
 
   const TeamEstimate& e_;
   int vehicle_;
-  const std::vector<Sighting>& sightings_;
+  const std::vector<PointDetection>& detections_;
   const TeamSettings& settings_;
   std::vector<std::size_t> usable_;                 ///< indices of detections
   std::vector<std::optional<SmallVector>> points_;  ///< of each in the frame of the map
   std::vector<bool> is_new_;                        ///< of each: outside every wide gate
-  double gate_ = 0, birth_gate_ = 0;
+  double gate_ = 0, initialization_gate_ = 0;
   std::vector<std::int64_t> numbers_;  ///< of the landmarks that candidates and pairings name
   std::vector<Candidate> candidates_;  ///< inside the gate
   std::vector<Pairing> pairings_;      ///< the same, linearized, for the joint search
@@ -137,19 +138,19 @@ class UnidentifiedDetections {
 
 }  // namespace
 
-ViewAssociation associate_view(const TeamEstimate& e, int vehicle, const std::vector<Sighting>& sightings,
-                               const TeamSettings& settings) {
+ViewAssociation associate_view(const TeamEstimate& e, int vehicle,
+                               const std::vector<PointDetection>& detections, const TeamSettings& settings) {
   ViewAssociation out;
-  out.order = in_order(sightings, settings);
-  out.landmarks.assign(sightings.size(), Detection::unknown);
+  out.order = in_order(detections, settings);
+  out.landmarks.assign(detections.size(), Detection::unknown);
   std::vector<std::size_t> unidentified;
   for (const std::size_t s : out.order) {
-    if (has_anchor_identity(sightings[s], settings))
-      out.landmarks[s] = sightings[s].identity;
+    if (has_anchor_identity(detections[s], settings))
+      out.landmarks[s] = detections[s].identity;
     else
       unidentified.push_back(s);
   }
-  UnidentifiedDetections(e, vehicle, sightings, unidentified, settings).associate(out);
+  UnidentifiedDetections(e, vehicle, detections, unidentified, settings).associate(out);
   return out;
 }
 

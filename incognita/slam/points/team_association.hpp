@@ -15,7 +15,7 @@ struct ViewAssociation {
   /// Per detection the number of its landmark or anchor, Detection::unknown where it has none.
   std::vector<std::int64_t> landmarks;
   std::vector<std::size_t>
-      newcomers;  ///< candidates for new landmarks: outside the wide gate of every landmark
+      candidates;  ///< candidates for new landmarks: outside the wide gate of every landmark
   /// All detections: anchors by number, then the others by their numbers. So the result, to the last bit, does not
   /// depend on the order of the detections, which might give away what they are.
   std::vector<std::size_t> order;
@@ -28,9 +28,9 @@ struct ViewAssociation {
 /// `nearest` takes the nearest pair first by the squared Mahalanobis distance r' S^-1 r, S = H P H' + R over the errors
 /// of vehicle and landmark and their correlations; `joint` takes the largest jointly compatible set
 /// (association.hpp). A detection outside every gate and inside a wide one, or nearer to a landmark than
-/// `birth_distance_m`, is neither associated nor a candidate; of two candidates nearer to each other than that, the
+/// `initialization_distance_m`, is neither associated nor a candidate; of two candidates nearer to each other than that, the
 /// first is.
 ViewAssociation associate_view(const TeamEstimate& estimate, int vehicle,
-                               const std::vector<Sighting>& landmarks, const TeamSettings& settings);
+                               const std::vector<PointDetection>& landmarks, const TeamSettings& settings);
 
 }  // namespace incognita

@@ -38,20 +38,20 @@ struct TeamVehicle {
 
 struct TeamLandmark {
   std::int64_t identity = 0;
-  LandmarkForm form;
+  LandmarkParametrization form;
   BlockId block = 0;
   SmallVector first;  ///< first estimate, where first-estimate Jacobians are taken
-  int sightings = 0;
+  int detection_count = 0;
 };
 
 /// A known landmark: no part of the belief.
 struct TeamAnchor {
   SmallVector position;  ///< world, m
-  int sightings = 0;
+  int detection_count = 0;
 };
 
 /// A detection and what was made of it.
-struct TeamLook {
+struct Match {
   int vehicle = 0;
   bool of_vehicle = false;
   bool anchor = false;
@@ -59,7 +59,7 @@ struct TeamLook {
   SmallVector measured;       ///< as the sensor measures
   SmallVector predicted;  ///< before the update; empty where there was no prediction, or of a new landmark
   SmallMatrix innovation_cov;  ///< of the innovation, rows x rows; empty likewise
-  LookOutcome outcome = LookOutcome::not_tried;
+  MatchOutcome outcome = MatchOutcome::not_searched;
 };
 
 /// A position fix that corrected a vehicle.
@@ -70,11 +70,11 @@ struct UsedFix {
 };
 
 /// The matches of a tick that passed the gate.
-struct UsedSightings {
-  std::vector<std::size_t> told;       ///< index of each in the estimate's list of looks
-  std::vector<std::size_t> newcomers;  ///< candidates for new landmarks, likewise
-  std::vector<AffineLook> looks;       ///< each linearized about the means before the update
-  Eigen::MatrixXd S;                   ///< innovation covariance of one
+struct Inliers {
+  std::vector<std::size_t> indices;                 ///< index of each in the estimate's list of looks
+  std::vector<std::size_t> candidates;              ///< candidates for new landmarks, likewise
+  std::vector<LinearizedMeasurement> measurements;  ///< each linearized about the means before the update
+  Eigen::MatrixXd S;                                ///< innovation covariance of one
 };
 
 struct TeamEstimate {
@@ -90,9 +90,9 @@ struct TeamEstimate {
   TrackingStatus status;
 
   // Of the last tick
-  std::vector<TeamLook> looks;
+  std::vector<Match> matches;
   std::vector<UsedFix> fixes;
-  UsedSightings used;  ///< kept so that a tick allocates nothing; for the estimator alone
+  Inliers inliers;  ///< kept so that a tick allocates nothing; for the estimator alone
   int matched = 0;
   UpdateReport update;
   bool refused = false;                        ///< an update or a fix could not be used within rounding
@@ -102,7 +102,7 @@ struct TeamEstimate {
   double recent_nis = 0, recent_rows = 0;      ///< of the last updates, each counting 0.9 of the one after it
   Entropy entropy;                             ///< of all vehicles; of map and whole about once a second
   std::optional<double> entropy_t;             ///< s, when that was last
-  std::int64_t unsettled_updates = 0;          ///< iterated updates that reached their cap so far
+  std::int64_t unconverged_updates = 0;        ///< iterated updates that reached their cap so far
   std::int64_t capped_associations = 0;        ///< joint searches that reached theirs
   std::vector<std::pair<const char*, double>> timing_ms;
 };

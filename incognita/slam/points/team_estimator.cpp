@@ -12,22 +12,22 @@
 #include "incognita/models/planar_frame.hpp"
 #include "incognita/slam/mapper/stage_clock.hpp"
 #include "incognita/slam/points/team_association.hpp"
-#include "incognita/slam/points/team_looks.hpp"
+#include "incognita/slam/points/team_measurements.hpp"
 #include "incognita/slam/points/team_motion.hpp"
 #include "incognita/slam/points/team_status.hpp"
 
 namespace incognita {
 namespace {
 
-double distance_of(const AffineLook& look, const SmallMatrix& S) {
-  return look.residual.dot(S.llt().solve(SmallVector(look.residual)));
+double distance_of(const LinearizedMeasurement& measurement, const SmallMatrix& S) {
+  return measurement.residual.dot(S.llt().solve(SmallVector(measurement.residual)));
 }
 
 /// Of sightings with so many numbers, which to believe.
 class Gate {
  public:
   explicit Gate(double probability) : shut_(probability < 1) {
-    for (int rows = 1; shut_ && rows <= max_look_rows; ++rows)
+    for (int rows = 1; shut_ && rows <= max_measurement_rows; ++rows)
       most_[static_cast<std::size_t>(rows)] = chi_square_quantile(probability, rows);
   }
   bool has(double distance, int rows) const {
@@ -36,22 +36,22 @@ class Gate {
 
  private:
   bool shut_;
-  std::array<double, max_look_rows + 1> most_{};
+  std::array<double, max_measurement_rows + 1> most_{};
 };
 
 }  // namespace
 
 TeamEstimator::TeamEstimator(TeamSettings settings) : settings_(std::move(settings)) {
-  const std::string fault = fault_in(settings_);
-  if (!fault.empty()) throw std::invalid_argument(fault);
+  const std::string problem = validate_team_settings(settings_);
+  if (!problem.empty()) throw std::invalid_argument(problem);
 }
 
 namespace {
 
 AnyBelief empty_belief(const TeamFilterSettings& filter) {
   if (filter.form == "information") return AnyBelief(InformationBelief());
-  return AnyBelief(
-      Belief(64, filter.decorrelate == "map-linear" ? MapCorrelations::dropped : MapCorrelations::kept));
+  return AnyBelief(Belief(
+      64, filter.decorrelate == "map-linear" ? MapCorrelations::block_diagonal : MapCorrelations::full));
 }
 
 /// The vehicle alone, or of a map in its frame also the world as it sees it.
@@ -72,22 +72,22 @@ void add_vehicle(TeamEstimate& e, const TeamMember& member, const SmallVector& s
   vehicle.prediction = e.belief.mean(vehicle.block);
 }
 
-double start_time(const TeamMember& member, const VehicleView& view, double t) {
+double start_time(const TeamMember& member, const VehicleObservation& view, double t) {
   if (member.start_time == TeamMember::StartTime::first_fix) return view.fixes.front().t;
   if (member.start_time == TeamMember::StartTime::first_reading && !view.odometry.empty())
     return std::min(t, view.odometry.front().t);
   return t;
 }
 
-bool waits_for_fix(const TeamMember& member, const VehicleView& view) {
+bool waits_for_fix(const TeamMember& member, const VehicleObservation& view) {
   return member.start_time == TeamMember::StartTime::first_fix && view.fixes.empty();
 }
 
 }  // namespace
 
-void TeamEstimator::start(TeamEstimate& e, const Observation& seen, const Tick& tick) const {
+void TeamEstimator::start(TeamEstimate& e, const Observation& observation, const Tick& tick) const {
   for (std::size_t i = 0; i < settings_.members.size(); ++i)
-    if (waits_for_fix(settings_.members[i], seen.team[i])) {
+    if (waits_for_fix(settings_.members[i], observation.team[i])) {
       e.status.reason = "waiting for the first position fix";
       return;
     }
@@ -102,8 +102,8 @@ void TeamEstimator::start(TeamEstimate& e, const Observation& seen, const Tick& 
     const TeamMember& member = settings_.members[i];
     SmallVector at = member.start;
     if (member.start_time == TeamMember::StartTime::first_fix)
-      at.head<2>() = seen.team[i].fixes.front().position;
-    add_vehicle(e, member, at, start_time(member, seen.team[i], tick.t),
+      at.head<2>() = observation.team[i].fixes.front().position;
+    add_vehicle(e, member, at, start_time(member, observation.team[i], tick.t),
                 settings_.filter.map_frame == "vehicle");
   }
   e.started = true;
@@ -115,129 +115,132 @@ namespace {
 void note(TeamEstimate& e, int vehicle, bool of_vehicle, std::int64_t identity, const SmallVector& z,
           const TeamSettings& settings) {
   const bool anchor = !of_vehicle && settings.anchors.count(identity) > 0;
-  e.looks.push_back({vehicle, of_vehicle, anchor, identity, z, {}, {}, LookOutcome::not_tried});
+  e.matches.push_back({vehicle, of_vehicle, anchor, identity, z, {}, {}, MatchOutcome::not_searched});
 }
 
 /// Linearises a sighting of what is known, and keeps it when it is inside the gate.
-void consider(TeamEstimate& e, std::size_t look, const Gate& gate, const TeamSettings& settings) {
-  TeamLook& told = e.looks[look];
-  UsedSightings& used = e.used;
-  if (!is_usable(settings.members[static_cast<std::size_t>(told.vehicle)].sensor, told.measured)) return;
+void linearize_and_gate(TeamEstimate& e, std::size_t index, const Gate& gate, const TeamSettings& settings) {
+  Match& match = e.matches[index];
+  Inliers& inliers = e.inliers;
+  if (!is_usable(settings.members[static_cast<std::size_t>(match.vehicle)].sensor, match.measured)) return;
   const auto at =
-      linearised_sighting(e, told.vehicle, told.of_vehicle, {told.identity, told.measured}, settings);
+      linearize_detection(e, match.vehicle, match.of_vehicle, {match.identity, match.measured}, settings);
   if (!at) return;
-  told.predicted = at->predicted;
-  e.belief.innovation_covariance({&at->look, 1}, used.S);
-  told.innovation_cov = used.S;
-  const bool inside = gate.has(distance_of(at->look, told.innovation_cov), at->look.rows());
-  told.outcome = inside ? LookOutcome::matched : LookOutcome::inconsistent;
+  match.predicted = at->predicted;
+  e.belief.innovation_covariance({&at->linearized, 1}, inliers.S);
+  match.innovation_cov = inliers.S;
+  const bool inside = gate.has(distance_of(at->linearized, match.innovation_cov), at->linearized.rows());
+  match.outcome = inside ? MatchOutcome::matched : MatchOutcome::outlier;
   if (!inside) return;
-  used.told.push_back(look);
-  used.looks.push_back(at->look);
+  inliers.indices.push_back(index);
+  inliers.measurements.push_back(at->linearized);
 }
 
 /// Whether a detection of the same vehicle and landmark comes before `end` in the list of this tick.
 bool was_measured(const TeamEstimate& e, int vehicle, std::int64_t identity, std::size_t end) {
-  return std::any_of(e.looks.begin(), e.looks.begin() + static_cast<std::ptrdiff_t>(end),
-                     [&](const TeamLook& look) {
-                       return look.vehicle == vehicle && !look.of_vehicle && look.identity == identity;
+  return std::any_of(e.matches.begin(), e.matches.begin() + static_cast<std::ptrdiff_t>(end),
+                     [&](const Match& match) {
+                       return match.vehicle == vehicle && !match.of_vehicle && match.identity == identity;
                      });
 }
 
 /// By the identities that the sensor measures, each once. Detections without identity are not used.
-void go_by_names(TeamEstimate& e, int vehicle, const VehicleView& view, const Gate& gate,
-                 const TeamSettings& settings) {
-  for (const Sighting& s : view.landmarks) {
+void associate_by_identity(TeamEstimate& e, int vehicle, const VehicleObservation& view, const Gate& gate,
+                           const TeamSettings& settings) {
+  for (const PointDetection& s : view.landmarks) {
     note(e, vehicle, false, s.identity, s.z, settings);
-    const std::size_t look = e.looks.size() - 1;
-    if (was_measured(e, vehicle, s.identity, look)) continue;
-    consider(e, look, gate, settings);
-    const bool known = e.looks[look].anchor || e.landmarks.count(s.identity) > 0;
-    if (!known && s.identity != Detection::unknown) e.used.newcomers.push_back(look);
+    const std::size_t index = e.matches.size() - 1;
+    if (was_measured(e, vehicle, s.identity, index)) continue;
+    linearize_and_gate(e, index, gate, settings);
+    const bool known = e.matches[index].anchor || e.landmarks.count(s.identity) > 0;
+    if (!known && s.identity != Detection::unknown) e.inliers.candidates.push_back(index);
   }
 }
 
 /// By where they are seen. Two vehicles may see the same new landmark, and only once it is in the map can the
 /// second one's sighting be held against it: so one vehicle gives births in a tick.
-void go_by_places(TeamEstimate& e, int vehicle, const VehicleView& view, const Gate& gate,
-                  const TeamSettings& settings) {
+void associate_by_position(TeamEstimate& e, int vehicle, const VehicleObservation& view, const Gate& gate,
+                           const TeamSettings& settings) {
   const ViewAssociation taken = associate_view(e, vehicle, view.landmarks, settings);
   e.association_capped = e.association_capped || taken.capped;
-  const std::size_t first = e.looks.size();
+  const std::size_t first = e.matches.size();
   for (std::size_t s = 0; s < view.landmarks.size(); ++s)
     note(e, vehicle, false, taken.landmarks[s], view.landmarks[s].z, settings);
-  for (const std::size_t s : taken.order) consider(e, first + s, gate, settings);
-  if (!e.used.newcomers.empty()) return;
-  for (const std::size_t s : taken.newcomers) e.used.newcomers.push_back(first + s);
+  for (const std::size_t s : taken.order) linearize_and_gate(e, first + s, gate, settings);
+  if (!e.inliers.candidates.empty()) return;
+  for (const std::size_t s : taken.candidates) e.inliers.candidates.push_back(first + s);
 }
 
 /// Notes every sighting, says what it is of, and keeps those that are to be used.
-void sort_out(TeamEstimate& e, const Observation& seen, const TeamSettings& settings) {
+void associate(TeamEstimate& e, const Observation& observation, const TeamSettings& settings) {
   const Gate gate(settings.filter.gate_probability);
-  e.used.told.clear();
-  e.used.looks.clear();
-  e.used.newcomers.clear();
+  e.inliers.indices.clear();
+  e.inliers.measurements.clear();
+  e.inliers.candidates.clear();
   e.association_capped = false;
-  const auto go = settings.association.method == "known" ? go_by_names : go_by_places;
-  for (std::size_t i = 0; i < seen.team.size(); ++i) {
+  const auto go = settings.association.method == "known" ? associate_by_identity : associate_by_position;
+  for (std::size_t i = 0; i < observation.team.size(); ++i) {
     const int vehicle = static_cast<int>(i);
-    go(e, vehicle, seen.team[i], gate, settings);
-    for (const Sighting& s : seen.team[i].vehicles) {
+    go(e, vehicle, observation.team[i], gate, settings);
+    for (const PointDetection& s : observation.team[i].vehicles) {
       note(e, vehicle, true, s.identity, s.z, settings);
-      consider(e, e.looks.size() - 1, gate, settings);
+      linearize_and_gate(e, e.matches.size() - 1, gate, settings);
     }
   }
   e.capped_associations += e.association_capped;
 }
 
 /// The same sightings about the belief's present means; without parts where the sensor could not have it.
-std::vector<AffineLook> linearised_again(const TeamEstimate& e, const TeamSettings& settings) {
-  std::vector<AffineLook> looks(e.used.looks.size());
-  for (std::size_t i = 0; i < looks.size(); ++i) {
-    const TeamLook& told = e.looks[e.used.told[i]];
+std::vector<LinearizedMeasurement> relinearized_measurements(const TeamEstimate& e,
+                                                             const TeamSettings& settings) {
+  std::vector<LinearizedMeasurement> measurements(e.inliers.measurements.size());
+  for (std::size_t i = 0; i < measurements.size(); ++i) {
+    const Match& match = e.matches[e.inliers.indices[i]];
     const auto at =
-        linearised_sighting(e, told.vehicle, told.of_vehicle, {told.identity, told.measured}, settings);
-    if (at) looks[i] = at->look;
+        linearize_detection(e, match.vehicle, match.of_vehicle, {match.identity, match.measured}, settings);
+    if (at) measurements[i] = at->linearized;
   }
-  return looks;
+  return measurements;
 }
 
 /// Blocks that the looks are from and at, each once.
-std::vector<BlockId> blocks_of(const std::vector<AffineLook>& looks) {
+std::vector<BlockId> blocks_of(const std::vector<LinearizedMeasurement>& measurements) {
   std::set<BlockId> blocks;
-  for (const AffineLook& look : looks)
-    for (int i = 0; i < look.part_count; ++i) blocks.insert(look.parts[static_cast<std::size_t>(i)].block);
+  for (const LinearizedMeasurement& measurement : measurements)
+    for (int i = 0; i < measurement.part_count; ++i)
+      blocks.insert(measurement.parts[static_cast<std::size_t>(i)].block);
   return {blocks.begin(), blocks.end()};
 }
 
-int& sightings_of(TeamEstimate& e, const TeamLook& look) {
-  return look.anchor ? e.anchors.at(look.identity).sightings : e.landmarks.at(look.identity).sightings;
+int& detection_count_of(TeamEstimate& e, const Match& match) {
+  return match.anchor ? e.anchors.at(match.identity).detection_count
+                      : e.landmarks.at(match.identity).detection_count;
 }
 
 void correct(TeamEstimate& e, const TeamSettings& settings) {
-  const UsedSightings& used = e.used;
-  if (used.looks.empty()) return;
-  if (settings.filter.lineariser == "iterated") {
-    const auto again = [&](const AnyBelief&) { return linearised_again(e, settings); };
+  const Inliers& inliers = e.inliers;
+  if (inliers.measurements.empty()) return;
+  if (settings.filter.linearization == "iterated") {
+    const auto again = [&](const AnyBelief&) { return relinearized_measurements(e, settings); };
     const IterationSettings until{.max_iterations = 20, .tolerance_sigmas = 1e-3};
-    const IterationReport report = update_iterated(e.belief, blocks_of(used.looks), again, until);
+    const IterationReport report = update_iterated(e.belief, blocks_of(inliers.measurements), again, until);
     e.update = report.update;
     e.iterations = report.iterations;
-    e.unsettled_updates += !report.converged;
+    e.unconverged_updates += !report.converged;
   } else {
-    e.update = e.belief.update(used.looks);
+    e.update = e.belief.update(inliers.measurements);
   }
   const bool done = e.update.outcome == UpdateReport::Outcome::updated;
   e.refused = e.refused || e.update.outcome == UpdateReport::Outcome::singular;
   constexpr double forgetting = 0.9;
   e.recent_nis = forgetting * e.recent_nis + (done ? e.update.nis : 0);
   e.recent_rows = forgetting * e.recent_rows + (done ? e.update.rows : 0);
-  for (const std::size_t i : used.told) {
-    TeamLook& told = e.looks[i];
-    told.outcome = done ? LookOutcome::matched : LookOutcome::inconsistent;
-    if (done && !told.of_vehicle) ++sightings_of(e, told);
+  for (const std::size_t i : inliers.indices) {
+    Match& match = e.matches[i];
+    match.outcome = done ? MatchOutcome::matched : MatchOutcome::outlier;
+    if (done && !match.of_vehicle) ++detection_count_of(e, match);
   }
-  e.matched = done ? static_cast<int>(used.told.size()) : 0;
+  e.matched = done ? static_cast<int>(inliers.indices.size()) : 0;
 }
 
 std::int64_t new_number(TeamEstimate& e) {
@@ -245,50 +248,51 @@ std::int64_t new_number(TeamEstimate& e) {
   return e.next_number++;
 }
 
-void give_births(TeamEstimate& e, const TeamSettings& settings) {
+void initialize_landmarks(TeamEstimate& e, const TeamSettings& settings) {
   const bool named = settings.association.method == "known";
-  for (const std::size_t look : e.used.newcomers) {
-    TeamLook& told = e.looks[look];
-    const std::int64_t identity = named ? told.identity : new_number(e);
+  for (const std::size_t index : e.inliers.candidates) {
+    Match& match = e.matches[index];
+    const std::int64_t identity = named ? match.identity : new_number(e);
     if (e.landmarks.count(identity) > 0) continue;  // another vehicle's sighting was before
-    if (!give_birth(e, told.vehicle, {identity, told.measured}, settings)) continue;
-    told.identity = identity;
-    told.outcome = LookOutcome::born;
+    if (!initialize_landmark(e, match.vehicle, {identity, match.measured}, settings)) continue;
+    match.identity = identity;
+    match.outcome = MatchOutcome::initialized;
   }
 }
 
 }  // namespace
 
-void TeamEstimator::update(TeamEstimate& e, const Command&, const Observation& seen, const Tick& tick) const {
-  if (seen.team.size() != settings_.members.size())
-    throw std::invalid_argument("observations of " + std::to_string(seen.team.size()) +
+void TeamEstimator::update(TeamEstimate& e, const Command&, const Observation& observation,
+                           const Tick& tick) const {
+  if (observation.team.size() != settings_.members.size())
+    throw std::invalid_argument("observations of " + std::to_string(observation.team.size()) +
                                 " vehicles were given to an estimator of " +
                                 std::to_string(settings_.members.size()));
   StageClock stage(e.timing_ms);
-  e.looks.clear();
+  e.matches.clear();
   e.fixes.clear();
   e.matched = e.iterations = 0;
   e.update = {};
   e.refused = false;
-  if (!e.started) start(e, seen, tick);
+  if (!e.started) start(e, observation, tick);
   if (!e.started) return;
   for (std::size_t i = 0; i < e.vehicles.size(); ++i) {
-    e.vehicles[i].wheels = seen.team[i].wheels;
-    predict_vehicle(e, i, seen.team[i], tick.t, settings_);
+    e.vehicles[i].wheels = observation.team[i].wheels;
+    predict_vehicle(e, i, observation.team[i], tick.t, settings_);
   }
   stage.mark("predict");
-  sort_out(e, seen, settings_);
+  associate(e, observation, settings_);
   stage.mark("associate");
   correct(e, settings_);
   stage.mark("update");
-  give_births(e, settings_);
-  settle_depths(e, settings_);
+  initialize_landmarks(e, settings_);
+  convert_converged_inverse_depths(e, settings_);
   stage.mark("births");
   recenter_map(e);
   if (settings_.filter.decorrelate == "everything") e.belief.decorrelate(Belief::Scope::everything);
   if (settings_.filter.decorrelate == "map") e.belief.decorrelate(Belief::Scope::map);
   stage.mark("decorrelate");
-  tell_poses(e);
+  update_poses(e);
   e.status = assess(e, settings_);
   stage.mark("poses");
   refresh_entropy(e, tick.t);
@@ -323,7 +327,7 @@ void express_in_world(const TeamEstimate& e, TeamVehicle& vehicle) {
 
 }  // namespace
 
-void TeamEstimator::tell_poses(TeamEstimate& e) const {
+void TeamEstimator::update_poses(TeamEstimate& e) const {
   for (std::size_t i = 0; i < e.vehicles.size(); ++i) {
     TeamVehicle& vehicle = e.vehicles[i];
     express_in_world(e, vehicle);

@@ -15,7 +15,7 @@
 namespace incognita {
 
 /// Why these cannot be; empty when they can.
-std::string fault_in(const TeamSettings& settings);
+std::string validate_team_settings(const TeamSettings& settings);
 
 class TeamEstimator {
  public:
@@ -29,12 +29,12 @@ class TeamEstimator {
   /// `seen.team`: one view for each vehicle, in their order; throws std::invalid_argument when there are
   /// others. Each vehicle is predicted through what it told to the tick's time; then all sightings are used
   /// at once.
-  void update(TeamEstimate& estimate, const Command& command, const Observation& seen,
+  void update(TeamEstimate& estimate, const Command& command, const Observation& observation,
               const Tick& tick) const;
 
  private:
-  void start(TeamEstimate& estimate, const Observation& seen, const Tick& tick) const;
-  void tell_poses(TeamEstimate& estimate) const;
+  void start(TeamEstimate& estimate, const Observation& observation, const Tick& tick) const;
+  void update_poses(TeamEstimate& estimate) const;
   void refresh_entropy(TeamEstimate& estimate, double t) const;
 
   TeamSettings settings_;

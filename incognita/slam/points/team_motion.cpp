@@ -3,22 +3,22 @@
 #include <algorithm>
 #include <type_traits>
 
-#include "incognita/belief/linearise.hpp"
-#include "incognita/slam/points/team_looks.hpp"
+#include "incognita/belief/linearize.hpp"
+#include "incognita/slam/points/team_measurements.hpp"
 
 namespace incognita {
 namespace {
 
-AffineMotion linearised_motion(const TeamMember& member, const std::string& lineariser,
-                               const AnyBelief& belief, BlockId block, const SmallVector& input,
-                               const SmallMatrix& Q, double dt) {
+LinearizedMotion linearized_motion(const TeamMember& member, const std::string& linearization,
+                                   const AnyBelief& belief, BlockId block, const SmallVector& input,
+                                   const SmallMatrix& Q, double dt) {
   const auto by = [&](const auto& model) {
     using Model = std::decay_t<decltype(model)>;
     constexpr int m = Model::input_size;
     const typename Model::template Input<double> u = input;
     const Eigen::Matrix<double, m, m> noise = Q;
-    if (lineariser == "unscented-vehicle") return unscented(model, belief, block, u, noise, dt);
-    return linearised(model, belief, block, u, noise, dt);
+    if (linearization == "unscented-vehicle") return unscented(model, belief, block, u, noise, dt);
+    return linearized(model, belief, block, u, noise, dt);
   };
   return std::visit([&](const auto& model) { return by(integrator_of(model)); }, member.motion);
 }
@@ -30,9 +30,9 @@ void hold(TeamEstimate& e, std::size_t which, const SmallVector& input, double d
   const TeamMember& member = settings.members[which];
   TeamVehicle& vehicle = e.vehicles[which];
   const SmallMatrix Q = member.input_sigmas.cwiseAbs2().asDiagonal() * std::max(1.0, period / dt);
-  AffineMotion motion =
-      linearised_motion(member, settings.filter.lineariser, e.belief, vehicle.block, input, Q, dt);
-  if (settings.filter.lineariser == "first-estimate")
+  LinearizedMotion motion =
+      linearized_motion(member, settings.filter.linearization, e.belief, vehicle.block, input, Q, dt);
+  if (settings.filter.linearization == "first-estimate")
     motion.A = planar::jacobian_between(planar::Pose<double>(vehicle.prediction),
                                         planar::Pose<double>(motion.x_next));
   vehicle.prediction = motion.x_next;
@@ -51,8 +51,8 @@ void hold_until(TeamEstimate& e, std::size_t which, double until, const TeamSett
 void correct_by_fix(TeamEstimate& e, std::size_t which, const PositionReading& fix,
                     const TeamSettings& settings) {
   const double sigma_m = settings.members[which].sigma_fix_m;
-  const AffineLook look = linearised_fix(e, which, fix.position, settings);
-  e.update = e.belief.update({&look, 1});
+  const LinearizedMeasurement measurement = linearized_fix(e, which, fix.position, settings);
+  e.update = e.belief.update({&measurement, 1});
   if (e.update.outcome == UpdateReport::Outcome::updated)
     e.fixes.push_back({static_cast<int>(which), fix.position, sigma_m});
   else
@@ -60,7 +60,7 @@ void correct_by_fix(TeamEstimate& e, std::size_t which, const PositionReading& f
 }
 
 /// The readings and fixes of one vehicle in the order of their times.
-void predict_through_readings(TeamEstimate& e, std::size_t which, const VehicleView& view, double t,
+void predict_through_readings(TeamEstimate& e, std::size_t which, const VehicleObservation& view, double t,
                               const TeamSettings& settings) {
   TeamVehicle& vehicle = e.vehicles[which];
   auto fix = view.fixes.begin();
@@ -84,7 +84,7 @@ void predict_through_readings(TeamEstimate& e, std::size_t which, const VehicleV
 
 }  // namespace
 
-void predict_vehicle(TeamEstimate& e, std::size_t which, const VehicleView& view, double t,
+void predict_vehicle(TeamEstimate& e, std::size_t which, const VehicleObservation& view, double t,
                      const TeamSettings& settings) {
   TeamVehicle& vehicle = e.vehicles[which];
   if (!view.input) return predict_through_readings(e, which, view, t, settings);
@@ -100,13 +100,13 @@ void recenter_map(TeamEstimate& e) {
   const BlockId vehicle = e.vehicles.front().block;
   const planar::Pose<double> moved = e.belief.mean(vehicle);
   const planar::FramedPose world = planar::in_frame(moved, planar::Pose<double>(e.belief.mean(*e.world)));
-  std::vector<Belief::Carried> others{{*e.world, world.pose, world.by_pose, world.by_frame}};
+  std::vector<Belief::MovedBlock> others{{*e.world, world.pose, world.by_pose, world.by_frame}};
   for (const auto& [identity, landmark] : e.landmarks) {
     const planar::FramedPoint at = planar::in_frame(moved, Eigen::Vector2d(e.belief.mean(landmark.block)));
     others.push_back({landmark.block, at.point, at.by_point, at.by_frame});
   }
   const Eigen::Matrix3d zero = Eigen::Matrix3d::Zero();
-  e.belief.carry({vehicle, Eigen::Vector3d::Zero(), zero, zero}, others);
+  e.belief.change_frame({vehicle, Eigen::Vector3d::Zero(), zero, zero}, others);
   e.vehicles.front().prediction = Eigen::Vector3d::Zero();
 }
 

@@ -30,14 +30,14 @@ struct TeamMember {
   double sigma_range_ratio = 0;  ///< added to the first of them, times the measurement: of ranges
   double sigma_fix_m = 0;        ///< of a position fix, per axis; 0: fixes do not correct the vehicle
   StartTime start_time = StartTime::first_tick;
-  Reach reach = {};  ///< beyond, landmarks are not expected to be measured
+  SensorLimits reach = {};  ///< beyond, landmarks are not expected to be measured
 };
 
 struct TeamFilterSettings {
-  std::string form = "covariance";      ///< `covariance` or `information`: the same estimate at another cost
-  std::string lineariser = "analytic";  ///< `analytic`, `iterated`, `unscented-vehicle`, `first-estimate`
-  double gate_probability = 1;          ///< of a correct match; matches outside are outliers. 1: no gate
-  double inverse_depth_per_m = 0.25;    ///< mean of the inverse depth of a landmark seen in a direction only
+  std::string form = "covariance";  ///< `covariance` or `information`: the same estimate at another cost
+  std::string linearization = "analytic";  ///< `analytic`, `iterated`, `unscented-vehicle`, `first-estimate`
+  double gate_probability = 1;             ///< of a correct match; matches outside are outliers. 1: no gate
+  double inverse_depth_per_m = 0.25;  ///< mean of the inverse depth of a landmark seen in a direction only
   double sigma_inverse_depth_per_m = 0.25;
   /// Linearity index below which an inverse depth becomes a point. 0.1 suffices for a single measurement, but a map
   /// accumulates the error of each.
@@ -53,15 +53,15 @@ struct FilterIncompatibility {
 };
 
 /// The first of them, if there is one.
-inline std::optional<FilterIncompatibility> conflict_in(const TeamFilterSettings& filter) {
+inline std::optional<FilterIncompatibility> find_incompatibility(const TeamFilterSettings& filter) {
   const bool in_vehicle_frame = filter.map_frame == "vehicle";
-  if (in_vehicle_frame && filter.lineariser == "first-estimate")
+  if (in_vehicle_frame && filter.linearization == "first-estimate")
     return {{"vehicle_filter.lineariser",
              "first-estimate Jacobians need a map in the world frame, vehicle_filter.map_frame = `world`"}};
   if (in_vehicle_frame && filter.decorrelate != "nothing")
     return {{"vehicle_filter.decorrelate",
              "must be `nothing` with vehicle_filter.map_frame = `vehicle`: such a map moves as a whole"}};
-  if (filter.lineariser == "iterated" && filter.decorrelate == "map-linear")
+  if (filter.linearization == "iterated" && filter.decorrelate == "map-linear")
     return {
         {"vehicle_filter.decorrelate",
          "must not be `map-linear` with vehicle_filter.lineariser = `iterated`: it uses measurements one after the "
@@ -71,11 +71,12 @@ inline std::optional<FilterIncompatibility> conflict_in(const TeamFilterSettings
 
 /// Which landmark a detection is of.
 struct DataAssociationSettings {
-  std::string method = "joint";       ///< `known` (by identity), `nearest` or `joint`
-  double gate_probability = 0.95;     ///< `nearest`, `joint`: of a correct match
-  std::int64_t max_nodes = 100000;    ///< `joint`: of the branch and bound search
-  double birth_probability = 0.9999;  ///< a detection outside this gate of every landmark is a new landmark
-  double birth_distance_m = 1.0;      ///< and at least this far from every landmark; 0: no such limit
+  std::string method = "joint";     ///< `known` (by identity), `nearest` or `joint`
+  double gate_probability = 0.95;   ///< `nearest`, `joint`: of a correct match
+  std::int64_t max_nodes = 100000;  ///< `joint`: of the branch and bound search
+  double initialization_probability =
+      0.9999;  ///< a detection outside this gate of every landmark is a new landmark
+  double initialization_distance_m = 1.0;  ///< and at least this far from every landmark; 0: no such limit
 };
 
 /// When the estimate is lost.
@@ -92,7 +93,7 @@ struct TeamSettings {
   std::vector<TeamMember> members;
   TeamFilterSettings filter;
   std::map<std::int64_t, SmallVector> anchors;  ///< known landmarks: a whole map, or those that fix the frame
-  DataAssociationSettings association = {.method = "known", .birth_distance_m = 0};
+  DataAssociationSettings association = {.method = "known", .initialization_distance_m = 0};
   TeamLostSettings lost = {};
   /// Whether detections of anchors carry their number as identity. Without it anchors are associated as other
   /// landmarks are.

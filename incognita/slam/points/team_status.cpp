@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "incognita/math/gaussian.hpp"
-#include "incognita/slam/points/team_looks.hpp"
+#include "incognita/slam/points/team_measurements.hpp"
 
 namespace incognita {
 namespace {
@@ -22,10 +22,11 @@ int landmarks_in_view(const TeamEstimate& e, std::size_t vehicle, const TeamSett
   const SmallVector state = e.belief.mean(e.vehicles[vehicle].block);
   const SmallVector from = position_of(member.motion, state, dimensions_of(member.sensor)).position;
   int count = 0;
-  const auto add = [&](const LandmarkForm& form, const SmallVector& landmark) {
-    const auto look = look_at(member.sensor, member.motion, state, form, landmark);
+  const auto add = [&](const LandmarkParametrization& form, const SmallVector& landmark) {
+    const auto prediction = predict_measurement(member.sensor, member.motion, state, form, landmark);
     const auto at = position_of(form, landmark);
-    count += look && at && is_in_view(member.sensor, member.reach, *look, (at->position - from).norm());
+    count += prediction && at &&
+             is_in_view(member.sensor, member.reach, *prediction, (at->position - from).norm());
   };
   for (const auto& [identity, anchor] : e.anchors) add({}, anchor_position(e, anchor.position));
   for (const auto& [identity, landmark] : e.landmarks) add(landmark.form, e.belief.mean(landmark.block));
@@ -33,8 +34,8 @@ int landmarks_in_view(const TeamEstimate& e, std::size_t vehicle, const TeamSett
 }
 
 bool detects(const TeamEstimate& e, std::size_t vehicle) {
-  return std::any_of(e.looks.begin(), e.looks.end(), [&](const TeamLook& look) {
-    return look.vehicle == static_cast<int>(vehicle) && !look.of_vehicle;
+  return std::any_of(e.matches.begin(), e.matches.end(), [&](const Match& match) {
+    return match.vehicle == static_cast<int>(vehicle) && !match.of_vehicle;
   });
 }
 

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "incognita/math/random.hpp"
-#include "incognita/models/on_arc.hpp"
+#include "incognita/models/arc_motion.hpp"
 #include "incognita/models/range_bearing.hpp"
 
 namespace incognita {
@@ -25,10 +25,10 @@ RangeRecording::Scan scan_from(const planar::Pose<double>& pose, double t, const
                                const PlanarLoopSettings& s, RandomStream& noise) {
   RangeRecording::Scan scan{t, {}};
   for (const RangeRecording::Landmark& landmark : r.landmarks) {
-    const auto look = RangeBearing::look(pose, landmark.position);
-    if (!look || look->z[0] > s.max_range_m) continue;
-    const double range = look->z[0] + s.sigma_range_m * noise.normal();
-    const double bearing = wrap_angle(look->z[1] + s.sigma_bearing_rad * noise.normal());
+    const auto prediction = RangeBearing::predict_measurement(pose, landmark.position);
+    if (!prediction || prediction->z[0] > s.max_range_m) continue;
+    const double range = prediction->z[0] + s.sigma_range_m * noise.normal();
+    const double bearing = wrap_angle(prediction->z[1] + s.sigma_bearing_rad * noise.normal());
     scan.detections.push_back({range, bearing, landmark.identity});
   }
   return scan;
@@ -43,7 +43,7 @@ RangeRecording drive_planar_loop(const PlanarLoopSettings& s, std::uint64_t seed
   r.format = "simulated";
   r.vehicle = "differential-drive";
   r.landmarks = landmarks_around(s);
-  const OnArc<DifferentialDrive> plant{};
+  const ArcMotion<DifferentialDrive> plant{};
   const double dt = 1 / s.odometry_hz;
   const auto steps = static_cast<std::int64_t>(std::llround(s.duration_s * s.odometry_hz));
   const auto steps_per_scan = static_cast<std::int64_t>(std::llround(s.odometry_hz / s.scan_hz));

@@ -17,15 +17,15 @@ void need(bool ok, const std::string& what) {
   if (!ok) throw std::invalid_argument(what);
 }
 
-void check(const SimulatedVehicle& v, const PointPlace& place) {
-  const std::string fault = misfit(v.motion, v.sensor);
-  need(fault.empty(), fault);
+void check(const SimulatedVehicle& v, const PointLandmarks& place) {
+  const std::string problem = incompatibility(v.motion, v.sensor);
+  need(problem.empty(), problem);
   const int numbers = chart_of(v.sensor).tangent();
   need(v.sigmas.size() == numbers, "a sensor needs " + std::to_string(numbers) + " sigmas");
   need(v.sigmas.allFinite() && (v.sigmas.array() >= 0).all() && v.sigma_range_ratio >= 0 &&
            std::isfinite(v.sigma_range_ratio),
        "the sigmas of a sensor must be zero or positive");
-  need(v.ticks_per_look >= 1, "a sensor looks at every tick or more rarely");
+  need(v.ticks_per_measurement >= 1, "a sensor looks at every tick or more rarely");
   need(v.reach.max_range_m > 0 && v.reach.field_of_view_rad > 0,
        "how far and how wide a sensor sees must be positive");
   for (const auto& [identity, point] : place) {
@@ -40,13 +40,14 @@ void check(const SimulatedVehicle& v, const PointPlace& place) {
 }  // namespace
 
 TeamWorld::TeamWorld(const std::vector<SimulatedVehicle>& vehicles, std::uint64_t seed,
-                     std::vector<OperatorHand> hands)
-    : hands_(std::move(hands)) {
+                     std::vector<OperatorActuator> actuators)
+    : actuators_(std::move(actuators)) {
   if (vehicles.empty()) throw std::invalid_argument("a team needs a vehicle");
-  need(hands_.empty() || hands_.size() == vehicles.size(),
-       std::to_string(vehicles.size()) + " vehicles, and " + std::to_string(hands_.size()) + " operators");
+  need(
+      actuators_.empty() || actuators_.size() == vehicles.size(),
+      std::to_string(vehicles.size()) + " vehicles, and " + std::to_string(actuators_.size()) + " operators");
   for (std::size_t i = 0; i < vehicles.size(); ++i) {
-    need(hands_.empty() || traits_of(vehicles[i].motion).in_space(),
+    need(actuators_.empty() || traits_of(vehicles[i].motion).in_space(),
          "an operator moves a camera that is free");
     plants_.emplace_back(vehicles[i].motion, vehicles[i].plant, seed, stream_of("plant", i));
   }
@@ -54,8 +55,8 @@ TeamWorld::TeamWorld(const std::vector<SimulatedVehicle>& vehicles, std::uint64_
 
 SmallVector TeamWorld::input_of(const Command& command, std::size_t i) {
   const Plant& plant = plants_[i];
-  if (!hands_.empty() && last_t_)
-    return hands_[i].move(command, i, FreeCameraMotion::State<double>(plant.state()), *last_t_);
+  if (!actuators_.empty() && last_t_)
+    return actuators_[i].move(command, i, FreeCameraMotion::State<double>(plant.state()), *last_t_);
   return i < command.inputs.size() ? command.inputs[i] : SmallVector::Zero(inputs_of(plant.motion()));
 }
 
@@ -63,9 +64,9 @@ std::optional<Truth> TeamWorld::move(const Command& command, const Tick& tick) {
   Truth truth;
   for (std::size_t i = 0; i < plants_.size(); ++i) {
     truth.vehicles.push_back(plants_[i].move(input_of(command, i), tick.dt));
-    const SmallVector& carried_out = plants_[i].carried_out();
+    const SmallVector& executed = plants_[i].executed();
     // Nobody measures what a hand does
-    truth.inputs.push_back(hands_.empty() ? carried_out : SmallVector(SmallVector::Zero(carried_out.size())));
+    truth.inputs.push_back(actuators_.empty() ? executed : SmallVector(SmallVector::Zero(executed.size())));
     truth.poses.push_back(pose_of(plants_[i].motion(), truth.vehicles.back()));
   }
   last_t_ = tick.t;
@@ -76,14 +77,14 @@ std::optional<Truth> TeamWorld::move(const Command& command, const Tick& tick) {
   return truth;
 }
 
-TeamSensor::TeamSensor(std::vector<SimulatedVehicle> vehicles, PointPlace place, bool sees_vehicles,
+TeamSensor::TeamSensor(std::vector<SimulatedVehicle> vehicles, PointLandmarks place, bool sees_vehicles,
                        std::uint64_t seed, std::optional<std::set<std::int64_t>> named)
     : vehicles_(std::move(vehicles)),
-      place_(std::move(place)),
+      landmarks_(std::move(place)),
       sees_vehicles_(sees_vehicles),
       named_(std::move(named)) {
   for (std::size_t i = 0; i < vehicles_.size(); ++i) {
-    check(vehicles_[i], place_);
+    check(vehicles_[i], landmarks_);
     noise_.emplace_back(seed, stream_of("sensor", i));
   }
 }
@@ -94,9 +95,9 @@ std::optional<SmallVector> TeamSensor::measured(std::size_t i, const SmallVector
   const SmallVector from = position_of(v.motion, state, dimensions_of(v.sensor)).position;
   const double distance_m = (from - point).norm();
   if (!(distance_m <= v.reach.max_range_m)) return std::nullopt;
-  const auto look = look_at(v.sensor, v.motion, state, {}, point);
-  if (!look || !is_in_view(v.sensor, v.reach, *look, distance_m)) return std::nullopt;
-  SmallVector z = look->z, error(v.sigmas.size());
+  const auto prediction = predict_measurement(v.sensor, v.motion, state, {}, point);
+  if (!prediction || !is_in_view(v.sensor, v.reach, *prediction, distance_m)) return std::nullopt;
+  SmallVector z = prediction->z, error(v.sigmas.size());
   for (Eigen::Index k = 0; k < error.size(); ++k)
     error[k] = (v.sigmas[k] + (k == 0 ? v.sigma_range_ratio * std::abs(z[0]) : 0)) * noise_[i].normal();
   chart_of(v.sensor).plus({z.data(), static_cast<std::size_t>(z.size())},
@@ -105,10 +106,10 @@ std::optional<SmallVector> TeamSensor::measured(std::size_t i, const SmallVector
   return z;
 }
 
-void TeamSensor::look_around(std::size_t i, const Truth& truth, VehicleView& view) {
-  for (const auto& [identity, point] : place_)
+void TeamSensor::measure_vehicle(std::size_t i, const Truth& truth, VehicleObservation& view) {
+  for (const auto& [identity, point] : landmarks_)
     if (auto z = measured(i, truth.vehicles[i], point)) view.landmarks.push_back({identity, *z});
-  take_names(view, truth_->at(i));
+  remove_identities(view, truth_->at(i));
   for (std::size_t j = 0; sees_vehicles_ && j < vehicles_.size(); ++j) {
     if (j == i) continue;
     const SmallVector other =
@@ -119,30 +120,31 @@ void TeamSensor::look_around(std::size_t i, const Truth& truth, VehicleView& vie
 }
 
 /// Nor may the order in which they come tell what they are.
-void TeamSensor::take_names(VehicleView& view, std::vector<std::int64_t>& truth) const {
-  const auto is_named = [&](const Sighting& s) { return !named_ || named_->count(s.identity) > 0; };
-  const auto nameless = std::stable_partition(view.landmarks.begin(), view.landmarks.end(), is_named);
-  std::stable_sort(nameless, view.landmarks.end(), [](const Sighting& a, const Sighting& b) {
-    return std::lexicographical_compare(a.z.begin(), a.z.end(), b.z.begin(), b.z.end());
-  });
-  for (const Sighting& s : view.landmarks) truth.push_back(s.identity);
-  for (auto s = nameless; s != view.landmarks.end(); ++s) s->identity = Detection::unknown;
+void TeamSensor::remove_identities(VehicleObservation& view, std::vector<std::int64_t>& truth) const {
+  const auto is_named = [&](const PointDetection& s) { return !named_ || named_->count(s.identity) > 0; };
+  const auto without_identity = std::stable_partition(view.landmarks.begin(), view.landmarks.end(), is_named);
+  std::stable_sort(without_identity, view.landmarks.end(),
+                   [](const PointDetection& a, const PointDetection& b) {
+                     return std::lexicographical_compare(a.z.begin(), a.z.end(), b.z.begin(), b.z.end());
+                   });
+  for (const PointDetection& s : view.landmarks) truth.push_back(s.identity);
+  for (auto s = without_identity; s != view.landmarks.end(); ++s) s->identity = Detection::unknown;
 }
 
-Observation TeamSensor::look(const std::optional<Truth>& truth, const Tick& tick) {
-  Observation seen;
+Observation TeamSensor::measure(const std::optional<Truth>& truth, const Tick& tick) {
+  Observation observation;
   if (!truth || truth->vehicles.size() != vehicles_.size())
     throw std::logic_error("a team's sensor without its team");
   truth_->assign(vehicles_.size(), {});
   for (std::size_t i = 0; i < vehicles_.size(); ++i) {
-    VehicleView view;
+    VehicleObservation view;
     if (tick.dt > 0) view.input = truth->inputs[i];
     if (i < truth->wheels.size()) view.wheels = truth->wheels[i];
-    if (ticks_ % vehicles_[i].ticks_per_look == 0) look_around(i, *truth, view);
-    seen.team.push_back(std::move(view));
+    if (ticks_ % vehicles_[i].ticks_per_measurement == 0) measure_vehicle(i, *truth, view);
+    observation.team.push_back(std::move(view));
   }
   ++ticks_;
-  return seen;
+  return observation;
 }
 
 }  // namespace incognita

@@ -28,11 +28,11 @@ double covered(double under, double over, double outside_texels) {
 
 }  // namespace
 
-Canvas::Canvas(double width_m, double height_m, double texel_m, double grey)
+Canvas::Canvas(double width_m, double height_m, double texel_m, double gray)
     : width_(std::max(1, static_cast<int>(std::lround(width_m / texel_m)))),
       height_(std::max(1, static_cast<int>(std::lround(height_m / texel_m)))),
       texel_m_(texel_m),
-      grey_(static_cast<std::size_t>(width_) * height_, static_cast<float>(grey)) {}
+      gray_(static_cast<std::size_t>(width_) * height_, static_cast<float>(gray)) {}
 
 void Canvas::add_noise(RandomStream& random, double cell_m, double amplitude) {
   const std::vector<Between> across = between_cells(width_, cell_m / texel_m_);
@@ -44,7 +44,7 @@ void Canvas::add_noise(RandomStream& random, double cell_m, double amplitude) {
   for (int v = 0; v < height_; ++v) {
     const float* upper = &lattice[static_cast<std::size_t>(down[v].cell) * columns];
     for (int c = 0; c < columns; ++c) line[c] = upper[c] + down[v].weight * (upper[c + columns] - upper[c]);
-    float* out = &grey_[static_cast<std::size_t>(v) * width_];
+    float* out = &gray_[static_cast<std::size_t>(v) * width_];
     for (int u = 0; u < width_; ++u) {
       const float* value = &line[across[u].cell];
       out[u] += value[0] + across[u].weight * (value[1] - value[0]);
@@ -52,7 +52,7 @@ void Canvas::add_noise(RandomStream& random, double cell_m, double amplitude) {
   }
 }
 
-void Canvas::polygon(std::span<const Point> corners, double grey) {
+void Canvas::polygon(std::span<const Point> corners, double gray) {
   struct Edge {
     Point from, outward;
   };
@@ -67,20 +67,20 @@ void Canvas::polygon(std::span<const Point> corners, double grey) {
   change(low, high, [&](double under, const Point& p) {
     double outside_m = -1e9;
     for (const Edge& edge : edges) outside_m = std::max(outside_m, edge.outward.dot(p - edge.from));
-    return covered(under, grey, outside_m / texel_m_);
+    return covered(under, gray, outside_m / texel_m_);
   });
 }
 
-void Canvas::disc(const Point& centre, double radius_m, double grey) {
+void Canvas::disc(const Point& center, double radius_m, double gray) {
   const Point reach = Point::Constant(radius_m);
-  change(centre - reach, centre + reach, [&](double under, const Point& p) {
-    return covered(under, grey, ((p - centre).norm() - radius_m) / texel_m_);
+  change(center - reach, center + reach, [&](double under, const Point& p) {
+    return covered(under, gray, ((p - center).norm() - radius_m) / texel_m_);
   });
 }
 
 Image Canvas::image() const {
   Image out(width_, height_);
-  std::transform(grey_.begin(), grey_.end(), out.row(0),
+  std::transform(gray_.begin(), gray_.end(), out.row(0),
                  [](float g) { return static_cast<std::uint8_t>(std::clamp(g, 0.0f, 255.0f) + 0.5f); });
   return out;
 }

@@ -17,7 +17,7 @@ class Canvas {
  public:
   using Point = Eigen::Vector2d;
 
-  Canvas(double width_m, double height_m, double texel_m, double grey);
+  Canvas(double width_m, double height_m, double texel_m, double gray);
 
   double width_m() const { return width_ * texel_m_; }
   double height_m() const { return height_ * texel_m_; }
@@ -25,8 +25,8 @@ class Canvas {
   /// Adds smooth value noise with one random value, uniform in +-amplitude, per cell.
   void add_noise(RandomStream& random, double cell_m, double amplitude);
   /// Fills a convex polygon whose corners go clockwise as seen (y down).
-  void polygon(std::span<const Point> corners, double grey);
-  void disc(const Point& centre, double radius_m, double grey);
+  void polygon(std::span<const Point> corners, double gray);
+  void disc(const Point& center, double radius_m, double gray);
   /// Multiplies every texel from `low` to `high` with a factor of its place: light and shadow.
   template <class Factor>
   void light(const Point& low, const Point& high, Factor factor);
@@ -39,7 +39,7 @@ class Canvas {
 
   int width_, height_;
   double texel_m_;
-  std::vector<float> grey_;
+  std::vector<float> gray_;
 };
 
 template <class Change>
@@ -51,14 +51,14 @@ void Canvas::change(const Point& low, const Point& high, Change change) {
   const int v0 = texel(low.y() - texel_m_, height_), v1 = texel(high.y() + texel_m_, height_);
   for (int v = v0; v <= v1; ++v)
     for (int u = u0; u <= u1; ++u) {
-      float& grey = grey_[static_cast<std::size_t>(v) * width_ + u];
-      grey = static_cast<float>(change(grey, Point((u + 0.5) * texel_m_, (v + 0.5) * texel_m_)));
+      float& gray = gray_[static_cast<std::size_t>(v) * width_ + u];
+      gray = static_cast<float>(change(gray, Point((u + 0.5) * texel_m_, (v + 0.5) * texel_m_)));
     }
 }
 
 template <class Factor>
 void Canvas::light(const Point& low, const Point& high, Factor factor) {
-  change(low, high, [&](double grey, const Point& p) { return grey * factor(p.x(), p.y()); });
+  change(low, high, [&](double gray, const Point& p) { return gray * factor(p.x(), p.y()); });
 }
 
 }  // namespace incognita

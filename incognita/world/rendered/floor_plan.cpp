@@ -15,15 +15,15 @@ using Point = Eigen::Vector2d;
 
 double cross(const Point& a, const Point& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-Point nearest_on(const std::array<Point, 2>& side, const Point& place) {
+Point nearest_on(const std::array<Point, 2>& side, const Point& position) {
   const Point along = side[1] - side[0];
-  const double share = (place - side[0]).dot(along) / along.squaredNorm();
+  const double share = (position - side[0]).dot(along) / along.squaredNorm();
   return side[0] + std::clamp(share, 0.0, 1.0) * along;
 }
 
 /// Where a ray crosses a side, as so many lengths of `direction`; infinite where it does not.
-double crossing(const std::array<Point, 2>& side, const Point& place, const Point& direction) {
-  const Point along = side[1] - side[0], to = side[0] - place;
+double crossing(const std::array<Point, 2>& side, const Point& position, const Point& direction) {
+  const Point along = side[1] - side[0], to = side[0] - position;
   const double turn = cross(direction, along);
   const double t = cross(to, along) / turn, share = cross(to, direction) / turn;
   const bool meets = turn != 0 && t >= 0 && share >= 0 && share <= 1;
@@ -42,38 +42,39 @@ FloorPlan::FloorPlan(const RoomLayout& layout) : inside_(layout.inside), boxes_(
   }
 }
 
-double FloorPlan::free_around(const Point& place) const {
+double FloorPlan::clearance_at(const Point& position) const {
   const auto covers = [&](const Box& box) {
-    return (place.array() > box.min.head<2>().array()).all() &&
-           (place.array() < box.max.head<2>().array()).all();
+    return (position.array() > box.min.head<2>().array()).all() &&
+           (position.array() < box.max.head<2>().array()).all();
   };
   if (!covers(inside_) || std::any_of(boxes_.begin(), boxes_.end(), covers)) return 0;
   double least = std::numeric_limits<double>::infinity();
-  for (const Side& side : sides_) least = std::min(least, (nearest_on(side, place) - place).norm());
+  for (const Side& side : sides_) least = std::min(least, (nearest_on(side, position) - position).norm());
   return least;
 }
 
 /// The nearest of a side inside a cone is where the side comes nearest of all, or where it leaves the cone.
-double FloorPlan::free_towards(const Point& place, double direction_rad, double half_width_rad,
-                               double reach_m) const {
+double FloorPlan::clearance_towards(const Point& position, double direction_rad, double half_width_rad,
+                                    double reach_m) const {
   double least = reach_m;
   for (const Side& side : sides_) {
     for (const double edge : {direction_rad - half_width_rad, direction_rad + half_width_rad})
-      least = std::min(least, crossing(side, place, {std::cos(edge), std::sin(edge)}));
-    const Point to = nearest_on(side, place) - place;
+      least = std::min(least, crossing(side, position, {std::cos(edge), std::sin(edge)}));
+    const Point to = nearest_on(side, position) - position;
     if (std::abs(wrap_angle(std::atan2(to.y(), to.x()) - direction_rad)) <= half_width_rad)
       least = std::min(least, to.norm());
   }
   return least;
 }
 
-std::vector<ConeRange> look_around(const FloorPlan& plan, const RangeRing& ring, const Point& place,
-                                   double heading_rad) {
+std::vector<ConeRange> measure_ranges(const FloorPlan& plan, const RangeRing& ring, const Point& position,
+                                      double heading_rad) {
   const double half = std::numbers::pi / ring.cones;
   std::vector<ConeRange> out;
   for (int i = 0; i < ring.cones; ++i) {
     const double bearing = wrap_angle((2 * i + 1) * half);
-    out.push_back({bearing, half, plan.free_towards(place, heading_rad + bearing, half, ring.reach_m)});
+    out.push_back(
+        {bearing, half, plan.clearance_towards(position, heading_rad + bearing, half, ring.reach_m)});
   }
   return out;
 }

@@ -15,12 +15,12 @@ class FloorPlan {
   explicit FloorPlan(const RoomLayout& layout);
 
   /// How far it is to the nearest wall or box, m; 0 inside a box and outside the walls.
-  double free_around(const Eigen::Vector2d& place) const;
+  double clearance_at(const Eigen::Vector2d& position) const;
 
   /// How far it is to the nearest wall or box within `half_width_rad` of a direction from +x; `reach_m` where
   /// there is none so near.
-  double free_towards(const Eigen::Vector2d& place, double direction_rad, double half_width_rad,
-                      double reach_m) const;
+  double clearance_towards(const Eigen::Vector2d& position, double direction_rad, double half_width_rad,
+                           double reach_m) const;
 
  private:
   using Side = std::array<Eigen::Vector2d, 2>;
@@ -38,7 +38,7 @@ struct RangeRing {
 };
 
 /// Free of noise. `heading_rad` is the vehicle's.
-std::vector<ConeRange> look_around(const FloorPlan& plan, const RangeRing& ring, const Eigen::Vector2d& place,
-                                   double heading_rad);
+std::vector<ConeRange> measure_ranges(const FloorPlan& plan, const RangeRing& ring,
+                                      const Eigen::Vector2d& position, double heading_rad);
 
 }  // namespace incognita

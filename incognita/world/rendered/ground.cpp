@@ -74,7 +74,7 @@ float Ground::meet(const std::array<float, 3>& eye, const std::array<float, 3>& 
   if (!(t >= 0)) return most;  // level or upwards above all ground
   float t_above = t, gap_above = 0;
   for (int i = 0; i < most_steps && t < most; ++i) {
-    const Place ground = at(eye[0] + t * d[0], eye[1] + t * d[1]);
+    const HeightAndSlope ground = at(eye[0] + t * d[0], eye[1] + t * d[1]);
     const float gap = eye[2] + t * d[2] - ground.height;
     if (gap < -touch_m && gap_above > 0) {
       t = t_above + (t - t_above) * gap_above / (gap_above - gap);

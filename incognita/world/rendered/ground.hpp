@@ -20,12 +20,12 @@ class Ground {
   double lowest_m() const { return lowest_m_; }
   double highest_m() const { return highest_m_; }
 
-  struct Place {
+  struct HeightAndSlope {
     float height = 0;                ///< m
     float slope_x = 0, slope_y = 0;  ///< m per m
   };
   /// Beyond the walls that of the nearest place inside.
-  Place at(float x, float y) const {
+  HeightAndSlope at(float x, float y) const {
     const float along = std::clamp((x - x0_m_) * per_m_, 0.0f, last_x_);
     const float across = std::clamp((y - y0_m_) * per_m_, 0.0f, last_y_);
     const int i = static_cast<int>(along), j = static_cast<int>(across);

@@ -12,12 +12,12 @@ constexpr int table_size = 1 << 17;
 
 }  // namespace
 
-ImageNoise::ImageNoise(double sigma_grey, std::uint64_t seed) : random_(seed, "sensor.image") {
-  if (!(sigma_grey >= 0 && sigma_grey <= 100))
-    throw std::invalid_argument("room sigma_image_grey must be 0 to 100, got " + std::to_string(sigma_grey));
-  if (sigma_grey == 0) return;
+ImageNoise::ImageNoise(double sigma_gray, std::uint64_t seed) : random_(seed, "sensor.image") {
+  if (!(sigma_gray >= 0 && sigma_gray <= 100))
+    throw std::invalid_argument("room sigma_image_grey must be 0 to 100, got " + std::to_string(sigma_gray));
+  if (sigma_gray == 0) return;
   table_.resize(table_size);
-  for (std::int16_t& n : table_) n = static_cast<std::int16_t>(std::lround(sigma_grey * random_.normal()));
+  for (std::int16_t& n : table_) n = static_cast<std::int16_t>(std::lround(sigma_gray * random_.normal()));
 }
 
 void ImageNoise::add_to(Image& image) {

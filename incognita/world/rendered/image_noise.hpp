@@ -11,8 +11,8 @@ namespace incognita {
 
 class ImageNoise {
  public:
-  /// Throws std::invalid_argument when sigma_grey is negative or above 100.
-  ImageNoise(double sigma_grey, std::uint64_t seed);
+  /// Throws std::invalid_argument when sigma_gray is negative or above 100.
+  ImageNoise(double sigma_gray, std::uint64_t seed);
 
   /// Adds to every pixel and keeps it within 0 to 255.
   void add_to(Image& image);

@@ -19,7 +19,7 @@ using Direction = std::array<float, 3>;  ///< world axes, of any length
 using BoxBits = std::uint32_t;           ///< one bit per box of the room
 
 constexpr int tile_px = RayTable::tile_px;
-constexpr float white_grey = 236, black_grey = 14;  // of the sheet
+constexpr float white_gray = 236, black_gray = 14;  // of the sheet
 constexpr int sheet_wall = 1;                       // at the upper end of x
 constexpr int floor_wall = 4;                       // at the lower end of z
 constexpr std::uint8_t nothing = 255;               // id where no surface is seen
@@ -43,16 +43,16 @@ struct TileView {
 };
 
 /// What a ray meets.
-struct Seen {
+struct VisibleParts {
   std::uint8_t id = nothing;  ///< of the surface
   float nearness = 0;         ///< on uneven ground: 1 / ray parameter, which is affine over a plane's pixels
 };
 
-inline int lit(int grey, const Surface& surface) {
-  return std::min(static_cast<int>(static_cast<float>(grey) * surface.light), 255 * 256);
+inline int lit(int gray, const Surface& surface) {
+  return std::min(static_cast<int>(static_cast<float>(gray) * surface.light), 255 * 256);
 }
 
-inline std::uint8_t rounded(int grey_256) { return static_cast<std::uint8_t>((grey_256 + 128) >> 8); }
+inline std::uint8_t rounded(int gray_256) { return static_cast<std::uint8_t>((gray_256 + 128) >> 8); }
 
 /// Share of a pixel's width, centred at `x`, that lies within +-half.
 float share_within(float x, float half, float width) {
@@ -86,8 +86,8 @@ class Picture {
   bool on_crest(std::size_t at) const;
   int mean_of_four(std::size_t at, const TileView& view) const;
 
-  int grey(float x, float y, float footprint, const TileView& view, Seen& seen) const;
-  int ground_grey(const Direction& d, float t, float footprint) const;
+  int gray(float x, float y, float footprint, const TileView& view, VisibleParts& visible) const;
+  int ground_gray(const Direction& d, float t, float footprint) const;
   Hit leave_room(const Direction& d, const Direction& inverse) const;
   void enter_boxes(const Direction& d, const Direction& inverse, BoxBits boxes, Hit& hit) const;
   int with_sheet(int wall, const Direction& d, float footprint) const;
@@ -188,12 +188,12 @@ void Picture::draw(Image& out) {
 void Picture::draw_rays(std::size_t first, int count, const TileView& view, std::uint8_t* pixels) {
   for (int i = 0; i < count; ++i) {
     const std::size_t at = first + i;
-    Seen seen;
+    VisibleParts visible;
     pixels[i] = 0;
     if (rays_.footprint[at] > 0)
-      pixels[i] = rounded(grey(rays_.x[at], rays_.y[at], rays_.footprint[at], view, seen));
-    ids_[at] = seen.id;
-    if (view.ground) nearness_[at] = seen.nearness;
+      pixels[i] = rounded(gray(rays_.x[at], rays_.y[at], rays_.footprint[at], view, visible));
+    ids_[at] = visible.id;
+    if (view.ground) nearness_[at] = visible.nearness;
   }
 }
 
@@ -206,10 +206,10 @@ void Picture::draw_wall(std::size_t first, int count, const TileView& view, std:
     const std::size_t at = first + i;
     pixels[i] = 0;
     if (!(rays_.footprint[at] > 0)) continue;
-    int grey = sample(surface.texture, covered, i);
+    int gray = sample(surface.texture, covered, i);
     if (view.sheet && view.wall == sheet_wall)
-      grey = with_sheet(grey, turned(rays_.x[at], rays_.y[at]), rays_.footprint[at]);
-    pixels[i] = rounded(lit(grey, surface));
+      gray = with_sheet(gray, turned(rays_.x[at], rays_.y[at]), rays_.footprint[at]);
+    pixels[i] = rounded(lit(gray, surface));
     ids_[at] = static_cast<std::uint8_t>(view.wall);
   }
 }
@@ -250,19 +250,19 @@ int Picture::mean_of_four(std::size_t at, const TileView& view) const {
   const int down = rays_.stride;
   const float xu = 0.125f * (x[1] - x[-1]), yu = 0.125f * (y[1] - y[-1]);  // a quarter pixel
   const float xv = 0.125f * (x[down] - x[-down]), yv = 0.125f * (y[down] - y[-down]);
-  Seen seen;
+  VisibleParts visible;
   int sum = 0;
   for (const auto& [du, dv] : {std::pair(-1.f, -1.f), {1.f, -1.f}, {-1.f, 1.f}, {1.f, 1.f}})
-    sum += grey(*x + du * xu + dv * xv, *y + du * yu + dv * yv, 0.6f * rays_.footprint[at], view, seen);
+    sum += gray(*x + du * xu + dv * xv, *y + du * yu + dv * yv, 0.6f * rays_.footprint[at], view, visible);
   return sum / 4;
 }
 
 /// The floor's paint where a ray along `d` meets uneven ground at `t`, laid on from above, lit from above.
-int Picture::ground_grey(const Direction& d, float t, float footprint) const {
+int Picture::ground_gray(const Direction& d, float t, float footprint) const {
   constexpr float lamp_x = 0.35f, lamp_y = 0.2f;  // of its direction, over that upwards
   const Surface& floor = room_.walls()[floor_wall];
   const float x = eye_[0] + t * d[0], y = eye_[1] + t * d[1];
-  const Ground::Place at = room_.ground()->at(x, y);
+  const Ground::HeightAndSlope at = room_.ground()->at(x, y);
   // As Plane::covered with the slope of the place: how fast ray and ground close in takes the normal's part
   const float closing = std::max(at.slope_x * d[0] + at.slope_y * d[1] - d[2], 1e-3f);
   const float footprint_m = t * footprint, stretch = footprint_m / closing;
@@ -277,17 +277,18 @@ int Picture::ground_grey(const Direction& d, float t, float footprint) const {
 }
 
 /// 256 times the grey that a ray sees, and what it meets.
-inline int Picture::grey(float x, float y, float footprint, const TileView& view, Seen& seen) const {
+inline int Picture::gray(float x, float y, float footprint, const TileView& view,
+                         VisibleParts& visible) const {
   const Direction d = turned(x, y), inverse{1.0f / d[0], 1.0f / d[1], 1.0f / d[2]};
   Hit hit = leave_room(d, inverse);
   if (view.boxes) enter_boxes(d, inverse, view.boxes, hit);
   if (view.ground) {
     if (const float t = room_.ground()->meet(eye_, d, hit.t); t < hit.t) {
-      seen = {floor_wall, 1 / t};
-      return ground_grey(d, t, footprint);
+      visible = {floor_wall, 1 / t};
+      return ground_gray(d, t, footprint);
     }
   }
-  seen = {static_cast<std::uint8_t>((hit.box + 1) * 6 + hit.surface), 0};
+  visible = {static_cast<std::uint8_t>((hit.box + 1) * 6 + hit.surface), 0};
   const Surface& surface = (hit.box < 0 ? room_.walls() : room_.box_surfaces(hit.box))[hit.surface];
   const Plane plane(surface, hit.surface / 2, distance_to(hit), position_);
   const int paint = sample(surface.texture, plane.covered<1>(r_, &x, &y, &footprint), 0);
@@ -345,7 +346,7 @@ inline int Picture::with_sheet(int wall, const Direction& d, float footprint) co
   const float paper = share_within(y, half_width, width) * share_within(z, half_height, height);
   const float ink = share_within(y, static_cast<float>(s.black_width / 2), width) *
                     share_within(z, static_cast<float>(s.black_height / 2), height);
-  const float sheet = white_grey + ink * (black_grey - white_grey);
+  const float sheet = white_gray + ink * (black_gray - white_gray);
   return static_cast<int>(static_cast<float>(wall) * (1 - paper) + 256 * sheet * paper);
 }
 

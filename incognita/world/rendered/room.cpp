@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "incognita/math/random.hpp"
-#include "incognita/world/rendered/decor.hpp"
+#include "incognita/world/rendered/surface_texture.hpp"
 
 namespace incognita {
 namespace {

@@ -8,7 +8,7 @@
 namespace incognita {
 namespace {
 
-constexpr std::uint8_t covered_grey = 8;  // a lens cap lets a little light through
+constexpr std::uint8_t covered_gray = 8;  // a lens cap lets a little light through
 
 }  // namespace
 
@@ -16,21 +16,21 @@ RoomCamera::RoomCamera(std::shared_ptr<const Room> room, const Camera& camera, c
                        std::uint64_t seed)
     : room_(std::move(room)),
       rays_(camera),
-      noise_(settings.sigma_image_grey, seed),
+      noise_(settings.sigma_image_gray, seed),
       cover_lens_from_s_(settings.cover_lens_from_s) {}
 
-Observation RoomCamera::look(const std::optional<Truth>& truth, const Tick& tick) {
+Observation RoomCamera::measure(const std::optional<Truth>& truth, const Tick& tick) {
   if (!truth) throw std::invalid_argument("the camera of the rendered room needs the true pose");
   auto image = std::make_shared<Image>();
   if (covered(tick))
-    *image = Image(rays_.width, rays_.height, covered_grey);
+    *image = Image(rays_.width, rays_.height, covered_gray);
   else
     render(*room_, rays_, free_camera::position(truth->camera), free_camera::orientation(truth->camera),
            *image);
   noise_.add_to(*image);
-  Observation seen;
-  seen.image = std::move(image);
-  return seen;
+  Observation observation;
+  observation.image = std::move(image);
+  return observation;
 }
 
 }  // namespace incognita

@@ -21,7 +21,7 @@ class RoomCamera final : public Sensor {
 
   /// The same seed and the same poses in the same order give the same bytes. Throws std::invalid_argument
   /// without a true pose: there is nothing to render.
-  Observation look(const std::optional<Truth>& truth, const Tick& tick) override;
+  Observation measure(const std::optional<Truth>& truth, const Tick& tick) override;
 
  private:
   bool covered(const Tick& tick) const { return cover_lens_from_s_ >= 0 && tick.t >= cover_lens_from_s_; }

@@ -10,7 +10,7 @@ namespace incognita {
 RoomVehicle::RoomVehicle(const TerrainVehicle& body, const Mount& mount, const PlantSettings& plant,
                          const RoomLayout& layout, double radius_m, std::uint64_t seed)
     : body_(body), mount_(mount), plan_(layout), radius_m_(radius_m), plant_(body, plant, seed, "vehicle") {
-  const double free_m = plan_.free_around(plant_.state().head<2>());
+  const double free_m = plan_.clearance_at(plant_.state().head<2>());
   if (free_m < radius_m)
     throw std::invalid_argument("the vehicle starts " + std::to_string(free_m) +
                                 " m from a wall or a box, and needs " + std::to_string(radius_m) +
@@ -19,8 +19,8 @@ RoomVehicle::RoomVehicle(const TerrainVehicle& body, const Mount& mount, const P
 
 /// It may turn where it stands, and leave what it stands too near to.
 void RoomVehicle::stop_at_obstacles(const SmallVector& before) {
-  const double free_m = plan_.free_around(plant_.state().head<2>());
-  held_up_ = free_m < radius_m_ && free_m < plan_.free_around(before.head<2>());
+  const double free_m = plan_.clearance_at(plant_.state().head<2>());
+  held_up_ = free_m < radius_m_ && free_m < plan_.clearance_at(before.head<2>());
   if (held_up_) plant_.put(Eigen::Vector3d(before[0], before[1], plant_.state()[2]));
 }
 
@@ -31,13 +31,13 @@ std::optional<Truth> RoomVehicle::move(const Command& command, const Tick& tick)
   const TerrainVehicle::State<double> x = plant_.state();
   TerrainVehicle::Input<double> u = plant_.in_force();
   if (held_up_) u[0] = 0;
-  const MountedCamera<TerrainVehicle::error_size> seat = mount_.on(body_.pose(x));
-  const Eigen::Matrix<double, 6, 1> speeds = seat.J * body_.rate<double>(x, u);
+  const MountedCamera<TerrainVehicle::error_size> mounted_pose = mount_.on(body_.pose(x));
+  const Eigen::Matrix<double, 6, 1> speeds = mounted_pose.J * body_.rate<double>(x, u);
   Truth truth;
-  truth.camera = seat.camera;
+  truth.camera = mounted_pose.camera;
   truth.camera.tail<6>() = speeds;
   truth.vehicles.push_back(plant_.state());
-  truth.inputs.push_back(plant_.carried_out());
+  truth.inputs.push_back(plant_.executed());
   return truth;
 }
 
@@ -45,16 +45,16 @@ RoomVehicleSensor::RoomVehicleSensor(RoomCamera camera, const RoomLayout& layout
                                      std::uint64_t seed)
     : camera_(std::move(camera)), plan_(layout), ring_(ring), noise_(seed, "vehicle.ranges") {}
 
-Observation RoomVehicleSensor::look(const std::optional<Truth>& truth, const Tick& tick) {
-  Observation seen = camera_.look(truth, tick);
+Observation RoomVehicleSensor::measure(const std::optional<Truth>& truth, const Tick& tick) {
+  Observation observation = camera_.measure(truth, tick);
   if (truth->vehicles.empty()) throw std::logic_error("a vehicle's sensor without its vehicle");
-  if (tick.dt > 0) seen.odometry.push_back({tick.t, truth->inputs.front()});
+  if (tick.dt > 0) observation.odometry.push_back({tick.t, truth->inputs.front()});
   const SmallVector& x = truth->vehicles.front();
-  seen.around = look_around(plan_, ring_, x.head<2>(), x[2]);
-  for (ConeRange& cone : seen.around)
+  observation.proximity_ranges = measure_ranges(plan_, ring_, x.head<2>(), x[2]);
+  for (ConeRange& cone : observation.proximity_ranges)
     if (cone.range_m < ring_.reach_m)
       cone.range_m = std::clamp(cone.range_m + ring_.sigma_m * noise_.normal(), 0.0, ring_.reach_m);
-  return seen;
+  return observation;
 }
 
 }  // namespace incognita

@@ -41,7 +41,7 @@ class RoomVehicleSensor final : public Sensor {
  public:
   RoomVehicleSensor(RoomCamera camera, const RoomLayout& layout, const RangeRing& ring, std::uint64_t seed);
 
-  Observation look(const std::optional<Truth>& truth, const Tick& tick) override;
+  Observation measure(const std::optional<Truth>& truth, const Tick& tick) override;
 
  private:
   RoomCamera camera_;

@@ -13,24 +13,24 @@ namespace incognita {
 class RoomWorld final : public World {
  public:
   RoomWorld(const RoomLayout& layout, const RoomSettings& settings, std::uint64_t seed,
-            std::optional<OperatorHand> hand = {})
-      : plant_(settings, layout, seed), hand_(std::move(hand)) {}
+            std::optional<OperatorActuator> actuator = {})
+      : plant_(settings, layout, seed), actuator_(std::move(actuator)) {}
 
   /// A tick without duration, as the first one is, changes nothing: it says where the camera starts.
   std::optional<Truth> move(const Command& command, const Tick& tick) override {
-    Command carried_out = command;
-    if (hand_ && last_t_) {
-      const FreeCameraMotion::Input<double> input = hand_->move(command, 0, plant_.state(), *last_t_);
-      carried_out.linear_acceleration = input.head<3>();
-      carried_out.angular_acceleration = input.tail<3>();
+    Command executed = command;
+    if (actuator_ && last_t_) {
+      const FreeCameraMotion::Input<double> input = actuator_->move(command, 0, plant_.state(), *last_t_);
+      executed.linear_acceleration = input.head<3>();
+      executed.angular_acceleration = input.tail<3>();
     }
     last_t_ = tick.t;
-    return Truth{plant_.move(carried_out, tick.dt)};
+    return Truth{plant_.move(executed, tick.dt)};
   }
 
  private:
   FreeCameraPlant plant_;
-  std::optional<OperatorHand> hand_;
+  std::optional<OperatorActuator> actuator_;
   std::optional<double> last_t_;  ///< of the tick before: when the command was given
 };
 

@@ -18,7 +18,7 @@ struct RangeRecording {
     std::vector<Detection> vehicles =
         {};  ///< others of a team, the identity being which one, from 0; where asked for
   };
-  struct Place {
+  struct TimedPosition {
     double t = 0;                        ///< s
     Eigen::Vector2d position{0.0, 0.0};  ///< world, m: of the sensor
     std::optional<double> heading_rad;   ///< from +x, positive to the left; GPS does not tell
@@ -28,12 +28,13 @@ struct RangeRecording {
     Eigen::Vector2d position{0.0, 0.0};  ///< world, m
   };
 
-  std::string format;              ///< `acfr`, `mrclam`, `tables` or `simulated`
-  std::string vehicle;             ///< what the odometry's inputs are: `ackermann` or `differential-drive`
-  std::vector<Odometry> odometry;  ///< in time order
-  std::vector<Scan> scans;         ///< in time order, one per time
-  std::vector<Place> truth;        ///< in time order; empty where it is not known. Never for the estimator
-  std::vector<Place> fixes;  ///< what an external sensor told the vehicle, in time order; a GPS may be both
+  std::string format;                ///< `acfr`, `mrclam`, `tables` or `simulated`
+  std::string vehicle;               ///< what the odometry's inputs are: `ackermann` or `differential-drive`
+  std::vector<Odometry> odometry;    ///< in time order
+  std::vector<Scan> scans;           ///< in time order, one per time
+  std::vector<TimedPosition> truth;  ///< in time order; empty where it is not known. Never for the estimator
+  std::vector<TimedPosition>
+      fixes;  ///< what an external sensor told the vehicle, in time order; a GPS may be both
   std::vector<Landmark> landmarks;  ///< surveyed, for comparison and as anchors; empty where not known
   std::vector<std::string> notes;   ///< what was guessed, skipped or left out, with counts, for printing
 };

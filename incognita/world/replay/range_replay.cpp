@@ -10,25 +10,25 @@
 namespace incognita {
 double start_time(const RangeRecording& r) {
   double first = std::numeric_limits<double>::infinity();
-  const auto look = [&](const auto& events) {
+  const auto use_first = [&](const auto& events) {
     if (!events.empty()) first = std::min(first, events.front().t);
   };
-  look(r.odometry), look(r.scans), look(r.fixes);
+  use_first(r.odometry), use_first(r.scans), use_first(r.fixes);
   return first;
 }
 
-std::optional<RangeRecording::Place> true_place(const RangeRecording& r, double t) {
+std::optional<RangeRecording::TimedPosition> true_position(const RangeRecording& r, double t) {
   constexpr double longest_hole_s = 0.5;
   const auto after =
       std::lower_bound(r.truth.begin(), r.truth.end(), t,
-                       [](const RangeRecording::Place& place, double at) { return place.t < at; });
+                       [](const RangeRecording::TimedPosition& place, double at) { return place.t < at; });
   if (after == r.truth.end()) return std::nullopt;
   if (after->t == t) return *after;
   if (after == r.truth.begin()) return std::nullopt;
-  const RangeRecording::Place &a = *(after - 1), &b = *after;
+  const RangeRecording::TimedPosition &a = *(after - 1), &b = *after;
   if (b.t - a.t > longest_hole_s) return std::nullopt;
   const double share = (t - a.t) / (b.t - a.t);
-  RangeRecording::Place place{t, a.position + share * (b.position - a.position), std::nullopt};
+  RangeRecording::TimedPosition place{t, a.position + share * (b.position - a.position), std::nullopt};
   if (a.heading_rad && b.heading_rad)
     place.heading_rad = wrap_angle(*a.heading_rad + share * wrap_angle(*b.heading_rad - *a.heading_rad));
   return place;
@@ -57,13 +57,14 @@ std::optional<Truth> RangeWorld::move(const Command&, const Tick& tick) {
   bool any_known = false;
   for (const RangeRecording& r : *recordings_) {
     std::optional<RigidPose>& pose = truth.poses.emplace_back();
-    const auto place = true_place(r, tick.t);
+    const auto reference = true_position(r, tick.t);
     // One vehicle may have a GPS, which measures no heading; of a team each needs its own
-    if (!place || (!place->heading_rad && recordings_->size() > 1)) continue;
-    const Eigen::Vector3d on_plane(place->position.x(), place->position.y(), place->heading_rad.value_or(0));
+    if (!reference || (!reference->heading_rad && recordings_->size() > 1)) continue;
+    const Eigen::Vector3d on_plane(reference->position.x(), reference->position.y(),
+                                   reference->heading_rad.value_or(0));
     pose = on_floor(planar::Pose<double>(on_plane)).pose;
     any_known = true;
-    truth.orientation_known = place->heading_rad.has_value();
+    truth.orientation_known = reference->heading_rad.has_value();
     const double half = on_plane[2] / 2;
     if (truth.poses.size() == 1)
       truth.camera.head<7>() << on_plane[0], on_plane[1], 0, std::cos(half), 0, 0, std::sin(half);
@@ -74,8 +75,8 @@ std::optional<Truth> RangeWorld::move(const Command&, const Tick& tick) {
 RangeSensor::RangeSensor(SharedRangeRecordings recordings, const RangeSensorSettings& settings)
     : recordings_(std::move(recordings)), settings_(settings), done_(recordings_->size()) {}
 
-VehicleView RangeSensor::next(const RangeRecording& r, Progress& done, double t) const {
-  VehicleView view;
+VehicleObservation RangeSensor::next(const RangeRecording& r, Progress& done, double t) const {
+  VehicleObservation view;
   for (; done.odometry < r.odometry.size() && r.odometry[done.odometry].t <= t; ++done.odometry)
     view.odometry.push_back(r.odometry[done.odometry]);
   for (; done.fixes < r.fixes.size() && r.fixes[done.fixes].t <= t; ++done.fixes) {
@@ -83,7 +84,7 @@ VehicleView RangeSensor::next(const RangeRecording& r, Progress& done, double t)
     view.fixes.push_back({r.fixes[done.fixes].t, r.fixes[done.fixes].position});
     done.fix_given = true;
   }
-  const auto add = [&](const std::vector<Detection>& detections, std::vector<Sighting>& to) {
+  const auto add = [&](const std::vector<Detection>& detections, std::vector<PointDetection>& to) {
     for (const Detection& d : detections)
       if (!(d.range_m > settings_.max_range_m))
         to.push_back({d.identity, Eigen::Vector2d(d.range_m, d.bearing_rad)});
@@ -96,11 +97,11 @@ VehicleView RangeSensor::next(const RangeRecording& r, Progress& done, double t)
   return view;
 }
 
-Observation RangeSensor::look(const std::optional<Truth>&, const Tick& tick) {
-  Observation seen;
+Observation RangeSensor::measure(const std::optional<Truth>&, const Tick& tick) {
+  Observation observation;
   for (std::size_t i = 0; i < recordings_->size(); ++i)
-    seen.team.push_back(next((*recordings_)[i], done_[i], tick.t));
-  return seen;
+    observation.team.push_back(next((*recordings_)[i], done_[i], tick.t));
+  return observation;
 }
 
 }  // namespace incognita

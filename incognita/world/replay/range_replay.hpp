@@ -50,14 +50,14 @@ struct RangeSensorSettings {
 class RangeSensor final : public Sensor {
  public:
   RangeSensor(SharedRangeRecordings recordings, const RangeSensorSettings& settings);
-  Observation look(const std::optional<Truth>& truth, const Tick& tick) override;
+  Observation measure(const std::optional<Truth>& truth, const Tick& tick) override;
 
  private:
   struct Progress {
     std::size_t odometry = 0, fixes = 0, scans = 0;
     bool fix_given = false;
   };
-  VehicleView next(const RangeRecording& recording, Progress& done, double t) const;
+  VehicleObservation next(const RangeRecording& recording, Progress& done, double t) const;
 
   SharedRangeRecordings recordings_;
   RangeSensorSettings settings_;
@@ -68,6 +68,6 @@ class RangeSensor final : public Sensor {
 double start_time(const RangeRecording& recording);
 
 /// The true place at a time, interpolated; nothing where the truth has a hole.
-std::optional<RangeRecording::Place> true_place(const RangeRecording& recording, double t);
+std::optional<RangeRecording::TimedPosition> true_position(const RangeRecording& recording, double t);
 
 }  // namespace incognita

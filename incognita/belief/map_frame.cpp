@@ -1,0 +1,71 @@
+// What changes every block of the belief at once.
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "incognita/belief/belief.hpp"
+#include "incognita/belief/inflation.hpp"
+
+namespace incognita {
+
+namespace {
+
+void refuse_frame_change(const std::string& why) { throw std::invalid_argument("carry: " + why); }
+
+std::string square(int size) { return std::to_string(size) + "x" + std::to_string(size); }
+
+}  // namespace
+
+void Belief::change_frame(const LinearizedMotion& frame_motion, std::span<const MovedBlock> others) {
+  if (correlations_ == MapCorrelations::block_diagonal)
+    throw std::logic_error("carry: a map whose correlations are dropped cannot move as a whole");
+  const int first = block(frame_motion.block).error, size = block(frame_motion.block).chart.tangent();
+  if (frame_motion.A.rows() != size || frame_motion.A.cols() != size || frame_motion.N.rows() != size ||
+      frame_motion.N.cols() != size || frame_motion.x_next.size() != chart(frame_motion.block).ambient())
+    refuse_frame_change("A and N of the mover must be " + square(size) + ", its mean as long as its chart's");
+  std::vector<BlockId> named{frame_motion.block};
+  for (const MovedBlock& c : others) {
+    const int own = block(c.block).chart.tangent();
+    if (std::find(named.begin(), named.end(), c.block) != named.end())
+      refuse_frame_change("block " + std::to_string(c.block) + " is named twice");
+    if (c.A.rows() != own || c.A.cols() != own || c.B.rows() != own || c.B.cols() != size ||
+        c.x_next.size() != chart(c.block).ambient())
+      refuse_frame_change("block " + std::to_string(c.block) + " needs A " + square(own) + ", B " +
+                          std::to_string(own) + "x" + std::to_string(size) +
+                          " and a mean as long as its chart's");
+    named.push_back(c.block);
+  }
+  // P <- T P T', T of diagonal blocks and the mover's columns: rows first, then columns
+  Eigen::MatrixXd M = dense_covariance();
+  const auto apply = [&](auto&& rows_of) {
+    for (const MovedBlock& c : others) {
+      auto rows = rows_of(block(c.block).error, block(c.block).chart.tangent());
+      rows = (c.A * rows + c.B * rows_of(first, size)).eval();
+    }
+    auto rows = rows_of(first, size);
+    rows = (frame_motion.A * rows).eval();
+  };
+  apply([&](int from, int count) { return M.middleRows(from, count); });
+  M.transposeInPlace();
+  apply([&](int from, int count) { return M.middleRows(from, count); });
+  M.block(first, first, size, size) += frame_motion.N;
+  P() = 0.5 * (M + M.transpose());
+  for (const MovedBlock& c : others) set_mean(c.block, c.x_next);
+  set_mean(frame_motion.block, frame_motion.x_next);
+  note(CovarianceEdit::frame_changed);
+}
+
+void Belief::decorrelate(Scope scope) {
+  if (vehicles_ > 1) throw std::logic_error("decorrelate: one vehicle, not more");
+  std::vector<int> sizes;
+  for (const Block& b : blocks_) sizes.push_back(b.chart.tangent());
+  if (sizes.size() < 2) return;
+  // A filter does this at every step: what is added need not be the least to its last digit
+  const InflationSettings settings{30, 1e-3};
+  P() = scope == Scope::everything ? decorrelate_all(dense_covariance(), sizes, settings).P
+                                   : decorrelate_map(dense_covariance(), sizes, settings).P;
+  note(CovarianceEdit::decorrelated);
+}
+
+}  // namespace incognita

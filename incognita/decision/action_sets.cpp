@@ -1,0 +1,136 @@
+#include "incognita/decision/action_sets.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "incognita/models/free_camera.hpp"
+#include "incognita/models/heading.hpp"
+
+namespace incognita {
+namespace {
+
+constexpr int imagined_steps = 15;  // of a period, as the thesis' 15 frames/s
+
+template <class Actions, class IsStay>
+int first_where(const Actions& actions, const IsStay& is_stay) {
+  const auto at = std::find_if(actions.begin(), actions.end(), is_stay);
+  if (at == actions.end())
+    throw std::invalid_argument("none of the actions stays: what is done where nothing is allowed?");
+  return static_cast<int>(at - actions.begin());
+}
+
+/// About the world's vertical, to the left.
+Eigen::Vector4d turned(const Eigen::Vector4d& world_from_camera, double left_rad) {
+  return quaternion_product<double>(quaternion_exp<double>(Eigen::Vector3d(0, 0, left_rad)),
+                                    world_from_camera);
+}
+
+}  // namespace
+
+int find_stay(const std::vector<Translation>& actions) {
+  return first_where(actions, [](const Translation& a) { return a.displacement_m.isZero(); });
+}
+
+int find_stay(const std::vector<SpeedChange>& actions) {
+  return first_where(actions, [](const SpeedChange& a) { return a.change.isZero(); });
+}
+
+Growth growth_over(double period_s, double sigma_acceleration_m_s2,
+                   double sigma_angular_acceleration_rad_s2) {
+  const double dt = period_s / imagined_steps;
+  const auto step = FreeCameraMotion{}.step(
+      (FreeCameraMotion::State<double>() << 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0).finished(),
+      FreeCameraMotion::Input<double>::Zero(), dt);
+  FreeCameraMotion::Input<double> variances;
+  variances.head<3>().setConstant(std::pow(sigma_acceleration_m_s2, 2));
+  variances.tail<3>().setConstant(std::pow(sigma_angular_acceleration_rad_s2, 2));
+  const FreeCameraMotion::Jacobian noise = step.G * variances.asDiagonal() * step.G.transpose();
+  Growth growth{FreeCameraMotion::Jacobian::Identity(), FreeCameraMotion::Jacobian::Zero()};
+  for (int i = 0; i < imagined_steps; ++i) {
+    growth.A = (step.F * growth.A).eval();
+    growth.N = (step.F * growth.N * step.F.transpose() + noise).eval();
+  }
+  return growth;
+}
+
+Translations::Translations(std::vector<Translation> actions, double period_s, const Growth& growth,
+                           const WorldBounds& bounds)
+    : actions_(std::move(actions)),
+      period_s_(period_s),
+      growth_(growth),
+      bounds_(bounds),
+      stay_(find_stay(actions_)) {}
+
+ActionOutcome Translations::after(const BlockVector& state, int action) const {
+  ActionOutcome out{state, growth_.A, growth_.N};
+  const Eigen::Vector4d gaze = state.segment<4>(3);
+  const Eigen::AngleAxisd heading(heading_of(gaze), Eigen::Vector3d::UnitZ());
+  out.state.head<3>() += heading * actions_[static_cast<std::size_t>(action)].displacement_m;
+  out.state.segment<4>(3) = turned(gaze, gaze_rate_rad_s_ * period_s_);
+  out.state.tail<6>().setZero();
+  if (action != stay_) out.outside_m = bounds_.outside_m(out.state.head<3>());
+  return out;
+}
+
+Turns::Turns(double rate_rad_s, double ahead_s, const Growth& growth)
+    : rate_rad_s_(rate_rad_s), ahead_s_(ahead_s), growth_(growth) {}
+
+ActionOutcome Turns::after(const BlockVector& state, int action) const {
+  ActionOutcome out{state, growth_.A, growth_.N};
+  out.state.head<3>() += state.segment<3>(7) * ahead_s_;
+  out.state.segment<4>(3) = turned(state.segment<4>(3), rate_of(action) * ahead_s_);
+  return out;
+}
+
+namespace {
+
+/// How high a vehicle stands is up to the ground, and no action's choice.
+WorldBounds over_ground(WorldBounds bounds) {
+  bounds.min_m.z() = WorldBounds{}.min_m.z();
+  bounds.max_m.z() = WorldBounds{}.max_m.z();
+  return bounds;
+}
+
+}  // namespace
+
+SpeedChanges::SpeedChanges(std::vector<SpeedChange> actions, double period_s, const Growth& growth,
+                           const WorldBounds& bounds, const Mount& mount, double max_speed_m_s,
+                           double max_turn_rate_rad_s)
+    : actions_(std::move(actions)),
+      period_s_(period_s),
+      growth_(growth),
+      bounds_(over_ground(bounds)),
+      mount_(mount),
+      max_speed_m_s_(max_speed_m_s),
+      max_turn_rate_rad_s_(max_turn_rate_rad_s),
+      stay_(find_stay(actions_)) {}
+
+Eigen::Vector2d SpeedChanges::after(const Eigen::Vector2d& speeds, int action) const {
+  const Eigen::Vector2d wished = speeds + actions_[static_cast<std::size_t>(action)].change;
+  return {std::clamp(wished.x(), -max_speed_m_s_, max_speed_m_s_),
+          std::clamp(wished.y(), -max_turn_rate_rad_s_, max_turn_rate_rad_s_)};
+}
+
+ActionOutcome SpeedChanges::after(const BlockVector& state, int action) const {
+  ActionOutcome out{state, growth_.A, growth_.N};
+  const Eigen::Vector2d speeds = after(Eigen::Vector2d(state.tail<2>()), action);
+  // On a plane the axle's middle goes along an arc in the body's own axes, x ahead, y left, z its normal
+  const double turn = speeds.y() * period_s_, way = speeds.x() * period_s_;
+  const double half = turn / 2, chord = std::abs(half) < 1e-8 ? way : way * std::sin(half) / half;
+  const Eigen::Vector3d gone(chord * std::cos(half), chord * std::sin(half), 0);
+  const Eigen::Matrix3d turned = Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  const Eigen::Matrix3d world_from_camera = rotation_matrix<double>(Eigen::Vector4d(state.segment<4>(3)));
+  const Eigen::Matrix3d body_from_camera = mount_.body_from_camera();
+  const Eigen::Matrix3d world_from_body = world_from_camera * body_from_camera.transpose();
+  const Eigen::Vector3d lever = mount_.lever();
+  out.state.head<3>() += world_from_body * (gone + turned * lever - lever);
+  out.state.segment<4>(3) = quaternion_from_matrix(world_from_body * turned * body_from_camera);
+  out.state.tail<2>() = speeds;
+  out.outside_m = bounds_.outside_m(out.state.head<3>());  // also of "stay": it goes on driving
+  return out;
+}
+
+}  // namespace incognita

@@ -1,0 +1,79 @@
+#include "incognita/slam/features/estimate_patch_planes.hpp"
+
+#include <cmath>
+
+#include "incognita/slam/features/predict_matches.hpp"
+
+namespace incognita {
+namespace {
+
+constexpr double slope_step = 0.1;
+constexpr double new_view_rad = 0.03;    // turned so far around the landmark, or so much nearer or farther,
+constexpr double new_view_scale = 0.05;  // a view is a new one
+constexpr double max_depth_ratio =
+    0.1;  // sigma/depth beyond which the warp's scale says nothing of the plane
+
+std::optional<PatchTemplate> template_at(const PatchView& view, const Eigen::Vector2d& slope,
+                                         const FeatureMatch& match, const Camera& camera,
+                                         const CameraState& from, int patch_size_px) {
+  const auto texture_from_view =
+      local_warp(view, view.plane.normal(slope), match.point, match.predicted, camera, from);
+  if (!texture_from_view) return std::nullopt;
+  return warp(view.texture, *texture_from_view, patch_size_px);
+}
+
+std::optional<PlaneEvidence> evidence_of(const PatchView& view, const FeatureMatch& match,
+                                         const Camera& camera, const CameraState& from, const Image& image,
+                                         int patch_size_px) {
+  const auto tried = [&](const Eigen::Vector2d& slope) {
+    return template_at(view, slope, match, camera, from, patch_size_px);
+  };
+  const Eigen::Vector2d now = view.plane.slope;
+  const auto expected = tried(now), first = tried(now + slope_step * Eigen::Vector2d::UnitX()),
+             second = tried(now + slope_step * Eigen::Vector2d::UnitY());
+  if (!expected || !first || !second) return std::nullopt;
+  return plane_evidence(image, *match.measured, *expected, {*first, *second}, slope_step);
+}
+
+bool depth_is_known(const Landmark& landmark, const Belief& belief) {
+  if (landmark.kind == Landmark::Kind::point) return true;
+  const double inverse_depth = belief.mean(landmark.block)[5];
+  const double var = belief.covariance(landmark.block)(5, 5);
+  return var < std::pow(max_depth_ratio * inverse_depth, 2);
+}
+
+bool is_new_view(const PatchView& view, const Eigen::Vector3d& point, const Eigen::Vector3d& from) {
+  const Eigen::Vector3d now = point - from, then = point - view.plane.estimated_from;
+  const double ratio = now.norm() / then.norm();
+  return now.dot(then) < std::cos(new_view_rad) * now.norm() * then.norm() || ratio > 1 + new_view_scale ||
+         ratio < 1 - new_view_scale;
+}
+
+}  // namespace
+
+void add_plane_uncertainty(const Estimate& estimate, const Camera& camera, const Image& image,
+                           int patch_size_px, std::vector<FeatureMatch>& matches) {
+  const CameraState from = estimate.camera_state();
+  for (FeatureMatch& match : matches) {
+    const PatchView& view = estimate.catalog[match.landmark].view;
+    if (match.outcome != MatchOutcome::matched || view.plane.known()) continue;
+    match.plane = evidence_of(view, match, camera, from, image, patch_size_px);
+    if (!match.plane) continue;
+    const Eigen::Matrix2d& shift = match.plane->shift_per_slope;
+    match.plane_cov = shift * view.plane.slope_cov * shift.transpose();
+  }
+}
+
+void estimate_patch_planes(Estimate& estimate, const std::vector<FeatureMatch>& matches) {
+  const Eigen::Vector3d from = free_camera::position(estimate.camera_state());
+  for (const FeatureMatch& match : matches) {
+    if (match.outcome != MatchOutcome::matched || !match.plane) continue;
+    Landmark& landmark = estimate.catalog[match.landmark];
+    if (!is_new_view(landmark.view, match.point, from) || !depth_is_known(landmark, estimate.belief))
+      continue;
+    update_patch_plane(landmark.view.plane, *match.plane);
+    landmark.view.plane.estimated_from = from;
+  }
+}
+
+}  // namespace incognita

@@ -1,0 +1,136 @@
+#include "incognita/slam/features/predict_matches.hpp"
+
+#include <Eigen/LU>
+#include <cmath>
+
+namespace incognita {
+namespace {
+
+/// Thesis C.4: the camera must not have moved or turned so far from the birth view that the patch would not
+/// match.
+bool same_view_as_initial(const PatchView& view, const Eigen::Vector3d& point, const CameraState& from,
+                          const MapSettings& settings) {
+  const Eigen::Vector3d now = point - free_camera::position(from);
+  const Eigen::Vector3d then = point - view.camera_position;
+  const double now_m = now.norm(), then_m = then.norm();
+  if (now_m < 1e-6 || then_m < 1e-6) return false;
+  if (now.dot(then) < std::cos(settings.max_view_angle_rad) * now_m * then_m) return false;
+  return now_m < then_m * settings.max_scale && then_m < now_m * settings.max_scale;
+}
+
+}  // namespace
+
+Eigen::Vector3d nominal_position(const Landmark& landmark, const Belief& belief) {
+  if (landmark.kind == Landmark::Kind::anchor) return landmark.anchor;
+  if (landmark.kind == Landmark::Kind::point) return belief.mean(landmark.block);
+  InverseDepthLandmark::State y = belief.mean(landmark.block);
+  if (!(y[5] > 1e-6)) y[5] = 0.01;
+  return landmark.initial_axes.point(y).position;
+}
+
+std::optional<Eigen::Matrix2d> local_warp(const PatchView& view, const Eigen::Vector3d& normal,
+                                          const Eigen::Vector3d& point, const Eigen::Vector2d& pixel,
+                                          const Camera& camera, const CameraState& from) {
+  const Eigen::Matrix3d world_from_camera = rotation_matrix<double>(free_camera::orientation(from));
+  const Eigen::Matrix3d initial_camera_from_world =
+      rotation_matrix<double>(view.world_from_camera).transpose();
+  const Eigen::Vector3d position = free_camera::position(from);
+  const double height = normal.dot(point - position);
+  if (height >= 0) return std::nullopt;  // from behind
+  constexpr double step_px = 3;  // half a patch: the map is an average over the patch rather than a tangent
+  Eigen::Matrix2d warp;
+  for (int axis = 0; axis < 2; ++axis) {
+    Eigen::Vector2d moved[2];
+    for (int side = 0; side < 2; ++side) {
+      Eigen::Vector2d at = pixel;
+      at[axis] += side == 0 ? -step_px : step_px;
+      const auto ray = camera.unproject(at);
+      if (!ray) return std::nullopt;
+      const Eigen::Vector3d along = world_from_camera * *ray;
+      const double closing = normal.dot(along);
+      if (height * closing <= 1e-6 * std::abs(height)) return std::nullopt;
+      const Eigen::Vector3d on_plane = position + along * (height / closing);
+      const auto projected = camera.project(initial_camera_from_world * (on_plane - view.camera_position));
+      if (!projected) return std::nullopt;
+      moved[side] = projected->pixel;
+    }
+    warp.col(axis) = (moved[1] - moved[0]) / (2 * step_px);
+  }
+  return warp;
+}
+
+std::optional<FeatureMatch> predict_pixel(const Landmark& landmark, const Belief& belief,
+                                          const Camera& camera, const CameraState& from,
+                                          const CameraSlamSettings& settings) {
+  FeatureMatch match{};
+  match.id = landmark.id;
+  match.kind = landmark.kind;
+  if (landmark.kind == Landmark::Kind::inverse_depth) {
+    const auto prediction =
+        landmark.initial_axes.predict_measurement(camera, from, belief.mean(landmark.block));
+    if (!prediction) return std::nullopt;
+    match.predicted = prediction->pixel;
+    match.Hv = prediction->Hv;
+    match.Hl = prediction->Hl;
+  } else {
+    const bool known = landmark.kind == Landmark::Kind::anchor;
+    const Eigen::Vector3d point = known ? landmark.anchor : Eigen::Vector3d(belief.mean(landmark.block));
+    const auto prediction = PointLandmark::predict_measurement(camera, from, point);
+    if (!prediction) return std::nullopt;
+    match.predicted = prediction->pixel;
+    match.Hv = prediction->Hv;
+    if (known)
+      match.Hl.resize(2, 0);
+    else
+      match.Hl = prediction->Hl;
+  }
+  if (!camera.contains(match.predicted, settings.search.patch_size_px / 2 + 1)) return std::nullopt;
+  match.point = nominal_position(landmark, belief);
+  if (!same_view_as_initial(landmark.view, match.point, from, settings.map)) return std::nullopt;
+  return match;
+}
+
+std::optional<FeatureMatch> predict_match(const Landmark& landmark, const Belief& belief,
+                                          const Camera& camera, const CameraState& from,
+                                          const CameraSlamSettings& settings) {
+  std::optional<FeatureMatch> prediction = predict_pixel(landmark, belief, camera, from, settings);
+  if (!prediction) return std::nullopt;
+  FeatureMatch& match = *prediction;
+  const auto warp =
+      local_warp(landmark.view, landmark.view.plane.normal(), match.point, match.predicted, camera, from);
+  if (!warp) return std::nullopt;
+  match.texture_from_view = *warp;
+  return prediction;
+}
+
+LinearizedMeasurement linearized_measurement(const FeatureMatch& match, const Landmark& landmark,
+                                             BlockId camera, double sigma_pixel_px) {
+  LinearizedMeasurement affine;
+  affine.add(camera, match.Hv);
+  if (landmark.kind != Landmark::Kind::anchor) affine.add(landmark.block, match.Hl);
+  affine.residual = Eigen::Vector2d::Zero();
+  if (match.measured) affine.residual = *match.measured - match.predicted;
+  affine.R = sigma_pixel_px * sigma_pixel_px * Eigen::Matrix2d::Identity() + match.plane_cov;
+  return affine;
+}
+
+void predict_matches(const Estimate& estimate, const Camera& camera, const CameraSlamSettings& settings,
+                     std::vector<FeatureMatch>& matches) {
+  matches.clear();
+  const CameraState from = estimate.camera_state();
+  Eigen::MatrixXd S(2, 2);
+  for (std::size_t i = 0; i < estimate.catalog.size(); ++i) {
+    const Landmark& landmark = estimate.catalog[i];
+    if (landmark.kind == Landmark::Kind::line) continue;
+    auto match = predict_match(landmark, estimate.belief, camera, from, settings);
+    if (!match) continue;
+    match->landmark = i;
+    const LinearizedMeasurement affine =
+        linearized_measurement(*match, landmark, estimate.camera, settings.filter.sigma_pixel_px);
+    estimate.belief.innovation_covariance({&affine, 1}, S);
+    match->innovation_cov = S;
+    matches.push_back(*std::move(match));
+  }
+}
+
+}  // namespace incognita

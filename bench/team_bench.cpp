@@ -88,7 +88,7 @@ class Team {
     tick_ = clock_.next();
     truth_ = world_.move(command_, tick_);
     seen_ = everything.measure(truth_, tick_);
-    for (std::size_t i = 1; i < seen_.team.size(); ++i) seen_.team[i].landmarks.clear();
+    for (std::size_t i = 1; i < seen_.bodies.size(); ++i) seen_.bodies[i].landmarks.clear();
     update();
   }
 
@@ -105,15 +105,15 @@ class Team {
   const Observation& seen() const { return seen_; }
   /// What was seen last, linearised about the present means, robot by robot.
   std::vector<std::vector<LinearizedMeasurement>> measurements() const {
-    std::vector<std::vector<LinearizedMeasurement>> all(seen_.team.size());
+    std::vector<std::vector<LinearizedMeasurement>> all(seen_.bodies.size());
     const auto add = [&](std::size_t robot, bool of_vehicle, const PointDetection& s) {
       const auto at =
           linearize_detection(estimate_, static_cast<int>(robot), of_vehicle, s, estimator_.settings());
       if (at) all[robot].push_back(at->linearized);
     };
     for (std::size_t i = 0; i < all.size(); ++i) {
-      for (const PointDetection& s : seen_.team[i].landmarks) add(i, false, s);
-      for (const PointDetection& s : seen_.team[i].vehicles) add(i, true, s);
+      for (const PointDetection& s : seen_.bodies[i].landmarks) add(i, false, s);
+      for (const PointDetection& s : seen_.bodies[i].vehicles) add(i, true, s);
     }
     return all;
   }
@@ -154,9 +154,9 @@ struct Bare {
 struct Sights {
   double landmarks = 0, others = 0, ticks = 0;
   void add(const Observation& observation) {
-    for (const VehicleObservation& view : observation.team) {
-      landmarks += static_cast<double>(view.landmarks.size()) / static_cast<double>(observation.team.size());
-      others += static_cast<double>(view.vehicles.size()) / static_cast<double>(observation.team.size());
+    for (const BodyObservation& view : observation.bodies) {
+      landmarks += static_cast<double>(view.landmarks.size()) / static_cast<double>(observation.bodies.size());
+      others += static_cast<double>(view.vehicles.size()) / static_cast<double>(observation.bodies.size());
     }
     ++ticks;
   }

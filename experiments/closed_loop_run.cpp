@@ -81,8 +81,8 @@ Scene scene_of(const Setup& s) {
 Observation odometry_alone(const Truth& truth) {
   Observation observation;
   for (const SmallVector& input : truth.inputs) {
-    observation.team.emplace_back();
-    observation.team.back().input = input;
+    observation.bodies.emplace_back();
+    observation.bodies.back().input = input;
   }
   return observation;
 }

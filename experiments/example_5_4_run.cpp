@@ -181,7 +181,7 @@ Course run(const Setup& s, std::uint64_t seed) {
   while (const Tick tick = clock.next()) {
     const auto truth = world.move(command, tick);
     Observation observation = sensor.measure(truth, tick);
-    if (!s.told && observation.team.front().input) observation.team.front().input->setZero();
+    if (!s.told && observation.bodies.front().input) observation.bodies.front().input->setZero();
     estimator.update(estimate, command, observation, tick);
     Instant now;
     now.t = tick.t;

@@ -65,8 +65,8 @@ StandingVehicle standing_vehicle(std::uint64_t seed, const std::string& lineariz
     z[0] += s.sensor.sigma_range_m * random.normal();
     z[1] += s.sensor.sigma_bearing_rad * random.normal();
     Observation observation;
-    observation.team.resize(1);
-    observation.team[0].landmarks = {{0, z}};
+    observation.bodies.resize(1);
+    observation.bodies[0].landmarks = {{0, z}};
     estimator.update(estimate, {}, observation, {k, static_cast<double>(k), k > 0 ? 1.0 : 0.0});
   }
   const TeamVehicle& at = estimate.vehicles.front();

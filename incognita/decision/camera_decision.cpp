@@ -52,7 +52,8 @@ Goal CameraDecision::choose(const Estimate& estimate, const Observation& observa
     flies->choose(estimate.belief, estimate.camera, camera, expectation_, tick, goal_);
   } else {
     std::optional<Eigen::Vector2d> wheels;
-    if (!observation.odometry.empty()) wheels = observation.odometry.back().input;
+    const std::vector<Odometry>& odometry = of_first_body(observation).odometry;
+    if (!odometry.empty()) wheels = odometry.back().input;
     std::get<VehicleChoice>(choice_).choose(estimate.belief, estimate.camera, camera, wheels, expectation_,
                                             tick, goal_);
   }

@@ -1,4 +1,4 @@
-// All that the robot can know at one tick: what its sensors gave.
+// The measurements of one tick: all that the robots can know.
 #pragma once
 
 #include <Eigen/Core>
@@ -51,25 +51,30 @@ struct PointDetection {
   SmallVector z;              ///< as the sensor measures
 };
 
-/// What one vehicle of a team knows by itself.
-struct VehicleObservation {
-  std::optional<SmallVector>
-      input;  ///< what it carried out since the tick before, as its motion model takes it
-  std::vector<Odometry> odometry;  ///< or, where it was recorded, each reading since then, in time order
-  std::vector<PositionReading> fixes = {};  ///< of an external sensor, since the tick before, in time order
-  /// Speed, m/s, and turn rate, rad/s, by the encoders of what carries a camera; its filter does not ask
-  std::optional<Eigen::Vector2d> wheels;
-  std::vector<PointDetection> landmarks;  ///< of this very tick
-  std::vector<PointDetection> vehicles;   ///< others of the team, of this very tick
+/// All that one body measures by itself; it may carry any set of sensors.
+struct BodyObservation {
+  /// Of its camera: immutable, shared with the record; null where the camera gave nothing
+  std::shared_ptr<const Image> image = nullptr;
+  /// The input that it executed since the last tick, as its motion model takes it
+  std::optional<SmallVector> input = {};
+  std::vector<Odometry> odometry = {};      ///< or each reading since then, in time order
+  std::vector<PositionReading> fixes = {};  ///< of an external sensor, since the last tick, in time order
+  /// Wheel encoders of the vehicle that carries a camera: speed, m/s, and turn rate, rad/s. The filter does not use them
+  std::optional<Eigen::Vector2d> wheels = {};
+  std::vector<PointDetection> landmarks = {};    ///< of this tick
+  std::vector<PointDetection> vehicles = {};     ///< other bodies of the team, of this tick
+  std::vector<ConeRange> proximity_ranges = {};  ///< of obstacles, of this tick
 };
 
+/// All that the robots can know at one tick: one entry per body, in their order.
 struct Observation {
-  std::shared_ptr<const Image>
-      image;  ///< immutable, shared with the record; null when the camera gave nothing
-  std::vector<Odometry>
-      odometry;  ///< of the vehicle that carries that camera, since the tick before, in time order
-  std::vector<VehicleObservation> team;     ///< of vehicles that detect points: one for each
-  std::vector<ConeRange> proximity_ranges;  ///< what stands around a vehicle, of this very tick
+  std::vector<BodyObservation> bodies;
 };
+
+/// The observation of the first body; an empty one where there is none.
+inline const BodyObservation& of_first_body(const Observation& observation) {
+  static const BodyObservation nothing;
+  return observation.bodies.empty() ? nothing : observation.bodies.front();
+}
 
 }  // namespace incognita

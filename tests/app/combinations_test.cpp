@@ -115,7 +115,7 @@ TEST(Combinations, PositionFixesOfOneVehicleOfATeam) {
     return [noise](Observation& observation, const Truth& truth, const Tick& tick) {
       const Eigen::Vector2d off(noise->normal(), noise->normal());
       const Eigen::Vector2d at = truth.vehicles[0].head<2>();
-      observation.team[0].fixes.push_back({tick.t, at + sigma_m * off});
+      observation.bodies[0].fixes.push_back({tick.t, at + sigma_m * off});
     };
   };
   const auto use_fixes = [](TeamSettings& s) { s.members[0].sigma_fix_m = sigma_m; };

@@ -99,7 +99,7 @@ Return come_back(Assembly& assembly, const Target& target, const Camera& camera)
     found.lost_frames += estimate.status.state == TrackingState::lost;
     if (tick.frame > gone_from && any_anchor_matched(estimate)) measured_again = true;
     if (tick.frame <= back_from || measured_again) continue;
-    if (const auto corners = detect_target(*observation.image)) {
+    if (const auto corners = detect_target(*observation.bodies[0].image)) {
       found.px.push_back(worst_px(estimate.camera_state(), target, camera, *corners));
       std::printf("frame %d: %.2f px\n", static_cast<int>(tick.frame), found.px.back());
     }

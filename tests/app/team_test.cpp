@@ -388,7 +388,7 @@ TEST(Team, ABodyThatIsLostBrakes) {
   TeamEstimate e;
   const TeamEstimator estimator(scene.filter);
   Observation nothing;
-  nothing.team.resize(1);
+  nothing.bodies.resize(1);
   estimator.update(e, {}, nothing, {0, 0, 0});
   e.vehicles[0].state.segment<3>(7) << 0.4, 0, -0.2;
   controller.act(e, {}, {}, {1, 0.05, 0.05});

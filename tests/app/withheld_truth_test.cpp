@@ -27,7 +27,7 @@ constexpr bool has_truth = requires(T o) {
 || requires(T o) { o.truth; }
 || requires(T o) { o.states; }
 || requires(T o) { o.camera; };
-static_assert(!has_truth<Observation> && !has_truth<VehicleObservation>);
+static_assert(!has_truth<Observation> && !has_truth<BodyObservation>);
 
 struct Given {
   std::vector<Tick> ticks;

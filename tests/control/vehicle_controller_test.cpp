@@ -63,7 +63,8 @@ TEST(VehicleController, KeepsClearWhateverItIsTold) {
   d.obstacle_avoidance = ObstacleAvoidanceSettings{0.8, 0.3, {0.5, 0.6}};
   VehicleController controller(d, 0.1);
   Observation observation;
-  observation.proximity_ranges.push_back({0, 0.1, 0.3});
+  observation.bodies.resize(1);
+  observation.bodies[0].proximity_ranges.push_back({0, 0.1, 0.3});
   Goal goal;
   goal.drive = Eigen::Vector2d(0.5, 0);
   const Eigen::Vector2d u = input(controller.act(at({}, {0, 0, 0}), goal, observation, {0, 0, 0}));

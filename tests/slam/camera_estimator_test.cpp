@@ -30,7 +30,7 @@ std::shared_ptr<const Image> blocks(std::uint64_t seed) {
 
 Observation seeing(std::shared_ptr<const Image> image) {
   Observation observation;
-  observation.image = std::move(image);
+  observation.bodies.emplace_back().image = std::move(image);
   return observation;
 }
 

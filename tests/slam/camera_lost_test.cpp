@@ -43,7 +43,7 @@ struct Tracked {
   void see(const std::shared_ptr<const Image>& image, const Command& command = {}) {
     estimator.update(estimate, command, seeing(image), tick(k++));
   }
-  void see_gray() { see(seeing_gray(8).image); }
+  void see_gray() { see(seeing_gray(8).bodies[0].image); }
   void see_nothing(const Command& command = {}) { see(nullptr, command); }
   double position_error_m() const { return camera_error(truth, estimate.camera_state()).head<3>().norm(); }
 };
@@ -120,7 +120,7 @@ TEST(CameraLost, StaysWhereItWas) {
   push.angular_acceleration = {1, 1, -2};
   const auto elsewhere = Wall(1.4, 99).shared_view(t.truth);
   for (int i = 0; i < 30; ++i) {
-    i % 3 == 0 ? t.see_nothing(push) : t.see(i % 3 == 1 ? seeing_gray(8).image : elsewhere, push);
+    i % 3 == 0 ? t.see_nothing(push) : t.see(i % 3 == 1 ? seeing_gray(8).bodies[0].image : elsewhere, push);
     ASSERT_EQ(t.estimate.status.state, TrackingState::lost) << i;
     EXPECT_EQ(t.estimate.camera_state(), there) << i;
     EXPECT_EQ(t.estimate.matched, 0) << "what matched by chance is not used";

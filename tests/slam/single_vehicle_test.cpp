@@ -24,7 +24,7 @@ PointDetection detection(double range_m, double bearing_rad, std::int64_t identi
 
 Observation of_one() {
   Observation one;
-  one.team.resize(1);
+  one.bodies.resize(1);
   return one;
 }
 
@@ -74,11 +74,11 @@ struct Drive {
                                 s.vehicle.sigma_turn_rate_rad_s * random.normal() * noise);
       truth = ArcMotion<DifferentialDrive>{}.f<double>(truth, Eigen::Vector2d(0.5, 0.05) + off, 1);
     }
-    observation.team[0].odometry = {{t, {0.5, 0.05}}};
+    observation.bodies[0].odometry = {{t, {0.5, 0.05}}};
     for (std::size_t i = 0; i < landmarks.size(); ++i) {
       const Eigen::Vector2d z = RangeBearing::h<double>(truth, landmarks[i]);
       const double range_m = z[0] + noise * s.sensor.sigma_range_m * random.normal();
-      observation.team[0].landmarks.push_back(
+      observation.bodies[0].landmarks.push_back(
           detection(range_m, wrap_angle(z[1] + noise * s.sensor.sigma_bearing_rad * random.normal()),
                     static_cast<std::int64_t>(i)));
     }
@@ -100,7 +100,7 @@ TeamEstimate run(const PlanarSlamSettings& s, int ticks, double noise = 1, bool 
   for (int k = 0; k < ticks; ++k) {
     Observation observation = drive.next(s);
     if (anonymous)
-      for (PointDetection& d : observation.team[0].landmarks) d.identity = Detection::unknown;
+      for (PointDetection& d : observation.bodies[0].landmarks) d.identity = Detection::unknown;
     estimator.update(e, {}, observation, drive.tick());
   }
   if (out) *out = drive;
@@ -183,7 +183,7 @@ TEST(SingleVehicle, FixesAreUsedInEitherFrame) {
     Drive drive;
     for (int k = 0; k < 40; ++k) {
       Observation observation = drive.next(s);
-      observation.team[0].fixes = {{static_cast<double>(drive.frame), drive.truth.head<2>()}};
+      observation.bodies[0].fixes = {{static_cast<double>(drive.frame), drive.truth.head<2>()}};
       estimator.update(e, {}, observation, drive.tick());
     }
     EXPECT_LT((pose(e) - drive.truth).norm(), 0.1) << frame;
@@ -200,7 +200,7 @@ TEST(SingleVehicle, WaitsForTheFirstFixWhenItIsToStartThere) {
   EXPECT_FALSE(e.started);
   EXPECT_EQ(e.status.state, TrackingState::starting);
   EXPECT_FALSE(e.status.reason.empty());
-  observation.team[0].fixes = {{1, {3, 4}}};
+  observation.bodies[0].fixes = {{1, {3, 4}}};
   estimator.update(e, {}, observation, {1, 1, 1});
   EXPECT_TRUE(e.started);
   EXPECT_EQ(pose(e).head<2>(), Eigen::Vector2d(3, 4));
@@ -213,7 +213,7 @@ TEST(SingleVehicle, RefusesAKnownLandmarkFarFromWhereItIs) {
   Drive drive;
   for (int k = 0; k < 10; ++k) drive.step(estimator, e, s);
   Observation observation = drive.next(s);
-  observation.team[0].landmarks[2].z[0] += 3;
+  observation.bodies[0].landmarks[2].z[0] += 3;
   estimator.update(e, {}, observation, drive.tick());
   EXPECT_EQ(e.matched, 3);
   EXPECT_EQ(e.matches[2].outcome, MatchOutcome::outlier);
@@ -231,7 +231,7 @@ TEST(SingleVehicle, TwoDetectionsOfOnePlaceAreOneLandmark) {
   const TeamEstimator estimator(single_vehicle(s));
   TeamEstimate e;
   Observation observation = of_one();
-  observation.team[0].landmarks = {detection(5, 0.1), detection(5.02, 0.1), detection(9, -1)};
+  observation.bodies[0].landmarks = {detection(5, 0.1), detection(5.02, 0.1), detection(9, -1)};
   estimator.update(e, {}, observation, {0, 0, 0});
   EXPECT_EQ(map_size(e), 2u);
   EXPECT_EQ(e.matches[0].outcome, MatchOutcome::initialized);
@@ -245,7 +245,7 @@ TEST(SingleVehicle, SaysThatItIsLost) {
   TeamEstimate e;
   for (int k = 0; k < 200; ++k) {
     Observation blind = of_one();
-    blind.team[0].odometry = {{static_cast<double>(k), {1, 0.1}}};
+    blind.bodies[0].odometry = {{static_cast<double>(k), {1, 0.1}}};
     estimator.update(e, {}, blind, {k, static_cast<double>(k), k > 0 ? 1.0 : 0.0});
   }
   EXPECT_EQ(e.status.state, TrackingState::lost);
@@ -260,7 +260,7 @@ TEST(SingleVehicle, IsLostWhenNothingIsWhereItShouldBe) {
   for (int k = 0; k < 5; ++k) drive.step(estimator, e, s);
   for (int k = 0; k < s.lost.max_unmatched_scans; ++k) {
     Observation observation = drive.next(s);
-    for (PointDetection& d : observation.team[0].landmarks) d.z[0] += 20;
+    for (PointDetection& d : observation.bodies[0].landmarks) d.z[0] += 20;
     estimator.update(e, {}, observation, drive.tick());
   }
   EXPECT_EQ(e.status.state, TrackingState::lost);
@@ -272,8 +272,8 @@ TEST(SingleVehicle, HoldsEachInputUntilTheNext) {
   const TeamEstimator estimator(single_vehicle(s));
   TeamEstimate e;
   Observation first = of_one(), second = of_one();
-  first.team[0].odometry = {{0, {1, 0}}};
-  second.team[0].odometry = {{0.5, {3, 0}}, {0.75, {0, 0}}};
+  first.bodies[0].odometry = {{0, {1, 0}}};
+  second.bodies[0].odometry = {{0.5, {3, 0}}, {0.75, {0, 0}}};
   estimator.update(e, {}, first, {0, 0.25, 0});
   EXPECT_NEAR(pose(e)[0], 0.25, 1e-12);  // it starts at the first reading
   estimator.update(e, {}, second, {1, 2, 1.75});
@@ -290,8 +290,8 @@ TEST(SingleVehicle, UsesAFixAtItsOwnTime) {
     const TeamEstimator estimator(single_vehicle(s));
     TeamEstimate e;
     Observation observation = of_one();
-    observation.team[0].odometry = {{0, {10, 0}}};
-    observation.team[0].fixes = {{0.1, {1, 0.5}},
+    observation.bodies[0].odometry = {{0, {10, 0}}};
+    observation.bodies[0].fixes = {{0.1, {1, 0.5}},
                                  {0.2, {2, 0.5}}};  // half a metre beside where it thinks it is
     estimator.update(e, {}, observation, {0, 1, 0});
     EXPECT_NEAR(pose(e)[0], 10, 0.1) << frame;
@@ -337,7 +337,7 @@ TEST(SingleVehicle, LeavesAloneWhatIsNoDetection) {
     const TeamEstimator estimator(single_vehicle(s));
     TeamEstimate e;
     Observation observation = of_one();
-    observation.team[0].landmarks = {detection(std::nan(""), 0.1, 1), detection(-3, 0.1, 2),
+    observation.bodies[0].landmarks = {detection(std::nan(""), 0.1, 1), detection(-3, 0.1, 2),
                                      detection(5, std::nan(""), 3), detection(5, 0.1, 4)};
     estimator.update(e, {}, observation, {0, 0, 0});
     EXPECT_EQ(map_size(e), 1u) << method;
@@ -352,7 +352,7 @@ TEST(SingleVehicle, NewLandmarksAloneDoNotKeepItFromBeingLost) {
   TeamEstimate e;
   for (int k = 0; k < s.lost.max_unmatched_scans + 3; ++k) {
     Observation observation = of_one();
-    observation.team[0].landmarks = {detection(5.0 + 10 * k, 0.1)};
+    observation.bodies[0].landmarks = {detection(5.0 + 10 * k, 0.1)};
     estimator.update(e, {}, observation, {k, static_cast<double>(k), 1.0});
   }
   EXPECT_EQ(e.status.state, TrackingState::lost);

@@ -162,7 +162,7 @@ inline Eigen::Vector2d pixel_of(const CameraState& from, const Eigen::Vector3d& 
 
 inline Observation seeing(std::shared_ptr<const Image> image) {
   Observation observation;
-  observation.image = std::move(image);
+  observation.bodies.emplace_back().image = std::move(image);
   return observation;
 }
 

@@ -41,7 +41,7 @@ struct Drive {
   Observation next() {
     Observation observation;
     for (planar::Pose<double>& x : truth) {
-      VehicleObservation view;
+      BodyObservation view;
       view.input = Eigen::Vector2d(0.5, 0.02);
       const Eigen::Vector2d carried(0.5 + 0.05 * random.normal(), 0.02 + 0.05 * random.normal());
       if (frame > 0) x = DifferentialDrive{}.f<double>(x, carried, 0.1);
@@ -50,7 +50,7 @@ struct Drive {
         z += Eigen::Vector2d(sigma_range_m * random.normal(), sigma_bearing_rad * random.normal());
         view.landmarks.push_back({static_cast<std::int64_t>(i), z});
       }
-      observation.team.push_back(view);
+      observation.bodies.push_back(view);
     }
     return observation;
   }
@@ -113,7 +113,7 @@ TEST(TeamAssociation, ReadsNoNameButAnAnchors) {
   const TeamEstimate plain = estimate_of(Drive(2), nothing);
   EXPECT_EQ(plain.landmarks.size(), 10u);
   expect_same(plain, estimate_of(Drive(2), [&](Observation& observation) {  // other names in every tick
-                for (VehicleObservation& view : observation.team) {
+                for (BodyObservation& view : observation.bodies) {
                   std::vector<std::int64_t> names = {2, 3, 4, 5, 6, 7, 8, 9, 10, 11};
                   std::shuffle(names.begin(), names.end(), random);
                   for (std::size_t i = 2; i < view.landmarks.size(); ++i)
@@ -121,7 +121,7 @@ TEST(TeamAssociation, ReadsNoNameButAnAnchors) {
                 }
               }));
   expect_same(plain, estimate_of(Drive(2), [](Observation& observation) {
-                for (VehicleObservation& view : observation.team)
+                for (BodyObservation& view : observation.bodies)
                   for (std::size_t i = 2; i < view.landmarks.size(); ++i)
                     view.landmarks[i].identity = Detection::unknown;
               }));
@@ -130,14 +130,14 @@ TEST(TeamAssociation, ReadsNoNameButAnAnchors) {
 TEST(TeamAssociation, DoesNotDependOnTheOrderOfSightings) {
   std::mt19937 random(5);
   expect_same(estimate_of(Drive(2), nothing), estimate_of(Drive(2), [&](Observation& observation) {
-                for (VehicleObservation& view : observation.team)
+                for (BodyObservation& view : observation.bodies)
                   std::shuffle(view.landmarks.begin(), view.landmarks.end(), random);
               }));
 }
 
 TEST(TeamAssociation, ByNamesWhatHasNoneIsLeftAlone) {
   const TeamEstimate e = estimate_of(Drive(1, "known"), [](Observation& observation) {
-    for (PointDetection& s : observation.team[0].landmarks)
+    for (PointDetection& s : observation.bodies[0].landmarks)
       if (s.identity > 5) s.identity = Detection::unknown;
   });
   EXPECT_EQ(e.landmarks.size(), 4u);
@@ -150,11 +150,11 @@ struct OneLandmark {
 
   OneLandmark() {
     drive.settings.anchors.clear();
-    VehicleObservation view;
+    BodyObservation view;
     view.input = Eigen::Vector2d(0, 0);
     view.landmarks.push_back({Detection::unknown, Eigen::Vector2d(5, 0)});
     Observation observation;
-    observation.team.push_back(view);
+    observation.bodies.push_back(view);
     TeamEstimator(drive.settings).update(e, {}, observation, drive.tick());
   }
   std::int64_t number() const { return e.landmarks.begin()->first; }

@@ -31,7 +31,7 @@ struct Convoy {
   Observation next() {
     Observation observation;
     for (planar::Pose<double>& x : truth) {
-      VehicleObservation view;
+      BodyObservation view;
       view.input = Eigen::Vector2d(0.5, 0);
       if (frame > 0) x = DifferentialDrive{}.f<double>(x, Eigen::Vector2d(*view.input), 0.1);
       for (std::size_t i = 0; i < points.size(); ++i)
@@ -40,7 +40,7 @@ struct Convoy {
         if (&truth[i] != &x)
           view.vehicles.push_back({static_cast<std::int64_t>(i),
                                    RangeBearing::h<double>(x, Eigen::Vector2d(truth[i].head<2>()))});
-      observation.team.push_back(view);
+      observation.bodies.push_back(view);
     }
     return observation;
   }
@@ -60,7 +60,7 @@ int doubted(double noise) {
   int count = 0;
   for (int i = 0; i < 100; ++i) {
     Observation observation = convoy.next();
-    for (VehicleObservation& view : observation.team)
+    for (BodyObservation& view : observation.bodies)
       for (auto* detections : {&view.landmarks, &view.vehicles})
         for (PointDetection& s : *detections)
           for (int k = 0; k < 2; ++k)

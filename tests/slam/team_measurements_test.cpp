@@ -34,7 +34,7 @@ Pair pair_of(const AnyMotion& motion, const AnySensor& sensor, const SmallVector
   }
   const TeamEstimator estimator(pair.settings);
   Observation nothing;
-  nothing.team.resize(2);
+  nothing.bodies.resize(2);
   estimator.update(pair.estimate, {}, nothing, {0, 0, 0});
   return pair;
 }

@@ -36,8 +36,8 @@ TEST(RangeClock, TicksOncePerScanUntilItsTimeIsUp) {
 
 TEST(RangeSensor, TellsWhatCameSinceTheTickBefore) {
   RangeSensor sensor(shared({small()}), {30, Fixes::all});
-  const VehicleObservation first = sensor.measure({}, {0, 1, 0}).team.at(0),
-                           second = sensor.measure({}, {1, 2, 1}).team.at(0);
+  const BodyObservation first = sensor.measure({}, {0, 1, 0}).bodies.at(0),
+                           second = sensor.measure({}, {1, 2, 1}).bodies.at(0);
   ASSERT_EQ(first.odometry.size(), 1u);
   ASSERT_EQ(first.landmarks.size(), 1u);  // the other is beyond 30 m
   EXPECT_EQ(first.landmarks[0].identity, 3);
@@ -52,9 +52,9 @@ TEST(RangeSensor, TellsWhatCameSinceTheTickBefore) {
 
 TEST(RangeSensor, GivesNoMoreFixesThanAreWanted) {
   RangeSensor none(shared({small()}), {30, Fixes::none}), first(shared({small()}), {30, Fixes::first});
-  EXPECT_TRUE(none.measure({}, {0, 1, 0}).team.at(0).fixes.empty());
-  EXPECT_FALSE(first.measure({}, {0, 1, 0}).team.at(0).fixes.empty());
-  EXPECT_TRUE(first.measure({}, {1, 2, 1}).team.at(0).fixes.empty());
+  EXPECT_TRUE(none.measure({}, {0, 1, 0}).bodies.at(0).fixes.empty());
+  EXPECT_FALSE(first.measure({}, {0, 1, 0}).bodies.at(0).fixes.empty());
+  EXPECT_TRUE(first.measure({}, {1, 2, 1}).bodies.at(0).fixes.empty());
 }
 
 TEST(TruePlace, LiesBetweenItsNeighborsAndTurnsTheShortWay) {

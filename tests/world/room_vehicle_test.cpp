@@ -139,13 +139,13 @@ TEST(room_vehicle, its_sensor_tells_images_wheels_and_ranges) {
   RoomVehicle world(body, mount, plant({0, 0, 0}, 0.1), room->layout(), radius_m, 1);
   RoomVehicleSensor sensor(RoomCamera(room, Camera{WideAngleCamera{}}, settings, 1), room->layout(),
                            {4, 10, 0}, 1);
-  const Observation first = sensor.measure(world.move({}, {0, 0, 0}), {0, 0, 0});
+  const BodyObservation first = sensor.measure(world.move({}, {0, 0, 0}), {0, 0, 0}).bodies.at(0);
   EXPECT_TRUE(first.odometry.empty()) << "nothing was driven yet";
   ASSERT_EQ(first.proximity_ranges.size(), 4u);
   EXPECT_NEAR(first.proximity_ranges[0].range_m, 3, 1e-9);
   EXPECT_NEAR(first.proximity_ranges[0].bearing_rad, pi / 4, 1e-12);
   const auto truth = world.move(drive(0.5, 7), {1, 0.1, 0.1});
-  const Observation observation = sensor.measure(truth, {1, 0.1, 0.1});
+  const BodyObservation observation = sensor.measure(truth, {1, 0.1, 0.1}).bodies.at(0);
   ASSERT_EQ(observation.odometry.size(), 1u);
   EXPECT_EQ(observation.odometry[0].input, Eigen::Vector2d(0.5, 1)) << "what it can do";
   ASSERT_TRUE(observation.image);

@@ -58,7 +58,7 @@ Observation first_measurement(const std::vector<SimulatedVehicle>& team, const P
 }
 
 std::vector<PointDetection> seen_by(const SimulatedVehicle& v, const PointLandmarks& place) {
-  return first_measurement({v}, place).team[0].landmarks;
+  return first_measurement({v}, place).bodies[0].landmarks;
 }
 
 TEST(TeamSensor, TellsExactlyWhatIsThereWithoutNoise) {
@@ -68,9 +68,9 @@ TEST(TeamSensor, TellsExactlyWhatIsThereWithoutNoise) {
     const AnySensor scanner = ranges ? AnySensor(RangeBearingSensor{}) : AnySensor(BearingSensor{});
     const Observation observation =
         first_measurement({vehicle(DifferentialDrive{0.3, 0}, scanner, pose)}, place);
-    ASSERT_EQ(observation.team.size(), 1u);
-    ASSERT_EQ(observation.team[0].landmarks.size(), 16u);
-    for (const PointDetection& s : observation.team[0].landmarks) {
+    ASSERT_EQ(observation.bodies.size(), 1u);
+    ASSERT_EQ(observation.bodies[0].landmarks.size(), 16u);
+    for (const PointDetection& s : observation.bodies[0].landmarks) {
       const Eigen::Vector2d way = place.at(s.identity) - pose.head(2);
       const double bearing = wrap_angle(std::atan2(way.y(), way.x()) - pose[2]);
       EXPECT_NEAR(s.z[s.z.size() - 1], bearing, 1e-12);
@@ -78,7 +78,7 @@ TEST(TeamSensor, TellsExactlyWhatIsThereWithoutNoise) {
         EXPECT_NEAR(s.z[0], way.norm(), 1e-12);
       }
     }
-    EXPECT_TRUE(observation.team[0].vehicles.empty());
+    EXPECT_TRUE(observation.bodies[0].vehicles.empty());
   }
 }
 
@@ -123,7 +123,7 @@ TEST(TeamSensor, MeasuresInItsFirstTick) {
     TeamSensor sensor({v}, ring(4, 3), false, 1);
     for (int k = 0; k <= 10; ++k) {
       const Tick tick{first + k, 0.1 * k, k == 0 ? 0 : 0.1};
-      EXPECT_EQ(sensor.measure(world.move({}, tick), tick).team[0].landmarks.empty(), k % 5 != 0)
+      EXPECT_EQ(sensor.measure(world.move({}, tick), tick).bodies[0].landmarks.empty(), k % 5 != 0)
           << first << "+" << k;
     }
   }
@@ -176,16 +176,16 @@ TEST(TeamSensor, VehiclesSeeEachOtherAndNotThemselves) {
   team[1].reach.max_range_m = 10;
   team[2].reach.field_of_view_rad = 0.5;  // looks elsewhere
   const Observation observation = first_measurement(team, ring(4, 2), true);
-  ASSERT_EQ(observation.team.size(), 3u);
-  EXPECT_EQ(names(observation.team[0].vehicles), (std::set<std::int64_t>{1, 2}));
-  EXPECT_EQ(names(observation.team[1].vehicles), (std::set<std::int64_t>{0})) << "the third is too far";
-  EXPECT_TRUE(observation.team[2].vehicles.empty());
-  const PointDetection& other = observation.team[1].vehicles[0];
+  ASSERT_EQ(observation.bodies.size(), 3u);
+  EXPECT_EQ(names(observation.bodies[0].vehicles), (std::set<std::int64_t>{1, 2}));
+  EXPECT_EQ(names(observation.bodies[1].vehicles), (std::set<std::int64_t>{0})) << "the third is too far";
+  EXPECT_TRUE(observation.bodies[2].vehicles.empty());
+  const PointDetection& other = observation.bodies[1].vehicles[0];
   EXPECT_NEAR(other.z[0], 3, 1e-12);
   EXPECT_NEAR(other.z[1], 0, 1e-12) << "they face each other";
-  EXPECT_EQ(observation.team[0].landmarks.size(), 4u);
+  EXPECT_EQ(observation.bodies[0].landmarks.size(), 4u);
   const Observation blind = first_measurement(team, {}, false);
-  for (const VehicleObservation& view : blind.team) EXPECT_TRUE(view.vehicles.empty());
+  for (const BodyObservation& view : blind.bodies) EXPECT_TRUE(view.vehicles.empty());
 }
 
 /// A camera sees the others in space, also those whose own state is on a plane.
@@ -194,11 +194,11 @@ TEST(TeamSensor, CamerasSeeVehiclesOnTheFloor) {
   const std::vector<SimulatedVehicle> team{vehicle(DifferentialDrive{}, camera, vec({0, 0, 0})),
                                            vehicle(AckermannCar{}, camera, vec({4, 1, 0}))};
   const Observation observation = first_measurement(team, {}, true);
-  ASSERT_EQ(observation.team[0].vehicles.size(), 1u);
-  const SmallVector z = observation.team[0].vehicles[0].z;
+  ASSERT_EQ(observation.bodies[0].vehicles.size(), 1u);
+  const SmallVector z = observation.bodies[0].vehicles[0].z;
   EXPECT_NEAR(z[0], 159.5 - 160 / 4.0, 1e-9) << "a metre to the left";
   EXPECT_NEAR(z[1], 119.5 + 160 / 4.0, 1e-9) << "and a metre below";
-  EXPECT_TRUE(observation.team[1].vehicles.empty()) << "it is behind";
+  EXPECT_TRUE(observation.bodies[1].vehicles.empty()) << "it is behind";
 }
 
 TEST(TeamWorld, MovesEachAsCommandedAndTellsWhatWasDone) {
@@ -213,15 +213,15 @@ TEST(TeamWorld, MovesEachAsCommandedAndTellsWhatWasDone) {
   const auto before = world.move(command, first);
   EXPECT_EQ(before->vehicles[0], vec({0, 0, 0})) << "no time has passed";
   const Observation at_first = sensor.measure(before, first);
-  for (const VehicleObservation& view : at_first.team) EXPECT_FALSE(view.input);
+  for (const BodyObservation& view : at_first.bodies) EXPECT_FALSE(view.input);
   const auto after = world.move(command, second);
   EXPECT_EQ(after->inputs[0], vec({0.4, 1}));
   EXPECT_EQ(after->inputs[1], vec({0, 0}));
   EXPECT_NEAR(after->vehicles[0][2], 0.5, 1e-9);
   EXPECT_NEAR((after->vehicles[1] - vec({5, 0, 0.1})).norm(), 0, 1e-12) << "it stands";
   const Observation observation = sensor.measure(after, second);
-  EXPECT_EQ(*observation.team[0].input, after->inputs[0]);
-  EXPECT_EQ(*observation.team[1].input, after->inputs[1]);
+  EXPECT_EQ(*observation.bodies[0].input, after->inputs[0]);
+  EXPECT_EQ(*observation.bodies[1].input, after->inputs[1]);
   EXPECT_NEAR((after->camera.head<2>() - after->vehicles[0].head<2>()).norm(), 0, 1e-12) << "of the first";
 }
 
@@ -232,7 +232,7 @@ TEST(TeamSensor, TellsNothingOfWhatItCannotName) {
     TeamSensor sensor({v}, place, false, 1, std::set<std::int64_t>{12, 13, 40});
     const Tick tick{0, 0, 0};
     const Observation observation = sensor.measure(world.move({}, tick), tick);
-    return std::pair(observation.team[0].landmarks, sensor.truth()->at(0));
+    return std::pair(observation.bodies[0].landmarks, sensor.truth()->at(0));
   };
   const PointLandmarks place = ring(8, 5);  // 10 to 17
   const auto [seen, truth] = measure(place);
@@ -267,7 +267,7 @@ std::vector<double> told(std::uint64_t seed, int vehicles) {
   for (int k = 0; k < 10; ++k) {
     const Tick tick{k, 0.1 * k, k ? 0.1 : 0};
     const Observation observation = sensor.measure(world.move({}, tick), tick);
-    for (const PointDetection& s : observation.team[0].landmarks)
+    for (const PointDetection& s : observation.bodies[0].landmarks)
       numbers.insert(numbers.end(), s.z.begin(), s.z.end());
   }
   return numbers;

@@ -42,7 +42,7 @@ Snapshot snapshot_of(const Tick& tick, const std::optional<Truth>& truth, const 
   Snapshot s;
   s.tick = tick;
   s.truth = truth;
-  s.image = observation.image;
+  s.image = of_first_body(observation).image;
   s.status = estimate.status;
   if (estimate.started) {
     s.camera = estimate.camera_state();

@@ -55,9 +55,10 @@ void CameraEstimator::update(Estimate& estimate, const Command& command, const O
   estimate.update = {};
   if (!estimate.first_t) estimate.first_t = tick.t;
   const SummedImage* image = nullptr;
-  if (observation.image && !observation.image->empty()) {
-    check_size(*observation.image, camera_);
-    summed_.assign(*observation.image);
+  const BodyObservation& body = of_first_body(observation);
+  if (body.image && !body.image->empty()) {
+    check_size(*body.image, camera_);
+    summed_.assign(*body.image);
     image = &summed_;
   }
   clock.mark("sums");
@@ -68,9 +69,9 @@ void CameraEstimator::update(Estimate& estimate, const Command& command, const O
   } else {
     predict(estimate, command, tick.dt);
     // Before the search, whose ellipses it narrows
-    if (odometry_ && !observation.odometry.empty())
+    if (odometry_ && !body.odometry.empty())
       update_with_wheel_odometry(estimate.belief, estimate.camera, *odometry_,
-                                 observation.odometry.back().input);
+                                 body.odometry.back().input);
     track(estimate, image, tick, clock);
   }
 }

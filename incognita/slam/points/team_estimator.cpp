@@ -72,14 +72,14 @@ void add_vehicle(TeamEstimate& e, const TeamMember& member, const SmallVector& s
   vehicle.prediction = e.belief.mean(vehicle.block);
 }
 
-double start_time(const TeamMember& member, const VehicleObservation& view, double t) {
+double start_time(const TeamMember& member, const BodyObservation& view, double t) {
   if (member.start_time == TeamMember::StartTime::first_fix) return view.fixes.front().t;
   if (member.start_time == TeamMember::StartTime::first_reading && !view.odometry.empty())
     return std::min(t, view.odometry.front().t);
   return t;
 }
 
-bool waits_for_fix(const TeamMember& member, const VehicleObservation& view) {
+bool waits_for_fix(const TeamMember& member, const BodyObservation& view) {
   return member.start_time == TeamMember::StartTime::first_fix && view.fixes.empty();
 }
 
@@ -87,7 +87,7 @@ bool waits_for_fix(const TeamMember& member, const VehicleObservation& view) {
 
 void TeamEstimator::start(TeamEstimate& e, const Observation& observation, const Tick& tick) const {
   for (std::size_t i = 0; i < settings_.members.size(); ++i)
-    if (waits_for_fix(settings_.members[i], observation.team[i])) {
+    if (waits_for_fix(settings_.members[i], observation.bodies[i])) {
       e.status.reason = "waiting for the first position fix";
       return;
     }
@@ -102,8 +102,8 @@ void TeamEstimator::start(TeamEstimate& e, const Observation& observation, const
     const TeamMember& member = settings_.members[i];
     SmallVector at = member.start;
     if (member.start_time == TeamMember::StartTime::first_fix)
-      at.head<2>() = observation.team[i].fixes.front().position;
-    add_vehicle(e, member, at, start_time(member, observation.team[i], tick.t),
+      at.head<2>() = observation.bodies[i].fixes.front().position;
+    add_vehicle(e, member, at, start_time(member, observation.bodies[i], tick.t),
                 settings_.filter.map_frame == "vehicle");
   }
   e.started = true;
@@ -145,7 +145,7 @@ bool was_measured(const TeamEstimate& e, int vehicle, std::int64_t identity, std
 }
 
 /// By the identities that the sensor measures, each once. Detections without identity are not used.
-void associate_by_identity(TeamEstimate& e, int vehicle, const VehicleObservation& view, const Gate& gate,
+void associate_by_identity(TeamEstimate& e, int vehicle, const BodyObservation& view, const Gate& gate,
                            const TeamSettings& settings) {
   for (const PointDetection& s : view.landmarks) {
     note(e, vehicle, false, s.identity, s.z, settings);
@@ -159,7 +159,7 @@ void associate_by_identity(TeamEstimate& e, int vehicle, const VehicleObservatio
 
 /// By where they are seen. Two vehicles may see the same new landmark, and only once it is in the map can the
 /// second one's sighting be held against it: so one vehicle gives births in a tick.
-void associate_by_position(TeamEstimate& e, int vehicle, const VehicleObservation& view, const Gate& gate,
+void associate_by_position(TeamEstimate& e, int vehicle, const BodyObservation& view, const Gate& gate,
                            const TeamSettings& settings) {
   const ViewAssociation taken = associate_view(e, vehicle, view.landmarks, settings);
   e.association_capped = e.association_capped || taken.capped;
@@ -179,10 +179,10 @@ void associate(TeamEstimate& e, const Observation& observation, const TeamSettin
   e.inliers.candidates.clear();
   e.association_capped = false;
   const auto go = settings.association.method == "known" ? associate_by_identity : associate_by_position;
-  for (std::size_t i = 0; i < observation.team.size(); ++i) {
+  for (std::size_t i = 0; i < observation.bodies.size(); ++i) {
     const int vehicle = static_cast<int>(i);
-    go(e, vehicle, observation.team[i], gate, settings);
-    for (const PointDetection& s : observation.team[i].vehicles) {
+    go(e, vehicle, observation.bodies[i], gate, settings);
+    for (const PointDetection& s : observation.bodies[i].vehicles) {
       note(e, vehicle, true, s.identity, s.z, settings);
       linearize_and_gate(e, e.matches.size() - 1, gate, settings);
     }
@@ -264,8 +264,8 @@ void initialize_landmarks(TeamEstimate& e, const TeamSettings& settings) {
 
 void TeamEstimator::update(TeamEstimate& e, const Command&, const Observation& observation,
                            const Tick& tick) const {
-  if (observation.team.size() != settings_.members.size())
-    throw std::invalid_argument("observations of " + std::to_string(observation.team.size()) +
+  if (observation.bodies.size() != settings_.members.size())
+    throw std::invalid_argument("observations of " + std::to_string(observation.bodies.size()) +
                                 " vehicles were given to an estimator of " +
                                 std::to_string(settings_.members.size()));
   StageClock stage(e.timing_ms);
@@ -277,8 +277,8 @@ void TeamEstimator::update(TeamEstimate& e, const Command&, const Observation& o
   if (!e.started) start(e, observation, tick);
   if (!e.started) return;
   for (std::size_t i = 0; i < e.vehicles.size(); ++i) {
-    e.vehicles[i].wheels = observation.team[i].wheels;
-    predict_vehicle(e, i, observation.team[i], tick.t, settings_);
+    e.vehicles[i].wheels = observation.bodies[i].wheels;
+    predict_vehicle(e, i, observation.bodies[i], tick.t, settings_);
   }
   stage.mark("predict");
   associate(e, observation, settings_);

@@ -26,7 +26,7 @@ class TeamEstimator {
 
   const TeamSettings& settings() const { return settings_; }
 
-  /// `seen.team`: one view for each vehicle, in their order; throws std::invalid_argument when there are
+  /// `observation.bodies`: one for each vehicle, in their order; throws std::invalid_argument when there are
   /// others. Each vehicle is predicted through what it told to the tick's time; then all sightings are used
   /// at once.
   void update(TeamEstimate& estimate, const Command& command, const Observation& observation,

@@ -60,7 +60,7 @@ void correct_by_fix(TeamEstimate& e, std::size_t which, const PositionReading& f
 }
 
 /// The readings and fixes of one vehicle in the order of their times.
-void predict_through_readings(TeamEstimate& e, std::size_t which, const VehicleObservation& view, double t,
+void predict_through_readings(TeamEstimate& e, std::size_t which, const BodyObservation& view, double t,
                               const TeamSettings& settings) {
   TeamVehicle& vehicle = e.vehicles[which];
   auto fix = view.fixes.begin();
@@ -84,7 +84,7 @@ void predict_through_readings(TeamEstimate& e, std::size_t which, const VehicleO
 
 }  // namespace
 
-void predict_vehicle(TeamEstimate& e, std::size_t which, const VehicleObservation& view, double t,
+void predict_vehicle(TeamEstimate& e, std::size_t which, const BodyObservation& view, double t,
                      const TeamSettings& settings) {
   TeamVehicle& vehicle = e.vehicles[which];
   if (!view.input) return predict_through_readings(e, which, view, t, settings);

@@ -10,7 +10,7 @@ namespace incognita {
 /// Predicts one vehicle to the time of the tick: through its odometry readings, each held until the next, or through
 /// the one input that it carried out since the last tick. Position fixes correct it at their own times, where the
 /// vehicle uses them. Nothing moves before the first input. Sets `estimate.refused` when a fix was refused.
-void predict_vehicle(TeamEstimate& estimate, std::size_t which, const VehicleObservation& view, double t,
+void predict_vehicle(TeamEstimate& estimate, std::size_t which, const BodyObservation& view, double t,
                      const TeamSettings& settings);
 
 /// Re-expresses a map in the vehicle's frame in the present frame of the vehicle. No-op for a map in the world.

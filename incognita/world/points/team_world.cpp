@@ -106,7 +106,7 @@ std::optional<SmallVector> TeamSensor::measured(std::size_t i, const SmallVector
   return z;
 }
 
-void TeamSensor::measure_vehicle(std::size_t i, const Truth& truth, VehicleObservation& view) {
+void TeamSensor::measure_vehicle(std::size_t i, const Truth& truth, BodyObservation& view) {
   for (const auto& [identity, point] : landmarks_)
     if (auto z = measured(i, truth.vehicles[i], point)) view.landmarks.push_back({identity, *z});
   remove_identities(view, truth_->at(i));
@@ -120,7 +120,7 @@ void TeamSensor::measure_vehicle(std::size_t i, const Truth& truth, VehicleObser
 }
 
 /// Nor may the order in which they come tell what they are.
-void TeamSensor::remove_identities(VehicleObservation& view, std::vector<std::int64_t>& truth) const {
+void TeamSensor::remove_identities(BodyObservation& view, std::vector<std::int64_t>& truth) const {
   const auto is_named = [&](const PointDetection& s) { return !named_ || named_->count(s.identity) > 0; };
   const auto without_identity = std::stable_partition(view.landmarks.begin(), view.landmarks.end(), is_named);
   std::stable_sort(without_identity, view.landmarks.end(),
@@ -137,11 +137,11 @@ Observation TeamSensor::measure(const std::optional<Truth>& truth, const Tick& t
     throw std::logic_error("a team's sensor without its team");
   truth_->assign(vehicles_.size(), {});
   for (std::size_t i = 0; i < vehicles_.size(); ++i) {
-    VehicleObservation view;
+    BodyObservation view;
     if (tick.dt > 0) view.input = truth->inputs[i];
     if (i < truth->wheels.size()) view.wheels = truth->wheels[i];
     if (ticks_ % vehicles_[i].ticks_per_measurement == 0) measure_vehicle(i, *truth, view);
-    observation.team.push_back(std::move(view));
+    observation.bodies.push_back(std::move(view));
   }
   ++ticks_;
   return observation;

@@ -65,8 +65,8 @@ class TeamSensor final : public Sensor {
   Observation measure(const std::optional<Truth>& truth, const Tick& tick) override;
 
  private:
-  void measure_vehicle(std::size_t vehicle, const Truth& truth, VehicleObservation& view);
-  void remove_identities(VehicleObservation& view, std::vector<std::int64_t>& truth) const;
+  void measure_vehicle(std::size_t vehicle, const Truth& truth, BodyObservation& view);
+  void remove_identities(BodyObservation& view, std::vector<std::int64_t>& truth) const;
   std::optional<SmallVector> measured(std::size_t vehicle, const SmallVector& state,
                                       const SmallVector& point);
 

@@ -48,10 +48,11 @@ RoomVehicleSensor::RoomVehicleSensor(RoomCamera camera, const RoomLayout& layout
 Observation RoomVehicleSensor::measure(const std::optional<Truth>& truth, const Tick& tick) {
   Observation observation = camera_.measure(truth, tick);
   if (truth->vehicles.empty()) throw std::logic_error("a vehicle's sensor without its vehicle");
-  if (tick.dt > 0) observation.odometry.push_back({tick.t, truth->inputs.front()});
+  BodyObservation& body = observation.bodies.front();
+  if (tick.dt > 0) body.odometry.push_back({tick.t, truth->inputs.front()});
   const SmallVector& x = truth->vehicles.front();
-  observation.proximity_ranges = measure_ranges(plan_, ring_, x.head<2>(), x[2]);
-  for (ConeRange& cone : observation.proximity_ranges)
+  body.proximity_ranges = measure_ranges(plan_, ring_, x.head<2>(), x[2]);
+  for (ConeRange& cone : body.proximity_ranges)
     if (cone.range_m < ring_.reach_m)
       cone.range_m = std::clamp(cone.range_m + ring_.sigma_m * noise_.normal(), 0.0, ring_.reach_m);
   return observation;

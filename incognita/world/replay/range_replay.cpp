@@ -75,8 +75,8 @@ std::optional<Truth> RangeWorld::move(const Command&, const Tick& tick) {
 RangeSensor::RangeSensor(SharedRangeRecordings recordings, const RangeSensorSettings& settings)
     : recordings_(std::move(recordings)), settings_(settings), done_(recordings_->size()) {}
 
-VehicleObservation RangeSensor::next(const RangeRecording& r, Progress& done, double t) const {
-  VehicleObservation view;
+BodyObservation RangeSensor::next(const RangeRecording& r, Progress& done, double t) const {
+  BodyObservation view;
   for (; done.odometry < r.odometry.size() && r.odometry[done.odometry].t <= t; ++done.odometry)
     view.odometry.push_back(r.odometry[done.odometry]);
   for (; done.fixes < r.fixes.size() && r.fixes[done.fixes].t <= t; ++done.fixes) {
@@ -100,7 +100,7 @@ VehicleObservation RangeSensor::next(const RangeRecording& r, Progress& done, do
 Observation RangeSensor::measure(const std::optional<Truth>&, const Tick& tick) {
   Observation observation;
   for (std::size_t i = 0; i < recordings_->size(); ++i)
-    observation.team.push_back(next((*recordings_)[i], done_[i], tick.t));
+    observation.bodies.push_back(next((*recordings_)[i], done_[i], tick.t));
   return observation;
 }
 

@@ -57,7 +57,7 @@ class RangeSensor final : public Sensor {
     std::size_t odometry = 0, fixes = 0, scans = 0;
     bool fix_given = false;
   };
-  VehicleObservation next(const RangeRecording& recording, Progress& done, double t) const;
+  BodyObservation next(const RangeRecording& recording, Progress& done, double t) const;
 
   SharedRangeRecordings recordings_;
   RangeSensorSettings settings_;

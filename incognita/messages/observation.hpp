@@ -1,4 +1,4 @@
-// All that the robot can know at one tick: what its sensors gave.
+// Sensor readings of the robot at one tick.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,63 +13,61 @@
 
 namespace incognita {
 
-/// What the wheels say, held until the next reading.
+/// Wheel odometry, held until the next reading.
 struct Odometry {
   double t = 0;                     ///< s, on the clock of the ticks
   Eigen::Vector2d input{0.0, 0.0};  ///< as the vehicle's motion model takes it, e.g. m/s and rad/s
 };
 
-/// Where an external sensor saw the vehicle, and when.
+/// Position of the vehicle, measured by an external sensor.
 struct PositionReading {
   double t = 0;                        ///< s, on the clock of the ticks
   Eigen::Vector2d position{0.0, 0.0};  ///< world, m
 };
 
-/// A landmark as a laser or a camera with ranges gives it, in the frame of the sensor.
+/// A detected landmark as range and bearing in the sensor frame.
 struct Detection {
   static constexpr std::int64_t unknown = -1;
   double range_m = 0;
   double bearing_rad = 0;           ///< from straight ahead, positive to the left
-  std::int64_t identity = unknown;  ///< which landmark it is, where the sensor can tell
+  std::int64_t identity = unknown;  ///< landmark identity, if the sensor provides one
 };
 
-/// How far it is to the nearest thing inside a cone, as a sonar tells; what it is, it does not know.
+/// Distance to the nearest obstacle inside a cone, e.g. of a sonar; the obstacle is not identified.
 struct ConeRange {
-  double bearing_rad = 0;     ///< of the cone's middle, from the vehicle's forward axis, positive to the left
-  double half_width_rad = 0;  ///< of the cone
-  double range_m = 0;         ///< from the middle of the axle; the sensor's reach where there is nothing
+  double bearing_rad = 0;     ///< of the cone axis, from the vehicle's forward axis, positive to the left
+  double half_width_rad = 0;  ///< half opening angle of the cone
+  double range_m = 0;         ///< from the center of the axle; the maximum range when nothing is detected
 };
 
-/// Whether a detection is usable: finite, with a range above 0.
+/// True for a finite range above 0 and a finite bearing.
 inline bool is_usable(const Detection& detection) {
   return std::isfinite(detection.range_m) && detection.range_m > 0 && std::isfinite(detection.bearing_rad);
 }
 
-/// What a sensor measured of a point, by name where it has one.
+/// Raw measurement of a point, with identity if the sensor provides one.
 struct PointDetection {
-  std::int64_t identity = 0;  ///< of a landmark, or Detection::unknown; of another vehicle which, from 0
-  SmallVector z;              ///< as the sensor measures
+  std::int64_t identity = 0;  ///< landmark or Detection::unknown; for another vehicle its index, from 0
+  SmallVector z;              ///< in the coordinates of the sensor model
 };
 
-/// What one vehicle of a team knows by itself.
+/// Onboard readings of one vehicle of a team.
 struct VehicleObservation {
-  std::optional<SmallVector>
-      input;  ///< what it carried out since the tick before, as its motion model takes it
-  std::vector<Odometry> odometry;  ///< or, where it was recorded, each reading since then, in time order
-  std::vector<PositionReading> fixes = {};  ///< of an external sensor, since the tick before, in time order
-  /// Speed, m/s, and turn rate, rad/s, by the encoders of what carries a camera; its filter does not ask
+  std::optional<SmallVector> input;  ///< executed since the previous tick, in the motion model's convention
+  std::vector<Odometry>
+      odometry;  ///< or, from a recording, all readings since the previous tick, in time order
+  std::vector<PositionReading> fixes = {};  ///< of an external sensor, since the previous tick, in time order
+  /// Encoder speed, m/s, and turn rate, rad/s, of the carrier of a camera. The filter does not use them.
   std::optional<Eigen::Vector2d> wheels;
-  std::vector<PointDetection> landmarks;  ///< of this very tick
-  std::vector<PointDetection> vehicles;   ///< others of the team, of this very tick
+  std::vector<PointDetection> landmarks;  ///< of this tick
+  std::vector<PointDetection> vehicles;   ///< other team members detected in this tick
 };
 
 struct Observation {
-  std::shared_ptr<const Image>
-      image;  ///< immutable, shared with the record; null when the camera gave nothing
-  std::vector<Odometry>
-      odometry;  ///< of the vehicle that carries that camera, since the tick before, in time order
-  std::vector<VehicleObservation> team;     ///< of vehicles that detect points: one for each
-  std::vector<ConeRange> proximity_ranges;  ///< what stands around a vehicle, of this very tick
+  std::shared_ptr<const Image> image;    ///< shared with the recorder; null without a frame
+  std::vector<Odometry> odometry;        ///< of the camera's carrier, since the previous tick, in time order
+  std::vector<VehicleObservation> team;  ///< one per vehicle that detects points
+  std::vector<ConeRange> proximity_ranges;  ///< distances to obstacles around a vehicle, of this tick
 };
 
 }  // namespace incognita

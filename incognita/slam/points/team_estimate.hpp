@@ -71,7 +71,7 @@ struct UsedFix {
 /// The matches of a tick that passed the gate, and the candidates for new landmarks.
 struct Inliers {
   std::vector<std::size_t> indices;     ///< into TeamEstimate::matches
-  std::vector<std::size_t> candidates;  ///< for landmark initialization, into TeamEstimate::matches
+  std::vector<std::size_t> candidates;  ///< of landmarks to initialize, into TeamEstimate::matches
   std::vector<LinearizedMeasurement> measurements;  ///< linearized about the means before the update
   Eigen::MatrixXd S;                                ///< innovation covariance of one match
 };

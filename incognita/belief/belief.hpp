@@ -144,7 +144,8 @@ class Belief : public StateLayout {
   AlignedBuffer PHt_;     ///< stride x rank
   AlignedBuffer packed_;  ///< W in the panel layout of rank_update
   Eigen::VectorXd residual_, delta_;
-  Eigen::VectorXd norms_;  ///< squared, of the rows of L; with a block-diagonal map also of W's blocks
+  Eigen::VectorXd
+      norms_;  ///< squared, of the rows of L; with a block-diagonal map also norms of the blocks of W
 };
 
 }  // namespace incognita

@@ -31,9 +31,8 @@ struct Goal {
   std::optional<Eigen::Vector2d> drive = {};
 
   /// Exploration prior, where the scenario has one (Figure 6.3).
-  std::optional<double> coverage = {};  ///< viewed share of the exploration volume
-  std::optional<double> entropy_extended =
-      {};  ///< nats, of vehicle, map and expected, still unmapped landmarks
+  std::optional<double> coverage = {};          ///< viewed share of the exploration volume
+  std::optional<double> entropy_extended = {};  ///< nats, of vehicle, map and expected landmarks
   std::vector<VehicleGoal> team = {};
 };
 

@@ -54,8 +54,7 @@ struct PointDetection {
 /// Onboard readings of one vehicle of a team.
 struct VehicleObservation {
   std::optional<SmallVector> input;  ///< executed since the previous tick, in the motion model's convention
-  std::vector<Odometry>
-      odometry;  ///< or, from a recording, all readings since the previous tick, in time order
+  std::vector<Odometry> odometry;    ///< or all recorded readings since the previous tick, in order
   std::vector<PositionReading> fixes = {};  ///< of an external sensor, since the previous tick, in time order
   /// Encoder speed, m/s, and turn rate, rad/s, of the carrier of a camera. The filter does not use them.
   std::optional<Eigen::Vector2d> wheels;

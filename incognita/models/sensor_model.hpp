@@ -23,8 +23,7 @@ namespace incognita {
 struct LandmarkParametrization {
   enum class Kind { point, inverse_depth };
   Kind kind = Kind::point;
-  Eigen::Vector4d initial_axes{1, 0, 0,
-                               0};  ///< inverse depth in space only: world_from_initial_camera, a constant
+  Eigen::Vector4d initial_axes{1, 0, 0, 0};  ///< world_from_initial_camera, constant; inverse depth only
 };
 
 struct AnyPrediction {

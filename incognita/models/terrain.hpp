@@ -180,7 +180,7 @@ GroundPoint<S> HeightMap::at(const S& x, const S& y) const {
   const auto wy = weights<S>((y - S(origin_m_.y())) * S(per_m), static_cast<int>(coefficients_.cols()) - 3);
   const Eigen::Matrix<S, 4, 4> c = coefficients_.block<4, 4>(wx.first, wy.first).template cast<S>();
   const Eigen::Matrix<S, 4, 4> d =
-      wx.w * c * wy.w.transpose();  // (a, b): a-th derivative by x, b-th by y, in cells
+      wx.w * c * wy.w.transpose();  // (a, b): orders of the derivatives by x and y, in cells
   const S k1(per_m), k2(per_m * per_m), k3(per_m * per_m * per_m);
   return {d(0, 0),      k1 * d(1, 0), k1 * d(0, 1), k2 * d(2, 0), k2 * d(1, 1),
           k2 * d(0, 2), k3 * d(3, 0), k3 * d(2, 1), k3 * d(1, 2), k3 * d(0, 3)};

@@ -193,7 +193,7 @@ void CameraEstimator::maintain_map(Estimate& estimate, const SummedImage& summed
   delete_bad_landmarks(estimate, settings_.map);
 }
 
-/// Stops the camera at its last pose, with the uncertainty of a short search around it.
+/// Stops the camera at its last pose and adds the uncertainty of a short search around it.
 void CameraEstimator::declare_lost(Estimate& estimate) const {
   CameraState x = estimate.camera_state();
   x.tail<6>().setZero();

@@ -5,7 +5,6 @@
 // chi-square gate are counted. Everything is computed in measurement space from the joint innovation
 // covariance, so the cost does not depend on the size of the map. The largest group then has to pass a
 // leave-one-out test: each member must be consistent with all the others.
-// must agree with all the others.
 #pragma once
 
 #include <Eigen/Core>

@@ -4,7 +4,6 @@
 // weighted hypotheses. Each projects into the image with its own ellipse, one correlation sheet serves all of
 // them, and the match re-weights them. When sigma/depth is small the line is converted to a point with the
 // Gaussian of its hypotheses.
-// point of the map.
 #pragma once
 
 #include "incognita/slam/features/estimate.hpp"

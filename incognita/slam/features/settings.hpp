@@ -6,13 +6,12 @@
 namespace incognita {
 
 struct FilterSettings {
-  double sigma_acceleration_m_s2 = 1.0;  ///< unknown acceleration per axis, held for one frame
-  double sigma_angular_acceleration_rad_s2 =
-      1.0;                                      ///< unknown angular acceleration per axis, held for one frame
-  double sigma_pixel_px = 1.0;                  ///< of one measured patch position, per axis
-  double sigma_start_velocity_m_s = 0.2;        ///< per axis, at the start of the run
-  double sigma_start_angular_rate_rad_s = 0.2;  ///< per axis, at the start of the run
-  bool odometry = false;                        ///< the wheel odometry of the camera's carrier is used
+  double sigma_acceleration_m_s2 = 1.0;            ///< unknown acceleration per axis, held for one frame
+  double sigma_angular_acceleration_rad_s2 = 1.0;  ///< the same for angular acceleration
+  double sigma_pixel_px = 1.0;                     ///< of one measured patch position, per axis
+  double sigma_start_velocity_m_s = 0.2;           ///< per axis, at the start of the run
+  double sigma_start_angular_rate_rad_s = 0.2;     ///< per axis, at the start of the run
+  bool odometry = false;                           ///< the wheel odometry of the camera's carrier is used
   double sigma_slip_m_s = 0.02;  ///< per axis, deviation of the carrier from the no-slip constraint
 };
 
@@ -21,7 +20,7 @@ struct SearchSettings {
   double gate_sigmas = 3.0;             ///< half axes of the search ellipse in sigmas of the innovation
   double min_correlation = 0.8;         ///< normalized cross-correlation required for a match
   int max_measurements = 12;            ///< features searched for per frame, the most uncertain first
-  double max_half_axis_px = 60;         ///< limit of the half axes of a search ellipse
+  double max_half_axis_px = 60;         ///< limit of the search in u and in v, from the center of the ellipse
   double gate_probability = 0.99;       ///< of a correct match, in each consistency test
   double max_unconfirmed_sigma_px = 8;  ///< re-detections predicted less precisely are unconfirmed
 };

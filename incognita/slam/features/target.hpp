@@ -18,8 +18,7 @@ struct Target {
   /// A frontal picture of the target and its surroundings, from the printed side.
   struct Picture {
     Image image;
-    Eigen::Matrix3d
-        world_from_px;  ///< m, from (u, v, 1); the columns are one pixel right, one down, and the origin
+    Eigen::Matrix3d world_from_px;  ///< m, from (u, v, 1); columns: pixel right, pixel down, origin
   };
   std::string name;
   std::vector<Corner> corners;      ///< four or more, in one plane

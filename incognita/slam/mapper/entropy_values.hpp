@@ -8,7 +8,8 @@
 
 namespace incognita {
 
-/// Entropies from log-determinants: thesis (6.2). Map and total are refreshed about once a second.
+/// Entropies from log-determinants: thesis (6.2). Map and total are refreshed about once a second, the vehicle too in a
+/// team; the camera estimator refreshes its vehicle entropy at every frame.
 struct Entropy {
   double vehicle = std::numeric_limits<double>::quiet_NaN();
   double map = std::numeric_limits<double>::quiet_NaN();

@@ -4,7 +4,6 @@
 // that results if they belong together. Nearest neighbor decides each pairing individually. Joint
 // compatibility branch and bound (Neira, Tardos, IEEE Trans. Robotics and Automation 2001) finds the largest
 // set of jointly compatible pairings, whose innovations are correlated through the vehicle.
-// correlated as they are through the vehicle, are probable together.
 #pragma once
 
 #include <cstdint>

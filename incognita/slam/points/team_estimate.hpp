@@ -57,7 +57,7 @@ struct Match {
   std::int64_t identity = 0;   ///< of the associated landmark; Detection::unknown: none
   SmallVector measured;        ///< in the coordinates of the sensor
   SmallVector predicted;       ///< before the update; empty without a prediction and for new landmarks
-  SmallMatrix innovation_cov;  ///< rows x rows; empty likewise
+  SmallMatrix innovation_cov;  ///< rows x rows; empty in the same cases
   MatchOutcome outcome = MatchOutcome::not_searched;
 };
 
@@ -98,8 +98,8 @@ struct TeamEstimate {
   int iterations = 0;                          ///< of the iterated update
   int doubted_ticks = 0, unmatched_ticks = 0;  ///< consecutive: with large innovations, without a match
   double recent_nis = 0, recent_rows = 0;      ///< weighted sums over updates, forgetting factor 0.9
-  Entropy entropy;                             ///< vehicles at every tick, map and total about once a second
-  std::optional<double> entropy_t;             ///< s, time of the last refresh of map and total
+  Entropy entropy;                             ///< refreshed about once a second: entropy_period_s()
+  std::optional<double> entropy_t;             ///< s, time of its last refresh
   std::int64_t unconverged_updates = 0;        ///< iterated updates that reached the iteration limit
   std::int64_t capped_associations = 0;        ///< joint searches that reached the node limit
   std::vector<std::pair<const char*, double>> timing_ms;

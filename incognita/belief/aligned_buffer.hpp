@@ -1,5 +1,5 @@
-// Zeroed doubles at a cache-line boundary, which Eigen's own storage promises only for the processor it is
-// built for.
+// Zero-initialized doubles at a cache-line boundary. Eigen's own alignment depends on the target processor of
+// the build.
 #pragma once
 
 #include <algorithm>

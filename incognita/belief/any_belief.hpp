@@ -1,4 +1,4 @@
-// A belief in the form that a scenario chooses: one value for either, with what both can do.
+// A belief in covariance or information form, as chosen by the scenario, with the operations common to both.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,18 +13,17 @@ namespace incognita {
 
 class AnyBelief {
  public:
-  AnyBelief() = default;  ///< in covariance form
+  AnyBelief() = default;  ///< covariance form
   explicit AnyBelief(Belief belief) : form_(std::move(belief)) {}
   explicit AnyBelief(InformationBelief belief) : form_(std::move(belief)) {}
 
-  /// What holds for one form only, by std::visit.
+  /// For operations of one form only: std::visit.
   const std::variant<Belief, InformationBelief>& form() const { return form_; }
   const StateLayout& layout() const {
     return std::visit([](const auto& b) -> const StateLayout& { return b; }, form_);
   }
 
-  // As in belief.hpp and state_layout.hpp
-  // -------------------------------------------------------------------------------------------------
+  // As in belief.hpp and state_layout.hpp.
 
   int errors() const { return layout().errors(); }
   int block_count() const { return layout().block_count(); }
@@ -81,14 +80,13 @@ class AnyBelief {
     std::visit([&](const auto& b) { b.innovation_covariance(measurements, S); }, form_);
   }
 
-  // Of the covariance form alone; in information form each throws std::bad_variant_access
-  // -------------------------------------------------------------------------------------------------
+  // Covariance form only: in information form these throw std::bad_variant_access.
 
   void change_frame(const LinearizedMotion& frame_motion, std::span<const Belief::MovedBlock> others) {
     std::get<Belief>(form_).change_frame(frame_motion, others);
   }
   void decorrelate(Belief::Scope scope) { std::get<Belief>(form_).decorrelate(scope); }
-  /// Whether the map's correlations are dropped at every update; never in information form.
+  /// True for a block-diagonal map covariance; false in information form.
   bool drops_correlations() const {
     const Belief* belief = std::get_if<Belief>(&form_);
     return belief && belief->correlations() == MapCorrelations::block_diagonal;

@@ -35,7 +35,7 @@ void Belief::reserve_rank(int rank) {
   if (rank <= rank_capacity_) return;
   rank_capacity_ = rank;
   PHt_ = AlignedBuffer(static_cast<std::size_t>(P_.stride) * rank);
-  // W, and behind it what whiten() or, before there is a W, cholesky() works in
+  // W, followed by the workspace of whiten(); cholesky() uses the same storage before W exists
   packed_ = AlignedBuffer(std::max(static_cast<std::size_t>(P_.stride + round_up_to_panel(rank)) * rank,
                                    cholesky_workspace(rank)));
   S_stride_ = round_up_to_panel(rank) + rank_update_panel;
@@ -64,7 +64,7 @@ BlockId Belief::augment(const Chart& chart, const Eigen::Ref<const Eigen::Vector
   reserve(old + size);
   const BlockId id = append(chart, mean);
   Matrix p = P();
-  // Cross covariance with all there was (2.24), then the block itself (2.25)
+  // Cross covariance with all existing blocks (2.24), then the block itself (2.25)
   for (int j = 0; j < old; ++j)
     for (int i = 0; i < size; ++i) {
       double sum = 0;
@@ -122,11 +122,11 @@ void Belief::predict(const LinearizedMotion& motion) {
   Matrix p = P();
   const BlockMatrix own = motion.A * covariance(motion.block) * motion.A.transpose() + motion.N;
   BlockVector column(size);
-  for (int j = 0; j < first; ++j) {  // vehicles before it
+  for (int j = 0; j < first; ++j) {  // preceding vehicles
     column.noalias() = motion.A * p.col(j).segment(first, size);
     p.col(j).segment(first, size) = column;
   }
-  // Everything below it, a few rows at a time so that they stay in the first cache
+  // The rows below, in chunks that fit the L1 cache
   constexpr int chunk = 64;
   Eigen::Matrix<double, chunk, max_block_size> rows;
   for (int i = after; i < errors_; i += chunk) {

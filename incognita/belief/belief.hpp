@@ -1,12 +1,12 @@
-// The belief: a Gaussian over vehicles and landmarks, and what can happen to it. Its blocks and their means
-// are in state_layout.hpp; information_belief.hpp has the same in information form.
+// The belief: a joint Gaussian over vehicles and landmarks. state_layout.hpp has its blocks and their means,
+// information_belief.hpp the same in information form.
 //
-// Blocks keep their ids for life; vehicles come first, landmarks follow. Each block has a chart, so the mean
-// is kept on its manifold and the covariance is that of the error in the chart. Only the lower triangle of
-// the covariance means anything, and nobody outside this room sees how it is stored.
+// Block ids never change; vehicles precede landmarks. Each block has a chart: its mean stays on its manifold,
+// and the covariance is that of the error in the chart. Only the lower triangle of the covariance is valid,
+// and its storage is private to this module.
 //
-// predict() costs time linear in the state, update() quadratic with one pass over one triangle. Neither
-// allocates once the largest state and the largest measurement have been seen.
+// predict() is linear in the state, update() quadratic with one pass over one triangle. Neither allocates
+// once the largest state and the largest measurement have occurred.
 #pragma once
 
 #include <Eigen/Core>
@@ -20,90 +20,87 @@
 
 namespace incognita {
 
-/// What becomes of the correlations between landmarks.
+/// Treatment of the correlations between landmarks.
 enum class MapCorrelations {
-  full,            ///< as Kalman has it
-  block_diagonal,  ///< the map stays block diagonal, thesis (3.28), its blocks inflated by what that takes
+  full,            ///< the exact Kalman filter
+  block_diagonal,  ///< block-diagonal map, thesis (3.28); its blocks are inflated to stay conservative
 };
 
 class Belief : public StateLayout {
  public:
-  /// `expected_errors`: how large the covariance is expected to grow; more is allocated when it does. With
-  /// `dropped` correlations update() and augment() are linear in the map, not quadratic; memory stays
-  /// quadratic. One vehicle only then.
+  /// `expected_errors`: initial size of the covariance, which grows when needed. With a block-diagonal map update()
+  /// and augment() are linear in the map instead of quadratic (memory stays quadratic), and one vehicle is allowed.
   explicit Belief(int expected_errors = 64, MapCorrelations correlations = MapCorrelations::full);
 
-  // What is in it
-  // -------------------------------------------------------------------------------------------------
+  // Contents.
 
   MapCorrelations correlations() const { return correlations_; }
-  /// Covariance between two blocks' errors.
+  /// Cross covariance of two blocks' errors.
   BlockMatrix covariance(BlockId row, BlockId column) const;
   BlockMatrix covariance(BlockId id) const { return covariance(id, id); }
-  /// A copy of the whole covariance, both triangles: for tests, entropies once a second, and small maps.
+  /// Copy of the whole covariance, both triangles. Slow: for tests, occasional entropies and small maps.
   Eigen::MatrixXd dense_covariance() const;
 
-  // What can happen to it
-  // ----------------------------------------------------------------------------------------- All throw
-  // std::invalid_argument, with the sizes, when sizes do not fit; the belief is unchanged then.
+  // Operations. All throw std::invalid_argument, with the sizes, when sizes do not fit; the belief is unchanged then.
 
-  /// A vehicle, independent of all there is. Throws std::logic_error when there are landmarks already.
+  /// Adds a vehicle that is independent of all blocks. Throws std::logic_error once there are landmarks, and
+  /// for a second vehicle with a block-diagonal map.
   BlockId add_vehicle(const Chart& chart, const Eigen::Ref<const Eigen::VectorXd>& mean,
                       const Eigen::Ref<const Eigen::MatrixXd>& covariance);
 
-  /// A block whose error is sum of J_i * (error of block i) + noise: a landmark's birth, thesis
+  /// Adds a block whose error is sum of J_i * (error of parent i) + noise: landmark initialization, thesis
   /// (2.20)-(2.26).
   using Parent = BlockParent;
   BlockId augment(const Chart& chart, const Eigen::Ref<const Eigen::VectorXd>& mean,
                   std::span<const Parent> parents, const Eigen::Ref<const Eigen::MatrixXd>& noise);
 
-  /// The same block in another chart: new error = J * (old error) + noise. It must not grow.
+  /// Reparametrizes a block: new error = J * (old error) + noise. The number of errors must not grow.
   void replace(BlockId id, const Chart& chart, const Eigen::Ref<const Eigen::VectorXd>& mean,
                const BlockMatrix& J, const BlockMatrix& noise);
 
-  /// Forgets a block (marginalises it out).
+  /// Marginalizes a block out.
   void drop(BlockId id);
 
-  /// (A.2.1)-(A.2.4). Linear in the size of the state.
+  /// EKF prediction (A.2.1)-(A.2.4), linear in the size of the state.
   void predict(const LinearizedMotion& motion);
 
-  /// (A.2.5), (A.2.6) with all looks at once: P <- P - W W' with W = P H' L^-T, S = L L', on one triangle.
-  /// An S that is not positive definite to rounding comes back as `singular`, and so does a variance of which
-  /// rounding would leave nothing, e.g. a prior 1e16 times the variance of a look; update_joseph() still
-  /// takes that one. With dropped correlations looks are used one after the other, and one that would leave
-  /// nothing of a variance is left out; `singular` then means that all were.
+  /// EKF update (A.2.5), (A.2.6) with all measurements at once: P <- P - W W' with W = P H' L^-T, S = L L',
+  /// on one triangle. Returns `singular` when S is not positive definite within rounding, or when a posterior
+  /// variance would be lost to rounding (e.g. a prior 1e16 times the variance of a measurement;
+  /// update_joseph() still accepts that one). With a block-diagonal map measurements are applied
+  /// sequentially, and those that would lose a variance are skipped; `singular` then means that all were.
   UpdateReport update(std::span<const LinearizedMeasurement> measurements);
 
-  /// The same with the Joseph form (A.2.7) on dense matrices: slower, allocates, keeps P positive for any
-  /// gain. Not for dropped correlations: throws std::logic_error.
+  /// The same in Joseph form (A.2.7) on dense matrices: slower, allocates, keeps P positive for any gain.
+  /// Throws std::logic_error with a block-diagonal map.
   UpdateReport update_joseph(std::span<const LinearizedMeasurement> measurements);
 
-  /// What update() would add to the errors of some blocks, without doing it: `out` has one vector for each.
-  /// False when update() would refuse S. Costs nothing that grows with the map. Not for dropped correlations,
-  /// whose looks are used one after the other: throws std::logic_error.
+  /// The correction that update() would add to the errors of `blocks`, one vector each in `out`, without applying it.
+  /// False without measurements and when update() would reject S. The cost does not depend on the size of the map.
+  /// Throws std::logic_error with a block-diagonal map, whose measurements are applied sequentially.
   bool correction(std::span<const LinearizedMeasurement> measurements, std::span<const BlockId> blocks,
                   std::span<BlockVector> out);
 
-  /// One block moves and takes all others along, as landmarks told in the frame of a vehicle do:
-  /// its error after = A * error before, that of each other block = A_i * its own + B_i * that of the mover.
-  /// Whoever is not among `others` stays. Quadratic in the state; allocates. Not for dropped correlations:
-  /// throws std::logic_error.
+  /// Re-expresses blocks in a frame that moves with another block, e.g. landmarks in the vehicle frame. The
+  /// error of the moving block becomes A * error + noise N, that of each block in `others` A_i * its own +
+  /// B_i * that of the moving block; all remaining blocks keep theirs. Quadratic in the state; allocates.
+  /// Throws std::logic_error with a block-diagonal map.
   struct MovedBlock {
     BlockId block = 0;
-    BlockVector x_next;  ///< mean after
+    BlockVector x_next;  ///< mean afterwards
     BlockMatrix A;       ///< errors x errors
-    BlockMatrix B;       ///< errors x errors of the mover
+    BlockMatrix B;       ///< errors x errors of the moving block
   };
   void change_frame(const LinearizedMotion& frame_motion, std::span<const MovedBlock> others);
 
-  /// Makes the covariance block diagonal, or only the map's part of it (3.28), with the least trace added:
-  /// see inflation.hpp. For maps to study: slower than anything else here. The first block is the
-  /// vehicle; throws std::logic_error when there is another.
+  /// Makes the covariance, or only its map part (3.28), block diagonal with the least additional trace: see
+  /// inflation.hpp. Slow, for studies. The first block is the vehicle; throws std::logic_error when there is
+  /// another vehicle.
   enum class Scope { everything, map };
   void decorrelate(Scope scope);
 
-  /// Innovation covariance S = H P H' + R of looks, all of them together; sized rows x rows, both triangles.
-  /// Costs nothing that grows with the map.
+  /// Joint innovation covariance S = H P H' + R of all measurements: rows x rows, both triangles. The cost
+  /// does not depend on the size of the map.
   void innovation_covariance(std::span<const LinearizedMeasurement> measurements, Eigen::MatrixXd& S) const;
 
  private:
@@ -130,24 +127,25 @@ class Belief : public StateLayout {
   template <class Destination>
   void fill_innovation_covariance(std::span<const LinearizedMeasurement> measurements, Destination& S) const;
 
-  /// P with one valid triangle, the lower.
+  /// P; only the lower triangle is valid.
   Matrix P() { return {P_.column(0), errors_, errors_, Eigen::OuterStride<>(P_.stride)}; }
   ConstMatrix P() const { return {P_.column(0), errors_, errors_, Eigen::OuterStride<>(P_.stride)}; }
   double entry(int i, int j) const { return P_.entry(i, j); }
-  /// The innovation covariance of so many rows, or its factor, with one valid triangle, the lower.
+  /// The rows x rows innovation covariance, or its factor; only the lower triangle is valid.
   Matrix S(int rows) { return {S_.data(), rows, rows, Eigen::OuterStride<>(S_stride_)}; }
 
   Triangle P_;
   MapCorrelations correlations_ = MapCorrelations::full;
 
-  // Workspace of update(), kept so that it allocates nothing
+  // Workspace of update(), kept to avoid allocation
   int rank_capacity_ = 0;
   int S_stride_ = 0;
-  AlignedBuffer S_;       ///< lower triangle of the innovation covariance, then of its Cholesky factor
+  AlignedBuffer S_;       ///< lower triangle of the innovation covariance, then its Cholesky factor
   AlignedBuffer PHt_;     ///< stride x rank
-  AlignedBuffer packed_;  ///< W in the panels of rank_update
+  AlignedBuffer packed_;  ///< W in the panel layout of rank_update
   Eigen::VectorXd residual_, delta_;
-  Eigen::VectorXd norms_;  ///< of the rows of L; where correlations are dropped also of W's, by block
+  Eigen::VectorXd
+      norms_;  ///< squared, of the rows of L; with a block-diagonal map also norms of the blocks of W
 };
 
 }  // namespace incognita

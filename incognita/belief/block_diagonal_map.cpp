@@ -1,13 +1,13 @@
 // Updates that keep the map block diagonal, in time linear in the map: thesis Section 3.3.
 //
-// A look's update is P - W W'. Vehicle and cross covariances take it whole. Of the map's part, D - W_f W_f'
-// with D block diagonal, only a block-diagonal bound from above is kept. For one column w of W_f, blocks w_i,
+// A measurement update is P - W W'. It is exact for the vehicle and the cross covariances. For the map part, D - W_f
+// W_f' with D block diagonal, only a block-diagonal upper bound is kept. For one column w of W_f with blocks w_i,
 //
 //   w w' >= blockdiag(t_i w_i w_i')   if and only if   |sum u_i|^2 >= sum t_i u_i^2 for all numbers u_i,
 //
-// so at most one t_i is positive. The bound of least trace shrinks the block with the longest w_i, when it is
-// longer than all others together (their sum is A): t = c / |w_i| with c = |w_i| - A, and inflates the others
-// by t_j = -c / |w_j|; the trace falls by c^2. Otherwise no bound is better than to leave the map as it is.
+// so at most one t_i is positive. The bound of least trace shrinks the block with the longest w_i, if it is
+// longer than the sum A of all others: t = c / |w_i| with c = |w_i| - A, and the others are inflated, t_j =
+// -c / |w_j|; the trace falls by c^2. Otherwise no bound improves on the unchanged map.
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/SVD>
@@ -27,7 +27,7 @@ BlockMatrix absolute(const BlockMatrix& M) {
   return svd.matrixU() * svd.singularValues().asDiagonal() * svd.matrixU().transpose();
 }
 
-/// Element of W in the panels of rank_update.
+/// Element of W in the panel layout of rank_update.
 double& panel_entry(double* packed, int rank, int row, int column) {
   return packed[panel_index(row, column, rank)];
 }
@@ -37,7 +37,7 @@ double& panel_entry(double* packed, int rank, int row, int column) {
 UpdateReport Belief::update_block_diagonal(std::span<const LinearizedMeasurement> measurements) {
   UpdateReport report;
   if (measurements.empty()) return report;
-  if (!factorize_innovation(measurements, report)) {  // of all together: what they say, before any is used
+  if (!factorize_innovation(measurements, report)) {  // joint NIS and log-determinants, about the prior
     report.outcome = UpdateReport::Outcome::singular;
     return report;
   }
@@ -55,7 +55,7 @@ UpdateReport Belief::update_block_diagonal(std::span<const LinearizedMeasurement
   return report;
 }
 
-/// One look alone: `delta` is what those before it moved, in errors about the same means.
+/// Applies one measurement. `delta`: correction by the previous ones, about the same means.
 bool Belief::apply_measurement(const LinearizedMeasurement& measurement, std::span<double> delta) {
   LinearizedMeasurement left = measurement;
   for (int i = 0; i < measurement.part_count; ++i) {
@@ -78,7 +78,7 @@ bool Belief::apply_measurement(const LinearizedMeasurement& measurement, std::sp
   return true;
 }
 
-/// Whether rounding would leave something of each variance, as update() asks.
+/// The rounding check of update(): no posterior variance may be lost to cancellation.
 bool Belief::leaves_variances(int rank) {
   for (int i = 0; i < errors_; ++i) {
     double taken = 0;
@@ -88,8 +88,8 @@ bool Belief::leaves_variances(int rank) {
   return true;
 }
 
-/// W W' does not change when W is turned, W U with U orthogonal; what each column by itself can shrink does.
-/// The columns are turned to the main axes of what the look says of the landmark it is of.
+/// W W' is invariant under W U with U orthogonal, but the bound per column is not. The columns are rotated to
+/// the principal axes of the measurement's effect on its landmark.
 void Belief::align_columns(const LinearizedMeasurement& measurement) {
   const int rank = measurement.rows();
   if (measurement.part_count < 2 || rank < 2) return;
@@ -110,7 +110,7 @@ void Belief::align_columns(const LinearizedMeasurement& measurement) {
   residual_.head(rank) = (U.transpose() * residual_.head(rank)).eval();
 }
 
-/// The vehicle's columns of P - W W'.
+/// P - W W' in the columns of the vehicle.
 void Belief::shrink_arrow(int rank) {
   const Block& vehicle = blocks_.front();
   Matrix p = P();
@@ -121,7 +121,7 @@ void Belief::shrink_arrow(int rank) {
     }
 }
 
-/// The map's diagonal blocks, by one column of W.
+/// The bound of the diagonal map blocks for one column of W.
 void Belief::shrink_map(int rank, int column) {
   const std::size_t count = blocks_.size();
   if (static_cast<std::size_t>(norms_.size()) < count) norms_.resize(static_cast<Eigen::Index>(2 * count));
@@ -150,8 +150,8 @@ void Belief::shrink_map(int rank, int column) {
   }
 }
 
-/// A landmark just born is correlated with all others through the vehicle. Two blocks with the cross
-/// covariance C part when [C C']^1/2 and [C' C]^1/2 are added to them: no less trace would do.
+/// A new landmark is correlated with all others through the vehicle. A cross covariance C of two blocks is
+/// removed by adding [C C']^1/2 and [C' C]^1/2 to them, the least possible trace.
 void Belief::separate_new_block(const Block& new_block) {
   Matrix p = P();
   const int size = new_block.chart.tangent();

@@ -38,7 +38,7 @@ std::vector<Range> blocks_along(const MatrixXd& P, std::span<const int> sizes) {
   throw std::invalid_argument(what.str());
 }
 
-/// P without its diagonal blocks.
+/// The off-diagonal blocks of P, symmetrized.
 MatrixXd correlations(const MatrixXd& P, const std::vector<Range>& blocks) {
   MatrixXd M = 0.5 * (P + P.transpose());
   for (const auto [first, size] : blocks) M.block(first, first, size, size).setZero();
@@ -57,19 +57,19 @@ Polar polar(const MatrixXd& G) {
   return {0.5 * (root + root.transpose()), V * U.transpose()};
 }
 
-/// What is added to the diagonal blocks, feasible or nearly, and the dual's value.
+/// Inflation of the diagonal blocks, feasible or nearly so, and the value of the dual.
 struct Candidate {
   MatrixXd Q;
   double bound = 0;
 };
 
-/// Q >= M costs tr(Q); its dual is to maximise tr(M X) over X >= 0 with identities for diagonal blocks. Here
-/// X = V V', V_i with orthonormal rows: of such a V_i the best for given others is the polar factor of
-/// sum M_ij V_j, and where all are that, the roots of these polar decompositions are Q.
+/// Primal: minimize tr(Q) subject to Q >= M, Q block diagonal. Dual: maximize tr(M X) over X >= 0 with
+/// identity diagonal blocks. X = V V' with orthonormal rows in each V_i. For fixed others the optimal V_i is
+/// the polar factor of sum M_ij V_j; at the optimum the roots of these polar decompositions form Q.
 class Ascent {
  public:
   Ascent(const MatrixXd& M, const std::vector<Range>& blocks) : M_(M), blocks_(blocks) {
-    RandomStream random(1, "inflation");  // alike V_i could be a stationary point
+    RandomStream random(1, "inflation");  // equal V_i could be a stationary point
     V_ = MatrixXd::NullaryExpr(M.rows(), columns(), [&] { return random.normal(); });
     for (const auto [first, size] : blocks_) set(first, size, V_.middleRows(first, size));
   }
@@ -89,8 +89,8 @@ class Ascent {
  private:
   void set(int first, int size, const MatrixXd& G) { V_.middleRows(first, size) = polar(G).direction; }
 
-  /// So many that every local maximum is a global one, for all but special M (Boumal, Voroninski, Bandeira
-  /// 2016): more than the square root of twice the number of constraints.
+  /// Enough columns that generically every local maximum is a global one (Boumal, Voroninski, Bandeira 2016):
+  /// more than the square root of twice the number of constraints.
   int columns() const {
     int twice_constraints = 0, largest = 1;
     for (const auto [first, size] : blocks_) {
@@ -106,7 +106,7 @@ class Ascent {
   MatrixXd V_;
 };
 
-/// One covariance, its blocks and correlations, and what rounding makes of them.
+/// One covariance with its blocks, its off-diagonal part and its rounding error.
 struct Problem {
   const MatrixXd& P;
   std::vector<Range> blocks;
@@ -121,13 +121,13 @@ struct Problem {
 
   double n() const { return static_cast<double>(P.rows()); }
 
-  /// How far an eigenvalue of a difference of matrices as large as P and Q may be from what is computed.
+  /// Bound on the rounding error of an eigenvalue of a difference of matrices as large as P and Q.
   double rounding(const MatrixXd& Q) const {
     const double largest = P.diagonal().cwiseAbs().maxCoeff() + M.norm() + Q.norm();
     return 4 * n() * std::numeric_limits<double>::epsilon() * largest;
   }
 
-  /// Whether `c`, once made feasible, is near enough to its own bound: cheaper than to make it so.
+  /// Whether `c` would be within the tolerance of its bound once made feasible; cheaper than inflated().
   bool is_good(const Candidate& c) const {
     const double left = tolerance * c.bound - (c.Q.trace() - c.bound);
     if (left < 0) return false;
@@ -135,7 +135,7 @@ struct Problem {
     return shifted.llt().info() == Eigen::Success;
   }
 
-  /// Adds what the smallest eigenvalue of Q - M still lacks, whatever Q is.
+  /// Makes any Q feasible by adding the missing smallest eigenvalue of Q - M to its diagonal blocks.
   Inflation inflated(const Candidate& c, int sweeps) const {
     const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(c.Q - M, Eigen::EigenvaluesOnly);
     const double margin = rounding(c.Q), lacks = std::max(0.0, margin - eigen.eigenvalues()[0]);
@@ -150,9 +150,8 @@ struct Problem {
   }
 };
 
-/// [C C']^1/2 and [C' C]^1/2. Less cannot be: with C = U S V', the product of [Q_1 -C; -C' Q_2] with the
-/// semidefinite [UU' UV'; VU' VV'] has the trace tr(U'Q_1 U) + tr(V'Q_2 V) - 2 tr(S), which must not be
-/// negative.
+/// [C C']^1/2 and [C' C]^1/2. This is optimal: with C = U S V', the product of [Q_1 -C; -C' Q_2] with the
+/// semidefinite [UU' UV'; VU' VV'] has the trace tr(U'Q_1 U) + tr(V'Q_2 V) - 2 tr(S), which must not be negative.
 Candidate closed_form(const Problem& problem) {
   const int size = problem.blocks[0].size, rest = problem.blocks[1].size;
   const MatrixXd C = problem.M.topRightCorner(size, rest);

@@ -13,7 +13,7 @@
 namespace incognita {
 namespace {
 
-/// Of a matrix that must be positive definite.
+/// Inverse of a matrix that must be positive definite; throws std::invalid_argument if it is not.
 BlockMatrix inverse_of(const Eigen::Ref<const Eigen::MatrixXd>& covariance, const char* what) {
   const BlockMatrix given = covariance;
   const Eigen::LLT<BlockMatrix> llt(given);
@@ -24,14 +24,14 @@ BlockMatrix inverse_of(const Eigen::Ref<const Eigen::MatrixXd>& covariance, cons
   return llt.solve(BlockMatrix::Identity(given.rows(), given.cols()));
 }
 
-/// Some B with B B' = noise.
+/// A matrix B with B B' = noise.
 BlockMatrix root_of(const BlockMatrix& noise) {
   const Eigen::SelfAdjointEigenSolver<BlockMatrix> eigen(noise);
   return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal();
 }
 
-/// x and w, told by y = J x + B w and by some k: the inverse of an invertible matrix whose first rows are
-/// [J B] and whose others are orthonormal, and orthogonal to those.
+/// Expresses x and w by y = J x + B w and a complement k: the inverse of an invertible matrix whose first
+/// rows are [J B] and whose other rows are orthonormal and orthogonal to those.
 struct Complement {
   BlockMatrix x_by_y, x_by_k, w_by_y, w_by_k;
 
@@ -43,7 +43,7 @@ struct Complement {
     rows.bottomRows(w) = B.transpose();
     const Eigen::HouseholderQR<Wide> qr(rows);
     const Wide Q = qr.householderQ() * Wide::Identity(x + w, x + w);
-    const Wide R = qr.matrixQR().topRows(y);  // its upper triangle
+    const Wide R = qr.matrixQR().topRows(y);  // upper triangle only
     const BlockVector pivots = R.diagonal().cwiseAbs();
     if (pivots.allFinite() &&
         !(pivots.minCoeff() > std::numeric_limits<double>::epsilon() * pivots.maxCoeff()))
@@ -87,7 +87,7 @@ InformationBelief::LogDeterminants InformationBelief::log_determinants(int first
   const ReverseFactor* known = factor();
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   if (known == nullptr) return {nan, nan, nan};
-  // det P = det P_others * det P_first|others, and the latter is the inverse of the first's own information
+  // det P = det P_others * det P_first|others, and the latter is the inverse of the first errors' own information
   ReverseFactor own;
   own.load(information_, first);
   const double given_others = own.factorize() ? -own.log_det() : nan;
@@ -123,7 +123,7 @@ BlockId InformationBelief::augment(const Chart& chart, const Eigen::Ref<const Ei
   check_new_block(chart, mean, parents, noise);
   const BlockMatrix own = inverse_of(noise, "the noise of a landmark");
   const BlockId id = append_independent(chart, mean, own, false);
-  // The error of the newborn less J times that of its parents is noise: as a look at all of them
+  // New error - J * parents' errors = noise: equivalent to a measurement of all of them
   const int first = block(id).error;
   for (const BlockParent& parent : parents) {
     const Block& from = block(parent.block);
@@ -191,8 +191,8 @@ BlockMatrix InformationBelief::own_information(const Block& b) const {
   return own;
 }
 
-/// cross_ <- for each error outside the block what `cross` makes of its information with the block, a row
-/// vector; 0 in the block's own rows.
+/// cross_ <- `cross` applied to the information of each error with the block (a row vector); 0 in the block's
+/// own rows.
 template <class Cross>
 void InformationBelief::fill_cross(const Block& b, int columns, const Cross& cross) {
   const int size = b.chart.tangent();
@@ -207,8 +207,9 @@ void InformationBelief::fill_cross(const Block& b, int columns, const Cross& cro
   }
 }
 
-/// The block's error x becomes y = J x + B w, w of unit covariance and B B' the noise: (x, w) are told by
-/// (y, k), and k marginalised out. Of a y with fewer errors than x those behind it mean nothing afterwards.
+/// Transforms the block's error x to y = J x + B w, with w of unit covariance and B B' the noise: (x, w) are
+/// expressed by (y, k), and k is marginalized out. If y has fewer errors than x, the surplus rows and columns
+/// are invalid afterwards.
 void InformationBelief::transform(const Block& b, const BlockMatrix& J, const BlockMatrix& noise) {
   const Complement by(J, root_of(noise));
   const BlockMatrix x = own_information(b);
@@ -234,13 +235,13 @@ void InformationBelief::transform(const Block& b, const BlockMatrix& J, const Bl
   marginalize(k);
 }
 
-/// Marginalises out errors of that information, whose information with all others is in cross_.
+/// Marginalizes out errors with information `own`; cross_ is their information with all others.
 void InformationBelief::marginalize(const BlockMatrix& own) {
   changed();
   const int count = static_cast<int>(own.rows());
   const Eigen::LLT<BlockMatrix> llt(own);
   BlockMatrix L = llt.matrixL();
-  // Rounding has eaten the information: nothing is known any more, and covariance() says so
+  // The information is lost to rounding: covariance() then returns NaN
   if (llt.info() != Eigen::Success) L.setConstant(std::numeric_limits<double>::quiet_NaN());
   whiten(cross_.data(), information_.stride, errors_, L.data(), static_cast<int>(L.outerStride()), count,
          packed_.data());

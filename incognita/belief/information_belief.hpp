@@ -1,14 +1,14 @@
-// The belief in information form: the inverse of the covariance, over the same blocks and through the same
-// narrow waist as belief.hpp, with the same answers.
+// The belief in information form: the inverse of the covariance over the same blocks, with the interface of
+// belief.hpp and the same results.
 //
-// What is kept is the information matrix, and the information vector about the means: 0 between updates,
-// since an update adds H' R^-1 residual to it, solves for the errors and moves the means by them, each in its
-// chart. Looks cost only what they are from and at, however many there are; then one Cholesky factorisation,
-// the cube of the state, gives means and covariances. To predict, to drop and to replace marginalise:
-// quadratic in the state. Whoever is known exactly has infinite information, and can not be told here.
+// The stored quantities are the information matrix and the means. The information vector about the means is 0
+// between updates: an update adds H' R^-1 residual, solves for the errors and applies them to the means in
+// their charts. A measurement costs only its own blocks; one Cholesky factorization per update, cubic in the
+// state, then gives means and covariances. predict(), drop() and replace() marginalize, quadratic in the
+// state. A zero-variance error has infinite information and cannot be represented in this form.
 //
-// Covariances are computed when first asked for and kept until the next change: two threads must not ask the
-// same belief at once.
+// Covariances are computed on first access and cached until the next change: concurrent reads of one belief
+// are not thread-safe.
 #pragma once
 
 #include <Eigen/Core>
@@ -26,36 +26,33 @@ namespace incognita {
 
 class InformationBelief : public StateLayout {
  public:
-  /// Covariance between two blocks' errors; not a number where the information is not positive definite
-  /// within rounding.
+  /// Cross covariance of two blocks' errors; NaN when the information is not positive definite within rounding.
   BlockMatrix covariance(BlockId row, BlockId column) const;
   BlockMatrix covariance(BlockId id) const { return covariance(id, id); }
   Eigen::MatrixXd dense_covariance() const;
   Eigen::MatrixXd dense_information() const;
 
-  /// Logarithms of the determinants of the covariance: of its first errors, of the others, of all. Not a
-  /// number where the information is not positive definite within rounding.
+  /// Log-determinants of the covariance: of its first errors, of the others, of all. NaN when the information
+  /// is not positive definite within rounding.
   struct LogDeterminants {
     double first = 0, others = 0, all = 0;
   };
   LogDeterminants log_determinants(int first) const;
 
-  // What can happen to it, as in belief.hpp
-  // ----------------------------------------------------------------------------------------- All throw
-  // std::invalid_argument, with the sizes, when sizes do not fit, or with the reason, where information would
-  // be infinite; the belief is unchanged then.
+  // Operations, as in belief.hpp. All throw std::invalid_argument when sizes do not fit (with the sizes) or
+  // when the information would be infinite (with the reason); the belief is unchanged then.
 
-  /// The covariance must be positive definite. Throws std::logic_error when there are landmarks already.
+  /// The covariance must be positive definite. Throws std::logic_error once there are landmarks.
   BlockId add_vehicle(const Chart& chart, const Eigen::Ref<const Eigen::VectorXd>& mean,
                       const Eigen::Ref<const Eigen::MatrixXd>& covariance);
   /// The noise must be positive definite.
   BlockId augment(const Chart& chart, const Eigen::Ref<const Eigen::VectorXd>& mean,
                   std::span<const BlockParent> parents, const Eigen::Ref<const Eigen::MatrixXd>& noise);
-  /// J J' + noise must be positive definite: neither alone needs to be.
+  /// J J' + noise must be positive definite; the noise alone need not be.
   void replace(BlockId id, const Chart& chart, const Eigen::Ref<const Eigen::VectorXd>& mean,
                const BlockMatrix& J, const BlockMatrix& noise);
   void drop(BlockId id);
-  /// A A' + N must be positive definite: neither alone needs to be.
+  /// A A' + N must be positive definite; N alone need not be.
   void predict(const LinearizedMotion& motion);
   UpdateReport update(std::span<const LinearizedMeasurement> measurements);
   bool correction(std::span<const LinearizedMeasurement> measurements, std::span<const BlockId> blocks,
@@ -85,10 +82,10 @@ class InformationBelief : public StateLayout {
 
   // Workspace
   ReverseFactor posterior_;
-  std::vector<LinearizedMeasurement> white_;  ///< looks whose noise is of unit covariance
+  std::vector<LinearizedMeasurement> white_;  ///< measurements scaled to unit noise covariance
   Eigen::VectorXd delta_;
-  AlignedBuffer cross_;   ///< information between all errors and those that are marginalised out
-  AlignedBuffer packed_;  ///< the same, as rank_update takes it
+  AlignedBuffer cross_;   ///< information between all errors and the marginalized ones
+  AlignedBuffer packed_;  ///< the same in the panel layout of rank_update
 };
 
 }  // namespace incognita

@@ -1,4 +1,4 @@
-// The update of the information form: looks are added, then one solution for all.
+// The update in information form: measurements are added, then one solve gives all means.
 #include <Eigen/Cholesky>
 #include <cmath>
 #include <utility>
@@ -7,8 +7,8 @@
 
 namespace incognita {
 
-/// Looks in units of their noise into white_. False when a noise is not positive definite or a residual not
-/// finite.
+/// white_ <- the measurements scaled to unit noise. False when a noise covariance is not positive definite or
+/// a residual not finite.
 bool InformationBelief::whiten_measurements(std::span<const LinearizedMeasurement> measurements,
                                             UpdateReport& report) {
   white_.assign(measurements.begin(), measurements.end());
@@ -22,7 +22,7 @@ bool InformationBelief::whiten_measurements(std::span<const LinearizedMeasuremen
   return true;
 }
 
-/// add(row, column, value) for all elements of H' R^-1 H on and below the diagonal.
+/// Calls add(row, column, value) for the elements of H' R^-1 H on and below the diagonal.
 template <class Add>
 void InformationBelief::add_measurements(const Add& add) const {
   for (const LinearizedMeasurement& measurement : white_)
@@ -37,15 +37,15 @@ void InformationBelief::add_measurements(const Add& add) const {
       }
 }
 
-/// posterior_ <- factor of the information with the looks, delta_ <- what they add to the errors. False when
-/// they can not be used within rounding.
+/// posterior_ <- factor of the posterior information, delta_ <- correction of the errors. False when the
+/// measurements are not usable within rounding.
 bool InformationBelief::solve(std::span<const LinearizedMeasurement> measurements, UpdateReport& report) {
   report.rows = check(measurements);
   if (!whiten_measurements(measurements, report)) return false;
   posterior_.load(information_, errors_);
   add_measurements([&](int i, int j, double value) { posterior_.add(i, j, value); });
   if (!posterior_.factorize()) return false;
-  delta_ = Eigen::VectorXd::Zero(errors_);  // first the information vector
+  delta_ = Eigen::VectorXd::Zero(errors_);  // the information vector at first
   for (const LinearizedMeasurement& measurement : white_)
     for (int i = 0; i < measurement.part_count; ++i)
       delta_.segment(block(measurement.parts[i].block).error, measurement.parts[i].H.cols()) +=
@@ -62,8 +62,8 @@ UpdateReport InformationBelief::update(std::span<const LinearizedMeasurement> me
     report.outcome = UpdateReport::Outcome::singular;
     return report;
   }
-  // What the update leaves of residuals and errors, each in its own units, is residual' S^-1 residual: a sum
-  // of squares, where r' R^-1 r - delta' information delta would be a small difference of large numbers
+  // NIS = residual' S^-1 residual, as the sum of squares of the whitened posterior residuals and errors. r'
+  // R^-1 r - delta' information delta would suffer from cancellation.
   const Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>> information(
       information_.storage.data(), errors_, errors_, Eigen::OuterStride<>(information_.stride));
   report.nis = delta_.dot(information.selfadjointView<Eigen::Lower>() * delta_);
@@ -74,7 +74,7 @@ UpdateReport InformationBelief::update(std::span<const LinearizedMeasurement> me
               delta_.segment(block(measurement.parts[i].block).error, measurement.parts[i].H.cols());
     report.nis += left.squaredNorm();
   }
-  // det S = det R * det(information with the looks) / det(information without)
+  // det S = det R * det(posterior information) / det(prior information)
   report.log_det_S = report.log_det_R + posterior_.log_det() - prior->log_det();
   add_measurements([&](int i, int j, double value) { information_.column(j)[i] += value; });
   std::swap(factor_, posterior_);

@@ -1,5 +1,5 @@
-// The iterated update: an update linearised again where it leads, until it leads nowhere else. `belief` is
-// one in either form: belief.hpp, information_belief.hpp, any_belief.hpp.
+// The iterated EKF update: relinearizes at the updated mean until convergence. `belief` is in any form:
+// belief.hpp, information_belief.hpp, any_belief.hpp.
 #pragma once
 
 #include <algorithm>
@@ -17,19 +17,19 @@ namespace incognita {
 
 struct IterationSettings {
   int max_iterations = 10;
-  double tolerance = 1e-8;      ///< largest change of an error of a block that is looked from or at
-  double tolerance_sigmas = 0;  ///< or of that error by its prior standard deviation: what is less is settled
+  double tolerance = 1e-8;      ///< largest change of an error of the iterated blocks at convergence
+  double tolerance_sigmas = 0;  ///< or of that error over its prior sigma; the looser of the two applies
 };
 
 struct IterationReport {
   UpdateReport update;
   int iterations = 0;
-  bool converged = false;  ///< else the cap was reached and the last linearisation used
+  bool converged = false;  ///< false: the last linearization at the iteration limit was used
 };
 
-/// d(y) / d(e) of x (+) (shift + e) = (x (+) shift) (+) y at e = 0: how an error that is told in the chart at
-/// x is told in the chart where the shift leads. The identity where the chart is flat; of one with a
-/// quaternion, whose right Jacobian it has, from differences, to 1e-10.
+/// d(y) / d(e) of x (+) (shift + e) = (x (+) shift) (+) y at e = 0: transforms an error from the chart at x
+/// to the chart at x (+) shift. The identity for flat charts; for charts with a quaternion (whose right
+/// Jacobian it contains) by central differences, accurate to 1e-10.
 inline BlockMatrix chart_transition_jacobian(const Chart& chart, const BlockVector& x,
                                              const BlockVector& shift) {
   constexpr double h = 1e-5;
@@ -47,11 +47,11 @@ inline BlockMatrix chart_transition_jacobian(const Chart& chart, const BlockVect
   return J;
 }
 
-/// Where an iterated update started, and how far it has come: of each block that is looked from or at.
+/// Prior means and accumulated shifts of the blocks that the measurements depend on.
 struct IteratedBlocks {
   std::vector<BlockId> ids;
   std::vector<BlockVector> prior, shift;
-  std::vector<BlockMatrix> J;  ///< of `chart_transition_jacobian`
+  std::vector<BlockMatrix> J;  ///< from chart_transition_jacobian()
 
   template <class Form>
   IteratedBlocks(const Form& belief, std::span<const BlockId> blocks)
@@ -71,7 +71,7 @@ struct IteratedBlocks {
     }
   }
 
-  /// z - h(x_i) - H_i (x_0 - x_i), and x_0 - x_i = -shift
+  /// Residual about the prior: z - h(x_i) - H_i (x_0 - x_i), with x_0 - x_i = -shift.
   void express_at_prior(LinearizedMeasurement& measurement) const {
     for (int part = 0; part < measurement.part_count; ++part)
       for (std::size_t i = 0; i < ids.size(); ++i) {
@@ -81,7 +81,7 @@ struct IteratedBlocks {
       }
   }
 
-  /// By what is let pass.
+  /// Largest change of the shift relative to its tolerance; converged at 1 or below.
   template <class Form>
   double largest_change(const Form& belief, const std::vector<BlockVector>& next,
                         const IterationSettings& settings) const {
@@ -98,13 +98,13 @@ struct IteratedBlocks {
   }
 };
 
-/// Iterated update (Bell, Cathey 1993: Gauss-Newton on the posterior): linearises again where the update
-/// would put the blocks that are looked from and at. `linearize_at(belief)` gives the looks linearised about the
-/// belief's means, the same measurements in the same order each time; one without parts can not be had there,
-/// and stays as it was linearised last. The covariance is that of the last linearisation.
+/// Iterated update (Bell, Cathey 1993: Gauss-Newton on the posterior): relinearizes at the updated means of
+/// `blocks`. `linearize_at(belief)` returns the measurements linearized at the belief's means, in the same
+/// order each time; one without parts is not available there and keeps its previous linearization. The
+/// posterior covariance is that of the last linearization.
 ///
-/// The prior is told in the charts where it was made, and so is every step: a Jacobian by an error here is
-/// taken back there.
+/// The prior and every step are expressed in the charts at the prior means, so each Jacobian with respect to
+/// an error at the current means is transformed back to them.
 template <class Form, class Linearizer>
 IterationReport update_iterated(Form& belief, std::span<const BlockId> blocks, Linearizer&& linearize_at,
                                 const IterationSettings& settings = {}) {

@@ -1,4 +1,4 @@
-// The Joseph form of the update, on dense matrices: the reference the fast update is held to.
+// The update in Joseph form on dense matrices: the reference for tests of the fast update.
 #include <Eigen/Cholesky>
 #include <stdexcept>
 

@@ -1,8 +1,8 @@
-// Linearisers: from a model, the belief and an input to what the engine takes. Which one is used decides the
-// filter. `belief` is one in either form: belief.hpp, information_belief.hpp, any_belief.hpp.
+// Linearization of a motion model; the choice determines the filter. `belief` is in any form: belief.hpp,
+// information_belief.hpp, any_belief.hpp.
 //
 // A motion model has `f(x, u, dt)`, `step(x, u, dt) -> {x, F, G}` and a `chart`; docs/add-a-motion-model.md.
-// With constant F and G the analytic lineariser is the linear Kalman filter, else the extended one.
+// With constant F and G the analytic linearization is the linear Kalman filter, otherwise the EKF.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,14 +16,14 @@
 
 namespace incognita {
 
-/// Root and pseudo-inverse of a covariance that may be singular: P = root root'. Told through its
-/// correlations, so that metres and radians of very different size do not hide each other.
+/// Square root (P = root root') and pseudo-inverse of a covariance that may be singular. Computed from the
+/// correlation matrix, so that different units (meters, radians) do not affect the rank decision.
 template <int n>
 struct CovarianceFactors {
   using Square = Eigen::Matrix<double, n, n>;
   Square root, inverse;
   explicit CovarianceFactors(const Square& P) {
-    constexpr double least = 1e-13;  // of a correlation matrix's eigenvalues, below which there is no spread
+    constexpr double least = 1e-13;  // correlation eigenvalues below this count as zero
     Eigen::Matrix<double, n, 1> sigma = P.diagonal().cwiseMax(0).cwiseSqrt();
     for (double& s : sigma)
       if (!(s > 0)) s = 1;
@@ -39,13 +39,13 @@ struct CovarianceFactors {
   }
 };
 
-/// A vector as a chart takes it.
+/// View of a vector for Chart::plus and Chart::minus.
 template <class Vector>
 std::span<double> numbers(Vector& v) {
   return {v.data(), static_cast<std::size_t>(v.size())};
 }
 
-/// First order about the mean: (A.2.1)-(A.2.4). `Q`: input noise, held for dt.
+/// First-order linearization about the mean: (A.2.1)-(A.2.4). `Q`: covariance of the input noise, held for dt.
 template <class Motion, class Form, class InputNoise>
 LinearizedMotion linearized(const Motion& motion, const Form& belief, BlockId block,
                             const typename Motion::template Input<double>& u, const InputNoise& Q,
@@ -54,10 +54,10 @@ LinearizedMotion linearized(const Motion& motion, const Form& belief, BlockId bl
   return {block, step.x, step.F, step.G * Q * step.G.transpose()};
 }
 
-/// Unscented transformation of the vehicle's states and input alone (Andrade-Cetto, Vidal-Calleja, Sanfeliu,
-/// ICRA 2005): 2 (n + m) points of equal weight carry mean and covariance through f without derivatives. The
-/// map follows by statistical regression, A = P_yx P_xx^+, so that the cost stays linear in it; what A does
-/// not explain is noise.
+/// Unscented transform of the vehicle state and input only (Andrade-Cetto, Vidal-Calleja, Sanfeliu, ICRA
+/// 2005): 2 (n + m) points of equal weight propagate mean and covariance through f without derivatives. The
+/// cross covariance with the map follows by statistical regression, A = P_yx P_xx^+, so that the cost stays
+/// linear in the map; the residual of the regression is noise.
 template <class Motion, class Form, class InputNoise>
 LinearizedMotion unscented(const Motion& motion, const Form& belief, BlockId block,
                            const typename Motion::template Input<double>& u, const InputNoise& Q, double dt) {
@@ -83,7 +83,7 @@ LinearizedMotion unscented(const Motion& motion, const Form& belief, BlockId blo
     Eigen::Matrix<double, n, 1> shift = before.col(i), moved;
     motion.chart.plus(numbers(point), numbers(shift));
     State image = motion.template f<double>(point, input, dt);
-    // From the centre moved by as much as the point: what is left is small, and no angle wraps
+    // Relative to the center shifted by the same amount: the difference is small, so that no angle wraps
     State reference = center;
     motion.chart.plus(numbers(reference), numbers(shift));
     motion.chart.minus(numbers(image), numbers(reference), numbers(moved));

@@ -1,4 +1,5 @@
-// The narrow waist: what a motion or a look is to the filter, whichever model and lineariser made it.
+// The interface between models and filter: linearized motions and measurements, whatever model and
+// linearization made them.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,14 +11,14 @@
 
 namespace incognita {
 
-/// Names a block of the state for as long as the block lives; never used again.
+/// Identifies a block of the state; never reused after the block is dropped.
 using BlockId = std::uint32_t;
 
-inline constexpr int max_block_size = max_small;  ///< errors of one block
-inline constexpr int max_measurement_rows = 6;    ///< numbers of one measurement
-inline constexpr int max_measurement_blocks = 3;  ///< blocks one measurement depends on
+inline constexpr int max_block_size = max_small;  ///< maximum errors of one block
+inline constexpr int max_measurement_rows = 6;    ///< maximum rows of one measurement
+inline constexpr int max_measurement_blocks = 3;  ///< maximum blocks one measurement depends on
 
-/// Small matrices that live on the stack: no allocation in the loop.
+/// Small stack-allocated matrices: no heap allocation in the loop.
 using BlockVector = SmallVector;
 using BlockMatrix = SmallMatrix;
 using MeasurementVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_measurement_rows, 1>;
@@ -26,15 +27,15 @@ using MeasurementMatrix =
 using MeasurementJacobian =
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_measurement_rows, max_block_size>;
 
-/// One block moves: error after = A * error before + noise of covariance N (A.2.4).
+/// Linearized motion of one block: error after = A * error before + noise of covariance N (A.2.4).
 struct LinearizedMotion {
   BlockId block = 0;
-  BlockVector x_next;  ///< mean after, as stored (chart.ambient() numbers)
+  BlockVector x_next;  ///< mean afterwards, as stored (chart.ambient() numbers)
   BlockMatrix A;       ///< errors x errors
-  BlockMatrix N;       ///< errors x errors, positive semi-definite
+  BlockMatrix N;       ///< errors x errors, positive semidefinite
 };
 
-/// One measurement: residual = sum of H_i * error of block i + noise of covariance R (A.2.6).
+/// Linearized measurement: residual = sum of H_i * error of block i + noise of covariance R (A.2.6).
 struct LinearizedMeasurement {
   struct Part {
     BlockId block = 0;
@@ -55,7 +56,7 @@ struct LinearizedMeasurement {
   }
 };
 
-/// What the error of a block is born from: J times the error of another.
+/// Dependence of a new block's error on that of an existing block.
 struct BlockParent {
   BlockId block = 0;
   BlockMatrix J;  ///< errors of the new block x errors of the parent

@@ -1,4 +1,4 @@
-// What changes every block of the belief at once.
+// Operations on all blocks of the belief at once.
 #include <algorithm>
 #include <stdexcept>
 #include <string>
@@ -36,7 +36,7 @@ void Belief::change_frame(const LinearizedMotion& frame_motion, std::span<const 
                           " and a mean as long as its chart's");
     named.push_back(c.block);
   }
-  // P <- T P T', T of diagonal blocks and the mover's columns: rows first, then columns
+  // P <- T P T', T of diagonal blocks and the columns of the moving block: rows first, then columns
   Eigen::MatrixXd M = dense_covariance();
   const auto apply = [&](auto&& rows_of) {
     for (const MovedBlock& c : others) {
@@ -61,7 +61,7 @@ void Belief::decorrelate(Scope scope) {
   std::vector<int> sizes;
   for (const Block& b : blocks_) sizes.push_back(b.chart.tangent());
   if (sizes.size() < 2) return;
-  // A filter does this at every step: what is added need not be the least to its last digit
+  // This may run at every step of a filter, so a low accuracy of the minimum suffices
   const InflationSettings settings{30, 1e-3};
   P() = scope == Scope::everything ? decorrelate_all(dense_covariance(), sizes, settings).P
                                    : decorrelate_map(dense_covariance(), sizes, settings).P;

@@ -34,7 +34,7 @@ struct Paths {
   }
 };
 
-/// Made when first asked for, so that a belief may be a global variable.
+/// Initialized on first use, so that a belief may be a global variable.
 const Paths& paths() {
   static const Paths found;
   return found;

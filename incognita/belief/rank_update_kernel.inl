@@ -1,12 +1,11 @@
-// Bodies of rank_update and whiten for one instruction set; the source file that includes it says the
-// namespace (PATH), the doubles in a vector register (LANES), and the columns (COLUMNS, a divisor of 8) and
-// panels of 8 rows (PANELS) of a tile. It calls nothing from any library header, so that no inline function
-// compiled for a newer processor can reach the rest of the program.
+// rank_update and whiten for one instruction set. The including source file defines the namespace (PATH), the
+// doubles per vector register (LANES), and the columns (COLUMNS, a divisor of 8) and panels of 8 rows
+// (PANELS) of a tile. No library header is used, so that no inline function compiled for a newer processor
+// can end up in the rest of the program.
 //
-// A tile of 8 PANELS rows x COLUMNS columns stays in registers while k runs over the rank: it is as large as
-// leaves room for the factors, since each further column saves a reading of W, and each further panel one of
-// the factors. Large ranks are cut: so deep that what two panels hold fits the first cache, and bands of
-// rows of W so high that they fit the second.
+// A tile of 8 PANELS rows x COLUMNS columns stays in registers while k runs over the rank. It is as large as the
+// registers allow: each further column saves one load of W, and each further panel one of the factors. Large ranks
+// are split so that two panels fit the L1 cache, and the rows of W are split into bands that fit the L2 cache.
 
 namespace incognita::INCOGNITA_RANK_UPDATE_PATH {
 
@@ -15,8 +14,8 @@ typedef double Vector __attribute__((vector_size(8 * INCOGNITA_RANK_UPDATE_LANES
 constexpr int panel = 8, columns = INCOGNITA_RANK_UPDATE_COLUMNS, panels = INCOGNITA_RANK_UPDATE_PANELS;
 constexpr int deepest = 192, band_doubles = 1 << 15;
 
-/// `height` panels of a symmetric tile: P -= W W' over so many columns of W, from those pointed at. Of the
-/// tile's columns only `width` are there.
+/// P -= W W' on a tile of `height` panels, over `depth` columns of W. Only the first `width` columns of the
+/// tile exist.
 template <int height>
 inline void subtract_tile(double* P, long stride, const double* rows, const double* factors, long panel_step,
                           int depth, int width) {
@@ -62,8 +61,7 @@ void rank_update(double* P, int stride, int n, const double* W, int rank) {
   }
 }
 
-/// `width` columns of W, from the one whose factors of L and whose column of A are pointed at; those before
-/// it are there.
+/// Computes `width` columns of W from A and L; the `before` columns to their left are already done.
 template <int height, int width>
 inline void whiten_tile(const double* A, long stride, const double* L, int before, double* W,
                         long panel_step) {

@@ -12,7 +12,7 @@ void ReverseFactor::load(const Triangle& matrix, int size) {
   if (L_.reserve(size, 0)) workspace_ = AlignedBuffer(cholesky_workspace(L_.capacity));
   size_ = size;
   halves_.clear();
-  constexpr int tile = 32;  // it is transposed as well: by tiles, so that neither side leaves the first cache
+  constexpr int tile = 32;  // transposed by tiles that fit the L1 cache
   for (int from = 0; from < size; from += tile)
     for (int rows = from; rows < size; rows += tile)
       for (int j = from; j < std::min(from + tile, size); ++j) {
@@ -25,7 +25,7 @@ void ReverseFactor::load(const Triangle& matrix, int size) {
 bool ReverseFactor::factorize() {
   const Eigen::VectorXd before = L().diagonal();
   if (!cholesky(L_.storage.data(), L_.stride, size_, workspace_.data())) return false;
-  for (int i = 0; i < size_; ++i)  // a pivot that is what rounding left of its row means nothing
+  for (int i = 0; i < size_; ++i)  // reject pivots that are rounding errors
     if (is_rounding(L()(i, i) * L()(i, i), before[i], size_)) return false;
   return true;
 }
@@ -43,7 +43,7 @@ void ReverseFactor::solve(Eigen::Ref<Eigen::VectorXd> b) {
   b.reverseInPlace();
 }
 
-/// Those columns of L^-1 that belong to the errors [first, first + count), the last of them first.
+/// The columns of L^-1 for the errors [first, first + count), in reversed order.
 const Eigen::MatrixXd& ReverseFactor::half(int first, int count) const {
   const auto [at, is_new] = halves_.try_emplace({first, count});
   if (is_new) {

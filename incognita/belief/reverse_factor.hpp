@@ -1,7 +1,7 @@
-// Cholesky's factor of an information matrix, its errors taken from the last to the first.
+// Cholesky factor of an information matrix in reversed order, from the last error to the first.
 //
-// Vehicles come first in a state, and are asked for at every tick: this way what is marginal of them stands
-// in the last rows of the factor, and costs nothing that grows with the map.
+// Vehicles come first in the state and their covariances are needed at every tick. In this order they depend
+// only on the last rows of the factor, at a cost that does not grow with the map.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,18 +14,18 @@ namespace incognita {
 
 class ReverseFactor {
  public:
-  /// Takes the lower triangle of a matrix; add() may then add to it before factorize().
+  /// Loads the lower triangle of a matrix; add() may add to it before factorize().
   void load(const Triangle& matrix, int size);
   void add(int row, int column, double value) { L_.column(size_ - 1 - row)[size_ - 1 - column] += value; }
-  /// False when the matrix is not positive definite within rounding.
+  /// Returns false when the matrix is not positive definite within rounding.
   bool factorize();
 
   double log_det() const;
-  /// Of the inverse's first rows and columns.
+  /// Log-determinant of the leading `first` x `first` block of the inverse.
   double log_det_of_inverse(int first) const;
   /// b <- inverse * b.
   void solve(Eigen::Ref<Eigen::VectorXd> b);
-  /// Elements of the inverse. What they need is computed when first asked for, and kept.
+  /// A block of the inverse. The required columns of L^-1 are computed on first access and cached.
   Eigen::MatrixXd inverse(int row, int rows, int column, int columns) const;
 
  private:
@@ -36,7 +36,7 @@ class ReverseFactor {
   int size_ = 0;
   Triangle L_;
   AlignedBuffer workspace_;
-  /// Columns of L^-1 that were asked for, from their first row that is not 0, by first error and their count.
+  /// Cached columns of L^-1 from their first nonzero row, by first error and number of errors.
   mutable std::map<std::pair<int, int>, Eigen::MatrixXd> halves_;
 };
 

@@ -17,7 +17,8 @@ struct Size {
 
 Size size_of(const auto& m) { return {m.rows(), m.cols()}; }
 
-/// Throws what the parts spell. They are spelled only then, because the loop must not allocate.
+/// Throws std::invalid_argument with the concatenated parts, formatted only on failure because the loop must
+/// not allocate.
 template <class... Parts>
 void require(bool ok, const Parts&... parts) {
   if (ok) return;
@@ -26,7 +27,7 @@ void require(bool ok, const Parts&... parts) {
   throw std::invalid_argument(what.str());
 }
 
-/// A block that is about to be: its mean fits its chart, and both fit the matrices that live on the stack.
+/// Checks that a new mean fits its chart, and the chart the stack-allocated matrices.
 void require_mean(const Chart& chart, const Eigen::Ref<const Eigen::VectorXd>& mean) {
   require(chart.ambient() <= max_block_size, "a block has at most ", max_block_size, " numbers, this chart ",
           chart.ambient());
@@ -110,7 +111,7 @@ BlockId StateLayout::append(const Chart& chart, const Eigen::Ref<const Eigen::Ve
   const BlockId id = static_cast<BlockId>(index_of_.size());
   index_of_.push_back(static_cast<int>(blocks_.size()));
   blocks_.push_back({id, chart, static_cast<int>(mean_.size()), errors_});
-  const BlockVector copy = mean;  // it may be a part of mean_
+  const BlockVector copy = mean;  // `mean` may alias mean_
   mean_.insert(mean_.end(), copy.begin(), copy.end());
   errors_ += chart.tangent();
   return id;
@@ -122,7 +123,7 @@ BlockId StateLayout::append_vehicle(const Chart& chart, const Eigen::Ref<const E
 }
 
 void StateLayout::rechart(BlockId id, const Chart& chart, const Eigen::Ref<const Eigen::VectorXd>& mean) {
-  const BlockVector copy = mean;  // it may be a part of the mean that is about to move
+  const BlockVector copy = mean;  // `mean` may alias mean_, which changes below
   const std::size_t index = static_cast<std::size_t>(index_of_[id]);
   Block& b = blocks_[index];
   const int mean_by = chart.ambient() - b.chart.ambient(), error_by = chart.tangent() - b.chart.tangent();

@@ -1,5 +1,4 @@
-// Which blocks a state has, where they are in it, and their means: what the covariance form and the
-// information form of a belief share.
+// The blocks of a state, their order and their means: the part shared by covariance and information form.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,22 +14,22 @@ namespace incognita {
 
 class StateLayout {
  public:
-  int errors() const { return errors_; }  ///< of all blocks together
+  int errors() const { return errors_; }  ///< of all blocks
   int block_count() const { return static_cast<int>(blocks_.size()); }
   bool has(BlockId id) const { return index_of_.size() > id && index_of_[id] >= 0; }
   const Chart& chart(BlockId id) const { return block(id).chart; }
   /// Mean as stored: chart.ambient() numbers. Valid until the next change of the belief.
   Eigen::Map<const Eigen::VectorXd> mean(BlockId id) const;
-  /// First error of a block among all.
+  /// Index of a block's first error in the error vector.
   int offset(BlockId id) const { return block(id).error; }
 
-  /// Sets a mean without touching how sure it is, e.g. to stop a vehicle that is lost.
+  /// Sets a mean without changing its covariance, e.g. to stop a lost vehicle.
   void set_mean(BlockId id, const Eigen::Ref<const Eigen::VectorXd>& mean);
 
-  /// Notes what is done from now on; else (as at first) nothing is noted, and nothing spent on it.
+  /// Switches recording of all changes on or off (default: off, at no cost).
   void keep_trace(bool keep);
   bool keeps_trace() const { return trace_.has_value(); }
-  /// What was done since the trace was last cleared; empty where none is kept.
+  /// Changes since the trace was last cleared; empty when recording is off.
   const BeliefTrace& trace() const;
   void clear_trace() {
     if (trace_) trace_->clear();
@@ -40,13 +39,13 @@ class StateLayout {
   struct Block {
     BlockId id;
     Chart chart;
-    int mean;   ///< first number in mean_
-    int error;  ///< first error
+    int mean;   ///< index of its first number in mean_
+    int error;  ///< index of its first error
   };
 
   const Block& block(BlockId id) const;
 
-  // All throw std::invalid_argument, with the sizes, when sizes do not fit
+  // All checks throw std::invalid_argument, with the sizes, when sizes do not fit.
   void check_vehicle(const Chart& chart, const Eigen::Ref<const Eigen::VectorXd>& mean,
                      const Eigen::Ref<const Eigen::MatrixXd>& covariance) const;
   void check_new_block(const Chart& chart, const Eigen::Ref<const Eigen::VectorXd>& mean,
@@ -55,11 +54,11 @@ class StateLayout {
   void check_replacement(BlockId id, const Chart& chart, const Eigen::Ref<const Eigen::VectorXd>& mean,
                          const BlockMatrix& J, const BlockMatrix& noise) const;
   void check(const LinearizedMotion& motion) const;
-  int check(std::span<const LinearizedMeasurement> measurements) const;  ///< rows of all looks
+  int check(std::span<const LinearizedMeasurement> measurements) const;  ///< total rows
 
   BlockId append(const Chart& chart, const Eigen::Ref<const Eigen::VectorXd>& mean);
   BlockId append_vehicle(const Chart& chart, const Eigen::Ref<const Eigen::VectorXd>& mean);
-  /// The block gets another chart and mean; those behind it move.
+  /// Replaces chart and mean of a block and shifts the blocks behind it.
   void rechart(BlockId id, const Chart& chart, const Eigen::Ref<const Eigen::VectorXd>& mean);
   void forget(BlockId id);
   void shift_mean(std::span<const double> delta);

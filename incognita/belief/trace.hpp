@@ -1,5 +1,5 @@
-// What was done to a belief, in the order it was done: for whoever works out what its filter may know, and
-// what it only believes (analysis/observability/observability_monitor.hpp).
+// Record of the changes to a belief, in order. The observability analysis compares the information of the
+// filter with that of the true system (analysis/observability/observability_monitor.hpp).
 #pragma once
 
 #include <variant>
@@ -9,32 +9,32 @@
 
 namespace incognita {
 
-/// A block was born: its error is sum of J_i * (error of parent i) + noise.
+/// A block was added: its error is sum of J_i * (error of parent i) + noise.
 struct BlockAugmentation {
   BlockId block = 0;
   std::vector<BlockParent> parents;
   BlockMatrix noise;  ///< errors x errors
 };
 
-/// A block was told in another chart: new error = J * (old error) + noise.
+/// A block was reparametrized: new error = J * (old error) + noise.
 struct BlockReplacement {
   BlockId block = 0;
   BlockMatrix J;
   BlockMatrix noise;
 };
 
-/// A block was forgotten.
+/// A block was marginalized out.
 struct BlockDrop {
   BlockId block = 0;
 };
 
-/// The covariance was changed by something else than motions and looks.
+/// The covariance was changed by something other than motions and measurements.
 enum class CovarianceEdit {
-  frame_changed,  ///< all blocks moved with one, as a map told in the frame of its vehicle does
-  decorrelated,   ///< correlations were dropped
+  frame_changed,  ///< all blocks were re-expressed in a moving frame
+  decorrelated,   ///< correlations were removed
 };
 
-/// A look is one that corrected the belief: what was refused is not noted.
+/// Only measurements that were applied are recorded, not rejected ones.
 using BeliefEvent = std::variant<LinearizedMotion, LinearizedMeasurement, BlockAugmentation, BlockReplacement,
                                  BlockDrop, CovarianceEdit>;
 using BeliefTrace = std::vector<BeliefEvent>;

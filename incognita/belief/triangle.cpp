@@ -12,7 +12,7 @@ bool Triangle::reserve(int size, int used) {
   Triangle grown;
   grown.capacity = std::max(size, capacity + capacity / 2);
   grown.stride = round_up_to_panel(grown.capacity);
-  if (grown.stride % 512 == 0) grown.stride += 8;  // columns a power of two apart would share cache sets
+  if (grown.stride % 512 == 0) grown.stride += 8;  // power-of-two strides share cache sets
   grown.storage = AlignedBuffer(static_cast<std::size_t>(grown.stride) * (grown.capacity + 3));
   for (int j = 0; j < used; ++j) std::copy_n(column(j), used, grown.column(j));
   *this = std::move(grown);
@@ -22,7 +22,7 @@ bool Triangle::reserve(int size, int used) {
 void Triangle::remove(int first, int count, int size) {
   for (int j = 0; j < size; ++j) {
     if (j >= first && j < first + count) continue;
-    const int below = std::max(first + count, j);  // above the diagonal nothing is worth moving
+    const int below = std::max(first + count, j);  // the upper triangle is not used
     std::copy(column(j) + below, column(j) + size, column(j < first ? j : j - count) + below - count);
   }
 }

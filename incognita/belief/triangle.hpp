@@ -1,5 +1,4 @@
-// Storage of a symmetric matrix that grows and shrinks: the lower triangle, column-major, aligned and padded
-// as rank_update wants it.
+// Growable storage of a symmetric matrix: the lower triangle, column-major, aligned and padded for rank_update.
 #pragma once
 
 #include "incognita/belief/aligned_buffer.hpp"
@@ -8,12 +7,12 @@ namespace incognita {
 
 struct Triangle {
   AlignedBuffer storage;
-  int capacity = 0;  ///< rows that fit
+  int capacity = 0;  ///< maximum rows
   int stride = 0;    ///< leading dimension
 
-  /// Room for `size` rows; the first `used` stay. False where there was room enough.
+  /// Grows the storage to at least `size` rows, keeping the first `used`. False when it was large enough already.
   bool reserve(int size, int used);
-  /// Closes the gap of `count` rows and columns; what lies beyond the new size stays finite.
+  /// Removes `count` rows and columns; the content beyond the new size stays finite.
   void remove(int first, int count, int size);
 
   double* column(int j) { return storage.data() + static_cast<long>(j) * stride; }

@@ -1,5 +1,4 @@
-// The update of the covariance form: all looks at once, quadratic in the state with one pass over one
-// triangle.
+// The update in covariance form: all measurements at once, quadratic in the state, one pass over one triangle.
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
@@ -13,7 +12,7 @@
 
 namespace incognita {
 
-/// H P, only the columns of one block.
+/// H P, restricted to the columns of one block.
 MeasurementJacobian Belief::times_covariance(const LinearizedMeasurement& measurement,
                                              const Block& to) const {
   MeasurementJacobian HP = MeasurementJacobian::Zero(measurement.rows(), to.chart.tangent());
@@ -34,7 +33,7 @@ void Belief::fill_innovation_covariance(std::span<const LinearizedMeasurement> m
                                         Destination& S) const {
   int row = 0;
   for (std::size_t a = 0; a < measurements.size(); ++a) {
-    // Nearly all looks start with the vehicle that looked: its product is made once for all of them
+    // Nearly all measurements start with the measuring vehicle: its product is computed once
     BlockId vehicle = 0;
     MeasurementJacobian HP_vehicle;
     int column = 0;
@@ -64,8 +63,8 @@ void Belief::innovation_covariance(std::span<const LinearizedMeasurement> measur
   fill_innovation_covariance(measurements, S);
 }
 
-/// out[r, m] += H[m, :] * P[block, r] for the errors r of [first, last) up to the block's end, whose part of
-/// P lies along rows.
+/// out[r, m] += H[m, :] * P[block, r] for the errors r of [first, last) up to the block's end. There the
+/// lower triangle stores P[block, r] contiguously, in column r.
 void Belief::gather_above(const MeasurementJacobian& H, const Block& b, int first, int last,
                           double* out) const {
   const int size = b.chart.tangent(), rows = static_cast<int>(H.rows());
@@ -84,7 +83,7 @@ void Belief::gather_above(const MeasurementJacobian& H, const Block& b, int firs
   }
 }
 
-/// The same for the errors [first, last) below the block, whose part of P lies along columns.
+/// The same for the errors [first, last) below the block, stored along the block's columns.
 void Belief::gather_below(const MeasurementJacobian& H, const Block& b, int first, int last,
                           double* out) const {
   const int size = b.chart.tangent(), from = std::max(first, b.error + size);
@@ -97,7 +96,7 @@ void Belief::gather_below(const MeasurementJacobian& H, const Block& b, int firs
   }
 }
 
-/// P H', errors x rows. A few errors at a time, so that what all looks read stays in the caches.
+/// P H', errors x rows, by chunks of errors that stay in the caches.
 void Belief::gather_PHt(std::span<const LinearizedMeasurement> measurements, int rank) {
   for (int m = 0; m < rank; ++m)
     std::fill_n(PHt_.data() + static_cast<long>(m) * P_.stride, round_up_to_panel(errors_), 0.0);
@@ -119,8 +118,8 @@ void Belief::gather_PHt(std::span<const LinearizedMeasurement> measurements, int
   }
 }
 
-/// The same as fill_innovation_covariance, lower triangle, where P H' is there: its columns for one look stay
-/// in the first cache while all others take what they need of them.
+/// fill_innovation_covariance() from P H' (lower triangle only): the columns of one measurement stay in the
+/// L1 cache while all others read them.
 void Belief::innovation_from_PHt(std::span<const LinearizedMeasurement> measurements) {
   int column = 0;
   for (std::size_t a = 0; a < measurements.size(); ++a) {
@@ -150,8 +149,8 @@ bool Belief::factorize_innovation(std::span<const LinearizedMeasurement> measure
   return factorize_filled(measurements, report);
 }
 
-/// S_ <- L with S = L L', residual_ <- L^-1 residual, and what the report says of them. False when S is not
-/// positive.
+/// S_ <- L with S = L L', residual_ <- L^-1 residual; fills NIS and log-determinants of the report. False
+/// when S is not positive definite within rounding.
 bool Belief::factorize_filled(std::span<const LinearizedMeasurement> measurements, UpdateReport& report) {
   int row = 0;
   for (const LinearizedMeasurement& measurement : measurements) {
@@ -168,7 +167,7 @@ bool Belief::factorize_filled(std::span<const LinearizedMeasurement> measurement
   norms.setZero();
   for (int k = 0; k < report.rows; ++k) {
     norms.tail(report.rows - k) += L.col(k).tail(report.rows - k).cwiseAbs2();
-    // A pivot that is what rounding left of its row means nothing
+    // A pivot within rounding of its row's norm is noise
     if (is_rounding(L(k, k) * L(k, k), norms[k], report.rows)) return false;
     residual_[k] /= L(k, k);  // forward substitution
     residual_.segment(k + 1, report.rows - k - 1) -= residual_[k] * L.col(k).tail(report.rows - k - 1);
@@ -179,8 +178,8 @@ bool Belief::factorize_filled(std::span<const LinearizedMeasurement> measurement
   return true;
 }
 
-/// delta = K * residual = W * (L^-1 residual). False when a variance would be lost, P being too much larger
-/// than R.
+/// delta = K * residual = W * (L^-1 residual). False when a posterior variance would be lost to rounding
+/// because P is too much larger than R.
 bool Belief::compute_delta(int rank) {
   constexpr int lanes = rank_update_panel;
   for (int first = 0; first < errors_; first += lanes) {

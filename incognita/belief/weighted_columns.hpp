@@ -1,4 +1,4 @@
-// Sums of a few columns of the covariance, in one pass over them.
+// Weighted sums of a few columns of the covariance in one pass.
 #pragma once
 
 namespace incognita {

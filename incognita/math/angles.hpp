@@ -9,8 +9,7 @@ namespace incognita {
 constexpr double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
 constexpr double degrees(double radians) { return radians * 180.0 / std::numbers::pi; }
 
-/// The same direction in (-pi, pi]. Works on any scalar that floor() and arithmetic with double are defined
-/// for.
+/// The same direction in (-pi, pi]. `S` is any scalar with floor() and arithmetic with double.
 template <class S>
 S wrap_angle(const S& angle) {
   using std::floor;

@@ -1,9 +1,8 @@
-// Charts: how to add a small error to a state and how to subtract two states.
+// Charts: addition of a small error to a state, and the difference of two states.
 //
-// A state block is stored with `ambient` numbers and its uncertainty lives in `tangent` numbers. They differ
-// where the state is not a vector: a unit quaternion has 4 numbers and 3 errors. A chart is a short list of
-// parts that are added and subtracted one after the other, so that an angle is never subtracted unwrapped and
-// a quaternion never leaves its sphere.
+// A state block is stored as `ambient` numbers, and its covariance has `tangent` rows. The two differ on a
+// manifold: a unit quaternion has 4 numbers and 3 errors. A chart is a short list of parts, each with its own
+// addition and difference, so that angle differences are wrapped and quaternions stay normalized.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// What a function says when it is given a matrix of the wrong size.
+// Size check of matrix arguments.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,7 +7,7 @@
 
 namespace incognita {
 
-/// Throws std::invalid_argument, "F is 2x3, not 2x2".
+/// Throws std::invalid_argument with both sizes, e.g. "F is 2x3, not 2x2".
 inline void expect_size(const char* name, const Eigen::MatrixXd& M, Eigen::Index rows, Eigen::Index columns) {
   if (M.rows() == rows && M.cols() == columns) return;
   const auto size = [](Eigen::Index r, Eigen::Index c) {

@@ -5,9 +5,9 @@
 
 namespace incognita {
 
-// Restricted Damerau-Levenshtein distance, three rows at a time.
+// Restricted Damerau-Levenshtein distance; only three rows of the table are kept.
 int edit_distance(std::string_view a, std::string_view b) {
-  constexpr std::size_t longest = 200;  // nobody misspells a longer name; keeps hostile input cheap
+  constexpr std::size_t longest = 200;  // bounds the cost of hostile input
   a = a.substr(0, longest);
   b = b.substr(0, longest);
   std::vector<int> before(b.size() + 1), last(b.size() + 1), row(b.size() + 1);

@@ -1,4 +1,4 @@
-// The name a person probably meant.
+// Spelling suggestions for unknown names.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace incognita {
 
-/// Letters to insert, delete, replace or swap with their neighbour to get from one name to the other.
+/// Insertions, deletions, substitutions and swaps of adjacent letters that turn one name into the other.
 int edit_distance(std::string_view a, std::string_view b);
 
-/// The candidate with the fewest edits; the first of equals; empty when there are no candidates.
+/// The candidate at the smallest edit distance, the first one in a tie; empty without candidates.
 std::string nearest_name(std::string_view name, const std::vector<std::string>& candidates);
 
 }  // namespace incognita

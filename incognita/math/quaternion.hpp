@@ -1,7 +1,7 @@
 // Unit quaternions (w, x, y, z), rotation vectors and the rotation group, for any scalar type.
 //
-// A quaternion here is a Vector4 in the order w, x, y, z and rotates vectors of the frame on its right into
-// the frame on its left: x_world = rotate(world_from_camera, x_camera). Rotation vectors are in radians.
+// A quaternion is a Vector4 in the order w, x, y, z. world_from_camera rotates vectors from the camera frame to the
+// world frame: x_world = rotation_matrix(world_from_camera) * x_camera. Rotation vectors are in radians.
 #pragma once
 
 #include <Eigen/Core>
@@ -51,14 +51,14 @@ Matrix3<S> rotation_matrix(const Vector4<S>& q) {
   return r;
 }
 
-/// Unit quaternion of a rotation vector: exp(e/2) in quaternion terms. Smooth at zero, also for dual numbers.
+/// Unit quaternion of a rotation vector e: (cos(|e|/2), sin(|e|/2) e/|e|). Smooth at zero, also for dual numbers.
 template <class S>
 Vector4<S> quaternion_exp(const Vector3<S>& e) {
   using std::cos;
   using std::sin;
   using std::sqrt;
   const S angle_squared = e.squaredNorm();
-  if (angle_squared < S(1e-8)) {  // Taylor series of sin(a/2)/a and cos(a/2): exact to 1e-17 here
+  if (angle_squared < S(1e-8)) {  // Taylor series of sin(a/2)/a and cos(a/2), exact to 1e-17 here
     const S k = S(0.5) - angle_squared * S(1.0 / 48.0);
     return {S(1) - angle_squared * S(0.125), k * e.x(), k * e.y(), k * e.z()};
   }
@@ -67,7 +67,7 @@ Vector4<S> quaternion_exp(const Vector3<S>& e) {
   return {cos(angle * S(0.5)), k * e.x(), k * e.y(), k * e.z()};
 }
 
-/// Rotation vector of a unit quaternion, of length at most pi (the inverse of quaternion_exp there).
+/// Rotation vector of a unit quaternion, of norm at most pi: the inverse of quaternion_exp.
 template <class S>
 Vector3<S> quaternion_log(const Vector4<S>& q_any_sign) {
   using std::atan2;
@@ -75,7 +75,7 @@ Vector3<S> quaternion_log(const Vector4<S>& q_any_sign) {
   const Vector4<S> q = q_any_sign[0] < S(0) ? Vector4<S>(-q_any_sign) : q_any_sign;
   const Vector3<S> v = q.template tail<3>();
   const S norm_squared = v.squaredNorm();
-  // atan2(n, w)/n around n = 0, to second order in n
+  // Taylor series of atan2(n, w)/n around n = 0, to second order in n
   if (norm_squared < S(1e-10)) return v * (S(2) / q[0] * (S(1) - norm_squared / (S(3) * q[0] * q[0])));
   const S norm = sqrt(norm_squared);
   return v * (S(2) * atan2(norm, q[0]) / norm);
@@ -87,8 +87,7 @@ Matrix3<S> rotation_exp(const Vector3<S>& e) {
   return rotation_matrix(quaternion_exp(e));
 }
 
-/// Right Jacobian of SO(3): exp(e + d) = exp(e) exp(J_r(e) d) to first order in d (Sola et al. 2018, eq.
-/// 143).
+/// Right Jacobian of SO(3): exp(e + d) = exp(e) exp(J_r(e) d) to first order in d (Sola et al. 2018, eq. 143).
 inline Eigen::Matrix3d right_jacobian(const Eigen::Vector3d& e) {
   const double a2 = e.squaredNorm();
   const Eigen::Matrix3d k = skew(e);
@@ -97,7 +96,7 @@ inline Eigen::Matrix3d right_jacobian(const Eigen::Vector3d& e) {
   return Eigen::Matrix3d::Identity() - (1 - std::cos(a)) / a2 * k + (a - std::sin(a)) / (a2 * a) * k * k;
 }
 
-/// Unit quaternion of a rotation matrix (Shepperd's method: no loss of precision for any rotation).
+/// Unit quaternion of a rotation matrix, with w >= 0. Accurate for all rotations (Shepperd's method).
 Eigen::Vector4d quaternion_from_matrix(const Eigen::Matrix3d& rotation);
 
 }  // namespace incognita

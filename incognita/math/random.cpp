@@ -7,8 +7,7 @@
 namespace incognita {
 namespace {
 
-/// FNV-1a over the name, then splitmix64 over seed and name: near seeds and near names give unrelated
-/// streams.
+/// FNV-1a of the name, then splitmix64 of seed and name, so that similar seeds and names give unrelated streams.
 std::uint64_t stream_seed(std::uint64_t seed, std::string_view name) {
   std::uint64_t h = 0xcbf29ce484222325ull;
   for (const char c : name) h = (h ^ static_cast<unsigned char>(c)) * 0x100000001b3ull;

@@ -1,8 +1,8 @@
-// Seeded random streams with names.
+// Named, seeded random streams.
 //
-// Randomness is data: every consumer owns a stream named after what it draws, all streams follow from one
-// seed, and drawing more from one never changes another. Normals are made here, because
-// std::normal_distribution may differ from one standard library to the next.
+// Every consumer of randomness owns a stream named after what it draws. All streams follow from one seed, and
+// additional draws from one never change another. Normal variates are computed here, because
+// std::normal_distribution may differ between standard libraries.
 #pragma once
 
 #include <cstdint>

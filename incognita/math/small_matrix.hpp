@@ -1,4 +1,4 @@
-// Small vectors and matrices whose size is known only when the program runs. They live on the stack.
+// Small vectors and matrices of a size known only at run time, stored on the stack.
 #pragma once
 
 #include <Eigen/Core>

@@ -8,7 +8,7 @@ namespace incognita {
 
 std::optional<double> seconds_from_nanoseconds(std::string_view text) {
   const char* end = text.data() + text.size();
-  // Whole nanoseconds since 1970 need 61 bits, more than a double has: split before they become one
+  // Nanoseconds since 1970 need 61 bits, more than a double's mantissa: split before the conversion to double
   std::int64_t ns = 0;
   const auto [stopped, error] = std::from_chars(text.data(), end, ns);
   const std::string_view rest(stopped, static_cast<std::size_t>(end - stopped));

@@ -1,5 +1,4 @@
-// What the controller asks of the camera or robot, the input of thesis (5.24), or of the operator who holds
-// it.
+// Output of the controller: the input of thesis (5.24), or an instruction to the operator who holds the camera.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,31 +10,31 @@
 
 namespace incognita {
 
-/// From where to where, world, m, and when, s.
+/// A straight segment in world coordinates, m, with start and end times, s.
 struct Segment {
   Eigen::Vector3d from{0, 0, 0}, to{0, 0, 0};
   double start_t = 0, end_t = 0;
 };
 
-/// What a screen shows an operator who holds a camera.
+/// The instruction that a display shows to an operator who holds a camera.
 struct UserCommand {
   Segment segment;
-  bool is_new = false;          ///< whether it was decided in this very tick
-  std::optional<Heading> gaze;  ///< where to look; none: as the operator likes
+  bool is_new = false;          ///< decided in this tick
+  std::optional<Heading> gaze;  ///< viewing direction; none: the operator's choice
 };
 
 struct Command {
   Eigen::Vector3d linear_acceleration = Eigen::Vector3d::Zero();   ///< m/s^2, world axes
   Eigen::Vector3d angular_acceleration = Eigen::Vector3d::Zero();  ///< rad/s^2, camera axes
 
-  /// An operator moves the camera: no input is asked for, and none is known
+  /// True when an operator moves the camera: no input is commanded and the actual input is unknown.
   bool operator_controlled = false;
-  /// Of each camera that is moved by hand; none: come to rest
+  /// One per hand-held camera; none: come to rest.
   std::vector<UserCommand> user_commands = {};
 
-  /// Of a team: each vehicle's, as its motion model takes it; none: stand still
+  /// Team: one input per vehicle, in the convention of its motion model; none: stand still.
   std::vector<SmallVector> inputs = {};
-  /// Of a team: x, y, z (m, world) and heading (rad) where each is to be now; none where it follows nothing
+  /// Team: reference x, y, z (m, world) and heading (rad) per vehicle; empty without a trajectory to follow.
   std::vector<Eigen::Vector4d> references = {};
 
   Eigen::Matrix<double, 6, 1> as_input() const {

@@ -1,5 +1,4 @@
-// The two ways in which a job can end badly. The program turns them into its exit codes, and nothing else
-// does.
+// Exceptions that end a job. Only the program turns them into exit codes.
 #pragma once
 
 #include <stdexcept>
@@ -7,13 +6,12 @@
 
 namespace incognita {
 
-/// Bad usage, configuration or input file: exit code 2. Says file, line, key or value, and what would be
-/// right.
+/// Bad usage, configuration or input file: exit code 2. The message states file, line, key or value, and the remedy.
 struct InputError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// What was to be written could not be: exit code 1. Says which file, why, and what to do about it.
+/// An output could not be written: exit code 1. The message states the file, the cause and the remedy.
 struct RecordError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -1,4 +1,4 @@
-// Which action, which way, and what every candidate would have taught.
+// The decision: the chosen action and the predicted information gain of every candidate.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,31 +8,31 @@
 
 namespace incognita {
 
-/// Where one vehicle of a team is to go.
+/// Goal of one vehicle of a team.
 struct VehicleGoal {
   Eigen::Vector3d from{0, 0, 0}, to{0, 0, 0};  ///< world, m, from `start_t` to `end_t` of the goal
-  double heading_rad = 0;                      ///< about z from +x
-  double heading_rate_rad_s = 0;               ///< to the left
-  std::optional<Eigen::Vector2d> drive = {};   ///< instead of a place: as Goal::drive
+  double heading_rad = 0;                      ///< from +x about z
+  double heading_rate_rad_s = 0;               ///< positive to the left
+  std::optional<Eigen::Vector2d> drive = {};   ///< as Goal::drive, instead of a position
 };
 
 struct Goal {
-  std::vector<double> scores;  ///< nats of information, one per action, as last compared
-  int chosen = -1;             ///< index of the action in force; -1 before the first decision and when lost
-  bool decided = false;        ///< whether it was chosen in this very frame
-  Eigen::Vector3d from{0, 0, 0};  ///< world, m: where the action starts
-  Eigen::Vector3d to{0, 0, 0};    ///< and where it is to end
+  std::vector<double> scores;     ///< predicted information gain, nats, one per action, at the last decision
+  int chosen = -1;                ///< index of the current action; -1 before the first decision and when lost
+  bool decided = false;           ///< chosen in this tick
+  Eigen::Vector3d from{0, 0, 0};  ///< world, m: start of the action
+  Eigen::Vector3d to{0, 0, 0};    ///< world, m: end of the action
   double start_t = 0;             ///< s
   double end_t = 0;
-  std::optional<double> heading_rad =
-      {};                         ///< where a camera is to look now, about z from +x; none: as it will
-  double heading_rate_rad_s = 0;  ///< and how fast that turns, to the left
-  /// Of a vehicle that is told how to drive, not where to: speed, m/s, and turn rate, rad/s, to the left
+  std::optional<double> heading_rad = {};  ///< gaze of the camera, rad from +x about z; none: free
+  double heading_rate_rad_s = 0;           ///< rate of heading_rad, positive to the left
+  /// Vehicles driven by velocity instead of a target position: speed, m/s, and turn rate, rad/s, positive to
+  /// the left.
   std::optional<Eigen::Vector2d> drive = {};
 
-  /// Of what is not mapped yet, where such is expected (Figure 6.3)
-  std::optional<double> coverage = {};          ///< share of the place that was looked at
-  std::optional<double> entropy_extended = {};  ///< nats, of map and vehicle with those not mapped yet
+  /// Exploration prior, where the scenario has one (Figure 6.3).
+  std::optional<double> coverage = {};          ///< viewed share of the exploration volume
+  std::optional<double> entropy_extended = {};  ///< nats, of vehicle, map and expected landmarks
   std::vector<VehicleGoal> team = {};
 };
 

@@ -13,42 +13,42 @@
 
 namespace incognita {
 
-/// What the wheels say, held until the next reading.
+/// Wheel odometry, held until the next reading.
 struct Odometry {
   double t = 0;                     ///< s, on the clock of the ticks
   Eigen::Vector2d input{0.0, 0.0};  ///< as the vehicle's motion model takes it, e.g. m/s and rad/s
 };
 
-/// Where an external sensor saw the vehicle, and when.
+/// Position of the vehicle, measured by an external sensor.
 struct PositionReading {
   double t = 0;                        ///< s, on the clock of the ticks
   Eigen::Vector2d position{0.0, 0.0};  ///< world, m
 };
 
-/// A landmark as a laser or a camera with ranges gives it, in the frame of the sensor.
+/// A detected landmark as range and bearing in the sensor frame.
 struct Detection {
   static constexpr std::int64_t unknown = -1;
   double range_m = 0;
   double bearing_rad = 0;           ///< from straight ahead, positive to the left
-  std::int64_t identity = unknown;  ///< which landmark it is, where the sensor can tell
+  std::int64_t identity = unknown;  ///< landmark identity, if the sensor provides one
 };
 
-/// How far it is to the nearest thing inside a cone, as a sonar tells; what it is, it does not know.
+/// Distance to the nearest obstacle inside a cone, e.g. of a sonar; the obstacle is not identified.
 struct ConeRange {
-  double bearing_rad = 0;     ///< of the cone's middle, from the vehicle's forward axis, positive to the left
-  double half_width_rad = 0;  ///< of the cone
-  double range_m = 0;         ///< from the middle of the axle; the sensor's reach where there is nothing
+  double bearing_rad = 0;     ///< of the cone axis, from the vehicle's forward axis, positive to the left
+  double half_width_rad = 0;  ///< half opening angle of the cone
+  double range_m = 0;         ///< from the center of the axle; the maximum range when nothing is detected
 };
 
-/// Whether a detection is usable: finite, with a range above 0.
+/// True for a finite range above 0 and a finite bearing.
 inline bool is_usable(const Detection& detection) {
   return std::isfinite(detection.range_m) && detection.range_m > 0 && std::isfinite(detection.bearing_rad);
 }
 
-/// What a sensor measured of a point, by name where it has one.
+/// Raw measurement of a point, with identity if the sensor provides one.
 struct PointDetection {
-  std::int64_t identity = 0;  ///< of a landmark, or Detection::unknown; of another vehicle which, from 0
-  SmallVector z;              ///< as the sensor measures
+  std::int64_t identity = 0;  ///< landmark or Detection::unknown; for another vehicle its index, from 0
+  SmallVector z;              ///< in the coordinates of the sensor model
 };
 
 /// All that one body measures by itself; it may carry any set of sensors.

@@ -5,7 +5,7 @@
 namespace incognita {
 namespace {
 
-/// with(model, its state).
+/// Calls with(model, state) with their static types.
 template <class With>
 auto with_state(const AnyMotion& motion, const SmallVector& state, With with) {
   return std::visit(
@@ -76,7 +76,7 @@ AnyPoint position_of(const AnyMotion& motion, const SmallVector& vehicle) {
     if constexpr (size == dimensions_of(Model::space)) {
       return {x.template head<size>(), SmallMatrix::Identity(size, Model::error_size)};
     } else {
-      const auto body = model.pose(x);  // the ground gives the height
+      const auto body = model.pose(x);  // the height depends on the terrain
       return {body.pose.position, body.J.template topRows<3>()};
     }
   });

@@ -24,7 +24,7 @@ MountedPose camera_pose_on(const Mount& mount, const AnyMotion& motion, const Sm
       motion);
 }
 
-/// Where the sensor measures from. On a line and on a plane that is how the state begins.
+/// The pose the sensor measures from. On a line and on a plane it is the first part of the state.
 template <class Sensor>
 typename Sensor::Pose sensor_pose(const Sensor& sensor, const AnyMotion& motion, const SmallVector& vehicle) {
   if constexpr (std::is_same_v<typename Sensor::Pose, MountedPose>)
@@ -33,7 +33,7 @@ typename Sensor::Pose sensor_pose(const Sensor& sensor, const AnyMotion& motion,
     return vehicle.head(Sensor::Pose::RowsAtCompileTime);
 }
 
-/// A Jacobian by the pose as one by the whole state, which begins with the pose.
+/// Extends a Jacobian with respect to the pose to the whole state, of which the pose is the first part.
 void pad_columns(SmallMatrix& J, const AnyMotion& motion) {
   const Eigen::Index had = J.cols(), errors = chart_of(motion).tangent();
   if (had == errors) return;

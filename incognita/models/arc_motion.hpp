@@ -1,10 +1,10 @@
-// Vehicles on a plane that follow the arc which a held input makes, and not its tangent as (3.16) does: what
-// a filter needs that is to be as good as its sensors, because the difference, speed times turn over 2 a
-// step, is always to the same side.
+// Planar vehicles that follow the exact arc of a held input instead of its tangent (3.16). The difference,
+// speed times turn over 2 per step, is systematic, to the outside of the curve, and would bias a filter with
+// accurate sensors.
 //
-// With phi = w dt the body-axes displacement of the point is dt (a S - c C, a C + c S), S = sin(phi) / phi, C
-// = (1 - cos(phi)) / phi, where (a, c) is the point's velocity along and across the body. Like every motion
-// that is the same seen from the body, it has F as jacobian_between().
+// With phi = w dt the displacement of the point in body axes is dt (a S - c C, a C + c S), S = sin(phi) /
+// phi, C = (1 - cos(phi)) / phi, where (a, c) is the point's velocity along and across the body. The motion
+// is invariant to the initial pose, so F is jacobian_between().
 #pragma once
 
 #include <cmath>
@@ -14,7 +14,7 @@
 
 namespace incognita {
 
-/// S and C of an angle, and their derivatives by it.
+/// S and C of the file comment and their derivatives with respect to the angle.
 template <class S>
 struct ArcTerms {
   S s, c, ds, dc;

@@ -1,11 +1,11 @@
-// What a sensor on a planar vehicle sees of a landmark when it sees directions only, and how a landmark is
-// born from one direction. Thesis (3.19) without its first row; Section 4.2's bearing-only sensor.
+// Bearing-only measurement of a landmark by a planar vehicle, and landmark initialization from one bearing:
+// thesis (3.19) without its first row; the bearing-only sensor of Section 4.2.
 //
 // Measurement (1): bearing (rad, from the body's heading, positive to the left, in (-pi, pi]).
-// Two landmark models, as for the camera. A point (2) is its position. A planar inverse-distance landmark (4;
-// Montiel, Civera, Davison, RSS 2006, in the plane) is where it was first seen from, the direction it was
-// seen in and one over its distance: its looks are nearly linear while the distance is not known, and
-// infinity is a place.
+// Two landmark parametrizations, as for the camera. A point (2) is its position. A planar inverse-distance
+// landmark (4; Montiel, Civera, Davison, RSS 2006, reduced to the plane) is the position of the first
+// observation, the direction from there and the inverse distance. Its measurement is nearly linear even when
+// the distance is unknown, and it includes points at infinity.
 #pragma once
 
 #include <Eigen/Core>
@@ -20,7 +20,7 @@ namespace incognita {
 struct Bearing {
   static constexpr Chart chart{{Chart::Kind::angle, 1}};
   static constexpr Chart landmark_chart = Chart::line(2);
-  static constexpr double least_range_m = 1e-6;  ///< nearer than this a bearing means nothing
+  static constexpr double least_range_m = 1e-6;  ///< below this distance a bearing is undefined
   using Pose = planar::Pose<double>;
   using Scalar = Eigen::Matrix<double, 1, 1>;
 
@@ -36,7 +36,7 @@ struct Bearing {
     return Eigen::Matrix<S, 1, 1>(wrap_angle<S>(atan2(point[1] - pose[1], point[0] - pose[0]) - pose[2]));
   }
 
-  /// Nothing for a point where the sensor is.
+  /// Nothing for a point at the sensor's own position.
   static std::optional<Prediction> predict_measurement(const Pose& pose, const Eigen::Vector2d& point) {
     const double dx = point.x() - pose.x(), dy = point.y() - pose.y();
     const double d2 = dx * dx + dy * dy;
@@ -52,7 +52,7 @@ struct PlanarInverseDistance {
   static constexpr int size = 4;
   static constexpr Chart chart{{Chart::Kind::line, 2}, {Chart::Kind::angle, 1}, {Chart::Kind::line, 1}};
   template <class S>
-  using State = Eigen::Matrix<S, size, 1>;  ///< birth x, y (m), direction (rad, about z from +x), 1/m
+  using State = Eigen::Matrix<S, size, 1>;  ///< x, y (m), direction (rad, from +x), inverse distance (1/m)
   using Pose = planar::Pose<double>;
 
   struct Prediction {
@@ -70,8 +70,8 @@ struct PlanarInverseDistance {
     Eigen::Matrix<double, 2, 4> J;
   };
 
-  /// From the pose to the landmark, world axes, as long as the distance at birth was times its inverse: its
-  /// length means nothing, so infinity is as good as any place.
+  /// Vector from the pose to the landmark, world axes, scaled by the inverse distance, so that it is finite
+  /// at infinity.
   template <class S>
   static Eigen::Matrix<S, 2, 1> along(const planar::Pose<S>& pose, const State<S>& y) {
     using std::cos, std::sin;
@@ -85,7 +85,7 @@ struct PlanarInverseDistance {
     return Eigen::Matrix<S, 1, 1>(wrap_angle<S>(atan2(a[1], a[0]) - pose[2]));
   }
 
-  /// Nothing for a landmark where the sensor is.
+  /// Nothing for a landmark at the sensor's own position.
   static std::optional<Prediction> predict_measurement(const Pose& pose, const State<double>& y) {
     const Eigen::Vector2d a = along<double>(pose, y);
     const double a2 = a.squaredNorm();
@@ -98,7 +98,7 @@ struct PlanarInverseDistance {
     return prediction;
   }
 
-  /// `inverse_distance` (1/m) is the mean before anything is known; zero is allowed.
+  /// `inverse_distance` (1/m): prior mean; zero is allowed.
   static Initialization initialize(const Pose& pose, double bearing, double inverse_distance) {
     Initialization initialization{
         {pose[0], pose[1], wrap_angle(pose[2] + bearing), inverse_distance}, {}, {}};
@@ -107,7 +107,7 @@ struct PlanarInverseDistance {
     return initialization;
   }
 
-  /// The same landmark as a point; needs a positive inverse distance.
+  /// Conversion to a point; requires a positive inverse distance.
   static Point point(const State<double>& y) {
     const double c = std::cos(y[2]), s = std::sin(y[2]), distance = 1 / y[3];
     Point point{{y[0] + distance * c, y[1] + distance * s}, {}};
@@ -116,11 +116,11 @@ struct PlanarInverseDistance {
     return point;
   }
 
-  /// Civera's linearity index: how far from linear the look of the equivalent point would be over the
-  /// distance's spread (Civera, Davison, Montiel, IEEE T-RO 2008, eq. 29); below about 0.1 a point is as
-  /// good. There it is for a tangent in an image. For an angle it is the same: seen from d away under the
-  /// parallax a, a point d' further along its ray has direction atan2(d' sin a, d + d' cos a), whose second
-  /// derivative by d' is -2 cos a / d times the first, as that of the tangent is.
+  /// Linearity index (Civera, Davison, Montiel, IEEE T-RO 2008, eq. 29): nonlinearity of the point's
+  /// measurement over the spread of its distance; below about 0.1 the point parametrization is adequate. The
+  /// paper derives it for a tangent in an image. It is the same for an angle: from distance d and at parallax
+  /// a, a point d' further along its ray has direction atan2(d' sin a, d + d' cos a), whose second derivative
+  /// by d' is -2 cos a / d times the first, as for the tangent.
   static double linearity_index(const State<double>& y, double inverse_distance_var,
                                 const Eigen::Vector2d& sensor) {
     if (!(y[3] > 0)) return 1e9;

@@ -1,7 +1,7 @@
-// What a camera model is, and a holder that lets one be chosen at run time.
+// The camera model concept, and a type-erased holder for a model chosen at run time.
 //
-// A camera model maps a point in camera axes (z forward, x right, y down; any positive scale) to a pixel (u
-// to the right, v down, the centre of the first pixel at 0,0) and a pixel back to the ray through it.
+// A camera model maps a point in camera axes (x right, y down, z forward; any positive scale) to a pixel (u
+// right, v down, the center of the first pixel at 0,0), and a pixel back to its ray.
 #pragma once
 
 #include <Eigen/Core>
@@ -25,13 +25,13 @@ template <class C>
 concept CameraModel = requires(const C& camera, const Eigen::Vector3d& point, const Eigen::Vector2d& pixel) {
   { camera.width } -> std::convertible_to<int>;
   { camera.height } -> std::convertible_to<int>;
-  /// Whether the model is defined there: in front of the camera and where the distortion is still one to one.
+  /// Whether the projection is defined: in front of the camera and where the distortion is one to one.
   { camera.defined(point) } -> std::same_as<bool>;
   { camera.template h<double>(point) } -> std::convertible_to<Eigen::Vector2d>;
   { camera.project(point) } -> std::same_as<Projection>;
-  /// The ray (x, y, 1) through a pixel; nothing where no ray reaches the pixel.
+  /// The ray (x, y, 1) through a pixel; nothing when no ray maps to the pixel.
   { camera.unproject(pixel) } -> std::same_as<std::optional<Eigen::Vector3d>>;
-  /// Throws std::invalid_argument naming the parameter that cannot be.
+  /// Throws std::invalid_argument, naming the invalid parameter.
   { camera.check() } -> std::same_as<void>;
 };
 
@@ -39,7 +39,7 @@ concept CameraModel = requires(const C& camera, const Eigen::Vector3d& point, co
 class Camera {
  public:
   template <CameraModel C>
-  Camera(C model) {  // NOLINT(google-explicit-constructor): a holder is meant to be made from what it holds
+  Camera(C model) {  // NOLINT(google-explicit-constructor): implicit conversion to the holder is intended
     model.check();
     self_ = std::make_shared<const Holder<C>>(std::move(model));
   }
@@ -47,18 +47,18 @@ class Camera {
   int width() const { return self_->width(); }
   int height() const { return self_->height(); }
 
-  /// Pixel and Jacobian of a point in camera axes, or nothing where the model is not defined.
-  /// The pixel may lie outside the image: see contains().
+  /// Pixel and Jacobian of a point in camera axes; nothing where the model is not defined. The pixel may lie
+  /// outside the image: see contains().
   std::optional<Projection> project(const Eigen::Vector3d& point_in_camera) const {
     return self_->project(point_in_camera);
   }
 
-  /// The ray (x, y, 1) through a pixel, or nothing where no ray reaches it.
+  /// The ray (x, y, 1) through a pixel; nothing when no ray maps to it.
   std::optional<Eigen::Vector3d> unproject(const Eigen::Vector2d& pixel) const {
     return self_->unproject(pixel);
   }
 
-  /// Whether a pixel lies in the image, at least `margin` pixels from its edge.
+  /// Whether a pixel lies in the image, at least `margin` pixels from its border.
   bool contains(const Eigen::Vector2d& pixel, double margin = 0) const {
     return pixel.x() >= margin && pixel.y() >= margin && pixel.x() <= width() - 1 - margin &&
            pixel.y() <= height() - 1 - margin;

@@ -7,7 +7,7 @@ namespace incognita {
 namespace {
 
 /// d(pixel)/d(camera error) for a vector c = C (s X - s p) in camera axes, d = d(pixel)/dc, C =
-/// camera_from_world: the position moves c by -s C, the right rotation error by [c]x.
+/// camera_from_world: the position changes c by -s C, the right rotation error by [c]x.
 CameraJacobian camera_jacobian(const Eigen::Matrix<double, 2, 3>& d, const Eigen::Matrix3d& camera_from_world,
                                const Eigen::Vector3d& c, double s) {
   CameraJacobian H = CameraJacobian::Zero();
@@ -54,7 +54,8 @@ std::optional<InverseDepthLandmark::Initialization> InverseDepthLandmark::initia
   initialization.landmark << free_camera::position(x), ray->x(), ray->y(), inverse_depth;
   initialization.Jv.setZero();
   initialization.Jv.topLeftCorner<3, 3>().setIdentity();
-  // The axes of birth stay while the camera turns by its error e: the ray becomes r + e x r, then z = 1 again
+  // The initial axes are constant while the camera rotates by its error e: the ray becomes r + e x r,
+  // rescaled to z = 1
   const Eigen::Matrix3d turned = -skew<double>(*ray);
   initialization.Jv.block<2, 3>(3, 3) = turned.topRows<2>() - ray->head<2>() * turned.row(2);
   initialization.Jz.setZero();
@@ -79,7 +80,7 @@ double InverseDepthLandmark::linearity_index(const State& y, double inverse_dept
   const Eigen::Vector3d from_initial_camera = at - y.head<3>(), from_camera = at - camera_position;
   const double d0 = from_initial_camera.norm(), d1 = from_camera.norm();
   if (d0 < 1e-9 || d1 < 1e-9) return 1e9;
-  // Along the ray: depth = |ray| / rho, so its sigma is |ray| sigma_rho / rho^2
+  // depth = |ray| / rho along the ray, so its sigma is |ray| sigma_rho / rho^2
   const double sigma_depth = d0 * std::sqrt(inverse_depth_var) / y[5];
   const double cos_parallax = from_initial_camera.dot(from_camera) / (d0 * d1);
   return 4 * sigma_depth / d1 * std::abs(cos_parallax);

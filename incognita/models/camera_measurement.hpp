@@ -1,10 +1,10 @@
-// What a free camera sees of a landmark, and how a landmark is born from a pixel.
+// Camera measurement of a landmark by a free camera, and landmark initialization from a pixel.
 //
-// Two landmark models. A point (3 errors) is its position in the world. An inverse-depth landmark (6 errors;
-// Montiel, Civera, Davison, RSS 2006) is where it was first seen from, the direction it was seen in, and one
-// over its depth: its looks are nearly linear while the depth is not known. The direction is kept as (x, y,
-// 1) in the axes of the birth view, which are a constant, so that there is no pole as there is with azimuth
-// and elevation, and the depth is along the birth view's optical axis.
+// Two landmark parametrizations. A point (3 errors) is its position in the world. An inverse-depth landmark
+// (6 errors; Montiel, Civera, Davison, RSS 2006) is the camera position at initialization, the direction from
+// there and the inverse depth. Its measurement is nearly linear even when the depth is unknown. The direction
+// is stored as (x, y, 1) in the constant axes of the initial camera, which avoids the poles of azimuth and
+// elevation; depth is along the optical axis of that camera.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@ namespace incognita {
 
 using CameraState = FreeCameraMotion::State<double>;
 
-/// Jacobian of a pixel with respect to the error of a free camera (velocity and rate columns are zero).
+/// d(pixel) / d(error of a free camera); the velocity and rate columns are zero.
 using CameraJacobian = Eigen::Matrix<double, 2, FreeCameraMotion::error_size>;
 
 struct PointLandmark {
@@ -30,7 +30,7 @@ struct PointLandmark {
     Eigen::Matrix<double, 2, 3> Hl;  ///< d(pixel) / d(landmark), px/m
   };
 
-  /// The point in camera axes, m: the part of the model that does not depend on which camera looks.
+  /// The point in camera axes, m; independent of the projection model.
   template <class S>
   static Vector3<S> in_camera(const FreeCameraMotion::State<S>& camera, const Vector3<S>& point) {
     return rotation_matrix<S>(camera.template segment<4>(3)).transpose() *
@@ -45,9 +45,9 @@ struct PointLandmark {
 struct InverseDepthLandmark {
   static constexpr int size = 6;
   static constexpr Chart chart = Chart::line(size);
-  using State = Eigen::Matrix<double, 6, 1>;  ///< birth position (m), direction x and y, inverse depth (1/m)
+  using State = Eigen::Matrix<double, 6, 1>;  ///< initial position (m), direction x, y, inverse depth (1/m)
 
-  Eigen::Vector4d world_from_initial_camera{1, 0, 0, 0};  ///< axes of the view of birth, a constant
+  Eigen::Vector4d world_from_initial_camera{1, 0, 0, 0};  ///< axes of the initial camera, a constant
 
   struct Prediction {
     Eigen::Vector2d pixel;
@@ -65,8 +65,7 @@ struct InverseDepthLandmark {
     Eigen::Matrix<double, 3, 6> J;
   };
 
-  /// A vector along the landmark in camera axes; its length means nothing, so infinity is as good as any
-  /// place.
+  /// The landmark in camera axes, scaled by the inverse depth, so that it is finite at infinity.
   template <class S>
   Vector3<S> in_camera(const FreeCameraMotion::State<S>& camera, const Eigen::Matrix<S, 6, 1>& y) const {
     const Vector3<S> ray =
@@ -78,15 +77,15 @@ struct InverseDepthLandmark {
   std::optional<Prediction> predict_measurement(const Camera& camera, const CameraState& x,
                                                 const State& y) const;
 
-  /// Nothing where no ray reaches the pixel. `inverse_depth` (1/m) is the mean before anything is known.
+  /// Nothing when no ray maps to the pixel. `inverse_depth` (1/m): prior mean.
   static std::optional<Initialization> initialize(const Camera& camera, const CameraState& x,
                                                   const Eigen::Vector2d& pixel, double inverse_depth);
 
-  /// The same landmark as a point; needs a positive inverse depth.
+  /// Conversion to a point; requires a positive inverse depth.
   Point point(const State& y) const;
 
-  /// Civera's linearity index: how far from linear the look of the equivalent point would be over the depth's
-  /// spread (Civera, Davison, Montiel, IEEE T-RO 2008, eq. 29); below about 0.1 a point is as good.
+  /// Linearity index (Civera, Davison, Montiel, IEEE T-RO 2008, eq. 29): nonlinearity of the point's
+  /// measurement over the spread of its depth; below about 0.1 the point parametrization is adequate.
   double linearity_index(const State& y, double inverse_depth_var,
                          const Eigen::Vector3d& camera_position) const;
 };

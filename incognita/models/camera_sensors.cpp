@@ -3,7 +3,7 @@
 namespace incognita {
 namespace {
 
-/// A Jacobian by the camera's error as one by the vehicle's.
+/// Jacobian with respect to the vehicle error, from that with respect to the camera error.
 template <int rows>
 SmallMatrix through(const Eigen::Matrix<double, rows, FreeCameraMotion::error_size>& by_camera,
                     const MountedPose& pose) {

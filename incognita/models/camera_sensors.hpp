@@ -1,4 +1,4 @@
-// Cameras as sensors of points in space: one, or two side by side, mounted on any vehicle that has a pose in space.
+// Monocular and stereo cameras as sensors of points in space, mounted on any vehicle with a pose in space.
 #pragma once
 
 #include <array>
@@ -13,15 +13,15 @@
 
 namespace incognita {
 
-/// A camera's pose, and how its six errors depend on the vehicle's.
+/// The pose of a mounted camera with its Jacobian with respect to the vehicle error.
 struct MountedPose {
-  CameraState camera;  ///< the speeds are zero: no measurement depends on them
+  CameraState camera;  ///< velocity and rate are zero: no measurement depends on them
   SmallMatrix J;       ///< d(camera position and right rotation error) / d(vehicle error)
 };
 
 std::string incompatibility_of_camera(const MotionTraits& motion);
 
-/// A camera; a free camera is itself what it is mounted on, and the mount is not used.
+/// A monocular camera. On a free camera the mount is ignored: the body is the camera.
 struct CameraSensor {
   static constexpr std::string_view name = "camera", word = name;
   static constexpr std::string_view summary = "pixel of a point in space";
@@ -48,7 +48,7 @@ struct CameraSensor {
   bool is_possible(const SmallVector&) const { return true; }
 };
 
-/// Two cameras side by side, mounted as one.
+/// A stereo pair, mounted by its left camera.
 struct StereoSensor {
   static constexpr std::string_view name = "stereo", word = name;
   static constexpr std::string_view summary =

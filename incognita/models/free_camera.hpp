@@ -1,10 +1,9 @@
 // A body that moves freely in space with nearly constant velocity: thesis (5.24).
 //
-// State (13): position p and velocity v in the world (m, m/s), orientation q = world_from_camera (w,x,y,z),
-// angular rate w in the camera's own axes (rad/s). Error (12): position, right rotation error, velocity,
-// angular rate. Input (6): linear acceleration f in the world (m/s^2) and angular acceleration a in camera
-// axes (rad/s^2). Where (5.24) turns the orientation with the old rate, the new one is used here, as for the
-// position.
+// State (13): position p (m, world), orientation q = world_from_camera (w,x,y,z), velocity v (m/s, world),
+// angular rate w (rad/s, camera axes). Error (12): position, right rotation error, velocity, angular rate.
+// Input (6): linear acceleration f (m/s^2, world), angular acceleration a (rad/s^2, camera axes). (5.24)
+// rotates with the rate at the start of the step; here the rate at its end is used, as for the position.
 #pragma once
 
 #include <Eigen/Core>
@@ -18,7 +17,7 @@
 
 namespace incognita {
 
-struct HeldAcceleration;  ///< its integrator: held_acceleration.hpp
+struct HeldAcceleration;  ///< the integrator of FreeCameraMotion: held_acceleration.hpp
 
 struct FreeCameraMotion {
   static constexpr int state_size = 13;
@@ -70,17 +69,17 @@ struct FreeCameraMotion {
   using Integrator = HeldAcceleration;
 
   struct Step {
-    State<double> x;  ///< the state after dt
+    State<double> x;  ///< state after dt
     Jacobian F;       ///< d(error after) / d(error before)
-    InputJacobian G;  ///< d(error after) / d(input), also of noise that enters as an acceleration
+    InputJacobian G;  ///< d(error after) / d(input), also for acceleration noise
   };
 
-  /// State per second, of its 13 numbers: p' = v, q' = 1/2 q (0, w), v' = f, w' = a, the motion that (5.24)
-  /// samples. What integrates it brings q back to length 1.
+  /// d(state)/dt (13): p' = v, q' = 1/2 q (0, w), v' = f, w' = a, the continuous form of (5.24). The
+  /// integrator has to normalize q.
   template <class S>
   State<S> rate(const State<S>& x, const Input<S>& u) const;
 
-  /// One step of dt seconds with the input held. Linear and angular parts do not mix.
+  /// One step of dt seconds with the input held. Linear and angular parts are decoupled.
   template <class S>
   State<S> f(const State<S>& x, const Input<S>& u, double dt) const;
 
@@ -89,15 +88,15 @@ struct FreeCameraMotion {
   PoseOf<error_size> pose(const State<double>& x) const {
     return pose_in_space<error_size>(x.head<3>(), x.segment<4>(3));
   }
-  /// That of its optical axis, seen from above.
+  /// Heading of the optical axis.
   double heading(const State<double>& x) const { return heading_of(x.segment<4>(3)); }
-  /// Level.
+  /// The camera is level.
   static State<double> at_rest(const Eigen::Vector3d& position, double heading) {
     return (State<double>() << position, level_gaze(heading), Eigen::Matrix<double, 6, 1>::Zero()).finished();
   }
 };
 
-/// Names for the parts of a free camera's state.
+/// Accessors to the parts of a free camera's state.
 namespace free_camera {
 template <class V>
 auto position(V&& x) {

@@ -1,4 +1,4 @@
-// A camera that looks to and fro about the vertical.
+// Sinusoidal panning of a camera about the vertical.
 #pragma once
 
 #include <cmath>
@@ -6,7 +6,7 @@
 
 namespace incognita {
 
-/// Where a level camera looks, about z from +x, and how fast that turns, to the left.
+/// Heading of a level camera about z from +x, rad, and its rate, positive to the left.
 struct Heading {
   double rad = 0;
   double rate_rad_s = 0;
@@ -16,7 +16,7 @@ struct GazeSwing {
   double amplitude_rad = 0;
   double period_s = 20;
 
-  /// `t`: s since it looked along `middle_rad`.
+  /// `t`: s since the camera passed `middle_rad` to the left.
   Heading at(double middle_rad, double t) const {
     const double phase = 2 * std::numbers::pi * t / period_s;
     return {middle_rad + amplitude_rad * std::sin(phase),

@@ -17,7 +17,7 @@ double heading_of(const Eigen::Vector4d& world_from_camera) {
 
 Eigen::Vector4d level_gaze(double heading_rad) {
   const double c = std::cos(heading_rad), s = std::sin(heading_rad);
-  // Columns: the camera's right, down and forward in the world
+  // Columns: the camera's right, down and forward axes in the world
   const Eigen::Matrix3d axes = (Eigen::Matrix3d() << s, 0, c, -c, 0, s, 0, -1, 0).finished();
   return quaternion_from_matrix(axes);
 }

@@ -1,15 +1,15 @@
-// Where a camera looks, seen on the map.
+// Heading of a camera.
 #pragma once
 
 #include <Eigen/Core>
 
 namespace incognita {
 
-/// The camera's heading: the angle about the world's z axis of its optical axis, from +x, rad. For a camera
-/// that looks straight up or down, that of its upper or lower image edge.
+/// Heading of the optical axis about the world's z axis, from +x, rad. For a camera that looks nearly
+/// straight up or down, that of its lower or upper image edge.
 double heading_of(const Eigen::Vector4d& world_from_camera);
 
-/// A level camera looking along a heading (rad, about z from +x): world_from_camera.
+/// world_from_camera of a level camera with this heading (rad, about z from +x).
 Eigen::Vector4d level_gaze(double heading_rad);
 
 }  // namespace incognita

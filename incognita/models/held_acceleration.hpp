@@ -1,10 +1,9 @@
-// A body that moves freely in space under accelerations that are held, as commands are: what a filter needs
-// that is to be as good as its sensors. (5.24) moves it with the velocity of the step's end, which is f dt^2
-// / 2 too far, always to the same side; at 1 m/s^2 and 20 steps a second that is 1.25 mm and more than most
-// noise.
+// Free motion in space under held accelerations, integrated to second order. (5.24) uses the velocity at the
+// end of the step, so its position is f dt^2 / 2 too far. The error is systematic and would bias a filter
+// with accurate sensors: at 1 m/s^2 and 20 steps per second it is 1.25 mm, more than most noise.
 //
-// Here it moves, and turns, with the velocities of the step's middle. For the position that is exact. So it
-// is for a turn about an axis that stays; of others it misses the third power of dt, as the axis turns.
+// Here the velocities at the middle of the step are used. The position is exact, and so is the rotation about
+// a fixed axis; for a rotating axis the error is of order dt^3.
 #pragma once
 
 #include "incognita/models/free_camera.hpp"
@@ -24,7 +23,7 @@ struct HeldAcceleration {
   using Step = FreeCameraMotion::Step;
   static constexpr Chart chart = FreeCameraMotion::chart;
 
-  FreeCameraMotion motion = {};  ///< what it integrates
+  FreeCameraMotion motion = {};  ///< the continuous motion model
 
   template <class S>
   State<S> rate(const State<S>& x, const Input<S>& u) const {

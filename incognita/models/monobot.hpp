@@ -1,7 +1,7 @@
-// A robot on a line, and what it sees of a landmark there: thesis Example 3.1, Figure 3.2.
+// A robot on a line and its relative-position measurement: thesis Example 3.1, Figure 3.2.
 //
 // State (1): position on the line, m. Input (1): speed, m/s; with dt = 1 it is the displacement u of (3.4).
-// Measurement (1): position of the landmark less that of the robot, m.
+// Measurement (1): position of the landmark minus that of the robot, m.
 #pragma once
 
 #include <Eigen/Core>
@@ -39,7 +39,7 @@ struct MonobotMotion {
     InputJacobian G;  ///< d(error after) / d(input): dt
   };
 
-  /// The motion itself, which (3.4) is exact for: the speed.
+  /// d(state)/dt: the speed, for which (3.4) is exact.
   template <class S>
   State<S> rate(const State<S>&, const Input<S>& u) const {
     return u;

@@ -1,7 +1,7 @@
-// What a motion model states about itself, and what it must offer: docs/add-a-motion-model.md.
+// Static properties and required interface of a motion model: docs/add-a-motion-model.md.
 //
-// The pose comes first in every state and every error: x on a line; x, y, heading on a plane and on uneven ground;
-// position and orientation in space. More numbers, such as velocities or the angle of a trailer, follow.
+// The pose comes first in every state and error: x on a line; x, y, heading on a plane and on uneven ground;
+// position and orientation in space. Further states, such as velocities or the angle of a trailer, follow.
 #pragma once
 
 #include <concepts>
@@ -15,31 +15,31 @@
 
 namespace incognita {
 
-/// Where a vehicle moves.
+/// The space in which a vehicle moves.
 enum class Space {
   line,           ///< along x
   plane,          ///< on the floor z = 0
-  uneven_ground,  ///< on a terrain, which gives height and tilt
-  space,          ///< freely; the pose is that of a camera, with its axes
+  uneven_ground,  ///< on a terrain, which determines height and tilt
+  space,          ///< in three dimensions; the pose is that of a camera, in camera axes
 };
 
-/// Coordinates of a point where a vehicle of that kind moves.
+/// Coordinates of a point in that space.
 constexpr int dimensions_of(Space space) { return space == Space::line ? 1 : space == Space::plane ? 2 : 3; }
 
-/// What a model states about itself, for code that does not care which model it is.
+/// Static properties of a motion model, for code independent of its type.
 struct MotionTraits {
-  std::string_view name;     ///< the word for it in a scenario: "differential-drive"
+  std::string_view name;     ///< name in a scenario: "differential-drive"
   std::string_view summary;  ///< one sentence
   Space space = Space::plane;
-  int position_size = 0;            ///< numbers of the position, which come first in state and error
-  std::span<const Quantity> state;  ///< sizes: numbers of the state, of its error, of the input
+  int position_size = 0;            ///< position coordinates, the first of state and error
+  std::span<const Quantity> state;  ///< sizes: those of the state, its error and the input
   std::span<const Quantity> error;
   std::span<const Quantity> input;
 
   bool on_line() const { return space == Space::line; }
   bool on_plane() const { return space == Space::plane; }
   bool in_space() const { return space == Space::space; }
-  /// Whether the state is a planar pose and nothing else.
+  /// Whether the state is exactly a planar pose.
   bool is_planar_pose() const { return on_plane() && state.size() == 3; }
   bool has_input(std::string_view wanted) const {
     for (const Quantity& quantity : input)
@@ -48,12 +48,12 @@ struct MotionTraits {
   }
 };
 
-/// A model that a scenario can choose. `M::Integrator` is the model that filters predict with: the model itself, or
-/// one made from it that integrates a held input more exactly.
+/// A motion model that a scenario can choose. `M::Integrator` is the model used by filters: the model itself,
+/// or one built from it that integrates a held input more accurately.
 ///
-/// Optional: `static constexpr auto parameters()`, what a scenario may set (quantity.hpp); `Terrain terrain`, the ground,
-/// which is set from outside; `steered_as()`, a simpler model with the same inputs, whose state is how this one's begins
-/// and whose control laws steer this one (control/steering.hpp).
+/// Optional members: `static constexpr auto parameters()`, settable by the scenario (quantity.hpp); `Terrain
+/// terrain`, set by set_terrain(); `steered_as()`, a simpler model with the same inputs, whose state is the
+/// beginning of this one's and whose control laws apply to this one (control/steering.hpp).
 template <class M>
 concept MotionModel = requires(const M& model, const typename M::template State<double>& x,
                                const typename M::template Input<double>& u, double dt,
@@ -74,11 +74,11 @@ concept MotionModel = requires(const M& model, const typename M::template State<
   { model.step(x, u, dt).x } -> std::convertible_to<typename M::template State<double>>;
   { model.step(x, u, dt).F } -> std::convertible_to<typename M::Jacobian>;
   { model.step(x, u, dt).G } -> std::convertible_to<typename M::InputJacobian>;
-  /// The body in space with d(pose error) / d(state error).
+  /// Pose of the body in space with d(pose error) / d(state error).
   { model.pose(x) } -> std::same_as<PoseOf<M::error_size>>;
-  /// About the world's z axis, from +x, rad.
+  /// Heading about the world's z axis, from +x, rad.
   { model.heading(x) } -> std::same_as<double>;
-  /// The state at rest at a place (m, world), with a heading; what the vehicle cannot choose is left out.
+  /// State at rest at a position (m, world) with a heading (rad); coordinates the vehicle cannot choose are ignored.
   { M::at_rest(position, dt) } -> std::convertible_to<typename M::template State<double>>;
 };
 
@@ -86,7 +86,7 @@ template <MotionModel M>
 inline constexpr MotionTraits motion_traits{M::name,  M::summary, M::space, M::position_size,
                                             M::state, M::error,   M::input};
 
-/// The model that filters predict with. A model that is its own integrator is not copied.
+/// The model used by filters. A model that is its own integrator is not copied.
 template <class M>
 decltype(auto) integrator_of(const M& model) {
   if constexpr (std::is_same_v<typename M::Integrator, M>)

@@ -1,11 +1,11 @@
-// Where a camera sits on a vehicle, so that any vehicle can carry any camera.
+// The pose of a camera on a vehicle, so that any vehicle can carry any camera.
 //
-//   const auto seat = mount.on(on_floor(pose));             // or mount.on(terrain_vehicle.pose(x))
-//   const auto look = PointLandmark::predict_measurement(camera, seat.camera, point);
-//   Hv = by_vehicle(look->Hv, seat.J);                      // d(z) / d(vehicle error)
+//   const auto mounted = mount.on(on_floor(pose));          // or mount.on(terrain_vehicle.pose(x))
+//   const auto prediction = PointLandmark::predict_measurement(camera, mounted.camera, point);
+//   Hv = by_vehicle(prediction->Hv, mounted.J);            // d(z) / d(vehicle error)
 //
-// The camera looks along the body's forward axis, its image upright, then turned to the left by `yaw_rad` and
-// up by `pitch_rad`. Body axes are x forward, y left, z up; camera axes x right, y down, z ahead.
+// By default the camera looks along the body's forward axis with an upright image; it is then rotated to the left by
+// `yaw_rad` and up by `pitch_rad`. Body axes: x forward, y left, z up. Camera axes: x right, y down, z forward.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,24 +19,24 @@
 
 namespace incognita {
 
-/// A camera on a vehicle with `errors` errors.
+/// A camera mounted on a vehicle with `errors` errors.
 template <int errors>
 struct MountedCamera {
-  FreeCameraMotion::State<double> camera;  ///< pose; the speeds are left zero, for no look depends on them
+  FreeCameraMotion::State<double> camera;  ///< velocity and rate are zero: no measurement depends on them
   Eigen::Matrix<double, 6, errors> J;      ///< d(camera position and right rotation error) / d(vehicle error)
 };
 
-/// A planar vehicle on the floor z = 0.
+/// Pose of a planar vehicle on the floor z = 0.
 inline PoseOf<3> on_floor(const planar::Pose<double>& pose) {
   return pose_on_floor<3>(pose[0], pose[1], pose[2]);
 }
 
 struct Mount {
-  double forward_m = 0;  ///< the optic centre from the vehicle's point, body axes
+  double forward_m = 0;  ///< optical center relative to the vehicle's reference point, body axes
   double left_m = 0;
   double up_m = 0;
-  double pitch_rad = 0;  ///< upwards
-  double yaw_rad = 0;    ///< to the left
+  double pitch_rad = 0;  ///< positive upwards
+  double yaw_rad = 0;    ///< positive to the left
 
   static constexpr auto parameters() {
     using P = Parameter<Mount>;
@@ -56,14 +56,15 @@ struct Mount {
 
   Vector3<double> lever() const { return {forward_m, left_m, up_m}; }
 
-  /// Columns: the camera's right, down and ahead in body axes.
+  /// Columns: the camera's right, down and forward axes in body axes.
   Matrix3<double> body_from_camera() const {
     const double c = std::cos(pitch_rad), s = std::sin(pitch_rad);
     const Matrix3<double> pitched = (Matrix3<double>() << 0, s, c, -1, 0, 0, 0, -c, s).finished();
     return rotation_exp<double>(Vector3<double>(0, 0, yaw_rad)) * pitched;
   }
 
-  /// The camera moves by dp + R (e x lever) when the body moves by dp and turns by e in its own axes.
+  /// Camera pose on the body. The camera moves by dp + R (e x lever) when the body moves by dp and rotates by
+  /// e (body axes).
   template <int errors>
   MountedCamera<errors> on(const PoseOf<errors>& body) const {
     const Matrix3<double> world_from_body = rotation_matrix<double>(body.pose.world_from_body);
@@ -81,7 +82,7 @@ struct Mount {
   }
 };
 
-/// What a look by a free camera is by the vehicle that carries the camera.
+/// Jacobian of a measurement with respect to the vehicle error, from that with respect to the camera error.
 template <int rows, int errors>
 Eigen::Matrix<double, rows, errors> by_vehicle(
     const Eigen::Matrix<double, rows, FreeCameraMotion::error_size>& by_camera,

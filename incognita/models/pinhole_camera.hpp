@@ -1,5 +1,5 @@
-// Pinhole camera with OpenCV's distortion: three radial and two tangential terms (Brown 1966, as in OpenCV's
-// calib3d documentation).
+// Pinhole camera with the distortion of OpenCV: three radial and two tangential terms (Brown 1966, as in
+// OpenCV's calib3d documentation).
 //
 //   x = X/Z, y = Y/Z, s = x^2 + y^2, radial = 1 + k1 s + k2 s^2 + k3 s^3
 //   x_d = x radial + 2 p1 x y + p2 (s + 2 x^2),  y_d = y radial + p1 (s + 2 y^2) + 2 p2 x y
@@ -22,7 +22,7 @@ struct PinholeCamera {
   double v0 = 119.5;
   double k1 = 0, k2 = 0;  ///< radial distortion, in units of the focal length
   double p1 = 0, p2 = 0;  ///< tangential distortion
-  double k3 = 0;          ///< radial again: OpenCV's order
+  double k3 = 0;          ///< third radial term, in OpenCV's order
 
   bool defined(const Eigen::Vector3d& point) const {
     return point.z() > 1e-9 && one_to_one(point.head<2>() / point.z());
@@ -44,7 +44,7 @@ struct PinholeCamera {
             Eigen::Vector2d(fu, fv).asDiagonal() * distortion_jacobian(c) * flat};
   }
 
-  /// By Newton's method from the undistorted guess, never stepping to where the distortion folds over.
+  /// Newton's method from the undistorted guess, restricted to the region where the distortion is one to one.
   std::optional<Eigen::Vector3d> unproject(const Eigen::Vector2d& pixel) const {
     const Eigen::Vector2d wanted((pixel.x() - u0) / fu, (pixel.y() - v0) / fv);
     if (!wanted.allFinite()) return std::nullopt;
@@ -53,7 +53,7 @@ struct PinholeCamera {
       if (halvings == 60) return std::nullopt;
       c *= 0.5;
     }
-    constexpr int max_steps = 50;  // 3 to 6 suffice inside an ordinary image
+    constexpr int max_steps = 50;  // 3 to 6 suffice in ordinary images
     for (int i = 0; i < max_steps; ++i) {
       const Eigen::Vector2d missing = wanted - distort<double>(c);
       if (missing.norm() <= 1e-13 * (1 + wanted.norm())) return Eigen::Vector3d(c.x(), c.y(), 1);
@@ -61,7 +61,7 @@ struct PinholeCamera {
       if (!better) break;
       c = *better;
     }
-    // the last digits may be out of reach; a millionth of a pixel is not
+    // the tolerance above may be below the rounding error; 1e-6 px is sufficient
     const bool close = (wanted - distort<double>(c)).norm() * std::max(fu, fv) < 1e-6;
     if (!close || !one_to_one(c)) return std::nullopt;
     return Eigen::Vector3d(c.x(), c.y(), 1);
@@ -104,30 +104,30 @@ struct PinholeCamera {
     return J;
   }
 
-  // written out: Eigen/LU is much to include for four numbers
+  // avoids the include of Eigen/LU
   static double determinant(const Eigen::Matrix2d& J) { return J(0, 0) * J(1, 1) - J(0, 1) * J(1, 0); }
 
-  /// Whether the distortion is one to one from the axis out to c: beyond, two rays share a pixel and a fold
-  /// of the polynomial would bring points from outside the view back into the image.
+  /// Whether the distortion is one to one from the optical axis to c. Beyond, the polynomial folds over and
+  /// would project points outside the field of view into the image.
   bool one_to_one(const Eigen::Vector2d& c) const {
     const double s = c.squaredNorm();
     if (!std::isfinite(s)) return false;
-    // d(r radial)/dr as a polynomial in s = r^2 is 1 at the axis; it must stay positive on the way to c
+    // d(r radial)/dr as a polynomial in s = r^2 is 1 at the axis and must stay positive up to c
     const double a = 3 * k1, b = 5 * k2, d = 7 * k3;
     const auto rises = [&](double at) { return 1 + at * (a + at * (b + at * d)) > 0; };
     const auto rises_if_between = [&](double at) { return !(at > 0 && at < s) || rises(at); };
     if (!rises(s)) return false;
-    const double root = b * b - 3 * a * d;  // its extrema, where a + 2 b s + 3 d s^2 = 0
+    const double root = b * b - 3 * a * d;  // discriminant of its extrema, a + 2 b s + 3 d s^2 = 0
     if (d != 0 && root > 0) {
-      const double q = -(b + std::copysign(std::sqrt(root), b));  // the form that does not cancel
+      const double q = -(b + std::copysign(std::sqrt(root), b));  // root formula without cancellation
       if (!rises_if_between(q / (3 * d)) || (q != 0 && !rises_if_between(a / q))) return false;
     } else if (d == 0 && b != 0 && !rises_if_between(-a / (2 * b))) {
       return false;
     }
-    return determinant(distortion_jacobian(c)) > 0;  // the tangential terms can fold it too
+    return determinant(distortion_jacobian(c)) > 0;  // the tangential terms can also fold
   }
 
-  /// Newton's step, halved until it comes closer without leaving the part that is one to one.
+  /// Newton step, halved until the residual decreases within the one-to-one region.
   std::optional<Eigen::Vector2d> newton_step(const Eigen::Vector2d& c, const Eigen::Vector2d& wanted,
                                              const Eigen::Vector2d& missing) const {
     const Eigen::Matrix2d J = distortion_jacobian(c);

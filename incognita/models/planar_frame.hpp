@@ -1,7 +1,7 @@
-// Points and poses of the plane seen from one another, with derivatives: what a map told in the vehicle's
-// frame needs, and what holds of every rigid motion on a plane.
+// Frame transformations of points and poses on the plane, with Jacobians: for maps expressed in the vehicle
+// frame and for planar rigid motion.
 //
-// A pose is x, y (m) and heading (rad); its error is added to it (planar::pose_chart).
+// A pose is x, y (m) and heading (rad); its error is additive (planar::pose_chart).
 #pragma once
 
 #include <Eigen/Core>
@@ -16,9 +16,9 @@ inline Eigen::Matrix2d rotation(double heading) {
   return (Eigen::Matrix2d() << c, -s, s, c).finished();
 }
 
-/// d(error at `to`) / d(error at `from`) of any motion that is the same seen from the body, wherever it
-/// starts. With `from` the mean itself this is F of the vehicle models; with another, the first-estimate
-/// Jacobian of Huang, Mourikis and Roumeliotis (ISER 2008, eq. 28).
+/// d(error at `to`) / d(error at `from`) of any motion that is invariant to the initial pose. With the mean
+/// as `from` this is F of the vehicle models; with another pose it is the first-estimate Jacobian of Huang,
+/// Mourikis and Roumeliotis (ISER 2008, eq. 28).
 inline PoseJacobian jacobian_between(const Pose<double>& from, const Pose<double>& to) {
   PoseJacobian F = PoseJacobian::Identity();
   F(0, 2) = -(to[1] - from[1]);
@@ -38,7 +38,7 @@ struct FramedPose {
   PoseJacobian by_pose;
 };
 
-/// A point as seen from a frame with that pose: R' (point - position).
+/// A point expressed in `frame`: R' (point - position).
 inline FramedPoint in_frame(const Pose<double>& frame, const Eigen::Vector2d& point) {
   const Eigen::Matrix2d Rt = rotation(frame[2]).transpose();
   FramedPoint out{Rt * (point - frame.head<2>()), {}, Rt};
@@ -46,7 +46,7 @@ inline FramedPoint in_frame(const Pose<double>& frame, const Eigen::Vector2d& po
   return out;
 }
 
-/// A point told in that frame, as seen from where the frame's own pose is told: position + R point.
+/// A point given in `frame`, expressed in the parent frame of `frame`: position + R point.
 inline FramedPoint out_of_frame(const Pose<double>& frame, const Eigen::Vector2d& point) {
   const Eigen::Matrix2d R = rotation(frame[2]);
   const Eigen::Vector2d turned = R * point;
@@ -55,7 +55,7 @@ inline FramedPoint out_of_frame(const Pose<double>& frame, const Eigen::Vector2d
   return out;
 }
 
-/// A pose as seen from a frame with that pose.
+/// A pose expressed in `frame`.
 inline FramedPose in_frame(const Pose<double>& frame, const Pose<double>& pose) {
   const FramedPoint at = in_frame(frame, Eigen::Vector2d(pose.head<2>()));
   FramedPose out{{at.point.x(), at.point.y(), wrap_angle(pose[2] - frame[2])},
@@ -67,7 +67,7 @@ inline FramedPose in_frame(const Pose<double>& frame, const Pose<double>& pose) 
   return out;
 }
 
-/// Where the frame's maker is, seen from the frame: the inverse pose, by its pose.
+/// The inverse pose, with its Jacobian by_frame with respect to `pose`.
 inline FramedPose inverse(const Pose<double>& pose) {
   return in_frame(pose, Pose<double>(Pose<double>::Zero()));
 }

@@ -1,9 +1,9 @@
-// Vehicles on a plane, each as the pose of a point fixed to its body, where the sensor is: thesis (3.16).
+// Vehicles on a plane, each represented by a point fixed to the body, where the sensor is mounted: thesis (3.16).
 //
-// State (3): position x, y of that point in the world (m) and heading of the body (rad, about z from +x).
-// The body turns about the middle of its rear (or only) axle; the point is `forward_m` before it and
-// `left_m` beside it. `rate` is the motion itself, for plants: state per second. A step holds the input and
-// moves along the tangent at its start, as (3.16) does; what it misses of the motion shrinks as dt^2.
+// State (3): position x, y of that point (m, world) and heading of the body (rad, about z from +x). The body
+// rotates about the middle of its rear (or only) axle; the point is `forward_m` ahead and `left_m` to the
+// left of it. `rate` is the continuous motion, for simulation: d(state)/dt. A step holds the input and moves
+// along the tangent at its start, as in (3.16), with an error of order dt^2.
 #pragma once
 
 #include <Eigen/Core>
@@ -30,9 +30,9 @@ inline constexpr std::array<Quantity, 2> drive_quantities{{{"speed", "m/s"}, {"t
 inline constexpr std::array<Quantity, 2> car_quantities{{{"speed", "m/s"}, {"steering", "rad"}}};
 
 struct Step {
-  Pose<double> x;       ///< the pose after dt
+  Pose<double> x;       ///< pose after dt
   PoseJacobian F;       ///< d(error after) / d(error before)
-  PoseInputJacobian G;  ///< d(error after) / d(input), also of noise that is added to the input
+  PoseInputJacobian G;  ///< d(error after) / d(input), also for additive input noise
 };
 }  // namespace planar
 
@@ -61,7 +61,7 @@ struct DifferentialDrive {
   static constexpr Chart chart = planar::pose_chart;
   using Integrator = ArcMotion<DifferentialDrive>;
 
-  double forward_m = 0;  ///< the l of (3.16)
+  double forward_m = 0;  ///< l of (3.16)
   double left_m = 0;
 
   static constexpr auto parameters() {
@@ -76,7 +76,7 @@ struct DifferentialDrive {
                         "sensor left of the middle of the axle"}};
   }
 
-  // As a car has them: what drives the axle, and where the point is
+  // Common interface with AckermannCar: velocities of the axle, and position of the point
   template <class S>
   const Input<S>& at_axle(const Input<S>& u) const {
     return u;
@@ -84,13 +84,12 @@ struct DifferentialDrive {
   Eigen::Matrix2d axle_by_input(const Input<double>&) const { return Eigen::Matrix2d::Identity(); }
   const DifferentialDrive& point() const { return *this; }
 
-  /// m/s, m/s, rad/s of the point and the body: (3.16) before it is sampled, with the point also beside the
-  /// axis.
+  /// d(state)/dt (m/s, m/s, rad/s): the continuous form of (3.16), with an additional lateral offset of the point.
   template <class S>
   State<S> rate(const State<S>& x, const Input<S>& u) const {
     using std::cos, std::sin;
     const S c = cos(x[2]), s = sin(x[2]);
-    const S along = u[0] - u[1] * S(left_m), across = u[1] * S(forward_m);  // speed of the point, body axes
+    const S along = u[0] - u[1] * S(left_m), across = u[1] * S(forward_m);  // point velocity, body axes
     return State<S>(along * c - across * s, along * s + across * c, u[1]);
   }
 
@@ -105,11 +104,11 @@ struct DifferentialDrive {
     const double c = std::cos(x[2]), s = std::sin(x[2]);
     const double along = u[0] - u[1] * left_m, across = u[1] * forward_m;
     Step step{f<double>(x, u, dt), Jacobian::Identity(), InputJacobian::Zero()};
-    step.F(0, 2) = -(along * s + across * c) * dt;  // not (3.17), whose last entry of this row is wrong
+    step.F(0, 2) = -(along * s + across * c) * dt;  // (3.17) has an error in the last entry of this row
     step.F(1, 2) = (along * c - across * s) * dt;
     step.G << c, -left_m * c - forward_m * s,  //
         s, -left_m * s + forward_m * c,        //
-        0, 1;                                  // not (3.18), which lacks dt in this row
+        0, 1;                                  // (3.18) lacks dt in this row
     step.G *= dt;
     return step;
   }
@@ -123,9 +122,9 @@ struct DifferentialDrive {
   }
 };
 
-/// A car steered by its front wheels whose speed is measured at its left rear wheel. Input (2): speed of that
-/// wheel (m/s), steering angle (rad, positive to the left, well below the angle at which the wheel would be
-/// the centre of the turn). The defaults are the utility car of the ACFR car-park recording.
+/// A car with front-wheel steering whose speed is measured at the left rear wheel. Input (2): speed of that
+/// wheel (m/s), steering angle (rad, positive to the left; it must stay well below the angle at which that
+/// wheel is the center of rotation). Defaults: the utility car of the ACFR car-park data set.
 struct AckermannCar {
   static constexpr int state_size = 3;
   static constexpr int error_size = 3;
@@ -147,8 +146,8 @@ struct AckermannCar {
   using Integrator = ArcMotion<AckermannCar>;
 
   double wheelbase_m = 2.83;
-  double wheel_left_m = 0.76;         ///< from the middle of the rear axle to the wheel that is measured
-  DifferentialDrive body{3.78, 0.5};  ///< where the point is, from the middle of the rear axle
+  double wheel_left_m = 0.76;         ///< from the middle of the rear axle to the measured wheel
+  DifferentialDrive body{3.78, 0.5};  ///< the point, relative to the middle of the rear axle
 
   static constexpr auto parameters() {
     using P = Parameter<AckermannCar>;

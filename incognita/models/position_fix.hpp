@@ -1,5 +1,5 @@
-// A sensor outside that sees where the vehicle is, such as GPS: the second way of thesis Section 3.2 to full
-// observability. Measurement (2): x, y in the world (m).
+// An external position sensor such as GPS: the second way to full observability in thesis Section 3.2.
+// Measurement (2): x, y in the world (m).
 #pragma once
 
 #include <Eigen/Core>

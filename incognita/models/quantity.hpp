@@ -1,4 +1,4 @@
-// What models declare about their numbers: names, units, and the parameters that a user may set.
+// Names and units of the numbers of a model, and its user-settable parameters.
 #pragma once
 
 #include <array>
@@ -13,31 +13,30 @@
 
 namespace incognita {
 
-/// One number of a state, an error, an input, a measurement, or a parameter.
+/// One number of a state, error, input or measurement, or a parameter.
 struct Quantity {
-  std::string_view name;  ///< "speed"
-  std::string_view unit;  ///< "m/s"; empty for ratios
-  std::string_view kind =
-      {};  ///< where several numbers share one sigma or limit: "acceleration" for ax, ay, az
+  std::string_view name;       ///< "speed"
+  std::string_view unit;       ///< "m/s"; empty for ratios
+  std::string_view kind = {};  ///< shared key for one sigma or limit: "acceleration" for ax, ay, az
 
   /// The name with its unit, as in files and settings: "speed_m_s".
   std::string key() const;
-  /// The same of the kind; key() where there is none.
+  /// The kind with its unit; key() without a kind.
   std::string kind_key() const;
 };
 
-/// A number for every quantity of that key, or of that kind: {"speed_m_s", 0.5}.
+/// A value for all quantities with that kind_key(): {"speed_m_s", 0.5}.
 struct KeyedValue {
   std::string_view key;
   double value;
 };
-/// One number for each quantity. Throws std::invalid_argument naming the quantity for which there is none.
+/// One number per quantity. Throws std::invalid_argument naming a quantity without a value.
 SmallVector values_of(std::span<const Quantity> quantities, std::initializer_list<KeyedValue> values);
 
-/// A unit as the end of a key: "m_s2" for "m/s^2", "per_m" for "1/m".
+/// A unit as a key suffix: "m_s2" for "m/s^2", "per_m" for "1/m".
 std::string unit_suffix(std::string_view unit);
 
-/// Values that a parameter may have.
+/// Admissible values of a parameter.
 struct Range {
   double least = -std::numeric_limits<double>::infinity();
   double most = std::numeric_limits<double>::infinity();
@@ -48,16 +47,16 @@ struct Range {
   }
 };
 
-/// A number of a model that a user may set. Its default is that of the model's member.
+/// A user-settable number of a model. Its default is the initializer of the model's member.
 template <class Model>
 struct Parameter {
   Quantity quantity;
-  double& (*in)(Model&);  ///< where it is
+  double& (*in)(Model&);  ///< accessor of the member
   Range range;
   std::string_view help;  ///< one sentence
 };
 
-/// A parameter whatever its model, for settings, tables and checks.
+/// A parameter without its model type, for settings, tables and checks.
 struct ParameterInfo {
   Quantity quantity;
   Range range;
@@ -65,7 +64,7 @@ struct ParameterInfo {
   std::string_view help;
 };
 
-/// Models without parameters need not say so.
+/// The parameters of a model; none if it does not declare any.
 template <class Model>
 constexpr auto parameters_of() {
   if constexpr (requires { Model::parameters(); })

@@ -1,9 +1,9 @@
-// Range and bearing of a point of the plane, and a landmark's birth from them: thesis (3.19)-(3.22),
+// Range and bearing of a point on the plane, and landmark initialization from them: thesis (3.19)-(3.22),
 // (2.20)-(2.26).
 //
-// Measurement (2): range (m), bearing (rad, from the body's heading, positive to the left, in (-pi, pi]).
-// The pi/2 of (3.19) is how one laser counts its beams and belongs to that laser's reader. A known landmark
-// (an anchor) is seen like any other, only without a block of the belief for Hl.
+// Measurement (2): range (m), bearing (rad, from the body's heading, positive to the left, in (-pi, pi]). The
+// pi/2 in (3.19) is the beam convention of one laser and belongs to the reader of its data. For an anchor (a
+// landmark at a known position) Hl is not used.
 #pragma once
 
 #include <Eigen/Core>
@@ -18,7 +18,7 @@ namespace incognita {
 struct RangeBearing {
   static constexpr Chart chart{{Chart::Kind::line, 1}, {Chart::Kind::angle, 1}};
   static constexpr Chart landmark_chart = Chart::line(2);
-  static constexpr double least_range_m = 1e-6;  ///< nearer than this a bearing means nothing
+  static constexpr double least_range_m = 1e-6;  ///< below this distance a bearing is undefined
   using Pose = planar::Pose<double>;
 
   struct Prediction {
@@ -39,7 +39,7 @@ struct RangeBearing {
     return Eigen::Matrix<S, 2, 1>(sqrt(dx * dx + dy * dy), wrap_angle<S>(atan2(dy, dx) - pose[2]));
   }
 
-  /// The inverse of h: (2.22).
+  /// Inverse of h: (2.22).
   template <class S>
   static Eigen::Matrix<S, 2, 1> j(const planar::Pose<S>& pose, const Eigen::Matrix<S, 2, 1>& z) {
     using std::cos, std::sin;
@@ -47,7 +47,7 @@ struct RangeBearing {
     return Eigen::Matrix<S, 2, 1>(pose[0] + z[0] * cos(direction), pose[1] + z[0] * sin(direction));
   }
 
-  /// Nothing for a point where the sensor is.
+  /// Nothing for a point at the sensor's own position.
   static std::optional<Prediction> predict_measurement(const Pose& pose, const Eigen::Vector2d& point) {
     const double dx = point.x() - pose.x(), dy = point.y() - pose.y();
     const double d2 = dx * dx + dy * dy, d = std::sqrt(d2);

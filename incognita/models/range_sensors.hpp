@@ -1,4 +1,4 @@
-// Sensors of vehicles on a line and on a plane, which measure distance and direction of points.
+// Sensors of range and bearing for vehicles on a line and on a plane.
 #pragma once
 
 #include <array>
@@ -14,15 +14,15 @@
 
 namespace incognita {
 
-/// Why a sensor that scans a plane cannot be on a vehicle.
+/// The reason why a planar scanner cannot be used on a vehicle; empty when it can.
 std::string incompatibility_of_scanner(const MotionTraits& motion);
 
-/// Whether the last number of a measurement, a bearing, is within the field of view.
+/// Whether the bearing, the last number of a measurement, is within the field of view.
 inline bool has_bearing_in_view(const AnyPrediction& prediction, const SensorLimits& sensor_limits) {
   return std::abs(prediction.z[prediction.z.size() - 1]) <= sensor_limits.field_of_view_rad / 2;
 }
 
-/// How far along its line a vehicle has a point before it: thesis (3.6).
+/// Position of a point on a line relative to the vehicle: thesis (3.6).
 struct RelativePositionSensor {
   static constexpr std::string_view name = "relative-position", word = "range-bearing";
   static constexpr std::string_view summary = "position of a point on a line, relative to the vehicle";
@@ -76,11 +76,11 @@ struct RangeBearingSensor {
   bool in_field_of_view(const AnyPrediction& prediction, const SensorLimits& sensor_limits) const {
     return has_bearing_in_view(prediction, sensor_limits);
   }
-  /// Noise can make a near range negative: a scanner gives no such thing.
+  /// Noise can make a small range negative, which no scanner outputs.
   bool is_possible(const SmallVector& z) const { return z[0] > 0; }
 };
 
-/// The bearing alone.
+/// Bearing only.
 struct BearingSensor {
   static constexpr std::string_view name = "bearing", word = name;
   static constexpr std::string_view summary = "bearing of a point on a plane";

@@ -1,5 +1,5 @@
-// The one list of motion models and the one list of sensors. A model that is added here is offered in scenarios under
-// its own name and tested like all others.
+// The lists of all motion models and sensors. A registered model is available in scenarios under its name and
+// covered by the generic tests.
 #pragma once
 
 #include <concepts>
@@ -25,7 +25,7 @@ using AnyMotion =
 using AnySensor =
     std::variant<RelativePositionSensor, RangeBearingSensor, BearingSensor, CameraSensor, StereoSensor>;
 
-/// with(Type) for each alternative of a variant, as a std::type_identity.
+/// Calls with(std::type_identity<T>) for each alternative T of a variant.
 template <class Variant, class With>
 constexpr void for_each_type(With&& with) {
   [&]<class... T>(std::type_identity<std::variant<T...>>) {
@@ -33,7 +33,7 @@ constexpr void for_each_type(With&& with) {
   }(std::type_identity<Variant>{});
 }
 
-/// The compiler names what a registered model lacks.
+/// Checks of the concepts: the compiler names what a registered model lacks.
 template <MotionModel... M>
 constexpr bool are_motions(std::type_identity<std::variant<M...>>) {
   return true;
@@ -45,7 +45,7 @@ constexpr bool are_sensors(std::type_identity<std::variant<S...>>) {
 static_assert(are_motions(std::type_identity<AnyMotion>{}));
 static_assert(are_sensors(std::type_identity<AnySensor>{}));
 
-/// An entry of the list of motions or of sensors, with its parameters.
+/// Entries of the lists, with their parameters.
 struct MotionEntry {
   MotionTraits traits;
   std::vector<ParameterInfo> parameters;
@@ -57,26 +57,27 @@ struct SensorEntry {
 const std::vector<MotionEntry>& registered_motions();
 const std::vector<SensorEntry>& registered_sensors();
 
-/// The words of vehicle.model and of run.sensor.
+/// The values of vehicle.model and run.sensor.
 std::vector<std::string> motion_names();
 std::vector<std::string> sensor_words();
 
-/// Throw std::invalid_argument with the nearest name where there is none of that name.
+/// Both throw std::invalid_argument, with the nearest name, when the name is unknown.
 AnyMotion make_motion(std::string_view name);
 const MotionTraits& motion_traits_of(std::string_view name);
-/// Of sensors that share the word the one that fits the motion; where none does, the one of that name.
+/// Among sensors that share the word: the one compatible with the motion; if none is, the one of that name.
+/// Both throw std::invalid_argument, with the nearest word, when the word is unknown.
 AnySensor make_sensor(std::string_view word, const MotionTraits& motion);
 const SensorTraits& sensor_traits_of(std::string_view word, const MotionTraits& motion);
 
-/// Sets every parameter of a model to value(key, default), as `sensor_forward_m`.
+/// Sets every parameter of a model to value(key, default); keys are e.g. `sensor_forward_m`.
 template <class Variant, class Value>
 void set_model_parameters(Variant& model, Value value) {
   std::visit([&](auto& alternative) { set_parameters(alternative, value); }, model);
 }
 
-/// The ground under a vehicle that needs one.
+/// Sets the terrain of a motion model that has one.
 void set_terrain(AnyMotion& motion, const Terrain& terrain);
-/// The lens of a camera and how it is mounted; nothing to other sensors.
+/// Sets projection model and mount of a camera; no effect on other sensors.
 void set_camera(AnySensor& sensor, const Camera& camera, const Mount& mount);
 
 }  // namespace incognita

@@ -1,4 +1,4 @@
-// Where a body is in space and which way it is turned.
+// Pose of a rigid body in space.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,7 +13,7 @@ struct RigidPose {
   Eigen::Vector4d world_from_body{1, 0, 0, 0};
 };
 
-/// A pose made from a state with `errors` errors. J times the rate of a state is the velocity: that of the
+/// A body pose computed from a state with `errors` errors. J times d(state)/dt is the velocity: that of the
 /// position in the world (m/s), then the angular rate in body axes (rad/s).
 template <int errors>
 struct PoseOf {
@@ -21,7 +21,7 @@ struct PoseOf {
   Eigen::Matrix<double, 6, errors> J;  ///< d(pose error) / d(state error)
 };
 
-/// A body along the x axis whose state begins with its position, m.
+/// A body on the x axis; its state begins with its position, m.
 template <int errors>
 PoseOf<errors> pose_on_line(double x) {
   PoseOf<errors> out{{{x, 0, 0}, {1, 0, 0, 0}}, Eigen::Matrix<double, 6, errors>::Zero()};
@@ -29,7 +29,7 @@ PoseOf<errors> pose_on_line(double x) {
   return out;
 }
 
-/// A body on the floor z = 0 whose state begins with x, y (m) and heading (rad).
+/// A body on the floor z = 0; its state begins with x, y (m) and heading (rad).
 template <int errors>
 PoseOf<errors> pose_on_floor(double x, double y, double heading) {
   PoseOf<errors> out{{{x, y, 0}, quaternion_exp<double>(Vector3<double>(0, 0, heading))},
@@ -38,7 +38,7 @@ PoseOf<errors> pose_on_floor(double x, double y, double heading) {
   return out;
 }
 
-/// A body in space whose state begins with its position (m) and orientation (w,x,y,z).
+/// A body in space; its state begins with its position (m) and orientation (w,x,y,z).
 template <int errors>
 PoseOf<errors> pose_in_space(const Eigen::Vector3d& position, const Eigen::Vector4d& world_from_body) {
   return {{position, world_from_body}, Eigen::Matrix<double, 6, errors>::Identity()};

@@ -17,7 +17,7 @@ void StereoCamera::check() const {
 
 namespace {
 
-/// `seen_from(camera)`: the look of one camera of the pair.
+/// `seen_from(camera)`: the prediction for one camera of the pair.
 template <class Prediction, class SeenFrom>
 std::optional<Prediction> predict_stereo(const CameraState& left, double baseline_m,
                                          const SeenFrom& seen_from) {
@@ -31,7 +31,7 @@ std::optional<Prediction> predict_stereo(const CameraState& left, double baselin
   Prediction prediction{
       {by_left->pixel.x(), by_left->pixel.y(), by_right->pixel.x()}, by_right->pixel, {}, {}};
   prediction.Hv << by_left->Hv, by_right->Hv.row(0);
-  // Turning the pair by e carries the right one by axes (e x lever) too
+  // A rotation of the pair by e also translates the right camera by axes (e x lever)
   prediction.Hv.template block<1, 3>(2, 3) -=
       prediction.Hv.template block<1, 3>(2, 0) * axes * skew<double>(lever);
   prediction.Hl << by_left->Hl, by_right->Hl.row(0);
@@ -53,9 +53,8 @@ std::optional<StereoCamera::InverseDepthPrediction> StereoCamera::predict_measur
       left, baseline_m, [&](const CameraState& from) { return form.predict_measurement(camera, from, y); });
 }
 
-/// The inverse depth (1/m) at which a point on the left camera's ray (x, y, 1) is in that column of the right
-/// image: Newton's steps from infinity, halved until they come closer. Without distortion the first one is
-/// exact.
+/// The inverse depth (1/m) at which a point on the left ray (x, y, 1) projects to column `u_right` of the
+/// right image: damped Newton steps from infinity. Without distortion the first step is exact.
 std::optional<double> StereoCamera::inverse_depth(const Eigen::Vector3d& ray, double u_right) const {
   constexpr double close_enough_px = 1e-11;
   const auto seen_at = [&](double rho) {
@@ -75,7 +74,7 @@ std::optional<double> StereoCamera::inverse_depth(const Eigen::Vector3d& ray, do
       seen = next;
       break;
     }
-    if (halvings == 40) return std::nullopt;  // there is no such column, or a last bit that does not settle
+    if (halvings == 40) return std::nullopt;  // no such column, or no convergence in the last digit
   }
   return std::nullopt;
 }
@@ -91,7 +90,7 @@ std::optional<StereoCamera::Initialization> StereoCamera::initialize(const Camer
       free_camera::position(left) + rotation_matrix<double>(free_camera::orientation(left)) * (*ray / *rho);
   const auto prediction = predict_measurement(left, point);
   if (!prediction) return std::nullopt;
-  // What is born is seen as it was measured, whatever the errors: Hl Jv + Hv = 0, Hl Jz = I
+  // The prediction of the new landmark equals its measurement for any error: Hl Jv + Hv = 0, Hl Jz = I
   Initialization initialization{point, {}, prediction->Hl.inverse()};
   initialization.Jv = -initialization.Jz * prediction->Hv;
   if (!initialization.Jz.allFinite()) return std::nullopt;
@@ -109,7 +108,7 @@ std::optional<StereoCamera::InverseDepthInitialization> StereoCamera::initialize
   InverseDepthInitialization initialized{{seen_from->world_from_initial_camera}, seen_from->landmark, {}, {}};
   const auto prediction = predict_measurement(left, initialized.form, initialized.landmark);
   if (!prediction) return std::nullopt;
-  // Its place of birth is the camera's own; the rest follows from Hl Jv + Hv = 0, Hl Jz = I
+  // The initial position is that of the camera; the rest follows from Hl Jv + Hv = 0, Hl Jz = I
   const Eigen::Matrix3d by_rest = prediction->Hl.rightCols<3>().inverse();
   initialized.Jv.setZero();
   initialized.Jv.topLeftCorner<3, 3>().setIdentity();

@@ -1,9 +1,9 @@
-// Two cameras side by side, and what they tell of a point.
+// A stereo pair of cameras with parallel axes, and its measurement of a point.
 //
-// Both look the same way through lenses of the same kind; the right one sits `baseline_m` along the left
-// one's x axis. The pose is the left one's. Measurement (3): column and row in the left image, column in the
-// right one (px), so that three equal pixel noises are independent, as they are not of a disparity: that is
-// z[0] - z[2]. The row in the right image says nearly what the row in the left one does and is not used.
+// Both cameras have the same projection model and orientation; the right one is offset by `baseline_m` along
+// the x axis of the left one. The pose is that of the left camera. Measurement (3): column and row in the
+// left image, column in the right image (px). Equal pixel noises are independent in these coordinates, unlike
+// with the disparity z[0] - z[2]. The row in the right image is nearly redundant and is not used.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,10 +15,9 @@
 namespace incognita {
 
 struct StereoCamera {
-  Camera camera;  ///< the lens of both
+  Camera camera;  ///< projection model of both cameras
   double baseline_m = 0.11;
-  double least_disparity_px =
-      0.5;  ///< with less a point is born nowhere: half a pixel of noise reaches infinity
+  double least_disparity_px = 0.5;  ///< no initialization below: 0.5 px of noise reaches infinity
 
   using Jacobian = Eigen::Matrix<double, 3, FreeCameraMotion::error_size>;
 
@@ -28,8 +27,8 @@ struct StereoCamera {
     Jacobian Hv;            ///< d(z) / d(camera error); velocity and rate columns are zero
     Eigen::Matrix3d Hl;     ///< d(z) / d(landmark), px/m
   };
-  /// Of an inverse-depth landmark: its looks are nearly linear however far it is, as those of a point are
-  /// not.
+  /// Prediction for an inverse-depth landmark, whose measurement is nearly linear at any distance, unlike
+  /// that of a point.
   struct InverseDepthPrediction {
     Eigen::Vector3d z;
     Eigen::Vector2d right;
@@ -48,28 +47,28 @@ struct StereoCamera {
     Eigen::Matrix3d Jz;                                         ///< d(landmark) / d(z)
   };
 
-  /// Throws std::invalid_argument naming the parameter that cannot be.
+  /// Throws std::invalid_argument, naming the invalid parameter.
   void check() const;
 
-  /// Nothing where either camera is not defined, as behind them; the pixels may lie outside the images.
+  /// Nothing where one of the cameras is not defined, e.g. behind them; the pixels may lie outside the images.
   std::optional<Prediction> predict_measurement(const CameraState& left, const Eigen::Vector3d& point) const;
 
   std::optional<InverseDepthPrediction> predict_measurement(
       const CameraState& left, const InverseDepthLandmark& form,
       const InverseDepthLandmark::State& landmark) const;
 
-  /// Whether both cameras have it in their images, at least `margin` pixels from the edge.
+  /// Whether the pixels are in both images, at least `margin` pixels from their borders.
   template <class SomePrediction>
   bool contains(const SomePrediction& prediction, double margin = 0) const {
     return camera.contains(prediction.z.template head<2>(), margin) &&
            camera.contains(prediction.right, margin);
   }
 
-  /// Where the rays meet. Nothing where the disparity is too small, or no ray reaches the pixels.
+  /// Triangulation. Nothing when the disparity is too small or no ray maps to the pixels.
   std::optional<Initialization> initialize(const CameraState& left, const Eigen::Vector3d& z) const;
 
-  /// The same point, told by where it was seen from, the direction and the inverse depth: a disparity tells
-  /// that one with an error that is nearly Gaussian, and a distance with one that is not.
+  /// The same point with inverse depth, whose error is nearly Gaussian given a disparity; that of the
+  /// distance is not.
   std::optional<InverseDepthInitialization> initialize_inverse_depth(const CameraState& left,
                                                                      const Eigen::Vector3d& z) const;
 

@@ -12,14 +12,14 @@ void need(bool ok, const char* what, double value) {
 }
 
 /// Coefficients c of the natural cubic B-spline through the heights z of each column: (c[i-1] + 4 c[i] +
-/// c[i+1])/6 = z[i] at every height, and no curvature, c[i-1] - 2 c[i] + c[i+1] = 0, at the first and the
-/// last. Row i of the answer is c[i-1].
+/// c[i+1])/6 = z[i] at every height, and zero curvature, c[i-1] - 2 c[i] + c[i+1] = 0, at the first and the
+/// last. Row i of the result is c[i-1].
 Eigen::MatrixXd spline_coefficients(const Eigen::MatrixXd& z) {
   const Eigen::Index n = z.rows();
   Eigen::MatrixXd c(n + 2, z.cols());
   auto inner = c.middleRows(1, n);
-  inner = z;  // right at both ends, where the two conditions give c = z
-  // In between c[i-1] + 4 c[i] + c[i+1] = 6 z[i]: Thomas' algorithm, safe because 4 > 1 + 1
+  inner = z;  // exact at both ends, where the two conditions give c = z
+  // In between c[i-1] + 4 c[i] + c[i+1] = 6 z[i]: Thomas algorithm, stable by diagonal dominance
   Eigen::VectorXd above = Eigen::VectorXd::Zero(n);
   for (Eigen::Index i = 1; i + 1 < n; ++i) {
     const double pivot = 4 - above[i - 1];

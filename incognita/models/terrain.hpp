@@ -1,8 +1,7 @@
-// Uneven ground as a height over the plane, z = h(x, y) in the world (m, z up), with its exact derivatives.
+// Uneven ground as a height over the plane, z = h(x, y) in the world (m, z up), with exact derivatives.
 //
-// A vehicle that stays on the ground turns with the ground's second derivatives, and the Jacobians of its
-// motion need the third, so each surface gives derivatives to the third order. All are written for any number
-// type.
+// A vehicle on the ground rotates with the second derivatives of h, and the Jacobians of its motion need the third,
+// so each surface provides derivatives up to third order. All functions are templates on the scalar type.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,7 +16,7 @@
 
 namespace incognita {
 
-/// A place on the ground: m, then metres per metre, per m^2, per m^3.
+/// Height of the ground (m) with its derivatives: m/m, 1/m, 1/m^2.
 template <class S>
 struct GroundPoint {
   S height = S(0);
@@ -26,7 +25,7 @@ struct GroundPoint {
   S xxx = S(0), xxy = S(0), xyy = S(0), yyy = S(0);
 };
 
-/// A plane, level unless told otherwise.
+/// A plane, level by default.
 struct TiltedPlane {
   double height_m = 0;  ///< at x = y = 0
   double slope_x = 0;   ///< m up per m along x
@@ -44,16 +43,16 @@ struct TiltedPlane {
   void check() const;
 };
 
-/// Sinusoidal ground (thesis Section 6.4.2): waves that run in any direction, one on top of the other. Two of
-/// them across each other make hills and hollows.
+/// Sinusoidal ground (thesis Section 6.4.2): a sum of plane waves in any direction. Two perpendicular waves
+/// make hills and hollows.
 struct Waves {
   struct Wave {
     double amplitude_m = 0.2;
-    double length_m = 4;       ///< from crest to crest
-    double direction_rad = 0;  ///< in which it runs, about z from +x
-    double phase_rad = 0;      ///< at x = y = 0; a sine, so 0 is the middle of a rise
+    double length_m = 4;       ///< wavelength
+    double direction_rad = 0;  ///< of propagation, about z from +x
+    double phase_rad = 0;      ///< at x = y = 0; of a sine
   };
-  double height_m = 0;  ///< of the middle between crests and troughs
+  double height_m = 0;  ///< mean height
   std::vector<Wave> waves;
 
   template <class S>
@@ -62,34 +61,34 @@ struct Waves {
   void check() const;
 };
 
-/// Heights measured on a square grid, joined by the natural bicubic spline: it passes through every height,
-/// its derivatives to the second order are continuous everywhere, the third jump between cells. Beyond the
-/// edge the ground goes on straight.
+/// Heights on a square grid, interpolated by the natural bicubic spline: it passes through every height, its
+/// derivatives up to second order are continuous, the third ones jump between cells. Beyond the border the
+/// ground is extrapolated linearly.
 class HeightMap {
  public:
   /// `heights_m`(i, j) is the height at x = origin.x() + i spacing_m, y = origin.y() + j spacing_m. Throws
-  /// std::invalid_argument for fewer than 2 heights either way, a spacing that is not positive, what is not
-  /// finite.
+  /// std::invalid_argument for fewer than 2 heights in either direction, a spacing that is not positive, and
+  /// values that are not finite.
   HeightMap(const Eigen::MatrixXd& heights_m, double spacing_m,
             const Eigen::Vector2d& origin_m = Eigen::Vector2d::Zero());
 
   template <class S>
   GroundPoint<S> at(const S& x, const S& y) const;
 
-  /// Whether there are heights around that place.
+  /// Whether the position is inside the grid.
   bool contains(double x, double y) const;
 
-  void check() const {}  // the constructor has
+  void check() const {}  // done by the constructor
 
  private:
-  /// The four B-splines that reach a cell, and their derivatives by the place.
+  /// The four B-splines that are nonzero on a cell, with their derivatives.
   template <class S>
   struct Weights {
-    int first;                 ///< the coefficient that w[.][0] is for
+    int first;                 ///< index of the coefficient of w[.][0]
     Eigen::Matrix<S, 4, 4> w;  ///< row: order of the derivative
   };
 
-  /// `u` is the place in cells from the first height, `cells` how many there are.
+  /// `u`: position in cells from the first height. `cells`: number of cells.
   template <class S>
   static Weights<S> weights(const S& u, int cells);
 
@@ -98,12 +97,12 @@ class HeightMap {
   Eigen::Vector2d origin_m_;
 };
 
-/// Any of them, by value.
+/// Any of these surfaces, by value.
 class Terrain {
  public:
   Terrain() = default;  ///< level ground at height 0
 
-  /// Throws std::invalid_argument naming the parameter that cannot be.
+  /// Throws std::invalid_argument, naming the invalid parameter.
   template <class Surface>
   requires(!std::is_same_v<std::remove_cvref_t<Surface>, Terrain>) Terrain(Surface surface)
       : surface_(std::move(surface)) {  // NOLINT(google-explicit-constructor): a holder
@@ -115,7 +114,7 @@ class Terrain {
     return std::visit([&](const auto& surface) { return surface.template at<S>(x, y); }, surface_);
   }
 
-  /// Whether the ground is known there; beyond the edge of a height map it is only continued.
+  /// Whether the height is defined by data; beyond the border of a height map it is extrapolated.
   bool contains(double x, double y) const {
     return std::visit([&](const auto& surface) { return surface.contains(x, y); }, surface_);
   }
@@ -150,7 +149,7 @@ GroundPoint<S> Waves::at(const S& x, const S& y) const {
 
 template <class S>
 HeightMap::Weights<S> HeightMap::weights(const S& u, int cells) {
-  // Bisection, because a number type need not become an int; a place beyond the edge belongs to the last cell
+  // Bisection, because a scalar type need not convert to int; positions beyond the border use the last cell
   int cell = 0;
   for (int above = cells; above - cell > 1;) {
     const int middle = (cell + above) / 2;
@@ -167,8 +166,7 @@ HeightMap::Weights<S> HeightMap::weights(const S& u, int cells) {
       S(6) * out, S(18) * in - S(12), S(18) * out - S(12), S(6) * in,                           //
       S(-6), S(18), S(-18), S(6);
   weights.w *= S(1.0 / 6);
-  if (beyond) {  // a natural spline has no curvature at its edge, so that the straight line fits to second
-                 // order
+  if (beyond) {  // A natural spline has no curvature at its border, so the extrapolation is C2
     weights.w.row(0) += (t - in) * weights.w.row(1);
     weights.w.template bottomRows<2>().setZero();
   }
@@ -182,7 +180,7 @@ GroundPoint<S> HeightMap::at(const S& x, const S& y) const {
   const auto wy = weights<S>((y - S(origin_m_.y())) * S(per_m), static_cast<int>(coefficients_.cols()) - 3);
   const Eigen::Matrix<S, 4, 4> c = coefficients_.block<4, 4>(wx.first, wy.first).template cast<S>();
   const Eigen::Matrix<S, 4, 4> d =
-      wx.w * c * wy.w.transpose();  // (a, b): a times by x, b times by y, in cells
+      wx.w * c * wy.w.transpose();  // (a, b): orders of the derivatives by x and y, in cells
   const S k1(per_m), k2(per_m * per_m), k3(per_m * per_m * per_m);
   return {d(0, 0),      k1 * d(1, 0), k1 * d(0, 1), k2 * d(2, 0), k2 * d(1, 1),
           k2 * d(0, 2), k3 * d(3, 0), k3 * d(2, 1), k3 * d(1, 2), k3 * d(0, 3)};

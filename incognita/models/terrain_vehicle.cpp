@@ -4,16 +4,16 @@ namespace incognita {
 namespace {
 
 using Vehicle = TerrainVehicle;
-using Row = Eigen::RowVector3d;  // by x, y, heading
+using Row = Eigen::RowVector3d;  // derivatives by x, y, heading
 
-/// A state per second with its Jacobians.
+/// d(state)/dt with its Jacobians.
 struct Rate {
   Vehicle::State<double> value;
   Eigen::Matrix3d by_state;
   Eigen::Matrix<double, 3, 2> by_input;
 };
 
-/// The letters of Vehicle::Contact differentiated by the state.
+/// Derivatives of the members of Vehicle::Contact by the state.
 struct ContactJacobian {
   Row m, k, b, L, N;
 };
@@ -49,12 +49,12 @@ Rate rate_with_jacobians(const Vehicle& vehicle, const Vehicle::State<double>& x
   return rate;
 }
 
-/// TerrainVehicle::runge_kutta differentiated stage by stage: each stage stands on the one before it.
+/// TerrainVehicle::runge_kutta differentiated by the chain rule, stage by stage.
 Vehicle::Step piece(const Vehicle& vehicle, const Vehicle::State<double>& x, const Vehicle::Input<double>& u,
                     double dt) {
   Vehicle::Step step{vehicle.runge_kutta<double>(x, u, dt), Vehicle::Jacobian::Identity(),
                      Vehicle::InputJacobian::Zero()};
-  // A stage's rate, and that by state and input of the whole piece
+  // Rate of a stage, with its Jacobians by state and input at the start of the piece
   Rate stage{Vehicle::State<double>::Zero(), Vehicle::Jacobian::Zero(), Vehicle::InputJacobian::Zero()};
   constexpr double reach[] = {0, 0.5, 0.5, 1}, weight[] = {1, 2, 2, 1};
   for (int i = 0; i < 4; ++i) {
@@ -83,7 +83,7 @@ Vehicle::Step Vehicle::step(const State<double>& x, const Input<double>& u, doub
   return step;
 }
 
-/// The axes t, l, n turn by the right error e with e1 = dl . n = -l . dn, e2 = -dt . n, e3 = dt . l.
+/// The right rotation error e of the axes t, l, n: e1 = dl . n = -l . dn, e2 = -dt . n, e3 = dt . l.
 PoseOf<Vehicle::error_size> Vehicle::pose(const State<double>& x) const {
   const auto on = contact<double>(x);
   const auto& g = on.ground;

@@ -1,29 +1,29 @@
-// A vehicle with two driven wheels that stays on uneven ground: thesis Section 6.4.1, derived from contact.
+// A vehicle with two driven wheels on uneven ground: thesis Section 6.4.1, derived from the contact constraint.
 //
 // State (3): position x, y of the middle of its axle in the world (m) and heading (rad). Its height is that
-// of the ground, its z axis (up) the normal of the ground there, and the heading that of its x axis (forward)
-// seen from above, about z from +x. Headings from above need no frame on the ground, are what a compass and a
-// planar vehicle call heading, and have no singular place, since no ground that is a height stands upright.
-// Input (2): speed along the ground (m/s) and turn rate about the normal of the ground (rad/s).
+// of the ground, its z axis (up) the normal of the ground, and its heading that of the horizontal projection
+// of its x axis (forward), about z from +x. This heading needs no frame on the ground, agrees with that of a
+// compass and of a planar vehicle, and has no singularity, since a height function is nowhere vertical. Input
+// (2): speed along the ground (m/s) and turn rate about the normal of the ground (rad/s).
 //
-// With the forward direction from above (c, s) = (cos heading, sin heading), the slopes of the ground along
-// it, m = c h_x + s h_y, and across it, k = c h_y - s h_x, its curvature along it, b = c^2 h_xx + 2 c s h_xy
-// + s^2 h_yy, L^2 = 1 + m^2 and N^2 = 1 + h_x^2 + h_y^2, the body's axes are
-//   forward t = (c, s, m) / L,  up n = (-h_x, -h_y, 1) / N,  left n x t,
-// moving along t with speed v gives x' = v c / L, y' = v s / L, and t' . (n x t) = w gives
+// With the horizontal forward direction (c, s) = (cos heading, sin heading), the slope of the ground along
+// it, m = c h_x + s h_y, and across it, k = c h_y - s h_x, its second derivative along it, b = c^2 h_xx + 2 c
+// s h_xy + s^2 h_yy, L^2 = 1 + m^2 and N^2 = 1 + h_x^2 + h_y^2, the body's axes are
+//   t = (c, s, m) / L (forward),  n = (-h_x, -h_y, 1) / N (up),  n x t (left),
+// motion along t with speed v gives x' = v c / L, y' = v s / L, and t' . (n x t) = w gives
 //   heading' = w L^2 / N - v b k / (N^2 L).
-// On level ground that is the rate of DifferentialDrive. `rate` is this; `f` is a step of the classical
-// fourth-order Runge-Kutta method with the input held, so it misses dt^5 and keeps to the ground exactly; a
-// step that drives or turns far is several, since one would know nothing of the ground between.
+// On level ground this is the rate of DifferentialDrive. `rate` computes it; `f` is a classical fourth-order
+// Runge-Kutta step with the input held: its local error is of order dt^5 and it stays on the ground exactly.
+// A long step is split, so that the ground in between is sampled.
 //
-// What (6.10) prints moves the optic centre, l ahead of the axle. With the camera's axes (x right, y down, z
-// ahead) in the columns of Rz(phi) Ry(-theta) Rx(-psi) it says p' = v z - w l cos(psi) x, and that the camera
-// turns with w about -y. In those angles that is right on any plane, level or tilted, but for cos(psi): a
-// rigid lever has w l x. In a world with z up a level camera has cos(psi) = 0 and would not feel its lever at
-// all; with y up, as in the thesis, it has 1 or -1, by the branch of the angles. On curved ground (6.10)
-// lacks what driving turns: the vehicle pitches and rolls by v times the curvatures of the ground, where the
-// first column has only zeros, so what it integrates leaves the ground at once. And its tan(theta),
-// 1/cos(theta) are singular at headings that are reached twice in every full turn.
+// Comparison with (6.10), which moves the optical center, l ahead of the axle. With the camera axes (x right, y down,
+// z forward) in the columns of Rz(phi) Ry(-theta) Rx(-psi) it reads p' = v z - w l cos(psi) x, and the camera rotates
+// with w about -y. In these angles this is correct on any plane, level or tilted, except for cos(psi): a rigid lever
+// gives w l x. In a world with z up a level camera has cos(psi) = 0 and its lever would have no effect; with y up, as
+// in the thesis, cos(psi) is 1 or -1, depending on the branch of the angles. On curved ground (6.10) lacks the
+// rotation due to translation: the vehicle pitches and rolls by v times the curvatures of the ground, where the first
+// column has only zeros, so the integrated pose leaves the ground at once. Its terms tan(theta) and 1/cos(theta) are
+// singular at headings that are reached twice in every full turn.
 #pragma once
 
 #include <Eigen/Core>
@@ -56,12 +56,12 @@ struct TerrainVehicle {
   using Integrator = TerrainVehicle;
 
   Terrain terrain;
-  /// A step is cut into equal pieces, so many that none drives or turns further than this.
+  /// A step is split into equal pieces, none of which exceeds these limits.
   double longest_piece_m = 0.25;
   double longest_piece_rad = 0.25;
-  static constexpr int most_pieces = 1000;  ///< whatever the input
+  static constexpr int most_pieces = 1000;  ///< upper limit for any input
 
-  /// The ground under the vehicle, seen along its heading; named as above.
+  /// The ground under the vehicle along its heading, in the symbols of the file comment.
   template <class S>
   struct Contact {
     GroundPoint<S> ground;
@@ -71,7 +71,7 @@ struct TerrainVehicle {
   template <class S>
   Contact<S> contact(const State<S>& x) const;
 
-  /// m/s, m/s, rad/s of x, y and heading.
+  /// d(x, y, heading)/dt: m/s, m/s, rad/s.
   template <class S>
   State<S> rate(const State<S>& x, const Input<S>& u) const;
 
@@ -80,7 +80,7 @@ struct TerrainVehicle {
 
   Step step(const State<double>& x, const Input<double>& u, double dt) const;
 
-  /// Into how many pieces a step is cut.
+  /// Number of pieces of a step.
   template <class S>
   int pieces(const Input<S>& u, double dt) const;
 
@@ -88,13 +88,13 @@ struct TerrainVehicle {
   template <class S>
   State<S> runge_kutta(const State<S>& x, const Input<S>& u, double dt) const;
 
-  /// Of the middle of the axle, on the ground, m.
+  /// Middle of the axle, on the ground, m.
   template <class S>
   Vector3<S> position(const State<S>& x) const {
     return {x[0], x[1], terrain.at<S>(x[0], x[1]).height};
   }
 
-  /// Columns: forward, left and up of the body in the world.
+  /// Columns: forward, left and up axes of the body in the world.
   template <class S>
   Matrix3<S> axes(const State<S>& x) const;
 

@@ -1,11 +1,11 @@
-// What the wheels of a vehicle tell of the camera that it carries.
+// Wheel odometry as a measurement of the state of a mounted camera.
 //
-// A vehicle that neither lifts off nor slides moves along its forward axis, and turns about its up axis, as
-// its wheels say: with l the lever of the camera and C = body_from_camera, both fixed, the axle moves with
+// A vehicle that neither lifts off nor slides moves along its forward axis and rotates about its up axis at
+// the measured rates. With the constant lever l of the camera and C = body_from_camera, the axle moves with
 //   C R' v + l x C w = (speed, 0, 0),   and   (C w)_z = turn rate,
-// v and R the camera's velocity and orientation in the world, w its rate in its own axes. The zeros are as
-// good as the speed: no ground lets the axle leave it. How the ground turns the body about its other axes,
-// the wheels do not know.
+// v and R the camera's velocity and orientation in the world, w its rate in its own axes. The zeros are
+// nonholonomic constraints, as informative as the speed. The rotation of the body about its other axes, due
+// to the ground, is not measured.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,15 +19,15 @@ struct WheelOdometry {
   static constexpr int size = 4;
 
   Mount mount;
-  double sigma_speed_m_s = 0.05;        ///< of the wheels' speed, held for one reading
-  double sigma_turn_rate_rad_s = 0.02;  ///< of their turn rate
-  double sigma_slip_m_s = 0.02;         ///< of the axle's velocity beside what the wheels say, per axis
+  double sigma_speed_m_s = 0.05;        ///< of the wheel speed, per reading
+  double sigma_turn_rate_rad_s = 0.02;  ///< of the turn rate
+  double sigma_slip_m_s = 0.02;         ///< deviation from the no-slip constraint, per axis, at the axle
 
   template <class S>
   using Measured = Eigen::Matrix<S, size, 1>;
 
-  /// Velocity of the axle, forward, left and up (m/s), and turn rate (rad/s): wheels that tell (speed, turn
-  /// rate) measure (speed, 0, 0, turn rate).
+  /// Velocity of the axle, forward, left and up (m/s), and turn rate (rad/s). The wheels' (speed, turn rate)
+  /// are the measurement (speed, 0, 0, turn rate).
   template <class S>
   Measured<S> h(const FreeCameraMotion::State<S>& camera) const {
     const Matrix3<S> body_from_camera = mount.body_from_camera().cast<S>();
@@ -43,8 +43,8 @@ struct WheelOdometry {
   }
 
   struct Prediction {
-    Measured<double> z;                                           ///< as the camera's state says
-    Eigen::Matrix<double, size, FreeCameraMotion::error_size> H;  ///< d(z) / d(error of the camera)
+    Measured<double> z;                                           ///< predicted from the camera state
+    Eigen::Matrix<double, size, FreeCameraMotion::error_size> H;  ///< d(z) / d(camera error)
     Eigen::Matrix<double, size, size> R;
   };
 
@@ -55,7 +55,7 @@ struct WheelOdometry {
     const Eigen::Vector3d v = camera_from_world * free_camera::velocity(camera);
     Prediction out{h<double>(camera), {}, {}};
     out.H.setZero();
-    out.H.block<3, 3>(0, 3) = C * skew<double>(v);  // R' v turns by v x e
+    out.H.block<3, 3>(0, 3) = C * skew<double>(v);  // error e rotates R' v by v x e
     out.H.block<3, 3>(0, 6) = C * camera_from_world;
     out.H.block<3, 3>(0, 9) = skew<double>(mount.lever()) * C;
     out.H.block<1, 3>(3, 9) = C.row(2);

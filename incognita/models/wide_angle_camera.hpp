@@ -1,5 +1,5 @@
-// Wide-angle camera with one radial term: thesis (5.26), (5.27); Swaminathan and Nayar's model as used by
-// MonoSLAM.
+// Wide-angle camera with one radial distortion term: thesis (5.26), (5.27); the model of Swaminathan and
+// Nayar as used by MonoSLAM.
 //
 //   u_c = fu x/z,  v_c = fv y/z,  d = 1 + 2 kd1 (u_c^2 + v_c^2),  u = u0 + u_c / sqrt(d)
 //
@@ -46,7 +46,7 @@ struct WideAngleCamera {
   std::optional<Eigen::Vector3d> unproject(const Eigen::Vector2d& pixel) const {
     const Eigen::Vector2d c = pixel - Eigen::Vector2d(u0, v0);
     const double d = 1 - 2 * kd1 * c.squaredNorm();
-    if (!(d > 1e-9)) return std::nullopt;  // beyond the image of infinity
+    if (!(d > 1e-9)) return std::nullopt;  // beyond the image of points at infinity
     const double k = 1 / std::sqrt(d);
     return Eigen::Vector3d(c.x() * k / fu, c.y() * k / fv, 1);
   }

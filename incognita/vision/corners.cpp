@@ -9,7 +9,7 @@ std::optional<Corner> strongest_corner(const Image& image, const PixelBox& box, 
   const cv::Rect whole(0, 0, image.width(), image.height());
   const cv::Rect wanted = cv::Rect(box.u, box.v, box.width, box.height) & whole;
   if (wanted.empty()) return std::nullopt;
-  // Gradients at the box's rim need pixels around it
+  // Gradients at the border of the box need the pixels around it
   const int rim = window_px / 2 + 2;
   const cv::Rect around =
       cv::Rect(wanted.x - rim, wanted.y - rim, wanted.width + 2 * rim, wanted.height + 2 * rim) & whole;
@@ -19,7 +19,7 @@ std::optional<Corner> strongest_corner(const Image& image, const PixelBox& box, 
   double best = 0;
   cv::Point at;
   cv::minMaxLoc(strength(wanted - around.tl()), nullptr, &best, nullptr, &at);
-  // OpenCV sums over the window with Sobel's gradient (8 times ours) divided by 4 * window * 255
+  // OpenCV sums over the window with a Sobel gradient (8 times the unit gradient) divided by 4 * window * 255
   return Corner{at.x + wanted.x, at.y + wanted.y, best * 255.0 * 255.0 / 4.0};
 }
 
@@ -32,7 +32,7 @@ std::optional<Eigen::Vector2d> center_of_corner(const Image& image, const Eigen:
   const cv::TermCriteria until(cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 20, 0.01);
   const int dead = left_out_px > 0 ? left_out_px / 2 : -1;
   cv::cornerSubPix(pixels, at, {half, half}, {dead, dead}, until);
-  // OpenCV gives back where it started when it ran away
+  // OpenCV returns the start point when the iteration diverges
   if (at[0] == start) return std::nullopt;
   return Eigen::Vector2d(at[0].x, at[0].y);
 }

@@ -1,4 +1,4 @@
-// A grey image, 8 bits a pixel, rows from top to bottom.
+// A gray image, 8 bits per pixel, rows from top to bottom.
 #pragma once
 
 #include <algorithm>
@@ -12,11 +12,10 @@ class Image {
   Image() = default;
   Image(int width, int height, std::uint8_t value = 0)
       : width_(width), height_(height), pixels_(static_cast<std::size_t>(width) * height + padding, value) {
-    std::fill(pixels_.end() - padding, pixels_.end(),
-              std::uint8_t{0});  // so that equal pixels are equal images
+    std::fill(pixels_.end() - padding, pixels_.end(), std::uint8_t{0});  // defined, for operator==
   }
 
-  /// Bytes that may be read beyond the last pixel, so that a vector load may overhang.
+  /// Readable bytes beyond the last pixel, for vector loads that overhang.
   static constexpr int padding = 16;
 
   int width() const { return width_; }
@@ -27,8 +26,7 @@ class Image {
   std::uint8_t operator()(int u, int v) const { return row(v)[u]; }
   std::uint8_t& operator()(int u, int v) { return row(v)[u]; }
 
-  /// Bilinear value at a point between pixel centres; the point is clamped to the image, which must not be
-  /// empty.
+  /// Bilinear interpolation between pixel centers. The point is clamped to the image, which must not be empty.
   double sample(double u, double v) const {
     u = std::clamp(u, 0.0, width_ - 1.0);
     v = std::clamp(v, 0.0, height_ - 1.0);

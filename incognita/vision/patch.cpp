@@ -25,7 +25,7 @@ std::optional<PatchTemplate> warp(const PatchTexture& texture, const Eigen::Matr
   for (int dv = -half; dv <= half; ++dv)
     for (int du = -half; du <= half; ++du) {
       const Eigen::Vector2d at = texture.center + texture_from_view * Eigen::Vector2d(du, dv);
-      constexpr double slack = 0.51;  // half a pixel of clamping at the rim of what was stored
+      constexpr double slack = 0.51;  // clamping by half a pixel at the texture's border is accepted
       if (!(at.x() >= -slack && at.y() >= -slack && at.x() <= texture.pixels.width() - 1 + slack &&
             at.y() <= texture.pixels.height() - 1 + slack))
         return std::nullopt;
@@ -43,7 +43,7 @@ std::optional<PatchTemplate> warp(const PatchTexture& texture, const Eigen::Matr
     patch.sum += value;
   }
   patch.norm = std::sqrt(squares - static_cast<double>(patch.sum) * patch.sum / i);
-  if (patch.norm < 8.0 * size) return std::nullopt;  // less than one grey level of contrast
+  if (patch.norm < 8.0 * size) return std::nullopt;  // less than one gray level of contrast
   return patch;
 }
 

@@ -10,7 +10,7 @@ namespace incognita {
 
 namespace {
 
-/// A pixel's part in the sums: its grey in the upper half, its square in the lower.
+/// Contribution of a pixel to the sums: gray value in the upper 32 bits, its square in the lower 32.
 constexpr auto both = [] {
   std::array<std::uint64_t, 256> table{};
   for (std::uint64_t gray = 0; gray < 256; ++gray) table[gray] = gray << 32 | gray * gray;
@@ -77,7 +77,7 @@ double CorrelationSheet::correlate(int u, int v) const {
   }
   const auto [sum, squares] = image_->over(u - half, v - half, size);
   const double variance = squares - sum * sum / (size * size);  // times the number of pixels
-  if (variance < 1.0 * size * size) return 0;  // under one grey level of contrast anything would correlate
+  if (variance < 1.0 * size * size) return 0;  // below one gray level of contrast any patch would correlate
   return (product - patch_->sum * sum / (size * size)) / (patch_->norm * std::sqrt(variance));
 }
 
@@ -87,9 +87,9 @@ Eigen::Vector2d CorrelationSheet::refine(int u, int v) {
   for (int dv = -1; dv <= 1; ++dv)
     for (int du = -1; du <= 1; ++du) {
       c[dv + 1][du + 1] = at(u + du, v + dv);
-      if (c[dv + 1][du + 1] < -1.5) return here;  // on the rim of what can be tried
+      if (c[dv + 1][du + 1] < -1.5) return here;  // at the border of the searched range
     }
-  // The quadratic through the centre with central differences for its derivatives; its peak where it has one
+  // Quadratic through the center, with central differences as derivatives; its maximum, if there is one
   const Eigen::Vector2d slope((c[1][2] - c[1][0]) / 2, (c[2][1] - c[0][1]) / 2);
   const double cross = (c[2][2] - c[2][0] - c[0][2] + c[0][0]) / 4;
   Eigen::Matrix2d curvature;
@@ -140,7 +140,7 @@ std::optional<Found> search(CorrelationSheet& sheet, const Ellipse& ellipse, dou
 std::optional<Found> search(CorrelationSheet& sheet, const SummedImage& image, const PatchTemplate& patch,
                             const Ellipse& ellipse, double max_half_axis_px) {
   const Extent box = extent(ellipse, max_half_axis_px);
-  // One pixel around, so that a peak on the rim can be refined
+  // One more pixel on each side, so that a peak at the border can be refined
   sheet.start(image, patch, box.u_min - 1, box.u_max + 1, box.v_min - 1, box.v_max + 1);
   return search(sheet, ellipse, max_half_axis_px);
 }

@@ -1,4 +1,4 @@
-// Active search: where in an ellipse a patch is seen, by normalised cross-correlation.
+// Active search: normalized cross-correlation of a patch inside the search ellipse of its landmark.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,41 +10,41 @@
 
 namespace incognita {
 
-/// Sums of pixels and of their squares over any rectangle in four look-ups. Made once per image.
+/// Integral images of the gray values and of their squares: the sums over any square by four lookups.
 class SummedImage {
  public:
-  /// Keeps a pointer to the image, which must outlive it.
+  /// Keeps a pointer to the image, which must outlive this object.
   void assign(const Image& image);
   const Image& image() const { return *image_; }
 
   struct Sums {
     double sum, squares;
   };
-  /// Over columns u .. u+size-1 and rows v .. v+size-1, which must lie in the image.
+  /// Sums over columns u .. u+size-1 and rows v .. v+size-1, which must lie in the image.
   Sums over(int u, int v, int size) const;
 
  private:
   const Image* image_ = nullptr;
   int stride_ = 0;
-  /// Sum of greys * 2^32 + sum of squares, modulo 2^64: of a rectangle of up to 66051 pixels the difference
-  /// has both apart again.
+  /// Sum of gray values * 2^32 + sum of squares, modulo 2^64. Differences over up to 66051 pixels separate
+  /// again into the two sums.
   std::vector<std::uint64_t> sums_;
 };
 
-/// Correlations of one patch with one image, each place computed at most once however many ellipses cover it.
+/// Correlations of one patch with one image, each pixel computed at most once however many ellipses cover it.
 class CorrelationSheet {
  public:
-  /// A sheet for centres inside the given range; what leaves no room for the patch in the image is cut off.
+  /// Accepts patch centers in the given range, cropped so that the patch lies inside the image.
   void start(const SummedImage& image, const PatchTemplate& patch, int u_min, int u_max, int v_min,
              int v_max);
 
-  /// Normalised cross-correlation in [-1, 1] with the patch centred there; -2 outside the range.
+  /// Normalized cross-correlation in [-1, 1] with the patch centered at (u, v); -2 outside the range.
   double at(int u, int v);
   bool contains(int u, int v) const { return u >= u_min_ && u <= u_max_ && v >= v_min_ && v <= v_max_; }
-  /// How many correlations were computed since start().
+  /// Number of correlations computed since start().
   int computed() const { return computed_; }
 
-  /// The peak around an integer maximum, by a quadratic through its eight neighbours.
+  /// Subpixel peak near an integer maximum: maximum of a quadratic through it and its eight neighbors.
   Eigen::Vector2d refine(int u, int v);
 
  private:
@@ -68,12 +68,12 @@ struct Found {
   double correlation = 0;
 };
 
-/// Best place of the patch inside the ellipse and nowhere else; nothing when no place in it can be tried.
-/// The caller compares `correlation` with what it demands.
+/// The best match of the patch inside the ellipse; nothing when no pixel in it can be tried. The caller
+/// thresholds `correlation`.
 std::optional<Found> search(CorrelationSheet& sheet, const SummedImage& image, const PatchTemplate& patch,
                             const Ellipse& ellipse, double max_half_axis_px);
 
-/// The same on a sheet that was started before, e.g. one that several ellipses of the same patch share.
+/// The same with a sheet that was started before, e.g. shared by several ellipses of the same patch.
 std::optional<Found> search(CorrelationSheet& sheet, const Ellipse& ellipse, double max_half_axis_px);
 
 }  // namespace incognita

@@ -10,8 +10,8 @@
 namespace incognita {
 namespace {
 
-/// Frames without a match after which a landmark that is matched again has been away. One that was just born
-/// is matched in every frame, and nothing but itself tells its depth.
+/// Frames without a match after which a matched landmark counts as re-observed. A new landmark is matched in
+/// every frame and is the only source of information about its depth.
 constexpr int frames_until_away = 15;
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Looking for what is expected: the active search of thesis C.2.
+// Active search for the predicted features: thesis C.2.
 #pragma once
 
 #include <vector>
@@ -9,15 +9,15 @@
 
 namespace incognita {
 
-/// Searches for the most uncertain looks first (largest innovation covariance: what is hardest to predict
-/// teaches most), at most `max_measurements` of them, each inside its own ellipse. Fills measured,
-/// correlation and outcome (not_found, or matched until the consensus says otherwise). Returns how many were
-/// searched for.
+/// Searches for the features in the order of decreasing innovation covariance (the most uncertain have the
+/// largest expected information gain), at most `max_measurements` of them, each inside its own ellipse. Fills
+/// measured, correlation and outcome (not_found or matched, before outlier rejection). Returns the number of
+/// features searched for.
 int active_search(const SummedImage& image, const std::vector<Landmark>& catalog,
                   const SearchSettings& settings, std::vector<FeatureMatch>& matches);
 
-/// Takes back the matches that do not agree with the others (outcome `inconsistent`). Returns how many
-/// remain.
+/// Sets the outcome of matches that are inconsistent with the others to `outlier`, or to `unconfirmed`.
+/// Returns the number of remaining matches.
 int reject_outliers(const Estimate& estimate, const CameraSlamSettings& settings,
                     std::vector<FeatureMatch>& matches);
 

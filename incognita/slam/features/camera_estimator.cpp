@@ -21,8 +21,8 @@
 namespace incognita {
 namespace {
 
-constexpr int matches_to_recover = 6;          // from being lost: more than chance gives
-constexpr double lost_sigma_position_m = 0.1;  // how far the camera is looked for around where it was lost
+constexpr int matches_to_recover = 6;          // from lost: more than false matches give
+constexpr double lost_sigma_position_m = 0.1;  // of the search around the pose where it was lost
 constexpr double lost_sigma_rotation_rad = 0.1;
 
 void check_size(const Image& image, const Camera& camera) {
@@ -68,7 +68,7 @@ void CameraEstimator::update(Estimate& estimate, const Command& command, const O
     wait_in_place(estimate, image);
   } else {
     predict(estimate, command, tick.dt);
-    // Before the search, whose ellipses it narrows
+    // Before the search, because it shrinks the search ellipses
     if (odometry_ && !body.odometry.empty())
       update_with_wheel_odometry(estimate.belief, estimate.camera, *odometry_,
                                  body.odometry.back().input);
@@ -116,7 +116,7 @@ void CameraEstimator::start(Estimate& estimate, const SummedImage* summed, const
         "target " + target_->name + " found, " + std::to_string(search.pose->rms_px) + " px rms";
   }
   estimate.status.state = TrackingState::tracking;
-  // The first map at once: without a target there is nothing else to hold on to
+  // The first map is initialized at once: without a target there is nothing else to track
   for (;;) {
     const std::size_t before = estimate.catalog.size();
     predict_matches(estimate, camera_, settings_, estimate.matches);
@@ -178,7 +178,7 @@ void CameraEstimator::match(Estimate& estimate, const SummedImage& summed, Stage
   estimate.matched = reject_outliers(estimate, settings_, estimate.matches);
   clock.mark("consensus");
   correct(estimate);
-  if (estimate.update.outcome == UpdateReport::Outcome::singular) estimate.matched = 0;  // none was used
+  if (estimate.update.outcome == UpdateReport::Outcome::singular) estimate.matched = 0;  // none was applied
   if (estimate.update.outcome == UpdateReport::Outcome::updated)
     estimate_patch_planes(estimate, estimate.matches);
   clock.mark("update");
@@ -194,7 +194,7 @@ void CameraEstimator::maintain_map(Estimate& estimate, const SummedImage& summed
   delete_bad_landmarks(estimate, settings_.map);
 }
 
-/// The camera stands still where it was last believed to be, as unsure as a short search around allows.
+/// Stops the camera at its last pose and adds the uncertainty of a short search around it.
 void CameraEstimator::declare_lost(Estimate& estimate) const {
   CameraState x = estimate.camera_state();
   x.tail<6>().setZero();
@@ -213,7 +213,7 @@ void CameraEstimator::declare_lost(Estimate& estimate) const {
   });
 }
 
-/// Lost: every frame tries the map from where the camera was lost; enough agreeing matches end it.
+/// Lost: searches for the map from the last pose at every frame, until enough consistent matches relocate it.
 void CameraEstimator::wait_in_place(Estimate& estimate, const SummedImage* summed) {
   if (!estimate.started || !summed) return;
   predict_matches(estimate, camera_, settings_, estimate.matches);
@@ -224,7 +224,7 @@ void CameraEstimator::wait_in_place(Estimate& estimate, const SummedImage* summe
   const bool enough = estimate.matched >= std::min(matches_to_recover, settings_.search.max_measurements);
   if (enough) correct(estimate);
   if (!enough || !(sigma_position(estimate) <= settings_.lost.max_sigma_position_m)) {
-    if (enough) declare_lost(estimate);  // matched, and still unsure: looked for around there
+    if (enough) declare_lost(estimate);  // matched but still uncertain: search around that pose
     for (FeatureMatch& match : estimate.matches)
       if (match.outcome == MatchOutcome::matched) match.outcome = MatchOutcome::outlier;
     estimate.matched = 0;

@@ -21,22 +21,22 @@ class CameraEstimator {
  public:
   using Estimate = incognita::Estimate;
 
-  /// `target` fixes place and scale; without one the first view is the origin and the scale is the prior's.
-  /// `odometry`: of the vehicle that carries the camera, where what its wheels tell is to be used. Throws
+  /// `target` defines world frame and scale; without one the first view is the origin and the scale is that
+  /// of the depth prior. `odometry`: model of the carrier's wheel odometry, if it is to be used. Throws
   /// std::invalid_argument as validate() of camera_validation.hpp does.
   CameraEstimator(Camera camera, std::optional<Target> target, const CameraSlamSettings& settings,
                   double max_search_s, std::uint64_t seed, const std::optional<WheelOdometry>& odometry = {});
 
-  /// Brings the estimate from the tick before to this one. `command` is what was asked for since then.
-  /// The first tick may have any number and any time: what was begun and when stands in the estimate. An
-  /// image of another size than the camera's throws std::invalid_argument.
+  /// Advances the estimate from the previous tick to this one. `command` is the input since then. All state
+  /// is in the estimate, so the first tick may have any number and time. Throws std::invalid_argument for an
+  /// image whose size is not that of the camera.
   void update(Estimate& estimate, const Command& command, const Observation& observation, const Tick& tick);
 
   const Camera& camera() const { return camera_; }
   const CameraSlamSettings& settings() const { return settings_; }
 
  private:
-  /// Images are null where the tick brought none.
+  /// Images are null at a tick without one.
   void start(Estimate& estimate, const SummedImage* summed, const Tick& tick, StageClock& clock);
   void start_at(Estimate& estimate, const CameraState& x, const Eigen::Matrix<double, 6, 6>& pose_cov);
   void predict(Estimate& estimate, const Command& command, double dt) const;
@@ -55,7 +55,7 @@ class CameraEstimator {
   double max_search_s_;
   std::optional<WheelOdometry> odometry_;
   RandomStream random_;
-  SummedImage summed_;  ///< of this tick's image, and its memory: not to be read in a tick without one
+  SummedImage summed_;  ///< of the current image; reused storage, invalid at a tick without an image
 };
 
 }  // namespace incognita

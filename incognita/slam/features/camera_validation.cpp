@@ -78,7 +78,7 @@ void validate(const MapSettings& s) {
        "0 to 1");
 }
 
-/// With no match wanted a camera without images would never be lost.
+/// With 0 matches required a camera without images would never be lost.
 void validate(const LostSettings& s) {
   need_at_least("lost.min_matches", s.min_matches, 1, "1 or more");
   need_at_least("lost.max_frames", s.max_frames, 1, "1 or more");

@@ -1,4 +1,4 @@
-// What a camera estimator refuses.
+// Validation of the settings of a camera estimator.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,7 @@
 
 namespace incognita {
 
-/// Throws std::invalid_argument, with the key of a scenario file and the value, for the first setting that
-/// cannot be.
+/// Throws std::invalid_argument, with the key of the scenario file and the value, for the first invalid setting.
 void validate(const CameraSlamSettings& settings, const std::optional<Target>& target, double max_search_s,
               const std::optional<WheelOdometry>& odometry);
 

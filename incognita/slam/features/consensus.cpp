@@ -11,7 +11,7 @@ namespace {
 
 using Block = Eigen::Matrix2d;
 
-/// Mahalanobis distance squared of match j once match i is taken as right.
+/// Squared Mahalanobis distance of match j given match i.
 double distance_given(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& S, int j, int i) {
   const Block gain = S.block<2, 2>(2 * j, 2 * i) * S.block<2, 2>(2 * i, 2 * i).inverse();
   const Eigen::Vector2d r = residuals.segment<2>(2 * j) - gain * residuals.segment<2>(2 * i);
@@ -43,7 +43,7 @@ std::vector<int> largest_group(const Eigen::VectorXd& residuals, const Eigen::Ma
   return best;
 }
 
-/// The inverse of the joint covariance of a group.
+/// Inverse of the joint innovation covariance of a group.
 Eigen::MatrixXd information_of(const Eigen::MatrixXd& S, const std::vector<int>& group) {
   const int n = static_cast<int>(group.size());
   Eigen::MatrixXd own(2 * n, 2 * n);
@@ -52,8 +52,8 @@ Eigen::MatrixXd information_of(const Eigen::MatrixXd& S, const std::vector<int>&
   return own.llt().solve(Eigen::MatrixXd::Identity(2 * n, 2 * n));
 }
 
-/// Drops the member that agrees least with all the others together, until every one passes. The innovation of
-/// a member given the others has covariance ([S^-1]_jj)^-1 and mean ([S^-1]_jj)^-1 [S^-1 r]_j.
+/// Removes the least consistent member until every one passes. The innovation of a member given the others
+/// has covariance ([S^-1]_jj)^-1 and mean ([S^-1]_jj)^-1 [S^-1 r]_j.
 void leave_one_out(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& S, double gate,
                    std::vector<int>& group) {
   while (group.size() > 1) {
@@ -77,8 +77,8 @@ void leave_one_out(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& S, d
   }
 }
 
-/// px^2, along the axis where the others say least, of a member of a group with that covariance^-1: its own
-/// block is the inverse of its covariance given the others.
+/// Largest variance, px^2, of a member's innovation given the others. `inverse` is that of the group's
+/// covariance; its diagonal blocks are the inverses of the conditional covariances.
 double variance_given_others(const Eigen::MatrixXd& inverse, int member) {
   const Block information = inverse.block<2, 2>(2 * member, 2 * member);
   const double half = information.trace() / 2;

@@ -10,7 +10,7 @@
 namespace incognita {
 namespace {
 
-constexpr double prune_below = 0.05;  // of the uniform weight: such hypotheses are not followed any more
+constexpr double prune_below = 0.05;  // of the uniform weight; hypotheses below are removed
 
 struct Hypothesis {
   std::size_t particle;
@@ -23,7 +23,7 @@ InverseDepthLandmark::State line_at(const Landmark& line, const Belief& belief, 
   return y;
 }
 
-/// Where each hypothesis should be seen, with the ellipse that camera and ray uncertainty give it.
+/// The predicted pixel of each hypothesis with its innovation ellipse.
 std::vector<Hypothesis> project(const Landmark& line, const Estimate& estimate, const Camera& camera,
                                 const CameraSlamSettings& settings) {
   std::vector<Hypothesis> predictions;
@@ -69,7 +69,7 @@ void start_sheet(CorrelationSheet& sheet, const SummedImage& image, const PatchT
               static_cast<int>(low.y()) - 1, static_cast<int>(high.y()) + 2);
 }
 
-/// Bayes: each hypothesis times the likelihood of the match; those not in view keep nothing.
+/// Bayes update of the weights by the likelihood of the match; hypotheses out of view are removed.
 /// False when no hypothesis explains the match.
 bool reweight(Landmark& line, const std::vector<Hypothesis>& hypotheses, const Eigen::Vector2d& found) {
   std::vector<Landmark::Particle> kept;
@@ -106,8 +106,7 @@ Depth depth_of(const Landmark& line) {
   return {mean, std::sqrt(std::max(0.0, square - mean * mean))};
 }
 
-/// The line becomes a point with the Gaussian of its hypotheses; their spacing is the least that sigma can
-/// be.
+/// Converts the line to a point with the Gaussian of its hypotheses; the quantization of their spacing is added.
 void become_point(Landmark& line, Belief& belief, const Depth& depth, double spacing_m) {
   const auto y = line_at(line, belief, 1 / depth.mean);
   const auto point = line.initial_axes.point(y);
@@ -119,7 +118,7 @@ void become_point(Landmark& line, Belief& belief, const Depth& depth, double spa
   line.particles.clear();
 }
 
-/// What is shown of a line: its hypotheses as one Gaussian.
+/// The mixture of the hypotheses as one Gaussian, for display.
 LineMatch predict_line_match(const Landmark& line, const std::vector<Hypothesis>& hypotheses) {
   LineMatch match;
   match.id = line.id;
@@ -140,7 +139,7 @@ LineMatch predict_line_match(const Landmark& line, const std::vector<Hypothesis>
   return match;
 }
 
-/// One line, one image. False when the line is to be given up.
+/// Tracks one line in one image. False when the line is to be dropped.
 bool follow(Landmark& line, CorrelationSheet& sheet, const SummedImage& image, Estimate& estimate,
             const Camera& camera, const CameraSlamSettings& settings) {
   const auto hypotheses = project(line, estimate, camera, settings);

@@ -1,9 +1,9 @@
-// Finding a depth by hypotheses on a line: thesis C.3.
+// Depth estimation by hypotheses along a line: thesis C.3.
 //
 // A line is an inverse-depth landmark without its depth (5 errors in the belief). Its depth is a set of
-// hypotheses; each projects into the image with its own ellipse, one correlation sheet serves them all, and
-// what is found re-weights them. When sigma/depth is small the hypotheses become a Gaussian and the line a
-// point of the map.
+// weighted hypotheses. Each projects into the image with its own ellipse, one correlation sheet serves all of
+// them, and the match re-weights them. When sigma/depth is small the line is converted to a point with the
+// Gaussian of its hypotheses.
 #pragma once
 
 #include "incognita/slam/features/estimate.hpp"
@@ -12,8 +12,8 @@
 
 namespace incognita {
 
-/// Searches for every line once and re-weights its hypotheses. Lines whose depth is known become points;
-/// lines that were not found too often, or whose hypotheses all failed, are dropped.
+/// Searches for every line once and re-weights its hypotheses. Lines of converged depth become points; lines
+/// with too many failed searches in a row, or without a consistent hypothesis, are dropped.
 void update_depth_lines(const SummedImage& image, Estimate& estimate, const Camera& camera,
                         const CameraSlamSettings& settings);
 

@@ -1,4 +1,4 @@
-// All that is known: the belief, what each landmark is, and whether to trust it. Updated in place.
+// The estimate of single-camera SLAM: belief, landmarks and tracking status. Updated in place.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,24 +16,24 @@
 
 namespace incognita {
 
-/// The appearance of a landmark and the view it was taken from.
+/// The texture of a landmark and the view it was taken from.
 struct PatchView {
   PatchTexture texture;
-  Eigen::Vector2d pixel;            ///< in the image it was cut from, px
+  Eigen::Vector2d pixel;            ///< in that view's image, px
   Eigen::Vector3d camera_position;  ///< world, m
   Eigen::Vector4d world_from_camera;
   PatchPlane plane;
-  double distance_m = 0;  ///< from camera to landmark then; 0 when the depth was not known
+  double distance_m = 0;  ///< from camera to landmark; 0 when the depth is unknown
 };
 
 struct Landmark {
   enum class Kind {
-    anchor,         ///< a known constant, not in the belief
+    anchor,         ///< at a known position, not in the belief
     point,          ///< 3 errors
     inverse_depth,  ///< 6 errors
     line,           ///< 5 errors: an inverse-depth landmark whose depth is a set of hypotheses
   };
-  /// One depth hypothesis on a line: inverse depth along the birth view's axis, and its probability.
+  /// A depth hypothesis on a line: inverse depth along the initial optical axis, and its probability.
   struct Particle {
     double inverse_depth = 0;
     double weight = 0;
@@ -41,44 +41,44 @@ struct Landmark {
 
   std::int64_t id = 0;
   Kind kind = Kind::point;
-  BlockId block = 0;                    ///< in the belief, unless an anchor
+  BlockId block = 0;                    ///< in the belief, except for anchors
   Eigen::Vector3d anchor{0, 0, 0};      ///< world, m; anchors only
   InverseDepthLandmark initial_axes{};  ///< inverse depth and lines only
   std::vector<Particle> particles;      ///< lines only
   PatchView view;
   int attempts = 0;       ///< searches in frames that were otherwise matched
-  int matches = 0;        ///< of them, how many updated the filter
-  int frames_away = 0;    ///< since it last updated the filter, or was born
-  int line_failures = 0;  ///< lines only: searches in a row that found nothing
+  int matches = 0;        ///< number of them that updated the filter
+  int frames_away = 0;    ///< since its last update of the filter or its initialization
+  int line_failures = 0;  ///< lines only: consecutive failed searches
 
   bool mapped() const { return kind == Kind::point || kind == Kind::inverse_depth; }
 };
 
-/// A landmark as it is expected in this frame, and what the search made of it.
+/// The predicted measurement of a landmark in this frame, and the result of the search.
 struct FeatureMatch {
-  std::size_t landmark = 0;  ///< index into the catalogue of this frame
+  std::size_t landmark = 0;  ///< index into the catalog of this frame
   std::int64_t id = 0;
   Landmark::Kind kind = Landmark::Kind::point;
-  Eigen::Vector2d predicted;       ///< px, from the belief before this image was used
+  Eigen::Vector2d predicted;       ///< px, from the prior belief
   Eigen::Matrix2d innovation_cov;  ///< S_i = H_i P H_i' + R, px^2
   CameraJacobian Hv;
   Eigen::Matrix<double, 2, Eigen::Dynamic, 0, 2, 6> Hl;  ///< no columns for anchors
-  Eigen::Vector3d point;              ///< world, m: where the landmark was taken to be for the warp
-  Eigen::Matrix2d texture_from_view;  ///< local map of pixels of this view to pixels of the patch's texture
+  Eigen::Vector3d point;                                 ///< world, m: position assumed for the warp
+  Eigen::Matrix2d texture_from_view;  ///< local map from pixels of this view to pixels of the texture
   std::optional<Eigen::Vector2d> measured;
-  std::optional<PlaneEvidence> plane;                   ///< of a match on a plane that is not known
-  Eigen::Matrix2d plane_cov = Eigen::Matrix2d::Zero();  ///< px^2: what that adds to the noise of the match
+  std::optional<PlaneEvidence> plane;                   ///< of a match on a patch of unknown plane
+  Eigen::Matrix2d plane_cov = Eigen::Matrix2d::Zero();  ///< px^2: its additional noise
   double correlation = 0;
   MatchOutcome outcome = MatchOutcome::not_searched;
 };
 
-/// A line looked for along all its hypotheses of depth at once, after the camera has been corrected by the
-/// map's looks. It corrects no camera: `matched` re-weights the hypotheses, `inconsistent` means that none
-/// explains what was found.
+/// The search for a line along all its depth hypotheses, after the camera has been updated by the map's
+/// features. It does not update the camera: `matched` re-weights the hypotheses; `outlier` means that no
+/// hypothesis explains the match.
 struct LineMatch {
   std::int64_t id = 0;
-  Eigen::Vector2d predicted;       ///< px, mean over the hypotheses in view, by weight
-  Eigen::Matrix2d innovation_cov;  ///< px^2, about that mean: their own and how far they are apart
+  Eigen::Vector2d predicted;       ///< px, weighted mean of the hypotheses in view
+  Eigen::Matrix2d innovation_cov;  ///< px^2, about that mean: of the mixture of the hypotheses
   std::optional<Eigen::Vector2d> measured;
   double correlation = 0;
   MatchOutcome outcome = MatchOutcome::not_searched;
@@ -87,25 +87,25 @@ struct LineMatch {
 struct Estimate {
   Belief belief{256};
   BlockId camera = 0;
-  bool started = false;  ///< whether `belief` holds a camera at all
+  bool started = false;  ///< whether `belief` contains the camera
   std::vector<Landmark> catalog;
   std::int64_t next_id = 0;
   TrackingStatus status;
-  std::optional<double> first_t;    ///< s, of the first tick: when the search for the target began
-  std::optional<double> entropy_t;  ///< s, when the entropy of the whole was last worked out
+  std::optional<double> first_t;    ///< s, of the first tick: start of the search for the target
+  std::optional<double> entropy_t;  ///< s, of the last refresh of the total entropy
 
-  // Of the last frame
+  // Results of the last frame
   std::vector<FeatureMatch> matches;
   std::vector<LineMatch> line_matches;
-  int predicted = 0;  ///< looks searched for
-  int matched = 0;    ///< looks that updated the filter
-  int visible = 0;    ///< landmarks expected in view
+  int predicted = 0;  ///< features searched for
+  int matched = 0;    ///< features that updated the filter
+  int visible = 0;    ///< landmarks predicted in view
   UpdateReport update;
   Entropy entropy;
   std::vector<std::pair<const char*, double>> timing_ms;
 
   CameraState camera_state() const { return belief.mean(camera); }
-  /// Landmarks in the map: points and inverse-depth landmarks, not anchors and not lines.
+  /// Number of points and inverse-depth landmarks, without anchors and lines.
   int mapped_count() const {
     int count = 0;
     for (const Landmark& landmark : catalog) count += landmark.mapped();
@@ -113,8 +113,8 @@ struct Estimate {
   }
 };
 
-/// Position in the world of a landmark and its covariance (zero for anchors); for a line, at its mean depth.
-/// Nothing for an inverse depth that is not positive: the landmark may be at infinity.
+/// World position of a landmark and its covariance (zero for anchors); for a line, at its mean depth. Nothing
+/// unless the inverse depth is positive: the landmark may be at infinity.
 struct LandmarkPosition {
   Eigen::Vector3d position;
   Eigen::Matrix3d covariance;

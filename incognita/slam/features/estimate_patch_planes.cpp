@@ -8,10 +8,9 @@ namespace incognita {
 namespace {
 
 constexpr double slope_step = 0.1;
-constexpr double new_view_rad = 0.03;    // turned so far around the landmark, or so much nearer or farther,
-constexpr double new_view_scale = 0.05;  // a view is a new one
-constexpr double max_depth_ratio =
-    0.1;  // sigma/depth beyond which the warp's scale says nothing of the plane
+constexpr double new_view_rad = 0.03;    // change of viewing direction that makes a new view
+constexpr double new_view_scale = 0.05;  // relative change of distance that makes a new view
+constexpr double max_depth_ratio = 0.1;  // sigma/depth; above it the scale of the warp is too uncertain
 
 std::optional<PatchTemplate> template_at(const PatchView& view, const Eigen::Vector2d& slope,
                                          const FeatureMatch& match, const Camera& camera,

@@ -1,4 +1,4 @@
-// The planes of the patches, from the matches of a frame.
+// Estimation of the patches' planes from the matches of a frame.
 #pragma once
 
 #include <vector>
@@ -7,13 +7,13 @@
 
 namespace incognita {
 
-/// For every match on a plane that is not known: how much that may have shifted it (`plane_cov`, part of what
-/// the measurement is taken to be worth), and what it says of the plane.
+/// For every match on a patch of unknown plane: the position uncertainty due to the plane (`plane_cov`, added
+/// to the measurement noise), and the information of the match about the plane.
 void add_plane_uncertainty(const Estimate& estimate, const Camera& camera, const Image& image,
                            int patch_size_px, std::vector<FeatureMatch>& matches);
 
-/// After the update: lets the matches that stood teach their planes, each once per new view, as the noise of
-/// the stored patch is the same in all of them.
+/// To be called after the update: estimates the planes from the inliers, at most once per new view, since the
+/// noise of the stored patch is common to all views.
 void estimate_patch_planes(Estimate& estimate, const std::vector<FeatureMatch>& matches);
 
 }  // namespace incognita

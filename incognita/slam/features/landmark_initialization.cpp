@@ -5,7 +5,7 @@
 namespace incognita {
 namespace {
 
-constexpr int boxes_tried = 15;  // per frame, until one is free of landmarks and holds a corner
+constexpr int boxes_tried = 15;  // per frame, until one is free of landmarks and contains a corner
 
 bool near_any_match(const std::vector<Eigen::Vector2d>& measurements, const PixelBox& box, int margin) {
   for (const auto& at : measurements)
@@ -15,7 +15,7 @@ bool near_any_match(const std::vector<Eigen::Vector2d>& measurements, const Pixe
   return false;
 }
 
-/// Whether a corner of unknown depth will still be in view after the look-ahead, wherever on its ray it is.
+/// Whether a corner of unknown depth stays in view over the look-ahead time, for any depth on its ray.
 bool stays_in_view(const Eigen::Vector2d& pixel, const Camera& camera, const CameraState& now,
                    const InitializationSettings& initialization) {
   const auto ray = camera.unproject(pixel);
@@ -34,7 +34,7 @@ bool stays_in_view(const Eigen::Vector2d& pixel, const Camera& camera, const Cam
 
 std::vector<Landmark::Particle> uniform_depths(const InitializationSettings& initialization,
                                                double ray_length) {
-  // Depths are asked for along the ray and kept along the optical axis (ray_length = |(x, y, 1)|)
+  // Settings give depths along the ray, particles along the optical axis (ray_length = |(x, y, 1)|)
   std::vector<Landmark::Particle> particles(initialization.particles);
   for (int i = 0; i < initialization.particles; ++i) {
     const double share =
@@ -66,12 +66,12 @@ std::optional<Eigen::Vector2d> find_new_corner(const Image& image, const Estimat
                                                const Camera& camera, const CameraSlamSettings& settings,
                                                RandomStream& random) {
   const InitializationSettings& initialization = settings.initialization;
-  const int rim = settings.search.patch_size_px + 2;  // a whole patch and something to warp it with
+  const int rim = settings.search.patch_size_px + 2;  // a whole patch and a margin for its warp
   const int width = std::min(initialization.box_width_px, image.width() - 2 * rim);
   const int height = std::min(initialization.box_height_px, image.height() - 2 * rim);
   if (width < 1 || height < 1) return std::nullopt;
   const CameraState now = estimate.camera_state();
-  // Where landmarks are: all that are expected in view, the lines too, and those born in this very frame
+  // Occupied pixels: all landmarks predicted in view, lines, and landmarks initialized in this frame
   std::vector<Eigen::Vector2d> taken;
   for (const FeatureMatch& match : estimate.matches)
     taken.push_back(match.measured.value_or(match.predicted));
@@ -91,7 +91,7 @@ std::optional<Eigen::Vector2d> find_new_corner(const Image& image, const Estimat
     if (initialization.center == InitializationSettings::Center::edges)
       center = center_of_corner(image, *center, settings.search.patch_size_px);
     if (!center || !stays_in_view(*center, camera, now, initialization)) continue;
-    // The centre may lie outside the box, and there on a corner that is mapped already
+    // The center may lie outside the box, on a corner that is already mapped
     const PixelBox there{static_cast<int>(std::lround(center->x())),
                          static_cast<int>(std::lround(center->y())), 1, 1};
     if (!near_any_match(taken, there, settings.search.patch_size_px / 2)) return center;
@@ -118,7 +118,7 @@ bool initialize_landmark(const Image& image, const Eigen::Vector2d& pixel, Estim
     landmark.particles = uniform_depths(
         initialization, Eigen::Vector3d(initialized->landmark[3], initialized->landmark[4], 1).norm());
     const Belief::Parent parent{estimate.camera, initialized->Jv.topRows<5>()};
-    // The place of birth is the camera's own position: a hair of noise keeps the covariance positive definite
+    // The initial position duplicates the camera position: regularization keeps the covariance positive definite
     Eigen::Matrix<double, 5, 5> line_noise = noise.topLeftCorner<5, 5>();
     line_noise.topLeftCorner<3, 3>() += 1e-8 * Eigen::Matrix3d::Identity();
     landmark.block =

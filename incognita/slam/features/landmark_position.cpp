@@ -6,7 +6,7 @@ namespace {
 LandmarkPosition at_depth(const Landmark& landmark, const Belief& belief) {
   InverseDepthLandmark::State y;
   y.head<5>() = belief.mean(landmark.block).head<5>();
-  double mean = 0, square = 0;  // of the depth along the birth axis
+  double mean = 0, square = 0;  // of the depth along the initial optical axis
   for (const auto& particle : landmark.particles) {
     const double depth = 1 / particle.inverse_depth;
     mean += particle.weight * depth;

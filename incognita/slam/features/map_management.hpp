@@ -1,4 +1,4 @@
-// Keeping the map small and good: thesis C.4.
+// Map management: thesis C.4.
 #pragma once
 
 #include "incognita/slam/features/estimate.hpp"
@@ -6,19 +6,18 @@
 
 namespace incognita {
 
-/// Counts for how many frames each landmark was not matched; of every frame that is tracked.
+/// Counts the frames since the last match of each landmark; for every tracked frame.
 void count_frames_away(Estimate& estimate);
 
-/// Counts this frame's searches. A frame that matched hardly anything says nothing about single landmarks
-/// (the lens may be covered), so the caller leaves it out.
+/// Counts this frame's searches. The caller skips frames with hardly any match, which carry no information
+/// about single landmarks (e.g. a covered lens).
 void count_attempts(Estimate& estimate);
 
-/// Deletes landmarks that were matched in less than the wanted share of their attempts, and inverse-depth
-/// landmarks whose depth went negative. Anchors stay. The looks of this frame lose their indices: call it
-/// last.
+/// Deletes points and inverse-depth landmarks that were matched in too small a share of their attempts, and
+/// inverse-depth landmarks of negative depth. Invalidates the landmark indices of this frame's matches: call it last.
 void delete_bad_landmarks(Estimate& estimate, const MapSettings& settings);
 
-/// Turns inverse-depth landmarks into points where that changes nothing any more (Civera's index).
+/// Converts inverse-depth landmarks of small linearity index (Civera) to points.
 void simplify_landmarks(Estimate& estimate, const InitializationSettings& settings);
 
 }  // namespace incognita

@@ -9,15 +9,15 @@ namespace {
 
 constexpr int max_pixels = (max_patch_size - 2) * (max_patch_size - 2);
 constexpr double sigma_gray = 2;  // of the image and of the stored patch, each
-// What is not noise (interpolation, light, a surface that is not flat) is alike in neighbouring pixels and
-// from view to view. Without these two, slopes were ten times surer than right, against the truth
-// of the room.
-constexpr double residual_share = 0.1;  // of the patch's contrast, at the least
+// Interpolation, lighting and curvature errors are correlated between neighboring pixels and between views.
+// Without these two terms the estimated slopes were overconfident by a factor of ten against the ground truth
+// of the rendered room.
+constexpr double residual_share = 0.1;  // lower bound, relative to the patch's contrast
 constexpr double correlated_pixels = 100;
-constexpr double max_step = 0.3;   // of a slope at once: beyond, the warp is no longer linear in it
-constexpr double max_slope = 2.5;  // 68 degrees: flatter planes are not tracked anyway
+constexpr double max_step = 0.3;   // of a slope per update: beyond, the warp is not linear in it
+constexpr double max_slope = 2.5;  // 68 degrees: flatter planes are not tracked
 
-// The inner pixels of a patch, as those at the rim have no gradient
+// The inner pixels of a patch, since those at its border have no gradient
 using Pixels = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_pixels, 1>;
 using Slopes = Eigen::Matrix<double, Eigen::Dynamic, 2, 0, max_pixels, 2>;
 
@@ -30,12 +30,12 @@ Pixels inner_pixels(int size, const Gray& gray) {
   return pixels;
 }
 
-/// Grey levels of a template, up to a constant.
+/// Gray levels of a template, up to a constant.
 auto gray_of(const PatchTemplate& patch) {
   return [&patch](int r, int c) { return patch.values[r * PatchTemplate::row_stride + c] / 8.0; };
 }
 
-/// Mean off, length one: what normalised correlation compares. Returns the length.
+/// Subtracts the mean and scales to unit norm, as normalized correlation does. Returns the norm.
 double normalize(Pixels& pixels) {
   pixels.array() -= pixels.mean();
   const double length = pixels.norm();
@@ -70,7 +70,7 @@ std::optional<PlaneEvidence> plane_evidence(const Image& image, const Eigen::Vec
   const double patch_length = normalize(patch), seen_length = normalize(observed_patch);
   if (!(patch_length > 0 && seen_length > 0)) return std::nullopt;
   Slopes by_shift = gradient(expected) / patch_length;
-  for (int k = 0; k < 2; ++k) {  // what correlation does not see: a common grey, more contrast
+  for (int k = 0; k < 2; ++k) {  // remove what correlation is invariant to: offset and contrast
     by_shift.col(k).array() -= by_shift.col(k).mean();
     by_shift.col(k) -= patch * patch.dot(by_shift.col(k));
   }
@@ -84,7 +84,7 @@ std::optional<PlaneEvidence> plane_evidence(const Image& image, const Eigen::Vec
   if (!(structure.determinant() > 1e-12)) return std::nullopt;
   PlaneEvidence evidence;
   evidence.shift_per_slope = -structure.inverse() * (by_shift.transpose() * by_slope);
-  // Least squares for shift and slope at once, the shift eliminated
+  // Least squares for shift and slope, with the shift eliminated
   const Slopes free_of_shift = by_slope + by_shift * evidence.shift_per_slope;
   const Pixels residual = observed_patch - patch;
   const double noise_var =
@@ -103,7 +103,7 @@ void update_patch_plane(PatchPlane& plane, const PlaneEvidence& evidence) {
   const Eigen::Vector2d whole = plane.slope + step;
   plane.slope += step.cwiseMax(-max_step).cwiseMin(max_step);
   plane.slope = plane.slope.cwiseMax(-max_slope).cwiseMin(max_slope);
-  // Held back half way, it is no surer than before
+  // After a truncated step the covariance is kept, to stay conservative
   if (plane.slope == whole) plane.slope_cov = (cov + cov.transpose()) / 2;
 }
 

@@ -6,8 +6,7 @@
 namespace incognita {
 namespace {
 
-/// Thesis C.4: the camera must not have moved or turned so far from the birth view that the patch would not
-/// match.
+/// Thesis C.4: whether the view is close enough to the initial view, in angle and distance, for the patch to match.
 bool same_view_as_initial(const PatchView& view, const Eigen::Vector3d& point, const CameraState& from,
                           const MapSettings& settings) {
   const Eigen::Vector3d now = point - free_camera::position(from);
@@ -37,7 +36,7 @@ std::optional<Eigen::Matrix2d> local_warp(const PatchView& view, const Eigen::Ve
   const Eigen::Vector3d position = free_camera::position(from);
   const double height = normal.dot(point - position);
   if (height >= 0) return std::nullopt;  // from behind
-  constexpr double step_px = 3;  // half a patch: the map is an average over the patch rather than a tangent
+  constexpr double step_px = 3;          // half a patch: an average over the patch instead of the tangent
   Eigen::Matrix2d warp;
   for (int axis = 0; axis < 2; ++axis) {
     Eigen::Vector2d moved[2];

@@ -1,4 +1,4 @@
-// Which landmarks should be seen from here, where, how surely, and what they should look like.
+// Prediction of visible landmarks: pixel, innovation covariance and warped appearance.
 #pragma once
 
 #include <vector>
@@ -8,31 +8,32 @@
 
 namespace incognita {
 
-/// About where a landmark is; never a line. An inverse depth near zero is taken as 100 m away.
+/// Approximate position of a landmark; not for lines. An inverse depth near or below zero is replaced by a
+/// depth of 100 m.
 Eigen::Vector3d nominal_position(const Landmark& landmark, const Belief& belief);
 
-/// As predict_match(), but not how the patch would look: what an imagined look needs.
+/// predict_match() without the appearance, as needed for planned measurements.
 std::optional<FeatureMatch> predict_pixel(const Landmark& landmark, const Belief& belief,
                                           const Camera& camera, const CameraState& from,
                                           const CameraSlamSettings& settings);
 
-/// The look of one landmark from a camera state, or nothing when it should not be seen: behind the camera,
-/// outside the image, or seen too differently from its birth view for its patch to match (thesis C.4). The
-/// innovation covariance is left for fill_innovation().
+/// The predicted measurement of one landmark from a camera state. Nothing when it is not visible: behind the
+/// camera, outside the image, or too different from its initial view for a match (thesis C.4). The innovation
+/// covariance is not filled: see predict_matches().
 std::optional<FeatureMatch> predict_match(const Landmark& landmark, const Belief& belief,
                                           const Camera& camera, const CameraState& from,
                                           const CameraSlamSettings& settings);
 
-/// The look as the belief understands it, with a zero residual: two rows, camera and landmark blocks.
+/// The linearized measurement, two rows, with zero residual before a match; camera and landmark blocks.
 LinearizedMeasurement linearized_measurement(const FeatureMatch& match, const Landmark& landmark,
                                              BlockId camera, double sigma_pixel_px);
 
-/// Looks of all anchors and mapped landmarks that should be seen now, innovation covariances included.
+/// Predicts all visible anchors and mapped landmarks, with innovation covariances.
 void predict_matches(const Estimate& estimate, const Camera& camera, const CameraSlamSettings& settings,
                      std::vector<FeatureMatch>& matches);
 
-/// How a small piece of the plane through `point` with this unit normal (both world) maps from pixels of a
-/// view to pixels of the patch's own view, 2x2. Nothing when the plane is seen from behind or edge on.
+/// The 2x2 map from pixels of a view to pixels of the patch's own view, for the plane through `point` with
+/// the given unit normal (both world). Nothing when the plane is seen from behind or edge on.
 std::optional<Eigen::Matrix2d> local_warp(const PatchView& view, const Eigen::Vector3d& normal,
                                           const Eigen::Vector3d& point, const Eigen::Vector2d& pixel,
                                           const Camera& camera, const CameraState& from);

@@ -11,7 +11,7 @@ namespace {
 using Normal = Eigen::Matrix<double, 6, 6>;
 
 /// Sum of squared reprojection errors at x, with J'J and J'r over position and right rotation error; negative
-/// when a point cannot be seen.
+/// when a point is not visible.
 double reproject(const std::vector<Eigen::Vector3d>& points, const std::vector<Eigen::Vector2d>& pixels,
                  const Camera& camera, const CameraState& x, Normal& JtJ, Eigen::Matrix<double, 6, 1>& Jtr) {
   JtJ.setZero();
@@ -29,7 +29,7 @@ double reproject(const std::vector<Eigen::Vector3d>& points, const std::vector<E
   return sum;
 }
 
-/// Levenberg's iteration from a first guess; nothing when the guess sees no target.
+/// Levenberg-Marquardt iteration from an initial pose; nothing when the target is not visible from there.
 std::optional<TargetPose> refine(const std::vector<Eigen::Vector3d>& points,
                                  const std::vector<Eigen::Vector2d>& pixels, const Camera& camera,
                                  CameraState x, double sigma_pixel_px) {

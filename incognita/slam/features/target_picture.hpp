@@ -1,4 +1,4 @@
-// Whether what was taken for the target looks like it all over, and not only at its corners.
+// Verification of a detected target by its whole picture instead of its corners only.
 #pragma once
 
 #include "incognita/slam/features/target.hpp"
@@ -6,9 +6,9 @@
 
 namespace incognita {
 
-/// Normalised cross-correlation, in [-1, 1], of the target's picture with what is seen where `pose` puts it;
-/// -1 where less than half of it is in the image, or either is of one grey.
-/// Throws std::invalid_argument where the target has no picture.
+/// Normalized cross-correlation, in [-1, 1], of the target's picture with the image at `pose`; -1 when less
+/// than half of it is in the image, or either is uniform.
+/// Throws std::invalid_argument when the target has no picture.
 double correlation_with_picture(const Target& target, const Camera& camera, const Image& image,
                                 const TargetPose& pose);
 

@@ -13,29 +13,28 @@
 namespace incognita {
 namespace {
 
-constexpr double min_correlation =
-    0.7;                            // of a corner's patch: seen from another distance it is never quite alike
-constexpr int max_candidates = 14;  // per corner; all combinations of places are tried
-constexpr double max_affine_residual = 0.25;  // of the target's size in the image: perspective allows no more
-constexpr double max_sigma_m = 0.3;  // a pose less sure than this, from corners nearly in one place, is none
-constexpr double max_rms_px = 1.5;   // of a right combination
-constexpr int rounded_px = 5;        // of a corner: by the blur of camera and print
-constexpr double max_refinement_px = 2;  // from where the pose puts a corner to where its edges meet
-// Likeness less 0.2 per pixel of misfit. A target gives 0.9 and more, even seen from 60 degrees aside; what
-// only happens to stand as its corners do hardly ever gives 0.85, and every textured room has such places.
+constexpr double min_correlation = 0.7;       // of a corner patch; scale and blur differ from the file
+constexpr int max_candidates = 14;            // per corner; all combinations are tried
+constexpr double max_affine_residual = 0.25;  // of the target's image size: limit of the perspective effect
+constexpr double max_sigma_m = 0.3;           // upper limit, exceeded by nearly coincident corners
+constexpr double max_rms_px = 1.5;            // of a correct combination
+constexpr int rounded_px = 5;                 // of a corner, by the blur of camera and print
+constexpr double max_refinement_px = 2;       // from the projected corner to the intersection of its edges
+// Similarity minus 0.2 per pixel of reprojection error. Targets give 0.9 and more, even at 60 degrees.
+// Accidental constellations, which every textured room contains, hardly ever give 0.85.
 constexpr double min_score = 0.87;
-// To the picture, where there is one. In the rendered room a target gives 0.98 and more where its pose is
-// right, mostly less where it is tilted wrongly, for it is flat and far, and other things give 0.4.
+// Correlation with the picture, if there is one. In the rendered room a target gives 0.98 and more at the correct
+// pose, mostly less at a wrong tilt (the ambiguity of a distant flat target), and other objects give 0.4.
 constexpr double min_initial_similarity = 0.7, min_similarity = 0.98;
-constexpr double gate_sigmas = 3;  // within which two poses fit alike
+constexpr double gate_sigmas = 3;  // within which two poses fit equally well
 
 struct ImageCandidate {
   Eigen::Vector2d pixel;
   double correlation;
-  double dark, bright;  ///< grey levels there of what is darkest and brightest in the patch
+  double dark, bright;  ///< gray levels of the darkest and brightest part of the patch
 };
 
-/// What correlation does not look at: how much brighter and richer in contrast the place is than the patch.
+/// The brightness and contrast of a candidate, to which correlation is invariant.
 ImageCandidate candidate_at(const SummedImage& image, const PatchTemplate& patch, int u, int v) {
   const double n = static_cast<double>(patch.size) * patch.size;
   const SummedImage::Sums here = image.over(u - patch.size / 2, v - patch.size / 2, patch.size);
@@ -45,7 +44,7 @@ ImageCandidate candidate_at(const SummedImage& image, const PatchTemplate& patch
   return {{u, v}, 0, mean + gain * *least, mean + gain * *most};
 }
 
-/// The best few local maxima of correlation over the whole image.
+/// The highest local maxima of the correlation over the whole image.
 std::vector<ImageCandidate> best_candidates(const SummedImage& image, const PatchTemplate& patch,
                                             CorrelationSheet& sheet) {
   const int width = image.image().width(), height = image.image().height();
@@ -76,13 +75,12 @@ std::optional<PatchTemplate> as_template(const Image& patch) {
               std::min(max_patch_size, patch.width()));
 }
 
-/// A quick look at a combination before a pose is solved: seen from its printed side and not too near, a flat
-/// target looks nearly like its plan under an affine map, and corners must be further apart than a patch is
-/// wide.
+/// Cheap test of a combination before its pose is solved. From the printed side and a sufficient distance, a flat
+/// target is nearly an affine image of its plan, and corners must be further apart than the width of a patch.
 class QuickCheck {
  public:
   QuickCheck(const Target& target, double least_apart_px) : least_apart_px_(least_apart_px) {
-    // Plan of the target with x to the right and y down for someone facing it
+    // Plan of the target in the view of an observer facing it, x to the right and y down
     const Eigen::Vector3d any =
         std::abs(target.normal.z()) < 0.9 ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d::UnitX();
     const Eigen::Vector3d right = any.cross(target.normal).normalized(), down = right.cross(-target.normal);
@@ -92,7 +90,7 @@ class QuickCheck {
           target.corners[static_cast<std::size_t>(i)].position - target.corners[0].position;
       plan_.row(i) << at.dot(right), -at.dot(down), 1;
     }
-    // Least squares; four_of() takes no four on one line
+    // Least squares; four_of() avoids collinear corners
     solve_ = (plan_.transpose() * plan_).inverse() * plan_.transpose();
   }
 
@@ -116,11 +114,11 @@ class QuickCheck {
   Eigen::Matrix3Xd solve_;
 };
 
-/// Mean correlation, less what tells the corners of one thing in one light from corners of different things:
-/// how far apart their dark and bright levels are, as a share of the contrast.
+/// Mean correlation minus a penalty for different illumination of the corners: the spread of their dark and
+/// bright levels relative to the contrast.
 double similarity(const std::vector<const ImageCandidate*>& corners) {
   double correlation = 0, contrast = 0;
-  double dark[] = {1e9, -1e9}, bright[] = {1e9, -1e9};  // least, most
+  double dark[] = {1e9, -1e9}, bright[] = {1e9, -1e9};  // minimum, maximum
   for (const ImageCandidate* corner : corners) {
     correlation += corner->correlation / static_cast<double>(corners.size());
     contrast += (corner->bright - corner->dark) / static_cast<double>(corners.size());
@@ -130,7 +128,7 @@ double similarity(const std::vector<const ImageCandidate*>& corners) {
   return correlation - 0.2 * std::max(dark[1] - dark[0], bright[1] - bright[0]) / contrast;
 }
 
-/// Of what is seen from the pose to the target's picture; 1 where there is none.
+/// Correlation of the image at this pose with the target's picture; 1 without a picture.
 double similarity_at_pose(const Target& target, const Camera& camera, const Image& image,
                           const TargetPose& pose) {
   return target.picture ? correlation_with_picture(target, camera, image, pose) : 1;
@@ -138,10 +136,10 @@ double similarity_at_pose(const Target& target, const Camera& camera, const Imag
 
 struct Best {
   std::optional<TargetPose> pose;
-  std::optional<double> unlike;  ///< the most likeness to the picture, of poses that were not like it enough
+  std::optional<double> unlike;  ///< highest correlation of the poses rejected by the picture
 };
 
-/// The next choice of one place for each corner, as an odometer counts; false after the last.
+/// The next combination of one candidate per corner; false after the last.
 bool next(std::vector<std::size_t>& index, const std::vector<std::vector<ImageCandidate>>& places) {
   for (std::size_t c = 0; c < places.size(); ++c) {
     if (++index[c] < places[c].size()) return true;
@@ -150,7 +148,7 @@ bool next(std::vector<std::size_t>& index, const std::vector<std::vector<ImageCa
   return false;
 }
 
-/// Tries every combination of places, one per corner.
+/// Tests all combinations of one candidate per corner.
 Best try_combinations(const Target& target, const Camera& camera, const Image& image,
                       const std::vector<std::vector<ImageCandidate>>& places, double sigma_pixel_px) {
   Best best;
@@ -172,7 +170,7 @@ Best try_combinations(const Target& target, const Camera& camera, const Image& i
       const bool good = !poses.empty() && poses[0].rms_px < max_rms_px &&
                         poses[0].covariance.diagonal().head<3>().maxCoeff() < max_sigma_m * max_sigma_m &&
                         target.normal.dot(poses[0].position - points[0]) > 0;
-      // Half a pixel of misfit weighs as much as 0.1 of correlation
+      // Half a pixel of reprojection error weighs as much as 0.1 of correlation
       const double score = good ? alike - 0.2 * poses[0].rms_px : 0;
       if (score <= best_score) continue;
       const double like = similarity_at_pose(target, camera, image, poses[0]);
@@ -185,7 +183,7 @@ Best try_combinations(const Target& target, const Camera& camera, const Image& i
   return best;
 }
 
-/// `least`: the likeness that it would need.
+/// `least`: the required correlation.
 std::string not_like(const Target& target, double similarity, double least) {
   std::ostringstream why;
   why << "what stands as the corners of target " << target.name;
@@ -204,8 +202,8 @@ std::string no_pose(const Target& target) {
   return "places like the corners of target " + target.name + " fit no camera pose";
 }
 
-/// Four corners far apart and not on one line: combinations of more would take time exponential in their
-/// number, and four are enough for a pose.
+/// Four distant, non-collinear corners: the time of the search is exponential in their number, and four
+/// suffice for a pose.
 Target four_of(const Target& target) {
   Target four = target;
   four.corners = {target.corners.front()};
@@ -230,7 +228,7 @@ Target four_of(const Target& target) {
   return four;
 }
 
-/// Where all corners are seen from a pose; nothing when one of them is not.
+/// Projection of all corners; nothing when one of them is out of view.
 std::optional<std::vector<Eigen::Vector2d>> seen_from(const TargetPose& pose, const Target& target,
                                                       const Camera& camera) {
   const Eigen::Matrix3d camera_from_world = rotation_matrix(pose.world_from_camera).transpose();
@@ -243,8 +241,8 @@ std::optional<std::vector<Eigen::Vector2d>> seen_from(const TargetPose& pose, co
   return pixels;
 }
 
-/// A patch from a file is never quite alike, so its correlation peaks a little beside the corner, the same
-/// way in every run: the edges in the image itself say where the corner is.
+/// Refines corners at the intersection of the image's own edges. The correlation with a patch from a file
+/// peaks beside the corner, with a systematic error.
 std::vector<Eigen::Vector2d> to_edges(const Image& image, const std::vector<Eigen::Vector2d>& pixels,
                                       int window_px) {
   std::vector<Eigen::Vector2d> refined;
@@ -255,8 +253,8 @@ std::vector<Eigen::Vector2d> to_edges(const Image& image, const std::vector<Eige
   return refined;
 }
 
-/// Whether the pixels fit both poses that a flat target allows, and those are far apart: seen from far, and
-/// nearly straight on, only the noise says which.
+/// Whether both poses of a flat target fit the pixels and are far apart: from a distance and nearly frontal,
+/// only noise distinguishes them.
 bool two_fit(const std::vector<TargetPose>& poses, double sigma_pixel_px) {
   if (poses.size() < 2) return false;
   const double worse = std::pow(poses[1].rms_px, 2) - std::pow(poses[0].rms_px, 2);
@@ -264,8 +262,8 @@ bool two_fit(const std::vector<TargetPose>& poses, double sigma_pixel_px) {
          (poses[0].position - poses[1].position).norm() > 2 * max_sigma_m;
 }
 
-/// Solved again from all corners, each taken from its edges. Of the two poses that a flat target allows, the
-/// one nearer to what was found.
+/// The pose from all corners, each at the intersection of its edges. Of the two poses of a flat target the
+/// one nearer to `found` is taken.
 TargetSearch refined(const Target& target, const Camera& camera, const Image& image, double sigma_pixel_px,
                      const TargetPose& found) {
   std::vector<Eigen::Vector3d> points;

@@ -1,4 +1,4 @@
-// Deciding whether the estimator knows where it is.
+// The tracking status of the camera estimator.
 #pragma once
 
 #include "incognita/slam/features/estimate.hpp"
@@ -6,7 +6,7 @@
 
 namespace incognita {
 
-/// The status after a frame in which `matched` of `searched` looks updated the filter.
+/// The status after a frame in which `matched` of `searched` features updated the filter.
 TrackingStatus assess(const TrackingStatus& before, int matched, int searched, double sigma_position_m,
                       const CameraSlamSettings& settings);
 

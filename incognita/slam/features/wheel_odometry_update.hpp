@@ -1,4 +1,4 @@
-// Wheel odometry as a measurement of the camera that the vehicle carries.
+// Wheel odometry of the carrier as a measurement of the camera.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,8 +8,8 @@
 
 namespace incognita {
 
-/// Updates the belief by a reading of the wheels: speed (m/s) and turn rate (rad/s, to the left), the means
-/// over the tick, which are those of the state, as (5.24) moves with them.
+/// Updates the belief with a wheel reading: speed (m/s) and turn rate (rad/s, positive to the left), means
+/// over the tick. In (5.24) the velocity of the state is constant over the tick, hence the mean.
 UpdateReport update_with_wheel_odometry(Belief& belief, BlockId camera, const WheelOdometry& odometry,
                                         const Eigen::Vector2d& wheels);
 

@@ -10,7 +10,7 @@ Entropy entropies_of(const Belief& belief, int vehicle) {
   const int stride = round_up_to_panel(size) + rank_update_panel;
   const Eigen::MatrixXd P = belief.dense_covariance();
   AlignedBuffer storage(static_cast<std::size_t>(stride) * size), workspace(cholesky_workspace(size));
-  // What moves comes first: order it last, so that the leading part of the factor is the map's own
+  // Vehicles come first in the state. They are ordered last here, so that the leading part of the factor is the map's
   Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>> ordered(storage.data(), size, size,
                                                                Eigen::OuterStride<>(stride));
   ordered.topLeftCorner(map, map) = P.bottomRightCorner(map, map);

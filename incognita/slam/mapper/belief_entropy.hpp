@@ -6,11 +6,11 @@
 
 namespace incognita {
 
-/// Of its first `vehicle` errors, which are those of what moves, of the rest, and of all. One Cholesky
-/// factorisation of the covariance with the vehicle last gives map and whole together; it grows with the cube
-/// of the map. NaN where the covariance is not positive definite.
+/// Entropies of the first `vehicle` errors (the vehicles), of the rest (the map) and of all. One Cholesky
+/// factorization of the covariance with the vehicles last gives both map and total; cubic in the map. NaN
+/// when the covariance is not positive definite.
 Entropy entropies_of(const Belief& belief, int vehicle);
-/// The same from the factor that the information form has anyway.
+/// The same from the factor that the information form computes anyway.
 Entropy entropies_of(const InformationBelief& belief, int vehicle);
 Entropy entropies_of(const AnyBelief& belief, int vehicle);
 

@@ -8,15 +8,16 @@
 
 namespace incognita {
 
-/// From log-determinants: thesis (6.2). Map and total are refreshed about once a second.
+/// Entropies from log-determinants: thesis (6.2). Map and total are refreshed about once a second, the vehicle too in a
+/// team; the camera estimator refreshes its vehicle entropy at every frame.
 struct Entropy {
   double vehicle = std::numeric_limits<double>::quiet_NaN();
   double map = std::numeric_limits<double>::quiet_NaN();
   double total = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// How often map and whole are worked out, which costs the cube of the state: once a second, and the larger
-/// the rarer, so that it never costs more than a small share of a run.
+/// Period of the refresh of map and total, whose cost is cubic in the state: one second, longer for large
+/// states, so that the cost stays a small share of the run time.
 inline double entropy_period_s(int states) { return std::max(1.0, std::pow(states / 600.0, 3)); }
 
 }  // namespace incognita

@@ -1,4 +1,4 @@
-// How long each stage of a frame took.
+// Computation time of each stage of a tick.
 #pragma once
 
 #include <chrono>
@@ -13,7 +13,7 @@ class StageClock {
       : timing_ms_(timing_ms), last_(Clock::now()) {
     timing_ms_.clear();
   }
-  /// The time since the last mark belongs to this stage.
+  /// Assigns the time since the previous mark to this stage.
   void mark(const char* stage) {
     const auto now = Clock::now();
     timing_ms_.emplace_back(stage, std::chrono::duration<double, std::milli>(now - last_).count());

@@ -1,4 +1,4 @@
-// Whether the estimator knows where it is, and if not, why not.
+// The tracking status of an estimator, with its reason.
 #pragma once
 
 #include <string>
@@ -23,14 +23,14 @@ inline const char* name(TrackingState state) {
   return "unknown";
 }
 
-/// What became of one landmark's look in a frame.
+/// Outcome of the measurement of one landmark at a tick.
 enum class MatchOutcome {
   matched,
   not_found,
   outlier,
-  unconfirmed,  ///< found where nothing speaks against it, and nothing else for it
+  unconfirmed,  ///< re-detected, but no other match constrains it
   not_searched,
-  initialized,  ///< a new landmark was made of it
+  initialized,  ///< used to initialize a new landmark
 };
 
 inline const char* name(MatchOutcome outcome) {
@@ -53,8 +53,8 @@ inline const char* name(MatchOutcome outcome) {
 
 struct TrackingStatus {
   TrackingState state = TrackingState::starting;
-  std::string reason;  ///< machine-readable enough to act on, e.g. "2 of 12 features matched, gate 3 sigma"
-  int frames_with_few = 0;  ///< consecutive frames with fewer matches than needed
+  std::string reason;       ///< states values and limits, e.g. "2 of 12 features matched, gate 3 sigma"
+  int frames_with_few = 0;  ///< consecutive frames with too few matches
 };
 
 }  // namespace incognita

@@ -13,15 +13,15 @@ namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
 
-/// Chi-square gates by degrees of freedom, from 1 to `most`.
+/// Chi-square gates for 1 to `most` degrees of freedom, by degrees of freedom.
 std::vector<double> gates_up_to(int most, double probability) {
   std::vector<double> gates(most + 1, 0);
   for (int dof = 1; dof <= most; ++dof) gates[dof] = chi_square_quantile(probability, dof);
   return gates;
 }
 
-/// The joint search. Pairings are decided measurement by measurement; the Cholesky factor of the innovation
-/// covariance of those taken grows and shrinks by one pairing at a time.
+/// The joint search, one measurement per level. The Cholesky factor of the joint innovation covariance grows
+/// and shrinks by one pairing at a time.
 class BranchAndBound {
  public:
   BranchAndBound(const AnyBelief& belief, std::span<const Pairing> pairings, const std::vector<double>& alone,
@@ -49,7 +49,7 @@ class BranchAndBound {
   }
 
  private:
-  /// Pairings inside their own gate, by measurement, the nearest first.
+  /// The individually compatible pairings by measurement, nearest first.
   void collect(const std::vector<double>& alone) {
     std::vector<int> order(pairings_.size());
     std::iota(order.begin(), order.end(), 0);
@@ -72,8 +72,8 @@ class BranchAndBound {
     return std::any_of(path_.begin(), path_.end(), [&](int p) { return pairings_[p].landmark == landmark; });
   }
 
-  /// Puts a pairing at the end of the path; false, and nothing done, when the innovations are too improbable
-  /// together. `distance2` becomes that of the longer path.
+  /// Appends a pairing to the path and updates `distance2`. Returns false, without effect, when the path
+  /// would not be jointly compatible.
   bool push(int p, int rows, double& distance2) {
     const LinearizedMeasurement& linearized = pairings_[p].linearized;
     const int n = linearized.rows();
@@ -122,7 +122,7 @@ class BranchAndBound {
     if (can_win(measurement + 1, 0, distance2)) descend(measurement + 1, rows, distance2);
   }
 
-  /// Whether the path with `more` pairings, and all measurements from `next` on paired, could be the best.
+  /// Whether the path with `more` pairings could beat the best one if all measurements from `next` on were paired.
   bool can_win(std::size_t next, std::size_t more, double distance2) const {
     const std::size_t most = path_.size() + more + (options_.size() - next);
     return most > best_.chosen.size() || (most == best_.chosen.size() && distance2 < best_.distance2);
@@ -130,11 +130,11 @@ class BranchAndBound {
 
   std::span<const Pairing> pairings_;
   const AssociationSettings& settings_;
-  std::vector<std::vector<int>> options_;  ///< by measurement
-  std::vector<int> first_row_;             ///< of each pairing in S_
+  std::vector<std::vector<int>> options_;  ///< pairings by measurement
+  std::vector<int> first_row_;             ///< row of each pairing in S_
   std::vector<double> gates_;              ///< by degrees of freedom
-  Eigen::MatrixXd S_;                      ///< of all pairings inside their own gates
-  Eigen::MatrixXd L_;                      ///< Cholesky factor of the path's part of S_
+  Eigen::MatrixXd S_;                      ///< joint innovation covariance of the compatible pairings
+  Eigen::MatrixXd L_;                      ///< Cholesky factor of S_ restricted to the path
   Eigen::VectorXd whitened_;               ///< L^-1 r of the path
   std::vector<int> path_;
   Association best_;

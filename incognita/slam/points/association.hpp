@@ -1,9 +1,9 @@
-// Which measurement is of which landmark.
+// Data association of measurements and landmarks.
 //
-// Both ways work on pairings that could be: a measurement, a landmark, and the look that the one would be of
-// the other. Nearest neighbour decides each pairing by itself; joint compatibility branch and bound (Neira,
-// Tardos, IEEE Trans. Robotics and Automation 2001) takes the largest set of pairings whose innovations,
-// correlated as they are through the vehicle, are probable together.
+// Both methods choose among candidate pairings: a measurement, a landmark, and the linearized measurement
+// that results if they belong together. Nearest neighbor decides each pairing individually. Joint
+// compatibility branch and bound (Neira, Tardos, IEEE Trans. Robotics and Automation 2001) finds the largest
+// set of jointly compatible pairings, whose innovations are correlated through the vehicle.
 #pragma once
 
 #include <cstdint>
@@ -17,40 +17,40 @@ namespace incognita {
 
 struct Pairing {
   int measurement = 0;
-  int landmark = 0;                  ///< any number that tells landmarks apart
-  LinearizedMeasurement linearized;  ///< of that landmark, with the residual of that measurement
+  int landmark = 0;                  ///< any unique number
+  LinearizedMeasurement linearized;  ///< prediction of the landmark, residual of the measurement
 };
 
 struct AssociationSettings {
-  double probability = 0.95;         ///< a right pairing, or set of them, is inside its chi-square gate
-  std::int64_t max_nodes = 100'000;  ///< of the joint search; then the best set so far is taken
+  double probability = 0.95;         ///< of the chi-square gate, for a correct pairing or set of pairings
+  std::int64_t max_nodes = 100'000;  ///< limit of the joint search, which then returns the best set so far
 };
 
 struct Association {
-  std::vector<int> chosen;  ///< indices into the pairings: at most one per measurement and per landmark
-  double distance2 = 0;     ///< r' S^-1 r: of all innovations together, or the sum of each by itself
-  std::int64_t nodes = 0;   ///< of the joint search
+  std::vector<int> chosen;  ///< indices of pairings; at most one per measurement and per landmark
+  double distance2 = 0;     ///< r' S^-1 r, joint (branch and bound) or summed over the pairings
+  std::int64_t nodes = 0;   ///< visited by the joint search
   bool capped = false;      ///< max_nodes was reached: a better set may exist
 };
 
-/// A pairing that could be, and how far its innovation is from none.
+/// A candidate pairing and its squared Mahalanobis distance.
 struct Candidate {
   int measurement = 0, landmark = 0;
   double distance2 = 0;  ///< r' S^-1 r
 };
 
-/// Of these the nearest first, as indices: each measurement and each landmark once.
+/// Greedy assignment, nearest first: indices of candidates, each measurement and each landmark at most once.
 std::vector<int> nearest_first(std::span<const Candidate> candidates);
 
-/// r' S^-1 r of each pairing alone; infinite where S is not positive definite or a number is not finite.
+/// r' S^-1 r of each pairing; infinite when S is not positive definite or a number is not finite.
 std::vector<double> individual_distances(const AnyBelief& belief, std::span<const Pairing> pairings);
 
-/// Of the pairings inside their own gate, the nearest first; each measurement and each landmark once.
+/// Greedy nearest-neighbor assignment of the individually compatible pairings.
 Association nearest_neighbors(const AnyBelief& belief, std::span<const Pairing> pairings,
                               const AssociationSettings& settings);
 
-/// The most pairings that are inside their own gates and inside the gate of all together; of sets as large
-/// the one that is nearest.
+/// The largest set of pairings that are individually and jointly compatible; in a tie the set with the
+/// smallest joint distance.
 Association jointly_compatible(const AnyBelief& belief, std::span<const Pairing> pairings,
                                const AssociationSettings& settings);
 

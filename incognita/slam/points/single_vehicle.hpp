@@ -1,4 +1,4 @@
-// One vehicle on a plane that measures ranges and bearings: its settings as those of an estimator.
+// Settings of a range-bearing vehicle on a plane, converted to those of a team of one.
 #pragma once
 
 #include <cstdint>
@@ -9,9 +9,9 @@
 
 namespace incognita {
 
-/// `anchor_identities`: the identities that the sensor gives the anchors of the settings, in their order; needed for
-/// association by identity, else empty. Throws std::invalid_argument for a vehicle model that is not on a plane, and
-/// where identities are needed and missing.
+/// `anchor_identities`: the identities of the anchors in sensor data, in the order of the settings; required
+/// for association by identity, else empty. Throws std::invalid_argument for a vehicle model that is not
+/// planar, and for missing identities.
 TeamSettings single_vehicle(const PlanarSlamSettings& settings,
                             const std::vector<std::int64_t>& anchor_identities = {});
 

@@ -30,7 +30,7 @@ std::vector<std::size_t> in_order(const std::vector<PointDetection>& detections,
   return order;
 }
 
-/// The detections without identity, against every landmark.
+/// Gating and association of the detections without identity.
 class UnidentifiedDetections {
  public:
   UnidentifiedDetections(const TeamEstimate& e, int vehicle, const std::vector<PointDetection>& detections,
@@ -79,7 +79,7 @@ class UnidentifiedDetections {
         numbers_[static_cast<std::size_t>(landmark)];
   }
 
-  /// The prediction of a landmark is the same for all detections; only innovation and noise are their own.
+  /// The prediction of a landmark is shared by all detections; only innovation and noise differ.
   void gate_against(std::int64_t number) {
     auto expected =
         linearize_detection(e_, vehicle_, false, {number, detections_[usable_.front()].z}, settings_);
@@ -103,7 +103,7 @@ class UnidentifiedDetections {
     numbers_.push_back(number);
   }
 
-  /// A landmark or anchor in the frame of the map; nothing at infinity.
+  /// Position of a landmark or anchor in the map frame; nothing at infinity.
   std::optional<SmallVector> position(std::int64_t number) const {
     const auto landmark = e_.landmarks.find(number);
     if (landmark == e_.landmarks.end()) return anchor_position(e_, settings_.anchors.at(number));
@@ -115,7 +115,7 @@ class UnidentifiedDetections {
     return (a - b).norm() < settings_.association.initialization_distance_m;
   }
 
-  /// Two detections so near to each other are of one new landmark.
+  /// Whether a detection is so near to a chosen one that both belong to one new landmark.
   bool near_another(std::size_t s, const std::vector<std::size_t>& chosen) const {
     return points_[s] && std::any_of(chosen.begin(), chosen.end(), [&](std::size_t other) {
              return points_[other] && near(*points_[s], *points_[other]);
@@ -127,11 +127,11 @@ class UnidentifiedDetections {
   const std::vector<PointDetection>& detections_;
   const TeamSettings& settings_;
   std::vector<std::size_t> usable_;                 ///< indices of detections
-  std::vector<std::optional<SmallVector>> points_;  ///< of each in the frame of the map
-  std::vector<bool> is_new_;                        ///< of each: outside every wide gate
+  std::vector<std::optional<SmallVector>> points_;  ///< of each in the map frame
+  std::vector<bool> is_new_;                        ///< of each: outside every initialization gate
   double gate_ = 0, initialization_gate_ = 0;
-  std::vector<std::int64_t> numbers_;  ///< of the landmarks that candidates and pairings name
-  std::vector<Candidate> candidates_;  ///< inside the gate
+  std::vector<std::int64_t> numbers_;  ///< landmarks of candidates_ and pairings_
+  std::vector<Candidate> candidates_;  ///< pairings inside the gate
   std::vector<Pairing> pairings_;      ///< the same, linearized, for the joint search
   Eigen::MatrixXd S_;
 };

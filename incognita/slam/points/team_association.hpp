@@ -12,24 +12,24 @@
 namespace incognita {
 
 struct ViewAssociation {
-  /// Per detection the number of its landmark or anchor, Detection::unknown where it has none.
+  /// Per detection the number of its landmark or anchor; Detection::unknown without association.
   std::vector<std::int64_t> landmarks;
-  std::vector<std::size_t>
-      candidates;  ///< candidates for new landmarks: outside the wide gate of every landmark
-  /// All detections: anchors by number, then the others by their numbers. So the result, to the last bit, does not
-  /// depend on the order of the detections, which might give away what they are.
+  std::vector<std::size_t> candidates;  ///< outside the initialization gate of every landmark
+  /// All detections: anchors by identity, then the others sorted by their measurements. The result is
+  /// therefore bitwise independent of the order of the detections, which could reveal their identities.
   std::vector<std::size_t> order;
-  bool capped = false;  ///< the joint search reached its cap: a better association may exist
+  bool capped = false;  ///< the joint search reached its node limit: a better association may exist
 };
 
-/// Of the detections of one vehicle. Anchors are known by their identity where settings.anchors_have_identity; no
-/// other identity is read. Each landmark has one detection at most and each detection one landmark.
+/// Associates the landmark detections of one vehicle. Anchors are matched by identity if
+/// settings.anchors_have_identity; no other identity is used. Each landmark gets at most one detection and
+/// vice versa.
 ///
-/// `nearest` takes the nearest pair first by the squared Mahalanobis distance r' S^-1 r, S = H P H' + R over the errors
-/// of vehicle and landmark and their correlations; `joint` takes the largest jointly compatible set
-/// (association.hpp). A detection outside every gate and inside a wide one, or nearer to a landmark than
-/// `initialization_distance_m`, is neither associated nor a candidate; of two candidates nearer to each other than that, the
-/// first is.
+/// `nearest` assigns the nearest pair first by the squared Mahalanobis distance r' S^-1 r, S = H P H' + R,
+/// with the cross covariances of vehicle and landmark; `joint` takes the largest jointly compatible set
+/// (association.hpp). A detection outside every gate but inside an initialization gate, or nearer to a
+/// landmark than `initialization_distance_m`, is neither associated nor a candidate; of two candidates nearer
+/// to each other than that, only the first is kept.
 ViewAssociation associate_view(const TeamEstimate& estimate, int vehicle,
                                const std::vector<PointDetection>& landmarks, const TeamSettings& settings);
 

@@ -9,7 +9,7 @@
 namespace incognita {
 namespace {
 
-/// A landmark of a map in the vehicle's frame, in the world.
+/// Position in the world of a landmark of a map in the vehicle frame.
 TeamPosition out_of_vehicle_frame(const TeamLandmark& landmark, const TeamEstimate& e) {
   const Eigen::Vector2d mean = e.belief.mean(landmark.block);
   const planar::FramedPoint at = planar::in_frame(planar::Pose<double>(e.belief.mean(*e.world)), mean);
@@ -26,7 +26,7 @@ int vehicle_errors(const TeamEstimate& e) {
   return errors;
 }
 
-/// Of a map whose blocks are not correlated: sums over them, and the Schur complement of the vehicle for all together.
+/// Entropies with a block-diagonal map: sums over its blocks, and the Schur complement of the vehicle for the total.
 Entropy entropies_of_arrow(const TeamEstimate& e) {
   const BlockId vehicle = e.vehicles.front().block;
   double map = 0;
@@ -44,7 +44,7 @@ Entropy entropies_of_arrow(const TeamEstimate& e) {
           gaussian_entropy(map, errors), gaussian_entropy(map + log_det(left), errors + own)};
 }
 
-/// Of a map in the vehicle's frame: the pose is that of the world, seen from the vehicle.
+/// Entropies of a map in the vehicle frame: the pose is that of the world relative to the vehicle.
 Entropy entropies_in_vehicle_frame(const TeamEstimate& e) {
   const Eigen::MatrixXd P = e.belief.dense_covariance();
   const Eigen::Index first = e.belief.offset(*e.world), rest = P.rows() - first - 3;

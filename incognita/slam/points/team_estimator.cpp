@@ -23,7 +23,7 @@ double distance_of(const LinearizedMeasurement& measurement, const SmallMatrix& 
   return measurement.residual.dot(S.llt().solve(SmallVector(measurement.residual)));
 }
 
-/// Of sightings with so many numbers, which to believe.
+/// Chi-square gate by the rows of a measurement; open for a probability of 1.
 class Gate {
  public:
   explicit Gate(double probability) : shut_(probability < 1) {
@@ -54,7 +54,7 @@ AnyBelief empty_belief(const TeamFilterSettings& filter) {
       64, filter.decorrelate == "map-linear" ? MapCorrelations::block_diagonal : MapCorrelations::full));
 }
 
-/// The vehicle alone, or of a map in its frame also the world as it sees it.
+/// Adds the vehicle and, for a map in its frame, the pose of the world relative to it.
 void add_vehicle(TeamEstimate& e, const TeamMember& member, const SmallVector& start, double t,
                  bool in_vehicle_frame) {
   const SmallMatrix P = member.start_sigmas.cwiseAbs2().asDiagonal();
@@ -118,7 +118,7 @@ void note(TeamEstimate& e, int vehicle, bool of_vehicle, std::int64_t identity, 
   e.matches.push_back({vehicle, of_vehicle, anchor, identity, z, {}, {}, MatchOutcome::not_searched});
 }
 
-/// Linearises a sighting of what is known, and keeps it when it is inside the gate.
+/// Linearizes a detection of an anchor, a mapped landmark or a vehicle, and gates it.
 void linearize_and_gate(TeamEstimate& e, std::size_t index, const Gate& gate, const TeamSettings& settings) {
   Match& match = e.matches[index];
   Inliers& inliers = e.inliers;
@@ -136,7 +136,7 @@ void linearize_and_gate(TeamEstimate& e, std::size_t index, const Gate& gate, co
   inliers.measurements.push_back(at->linearized);
 }
 
-/// Whether a detection of the same vehicle and landmark comes before `end` in the list of this tick.
+/// Whether a detection of the same landmark by the same vehicle precedes `end` in this tick's matches.
 bool was_measured(const TeamEstimate& e, int vehicle, std::int64_t identity, std::size_t end) {
   return std::any_of(e.matches.begin(), e.matches.begin() + static_cast<std::ptrdiff_t>(end),
                      [&](const Match& match) {
@@ -144,7 +144,7 @@ bool was_measured(const TeamEstimate& e, int vehicle, std::int64_t identity, std
                      });
 }
 
-/// By the identities that the sensor measures, each once. Detections without identity are not used.
+/// Association by identity, one detection per landmark. Detections without identity are ignored.
 void associate_by_identity(TeamEstimate& e, int vehicle, const BodyObservation& view, const Gate& gate,
                            const TeamSettings& settings) {
   for (const PointDetection& s : view.landmarks) {
@@ -157,8 +157,8 @@ void associate_by_identity(TeamEstimate& e, int vehicle, const BodyObservation& 
   }
 }
 
-/// By where they are seen. Two vehicles may see the same new landmark, and only once it is in the map can the
-/// second one's sighting be held against it: so one vehicle gives births in a tick.
+/// Association by position. Two vehicles may detect the same new landmark, and the second detection can be
+/// associated only once the landmark is in the map: therefore one vehicle per tick initializes landmarks.
 void associate_by_position(TeamEstimate& e, int vehicle, const BodyObservation& view, const Gate& gate,
                            const TeamSettings& settings) {
   const ViewAssociation taken = associate_view(e, vehicle, view.landmarks, settings);
@@ -171,7 +171,7 @@ void associate_by_position(TeamEstimate& e, int vehicle, const BodyObservation& 
   for (const std::size_t s : taken.candidates) e.inliers.candidates.push_back(first + s);
 }
 
-/// Notes every sighting, says what it is of, and keeps those that are to be used.
+/// Associates and gates all detections of the tick.
 void associate(TeamEstimate& e, const Observation& observation, const TeamSettings& settings) {
   const Gate gate(settings.filter.gate_probability);
   e.inliers.indices.clear();
@@ -190,7 +190,7 @@ void associate(TeamEstimate& e, const Observation& observation, const TeamSettin
   e.capped_associations += e.association_capped;
 }
 
-/// The same sightings about the belief's present means; without parts where the sensor could not have it.
+/// The inliers linearized at the belief's current means; without parts where a measurement is not defined.
 std::vector<LinearizedMeasurement> relinearized_measurements(const TeamEstimate& e,
                                                              const TeamSettings& settings) {
   std::vector<LinearizedMeasurement> measurements(e.inliers.measurements.size());
@@ -203,7 +203,7 @@ std::vector<LinearizedMeasurement> relinearized_measurements(const TeamEstimate&
   return measurements;
 }
 
-/// Blocks that the looks are from and at, each once.
+/// The blocks that the measurements depend on, each once.
 std::vector<BlockId> blocks_of(const std::vector<LinearizedMeasurement>& measurements) {
   std::set<BlockId> blocks;
   for (const LinearizedMeasurement& measurement : measurements)
@@ -253,7 +253,7 @@ void initialize_landmarks(TeamEstimate& e, const TeamSettings& settings) {
   for (const std::size_t index : e.inliers.candidates) {
     Match& match = e.matches[index];
     const std::int64_t identity = named ? match.identity : new_number(e);
-    if (e.landmarks.count(identity) > 0) continue;  // another vehicle's sighting was before
+    if (e.landmarks.count(identity) > 0) continue;  // already initialized by another vehicle
     if (!initialize_landmark(e, match.vehicle, {identity, match.measured}, settings)) continue;
     match.identity = identity;
     match.outcome = MatchOutcome::initialized;

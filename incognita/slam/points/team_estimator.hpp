@@ -1,5 +1,6 @@
-// Localisation and mapping by any number of vehicles in one belief, thesis (5.16)-(5.19): each moves by its
-// own model, sees landmarks, with names or without, and the others of its team. One vehicle is a team too.
+// Localization and mapping by any number of vehicles in one belief, thesis (5.16)-(5.19). Each vehicle has
+// its own motion model and detects landmarks, with or without identity, and other team members. A single
+// vehicle is a team of one.
 #pragma once
 
 #include <optional>
@@ -14,21 +15,21 @@
 
 namespace incognita {
 
-/// Why these cannot be; empty when they can.
+/// The reason why the settings are invalid; empty when they are valid.
 std::string validate_team_settings(const TeamSettings& settings);
 
 class TeamEstimator {
  public:
   using Estimate = TeamEstimate;
 
-  /// Throws std::invalid_argument with the fault.
+  /// Throws std::invalid_argument with the reason when the settings are invalid.
   explicit TeamEstimator(TeamSettings settings);
 
   const TeamSettings& settings() const { return settings_; }
 
-  /// `observation.bodies`: one for each vehicle, in their order; throws std::invalid_argument when there are
-  /// others. Each vehicle is predicted through what it told to the tick's time; then all sightings are used
-  /// at once.
+  /// `observation.bodies` has one entry per vehicle, in the order of the members; throws std::invalid_argument
+  /// when their number differs. Predicts each vehicle through its inputs to the time of the tick, then
+  /// applies all inliers in one update.
   void update(TeamEstimate& estimate, const Command& command, const Observation& observation,
               const Tick& tick) const;
 

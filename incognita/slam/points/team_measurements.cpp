@@ -23,15 +23,15 @@ SmallVector residual_of(const AnySensor& sensor, const SmallVector& measured, co
 
 bool uses_first_estimates(const TeamSettings& s) { return s.filter.linearization == "first-estimate"; }
 
-/// A point that is looked at, where it is told in the belief, and what of it depends on that block.
+/// The observed point, with the belief block that it depends on.
 struct Target {
   LandmarkParametrization form;
   SmallVector mean, first;
-  std::optional<BlockId> block;  ///< none: an anchor
+  std::optional<BlockId> block;  ///< none: an anchor in a world-frame map
   SmallMatrix by_block;          ///< d(mean) / d(error of the block)
 };
 
-/// An anchor is where it is in the world; in a map in the vehicle's frame, where the world's pose puts it.
+/// An anchor is constant in a world-frame map; in a vehicle-frame map it depends on the pose of the world.
 Target target_of_anchor(const TeamEstimate& e, const SmallVector& anchor) {
   if (!e.world) return {{}, anchor, anchor, std::nullopt, {}};
   const planar::FramedPoint here =
@@ -39,7 +39,7 @@ Target target_of_anchor(const TeamEstimate& e, const SmallVector& anchor) {
   return {{}, here.point, here.point, *e.world, here.by_frame};
 }
 
-/// `dimensions`: of the map, in which all points are measured.
+/// `dimensions`: of the points of the map.
 std::optional<Target> target_of(const TeamEstimate& e, bool of_vehicle, std::int64_t identity, int dimensions,
                                 const TeamSettings& settings) {
   if (of_vehicle) {
@@ -60,9 +60,9 @@ std::optional<Target> target_of(const TeamEstimate& e, bool of_vehicle, std::int
   return Target{landmark.form, mean, landmark.first, landmark.block, SmallMatrix::Identity(errors, errors)};
 }
 
-/// Whether two of a team are so near each other, for how well one knows where they are, that a Jacobian no
-/// longer tells what a look does: what is left out of it, the look's change by their relative position times
-/// that position's sigma over their distance, is as large as the noise.
+/// Whether two vehicles are so close, relative to the covariance of their relative position, that the
+/// first-order model fails. The neglected term, the sigma of the predicted measurement times the relative
+/// position's sigma over the distance, must not exceed the measurement noise.
 bool too_near(const TeamEstimate& e, std::size_t viewer, std::size_t other, const SmallMatrix& Hl,
               const SmallMatrix& R, const TeamSettings& settings) {
   const int dimensions = dimensions_of(settings.members[viewer].sensor);
@@ -165,8 +165,7 @@ bool initialize_landmark(TeamEstimate& e, int vehicle, const PointDetection& det
   auto initialization = initialize_landmark(member.sensor, member.motion, e.belief.mean(viewer.block),
                                             detection.z, settings.filter.inverse_depth_per_m);
   if (!initialization) return false;
-  if (uses_first_estimates(
-          settings)) {  // as the looks to come will be linearised, or they would gain information
+  if (uses_first_estimates(settings)) {  // Jacobians consistent with those of later measurements
     const auto prediction = predict_measurement(member.sensor, member.motion, viewer.prediction,
                                                 initialization->form, initialization->landmark);
     if (!prediction) return false;
@@ -179,8 +178,7 @@ bool initialize_landmark(TeamEstimate& e, int vehicle, const PointDetection& det
     const double sigma = settings.filter.sigma_inverse_depth_per_m;
     noise += sigma * sigma * initialization->Jd * initialization->Jd.transpose();
   }
-  // Where it was first seen from is a copy of the vehicle's own position: a hair of noise keeps the
-  // covariance positive definite
+  // The initial position duplicates that of the vehicle: regularization keeps the covariance positive definite
   if (initialization->form.kind == LandmarkParametrization::Kind::inverse_depth)
     noise.diagonal().head(initialization->landmark.size() == 4 ? 2 : 3).array() += 1e-8;
   const BlockParent parent{viewer.block, initialization->Jv};
@@ -203,7 +201,7 @@ void convert_converged_inverse_depths(TeamEstimate& e, const TeamSettings& setti
       continue;
     }
     const double var = e.belief.covariance(landmark.block)(last, last);
-    const int dimensions = dimensions_of(settings.members.front().sensor);  // all have the same
+    const int dimensions = dimensions_of(settings.members.front().sensor);  // equal for all members
     double index = 1e9;
     for (std::size_t i = 0; i < e.vehicles.size(); ++i)
       index = std::min(index, linearity_index(landmark.form, mean, var,

@@ -1,4 +1,4 @@
-// What a sighting says of a landmark or of another vehicle, to the engine; and a landmark's birth from one.
+// Linearized measurements of landmarks, anchors and other vehicles, and landmark initialization.
 #pragma once
 
 #include <optional>
@@ -14,41 +14,40 @@ struct LinearizedDetection {
   SmallVector predicted;
 };
 
-/// Covariance of a measurement.
+/// Covariance R of a measurement.
 SmallMatrix detection_noise(const TeamMember& member, const SmallVector& z);
 
-/// A sighting that `vehicle` has of an anchor, a mapped landmark, or (`of_vehicle`) another one of the team,
-/// linearised about the belief's means or, for first-estimate Jacobians, about what was known first. Nothing
-/// where the sensor could not have it, for a landmark that is not mapped yet, or for another vehicle that
-/// is nearer than first order reaches.
+/// Linearizes a detection by `vehicle` of an anchor, a mapped landmark or (`of_vehicle`) another team member.
+/// The Jacobians are taken at the belief's means or, for first-estimate Jacobians, at the first estimates.
+/// Nothing when the sensor cannot measure the predicted point, when the landmark is not mapped, or when the
+/// other vehicle is too close for a first-order model.
 std::optional<LinearizedDetection> linearize_detection(const TeamEstimate& estimate, int vehicle,
                                                        bool of_vehicle, const PointDetection& detection,
                                                        const TeamSettings& settings);
 
-/// A position fix of a vehicle (world, m), linearized about the belief's means.
+/// A position fix of a vehicle (world, m), linearized at the belief's means.
 LinearizedMeasurement linearized_fix(const TeamEstimate& estimate, std::size_t vehicle,
                                      const Eigen::Vector2d& fix, const TeamSettings& settings);
 
-/// The point that a detection places in the frame of the map, from the vehicle's present mean; nothing where it is not
-/// usable (not finite, or no positive range) or the sensor measures no distance.
+/// The measured point in the map frame, from the current mean of the vehicle; nothing when the measurement is
+/// not usable (not finite, or no positive range) or the sensor measures no distance.
 std::optional<SmallVector> point_of(const TeamEstimate& estimate, int vehicle, const SmallVector& z,
                                     const TeamSettings& settings);
 
-/// Where an anchor (world, m) is in the frame of the map.
+/// Position of an anchor (world, m) in the map frame.
 SmallVector anchor_position(const TeamEstimate& estimate, const SmallVector& anchor);
 
-/// Whether the numbers of a detection are finite, and its range, where the sensor measures one, is positive.
+/// Whether a measurement is finite, of the right size, and its range, if the sensor has one, positive.
 bool is_usable(const AnySensor& sensor, const SmallVector& z);
 
-/// Makes it the same look with another measurement: residual and noise are that one's.
+/// Sets residual and noise for another measurement of the same point; prediction and Jacobians are kept.
 void set_residual(LinearizedDetection& measurement, const TeamMember& member, const SmallVector& z);
 
-/// A new landmark, (2.20)-(2.26). False when none can be made of it.
+/// Adds a landmark to the map, (2.20)-(2.26). False when the detection does not define one.
 bool initialize_landmark(TeamEstimate& estimate, int vehicle, const PointDetection& detection,
                          const TeamSettings& settings);
 
-/// Turns inverse depths into points where that changes nothing any more, and forgets those whose depth became
-/// negative.
+/// Converts converged inverse depths to points, and removes landmarks whose inverse depth became negative.
 void convert_converged_inverse_depths(TeamEstimate& estimate, const TeamSettings& settings);
 
 }  // namespace incognita

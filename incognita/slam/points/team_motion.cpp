@@ -23,8 +23,8 @@ LinearizedMotion linearized_motion(const TeamMember& member, const std::string& 
   return std::visit([&](const auto& model) { return by(integrator_of(model)); }, member.motion);
 }
 
-/// One input held for `dt` seconds. The noise is one draw per reading, held for `period` seconds: a piece of a reading
-/// has its share of the variance, so that the pieces of T seconds add up to T^2 Q.
+/// Predicts with one input held for `dt` seconds. Its noise is constant over a reading of `period` seconds: a
+/// part of a reading gets a share of the variance such that parts that add up to T seconds give T^2 Q.
 void hold(TeamEstimate& e, std::size_t which, const SmallVector& input, double dt, double period,
           const TeamSettings& settings) {
   const TeamMember& member = settings.members[which];
@@ -44,7 +44,7 @@ void hold_until(TeamEstimate& e, std::size_t which, double until, const TeamSett
   const double dt = until - vehicle.t;
   if (!(dt > 0)) return;
   vehicle.t = until;
-  // The period of the present reading is that of the one before: how long it will stand is not known yet
+  // The duration of the current reading is not known yet: that of the previous one is used
   if (vehicle.input) hold(e, which, *vehicle.input, dt, vehicle.input_period, settings);
 }
 
@@ -59,7 +59,7 @@ void correct_by_fix(TeamEstimate& e, std::size_t which, const PositionReading& f
     e.refused = true;
 }
 
-/// The readings and fixes of one vehicle in the order of their times.
+/// Applies the readings and fixes of one vehicle in time order.
 void predict_through_readings(TeamEstimate& e, std::size_t which, const BodyObservation& view, double t,
                               const TeamSettings& settings) {
   TeamVehicle& vehicle = e.vehicles[which];

@@ -1,4 +1,4 @@
-// Prediction of the vehicles through their time-stamped inputs and position fixes.
+// Prediction of the vehicles with their time-stamped inputs and position fixes.
 #pragma once
 
 #include "incognita/messages/observation.hpp"
@@ -7,13 +7,13 @@
 
 namespace incognita {
 
-/// Predicts one vehicle to the time of the tick: through its odometry readings, each held until the next, or through
-/// the one input that it carried out since the last tick. Position fixes correct it at their own times, where the
-/// vehicle uses them. Nothing moves before the first input. Sets `estimate.refused` when a fix was refused.
+/// Predicts one vehicle to the time of the tick, by its odometry readings, each held until the next, or by the one
+/// input executed since the last tick. Position fixes, if used, correct it at their own times with odometry, else at
+/// the tick. The vehicle does not move before its first input. Sets `estimate.refused` when a fix is rejected.
 void predict_vehicle(TeamEstimate& estimate, std::size_t which, const BodyObservation& view, double t,
                      const TeamSettings& settings);
 
-/// Re-expresses a map in the vehicle's frame in the present frame of the vehicle. No-op for a map in the world.
+/// Re-expresses a vehicle-frame map in the current vehicle frame. No-op for a world-frame map.
 void recenter_map(TeamEstimate& estimate);
 
 }  // namespace incognita

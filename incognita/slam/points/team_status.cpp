@@ -11,12 +11,12 @@
 namespace incognita {
 namespace {
 
-/// Rms of the normalized innovations of the last updates; 1 is expected.
+/// Rms normalized innovation of the recent updates; 1 is expected.
 double innovation_sigmas(const TeamEstimate& e) {
   return e.recent_rows > 0 ? std::sqrt(e.recent_nis / e.recent_rows) : 0;
 }
 
-/// How many mapped landmarks the sensor of a vehicle measures from where the vehicle is estimated to be.
+/// Number of landmarks and anchors predicted in view of a vehicle.
 int landmarks_in_view(const TeamEstimate& e, std::size_t vehicle, const TeamSettings& settings) {
   const TeamMember& member = settings.members[vehicle];
   const SmallVector state = e.belief.mean(e.vehicles[vehicle].block);
@@ -39,7 +39,7 @@ bool detects(const TeamEstimate& e, std::size_t vehicle) {
   });
 }
 
-/// Landmarks are detected, and none of those that should be.
+/// Landmarks are detected, none is matched, and enough are predicted in view.
 bool recognizes_nothing(const TeamEstimate& e, const TeamSettings& settings) {
   if (e.matched > 0) return false;
   int expected = 0;
@@ -55,7 +55,7 @@ std::string of_numbers(double value, const char* what) {
   return text.str();
 }
 
-/// Why no vehicle can be where it is estimated to be; empty where there is no such reason.
+/// The reason why the measurements say that the estimate is lost; empty if they do not.
 std::string lost_by_measurements(TeamEstimate& e, const TeamSettings& settings) {
   const TeamLostSettings& lost = settings.lost;
   if (e.matched > 0)
@@ -71,13 +71,13 @@ std::string lost_by_measurements(TeamEstimate& e, const TeamSettings& settings) 
          std::to_string(e.doubted_ticks) + " ticks";
 }
 
-/// Why the estimate is doubtful, though not lost; empty where there is no such reason.
+/// The reason why the estimate is degraded; empty without one.
 std::string doubt(const TeamEstimate& e, const TeamSettings& settings) {
   if (e.refused) return "an update was refused: within rounding it would leave nothing of a variance";
   if (e.association_capped)
     return "the joint association reached its cap of " + std::to_string(settings.association.max_nodes) +
            " nodes";
-  // By chance less often than once in a million, and twice as large as expected
+  // NIS above four times its degrees of freedom, and a chance of less than one in a million
   constexpr double chance = 1e-6, most_ratio = 4;
   const int rows = static_cast<int>(std::ceil(e.recent_rows));
   if (rows == 0 || e.recent_nis < most_ratio * e.recent_rows ||
@@ -88,7 +88,7 @@ std::string doubt(const TeamEstimate& e, const TeamSettings& settings) {
       " sigma rms are the normalized innovations, expected 1: noises or initial depths do not fit");
 }
 
-/// Why one vehicle is lost; empty where it is not.
+/// The reason why the covariance says that a vehicle is lost; empty if it does not.
 std::string lost_by_covariance(const TeamVehicle& vehicle, const TeamLostSettings& lost) {
   const SmallMatrix& P = vehicle.state_covariance;
   if (!vehicle.pose.position.allFinite() || !vehicle.pose_covariance.allFinite() ||

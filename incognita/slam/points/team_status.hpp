@@ -1,4 +1,4 @@
-// The tracking status: whether the estimate can be trusted, and why not.
+// The tracking status of the estimate, with its reason.
 #pragma once
 
 #include "incognita/slam/points/team_estimate.hpp"
@@ -6,13 +6,13 @@
 
 namespace incognita {
 
-/// The status after the present tick. Updates the counters that it rests on (ticks in a row without a match, or with
-/// large innovations).
+/// Status after the current tick; updates its counters (consecutive ticks without a match, or with large
+/// innovations).
 ///
-/// `lost`: a pose or a covariance is not finite; a position sigma is above its limit; or, for `max_ticks` in a row,
-/// there were detections and none was matched while `min_expected` landmarks were predicted in view, or the normalized
-/// innovations were above `max_innovation_sigmas` rms. `degraded`: an update was refused, a joint association was
-/// incomplete, or the innovations are improbably large.
+/// `lost`: a pose or covariance is not finite; a position sigma exceeds its limit; or for `max_ticks`
+/// consecutive ticks there were detections but no match with `min_expected` landmarks predicted in view, or
+/// the rms normalized innovation exceeded `max_innovation_sigmas`. `degraded`: an update was rejected, a
+/// joint association was incomplete, or the innovations are improbably large.
 TrackingStatus assess(TeamEstimate& estimate, const TeamSettings& settings);
 
 }  // namespace incognita

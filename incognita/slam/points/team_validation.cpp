@@ -1,4 +1,4 @@
-// What a team estimator refuses, and why.
+// Validation of the settings of a team.
 #include <algorithm>
 #include <string>
 #include <variant>
@@ -32,7 +32,7 @@ std::string validate_sizes(const TeamMember& m) {
   return "";
 }
 
-/// Whether the information form can tell what is given.
+/// Whether the information form can represent the settings: it needs positive sigmas.
 std::string validate_information(const TeamSettings& s) {
   for (const TeamMember& m : s.members) {
     if (!(m.start_sigmas.minCoeff() > 0))
@@ -46,17 +46,16 @@ std::string validate_information(const TeamSettings& s) {
   return "";
 }
 
-/// Linearised where it leads, an update has Jacobians that depend on the noise of its looks. Where nothing
-/// fixes the frame of the map, each update then turns the whole map a little, and always to the same side:
-/// how a turn of the map moves a point depends on where the point is, which is what the update changes.
-/// Inverse depths feel that less, so a landmark must be well known before it becomes a point: with stereo and
-/// 1 px the NEES of 20 s is 4.6 where they become points at an index of 0.1, and 1.1 at 0.02 or with anchors.
+/// The iterated update linearizes at a point that depends on the measurement noise. Without anchors each
+/// update thereby rotates the whole map slightly and systematically: the displacement of a point under a
+/// rotation depends on its position, which the update changes. Inverse depths are less affected, so a
+/// landmark must be well converged before its conversion to a point: with stereo and 1 px the NEES over 20 s
+/// is 4.6 with conversion at an index of 0.1, and 1.1 at 0.02 or with anchors.
 std::string validate_iterated(const TeamMember& m, const TeamSettings& s) {
   constexpr double most = 0.03;
   constexpr double most_velocity = 0.02;
   if (!traits_of(m.motion).in_space()) return "";
-  // Depths and velocity are told by their product: iterated to its mode, both are believed where none was
-  // learnt
+  // Depths and velocity are observed only as a ratio: the iterated update is overconfident in both
   if (!measures_distance(m.sensor) && m.start_sigmas.tail<6>().maxCoeff() > most_velocity)
     return "the iterated update of one camera that flies off with a velocity that nobody knows diverges: let "
            "it "
@@ -69,7 +68,7 @@ std::string validate_iterated(const TeamMember& m, const TeamSettings& s) {
          "or take `analytic`";
 }
 
-/// A map in the vehicle's frame is that of one vehicle on a plane.
+/// A vehicle-frame map requires one vehicle on a plane.
 std::string validate_map_frame(const TeamSettings& s) {
   const TeamFilterSettings& f = s.filter;
   if (f.map_frame == "world") return "";
@@ -84,7 +83,7 @@ std::string validate_map_frame(const TeamSettings& s) {
   return "";
 }
 
-/// Correlations are dropped from the covariance of one vehicle and its map.
+/// Decorrelation requires one vehicle in covariance form.
 std::string validate_decorrelation(const TeamSettings& s) {
   const TeamFilterSettings& f = s.filter;
   if (f.decorrelate == "nothing") return "";

@@ -13,8 +13,8 @@ namespace incognita {
 struct Truth {
   FreeCameraMotion::State<double> camera = FreeCameraMotion::State<double>::Zero();  ///< (5.24), world z up
   bool orientation_known = true;  ///< false for GPS, which measures only position
-  std::vector<SmallVector> vehicles =
-      {};  ///< of a team: one state per vehicle; `camera` is the pose of the first
+  /// Of a team: one state per vehicle; `camera` is the pose of the first.
+  std::vector<SmallVector> vehicles = {};
   std::vector<SmallVector> inputs = {};      ///< of a team: executed since the last tick; 0 for operators
   std::vector<Eigen::Vector2d> wheels = {};  ///< of carried cameras: m/s and rad/s of each carrier
   /// Poses of a team's bodies in space. A recording may contain only some of them; without the first one,

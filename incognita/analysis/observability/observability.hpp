@@ -52,8 +52,8 @@ struct SegmentAnalysis {
 
 struct StateInformation {
   std::string state;
-  std::optional<double>
-      sigma;  ///< Cramer-Rao bound of the standard deviation for this motion; empty: unobservable
+  /// Cramer-Rao bound of the standard deviation for this motion; empty: unobservable.
+  std::optional<double> sigma;
   double region_width = 0;         ///< 0: its start is given
   bool weakly_observable = false;  ///< sigma is much larger than the region: observable only in theory
 };
@@ -73,8 +73,8 @@ struct ObservabilityAnalysis {
   std::vector<Linearization> error_forms;   ///< F and H of each segment
   std::vector<SegmentAnalysis> segments;
   ObservableSpace local, fisher;
-  double growth =
-      1;  ///< of small differences along the motion: largest entry of the transitions from its start
+  /// Of small differences along the motion: largest entry of the transitions from its start.
+  double growth = 1;
   std::vector<StateInformation> information;
   bool sigmas_trusted = true;  ///< their rank is clear, and no digits were lost along the motion
   std::optional<LieAnalysis> lie;

@@ -32,8 +32,8 @@ struct InformationRank {
   double tolerance = 0;         ///< eigenvalues above it count; bound of the rounding error
   double least_counted = 0;     ///< smallest counted eigenvalue; 0 without any
   double most_not_counted = 0;  ///< largest uncounted eigenvalue; 0 without any
-  bool ambiguous =
-      false;  ///< an eigenvalue is within a factor of 30 of the tolerance, or that is not far below 1
+  /// An eigenvalue is within a factor of 30 of the tolerance, or that is not far below 1.
+  bool ambiguous = false;
 
   int nullity() const { return errors - rank; }
   /// Smallest counted over largest uncounted eigenvalue, the latter at least the tolerance of the rounding

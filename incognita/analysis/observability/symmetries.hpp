@@ -50,8 +50,8 @@ struct SpatialScene {
     int first = 0;  ///< index of its first error
     Form form = Form::point;
     InverseDepthLandmark initial_axes{};
-    InverseDepthLandmark::State mean =
-        InverseDepthLandmark::State::Zero();  ///< as many numbers as it has errors
+    /// As many numbers as it has errors.
+    InverseDepthLandmark::State mean = InverseDepthLandmark::State::Zero();
   };
   CameraState camera = CameraState::Zero();
   std::vector<Landmark> landmarks;

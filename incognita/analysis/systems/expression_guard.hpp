@@ -33,8 +33,8 @@ struct ExpressionError : std::runtime_error {
 };
 
 constexpr std::size_t longest_expression = 4096;
-constexpr int deepest_expression =
-    100;  ///< parentheses, repeated signs and powers of powers each count one level
+/// Parentheses, repeated signs and powers of powers each count one level.
+constexpr int deepest_expression = 100;
 constexpr std::size_t longest_number = 40;
 constexpr int largest_decimal_exponent = 300;
 

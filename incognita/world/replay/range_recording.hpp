@@ -32,8 +32,8 @@ struct RangeRecording {
   std::vector<Odometry> odometry;    ///< in time order
   std::vector<Scan> scans;           ///< in time order, one per time
   std::vector<TimedPosition> truth;  ///< in time order; empty if unknown. Not available to estimators
-  std::vector<TimedPosition>
-      fixes;  ///< in time order, from an external sensor; a GPS may be both truth and fix
+  /// In time order, from an external sensor; a GPS may be both truth and fix.
+  std::vector<TimedPosition> fixes;
   std::vector<Landmark> landmarks;  ///< surveyed, for evaluation and as anchors; empty if unknown
   std::vector<std::string> notes;   ///< for the user: what was assumed or skipped, with counts
 };

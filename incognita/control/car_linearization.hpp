@@ -18,12 +18,12 @@
 namespace incognita {
 
 struct CarLimits {
-  double max_speed_m_s = 3;       ///< of the rear axle's center, forwards and backwards
+  double max_speed_m_s = 3;       ///< at the rear axle's center, forwards and backwards
   double max_steering_rad = 0.5;  ///< to either side
 };
 
 struct CarCommand {
-  double speed_m_s = 0;     ///< of the rear axle's center
+  double speed_m_s = 0;     ///< at the rear axle's center
   double steering_rad = 0;  ///< positive to the left
   bool saturated = false;   ///< whether it differs from the desired motion
 };

@@ -52,7 +52,7 @@ struct SteadyGain {
   Eigen::MatrixXd L;  ///< as T, empty unless the outcome is `converged`
   Eigen::MatrixXd T;
   int iterations = 0;
-  double residual = 0;  ///< of (5.4) with the same T on both sides, relative to its terms
+  double residual = 0;  ///< residual of (5.4) with the same T on both sides, relative to its terms
   RegulatorOutcome outcome = RegulatorOutcome::not_converged;
   std::string reason;  ///< the sentence of the outcome, with numbers and the critical mode
 };

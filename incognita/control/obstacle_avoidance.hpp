@@ -15,8 +15,8 @@
 namespace incognita {
 
 struct ObstacleAvoidanceSettings {
-  double avoidance_distance_m = 0.8;  ///< from the axle's center; slower within it
-  double radius_m = 0.3;              ///< of the vehicle about the axle's center, with a margin
+  double avoidance_distance_m = 0.8;  ///< distance from the axle's center within which it slows down
+  double radius_m = 0.3;              ///< radius about the axle's center, with a margin
   PlanarLimits limits;
 
   /// Throws std::invalid_argument if `avoidance_distance_m` is not larger than the radius, or the limits are

@@ -22,7 +22,7 @@ std::optional<std::string> unreachable(const Path& path, double max_speed_m_s);
 
 struct PathAcceleration {
   double m_s2 = 0;    ///< along any axis of the world
-  double rad_s2 = 0;  ///< of the heading; heading steps at standstill are not counted
+  double rad_s2 = 0;  ///< heading acceleration; steps at standstill are not counted
 };
 
 /// Maximum accelerations over the whole path.

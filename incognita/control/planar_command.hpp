@@ -10,7 +10,7 @@ namespace incognita {
 
 /// Both limits are positive and finite: a held command is safe only if the turn rate is limited.
 struct PlanarLimits {
-  double max_speed_m_s = 1;        ///< of the axle's center, forwards and backwards
+  double max_speed_m_s = 1;        ///< at the axle's center, forwards and backwards
   double max_turn_rate_rad_s = 1;  ///< to either side
 
   /// Throws std::invalid_argument if a limit is not positive and finite.
@@ -23,7 +23,7 @@ struct PlanarLimits {
 };
 
 struct PlanarCommand {
-  double speed_m_s = 0;        ///< of the axle's center
+  double speed_m_s = 0;        ///< at the axle's center
   double turn_rate_rad_s = 0;  ///< positive to the left
   bool saturated = false;      ///< whether it was scaled down
 

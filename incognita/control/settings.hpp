@@ -11,7 +11,7 @@ struct ControlSettings {
   double max_acceleration_m_s2 = 3.0;    ///< per axis; limit of the body
   double max_angular_acceleration_rad_s2 = 3.0;
   double gaze_amplitude_rad = 0.0;  ///< amplitude of the gaze's swing about the vertical
-  double gaze_period_s = 20.0;      ///< of one full swing
+  double gaze_period_s = 20.0;      ///< duration of one full swing
 };
 
 }  // namespace incognita

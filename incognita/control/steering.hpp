@@ -35,7 +35,7 @@ struct SteeringSettings {
   double gain_heading_per_m = 2;  ///< gain on the sine of the heading error (K_theta)
   Diagonal weight_state = 1;      ///< `lqg`: Q_1 of (5.1)
   Diagonal weight_input = 1;      ///< Q_2
-  ControlSettings camera;         ///< for a body in space: gains of (5.29), and limits besides most_input
+  ControlSettings camera;         ///< bodies in space: gains of (5.29), and limits besides most_input
   SmallVector most_input;         ///< limits of the inputs, both signs
 };
 

@@ -20,7 +20,7 @@ namespace incognita {
 planar::Pose<double> axle_under(const CameraState& camera, const Mount& mount);
 
 struct VehicleDriving {
-  SteeringSettings steering;  ///< of a TerrainVehicle; used if the goal has no `drive`
+  SteeringSettings steering;  ///< law of a TerrainVehicle, used if the goal has no `drive`
   Mount mount;
   std::optional<ObstacleAvoidanceSettings> obstacle_avoidance = {};
 };

@@ -29,7 +29,7 @@ class ActionChoice {
   /// To be called when tracking is lost: the next tick compares all actions again.
   void forget();
 
-  /// of the last comparison; 0 before the first
+  /// Scores of the last comparison; 0 before the first.
   const std::vector<double>& scores() const { return scores_; }
   int chosen() const { return chosen_; }   ///< -1 before the first choice
   double end_t() const { return end_t_; }  ///< s, end of the current action

@@ -20,9 +20,9 @@ class CameraExpectation final : public Expectation {
   /// prepare().
   void prepare(const Estimate& estimate, const std::vector<ExpectedLandmark>& unseen, double unseen_var_m2);
 
-  /// Predicts the measurements of the map, at most slam.search.max_measurements, the most uncertain first as
-  /// in the estimator, and of the expected unmapped landmarks in view. `state`: its first 13 numbers are
-  /// those of a free camera.
+  /// Predicts the measurements of the map, limited to the slam.search.max_measurements most uncertain as in
+  /// the estimator, and of the expected unmapped landmarks in view. `state`: its first 13 numbers are those
+  /// of a free camera.
   void expect(const BlockVector& state, std::vector<PredictedMeasurement>& measurements) const override;
 
   /// Whether a position (world, m) is in the image and within the maximum depth of landmark initialization.

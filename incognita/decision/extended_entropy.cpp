@@ -67,7 +67,7 @@ std::optional<double> extended_entropy(const Estimate& estimate, const Explorati
 std::optional<double> extended_entropy(const TeamEstimate& estimate, const ExplorationSettings& exploration) {
   const AnyBelief& belief = estimate.belief;
   std::vector<LinearTransform> transforms;
-  int dimensions = 3;  // of a landmark's position; all landmarks have the same
+  int dimensions = 3;  // landmark dimension, equal for all landmarks
   for (const TeamVehicle& vehicle : estimate.vehicles) {
     const int errors = belief.chart(vehicle.block).tangent();
     transforms.push_back({belief.offset(vehicle.block), BlockMatrix::Identity(errors, errors)});

@@ -56,8 +56,8 @@ class InformationGain {
     int rows_before, columns_before;
     std::size_t known_before;
     double gain_before;
-    BlockMatrix A_total;  ///< from now to the end of the step
-    BlockMatrix A;        ///< of this step
+    BlockMatrix A_total;  ///< transition from now to the end of the step
+    BlockMatrix A;        ///< transition of this step
     BlockMatrix N_total;  ///< accumulated motion noise at the end of the step
     Eigen::MatrixXd Hv;   ///< stacked, rows of the step x vehicle errors
     double log_det_R = 0;

@@ -41,7 +41,7 @@ class LookAhead {
 
   /// For each action, whether it is allowed.
   const std::vector<bool>& allowed() const { return allowed_; }
-  int evaluations() const { return evaluations_; }  ///< of the last comparison
+  int evaluations() const { return evaluations_; }  ///< count of the last comparison
 
  private:
   struct Node {

@@ -38,10 +38,10 @@ struct DecisionSettings {
   /// period
   double acceleration_m_s2 = 0.5;
   double turn_acceleration_rad_s2 = 0.3;
-  double impulse_s = 1.0 / 15;                    ///< one frame at the thesis' 15 Hz
-  std::vector<Eigen::Vector2d> accelerations;     ///< overrides Table 6.1: (m/s^2, rad/s^2); one must be 0
-  std::string sequence;                           ///< for `fixed-path`: names of actions, separated by spaces
-  double period_s = 1.0;                          ///< duration of an action; then all are compared again
+  double impulse_s = 1.0 / 15;                 ///< one frame at the thesis' 15 Hz
+  std::vector<Eigen::Vector2d> accelerations;  ///< overrides Table 6.1: (m/s^2, rad/s^2); one must be 0
+  std::string sequence;                        ///< `fixed-path` only: names of actions, separated by spaces
+  double period_s = 1.0;                       ///< duration of an action; then all are compared again
   Eigen::Vector3d min_bound_m{-1e9, -1e9, -1e9};  ///< goals outside these world bounds are not chosen
   Eigen::Vector3d max_bound_m{1e9, 1e9, 1e9};
 

@@ -11,8 +11,8 @@ namespace incognita {
 
 struct PlantSettings {
   SmallVector start;         ///< state at t = 0
-  SmallVector start_sigmas;  ///< of the true start, one per error component; 0 for none
-  SmallVector input_sigmas;  ///< of the input disturbances, drawn per tick and held over it
+  SmallVector start_sigmas;  ///< sigmas of the true start, one per error component; 0 for none
+  SmallVector input_sigmas;  ///< sigmas of the input disturbances, drawn per tick and held
   SmallVector least_input;   ///< limits of the inputs; commands are clamped
   SmallVector most_input;
   SmallVector input_ratios = {};  ///< true over commanded input, e.g. for a different wheel size; empty: 1

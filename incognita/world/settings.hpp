@@ -10,7 +10,7 @@ struct RoomSettings {
   int boxes = 6;                                    ///< textured boxes standing on the floor along the walls
   Eigen::Vector3d start_position_m{1.6, 0.0, 1.3};  ///< camera at t = 0, facing the target along +x
   double start_heading_rad = 0.0;                   ///< about z, from +x
-  double sigma_start_position_m = 0.05;             ///< of the true start about the above
+  double sigma_start_position_m = 0.05;             ///< spread of the true start about the above
   double sigma_start_heading_rad = 0.03;
   double sigma_image_gray = 2.0;         ///< image noise, gray levels
   double sigma_acceleration_m_s2 = 0.3;  ///< true disturbance per axis, held for one frame
@@ -22,9 +22,9 @@ struct RoomSettings {
 /// Operator who moves the camera by hand as shown on a screen, thesis 6.3.2.
 struct OperatorSettings {
   bool holds = false;            ///< whether an operator holds the camera
-  double delay_s = 0.3;          ///< from command shown to motion
+  double delay_s = 0.3;          ///< delay from command shown to motion
   double wrong = 0;              ///< probability of moving in another of six directions
-  double sigma_way_ratio = 0.2;  ///< of the length moved over the length shown
+  double sigma_way_ratio = 0.2;  ///< sigma of the length moved over the length shown
 };
 
 }  // namespace incognita

@@ -15,8 +15,8 @@ struct Truth {
   bool orientation_known = true;  ///< false for GPS, which measures only position
   /// Of a team: one state per vehicle; `camera` is the pose of the first.
   std::vector<SmallVector> vehicles = {};
-  std::vector<SmallVector> inputs = {};      ///< of a team: executed since the last tick; 0 for operators
-  std::vector<Eigen::Vector2d> wheels = {};  ///< of carried cameras: m/s and rad/s of each carrier
+  std::vector<SmallVector> inputs = {};      ///< team: inputs executed since the last tick; 0 for operators
+  std::vector<Eigen::Vector2d> wheels = {};  ///< carried cameras: m/s and rad/s of each carrier
   /// Poses of a team's bodies in space. A recording may contain only some of them; without the first one,
   /// `camera` is undefined.
   std::vector<std::optional<RigidPose>> poses = {};

@@ -56,7 +56,7 @@ struct Separation {
   Stability whole;
   Stability regulator;  ///< F - G L of the filter's model
   Stability estimator;  ///< F - K H F of the filter's model
-  double coupling = 0;  ///< from the state into the estimation error, relative to the whole
+  double coupling = 0;  ///< coupling from the state into the estimation error, relative to the whole
   /// Largest distance between an eigenvalue of the whole and the nearest one of the parts.
   double spectral_distance = 0;
   bool holds = false;  ///< whether the whole has the eigenvalues of the parts

@@ -18,10 +18,10 @@ struct LieRow {
   std::string name;   ///< "L_v L_0 bearing"
   std::string owner;  ///< "vehicle", "landmark" or "anchor"
   int order = 0;
-  std::string expression;  ///< of the derivative, in named subexpressions
+  std::string expression;                                        ///< derivative in named subexpressions
   std::vector<std::pair<std::string, std::string>> definitions;  ///< subexpressions not defined in the file
   std::string latex;                                             ///< "\mathcal{L}_{v} x = ..."
-  std::vector<std::string> latex_definitions;                    ///< of all subexpressions, as LaTeX
+  std::vector<std::string> latex_definitions;                    ///< all subexpressions, as LaTeX
   bool raised_rank = false;
 };
 

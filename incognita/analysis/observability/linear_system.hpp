@@ -62,7 +62,7 @@ struct RiccatiLimit {
   Eigen::MatrixXd K;  ///< the corresponding gain
   bool settled = false;
   int iterations = 0;
-  std::string reason;  ///< for stopping, with numbers
+  std::string reason;  ///< reason for stopping, with numbers
 };
 
 /// Iterates (2.18) from P0, the covariance before the first update.

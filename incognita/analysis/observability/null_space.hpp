@@ -32,7 +32,7 @@ struct NullSpace {
   int rank = 0;
   int nullity = 0;
   Eigen::MatrixXd basis;            ///< n x nullity, orthonormal columns
-  Eigen::VectorXd singular_values;  ///< of the scaled matrix, in decreasing order; n of them
+  Eigen::VectorXd singular_values;  ///< singular values of the scaled matrix, decreasing; n of them
   double gap = 0;           ///< last counted over first uncounted; infinite if that is 0 or there is none
   double least = 0;         ///< last counted over the largest; 0 if none counts
   bool ambiguous = false;   ///< the gap is below clear_gap: the rank is only a best guess
@@ -47,7 +47,7 @@ struct NullSpace {
   Eigen::VectorXd column_scale;  ///< n: factors of the columns
   Eigen::MatrixXd scaled_null;   ///< n x nullity, orthonormal, in scaled coordinates
   Eigen::MatrixXd scaled_right;  ///< n x n, right singular vectors of the scaled matrix
-  double tolerance = 0;          ///< of the rank, relative to the largest singular value
+  double tolerance = 0;          ///< tolerance of the rank, relative to the largest singular value
 };
 
 /// Scales every row to length one, then every column, so that meters, radians and rates of any order have

@@ -61,15 +61,16 @@ struct StateInformation {
 struct ObservabilityAnalysis {
   std::string system, representation, motion;
   int landmarks = 0, anchors = 0;
-  std::vector<std::string> states;        ///< of the state equations: local, Lie, Fisher
-  std::vector<std::string> error_states;  ///< of the error form: SOM, TOM
+  std::vector<std::string> states;        ///< names in the state equations: local, Lie, Fisher
+  std::vector<std::string> error_states;  ///< names in the error form: SOM, TOM
   std::vector<std::string> inputs;        ///< names, in the order of SystemPoint::u
-  std::vector<std::string> constants;     ///< of one anchor, in the order of SystemPoint::anchors
-  std::vector<SystemPoint> points;        ///< start of each segment
-  std::vector<double> durations_s;        ///< of each segment
+  /// names of one anchor's constants, in the order of SystemPoint::anchors
+  std::vector<std::string> constants;
+  std::vector<SystemPoint> points;  ///< start of each segment
+  std::vector<double> durations_s;  ///< one per segment
   /// the end of a segment is the start of the next, or the last measurement
   int measurements_per_segment = 0;
-  std::vector<double> measurement_times_s;  ///< of all measurements along the motion, from its start
+  std::vector<double> measurement_times_s;  ///< all measurements along the motion, from its start
   std::vector<Linearization> error_forms;   ///< F and H of each segment
   std::vector<SegmentAnalysis> segments;
   ObservableSpace local, fisher;

@@ -6,7 +6,7 @@
 namespace incognita {
 namespace {
 
-constexpr double rounding = 1e-13;  // of a sum, relative to its terms
+constexpr double rounding = 1e-13;  // relative to the terms of a sum
 
 /// Bound of the number of linearly independent powers of F: the degree of its minimal polynomial is at most
 /// its rank plus one.

@@ -13,8 +13,8 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double least_pivot = 1e-12;  // of the largest: smaller pivots count as zero
-constexpr double least_share = 1e-12;  // of a variance: less is rounding
+constexpr double least_pivot = 1e-12;  // relative to the largest pivot: smaller ones count as zero
+constexpr double least_share = 1e-12;  // relative to a variance: less is rounding
 
 /// M = F F' for M positive semi-definite, F with rank(M) columns: Cholesky with pivoting on the remaining
 /// diagonal (Eigen's LDLT uses the initial diagonal). Applied to correlations, so that meters and radians are
@@ -171,7 +171,7 @@ const ObservabilityMonitor::Block& ObservabilityMonitor::find_or_add(BlockId id,
 /// well conditioned. Invertibility is tested per motion, since many slight contractions never discard an
 /// error.
 void ObservabilityMonitor::move(const LinearizedMotion& motion) {
-  constexpr double well = 1e-6;  // of the largest pivot, equilibrated
+  constexpr double well = 1e-6;  // relative to the largest pivot, equilibrated
   // limits of |det| of a product; beyond them it is applied before composing
   constexpr double near_one = 1e-3;
   if (motion.block != blocks_.front().id) {

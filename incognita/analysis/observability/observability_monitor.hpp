@@ -113,7 +113,7 @@ class ObservabilityMonitor {
 
   Motions motions_;
   std::vector<Block> blocks_;
-  std::unordered_map<BlockId, std::size_t> index_of_;  ///< of the present blocks
+  std::unordered_map<BlockId, std::size_t> index_of_;  ///< index in blocks_
   Eigen::MatrixXd V_;                                  ///< vehicle errors x errors
   RowSum L_;                                           ///< landmark errors x landmark errors
   Eigen::VectorXd added_;                              ///< total ever added to the diagonal of L

@@ -205,9 +205,9 @@ MatrixXd rates(const SpatialScene& scene) {
 /// Functionals of a camera and their covariance: position and rotation about the world's axes (6), rates (6),
 /// then the distances. The scale is the weighted mean of the relative changes of the distances.
 struct CameraFunctionals {
-  std::vector<std::int64_t> ids;  ///< of the landmarks of the distances
+  std::vector<std::int64_t> ids;  ///< landmarks of the distances
   MatrixXd G, C;
-  Eigen::RowVectorXd weights;  ///< of the distances
+  Eigen::RowVectorXd weights;  ///< weights of the distances
   double nothing = 0;
 
   Eigen::Index count() const { return G.rows() - 12; }

@@ -58,7 +58,7 @@ struct QuantityReport {
   std::optional<double> estimated_sigma;
   bool gained = false;  ///< that sigma is significant: less than the scene, a radian, a hundred percent
   bool by_motion_model = false;                   ///< significant, but not from the measurements alone
-  std::optional<double> sigma_from_measurements;  ///< the same from measurements alone, if computed
+  std::optional<double> sigma_from_measurements;  ///< estimated_sigma from measurements alone, if computed
 };
 
 struct ObservabilityReport {

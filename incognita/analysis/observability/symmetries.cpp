@@ -87,7 +87,7 @@ Eigen::MatrixXd symmetry_directions(const SpatialScene& scene, const Eigen::Vect
 }
 
 RemainingSymmetries remaining_symmetries(const Eigen::MatrixXd& points) {
-  constexpr double least = 1e-3;  // of the spread
+  constexpr double least = 1e-3;  // relative to the spread
   const Eigen::Index dimension = points.rows(), generators = dimension == 2 ? 3 : 7;
   if (points.cols() == 0)
     return {Eigen::VectorXd::Zero(dimension), Eigen::MatrixXd::Identity(generators, generators)};

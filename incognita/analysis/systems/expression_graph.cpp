@@ -11,7 +11,7 @@ namespace {
 
 // Nodes of expressions that take the algebra a second or two
 constexpr std::size_t largest_expression = 20'000, most_nodes = 3'000'000;
-constexpr std::size_t most_factors = 64;  // of one product; the size of its derivative is quadratic
+constexpr std::size_t most_factors = 64;  // limit per product; the size of its derivative is quadratic
 
 void symbols_in(const GiNaC::ex& e, GiNaC::exset& found) {
   if (GiNaC::is_a<GiNaC::symbol>(e)) {

@@ -36,7 +36,7 @@ class ExpressionGraph {
     GiNaC::realsymbol symbol;
     std::optional<GiNaC::ex> expression;  ///< empty: an atom
     std::optional<Tape> tape;
-    std::vector<std::pair<Slot, GiNaC::ex>> partials;  ///< with respect to each quantity in the expression
+    std::vector<std::pair<Slot, GiNaC::ex>> partials;  ///< one per quantity in the expression
     std::vector<Tape> partial_tapes;
     int column = -1;     ///< in the gradient, for a state
     bool named = false;  ///< expressions may name it: an atom or a definition of the file

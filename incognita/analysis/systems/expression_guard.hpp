@@ -24,12 +24,12 @@ struct ExpressionToken {
   };
   Kind kind;
   std::string_view text;  ///< part of the given text
-  int offset;             ///< of its first character, from 0
+  int offset;             ///< position of the first character, from 0
 };
 
 struct ExpressionError : std::runtime_error {
   ExpressionError(int at, const std::string& why) : std::runtime_error(why), offset(at) {}
-  int offset;  ///< of the wrong character, from 0
+  int offset;  ///< position of the wrong character, from 0
 };
 
 constexpr std::size_t longest_expression = 4096;

@@ -27,8 +27,8 @@ class SystemInstance {
   int landmarks() const { return landmarks_; }
   int anchors() const { return anchors_; }
   const SymbolicSystem& system() const { return *system_; }
-  const std::vector<std::string>& names() const { return names_; }              ///< of the states
-  const std::vector<std::string>& error_names() const { return error_names_; }  ///< of the error form
+  const std::vector<std::string>& names() const { return names_; }              ///< state names
+  const std::vector<std::string>& error_names() const { return error_names_; }  ///< names in the error form
   bool has_error_form() const { return system_->text.error_form.has_value(); }
 
   /// n: typical size of each state, from its region; used to compare sizes of states.

@@ -20,12 +20,12 @@ struct SourceLocation {
 
 struct ExpressionText {
   std::string text;
-  SourceLocation location;  ///< of the first character
+  SourceLocation location;  ///< position of the first character
 };
 
 struct NamedExpression {
   std::string name;
-  SourceLocation location;  ///< of the name
+  SourceLocation location;  ///< position of the name
   ExpressionText expression;
 };
 
@@ -60,7 +60,7 @@ struct SparseRow {
 /// Vehicle, landmark or anchor.
 struct BlockText {
   std::vector<NamedExpression> states;       ///< name = its time derivative; none for anchors
-  std::vector<NamedRange> region;            ///< of each state, or of each constant of an anchor
+  std::vector<NamedRange> region;            ///< range of each state, or of each constant of an anchor
   std::vector<NamedExpression> definitions;  ///< named subexpressions; each may use earlier ones
   std::vector<MeasurementText> measurements;
   std::vector<SparseRow> error_F;  ///< rows by state; only with an error form

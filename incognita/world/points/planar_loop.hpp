@@ -16,16 +16,16 @@ struct PlanarLoopSettings {
   double odometry_hz = 10;
   double scan_hz = 1;
   double speed_m_s = 1;
-  double turn_rate_rad_s = 0.1;  ///< with the speed: circles of radius 10 m, eight of them
+  double turn_rate_rad_s = 0.1;  ///< radius with this speed: 10 m; eight circles
   int landmarks = 20;            ///< evenly around the circle, alternately inside and outside of it
-  double landmark_offset_m = 4;  ///< from the circle
-  double max_range_m = 8;        ///< of the sensor, which covers all directions
+  double landmark_offset_m = 4;  ///< distance from the circle
+  double max_range_m = 8;        ///< sensor range, in all directions
 
   double sigma_speed_m_s = 0.1;  ///< per odometry step
   double sigma_turn_rate_rad_s = 0.1;
   double sigma_range_m = 0.1;
   double sigma_bearing_rad = 0.1;
-  double sigma_fix_m = 0.2;  ///< of the position fixes, one per scan
+  double sigma_fix_m = 0.2;  ///< noise of the position fixes, one per scan
 };
 
 /// The true start is (0, 0) with heading 0. Landmarks have identities and their true positions. Equal

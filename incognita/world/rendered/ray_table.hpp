@@ -29,7 +29,7 @@ struct RayTable {
   /// The ray of a pixel is (x, y, 1) in camera axes. Its footprint is the side of the pixel seen face on, per
   /// unit of ray parameter; 0 if the pixel has no ray.
   std::vector<float> x, y, footprint;
-  std::vector<Cone> cones;  ///< of the tiles, row by row
+  std::vector<Cone> cones;  ///< one per tile, row by row
 };
 
 }  // namespace incognita

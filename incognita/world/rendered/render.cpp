@@ -19,7 +19,7 @@ using Direction = std::array<float, 3>;  ///< world axes, not normalized
 using BoxBits = std::uint32_t;           ///< one bit per box of the room
 
 constexpr int tile_px = RayTable::tile_px;
-constexpr float white_gray = 236, black_gray = 14;  // of the sheet
+constexpr float white_gray = 236, black_gray = 14;  // gray levels of the sheet
 constexpr int sheet_wall = 1;                       // at the upper end of x
 constexpr int floor_wall = 4;                       // at the lower end of z
 constexpr std::uint8_t nothing = 255;               // id if no surface is visible
@@ -44,7 +44,7 @@ struct TileView {
 
 /// What a ray meets.
 struct VisibleParts {
-  std::uint8_t id = nothing;  ///< of the surface
+  std::uint8_t id = nothing;  ///< surface id
   float nearness = 0;  ///< on uneven ground: 1 / ray parameter, which is affine over the pixels of a plane
 };
 
@@ -101,7 +101,8 @@ class Picture {
   std::vector<Bounds> boxes_;
   std::vector<TileView> tiles_;
   std::vector<std::uint8_t> ids_;  ///< surface visible in each pixel
-  std::vector<float> nearness_;    ///< of the uneven ground in each pixel; empty for a level floor
+  /// inverse ray parameter of the uneven ground in each pixel; empty for a level floor
+  std::vector<float> nearness_;
 };
 
 Picture::Picture(const Room& room, const RayTable& rays, const Eigen::Vector3d& position,

@@ -13,7 +13,7 @@ namespace {
 constexpr int max_boxes = 24;            // the renderer uses one bit per box
 constexpr double max_side_m = 50;        // beyond, texels would be too coarse for corner detection
 constexpr double gap_m = 0.25;           // between boxes, so that their silhouettes are distinct
-constexpr double corridor_half_m = 1.0;  // on both sides of the line from the start to the target
+constexpr double corridor_half_m = 1.0;  // free on both sides of the line from the start to the target
 constexpr int tries_per_box = 500;
 
 void need(bool ok, const char* what, double value) {

@@ -12,7 +12,7 @@ namespace incognita {
 
 /// The known target: a black rectangle on a white sheet, on the wall at +x, facing the room.
 struct Sheet {
-  double x = 0;               ///< of its wall
+  double x = 0;               ///< position of its wall
   double y = 0, z = 1.3;      ///< center
   double width = 0.70;        ///< along y
   double height = 0.56;       ///< along z
@@ -27,7 +27,7 @@ struct Sheet {
 
 struct RoomLayout {
   Box inside;              ///< interior of the room, floor at z = 0, or below uneven ground
-  std::vector<Box> boxes;  ///< on the floor against a wall, apart from each other
+  std::vector<Box> boxes;  ///< boxes on the floor against a wall, apart from each other
   Sheet sheet;
 };
 

@@ -19,7 +19,7 @@ struct RangeRecording {
   };
   struct TimedPosition {
     double t = 0;                        ///< s
-    Eigen::Vector2d position{0.0, 0.0};  ///< of the sensor, world, m
+    Eigen::Vector2d position{0.0, 0.0};  ///< sensor position, world, m
     std::optional<double> heading_rad;   ///< from +x, positive to the left; GPS has none
   };
   struct Landmark {
@@ -35,7 +35,7 @@ struct RangeRecording {
   /// In time order, from an external sensor; a GPS may be both truth and fix.
   std::vector<TimedPosition> fixes;
   std::vector<Landmark> landmarks;  ///< surveyed, for evaluation and as anchors; empty if unknown
-  std::vector<std::string> notes;   ///< for the user: what was assumed or skipped, with counts
+  std::vector<std::string> notes;   ///< messages for the user: what was assumed or skipped, with counts
 };
 
 }  // namespace incognita

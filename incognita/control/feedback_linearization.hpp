@@ -27,8 +27,7 @@ namespace incognita {
 /// (m/s, world).
 Eigen::Matrix2d point_velocity_by_input(const DifferentialDrive& body, double heading);
 
-/// Speed and turn rate that move the control point with that velocity (m/s, world). The body's l must not be
-/// 0.
+/// Speed and turn rate that move the control point with that velocity (m/s, world). The body's l must not be 0.
 Eigen::Vector2d input_for_velocity(const DifferentialDrive& body, double heading,
                                    const Eigen::Vector2d& velocity);
 
@@ -50,8 +49,7 @@ class FeedbackLinearization {
   /// (held_command.hpp); the message states the reason.
   explicit FeedbackLinearization(const LinearizationSettings& settings);
 
-  /// Command for the next `hold_s`. A saturated command still moves the control point in the desired
-  /// direction.
+  /// Command for the next `hold_s`. A saturated command still moves the control point in the desired direction.
   PlanarCommand act(const planar::Pose<double>& estimate, const Reference& reference) const;
 
  private:

@@ -34,9 +34,8 @@ namespace incognita {
 /// the body may make half a turn or more during one command.
 double gain_bound_per_s(double max_turn_rate_rad_s, double hold_s);
 
-/// Reason why the gain K (1/s) is invalid for commands held for `hold_s` at up to that turn rate: not 2 x 2,
-/// not symmetric positive definite, or too large for the sampled integrator or for the vehicle. Empty if
-/// valid.
+/// Reason why the gain K (1/s) is invalid for commands held for `hold_s` at up to that turn rate: not 2 x 2, not
+/// symmetric positive definite, or too large for the sampled integrator or for the vehicle. Empty if valid.
 std::optional<std::string> gain_refusal(const Eigen::MatrixXd& K, double hold_s, double max_turn_rate_rad_s);
 
 /// Reason why these gains on an error (1/s^2) and its rate (1/s) are invalid for accelerations held for

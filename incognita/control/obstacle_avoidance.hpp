@@ -19,8 +19,7 @@ struct ObstacleAvoidanceSettings {
   double radius_m = 0.3;              ///< radius about the axle's center, with a margin
   PlanarLimits limits;
 
-  /// Throws std::invalid_argument if `avoidance_distance_m` is not larger than the radius, or the limits are
-  /// invalid.
+  /// Throws std::invalid_argument if `avoidance_distance_m` is not larger than the radius, or the limits are invalid.
   void check() const;
 };
 
@@ -31,8 +30,7 @@ struct AvoidanceCommand {
   TurnSide turn_side = TurnSide::none;  ///< side it turns to; passed to the next call, it stays fixed
 };
 
-/// Reduces `desired` (m/s, rad/s) by the obstacles in `ranges`; `turn_side` is the result of the previous
-/// call.
+/// Reduces `desired` (m/s, rad/s) by the obstacles in `ranges`; `turn_side` is the result of the previous call.
 AvoidanceCommand avoid_obstacles(const Eigen::Vector2d& desired, std::span<const ConeRange> ranges,
                                  const ObstacleAvoidanceSettings& settings, TurnSide turn_side);
 

@@ -59,8 +59,7 @@ PathAcceleration strongest(const CirclePath& path) {
   return {path.radius_m * path.rate_rad_s * path.rate_rad_s, 0};
 }
 
-/// The path repeats every pi seconds up to a rotation, so over time the largest acceleration points along an
-/// axis.
+/// The path repeats every pi seconds up to a rotation, so over time the largest acceleration points along an axis.
 PathAcceleration strongest(const BackAndForthPath& path) {
   constexpr int slices = 1000;
   PathAcceleration most;
@@ -72,8 +71,7 @@ PathAcceleration strongest(const BackAndForthPath& path) {
   return most;
 }
 
-/// A minimum-jerk motion over s in time T has a maximum acceleration of 10/sqrt(3) s/T^2, with T = 15/8
-/// s/speed.
+/// A minimum-jerk motion over s in time T has a maximum acceleration of 10/sqrt(3) s/T^2, with T = 15/8 s/speed.
 PathAcceleration strongest(const WayPointPath& path) {
   PathAcceleration most;
   for (std::size_t leg = 0; leg + 1 < path.points.size(); ++leg) {

@@ -26,8 +26,7 @@ void check(const VectorXd& t, const Matrix4Xd& pose) {
   }
 }
 
-/// Second derivatives at the samples, from the continuity of the first; the matrix is symmetric positive
-/// definite.
+/// Second derivatives at the samples, from the continuity of the first; the matrix is symmetric positive definite.
 Matrix4Xd bending_of(const VectorXd& t, const Matrix4Xd& pose) {
   const Index inner = t.size() - 2;
   Matrix4Xd bending = Matrix4Xd::Zero(4, t.size());

@@ -109,7 +109,7 @@ Eigen::RowVectorXd directions(const PoseSpline& spline) {
     const Vector2d velocity = at(spline, spline.t[i]).rate.head<2>();
     const bool moves = velocity.norm() > no_way_m;
     headings[i] = moves ? std::atan2(velocity.y(), velocity.x()) : i > 0 ? headings[i - 1] : 0;
-    // initial standstill: first direction of travel
+    // Initial standstill: first direction of travel
     if (moves && !known) headings.head(i).setConstant(headings[i]);
     known = known || moves;
   }

@@ -47,10 +47,9 @@ class Steering {
   virtual SmallVector act(const SmallVector& estimate, double t) const = 0;
 };
 
-/// `period_s`: duration of one command. Throws std::invalid_argument, with the reason, if the law cannot
-/// steer that motion along that path: gains that do not converge with held commands, a control point on the
-/// axle, a path too fast or too tight for the vehicle, wrong sizes, invalid numbers. No command exceeds
-/// `most_input`.
+/// `period_s`: duration of one command. Throws std::invalid_argument, with the reason, if the law cannot steer that
+/// motion along that path: gains that do not converge with held commands, a control point on the axle, a path too
+/// fast or too tight for the vehicle, wrong sizes, invalid numbers. No command exceeds `most_input`.
 std::unique_ptr<Steering> make_steering(const AnyMotion& motion, const SteeringSettings& settings,
                                         double period_s);
 

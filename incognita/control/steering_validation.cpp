@@ -93,8 +93,7 @@ std::string need_turn_rate(const SteeringSettings& s) {
                         " rad/s, the vehicle with at most ", s.most_input[1]);
 }
 
-/// The car's control point is `forward_m` ahead of the axle and moves on a larger circle than the axle's
-/// tightest.
+/// The car's control point is `forward_m` ahead of the axle and moves on a larger circle than the axle's tightest.
 std::string need_wide_circle(const AckermannCar& car, const SteeringSettings& s) {
   const auto* circle = std::get_if<CirclePath>(&s.path);
   if (!circle || !(s.most_input[1] < std::numbers::pi / 2)) return "";

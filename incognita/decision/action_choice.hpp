@@ -1,5 +1,4 @@
-// Choice of the next action, once per period: the strategies of thesis 6.3 and the baselines they are
-// compared with.
+// Choice of the next action, once per period: the strategies of thesis 6.3 and the baselines they are compared with.
 #pragma once
 
 #include <cstdint>

@@ -17,7 +17,7 @@ namespace incognita {
 struct ActionOutcome {
   BlockVector state;
   BlockMatrix A, N;  ///< error after = A * error before + noise of covariance N
-  /// bound violation at the end, m; violating actions are scored, but chosen only if all violate
+  /// Bound violation at the end, m; violating actions are scored, but chosen only if all violate.
   double outside_m = 0;
   bool allowed() const { return outside_m <= 0; }
 };

@@ -21,8 +21,7 @@ std::vector<Translation> seven_translations(double step_m);
 /// The translations of the settings; the seven of the thesis if the settings list none.
 std::vector<Translation> translations_of(const DecisionSettings& settings);
 
-/// Names translations by their direction: those along an axis get the thesis' names, others their
-/// displacement.
+/// Names translations by their direction: those along an axis get the thesis' names, others their displacement.
 std::vector<Translation> named(const std::vector<Eigen::Vector3d>& displacements_m);
 
 /// Change of a vehicle's speed (m/s) and turn rate (rad/s, positive to the left).

@@ -16,8 +16,7 @@ class CameraExpectation final : public Expectation {
   /// by how many slam.map.wanted_visible exceeds the visible landmarks.
   CameraExpectation(Camera camera, const CameraSlamSettings& slam, bool as_mapped = false);
 
-  /// Sets the current map and the expected unmapped landmarks; both must outlive the calls until the next
-  /// prepare().
+  /// Sets the current map and the expected unmapped landmarks; both must outlive the calls until the next prepare().
   void prepare(const Estimate& estimate, const std::vector<ExpectedLandmark>& unseen, double unseen_var_m2);
 
   /// Predicts the measurements of the map, limited to the slam.search.max_measurements most uncertain as in

@@ -15,9 +15,8 @@ class Expectation {
   virtual void expect(const BlockVector& state, std::vector<PredictedMeasurement>& measurements) const = 0;
 };
 
-/// The smallest of the `most` largest traces of the innovation covariances (e.g. px^2), i.e. the threshold of
-/// a search limited to `most` measurements. Minus infinity if there are no more than `most`. `sorted` is
-/// scratch.
+/// The smallest of the `most` largest traces of the innovation covariances (e.g. px^2), i.e. the threshold of a
+/// search limited to `most` measurements. Minus infinity if there are no more than `most`. `sorted` is scratch.
 double least_of_the_best(const std::vector<double>& traces, int most, std::vector<double>& sorted);
 
 }  // namespace incognita

@@ -1,6 +1,5 @@
-// Entropy of the extended covariance of thesis Figure 6.3: vehicles, map points, and landmarks expected but
-// not yet mapped. Its dimension does not depend on how many were mapped, so that runs with different maps are
-// comparable.
+// Entropy of the extended covariance of thesis Figure 6.3: vehicles, map points, and landmarks expected but not yet
+// mapped. Its dimension does not depend on how many were mapped, so that runs with different maps are comparable.
 #pragma once
 
 #include <optional>

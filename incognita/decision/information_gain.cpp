@@ -14,8 +14,7 @@
 namespace incognita {
 namespace {
 
-/// Grows the storage and keeps its content. It grows by half more than needed, so that the loop rarely
-/// allocates.
+/// Grows the storage and keeps its content. It grows by half more than needed, so that the loop rarely allocates.
 void grow_storage(Eigen::MatrixXd& m, Eigen::Index rows, Eigen::Index columns) {
   if (rows <= m.rows() && columns <= m.cols()) return;
   m.conservativeResize(std::max(m.rows(), rows + rows / 2), std::max(m.cols(), columns + columns / 2));

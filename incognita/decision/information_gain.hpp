@@ -1,5 +1,4 @@
-// Expected information gain along a predicted path: mutual information between state and measurements, thesis
-// (6.6).
+// Expected information gain along a predicted path: mutual information between state and measurements, thesis (6.6).
 //
 // The thesis takes determinants of the full covariance. By the matrix determinant lemma the same value is
 // (log|S| - log|R|)/2 with S the covariance of the predicted measurements, which is small, does not

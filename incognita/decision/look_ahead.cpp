@@ -91,8 +91,7 @@ void LookAhead::back_up_scores(int actions) {
   }
 }
 
-/// Requires gain_ to stand at `from`. Actions that are not allowed are scored as the first of a sequence
-/// only.
+/// Requires gain_ to stand at `from`. Actions that are not allowed are scored as the first of a sequence only.
 void LookAhead::evaluate(const ActionSet& action_set, const Expectation& expectation, const Node& from,
                          int action, std::vector<Node>& into) {
   ActionOutcome outcome = action_set.after(from.state, action);

@@ -18,7 +18,7 @@ struct LookAheadSettings {
   Metric metric = Metric::state;
   int horizon = 1;             ///< length of the action sequences; 1: the greedy choice of the thesis
   int max_evaluations = 1000;  ///< sets of measurements predicted in one comparison; at least one per action
-  /// number of leading position errors of the vehicle, for Metric::position_and_map
+  /// Number of leading position errors of the vehicle, for Metric::position_and_map.
   int position_errors = 3;
 };
 
@@ -26,10 +26,9 @@ class LookAhead {
  public:
   explicit LookAhead(const LookAheadSettings& settings);
 
-  /// Scores each action by the best sequence that starts with it. Beam search: the tree is expanded level by
-  /// level, and on each level as many of the best nodes are kept as max_evaluations permits, at least one per
-  /// allowed first action. Actions that are not allowed are scored alone and not expanded. The belief is not
-  /// changed.
+  /// Scores each action by the best sequence that starts with it. Beam search: the tree is expanded level by level,
+  /// and on each level as many of the best nodes are kept as max_evaluations permits, at least one per allowed first
+  /// action. Actions that are not allowed are scored alone and not expanded. The belief is not changed.
   template <class Form>
   const std::vector<double>& scores(const Form& belief, BlockId vehicle, const BlockVector& state,
                                     const ActionSet& action_set, const Expectation& expectation);

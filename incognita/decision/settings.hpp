@@ -32,10 +32,9 @@ struct DecisionSettings {
   int max_evaluations = 1000;  ///< sets of predicted measurements per comparison
   Schedule schedule = Schedule::every_frame;
   double step_m = 0.3;  ///< length of each of the seven translations, thesis 6.3.1
-  /// overrides step_m: displacements along heading, left, up; one must be 0
+  /// Overrides step_m: displacements along heading, left, up; one must be 0.
   std::vector<Eigen::Vector3d> moves_m;
-  /// Speed changes of a vehicle that carries the camera, Table 6.1: accelerations act for impulse_s once per
-  /// period
+  /// Speed changes of a vehicle that carries the camera, Table 6.1: accelerations act for impulse_s once per period
   double acceleration_m_s2 = 0.5;
   double turn_acceleration_rad_s2 = 0.3;
   double impulse_s = 1.0 / 15;                 ///< one frame at the thesis' 15 Hz

@@ -1,7 +1,6 @@
-// Next action of each vehicle of a team: the most informative one (thesis 6.2), vehicle by vehicle, each as
-// if the others stood still. A freely moving camera chooses translations and turns (6.3.1), a carried one its
-// carrier's speed changes (6.4.2); vehicles on the ground or a line choose among the translations that they
-// can execute.
+// Next action of each vehicle of a team: the most informative one (thesis 6.2), vehicle by vehicle, each as if the
+// others stood still. A freely moving camera chooses translations and turns (6.3.1), a carried one its carrier's
+// speed changes (6.4.2); vehicles on the ground or a line choose among the translations that they can execute.
 #pragma once
 
 #include <cstdint>

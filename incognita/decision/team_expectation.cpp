@@ -53,8 +53,7 @@ void TeamExpectation::add_targets() {
   }
 }
 
-/// Trace of H P H': a ranking heuristic (current vehicle covariance), not the predicted innovation
-/// covariance.
+/// Trace of H P H': a ranking heuristic (current vehicle covariance), not the predicted innovation covariance.
 double TeamExpectation::innovation_trace(const PredictedMeasurement& measurement) const {
   const AnyBelief& belief = estimate_->belief;
   const BlockId viewer = estimate_->vehicles[vehicle_].block;

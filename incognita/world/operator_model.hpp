@@ -44,8 +44,7 @@ class OperatorModel {
   bool started_ = false;
 };
 
-/// Motion of a free camera along a segment with a level gaze: maps the true state to the accelerations of
-/// (5.24).
+/// Motion of a free camera along a segment with a level gaze: maps the true state to the accelerations of (5.24).
 using OperatorMotion = std::function<FreeCameraMotion::Input<double>(
     const FreeCameraMotion::State<double>& state, const Segment& segment, const Heading& gaze, double t)>;
 

@@ -24,8 +24,7 @@ class Clock {
 class World {
  public:
   virtual ~World() = default;
-  /// Executes the command, given at the previous tick, for `tick.dt` seconds. Returns the truth, empty if
-  /// unknown.
+  /// Executes the command, given at the previous tick, for `tick.dt` seconds. Returns the truth, empty if unknown.
   virtual std::optional<Truth> move(const Command& command, const Tick& tick) = 0;
 };
 

@@ -14,9 +14,8 @@ struct PlanarFit {
   Eigen::Vector2d operator()(const Eigen::Vector2d& position) const;
 };
 
-/// Rigid motion with the least sum of squared distances from `from` to `to`, point by point (Umeyama 1991
-/// without scale). The identity for no points; a shift for one. Throws std::invalid_argument if the sizes
-/// differ.
+/// Rigid motion with the least sum of squared distances from `from` to `to`, point by point (Umeyama 1991 without
+/// scale). The identity for no points; a shift for one. Throws std::invalid_argument if the sizes differ.
 PlanarFit fit_rigid(const std::vector<Eigen::Vector2d>& from, const std::vector<Eigen::Vector2d>& to);
 
 struct MapError {
@@ -27,7 +26,7 @@ struct MapError {
   std::vector<Match> matches;          ///< one-to-one, the nearest first
   std::vector<std::size_t> unmatched;  ///< estimated, with no surveyed landmark near
   std::vector<std::size_t> missing;    ///< surveyed, with no estimated landmark near
-  /// duplicates: estimated, near a surveyed landmark that a nearer estimate has taken
+  /// Duplicates: estimated, near a surveyed landmark that a nearer estimate has taken.
   std::vector<std::size_t> twice;
   double rms_m = 0;  ///< over the matches; NaN without any
 };

@@ -57,9 +57,8 @@ PoseError pose_error(const StampedPose& truth, const StampedPose& estimate) {
 std::optional<NormalizedSquare> pose_normalized_square(const PoseError& error,
                                                        const PoseCovariance& covariance) {
   auto square = normalized_square<6>(error, covariance, {0, 1, 2, 3, 4, 5});
-  const bool follow =
-      // false if height, roll and pitch are no states
-      (covariance.diagonal().segment<3>(2).array() > 0).all();
+  // False if height, roll and pitch are no states
+  const bool follow = (covariance.diagonal().segment<3>(2).array() > 0).all();
   if (!square && follow) square = normalized_square<6>(error, covariance, {0, 1, 5});
   return square;
 }

@@ -49,8 +49,7 @@ struct MeanNees {
   std::size_t count = 0;  ///< number of poses
 };
 
-/// Mean of pose_nees over matched poses with a covariance at the estimate's time stamp; empty if there is
-/// none.
+/// Mean of pose_nees over matched poses with a covariance at the estimate's time stamp; empty if there is none.
 std::optional<MeanNees> mean_pose_nees(const MatchedTrajectories& matched,
                                        const std::vector<StampedCovariance>& covariances);
 

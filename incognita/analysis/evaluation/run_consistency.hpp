@@ -28,10 +28,9 @@ inline constexpr std::int64_t fewest_samples = 10;
 std::optional<MeanNormalizedSquare> mean_nees_of_run(double mean, std::int64_t samples,
                                                      int degrees_of_freedom);
 
-/// Mean NIS over `samples` updates. Innovations of a consistent filter are white, so every update counts; but
-/// models are approximate, and a band for thousands of samples would reject them all. The band is therefore
-/// 0.5 to 2 (a sigma wrong by a factor of 1.4), or 99 % of chi-square with all degrees of freedom if that is
-/// wider.
+/// Mean NIS over `samples` updates. Innovations of a consistent filter are white, so every update counts; but models
+/// are approximate, and a band for thousands of samples would reject them all. The band is therefore 0.5 to 2 (a
+/// sigma wrong by a factor of 1.4), or 99 % of chi-square with all degrees of freedom if that is wider.
 std::optional<MeanNormalizedSquare> mean_nis_of_run(double mean, std::int64_t samples,
                                                     double degrees_of_freedom_in_all);
 

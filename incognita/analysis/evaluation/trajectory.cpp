@@ -94,8 +94,7 @@ std::optional<std::size_t> later(const Trajectory& truth, std::size_t i, const R
     if (after == first) return std::nullopt;
     --after;
   }
-  // Past the end every pose would match the last one, at ever shorter intervals: only a small tolerance
-  // applies
+  // Past the end every pose would match the last one, at ever shorter intervals: only a small tolerance applies
   const double tolerance = (past_the_end ? 0.01 : 0.1) * interval.seconds;
   if (std::abs(after->t - wanted) > tolerance) return std::nullopt;
   return static_cast<std::size_t>(after - truth.begin());

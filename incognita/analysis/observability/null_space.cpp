@@ -131,8 +131,7 @@ double NullSpace::observed_share(const Eigen::VectorXd& direction) const {
 }
 
 bool NullSpace::contains(const Eigen::VectorXd& direction) const {
-  // The direction is exact; its product with the matrix is limited by rounding and by what the rank leaves
-  // out
+  // The direction is exact; its product with the matrix is limited by rounding and by what the rank leaves out
   return direction.norm() > 0 && observed_share(direction) <= std::max(tolerance, 1e-12);
 }
 

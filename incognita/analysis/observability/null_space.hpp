@@ -18,8 +18,7 @@ struct NoisyRows {
 
   static NoisyRows exact(const Eigen::MatrixXd& rows);
   void append(const NoisyRows& more);
-  /// At most n rows with the same ranks and null space, normalized unless weighed, to continue with instead
-  /// of these.
+  /// At most n rows with the same ranks and null space, normalized unless weighed, to continue with instead of these.
   NoisyRows condensed() const;
 };
 

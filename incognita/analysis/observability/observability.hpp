@@ -1,11 +1,10 @@
 // Observability of a system: the analyses of thesis Chapter 4 side by side, for one system, one kind of
 // motion, and given numbers of landmarks and anchors.
 //
-// Four methods are compared. The stripped and total observability matrices (SOM, TOM; Goshen-Meskin,
-// Bar-Itzhack, IEEE TAES 1992) of piecewise constant segments freeze H within each segment and may
-// overestimate the rank. The local observability matrix along the motion is that of a filter with exact
-// Jacobians. The Lie derivatives give what the best motion of this kind could observe. The Fisher information
-// gives how well.
+// Four methods are compared. The stripped and total observability matrices (SOM, TOM; Goshen-Meskin, Bar-Itzhack,
+// IEEE TAES 1992) of piecewise constant segments freeze H within each segment and may overestimate the rank. The
+// local observability matrix along the motion is that of a filter with exact Jacobians. The Lie derivatives give what
+// the best motion of this kind could observe. The Fisher information gives how well.
 #pragma once
 
 #include <Eigen/Core>
@@ -64,11 +63,11 @@ struct ObservabilityAnalysis {
   std::vector<std::string> states;        ///< names in the state equations: local, Lie, Fisher
   std::vector<std::string> error_states;  ///< names in the error form: SOM, TOM
   std::vector<std::string> inputs;        ///< names, in the order of SystemPoint::u
-  /// names of one anchor's constants, in the order of SystemPoint::anchors
+  /// Names of one anchor's constants, in the order of SystemPoint::anchors.
   std::vector<std::string> constants;
   std::vector<SystemPoint> points;  ///< start of each segment
   std::vector<double> durations_s;  ///< one per segment
-  /// the end of a segment is the start of the next, or the last measurement
+  /// The end of a segment is the start of the next, or the last measurement.
   int measurements_per_segment = 0;
   std::vector<double> measurement_times_s;  ///< all measurements along the motion, from its start
   std::vector<Linearization> error_forms;   ///< F and H of each segment

@@ -16,9 +16,8 @@ using Eigen::VectorXd;
 constexpr double least_pivot = 1e-12;  // relative to the largest pivot: smaller ones count as zero
 constexpr double least_share = 1e-12;  // relative to a variance: less is rounding
 
-/// M = F F' for M positive semi-definite, F with rank(M) columns: Cholesky with pivoting on the remaining
-/// diagonal (Eigen's LDLT uses the initial diagonal). Applied to correlations, so that meters and radians are
-/// comparable.
+/// M = F F' for M positive semi-definite, F with rank(M) columns: Cholesky with pivoting on the remaining diagonal
+/// (Eigen's LDLT uses the initial diagonal). Applied to correlations, so that meters and radians are comparable.
 MatrixXd factor_of(const MatrixXd& M) {
   VectorXd sigma = M.diagonal().cwiseMax(0).cwiseSqrt();
   for (double& s : sigma)
@@ -167,12 +166,11 @@ const ObservabilityMonitor::Block& ObservabilityMonitor::find_or_add(BlockId id,
 // Motions
 // ---------------------------------------------------------------------------------------------------------
 
-/// Motions between measurements are composed and applied at the next measurement, as long as their product is
-/// well conditioned. Invertibility is tested per motion, since many slight contractions never discard an
-/// error.
+/// Motions between measurements are composed and applied at the next measurement, as long as their product is well
+/// conditioned. Invertibility is tested per motion, since many slight contractions never discard an error.
 void ObservabilityMonitor::move(const LinearizedMotion& motion) {
   constexpr double well = 1e-6;  // relative to the largest pivot, equilibrated
-  // limits of |det| of a product; beyond them it is applied before composing
+  // Limits of |det| of a product; beyond them it is applied before composing
   constexpr double near_one = 1e-3;
   if (motion.block != blocks_.front().id) {
     uncovered_ = Uncovered::other_block;
@@ -285,7 +283,7 @@ void ObservabilityMonitor::augment(const BlockAugmentation& initialization) {
 }
 
 void ObservabilityMonitor::add_rows(const std::vector<Part>& parts, const MeasurementMatrix& R) {
-  // pending: bounds time and memory to be linear in the measurements, also without motions
+  // Limit of pending rows: keeps time and memory linear in the measurements, also without motions
   constexpr int most_rows = 64;
   const Eigen::LLT<MeasurementMatrix> llt(R);
   if (llt.info() != Eigen::Success) return;  // the filter skips such a measurement
@@ -375,8 +373,7 @@ void ObservabilityMonitor::drop(BlockId id) {
   shrink(*block, block->errors);
 }
 
-/// Removes the first errors of a block, which have no information left, or the whole block with its last
-/// error.
+/// Removes the first errors of a block, which have no information left, or the whole block with its last error.
 void ObservabilityMonitor::shrink(const Block& block, int by) {
   remove_columns(block.first, by);
   const auto at = blocks_.begin() + (&block - blocks_.data());

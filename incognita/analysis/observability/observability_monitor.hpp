@@ -78,16 +78,14 @@ class ObservabilityMonitor {
   void drop(BlockId id);
 
   int errors() const { return static_cast<int>(V_.cols()); }
-  /// Number of measurement rows that wait to be absorbed together; at most a few tens, however long nothing
-  /// moves.
+  /// Number of measurement rows that wait to be absorbed together; at most a few tens, however long nothing moves.
   int waiting_rows() const { return row_count_; }
   const std::vector<Block>& blocks() const { return blocks_; }
   const Block* find(BlockId id) const;
   /// Y: errors() x errors(), both triangles, ordered as blocks(): the vehicle, then the landmarks in order of
   /// initialization.
   Eigen::MatrixXd information();
-  /// Per error: sum of squares of everything ever added, including what was forgotten; bounds the rounding
-  /// error.
+  /// Per error: sum of squares of everything ever added, including what was forgotten; bounds the rounding error.
   Eigen::VectorXd gathered();
 
  private:

@@ -1,13 +1,12 @@
 // Observability of the world frame and scale in a running filter: the monitored information compared with the
 // symmetries of the sensor.
 //
-// A quantity is ideally observable unless a symmetry that remains after the anchors and position fixes so far
-// changes it. Its information is marginal, with everything else unknown and without prior: measurements,
-// motions and their assumed noise at the filter's own Jacobians. Information of the measurements alone about
-// an unobservable quantity is spurious, since measurements are invariant under the symmetries, whatever the
-// motions. For a camera, motions add information: accelerations have a scale, whether commanded (v' = v + a
-// dt does not scale with v) or only assumed. What is constrained only by the motion model is therefore not
-// spurious.
+// A quantity is ideally observable unless a symmetry that remains after the anchors and position fixes so far changes
+// it. Its information is marginal, with everything else unknown and without prior: measurements, motions and their
+// assumed noise at the filter's own Jacobians. Information of the measurements alone about an unobservable quantity
+// is spurious, since measurements are invariant under the symmetries, whatever the motions. For a camera, motions add
+// information: accelerations have a scale, whether commanded (v' = v + a dt does not scale with v) or only assumed.
+// What is constrained only by the motion model is therefore not spurious.
 #pragma once
 
 #include <Eigen/Core>
@@ -36,8 +35,7 @@ struct InformationRank {
   bool ambiguous = false;
 
   int nullity() const { return errors - rank; }
-  /// Smallest counted over largest uncounted eigenvalue, the latter at least the tolerance of the rounding
-  /// alone.
+  /// Smallest counted over largest uncounted eigenvalue, the latter at least the tolerance of the rounding alone.
   double gap() const;
 };
 /// `units`: per error, the size that is equivalent to not knowing it.
@@ -79,8 +77,7 @@ struct ObservabilityReport {
 /// information about them is from measurements.
 ObservabilityReport observability_report(const MonitoredInformation& of_filter, const PlanarScene& scene,
                                          const FixedPoints& fixed, const std::string& uncovered = "");
-/// `of_measurements`: information with uninformative motions; not used, and may be empty, if no symmetry
-/// remains.
+/// `of_measurements`: information with uninformative motions; not used, and may be empty, if no symmetry remains.
 ObservabilityReport observability_report(const MonitoredInformation& of_filter,
                                          const MonitoredInformation& of_measurements,
                                          const SpatialScene& scene, const FixedPoints& fixed,

@@ -94,7 +94,7 @@ RemainingSymmetries remaining_symmetries(const Eigen::MatrixXd& points) {
   const Eigen::VectorXd middle = points.rowwise().mean();
   const double spread = (points.colwise() - middle).colwise().norm().maxCoeff();
   const bool one_place = !(spread > 1e-9 * (1 + middle.norm()));
-  // rotations and scale in terms of displacements at the outermost point
+  // Rotations and scale in terms of displacements at the outermost point
   Eigen::VectorXd scale = Eigen::VectorXd::Ones(generators);
   if (!one_place) scale.tail(generators - dimension).setConstant(1 / spread);
   Eigen::MatrixXd moved(dimension * points.cols(), generators);

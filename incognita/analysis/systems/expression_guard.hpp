@@ -1,6 +1,5 @@
-// Validates user expressions before they reach the computer algebra. Anything that is not an expression is
-// rejected with its location and a remedy, so the parser behind never sees bad syntax, deep nesting or long
-// numbers.
+// Validates user expressions before they reach the computer algebra. Anything that is not an expression is rejected
+// with its location and a remedy, so the parser behind never sees bad syntax, deep nesting or long numbers.
 #pragma once
 
 #include <span>
@@ -38,9 +37,8 @@ constexpr int deepest_expression = 100;
 constexpr std::size_t longest_number = 40;
 constexpr int largest_decimal_exponent = 300;
 
-/// Tokens of an expression of + - * / ^ ( ), numbers such as 1, 1.5, .5 and 1e-3, `pi`, the functions below
-/// and the names in `known`, which must be sorted. Throws ExpressionError for anything else. The tokens refer
-/// to `text`.
+/// Tokens of an expression of + - * / ^ ( ), numbers such as 1, 1.5, .5 and 1e-3, `pi`, the functions below and the
+/// names in `known`, which must be sorted. Throws ExpressionError for anything else. The tokens refer to `text`.
 std::vector<ExpressionToken> checked_tokens(std::string_view text, std::span<const std::string> known);
 
 struct ExpressionFunction {

@@ -19,8 +19,7 @@ bool is_greek(const std::string& name) {
   return greek.contains(name);
 }
 
-/// Two letters are a symbol with an index, and so are three that end in an axis: `qex`. Longer ones are
-/// words.
+/// Two letters are a symbol with an index, and so are three that end in an axis: `qex`. Longer ones are words.
 bool is_word(const std::string& letters) {
   const bool axis = letters.size() == 3 && std::string("xyz").find(letters.back()) != std::string::npos;
   return letters.size() > 2 && !axis;

@@ -112,8 +112,7 @@ VectorField LieAlgebra::field(const std::string& name, const GiNaC::exmap& with)
   return field;
 }
 
-/// One field per input, if rates are linear in the inputs: the derivatives of the rates, with the other
-/// inputs at 0.
+/// One field per input, if rates are linear in the inputs: the derivatives of the rates, with the other inputs at 0.
 void LieAlgebra::add_input_fields(const std::vector<Slot>& inputs, const GiNaC::exmap& others_zero) {
   for (const Slot input : inputs) {
     VectorField along{system_.graph[input].name, {}};

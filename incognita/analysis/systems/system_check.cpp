@@ -175,8 +175,7 @@ class SystemCheck {
     vehicle_.add_all("a parameter", system_.parameters);
   }
 
-  /// Adds the block's names to the scope, and checks all but its error rows. `section`: prefix of its section
-  /// names.
+  /// Adds the block's names to the scope, and checks all but its error rows. `section`: prefix of its section names.
   static void check_block(const BlockText& block, const std::string& section, Scope& scope) {
     need_few(block.states, most_states, "states");
     need_few(block.definitions, most_definitions, "definitions");
@@ -325,8 +324,7 @@ class SystemCheck {
     if (system_.anchor) check_error_rows(*system_.anchor, vehicle, anchor_);
   }
 
-  /// A missing row of a state is 0. A missing row of a measurement is an error, since it would measure
-  /// nothing.
+  /// A missing row of a state is 0. A missing row of a measurement is an error, since it would measure nothing.
   static void check_error_rows(const BlockText& block, const Names& columns, const Scope& scope) {
     need_known(block.error_F, names_of(block.states), "state");
     need_known(block.error_H, names_of(block.measurements), "measurement");

@@ -8,9 +8,8 @@
 
 namespace incognita {
 
-/// Throws SystemError for the first error: an invalid, duplicate or unknown name, a state without a region,
-/// an empty range, an invalid expression (expression_guard.hpp), or a limit exceeded. Missing parts have no
-/// location.
+/// Throws SystemError for the first error: an invalid, duplicate or unknown name, a state without a region, an empty
+/// range, an invalid expression (expression_guard.hpp), or a limit exceeded. Missing parts have no location.
 ///
 /// Visibility: definitions may use states, inputs, parameters and earlier definitions; equations,
 /// measurements, directions and error rows may use all of these; assignments of a motion also its draws.

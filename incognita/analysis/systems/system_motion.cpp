@@ -187,9 +187,8 @@ SystemMotion draw_motion(const SystemInstance& instance, int segments, RandomStr
 
 namespace {
 
-/// Time of a measurement within its segment, as a fraction: 0 at the start, 1 at the end, and jittered
-/// between by the golden ratio, differently in every segment, so that no oscillation is sampled at a constant
-/// phase.
+/// Time of a measurement within its segment, as a fraction: 0 at the start, 1 at the end, and jittered between by the
+/// golden ratio, differently in every segment, so that no oscillation is sampled at a constant phase.
 double moment(std::size_t segment, int measurement, int measurements) {
   if (measurement == 0 || measurement == measurements) return measurement == 0 ? 0 : 1;
   const double golden = 0.6180339887498949,

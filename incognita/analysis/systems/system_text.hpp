@@ -108,8 +108,7 @@ struct SystemText {
   double segment_duration_s = 1;
   std::vector<NamedNumber> parameters;
   std::vector<NamedRange> inputs;  ///< known, held within a segment
-  /// States of the vehicle that change by an unknown amount between segments, since its acceleration is not
-  /// measured.
+  /// States of the vehicle that change by an unknown amount between segments, since its acceleration is not measured.
   std::vector<DisturbedState> disturbed;
   BlockText vehicle;
   std::optional<BlockText> landmark;

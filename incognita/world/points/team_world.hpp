@@ -48,8 +48,7 @@ class TeamWorld final : public World {
   std::optional<double> last_t_;  ///< previous tick, when the command was given
 };
 
-/// True identities of the detections of the last tick, for evaluation: per vehicle, in the order of its
-/// observation.
+/// True identities of the detections of the last tick, for evaluation: per vehicle, in the order of its observation.
 using AssociationTruth = std::vector<std::vector<std::int64_t>>;
 
 class TeamSensor final : public Sensor {

@@ -67,7 +67,7 @@ float Ground::meet(const std::array<float, 3>& eye, const std::array<float, 3>& 
   constexpr int most_steps = 80;
   constexpr float near_m = 0.02f, touch_m = 2e-4f;
   const float level = std::sqrt(d[0] * d[0] + d[1] * d[1]);
-  // maximum closing rate of the gap per unit of ray parameter
+  // Maximum closing rate of the gap per unit of ray parameter
   const float fastest = steepest_ * level - d[2];
   if (!(fastest > 0)) return most;  // climbs faster than any slope
   const auto high = static_cast<float>(highest_m_);

@@ -101,7 +101,7 @@ class Picture {
   std::vector<Bounds> boxes_;
   std::vector<TileView> tiles_;
   std::vector<std::uint8_t> ids_;  ///< surface visible in each pixel
-  /// inverse ray parameter of the uneven ground in each pixel; empty for a level floor
+  /// Inverse ray parameter of the uneven ground in each pixel; empty for a level floor.
   std::vector<float> nearness_;
 };
 
@@ -215,9 +215,8 @@ void Picture::draw_wall(std::size_t first, int count, const TileView& view, std:
   }
 }
 
-/// Antialiasing: the mipmaps smooth the textures, so steps appear only where two surfaces meet. Only those
-/// pixels are supersampled with four rays. Tiles that see only one wall contain none, not even at their
-/// borders.
+/// Antialiasing: the mipmaps smooth the textures, so steps appear only where two surfaces meet. Only those pixels are
+/// supersampled with four rays. Tiles that see only one wall contain none, not even at their borders.
 void Picture::smooth_edges(Image& out) const {
   for (int v = 1; v < rays_.height - 1; ++v)
     for (int tile = 0; tile < rays_.tiles_across; ++tile) {

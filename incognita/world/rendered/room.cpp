@@ -32,8 +32,7 @@ Surface lay(const Canvas& canvas, const Box& box, int axis, bool mirrored, float
   return s;
 }
 
-/// Seen along +x and along -y, the in-plane axis points left, so the texture is mirrored to be read
-/// correctly.
+/// Seen along +x and along -y, the in-plane axis points left, so the texture is mirrored to be read correctly.
 bool mirrored(int axis, bool looked_at_along_plus) {
   return axis == 0 ? looked_at_along_plus : axis == 1 && !looked_at_along_plus;
 }

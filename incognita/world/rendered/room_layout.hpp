@@ -19,8 +19,7 @@ struct Sheet {
   double black_width = 0.42;  ///< an A3 sheet of black paper
   double black_height = 0.297;
 
-  /// Corners of the black rectangle: top left, top right, bottom right, bottom left as someone facing it sees
-  /// them.
+  /// Corners of the black rectangle: top left, top right, bottom right, bottom left as someone facing it sees them.
   std::array<Eigen::Vector3d, 4> corners() const;
   Eigen::Vector3d normal() const { return {-1, 0, 0}; }
 };

@@ -57,7 +57,7 @@ class Covariances {
   Eigen::LLT<MatrixXd> llt_;
 };
 
-/// A quantity and the size that is equivalent to not knowing it.
+/// A quantity and the standard deviation that counts as no information.
 struct Quantity {
   const char* name;
   const char* unit;

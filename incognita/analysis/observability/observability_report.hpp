@@ -38,7 +38,7 @@ struct InformationRank {
   /// Smallest counted over largest uncounted eigenvalue, the latter at least the tolerance of the rounding alone.
   double gap() const;
 };
-/// `units`: per error, the size that is equivalent to not knowing it.
+/// `units`: per error, the standard deviation that counts as no information.
 InformationRank rank_of_information(const MonitoredInformation& information, const Eigen::VectorXd& units);
 
 /// What has fixed the frame so far.

@@ -87,7 +87,7 @@ RemainingSymmetries remaining_symmetries(const Eigen::MatrixXd& points);
 double typical_distance(const PlanarScene& scene);
 double typical_distance(const SpatialScene& scene);
 
-/// Per error, the size that is equivalent to not knowing it: the typical distance, a radian etc.
+/// Per error, the standard deviation that counts as no information: the typical distance, a radian etc.
 Eigen::VectorXd units_of(const PlanarScene& scene);
 Eigen::VectorXd units_of(const SpatialScene& scene);
 

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double braking_s = 0.5;
 
-/// A screen shows nothing while the estimate is lost.
+/// The goal shown to the operator; nothing while the estimate is lost.
 Command shown(const Goal& goal, bool lost) {
   Command command;
   command.operator_controlled = true;
@@ -40,7 +40,7 @@ Command CameraController::act(const Estimate& estimate, const Goal& goal, const 
                      settings_);
 }
 
-/// The goal's; where it has none, to and fro about where the camera first looked.
+/// The goal's gaze; without one, a swing about the first heading.
 Heading CameraController::gaze_of(const Goal& goal, const Tick& tick) {
   if (goal.heading_rad) return {*goal.heading_rad, goal.heading_rate_rad_s};
   if (!first_heading_) {

@@ -1,4 +1,4 @@
-// Steers a free camera along its goal, its gaze level: thesis (5.29), track_reference.hpp.
+// Steers a free camera along its goal with a level gaze: thesis (5.29), track_reference.hpp.
 #pragma once
 
 #include <optional>
@@ -14,11 +14,11 @@ namespace incognita {
 
 class CameraController {
  public:
-  /// `operator_controlled`: an operator holds the camera, and is shown the goal.
+  /// `operator_controlled`: an operator holds the camera and is shown the goal.
   explicit CameraController(const ControlSettings& settings, bool operator_controlled = false);
 
-  /// What to do until the next tick. Before the start nothing; when lost, brake from the last known motion,
-  /// then nothing.
+  /// Command until the next tick. Empty before the start; when lost, it brakes from the last known motion,
+  /// then is empty.
   Command act(const Estimate& estimate, const Goal& goal, const Observation& observation, const Tick& tick);
 
  private:

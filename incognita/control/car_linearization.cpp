@@ -17,12 +17,12 @@ double tightest_curvature(const AckermannCar& car, const CarLimits& limits) {
   return std::tan(limits.max_steering_rad) / car.wheelbase_m;
 }
 
-/// Speed and turn rate on the edge of what the steering allows, nearest in direction to a wanted velocity of
+/// Speed and turn rate on the boundary of the feasible cone, nearest in direction to a desired velocity of
 /// the control point (m/s, body axes).
 Vector2d on_the_edge(const DifferentialDrive& body, double curvature, const Vector2d& desired) {
   Vector2d best = Vector2d::Zero();
   double most = 0;
-  for (const double way : {1.0, -1.0}) {  // forwards first, where both are as near
+  for (const double way : {1.0, -1.0}) {  // forwards wins a tie
     for (const double bend : {curvature, -curvature}) {
       const Vector2d moved = way * Vector2d(1 - bend * body.left_m, bend * body.forward_m);  // per axle speed
       const double along = desired.dot(moved.normalized());

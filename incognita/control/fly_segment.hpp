@@ -1,4 +1,4 @@
-// A free camera that flies along a segment.
+// Flight of a free camera along a segment.
 #pragma once
 
 #include "incognita/control/settings.hpp"
@@ -7,7 +7,7 @@
 
 namespace incognita {
 
-/// (5.29), track_reference.hpp, along the segment from rest to rest with the least jerk, looking level.
+/// (5.29), track_reference.hpp, along a minimum-jerk segment from rest to rest, with a level gaze.
 Command fly_segment(const CameraState& state, const Segment& segment, const Heading& gaze, double t,
                     const ControlSettings& settings);
 

@@ -1,4 +1,4 @@
-// Refusals with their numbers in them.
+// Formats error messages that contain numbers.
 #pragma once
 
 #include <sstream>

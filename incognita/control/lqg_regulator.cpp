@@ -13,7 +13,7 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// u* of x* = F x* + G u*, the smallest.
+/// Smallest u* with x* = F x* + G u*.
 VectorXd holding_input(const MatrixXd& F, const MatrixXd& G, const VectorXd& goal) {
   const VectorXd drift = goal - F * goal;
   VectorXd u = G.completeOrthogonalDecomposition().solve(drift);
@@ -27,7 +27,7 @@ VectorXd holding_input(const MatrixXd& F, const MatrixXd& G, const VectorXd& goa
 Regulation regulate(const MatrixXd& F, const MatrixXd& G, const VectorXd& x_hat, const VectorXd& goal,
                     const RegulatorWeights& weights, const VectorXd& largest) {
   Regulation answer;
-  answer.gain = steady_gain(F, G, weights.Q1, weights.Q2);  // which checks their sizes
+  answer.gain = steady_gain(F, G, weights.Q1, weights.Q2);  // also checks the sizes
   expect_size("x_hat", x_hat, F.rows(), 1);
   expect_size("the goal", goal, F.rows(), 1);
   expect_size("the largest inputs", largest, G.cols(), 1);
@@ -45,7 +45,7 @@ PlanarRegulator::PlanarRegulator(const PlanarRegulatorSettings& settings) : sett
   settings_.limits.check();
   if (!(settings_.period_s > 0) || !std::isfinite(settings_.period_s))
     throw std::invalid_argument("the period must be positive and finite");
-  gain_at(0);  // the same everywhere but for a rotation
+  gain_at(0);  // throws if there is none; other headings only rotate it
 }
 
 Eigen::Matrix2d PlanarRegulator::gain_at(double heading) const {

@@ -1,17 +1,16 @@
-// LQG regulation to a goal: thesis (5.2), (5.3) and (5.6). The estimate is any filter's; by separation its
-// covariance does not enter the gain.
+// LQG regulation to a goal: thesis (5.2), (5.3) and (5.6). The estimate comes from any filter; by the
+// separation principle its covariance does not enter the gain.
 //
-//   u = u* - L (x_hat - x*)
+//     u = u* - L (x_hat - x*)
 //
-// u* holds the goal, x* = F x* + G u*; it is 0 where F x* = x*. L is computed anew from the Jacobians of the
-// present, as in Example 5.1: with these there is no guarantee that it is the optimum for the nonlinear
-// system.
+// u* holds the goal, x* = F x* + G u*; it is 0 if F x* = x*. L is recomputed from the current Jacobians, as
+// in Example 5.1; it is not guaranteed to be optimal for the nonlinear system.
 //
-// Of a planar vehicle only the position is regulated: with F = I and G = Q_r dt, the rows of the position at
-// rest, whose control point lies off the axle, every position can be reached and held. With the heading as a
-// third state the linearisation at rest has three modes at 1 and two inputs, and no gain moves all three.
-// That the sampled loop is stable says nothing of a body that turns far while a command is held: keep the
-// turn rate limit times the period well below 1 rad (held_command.hpp says why).
+// For a planar vehicle only the position is regulated: with F = I and G = Q_r dt, the position rows at rest
+// with a control point off the axle, every position can be reached and held. With the heading as a third
+// state the linearization at rest has three modes at 1 and two inputs, and no gain moves all three. Stability
+// of the sampled loop does not cover a body that turns far during one command: keep the turn rate limit times
+// the period well below 1 rad (see held_command.hpp).
 #pragma once
 
 #include <Eigen/Core>
@@ -22,7 +21,7 @@
 
 namespace incognita {
 
-/// Of (5.1): Q1 n x n per state, Q2 m x m per input.
+/// Weights of (5.1): Q1 n x n on the states, Q2 m x m on the inputs.
 struct RegulatorWeights {
   Eigen::MatrixXd Q1;
   Eigen::MatrixXd Q2;
@@ -30,33 +29,32 @@ struct RegulatorWeights {
 
 struct Regulation {
   Eigen::VectorXd u;       ///< 0 unless the outcome is `converged`
-  bool saturated = false;  ///< an input is cut off at its limit
-  SteadyGain gain;         ///< with the reason when there is none
+  bool saturated = false;  ///< whether an input is clamped
+  SteadyGain gain;         ///< states the reason if there is none
 };
 
-/// One step of the regulator for a linear, or presently so linearised, system. `largest` (m) holds the
-/// largest magnitude of each input. Throws std::invalid_argument for wrong sizes, and for a goal that no
-/// constant input holds.
+/// One step of the regulator for a linear or linearized system. `largest` (m) holds the largest magnitude of
+/// each input. Throws std::invalid_argument for wrong sizes, and for a goal that no constant input holds.
 Regulation regulate(const Eigen::MatrixXd& F, const Eigen::MatrixXd& G, const Eigen::VectorXd& x_hat,
                     const Eigen::VectorXd& goal, const RegulatorWeights& weights,
                     const Eigen::VectorXd& largest);
 
 struct PlanarRegulatorSettings {
-  DifferentialDrive body{0.3, 0};                    ///< where the control point is; forward_m is not 0
+  DifferentialDrive body{0.3, 0};                    ///< its control point; forward_m must not be 0
   Eigen::Matrix2d Q1 = Eigen::Matrix2d::Identity();  ///< position, world, 1/m^2
   Eigen::Matrix2d Q2 = Eigen::Matrix2d::Identity();  ///< speed, s^2/m^2, and turn rate, s^2/rad^2
-  double period_s = 0.1;                             ///< how long a command is held
+  double period_s = 0.1;                             ///< duration of one command
   PlanarLimits limits{};
 };
 
 struct PlanarRegulation {
   PlanarCommand command;
-  Eigen::Matrix2d L = Eigen::Matrix2d::Zero();  ///< of (5.6): speed and turn rate by position
+  Eigen::Matrix2d L = Eigen::Matrix2d::Zero();  ///< gain of (5.6): speed and turn rate by position
 };
 
 class PlanarRegulator {
  public:
-  /// Throws std::invalid_argument with the reason when there is no regulator with these settings.
+  /// Throws std::invalid_argument if these settings admit no regulator; the message states the reason.
   explicit PlanarRegulator(const PlanarRegulatorSettings& settings);
 
   /// (5.6) with the Jacobians at the estimate. A saturated command keeps its direction.
@@ -68,8 +66,8 @@ class PlanarRegulator {
   PlanarRegulatorSettings settings_;
 };
 
-/// F - G [L 0] of position and heading with the plant's Jacobians under that input: what Figure 5.5 shows the
-/// eigenvalues of. At rest one of them is 1, the heading's.
+/// F - G [L 0] for position and heading with the plant's Jacobians under that input; its eigenvalues are
+/// shown in Figure 5.5. At rest one of them is 1, that of the heading.
 Eigen::Matrix3d planar_closed_loop(const DifferentialDrive& body, const planar::Pose<double>& pose,
                                    const Eigen::Vector2d& input, double period_s, const Eigen::Matrix2d& L);
 

@@ -19,8 +19,8 @@ namespace {
 
 using Eigen::MatrixXd;
 
-constexpr double rounding = 1e-12;         // what a symmetric matrix may miss by, relative
-constexpr double mode_margin = 1e-7;       // the square root of the rounding: see the header
+constexpr double rounding = 1e-12;         // relative tolerance of symmetry and semi-definiteness
+constexpr double mode_margin = 1e-7;       // square root of the rounding: see the header
 constexpr double largest_residual = 1e-8;  // relative
 constexpr double least = std::numeric_limits<double>::min();
 
@@ -56,7 +56,7 @@ void check_sizes(const MatrixXd& F, const MatrixXd& G, const MatrixXd& Q1, const
   expect_finite("Q2", Q2);
 }
 
-/// Why M is not symmetric and positive (semi-)definite.
+/// Reason why M is not symmetric and positive (semi-)definite.
 std::optional<std::string> not_definite(const char* name, const MatrixXd& M, bool strictly) {
   const double size = M.cwiseAbs().maxCoeff(), skew = (M - M.transpose()).cwiseAbs().maxCoeff();
   if (skew > rounding * size) return format_message(name, " is not symmetric, by ", skew);
@@ -67,8 +67,8 @@ std::optional<std::string> not_definite(const char* name, const MatrixXd& M, boo
   return std::nullopt;
 }
 
-/// The mode on or outside the unit circle that B does not reach: [F - lambda I | B] has not full rank there
-/// (Popov, Belevitch and Hautus). B counts by its directions, whatever its units.
+/// A mode on or outside the unit circle that is unreachable by B: [F - lambda I | B] loses rank there (Popov,
+/// Belevitch and Hautus). B is scaled to the size of F, so its units do not matter.
 std::optional<std::complex<double>> unreached_mode(const MatrixXd& F, const MatrixXd& B,
                                                    const Eigen::VectorXcd& eigenvalues) {
   const Eigen::Index n = F.rows();
@@ -93,14 +93,14 @@ std::string named(std::complex<double> mode) {
   return format_message("the mode ", at, ", of magnitude ", std::abs(mode));
 }
 
-/// (5.3); nothing where Q2 + G' T G is not definite.
+/// (5.3); empty if Q2 + G' T G is not definite.
 std::optional<MatrixXd> gain(const MatrixXd& F, const MatrixXd& G, const MatrixXd& Q2, const MatrixXd& T) {
   const Eigen::LLT<MatrixXd> weight(Q2 + G.transpose() * T * G);
   if (weight.info() != Eigen::Success) return std::nullopt;
   return weight.solve(G.transpose() * T * F);
 }
 
-/// (5.4), a sum of squares whatever the rounding of L.
+/// (5.4) as a sum of squares, so it is semi-definite whatever the rounding of L.
 MatrixXd cost_before(const MatrixXd& F, const MatrixXd& G, const MatrixXd& Q1, const MatrixXd& Q2,
                      const MatrixXd& L, const MatrixXd& T) {
   const MatrixXd A = F - G * L;
@@ -112,9 +112,9 @@ double change(const MatrixXd& before, const MatrixXd& after) {
   return (after - before).cwiseAbs().maxCoeff() / std::max(after.cwiseAbs().maxCoeff(), least);
 }
 
-/// Doubling: after k rounds T is what 2^k steps of (5.4) make of a free end (Chu, Fan, Lin and Wang, Int. J.
-/// Control 77, 2004). A carries the state and B the effect of the inputs over that many steps. Plain (5.4)
-/// would take a million steps where this takes twenty rounds.
+/// Doubling: after k rounds T equals 2^k steps of (5.4) from a free end (Chu, Fan, Lin and Wang, Int. J.
+/// Control 77, 2004). A is the state transition and B the effect of the inputs over that many steps. Where
+/// plain (5.4) takes a million steps, this takes twenty rounds.
 struct Doubling {
   MatrixXd A, B, T;
 
@@ -144,7 +144,7 @@ std::optional<SteadyGain> refusal_before_start(const MatrixXd& F, const MatrixXd
   return std::nullopt;
 }
 
-/// What was found counts only if it solves (5.4) and stabilises.
+/// Accepts a result only if it solves (5.4) and stabilizes.
 SteadyGain verified(SteadyGain answer, const MatrixXd& F, const MatrixXd& G, const MatrixXd& Q1,
                     const MatrixXd& Q2) {
   const auto L = gain(F, G, Q2, answer.T);

@@ -10,12 +10,12 @@
 namespace incognita {
 namespace {
 
-/// The bearing of a cone's middle from the way the vehicle goes, which backwards is behind it.
+/// Bearing of a cone's center from the direction of travel, which is behind the vehicle when it reverses.
 double off_the_way(const ConeRange& cone, bool backwards) {
   return wrap_angle(cone.bearing_rad + (backwards ? std::numbers::pi : 0));
 }
 
-/// The farther side, by what is ahead on either.
+/// Side with the larger sum of ranges in the direction of travel.
 TurnSide freer_side(std::span<const ConeRange> ranges, bool backwards) {
   double left = 0, right = 0;
   for (const ConeRange& cone : ranges) {
@@ -40,7 +40,7 @@ AvoidanceCommand avoid_obstacles(const Eigen::Vector2d& desired, std::span<const
   const double per_s = settings.limits.max_speed_m_s / (settings.avoidance_distance_m - settings.radius_m);
   double allowed = speed;
   for (const ConeRange& cone : ranges) {
-    // As straight ahead as the thing may be inside its cone
+    // Smallest bearing that the obstacle may have inside its cone
     const double b = std::max(0.0, std::abs(off_the_way(cone, backwards)) - cone.half_width_rad);
     if (b >= std::numbers::pi / 2) continue;
     const double closing = std::max(0.0, cone.range_m - settings.radius_m) * per_s;

@@ -1,10 +1,9 @@
-// A vehicle that keeps clear of what stands around it, whatever it is told to do: the low level of thesis
-// Section 6.4.3.
+// Obstacle avoidance below every command: the low level of thesis Section 6.4.3.
 //
-// A vehicle that is round about its axle closes in on a thing at range r and bearing b off its way with
-// v cos(b), however it turns. Held to v cos(b) <= (r - radius) / T it comes near, ever slower, and never
-// nearer than its radius; T is such that it has its full speed from `avoidance_distance_m` on. What speed it loses it
-// turns away by.
+// A vehicle that is round about its axle approaches an obstacle at range r and bearing b (from its direction
+// of travel) with v cos(b), for every turn rate. Limited to v cos(b) <= (r - radius) / T it approaches ever
+// more slowly and never closer than its radius; T is chosen such that the full speed is available from
+// `avoidance_distance_m` on. As the speed is reduced, the vehicle turns away.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,23 +15,22 @@
 namespace incognita {
 
 struct ObstacleAvoidanceSettings {
-  double avoidance_distance_m = 0.8;  ///< from the middle of the axle; nearer, it is slower
-  double radius_m = 0.3;              ///< of the vehicle about there, with something to spare
+  double avoidance_distance_m = 0.8;  ///< distance from the axle's center within which it slows down
+  double radius_m = 0.3;              ///< radius about the axle's center, with a margin
   PlanarLimits limits;
 
-  /// Throws std::invalid_argument where `avoidance_distance_m` is not more than the radius, or the limits cannot be.
+  /// Throws std::invalid_argument if `avoidance_distance_m` is not larger than the radius, or the limits are invalid.
   void check() const;
 };
 
 enum class TurnSide { none, left, right };
 
 struct AvoidanceCommand {
-  Eigen::Vector2d drive{0, 0};  ///< speed, m/s, and turn rate, rad/s, to the left
-  TurnSide turn_side =
-      TurnSide::none;  ///< to which it turns away; told to the next call, it does not change its mind
+  Eigen::Vector2d drive{0, 0};          ///< speed, m/s, and turn rate, rad/s, to the left
+  TurnSide turn_side = TurnSide::none;  ///< side it turns to; passed to the next call, it stays fixed
 };
 
-/// What is left of `desired`; `away` is what the call before answered.
+/// Reduces `desired` (m/s, rad/s) by the obstacles in `ranges`; `turn_side` is the result of the previous call.
 AvoidanceCommand avoid_obstacles(const Eigen::Vector2d& desired, std::span<const ConeRange> ranges,
                                  const ObstacleAvoidanceSettings& settings, TurnSide turn_side);
 

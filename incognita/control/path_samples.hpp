@@ -1,4 +1,4 @@
-// Places at given times, as a file or a planner gives them.
+// Positions at given times, as from a file or a planner.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,9 +7,9 @@
 namespace incognita {
 
 struct PathSamples {
-  std::vector<double> t;                  ///< s, each later than the one before
-  std::vector<Eigen::Vector3d> position;  ///< m, as many as times
-  std::vector<double> heading;  ///< rad, as many as times; empty where the direction of travel will do
+  std::vector<double> t;                  ///< s, strictly increasing
+  std::vector<Eigen::Vector3d> position;  ///< m, one per time
+  std::vector<double> heading;            ///< rad, one per time; empty: the direction of travel
 };
 
 }  // namespace incognita

@@ -30,8 +30,8 @@ PathSpeed fastest(const WayPointPath& path) {
   return {};
 }
 
-/// In each piece the speed, squared, is of fourth order in time: at most two peaks, which eight slices tell
-/// apart and a bracketing search then finds.
+/// Within each piece the squared speed is a quartic in time with at most two peaks; eight slices separate
+/// them and a bracketing search refines the best.
 PathSpeed fastest(const SampledPath& path) {
   constexpr int slices = 8, digits = 40, most_steps = 60;
   const PoseSpline& spline = path.spline;
@@ -59,7 +59,7 @@ PathAcceleration strongest(const CirclePath& path) {
   return {path.radius_m * path.rate_rad_s * path.rate_rad_s, 0};
 }
 
-/// It repeats every pi seconds but for a turn, so that in time the largest points along an axis.
+/// The path repeats every pi seconds up to a rotation, so over time the largest acceleration points along an axis.
 PathAcceleration strongest(const BackAndForthPath& path) {
   constexpr int slices = 1000;
   PathAcceleration most;
@@ -71,7 +71,7 @@ PathAcceleration strongest(const BackAndForthPath& path) {
   return most;
 }
 
-/// Of a minimum-jerk way s in T it is 10/sqrt(3) s/T^2, with T = 15/8 s/speed.
+/// A minimum-jerk motion over s in time T has a maximum acceleration of 10/sqrt(3) s/T^2, with T = 15/8 s/speed.
 PathAcceleration strongest(const WayPointPath& path) {
   PathAcceleration most;
   for (std::size_t leg = 0; leg + 1 < path.points.size(); ++leg) {
@@ -83,7 +83,7 @@ PathAcceleration strongest(const WayPointPath& path) {
   return most;
 }
 
-/// Between samples the acceleration of a cubic spline is straight.
+/// The acceleration of a cubic spline is linear between samples, so its maximum is at a sample.
 PathAcceleration strongest(const SampledPath& path) {
   return {path.spline.bending.topRows<3>().cwiseAbs().maxCoeff(),
           path.spline.bending.row(3).cwiseAbs().maxCoeff()};

@@ -1,4 +1,4 @@
-// Whether a vehicle is fast and strong enough for a path.
+// Speed and acceleration that a path demands of a vehicle.
 #pragma once
 
 #include <optional>
@@ -10,22 +10,22 @@ namespace incognita {
 
 struct PathSpeed {
   double m_s = 0;
-  double t_s = 0;  ///< when it is asked for first
+  double t_s = 0;  ///< first time at which it occurs
 };
 
-/// The highest speed that the path asks for, over all of its duration.
+/// Maximum speed over the whole path.
 PathSpeed greatest_speed(const Path& path);
 
-/// Why a vehicle with that top speed cannot keep up; nothing when it can. It needs some speed in hand to
-/// catch up from where it starts.
+/// Reason why a vehicle with that top speed cannot follow the path; empty if it can. It needs a speed margin
+/// to make up an initial error.
 std::optional<std::string> unreachable(const Path& path, double max_speed_m_s);
 
 struct PathAcceleration {
   double m_s2 = 0;    ///< along any axis of the world
-  double rad_s2 = 0;  ///< of the heading; one that changes at once, where the path stands, is not counted
+  double rad_s2 = 0;  ///< heading acceleration; steps at standstill are not counted
 };
 
-/// The highest accelerations that the path asks for, over all of its duration.
+/// Maximum accelerations over the whole path.
 PathAcceleration greatest_acceleration(const Path& path);
 
 }  // namespace incognita

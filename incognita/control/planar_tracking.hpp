@@ -1,10 +1,10 @@
 // Tracking of a moving reference by a planar vehicle, about its axle: Kanayama, Kimura, Miyazaki, Noguchi, "A
 // stable tracking control method for an autonomous mobile robot", ICRA 1990.
 //
-//   v = v* cos(e_theta) + K_x e_x,    w = w* + v* (K_y e_y + K_theta sin(e_theta))
+//     v = v* cos(e_theta) + K_x e_x,    w = w* + v* (K_y e_y + K_theta sin(e_theta))
 //
-// with e the reference's pose less the vehicle's, in the vehicle's axes. It holds the heading too, and needs
-// no point off the axle; but only a reference that moves forwards draws it in.
+// with e the reference pose minus the vehicle pose, in vehicle axes. The law also controls the heading and
+// needs no control point off the axle, but converges only for a reference that moves forwards.
 #pragma once
 
 #include "incognita/control/planar_command.hpp"
@@ -19,7 +19,7 @@ struct TrackingGains {
   double heading_per_m = 2;  ///< K_theta
 };
 
-/// Of the middle of the axle. Within the limits, shrunk as a whole.
+/// Command of the axle's center, scaled as a whole to the limits.
 PlanarCommand track(const planar::Pose<double>& axle, const Reference& reference, const TrackingGains& gains,
                     const PlanarLimits& limits);
 

@@ -26,7 +26,7 @@ void check(const VectorXd& t, const Matrix4Xd& pose) {
   }
 }
 
-/// Continuity of the first derivative at each inner sample; its matrix is symmetric and positive definite.
+/// Second derivatives at the samples, from the continuity of the first; the matrix is symmetric positive definite.
 Matrix4Xd bending_of(const VectorXd& t, const Matrix4Xd& pose) {
   const Index inner = t.size() - 2;
   Matrix4Xd bending = Matrix4Xd::Zero(4, t.size());

@@ -1,8 +1,8 @@
-// A smooth way through poses at given times: the natural cubic spline.
+// Natural cubic spline through poses at given times.
 //
-// Its acceleration is continuous, which a controller that feeds it forward wants, and zero at both ends.
-// Boost 1.74 interpolates uneven times with continuous velocity only (makima, pchip), and Eigen's splines
-// solve a dense system. Between far-apart samples it may swing out; sample where it matters.
+// Its acceleration is continuous, as needed for feedforward, and zero at both ends. Boost 1.74 interpolates
+// uneven times only with continuous velocity (makima, pchip), and Eigen's splines solve a dense system. The
+// spline may overshoot between distant samples.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,12 +11,12 @@ namespace incognita {
 
 /// Columns are samples, rows x, y, z (m) and heading (rad, not wrapped).
 struct PoseSpline {
-  Eigen::VectorXd t;  ///< s, rising, two or more
+  Eigen::VectorXd t;  ///< s, strictly increasing, at least two
   Eigen::Matrix4Xd pose;
   Eigen::Matrix4Xd bending;  ///< second derivatives at the samples
 };
 
-/// Throws std::invalid_argument unless there are two finite samples or more at rising times.
+/// Throws std::invalid_argument unless there are at least two finite samples at strictly increasing times.
 PoseSpline pose_spline(const Eigen::VectorXd& t, const Eigen::Matrix4Xd& pose);
 
 struct PoseMotion {
@@ -25,7 +25,7 @@ struct PoseMotion {
   Eigen::Vector4d acceleration;
 };
 
-/// At a time from the first sample's to the last's; others are moved to the nearer end.
+/// Evaluates the spline; times outside of it are clamped to its ends.
 PoseMotion at(const PoseSpline& spline, double t);
 
 }  // namespace incognita

@@ -15,8 +15,8 @@ using Eigen::Vector3d;
 
 constexpr double pi = std::numbers::pi;
 constexpr double endless = std::numeric_limits<double>::infinity();
-constexpr double peak_over_mean = 15.0 / 8;  // of the speed of a minimum-jerk motion
-constexpr double no_way_m = 1e-9;            // less is no direction
+constexpr double peak_over_mean = 15.0 / 8;  // speed of a minimum-jerk motion
+constexpr double no_way_m = 1e-9;            // below it a direction is undefined
 
 template <class... Cases>
 struct Overloaded : Cases... {
@@ -64,7 +64,7 @@ Reference on(const WayPointPath& path, double t) {
     const Vector3d& from = path.points[leg];
     const Vector3d& to = path.points[leg + 1];
     const Vector2d way = (to - from).head<2>();
-    if (way.norm() > no_way_m) heading = std::atan2(way.y(), way.x());  // straight up or down keeps it
+    if (way.norm() > no_way_m) heading = std::atan2(way.y(), way.x());  // vertical legs keep it
     const double end = start + leg_s(path, leg);
     reference = minimum_jerk(from, to, start, end, t);
     if (t < end) break;
@@ -95,13 +95,13 @@ void check_circle(const Vector3d& center, double radius) {
   expect(radius > 0 && std::isfinite(radius), "the radius of the path must be positive");
 }
 
-/// Each moved by whole turns to within half a turn of the one before.
+/// Shifts each heading by whole turns to within half a turn of its predecessor.
 void unwrap(Eigen::Ref<Eigen::RowVectorXd> headings) {
   for (Eigen::Index i = 1; i < headings.size(); ++i)
     headings[i] = headings[i - 1] + wrap_angle(headings[i] - headings[i - 1]);
 }
 
-/// Directions of travel at the samples; where it stands, that of the one before.
+/// Directions of travel at the samples; at standstill, that of the previous sample.
 Eigen::RowVectorXd directions(const PoseSpline& spline) {
   Eigen::RowVectorXd headings = Eigen::RowVectorXd::Zero(spline.t.size());
   bool known = false;
@@ -109,7 +109,8 @@ Eigen::RowVectorXd directions(const PoseSpline& spline) {
     const Vector2d velocity = at(spline, spline.t[i]).rate.head<2>();
     const bool moves = velocity.norm() > no_way_m;
     headings[i] = moves ? std::atan2(velocity.y(), velocity.x()) : i > 0 ? headings[i - 1] : 0;
-    if (moves && !known) headings.head(i).setConstant(headings[i]);  // it starts the way it will go
+    // Initial standstill: first direction of travel
+    if (moves && !known) headings.head(i).setConstant(headings[i]);
     known = known || moves;
   }
   return headings;

@@ -26,7 +26,7 @@ SmallVector within(const SmallVector& input, const SmallVector& most) {
 
 PlanarLimits planar_limits(const SteeringSettings& s) { return {s.most_input[0], s.most_input[1]}; }
 
-/// A vehicle on the axle's middle, seen from a point before it.
+/// The pose of a point ahead of the axle's center.
 planar::Pose<double> point_before(const planar::Pose<double>& axle, double forward_m) {
   return {axle[0] + forward_m * std::cos(axle[2]), axle[1] + forward_m * std::sin(axle[2]), axle[2]};
 }
@@ -41,7 +41,7 @@ struct LinearPlant {
   Eigen::MatrixXd F, G;
 };
 
-/// L of (5.2) with those weights.
+/// Gain L of (5.2).
 Eigen::MatrixXd gain_of(const LinearPlant& plant, const SteeringSettings& s) {
   const auto n = plant.F.rows(), m = plant.G.cols();
   const SteadyGain gain = steady_gain(plant.F, plant.G, s.weight_state.matrix(n), s.weight_input.matrix(m));
@@ -55,7 +55,7 @@ struct HeldInput final : Steering {
   SmallVector act(const SmallVector&, double) const override { return input; }
 };
 
-/// On a line: speed of the reference and so much of the error a second.
+/// On a line: the reference's speed plus a proportional term.
 struct LineTracking final : Steering {
   SteeringSettings s;
   explicit LineTracking(const SteeringSettings& settings) : s(settings) {}
@@ -66,7 +66,7 @@ struct LineTracking final : Steering {
   }
 };
 
-/// (5.2) of a line, on which every place is held by standing still.
+/// (5.2) on a line, where zero speed holds every position.
 struct LineRegulation final : Steering {
   SteeringSettings s;
   double L;
@@ -92,7 +92,7 @@ struct PlanarTracking final : Steering {
 struct DriveLinearization final : Steering {
   SteeringSettings s;
   FeedbackLinearization law;
-  bool on_ground;  // the state is the axle's middle: its control point lies before it
+  bool on_ground;  // the state is the axle's center, and the control point lies ahead of it
   DriveLinearization(const SteeringSettings& settings, const DifferentialDrive& body, double period,
                      bool ground)
       : s(settings),
@@ -113,8 +113,8 @@ struct CarSteering final : Steering {
         car(c),
         law({c, settings.gain_per_s.matrix(2), period, {settings.most_input[0], settings.most_input[1]}}) {}
   SmallVector act(const SmallVector& x, double t) const override {
-    // The limit is that of the wheel, which on the outside of a turn is faster than the axle; slower, the car
-    // still goes along the same arc
+    // The limit applies to the measured wheel, which is faster than the axle on the outside of a turn;
+    // clamped, the car still follows the same arc
     return within(wheel_input(car, law.act(planar::Pose<double>(x), at(s.path, t))), s.most_input);
   }
 };
@@ -131,13 +131,13 @@ struct DriveRegulation final : Steering {
   }
 };
 
-/// (5.29); the gaze is the path's heading.
+/// (5.29), with the path's heading as the gaze.
 struct BodyLinearization final : Steering {
   SteeringSettings s;
   explicit BodyLinearization(const SteeringSettings& settings) : s(settings) {}
   SmallVector act(const SmallVector& x, double t) const override {
     const Reference r = at(s.path, t);
-    // Turning left about z is turning about -y of a camera that is level
+    // A left turn about z is a turn about -y of a level camera
     const Eigen::Vector3d rate(0, -r.heading_rate, 0), faster(0, -r.heading_acceleration, 0);
     return within(track_reference(x, r.position, r.velocity, r.acceleration, level_gaze(r.heading), rate,
                                   s.camera, faster)
@@ -146,8 +146,8 @@ struct BodyLinearization final : Steering {
   }
 };
 
-/// (5.2) about a pose at rest: errors in the chart of the state, F and G of the motion there with its
-/// accelerations held, as plant and filter have it.
+/// (5.2) about a pose at rest: errors in the chart of the state, F and G of the motion model at rest with
+/// accelerations held over the period, as in plant and filter.
 struct BodyRegulation final : Steering {
   FreeCameraMotion::State<double> goal;
   Eigen::MatrixXd L;
@@ -165,7 +165,7 @@ struct BodyRegulation final : Steering {
   }
 };
 
-/// A law of a simpler vehicle, whose state is how this one's begins.
+/// Applies the law of a simpler vehicle, whose state is the leading part of this one's.
 struct SteeredAs final : Steering {
   std::unique_ptr<Steering> law;
   int size;

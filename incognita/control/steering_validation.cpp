@@ -14,7 +14,7 @@
 namespace incognita {
 namespace {
 
-/// The first of them that is one.
+/// The first problem that is not empty.
 std::string first_of(std::initializer_list<std::string> problems) {
   for (const std::string& problem : problems)
     if (!problem.empty()) return problem;
@@ -55,7 +55,7 @@ std::string need_point(const SteeringSettings& s) {
   return "an LQG regulator drives to a point: take `feedback-linearisation` or `tracking` for a path in time";
 }
 
-/// A law that knows the body's heading at the start of a command only (lqg_regulator.hpp).
+/// Limits the turn during one command, for a law that uses the heading at its start (lqg_regulator.hpp).
 std::string need_small_turns(const SteeringSettings& s, double period_s) {
   const double turn = s.most_input[1] * period_s;
   if (turn <= 1) return "";
@@ -63,7 +63,7 @@ std::string need_small_turns(const SteeringSettings& s, double period_s) {
                         period_s, " s for which a command is held; it must be 1 rad at most");
 }
 
-/// Likewise of a body in space, from rest.
+/// The same for a body in space, starting from rest.
 std::string need_small_body_turns(const SteeringSettings& s, double period_s) {
   const double most = s.most_input.tail<3>().maxCoeff(), turn = most * period_s * period_s;
   if (turn <= 1) return "";
@@ -71,7 +71,7 @@ std::string need_small_body_turns(const SteeringSettings& s, double period_s) {
                         " s for which a command is held; it must be 1 rad at most");
 }
 
-/// One number for all, or `size` of them.
+/// Requires one common number or `size` numbers.
 std::string need_gains(const char* what, const Diagonal& gains, Eigen::Index size) {
   if (gains.numbers.size() != 1 && gains.numbers.size() != size)
     return format_message(what, " needs 1 number or ", size, ", and has ", gains.numbers.size());
@@ -85,7 +85,7 @@ std::string validate_weights(const SteeringSettings& s, Eigen::Index states, Eig
                    need_gains("the weight of the input", s.weight_input, inputs)});
 }
 
-/// On a circle a body turns as fast as its reference, all the time.
+/// On a circle a body turns at the rate of its reference.
 std::string need_turn_rate(const SteeringSettings& s) {
   const auto* circle = std::get_if<CirclePath>(&s.path);
   if (!circle || std::abs(circle->rate_rad_s) <= s.most_input[1]) return "";
@@ -93,7 +93,7 @@ std::string need_turn_rate(const SteeringSettings& s) {
                         " rad/s, the vehicle with at most ", s.most_input[1]);
 }
 
-/// The point that a car steers is `forward_m` before the axle, whose tightest circle it goes round outside.
+/// The car's control point is `forward_m` ahead of the axle and moves on a larger circle than the axle's tightest.
 std::string need_wide_circle(const AckermannCar& car, const SteeringSettings& s) {
   const auto* circle = std::get_if<CirclePath>(&s.path);
   if (!circle || !(s.most_input[1] < std::numbers::pi / 2)) return "";
@@ -105,7 +105,7 @@ std::string need_wide_circle(const AckermannCar& car, const SteeringSettings& s)
                         tightest);
 }
 
-/// Kanayama's law holds the heading: it must be that of the way.
+/// Kanayama's law controls the heading, which must be the direction of travel.
 std::string need_heading_along(const Path& path) {
   constexpr double most_rad = 0.2;
   const char* instead = "; tracking holds the heading too, take `feedback-linearisation`";
@@ -123,8 +123,8 @@ std::string need_heading_along(const Path& path) {
   return "";
 }
 
-/// Near the path Kanayama's error ahead obeys e' = -K_x e, and that to the side is a double integrator moved
-/// by v^2 (K_y e + K_theta e'/v): the fastest stretch decides.
+/// Near the path, Kanayama's error ahead obeys e' = -K_x e, and the lateral error is a double integrator
+/// driven by v^2 (K_y e + K_theta e'/v), so the highest speed is critical.
 std::string validate_tracking(const SteeringSettings& s, double period_s) {
   const double v = greatest_speed(s.path).m_s;
   if (!(v > 0))
@@ -143,7 +143,7 @@ std::string validate_tracking(const SteeringSettings& s, double period_s) {
   return why ? format_message("across the path, at ", v, " m/s: ", *why) : "";
 }
 
-/// (5.29) on a path in time.
+/// Conditions of (5.29) on a path in time.
 std::string validate_body_tracking(const SteeringSettings& s, double period_s) {
   const ControlSettings& c = s.camera;
   std::string limits =

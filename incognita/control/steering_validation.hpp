@@ -1,4 +1,4 @@
-// Which laws of steering can not be, told before the first command.
+// Validation of steering laws before the first command.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace incognita {
 
-/// Why that law cannot steer that motion along that path with commands held for `period_s`; empty when it
-/// can. What a law's own constructor refuses is left to it.
+/// Reason why that law cannot steer that motion along that path with commands held for `period_s`; empty if
+/// it can. Checks of the laws' own constructors are not repeated.
 std::string validate_steering(const AnyMotion& motion, const SteeringSettings& settings, double period_s);
 
 }  // namespace incognita

@@ -20,13 +20,13 @@ TeamController::TeamController(std::vector<VehicleSteering> vehicles, double per
 
 namespace {
 
-/// Within what the vehicle can do.
+/// Clamped to the vehicle's limits.
 SmallVector driven(const VehicleSteering& v, const Eigen::Vector2d& drive) {
   const SmallVector& most = v.settings.most_input;
   return SmallVector(drive).cwiseMax(-most).cwiseMin(most);
 }
 
-/// On uneven ground it is the point before the axle that is brought to the path: to where it is at the goal.
+/// The goal of the control point: on uneven ground it lies ahead of the axle.
 Eigen::Vector3d steered_to(const VehicleSteering& v, const VehicleGoal& goal) {
   const bool ahead =
       traits_of(v.motion).space == Space::uneven_ground && v.settings.law == "feedback-linearisation";
@@ -49,7 +49,8 @@ void TeamController::turn_to(const Goal& goal) {
   }
 }
 
-/// Vehicles stand still without a command; a body in space goes on, so it brakes from its last known motion.
+/// Ground vehicles stand still without a command; a body in space would drift, so it brakes from its last
+/// known motion.
 Command TeamController::brake(const Tick& tick) {
   constexpr double braking_s = 0.5;
   if (!lost_t_) lost_t_ = tick.t;
@@ -65,7 +66,7 @@ Command TeamController::brake(const Tick& tick) {
   return command;
 }
 
-/// A body in space goes to its goal with the least jerk, looking where the goal says: (5.29).
+/// A body in space moves to its goal with minimum jerk and the goal's gaze: (5.29).
 SmallVector TeamController::fly(const Goal& goal, std::size_t i, const Tick& tick) const {
   const VehicleGoal& to = goal.team[i];
   const SteeringSettings& s = vehicles_[i].settings;
@@ -76,7 +77,7 @@ SmallVector TeamController::fly(const Goal& goal, std::size_t i, const Tick& tic
   return wished.cwiseMax(-s.most_input).cwiseMin(s.most_input);
 }
 
-/// What screens show the operators; nothing while the estimate is lost.
+/// The goals shown to the operators; nothing while the estimate is lost.
 Command TeamController::shown(const Goal& goal, bool lost) const {
   Command command;
   command.operator_controlled = true;
@@ -90,7 +91,7 @@ Command TeamController::shown(const Goal& goal, bool lost) const {
   return command;
 }
 
-/// last_known_ <- the estimate; once lost, it stays what it was, to brake from.
+/// Stores the estimate in last_known_; while lost, it keeps the last state, to brake from.
 void TeamController::take_states(const TeamEstimate& estimate) {
   if (estimate.status.state == TrackingState::lost) return;
   lost_t_.reset();

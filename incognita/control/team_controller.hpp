@@ -1,4 +1,4 @@
-// Steers each vehicle of a team along a path of its own, or to the goals that a decision sets.
+// Steers each vehicle of a team along its own path, or to the goals of a decision.
 #pragma once
 
 #include <memory>
@@ -21,12 +21,12 @@ struct VehicleSteering {
 
 class TeamController {
  public:
-  /// `period_s`: how long a command is held. `operator_controlled`: operators hold the vehicles, all of them cameras that
-  /// are free, and are shown the goals. Throws std::invalid_argument as make_steering does.
+  /// `period_s`: duration of one command. `operator_controlled`: operators hold the vehicles, which must be
+  /// free cameras, and are shown the goals. Throws std::invalid_argument as make_steering does.
   TeamController(std::vector<VehicleSteering> vehicles, double period_s, bool operator_controlled = false);
 
-  /// Nothing before the start; once lost, bodies in space brake from their last known motion. Goals for the
-  /// team, newly decided, take the place of the paths.
+  /// Empty before the start; when lost, bodies in space brake from their last known motion. Newly decided
+  /// team goals replace the paths.
   Command act(const TeamEstimate& estimate, const Goal& goal, const Observation& observation,
               const Tick& tick);
 

@@ -1,10 +1,9 @@
-// Makes a body that moves freely in space follow a reference by feedback linearisation: thesis (5.29),
-// corrected.
+// Feedback linearization of a body that moves freely in space: thesis (5.29), corrected.
 //
-//   f = a* - K_v (v - v*) - K_p (p - p*),    alpha = alpha* - K_w (w - w*) + K_r e
+//     f = a* - K_v (v - v*) - K_p (p - p*),    alpha = alpha* - K_w (w - w*) + K_r e
 //
-// (5.29) has no term for the orientation itself, so a gaze would drift; e is the rotation vector from the
-// present gaze to the wanted one, in camera axes.
+// (5.29) has no attitude term, so the gaze would drift; e is the rotation vector from the current to the
+// desired gaze, in camera axes.
 #pragma once
 
 #include "incognita/control/settings.hpp"
@@ -13,7 +12,7 @@
 
 namespace incognita {
 
-/// (5.29) for one state and one reference; accelerations are cut off at what the body can do. `gaze_rate`,
+/// (5.29) for one state and one reference; accelerations are clamped to the limits. `gaze_rate`,
 /// `gaze_acceleration` (alpha*): camera axes.
 Command track_reference(const CameraState& estimate, const Eigen::Vector3d& position,
                         const Eigen::Vector3d& velocity, const Eigen::Vector3d& acceleration,

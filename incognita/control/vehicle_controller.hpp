@@ -1,5 +1,5 @@
-// The low level of a vehicle that carries the camera: drives as it is told, or along a path, and keeps clear
-// of what stands around it. Thesis Section 6.4.
+// Low-level control of a vehicle that carries the camera: drives as the goal commands, or along a path, and
+// avoids obstacles. Thesis Section 6.4.
 #pragma once
 
 #include <memory>
@@ -16,21 +16,22 @@
 
 namespace incognita {
 
-/// The vehicle's place and heading seen from above, from its camera's.
+/// The vehicle's planar position and heading, from its camera's state.
 planar::Pose<double> axle_under(const CameraState& camera, const Mount& mount);
 
 struct VehicleDriving {
-  SteeringSettings steering;  ///< of a TerrainVehicle; where a goal does not say how to drive
+  SteeringSettings steering;  ///< law of a TerrainVehicle, used if the goal has no `drive`
   Mount mount;
   std::optional<ObstacleAvoidanceSettings> obstacle_avoidance = {};
 };
 
 class VehicleController {
  public:
-  /// `period_s`: how long a command is held. Throws std::invalid_argument as make_steering and ObstacleAvoidanceSettings do.
+  /// `period_s`: duration of one command. Throws std::invalid_argument as make_steering and
+  /// ObstacleAvoidanceSettings do.
   VehicleController(const VehicleDriving& driving, double period_s);
 
-  /// Before the start and when lost it stands still. A goal's `drive` comes before the law.
+  /// Zero speeds before the start and when lost. A goal's `drive` takes precedence over the law.
   Command act(const Estimate& estimate, const Goal& goal, const Observation& observation, const Tick& tick);
 
  private:

@@ -80,7 +80,7 @@ template bool ActionChoice::choose(const Belief&, BlockId, const BlockVector&, c
 template bool ActionChoice::choose(const AnyBelief&, BlockId, const BlockVector&, const ActionSet&,
                                    const Expectation&, const Tick&);
 
-/// Also for strategies that do not ask: what they could have learnt is worth telling.
+/// Scores are also computed for the strategies that do not use them, since they are recorded.
 template <class Form>
 void ActionChoice::score(const Form& belief, BlockId vehicle, const BlockVector& state,
                          const ActionSet& action_set, const Expectation& expectation) {
@@ -97,7 +97,8 @@ void ActionChoice::score(const Form& belief, BlockId vehicle, const BlockVector&
       look_ahead_.score_of(belief, vehicle, state, action, action_set, expectation);
 }
 
-/// Where all end out of bounds, those that end the least so: a vehicle that drives can not stay.
+/// Allows the actions with the smallest bound violation: if all violate, one must still be chosen, since a
+/// driving vehicle cannot stop at once.
 void ActionChoice::allow(const BlockVector& state, const ActionSet& action_set) {
   outside_m_.clear();
   for (int a = 0; a < action_set.count(); ++a) outside_m_.push_back(action_set.after(state, a).outside_m);
@@ -122,7 +123,7 @@ int ActionChoice::compare(const BlockVector& state, const ActionSet& action_set)
 
 int ActionChoice::most_informative(const ActionSet& action_set) const {
   const auto stay = static_cast<std::size_t>(action_set.stay());
-  // While some have no score yet it stays, where it may
+  // Until every action has a score it stays, if that is allowed
   const bool waits = settings_.schedule == Schedule::one_per_frame && scored_ < order_.size();
   return waits && allowed_[stay] ? action_set.stay() : best_of(scores_, allowed_, action_set.stay());
 }
@@ -134,7 +135,7 @@ int ActionChoice::any_allowed() {
   return possible[static_cast<std::size_t>(random_.below(static_cast<int>(possible.size())))];
 }
 
-/// One that is not allowed is waited out: the path stays what it is.
+/// An action that is not allowed is replaced by "stay", so that the rest of the sequence keeps its timing.
 int ActionChoice::next_of_sequence(const ActionSet& action_set) {
   const int action = sequence_[taken_++ % sequence_.size()];
   return allowed_[static_cast<std::size_t>(action)] ? action : action_set.stay();

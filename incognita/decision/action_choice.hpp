@@ -1,4 +1,4 @@
-// Which action is next, once a period: the strategies of thesis 6.3 and those they are compared with.
+// Choice of the next action, once per period: the strategies of thesis 6.3 and the baselines they are compared with.
 #pragma once
 
 #include <cstdint>
@@ -14,23 +14,24 @@ namespace incognita {
 
 class ActionChoice {
  public:
-  /// `names`: of the actions, in the order of the moves; `position_errors`: how many of the vehicle's first
-  /// errors are its position; `who`: which vehicle of its team, so that each draws its own. Throws
-  /// std::invalid_argument where the settings can not be, naming what is wrong.
+  /// `names`: names of the actions, in the order of the action set. `position_errors`: number of leading
+  /// error components of the vehicle that are its position. `who`: index of the vehicle in its team; selects
+  /// the random streams. Throws std::invalid_argument for invalid settings; the message names the setting.
   ActionChoice(const DecisionSettings& settings, std::vector<std::string> names, std::uint64_t seed,
                int position_errors = 3, std::size_t who = 0);
 
-  /// Scores actions; once per period compares them. True when one was chosen in this tick.
+  /// Scores the actions; compares them once per period. Returns true if an action was chosen in this tick.
   template <class Form>
   bool choose(const Form& belief, BlockId vehicle, const BlockVector& state, const ActionSet& action_set,
               const Expectation& expectation, const Tick& tick);
 
-  /// After the estimate was lost, the next tick compares anew.
+  /// To be called when tracking is lost: the next tick compares all actions again.
   void forget();
 
-  const std::vector<double>& scores() const { return scores_; }  ///< of the last comparison; 0 before it
-  int chosen() const { return chosen_; }                         ///< -1 before the first choice
-  double end_t() const { return end_t_; }                        ///< s, when the action in force ends
+  /// Scores of the last comparison; 0 before the first.
+  const std::vector<double>& scores() const { return scores_; }
+  int chosen() const { return chosen_; }   ///< -1 before the first choice
+  double end_t() const { return end_t_; }  ///< s, end of the current action
   const std::vector<std::string>& names() const { return names_; }
 
  private:
@@ -51,7 +52,7 @@ class ActionChoice {
   std::vector<double> scores_;
   std::vector<bool> allowed_;
   std::vector<double> outside_m_;
-  std::vector<int> order_;  ///< `one-per-frame`: in which the actions are scored
+  std::vector<int> order_;  ///< `one-per-frame`: order in which the actions are scored
   std::size_t scored_ = 0, taken_ = 0;
   int chosen_ = -1;
   double end_t_ = 0;

@@ -12,7 +12,7 @@
 namespace incognita {
 namespace {
 
-constexpr int imagined_steps = 15;  // of a period, as the thesis' 15 frames/s
+constexpr int imagined_steps = 15;  // per period: 15 Hz frame rate of the thesis
 
 template <class Actions, class IsStay>
 int first_where(const Actions& actions, const IsStay& is_stay) {
@@ -22,7 +22,7 @@ int first_where(const Actions& actions, const IsStay& is_stay) {
   return static_cast<int>(at - actions.begin());
 }
 
-/// About the world's vertical, to the left.
+/// Turned about the world's vertical, to the left.
 Eigen::Vector4d turned(const Eigen::Vector4d& world_from_camera, double left_rad) {
   return quaternion_product<double>(quaternion_exp<double>(Eigen::Vector3d(0, 0, left_rad)),
                                     world_from_camera);
@@ -87,7 +87,7 @@ ActionOutcome Turns::after(const BlockVector& state, int action) const {
 
 namespace {
 
-/// How high a vehicle stands is up to the ground, and no action's choice.
+/// The height of a ground vehicle follows from the ground, not from the action, so z is unbounded.
 WorldBounds over_ground(WorldBounds bounds) {
   bounds.min_m.z() = WorldBounds{}.min_m.z();
   bounds.max_m.z() = WorldBounds{}.max_m.z();
@@ -117,7 +117,7 @@ Eigen::Vector2d SpeedChanges::after(const Eigen::Vector2d& speeds, int action) c
 ActionOutcome SpeedChanges::after(const BlockVector& state, int action) const {
   ActionOutcome out{state, growth_.A, growth_.N};
   const Eigen::Vector2d speeds = after(Eigen::Vector2d(state.tail<2>()), action);
-  // On a plane the axle's middle goes along an arc in the body's own axes, x ahead, y left, z its normal
+  // The axle's center moves along an arc in the plane of the body axes (x ahead, y left, z normal)
   const double turn = speeds.y() * period_s_, way = speeds.x() * period_s_;
   const double half = turn / 2, chord = std::abs(half) < 1e-8 ? way : way * std::sin(half) / half;
   const Eigen::Vector3d gone(chord * std::cos(half), chord * std::sin(half), 0);
@@ -129,7 +129,7 @@ ActionOutcome SpeedChanges::after(const BlockVector& state, int action) const {
   out.state.head<3>() += world_from_body * (gone + turned * lever - lever);
   out.state.segment<4>(3) = quaternion_from_matrix(world_from_body * turned * body_from_camera);
   out.state.tail<2>() = speeds;
-  out.outside_m = bounds_.outside_m(out.state.head<3>());  // also of "stay": it goes on driving
+  out.outside_m = bounds_.outside_m(out.state.head<3>());  // also for "stay", which keeps driving
   return out;
 }
 

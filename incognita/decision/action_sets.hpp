@@ -1,4 +1,4 @@
-// What can be done next, and what each action makes of a vehicle's state and of how sure it is.
+// Action sets, and the state and error growth that each action leads to.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,11 +13,12 @@
 
 namespace incognita {
 
-/// Where an action leads.
+/// Predicted result of an action.
 struct ActionOutcome {
   BlockVector state;
-  BlockMatrix A, N;      ///< error after = A * error before + noise of covariance N
-  double outside_m = 0;  ///< how far it ends out of bounds: told what it would teach, chosen where all do
+  BlockMatrix A, N;  ///< error after = A * error before + noise of covariance N
+  /// Bound violation at the end, m; violating actions are scored, but chosen only if all violate.
+  double outside_m = 0;
   bool allowed() const { return outside_m <= 0; }
 };
 
@@ -25,37 +26,37 @@ class ActionSet {
  public:
   virtual ~ActionSet() = default;
   virtual int count() const = 0;
-  virtual int stay() const = 0;  ///< which of them changes nothing
+  virtual int stay() const = 0;  ///< index of the action that changes nothing
   virtual ActionOutcome after(const BlockVector& state, int action) const = 0;
 };
 
-/// Bounds of the world that no action may end outside of, m.
+/// World bounds that no action may end outside of, m.
 struct WorldBounds {
   Eigen::Vector3d min_m{-1e9, -1e9, -1e9}, max_m{1e9, 1e9, 1e9};
-  /// Along the axis where it is farthest out; 0 inside.
+  /// Distance outside along the worst axis, m; 0 inside.
   double outside_m(const Eigen::Vector3d& position) const {
     return std::max({0.0, (min_m - position).maxCoeff(), (position - max_m).maxCoeff()});
   }
 };
 
-/// Which of the actions stays. Throws std::invalid_argument when none does: what would be done where nothing
-/// is allowed?
+/// Index of the action without displacement or change. Throws std::invalid_argument if there is none, since
+/// it is the fallback when no action is allowed.
 int find_stay(const std::vector<Translation>& actions);
 int find_stay(const std::vector<SpeedChange>& actions);
 
-/// How the error of a free camera grows over `period_s` under accelerations nobody knows: the constant
-/// velocity model at rest, in the 15 steps of the thesis' 15 frames a second. Commanded accelerations do not
-/// enter, so it is the same for every action.
+/// Error growth of a free camera over `period_s` under unknown accelerations: constant velocity model,
+/// linearized at rest, in 15 steps (the frame rate of the thesis is 15 Hz). Commanded accelerations do not
+/// enter, so the growth is the same for all actions.
 struct Growth {
   FreeCameraMotion::Jacobian A, N;
 };
 Growth growth_over(double period_s, double sigma_acceleration_m_s2, double sigma_angular_acceleration_rad_s2);
 
-/// Translations of a free camera along its heading and gravity, from rest to rest: thesis 6.3.1. The gaze
-/// goes on turning as it does, `gaze_rate_rad_s` to the left.
+/// Translations of a free camera along its heading and gravity, from rest to rest (thesis 6.3.1). Meanwhile
+/// the gaze keeps turning left at `gaze_rate_rad_s`.
 class Translations final : public ActionSet {
  public:
-  /// Throws std::invalid_argument when none of the actions stays.
+  /// Throws std::invalid_argument if no action has zero displacement.
   Translations(std::vector<Translation> actions, double period_s, const Growth& growth,
                const WorldBounds& bounds);
   int count() const override { return static_cast<int>(actions_.size()); }
@@ -75,7 +76,7 @@ class Translations final : public ActionSet {
 };
 
 /// Turns of a free camera's gaze about the vertical: right, left, stay (thesis 6.3.1), at `rate_rad_s` for
-/// `ahead_s`, while its position goes on at the velocity that it has.
+/// `ahead_s`, while the position continues at its current velocity.
 class Turns final : public ActionSet {
  public:
   Turns(double rate_rad_s, double ahead_s, const Growth& growth);
@@ -90,21 +91,21 @@ class Turns final : public ActionSet {
   Growth growth_;
 };
 
-/// Changes of a vehicle's speed and turn rate (Table 6.1). The vehicle carries the camera whose state is told
-/// (13 numbers of a free camera); it is imagined to go on along the ground as it is tilted now, thesis
-/// (6.10), since it does not know the ground ahead.
+/// Changes of a vehicle's speed and turn rate (Table 6.1). The state is that of the carried camera (13
+/// numbers of a free camera). The vehicle is predicted to continue on the plane of its current tilt, thesis
+/// (6.10), since the ground ahead is unknown.
 class SpeedChanges final : public ActionSet {
  public:
-  /// `growth`: over the period; `bounds`: along x and y. `max_speed_m_s`, `max_turn_rate_rad_s`: what is
-  /// faster is cut off. Throws std::invalid_argument when none of the changes is (0, 0).
+  /// `growth`: over one period. `bounds`: only x and y are used. Speeds are clamped to `max_speed_m_s` and
+  /// `max_turn_rate_rad_s`. Throws std::invalid_argument if no change is (0, 0).
   SpeedChanges(std::vector<SpeedChange> actions, double period_s, const Growth& growth,
                const WorldBounds& bounds, const Mount& mount, double max_speed_m_s,
                double max_turn_rate_rad_s);
   int count() const override { return static_cast<int>(actions_.size()); }
   int stay() const override { return stay_; }
-  /// `state`: of the camera, and its last two numbers behind the 13 the speed and turn rate of the vehicle.
+  /// `state`: 13 numbers of the camera, then the speed (m/s) and turn rate (rad/s) of the vehicle.
   ActionOutcome after(const BlockVector& state, int action) const override;
-  /// Speed and turn rate that an action leads to.
+  /// Speed and turn rate after the action, clamped.
   Eigen::Vector2d after(const Eigen::Vector2d& speeds, int action) const;
 
   const std::vector<SpeedChange>& actions() const { return actions_; }

@@ -24,7 +24,7 @@ std::string name_of(const Eigen::Vector2d& change) {
   return name;
 }
 
-/// Two actions of one name, as of two lengths, are told apart by their numbers.
+/// Appends a number to actions of the same name, e.g. of different lengths.
 template <class Action>
 void number_doubles(std::vector<Action>& actions) {
   for (std::size_t i = 0; i < actions.size(); ++i) {

@@ -1,4 +1,4 @@
-// What can be done next.
+// The actions of the decision: translations, and changes of speed.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,34 +11,33 @@ namespace incognita {
 
 struct Translation {
   std::string name;
-  /// Over one period, m; x along the camera's heading in the horizontal plane, y left, z up
+  /// Displacement over one period, m; x along the camera's heading in the horizontal plane, y left, z up.
   Eigen::Vector3d displacement_m;
 };
 
-/// The seven translations of thesis 6.3.1, of one length each; "stay" is the last.
+/// The seven translations of thesis 6.3.1, each of length `step_m`; "stay" is the last.
 std::vector<Translation> seven_translations(double step_m);
 
-/// Those of the settings: one's own, else the seven.
+/// The translations of the settings; the seven of the thesis if the settings list none.
 std::vector<Translation> translations_of(const DecisionSettings& settings);
 
-/// Translations by what they are: those along an axis have the thesis' names, others their displacement.
+/// Names translations by their direction: those along an axis get the thesis' names, others their displacement.
 std::vector<Translation> named(const std::vector<Eigen::Vector3d>& displacements_m);
 
-/// What an action adds to a vehicle's speed (m/s) and turn rate (rad/s, to the left).
+/// Change of a vehicle's speed (m/s) and turn rate (rad/s, positive to the left).
 struct SpeedChange {
   std::string name;
   Eigen::Vector2d change;
 };
 
-/// Table 6.1, whose order is kept: the mixed pairs (-, +) and (+, -) are absent there. Accelerations act for
-/// `impulse_s`.
+/// Table 6.1, in its order, which lacks the mixed pairs (-, +) and (+, -). Accelerations act for `impulse_s`.
 std::vector<SpeedChange> table_6_1(double acceleration_m_s2, double turn_acceleration_rad_s2,
                                    double impulse_s);
 
-/// Those of the settings: one's own, else Table 6.1.
+/// The speed changes of the settings; Table 6.1 if the settings list none.
 std::vector<SpeedChange> speed_changes_of(const DecisionSettings& settings);
 
-/// Names of a set of actions, in its order.
+/// Names of the actions, in their order.
 template <class Action>
 std::vector<std::string> names_of(const std::vector<Action>& actions) {
   std::vector<std::string> names;
@@ -46,7 +45,7 @@ std::vector<std::string> names_of(const std::vector<Action>& actions) {
   return names;
 }
 
-/// Changes of (m/s^2, rad/s^2) acting for `impulse_s`, by what they do: "faster_left", "slower", "stay".
+/// Names the changes due to accelerations (m/s^2, rad/s^2) over `impulse_s`: "faster_left", "slower", "stay".
 std::vector<SpeedChange> named(const std::vector<Eigen::Vector2d>& accelerations, double impulse_s);
 
 }  // namespace incognita

@@ -1,5 +1,5 @@
-// The next move of a camera that maps by its images: the one that teaches most (thesis 6.2). It flies
-// (6.3.1), or a vehicle carries it (6.4.2).
+// Next action of a camera that maps by its images: the most informative one (thesis 6.2). The camera flies
+// (6.3.1) or is carried by a vehicle (6.4.2).
 #pragma once
 
 #include <cstdint>
@@ -23,19 +23,18 @@ namespace incognita {
 
 class CameraDecision {
  public:
-  /// `carrier`: of a camera that does not fly. Throws std::invalid_argument where the settings can not be.
+  /// `carrier`: the vehicle that carries the camera; empty for a flying camera. Throws std::invalid_argument
+  /// for invalid settings.
   CameraDecision(Camera camera, const CameraSlamSettings& slam, const DecisionSettings& settings,
                  const ExplorationSettings& exploration = {}, std::uint64_t seed = 1,
                  const std::optional<CarrierSettings>& carrier = {});
 
-  /// Scores every action in every frame; compares them, and sets a new goal, once per period. Actions that
-  /// would end outside the bounds are scored but not chosen. Without a pose to start from (starting, lost)
-  /// there is no action.
-  /// `seen`: what the wheels of a carrier tell, or nothing.
+  /// Scores the actions as the schedule asks; compares them and sets a new goal once per period. Actions that
+  /// would end outside the bounds are scored but not chosen. No action is chosen without a pose (not started,
+  /// lost). `observation`: its odometry is the wheel speeds of a carrier; may be empty.
   Goal choose(const Estimate& estimate, const Observation& observation, const Tick& tick);
   Goal choose(const Estimate& estimate, const Tick& tick) { return choose(estimate, {}, tick); }
 
-  /// Names of the actions.
   const std::vector<std::string>& actions() const { return names_; }
 
  private:
@@ -46,7 +45,7 @@ class CameraDecision {
   std::variant<FreeCameraChoice, VehicleChoice> choice_;
   std::vector<std::string> names_;
   Goal goal_;
-  std::optional<double> entropy_due_t_;  ///< s, when the extended entropy is worked out again
+  std::optional<double> entropy_due_t_;  ///< s, next evaluation of the extended entropy
 };
 
 }  // namespace incognita

@@ -43,8 +43,7 @@ const CameraExpectation::Certainty& CameraExpectation::certainty_of(std::size_t 
   return certainty;
 }
 
-/// Of H P H', the camera as sure of itself as it is now: an order among looks, not a covariance to reckon
-/// with.
+/// Trace of H P H': a ranking heuristic (current camera covariance), not the predicted innovation covariance.
 double CameraExpectation::innovation_trace(const VisibleLandmark& visible) const {
   const auto& [Hv, Hl] = std::tie(visible.measurement.Hv, visible.measurement.Hl);
   const double trace = (Hv * P_camera_).cwiseProduct(Hv).sum();
@@ -54,7 +53,7 @@ double CameraExpectation::innovation_trace(const VisibleLandmark& visible) const
          2 * (Hv * certainty.with_camera).cwiseProduct(Hl).sum();
 }
 
-/// visible_ <- all of the map that would be in view.
+/// Fills visible_ with the mapped landmarks in view.
 void CameraExpectation::find_visible(const CameraState& from) const {
   const Eigen::Vector3d at = free_camera::position(from),
                         ahead = rotation_matrix<double>(free_camera::orientation(from)).col(2);

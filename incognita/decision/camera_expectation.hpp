@@ -1,4 +1,4 @@
-// What a camera would see of its map, from anywhere: thesis 6.2.
+// Predicted measurements of a camera from an arbitrary pose: thesis 6.2.
 #pragma once
 
 #include <vector>
@@ -12,31 +12,31 @@ namespace incognita {
 
 class CameraExpectation final : public Expectation {
  public:
-  /// `as_mapped`: of landmarks that nobody has seen no more count than would be mapped where they are seen,
-  /// those that slam.map.wanted_visible lacks.
+  /// `as_mapped`: caps the unmapped landmarks that count at the number that would be initialized there, i.e.
+  /// by how many slam.map.wanted_visible exceeds the visible landmarks.
   CameraExpectation(Camera camera, const CameraSlamSettings& slam, bool as_mapped = false);
 
-  /// The map as it is now, and landmarks that nobody has seen; both must stay until the next call.
+  /// Sets the current map and the expected unmapped landmarks; both must outlive the calls until the next prepare().
   void prepare(const Estimate& estimate, const std::vector<ExpectedLandmark>& unseen, double unseen_var_m2);
 
-  /// Of the map those looks that would be measured, slam.search.max_measurements at most, the most uncertain
-  /// first, as the estimator takes them; and of landmarks that nobody has seen those in view that count.
-  /// `state`: the first 13 numbers are those of a free camera.
+  /// Predicts the measurements of the map, limited to the slam.search.max_measurements most uncertain as in
+  /// the estimator, and of the expected unmapped landmarks in view. `state`: its first 13 numbers are those
+  /// of a free camera.
   void expect(const BlockVector& state, std::vector<PredictedMeasurement>& measurements) const override;
 
-  /// Whether a place would be in the image, and not farther than births reach.
+  /// Whether a position (world, m) is in the image and within the maximum depth of landmark initialization.
   bool in_view(const CameraState& from, const Eigen::Vector3d& position) const;
 
  private:
-  struct Near {  ///< a landmark and about where it is
+  struct Near {  ///< a landmark and its approximate position
     const Landmark* landmark;
     Eigen::Vector3d position;
   };
-  struct VisibleLandmark {  ///< one that would be seen
+  struct VisibleLandmark {  ///< a landmark in view
     std::size_t near = 0;
     FeatureMatch measurement;
   };
-  struct Certainty {  ///< of a landmark; read from the belief when it is first asked for
+  struct Certainty {  ///< covariances of a landmark, read from the belief on first use
     bool known = false;
     Eigen::Matrix<double, 12, Eigen::Dynamic, 0, 12, 6> with_camera;
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 6, 6> own;
@@ -54,7 +54,7 @@ class CameraExpectation final : public Expectation {
   double unseen_var_m2_ = 0;
   std::vector<Near> near_;
   FreeCameraMotion::Jacobian P_camera_;
-  // What follows is kept for its storage, and for as long as the map stays
+  // Storage that is reused, and covariances that are valid until the next prepare()
   mutable std::vector<Certainty> certainty_;
   mutable std::vector<VisibleLandmark> visible_;
   mutable std::vector<double> traces_, sorted_;

@@ -1,4 +1,4 @@
-// What would be seen from where nobody is yet.
+// Interface of the prediction of measurements from a hypothetical state.
 #pragma once
 
 #include <vector>
@@ -11,13 +11,12 @@ namespace incognita {
 class Expectation {
  public:
   virtual ~Expectation() = default;
-  /// Replaces `looks` by what would be seen with the vehicle in that state.
+  /// Replaces `measurements` by those predicted for the vehicle in `state`.
   virtual void expect(const BlockVector& state, std::vector<PredictedMeasurement>& measurements) const = 0;
 };
 
-/// The smallest of the `most` largest traces, which a search for so many looks would take: those of the
-/// covariance of what is expected, px^2 or so. Minus infinity where there are no more than that. `sorted` is
-/// scratch.
+/// The smallest of the `most` largest traces of the innovation covariances (e.g. px^2), i.e. the threshold of a
+/// search limited to `most` measurements. Minus infinity if there are no more than `most`. `sorted` is scratch.
 double least_of_the_best(const std::vector<double>& traces, int most, std::vector<double>& sorted);
 
 }  // namespace incognita

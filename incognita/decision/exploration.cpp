@@ -52,7 +52,7 @@ int Exploration::cell_of(const Eigen::Vector3d& position) const {
   return at.x() + cells_.x() * (at.y() + cells_.y() * at.z());
 }
 
-/// To a place drawn evenly in what was not seen.
+/// Moves the landmark to a position drawn uniformly in the unseen volume.
 void Exploration::move_elsewhere(ExpectedLandmark& landmark) {
   const Eigen::Vector3d size = settings_.max_m - settings_.min_m;
   const auto draw = [&] {
@@ -68,19 +68,19 @@ void Exploration::update(const std::function<bool(const Eigen::Vector3d&)>& in_v
     double& s = seen_s_[static_cast<std::size_t>(cell)];
     if (s >= settings_.seen_s || !in_view(center_of(cell))) continue;
     s += dt;
-    // Rounding of sums of dt must not decide whether a cell needs one more frame
+    // Rounding of the sum of dt must not decide whether a cell needs one more frame
     if (s > settings_.seen_s * (1 - 1e-9)) s = settings_.seen_s, --unseen_cells_;
   }
   const auto left = static_cast<std::size_t>(std::max(0, settings_.expected_landmarks - mapped));
   if (unseen_cells_ == 0) return expected_.clear();
-  // Those that were looked at are the first to have been mapped
+  // Landmarks in cells that were seen count as mapped first
   std::stable_partition(expected_.begin(), expected_.end(),
                         [&](const ExpectedLandmark& e) { return !seen(cell_of(e.position)); });
   while (expected_.size() > left) {
     mapped_.push_back(expected_.back());
     expected_.pop_back();
   }
-  while (expected_.size() < left) {  // what left the map is where it was expected before
+  while (expected_.size() < left) {  // landmarks removed from the map are expected again where they were
     expected_.push_back(mapped_.back());
     mapped_.pop_back();
   }

@@ -1,10 +1,9 @@
-// The part of the place that nobody has looked at yet, and the landmarks expected there: thesis 6.2,
-// Figure 6.3.
+// Exploration prior: the unseen part of the exploration volume and the landmarks expected there (thesis 6.2,
+// Figure 6.3).
 //
-// A box of the world is told in cells. A fixed number of landmarks is expected in it; those that are not
-// mapped yet stand, at places drawn once, in cells that were not seen, each known so badly that it is as good
-// as unknown. Looking at them would teach much, and this is what makes exploring pay: without them a map that
-// is known well enough leaves nothing to learn.
+// The volume is divided into cells and assumed to hold a fixed number of landmarks. Those not yet mapped are
+// placed at random in unseen cells, with a variance so large that viewing them has a high expected gain.
+// Without this prior a well-known map leaves no information to gain, and exploring would not pay.
 #pragma once
 
 #include <Eigen/Core>
@@ -18,22 +17,22 @@
 namespace incognita {
 
 struct ExpectedLandmark {
-  int index = 0;  ///< which of them: the same for as long as it is expected
+  int index = 0;  ///< identity, constant while it is expected
   Eigen::Vector3d position{0, 0, 0};
 };
 
 class Exploration {
  public:
-  /// Throws std::invalid_argument where the box is empty, or a number cannot be.
+  /// Throws std::invalid_argument if the volume is empty or a setting is out of range.
   Exploration(const ExplorationSettings& settings, std::uint64_t seed);
 
-  /// What is in view for `dt` seconds, and how many landmarks of the box are mapped. In cells that were seen
-  /// nothing is expected any more: it is elsewhere, as long as there is an elsewhere.
+  /// Marks what is in view for `dt` seconds; `mapped`: number of landmarks mapped in the volume. Landmarks
+  /// expected in cells that were seen are moved to unseen cells; if no cell is left, none is expected.
   void update(const std::function<bool(const Eigen::Vector3d&)>& in_view, double dt, int mapped);
 
-  /// Landmarks that are not mapped yet, at most expected_landmarks less what is mapped.
+  /// Landmarks not yet mapped: at most expected_landmarks less the number mapped.
   const std::vector<ExpectedLandmark>& expected() const { return expected_; }
-  /// Share of the box that was seen, 0 to 1.
+  /// Fraction of the volume seen, 0 to 1.
   double coverage() const;
   const ExplorationSettings& settings() const { return settings_; }
 
@@ -45,15 +44,15 @@ class Exploration {
 
   ExplorationSettings settings_;
   Eigen::Vector3i cells_;
-  std::vector<double> seen_s_;  ///< per cell
+  std::vector<double> seen_s_;  ///< s in view, per cell
   std::vector<ExpectedLandmark> expected_;
-  std::vector<ExpectedLandmark> mapped_;  ///< those that are taken to be mapped by now, in that order
+  std::vector<ExpectedLandmark> mapped_;  ///< those counted as mapped so far, in that order
   RandomStream random_;
   int unseen_cells_ = 0;
 };
 
-/// Entropy in nats of landmarks that are not mapped: what a map of fixed dimension (Figure 6.3) has beside
-/// that of vehicle and map, so that runs with different maps can be compared. `dimensions`: of the place.
+/// Entropy of unmapped landmarks, nats. It completes a map of fixed dimension (Figure 6.3), so that runs with
+/// different maps are comparable. `dimensions`: of a landmark's position.
 double entropy_of_unmapped(int count, double variance_m2, int dimensions = 3);
 
 }  // namespace incognita

@@ -9,7 +9,7 @@
 namespace incognita {
 namespace {
 
-constexpr double least_inverse_depth_per_m = 0.01;  // a point cannot be told at infinity
+constexpr double least_inverse_depth_per_m = 0.01;  // a point at infinity has no Cartesian position
 
 Eigen::Index rows_of(const std::vector<LinearTransform>& transforms) {
   Eigen::Index rows = 0;
@@ -67,7 +67,7 @@ std::optional<double> extended_entropy(const Estimate& estimate, const Explorati
 std::optional<double> extended_entropy(const TeamEstimate& estimate, const ExplorationSettings& exploration) {
   const AnyBelief& belief = estimate.belief;
   std::vector<LinearTransform> transforms;
-  int dimensions = 3;  // of the place; all landmarks have the same
+  int dimensions = 3;  // landmark dimension, equal for all landmarks
   for (const TeamVehicle& vehicle : estimate.vehicles) {
     const int errors = belief.chart(vehicle.block).tangent();
     transforms.push_back({belief.offset(vehicle.block), BlockMatrix::Identity(errors, errors)});

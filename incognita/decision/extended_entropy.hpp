@@ -1,6 +1,5 @@
-// The extended covariance of thesis Figure 6.3: of vehicles, the points of the map, and the landmarks that
-// are expected and not mapped yet. Its dimension is the same whatever was mapped, so that runs whose maps
-// differ can be compared.
+// Entropy of the extended covariance of thesis Figure 6.3: vehicles, map points, and landmarks expected but not yet
+// mapped. Its dimension does not depend on how many were mapped, so that runs with different maps are comparable.
 #pragma once
 
 #include <optional>
@@ -12,20 +11,20 @@
 
 namespace incognita {
 
-/// A part of the extended state, by first order: J times the error of the belief from `first` on.
+/// Part of the extended state, to first order: J times the errors of the belief from index `first` on.
 struct LinearTransform {
   int first = 0;
-  BlockMatrix J;  ///< errors as they are told x errors of the block
+  BlockMatrix J;  ///< errors of the part x errors of the block
 };
 
-/// Entropy in nats of what is told of the errors of covariance `P`. Not a number where its covariance is not
-/// positive definite. Cubic in what is told.
+/// Entropy in nats of linear functions of errors with covariance `P`. NaN if their covariance is not positive
+/// definite. Cost is cubic in their dimension.
 double entropy_of(const Eigen::MatrixXd& P, const std::vector<LinearTransform>& transforms);
 
-/// Of camera, map and what is not mapped, in nats; landmarks are told as points. None once more are mapped
-/// than were expected: its dimension would be another.
+/// Entropy in nats of camera, map (as points) and unmapped landmarks. Empty if more landmarks are mapped than
+/// were expected, since the dimension would differ.
 std::optional<double> extended_entropy(const Estimate& estimate, const ExplorationSettings& exploration);
-/// Of all vehicles; landmarks in the dimensions of the place.
+/// The same for all vehicles of a team; landmarks have the dimension of the map.
 std::optional<double> extended_entropy(const TeamEstimate& estimate, const ExplorationSettings& exploration);
 
 }  // namespace incognita

@@ -35,7 +35,7 @@ void FreeCameraChoice::forget() {
   looking_ = false;
 }
 
-/// The heading goes on as it was told to; every gaze period it is told anew.
+/// Integrates the heading at the current rate; the rate is chosen anew every gaze period.
 template <class Form>
 void FreeCameraChoice::turn(const Form& belief, BlockId vehicle, const CameraState& camera,
                             const Expectation& expectation, const Tick& tick) {

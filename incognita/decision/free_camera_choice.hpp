@@ -1,4 +1,4 @@
-// Where a camera that moves freely goes next, and how it turns meanwhile: thesis 6.3.1.
+// Choice of the translation and the gaze of a freely moving camera: thesis 6.3.1.
 #pragma once
 
 #include <cstdint>
@@ -13,17 +13,17 @@ namespace incognita {
 
 class FreeCameraChoice {
  public:
-  /// `period_s` and the like from the settings; sigmas: of the accelerations that nobody commanded;
-  /// `who`: which of its team. Throws std::invalid_argument as ActionChoice and Translations do.
+  /// Sigmas: of the unknown accelerations of the motion model. `who`: index in the team. Throws
+  /// std::invalid_argument as ActionChoice and Translations do.
   FreeCameraChoice(const DecisionSettings& settings, double sigma_acceleration_m_s2,
                    double sigma_angular_acceleration_rad_s2, std::uint64_t seed, std::size_t who = 0);
 
-  /// Scores, chosen, from, to, times and gaze of the goal. `camera`: where the camera is believed to be.
+  /// Sets scores, chosen, from, to, times and gaze of the goal. `camera`: the estimated camera state.
   template <class Form>
   void choose(const Form& belief, BlockId vehicle, const CameraState& camera, const Expectation& expectation,
               const Tick& tick, Goal& goal);
 
-  /// After the estimate was lost.
+  /// To be called when tracking is lost.
   void forget();
 
   const std::vector<std::string>& names() const { return choice_.names(); }
@@ -38,7 +38,7 @@ class FreeCameraChoice {
   Turns turns_;
   ActionChoice choice_;
   LookAhead gaze_;
-  bool looking_ = false;  ///< whether there is a heading yet
+  bool looking_ = false;  ///< whether the heading is initialized
   double heading_rad_ = 0, heading_rate_rad_s_ = 0, gaze_t_ = 0;
 };
 

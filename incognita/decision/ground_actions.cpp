@@ -7,7 +7,7 @@
 namespace incognita {
 namespace {
 
-/// On a line there is no way to the side, and on the ground none up.
+/// Removes sideways translations for a vehicle on a line, and vertical ones for all.
 std::vector<Translation> possible(const AnyMotion& motion, std::vector<Translation> actions) {
   const bool line = traits_of(motion).on_line();
   std::erase_if(actions, [&](const Translation& a) {

@@ -1,4 +1,4 @@
-// Translations of what stands on the ground or on a line: of the seven those along which it can go.
+// Translations of a vehicle on the ground or on a line: those of the action list that it can execute.
 #pragma once
 
 #include <vector>
@@ -10,13 +10,13 @@ namespace incognita {
 
 class GroundActions final : public ActionSet {
  public:
-  /// `tick_s`: how long an input is held; the error grows over the period in so many steps, at rest. Throws
-  /// std::invalid_argument when none of the actions stays.
+  /// `tick_s`: duration of one input; the error growth over the period is computed in steps of it, at rest.
+  /// Throws std::invalid_argument if no action has zero displacement.
   GroundActions(const TeamMember& member, const std::vector<Translation>& actions, double period_s,
                 double tick_s, const WorldBounds& bounds);
   int count() const override { return static_cast<int>(actions_.size()); }
   int stay() const override { return stay_; }
-  /// A vehicle with wheels looks the way that it went.
+  /// A wheeled vehicle ends with the heading of its displacement.
   ActionOutcome after(const BlockVector& state, int action) const override;
 
   const std::vector<Translation>& actions() const { return actions_; }

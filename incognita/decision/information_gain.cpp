@@ -14,7 +14,7 @@
 namespace incognita {
 namespace {
 
-/// Room for so many rows and columns; what is there stays. Rare, so that the loop does not allocate.
+/// Grows the storage and keeps its content. It grows by half more than needed, so that the loop rarely allocates.
 void grow_storage(Eigen::MatrixXd& m, Eigen::Index rows, Eigen::Index columns) {
   if (rows <= m.rows() && columns <= m.cols()) return;
   m.conservativeResize(std::max(m.rows(), rows + rows / 2), std::max(m.cols(), columns + columns / 2));
@@ -67,7 +67,7 @@ BlockMatrix InformationGain::covariance(const Known& a, const Known& b) const {
   return belief_ ? belief_->covariance(row, column) : any_->covariance(row, column);
 }
 
-/// Where the errors of what is looked at are; -1 for an anchor, which has none.
+/// First column of the landmark's errors in P_; -1 for an anchor, which has no error.
 int InformationGain::column_of(const PredictedMeasurement& measurement) {
   if (measurement.of == PredictedMeasurement::Of::anchor) return -1;
   const std::int64_t id = identity_of(measurement);
@@ -138,7 +138,7 @@ void InformationGain::push(const ImaginedStep& imagined) {
   factorize(steps_.back());
 }
 
-/// What the looks are of, and how they depend on the vehicle as it is now.
+/// Stacks the step's Jacobians and maps them to the current vehicle error: rows of Hv_ are Hv * A_total.
 void InformationGain::apply_measurements(Step& step) {
   int rows = 0;
   for (const PredictedMeasurement& measurement : step.measurements) rows += measurement.rows();
@@ -157,8 +157,8 @@ void InformationGain::apply_measurements(Step& step) {
   rows_ += rows;
 }
 
-/// Rows of S_ for the last step's looks. A look depends on the vehicle and on its landmark, and on nothing
-/// else: products with all other columns would be with zeros.
+/// Computes the rows of S_ of the last step's measurements. A measurement depends only on the vehicle and its
+/// landmark, so products with all other columns are skipped.
 void InformationGain::fill_rows(const Step& step) {
   const int first = step.rows_before, rows = rows_ - first;
   grow_storage(S_, rows_, rows_);
@@ -182,7 +182,7 @@ void InformationGain::fill_rows(const Step& step) {
   add_noise(step);
 }
 
-/// To the rows of S_ from `first` on, in the columns of that step's looks, what comes by their landmarks.
+/// Adds the landmark terms of the measurements of step `of` to the rows of S_ from `first` on.
 void InformationGain::add_landmarks(const Step& of, int first, int rows) {
   int column = of.rows_before;
   for (std::size_t i = 0; i < of.measurements.size(); ++i) {
@@ -196,8 +196,7 @@ void InformationGain::add_landmarks(const Step& of, int first, int rows) {
   }
 }
 
-/// What the noise on the way adds to the last step's rows, cov(n_k, n_j) = Phi_(k<-j) N_j, and the noise of
-/// its looks.
+/// Adds to the last step's rows the motion noise, cov(n_k, n_j) = Phi_(k<-j) N_j, and the measurement noise.
 void InformationGain::add_noise(const Step& step) {
   const int first = step.rows_before;
   const auto rows = step.Hv.rows();
@@ -215,7 +214,7 @@ void InformationGain::add_noise(const Step& step) {
   }
 }
 
-/// The factor grows by the step's rows, and the gain by what they add.
+/// Extends the Cholesky factor by the step's rows, and the gain by their log-determinant.
 void InformationGain::factorize(const Step& step) {
   const int first = step.rows_before, rows = rows_ - first;
   if (rows == 0) return;
@@ -258,7 +257,7 @@ double InformationGain::of_vehicle() const {
     C.middleRows(s.rows_before, s.Hv.rows()) += s.Hv * (s.N_total * Phi.transpose());
     Phi = (Phi * s.A).eval();
   }
-  // Measured against the vehicle's own sigmas; what is known exactly has nothing to learn, and is left out
+  // Normalized by the vehicle's sigmas; directions without variance carry no information and are left out
   const Eigen::VectorXd scale =
       P.diagonal().cwiseSqrt().unaryExpr([](double s) { return s > 0 ? 1 / s : 0; });
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> own(scale.asDiagonal() * P * scale.asDiagonal());
@@ -271,7 +270,7 @@ double InformationGain::of_vehicle() const {
                 log_det(given - white * white.transpose()));
 }
 
-/// Covariance of the vehicle at the end of the path, before any of its looks.
+/// Covariance of the vehicle at the end of the path, before its measurements.
 BlockMatrix InformationGain::vehicle_now() const {
   const Step& last = steps_.back();
   return last.A_total * P_.topLeftCorner(vehicle_errors_, vehicle_errors_) * last.A_total.transpose() +
@@ -304,7 +303,7 @@ double InformationGain::of_position_and_map(int kept, const BlockMatrix& vehicle
 
 namespace {
 
-/// trace(H' W^-1 H) of one look.
+/// trace(H' W^-1 H) of one measurement.
 double trace_of(const PredictedMeasurement& measurement, const MeasurementMatrix& W) {
   MeasurementMatrix HH = measurement.Hv * measurement.Hv.transpose();
   if (measurement.Hl.cols() > 0) HH += measurement.Hl * measurement.Hl.transpose();

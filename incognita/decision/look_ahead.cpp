@@ -81,8 +81,7 @@ template double LookAhead::score_of(const Belief&, BlockId, const BlockVector&, 
 template double LookAhead::score_of(const AnyBelief&, BlockId, const BlockVector&, int, const ActionSet&,
                                     const Expectation&);
 
-/// scores_ <- of each first action the best of next_; one that leads nowhere further keeps what it teaches
-/// until there.
+/// Sets the score of each first action to the best of next_; an action without successors keeps its score.
 void LookAhead::back_up_scores(int actions) {
   goes_on_.assign(static_cast<std::size_t>(actions), false);
   for (const Node& node : next_) {
@@ -92,7 +91,7 @@ void LookAhead::back_up_scores(int actions) {
   }
 }
 
-/// `gain_` stands at `from`. What is not allowed is told where it is the first, and left out further on.
+/// Requires gain_ to stand at `from`. Actions that are not allowed are scored as the first of a sequence only.
 void LookAhead::evaluate(const ActionSet& action_set, const Expectation& expectation, const Node& from,
                          int action, std::vector<Node>& into) {
   ActionOutcome outcome = action_set.after(from.state, action);
@@ -110,7 +109,7 @@ void LookAhead::evaluate(const ActionSet& action_set, const Expectation& expecta
   into.push_back(std::move(node));
 }
 
-/// level_ <- of next_ what is followed further: the best of each first action, and of the others the best.
+/// Keeps in level_ the nodes to expand: the best of each first action, then the best of the others.
 void LookAhead::keep_best(int actions, int levels_left) {
   const int left = (settings_.max_evaluations - evaluations_) / (actions * levels_left);
   std::erase_if(next_, [](const Node& n) { return !n.allowed; });

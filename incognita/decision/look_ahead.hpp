@@ -1,4 +1,4 @@
-// Which action teaches most, now or with those that may follow it: thesis 6.2, and beyond its one step.
+// Information gain of each action, alone or as the first of a sequence: thesis 6.2, extended beyond one step.
 #pragma once
 
 #include <vector>
@@ -10,37 +10,37 @@
 
 namespace incognita {
 
-/// In the unit of the metric: nats, or for the Fisher traces the sum of inverse squares of m, rad and so on.
+/// Value in the unit of the metric: nats, or for the Fisher traces the sum of inverse squares of m, rad etc.
 double value_of(const InformationGain& gain, Metric metric, int position_errors,
                 const BlockMatrix& vehicle_given_map);
 
 struct LookAheadSettings {
   Metric metric = Metric::state;
-  int horizon = 1;             ///< actions one after the other; 1: the thesis' greedy choice
-  int max_evaluations = 1000;  ///< sets of looks imagined in one comparison; the least is one for each action
-  int position_errors = 3;     ///< the first errors of the vehicle, for Metric::position_and_map
+  int horizon = 1;             ///< length of the action sequences; 1: the greedy choice of the thesis
+  int max_evaluations = 1000;  ///< sets of measurements predicted in one comparison; at least one per action
+  /// Number of leading position errors of the vehicle, for Metric::position_and_map.
+  int position_errors = 3;
 };
 
 class LookAhead {
  public:
   explicit LookAhead(const LookAheadSettings& settings);
 
-  /// For each action what the best sequence that begins with it would teach. Sequences are followed level by
-  /// level; of each level as many of the best are followed further as max_evaluations allows, at least one
-  /// for every action that is allowed. Actions that are not allowed are told by themselves and followed no
-  /// further. The belief is not touched.
+  /// Scores each action by the best sequence that starts with it. Beam search: the tree is expanded level by level,
+  /// and on each level as many of the best nodes are kept as max_evaluations permits, at least one per allowed first
+  /// action. Actions that are not allowed are scored alone and not expanded. The belief is not changed.
   template <class Form>
   const std::vector<double>& scores(const Form& belief, BlockId vehicle, const BlockVector& state,
                                     const ActionSet& action_set, const Expectation& expectation);
 
-  /// Of one action by itself.
+  /// Score of one action alone.
   template <class Form>
   double score_of(const Form& belief, BlockId vehicle, const BlockVector& state, int action,
                   const ActionSet& action_set, const Expectation& expectation);
 
-  /// Of each action, whether it is allowed.
+  /// For each action, whether it is allowed.
   const std::vector<bool>& allowed() const { return allowed_; }
-  int evaluations() const { return evaluations_; }  ///< of the last comparison
+  int evaluations() const { return evaluations_; }  ///< count of the last comparison
 
  private:
   struct Node {
@@ -66,8 +66,8 @@ class LookAhead {
   int evaluations_ = 0;
 };
 
-/// The best of what is allowed and a number; of equals "stay", for nothing is gained by moving, then the
-/// first. "stay" where nothing is allowed.
+/// Best among the allowed actions with a finite score; ties go to `stay`, since moving gains nothing, then to
+/// the first. Returns `stay` if none is allowed.
 int best_of(const std::vector<double>& scores, const std::vector<bool>& allowed, int stay);
 
 }  // namespace incognita

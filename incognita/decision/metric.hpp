@@ -1,11 +1,11 @@
-// What an action is worth by.
+// Metric of an action.
 #pragma once
 
 namespace incognita {
 
-/// What the information of the looks along the path is about: all of the state; without the gaze and the
-/// velocities (thesis 6.3.2); the vehicle alone, once the map is fully correlated (end of 6.1.1); the trace
-/// of (6.8), and the same with R for S.
+/// What the information of the measurements along the path is about: the full state; position and map,
+/// without attitude and velocities (thesis 6.3.2); only the vehicle, once the map is fully correlated (end of
+/// 6.1.1); the Fisher trace of (6.8), and the same with R in place of S.
 enum class Metric { state, position_and_map, vehicle, fisher, fisher_given_state };
 
 }  // namespace incognita

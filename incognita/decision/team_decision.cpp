@@ -76,7 +76,7 @@ void TeamDecision::choose_in_space(const TeamEstimate& e, const Tick& tick) {
   }
 }
 
-/// What the whole goal says is the first vehicle's.
+/// Copies the first vehicle's goal to the team-wide fields.
 void TeamDecision::share_goal(const Goal& first) {
   goal_.scores = first.scores;
   goal_.chosen = first.chosen;

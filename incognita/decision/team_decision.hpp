@@ -1,7 +1,6 @@
-// The next move of each vehicle of a team: the one that teaches most (thesis 6.2), one vehicle after the
-// other, each as if the others stood still. A camera that moves freely chooses translations and turns
-// (6.3.1), one that is carried the changes of its carrier's speeds (6.4.2); vehicles on wheels and lines the
-// translations that they can make.
+// Next action of each vehicle of a team: the most informative one (thesis 6.2), vehicle by vehicle, each as if the
+// others stood still. A freely moving camera chooses translations and turns (6.3.1), a carried one its carrier's
+// speed changes (6.4.2); vehicles on the ground or a line choose among the translations that they can execute.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +19,7 @@
 
 namespace incognita {
 
-/// The gaze is held: CameraController alone swings it.
+/// Holds the gaze: only CameraController swings it.
 inline DecisionSettings with_held_gaze(DecisionSettings settings = {}) {
   settings.gaze = DecisionSettings::Gaze::hold;
   return settings;
@@ -28,24 +27,24 @@ inline DecisionSettings with_held_gaze(DecisionSettings settings = {}) {
 
 struct TeamDecisionSettings {
   DecisionSettings decision = with_held_gaze();
-  bool decides = true;          ///< false: there is nothing to decide
-  double tick_s = 0.1;          ///< how long an input is held
-  int max_measurements = 1000;  ///< of the map, in one set of imagined looks: the most uncertain
+  bool decides = true;          ///< false: no decision
+  double tick_s = 0.1;          ///< duration of one input
+  int max_measurements = 1000;  ///< predicted map measurements per set; the most uncertain are kept
   ExplorationSettings exploration = {};
-  std::optional<CarrierSettings> carrier = {};  ///< of cameras that do not fly but are carried
+  std::optional<CarrierSettings> carrier = {};  ///< vehicles that carry the cameras; empty for flying cameras
   std::uint64_t seed = 1;
 };
 
 class TeamDecision {
  public:
-  /// Throws std::invalid_argument where the settings can not be.
+  /// Throws std::invalid_argument for invalid settings.
   TeamDecision(TeamSettings team, const TeamDecisionSettings& settings);
 
   /// Compares all actions once per period and sets every vehicle's goal. Actions that would end outside the
-  /// bounds are scored but not chosen. `scores` and `chosen` are the first vehicle's.
+  /// bounds are scored but not chosen. `scores` and `chosen` are those of the first vehicle.
   Goal choose(const TeamEstimate& estimate, const Tick& tick);
 
-  /// Names of the actions that the team's motion has: along a line, on the plane, in space.
+  /// Names of the actions of the team's motion model: along a line, on the plane, or in space.
   const std::vector<std::string>& actions() const { return names_; }
 
  private:
@@ -60,12 +59,12 @@ class TeamDecision {
   std::vector<std::string> names_;
   Exploration exploration_;
   TeamExpectation expectation_;
-  std::vector<FreeCameraChoice> in_space_;              ///< one for each vehicle, of bodies in space
-  std::vector<VehicleChoice> carried_;                  ///< or one for each carrier
-  std::vector<std::unique_ptr<ActionSet>> action_set_;  ///< likewise, of all others
+  std::vector<FreeCameraChoice> in_space_;              ///< one per vehicle, for bodies in space
+  std::vector<VehicleChoice> carried_;                  ///< one per carrier
+  std::vector<std::unique_ptr<ActionSet>> action_set_;  ///< one per vehicle, otherwise
   std::vector<ActionChoice> on_ground_;
   Goal goal_;
-  std::optional<double> entropy_due_t_;  ///< s, when the extended entropy is worked out again
+  std::optional<double> entropy_due_t_;  ///< s, next evaluation of the extended entropy
 };
 
 }  // namespace incognita

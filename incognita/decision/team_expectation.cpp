@@ -10,7 +10,7 @@ namespace incognita {
 TeamExpectation::TeamExpectation(TeamSettings team, int max_measurements)
     : team_(std::move(team)), max_measurements_(max_measurements) {}
 
-/// What the sensor would tell from there; nothing where it would not see the place.
+/// Predicted measurement of a target from that state; empty if it is out of range or out of view.
 std::optional<AnyPrediction> TeamExpectation::predict_from(const SmallVector& vehicle,
                                                            const SmallVector& from,
                                                            const LandmarkParametrization& form,
@@ -53,8 +53,7 @@ void TeamExpectation::add_targets() {
   }
 }
 
-/// Of H P H', the vehicle as sure of itself as it is now: an order among looks, not a covariance to reckon
-/// with.
+/// Trace of H P H': a ranking heuristic (current vehicle covariance), not the predicted innovation covariance.
 double TeamExpectation::innovation_trace(const PredictedMeasurement& measurement) const {
   const AnyBelief& belief = estimate_->belief;
   const BlockId viewer = estimate_->vehicles[vehicle_].block;
@@ -75,7 +74,7 @@ bool TeamExpectation::in_view(const BlockVector& state, const Eigen::Vector3d& p
   return predict_from(vehicle, from, {}, point, point).has_value();
 }
 
-/// looks <- all of the map and of the team that would be seen.
+/// Fills `measurements` with those of the map and of the team that are in view.
 void TeamExpectation::add_visible(const SmallVector& vehicle, const SmallVector& from,
                                   std::vector<PredictedMeasurement>& measurements) const {
   measurements.clear();
@@ -94,7 +93,7 @@ void TeamExpectation::add_visible(const SmallVector& vehicle, const SmallVector&
   }
 }
 
-/// They stay in order.
+/// Keeps the order of the measurements.
 void TeamExpectation::keep_most_uncertain(std::vector<PredictedMeasurement>& measurements) const {
   const auto most = static_cast<std::size_t>(max_measurements_);
   if (measurements.size() <= most) return;

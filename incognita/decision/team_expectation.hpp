@@ -1,4 +1,4 @@
-// What one vehicle of a team would see, from anywhere, of landmarks and of the others.
+// Predicted measurements of landmarks and teammates by one vehicle of a team, from an arbitrary state.
 #pragma once
 
 #include <optional>
@@ -12,27 +12,28 @@ namespace incognita {
 
 class TeamExpectation final : public Expectation {
  public:
-  /// `max_measurements`: of the map, the most uncertain.
+  /// `max_measurements`: maximum number of mapped targets per set; the most uncertain are kept.
   TeamExpectation(TeamSettings team, int max_measurements);
 
-  /// The team as it is now, and landmarks that nobody has seen; both must stay until the next call.
+  /// Sets the current team estimate and the expected unmapped landmarks; both must outlive the calls until
+  /// the next prepare().
   void prepare(const TeamEstimate& estimate, std::size_t vehicle, const std::vector<ExpectedLandmark>& unseen,
                double unseen_var_m2);
 
-  /// `state`: of the vehicle; of a motion with fewer numbers what is behind them is not looked at.
+  /// `state`: of the vehicle; numbers beyond those of its motion model are ignored.
   void expect(const BlockVector& state, std::vector<PredictedMeasurement>& measurements) const override;
 
-  /// Whether a place would be seen from that state.
+  /// Whether a position (world, m) would be measured from that state.
   bool in_view(const BlockVector& state, const Eigen::Vector3d& position) const;
 
  private:
   struct Target {
     LandmarkParametrization form;
-    SmallVector landmark;  ///< as its form has it
-    SmallMatrix by_block;  ///< d(told) / d(error of the block); empty for an anchor
+    SmallVector landmark;  ///< in its parametrization
+    SmallMatrix by_block;  ///< d(landmark) / d(error of the block); empty for an anchor
     BlockId block = 0;
     SmallVector position;
-    bool known = false;  ///< an anchor
+    bool known = false;  ///< whether it is an anchor
   };
   void add_targets();
   std::optional<AnyPrediction> predict_from(const SmallVector& vehicle, const SmallVector& from,
@@ -50,7 +51,7 @@ class TeamExpectation final : public Expectation {
   const std::vector<ExpectedLandmark>* unseen_ = nullptr;
   double unseen_var_m2_ = 0;
   std::vector<Target> targets_;
-  mutable std::vector<double> traces_, sorted_;  ///< kept for their storage
+  mutable std::vector<double> traces_, sorted_;  ///< reused storage
 };
 
 }  // namespace incognita

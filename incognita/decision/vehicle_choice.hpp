@@ -1,4 +1,4 @@
-// How a vehicle that carries a camera drives on: by which change of its speeds most is learnt, thesis 6.4.2.
+// Choice of the speed change of a vehicle that carries a camera, by information gain: thesis 6.4.2.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,7 +14,7 @@
 
 namespace incognita {
 
-/// What carries a camera: a vehicle with two driven wheels.
+/// The vehicle that carries a camera; it has two driven wheels.
 struct CarrierSettings {
   Mount mount;
   double max_speed_m_s = 1;
@@ -23,21 +23,21 @@ struct CarrierSettings {
 
 class VehicleChoice {
  public:
-  /// Sigmas: of the accelerations that the filter's motion, which knows of no wheels, takes for noise. Throws
+  /// Sigmas: acceleration noise of the filter's motion model, which has no wheel model. Throws
   /// std::invalid_argument as ActionChoice and SpeedChanges do.
   VehicleChoice(const DecisionSettings& settings, const CarrierSettings& carrier,
                 double sigma_acceleration_m_s2, double sigma_angular_acceleration_rad_s2, std::uint64_t seed,
                 std::size_t who = 0);
 
-  /// Scores, chosen, times, from, to and drive of the goal. `camera`: where the camera is believed to be.
-  /// `wheels`: speed, m/s, and turn rate, rad/s, as the encoders tell; without them as they were told to
-  /// turn. The filter does not know of them, the choice does: thesis 6.4.2.
+  /// Sets scores, chosen, times, from, to and drive of the goal. `camera`: the estimated camera state.
+  /// `wheels`: speed (m/s) and turn rate (rad/s) from the encoders; if empty, the last command is used. Only
+  /// the decision uses them, not the filter: thesis 6.4.2.
   template <class Form>
   void choose(const Form& belief, BlockId vehicle, const CameraState& camera,
               const std::optional<Eigen::Vector2d>& wheels, const Expectation& expectation, const Tick& tick,
               Goal& goal);
 
-  /// After the estimate was lost: it stands.
+  /// To be called when tracking is lost: the commanded speeds are set to zero.
   void forget();
 
   const std::vector<std::string>& names() const { return choice_.names(); }

@@ -1,4 +1,4 @@
-// A vehicle that maps by the images of its camera: it decides how it drives on, or its way is told.
+// Decision of a vehicle that maps by the images of its camera; empty if its path is prescribed.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@ namespace incognita {
 
 class VehicleDecision {
  public:
-  /// Nothing to decide.
+  /// No decision: the goal is empty.
   VehicleDecision() = default;
   explicit VehicleDecision(CameraDecision decision) : decision_(std::move(decision)) {}
 

@@ -10,7 +10,7 @@ FreeCameraMotion::State<double> carried_camera(const CameraCarrier& carrier,
                                                const TerrainVehicle::State<double>& state_rate) {
   const MountedCamera<3> mounted = carrier.mount.on(carrier.vehicle.pose(state));
   FreeCameraMotion::State<double> camera = mounted.camera;
-  camera.tail<6>() = mounted.J * state_rate;  // of the position, and of the turn in the camera's axes
+  camera.tail<6>() = mounted.J * state_rate;  // velocity (world), and angular rate (camera axes)
   return camera;
 }
 

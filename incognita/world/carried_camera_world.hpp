@@ -1,5 +1,5 @@
-// Cameras that are carried by vehicles on uneven ground, while what is estimated is a camera alone: thesis
-// Section 6.4.
+// Simulation of cameras carried by vehicles on uneven ground, where the filter estimates only the cameras:
+// thesis Section 6.4.
 #pragma once
 
 #include <cstdint>
@@ -13,11 +13,11 @@ namespace incognita {
 
 struct CameraCarrier {
   TerrainVehicle vehicle;
-  PlantSettings plant;  ///< of the vehicle: speed, m/s, and turn rate, rad/s
+  PlantSettings plant;  ///< inputs of the vehicle: speed, m/s, and turn rate, rad/s
   Mount mount;
 };
 
-/// Pose, velocity and angular rate of a camera on a vehicle that moves: 13 numbers as of FreeCameraMotion.
+/// Pose, velocity and angular rate of a camera on a moving vehicle: 13 numbers as in FreeCameraMotion.
 /// `state_rate`: d(state of the vehicle)/dt.
 FreeCameraMotion::State<double> carried_camera(const CameraCarrier& carrier,
                                                const TerrainVehicle::State<double>& state,
@@ -28,8 +28,8 @@ class CarriedCameraWorld final : public World {
   /// Throws std::invalid_argument as Plant does.
   CarriedCameraWorld(std::vector<CameraCarrier> carriers, std::uint64_t seed);
 
-  /// `command.inputs`: a speed and a turn rate for each carrier; without one it stands. The truth is of the
-  /// cameras; their inputs are 0, for nobody commands their accelerations.
+  /// `command.inputs`: speed and turn rate of each carrier; a carrier without input stands still. The truth
+  /// is that of the cameras; their inputs are 0, since their accelerations are not commanded.
   std::optional<Truth> move(const Command& command, const Tick& tick) override;
 
  private:

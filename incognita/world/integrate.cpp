@@ -12,9 +12,9 @@ namespace {
 namespace odeint = boost::numeric::odeint;
 using Numbers = std::vector<double>;
 
-// Metres, radians and their rates: far below anything that a sensor resolves, and cheap at 30 ticks a second
+// Meters, radians and their rates: far below sensor resolution, and cheap at 30 ticks per second
 constexpr double tolerance = 1e-10;
-constexpr int most_steps = 100000;  // of one tick: a second of them on this machine's like
+constexpr int most_steps = 100000;  // per tick: about a second of computation
 
 std::span<double> numbers(SmallVector& v) { return {v.data(), static_cast<std::size_t>(v.size())}; }
 

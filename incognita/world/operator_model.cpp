@@ -15,7 +15,7 @@ namespace {
 using Input = FreeCameraMotion::Input<double>;
 using State = FreeCameraMotion::State<double>;
 
-/// A displacement, its opposite, and the four of its length across it.
+/// A displacement, its opposite, and four perpendicular ones of the same length.
 std::array<Eigen::Vector3d, 6> six_directions(const Eigen::Vector3d& displacement) {
   const bool vertical = std::abs(displacement.z()) > displacement.head<2>().norm();
   const Eigen::Vector3d reference = vertical ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitZ();
@@ -38,7 +38,7 @@ OperatorModel::OperatorModel(const OperatorSettings& settings, std::uint64_t see
   need(settings_.sigma_way_ratio >= 0, "person.sigma_way_ratio", settings_.sigma_way_ratio, "0 or more");
 }
 
-/// Three numbers are drawn whatever comes of it, so that operators who err more draw the same.
+/// Always draws three random numbers, so that runs with different error probabilities use the same draws.
 Eigen::Vector3d OperatorModel::understood(const Eigen::Vector3d& displacement) {
   const bool wrong = random_.uniform(0, 1) < settings_.wrong;
   const int other = 1 + random_.below(5);
@@ -76,7 +76,7 @@ Input OperatorActuator::move(const Command& command, std::size_t camera, const S
   return motion_(state, model_.follow(shown, free_camera::position(state), t), measurements, t);
 }
 
-/// In half a second, by what was felt of the motion when the screen went dark.
+/// Stops within half a second, from the motion when the screen went dark.
 Input OperatorActuator::stop(const State& state, double t) {
   constexpr double braking_s = 0.5;
   if (!stopped_) stopped_ = {state, t};

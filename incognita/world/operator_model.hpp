@@ -1,8 +1,8 @@
-// The model of an operator: a person who holds a camera and moves it as a screen says, late, not quite as
-// far, and sometimes another way. Thesis 6.3.2.
+// Model of an operator: a person who holds a camera and moves it as shown on a screen, with a delay, an
+// inexact length, and sometimes in a wrong direction. Thesis 6.3.2.
 //
-// An operator is an actuator. What the robot's side gives is a user command; the operator feels how the
-// camera really moves, and what the hand does is the plant's input. Nothing of either reaches an estimator.
+// The operator is an actuator: it receives user commands, knows the true motion of the camera, and its
+// accelerations are the plant's input. Neither reaches the estimator.
 #pragma once
 
 #include <Eigen/Core>
@@ -20,17 +20,18 @@
 
 namespace incognita {
 
-/// What an operator understood of the user commands, and when.
+/// The user commands as the operator understood them, with their delay and errors.
 class OperatorModel {
  public:
-  /// `name`: of the random stream. Throws std::invalid_argument where a setting cannot be.
+  /// `name`: of the random stream. Throws std::invalid_argument for invalid settings.
   OperatorModel(const OperatorSettings& settings, std::uint64_t seed, const std::string& name);
 
-  /// The segment in progress at `t`. `shown`: what the screen says. An operator knows direction and length,
-  /// not the place, and begins where the camera is, `at`. A later command replaces what is in progress.
+  /// The segment in progress at `t`, s. `shown`: the user command on the screen. The operator knows its
+  /// direction and length, not its absolute position, and starts at the camera's position `at`. A later
+  /// command replaces the one in progress.
   const Segment& follow(const UserCommand& shown, const Eigen::Vector3d& at, double t);
 
-  /// Drops what was shown and not begun, and what was in progress: the screen went dark.
+  /// Drops pending commands and the one in progress, as when the screen goes dark.
   void forget();
 
  private:
@@ -38,24 +39,23 @@ class OperatorModel {
 
   OperatorSettings settings_;
   RandomStream random_;
-  std::deque<Segment> waiting_;  ///< shown, and not begun
+  std::deque<Segment> waiting_;  ///< shown, but not yet begun
   Segment in_progress_;
   bool started_ = false;
 };
 
-/// How a hand moves a free camera along a segment, looking level along a heading: the accelerations of (5.24)
-/// from the true state.
+/// Motion of a free camera along a segment with a level gaze: maps the true state to the accelerations of (5.24).
 using OperatorMotion = std::function<FreeCameraMotion::Input<double>(
     const FreeCameraMotion::State<double>& state, const Segment& segment, const Heading& gaze, double t)>;
 
-/// An operator's hand on one camera.
+/// Moves one camera by hand.
 class OperatorActuator {
  public:
-  /// `swing`: where the operator looks while nothing says where.
+  /// `swing`: the gaze if the user command contains none.
   OperatorActuator(OperatorModel model, OperatorMotion motion, const GazeSwing& swing = {});
 
-  /// The input of the camera from `t` on, in the true state of that time. Without user commands a camera in
-  /// the hand comes to rest; one that was not handed over yet (`operator_controlled` false) is not touched.
+  /// Input of the camera from time `t` on, given the true state at that time. Without user commands the
+  /// camera is brought to rest; before it is handed over (`operator_controlled` false) the input is 0.
   FreeCameraMotion::Input<double> move(const Command& command, std::size_t camera,
                                        const FreeCameraMotion::State<double>& state, double t);
 
@@ -70,8 +70,8 @@ class OperatorActuator {
   OperatorModel model_;
   OperatorMotion motion_;
   GazeSwing swing_;
-  std::optional<Moment> stopped_;      ///< when the screen went dark
-  std::optional<Heading> first_gaze_;  ///< the middle of the swing
+  std::optional<Moment> stopped_;      ///< state when the screen went dark
+  std::optional<Heading> first_gaze_;  ///< center of the swing
   double swing_start_t_ = 0;
 };
 

@@ -19,7 +19,7 @@ void need_size(const SmallVector& v, int size, const char* what) {
   if (!v.allFinite()) throw std::invalid_argument(std::string(what) + " must be finite");
 }
 
-/// What is in the right size and all the same no state or input of that motion.
+/// Checks the values of settings that have the right sizes.
 void check_numbers(const FreeCameraMotion&, const PlantSettings& s) {
   if (std::abs(free_camera::orientation(s.start).norm() - 1) > 1e-6)
     throw std::invalid_argument("the orientation at the start of a plant must be a quaternion of length 1");
@@ -54,7 +54,7 @@ void check(const AnyMotion& motion, const PlantSettings& s) {
   std::visit([&](const auto& model) { check_numbers(model, s); }, motion);
 }
 
-/// A wheel that is disturbed stays short of where the car would turn about it.
+/// Keeps the disturbed steering angle short of the one at which the car would turn about the measured wheel.
 void keep_steering(const AckermannCar& car, SmallVector& input) {
   const double margin = 0.01;
   const double inside =

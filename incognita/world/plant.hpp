@@ -1,4 +1,4 @@
-// The true motion of a vehicle: its continuous equations, integrated adaptively.
+// True motion of a vehicle: its continuous equations, integrated adaptively.
 #pragma once
 
 #include <cstdint>
@@ -11,36 +11,35 @@ namespace incognita {
 
 struct PlantSettings {
   SmallVector start;         ///< state at t = 0
-  SmallVector start_sigmas;  ///< the true start is drawn around it; one per error, 0 for none
-  SmallVector input_sigmas;  ///< of what disturbs each input, drawn anew for each tick and held over it
-  SmallVector least_input;   ///< what the body can do: asked for more, it does this
+  SmallVector start_sigmas;  ///< sigmas of the true start, one per error component; 0 for none
+  SmallVector input_sigmas;  ///< sigmas of the input disturbances, drawn per tick and held
+  SmallVector least_input;   ///< limits of the inputs; commands are clamped
   SmallVector most_input;
-  SmallVector input_ratios =
-      {};  ///< true input over the one carried out, as with wheels of another size; none: 1
+  SmallVector input_ratios = {};  ///< true over commanded input, e.g. for a different wheel size; empty: 1
 };
 
 class Plant {
  public:
-  /// `name`: of its random streams. Throws std::invalid_argument where a size does not fit the motion or a
-  /// number cannot be.
+  /// `name`: of its random streams. Throws std::invalid_argument if a size does not fit the motion model or a
+  /// number is invalid.
   Plant(AnyMotion motion, const PlantSettings& settings, std::uint64_t seed, const std::string& name);
 
   const AnyMotion& motion() const { return motion_; }
   const SmallVector& state() const { return state_; }
-  /// The input of the last tick as it was carried out, within the limits and before it was disturbed: what
-  /// odometry tells.
+  /// The clamped input of the last tick, before disturbances: what odometry measures.
   const SmallVector& executed() const { return executed_; }
-  /// The same as it really was: of wheels of their true size, and disturbed.
+  /// The true input of the last tick: with input ratios and disturbances.
   const SmallVector& in_force() const { return in_force_; }
 
-  /// d(state)/dt as it moved last, with what disturbed it.
+  /// d(state)/dt at the end of the last tick, including disturbances.
   SmallVector rate() const { return rate_of(motion_, state_, in_force_); }
 
-  /// The state after the input was held for `dt_s` seconds (Dormand-Prince, Odeint, to 1e-10). Throws
-  /// std::invalid_argument where input or time are not finite or the time is negative.
+  /// State after holding the input for `dt_s` seconds (Dormand-Prince, Odeint, tolerance 1e-10). Throws
+  /// std::invalid_argument if the input or the time is not finite or the time is negative.
   const SmallVector& move(const SmallVector& input, double dt_s);
 
-  /// Puts the body elsewhere, as an obstacle does that it met. Throws std::invalid_argument likewise.
+  /// Sets the state, e.g. after a collision with an obstacle. Throws std::invalid_argument for a wrong size
+  /// or numbers that are not finite.
   void put(const SmallVector& state);
 
  private:

@@ -7,7 +7,7 @@
 namespace incognita {
 namespace {
 
-constexpr double max_frames = 1e9;  // a year at 30 Hz: what counts frames stays exact
+constexpr double max_frames = 1e9;  // a year at 30 Hz
 
 }  // namespace
 

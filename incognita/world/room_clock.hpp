@@ -1,4 +1,4 @@
-// The clock of a simulation: a steady frame rate, as fast as the machine can.
+// Fixed-rate clock of a simulation, which runs as fast as the machine allows.
 #pragma once
 
 #include "incognita/world/world.hpp"
@@ -7,7 +7,7 @@ namespace incognita {
 
 class FixedRateClock final : public Clock {
  public:
-  /// Ticks at 0, 1/rate, ... before `duration_s`. Throws std::invalid_argument when either is not positive.
+  /// Ticks at 0, 1/rate, ... before `duration_s`. Throws std::invalid_argument if either is not positive.
   FixedRateClock(double rate_hz, double duration_s);
 
   Tick next() override;

@@ -1,4 +1,4 @@
-// What really happens. It goes to the sensors and to the record, never to the estimator.
+// True state of the simulation or recording. Only sensors and the recorder receive it, not the estimator.
 #pragma once
 
 #include <optional>
@@ -12,14 +12,13 @@ namespace incognita {
 
 struct Truth {
   FreeCameraMotion::State<double> camera = FreeCameraMotion::State<double>::Zero();  ///< (5.24), world z up
-  bool orientation_known = true;  ///< GPS tells a position alone
-  std::vector<SmallVector> vehicles =
-      {};  ///< of a team: each one's state, `camera` being the pose of the first
-  std::vector<SmallVector> inputs =
-      {};  ///< of a team: what each carried out since the tick before; 0 by hand
-  std::vector<Eigen::Vector2d> wheels = {};  ///< of a team of carried cameras: m/s and rad/s of each carrier
-  /// Of a team: each one's body in space, where it is known. A recording may know that of some vehicles only;
-  /// without that of the first, `camera` means nothing.
+  bool orientation_known = true;  ///< false for GPS, which measures only position
+  /// Of a team: one state per vehicle; `camera` is the pose of the first.
+  std::vector<SmallVector> vehicles = {};
+  std::vector<SmallVector> inputs = {};      ///< team: inputs executed since the last tick; 0 for operators
+  std::vector<Eigen::Vector2d> wheels = {};  ///< carried cameras: m/s and rad/s of each carrier
+  /// Poses of a team's bodies in space. A recording may contain only some of them; without the first one,
+  /// `camera` is undefined.
   std::vector<std::optional<RigidPose>> poses = {};
 };
 

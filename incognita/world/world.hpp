@@ -1,4 +1,4 @@
-// What a place and a sensor are to the loop. Simulation, a recording and a real robot differ in these alone.
+// Interfaces between the loop and the world. Simulation, recordings and real robots differ only in these.
 #pragma once
 
 #include <optional>
@@ -10,30 +10,29 @@
 
 namespace incognita {
 
-/// Where time comes from: the frame rate of a simulation, the stamps of a recording, a real clock.
+/// Source of time: frame rate of a simulation, time stamps of a recording, or a real clock.
 class Clock {
  public:
   virtual ~Clock() = default;
-  /// The next turn, or an empty Tick at the end.
+  /// Next tick, or an empty Tick at the end.
   virtual Tick next() = 0;
-  /// How many turns there will be, 0 when unknown. For progress only.
+  /// Number of ticks, 0 if unknown; only used to report progress.
   virtual std::int64_t expected_frames() const = 0;
 };
 
-/// The place and the body in it.
+/// The environment and the bodies that move in it.
 class World {
  public:
   virtual ~World() = default;
-  /// Carries the command, held since the tick before, through `tick.dt` seconds. Nothing where the truth is
-  /// unknown.
+  /// Executes the command, given at the previous tick, for `tick.dt` seconds. Returns the truth, empty if unknown.
   virtual std::optional<Truth> move(const Command& command, const Tick& tick) = 0;
 };
 
-/// What the body sees of it.
+/// The sensors of the body.
 class Sensor {
  public:
   virtual ~Sensor() = default;
-  /// Throws std::runtime_error naming file and remedy when the sensor fails for good.
+  /// Throws std::runtime_error on permanent failure; the message names the file and the remedy.
   virtual Observation measure(const std::optional<Truth>& truth, const Tick& tick) = 0;
 };
 

@@ -21,7 +21,8 @@ PlanarFit fit_rigid(const std::vector<Eigen::Vector2d>& from, const std::vector<
   for (std::size_t i = 0; i < from.size(); ++i) from_mean += from[i], to_mean += to[i];
   from_mean /= static_cast<double>(from.size());
   to_mean /= static_cast<double>(from.size());
-  double along = 0, across = 0;  // sums of inner and cross products: cosine and sine of the turn
+  // Sums of inner and cross products: proportional to cosine and sine of the rotation
+  double along = 0, across = 0;
   for (std::size_t i = 0; i < from.size(); ++i) {
     const Eigen::Vector2d a = from[i] - from_mean, b = to[i] - to_mean;
     along += a.dot(b);

@@ -12,7 +12,7 @@ Interval median_interval(std::vector<double> samples, double confidence) {
   if (samples.empty()) return {median, -inf, inf};
   std::sort(samples.begin(), samples.end());
   const boost::math::binomial half(static_cast<double>(samples.size()), 0.5);
-  std::size_t beyond = 0;  // samples left out at each end
+  std::size_t beyond = 0;  // samples beyond the interval at each end
   while (cdf(half, static_cast<double>(beyond)) <= (1 - confidence) / 2) ++beyond;
   if (beyond == 0) return {median, -inf, inf};
   return {median, samples[beyond - 1], samples[samples.size() - beyond]};

@@ -1,4 +1,4 @@
-// The median of independent samples and what chance leaves open of it.
+// Median of independent samples with its confidence interval.
 #pragma once
 
 #include <vector>
@@ -7,9 +7,8 @@
 
 namespace incognita {
 
-/// Between two of the samples, so many from either end that a binomial of n trials and 1/2 falls short of
-/// them with half of what the confidence leaves; of any distribution. From -inf to inf where the samples are
-/// too few, five or less at 95 %; NaN for none.
+/// Distribution-free interval between two order statistics, from the quantiles of the binomial distribution with n
+/// trials and probability 1/2. From -inf to inf for too few samples (five or less at 95 %); NaN for none.
 Interval median_interval(std::vector<double> samples, double confidence = usual_confidence);
 
 }  // namespace incognita

@@ -12,7 +12,7 @@ namespace incognita {
 namespace {
 
 constexpr Chart pose_chart{{Chart::Kind::line, 3}, {Chart::Kind::quaternion, 4}};
-/// F^-1(0.9973) of chi-square by degrees of freedom: 3 sigma of as many numbers.
+/// 0.9973 quantile of chi-square by degrees of freedom, i.e. 3 sigma.
 constexpr double three_sigma_chi_square[] = {0, 8.9998, 11.829, 14.156};
 
 using PoseNumbers = Eigen::Matrix<double, 7, 1>;
@@ -22,8 +22,8 @@ PoseNumbers numbers(const StampedPose& pose) {
   return x;
 }
 
-/// Of some components: not those without an error to speak of (NaN), nor those that are exact by
-/// construction, as a height is on a plane (error and variance 0).
+/// Normalized square of the given components, except those with unknown error (NaN) and those exact by
+/// construction, as the height on a plane (error and variance 0).
 template <int N>
 std::optional<NormalizedSquare> normalized_square(const Eigen::Matrix<double, N, 1>& e,
                                                   const Eigen::Matrix<double, N, N>& P,
@@ -35,8 +35,8 @@ std::optional<NormalizedSquare> normalized_square(const Eigen::Matrix<double, N,
   const Eigen::MatrixXd part = P(states, states);
   const Eigen::LLT<Eigen::MatrixXd> factor(part);
   if (factor.info() != Eigen::Success) return std::nullopt;
-  // A pivot that is what rounding left of a variance: there some combination is said to be exact
-  constexpr double least = 1e-6;  // of the standard deviation
+  // A pivot at rounding level means that some combination has no uncertainty
+  constexpr double least = 1e-6;  // relative to the standard deviation
   for (Eigen::Index i = 0; i < part.rows(); ++i)
     if (!(factor.matrixLLT()(i, i) > least * std::sqrt(part(i, i)))) return std::nullopt;
   return NormalizedSquare{factor.matrixL().solve(Eigen::VectorXd(e(states))).squaredNorm(),
@@ -57,8 +57,8 @@ PoseError pose_error(const StampedPose& truth, const StampedPose& estimate) {
 std::optional<NormalizedSquare> pose_normalized_square(const PoseError& error,
                                                        const PoseCovariance& covariance) {
   auto square = normalized_square<6>(error, covariance, {0, 1, 2, 3, 4, 5});
-  const bool follow =
-      (covariance.diagonal().segment<3>(2).array() > 0).all();  // height, roll and pitch: no states
+  // False if height, roll and pitch are no states
+  const bool follow = (covariance.diagonal().segment<3>(2).array() > 0).all();
   if (!square && follow) square = normalized_square<6>(error, covariance, {0, 1, 5});
   return square;
 }

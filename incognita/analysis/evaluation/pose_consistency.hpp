@@ -1,4 +1,4 @@
-// Whether an estimated pose is as wrong as its covariance says (Bar-Shalom et al. 2001, ch. 5.4).
+// Consistency of an estimated pose with its covariance: NEES (Bar-Shalom et al. 2001, ch. 5.4).
 #pragma once
 
 #include <Eigen/Core>
@@ -20,37 +20,36 @@ struct StampedCovariance {
   PoseCovariance covariance = PoseCovariance::Zero();
 };
 
-/// truth (-) estimate in that order; NaN for the rotation where either orientation is not known.
+/// truth (-) estimate in that order; the rotation is NaN if either orientation is unknown.
 PoseError pose_error(const StampedPose& truth, const StampedPose& estimate);
 
-/// e' P^-1 e of some components of an error, and how many they are.
+/// e' P^-1 e of some components of an error, and their number.
 struct NormalizedSquare {
   double sum = 0;
   int degrees_of_freedom = 0;
 };
 
-/// Normalized estimation error squared of the pose. Its degrees of freedom are 6, less components whose error
-/// is not known (NaN) or that are exact by construction (error and variance 0, as height, roll and pitch on a
-/// plane). Where the covariance of the rest is not positive definite, and height, roll and pitch are not said
-/// to be exact, as on uneven ground, which gives them, x, y and rotZ alone are taken; nothing where theirs is
-/// not either: there is no such number for a pose said to be exact.
+/// Normalized estimation error squared (NEES) of the pose. Its degrees of freedom are 6, less components
+/// whose error is unknown (NaN) or which are exact by construction (error and variance 0, as height, roll and
+/// pitch on a plane). If the covariance of the rest is not positive definite and height, roll and pitch are
+/// not exact, as on uneven ground, which determines them, only x, y and rotZ are used. Empty if their
+/// covariance is not positive definite either: the NEES of a pose without uncertainty is undefined.
 std::optional<NormalizedSquare> pose_normalized_square(const PoseError& error,
                                                        const PoseCovariance& covariance);
-/// The same divided by its degrees of freedom, so that 1 is right.
+/// NEES divided by its degrees of freedom: 1 if consistent.
 std::optional<double> pose_nees(const PoseError& error, const PoseCovariance& covariance);
 
-/// Whether a position lies beyond 3 sigma of its covariance: its Mahalanobis distance squared exceeds the
-/// 0.9973 quantile of chi-square with 3 degrees of freedom, fewer on a plane or uneven ground as in
-/// pose_nees(). A covariance that is not positive definite then either counts when there is an error at all.
+/// Whether a position error lies beyond 3 sigma of its covariance: its squared Mahalanobis distance exceeds
+/// the 0.9973 quantile of chi-square with 3 degrees of freedom, fewer on a plane or uneven ground as in
+/// pose_nees(). If the covariance is not positive definite then either, any error counts.
 bool beyond_three_sigma(const Eigen::Vector3d& error, const Eigen::Matrix3d& covariance);
 
 struct MeanNees {
   double value = 0;
-  std::size_t count = 0;  ///< poses behind it
+  std::size_t count = 0;  ///< number of poses
 };
 
-/// Mean of pose_nees over matched poses whose covariance is known at the estimate's own time stamp; nothing
-/// when there is none.
+/// Mean of pose_nees over matched poses with a covariance at the estimate's time stamp; empty if there is none.
 std::optional<MeanNees> mean_pose_nees(const MatchedTrajectories& matched,
                                        const std::vector<StampedCovariance>& covariances);
 

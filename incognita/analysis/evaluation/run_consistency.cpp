@@ -40,7 +40,7 @@ std::optional<MeanNormalizedSquare> mean_nees_of_run(double mean, std::int64_t s
 std::optional<MeanNormalizedSquare> mean_nis_of_run(double mean, std::int64_t samples,
                                                     double degrees_of_freedom_in_all) {
   if (samples < fewest_samples || degrees_of_freedom_in_all < 1) return std::nullopt;
-  constexpr double most = 1e6;  // the band is narrower than the limits long before
+  constexpr double most = 1e6;  // far beyond it the chi-square band is narrower than the limits
   Interval band = nees_band(1, static_cast<int>(std::min(degrees_of_freedom_in_all, most)), confidence);
   band.low = std::min(band.low, lowest_nis);
   band.high = std::max(band.high, highest_nis);

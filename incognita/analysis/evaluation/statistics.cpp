@@ -41,9 +41,9 @@ Interval mean_of(const std::vector<double>& samples, double confidence) {
 }
 
 Interval bootstrap_mean(const std::vector<double>& samples, double confidence) {
-  // Ten and more resamples beyond each end
+  // At least ten resamples beyond each end
   const int resamples = std::max(2000, static_cast<int>(std::lround(20 / (1 - confidence))));
-  constexpr std::size_t fewest = 5;  // of fewer the resamples say nothing of the spread
+  constexpr std::size_t fewest = 5;  // fewer samples do not represent the spread
   if (samples.size() < fewest) return {mean(samples), -inf, inf};
   RandomStream random(1, "bootstrap");
   std::vector<double> means;
@@ -72,7 +72,7 @@ Interval share_of(std::size_t count, std::size_t of, double confidence) {
   const double z = quantile(boost::math::normal(), (1 + confidence) / 2), zz = z * z / n;
   const double center = (p + zz / 2) / (1 + zz);
   const double half = z / (1 + zz) * std::sqrt(p * (1 - p) / n + zz / (4 * n));
-  // At the ends the interval reaches them, which rounding need not
+  // Exactly 0 and 1 at the ends, despite rounding
   return {p, count == 0 ? 0 : center - half, count == of ? 1 : center + half};
 }
 

@@ -18,7 +18,7 @@ std::vector<std::size_t> in_time_order(const Trajectory& trajectory) {
   return order;
 }
 
-/// For each of `from` (in time order), the place in `order` of the pose of `to` that is nearest in time.
+/// For each pose of `from`, in time order, the index in `to_order` of the nearest pose of `to` in time.
 std::vector<std::size_t> nearest(const Trajectory& from, const std::vector<std::size_t>& from_order,
                                  const Trajectory& to, const std::vector<std::size_t>& to_order) {
   std::vector<std::size_t> found(from_order.size());
@@ -27,7 +27,7 @@ std::vector<std::size_t> nearest(const Trajectory& from, const std::vector<std::
     const double t = from[from_order[i]].t;
     const auto distance = [&](std::size_t j) { return std::abs(to[to_order[j]].t - t); };
     const auto repeats = [&](std::size_t j) { return to[to_order[j]].t == to[to_order[j - 1]].t; };
-    // a stamp given twice is no nearer, and must not end the search
+    // A repeated time stamp is no nearer, but must not end the search
     while (k + 1 < to_order.size() && (distance(k + 1) < distance(k) || repeats(k + 1))) ++k;
     found[i] = k;
   }
@@ -49,7 +49,7 @@ Alignment from_umeyama(const Eigen::Matrix4d& similarity) {
   return alignment;
 }
 
-/// Least squares over the heading alone: the angle that best turns centred (x, y) of one into the other.
+/// Least squares over the heading only: the rotation about z between the centered (x, y) of both.
 Alignment yaw_alignment(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to) {
   const Eigen::Vector3d mean_from = from.rowwise().mean(), mean_to = to.rowwise().mean();
   const Eigen::Matrix3Xd a = from.colwise() - mean_from, b = to.colwise() - mean_to;
@@ -79,7 +79,7 @@ RelativePose between(const StampedPose& first, const StampedPose& second) {
           quaternion_product<double>(inverse, second.orientation)};
 }
 
-/// The index of the pose an interval after pose i, or nothing.
+/// Index of the pose an interval after pose i; empty if there is none.
 std::optional<std::size_t> later(const Trajectory& truth, std::size_t i, const RelativeInterval& interval) {
   if (interval.frames > 0) {
     const std::size_t j = i + static_cast<std::size_t>(interval.frames);
@@ -94,8 +94,7 @@ std::optional<std::size_t> later(const Trajectory& truth, std::size_t i, const R
     if (after == first) return std::nullopt;
     --after;
   }
-  // past the end every pose would find the last one, at ever shorter intervals: there, only rounding is
-  // forgiven
+  // Past the end every pose would match the last one, at ever shorter intervals: only a small tolerance applies
   const double tolerance = (past_the_end ? 0.01 : 0.1) * interval.seconds;
   if (std::abs(after->t - wanted) > tolerance) return std::nullopt;
   return static_cast<std::size_t>(after - truth.begin());
@@ -154,7 +153,7 @@ std::optional<Alignment> align(const MatchedTrajectories& matched, AlignmentKind
   const Eigen::Matrix3Xd from = positions(matched.estimate), to = positions(matched.truth);
   if (kind == AlignmentKind::yaw) return yaw_alignment(from, to);
   const bool with_scale = kind == AlignmentKind::sim3;
-  // a truth that never moved would be met with scale zero, an estimate that never moved with an infinite one
+  // The scale would be zero if the truth never moved, and infinite if the estimate never moved
   if (with_scale && (!has_extent(from) || !has_extent(to))) return std::nullopt;
   return from_umeyama(Eigen::umeyama(from, to, with_scale));
 }
@@ -202,7 +201,7 @@ RelativePoseError relative_pose_error(const MatchedTrajectories& matched, const 
     if (!matched.truth[i].oriented || !matched.estimate[i].oriented) continue;
     const RelativePose moved = between(matched.truth[i], matched.truth[*j]);
     const RelativePose estimated = between(matched.estimate[i], matched.estimate[*j]);
-    // (first_from_second_true)^-1 * first_from_second_estimated: lengths do not care about the frame
+    // (first_from_second_true)^-1 * first_from_second_estimated: its norms do not depend on the frame
     translations.push_back((estimated.translation - moved.translation).norm());
     const Eigen::Vector4d turn =
         quaternion_product<double>(quaternion_conjugate<double>(moved.rotation), estimated.rotation);

@@ -1,8 +1,8 @@
-// How far an estimated trajectory is from the true one: association in time, alignment, ATE and RPE.
+// Error of an estimated trajectory: association in time, alignment, ATE and RPE.
 //
-// Terms as the field uses them (Sturm et al. 2012; Zhang and Scaramuzza 2018): the absolute trajectory error
-// is the distance between estimated and true positions after alignment, the relative pose error is the error
-// of the motion made within a fixed time or number of poses.
+// Terms as in Sturm et al. 2012 and Zhang and Scaramuzza 2018: the absolute trajectory error (ATE) is the
+// distance between estimated and true positions after alignment; the relative pose error (RPE) is the error
+// of the motion within a fixed time or number of poses.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,21 +14,21 @@
 
 namespace incognita {
 
-/// A pose world_from_body at a time.
+/// Time-stamped pose world_from_body.
 struct StampedPose {
   double t = 0;                                               ///< s
   Eigen::Vector3d position = Eigen::Vector3d::Zero();         ///< world, m
   Eigen::Vector4d orientation = Eigen::Vector4d(1, 0, 0, 0);  ///< unit quaternion w,x,y,z
-  bool oriented = true;  ///< else the orientation is not known, as that of GPS, and means nothing
+  bool oriented = true;  ///< false: the orientation is unknown, as with GPS, and must not be used
 };
 using Trajectory = std::vector<StampedPose>;
 
-/// Pairs of indices (estimate, truth), in time order: poses that are each other's nearest in time and at most
-/// `max_dt_s` apart. No pose is in two pairs. Neither trajectory need be sorted.
+/// Pairs of indices (estimate, truth), in time order: mutually nearest poses in time, at most `max_dt_s`
+/// apart. No pose is in two pairs. The trajectories need not be sorted.
 std::vector<std::pair<std::size_t, std::size_t>> associate(const Trajectory& estimate,
                                                            const Trajectory& truth, double max_dt_s);
 
-/// The poses of such pairs: two trajectories of equal length, in time order.
+/// Matched poses: two trajectories of equal length, in time order.
 struct MatchedTrajectories {
   Trajectory estimate;
   Trajectory truth;
@@ -36,13 +36,13 @@ struct MatchedTrajectories {
 MatchedTrajectories match(const Trajectory& estimate, const Trajectory& truth, double max_dt_s);
 
 enum class AlignmentKind {
-  none,  ///< the estimate is in the true frame already
+  none,  ///< the estimate is already in the true frame
   se3,   ///< rotation and translation
-  sim3,  ///< and scale: what one camera without a known target cannot know
-  yaw,   ///< rotation about the vertical and translation: what gravity leaves free
+  sim3,  ///< and scale, which one camera without a known target cannot observe
+  yaw,   ///< rotation about the vertical and translation, unobservable with gravity known
 };
 const char* name(AlignmentKind kind);
-/// Nothing for a word that is none of the four.
+/// Parses a name; empty if it is none of the four.
 std::optional<AlignmentKind> alignment_kind(std::string_view word);
 
 /// position_in_truth = scale * rotation * position + translation.
@@ -52,13 +52,12 @@ struct Alignment {
   Eigen::Vector3d translation = Eigen::Vector3d::Zero();
 };
 
-/// The alignment with the least sum of squared distances between matched positions (Umeyama 1991 for se3 and
-/// sim3). Nothing where the positions do not determine it: no poses, or a scale asked of a trajectory that
-/// never moved. On a straight line the turn about that line is free; the errors of positions do not depend on
-/// it.
+/// Alignment with the least sum of squared distances between matched positions (Umeyama 1991 for se3 and
+/// sim3). Empty if the positions do not determine it: no poses, or the scale of a trajectory without motion.
+/// On a straight line the rotation about it is free; position errors do not depend on it.
 std::optional<Alignment> align(const MatchedTrajectories& matched, AlignmentKind kind);
 
-/// The estimate as it is after alignment.
+/// The estimate after alignment.
 Trajectory aligned(const Trajectory& estimate, const Alignment& alignment);
 
 struct ErrorStatistics {
@@ -70,7 +69,7 @@ ErrorStatistics statistics(std::vector<double> errors);
 /// Distances between estimated and true positions; align first.
 ErrorStatistics absolute_trajectory_error(const MatchedTrajectories& matched);
 
-/// The interval of a relative pose error: a time, or a number of matched poses when `frames` is above 0.
+/// Interval of a relative pose error: a time, or a number of matched poses if `frames` is above 0.
 struct RelativeInterval {
   double seconds = 1;
   int frames = 0;
@@ -82,8 +81,8 @@ struct RelativePoseError {
 };
 
 /// Errors of the relative motion between each pose and the one an interval later. For an interval in seconds
-/// that is the pose nearest in time to it, and a pair whose interval is off by more than a tenth is left out.
-/// Only the scale of an alignment matters here. Poses without orientation have no relative motion.
+/// this is the pose nearest in time; pairs whose interval is off by more than a tenth are skipped. Of an
+/// alignment only the scale matters. Poses without orientation are skipped.
 RelativePoseError relative_pose_error(const MatchedTrajectories& matched, const RelativeInterval& interval);
 
 }  // namespace incognita

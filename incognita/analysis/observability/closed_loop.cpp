@@ -27,7 +27,7 @@ VectorXcd joined(const VectorXcd& a, const VectorXcd& b) {
   return both;
 }
 
-/// Pairs each of `a` with the nearest of `b` that is left, and returns the largest distance of a pair.
+/// Greedily pairs each of `a` with the nearest remaining one of `b`; returns the largest distance of a pair.
 double distance_between(const VectorXcd& a, const VectorXcd& b) {
   if (!a.allFinite() || !b.allFinite()) return std::numeric_limits<double>::infinity();
   std::vector<std::complex<double>> left(b.begin(), b.end());
@@ -54,7 +54,7 @@ Stability stability_of(const MatrixXd& A) {
   expect_size("A", A, A.rows(), A.rows());
   Stability stability;
   if (A.size() == 0) return stability;
-  const bool finite = A.allFinite();  // the solver would not end well
+  const bool finite = A.allFinite();  // the solver requires finite entries
   const Eigen::EigenSolver<MatrixXd> solver(finite ? A : MatrixXd::Identity(A.rows(), A.rows()), false);
   const double unknown = std::numeric_limits<double>::quiet_NaN();
   const bool found = finite && solver.info() == Eigen::Success;

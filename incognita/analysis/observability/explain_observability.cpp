@@ -9,7 +9,7 @@
 namespace incognita {
 namespace {
 
-/// Keeps what adds a dimension to what it holds, in coordinates where all columns weigh alike.
+/// Accepts directions that are independent of those accepted before, in scaled coordinates.
 class Independent {
  public:
   explicit Independent(const NullSpace& space) : space_(space), span_(space.column_scale.size(), 0) {}
@@ -31,8 +31,8 @@ class Independent {
   Eigen::MatrixXd span_;
 };
 
-/// Combinations of directions of the whole that lie in the space, such as a rotation about an anchor: one
-/// about the origin and a shift. The last that are named lead.
+/// Combinations of global directions that lie in the space, e.g. a rotation about an anchor: one about the
+/// origin plus a shift. The last named lead.
 std::vector<NamedDirection> combinations(const NullSpace& space, const std::vector<NamedDirection>& named) {
   std::vector<const NamedDirection*> whole;
   for (auto d = named.rbegin(); d != named.rend(); ++d)
@@ -88,7 +88,7 @@ std::vector<UnobservableDirection> named_directions(const NullSpace& space,
     if (space.contains(alone)) take(states[static_cast<std::size_t>(i)], alone);
   }
   for (const Eigen::VectorXd& v : readable_basis(space)) take(written_combination(v, states), v);
-  // What rounding kept those from spanning
+  // Completes the basis if rounding kept the others from spanning the space
   for (Eigen::Index i = 0; i < space.nullity; ++i) {
     const Eigen::VectorXd v = space.column_scale.cwiseProduct(space.scaled_null.col(i));
     take(written_combination(v, states), v);
@@ -105,7 +105,7 @@ ObservableSpace observable_space(const NoisyRows& rows, const std::vector<NamedD
 
 namespace {
 
-/// Where ranks that are compared are not both clear there is nothing to explain.
+/// Differences between ranks are explained only if both are clear.
 bool both_clear(const NullSpace& a, const NullSpace& b) { return !a.ambiguous && !b.ambiguous; }
 
 constexpr const char* not_clear = "one of these ranks is not clear.";
@@ -115,7 +115,7 @@ bool differ(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
   return ((a - b).array().abs() > 1e-6 * (a.array().abs() + b.array().abs())).any();
 }
 
-/// Whether F or H change while inputs are held.
+/// Whether F or H change while the inputs are held.
 bool form_changes(const SystemInstance& instance, const std::vector<MotionSample>& samples) {
   for (std::size_t i = 1; i < samples.size(); ++i) {
     if (samples[i].point.u != samples[i - 1].point.u) continue;
@@ -126,7 +126,7 @@ bool form_changes(const SystemInstance& instance, const std::vector<MotionSample
   return false;
 }
 
-/// The SOM against the motion itself: it freezes H while F moves the vehicle on.
+/// SOM against the local observability along the motion: SOM freezes H while F propagates the state.
 void compare_with_motion(const ObservabilityAnalysis& a, bool changes, std::vector<std::string>& said) {
   const ObservableSpace& stripped = a.segments.back().stripped;
   const int local = a.local.space.nullity, frozen = stripped.space.nullity;
@@ -178,7 +178,7 @@ void compare_with_lie(const ObservabilityAnalysis& a, bool inputs_vary, std::vec
                  cause_of_lie(a, inputs_vary));
 }
 
-/// The same rows, weighed with the noises.
+/// The same rows, weighted by the measurement noise.
 void compare_with_information(const ObservabilityAnalysis& a, std::vector<std::string>& said) {
   const int local = a.local.space.nullity, weighed = a.fisher.space.nullity;
   if (local == weighed) return;
@@ -191,7 +191,7 @@ void compare_with_information(const ObservabilityAnalysis& a, std::vector<std::s
                       : not_clear));
 }
 
-/// The same segments in plain differences of the states: SOM's rank depends on coordinates.
+/// The same segments without error coordinates: the rank of SOM depends on the coordinates.
 void compare_coordinates(const ObservabilityAnalysis& a, const SystemInstance& instance,
                          const SystemMotion& motion, const NullSpaceSettings& rank,
                          std::vector<std::string>& said) {
@@ -242,7 +242,7 @@ std::string short_number(const char* format, double value) {
   return text;
 }
 
-/// Why a rank is the best guess and no more.
+/// Reason why a rank is ambiguous.
 std::string why_not_clear(const NullSpace& space, const std::vector<std::string>& states) {
   std::string faint;
   for (std::size_t i = 0; i < space.faint.size(); ++i)
@@ -286,7 +286,7 @@ void doubt_lie(const LieAnalysis& lie, std::vector<std::string>& doubts) {
                      " at other states with the same inputs.");
 }
 
-/// A rank says that something is seen, not that it is of any use.
+/// An observable state may still be too weakly observable to be useful.
 void note_weakly_observable(const ObservabilityAnalysis& a, std::vector<std::string>& notes) {
   constexpr int most = 6;
   int count = 0;

@@ -1,4 +1,4 @@
-// Words for what the matrices say: names for unobservable directions, and why methods disagree.
+// Explanations of observability results: names of unobservable directions, and why methods disagree.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace incognita {
 
-/// As many directions as the space has dimensions: those of `named` that lie in it, then combinations of
-/// them, then single states, then what is left, as combinations of states.
+/// Basis of the space: first those of `named` that lie in it, then combinations of them, then single states,
+/// then the remainder as combinations of states.
 std::vector<UnobservableDirection> named_directions(const NullSpace& space,
                                                     const std::vector<NamedDirection>& named,
                                                     const std::vector<std::string>& states);
@@ -23,7 +23,7 @@ std::vector<std::string> disagreements_in(const ObservabilityAnalysis& analysis,
                                           const std::vector<MotionSample>& samples,
                                           const NullSpaceSettings& rank);
 
-/// Where small differences grow by more on the way, rounding has too.
+/// Limit of the growth of small differences along the motion; beyond it, rounding dominates.
 constexpr double most_growth = 1e8;
 
 std::vector<std::string> doubts_in(const ObservabilityAnalysis& analysis);

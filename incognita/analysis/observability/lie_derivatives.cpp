@@ -11,7 +11,7 @@ namespace {
 
 using Slot = ExpressionGraph::Slot;
 
-/// A derivative of one measurement; rows of it exist for each landmark or anchor.
+/// A derivative of one measurement; it has one row per landmark or anchor.
 struct Word {
   Owner owner = Owner::vehicle;
   Slot slot = 0;
@@ -20,17 +20,17 @@ struct Word {
   bool raised_rank = false;
 };
 
-/// The differentials of all words at one point, and the space they span so far.
+/// Differentials of all words at one point, and their span.
 class PointRows {
  public:
   PointRows(SystemPoint point, const std::vector<Eigen::VectorXd>& other_inputs)
       : point_(std::move(point)), other_inputs_(&other_inputs) {}
 
-  /// Every quantity anew, now that the algebra has grown.
+  /// Re-evaluates all quantities after the algebra has grown.
   void refresh(const LieAlgebra& algebra, const SystemInstance& shape);
-  /// The rows of a word; returns how many directions they seem to add.
+  /// Adds the rows of a word; returns the number of new directions.
   int add(const Word& word, const SystemInstance& shape);
-  /// Decides the rank of all rows so far.
+  /// Determines the rank of all rows so far.
   void settle(const NullSpaceSettings& settings) { space_ = null_space(rows_, settings); }
 
   const NullSpace& space() const { return space_; }
@@ -49,12 +49,12 @@ class PointRows {
   NoisyRows rows_;
   NullSpace space_;
   Eigen::MatrixXd span_;  // orthonormal columns, in the units of the states
-  double largest_ = 0;    // row so far, likewise
+  double largest_ = 0;    // largest row norm so far, likewise
 };
 
 void PointRows::refresh(const LieAlgebra& algebra, const SystemInstance& shape) {
   gradients_.clear();
-  // The algebra's system is the instance's own with more quantities
+  // The algebra's system is the instance's, extended by new quantities
   const SymbolicSystem& s = algebra.system();
   SystemInstance grown(s, shape.landmarks(), shape.anchors());
   for (std::size_t set = 0; set < algebra.input_copies().size(); ++set)
@@ -82,7 +82,7 @@ int PointRows::add(const Word& word, const SystemInstance& shape) {
       return row;
     };
     const Eigen::VectorXd row = spread(g.gradient.col(word.slot)), in_units = row.cwiseProduct(units);
-    // Where values cancel, as at an equilibrium, what should be 0 is rounding of other rows' size
+    // Where values cancel, as at an equilibrium, a zero is computed as rounding of the size of other rows
     largest_ = std::max(largest_, in_units.norm());
     const Eigen::VectorXd noise =
         (1e-13 * n * spread(g.terms.col(word.slot))).cwiseMax(1e-14 * largest_ * units.cwiseInverse());
@@ -103,7 +103,7 @@ std::string owner_name(Owner owner) {
   return owner == Owner::vehicle ? "vehicle" : owner == Owner::landmark ? "landmark" : "anchor";
 }
 
-/// Every quantity that derivation made and the expression is made of.
+/// Collects all derived quantities that an expression depends on.
 void parts_of(const SymbolicSystem& system, const GiNaC::ex& e, Slot first_new, std::set<Slot>& parts) {
   if (GiNaC::is_a<GiNaC::symbol>(e)) {
     const Slot slot = system.graph.slot_of(GiNaC::ex_to<GiNaC::symbol>(e));
@@ -136,7 +136,7 @@ LieRow row_of(const SymbolicSystem& system, const Word& word, Slot first_new, co
   return row;
 }
 
-/// Breadth first: every word that raised the rank is derived along every field.
+/// Breadth-first search: every word that raised the rank is differentiated along every field.
 class Search {
  public:
   Search(const SystemInstance& instance, const SystemMotion& motion, RandomStream& random)
@@ -210,7 +210,7 @@ class Search {
     return words;
   }
 
-  /// Takes the words up, and leaves in the list those that raised the rank somewhere.
+  /// Adds the words, and keeps in the list those that raised the rank at some point.
   void keep(std::vector<Word>& words, const NullSpaceSettings& rank, LieAnalysis& result) {
     for (PointRows& point : points_) point.refresh(algebra_, instance_);
     std::vector<Word> raising;

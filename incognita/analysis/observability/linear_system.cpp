@@ -12,7 +12,7 @@
 namespace incognita {
 namespace {
 
-/// The symmetric square root; rounding below zero counts as zero.
+/// Symmetric square root; negative eigenvalues due to rounding are set to zero.
 Eigen::MatrixXd root_of(const Eigen::MatrixXd& psd) {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(psd);
   return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal() *

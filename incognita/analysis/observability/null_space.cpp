@@ -11,8 +11,7 @@
 namespace incognita {
 namespace {
 
-/// Entries that are more than rounding, in rows of length one unless they are weighed already; rows of
-/// nothing are left out.
+/// Rows with entries at rounding level set to 0, normalized unless weighed; zero rows are removed.
 Eigen::MatrixXd unit_rows(const NoisyRows& M) {
   Eigen::MatrixXd kept(M.rows.rows(), M.rows.cols());
   Eigen::Index count = 0;
@@ -25,21 +24,21 @@ Eigen::MatrixXd unit_rows(const NoisyRows& M) {
   return kept.topRows(count);
 }
 
-/// Columns that are left with nothing, and had more than what rounding commonly leaves.
+/// Columns without remaining entries whose values exceeded common rounding.
 std::vector<bool> faint_columns(const NoisyRows& M, const Eigen::MatrixXd& kept) {
   std::vector<bool> faint(static_cast<std::size_t>(M.rows.cols()));
   for (Eigen::Index j = 0; j < M.rows.cols(); ++j) {
     if (kept.rows() > 0 && kept.col(j).cwiseAbs().maxCoeff() > 0) continue;
     const auto at = static_cast<std::size_t>(j);
     faint[at] = at < M.faint.size() && M.faint[at];
-    // Bounds of rounding are generous
+    // The noise bounds are generous
     for (Eigen::Index i = 0; i < M.rows.rows() && !faint[at]; ++i)
       faint[at] = std::abs(M.rows(i, j)) > 1e-5 * M.noise(i, j);
   }
   return faint;
 }
 
-/// What brings every column to length one.
+/// Factors that scale every column to length one.
 Eigen::VectorXd scale_of_columns(const Eigen::MatrixXd& M) {
   Eigen::VectorXd scale = Eigen::VectorXd::Ones(M.cols());
   for (Eigen::Index j = 0; j < M.cols(); ++j) {
@@ -49,7 +48,7 @@ Eigen::VectorXd scale_of_columns(const Eigen::MatrixXd& M) {
   return scale;
 }
 
-/// An n x n matrix with the same null space and singular values: the triangle of a QR decomposition.
+/// n x n matrix with the same null space and singular values: R of a QR decomposition.
 Eigen::MatrixXd triangle(const Eigen::MatrixXd& M) {
   const Eigen::Index n = M.cols();
   Eigen::MatrixXd R = Eigen::MatrixXd::Zero(n, n);
@@ -68,13 +67,13 @@ void decide(NullSpace& space, const NullSpaceSettings& settings) {
   space.rank = n > 0 && s[0] > 0 ? static_cast<int>((s.array() > least).count()) : 0;
   space.nullity = static_cast<int>(n) - space.rank;
   const double left_out = space.nullity > 0 ? s[space.rank] : 0;
-  // Below this part of the largest a singular value is rounding, however it compares with others like it
+  // Singular values below this fraction of the largest are rounding, whatever the gap among them
   const double rounding = n > 0 ? s[0] * 1e-13 : 0;
   space.least = space.rank > 0 ? s[space.rank - 1] / s[0] : 0;
   space.gap =
       space.rank > 0 && left_out > 0 ? s[space.rank - 1] / left_out : std::numeric_limits<double>::infinity();
   space.ambiguous = left_out > rounding && space.gap < settings.clear_gap;
-  // A value that just counts, or just does not, would be on the other side for another tolerance
+  // A value near the threshold would be counted differently under another tolerance
   if (left_out > 0.03 * least || (space.rank > 0 && s[space.rank - 1] < 30 * least)) space.ambiguous = true;
 }
 
@@ -132,13 +131,13 @@ double NullSpace::observed_share(const Eigen::VectorXd& direction) const {
 }
 
 bool NullSpace::contains(const Eigen::VectorXd& direction) const {
-  // Directions are told exactly; what the matrix makes of them is rounding and what the rank leaves out
+  // The direction is exact; its product with the matrix is limited by rounding and by what the rank leaves out
   return direction.norm() > 0 && observed_share(direction) <= std::max(tolerance, 1e-12);
 }
 
 namespace {
 
-/// Gauss-Jordan on the rows of B, pivots taken from the left where they are not small.
+/// Gauss-Jordan elimination on the rows of B, with leftmost pivots that are not small.
 void reduce(Eigen::MatrixXd& B) {
   Eigen::Index row = 0;
   for (Eigen::Index column = 0; column < B.cols() && row < B.rows(); ++column) {
@@ -153,8 +152,7 @@ void reduce(Eigen::MatrixXd& B) {
   }
 }
 
-/// The smallest multiple that makes every entry a whole number, where a small one does and stays in the
-/// space.
+/// Smallest multiple with integer entries, if it is small and remains in the space.
 Eigen::VectorXd as_integers(const Eigen::VectorXd& v, const NullSpace& space) {
   constexpr int largest_multiple = 12, largest_entry = 60;
   for (int multiple = 1; multiple <= largest_multiple; ++multiple) {
@@ -170,7 +168,7 @@ Eigen::VectorXd as_integers(const Eigen::VectorXd& v, const NullSpace& space) {
 }  // namespace
 
 std::vector<Eigen::VectorXd> readable_basis(const NullSpace& space) {
-  // Where all columns weigh alike: what is small there is small in any units
+  // In scaled coordinates, where a common threshold applies to all columns
   Eigen::MatrixXd B = space.scaled_null.transpose();
   reduce(B);
   std::vector<Eigen::VectorXd> vectors;

@@ -1,5 +1,5 @@
-// Ranks and null spaces of matrices whose rows and columns have different units, decided by singular values
-// after scaling, with what decided them; and null spaces as a person would write them.
+// Ranks and null spaces of matrices with mixed units, by singular values after scaling, with the values that
+// determined them; and null spaces in readable form.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,60 +8,59 @@
 
 namespace incognita {
 
-/// Rows of a matrix M to analyse, each entry with how large its rounding may be.
+/// Rows of a matrix M, with a bound of the rounding error of each entry.
 struct NoisyRows {
-  Eigen::MatrixXd rows;     ///< m x n
-  Eigen::MatrixXd noise;    ///< m x n: an entry no larger than this is nothing but rounding
-  bool weighed = false;     ///< lengths of rows mean something: they are not brought to one
-  std::vector<bool> faint;  ///< n, or none: columns that rows no longer here had only rounding in, it seems
+  Eigen::MatrixXd rows;   ///< m x n
+  Eigen::MatrixXd noise;  ///< m x n: entries not larger than this are rounding
+  bool weighed = false;   ///< row lengths are meaningful: rows are not normalized
+  /// n, or empty: columns in which rows that were removed had nothing but apparent rounding
+  std::vector<bool> faint;
 
   static NoisyRows exact(const Eigen::MatrixXd& rows);
   void append(const NoisyRows& more);
-  /// At most n rows with the same ranks and null space, those of length one where they are not weighed: to
-  /// carry on with instead of these.
+  /// At most n rows with the same ranks and null space, normalized unless weighed, to continue with instead of these.
   NoisyRows condensed() const;
 };
 
 struct NullSpaceSettings {
-  double tolerance = 1e-9;  ///< singular values below this part of the largest count as 0
-  double clear_gap = 1e3;   ///< least ratio of the last that counts to the first that does not
+  double tolerance = 1e-9;  ///< singular values below this fraction of the largest count as 0
+  double clear_gap = 1e3;   ///< smallest unambiguous ratio of the last counted to the first uncounted value
 };
 
 struct NullSpace {
   int rank = 0;
   int nullity = 0;
   Eigen::MatrixXd basis;            ///< n x nullity, orthonormal columns
-  Eigen::VectorXd singular_values;  ///< of the scaled matrix, the largest first; n of them
-  double gap = 0;          ///< last that counts over first that does not; infinite where that is 0 or none
-  double least = 0;        ///< last that counts over the largest; 0 where none does
-  bool ambiguous = false;  ///< the gap is less than the clear one: the rank is the best guess, and no more
-  std::vector<bool>
-      faint;  ///< n: columns whose entries are as small as rounding, and left out; ambiguous too
+  Eigen::VectorXd singular_values;  ///< singular values of the scaled matrix, decreasing; n of them
+  double gap = 0;           ///< last counted over first uncounted; infinite if that is 0 or there is none
+  double least = 0;         ///< last counted over the largest; 0 if none counts
+  bool ambiguous = false;   ///< the gap is below clear_gap: the rank is only a best guess
+  std::vector<bool> faint;  ///< n: columns at rounding level, left out; also ambiguous
 
-  /// How much of the direction is seen: |M d| of the scaled matrix over the largest singular value, for a
-  /// direction of unit length in scaled coordinates. 0 for an unobservable direction.
+  /// |M d| of the scaled matrix over the largest singular value, for a unit direction in scaled coordinates:
+  /// 0 for an unobservable direction.
   double observed_share(const Eigen::VectorXd& direction) const;
   /// Whether a direction lies in the null space, by the tolerance of the rank.
   bool contains(const Eigen::VectorXd& direction) const;
 
-  Eigen::VectorXd column_scale;  ///< n: what the columns were multiplied by
+  Eigen::VectorXd column_scale;  ///< n: factors of the columns
   Eigen::MatrixXd scaled_null;   ///< n x nullity, orthonormal, in scaled coordinates
   Eigen::MatrixXd scaled_right;  ///< n x n, right singular vectors of the scaled matrix
-  double tolerance = 0;          ///< of the rank, relative to the largest singular value
+  double tolerance = 0;          ///< tolerance of the rank, relative to the largest singular value
 };
 
-/// Every row is brought to length one, then every column: metres, radians and rates of any order weigh alike.
+/// Scales every row to length one, then every column, so that meters, radians and rates of any order have
+/// equal weight.
 NullSpace null_space(const NoisyRows& rows, const NullSpaceSettings& settings = {});
 
-/// The same space in reduced row-echelon form: sparse, leading with the first states, entries that are
-/// rationals of small denominators as small integers. As many vectors as the nullity.
+/// The same space in reduced row-echelon form: sparse, with leading entries in the first states; rationals of
+/// small denominators become small integers. Its size is the nullity.
 std::vector<Eigen::VectorXd> readable_basis(const NullSpace& space);
 
-/// The coordinates in which a vector of the space may be other than zero: whether any has more than
-/// `tolerance` there.
+/// For each coordinate, whether any vector of the basis exceeds `tolerance` there.
 std::vector<bool> touched(const Eigen::MatrixXd& basis, double tolerance = 1e-7);
 
-/// A vector as a combination of names: "2 x - y_f1".
+/// Writes a vector as a combination of names: "2 x - y_f1".
 std::string written_combination(const Eigen::VectorXd& vector, const std::vector<std::string>& names);
 
 }  // namespace incognita

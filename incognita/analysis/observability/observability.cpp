@@ -30,7 +30,7 @@ std::vector<SegmentAnalysis> analyze_segments(const SystemInstance& instance, co
   return segments;
 }
 
-/// All that the numbers depend on and that was drawn or chosen here: who has it can compute them again.
+/// Records all that was drawn or chosen, so that the results are reproducible.
 void report_motion(ObservabilityAnalysis& analysis, const SystemInstance& instance,
                    const SystemMotion& motion, const std::vector<MotionSample>& samples) {
   const SymbolicSystem& system = instance.system();
@@ -44,13 +44,13 @@ void report_motion(ObservabilityAnalysis& analysis, const SystemInstance& instan
   for (const MotionSample& sample : samples) analysis.measurement_times_s.push_back(sample.t);
 }
 
-/// Enough moments that rank is not short of rows.
+/// Number of samples that yields enough rows for the rank.
 int samples_per_segment(const SystemInstance& instance, int segments) {
   const int wanted = 3 * instance.states() / std::max(1, instance.measurements() * segments) + 1;
   return std::max(wanted, 8);
 }
 
-/// Of every state.
+/// Width of each state's region.
 std::vector<double> region_widths(const SystemInstance& instance) {
   std::vector<double> widths;
   const auto add = [&](const SymbolicSystem::Block& block) {
@@ -61,8 +61,8 @@ std::vector<double> region_widths(const SystemInstance& instance) {
   return widths;
 }
 
-/// Of each state about the start, from what the measurements alone tell: the pseudo-inverse of the
-/// information, where the null space has no part of the state.
+/// Cramer-Rao bound of each initial state from the measurements alone: the pseudo-inverse of the information,
+/// for states outside of the null space.
 std::vector<StateInformation> information_of(const NoisyRows& whitened, const ObservableSpace& seen,
                                              const SystemInstance& instance) {
   const NullSpace& space = seen.space;

@@ -1,4 +1,4 @@
-// The matrices of a system as a chapter would print them.
+// Symbolic matrices of a system in LaTeX.
 #include <ginac/ginac.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace {
 using GiNaC::ex;
 using Slot = ExpressionGraph::Slot;
 
-/// F and H of the vehicle with one landmark and one anchor, in symbols.
+/// Symbolic F and H of the vehicle with one landmark and one anchor.
 struct SymbolicMatrices {
   GiNaC::matrix F, H;
   std::vector<std::string> columns;  // LaTeX names
@@ -25,7 +25,7 @@ struct SymbolicMatrices {
 
 ex entry_of(const SymbolicSystem& s, Slot slot) { return *s.graph[slot].expression; }
 
-/// Names of errors may be any text.
+/// Names of errors may be arbitrary text.
 std::string latex_error(const std::string& name, const LatexNames& names) {
   const bool plain =
       std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) || c == '_'; });
@@ -87,7 +87,7 @@ std::vector<std::vector<std::string>> cells(const GiNaC::matrix& M, bool without
   return rows;
 }
 
-/// Rows of H, H F, ... that are not 0, for as many powers as there are or as stay short.
+/// Nonzero rows of H, H F, ..., up to the last power that is short enough to print.
 std::string observability_rows(const SymbolicMatrices& m, const LatexNames& names, bool& cut) {
   std::vector<std::vector<std::string>> rows;
   GiNaC::matrix power = m.H;
@@ -99,7 +99,7 @@ std::string observability_rows(const SymbolicMatrices& m, const LatexNames& name
     std::size_t size = 0;
     for (unsigned i = 0; i < next.rows(); ++i)
       for (unsigned j = 0; j < next.cols(); ++j) size += tree_size(next(i, j), 100'000);
-    constexpr std::size_t longest = 6000;  // nodes: some pages
+    constexpr std::size_t longest = 6000;  // nodes: a few pages
     if ((cut = size > longest)) break;
     power = next;
   }
@@ -123,7 +123,7 @@ std::string null_vectors(const std::vector<UnobservableDirection>& directions) {
   return text + "\\right\\}";
 }
 
-/// The file's names for parts of expressions that the matrices use, in order.
+/// Definitions of the file that the matrices use, in order.
 std::vector<std::string> definitions_of(const SymbolicSystem& s, const SymbolicMatrices& m,
                                         const LatexNames& names) {
   std::set<Slot> used;
@@ -144,7 +144,7 @@ std::vector<std::string> definitions_of(const SymbolicSystem& s, const SymbolicM
   return equations;
 }
 
-/// Equations, each once.
+/// Prints each equation once.
 class Equations {
  public:
   std::string operator()(const std::string& equation) {
@@ -172,7 +172,7 @@ std::string lie_rows(const LieAnalysis& lie, Equations& once) {
   return text;
 }
 
-/// What comes before the matrices, as comments.
+/// Title and columns, before the matrices.
 std::string heading(const SystemText& text, const SymbolicMatrices& m) {
   std::string header;
   for (const std::string& column : m.columns) header += (header.empty() ? "" : ",\\; ") + column;
@@ -182,7 +182,7 @@ std::string heading(const SystemText& text, const SymbolicMatrices& m) {
          "; columns:\n\\[ " + header + " \\]\n";
 }
 
-/// Of all segments, and along the motion.
+/// Null spaces of all segments, and along the motion.
 std::string null_spaces(const ObservabilityAnalysis& analysis) {
   std::string out = "% at the operating point drawn; features: " + std::to_string(analysis.landmarks) +
                     ", anchors: " + std::to_string(analysis.anchors) + ", motion " + analysis.motion + "\n";

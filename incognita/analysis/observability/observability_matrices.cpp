@@ -6,10 +6,10 @@
 namespace incognita {
 namespace {
 
-constexpr double rounding = 1e-13;  // of a sum, relative to its terms
+constexpr double rounding = 1e-13;  // relative to the terms of a sum
 
-/// A bound of how many powers of F are not combinations of those before: its minimal polynomial has a degree
-/// of at most one more than its rank.
+/// Bound of the number of linearly independent powers of F: the degree of its minimal polynomial is at most
+/// its rank plus one.
 Eigen::Index powers_that_count(const Eigen::MatrixXd& F) {
   const auto used = (F.array() != 0).eval();
   const Eigen::Index rows = used.rowwise().any().count(), columns = used.colwise().any().count();
@@ -22,11 +22,11 @@ NoisyRows segment_observability(const Linearization& segment) {
   const Eigen::Index n = segment.F.rows();
   NoisyRows Q{Eigen::MatrixXd(0, n), Eigen::MatrixXd(0, n), false, {}};
   Eigen::MatrixXd block = segment.H;
-  // How large the terms are that the entries were added up from
+  // Magnitudes of the terms that were summed for each entry
   Eigen::MatrixXd terms = segment.H_terms.cwiseMax(segment.H.cwiseAbs());
   const Eigen::MatrixXd F_terms = segment.F_terms.cwiseMax(segment.F.cwiseAbs());
   for (Eigen::Index power = powers_that_count(segment.F); power > 0; --power) {
-    // Only directions matter: entries keep a size that the next power cannot make overflow
+    // Only directions matter: rows are scaled so that the next power cannot overflow
     for (Eigen::Index i = 0; i < block.rows(); ++i) {
       const double largest = block.row(i).cwiseAbs().maxCoeff();
       if (!(largest > 0)) continue;
@@ -77,7 +77,7 @@ std::vector<NoisyRows> total_observability(const std::vector<NoisyRows>& Q,
 }
 
 bool null_space_stays(const Linearization& segment, const NullSpace& of_segment) {
-  // In scaled coordinates vectors of the null space are known to 1e-9 and have length one, each
+  // In scaled coordinates the null vectors have unit length and an accuracy of 1e-9
   const Eigen::MatrixXd F = segment.F * of_segment.column_scale.asDiagonal();
   const Eigen::VectorXd allowed = 1e-9 * F.cwiseAbs().rowwise().sum();
   const Eigen::VectorXd moved = (F * of_segment.scaled_null).rowwise().norm();
@@ -86,7 +86,7 @@ bool null_space_stays(const Linearization& segment, const NullSpace& of_segment)
 
 namespace {
 
-/// What is left of the columns of M once combinations of the columns of J are taken out.
+/// Projects the columns of M onto the orthogonal complement of the columns of J.
 Eigen::MatrixXd without(const Eigen::MatrixXd& M, const Eigen::MatrixXd& J) {
   if (J.cols() == 0) return M;
   Eigen::VectorXd scale = J.colwise().norm();
@@ -123,7 +123,7 @@ NoisyRows local_observability(const SystemInstance& instance, const std::vector<
   const Eigen::VectorXd columns = (M * units.asDiagonal()).cwiseAbs().colwise().maxCoeff();
   const double largest = columns.maxCoeff();
   local.noise.rowwise() = 1e-11 * largest * units.cwiseInverse().transpose();
-  // What does not act on a measurement at all is exactly 0
+  // States that do not affect a measurement have entries of exactly 0
   for (const double column : columns) local.faint.push_back(column > 1e-18 * largest);
   return local;
 }

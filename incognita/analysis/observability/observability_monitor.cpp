@@ -13,12 +13,11 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double least_pivot = 1e-12;  // of the largest: less cannot be divided by
-constexpr double least_share = 1e-12;  // of a variance: less is rounding
+constexpr double least_pivot = 1e-12;  // relative to the largest pivot: smaller ones count as zero
+constexpr double least_share = 1e-12;  // relative to a variance: less is rounding
 
-/// M = F F', F with as many columns as M has rank, for M positive semi-definite: Cholesky's factor, the
-/// largest pivot left first (Eigen's LDLT looks at the diagonal it began with). Told through the
-/// correlations, so that metres and radians do not hide each other.
+/// M = F F' for M positive semi-definite, F with rank(M) columns: Cholesky with pivoting on the remaining diagonal
+/// (Eigen's LDLT uses the initial diagonal). Applied to correlations, so that meters and radians are comparable.
 MatrixXd factor_of(const MatrixXd& M) {
   VectorXd sigma = M.diagonal().cwiseMax(0).cwiseSqrt();
   for (double& s : sigma)
@@ -35,8 +34,8 @@ MatrixXd factor_of(const MatrixXd& M) {
   return sigma.asDiagonal() * F.leftCols(rank);
 }
 
-/// Rows = Q R in their first columns: R, and Q' times the other columns. The reflectors are applied one after
-/// the other, Q' is never formed.
+/// QR of the first columns: returns R, and Q' times the other columns. Applies the reflectors one by one; Q'
+/// is never formed.
 MatrixXd turned_upright(MatrixXd rows, Eigen::Index columns) {
   const Eigen::HouseholderQR<MatrixXd> qr(rows.leftCols(columns));
   rows.leftCols(columns) = qr.matrixQR().triangularView<Eigen::Upper>();
@@ -45,7 +44,7 @@ MatrixXd turned_upright(MatrixXd rows, Eigen::Index columns) {
   return rows;
 }
 
-/// What rows say that does not depend on some unknowns, which they hold by these factors.
+/// Eliminates unknowns with coefficients `factors` from the rows.
 MatrixXd rows_without(const MatrixXd& factors, MatrixXd rows) {
   Eigen::ColPivHouseholderQR<MatrixXd> qr(factors);
   qr.setThreshold(least_pivot);
@@ -53,8 +52,8 @@ MatrixXd rows_without(const MatrixXd& factors, MatrixXd rows) {
   return rows.bottomRows(rows.rows() - qr.rank());
 }
 
-/// A = diag(rows) B diag(columns), the largest of each row and column of B near 1: metres and radians, and
-/// the unit of length, do not make a matrix look singular.
+/// A = diag(rows) B diag(columns), with the largest entry of each row and column of B near 1, so that mixed
+/// units do not make a matrix look singular.
 struct Equilibrated {
   VectorXd rows, columns;
   MatrixXd B;
@@ -69,15 +68,14 @@ struct Equilibrated {
   }
 };
 
-/// Whether a motion can be undone, and has at least so large a share of its largest pivot left.
+/// Whether A is invertible, with smallest over largest pivot above `least`.
 bool can_be_undone(const MatrixXd& A, double least) {
   const Eigen::FullPivLU<MatrixXd> lu(Equilibrated(A).B);
   const auto pivots = lu.matrixLU().diagonal().cwiseAbs();
   return pivots.minCoeff() > least * pivots.maxCoeff();
 }
 
-/// What a motion that cannot be undone forgets, and the rest undone: all that A takes to y is
-/// inverse * y + forgotten * anything.
+/// Preimage under a singular motion A: all vectors that A maps to y are inverse * y + forgotten * anything.
 struct PartlyUndone {
   MatrixXd inverse, forgotten;
   explicit PartlyUndone(const MatrixXd& A) {
@@ -92,7 +90,8 @@ struct PartlyUndone {
   }
 };
 
-/// Whether an error of a newborn is an error of one parent and nothing else but noise of its own: which one.
+/// If an error of a new landmark copies one error of the parent, plus independent noise: the index of the
+/// parent's error.
 std::optional<Eigen::Index> copied_error(const BlockAugmentation& initialization, Eigen::Index row,
                                          BlockId parent) {
   std::optional<Eigen::Index> copied;
@@ -109,7 +108,7 @@ std::optional<Eigen::Index> copied_error(const BlockAugmentation& initialization
   return copied;
 }
 
-/// A square matrix: a basis of the null space of M, which has full rank, then M^+.
+/// Square matrix: a basis of the null space of M, which has full rank, then M^+.
 MatrixXd null_space_and_inverse(const MatrixXd& M) {
   const Eigen::Index rows = M.rows(), columns = M.cols();
   if (rows == 0) return MatrixXd::Identity(columns, columns);
@@ -167,12 +166,12 @@ const ObservabilityMonitor::Block& ObservabilityMonitor::find_or_add(BlockId id,
 // Motions
 // ---------------------------------------------------------------------------------------------------------
 
-/// Motions between looks are composed, and applied when the next look comes: as long as their product can be
-/// undone without loss. Each is asked by itself whether it can be undone, as many that shrink an error a
-/// little never forget it.
+/// Motions between measurements are composed and applied at the next measurement, as long as their product is well
+/// conditioned. Invertibility is tested per motion, since many slight contractions never discard an error.
 void ObservabilityMonitor::move(const LinearizedMotion& motion) {
-  constexpr double well = 1e-6;      // of the largest pivot, in no unit
-  constexpr double near_one = 1e-3;  // a product that shrinks or grows more, in any unit, is undone in pieces
+  constexpr double well = 1e-6;  // relative to the largest pivot, equilibrated
+  // Limits of |det| of a product; beyond them it is applied before composing
+  constexpr double near_one = 1e-3;
   if (motion.block != blocks_.front().id) {
     uncovered_ = Uncovered::other_block;
     return;
@@ -212,8 +211,8 @@ void ObservabilityMonitor::apply_motion() {
   put_motion(V_.leftCols(vehicle_errors()) * inverse, factor_of(N_));
 }
 
-/// error before = A^-1 (error after - F w), w of unit covariance: rows for w, which is then eliminated.
-/// `before` is V A^-1.
+/// error before = A^-1 (error after - F w), w of unit covariance: adds rows for w and eliminates it. `before`
+/// is V A^-1.
 void ObservabilityMonitor::put_motion(const MatrixXd& before, const MatrixXd& F) {
   const int size = vehicle_errors();
   const Eigen::Index noises = F.cols(), landmarks = V_.cols() - size;
@@ -222,13 +221,13 @@ void ObservabilityMonitor::put_motion(const MatrixXd& before, const MatrixXd& F)
   rows.bottomLeftCorner(size, noises) = -before * F;
   rows.bottomRightCorner(size, size) = before;
   const Eigen::HouseholderQR<MatrixXd> qr(rows);
-  const MatrixXd Qt = qr.householderQ().adjoint();  // small, and the map is wide
+  const MatrixXd Qt = qr.householderQ().adjoint();  // small, while the map is wide
   V_.leftCols(size) =
       qr.matrixQR().triangularView<Eigen::Upper>().toDenseMatrix().bottomRightCorner(size, size);
   V_.rightCols(landmarks) = Qt.bottomRightCorner(size, size) * V_.rightCols(landmarks);
 }
 
-/// What the vehicle's rows say whatever the errors in these directions are.
+/// Reduces the vehicle's rows to those independent of the errors in these directions.
 void ObservabilityMonitor::forget(const MatrixXd& directions) {
   const int size = vehicle_errors();
   const MatrixXd left = rows_without(V_.leftCols(size) * directions, V_);
@@ -237,7 +236,7 @@ void ObservabilityMonitor::forget(const MatrixXd& directions) {
   if (directions.cols() == size) V_.leftCols(size).setZero();
 }
 
-// Looks
+// Measurements
 // ---------------------------------------------------------------------------------------------------------
 
 void ObservabilityMonitor::add_measurement(const LinearizedMeasurement& measurement) {
@@ -260,7 +259,7 @@ void ObservabilityMonitor::augment(const BlockAugmentation& initialization) {
       measured.push_back(i);
   const int first = find_or_add(initialization.block, static_cast<int>(errors)).first;
   for (std::size_t from = 0; from < measured.size();
-       from += max_measurement_rows) {  // a look has so many rows
+       from += max_measurement_rows) {  // limit of rows per measurement
     const std::vector<Eigen::Index> some(
         measured.begin() + static_cast<std::ptrdiff_t>(from),
         measured.begin() +
@@ -284,9 +283,10 @@ void ObservabilityMonitor::augment(const BlockAugmentation& initialization) {
 }
 
 void ObservabilityMonitor::add_rows(const std::vector<Part>& parts, const MeasurementMatrix& R) {
-  constexpr int most_rows = 64;  // that wait: time and memory are linear in the looks, also without motions
+  // Limit of pending rows: keeps time and memory linear in the measurements, also without motions
+  constexpr int most_rows = 64;
   const Eigen::LLT<MeasurementMatrix> llt(R);
-  if (llt.info() != Eigen::Success) return;  // no update takes such a look
+  if (llt.info() != Eigen::Success) return;  // the filter skips such a measurement
   if (!std::all_of(parts.begin(), parts.end(), [](const Part& part) { return part.H.allFinite(); })) {
     uncovered_ = Uncovered::not_finite;
     return;
@@ -296,7 +296,7 @@ void ObservabilityMonitor::add_rows(const std::vector<Part>& parts, const Measur
   if (row_count_ >= most_rows) absorb_rows();
 }
 
-/// V and the rows that wait are turned until nothing but V has to do with the vehicle.
+/// Triangularizes V and the pending rows, so that only V involves the vehicle.
 void ObservabilityMonitor::absorb_rows() {
   if (row_count_ == 0) return;
   MatrixXd rows = MatrixXd::Zero(V_.rows() + row_count_, V_.cols());
@@ -308,7 +308,7 @@ void ObservabilityMonitor::absorb_rows() {
   put_rows(std::move(rows));
 }
 
-/// V from any rows; those that are left, free of the vehicle, go to the map.
+/// Computes V from arbitrary rows; the remaining rows, free of the vehicle, are added to the map.
 void ObservabilityMonitor::put_rows(MatrixXd rows) {
   const int size = vehicle_errors();
   const Eigen::Index kept = std::min<Eigen::Index>(size, rows.rows());
@@ -320,11 +320,11 @@ void ObservabilityMonitor::put_rows(MatrixXd rows) {
   if (of_map.rows() > 0) added_ += of_map.colwise().squaredNorm().transpose();
 }
 
-// Blocks that go or change
+// Removal and replacement of blocks
 // ---------------------------------------------------------------------------------------------------------
 
-/// Takes out of L what it says of so many errors: rows over all errors, so that L = rows' rows + what is
-/// left. With the block's own part B = F F': rows = F^+ (its rows of L).
+/// Splits L = rows' rows + rest, such that the rest does not involve the given errors; keeps the rest in L
+/// and returns the rows over all errors. With the errors' own block B = F F': rows = F^+ (their rows of L).
 MatrixXd ObservabilityMonitor::take_rows_of(int first, int count) {
   const int at = first - vehicle_errors();
   MatrixXd L = L_.matrix();
@@ -340,7 +340,7 @@ MatrixXd ObservabilityMonitor::take_rows_of(int first, int count) {
   return rows;
 }
 
-/// Marginalises errors out; their columns stay, and are zero.
+/// Marginalizes errors out; their columns remain, as zeros.
 void ObservabilityMonitor::eliminate(int first, int count) {
   if (count == 0) return;
   absorb_rows();
@@ -353,7 +353,7 @@ void ObservabilityMonitor::eliminate(int first, int count) {
   put_rows(std::move(rows));
 }
 
-/// Columns and rows of errors of which nothing is said any more.
+/// Removes the columns and rows of errors without information.
 void ObservabilityMonitor::remove_columns(int first, int count) {
   if (count == 0) return;
   std::vector<Eigen::Index> kept;
@@ -373,7 +373,7 @@ void ObservabilityMonitor::drop(BlockId id) {
   shrink(*block, block->errors);
 }
 
-/// A block loses its first errors, of which nothing is said any more, or goes with its last.
+/// Removes the first errors of a block, which have no information left, or the whole block with its last error.
 void ObservabilityMonitor::shrink(const Block& block, int by) {
   remove_columns(block.first, by);
   const auto at = blocks_.begin() + (&block - blocks_.data());
@@ -384,7 +384,7 @@ void ObservabilityMonitor::shrink(const Block& block, int by) {
   for (auto later = blocks_.erase(at); later != blocks_.end(); ++later) --index_of_[later->id];
 }
 
-/// These errors = C * as many others, told instead of them.
+/// Substitutes these errors by C times the new ones.
 void ObservabilityMonitor::transform_block(int first, int count, const MatrixXd& C) {
   const int at = first - vehicle_errors();
   V_.middleCols(first, count) = (V_.middleCols(first, count) * C).eval();
@@ -397,8 +397,8 @@ void ObservabilityMonitor::transform_block(int first, int count, const MatrixXd&
       (C.cwiseAbs().transpose() * added_.segment(at, count).cwiseSqrt()).cwiseAbs2().eval();
 }
 
-/// U' (new error) = (anything; T J (old error)) with U' = (B'; T), B spanning the noise. The old error is
-/// (T J)^+ (T new) and something of the null space of T J, which is not asked for any more.
+/// U' (new error) = (anything; T J (old error)) with U' = (B'; T), B spanning the noise. The old error is (T
+/// J)^+ (T new) plus a vector of the null space of T J, which is marginalized out.
 void ObservabilityMonitor::replace(const BlockReplacement& r) {
   const Block* block = find(r.block);
   if (!block) return;

@@ -1,19 +1,19 @@
-// What the looks of a running filter have told it, by its own Jacobians: the information it would have had it
-// started knowing nothing.
+// Information that a running filter gains from its measurements, by its own Jacobians: its information matrix
+// without any prior.
 //
-// A filter's local observability matrix stacks H_0, H_1 Phi_1, H_2 Phi_2, ... at the filter's own estimates;
-// what its null space holds the filter cannot learn, and what it should hold and does not the filter believes
-// without having seen it (Huang, Mourikis, Roumeliotis, IJRR 2010). Followed here is the information matrix Y
-// of vehicle and landmarks that the same motions, looks and births give without any prior. As long as the
-// motions can be undone its null space is that of the observability matrix carried to the present, and unlike
-// the Gramian over the initial state it says how much the rest weighs: motion noise makes the filter forget,
-// which the Gramian leaves out.
+// A filter's local observability matrix stacks H_0, H_1 Phi_1, H_2 Phi_2, ... at the filter's own estimates.
+// Its null space is what the filter cannot observe; truly unobservable directions missing from it receive
+// spurious information (Huang, Mourikis, Roumeliotis, IJRR 2010). The monitor maintains the information
+// matrix Y of vehicle and landmarks that the same motions, measurements and landmark initializations yield
+// without any prior. As long as the motions are invertible, its null space is that of the observability
+// matrix transformed to the present. Unlike the Gramian over the initial state, it also weighs the rest:
+// motion noise makes the filter forget, which the Gramian leaves out.
 //
-// Y = V' V + diag(0, L): the rows V of the vehicle, as many as its errors, and L, what is known of the
-// landmarks when nothing is known of the vehicle. A motion touches V alone, time linear in the map; looks are
-// turned into V by orthogonal transformations, and what is left of them, free of the vehicle, adds to L. No
-// information is ever subtracted but when a landmark is forgotten, so that what is not seen stays zero to
-// rounding.
+// Y = V' V + diag(0, L): V has as many rows as the vehicle has errors, and L is the information about the
+// landmarks when nothing is known of the vehicle. A motion changes only V, in time linear in the map;
+// measurements are reduced to V by orthogonal transformations, and the remaining rows, free of the vehicle,
+// are added to L. Information is subtracted only when a landmark is marginalized out, so unobservable
+// directions stay zero to rounding.
 #pragma once
 
 #include <Eigen/Core>
@@ -31,69 +31,68 @@ class ObservabilityMonitor {
  public:
   struct Block {
     BlockId id = 0;
-    int first = 0;  ///< error
+    int first = 0;  ///< index of its first error
     int errors = 0;
   };
 
-  /// Why what follows is not the filter's information any more.
+  /// Why the monitored information is no longer that of the filter.
   enum class Uncovered {
-    frame_changed,  ///< all blocks moved with one: a map told in the frame of its vehicle
-    decorrelated,   ///< correlations were dropped, variances inflated
-    other_block,    ///< another block than the vehicle moved
-    not_finite,     ///< a motion or a look has numbers that are not finite
+    frame_changed,  ///< all blocks changed together: a map expressed in the vehicle frame
+    decorrelated,   ///< correlations were dropped, or variances inflated
+    other_block,    ///< a block other than the vehicle moved
+    not_finite,     ///< a motion or measurement has numbers that are not finite
   };
 
-  /// What becomes of motions.
+  /// Treatment of motions.
   enum class Motions {
     followed,
-    uninformative,  ///< after each the vehicle may be anywhere: what is gained is gained by looks alone
+    uninformative,  ///< each motion has infinite noise: information comes from measurements only
   };
 
   ObservabilityMonitor(BlockId vehicle, int vehicle_errors, Motions motions = Motions::followed);
 
-  /// Everything that was done, in order. After something that is not covered nothing is followed any more.
+  /// Processes all recorded operations in order; stops after one that is not covered.
   void follow(const BeliefTrace& trace);
   const std::optional<Uncovered>& uncovered() const { return uncovered_; }
 
-  /// What A forgets of the vehicle (as the rates of one that is put at rest, or all of it in the first motion
-  /// of an unscented filter that starts exactly) is marginalised out. What the motion puts in its place is a
-  /// prior, and no information.
+  /// Components of the vehicle that A discards are marginalized out (e.g. the rates of one put at rest, or
+  /// everything in the first motion of an unscented filter with an exact start). Their new values are a
+  /// prior, which is no information.
   void move(const LinearizedMotion& motion);
-  /// Blocks that were not seen to be born are new, and nothing is known of them.
+  /// Blocks whose initialization was not recorded are added with zero information.
   void add_measurement(const LinearizedMeasurement& measurement);
-  /// A birth is a look at the newborn. Of its errors those that do not depend on any parent were not measured
-  /// but assumed, as the depth of a feature seen once: such a guess is no information.
+  /// A landmark initialization is a measurement of the new landmark. Its errors that depend on no parent,
+  /// such as the depth of a feature seen once, were assumed and not measured, so they carry no information.
   void augment(const BlockAugmentation& initialization);
-  /// A newborn that copies one of the vehicle's first `position_size` errors, its place of birth, is taken to be
-  /// sure of it to `sigma` at best: a hair of noise in metres that stands for none would weigh the more the
-  /// longer the scene is in metres, until nothing but rounding is left of the rest.
+  /// Limits the confidence in a new landmark that copies one of the vehicle's first `position_size` errors,
+  /// its position at initialization, to `sigma`. A regularization of fixed size in meters would dominate
+  /// large scenes numerically, so it must scale with the scene.
   void set_exact_position(int position_size, double sigma) {
     position_size_ = position_size;
     exact_position_sigma_ = sigma;
   }
-  /// What is known of the old block, told of the new one. Where the new one has noise of its own nothing is
-  /// taken to be known of it.
+  /// Transforms the information about the old block to the new one. If the new one has noise of its own, it
+  /// starts with zero information.
   void replace(const BlockReplacement& replacement);
-  /// What was learnt through the block about others stays.
+  /// Marginalizes the block out; the information it provided about others remains.
   void drop(BlockId id);
 
   int errors() const { return static_cast<int>(V_.cols()); }
-  /// The vehicle, then the landmarks in the order of their births.
-  /// Rows of looks that are kept to be taken in together: a few tens at most, however long nothing moves.
+  /// Number of measurement rows that wait to be absorbed together; at most a few tens, however long nothing moves.
   int waiting_rows() const { return row_count_; }
   const std::vector<Block>& blocks() const { return blocks_; }
   const Block* find(BlockId id) const;
-  /// Y: errors() x errors(), both triangles.
+  /// Y: errors() x errors(), both triangles, ordered as blocks(): the vehicle, then the landmarks in order of
+  /// initialization.
   Eigen::MatrixXd information();
-  /// By error: the sum of squares of all that was ever added for it, also of what is forgotten by now. That
-  /// much was rounded.
+  /// Per error: sum of squares of everything ever added, including what was forgotten; bounds the rounding error.
   Eigen::VectorXd gathered();
 
  private:
-  /// So many rows of a look, whitened, at so many errors.
+  /// Whitened rows of a measurement with respect to one block.
   struct Part {
-    int row;    ///< among those that wait
-    int first;  ///< error
+    int row;    ///< among the pending rows
+    int first;  ///< index of the first error
     MeasurementJacobian H;
   };
   int vehicle_errors() const { return blocks_.front().errors; }
@@ -112,13 +111,13 @@ class ObservabilityMonitor {
 
   Motions motions_;
   std::vector<Block> blocks_;
-  std::unordered_map<BlockId, std::size_t> index_of_;  ///< of the blocks there are
+  std::unordered_map<BlockId, std::size_t> index_of_;  ///< index in blocks_
   Eigen::MatrixXd V_;                                  ///< vehicle errors x errors
   RowSum L_;                                           ///< landmark errors x landmark errors
-  Eigen::VectorXd added_;                              ///< to the diagonal of L, ever
-  std::vector<Part> pending_;                          ///< looks that wait to be absorbed
+  Eigen::VectorXd added_;                              ///< total ever added to the diagonal of L
+  std::vector<Part> pending_;                          ///< measurements not absorbed yet
   int row_count_ = 0;                                  ///< their rows
-  bool moved_ = false;                                 ///< A_ and N_ are to be applied
+  bool moved_ = false;                                 ///< A_ and N_ are still to be applied
   BlockMatrix A_, N_;
   int position_size_ = 0;  ///< see set_exact_position()
   double exact_position_sigma_ = 0;

@@ -18,8 +18,8 @@ MatrixXd in_units(const MatrixXd& Y, const VectorXd& units) {
   return units.asDiagonal() * Y * units.asDiagonal();
 }
 
-/// What rounding can leave of a zero among the eigenvalues of a sum of many looks: of all that was ever
-/// added, as what is forgotten leaves its rounding behind.
+/// Bound of the rounding error of a zero eigenvalue of a sum of many measurements, from all that was ever
+/// added, since marginalization leaves its rounding behind.
 double rounding_of(const VectorXd& gathered, const VectorXd& units) {
   if (gathered.size() == 0) return 0;
   constexpr double eps = std::numeric_limits<double>::epsilon();
@@ -27,8 +27,8 @@ double rounding_of(const VectorXd& gathered, const VectorXd& units) {
          gathered.cwiseProduct(units.cwiseAbs2()).maxCoeff();
 }
 
-/// Covariances that an information leaves. Where it has none they are very large instead of infinite: a prior
-/// is added that is too weak to be taken for information, and strong enough for rounding.
+/// Covariances of an information matrix. Variances without information are very large instead of infinite: a
+/// prior is added, too weak to count as information and strong enough against rounding.
 class Covariances {
  public:
   Covariances(const MonitoredInformation& information, const VectorXd& units) : units_(units) {
@@ -41,14 +41,14 @@ class Covariances {
       if (llt_.info() == Eigen::Success) return;
     }
   }
-  /// Of functionals, one a row.
+  /// Covariance of functionals, one per row.
   MatrixXd of(const MatrixXd& G) const {
     const MatrixXd scaled = (G * units_.asDiagonal()).transpose();
     const MatrixXd half = llt_.matrixL().solve(scaled);
     return half.transpose() * half;
   }
-  /// A variance from which on there may be nothing but the prior, in units squared: one that every error had
-  /// a part in gives so many times as much information.
+  /// Threshold of a variance, in squared units, above which it may be due to the prior alone: a direction
+  /// along which all n errors change has n times the prior information of one.
   double nothing() const { return 0.1 / (prior_ * static_cast<double>(units_.size())); }
 
  private:
@@ -57,19 +57,19 @@ class Covariances {
   Eigen::LLT<MatrixXd> llt_;
 };
 
-/// A quantity and the size that is as good as not knowing it.
+/// A quantity and the standard deviation that counts as no information.
 struct Quantity {
   const char* name;
   const char* unit;
   double size;
 };
 
-/// What an information leaves of the quantities; empty where nothing is followed.
+/// Covariance of the quantities given an information matrix; empty if it is not monitored.
 struct Left {
   MatrixXd covariance;
   double nothing = 0;  ///< see Covariances
 
-  /// Standard deviation of a quantity, where there is more than the prior.
+  /// Standard deviation of a quantity, if it has information beyond the prior.
   std::optional<double> sigma(Eigen::Index i, double size) const {
     if (covariance.size() == 0 || !(covariance(i, i) < nothing * size * size)) return std::nullopt;
     return std::sqrt(std::max(0.0, covariance(i, i)));
@@ -79,10 +79,10 @@ struct Left {
 struct GainedQuantities {
   std::vector<Quantity> quantities;
   Left by_filter;
-  std::optional<Left> by_measurements;  ///< where they are told apart
+  std::optional<Left> by_measurements;  ///< if computed separately
 };
 
-/// How much each quantity changes along each remaining symmetry, in its own size.
+/// Change of each quantity along each remaining symmetry, relative to its size.
 MatrixXd changes(const GainedQuantities& gained_quantities, const VectorXd& position,
                  const RemainingSymmetries& left) {
   const auto count = static_cast<Eigen::Index>(gained_quantities.quantities.size());
@@ -95,8 +95,8 @@ MatrixXd changes(const GainedQuantities& gained_quantities, const VectorXd& posi
   return out;
 }
 
-/// Of the symmetries that remain, along how many the information is worth something. Where rounding made the
-/// prior of Covariances strong, a small variance may be the prior's: that is nothing.
+/// Number of remaining symmetries with significant information. If rounding required a strong prior in
+/// Covariances, a small variance may be due to the prior, which does not count.
 int count_gained(const std::vector<Quantity>& quantities, const Left& left, const MatrixXd& along) {
   if (along.cols() == 0 || left.covariance.size() == 0) return 0;
   VectorXd inverse_size(along.rows());
@@ -159,11 +159,11 @@ ObservabilityReport compared_with(const MonitoredInformation& of_filter, const S
   return report;
 }
 
-// Of a camera
+// Cameras
 // ---------------------------------------------------------------------------------------------------------
 
-/// A row for each landmark that has a place: the relative change of its distance from the camera. The last
-/// row, where there are fixed points, is for the distance from their middle.
+/// One row per landmark with a position: relative change of its distance from the camera. With fixed points,
+/// the last row is for the distance from their centroid.
 MatrixXd distances(const SpatialScene& scene, const FixedPoints& fixed, std::vector<std::int64_t>& ids) {
   MatrixXd G = MatrixXd::Zero(static_cast<Eigen::Index>(scene.landmarks.size() + 1), scene.errors);
   Eigen::Index row = 0;
@@ -183,7 +183,7 @@ MatrixXd distances(const SpatialScene& scene, const FixedPoints& fixed, std::vec
   return G.topRows(row);
 }
 
-/// Weights of the mean of least variance: (1' C^-1 1)^-1 1' C^-1.
+/// Weights of the minimum-variance mean: (1' C^-1 1)^-1 1' C^-1.
 Eigen::RowVectorXd best_weights(const MatrixXd& C) {
   const VectorXd ones = VectorXd::Ones(C.rows());
   const VectorXd raw = C.ldlt().solve(ones);
@@ -202,12 +202,12 @@ MatrixXd rates(const SpatialScene& scene) {
   return G;
 }
 
-/// Functionals of a camera and their covariance: place and turn about the world's axes (6), rates (6), then
-/// the distances. The scale is the weighted mean of the distances' relative changes.
+/// Functionals of a camera and their covariance: position and rotation about the world's axes (6), rates (6),
+/// then the distances. The scale is the weighted mean of the relative changes of the distances.
 struct CameraFunctionals {
-  std::vector<std::int64_t> ids;  ///< of the landmarks whose distances they are
+  std::vector<std::int64_t> ids;  ///< landmarks of the distances
   MatrixXd G, C;
-  Eigen::RowVectorXd weights;  ///< of the distances
+  Eigen::RowVectorXd weights;  ///< weights of the distances
   double nothing = 0;
 
   Eigen::Index count() const { return G.rows() - 12; }
@@ -251,8 +251,8 @@ Left left_of(const CameraFunctionals& f) {
   return out;
 }
 
-/// What would be known whatever the frame and scale are, were it seen well: depths and rates, the depths and
-/// the velocity against the scale where that is not known itself.
+/// Quantities observable in any frame and scale that lack information: depths and rates; depths and velocity
+/// relative to the scale if that is unknown.
 std::vector<std::string> not_gained(const CameraFunctionals& f, const SpatialScene& scene, bool scale_known) {
   MatrixXd relative = MatrixXd::Identity(f.G.rows(), f.G.rows());
   if (!scale_known) {
@@ -274,7 +274,7 @@ std::vector<std::string> not_gained(const CameraFunctionals& f, const SpatialSce
   return names;
 }
 
-// In words
+// Text
 // ---------------------------------------------------------------------------------------------------------
 
 std::string number(double value, const char* unit) {
@@ -297,7 +297,7 @@ std::string fixed_by(const ObservabilityReport& report) {
   return text;
 }
 
-/// Quantities that a person has one word for.
+/// Quantities reported under one name.
 struct Group {
   const char* word;
   std::vector<const QuantityReport*> members;
@@ -322,7 +322,7 @@ std::string of_observable(const Group& group, const ObservabilityReport& report)
          ", but too little has been learnt of it so far";
 }
 
-/// Of what a group cannot know and yet gained, by looks or by motions alone, the member that is known best.
+/// The best known of a group's unobservable quantities with information, from measurements or from motions.
 const QuantityReport* best_gained(const Group& group, bool by_motion_model) {
   const QuantityReport* best = nullptr;
   for (const QuantityReport* q : group.members)
@@ -369,8 +369,8 @@ InformationRank rank_of_information(const MonitoredInformation& information, con
   const MatrixXd scaled = in_units(information.Y, units);
   const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(scaled, Eigen::EigenvaluesOnly);
   out.tolerance = rounding_of(information.gathered, units);
-  out.ambiguous = out.tolerance * unclear > 1;      // rounding hides what is worth something
-  for (const double value : eigen.eigenvalues()) {  // the smallest first
+  out.ambiguous = out.tolerance * unclear > 1;      // rounding hides significant information
+  for (const double value : eigen.eigenvalues()) {  // in increasing order
     if (value > out.tolerance && out.rank++ == 0) out.least_counted = value;
     if (!(value > out.tolerance)) out.most_not_counted = std::max(0.0, value);
     out.ambiguous = out.ambiguous || (value > out.tolerance / unclear && value < out.tolerance * unclear);

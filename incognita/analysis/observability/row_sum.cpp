@@ -10,7 +10,7 @@ void RowSum::reserve(int size) {
   if (size <= capacity_) return;
   capacity_ = std::max(size, capacity_ + capacity_ / 2);
   int stride = round_up_to_panel(capacity_);
-  if (stride % 512 == 0) stride += 8;  // columns a power of two apart would share cache sets
+  if (stride % 512 == 0) stride += 8;  // avoids a power of two, with which columns share cache sets
   AlignedBuffer grown(static_cast<std::size_t>(stride) * static_cast<std::size_t>(capacity_ + 3));
   for (int j = 0; j < size_; ++j)
     std::copy_n(minus_.data() + static_cast<long>(j) * stride_, size_,

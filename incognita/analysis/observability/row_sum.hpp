@@ -1,4 +1,4 @@
-// A symmetric matrix that rows are added to: M <- M + rows' rows.
+// Symmetric matrix with accumulated rows: M <- M + rows' rows.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,18 +7,18 @@
 
 namespace incognita {
 
-/// Adding goes through the filter's own loop, which is several times faster than Eigen's on processors with
-/// wide registers. That subtracts, so what is kept is the negative.
+/// Uses the filter's rank update, which is several times faster than Eigen's on processors with wide
+/// registers. That one subtracts, so the negative of M is stored.
 class RowSum {
  public:
   int size() const { return size_; }
-  /// So many more rows and columns, zero.
+  /// Adds `by` rows and columns of zeros.
   void grow(int by);
   /// `rows`: any number x size().
   void add(const Eigen::Ref<const Eigen::MatrixXd>& rows);
   /// Both triangles.
   Eigen::MatrixXd matrix() const;
-  /// Another one, of any size.
+  /// Replaces the matrix by one of any size.
   void set(const Eigen::MatrixXd& matrix);
 
  private:

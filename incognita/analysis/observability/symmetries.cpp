@@ -8,9 +8,9 @@ namespace {
 
 using Form = SpatialScene::Landmark::Form;
 
-/// Of an inverse-depth landmark: its place of birth moves as any point; its direction r = (m, 1), told in
-/// axes that stay, turns, e x r, and is told with z = 1 again, which takes its depth along. A scale leaves
-/// it.
+/// Symmetries of an inverse-depth landmark. Its anchor position moves as any point. Its direction r = (m, 1),
+/// in fixed axes, rotates by e x r and is renormalized to z = 1, which also changes the inverse depth. A
+/// change of scale leaves the direction.
 void put_inverse_depth(const SpatialScene::Landmark& landmark, const Eigen::Vector3d& c,
                        Eigen::Ref<Eigen::MatrixXd> N) {
   const InverseDepthLandmark::State& y = landmark.mean;
@@ -19,7 +19,7 @@ void put_inverse_depth(const SpatialScene::Landmark& landmark, const Eigen::Vect
   const Eigen::Matrix3d initial_camera_from_world =
       rotation_matrix<double>(landmark.initial_axes.world_from_initial_camera).transpose();
   const Eigen::Matrix3d turned =
-      -skew<double>(ray) * initial_camera_from_world;  // d(e x r) / d(turn in the world)
+      -skew<double>(ray) * initial_camera_from_world;  // d(e x r) / d(rotation in the world)
   N.block<2, 3>(3, 3) = turned.topRows<2>() - ray.head<2>() * turned.row(2);
   if (landmark.form == Form::ray) return;
   N.block<1, 3>(5, 3) = -y[5] * turned.row(2);
@@ -87,14 +87,15 @@ Eigen::MatrixXd symmetry_directions(const SpatialScene& scene, const Eigen::Vect
 }
 
 RemainingSymmetries remaining_symmetries(const Eigen::MatrixXd& points) {
-  constexpr double least = 1e-3;  // of the spread
+  constexpr double least = 1e-3;  // relative to the spread
   const Eigen::Index dimension = points.rows(), generators = dimension == 2 ? 3 : 7;
   if (points.cols() == 0)
     return {Eigen::VectorXd::Zero(dimension), Eigen::MatrixXd::Identity(generators, generators)};
   const Eigen::VectorXd middle = points.rowwise().mean();
   const double spread = (points.colwise() - middle).colwise().norm().maxCoeff();
   const bool one_place = !(spread > 1e-9 * (1 + middle.norm()));
-  Eigen::VectorXd scale = Eigen::VectorXd::Ones(generators);  // turns and scale as what they do at the rim
+  // Rotations and scale in terms of displacements at the outermost point
+  Eigen::VectorXd scale = Eigen::VectorXd::Ones(generators);
   if (!one_place) scale.tail(generators - dimension).setConstant(1 / spread);
   Eigen::MatrixXd moved(dimension * points.cols(), generators);
   for (Eigen::Index i = 0; i < points.cols(); ++i)
@@ -134,7 +135,7 @@ Eigen::VectorXd units_of(const SpatialScene& scene) {
   const double length = typical_distance(scene);
   Eigen::VectorXd units = Eigen::VectorXd::Constant(scene.errors, length);
   units.segment<3>(3).setOnes();  // rad
-  units.segment<3>(9).setOnes();  // rad/s; velocities: the typical distance in a second
+  units.segment<3>(9).setOnes();  // rad/s; velocities: the typical distance per second
   for (const auto& landmark : scene.landmarks) {
     if (landmark.form == Form::point) continue;
     units.segment<2>(landmark.first + 3).setOnes();

@@ -1,11 +1,11 @@
-// What no looks can tell: the motions of vehicle and map together that change nothing a sensor sees.
+// Symmetries of the measurements: joint motions of vehicle and map that leave all measurements unchanged.
 //
-// Range and bearing on a plane see the same from anywhere: two translations and a turn. A camera moving
-// freely sees no lengths either: three translations, three turns, and the scale. A symmetry that leaves every
-// known point where it is stays one; the others are gone with the first looks at what they would move.
+// Range and bearing on a plane are invariant under two translations and a rotation; a freely moving camera is
+// invariant under three translations, three rotations, and a change of scale. A symmetry remains if it leaves
+// every known point in place; the others vanish with the first measurements of the points they would move.
 //
-// A symmetry is told about a place c by its generator coordinates: translation (m), turn about c (rad; on a
-// plane one, in space about the world's axes), and in space the relative change of all distances from c.
+// A symmetry about a center c is given by its generator coordinates: translation (m), rotation about c (rad;
+// one on a plane, in space about the world's axes), and in space the relative change of all distances from c.
 #pragma once
 
 #include <Eigen/Core>
@@ -18,14 +18,14 @@
 
 namespace incognita {
 
-/// A vehicle with range and bearing on a plane: error of the pose, then whatever landmarks say.
+/// A planar vehicle with a range-bearing sensor: the errors of the pose, then those of the landmarks.
 struct PlanarScene {
   static constexpr int dimension = 2;
   static constexpr int generators = 3;
 
   struct Landmark {
     std::int64_t id = 0;
-    int first = 0;  ///< error
+    int first = 0;  ///< index of its first error
     Eigen::Vector2d position{0, 0};
   };
   planar::Pose<double> vehicle{0, 0, 0};
@@ -44,14 +44,14 @@ struct SpatialScene {
     enum class Form {
       point,
       inverse_depth,
-      ray,  ///< an inverse-depth landmark whose depth is not in the state
+      ray,  ///< an inverse-depth landmark without depth in the state
     };
     std::int64_t id = 0;
-    int first = 0;  ///< error
+    int first = 0;  ///< index of its first error
     Form form = Form::point;
     InverseDepthLandmark initial_axes{};
-    InverseDepthLandmark::State mean =
-        InverseDepthLandmark::State::Zero();  ///< as many numbers as it has errors
+    /// As many numbers as it has errors.
+    InverseDepthLandmark::State mean = InverseDepthLandmark::State::Zero();
   };
   CameraState camera = CameraState::Zero();
   std::vector<Landmark> landmarks;
@@ -60,35 +60,34 @@ struct SpatialScene {
   Eigen::Vector3d position() const { return free_camera::position(camera); }
 };
 
-/// Where a landmark is, and d(position) / d(errors); nothing for one whose depth is not known or not
-/// positive.
+/// Position of a landmark, and d(position) / d(errors); empty if its depth is unknown or not positive.
 struct LandmarkPoint {
   Eigen::Vector3d position;
   Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 6> J;
 };
 std::optional<LandmarkPoint> landmark_point(const SpatialScene::Landmark& landmark);
 
-/// Errors x generators: how the scene's errors change under each generator about c.
+/// Errors x generators: derivative of the scene's errors with respect to each generator about c.
 Eigen::MatrixXd symmetry_directions(const PlanarScene& scene, const Eigen::Vector2d& c);
 Eigen::MatrixXd symmetry_directions(const SpatialScene& scene, const Eigen::Vector3d& c);
 
-/// Dimension x generators: how a point moves under each generator about c.
+/// Dimension x generators: derivative of a point's position with respect to each generator about c.
 Eigen::MatrixXd displacement(const Eigen::VectorXd& point, const Eigen::VectorXd& c);
 
-/// The symmetries that leave some points where they are.
+/// The symmetries that leave given points in place.
 struct RemainingSymmetries {
-  Eigen::VectorXd about;  ///< c: the points' middle, the origin without points
-  Eigen::MatrixXd basis;  ///< generators x how many remain
+  Eigen::VectorXd about;  ///< c: centroid of the points, the origin without points
+  Eigen::MatrixXd basis;  ///< generators x number of remaining symmetries
 };
-/// `points`: dimension x number. Points that are within a thousandth of their spread from one line, or from
-/// one place, are taken to be on it.
+/// `points`: dimension x number. Points within a thousandth of their spread from a common line, or from one
+/// position, are treated as collinear or coincident.
 RemainingSymmetries remaining_symmetries(const Eigen::MatrixXd& points);
 
-/// A length to measure the scene by: the median distance of its landmarks from the vehicle; 1 without any.
+/// Length scale of the scene: median distance of its landmarks from the vehicle; 1 without landmarks.
 double typical_distance(const PlanarScene& scene);
 double typical_distance(const SpatialScene& scene);
 
-/// How much of each error is as good as not knowing it: the typical distance, a radian, and so on.
+/// Per error, the standard deviation that counts as no information: the typical distance, a radian etc.
 Eigen::VectorXd units_of(const PlanarScene& scene);
 Eigen::VectorXd units_of(const SpatialScene& scene);
 

@@ -8,7 +8,7 @@ namespace {
 using Assignment = SymbolicSystem::Assignment;
 using Slot = SymbolicSystem::Slot;
 
-/// Depth-first search: an assignment is placed once all those it depends on are placed.
+/// Depth-first search: an assignment is placed after all those it depends on.
 class Order {
  public:
   Order(const ExpressionGraph& graph, const std::vector<Assignment>& assignments)
@@ -41,7 +41,7 @@ class Order {
 
   std::string name(std::size_t which) const { return "`" + graph_[assignments_[which].target].name + "`"; }
 
-  /// The last of the path is in it a second time.
+  /// The last entry of the path occurs in it twice.
   [[noreturn]] void refuse_cycle() const {
     const auto first = std::find(path_.begin(), path_.end(), path_.back());
     std::string cycle = name(*first);

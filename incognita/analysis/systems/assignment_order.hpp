@@ -1,5 +1,4 @@
-// The order in which a motion's assignments are evaluated: an input that another assignment names is set
-// before it.
+// Evaluation order of a motion's assignments: an input is set before the assignments that use it.
 #pragma once
 
 #include <vector>
@@ -8,9 +7,9 @@
 
 namespace incognita {
 
-/// States before inputs and otherwise as given, but every input before the assignments that name it, directly
-/// or through definitions. States are set in the order of the file: a later one sees what an earlier one was
-/// set to. Throws SystemError, with the place, where inputs depend on themselves.
+/// States before inputs and otherwise in the given order, but every input before the assignments that use it,
+/// directly or through definitions. States are set in the order of the file: a later one uses the new values
+/// of earlier ones. Throws SystemError, with the location, if inputs depend on themselves.
 std::vector<SymbolicSystem::Assignment> in_order_of_evaluation(
     const ExpressionGraph& graph, const std::vector<SymbolicSystem::Assignment>& assignments);
 

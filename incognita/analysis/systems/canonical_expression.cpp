@@ -24,7 +24,7 @@ std::string text_of(const numeric& n) {
   throw std::domain_error("`" + (all.size() > 60 ? all.substr(0, 57) + "..." : all) + "` " + why);
 }
 
-/// Numbers, then names, then what is made of them.
+/// Sort order: numbers, then names, then sums and functions.
 int rank_of(const CanonicalNode& node) {
   const bool compound = node.kind == Kind::function || node.kind == Kind::sum;
   return node.kind == Kind::number ? 0 : compound ? 2 : 1;
@@ -121,7 +121,7 @@ SignedNode Canonicalizer::power(const ex& e) {
 
 namespace {
 
-/// How tightly a text holds together: what needs parentheses inside what.
+/// Operator precedence of a text, which decides about parentheses.
 enum Binding { of_sum, of_product, of_power, of_atom };
 
 struct Text {
@@ -137,7 +137,7 @@ std::string inside(const Text& text, Binding least, bool latex) {
 class Writer {
  public:
   Writer() = default;
-  /// In LaTeX, with these names, which must stay.
+  /// Writes LaTeX with these names, which must outlive the writer.
   explicit Writer(const LatexNames& names) : latex_(true), names_(&names) {}
 
   Text write(const SignedNode& e) const {
@@ -149,7 +149,7 @@ class Writer {
 
  private:
   Text write(const CanonicalNode& node) const {
-    // Written once: nested powers would be written over and over
+    // Cached text: avoids exponential rewriting of nested powers
     if (!latex_ && !node.text.empty()) return {node.text, static_cast<Binding>(node.binding)};
     switch (node.kind) {
       case Kind::number:
@@ -178,12 +178,12 @@ class Writer {
 
   Text symbol(const CanonicalNode& node) const {
     if (!latex_) return {node.name, of_atom};
-    // A derivative is several letters, which run into what stands beside them
+    // The name of a derivative has several symbols and needs parentheses in products
     const bool derivative = node.name.find(' ') != std::string::npos;
     return {(*names_)(node.name), derivative ? of_product : of_atom};
   }
 
-  /// Terms with a plus first, so that as few texts as can be begin with a minus.
+  /// Positive terms first, so that few texts begin with a minus.
   Text write_sum(const CanonicalNode& node, bool flipped) const {
     std::string text;
     for (const bool negative : {false, true})
@@ -200,7 +200,7 @@ class Writer {
            factor.node->parts[1].node->kind == Kind::number;
   }
 
-  /// The factor without the minus of its exponent.
+  /// The factor with the sign of its exponent flipped.
   Text inverted(const CanonicalNode& power_node) const {
     CanonicalNode node = power_node;
     node.parts[1].negative = false;

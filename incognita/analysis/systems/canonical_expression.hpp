@@ -1,8 +1,8 @@
-// An expression in an order and with signs of its own.
+// Canonical form of an expression: a fixed order and fixed signs.
 //
-// The computer algebra keeps terms in an order that changes from one start of the program to the next, and
-// with it the sign of what it takes out of powers. Rounding, and what is printed, must not: sums and products
-// are sorted by what they say, and a sum leads with a plus, its sign told apart.
+// The computer algebra orders terms differently in every run of the program, and with the order changes the
+// sign factored out of powers. Rounding and printed text must be reproducible: sums and products are sorted
+// by their text, and a sum leads with a positive term, its sign kept separately.
 #pragma once
 
 #include <ginac/ginac.h>
@@ -38,13 +38,13 @@ struct CanonicalNode {
   GiNaC::ex symbol;
   std::string name;
   std::vector<SignedNode> parts;
-  std::string text;  ///< what it says, and what it is sorted by
-  int binding = 0;   ///< of the text: how tightly it holds together
+  std::string text;  ///< as written; the sort key
+  int binding = 0;   ///< operator precedence of the text
 };
 
 class Canonicalizer {
  public:
-  /// Throws std::domain_error for what is not a real function of its symbols, with what that is.
+  /// Throws std::domain_error for an expression that is not a real function of its symbols, and names it.
   SignedNode operator()(const GiNaC::ex& expression);
 
  private:
@@ -56,11 +56,11 @@ class Canonicalizer {
   std::map<GiNaC::ex, SignedNode, GiNaC::ex_is_less> known_;
 };
 
-/// As it would be typed: "v*sin(theta)/(rx^2 + ry^2)".
+/// As plain text: "v*sin(theta)/(rx^2 + ry^2)".
 std::string written(const SignedNode& expression);
 std::string written(const GiNaC::ex& expression);
 
-/// As it would be typeset.
+/// As LaTeX.
 std::string in_latex(const GiNaC::ex& expression, const LatexNames& names = {});
 
 }  // namespace incognita

@@ -9,9 +9,9 @@
 namespace incognita {
 namespace {
 
-// What a second or two of algebra can handle, in nodes of expressions
+// Nodes of expressions that take the algebra a second or two
 constexpr std::size_t largest_expression = 20'000, most_nodes = 3'000'000;
-constexpr std::size_t most_factors = 64;  // of one product: its derivative has their square
+constexpr std::size_t most_factors = 64;  // limit per product; the size of its derivative is quadratic
 
 void symbols_in(const GiNaC::ex& e, GiNaC::exset& found) {
   if (GiNaC::is_a<GiNaC::symbol>(e)) {
@@ -68,7 +68,7 @@ ExpressionGraph::Slot ExpressionGraph::define(const std::string& name, Owner own
   try {
     const auto slot = [&](const GiNaC::symbol& s) { return slot_of(s); };
     quantity.tape.emplace(expression, slot);
-    // By number, not in the algebra's order: sums are always added up alike
+    // By slot, not in the algebra's order, so that sums are reproducible
     std::map<Slot, GiNaC::ex> by_slot;
     for (const GiNaC::ex& symbol : names) by_slot.emplace(slots_.at(symbol), symbol);
     for (const auto& [from, symbol] : by_slot) {
@@ -164,8 +164,7 @@ void ExpressionGraph::prepare(Evaluation& evaluation, int columns) const {
   }
 }
 
-/// Names of the parameters, inputs, constants and states in a quantity that are exactly 0: nothing that is
-/// drawn is.
+/// Names of the atoms of a quantity whose value is exactly 0; drawn values never are.
 std::vector<std::string> ExpressionGraph::zeros_in(Slot slot, const Evaluation& e) const {
   const std::vector<bool> needed = needed_for({slot});
   std::vector<std::string> zeros;
@@ -173,7 +172,7 @@ std::vector<std::string> ExpressionGraph::zeros_in(Slot slot, const Evaluation& 
     const Quantity& q = (*this)[atom];
     if (!needed[static_cast<std::size_t>(atom)] || q.expression) continue;
     if (e.value[static_cast<std::size_t>(atom)] != 0) continue;
-    const std::string name = "`" + q.name.substr(0, q.name.find('(')) + "`";  // of a copy: v(2)
+    const std::string name = "`" + q.name.substr(0, q.name.find('(')) + "`";  // a copy is named v(2)
     if (std::find(zeros.begin(), zeros.end(), name) == zeros.end()) zeros.push_back(name);
   }
   return zeros;

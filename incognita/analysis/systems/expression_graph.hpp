@@ -1,6 +1,6 @@
-// Named quantities, each given from outside (an atom) or an expression of earlier ones. Derivatives are exact
-// (GiNaC) within each expression, and the chain rule carries them from one to the next, so that neither a
-// Jacobian nor a repeated Lie derivative is ever written out in full.
+// Named quantities: atoms, given from outside, or expressions of earlier ones. Derivatives are exact (GiNaC)
+// within each expression and propagate by the chain rule, so that neither a Jacobian nor a repeated Lie
+// derivative is expanded in full.
 #pragma once
 
 #include <ginac/ginac.h>
@@ -19,35 +19,36 @@
 
 namespace incognita {
 
-/// Whose a quantity is. Of landmark and anchor there is one here, evaluated once for each that is there; they
-/// see the vehicle's quantities and not each other's. What a kind of motion makes of inputs and initial
-/// states is evaluated only where a motion begins.
+/// Owner of a quantity. Landmark and anchor exist once here and are evaluated once per instance; their
+/// expressions may use the vehicle's quantities but not each other's. Quantities of the motion (inputs and
+/// initial states of a kind of motion) are evaluated only at the start of a motion.
 enum class Owner { vehicle, landmark, anchor, motion };
 
 class ExpressionGraph {
  public:
-  /// A quantity's number. What it depends on has smaller ones.
+  /// Index of a quantity; it depends only on smaller ones.
   using Slot = int;
 
   struct Quantity {
     std::string name;
     Owner owner = Owner::vehicle;
-    SourceLocation location;  ///< of what it comes from in the file
+    SourceLocation location;  ///< in the file
     GiNaC::realsymbol symbol;
-    std::optional<GiNaC::ex> expression;  ///< none: an atom
+    std::optional<GiNaC::ex> expression;  ///< empty: an atom
     std::optional<Tape> tape;
-    std::vector<std::pair<Slot, GiNaC::ex>> partials;  ///< to each quantity it names
+    std::vector<std::pair<Slot, GiNaC::ex>> partials;  ///< one per quantity in the expression
     std::vector<Tape> partial_tapes;
-    int column = -1;     ///< of the gradient, for a state
-    bool named = false;  ///< expressions may name it: an atom or a definition of the file's
+    int column = -1;     ///< in the gradient, for a state
+    bool named = false;  ///< expressions may name it: an atom or a definition of the file
   };
 
-  /// Throws SystemError when the graph grows past what can be computed in reasonable time.
+  /// Throws SystemError if the graph becomes too large to compute in reasonable time.
   Slot add_atom(const std::string& name, Owner owner, SourceLocation location, int column = -1);
-  /// `owner`: at least; what it names may make it another's. `named`: later texts may name it.
+  /// `owner`: the lowest possible owner, raised by the owners of what the expression uses. `named`: later
+  /// texts may name it.
   Slot define(const std::string& name, Owner owner, const GiNaC::ex& expression, SourceLocation location,
               bool named = false);
-  /// Checks, parses, and takes a text that names quantities that `sees` (itself and the vehicle's).
+  /// Checks and parses a text; its names must be visible to `sees` (its own and the vehicle's).
   GiNaC::ex parse(const ExpressionText& text, Owner sees) const;
 
   int size() const { return static_cast<int>(quantities_.size()); }
@@ -55,27 +56,27 @@ class ExpressionGraph {
   std::optional<Slot> find(const std::string& name, Owner sees) const;
   Slot slot_of(const GiNaC::symbol& symbol) const;
 
-  /// Derivative to an atom, written out in terms of named quantities.
+  /// Derivative with respect to an atom, in terms of named quantities.
   GiNaC::ex derivative(const GiNaC::ex& expression, Slot atom) const;
 
-  /// Whether every second derivative to the atoms is 0 on sight. What has abs in a first derivative counts as
-  /// not affine: its second derivative is 0 wherever it has one.
+  /// Whether all second derivatives with respect to the atoms vanish without simplification. Expressions with
+  /// abs in a first derivative count as not affine, since their second derivative is 0 wherever it exists.
   bool is_affine_in(const GiNaC::ex& expression, const std::vector<Slot>& atoms) const;
 
-  /// Values, and gradients to the states, of every quantity of one owner; those of the vehicle must stand
-  /// there already when it is another's. Throws SystemError where one is not finite.
+  /// Values of all quantities of one owner and their gradients with respect to the states; for owners other
+  /// than the vehicle, the vehicle's must be evaluated already. Throws SystemError if one is not finite.
   struct Evaluation {
     std::vector<double> value;  ///< by slot; atoms are set from outside
     Eigen::MatrixXd gradient;   ///< column of a state x slot
-    Eigen::MatrixXd terms;      ///< likewise: size of what was added up to each; its rounding is 1e-16 of it
+    Eigen::MatrixXd terms;      ///< same shape: sum of magnitudes of the terms; rounding is 1e-16 of it
     std::vector<double> scratch;
   };
   void prepare(Evaluation& evaluation, int columns) const;
-  /// `only`: by slot, which to evaluate; all where there is none.
+  /// `only`: mask by slot of what to evaluate; null: all.
   void evaluate(Owner owner, Evaluation& evaluation, bool with_gradients,
                 const std::vector<bool>* only = nullptr) const;
 
-  /// Those that the given ones are made of, and they themselves, by slot.
+  /// Mask by slot of the given quantities and all their dependencies.
   std::vector<bool> needed_for(const std::vector<Slot>& slots) const;
 
  private:

@@ -16,7 +16,7 @@ constexpr ExpressionFunction functions[] = {{"sin", 1},  {"cos", 1},   {"tan", 1
                                             {"abs", 1},  {"sinh", 1},  {"cosh", 1}, {"tanh", 1}};
 constexpr std::string_view constants[] = {"pi", "Pi", "I", "Euler", "Catalan"};
 
-// Those of the C library depend on the locale
+// The functions of the C library depend on the locale
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
@@ -33,7 +33,7 @@ std::string in_ticks(std::string_view word) {
   return "`" + std::string(word.substr(0, most)) + (word.size() > most ? "..." : "") + "`";
 }
 
-/// By its number where it has no place on every screen.
+/// Characters that are not printable ASCII are shown by their code point.
 std::string character_in_ticks(std::string_view text, std::size_t at) {
   const auto byte = static_cast<unsigned char>(text[at]);
   if (byte >= 0x20 && byte < 0x7f) return in_ticks(text.substr(at, 1));
@@ -46,8 +46,8 @@ std::string character_in_ticks(std::string_view text, std::size_t at) {
   return name;
 }
 
-/// Where an operand may stand and where an operation, which parentheses are open, and how deep it is. Without
-/// recursion: what is read here may be meant to overflow a stack.
+/// State machine of the tokenizer: whether an operand or an operator is expected, the open parentheses, and
+/// the depth. Not recursive, since input may be crafted to overflow the stack.
 class Guard {
  public:
   Guard(std::string_view text, std::span<const std::string> known) : text_(text), known_(known) {}
@@ -67,10 +67,10 @@ class Guard {
   /// A pair of parentheses, or the whole expression.
   struct Level {
     int open = 0;                                  ///< offset of its `(`
-    const ExpressionFunction* function = nullptr;  ///< whose arguments they hold
+    const ExpressionFunction* function = nullptr;  ///< function whose arguments they enclose
     int function_offset = 0;
     int commas = 0;
-    int chain = 0;  ///< signs and powers that the operand now read hangs on
+    int chain = 0;  ///< signs and powers applied to the current operand
   };
 
   [[noreturn]] static void refuse(std::size_t at, const std::string& why) {
@@ -215,7 +215,7 @@ class Guard {
     want_operand_ = true;
   }
 
-  /// `end` ends an operand; is there one?
+  /// Requires an operand before `end`.
   void need_operand_before(std::string_view end) const {
     if (want_operand_)
       refuse(at_, "nothing stands " + (tokens_.empty() ? "before " + in_ticks(end)

@@ -1,6 +1,5 @@
-// Stands before the computer algebra: what a person wrote is taken apart here, and whatever is no expression
-// is refused with its place and a remedy. A parser behind it never sees bad syntax, deep nesting or long
-// numbers.
+// Validates user expressions before they reach the computer algebra. Anything that is not an expression is rejected
+// with its location and a remedy, so the parser behind never sees bad syntax, deep nesting or long numbers.
 #pragma once
 
 #include <span>
@@ -14,33 +13,32 @@ namespace incognita {
 struct ExpressionToken {
   enum Kind {
     number,     ///< without its sign
-    name,       ///< one of those known, or pi
+    name,       ///< a known name, or pi
     function,   ///< its name; `open` follows
     sign,       ///< + or - before an operand
-    operation,  ///< + - * / ^ between two
+    operation,  ///< binary + - * / ^
     open,
     close,
     comma
   };
   Kind kind;
-  std::string_view text;  ///< a part of what was given
-  int offset;             ///< of its first character, from 0
+  std::string_view text;  ///< part of the given text
+  int offset;             ///< position of the first character, from 0
 };
 
 struct ExpressionError : std::runtime_error {
   ExpressionError(int at, const std::string& why) : std::runtime_error(why), offset(at) {}
-  int offset;  ///< of the character that is wrong, from 0
+  int offset;  ///< position of the wrong character, from 0
 };
 
 constexpr std::size_t longest_expression = 4096;
-constexpr int deepest_expression =
-    100;  ///< parentheses, signs of signs and powers of powers, each a step down
+/// Parentheses, repeated signs and powers of powers each count one level.
+constexpr int deepest_expression = 100;
 constexpr std::size_t longest_number = 40;
 constexpr int largest_decimal_exponent = 300;
 
-/// The tokens of an expression of + - * / ^ ( ), numbers such as 1, 1.5, .5 and 1e-3, `pi`, the functions
-/// below and the names in `known`, which must be sorted. Throws ExpressionError for anything else. The tokens
-/// look into `text`.
+/// Tokens of an expression of + - * / ^ ( ), numbers such as 1, 1.5, .5 and 1e-3, `pi`, the functions below and the
+/// names in `known`, which must be sorted. Throws ExpressionError for anything else. The tokens refer to `text`.
 std::vector<ExpressionToken> checked_tokens(std::string_view text, std::span<const std::string> known);
 
 struct ExpressionFunction {
@@ -50,7 +48,7 @@ struct ExpressionFunction {
 
 std::span<const ExpressionFunction> expression_functions();
 
-/// Whether a name already means something: a function, `pi`, or a constant of the computer algebra.
+/// Whether a name is reserved: a function, `pi`, or a constant of the computer algebra.
 bool is_reserved_name(std::string_view name);
 
 }  // namespace incognita

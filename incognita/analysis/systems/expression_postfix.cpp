@@ -11,7 +11,7 @@ int rank(const Token& token) {
   return token.text == "*" || token.text == "/" ? 2 : 1;
 }
 
-/// Dijkstra's shunting yard.
+/// Dijkstra's shunting-yard algorithm.
 class Yard {
  public:
   void take(const Token& token) {
@@ -50,7 +50,7 @@ class Yard {
     waiting_.pop_back();
   }
 
-  /// Those of that rank or higher, back to the last `(`.
+  /// Outputs operators of at least that rank, back to the last `(`.
   void finish_operations(int least) {
     while (!waiting_.empty() && waiting_.back().kind != Token::open && rank(waiting_.back()) >= least)
       finish_one();

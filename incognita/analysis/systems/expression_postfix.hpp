@@ -1,4 +1,4 @@
-// The order in which an expression is computed.
+// Evaluation order of an expression.
 #pragma once
 
 #include <span>
@@ -8,11 +8,11 @@
 
 namespace incognita {
 
-/// Of checked_tokens(), without parentheses and commas: operands before what works on them (postfix), so that
-/// a stack computes them. `sign` works on one operand, `operation` on two, `function` on as many as it takes.
-/// ^ comes before a sign and groups to the right, all else to the left: -x^2 is -(x^2), 2^-x^2 is 2^(-(x^2)).
+/// Converts checked_tokens() to postfix order without parentheses and commas, for evaluation with a stack.
+/// `sign` takes one operand, `operation` two, `function` its number of arguments. ^ binds tighter than a sign
+/// and is right-associative, all else left-associative: -x^2 is -(x^2), 2^-x^2 is 2^(-(x^2)).
 ///
-/// GiNaC's own parser is not asked: to it a*-b - c is a*(-b - c), and a^b^c an error.
+/// GiNaC's own parser is not used: it reads a*-b - c as a*(-b - c), and rejects a^b^c.
 std::vector<ExpressionToken> in_postfix_order(std::span<const ExpressionToken> checked);
 
 }  // namespace incognita

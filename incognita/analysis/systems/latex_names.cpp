@@ -19,7 +19,7 @@ bool is_greek(const std::string& name) {
   return greek.contains(name);
 }
 
-/// Two letters are one with an index, and so are three that end in an axis: `qex`.
+/// Two letters are a symbol with an index, and so are three that end in an axis: `qex`. Longer ones are words.
 bool is_word(const std::string& letters) {
   const bool axis = letters.size() == 3 && std::string("xyz").find(letters.back()) != std::string::npos;
   return letters.size() > 2 && !axis;
@@ -31,7 +31,7 @@ std::string italic(const std::string& word) {
   return "\\mathit{" + escaped + "}";
 }
 
-/// Parts between underscores, with commas between them; words as such.
+/// Joins the parts between underscores by commas; words are set in italics.
 std::string written_index(const std::string& index) {
   std::string all, part;
   const auto end_part = [&] {
@@ -87,7 +87,7 @@ LatexNames::LatexNames(const std::vector<std::string>& names) {
   for (const std::string& name : names) {
     if (known_.contains(name)) continue;
     const std::string usual = latex_name(name);
-    // Written out it is as its name, and no other is
+    // The spelled-out form is unique
     known_[name] = taken.insert(usual).second ? usual : italic(name);
   }
 }
@@ -98,7 +98,7 @@ std::string LatexNames::operator()(const std::string& name) const {
   const std::size_t space = name.find(' '), open = name.rfind('(');
   if (name.starts_with("L_") && space != std::string::npos)
     return "\\mathcal{L}_{" + (*this)(name.substr(2, space - 2)) + "} " + (*this)(name.substr(space + 1));
-  // In braces, as it may be raised to a power
+  // In braces, since it may be raised to a power
   if (name.ends_with(')')) return "{" + (*this)(name.substr(0, open)) + "^{" + name.substr(open) + "}}";
   if (name.starts_with("d ") && name.ends_with("/dt"))
     return "\\dot{" + (*this)(name.substr(2, name.size() - 5)) + "}";
@@ -109,7 +109,7 @@ LatexNames latex_names(const SymbolicSystem& s) {
   std::vector<std::string> names;
   for (ExpressionGraph::Slot slot = 0; slot < s.graph.size(); ++slot) {
     const std::string& name = s.graph[slot].name;
-    // Not the copies that derivation makes, v(2): they look as their originals do
+    // Without the copies of the Lie algebra, v(2), which look like their originals
     if (s.graph[slot].named && name.find('(') == std::string::npos) names.push_back(name);
   }
   for (const auto* block : {&s.vehicle, &s.landmark, &s.anchor})

@@ -1,4 +1,4 @@
-// Names of a system as a person typesets them.
+// Names of a system in LaTeX.
 #pragma once
 
 #include <map>
@@ -9,27 +9,27 @@ namespace incognita {
 
 struct SymbolicSystem;
 
-/// `theta` is \theta, `xf` x_{f}, `hitch` \mathit{hitch}. Letters, digits and underscores; two names may come
-/// to look the same.
+/// `theta` becomes \theta, `xf` x_{f}, `hitch` \mathit{hitch}. For names of letters, digits and underscores;
+/// two names may map to the same LaTeX.
 std::string latex_name(const std::string& name);
 
-/// Any text, in text.
+/// Arbitrary text, as LaTeX text.
 std::string latex_text(const std::string& text);
 
-/// The names of one system: different ones look different, of `xf` and `x_f` the second is written out.
+/// The names of one system, mapped uniquely: of `xf` and `x_f` the second is spelled out.
 class LatexNames {
  public:
   LatexNames() = default;
   explicit LatexNames(const std::vector<std::string>& names);
 
-  /// Of these, and of what derivation makes of them: `L_v x`, `v(2)`.
+  /// LaTeX of these names, and of those derived from them: `L_v x`, `v(2)`.
   std::string operator()(const std::string& name) const;
 
  private:
   std::map<std::string, std::string> known_;
 };
 
-/// All that expressions and error states of the system may name.
+/// All names that expressions and error states of the system may use.
 LatexNames latex_names(const SymbolicSystem& system);
 
 }  // namespace incognita

@@ -10,7 +10,7 @@ namespace {
 using GiNaC::ex;
 using Slot = ExpressionGraph::Slot;
 
-/// Rates by state, of vehicle and landmark.
+/// Rates of the states of vehicle and landmark.
 std::map<Slot, Slot> rates_of(const SymbolicSystem& system) {
   std::map<Slot, Slot> rates;
   for (const auto* block : {&system.vehicle, &system.landmark})
@@ -46,8 +46,8 @@ std::vector<Slot> LieAlgebra::measurements() const {
   return all;
 }
 
-/// From what stands for inputs to what stands for every quantity that they are in: rates and measurements,
-/// and the definitions those are made of, each a quantity of its own.
+/// Extends a substitution of inputs to all quantities that depend on them: rates and measurements, and the
+/// definitions they use, each as a new quantity.
 GiNaC::exmap LieAlgebra::replaced(GiNaC::exmap with, const std::string& tag) {
   std::vector<Slot> wanted = measurements();
   for (const auto& [state, rate] : rates_of(system_)) wanted.push_back(rate);
@@ -67,7 +67,7 @@ GiNaC::exmap LieAlgebra::replaced(GiNaC::exmap with, const std::string& tag,
   return with;
 }
 
-/// The symbol of a new quantity that takes a given one's place.
+/// Symbol of a new quantity that replaces a given one.
 ex LieAlgebra::quantity_like(Slot original, const ex& expression, const std::string& tag) {
   const std::string name = system_.graph[original].name + tag;
   const Owner owner = system_.graph[original].owner;
@@ -75,7 +75,7 @@ ex LieAlgebra::quantity_like(Slot original, const ex& expression, const std::str
   return system_.graph[system_.graph.define(name, owner, expression, location)].symbol;
 }
 
-/// Puts the expressions of tied inputs in their place, in all rates and measurements.
+/// Substitutes the expressions of tied inputs in all rates and measurements.
 void LieAlgebra::substitute(const std::vector<SymbolicSystem::Assignment>& tied) {
   if (tied.empty()) return;
   GiNaC::exmap with;
@@ -93,7 +93,7 @@ void LieAlgebra::substitute(const std::vector<SymbolicSystem::Assignment>& tied)
       for (Slot& slot : *quantities) slot = substituted(slot, with);
 }
 
-/// The quantity under the name of a given one that has its expression with tied inputs substituted.
+/// The quantity of the same name with tied inputs substituted.
 LieAlgebra::Slot LieAlgebra::substituted(Slot original, const GiNaC::exmap& with) {
   const auto found = with.find(system_.graph[original].symbol);
   if (found == with.end()) return original;
@@ -112,7 +112,7 @@ VectorField LieAlgebra::field(const std::string& name, const GiNaC::exmap& with)
   return field;
 }
 
-/// One for each input, of rates that are linear in them: the rates' derivatives, where the others are 0.
+/// One field per input, if rates are linear in the inputs: the derivatives of the rates, with the other inputs at 0.
 void LieAlgebra::add_input_fields(const std::vector<Slot>& inputs, const GiNaC::exmap& others_zero) {
   for (const Slot input : inputs) {
     VectorField along{system_.graph[input].name, {}};
@@ -149,7 +149,7 @@ void LieAlgebra::add_fields(int other_inputs) {
   const VectorField zero_field = field("0", drift);
   if (!zero_field.rates.empty()) fields_.push_back(zero_field);
   add_input_fields(inputs.free, drift);
-  // Inputs that are held in one way only make one field
+  // Inputs held at only one set of values yield one field
   const int sets = !moves_with(inputs.held) ? 0
                    : nonlinear_             ? other_inputs
                                 : std::min<int>(other_inputs, static_cast<int>(system_.draws.size()));
@@ -159,8 +159,7 @@ void LieAlgebra::add_fields(int other_inputs) {
     add_further_sets(sets, inputs.held, inputs.zero, true);
 }
 
-/// `as_fields`: rates with those inputs are fields; measurements with them are other measurements in any
-/// case.
+/// `as_fields`: whether rates with these inputs become fields; measurements with them are added in any case.
 void LieAlgebra::add_further_sets(int count, const std::vector<Slot>& held, const GiNaC::exmap& zero,
                                   bool as_fields) {
   for (int set = 0; set < count; ++set) {
@@ -195,7 +194,7 @@ ex LieAlgebra::derived(Slot quantity, int field, SourceLocation location) {
     const auto rate = along.rates.find(quantity);
     if (rate != along.rates.end()) total = rate->second;
   } else {
-    // By index: quantities are added while this one is looked at
+    // By index, since quantities are added during the loop
     for (std::size_t i = 0; i < system_.graph[quantity].partials.size(); ++i) {
       const auto [inner, partial] = system_.graph[quantity].partials[i];
       total += partial * derived(inner, field, location);

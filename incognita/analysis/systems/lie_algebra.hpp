@@ -1,4 +1,4 @@
-// Fields of a system and derivatives along them, symbolically.
+// Vector fields of a system, and symbolic derivatives along them.
 #pragma once
 
 #include <map>
@@ -10,32 +10,32 @@
 
 namespace incognita {
 
-/// A vector field: a rate for each state of the vehicle and of a landmark.
+/// Vector field: rates of the states of the vehicle and of a landmark.
 struct VectorField {
   std::string name;
-  std::map<ExpressionGraph::Slot, GiNaC::ex> rates;  ///< those that are not 0
+  std::map<ExpressionGraph::Slot, GiNaC::ex> rates;  ///< nonzero ones
 };
 
 class LieAlgebra {
  public:
   using Slot = ExpressionGraph::Slot;
 
-  /// `other_inputs`: how many further sets of held inputs there are.
+  /// `other_inputs`: number of further sets of held inputs.
   LieAlgebra(const SymbolicSystem& system, int other_inputs);
 
   const SymbolicSystem& system() const { return system_; }
   const std::vector<VectorField>& fields() const { return fields_; }
   bool inputs_nonlinear() const { return nonlinear_; }
-  /// Measurements with the inputs of the further sets in them, where inputs are in measurements.
+  /// Measurements with the inputs of the further sets substituted, if measurements depend on inputs.
   struct OtherMeasurement {
     Slot original = 0;
     Slot slot = 0;
   };
   const std::vector<OtherMeasurement>& other_measurements() const { return other_measurements_; }
-  /// Copies of the inputs for the further sets: set, then input; empty where none are held.
+  /// Copies of the inputs for the further sets, by set, then input; empty if none are held.
   const std::vector<std::vector<Slot>>& input_copies() const { return copies_; }
 
-  /// L_field of a quantity, (4.62): a quantity again, or -1 where it is constant.
+  /// L_field of a quantity, (4.62): the slot of the derivative, or -1 if it vanishes.
   Slot derive(Slot quantity, int field, SourceLocation location);
 
  private:

@@ -8,7 +8,7 @@ namespace {
 using GiNaC::ex;
 using Slot = SymbolicSystem::Slot;
 
-/// The atoms that a value depends on.
+/// The quantities that a value depends on.
 class Names {
  public:
   Names(const ExpressionGraph& graph, Slot value) : needed_(graph.needed_for({value})) {}
@@ -21,8 +21,8 @@ class Names {
   std::vector<bool> needed_;
 };
 
-/// Unassigned inputs first, then the assigned ones in the order of evaluation, so that what an assignment
-/// names has been sorted before it.
+/// Classifies unassigned inputs first, then the assigned ones in evaluation order, so that an assignment's
+/// dependencies are classified before it.
 class Sorter {
  public:
   explicit Sorter(const SymbolicSystem& system) : system_(system) {}
@@ -32,7 +32,7 @@ class Sorter {
       if (!is_assigned(system_.inputs[i])) sort_unassigned(system_.inputs[i], system_.input_ranges[i]);
     for (const auto& assignment : system_.assignments)
       if (assignment.to_input) sort_assigned(assignment);
-    std::sort(inputs_.held.begin(), inputs_.held.end());  // as in the file
+    std::sort(inputs_.held.begin(), inputs_.held.end());  // order of the file
     return std::move(inputs_);
   }
 
@@ -71,7 +71,7 @@ class Sorter {
 
   const SymbolicSystem& system_;
   MotionInputs inputs_;
-  std::vector<Slot> varying_;  // free, or set from one that is
+  std::vector<Slot> varying_;  // free, or set from a free one
   std::vector<Slot> mixed_;
 };
 

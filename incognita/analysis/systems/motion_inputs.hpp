@@ -1,4 +1,4 @@
-// The inputs of a system by what its kind of motion makes of them.
+// Classification of a system's inputs by how the kind of motion sets them.
 #pragma once
 
 #include <ginac/ginac.h>
@@ -12,21 +12,21 @@ namespace incognita {
 struct MotionInputs {
   using Slot = SymbolicSystem::Slot;
 
-  std::vector<Slot> free;  ///< any value at any time
-  std::vector<Slot> held;  ///< set from states, draws or numbers: known, and constant for a segment
+  std::vector<Slot> free;  ///< arbitrary over time
+  std::vector<Slot> held;  ///< set from states, draws or numbers: known and constant within a segment
   GiNaC::exmap zero;       ///< symbol of an input -> 0
-  /// Set from free inputs, and from held ones and parameters (`u1 = "u2"`), in the order of evaluation. They
-  /// vary as the free ones do, so their expressions must be substituted before anything is differentiated.
+  /// Set from free inputs, and from held ones and parameters (`u1 = "u2"`), in evaluation order. They vary
+  /// with the free ones, so their expressions must be substituted before differentiation.
   std::vector<SymbolicSystem::Assignment> tied;
-  /// Some of the held are set from free inputs together with states or draws (`u1 = "q*u2"`): they vary with
-  /// the free ones, and only drawn sets of all inputs represent them.
+  /// Some held inputs depend on free inputs together with states or draws (`u1 = "q*u2"`): they vary with the
+  /// free ones, and only drawn sets of all inputs represent them.
   bool mixed = false;
 };
 
 MotionInputs motion_inputs(const SymbolicSystem& system);
 
-/// Whether every assigned input is an affine function of the motion's draws, as far as that shows without
-/// rewriting.
+/// Whether every assigned input is an affine function of the motion's draws, as far as this is visible
+/// without rewriting.
 bool inputs_affine_in_draws(const SymbolicSystem& system);
 
 }  // namespace incognita

@@ -13,7 +13,7 @@ namespace {
 using GiNaC::ex;
 using GiNaC::numeric;
 
-/// Exact, so that 0.3 - 3*0.1 is nothing.
+/// Exact fraction, so that 0.3 - 3*0.1 is 0.
 numeric number_of(const std::string& text) {
   const std::size_t e = text.find_first_of("eE");
   std::string digits = text.substr(0, e);
@@ -27,10 +27,10 @@ numeric number_of(const std::string& text) {
   return whole * GiNaC::pow(numeric(10), numeric(exponent));
 }
 
-/// Bits that a fraction takes.
+/// Size of a fraction in bits.
 double bits_of(const numeric& n) { return n.numer().int_length() + n.denom().int_length(); }
 
-/// A power of numbers is looked at before it is computed: 9^9^9^9 would fill the machine.
+/// Rejects huge powers of numbers before they are computed: 9^9^9^9 would exhaust the memory.
 void refuse_huge(const ex& base, const ex& exponent) {
   constexpr double most_bits = 4096;
   if (!GiNaC::is_a<numeric>(exponent)) return;
@@ -74,7 +74,7 @@ ex operated(char operation, const ex& a, const ex& b) {
   }
 }
 
-/// On a stack: operands come before what works on them.
+/// Evaluates the postfix order with a stack.
 ex computed(const std::vector<ExpressionToken>& postfix, const std::map<std::string, ex>& names) {
   std::vector<ex> stack;
   const auto pop = [&] {
@@ -112,7 +112,7 @@ GiNaC::ex parse_expression(const ExpressionText& text, const std::map<std::strin
   } catch (const ExpressionError& error) {
     throw SystemError(location_in(text, error.offset), error.what());
   } catch (const std::exception&) {
-    // Exact arithmetic met 1/0, log(0), atan2(0, 0); its own words name the algebra's classes
+    // Exact arithmetic met 1/0, log(0), atan2(0, 0); the library's message names internal classes
     throw SystemError(text.location, quoted_name(text.text) + " " + no_value);
   }
 }

@@ -10,7 +10,7 @@ namespace {
 
 using Slot = SymbolicSystem::Slot;
 
-/// The system as it grows: each step adds what the next may name.
+/// Builds the system step by step; each step adds names for the next.
 class SystemBuilder {
  public:
   explicit SystemBuilder(const SystemText& text) { system_.text = text; }
@@ -62,7 +62,7 @@ class SystemBuilder {
     }
   }
 
-  /// The region in the order of the states; anchors have no equations, and keep their own.
+  /// The region in the order of the states; anchors have no equations and keep their own order.
   static std::vector<NamedRange> ordered_region(const BlockText& text) {
     if (text.states.empty()) return text.region;
     std::vector<NamedRange> ordered;
@@ -82,7 +82,7 @@ class SystemBuilder {
     return found == block.states.end() ? -1 : static_cast<int>(found - block.states.begin());
   }
 
-  /// Of a state, among the vehicle's states and those of one landmark.
+  /// Column of a state among the vehicle's states and those of one landmark.
   int column_of(const std::string& name, SourceLocation location) const {
     const SystemText& text = system_.text;
     const int own = index_of(name, text.vehicle);

@@ -1,5 +1,4 @@
-// A system as the computer algebra knows it: one vehicle, one landmark and one anchor, however many there
-// are.
+// A system in symbols: one vehicle, one landmark and one anchor, whatever their numbers.
 #pragma once
 
 #include <string>
@@ -13,8 +12,8 @@ namespace incognita {
 struct SymbolicSystem {
   using Slot = ExpressionGraph::Slot;
 
-  /// Entry of a matrix. Columns: the vehicle's states, then those of one landmark. Rows of F likewise; rows
-  /// of H by measurement of their block.
+  /// Entry of a matrix. Columns: the states of the vehicle, then those of one landmark. Rows of F likewise;
+  /// rows of H by measurement of their block.
   struct Entry {
     int row = 0;
     int column = 0;
@@ -22,9 +21,9 @@ struct SymbolicSystem {
   };
 
   struct Block {
-    std::vector<Slot> states;        ///< an anchor's: its constants
-    std::vector<NamedRange> region;  ///< in their order
-    std::vector<Slot> rates;         ///< none for anchors
+    std::vector<Slot> states;        ///< for an anchor: its constants
+    std::vector<NamedRange> region;  ///< in the order of the states
+    std::vector<Slot> rates;         ///< empty for anchors
     std::vector<Slot> measurements;
     std::vector<double> sigmas;
     std::vector<Entry> error_F, error_H;
@@ -32,7 +31,7 @@ struct SymbolicSystem {
 
   struct Direction {
     std::string name;
-    bool each_landmark = false;  ///< one for each landmark, moving that landmark alone
+    bool each_landmark = false;  ///< one per landmark, which changes only that landmark
     std::vector<std::pair<int, Slot>> vehicle, landmark;  ///< state (from 0, in its block) and value
   };
 
@@ -52,15 +51,15 @@ struct SymbolicSystem {
   std::vector<Direction> directions, error_directions;
   std::vector<std::string> vehicle_error_names, landmark_error_names;
   std::string motion = "general";
-  std::vector<Assignment> assignments;  ///< in the order in which they are evaluated
+  std::vector<Assignment> assignments;  ///< in evaluation order
   std::vector<Slot> draws;
   std::vector<NamedRange> draw_ranges;
 
   int columns() const { return static_cast<int>(vehicle.states.size() + landmark.states.size()); }
 };
 
-/// Throws SystemError, with the place in the file, where the text does not make sense; std::invalid_argument,
-/// with those there are, when the system knows no such motion.
+/// Throws SystemError, with the location in the file, for an invalid text; std::invalid_argument, listing the
+/// known motions, for an unknown motion.
 SymbolicSystem make_symbolic(const SystemText& text, const std::string& motion = "general");
 
 }  // namespace incognita

@@ -31,7 +31,7 @@ void need_identifier(const std::string& name, SourceLocation location) {
                                     std::to_string(longest_name) + " at most");
 }
 
-/// Of motions, directions and errors: any text that can be shown on one line.
+/// Titles of motions, directions and errors: any printable text on one line.
 void need_title(const std::string& title, SourceLocation location) {
   const bool printable = std::none_of(
       title.begin(), title.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; });
@@ -67,7 +67,7 @@ std::string with_nearest(const std::string& problem, const std::string& name, co
   return problem + (names.empty() ? "" : "; the nearest is " + quoted_name(nearest_name(name, names)));
 }
 
-/// Each is one of `known`, and none comes twice.
+/// Requires each name to be one of `known`, without duplicates.
 template <class T>
 void need_known(const std::vector<T>& items, const Names& known, const std::string& what) {
   std::set<std::string> seen;
@@ -90,12 +90,12 @@ void need_ranges(const std::vector<NamedRange>& ranges) {
   }
 }
 
-/// The names that an expression sees.
+/// The names visible to an expression.
 class Scope {
  public:
   void add(const std::string& what, const std::string& name, SourceLocation location) {
     need_identifier(name, location);
-    // The last two would be a table's own words where states are given values
+    // `landmark` and `draw` are keywords of the tables that assign values to states
     if (is_reserved_name(name) || name == "landmark" || name == "draw")
       throw SystemError(location, quoted_name(name) + " has a meaning of its own; choose another name");
     const auto [at, added] = owners_.insert({name, {what, location}});
@@ -175,14 +175,13 @@ class SystemCheck {
     vehicle_.add_all("a parameter", system_.parameters);
   }
 
-  /// Adds what the block names to what it sees, and checks all but its error rows.
-  /// `section`: what the names of its sections begin with.
+  /// Adds the block's names to the scope, and checks all but its error rows. `section`: prefix of its section names.
   static void check_block(const BlockText& block, const std::string& section, Scope& scope) {
     need_few(block.states, most_states, "states");
     need_few(block.definitions, most_definitions, "definitions");
     need_few(block.measurements, most_measurements, "measurements");
     need_ranges(block.region);
-    // First, so that a forgotten equation is not met as an unknown name
+    // First, so that a missing equation is not reported as an unknown name
     if (!block.states.empty() || !block.region.empty()) check_region(block, section);
     scope.add_all("a state", block.states);
     for (const NamedExpression& definition : block.definitions) {
@@ -232,7 +231,7 @@ class SystemCheck {
     need_distinct_names();
   }
 
-  /// State y of landmark 1 is shown as y_1.
+  /// State y of landmark 1 is displayed as y_1.
   void need_distinct_names() const {
     for (const NamedExpression& state : system_.vehicle.states) {
       const std::size_t bar = state.name.rfind('_');
@@ -325,7 +324,7 @@ class SystemCheck {
     if (system_.anchor) check_error_rows(*system_.anchor, vehicle, anchor_);
   }
 
-  /// A state's row that is not there is 0. A measurement's would make it measure nothing, and was forgotten.
+  /// A missing row of a state is 0. A missing row of a measurement is an error, since it would measure nothing.
   static void check_error_rows(const BlockText& block, const Names& columns, const Scope& scope) {
     need_known(block.error_F, names_of(block.states), "state");
     need_known(block.error_H, names_of(block.measurements), "measurement");
@@ -354,7 +353,7 @@ std::string quoted_name(const std::string& name) {
   constexpr std::size_t most = 60;
   std::size_t length = std::min(name.size(), most);
   while (length > 0 && length < name.size() && (name[length] & 0xc0) == 0x80)
-    --length;  // not inside a character
+    --length;  // not inside a UTF-8 character
   std::string shown = name.substr(0, length);
   for (char& c : shown) {
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';

@@ -1,4 +1,4 @@
-// Whether a system's names and expressions fit together, before anything is computed with it.
+// Validates the names and expressions of a system before any computation.
 #pragma once
 
 #include <string>
@@ -8,19 +8,18 @@
 
 namespace incognita {
 
-/// Throws SystemError at the first thing that is wrong: a name that is none, is taken or is not there, a
-/// state without a region, an empty range, an expression that is none (expression_guard.hpp), too much of
-/// anything. What is missing altogether has no place.
+/// Throws SystemError for the first error: an invalid, duplicate or unknown name, a state without a region, an empty
+/// range, an invalid expression (expression_guard.hpp), or a limit exceeded. Missing parts have no location.
 ///
-/// Who sees what: definitions see states, inputs, parameters and the definitions before them; equations,
-/// measurements, directions and error rows see all of these; assignments of a motion see its draws as well.
-/// Landmark and anchor see the vehicle's names and their own.
+/// Visibility: definitions may use states, inputs, parameters and earlier definitions; equations,
+/// measurements, directions and error rows may use all of these; assignments of a motion also its draws.
+/// Landmark and anchor may use the vehicle's names and their own.
 void check_system(const SystemText& system);
 
-/// Of the character `offset` of an expression; of the text as a whole when it has several lines.
+/// Location of character `offset` of an expression; of the whole text if it has several lines.
 SourceLocation location_in(const ExpressionText& expression, int offset);
 
-/// In backticks, cut short and without control characters, whatever a file calls it: for messages.
+/// A user's name for messages: in backticks, truncated, without control characters.
 std::string quoted_name(const std::string& name);
 
 }  // namespace incognita

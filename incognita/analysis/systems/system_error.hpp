@@ -1,4 +1,4 @@
-// What is wrong with a system as it was written down, and where.
+// Errors in the description of a system, with their location.
 #pragma once
 
 #include <stdexcept>
@@ -13,7 +13,7 @@ struct SystemError : std::runtime_error {
   SystemError(SourceLocation where, const std::string& what) : std::runtime_error(what), location(where) {}
 };
 
-/// Nothing is wrong with it, but it is too large for what was asked.
+/// The system is valid, but too large for the requested analysis.
 struct SystemTooLarge : SystemError {
   using SystemError::SystemError;
 };

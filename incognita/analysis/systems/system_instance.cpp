@@ -21,16 +21,16 @@ std::vector<std::string> names_of(const std::vector<NamedExpression>& states) {
   return names;
 }
 
-/// How wide its region is; of a state that is given, its size.
+/// Width of its region; for a given state, its magnitude.
 double unit_of(const NamedRange& range) {
   const double width = range.high - range.low, size = std::abs(range.high);
   return width > 0 ? width : size > 0 ? size : 1;
 }
 
-/// Fills rows of a matrix over all states from a block's columns: the vehicle's states, then one landmark's.
+/// Writes rows of a matrix over all states from a block's columns: the vehicle's states, then one landmark's.
 struct RowWriter {
   int vehicle_states;
-  int first;  // state of the landmark in question; -1 where there is none
+  int first;  // first state of the landmark; -1 without one
 
   int column(int of_block) const {
     return of_block < vehicle_states ? of_block : first + of_block - vehicle_states;
@@ -137,7 +137,7 @@ Linearization SystemInstance::error_form(const SystemPoint& point) const {
     for (const double sigma : block.sigmas) l.sigma[row++] = sigma;
   });
   l.F_terms = l.F.cwiseAbs();
-  // What an entry's expression adds up is not known: it may be as large as the others
+  // The terms of stated entries are unknown: each is assumed as large as the whole matrix
   l.H_terms.setConstant(l.H.norm());
   return l;
 }

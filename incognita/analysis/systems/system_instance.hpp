@@ -1,4 +1,4 @@
-// A system with so many landmarks and anchors, in numbers.
+// A system with given numbers of landmarks and anchors, in numbers.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,13 +13,13 @@ namespace incognita {
 struct NamedDirection {
   std::string name;
   Eigen::VectorXd vector;    ///< n
-  bool of_landmark = false;  ///< moves one landmark alone
+  bool of_landmark = false;  ///< changes only one landmark
 };
 
 class SystemInstance {
  public:
-  /// Throws std::invalid_argument for landmarks or anchors of a system that has none, for numbers below zero,
-  /// and where nothing is measured. Keeps a reference to the system.
+  /// Throws std::invalid_argument for landmarks or anchors of a system without them, for negative numbers,
+  /// and if nothing is measured. Keeps a reference to the system.
   SystemInstance(const SymbolicSystem& system, int landmarks, int anchors);
 
   int states() const { return states_; }
@@ -27,31 +27,31 @@ class SystemInstance {
   int landmarks() const { return landmarks_; }
   int anchors() const { return anchors_; }
   const SymbolicSystem& system() const { return *system_; }
-  const std::vector<std::string>& names() const { return names_; }              ///< of the states
-  const std::vector<std::string>& error_names() const { return error_names_; }  ///< of the error form
+  const std::vector<std::string>& names() const { return names_; }              ///< state names
+  const std::vector<std::string>& error_names() const { return error_names_; }  ///< names in the error form
   bool has_error_form() const { return system_->text.error_form.has_value(); }
 
-  /// n: what is much of each state, by its region. Sizes of states are compared in these.
+  /// n: typical size of each state, from its region; used to compare sizes of states.
   const Eigen::VectorXd& units() const { return units_; }
 
-  /// All of these throw SystemError where an expression has no finite value.
+  /// This and the following throw SystemError if an expression has no finite value.
   Eigen::VectorXd rate(const SystemPoint& point) const;
-  /// The F of linearize(), without the work for H.
+  /// F of linearize(), without computing H.
   Eigen::MatrixXd rate_derivative(const SystemPoint& point) const;
-  /// Exact derivatives.
+  /// With exact derivatives.
   Linearization linearize(const SystemPoint& point) const;
-  /// In the coordinates of the stated error form; exact derivatives where none is stated.
+  /// In the coordinates of the stated error form; with exact derivatives if there is none.
   Linearization error_form(const SystemPoint& point) const;
-  /// The directions that the file names, at this point, those of single landmarks first; of the error form
-  /// when asked.
+  /// The directions named in the file at this point, those of single landmarks first; `of_error_form`: those
+  /// of the error form.
   std::vector<NamedDirection> directions(const SystemPoint& point, bool of_error_form) const;
 
-  /// Gives an atom that is neither state nor input its value, for good.
+  /// Permanently sets an atom that is neither state nor input.
   void hold(ExpressionGraph::Slot atom, double value) { held_.emplace_back(atom, value); }
 
   /// Calls back once for the vehicle and once for each landmark and anchor, with every quantity of its owner
-  /// evaluated. `of`: which landmark or anchor, from 0; `first`: its first state among all (-1: an anchor).
-  /// `only`: which quantities, by slot; all where there is none.
+  /// evaluated. `of`: index of the landmark or anchor; `first`: index of its first state (-1: an anchor).
+  /// `only`: mask by slot of quantities to evaluate; null: all.
   template <class Visit>
   void visit(const SystemPoint& point, bool with_gradients, Visit&& visit,
              const std::vector<bool>* only = nullptr) const;
@@ -64,8 +64,8 @@ class SystemInstance {
   std::vector<std::string> names_, error_names_;
   Eigen::VectorXd units_;
   std::vector<std::pair<ExpressionGraph::Slot, double>> held_;
-  std::vector<bool> for_rates_;                     // quantities, by slot
-  mutable ExpressionGraph::Evaluation evaluation_;  // room to work
+  std::vector<bool> for_rates_;                     // mask by slot
+  mutable ExpressionGraph::Evaluation evaluation_;  // scratch
 };
 
 template <class Visit>

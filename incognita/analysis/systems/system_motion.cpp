@@ -13,18 +13,18 @@ using Numbers = std::vector<double>;
 
 double drawn(const NamedRange& range, RandomStream& random) { return random.uniform(range.low, range.high); }
 
-/// What the kind of motion makes of a point that a segment begins at.
+/// Applies the kind of motion to the start of a segment.
 class Assigner {
  public:
   explicit Assigner(const SystemInstance& instance) : system_(instance.system()) {}
 
-  /// At the start: every state and input that the motion sets.
+  /// First segment: sets every state and input that the motion assigns.
   void start(SystemPoint& point, RandomStream& random) {
     draw(random);
     for (const auto& a : system_.assignments) assign(a, point);
   }
 
-  /// At the start of a later segment: disturbed states and inputs, as the motion sets them or drawn anew.
+  /// Later segments: sets disturbed states and inputs, as assigned or drawn anew.
   void next(SystemPoint& point, RandomStream& random) {
     draw(random);
     for (const int disturbed : system_.disturbed) {
@@ -117,8 +117,8 @@ std::string written_number(double value) {
                         "segment_duration_s");
 }
 
-/// From t = 0 to `duration` with inputs held. `transition`: n x any, in the units of the states (du = D^-1
-/// dx, D those units), moved on by dY = D^-1 F D Y dt; may have no columns.
+/// Integrates from t = 0 to `duration` with held inputs. `transition`: n x any, in the units of the states
+/// (du = D^-1 dx, D those units), propagated by dY = D^-1 F D Y dt; may have no columns.
 void integrate(const SystemInstance& instance, SystemPoint& at, Eigen::MatrixXd& transition,
                double duration) {
   const Eigen::Index n = instance.states(), columns = transition.cols();
@@ -141,7 +141,7 @@ void integrate(const SystemInstance& instance, SystemPoint& at, Eigen::MatrixXd&
   int steps = 0;
   try {
     odeint::integrate_adaptive(stepper, rates, y, 0.0, duration, duration / 10, [&](const Numbers&, double) {
-      constexpr int most_steps = 20'000;  // of one stretch
+      constexpr int most_steps = 20'000;  // per call
       if (++steps > most_steps) refuse_blow_up(instance, duration);
     });
   } catch (const odeint::odeint_error&) {
@@ -175,7 +175,7 @@ SystemMotion draw_motion(const SystemInstance& instance, int segments, RandomStr
     draw_inputs(point, instance, random);
     assigner.next(point, random);
   }
-  // As many rates as there are states may be told apart by inputs that enter nonlinearly
+  // Inputs that enter nonlinearly may distinguish as many rates as there are states
   while (point.u.size() > 0 && static_cast<int>(motion.other_inputs.size()) < instance.states()) {
     SystemPoint other = motion.segments.front().start;
     draw_inputs(other, instance, random);
@@ -187,8 +187,8 @@ SystemMotion draw_motion(const SystemInstance& instance, int segments, RandomStr
 
 namespace {
 
-/// Of a look in its segment, as a part of it: 0 at the start, 1 at the end, and uneven between (by the golden
-/// ratio, other in every segment), so that no oscillation is met at the same phase each time.
+/// Time of a measurement within its segment, as a fraction: 0 at the start, 1 at the end, and jittered between by the
+/// golden ratio, differently in every segment, so that no oscillation is sampled at a constant phase.
 double moment(std::size_t segment, int measurement, int measurements) {
   if (measurement == 0 || measurement == measurements) return measurement == 0 ? 0 : 1;
   const double golden = 0.6180339887498949,
@@ -196,7 +196,7 @@ double moment(std::size_t segment, int measurement, int measurements) {
   return (measurement + 0.6 * (turns - std::floor(turns) - 0.5)) / measurements;
 }
 
-/// What has become of differences at the start and of jumps since, both in the units of the states.
+/// Transition of initial differences and later jumps, both in the units of the states.
 class Transition {
  public:
   Transition(const SystemInstance& instance, std::size_t segments) : instance_(instance) {
@@ -209,7 +209,7 @@ class Transition {
     matrix_.leftCols(n).setIdentity();
   }
 
-  /// At the start of a segment, from 1: its disturbed states may jump.
+  /// Start of segment `segment` >= 1: its disturbed states may jump.
   void jump(std::size_t segment) {
     const auto& disturbed = instance_.system().disturbed;
     const auto first = static_cast<Eigen::Index>((segment - 1) * disturbed.size()) + instance_.states();

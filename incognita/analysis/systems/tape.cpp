@@ -61,7 +61,7 @@ double power_of(double base, int exponent) {
 struct Tape::Builder {
   const std::function<int(const GiNaC::symbol&)>& slot_of;
   std::vector<Operation>& operations;
-  std::map<std::string, int> known;  // by what they say
+  std::map<std::string, int> known;  // registers by the text of the expression
 
   int push(Operation operation) {
     operations.push_back(operation);

@@ -1,5 +1,5 @@
-// An expression made ready for many evaluations: its operations in an order that is always the same, parts
-// that occur twice computed once.
+// An expression compiled for many evaluations: operations in a reproducible order, common subexpressions
+// computed once.
 #pragma once
 
 #include <ginac/ginac.h>
@@ -13,11 +13,11 @@ namespace incognita {
 
 class Tape {
  public:
-  /// `slot_of` a symbol: where its value stands in what the tape is run on. Throws std::domain_error for what
-  /// is not a real function of its symbols, with what that is.
+  /// `slot_of` maps a symbol to the index of its value in run(). Throws std::domain_error for an expression
+  /// that is not a real function of its symbols, and names it.
   Tape(const GiNaC::ex& expression, const std::function<int(const GiNaC::symbol&)>& slot_of);
 
-  /// May be inf or NaN where the expression is not defined. `scratch`: room to work, reused between runs.
+  /// May return inf or NaN where the expression is undefined. `scratch`: storage reused between runs.
   double run(std::span<const double> slots, std::vector<double>& scratch) const;
 
   std::size_t size() const { return operations_.size(); }
@@ -37,7 +37,7 @@ class Tape {
   };
   struct Operation {
     Kind kind;
-    int a = 0, b = 0;  // registers, or the slot, or the whole exponent
+    int a = 0, b = 0;  // registers, the slot, or the integer exponent
     double value = 0;
     double (*f1)(double) = nullptr;
     double (*f2)(double, double) = nullptr;
@@ -47,7 +47,7 @@ class Tape {
   std::vector<Operation> operations_;
 };
 
-/// Nodes of the expression, told as a tree: what a walk over it costs. Counts to `cap` and no further.
+/// Number of nodes of the expression as a tree, i.e. the cost of a traversal; counts up to `cap`.
 std::size_t tree_size(const GiNaC::ex& expression, std::size_t cap);
 
 }  // namespace incognita

@@ -65,7 +65,7 @@ std::optional<Truth> TeamWorld::move(const Command& command, const Tick& tick) {
   for (std::size_t i = 0; i < plants_.size(); ++i) {
     truth.vehicles.push_back(plants_[i].move(input_of(command, i), tick.dt));
     const SmallVector& executed = plants_[i].executed();
-    // Nobody measures what a hand does
+    // The operator's inputs are not measured
     truth.inputs.push_back(actuators_.empty() ? executed : SmallVector(SmallVector::Zero(executed.size())));
     truth.poses.push_back(pose_of(plants_[i].motion(), truth.vehicles.back()));
   }
@@ -119,7 +119,7 @@ void TeamSensor::measure_vehicle(std::size_t i, const Truth& truth, BodyObservat
   }
 }
 
-/// Nor may the order in which they come tell what they are.
+/// Sorts the detections without identity by their values, so that their order does not reveal it.
 void TeamSensor::remove_identities(BodyObservation& view, std::vector<std::int64_t>& truth) const {
   const auto is_named = [&](const PointDetection& s) { return !named_ || named_->count(s.identity) > 0; };
   const auto without_identity = std::stable_partition(view.landmarks.begin(), view.landmarks.end(), is_named);

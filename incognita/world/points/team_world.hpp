@@ -1,5 +1,5 @@
-// A simulated place of points, vehicles that move in it, and sensors that name what they see: the simulated
-// environment of thesis Appendix B.
+// Simulated point-landmark world with moving vehicles, and sensors that identify what they detect: the
+// simulated environment of thesis Appendix B.
 #pragma once
 
 #include <cstdint>
@@ -17,27 +17,27 @@
 
 namespace incognita {
 
-/// Landmarks by identity; each as many numbers as the place has dimensions.
+/// Landmark positions by identity, each with the dimension of the world.
 using PointLandmarks = std::map<std::int64_t, SmallVector>;
 
 struct SimulatedVehicle {
   AnyMotion motion;
   PlantSettings plant;
   AnySensor sensor;
-  SmallVector sigmas;             ///< true noise of each number that is measured
-  double sigma_range_ratio = 0;   ///< added to the first of them, times what is measured
-  SensorLimits reach = {};        ///< beyond, points are not measured
-  int ticks_per_measurement = 1;  ///< it looks at every so many-th tick, the first being one
+  SmallVector sigmas;             ///< true noise per measured number
+  double sigma_range_ratio = 0;   ///< added to the first sigma, per unit of its value
+  SensorLimits reach = {};        ///< limits beyond which points are not measured
+  int ticks_per_measurement = 1;  ///< measurement interval; the first tick is one
 };
 
 class TeamWorld final : public World {
  public:
-  /// `actuators`: of operators who move the vehicles, free cameras all; none, or one for each. Throws
-  /// std::invalid_argument where sizes do not fit.
+  /// `actuators`: operators who move the vehicles, which must be free cameras; none, or one per vehicle.
+  /// Throws std::invalid_argument if the sizes differ.
   TeamWorld(const std::vector<SimulatedVehicle>& vehicles, std::uint64_t seed,
             std::vector<OperatorActuator> actuators = {});
 
-  /// Vehicles without an input have one of 0: they stand still, bodies in space go on as they go.
+  /// Vehicles without an input get zeros: they stand still, and bodies in space keep their velocity.
   std::optional<Truth> move(const Command& command, const Tick& tick) override;
 
  private:
@@ -45,21 +45,21 @@ class TeamWorld final : public World {
 
   std::vector<Plant> plants_;
   std::vector<OperatorActuator> actuators_;
-  std::optional<double> last_t_;  ///< of the tick before: when the command was given
+  std::optional<double> last_t_;  ///< previous tick, when the command was given
 };
 
-/// Which landmark each sighting was of at the last tick, for who scores: per vehicle, in its view's order.
+/// True identities of the detections of the last tick, for evaluation: per vehicle, in the order of its observation.
 using AssociationTruth = std::vector<std::vector<std::int64_t>>;
 
 class TeamSensor final : public Sensor {
  public:
-  /// `sees_vehicles`: whether vehicles see the others of their team, too. `named`: the landmarks that it can
-  /// name; without it, all. The others come without a name, in the order of what is measured. Throws
-  /// std::invalid_argument where a sensor does not fit its vehicle, or the place.
+  /// `sees_vehicles`: whether vehicles detect their teammates. `named`: landmarks reported with their
+  /// identity; empty: all. The others are reported without identity, ordered by their measured values. Throws
+  /// std::invalid_argument if a sensor does not fit its vehicle or the landmarks.
   TeamSensor(std::vector<SimulatedVehicle> vehicles, PointLandmarks place, bool sees_vehicles,
              std::uint64_t seed, std::optional<std::set<std::int64_t>> named = std::nullopt);
 
-  /// Changes with each look. No part of what an estimator is given.
+  /// Updated by each measurement; not available to estimators.
   std::shared_ptr<const AssociationTruth> truth() const { return truth_; }
 
   Observation measure(const std::optional<Truth>& truth, const Tick& tick) override;

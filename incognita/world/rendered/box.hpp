@@ -1,4 +1,4 @@
-// An axis-aligned box of the world: a crate, or the room seen from inside.
+// Axis-aligned box in world axes: a crate, or the room seen from inside.
 #pragma once
 
 #include <Eigen/Core>

@@ -6,7 +6,7 @@
 namespace incognita {
 namespace {
 
-/// Where each texel lies between the cells of a noise lattice.
+/// Position of a texel between the cells of a noise lattice.
 struct Between {
   int cell;
   float weight;
@@ -21,7 +21,7 @@ std::vector<Between> between_cells(int count, double texels_per_cell) {
   return out;
 }
 
-/// Paint over paint: an edge passes through this texel when it is less than half a texel away.
+/// Antialiased blend: an edge covers this texel partially if it is less than half a texel away.
 double covered(double under, double over, double outside_texels) {
   return under + std::clamp(0.5 - outside_texels, 0.0, 1.0) * (over - under);
 }

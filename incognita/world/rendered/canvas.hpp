@@ -1,4 +1,4 @@
-// A sheet of grey paint, in metres: what the textures of the rendered room are painted on.
+// Gray-level canvas in meters, on which the textures of the rendered room are painted.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,8 +11,8 @@
 
 namespace incognita {
 
-/// x to the right, y down, from the top left corner; grey levels from 0 to 255. Shapes have smooth edges one
-/// texel wide, and what falls outside is cut off.
+/// x to the right, y down, from the top left corner; gray levels from 0 to 255. Shapes have antialiased edges
+/// one texel wide and are clipped to the canvas.
 class Canvas {
  public:
   using Point = Eigen::Vector2d;
@@ -24,10 +24,10 @@ class Canvas {
 
   /// Adds smooth value noise with one random value, uniform in +-amplitude, per cell.
   void add_noise(RandomStream& random, double cell_m, double amplitude);
-  /// Fills a convex polygon whose corners go clockwise as seen (y down).
+  /// Fills a convex polygon; corners clockwise as seen (y down).
   void polygon(std::span<const Point> corners, double gray);
   void disc(const Point& center, double radius_m, double gray);
-  /// Multiplies every texel from `low` to `high` with a factor of its place: light and shadow.
+  /// Multiplies every texel from `low` to `high` by a factor of its position: light and shadow.
   template <class Factor>
   void light(const Point& low, const Point& high, Factor factor);
 

@@ -21,7 +21,7 @@ Point nearest_on(const std::array<Point, 2>& side, const Point& position) {
   return side[0] + std::clamp(share, 0.0, 1.0) * along;
 }
 
-/// Where a ray crosses a side, as so many lengths of `direction`; infinite where it does not.
+/// Ray parameter, in units of `direction`, at which a ray crosses an edge; infinite if it does not.
 double crossing(const std::array<Point, 2>& side, const Point& position, const Point& direction) {
   const Point along = side[1] - side[0], to = side[0] - position;
   const double turn = cross(direction, along);
@@ -53,7 +53,7 @@ double FloorPlan::clearance_at(const Point& position) const {
   return least;
 }
 
-/// The nearest of a side inside a cone is where the side comes nearest of all, or where it leaves the cone.
+/// The nearest point of an edge inside a cone is its nearest point overall or where it leaves the cone.
 double FloorPlan::clearance_towards(const Point& position, double direction_rad, double half_width_rad,
                                     double reach_m) const {
   double least = reach_m;

@@ -1,4 +1,4 @@
-// The rendered room seen from above: what a vehicle on its floor can bump into, and how far off it is.
+// Floor plan of the rendered room: obstacles of a vehicle and distances to them.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,11 +14,11 @@ class FloorPlan {
  public:
   explicit FloorPlan(const RoomLayout& layout);
 
-  /// How far it is to the nearest wall or box, m; 0 inside a box and outside the walls.
+  /// Distance to the nearest wall or box, m; 0 inside a box and outside the walls.
   double clearance_at(const Eigen::Vector2d& position) const;
 
-  /// How far it is to the nearest wall or box within `half_width_rad` of a direction from +x; `reach_m` where
-  /// there is none so near.
+  /// Distance to the nearest wall or box within `half_width_rad` of a direction from +x, m; `reach_m` if
+  /// there is none nearer.
   double clearance_towards(const Eigen::Vector2d& position, double direction_rad, double half_width_rad,
                            double reach_m) const;
 
@@ -27,17 +27,17 @@ class FloorPlan {
 
   Box inside_;
   std::vector<Box> boxes_;
-  std::vector<Side> sides_;  ///< of walls and boxes
+  std::vector<Side> sides_;  ///< edges of walls and boxes
 };
 
-/// So many cones side by side all around a vehicle, as a ring of sonars has them.
+/// Ring of adjacent cones around a vehicle, like a ring of sonars.
 struct RangeRing {
   int cones = 24;
   double reach_m = 4;
   double sigma_m = 0.01;
 };
 
-/// Free of noise. `heading_rad` is the vehicle's.
+/// Ranges without noise. `heading_rad`: of the vehicle.
 std::vector<ConeRange> measure_ranges(const FloorPlan& plan, const RangeRing& ring,
                                       const Eigen::Vector2d& position, double heading_rad);
 

@@ -13,7 +13,7 @@ namespace {
 
 using Input = FreeCameraMotion::Input<double>;
 
-// A body pushed from one obstacle into another; what is left then waits for the next tick
+// The body may be pushed from one obstacle into another; what then remains is resolved in the next tick
 constexpr int passes = 4;
 
 void check_sigma(double sigma, const char* what) {
@@ -91,8 +91,7 @@ void FreeCameraPlant::stop_at_obstacles(const Eigen::Vector3d& before) {
   }
 }
 
-/// Stops the body at the face through which the way of this tick enters the box, and lets it slide along that
-/// face.
+/// Stops the body at the face through which its motion enters the box, and lets it slide along that face.
 bool FreeCameraPlant::stop_at_box(const Box& box, const Eigen::Vector3d& before) {
   const Eigen::Vector3d way = state_.head<3>() - before;
   double enter = -1, leave = 1;

@@ -9,9 +9,9 @@
 namespace incognita {
 namespace {
 
-constexpr double finest_m = 0.015;   // waves of a metre and 10 cm high are met to 0.1 mm
-constexpr double most_cells = 1500;  // along a side; larger rooms get a coarser grid
-constexpr double headroom_m = 0.5;   // left under the ceiling
+constexpr double finest_m = 0.015;   // intersects waves of 1 m length and 10 cm height within 0.1 mm
+constexpr double most_cells = 1500;  // per side; larger rooms get a coarser grid
+constexpr double headroom_m = 0.5;   // clearance under the ceiling
 
 void check(const Terrain& terrain, const Box& inside) {
   for (const double x : {inside.min.x(), inside.max.x()})
@@ -60,15 +60,16 @@ Ground::Ground(const Terrain& terrain, const Box& inside) {
     }
 }
 
-/// So far above the ground, and the ground no steeper than its steepest, a ray can go on for `gap` over how
-/// fast the two can close in without passing a crest. Near the ground its own slope tells more; what is then
-/// overshot is taken back along the chord.
+/// Sphere tracing: with the gap to the ground and the maximum slope known, a ray can safely advance by `gap`
+/// over the maximum closing rate. Near the ground the local slope gives a larger step; an overshoot is
+/// corrected by the secant method.
 float Ground::meet(const std::array<float, 3>& eye, const std::array<float, 3>& d, float most) const {
   constexpr int most_steps = 80;
   constexpr float near_m = 0.02f, touch_m = 2e-4f;
   const float level = std::sqrt(d[0] * d[0] + d[1] * d[1]);
-  const float fastest = steepest_ * level - d[2];  // the gap closes by so much per unit of the parameter
-  if (!(fastest > 0)) return most;                 // it climbs away from any ground
+  // Maximum closing rate of the gap per unit of ray parameter
+  const float fastest = steepest_ * level - d[2];
+  if (!(fastest > 0)) return most;  // climbs faster than any slope
   const auto high = static_cast<float>(highest_m_);
   float t = eye[2] > high ? (high - eye[2]) / d[2] : 0.0f;
   if (!(t >= 0)) return most;  // level or upwards above all ground
@@ -78,7 +79,7 @@ float Ground::meet(const std::array<float, 3>& eye, const std::array<float, 3>& 
     const float gap = eye[2] + t * d[2] - ground.height;
     if (gap < -touch_m && gap_above > 0) {
       t = t_above + (t - t_above) * gap_above / (gap_above - gap);
-      gap_above *= 0.5f;  // Illinois: else one end may stay for ever
+      gap_above *= 0.5f;  // Illinois method: else one end may remain fixed
       continue;
     }
     const float closing = ground.slope_x * d[0] + ground.slope_y * d[1] - d[2];

@@ -1,5 +1,5 @@
-// The uneven floor of a rendered room: a terrain's heights on a fine grid, straight between them, as rays
-// meet it. The grid is the floor: whoever looks twice sees the same.
+// Uneven floor of a rendered room: terrain heights on a fine grid with bilinear interpolation, for ray
+// casting. The renderer uses only the grid, so all views are consistent.
 #pragma once
 
 #include <algorithm>
@@ -13,8 +13,8 @@ namespace incognita {
 
 class Ground {
  public:
-  /// Under the walls of `inside`. Throws std::invalid_argument where the terrain is not known all over it, or
-  /// is too high for a room.
+  /// Samples the terrain within the walls of `inside`. Throws std::invalid_argument if the terrain does not
+  /// cover the floor or is too high for the room.
   Ground(const Terrain& terrain, const Box& inside);
 
   double lowest_m() const { return lowest_m_; }
@@ -24,7 +24,7 @@ class Ground {
     float height = 0;                ///< m
     float slope_x = 0, slope_y = 0;  ///< m per m
   };
-  /// Beyond the walls that of the nearest place inside.
+  /// Height and slope at a position, m; positions beyond the walls are clamped to them.
   HeightAndSlope at(float x, float y) const {
     const float along = std::clamp((x - x0_m_) * per_m_, 0.0f, last_x_);
     const float across = std::clamp((y - y0_m_) * per_m_, 0.0f, last_y_);
@@ -36,14 +36,14 @@ class Ground {
     return {near + b * (far - near), up_x * per_m_, (far - near) * per_m_};
   }
 
-  /// The parameter at which the ray from `eye`, which is above the ground, along `d` first meets the ground;
-  /// `most` where it does not before that.
+  /// Parameter at which the ray from `eye`, which is above the ground, along `d` first meets the ground;
+  /// `most` if it does not meet it before.
   float meet(const std::array<float, 3>& eye, const std::array<float, 3>& d, float most) const;
 
  private:
   int columns_ = 0;
   float x0_m_ = 0, y0_m_ = 0, per_m_ = 1, last_x_ = 0, last_y_ = 0;
-  float steepest_ = 0;  ///< of all slopes
+  float steepest_ = 0;  ///< maximum slope, m per m
   double lowest_m_ = 0, highest_m_ = 0;
   std::vector<float> heights_m_;  ///< row by row along x
 };

@@ -25,7 +25,7 @@ void ImageNoise::add_to(Image& image) {
   const int width = image.width();
   for (int v = 0; v < image.height(); ++v) {
     std::uint8_t* pixel = image.row(v);
-    for (int u = 0; u < width; u += table_size / 8) {  // one stretch, unless an image is very wide
+    for (int u = 0; u < width; u += table_size / 8) {  // a single run except for very wide images
       const int count = std::min(width - u, table_size / 8);
       const std::int16_t* noise = &table_[random_.below(table_size - count + 1)];
       for (int i = 0; i < count; ++i)

@@ -1,4 +1,4 @@
-// Camera noise that costs little: normals are drawn once and read from a random place for every row.
+// Cheap camera noise: normals are drawn once and read from a random offset for every row.
 #pragma once
 
 #include <cstdint>
@@ -11,15 +11,15 @@ namespace incognita {
 
 class ImageNoise {
  public:
-  /// Throws std::invalid_argument when sigma_gray is negative or above 100.
+  /// Throws std::invalid_argument if sigma_gray is negative or above 100.
   ImageNoise(double sigma_gray, std::uint64_t seed);
 
-  /// Adds to every pixel and keeps it within 0 to 255.
+  /// Adds noise to every pixel and clamps it to 0 to 255.
   void add_to(Image& image);
 
  private:
   RandomStream random_;
-  std::vector<std::int16_t> table_;  ///< grey levels; empty when there is no noise
+  std::vector<std::int16_t> table_;  ///< gray levels; empty without noise
 };
 
 }  // namespace incognita

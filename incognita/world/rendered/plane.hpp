@@ -1,4 +1,4 @@
-// A surface of the room as the rays of a picture meet it: which part of its texture each pixel covers.
+// Ray-plane intersection of the room's surfaces: the part of the texture that each pixel covers.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,18 +10,17 @@
 
 namespace incognita {
 
-/// The other two axes of a surface, in rising order.
+/// The two in-plane axes of a surface by its normal axis, in rising order.
 inline constexpr std::array<int, 3> across_of{1, 0, 0}, down_of{2, 2, 1};
 
-/// What a row of pixels covers of a texture, in texels: squares of side `face_on`, drawn out by (du, dv)
-/// where the surface is seen at a glancing angle. Kept apart by quantity, so that the compiler can work on
-/// several at once.
+/// Texture area covered by each pixel of a row, in texels: squares of side `face_on`, stretched by (du, dv)
+/// at glancing angles. A structure of arrays, so that the compiler can vectorize.
 template <int count>
 struct Covered {
   std::array<float, count> u, v, du, dv, face_on;
 };
 
-/// A plane rectangle as rays meet it: everything about one surface that is the same for all rays.
+/// A plane rectangle relative to the camera: all quantities of a surface that are the same for all rays.
 class Plane {
  public:
   Plane(const Surface& surface, int axis, float distance, const Eigen::Vector3d& position)
@@ -53,7 +52,7 @@ class Plane {
   }
 
  private:
-  /// Far outside any texture, and small enough to be counted in parts of a texel.
+  /// Clamps far outside of any texture, but small enough for fixed-point texel coordinates.
   static float bounded(float texels) { return std::min(std::max(texels, -1e5f), 1e5f); }
 
   int axis_, a_, b_;
@@ -61,7 +60,7 @@ class Plane {
   float u_per_m_, v_per_m_, u_at_camera_, v_at_camera_;
 };
 
-/// One to four samples along what pixel `i` covers.
+/// One to four texture samples along the area covered by pixel `i`.
 template <int count>
 inline int sample(const Texture& texture, const Covered<count>& c, int i) {
   const int u = static_cast<int>(c.u[i] * 256), v = static_cast<int>(c.v[i] * 256);

@@ -7,7 +7,7 @@
 namespace incognita {
 namespace {
 
-/// The side of a square that covers as much of the sphere as the pixel does, per unit of ray parameter.
+/// Side of the square with the pixel's solid angle, per unit of ray parameter.
 double pixel_side(const Camera& camera, const Eigen::Vector3d& ray, int u, int v) {
   const auto right = camera.unproject({u + 0.5, v}), left = camera.unproject({u - 0.5, v});
   const auto below = camera.unproject({u, v + 0.5}), above = camera.unproject({u, v - 0.5});
@@ -16,7 +16,7 @@ double pixel_side(const Camera& camera, const Eigen::Vector3d& ray, int u, int v
   return std::sqrt(volume / ray.norm());
 }
 
-/// A cone that holds every ray of a tile, with a little to spare for rays inside a pixel.
+/// Bounding cone of a tile's rays, with a margin for rays within a pixel.
 RayTable::Cone tile_cone(const RayTable& table, int tile_u, int tile_v) {
   const int u0 = tile_u * RayTable::tile_px, u1 = std::min(u0 + RayTable::tile_px, table.width);
   const int v0 = tile_v * RayTable::tile_px, v1 = std::min(v0 + RayTable::tile_px, table.height);

@@ -1,4 +1,4 @@
-// The ray of every pixel of a camera, worked out once.
+// Precomputed rays of all pixels of a camera.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,8 +8,8 @@
 
 namespace incognita {
 
-/// Pixels are grouped in square tiles with a cone around the rays of each, so that what a tile cannot see is
-/// found out once per tile and not once per pixel.
+/// Pixels are grouped in square tiles with a bounding cone of their rays, so that visibility is culled once
+/// per tile and not per pixel.
 struct RayTable {
   static constexpr int tile_px = 8;
 
@@ -25,11 +25,11 @@ struct RayTable {
 
   int width = 0, height = 0;
   int tiles_across = 0, tiles_down = 0;
-  int stride = 0;  ///< of the rows below: whole tiles
-  /// The ray of a pixel is (x, y, 1) in camera axes. Its footprint is the side of the pixel, seen face on,
-  /// per unit of ray parameter, and 0 where no ray reaches the pixel.
+  int stride = 0;  ///< row length of the arrays below: whole tiles
+  /// The ray of a pixel is (x, y, 1) in camera axes. Its footprint is the side of the pixel seen face on, per
+  /// unit of ray parameter; 0 if the pixel has no ray.
   std::vector<float> x, y, footprint;
-  std::vector<Cone> cones;  ///< of the tiles, row by row
+  std::vector<Cone> cones;  ///< one per tile, row by row
 };
 
 }  // namespace incognita

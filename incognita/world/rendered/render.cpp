@@ -15,14 +15,14 @@
 namespace incognita {
 namespace {
 
-using Direction = std::array<float, 3>;  ///< world axes, of any length
+using Direction = std::array<float, 3>;  ///< world axes, not normalized
 using BoxBits = std::uint32_t;           ///< one bit per box of the room
 
 constexpr int tile_px = RayTable::tile_px;
-constexpr float white_gray = 236, black_gray = 14;  // of the sheet
+constexpr float white_gray = 236, black_gray = 14;  // gray levels of the sheet
 constexpr int sheet_wall = 1;                       // at the upper end of x
 constexpr int floor_wall = 4;                       // at the lower end of z
-constexpr std::uint8_t nothing = 255;               // id where no surface is seen
+constexpr std::uint8_t nothing = 255;               // id if no surface is visible
 
 struct Hit {
   float t = std::numeric_limits<float>::max();  ///< ray parameter
@@ -30,22 +30,22 @@ struct Hit {
   int box = -1;                                 ///< -1: the room itself
 };
 
-struct Bounds {  ///< a box relative to the camera
+struct Bounds {  ///< box relative to the camera
   std::array<float, 3> min, max;
 };
 
-/// What can be seen in a tile.
+/// What is visible in a tile.
 struct TileView {
   BoxBits boxes = 0;
-  int wall = -1;        ///< the only wall seen, if there is only one and no box
-  bool sheet = false;   ///< whether the sheet may be seen
-  bool ground = false;  ///< whether uneven ground may be
+  int wall = -1;        ///< the only visible wall, if there is just one and no box
+  bool sheet = false;   ///< whether the sheet may be visible
+  bool ground = false;  ///< whether uneven ground may be visible
 };
 
 /// What a ray meets.
 struct VisibleParts {
-  std::uint8_t id = nothing;  ///< of the surface
-  float nearness = 0;         ///< on uneven ground: 1 / ray parameter, which is affine over a plane's pixels
+  std::uint8_t id = nothing;  ///< surface id
+  float nearness = 0;  ///< on uneven ground: 1 / ray parameter, which is affine over the pixels of a plane
 };
 
 inline int lit(int gray, const Surface& surface) {
@@ -54,13 +54,13 @@ inline int lit(int gray, const Surface& surface) {
 
 inline std::uint8_t rounded(int gray_256) { return static_cast<std::uint8_t>((gray_256 + 128) >> 8); }
 
-/// Share of a pixel's width, centred at `x`, that lies within +-half.
+/// Fraction of a pixel's width, centered at `x`, within +-half.
 float share_within(float x, float half, float width) {
   const float low = std::max(x - 0.5f * width, -half), high = std::min(x + 0.5f * width, half);
   return std::max(0.0f, high - low) / width;
 }
 
-/// One picture: everything that is the same for all of its pixels.
+/// Renders one image; holds all that is the same for its pixels.
 class Picture {
  public:
   Picture(const Room& room, const RayTable& rays, const Eigen::Vector3d& position,
@@ -96,12 +96,13 @@ class Picture {
   const RayTable& rays_;
   Eigen::Vector3d position_;
   std::array<float, 9> r_;  ///< world_from_camera, row by row
-  Direction eye_;           ///< the camera, m
+  Direction eye_;           ///< camera position, m
   Bounds inside_, sheet_, ground_;
   std::vector<Bounds> boxes_;
   std::vector<TileView> tiles_;
-  std::vector<std::uint8_t> ids_;  ///< of the surface each pixel sees
-  std::vector<float> nearness_;    ///< of the uneven ground each pixel sees; none where the floor is level
+  std::vector<std::uint8_t> ids_;  ///< surface visible in each pixel
+  /// Inverse ray parameter of the uneven ground in each pixel; empty for a level floor.
+  std::vector<float> nearness_;
 };
 
 Picture::Picture(const Room& room, const RayTable& rays, const Eigen::Vector3d& position,
@@ -134,8 +135,8 @@ Bounds Picture::relative(const Box& box) const {
   return b;
 }
 
-/// A ray in a cone that meets a box passes there no farther from the axis of the cone than the far end of the
-/// box times the sine of the half angle: the axis then meets the box grown by as much.
+/// A ray in the cone that meets the box passes it no farther from the cone's axis than the box's far end
+/// times the sine of the half angle, so the axis meets the box grown by that margin. Conservative.
 bool may_meet(const Bounds& box, const Direction& axis, float sin_half_angle) {
   float reach_squared = 0, enter = 0, leave = std::numeric_limits<float>::max();
   for (int i = 0; i < 3; ++i) reach_squared += std::max(box.min[i] * box.min[i], box.max[i] * box.max[i]);
@@ -160,7 +161,7 @@ TileView Picture::view_of(const RayTable::Cone& cone) const {
   return view;
 }
 
-/// Whether a cone lies between the four planes through the camera and the edges of a wall.
+/// Whether a cone lies within the four planes through the camera and the edges of a wall.
 bool Picture::only_wall(int wall, const Direction& axis, float sin_half_angle) const {
   const int k = wall / 2;
   const float to_wall = 1.0f / (wall % 2 ? inside_.max[k] : inside_.min[k]);
@@ -197,7 +198,7 @@ void Picture::draw_rays(std::size_t first, int count, const TileView& view, std:
   }
 }
 
-/// Where only one wall can be seen there is nothing to choose, and a row of pixels is worked out at once.
+/// Fast path for tiles that see only one wall: computes a row of pixels at once.
 void Picture::draw_wall(std::size_t first, int count, const TileView& view, std::uint8_t* pixels) {
   const Surface& surface = room_.walls()[view.wall];
   const Plane plane(surface, view.wall / 2, distance_to({0, view.wall, -1}), position_);
@@ -214,9 +215,8 @@ void Picture::draw_wall(std::size_t first, int count, const TileView& view, std:
   }
 }
 
-/// Textures come smooth from their pyramids; only where two surfaces meet do steps appear. There, and there
-/// alone, four rays are cast for a pixel. Tiles that see one wall only have no such place, not even at their
-/// borders.
+/// Antialiasing: the mipmaps smooth the textures, so steps appear only where two surfaces meet. Only those pixels are
+/// supersampled with four rays. Tiles that see only one wall contain none, not even at their borders.
 void Picture::smooth_edges(Image& out) const {
   for (int v = 1; v < rays_.height - 1; ++v)
     for (int tile = 0; tile < rays_.tiles_across; ++tile) {
@@ -236,7 +236,7 @@ bool Picture::on_edge(std::size_t at) const {
   return !same && id[0] != nothing && std::find(around.begin(), around.end(), nothing) == around.end();
 }
 
-/// Where a rise of the ground hides what lies behind it, both the same surface.
+/// Occlusion edges of the ground, where both sides are the same surface.
 bool Picture::on_crest(std::size_t at) const {
   constexpr float share = 0.01f;
   const float* n = &nearness_[at];
@@ -257,13 +257,13 @@ int Picture::mean_of_four(std::size_t at, const TileView& view) const {
   return sum / 4;
 }
 
-/// The floor's paint where a ray along `d` meets uneven ground at `t`, laid on from above, lit from above.
+/// The floor's texture where a ray along `d` meets uneven ground at `t`, projected and lit from above.
 int Picture::ground_gray(const Direction& d, float t, float footprint) const {
-  constexpr float lamp_x = 0.35f, lamp_y = 0.2f;  // of its direction, over that upwards
+  constexpr float lamp_x = 0.35f, lamp_y = 0.2f;  // light direction, relative to its upward component
   const Surface& floor = room_.walls()[floor_wall];
   const float x = eye_[0] + t * d[0], y = eye_[1] + t * d[1];
   const Ground::HeightAndSlope at = room_.ground()->at(x, y);
-  // As Plane::covered with the slope of the place: how fast ray and ground close in takes the normal's part
+  // As Plane::covered with the local slope: the closing rate takes the place of the normal component
   const float closing = std::max(at.slope_x * d[0] + at.slope_y * d[1] - d[2], 1e-3f);
   const float footprint_m = t * footprint, stretch = footprint_m / closing;
   const Covered<1> covered{{x * floor.u_per_m + floor.u_at_0},
@@ -276,7 +276,7 @@ int Picture::ground_gray(const Direction& d, float t, float footprint) const {
   return lit(static_cast<int>(static_cast<float>(sample(floor.texture, covered, 0)) * light), floor);
 }
 
-/// 256 times the grey that a ray sees, and what it meets.
+/// 256 times the gray level that a ray sees; sets `visible` to what it meets.
 inline int Picture::gray(float x, float y, float footprint, const TileView& view,
                          VisibleParts& visible) const {
   const Direction d = turned(x, y), inverse{1.0f / d[0], 1.0f / d[1], 1.0f / d[2]};
@@ -311,7 +311,7 @@ inline Hit Picture::leave_room(const Direction& d, const Direction& inverse) con
   return hit;
 }
 
-/// Of the boxes a ray enters before what it has hit so far, the nearest.
+/// Intersects the ray with the boxes and keeps the nearest hit.
 void Picture::enter_boxes(const Direction& d, const Direction& inverse, BoxBits boxes, Hit& hit) const {
   for (; boxes; boxes &= boxes - 1) {
     const int box = std::countr_zero(boxes);
@@ -332,8 +332,8 @@ void Picture::enter_boxes(const Direction& d, const Direction& inverse, BoxBits 
   }
 }
 
-/// The sheet is not a texture but worked out exactly, so that its corners are as sharp as the camera can see
-/// them.
+/// The sheet is rendered analytically instead of as a texture, so that its corners are as sharp as the camera
+/// can resolve.
 inline int Picture::with_sheet(int wall, const Direction& d, float footprint) const {
   const Sheet& s = room_.layout().sheet;
   const float per_d = 1.0f / d[0], t = inside_.max[0] * per_d, footprint_m = t * footprint;

@@ -1,4 +1,4 @@
-// What a camera in the room sees, free of noise.
+// Renders the noise-free image of a camera in the room.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,9 +9,9 @@
 
 namespace incognita {
 
-/// Casts the exact ray of every pixel; pixels without a ray are black, as is everything seen from outside the
-/// room or from under its ground. `world_from_camera` is a unit quaternion w,x,y,z. `out` gets the size of
-/// the table and keeps its memory.
+/// Casts the exact ray of every pixel. Pixels without a ray are black, as is the whole image outside the room
+/// or below its ground. `world_from_camera`: unit quaternion w,x,y,z. `out` is resized to the table and
+/// reuses its memory.
 void render(const Room& room, const RayTable& rays, const Eigen::Vector3d& position,
             const Eigen::Vector4d& world_from_camera, Image& out);
 

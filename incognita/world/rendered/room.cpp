@@ -9,7 +9,7 @@ namespace incognita {
 namespace {
 
 constexpr double wall_texel_m = 0.0045, floor_texel_m = 0.006, crate_texel_m = 0.004;
-constexpr double max_texels = 2400;  // along a side; larger rooms get coarser texels
+constexpr double max_texels = 2400;  // per side; larger rooms get coarser texels
 constexpr std::array<float, 6> wall_light{0.94f, 1.0f, 0.88f, 0.97f, 0.92f, 1.0f};
 constexpr std::array<float, 6> crate_light{1.0f, 0.9f, 0.94f, 0.84f, 0.5f, 1.08f};
 
@@ -17,7 +17,7 @@ double texel_size(const Box& box, double wanted_m) {
   return std::max(wanted_m, (box.max - box.min).maxCoeff() / max_texels);
 }
 
-/// Lays a texture over the whole of one side of a box. `mirrored` when its columns run against the axis.
+/// Maps a texture onto one side of a box. `mirrored`: its columns run against the axis.
 Surface lay(const Canvas& canvas, const Box& box, int axis, bool mirrored, float light) {
   const int across = axis == 0 ? 1 : 0, down = axis == 2 ? 1 : 2;
   Surface s;
@@ -32,13 +32,12 @@ Surface lay(const Canvas& canvas, const Box& box, int axis, bool mirrored, float
   return s;
 }
 
-/// Looking along +x and along -y, right is against the other axis: a texture has to be mirrored to be read
-/// there.
+/// Seen along +x and along -y, the in-plane axis points left, so the texture is mirrored to be read correctly.
 bool mirrored(int axis, bool looked_at_along_plus) {
   return axis == 0 ? looked_at_along_plus : axis == 1 && !looked_at_along_plus;
 }
 
-/// The sheet as the painter of the wall at +x sees it: y runs against the canvas, z down.
+/// The sheet on the canvas of the wall at +x: y runs against the columns, z against the rows.
 Area sheet_area(const RoomLayout& layout) {
   const Sheet& s = layout.sheet;
   const double left = layout.inside.max.y() - (s.y + s.width / 2);
@@ -46,7 +45,7 @@ Area sheet_area(const RoomLayout& layout) {
   return {left, top, left + s.width, top + s.height};
 }
 
-/// The shadow of every box on the floor around it.
+/// Paints the shadows of the boxes on the floor.
 void shade_floor(Canvas& floor, const RoomLayout& layout) {
   const Box& in = layout.inside;
   for (const Box& b : layout.boxes)
@@ -87,7 +86,7 @@ Surfaces paint_box(const Box& box, RandomStream& random) {
   return out;
 }
 
-/// Boxes stand as high over the ground at their middle as they would over a level floor.
+/// Raises each box by the ground height at its center.
 void lift_boxes(const Ground& ground, RoomLayout& layout) {
   for (Box& box : layout.boxes) {
     const Eigen::Vector3f middle = (0.5 * (box.min + box.max)).cast<float>();
@@ -97,7 +96,7 @@ void lift_boxes(const Ground& ground, RoomLayout& layout) {
   }
 }
 
-/// Walls and boxes go down below the ground, unpainted.
+/// Extends walls and boxes below the ground, without texture.
 void reach_below(const Ground& ground, RoomLayout& layout) {
   constexpr double below_m = 0.05;
   layout.inside.min.z() = ground.lowest_m() - below_m;

@@ -1,4 +1,4 @@
-// The rendered room as data: where things stand and what they look like.
+// The rendered room as data: its layout and its textures.
 #pragma once
 
 #include <array>
@@ -12,31 +12,29 @@
 
 namespace incognita {
 
-/// One axis-aligned flat surface. The texture is laid on it so that it reads the right way round from the
-/// front.
+/// One axis-aligned flat surface. Its texture is not mirrored when seen from the front.
 struct Surface {
   Texture texture;
-  /// Texels of a point: u = u_per_m * P[a] + u_at_0 and v likewise of P[b], where a, b are the two axes of
-  /// the surface in rising order.
+  /// Texel coordinates of a point P: u = u_per_m * P[a] + u_at_0 and v = v_per_m * P[b] + v_at_0, with a, b
+  /// the two in-plane axes in rising order.
   float u_per_m = 1, u_at_0 = 0, v_per_m = 1, v_at_0 = 0;
-  float light = 1;  ///< share of the light that reaches this side
+  float light = 1;  ///< fraction of the light that reaches this side
 };
 
-/// Six surfaces of a box, at [2 * axis + 1] the one at the upper end of that axis and at [2 * axis] the
-/// other.
+/// Six surfaces of a box: index 2 * axis + 1 is the upper end of the axis, 2 * axis the lower end.
 using Surfaces = std::array<Surface, 6>;
 
 class Room {
  public:
-  /// Builds and paints the room; takes a few tenths of a second. Throws like room_layout(), and like Ground
-  /// where its floor is uneven: walls and boxes then go down below its lowest place.
+  /// Builds and paints the room, which takes a few tenths of a second. Throws like room_layout(), and like
+  /// Ground if the floor is uneven; walls and boxes then extend below the lowest ground.
   Room(const RoomSettings& settings, std::uint64_t seed, const std::optional<Terrain>& terrain = {});
 
   const RoomLayout& layout() const { return layout_; }
-  /// Null where the floor is the plane z = 0; else painted as walls()[4] is, seen from above.
+  /// Null if the floor is the plane z = 0; otherwise textured as walls()[4], projected from above.
   const Ground* ground() const { return ground_ ? &*ground_ : nullptr; }
   const Surfaces& walls() const { return walls_; }
-  /// Of layout().boxes[i].
+  /// Surfaces of layout().boxes[i].
   const Surfaces& box_surfaces(std::size_t i) const { return boxes_[i]; }
 
  private:

@@ -8,7 +8,7 @@
 namespace incognita {
 namespace {
 
-constexpr std::uint8_t covered_gray = 8;  // a lens cap lets a little light through
+constexpr std::uint8_t covered_gray = 8;  // a lens cap transmits a little light
 
 }  // namespace
 

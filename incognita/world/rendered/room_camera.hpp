@@ -1,4 +1,4 @@
-// The camera in the rendered room.
+// Simulated camera in the rendered room.
 #pragma once
 
 #include <cstdint>
@@ -15,12 +15,12 @@ namespace incognita {
 
 class RoomCamera final : public Sensor {
  public:
-  /// The room is shared, as painting it takes longer than anything else.
+  /// The room is shared, since painting it is the most expensive part.
   RoomCamera(std::shared_ptr<const Room> room, const Camera& camera, const RoomSettings& settings,
              std::uint64_t seed);
 
-  /// The same seed and the same poses in the same order give the same bytes. Throws std::invalid_argument
-  /// without a true pose: there is nothing to render.
+  /// Deterministic: equal seeds and pose sequences give equal images. Throws std::invalid_argument without a
+  /// true pose.
   Observation measure(const std::optional<Truth>& truth, const Tick& tick) override;
 
  private:

@@ -10,10 +10,10 @@
 namespace incognita {
 namespace {
 
-constexpr int max_boxes = 24;            // the renderer keeps one bit per box
-constexpr double max_side_m = 50;        // beyond, textures would be coarser than a corner
-constexpr double gap_m = 0.25;           // between boxes, so that their silhouettes are apart
-constexpr double corridor_half_m = 1.0;  // kept free on both sides of the way from the start to the target
+constexpr int max_boxes = 24;            // the renderer uses one bit per box
+constexpr double max_side_m = 50;        // beyond, texels would be too coarse for corner detection
+constexpr double gap_m = 0.25;           // between boxes, so that their silhouettes are distinct
+constexpr double corridor_half_m = 1.0;  // free on both sides of the line from the start to the target
 constexpr int tries_per_box = 500;
 
 void need(bool ok, const char* what, double value) {
@@ -32,7 +32,7 @@ bool overlap_on_floor(const Box& a, const Box& b) {
   return a.min.x() < b.max.x() && b.min.x() < a.max.x() && a.min.y() < b.max.y() && b.min.y() < a.max.y();
 }
 
-/// Someone has to be able to look from the start at the target and to move about there.
+/// Keeps the line of sight from the start to the target free, with space to move.
 Box corridor(const RoomSettings& s, const Sheet& sheet) {
   const Eigen::Vector3d start = s.start_position_m;
   const double h = corridor_half_m;
@@ -40,7 +40,7 @@ Box corridor(const RoomSettings& s, const Sheet& sheet) {
           {std::max(start.x(), sheet.x), std::max(start.y(), sheet.y) + h, s.size_m.z()}};
 }
 
-/// A box with its back to one of the four walls.
+/// A box with its back to a random wall.
 Box box_along_wall(const RoomSettings& s, RandomStream& random) {
   const double width = random.uniform(0.35, 0.8), depth = random.uniform(0.3, 0.6);
   const double height = std::min(random.uniform(0.4, 1.5), s.size_m.z() - 0.5);

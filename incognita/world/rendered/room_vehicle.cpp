@@ -17,7 +17,7 @@ RoomVehicle::RoomVehicle(const TerrainVehicle& body, const Mount& mount, const P
                                 " m (room.clearance_m): start it elsewhere, or take another room.boxes");
 }
 
-/// It may turn where it stands, and leave what it stands too near to.
+/// Blocks motion towards an obstacle. The vehicle may still turn in place, and move away.
 void RoomVehicle::stop_at_obstacles(const SmallVector& before) {
   const double free_m = plan_.clearance_at(plant_.state().head<2>());
   held_up_ = free_m < radius_m_ && free_m < plan_.clearance_at(before.head<2>());

@@ -1,4 +1,4 @@
-// A vehicle on the uneven floor of the rendered room, that carries the camera: thesis Section 6.4.
+// Vehicle on the uneven floor of the rendered room, which carries the camera: thesis Section 6.4.
 #pragma once
 
 #include <cstdint>
@@ -13,16 +13,17 @@
 
 namespace incognita {
 
-/// Its input is the first of the command's `inputs`; none: it stands still. Where it would come nearer than
-/// its radius to a wall or a box its wheels turn and it stays where it is.
+/// Its input is the first of the command's `inputs`; without one it stands still. If it would come closer
+/// than its radius to a wall or a box, its wheels slip and it stays in position.
 class RoomVehicle final : public World {
  public:
-  /// `plant`: of the vehicle, a TerrainVehicle's. Throws std::invalid_argument where the vehicle starts
-  /// nearer than `radius_m` to a wall or a box, or where a number cannot be.
+  /// `plant`: of the vehicle, a TerrainVehicle. Throws std::invalid_argument if the vehicle starts closer
+  /// than `radius_m` to a wall or a box, or if a setting is invalid.
   RoomVehicle(const TerrainVehicle& body, const Mount& mount, const PlantSettings& plant,
               const RoomLayout& layout, double radius_m, std::uint64_t seed);
 
-  /// The camera's pose and speeds, its state being `vehicles[0]` and what the wheels did `inputs[0]`.
+  /// Returns the camera's pose and rates; `vehicles[0]` is the vehicle's state and `inputs[0]` its executed
+  /// wheel input.
   std::optional<Truth> move(const Command& command, const Tick& tick) override;
 
  private:
@@ -33,10 +34,10 @@ class RoomVehicle final : public World {
   FloorPlan plan_;
   double radius_m_;
   Plant plant_;
-  bool held_up_ = false;  ///< by an obstacle, in the tick before
+  bool held_up_ = false;  ///< blocked by an obstacle in the last tick
 };
 
-/// Its camera, its wheels' speed and turn rate, and how far it is to what stands around.
+/// Camera image, wheel speeds (speed and turn rate) and proximity ranges.
 class RoomVehicleSensor final : public Sensor {
  public:
   RoomVehicleSensor(RoomCamera camera, const RoomLayout& layout, const RangeRing& ring, std::uint64_t seed);

@@ -1,4 +1,4 @@
-// The rendered room as the loop sees it: a body that obeys commands, or an operator's hand.
+// The rendered room as a World: a camera body moved by commands or by an operator.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@ class RoomWorld final : public World {
             std::optional<OperatorActuator> actuator = {})
       : plant_(settings, layout, seed), actuator_(std::move(actuator)) {}
 
-  /// A tick without duration, as the first one is, changes nothing: it says where the camera starts.
+  /// A tick of zero duration, such as the first, only returns the start.
   std::optional<Truth> move(const Command& command, const Tick& tick) override {
     Command executed = command;
     if (actuator_ && last_t_) {
@@ -31,7 +31,7 @@ class RoomWorld final : public World {
  private:
   FreeCameraPlant plant_;
   std::optional<OperatorActuator> actuator_;
-  std::optional<double> last_t_;  ///< of the tick before: when the command was given
+  std::optional<double> last_t_;  ///< previous tick, when the command was given
 };
 
 }  // namespace incognita

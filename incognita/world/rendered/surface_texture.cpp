@@ -8,7 +8,7 @@
 namespace incognita {
 namespace {
 
-/// Roughness at every scale that a camera in the room can resolve.
+/// Roughness at all scales that a camera in the room can resolve.
 void add_grain(Canvas& canvas, RandomStream& random, double strength) {
   canvas.add_noise(random, 0.9, 1.2 * strength);
   canvas.add_noise(random, 0.31, strength);
@@ -17,7 +17,7 @@ void add_grain(Canvas& canvas, RandomStream& random, double strength) {
   canvas.add_noise(random, 0.013, 0.6 * strength);
 }
 
-/// Puts things of one size wherever there is still place for them.
+/// Places elements at random without overlap.
 class NonOverlappingPlacer {
  public:
   NonOverlappingPlacer(Canvas& canvas, RandomStream& random) : canvas_(canvas), random_(random) {}
@@ -47,7 +47,7 @@ class NonOverlappingPlacer {
     });
   }
 
-  /// Thin things on a wall throw a thin shadow.
+  /// Thin elements on a wall cast a thin shadow.
   void shadow(const TexturePatch& f) {
     const Area area{f.origin.x(), f.origin.y(), f.origin.x() + f.width_m, f.origin.y() + f.height_m};
     darken_around(canvas_, area, 0.35, 0.015);
@@ -59,12 +59,12 @@ class NonOverlappingPlacer {
   std::vector<Area> taken_;
 };
 
-/// How many tries fill an area as densely whatever its size.
+/// Number of tries that gives the same density for every area.
 int tries_for(const Canvas& canvas, double per_square_meter) {
   return static_cast<int>(per_square_meter * canvas.width_m() * canvas.height_m());
 }
 
-/// Boards of uneven width and length, lying along x.
+/// Boards of uneven width and length along x.
 void paint_boards(Canvas& canvas, RandomStream& random, double width_low_m, double width_high_m,
                   double gray_low, double gray_high) {
   for (double y = 0; y < canvas.height_m();) {
@@ -78,7 +78,7 @@ void paint_boards(Canvas& canvas, RandomStream& random, double width_low_m, doub
   }
 }
 
-/// Boards of books, one above the other.
+/// Shelves of books, one above the other.
 void draw_shelf(Canvas& canvas, RandomStream& random, const TexturePatch& shelf) {
   const int boards = std::max(1, static_cast<int>(shelf.height_m / 0.3));
   const double height = shelf.height_m / boards;
@@ -172,7 +172,7 @@ Canvas paint_crate(RandomStream& random, double width_m, double height_m, double
 void darken_edges(Canvas& canvas, double share, double reach_m) {
   const double w = canvas.width_m(), h = canvas.height_m();
   const auto dark =
-      [=](double distance_m) {  // gentle and of bounded reach, as no exponential per texel is needed
+      [=](double distance_m) {  // cubic falloff with bounded reach: avoids an exponential per texel
         const double near = std::max(0.0, 1 - distance_m / (3 * reach_m));
         return 1 - share * near * near * near;
       };

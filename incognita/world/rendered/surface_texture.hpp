@@ -1,5 +1,4 @@
-// What is painted on the surfaces of the rendered room: rich in corners of every size, and never twice the
-// same.
+// Surface textures of the rendered room: corners at all scales, without repetition.
 #pragma once
 
 #include <optional>
@@ -22,19 +21,19 @@ struct Area {
   }
 };
 
-/// A wall with posters, pages, shelves of books and notes on rough plaster. Nothing hangs on `keep_free`.
+/// Wall with posters, pages, bookshelves and notes on rough plaster. `keep_free` stays empty.
 Canvas paint_wall(RandomStream& random, double width_m, double height_m, double texel_m,
                   const std::optional<Area>& keep_free);
-/// Planks of uneven lengths, rugs and things that lie about.
+/// Planks of uneven lengths, rugs and scattered objects.
 Canvas paint_floor(RandomStream& random, double width_m, double depth_m, double texel_m);
 /// Uneven panels with lamps.
 Canvas paint_ceiling(RandomStream& random, double width_m, double depth_m, double texel_m);
-/// A crate's side: boards, labels, writing.
+/// Side of a crate: boards, labels, writing.
 Canvas paint_crate(RandomStream& random, double width_m, double height_m, double texel_m);
 
-/// Where two surfaces meet less light comes: darkens towards the edges of a canvas.
+/// Darkens the edges of a canvas, as where two surfaces meet.
 void darken_edges(Canvas& canvas, double share, double reach_m);
-/// The shadow that something standing or hanging there throws around itself.
+/// Shadow around an object that stands or hangs on the surface.
 void darken_around(Canvas& canvas, const Area& area, double share, double reach_m);
 
 }  // namespace incognita

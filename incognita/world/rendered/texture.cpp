@@ -3,7 +3,7 @@
 namespace incognita {
 namespace {
 
-/// Half the size, each texel the mean of four; an odd last row or column is counted twice.
+/// Downsampled by two, each texel the mean of four; an odd last row or column is counted twice.
 Image halved(const Image& fine) {
   Image coarse((fine.width() + 1) / 2, (fine.height() + 1) / 2);
   for (int v = 0; v < coarse.height(); ++v) {

@@ -1,4 +1,4 @@
-// A grey texture with a pyramid of halved copies, so that it can be sampled at any distance without aliasing.
+// Gray-level texture with a mipmap pyramid, for sampling at any distance without aliasing.
 #pragma once
 
 #include <algorithm>
@@ -19,15 +19,15 @@ class Texture {
   int width() const { return levels_[0].width; }
   int height() const { return levels_[0].height; }
 
-  /// 256 times the grey level at a point, averaged over about `footprint` texels. The point is given in 1/256
-  /// of a texel, the centre of the first one at 0,0. Points outside take the nearest edge's value.
+  /// 256 times the gray level at a point, averaged over about `footprint` texels. Coordinates are in 1/256
+  /// texel; the center of the first texel is 0,0. Points outside are clamped to the edge.
   int sample(int u, int v, float footprint) const {
     if (footprint <= 1.0f) return bilinear(0, u, v);
-    // log2 in 1/256, read off the float's exponent and mantissa: within 0.09 of the true one, and monotone
+    // log2 in 1/256 from the float's exponent and mantissa: error below 0.09, monotone
     const int log2_256 = static_cast<int>((std::bit_cast<std::uint32_t>(footprint) - 0x3f800000u) >> 15);
     const int level = log2_256 >> 8;
     if (level >= count_ - 1) return bilinear(count_ - 1, u, v);
-    // Between two levels both are mixed, but near to one of them that one is enough, and takes half the time.
+    // Blends two levels, except close to one of them, where one suffices at half the cost.
     const int weight = (log2_256 & 255) - 64;
     if (weight <= 0) return bilinear(level, u, v);
     if (weight >= 128) return bilinear(level + 1, u, v);
@@ -36,8 +36,8 @@ class Texture {
   }
 
  private:
-  /// Each number holds a texel (low byte) and the one below it (high byte), so that two numbers are all that
-  /// bilinear sampling reads. A texel is repeated at the right, so that it needs no test there.
+  /// Each number holds a texel (low byte) and the one below it (high byte), so that bilinear sampling reads
+  /// only two numbers. The last column is repeated, so that it needs no bounds check.
   struct Level {
     std::size_t offset = 0;
     int width = 0, height = 0;

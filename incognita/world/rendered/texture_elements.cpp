@@ -7,7 +7,7 @@
 namespace incognita {
 namespace {
 
-/// A grey that stands out from another one.
+/// A random gray level that contrasts with another one.
 double contrasting(RandomStream& random, double gray) {
   return gray > 128 ? random.uniform(12, gray - 70) : random.uniform(gray + 70, 245);
 }
@@ -21,7 +21,7 @@ void draw_triangle(Canvas& canvas, RandomStream& random, const Canvas::Point& ce
   canvas.polygon(corners, gray);
 }
 
-/// Four by five cells, each inked or not.
+/// A glyph of 4 x 5 cells, each inked or not.
 void draw_sign(Canvas& canvas, RandomStream& random, const TexturePatch& frame, double ink) {
   const double w = frame.width_m / 4, h = frame.height_m / 5;
   for (int row = 0; row < 5; ++row)

@@ -58,7 +58,7 @@ std::optional<Truth> RangeWorld::move(const Command&, const Tick& tick) {
   for (const RangeRecording& r : *recordings_) {
     std::optional<RigidPose>& pose = truth.poses.emplace_back();
     const auto reference = true_position(r, tick.t);
-    // One vehicle may have a GPS, which measures no heading; of a team each needs its own
+    // A single vehicle may have a GPS, which measures no heading; in a team each needs its heading
     if (!reference || (!reference->heading_rad && recordings_->size() > 1)) continue;
     const Eigen::Vector3d on_plane(reference->position.x(), reference->position.y(),
                                    reference->heading_rad.value_or(0));
@@ -90,7 +90,7 @@ BodyObservation RangeSensor::next(const RangeRecording& r, Progress& done, doubl
         to.push_back({d.identity, Eigen::Vector2d(d.range_m, d.bearing_rad)});
   };
   for (; done.scans < r.scans.size() && r.scans[done.scans].t <= t; ++done.scans) {
-    if (r.scans[done.scans].t < t) continue;  // from before the first tick
+    if (r.scans[done.scans].t < t) continue;  // before the first tick
     add(r.scans[done.scans].detections, view.landmarks);
     if (settings_.measures_vehicles) add(r.scans[done.scans].vehicles, view.vehicles);
   }

@@ -1,5 +1,4 @@
-// Recordings of vehicles that measure ranges and bearings, made on one clock, as the loop sees them: the clock, the
-// sensors and, where known, the truth.
+// Replay of range-bearing recordings with a common clock: clock, sensor and, where known, truth.
 #pragma once
 
 #include <memory>
@@ -10,11 +9,11 @@
 
 namespace incognita {
 
-/// One per vehicle. Vehicle i of a recording's `vehicles` detections is the i-th.
+/// One per vehicle; teammate detections refer to vehicles by their index here.
 using SharedRangeRecordings = std::shared_ptr<const std::vector<RangeRecording>>;
 
-/// A tick for each time at which any of them scanned, until `duration_s` have passed since the start: of one
-/// recording its first event of any kind, of several the time from which all have odometry.
+/// One tick per scan time of any recording, for `duration_s` from the start. The start is the first event of
+/// a single recording, and for several the first time at which all have odometry.
 class RangeClock final : public Clock {
  public:
   RangeClock(const SharedRangeRecordings& recordings, double duration_s);
@@ -26,8 +25,8 @@ class RangeClock final : public Clock {
   std::size_t done_ = 0;
 };
 
-/// The true pose of each vehicle, where it is known: interpolated between two poses at most half a second apart.
-/// Commands move nothing: what was recorded has happened.
+/// True pose of each vehicle where known, interpolated between two poses at most 0.5 s apart. Commands have
+/// no effect on a recording.
 class RangeWorld final : public World {
  public:
   explicit RangeWorld(SharedRangeRecordings recordings) : recordings_(std::move(recordings)) {}
@@ -37,16 +36,16 @@ class RangeWorld final : public World {
   SharedRangeRecordings recordings_;
 };
 
-/// Which position fixes of a recording the vehicle measures.
+/// Position fixes of a recording that the vehicle receives.
 enum class Fixes { none, first, all };
 
 struct RangeSensorSettings {
-  double max_range_m = 1e9;  ///< detections beyond are left out
+  double max_range_m = 1e9;  ///< detections beyond are dropped
   Fixes fixes = Fixes::none;
-  bool measures_vehicles = false;  ///< whether detections of other vehicles of the team are used
+  bool measures_vehicles = false;  ///< whether detections of teammates are used
 };
 
-/// At each tick the scans of its time, with the odometry and the fixes since the tick before.
+/// At each tick: the scans at its time, and the odometry and fixes since the last tick.
 class RangeSensor final : public Sensor {
  public:
   RangeSensor(SharedRangeRecordings recordings, const RangeSensorSettings& settings);
@@ -64,10 +63,10 @@ class RangeSensor final : public Sensor {
   std::vector<Progress> done_;
 };
 
-/// Time of the first event that the vehicle could know of, s: odometry, scan or fix.
+/// Time of the first event available to the vehicle, s: odometry, scan or fix.
 double start_time(const RangeRecording& recording);
 
-/// The true place at a time, interpolated; nothing where the truth has a hole.
+/// True position at a time, interpolated; empty within gaps of the truth.
 std::optional<RangeRecording::TimedPosition> true_position(const RangeRecording& recording, double t);
 
 }  // namespace incognita

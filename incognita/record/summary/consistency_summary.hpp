@@ -23,8 +23,8 @@ struct PoseConsistency {
 struct ConsistencyReport {
   Consistency verdict = Consistency::unknown;
   std::optional<MeanNormalizedSquare> nis;
-  /// Share of the associated measurements that fall outside their gate or are outliers with respect to the
-  /// other matches; their innovations are not part of NIS. Unset for fewer than ten measurements.
+  /// Share of outliers (outside the gate, or inconsistent with the other matches) among the associated
+  /// measurements; their innovations are not part of NIS. Unset for fewer than ten measurements.
   std::optional<double> outlier_share;
   /// For a team, a frame counts once, whether one robot is overconfident or all; NEES is the mean over all
   /// robots.

@@ -220,8 +220,7 @@ void step(benchmark::State& state) {
   report("kernel", c.kernels);
   state.counters["ratio"] = median(c.ratios);
   state.counters["over_kernel"] = median(c.over_kernels);
-  // Checks that the filter still works. A lap of 800 landmarks is 1.6 km, where linearization errors reach
-  // meters.
+  // Checks that the filter still works. A lap of 800 landmarks is 1.6 km, where linearization errors reach meters.
   state.counters["error_m"] = c.slam.error_m();
 }
 

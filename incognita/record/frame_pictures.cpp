@@ -32,8 +32,7 @@ struct Picture {
   cv::Mat canvas;
   double scale = 1;
 
-  /// Fixed-point picture coordinates. The center of image pixel (0,0) maps to the center of its enlarged
-  /// square.
+  /// Fixed-point picture coordinates. The center of image pixel (0,0) maps to the center of its enlarged square.
   cv::Point at(const Eigen::Vector2d& pixel) const {
     const Eigen::Vector2d p = (((pixel.array() + 0.5) * scale - 0.5) * (1 << subpixel_bits)).matrix();
     return {cvRound(std::clamp(p.x(), -1e6, 1e6)), cvRound(std::clamp(p.y(), -1e6, 1e6))};
@@ -79,8 +78,7 @@ void draw_label(Picture& picture, const SnapshotMatch& match) {
   const cv::Point position(picture.at(pixel).x / (1 << subpixel_bits) + 6,
                            picture.at(pixel).y / (1 << subpixel_bits) - 6);
   const std::string words = fmt::format("{}{}", match.anchor ? "A" : "", match.id);
-  picture.text(words, position + cv::Point(1, 1), 0.4,
-               {0, 0, 0});  // a shadow keeps the text readable on white
+  picture.text(words, position + cv::Point(1, 1), 0.4, {0, 0, 0});  // a shadow for readability on white
   picture.text(words, position, 0.4, color(match.outcome));
 }
 

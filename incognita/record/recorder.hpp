@@ -47,8 +47,7 @@ class Recorder {
   /// Throws RecordError, leaving nothing behind, if the folder cannot be created or written.
   Recorder(const std::filesystem::path& directory, const RunInfo& info);
 
-  /// Throws RecordError if a write fails; the caller then calls finish() with that reason. What was recorded
-  /// stays.
+  /// Throws RecordError if a write fails; the caller then calls finish() with that reason. What was recorded stays.
   void publish(const Snapshot& snapshot);
 
   /// Adds a field to summary.json. Throws std::invalid_argument for a name that its schema defines.
@@ -88,9 +87,8 @@ class Recorder {
   std::size_t candidates_ = 0;  ///< columns of actions.csv after t and chosen
   bool actions_opened_ = false, truth_opened_ = false;
   std::optional<bool> with_errors_;  ///< whether series.csv has error columns; set by the first snapshot
-  std::vector<std::vector<double>>
-      series_columns_;                 ///< t, state code, then the columns of series.csv, for the MAT
-  std::vector<SnapshotLandmark> map_;  ///< of the last snapshot
+  std::vector<std::vector<double>> series_columns_;  ///< for the MAT file: t, state, then series.csv
+  std::vector<SnapshotLandmark> map_;                ///< of the last snapshot
   std::optional<double> summary_t_s_, first_t_s_;
 };
 

@@ -1,5 +1,4 @@
-// Runs another program and waits for it. No shell is involved, so arguments are never interpreted as
-// commands.
+// Runs another program and waits for it. No shell is involved, so arguments are never interpreted as commands.
 #pragma once
 
 #include <filesystem>

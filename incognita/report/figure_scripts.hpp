@@ -11,8 +11,7 @@
 namespace incognita {
 
 /// Returns nullopt if the run has no data for the figure. Throws InputError if a table cannot be read.
-/// `alignment` is the one used for the comparison with the truth; with `sim3`, lengths of the estimate have
-/// no unit.
+/// `alignment` is the one used for the comparison with the truth; with `sim3`, lengths of the estimate have no unit.
 using FigureScript = std::optional<std::string> (*)(const std::filesystem::path& run_directory,
                                                     AlignmentKind alignment);
 

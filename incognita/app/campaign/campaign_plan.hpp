@@ -26,8 +26,7 @@ struct Variant {
   std::string name;  ///< "decision.strategy=none decision.step_m=0.2"; the scenario's name if nothing varies
   std::vector<Flag> flags;                    ///< what defines it, including the duration
   std::map<std::string, std::string> varied;  ///< key and value in TOML
-  /// Everything its runs depend on except the seed: all settings in force, in TOML, except those derived from
-  /// others.
+  /// Everything its runs depend on except the seed: all settings in force, in TOML, except those derived from others.
   std::map<std::string, std::string> settings;
   std::map<std::string, std::string> files;  ///< digests of small files that settings name, by key
 };
@@ -55,8 +54,7 @@ LoadedScenario load_run(const CampaignPlan& plan, const Variant& variant, std::i
 /// Digest of everything the runs depend on, and of their order.
 std::string digest_of(const CampaignPlan& plan);
 
-/// Parses "1..3,7" as 1 2 3 7. Throws InputError unless given as increasing ranges of integers without
-/// duplicates.
+/// Parses "1..3,7" as 1 2 3 7. Throws InputError unless given as increasing ranges of integers without duplicates.
 std::vector<std::int64_t> parse_seeds(const std::string& text);
 
 /// Splits at commas outside brackets and quotes: `[1, 2],[3, 4]` are two values. Throws InputError for an

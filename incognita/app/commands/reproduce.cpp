@@ -134,8 +134,7 @@ void report_outcomes(const Options& options, const std::vector<LedgerEntry>& ent
   if (skipped.size() < entries.size()) print_message("{}; see {}\n", counted(entries), page);
 }
 
-/// Entries of all experiments that did not fail. The ledger is written after each, so that it survives an
-/// early end.
+/// Entries of all experiments that did not fail. The ledger is written after each, so that it survives an early end.
 std::vector<LedgerEntry> run_all(const Options& options, const std::vector<const Experiment*>& experiments) {
   const ExperimentSettings settings{options.out, options.seeds,
                                     [](const std::string& line) { print_message("  {}\n", line); }};

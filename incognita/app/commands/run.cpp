@@ -41,8 +41,7 @@ struct Options {
 volatile std::sig_atomic_t interrupted = 0;
 void interrupt(int) { interrupted = 1; }
 
-/// A signal ends the loop after the current frame; files are closed and figures drawn, however often it is
-/// sent.
+/// A signal ends the loop after the current frame; files are closed and figures drawn, however often it is sent.
 void handle_signals() {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     if (std::signal(signal, interrupt) == SIG_IGN && signal == SIGHUP) std::signal(signal, SIG_IGN);  // nohup

@@ -1,5 +1,4 @@
-// Exclusive access to an output folder: for one run, one `reproduce`, one campaign, or the shards of one
-// campaign.
+// Exclusive access to an output folder: for one run, one `reproduce`, one campaign, or the shards of one campaign.
 #pragma once
 
 #include <cstddef>

@@ -99,8 +99,7 @@ std::unique_ptr<World> world_of(const Scenario& s, const std::vector<SimulatedVe
   return std::make_unique<CarriedCameraWorld>(std::move(carriers), seed);
 }
 
-/// Identities that a sensor provides; nullopt: all. Anchors are recognized like the fiducial points of
-/// Section 6.3.1.
+/// Identities that a sensor provides; nullopt: all. Anchors are recognized like the fiducial points of Section 6.3.1.
 std::optional<std::set<std::int64_t>> names_of(const TeamSettings& team) {
   if (team.association.method == "known") return std::nullopt;
   std::set<std::int64_t> named;

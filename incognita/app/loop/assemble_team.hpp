@@ -15,8 +15,7 @@ namespace incognita {
 struct TeamAssembly {
   TeamBoxes boxes;
   std::vector<std::string> notes;  ///< assumptions, for printing
-  /// True identity of each detection, tick by tick, for evaluation; null if the estimator gets the
-  /// identities.
+  /// True identity of each detection, tick by tick, for evaluation; null if the estimator gets the identities.
   std::shared_ptr<const AssociationTruth> association_truth = nullptr;
   Survey survey = {};                      ///< true landmarks if the map has their identities
   std::vector<std::string> warnings = {};  ///< likely problems of a recording

@@ -20,15 +20,11 @@ class AssociationScore {
   /// Adds a snapshot; `truth` must hold the same tick.
   void add(const Snapshot& snapshot);
 
-  std::int64_t right() const {
-    return right_;
-  }  ///< matches, without those of anchors, whose identity is known
+  std::int64_t right() const { return right_; }  ///< correct matches, without those of anchors
   std::int64_t wrong() const { return wrong_; }
   /// Detections of mapped landmarks that were not matched.
   std::int64_t missed() const { return missed_; }
-  int duplicate_landmarks() const {
-    return duplicate_landmarks_;
-  }  ///< initializations of already mapped landmarks
+  int duplicate_landmarks() const { return duplicate_landmarks_; }  ///< of mapped landmarks
 
  private:
   void add(const SnapshotMatch& match, std::int64_t truth, const std::set<std::int64_t>& mapped);

@@ -35,8 +35,7 @@ using TeamBoxes = BoxesOf<TeamEstimator, TeamDecision, TeamController>;
 using VehicleBoxes = BoxesOf<CameraEstimator, VehicleDecision, VehicleController>;
 
 /// Runs until the clock ends or `keep_going` returns false. Exceptions of the components and of `publish` are
-/// passed on. `watch`, if given, receives the estimate after each update with the trace of the changes to its
-/// belief.
+/// passed on. `watch`, if given, receives the estimate after each update with the trace of the changes to its belief.
 template <class SomeBoxes>
 void run_loop(SomeBoxes& boxes, const std::function<void(const Snapshot&)>& publish,
               const std::function<bool(const Tick&)>& keep_going,

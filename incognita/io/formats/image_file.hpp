@@ -23,8 +23,7 @@ struct ImageHeader {
   int width = 0, height = 0, channels = 1, bits = 8;  ///< bits per sample
 };
 
-/// The header of a PNG, JPEG, PGM or PPM file from its first bytes; nullopt for other formats or a truncated
-/// header.
+/// The header of a PNG, JPEG, PGM or PPM file from its first bytes; nullopt for other formats or a truncated header.
 std::optional<ImageHeader> image_header(std::string_view bytes);
 
 /// Why the bytes cannot be a complete image file, or null. Checked because decoders silently fill missing

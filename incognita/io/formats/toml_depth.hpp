@@ -1,5 +1,4 @@
-// Detects keys of very many parts, a.b.c.d...: the TOML library builds as many nested tables and overflows
-// the stack.
+// Detects keys of very many parts, a.b.c.d...: the TOML library builds as many nested tables and crashes.
 #pragma once
 
 #include <optional>

@@ -115,8 +115,7 @@ TomlError::TomlError(const std::string& file, int at_line, int at_column, const 
       reason(why) {}
 
 TomlTable parse_toml(std::string_view text, const std::string& file_name) {
-  constexpr std::size_t largest =
-      1 << 20;  // a scenario is a few kB; the reader's memory grows with its input
+  constexpr std::size_t largest = 1 << 20;  // scenarios have a few kB; memory grows with input
   if (text.size() > largest) {
     throw InputError(fmt::format("{}: {} bytes are too many for a TOML file, at most {}", file_name,
                                  text.size(), largest));

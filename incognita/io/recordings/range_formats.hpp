@@ -15,8 +15,7 @@ bool looks_like_acfr(const std::filesystem::path& folder);
 /// UTIAS MRCLAM: Barcodes.dat, RobotN_Odometry.dat, RobotN_Measurement.dat and, if present,
 /// RobotN_Groundtruth.dat and Landmark_Groundtruth.dat.
 RangeRecording read_mrclam(const std::filesystem::path& folder, int robot);
-/// All robots with an odometry file, in the order of their numbers, including their measurements of each
-/// other.
+/// All robots with an odometry file, in the order of their numbers, including their measurements of each other.
 std::vector<RangeRecording> read_mrclam_team(const std::filesystem::path& folder);
 bool looks_like_mrclam(const std::filesystem::path& folder);
 

@@ -10,8 +10,7 @@
 namespace incognita {
 
 /// `format` is `auto`, `acfr`, `mrclam` or `tables`, see docs/range-recordings.md; `robot` (1 to 5) selects a
-/// robot of `mrclam`. Throws InputError naming the file, the line or the variable and its index, and the
-/// remedy.
+/// robot of `mrclam`. Throws InputError naming the file, the line or the variable and its index, and the remedy.
 RangeRecording read_range_recording(const std::filesystem::path& folder, const std::string& format,
                                     int robot = 1);
 

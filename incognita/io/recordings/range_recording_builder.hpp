@@ -30,8 +30,7 @@ class RangeRecordingBuilder {
   void skip(const std::string& kind, const std::string& where);
   void note(std::string text) { recording_.notes.push_back(std::move(text)); }
 
-  /// Throws InputError beginning with `where` if there is no odometry or no scan, or if their times do not
-  /// overlap.
+  /// Throws InputError beginning with `where` if there is no odometry or no scan, or if their times do not overlap.
   RangeRecording finish(const std::string& where);
 
  private:

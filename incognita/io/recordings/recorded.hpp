@@ -26,8 +26,7 @@ class RecordedClock : public Clock {
 /// Returns image k at tick k.
 class RecordedSensor : public Sensor {
  public:
-  /// Reads the first image: throws InputError naming it, and both sizes if it does not have the camera's
-  /// size.
+  /// Reads the first image: throws InputError naming it, and both sizes if it does not have the camera's size.
   RecordedSensor(SharedRecording recording, int width_px, int height_px);
 
   /// Throws RecordError naming file and frame if an image is missing, damaged or of another size.

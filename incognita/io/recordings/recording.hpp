@@ -13,10 +13,9 @@
 namespace incognita {
 
 struct RecordedPose {
-  double t = 0;                       ///< s, on the clock of the images
-  Eigen::Vector3d position{0, 0, 0};  ///< m, in the world frame of the recording
-  Eigen::Vector4d world_from_camera{1, 0, 0,
-                                    0};  ///< w, x, y, z; of the optical axes unless a note says otherwise
+  double t = 0;                                   ///< s, on the clock of the images
+  Eigen::Vector3d position{0, 0, 0};              ///< m, in the world frame of the recording
+  Eigen::Vector4d world_from_camera{1, 0, 0, 0};  ///< w, x, y, z; optical axes unless noted
 };
 
 struct Recording {

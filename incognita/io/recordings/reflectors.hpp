@@ -19,8 +19,7 @@ struct ReflectorSettings {
 };
 
 /// Posts from right to left: groups of beams with positive intensity, at their mean range and mean bearing.
-/// Beams with non-finite range are ignored. Throws std::invalid_argument unless both spans have the same
-/// length.
+/// Beams with non-finite range are ignored. Throws std::invalid_argument unless both spans have the same length.
 std::vector<Detection> find_reflectors(std::span<const double> ranges_m, std::span<const double> intensities,
                                        const ReflectorSettings& settings = {});
 

@@ -86,8 +86,7 @@ void check_start(const Scenario& s, List& found) {
           {"decision.min_bound_m", "must, with decision.max_bound_m, leave team.positions_m inside"});
 }
 
-/// The operator perceives the pose in the room frame, goals are in the filter's frame: only a target aligns
-/// both.
+/// The operator perceives the pose in the room frame, goals are in the filter's frame: only a target aligns both.
 void check_held(const Scenario& s, List& found) {
   if (s.operator_settings.holds && s.run.world == "room" && s.start.from == StartSettings::From::free)
     found.push_back({"person.holds",

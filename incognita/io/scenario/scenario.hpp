@@ -14,8 +14,7 @@
 namespace incognita {
 
 struct RunSettings {
-  std::string world =
-      "room";  ///< `room` (rendered, closed loop), `points` (simulated landmarks) or `recording`
+  std::string world = "room";     ///< `room` (rendered, closed loop), `points` (simulated) or `recording`
   std::string sensor = "camera";  ///< `camera`, `range-bearing`; with `points` also e.g. `bearing`, `stereo`
   std::int64_t seed = 1;
   double duration_s = 60;     ///< upper limit; a recording may end earlier

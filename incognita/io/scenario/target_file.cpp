@@ -137,8 +137,7 @@ void check_geometry(const Target& target, const std::string& file, int line) {
     }
   }
   points.rowwise() -= points.colwise().mean().eval();
-  // Ascending eigenvalues: spread normal to the plane of the corners, within it, and along the longest
-  // extent.
+  // Ascending eigenvalues: spread normal to the plane of the corners, within it, and along the longest extent.
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> spread(points.transpose() * points);
   const double longest = spread.eigenvalues()[2];
   if (spread.eigenvalues()[1] < 1e-6 * longest)

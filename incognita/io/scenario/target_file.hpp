@@ -7,8 +7,7 @@
 //   position_m = [3.0, 0.21, 1.45]
 //   patch = "sheet-0.pgm"          # odd square centered at the corner; beside this file or under the data folder
 //
-// Without `axes`, all vectors are in world axes: x forward, y left, z up. SceneLib's (x, y, z) is (z, x, y)
-// there.
+// Without `axes`, all vectors are in world axes: x forward, y left, z up. SceneLib's (x, y, z) is (z, x, y) there.
 #pragma once
 
 #include <filesystem>
@@ -19,8 +18,7 @@
 
 namespace incognita {
 
-/// Patches are searched beside the file, then in `patch_folders`. Throws InputError naming file, line and
-/// key.
+/// Patches are searched beside the file, then in `patch_folders`. Throws InputError naming file, line and key.
 Target read_target(const std::filesystem::path& file,
                    const std::vector<std::filesystem::path>& patch_folders = {});
 

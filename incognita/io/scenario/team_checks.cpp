@@ -78,8 +78,7 @@ void check_association(const Scenario& s, List& found) {
                      "must be association.gate_probability or more: what is inside its gate is no new one"});
 }
 
-/// Checks the lengths of the gains of (5.1), the weights of (5.9) and the constant input against the motion
-/// model.
+/// Checks the lengths of the gains of (5.1), the weights of (5.9) and the constant input against the motion model.
 void check_gains(const Scenario& s, List& found) {
   const MotionTraits& motion = motion_traits_of(s.planar.vehicle.model);
   const std::size_t inputs = has_carried_camera(s) ? motion_traits<TerrainVehicle>.input.size()
@@ -135,8 +134,7 @@ void check_dimensions(const Scenario& s, List& found) {
         {"path.kind", "must be `point`, `way-points` or `file` with vehicle.model = `" + model + "`"});
 }
 
-/// A law that controls a position needs a control point off the axle, thesis (5.13): its inverse contains 1 /
-/// l.
+/// A law that controls a position needs a control point off the axle, thesis (5.13): its inverse contains 1 / l.
 void check_control_point(const Scenario& s, List& found) {
   constexpr double least_m = 0.01;
   const std::string& law = s.team.steer.law;
@@ -247,7 +245,7 @@ void check_in_room(const Scenario& s, List& found) {
         {"steer.law", "must be `active`, `none`, `tracking` or `feedback-linearisation` in the room"});
 }
 
-/// A vehicle needs room to brake between the avoidance distance and its body.
+/// The avoidance distance must leave a braking distance in front of the body.
 void check_obstacle_avoidance(const Scenario& s, List& found) {
   const double clear = s.team.steer.avoidance_distance_m;
   if (clear == 0) return;

@@ -86,8 +86,7 @@ struct SteerChoice {
   double gain_along_per_s = 1, gain_across_per_m2 = 4, gain_heading_per_m = 2;
   std::vector<double> weight_state{1}, weight_input{1};
   double max_speed_m_s = 1, max_turn_rate_rad_s = 1, max_steering_rad = 0.6;
-  double avoidance_distance_m =
-      0;  ///< in the rendered room: slow down and turn away from nearer obstacles; 0: off
+  double avoidance_distance_m = 0;  ///< rendered room: slow down and turn away from nearer obstacles; 0: off
 };
 
 struct PathChoice {

@@ -10,8 +10,7 @@
 
 namespace incognita {
 
-/// Whether vehicles are estimated in one team belief: with simulated point landmarks, or from a team
-/// recording.
+/// Whether vehicles are estimated in one team belief: with simulated point landmarks, or from a team recording.
 bool is_team(const Scenario& scenario);
 
 /// Whether a camera is carried by a vehicle that its filter does not model: thesis Section 6.4.

@@ -22,8 +22,7 @@ namespace {
 constexpr std::string_view mark = ".part-";
 constexpr std::chrono::minutes age_of_the_dead{1};  // writing such a file takes milliseconds
 
-/// A rename is durable only after the folder is synced; errors are ignored, as some file systems do not
-/// support it.
+/// A rename is durable only after the folder is synced; errors are ignored, as some file systems do not support it.
 void sync_folder(const fs::path& folder) {
   const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (descriptor < 0) return;

@@ -9,9 +9,8 @@
 namespace incognita {
 
 struct MatFile {
-  std::vector<std::pair<std::string, std::vector<double>>> columns;  ///< name and column vector
-  std::vector<std::pair<std::string, std::vector<std::string>>>
-      words;  ///< each a column cell array of that name
+  std::vector<std::pair<std::string, std::vector<double>>> columns;     ///< name and column vector
+  std::vector<std::pair<std::string, std::vector<std::string>>> words;  ///< name and column cell array
 };
 
 /// Writes a compressed level-5 MAT file. Characters that are not allowed in a variable name become `_`. The

@@ -23,8 +23,7 @@ class RowFile {
   bool is_open() const { return descriptor_ >= 0; }
   const std::filesystem::path& path() const { return path_; }
 
-  /// Adds a row, given without its line break, with run time t_s. Throws RecordError, as flush() and close()
-  /// do.
+  /// Adds a row, given without its line break, with run time t_s. Throws RecordError, as flush() and close() do.
   void append(std::string_view row, double t_s);
   /// Passes all rows to the operating system, so that they survive the end of the process.
   void flush();

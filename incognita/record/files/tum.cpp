@@ -104,8 +104,7 @@ StampedPose euroc_pose(const Line& line, std::span<const std::string_view> cells
 enum class Header { none, tum, euroc };
 
 /// The order of the named quaternion components decides: TUM's `# timestamp tx ty tz qx qy qz qw` has w last,
-/// EuRoC's `#timestamp [ns],p_RS_R_x [m],...,q_RS_w [],q_RS_x []...` has w first. Either may be separated by
-/// commas.
+/// EuRoC's `#timestamp [ns],p_RS_R_x [m],...,q_RS_w [],q_RS_x []...` has w first. Either may be separated by commas.
 Header header_of(std::string_view text) {
   const std::size_t first = text.find_first_not_of("# \t");
   if (first == std::string_view::npos || !text.substr(first).starts_with("timestamp")) return Header::none;

@@ -1,5 +1,4 @@
-// Writes an MCAP file, the container that robotics viewers open, such that it is valid at any time during the
-// run.
+// Writes an MCAP file, the container that robotics viewers open, such that it is valid at any time during the run.
 #pragma once
 
 #include <cstdint>

@@ -2,8 +2,7 @@
 //
 // A file consists of magic, header, data section, summary section, summary offsets, footer, magic. A record
 // is an opcode byte, the length of its content (8 bytes) and the content. Numbers are little-endian, strings
-// and lists are preceded by their length in bytes (4 bytes unless stated otherwise), times are in
-// nanoseconds.
+// and lists are preceded by their length in bytes (4 bytes unless stated otherwise), times are in nanoseconds.
 #pragma once
 
 #include <cstdint>

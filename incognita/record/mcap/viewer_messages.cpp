@@ -57,8 +57,7 @@ Json ball(const SnapshotLandmark& anchor) {
           {"color", color(1, 0.55, 0)}};
 }
 
-/// A resolution of 0.1 px is sufficient for display and needs a third of the digits. Origin: corner of pixel
-/// (0,0).
+/// A resolution of 0.1 px is sufficient for display and needs a third of the digits. Origin: corner of pixel (0,0).
 Json pixel(const Eigen::Vector2d& p) {
   const auto tenths = [](double x) { return std::round((std::clamp(x, -1e6, 1e6) + 0.5) * 10) / 10; };
   return {{"x", tenths(p.x())}, {"y", tenths(p.y())}};

@@ -83,8 +83,7 @@ struct Snapshot {
   SnapshotEntropy entropy{};
   SnapshotDecision decision;
   Command command;
-  std::vector<SnapshotVehicle>
-      vehicles;  ///< of a team; `camera`, `covariance` and `truth` are those of the first
+  std::vector<SnapshotVehicle> vehicles;  ///< of a team; the first equals `camera`, `covariance`, `truth`
   std::vector<std::pair<const char*, double>> timing_ms;  ///< stage -> ms, same order in every snapshot
 };
 

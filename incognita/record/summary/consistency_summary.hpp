@@ -26,8 +26,7 @@ struct ConsistencyReport {
   /// Share of outliers (outside the gate, or inconsistent with the other matches) among the associated
   /// measurements; their innovations are not part of NIS. Unset for fewer than ten measurements.
   std::optional<double> outlier_share;
-  /// For a team, a frame counts once, whether one robot is overconfident or all; NEES is the mean over all
-  /// robots.
+  /// For a team, a frame counts once, whether one robot is overconfident or all; NEES is the mean over all robots.
   PoseConsistency pose;
   std::vector<PoseConsistency> robots;  ///< of a team
   std::string symptom;                  ///< what was observed, in words; may be empty

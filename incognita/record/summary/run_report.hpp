@@ -15,13 +15,11 @@ namespace incognita {
 
 /// NaN if there is nothing to compare.
 struct BodyReport {
-  double path_length =
-      std::numeric_limits<double>::quiet_NaN();             ///< of the truth if known; m, or arbitrary units
-  double ate_m = std::numeric_limits<double>::quiet_NaN();  ///< rms, after alignment
-  double drift_percent =
-      std::numeric_limits<double>::quiet_NaN();  ///< final position error over true path length
-  std::int64_t compared_frames = 0;              ///< tracked frames with known truth
-  PoseConsistency consistency;                   ///< of a robot of a team
+  double path_length = std::numeric_limits<double>::quiet_NaN();    ///< true if known; m, or arbitrary units
+  double ate_m = std::numeric_limits<double>::quiet_NaN();          ///< rms, after alignment
+  double drift_percent = std::numeric_limits<double>::quiet_NaN();  ///< final position error over true path
+  std::int64_t compared_frames = 0;                                 ///< tracked frames with known truth
+  PoseConsistency consistency;                                      ///< of a robot of a team
 };
 
 struct RunReport {

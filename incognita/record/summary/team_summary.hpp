@@ -17,11 +17,10 @@ class TeamSummary {
  public:
   /// Means over the frames in which the vehicle's truth is known; NaN if there are none.
   struct Vehicle {
-    std::int64_t compared_frames;  ///< with a valid pose and truth
-    double ate_m;                  ///< rms distance of estimate and truth
-    double mean_nees;              ///< per degree of freedom
-    double from_path_median_m,
-        from_path_p95_m;  ///< true distance from where it was to be, over the last third
+    std::int64_t compared_frames;                ///< with a valid pose and truth
+    double ate_m;                                ///< rms distance of estimate and truth
+    double mean_nees;                            ///< per degree of freedom
+    double from_path_median_m, from_path_p95_m;  ///< true distance from the reference, last third of the run
   };
 
   TeamSummary(bool flies, const Eigen::Vector2d& steered_m) : flies_(flies), steered_m_(steered_m) {}

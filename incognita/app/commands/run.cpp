@@ -56,7 +56,7 @@ LoadedScenario load(const Options& options) {
   return load_scenario(options.scenario, options.sets, flags);
 }
 
-/// Reports changes of the tracking state on standard error.
+/// Reports loss and recovery of tracking, and the instructions to an operator, on standard error.
 class StateReporter {
  public:
   void report(const Snapshot& s) {

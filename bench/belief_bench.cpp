@@ -1,8 +1,7 @@
-// Belief::update against the least that any filter of its kind must do: Eigen's rank update of one triangle.
+// Compares Belief::update with its lower bound: Eigen's rank update of one triangle.
 //
-// What is compared runs in turns within one benchmark, so that whatever else the machine does hits both
-// alike, and medians are reported. `ratio` is ours over Eigen's; the library and this file are built with the
-// same flags.
+// The variants alternate within one benchmark, so that load changes of the machine affect both, and medians
+// are reported. `ratio` is the time of this library over Eigen's; both are built with the same flags.
 #include <benchmark/benchmark.h>
 
 #include <Eigen/Core>
@@ -32,7 +31,7 @@ Eigen::MatrixXd random_matrix(int rows, int columns) {
   return Eigen::MatrixXd::Zero(rows, columns).unaryExpr([](double x) { return normal(x); });
 }
 
-/// A camera that has seen every landmark of a map, and what it does next.
+/// A camera with a correlated map, its next motion and its next measurements.
 struct Scene {
   Belief belief;
   LinearizedMotion motion;
@@ -52,7 +51,7 @@ struct Scene {
     }
     motion = {camera, mean, BlockMatrix::Identity(camera_errors, camera_errors),
               1e-2 * BlockMatrix::Identity(camera_errors, camera_errors)};
-    for (int i = 0; i < measurement_count; ++i) {  // spread over the map from its first landmark to its last
+    for (int i = 0; i < measurement_count; ++i) {  // spread over the whole map
       LinearizedMeasurement measurement;
       measurement.add(camera, random_matrix(measurement_rows, camera_errors));
       measurement.add(landmarks[(landmarks.size() - 1) * i / (measurement_count - 1)],
@@ -64,7 +63,7 @@ struct Scene {
   }
 };
 
-/// Times that came in turns, and the counters made of them.
+/// Times of alternating runs, and the counters computed from them.
 struct Turns {
   std::vector<double> ours, eigen, ratio;
   void add(double t_ours, double t_eigen) {
@@ -79,7 +78,7 @@ struct Turns {
   }
 };
 
-/// What Eigen's rank update works on.
+/// Operands of Eigen's rank update.
 struct EigenUpdate {
   Eigen::MatrixXd P, W;
   explicit EigenUpdate(int n) : P(Eigen::MatrixXd::Identity(n, n)), W(1e-6 * random_matrix(n, rank)) {}
@@ -91,7 +90,7 @@ void update(benchmark::State& state) {
   EigenUpdate eigen(scene.belief.errors());
   Turns turns;
   std::vector<double> predictions;
-  scene.belief.update(scene.measurements);  // warm: allocates its workspace
+  scene.belief.update(scene.measurements);  // warm-up: allocates the workspace
   for (auto _ : state) {
     predictions.push_back(seconds([&] { scene.belief.predict(scene.motion); }));
     const double ours = seconds([&] {
@@ -105,7 +104,7 @@ void update(benchmark::State& state) {
   state.counters["predict_us"] = 1e6 * median(predictions);
 }
 
-/// The bare rank update on each path, and how far it is from the speed of memory.
+/// The rank update alone on each code path, compared with the memory bandwidth.
 void bare(benchmark::State& state, const RankUpdatePath& path) {
   const int n = static_cast<int>(state.range(0)), stride = round_up_to_panel(n) + 8;
   AlignedBuffer P(static_cast<std::size_t>(stride) * n), W(static_cast<std::size_t>(stride) * rank);
@@ -116,7 +115,7 @@ void bare(benchmark::State& state, const RankUpdatePath& path) {
   for (auto _ : state) {
     const double ours = seconds([&] { path.run(P.data(), stride, n, W.data(), rank); });
     turns.add(ours, seconds([&] { eigen(); }));
-    passes.push_back(seconds([&] {  // the least: read and write the triangle
+    passes.push_back(seconds([&] {  // lower bound: read and write the triangle
       for (int j = 0; j < n; ++j) {
         double* column = P.data() + static_cast<long>(j) * stride;
         for (int i = j; i < n; ++i) column[i] -= 1e-9;

@@ -1,6 +1,6 @@
-// What choosing the next move costs as the map grows: imagined looks scored a second, beside the thesis' way
-// (determinants of the whole covariance before and after) in the same run, and whole frames of camera SLAM in
-// which every action is scored.
+// Cost of the decision as a function of map size: evaluated actions per second, compared in the same run with
+// the method of the thesis (determinants of the whole covariance before and after), and complete frames of
+// camera SLAM in which every action is scored.
 #include <benchmark/benchmark.h>
 
 #include <Eigen/LU>
@@ -30,7 +30,7 @@ CameraSlamSettings twelve_looks() {
   return slam;
 }
 
-/// A camera in the middle of landmarks all around it, one in ten of which it has seen well, all correlated.
+/// A camera amid landmarks in all directions, all correlated, one in ten of them accurate.
 Estimate among(int landmarks) {
   Estimate e;
   CameraState x = CameraState::Zero();
@@ -59,8 +59,7 @@ Estimate among(int landmarks) {
   return e;
 }
 
-/// (log|P| - log|P after|) / 2 of the whole state: predict, update and two factorisations, as thesis 6.3.2
-/// did.
+/// (log|P| - log|P after|) / 2 of the whole state: predict, update and two factorizations, as in thesis 6.3.2.
 double by_determinants(const Eigen::MatrixXd& P, const ImaginedStep& step, const Belief& belief) {
   Eigen::MatrixXd moved = P;
   moved.topRows(12) = step.A * moved.topRows(12);
@@ -83,8 +82,8 @@ double by_determinants(const Eigen::MatrixXd& P, const ImaginedStep& step, const
                 after.partialPivLu().matrixLU().diagonal().array().abs().log().sum());
 }
 
-/// One action after another: imagine, expect, score; of so many landmarks, and others that nobody has seen,
-/// of which the thesis' way knows nothing.
+/// Predicts and scores action after action, with that many mapped landmarks and expected unmapped ones, which
+/// the method of the thesis does not consider.
 void evaluation(benchmark::State& state) {
   const Estimate e = among(static_cast<int>(state.range(0)));
   CameraExpectation expectation(WideAngleCamera{}, twelve_looks());
@@ -143,7 +142,7 @@ BENCHMARK(evaluation)
     ->Args({100, 50})
     ->Unit(benchmark::kMicrosecond);
 
-/// Sequences of so many actions, compared as look-ahead does.
+/// Sequences of that many actions, scored by look-ahead.
 void look_ahead(benchmark::State& state) {
   const Estimate e = among(100);
   CameraExpectation expectation(WideAngleCamera{}, twelve_looks());
@@ -157,10 +156,10 @@ void look_ahead(benchmark::State& state) {
 }
 BENCHMARK(look_ahead)->Arg(1)->Arg(2)->Arg(3)->Arg(4)->Unit(benchmark::kMillisecond);
 
-/// All that the loop does in a frame but see and write it down: camera SLAM, the scores of all actions, seven
-/// translations in every frame and three turns every 50 ms, the command, and what is told of them. The
-/// estimator runs in the rendered room, its map filled up with landmarks behind it; the decision looks at a
-/// map of the same size all around it, of which some two hundred would be in view.
+/// Everything the loop computes in a frame except rendering and file output: camera SLAM, scores of all
+/// actions (seven translations in every frame and three rotations every 50 ms), command and snapshot. The
+/// estimator runs in the rendered room, its map extended by landmarks behind the camera; the decision uses a
+/// map of the same size all around the camera, with some two hundred landmarks in view.
 void frame(benchmark::State& state) {
   const auto landmarks = static_cast<int>(state.range(0));
   const std::vector<std::string> sets{

@@ -1,10 +1,10 @@
-// EKF-SLAM on the plane with range, bearing and known association: what a step costs as the map grows.
+// Cost of a planar range-bearing EKF-SLAM step with known data association as a function of map size.
 //
-// A step is a prediction and an update with the ten nearest landmarks, linearisation and all. Beside it, in
-// turns so that the machine's swings hit both alike: `bare`, Eigen's rank update of one triangle of the same
-// size and rank, compiled with the same flags, and `kernel`, the library's own. `ratio` is a step over
-// `bare`. `growth` takes all sizes in turns and reports the exponents of N from 100 landmarks to 800;
-// `dropped` that of the filter whose map is kept block diagonal.
+// A step is a prediction and an update with the ten nearest landmarks, including linearization. It alternates
+// with `bare`, Eigen's rank update of one triangle of the same size and rank, compiled with the same flags,
+// and `kernel`, the library's own, so that load changes affect all alike. `ratio` is a step over `bare`.
+// `growth` alternates all sizes and reports the exponents of N from 100 to 800 landmarks; `dropped` does so
+// for a block-diagonal map covariance.
 #include <benchmark/benchmark.h>
 
 #include <Eigen/Core>
@@ -31,8 +31,8 @@ constexpr double step_m = 2, beside_m = 3;
 constexpr double sigma_range_m = 0.05, sigma_bearing_rad = 0.003;
 constexpr double sigma_speed_m_s = 0.05, sigma_turn_rad_s = 0.005;
 
-/// A vehicle that goes round and round a polygon, one side a second; beside each corner is a landmark, on the
-/// left and on the right in turns. After the first lap all is mapped and every lap is like any other.
+/// A vehicle on a regular polygon, one side per second; each corner has a landmark, alternately on the left
+/// and on the right. After the first lap all landmarks are mapped and all laps are equivalent.
 class World {
  public:
   explicit World(int landmarks) : u_(step_m, 2 * std::numbers::pi / landmarks) {
@@ -47,7 +47,7 @@ class World {
   static constexpr DifferentialDrive vehicle{};
   int landmarks() const { return static_cast<int>(points_.size()); }
   const planar::Pose<double>& pose(long step) const { return corners_[index(step)]; }
-  /// The i-th of those nearest to the vehicle: a corner's own, the four before, the five ahead.
+  /// The i-th landmark in view: that of the current corner, the four before or the five ahead.
   int seen(long step, int i) const { return static_cast<int>(index(step + landmarks() + i - 4)); }
 
   Eigen::Vector2d input() {
@@ -66,7 +66,7 @@ class World {
   RandomStream random_{3, "range and bearing"};
 };
 
-/// The filter, and what it is told at a step.
+/// The filter with the inputs of one step.
 class Slam {
  public:
   explicit Slam(int landmarks, MapCorrelations correlations = MapCorrelations::full)
@@ -88,7 +88,7 @@ class Slam {
     return (Eigen::Vector2d(belief_.mean(vehicle_).head<2>()) - world_.pose(step_).head<2>()).norm();
   }
 
-  /// What odometer and sensor say next: no part of the step.
+  /// Generates the next odometry and measurements; not part of the step's cost.
   void listen() {
     ++step_;
     u_ = world_.input();
@@ -159,7 +159,7 @@ class Slam {
   long step_ = 0;
 };
 
-/// A mapped world with so many landmarks, and rank updates as large as its steps.
+/// A mapped world with that many landmarks, and rank updates of the size of its steps.
 struct Contest {
   Slam slam;
   Eigen::MatrixXd P, W;
@@ -177,7 +177,7 @@ struct Contest {
     std::fill_n(packed.data(), static_cast<long>(slam.errors()) * rank, 1e-9);
   }
 
-  /// False when the update was refused.
+  /// False if the update was refused.
   bool turn() {
     slam.listen();
     UpdateReport report;
@@ -198,7 +198,7 @@ struct Contest {
   }
 };
 
-/// Made once and kept: a world is like any other only after its first lap.
+/// Kept between benchmarks, because steps are comparable only after the first lap.
 Contest& contest(int landmarks) {
   static std::map<int, Contest> all;
   return all.try_emplace(landmarks, landmarks).first->second;
@@ -220,11 +220,11 @@ void step(benchmark::State& state) {
   report("kernel", c.kernels);
   state.counters["ratio"] = median(c.ratios);
   state.counters["over_kernel"] = median(c.over_kernels);
-  // That it still maps. A lap of 800 landmarks is 1.6 km, where the filter's linearisation costs metres
+  // Checks that the filter still works. A lap of 800 landmarks is 1.6 km, where linearization errors reach meters.
   state.counters["error_m"] = c.slam.error_m();
 }
 
-/// Slope of the line through the points (log x, log y).
+/// Slope of the regression line through (log x, log y).
 double exponent(const std::vector<double>& x, const std::vector<double>& y) {
   const Eigen::ArrayXd a = Eigen::Map<const Eigen::ArrayXd>(x.data(), x.size()).log();
   const Eigen::ArrayXd b = Eigen::Map<const Eigen::ArrayXd>(y.data(), y.size()).log();
@@ -232,7 +232,7 @@ double exponent(const std::vector<double>& x, const std::vector<double>& y) {
 }
 
 void growth(benchmark::State& state) {
-  constexpr int steps_in_turn = 10;  // the caches are warm as in a run
+  constexpr int steps_in_turn = 10;  // keeps the caches warm as in a run
   const std::vector<double> sizes{100, 200, 400, 800};
   for (const double n : sizes) contest(static_cast<int>(n)).forget();
   for (auto _ : state)
@@ -250,7 +250,7 @@ void growth(benchmark::State& state) {
   state.counters["kernel_exponent"] = exponent(sizes, kernels);
 }
 
-/// The same steps with the map's correlations dropped: a map of any size costs in proportion to it.
+/// The same steps with a block-diagonal map covariance: the cost is linear in the map size.
 void dropped(benchmark::State& state) {
   const std::vector<double> sizes{100, 200, 400, 800, 1600};
   static std::map<int, Slam> all;

@@ -1,4 +1,4 @@
-// What run.mcap costs a frame: a camera of 30 Hz has 33 ms for everything.
+// Cost of run.mcap per frame: at 30 Hz a frame may take 33 ms in total.
 #include <benchmark/benchmark.h>
 #include <unistd.h>
 
@@ -12,7 +12,7 @@ using namespace incognita;
 
 namespace {
 
-/// Noise is what compresses worst, and what the room's camera has.
+/// Noise compresses worst, and images of the rendered room are noisy.
 std::shared_ptr<const Image> noisy_image() {
   auto image = std::make_shared<Image>(320, 240);
   RandomStream random(1, "record bench");
@@ -23,7 +23,7 @@ std::shared_ptr<const Image> noisy_image() {
   return image;
 }
 
-/// Twelve looks searched for, 45 landmarks, a picture in every other frame and a map in every thirtieth.
+/// Twelve searched features, 45 landmarks, an image in every other frame and a map in every thirtieth.
 void publish(benchmark::State& state) {
   const auto path = std::filesystem::temp_directory_path() / ("record_bench_" + std::to_string(::getpid()));
   Snapshot snapshot = testing::synthetic_snapshot({}, 450);

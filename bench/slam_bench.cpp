@@ -1,6 +1,6 @@
-// What a frame of camera SLAM costs as the map grows, at the settings that SceneLib runs with: ten
-// measurements a frame, no advice. The camera stands before the target of the rendered room; landmarks beyond
-// those it sees stand behind it, correlated with it and with one another, as in a long walk.
+// Cost of a camera SLAM frame as a function of map size with SceneLib's settings: ten measurements per frame,
+// no decision. The camera stands before the target of the rendered room; further landmarks lie behind it,
+// correlated with it and with each other, as after a long trajectory.
 #include <benchmark/benchmark.h>
 
 #include <map>
@@ -43,7 +43,7 @@ void add_unseen(Estimate& estimate, int count) {
   }
 }
 
-/// A map of so many landmarks, settled.
+/// A converged map with that many landmarks.
 Standing standing(int landmarks) {
   const std::vector<std::string> sets{
       "room.sigma_acceleration_m_s2=0", "room.sigma_angular_acceleration_rad_s2=0",

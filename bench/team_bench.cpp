@@ -1,11 +1,11 @@
-// A team of robots in one belief: what a tick costs, and how that grows with what is seen, with the map and
-// with the team.
+// Cost of a tick of a robot team in one belief, as a function of the number of measurements, the map size and
+// the team size.
 //
-// Robots go round in groups of four, on circles so small that each sees the other three all the time, and of
-// a place of points those within its scanner's range. All points are mapped. A tick is the estimator's:
-// predict every robot, linearise and gate every sighting, one joint update. Beside it, in turns so that the
-// machine's swings hit both alike, Eigen's rank update of one triangle of the same size and rank, compiled
-// with the same flags: `ratio` is a tick over that. Stages are in ms by the clock on the wall.
+// Robots move in groups of four on circles so small that each always sees the other three, and the point
+// landmarks within its scanner's range. All landmarks are mapped. A tick is that of the estimator: predict
+// all robots, linearize and gate all detections, one joint update. It alternates with Eigen's rank update of
+// one triangle of the same size and rank, compiled with the same flags, so that load changes affect both
+// alike: `ratio` is a tick over that. Stages are in ms of wall-clock time.
 #include <benchmark/benchmark.h>
 
 #include <Eigen/Core>
@@ -42,7 +42,7 @@ PointLandmarks drawn_landmarks(int landmarks) {
   return place;
 }
 
-/// Groups stand on a grid over the place, the four of each around its centre.
+/// Groups form a grid over the landmarks; the four robots of each are placed around its center.
 std::vector<SimulatedVehicle> drawn_team(int robots, int landmarks) {
   const int groups = (robots + group - 1) / group,
             across = static_cast<int>(std::ceil(std::sqrt(double(groups))));
@@ -72,7 +72,7 @@ TeamSettings filter_of(const std::vector<SimulatedVehicle>& team) {
   return settings;
 }
 
-/// A team that has mapped its place: at the first tick the first robot sees all of it.
+/// A team with a complete map: at the first tick, the first robot sees all landmarks.
 class Team {
  public:
   Team(int robots, int landmarks, double range_m)
@@ -92,7 +92,7 @@ class Team {
     update();
   }
 
-  /// What the robots do and see next: no part of a tick's cost.
+  /// Generates the next motion and measurements; not part of a tick's cost.
   void listen() {
     tick_ = clock_.next();
     truth_ = world_.move(command_, tick_);
@@ -103,7 +103,7 @@ class Team {
   const TeamEstimate& estimate() const { return estimate_; }
   const Belief& belief() const { return std::get<Belief>(estimate_.belief.form()); }
   const Observation& seen() const { return seen_; }
-  /// What was seen last, linearised about the present means, robot by robot.
+  /// The last measurements, linearized at the current means, grouped by robot.
   std::vector<std::vector<LinearizedMeasurement>> measurements() const {
     std::vector<std::vector<LinearizedMeasurement>> all(seen_.bodies.size());
     const auto add = [&](std::size_t robot, bool of_vehicle, const PointDetection& s) {
@@ -140,7 +140,7 @@ class Team {
   Observation seen_;
 };
 
-/// Eigen's rank update of one triangle of the size of a team's covariance.
+/// Eigen's rank update of one triangle of the size of the team covariance.
 struct Bare {
   Eigen::MatrixXd P, W;
   explicit Bare(int errors) : P(Eigen::MatrixXd::Identity(errors, errors)) {}
@@ -150,7 +150,7 @@ struct Bare {
   }
 };
 
-/// How much each robot sees.
+/// Detections per robot and tick.
 struct Sights {
   double landmarks = 0, others = 0, ticks = 0;
   void add(const Observation& observation) {
@@ -171,7 +171,7 @@ double p99(std::vector<double> times) {
   return times[times.size() * 99 / 100];
 }
 
-/// Robots, landmarks, range in metres.
+/// Arguments: robots, landmarks, range in meters.
 Team team_of(const benchmark::State& state) {
   return {static_cast<int>(state.range(0)), static_cast<int>(state.range(1)),
           static_cast<double>(state.range(2))};
@@ -203,10 +203,10 @@ void tick(benchmark::State& state) {
   state.counters["wall_ms"] = 1e3 * median(wall);
   state.counters["wall_p99"] = 1e3 * p99(wall);
   state.counters["ratio"] = median(ratios);
-  state.counters["error_m"] = team.error_m();  // that it still knows where all are
+  state.counters["error_m"] = team.error_m();  // checks that the filter still works
 }
 
-/// The update as the textbook has it, on dense matrices: (A.2.5), (A.2.6).
+/// The textbook update on dense matrices: (A.2.5), (A.2.6).
 struct Textbook {
   Eigen::MatrixXd P;
   void update(const Belief& layout, const std::vector<LinearizedMeasurement>& measurements) {
@@ -227,7 +227,8 @@ struct Textbook {
   }
 };
 
-/// The same looks used at once, robot by robot and look by look, and by the textbook: `ours` is the first.
+/// The same measurements in one joint update (`ours`), one update per robot, one per measurement, and the
+/// textbook form.
 void ways(benchmark::State& state) {
   Team team = team_of(state);
   team.listen();
@@ -253,7 +254,7 @@ void ways(benchmark::State& state) {
   for (const auto& [name, times] :
        {std::pair{"at_once", &ours}, {"by_robot", &robots}, {"by_look", &measurements}, {"textbook", &dense}})
     state.counters[name] = 1e3 * median(*times);
-  // That all did the same
+  // All variants must agree.
   const Eigen::MatrixXd P = at_once.dense_covariance();
   const auto apart = [&](const Eigen::MatrixXd& other) {
     return (P - other).cwiseAbs().maxCoeff() / P.maxCoeff();
@@ -263,7 +264,7 @@ void ways(benchmark::State& state) {
 }
 
 BENCHMARK(tick)->Args({20, 500, 8})->UseManualTime()->Iterations(300)->Unit(benchmark::kMillisecond);
-// With what is seen, with the map, with the team
+// Variation of the number of measurements, of the map size and of the team size.
 BENCHMARK(tick)
     ->Args({20, 500, 2})
     ->Args({20, 500, 4})

@@ -1,4 +1,4 @@
-// Times taken in turns inside one benchmark, so that the machine's swings hit all alike.
+// Timers for benchmarks that interleave the variants, so that load changes of the machine affect all alike.
 #pragma once
 
 #include <algorithm>
@@ -6,7 +6,7 @@
 #include <ctime>
 #include <vector>
 
-/// Of the clock on the wall, s.
+/// Wall-clock time, s.
 template <class Work>
 double seconds(const Work& work) {
   const auto start = std::chrono::steady_clock::now();
@@ -14,7 +14,7 @@ double seconds(const Work& work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// Of the processor, s: what other programs take is not in it.
+/// Processor time, s: excludes other programs.
 template <class Work>
 double processor_seconds(const Work& work) {
   const std::clock_t start = std::clock();
@@ -22,7 +22,7 @@ double processor_seconds(const Work& work) {
   return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
-/// The upper one of an even number.
+/// The median; the upper one for an even number of values.
 inline double median(std::vector<double> values) {
   std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
   return values[values.size() / 2];

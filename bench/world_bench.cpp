@@ -1,5 +1,4 @@
-// How fast the rendered room is: a frame at 30 Hz has 33 ms for everything, and the camera should take few of
-// them.
+// Cost of rendering: at 30 Hz a frame may take 33 ms in total, of which rendering should use little.
 #include <benchmark/benchmark.h>
 
 #include "incognita/models/heading.hpp"
@@ -16,7 +15,7 @@ const std::shared_ptr<const Room>& room() {
   return shared;
 }
 
-/// One whole look, noise and all, while the camera turns once around in the middle of the room.
+/// One complete image with noise, while the camera turns once around in the middle of the room.
 void measure(benchmark::State& state) {
   RoomCamera camera(room(), WideAngleCamera{.kd1 = 9e-6}, RoomSettings{}, 1);
   Truth truth;

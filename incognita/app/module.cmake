@@ -1,5 +1,5 @@
 find_package(CLI11 REQUIRED)
-# The loop and its wiring: what experiments and tests drive without a command line
+# The loop and its assembly, used by experiments and tests without a command line
 incognita_module(app FOLDERS app/loop WITHOUT app/loop/scenario_run.cpp
                  USES incognita::slam incognita::decision incognita::control incognita::world incognita::record
                       incognita::io PRIVATE_USES fmt::fmt)
@@ -16,5 +16,5 @@ target_compile_definitions(incognita_program PRIVATE INCOGNITA_VERSION="${PROJEC
 target_link_libraries(incognita_program PRIVATE incognita::app incognita::pictures incognita::report
                       incognita_app_config incognita_app_folder_lock incognita::evaluate incognita_app_reproduce incognita_app_observe
                       CLI11::CLI11 fmt::fmt
-                      incognita::experiments)  # made later, in experiments/
+                      incognita::experiments)  # defined later, in experiments/
 include(app/commands/campaign.cmake)

@@ -18,8 +18,8 @@
 namespace incognita {
 namespace {
 
-constexpr int min_picture_width_px = 640;  // smaller images are enlarged: thin lines need room
-constexpr int band_height_px = 40;         // for the text, below the image
+constexpr int min_picture_width_px = 640;  // smaller images are enlarged to fit thin lines
+constexpr int band_height_px = 40;         // text band below the image
 constexpr int subpixel_bits = 4;
 
 cv::Scalar color(MatchOutcome outcome) {
@@ -32,7 +32,7 @@ struct Picture {
   cv::Mat canvas;
   double scale = 1;
 
-  /// In fractions of a picture pixel. The centre of image pixel (0,0) is the centre of the square it becomes.
+  /// Fixed-point picture coordinates. The center of image pixel (0,0) maps to the center of its enlarged square.
   cv::Point at(const Eigen::Vector2d& pixel) const {
     const Eigen::Vector2d p = (((pixel.array() + 0.5) * scale - 0.5) * (1 << subpixel_bits)).matrix();
     return {cvRound(std::clamp(p.x(), -1e6, 1e6)), cvRound(std::clamp(p.y(), -1e6, 1e6))};
@@ -78,7 +78,7 @@ void draw_label(Picture& picture, const SnapshotMatch& match) {
   const cv::Point position(picture.at(pixel).x / (1 << subpixel_bits) + 6,
                            picture.at(pixel).y / (1 << subpixel_bits) - 6);
   const std::string words = fmt::format("{}{}", match.anchor ? "A" : "", match.id);
-  picture.text(words, position + cv::Point(1, 1), 0.4, {0, 0, 0});  // a shadow, to be read on white walls too
+  picture.text(words, position + cv::Point(1, 1), 0.4, {0, 0, 0});  // a shadow for readability on white
   picture.text(words, position, 0.4, color(match.outcome));
 }
 

@@ -1,4 +1,4 @@
-// What the program saw and thought, drawn on each frame, for people.
+// Draws the measurements and the decision of each frame onto its image, for visual inspection.
 #pragma once
 
 #include <filesystem>
@@ -7,16 +7,16 @@
 
 namespace incognita {
 
-/// Writes `frames/frame-000123.png` in a run directory: the image, and on it each look's 3-sigma search
-/// ellipse in the colour of its outcome (green matched, red not found, magenta inconsistent, grey not tried;
-/// thin when its depth is not known yet), the matched patch as a square, its id, and below the tracking state
-/// and the action in force. Frames without an image give no picture.
+/// Writes `frames/frame-000123.png` in a run directory: the image with the 3-sigma search ellipse of each
+/// feature match in the color of its outcome (see outcome_color(); thin while the depth is not converged),
+/// the matched patch as a square, its id, and below the image the tracking state and the current action.
+/// Frames without an image are skipped.
 class FramePictures {
  public:
-  /// Throws RecordError when the folder cannot be made.
+  /// Throws RecordError if the folder cannot be created.
   FramePictures(const std::filesystem::path& run_directory, int patch_size_px);
 
-  /// Throws RecordError when the picture cannot be written; no half file is left.
+  /// Throws RecordError if the picture cannot be written; no partial file is left.
   void publish(const Snapshot& snapshot);
 
  private:

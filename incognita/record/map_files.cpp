@@ -13,7 +13,7 @@
 namespace incognita {
 namespace {
 
-/// 80 for a landmark known to a metre or worse, 230 for one known to a centimetre or better.
+/// 80 for sigma of 1 m or more, 230 for 1 cm or less (sigma: root of the covariance trace).
 int gray(const SnapshotLandmark& landmark) {
   const double sigma_m = std::sqrt(std::max(landmark.covariance.trace(), 1e-12));
   return static_cast<int>(std::clamp(80 - 75 * std::log10(sigma_m), 80.0, 230.0));

@@ -1,4 +1,4 @@
-// The map at the end of a run, as a table and as a point cloud.
+// The final map of a run as a table and as a point cloud.
 #pragma once
 
 #include <filesystem>
@@ -9,14 +9,14 @@
 
 namespace incognita {
 
-/// `id,kind,x,y,z,pxx,pxy,pxz,pyy,pyz,pzz,sightings`. Throws RecordError, leaving no half file; so does the
-/// next.
+/// Columns `id,kind,x,y,z,pxx,pxy,pxz,pyy,pyz,pzz,sightings` (m, m^2). All writers here throw RecordError and
+/// leave no partial file.
 void write_map_csv(const std::filesystem::path& path, const std::vector<SnapshotLandmark>& landmarks);
 
-/// `id,x,y,z` of surveyed landmarks; throws likewise.
+/// Columns `id,x,y,z` (m) of the surveyed landmarks.
 void write_survey_csv(const std::filesystem::path& path, const std::vector<SurveyedLandmark>& landmarks);
 
-/// ASCII PLY: landmarks grey, the lighter the better known; anchors orange.
+/// ASCII PLY: landmarks gray, lighter for a smaller covariance; anchors orange.
 void write_map_ply(const std::filesystem::path& path, const std::vector<SnapshotLandmark>& landmarks);
 
 }  // namespace incognita

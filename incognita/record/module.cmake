@@ -10,6 +10,6 @@ incognita_module(record FOLDERS record record/files record/snapshot record/summa
                  PRIVATE_USES Boost::headers fmt::fmt nlohmann_json::nlohmann_json opencv_core opencv_imgcodecs
                               PkgConfig::MATIO)
 
-# Apart, because only a program that draws pictures should need OpenCV's drawing
+# A separate target, because only programs that draw pictures should link OpenCV imgproc
 incognita_module(pictures SOURCES record/frame_pictures.cpp USES incognita::record
                  PRIVATE_USES fmt::fmt opencv_core opencv_imgproc opencv_imgcodecs)

@@ -33,7 +33,7 @@ std::string matches_header_of(const RunInfo& info) {
 std::string match_row(double t, const SnapshotMatch& match, const RunInfo& info) {
   std::string row;
   append_number(row, t);
-  // vehicles are counted from 1 where people read them
+  // Vehicles are numbered from 1 in files.
   row += fmt::format(",{},{}", match.of_vehicle ? match.id + 1 : match.id, kind(match));
   const Eigen::Vector2d sigma = match.innovation_cov.diagonal().cwiseMax(0).cwiseSqrt();
   const Eigen::Vector2d measured = match.measured.value_or(Eigen::Vector2d(unknown, unknown));
@@ -153,8 +153,7 @@ void Recorder::write_matches(const Snapshot& snapshot) {
 void Recorder::refresh_summary(double t_s) {
   if (!first_t_s_) first_t_s_ = t_s;
   if (!summary_t_s_) summary_t_s_ = t_s;
-  // a summary looks at the whole run: the longer that is, the rarer, so that it never costs more than a
-  // glance
+  // A summary costs time proportional to the length of the run, so its interval grows with that length.
   if (t_s - *summary_t_s_ < std::max(1.0, 0.02 * (t_s - *first_t_s_))) return;
   summary_t_s_ = t_s;
   summary_file_->overwrite(summary_.json(RunStatus::interrupted, cut_short));

@@ -1,4 +1,4 @@
-// The run directory, written while the loop runs.
+// Writes the run directory during the run.
 #pragma once
 
 #include <filesystem>
@@ -18,51 +18,48 @@
 
 namespace incognita {
 
-/// What summary.json ends up saying.
+/// Final content of summary.json.
 struct RunOutcome {
   RunStatus status = RunStatus::done;
   std::string reason;
-  RunReport report = {};  ///< what it achieved; status and reason as here
+  RunReport report = {};  ///< the results; status and reason as above
 };
 
-/// Writes a run directory. Its files:
+/// Writes a run directory with these files:
 ///
-/// - effective.toml: the settings in force, as the caller gives them.
-/// - estimate.tum, truth.tum: `t x y z qx qy qz qw`, world_from_camera. No estimate row while starting or
-/// lost: a
-///   pose that is not known is not written. No truth.tum where the truth is unknown.
-/// - covariance.csv: t and the 6x6 covariance of each row of estimate.tum, row-major, order x y z rotX rotY
-/// rotZ:
-///   position in the world (m), rotation as the right error in camera axes (rad), q_true = q * exp(rot/2).
+/// - effective.toml: the settings in force, as passed by the caller.
+/// - estimate.tum, truth.tum: `t x y z qx qy qz qw`, world_from_camera. estimate.tum has no row while
+///   starting or lost. There is no truth.tum if the truth is unknown.
+/// - covariance.csv: t and the row-major 6x6 covariance of each row of estimate.tum, order x y z rotX rotY
+///   rotZ: position in the world (m), rotation as right error in camera axes (rad), q_true = q * exp(rot/2).
 /// - series.csv: see series_columns(). actions.csv: a row per decision, scores in nats. looks.csv: every
-/// look.
-/// - of a team: see TeamTables.
-/// - timings.csv: milliseconds per stage; alone, with series.mat and summary.json, in differing from run to
-/// run.
+///   feature match.
+/// - for a team: see TeamTables.
+/// - timings.csv: milliseconds per stage.
 /// - run.mcap: the snapshots, for replay and for viewers; see SnapshotLog.
-/// - map.csv, map.ply, series.mat, surveyed.csv where landmarks are surveyed: at the end. summary.json: at
-/// once, brought up to date about once per second.
+/// - map.csv, map.ply, series.mat, and surveyed.csv if landmarks are surveyed: at the end. summary.json:
+///   created at the start and updated about once per second.
 ///
-/// Same snapshots, same bytes, in all but those three. An earlier run in the same folder is removed first.
+/// The same snapshots give the same bytes in all files but timings.csv, series.mat and summary.json. An
+/// earlier run in the same folder is removed first.
 class Recorder {
  public:
-  /// Throws RecordError, with nothing left behind, when the folder cannot be made or written to.
+  /// Throws RecordError, leaving nothing behind, if the folder cannot be created or written.
   Recorder(const std::filesystem::path& directory, const RunInfo& info);
 
-  /// Throws RecordError when the disk refuses; call finish() then with that reason: all that was recorded
-  /// stays.
+  /// Throws RecordError if a write fails; the caller then calls finish() with that reason. What was recorded stays.
   void publish(const Snapshot& snapshot);
 
-  /// Adds a field to summary.json. Throws std::invalid_argument for a name that the contract has.
+  /// Adds a field to summary.json. Throws std::invalid_argument for a name that its schema defines.
   void note(const std::string& key, SummaryValue value) { summary_.note(key, std::move(value)); }
-  /// What the filter can and cannot know, for summary.json.
+  /// Adds the observability report to summary.json.
   void note(const ObservabilityReport& report) { summary_.note(report); }
 
   const std::filesystem::path& path() const { return directory_.path(); }
 
-  /// Writes what comes last, then lets `finishing` add to the directory (figures; it returns warnings and
-  /// throws RecordError), then closes summary.json. What cannot be written is left out, and makes the run
-  /// `failed`. Throws RecordError only when summary.json itself is refused.
+  /// Writes the final files, then lets `finishing` add to the directory (figures; it returns warnings and
+  /// throws RecordError), then completes summary.json. A file that cannot be written is left out and makes
+  /// the run `failed`. Throws RecordError only if summary.json itself cannot be written.
   using Finishing = std::function<std::vector<std::string>(const std::filesystem::path& directory)>;
   RunOutcome finish(RunStatus status, const std::string& reason, const Finishing& finishing = {});
 
@@ -89,10 +86,9 @@ class Recorder {
 
   std::size_t candidates_ = 0;  ///< columns of actions.csv after t and chosen
   bool actions_opened_ = false, truth_opened_ = false;
-  std::optional<bool> with_errors_;  ///< whether series.csv has columns of errors; the first snapshot tells
-  std::vector<std::vector<double>>
-      series_columns_;                 ///< t, state code, then the columns of series.csv, for the MAT
-  std::vector<SnapshotLandmark> map_;  ///< of the last snapshot
+  std::optional<bool> with_errors_;  ///< whether series.csv has error columns; set by the first snapshot
+  std::vector<std::vector<double>> series_columns_;  ///< for the MAT file: t, state, then series.csv
+  std::vector<SnapshotLandmark> map_;                ///< of the last snapshot
   std::optional<double> summary_t_s_, first_t_s_;
 };
 

@@ -16,7 +16,7 @@ constexpr std::array run_files{"effective.toml", "summary.json", "estimate.tum",
                                "series.csv",     "looks.csv",    "timings.csv",  "series.mat",
                                "run.mcap",       "vehicles.csv", "surveyed.csv"};
 
-/// prefix, so many digits or more, suffix
+/// Whether the name is prefix, `digits` or more digits, suffix.
 bool is_numbered(std::string_view name, std::string_view prefix, std::string_view suffix,
                  std::size_t digits) {
   if (!name.starts_with(prefix) || !name.ends_with(suffix)) return false;
@@ -25,10 +25,10 @@ bool is_numbered(std::string_view name, std::string_view prefix, std::string_vie
   return number.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
-/// frame-000123.png, as FramePictures names them
+/// frame-000123.png, see FramePictures.
 bool is_frame_picture(std::string_view name) { return is_numbered(name, "frame-", ".png", 6); }
 
-/// Of the second vehicle of a team on, as TeamTables names them
+/// Files from a team's second vehicle on, see TeamTables.
 bool is_of_vehicle(std::string_view name) {
   return is_numbered(name, "estimate-", ".tum", 1) || is_numbered(name, "truth-", ".tum", 1) ||
          is_numbered(name, "covariance-", ".csv", 1);
@@ -54,7 +54,7 @@ RunDirectory::RunDirectory(fs::path path) : path_(fs::absolute(path).lexically_n
     remove_empty(created_);
     throw RecordError(write_failure(path_, error.value()));
   }
-  try {  // before anything of an earlier run is touched
+  try {  // before any file of an earlier run is removed
     write_whole_file(file(".incognita-probe"), "can this folder be written to?\n");
   } catch (const RecordError&) {
     remove_empty(created_);
@@ -72,7 +72,7 @@ void RunDirectory::remove_run_files() noexcept {
       fs::remove(file("figures") / (std::string(figure) + suffix), ignored);
   remove_where(file("frames"), is_frame_picture);
   remove_where(path_, is_of_vehicle);
-  for (const char* folder : {"figures", "frames"}) fs::remove(file(folder), ignored);  // where empty
+  for (const char* folder : {"figures", "frames"}) fs::remove(file(folder), ignored);  // only if empty
 }
 
 void RunDirectory::discard() noexcept {

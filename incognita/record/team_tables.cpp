@@ -28,13 +28,13 @@ std::string vehicles_header(const RunInfo& info) {
   return header;
 }
 
-/// Of a vehicle the way its x axis points, of a camera that of its view.
+/// Heading of a vehicle's x axis or of a camera's optical axis, rad.
 double heading(const StampedPose& pose, bool camera) {
   const Eigen::Vector3d ahead = rotation_matrix<double>(pose.orientation).col(camera ? 2 : 0);
   return std::atan2(ahead.y(), ahead.x());
 }
 
-/// x, y, z, heading.
+/// x, y, z (m), heading (rad).
 Eigen::Vector4d four(const StampedPose& pose, bool camera) {
   return {pose.position.x(), pose.position.y(), pose.position.z(), heading(pose, camera)};
 }
@@ -46,7 +46,7 @@ Eigen::Vector4d two_sigmas(const SnapshotVehicle& v) {
   return 2 * variances.cwiseMax(0).cwiseSqrt();
 }
 
-/// A path's heading grows on through pi; here it is told as the others are.
+/// The reference with its heading wrapped like the others; that of a path grows beyond pi.
 Eigen::Vector4d reference_of(const SnapshotVehicle& v) {
   if (!v.reference) return Eigen::Vector4d::Constant(unknown);
   Eigen::Vector4d reference = *v.reference;

@@ -1,4 +1,4 @@
-// What a run directory holds of the vehicles of a team.
+// The files of a team's vehicles in a run directory.
 #pragma once
 
 #include <deque>
@@ -12,12 +12,10 @@
 
 namespace incognita {
 
-/// - vehicles.csv: a row per tick and vehicle, counted from 1: where it is believed, really is and was to be,
-/// and
-///   what it is asked to do. Headings (rad) are about z from +x, a camera's those of its view.
-/// - estimate-2.tum, truth-2.tum, covariance-2.csv and so on: of the second vehicle on, as estimate.tum,
-/// truth.tum
-///   and covariance.csv are of the first.
+/// - vehicles.csv: a row per tick and vehicle (counted from 1): estimated pose, true pose, reference and
+///   input. Headings (rad) are about z from +x, for a camera those of its optical axis.
+/// - estimate-2.tum, truth-2.tum, covariance-2.csv, ...: from the second vehicle on, in the format of
+///   estimate.tum, truth.tum and covariance.csv, which hold the first.
 class TeamTables {
  public:
   /// Throws RecordError.
@@ -42,7 +40,7 @@ class TeamTables {
   std::deque<Poses> others_;  ///< from the second vehicle on
 };
 
-/// "estimate-2.tum" of "estimate.tum" for the second vehicle; the first has the plain name.
+/// "estimate-2.tum" for "estimate.tum" and the second vehicle; the first keeps the plain name.
 std::string name_for_vehicle(const std::string& file, std::size_t vehicle);
 
 }  // namespace incognita

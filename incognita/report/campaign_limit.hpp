@@ -1,7 +1,7 @@
-// Success as a measure: whether a run ended done and on the right side of a stated limit.
+// Success as a measure: whether a run was completed on the required side of a stated limit.
 //
-// A mean error over the runs that are done rewards a variant for losing its hard seeds. A success has a value
-// for every run that ended, a run that failed being none, so that nothing is selected by its outcome.
+// A mean error over completed runs favors a variant that fails on hard seeds. Success is defined for every
+// run that ended (a failed run counts as 0), so it has no selection bias.
 #pragma once
 
 #include <optional>
@@ -19,18 +19,18 @@ struct LimitMeasure {
   double limit = 0;
 };
 
-/// Nothing for a name without `.below:` or `.above:`. Throws InputError where no number follows, and for
-/// `failed`, which is a share already.
+/// Parses a name with `.below:` or `.above:`; nullopt for other names. Throws InputError if no number
+/// follows, and for `failed`, which is already a share.
 std::optional<LimitMeasure> limit_measure(const std::string& name);
 
-/// Those among the names, in their order.
+/// The limit measures among the names, in their order.
 std::vector<LimitMeasure> limit_measures(const std::vector<std::string>& names);
 
-/// The names of summary.json's own behind the wanted ones.
+/// The names with limit measures replaced by the measures of summary.json they refer to.
 std::vector<std::string> base_names(const std::vector<std::string>& names);
 
-/// 1 for a success, else 0. A run that is done without a value, as of what never happened in it, is none;
-/// where no run of the campaign has one (`known_to_any`), nothing was measured, and it is NaN.
+/// 1 for a success, else 0. A completed run without a value (e.g. of an event that did not happen) is no
+/// success; NaN if no run of the campaign has a value (`known_to_any`), as nothing was measured.
 double success(const LimitMeasure& measure, bool done, const Measures& measures, bool known_to_any);
 
 }  // namespace incognita

@@ -24,7 +24,7 @@ std::string below(const std::string& name, const std::string& part) {
   return name.empty() ? part : fmt::format("{}.{}", name, part);
 }
 
-/// Numbers of the consistency verdict that stand under names of their own as well, and its bands.
+/// Numbers of the consistency verdict that are also measures of their own, and the bands.
 bool repeats_another(const std::string& name) {
   for (const char* repeated : {"consistency.nis", "consistency.nis_band", "consistency.nees",
                                "consistency.nees_band", "consistency.overconfident_frames"})

@@ -21,7 +21,7 @@ std::vector<std::string> names_of(const Campaign& campaign, Measures RunMeasures
   return names;
 }
 
-/// By seed; NaN where there is no value, or none to trust: a run that failed measured something else.
+/// Values by seed; NaN if missing, or if the run failed and its value is therefore not comparable.
 using BySeed = std::map<std::int64_t, double>;
 
 BySeed values_of(const CampaignVariant& variant, const std::string& measure) {
@@ -85,7 +85,7 @@ MeasureStatistics statistics_of(const std::string& measure, const BySeed& values
   return s;
 }
 
-/// Of values that are 0 or 1.
+/// Statistics of a measure whose values are 0 or 1.
 MeasureStatistics share_statistics_of(const std::string& measure, const BySeed& values,
                                       const BySeed& reference, const VariantStatistics& variant) {
   MeasureStatistics s = statistics_of(measure, values, reference, variant);

@@ -1,5 +1,4 @@
-// Many runs of several variants, as statistics: each variant by itself, and against the baseline seed by
-// seed.
+// Monte Carlo statistics of a campaign: per variant, and paired by seed with the baseline.
 #pragma once
 
 #include <cstddef>
@@ -16,16 +15,16 @@ namespace incognita {
 
 struct CampaignRun {
   std::int64_t seed = 0;
-  bool done = false;   ///< else it failed: lost, refused, crashed
+  bool done = false;   ///< else it failed: lost, refused or crashed
   std::string reason;  ///< why it failed
   double seconds = 0;
-  RunMeasures measured;  ///< empty of a run that crashed
+  RunMeasures measured;  ///< empty for a run that crashed
 };
 
 struct CampaignVariant {
   std::string name;
   std::vector<std::pair<std::string, std::string>> varied;  ///< key and value in TOML
-  std::vector<CampaignRun> runs;                            ///< those that ended, by rising seed, none twice
+  std::vector<CampaignRun> runs;  ///< runs that ended, by increasing seed, without duplicates
 };
 
 struct Campaign {
@@ -37,34 +36,33 @@ struct Campaign {
 
 struct MeasureStatistics {
   std::string measure;
-  std::size_t n = 0;        ///< runs that have a value, that is, are done; of `failed` and successes all
-  std::size_t ended = 0;    ///< runs of the variant that ended, done or failed
-  double share_failed = 0;  ///< of them; NaN when none ended
-  Interval mean;  ///< by Student's t; of `failed` and successes, which are shares, by Wilson's score
+  std::size_t n = 0;        ///< completed runs with a value; all that ended for `failed` and successes
+  std::size_t ended = 0;    ///< runs of the variant that ended, completed or failed
+  double share_failed = 0;  ///< among `ended`; NaN if none ended
+  Interval mean;            ///< Student's t interval; Wilson score for shares (`failed`, successes)
   double median = 0;
-  /// Against the baseline, over the seeds on which both have a value.
+  /// Difference to the baseline over the seeds for which both have a value.
   PairedComparison versus_baseline;
-  std::size_t pairs_left_out = 0;  ///< seeds that ended in both and have no value in one of them
+  std::size_t pairs_left_out = 0;  ///< seeds ended in both, but without a value in one
 };
 
 struct VariantStatistics {
   std::size_t runs = 0, done = 0, failed = 0, missing = 0;
-  /// Of every measure that any run of the campaign has, in one order for all variants. The first is `failed`:
-  /// 1 for a run that failed and 0 for one that is done, over all that ended. The last are the successes.
+  /// All measures of all runs in the campaign, in the same order for each variant. The first is `failed` (1
+  /// for a failed run, 0 for a completed one, over all that ended), the last are the successes.
   std::vector<MeasureStatistics> measures;
 };
 
-/// One entry per variant. Depends on nothing but the runs: neither on their order nor on how they were
-/// spread.
+/// One entry per variant. Depends on the runs only, not on their order or distribution over processes.
 std::vector<VariantStatistics> statistics_of(const Campaign& campaign,
                                              const std::vector<LimitMeasure>& limits = {});
 
-/// Names of all measures, in the order in which variants and seeds first have them.
+/// Names of all measures, in order of first occurrence over variants and seeds.
 std::vector<std::string> measure_names(const Campaign& campaign);
-/// The same of timings.
+/// Names of all timings, in the same order.
 std::vector<std::string> timing_names(const Campaign& campaign);
 
-/// NaN when there is none of that name.
+/// The value of that name, else NaN.
 double value_of(const Measures& measures, const std::string& name);
 
 }  // namespace incognita

@@ -16,14 +16,14 @@ using Json = nlohmann::ordered_json;
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-/// The word as a cell that begins a row.
+/// The word as the first cell of a row.
 std::string first_cell(const std::string& word) {
   std::string row;
   append_cell(row, word);
   return row.substr(1);
 }
 
-/// What is not bounded is not known.
+/// An unbounded value is written as unknown.
 double finite(double value) { return std::isfinite(value) ? value : unknown; }
 
 void append_count(std::string& row, std::size_t count) { row += fmt::format(",{}", count); }

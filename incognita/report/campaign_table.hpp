@@ -1,4 +1,4 @@
-// The tables of a campaign, for programs and for people.
+// The tables of a campaign, machine-readable and as text.
 #pragma once
 
 #include <string>
@@ -8,22 +8,22 @@
 
 namespace incognita {
 
-/// A row per run that ended: variant, seed, status, reason, and every measure; `nan` where there is no value.
+/// A row per run that ended: variant, seed, status, reason and every measure; `nan` for a missing value.
 std::string runs_csv(const Campaign& campaign);
 
-/// A row per run that ended: variant, seed, seconds, and how long each stage of a frame took. Alone of these
-/// tables in being another when the runs are repeated.
+/// A row per run that ended: variant, seed, seconds and the time of each stage. The only table that is not
+/// reproducible.
 std::string timings_csv(const Campaign& campaign);
 
-/// A row per variant and measure of the list.
+/// A row per variant and listed measure.
 std::string table_csv(const Campaign& campaign, const std::vector<VariantStatistics>& statistics,
                       const std::vector<std::string>& measures);
 
-/// docs/schemas/campaign.schema.json
+/// The document of docs/schemas/campaign.schema.json.
 std::string campaign_json(const Campaign& campaign, const std::vector<VariantStatistics>& statistics,
                           const std::vector<std::string>& measures);
 
-/// To be read on a terminal.
+/// The table for a terminal.
 std::string table_text(const Campaign& campaign, const std::vector<VariantStatistics>& statistics,
                        const std::vector<std::string>& measures);
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t max_output_bytes = 64 * 1024;
 
-/// Reads to the end, keeps the beginning.
+/// Reads to the end, but keeps only the beginning.
 std::string drain(int descriptor) {
   std::string output;
   char buffer[4096];
@@ -49,7 +49,7 @@ std::optional<ChildResult> run_child(const std::vector<std::string>& arguments,
   std::vector<char*> argv;
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
   argv.push_back(nullptr);
-  // A process group of its own: Ctrl-C at the terminal is for whoever waits for the child, not for the child
+  // Own process group: Ctrl-C at the terminal should reach the waiting program, not the child.
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);

@@ -1,4 +1,4 @@
-// Runs another program and waits for it. No shell is involved, so no argument is ever taken for a command.
+// Runs another program and waits for it. No shell is involved, so arguments are never interpreted as commands.
 #pragma once
 
 #include <filesystem>
@@ -9,11 +9,11 @@
 namespace incognita {
 
 struct ChildResult {
-  int exit_code = 0;   ///< 128 + signal when one ended it
-  std::string output;  ///< standard output and error, its first 64 KiB
+  int exit_code = 0;   ///< 128 + signal if it was killed by one
+  std::string output;  ///< standard output and error, the first 64 KiB
 };
 
-/// `arguments` begins with the program, looked for in PATH. Nothing when there is no such program.
+/// Runs `arguments[0]`, searched in PATH, in `folder`. nullopt if there is no such program.
 std::optional<ChildResult> run_child(const std::vector<std::string>& arguments,
                                      const std::filesystem::path& folder);
 

@@ -1,4 +1,4 @@
-// A table of a run directory, read back by column name.
+// Reads a table of a run directory by column name.
 #pragma once
 
 #include <filesystem>
@@ -11,15 +11,14 @@ namespace incognita {
 
 struct CsvTable {
   std::vector<std::string> columns;
-  std::vector<std::vector<std::string>> rows;  ///< each as long as `columns`
+  std::vector<std::vector<std::string>> rows;  ///< each with as many cells as `columns`
 
   std::optional<std::size_t> find(std::string_view column) const;
-  /// NaN where a cell is not a number. Throws InputError when there is no such column.
+  /// The cells of a column, NaN where a cell is not a number. Throws InputError if the column does not exist.
   std::vector<double> numbers(std::string_view column) const;
 };
 
-/// Commas between, quotes as in RFC 4180, one line a row. Throws InputError naming file, line and what is
-/// wrong.
+/// Comma-separated, quoted as in RFC 4180, one row per line. Throws InputError naming file, line and problem.
 CsvTable read_csv(const std::filesystem::path& path);
 
 }  // namespace incognita

@@ -1,5 +1,5 @@
-// What every experiment of the laboratory is: a function from where to write and how many runs to make, to an
-// entry of the claims ledger. One short file per example of the thesis.
+// An experiment of the laboratory: a function from an output folder and a number of runs to an entry of the
+// claims ledger. Each example of the thesis has one.
 #pragma once
 
 #include <filesystem>
@@ -12,21 +12,21 @@
 namespace incognita {
 
 struct ExperimentSettings {
-  std::filesystem::path out;                     ///< folder for figures and their data; exists
-  int seeds = 200;                               ///< independent runs behind each claim about chance
-  std::function<void(const std::string&)> tell;  ///< progress, a line at a time; may be empty
+  std::filesystem::path out;                     ///< existing folder for figures and their data
+  int seeds = 200;                               ///< independent runs for each statistical claim
+  std::function<void(const std::string&)> tell;  ///< receives progress lines; may be empty
 };
 
 struct Experiment {
-  std::string id;  ///< `3.1`, or `text-3` for claims made outside examples
+  std::string id;  ///< `3.1`, or `text-3` for claims outside of examples
   std::string title;
-  std::vector<std::string> figures;  ///< ids of the figures it draws, e.g. `fig-3.4`
+  std::vector<std::string> figures;  ///< ids of its figures, e.g. `fig-3.4`
   LedgerEntry (*run)(const ExperimentSettings& settings);
-  /// Takes so long that tests run it with few seeds and compare all but what depends on how many.
+  /// Tests run a costly experiment with few seeds and skip the claims that depend on their number.
   bool costly = false;
 };
 
-/// All of them, in the thesis' order.
+/// All experiments in the order of the thesis.
 const std::vector<Experiment>& all_experiments();
 
 }  // namespace incognita

@@ -32,7 +32,7 @@ double quantile(std::vector<double> values, double share) {
   return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
 }
 
-/// `set xrange` of a table's times; a run of one frame still has a width.
+/// `set xrange` for the times of a table, with a positive width even for a single frame.
 std::string time_range(const CsvTable& table) {
   const auto t = finite(table.numbers("t"));
   if (t.empty()) return "";
@@ -40,7 +40,7 @@ std::string time_range(const CsvTable& table) {
   return fmt::format("set xrange [{}:{}]\n", *first, std::max(*last, *first + 1e-3));
 }
 
-/// The rows of a TUM file; none where there is no file, or no pose in it.
+/// The rows of a TUM file; empty if the file is missing or contains no pose.
 Trajectory poses_if_any(const fs::path& path) {
   if (!fs::exists(path)) return {};
   try {
@@ -63,14 +63,14 @@ struct Box {
   bool empty() const { return low[0] > high[0]; }
 };
 
-/// A step in time beyond which the path is not joined up: there, no pose was known.
+/// A path is interrupted at time steps longer than this, because no pose was known there.
 double longest_step_s(const Trajectory& path) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < path.size(); ++i) steps.push_back(path[i].t - path[i - 1].t);
   return steps.empty() ? 1.0 : 5 * quantile(steps, 0.5);
 }
 
-/// The truth in the frame, and the unit, of the estimate; empty where the two cannot be aligned.
+/// The truth in frame and unit of the estimate; empty if the two cannot be aligned.
 Trajectory truth_on_estimate(const Trajectory& truth, const Trajectory& estimate, AlignmentKind kind) {
   if (truth.empty() || kind == AlignmentKind::none) return truth;
   constexpr double same_frame_s = 1e-6;
@@ -80,7 +80,7 @@ Trajectory truth_on_estimate(const Trajectory& truth, const Trajectory& estimate
                          -1 / a->scale * (a->rotation.transpose() * a->translation)});
 }
 
-/// "$name << EOD", x and y of each pose.
+/// Data block "$name << EOD" with x and y of each pose.
 std::string path_block(const std::string& name, const Trajectory& path) {
   std::string block = fmt::format("${} << EOD\n", name);
   for (const StampedPose& pose : path) block += fmt::format("{},{}\n", pose.position.x(), pose.position.y());
@@ -100,8 +100,7 @@ std::vector<Eigen::Vector2d> surveyed_places(const fs::path& run_directory) {
   return places;
 }
 
-/// What the map figure must show: paths, anchors, surveyed landmarks, and landmarks that are known to be
-/// somewhere.
+/// Bounds of the map figure: paths, anchors, surveyed landmarks, and landmarks of usual accuracy.
 Box map_box(const CsvTable& map, const Trajectory& estimate, const Trajectory& truth,
             const std::vector<Eigen::Vector2d>& surveyed) {
   Box box;
@@ -111,7 +110,7 @@ Box map_box(const CsvTable& map, const Trajectory& estimate, const Trajectory& t
   const auto x = map.numbers("x"), y = map.numbers("y"), pxx = map.numbers("pxx"), pyy = map.numbers("pyy");
   std::vector<double> sigmas;
   for (std::size_t i = 0; i < x.size(); ++i) sigmas.push_back(std::sqrt(std::max(0.0, pxx[i] + pyy[i])));
-  const double usual = 5 * quantile(sigmas, 0.5) + 0.1;  // the few that are known far worse may stick out
+  const double usual = 5 * quantile(sigmas, 0.5) + 0.1;  // a few far less accurate ones may be cut off
   for (std::size_t i = 0; i < x.size(); ++i) {
     if (sigmas[i] > usual) continue;
     box.include(x[i] - 2 * std::sqrt(std::max(0.0, pxx[i])), y[i] - 2 * std::sqrt(std::max(0.0, pyy[i])));
@@ -120,7 +119,7 @@ Box map_box(const CsvTable& map, const Trajectory& estimate, const Trajectory& t
   return box;
 }
 
-/// One panel of errors in their bounds. `scale` turns the table's unit into the axis' one.
+/// One panel of errors with bounds. `scale` converts the table's unit to that of the axis.
 std::string error_panel(const CsvTable& series, const std::string& column, const std::string& label,
                         double scale, bool with_errors, bool last_row) {
   auto shown = finite(series.numbers("two_sigma_" + column));
@@ -146,7 +145,7 @@ std::string error_panel(const CsvTable& series, const std::string& column, const
   return panel + "\nunset key\nunset title\n";
 }
 
-/// Times at which the map grew.
+/// Times at which a landmark was added.
 std::vector<double> additions(const CsvTable& series) {
   const auto t = series.numbers("t"), landmarks = series.numbers("landmarks");
   std::vector<double> times;
@@ -155,7 +154,7 @@ std::vector<double> additions(const CsvTable& series) {
   return times;
 }
 
-/// `t t_next candidate score` of each decision's chosen action, as a data block.
+/// Data block `t t_next candidate score` of the action chosen at each decision.
 std::string chosen_block(const CsvTable& actions) {
   const auto t = actions.numbers("t");
   const std::size_t chosen = *actions.find("chosen");
@@ -204,7 +203,7 @@ std::string chosen_panel(const CsvTable& actions) {
   return panel + "\n";
 }
 
-/// What a vehicle can err in: one on a plane has no height, roll and pitch, one on a line its place along it.
+/// Whether this pose component is estimated: a planar vehicle has no height, roll and pitch, for example.
 bool can_err(const CsvTable& series, const std::string& column) {
   const auto bound = finite(series.numbers("two_sigma_" + column));
   return std::any_of(bound.begin(), bound.end(), [](double b) { return b != 0; });
@@ -229,8 +228,7 @@ std::optional<std::string> map_script(const fs::path& run_directory, AlignmentKi
       "set key outside top center horizontal maxrows 1\nset style fill transparent solid 0.18\n",
       box.low[0] - margin, box.high[0] + margin, box.low[1] - margin, box.high[1] + margin,
       axis_label("x", alignment), axis_label("y", alignment));
-  script +=  // columns of map.csv: 3 x, 4 y, 6 pxx, 7 pxy, 9 pyy; eigenvalues of the 2x2 covariance in closed
-             // form
+  script +=  // map.csv columns: 3 x, 4 y, 6 pxx, 7 pxy, 9 pyy; closed-form eigenvalues of a 2x2 covariance
       "root(pxx,pxy,pyy) = sqrt(0.25 * (pxx - pyy)**2 + pxy**2)\n"
       "long(pxx,pxy,pyy) = 4 * sqrt(0.5 * (pxx + pyy) + root(pxx,pxy,pyy))\n"
       "short(pxx,pxy,pyy) = 4 * sqrt(abs(0.5 * (pxx + pyy) - root(pxx,pxy,pyy)))\n"
@@ -297,7 +295,7 @@ std::optional<std::string> entropy_script(const fs::path& run_directory, Alignme
   for (const double t : additions(series))
     script += fmt::format(
         "set arrow from {0}, graph 0 to {0}, graph 1 nohead back linecolor rgb '#cfcfcf' linewidth 0.7\n", t);
-  // a title alone cannot draw an arrow's sample, so a line of the same look is drawn outside the picture
+  // gnuplot draws no key sample for an arrow, so a line of the same style is drawn outside of the plot.
   script +=
       "set multiplot layout 2,1 margins 0.1,0.985,0.13,0.91 spacing 0,0.05\n"
       "set key at screen 0.985,0.985 right top horizontal maxrows 1\nset format x ''\nset ylabel 'whole "

@@ -5,7 +5,7 @@
 namespace incognita {
 
 std::string figure_head(const std::string& name, int width_px, int height_px) {
-  // colours: Okabe and Ito's palette, made to be told apart by everyone
+  // The palette of Okabe and Ito, which is safe for color-blind readers.
   return fmt::format(R"(# Draw again, in the folder above this one: gnuplot figures/{0}.gp
 set terminal svg size {1},{2} dynamic rounded font 'DejaVu Sans,13' background '#ffffff' linewidth 1.2
 set output 'figures/{0}.svg'

@@ -13,7 +13,7 @@ namespace incognita {
 namespace fs = std::filesystem;
 namespace {
 
-/// Whether the picture is there to its last line: gnuplot does not say when the disk is full.
+/// Whether the picture ends with its last line: gnuplot does not report a full disk.
 bool is_complete(const fs::path& svg) {
   std::ifstream in(svg, std::ios::binary | std::ios::ate);
   if (!in) return false;
@@ -35,7 +35,7 @@ std::string draw_script(const fs::path& folder, const std::string& name) {
   const fs::path svg = folder / "figures" / (name + ".svg");
   std::error_code ignored;
   const auto result = run_child({"gnuplot", "figures/" + name + ".gp"}, folder);
-  if (!result || result->exit_code != 0) fs::remove(svg, ignored);  // an earlier one would not show this run
+  if (!result || result->exit_code != 0) fs::remove(svg, ignored);  // an old picture would not show this run
   if (!result)
     return "gnuplot is not installed: the figures' scripts are there, the figures are not; install it "
            "(Debian, "
@@ -52,9 +52,9 @@ std::string draw_script(const fs::path& folder, const std::string& name) {
 }
 
 std::string gnuplot_string(const std::string& words) {
-  // In double quotes `...` runs a command and @ a macro, in single ones a quote at the beginning ends the
-  // string: what is special is given by its number, and so are digits after it, which would be taken for a
-  // part of that
+  // Double quotes interpret `...` as a command and @ as a macro, and a leading single quote would end a
+  // single-quoted string. Special characters are therefore written as octal codes, and so are digits after a
+  // code, which would become part of it.
   std::string text = "\"";
   bool was_number = false;
   for (const char c : words) {

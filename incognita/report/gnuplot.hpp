@@ -1,4 +1,4 @@
-// What every figure needs of gnuplot: it drawn, and words that it takes for words.
+// Runs gnuplot and quotes text for its scripts.
 #pragma once
 
 #include <filesystem>
@@ -6,13 +6,13 @@
 
 namespace incognita {
 
-/// Runs `figures/NAME.gp` in a folder, which draws `figures/NAME.svg`. Nothing, or a warning: that gnuplot is
-/// missing, or what it complained of; then there is no picture. Throws RecordError when the disk refuses,
-/// with no half figure left.
+/// Runs `figures/NAME.gp` in a folder, which draws `figures/NAME.svg`. Returns an empty string, or a warning
+/// if gnuplot is missing or failed; there is no picture then. Throws RecordError if writing fails, without
+/// leaving a partial figure.
 std::string draw_script(const std::filesystem::path& folder, const std::string& name);
 
-/// Words as a string of a gnuplot script, quotes included. Nothing in them is ever taken for a command; what
-/// would would break the line becomes a blank.
+/// Text as a quoted gnuplot string. Nothing in it can act as a command; characters that would break the line
+/// become blanks.
 std::string gnuplot_string(const std::string& words);
 
 }  // namespace incognita

@@ -31,7 +31,7 @@ Json json_of(const LedgerEntry& entry) {
   return json;
 }
 
-/// Plain text for a Markdown page, in a table or not: nothing in it is markup, and it stays one line.
+/// Escapes text for one line of Markdown, in a table or not.
 std::string plain(const std::string& text) {
   std::string escaped;
   for (const char c : text) {
@@ -41,7 +41,7 @@ std::string plain(const std::string& text) {
   return escaped;
 }
 
-/// `holds as corrected`
+/// E.g. `holds as corrected`.
 std::string in_words(Verdict verdict) {
   std::string words = name(verdict);
   std::replace(words.begin(), words.end(), '-', ' ');
@@ -90,7 +90,7 @@ const char* name(Verdict verdict) {
 std::string ledger_json(const std::vector<LedgerEntry>& entries) {
   Json document = Json::array();
   for (const LedgerEntry& entry : entries) document.push_back(json_of(entry));
-  // reasons may name files, which need not be UTF-8; a replaced letter is better than no answer
+  // Reasons may contain file names that are not UTF-8; a replaced character is better than an exception.
   return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -1,4 +1,4 @@
-// The claims ledger: what the thesis says, what came out, and whether it holds.
+// The claims ledger: each statement of the thesis with the measured result and a verdict.
 #pragma once
 
 #include <filesystem>
@@ -7,25 +7,25 @@
 
 namespace incognita {
 
-/// `undecided`: the runs leave both answers open, or there are too few of them.
+/// `undecided`: the runs do not settle the claim, or there are too few of them.
 enum class Verdict { holds, holds_as_corrected, does_not_hold, undecided };
-/// As the ledger writes it: `holds`, `holds-as-corrected`, `does-not-hold`, `undecided`.
+/// The text used in the ledger: `holds`, `holds-as-corrected`, `does-not-hold`, `undecided`.
 const char* name(Verdict verdict);
 
 struct Claim {
   std::string id;         ///< unique in the ledger, e.g. `3.1-eigenvalue-one`
-  std::string place;      ///< where the thesis says it, e.g. `(3.8), Example 3.1`
-  std::string statement;  ///< what it says, in our words
-  std::string printed;    ///< the printed value or formula; empty where there is none
-  std::string measured;   ///< what came out, with its unit and interval
+  std::string place;      ///< location in the thesis, e.g. `(3.8), Example 3.1`
+  std::string statement;  ///< the claim in our words
+  std::string printed;    ///< the printed value or formula; may be empty
+  std::string measured;   ///< the result with its unit and interval
   Verdict verdict = Verdict::does_not_hold;
-  std::string why;     ///< the correction, the diagnosis, or why it is undecided; empty where it holds
-  int runs = 1;        ///< independent runs it rests on
-  int least_runs = 1;  ///< runs without which it is undecided; 1 where there is no chance
-  bool timed = false;  ///< its verdict is of this machine and this moment: no test may rest on it
+  std::string why;     ///< the correction, the diagnosis or why it is undecided; empty if it holds
+  int runs = 1;        ///< independent runs behind it
+  int least_runs = 1;  ///< runs needed for a verdict; 1 for deterministic claims
+  bool timed = false;  ///< the verdict depends on timings of this machine: no test may rely on it
 };
 
-/// A picture with the numbers that are drawn in it.
+/// A figure with the data drawn in it.
 struct LedgerFigure {
   std::string id;    ///< `fig-3.4`
   std::string file;  ///< SVG, relative to the output folder
@@ -35,7 +35,7 @@ struct LedgerFigure {
 struct LedgerEntry {
   std::string id;  ///< `3.1`
   std::string title;
-  std::string skipped;  ///< why nothing was done, e.g. that a recording is missing; else empty
+  std::string skipped;  ///< why it was not run, e.g. a missing recording; else empty
   std::vector<Claim> claims;
   std::vector<LedgerFigure> figures;
 };
@@ -43,7 +43,7 @@ struct LedgerEntry {
 /// The document of `reproduce --json` (docs/schemas/reproduce.schema.json).
 std::string ledger_json(const std::vector<LedgerEntry>& entries);
 
-/// The same as a page for people: docs/claims.md.
+/// The ledger as the page docs/claims.md.
 std::string ledger_markdown(const std::vector<LedgerEntry>& entries);
 
 }  // namespace incognita

@@ -85,7 +85,7 @@ std::string values_of(const std::vector<std::string>& names, const Eigen::Vector
   return text;
 }
 
-/// Where the first segment starts, with which inputs, as far as that is short.
+/// State and inputs at the start of the first segment, if the text is short.
 std::string start_of(const ObservabilityAnalysis& a) {
   const std::string inputs = values_of(a.inputs, a.points.front().u);
   const std::string start =
@@ -120,7 +120,7 @@ std::string observability_table(const SystemText& text, const ObservabilityAnaly
   const bool barely = std::any_of(a.information.begin(), a.information.end(),
                                   [](const StateInformation& i) { return i.weakly_observable; });
   out += "\n" + vectors_of("The motion does not show", a.local.directions, a.states, barely) + "\n";
-  // Else the states by themselves would contradict what the motion shows
+  // Where the ranks differ, the observable states would otherwise seem to contradict the directions above.
   if (a.fisher.space.nullity != a.local.space.nullity)
     out += vectors_of("The Fisher information does not show", a.fisher.directions, a.states) + "\n";
   if (a.lie && a.lie->space.nullity != a.local.space.nullity)

@@ -1,4 +1,4 @@
-// What an observability analysis says, for people and for programs.
+// Formats the result of an observability analysis as text and as JSON.
 #pragma once
 
 #include <string>
@@ -7,11 +7,11 @@
 
 namespace incognita {
 
-/// A table as a lecturer would show it, and under it what cannot be seen, and where the methods disagree.
+/// A table, followed by the unobservable directions and the disagreements between the methods.
 std::string observability_table(const SystemText& text, const ObservabilityAnalysis& analysis,
                                 const ObservabilitySettings& settings);
 
-/// One JSON document; docs/schemas/observe.schema.json.
+/// A document of docs/schemas/observe.schema.json.
 std::string observability_json(const ObservabilityAnalysis& analysis, const ObservabilitySettings& settings);
 
 }  // namespace incognita

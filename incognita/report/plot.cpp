@@ -23,8 +23,8 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double gap = std::numeric_limits<double>::quiet_NaN();
-constexpr int wide_panel_px = 760, panel_px = 480;      // alone in its row, or not
-constexpr int low_panel_px = 300, high_panel_px = 440;  // a curve over time; what is looked at as a map
+constexpr int wide_panel_px = 760, panel_px = 480;      // panel alone in its row, or not
+constexpr int low_panel_px = 300, high_panel_px = 440;  // height of a time series, and of a map or surface
 constexpr Color turns[] = {Color::blue,  Color::orange, Color::green, Color::pink,
                            Color::amber, Color::sky,    Color::ink,   Color::gray};
 
@@ -129,7 +129,7 @@ const char* name(Color color) {
   return "ink";
 }
 
-/// Hands out the palette to those who have no colour of their own.
+/// Assigns palette colors to curves without their own.
 class Palette {
  public:
   const char* color(Color wanted) {
@@ -141,7 +141,7 @@ class Palette {
 };
 
 struct FeatureMatch {
-  const char *columns, *shape, *pen;  ///< what is drawn, as what, and with what besides its colour
+  const char *columns, *shape, *pen;  ///< columns to plot, plotting style, and attributes besides the color
 };
 
 FeatureMatch match_of(Style style) {
@@ -181,7 +181,7 @@ bool has_points(const Curve& c, bool log) {
   return false;
 }
 
-/// Which rows of the table the next curve is in; the header does not count.
+/// Assigns table rows to successive curves; the header does not count.
 class Rows {
  public:
   std::string next(std::size_t count) {
@@ -197,14 +197,14 @@ class Rows {
 std::string range_text(const char* axis, const std::optional<std::pair<double, double>>& range,
                        const std::string& otherwise) {
   const std::string text =
-      range ? fmt::format("[{}:{}]", range->first, range->second) : otherwise;  // both round trip
+      range ? fmt::format("[{}:{}]", range->first, range->second) : otherwise;  // both formats round-trip
   return fmt::format("set {}range {}\n", axis, text);
 }
 
 constexpr const char* own_tics = "set xtics autofreq\nset ytics autofreq\n";
 using Range = std::pair<double, double>;
 
-/// How far apart the least and the most of what is drawn are; 0 of nothing.
+/// Range of the plotted values; 0 if there are none.
 double extent(const Panel& panel, const std::vector<std::vector<double> Curve::*>& of) {
   double least = std::numeric_limits<double>::infinity(), most = -least;
   for (const Curve& c : panel.curves)
@@ -214,7 +214,7 @@ double extent(const Panel& panel, const std::vector<std::vector<double> Curve::*
   return least <= most ? most - least : 0;
 }
 
-/// So far apart that six or fewer go into the length: 1, 2 or 5 times a power of ten.
+/// Tic distance that gives six or fewer tics: 1, 2 or 5 times a power of ten.
 double tic_of(double length) {
   if (!(length > 0)) return 1;
   const double least = length / 6, power = std::pow(10, std::floor(std::log10(least)));
@@ -223,8 +223,8 @@ double tic_of(double length) {
   return 10 * power;
 }
 
-/// Tics alike on both axes: left to itself each has its own, and those of the shorter run into each other.
-/// gnuplot extends each axis to the next tic.
+/// Same tic distance on both axes: gnuplot's own choice differs per axis, and labels of the shorter one
+/// overlap. gnuplot extends each axis to the next tic.
 std::string equal_axes(const Panel& panel) {
   const auto shown = [](const std::optional<Range>& range, double otherwise) {
     return range ? range->second - range->first : otherwise;
@@ -243,7 +243,7 @@ std::string names(const std::vector<std::string>& of_y) {
 }
 
 std::string curve_axes(const Panel& panel) {
-  // gnuplot refuses to draw where nothing says how long an axis is
+  // gnuplot refuses to draw an axis without a range.
   const bool empty = std::none_of(panel.curves.begin(), panel.curves.end(),
                                   [&](const Curve& c) { return has_points(c, panel.log_y); });
   std::string text = "set border 3\nset key tmargin center horizontal\n";
@@ -265,7 +265,7 @@ std::string curves_script(const Panel& panel, Rows& rows) {
                                           match.pen, title_of(c.label));
     if (has_points(c, panel.log_y))
       parts.push_back(fmt::format("data skip 1 {} using {} {}", place, match.columns, drawn));
-    else if (!c.label.empty())  // what is not there is in the key all the same
+    else if (!c.label.empty())  // keeps an empty curve in the key
       parts.push_back("NaN " + drawn);
   }
   if (parts.empty()) parts.emplace_back("NaN notitle");
@@ -276,7 +276,7 @@ std::string block_name(std::size_t panel, std::size_t surface) {
   return fmt::format("$net_{}_{}", panel + 1, surface + 1);
 }
 
-/// A net is drawn from lines of points with a blank one between, which a table does not have.
+/// gnuplot needs a mesh as lines of points separated by blank lines, which the table does not contain.
 std::string net_script(const Surface& s, const std::string& block, Rows& rows) {
   return fmt::format(
       "array net_x[{0}]; array net_y[{0}]; array net_z[{0}]; n = 0\n"

@@ -1,4 +1,4 @@
-// Figures as values: panels of curves, drawn by gnuplot from a table that stays beside the picture.
+// Figures as values: panels of curves, drawn by gnuplot from a data table stored beside the figure.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,7 +15,7 @@ namespace incognita {
 enum class Style {
   line,
   dashed,
-  thin,    ///< for many lines of one kind, and outlines
+  thin,    ///< for many similar lines, and outlines
   steps,   ///< holds each value until the next
   points,  ///< small dots
   band,    ///< filled between y and y2
@@ -24,62 +24,59 @@ enum class Style {
   stars
 };
 
-/// Of the palette that all figures share; `automatic` takes its colours in turn, as the curves of a panel
-/// come.
+/// Colors of the common palette; `automatic` assigns them in turn to the curves of a panel.
 enum class Color { automatic, blue, orange, green, pink, amber, sky, ink, gray };
 
-/// NaN is a gap. Curves of the same kind may share one entry of the key: leave the others' labels empty.
+/// NaN is a gap. Similar curves can share one key entry: leave the labels of all but one empty.
 struct Curve {
-  std::string label;  ///< plain text, nothing in it is markup; empty: not in the key
+  std::string label;  ///< plain text without markup; empty: not in the key
   Style style = Style::line;
   std::vector<double> x, y;     ///< of equal length
-  std::vector<double> y2 = {};  ///< a band's other edge, as long; else empty
+  std::vector<double> y2 = {};  ///< the second edge of a band, of the same length; else empty
   Color color = Color::automatic;
 };
 
-/// Heights over a grid, drawn as a net. NaN is a hole.
+/// Heights over a grid, drawn as a mesh. NaN is a hole.
 struct Surface {
   std::string label;
-  std::vector<double> x, y;  ///< grid lines, two or more each
+  std::vector<double> x, y;  ///< grid coordinates, two or more each
   std::vector<double> z;     ///< z[j * x.size() + i] at (x[i], y[j])
   Color color = Color::automatic;
 };
 
-/// Holds curves, or surfaces: not both.
+/// Contains either curves or surfaces.
 struct Panel {
   std::string title, x_label, y_label;
-  std::vector<Curve> curves;  ///< later ones lie over earlier ones: bands first
-  bool equal_axes = false;    ///< a metre is as long in x as in y
-  std::optional<std::pair<double, double>> x_range = {}, y_range = {};  ///< else what the curves need
-  bool log_y = false;                                                   ///< what is not positive is a gap
+  std::vector<Curve> curves;  ///< later ones are drawn on top: bands first
+  bool equal_axes = false;    ///< same scale in x and y
+  std::optional<std::pair<double, double>> x_range = {}, y_range = {};  ///< default: fits the curves
+  bool log_y = false;                                                   ///< nonpositive values are gaps
   std::vector<Surface> surfaces = {};
   std::string z_label = {};
-  std::vector<std::string> y_names = {};  ///< of y = 0, 1, ...; in place of the numbers
+  std::vector<std::string> y_names = {};  ///< labels of y = 0, 1, ... instead of numbers
 };
 
 struct Plot {
-  std::string id;     ///< `fig-3.4`: letters, digits, `-`, `.` and `_`, as it names files
-  std::string title;  ///< over all panels; may be empty
-  int columns = 1;    ///< panels per row; they fill row by row
+  std::string id;     ///< `fig-3.4`; used as file name: letters, digits, `-`, `.`, `_`
+  std::string title;  ///< above all panels; may be empty
+  int columns = 1;    ///< panels per row, filled row by row
   std::vector<Panel> panels;
 };
 
-/// A curve of the outlines of covariance ellipses, so many sigmas large. `means` and `covariances` are as
-/// long.
+/// One curve with the outlines of the covariance ellipses of that many sigmas. `means` and `covariances` have
+/// the same length.
 Curve ellipses(std::string label, const std::vector<Eigen::Vector2d>& means,
                const std::vector<Eigen::Matrix2d>& covariances, double sigmas = 2);
 
-/// A curve of y at x = 0, 1, 2, ... as steps of a filter are counted, from `first` on.
+/// A curve of y over the time steps `first`, `first` + 1, ...
 Curve over_steps(std::string label, std::vector<double> y, Style style = Style::line, double first = 0);
 
-/// Writes three files, the same bytes for the same plot: `figures/ID.csv` with every number (a row per point:
-/// panel and curve count from 1, column `y2_or_z` is the band's other edge or the surface's height), the
-/// gnuplot script `figures/ID.gp` that reads it (`gnuplot figures/ID.gp` in `out` draws again), and
-/// `figures/ID.svg`.
+/// Writes three reproducible files: `figures/ID.csv` with all data (a row per point; panel and curve are
+/// numbered from 1, `y2_or_z` is the second edge of a band or the height of a surface), the gnuplot script
+/// `figures/ID.gp` that reads it (redraw with `gnuplot figures/ID.gp` in `out`), and `figures/ID.svg`.
 ///
-/// Without gnuplot, or when it complains, table and script stay and `warnings` (unless null) says so, once.
-/// Throws std::invalid_argument where lengths do not fit or the id names no file, RecordError when the disk
-/// refuses.
+/// If gnuplot is missing or fails, table and script remain and `warnings` (unless null) reports it once.
+/// Throws std::invalid_argument for inconsistent lengths or an invalid id, RecordError if writing fails.
 LedgerFigure draw_plot(const std::filesystem::path& out, const Plot& plot,
                        std::vector<std::string>* warnings);
 

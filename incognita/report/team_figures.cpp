@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* colors[] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"};
-constexpr std::size_t most_named = 6;  // beyond, a key says nothing that colours could
+constexpr std::size_t most_named = 6;  // more colors cannot be told apart in a key
 
 std::string color(std::size_t vehicle) { return colors[vehicle % std::size(colors)]; }
 
@@ -40,14 +40,14 @@ bool knows(const CsvTable& table, const char* column) {
   return std::any_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
 }
 
-/// On a line there is nothing to see from above.
+/// Motion on a line has no top view.
 bool on_line(const CsvTable& table) {
   const auto y = table.numbers("y_m"), sigma = table.numbers("two_sigma_y_m");
   const auto nothing = [](double v) { return !std::isfinite(v) || v == 0; };
   return std::all_of(y.begin(), y.end(), nothing) && std::all_of(sigma.begin(), sigma.end(), nothing);
 }
 
-/// A line from the rows of one vehicle: they come in turn, a row for each at every tick.
+/// Line through the rows of one vehicle; each tick has one row per vehicle.
 std::string line(std::size_t vehicle, std::size_t vehicles, const std::string& x, const std::string& y,
                  const std::string& style, const std::string& title) {
   return fmt::format("'vehicles.csv' every {}::{} using (column('{}')):(column('{}')) with lines {} {}",
@@ -61,7 +61,7 @@ std::string join(const std::vector<std::string>& plots) {
 
 std::string of_vehicle(std::size_t i) { return fmt::format("linecolor rgb '{}' linewidth 1.2", color(i)); }
 
-/// "input_speed_m_s" is "speed, m/s".
+/// "input_speed_m_s" becomes "speed, m/s".
 std::string label_of(const std::string& input) {
   constexpr std::pair<const char*, const char*> units[] = {{"_m_s2", ", m/s²"},
                                                            {"_rad_s2", ", rad/s²"},
@@ -83,7 +83,8 @@ struct Panel {
   std::vector<std::string> lines;
 };
 
-/// Each input of all vehicles; of a body in space the first one's accelerations, three to a panel.
+/// One panel per input with the first `most_named` vehicles; for a body in space only the accelerations of the
+/// first, three per panel.
 std::vector<Panel> input_panels(const CsvTable& table, std::size_t vehicles) {
   std::vector<std::string> inputs;
   std::copy_if(table.columns.begin(), table.columns.end(), std::back_inserter(inputs),
@@ -111,7 +112,7 @@ struct Map {
   bool landmarks = false, anchors = false;
 };
 
-/// x, y and the 2-sigma ellipse: its diameters and its turn in degrees, of a 2x2 covariance in closed form.
+/// x, y and the 2-sigma ellipse (diameters, orientation in degrees) of a 2x2 covariance in closed form.
 Map map_blocks(const fs::path& run_directory) {
   const CsvTable table = read_csv(run_directory / "map.csv");
   const auto x = table.numbers("x"), y = table.numbers("y"), pxx = table.numbers("pxx"),

@@ -29,8 +29,7 @@ Json identity_of(const CampaignPlan& plan, const Variant& variant, const std::st
           {"varied", variant.varied},       {"settings", variant.settings}, {"files", variant.files}};
 }
 
-/// Readable, and another for each variant: its name in letters that any file system takes, and a digest of
-/// it.
+/// A readable and unique folder name: the variant's name in portable characters, and a digest.
 std::string folder_name(const std::string& variant) {
   constexpr std::size_t longest = 80;
   std::string name = variant.substr(0, longest);
@@ -49,7 +48,7 @@ fs::path result_file(const fs::path& campaign, const CampaignPlan& plan, std::si
   return run_directory(campaign, plan, run).string() + ".json";
 }
 
-/// Nothing when the file is not there or holds something else.
+/// The JSON object in the file; null if there is none.
 Json read_json(const fs::path& file) {
   if (!file_exists(file)) return nullptr;
   try {
@@ -65,7 +64,7 @@ std::string text_of(const Json& json, const char* key) {
   return found != json.end() && found->is_string() ? found->get<std::string>() : "";
 }
 
-/// "run.duration_s = 20.0 there, 60.0 here", of settings that both have and neither varies.
+/// E.g. "run.duration_s = 20.0 there, 60.0 here", for settings of both that neither varies.
 std::vector<std::string> differences(const Json& there, const Json& here) {
   std::vector<std::string> found;
   for (const char* key : {"scenario", "version"})

@@ -1,4 +1,4 @@
-// The folder of a campaign: what each finished run left, and whose runs they are.
+// The folder of a campaign: the results of its finished runs and the settings they belong to.
 #pragma once
 
 #include <cstdint>
@@ -11,27 +11,26 @@
 
 namespace incognita {
 
-/// A run that ended by itself. One that crashed has no summary.
+/// A finished run. A run that crashed has no summary.
 struct RunResult {
   std::string status;  ///< `done` or `failed`
   std::string reason;
   double seconds = 0;
-  std::string summary_json;  ///< summary.json's text; empty: there is none
-  std::string program;       ///< digest of the program that ran it
+  std::string summary_json;  ///< text of summary.json; empty if there is none
+  std::string program;       ///< digest of the program that executed it
 };
 
-/// Where a run keeps its run directory, and with `.json` behind it what it left.
+/// Run directory of a run; with `.json` appended, the file of its result.
 std::filesystem::path run_directory(const std::filesystem::path& campaign, const CampaignPlan& plan,
                                     std::size_t run);
 
-/// Below the folder, `runs/VARIANT/settings.json` says what the variant is and `runs/VARIANT/seed-N.json` how
-/// a run ended, with its whole summary. Each is written durably, so that whatever is there is whole; what is
-/// not a result of this plan's is left out, and written over when its run has ended.
+/// `runs/VARIANT/settings.json` holds the settings of a variant and `runs/VARIANT/seed-N.json` the result of
+/// a run with its whole summary. Files are written durably, so existing ones are complete; a file that is not
+/// a result of this plan is ignored and overwritten once its run has ended.
 class CampaignFolder {
  public:
-  /// Makes the folder. Throws InputError, with nothing changed, when runs of other settings, of another
-  /// scenario or of another version are in it; says what differs. InputError too when it cannot be written
-  /// to.
+  /// Creates the folder. Throws InputError, without changing anything, if it contains runs with other
+  /// settings, scenario or version (the message lists the differences), or if it cannot be written.
   CampaignFolder(std::filesystem::path path, const CampaignPlan& plan, const std::string& version);
 
   const std::filesystem::path& path() const { return path_; }
@@ -41,9 +40,9 @@ class CampaignFolder {
   /// Throws RecordError.
   void write(std::size_t run, const RunResult& result) const;
 
-  /// Removes what killed writers left.
+  /// Removes temporary files of killed writers.
   void tidy() const;
-  /// No run could start: what was made for them goes, where no result is in it.
+  /// Removes created folders that contain no result, for a campaign whose runs could not start.
   void discard_what_is_empty() const;
 
  private:
@@ -51,7 +50,7 @@ class CampaignFolder {
 
   std::filesystem::path path_;
   const CampaignPlan& plan_;
-  std::vector<std::filesystem::path> made_;  ///< folders that were not there, the outermost first
+  std::vector<std::filesystem::path> made_;  ///< folders that did not exist, outermost first
   std::vector<std::string> identities_;      ///< per variant: the text of settings.json
 };
 

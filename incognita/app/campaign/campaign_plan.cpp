@@ -19,7 +19,7 @@ constexpr std::size_t most_runs = 1'000'000;
 constexpr std::size_t largest_named_file = 64 << 20;
 constexpr std::string_view seeds_form = "written as 1..100 or 1,5,10..20";
 
-/// A --vary taken apart.
+/// A parsed --vary.
 struct Varied {
   std::string key;
   std::vector<std::string> values;
@@ -56,7 +56,7 @@ Varied take_apart(const std::string& vary) {
 
 std::string key_of(const std::string& set) { return set.substr(0, set.find('=')); }
 
-/// A key that is told in two ways would be ignored in one of them.
+/// Refuses a key that is set in two ways, because one of them would be ignored.
 void refuse_two_masters(const CampaignRequest& request, const std::vector<Varied>& lists) {
   std::set<std::string> keys;
   for (const Varied& list : lists) {
@@ -74,7 +74,7 @@ void refuse_two_masters(const CampaignRequest& request, const std::vector<Varied
   }
 }
 
-/// A text without its quotes: a name that a person types.
+/// The text without quotes, as a user would type it.
 std::string plain(const std::string& written) {
   const bool quoted =
       written.size() >= 2 && written.front() == '"' && written.find('\\') == std::string::npos;
@@ -125,7 +125,7 @@ void refuse_duplicates(const std::vector<Variant>& variants) {
           fmt::format("--vary: the variant {} is there twice; leave one of its values out", variant.name));
 }
 
-/// The variant that has what is named and the first value of all else.
+/// The variant with the named values, and the first value of all other keys.
 std::size_t find_baseline(const CampaignRequest& request, const CampaignPlan& plan,
                           const std::vector<Varied>& lists) {
   std::map<std::string, std::string> requested = plan.variants.front().varied;

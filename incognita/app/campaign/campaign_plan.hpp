@@ -1,4 +1,4 @@
-// Which runs a campaign is made of: variants of a scenario, each with the same seeds.
+// The runs of a campaign: variants of a scenario, each run with the same seeds.
 #pragma once
 
 #include <cstddef>
@@ -12,56 +12,56 @@
 
 namespace incognita {
 
-/// What was asked for, as it was written.
+/// The command-line request, unparsed.
 struct CampaignRequest {
   std::string scenario = "room";
   std::string seeds = "1..10";        ///< "1..100", "3", "1,5,10..20"
-  std::vector<std::string> sets;      ///< "key=value", of every variant
+  std::vector<std::string> sets;      ///< "key=value", for all variants
   std::vector<std::string> vary;      ///< "key=value,value"
-  std::vector<std::string> baseline;  ///< "key=value"; keys that are not named take their first value
+  std::vector<std::string> baseline;  ///< "key=value"; keys not named take their first value
   std::optional<std::string> duration_s;
 };
 
 struct Variant {
-  std::string name;  ///< "decision.strategy=none decision.step_m=0.2"; the scenario's where nothing varies
-  std::vector<Flag> flags;                    ///< what makes it, the duration included
+  std::string name;  ///< "decision.strategy=none decision.step_m=0.2"; the scenario's name if nothing varies
+  std::vector<Flag> flags;                    ///< what defines it, including the duration
   std::map<std::string, std::string> varied;  ///< key and value in TOML
-  /// What its runs depend on beside the seed: every setting in force, in TOML, less those that follow others.
+  /// Everything its runs depend on except the seed: all settings in force, in TOML, except those derived from others.
   std::map<std::string, std::string> settings;
   std::map<std::string, std::string> files;  ///< digests of small files that settings name, by key
 };
 
 struct CampaignPlan {
-  std::string scenario;       ///< as asked for
+  std::string scenario;       ///< as requested
   std::string scenario_name;  ///< the file's name without ".toml"
   std::vector<std::string> sets;
-  std::vector<std::int64_t> seeds;  ///< rising, each once
+  std::vector<std::int64_t> seeds;  ///< increasing, without duplicates
   std::vector<Variant> variants;    ///< the first --vary changes slowest
   std::size_t baseline = 0;
 
   std::size_t runs() const { return seeds.size() * variants.size(); }
-  /// Run r: every variant on the first seed, then every one on the second.
+  /// Run index: every variant on the first seed, then every variant on the second, and so on.
   const Variant& variant_of(std::size_t run) const { return variants[run % variants.size()]; }
   std::int64_t seed_of(std::size_t run) const { return seeds[run / variants.size()]; }
 };
 
-/// Loads every variant. Throws InputError with what is wrong and what would be right.
+/// Loads every variant. Throws InputError with the problem and its remedy.
 CampaignPlan plan_campaign(const CampaignRequest& request);
 
-/// The scenario of one run.
+/// Loads the scenario of one run.
 LoadedScenario load_run(const CampaignPlan& plan, const Variant& variant, std::int64_t seed);
 
-/// Of all that its runs depend on, in their order.
+/// Digest of everything the runs depend on, and of their order.
 std::string digest_of(const CampaignPlan& plan);
 
-/// "1..3,7" as 1 2 3 7. Throws InputError unless rising ranges of whole numbers, none twice.
+/// Parses "1..3,7" as 1 2 3 7. Throws InputError unless given as increasing ranges of integers without duplicates.
 std::vector<std::int64_t> parse_seeds(const std::string& text);
 
-/// At commas, but not at those inside brackets or quotes: `[1, 2],[3, 4]` are two.
-/// Throws InputError on an empty value and on brackets or quotes that do not close.
+/// Splits at commas outside brackets and quotes: `[1, 2],[3, 4]` are two values. Throws InputError for an
+/// empty value and for unbalanced brackets or quotes.
 std::vector<std::string> split_values(const std::string& text);
 
-/// 16 hexadecimal digits that tell one text from another.
+/// A digest of 16 hexadecimal digits.
 std::string digest_of(const std::string& text);
 
 }  // namespace incognita

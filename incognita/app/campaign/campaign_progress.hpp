@@ -1,4 +1,4 @@
-// How far a campaign is, on standard error.
+// Progress of a campaign on standard error.
 #pragma once
 
 #include <chrono>
@@ -10,13 +10,13 @@
 
 namespace incognita {
 
-/// On a terminal a line that changes; elsewhere a line every ten seconds. Each run that failed is named.
+/// A changing line on a terminal, else a line every ten seconds. Every failed run is reported.
 class CampaignProgress {
  public:
   CampaignProgress(const CampaignPlan& plan, std::size_t runs);
 
   void report(std::size_t run, const RunResult& result);
-  /// A run that has to be repeated.
+  /// Reports a run that has to be repeated.
   void report_trouble(std::size_t run, const std::string& why);
 
  private:

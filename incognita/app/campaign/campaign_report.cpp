@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t most_shown = 20;
 
-/// What a person looks at first.
+/// The measures shown on a terminal by default.
 constexpr const char* worth_reporting[] = {"failed",      "ate_m",         "mean_nees", "mean_nis",
                                            "lost_frames", "entropy.total", "landmarks"};
 
@@ -26,7 +26,7 @@ Campaign gather(const CampaignPlan& plan, const CampaignFolder& folder) {
   for (const Variant& variant : plan.variants)
     campaign.variants.push_back({variant.name, {variant.varied.begin(), variant.varied.end()}, {}});
   std::set<std::string> programs;
-  for (std::size_t run = 0; run < plan.runs(); ++run) {  // by rising seed in every variant
+  for (std::size_t run = 0; run < plan.runs(); ++run) {  // by increasing seed within each variant
     const auto result = folder.read(run);
     if (!result) continue;
     programs.insert(result->program);
@@ -47,7 +47,8 @@ bool same(const Measures& a, const Measures& b) {
   });
 }
 
-/// As of a recording, where nothing is drawn: then more runs are not more evidence.
+/// Warns if all seeds give identical results, as for a recording without randomness: more runs are then no
+/// more evidence.
 void warn_of_unused_seeds(const Campaign& campaign) {
   for (const CampaignVariant& variant : campaign.variants) {
     const auto as_the_first = [&](const CampaignRun& run) {
@@ -66,7 +67,7 @@ std::vector<std::string> all_names(const Campaign& campaign) {
   return names;
 }
 
-/// Of those that are told first the ones that say something here.
+/// The default measures that are informative for this campaign.
 std::vector<std::string> shown(const std::vector<VariantStatistics>& statistics) {
   std::vector<std::string> names;
   for (const char* name : worth_reporting)

@@ -1,4 +1,4 @@
-// What a campaign found, into its folder and on standard output.
+// Writes the results of a campaign into its folder and to standard output.
 #pragma once
 
 #include <string>
@@ -9,12 +9,13 @@
 namespace incognita {
 
 struct ReportOptions {
-  std::vector<std::string> measures;  ///< for the tables; empty: all in files, a few on the terminal
-  bool json = false;                  ///< on standard output
+  std::vector<std::string> measures;  ///< for the tables; empty: all in files, a selection on the terminal
+  bool json = false;                  ///< JSON on standard output
 };
 
-/// Writes runs.csv, timings.csv, table.csv and campaign.json from the runs that have ended, and prints the
-/// table. 0 when all have, else 1 and how many are missing. Throws InputError for a measure that no run has.
+/// Writes runs.csv, timings.csv, table.csv and campaign.json from the finished runs, and prints the table.
+/// Returns 0 if all runs have finished, else 1 after reporting how many are missing. Throws InputError for a
+/// measure that no run has.
 int report_campaign(const CampaignPlan& plan, const CampaignFolder& folder, const ReportOptions& options);
 
 }  // namespace incognita

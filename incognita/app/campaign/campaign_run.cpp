@@ -20,7 +20,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t largest_summary = 1 << 20;
 
-/// What is left of a run: its summary, and what the disk had against it.
+/// Output of a run: its summary, and the disk error if there was one.
 struct Left {
   std::string summary_json;
   std::string disk_trouble;
@@ -46,7 +46,8 @@ class SummarySink : public RunSink {
   Left& left_;
 };
 
-/// Records beside the place and moves there, so that a run directory in its place is of a run that ended.
+/// Records into a temporary folder and renames it, so that an existing run directory is always that of a
+/// finished run.
 class DirectorySink : public RunSink {
  public:
   DirectorySink(const RunInfo& info, const fs::path& folder, Left& left)

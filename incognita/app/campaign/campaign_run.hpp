@@ -1,4 +1,4 @@
-// One run of a campaign: made in a process of its own, and what is to be thought of how that ended.
+// Executes one run of a campaign in a process of its own and interprets how it ended.
 #pragma once
 
 #include <cstddef>
@@ -11,23 +11,23 @@
 
 namespace incognita {
 
-/// What became of a run.
+/// The outcome of a run.
 struct RunEnd {
-  std::optional<RunResult> result;  ///< nothing: it has to be repeated
-  std::string trouble;              ///< why it has to be
-  bool bad_input = false;           ///< the trouble is with a file or setting: no repetition will help
+  std::optional<RunResult> result;  ///< nullopt: the run has to be repeated
+  std::string trouble;              ///< why it has to be repeated
+  bool bad_input = false;           ///< caused by a file or setting: repeating does not help
 };
 
-/// The same loop as `incognita run`, without figures. Keeps the run directory where one is named, else
-/// nothing but the summary. The answer is for end_of_run(), perhaps on another machine.
+/// Executes the same loop as `incognita run`, without figures. Keeps the run directory if `keep` names one,
+/// else only the summary. The returned text is input to end_of_run(), possibly on another machine.
 std::string make_run(const CampaignPlan& plan, std::size_t run,
                      const std::optional<std::filesystem::path>& keep);
 
-/// The answer of who cannot make any run.
+/// The answer of a process that cannot execute any run.
 std::string no_run(const std::string& why);
 
-/// A run that crashed has failed, and that is a result. One that was killed from outside has not: who kills,
-/// or runs out of memory, says nothing about the run.
+/// The answer for a job. A crash is a failed run and therefore a result; a run killed from outside (or out of
+/// memory) is not, as this does not depend on the run.
 std::string answer_of(const JobEnd& end);
 RunEnd end_of_run(const std::string& answer);
 

@@ -11,9 +11,9 @@ namespace {
 enum Kind { wants_work = 1, work, answer, go_home, gone };
 
 using std::chrono::milliseconds;
-constexpr milliseconds alone{200}, beside_others{2};  ///< between two looks around
+constexpr milliseconds alone{200}, beside_others{2};  ///< polling intervals
 
-/// "17 text" and back.
+/// Prefixes a text with a run number ("17 text"), and removes it again.
 std::string numbered(std::size_t run, const std::string& text) { return std::to_string(run) + " " + text; }
 
 std::size_t take_number(std::string& text) {
@@ -23,11 +23,11 @@ std::size_t take_number(std::string& text) {
   return run;
 }
 
-/// How far the list of runs is.
+/// Progress through the list of runs.
 struct Work {
-  std::size_t next = 0;  ///< the first that nobody has
+  std::size_t next = 0;  ///< the first unassigned one
   std::size_t ended = 0;
-  std::deque<int> idle = {};  ///< ranks that wait for work, once per free process
+  std::deque<int> idle = {};  ///< ranks waiting for work, once per free process
 };
 
 void assign_run(Ranks& ranks, ProcessPool& pool, const CampaignLead& lead, Work& at) {
@@ -66,7 +66,7 @@ void lead_workers(Ranks& ranks, const CampaignLead& lead) {
 
 void serve_as_worker(Ranks& ranks, std::size_t jobs, const MakeRunOf& make) {
   {
-    ProcessPool pool(jobs);  // whose end ends what still runs
+    ProcessPool pool(jobs);  // its destructor kills running jobs
     for (std::size_t i = 0; i < jobs; ++i) ranks.send(0, wants_work, "");
     for (bool home = false; !home;) {
       for (const JobEnd& end : pool.wait(beside_others)) {
@@ -84,7 +84,7 @@ void serve_as_worker(Ranks& ranks, std::size_t jobs, const MakeRunOf& make) {
   ranks.send(0, gone, "");
 }
 
-/// Answers that still come are dropped: whoever wants no more of them has said so.
+/// Remaining answers are dropped.
 WorkerGuard::~WorkerGuard() {
   for (int other = 1; other < ranks_.size(); ++other) ranks_.send(other, go_home, "");
   for (int left = ranks_.size() - 1; left > 0;) {

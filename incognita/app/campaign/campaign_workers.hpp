@@ -1,4 +1,4 @@
-// Who makes the runs: processes on this machine, and on others those that mpirun started.
+// Distributes runs over processes on this machine and over the ranks started by mpirun.
 #pragma once
 
 #include <cstddef>
@@ -12,13 +12,13 @@
 
 namespace incognita {
 
-/// Makes one run and says how it ended, as make_run() does. In a process of its own.
+/// Executes one run and returns its answer like make_run(), in a process of its own.
 using MakeRun = std::function<std::string(std::size_t run)>;
-/// The same for someone else, who says what the plan is. Refuses to work by another.
+/// The same on another rank; refuses if the digest of its plan differs.
 using MakeRunOf = std::function<std::string(std::size_t run, const std::string& plan_digest)>;
 
-/// Rank 0: hands out the runs of the list, one whenever a process is free, and takes in how each ended.
-/// `taken` returns false to stop; `stopping` is asked again and again. Runs in progress are dropped then.
+/// Rank 0: assigns the listed runs to free processes and collects the answers. It ends when `taken` returns
+/// false or `stopping`, which is polled, returns true; runs in progress are then dropped.
 struct CampaignLead {
   std::size_t jobs = 1;
   std::vector<std::size_t> runs;
@@ -29,10 +29,10 @@ struct CampaignLead {
 };
 void lead_workers(Ranks& ranks, const CampaignLead& lead);
 
-/// Any other rank: makes the runs that it is given until it is sent home.
+/// Other ranks: execute assigned runs until told to stop.
 void serve_as_worker(Ranks& ranks, std::size_t jobs, const MakeRunOf& make);
 
-/// In rank 0, on every way out: tells the others to go, and waits until they have.
+/// In rank 0: on every exit path, stops the other ranks and waits until they have ended.
 class WorkerGuard {
  public:
   explicit WorkerGuard(Ranks& ranks) : ranks_(ranks) {}

@@ -17,8 +17,8 @@ namespace {
 
 [[noreturn]] void carry_out(const std::function<std::string()>& job, int answer, pid_t parent) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (::getppid() != parent) ::_exit(1);                                   // it died before that
-  for (const int signal : {SIGINT, SIGHUP}) std::signal(signal, SIG_IGN);  // the parent's to heed
+  if (::getppid() != parent) ::_exit(1);                                   // the parent has already died
+  for (const int signal : {SIGINT, SIGHUP}) std::signal(signal, SIG_IGN);  // left to the parent
   std::signal(SIGTERM, SIG_DFL);
   std::signal(SIGPIPE, SIG_IGN);
   const int nowhere = ::open("/dev/null", O_RDWR);
@@ -37,7 +37,7 @@ namespace {
     if (n <= 0) ::_exit(1);
     done += static_cast<std::size_t>(n);
   }
-  ::_exit(0);  // and nothing of what the parent would do at its end
+  ::_exit(0);  // skips the parent's exit handlers
 }
 
 int wait_for(pid_t process) {
@@ -47,7 +47,7 @@ int wait_for(pid_t process) {
   return status;
 }
 
-/// What is there to read. False at the end.
+/// Appends available data. False at the end.
 bool read_some(int descriptor, std::string& text) {
   char buffer[16384];
   const ssize_t n = ::read(descriptor, buffer, sizeof buffer);

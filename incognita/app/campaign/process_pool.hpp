@@ -1,4 +1,4 @@
-// Jobs in processes of their own, several at a time: one that crashes takes nothing with it.
+// Runs several jobs at a time, each in a process of its own, so that a crash affects that job only.
 #pragma once
 
 #include <sys/types.h>
@@ -14,18 +14,18 @@ namespace incognita {
 /// How a job ended.
 struct JobEnd {
   std::size_t id = 0;
-  std::string answer;  ///< what the job returned; not all of it where it was cut short
-  int exit_code = 0;   ///< 0 when the job returned
-  int signal = 0;      ///< that ended it; 0: none
+  std::string answer;  ///< return value of the job; incomplete if it was killed
+  int exit_code = 0;   ///< 0 if the job returned
+  int signal = 0;      ///< the signal that killed it; 0: none
   double seconds = 0;
 };
 
-/// Processes are forks of this one: starting the program anew takes longer than a short run. They end with
-/// it, even when it is killed. Not to be used beside threads of one's own.
+/// Processes are forks of this one, because starting the program anew takes longer than a short run. They end
+/// with it, even if it is killed. Must not be used in a program with other threads.
 class ProcessPool {
  public:
   explicit ProcessPool(std::size_t slots) : slots_(slots) {}
-  ~ProcessPool();  ///< ends by force what still runs
+  ~ProcessPool();  ///< kills the remaining processes
   ProcessPool(const ProcessPool&) = delete;
   ProcessPool& operator=(const ProcessPool&) = delete;
 
@@ -33,11 +33,11 @@ class ProcessPool {
   bool idle() const { return running_.empty(); }
   std::size_t running() const { return running_.size(); }
 
-  /// `job` is called in the new process, which keeps its standard error alone. What it throws is exit code 1.
-  /// Throws std::system_error when there can be no further process.
+  /// Calls `job` in the new process, with standard input and output on /dev/null. An exception of the job
+  /// gives exit code 1. Throws std::system_error if no process can be started.
   void start(std::size_t id, const std::function<std::string()>& job);
 
-  /// Those that ended since; waits at most so long for one, or until a signal comes.
+  /// Jobs that ended since the last call; waits up to `at_most` for one, or until a signal arrives.
   std::vector<JobEnd> wait(std::chrono::milliseconds at_most);
 
  private:

@@ -1,4 +1,4 @@
-// The processes that `mpirun` started together, perhaps on many machines. Without it there is one.
+// The processes that `mpirun` started together, perhaps on several machines; a single one without mpirun.
 #pragma once
 
 #include <optional>
@@ -6,12 +6,12 @@
 
 namespace incognita {
 
-/// Joins them while it lives. Where the program was built without MPI and mpirun started it all the same, the
-/// constructor throws InputError: every process would do all the work.
+/// Joins MPI for its lifetime. Throws InputError if the program was built without MPI but started by mpirun,
+/// because every process would then do all the work.
 class Ranks {
  public:
   Ranks();
-  /// Waits for the others to leave too.
+  /// Waits until the other ranks leave, too.
   ~Ranks();  // NOLINT(performance-trivially-destructible): without MPI it could be
   Ranks(const Ranks&) = delete;
   Ranks& operator=(const Ranks&) = delete;
@@ -19,14 +19,14 @@ class Ranks {
   int rank() const { return rank_; }
   int size() const { return size_; }
 
-  /// Kinds are the caller's. Waits until the other has it when it is long.
+  /// `kind` is defined by the caller. A long message blocks until it is received.
   void send(int to, int kind, const std::string& text);
 
   struct Message {
     int from = 0, kind = 0;
     std::string text;
   };
-  /// The next one that has arrived, if any.
+  /// The next message that has arrived, if any.
   std::optional<Message> receive();
 
  private:

@@ -1,4 +1,4 @@
-// Without MPI.
+// Implementation without MPI.
 #include "incognita/app/campaign/ranks.hpp"
 #include "incognita/app/campaign/started_by_mpirun.hpp"
 #include "incognita/messages/errors.hpp"

@@ -1,4 +1,4 @@
-// With MPI.
+// Implementation with MPI.
 #include <mpi.h>
 
 #include "incognita/app/campaign/ranks.hpp"
@@ -6,7 +6,7 @@
 
 namespace incognita {
 
-// Alone there is nothing to join: MPI would start a daemon for it, and take half a second
+// A single process does not call MPI_Init, which would start a daemon and take half a second.
 Ranks::Ranks() {
   if (!started_by_mpirun()) return;
   MPI_Init(nullptr, nullptr);

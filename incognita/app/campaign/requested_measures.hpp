@@ -1,4 +1,4 @@
-// Whether the measures that were asked for can still come, said as soon as it is known.
+// Detects requested measures that no run can provide, as early as possible.
 #pragma once
 
 #include <cstddef>
@@ -10,28 +10,28 @@
 
 namespace incognita {
 
-/// What a run measures is known when it has ended, and another variant may measure something else. So a name
-/// is unknown once every variant has a run that is done, and no run has it; a run that failed may lack what
-/// others have.
+/// The measures of a run are known once it has ended, and variants may differ in them. A name is therefore
+/// reported as unknown once every variant has a completed run and no run has the measure; failed runs may
+/// lack measures.
 class RequestedMeasures {
  public:
-  /// Takes in the runs that the folder has.
+  /// Adds the runs already in the folder.
   RequestedMeasures(const std::vector<std::string>& names, const CampaignPlan& plan,
                     const CampaignFolder& folder);
 
   void add(std::size_t run, const RunResult& result);
 
-  /// What is to be said of the first name that nothing is to be expected of; empty: there is none.
+  /// Message about the first requested measure that no run has; empty if there is none.
   std::string problem() const;
 
  private:
   std::vector<std::string> names_;
   std::size_t variants_ = 0;
-  std::set<std::size_t> silent_;  ///< variants of which no run is done
+  std::set<std::size_t> silent_;  ///< variants without a completed run
   std::vector<std::string> known_ = {"failed"};
 };
 
-/// Of the first of the wanted that is not among the known; empty: there is none.
+/// Message about the first requested name that is not among the known ones; empty if there is none.
 std::string unknown_measure(const std::vector<std::string>& requested, const std::vector<std::string>& known);
 
 }  // namespace incognita

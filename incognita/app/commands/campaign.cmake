@@ -1,8 +1,8 @@
-# `incognita campaign`. MPI is used where it is found; without it everything works but `mpirun`.
+# `incognita campaign`. Uses MPI if it is found; without it only `mpirun` is unavailable.
 option(INCOGNITA_MPI "Spread campaigns with mpirun, where MPI is found" ON)
 set(ranks app/campaign/ranks_alone.cpp)
 if(INCOGNITA_MPI)
-  set(MPI_CXX_SKIP_MPICXX TRUE)  # its C functions are enough
+  set(MPI_CXX_SKIP_MPICXX TRUE)  # only the C functions are used
   find_package(MPI QUIET COMPONENTS CXX)
   if(MPI_CXX_FOUND)
     set(ranks app/campaign/ranks_mpi.cpp)

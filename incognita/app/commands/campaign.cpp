@@ -44,11 +44,11 @@ void handle_signals() {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     if (std::signal(signal, interrupt) == SIG_IGN && signal == SIGHUP) std::signal(signal, SIG_IGN);  // nohup
   }
-  std::signal(SIGXFSZ, SIG_IGN);  // a full disk is an error that is reported, not a death
+  std::signal(SIGXFSZ, SIG_IGN);  // makes a full disk a reported error
   std::signal(SIGPIPE, SIG_IGN);
 }
 
-/// Nothing when it is not a whole number from 1 on.
+/// nullopt unless it is an integer from 1 to `most`.
 std::optional<std::size_t> count_of(std::string_view text, std::size_t most) {
   std::size_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -57,7 +57,7 @@ std::optional<std::size_t> count_of(std::string_view text, std::size_t most) {
 }
 
 std::size_t jobs_of(const Options& options, const Ranks& ranks) {
-  // mpirun starts as many processes as there are to be runs at a time
+  // mpirun already starts one process per simultaneous run.
   if (!options.jobs) return ranks.size() > 1 ? 1 : std::max(1u, std::thread::hardware_concurrency());
   if (const auto jobs = count_of(*options.jobs, most_jobs)) return *jobs;
   throw InputError(fmt::format("--jobs {}: must be a whole number from 1 to {}", *options.jobs, most_jobs));
@@ -76,7 +76,7 @@ Shard shard_of(const Options& options) {
   return {*which - 1, *of};
 }
 
-/// Those that have not ended yet and are this process' to make: r with r mod `of` = `which`.
+/// Unfinished runs of this shard: run index modulo `of` equals `which`.
 std::vector<std::size_t> runs_to_make(const CampaignPlan& plan, const CampaignFolder& folder,
                                       const Shard& shard) {
   std::vector<std::size_t> runs;
@@ -85,8 +85,8 @@ std::vector<std::size_t> runs_to_make(const CampaignPlan& plan, const CampaignFo
   return runs;
 }
 
-/// Makes the runs and writes each down when it has ended. How many are still to make. Throws InputError when
-/// a run cannot be made or what is wanted of them all is known not to come.
+/// Executes the runs and saves each result when it has ended. Returns the number of missing runs. Throws
+/// InputError if a run cannot be executed or a requested measure turns out not to exist.
 std::size_t make_runs(Ranks& ranks, const CampaignPlan& plan, const CampaignFolder& folder,
                       RequestedMeasures requested, CampaignLead lead) {
   const std::string program = digest_of(read_file("/proc/self/exe", largest_program));
@@ -133,7 +133,7 @@ std::optional<fs::path> kept(const fs::path& out, const Options& options, const 
   return options.keep_runs ? std::optional(run_directory(fs::absolute(out), plan, run)) : std::nullopt;
 }
 
-/// Runs that ended in an earlier call, which kept nothing but their summaries.
+/// Reports runs that ended in an earlier call without keeping their run directory.
 void report_unkept(const CampaignPlan& plan, const CampaignFolder& folder) {
   std::size_t unkept = 0;
   for (std::size_t run = 0; run < plan.runs(); ++run)
@@ -154,12 +154,12 @@ std::unique_ptr<FolderLock> locked(const fs::path& out, const std::string& diges
   }
 }
 
-/// Rank 0, which alone writes.
+/// Rank 0, the only one that writes.
 int lead(Ranks& ranks, const Options& options, const fs::path& out) {
   const WorkerGuard crew(ranks);
   const std::size_t jobs = jobs_of(options, ranks);
   const Shard shard = shard_of(options);
-  limit_measures(options.measures);  // which refuses a limit that is no number
+  limit_measures(options.measures);  // refuses invalid limits
   const CampaignPlan plan = plan_campaign(options.request);
   if (options.table_alone && !fs::is_directory(out / "runs"))
     throw InputError(fmt::format("--table: {} holds no campaign; see --out", out.string()));
@@ -187,7 +187,7 @@ int lead(Ranks& ranks, const Options& options, const fs::path& out) {
   return 0;
 }
 
-/// Any other rank. What is wrong here is told to rank 0, which tells the user.
+/// Other ranks. Errors are sent to rank 0, which reports them.
 int serve(Ranks& ranks, const Options& options, const fs::path& out) {
   std::size_t jobs = 1;
   std::optional<CampaignPlan> plan;
@@ -211,7 +211,7 @@ int campaign(const Options& options) {
   if (options.out && options.out->empty()) throw InputError("--out: names nothing; a folder is wanted");
   const fs::path out = options.out.value_or("out/campaign");
   handle_signals();
-  ::setenv("OPENCV_FOR_THREADS_NUM", "1", 0);  // one run a core is faster than one run on all
+  ::setenv("OPENCV_FOR_THREADS_NUM", "1", 0);  // one run per core is faster than one run on all cores
   Ranks ranks;
   return ranks.rank() == 0 ? lead(ranks, options, out) : serve(ranks, options, out);
 }

@@ -1,4 +1,4 @@
-// `incognita campaign`: many seeds of many variants of a scenario, and what they say together.
+// `incognita campaign`: Monte Carlo runs of the variants of a scenario, and their statistics.
 #pragma once
 
 #include <functional>
@@ -9,9 +9,9 @@ class App;
 
 namespace incognita {
 
-/// Adds the command. When it is the one asked for, `job` is set to do it: 0 when every run asked for has
-/// ended, those that failed included; 1 when some are missing, because it was interrupted or something
-/// outside of the runs went wrong; InputError before any run for what makes no sense.
+/// Adds the command. If it is selected, `job` is set. The job returns 0 when every requested run has ended,
+/// including failed ones, and 1 when some are missing because of an interruption or an error outside of the
+/// runs; it throws InputError for invalid input, before any run.
 CLI::App* add_campaign(CLI::App& app, std::function<int()>& job);
 
 }  // namespace incognita

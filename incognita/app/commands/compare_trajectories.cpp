@@ -19,7 +19,7 @@ std::string span_of(const Trajectory& trajectory) {
   return fmt::format("{} to {} s", first->t, last->t);
 }
 
-/// Says why there is none where one was asked for.
+/// Prints the reason if NEES was requested but is unavailable.
 std::optional<MeanNees> nees_of(const std::string& covariance_file, const MatchedTrajectories& matched) {
   if (covariance_file.empty() || matched.estimate.empty()) return std::nullopt;
   const auto nees = mean_pose_nees(matched, read_covariances(covariance_file));
@@ -33,7 +33,7 @@ void append(MatchedTrajectories& all, const MatchedTrajectories& more) {
   all.truth.insert(all.truth.end(), more.truth.begin(), more.truth.end());
 }
 
-/// By the number of poses behind each.
+/// Mean weighted by the number of poses.
 std::optional<MeanNees> mean_of(const std::vector<TrajectoryErrors>& vehicles) {
   MeanNees all;
   for (const TrajectoryErrors& v : vehicles) {
@@ -53,17 +53,17 @@ bool is_finite(const TrajectoryComparison& comparison) {
                      [&](const TrajectoryErrors& v) { return finite(v.rpe.translation_m); });
 }
 
-/// What the trajectories of all vehicles are before they are aligned.
+/// The trajectories of all vehicles before alignment.
 struct Loaded {
   std::vector<MatchedTrajectories> matched;
-  std::string spans;  ///< of the first, for messages
+  std::string spans;  ///< of the first vehicle, for messages
 };
 
 Loaded load(const std::vector<TrajectoryFiles>& vehicles, double max_dt_s, TrajectoryComparison& comparison) {
   Loaded loaded;
   for (const TrajectoryFiles& files : vehicles) {
     const Trajectory estimate = read_trajectory(files.estimate);
-    // A vehicle of a team whose truth was never known has no file of it
+    // A vehicle of a team whose truth was never known has no truth file.
     const Trajectory truth = files.truth.empty() ? Trajectory{} : read_trajectory(files.truth);
     loaded.matched.push_back(match(estimate, truth, max_dt_s));
     const std::size_t matched = loaded.matched.back().estimate.size();

@@ -1,5 +1,5 @@
-// Estimated trajectories against the true ones, as `incognita evaluate` reports them: of one vehicle, or of a
-// team, whose vehicles share one frame and so one alignment, and each of which has its own truth.
+// Compares estimated with true trajectories for `incognita evaluate`. The vehicles of a team share one frame
+// and therefore one alignment; each has its own truth.
 #pragma once
 
 #include <cstddef>
@@ -13,16 +13,16 @@
 namespace incognita {
 
 struct TrajectoryFiles {
-  std::string estimate, truth, covariance;  ///< no covariance: no NEES
+  std::string estimate, truth, covariance;  ///< without covariance, no NEES
 };
 
 struct ComparisonOptions {
   AlignmentKind alignment = AlignmentKind::none;
-  double max_dt_s = 0.01;  ///< poses further apart in time do not match
+  double max_dt_s = 0.01;  ///< poses further apart in time are not matched
   double rpe_delta_s = 1;  ///< interval of the relative pose error
 };
 
-/// Of one vehicle, over the poses at which its truth is known.
+/// Errors of one vehicle over the poses with known truth.
 struct TrajectoryErrors {
   std::size_t matched = 0, estimate_poses = 0, truth_poses = 0;
   ErrorStatistics ate_m;
@@ -33,14 +33,14 @@ struct TrajectoryErrors {
 struct TrajectoryComparison {
   Alignment alignment;  ///< one for all vehicles
   std::vector<TrajectoryErrors> vehicles;
-  /// Over the poses of all vehicles, each with a truth of its own.
+  /// Over the poses of all vehicles, each compared with its own truth.
   std::size_t matched = 0, estimate_poses = 0, truth_poses = 0;
   ErrorStatistics ate_m;
   std::optional<MeanNees> nees;
 };
 
-/// Nothing where the trajectories cannot be compared; the reason goes to standard error. Throws InputError
-/// when a file is wrong.
+/// Returns nullopt if the trajectories cannot be compared, and prints the reason to standard error. Throws
+/// InputError if a file is invalid.
 std::optional<TrajectoryComparison> compare_trajectories(const std::vector<TrajectoryFiles>& vehicles,
                                                          const ComparisonOptions& options);
 

@@ -1,4 +1,4 @@
-# `incognita config`: a target of its own, so that it can be tested without the rest of the program.
+# `incognita config`: a separate target, so that it can be tested without the rest of the program
 find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
 add_library(incognita_app_config STATIC app/commands/config.cpp)

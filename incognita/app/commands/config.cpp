@@ -76,7 +76,7 @@ void print_json(LoadedScenario& loaded, const std::vector<std::string>& checked)
                                    {"settings", list},
                                    {"overrides", loaded.overrides},
                                    {"checked", checked}};
-  // file names need not be UTF-8; a replaced letter is better than no answer
+  // File names may not be UTF-8; a replaced character is better than an exception.
   std::cout << document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << "\n";
 }
 
@@ -97,14 +97,14 @@ void print_table(LoadedScenario& loaded) {
 }
 
 std::vector<std::string> check_team(const LoadedScenario& loaded) {
-  const TeamAssembly assembly = assemble_team(loaded);  // which refuses what a run would
+  const TeamAssembly assembly = assemble_team(loaded);  // refuses what a run would refuse
   std::vector<std::string> found = assembly.notes;
   const TeamSettings& team = assembly.boxes.estimator.settings();
   found.push_back(fmt::format("vehicles: {}, known landmarks: {}", team.members.size(), team.anchors.size()));
   return found;
 }
 
-/// Everything that would stop a run before its first frame.
+/// Performs all checks that could stop a run before its first frame.
 std::vector<std::string> check(const LoadedScenario& loaded) {
   const Scenario& s = loaded.scenario;
   std::vector<std::string> found = {"the settings fit together"};
@@ -112,9 +112,9 @@ std::vector<std::string> check(const LoadedScenario& loaded) {
     for (std::string& line : check_team(loaded)) found.push_back(std::move(line));
     return found;
   }
-  if (is_room_vehicle(s)) assemble_room_vehicle(loaded);  // which refuses what a run would
+  if (is_room_vehicle(s)) assemble_room_vehicle(loaded);  // refuses what a run would refuse
   if (s.run.sensor == "range-bearing") {
-    const RangeAssembly assembly = assemble_ranges(loaded);  // which refuses what a run would
+    const RangeAssembly assembly = assemble_ranges(loaded);  // refuses what a run would refuse
     const RangeRecording& recording = assembly.recording();
     found.insert(found.end(), assembly.notes.begin(), assembly.notes.end());
     found.push_back(fmt::format("{} odometry readings, {} scans, {} true places, {} surveyed landmarks",
@@ -139,7 +139,7 @@ std::vector<std::string> check(const LoadedScenario& loaded) {
     found.push_back(fmt::format("all {} images are there, the first is {}x{}", recording->frames.size(),
                                 s.camera.width_px, s.camera.height_px));
   }
-  if (!is_room_vehicle(s)) assemble(loaded);  // which refuses what a run would
+  if (!is_room_vehicle(s)) assemble(loaded);  // refuses what a run would refuse
   return found;
 }
 

@@ -1,4 +1,4 @@
-// `incognita config`: every setting of a scenario, or whether it is in order.
+// `incognita config`: lists the settings of a scenario, or checks them.
 #pragma once
 
 #include <functional>
@@ -9,8 +9,7 @@ class App;
 
 namespace incognita {
 
-/// Adds the command. When it is given, `job` becomes what it does; the job returns the exit code and may
-/// throw InputError.
+/// Adds the command. If it is selected, `job` is set; the job returns the exit code and may throw InputError.
 CLI::App* add_config(CLI::App& app, std::function<int()>& job);
 
 }  // namespace incognita

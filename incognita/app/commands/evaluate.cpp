@@ -35,10 +35,10 @@ struct Options {
   bool json = false;
 };
 
-/// What was asked for, as files.
+/// The files to evaluate.
 struct EvaluationRequest {
   std::vector<TrajectoryFiles> vehicles;
-  bool team = false;  ///< a run directory of several
+  bool team = false;  ///< the run directory of a team
 };
 
 std::string if_there(const fs::path& file) { return fs::exists(file) ? file.string() : ""; }
@@ -70,7 +70,7 @@ EvaluationRequest request_for_run(const Options& options) {
   return asked;
 }
 
-/// A run directory stands for the files in it.
+/// Replaces a run directory by the files in it.
 EvaluationRequest resolved(const Options& options) {
   if (!fs::exists(options.estimate)) throw InputError(options.estimate + ": there is no such file or folder");
   if (fs::is_directory(options.estimate)) return request_for_run(options);
@@ -79,7 +79,7 @@ EvaluationRequest resolved(const Options& options) {
   return {{{options.estimate, options.truth, options.covariance}}, false};
 }
 
-/// `auto`: what a run says of itself in summary.json, else se3, the field's custom.
+/// `auto`: the alignment stated in the run's summary.json, else se3, which is customary.
 AlignmentKind alignment_of(const Options& asked) {
   if (const auto kind = alignment_kind(asked.align)) return *kind;
   if (asked.align != "auto")
@@ -113,7 +113,7 @@ Json json_of(const TrajectoryErrors& v, double delta_s) {
   return json;
 }
 
-/// Of a team, the errors of all poses, then those of each vehicle.
+/// For a team, the errors over all poses, then those of each vehicle.
 void print_json(const TrajectoryComparison& c, AlignmentKind kind, double delta_s, bool team) {
   Json json{{"matched", c.matched},    {"estimate_poses", c.estimate_poses}, {"truth_poses", c.truth_poses},
             {"alignment", name(kind)}, {"scale", c.alignment.scale},         {"ate_m", json_of(c.ate_m)}};
@@ -150,7 +150,7 @@ void print_table(const TrajectoryComparison& c, AlignmentKind kind, double delta
   print_nees(c.nees);
 }
 
-/// Each vehicle over its own truth, then all poses together.
+/// Each vehicle with respect to its own truth, then all poses together.
 void print_team(const TrajectoryComparison& c, AlignmentKind kind, double delta_s) {
   for (std::size_t i = 0; i < c.vehicles.size(); ++i) {
     const TrajectoryErrors& v = c.vehicles[i];
@@ -167,7 +167,7 @@ void print_team(const TrajectoryComparison& c, AlignmentKind kind, double delta_
   print_nees(c.nees);
 }
 
-/// CLI11's own checks let NaN pass, which compares with nothing.
+/// CLI11's range checks accept NaN, as every comparison with it is false.
 CLI::Validator number_where(const char* allowed, bool (*is_allowed)(double)) {
   const auto check = [=](const std::string& word) {
     const auto value = parse_number(word);

@@ -1,4 +1,4 @@
-// `incognita evaluate`: how far an estimated trajectory is from the true one.
+// `incognita evaluate`: errors of an estimated trajectory with respect to the true one.
 #pragma once
 
 #include <functional>
@@ -9,9 +9,8 @@ class App;
 
 namespace incognita {
 
-/// Adds the command. When it is the one asked for, `job` is set to do it: 0 when done, 1 when the
-/// trajectories cannot be compared, which is said on standard error; InputError when a file or option is
-/// wrong.
+/// Adds the command. If it is selected, `job` is set. The job returns 0 on success and 1 if the trajectories
+/// cannot be compared (reported on standard error); it throws InputError for an invalid file or option.
 CLI::App* add_evaluate(CLI::App& app, std::function<int()>& job);
 
 }  // namespace incognita

@@ -1,4 +1,4 @@
-// The program: one file per command, and here the exit codes.
+// The program: selects the command and maps exceptions to exit codes.
 #include <CLI/CLI.hpp>
 #include <exception>
 #include <functional>

@@ -44,7 +44,7 @@ ObservabilityAnalysis analyze(const SystemText& text, const Options& options) {
   } catch (const SystemError& error) {
     throw InputError(at(text, error.location) + error.what());
   } catch (const std::invalid_argument& error) {
-    // Of what was asked for: a built-in system's file is none of the user's
+    // Name the system as the user gave it: the file of a built-in system is not the user's.
     throw InputError(options.system + ": " + error.what());
   } catch (const std::bad_alloc&) {
     throw InputError(
@@ -62,7 +62,7 @@ int observe(Options options) {
       text.vehicle.states.size() +
       (text.landmark ? text.landmark->states.size() * static_cast<std::size_t>(options.analysis.landmarks)
                      : 0);
-  constexpr std::size_t takes_long = 400;  // cost grows with the cube
+  constexpr std::size_t takes_long = 400;  // cost is cubic in the number of states
   if (states > takes_long)
     print_message("observe: {} states; singular values of matrices of this size take minutes\n", states);
   const ObservabilityAnalysis analysis = analyze(text, options);
@@ -72,7 +72,7 @@ int observe(Options options) {
     fmt::print("{}", observability_latex(text, analysis));
   else
     fmt::print("{}", observability_table(text, analysis, options.analysis));
-  // The others say it in their answers
+  // The other formats include the disagreements.
   if (options.latex)
     for (const std::string& line : analysis.disagreements) print_message("observe: {}\n", line);
   return 0;

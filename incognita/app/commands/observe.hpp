@@ -1,4 +1,4 @@
-// `incognita observe`: what can be seen of a system, and what cannot.
+// `incognita observe`: observability analysis of a system.
 #pragma once
 
 #include <functional>
@@ -9,8 +9,8 @@ class App;
 
 namespace incognita {
 
-/// Adds the command. When it is given, `job` becomes what it does; the job returns the exit code and throws
-/// InputError for a system or a combination that makes no sense.
+/// Adds the command. If it is selected, `job` is set; the job returns the exit code and throws InputError for
+/// an invalid system or combination of options.
 CLI::App* add_observe(CLI::App& app, std::function<int()>& job);
 
 }  // namespace incognita

@@ -1,5 +1,5 @@
-# `incognita reproduce`: a target of its own, so that it can be tested with experiments made for that. It takes the
-# experiments from whoever adds the command, and links none.
+# `incognita reproduce`: a separate target, so that it can be tested with experiments of the tests. The caller passes
+# the experiments; none are linked here.
 add_library(incognita_app_reproduce STATIC app/commands/reproduce.cpp)
 target_link_libraries(incognita_app_reproduce PUBLIC incognita::report PRIVATE incognita_app_folder_lock incognita::io CLI11::CLI11 fmt::fmt
                                                                                nlohmann_json::nlohmann_json)

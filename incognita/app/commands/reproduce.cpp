@@ -49,7 +49,7 @@ std::vector<std::string> all_ids(const Experiments& experiments) {
   return ids;
 }
 
-/// Where the example, or the figure's, is in the list.
+/// Index of the example, or of the one that draws the figure.
 std::size_t index_of(const std::string& id, const Experiments& experiments) {
   const auto found = std::find_if(experiments.begin(), experiments.end(),
                                   [&](const Experiment& e) { return e.id == id || draws(e, id); });
@@ -59,7 +59,7 @@ std::size_t index_of(const std::string& id, const Experiments& experiments) {
                                nearest.empty() ? "" : fmt::format("; the nearest is `{}`", nearest)));
 }
 
-/// Each once, in the order of the thesis.
+/// Each experiment once, in the order of the thesis.
 std::vector<const Experiment*> chosen(const std::vector<std::string>& ids, const Experiments& experiments) {
   std::vector<bool> requested(experiments.size(), ids.empty());
   for (const std::string& id : ids) requested[index_of(id, experiments)] = true;
@@ -91,7 +91,7 @@ void print_table(const LedgerEntry& entry) {
   for (const Claim& claim : entry.claims)
     fmt::print("  {:<18}  {}: {}\n  {:<18}  measured: {}\n", name(claim.verdict), claim.place,
                claim.statement, "", claim.measured);
-  std::fflush(stdout);  // the next one may take a while
+  std::fflush(stdout);  // the next experiment may take a while
 }
 
 std::size_t missing_figures(const Options& options, const std::vector<LedgerEntry>& entries) {
@@ -103,7 +103,7 @@ std::size_t missing_figures(const Options& options, const std::vector<LedgerEntr
   return missing;
 }
 
-/// `3 claims: 1 holds, 0 hold as corrected, 1 does not hold, 1 is undecided`
+/// E.g. `3 claims: 1 holds, 0 hold as corrected, 1 does not hold, 1 is undecided`.
 std::string counted(const std::vector<LedgerEntry>& entries) {
   std::size_t counts[4] = {0, 0, 0, 0}, all = 0;
   for (const LedgerEntry& entry : entries)
@@ -134,8 +134,7 @@ void report_outcomes(const Options& options, const std::vector<LedgerEntry>& ent
   if (skipped.size() < entries.size()) print_message("{}; see {}\n", counted(entries), page);
 }
 
-/// What the experiments gave that did not fail. The ledger is written after each: whatever ends this job
-/// early leaves the one of all that ran.
+/// Entries of all experiments that did not fail. The ledger is written after each, so that it survives an early end.
 std::vector<LedgerEntry> run_all(const Options& options, const std::vector<const Experiment*>& experiments) {
   const ExperimentSettings settings{options.out, options.seeds,
                                     [](const std::string& line) { print_message("  {}\n", line); }};
@@ -169,10 +168,10 @@ void make_figures_folder(const std::string& out) {
 int reproduce(const Options& options, const Experiments& all) {
   const std::vector<const Experiment*> experiments = chosen(options.ids, all);
   if (options.list) return list(experiments, options.json);
-  std::signal(SIGPIPE, SIG_IGN);  // the ledger matters more than who listens to how it goes
-  std::signal(SIGXFSZ, SIG_IGN);  // a full disk is an error that is reported, not a death
+  std::signal(SIGPIPE, SIG_IGN);  // a closed output pipe must not end the job
+  std::signal(SIGXFSZ, SIG_IGN);  // makes a full disk a reported error
   if (options.out.empty()) throw InputError("--out: names nothing; a folder is wanted");
-  const FolderLock lock(options.out);  // before anything of an earlier run is touched
+  const FolderLock lock(options.out);  // before any file of an earlier run is changed
   make_figures_folder(options.out);
   const std::vector<LedgerEntry> entries = run_all(options, experiments);
   if (options.json) fmt::print("{}", ledger_json(entries));

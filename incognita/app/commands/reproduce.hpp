@@ -1,4 +1,4 @@
-// `incognita reproduce`: the thesis' examples and figures again, each with its claims checked.
+// `incognita reproduce`: repeats the examples and figures of the thesis and checks their claims.
 #pragma once
 
 #include <functional>
@@ -12,10 +12,9 @@ class App;
 
 namespace incognita {
 
-/// Adds the command. When it is the one asked for, `job` is set to do it: 0 when all that was asked for ran,
-/// whatever the verdicts, 1 when an experiment failed (the others run all the same); InputError when there is
-/// no such example or figure, RecordError when the ledger cannot be written. `experiments` must outlive the
-/// job.
+/// Adds the command. If it is selected, `job` is set. The job returns 0 if all requested experiments ran,
+/// whatever the verdicts, and 1 if one failed (the others are run nevertheless); it throws InputError for an
+/// unknown example or figure and RecordError if the ledger cannot be written. `experiments` must outlive the job.
 CLI::App* add_reproduce(CLI::App& app, std::function<int()>& job, const std::vector<Experiment>& experiments);
 
 }  // namespace incognita

@@ -32,7 +32,7 @@ struct Options {
   std::string scenario = "room";
   std::optional<std::string> out;
   std::vector<std::string> sets;
-  std::optional<std::string> seed, duration_s;  // texts: the setting knows what it may be
+  std::optional<std::string> seed, duration_s;  // parsed by the setting
   bool realtime = false;
   bool save_frames = false;
   bool no_figures = false;
@@ -41,12 +41,12 @@ struct Options {
 volatile std::sig_atomic_t interrupted = 0;
 void interrupt(int) { interrupted = 1; }
 
-/// Asked to end, however often, the run closes its files first; that takes a frame and the figures.
+/// A signal ends the loop after the current frame; files are closed and figures drawn, however often it is sent.
 void handle_signals() {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     if (std::signal(signal, interrupt) == SIG_IGN && signal == SIGHUP) std::signal(signal, SIG_IGN);  // nohup
   }
-  std::signal(SIGXFSZ, SIG_IGN);  // a full disk is an error that is reported, not a death
+  std::signal(SIGXFSZ, SIG_IGN);  // makes a full disk a reported error
 }
 
 LoadedScenario load(const Options& options) {
@@ -56,7 +56,7 @@ LoadedScenario load(const Options& options) {
   return load_scenario(options.scenario, options.sets, flags);
 }
 
-/// Says on standard error when the tracking state changes, once.
+/// Reports loss and recovery of tracking, and the instructions to an operator, on standard error.
 class StateReporter {
  public:
   void report(const Snapshot& s) {
@@ -74,7 +74,7 @@ class StateReporter {
   bool was_lost_ = false;
 };
 
-/// In naps: whoever interrupts a run of one frame an hour does not wait an hour.
+/// Sleeps in short intervals, so that an interrupt is handled soon even at a low frame rate.
 void wait_until(std::chrono::steady_clock::time_point start, double t_s) {
   constexpr double nap_s = 0.05;
   for (;;) {
@@ -85,7 +85,7 @@ void wait_until(std::chrono::steady_clock::time_point start, double t_s) {
   }
 }
 
-/// A run directory, pictures if wanted, and what is said on standard error meanwhile.
+/// Writes the run directory, with pictures if requested, and reports progress on standard error.
 class RecorderSink : public RunSink {
  public:
   /// `frame_done` is called at the end of every frame.
@@ -120,7 +120,7 @@ class RecorderSink : public RunSink {
 
   RunOutcome finish(RunStatus status, const std::string& reason,
                     const std::vector<std::string>& warnings) override {
-    progress_.reset();  // its line on the terminal goes
+    progress_.reset();  // removes the progress line
     const auto finishing = [&](const std::filesystem::path& directory) {
       std::vector<std::string> all = warnings;
       if (!figures_) return all;
@@ -138,7 +138,7 @@ class RecorderSink : public RunSink {
   std::function<void()> frame_done_;
   bool figures_;
   AlignmentKind alignment_;
-  FolderLock lock_;  ///< before anything of an earlier run is touched
+  FolderLock lock_;  ///< acquired before any file of an earlier run is changed
   Recorder recorder_;
   std::optional<FramePictures> pictures_;
   std::optional<Progress> progress_;
@@ -152,7 +152,7 @@ void refuse_pictures_without_images(const Scenario& scenario) {
 }
 
 int run(const Options& options) {
-  std::signal(SIGPIPE, SIG_IGN);  // the record matters more than who listens to how it goes
+  std::signal(SIGPIPE, SIG_IGN);  // a closed output pipe must not end the run
   if (options.scenario.empty())
     throw InputError("the scenario names nothing; a file or a built-in one is wanted");
   if (options.out && options.out->empty()) throw InputError("--out: names nothing; a folder is wanted");

@@ -1,4 +1,4 @@
-// `incognita run`: the loop, from a scenario.
+// `incognita run`: runs the loop of a scenario.
 #pragma once
 
 #include <functional>
@@ -9,8 +9,8 @@ class App;
 
 namespace incognita {
 
-/// Adds the command. When it is given, `job` becomes what it does; the job returns the exit code and may
-/// throw InputError or RecordError.
+/// Adds the command. If it is selected, `job` is set; the job returns the exit code and may throw InputError
+/// or RecordError.
 CLI::App* add_run(CLI::App& app, std::function<int()>& job);
 
 }  // namespace incognita

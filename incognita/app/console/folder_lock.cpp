@@ -17,9 +17,9 @@ namespace incognita {
 namespace fs = std::filesystem;
 namespace {
 
-// Locks are on bytes of the file, none of which need be there. A run, or a campaign that is alone, has them
-// all. A share has the byte of its number for itself and, together with the others of its campaign, the byte
-// that stands for the campaign; then it checks whether anyone has another campaign's.
+// Byte-range locks; the bytes need not exist. A run or an undivided campaign locks all bytes. A shard locks
+// the byte of its number exclusively and shares the byte of its campaign with the other shards; it then
+// checks that no other campaign's byte is locked.
 constexpr off_t campaigns = off_t{1} << 40, campaigns_end = campaigns << 1;
 constexpr off_t everything = 0;  // as a length
 
@@ -32,7 +32,7 @@ struct flock bytes(short kind, off_t from, off_t length) {
   return lock;
 }
 
-/// 0, or why not.
+/// Returns 0 or errno.
 int take(int descriptor, short kind, off_t from, off_t length) {
   struct flock lock = bytes(kind, from, length);
   return ::fcntl(descriptor, F_SETLK, &lock) == 0 ? 0 : errno;
@@ -51,11 +51,11 @@ std::string busy(const fs::path& folder, const std::string& who) {
 }
 
 off_t byte_of(const SharedCampaign& share) {
-  constexpr std::size_t digits = 9;  // of 4 bits: fewer than there are bytes for campaigns
+  constexpr std::size_t digits = 9;  // 4 bits each: fewer values than there are bytes for campaigns
   return campaigns + std::stoll(share.digest.substr(0, digits), nullptr, 16);
 }
 
-/// 0, or why there can be no locks. Throws InputError when others are in the way.
+/// Returns 0, or errno if locks are not supported. Throws InputError if another process holds the lock.
 int lock_for(int descriptor, const fs::path& folder, const std::optional<SharedCampaign>& share) {
   const auto tried = [](int error, const std::string& refusal) {
     if (is_held_by_another(error)) throw InputError(refusal);
@@ -72,7 +72,7 @@ int lock_for(int descriptor, const fs::path& folder, const std::optional<SharedC
                busy(folder, fmt::format("another process with --shard {}/{}", shard.which + 1, shard.of)));
 }
 
-/// Whether the file is still the one of that name, and not one that its last owner has removed.
+/// Whether the open file is still the one of that name, not one that its last owner has removed.
 bool is_current(int descriptor, const fs::path& file) {
   struct stat here = {}, there = {};
   return ::fstat(descriptor, &here) == 0 && ::stat(file.c_str(), &there) == 0 && here.st_ino == there.st_ino;

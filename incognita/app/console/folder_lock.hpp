@@ -1,4 +1,4 @@
-// Who writes to an output folder: one run, one `reproduce`, one campaign, or several shares of one campaign.
+// Exclusive access to an output folder: for one run, one `reproduce`, one campaign, or the shards of one campaign.
 #pragma once
 
 #include <cstddef>
@@ -9,28 +9,28 @@
 
 namespace incognita {
 
-/// One of so many shares of a campaign, from 0.
+/// Shard `which` (from 0) of `of` shards of a campaign.
 struct Shard {
   std::size_t which = 0, of = 1;
 };
 
-/// A share and the campaign that it is of: shares of the same campaign may work in one folder.
+/// A shard and its campaign: shards of the same campaign may share a folder.
 struct SharedCampaign {
-  std::string digest;  ///< hexadecimal, the same for all shares of the campaign and for no other's
+  std::string digest;  ///< hexadecimal; identifies the campaign
   Shard shard;
 };
 
-/// Keeps all others out of a folder, or as a share all but the other shares of the same campaign. A lock of
-/// the kernel's on the file `.lock` in it, which goes with the process, however that ends, and which its
-/// children do not have. Across machines where the file system has such locks there; where it has none, that
-/// is said.
+/// Locks a folder against all other processes, or, for a shard, against all but the other shards of the same
+/// campaign. The lock is a kernel lock on the file `.lock`, which is released when the process ends for
+/// whatever reason and is not inherited by children. It works across machines if the file system supports it;
+/// if locks are not supported at all, a warning is printed.
 class FolderLock {
  public:
-  /// Makes the folder. At once, with nothing changed, throws InputError when another process is at work in
-  /// it, RecordError when it cannot be written to.
+  /// Creates the folder. Does not wait: throws InputError if another process holds the lock and RecordError
+  /// if the folder cannot be written, leaving everything unchanged.
   explicit FolderLock(const std::filesystem::path& folder,
                       const std::optional<SharedCampaign>& share = std::nullopt);
-  /// Lets go; the last one takes the file with it, and the folder where nothing else came to be in it.
+  /// Unlocks; the last owner removes the file, and the created folders if they are empty.
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;
@@ -38,7 +38,7 @@ class FolderLock {
  private:
   std::filesystem::path file_;
   int descriptor_ = -1;
-  std::vector<std::filesystem::path> made_;  ///< folders that were not there, the outermost first
+  std::vector<std::filesystem::path> made_;  ///< folders that did not exist, outermost first
 };
 
 }  // namespace incognita

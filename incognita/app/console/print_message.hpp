@@ -1,4 +1,4 @@
-// What the program tells a person, on standard error.
+// Messages to the user on standard error.
 #pragma once
 
 #include <fmt/format.h>
@@ -9,7 +9,7 @@
 
 namespace incognita {
 
-/// Prints, or does not: a terminal that is gone or a log on a full disk is no reason to end a run.
+/// Ignores write errors: a closed terminal or a full disk must not end a run.
 template <class... T>
 void print_message(fmt::format_string<T...> format, T&&... arguments) {
   const std::string text = fmt::format(format, std::forward<T>(arguments)...);

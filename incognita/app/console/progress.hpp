@@ -1,4 +1,4 @@
-// A line on the terminal that says how far a long job is. Silent when standard error is not a terminal.
+// A progress line on the terminal. Silent if standard error is not a terminal.
 #pragma once
 
 #include <chrono>

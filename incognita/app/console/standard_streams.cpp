@@ -13,7 +13,7 @@ namespace incognita {
 void take_closed_streams() {
   for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (::fcntl(descriptor, F_GETFD) >= 0 || errno != EBADF) continue;
-    // the lowest free number is this one; open the wrong way round, so that using it stays an error
+    // open() takes the lowest free descriptor, which is this one; the opposite access mode makes its use fail.
     [[maybe_unused]] const int taken = ::open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY);
   }
 }

@@ -1,15 +1,15 @@
-// Standard input, output and error, as they are found.
+// Robust handling of standard input, output and error.
 #pragma once
 
 #include <string>
 
 namespace incognita {
 
-/// Whoever starts the program may have closed them. The next file opened would then take their number, and
-/// what is meant for the terminal would be written into it: from here on such a stream is taken, and refuses.
+/// Opens standard streams that are closed at program start, such that using them fails. Otherwise the next
+/// opened file would get their descriptor, and terminal output would be written into it.
 void take_closed_streams();
 
-/// Hands everything to standard output. Why not all that was printed got there, ever; empty when it did.
+/// Flushes standard output and returns why any output so far was lost; empty if none was.
 std::string why_output_failed();
 
 }  // namespace incognita

@@ -24,7 +24,7 @@ std::vector<std::string> options(const CLI::App& command) {
   return names;
 }
 
-/// The words that nothing was known to do with.
+/// The first word that the parser could not assign.
 std::string unknown_word(const CLI::App& app, const std::vector<CLI::App*>& given) {
   const std::vector<std::string> left = (given.empty() ? app : *given.front()).remaining();
   return left.empty() ? "" : left.front();

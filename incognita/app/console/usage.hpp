@@ -1,4 +1,4 @@
-// What is said of a command line that makes no sense.
+// Messages about invalid command lines.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ class Error;
 
 namespace incognita {
 
-/// The command or option that was not known, with the nearest that is; else what the parser says.
+/// Names the unknown command or option and the nearest known one, else returns the parser's message.
 std::string usage_message(const CLI::App* app, const CLI::Error& error);
 
 }  // namespace incognita

@@ -91,7 +91,7 @@ void check_sheet(const LoadedScenario& loaded, const Target& target, const Sheet
 Assembly assemble(const LoadedScenario& loaded) {
   try {
     return assembled(loaded);
-  } catch (const std::invalid_argument& error) {  // as a room too small for its boxes
+  } catch (const std::invalid_argument& error) {  // e.g. a room too small for its boxes
     throw InputError(shown(loaded.file) + ": " + error.what());
   }
 }

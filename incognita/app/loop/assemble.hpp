@@ -1,4 +1,4 @@
-// From a scenario to the boxes of the loop.
+// Builds the components of the loop from a camera scenario.
 #pragma once
 
 #include <string>
@@ -13,12 +13,12 @@ namespace incognita {
 
 struct Assembly {
   Boxes boxes;
-  bool scale_is_known = true;      ///< fixed by the target; else free
-  std::vector<std::string> notes;  ///< what was guessed, for printing
+  bool scale_is_known = true;      ///< fixed by the target; else unobservable
+  std::vector<std::string> notes;  ///< assumptions, for printing
 };
 
-/// The target must hang where the room's sheet does: a longer room has it further away, and a start from
-/// where it is not would be wrong and sure of itself. Throws InputError.
+/// Checks that the target is at the position of the room's sheet, which depends on the room's size: otherwise
+/// the start pose would be wrong and overconfident. Throws InputError.
 void check_sheet(const LoadedScenario& loaded, const Target& target, const Sheet& sheet);
 
 /// Throws InputError naming file and key or value.

@@ -40,8 +40,8 @@ void check_fixes(const LoadedScenario& loaded, const RangeRecording& recording) 
       fmt::format("{}: {} = true: no external sensor is in this recording", loaded.sources.at(key), key));
 }
 
-/// A recording without a scan in time would end as one that never started. Every reader refuses one without
-/// scans.
+/// Refuses a duration that ends before the first scan: the run would report that it never started. All
+/// readers guarantee at least one scan.
 void check_scans(const LoadedScenario& loaded, const RangeRecording& recording) {
   const double duration_s = loaded.scenario.run.duration_s,
                first = recording.scans.front().t - start_time(recording);
@@ -51,7 +51,7 @@ void check_scans(const LoadedScenario& loaded, const RangeRecording& recording) 
                   loaded.sources.at("run.duration_s"), duration_s, first));
 }
 
-/// How the sensor tells the anchors, found among the surveyed landmarks; nothing where one is not among them.
+/// Identities of the anchors, found by position among the surveyed landmarks; nullopt if one is missing.
 std::optional<std::vector<std::int64_t>> identities_of_anchors(const std::vector<Eigen::Vector2d>& anchors,
                                                                const RangeRecording& recording) {
   constexpr double same_place_m = 0.05;
@@ -66,7 +66,7 @@ std::optional<std::vector<std::int64_t>> identities_of_anchors(const std::vector
   return identities;
 }
 
-/// What of a recording the run will not use, with counts.
+/// Reports what parts of a recording the run does not use, with counts.
 std::vector<std::string> left_out(const RangeRecording& recording, const PlanarSlamSettings& s) {
   std::size_t all = 0, far = 0, without_identity = 0, placed = 0;
   for (const RangeRecording::Scan& scan : recording.scans) {

@@ -1,4 +1,4 @@
-// From a scenario whose sensor measures ranges and bearings to the boxes of the loop.
+// Builds the components of the loop from a scenario with a recorded range-bearing sensor.
 #pragma once
 
 #include <string>
@@ -14,10 +14,10 @@ namespace incognita {
 
 struct RangeAssembly {
   TeamBoxes boxes;
-  SharedRangeRecordings recordings;  ///< one
-  bool frame_is_fixed = true;  ///< by anchors or fixes; else the map is relative to the start of the vehicle
-  std::vector<std::string> notes;          ///< what was guessed or left out, for printing
-  std::vector<std::string> warnings = {};  ///< what is most likely wrong with the recording
+  SharedRangeRecordings recordings;  ///< a single one
+  bool frame_is_fixed = true;        ///< by anchors or fixes; else the map is relative to the start pose
+  std::vector<std::string> notes;    ///< assumptions and ignored data, for printing
+  std::vector<std::string> warnings = {};  ///< likely problems of the recording
 
   const RangeRecording& recording() const { return recordings->front(); }
 };
@@ -25,11 +25,11 @@ struct RangeAssembly {
 /// Throws InputError naming file and key or value.
 RangeAssembly assemble_ranges(const LoadedScenario& loaded);
 
-/// The same on a recording that is at hand, e.g. simulated.
+/// The same for a given recording, e.g. a simulated one.
 RangeAssembly assemble_ranges(RangeRecording recording, const PlanarSlamSettings& settings,
                               double duration_s);
 
-/// The surveyed landmarks of a recording. `identified`: the map has their identities.
+/// The surveyed landmarks of a recording. `identified`: the map uses their identities.
 Survey survey_of(const RangeRecording& recording, bool identified);
 
 }  // namespace incognita

@@ -17,7 +17,7 @@
 namespace incognita {
 namespace {
 
-/// The room keeps boxes from between its target and where the camera is at first.
+/// The room places no boxes between its target and the initial camera position.
 RoomSettings room_of(const Scenario& s) {
   RoomSettings room = s.room;
   const Eigen::Vector3d& start = s.team.start.positions_m.front();
@@ -31,7 +31,7 @@ WheelOdometry odometry_of(const Scenario& s) {
 }
 
 VehicleDriving driving_of(const LoadedScenario& loaded, const Terrain& ground) {
-  constexpr double to_spare_m = 0.05;  // for what its ranges err by, and its wheels
+  constexpr double to_spare_m = 0.05;  // margin for range and wheel errors
   const Scenario& s = loaded.scenario;
   VehicleDriving driving{steering_of(loaded, 0, ground).settings, mount_of(s)};
   if (s.team.steer.avoidance_distance_m > 0)

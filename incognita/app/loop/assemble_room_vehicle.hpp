@@ -1,4 +1,4 @@
-// A vehicle in the rendered room, from its scenario to the boxes of the loop.
+// Builds the components of the loop for a vehicle that carries the camera through the rendered room.
 #pragma once
 
 #include "incognita/app/loop/loop.hpp"
@@ -8,7 +8,7 @@ namespace incognita {
 
 struct RoomVehicleAssembly {
   VehicleBoxes boxes;
-  bool scale_is_known = true;  ///< fixed by the target; else free
+  bool scale_is_known = true;  ///< fixed by the target; else unobservable
 };
 
 /// Throws InputError naming file and key or value.

@@ -23,7 +23,7 @@
 namespace incognita {
 namespace {
 
-/// What a box refuses is said with the setting that has most to do with it.
+/// Attributes an exception of a component to its most relevant setting.
 template <class Make>
 auto made(const LoadedScenario& loaded, const std::string& key, const std::string& value, const Make& make) {
   try {
@@ -45,7 +45,7 @@ TeamEstimator estimator_of(const LoadedScenario& loaded, const TeamSettings& tea
               [&] { return TeamEstimator(team); });
 }
 
-/// The first so many, or all, of the landmarks are known before.
+/// Makes the first `known` landmarks (all if negative) anchors.
 void set_anchors(TeamSettings& team, const PointLandmarks& place, int known) {
   for (const auto& [identity, point] : place) {
     if (known >= 0 && static_cast<int>(team.anchors.size()) >= known) return;
@@ -67,7 +67,7 @@ TeamDecisionSettings decision_of(const Scenario& s) {
   return out;
 }
 
-/// A first guess of depths that has nothing to do with the place makes landmarks that a filter cannot mend.
+/// Warns if the initial inverse depth does not fit the scene: such landmarks do not recover.
 std::vector<std::string> notes_of(const LoadedScenario& loaded) {
   const Scenario& s = loaded.scenario;
   const PointsSettings& points = s.team.points;
@@ -99,8 +99,7 @@ std::unique_ptr<World> world_of(const Scenario& s, const std::vector<SimulatedVe
   return std::make_unique<CarriedCameraWorld>(std::move(carriers), seed);
 }
 
-/// What a sensor can name; nothing: all. Anchors are known by their look, as the fiduciary points of Section
-/// 6.3.1 are.
+/// Identities that a sensor provides; nullopt: all. Anchors are recognized like the fiducial points of Section 6.3.1.
 std::optional<std::set<std::int64_t>> names_of(const TeamSettings& team) {
   if (team.association.method == "known") return std::nullopt;
   std::set<std::int64_t> named;
@@ -159,7 +158,7 @@ TeamAssembly simulated(const LoadedScenario& loaded) {
       names_of(team) ? Survey{} : survey_of(point_landmarks)};
 }
 
-/// Each starts where the motion capture has it when all know how they move.
+/// The team with each robot starting at its motion-capture pose at time t.
 TeamSettings recorded_team(const LoadedScenario& loaded, const std::vector<RangeRecording>& robots,
                            double t) {
   const Scenario& s = loaded.scenario;

@@ -1,4 +1,4 @@
-// From a scenario with vehicles that name what they see, simulated or recorded, to the boxes of the loop.
+// Builds the components of the loop from a team scenario, simulated or recorded.
 #pragma once
 
 #include <memory>
@@ -14,15 +14,15 @@ namespace incognita {
 
 struct TeamAssembly {
   TeamBoxes boxes;
-  std::vector<std::string> notes;  ///< what was guessed, for printing
-  /// What each sighting really is of, tick by tick, for who scores; null where the estimator is told.
+  std::vector<std::string> notes;  ///< assumptions, for printing
+  /// True identity of each detection, tick by tick, for evaluation; null if the estimator gets the identities.
   std::shared_ptr<const AssociationTruth> association_truth = nullptr;
-  Survey survey = {};                      ///< the true landmarks, where the map has their identities
-  std::vector<std::string> warnings = {};  ///< what is most likely wrong with a recording
+  Survey survey = {};                      ///< true landmarks if the map has their identities
+  std::vector<std::string> warnings = {};  ///< likely problems of a recording
 };
 
-/// Throws InputError naming file and key or value: vehicles that can not carry that sensor, laws that can not
-/// steer them, paths that they can not follow.
+/// Throws InputError naming file and key or value, e.g. for a sensor that does not fit the vehicle, or a
+/// control law or path that the vehicle cannot follow.
 TeamAssembly assemble_team(const LoadedScenario& loaded);
 
 }  // namespace incognita

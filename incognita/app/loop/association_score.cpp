@@ -5,7 +5,7 @@
 namespace incognita {
 
 void AssociationScore::add(const Snapshot& s) {
-  std::set<std::int64_t> mapped;  // before this tick's births, which are told at its end
+  std::set<std::int64_t> mapped;  // before the initializations of this tick, which follow in its matches
   for (const SnapshotLandmark& landmark : s.landmarks)
     if (const auto known = landmark_of_.find(landmark.id); known != landmark_of_.end())
       mapped.insert(known->second);

@@ -1,4 +1,4 @@
-// How often a team's estimator took a sighting for the landmark that it is of.
+// Data association errors of a team's estimator.
 #pragma once
 
 #include <cstdint>
@@ -11,26 +11,26 @@
 
 namespace incognita {
 
-/// The estimator's numbers say nothing of the truth: each is held to be the landmark of whose sighting it was
-/// born.
+/// The estimator's landmark ids are unrelated to the true identities: each landmark is attributed to the true
+/// landmark whose detection initialized it.
 class AssociationScore {
  public:
   explicit AssociationScore(std::shared_ptr<const AssociationTruth> truth) : truth_(std::move(truth)) {}
 
-  /// Of the tick that the truth is of.
+  /// Adds a snapshot; `truth` must hold the same tick.
   void add(const Snapshot& snapshot);
 
-  std::int64_t right() const { return right_; }  ///< matches, without those of anchors, which have names
+  std::int64_t right() const { return right_; }  ///< correct matches, without those of anchors
   std::int64_t wrong() const { return wrong_; }
-  /// Sightings of landmarks that were in the map, and matched with none.
+  /// Detections of mapped landmarks that were not matched.
   std::int64_t missed() const { return missed_; }
-  int duplicate_landmarks() const { return duplicate_landmarks_; }  ///< births of what was in the map
+  int duplicate_landmarks() const { return duplicate_landmarks_; }  ///< of mapped landmarks
 
  private:
   void add(const SnapshotMatch& match, std::int64_t truth, const std::set<std::int64_t>& mapped);
 
   std::shared_ptr<const AssociationTruth> truth_;
-  std::map<std::int64_t, std::int64_t> landmark_of_;  ///< by the estimator's number
+  std::map<std::int64_t, std::int64_t> landmark_of_;  ///< by the estimator's id
   std::int64_t right_ = 0, wrong_ = 0, missed_ = 0;
   int duplicate_landmarks_ = 0;
 };

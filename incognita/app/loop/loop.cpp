@@ -6,7 +6,7 @@
 namespace incognita {
 namespace {
 
-/// Who asks the wheels how fast it goes does so beside the estimate.
+/// Some decisions also use the observation, e.g. the wheel speeds.
 template <class Decision, class Estimate>
 Goal choose(Decision& decision, const Estimate& estimate, const Observation& observation, const Tick& tick) {
   if constexpr (requires { decision.choose(estimate, observation, tick); })
@@ -30,13 +30,13 @@ void run_loop(SomeBoxes& boxes, const std::function<void(const Snapshot&)>& publ
   while (const Tick tick = clock->next()) {
     if (!keep_going(tick)) return;
     StageClock stage(timing_ms);
-    const auto truth = world->move(command, tick);  // what really happens (absent on a real robot)
+    const auto truth = world->move(command, tick);  // true motion (absent on a real robot)
     stage.mark("world");
-    const Observation observation = sensor->measure(truth, tick);  // all that the robot can know
+    const Observation observation = sensor->measure(truth, tick);  // everything a robot can measure
     stage.mark("sensor");
-    estimator.update(estimate, command, observation, tick);  // in place: belief, landmark catalogue, status
+    estimator.update(estimate, command, observation, tick);  // in place: belief, landmark catalog, status
     stage.mark("estimator");
-    const Goal goal = choose(decision, estimate, observation, tick);  // which action, which way, every score
+    const Goal goal = choose(decision, estimate, observation, tick);  // action, reference, scores
     stage.mark("advice");
     command = controller.act(estimate, goal, observation, tick);
     stage.mark("control");

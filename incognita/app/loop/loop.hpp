@@ -1,4 +1,4 @@
-// The loop: five boxes, five messages, one door.
+// The loop: world, sensor, estimator, decision and controller, connected by messages.
 #pragma once
 
 #include <functional>
@@ -28,15 +28,14 @@ struct BoxesOf {
   Controller controller;
 };
 using Boxes = BoxesOf<CameraEstimator, CameraDecision, CameraController>;
-/// Vehicles of any kind that detect points, in one belief.
+/// One or more vehicles with point measurements, estimated in one belief.
 using TeamBoxes = BoxesOf<TeamEstimator, TeamDecision, TeamController>;
 
-/// A vehicle in the rendered room that carries the camera.
+/// A vehicle that carries the camera through the rendered room.
 using VehicleBoxes = BoxesOf<CameraEstimator, VehicleDecision, VehicleController>;
 
-/// Runs until the clock ends or `keep_going` says no. Whatever the boxes and the record throw passes through;
-/// what was published before stays published.
-/// `watch`, if given, sees the estimate after each update, with the trace of what was done to its belief.
+/// Runs until the clock ends or `keep_going` returns false. Exceptions of the components and of `publish` are
+/// passed on. `watch`, if given, receives the estimate after each update with the trace of the changes to its belief.
 template <class SomeBoxes>
 void run_loop(SomeBoxes& boxes, const std::function<void(const Snapshot&)>& publish,
               const std::function<bool(const Tick&)>& keep_going,

@@ -23,7 +23,7 @@ PlanarScene scene_of(const TeamEstimate& estimate, const ObservabilityMonitor& m
   return scene;
 }
 
-/// Without a monitor, as before its first tick, the errors are not numbered.
+/// Without a monitor (before its first tick), error indices are unset.
 SpatialScene scene_of(const Estimate& estimate, const ObservabilityMonitor* monitor) {
   SpatialScene scene;
   scene.camera = estimate.camera_state();
@@ -83,7 +83,8 @@ void ObservabilityWatch::follow(const AnyBelief& belief, BlockId vehicle) {
   monitor_->follow(belief.trace());
 }
 
-/// Both monitors of a camera. Places of birth are exact to a share of the scene, as it is at their birth.
+/// Updates both monitors of a camera. Initialization poses are regularized with a sigma proportional to the
+/// scene's size at that time.
 void ObservabilityWatch::follow_camera(const Estimate& estimate) {
   constexpr double exact_share = 5e-5;
   if (!monitor_) {
@@ -134,7 +135,7 @@ void ObservabilityWatch::put(Scene scene) {
     scene_ = Scene{};
 }
 
-/// Fixes of a vehicle that stands still scatter: only such as are clearly apart are two places.
+/// Fixes of a vehicle at rest scatter: only clearly distinct ones count as different positions.
 void ObservabilityWatch::use_fix(const UsedFix& fix) {
   constexpr std::size_t most = 8;
   constexpr double apart_sigmas = 7;
@@ -155,7 +156,7 @@ FixedPoints ObservabilityWatch::fixed(Eigen::Index dimension) const {
   return out;
 }
 
-/// What is not finite is not followed, and what can be known is said of the last scene that was.
+/// If the estimate is not finite, the report refers to the last finite scene.
 std::optional<ObservabilityReport> ObservabilityWatch::report() {
   if (!monitor_) return std::nullopt;
   std::string uncovered = monitor_->uncovered() ? why(*monitor_->uncovered()) : "";

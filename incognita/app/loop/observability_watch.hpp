@@ -1,5 +1,5 @@
-// Follows an estimator while it runs, so that the run can say what it knows of its frame and scale, and what
-// it only believes: analysis/observability/observability_report.hpp.
+// Monitors the observability of frame and scale during a run, to distinguish real from spurious information:
+// analysis/observability/observability_report.hpp.
 #pragma once
 
 #include <map>
@@ -16,12 +16,12 @@ namespace incognita {
 
 class ObservabilityWatch {
  public:
-  /// After each tick, with the trace of that tick alone: Belief::keep_trace().
+  /// Call after each tick, with the trace of that tick only: Belief::keep_trace().
   void follow(const Estimate& estimate);
-  /// Of one vehicle on a plane.
+  /// The same for a single planar vehicle.
   void follow(const TeamEstimate& estimate);
 
-  /// As of the last tick; nothing while the estimator has not started. Cubic in the map.
+  /// Report at the last tick; nullopt before the estimator has started. Cost is cubic in the map size.
   std::optional<ObservabilityReport> report();
 
  private:
@@ -34,12 +34,12 @@ class ObservabilityWatch {
   FixedPoints fixed(Eigen::Index dimension) const;
 
   std::optional<ObservabilityMonitor> monitor_;
-  /// Of a camera, motions telling nothing; given up when no symmetry remains
+  /// For a camera: information of the measurements alone, without motion; dropped when no symmetry remains.
   std::optional<ObservabilityMonitor> measurement_monitor_;
-  std::map<std::int64_t, Eigen::VectorXd> anchors_;                ///< that corrected the filter
-  std::vector<Eigen::Vector2d> fixes_;                             ///< places clearly apart
-  std::variant<std::monostate, PlanarScene, SpatialScene> scene_;  ///< the last whose numbers are finite
-  bool finite_ = true;                                             ///< that is the present one
+  std::map<std::int64_t, Eigen::VectorXd> anchors_;                ///< anchors that corrected the filter
+  std::vector<Eigen::Vector2d> fixes_;                             ///< clearly distinct positions only
+  std::variant<std::monostate, PlanarScene, SpatialScene> scene_;  ///< the last finite one
+  bool finite_ = true;                                             ///< whether the current scene is finite
 };
 
 }  // namespace incognita

@@ -1,4 +1,4 @@
-// The operator of a scenario.
+// Builds the operator model of a scenario.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace incognita {
 
-/// Who holds that camera, and how a hand moves it: as the controller would from the true state.
+/// The operator who holds that camera and moves it by the controller's law, evaluated at the true state.
 OperatorActuator operator_of(const Scenario& scenario, std::size_t camera);
 
 }  // namespace incognita

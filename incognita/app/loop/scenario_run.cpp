@@ -18,14 +18,14 @@
 namespace incognita {
 namespace {
 
-/// How the run ended, from the loop's own view.
+/// How the loop ended.
 struct RunConclusion {
   RunStatus status = RunStatus::done;
   std::string reason;
   std::vector<std::string> warnings = {};
 };
 
-/// What is remembered of the frames that passed.
+/// State accumulated over the frames.
 struct RunProgress {
   Snapshot last;
   bool ever_tracked = false, ever_measured = false, stopped = false;
@@ -51,7 +51,7 @@ RunConclusion conclusion_of(const RunProgress& progress) {
   return {};
 }
 
-/// `to_see`: whether there is anything.
+/// `to_see`: whether the scene contains landmarks.
 std::vector<std::string> warnings_of(const RunProgress& progress, bool to_see) {
   const Snapshot& last = progress.last;
   std::vector<std::string> warnings;
@@ -62,7 +62,7 @@ std::vector<std::string> warnings_of(const RunProgress& progress, bool to_see) {
     warnings.push_back(fmt::format("anchors never matched: {}; are they where they should be?", unseen));
   if (to_see && !last.vehicles.empty() && !progress.ever_measured)
     warnings.push_back("nothing was seen in the whole run");
-  constexpr double most_doubted = 0.1;  // of all frames
+  constexpr double most_doubted = 0.1;  // share of all frames
   if (static_cast<double>(progress.doubted) > most_doubted * static_cast<double>(progress.frames))
     warnings.push_back(
         fmt::format("degraded in {} of {} frames: {}", progress.doubted, progress.frames, progress.doubt));
@@ -115,7 +115,7 @@ void note(const AssociationScore& score, RunSink& sink) {
   sink.note("landmarks_born_again", std::int64_t{score.duplicate_landmarks()});
 }
 
-/// Drives the boxes; `info` is complete. `score`, where what the estimator sees has no names.
+/// Runs the loop; `info` is complete. `score` is set if the estimator gets detections without identity.
 template <class SomeBoxes>
 RunOutcome run_boxes(SomeBoxes& boxes, const RunInfo& info, const LoadedScenario& loaded,
                      const SinkFactory& open, const RunCallbacks& callbacks,
@@ -139,7 +139,7 @@ RunOutcome run_camera(const LoadedScenario& loaded, const SinkFactory& open, con
   if (!assembly.scale_is_known)
     callbacks.report("no target: the scale is not observable, lengths are relative");
   RunInfo info = info_of(loaded);
-  // A recording's truth is in its own world, which a target need not share
+  // The frame of a recording's truth may differ from that of the target.
   const bool own_frame = loaded.scenario.run.world == "recording";
   info.ate_alignment = !assembly.scale_is_known ? "sim3" : own_frame ? "se3" : "none";
   return run_boxes(assembly.boxes, info, loaded, open, callbacks);
@@ -171,7 +171,7 @@ RunOutcome run_vehicle(const LoadedScenario& loaded, const SinkFactory& open, co
   return run_boxes(assembly.boxes, info, loaded, open, callbacks);
 }
 
-/// What the inputs of a motion are called.
+/// Names of a motion model's inputs.
 std::vector<std::string> inputs_of(const MotionTraits& motion) {
   std::vector<std::string> names;
   for (const Quantity& input : motion.input) names.push_back(input.key());

@@ -1,4 +1,4 @@
-// From the loop's messages to what files and screens may see.
+// Builds snapshots from the messages of the loop.
 #pragma once
 
 #include <optional>
@@ -13,14 +13,14 @@
 
 namespace incognita {
 
-/// `loop_ms`: the loop's own stages; the estimator's are taken apart into what it measured itself. The stage
-/// `frame` is everything a robot would have to do: estimator, advice and control, not the simulated world nor
-/// the files.
+/// `loop_ms`: times of the loop's stages; that of the estimator is replaced by its own measured stages. The
+/// stage `frame` is the computation that a real robot needs: estimator, decision and control, without
+/// simulation and recording.
 Snapshot snapshot_of(const Tick& tick, const std::optional<Truth>& truth, const Observation& observation,
                      const Estimate& estimate, const Goal& goal, const std::vector<std::string>& actions,
                      const Command& command, const std::vector<std::pair<const char*, double>>& loop_ms);
 
-/// Vehicles of a team, each as a body in space. Looks are numbers of the sensor's, the first two of each.
+/// Snapshot of a team, each vehicle as a rigid body in space. Of each measurement, the first two components.
 Snapshot snapshot_of(const Tick& tick, const std::optional<Truth>& truth, const Observation& observation,
                      const TeamEstimate& estimate, const Goal& goal, const std::vector<std::string>& actions,
                      const Command& command, const std::vector<std::pair<const char*, double>>& loop_ms);

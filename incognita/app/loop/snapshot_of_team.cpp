@@ -24,7 +24,7 @@ SnapshotVehicle in_space(const TeamEstimate& e, std::size_t i, const std::option
   return out;
 }
 
-/// A point on a line, a plane or in space; the coordinates that it does not have are 0 and certain.
+/// Embeds a point on a line or plane in space; missing coordinates are 0 with zero covariance.
 SnapshotLandmark in_space(std::int64_t id, const TeamPosition& at, int detection_count) {
   SnapshotLandmark out{id, false, Eigen::Vector3d::Zero(), Eigen::Matrix3d::Zero(), detection_count};
   const Eigen::Index size = at.position.size();

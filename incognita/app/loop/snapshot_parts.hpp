@@ -1,4 +1,4 @@
-// What every snapshot has, whoever estimates.
+// Parts common to all snapshots.
 #pragma once
 
 #include <span>
@@ -15,8 +15,8 @@ namespace incognita {
 
 using StageTimes = std::vector<std::pair<const char*, double>>;
 
-/// The loop's stages with the estimator's own in its place, each snapshot the same in the same order, zero
-/// where one was not reached; then `frame`: everything that a robot would have to do.
+/// The loop's stages with `estimator` replaced by its own stages, in the same order in every snapshot, zero
+/// for a stage that was not executed; then `frame`: estimator, decision and control together.
 StageTimes timing_of(const StageTimes& measured, std::span<const char* const> in_estimator,
                      const StageTimes& loop_ms);
 

@@ -28,7 +28,7 @@ double heading_of_start(const TeamStartSettings& s, std::size_t i) {
   return s.headings_rad.size() == 1 ? s.headings_rad.front() : s.headings_rad.at(i);
 }
 
-/// Of what moves: a carried camera's is that of its carrier.
+/// True start state; for a carried camera that of its carrier.
 SmallVector start_of(const Scenario& s, std::size_t i) {
   const Eigen::Vector3d& at = s.team.start.positions_m.at(i);
   const double heading = heading_of_start(s.team.start, i);
@@ -36,7 +36,7 @@ SmallVector start_of(const Scenario& s, std::size_t i) {
   return at_rest(make_motion(s.planar.vehicle.model), at, heading);
 }
 
-/// Of the state that is estimated: a carried camera's is where its carrier has it, standing.
+/// Start of the estimated state; for a carried camera the camera state on its carrier at rest.
 SmallVector estimated_start(const Scenario& s, std::size_t i, const Terrain& ground) {
   const SmallVector start = start_of(s, i);
   if (!has_carried_camera(s)) return start;
@@ -81,7 +81,7 @@ SmallVector limits_of(const Scenario& s) {
                        s.control.max_acceleration_m_s2, s.control.max_angular_acceleration_rad_s2});
 }
 
-/// Of what moves: speed and turn rate where a camera is carried.
+/// The true vehicle; for a carried camera its carrier with speed and turn rate as inputs.
 PlantSettings plant_of(const Scenario& s, std::size_t i) {
   const PlantChoice& p = s.team.plant;
   PlantSettings plant;
@@ -95,7 +95,7 @@ PlantSettings plant_of(const Scenario& s, std::size_t i) {
     plant.input_ratios = list({p.speed_ratio, p.turn_ratio});
     return plant;
   }
-  // Speeds are 0 at the start, which the filter may know less well
+  // The true vehicle starts at rest, even if the filter's start velocity is uncertain.
   plant.start_sigmas =
       of_start(s, {p.sigma_start_position_m, p.sigma_start_height_m, p.sigma_start_heading_rad, 0, 0});
   plant.input_sigmas = of_inputs(s, {p.sigma_speed_m_s, p.sigma_turn_rate_rad_s, p.sigma_steering_rad,
@@ -132,7 +132,7 @@ Diagonal diagonal(const std::vector<double>& numbers) {
       Eigen::Map<const Eigen::VectorXd>(numbers.data(), static_cast<Eigen::Index>(numbers.size()))));
 }
 
-/// Of none it stands still.
+/// Zero if no input is set.
 SmallVector held_input(const Scenario& s, int inputs) {
   const std::vector<double>& input = s.team.steer.input;
   if (input.empty()) return SmallVector::Zero(inputs);
@@ -170,7 +170,7 @@ AnySensor sensor_of(const Scenario& s) {
   return sensor;
 }
 
-/// A camera measures what is in its image. A full turn includes the bearing of pi and its rounding.
+/// A camera is limited by its image. No limit for a full turn, to include a bearing of pi despite rounding.
 static SensorLimits reach_of(const Scenario& s, const AnySensor& sensor) {
   SensorLimits sensor_limits;
   if (dimensions_of(sensor) == 3) return sensor_limits;

@@ -1,4 +1,4 @@
-// From a team's scenario to its models: motions, sensors, noises, laws and paths.
+// Builds the models of a team scenario: motions, sensors, noises, control laws and paths.
 #pragma once
 
 #include <vector>
@@ -13,34 +13,33 @@
 
 namespace incognita {
 
-/// How many vehicles a scenario of points has.
+/// Number of vehicles of a team scenario.
 std::size_t vehicles_of(const Scenario& scenario);
 
-/// What vehicles stand on: level unless some know of uneven ground. Throws InputError, as terrain_of().
+/// The terrain; flat if no vehicle is modeled on uneven ground. Throws InputError as terrain_of().
 Terrain ground_of(const LoadedScenario& loaded);
 
 AnyMotion motion_of(const Scenario& scenario, const Terrain& ground);
 Mount mount_of(const Scenario& scenario);
 AnySensor sensor_of(const Scenario& scenario);
 
-/// What the filter believes of vehicle `i`.
+/// The estimator's model of vehicle `i`.
 TeamMember member_of(const Scenario& scenario, std::size_t i, const Terrain& ground);
 TeamFilterSettings filter_of(const Scenario& scenario);
 
-/// What vehicle `i` really is; of one that is carried the camera alone, the rest being carrier_of.
+/// The true vehicle `i`; of a carried camera the camera only, see carrier_of().
 SimulatedVehicle simulated_vehicle(const Scenario& scenario, std::size_t i, const Terrain& ground);
 
-/// What carries camera `i`, where has_carried_camera().
+/// The carrier of camera `i` if has_carried_camera().
 CameraCarrier carrier_of(const Scenario& scenario, std::size_t i, const Terrain& ground);
 
-/// The point of a vehicle that its law brings to the path, before and left of the point that its state tells
-/// (m).
+/// The point that the control law brings to the path, ahead and left of the vehicle's reference point, m.
 Eigen::Vector2d steered_point(const Scenario& scenario);
 
-/// Which way vehicle `i` is to go, and by which law. Throws InputError where a path's file cannot be used.
+/// Path and control law of vehicle `i`. Throws InputError if a path file cannot be used.
 VehicleSteering steering_of(const LoadedScenario& loaded, std::size_t i, const Terrain& ground);
 
-/// The landmarks, drawn or from a table. Throws InputError.
+/// The landmarks, sampled or read from a table. Throws InputError.
 PointLandmarks point_landmarks_of(const LoadedScenario& loaded);
 
 }  // namespace incognita

@@ -16,7 +16,7 @@ struct Published {
   const char* where;
 };
 
-// docs/data.md says more and how the checksums are made.
+// docs/data.md describes these data sets and their checksums.
 constexpr Published known[] = {
     {"monoslam_testseq",
      "It is published at www.doc.ic.ac.uk/~ajd/Scene/Release/testseqmonoslam.tar.gz (credit: A. J. Davison); "
@@ -41,7 +41,7 @@ std::string publication(const std::string& path) {
   return "\nSee docs/data.md for where recordings are published and how they are laid out.";
 }
 
-/// INCOGNITA_DATA; empty where it is not set.
+/// INCOGNITA_DATA; empty if unset.
 std::string chosen_folder() {
   const char* chosen = std::getenv("INCOGNITA_DATA");
   return chosen ? chosen : "";

@@ -1,4 +1,4 @@
-// Where recordings are: under INCOGNITA_DATA, else data/, else ../shared/data.
+// Locates recordings: under INCOGNITA_DATA, else data/, else ../shared/data.
 #pragma once
 
 #include <filesystem>
@@ -7,13 +7,13 @@
 
 namespace incognita {
 
-/// The folders looked into, in order. Without INCOGNITA_DATA: data/ and ../shared/data, seen from the working
-/// folder and from the folder above the scenario's.
+/// The folders to search, in order. Without INCOGNITA_DATA: data/ and ../shared/data, relative to the working
+/// folder and to the parent of the scenario's folder.
 std::vector<std::filesystem::path> data_folders(const std::filesystem::path& scenario_file);
 
-/// The first that exists of `path` under the data folders; an absolute path stands for itself.
-/// Throws InputError that says, after `wanted_by`, what is missing, where it was looked for, where it is
-/// published, its checksum if that is known, and where to put it.
+/// The first existing `path` under the data folders; an absolute path is used as it is. Throws InputError
+/// beginning with `wanted_by` that states what is missing, where it was searched, where it is published, its
+/// checksum if known, and where to put it.
 std::filesystem::path find_data(const std::string& path, const std::filesystem::path& scenario_file,
                                 const std::string& wanted_by);
 

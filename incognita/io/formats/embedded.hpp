@@ -11,7 +11,7 @@ struct EmbeddedFile {
   std::string_view bytes;
 };
 
-std::span<const EmbeddedFile> embedded_files();    ///< of scenarios/
-std::span<const EmbeddedFile> embedded_systems();  ///< of systems/
+std::span<const EmbeddedFile> embedded_files();    ///< files of scenarios/
+std::span<const EmbeddedFile> embedded_systems();  ///< files of systems/
 
 }  // namespace incognita

@@ -13,7 +13,7 @@
 namespace incognita {
 namespace {
 
-/// None outside of what is built in, as `../` may lead to.
+/// Null for paths outside of the built-in files, e.g. with `../`.
 const EmbeddedFile* find_embedded(const std::filesystem::path& path) {
   const std::filesystem::path within = path.native().substr(embedded_root.size() + 1);
   const std::string name = within.lexically_normal().string();
@@ -36,7 +36,7 @@ std::string shown(const std::filesystem::path& path) {
 
 bool file_exists(const std::filesystem::path& path) {
   if (is_embedded(path)) return find_embedded(path) != nullptr;
-  std::error_code ignored;  // a file that may not be looked at is not there for us
+  std::error_code ignored;  // a file without permission counts as missing
   return std::filesystem::is_regular_file(path, ignored);
 }
 

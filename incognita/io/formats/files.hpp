@@ -1,4 +1,4 @@
-// Reading whole files, from the disk or from those that are built into the program.
+// Reads whole files from the disk or from those built into the program.
 #pragma once
 
 #include <cstddef>
@@ -10,22 +10,21 @@
 
 namespace incognita {
 
-/// Paths of files built into the program begin with this: "embedded:/room.toml".
+/// Prefix of the paths of built-in files: "embedded:/room.toml".
 inline constexpr std::string_view embedded_root = "embedded:";
 
 bool is_embedded(const std::filesystem::path& path);
 
-/// How a path is shown to a person: without the mark of a built-in file.
+/// The path for messages, without the prefix of built-in files.
 std::string shown(const std::filesystem::path& path);
 
-/// Whether a regular file is there.
+/// Whether the path is a regular file.
 bool file_exists(const std::filesystem::path& path);
 
-/// The whole content. Throws InputError naming the file when it cannot be read or has more than `largest`
-/// bytes.
+/// The whole content. Throws InputError naming the file if it cannot be read or exceeds `largest` bytes.
 std::string read_file(const std::filesystem::path& path, std::size_t largest);
 
-/// Names of the scenarios built in, without ".toml".
+/// Names of the built-in scenarios, without ".toml".
 std::vector<std::string> embedded_scenarios();
 
 }  // namespace incognita

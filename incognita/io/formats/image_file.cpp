@@ -19,7 +19,7 @@ constexpr const char* cut_short = "the file is cut short";
 
 std::uint32_t byte(std::string_view bytes, std::size_t i) { return static_cast<unsigned char>(bytes[i]); }
 
-/// The next decimal number of a netpbm header, past white space and comments.
+/// The next decimal number of a netpbm header, after white space and comments.
 std::optional<std::uint64_t> netpbm_number(std::string_view bytes, std::size_t& at) {
   while (at < bytes.size() && (std::isspace(static_cast<int>(byte(bytes, at))) || bytes[at] == '#')) {
     if (bytes[at] == '#') {
@@ -38,7 +38,7 @@ std::optional<std::uint64_t> netpbm_number(std::string_view bytes, std::size_t& 
   return number;
 }
 
-/// The big-endian number of two bytes.
+/// Big-endian 16-bit number.
 int two_bytes(std::string_view bytes, std::size_t at) {
   return static_cast<int>(byte(bytes, at) << 8 | byte(bytes, at + 1));
 }
@@ -53,7 +53,7 @@ std::optional<ImageHeader> netpbm_header(std::string_view bytes) {
                      *most > 255 ? 16 : 8};
 }
 
-/// IHDR, which is the first chunk. Colour types: 0 grey, 2 colour, 3 palette, and 4 more with alpha.
+/// IHDR is the first chunk. Color types: 0 gray, 2 color, 3 palette; plus 4 with alpha.
 std::optional<ImageHeader> png_header(std::string_view bytes) {
   if (bytes.size() < 26 || bytes.substr(12, 4) != "IHDR") return std::nullopt;
   const int type = static_cast<int>(byte(bytes, 25));
@@ -62,7 +62,7 @@ std::optional<ImageHeader> png_header(std::string_view bytes) {
   return ImageHeader{width, height, type == 0 || type == 4 ? 1 : 3, static_cast<int>(byte(bytes, 24))};
 }
 
-/// The frame's segment, SOF0 to SOF15 but for DHT, JPG and DAC, which lie between.
+/// Frame segments are SOF0 to SOF15 except DHT, JPG and DAC, which are in the same range.
 std::optional<ImageHeader> jpeg_header(std::string_view bytes) {
   std::size_t at = 2;
   while (at + 10 <= bytes.size() && byte(bytes, at) == 0xff) {
@@ -76,7 +76,7 @@ std::optional<ImageHeader> jpeg_header(std::string_view bytes) {
   return std::nullopt;
 }
 
-/// P5 and P6: header, one white space, raw samples. P2 and P3: as many numbers as samples.
+/// P5 and P6: header, one white space, raw samples. P2 and P3: one number per sample.
 const char* check_netpbm(std::string_view bytes) {
   const char type = bytes[1];
   std::size_t at = 2;
@@ -93,8 +93,8 @@ const char* check_netpbm(std::string_view bytes) {
   return nullptr;
 }
 
-/// Segments by their lengths up to the scan, so that the end of a preview inside one is not taken for the
-/// image's.
+/// Skips segments by their lengths up to the scan, so that the end marker of an embedded preview is not
+/// mistaken for that of the image.
 const char* check_jpeg(std::string_view bytes) {
   std::size_t at = 2;
   while (at + 4 <= bytes.size()) {
@@ -121,7 +121,7 @@ const char* check_png(std::string_view bytes) {
 const char* check_bmp(std::string_view bytes) {
   if (bytes.size() < 54) return cut_short;
   std::uint32_t size = 0;
-  std::memcpy(&size, bytes.data() + 2, 4);  // little endian, as is every machine this runs on
+  std::memcpy(&size, bytes.data() + 2, 4);  // BMP and all supported machines are little-endian
   return bytes.size() < size ? cut_short : nullptr;
 }
 
@@ -150,7 +150,7 @@ const char* why_cut_short(std::string_view bytes) {
 
 namespace {
 
-/// Grey, with `more` of OpenCV's flags for reading; empty where it cannot be decoded.
+/// Gray image, read with additional OpenCV flags `more`; empty if it cannot be decoded.
 cv::Mat decoded(const std::filesystem::path& path, int more) {
   const std::string bytes = read_file(path, largest_image_file);
   if (const char* why = why_cut_short(bytes))

@@ -1,4 +1,4 @@
-// Grey images from files, whole or not at all.
+// Reads gray images from files and detects incomplete ones.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,25 +10,24 @@
 
 namespace incognita {
 
-/// The image as 8-bit grey, in the sensor's own orientation (a rotation noted in the file is not applied: the
-/// calibration belongs to the sensor). Throws std::runtime_error naming the file when it is missing, cut
-/// short or not an image.
+/// The image as 8-bit gray in the orientation of the sensor (a rotation stored in the file is ignored,
+/// because the calibration belongs to the sensor). Throws std::runtime_error naming the file if it is
+/// missing, truncated or not an image.
 Image read_image(const std::filesystem::path& path);
 
-/// The image as shares of white, 0 to 1, to the full depth of a file of 8 or 16 bits; rows as in the image.
-/// Throws likewise.
+/// The image as fractions of white, 0 to 1, at the full depth of an 8- or 16-bit file; rows as in the image.
+/// Throws like read_image().
 Eigen::MatrixXd read_shares_of_white(const std::filesystem::path& path);
 
 struct ImageHeader {
-  int width = 0, height = 0, channels = 1, bits = 8;  ///< bits of each sample
+  int width = 0, height = 0, channels = 1, bits = 8;  ///< bits per sample
 };
 
-/// What the first bytes of a PNG, JPEG, PGM or PPM file say of it; nothing for other formats, or where the
-/// bytes end before its header does.
+/// The header of a PNG, JPEG, PGM or PPM file from its first bytes; nullopt for other formats or a truncated header.
 std::optional<ImageHeader> image_header(std::string_view bytes);
 
-/// Why the bytes cannot be a whole image file, or nothing. Decoders fill what is missing with grey without a
-/// word.
+/// Why the bytes cannot be a complete image file, or null. Checked because decoders silently fill missing
+/// parts with gray.
 const char* why_cut_short(std::string_view bytes);
 
 }  // namespace incognita

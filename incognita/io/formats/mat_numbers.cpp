@@ -16,7 +16,7 @@ namespace incognita {
 namespace {
 
 constexpr std::size_t largest_file = std::size_t{256} << 20;
-constexpr std::size_t best_compression = 1032;  // of deflate: nothing unpacks to more times its size
+constexpr std::size_t best_compression = 1032;  // largest compression ratio of deflate
 
 struct CloseMat {
   void operator()(mat_t* mat) const { Mat_Close(mat); }

@@ -1,4 +1,4 @@
-// Matrices of numbers from MAT files of level 5, as MATLAB and Octave write them.
+// Reads numeric matrices from level-5 MAT files, as written by MATLAB and Octave.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,8 +9,8 @@
 
 namespace incognita {
 
-/// The variables of these names, of whatever type of number, as double. Throws InputError naming the file and
-/// the variable when one is missing, is no matrix of real numbers, or the file is cut short or damaged.
+/// The variables of these names, of any numeric type, as double. Throws InputError naming file and variable
+/// if one is missing or not a real matrix, or if the file is truncated or damaged.
 std::map<std::string, Eigen::MatrixXd> read_mat_numbers(const std::filesystem::path& file,
                                                         const std::vector<std::string>& names);
 

@@ -13,7 +13,7 @@
 namespace incognita {
 namespace {
 
-// Numbers of the format, as MathWorks' "MAT-File Format" lists them.
+// Constants of the format, see MathWorks' "MAT-File Format".
 enum Type : std::uint32_t { int8 = 1, int32 = 5, uint32 = 6, matrix = 14, compressed = 15 };
 enum Class : std::uint32_t { characters = 4, first_number = 6, last_number = 15 };
 constexpr std::size_t header_size = 128;
@@ -21,7 +21,7 @@ constexpr std::size_t version_at = 124;
 constexpr std::uint16_t level_5 = 0x0100;
 constexpr std::uint32_t complex_bit = 0x0800;
 
-/// Bytes of one number of a type; 0 where the type is none of numbers.
+/// Bytes per number of a type; 0 for a non-numeric type.
 std::size_t width(std::uint32_t type) {
   constexpr std::size_t widths[] = {0, 1, 1, 2, 2, 4, 4, 4, 0, 8, 0, 0, 8, 8};
   return type < std::size(widths) ? widths[type] : 0;
@@ -32,7 +32,7 @@ struct Element {
   std::string_view data;
 };
 
-/// Elements one after the other, each a tag and its data.
+/// Successive elements, each with a tag and data.
 class Elements {
  public:
   Elements(std::string_view bytes, bool swapped) : rest_(bytes), swapped_(swapped) {}
@@ -45,7 +45,7 @@ class Elements {
     return swapped_ ? __builtin_bswap32(value) : value;
   }
 
-  /// Nothing where the tag, or what it announces, goes beyond the end.
+  /// nullopt if the tag or its data exceed the end.
   std::optional<Element> next(bool padded) {
     if (rest_.size() < 8) return std::nullopt;
     const std::uint32_t first = word(rest_, 0);
@@ -58,7 +58,7 @@ class Elements {
   }
 
  private:
-  /// Up to four bytes of data share the eight bytes of the tag.
+  /// Small element: up to four bytes of data within the eight bytes of the tag.
   std::optional<Element> take_small(std::uint32_t first) {
     const std::size_t size = first >> 16;
     if (size > 4) return std::nullopt;
@@ -71,7 +71,7 @@ class Elements {
   bool swapped_;
 };
 
-/// How many numbers a matrix of these dimensions has; nothing where that is beyond counting.
+/// Number of elements of a matrix with these dimensions; nullopt on overflow.
 std::optional<std::size_t> count(const Elements& elements, std::string_view dimensions) {
   std::size_t product = 1;
   for (std::size_t i = 0; i < dimensions.size() / 4; ++i) {
@@ -86,7 +86,7 @@ bool holds(const std::optional<Element>& element, std::size_t numbers) {
   return element && width(element->type) > 0 && element->data.size() == numbers * width(element->type);
 }
 
-/// What is wrong with a variable; empty when nothing is.
+/// The problem of a variable; empty if it is valid.
 std::string wrong_in_matrix(std::string_view bytes, bool swapped) {
   Elements parts(bytes, swapped);
   const auto flags = parts.next(true), dimensions = parts.next(true), name = parts.next(true);
@@ -110,7 +110,7 @@ std::string wrong_in_matrix(std::string_view bytes, bool swapped) {
                : fmt::format("`{}` has not the numbers that its size promises", name->data.substr(0, 63));
 }
 
-/// Whether the file's numbers have the other byte order; throws unless it is one of level 5.
+/// Whether the file has the opposite byte order; throws unless it is a level-5 file.
 bool check_header(std::string_view bytes, const std::string& file) {
   std::uint16_t version = 0;
   const std::string_view order = bytes.size() < header_size ? "" : bytes.substr(version_at + 2, 2);

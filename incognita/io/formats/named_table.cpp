@@ -27,7 +27,7 @@ std::string_view trimmed(std::string_view text) {
   return quoted ? text.substr(1, text.size() - 2) : text;
 }
 
-/// Appends the cells of a line and says how many there were.
+/// Appends the cells of a line and returns their number.
 std::size_t split(std::string_view line, std::vector<std::string>& cells) {
   std::size_t count = 1;
   for (std::size_t comma; (comma = line.find(',')) != std::string_view::npos; ++count) {

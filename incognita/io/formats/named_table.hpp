@@ -1,4 +1,4 @@
-// Text tables whose first line names the columns: commas between, one line a row.
+// Comma-separated text tables with column names in the first line, one row per line.
 #pragma once
 
 #include <cstdint>
@@ -11,31 +11,31 @@
 
 namespace incognita {
 
-/// Empty lines and comments (#) are passed over; blanks around a cell, and quotes around it, do not count.
+/// Empty lines and comments (#) are skipped; blanks and quotes around a cell are removed.
 class NamedTable {
  public:
-  /// Throws InputError naming file and line when the file cannot be read, has no rows, or a row is shorter or
-  /// longer than the first line.
+  /// Throws InputError naming file and line if the file cannot be read, has no rows, or a row has not as many
+  /// cells as the header.
   explicit NamedTable(const std::filesystem::path& file);
 
   std::size_t rows() const { return lines_.size(); }
   const std::vector<std::string>& columns() const { return columns_; }
   std::string where(std::size_t row) const;              ///< "file:line", for messages
-  const std::string& header() const { return header_; }  ///< the same of the first line
+  const std::string& header() const { return header_; }  ///< "file:line" of the first line
 
   std::optional<std::size_t> find(std::string_view column) const;
-  /// Throws InputError that names the columns there are, and the nearest of them.
+  /// Throws InputError with the existing columns and the nearest one.
   std::size_t column(std::string_view name) const;
-  /// "a.csv: columns that are not used: x, y"; empty when all columns are among those known.
+  /// "a.csv: columns that are not used: x, y"; empty if all columns are known.
   std::string unused(std::initializer_list<std::string_view> known) const;
 
   bool empty(std::size_t row, std::size_t column) const { return cell(row, column).empty(); }
-  /// Of `nan` and `inf` too. Throws InputError when the cell is no number.
+  /// Accepts `nan` and `inf`. Throws InputError if the cell is not a number.
   double number(std::size_t row, std::size_t column) const;
-  /// Throws InputError when the cell is no finite number.
+  /// Throws InputError if the cell is not a finite number.
   double finite(std::size_t row, std::size_t column) const;
-  /// Detection::unknown where there is no such column or the cell is empty. Throws InputError when the cell
-  /// is no whole number from 0.
+  /// Detection::unknown if there is no such column or the cell is empty. Throws InputError if the cell is not
+  /// a nonnegative integer.
   std::int64_t identity(std::size_t row, std::optional<std::size_t> column) const;
 
  private:
@@ -49,7 +49,7 @@ class NamedTable {
   std::string header_;
   std::vector<std::string> columns_;
   std::vector<std::string> cells_;  ///< row by row
-  std::vector<int> lines_;          ///< of each row
+  std::vector<int> lines_;          ///< line number of each row
 };
 
 }  // namespace incognita

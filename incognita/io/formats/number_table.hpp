@@ -11,13 +11,13 @@ struct TableLine {
   std::string where;  ///< "file:line", for messages
   std::vector<std::string> cells;
 
-  /// Throws InputError unless cell i is there and is a finite number.
+  /// Throws InputError unless cell i exists and is a finite number.
   double number(std::size_t i) const;
-  /// Throws InputError unless cell i is there.
+  /// Throws InputError unless cell i exists.
   const std::string& text(std::size_t i) const;
 };
 
-/// All lines but empty ones and comments (#). Throws InputError when the file cannot be read.
+/// All lines except empty ones and comments (#). Throws InputError if the file cannot be read.
 std::vector<TableLine> read_table(const std::filesystem::path& file);
 
 }  // namespace incognita

@@ -1,5 +1,5 @@
-// Landmarks of a simulated place from a table: id, x, y and, if there, z (m). Other columns are not used, so
-// that a run's map.csv is one.
+// Reads point landmarks from a table with columns id, x, y and optionally z (m). Other columns are ignored,
+// so that the map.csv of a run can be used.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,8 +9,8 @@
 
 namespace incognita {
 
-/// Throws InputError naming file and line: no such column, an id that is no whole number or there twice, a
-/// coordinate that is not finite or beyond 1000 km.
+/// Throws InputError naming file and line for a missing column, an id that is duplicate or not an integer,
+/// and a coordinate that is not finite or beyond 1000 km.
 std::map<std::int64_t, Eigen::Vector3d> read_points(const std::filesystem::path& file);
 
 }  // namespace incognita

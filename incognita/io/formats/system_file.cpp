@@ -26,11 +26,11 @@ constexpr std::size_t longest_text = 400;
 SourceLocation place_of(const TomlEntry& entry) { return {entry.line, entry.column}; }
 SourceLocation place_of(const TomlValue& value) { return {value.line, value.column}; }
 
-/// What a key means: its name, and who reads it.
+/// The function that reads the entry of a key.
 using Reader = std::function<void(const TomlEntry&)>;
 using Readers = std::vector<std::pair<std::string, Reader>>;
 
-/// A table is handed to the reader of each of its keys; any other key is refused.
+/// Calls the reader of each key of a table; throws for an unknown key.
 void read_keys(const TomlTable& table, const std::string& section, const Readers& readers) {
   for (const TomlEntry& entry : table) {
     const auto reader =
@@ -112,7 +112,7 @@ std::vector<NamedRange> ranges(const TomlEntry& entry) {
   return all;
 }
 
-/// A text, or a number in its stead.
+/// A string, or a number.
 ExpressionText expression(const TomlEntry& entry) {
   const TomlValue& value = entry.value;
   if (const auto* words = std::get_if<std::string>(&value.value))
@@ -133,7 +133,7 @@ std::vector<NamedExpression> expressions(const TomlTable& table) {
   return all;
 }
 
-/// An expression, or a table of one and its standard deviation.
+/// An expression, or a table with an expression and its standard deviation.
 MeasurementText measurement(const TomlEntry& entry) {
   MeasurementText one{entry.key, place_of(entry), {}, 1};
   const auto* table = std::get_if<TomlTable>(&entry.value.value);
@@ -185,7 +185,7 @@ std::vector<DirectionText> directions(const TomlEntry& entry) {
   return all;
 }
 
-/// Of each landmark: no part of them is the vehicle's.
+/// Directions of the landmarks only, without a vehicle part.
 std::vector<DirectionText> landmark_directions(const TomlEntry& entry) {
   std::vector<DirectionText> all;
   for (const TomlEntry& one : section(entry))
@@ -328,7 +328,7 @@ class SystemReader {
       form().names.push_back({one.key, place_of(one), {text(one), {one.value.line, one.value.text_column}}});
   }
 
-  /// Whatever is said of errors makes it one.
+  /// Any error setting makes the system one with an error form.
   ErrorFormText& form() {
     if (!system_.error_form) system_.error_form.emplace();
     return *system_.error_form;
@@ -350,7 +350,7 @@ const EmbeddedFile* find_built_in(const std::string& name) {
 
 SystemText read_built_in(const EmbeddedFile& file) { return read_system(file.bytes, std::string(file.name)); }
 
-/// The system itself, or the same in the other representation.
+/// The built-in system, or its variant in the other representation.
 SystemText load_built_in(const EmbeddedFile& file, const std::string& representation) {
   SystemText system = read_built_in(file);
   if (representation.empty() || system.representation == representation) return system;
@@ -372,7 +372,7 @@ SystemText load_file(const std::string& path, const std::string& representation)
                   path, system.representation, representation, system.representation));
 }
 
-/// In words of this program where TOML's reader speaks of its own types.
+/// Replaces messages of the TOML library that contain its own type names.
 std::string toml_problem(const std::string& reason) {
   const std::size_t at = reason.find("cannot redefine existing ");
   if (at == std::string::npos) return "not valid TOML: " + reason;
@@ -385,7 +385,7 @@ std::string toml_problem(const std::string& reason) {
                      name.empty() ? "of this name " : name + " ");
 }
 
-/// Whether somebody means a file: systems that are built in have plain names.
+/// Whether the name is meant as a path: built-in systems have plain names.
 bool is_path(const std::string& name) {
   return name.find_first_of("/\\") != std::string::npos || name.ends_with(".toml");
 }

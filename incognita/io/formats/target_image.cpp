@@ -12,11 +12,11 @@
 namespace incognita {
 namespace {
 
-constexpr int smallest_px = 9, largest_px = 100;              // each way; larger ones are shrunk
-constexpr double least_apart_px = 4, max_residual_px = 0.25;  // of corners, in a picture as it is kept
-constexpr double skew = 0.05;  // of pixels: cosine between their sides, difference of these as a share
+constexpr int smallest_px = 9, largest_px = 100;              // per side; larger pictures are reduced
+constexpr double least_apart_px = 4, max_residual_px = 0.25;  // of corners, in the reduced picture
+constexpr double skew = 0.05;  // cosine between pixel sides; relative difference of their lengths
 
-/// Means over squares of `side` pixels; what is left over at the right and below is dropped.
+/// Means over squares of `side` pixels; incomplete squares at the right and bottom are dropped.
 Image shrunk(const Image& whole, int side) {
   Image small(whole.width() / side, whole.height() / side);
   for (int v = 0; v < small.height(); ++v)
@@ -55,7 +55,7 @@ Eigen::Matrix3d world_from(const Eigen::MatrixX2d& px, const std::vector<Target:
   const Eigen::Matrix3d world_from_px = at.colPivHouseholderQr().solve(positions).transpose();
   const double wide = world_from_px.col(0).norm(), high = world_from_px.col(1).norm();
   const double cosine = world_from_px.col(0).dot(world_from_px.col(1)) / (wide * high);
-  // Written so that what is no number is refused
+  // The negated form also refuses NaN.
   if (!(std::abs(cosine) < skew && std::abs(wide - high) < skew * wide))
     throw std::invalid_argument(
         fmt::format("must be taken straight on, its pixels square; by picture_px they are {:.3g} m wide and "

@@ -6,7 +6,7 @@
 namespace incognita {
 namespace {
 
-/// Where the comment or the text in quotes that begins at `at` is over; `at` where there is neither.
+/// End of the comment or quoted string that begins at `at`; `at` if there is none.
 std::size_t skip_words(std::string_view toml, std::size_t at) {
   const char first = toml[at];
   if (first == '#') return std::min(toml.find('\n', at), toml.size());
@@ -19,13 +19,13 @@ std::size_t skip_words(std::string_view toml, std::size_t at) {
     } else if (toml.substr(i, end.size()) == end) {
       return i + end.size();
     } else if (!long_text && toml[i] == '\n') {
-      return i;  // not closed: the reader will say so
+      return i;  // unterminated: reported by the parser
     }
   }
   return toml.size();
 }
 
-/// What may stand between the dots of a key, besides texts in quotes.
+/// Characters of a dotted key outside of quoted strings.
 bool in_key(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' ||
          c == ' ' || c == '\t' || c == '.';

@@ -6,14 +6,14 @@
 #include <cmath>
 #include <tuple>
 
-// The library's own assertions end the program on some malformed input, where an error is wanted. With NDEBUG
-// it would ignore this setting and tell some compilers to assume what a file may well violate.
+// The library's assertions abort on some malformed input, where an exception is required. With NDEBUG
+// defined, it would ignore this setting and tell some compilers to assume conditions that a file can violate.
 #undef NDEBUG
 #define TOML_ASSERT(condition) static_cast<void>(0)
 #define TOML_HEADER_ONLY 1
 #define TOML_EXCEPTIONS 1
-// Of a letter outside ASCII where no text is, its tables say that it cannot happen, and a compiler believes
-// them.
+// Its Unicode tables mark non-ASCII letters outside of strings as unreachable, which allows compilers to
+// assume that they never occur.
 #include <toml++/impl/preprocessor.h>
 #undef TOML_UNREACHABLE
 #define TOML_UNREACHABLE return false
@@ -32,8 +32,8 @@ TomlValue convert(const toml::node& node);
 int line_of(const toml::source_region& region) { return static_cast<int>(region.begin.line); }
 int column_of(const toml::source_region& region) { return static_cast<int>(region.begin.column); }
 
-/// Escapes are longer than what they stand for, and three quotes are more than one: what is as long as its
-/// text and two quotes has neither.
+/// A string whose source is two characters longer than its content has single quotes and no escapes, since
+/// escapes and triple quotes are longer.
 int text_column(const std::string& text, const toml::source_region& region) {
   const auto characters = std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; });
   const auto columns = static_cast<std::ptrdiff_t>(region.end.column) - column_of(region);
@@ -115,8 +115,7 @@ TomlError::TomlError(const std::string& file, int at_line, int at_column, const 
       reason(why) {}
 
 TomlTable parse_toml(std::string_view text, const std::string& file_name) {
-  constexpr std::size_t largest =
-      1 << 20;  // a scenario is a few kB; the reader's memory grows with its input
+  constexpr std::size_t largest = 1 << 20;  // scenarios have a few kB; memory grows with input
   if (text.size() > largest) {
     throw InputError(fmt::format("{}: {} bytes are too many for a TOML file, at most {}", file_name,
                                  text.size(), largest));

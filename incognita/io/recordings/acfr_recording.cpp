@@ -18,9 +18,9 @@ namespace {
 constexpr const char* data_file = "data_set.mat";
 constexpr const char* beacon_file = "beac_juan3.mat";
 constexpr Eigen::Index beams = 361;
-constexpr double same_time_s = 1e-6;  // an event and the sensor's own array give the same time
+constexpr double same_time_s = 1e-6;  // event and sensor array have the same time
 
-/// Variables of a MAT file, with their sizes and numbers looked at.
+/// Variables of a MAT file with checked dimensions.
 class Variables {
  public:
   Variables(const std::filesystem::path& file, const std::vector<std::string>& names)
@@ -38,7 +38,7 @@ class Variables {
                                  rows, columns));
   }
 
-  /// A row or a column of finite numbers, of any length from 1.
+  /// A nonempty row or column of finite numbers.
   Eigen::VectorXd list(const std::string& name) const {
     const Eigen::MatrixXd& found = matrices_.at(name);
     if (found.size() == 0 || (found.rows() != 1 && found.cols() != 1)) {
@@ -52,7 +52,7 @@ class Variables {
     return found.reshaped();
   }
 
-  /// A list as long as another one.
+  /// A list with the length of another one.
   Eigen::VectorXd list(const std::string& name, const std::string& other, Eigen::Index length) const {
     Eigen::VectorXd found = list(name);
     if (found.size() == length) return found;
@@ -71,14 +71,14 @@ std::vector<double> row_of(const Eigen::MatrixXd& matrix, Eigen::Index row) {
   return numbers;
 }
 
-/// What one kind of event points into.
+/// The sensor array that events of one kind refer to.
 struct Sensor {
   const char* time_name;
   Eigen::VectorXd t;
-  Eigen::Index last = -1;  ///< entry of the event before
+  Eigen::Index last = -1;  ///< entry of the previous event
 };
 
-/// The recording as it is in the file, one array per variable.
+/// The recording as stored in the file, one array per variable.
 class CarPark {
  public:
   explicit CarPark(const std::filesystem::path& file)
@@ -97,7 +97,7 @@ class CarPark {
         range_m_(file_.matrix("Laser", sensors_[2].t.size(), beams)),
         intensity_(file_.matrix("Intensity", sensors_[2].t.size(), beams)) {}
 
-  /// All events, in the order of the file's list.
+  /// Adds all events in file order.
   void add_to(RangeRecordingBuilder& recording) {
     for (Eigen::Index event = 0; event < time_.size(); ++event) {
       const int kind = kind_of(event);
@@ -143,7 +143,7 @@ class CarPark {
     if (kind == 2) add_scan_reading(recording, where, entry, t);
   }
 
-  /// It is a sensor of the vehicle, and the best that is known of where the vehicle was.
+  /// A GPS fix is a measurement of the vehicle and also the best available ground truth.
   static void add_fix_reading(RangeRecordingBuilder& recording, const std::string& where,
                               const RangeRecording::TimedPosition& fix) {
     recording.add_fix(where, fix);

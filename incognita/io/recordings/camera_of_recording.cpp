@@ -16,12 +16,12 @@
 namespace incognita {
 namespace {
 
-/// How sources of settings that follow something else begin.
+/// Prefix of the sources of settings that follow another value.
 const std::string taken = "as ";
 
 bool is_of_camera(const Setting& setting) { return section_of(setting.key) == "camera"; }
 
-/// The settings of the camera, those of the other model's lens left out.
+/// The camera settings without those of the other lens model.
 std::vector<Setting> camera_settings(Scenario& scenario) {
   std::vector<Setting> list = list_settings(scenario);
   std::erase_if(list, [](const Setting& s) { return !is_of_camera(s) || s.key == "camera.kd1_per_px2"; });
@@ -43,12 +43,12 @@ std::optional<CalibratedCamera> calibration_of(const LoadedScenario& loaded) {
   try {
     folder = find_data(s.recording.folder, loaded.file, "");
   } catch (const InputError&) {
-    return std::nullopt;  // said by whoever reads the recording
+    return std::nullopt;  // reported by the reader of the recording
   }
   return looks_like_euroc(folder) ? camera_in_euroc(folder) : std::nullopt;
 }
 
-/// Typed with a few digits less, a number moves no point of the image by half a pixel.
+/// Rounding within this tolerance moves no image point by half a pixel.
 bool agrees(double written, double calibrated) {
   return std::abs(written - calibrated) <= 1e-3 * std::max(1.0, std::abs(calibrated));
 }

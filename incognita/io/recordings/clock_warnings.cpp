@@ -23,7 +23,7 @@ std::vector<double> intervals_of(const std::vector<double>& times) {
   return intervals;
 }
 
-/// The common time of two recordings of one drive is nearly all of either.
+/// Odometry and scans of the same drive overlap nearly completely.
 std::optional<std::string> barely_overlap(const std::vector<double>& odometry,
                                           const std::vector<double>& scans) {
   constexpr double least_share = 0.5;
@@ -40,7 +40,7 @@ struct HeldReading {
   double t = 0, for_s = 0;
 };
 
-/// The reading that is in force for the longest time while scans come.
+/// The odometry reading that is held longest during the scans.
 HeldReading longest_held(std::vector<double> odometry, const std::vector<double>& scans) {
   odometry.push_back(std::max(odometry.back(), scans.back()));
   HeldReading longest;
@@ -53,7 +53,7 @@ HeldReading longest_held(std::vector<double> odometry, const std::vector<double>
 
 std::optional<std::string> held_for_long(const std::vector<double>& odometry,
                                          const std::vector<double>& scans) {
-  constexpr double most_intervals = 10, shortest_s = 5;  // recordings in good order have gaps of 1.4 s
+  constexpr double most_intervals = 10, shortest_s = 5;  // valid recordings have gaps of up to 1.4 s
   if (odometry.size() < 2 || scans.size() < 2) return std::nullopt;
   const double odometry_s = median_of(intervals_of(odometry)), scans_s = median_of(intervals_of(scans));
   const HeldReading held = longest_held(odometry, scans);

@@ -1,5 +1,4 @@
-// Signs that the odometry and the scans of a recording are on different clocks, or in different units of
-// time.
+// Detects that the odometry and the scans of a recording use different clocks or time units.
 #pragma once
 
 #include <string>
@@ -9,7 +8,7 @@
 
 namespace incognita {
 
-/// A sentence for each sign, with its numbers; none for a recording without odometry or scans.
+/// One sentence with numbers per symptom; empty for a recording without odometry or scans.
 std::vector<std::string> clock_warnings(const RangeRecording& recording);
 
 }  // namespace incognita

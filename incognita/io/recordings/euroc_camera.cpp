@@ -19,7 +19,7 @@ class SensorFile {
  public:
   explicit SensorFile(const std::filesystem::path& file) : file_(file) {
     std::string text = read_file(file, largest_file);
-    if (text.starts_with("%YAML:")) text[0] = '#';  // OpenCV's first line, which is no directive of YAML
+    if (text.starts_with("%YAML:")) text[0] = '#';  // OpenCV's first line is not a valid YAML directive
     try {
       root_ = YAML::Load(text);
     } catch (const YAML::Exception& error) {
@@ -34,7 +34,7 @@ class SensorFile {
   }
   std::vector<double> numbers(const char* key) const { return numbers(key, root_[key]); }
 
-  /// OpenCV's and EuRoC's way to write a matrix: `rows`, `cols`, `data`.
+  /// A matrix in the notation of OpenCV and EuRoC: `rows`, `cols`, `data`.
   std::vector<double> matrix(const char* key) const {
     const YAML::Node node = root_[key];
     return node.IsDefined() && node.IsMap() ? numbers(key, node["data"]) : numbers(key, node);
@@ -80,7 +80,7 @@ std::optional<Eigen::Matrix4d> body_from_camera(const SensorFile& file) {
   return m;
 }
 
-/// Our `pinhole` is OpenCV's; its order of coefficients is k1 k2 p1 p2 k3, EuRoC's the same without k3.
+/// The `pinhole` model has OpenCV's coefficient order k1 k2 p1 p2 k3; EuRoC has the same without k3.
 void take_distortion(const std::vector<double>& k, CameraSettings& camera) {
   double* const places[] = {&camera.k1, &camera.k2, &camera.p1, &camera.p2, &camera.k3};
   for (std::size_t i = 0; i < k.size(); ++i) *places[i] = k[i];

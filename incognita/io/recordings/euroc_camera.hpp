@@ -1,4 +1,4 @@
-// The camera of a EuRoC recording, as its cam0/sensor.yaml calibrates it.
+// Reads the camera of a EuRoC recording from its cam0/sensor.yaml.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,16 +12,16 @@ namespace incognita {
 
 struct CalibratedCamera {
   std::filesystem::path file;
-  CameraSettings camera;  ///< meaningful where `unfit` is empty
-  std::string unfit;      ///< why no camera model of this program is this camera
+  CameraSettings camera;  ///< valid if `unfit` is empty
+  std::string unfit;      ///< why no camera model of this program fits
 };
 
 struct EurocSensor {
-  std::optional<CalibratedCamera> camera;           ///< nothing where the file has no intrinsics
+  std::optional<CalibratedCamera> camera;           ///< nullopt if the file has no intrinsics
   std::optional<Eigen::Matrix4d> body_from_camera;  ///< T_BS
 };
 
-/// Throws InputError naming file, line and remedy where the file is no YAML or what it says makes no sense.
+/// Throws InputError naming file, line and remedy for invalid YAML or invalid values.
 EurocSensor read_euroc_sensor(const std::filesystem::path& file);
 
 }  // namespace incognita

@@ -23,7 +23,7 @@ bool is_image_name(const std::filesystem::path& path) {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/// Where the run of digits at `at` ends, and its start past leading zeros.
+/// Begin, without leading zeros, and end of the digits at `at`.
 std::pair<std::size_t, std::size_t> digits(const std::string& name, std::size_t at) {
   std::size_t end = at;
   while (end < name.size() && is_digit(name[end])) ++end;
@@ -31,7 +31,7 @@ std::pair<std::size_t, std::size_t> digits(const std::string& name, std::size_t 
   return {at, end};
 }
 
-/// Runs of digits compare as numbers, of any length.
+/// Natural order: digit sequences of any length compare as numbers.
 bool naturally_before(const std::string& a, const std::string& b) {
   std::size_t i = 0, j = 0;
   while (i < a.size() && j < b.size()) {
@@ -51,12 +51,12 @@ bool naturally_before(const std::string& a, const std::string& b) {
     }
   }
   if (a.size() - i != b.size() - j) return a.size() - i < b.size() - j;
-  return a < b;  // the same but for leading zeros
+  return a < b;  // equal except for leading zeros
 }
 
-/// The last number in a name; nothing where there is none, or one too long to count frames.
+/// The last number in a name; nullopt if there is none or it is too long for a frame number.
 std::optional<std::int64_t> number_in(const std::string& name) {
-  constexpr std::size_t longest = 9;  // longer ones are times
+  constexpr std::size_t longest = 9;  // longer ones are time stamps
   std::size_t end = name.size();
   while (end > 0 && !is_digit(name[end - 1])) --end;
   std::size_t begin = end;
@@ -65,8 +65,7 @@ std::optional<std::int64_t> number_in(const std::string& name) {
   return std::stoll(name.substr(begin, end - begin));
 }
 
-/// What is said of names that count one by one and leave some out; empty when all is well, or they do not
-/// count.
+/// Warning about gaps in names numbered one by one; empty if there are none or names are not numbered so.
 std::string missing_numbers(const std::vector<std::string>& names) {
   std::int64_t missing = 0;
   std::size_t steps_of_one = 0;

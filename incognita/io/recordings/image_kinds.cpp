@@ -18,7 +18,7 @@ namespace {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/// "frame-000012.color.png" as "frame-*.color.png", which recording.pattern understands.
+/// "frame-000012.color.png" becomes "frame-*.color.png", a valid recording.pattern.
 std::string kind_of(const std::string& name) {
   std::string kind;
   for (const char c : name)
@@ -40,13 +40,13 @@ void count(std::vector<Kind>& kinds, const std::string& words, const std::string
   ++found->count;
 }
 
-/// The most frequent first.
+/// Most frequent first.
 void sort(std::vector<Kind>& kinds) {
   std::stable_sort(kinds.begin(), kinds.end(),
                    [](const Kind& a, const Kind& b) { return a.count > b.count; });
 }
 
-/// A few that stand out are an accident; a tenth of the folder is another camera.
+/// A few odd names are accidental; a tenth of the folder is a second camera.
 bool is_another_camera(const std::vector<Kind>& kinds, std::size_t images) {
   return kinds.size() > 1 && kinds[1].count >= 2 && 10 * kinds[1].count >= images;
 }
@@ -60,7 +60,7 @@ std::string list_of(const std::vector<Kind>& kinds) {
   return kinds.size() > most ? fmt::format("{}, and {} kinds more", text, kinds.size() - most) : text;
 }
 
-/// So much of a file holds its header; a JPEG may have a preview before it.
+/// Reads enough for the header; in a JPEG, a preview may precede it.
 std::optional<ImageHeader> header_of(const std::filesystem::path& file) {
   constexpr std::size_t most = 1 << 17;
   std::string bytes(most, '\0');
@@ -70,23 +70,22 @@ std::optional<ImageHeader> header_of(const std::filesystem::path& file) {
   return image_header(bytes);
 }
 
-/// Whether the words of the kind, as a pattern, take nothing of another: "*.png" takes "1_depth.png" too.
+/// Whether the kind as a pattern matches no other kind: "*.png" also matches "1_depth.png".
 bool takes_only_its_own(const Kind& kind, const std::vector<std::string>& names) {
   const auto taken = std::count_if(names.begin(), names.end(),
                                    [&](const std::string& name) { return fits_pattern(kind.words, name); });
   return static_cast<std::size_t>(taken) == kind.count;
 }
 
-/// "cam1_0007.png" as {"cam1_", "0007.png"}: before the second number and from there on.
+/// "cam1_0007.png" becomes {"cam1_", "0007.png"}: split at the second number.
 std::pair<std::string, std::string> at_second_number(const std::string& name) {
   const auto first = std::find_if(name.begin(), name.end(), is_digit);
   const auto second = std::find_if(std::find_if_not(first, name.end(), is_digit), name.end(), is_digit);
   return {{name.begin(), second}, {second, name.end()}};
 }
 
-/// The names before the second number where each of a few stands with the same second numbers, as those of
-/// two cameras do, "cam0_" and "cam1_"; else nothing. Minutes before seconds look alike, so this is no
-/// refusal.
+/// The name prefixes if a few prefixes have identical second numbers, as for two cameras "cam0_" and "cam1_";
+/// else empty. Only used for a note, because minutes before seconds look the same.
 std::vector<std::string> cameras_by_number(const std::vector<std::string>& names) {
   std::map<std::string, std::set<std::string>> rest;
   for (const std::string& name : names) {

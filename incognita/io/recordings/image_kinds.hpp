@@ -1,5 +1,5 @@
-// Whether the images of a folder are of one camera: colour and depth, or left and right, often lie side by
-// side.
+// Checks that the images of a folder are from one camera: color and depth, or left and right images, are
+// often stored together.
 #pragma once
 
 #include <filesystem>
@@ -8,16 +8,16 @@
 
 namespace incognita {
 
-/// As a shell does: `*` for anything, `?` for one letter.
+/// Matches as a shell does: `*` for any text, `?` for one character.
 bool fits_pattern(const std::string& pattern, const std::string& name);
 
-/// Names are of one kind when they differ in their numbers alone. Throws InputError with the kinds, their
-/// counts and the remedy where a second kind has its share of the folder; else says, in words, what stands
-/// out, or nothing.
+/// Names are of one kind if they differ in their numbers only. Throws InputError with the kinds, their counts
+/// and the remedy if a second kind makes up a considerable share of the folder; else returns a note on
+/// irregularities, or an empty text.
 std::string check_names(const std::filesystem::path& folder, const std::vector<std::string>& names);
 
-/// The same of sizes, channels and bits of each sample, by the headers of the files; channels alone, which
-/// become grey anyway, are never refused. Formats other than PNG, JPEG and PGM or PPM are not looked into.
+/// The same for size, channels and bit depth, from the file headers. A difference in channels only is never
+/// refused, as images are converted to gray. Formats other than PNG, JPEG, PGM and PPM are not checked.
 std::string check_headers(const std::filesystem::path& folder, const std::vector<std::string>& names);
 
 }  // namespace incognita

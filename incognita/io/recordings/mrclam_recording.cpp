@@ -15,7 +15,7 @@
 namespace incognita {
 namespace {
 
-constexpr int robots = 5;  // the subjects 1 to 5; the landmarks follow
+constexpr int robots = 5;  // subjects 1 to 5; the landmarks follow
 constexpr const char* barcode_file = "Barcodes.dat";
 constexpr const char* landmark_file = "Landmark_Groundtruth.dat";
 
@@ -51,7 +51,7 @@ void read_odometry(const std::filesystem::path& file, RangeRecordingBuilder& rec
   }
 }
 
-/// Of `robot`. `members`: the numbers of the robots of a team, in order; empty where it is alone.
+/// Reads the measurements of `robot`. `members`: robot numbers of a team in order; empty for a single robot.
 void read_measurements(const std::filesystem::path& file, const Subjects& subjects, int robot,
                        const std::vector<int>& members, RangeRecordingBuilder& recording) {
   for (const TableLine& line : read_table(file)) {

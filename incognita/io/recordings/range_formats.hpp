@@ -1,4 +1,4 @@
-// One reader per layout of range-bearing recordings; range_recording.hpp chooses.
+// One reader per format of range-bearing recordings; range_recording.hpp selects one.
 #pragma once
 
 #include <filesystem>
@@ -8,18 +8,18 @@
 
 namespace incognita {
 
-/// The car park of the ACFR: data_set.mat and, if there, the surveyed beacons of beac_juan3.mat.
+/// The ACFR car park: data_set.mat and, if present, the surveyed beacons of beac_juan3.mat.
 RangeRecording read_acfr(const std::filesystem::path& folder);
 bool looks_like_acfr(const std::filesystem::path& folder);
 
-/// UTIAS MRCLAM: Barcodes.dat, RobotN_Odometry.dat, RobotN_Measurement.dat and, if there,
+/// UTIAS MRCLAM: Barcodes.dat, RobotN_Odometry.dat, RobotN_Measurement.dat and, if present,
 /// RobotN_Groundtruth.dat and Landmark_Groundtruth.dat.
 RangeRecording read_mrclam(const std::filesystem::path& folder, int robot);
-/// All the robots whose odometry is there, in the order of their numbers; they see each other.
+/// All robots with an odometry file, in the order of their numbers, including their measurements of each other.
 std::vector<RangeRecording> read_mrclam_team(const std::filesystem::path& folder);
 bool looks_like_mrclam(const std::filesystem::path& folder);
 
-/// odometry.csv, detections.csv and, if there, truth.csv, fixes.csv and landmarks.csv.
+/// odometry.csv, detections.csv and, if present, truth.csv, fixes.csv and landmarks.csv.
 RangeRecording read_range_tables(const std::filesystem::path& folder);
 bool looks_like_range_tables(const std::filesystem::path& folder);
 

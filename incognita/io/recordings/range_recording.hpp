@@ -1,5 +1,4 @@
-// Recordings of a vehicle that measures ranges and bearings: from public data sets as they are published, and
-// from plain tables.
+// Reads recordings of a vehicle with a range-bearing sensor: public data sets as published, and plain tables.
 #pragma once
 
 #include <filesystem>
@@ -10,17 +9,16 @@
 
 namespace incognita {
 
-/// `format` is `auto`, `acfr`, `mrclam` or `tables`; `robot` (1 to 5) chooses among those of `mrclam`.
-/// docs/range-recordings.md says how each is laid out. Throws InputError naming the file, the line or the
-/// variable and its index, and what would be right.
+/// `format` is `auto`, `acfr`, `mrclam` or `tables`, see docs/range-recordings.md; `robot` (1 to 5) selects a
+/// robot of `mrclam`. Throws InputError naming the file, the line or the variable and its index, and the remedy.
 RangeRecording read_range_recording(const std::filesystem::path& folder, const std::string& format,
                                     int robot = 1);
 
-/// The recording that a scenario names, found under the data folder.
+/// The recording named by a scenario, searched under the data folder.
 RangeRecording read_range_recording(const LoadedScenario& loaded);
 
-/// The same recording as the format `tables`, with every digit; notes are not written. Makes the folder;
-/// throws RecordError when one of the tables is already there, or cannot be written.
+/// Writes a recording in the format `tables`, with full precision; notes are not written. Creates the folder;
+/// throws RecordError if one of the tables already exists or cannot be written.
 void write_range_tables(const RangeRecording& recording, const std::filesystem::path& folder);
 
 }  // namespace incognita

@@ -20,7 +20,7 @@ void in_order(const std::string& where, const std::vector<Row>& before, double t
                   before.back().t));
 }
 
-/// The same number has another unit more often than another meaning.
+/// A value out of range is more likely in degrees than wrong.
 void in_radians(const std::string& where, const char* what, double angle, double limit) {
   if (std::abs(angle) < limit) return;
   throw InputError(fmt::format("{}: {} must be within +-{:.4g} rad, and is {}; is it in degrees?", where,
@@ -108,7 +108,7 @@ void RangeRecordingBuilder::skip(const std::string& kind, const std::string& whe
   }
 }
 
-/// A single fix from before the odometry often says where the vehicle starts: that is not another clock.
+/// Fixes that all precede the odometry often give the start position and do not indicate another clock.
 void RangeRecordingBuilder::note_clocks() {
   const auto &truth = recording_.truth, &fixes = recording_.fixes;
   const std::string odometry = span_of(recording_.odometry);

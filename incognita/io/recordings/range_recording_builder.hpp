@@ -1,4 +1,4 @@
-// Fills a RangeRecording row by row and holds the rows to what it promises, whatever file they come from.
+// Fills a RangeRecording row by row and validates the rows, whatever file format they come from.
 #pragma once
 
 #include <string>
@@ -8,31 +8,29 @@
 
 namespace incognita {
 
-/// `where` is "file:line" or the like. All but skip() and note() throw InputError beginning with it when the
-/// row cannot be: a time before the last one's, an angle in degrees. Numbers are finite unless said
-/// otherwise.
+/// `where` is "file:line" or similar. All functions except skip() and note() throw InputError beginning with
+/// it for an invalid row: decreasing times, an angle in degrees. Numbers are finite unless stated otherwise.
 class RangeRecordingBuilder {
  public:
   /// `vehicle` as in RangeRecording.
   RangeRecordingBuilder(std::string format, std::string vehicle);
 
   void add_odometry(const std::string& where, const Odometry& odometry);
-  /// Begins a scan, or goes on with the last one when the time is the same.
+  /// Begins a scan, or continues the last one if the time is the same.
   void add_scan(const std::string& where, double t);
-  /// Into the last scan. Skipped where range or bearing is not finite, or the range not positive.
+  /// Adds to the last scan. Skipped if range or bearing is not finite or the range is not positive.
   void add_detection(const std::string& where, Detection detection);
-  /// The same, of another vehicle.
+  /// The same for the detection of another vehicle.
   void add_vehicle_detection(const std::string& where, Detection detection);
   void add_truth(const std::string& where, const RangeRecording::TimedPosition& reading);
   void add_fix(const std::string& where, const RangeRecording::TimedPosition& reading);
   void add_landmark(const std::string& where, const RangeRecording::Landmark& landmark);
 
-  /// Counts a row that is left out; finish() notes how many of each kind there were, and where the first.
+  /// Counts a row that is left out; finish() notes the count of each kind and the first location.
   void skip(const std::string& kind, const std::string& where);
   void note(std::string text) { recording_.notes.push_back(std::move(text)); }
 
-  /// Throws InputError beginning with `where` when there is no odometry or no scan, or when their times have
-  /// nothing in common.
+  /// Throws InputError beginning with `where` if there is no odometry or no scan, or if their times do not overlap.
   RangeRecording finish(const std::string& where);
 
  private:

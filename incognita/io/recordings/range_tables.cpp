@@ -31,14 +31,14 @@ struct Vehicle {
 constexpr Vehicle vehicles[] = {{"differential-drive", {"speed_m_s", "turn_rate_rad_s"}},
                                 {"ackermann", {"wheel_speed_m_s", "steering_rad"}}};
 
-/// Edits that would make two of the columns the inputs of the vehicle; none when they are there.
+/// Edit distance from the columns to the vehicle's inputs; 0 if they are all present.
 int edits(const Vehicle& vehicle, const std::vector<std::string>& columns) {
   int sum = 0;
   for (const char* input : vehicle.inputs) sum += edit_distance(input, nearest_name(input, columns));
   return sum;
 }
 
-/// The vehicle that the header means, or most likely means: a misspelt column is then told by its name.
+/// The vehicle whose columns are nearest to the header, so that a misspelled column can be reported.
 const Vehicle& vehicle_of(const NamedTable& table) {
   const int drive = edits(vehicles[0], table.columns()), car = edits(vehicles[1], table.columns());
   if (drive == 0 && car == 0) {
@@ -175,7 +175,7 @@ void write_text(const std::filesystem::path& file, const std::string& text) {
                                 file.string(), std::strerror(errno != 0 ? errno : EIO)));
 }
 
-/// A table left there by another recording would be read as part of this one.
+/// Tables left by another recording would be read as part of this one.
 void refuse_tables_in(const std::filesystem::path& folder) {
   for (const char* name : {odometry_file, detections_file, truth_file, fixes_file, landmarks_file}) {
     std::error_code ignored;

@@ -35,7 +35,7 @@ RecordedClock::RecordedClock(SharedRecording recording, double duration_s)
     : recording_(std::move(recording)) {
   const double until = recording_->frames.front().t + duration_s;
   for (const Recording::RecordedFrame& frame : recording_->frames) {
-    if (frame.t < until) ++frames_;  // like the room's clock: rate x duration frames
+    if (frame.t < until) ++frames_;  // as with FixedRateClock: rate x duration frames
   }
 }
 
@@ -52,7 +52,7 @@ RecordedSensor::RecordedSensor(SharedRecording recording, int width_px, int heig
   try {
     first_ = read(0);
   } catch (const std::runtime_error& error) {
-    throw InputError(error.what());  // nothing has begun: a wrong input, not a failed job
+    throw InputError(error.what());  // before the start, this is an invalid input
   }
 }
 

@@ -1,4 +1,4 @@
-// A recording as the loop sees it: its clock, its sensor and, where the truth is known, its world.
+// A recording as clock, sensor and, if the truth is known, world of the loop.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,7 @@ namespace incognita {
 
 using SharedRecording = std::shared_ptr<const Recording>;
 
-/// The stamps of the recording, until it ends or `duration_s` have passed since its first.
+/// Ticks at the time stamps of the recording, until it ends or `duration_s` after its first.
 class RecordedClock : public Clock {
  public:
   RecordedClock(SharedRecording recording, double duration_s);
@@ -23,13 +23,13 @@ class RecordedClock : public Clock {
   std::int64_t done_ = 0;
 };
 
-/// Image k at tick k.
+/// Returns image k at tick k.
 class RecordedSensor : public Sensor {
  public:
-  /// Reads the first image: throws InputError naming it and both sizes unless it is one of the camera's.
+  /// Reads the first image: throws InputError naming it, and both sizes if it does not have the camera's size.
   RecordedSensor(SharedRecording recording, int width_px, int height_px);
 
-  /// Throws RecordError naming file and frame when an image is missing, broken or of another size.
+  /// Throws RecordError naming file and frame if an image is missing, damaged or of another size.
   Observation measure(const std::optional<Truth>& truth, const Tick& tick) override;
 
  private:
@@ -40,9 +40,8 @@ class RecordedSensor : public Sensor {
   std::shared_ptr<const Image> first_;
 };
 
-/// The recorded pose nearest in time, if within 20 ms, as the tools of the TUM benchmark associate.
-/// Velocities are differences of the poses on either side. Commands move nothing: what was recorded has
-/// happened.
+/// Returns the recorded pose nearest in time within 20 ms, the association rule of the TUM benchmark tools.
+/// Velocities are finite differences of the neighboring poses. Commands are ignored.
 class RecordedWorld : public World {
  public:
   explicit RecordedWorld(SharedRecording recording) : recording_(std::move(recording)) {}

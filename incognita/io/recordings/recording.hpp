@@ -1,4 +1,4 @@
-// Recordings: where their images are, when each was taken and, if that is known, where the camera then was.
+// Recordings: image files with time stamps and, if known, true camera poses.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,10 +13,9 @@
 namespace incognita {
 
 struct RecordedPose {
-  double t = 0;                       ///< s, on the images' clock
-  Eigen::Vector3d position{0, 0, 0};  ///< m, in the recording's own world
-  Eigen::Vector4d world_from_camera{1, 0, 0,
-                                    0};  ///< w, x, y, z; of the optical axes unless a note says otherwise
+  double t = 0;                                   ///< s, on the clock of the images
+  Eigen::Vector3d position{0, 0, 0};              ///< m, in the world frame of the recording
+  Eigen::Vector4d world_from_camera{1, 0, 0, 0};  ///< w, x, y, z; optical axes unless noted
 };
 
 struct Recording {
@@ -26,19 +25,18 @@ struct Recording {
   };
   std::string format;  ///< `images`, `tum` or `euroc`
   std::filesystem::path folder;
-  std::vector<RecordedFrame> frames;       ///< one at least
-  std::vector<RecordedPose> truth;         ///< in time order; empty where the truth is unknown
-  std::vector<std::string> notes;          ///< what was guessed or left out, for printing
-  std::optional<CalibratedCamera> camera;  ///< where the recording has its calibration
+  std::vector<RecordedFrame> frames;       ///< at least one
+  std::vector<RecordedPose> truth;         ///< in time order; empty if unknown
+  std::vector<std::string> notes;          ///< assumptions and ignored data, for printing
+  std::optional<CalibratedCamera> camera;  ///< set if the recording contains its calibration
 };
 
-/// `format` is `auto`, `images`, `tum` or `euroc`; `rate_hz` gives images without stamps their times.
-/// `pattern` chooses among images by their names, as a shell does; empty: all. Throws InputError naming file
-/// and line.
+/// `format` is `auto`, `images`, `tum` or `euroc`; `rate_hz` is used for images without time stamps.
+/// `pattern` selects images by name as in a shell; empty: all. Throws InputError naming file and line.
 Recording read_recording(const std::filesystem::path& folder, const std::string& format, double rate_hz,
                          const std::string& pattern = "");
 
-/// The recording that a scenario names, found under the data folder.
+/// The recording named by a scenario, searched under the data folder.
 Recording read_recording(const LoadedScenario& loaded);
 
 }  // namespace incognita

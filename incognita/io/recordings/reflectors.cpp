@@ -6,7 +6,7 @@
 namespace incognita {
 namespace {
 
-/// Beams that lie together, as they come.
+/// Adjacent beams, in scan order.
 struct Group {
   int beams = 0;
   int last = 0;

@@ -1,4 +1,4 @@
-// How a list of settings says what each may be.
+// Factory functions for the allowed values of a setting.
 #pragma once
 
 #include <string>
@@ -37,7 +37,7 @@ inline Allowed odd_between(double least, double most) {
   a.odd = true;
   return a;
 }
-/// As a model declares it.
+/// The range declared by a model.
 inline Allowed within(const Range& range) {
   Allowed a = between(range.least, range.most);
   a.more_than_least = range.more_than_least;

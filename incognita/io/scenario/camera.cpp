@@ -10,7 +10,7 @@
 namespace incognita {
 namespace {
 
-/// Real lenses send a ray to every pixel at least half-way from the principal point to each edge.
+/// Real lenses have a ray for every pixel at least half-way from the principal point to each edge.
 void need_rays(const Camera& camera, const CameraSettings& s, const char* key, double value) {
   const Eigen::Vector2d center(s.u0_px, s.v0_px);
   const Eigen::Vector2d edges[] = {

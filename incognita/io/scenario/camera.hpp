@@ -1,4 +1,4 @@
-// The camera that a scenario describes.
+// Builds the camera of a scenario.
 #pragma once
 
 #include "incognita/io/scenario/scenario.hpp"
@@ -6,8 +6,8 @@
 
 namespace incognita {
 
-/// Throws std::invalid_argument, "camera fu_px must be ...", when there can be no such camera, or when its
-/// distortion hides most of the image, as it does when it is given in the wrong unit.
+/// Throws std::invalid_argument, "camera fu_px must be ...", for invalid parameters, or if the distortion
+/// leaves most of the image without rays, e.g. because its unit is wrong.
 Camera make_camera(const CameraSettings& settings);
 
 }  // namespace incognita

@@ -11,7 +11,7 @@ namespace {
 
 using List = std::vector<Contradiction>;
 
-/// The camera's own check names the key in its message.
+/// The message of make_camera() names the key.
 void check_lens(const Scenario& s, List& found) {
   try {
     make_camera(s.camera);
@@ -27,7 +27,7 @@ void check_lens(const Scenario& s, List& found) {
   }
 }
 
-/// A calibration in the other model's terms would be ignored without a word.
+/// Refuses parameters of the other lens model, which would be ignored.
 void check_model(const CameraSettings& camera, List& found) {
   const bool wide = camera.model == "wide-angle";
   const std::pair<const char*, double> strangers[] = {{"camera.kd1_per_px2", wide ? 0 : camera.kd1_per_px2},

@@ -70,7 +70,7 @@ bool holds(const DecisionSettings& d, const Eigen::Vector3d& at, int axes) {
          (at.head(axes).array() <= d.max_bound_m.head(axes).array()).all();
 }
 
-/// In a room; of places of points team_checks.cpp.
+/// Checks the start in the rendered room; team_checks.cpp does so for point landmarks.
 void check_start(const Scenario& s, List& found) {
   if (s.run.world != "room") return;
   if (!is_room_vehicle(s)) {
@@ -86,7 +86,7 @@ void check_start(const Scenario& s, List& found) {
           {"decision.min_bound_m", "must, with decision.max_bound_m, leave team.positions_m inside"});
 }
 
-/// What a hand feels is told in the frame of the room, goals in that of the filter.
+/// The operator perceives the pose in the room frame, goals are in the filter's frame: only a target aligns both.
 void check_held(const Scenario& s, List& found) {
   if (s.operator_settings.holds && s.run.world == "room" && s.start.from == StartSettings::From::free)
     found.push_back({"person.holds",
@@ -100,7 +100,7 @@ void check_counted(const Scenario& s, List& found) {
         {"explore.counted", "must be `all` with run.world = \"points\": all in view is mapped there"});
 }
 
-/// CameraController swings the gaze, which flies in the rendered room and with recordings.
+/// Only CameraController implements the swinging gaze; it is used in the rendered room and with recordings.
 void check_gaze(const Scenario& s, List& found) {
   const bool is_free_camera = motion_traits_of(s.planar.vehicle.model).in_space() && !has_carried_camera(s);
   if (s.run.world == "points" && is_free_camera && s.team.steer.law == "active" &&

@@ -1,4 +1,4 @@
-// Whether the settings of the choice of the next move fit together.
+// Checks that the decision settings are consistent.
 #pragma once
 
 #include "incognita/io/scenario/scenario_checks.hpp"

@@ -1,4 +1,4 @@
-// The settings of the choice of the next move.
+// The settings of the decision.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace incognita {
 
-/// Appends every setting of both, which must outlive the list.
+/// Appends all settings of both structs, which must outlive the list.
 void list_decision_settings(std::vector<Setting>& list, DecisionSettings& decision,
                             ExplorationSettings& exploration);
 

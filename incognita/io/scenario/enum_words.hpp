@@ -1,4 +1,4 @@
-// The words by which a scenario chooses between the values of an enumeration.
+// The words of a scenario for the values of enumerations.
 #pragma once
 
 #include <span>
@@ -22,7 +22,7 @@ inline constexpr EnumWord<DecisionSettings::Strategy> strategy_words[] = {
     {DecisionSettings::Strategy::random, "random"},
     {DecisionSettings::Strategy::fixed_path, "fixed-path"},
     {DecisionSettings::Strategy::none, "none"}};
-/// Those that actions are compared by; the Fisher traces compare turns alone.
+/// Metrics that compare actions; the Fisher traces only compare camera rotations.
 inline constexpr EnumWord<Metric> metric_words[] = {
     {Metric::state, "state"}, {Metric::position_and_map, "position-and-map"}, {Metric::vehicle, "vehicle"}};
 inline constexpr EnumWord<DecisionSettings::Schedule> schedule_words[] = {
@@ -67,7 +67,7 @@ inline std::span<const EnumWord<InitializationSettings::Center>> words_of(Initia
 }
 inline std::span<const EnumWord<StartSettings::From>> words_of(StartSettings::From) { return start_words; }
 
-/// Throws std::invalid_argument for a value that no scenario can choose.
+/// Throws std::invalid_argument for a value that a scenario cannot select.
 template <class Enum>
 std::string word_of(Enum value) {
   for (const auto& [known, word] : words_of(value))

@@ -54,7 +54,7 @@ std::vector<std::string> keys(const std::vector<Setting>& settings, const std::s
   return names;
 }
 
-/// Everything that is wrong is gathered, so that a file is repaired in one go.
+/// Collects all errors, so that a file can be repaired in one go.
 class Reader {
  public:
   explicit Reader(LoadedScenario& loaded) : loaded_(loaded), settings_(list_settings(loaded.scenario)) {
@@ -91,8 +91,7 @@ class Reader {
   void problem(std::string text) { problems_.push_back(std::move(text)); }
 
   void check() {
-    // What a wrong word leaves is a default: what means nothing with that may mean something with the right
-    // word
+    // A refused value leaves its default, with which the applicability of other settings could be misjudged.
     if (problems_.empty()) {
       default_association();
       default_gaze();
@@ -100,7 +99,7 @@ class Reader {
       take_camera_of_recording(loaded_);
       refuse_inapplicable();
     }
-    if (problems_.empty()) {  // else what contradicts may only follow from what was refused
+    if (problems_.empty()) {  // otherwise a contradiction may only follow from a refused value
       for (const Contradiction& found : find_contradictions(loaded_.scenario)) {
         const Setting* setting = find(found.key);
         problems_.push_back(fmt::format("{}: {} = {}: {}", loaded_.sources[found.key], found.key,
@@ -117,8 +116,8 @@ class Reader {
     return it == settings_.end() ? nullptr : &*it;
   }
 
-  /// In a place of points sensors name what they see, unless the scenario says otherwise; and then gates are
-  /// wide: a first depth is a guess, and whom it puts outside the gate would be born again.
+  /// Point-landmark sensors provide identities by default. If not, gates are wide: the initial depth is a
+  /// guess, and a gated re-detection would be initialized as a duplicate landmark.
   void default_association() {
     DataAssociationSettings usual;
     if (loaded_.scenario.run.world == "points") {
@@ -137,14 +136,14 @@ class Reader {
       now.initialization_distance_m = usual.initialization_distance_m;
   }
 
-  /// In a place of points there is no swing to and fro (decision_checks.cpp).
+  /// The swinging gaze is not available with point landmarks (decision_checks.cpp).
   void default_gaze() {
     if (loaded_.sources.at("decision.gaze") != "default") return;
     const bool points = loaded_.scenario.run.world == "points";
     loaded_.scenario.decision.gaze = points ? DecisionSettings::Gaze::hold : DecisionSettings{}.gaze;
   }
 
-  /// A simulated vehicle is as noisy as its filter believes, unless the scenario says otherwise.
+  /// The true noises default to those of the filter.
   void apply_true_noise_defaults() {
     if (loaded_.scenario.run.world != "points") return;
     for (const auto& [truth, belief] : true_noise_defaults()) {
@@ -160,7 +159,7 @@ class Reader {
     }
   }
 
-  /// A setting of another sensor's or vehicle's would be ignored without a word.
+  /// Refuses settings of another sensor or vehicle, which would be ignored.
   void refuse_inapplicable() {
     for (const Setting& setting : settings_) {
       const std::string& source = loaded_.sources[setting.key];
@@ -207,7 +206,7 @@ class Reader {
   std::vector<std::string> problems_;
 };
 
-/// A comment must stay on its line whatever a file is called.
+/// Replaces control characters, so that a comment stays on its line whatever a file is called.
 std::string one_line(std::string text) {
   for (char& c : text) {
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
@@ -215,7 +214,7 @@ std::string one_line(std::string text) {
   return text;
 }
 
-/// A file beside the scenario is named in full, so that the written scenario may lie anywhere.
+/// Files beside the scenario are written with their full path, so that the written scenario can be moved.
 std::string written_for_elsewhere(const Setting& setting, const LoadedScenario& loaded) {
   const bool names_file = setting.key == "start.target" || setting.key == "points.file" ||
                           setting.key == "path.file" || setting.key == "terrain.file";

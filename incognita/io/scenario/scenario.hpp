@@ -1,4 +1,4 @@
-// A scenario: everything that is set before a run, as plain structs.
+// A scenario: all settings of a run as plain structs.
 #pragma once
 
 #include <cstdint>
@@ -15,11 +15,11 @@ namespace incognita {
 
 struct RunSettings {
   std::string world = "room";     ///< `room` (rendered, closed loop), `points` (simulated) or `recording`
-  std::string sensor = "camera";  ///< `camera` or `range-bearing`; of points also `bearing` or `stereo`
+  std::string sensor = "camera";  ///< `camera`, `range-bearing`; with `points` also e.g. `bearing`, `stereo`
   std::int64_t seed = 1;
-  double duration_s = 60;  ///< at most; a recording may end before
-  double rate_hz = 30;     ///< frames per second of a simulated place, and of recordings without time stamps
-  bool observability = true;  ///< whether the run works out what its filter can and cannot know
+  double duration_s = 60;     ///< upper limit; a recording may end earlier
+  double rate_hz = 30;        ///< frame rate of simulations and of recordings without time stamps
+  bool observability = true;  ///< whether the observability of the filter is analyzed
 };
 
 struct CameraSettings {
@@ -37,10 +37,10 @@ struct CameraSettings {
 struct RecordingSettings {
   std::string folder;             ///< relative to the data folder
   std::string format = "auto";    ///< `auto`, `images`, `tum`, `euroc`, `acfr`, `mrclam`, `tables`
-  std::string pattern;            ///< `images`: of the names, as a shell has it; empty: all
-  bool check_calibration = true;  ///< `euroc`: the camera against the recording's own calibration
-  int robot = 1;                  ///< `mrclam`: which of the five
-  bool team = false;              ///< `mrclam`: all five in one belief
+  std::string pattern;            ///< `images`: shell pattern of file names; empty: all
+  bool check_calibration = true;  ///< `euroc`: compare the camera with the recorded calibration
+  int robot = 1;                  ///< `mrclam`: which of the five robots
+  bool team = false;              ///< `mrclam`: all five robots in one belief
 };
 
 struct Scenario {

@@ -48,9 +48,9 @@ void check_sizes(const Scenario& s, List& found) {
   }
 }
 
-/// Only whole pixels are tried in an ellipse, and the smallest is one of the pixel noise alone.
+/// The search tests whole pixels only, and the smallest search ellipse is that of the pixel noise alone.
 void check_search(const Scenario& s, List& found) {
-  constexpr double least_px = 0.75;  // half a pixel's diagonal, and a little
+  constexpr double least_px = 0.75;  // slightly more than half a pixel diagonal
   if (s.slam.search.gate_sigmas * s.slam.filter.sigma_pixel_px >= least_px) return;
   found.push_back(
       {"filter.sigma_pixel_px",
@@ -80,7 +80,7 @@ void check_room(const Scenario& s, List& found) {
   }
   const Eigen::Vector3d &size = s.room.size_m, &start = s.room.start_position_m;
   check_room_size(size, found);
-  if (is_room_vehicle(s)) return;  // which starts on the ground
+  if (is_room_vehicle(s)) return;  // it starts on the ground
   const double margin = s.room.clearance_m;
   const bool inside = std::abs(start.x()) <= size.x() / 2 - margin &&
                       std::abs(start.y()) <= size.y() / 2 - margin && start.z() >= margin &&
@@ -101,7 +101,7 @@ void check_vehicle(const Scenario& s, List& found) {
         {"vehicle_start.position_m", "must be left out where vehicle_start.at_first_fix is true"});
 }
 
-/// What a team alone has.
+/// Checks what is restricted without a team.
 void check_alone(const Scenario& s, List& found) {
   const auto models = {"ackermann", "differential-drive"};
   if (s.run.sensor == "range-bearing" &&

@@ -1,4 +1,4 @@
-// What no single setting can tell: whether the settings of a scenario fit together.
+// Checks that the settings of a scenario are consistent with each other.
 #pragma once
 
 #include <string>
@@ -9,11 +9,11 @@
 namespace incognita {
 
 struct Contradiction {
-  std::string key;  ///< where to look first
+  std::string key;  ///< the setting to look at first
   std::string why;  ///< "must be ..."
 };
 
-/// Empty when all is well.
+/// Empty if the scenario is consistent.
 std::vector<Contradiction> find_contradictions(const Scenario& scenario);
 
 }  // namespace incognita

@@ -1,4 +1,4 @@
-// Files that a scenario names.
+// Locates files named by a scenario.
 #pragma once
 
 #include <filesystem>
@@ -8,8 +8,8 @@
 
 namespace incognita {
 
-/// The file that the setting `key` names as `name`: beside the scenario, under the data folder, or built in.
-/// Throws InputError with the places looked at.
+/// The file `name` given by the setting `key`: beside the scenario, under the data folder, or built in.
+/// Throws InputError with the searched locations.
 std::filesystem::path find_named_file(const LoadedScenario& loaded, const std::string& key,
                                       const std::string& name);
 

@@ -174,7 +174,7 @@ std::string Setting::kind() const {
                                           "a list of [x, y]",
                                           "a list of [x, y, z]",
                                           "a list of numbers"};
-  return field.index() < std::size(names) ? names[field.index()] : names[0];  // words of enumerations
+  return field.index() < std::size(names) ? names[field.index()] : names[0];  // enumerations are strings
 }
 
 void assign(const Setting& setting, const TomlValue& value) {

@@ -1,4 +1,4 @@
-// One setting: which field of a scenario a key means, in what unit, and what values are allowed.
+// A setting: a key bound to a field of a scenario, with unit and allowed values.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,15 +15,15 @@
 
 namespace incognita {
 
-/// What a setting may be.
+/// The allowed values of a setting.
 struct Allowed {
   double least = -std::numeric_limits<double>::infinity();
   double most = std::numeric_limits<double>::infinity();
   bool more_than_least = false;  ///< `least` itself is excluded
   bool odd = false;
-  std::vector<std::string> choices;  ///< of a text; any text when empty
+  std::vector<std::string> choices;  ///< of a string; empty: any
 
-  /// "0 to 1", "more than 0", "`room` or `recording`"; empty when anything goes.
+  /// "0 to 1", "more than 0", "`room` or `recording`"; empty if unrestricted.
   std::string text() const;
 };
 
@@ -35,25 +35,25 @@ struct Setting {
                ExplorationSettings::Counted*, InitializationSettings::Method*,
                InitializationSettings::Center*, StartSettings::From*>
       field;
-  std::string unit;  ///< empty for counts, ratios and texts
+  std::string unit;  ///< empty for counts, ratios and strings
   std::string help;
   Allowed allowed;
 
-  /// The value in force, as TOML.
+  /// The current value in TOML.
   std::string written() const;
   /// "a text", "a whole number", ...
   std::string kind() const;
 };
 
-/// Why a value was refused: "must be ...". The caller adds where it was written.
+/// Why a value was refused: "must be ...". The caller adds its location.
 struct BadValue {
   std::string why;
 };
 
-/// Sets the field or throws BadValue and leaves it as it was.
+/// Sets the field, or throws BadValue and leaves it unchanged.
 void assign(const Setting& setting, const TomlValue& value);
 
-/// The same from the command line, where a text needs no quotes.
+/// The same for command-line text, where strings need no quotes.
 void assign_text(const Setting& setting, std::string_view text);
 
 }  // namespace incognita

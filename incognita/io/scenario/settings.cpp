@@ -73,7 +73,7 @@ void recording(List& list, RecordingSettings& s) {
               });
 }
 
-/// The parameters that motion models declare. Models that share one share its key.
+/// The parameters declared by the motion models. Models with a common parameter share its key.
 void motion_parameters(List& list, VehicleSettings& s) {
   const std::size_t first = list.size();
   for (const MotionEntry& motion : registered_motions())
@@ -398,7 +398,7 @@ bool section_applies(const std::string& section, const std::string& sensor) {
 
 namespace {
 
-/// Of a vehicle that carries the camera.
+/// Whether the key belongs to the decision of a vehicle that carries the camera.
 bool of_speeds(const std::string& key) {
   return key == "decision.acceleration_m_s2" || key == "decision.turn_acceleration_rad_s2" ||
          key == "decision.impulse_s" || key == "decision.accelerations";
@@ -408,7 +408,7 @@ bool of_speeds(const std::string& key) {
 
 namespace {
 
-/// Of what a recording of images alone has, by the format that it is said to be of.
+/// Why a key of image recordings is inapplicable, given the recording format.
 std::string why_no_images(const std::string& key, const Scenario& s) {
   const char* format = key == "recording.pattern"             ? "images"
                        : key == "recording.check_calibration" ? "euroc"

@@ -1,4 +1,4 @@
-// The one list that binds every field of a scenario to its key.
+// The list that binds every field of a scenario to its key.
 #pragma once
 
 #include <string>
@@ -9,14 +9,14 @@
 
 namespace incognita {
 
-/// Every setting, section by section, bound to the fields of `scenario`, which must outlive the list.
+/// All settings, section by section, bound to the fields of `scenario`, which must outlive the list.
 std::vector<Setting> list_settings(Scenario& scenario);
 
-/// Those of them that mean something in this scenario.
+/// The settings that apply to this scenario.
 std::vector<Setting> settings_in_force(Scenario& scenario);
 
-/// With which other setting this one means nothing, so that it would be ignored: "run.sensor = `camera`".
-/// Empty where it means something.
+/// The other setting that makes this one inapplicable, so that it would be ignored: "run.sensor = `camera`".
+/// Empty if it applies.
 std::string inapplicable_reason(const std::string& key, const Scenario& scenario);
 
 /// "run" of "run.seed".

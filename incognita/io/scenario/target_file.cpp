@@ -78,7 +78,7 @@ Eigen::Vector<double, size> vector_of(const TomlEntry& entry, const std::string&
 /// SceneLib: x left, y up, z forward. Here: x forward, y left, z up. Both are right-handed.
 Eigen::Vector3d from_scenelib(const Eigen::Vector3d& v) { return {v.z(), v.x(), v.y()}; }
 
-/// The first of that name in the folders; one of one grey is refused.
+/// The first file of that name in the folders; refuses an image of uniform gray.
 Image read_named_image(const TomlEntry& entry, const std::string& file, const Folders& folders) {
   const std::string name = text_of(entry, file);
   std::optional<std::filesystem::path> path;
@@ -137,7 +137,7 @@ void check_geometry(const Target& target, const std::string& file, int line) {
     }
   }
   points.rowwise() -= points.colwise().mean().eval();
-  // Eigenvalues grow: the spread across the plane of the corners, within it, and along their longest extent
+  // Ascending eigenvalues: spread normal to the plane of the corners, within it, and along the longest extent.
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> spread(points.transpose() * points);
   const double longest = spread.eigenvalues()[2];
   if (spread.eigenvalues()[1] < 1e-6 * longest)
@@ -159,7 +159,7 @@ Target::Corner read_corner(const TomlValue& value, bool scenelib, const std::str
           read_patch(need(*corner, "patch", file, value.line), file, folders)};
 }
 
-/// One row for each corner, u and v.
+/// One row (u, v) per corner, px.
 Eigen::MatrixX2d read_picture_pixels(const TomlArray& corners, const std::string& file) {
   Eigen::MatrixX2d pixels(corners.size(), 2);
   for (std::size_t i = 0; i < corners.size(); ++i) {

@@ -1,4 +1,4 @@
-// Which settings mean something to a team: what does not would be ignored without a word.
+// Applicability of settings to a team: inapplicable ones are refused, as they would be ignored.
 #include <algorithm>
 #include <initializer_list>
 #include <string_view>
@@ -15,7 +15,7 @@ bool one_of(std::string_view word, Words words) {
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-/// A scenario's choices, as the rules below speak of them.
+/// The choices of a scenario that the rules below depend on.
 struct Choices {
   const Scenario& s;
   const std::string& sensor = s.run.sensor;
@@ -28,7 +28,7 @@ struct Choices {
   bool camera = measured.dimensions == 3;
   bool body = motion.in_space(), line = motion.on_line(), ground = motion.space == Space::uneven_ground;
   bool turns = motion.has_input("turn_rate"), steers = motion.has_input("steering");
-  bool carried = has_carried_camera(s);  ///< a camera that knows nothing of the wheels under it
+  bool carried = has_carried_camera(s);  ///< a camera whose filter does not model its carrier
 
   std::string by_sensor() const { return "run.sensor = `" + sensor + "`"; }
   std::string by_model() const { return "vehicle.model = `" + model + "`"; }
@@ -46,7 +46,7 @@ std::string vehicle(std::string_view key, const Choices& c) {
   return unless(applies_to_motion(std::string(key), c.model), c.by_model());
 }
 
-/// Of the filter, and of the plant.
+/// Noise settings of range-bearing sensors, in the filter and in the plant.
 std::string ranges(std::string_view key, const Choices& c) {
   if (c.camera) return c.by_sensor();
   if (key == "sigma_bearing_rad") return unless(!c.line, c.by_model());
@@ -122,7 +122,7 @@ std::string path(std::string_view key, const Choices& c) {
   return unless(c.path == "file", c.by_path());
 }
 
-/// Inverse depths are for landmarks whose distance is not told; how they become points, for stereo's too.
+/// Inverse depth applies to sensors without distance; the conversion to points applies to stereo, too.
 std::string initialization(std::string_view key, const Choices& c) {
   if (key == "max_linearity")
     return unless(c.measured.initial_form == LandmarkParametrization::Kind::inverse_depth, c.by_sensor());
@@ -164,7 +164,7 @@ std::string decision(std::string_view key, const Choices& c) {
   return "";
 }
 
-/// Who moves a camera by hand needs to be told where.
+/// Operator settings apply to a hand-held camera with the active law only.
 std::string operator_checks(std::string_view key, const Choices& c) {
   if (!c.body || c.carried) return c.carried ? c.by_plant() : c.by_model();
   if (c.law != "active") return c.by_law();
@@ -201,7 +201,7 @@ std::string in_points(const std::string& section, std::string_view key, const Ch
   return c.by_world();
 }
 
-/// Of what a vehicle in the rendered room shares with those in a place of points.
+/// Applicability of the team settings that a vehicle in the rendered room shares.
 std::string on_wheels(const std::string& section, std::string_view key, const Choices& c) {
   if (section == "steer") return steer(key, c);
   if (section == "path") return key == "offsets_m" ? c.by_world() : path(key, c);

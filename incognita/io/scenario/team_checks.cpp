@@ -24,7 +24,7 @@ void check_recorded(const Scenario& s, List& found) {
     found.push_back({"vehicle.model", "must be `differential-drive`: so the recorded teams move"});
 }
 
-/// A list with one number stands for all the same.
+/// A list of one number applies to all.
 void check_length(const char* key, std::size_t size, std::size_t wanted, const char* what, List& found) {
   if (size == 1 || size == wanted) return;
   const std::string counts = wanted == 1 ? "1 number" : fmt::format("1 number or {}", wanted);
@@ -45,7 +45,7 @@ void check_starts(const Scenario& s, List& found) {
                                                    vehicles, offsets)});
 }
 
-/// Vehicles that see each other can not be in one place.
+/// Vehicles that measure each other must not coincide.
 void check_apart(const Scenario& s, List& found) {
   const auto& starts = s.team.start.positions_m;
   if (starts.size() < 2 || !s.team.start.sees_team) return;
@@ -78,7 +78,7 @@ void check_association(const Scenario& s, List& found) {
                      "must be association.gate_probability or more: what is inside its gate is no new one"});
 }
 
-/// What (5.1) and (5.9) weigh, and what is held, by what the motion has.
+/// Checks the lengths of the gains of (5.1), the weights of (5.9) and the constant input against the motion model.
 void check_gains(const Scenario& s, List& found) {
   const MotionTraits& motion = motion_traits_of(s.planar.vehicle.model);
   const std::size_t inputs = has_carried_camera(s) ? motion_traits<TerrainVehicle>.input.size()
@@ -108,7 +108,7 @@ void check_path(const Scenario& s, List& found) {
     found.push_back({"path.rate_rad_s", "must not be 0: on a circle one goes round"});
 }
 
-/// What stands on the ground or on a line has no height, nor a place beside the line, to choose.
+/// Vehicles on the ground have no height, those on a line no lateral position.
 void check_dimensions(const Scenario& s, List& found) {
   const std::string& model = s.planar.vehicle.model;
   const MotionTraits& motion = motion_traits_of(model);
@@ -134,7 +134,7 @@ void check_dimensions(const Scenario& s, List& found) {
         {"path.kind", "must be `point`, `way-points` or `file` with vehicle.model = `" + model + "`"});
 }
 
-/// A law that steers a position needs a point off the axle, thesis (5.13): its inverse has 1 / l in it.
+/// A law that controls a position needs a control point off the axle, thesis (5.13): its inverse contains 1 / l.
 void check_control_point(const Scenario& s, List& found) {
   constexpr double least_m = 0.01;
   const std::string& law = s.team.steer.law;
@@ -165,7 +165,7 @@ void check_known(const Scenario& s, List& found) {
                      s.planar.lost.max_sigma_position_m)});
 }
 
-/// Who is known exactly has infinite information, which the information form can not tell.
+/// A zero-variance state has infinite information and cannot be represented in information form.
 void check_form(const Scenario& s, List& found) {
   if (s.team.filter.form != "information") return;
   const auto check = [&](const char* key, double sigma) {
@@ -182,14 +182,14 @@ void check_form(const Scenario& s, List& found) {
   check("filter.sigma_start_angular_rate_rad_s", s.slam.filter.sigma_start_angular_rate_rad_s);
 }
 
-/// Of the active law: bounds that hold the starts.
+/// Active law: the bounds must contain the starts.
 void check_bounds(const Scenario& s, List& found) {
   if (s.team.steer.law != "active") return;
   const DecisionSettings& d = s.decision;
   if ((d.max_bound_m.array() <= d.min_bound_m.array()).any())
     return found.push_back(
         {"decision.max_bound_m", "must be more than decision.min_bound_m along each axis"});
-  const int axes = has_carried_camera(s) ? 2 : 3;  // how high a camera is carried is up to the ground
+  const int axes = has_carried_camera(s) ? 2 : 3;  // the height of a carried camera follows the ground
   for (const Eigen::Vector3d& at : s.team.start.positions_m)
     if ((at.head(axes).array() < d.min_bound_m.head(axes).array()).any() ||
         (at.head(axes).array() > d.max_bound_m.head(axes).array()).any())
@@ -228,7 +228,7 @@ void check_ticks(const Scenario& s, List& found) {
                                                    most_ticks, s.run.rate_hz)});
 }
 
-/// One vehicle, inside the room, by a law that steers wheels.
+/// One vehicle, inside the room, with a control law for wheeled vehicles.
 void check_in_room(const Scenario& s, List& found) {
   if (s.team.start.positions_m.size() != 1)
     return found.push_back({"team.positions_m", "must have one start: the room has one vehicle"});
@@ -245,7 +245,7 @@ void check_in_room(const Scenario& s, List& found) {
         {"steer.law", "must be `active`, `none`, `tracking` or `feedback-linearisation` in the room"});
 }
 
-/// Between the body and where avoiding begins there must be a way to slow down on.
+/// The avoidance distance must leave a braking distance in front of the body.
 void check_obstacle_avoidance(const Scenario& s, List& found) {
   const double clear = s.team.steer.avoidance_distance_m;
   if (clear == 0) return;

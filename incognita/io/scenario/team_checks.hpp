@@ -1,4 +1,4 @@
-// Whether the settings of a team's scenario fit together.
+// Checks that the settings of a team scenario are consistent.
 #pragma once
 
 #include "incognita/io/scenario/scenario_checks.hpp"
@@ -7,10 +7,10 @@ namespace incognita {
 
 void check_team(const Scenario& scenario, std::vector<Contradiction>& found);
 
-/// Of a vehicle in the rendered room: what is not of its camera.
+/// Checks a vehicle in the rendered room, except for its camera.
 void check_room_vehicle(const Scenario& scenario, std::vector<Contradiction>& found);
 
-/// Of the camera alone.
+/// Checks the camera only.
 void check_camera(const Scenario& scenario, std::vector<Contradiction>& found);
 
 }  // namespace incognita

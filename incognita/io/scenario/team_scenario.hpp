@@ -1,7 +1,6 @@
-// What a scenario sets on a team of vehicles: in a simulated place of points, thesis Appendix B, or as
-// recorded.
+// The settings of a team of vehicles: simulated with point landmarks (thesis Appendix B) or recorded.
 //
-// The vehicles of a scenario are alike: one motion, one sensor, one law; starts and paths are each one's own.
+// All vehicles share one motion model, sensor and control law; start poses and paths are individual.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,13 +12,13 @@
 
 namespace incognita {
 
-/// Where the vehicles start, what is known of that, and whether they see each other.
+/// Start poses, their uncertainty, and whether the vehicles measure each other.
 struct TeamStartSettings {
-  std::vector<Eigen::Vector3d> positions_m{{0, 0, 0}};  ///< one for each vehicle; z only of one that flies
-  std::vector<double> headings_rad{0};                  ///< one for each, or one for all
-  double sigma_position_m = 0.01;                       ///< per axis; the true start is drawn around it
-  double sigma_height_m = 0.01;                         ///< likewise of a body in space, along z
-  double sigma_heading_rad = 0.01;                      ///< of a body in space, of each of its three turns
+  std::vector<Eigen::Vector3d> positions_m{{0, 0, 0}};  ///< one per vehicle; z only for a flying one
+  std::vector<double> headings_rad{0};                  ///< one per vehicle, or one for all
+  double sigma_position_m = 0.01;                       ///< per axis, of the filter
+  double sigma_height_m = 0.01;                         ///< of a body in space, along z
+  double sigma_heading_rad = 0.01;                      ///< of a body in space, about each of its three axes
   bool sees_team = true;
 };
 
@@ -29,21 +28,21 @@ struct TeamFilterChoice {
   double gate_probability = 1;
 };
 
-/// Landmarks of a simulated place.
+/// Point landmarks of a simulation.
 struct PointsSettings {
   int count = 16;
-  Eigen::Vector3d size_m{30, 30, 2.5};  ///< drawn evenly in +-x/2, +-y/2 about the centre, and 0 to z
+  Eigen::Vector3d size_m{30, 30, 2.5};  ///< uniform in +-x/2, +-y/2 about the center, and 0 to z
   Eigen::Vector2d center_m{0, 0};
   std::string file;  ///< instead, a table: id,x,y,z
-  int known = 0;     ///< so many of them the filter knows; -1: all, a map to find one's place in
+  int known = 0;     ///< number of landmarks known a priori; -1: all (localization only)
 };
 
-/// The true vehicle, where it is other than its filter believes.
+/// The true vehicle where it differs from the filter's model.
 struct PlantChoice {
-  std::string motion = "as-believed";  ///< or `terrain`: a vehicle that believes its ground to be flat
-  double speed_ratio = 1;              ///< true speed for the one told: wheels of another size than believed
-  double turn_ratio = 1;               ///< likewise of turn rate or steering
-  double sigma_start_position_m = 0.01;  ///< of the true start about the one told
+  std::string motion = "as-believed";    ///< or `terrain`: true ground is uneven, the model's is flat
+  double speed_ratio = 1;                ///< or `terrain`: uneven ground, unknown to the filter
+  double turn_ratio = 1;                 ///< the same for turn rate or steering
+  double sigma_start_position_m = 0.01;  ///< of the true start about the nominal one
   double sigma_start_height_m = 0.01;
   double sigma_start_heading_rad = 0.01;
   double sigma_speed_m_s = 0.05;
@@ -55,18 +54,18 @@ struct PlantChoice {
   double sigma_range_ratio = 0;
   double sigma_bearing_rad = 0.0174533;
   double sigma_pixel_px = 1;
-  double field_of_view_rad = 6.2831853;  ///< of a scanner, about straight ahead
-  int ticks_per_measurement = 1;         ///< it looks at every so many-th tick
+  double field_of_view_rad = 6.2831853;  ///< of a scanner, centered straight ahead
+  int ticks_per_measurement = 1;         ///< measurement interval in ticks
 };
 
 struct TerrainChoice {
-  std::string kind = "waves";  ///< `plane`, `waves`, two across each other, or `image`
+  std::string kind = "waves";  ///< `plane`, `waves` (two, crossing each other) or `image`
   double slope_x = 0, slope_y = 0;
   double amplitude_m = 0.15;
   double length_m = 6;
-  std::string file;       ///< `image`: seen from above, its middle at x = y = 0, its columns along +x
-  double size_m = 6;      ///< `image`: from its first column to its last
-  double height_m = 0.3;  ///< `image`: of white; black is at 0
+  std::string file;       ///< `image`: top view, its center at x = y = 0, columns along +x
+  double size_m = 6;      ///< `image`: from the first column to the last
+  double height_m = 0.3;  ///< `image`: height of white; black is 0
 };
 
 struct MountChoice {
@@ -81,18 +80,18 @@ struct StereoChoice {
 
 struct SteerChoice {
   std::string law = "none";     ///< `none`, `tracking`, `lqg`, `feedback-linearisation`, `active`
-  std::vector<double> input{};  ///< `none`: one for each of the motion's; none: stand still
+  std::vector<double> input{};  ///< `none`: one per input of the motion; empty: stand still
   std::vector<double> gain_per_s{0.5};
   double control_point_m = 0.2;
   double gain_along_per_s = 1, gain_across_per_m2 = 4, gain_heading_per_m = 2;
   std::vector<double> weight_state{1}, weight_input{1};
   double max_speed_m_s = 1, max_turn_rate_rad_s = 1, max_steering_rad = 0.6;
-  double avoidance_distance_m = 0;  ///< in the rendered room: slower and away from what is nearer; 0: never
+  double avoidance_distance_m = 0;  ///< rendered room: slow down and turn away from nearer obstacles; 0: off
 };
 
 struct PathChoice {
   std::string kind = "point";         ///< `point`, `circle`, `back-and-forth`, `way-points`, `file`
-  Eigen::Vector3d center_m{0, 0, 0};  ///< the point, or the circle's
+  Eigen::Vector3d center_m{0, 0, 0};  ///< the point, or the center of the circle
   double heading_rad = 0;             ///< at the point
   double radius_m = 7;
   double rate_rad_s = 0.0872665;
@@ -101,7 +100,7 @@ struct PathChoice {
   std::vector<Eigen::Vector3d> points_m{};
   double speed_m_s = 0.5;
   std::string file;
-  std::vector<Eigen::Vector3d> offsets_m{};  ///< of each vehicle's path; none: all follow the same
+  std::vector<Eigen::Vector3d> offsets_m{};  ///< offset of each vehicle's path; empty: all follow the same
 };
 
 struct TeamScenario {
@@ -116,7 +115,7 @@ struct TeamScenario {
   PathChoice path;
   std::map<std::string, double> sensor_parameters = {};  ///< of further sensors, by full key: "sonar.range_m"
 
-  /// The parameter of that full key, as the sensors declare it. A new one begins with `default_value`.
+  /// The parameter with that full key, as declared by the sensors. A new one is set to `default_value`.
   double& sensor_parameter(const std::string& key, double default_value) {
     if (key == "stereo.baseline_m") return stereo.baseline_m;
     if (key == "stereo.least_disparity_px") return stereo.least_disparity_px;

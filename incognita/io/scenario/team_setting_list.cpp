@@ -123,7 +123,7 @@ void mount(List& list, MountChoice& s) {
                           });
 }
 
-/// A section per sensor that has parameters, as they declare them.
+/// A section for each sensor with parameters, as the sensors declare them.
 void sensors(List& list, TeamScenario& s) {
   for (const SensorEntry& sensor : registered_sensors())
     for (const ParameterInfo& p : sensor.parameters) {

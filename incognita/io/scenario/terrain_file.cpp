@@ -14,14 +14,13 @@
 namespace incognita {
 namespace {
 
-/// What a key of the scenario was told, and where.
+/// A setting with its source, for messages.
 std::string with_source(const LoadedScenario& loaded, const std::string& key, const std::string& value) {
   const auto source = loaded.sources.find(key);
   return fmt::format("{}: {} = {}", source == loaded.sources.end() ? "default" : source->second, key, value);
 }
 
-/// One share of white for each place: rows along x, columns along y. In the image x goes to the right and y
-/// up.
+/// Fractions of white with rows along x and columns along y. In the image, x points right and y up.
 Eigen::MatrixXd seen_from_above(const Eigen::MatrixXd& image) {
   return image.colwise().reverse().transpose();
 }

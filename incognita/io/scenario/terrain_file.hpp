@@ -1,4 +1,4 @@
-// The ground of a scenario: a plane, waves, or a height map from an image.
+// Builds the terrain of a scenario: a plane, waves, or a height map from an image.
 #pragma once
 
 #include "incognita/io/scenario/load_scenario.hpp"
@@ -6,8 +6,8 @@
 
 namespace incognita {
 
-/// Throws InputError with file, key and remedy where the image is none, is too small, or does not reach where
-/// the vehicles start.
+/// Throws InputError with file, key and remedy if the image is invalid, too small, or does not cover the
+/// start positions.
 Terrain terrain_of(const LoadedScenario& loaded);
 
 }  // namespace incognita

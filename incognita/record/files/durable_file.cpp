@@ -20,9 +20,9 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::string_view mark = ".part-";
-constexpr std::chrono::minutes age_of_the_dead{1};  // writing one takes milliseconds
+constexpr std::chrono::minutes age_of_the_dead{1};  // writing such a file takes milliseconds
 
-/// A rename is kept once the folder is. Some file systems have no such thing, and nothing better.
+/// A rename is durable only after the folder is synced; errors are ignored, as some file systems do not support it.
 void sync_folder(const fs::path& folder) {
   const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (descriptor < 0) return;
@@ -38,7 +38,7 @@ void write_durably(const fs::path& path, std::string_view text) {
   const int descriptor = ::mkostemp(part.data(), O_CLOEXEC);
   if (descriptor < 0) throw RecordError(write_failure(path, errno));
   int error = write_at(descriptor, text, 0);
-  // as a file of open() would be: mkostemp's is for its owner alone
+  // mkostemp() creates the file with mode 0600; use the mode of a file created by open().
   if (!error && ::fchmod(descriptor, 0644) != 0) error = errno;
   if (!error && ::fsync(descriptor) != 0) error = errno;
   if (::close(descriptor) != 0 && !error) error = errno;

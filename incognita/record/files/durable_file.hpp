@@ -1,4 +1,4 @@
-// A file that is there whole or not at all, whatever happens to the program or the machine.
+// A crash-safe file: after a crash of the program or the machine it holds either the old text or the new one.
 #pragma once
 
 #include <filesystem>
@@ -6,11 +6,11 @@
 
 namespace incognita {
 
-/// Writes beside the file under a name of its own (`.NAME.part-XXXXXX`), waits until the disk has it, and
-/// renames: another reader or writer sees the old text or the new one. Throws RecordError.
+/// Writes to a temporary file beside the target (`.NAME.part-XXXXXX`), syncs it to the disk and renames it,
+/// so a concurrent reader or writer sees either the old text or the new one. Throws RecordError.
 void write_durably(const std::filesystem::path& path, std::string_view text);
 
-/// Removes what writers that were killed left in the folder: such names, a minute old or more.
+/// Removes temporary files that killed writers left in the folder, if they are a minute old or more.
 void remove_partial_files(const std::filesystem::path& folder);
 
 }  // namespace incognita

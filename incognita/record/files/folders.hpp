@@ -1,4 +1,4 @@
-// Folders that are made for a purpose, and go when it comes to nothing.
+// Folders created for one purpose and removed when it fails.
 #pragma once
 
 #include <filesystem>
@@ -6,10 +6,10 @@
 
 namespace incognita {
 
-/// The folders on the way to `path`, itself included, that are not there; the outermost first.
+/// The folders on the way to `path`, including `path`, that do not exist yet; outermost first.
 std::vector<std::filesystem::path> missing_folders(const std::filesystem::path& path);
 
-/// Removes those that are empty, the last first.
+/// Removes the empty ones among `folders`, last first.
 void remove_empty(const std::vector<std::filesystem::path>& folders) noexcept;
 
 }  // namespace incognita

@@ -1,4 +1,4 @@
-// An image as text, small: what JSON can carry.
+// Images encoded as short text, to be embedded in JSON.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace incognita {
 
-/// The bytes of a grey JPEG file, made to be looked at.
+/// The bytes of a gray JPEG file, compressed for viewing only.
 std::string jpeg(const Image& image);
 
 /// RFC 4648, with padding.

@@ -31,7 +31,7 @@ std::string variable_name(std::string name) {
 Variable column(const std::string& name, const std::vector<double>& values) {
   std::size_t size[2] = {values.size(), 1};
   return Variable(Mat_VarCreate(variable_name(name).c_str(), MAT_C_DOUBLE, MAT_T_DOUBLE, 2, size,
-                                const_cast<double*>(values.data()), 0));  // copied, never written to
+                                const_cast<double*>(values.data()), 0));  // MatIO copies the data
 }
 
 Variable cells(const std::string& name, const std::vector<std::string>& words) {
@@ -61,7 +61,7 @@ bool write_all(const std::filesystem::path& path, const MatFile& content) {
   return true;
 }
 
-/// The library does not look at what closing a file says, so only reading tells whether it is all there.
+/// MatIO ignores the result of closing the file, so completeness can only be checked by reading it back.
 bool complete(const std::filesystem::path& path, const MatFile& content) {
   const Mat mat(Mat_Open(path.c_str(), MAT_ACC_RDONLY));
   if (!mat) return false;

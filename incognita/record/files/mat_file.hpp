@@ -1,4 +1,4 @@
-// Columns of numbers as a MAT file, for Octave and MATLAB.
+// Writes columns of numbers as a MAT file, for Octave and MATLAB.
 #pragma once
 
 #include <filesystem>
@@ -9,13 +9,12 @@
 namespace incognita {
 
 struct MatFile {
-  std::vector<std::pair<std::string, std::vector<double>>> columns;  ///< each a column vector of that name
-  std::vector<std::pair<std::string, std::vector<std::string>>>
-      words;  ///< each a column cell array of that name
+  std::vector<std::pair<std::string, std::vector<double>>> columns;     ///< name and column vector
+  std::vector<std::pair<std::string, std::vector<std::string>>> words;  ///< name and column cell array
 };
 
-/// Characters that a variable's name cannot have become `_`. Level 5, compressed. What was written is read
-/// back: when the disk was full, the half file is removed and RecordError thrown.
+/// Writes a compressed level-5 MAT file. Characters that are not allowed in a variable name become `_`. The
+/// file is read back: if it is incomplete (disk full) it is removed and RecordError thrown.
 void write_mat(const std::filesystem::path& path, const MatFile& content);
 
 }  // namespace incognita

@@ -30,7 +30,7 @@ void append_cell(std::string& row, std::string_view word) {
   row += '"';
   for (const char c : word) {
     if (c == '"') row += '"';
-    row += c == '\n' || c == '\r' ? ' ' : c;  // a row stays a line
+    row += c == '\n' || c == '\r' ? ' ' : c;  // keeps a row on one line
   }
   row += '"';
 }

@@ -1,4 +1,4 @@
-// Numbers as text, the same bytes everywhere: shortest form that reads back exactly, no locale.
+// Numbers as text, identical on every machine: the shortest form that reads back exactly, without locale.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,16 +8,16 @@
 
 namespace incognita {
 
-/// `nan` for every NaN, whatever its sign.
+/// Writes `nan` for every NaN, whatever its sign.
 void append_number(std::string& text, double value);
 
-/// A comma, and the number.
+/// Appends a comma and the number.
 void append_cell(std::string& row, double value);
 
-/// A comma, and the word, quoted as RFC 4180 wants where it holds a comma, a quote or a line break.
+/// Appends a comma and the word, quoted as in RFC 4180 if it contains a comma, a quote or a line break.
 void append_cell(std::string& row, std::string_view word);
 
-/// The number that the whole text is, blanks around it aside; nothing when it is not one.
+/// Parses the whole text, except surrounding blanks, as one number; nullopt if it is not one.
 std::optional<double> parse_number(std::string_view text);
 
 }  // namespace incognita

@@ -1,5 +1,4 @@
-// A small text file that is written over in place, so that it is there and whole whatever happens to the
-// program.
+// A small text file of fixed size that is overwritten in place, so that it is complete at any time.
 #pragma once
 
 #include <filesystem>
@@ -7,23 +6,23 @@
 
 namespace incognita {
 
-/// The room for the text is taken when the file is made and filled with blanks. Writing a new text needs no
-/// space on the disk, so a full one cannot stop it, and a program that is killed leaves the old text or the
-/// new one. The file fits JSON: blanks after the document mean nothing.
+/// The file is created at full size and padded with blanks. Overwriting needs no disk space, so it succeeds
+/// on a full disk, and a killed program leaves either the old text or the new one. Suits JSON, which ignores
+/// trailing blanks.
 class PaddedFile {
  public:
   static constexpr std::size_t size_bytes = 16 * 1024;
 
   PaddedFile() = default;
-  /// Throws RecordError when the file cannot be made; nothing of it is left then.
+  /// Throws RecordError if the file cannot be created; nothing of it is left then.
   PaddedFile(const std::filesystem::path& path, std::string_view text);
   ~PaddedFile();
   PaddedFile(const PaddedFile&) = delete;
   PaddedFile& operator=(const PaddedFile&) = delete;
 
-  /// Throws RecordError when it is refused, std::length_error when the text has no room.
+  /// Throws RecordError if the write fails, std::length_error if the text exceeds the file size.
   void overwrite(std::string_view text);
-  /// The last text: the blanks behind it go. Throws as overwrite().
+  /// Writes the final text and truncates the padding. Throws as overwrite().
   void finish(std::string_view text);
 
  private:

@@ -1,4 +1,4 @@
-// Quantiles of what a run measured.
+// Empirical quantiles.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 namespace incognita {
 
-/// The smallest value that at least this share of the values do not exceed; of one value or more.
+/// The smallest of the values that at least `share` of them do not exceed. `values` must not be empty.
 inline double quantile(std::vector<double> values, double share) {
   const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size())));
   const auto nth = values.begin() + static_cast<std::ptrdiff_t>(std::max<std::size_t>(rank, 1) - 1);

@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t max_pending_bytes = 64 * 1024;
 constexpr double max_wait_s = 1.0;
 
-/// Writes until done or refused; returns how many bytes went in, with errno set when not all did.
+/// Writes until done or an error; returns the number of bytes written, with errno set if not all were.
 std::size_t write_all(int descriptor, std::string_view text) {
   std::size_t done = 0;
   while (done < text.size()) {
@@ -70,7 +70,7 @@ RowFile::RowFile(std::filesystem::path path, std::string_view header) : path_(st
 RowFile::~RowFile() {
   try {
     close();
-  } catch (const RecordError&) {  // the file is valid as it is, and there is nobody left to tell
+  } catch (const RecordError&) {  // the file is valid as it is, and a destructor must not throw
   }
 }
 
@@ -91,7 +91,7 @@ void RowFile::append(std::string_view row, double t_s) {
   pending_.append(row).push_back('\n');
   if (!has_flushed_) flushed_t_s_ = t_s;
   has_flushed_ = true;
-  // a clock that jumps back flushes too
+  // A clock that jumps back triggers a flush, too.
   if (pending_.size() < max_pending_bytes && t_s - flushed_t_s_ < max_wait_s && t_s >= flushed_t_s_) return;
   flushed_t_s_ = t_s;
   flush();
@@ -111,7 +111,7 @@ void RowFile::flush() {
 }
 
 void RowFile::fail(int error) {
-  // making a file shorter needs no space; were it refused all the same there is nothing better to do
+  // Truncating needs no disk space; if it fails nevertheless, there is no better fallback.
   [[maybe_unused]] const int cut = ::ftruncate(descriptor_, complete_);
   ::close(std::exchange(descriptor_, -1));
   pending_.clear();

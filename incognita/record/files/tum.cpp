@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t max_line_bytes = 64 * 1024;
 constexpr std::size_t shown_bytes = 40;
 
-/// One line of a file and where it is, for messages.
+/// A line of a file and its position, for messages.
 struct Line {
   const std::filesystem::path& file;
   int number = 0;
@@ -29,14 +29,14 @@ struct Line {
   }
 };
 
-/// What a person sees of a word that may be anything.
+/// Printable form of arbitrary input, for messages.
 std::string shown(std::string_view word) {
   std::string text;
   for (const char c : word.substr(0, shown_bytes)) text += c >= ' ' && c <= '~' ? c : '?';
   return word.size() > shown_bytes ? text + "..." : text;
 }
 
-/// Never reads more than it allows: what has no line breaks may have no end either.
+/// Reads a bounded number of bytes: a file without line breaks could be endless.
 bool next_line(std::istream& in, Line& line) {
   constexpr int end = std::char_traits<char>::eof();
   line.text.clear();
@@ -100,12 +100,11 @@ StampedPose euroc_pose(const Line& line, std::span<const std::string_view> cells
   return {seconds_of(line, cells[0]), {v[1], v[2], v[3]}, unit_quaternion(line, {v[4], v[5], v[6], v[7]})};
 }
 
-/// The names of the columns, if this line has them.
+/// The kind of a line with column names.
 enum class Header { none, tum, euroc };
 
-/// Where the quaternion's parts are named, their order decides: TUM's, `# timestamp tx ty tz qx qy qz qw`,
-/// have w last, EuRoC's, `#timestamp [ns],p_RS_R_x [m],...,q_RS_w [],q_RS_x []...`, first. Either may have
-/// commas.
+/// The order of the named quaternion components decides: TUM's `# timestamp tx ty tz qx qy qz qw` has w last,
+/// EuRoC's `#timestamp [ns],p_RS_R_x [m],...,q_RS_w [],q_RS_x []...` has w first. Either may be separated by commas.
 Header header_of(std::string_view text) {
   const std::size_t first = text.find_first_not_of("# \t");
   if (first == std::string_view::npos || !text.substr(first).starts_with("timestamp")) return Header::none;

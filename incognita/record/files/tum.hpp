@@ -1,4 +1,4 @@
-// Trajectories and pose covariances from text files, as the field writes them.
+// Reads trajectories and pose covariances from text files in the common formats.
 #pragma once
 
 #include <filesystem>
@@ -9,16 +9,16 @@
 
 namespace incognita {
 
-/// Reads a trajectory. Either TUM's `t x y z qx qy qz qw` (seconds, blanks or commas between, `#` starts a
-/// comment) or EuRoC's ground-truth table, known by its header `#timestamp,...` or `timestamp,...`
-/// whose names are not TUM's (`tx`, or `qx` before `qw`): nanoseconds, position, quaternion with w first,
-/// more columns not read. Throws InputError naming file, line and remedy on anything else: numbers missing or
-/// not finite, a quaternion whose length is more than 1 % from 1, no pose at all. A comment that says
-/// `orientation is not known`, as a run's truth.tum may, goes for all poses.
+/// Reads a trajectory in TUM format, `t x y z qx qy qz qw` (t in s, separated by blanks or commas, `#` starts
+/// a comment), or the EuRoC ground-truth table (t in ns, position, quaternion with w first, further columns
+/// ignored). The EuRoC table is recognized by a header `#timestamp,...` or `timestamp,...` whose column names
+/// are not TUM's (`tx`, or `qx` before `qw`). Throws InputError naming file, line and remedy for missing or
+/// non-finite numbers, a quaternion whose norm is more than 1 % from 1, or a file without poses. A comment
+/// `orientation is not known`, which a run's truth.tum may contain, applies to all poses.
 Trajectory read_trajectory(const std::filesystem::path& path);
 
-/// Reads a run's covariance.csv: t and 36 numbers a row, row-major, order x y z rotX rotY rotZ. Throws
-/// InputError.
+/// Reads a run's covariance.csv: t and a row-major 6x6 covariance per row, order x y z rotX rotY rotZ (m,
+/// rad). Throws InputError.
 std::vector<StampedCovariance> read_covariances(const std::filesystem::path& path);
 
 }  // namespace incognita

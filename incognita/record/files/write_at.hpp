@@ -1,4 +1,4 @@
-// Bytes at a place in a file, all of them or a reason.
+// Writes bytes at an offset of a file, without short writes.
 #pragma once
 
 #include <cstdint>
@@ -6,8 +6,8 @@
 
 namespace incognita {
 
-/// Writes until done or refused, wherever the file's own position is. 0, or the error number of the refusal;
-/// some of the bytes may be in the file then.
+/// Writes all bytes at `offset`, independent of the file position. Returns 0, or errno on failure; part of
+/// the bytes may have been written then.
 int write_at(int descriptor, std::string_view bytes, std::int64_t offset);
 
 }  // namespace incognita

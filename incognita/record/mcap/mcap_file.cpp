@@ -36,11 +36,11 @@ McapFile::McapFile(std::filesystem::path path, std::string_view library) : path_
 McapFile::~McapFile() {
   try {
     close();
-  } catch (const RecordError&) {  // the file is valid as it is, and there is nobody left to tell
+  } catch (const RecordError&) {  // the file is valid as it is, and a destructor must not throw
   }
 }
 
-/// What the chunk has from there on. Bit by bit, so that no one frame pays for a whole chunk.
+/// Adds the chunk's bytes from `begin` on. Done per message, so that no single frame pays for a whole chunk.
 void McapFile::add_to_checksum(std::size_t begin) {
   chunk_.records_crc.add(std::string_view(chunk_.records).substr(begin));
 }
@@ -66,7 +66,7 @@ std::uint16_t McapFile::add_channel(std::string_view topic, std::string_view sch
 }
 
 bool McapFile::chunk_is_due(std::uint64_t time_ns) const {
-  // a clock that jumps back ends a chunk too
+  // A clock that jumps back ends a chunk, too.
   return chunk_.records.size() >= chunk_bytes || time_ns < chunk_.end_ns ||
          time_ns - chunk_.start_ns >= chunk_ns;
 }
@@ -101,7 +101,7 @@ void McapFile::flush() {
 void McapFile::fail(int error) {
   const bool closed = write_at(descriptor_, closing_, static_cast<std::int64_t>(data_end_)) == 0;
   const std::uint64_t end = data_end_ + (closed ? closing_.size() : 0);
-  // making a file shorter needs no space; were it refused all the same there is nothing better to do
+  // Truncating needs no disk space; if it fails nevertheless, there is no better fallback.
   [[maybe_unused]] const int cut = ::ftruncate(descriptor_, static_cast<off_t>(end));
   ::close(std::exchange(descriptor_, -1));
   chunk_ = {};

@@ -1,4 +1,4 @@
-// An MCAP file that is whole at every moment: what viewers of the field open, written while the run goes on.
+// Writes an MCAP file, the container that robotics viewers open, such that it is valid at any time during the run.
 #pragma once
 
 #include <cstdint>
@@ -10,35 +10,33 @@
 
 namespace incognita {
 
-/// Messages are gathered in chunks of about a megabyte, or of two seconds where that is less. With each chunk
-/// the closing part (summary, indexes, footer) is written behind it, and the next chunk is written over that.
-/// So the file can be read to its end and by its indexes at any time but during a write, and a program that
-/// is killed leaves all but the last chunk. One that is killed within the write leaves a file without footer:
-/// readers that go by the index refuse it, those that read on from the start (`mcap recover`) get the whole
-/// chunks.
+/// Messages are collected in chunks of about 1 MB or 2 s, whichever comes first. After each chunk the closing
+/// part (summary, indexes, footer) is written, and the next chunk overwrites it. The file can therefore be
+/// read sequentially and by index at any time except during a write, and a killed program loses only the last
+/// chunk. If the program is killed during a write, the file has no footer: readers that need the index refuse
+/// it, sequential readers (`mcap recover`) get all complete chunks.
 ///
-/// When the file system refuses a chunk (disk full, file size limit), the closing part before it is put back
-/// where it was, which needs no new space, the file is cut there and closed, RecordError names it and the
-/// remedy, and no more messages are taken. Were even that refused, as a file system that never writes in
-/// place may on a full disk, the file is cut after its last whole chunk and has no footer.
+/// If a chunk cannot be written (disk full, file size limit), the previous closing part is restored, which
+/// needs no new space, the file is truncated there and closed, RecordError names it and the remedy, and
+/// further messages are ignored. If even that write fails (possible on a full copy-on-write file system), the
+/// file is truncated after its last complete chunk and has no footer.
 class McapFile {
  public:
-  /// `library`: what the header says wrote it. Throws RecordError when the file cannot be made; nothing of it
-  /// is left then.
+  /// `library` is the writer named in the header. Throws RecordError if the file cannot be created; nothing
+  /// of it is left then.
   McapFile(std::filesystem::path path, std::string_view library);
-  ~McapFile();  ///< writes what is left; failures are silent here, call close() to hear of them
+  ~McapFile();  ///< flushes; failures are silent, call close() to get them
   McapFile(const McapFile&) = delete;
   McapFile& operator=(const McapFile&) = delete;
 
   bool is_open() const { return descriptor_ >= 0; }
 
-  /// A topic whose messages are JSON of that schema (a JSON Schema); topics may share one by its name.
+  /// Adds a topic with JSON messages of that schema (JSON Schema). Topics may share a schema by its name.
   std::uint16_t add_channel(std::string_view topic, std::string_view schema_name,
                             std::string_view schema_text);
 
-  /// Adds a message of that time.
   void write(std::uint16_t channel, std::uint64_t time_ns, std::string_view json);
-  /// Ends the chunk and hands it to the operating system, so that it outlives the process.
+  /// Ends the chunk and passes it to the operating system, so that it survives the end of the process.
   void flush();
   void close();
 
@@ -50,11 +48,11 @@ class McapFile {
 
   std::filesystem::path path_;
   int descriptor_ = -1;
-  std::uint64_t data_end_ = 0;  ///< where the data section ends in the file
-  std::string closing_;         ///< what the file holds from there on
-  mcap::Crc32 data_crc_;        ///< of the file up to there
-  mcap::Summary summary_;       ///< of the chunks in the file, and of all schemas, channels and counts
-  mcap::Chunk chunk_;           ///< not written yet
+  std::uint64_t data_end_ = 0;  ///< offset of the end of the data section
+  std::string closing_;         ///< content of the file from there on
+  mcap::Crc32 data_crc_;        ///< checksum of the file up to data_end_
+  mcap::Summary summary_;       ///< chunks in the file; all schemas, channels and counts
+  mcap::Chunk chunk_;           ///< current chunk, not written yet
 };
 
 }  // namespace incognita

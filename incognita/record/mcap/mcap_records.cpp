@@ -18,8 +18,7 @@ void append(std::string& bytes, std::string_view text) {
   bytes.append(text);
 }
 
-/// A number or a list whose size in bytes is known when it is complete: leaves room, and fills it in at the
-/// end.
+/// Prefixes a list with its size in bytes: reserves the field and fills it in on destruction.
 template <class Size>
 class LengthBefore {
  public:
@@ -39,8 +38,8 @@ class LengthBefore {
 
 using List = LengthBefore<std::uint32_t>;
 
-/// What is appended while it lives is the content of a record. It has to be gone before the bytes are
-/// returned.
+/// Bytes appended during the lifetime of this object form the record's content. It must be destroyed before
+/// the bytes are returned.
 class Record {
  public:
   Record(std::string& bytes, Opcode opcode) : length_(begin(bytes, opcode)) {}
@@ -204,7 +203,7 @@ std::string closing_part(const Summary& summary, std::uint64_t offset, std::uint
   append_summary_offset(bytes, Opcode::channel, offset + channels, chunks - channels);
   append_summary_offset(bytes, Opcode::chunk_index, offset + chunks, statistics - chunks);
   append_summary_offset(bytes, Opcode::statistics, offset + statistics, offsets - statistics);
-  // the footer's length is known, and its checksum covers all of it that comes before the checksum
+  // The footer has a fixed length; its checksum covers the summary and the footer up to the checksum itself.
   constexpr std::uint64_t footer_length = 20;
   bytes.push_back(static_cast<char>(Opcode::footer));
   append(bytes, footer_length);

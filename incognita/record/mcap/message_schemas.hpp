@@ -1,15 +1,15 @@
-// What the messages of run.mcap look like, as JSON Schema.
+// JSON Schemas of the messages in run.mcap.
 #pragma once
 
 #include <string>
 
 namespace incognita {
 
-/// Every field of a message is described, units included; those that may be missing are not in `required`.
-/// Only what viewers understand is used: one type per field, objects and arrays spelt out where they stand.
-/// The layout of foxglove.* is Foxglove's: every list that it demands is there, though it be empty.
+/// Every field is described with its unit; optional fields are not in `required`. The schemas use only what
+/// viewers support: one type per field, objects and arrays written inline. The foxglove.* layouts are
+/// Foxglove's and include every required list, even if it is always empty.
 namespace message_schemas {
-/// Lists of an entity of foxglove.SceneUpdate that stay empty here.
+/// Lists of a foxglove.SceneUpdate entity that stay empty here.
 inline constexpr const char* unused_in_scenes[] = {"metadata", "arrows",    "cubes", "cylinders",
                                                    "lines",    "triangles", "texts", "models"};
 

@@ -11,14 +11,14 @@ namespace incognita {
 namespace {
 
 constexpr std::uint64_t map_every_ns = 1'000'000'000;
-constexpr std::uint64_t picture_every_ns = 45'000'000;  // of 30 images a second every other, of 20 every one
+constexpr std::uint64_t picture_every_ns = 45'000'000;  // every other image at 30 Hz, every image at 20 Hz
 constexpr const char* world = "world";
 
 std::uint64_t nanoseconds(double t_s) {
   return t_s > 0 ? static_cast<std::uint64_t>(std::llround(t_s * 1e9)) : 0;
 }
 
-/// Also when the clock has jumped back.
+/// Also true after the clock has jumped back.
 bool is_due(std::uint64_t now_ns, const std::optional<std::uint64_t>& last_ns, std::uint64_t every_ns) {
   return !last_ns || now_ns < *last_ns || now_ns - *last_ns >= every_ns;
 }
@@ -66,7 +66,7 @@ void SnapshotLog::put_poses(const Snapshot& snapshot) {
   put(true_poses, pose_in_frame(time_ns_, true_world_, truth));
 }
 
-/// The frames of a team's vehicles from the second on: vehicle_2, true_vehicle_2.
+/// Frames of a team from the second vehicle on: vehicle_2, true_vehicle_2, ...
 void SnapshotLog::put_others(const Snapshot& snapshot) {
   for (std::size_t i = 1; i < snapshot.vehicles.size(); ++i) {
     const SnapshotVehicle& v = snapshot.vehicles[i];

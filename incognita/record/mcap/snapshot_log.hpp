@@ -1,4 +1,4 @@
-// run.mcap: the snapshots of a run, for replay and for the viewers of the field.
+// run.mcap: the snapshots of a run, for replay and for viewers.
 #pragma once
 
 #include <cstdint>
@@ -15,28 +15,26 @@
 
 namespace incognita {
 
-/// Topics, each there once it has something to say:
+/// Topics, each created with its first message:
 ///
-/// - /snapshot: incognita.Snapshot, every frame, the full map in it about once a second.
-/// - /tf: where the `camera` is in the `world` and where the `true_camera` is. The truth has a world of its
-/// own,
-///   `true_world`, when the two are not the same frame.
+/// - /snapshot: incognita.Snapshot, every frame, with the full map about once per second.
+/// - /tf: pose of `camera` (or `vehicle`) in `world`, and of `true_camera` (`true_vehicle`). The truth has
+///   its own root frame, `true_world`, if it is not expressed in the frame of the estimate.
 /// - /estimate/pose, /truth/pose: the same as poses. No estimate while starting or lost.
-/// - /camera/image: the image, as JPEG. /camera/annotations: search ellipses and found patches over it. At
-/// most
-///   about 20 a second, of a faster camera every other: they are most of the file.
-/// - /map: the landmarks, about once a second and at the end.
+/// - /camera/image: the image as JPEG. /camera/annotations: search ellipses and matched patches. Limited to
+///   about 20 per second (every other image of a 30 Hz camera), because images dominate the file size.
+/// - /map: the landmarks, about once per second and at the end.
 ///
-/// Times are the tick's, in nanoseconds; one before 0 counts as 0. Nothing in the file comes from the clock
-/// on the wall or from how fast the machine was: same snapshots, same bytes.
+/// Times are those of the ticks in ns; negative times count as 0. The file does not depend on the wall clock
+/// or on computation time: the same snapshots give the same bytes.
 class SnapshotLog {
  public:
-  /// Throws RecordError when the file cannot be made.
+  /// Throws RecordError if the file cannot be created.
   SnapshotLog(const std::filesystem::path& path, const RunInfo& info);
 
-  /// Throws RecordError when the disk refuses; the file stays valid and takes no more.
+  /// Throws RecordError if a write fails; the file stays valid and is closed.
   void publish(const Snapshot& snapshot);
-  /// Writes the map as it is at the end, and closes the file.
+  /// Writes the final map and closes the file.
   void close(const std::vector<SnapshotLandmark>& map);
 
  private:
@@ -58,7 +56,7 @@ class SnapshotLog {
   std::string body_;  ///< name of the moving frame
   int patch_size_px_;
   std::uint64_t time_ns_ = 0;                                   ///< of the last snapshot
-  std::optional<std::uint64_t> map_time_ns_, picture_time_ns_;  ///< of the last one in the file
+  std::optional<std::uint64_t> map_time_ns_, picture_time_ns_;  ///< of the last message in the file
 };
 
 }  // namespace incognita

@@ -18,10 +18,10 @@ void put(Json& json, const char* key, double value) {
   if (std::isfinite(value)) json[key] = value;
 }
 
-/// Digits that say something of a pixel or a correlation; looks.csv has all.
+/// Four decimals are sufficient for pixels and correlations; looks.csv has full precision.
 double shortened(double value) { return std::round(value * 1e4) / 1e4; }
 
-/// A sensor that tells one number has no second.
+/// Omits non-finite values: a one-dimensional measurement has no second component.
 void put_shortened(Json& json, const char* key, std::initializer_list<double> values) {
   Json list = Json::array();
   for (const double value : values)
@@ -29,7 +29,7 @@ void put_shortened(Json& json, const char* key, std::initializer_list<double> va
   if (!list.empty()) json[key] = std::move(list);
 }
 
-/// Row by row.
+/// Row-major.
 void put(Json& json, const char* key, const Eigen::MatrixXd& values) {
   if (!values.allFinite()) return;
   Json& list = json[key] = Json::array();

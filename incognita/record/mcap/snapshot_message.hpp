@@ -1,4 +1,4 @@
-// A snapshot as the replay wants it back.
+// Serializes a snapshot for replay.
 #pragma once
 
 #include <string>
@@ -7,9 +7,8 @@
 
 namespace incognita {
 
-/// incognita.Snapshot, as JSON: all of the snapshot but its image, its truth and its timings (they differ
-/// from run to run). What is not known is left out. With `landmarks`, the map in full; else the landmarks'
-/// ids only.
+/// incognita.Snapshot as JSON: the snapshot without image, truth and timings (which differ between runs).
+/// Unknown values are omitted. Contains the full map if `landmarks`, else the landmark ids only.
 std::string snapshot_message(const Snapshot& snapshot, bool landmarks);
 
 }  // namespace incognita

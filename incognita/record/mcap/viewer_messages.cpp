@@ -18,9 +18,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr double anchor_diameter_m = 0.03;
-constexpr double min_diameter_m = 0.004;  // a landmark known better than that is still to be seen
-const Json nothing = Json::array();       // in lists that a viewer wants to be there
-constexpr int line_loop = 2;              // of foxglove.PointsAnnotation
+constexpr double min_diameter_m = 0.004;  // keeps accurately known landmarks visible
+const Json nothing = Json::array();       // for lists that viewers require
+constexpr int line_loop = 2;              // in foxglove.PointsAnnotation
 
 Json stamp(std::uint64_t time_ns) {
   return {{"sec", time_ns / 1'000'000'000}, {"nsec", time_ns % 1'000'000'000}};
@@ -40,11 +40,11 @@ Json color(double red, double green, double blue, double opacity = 1) {
   return {{"r", red}, {"g", green}, {"b", blue}, {"a", opacity}};
 }
 
-/// Its size is a diameter: twice the 2-sigma half axes.
+/// The size of the message is a diameter: twice the 2-sigma half axes.
 Json ellipsoid(const SnapshotLandmark& landmark) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(landmark.covariance);
   Eigen::Matrix3d axes = solver.eigenvectors();
-  if (axes.determinant() < 0) axes.col(2) *= -1;  // a rotation, not a reflection
+  if (axes.determinant() < 0) axes.col(2) *= -1;  // keeps a rotation, not a reflection
   const Eigen::Vector3d diameter = 4 * solver.eigenvalues().cwiseMax(0).cwiseSqrt();
   return {{"pose", pose(landmark.position, quaternion_from_matrix(axes))},
           {"size", xyz(diameter.cwiseMax(min_diameter_m))},
@@ -57,7 +57,7 @@ Json ball(const SnapshotLandmark& anchor) {
           {"color", color(1, 0.55, 0)}};
 }
 
-/// Tenths of a pixel are finer than the eye and three times shorter than all digits.
+/// A resolution of 0.1 px is sufficient for display and needs a third of the digits. Origin: corner of pixel (0,0).
 Json pixel(const Eigen::Vector2d& p) {
   const auto tenths = [](double x) { return std::round((std::clamp(x, -1e6, 1e6) + 0.5) * 10) / 10; };
   return {{"x", tenths(p.x())}, {"y", tenths(p.y())}};
@@ -77,7 +77,7 @@ Json outline(const Json& time, MatchOutcome outcome, const std::vector<Eigen::Ve
           {"thickness", 1}};
 }
 
-/// A polygon on the 3-sigma ellipse, finer when it is large; nothing when there is no such ellipse.
+/// Polygon approximation of the 3-sigma ellipse, finer for a larger one; empty if the ellipse is undefined.
 std::vector<Eigen::Vector2d> search_ellipse(const SnapshotMatch& match) {
   if (match.outcome == MatchOutcome::not_searched) return {};
   if (!match.predicted.allFinite() || !match.innovation_cov.allFinite()) return {};

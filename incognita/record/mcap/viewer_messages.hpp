@@ -1,6 +1,6 @@
-// What the viewers of the field know how to show, as JSON: messages named after Foxglove's schemas, laid out
-// as message_schemas.hpp says. Orientations are world_from_camera, as everywhere; images have their origin at
-// the corner of the first pixel, not at its centre.
+// JSON messages for viewers, named after Foxglove's schemas and laid out as in message_schemas.hpp.
+// Orientations are world_from_camera; image coordinates have their origin at the corner of the first pixel,
+// not at its center.
 #pragma once
 
 #include <cstdint>
@@ -13,23 +13,23 @@
 
 namespace incognita {
 
-/// foxglove.FrameTransform: where the child frame is in the parent.
+/// foxglove.FrameTransform: pose of the child frame in the parent frame.
 std::string frame_transform(std::uint64_t time_ns, std::string_view parent, std::string_view child,
                             const StampedPose& child_in_parent);
 
 /// foxglove.PoseInFrame.
 std::string pose_in_frame(std::uint64_t time_ns, std::string_view frame, const StampedPose& pose);
 
-/// foxglove.SceneUpdate: each landmark as the ellipsoid that its covariance makes at 2 sigma, anchors as
-/// small balls of another colour. It replaces the one before.
+/// foxglove.SceneUpdate: each landmark as the 2-sigma ellipsoid of its covariance, anchors as small spheres
+/// of another color. Each message replaces the previous one.
 std::string scene_update(std::uint64_t time_ns, std::string_view frame,
                          const std::vector<SnapshotLandmark>& landmarks);
 
 /// foxglove.CompressedImage, as JPEG.
 std::string compressed_image(std::uint64_t time_ns, std::string_view frame, const Image& image);
 
-/// foxglove.ImageAnnotations: the 3-sigma ellipse of each look that was searched for, in the colour of its
-/// outcome, and a square where its patch was found.
+/// foxglove.ImageAnnotations: the 3-sigma search ellipse of each searched feature in the color of its
+/// outcome, and a square at each matched patch.
 std::string image_annotations(std::uint64_t time_ns, const std::vector<SnapshotMatch>& matches,
                               int patch_size_px);
 

@@ -1,4 +1,4 @@
-// The colours in which a look's outcome is drawn, the same in every picture.
+// The colors of match outcomes, the same in every picture.
 #pragma once
 
 #include <array>

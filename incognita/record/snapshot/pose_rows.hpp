@@ -1,4 +1,4 @@
-// Poses and their covariances as rows of text.
+// Poses and covariances as text rows.
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@ namespace incognita {
 
 /// `t x y z qx qy qz qw`
 std::string tum_row(const StampedPose& pose);
-/// The first line of an estimate.tum or truth.tum.
+/// First line of an estimate.tum or truth.tum.
 std::string tum_header(const std::string& body, bool oriented = true);
 
-/// t, then 36 numbers, row by row, order x y z rotX rotY rotZ.
+/// t and a row-major 6x6 covariance, order x y z rotX rotY rotZ.
 std::string covariance_row(double t, const PoseCovariance& covariance);
 std::string covariance_header();
 

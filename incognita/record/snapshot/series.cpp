@@ -28,11 +28,11 @@ void append(std::vector<double>& row, const Eigen::VectorXd& values) {
   row.insert(row.end(), values.begin(), values.end());
 }
 
-/// Errors of the six components, and NEES.
+/// Errors of the six pose components (estimate minus truth; m, rad), and NEES.
 Eigen::VectorXd errors(const Snapshot& snapshot, const PoseCovariance& P) {
   Eigen::VectorXd values = Eigen::VectorXd::Constant(7, unknown);
   if (!snapshot.truth || !has_pose(snapshot)) return values;
-  // a person reads an error as estimate minus truth; NEES does not mind the sign
+  // pose_error() is truth minus estimate; NEES does not depend on the sign.
   values.head<6>() = -pose_error(true_pose(snapshot.tick, *snapshot.truth), estimated_pose(snapshot));
   values[6] = pose_nees(values.head<6>(), P).value_or(unknown);
   return values;

@@ -1,4 +1,4 @@
-// The numbers of a run over time: what a row of series.csv says about one snapshot.
+// The time series of a run: the row of series.csv for one snapshot.
 #pragma once
 
 #include <string>
@@ -9,22 +9,22 @@
 
 namespace incognita {
 
-/// Whether there is a pose to speak of: not while starting, and not when lost.
+/// Whether the estimated pose is valid: not while starting or lost.
 bool has_pose(const Snapshot& snapshot);
 
 StampedPose estimated_pose(const Snapshot& snapshot);
 StampedPose true_pose(const Tick& tick, const Truth& truth);
-/// Covariance of the pose in PoseCovariance's order.
+/// 6x6 covariance of the pose in the order of PoseCovariance.
 PoseCovariance pose_covariance(const Snapshot& snapshot);
-/// Landmarks in the map that are not anchors.
+/// Number of landmarks in the map, without anchors.
 int mapped_landmarks(const Snapshot& snapshot);
 
-/// Names of the columns after `t` and `state`, units at their end. With errors: truth is known in the same
-/// frame. `nis` is the sum, to be divided by `nis_dof`; `nees_per_dof` is divided already. `sigma_position_m`
-/// and `sigma_rotation_rad` are the standard deviations in the worst direction.
+/// Column names after `t` and `state`, ending with their units. `with_errors`: the truth is known in the
+/// frame of the estimate. `nis` is a sum, to be divided by `nis_dof`; `nees_per_dof` is already divided.
+/// `sigma_position_m` and `sigma_rotation_rad` are standard deviations in the worst direction.
 std::vector<std::string> series_columns(bool with_errors);
 
-/// The numbers of those columns; NaN where there is none, as for everything about the pose without a pose.
+/// The values of those columns; NaN if unknown, e.g. all pose columns without a valid pose.
 std::vector<double> series_row(const Snapshot& snapshot, bool with_errors);
 
 }  // namespace incognita

@@ -16,7 +16,7 @@ struct ComparedPose {
   PoseCovariance covariance;
 };
 
-/// Those of a snapshot whose truth is known; of a team one for each robot.
+/// One pose per robot of a team, else one; unset where the truth is unknown.
 std::vector<std::optional<ComparedPose>> compared_poses(const Snapshot& s) {
   std::vector<std::optional<ComparedPose>> poses;
   for (const SnapshotVehicle& v : s.vehicles) {
@@ -29,8 +29,8 @@ std::vector<std::optional<ComparedPose>> compared_poses(const Snapshot& s) {
   return poses;
 }
 
-/// Whether the first fifth of the updates is already beyond the band: a wrong model shows at once, a map that
-/// goes wrong later.
+/// Whether the mean NIS of the first fifth of the updates exceeds the band: a wrong model shows from the
+/// start, a deteriorating map only later.
 bool beyond_from_the_start(const std::vector<double>& nis, const Interval& band) {
   const auto first = static_cast<std::ptrdiff_t>(std::max<std::size_t>(1, nis.size() / 5));
   return std::accumulate(nis.begin(), nis.begin() + first, 0.0) / static_cast<double>(first) > band.high;
@@ -83,8 +83,8 @@ bool has_many_outliers(const ConsistencyReport& report) {
   return report.outlier_share && *report.outlier_share > highest_outlier_share;
 }
 
-/// The truth decides where it is known: a low NIS alone is what a measurement noise set higher for errors
-/// that last gives. A high NIS is no filter's that has the right model.
+/// NEES decides where the truth is known: a low NIS alone also results from measurement noise that was
+/// increased to cover systematic errors. A high NIS always indicates a wrong model.
 Consistency verdict_of(const ConsistencyReport& report) {
   const auto overconfident = [](const PoseConsistency& pose) {
     return pose.verdict() == Consistency::overconfident;

@@ -14,7 +14,7 @@ void ExplorationSummary::add(const Snapshot& s) {
     if (l.anchor || located_t_s_.count(l.id) > 0) continue;
     const double away_m = (l.position - s.camera.head<3>()).norm();
     const double limit = located_ratio * away_m;
-    // The trace bounds the largest eigenvalue from both sides, and is far cheaper
+    // The trace bounds the largest eigenvalue from both sides and is far cheaper.
     const double trace = l.covariance.trace();
     if (!(trace < 3 * limit * limit)) continue;
     const double largest = l.covariance.selfadjointView<Eigen::Lower>().eigenvalues().maxCoeff();

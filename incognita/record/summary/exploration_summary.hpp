@@ -1,5 +1,4 @@
-// What a run made of a place: how much of it was seen, and how soon landmarks were where one can say they
-// are.
+// Exploration progress of a run: coverage, and when landmarks became accurately located.
 #pragma once
 
 #include <cstdint>
@@ -14,10 +13,10 @@ class ExplorationSummary {
  public:
   void add(const Snapshot& snapshot);
 
-  /// Landmarks that were located: known to better than this share of how far away they were, thesis 6.3.1.
+  /// A landmark is located once its largest sigma is below this share of its distance, thesis 6.3.1.
   static constexpr double located_ratio = 0.3;
   int located() const { return static_cast<int>(located_t_s_.size()); }
-  /// When so many were, s; none when there were never so many.
+  /// Time at which `count` landmarks were located, s; nullopt if that never happened.
   std::optional<double> located_t_s(int count) const;
 
   std::optional<double> coverage() const { return coverage_; }

@@ -8,7 +8,7 @@
 namespace incognita {
 namespace {
 
-/// Without anchors, whose positions are given.
+/// Aligned landmarks of the map without anchors, whose positions are given.
 std::vector<SurveyedLandmark> aligned_map(const std::vector<SnapshotLandmark>& map, const Alignment& a) {
   std::vector<SurveyedLandmark> mapped;
   for (const SnapshotLandmark& landmark : map)
@@ -17,7 +17,7 @@ std::vector<SurveyedLandmark> aligned_map(const std::vector<SnapshotLandmark>& m
   return mapped;
 }
 
-/// Pairs of positions, mapped and surveyed, of the same identity.
+/// Pairs of mapped and surveyed positions with the same identity.
 MatchedTrajectories matched_by_identity(const std::vector<SurveyedLandmark>& mapped, const Survey& survey) {
   std::map<std::int64_t, Eigen::Vector3d> surveyed;
   for (const SurveyedLandmark& landmark : survey.landmarks) surveyed.emplace(landmark.id, landmark.position);
@@ -57,7 +57,7 @@ SurveyedMapError surveyed_map_error(const std::vector<SnapshotLandmark>& map, co
 
 std::optional<Alignment> align_to_survey(const std::vector<SnapshotLandmark>& map, const Survey& survey,
                                          AlignmentKind kind) {
-  constexpr std::size_t fewest = 3;  // two points fit whatever their map
+  constexpr std::size_t fewest = 3;  // two points can always be aligned
   if (!survey.identified) return std::nullopt;
   const MatchedTrajectories pairs = matched_by_identity(aligned_map(map, {}), survey);
   return pairs.truth.size() < fewest ? std::nullopt : align(pairs, kind);

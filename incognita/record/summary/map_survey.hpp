@@ -1,4 +1,4 @@
-// The map of a run against surveyed landmarks.
+// Compares the map of a run with surveyed landmarks.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,26 +16,25 @@ struct SurveyedLandmark {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< m, in the frame of the truth
 };
 
-/// What is known of the true landmarks before a run. Never for the estimator.
+/// The true landmarks known before a run; used for evaluation only, never by the estimator.
 struct Survey {
   std::vector<SurveyedLandmark> landmarks;
-  bool identified = false;  ///< landmarks of the map have the same identities
+  bool identified = false;  ///< map landmarks have the same identities
 };
 
 struct SurveyedMapError {
   double rms_m = 0;  ///< NaN without matches
-  int matched = 0;   ///< landmarks of the map, each with a surveyed one of its own; no anchors
+  int matched = 0;   ///< map landmarks matched one to one with surveyed ones; no anchors
 };
 
-/// Landmarks without identities are matched on the plane, one to one, the nearest first, within this
-/// distance.
+/// Landmarks without identity are matched one to one in the plane, nearest first, within this distance.
 inline constexpr double survey_reach_m = 1;
 
-/// After `truth_from_map`, as the trajectory was aligned.
+/// Map error after applying the trajectory alignment `truth_from_map`.
 SurveyedMapError surveyed_map_error(const std::vector<SnapshotLandmark>& map, const Survey& survey,
                                     const Alignment& truth_from_map);
 
-/// The alignment of a map with its survey, for landmarks with identities, three or more; else nothing.
+/// Alignment of the map with the survey; requires three or more common identities, else nullopt.
 std::optional<Alignment> align_to_survey(const std::vector<SnapshotLandmark>& map, const Survey& survey,
                                          AlignmentKind kind);
 

@@ -1,4 +1,4 @@
-// How long the path of each body of a run is, and how far from the truth it ends.
+// Path length and final pose of each body of a run.
 #pragma once
 
 #include <optional>
@@ -10,16 +10,16 @@ namespace incognita {
 
 /// Lengths are sums of the distances between successive positions.
 struct BodyPath {
-  double estimated_length = 0;                 ///< m, or arbitrary units where the scale is unobservable
-  std::optional<double> true_length_m;         ///< where the truth was ever known
-  bool truth_has_gaps = false;                 ///< not known at some frame with an estimate
-  std::optional<StampedPose> estimate, truth;  ///< the last at a time when both were known
+  double estimated_length = 0;                 ///< m, or arbitrary units if the scale is unobservable
+  std::optional<double> true_length_m;         ///< if the truth was ever known
+  bool truth_has_gaps = false;                 ///< unknown at some frame with an estimate
+  std::optional<StampedPose> estimate, truth;  ///< the last pair known at the same time
 };
 
 class PathSummary {
  public:
   void add(const Snapshot& snapshot);
-  /// One for each robot of a team, else one alone; none before the first frame.
+  /// One entry per robot of a team, else a single one; empty before the first frame.
   const std::vector<BodyPath>& bodies() const { return bodies_; }
 
  private:

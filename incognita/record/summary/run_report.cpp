@@ -16,7 +16,7 @@ std::string counted(std::int64_t count, const std::string& one) {
   return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
 }
 
-/// A number for people, without an exponent.
+/// A rounded number without exponent.
 std::string rounded(double value) {
   const double size = std::abs(value);
   return fmt::format("{:.{}f}", value, size < 0.1 ? 3 : size < 10 ? 2 : size < 100 ? 1 : 0);

@@ -16,7 +16,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-constexpr std::size_t max_text_bytes = 1000;  // of one string: the document has to fit its place on the disk
+constexpr std::size_t max_text_bytes = 1000;  // per string: the document must fit PaddedFile
 constexpr std::size_t max_warnings = 5;
 constexpr std::size_t max_names = 50;
 constexpr std::size_t max_vehicles = 40;  // the others are in vehicles.csv
@@ -120,7 +120,7 @@ Json consistency_json(const ConsistencyReport& report) {
           {"causes", report.causes}};
 }
 
-/// The true path; without truth that of the estimate, if it is in m.
+/// Length of the true path, else of the estimated one if it is in m.
 double path_json(const BodyReport& body, const RunReport& report) {
   return report.true_path || report.scale_known ? body.path_length : unknown;
 }
@@ -167,7 +167,7 @@ void RunSummary::add(const Snapshot& snapshot) {
   exploration_.add(snapshot);
   landmarks_ = mapped_landmarks(snapshot);
   anchors_ = static_cast<int>(snapshot.landmarks.size()) - landmarks_;
-  // where an entropy is not known, as in a frame without a pose, the last one known stands
+  // Keeps the last known entropy in frames without one, e.g. without a pose.
   if (std::isfinite(snapshot.entropy.total)) entropy_ = snapshot.entropy;
   consistency_.add(snapshot);
   paths_.add(snapshot);
@@ -249,7 +249,7 @@ void RunSummary::report_paths(RunReport& r, const std::optional<Alignment>& alig
 
 std::optional<Alignment> RunSummary::truth_from_map() const {
   if (alignment_ == AlignmentKind::none) return Alignment{};
-  // Without a true trajectory the map is fitted to the survey itself
+  // Without a true trajectory, the map is aligned to the survey itself.
   return matched_.truth.empty() ? align_to_survey(map_, survey_, alignment_) : align(matched_, alignment_);
 }
 
@@ -307,7 +307,7 @@ std::string RunSummary::json(RunStatus status, const std::string& reason) const 
   const auto or_null = [](const std::optional<double>& value) {
     return value ? Json(*value) : Json(nullptr);
   };
-  constexpr int thesis_landmarks = 14;  // whose time and entropy Section 6.3.1 tells
+  constexpr int thesis_landmarks = 14;  // the number whose time and entropy Section 6.3.1 reports
   json["exploration"] = {{"located", exploration_.located()},
                          {"t_14_located_s", or_null(exploration_.located_t_s(thesis_landmarks))},
                          {"coverage", or_null(exploration_.coverage())},

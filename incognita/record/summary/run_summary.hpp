@@ -1,4 +1,4 @@
-// What summary.json says of a run, gathered snapshot by snapshot.
+// Accumulates the content of summary.json snapshot by snapshot.
 #pragma once
 
 #include <cstdint>
@@ -25,34 +25,34 @@ using SummaryValue = std::variant<bool, std::int64_t, double, std::string>;
 
 /// What is known of a run before it starts.
 struct RunInfo {
-  std::string effective_toml;  ///< every setting in force and where it came from, as text
+  std::string effective_toml;  ///< all settings in force with their sources
   std::int64_t seed = 0;
   std::string version;
-  std::string ate_alignment = "none";  ///< `none` where anchors fix the frame, `sim3` where the scale is free
-  bool truth_recorded = false;         ///< a recording with truth, though the first frames may have none
-  std::string body = "camera";         ///< whose pose it is: `camera` or `vehicle`
-  bool ranges = false;                 ///< looks are ranges and bearings, not pixels
-  int vehicles = 0;                    ///< of a team; 0: there is none
-  Eigen::Vector2d steered_m{0, 0};     ///< of a team: the point to be on the path, before and left of its own
+  std::string ate_alignment = "none";  ///< `none` if anchors fix the frame, `sim3` if the scale is free
+  bool truth_recorded = false;         ///< a recording with truth, even if the first frames lack it
+  std::string body = "camera";         ///< whose pose is estimated: `camera` or `vehicle`
+  bool ranges = false;                 ///< measurements are ranges and bearings, not pixels
+  int vehicles = 0;                    ///< team size; 0: no team
+  Eigen::Vector2d steered_m{0, 0};  ///< of a team: controlled point, ahead and left of the vehicle's origin
   std::vector<std::string> inputs = {};    ///< of a team's vehicles: names with units, e.g. "speed_m_s"
-  int patch_size_px = 11;                  ///< side of the squares that are searched for, to draw them
-  std::vector<std::string> warnings = {};  ///< what is most likely wrong with the input
-  Survey survey = {};                      ///< true landmarks, for comparison; none where they are not known
-  std::vector<std::pair<std::string, SummaryValue>> extra;  ///< more fields for summary.json
+  int patch_size_px = 11;                  ///< side of the matched patches, for drawing
+  std::vector<std::string> warnings = {};  ///< likely problems of the input
+  Survey survey = {};                      ///< true landmarks, for evaluation; empty if unknown
+  std::vector<std::pair<std::string, SummaryValue>> extra;  ///< further fields of summary.json
 };
 
-/// Whether estimate and truth can be compared as they are.
+/// Whether estimate and truth can be compared without alignment.
 bool same_frame_as_truth(const RunInfo& info);
 /// Whether lengths of the estimate are in m; else their unit is arbitrary.
 bool scale_is_known(const RunInfo& info);
 
 class RunSummary {
  public:
-  /// Throws std::invalid_argument when the alignment is none of `none`, `se3`, `sim3`, `yaw`.
+  /// Throws std::invalid_argument if the alignment is not `none`, `se3`, `sim3` or `yaw`.
   explicit RunSummary(const RunInfo& info);
 
   void add(const Snapshot& snapshot);
-  /// One more field, or another value for it. Throws std::invalid_argument for a name of the contract's.
+  /// Adds or replaces a field. Throws std::invalid_argument for a name that the schema defines.
   void note(const std::string& key, SummaryValue value);
   void note(const ObservabilityReport& report) { observability_ = report; }
   void warn(const std::string& warning) { warnings_.push_back(warning); }
@@ -60,7 +60,7 @@ class RunSummary {
   /// The JSON document (docs/schemas/summary.schema.json).
   std::string json(RunStatus status, const std::string& reason) const;
   RunReport report(RunStatus status, const std::string& reason) const;
-  /// The surveyed landmarks in the frame of the map; none where the two cannot be aligned.
+  /// The surveyed landmarks in the map frame; empty if the two cannot be aligned.
   std::vector<SurveyedLandmark> survey_on_map() const;
 
  private:
@@ -84,7 +84,7 @@ class RunSummary {
   PathSummary paths_;
   Survey survey_;
   std::vector<std::string> warnings_;
-  std::vector<SnapshotLandmark> map_;  ///< of the last frame, where there is a survey to compare it with
+  std::vector<SnapshotLandmark> map_;  ///< of the last frame, if there is a survey
   bool has_truth_ = false;
   std::optional<ObservabilityReport> observability_;
   MatchedTrajectories matched_;

@@ -19,7 +19,7 @@ double over(double sum, std::int64_t count) { return count > 0 ? sum / static_ca
 double from_path_m(const SnapshotVehicle& v, bool flies, const Eigen::Vector2d& steered_m) {
   if (!v.truth || !v.reference) return unknown;
   const Eigen::Vector3d ahead = rotation_matrix<double>(v.truth->orientation).col(0);
-  // On uneven ground the point lies before the axle on the map: the way that it looks, of that length there
+  // On uneven ground the offset is horizontal, along the heading, with its full length.
   const double heading = std::atan2(ahead.y(), ahead.x());
   const Eigen::Vector2d offset = Eigen::Rotation2Dd(heading) * steered_m;
   const Eigen::Vector3d point = v.truth->position + Eigen::Vector3d(offset.x(), offset.y(), 0);

@@ -1,4 +1,4 @@
-// What summary.json says of each vehicle of a team.
+// Summary of each vehicle of a team.
 #pragma once
 
 #include <cstdint>
@@ -8,24 +8,24 @@
 
 namespace incognita {
 
-/// True distance of the point that is steered, that much before and left of its vehicle's own, from where it
-/// was to be; NaN where either is not known. A path says nothing of the height of what does not fly.
+/// True distance between the controlled point (`steered_m`: ahead and left of the vehicle's origin) and its
+/// reference; NaN if either is unknown. Planar unless the vehicle flies, since the paths of ground vehicles
+/// have no height.
 double from_path_m(const SnapshotVehicle& vehicle, bool flies, const Eigen::Vector2d& steered_m);
 
 class TeamSummary {
  public:
-  /// Each over the frames at which its own truth is known; NaN where there is nothing to say.
+  /// Means over the frames in which the vehicle's truth is known; NaN if there are none.
   struct Vehicle {
-    std::int64_t compared_frames;  ///< with a pose and a truth: those that the errors are of
-    double ate_m;                  ///< rms distance of estimate and truth
-    double mean_nees;              ///< per degree of freedom
-    double from_path_median_m,
-        from_path_p95_m;  ///< true distance from where it was to be, over the last third
+    std::int64_t compared_frames;                ///< with a valid pose and truth
+    double ate_m;                                ///< rms distance of estimate and truth
+    double mean_nees;                            ///< per degree of freedom
+    double from_path_median_m, from_path_p95_m;  ///< true distance from the reference, last third of the run
   };
 
   TeamSummary(bool flies, const Eigen::Vector2d& steered_m) : flies_(flies), steered_m_(steered_m) {}
 
-  /// Of a snapshot with poses.
+  /// Adds a snapshot with valid poses.
   void add(const Snapshot& snapshot);
 
   bool empty() const { return vehicles_.empty(); }

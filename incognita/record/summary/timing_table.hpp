@@ -1,4 +1,4 @@
-// How long each stage of each frame took. Apart from the rest, because no two runs take the same time.
+// Computation time of each stage of each frame; in a file of its own because it differs between runs.
 #pragma once
 
 #include <filesystem>
@@ -11,15 +11,15 @@
 
 namespace incognita {
 
-/// timings.csv: `t`, then a column of milliseconds per stage. A stage first seen later adds a column: the
-/// file is then written anew. Where a frame did not have a stage, its cell is `nan`.
+/// timings.csv: `t`, then a column of milliseconds per stage. A stage that appears later adds a column, and
+/// the file is rewritten. The cell is `nan` if a frame did not have a stage.
 class TimingTable {
  public:
   TimingTable() = default;
   explicit TimingTable(std::filesystem::path path) : path_(std::move(path)) {}
 
   void add(const Snapshot& snapshot);
-  /// Writes what is left, and at least a header.
+  /// Writes the remaining rows, and at least a header.
   void close();
 
   const std::vector<std::string>& stages() const { return stages_; }

@@ -195,20 +195,20 @@ void frame(benchmark::State& state) {
   settings.gaze = DecisionSettings::Gaze::mutual_information;
   CameraDecision decision(WideAngleCamera{}, twelve_looks(), settings,
                           {.expected_landmarks = landmarks + 30});
-  std::vector<double> all, deciding, worth_reporting;
+  std::vector<double> all, deciding, reporting_ms;
   for (auto _ : state) {
     const Tick tick = next();
     const Observation& observation = images[static_cast<std::size_t>(tick.frame) % images.size()];
     const double update = seconds([&] { room.boxes.estimator.update(estimate, {}, observation, tick); });
     Goal goal;
     deciding.push_back(1e3 * seconds([&] { goal = decision.choose(around, tick); }));
-    worth_reporting.push_back(
+    reporting_ms.push_back(
         1e3 * seconds([&] {
           const Command command = room.boxes.controller.act(estimate, goal, observation, tick);
           benchmark::DoNotOptimize(
               snapshot_of(tick, std::nullopt, observation, estimate, goal, decision.actions(), command, {}));
         }));
-    all.push_back(1e3 * update + deciding.back() + worth_reporting.back());
+    all.push_back(1e3 * update + deciding.back() + reporting_ms.back());
     state.SetIterationTime(1e-3 * all.back());
   }
   if (estimate.status.state != TrackingState::tracking) state.SkipWithError("does not track");
@@ -216,7 +216,7 @@ void frame(benchmark::State& state) {
   state.counters["median_ms"] = median(all);
   state.counters["p99_ms"] = all[all.size() * 99 / 100];
   state.counters["deciding_ms"] = median(deciding);
-  state.counters["telling_ms"] = median(worth_reporting);
+  state.counters["telling_ms"] = median(reporting_ms);
   state.counters["states"] = static_cast<double>(estimate.belief.errors());
 }
 BENCHMARK(frame)->Arg(100)->Arg(300)->Arg(1000)->Iterations(300)->UseManualTime()->Unit(

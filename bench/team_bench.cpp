@@ -155,7 +155,8 @@ struct Sights {
   double landmarks = 0, others = 0, ticks = 0;
   void add(const Observation& observation) {
     for (const BodyObservation& view : observation.bodies) {
-      landmarks += static_cast<double>(view.landmarks.size()) / static_cast<double>(observation.bodies.size());
+      landmarks +=
+          static_cast<double>(view.landmarks.size()) / static_cast<double>(observation.bodies.size());
       others += static_cast<double>(view.vehicles.size()) / static_cast<double>(observation.bodies.size());
     }
     ++ticks;

@@ -140,11 +140,11 @@ class Palette {
   std::size_t next_ = 0;
 };
 
-struct FeatureMatch {
+struct CurveStyle {
   const char *columns, *shape, *pen;  ///< columns to plot, plotting style, and attributes besides the color
 };
 
-FeatureMatch match_of(Style style) {
+CurveStyle style_of(Style style) {
   switch (style) {
     case Style::line:
       break;
@@ -260,7 +260,7 @@ std::string curves_script(const Panel& panel, Rows& rows) {
   Palette palette;
   for (const Curve& c : panel.curves) {
     const std::string place = rows.next(c.x.size());
-    const FeatureMatch match = match_of(c.style);
+    const CurveStyle match = style_of(c.style);
     const std::string drawn = fmt::format("with {} rgb {} {} {}", match.shape, palette.color(c.color),
                                           match.pen, title_of(c.label));
     if (has_points(c, panel.log_y))

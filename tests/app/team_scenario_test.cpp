@@ -15,6 +15,7 @@
 #include "incognita/io/scenario/team_setting_list.hpp"
 #include "incognita/math/random.hpp"
 #include "incognita/messages/errors.hpp"
+#include "incognita/models/any_sensor.hpp"
 #include "tests/scratch.hpp"
 
 namespace incognita {
@@ -52,20 +53,30 @@ std::string complaint(const std::string& text, const std::vector<std::string>& s
 
 struct Choice {
   std::string motion, sensor, law;
-  bool line() const { return motion == "monobot"; }
-  bool plane() const { return motion == "differential-drive" || motion == "ackermann"; }
-  bool body() const { return motion == "free-camera"; }
-  bool camera() const { return sensor == "wide-angle" || sensor == "pinhole" || sensor == "stereo"; }
+  const MotionTraits& traits() const { return motion_traits_of(motion); }
+  bool line() const { return traits().on_line(); }
+  bool plane() const { return traits().on_plane(); }
+  bool body() const { return traits().in_space(); }
+  /// A camera has one of two lenses.
+  std::string sensor_word() const {
+    return sensor == "wide-angle" || sensor == "pinhole" ? "camera" : sensor;
+  }
+  bool has_parameter(const std::string& key) const {
+    for (const MotionEntry& entry : registered_motions())
+      if (entry.traits.name == motion)
+        for (const ParameterInfo& p : entry.parameters)
+          if (p.quantity.key() == key) return true;
+    return false;
+  }
 
-  /// A line has no bearings and no images, scanners of the plane belong on the plane.
   bool sees() const {
-    if (line()) return sensor == "range-bearing";
-    return plane() || camera();
+    return incompatibility(make_motion(motion), make_sensor(sensor_word(), traits())).empty();
   }
   /// A car turns only while it moves, a regulator at rest knows no slopes.
   bool steers() const {
-    if (law == "tracking") return motion != "ackermann";
-    if (law == "lqg") return line() || motion == "differential-drive" || body();
+    const bool turns = plane() && traits().has_input("turn_rate");
+    if (law == "tracking") return !traits().has_input("steering");
+    if (law == "lqg") return line() || turns || body();
     return true;
   }
 };
@@ -87,20 +98,32 @@ std::string steer_of(const Choice& c) {
 }
 
 std::string text_of(const Choice& c) {
-  const std::string sensor = c.sensor == "wide-angle" || c.sensor == "pinhole" ? "camera" : c.sensor;
-  std::string text = "[run]\nworld = \"points\"\nsensor = \"" + sensor +
+  std::string text = "[run]\nworld = \"points\"\nsensor = \"" + c.sensor_word() +
                      "\"\nrate_hz = 20\nduration_s = 3\n[vehicle]\nmodel = \"" + c.motion + "\"\n";
-  if (c.plane()) text += "sensor_forward_m = 0.4\nsensor_left_m = 0\n";
-  if (c.motion == "ackermann") text += "wheelbase_m = 1\nwheel_left_m = 0.3\n";
+  for (const auto& [key, value] : {std::pair{"sensor_forward_m", "0.4"},
+                                   {"sensor_left_m", "0"},
+                                   {"wheelbase_m", "1"},
+                                   {"wheel_left_m", "0.3"}})
+    if (c.has_parameter(key)) text += std::string(key) + " = " + value + "\n";
   if (c.sensor == "wide-angle") text += "[camera]\nkd1_per_px2 = 9e-6\n";
   if (c.sensor == "pinhole") text += "[camera]\nmodel = \"pinhole\"\n";
-  if (c.sensor == "bearing")
+  if (c.sensor != "wide-angle" && c.sensor != "pinhole" &&
+      !measures_distance(make_sensor(c.sensor, c.traits())))
     text += "[birth]\ninverse_depth_per_m = 0.15\nsigma_inverse_depth_per_m = 0.15\n";
   text += c.body() ? "[team]\npositions_m = [[-1.5, 0, 1]]\n" : "[team]\npositions_m = [[-2, 0, 0]]\n";
   return text + "[points]\ncount = 40\nsize_m = [12, 12, 2.5]\nknown = 8\n" + steer_of(c);
 }
 
-using Words = std::tuple<const char*, const char*, const char*>;
+using Words = std::tuple<std::string, std::string, const char*>;
+
+/// Of run.sensor, a camera with either lens.
+std::vector<std::string> sensors_and_lenses() {
+  std::vector<std::string> words{"wide-angle", "pinhole"};
+  for (const std::string& word : sensor_words())
+    if (word != "camera") words.push_back(word);
+  return words;
+}
+
 class Blocks : public ::testing::TestWithParam<Words> {};
 
 TEST_P(Blocks, RunOrAreRefusedWithTheReason) {
@@ -133,9 +156,7 @@ std::string name_of(const ::testing::TestParamInfo<Words>& info) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, Blocks,
-    ::testing::Combine(::testing::Values("monobot", "differential-drive", "ackermann", "terrain",
-                                         "free-camera"),
-                       ::testing::Values("range-bearing", "bearing", "wide-angle", "pinhole", "stereo"),
+    ::testing::Combine(::testing::ValuesIn(motion_names()), ::testing::ValuesIn(sensors_and_lenses()),
                        ::testing::Values("none", "tracking", "lqg", "feedback-linearisation", "active")),
     name_of);
 

@@ -31,9 +31,9 @@ void for_every_initialization(
     const std::function<void(const Case&, const SmallVector& z, const AnyInitialization&)>& with) {
   int tried = 0;
   for_every_case([&](const Case& c) {
-    const auto prediction = c.predict_measurement();
+    const auto prediction = c.predict();
     if (c.point.size() == 0 || c.form.kind != LandmarkParametrization::Kind::point || !prediction ||
-        !prediction->in_view)
+        !is_in_view(c.sensor, {}, *prediction, 0))
       return;
     const auto* stereo = std::get_if<StereoSensor>(&c.sensor);
     const bool no_disparity =

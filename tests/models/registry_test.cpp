@@ -124,7 +124,9 @@ TEST(Registry, AtRestIsWhereItWasPutAndStaysThere) {
       const SmallVector x = at_rest(motion, position, heading);
       EXPECT_LE((x.head(traits.position_size) - position.head(traits.position_size)).norm(), 1e-15)
           << traits.name;
-      if (!traits.on_line()) EXPECT_NEAR(heading_by(motion, x), heading, 1e-12) << traits.name;
+      if (!traits.on_line()) {
+        EXPECT_NEAR(heading_by(motion, x), heading, 1e-12) << traits.name;
+      }
       EXPECT_EQ(rate_of(motion, x, SmallVector::Zero(inputs_of(motion))).norm(), 0) << traits.name;
     }
 }

@@ -92,7 +92,7 @@ struct Case {
   SmallVector point;  ///< where it is; empty at infinity and beyond
   double away_m;      ///< the scale on which its look bends
 
-  std::optional<AnyPrediction> predict_measurement() const {
+  std::optional<AnyPrediction> predict() const {
     return predict_measurement(sensor, motion, vehicle, form, landmark);
   }
   std::string name() const {

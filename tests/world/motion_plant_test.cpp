@@ -10,6 +10,7 @@
 #include "incognita/world/integrate.hpp"
 #include "incognita/world/plant.hpp"
 #include "tests/models/grounds.hpp"
+#include "tests/models/registered.hpp"
 #include "tests/scratch.hpp"
 #include "tests/small_vectors.hpp"
 
@@ -125,15 +126,14 @@ PlantSettings at_rest(const AnyMotion& motion) {
   PlantSettings s{SmallVector::Zero(chart_of(motion).ambient()), SmallVector::Zero(errors),
                   SmallVector::Zero(inputs), SmallVector::Constant(inputs, -1),
                   SmallVector::Constant(inputs, 2)};
-  if (std::holds_alternative<FreeCameraMotion>(motion)) s.start[3] = 1;
-  if (std::holds_alternative<AckermannCar>(motion)) s.least_input[1] = -0.5, s.most_input[1] = 0.6;
+  s.start = at_rest(motion, Vector3d::Zero(), 0);
+  for (int i = 0; i < inputs; ++i)
+    if (traits_of(motion).input[static_cast<std::size_t>(i)].name == "steering")
+      s.least_input[i] = -0.5, s.most_input[i] = 0.6;
   return s;
 }
 
-std::vector<AnyMotion> motions() {
-  return {MonobotMotion{}, DifferentialDrive{0.3, 0.1}, AckermannCar{},
-          TerrainVehicle{grounds::gentle_waves()}, FreeCameraMotion{}};
-}
+std::vector<AnyMotion> motions() { return registered::examples_of_all<AnyMotion>(); }
 
 TEST(Plant, CutsTheInputOffAndTellsWhatItDid) {
   for (const AnyMotion& motion : motions()) {

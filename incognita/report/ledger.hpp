@@ -19,10 +19,10 @@ struct Claim {
   std::string printed;    ///< the printed value or formula; may be empty
   std::string measured;   ///< the result with its unit and interval
   Verdict verdict = Verdict::does_not_hold;
-  std::string why;     ///< the correction, the diagnosis or why it is undecided; empty if it holds
-  int runs = 1;        ///< independent runs behind it
-  int least_runs = 1;  ///< runs needed for a verdict; 1 for deterministic claims
-  bool timed = false;  ///< the verdict depends on timings of this machine: no test may rely on it
+  std::string why = {};  ///< the correction, the diagnosis or why it is undecided; empty if it holds
+  int runs = 1;          ///< independent runs behind it
+  int least_runs = 1;    ///< runs needed for a verdict; 1 for deterministic claims
+  bool timed = false;    ///< the verdict depends on timings of this machine: no test may rely on it
 };
 
 /// A figure with the data drawn in it.

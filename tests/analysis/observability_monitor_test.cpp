@@ -148,7 +148,7 @@ class BothWays {
     long_way.add(all, measurement.R);
   }
   /// `assumed`: so many of its last errors are a guess.
-  BlockId initialization(int size, int assumed) {
+  BlockId initialize(int size, int assumed) {
     BlockAugmentation initialization;
     initialization.block = ++last_;
     MatrixXd J = random_matrix(random_, size, errors_);

@@ -373,7 +373,7 @@ SourceLocation refused(const std::string& text, const std::string& because) {
     analyze_observability(measuring(text), {.landmarks = 0});
   } catch (const SystemError& error) {
     EXPECT_NE(std::string(error.what()).find(because), std::string::npos) << error.what();
-    return error.position;
+    return error.location;
   }
   ADD_FAILURE() << text << " was not refused";
   return {};
@@ -574,7 +574,7 @@ TEST(AssignedInput, ThatDependsOnItselfIsRefusedInWords) {
     try {
       in_motion(wheels(motion));
     } catch (const SystemError& error) {
-      EXPECT_GT(error.position.line, 0);
+      EXPECT_GT(error.location.line, 0);
       return error.what();
     }
     return "accepted";

@@ -245,7 +245,7 @@ TEST(ObservabilityWatch, NothingIsNotedWhereNobodyWatches) {
   TeamEstimate unwatched, watched;
   watched.belief.keep_trace(true);
   while (const Tick tick = clock->next()) {
-    const Observation observation = sensor->add_measurement({}, tick);
+    const Observation observation = sensor->measure({}, tick);
     for (TeamEstimate* estimate : {&unwatched, &watched}) estimator.update(*estimate, {}, observation, tick);
     EXPECT_TRUE(unwatched.belief.trace().empty());
     EXPECT_FALSE(watched.belief.trace().empty());

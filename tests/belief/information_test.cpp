@@ -217,7 +217,7 @@ TEST(InformationForm, SaysWhenNothingIsKnownAnyMore) {
 
 TEST(InformationForm, NotesWhatTheCovarianceFormNotes) {
   RandomStream random(8, "trace");
-  AnyBelief forms[] = {Belief(), InformationBelief()};
+  AnyBelief forms[] = {AnyBelief(Belief()), AnyBelief(InformationBelief())};
   for (AnyBelief& belief : forms) {
     RandomStream same(9, "trace");
     belief.keep_trace(true);

@@ -80,7 +80,7 @@ Drive driven(std::uint64_t seed, bool at_random) {
   const double dt = 0.05;
   for (int k = 0; k < 2400; ++k) {
     if (at_random && k % 40 == 0) told = {random.uniform(-0.5, 0.5), random.uniform(-0.6, 0.6)};
-    std::vector<ConeRange> around = look_around(plan, {}, at, heading);
+    std::vector<ConeRange> around = measure_ranges(plan, {}, at, heading);
     for (ConeRange& c : around) c.range_m += 0.01 * random.normal();
     const AvoidanceCommand clear = avoid_obstacles(told, around, settings, turn_side);
     turn_side = clear.turn_side;

@@ -168,7 +168,7 @@ TEST(MisalignedTest, BearingsByTheirDerivative) {
   constexpr double h = 1e-5;
   for (int axis = 0; axis < 3; ++axis) {
     const Vector3d step = h * Vector3d::Unit(axis);
-    const Eigen::Vector2d slope = (measure(s + step) - measure(s - step)) / (2 * h);
+    const Eigen::Vector2d slope = (measurement(s + step) - measurement(s - step)) / (2 * h);
     EXPECT_LT((inertial::bearings_by(s).col(axis) - slope).norm(), 1e-9);
   }
 }

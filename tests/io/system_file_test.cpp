@@ -94,7 +94,7 @@ std::string with(const std::string& part, const std::string& by) {
   return text.replace(at, part.size(), by);
 }
 
-std::string at(const TimedPosition& location) {
+std::string at(const SourceLocation& location) {
   return std::to_string(location.line) + ":" + std::to_string(location.column);
 }
 
@@ -222,7 +222,7 @@ TEST(SystemFile, EveryBuiltInSystemIsReadAndFoundByName) {
 }
 
 /// What stands at each place of the file is what was read from there.
-void expect_there(const std::vector<std::string>& lines, const TimedPosition& location,
+void expect_there(const std::vector<std::string>& lines, const SourceLocation& location,
                   const std::string& text) {
   ASSERT_GE(location.line, 1) << text;
   const std::string& line = lines.at(static_cast<std::size_t>(location.line) - 1);

@@ -44,7 +44,7 @@ struct Scene {
   int search() {
     summed.assign(image);
     predict_matches(estimate, camera, settings, estimate.matches);
-    return measure(summed, estimate.catalog, settings.search, estimate.matches);
+    return active_search(summed, estimate.catalog, settings.search, estimate.matches);
   }
   const FeatureMatch& match_of(std::int64_t id) const {
     return *std::find_if(estimate.matches.begin(), estimate.matches.end(),

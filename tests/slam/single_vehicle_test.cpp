@@ -411,8 +411,8 @@ TEST(SingleVehicle, FirstEstimatesLinearizeWhereTheyWereFirst) {
   const auto first =
       RangeBearing::predict_measurement(Pose(e.vehicles[0].prediction), Eigen::Vector2d(landmark.first));
   ASSERT_TRUE(measurement && first);
-  EXPECT_LT((measurement->measurement.parts[0].H - first->Hv).norm(), 1e-15);
-  EXPECT_LT((measurement->measurement.parts[1].H - first->Hl).norm(), 1e-15);
+  EXPECT_LT((measurement->linearized.parts[0].H - first->Hv).norm(), 1e-15);
+  EXPECT_LT((measurement->linearized.parts[1].H - first->Hl).norm(), 1e-15);
   EXPECT_LT((measurement->predicted - RangeBearing::h<double>(Pose(e.belief.mean(e.vehicles[0].block)),
                                                               Eigen::Vector2d(e.belief.mean(landmark.block))))
                 .norm(),

@@ -235,7 +235,7 @@ TEST(TeamSensor, TellsNothingOfWhatItCannotName) {
     return std::pair(observation.bodies[0].landmarks, sensor.truth()->at(0));
   };
   const PointLandmarks place = ring(8, 5);  // 10 to 17
-  const auto [seen, truth] = measure(place);
+  const auto [seen, truth] = measurement(place);
   ASSERT_EQ(seen.size(), 8u);
   ASSERT_EQ(truth.size(), 8u);
   for (std::size_t i = 0; i < seen.size(); ++i) {
@@ -244,7 +244,7 @@ TEST(TeamSensor, TellsNothingOfWhatItCannotName) {
   }
   PointLandmarks renamed = place;
   std::swap(renamed[10], renamed[17]), std::swap(renamed[11], renamed[15]);
-  const auto [again, other_truth] = measure(renamed);
+  const auto [again, other_truth] = measurement(renamed);
   EXPECT_NE(truth, other_truth);
   for (std::size_t i = 0; i < seen.size(); ++i) {
     EXPECT_EQ(seen[i].identity, again[i].identity);

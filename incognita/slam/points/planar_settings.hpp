@@ -24,7 +24,13 @@ struct VehicleSettings {
   std::map<std::string, double> parameters = {};  ///< of other motion models, by key
 
   /// The parameter with this key, as declared by the motion models. A new one is set to `default_value`.
-  double& parameter(const std::string& key, double default_value);
+  double& parameter(const std::string& key, double default_value) {
+    if (key == "wheelbase_m") return wheelbase_m;
+    if (key == "wheel_left_m") return wheel_left_m;
+    if (key == "sensor_forward_m") return sensor_forward_m;
+    if (key == "sensor_left_m") return sensor_left_m;
+    return parameters.emplace(key, default_value).first->second;
+  }
 };
 
 /// The motion model with its parameters and level ground. Throws std::invalid_argument for an unknown model.

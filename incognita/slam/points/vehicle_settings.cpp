@@ -2,14 +2,6 @@
 
 namespace incognita {
 
-double& VehicleSettings::parameter(const std::string& key, double default_value) {
-  if (key == "wheelbase_m") return wheelbase_m;
-  if (key == "wheel_left_m") return wheel_left_m;
-  if (key == "sensor_forward_m") return sensor_forward_m;
-  if (key == "sensor_left_m") return sensor_left_m;
-  return parameters.emplace(key, default_value).first->second;
-}
-
 AnyMotion motion_of(const VehicleSettings& settings) {
   AnyMotion motion = make_motion(settings.model);
   VehicleSettings values = settings;

@@ -202,12 +202,12 @@ void frame(benchmark::State& state) {
     const double update = seconds([&] { room.boxes.estimator.update(estimate, {}, observation, tick); });
     Goal goal;
     deciding.push_back(1e3 * seconds([&] { goal = decision.choose(around, tick); }));
-    reporting_ms.push_back(
-        1e3 * seconds([&] {
-          const Command command = room.boxes.controller.act(estimate, goal, observation, tick);
-          benchmark::DoNotOptimize(
-              snapshot_of(tick, std::nullopt, observation, estimate, goal, decision.actions(), command, {}));
-        }));
+    reporting_ms.push_back(1e3 * seconds([&] {
+                             const Command command =
+                                 room.boxes.controller.act(estimate, goal, observation, tick);
+                             benchmark::DoNotOptimize(snapshot_of(tick, std::nullopt, observation, estimate,
+                                                                  goal, decision.actions(), command, {}));
+                           }));
     all.push_back(1e3 * update + deciding.back() + reporting_ms.back());
     state.SetIterationTime(1e-3 * all.back());
   }

@@ -34,8 +34,8 @@ Command VehicleController::act(const Estimate& estimate, const Goal& goal, const
     const SmallVector& most = driving_.steering.most_input;
     drive = limited(desired_drive(estimate, goal, tick), {most[0], most[1]}).input();
     if (driving_.obstacle_avoidance) {
-      const AvoidanceCommand clear =
-          avoid_obstacles(drive, of_first_body(observation).proximity_ranges, *driving_.obstacle_avoidance, turn_side_);
+      const AvoidanceCommand clear = avoid_obstacles(drive, of_first_body(observation).proximity_ranges,
+                                                     *driving_.obstacle_avoidance, turn_side_);
       drive = clear.drive;
       turn_side_ = clear.turn_side;
     }

@@ -12,8 +12,8 @@
 namespace incognita {
 
 struct ExperimentSettings {
-  std::filesystem::path out;                     ///< existing folder for figures and their data
-  int seeds = 200;                               ///< independent runs for each statistical claim
+  std::filesystem::path out;                       ///< existing folder for figures and their data
+  int seeds = 200;                                 ///< independent runs for each statistical claim
   std::function<void(const std::string&)> report;  ///< receives progress lines; may be empty
 };
 

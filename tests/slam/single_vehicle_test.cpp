@@ -292,7 +292,7 @@ TEST(SingleVehicle, UsesAFixAtItsOwnTime) {
     Observation observation = of_one();
     observation.bodies[0].odometry = {{0, {10, 0}}};
     observation.bodies[0].fixes = {{0.1, {1, 0.5}},
-                                 {0.2, {2, 0.5}}};  // half a metre beside where it thinks it is
+                                   {0.2, {2, 0.5}}};  // half a metre beside where it thinks it is
     estimator.update(e, {}, observation, {0, 1, 0});
     EXPECT_NEAR(pose(e)[0], 10, 0.1) << frame;
     EXPECT_NEAR(pose(e)[1], 0.5, 0.1) << frame;
@@ -338,7 +338,7 @@ TEST(SingleVehicle, LeavesAloneWhatIsNoDetection) {
     TeamEstimate e;
     Observation observation = of_one();
     observation.bodies[0].landmarks = {detection(std::nan(""), 0.1, 1), detection(-3, 0.1, 2),
-                                     detection(5, std::nan(""), 3), detection(5, 0.1, 4)};
+                                       detection(5, std::nan(""), 3), detection(5, 0.1, 4)};
     estimator.update(e, {}, observation, {0, 0, 0});
     EXPECT_EQ(map_size(e), 1u) << method;
     EXPECT_TRUE(pose(e).allFinite());

@@ -37,7 +37,7 @@ TEST(RangeClock, TicksOncePerScanUntilItsTimeIsUp) {
 TEST(RangeSensor, TellsWhatCameSinceTheTickBefore) {
   RangeSensor sensor(shared({small()}), {30, Fixes::all});
   const BodyObservation first = sensor.measure({}, {0, 1, 0}).bodies.at(0),
-                           second = sensor.measure({}, {1, 2, 1}).bodies.at(0);
+                        second = sensor.measure({}, {1, 2, 1}).bodies.at(0);
   ASSERT_EQ(first.odometry.size(), 1u);
   ASSERT_EQ(first.landmarks.size(), 1u);  // the other is beyond 30 m
   EXPECT_EQ(first.landmarks[0].identity, 3);

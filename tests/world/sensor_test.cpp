@@ -78,7 +78,8 @@ TEST(room_camera, is_the_render_plus_noise) {
   render(*room(), RayTable{Camera(model)}, {1.6, 0, 1.3}, level_gaze(0), expected);
   EXPECT_EQ(*RoomCamera(room(), model, quiet, 1).measure(start(), Tick{0, 0, 0}).bodies[0].image, expected);
 
-  const Image noisy = *RoomCamera(room(), model, RoomSettings{}, 1).measure(start(), Tick{0, 0, 0}).bodies[0].image;
+  const Image noisy =
+      *RoomCamera(room(), model, RoomSettings{}, 1).measure(start(), Tick{0, 0, 0}).bodies[0].image;
   double squares = 0;
   int count = 0;
   for (int i = 0; i < 320 * 240; ++i)

@@ -70,8 +70,7 @@ void CameraEstimator::update(Estimate& estimate, const Command& command, const O
     predict(estimate, command, tick.dt);
     // Before the search, because it shrinks the search ellipses
     if (odometry_ && !body.odometry.empty())
-      update_with_wheel_odometry(estimate.belief, estimate.camera, *odometry_,
-                                 body.odometry.back().input);
+      update_with_wheel_odometry(estimate.belief, estimate.camera, *odometry_, body.odometry.back().input);
     track(estimate, image, tick, clock);
   }
 }

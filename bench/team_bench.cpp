@@ -68,7 +68,7 @@ TeamSettings filter_of(const std::vector<SimulatedVehicle>& team) {
     settings.members.push_back(
         {v.motion, v.sensor, v.plant.start, v.plant.start_sigmas, v.plant.input_sigmas, v.sigmas});
   settings.filter.gate_probability = 0.9999;
-  settings.filter.max_sigma_position_m = 1e3;
+  settings.lost.max_sigma_position_m = 1e3;
   return settings;
 }
 

@@ -27,7 +27,7 @@ void measure(benchmark::State& state) {
   }
   state.counters["frames"] = benchmark::Counter(static_cast<double>(frame), benchmark::Counter::kIsRate);
 }
-BENCHMARK(measurement)->Unit(benchmark::kMillisecond);
+BENCHMARK(measure)->Unit(benchmark::kMillisecond);
 
 void paint_room(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(Room(RoomSettings{}, 2));

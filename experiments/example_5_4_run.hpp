@@ -66,7 +66,7 @@ using Vector6 = Eigen::Matrix<double, 6, 1>;
 
 struct Instant {
   double t = 0;
-  Reference wanted;
+  Reference reference;
   FreeCameraMotion::State<double> truth, mean;
   Vector6 error;         ///< truth less estimate: position (m, world), rotation (rad, camera axes)
   Vector6 sigma;         ///< of it, as believed

@@ -88,9 +88,9 @@ Claim planar_at_rest() {
     all = all && dimension(s.stripped(3)) > 0 && s.true_dimension() > 0;
   };
   for (const int anchors : {0, 1, 2, 3})
-    measure(fmt::format("{} anchor{}", anchors, anchors == 1 ? "" : "s"),
-            of("planar", anchors, "stationary"));
-  measure("relative map", relative("planar", "stationary"));
+    measurement(fmt::format("{} anchor{}", anchors, anchors == 1 ? "" : "s"),
+                of("planar", anchors, "stationary"));
+  measurement("relative map", relative("planar", "stationary"));
   return assessed({.id = "text-4-planar-at-rest",
                    .place = "Section 4.4",
                    .statement = "At zero velocity the planar vehicle's system simply is unobservable",

@@ -75,8 +75,8 @@ struct Instant {
   double nis = 0;        ///< of this tick's looks, over their number; 0 without any
   bool lost = false;
 
-  double believed_off_m() const { return (mean.head<3>() - wanted.position).norm(); }  ///< Figure 5.13 (c)
-  double truly_off_m() const { return (truth.head<3>() - wanted.position).norm(); }
+  double believed_off_m() const { return (mean.head<3>() - reference.position).norm(); }  ///< Figure 5.13 (c)
+  double truly_off_m() const { return (truth.head<3>() - reference.position).norm(); }
   double position_error_m() const { return error.head<3>().norm(); }
   double sigma_position_m() const { return sigma.head<3>().norm(); }
 };

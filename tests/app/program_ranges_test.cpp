@@ -243,7 +243,8 @@ TEST_F(ProgramRanges, RefusesFiltersThatMakeNoSenseTogether) {
 }
 
 TEST_F(ProgramRanges, SaysWhenTheJointSearchIsCapped) {
-  const Ended ended = go({"--set", "association.method=joint", "--set", "association.max_nodes=1"});
+  const Ended ended = go({"--set", "association.method=joint", "--set", "association.max_nodes=1", "--set",
+                          "association.birth_probability=0.9999999"});
   EXPECT_SAYS(bytes_of(run() / "series.csv"), "degraded");
 }
 

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "incognita/math/random.hpp"
-#include "incognita/models/arc_motion.hpp"
+#include "incognita/models/planar_vehicle.hpp"
 #include "incognita/models/range_bearing.hpp"
 
 namespace incognita {
@@ -43,7 +43,7 @@ RangeRecording drive_planar_loop(const PlanarLoopSettings& s, std::uint64_t seed
   r.format = "simulated";
   r.vehicle = "differential-drive";
   r.landmarks = landmarks_around(s);
-  const ArcMotion<DifferentialDrive> plant{};
+  const DifferentialDrive plant{};
   const double dt = 1 / s.odometry_hz;
   const auto steps = static_cast<std::int64_t>(std::llround(s.duration_s * s.odometry_hz));
   const auto steps_per_scan = static_cast<std::int64_t>(std::llround(s.odometry_hz / s.scan_hz));

@@ -15,6 +15,7 @@
 #include "incognita/decision/exploration.hpp"
 #include "incognita/models/heading.hpp"
 #include "incognita/models/wide_angle_camera.hpp"
+#include "incognita/slam/estimator/slam_estimator.hpp"
 
 using namespace incognita;
 
@@ -35,7 +36,8 @@ Estimate among(int landmarks) {
   Estimate e;
   CameraState x = CameraState::Zero();
   x.segment<4>(3) = level_gaze(0);
-  e.camera = e.belief.add_vehicle(FreeCameraMotion::chart, x, 1e-4 * FreeCameraMotion::Jacobian::Identity());
+  e.bodies.emplace_back().block =
+      e.belief.add_vehicle(FreeCameraMotion::chart, x, 1e-4 * FreeCameraMotion::Jacobian::Identity());
   e.started = true;
   e.status.state = TrackingState::tracking;
   RandomStream random(1, "bench");
@@ -43,18 +45,15 @@ Estimate among(int landmarks) {
   with_camera.leftCols<3>().setIdentity();
   for (int i = 0; i < landmarks; ++i) {
     Landmark landmark{};
-    landmark.view.texture = {Image(21, 21, 100), {10, 10}};
-    landmark.view.pixel.setZero();
-    landmark.id = e.next_id++;
+    landmark.camera = 0;
+    landmark.id = new_id(e);
     const Eigen::Vector3d way(random.normal(), random.normal(), 0.4 * random.normal());
     const Eigen::Vector3d at = way.normalized() * random.uniform(1, 4);
-    const Belief::Parent parent{e.camera, with_camera};
+    const Belief::Parent parent{e.body().block, with_camera};
     const double sigma = i % 10 == 0 ? 0.01 : 0.1;
     landmark.block =
         e.belief.augment(PointLandmark::chart, at, {&parent, 1}, sigma * sigma * Eigen::Matrix3d::Identity());
-    landmark.view.camera_position = {0, 0, 0};
-    landmark.view.world_from_camera = x.segment<4>(3);
-    e.catalog.push_back(std::move(landmark));
+    e.landmarks.emplace(landmark.id, landmark);
   }
   return e;
 }
@@ -105,7 +104,7 @@ void evaluation(benchmark::State& state) {
     gain.pop();
     measurements = step.measurements.size();
   };
-  gain.start(e.belief, e.camera);
+  gain.start(e.belief, e.body().block);
   for (auto _ : state) evaluate();
   state.counters["looks"] = static_cast<double>(measurements);
   state.counters["states"] = static_cast<double>(e.belief.errors());
@@ -151,7 +150,7 @@ void look_ahead(benchmark::State& state) {
   const Translations moves(seven_translations(0.3), 1, growth_over(1, 0.3, 0.3), {});
   LookAhead ahead({Metric::state, static_cast<int>(state.range(0)), 210, 3});
   for (auto _ : state)
-    benchmark::DoNotOptimize(ahead.scores(e.belief, e.camera, e.camera_state(), moves, expectation));
+    benchmark::DoNotOptimize(ahead.scores(e.belief, e.body().block, e.camera_state(), moves, expectation));
   state.counters["evaluations"] = ahead.evaluations();
 }
 BENCHMARK(look_ahead)->Arg(1)->Arg(2)->Arg(3)->Arg(4)->Unit(benchmark::kMillisecond);
@@ -173,23 +172,26 @@ void frame(benchmark::State& state) {
   const auto next = [&] { return Tick{count, static_cast<double>(count) * dt, count++ == 0 ? 0 : dt}; };
   for (int i = 0; i < 30; ++i) {
     const Tick tick = next();
-    images.push_back(room.boxes.sensor->measure(room.boxes.world->move({}, tick), tick));
-    room.boxes.estimator.update(estimate, {}, images.back(), tick);
+    images.push_back(room.parts.sensor->measure(room.parts.world->move({}, tick), tick));
+    room.parts.estimator->update(estimate, {}, images.back(), tick);
   }
   Eigen::Matrix<double, 3, 12> with_camera = Eigen::Matrix<double, 3, 12>::Zero();
   with_camera.leftCols<3>().setIdentity();
   RandomStream random(2, "bench");
+  FeatureTracker& tracker = dynamic_cast<SlamEstimator&>(*room.parts.estimator).camera(0);
+  const Feature appearance = tracker.camera().features.rbegin()->second;
   while (estimate.mapped_count() < landmarks) {
     const Eigen::Vector3d at =
         Eigen::Vector3d(estimate.camera_state().head<3>()) +
         Eigen::Vector3d(-random.uniform(1, 4), random.uniform(-2, 2), random.uniform(-1, 1));
     Landmark landmark;
-    landmark.id = estimate.next_id++;
-    landmark.view = estimate.catalog.back().view;
-    const Belief::Parent parent{estimate.camera, with_camera};
+    landmark.id = new_id(estimate);
+    landmark.camera = 0;
+    tracker.adopt(landmark.id, appearance);
+    const Belief::Parent parent{estimate.body().block, with_camera};
     landmark.block =
         estimate.belief.augment(Chart::line(3), at, {&parent, 1}, 1e-4 * Eigen::Matrix3d::Identity());
-    estimate.catalog.push_back(std::move(landmark));
+    estimate.landmarks.emplace(landmark.id, landmark);
   }
   DecisionSettings settings;
   settings.gaze = DecisionSettings::Gaze::mutual_information;
@@ -199,12 +201,12 @@ void frame(benchmark::State& state) {
   for (auto _ : state) {
     const Tick tick = next();
     const Observation& observation = images[static_cast<std::size_t>(tick.frame) % images.size()];
-    const double update = seconds([&] { room.boxes.estimator.update(estimate, {}, observation, tick); });
+    const double update = seconds([&] { room.parts.estimator->update(estimate, {}, observation, tick); });
     Goal goal;
     deciding.push_back(1e3 * seconds([&] { goal = decision.choose(around, tick); }));
     reporting_ms.push_back(1e3 * seconds([&] {
                              const Command command =
-                                 room.boxes.controller.act(estimate, goal, observation, tick);
+                                 room.parts.controller->act(estimate, goal, observation, tick);
                              benchmark::DoNotOptimize(snapshot_of(tick, std::nullopt, observation, estimate,
                                                                   goal, decision.actions(), command, {}));
                            }));

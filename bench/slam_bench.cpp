@@ -7,6 +7,7 @@
 #include <string>
 
 #include "incognita/app/loop/assemble.hpp"
+#include "incognita/slam/estimator/slam_estimator.hpp"
 
 using namespace incognita;
 
@@ -23,7 +24,8 @@ struct Standing {
   Tick next() { return {frame, static_cast<double>(frame) * dt, frame++ == 0 ? 0 : dt}; }
 };
 
-void add_unseen(Estimate& estimate, int count) {
+void add_unseen(Estimate& estimate, FeatureTracker& tracker, int count) {
+  Feature appearance = tracker.camera().features.rbegin()->second;
   const CameraState x = estimate.camera_state();
   RandomStream random(1, "bench");
   Eigen::Matrix<double, 3, 12> with_camera = Eigen::Matrix<double, 3, 12>::Zero();
@@ -33,13 +35,14 @@ void add_unseen(Estimate& estimate, int count) {
         Eigen::Vector3d(x.head<3>()) +
         Eigen::Vector3d(-random.uniform(1, 4), random.uniform(-2, 2), random.uniform(-1, 1));
     Landmark landmark;
-    landmark.id = estimate.next_id++;
-    landmark.view = estimate.catalog.back().view;
-    landmark.view.camera_position = x.head<3>();
-    const Belief::Parent parent{estimate.camera, with_camera};
+    landmark.id = new_id(estimate);
+    landmark.camera = 0;
+    landmark.first_view = x.head<3>();
+    const Belief::Parent parent{estimate.body().block, with_camera};
     landmark.block =
         estimate.belief.augment(Chart::line(3), at, {&parent, 1}, 1e-4 * Eigen::Matrix3d::Identity());
-    estimate.catalog.push_back(std::move(landmark));
+    tracker.adopt(landmark.id, appearance);
+    estimate.landmarks.emplace(landmark.id, landmark);
   }
 }
 
@@ -50,13 +53,14 @@ Standing standing(int landmarks) {
       "search.max_measurements=10",     "map.wanted_visible=22",
       "map.max_landmarks=22",           "run.duration_s=1000"};
   Standing s{assemble(load_scenario("room", sets)), {}, {}};
-  auto& boxes = s.assembly.boxes;
+  const LoopParts& parts = s.assembly.parts;
   for (int i = 0; i < 30; ++i) {
     const Tick tick = s.next();
-    s.images.push_back(boxes.sensor->measure(boxes.world->move({}, tick), tick));
-    boxes.estimator.update(s.estimate, {}, s.images.back(), tick);
+    s.images.push_back(parts.sensor->measure(parts.world->move({}, tick), tick));
+    parts.estimator->update(s.estimate, {}, s.images.back(), tick);
   }
-  add_unseen(s.estimate, landmarks - s.estimate.mapped_count());
+  add_unseen(s.estimate, dynamic_cast<SlamEstimator&>(*parts.estimator).camera(0),
+             landmarks - s.estimate.mapped_count());
   return s;
 }
 
@@ -66,10 +70,10 @@ void frame(benchmark::State& state) {
   std::int64_t frames = 0, matched = 0;
   for (auto _ : state) {
     const Tick tick = s.next();
-    s.assembly.boxes.estimator.update(s.estimate, {},
-                                      s.images[static_cast<std::size_t>(tick.frame) % s.images.size()], tick);
+    s.assembly.parts.estimator->update(
+        s.estimate, {}, s.images[static_cast<std::size_t>(tick.frame) % s.images.size()], tick);
     for (const auto& [stage, ms] : s.estimate.timing_ms) stages[stage] += ms;
-    matched += s.estimate.matched;
+    matched += s.estimate.last.matched;
     ++frames;
   }
   if (s.estimate.status.state != TrackingState::tracking) state.SkipWithError("does not track");

@@ -18,8 +18,8 @@
 #include <vector>
 
 #include "bench/timing.hpp"
-#include "incognita/slam/points/team_estimator.hpp"
-#include "incognita/slam/points/team_measurements.hpp"
+#include "incognita/slam/estimator/slam_estimator.hpp"
+#include "incognita/slam/mapper/measurements.hpp"
 #include "incognita/world/points/team_world.hpp"
 #include "incognita/world/room_clock.hpp"
 
@@ -62,11 +62,11 @@ std::vector<SimulatedVehicle> drawn_team(int robots, int landmarks) {
   return team;
 }
 
-TeamSettings filter_of(const std::vector<SimulatedVehicle>& team) {
-  TeamSettings settings;
+EstimatorSettings filter_of(const std::vector<SimulatedVehicle>& team) {
+  EstimatorSettings settings;
   for (const SimulatedVehicle& v : team)
-    settings.members.push_back(
-        {v.motion, v.sensor, v.plant.start, v.plant.start_sigmas, v.plant.input_sigmas, v.sigmas});
+    settings.bodies.push_back(body_with_sensor(v.motion, v.sensor, v.plant.start, v.plant.start_sigmas,
+                                               v.plant.input_sigmas, v.sigmas));
   settings.filter.gate_probability = 0.9999;
   settings.lost.max_sigma_position_m = 1e3;
   return settings;
@@ -100,7 +100,7 @@ class Team {
   }
   void update() { estimator_.update(estimate_, command_, seen_, tick_); }
 
-  const TeamEstimate& estimate() const { return estimate_; }
+  const Estimate& estimate() const { return estimate_; }
   const Belief& belief() const { return std::get<Belief>(estimate_.belief.form()); }
   const Observation& seen() const { return seen_; }
   /// The last measurements, linearized at the current means, grouped by robot.
@@ -120,7 +120,7 @@ class Team {
   double error_m() const {
     double worst = 0;
     for (std::size_t i = 0; i < vehicles_.size(); ++i)
-      worst = std::max(worst, (Eigen::Vector2d(estimate_.belief.mean(estimate_.vehicles[i].block).head<2>()) -
+      worst = std::max(worst, (Eigen::Vector2d(estimate_.belief.mean(estimate_.bodies[i].block).head<2>()) -
                                Eigen::Vector2d(truth_->vehicles[i].head<2>()))
                                   .norm());
     return worst;
@@ -132,8 +132,8 @@ class Team {
   TeamWorld world_;
   std::optional<TeamSensor> sensor_;
   FixedRateClock clock_;
-  TeamEstimator estimator_;
-  TeamEstimate estimate_;
+  SlamEstimator estimator_;
+  Estimate estimate_;
   Command command_;
   Tick tick_;
   std::optional<Truth> truth_;

@@ -12,8 +12,8 @@
 #include "incognita/math/angles.hpp"
 #include "incognita/messages/errors.hpp"
 #include "incognita/models/range_bearing.hpp"
-#include "incognita/slam/points/single_vehicle.hpp"
-#include "incognita/slam/points/team_estimator.hpp"
+#include "incognita/slam/estimator/single_vehicle.hpp"
+#include "incognita/slam/estimator/slam_estimator.hpp"
 #include "incognita/world/replay/range_replay.hpp"
 
 namespace incognita::car_park {
@@ -41,14 +41,14 @@ void identify(Data& data) {
   const auto recordings = std::make_shared<const std::vector<RangeRecording>>(1, data.recording);
   RangeClock clock(recordings, duration_s);
   RangeSensor sensor(recordings, {settings.sensor.max_range_m, Fixes::first});
-  const TeamEstimator estimator(single_vehicle(settings));
-  TeamEstimate estimate;
+  SlamEstimator estimator(single_vehicle(settings));
+  Estimate estimate;
   while (const Tick tick = clock.next()) {
     estimator.update(estimate, {}, sensor.measure({}, tick), tick);
     if (!estimate.started) continue;
     for (Detection& d : data.recording.scans[static_cast<std::size_t>(tick.frame)].detections) {
-      const Eigen::Vector2d at = RangeBearing::j<double>(
-          planar::Pose<double>(estimate.vehicles.front().state), {d.range_m, d.bearing_rad});
+      const Eigen::Vector2d at = RangeBearing::j<double>(planar::Pose<double>(estimate.bodies.front().state),
+                                                         {d.range_m, d.bearing_rad});
       double nearest_m = 1;
       for (std::size_t b = 0; b < data.recording.landmarks.size(); ++b) {
         const double distance = (data.recording.landmarks[b].position - at).norm();
@@ -73,9 +73,9 @@ class Driver {
     RangeClock clock(recordings, duration_s);
     RangeSensor sensor(
         recordings, {settings_.sensor.max_range_m, settings_.filter.use_fixes ? Fixes::all : Fixes::first});
-    const TeamEstimator estimator(
+    SlamEstimator estimator(
         single_vehicle(settings_, std::vector<std::int64_t>(anchors_.begin(), anchors_.end())));
-    TeamEstimate estimate;
+    Estimate estimate;
     while (const Tick tick = clock.next()) {
       estimator.update(estimate, {}, sensor.measure({}, tick), tick);
       if (estimate.started) gather(estimate, tick);
@@ -89,8 +89,8 @@ class Driver {
     return std::find(anchors_.begin(), anchors_.end(), beacon) != anchors_.end();
   }
 
-  void gather(const TeamEstimate& e, const Tick& tick) {
-    const TeamVehicle& vehicle = e.vehicles.front();
+  void gather(const Estimate& e, const Tick& tick) {
+    const Body& vehicle = e.bodies.front();
     const auto truth = true_position(data_.recording, tick.t);
     drive_.t.push_back(tick.t);
     drive_.path.push_back(vehicle.state.head<2>());
@@ -100,7 +100,8 @@ class Driver {
     drive_.lost_scans += e.status.state == TrackingState::lost;
     gather_measurements(e, data_.recording.scans[static_cast<std::size_t>(tick.frame)].detections);
     for (const auto& [id, landmark] : e.landmarks) {
-      const TeamPosition at = *position_of(landmark, e);
+      if (landmark.fixed) continue;
+      const LandmarkPosition at = *position_of(landmark, e);
       Track& track = tracks_[id];
       track.t.push_back(tick.t);
       track.sigma_m.push_back(worst_sigma(at.covariance));
@@ -112,23 +113,24 @@ class Driver {
     }
   }
 
-  void gather_measurements(const TeamEstimate& e, const std::vector<Detection>& detections) {
-    for (std::size_t d = 0; d < e.matches.size(); ++d) {
-      const Match& match = e.matches[d];
+  void gather_measurements(const Estimate& e, const std::vector<Detection>& detections) {
+    for (std::size_t d = 0; d < e.last.matches.size(); ++d) {
+      const Match& match = e.last.matches[d];
       const int beacon = static_cast<int>(detections[d].identity);
       ++drive_.detections;
       if (beacon >= 0) ++seen_[beacon];
-      if (match.outcome == MatchOutcome::initialized) initialized_from_[match.identity] = beacon;
+      if (match.outcome == MatchOutcome::initialized) initialized_from_[match.id] = beacon;
       if (match.outcome != MatchOutcome::matched) continue;
       ++drive_.matched;
       if (beacon < 0) continue;
-      if (match.anchor ? !is_anchor(beacon) : initialized_from_[match.identity] != beacon) ++drive_.wrong;
+      if (match.anchor ? !is_anchor(beacon) : initialized_from_[match.id] != beacon) ++drive_.wrong;
     }
   }
 
-  void compare(const TeamEstimate& e) {
+  void compare(const Estimate& e) {
     for (const auto& [id, landmark] : e.landmarks) {
-      const TeamPosition at = *position_of(landmark, e);
+      if (landmark.fixed) continue;
+      const LandmarkPosition at = *position_of(landmark, e);
       drive_.landmarks.push_back(at.position);
       drive_.covariances.push_back(at.covariance);
       drive_.tracks.push_back(tracks_[id]);

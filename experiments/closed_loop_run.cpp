@@ -9,7 +9,7 @@
 
 #include "incognita/control/team_controller.hpp"
 #include "incognita/math/random.hpp"
-#include "incognita/slam/points/team_estimator.hpp"
+#include "incognita/slam/estimator/slam_estimator.hpp"
 #include "incognita/world/room_clock.hpp"
 
 namespace incognita::closed_loop {
@@ -49,13 +49,14 @@ bool clear_of(const std::vector<Vector2d>& others, const Vector2d& point, double
 /// What is simulated, and what believes to know it.
 struct Scene {
   std::vector<SimulatedVehicle> vehicles;
-  TeamSettings filter;
+  EstimatorSettings filter;
   std::vector<VehicleSteering> steering;
 };
 
-TeamMember member_of(const Setup& s, const Robot& robot) {
-  TeamMember m{body, RangeBearingSensor{}, robot.start, start_sigmas, input_sigmas, measurement_sigmas};
-  m.start_sigmas *= s.noise, m.input_sigmas *= s.noise, m.sigmas *= s.noise;
+BodyModel member_of(const Setup& s, const Robot& robot) {
+  BodyModel m = body_with_sensor(body, RangeBearingSensor{}, robot.start, start_sigmas, input_sigmas,
+                                 measurement_sigmas);
+  m.start_sigmas *= s.noise, m.input_sigmas *= s.noise, m.sensors[0].sigmas *= s.noise;
   return m;
 }
 
@@ -63,13 +64,15 @@ Scene scene_of(const Setup& s) {
   Scene scene;
   scene.filter.filter.linearization = s.linearization;
   for (const Robot& robot : s.robots) {
-    const TeamMember m = member_of(s, robot);
+    const BodyModel m = member_of(s, robot);
     const SmallVector most = robot.steering.most_input;
-    SimulatedVehicle vehicle{
-        m.motion, {m.start, m.start_sigmas, m.input_sigmas, -most, most}, m.sensor, m.sigmas};
+    SimulatedVehicle vehicle{m.motion,
+                             {m.start, m.start_sigmas, m.input_sigmas, -most, most},
+                             m.sensors[0].sensor,
+                             m.sensors[0].sigmas};
     vehicle.reach.field_of_view_rad = std::numbers::pi;
     scene.vehicles.push_back(vehicle);
-    scene.filter.members.push_back(m);
+    scene.filter.bodies.push_back(m);
     scene.steering.push_back({m.motion, robot.steering});
   }
   for (const auto& [identity, point] : s.place)
@@ -87,11 +90,11 @@ Observation odometry_alone(const Truth& truth) {
   return observation;
 }
 
-Instant instant_of(const Tick& tick, const Truth& truth, const TeamEstimate& e, const Command& command,
+Instant instant_of(const Tick& tick, const Truth& truth, const Estimate& e, const Command& command,
                    std::size_t landmarks) {
   Instant now{tick.t, {}, std::vector<double>(landmarks, unknown)};
-  for (std::size_t i = 0; i < e.vehicles.size(); ++i) {
-    const BlockId block = e.vehicles[i].block;
+  for (std::size_t i = 0; i < e.bodies.size(); ++i) {
+    const BlockId block = e.bodies[i].block;
     now.robots.push_back(
         {truth.vehicles[i], e.belief.mean(block), e.belief.covariance(block), command.inputs.at(i)});
   }
@@ -100,10 +103,10 @@ Instant instant_of(const Tick& tick, const Truth& truth, const TeamEstimate& e, 
   return now;
 }
 
-double joint_nees(const Instant& now, const TeamEstimate& e, const PointLandmarks& place) {
+double joint_nees(const Instant& now, const Estimate& e, const PointLandmarks& place) {
   Eigen::VectorXd error(e.belief.errors());
-  for (std::size_t i = 0; i < e.vehicles.size(); ++i)
-    error.segment<3>(e.belief.offset(e.vehicles[i].block)) = now.robots[i].error();
+  for (std::size_t i = 0; i < e.bodies.size(); ++i)
+    error.segment<3>(e.belief.offset(e.bodies[i].block)) = now.robots[i].error();
   for (const auto& [identity, landmark] : e.landmarks)
     error.segment<2>(e.belief.offset(landmark.block)) =
         place.at(identity) - SmallVector(e.belief.mean(landmark.block));
@@ -145,10 +148,10 @@ Run drive(const Setup& setup, std::uint64_t seed) {
   Scene scene = scene_of(setup);
   TeamWorld world(scene.vehicles, seed);
   TeamSensor sensor(scene.vehicles, setup.place, false, seed);
-  const TeamEstimator estimator(scene.filter);
+  SlamEstimator estimator(scene.filter);
   TeamController controller(std::move(scene.steering), period_s);
   FixedRateClock clock(1 / period_s, setup.duration_s);
-  TeamEstimate estimate;
+  Estimate estimate;
   Command command;
   Run run;
   while (const Tick tick = clock.next()) {
@@ -160,9 +163,10 @@ Run drive(const Setup& setup, std::uint64_t seed) {
     if (tick.frame % ticks_per_joint_nees == 0)
       run.joint_nees.push_back(joint_nees(run.instants.back(), estimate, setup.place));
   }
-  for (const auto& [identity, landmark] : estimate.landmarks)
-    run.map.push_back({setup.place.at(identity), estimate.belief.mean(landmark.block),
-                       estimate.belief.covariance(landmark.block)});
+  for (const auto& [id, landmark] : estimate.landmarks)
+    if (!landmark.fixed)
+      run.map.push_back({setup.place.at(id), estimate.belief.mean(landmark.block),
+                         estimate.belief.covariance(landmark.block)});
   return run;
 }
 

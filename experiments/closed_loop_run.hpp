@@ -16,7 +16,7 @@
 #include "incognita/control/steering.hpp"
 #include "incognita/math/angles.hpp"
 #include "incognita/models/planar_vehicle.hpp"
-#include "incognita/slam/points/team_estimate.hpp"
+#include "incognita/slam/mapper/estimate.hpp"
 #include "incognita/world/points/team_world.hpp"
 
 namespace incognita::closed_loop {

@@ -10,7 +10,7 @@
 #include "incognita/math/random.hpp"
 #include "incognita/models/heading.hpp"
 #include "incognita/models/wide_angle_camera.hpp"
-#include "incognita/slam/points/team_estimator.hpp"
+#include "incognita/slam/estimator/slam_estimator.hpp"
 #include "incognita/world/points/team_world.hpp"
 #include "incognita/world/room_clock.hpp"
 
@@ -94,13 +94,14 @@ SimulatedVehicle body_of(const Setup& s) {
           SmallVector::Constant(2, s.noise_times * s.sigma_pixel_px)};
 }
 
-TeamSettings filter_of(const Setup& s, const PointLandmarks& place) {
-  TeamMember member{FreeCameraMotion{}, CameraSensor{lens()}, start_of(s), start_sigmas(s), {}, {}};
+EstimatorSettings filter_of(const Setup& s, const PointLandmarks& place) {
+  BodyModel member =
+      body_with_sensor(FreeCameraMotion{}, CameraSensor{lens()}, start_of(s), start_sigmas(s), {}, {});
   member.input_sigmas = s.told ? disturbances(s) : six(s.sigma_untold, s.sigma_untold);
-  member.sigmas = SmallVector::Constant(2, s.sigma_pixel_px);
-  TeamSettings settings;
-  settings.members = {member};
-  TeamFilterSettings& filter = settings.filter;
+  member.sensors[0].sigmas = SmallVector::Constant(2, s.sigma_pixel_px);
+  EstimatorSettings settings;
+  settings.bodies = {member};
+  MapperSettings& filter = settings.filter;
   filter.inverse_depth_per_m = filter.sigma_inverse_depth_per_m = s.inverse_depth_per_m;
   filter.gate_probability = s.gate_probability;
   for (int i = 0; i < s.anchors; ++i) settings.anchors[i] = place.at(i);
@@ -108,8 +109,8 @@ TeamSettings filter_of(const Setup& s, const PointLandmarks& place) {
 }
 
 /// What is believed of the camera beside what is so.
-void compare(const TeamEstimate& e, Instant& at) {
-  const BlockId camera = e.vehicles.front().block;
+void compare(const Estimate& e, Instant& at) {
+  const BlockId camera = e.bodies.front().block;
   at.mean = e.belief.mean(camera);
   Eigen::Matrix<double, 12, 1> error;
   FreeCameraMotion::chart.minus({at.truth.data(), 13}, {at.mean.data(), 13}, {error.data(), 12});
@@ -117,13 +118,14 @@ void compare(const TeamEstimate& e, Instant& at) {
   at.error = error.head<6>();
   at.sigma = P.diagonal().cwiseSqrt();
   at.pose_nees = at.error.dot(P.ldlt().solve(at.error)) / 6;
-  at.nis = e.update.rows > 0 ? e.update.nis / e.update.rows : 0;
+  at.nis = e.last.update.rows > 0 ? e.last.update.nis / e.last.update.rows : 0;
   at.lost = e.status.state == TrackingState::lost;
 }
 
-std::vector<MappedPoint> map_of(const TeamEstimate& e, const PointLandmarks& place) {
+std::vector<MappedPoint> map_of(const Estimate& e, const PointLandmarks& place) {
   std::vector<MappedPoint> map;
   for (const auto& [identity, landmark] : e.landmarks) {
+    if (landmark.fixed) continue;
     const auto point = position_of(landmark.form, e.belief.mean(landmark.block));
     if (!point) continue;
     const Eigen::MatrixXd P = point->J * e.belief.covariance(landmark.block) * point->J.transpose();
@@ -172,10 +174,10 @@ Course run(const Setup& s, std::uint64_t seed) {
   const PointLandmarks place = room_of(s.points, seed);
   TeamWorld world({body_of(s)}, seed);
   TeamSensor sensor({body_of(s)}, place, false, seed);
-  const TeamEstimator estimator(filter_of(s, place));
+  SlamEstimator estimator(filter_of(s, place));
   const auto law = law_of(s);
   FixedRateClock clock(s.rate_hz, s.duration_s);
-  TeamEstimate estimate;
+  Estimate estimate;
   Command command;
   Course course;
   while (const Tick tick = clock.next()) {

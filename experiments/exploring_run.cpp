@@ -81,7 +81,7 @@ class Gathered {
 template <class SomeAssembly>
 Run gather(SomeAssembly assembly) {
   Gathered gathered;
-  run_loop(assembly.boxes, std::function<void(const Snapshot&)>([&](const Snapshot& s) { gathered.add(s); }),
+  run_loop(assembly.parts, std::function<void(const Snapshot&)>([&](const Snapshot& s) { gathered.add(s); }),
            std::function<bool(const Tick&)>([](const Tick&) { return true; }));
   return gathered.finish();
 }

@@ -18,6 +18,7 @@
 #include "incognita/app/loop/assemble.hpp"
 #include "incognita/io/scenario/camera.hpp"
 #include "incognita/messages/errors.hpp"
+#include "incognita/slam/estimator/slam_estimator.hpp"
 #include "incognita/world/rendered/room_layout.hpp"
 
 using namespace incognita;
@@ -51,7 +52,7 @@ std::map<std::int64_t, Errors> errors_of_a_run(const std::string& seed,
   Assembly assembly = assemble(loaded);
   const Camera camera = make_camera(loaded.scenario.camera);
   const RoomLayout room = room_layout(loaded.scenario.room, std::stoull(seed));
-  auto& [clock, world, sensor, estimator, decision, controller] = assembly.boxes;
+  auto& [clock, world, sensor, estimator, decision, controller] = assembly.parts;
   Estimate estimate;
   Command command;
   std::map<std::int64_t, Eigen::Vector3d> places;
@@ -59,22 +60,25 @@ std::map<std::int64_t, Errors> errors_of_a_run(const std::string& seed,
   while (const Tick tick = clock->next()) {
     const auto truth = world->move(command, tick);
     const Observation observation = sensor->measure(truth, tick);
-    estimator.update(estimate, command, observation, tick);
+    estimator->update(estimate, command, observation, tick);
     const Eigen::Vector3d position = free_camera::position(truth->camera);
     const Eigen::Matrix3d R = rotation_matrix<double>(free_camera::orientation(truth->camera));
-    for (const FeatureMatch& match : estimate.matches) {
+    for (const Match& match : estimate.last.matches) {
       const auto place = places.find(match.id);
       if (match.outcome != MatchOutcome::matched || place == places.end()) continue;
       const auto at = camera.project(R.transpose() * (place->second - position));
-      if (at) errors[match.id][tick.frame] = *match.measured - at->pixel;
+      if (at) errors[match.id][tick.frame] = match.measured - at->pixel;
     }
-    for (const Landmark& initialized : estimate.catalog) {
-      if (places.count(initialized.id)) continue;
-      const auto ray = camera.unproject(initialized.view.pixel);
-      const bool known = initialized.kind == Landmark::Kind::anchor;
-      if (ray) places[initialized.id] = known ? initialized.anchor : first_surface(room, position, R * *ray);
+    const auto& tracker = dynamic_cast<const SlamEstimator&>(*estimator).cameras().front();
+    for (const auto& [id, feature] : tracker.camera().features) {
+      if (places.count(id)) continue;
+      const Landmark& initialized = estimate.landmarks.at(id);
+      const auto ray = camera.unproject(feature.view.pixel);
+      if (ray)
+        places[id] = initialized.fixed ? Eigen::Vector3d(initialized.position)
+                                       : first_surface(room, position, R * *ray);
     }
-    command = controller.act(estimate, decision.choose(estimate, tick), observation, tick);
+    command = controller->act(estimate, decision->choose(estimate, observation, tick), observation, tick);
   }
   return errors;
 }

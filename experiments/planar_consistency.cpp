@@ -6,8 +6,8 @@
 #include "incognita/math/angles.hpp"
 #include "incognita/math/random.hpp"
 #include "incognita/models/range_bearing.hpp"
-#include "incognita/slam/points/single_vehicle.hpp"
-#include "incognita/slam/points/team_estimator.hpp"
+#include "incognita/slam/estimator/single_vehicle.hpp"
+#include "incognita/slam/estimator/slam_estimator.hpp"
 #include "incognita/world/replay/range_replay.hpp"
 
 namespace incognita {
@@ -55,11 +55,11 @@ StandingVehicle standing_vehicle(std::uint64_t seed, const std::string& lineariz
   s.association.method = "known";
   s.association.gate_probability = 1 - 1e-12;
   s.start.sigma_heading_rad = radians(standing_sigma_heading_deg);
-  const TeamEstimator estimator(single_vehicle(s));
+  SlamEstimator estimator(single_vehicle(s));
   RandomStream random(seed, "standing vehicle");
   const planar::Pose<double> truth(0, 0, s.start.sigma_heading_rad * random.normal());
   const Eigen::Vector2d landmark(10, 0);
-  TeamEstimate estimate;
+  Estimate estimate;
   for (int k = 0; k < standing_looks; ++k) {
     Eigen::Vector2d z = RangeBearing::h<double>(truth, landmark);
     z[0] += s.sensor.sigma_range_m * random.normal();
@@ -69,7 +69,7 @@ StandingVehicle standing_vehicle(std::uint64_t seed, const std::string& lineariz
     observation.bodies[0].landmarks = {{0, z}};
     estimator.update(estimate, {}, observation, {k, static_cast<double>(k), k > 0 ? 1.0 : 0.0});
   }
-  const TeamVehicle& at = estimate.vehicles.front();
+  const Body& at = estimate.bodies.front();
   return {degrees(std::sqrt(at.state_covariance(2, 2))),
           std::pow(wrap_angle(truth[2] - at.state[2]), 2) / at.state_covariance(2, 2)};
 }
@@ -80,19 +80,19 @@ PlanarConsistency planar_consistency(const PlanarLoopSettings& drive, std::uint6
       std::make_shared<const std::vector<RangeRecording>>(1, drive_planar_loop(drive, seed));
   RangeClock clock(recordings, drive.duration_s);
   RangeSensor sensor(recordings, {drive.max_range_m * 2, filter.use_fixes ? Fixes::all : Fixes::none});
-  const TeamEstimator estimator(single_vehicle(settings_for(drive, filter)));
-  TeamEstimate estimate;
+  SlamEstimator estimator(single_vehicle(settings_for(drive, filter)));
+  Estimate estimate;
   PlanarConsistency sum;
   double scans = 0, updates = 0;
   while (const Tick tick = clock.next()) {
     estimator.update(estimate, {}, sensor.measure({}, tick), tick);
-    if (estimate.update.rows > 0) {
-      sum.nis += estimate.update.nis / estimate.update.rows;
+    if (estimate.last.update.rows > 0) {
+      sum.nis += estimate.last.update.nis / estimate.last.update.rows;
       ++updates;
     }
     if (tick.frame == 0) continue;  // the start is known exactly
     const auto truth = true_position(recordings->front(), tick.t);
-    const TeamVehicle& at = estimate.vehicles.front();
+    const Body& at = estimate.bodies.front();
     Eigen::Vector3d error;
     error << truth->position - at.state.head<2>(), wrap_angle(*truth->heading_rad - at.state[2]);
     sum.nees += error.dot(Eigen::Matrix3d(at.state_covariance).llt().solve(error)) / 3;

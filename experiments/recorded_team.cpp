@@ -10,7 +10,7 @@
 #include "incognita/io/formats/data_folder.hpp"
 #include "incognita/io/recordings/range_formats.hpp"
 #include "incognita/math/angles.hpp"
-#include "incognita/slam/points/team_estimator.hpp"
+#include "incognita/slam/estimator/slam_estimator.hpp"
 #include "incognita/world/replay/range_replay.hpp"
 
 namespace incognita::recorded_team {
@@ -26,23 +26,23 @@ double processor_seconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-TeamMember member_of(const RangeRecording& robot, double start_t, const Setup& setup) {
-  TeamMember member{DifferentialDrive{}, RangeBearingSensor{}, {}, {}, {}, {}};
+BodyModel member_of(const RangeRecording& robot, double start_t, const Setup& setup) {
+  BodyModel member = body_with_sensor(DifferentialDrive{}, RangeBearingSensor{}, {}, {}, {}, {});
   auto place = true_position(robot, start_t);
   for (double t = start_t; !place; t += 0.1) place = true_position(robot, t);
   member.start = Vector3d(place->position.x(), place->position.y(), *place->heading_rad);
   member.start_sigmas = Vector3d::Constant(0.01);
   member.input_sigmas = setup.input_sigmas_times * Vector2d(0.1, 0.5);
-  member.sigmas = setup.sensor_sigmas_times * Vector2d(0.1, 0.02);
-  member.sigma_range_ratio = setup.sensor_sigmas_times * 0.03;
+  member.sensors[0].sigmas = setup.sensor_sigmas_times * Vector2d(0.1, 0.02);
+  member.sensors[0].sigma_range_ratio = setup.sensor_sigmas_times * 0.03;
   return member;
 }
 
-TeamSettings settings_of(const Robots& robots, double start_t, const Setup& setup) {
-  TeamSettings settings;
+EstimatorSettings settings_of(const Robots& robots, double start_t, const Setup& setup) {
+  EstimatorSettings settings;
   settings.filter.linearization = setup.linearization;
   settings.filter.gate_probability = 0.999;
-  for (const RangeRecording& robot : robots) settings.members.push_back(member_of(robot, start_t, setup));
+  for (const RangeRecording& robot : robots) settings.bodies.push_back(member_of(robot, start_t, setup));
   return settings;
 }
 
@@ -59,8 +59,8 @@ class Driver {
     RangeSensor sensor(recordings_, {.measures_vehicles = setup_.see_each_other});
     Tick tick = clock.next();
     const double start_t = tick.t;
-    const TeamEstimator estimator(settings_of(robots_, start_t, setup_));
-    TeamEstimate estimate;
+    SlamEstimator estimator(settings_of(robots_, start_t, setup_));
+    Estimate estimate;
     double matched_t = start_t;
     for (; tick; tick = clock.next()) {
       const Observation observation = sensor.measure({}, tick);
@@ -69,7 +69,7 @@ class Driver {
       drive_.took_s += processor_seconds() - before;
       drive_.recorded_s = tick.t - start_t;
       drive_.longest_blind_s = std::max(drive_.longest_blind_s, tick.t - matched_t);
-      if (estimate.matched > 0) matched_t = tick.t;
+      if (estimate.last.matched > 0) matched_t = tick.t;
       count(estimate);
       for (std::size_t i = 0; i < robots_.size(); ++i) compare(estimate, i, tick.t, start_t);
     }
@@ -78,20 +78,20 @@ class Driver {
   }
 
  private:
-  void count(const TeamEstimate& e) {
-    squares_ += e.update.nis, rows_ += e.update.rows;
+  void count(const Estimate& e) {
+    squares_ += e.last.update.nis, rows_ += e.last.update.rows;
     drive_.lost = drive_.lost || e.status.state == TrackingState::lost;
-    for (const Match& match : e.matches) {
+    for (const Match& match : e.last.matches) {
       drive_.measurements += match.outcome == MatchOutcome::matched || match.outcome == MatchOutcome::outlier;
       drive_.left_out += match.outcome == MatchOutcome::outlier;
     }
   }
 
-  void compare(const TeamEstimate& e, std::size_t i, double t, double start_t) {
+  void compare(const Estimate& e, std::size_t i, double t, double start_t) {
     const auto place = true_position(robots_[i], t);
     if (!place) return;
-    const Vector3d mean = e.belief.mean(e.vehicles[i].block);
-    const Eigen::Matrix3d P = e.belief.covariance(e.vehicles[i].block);
+    const Vector3d mean = e.belief.mean(e.bodies[i].block);
+    const Eigen::Matrix3d P = e.belief.covariance(e.bodies[i].block);
     Vector3d error;
     error << place->position - mean.head<2>(), wrap_angle(*place->heading_rad - mean[2]);
     RobotCourse& course = drive_.robots[i];
@@ -105,7 +105,7 @@ class Driver {
     course.nees += error.dot(P.ldlt().solve(error)) / 3;
   }
 
-  void finish(const TeamEstimate& e) {
+  void finish(const Estimate& e) {
     drive_.nis = squares_ / std::max(1, rows_);
     fit_landmarks(e);
     for (RobotCourse& course : drive_.robots) {
@@ -120,7 +120,7 @@ class Driver {
     }
   }
 
-  void fit_landmarks(const TeamEstimate& e) {
+  void fit_landmarks(const Estimate& e) {
     std::vector<Vector2d> estimated, surveyed;
     for (const RangeRecording::Landmark& landmark : robots_.front().landmarks) {
       const auto found = e.landmarks.find(landmark.identity);

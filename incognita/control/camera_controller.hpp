@@ -3,23 +3,20 @@
 
 #include <optional>
 
+#include "incognita/control/controller.hpp"
 #include "incognita/control/settings.hpp"
-#include "incognita/messages/command.hpp"
-#include "incognita/messages/goal.hpp"
-#include "incognita/messages/observation.hpp"
-#include "incognita/messages/tick.hpp"
-#include "incognita/slam/features/estimate.hpp"
 
 namespace incognita {
 
-class CameraController {
+class CameraController final : public Controller {
  public:
   /// `operator_controlled`: an operator holds the camera and is shown the goal.
   explicit CameraController(const ControlSettings& settings, bool operator_controlled = false);
 
   /// Command until the next tick. Empty before the start; when lost, it brakes from the last known motion,
   /// then is empty.
-  Command act(const Estimate& estimate, const Goal& goal, const Observation& observation, const Tick& tick);
+  Command act(const Estimate& estimate, const Goal& goal, const Observation& observation,
+              const Tick& tick) override;
 
  private:
   Heading gaze_of(const Goal& goal, const Tick& tick);

@@ -92,14 +92,14 @@ Command TeamController::shown(const Goal& goal, bool lost) const {
 }
 
 /// Stores the estimate in last_known_; while lost, it keeps the last state, to brake from.
-void TeamController::take_states(const TeamEstimate& estimate) {
+void TeamController::take_states(const Estimate& estimate) {
   if (estimate.status.state == TrackingState::lost) return;
   lost_t_.reset();
   last_known_.clear();
-  for (const TeamVehicle& v : estimate.vehicles) last_known_.emplace_back(v.state);
+  for (const Body& v : estimate.bodies) last_known_.emplace_back(v.state);
 }
 
-Command TeamController::act(const TeamEstimate& estimate, const Goal& goal, const Observation&,
+Command TeamController::act(const Estimate& estimate, const Goal& goal, const Observation&,
                             const Tick& tick) {
   if (!first_t_) first_t_ = tick.t;
   if (!estimate.started) return {};

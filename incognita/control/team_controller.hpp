@@ -5,12 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "incognita/control/controller.hpp"
 #include "incognita/control/steering.hpp"
-#include "incognita/messages/command.hpp"
-#include "incognita/messages/goal.hpp"
-#include "incognita/messages/observation.hpp"
-#include "incognita/messages/tick.hpp"
-#include "incognita/slam/points/team_estimate.hpp"
 
 namespace incognita {
 
@@ -19,7 +15,7 @@ struct VehicleSteering {
   SteeringSettings settings;
 };
 
-class TeamController {
+class TeamController final : public Controller {
  public:
   /// `period_s`: duration of one command. `operator_controlled`: operators hold the vehicles, which must be
   /// free cameras, and are shown the goals. Throws std::invalid_argument as make_steering does.
@@ -27,13 +23,13 @@ class TeamController {
 
   /// Empty before the start; when lost, bodies in space brake from their last known motion. Newly decided
   /// team goals replace the paths.
-  Command act(const TeamEstimate& estimate, const Goal& goal, const Observation& observation,
-              const Tick& tick);
+  Command act(const Estimate& estimate, const Goal& goal, const Observation& observation,
+              const Tick& tick) override;
 
  private:
   void turn_to(const Goal& goal);
   Command brake(const Tick& tick);
-  void take_states(const TeamEstimate& estimate);
+  void take_states(const Estimate& estimate);
   SmallVector fly(const Goal& goal, std::size_t vehicle, const Tick& tick) const;
   Command shown(const Goal& goal, bool lost) const;
 

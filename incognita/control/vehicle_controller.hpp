@@ -5,14 +5,10 @@
 #include <memory>
 #include <optional>
 
+#include "incognita/control/controller.hpp"
 #include "incognita/control/obstacle_avoidance.hpp"
 #include "incognita/control/steering.hpp"
-#include "incognita/messages/command.hpp"
-#include "incognita/messages/goal.hpp"
-#include "incognita/messages/observation.hpp"
-#include "incognita/messages/tick.hpp"
 #include "incognita/models/mount.hpp"
-#include "incognita/slam/features/estimate.hpp"
 
 namespace incognita {
 
@@ -25,14 +21,15 @@ struct VehicleDriving {
   std::optional<ObstacleAvoidanceSettings> obstacle_avoidance = {};
 };
 
-class VehicleController {
+class VehicleController final : public Controller {
  public:
   /// `period_s`: duration of one command. Throws std::invalid_argument as make_steering and
   /// ObstacleAvoidanceSettings do.
   VehicleController(const VehicleDriving& driving, double period_s);
 
   /// Zero speeds before the start and when lost. A goal's `drive` takes precedence over the law.
-  Command act(const Estimate& estimate, const Goal& goal, const Observation& observation, const Tick& tick);
+  Command act(const Estimate& estimate, const Goal& goal, const Observation& observation,
+              const Tick& tick) override;
 
  private:
   Eigen::Vector2d desired_drive(const Estimate& estimate, const Goal& goal, const Tick& tick);

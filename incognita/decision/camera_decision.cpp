@@ -36,7 +36,7 @@ void CameraDecision::explore(const Estimate& estimate, const Tick& tick) {
   goal_.coverage = exploration_.coverage();
 }
 
-Goal CameraDecision::choose(const Estimate& estimate, const Observation& observation, const Tick& tick) {
+Goal CameraDecision::choose(const Estimate& estimate, const Observation&, const Tick& tick) {
   goal_.decided = false;
   if (!estimate.started || estimate.status.state == TrackingState::lost) {
     std::visit([](auto& choice) { choice.forget(); }, choice_);
@@ -49,13 +49,10 @@ Goal CameraDecision::choose(const Estimate& estimate, const Observation& observa
   expectation_.prepare(estimate, exploration_.expected(), exploration_.settings().variance_expected_m2);
   const CameraState camera = estimate.camera_state();
   if (auto* flies = std::get_if<FreeCameraChoice>(&choice_)) {
-    flies->choose(estimate.belief, estimate.camera, camera, expectation_, tick, goal_);
+    flies->choose(estimate.belief, estimate.body().block, camera, expectation_, tick, goal_);
   } else {
-    std::optional<Eigen::Vector2d> wheels;
-    const std::vector<Odometry>& odometry = of_first_body(observation).odometry;
-    if (!odometry.empty()) wheels = odometry.back().input;
-    std::get<VehicleChoice>(choice_).choose(estimate.belief, estimate.camera, camera, wheels, expectation_,
-                                            tick, goal_);
+    std::get<VehicleChoice>(choice_).choose(estimate.belief, estimate.body().block, camera,
+                                            estimate.body().wheels, expectation_, tick, goal_);
   }
   if (goal_.decided && exploration_.settings().expected_landmarks > 0 &&
       (!entropy_due_t_ || has_come(*entropy_due_t_, tick.t))) {

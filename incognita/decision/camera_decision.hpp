@@ -12,16 +12,13 @@
 #include "incognita/decision/exploration.hpp"
 #include "incognita/decision/free_camera_choice.hpp"
 #include "incognita/decision/settings.hpp"
+#include "incognita/decision/strategy.hpp"
 #include "incognita/decision/vehicle_choice.hpp"
-#include "incognita/messages/goal.hpp"
-#include "incognita/messages/observation.hpp"
-#include "incognita/messages/tick.hpp"
-#include "incognita/slam/features/estimate.hpp"
 #include "incognita/slam/features/settings.hpp"
 
 namespace incognita {
 
-class CameraDecision {
+class CameraDecision final : public Strategy {
  public:
   /// `carrier`: the vehicle that carries the camera; empty for a flying camera. Throws std::invalid_argument
   /// for invalid settings.
@@ -32,10 +29,10 @@ class CameraDecision {
   /// Scores the actions as the schedule asks; compares them and sets a new goal once per period. Actions that
   /// would end outside the bounds are scored but not chosen. No action is chosen without a pose (not started,
   /// lost). `observation`: its odometry is the wheel speeds of a carrier; may be empty.
-  Goal choose(const Estimate& estimate, const Observation& observation, const Tick& tick);
+  Goal choose(const Estimate& estimate, const Observation& observation, const Tick& tick) override;
   Goal choose(const Estimate& estimate, const Tick& tick) { return choose(estimate, {}, tick); }
 
-  const std::vector<std::string>& actions() const { return names_; }
+  const std::vector<std::string>& actions() const override { return names_; }
 
  private:
   void explore(const Estimate& estimate, const Tick& tick);

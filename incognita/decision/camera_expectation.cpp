@@ -18,10 +18,10 @@ void CameraExpectation::prepare(const Estimate& estimate, const std::vector<Expe
   estimate_ = &estimate;
   unseen_ = &unseen;
   unseen_var_m2_ = unseen_var_m2;
-  P_camera_ = estimate.belief.covariance(estimate.camera);
+  P_camera_ = estimate.belief.covariance(estimate.body().block);
   near_.clear();
-  for (const Landmark& landmark : estimate.catalog)
-    if (landmark.kind != Landmark::Kind::line)
+  for (const auto& [id, landmark] : estimate.landmarks)
+    if (landmark.camera >= 0 && (landmark.fixed || landmark.mapped()))
       near_.push_back({&landmark, nominal_position(landmark, estimate.belief)});
   certainty_.assign(near_.size(), {});
 }
@@ -37,7 +37,7 @@ const CameraExpectation::Certainty& CameraExpectation::certainty_of(std::size_t 
   Certainty& certainty = certainty_[near];
   if (certainty.known) return certainty;
   const BlockId block = near_[near].landmark->block;
-  certainty.with_camera = estimate_->belief.covariance(estimate_->camera, block);
+  certainty.with_camera = estimate_->belief.covariance(estimate_->body().block, block);
   certainty.own = estimate_->belief.covariance(block);
   certainty.known = true;
   return certainty;
@@ -47,7 +47,7 @@ const CameraExpectation::Certainty& CameraExpectation::certainty_of(std::size_t 
 double CameraExpectation::innovation_trace(const VisibleLandmark& visible) const {
   const auto& [Hv, Hl] = std::tie(visible.measurement.Hv, visible.measurement.Hl);
   const double trace = (Hv * P_camera_).cwiseProduct(Hv).sum();
-  if (visible.measurement.kind == Landmark::Kind::anchor) return trace;
+  if (visible.measurement.anchor) return trace;
   const Certainty& certainty = certainty_of(visible.near);
   return trace + (Hl * certainty.own).cwiseProduct(Hl).sum() +
          2 * (Hv * certainty.with_camera).cwiseProduct(Hl).sum();
@@ -79,10 +79,9 @@ void CameraExpectation::expect(const BlockVector& state,
     if (!traces_.empty() && traces_[i] < least) continue;
     if (measurements.size() == most) break;
     const Landmark& landmark = *near_[visible_[i].near].landmark;
-    const bool known = landmark.kind == Landmark::Kind::anchor;
-    measurements.push_back({known ? PredictedMeasurement::Of::anchor : PredictedMeasurement::Of::mapped,
-                            landmark.block, 0, 0, visible_[i].measurement.Hv, visible_[i].measurement.Hl,
-                            R_});
+    measurements.push_back(
+        {landmark.fixed ? PredictedMeasurement::Of::anchor : PredictedMeasurement::Of::mapped, landmark.block,
+         0, 0, visible_[i].measurement.Hv, visible_[i].measurement.Hl, R_});
   }
   auto counted = static_cast<std::ptrdiff_t>(unseen_->size());
   if (as_mapped_) counted = slam_.map.wanted_visible - static_cast<std::ptrdiff_t>(visible_.size());

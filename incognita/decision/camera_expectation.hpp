@@ -5,8 +5,7 @@
 
 #include "incognita/decision/expectation.hpp"
 #include "incognita/models/camera.hpp"
-#include "incognita/slam/features/estimate.hpp"
-#include "incognita/slam/features/settings.hpp"
+#include "incognita/slam/features/feature.hpp"
 
 namespace incognita {
 

@@ -44,36 +44,16 @@ double entropy_of(const Eigen::MatrixXd& P, const std::vector<LinearTransform>& 
 }
 
 std::optional<double> extended_entropy(const Estimate& estimate, const ExplorationSettings& exploration) {
-  const Belief& belief = estimate.belief;
-  const int camera = belief.chart(estimate.camera).tangent();
-  std::vector<LinearTransform> transforms{
-      {belief.offset(estimate.camera), BlockMatrix::Identity(camera, camera)}};
-  for (const Landmark& landmark : estimate.catalog) {
-    if (!landmark.mapped()) continue;
-    LinearTransform& part = transforms.emplace_back();
-    part.first = belief.offset(landmark.block);
-    if (landmark.kind == Landmark::Kind::point) {
-      part.J = BlockMatrix::Identity(3, 3);
-      continue;
-    }
-    InverseDepthLandmark::State y = belief.mean(landmark.block);
-    y[5] = std::max(y[5], least_inverse_depth_per_m);
-    part.J = landmark.initial_axes.point(y).J;
-  }
-  const auto mapped = static_cast<int>(transforms.size()) - 1;
-  return with_unmapped(entropy_of(belief.dense_covariance(), transforms), mapped, exploration, 3);
-}
-
-std::optional<double> extended_entropy(const TeamEstimate& estimate, const ExplorationSettings& exploration) {
   const AnyBelief& belief = estimate.belief;
   std::vector<LinearTransform> transforms;
   int dimensions = 3;  // landmark dimension, equal for all landmarks
-  for (const TeamVehicle& vehicle : estimate.vehicles) {
-    const int errors = belief.chart(vehicle.block).tangent();
-    transforms.push_back({belief.offset(vehicle.block), BlockMatrix::Identity(errors, errors)});
+  for (const Body& body : estimate.bodies) {
+    const int errors = belief.chart(body.block).tangent();
+    transforms.push_back({belief.offset(body.block), BlockMatrix::Identity(errors, errors)});
   }
   int mapped = 0;
-  for (const auto& [identity, landmark] : estimate.landmarks) {
+  for (const auto& [id, landmark] : estimate.landmarks) {
+    if (!landmark.mapped()) continue;
     SmallVector mean = belief.mean(landmark.block);
     if (landmark.form.kind == LandmarkParametrization::Kind::inverse_depth) {
       double& inverse_depth = mean[mean.size() - 1];

@@ -6,8 +6,7 @@
 #include <vector>
 
 #include "incognita/decision/settings.hpp"
-#include "incognita/slam/features/estimate.hpp"
-#include "incognita/slam/points/team_estimate.hpp"
+#include "incognita/slam/mapper/estimate.hpp"
 
 namespace incognita {
 
@@ -21,10 +20,8 @@ struct LinearTransform {
 /// definite. Cost is cubic in their dimension.
 double entropy_of(const Eigen::MatrixXd& P, const std::vector<LinearTransform>& transforms);
 
-/// Entropy in nats of camera, map (as points) and unmapped landmarks. Empty if more landmarks are mapped than
+/// Entropy in nats of bodies, map (as points) and unmapped landmarks, in the dimension of the map. Empty if more landmarks are mapped than
 /// were expected, since the dimension would differ.
 std::optional<double> extended_entropy(const Estimate& estimate, const ExplorationSettings& exploration);
-/// The same for all vehicles of a team; landmarks have the dimension of the map.
-std::optional<double> extended_entropy(const TeamEstimate& estimate, const ExplorationSettings& exploration);
 
 }  // namespace incognita

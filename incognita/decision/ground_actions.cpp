@@ -18,7 +18,7 @@ std::vector<Translation> possible(const AnyMotion& motion, std::vector<Translati
 
 }  // namespace
 
-GroundActions::GroundActions(const TeamMember& member, const std::vector<Translation>& actions,
+GroundActions::GroundActions(const BodyModel& member, const std::vector<Translation>& actions,
                              double period_s, double tick_s, const WorldBounds& bounds)
     : member_(member),
       actions_(possible(member.motion, actions)),

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "incognita/decision/action_sets.hpp"
-#include "incognita/slam/points/team_settings.hpp"
+#include "incognita/slam/mapper/settings.hpp"
 
 namespace incognita {
 
@@ -12,7 +12,7 @@ class GroundActions final : public ActionSet {
  public:
   /// `tick_s`: duration of one input; the error growth over the period is computed in steps of it, at rest.
   /// Throws std::invalid_argument if no action has zero displacement.
-  GroundActions(const TeamMember& member, const std::vector<Translation>& actions, double period_s,
+  GroundActions(const BodyModel& member, const std::vector<Translation>& actions, double period_s,
                 double tick_s, const WorldBounds& bounds);
   int count() const override { return static_cast<int>(actions_.size()); }
   int stay() const override { return stay_; }
@@ -22,7 +22,7 @@ class GroundActions final : public ActionSet {
   const std::vector<Translation>& actions() const { return actions_; }
 
  private:
-  TeamMember member_;
+  BodyModel member_;
   std::vector<Translation> actions_;
   double step_s_;
   int steps_;

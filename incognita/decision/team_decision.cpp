@@ -10,17 +10,16 @@
 
 namespace incognita {
 
-TeamDecision::TeamDecision(TeamSettings team, const TeamDecisionSettings& settings)
+TeamDecision::TeamDecision(EstimatorSettings team, const TeamDecisionSettings& settings)
     : team_(std::move(team)),
       settings_(settings),
       exploration_(settings.exploration, settings.seed),
       expectation_(team_, settings.max_measurements) {
-  if (!settings_.decides) return;
   if (team_.filter.map_frame == "vehicle")
     throw std::invalid_argument(
         "vehicle_filter.map_frame = vehicle: information gain is predicted in the world frame; take `world`");
   const DecisionSettings& d = settings_.decision;
-  for (const TeamMember& member : team_.members) {
+  for (const BodyModel& member : team_.bodies) {
     if (settings_.carrier) {
       carried_.emplace_back(d, *settings_.carrier, member.input_sigmas[0], member.input_sigmas[3],
                             settings_.seed, carried_.size());
@@ -45,30 +44,30 @@ TeamDecision::TeamDecision(TeamSettings team, const TeamDecisionSettings& settin
                                 : on_ground_.front().names();
 }
 
-void TeamDecision::explore(const TeamEstimate& e, const Tick& tick) {
+void TeamDecision::explore(const Estimate& e, const Tick& tick) {
   if (exploration_.settings().expected_landmarks == 0) return;
-  const double share = tick.dt / static_cast<double>(e.vehicles.size());
-  for (std::size_t i = 0; i < e.vehicles.size(); ++i) {
-    const SmallVector state = e.belief.mean(e.vehicles[i].block);
+  const double share = tick.dt / static_cast<double>(e.bodies.size());
+  for (std::size_t i = 0; i < e.bodies.size(); ++i) {
+    const SmallVector state = e.belief.mean(e.bodies[i].block);
     expectation_.prepare(e, i, exploration_.expected(), exploration_.settings().variance_expected_m2);
     exploration_.update(
         [&](const Eigen::Vector3d& position) { return expectation_.in_view(state, position); }, share,
-        static_cast<int>(e.landmarks.size()));
+        e.mapped_count());
   }
   goal_.coverage = exploration_.coverage();
 }
 
-void TeamDecision::choose_in_space(const TeamEstimate& e, const Tick& tick) {
-  for (std::size_t i = 0; i < e.vehicles.size(); ++i) {
+void TeamDecision::choose_in_space(const Estimate& e, const Tick& tick) {
+  for (std::size_t i = 0; i < e.bodies.size(); ++i) {
     expectation_.prepare(e, i, exploration_.expected(), exploration_.settings().variance_expected_m2);
-    const CameraState camera = e.belief.mean(e.vehicles[i].block);
+    const CameraState camera = e.belief.mean(e.bodies[i].block);
     Goal own;
-    in_space_[i].choose(e.belief, e.vehicles[i].block, camera, expectation_, tick, own);
+    in_space_[i].choose(e.belief, e.bodies[i].block, camera, expectation_, tick, own);
     VehicleGoal& goal = goal_.team[i];
     if (own.decided) {
       goal.from = own.from;
       goal.to = own.to;
-      goal.heading_rad = heading_by(team_.members[i].motion, e.belief.mean(e.vehicles[i].block));
+      goal.heading_rad = heading_by(team_.bodies[i].motion, e.belief.mean(e.bodies[i].block));
     }
     if (own.heading_rad)
       goal.heading_rad = *own.heading_rad, goal.heading_rate_rad_s = own.heading_rate_rad_s;
@@ -88,10 +87,10 @@ void TeamDecision::share_goal(const Goal& first) {
   goal_.end_t = first.end_t;
 }
 
-void TeamDecision::choose_for_carrier(const TeamEstimate& e, const Tick& tick) {
-  for (std::size_t i = 0; i < e.vehicles.size(); ++i) {
+void TeamDecision::choose_for_carrier(const Estimate& e, const Tick& tick) {
+  for (std::size_t i = 0; i < e.bodies.size(); ++i) {
     expectation_.prepare(e, i, exploration_.expected(), exploration_.settings().variance_expected_m2);
-    const TeamVehicle& vehicle = e.vehicles[i];
+    const Body& vehicle = e.bodies[i];
     const CameraState camera = e.belief.mean(vehicle.block);
     Goal own;
     carried_[i].choose(e.belief, vehicle.block, camera, vehicle.wheels, expectation_, tick, own);
@@ -100,17 +99,17 @@ void TeamDecision::choose_for_carrier(const TeamEstimate& e, const Tick& tick) {
   }
 }
 
-void TeamDecision::choose_on_ground(const TeamEstimate& e, const Tick& tick) {
-  for (std::size_t i = 0; i < e.vehicles.size(); ++i) {
+void TeamDecision::choose_on_ground(const Estimate& e, const Tick& tick) {
+  for (std::size_t i = 0; i < e.bodies.size(); ++i) {
     expectation_.prepare(e, i, exploration_.expected(), exploration_.settings().variance_expected_m2);
-    const SmallVector state = e.belief.mean(e.vehicles[i].block);
+    const SmallVector state = e.belief.mean(e.bodies[i].block);
     ActionChoice& choice = on_ground_[i];
     const bool decided =
-        choice.choose(e.belief, e.vehicles[i].block, state, *action_set_[i], expectation_, tick);
+        choice.choose(e.belief, e.bodies[i].block, state, *action_set_[i], expectation_, tick);
     if (decided) {
       const SmallVector after = action_set_[i]->after(state, choice.chosen()).state;
-      goal_.team[i] = {e.vehicles[i].pose.position, pose_of(team_.members[i].motion, after).position,
-                       heading_by(team_.members[i].motion, after), 0};
+      goal_.team[i] = {e.bodies[i].pose.position, pose_of(team_.bodies[i].motion, after).position,
+                       heading_by(team_.bodies[i].motion, after), 0};
     }
     if (i > 0) continue;
     goal_.scores = choice.scores();
@@ -124,16 +123,15 @@ void TeamDecision::choose_on_ground(const TeamEstimate& e, const Tick& tick) {
   }
 }
 
-Goal TeamDecision::choose(const TeamEstimate& e, const Tick& tick) {
+Goal TeamDecision::choose(const Estimate& e, const Observation&, const Tick& tick) {
   goal_.decided = false;
-  if (!settings_.decides) return goal_;
   if (!e.started || e.status.state == TrackingState::lost) {
     for (FreeCameraChoice& choice : in_space_) choice.forget();
     for (VehicleChoice& choice : carried_) choice.forget();
     for (ActionChoice& choice : on_ground_) choice.forget();
     return goal_ = {};
   }
-  goal_.team.resize(e.vehicles.size());
+  goal_.team.resize(e.bodies.size());
   explore(e, tick);
   if (!carried_.empty())
     choose_for_carrier(e, tick);

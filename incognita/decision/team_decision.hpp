@@ -12,10 +12,9 @@
 #include "incognita/decision/exploration.hpp"
 #include "incognita/decision/free_camera_choice.hpp"
 #include "incognita/decision/settings.hpp"
+#include "incognita/decision/strategy.hpp"
 #include "incognita/decision/team_expectation.hpp"
 #include "incognita/decision/vehicle_choice.hpp"
-#include "incognita/messages/goal.hpp"
-#include "incognita/messages/tick.hpp"
 
 namespace incognita {
 
@@ -27,7 +26,6 @@ inline DecisionSettings with_held_gaze(DecisionSettings settings = {}) {
 
 struct TeamDecisionSettings {
   DecisionSettings decision = with_held_gaze();
-  bool decides = true;          ///< false: no decision
   double tick_s = 0.1;          ///< duration of one input
   int max_measurements = 1000;  ///< predicted map measurements per set; the most uncertain are kept
   ExplorationSettings exploration = {};
@@ -35,26 +33,27 @@ struct TeamDecisionSettings {
   std::uint64_t seed = 1;
 };
 
-class TeamDecision {
+class TeamDecision final : public Strategy {
  public:
   /// Throws std::invalid_argument for invalid settings.
-  TeamDecision(TeamSettings team, const TeamDecisionSettings& settings);
+  TeamDecision(EstimatorSettings team, const TeamDecisionSettings& settings);
 
   /// Compares all actions once per period and sets every vehicle's goal. Actions that would end outside the
   /// bounds are scored but not chosen. `scores` and `chosen` are those of the first vehicle.
-  Goal choose(const TeamEstimate& estimate, const Tick& tick);
+  Goal choose(const Estimate& estimate, const Observation& observation, const Tick& tick) override;
+  Goal choose(const Estimate& estimate, const Tick& tick) { return choose(estimate, {}, tick); }
 
   /// Names of the actions of the team's motion model: along a line, on the plane, or in space.
-  const std::vector<std::string>& actions() const { return names_; }
+  const std::vector<std::string>& actions() const override { return names_; }
 
  private:
-  void explore(const TeamEstimate& estimate, const Tick& tick);
-  void choose_in_space(const TeamEstimate& estimate, const Tick& tick);
-  void choose_for_carrier(const TeamEstimate& estimate, const Tick& tick);
+  void explore(const Estimate& estimate, const Tick& tick);
+  void choose_in_space(const Estimate& estimate, const Tick& tick);
+  void choose_for_carrier(const Estimate& estimate, const Tick& tick);
   void share_goal(const Goal& first);
-  void choose_on_ground(const TeamEstimate& estimate, const Tick& tick);
+  void choose_on_ground(const Estimate& estimate, const Tick& tick);
 
-  TeamSettings team_;
+  EstimatorSettings team_;
   TeamDecisionSettings settings_;
   std::vector<std::string> names_;
   Exploration exploration_;

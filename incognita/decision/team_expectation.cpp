@@ -3,11 +3,11 @@
 #include <cmath>
 #include <utility>
 
-#include "incognita/slam/points/team_measurements.hpp"
+#include "incognita/slam/mapper/measurements.hpp"
 
 namespace incognita {
 
-TeamExpectation::TeamExpectation(TeamSettings team, int max_measurements)
+TeamExpectation::TeamExpectation(EstimatorSettings team, int max_measurements)
     : team_(std::move(team)), max_measurements_(max_measurements) {}
 
 /// Predicted measurement of a target from that state; empty if it is out of range or out of view.
@@ -16,15 +16,15 @@ std::optional<AnyPrediction> TeamExpectation::predict_from(const SmallVector& ve
                                                            const LandmarkParametrization& form,
                                                            const SmallVector& landmark,
                                                            const SmallVector& position) const {
-  const TeamMember& member = team_.members[vehicle_];
   const double distance_m = (position - from).norm();
-  if (distance_m > member.reach.max_range_m) return std::nullopt;
-  auto prediction = predict_measurement(member.sensor, member.motion, vehicle, form, landmark);
-  if (!prediction || !is_in_view(member.sensor, member.reach, *prediction, distance_m)) return std::nullopt;
+  if (distance_m > sensor().limits.max_range_m) return std::nullopt;
+  auto prediction = predict_measurement(sensor().sensor, motion(), vehicle, form, landmark);
+  if (!prediction || !is_in_view(sensor().sensor, sensor().limits, *prediction, distance_m))
+    return std::nullopt;
   return prediction;
 }
 
-void TeamExpectation::prepare(const TeamEstimate& estimate, std::size_t vehicle,
+void TeamExpectation::prepare(const Estimate& estimate, std::size_t vehicle,
                               const std::vector<ExpectedLandmark>& unseen, double unseen_var_m2) {
   estimate_ = &estimate;
   vehicle_ = vehicle;
@@ -35,10 +35,14 @@ void TeamExpectation::prepare(const TeamEstimate& estimate, std::size_t vehicle,
 }
 
 void TeamExpectation::add_targets() {
-  const TeamEstimate& e = *estimate_;
-  const int dimensions = dimensions_of(team_.members[vehicle_].sensor);
-  for (const auto& [identity, anchor] : team_.anchors) targets_.push_back({{}, anchor, {}, 0, anchor, true});
-  for (const auto& [identity, landmark] : e.landmarks) {
+  const Estimate& e = *estimate_;
+  const int dimensions = dimensions_of(sensor().sensor);
+  for (const auto& [id, landmark] : e.landmarks) {
+    if (!is_measurable(landmark, sensor().sensor)) continue;
+    if (landmark.fixed) {
+      targets_.push_back({{}, landmark.position, {}, 0, landmark.position, true});
+      continue;
+    }
     const SmallVector mean = e.belief.mean(landmark.block);
     const auto position = position_of(landmark.form, mean);
     const int errors = e.belief.chart(landmark.block).tangent();
@@ -46,17 +50,17 @@ void TeamExpectation::add_targets() {
       targets_.push_back({landmark.form, mean, SmallMatrix::Identity(errors, errors), landmark.block,
                           position->position, false});
   }
-  for (std::size_t j = 0; j < e.vehicles.size(); ++j) {
+  for (std::size_t j = 0; j < e.bodies.size(); ++j) {
     if (j == vehicle_) continue;
-    const AnyPoint at = position_of(team_.members[j].motion, e.belief.mean(e.vehicles[j].block), dimensions);
-    targets_.push_back({{}, at.position, at.J, e.vehicles[j].block, at.position, false});
+    const AnyPoint at = position_of(team_.bodies[j].motion, e.belief.mean(e.bodies[j].block), dimensions);
+    targets_.push_back({{}, at.position, at.J, e.bodies[j].block, at.position, false});
   }
 }
 
 /// Trace of H P H': a ranking heuristic (current vehicle covariance), not the predicted innovation covariance.
 double TeamExpectation::innovation_trace(const PredictedMeasurement& measurement) const {
   const AnyBelief& belief = estimate_->belief;
-  const BlockId viewer = estimate_->vehicles[vehicle_].block;
+  const BlockId viewer = estimate_->bodies[vehicle_].block;
   double trace = (measurement.Hv * belief.covariance(viewer)).cwiseProduct(measurement.Hv).sum();
   if (measurement.of != PredictedMeasurement::Of::mapped) return trace;
   trace += (measurement.Hl * belief.covariance(measurement.block)).cwiseProduct(measurement.Hl).sum();
@@ -66,11 +70,9 @@ double TeamExpectation::innovation_trace(const PredictedMeasurement& measurement
 }
 
 bool TeamExpectation::in_view(const BlockVector& state, const Eigen::Vector3d& position) const {
-  const TeamMember& member = team_.members[vehicle_];
-  const int dimensions = dimensions_of(member.sensor);
-  const SmallVector vehicle = state.head(chart_of(member.motion).ambient()),
-                    point = position.head(dimensions);
-  const SmallVector from = position_of(member.motion, vehicle, dimensions).position;
+  const int dimensions = dimensions_of(sensor().sensor);
+  const SmallVector vehicle = state.head(chart_of(motion()).ambient()), point = position.head(dimensions);
+  const SmallVector from = position_of(motion(), vehicle, dimensions).position;
   return predict_from(vehicle, from, {}, point, point).has_value();
 }
 
@@ -89,7 +91,7 @@ void TeamExpectation::add_visible(const SmallVector& vehicle, const SmallVector&
       measurement.Hl.resize(prediction->Hv.rows(), 0);
     else
       measurement.Hl = prediction->Hl * target.by_block;
-    measurement.R = detection_noise(team_.members[vehicle_], prediction->z);
+    measurement.R = detection_noise(sensor(), prediction->z);
   }
 }
 
@@ -112,10 +114,9 @@ void TeamExpectation::keep_most_uncertain(std::vector<PredictedMeasurement>& mea
 
 void TeamExpectation::expect(const BlockVector& state,
                              std::vector<PredictedMeasurement>& measurements) const {
-  const TeamMember& member = team_.members[vehicle_];
-  const int dimensions = dimensions_of(member.sensor);
-  const SmallVector vehicle = state.head(chart_of(member.motion).ambient());
-  const SmallVector from = position_of(member.motion, vehicle, dimensions).position;
+  const int dimensions = dimensions_of(sensor().sensor);
+  const SmallVector vehicle = state.head(chart_of(motion()).ambient());
+  const SmallVector from = position_of(motion(), vehicle, dimensions).position;
   add_visible(vehicle, from, measurements);
   keep_most_uncertain(measurements);
   for (const ExpectedLandmark& unseen : *unseen_) {
@@ -123,7 +124,7 @@ void TeamExpectation::expect(const BlockVector& state,
     const auto prediction = predict_from(vehicle, from, {}, point, point);
     if (!prediction) continue;
     measurements.push_back({PredictedMeasurement::Of::unseen, 0, unseen.index, unseen_var_m2_, prediction->Hv,
-                            prediction->Hl, detection_noise(member, prediction->z)});
+                            prediction->Hl, detection_noise(sensor(), prediction->z)});
   }
 }
 

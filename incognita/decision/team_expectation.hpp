@@ -5,19 +5,19 @@
 #include <vector>
 
 #include "incognita/decision/expectation.hpp"
-#include "incognita/slam/points/team_estimate.hpp"
-#include "incognita/slam/points/team_settings.hpp"
+#include "incognita/slam/mapper/estimate.hpp"
+#include "incognita/slam/mapper/settings.hpp"
 
 namespace incognita {
 
 class TeamExpectation final : public Expectation {
  public:
   /// `max_measurements`: maximum number of mapped targets per set; the most uncertain are kept.
-  TeamExpectation(TeamSettings team, int max_measurements);
+  TeamExpectation(EstimatorSettings team, int max_measurements);
 
   /// Sets the current team estimate and the expected unmapped landmarks; both must outlive the calls until
   /// the next prepare().
-  void prepare(const TeamEstimate& estimate, std::size_t vehicle, const std::vector<ExpectedLandmark>& unseen,
+  void prepare(const Estimate& estimate, std::size_t vehicle, const std::vector<ExpectedLandmark>& unseen,
                double unseen_var_m2);
 
   /// `state`: of the vehicle; numbers beyond those of its motion model are ignored.
@@ -27,6 +27,9 @@ class TeamExpectation final : public Expectation {
   bool in_view(const BlockVector& state, const Eigen::Vector3d& position) const;
 
  private:
+  const AnyMotion& motion() const { return team_.bodies[vehicle_].motion; }
+  /// Information gain is predicted for the first sensor of a body.
+  const PointSensor& sensor() const { return team_.bodies[vehicle_].sensors.front(); }
   struct Target {
     LandmarkParametrization form;
     SmallVector landmark;  ///< in its parametrization
@@ -44,9 +47,9 @@ class TeamExpectation final : public Expectation {
   void keep_most_uncertain(std::vector<PredictedMeasurement>& measurements) const;
   double innovation_trace(const PredictedMeasurement& measurement) const;
 
-  TeamSettings team_;
+  EstimatorSettings team_;
   int max_measurements_;
-  const TeamEstimate* estimate_ = nullptr;
+  const Estimate* estimate_ = nullptr;
   std::size_t vehicle_ = 0;
   const std::vector<ExpectedLandmark>* unseen_ = nullptr;
   double unseen_var_m2_ = 0;

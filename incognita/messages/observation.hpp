@@ -49,12 +49,13 @@ inline bool is_usable(const Detection& detection) {
 struct PointDetection {
   std::int64_t identity = 0;  ///< landmark or Detection::unknown; for another vehicle its index, from 0
   SmallVector z;              ///< in the coordinates of the sensor model
+  int sensor = 0;             ///< which of the body's point sensors
 };
 
 /// All that one body measures by itself; it may carry any set of sensors.
 struct BodyObservation {
-  /// Of its camera: immutable, shared with the record; null where the camera gave nothing
-  std::shared_ptr<const Image> image = nullptr;
+  /// One per camera of the body: immutable, shared with the record; null or missing without an image
+  std::vector<std::shared_ptr<const Image>> images = {};
   /// The input that it executed since the last tick, as its motion model takes it
   std::optional<SmallVector> input = {};
   std::vector<Odometry> odometry = {};      ///< or each reading since then, in time order
@@ -65,6 +66,11 @@ struct BodyObservation {
   std::vector<PointDetection> vehicles = {};     ///< other bodies of the team, of this tick
   std::vector<ConeRange> proximity_ranges = {};  ///< of obstacles, of this tick
 };
+
+/// The image of a camera of the body; null without one.
+inline std::shared_ptr<const Image> image_of(const BodyObservation& body, std::size_t camera = 0) {
+  return camera < body.images.size() ? body.images[camera] : nullptr;
+}
 
 /// All that the robots can know at one tick: one entry per body, in their order.
 struct Observation {

@@ -39,7 +39,7 @@ std::optional<AnyInitialization> initialize_landmark(const AnySensor& sensor, co
                                                      const SmallVector& vehicle, const SmallVector& z,
                                                      double inverse_depth);
 
-/// Euclidean position of a landmark. Nothing at infinity or for a negative inverse depth.
+/// Euclidean position of a landmark. Nothing at infinity, for a negative inverse depth, or for a ray.
 std::optional<AnyPoint> position_of(const LandmarkParametrization& form, const SmallVector& landmark);
 /// Linearity index (Civera et al. 2008): below about 0.1 the point parametrization is adequate. 0 for a
 /// point. `vehicle_position`: in the dimensions of the landmark's position.

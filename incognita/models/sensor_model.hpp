@@ -21,7 +21,11 @@ namespace incognita {
 
 /// Parametrization of a landmark.
 struct LandmarkParametrization {
-  enum class Kind { point, inverse_depth };
+  enum class Kind {
+    point,
+    inverse_depth,
+    ray,  ///< an inverse-depth landmark without its depth
+  };
   Kind kind = Kind::point;
   Eigen::Vector4d initial_axes{1, 0, 0, 0};  ///< world_from_initial_camera, constant; inverse depth only
 };

@@ -67,7 +67,7 @@ RunDirectory::RunDirectory(fs::path path) : path_(fs::absolute(path).lexically_n
 void RunDirectory::remove_run_files() noexcept {
   std::error_code ignored;
   for (const char* name : run_files) fs::remove(file(name), ignored);
-  for (const char* figure : {"map", "errors", "entropy", "advice", "vehicles", "control"})
+  for (const char* figure : {"map", "errors", "entropy", "decision", "vehicles", "control"})
     for (const char* suffix : {".svg", ".gp"})
       fs::remove(file("figures") / (std::string(figure) + suffix), ignored);
   remove_where(file("frames"), is_frame_picture);

@@ -316,7 +316,7 @@ std::optional<std::string> entropy_script(const fs::path& run_directory, Alignme
 std::optional<std::string> decision_script(const fs::path& run_directory, AlignmentKind) {
   const CsvTable actions = read_csv(run_directory / "actions.csv");
   if (actions.rows.empty() || actions.columns.size() < 3) return std::nullopt;
-  std::string script = figure_head("advice", 960, 600);
+  std::string script = figure_head("decision", 960, 600);
   const CsvTable series = read_csv(run_directory / "series.csv");
   script += time_range(series) + chosen_block(actions);
   script += "set multiplot\nset lmargin at screen 0.15\nset rmargin at screen 0.80\n";

@@ -17,7 +17,7 @@ namespace {
 constexpr std::array<std::pair<const char*, FigureScript>, 6> figures{{{"map", map_script},
                                                                        {"errors", errors_script},
                                                                        {"entropy", entropy_script},
-                                                                       {"advice", decision_script},
+                                                                       {"decision", decision_script},
                                                                        {"vehicles", vehicles_script},
                                                                        {"control", control_script}}};
 

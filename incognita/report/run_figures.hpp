@@ -9,7 +9,7 @@
 
 namespace incognita {
 
-/// Draws `figures/map.svg`, `errors.svg`, `entropy.svg` and `advice.svg` from the tables of a run directory;
+/// Draws `figures/map.svg`, `errors.svg`, `entropy.svg` and `decision.svg` from the tables of a run directory;
 /// for a team, also the figures of team_figures.hpp. Each has its gnuplot script beside it; `gnuplot
 /// figures/map.gp` in the run directory redraws it. Figures without data (no decisions, no pose) are left
 /// out. `alignment` is that of the estimate with the truth; with `sim3`, lengths have an arbitrary unit.

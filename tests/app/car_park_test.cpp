@@ -19,23 +19,23 @@ struct Outcome {
 Outcome drive(const std::string& scenario, std::vector<std::string> sets = {}) {
   sets.push_back("run.duration_s=112");
   RangeAssembly assembly = assemble_ranges(load_scenario(scenario, sets));
-  auto& [clock, world, sensor, estimator, decision, controller] = assembly.boxes;
-  TeamEstimate estimate;
+  auto& [clock, world, sensor, estimator, decision, controller] = assembly.parts;
+  Estimate estimate;
   Outcome out;
   while (const Tick tick = clock->next()) {
-    estimator.update(estimate, {}, sensor->measure({}, tick), tick);
+    estimator->update(estimate, {}, sensor->measure({}, tick), tick);
     out.lost += estimate.status.state == TrackingState::lost;
     const auto truth = true_position(assembly.recording(), tick.t);
     if (!truth || !estimate.started) continue;
-    out.path.emplace_back(estimate.vehicles.front().state.head<2>());
+    out.path.emplace_back(estimate.bodies.front().state.head<2>());
     out.gps.push_back(truth->position);
   }
   for (const auto& [id, landmark] : estimate.landmarks)
-    out.landmarks.emplace_back(position_of(landmark, estimate)->position);
+    if (!landmark.fixed) out.landmarks.emplace_back(position_of(landmark, estimate)->position);
   for (const auto& beacon : assembly.recording().landmarks) {
     bool anchor = false;
-    for (const auto& [id, a] : estimate.anchors)
-      anchor |= (Eigen::Vector2d(a.position) - beacon.position).norm() < 0.01;
+    for (const auto& [id, landmark] : estimate.landmarks)
+      anchor |= landmark.fixed && (Eigen::Vector2d(landmark.position) - beacon.position).norm() < 0.01;
     if (!anchor) out.beacons.push_back(beacon.position);
   }
   return out;

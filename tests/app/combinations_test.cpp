@@ -24,23 +24,22 @@ struct JointError {
   std::size_t landmarks = 0;
 };
 
-double joint_nees(const TeamEstimate& e, const Truth& truth) {
-  const auto n = static_cast<Eigen::Index>(e.vehicles.size());
+double joint_nees(const Estimate& e, const Truth& truth) {
+  const auto n = static_cast<Eigen::Index>(e.bodies.size());
   Eigen::VectorXd error(3 * n);
   Eigen::MatrixXd P(3 * n, 3 * n);
   for (Eigen::Index i = 0; i < n; ++i) {
-    const TeamVehicle& v = e.vehicles[static_cast<std::size_t>(i)];
+    const Body& v = e.bodies[static_cast<std::size_t>(i)];
     const SmallVector& x = truth.vehicles[static_cast<std::size_t>(i)];
     error.segment<3>(3 * i) << x[0] - v.state[0], x[1] - v.state[1], wrap_angle(x[2] - v.state[2]);
     for (Eigen::Index j = 0; j < n; ++j)
-      P.block<3, 3>(3 * i, 3 * j) =
-          e.belief.covariance(v.block, e.vehicles[static_cast<std::size_t>(j)].block);
+      P.block<3, 3>(3 * i, 3 * j) = e.belief.covariance(v.block, e.bodies[static_cast<std::size_t>(j)].block);
     P.block<3, 3>(3 * i, 3 * i) = v.state_covariance;
   }
   return error.dot(P.llt().solve(error));
 }
 
-using Change = std::function<void(TeamSettings&)>;
+using Change = std::function<void(EstimatorSettings&)>;
 using Sense = std::function<void(Observation&, const Truth&, const Tick&)>;
 
 /// Runs a scenario with a changed estimator; `sense` adds measurements that the scenario's own sensor does not make.
@@ -48,11 +47,11 @@ JointError run(const std::string& scenario, std::vector<std::string> sets, int s
                const Sense& sense = {}) {
   sets.push_back("run.seed=" + std::to_string(seed));
   TeamAssembly assembly = assemble_team(load_scenario(scenario, sets));
-  auto& [clock, world, sensor, scenario_estimator, decision, controller] = assembly.boxes;
-  TeamSettings settings = scenario_estimator.settings();
+  auto& [clock, world, sensor, scenario_estimator, decision, controller] = assembly.parts;
+  EstimatorSettings settings = assembly.estimator;
   change(settings);
-  const TeamEstimator estimator(settings);
-  TeamEstimate estimate;
+  SlamEstimator estimator(settings);
+  Estimate estimate;
   Command command;
   JointError out;
   while (const Tick tick = clock->next()) {
@@ -60,12 +59,12 @@ JointError run(const std::string& scenario, std::vector<std::string> sets, int s
     Observation observation = sensor->measure(truth, tick);
     if (sense) sense(observation, *truth, tick);
     estimator.update(estimate, command, observation, tick);
-    command = controller.act(estimate, decision.choose(estimate, tick), observation, tick);
+    command = controller->act(estimate, decision->choose(estimate, observation, tick), observation, tick);
     out.lost = out.lost || estimate.status.state == TrackingState::lost;
     out.nees = joint_nees(estimate, *truth);
   }
-  out.dof = static_cast<int>(3 * estimate.vehicles.size());
-  out.landmarks = estimate.landmarks.size();
+  out.dof = static_cast<int>(3 * estimate.bodies.size());
+  out.landmarks = static_cast<std::size_t>(estimate.mapped_count());
   return out;
 }
 
@@ -104,7 +103,7 @@ std::vector<std::string> with(std::vector<std::string> sets, const std::vector<s
 TEST(Combinations, JointCompatibilityInATeamOfThree) {
   expect_consistent("joint compatibility, three vehicles", "two-robots",
                     with(team_of_three, {"association.method=joint"}), 16,
-                    [](TeamSettings& s) { ASSERT_EQ(s.association.method, "joint"); });
+                    [](EstimatorSettings& s) { ASSERT_EQ(s.association.method, "joint"); });
 }
 
 /// The first vehicle alone has a GPS; the others profit through the common landmarks.
@@ -118,15 +117,15 @@ TEST(Combinations, PositionFixesOfOneVehicleOfATeam) {
       observation.bodies[0].fixes.push_back({tick.t, at + sigma_m * off});
     };
   };
-  const auto use_fixes = [](TeamSettings& s) { s.members[0].sigma_fix_m = sigma_m; };
+  const auto use_fixes = [](EstimatorSettings& s) { s.bodies[0].sigma_fix_m = sigma_m; };
   expect_consistent("fixes of one vehicle of three", "two-robots", team_of_three, 16, use_fixes, fixes);
   const auto sigma_of_last = [&](const Change& change) {
     TeamAssembly assembly = assemble_team(load_scenario("two-robots", team_of_three));
-    auto& [clock, world, sensor, scenario_estimator, decision, controller] = assembly.boxes;
-    TeamSettings settings = scenario_estimator.settings();
+    auto& [clock, world, sensor, scenario_estimator, decision, controller] = assembly.parts;
+    EstimatorSettings settings = assembly.estimator;
     change(settings);
-    const TeamEstimator estimator(settings);
-    TeamEstimate e;
+    SlamEstimator estimator(settings);
+    Estimate e;
     Command command;
     const Sense sense = fixes(1);
     while (const Tick tick = clock->next()) {
@@ -134,11 +133,11 @@ TEST(Combinations, PositionFixesOfOneVehicleOfATeam) {
       Observation observation = sensor->measure(truth, tick);
       sense(observation, *truth, tick);
       estimator.update(e, command, observation, tick);
-      command = controller.act(e, {}, observation, tick);
+      command = controller->act(e, {}, observation, tick);
     }
-    return std::sqrt(e.vehicles.back().state_covariance.topLeftCorner(2, 2).trace());
+    return std::sqrt(e.bodies.back().state_covariance.topLeftCorner(2, 2).trace());
   };
-  EXPECT_LT(sigma_of_last(use_fixes), 0.8 * sigma_of_last([](TeamSettings&) {}));
+  EXPECT_LT(sigma_of_last(use_fixes), 0.8 * sigma_of_last([](EstimatorSettings&) {}));
 }
 
 TEST(Combinations, AMapInTheFrameOfACarUnderControl) {
@@ -177,7 +176,7 @@ kind = "circle"
 radius_m = 7
 )");
   expect_consistent("map in the vehicle's frame, Ackermann car under control", car.string(), {}, 16,
-                    [](TeamSettings& s) { s.filter.map_frame = "vehicle"; });
+                    [](EstimatorSettings& s) { s.filter.map_frame = "vehicle"; });
 }
 
 }  // namespace

@@ -76,8 +76,8 @@ double worst_px(const CameraState& x, const Target& target, const Camera& camera
 }
 
 bool any_anchor_matched(const Estimate& estimate) {
-  for (const FeatureMatch& match : estimate.matches)
-    if (match.kind == Landmark::Kind::anchor && match.outcome == MatchOutcome::matched) return true;
+  for (const Match& match : estimate.last.matches)
+    if (match.anchor && match.outcome == MatchOutcome::matched) return true;
   return false;
 }
 
@@ -89,17 +89,17 @@ struct Return {
 };
 
 Return come_back(Assembly& assembly, const Target& target, const Camera& camera) {
-  auto& [clock, world, sensor, estimator, decision, controller] = assembly.boxes;
+  auto& [clock, world, sensor, estimator, decision, controller] = assembly.parts;
   Estimate estimate;
   Return found;
   bool measured_again = false;
   while (const Tick tick = clock->next()) {
     const Observation observation = sensor->measure(std::nullopt, tick);
-    estimator.update(estimate, Command{}, observation, tick);
+    estimator->update(estimate, Command{}, observation, tick);
     found.lost_frames += estimate.status.state == TrackingState::lost;
     if (tick.frame > gone_from && any_anchor_matched(estimate)) measured_again = true;
     if (tick.frame <= back_from || measured_again) continue;
-    if (const auto corners = detect_target(*observation.bodies[0].image)) {
+    if (const auto corners = detect_target(*observation.bodies[0].images.at(0))) {
       found.px.push_back(worst_px(estimate.camera_state(), target, camera, *corners));
       std::printf("frame %d: %.2f px\n", static_cast<int>(tick.frame), found.px.back());
     }

@@ -48,12 +48,12 @@ Watched drive(double duration_s,
   RangeAssembly assembly = assemble_ranges(recording, settings, duration_s + 1);
   ObservabilityWatch watch;
   Watched out;
-  run_loop(assembly.boxes, std::function<void(const Snapshot&)>([](const Snapshot&) {}),
-           std::function<bool(const Tick&)>([](const Tick&) { return true; }),
-           std::function<void(const TeamEstimate&)>([&](const TeamEstimate& estimate) {
-             watch.follow(estimate);
-             out.filter_sigma_heading = std::sqrt(estimate.vehicles.front().state_covariance(2, 2));
-           }));
+  run_loop(
+      assembly.parts, [](const Snapshot&) {}, [](const Tick&) { return true; },
+      [&](const Estimate& estimate) {
+        watch.follow(estimate);
+        out.filter_sigma_heading = std::sqrt(estimate.bodies.front().state_covariance(2, 2));
+      });
   out.report = watch.report().value();
   return out;
 }
@@ -143,13 +143,13 @@ TEST(ObservabilityWatch, SaysWhatItDoesNotFollow) {
 
 TEST(ObservabilityWatch, SaysThatNumbersAreNotFiniteAndWhatCanBeKnownAllTheSame) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  TeamEstimate estimate;
-  estimate.vehicles.resize(1);
-  estimate.vehicles[0].block =
+  Estimate estimate;
+  estimate.bodies.resize(1);
+  estimate.bodies[0].block =
       estimate.belief.add_vehicle(planar::pose_chart, Eigen::Vector3d::Zero(), Eigen::Matrix3d::Identity());
   estimate.started = true;
   for (const bool of_mean : {true, false}) {
-    TeamEstimate broken = estimate;
+    Estimate broken = estimate;
     ObservabilityWatch watch;
     broken.belief.keep_trace(true);
     watch.follow(broken);
@@ -157,7 +157,7 @@ TEST(ObservabilityWatch, SaysThatNumbersAreNotFiniteAndWhatCanBeKnownAllTheSame)
     const Eigen::Vector3d next = of_mean ? Eigen::Vector3d(nan, 0, 0) : Eigen::Vector3d(1, 2, 3);
     Eigen::Matrix3d A = Eigen::Matrix3d::Identity();
     if (!of_mean) A(0, 0) = nan;
-    broken.belief.predict({broken.vehicles[0].block, next, A, Eigen::Matrix3d::Identity()});
+    broken.belief.predict({broken.bodies[0].block, next, A, Eigen::Matrix3d::Identity()});
     watch.follow(broken);
     const auto report = watch.report();
     ASSERT_TRUE(report);
@@ -176,17 +176,17 @@ struct ThrownCamera {
   explicit ThrownCamera(int anchors) {
     CameraState x = CameraState::Zero();
     x[3] = 1;
-    estimate.camera = estimate.belief.add_vehicle(FreeCameraMotion::chart, x,
-                                                  1e-4 * FreeCameraMotion::Jacobian::Identity());
+    camera = estimate.bodies.emplace_back().block = estimate.belief.add_vehicle(
+        FreeCameraMotion::chart, x, 1e-4 * FreeCameraMotion::Jacobian::Identity());
     estimate.started = true;
     estimate.belief.keep_trace(true);
     for (int i = 0; i < 9; ++i) {
-      Landmark& landmark = estimate.catalog.emplace_back();
+      Landmark& landmark = estimate.landmarks[i];
       landmark.id = i;
       const Eigen::Vector3d at(0.5 * (i % 3) - 0.5, 0.4 * (i / 3) - 0.4, 2 + 0.3 * (i % 4));
-      landmark.kind = i < anchors ? Landmark::Kind::anchor : Landmark::Kind::point;
-      landmark.anchor = at;
-      const Belief::Parent parent{estimate.camera, Eigen::MatrixXd::Zero(3, 12)};  // assumed
+      landmark.fixed = i < anchors;
+      landmark.position = at;
+      const Belief::Parent parent{camera, Eigen::MatrixXd::Zero(3, 12)};  // assumed
       if (i >= anchors)
         landmark.block =
             estimate.belief.augment(PointLandmark::chart, at, {&parent, 1}, Eigen::Matrix3d::Identity());
@@ -197,28 +197,28 @@ struct ThrownCamera {
     Eigen::Matrix<double, 6, 1> u = Eigen::Matrix<double, 6, 1>::Zero();
     u.head<3>() << std::cos(2 * t), 0.7 * std::sin(2 * t), 0.5 * std::cos(2 * t);
     const auto moved = FreeCameraMotion{}.step(estimate.camera_state(), u, 1.0 / 30);
-    estimate.belief.predict({estimate.camera, moved.x, moved.F, 1e-4 * moved.G * moved.G.transpose()});
+    estimate.belief.predict({camera, moved.x, moved.F, 1e-4 * moved.G * moved.G.transpose()});
     std::vector<LinearizedMeasurement> measurements;
-    estimate.matches.clear();
-    for (const Landmark& landmark : estimate.catalog) {
+    estimate.last.restart();
+    for (const auto& [id, landmark] : estimate.landmarks) {
       const auto prediction =
-          PointLandmark::predict_measurement(Camera{WideAngleCamera{}}, moved.x, landmark.anchor);
+          PointLandmark::predict_measurement(Camera{WideAngleCamera{}}, moved.x, landmark.position);
       LinearizedMeasurement& measurement = measurements.emplace_back();
-      measurement.add(estimate.camera, prediction->Hv);
-      if (landmark.kind == Landmark::Kind::point) measurement.add(landmark.block, prediction->Hl);
+      measurement.add(camera, prediction->Hv);
+      if (!landmark.fixed) measurement.add(landmark.block, prediction->Hl);
       measurement.residual = Eigen::Vector2d::Zero();
       measurement.R = 0.16 * Eigen::Matrix2d::Identity();
-      FeatureMatch& told = estimate.matches.emplace_back();
-      told.id = landmark.id;
-      told.kind = landmark.kind;
-      told.point = landmark.anchor;
-      told.outcome = MatchOutcome::matched;
+      Match& match = estimate.last.matches.emplace_back();
+      match.id = id;
+      match.anchor = landmark.fixed;
+      match.outcome = MatchOutcome::matched;
     }
-    estimate.update = estimate.belief.update(measurements);
+    estimate.last.update = estimate.belief.update(measurements);
     watch.follow(estimate);
     estimate.belief.clear_trace();
   }
   Estimate estimate;
+  BlockId camera = 0;
   ObservabilityWatch watch;
 };
 
@@ -241,12 +241,12 @@ TEST(ObservabilityWatch, NothingIsNotedWhereNobodyWatches) {
   PlanarLoopSettings loop;
   loop.duration_s = 5;
   RangeAssembly assembly = assemble_ranges(drive_planar_loop(loop, 5), settings_for(loop), 10);
-  auto& [clock, world, sensor, estimator, decision, controller] = assembly.boxes;
-  TeamEstimate unwatched, watched;
+  auto& [clock, world, sensor, estimator, decision, controller] = assembly.parts;
+  Estimate unwatched, watched;
   watched.belief.keep_trace(true);
   while (const Tick tick = clock->next()) {
     const Observation observation = sensor->measure({}, tick);
-    for (TeamEstimate* estimate : {&unwatched, &watched}) estimator.update(*estimate, {}, observation, tick);
+    for (Estimate* estimate : {&unwatched, &watched}) estimator->update(*estimate, {}, observation, tick);
     EXPECT_TRUE(unwatched.belief.trace().empty());
     EXPECT_FALSE(watched.belief.trace().empty());
     watched.belief.clear_trace();

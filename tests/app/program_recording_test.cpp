@@ -50,7 +50,7 @@ class ProgramRecording : public ::testing::Test {
     RoomWorld world(painted->layout(), room.room, 1);
     RoomCamera camera(painted, make_camera(room.camera), room.room, 1);
     while (const Tick tick = clock.next())
-      images_.push_back(camera.measure(world.move({}, tick), tick).bodies.at(0).image);
+      images_.push_back(camera.measure(world.move({}, tick), tick).bodies.at(0).images.at(0));
     scratch_.write("s.toml",
                    "[run]\nworld = \"recording\"\n[recording]\nfolder = \"" + images().string() +
                        "\"\n[start]\ntarget = \"targets/sheet.toml\"\n[decision]\nstrategy = \"none\"\n");

@@ -187,7 +187,7 @@ TEST(ProgramRun, ManyInterruptsLeaveEveryFigure) {
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
   }
   EXPECT_EQ(program.wait().code, 1);
-  for (const char* figure : {"map.svg", "errors.svg", "entropy.svg", "advice.svg"})
+  for (const char* figure : {"map.svg", "errors.svg", "entropy.svg", "decision.svg"})
     EXPECT_TRUE(exists(run / "figures" / figure)) << figure;
   EXPECT_TRUE(testing::summary_of(run).value("warnings", nlohmann::json::array()).empty());
 }

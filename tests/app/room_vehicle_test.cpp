@@ -20,7 +20,7 @@ Ran run(const LoadedScenario& loaded) {
   RoomVehicleAssembly assembly = assemble_room_vehicle(loaded);
   Ran ran;
   double low = 1e9, high = -1e9;
-  run_loop(assembly.boxes, std::function<void(const Snapshot&)>([&](const Snapshot& s) {
+  run_loop(assembly.parts, std::function<void(const Snapshot&)>([&](const Snapshot& s) {
              ran.last = s;
              ++ran.frames;
              ran.lost += s.status.state == TrackingState::lost || s.status.state == TrackingState::starting;

@@ -8,22 +8,22 @@
 #include "incognita/io/recordings/range_formats.hpp"
 #include "incognita/math/angles.hpp"
 #include "incognita/messages/errors.hpp"
-#include "incognita/slam/points/team_estimator.hpp"
+#include "incognita/slam/estimator/slam_estimator.hpp"
 #include "incognita/world/replay/range_replay.hpp"
 
 namespace incognita {
 namespace {
 
 /// Commands are told, not what the wheels did: their noise is mostly what robots make of them.
-TeamMember member_of(const RangeRecording& recording, double first_t) {
-  TeamMember member{DifferentialDrive{}, RangeBearingSensor{}, {}, {}, {}, {}};
+BodyModel member_of(const RangeRecording& recording, double first_t) {
+  BodyModel member = body_with_sensor(DifferentialDrive{}, RangeBearingSensor{}, {}, {}, {}, {});
   auto place = true_position(recording, first_t);
   for (double t = first_t; !place; t += 0.1) place = true_position(recording, t);
   member.start = Eigen::Vector3d(place->position.x(), place->position.y(), *place->heading_rad);
   member.start_sigmas = Eigen::Vector3d::Constant(0.01);
   member.input_sigmas = Eigen::Vector2d(0.1, 0.5);
-  member.sigmas = Eigen::Vector2d(0.1, 0.02);
-  member.sigma_range_ratio = 0.03;
+  member.sensors[0].sigmas = Eigen::Vector2d(0.1, 0.02);
+  member.sensors[0].sigma_range_ratio = 0.03;
   return member;
 }
 
@@ -39,18 +39,18 @@ Errors drive(const std::vector<RangeRecording>& robots, bool see_each_other) {
   RangeClock clock(shared, 900);
   RangeSensor sensor(shared, {.measures_vehicles = see_each_other});
   Tick tick = clock.next();
-  TeamSettings settings;
+  EstimatorSettings settings;
   settings.filter.gate_probability = 0.999;
-  for (const RangeRecording& robot : robots) settings.members.push_back(member_of(robot, tick.t));
-  const TeamEstimator estimator(settings);
-  TeamEstimate estimate;
+  for (const RangeRecording& robot : robots) settings.bodies.push_back(member_of(robot, tick.t));
+  SlamEstimator estimator(settings);
+  Estimate estimate;
   std::vector<double> squares(robots.size()), count(robots.size());
   for (; tick; tick = clock.next()) {
     estimator.update(estimate, {}, sensor.measure({}, tick), tick);
     for (std::size_t i = 0; i < robots.size(); ++i) {
       const auto place = true_position(robots[i], tick.t);
       if (!place) continue;
-      const Eigen::Vector2d estimated = estimate.belief.mean(estimate.vehicles[i].block).head<2>();
+      const Eigen::Vector2d estimated = estimate.belief.mean(estimate.bodies[i].block).head<2>();
       squares[i] += (estimated - place->position).squaredNorm();
       ++count[i];
     }

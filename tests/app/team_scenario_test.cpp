@@ -31,9 +31,9 @@ struct Ran {
 Ran run(const LoadedScenario& loaded) {
   TeamAssembly assembly = assemble_team(loaded);
   Ran ran;
-  run_loop(assembly.boxes,
-           std::function<void(const Snapshot&)>([&](const Snapshot& s) { ran.last = s, ++ran.ticks; }),
-           std::function<bool(const Tick&)>([](const Tick&) { return true; }));
+  run_loop(
+      assembly.parts, [&](const Snapshot& s) { ran.last = s, ++ran.ticks; },
+      [](const Tick&) { return true; });
   return ran;
 }
 
@@ -337,7 +337,7 @@ Nameless run_nameless(const LoadedScenario& loaded) {
   TeamAssembly assembly = assemble_team(loaded);
   AssociationScore score(assembly.association_truth);
   Nameless out;
-  run_loop(assembly.boxes, std::function<void(const Snapshot&)>([&](const Snapshot& s) {
+  run_loop(assembly.parts, std::function<void(const Snapshot&)>([&](const Snapshot& s) {
              score.add(s);
              out.ran.last = s, ++out.ran.ticks;
              out.way.push_back(s.vehicles.front());
@@ -422,7 +422,7 @@ TEST(TeamScenario, AFreeCameraFindsWhatItSeesAndIsAsSureOfItselfAsByNames) {
         load_scenario("free-camera", std::vector<std::string>{sets[0], sets[1], "association.method=known"}));
     EXPECT_EQ(told.association_truth, nullptr);
     std::vector<SnapshotVehicle> way;
-    run_loop(told.boxes, std::function<void(const Snapshot&)>([&](const Snapshot& s) {
+    run_loop(told.parts, std::function<void(const Snapshot&)>([&](const Snapshot& s) {
                way.push_back(s.vehicles.front());
              }),
              std::function<bool(const Tick&)>([](const Tick&) { return true; }));
@@ -489,7 +489,7 @@ TEST(TeamScenario, APlantMayBeOtherThanItsFilterBelieves) {
 TEST(TeamScenario, LooksMayBeRarerThanTicks) {
   TeamAssembly assembly = assemble_team(load(drive, {"plant.ticks_per_look=5"}));
   int looked = 0, ticks = 0;
-  run_loop(assembly.boxes, std::function<void(const Snapshot&)>([&](const Snapshot& s) {
+  run_loop(assembly.parts, std::function<void(const Snapshot&)>([&](const Snapshot& s) {
              looked += !s.matches.empty();
              ++ticks;
            }),

@@ -11,7 +11,7 @@
 
 #include "incognita/control/team_controller.hpp"
 #include "incognita/models/wide_angle_camera.hpp"
-#include "incognita/slam/points/team_estimator.hpp"
+#include "incognita/slam/estimator/slam_estimator.hpp"
 #include "incognita/world/points/team_world.hpp"
 #include "incognita/world/room_clock.hpp"
 
@@ -27,48 +27,48 @@ SmallVector vec(std::initializer_list<double> numbers) {
 /// Vehicles in a place, what they believe, and where they are to go.
 struct Scene {
   std::vector<SimulatedVehicle> vehicles;
-  TeamSettings filter;
+  EstimatorSettings filter;
   std::vector<SteeringSettings> steering;
   PointLandmarks place;
   double rate_hz = 10;
   bool see_each_other = false;
 
-  void add(const TeamMember& member, const SteeringSettings& steer, double max_range_m) {
+  void add(const BodyModel& member, const SteeringSettings& steer, double max_range_m) {
     SimulatedVehicle v{
         member.motion,
         {member.start, member.start_sigmas, member.input_sigmas, -steer.most_input, steer.most_input},
-        member.sensor,
-        member.sigmas,
-        member.sigma_range_ratio};
+        member.sensors[0].sensor,
+        member.sensors[0].sigmas,
+        member.sensors[0].sigma_range_ratio};
     v.reach.max_range_m = max_range_m;
     vehicles.push_back(v);
-    filter.members.push_back(member);
+    filter.bodies.push_back(member);
     steering.push_back(steer);
   }
 };
 
 struct Result {
-  TeamEstimate estimate;
+  Estimate estimate;
   double nees = 0;              ///< of all vehicles, mean, over its degrees of freedom
   double tracking_m = 0;        ///< true distance from the path, mean of the last third
   double position_error_m = 0;  ///< at the end, the largest
 };
 
-double nees_of(const Scene& scene, const TeamEstimate& estimate, const Truth& truth, std::size_t i) {
+double nees_of(const Scene& scene, const Estimate& estimate, const Truth& truth, std::size_t i) {
   const Chart& chart = chart_of(scene.vehicles[i].motion);
-  const SmallVector mean = estimate.belief.mean(estimate.vehicles[i].block), t = truth.vehicles[i];
+  const SmallVector mean = estimate.belief.mean(estimate.bodies[i].block), t = truth.vehicles[i];
   Eigen::VectorXd e(chart.tangent());
   chart.minus({t.data(), static_cast<std::size_t>(t.size())},
               {mean.data(), static_cast<std::size_t>(mean.size())},
               {e.data(), static_cast<std::size_t>(e.size())});
-  const Eigen::MatrixXd P = estimate.belief.covariance(estimate.vehicles[i].block);
+  const Eigen::MatrixXd P = estimate.belief.covariance(estimate.bodies[i].block);
   return e.dot(P.ldlt().solve(e)) / static_cast<double>(e.size());
 }
 
 Result run(const Scene& scene, double duration_s, std::uint64_t seed) {
   TeamWorld world(scene.vehicles, seed);
   TeamSensor sensor(scene.vehicles, scene.place, scene.see_each_other, seed);
-  const TeamEstimator estimator(scene.filter);
+  SlamEstimator estimator(scene.filter);
   std::vector<VehicleSteering> steered;
   for (std::size_t i = 0; i < scene.steering.size(); ++i)
     steered.push_back({scene.vehicles[i].motion, scene.steering[i]});
@@ -86,7 +86,7 @@ Result run(const Scene& scene, double duration_s, std::uint64_t seed) {
       const AnyMotion& motion = scene.vehicles[i].motion;
       const SmallVector at_truth = position_of(motion, truth->vehicles[i]).position;
       const SmallVector estimated =
-          position_of(motion, result.estimate.belief.mean(result.estimate.vehicles[i].block)).position;
+          position_of(motion, result.estimate.belief.mean(result.estimate.bodies[i].block)).position;
       result.position_error_m = std::max(result.position_error_m, (at_truth - estimated).norm());
       if (tick.frame > 0) result.nees += nees_of(scene, result.estimate, *truth, i), ++all;
       if (tick.t < duration_s * 2 / 3) continue;
@@ -152,7 +152,7 @@ SmallVector sigmas_of(const AnySensor& sensor) {
 Scene scene_of(const AnyMotion& motion, const AnySensor& sensor, const std::string& linearization,
                const std::string& form = "covariance") {
   Scene scene;
-  TeamMember member{motion, sensor, {}, {}, {}, sigmas_of(sensor)};
+  BodyModel member = body_with_sensor(motion, sensor, {}, {}, {}, sigmas_of(sensor));
   SteeringSettings steer;
   steer.law = "feedback-linearisation";
   const bool free = traits_of(motion).in_space(), line = traits_of(motion).on_line();
@@ -204,10 +204,10 @@ TEST_P(Combinations, RunsAndKnowsHowSureItIsOrIsRefused) {
   const AnyMotion motion = motion_named(motion_name);
   const AnySensor sensor = sensor_named(sensor_name, motion);
   const Scene scene = scene_of(motion, sensor, linearization, form);
-  const std::string problem = validate_team_settings(scene.filter);
+  const std::string problem = validate(scene.filter);
   ASSERT_EQ(problem.empty(), makes_sense(motion, sensor, linearization)) << problem;
   if (!problem.empty()) {
-    EXPECT_THROW(TeamEstimator{scene.filter}, std::invalid_argument);
+    EXPECT_THROW(SlamEstimator{scene.filter}, std::invalid_argument);
     EXPECT_GT(problem.size(), 40u) << "a reason, in words";
     return;
   }
@@ -248,8 +248,9 @@ Scene three_on_circles(bool see_each_other, int landmarks, double sigma_start) {
   scene.place = drawn_landmarks(landmarks, 2, 12, 0);
   for (int i = 0; i < 3; ++i) {
     const SmallVector at_start = SmallVector::Constant(3, sigma_start);
-    TeamMember member{DifferentialDrive{0.3, 0}, RangeBearingSensor{}, vec({4.0 * i - 4, -1, 1.57}), at_start,
-                      vec({0.1, 0.1}),           vec({0.1, 0.02})};
+    const BodyModel member =
+        body_with_sensor(DifferentialDrive{0.3, 0}, RangeBearingSensor{}, vec({4.0 * i - 4, -1, 1.57}),
+                         at_start, vec({0.1, 0.1}), vec({0.1, 0.02}));
     SteeringSettings steer;
     steer.law = "feedback-linearisation";
     CirclePath path;
@@ -289,10 +290,11 @@ double apart(const AnyBelief& a, const AnyBelief& b, const std::vector<BlockId>&
   return most;
 }
 
-std::vector<BlockId> blocks_of(const TeamEstimate& estimate) {
+std::vector<BlockId> blocks_of(const Estimate& estimate) {
   std::vector<BlockId> blocks;
-  for (const TeamVehicle& vehicle : estimate.vehicles) blocks.push_back(vehicle.block);
-  for (const auto& [identity, landmark] : estimate.landmarks) blocks.push_back(landmark.block);
+  for (const Body& vehicle : estimate.bodies) blocks.push_back(vehicle.block);
+  for (const auto& [id, landmark] : estimate.landmarks)
+    if (!landmark.fixed) blocks.push_back(landmark.block);
   return blocks;
 }
 
@@ -304,10 +306,10 @@ TEST_P(Forms, GiveTheSameAnswers) {
   scene.filter.filter.linearization = linearization;
   scene.filter.filter.gate_probability = 0.999;
   if (known_map) scene.filter.anchors = scene.place;
-  TeamSettings changed = scene.filter;
+  EstimatorSettings changed = scene.filter;
   changed.filter.form = "information";
-  const TeamEstimator covariance(scene.filter), information(changed);
-  TeamEstimate a, b;
+  SlamEstimator covariance(scene.filter), information(changed);
+  Estimate a, b;
   TeamWorld world(scene.vehicles, 5);
   TeamSensor sensor(scene.vehicles, scene.place, true, 5);
   FixedRateClock clock(10, 30);
@@ -321,8 +323,8 @@ TEST_P(Forms, GiveTheSameAnswers) {
     covariance.update(a, command, observation, tick);
     information.update(b, command, observation, tick);
     if (tick.frame == 0) first_seen = a.landmarks.size();
-    ASSERT_EQ(a.matched, b.matched) << tick.frame;
-    ASSERT_NEAR(a.update.nis, b.update.nis, tolerance * (1 + a.update.nis)) << tick.frame;
+    ASSERT_EQ(a.last.matched, b.last.matched) << tick.frame;
+    ASSERT_NEAR(a.last.update.nis, b.last.update.nis, tolerance * (1 + a.last.update.nis)) << tick.frame;
     ASSERT_LT(apart(a.belief, b.belief, blocks_of(a)), tolerance) << tick.frame;
     ASSERT_NEAR(a.entropy.total, b.entropy.total, 1e-6);
     ASSERT_NEAR(a.entropy.map, b.entropy.map, 1e-6);
@@ -343,20 +345,20 @@ INSTANTIATE_TEST_SUITE_P(All, Forms,
 
 TEST(Forms, InformationIsRefusedWhereItWouldBeInfinite) {
   const AnyMotion motion = motion_named("differential-drive");
-  TeamSettings settings = scene_of(motion, BearingSensor{}, "analytic", "information").filter;
-  EXPECT_EQ(validate_team_settings(settings), "");
+  EstimatorSettings settings = scene_of(motion, BearingSensor{}, "analytic", "information").filter;
+  EXPECT_EQ(validate(settings), "");
   settings.filter.sigma_inverse_depth_per_m = 0;
-  EXPECT_NE(validate_team_settings(settings).find("inverse depth that is known exactly"), std::string::npos);
+  EXPECT_NE(validate(settings).find("inverse depth that is known exactly"), std::string::npos);
   settings.filter.sigma_inverse_depth_per_m = 0.25;
-  settings.members[0].start_sigmas[2] = 0;
-  EXPECT_NE(validate_team_settings(settings).find("start that is known exactly"), std::string::npos);
-  EXPECT_THROW(TeamEstimator{settings}, std::invalid_argument);
+  settings.bodies[0].start_sigmas[2] = 0;
+  EXPECT_NE(validate(settings).find("start that is known exactly"), std::string::npos);
+  EXPECT_THROW(SlamEstimator{settings}, std::invalid_argument);
   settings.filter.form = "covariance";
-  EXPECT_EQ(validate_team_settings(settings), "");
+  EXPECT_EQ(validate(settings), "");
   settings.filter.form = "square-root";
-  EXPECT_NE(validate_team_settings(settings).find(
-                "team_filter.form = `square-root`: must be `covariance` or `information`"),
-            std::string::npos);
+  EXPECT_NE(
+      validate(settings).find("team_filter.form = `square-root`: must be `covariance` or `information`"),
+      std::string::npos);
 }
 
 /// Vehicles that cross each other's way, a hand's breadth apart, keep a belief that is as sure as it may be.
@@ -372,7 +374,7 @@ TEST(Team, StaysConsistentWhereVehiclesMeet) {
 
 TEST(Team, SaysThatItIsLostWhereNothingIsWhereItShouldBe) {
   Scene scene = three_on_circles(false, 20, 0.01);
-  for (TeamMember& member : scene.filter.members) member.start[2] += 2;  // sure of a heading that is wrong
+  for (BodyModel& member : scene.filter.bodies) member.start[2] += 2;  // sure of a heading that is wrong
   scene.filter.anchors = scene.place;
   scene.filter.filter.gate_probability = 0.99;
   const Result result = run(scene, 20, 1);
@@ -386,12 +388,12 @@ TEST(Team, ABodyThatIsLostBrakes) {
   const Scene scene = scene_of(body, sensor_named("stereo", body), "analytic");
   std::vector<VehicleSteering> steering{{body, scene.steering[0]}};
   TeamController controller(steering, 0.05);
-  TeamEstimate e;
-  const TeamEstimator estimator(scene.filter);
+  Estimate e;
+  SlamEstimator estimator(scene.filter);
   Observation nothing;
   nothing.bodies.resize(1);
   estimator.update(e, {}, nothing, {0, 0, 0});
-  e.vehicles[0].state.segment<3>(7) << 0.4, 0, -0.2;
+  e.bodies[0].state.segment<3>(7) << 0.4, 0, -0.2;
   controller.act(e, {}, {}, {1, 0.05, 0.05});
   e.status.state = TrackingState::lost;
   const Command braking = controller.act(e, {}, {}, {2, 0.1, 0.05});
@@ -412,15 +414,15 @@ TEST(Team, GivesTheSameForTheSameSeed) {
 TEST(Team, RefusesWhatCannotBe) {
   const AnyMotion motion = motion_named("differential-drive");
   Scene scene = scene_of(motion, sensor_named("range-bearing", motion), "analytic");
-  const auto refused = [](const TeamSettings& settings, const char* because) {
-    const std::string problem = validate_team_settings(settings);
+  const auto refused = [](const EstimatorSettings& settings, const char* because) {
+    const std::string problem = validate(settings);
     EXPECT_NE(problem.find(because), std::string::npos) << problem;
   };
-  TeamSettings changed = scene.filter;
-  changed.members[0].sigmas = vec({0.1});
+  EstimatorSettings changed = scene.filter;
+  changed.bodies[0].sensors[0].sigmas = vec({0.1});
   refused(changed, "2 finite numbers");
   changed = scene.filter;
-  changed.members[0].sigmas = vec({0.1, 0});
+  changed.bodies[0].sensors[0].sigmas = vec({0.1, 0});
   refused(changed, "more than 0");
   changed = scene.filter;
   changed.filter.linearization = "linear";
@@ -433,13 +435,13 @@ TEST(Team, RefusesWhatCannotBe) {
   refused(changed, "anchor 3");
   const AnyMotion body = motion_named("free-camera");
   changed = scene_of(body, sensor_named("stereo", body), "iterated").filter;
-  EXPECT_EQ(validate_team_settings(changed), "");
+  EXPECT_EQ(validate(changed), "");
   changed.filter.max_linearity_index = 0.1;
   refused(changed, "turns a map that no anchor fixes");
   changed.anchors[1] = vec({1, 2, 3});
-  EXPECT_EQ(validate_team_settings(changed), "");
+  EXPECT_EQ(validate(changed), "");
   changed = scene.filter;
-  changed.members.clear();
+  changed.bodies.clear();
   refused(changed, "needs a vehicle");
 }
 

@@ -104,11 +104,10 @@ std::string commands_of(const Command& command) {
 }
 
 /// All that the robot's side made of each tick, in text that tells any two numbers apart.
-template <class SomeBoxes>
-std::vector<std::string> run(SomeBoxes& boxes) {
+std::vector<std::string> run(LoopParts& parts) {
   std::vector<std::string> made;
   run_loop(
-      boxes,
+      parts,
       [&](const Snapshot& s) {
         Snapshot known = s;
         known.truth.reset();
@@ -119,19 +118,19 @@ std::vector<std::string> run(SomeBoxes& boxes) {
   return made;
 }
 
-/// `assembled`: makes the same boxes anew.
+/// `assembled`: makes the same parts anew.
 template <class Assembled>
 void expect_same_without_a_world(const Assembled& assembled) {
   Given given;
   auto with = assembled();
-  with.boxes.clock = std::make_unique<RecordingClock>(std::move(with.boxes.clock), given);
-  with.boxes.sensor = std::make_unique<RecordingSensor>(std::move(with.boxes.sensor), given);
-  const std::vector<std::string> in_the_world = run(with.boxes);
+  with.parts.clock = std::make_unique<RecordingClock>(std::move(with.parts.clock), given);
+  with.parts.sensor = std::make_unique<RecordingSensor>(std::move(with.parts.sensor), given);
+  const std::vector<std::string> in_the_world = run(with.parts);
   auto without = assembled();
-  without.boxes.clock = std::make_unique<GivenClock>(given);
-  without.boxes.world = std::make_unique<NoWorld>();
-  without.boxes.sensor = std::make_unique<GivenSensor>(given);
-  const std::vector<std::string> alone = run(without.boxes);
+  without.parts.clock = std::make_unique<GivenClock>(given);
+  without.parts.world = std::make_unique<NoWorld>();
+  without.parts.sensor = std::make_unique<GivenSensor>(given);
+  const std::vector<std::string> alone = run(without.parts);
   ASSERT_GT(in_the_world.size(), 20u);
   ASSERT_EQ(alone.size(), in_the_world.size());
   for (std::size_t k = 0; k < alone.size(); ++k) ASSERT_EQ(alone[k], in_the_world[k]) << "tick " << k;

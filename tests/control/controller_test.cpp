@@ -60,7 +60,7 @@ TEST(CameraController, BrakesFromTheLastKnownMotionWhenLostThenDoesNothing) {
   Estimate estimate;
   CameraState x = at_rest();
   x.segment<3>(7) << 0.4, 0, 0;
-  estimate.camera =
+  estimate.bodies.emplace_back().block =
       estimate.belief.add_vehicle(FreeCameraMotion::chart, x, FreeCameraMotion::Jacobian::Identity());
   estimate.started = true;
   estimate.status.state = TrackingState::tracking;
@@ -85,7 +85,7 @@ TEST(CameraController, ShowsAnOperatorTheGoalAndAsksForNoInput) {
   goal.to = {0, 0.3, 0};
   goal.end_t = 1;
   EXPECT_FALSE(controller.act(estimate, goal, {}, {0, 0, 0}).operator_controlled) << "not started";
-  estimate.camera =
+  estimate.bodies.emplace_back().block =
       estimate.belief.add_vehicle(FreeCameraMotion::chart, moving, FreeCameraMotion::Jacobian::Identity());
   estimate.started = true;
   estimate.status.state = TrackingState::tracking;

@@ -21,8 +21,9 @@ VehicleDriving driving(const std::string& law = "none") {
 
 Estimate at(const TerrainVehicle& vehicle, const Eigen::Vector3d& x) {
   Estimate estimate;
-  estimate.camera = estimate.belief.add_vehicle(FreeCameraMotion::chart, mount.on(vehicle.pose(x)).camera,
-                                                1e-4 * FreeCameraMotion::Jacobian::Identity());
+  estimate.bodies.emplace_back().block =
+      estimate.belief.add_vehicle(FreeCameraMotion::chart, mount.on(vehicle.pose(x)).camera,
+                                  1e-4 * FreeCameraMotion::Jacobian::Identity());
   estimate.started = true;
   estimate.status.state = TrackingState::tracking;
   return estimate;

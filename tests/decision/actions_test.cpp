@@ -36,19 +36,19 @@ Estimate two_landmarks() {
   Estimate estimate;
   CameraState x = CameraState::Zero();
   x.segment<4>(3) = level_gaze(0);
-  estimate.camera =
+  estimate.bodies.emplace_back().block =
       estimate.belief.add_vehicle(FreeCameraMotion::chart, x, 1e-4 * FreeCameraMotion::Jacobian::Identity());
   estimate.started = true;
   estimate.status.state = TrackingState::tracking;
   for (const double y : {-0.3, 0.3}) {
     Landmark landmark;
-    landmark.id = estimate.next_id++;
+    landmark.id = new_id(estimate);
+    landmark.camera = 0;
     const Eigen::Vector3d at(2.0, y, 0);
     const Eigen::Matrix3d cov =
         Eigen::Vector3d(0.25, 1e-4, 1e-4).asDiagonal();  // unsure along the line of sight
     landmark.block = estimate.belief.augment(PointLandmark::chart, at, {}, cov);
-    landmark.view = {{Image(21, 21, 100), {10, 10}}, {160, 120}, {0, 0, 0}, x.segment<4>(3), {{-1, 0, 0}}, 0};
-    estimate.catalog.push_back(landmark);
+    estimate.landmarks.emplace(landmark.id, landmark);
   }
   return estimate;
 }
@@ -58,7 +58,7 @@ TEST(CameraDecision, MovesAcrossTheLineOfSightToLearnDepth) {
   CameraSlamSettings steady;  // a second of unknown accelerations would drown the parallax
   steady.filter.sigma_acceleration_m_s2 = steady.filter.sigma_angular_acceleration_rad_s2 = 0.01;
   CameraDecision decision(WideAngleCamera{}, steady, {});
-  const Goal goal = decision.choose(estimate, {0, 0, 0});
+  const Goal goal = decision.choose(estimate, Tick{0, 0, 0});
   ASSERT_TRUE(goal.decided);
   const std::string chosen = decision.actions()[goal.chosen];
   EXPECT_TRUE(chosen == "go_left" || chosen == "go_right" || chosen == "go_up" || chosen == "go_down")
@@ -71,7 +71,7 @@ TEST(CameraDecision, ComparesOncePerPeriodAndScoresEveryFrame) {
   CameraDecision decision(WideAngleCamera{}, {}, {});
   int decided = 0;
   for (int k = 0; k < 61; ++k) {
-    const Goal goal = decision.choose(estimate, {k, k / 30.0, 1 / 30.0});
+    const Goal goal = decision.choose(estimate, Tick{k, k / 30.0, 1 / 30.0});
     decided += goal.decided;
     ASSERT_EQ(goal.scores.size(), 7u);
     for (const double score : goal.scores) EXPECT_GT(score, 0);
@@ -85,14 +85,14 @@ TEST(CameraDecision, LeavesOutGoalsBeyondTheBounds) {
   settings.min_bound_m = {-0.1, -0.1, -0.1};
   settings.max_bound_m = {0.1, 0.1, 0.1};
   CameraDecision decision(WideAngleCamera{}, {}, settings);
-  EXPECT_EQ(decision.actions()[decision.choose(estimate, {0, 0, 0}).chosen], "stay");
+  EXPECT_EQ(decision.actions()[decision.choose(estimate, Tick{0, 0, 0}).chosen], "stay");
 }
 
 TEST(CameraDecision, HasNoActionWhenLost) {
   Estimate estimate = two_landmarks();
   estimate.status.state = TrackingState::lost;
   CameraDecision decision(WideAngleCamera{}, {}, {});
-  EXPECT_EQ(decision.choose(estimate, {0, 0, 0}).chosen, -1);
+  EXPECT_EQ(decision.choose(estimate, Tick{0, 0, 0}).chosen, -1);
 }
 
 }  // namespace

@@ -17,19 +17,19 @@ Estimate before(int landmarks) {
   Estimate e;
   CameraState x = CameraState::Zero();
   x.segment<4>(3) = level_gaze(0);
-  e.camera = e.belief.add_vehicle(FreeCameraMotion::chart, x, 1e-4 * FreeCameraMotion::Jacobian::Identity());
+  e.bodies.emplace_back().block =
+      e.belief.add_vehicle(FreeCameraMotion::chart, x, 1e-4 * FreeCameraMotion::Jacobian::Identity());
   e.started = true;
   RandomStream random(4, "test");
   for (int i = 0; i < landmarks; ++i) {
     Landmark landmark{};
-    landmark.kind = Landmark::Kind::point;
-    landmark.id = e.next_id++;
+    landmark.camera = 0;
+    landmark.id = new_id(e);
     const Eigen::Vector3d at(2 + random.uniform(), random.uniform() - 0.5, random.uniform() - 0.5);
     const double sigma = 0.01 + 0.2 * random.uniform();
     landmark.block =
         e.belief.augment(PointLandmark::chart, at, {}, sigma * sigma * Eigen::Matrix3d::Identity());
-    landmark.view = {{Image(21, 21, 100), {10, 10}}, {160, 120}, {0, 0, 0}, x.segment<4>(3), {{-1, 0, 0}}, 0};
-    e.catalog.push_back(landmark);
+    e.landmarks.emplace(landmark.id, landmark);
   }
   return e;
 }
@@ -59,7 +59,7 @@ TEST(CameraExpectation, SearchesForTheMostUncertain) {
   CameraSlamSettings slam;
   slam.search.max_measurements = 20;
   auto trace = [&](const PredictedMeasurement& l) {
-    return (l.Hv * e.belief.covariance(e.camera) * l.Hv.transpose() +
+    return (l.Hv * e.belief.covariance(e.body().block) * l.Hv.transpose() +
             l.Hl * e.belief.covariance(l.block) * l.Hl.transpose())
         .trace();
   };

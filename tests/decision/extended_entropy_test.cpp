@@ -37,7 +37,8 @@ Estimate camera_alone() {
   Estimate e;
   CameraState x = CameraState::Zero();
   x.segment<4>(3) = level_gaze(0);
-  e.camera = e.belief.add_vehicle(FreeCameraMotion::chart, x, 1e-2 * FreeCameraMotion::Jacobian::Identity());
+  e.bodies.emplace_back().block =
+      e.belief.add_vehicle(FreeCameraMotion::chart, x, 1e-2 * FreeCameraMotion::Jacobian::Identity());
   e.started = true;
   return e;
 }
@@ -49,14 +50,13 @@ TEST(ExtendedEntropy, ALandmarkMappedAsBadlyAsItWasExpectedTeachesNothing) {
   Estimate e = camera_alone();
   const double before = extended_entropy(e, exploration).value();
   Landmark landmark{};
-  landmark.kind = Landmark::Kind::point;
   landmark.block =
       e.belief.augment(PointLandmark::chart, Eigen::Vector3d(1, 2, 3), {}, 1.5 * Eigen::Matrix3d::Identity());
-  e.catalog.push_back(landmark);
+  e.landmarks[0] = landmark;
   EXPECT_NEAR(extended_entropy(e, exploration).value(), before, 1e-9);
   landmark.block = e.belief.augment(PointLandmark::chart, Eigen::Vector3d(1, 2, 3), {},
                                     0.015 * Eigen::Matrix3d::Identity());
-  e.catalog.push_back(landmark);
+  e.landmarks[1] = landmark;
   EXPECT_NEAR(extended_entropy(e, exploration).value(), before - 1.5 * std::log(100), 1e-9);
   exploration.expected_landmarks = 1;
   EXPECT_FALSE(extended_entropy(e, exploration)) << "more are mapped: another dimension";

@@ -8,13 +8,13 @@
 namespace incognita {
 namespace {
 
-TeamSettings one_camera() {
+EstimatorSettings one_camera() {
   SmallVector start = SmallVector::Zero(13);
   start.segment<4>(3) = level_gaze(0);
-  TeamSettings team;
-  team.members.push_back({FreeCameraMotion{}, CameraSensor{Camera(WideAngleCamera{}), {}}, start,
-                          SmallVector::Constant(12, 0.01), SmallVector::Constant(6, 0.3),
-                          SmallVector::Constant(2, 1)});
+  EstimatorSettings team;
+  team.bodies.push_back(body_with_sensor(FreeCameraMotion{}, CameraSensor{Camera(WideAngleCamera{}), {}},
+                                         start, SmallVector::Constant(12, 0.01),
+                                         SmallVector::Constant(6, 0.3), SmallVector::Constant(2, 1)));
   return team;
 }
 
@@ -28,8 +28,6 @@ TEST(TeamDecision, HoldsTheGazeAndRefusesToSwingIt) {
   } catch (const std::invalid_argument& error) {
     EXPECT_NE(std::string(error.what()).find("decision.gaze: `swing`"), std::string::npos) << error.what();
   }
-  settings.decides = false;
-  EXPECT_NO_THROW(TeamDecision(one_camera(), settings)) << "nothing is decided";
 }
 
 }  // namespace

@@ -306,9 +306,9 @@ TEST(RecordedSensor, GivesImageAfterImage) {
   RecordedSensor sensor(three_images(scratch), 20, 16);
   for (int k : {0, 1, 2, 0}) {
     const Observation observation = sensor.measure(std::nullopt, {k, 0, 0});
-    ASSERT_TRUE(observation.bodies.at(0).image);
-    EXPECT_EQ((*observation.bodies[0].image)(0, 0), k);
-    EXPECT_EQ((*observation.bodies[0].image)(5, 4), k + 3 * 5 + 7 * 4);
+    ASSERT_TRUE(observation.bodies.at(0).images.at(0));
+    EXPECT_EQ((*observation.bodies[0].images.at(0))(0, 0), k);
+    EXPECT_EQ((*observation.bodies[0].images.at(0))(5, 4), k + 3 * 5 + 7 * 4);
   }
   EXPECT_HAS(message_of<RecordError>([&] {
                sensor.measure(std::nullopt, {3, 0, 0});

@@ -144,9 +144,9 @@ TEST(SnapshotLog, SaysWhatTheSnapshotSays) {
   EXPECT_EQ(json["nis"], snapshot.nis);
   EXPECT_EQ(json["nis_dof"], 10);
   EXPECT_EQ(json["entropy"]["total"], snapshot.entropy.total);
-  EXPECT_EQ(json["advice"]["candidates"][2]["action"], "back");
-  EXPECT_EQ(json["advice"]["candidates"][2]["score"], snapshot.decision.scores[2]);
-  EXPECT_EQ(json["advice"]["chosen"], snapshot.decision.chosen);
+  EXPECT_EQ(json["decision"]["candidates"][2]["action"], "back");
+  EXPECT_EQ(json["decision"]["candidates"][2]["score"], snapshot.decision.scores[2]);
+  EXPECT_EQ(json["decision"]["chosen"], snapshot.decision.chosen);
   EXPECT_EQ(json["command"]["linear_acceleration"]["y"], 0.2);
   ASSERT_EQ(json["looks"].size(), 8u);
   EXPECT_NEAR(json["looks"][3]["predicted"][1], snapshot.matches[3].predicted.y(), 1e-4);

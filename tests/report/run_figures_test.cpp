@@ -47,10 +47,10 @@ TEST(RunFigures, AreAllDrawn) {
   run.lost_to = 180;
   record(scratch / "run", run);
   EXPECT_EQ(draw_run_figures(scratch / "run"), std::vector<std::string>{});
-  expect_figures(scratch / "run", {"map", "errors", "entropy", "advice"});
+  expect_figures(scratch / "run", {"map", "errors", "entropy", "decision"});
   EXPECT_NE(contents(scratch / "run/figures/map.svg").find("true path"), std::string::npos);
   EXPECT_NE(contents(scratch / "run/figures/errors.svg").find(">error<"), std::string::npos);
-  EXPECT_NE(contents(scratch / "run/figures/advice.svg").find("forward"), std::string::npos);
+  EXPECT_NE(contents(scratch / "run/figures/decision.svg").find("forward"), std::string::npos);
 }
 
 TEST(RunFigures, CallNoLengthMetersWhereTheScaleIsUnobservable) {
@@ -127,7 +127,7 @@ TEST(RunFigures, OfASingleFrameAreDrawn) {
   run.starting = 15;
   record(scratch / "run", run);
   EXPECT_EQ(draw_run_figures(scratch / "run"), std::vector<std::string>{});
-  expect_figures(scratch / "run", {"map", "errors", "entropy", "advice"});
+  expect_figures(scratch / "run", {"map", "errors", "entropy", "decision"});
 }
 
 TEST(RunFigures, WithoutGnuplotLeaveTheScriptsAndWarn) {

@@ -19,14 +19,12 @@ const CameraState origin = camera_at({0, 0, 0});
 constexpr double px_per_m = 195 / 2.0;  // on the wall, seen from the origin
 
 /// Landmarks at corners of the wall, spread over the image, all where they are believed to be but for `off`.
-struct Scene {
-  CameraSlamSettings settings;
+struct Scene : Tracking {
   Image image = wall.seen_from(origin);
-  Estimate estimate;
   SummedImage summed;
 
-  explicit Scene(double sigma_camera_m) : estimate(estimate_at(origin, camera_covariance(sigma_camera_m))) {
-    settings.filter.sigma_pixel_px = 0.5;
+  explicit Scene(double sigma_camera_m) : Tracking(origin, camera_covariance(sigma_camera_m)) {
+    tracked.settings.filter.sigma_pixel_px = 0.5;
   }
   static CameraCov camera_covariance(double sigma_m) {
     CameraCov P = 1e-8 * CameraCov::Identity();
@@ -35,19 +33,27 @@ struct Scene {
   }
 
   /// `off_px`: of the mean from the truth, in the image.
-  Landmark& add(std::size_t corner, double sigma_px, const Eigen::Vector2d& off_px = {0, 0}) {
+  Feature& add(std::size_t corner, double sigma_px, const Eigen::Vector2d& off_px = {0, 0}) {
     const Eigen::Vector3d at = wall.corners_in_view(origin, 40).at(corner);
     const Eigen::Vector3d off(0, -off_px.x() / px_per_m, -off_px.y() / px_per_m);
-    return add_point(estimate, image, origin, at, at + off, sigma_px / px_per_m, settings);
+    return feature(add_point(image, origin, at, at + off, sigma_px / px_per_m));
   }
 
+  SearchSettings& settings() { return tracked.settings.search; }
+  /// Number of features searched for.
   int search() {
     summed.assign(image);
-    predict_matches(estimate, camera, settings, estimate.matches);
-    return active_search(summed, estimate.catalog, settings.search, estimate.matches);
+    predict_matches(estimate, tracked);
+    active_search(summed, tracked);
+    return tracked.predicted;
+  }
+  /// Number of inliers.
+  int reject() {
+    reject_outliers(estimate, tracked);
+    return tracked.matched;
   }
   const FeatureMatch& match_of(std::int64_t id) const {
-    return *std::find_if(estimate.matches.begin(), estimate.matches.end(),
+    return *std::find_if(tracked.matches.begin(), tracked.matches.end(),
                          [id](const FeatureMatch& match) { return match.id == id; });
   }
   MatchOutcome outcome(std::int64_t id) const { return match_of(id).outcome; }
@@ -60,12 +66,12 @@ TEST(ActiveSearch, TheMostUncertainFirstAndNoMoreThanAllowed) {
   Scene scene(1e-4);
   const double sigmas_px[] = {1, 5, 2, 6, 3, 4};
   for (std::size_t i = 0; i < 6; ++i) scene.add(9 * i, sigmas_px[i]);
-  scene.settings.search.max_measurements = 3;
+  scene.settings().max_measurements = 3;
   EXPECT_EQ(scene.search(), 3);
   for (std::int64_t id = 0; id < 6; ++id)
     EXPECT_EQ(scene.outcome(id), sigmas_px[id] >= 4 ? MatchOutcome::matched : MatchOutcome::not_searched)
         << id;
-  scene.settings.search.max_measurements = 12;
+  scene.settings().max_measurements = 12;
   EXPECT_EQ(scene.search(), 6);
   for (std::int64_t id = 0; id < 6; ++id) EXPECT_EQ(scene.outcome(id), MatchOutcome::matched) << id;
 }
@@ -75,7 +81,7 @@ TEST(ActiveSearch, FindsThePatchInsideItsEllipseAndNowhereElse) {
   const Eigen::Vector2d directions[] = {{1, 0}, {0, 1}, {-0.6, 0.8}};
   for (const Eigen::Vector2d& way : directions) {
     Scene inside(1e-5), outside(1e-5);
-    inside.settings.search.min_correlation = outside.settings.search.min_correlation = 0.95;  // nothing alike
+    inside.settings().min_correlation = outside.settings().min_correlation = 0.95;  // nothing alike
     inside.add(30, sigma_px, 10.5 * way);
     outside.add(30, sigma_px, 15 * way);
     inside.search();
@@ -90,11 +96,11 @@ TEST(ActiveSearch, FindsThePatchInsideItsEllipseAndNowhereElse) {
 /// The best place of another scene: it is inside the ellipse, whatever it is like.
 TEST(ActiveSearch, StaysInTheEllipseOfAnotherScene) {
   Scene scene(0.03);
-  scene.settings.search.min_correlation = -1;
+  scene.settings().min_correlation = -1;
   for (std::size_t i = 0; i < 6; ++i) scene.add(9 * i, 3 + static_cast<double>(i));
   scene.image = Wall(2, 77).seen_from(origin);
   EXPECT_EQ(scene.search(), 6);
-  for (const FeatureMatch& match : scene.estimate.matches) {
+  for (const FeatureMatch& match : scene.tracked.matches) {
     ASSERT_TRUE(match.measured);
     const Eigen::Vector2d r = *match.measured - match.predicted;
     // The peak between the pixels may be half a pixel beyond
@@ -105,12 +111,12 @@ TEST(ActiveSearch, StaysInTheEllipseOfAnotherScene) {
 
 TEST(ActiveSearch, GoesNoFurtherOutThanTheLargestHalfAxis) {
   Scene scene(1e-5);
-  scene.settings.search.max_half_axis_px = 8;
-  scene.settings.search.min_correlation = 0.95;
+  scene.settings().max_half_axis_px = 8;
+  scene.settings().min_correlation = 0.95;
   scene.add(30, 20, {10, 0});
   scene.search();
   EXPECT_EQ(scene.outcome(0), MatchOutcome::not_found);
-  scene.settings.search.max_half_axis_px = 12;
+  scene.settings().max_half_axis_px = 12;
   scene.search();
   EXPECT_EQ(scene.outcome(0), MatchOutcome::matched);
 }
@@ -124,7 +130,7 @@ TEST(ActiveSearch, BelowTheLeastCorrelationNothingIsFound) {
   EXPECT_FALSE(scene.match_of(0).measured);
   const double correlation = scene.match_of(0).correlation;
   EXPECT_LT(correlation, 0.8);
-  scene.settings.search.min_correlation = correlation - 0.01;
+  scene.settings().min_correlation = correlation - 0.01;
   scene.search();
   EXPECT_EQ(scene.outcome(0), MatchOutcome::matched);
 }
@@ -137,7 +143,7 @@ TEST(ActiveSearch, AnOutlierThatTheOthersContradictIsRejected) {
   scene.add(45, 0.3, {12, 0});
   EXPECT_EQ(scene.search(), 6);
   EXPECT_EQ(scene.outcome(5), MatchOutcome::matched) << "by itself nothing speaks against it";
-  EXPECT_EQ(reject_outliers(scene.estimate, scene.settings, scene.estimate.matches), 5);
+  EXPECT_EQ(scene.reject(), 5);
   EXPECT_EQ(scene.outcome(5), MatchOutcome::outlier);
   EXPECT_TRUE(scene.match_of(5).measured) << "what was found there stays on record";
   for (std::int64_t id = 0; id < 5; ++id) EXPECT_EQ(scene.outcome(id), MatchOutcome::matched) << id;
@@ -148,7 +154,7 @@ TEST(ActiveSearch, WithoutMatchesNothingIsLeft) {
   scene.add(30, 2);
   scene.image = Image(model.width, model.height, 90);
   scene.search();
-  EXPECT_EQ(reject_outliers(scene.estimate, scene.settings, scene.estimate.matches), 0);
+  EXPECT_EQ(scene.reject(), 0);
   EXPECT_EQ(scene.outcome(0), MatchOutcome::not_found);
 }
 
@@ -162,15 +168,14 @@ TEST(ActiveSearch, AReturningLandmarkThatNothingConfirmsIsAlone) {
     scene.search();
     ASSERT_EQ(scene.outcome(5), MatchOutcome::matched);
     const bool returns = frames_away >= 15;
-    EXPECT_EQ(reject_outliers(scene.estimate, scene.settings, scene.estimate.matches), returns ? 5 : 6);
+    EXPECT_EQ(scene.reject(), returns ? 5 : 6);
     EXPECT_EQ(scene.outcome(5), returns ? MatchOutcome::unconfirmed : MatchOutcome::matched) << frames_away;
   }
   Scene precise(0.02);
   for (std::size_t i = 0; i < 5; ++i) precise.add(9 * i, 0.3);
   precise.add(45, 6).frames_away = 100;
   precise.search();
-  EXPECT_EQ(reject_outliers(precise.estimate, precise.settings, precise.estimate.matches), 6)
-      << "less uncertain than max_alone_sigma_px";
+  EXPECT_EQ(precise.reject(), 6) << "less uncertain than max_alone_sigma_px";
 }
 
 /// The camera itself is uncertain by much more than a pixel: two landmarks that return say the same of it.
@@ -179,9 +184,9 @@ TEST(ActiveSearch, ReturningLandmarksConfirmEachOther) {
     Scene scene(0.15);  // 15 px
     for (std::size_t i = 0; i < count; ++i) scene.add(9 + 27 * i, 0.3).frames_away = 40;
     scene.search();
-    const int left = reject_outliers(scene.estimate, scene.settings, scene.estimate.matches);
+    const int left = scene.reject();
     EXPECT_EQ(left, count == 1 ? 0 : 2);
-    for (const FeatureMatch& match : scene.estimate.matches)
+    for (const FeatureMatch& match : scene.tracked.matches)
       EXPECT_EQ(match.outcome, count == 1 ? MatchOutcome::unconfirmed : MatchOutcome::matched);
   }
 }

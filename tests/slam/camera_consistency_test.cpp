@@ -12,7 +12,7 @@
 #include "incognita/io/scenario/load_scenario.hpp"
 #include "incognita/io/scenario/target_file.hpp"
 #include "incognita/math/gaussian.hpp"
-#include "incognita/slam/features/camera_estimator.hpp"
+#include "incognita/slam/estimator/single_camera.hpp"
 #include "incognita/world/rendered/free_camera_plant.hpp"
 #include "incognita/world/rendered/room_camera.hpp"
 
@@ -58,7 +58,7 @@ double pose_nees(const CameraState& truth, const Estimate& estimate) {
   const CameraState x = estimate.camera_state();
   Eigen::Matrix<double, 12, 1> error;
   FreeCameraMotion::chart.minus({truth.data(), 13}, {x.data(), 13}, {error.data(), 12});
-  const Eigen::MatrixXd P = estimate.belief.covariance(estimate.camera).topLeftCorner(6, 6);
+  const Eigen::MatrixXd P = estimate.belief.covariance(estimate.body().block).topLeftCorner(6, 6);
   return error.head<6>().dot(P.llt().solve(error.head<6>()));
 }
 
@@ -66,7 +66,8 @@ Run run(std::uint64_t seed, double duration_s) {
   const Scenario& scenario = setup().loaded.scenario;
   FreeCameraPlant plant(scenario.room, setup().room->layout(), seed);
   RoomCamera sensor(setup().room, setup().camera, scenario.room, seed);
-  CameraEstimator estimator(setup().camera, setup().target, scenario.slam, scenario.start.max_search_s, seed);
+  SlamEstimator estimator =
+      single_camera(setup().camera, setup().target, scenario.slam, scenario.start.max_search_s, seed);
   Estimate estimate;
   Command command;
   Run run;

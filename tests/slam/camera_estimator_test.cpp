@@ -1,11 +1,13 @@
 // The camera estimator's state: when it began, what it does without images, and what it refuses.
-#include "incognita/slam/features/camera_estimator.hpp"
+#include "incognita/slam/estimator/single_camera.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "incognita/models/wide_angle_camera.hpp"
 
@@ -30,7 +32,7 @@ std::shared_ptr<const Image> blocks(std::uint64_t seed) {
 
 Observation seeing(std::shared_ptr<const Image> image) {
   Observation observation;
-  observation.bodies.emplace_back().image = std::move(image);
+  observation.bodies.emplace_back().images = {std::move(image)};
   return observation;
 }
 
@@ -50,8 +52,28 @@ Target target() {
   return target;
 }
 
-CameraEstimator estimator(const CameraSlamSettings& settings = {}) {
-  return {camera, std::nullopt, settings, 10, 1};
+/// Four corners of the blocks, as on a plane 1 m ahead of a camera at the origin that looks along +x.
+Target corners_of(const Image& image) {
+  Target target;
+  target.name = "blocks";
+  target.normal = {-1, 0, 0};
+  for (const auto& [u, v] : {std::pair{64, 48}, {256, 48}, {256, 192}, {64, 192}}) {
+    const Eigen::Vector3d ray = camera.unproject({u - 0.5, v - 0.5}).value();
+    Image patch(11, 11);
+    for (int y = 0; y < 11; ++y)
+      for (int x = 0; x < 11; ++x) patch(x, y) = image(u + x - 5, v + y - 5);
+    target.corners.push_back({Eigen::Vector3d(1, -ray.x() / ray.z(), -ray.y() / ray.z()), patch});
+  }
+  return target;
+}
+
+bool searches_rays(const Estimate& estimate) {
+  return std::any_of(estimate.last.matches.begin(), estimate.last.matches.end(),
+                     [](const Match& match) { return match.ray; });
+}
+
+SlamEstimator estimator(const CameraSlamSettings& settings = {}) {
+  return single_camera(camera, std::nullopt, settings, 10, 1);
 }
 
 /// `k` ticks after a first one of any number and time.
@@ -65,10 +87,10 @@ struct Begins {
 };
 const Begins begins[] = {{0, 0}, {17, 1.3e9}, {3, -5}};
 
-TEST(CameraEstimator, SearchesForItsTargetAsLongWhateverItsFirstTick) {
+TEST(SingleCamera, SearchesForItsTargetAsLongWhateverItsFirstTick) {
   const auto image = blocks(1);
   for (const auto& [frame, t] : begins) {
-    CameraEstimator searching(camera, target(), {}, 2, 1);
+    SlamEstimator searching = single_camera(camera, target(), {}, 2, 1);
     Estimate estimate;
     for (const int k : {0, 1, 30, 59}) {
       searching.update(estimate, {}, seeing(image), tick(frame, t, k));
@@ -83,17 +105,17 @@ TEST(CameraEstimator, SearchesForItsTargetAsLongWhateverItsFirstTick) {
   }
 }
 
-TEST(CameraEstimator, TracksAlikeWhateverItsFirstTick) {
+TEST(SingleCamera, TracksAlikeWhateverItsFirstTick) {
   std::vector<Eigen::VectorXd> means;
   std::vector<Eigen::MatrixXd> covariances;
   for (const auto& [frame, t] : begins) {
-    CameraEstimator tracking = estimator();
+    SlamEstimator tracking = estimator();
     Estimate estimate;
     for (int k = 0; k < 20; ++k) tracking.update(estimate, {}, seeing(blocks(1)), tick(frame, t, k));
     EXPECT_EQ(estimate.status.state, TrackingState::tracking) << estimate.status.reason;
     EXPECT_GE(estimate.mapped_count(), 8);
     means.emplace_back(estimate.camera_state());
-    covariances.emplace_back(estimate.belief.covariance(estimate.camera));
+    covariances.emplace_back(estimate.belief.covariance(estimate.body().block));
     EXPECT_GT(estimate.entropy.map, -1e9);
   }
   EXPECT_EQ(means[0], means[1]);
@@ -102,27 +124,26 @@ TEST(CameraEstimator, TracksAlikeWhateverItsFirstTick) {
 }
 
 /// An image may go when the tick is over: nothing of it is looked at in the next.
-TEST(CameraEstimator, KeepsNoImageAndSearchesNothingWithoutOne) {
+TEST(SingleCamera, KeepsNoImageAndSearchesNothingWithoutOne) {
   CameraSlamSettings settings;
   settings.initialization.method = InitializationSettings::Method::depth_line;
   settings.map.wanted_visible = 20;
   settings.lost.min_matches = 1;
-  CameraEstimator with_points = estimator(), tracking = estimator(settings);
+  SlamEstimator tracking = single_camera(camera, corners_of(*blocks(1)), settings, 10, 1);
   Estimate estimate;
   auto image = blocks(1);
-  // Lines are followed while points hold the camera
-  for (int k = 0; k < 6; ++k)
-    (k == 0 ? with_points : tracking).update(estimate, {}, seeing(image), tick(0, 0, k));
-  ASSERT_FALSE(estimate.line_matches.empty());
-  const std::size_t landmarks = estimate.catalog.size();
+  // Rays are followed while the anchors hold the camera
+  for (int k = 0; k < 6; ++k) tracking.update(estimate, {}, seeing(image), tick(0, 0, k));
+  ASSERT_TRUE(searches_rays(estimate)) << estimate.status.reason;
+  const std::size_t landmarks = estimate.landmarks.size();
   const std::weak_ptr<const Image> gone = image;
   image.reset();
   ASSERT_TRUE(gone.expired());
   for (int k = 6; k < 9; ++k) {
     tracking.update(estimate, {}, {}, tick(0, 0, k));
-    EXPECT_TRUE(estimate.line_matches.empty());
-    EXPECT_EQ(estimate.matched, 0);
-    EXPECT_EQ(estimate.catalog.size(), landmarks) << "no line failed by it";
+    EXPECT_FALSE(searches_rays(estimate));
+    EXPECT_EQ(estimate.last.matched, 0);
+    EXPECT_EQ(estimate.landmarks.size(), landmarks) << "no line failed by it";
     EXPECT_EQ(estimate.status.state, TrackingState::degraded) << estimate.status.reason;
   }
 }
@@ -138,7 +159,7 @@ std::string refusal(const std::function<void(CameraSlamSettings&)>& change) {
   return "accepted";
 }
 
-TEST(CameraEstimator, RefusesSettingsThatCannotBe) {
+TEST(SingleCamera, RefusesSettingsThatCannotBe) {
   EXPECT_EQ(refusal([](auto&) {}), "accepted");
   EXPECT_EQ(refusal([](auto& s) { s.filter.sigma_pixel_px = 0; }),
             "filter.sigma_pixel_px = 0: must be more than 0, and finite");
@@ -159,14 +180,14 @@ TEST(CameraEstimator, RefusesSettingsThatCannotBe) {
   EXPECT_EQ(refusal([](auto& s) { s.lost.min_matches = 0; }), "lost.min_matches = 0: must be 1 or more");
 }
 
-TEST(CameraEstimator, RefusesATargetOrWheelsThatCannotBe) {
+TEST(SingleCamera, RefusesATargetOrWheelsThatCannotBe) {
   Target three = target();
   three.corners.pop_back();
-  EXPECT_THROW(CameraEstimator(camera, three, {}, 10, 1), std::invalid_argument);
-  EXPECT_THROW(CameraEstimator(camera, target(), {}, 0, 1), std::invalid_argument);
+  EXPECT_THROW(single_camera(camera, three, {}, 10, 1), std::invalid_argument);
+  EXPECT_THROW(single_camera(camera, target(), {}, 0, 1), std::invalid_argument);
   WheelOdometry odometry;
   odometry.sigma_turn_rate_rad_s = 0;
-  EXPECT_THROW(CameraEstimator(camera, target(), {}, 10, 1, odometry), std::invalid_argument);
+  EXPECT_THROW(single_camera(camera, target(), {}, 10, 1, odometry), std::invalid_argument);
 }
 
 }  // namespace

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <string>
 
-#include "incognita/slam/features/camera_estimator.hpp"
-#include "incognita/slam/features/tracking.hpp"
+#include "incognita/slam/estimator/single_camera.hpp"
+#include "incognita/slam/mapper/health.hpp"
 #include "tests/slam/scene_with_target.hpp"
 
 namespace incognita {
@@ -19,19 +19,19 @@ const CameraState origin = camera_at({0, 0, 0});
 /// known.
 struct Tracked {
   CameraSlamSettings settings;
-  CameraEstimator estimator;
+  SlamEstimator estimator;
   Estimate estimate;
   CameraState truth = origin;
   int k = 0;
 
   explicit Tracked(const CameraSlamSettings& s = defaults())
-      : settings(s), estimator(camera, sheet_target(), s, 10, 1) {
+      : settings(s), estimator(single_camera(camera, sheet_target(), s, 10, 1)) {
     for (int i = 0; i < 12; ++i) {
       truth = camera_at({0, 0.02 * std::min(i, 8), 0});
       see(wall_with_sheet().shared_view(truth));
     }
     EXPECT_EQ(estimate.status.state, TrackingState::tracking) << estimate.status.reason;
-    EXPECT_GE(estimate.matched, 8);
+    EXPECT_GE(estimate.last.matched, 8);
     EXPECT_LT(position_error_m(), 0.02);
   }
   static CameraSlamSettings defaults() {
@@ -43,31 +43,32 @@ struct Tracked {
   void see(const std::shared_ptr<const Image>& image, const Command& command = {}) {
     estimator.update(estimate, command, seeing(image), tick(k++));
   }
-  void see_gray() { see(seeing_gray(8).bodies[0].image); }
+  void see_gray() { see(seeing_gray(8).bodies[0].images.at(0)); }
   void see_nothing(const Command& command = {}) { see(nullptr, command); }
+  const std::map<std::int64_t, Feature>& features() const { return estimator.cameras()[0].camera().features; }
   double position_error_m() const { return camera_error(truth, estimate.camera_state()).head<3>().norm(); }
 };
 
 TEST(CameraLost, ACoveredLensIsDegradedAndThenLost) {
   for (const bool covered : {true, false}) {  // or no image at all
     Tracked t;
-    const std::size_t landmarks = t.estimate.catalog.size();
-    const std::vector<Landmark> before = t.estimate.catalog;
+    const std::size_t landmarks = t.estimate.landmarks.size();
+    const auto before = t.features();
     for (int i = 1; i < t.settings.lost.max_frames; ++i) {
       covered ? t.see_gray() : t.see_nothing();
       EXPECT_EQ(t.estimate.status.state, TrackingState::degraded) << i;
-      EXPECT_EQ(t.estimate.status.frames_with_few, i);
-      EXPECT_EQ(t.estimate.matched, 0);
+      EXPECT_EQ(t.estimate.health.frames_with_few, i);
+      EXPECT_EQ(t.estimate.last.matched, 0);
       EXPECT_NE(t.estimate.status.reason.find("0 of "), std::string::npos) << t.estimate.status.reason;
-      ASSERT_EQ(t.estimate.catalog.size(), landmarks) << "none is deleted, none begun";
+      ASSERT_EQ(t.estimate.landmarks.size(), landmarks) << "none is deleted, none begun";
     }
     covered ? t.see_gray() : t.see_nothing();
     EXPECT_EQ(t.estimate.status.state, TrackingState::lost);
     EXPECT_NE(t.estimate.status.reason.find("10 frames in a row with fewer than 3"), std::string::npos)
         << t.estimate.status.reason;
-    ASSERT_EQ(t.estimate.catalog.size(), landmarks);
-    for (std::size_t i = 0; i < landmarks; ++i)
-      EXPECT_EQ(t.estimate.catalog[i].attempts, before[i].attempts) << "the lens failed, not the landmarks";
+    ASSERT_EQ(t.estimate.landmarks.size(), landmarks);
+    for (const auto& [id, feature] : t.features())
+      EXPECT_EQ(feature.attempts, before.at(id).attempts) << "the lens failed, not the landmarks";
   }
 }
 
@@ -77,7 +78,7 @@ TEST(CameraLost, NotAfterAShortBlink) {
   EXPECT_EQ(t.estimate.status.state, TrackingState::degraded);
   t.see(wall_with_sheet().shared_view(t.truth));
   EXPECT_EQ(t.estimate.status.state, TrackingState::tracking) << t.estimate.status.reason;
-  EXPECT_EQ(t.estimate.status.frames_with_few, 0);
+  EXPECT_EQ(t.estimate.health.frames_with_few, 0);
   EXPECT_LT(t.position_error_m(), 0.02);
 }
 
@@ -90,7 +91,7 @@ TEST(CameraLost, WhenThePositionIsTooUncertain) {
   double sigma_before = 0;
   for (int i = 0; t.estimate.status.state != TrackingState::lost; ++i) {
     ASSERT_LT(i, 60);
-    sigma_before = sigma_position(t.estimate);
+    sigma_before = sigma_position(t.estimate.body());
     ASSERT_LE(sigma_before, 0.2) << "beyond the limit it must say so";
     t.see_gray();
   }
@@ -111,7 +112,7 @@ TEST(CameraLost, StaysWhereItWas) {
   const CameraState there = t.estimate.camera_state();
   EXPECT_LT((there.head<3>() - t.truth.head<3>()).norm(), 0.1) << "ten frames further at the last velocity";
   EXPECT_TRUE(there.tail<6>().isZero(0)) << "at rest";
-  const double sigma_m = sigma_position(t.estimate);
+  const double sigma_m = sigma_position(t.estimate.body());
   EXPECT_GT(sigma_m, 0.1) << "as uncertain as a search around allows";
   EXPECT_LT(sigma_m, 0.3);
   const Eigen::MatrixXd P = t.estimate.belief.dense_covariance();
@@ -120,12 +121,13 @@ TEST(CameraLost, StaysWhereItWas) {
   push.angular_acceleration = {1, 1, -2};
   const auto elsewhere = Wall(1.4, 99).shared_view(t.truth);
   for (int i = 0; i < 30; ++i) {
-    i % 3 == 0 ? t.see_nothing(push) : t.see(i % 3 == 1 ? seeing_gray(8).bodies[0].image : elsewhere, push);
+    i % 3 == 0 ? t.see_nothing(push)
+               : t.see(i % 3 == 1 ? seeing_gray(8).bodies[0].images.at(0) : elsewhere, push);
     ASSERT_EQ(t.estimate.status.state, TrackingState::lost) << i;
     EXPECT_EQ(t.estimate.camera_state(), there) << i;
-    EXPECT_EQ(t.estimate.matched, 0) << "what matched by chance is not used";
+    EXPECT_EQ(t.estimate.last.matched, 0) << "what matched by chance is not used";
     EXPECT_FALSE(t.estimate.status.reason.empty());
-    for (const FeatureMatch& match : t.estimate.matches) EXPECT_NE(match.outcome, MatchOutcome::matched);
+    for (const Match& match : t.estimate.last.matches) EXPECT_NE(match.outcome, MatchOutcome::matched);
   }
   EXPECT_EQ(t.estimate.belief.dense_covariance(), P);
 }
@@ -137,12 +139,12 @@ TEST(CameraLost, IsRelocatedWhenTheViewIsBack) {
   t.truth = camera_at(t.truth.head<3>() + Eigen::Vector3d(0.03, -0.05, 0.02), 0.03);
   t.see(wall_with_sheet().shared_view(t.truth));
   ASSERT_EQ(t.estimate.status.state, TrackingState::relocated) << t.estimate.status.reason;
-  EXPECT_GE(t.estimate.matched, 6);
-  EXPECT_NE(t.estimate.status.reason.find(std::to_string(t.estimate.matched)), std::string::npos)
+  EXPECT_GE(t.estimate.last.matched, 6);
+  EXPECT_NE(t.estimate.status.reason.find(std::to_string(t.estimate.last.matched)), std::string::npos)
       << t.estimate.status.reason;
-  EXPECT_EQ(t.estimate.status.frames_with_few, 0);
+  EXPECT_EQ(t.estimate.health.frames_with_few, 0);
   EXPECT_LT(t.position_error_m(), 0.03);
-  EXPECT_LT(sigma_position(t.estimate), 0.1);
+  EXPECT_LT(sigma_position(t.estimate.body()), 0.1);
   for (int i = 0; i < 5; ++i) {
     t.see(wall_with_sheet().shared_view(t.truth));
     ASSERT_EQ(t.estimate.status.state, TrackingState::tracking) << t.estimate.status.reason;
@@ -161,8 +163,8 @@ TEST(CameraLost, IsNotRelocatedByAFewMatches) {
   // Another wall but around four of the landmarks
   const CameraState x = t.estimate.camera_state();
   int shown = 0;
-  for (const Landmark& landmark : t.estimate.catalog) {
-    const auto at = position_of(landmark, t.estimate.belief);
+  for (const auto& [id, landmark] : t.estimate.landmarks) {
+    const auto at = position_of(landmark, t.estimate);
     if (!at || shown == 4) continue;
     const Eigen::Vector2d pixel = pixel_of(x, at->position);
     if (!camera.contains(pixel, 20)) continue;
@@ -182,25 +184,30 @@ TEST(CameraLost, IsNotRelocatedByAFewMatches) {
 }
 
 /// The depth hypotheses of lines are those of a camera that was known: they go.
+bool searches_rays(const Estimate& estimate) {
+  return std::any_of(estimate.last.matches.begin(), estimate.last.matches.end(),
+                     [](const Match& match) { return match.ray; });
+}
+
 TEST(CameraLost, ForgetsItsDepthLines) {
   CameraSlamSettings settings = Tracked::defaults();
   settings.initialization.method = InitializationSettings::Method::depth_line;
   settings.initialization.depth_ratio = 0.01;  // none becomes a point
   settings.initialization.max_line_failures = 1000;
   settings.map.wanted_visible = 16;
-  CameraEstimator estimator(camera, sheet_target(), settings, 10, 1);
+  SlamEstimator estimator = single_camera(camera, sheet_target(), settings, 10, 1);
   Estimate estimate;
   const auto view = wall_with_sheet().shared_view(origin);
   for (int k = 0; k < 5; ++k) estimator.update(estimate, {}, seeing(view), tick(k));
-  ASSERT_GT(estimate.catalog.size(), 8u);
-  ASSERT_FALSE(estimate.line_matches.empty());
+  ASSERT_GT(estimate.landmarks.size(), 8u);
+  ASSERT_TRUE(searches_rays(estimate));
   for (int k = 5; estimate.status.state != TrackingState::lost; ++k) {
     ASSERT_LT(k, 20);
     // In ticks without an image nothing is left of the image before, which is gone
     estimator.update(estimate, {}, k % 2 ? Observation{} : seeing_gray(8), tick(k));
-    EXPECT_TRUE(estimate.line_matches.empty());
+    EXPECT_FALSE(searches_rays(estimate));
   }
-  EXPECT_EQ(estimate.catalog.size(), 4u) << "the anchors stay";
+  EXPECT_EQ(estimate.landmarks.size(), 4u) << "the anchors stay";
   EXPECT_EQ(estimate.belief.errors(), 12);
 }
 

@@ -17,13 +17,12 @@ const CameraState origin = camera_at({0, 0, 0});
 const CameraCov well_known = 1e-6 * CameraCov::Identity();
 
 /// What `times` draws choose, nothing being added to the map.
-std::vector<Eigen::Vector2d> chosen(const Image& image, const Estimate& estimate,
-                                    const CameraSlamSettings& settings, int times, std::uint64_t seed = 1) {
+std::vector<Eigen::Vector2d> chosen(const Image& image, const Tracking& t, int times,
+                                    std::uint64_t seed = 1) {
   RandomStream random(seed, "test");
   std::vector<Eigen::Vector2d> corners;
   for (int i = 0; i < times; ++i)
-    if (const auto corner = find_new_corner(image, estimate, camera, settings, random))
-      corners.push_back(*corner);
+    if (const auto corner = find_new_corner(image, t.estimate, t.tracked, random)) corners.push_back(*corner);
   return corners;
 }
 
@@ -36,23 +35,21 @@ Image one_square(double u, double v, int side) {
 }
 
 TEST(CornerChoice, NoneInFlatImages) {
-  CameraSlamSettings settings;
-  const Estimate estimate = estimate_at(origin, well_known);
-  EXPECT_TRUE(chosen(Image(model.width, model.height, 128), estimate, settings, 20).empty());
+  Tracking t(origin, well_known);
+  EXPECT_TRUE(chosen(Image(model.width, model.height, 128), t, 20).empty());
 
   Image noisy(model.width, model.height);
   RandomStream random(2, "noise");
   for (int v = 0; v < model.height; ++v)
     for (int u = 0; u < model.width; ++u)
       noisy(u, v) = static_cast<std::uint8_t>(std::lround(128 + 2 * random.normal()));
-  EXPECT_TRUE(chosen(noisy, estimate, settings, 20).empty()) << "weaker than min_corner_strength";
-  settings.initialization.min_corner_strength = 0.1;
-  EXPECT_FALSE(chosen(noisy, estimate, settings, 20).empty()) << "it is the strength that decides";
+  EXPECT_TRUE(chosen(noisy, t, 20).empty()) << "weaker than min_corner_strength";
+  t.tracked.settings.initialization.min_corner_strength = 0.1;
+  EXPECT_FALSE(chosen(noisy, t, 20).empty()) << "it is the strength that decides";
 }
 
 TEST(CornerChoice, IsWhereTheEdgesMeet) {
-  CameraSlamSettings settings;
-  const auto corners = chosen(one_square(150, 110, 60), estimate_at(origin, well_known), settings, 30);
+  const auto corners = chosen(one_square(150, 110, 60), Tracking(origin, well_known), 30);
   ASSERT_FALSE(corners.empty());
   for (const Eigen::Vector2d& at : corners) {
     // Between the pixels 149 and 150 of one side, 209 and 210 of the other
@@ -63,45 +60,43 @@ TEST(CornerChoice, IsWhereTheEdgesMeet) {
 
 /// A small square: all its corners are within the box that a landmark in its middle keeps free.
 TEST(CornerChoice, NoneNearAFeatureThatIsExpected) {
-  const CameraSlamSettings settings;
   const Image image = one_square(156, 116, 8);
   const Eigen::Vector2d middle(160, 120);
-  const Estimate empty = estimate_at(origin, well_known);
-  ASSERT_FALSE(chosen(image, empty, settings, 20).empty());
+  const Tracking empty(origin, well_known);
+  ASSERT_FALSE(chosen(image, empty, 20).empty());
 
   for (const auto method :
        {InitializationSettings::Method::inverse_depth, InitializationSettings::Method::depth_line}) {
-    CameraSlamSettings other = settings;
-    other.initialization.method = method;
-    Estimate begun = empty;
-    ASSERT_TRUE(initialize_landmark(image, middle, begun, camera, other));
-    EXPECT_TRUE(chosen(image, begun, other, 60).empty()) << "begun in this very frame, or a line";
+    Tracking begun = empty;
+    begun.tracked.settings.initialization.method = method;
+    ASSERT_TRUE(begun.initialize(image, middle));
+    EXPECT_TRUE(chosen(image, begun, 60).empty()) << "begun in this very frame, or a line";
   }
-  Estimate searched = empty;
+  Tracking searched = empty;
   const Eigen::Vector3d at = Wall(2).point_at(origin, middle);
-  add_point(searched, image, origin, at, at, 0.01, settings).attempts = 5;
-  EXPECT_FALSE(chosen(image, searched, settings, 20).empty()) << "not expected to be seen in this frame";
-  predict_matches(searched, camera, settings, searched.matches);
-  ASSERT_EQ(searched.matches.size(), 1u);
-  EXPECT_TRUE(chosen(image, searched, settings, 60).empty());
-  searched.matches[0].measured = middle + Eigen::Vector2d(100, 40);
-  EXPECT_FALSE(chosen(image, searched, settings, 20).empty()) << "where it was found counts";
+  searched.feature(searched.add_point(image, origin, at, at, 0.01)).attempts = 5;
+  EXPECT_FALSE(chosen(image, searched, 20).empty()) << "not expected to be seen in this frame";
+  predict_matches(searched.estimate, searched.tracked);
+  ASSERT_EQ(searched.tracked.matches.size(), 1u);
+  EXPECT_TRUE(chosen(image, searched, 60).empty());
+  searched.tracked.matches[0].measured = middle + Eigen::Vector2d(100, 40);
+  EXPECT_FALSE(chosen(image, searched, 20).empty()) << "where it was found counts";
 }
 
 TEST(CornerChoice, UntilTheImageIsFullKeepsFeaturesApart) {
   CameraSlamSettings settings;
   settings.initialization.box_width_px = settings.initialization.box_height_px = 24;
-  Estimate estimate = estimate_at(origin, well_known);
+  Tracking t(origin, well_known, settings);
   const Image image = Wall(2).seen_from(origin);
   RandomStream random(1, "test");
   std::vector<Eigen::Vector2d> taken;
-  while (const auto corner = find_new_corner(image, estimate, camera, settings, random)) {
+  while (const auto corner = find_new_corner(image, t.estimate, t.tracked, random)) {
     ASSERT_LT(taken.size(), 400u);
     for (const Eigen::Vector2d& other : taken)
       EXPECT_GE((*corner - other).lpNorm<Eigen::Infinity>(), settings.search.patch_size_px / 2)
           << corner->transpose() << " beside " << other.transpose();
     taken.push_back(*corner);
-    ASSERT_TRUE(initialize_landmark(image, *corner, estimate, camera, settings));
+    ASSERT_TRUE(t.initialize(image, *corner));
   }
   EXPECT_GT(taken.size(), 15u);
 }
@@ -133,13 +128,13 @@ TEST(CornerChoice, NoneThatIsAboutToLeaveTheView) {
   turning[11] = 0.8;  // rad/s about camera y: what is at the left leaves
   sliding[8] = 0.6;   // m/s to the left: what is near, at the right, leaves
   for (const CameraState& now : {turning, sliding}) {
-    const auto kept = chosen(image, estimate_at(now, well_known), settings, 150);
+    const auto kept = chosen(image, Tracking(now, well_known, settings), 150);
     ASSERT_GT(kept.size(), 50u);
     for (const double depth_m :
          {settings.initialization.min_depth_m, 1.0, settings.initialization.max_depth_m})
       EXPECT_EQ(share_leaving(kept, now, depth_m, 0.5), 0) << depth_m;
     settings.initialization.look_ahead_s = 0;
-    EXPECT_GT(share_leaving(chosen(image, estimate_at(now, well_known), settings, 150), now,
+    EXPECT_GT(share_leaving(chosen(image, Tracking(now, well_known, settings), 150), now,
                             settings.initialization.min_depth_m, 0.5),
               0)
         << "were it not for the look ahead";
@@ -149,9 +144,9 @@ TEST(CornerChoice, NoneThatIsAboutToLeaveTheView) {
 
 TEST(CornerChoice, SameRandomStreamSameCorners) {
   const Image image = Wall(2).seen_from(origin);
-  const Estimate estimate = estimate_at(origin, well_known);
-  EXPECT_EQ(chosen(image, estimate, {}, 10, 7), chosen(image, estimate, {}, 10, 7));
-  EXPECT_NE(chosen(image, estimate, {}, 10, 7), chosen(image, estimate, {}, 10, 8));
+  const Tracking t(origin, well_known);
+  EXPECT_EQ(chosen(image, t, 10, 7), chosen(image, t, 10, 7));
+  EXPECT_NE(chosen(image, t, 10, 7), chosen(image, t, 10, 8));
 }
 
 }  // namespace

@@ -12,51 +12,48 @@ using Scene = DepthLineScene;
 
 TEST(DepthLine, IsGivenUpAfterTooManyFailuresInARow) {
   Scene scene;
-  scene.settings.initialization.max_line_failures = 4;
-  scene.settings.initialization.depth_ratio = 1e-6;
+  scene.settings().initialization.max_line_failures = 4;
+  scene.settings().initialization.depth_ratio = 1e-6;
   const Wall other(2, 99);
   for (int k = 1; k <= 3; ++k) {
     scene.follow(aside(0.02), other);
-    ASSERT_EQ(scene.estimate.catalog.size(), 1u);
-    EXPECT_EQ(scene.estimate.line_matches.at(0).outcome, MatchOutcome::not_found);
-    EXPECT_EQ(scene.line().line_failures, k);
-    EXPECT_EQ(scene.line().particles.size(), 100u) << "a failure says nothing of the depth";
+    ASSERT_EQ(scene.estimate.landmarks.size(), 1u);
+    EXPECT_EQ(scene.matches().at(0).outcome, MatchOutcome::not_found);
+    EXPECT_EQ(scene.appearance().ray_failures, k);
+    EXPECT_EQ(scene.appearance().depths.size(), 100u) << "a failure says nothing of the depth";
   }
   scene.follow(aside(0.02));
-  ASSERT_EQ(scene.estimate.line_matches.at(0).outcome, MatchOutcome::matched);
+  ASSERT_EQ(scene.matches().at(0).outcome, MatchOutcome::matched);
   for (int k = 1; k <= 3; ++k) scene.follow(aside(0.02), other);
-  ASSERT_EQ(scene.estimate.catalog.size(), 1u) << "the match began the count anew";
+  ASSERT_EQ(scene.estimate.landmarks.size(), 1u) << "the match began the count anew";
   scene.follow(aside(0.02), other);
-  EXPECT_TRUE(scene.estimate.catalog.empty());
+  EXPECT_TRUE(scene.estimate.landmarks.empty());
   EXPECT_EQ(scene.estimate.belief.errors(), 12) << "and its block is gone";
 }
 
 /// Out of view is a failure too, or it would be followed for ever.
 TEST(DepthLine, OutOfViewIsGivenUpToo) {
   Scene scene;
-  scene.settings.initialization.max_line_failures = 3;
+  scene.settings().initialization.max_line_failures = 3;
   for (int k = 0; k < 3; ++k) {
-    ASSERT_EQ(scene.estimate.catalog.size(), 1u);
+    ASSERT_EQ(scene.estimate.landmarks.size(), 1u);
     scene.follow(camera_at({0, 0, 0}, M_PI));
-    EXPECT_TRUE(scene.estimate.line_matches.empty());
+    EXPECT_TRUE(scene.matches().empty());
   }
-  EXPECT_TRUE(scene.estimate.catalog.empty());
+  EXPECT_TRUE(scene.estimate.landmarks.empty());
 }
 
 /// Found 12 sigmas from the only hypothesis: no depth on the line explains that.
 TEST(DepthLine, IsDroppedWhenNoHypothesisExplainsTheMatch) {
   for (const bool right : {false, true}) {
-    Scene scene(40);
-    scene.estimate = estimate_at(origin, 1e-10 * CameraCov::Identity());
-    ASSERT_TRUE(initialize_landmark(wall.seen_from(origin), pixel_of(origin, scene.truth), scene.estimate,
-                                    camera, scene.settings));
-    scene.settings.search.gate_sigmas = 20;
+    Scene scene(40, with_lines(), 1e-10 * CameraCov::Identity());
+    scene.settings().search.gate_sigmas = 20;
     // Moved by 0.2 m: 19.5 px of parallax at 2 m, 6 px more at 1.53 m
-    scene.line().particles = {{right ? 1 / 2.0 : 1 / 1.53, 1.0}};
+    scene.appearance().depths = {{right ? 1 / 2.0 : 1 / 1.53, 1.0}};
     scene.follow(aside(0.2));
-    ASSERT_EQ(scene.estimate.line_matches.size(), 1u);
-    EXPECT_EQ(scene.estimate.line_matches[0].outcome, right ? MatchOutcome::matched : MatchOutcome::outlier);
-    EXPECT_EQ(scene.estimate.catalog.size(), right ? 1u : 0u);
+    ASSERT_EQ(scene.matches().size(), 1u);
+    EXPECT_EQ(scene.matches()[0].outcome, right ? MatchOutcome::matched : MatchOutcome::outlier);
+    EXPECT_EQ(scene.estimate.landmarks.size(), right ? 1u : 0u);
     EXPECT_EQ(scene.estimate.belief.errors(), right ? 15 : 12);
     if (!right) continue;
     // One hypothesis is left: its depth is uncertain by the spacing of the first ones, 4.5 m / 100
@@ -69,15 +66,14 @@ TEST(DepthLine, IsDroppedWhenNoHypothesisExplainsTheMatch) {
 TEST(DepthLine, LeavesOtherLandmarksAlone) {
   Scene scene;
   const Eigen::Vector3d at = wall.point_at(origin, {90, 90});
-  add_point(scene.estimate, wall.seen_from(origin), origin, at, at, 0.01, scene.settings);
-  const Landmark& point = scene.estimate.catalog[1];
+  const Landmark& point = scene.landmark(scene.add_point(wall.seen_from(origin), origin, at, at, 0.01));
   const Eigen::MatrixXd before = scene.estimate.belief.covariance(point.block);
-  scene.settings.initialization.max_line_failures = 1;
+  scene.settings().initialization.max_line_failures = 1;
   scene.follow(aside(0.02), Wall(2, 99));
-  ASSERT_EQ(scene.estimate.catalog.size(), 1u);
-  EXPECT_EQ(scene.line().kind, Landmark::Kind::point);
-  EXPECT_EQ(scene.estimate.belief.covariance(scene.line().block), before);
-  EXPECT_TRUE(scene.estimate.line_matches.size() == 1);
+  ASSERT_EQ(scene.estimate.landmarks.size(), 1u);
+  EXPECT_EQ(point.form.kind, Kind::point);
+  EXPECT_EQ(scene.estimate.belief.covariance(point.block), before);
+  EXPECT_TRUE(scene.matches().size() == 1);
 }
 
 }  // namespace

@@ -21,28 +21,30 @@ inline CameraSlamSettings with_lines() {
 }
 
 /// One line begun at the origin; the camera's pose has every correlation.
-struct DepthLineScene {
-  CameraSlamSettings settings = with_lines();
-  Estimate estimate = estimate_at(origin, correlated_covariance(1e-3, 5));
+struct DepthLineScene : Tracking {
   SummedImage summed;
   Image image;
   Eigen::Vector3d truth;
 
-  explicit DepthLineScene(std::size_t corner = 40, const CameraSlamSettings& s = with_lines()) : settings(s) {
+  explicit DepthLineScene(std::size_t corner = 40, const CameraSlamSettings& settings = with_lines(),
+                          const CameraCov& P = correlated_covariance(1e-3, 5))
+      : Tracking(origin, P, settings) {
     truth = wall.corners_in_view(origin, 40).at(corner);
-    EXPECT_TRUE(
-        initialize_landmark(wall.seen_from(origin), pixel_of(origin, truth), estimate, camera, settings));
+    EXPECT_TRUE(initialize(wall.seen_from(origin), pixel_of(origin, truth)));
   }
-  Landmark& line() { return estimate.catalog.at(0); }
+  CameraSlamSettings& settings() { return tracked.settings; }
+  Landmark& line() { return landmark(0); }
+  Feature& appearance() { return feature(0); }
+  const std::vector<RayMatch>& matches() const { return tracked.ray_matches; }
   void follow(const CameraState& from, const Wall& predictions = wall) {
     follow_in(from, predictions.seen_from(from));
   }
   void follow_in(const CameraState& from, Image of) {
     image = std::move(of);
     summed.assign(image);
-    move_camera(estimate, from);
-    estimate.line_matches.clear();
-    update_depth_lines(summed, estimate, camera, settings);
+    move_to(from);
+    tracked.ray_matches.clear();
+    update_depth_lines(summed, estimate, tracked);
   }
 };
 

@@ -16,11 +16,11 @@ using namespace synthetic;
 using Scene = DepthLineScene;
 
 /// The point of a line at a hypothesis, from errors of the line's five parameters.
-Eigen::Vector3d point_on(const Landmark& line, const Belief& belief, double inverse_depth,
+Eigen::Vector3d point_on(const Landmark& line, const AnyBelief& belief, double inverse_depth,
                          const Eigen::VectorXd& errors = Eigen::VectorXd::Zero(5)) {
   const Eigen::VectorXd y = Eigen::VectorXd(belief.mean(line.block)) + errors;
-  return y.head<3>() + rotation_matrix<double>(line.initial_axes.world_from_initial_camera) *
-                           Eigen::Vector3d(y[3], y[4], 1) / inverse_depth;
+  return y.head<3>() +
+         rotation_matrix<double>(line.form.initial_axes) * Eigen::Vector3d(y[3], y[4], 1) / inverse_depth;
 }
 
 struct Hypothesis {
@@ -29,14 +29,17 @@ struct Hypothesis {
 
 /// Bayes as the thesis has it: weight times N(found; h_i, H P H' + R), those out of view or below a twentieth
 /// of the uniform weight left out.
-std::vector<Hypothesis> reweighted(const Estimate& e, const Landmark& line, const Eigen::Vector2d& found,
-                                   const CameraSlamSettings& settings) {
+std::vector<Hypothesis> reweighted(const Tracking& before, const Eigen::Vector2d& found) {
+  const Estimate& e = before.estimate;
+  const Landmark& line = before.landmark(0);
+  const CameraSlamSettings& settings = before.tracked.settings;
+  const BlockId block = before.camera_block();
   Eigen::MatrixXd P(17, 17);
-  P << e.belief.covariance(e.camera), e.belief.covariance(e.camera, line.block),
-      e.belief.covariance(line.block, e.camera), e.belief.covariance(line.block);
+  P << e.belief.covariance(block), e.belief.covariance(block, line.block),
+      e.belief.covariance(line.block, block), e.belief.covariance(line.block);
   std::vector<Hypothesis> all;
   double total = 0;
-  for (const auto& particle : line.particles) {
+  for (const DepthHypothesis& particle : before.feature(0).depths) {
     const auto pixel = [&](const Eigen::VectorXd& errors) {
       const CameraState x = plus(FreeCameraMotion::chart, e.camera_state(), Eigen::VectorXd(errors.head(12)));
       return Eigen::VectorXd(pixel_of(x, point_on(line, e.belief, particle.inverse_depth, errors.tail(5))));
@@ -77,21 +80,21 @@ TEST(DepthLine, HypothesesAreReweightedByBayes) {
   // The corner is far to the right: moved to the left, the nearest hypotheses leave the image
   Scene scene(0);
   const CameraState from = aside(0.12);
-  Estimate before = scene.estimate;
-  move_camera(before, from);
-  scene.settings.initialization.depth_ratio = 1e-6;  // stay a line
+  Tracking before = scene;
+  before.move_to(from);
+  scene.settings().initialization.depth_ratio = 1e-6;  // stay a line
   scene.follow(from);
-  ASSERT_EQ(scene.estimate.line_matches.size(), 1u);
-  const LineMatch& match = scene.estimate.line_matches[0];
+  ASSERT_EQ(scene.matches().size(), 1u);
+  const RayMatch& match = scene.matches()[0];
   ASSERT_EQ(match.outcome, MatchOutcome::matched);
   EXPECT_LT((*match.measured - pixel_of(from, scene.truth)).norm(), 0.5);
   const Eigen::Vector3d nearest =
-      point_on(before.catalog[0], before.belief, before.catalog[0].particles[0].inverse_depth);
+      point_on(before.landmark(0), before.estimate.belief, before.feature(0).depths[0].inverse_depth);
   EXPECT_FALSE(camera.contains(pixel_of(from, nearest), 6))
       << "or the test does not look at those out of view";
 
-  const auto expected = reweighted(before, before.catalog[0], *match.measured, scene.settings);
-  const auto& particles = scene.line().particles;
+  const auto expected = reweighted(before, *match.measured);
+  const auto& particles = scene.appearance().depths;
   ASSERT_EQ(particles.size(), expected.size());
   EXPECT_LT(particles.size(), 90u) << "pruned";
   EXPECT_GT(particles.size(), 5u);
@@ -103,7 +106,8 @@ TEST(DepthLine, HypothesesAreReweightedByBayes) {
   }
   EXPECT_NEAR(total, 1, 1e-12);
   EXPECT_EQ(scene.estimate.belief.errors(), 17) << "the match corrects no camera";
-  EXPECT_EQ(scene.estimate.belief.mean(scene.estimate.camera), before.belief.mean(before.camera));
+  EXPECT_EQ(scene.estimate.belief.mean(scene.camera_block()),
+            before.estimate.belief.mean(before.camera_block()));
 }
 
 /// Small moves to the side: a line until sigma/depth is small, then the Gaussian of its hypotheses.
@@ -113,36 +117,36 @@ TEST(DepthLine, BecomesAPointWhenSigmaOverDepthIsSmall) {
     for (int k = 1;; ++k) {
       ASSERT_LT(k, 20) << "it does not converge";
       const CameraState from = aside(0.01 * k);
-      Estimate before = scene.estimate;
-      move_camera(before, from);
+      Tracking before = scene;
+      before.move_to(from);
       scene.follow(from);
-      ASSERT_EQ(scene.estimate.catalog.size(), 1u);
-      const Landmark& line = before.catalog[0];
-      const auto hypotheses =
-          reweighted(before, line, *scene.estimate.line_matches.at(0).measured, scene.settings);
+      ASSERT_EQ(scene.estimate.landmarks.size(), 1u);
+      const Landmark& line = before.landmark(0);
+      const auto hypotheses = reweighted(before, *scene.matches().at(0).measured);
       const Depth depth = depth_of(hypotheses);
-      const bool converged = depth.sigma < scene.settings.initialization.depth_ratio * depth.mean;
-      ASSERT_EQ(scene.line().kind == Landmark::Kind::point, converged) << k;
+      const bool converged = depth.sigma < scene.settings().initialization.depth_ratio * depth.mean;
+      ASSERT_EQ((scene.line().form.kind == Kind::point), converged) << k;
       if (!converged) continue;
 
       EXPECT_GT(k, 1) << "one look is not enough here";
-      EXPECT_TRUE(scene.line().particles.empty());
+      EXPECT_TRUE(scene.appearance().depths.empty());
       EXPECT_EQ(scene.line().id, line.id);
       const BlockId block = scene.line().block;
-      const Eigen::Vector3d mean = point_on(line, before.belief, 1 / depth.mean);
+      const Eigen::Vector3d mean = point_on(line, before.estimate.belief, 1 / depth.mean);
       EXPECT_TRUE(Eigen::Vector3d(scene.estimate.belief.mean(block)).isApprox(mean, 1e-4));
       const Eigen::MatrixXd J = numeric_jacobian(5, 1e-6, [&](const Eigen::VectorXd& e) {
-        return Eigen::VectorXd(point_on(line, before.belief, 1 / depth.mean, e));
+        return Eigen::VectorXd(point_on(line, before.estimate.belief, 1 / depth.mean, e));
       });
-      const Eigen::Vector3d along = (mean - before.belief.mean(line.block).head<3>()) / depth.mean;
+      const Eigen::Vector3d along = (mean - before.estimate.belief.mean(line.block).head<3>()) / depth.mean;
       const double spacing_m = 4.5 / 100;  // hypotheses can tell no less than uniform between two of them
       const Eigen::Matrix3d P =
-          J * before.belief.covariance(line.block) * J.transpose() +
+          J * before.estimate.belief.covariance(line.block) * J.transpose() +
           (depth.sigma * depth.sigma + spacing_m * spacing_m / 12) * along * along.transpose();
       const Eigen::Matrix3d cov = scene.estimate.belief.covariance(block);
       EXPECT_TRUE(cov.isApprox(P, 1e-3)) << cov << "\nexpected\n" << P;
-      const Eigen::MatrixXd cross = scene.estimate.belief.covariance(block, scene.estimate.camera);
-      EXPECT_TRUE(cross.isApprox(J * before.belief.covariance(line.block, before.camera), 1e-3));
+      const Eigen::MatrixXd cross = scene.estimate.belief.covariance(block, scene.camera_block());
+      EXPECT_TRUE(
+          cross.isApprox(J * before.estimate.belief.covariance(line.block, before.camera_block()), 1e-3));
       const Eigen::Vector3d error = scene.truth - mean;
       EXPECT_LT(error.dot(cov.inverse() * error), 12) << error.transpose();
       break;
@@ -154,17 +158,17 @@ TEST(DepthLine, BecomesAPointWhenSigmaOverDepthIsSmall) {
 TEST(DepthLine, TheRatioOfSigmaToDepthDecides) {
   const CameraState from = aside(0.05);
   Scene dry(40);
-  Estimate before = dry.estimate;
-  move_camera(before, from);
+  Tracking before = dry;
+  before.move_to(from);
   dry.follow(from);
-  const auto measured = dry.estimate.line_matches.at(0).measured;
+  const auto measured = dry.matches().at(0).measured;
   ASSERT_TRUE(measured);
-  const Depth depth = depth_of(reweighted(before, before.catalog[0], *measured, dry.settings));
+  const Depth depth = depth_of(reweighted(before, *measured));
   for (const double factor : {0.995, 1.005}) {
     Scene scene(40);
-    scene.settings.initialization.depth_ratio = factor * depth.sigma / depth.mean;
+    scene.settings().initialization.depth_ratio = factor * depth.sigma / depth.mean;
     scene.follow(from);
-    EXPECT_EQ(scene.line().kind, factor < 1 ? Landmark::Kind::line : Landmark::Kind::point);
+    EXPECT_EQ(scene.line().form.kind, factor < 1 ? Kind::ray : Kind::point);
   }
 }
 

@@ -14,27 +14,24 @@ using namespace synthetic;
 const Wall wall(2);
 const CameraState origin = camera_at({0, 0, 0});
 
-std::vector<FeatureMatch> predicted(const Estimate& estimate, const CameraSlamSettings& settings = {}) {
-  std::vector<FeatureMatch> matches;
-  predict_matches(estimate, camera, settings, matches);
-  return matches;
+std::vector<FeatureMatch> predicted(Tracking& t) {
+  predict_matches(t.estimate, t.tracked);
+  return t.tracked.matches;
 }
 
-/// A camera with every correlation and one landmark each: anchor, point, inverse depth, line.
-Estimate one_of_each(const CameraSlamSettings& settings) {
-  Estimate estimate = estimate_at(origin, correlated_covariance(0.01, 4));
+/// A camera with every correlation and one landmark each: anchor, point, inverse depth, ray.
+Tracking one_of_each(const CameraSlamSettings& settings) {
+  Tracking t(origin, correlated_covariance(0.01, 4), settings);
   const Image image = wall.seen_from(origin);
   const Eigen::Vector3d at = wall.point_at(origin, {100, 80});
-  add_point(estimate, image, origin, at, at, 0.02, settings).kind = Landmark::Kind::anchor;
-  estimate.belief.drop(estimate.catalog.back().block);
-  estimate.catalog.back().anchor = at;
+  add_anchor(at, cut_view(image, pixel_of(origin, at), origin, camera, settings).value(), t.estimate,
+             t.tracked);
   const Eigen::Vector3d other = wall.point_at(origin, {200, 100});
-  add_point(estimate, image, origin, other, other, 0.02, settings);
-  CameraSlamSettings changed = settings;
-  EXPECT_TRUE(initialize_landmark(image, {150, 140}, estimate, camera, changed));
-  changed.initialization.method = InitializationSettings::Method::depth_line;
-  EXPECT_TRUE(initialize_landmark(image, {120, 160}, estimate, camera, changed));
-  return estimate;
+  t.add_point(image, origin, other, other, 0.02);
+  EXPECT_TRUE(t.initialize(image, {150, 140}));
+  t.tracked.settings.initialization.method = InitializationSettings::Method::depth_line;
+  EXPECT_TRUE(t.initialize(image, {120, 160}));
+  return t;
 }
 
 /// The pixel of a landmark from errors of the camera (12) and the landmark's own.
@@ -42,34 +39,34 @@ Eigen::VectorXd pixel_with(const Estimate& estimate, const Landmark& landmark,
                            const Eigen::VectorXd& errors) {
   const CameraState x =
       plus(FreeCameraMotion::chart, estimate.camera_state(), Eigen::VectorXd(errors.head(12)));
-  if (landmark.kind == Landmark::Kind::anchor) return pixel_of(x, landmark.anchor);
+  if (landmark.fixed) return pixel_of(x, landmark.position);
   const Eigen::VectorXd y =
       Eigen::VectorXd(estimate.belief.mean(landmark.block)) + errors.tail(errors.size() - 12);
-  if (landmark.kind == Landmark::Kind::point) return pixel_of(x, y);
-  return pixel_of(x, landmark.initial_axes.point(y).position);
+  if (landmark.form.kind == Kind::point) return pixel_of(x, y);
+  return pixel_of(x, axes_of(landmark).point(y).position);
 }
 
 TEST(ExpectedMatches, HaveTheInnovationCovarianceOfNumericPropagation) {
   CameraSlamSettings settings;
   settings.filter.sigma_pixel_px = 0.6;
-  Estimate estimate = one_of_each(settings);
-  move_camera(estimate, camera_at({0.1, 0.15, -0.05}, -0.03, {0.02, 0, 0.05}));
-  const std::vector<FeatureMatch> matches = predicted(estimate, settings);
+  Tracking t = one_of_each(settings);
+  const Estimate& estimate = t.estimate;
+  t.move_to(camera_at({0.1, 0.15, -0.05}, -0.03, {0.02, 0, 0.05}));
+  const std::vector<FeatureMatch> matches = predicted(t);
   ASSERT_EQ(matches.size(), 3u) << "a line has no depth: it is searched for elsewhere";
   for (const FeatureMatch& match : matches) {
-    const Landmark& landmark = estimate.catalog[match.landmark];
-    EXPECT_EQ(match.id, landmark.id);
+    const Landmark& landmark = estimate.landmarks.at(match.id);
     EXPECT_EQ(match.outcome, MatchOutcome::not_searched);
-    const bool known = landmark.kind == Landmark::Kind::anchor;
+    const bool known = landmark.fixed;
     const int own = known ? 0 : estimate.belief.covariance(landmark.block).rows();
     const auto f = [&](const Eigen::VectorXd& e) { return pixel_with(estimate, landmark, e); };
     EXPECT_TRUE(match.predicted.isApprox(f(Eigen::VectorXd::Zero(12 + own)), 1e-9));
     const Eigen::MatrixXd H = numeric_jacobian(12 + own, 1e-6, f);
     Eigen::MatrixXd P(12 + own, 12 + own);
-    P.topLeftCorner(12, 12) = estimate.belief.covariance(estimate.camera);
+    P.topLeftCorner(12, 12) = estimate.belief.covariance(t.camera_block());
     if (!known) {
       P.bottomRightCorner(own, own) = estimate.belief.covariance(landmark.block);
-      P.topRightCorner(12, own) = estimate.belief.covariance(estimate.camera, landmark.block);
+      P.topRightCorner(12, own) = estimate.belief.covariance(t.camera_block(), landmark.block);
       P.bottomLeftCorner(own, 12) = P.topRightCorner(12, own).transpose();
     }
     const Eigen::Matrix2d S = H * P * H.transpose() + 0.36 * Eigen::Matrix2d::Identity();
@@ -82,11 +79,11 @@ bool expected_from(const CameraState& from, const Eigen::Vector2d& first_seen = 
                    const MapSettings& map = {}) {
   CameraSlamSettings settings;
   settings.map = map;
-  Estimate estimate = estimate_at(origin, 1e-6 * CameraCov::Identity());
+  Tracking t(origin, 1e-6 * CameraCov::Identity(), settings);
   const Eigen::Vector3d at = wall.point_at(origin, first_seen);
-  add_point(estimate, wall.seen_from(origin), origin, at, at, 0.01, settings);
-  move_camera(estimate, from);
-  return predicted(estimate, settings).size() == 1;
+  t.add_point(wall.seen_from(origin), origin, at, at, 0.01);
+  t.move_to(from);
+  return predicted(t).size() == 1;
 }
 
 TEST(ExpectedMatches, LieInTheImageAndBeforeTheCamera) {
@@ -118,11 +115,11 @@ TEST(ExpectedMatches, AreSeenAboutAsTheyWereAtFirst) {
 TEST(ExpectedMatches, WarpTheirPatchAsTheirPlaneIsSeen) {
   const Eigen::Vector2d first_seen(180, 100);
   const Eigen::Vector3d at = wall.point_at(origin, first_seen);
-  Estimate estimate = estimate_at(origin, 1e-6 * CameraCov::Identity());
-  add_point(estimate, wall.seen_from(origin), origin, at, at, 0.01, {});
+  Tracking t(origin, 1e-6 * CameraCov::Identity());
+  t.add_point(wall.seen_from(origin), origin, at, at, 0.01);
   const CameraState from = camera_at({0.5, 0.4, 0.1}, -0.2, {0, 0, 0.3});
-  move_camera(estimate, from);
-  const auto measurements = predicted(estimate);
+  t.move_to(from);
+  const auto measurements = predicted(t);
   ASSERT_EQ(measurements.size(), 1u);
   const Eigen::MatrixXd warp = numeric_jacobian(2, 1, [&](const Eigen::VectorXd& d) {
     return Eigen::VectorXd(pixel_of(origin, wall.point_at(from, measurements[0].predicted + d)));

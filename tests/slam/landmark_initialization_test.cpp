@@ -17,15 +17,15 @@ const Eigen::Vector2d pixel(211.3, 74.6);
 constexpr double regularization_var = 1e-8;  // of the position, that the covariance stays positive definite
 
 /// An estimate with a correlated camera and another landmark that depends on the camera.
-struct Correlated {
-  Estimate estimate = estimate_at(oblique, correlated_covariance(0.05, 3));
+struct Correlated : Tracking {
   BlockId other;
 
-  Correlated() {
+  explicit Correlated(const CameraSlamSettings& settings)
+      : Tracking(oblique, correlated_covariance(0.05, 3), settings) {
     Eigen::Matrix<double, 3, 12> J = Eigen::Matrix<double, 3, 12>::Zero();
     J.leftCols<6>().setConstant(0.4);
     J.leftCols<3>() += Eigen::Matrix3d::Identity();
-    const Belief::Parent parent{estimate.camera, J};
+    const Belief::Parent parent{camera_block(), J};
     other = estimate.belief.augment(PointLandmark::chart, Eigen::Vector3d(2, 0, 0), {&parent, 1},
                                     1e-4 * Eigen::Matrix3d::Identity());
   }
@@ -44,7 +44,7 @@ Eigen::VectorXd begun_with(const Eigen::VectorXd& errors) {
 
 /// Own and cross-covariances of a new landmark against J P J' + noise with a numeric J; the first five errors
 /// are those of the ray.
-void expect_propagated(const Belief& belief, BlockId camera_block, BlockId other, BlockId begun,
+void expect_propagated(const AnyBelief& belief, BlockId camera_block, BlockId other, BlockId begun,
                        double sigma_pixel_px) {
   const Eigen::MatrixXd J = numeric_jacobian(14, 1e-5, begun_with);
   const Eigen::MatrixXd Jv = J.leftCols(12), Jz = J.rightCols(2);
@@ -63,29 +63,31 @@ TEST(LandmarkInitialization, OfAnInverseDepthIsTheRayWithItsPropagatedCovariance
   settings.filter.sigma_pixel_px = 0.7;
   settings.initialization.inverse_depth_per_m = 0.4;
   settings.initialization.sigma_inverse_depth_per_m = 0.3;
-  Correlated c;
+  Correlated c(settings);
   Estimate& estimate = c.estimate;
   const Eigen::MatrixXd before = estimate.belief.dense_covariance();
-  ASSERT_TRUE(initialize_landmark(Wall(2).seen_from(oblique), pixel, estimate, camera, settings));
+  ASSERT_TRUE(c.initialize(Wall(2).seen_from(oblique), pixel));
 
-  ASSERT_EQ(estimate.catalog.size(), 1u);
-  const Landmark& landmark = estimate.catalog[0];
-  EXPECT_EQ(landmark.kind, Landmark::Kind::inverse_depth);
+  ASSERT_EQ(estimate.landmarks.size(), 1u);
+  const Landmark& landmark = c.landmark(0);
+  EXPECT_EQ(landmark.form.kind, Kind::inverse_depth);
+  EXPECT_EQ(landmark.camera, 0);
+  EXPECT_EQ(landmark.first_view, Eigen::Vector3d(free_camera::position(oblique)));
   EXPECT_TRUE(landmark.mapped());
-  EXPECT_EQ(landmark.attempts, 0);
+  EXPECT_EQ(c.feature(0).attempts, 0);
   EXPECT_EQ(estimate.next_id, landmark.id + 1);
   const InverseDepthLandmark::State y = estimate.belief.mean(landmark.block);
   EXPECT_TRUE(y.head<5>().isApprox(begun_with(Eigen::VectorXd::Zero(14)), 1e-9)) << y.transpose();
   EXPECT_EQ(y[5], 0.4);
-  const auto position = position_of(landmark, estimate.belief);
+  const auto position = position_of(landmark, estimate);
   ASSERT_TRUE(position);
   EXPECT_TRUE(pixel_of(oblique, position->position).isApprox(pixel, 1e-9)) << "it is on its own ray";
 
-  expect_propagated(estimate.belief, estimate.camera, c.other, landmark.block, 0.7);
+  expect_propagated(estimate.belief, c.camera_block(), c.other, landmark.block, 0.7);
   const Eigen::MatrixXd P = estimate.belief.covariance(landmark.block);
   EXPECT_NEAR(P(5, 5), 0.09, 1e-12) << "the prior's";
   EXPECT_LT(P.row(5).head(5).norm(), 1e-12) << "nothing that is known tells the depth";
-  EXPECT_LT(estimate.belief.covariance(landmark.block, estimate.camera).row(5).norm(), 1e-12);
+  EXPECT_LT(estimate.belief.covariance(landmark.block, c.camera_block()).row(5).norm(), 1e-12);
   EXPECT_EQ(estimate.belief.dense_covariance().topLeftCorner(15, 15), before) << "all else is as it was";
 }
 
@@ -93,25 +95,26 @@ TEST(LandmarkInitialization, OfADepthLineIsTheRayAndUniformParticles) {
   CameraSlamSettings settings;
   settings.initialization.method = InitializationSettings::Method::depth_line;
   settings.initialization.particles = 100;  // thesis C.1: 100, 0.5 m to 5 m
-  Correlated c;
+  Correlated c(settings);
   Estimate& estimate = c.estimate;
-  ASSERT_TRUE(initialize_landmark(Wall(2).seen_from(oblique), pixel, estimate, camera, settings));
+  ASSERT_TRUE(c.initialize(Wall(2).seen_from(oblique), pixel));
 
-  const Landmark& line = estimate.catalog.at(0);
-  EXPECT_EQ(line.kind, Landmark::Kind::line);
+  const Landmark& line = c.landmark(0);
+  const std::vector<DepthHypothesis>& depths = c.feature(0).depths;
+  EXPECT_EQ(line.form.kind, Kind::ray);
   EXPECT_FALSE(line.mapped());
   EXPECT_EQ(estimate.mapped_count(), 0);
   EXPECT_TRUE(estimate.belief.mean(line.block).isApprox(begun_with(Eigen::VectorXd::Zero(14)), 1e-9));
   EXPECT_EQ(estimate.belief.covariance(line.block).rows(), 5);
-  expect_propagated(estimate.belief, estimate.camera, c.other, line.block, settings.filter.sigma_pixel_px);
+  expect_propagated(estimate.belief, c.camera_block(), c.other, line.block, settings.filter.sigma_pixel_px);
 
-  ASSERT_EQ(line.particles.size(), 100u);
+  ASSERT_EQ(depths.size(), 100u);
   InverseDepthLandmark::State y;
   y.head<5>() = estimate.belief.mean(line.block);
   for (int i = 0; i < 100; ++i) {
-    EXPECT_DOUBLE_EQ(line.particles[i].weight, 0.01);
-    y[5] = line.particles[i].inverse_depth;
-    const double distance_m = (line.initial_axes.point(y).position - y.head<3>()).norm();
+    EXPECT_DOUBLE_EQ(depths[i].weight, 0.01);
+    y[5] = depths[i].inverse_depth;
+    const double distance_m = (axes_of(line).point(y).position - y.head<3>()).norm();
     EXPECT_NEAR(distance_m, 0.5 + 4.5 * i / 99, 1e-9) << "along the ray, not along the optical axis";
   }
 }
@@ -138,14 +141,16 @@ TEST(LandmarkInitialization, WithoutAWholePatchChangesNothing) {
        {InitializationSettings::Method::inverse_depth, InitializationSettings::Method::depth_line}) {
     CameraSlamSettings settings;
     settings.initialization.method = method;
-    Estimate estimate = estimate_at(oblique, correlated_covariance(0.05, 3));
+    Tracking t(oblique, correlated_covariance(0.05, 3), settings);
+    const Estimate& estimate = t.estimate;
     const Image image = Wall(2).seen_from(oblique);
     for (const Eigen::Vector2d& at : {Eigen::Vector2d(3, 100), {317, 100}, {100, 2}, {100, 238}})
-      EXPECT_FALSE(initialize_landmark(image, at, estimate, camera, settings));
-    EXPECT_TRUE(estimate.catalog.empty());
+      EXPECT_FALSE(t.initialize(image, at));
+    EXPECT_TRUE(estimate.landmarks.empty());
+    EXPECT_TRUE(t.tracked.features.empty());
     EXPECT_EQ(estimate.next_id, 0);
     EXPECT_EQ(estimate.belief.errors(), 12);
-    EXPECT_TRUE(initialize_landmark(image, {9, 100}, estimate, camera, settings)) << "this one fits";
+    EXPECT_TRUE(t.initialize(image, {9, 100})) << "this one fits";
   }
 }
 

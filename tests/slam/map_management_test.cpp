@@ -3,48 +3,53 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/slam/synthetic_scene.hpp"
+
 namespace incognita {
 namespace {
 
-Estimate looked_at(const std::vector<MatchOutcome>& outcomes) {
-  Estimate estimate;
+using namespace synthetic;
+
+/// One landmark with each of these outcomes, by id from 0.
+Tracking with_outcomes(const std::vector<MatchOutcome>& outcomes) {
+  Tracking t(camera_at({0, 0, 0}), CameraCov::Identity());
   for (const MatchOutcome outcome : outcomes) {
-    Landmark landmark;
-    landmark.kind = Landmark::Kind::anchor;
-    landmark.id = estimate.next_id++;
     FeatureMatch match;
-    match.landmark = estimate.catalog.size();
+    match.id = new_id(t.estimate);
     match.outcome = outcome;
-    estimate.catalog.push_back(landmark);
-    estimate.matches.push_back(match);
+    t.estimate.landmarks[match.id].fixed = true;
+    t.tracked.features[match.id] = {};
+    t.tracked.matches.push_back(match);
   }
-  return estimate;
+  return t;
 }
 
-TEST(CountFramesAway, OnlyWhatUpdatesTheFilterIsThere) {
-  Estimate estimate = looked_at({MatchOutcome::matched, MatchOutcome::not_found, MatchOutcome::not_searched,
-                                 MatchOutcome::outlier, MatchOutcome::unconfirmed});
-  Landmark out_of_view;
-  estimate.catalog.push_back(out_of_view);
+const std::vector<MatchOutcome> one_of_each{MatchOutcome::matched, MatchOutcome::not_found,
+                                            MatchOutcome::not_searched, MatchOutcome::outlier,
+                                            MatchOutcome::unconfirmed};
+
+TEST(CountFramesAway, AMatchThatUpdatesTheFilterStartsAnew) {
+  Tracking t = with_outcomes(one_of_each);
+  const std::int64_t out_of_view = 5;
+  t.tracked.features[out_of_view] = {};
   for (int frame = 1; frame <= 3; ++frame) {
-    count_frames_away(estimate);
-    EXPECT_EQ(estimate.catalog[0].frames_away, 0);
-    for (std::size_t i = 1; i < 6; ++i) EXPECT_EQ(estimate.catalog[i].frames_away, frame) << i;
+    count_frames_away(t.tracked);
+    EXPECT_EQ(t.feature(0).frames_away, 0);
+    for (std::int64_t id = 1; id < 6; ++id) EXPECT_EQ(t.feature(id).frames_away, frame) << id;
   }
-  estimate.matches[4].outcome = MatchOutcome::matched;
-  count_frames_away(estimate);
-  EXPECT_EQ(estimate.catalog[4].frames_away, 0) << "it came back";
+  t.tracked.matches[4].outcome = MatchOutcome::matched;
+  count_frames_away(t.tracked);
+  EXPECT_EQ(t.feature(4).frames_away, 0) << "it came back";
 }
 
-/// What nobody bore out says nothing of the landmark: nor does what was not searched for.
-TEST(CountAttempts, LeavesOutWhatIsAloneAndWhatWasNotTried) {
-  Estimate estimate = looked_at({MatchOutcome::matched, MatchOutcome::not_found, MatchOutcome::not_searched,
-                                 MatchOutcome::outlier, MatchOutcome::unconfirmed});
-  count_attempts(estimate);
+/// An unconfirmed match carries no information about the landmark, nor does a search that was not made.
+TEST(CountAttempts, LeavesOutUnconfirmedMatchesAndThoseNotSearched) {
+  Tracking t = with_outcomes(one_of_each);
+  count_attempts(t.estimate, t.tracked);
   const std::vector<int> attempts{1, 1, 0, 1, 0}, matches{1, 0, 0, 0, 0};
-  for (std::size_t i = 0; i < 5; ++i) {
-    EXPECT_EQ(estimate.catalog[i].attempts, attempts[i]) << i;
-    EXPECT_EQ(estimate.catalog[i].matches, matches[i]) << i;
+  for (std::size_t id = 0; id < 5; ++id) {
+    EXPECT_EQ(t.feature(static_cast<std::int64_t>(id)).attempts, attempts[id]) << id;
+    EXPECT_EQ(t.landmark(static_cast<std::int64_t>(id)).detection_count, matches[id]) << id;
   }
 }
 

@@ -1,6 +1,6 @@
 // The estimator of one vehicle on a plane by hand-made observations: starts, matches, new landmarks, refusals, frames
 // and linearizations.
-#include "incognita/slam/points/single_vehicle.hpp"
+#include "incognita/slam/estimator/single_vehicle.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include "incognita/math/random.hpp"
 #include "incognita/models/arc_motion.hpp"
 #include "incognita/models/range_bearing.hpp"
-#include "incognita/slam/points/team_estimator.hpp"
-#include "incognita/slam/points/team_measurements.hpp"
+#include "incognita/slam/estimator/slam_estimator.hpp"
+#include "incognita/slam/mapper/measurements.hpp"
 
 namespace incognita {
 namespace {
@@ -28,22 +28,24 @@ Observation of_one() {
   return one;
 }
 
-Pose pose(const TeamEstimate& e) { return e.vehicles.front().state; }
-Eigen::Matrix3d covariance(const TeamEstimate& e) { return e.vehicles.front().state_covariance; }
-std::size_t map_size(const TeamEstimate& e) { return e.landmarks.size() + e.anchors.size(); }
+Pose pose(const Estimate& e) { return e.bodies.front().state; }
+Eigen::Matrix3d covariance(const Estimate& e) { return e.bodies.front().state_covariance; }
+std::size_t map_size(const Estimate& e) { return e.landmarks.size(); }
 
 /// The mapped landmark nearest to a point.
-TeamPosition nearest(const TeamEstimate& e, const Eigen::Vector2d& point) {
-  TeamPosition best{Eigen::Vector2d::Constant(1e9), {}};
+LandmarkPosition nearest(const Estimate& e, const Eigen::Vector2d& point) {
+  LandmarkPosition best{Eigen::Vector2d::Constant(1e9), {}};
   for (const auto& [id, landmark] : e.landmarks) {
-    const TeamPosition at = *position_of(landmark, e);
+    const LandmarkPosition at = *position_of(landmark, e);
     if ((at.position - point).norm() < (best.position - point).norm()) best = at;
   }
   return best;
 }
 
-BlockId block(const TeamEstimate& e, int which) {
-  return std::next(e.landmarks.begin(), which)->second.block;
+BlockId block(const Estimate& e, int which) {
+  for (const auto& [id, landmark] : e.landmarks)
+    if (!landmark.fixed && which-- == 0) return landmark.block;
+  throw std::out_of_range("no such landmark");
 }
 
 PlanarSlamSettings drive_settings() {
@@ -84,17 +86,17 @@ struct Drive {
     }
     return observation;
   }
-  void step(const TeamEstimator& estimator, TeamEstimate& e, const PlanarSlamSettings& s) {
+  void step(SlamEstimator& estimator, Estimate& e, const PlanarSlamSettings& s) {
     const Observation observation = next(s);
     estimator.update(e, {}, observation, tick());
   }
   Tick tick() { return {frame, static_cast<double>(frame), frame++ > 0 ? 1.0 : 0.0}; }
 };
 
-TeamEstimate run(const PlanarSlamSettings& s, int ticks, double noise = 1, bool anonymous = false,
-                 Drive* out = nullptr) {
-  const TeamEstimator estimator(single_vehicle(s));
-  TeamEstimate e;
+Estimate run(const PlanarSlamSettings& s, int ticks, double noise = 1, bool anonymous = false,
+             Drive* out = nullptr) {
+  SlamEstimator estimator(single_vehicle(s));
+  Estimate e;
   Drive drive;
   drive.noise = noise;
   for (int k = 0; k < ticks; ++k) {
@@ -112,13 +114,13 @@ TEST(SingleVehicle, MapsWhatItSees) {
     PlanarSlamSettings s = drive_settings();
     s.association.method = method;
     Drive drive;
-    const TeamEstimate e = run(s, 30, 1, s.association.method != "known", &drive);
+    const Estimate e = run(s, 30, 1, s.association.method != "known", &drive);
     ASSERT_EQ(map_size(e), landmarks.size()) << method;
     for (std::size_t i = 0; i < landmarks.size(); ++i)
       EXPECT_LT((nearest(e, landmarks[i]).position - landmarks[i]).norm(), 0.2) << method;
     EXPECT_LT((pose(e) - drive.truth).norm(), 0.2);
     EXPECT_EQ(e.status.state, TrackingState::tracking);
-    EXPECT_EQ(e.matched, 4);
+    EXPECT_EQ(e.last.matched, 4);
   }
 }
 
@@ -126,21 +128,21 @@ TEST(SingleVehicle, EveryFilterIsTheSameWhereNothingIsToLinearize) {
   PlanarSlamSettings s = drive_settings();
   s.vehicle.sigma_speed_m_s = s.vehicle.sigma_turn_rate_rad_s = 1e-7;
   s.sensor.sigma_range_m = s.sensor.sigma_bearing_rad = 1e-7;
-  const TeamEstimate plain = run(s, 20);
+  const Estimate plain = run(s, 20);
   const Eigen::Matrix3d P = covariance(plain);
   for (const char* linearization : {"iterated", "unscented-vehicle", "first-estimate"}) {
     s.filter.linearization = linearization;
-    const TeamEstimate other = run(s, 20);
+    const Estimate other = run(s, 20);
     EXPECT_LT((pose(other) - pose(plain)).norm(), 1e-11) << linearization;
     EXPECT_LT((covariance(other) - P).norm(), 1e-3 * P.norm()) << linearization;
   }
   s.filter.linearization = "analytic";
   s.filter.map_frame = "vehicle";
-  const TeamEstimate relative = run(s, 20);
+  const Estimate relative = run(s, 20);
   EXPECT_LT((pose(relative) - pose(plain)).norm(), 1e-11);
   EXPECT_LT((covariance(relative) - P).norm(), 1e-3 * P.norm());
   for (std::size_t i = 0; i < landmarks.size(); ++i) {
-    const TeamPosition a = nearest(relative, landmarks[i]), b = nearest(plain, landmarks[i]);
+    const LandmarkPosition a = nearest(relative, landmarks[i]), b = nearest(plain, landmarks[i]);
     EXPECT_LT((a.position - b.position).norm(), 1e-11);
     EXPECT_LT((a.covariance - b.covariance).norm(), 1e-3 * b.covariance.norm());
   }
@@ -164,10 +166,10 @@ TEST(SingleVehicle, AnchorsAndFixesFixTheFrame) {
     s.filter.anchors = {landmarks[0], landmarks[1]};
     s.association.method = "joint";
     Drive drive;
-    const TeamEstimate anchored = run(s, 40, 1, true, &drive);
+    const Estimate anchored = run(s, 40, 1, true, &drive);
     EXPECT_LT((pose(anchored) - drive.truth).norm(), 0.15) << frame;
     EXPECT_EQ(map_size(anchored), 4u) << frame;
-    EXPECT_EQ(anchored.anchors.size(), 2u) << frame;
+    EXPECT_EQ(anchored.mapped_count(), 2) << frame;
   }
 }
 
@@ -178,8 +180,8 @@ TEST(SingleVehicle, FixesAreUsedInEitherFrame) {
     s.filter.use_fixes = true;
     s.filter.sigma_fix_m = 0.05;
     s.start = {{1, 1}, 0.2, false, 1, 0.4};
-    const TeamEstimator estimator(single_vehicle(s));
-    TeamEstimate e;
+    SlamEstimator estimator(single_vehicle(s));
+    Estimate e;
     Drive drive;
     for (int k = 0; k < 40; ++k) {
       Observation observation = drive.next(s);
@@ -193,8 +195,8 @@ TEST(SingleVehicle, FixesAreUsedInEitherFrame) {
 TEST(SingleVehicle, WaitsForTheFirstFixWhenItIsToStartThere) {
   PlanarSlamSettings s = drive_settings();
   s.start.at_first_fix = true;
-  const TeamEstimator estimator(single_vehicle(s));
-  TeamEstimate e;
+  SlamEstimator estimator(single_vehicle(s));
+  Estimate e;
   Observation observation = of_one();
   estimator.update(e, {}, observation, {0, 0, 0});
   EXPECT_FALSE(e.started);
@@ -208,15 +210,15 @@ TEST(SingleVehicle, WaitsForTheFirstFixWhenItIsToStartThere) {
 
 TEST(SingleVehicle, RefusesAKnownLandmarkFarFromWhereItIs) {
   const PlanarSlamSettings s = drive_settings();
-  const TeamEstimator estimator(single_vehicle(s));
-  TeamEstimate e;
+  SlamEstimator estimator(single_vehicle(s));
+  Estimate e;
   Drive drive;
   for (int k = 0; k < 10; ++k) drive.step(estimator, e, s);
   Observation observation = drive.next(s);
   observation.bodies[0].landmarks[2].z[0] += 3;
   estimator.update(e, {}, observation, drive.tick());
-  EXPECT_EQ(e.matched, 3);
-  EXPECT_EQ(e.matches[2].outcome, MatchOutcome::outlier);
+  EXPECT_EQ(e.last.matched, 3);
+  EXPECT_EQ(e.last.matches[2].outcome, MatchOutcome::outlier);
   EXPECT_EQ(map_size(e), 4u);
 }
 
@@ -228,21 +230,21 @@ TEST(SingleVehicle, LeavesAloneWhatHasNoIdentityWhereIdentitiesAreWanted) {
 TEST(SingleVehicle, TwoDetectionsOfOnePlaceAreOneLandmark) {
   PlanarSlamSettings s = drive_settings();
   s.association.method = "joint";
-  const TeamEstimator estimator(single_vehicle(s));
-  TeamEstimate e;
+  SlamEstimator estimator(single_vehicle(s));
+  Estimate e;
   Observation observation = of_one();
   observation.bodies[0].landmarks = {detection(5, 0.1), detection(5.02, 0.1), detection(9, -1)};
   estimator.update(e, {}, observation, {0, 0, 0});
   EXPECT_EQ(map_size(e), 2u);
-  EXPECT_EQ(e.matches[0].outcome, MatchOutcome::initialized);
-  EXPECT_NE(e.matches[1].outcome, MatchOutcome::initialized);
+  EXPECT_EQ(e.last.matches[0].outcome, MatchOutcome::initialized);
+  EXPECT_NE(e.last.matches[1].outcome, MatchOutcome::initialized);
 }
 
 TEST(SingleVehicle, SaysThatItIsLost) {
   PlanarSlamSettings s = drive_settings();
   s.lost.max_sigma_position_m = 0.3;
-  const TeamEstimator estimator(single_vehicle(s));
-  TeamEstimate e;
+  SlamEstimator estimator(single_vehicle(s));
+  Estimate e;
   for (int k = 0; k < 200; ++k) {
     Observation blind = of_one();
     blind.bodies[0].odometry = {{static_cast<double>(k), {1, 0.1}}};
@@ -254,8 +256,8 @@ TEST(SingleVehicle, SaysThatItIsLost) {
 
 TEST(SingleVehicle, IsLostWhenNothingIsWhereItShouldBe) {
   PlanarSlamSettings s = drive_settings();
-  const TeamEstimator estimator(single_vehicle(s));
-  TeamEstimate e;
+  SlamEstimator estimator(single_vehicle(s));
+  Estimate e;
   Drive drive;
   for (int k = 0; k < 5; ++k) drive.step(estimator, e, s);
   for (int k = 0; k < s.lost.max_unmatched_scans; ++k) {
@@ -269,8 +271,8 @@ TEST(SingleVehicle, IsLostWhenNothingIsWhereItShouldBe) {
 /// An input is held until the next reading, whatever the ticks are.
 TEST(SingleVehicle, HoldsEachInputUntilTheNext) {
   PlanarSlamSettings s = drive_settings();
-  const TeamEstimator estimator(single_vehicle(s));
-  TeamEstimate e;
+  SlamEstimator estimator(single_vehicle(s));
+  Estimate e;
   Observation first = of_one(), second = of_one();
   first.bodies[0].odometry = {{0, {1, 0}}};
   second.bodies[0].odometry = {{0.5, {3, 0}}, {0.75, {0, 0}}};
@@ -287,8 +289,8 @@ TEST(SingleVehicle, UsesAFixAtItsOwnTime) {
     s.filter.use_fixes = true;
     s.filter.sigma_fix_m = 1e-3;
     s.start.sigma_position_m = 1;
-    const TeamEstimator estimator(single_vehicle(s));
-    TeamEstimate e;
+    SlamEstimator estimator(single_vehicle(s));
+    Estimate e;
     Observation observation = of_one();
     observation.bodies[0].odometry = {{0, {10, 0}}};
     observation.bodies[0].fixes = {{0.1, {1, 0.5}},
@@ -302,13 +304,13 @@ TEST(SingleVehicle, UsesAFixAtItsOwnTime) {
 TEST(SingleVehicle, AnchorsAreKnownByTheirIdentity) {
   PlanarSlamSettings s = drive_settings();
   s.filter.anchors = {landmarks[2], landmarks[0]};
-  EXPECT_THROW(TeamEstimator(single_vehicle(s)), std::invalid_argument);
-  const TeamEstimator estimator(single_vehicle(s, {2, 0}));
-  TeamEstimate e;
+  EXPECT_THROW(SlamEstimator(single_vehicle(s)), std::invalid_argument);
+  SlamEstimator estimator(single_vehicle(s, {2, 0}));
+  Estimate e;
   Drive drive;
   for (int k = 0; k < 5; ++k) drive.step(estimator, e, s);
   EXPECT_EQ(map_size(e), 4u);
-  EXPECT_EQ(e.matched, 4);
+  EXPECT_EQ(e.last.matched, 4);
 }
 
 TEST(SingleVehicle, SaysThatAnUpdateWasRefused) {
@@ -320,13 +322,13 @@ TEST(SingleVehicle, SaysThatAnUpdateWasRefused) {
     s.sensor.sigma_range_m = s.sensor.sigma_bearing_rad = 1e-5;
     s.lost.max_sigma_position_m = 1e12;
     s.association.gate_probability = 1 - 1e-9;
-    const TeamEstimator estimator(single_vehicle(s, {0, 1}));
-    TeamEstimate e;
+    SlamEstimator estimator(single_vehicle(s, {0, 1}));
+    Estimate e;
     Drive drive;
     drive.step(estimator, e, s);
-    EXPECT_EQ(e.update.outcome, UpdateReport::Outcome::singular) << decorrelate;
+    EXPECT_EQ(e.last.update.outcome, UpdateReport::Outcome::singular) << decorrelate;
     EXPECT_EQ(e.status.state, TrackingState::degraded) << decorrelate;
-    EXPECT_EQ(e.matched, 0) << decorrelate;
+    EXPECT_EQ(e.last.matched, 0) << decorrelate;
   }
 }
 
@@ -334,8 +336,8 @@ TEST(SingleVehicle, LeavesAloneWhatIsNoDetection) {
   for (const char* method : {"known", "nearest", "joint"}) {
     PlanarSlamSettings s = drive_settings();
     s.association.method = method;
-    const TeamEstimator estimator(single_vehicle(s));
-    TeamEstimate e;
+    SlamEstimator estimator(single_vehicle(s));
+    Estimate e;
     Observation observation = of_one();
     observation.bodies[0].landmarks = {detection(std::nan(""), 0.1, 1), detection(-3, 0.1, 2),
                                        detection(5, std::nan(""), 3), detection(5, 0.1, 4)};
@@ -348,8 +350,8 @@ TEST(SingleVehicle, LeavesAloneWhatIsNoDetection) {
 TEST(SingleVehicle, NewLandmarksAloneDoNotKeepItFromBeingLost) {
   PlanarSlamSettings s = drive_settings();
   s.association.method = "joint";
-  const TeamEstimator estimator(single_vehicle(s));
-  TeamEstimate e;
+  SlamEstimator estimator(single_vehicle(s));
+  Estimate e;
   for (int k = 0; k < s.lost.max_unmatched_scans + 3; ++k) {
     Observation observation = of_one();
     observation.bodies[0].landmarks = {detection(5.0 + 10 * k, 0.1)};
@@ -362,7 +364,7 @@ TEST(SingleVehicle, EntropiesOfABlockDiagonalMapAreThoseOfItsMatrix) {
   PlanarSlamSettings s = drive_settings();
   s.filter.decorrelate = "map-linear";
   s.start.sigma_position_m = s.start.sigma_heading_rad = 0.1;
-  const TeamEstimate e = run(s, 5);
+  const Estimate e = run(s, 5);
   const Eigen::MatrixXd P = e.belief.dense_covariance();
   const Entropy entropy = entropies(e);
   EXPECT_NEAR(entropy.total, gaussian_entropy(log_det(P), static_cast<int>(P.rows())), 1e-8);
@@ -373,47 +375,47 @@ TEST(SingleVehicle, KeepsTheMapBlockDiagonalWhenAsked) {
   for (const char* decorrelate : {"map", "map-linear"}) {
     PlanarSlamSettings s = drive_settings();
     s.filter.decorrelate = decorrelate;
-    const TeamEstimate e = run(s, 20);
+    const Estimate e = run(s, 20);
     for (int i = 0; i < 4; ++i)
       for (int j = 0; j < i; ++j)
         EXPECT_TRUE(e.belief.covariance(block(e, i), block(e, j)).isZero(0)) << decorrelate;
-    EXPECT_FALSE(e.belief.covariance(e.vehicles[0].block, block(e, 0)).isZero(0)) << decorrelate;
+    EXPECT_FALSE(e.belief.covariance(e.bodies[0].block, block(e, 0)).isZero(0)) << decorrelate;
   }
   PlanarSlamSettings s = drive_settings();
   s.filter.decorrelate = "everything";
-  const TeamEstimate e = run(s, 20);
-  EXPECT_TRUE(e.belief.covariance(e.vehicles[0].block, block(e, 0)).isZero(0));
+  const Estimate e = run(s, 20);
+  EXPECT_TRUE(e.belief.covariance(e.bodies[0].block, block(e, 0)).isZero(0));
 }
 
 TEST(SingleVehicle, RefusesWhatMakesNoSense) {
   PlanarSlamSettings s = drive_settings();
   s.filter.linearization = "magic";
-  EXPECT_THROW(TeamEstimator(single_vehicle(s)), std::invalid_argument);
+  EXPECT_THROW(SlamEstimator(single_vehicle(s)), std::invalid_argument);
   s.filter.linearization = "iterated";
   s.filter.decorrelate = "map-linear";
-  EXPECT_THROW(TeamEstimator(single_vehicle(s)), std::invalid_argument);
+  EXPECT_THROW(SlamEstimator(single_vehicle(s)), std::invalid_argument);
   s.filter.decorrelate = "nothing";
   s.filter.linearization = "first-estimate";
   s.filter.map_frame = "vehicle";
-  EXPECT_THROW(TeamEstimator(single_vehicle(s)), std::invalid_argument);
+  EXPECT_THROW(SlamEstimator(single_vehicle(s)), std::invalid_argument);
   s.filter.linearization = "analytic";
   s.filter.decorrelate = "map";
-  EXPECT_THROW(TeamEstimator(single_vehicle(s)), std::invalid_argument);
+  EXPECT_THROW(SlamEstimator(single_vehicle(s)), std::invalid_argument);
 }
 
 TEST(SingleVehicle, FirstEstimatesLinearizeWhereTheyWereFirst) {
   PlanarSlamSettings s = drive_settings();
   s.filter.linearization = "first-estimate";
   Drive drive;
-  const TeamEstimate e = run(s, 10, 1, false, &drive);
-  const TeamLandmark& landmark = e.landmarks.at(1);
+  const Estimate e = run(s, 10, 1, false, &drive);
+  const Landmark& landmark = e.landmarks.at(1);
   const auto measurement = linearize_detection(e, 0, false, detection(8, 0, 1), single_vehicle(s));
   const auto first =
-      RangeBearing::predict_measurement(Pose(e.vehicles[0].prediction), Eigen::Vector2d(landmark.first));
+      RangeBearing::predict_measurement(Pose(e.bodies[0].prediction), Eigen::Vector2d(landmark.first));
   ASSERT_TRUE(measurement && first);
   EXPECT_LT((measurement->linearized.parts[0].H - first->Hv).norm(), 1e-15);
   EXPECT_LT((measurement->linearized.parts[1].H - first->Hl).norm(), 1e-15);
-  EXPECT_LT((measurement->predicted - RangeBearing::h<double>(Pose(e.belief.mean(e.vehicles[0].block)),
+  EXPECT_LT((measurement->predicted - RangeBearing::h<double>(Pose(e.belief.mean(e.bodies[0].block)),
                                                               Eigen::Vector2d(e.belief.mean(landmark.block))))
                 .norm(),
             1e-15);

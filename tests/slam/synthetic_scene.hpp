@@ -17,9 +17,8 @@
 #include "incognita/messages/tick.hpp"
 #include "incognita/models/heading.hpp"
 #include "incognita/models/wide_angle_camera.hpp"
-#include "incognita/slam/features/estimate.hpp"
+#include "incognita/slam/features/feature.hpp"
 #include "incognita/slam/features/landmark_initialization.hpp"
-#include "incognita/slam/features/settings.hpp"
 
 namespace incognita::synthetic {
 
@@ -162,7 +161,7 @@ inline Eigen::Vector2d pixel_of(const CameraState& from, const Eigen::Vector3d& 
 
 inline Observation seeing(std::shared_ptr<const Image> image) {
   Observation observation;
-  observation.bodies.emplace_back().image = std::move(image);
+  observation.bodies.emplace_back().images = {std::move(image)};
   return observation;
 }
 
@@ -178,31 +177,62 @@ inline Tick tick(int k, std::int64_t first_frame = 0, double first_t = 0) {
 /// An estimate that is tracking and holds the camera alone.
 inline Estimate estimate_at(const CameraState& x, const CameraCov& P) {
   Estimate estimate;
-  estimate.camera = estimate.belief.add_vehicle(FreeCameraMotion::chart, x, P);
+  Body& body = estimate.bodies.emplace_back();
+  body.block = estimate.belief.add_vehicle(FreeCameraMotion::chart, x, P);
+  body.state = x;
+  body.state_covariance = P;
+  body.pose_covariance = P.topLeftCorner<6, 6>();
   estimate.started = true;
   estimate.status.state = TrackingState::tracking;
   return estimate;
 }
 
-/// Puts the camera elsewhere, correlations and covariance as they are but for `noise`.
-inline void move_camera(Estimate& estimate, const CameraState& to, double noise_var = 0) {
-  estimate.belief.predict({estimate.camera, to, CameraCov::Identity(), noise_var * CameraCov::Identity()});
-}
+/// The estimate and the camera that tracks with it.
+struct Tracking {
+  Estimate estimate;
+  TrackedCamera tracked{.camera = camera};
 
-/// A point landmark independent of all else, its patch cut where `from` sees `seen_at` in `image`.
-inline Landmark& add_point(Estimate& estimate, const Image& image, const CameraState& from,
-                           const Eigen::Vector3d& seen_at, const Eigen::Vector3d& mean, double sigma_m,
-                           const CameraSlamSettings& settings) {
-  Landmark landmark;
-  landmark.id = estimate.next_id++;
-  landmark.kind = Landmark::Kind::point;
-  landmark.view = cut_view(image, pixel_of(from, seen_at), from, camera, settings).value();
-  landmark.view.plane.facing = -Eigen::Vector3d::UnitX();
-  landmark.view.plane.slope_cov.setZero();
-  landmark.block = estimate.belief.augment(PointLandmark::chart, mean, {},
-                                           sigma_m * sigma_m * Eigen::Matrix3d::Identity());
-  estimate.catalog.push_back(std::move(landmark));
-  return estimate.catalog.back();
+  Tracking(const CameraState& x, const CameraCov& P, const CameraSlamSettings& settings = {})
+      : estimate(estimate_at(x, P)) {
+    tracked.settings = settings;
+    tracked.view = viewpoint(estimate, tracked);
+  }
+  BlockId camera_block() const { return estimate.body().block; }
+  Landmark& landmark(std::int64_t id) { return estimate.landmarks.at(id); }
+  const Landmark& landmark(std::int64_t id) const { return estimate.landmarks.at(id); }
+  Feature& feature(std::int64_t id) { return tracked.features.at(id); }
+  const Feature& feature(std::int64_t id) const { return tracked.features.at(id); }
+
+  /// Puts the camera elsewhere, correlations and covariance as they are but for `noise`.
+  void move_to(const CameraState& to, double noise_var = 0) {
+    estimate.belief.predict({camera_block(), to, CameraCov::Identity(), noise_var * CameraCov::Identity()});
+    tracked.view = viewpoint(estimate, tracked);
+  }
+  bool initialize(const Image& image, const Eigen::Vector2d& pixel) {
+    return initialize_landmark(image, pixel, estimate, tracked);
+  }
+  /// A point landmark independent of all else, its patch cut where `from` sees `seen_at` in `image`. Its id.
+  std::int64_t add_point(const Image& image, const CameraState& from, const Eigen::Vector3d& seen_at,
+                         const Eigen::Vector3d& mean, double sigma_m) {
+    Landmark landmark;
+    landmark.id = new_id(estimate);
+    landmark.camera = 0;
+    landmark.first_view = free_camera::position(from);
+    landmark.block = estimate.belief.augment(PointLandmark::chart, mean, {},
+                                             sigma_m * sigma_m * Eigen::Matrix3d::Identity());
+    Feature feature;
+    feature.view = cut_view(image, pixel_of(from, seen_at), from, camera, tracked.settings).value();
+    feature.view.plane.facing = -Eigen::Vector3d::UnitX();
+    feature.view.plane.slope_cov.setZero();
+    tracked.features.emplace(landmark.id, std::move(feature));
+    return estimate.landmarks.emplace(landmark.id, landmark).first->first;
+  }
+};
+
+using Kind = LandmarkParametrization::Kind;
+
+inline InverseDepthLandmark axes_of(const Landmark& landmark) {
+  return InverseDepthLandmark{landmark.form.initial_axes};
 }
 
 }  // namespace incognita::synthetic

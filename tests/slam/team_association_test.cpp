@@ -1,6 +1,6 @@
 // Sightings without names: nearest neighbours find out what they are of, from nothing but where they are
 // seen.
-#include "incognita/slam/points/team_association.hpp"
+#include "incognita/slam/points/view_association.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include "incognita/math/gaussian.hpp"
 #include "incognita/math/random.hpp"
 #include "incognita/models/range_bearing.hpp"
-#include "incognita/slam/points/team_estimator.hpp"
+#include "incognita/slam/estimator/slam_estimator.hpp"
 
 namespace incognita::testing {
 namespace {
@@ -19,7 +19,7 @@ constexpr double sigma_range_m = 0.05, sigma_bearing_rad = 0.01;
 
 /// Vehicles that drive among points. The first two points are anchors.
 struct Drive {
-  TeamSettings settings;
+  EstimatorSettings settings;
   std::vector<planar::Pose<double>> truth;
   std::vector<Eigen::Vector2d> points;
   RandomStream random{11, "sightings"};
@@ -28,9 +28,9 @@ struct Drive {
   explicit Drive(int vehicles = 1, const std::string& method = "nearest") {
     for (int i = 0; i < vehicles; ++i) {
       truth.emplace_back(0, 2.0 * i, 0);
-      settings.members.push_back({DifferentialDrive{}, RangeBearingSensor{}, truth.back(),
-                                  Eigen::Vector3d::Constant(0.01), Eigen::Vector2d::Constant(0.05),
-                                  Eigen::Vector2d(sigma_range_m, sigma_bearing_rad)});
+      settings.bodies.push_back(body_with_sensor(
+          DifferentialDrive{}, RangeBearingSensor{}, truth.back(), Eigen::Vector3d::Constant(0.01),
+          Eigen::Vector2d::Constant(0.05), Eigen::Vector2d(sigma_range_m, sigma_bearing_rad)));
     }
     for (int i = 0; i < 12; ++i) points.emplace_back(4 + 2.0 * (i / 2), i % 2 ? -3 : 5);
     for (int i : {0, 1}) settings.anchors[i] = points[static_cast<std::size_t>(i)];
@@ -62,9 +62,9 @@ struct Drive {
 
 /// Runs 60 ticks; `disguise` may change what the estimator is given.
 template <class Disguise>
-TeamEstimate estimate_of(Drive drive, const Disguise& disguise) {
-  const TeamEstimator estimator(drive.settings);
-  TeamEstimate e;
+Estimate estimate_of(Drive drive, const Disguise& disguise) {
+  SlamEstimator estimator(drive.settings);
+  Estimate e;
   for (int i = 0; i < 60; ++i) {
     Observation observation = drive.next();
     disguise(observation);
@@ -73,33 +73,36 @@ TeamEstimate estimate_of(Drive drive, const Disguise& disguise) {
   return e;
 }
 
-void expect_same(const TeamEstimate& a, const TeamEstimate& b) {
+void expect_same(const Estimate& a, const Estimate& b) {
   ASSERT_EQ(a.belief.errors(), b.belief.errors());
   ASSERT_EQ(a.landmarks.size(), b.landmarks.size());
   EXPECT_EQ(a.belief.dense_covariance(), b.belief.dense_covariance());
   for (const auto& [number, landmark] : a.landmarks) {
     ASSERT_EQ(b.landmarks.count(number), 1u);
+    if (landmark.fixed) continue;
     EXPECT_EQ(Eigen::VectorXd(a.belief.mean(landmark.block)),
               Eigen::VectorXd(b.belief.mean(b.landmarks.at(number).block)));
   }
-  for (std::size_t i = 0; i < a.vehicles.size(); ++i) {
-    EXPECT_EQ(a.vehicles[i].pose.position, b.vehicles[i].pose.position);
+  for (std::size_t i = 0; i < a.bodies.size(); ++i) {
+    EXPECT_EQ(a.bodies[i].pose.position, b.bodies[i].pose.position);
   }
 }
 
 void nothing(Observation&) {}
 
 TEST(TeamAssociation, FindsWhatNamesWouldHaveTold) {
-  const TeamEstimate told = estimate_of(Drive(1, "known"), nothing);
-  const TeamEstimate found = estimate_of(Drive(), nothing);
-  ASSERT_EQ(found.landmarks.size(), 10u);
-  ASSERT_EQ(told.landmarks.size(), 10u);
+  const Estimate told = estimate_of(Drive(1, "known"), nothing);
+  const Estimate found = estimate_of(Drive(), nothing);
+  ASSERT_EQ(found.mapped_count(), 10);
+  ASSERT_EQ(told.mapped_count(), 10);
   std::size_t used = 0;
   for (const auto& [number, landmark] : found.landmarks) {
+    if (landmark.fixed) continue;
     double nearest_m = 1e9;
     for (const auto& [identity, other] : told.landmarks)
-      nearest_m =
-          std::min(nearest_m, (found.belief.mean(landmark.block) - told.belief.mean(other.block)).norm());
+      if (!other.fixed)
+        nearest_m =
+            std::min(nearest_m, (found.belief.mean(landmark.block) - told.belief.mean(other.block)).norm());
     EXPECT_LT(nearest_m, 0.05);
     used += static_cast<std::size_t>(landmark.detection_count);
   }
@@ -110,8 +113,8 @@ TEST(TeamAssociation, FindsWhatNamesWouldHaveTold) {
 
 TEST(TeamAssociation, ReadsNoNameButAnAnchors) {
   std::mt19937 random(3);
-  const TeamEstimate plain = estimate_of(Drive(2), nothing);
-  EXPECT_EQ(plain.landmarks.size(), 10u);
+  const Estimate plain = estimate_of(Drive(2), nothing);
+  EXPECT_EQ(plain.mapped_count(), 10);
   expect_same(plain, estimate_of(Drive(2), [&](Observation& observation) {  // other names in every tick
                 for (BodyObservation& view : observation.bodies) {
                   std::vector<std::int64_t> names = {2, 3, 4, 5, 6, 7, 8, 9, 10, 11};
@@ -136,17 +139,17 @@ TEST(TeamAssociation, DoesNotDependOnTheOrderOfSightings) {
 }
 
 TEST(TeamAssociation, ByNamesWhatHasNoneIsLeftAlone) {
-  const TeamEstimate e = estimate_of(Drive(1, "known"), [](Observation& observation) {
+  const Estimate e = estimate_of(Drive(1, "known"), [](Observation& observation) {
     for (PointDetection& s : observation.bodies[0].landmarks)
       if (s.identity > 5) s.identity = Detection::unknown;
   });
-  EXPECT_EQ(e.landmarks.size(), 4u);
+  EXPECT_EQ(e.mapped_count(), 4);
 }
 
 /// A vehicle and one landmark that it has seen once, straight ahead.
 struct OneLandmark {
   Drive drive;
-  TeamEstimate e;
+  Estimate e;
 
   OneLandmark() {
     drive.settings.anchors.clear();
@@ -155,7 +158,7 @@ struct OneLandmark {
     view.landmarks.push_back({Detection::unknown, Eigen::Vector2d(5, 0)});
     Observation observation;
     observation.bodies.push_back(view);
-    TeamEstimator(drive.settings).update(e, {}, observation, drive.tick());
+    SlamEstimator(drive.settings).update(e, {}, observation, drive.tick());
   }
   std::int64_t number() const { return e.landmarks.begin()->first; }
 
@@ -193,25 +196,26 @@ TEST(TeamAssociation, GivesEachLandmarkToTheNearestAndToNoOther) {
 }
 
 TEST(TeamAssociation, NumbersAreNeverAnAnchorsNorGivenTwice) {
-  const TeamEstimate e = estimate_of(Drive(), nothing);
+  const Estimate e = estimate_of(Drive(), nothing);
   std::int64_t least = 1000;
-  for (const auto& [number, landmark] : e.landmarks) least = std::min(least, number);
+  for (const auto& [number, landmark] : e.landmarks)
+    if (!landmark.fixed) least = std::min(least, number);
   EXPECT_EQ(least, 2) << "anchors are 0 and 1";
-  EXPECT_EQ(e.next_number, 12);
+  EXPECT_EQ(e.next_id, 12);
 }
 
 TEST(TeamAssociation, GatesMustFitEachOther) {
   Drive drive;
   drive.settings.association.method = "nearest";
   drive.settings.association.initialization_probability = 0.9;
-  EXPECT_NE(validate_team_settings(drive.settings), "");
+  EXPECT_NE(validate(drive.settings), "");
   drive.settings.association.initialization_probability = 0.9999;
   for (const char* method : {"known", "nearest", "joint"}) {
     drive.settings.association.method = method;
-    EXPECT_EQ(validate_team_settings(drive.settings), "") << method;
+    EXPECT_EQ(validate(drive.settings), "") << method;
   }
   drive.settings.association.method = "nearest-neighbor";
-  EXPECT_NE(validate_team_settings(drive.settings), "");
+  EXPECT_NE(validate(drive.settings), "");
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // The team estimator by hand-made observations: what a tick costs the heap.
-#include "incognita/slam/points/team_estimator.hpp"
+#include "incognita/slam/estimator/slam_estimator.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ namespace {
 
 /// Vehicles side by side that go straight on, among points that all see; and each sees the others.
 struct Convoy {
-  TeamSettings settings;
+  EstimatorSettings settings;
   std::vector<planar::Pose<double>> truth;
   std::vector<Eigen::Vector2d> points;
   std::int64_t frame = 0;
@@ -20,9 +20,9 @@ struct Convoy {
   Convoy(int vehicles, int landmarks) {
     for (int i = 0; i < vehicles; ++i) {
       truth.emplace_back(0, 3.0 * i, 0);
-      settings.members.push_back({DifferentialDrive{}, RangeBearingSensor{}, truth.back(),
-                                  Eigen::Vector3d::Constant(0.01), Eigen::Vector2d::Constant(0.05),
-                                  Eigen::Vector2d(0.1, 0.02)});
+      settings.bodies.push_back(body_with_sensor(
+          DifferentialDrive{}, RangeBearingSensor{}, truth.back(), Eigen::Vector3d::Constant(0.01),
+          Eigen::Vector2d::Constant(0.05), Eigen::Vector2d(0.1, 0.02)));
     }
     for (int i = 0; i < landmarks; ++i) points.emplace_back(4 + 2.0 * i, i % 2 ? -2 : 5);
     settings.filter.gate_probability = 0.999;
@@ -54,8 +54,8 @@ struct Convoy {
 int doubted(double noise) {
   Convoy convoy(2, 6);
   convoy.settings.filter.gate_probability = 1;
-  const TeamEstimator estimator(convoy.settings);
-  TeamEstimate estimate;
+  SlamEstimator estimator(convoy.settings);
+  Estimate estimate;
   RandomStream random(5, "sightings");
   int count = 0;
   for (int i = 0; i < 100; ++i) {
@@ -64,7 +64,7 @@ int doubted(double noise) {
       for (auto* detections : {&view.landmarks, &view.vehicles})
         for (PointDetection& s : *detections)
           for (int k = 0; k < 2; ++k)
-            s.z[k] += noise * convoy.settings.members[0].sigmas[k] * random.normal();
+            s.z[k] += noise * convoy.settings.bodies[0].sensors[0].sigmas[k] * random.normal();
     estimator.update(estimate, {}, observation, convoy.tick());
     if (estimate.status.state != TrackingState::degraded) continue;
     ++count;
@@ -73,7 +73,7 @@ int doubted(double noise) {
   return count;
 }
 
-TEST(TeamEstimator, DoubtsItselfWhereSightingsAreFarFromWhatItExpects) {
+TEST(SlamEstimator, DoubtsItselfWhereSightingsAreFarFromWhatItExpects) {
   EXPECT_EQ(doubted(1), 0);
   EXPECT_EQ(doubted(1.5), 0) << "noises are never known that well";
   EXPECT_GT(doubted(4), 80);
@@ -83,8 +83,8 @@ class TeamAllocation : public Allocation {};
 
 TEST_F(TeamAllocation, NeverHappensInTheLoop) {
   Convoy convoy(4, 12);
-  const TeamEstimator estimator(convoy.settings);
-  TeamEstimate estimate;
+  SlamEstimator estimator(convoy.settings);
+  Estimate estimate;
   for (int i = 0; i < 3; ++i) {  // births, then the first update
     const Observation observation = convoy.next();
     estimator.update(estimate, {}, observation, convoy.tick());
@@ -93,7 +93,7 @@ TEST_F(TeamAllocation, NeverHappensInTheLoop) {
     const Observation observation = convoy.next();
     const Tick tick = convoy.tick();
     EXPECT_EQ(allocations_in([&] { estimator.update(estimate, {}, observation, tick); }), 0);
-    EXPECT_EQ(estimate.matched, 4 * (12 + 3));
+    EXPECT_EQ(estimate.last.matched, 4 * (12 + 3));
   }
 }
 

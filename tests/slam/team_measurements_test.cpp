@@ -1,13 +1,13 @@
 // What a vehicle of a team sees of another, and of landmarks, as the filter takes it: predictions and
 // Jacobians by both against differences of the belief's means.
-#include "incognita/slam/points/team_measurements.hpp"
+#include "incognita/slam/mapper/measurements.hpp"
 
 #include <gtest/gtest.h>
 
 #include <functional>
 
 #include "incognita/models/wide_angle_camera.hpp"
-#include "incognita/slam/points/team_estimator.hpp"
+#include "incognita/slam/estimator/slam_estimator.hpp"
 #include "tests/small_vectors.hpp"
 
 namespace incognita {
@@ -18,8 +18,8 @@ using testing::plus;
 using testing::vec;
 
 struct Pair {
-  TeamSettings settings;
-  TeamEstimate estimate;
+  EstimatorSettings settings;
+  Estimate estimate;
 };
 
 /// Two vehicles that know where they are; the second is in view of the first.
@@ -28,11 +28,11 @@ Pair pair_of(const AnyMotion& motion, const AnySensor& sensor, const SmallVector
   Pair pair;
   for (const SmallVector& start : {first, second}) {
     const int errors = chart_of(motion).tangent(), numbers = chart_of(sensor).tangent();
-    pair.settings.members.push_back({motion, sensor, start, SmallVector::Constant(errors, 0.1),
-                                     SmallVector::Constant(inputs_of(motion), 0.1),
-                                     SmallVector::Constant(numbers, 1)});
+    pair.settings.bodies.push_back(body_with_sensor(motion, sensor, start, SmallVector::Constant(errors, 0.1),
+                                                    SmallVector::Constant(inputs_of(motion), 0.1),
+                                                    SmallVector::Constant(numbers, 1)));
   }
-  const TeamEstimator estimator(pair.settings);
+  SlamEstimator estimator(pair.settings);
   Observation nothing;
   nothing.bodies.resize(2);
   estimator.update(pair.estimate, {}, nothing, {0, 0, 0});
@@ -41,7 +41,7 @@ Pair pair_of(const AnyMotion& motion, const AnySensor& sensor, const SmallVector
 
 /// d(prediction) / d(error of a block), by moving the belief's mean.
 SmallMatrix differences(Pair pair, BlockId block, const Chart& of, const PointDetection& detection) {
-  const Chart& to = chart_of(pair.settings.members[0].sensor);
+  const Chart& to = chart_of(pair.settings.bodies[0].sensors[0].sensor);
   const SmallVector mean = pair.estimate.belief.mean(block);
   SmallMatrix J(to.tangent(), of.tangent());
   constexpr double h = 1e-5;
@@ -72,21 +72,21 @@ TEST(TeamLooks, OfAnotherVehicleAreDerivedByBothInAnyPlace) {
         pair_of(DifferentialDrive{0.2, 0}, camera, here, there), pair_of(AckermannCar{}, stereo, here, there),
         pair_of(terrain, stereo, here, there), pair_of(FreeCameraMotion{}, camera, body, other),
         pair_of(FreeCameraMotion{}, stereo, body, other)}) {
-    const AnyMotion& motion = pair.settings.members[0].motion;
-    const AnySensor& sensor = pair.settings.members[0].sensor;
+    const AnyMotion& motion = pair.settings.bodies[0].motion;
+    const AnySensor& sensor = pair.settings.bodies[0].sensors[0].sensor;
     SCOPED_TRACE(std::to_string(motion.index()) + " " + std::to_string(sensor.index()));
     PointDetection detection{1, SmallVector::Zero(chart_of(sensor).tangent())};
     const auto told = linearize_detection(pair.estimate, 0, true, detection, pair.settings);
     ASSERT_TRUE(told);
     ASSERT_EQ(told->linearized.part_count, 2);
     const auto wanted =
-        predict_measurement(sensor, motion, pair.estimate.belief.mean(pair.estimate.vehicles[0].block), {},
-                            pose_of(motion, pair.estimate.belief.mean(pair.estimate.vehicles[1].block))
+        predict_measurement(sensor, motion, pair.estimate.belief.mean(pair.estimate.bodies[0].block), {},
+                            pose_of(motion, pair.estimate.belief.mean(pair.estimate.bodies[1].block))
                                 .position.head(dimensions_of(sensor)));
     EXPECT_LE((told->predicted - wanted->z).norm(), 1e-12) << "where the other is in the place";
     for (int part = 0; part < 2; ++part) {
       const auto& by = told->linearized.parts[static_cast<std::size_t>(part)];
-      ASSERT_EQ(by.block, pair.estimate.vehicles[static_cast<std::size_t>(part)].block);
+      ASSERT_EQ(by.block, pair.estimate.bodies[static_cast<std::size_t>(part)].block);
       const SmallMatrix found = differences(pair, by.block, chart_of(motion), detection);
       EXPECT_LE((by.H - found).norm(), 1e-5 * found.norm()) << by.H << "\n\n" << found;
     }

@@ -1,5 +1,5 @@
 // Wheel odometry as a measurement of the camera.
-#include "incognita/slam/features/wheel_odometry_update.hpp"
+#include "incognita/slam/mapper/prediction.hpp"
 
 #include <gtest/gtest.h>
 
@@ -54,7 +54,7 @@ TEST(FollowWheels, LeavesTheFilterConsistent) {
     Error error = gaussian(random, sigmas);
     FreeCameraMotion::chart.plus(numbers(mean), numbers(error));
 
-    Belief belief;
+    AnyBelief belief;
     const BlockId camera =
         belief.add_vehicle(FreeCameraMotion::chart, mean, sigmas.cwiseAbs2().asDiagonal().toDenseMatrix());
     wheels[0] += odometry.sigma_speed_m_s * random.normal();

@@ -148,8 +148,8 @@ TEST(room_vehicle, its_sensor_tells_images_wheels_and_ranges) {
   const BodyObservation observation = sensor.measure(truth, {1, 0.1, 0.1}).bodies.at(0);
   ASSERT_EQ(observation.odometry.size(), 1u);
   EXPECT_EQ(observation.odometry[0].input, Eigen::Vector2d(0.5, 1)) << "what it can do";
-  ASSERT_TRUE(observation.image);
-  EXPECT_EQ(observation.image->width(), 320);
+  ASSERT_TRUE(image_of(observation));
+  EXPECT_EQ(image_of(observation)->width(), 320);
 }
 
 }  // namespace

@@ -76,10 +76,11 @@ TEST(room_camera, is_the_render_plus_noise) {
   quiet.sigma_image_gray = 0;
   Image expected;
   render(*room(), RayTable{Camera(model)}, {1.6, 0, 1.3}, level_gaze(0), expected);
-  EXPECT_EQ(*RoomCamera(room(), model, quiet, 1).measure(start(), Tick{0, 0, 0}).bodies[0].image, expected);
+  EXPECT_EQ(*RoomCamera(room(), model, quiet, 1).measure(start(), Tick{0, 0, 0}).bodies[0].images.at(0),
+            expected);
 
   const Image noisy =
-      *RoomCamera(room(), model, RoomSettings{}, 1).measure(start(), Tick{0, 0, 0}).bodies[0].image;
+      *RoomCamera(room(), model, RoomSettings{}, 1).measure(start(), Tick{0, 0, 0}).bodies[0].images.at(0);
   double squares = 0;
   int count = 0;
   for (int i = 0; i < 320 * 240; ++i)
@@ -94,7 +95,7 @@ TEST(room_camera, same_seed_same_bytes_and_another_seed_others) {
   const auto bytes = [](std::uint64_t seed) {
     RoomCamera camera(room(), WideAngleCamera{}, RoomSettings{}, seed);
     camera.measure(start(), Tick{0, 0, 0});
-    return *camera.measure(start(), Tick{1, 0.1, 0.1}).bodies[0].image;
+    return *camera.measure(start(), Tick{1, 0.1, 0.1}).bodies[0].images.at(0);
   };
   EXPECT_EQ(bytes(8), bytes(8));
   EXPECT_NE(bytes(8), bytes(9));
@@ -104,9 +105,9 @@ TEST(room_camera, a_covered_lens_is_dark_from_then_on) {
   RoomSettings s;
   s.cover_lens_from_s = 2;
   RoomCamera camera(room(), WideAngleCamera{}, s, 1);
-  EXPECT_GT(moments(*camera.measure(start(), Tick{59, 59 / 30.0, 1 / 30.0}).bodies[0].image).mean, 60);
+  EXPECT_GT(moments(*camera.measure(start(), Tick{59, 59 / 30.0, 1 / 30.0}).bodies[0].images.at(0)).mean, 60);
   for (const double t : {2.0, 2.5, 100.0}) {
-    const Moments m = moments(*camera.measure(start(), Tick{60, t, 1 / 30.0}).bodies[0].image);
+    const Moments m = moments(*camera.measure(start(), Tick{60, t, 1 / 30.0}).bodies[0].images.at(0));
     EXPECT_LT(m.mean, 12);
     EXPECT_NEAR(m.sigma, 2, 0.2) << "noise goes on";
   }

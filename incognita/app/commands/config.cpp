@@ -99,8 +99,8 @@ void print_table(LoadedScenario& loaded) {
 std::vector<std::string> check_team(const LoadedScenario& loaded) {
   const TeamAssembly assembly = assemble_team(loaded);  // refuses what a run would refuse
   std::vector<std::string> found = assembly.notes;
-  const TeamSettings& team = assembly.boxes.estimator.settings();
-  found.push_back(fmt::format("vehicles: {}, known landmarks: {}", team.members.size(), team.anchors.size()));
+  const EstimatorSettings& team = assembly.estimator;
+  found.push_back(fmt::format("vehicles: {}, known landmarks: {}", team.bodies.size(), team.anchors.size()));
   return found;
 }
 

@@ -7,6 +7,8 @@
 #include <stdexcept>
 
 #include "incognita/app/loop/operator_assembly.hpp"
+#include "incognita/control/camera_controller.hpp"
+#include "incognita/decision/camera_decision.hpp"
 #include "incognita/io/formats/files.hpp"
 #include "incognita/io/recordings/camera_of_recording.hpp"
 #include "incognita/io/recordings/recorded.hpp"
@@ -14,6 +16,7 @@
 #include "incognita/io/scenario/camera.hpp"
 #include "incognita/io/scenario/target_file.hpp"
 #include "incognita/messages/errors.hpp"
+#include "incognita/slam/estimator/single_camera.hpp"
 #include "incognita/world/rendered/room_camera.hpp"
 #include "incognita/world/rendered/room_world.hpp"
 #include "incognita/world/room_clock.hpp"
@@ -62,12 +65,14 @@ Assembly assembled(const LoadedScenario& loaded) {
   std::vector<std::string> notes;
   Environment environment = scenario.run.world == "recording" ? recorded_environment(loaded, camera, notes)
                                                               : rendered_environment(loaded, camera, target);
-  return {{std::move(environment.clock), std::move(environment.world), std::move(environment.sensor),
-           CameraEstimator(camera, std::move(target), scenario.slam, scenario.start.max_search_s, seed),
-           CameraDecision(camera, scenario.slam, scenario.decision, scenario.exploration, seed),
-           CameraController(scenario.control, scenario.operator_settings.holds)},
-          scale_is_known,
-          std::move(notes)};
+  return {
+      {std::move(environment.clock), std::move(environment.world), std::move(environment.sensor),
+       std::make_unique<SlamEstimator>(
+           single_camera(camera, target, scenario.slam, scenario.start.max_search_s, seed)),
+       std::make_unique<CameraDecision>(camera, scenario.slam, scenario.decision, scenario.exploration, seed),
+       std::make_unique<CameraController>(scenario.control, scenario.operator_settings.holds)},
+      scale_is_known,
+      std::move(notes)};
 }
 
 }  // namespace

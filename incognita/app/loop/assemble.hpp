@@ -12,7 +12,7 @@
 namespace incognita {
 
 struct Assembly {
-  Boxes boxes;
+  LoopParts parts;
   bool scale_is_known = true;      ///< fixed by the target; else unobservable
   std::vector<std::string> notes;  ///< assumptions, for printing
 };

@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "incognita/control/team_controller.hpp"
+#include "incognita/decision/no_decision.hpp"
 #include "incognita/io/formats/files.hpp"
 #include "incognita/io/recordings/clock_warnings.hpp"
 #include "incognita/io/recordings/range_recording.hpp"
 #include "incognita/messages/errors.hpp"
-#include "incognita/slam/points/single_vehicle.hpp"
+#include "incognita/slam/estimator/single_vehicle.hpp"
+#include "incognita/slam/estimator/slam_estimator.hpp"
 
 namespace incognita {
 namespace {
@@ -109,16 +112,17 @@ RangeAssembly assemble_ranges(RangeRecording recording, const PlanarSlamSettings
   sensor.max_range_m = s.sensor.max_range_m;
   sensor.fixes = s.filter.use_fixes ? Fixes::all : s.start.at_first_fix ? Fixes::first : Fixes::none;
   const auto identities = identities_of_anchors(s.filter.anchors, r);
-  const TeamSettings team = single_vehicle(s, identities.value_or(std::vector<std::int64_t>{}));
+  const EstimatorSettings team = single_vehicle(s, identities.value_or(std::vector<std::int64_t>{}));
   std::vector<std::string> notes = r.notes;
   for (std::string& note : left_out(r, s)) notes.push_back(std::move(note));
-  return {{std::make_unique<RangeClock>(recordings, duration_s), std::make_unique<RangeWorld>(recordings),
-           std::make_unique<RangeSensor>(recordings, sensor), TeamEstimator(team),
-           TeamDecision(team, {.decision = {}, .decides = false}), TeamController({}, 1)},
-          recordings,
-          s.filter.use_fixes || !s.filter.anchors.empty(),
-          std::move(notes),
-          clock_warnings(r)};
+  return {
+      {std::make_unique<RangeClock>(recordings, duration_s), std::make_unique<RangeWorld>(recordings),
+       std::make_unique<RangeSensor>(recordings, sensor), std::make_unique<SlamEstimator>(team),
+       std::make_unique<NoDecision>(), std::make_unique<TeamController>(std::vector<VehicleSteering>{}, 1)},
+      recordings,
+      s.filter.use_fixes || !s.filter.anchors.empty(),
+      std::move(notes),
+      clock_warnings(r)};
 }
 
 RangeAssembly assemble_ranges(const LoadedScenario& loaded) {

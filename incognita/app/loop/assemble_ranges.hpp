@@ -13,7 +13,7 @@
 namespace incognita {
 
 struct RangeAssembly {
-  TeamBoxes boxes;
+  LoopParts parts;
   SharedRangeRecordings recordings;  ///< a single one
   bool frame_is_fixed = true;        ///< by anchors or fixes; else the map is relative to the start pose
   std::vector<std::string> notes;    ///< assumptions and ignored data, for printing

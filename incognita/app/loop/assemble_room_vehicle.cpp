@@ -7,10 +7,14 @@
 
 #include "incognita/app/loop/assemble.hpp"
 #include "incognita/app/loop/team_models.hpp"
+#include "incognita/control/vehicle_controller.hpp"
+#include "incognita/decision/camera_decision.hpp"
+#include "incognita/decision/no_decision.hpp"
 #include "incognita/io/formats/files.hpp"
 #include "incognita/io/scenario/camera.hpp"
 #include "incognita/io/scenario/target_file.hpp"
 #include "incognita/messages/errors.hpp"
+#include "incognita/slam/estimator/single_camera.hpp"
 #include "incognita/world/rendered/room_vehicle.hpp"
 #include "incognita/world/room_clock.hpp"
 
@@ -42,22 +46,22 @@ VehicleDriving driving_of(const LoadedScenario& loaded, const Terrain& ground) {
   return driving;
 }
 
-VehicleController controller_of(const LoadedScenario& loaded, const Terrain& ground) {
+std::unique_ptr<Controller> controller_of(const LoadedScenario& loaded, const Terrain& ground) {
   const Scenario& s = loaded.scenario;
   try {
-    return {driving_of(loaded, ground), 1 / s.run.rate_hz};
+    return std::make_unique<VehicleController>(driving_of(loaded, ground), 1 / s.run.rate_hz);
   } catch (const std::invalid_argument& error) {
     throw InputError(fmt::format("{}: steer.law = {}: {}", loaded.sources.at("steer.law"), s.team.steer.law,
                                  error.what()));
   }
 }
 
-VehicleDecision decision_of(const Scenario& s, const Camera& camera) {
-  if (s.team.steer.law != "active") return {};
+std::unique_ptr<Strategy> decision_of(const Scenario& s, const Camera& camera) {
+  if (s.team.steer.law != "active") return std::make_unique<NoDecision>();
   const SteerChoice& can = s.team.steer;
   const CarrierSettings carrier{mount_of(s), can.max_speed_m_s, can.max_turn_rate_rad_s};
-  return VehicleDecision(CameraDecision(camera, s.slam, s.decision, s.exploration,
-                                        static_cast<std::uint64_t>(s.run.seed), carrier));
+  return std::make_unique<CameraDecision>(camera, s.slam, s.decision, s.exploration,
+                                          static_cast<std::uint64_t>(s.run.seed), carrier);
 }
 
 RoomVehicleAssembly assembled(const LoadedScenario& loaded) {
@@ -79,7 +83,8 @@ RoomVehicleAssembly assembled(const LoadedScenario& loaded) {
                                                     RangeRing{}, seed);
   return {
       {std::make_unique<FixedRateClock>(s.run.rate_hz, s.run.duration_s), std::move(world), std::move(sensor),
-       CameraEstimator(camera, std::move(target), s.slam, s.start.max_search_s, seed, odometry),
+       std::make_unique<SlamEstimator>(
+           single_camera(camera, target, s.slam, s.start.max_search_s, seed, odometry)),
        decision_of(s, camera), controller_of(loaded, ground)},
       scale_is_known};
 }

@@ -7,7 +7,7 @@
 namespace incognita {
 
 struct RoomVehicleAssembly {
-  VehicleBoxes boxes;
+  LoopParts parts;
   bool scale_is_known = true;  ///< fixed by the target; else unobservable
 };
 

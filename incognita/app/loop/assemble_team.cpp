@@ -11,12 +11,16 @@
 #include "incognita/app/loop/assemble_ranges.hpp"
 #include "incognita/app/loop/operator_assembly.hpp"
 #include "incognita/app/loop/team_models.hpp"
+#include "incognita/control/team_controller.hpp"
+#include "incognita/decision/no_decision.hpp"
+#include "incognita/decision/team_decision.hpp"
 #include "incognita/io/formats/data_folder.hpp"
 #include "incognita/io/formats/files.hpp"
 #include "incognita/io/recordings/clock_warnings.hpp"
 #include "incognita/io/recordings/range_formats.hpp"
 #include "incognita/io/scenario/team_setting_list.hpp"
 #include "incognita/messages/errors.hpp"
+#include "incognita/slam/estimator/slam_estimator.hpp"
 #include "incognita/world/replay/range_replay.hpp"
 #include "incognita/world/room_clock.hpp"
 
@@ -33,20 +37,20 @@ auto made(const LoadedScenario& loaded, const std::string& key, const std::strin
   }
 }
 
-TeamEstimator estimator_of(const LoadedScenario& loaded, const TeamSettings& team) {
+std::unique_ptr<Estimator> estimator_of(const LoadedScenario& loaded, const EstimatorSettings& team) {
   const Scenario& s = loaded.scenario;
-  const TeamMember& first = team.members.front();
+  const BodyModel& first = team.bodies.front();
   made(loaded, "run.sensor", s.run.sensor, [&] {
-    const std::string problem = incompatibility(first.motion, first.sensor);
+    const std::string problem = incompatibility(first.motion, first.sensors.front().sensor);
     if (!problem.empty()) throw std::invalid_argument(problem);
     return 0;
   });
   return made(loaded, "team_filter.lineariser", s.team.filter.linearization,
-              [&] { return TeamEstimator(team); });
+              [&] { return std::make_unique<SlamEstimator>(team); });
 }
 
 /// Makes the first `known` landmarks (all if negative) anchors.
-void set_anchors(TeamSettings& team, const PointLandmarks& place, int known) {
+void set_anchors(EstimatorSettings& team, const PointLandmarks& place, int known) {
   for (const auto& [identity, point] : place) {
     if (known >= 0 && static_cast<int>(team.anchors.size()) >= known) return;
     team.anchors.emplace(identity, point);
@@ -56,7 +60,6 @@ void set_anchors(TeamSettings& team, const PointLandmarks& place, int known) {
 TeamDecisionSettings decision_of(const Scenario& s) {
   TeamDecisionSettings out;
   out.decision = s.decision;
-  out.decides = s.team.steer.law == "active";
   out.tick_s = 1 / s.run.rate_hz;
   out.exploration = s.exploration;
   out.seed = static_cast<std::uint64_t>(s.run.seed);
@@ -65,6 +68,11 @@ TeamDecisionSettings decision_of(const Scenario& s) {
     out.carrier = CarrierSettings{mount_of(s), can.max_speed_m_s, can.max_turn_rate_rad_s};
   }
   return out;
+}
+
+std::unique_ptr<Strategy> strategy_of(const Scenario& s, const EstimatorSettings& team) {
+  if (s.team.steer.law != "active") return std::make_unique<NoDecision>();
+  return std::make_unique<TeamDecision>(team, decision_of(s));
 }
 
 /// Warns if the initial inverse depth does not fit the scene: such landmarks do not recover.
@@ -100,7 +108,7 @@ std::unique_ptr<World> world_of(const Scenario& s, const std::vector<SimulatedVe
 }
 
 /// Identities that a sensor provides; nullopt: all. Anchors are recognized like the fiducial points of Section 6.3.1.
-std::optional<std::set<std::int64_t>> names_of(const TeamSettings& team) {
+std::optional<std::set<std::int64_t>> names_of(const EstimatorSettings& team) {
   if (team.association.method == "known") return std::nullopt;
   std::set<std::int64_t> named;
   for (const auto& [identity, anchor] : team.anchors) named.insert(identity);
@@ -123,9 +131,9 @@ TeamAssembly simulated(const LoadedScenario& loaded) {
   const auto seed = static_cast<std::uint64_t>(s.run.seed);
   const PointLandmarks point_landmarks = point_landmarks_of(loaded);
   const Terrain ground = ground_of(loaded);
-  TeamSettings team;
+  EstimatorSettings team;
   team.filter = filter_of(s);
-  team.lost.max_sigma_position_m = s.planar.lost.max_sigma_position_m;
+  team.health.max_sigma_position_m = s.planar.lost.max_sigma_position_m;
   const DataAssociationSettings& association = s.planar.association;
   team.association = {association.method, association.gate_probability, association.max_nodes,
                       association.initialization_probability, association.initialization_distance_m};
@@ -137,34 +145,35 @@ TeamAssembly simulated(const LoadedScenario& loaded) {
   std::vector<SimulatedVehicle> vehicles;
   std::vector<VehicleSteering> steering;
   for (std::size_t i = 0; i < vehicles_of(s); ++i) {
-    team.members.push_back(member_of(s, i, ground));
+    team.bodies.push_back(member_of(s, i, ground));
     vehicles.push_back(simulated_vehicle(s, i, ground));
     steering.push_back(steering_of(loaded, i, ground));
   }
-  TeamEstimator estimator = estimator_of(loaded, team);
+  auto estimator = estimator_of(loaded, team);
   const bool held = s.team.steer.law == "none" && !s.team.steer.input.empty();
-  TeamController controller =
-      made(loaded, held ? "steer.input" : "steer.law",
-           held ? fmt::format("[{}]", fmt::join(s.team.steer.input, ", ")) : s.team.steer.law,
-           [&] { return TeamController(std::move(steering), period_s, s.operator_settings.holds); });
+  auto controller = made(
+      loaded, held ? "steer.input" : "steer.law",
+      held ? fmt::format("[{}]", fmt::join(s.team.steer.input, ", ")) : s.team.steer.law, [&] {
+        return std::make_unique<TeamController>(std::move(steering), period_s, s.operator_settings.holds);
+      });
   auto points =
       std::make_unique<TeamSensor>(vehicles, point_landmarks, s.team.start.sees_team, seed, names_of(team));
   auto association_truth = names_of(team) ? points->truth() : nullptr;
-  return {
-      {std::make_unique<FixedRateClock>(s.run.rate_hz, s.run.duration_s), world_of(s, vehicles, ground),
-       std::move(points), std::move(estimator), TeamDecision(team, decision_of(s)), std::move(controller)},
-      notes_of(loaded),
-      std::move(association_truth),
-      names_of(team) ? Survey{} : survey_of(point_landmarks)};
+  return {{std::make_unique<FixedRateClock>(s.run.rate_hz, s.run.duration_s), world_of(s, vehicles, ground),
+           std::move(points), std::move(estimator), strategy_of(s, team), std::move(controller)},
+          team,
+          notes_of(loaded),
+          std::move(association_truth),
+          names_of(team) ? Survey{} : survey_of(point_landmarks)};
 }
 
 /// The team with each robot starting at its motion-capture pose at time t.
-TeamSettings recorded_team(const LoadedScenario& loaded, const std::vector<RangeRecording>& robots,
-                           double t) {
+EstimatorSettings recorded_team(const LoadedScenario& loaded, const std::vector<RangeRecording>& robots,
+                                double t) {
   const Scenario& s = loaded.scenario;
-  TeamSettings team;
+  EstimatorSettings team;
   team.filter = filter_of(s);
-  team.lost.max_sigma_position_m = s.planar.lost.max_sigma_position_m;
+  team.health.max_sigma_position_m = s.planar.lost.max_sigma_position_m;
   for (std::size_t i = 0; i < robots.size(); ++i) {
     const auto reference = true_position(robots[i], t);
     if (!reference || !reference->heading_rad)
@@ -175,7 +184,7 @@ TeamSettings recorded_team(const LoadedScenario& loaded, const std::vector<Range
     Scenario at_start = s;
     at_start.team.start.positions_m = {{reference->position.x(), reference->position.y(), 0}};
     at_start.team.start.headings_rad = {*reference->heading_rad};
-    team.members.push_back(member_of(at_start, 0, {}));
+    team.bodies.push_back(member_of(at_start, 0, {}));
   }
   return team;
 }
@@ -190,7 +199,7 @@ TeamAssembly recorded(const LoadedScenario& loaded) {
   if (!first)
     throw InputError(fmt::format("{}: run.duration_s = {}: nothing was seen by then",
                                  loaded.sources.at("run.duration_s"), s.run.duration_s));
-  TeamSettings team = recorded_team(loaded, *robots, first.t);
+  EstimatorSettings team = recorded_team(loaded, *robots, first.t);
   std::vector<std::string> notes, warnings;
   for (std::size_t i = 0; i < robots->size(); ++i) {
     const RangeRecording& robot = (*robots)[i];
@@ -201,8 +210,9 @@ TeamAssembly recorded(const LoadedScenario& loaded) {
   return {{std::move(clock), std::make_unique<RangeWorld>(robots),
            std::make_unique<RangeSensor>(
                robots, RangeSensorSettings{s.planar.sensor.max_range_m, Fixes::none, s.team.start.sees_team}),
-           estimator_of(loaded, team), TeamDecision(team, {.decision = {}, .decides = false}),
-           TeamController({}, 1)},
+           estimator_of(loaded, team), std::make_unique<NoDecision>(),
+           std::make_unique<TeamController>(std::vector<VehicleSteering>{}, 1)},
+          team,
           std::move(notes),
           nullptr,
           survey_of(robots->front(), true),

@@ -8,12 +8,14 @@
 #include "incognita/app/loop/loop.hpp"
 #include "incognita/io/scenario/load_scenario.hpp"
 #include "incognita/record/summary/map_survey.hpp"
+#include "incognita/slam/mapper/settings.hpp"
 #include "incognita/world/points/team_world.hpp"
 
 namespace incognita {
 
 struct TeamAssembly {
-  TeamBoxes boxes;
+  LoopParts parts;
+  EstimatorSettings estimator;
   std::vector<std::string> notes;  ///< assumptions, for printing
   /// True identity of each detection, tick by tick, for evaluation; null if the estimator gets the identities.
   std::shared_ptr<const AssociationTruth> association_truth = nullptr;

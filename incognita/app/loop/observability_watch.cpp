@@ -7,36 +7,36 @@ namespace {
 
 using Form = SpatialScene::Landmark::Form;
 
-Form form_of(Landmark::Kind kind) {
-  return kind == Landmark::Kind::line            ? Form::ray
-         : kind == Landmark::Kind::inverse_depth ? Form::inverse_depth
-                                                 : Form::point;
+Form form_of(LandmarkParametrization::Kind kind) {
+  return kind == LandmarkParametrization::Kind::ray             ? Form::ray
+         : kind == LandmarkParametrization::Kind::inverse_depth ? Form::inverse_depth
+                                                                : Form::point;
 }
 
-PlanarScene scene_of(const TeamEstimate& estimate, const ObservabilityMonitor& monitor) {
+PlanarScene planar_scene_of(const Estimate& estimate, const ObservabilityMonitor& monitor) {
   PlanarScene scene;
-  scene.vehicle = estimate.belief.mean(estimate.vehicles.front().block);
+  scene.vehicle = estimate.belief.mean(estimate.body().block);
   scene.errors = monitor.errors();
-  for (const auto& [identity, landmark] : estimate.landmarks)
-    if (const auto* block = monitor.find(landmark.block))
-      scene.landmarks.push_back({identity, block->first, estimate.belief.mean(landmark.block)});
+  for (const auto& [id, landmark] : estimate.landmarks)
+    if (const auto* block = landmark.fixed ? nullptr : monitor.find(landmark.block))
+      scene.landmarks.push_back({id, block->first, estimate.belief.mean(landmark.block)});
   return scene;
 }
 
 /// Without a monitor (before its first tick), error indices are unset.
-SpatialScene scene_of(const Estimate& estimate, const ObservabilityMonitor* monitor) {
+SpatialScene spatial_scene_of(const Estimate& estimate, const ObservabilityMonitor* monitor) {
   SpatialScene scene;
   scene.camera = estimate.camera_state();
   if (monitor) scene.errors = monitor->errors();
-  for (const Landmark& landmark : estimate.catalog) {
-    if (landmark.kind == Landmark::Kind::anchor) continue;
+  for (const auto& [id, landmark] : estimate.landmarks) {
+    if (landmark.fixed) continue;
     const auto* block = monitor ? monitor->find(landmark.block) : nullptr;
     if (monitor && !block) continue;
     auto& out = scene.landmarks.emplace_back();
-    out.id = landmark.id;
+    out.id = id;
     if (block) out.first = block->first;
-    out.form = form_of(landmark.kind);
-    out.initial_axes = landmark.initial_axes;
+    out.form = form_of(landmark.form.kind);
+    out.initial_axes = InverseDepthLandmark{landmark.form.initial_axes};
     const auto mean = estimate.belief.mean(landmark.block);
     out.mean.head(mean.size()) = mean;
   }
@@ -48,7 +48,7 @@ constexpr const char* not_finite = "its information is not finite";
 std::string why(ObservabilityMonitor::Uncovered uncovered) {
   switch (uncovered) {
     case ObservabilityMonitor::Uncovered::frame_changed:
-      return "the map is told in the vehicle's frame";
+      return "the map is expressed in the vehicle's frame";
     case ObservabilityMonitor::Uncovered::decorrelated:
       return "the filter drops correlations";
     case ObservabilityMonitor::Uncovered::other_block:
@@ -78,22 +78,17 @@ MonitoredInformation information_of(ObservabilityMonitor& monitor) {
 
 }  // namespace
 
-void ObservabilityWatch::follow(const AnyBelief& belief, BlockId vehicle) {
-  if (!monitor_) monitor_.emplace(vehicle, belief.chart(vehicle).tangent());
-  monitor_->follow(belief.trace());
-}
-
 /// Updates both monitors of a camera. Initialization poses are regularized with a sigma proportional to the
 /// scene's size at that time.
 void ObservabilityWatch::follow_camera(const Estimate& estimate) {
   constexpr double exact_share = 5e-5;
   if (!monitor_) {
-    const int errors = estimate.belief.chart(estimate.camera).tangent();
-    monitor_.emplace(estimate.camera, errors);
-    measurement_monitor_.emplace(estimate.camera, errors, ObservabilityMonitor::Motions::uninformative);
+    const int errors = estimate.belief.chart(estimate.body().block).tangent();
+    monitor_.emplace(estimate.body().block, errors);
+    measurement_monitor_.emplace(estimate.body().block, errors, ObservabilityMonitor::Motions::uninformative);
   }
   if (is_initialized(estimate.belief.trace())) {
-    const double length = typical_distance(scene_of(estimate, nullptr));
+    const double length = typical_distance(spatial_scene_of(estimate, nullptr));
     monitor_->set_exact_position(SpatialScene::dimension, exact_share * length);
     if (measurement_monitor_)
       measurement_monitor_->set_exact_position(SpatialScene::dimension, exact_share * length);
@@ -102,28 +97,35 @@ void ObservabilityWatch::follow_camera(const Estimate& estimate) {
   if (measurement_monitor_) measurement_monitor_->follow(estimate.belief.trace());
 }
 
+void ObservabilityWatch::follow_planar(const Estimate& estimate) {
+  const BlockId vehicle = estimate.body().block;
+  if (!monitor_) monitor_.emplace(vehicle, estimate.belief.chart(vehicle).tangent());
+  monitor_->follow(estimate.belief.trace());
+}
+
+void ObservabilityWatch::use_anchors(const Estimate& estimate) {
+  if (estimate.last.update.outcome != UpdateReport::Outcome::updated) return;
+  for (const Match& match : estimate.last.matches)
+    if (match.anchor && match.outcome == MatchOutcome::matched)
+      anchors_.emplace(match.id, estimate.landmarks.at(match.id).position);
+}
+
 void ObservabilityWatch::follow(const Estimate& estimate) {
   if (!estimate.started) return;
-  follow_camera(estimate);
+  const bool in_space =
+      estimate.belief.chart(estimate.body().block).ambient() == FreeCameraMotion::state_size;
+  if (in_space)
+    follow_camera(estimate);
+  else
+    follow_planar(estimate);
   const std::size_t anchors_before = anchors_.size();
-  const bool corrected = estimate.update.outcome == UpdateReport::Outcome::updated;
-  for (const FeatureMatch& match : estimate.matches)
-    if (corrected && match.kind == Landmark::Kind::anchor && match.outcome == MatchOutcome::matched)
-      add_anchor(match.id, match.point);
+  use_anchors(estimate);
+  for (const UsedFix& fix : estimate.last.fixes) use_fix(fix);
+  if (!in_space) return put(planar_scene_of(estimate, *monitor_));
   if (anchors_.size() > anchors_before &&
       remaining_symmetries(fixed(SpatialScene::dimension).positions).basis.cols() == 0)
     measurement_monitor_.reset();
-  put(scene_of(estimate, &*monitor_));
-}
-
-void ObservabilityWatch::follow(const TeamEstimate& estimate) {
-  if (!estimate.started) return;
-  follow(estimate.belief, estimate.vehicles.front().block);
-  for (const Match& match : estimate.matches)
-    if (match.anchor && match.outcome == MatchOutcome::matched)
-      add_anchor(match.identity, estimate.anchors.at(match.identity).position);
-  for (const UsedFix& fix : estimate.fixes) use_fix(fix);
-  put(scene_of(estimate, *monitor_));
+  put(spatial_scene_of(estimate, &*monitor_));
 }
 
 template <class Scene>

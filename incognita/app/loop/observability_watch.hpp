@@ -9,27 +9,25 @@
 
 #include "incognita/analysis/observability/observability_monitor.hpp"
 #include "incognita/analysis/observability/observability_report.hpp"
-#include "incognita/slam/features/estimate.hpp"
-#include "incognita/slam/points/team_estimate.hpp"
+#include "incognita/slam/mapper/estimate.hpp"
 
 namespace incognita {
 
 class ObservabilityWatch {
  public:
   /// Call after each tick, with the trace of that tick only: Belief::keep_trace().
+  /// One body: a free camera, or a vehicle on a plane.
   void follow(const Estimate& estimate);
-  /// The same for a single planar vehicle.
-  void follow(const TeamEstimate& estimate);
 
   /// Report at the last tick; nullopt before the estimator has started. Cost is cubic in the map size.
   std::optional<ObservabilityReport> report();
 
  private:
-  void follow(const AnyBelief& belief, BlockId vehicle);
+  void follow_planar(const Estimate& estimate);
   void follow_camera(const Estimate& estimate);
+  void use_anchors(const Estimate& estimate);
   template <class Scene>
   void put(Scene scene);
-  void add_anchor(std::int64_t id, const Eigen::VectorXd& position) { anchors_.emplace(id, position); }
   void use_fix(const UsedFix& fix);
   FixedPoints fixed(Eigen::Index dimension) const;
 

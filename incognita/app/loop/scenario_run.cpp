@@ -69,8 +69,7 @@ std::vector<std::string> warnings_of(const RunProgress& progress, bool to_see) {
   return warnings;
 }
 
-template <class SomeBoxes>
-RunConclusion drive(SomeBoxes& boxes, RunSink& sink, ObservabilityWatch* watch, AssociationScore* score,
+RunConclusion drive(LoopParts& parts, RunSink& sink, ObservabilityWatch* watch, AssociationScore* score,
                     const RunCallbacks& callbacks, bool to_see, bool with_vehicles) {
   RunProgress progress;
   const auto publish = [&](Snapshot snapshot) {
@@ -83,14 +82,10 @@ RunConclusion drive(SomeBoxes& boxes, RunSink& sink, ObservabilityWatch* watch, 
     progress.stopped = callbacks.keep_going && !callbacks.keep_going(tick);
     return !progress.stopped;
   };
-  std::function<void(const typename SomeBoxes::Estimator::Estimate&)> watching;
-  if constexpr (requires(const typename SomeBoxes::Estimator::Estimate& estimate) {
-                  watch->follow(estimate);
-                })
-    if (watch) watching = [watch](const auto& estimate) { watch->follow(estimate); };
+  std::function<void(const Estimate&)> watching;
+  if (watch) watching = [watch](const Estimate& estimate) { watch->follow(estimate); };
   try {
-    run_loop(boxes, std::function<void(const Snapshot&)>(publish),
-             std::function<bool(const Tick&)>(keep_going), watching);
+    run_loop(parts, publish, keep_going, watching);
   } catch (const std::exception& error) {
     return {RunStatus::failed, fmt::format("at frame {}: {}", progress.last.tick.frame + 1, error.what())};
   }
@@ -116,16 +111,15 @@ void note(const AssociationScore& score, RunSink& sink) {
 }
 
 /// Runs the loop; `info` is complete. `score` is set if the estimator gets detections without identity.
-template <class SomeBoxes>
-RunOutcome run_boxes(SomeBoxes& boxes, const RunInfo& info, const LoadedScenario& loaded,
+RunOutcome run_parts(LoopParts& parts, const RunInfo& info, const LoadedScenario& loaded,
                      const SinkFactory& open, const RunCallbacks& callbacks,
                      std::optional<AssociationScore> score = std::nullopt) {
-  const std::unique_ptr<RunSink> sink = open(info, boxes.clock->expected_frames());
+  const std::unique_ptr<RunSink> sink = open(info, parts.clock->expected_frames());
   std::optional<ObservabilityWatch> watch;
   if (loaded.scenario.run.observability && info.vehicles == 0) watch.emplace();
   const PointsSettings& points = loaded.scenario.team.points;
   const bool to_see = points.count > 0 || !points.file.empty();
-  const RunConclusion conclusion = drive(boxes, *sink, watch ? &*watch : nullptr, score ? &*score : nullptr,
+  const RunConclusion conclusion = drive(parts, *sink, watch ? &*watch : nullptr, score ? &*score : nullptr,
                                          callbacks, to_see, info.vehicles > 0);
   if (score) note(*score, *sink);
   if (watch)
@@ -142,7 +136,7 @@ RunOutcome run_camera(const LoadedScenario& loaded, const SinkFactory& open, con
   // The frame of a recording's truth may differ from that of the target.
   const bool own_frame = loaded.scenario.run.world == "recording";
   info.ate_alignment = !assembly.scale_is_known ? "sim3" : own_frame ? "se3" : "none";
-  return run_boxes(assembly.boxes, info, loaded, open, callbacks);
+  return run_parts(assembly.parts, info, loaded, open, callbacks);
 }
 
 RunOutcome run_room_vehicle(const LoadedScenario& loaded, const SinkFactory& open,
@@ -152,7 +146,7 @@ RunOutcome run_room_vehicle(const LoadedScenario& loaded, const SinkFactory& ope
     callbacks.report("no target: the scale is not observable, lengths are relative");
   RunInfo info = info_of(loaded);
   info.ate_alignment = assembly.scale_is_known ? "none" : "sim3";
-  return run_boxes(assembly.boxes, info, loaded, open, callbacks);
+  return run_parts(assembly.parts, info, loaded, open, callbacks);
 }
 
 RunOutcome run_vehicle(const LoadedScenario& loaded, const SinkFactory& open, const RunCallbacks& callbacks) {
@@ -168,7 +162,7 @@ RunOutcome run_vehicle(const LoadedScenario& loaded, const SinkFactory& open, co
   info.truth_recorded = !assembly.recording().truth.empty();
   info.warnings = assembly.warnings;
   info.survey = survey_of(assembly.recording(), loaded.scenario.planar.association.method == "known");
-  return run_boxes(assembly.boxes, info, loaded, open, callbacks);
+  return run_parts(assembly.parts, info, loaded, open, callbacks);
 }
 
 /// Names of a motion model's inputs.
@@ -184,14 +178,14 @@ RunOutcome run_team(const LoadedScenario& loaded, const SinkFactory& open, const
   const MotionTraits& motion = motion_traits_of(loaded.scenario.planar.vehicle.model);
   RunInfo info = info_of(loaded);
   info.body = motion.in_space() ? "camera" : "vehicle";
-  info.vehicles = static_cast<int>(assembly.boxes.estimator.settings().members.size());
+  info.vehicles = static_cast<int>(assembly.estimator.bodies.size());
   info.inputs = inputs_of(has_carried_camera(loaded.scenario) ? motion_traits<TerrainVehicle> : motion);
   info.steered_m = steered_point(loaded.scenario);
   info.survey = std::move(assembly.survey);
   info.warnings = std::move(assembly.warnings);
   std::optional<AssociationScore> score;
   if (assembly.association_truth) score.emplace(assembly.association_truth);
-  return run_boxes(assembly.boxes, info, loaded, open, callbacks, std::move(score));
+  return run_parts(assembly.parts, info, loaded, open, callbacks, std::move(score));
 }
 
 }  // namespace

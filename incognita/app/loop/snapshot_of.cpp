@@ -3,59 +3,140 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-
-#include "incognita/app/loop/snapshot_parts.hpp"
+#include <limits>
+#include <string_view>
 
 namespace incognita {
 namespace {
 
-std::vector<SnapshotLandmark> landmarks_of(const Estimate& estimate) {
-  std::vector<SnapshotLandmark> landmarks;
-  for (const Landmark& landmark : estimate.catalog) {
-    if (landmark.kind == Landmark::Kind::line) continue;
-    const auto at = position_of(landmark, estimate.belief);
-    if (!at) continue;
-    landmarks.push_back({landmark.id, landmark.kind == Landmark::Kind::anchor, at->position, at->covariance,
-                         landmark.matches});
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+constexpr std::array estimator_stages{"sums",      "start",     "predict", "search", "planes",
+                                      "consensus", "associate", "update",  "births", "decorrelate",
+                                      "poses",     "map",       "entropy"};
+
+StageTimes timing_of(const StageTimes& in_estimator, const StageTimes& loop_ms) {
+  StageTimes timing;
+  double frame = 0;
+  for (const auto& [stage, ms] : loop_ms) {
+    const std::string_view name = stage;
+    if (name != "estimator") timing.emplace_back(stage, ms);
+    if (name == "estimator" || name == "decision" || name == "control") frame += ms;
   }
-  return landmarks;
+  for (const char* stage : estimator_stages) {
+    const auto found = std::find_if(in_estimator.begin(), in_estimator.end(), [&](const auto& entry) {
+      return std::string_view(entry.first) == stage;
+    });
+    timing.emplace_back(stage, found == in_estimator.end() ? 0.0 : found->second);
+  }
+  timing.emplace_back("frame", frame);
+  return timing;
 }
 
-std::vector<SnapshotMatch> matches_of(const Estimate& estimate) {
-  std::vector<SnapshotMatch> matches;
-  for (const FeatureMatch& match : estimate.matches)
-    matches.push_back({match.id, match.kind == Landmark::Kind::anchor, false, match.predicted,
-                       match.innovation_cov, match.measured, match.correlation, match.outcome});
-  for (const LineMatch& match : estimate.line_matches)
-    matches.push_back({match.id, false, true, match.predicted, match.innovation_cov, match.measured,
-                       match.correlation, match.outcome});
-  return matches;
+SnapshotVehicle body_of(const Estimate& e, std::size_t i, const std::optional<Truth>& truth,
+                        const Command& command, double t) {
+  const Body& body = e.bodies[i];
+  SnapshotVehicle out;
+  out.estimate = {t, body.pose.position, body.pose.world_from_body};
+  out.covariance = body.pose_covariance;
+  if (truth && i < truth->poses.size() && truth->poses[i])
+    out.truth = StampedPose{t, truth->poses[i]->position, truth->poses[i]->world_from_body};
+  if (i < command.references.size()) out.reference = command.references[i];
+  if (i < command.inputs.size()) out.input = command.inputs[i];
+  return out;
 }
 
-constexpr std::array camera_stages{"sums",      "start",  "predict", "search", "planes",
-                                   "consensus", "update", "lines",   "births", "map"};
+/// The first body: the whole state of a free camera, the pose of any other.
+void put_first_body(Snapshot& s, const Estimate& e) {
+  const Body& body = e.body();
+  if (body.state.size() == FreeCameraMotion::state_size) {
+    s.camera = body.state;
+    s.covariance = body.state_covariance;
+    return;
+  }
+  s.camera.head<3>() = body.pose.position;
+  s.camera.segment<4>(3) = body.pose.world_from_body;
+  s.covariance.topLeftCorner<6, 6>() = body.pose_covariance;
+}
+
+/// Embeds a point on a line or plane in space; missing coordinates are 0 with zero covariance.
+SnapshotLandmark landmark_of(const Landmark& landmark, const LandmarkPosition& at) {
+  SnapshotLandmark out{landmark.id, landmark.fixed, Eigen::Vector3d::Zero(), Eigen::Matrix3d::Zero(),
+                       landmark.detection_count};
+  const Eigen::Index size = at.position.size();
+  out.position.head(size) = at.position;
+  out.covariance.topLeftCorner(size, size) = at.covariance;
+  return out;
+}
+
+/// Anchors first.
+std::vector<SnapshotLandmark> landmarks_of(const Estimate& e) {
+  std::vector<SnapshotLandmark> out;
+  for (const bool fixed : {true, false})
+    for (const auto& [id, landmark] : e.landmarks)
+      if (landmark.fixed == fixed)
+        if (const auto at = position_of(landmark, e)) out.push_back(landmark_of(landmark, *at));
+  return out;
+}
+
+template <class Numbers>
+Eigen::Vector2d first_two(const Numbers& z) {
+  return {z.size() > 0 ? z[0] : nan, z.size() > 1 ? z[1] : nan};
+}
+
+SnapshotMatch match_of(const Match& match) {
+  SnapshotMatch out;
+  out.id = match.id;
+  out.anchor = match.anchor;
+  out.line = match.ray;
+  out.vehicle = match.body;
+  out.of_vehicle = match.of_body;
+  out.predicted = first_two(match.predicted);
+  if (!match.image || match.measured.size() > 0) out.measured = first_two(match.measured);
+  out.innovation_cov.setConstant(nan);
+  const Eigen::Index size = std::min<Eigen::Index>(2, match.innovation_cov.rows());
+  out.innovation_cov.topLeftCorner(size, size) = match.innovation_cov.topLeftCorner(size, size);
+  out.correlation = match.correlation;
+  out.outcome = match.outcome;
+  return out;
+}
+
+SnapshotDecision decision_of(const Goal& goal, const std::vector<std::string>& actions) {
+  SnapshotDecision decision;
+  decision.actions = actions;
+  decision.scores = goal.scores;
+  decision.chosen = goal.chosen;
+  decision.decided = goal.decided;
+  decision.coverage = goal.coverage;
+  decision.entropy_extended = goal.entropy_extended;
+  return decision;
+}
+
 }  // namespace
 
 Snapshot snapshot_of(const Tick& tick, const std::optional<Truth>& truth, const Observation& observation,
-                     const Estimate& estimate, const Goal& goal, const std::vector<std::string>& actions,
-                     const Command& command, const std::vector<std::pair<const char*, double>>& loop_ms) {
+                     const Estimate& e, const Goal& goal, const std::vector<std::string>& actions,
+                     const Command& command, const StageTimes& loop_ms) {
   Snapshot s;
   s.tick = tick;
-  s.truth = truth;
-  s.image = of_first_body(observation).image;
-  s.status = estimate.status;
-  if (estimate.started) {
-    s.camera = estimate.camera_state();
-    s.covariance = estimate.belief.covariance(estimate.camera);
+  if (truth && (truth->poses.empty() || truth->poses.front())) s.truth = truth;
+  s.image = image_of(of_first_body(observation));
+  s.status = e.status;
+  for (std::size_t i = 0; i < e.bodies.size(); ++i)
+    s.vehicles.push_back(body_of(e, i, truth, command, tick.t));
+  if (e.started) put_first_body(s, e);
+  s.landmarks = landmarks_of(e);
+  for (const Match& match : e.last.matches) s.matches.push_back(match_of(match));
+  s.predicted = e.last.predicted;
+  s.matched = e.last.matched;
+  if (e.last.update.outcome == UpdateReport::Outcome::updated) {
+    s.nis = e.last.update.nis;
+    s.nis_dof = e.last.update.rows;
   }
-  s.landmarks = landmarks_of(estimate);
-  s.matches = matches_of(estimate);
-  s.predicted = estimate.predicted;
-  s.matched = estimate.matched;
-  put_update(s, estimate.update, estimate.entropy);
-  s.decision = snapshot_decision(goal, actions);
+  s.entropy = {e.entropy.vehicle, e.entropy.map, e.entropy.total};
+  s.decision = decision_of(goal, actions);
   s.command = command;
-  s.timing_ms = timing_of(estimate.timing_ms, camera_stages, loop_ms);
+  s.timing_ms = timing_of(e.timing_ms, loop_ms);
   return s;
 }
 

@@ -180,25 +180,28 @@ static SensorLimits reach_of(const Scenario& s, const AnySensor& sensor) {
   return sensor_limits;
 }
 
-TeamMember member_of(const Scenario& s, std::size_t i, const Terrain& ground) {
+BodyModel member_of(const Scenario& s, std::size_t i, const Terrain& ground) {
   const VehicleSettings& v = s.planar.vehicle;
   const FilterSettings& f = s.slam.filter;
-  TeamMember m{motion_of(s, ground), sensor_of(s), {}, {}, {}, {}};
+  BodyModel m;
+  m.motion = motion_of(s, ground);
   m.start = estimated_start(s, i, ground);
   const TeamStartSettings& start = s.team.start;
   m.start_sigmas = of_start(s, {start.sigma_position_m, start.sigma_height_m, start.sigma_heading_rad,
                                 f.sigma_start_velocity_m_s, f.sigma_start_angular_rate_rad_s});
   m.input_sigmas = of_inputs(s, {v.sigma_speed_m_s, v.sigma_turn_rate_rad_s, v.sigma_steering_rad,
                                  f.sigma_acceleration_m_s2, f.sigma_angular_acceleration_rad_s2});
-  m.sigmas =
-      of_sensor(m.sensor, s.planar.sensor.sigma_range_m, s.planar.sensor.sigma_bearing_rad, f.sigma_pixel_px);
-  if (measures_ranges(m.sensor)) m.sigma_range_ratio = s.planar.sensor.sigma_range_ratio;
-  m.reach = reach_of(s, m.sensor);
+  PointSensor sensor{sensor_of(s), {}};
+  sensor.sigmas = of_sensor(sensor.sensor, s.planar.sensor.sigma_range_m, s.planar.sensor.sigma_bearing_rad,
+                            f.sigma_pixel_px);
+  if (measures_ranges(sensor.sensor)) sensor.sigma_range_ratio = s.planar.sensor.sigma_range_ratio;
+  sensor.limits = reach_of(s, sensor.sensor);
+  m.sensors.push_back(std::move(sensor));
   return m;
 }
 
-TeamFilterSettings filter_of(const Scenario& s) {
-  TeamFilterSettings f;
+MapperSettings filter_of(const Scenario& s) {
+  MapperSettings f;
   f.linearization = s.team.filter.linearization;
   f.form = s.team.filter.form;
   f.gate_probability = s.team.filter.gate_probability;

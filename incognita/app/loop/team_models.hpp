@@ -7,7 +7,7 @@
 #include "incognita/io/scenario/load_scenario.hpp"
 #include "incognita/models/mount.hpp"
 #include "incognita/models/terrain.hpp"
-#include "incognita/slam/points/team_settings.hpp"
+#include "incognita/slam/mapper/settings.hpp"
 #include "incognita/world/carried_camera_world.hpp"
 #include "incognita/world/points/team_world.hpp"
 
@@ -24,8 +24,8 @@ Mount mount_of(const Scenario& scenario);
 AnySensor sensor_of(const Scenario& scenario);
 
 /// The estimator's model of vehicle `i`.
-TeamMember member_of(const Scenario& scenario, std::size_t i, const Terrain& ground);
-TeamFilterSettings filter_of(const Scenario& scenario);
+BodyModel member_of(const Scenario& scenario, std::size_t i, const Terrain& ground);
+MapperSettings filter_of(const Scenario& scenario);
 
 /// The true vehicle `i`; of a carried camera the camera only, see carrier_of().
 SimulatedVehicle simulated_vehicle(const Scenario& scenario, std::size_t i, const Terrain& ground);

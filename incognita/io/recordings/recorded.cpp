@@ -58,7 +58,7 @@ RecordedSensor::RecordedSensor(SharedRecording recording, int width_px, int heig
 
 Observation RecordedSensor::measure(const std::optional<Truth>&, const Tick& tick) {
   Observation observation;
-  observation.bodies.emplace_back().image = tick.frame == 0 ? first_ : read(tick.frame);
+  observation.bodies.emplace_back().images = {tick.frame == 0 ? first_ : read(tick.frame)};
   return observation;
 }
 

@@ -194,7 +194,7 @@ std::string snapshot() {
               {"nis_dof", integer("degrees of freedom; 0 without an update")},
               {"nis", number("normalised innovation squared, a sum"), sometimes},
               {"entropy", entropy()},
-              {"advice", decision()},
+              {"decision", decision()},
               {"command", command()},
               {"vehicles", array(vehicle(), "of a team; the first is the one above"), sometimes},
               {"looks", array(look())},

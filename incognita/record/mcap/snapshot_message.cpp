@@ -121,7 +121,7 @@ std::string snapshot_message(const Snapshot& snapshot, bool landmarks) {
   json["nis_dof"] = snapshot.nis_dof;
   if (snapshot.nis_dof > 0) put(json, "nis", snapshot.nis);
   json["entropy"] = entropy_json(snapshot.entropy);
-  json["advice"] = decision_json(snapshot.decision);
+  json["decision"] = decision_json(snapshot.decision);
   json["command"] = {{"linear_acceleration", xyz(snapshot.command.linear_acceleration)},
                      {"angular_acceleration", xyz(snapshot.command.angular_acceleration)}};
   put_vehicles(json, snapshot);

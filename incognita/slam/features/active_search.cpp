@@ -16,20 +16,20 @@ constexpr int frames_until_away = 15;
 
 }  // namespace
 
-int active_search(const SummedImage& image, const std::vector<Landmark>& catalog,
-                  const SearchSettings& settings, std::vector<FeatureMatch>& matches) {
-  std::sort(matches.begin(), matches.end(), [](const FeatureMatch& a, const FeatureMatch& b) {
+void active_search(const SummedImage& image, TrackedCamera& camera) {
+  const SearchSettings& settings = camera.settings.search;
+  std::sort(camera.matches.begin(), camera.matches.end(), [](const FeatureMatch& a, const FeatureMatch& b) {
     const double da = a.innovation_cov.determinant(), db = b.innovation_cov.determinant();
     return da != db ? da > db : a.id < b.id;
   });
   thread_local CorrelationSheet sheet;
-  int tried = 0;
-  for (FeatureMatch& match : matches) {
-    if (tried == settings.max_measurements) break;
+  camera.predicted = 0;
+  for (FeatureMatch& match : camera.matches) {
+    if (camera.predicted == settings.max_measurements) break;
     const auto patch =
-        warp(catalog[match.landmark].view.texture, match.texture_from_view, settings.patch_size_px);
+        warp(camera.features.at(match.id).view.texture, match.texture_from_view, settings.patch_size_px);
     if (!patch) continue;
-    ++tried;
+    ++camera.predicted;
     match.outcome = MatchOutcome::not_found;
     const auto found =
         search(sheet, image, *patch, {match.predicted, match.innovation_cov, settings.gate_sigmas},
@@ -40,38 +40,35 @@ int active_search(const SummedImage& image, const std::vector<Landmark>& catalog
     match.measured = found->pixel;
     match.outcome = MatchOutcome::matched;
   }
-  return tried;
 }
 
-int reject_outliers(const Estimate& estimate, const CameraSlamSettings& settings,
-                    std::vector<FeatureMatch>& matches) {
-  std::vector<LinearizedMeasurement> affine;
+void reject_outliers(const Estimate& estimate, TrackedCamera& camera) {
+  camera.matched = 0;
+  std::vector<LinearizedMeasurement> measurements;
   std::vector<FeatureMatch*> matched;
-  for (FeatureMatch& match : matches) {
+  std::vector<bool> returning;
+  for (FeatureMatch& match : camera.matches) {
     if (match.outcome != MatchOutcome::matched) continue;
     matched.push_back(&match);
-    affine.push_back(linearized_measurement(match, estimate.catalog[match.landmark], estimate.camera,
-                                            settings.filter.sigma_pixel_px));
+    measurements.push_back(linearized_measurement(match, estimate.landmarks.at(match.id), camera));
+    returning.push_back(camera.features.at(match.id).frames_away >= frames_until_away);
   }
-  if (matched.empty()) return 0;
+  if (matched.empty()) return;
   Eigen::MatrixXd S;
-  estimate.belief.innovation_covariance(affine, S);
+  estimate.belief.innovation_covariance(measurements, S);
   Eigen::VectorXd residuals(S.rows());
-  for (std::size_t i = 0; i < matched.size(); ++i) residuals.segment<2>(2 * i) = affine[i].residual;
-  const double gate = chi_square_quantile(settings.search.gate_probability, 2);
+  for (std::size_t i = 0; i < matched.size(); ++i)
+    residuals.segment<2>(2 * static_cast<Eigen::Index>(i)) = measurements[i].residual;
+  const SearchSettings& settings = camera.settings.search;
+  const double gate = chi_square_quantile(settings.gate_probability, 2);
   const std::vector<bool> agrees = consistent_matches(residuals, S, gate);
-  std::vector<bool> returning;
-  for (const FeatureMatch* match : matched)
-    returning.push_back(estimate.catalog[match->landmark].frames_away >= frames_until_away);
-  const std::vector<bool> alone =
-      unconfirmed_matches(S, agrees, returning, settings.search.max_unconfirmed_sigma_px);
-  int left = 0;
+  const std::vector<bool> unconfirmed =
+      unconfirmed_matches(S, agrees, returning, settings.max_unconfirmed_sigma_px);
   for (std::size_t i = 0; i < matched.size(); ++i) {
     if (!agrees[i]) matched[i]->outcome = MatchOutcome::outlier;
-    if (alone[i]) matched[i]->outcome = MatchOutcome::unconfirmed;
-    left += matched[i]->outcome == MatchOutcome::matched;
+    if (unconfirmed[i]) matched[i]->outcome = MatchOutcome::unconfirmed;
+    camera.matched += matched[i]->outcome == MatchOutcome::matched;
   }
-  return left;
 }
 
 }  // namespace incognita

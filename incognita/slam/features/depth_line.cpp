@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "incognita/slam/features/map_management.hpp"
 #include "incognita/slam/features/predict_matches.hpp"
 
 namespace incognita {
@@ -13,34 +14,35 @@ namespace {
 constexpr double prune_below = 0.05;  // of the uniform weight; hypotheses below are removed
 
 struct Hypothesis {
-  std::size_t particle;
+  std::size_t depth;  // index of the feature's depths
   Ellipse ellipse;
 };
 
-InverseDepthLandmark::State line_at(const Landmark& line, const Belief& belief, double inverse_depth) {
+InverseDepthLandmark axes_of(const Landmark& line) { return InverseDepthLandmark{line.form.initial_axes}; }
+
+InverseDepthLandmark::State line_at(const Landmark& line, const AnyBelief& belief, double inverse_depth) {
   InverseDepthLandmark::State y;
   y << belief.mean(line.block), inverse_depth;
   return y;
 }
 
 /// The predicted pixel of each hypothesis with its innovation ellipse.
-std::vector<Hypothesis> project(const Landmark& line, const Estimate& estimate, const Camera& camera,
-                                const CameraSlamSettings& settings) {
+std::vector<Hypothesis> project(const Landmark& line, const Feature& feature, const Estimate& estimate,
+                                const TrackedCamera& camera) {
   std::vector<Hypothesis> predictions;
-  const CameraState from = estimate.camera_state();
-  const double pixel_var = std::pow(settings.filter.sigma_pixel_px, 2);
+  const SearchSettings& search = camera.settings.search;
   Eigen::MatrixXd S(2, 2);
-  for (std::size_t i = 0; i < line.particles.size(); ++i) {
-    const auto prediction = line.initial_axes.predict_measurement(
-        camera, from, line_at(line, estimate.belief, line.particles[i].inverse_depth));
-    if (!prediction || !camera.contains(prediction->pixel, settings.search.patch_size_px / 2 + 1)) continue;
-    LinearizedMeasurement affine;
-    affine.add(estimate.camera, prediction->Hv);
-    affine.add(line.block, prediction->Hl.leftCols<5>());
-    affine.residual = Eigen::Vector2d::Zero();
-    affine.R = pixel_var * Eigen::Matrix2d::Identity();
-    estimate.belief.innovation_covariance({&affine, 1}, S);
-    predictions.push_back({i, {prediction->pixel, S, settings.search.gate_sigmas}});
+  for (std::size_t i = 0; i < feature.depths.size(); ++i) {
+    const auto prediction = axes_of(line).predict_measurement(
+        camera.camera, camera.view.camera, line_at(line, estimate.belief, feature.depths[i].inverse_depth));
+    if (!prediction || !camera.camera.contains(prediction->pixel, search.patch_size_px / 2 + 1)) continue;
+    LinearizedMeasurement measurement;
+    measurement.add(camera.view.body, camera.view.jacobian(prediction->Hv));
+    measurement.add(line.block, prediction->Hl.leftCols<5>());
+    measurement.residual = Eigen::Vector2d::Zero();
+    measurement.R = camera.pixel_var() * Eigen::Matrix2d::Identity();
+    estimate.belief.innovation_covariance({&measurement, 1}, S);
+    predictions.push_back({i, {prediction->pixel, S, search.gate_sigmas}});
   }
   return predictions;
 }
@@ -71,63 +73,52 @@ void start_sheet(CorrelationSheet& sheet, const SummedImage& image, const PatchT
 
 /// Bayes update of the weights by the likelihood of the match; hypotheses out of view are removed.
 /// False when no hypothesis explains the match.
-bool reweight(Landmark& line, const std::vector<Hypothesis>& hypotheses, const Eigen::Vector2d& found) {
-  std::vector<Landmark::Particle> kept;
+bool reweight(std::vector<DepthHypothesis>& depths, const std::vector<Hypothesis>& hypotheses,
+              const Eigen::Vector2d& found) {
+  std::vector<DepthHypothesis> kept;
   double total = 0;
   for (const Hypothesis& h : hypotheses) {
     const Eigen::Vector2d r = found - h.ellipse.center;
     const double distance = r.dot(h.ellipse.covariance.inverse() * r);
     const double likelihood =
         std::exp(-0.5 * distance) / (2 * std::numbers::pi * std::sqrt(h.ellipse.covariance.determinant()));
-    kept.push_back(
-        {line.particles[h.particle].inverse_depth, line.particles[h.particle].weight * likelihood});
+    kept.push_back({depths[h.depth].inverse_depth, depths[h.depth].weight * likelihood});
     total += kept.back().weight;
   }
   if (!(total > 1e-12)) return false;
   const double least = prune_below * total / static_cast<double>(kept.size());
-  std::erase_if(kept, [&](const Landmark::Particle& p) { return p.weight < least; });
+  std::erase_if(kept, [&](const DepthHypothesis& h) { return h.weight < least; });
   total = 0;
-  for (const auto& particle : kept) total += particle.weight;
-  for (auto& particle : kept) particle.weight /= total;
-  line.particles = std::move(kept);
+  for (const auto& h : kept) total += h.weight;
+  for (auto& h : kept) h.weight /= total;
+  depths = std::move(kept);
   return true;
 }
 
-struct Depth {
-  double mean, sigma;
-};
-
-Depth depth_of(const Landmark& line) {
-  double mean = 0, square = 0;
-  for (const auto& p : line.particles) {
-    mean += p.weight / p.inverse_depth;
-    square += p.weight / (p.inverse_depth * p.inverse_depth);
-  }
-  return {mean, std::sqrt(std::max(0.0, square - mean * mean))};
-}
-
 /// Converts the line to a point with the Gaussian of its hypotheses; the quantization of their spacing is added.
-void become_point(Landmark& line, Belief& belief, const Depth& depth, double spacing_m) {
+void become_point(Landmark& line, Feature& feature, AnyBelief& belief, const RayDepth& depth,
+                  double spacing_m) {
   const auto y = line_at(line, belief, 1 / depth.mean);
-  const auto point = line.initial_axes.point(y);
+  const auto point = axes_of(line).point(y);
   const Eigen::Vector3d along = (point.position - y.head<3>()) / depth.mean;
   const double sigma = std::hypot(depth.sigma, spacing_m / std::sqrt(12.0));
   belief.replace(line.block, PointLandmark::chart, point.position, point.J.leftCols<5>(),
                  sigma * sigma * along * along.transpose());
-  line.kind = Landmark::Kind::point;
-  line.particles.clear();
+  line.form.kind = LandmarkParametrization::Kind::point;
+  feature.depths.clear();
 }
 
 /// The mixture of the hypotheses as one Gaussian, for display.
-LineMatch predict_line_match(const Landmark& line, const std::vector<Hypothesis>& hypotheses) {
-  LineMatch match;
-  match.id = line.id;
+RayMatch predict_ray_match(std::int64_t id, const Feature& feature,
+                           const std::vector<Hypothesis>& hypotheses) {
+  RayMatch match;
+  match.id = id;
   double total = 0;
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   Eigen::Matrix2d square = Eigen::Matrix2d::Zero();
   const Eigen::Vector2d origin = hypotheses.front().ellipse.center;
   for (const Hypothesis& h : hypotheses) {
-    const double weight = line.particles[h.particle].weight;
+    const double weight = feature.depths[h.depth].weight;
     const Eigen::Vector2d at = h.ellipse.center - origin;
     total += weight;
     sum += weight * at;
@@ -139,53 +130,66 @@ LineMatch predict_line_match(const Landmark& line, const std::vector<Hypothesis>
   return match;
 }
 
+/// The patch of a line as it looks from here, at its mean depth.
+std::optional<PatchTemplate> patch_of(const Landmark& line, const Feature& feature, const Estimate& estimate,
+                                      const TrackedCamera& camera) {
+  const CameraState& from = camera.view.camera;
+  const Eigen::Vector3d at = *current_position(estimate, line, feature);
+  const auto middle = camera.camera.project(PointLandmark::in_camera<double>(from, at));
+  if (!middle) return std::nullopt;
+  const auto warping =
+      local_warp(feature.view, feature.view.plane.normal(), at, middle->pixel, camera.camera, from);
+  if (!warping) return std::nullopt;
+  return warp(feature.view.texture, *warping, camera.settings.search.patch_size_px);
+}
+
 /// Tracks one line in one image. False when the line is to be dropped.
-bool follow(Landmark& line, CorrelationSheet& sheet, const SummedImage& image, Estimate& estimate,
-            const Camera& camera, const CameraSlamSettings& settings) {
-  const auto hypotheses = project(line, estimate, camera, settings);
-  const auto fail = [&] { return ++line.line_failures < settings.initialization.max_line_failures; };
+bool follow(Landmark& line, Feature& feature, CorrelationSheet& sheet, const SummedImage& image,
+            Estimate& estimate, TrackedCamera& camera) {
+  const InitializationSettings& initialization = camera.settings.initialization;
+  const auto hypotheses = project(line, feature, estimate, camera);
+  const auto fail = [&] { return ++feature.ray_failures < initialization.max_line_failures; };
   if (hypotheses.empty()) return fail();
-  LineMatch& match = estimate.line_matches.emplace_back(predict_line_match(line, hypotheses));
-  const Depth before = depth_of(line);
-  const CameraState from = estimate.camera_state();
-  const Eigen::Vector3d at =
-      line.initial_axes.point(line_at(line, estimate.belief, 1 / before.mean)).position;
-  const auto middle = camera.project(PointLandmark::in_camera<double>(from, at));
-  if (!middle) return fail();
-  const auto warping = local_warp(line.view, line.view.plane.normal(), at, middle->pixel, camera, from);
-  if (!warping) return fail();
-  const auto patch = warp(line.view.texture, *warping, settings.search.patch_size_px);
+  RayMatch& match = camera.ray_matches.emplace_back(predict_ray_match(line.id, feature, hypotheses));
+  const auto patch = patch_of(line, feature, estimate, camera);
   if (!patch) return fail();
-  start_sheet(sheet, image, *patch, hypotheses, settings.search);
-  const auto found = search_union(sheet, hypotheses, settings.search);
+  start_sheet(sheet, image, *patch, hypotheses, camera.settings.search);
+  const auto found = search_union(sheet, hypotheses, camera.settings.search);
   match.outcome = MatchOutcome::not_found;
   if (!found) return fail();
   match.correlation = found->correlation;
-  if (found->correlation < settings.search.min_correlation) return fail();
-  line.line_failures = 0;
+  if (found->correlation < camera.settings.search.min_correlation) return fail();
+  feature.ray_failures = 0;
   match.measured = found->pixel;
   match.outcome = MatchOutcome::outlier;
-  if (!reweight(line, hypotheses, found->pixel)) return false;
+  if (!reweight(feature.depths, hypotheses, found->pixel)) return false;
   match.outcome = MatchOutcome::matched;
-  const Depth depth = depth_of(line);
-  if (depth.sigma < settings.initialization.depth_ratio * depth.mean)
-    become_point(line, estimate.belief, depth,
-                 (settings.initialization.max_depth_m - settings.initialization.min_depth_m) /
-                     settings.initialization.particles);
+  const RayDepth depth = depth_of(feature.depths);
+  if (depth.sigma < initialization.depth_ratio * depth.mean)
+    become_point(line, feature, estimate.belief, depth,
+                 (initialization.max_depth_m - initialization.min_depth_m) / initialization.particles);
   return true;
 }
 
 }  // namespace
 
-void update_depth_lines(const SummedImage& image, Estimate& estimate, const Camera& camera,
-                        const CameraSlamSettings& settings) {
+void update_depth_lines(const SummedImage& image, Estimate& estimate, TrackedCamera& camera) {
   CorrelationSheet sheet;
-  std::erase_if(estimate.catalog, [&](Landmark& landmark) {
-    if (landmark.kind != Landmark::Kind::line) return false;
-    if (follow(landmark, sheet, image, estimate, camera, settings)) return false;
-    estimate.belief.drop(landmark.block);
-    return true;
-  });
+  for (auto next = camera.features.begin(); next != camera.features.end();) {
+    const auto at = next++;
+    Landmark& landmark = estimate.landmarks.at(at->first);
+    if (landmark.form.kind != LandmarkParametrization::Kind::ray) continue;
+    if (!follow(landmark, at->second, sheet, image, estimate, camera))
+      remove_landmark(estimate, camera, at->first);
+  }
+}
+
+void drop_depth_lines(Estimate& estimate, TrackedCamera& camera) {
+  for (auto next = camera.features.begin(); next != camera.features.end();) {
+    const std::int64_t id = (next++)->first;
+    if (estimate.landmarks.at(id).form.kind == LandmarkParametrization::Kind::ray)
+      remove_landmark(estimate, camera, id);
+  }
 }
 
 }  // namespace incognita

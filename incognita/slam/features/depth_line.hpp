@@ -6,15 +6,16 @@
 // Gaussian of its hypotheses.
 #pragma once
 
-#include "incognita/slam/features/estimate.hpp"
-#include "incognita/slam/features/settings.hpp"
+#include "incognita/slam/features/feature.hpp"
 #include "incognita/vision/search.hpp"
 
 namespace incognita {
 
-/// Searches for every line once and re-weights its hypotheses. Lines of converged depth become points; lines
-/// with too many failed searches in a row, or without a consistent hypothesis, are dropped.
-void update_depth_lines(const SummedImage& image, Estimate& estimate, const Camera& camera,
-                        const CameraSlamSettings& settings);
+/// Searches for every line of the camera once and re-weights its hypotheses. Lines of converged depth become points;
+/// lines with too many failed searches in a row, or without a consistent hypothesis, are dropped.
+void update_depth_lines(const SummedImage& image, Estimate& estimate, TrackedCamera& camera);
+
+/// Removes all lines of the camera, whose depths mean nothing when its pose is lost.
+void drop_depth_lines(Estimate& estimate, TrackedCamera& camera);
 
 }  // namespace incognita

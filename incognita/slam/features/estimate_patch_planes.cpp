@@ -34,8 +34,8 @@ std::optional<PlaneEvidence> evidence_of(const PatchView& view, const FeatureMat
   return plane_evidence(image, *match.measured, *expected, {*first, *second}, slope_step);
 }
 
-bool depth_is_known(const Landmark& landmark, const Belief& belief) {
-  if (landmark.kind == Landmark::Kind::point) return true;
+bool depth_is_known(const Landmark& landmark, const AnyBelief& belief) {
+  if (landmark.form.kind == LandmarkParametrization::Kind::point) return true;
   const double inverse_depth = belief.mean(landmark.block)[5];
   const double var = belief.covariance(landmark.block)(5, 5);
   return var < std::pow(max_depth_ratio * inverse_depth, 2);
@@ -50,28 +50,29 @@ bool is_new_view(const PatchView& view, const Eigen::Vector3d& point, const Eige
 
 }  // namespace
 
-void add_plane_uncertainty(const Estimate& estimate, const Camera& camera, const Image& image,
-                           int patch_size_px, std::vector<FeatureMatch>& matches) {
-  const CameraState from = estimate.camera_state();
-  for (FeatureMatch& match : matches) {
-    const PatchView& view = estimate.catalog[match.landmark].view;
-    if (match.outcome != MatchOutcome::matched || view.plane.known()) continue;
-    match.plane = evidence_of(view, match, camera, from, image, patch_size_px);
+void add_plane_uncertainty(const Image& image, TrackedCamera& camera) {
+  for (FeatureMatch& match : camera.matches) {
+    if (match.outcome != MatchOutcome::matched) continue;
+    const PatchView& view = camera.features.at(match.id).view;
+    if (view.plane.known()) continue;
+    match.plane = evidence_of(view, match, camera.camera, camera.view.camera, image,
+                              camera.settings.search.patch_size_px);
     if (!match.plane) continue;
     const Eigen::Matrix2d& shift = match.plane->shift_per_slope;
     match.plane_cov = shift * view.plane.slope_cov * shift.transpose();
   }
 }
 
-void estimate_patch_planes(Estimate& estimate, const std::vector<FeatureMatch>& matches) {
-  const Eigen::Vector3d from = free_camera::position(estimate.camera_state());
-  for (const FeatureMatch& match : matches) {
+void estimate_patch_planes(const Estimate& estimate, TrackedCamera& camera) {
+  const Eigen::Vector3d from = free_camera::position(camera.view.camera);
+  for (const FeatureMatch& match : camera.matches) {
     if (match.outcome != MatchOutcome::matched || !match.plane) continue;
-    Landmark& landmark = estimate.catalog[match.landmark];
-    if (!is_new_view(landmark.view, match.point, from) || !depth_is_known(landmark, estimate.belief))
+    PatchView& view = camera.features.at(match.id).view;
+    if (!is_new_view(view, match.point, from) ||
+        !depth_is_known(estimate.landmarks.at(match.id), estimate.belief))
       continue;
-    update_patch_plane(landmark.view.plane, *match.plane);
-    landmark.view.plane.estimated_from = from;
+    update_patch_plane(view.plane, *match.plane);
+    view.plane.estimated_from = from;
   }
 }
 

@@ -32,18 +32,32 @@ bool stays_in_view(const Eigen::Vector2d& pixel, const Camera& camera, const Cam
   return true;
 }
 
-std::vector<Landmark::Particle> uniform_depths(const InitializationSettings& initialization,
-                                               double ray_length) {
-  // Settings give depths along the ray, particles along the optical axis (ray_length = |(x, y, 1)|)
-  std::vector<Landmark::Particle> particles(initialization.particles);
+std::vector<DepthHypothesis> uniform_depths(const InitializationSettings& initialization, double ray_length) {
+  // Settings give depths along the ray, hypotheses along the optical axis (ray_length = |(x, y, 1)|)
+  std::vector<DepthHypothesis> depths(static_cast<std::size_t>(initialization.particles));
   for (int i = 0; i < initialization.particles; ++i) {
     const double share =
         initialization.particles > 1 ? static_cast<double>(i) / (initialization.particles - 1) : 0.5;
     const double depth =
         initialization.min_depth_m + share * (initialization.max_depth_m - initialization.min_depth_m);
-    particles[i] = {ray_length / depth, 1.0 / initialization.particles};
+    depths[static_cast<std::size_t>(i)] = {ray_length / depth, 1.0 / initialization.particles};
   }
-  return particles;
+  return depths;
+}
+
+/// Occupied pixels: all landmarks predicted in view, rays, and landmarks initialized in this frame.
+std::vector<Eigen::Vector2d> occupied_pixels(const Estimate& estimate, const TrackedCamera& camera) {
+  std::vector<Eigen::Vector2d> taken;
+  for (const FeatureMatch& match : camera.matches) taken.push_back(match.measured.value_or(match.predicted));
+  for (const auto& [id, feature] : camera.features) {
+    const Landmark& landmark = estimate.landmarks.at(id);
+    if (landmark.form.kind != LandmarkParametrization::Kind::ray && feature.attempts > 0) continue;
+    if (const auto at = current_position(estimate, landmark, feature))
+      if (const auto projected =
+              camera.camera.project(PointLandmark::in_camera<double>(camera.view.camera, *at)))
+        taken.push_back(projected->pixel);
+  }
+  return taken;
 }
 
 }  // namespace
@@ -54,8 +68,7 @@ std::optional<PatchView> cut_view(const Image& image, const Eigen::Vector2d& pix
   auto texture = cut_texture(image, pixel, 2 * size + 5, size / 2 + 1);
   const auto ray = camera.unproject(pixel);
   if (!texture || !ray) return std::nullopt;
-  PatchView view{
-      *std::move(texture), pixel, free_camera::position(from), free_camera::orientation(from), {}, 0};
+  PatchView view{*std::move(texture), pixel, free_camera::position(from), free_camera::orientation(from), {}};
   view.plane.facing = -(rotation_matrix(view.world_from_camera) * ray->normalized());
   view.plane.slope_cov = std::pow(settings.initialization.sigma_slope, 2) * Eigen::Matrix2d::Identity();
   view.plane.estimated_from = view.camera_position;
@@ -63,76 +76,87 @@ std::optional<PatchView> cut_view(const Image& image, const Eigen::Vector2d& pix
 }
 
 std::optional<Eigen::Vector2d> find_new_corner(const Image& image, const Estimate& estimate,
-                                               const Camera& camera, const CameraSlamSettings& settings,
-                                               RandomStream& random) {
-  const InitializationSettings& initialization = settings.initialization;
-  const int rim = settings.search.patch_size_px + 2;  // a whole patch and a margin for its warp
+                                               const TrackedCamera& camera, RandomStream& random) {
+  const InitializationSettings& initialization = camera.settings.initialization;
+  const int patch = camera.settings.search.patch_size_px;
+  const int rim = patch + 2;  // a whole patch and a margin for its warp
   const int width = std::min(initialization.box_width_px, image.width() - 2 * rim);
   const int height = std::min(initialization.box_height_px, image.height() - 2 * rim);
   if (width < 1 || height < 1) return std::nullopt;
-  const CameraState now = estimate.camera_state();
-  // Occupied pixels: all landmarks predicted in view, lines, and landmarks initialized in this frame
-  std::vector<Eigen::Vector2d> taken;
-  for (const FeatureMatch& match : estimate.matches)
-    taken.push_back(match.measured.value_or(match.predicted));
-  for (const Landmark& landmark : estimate.catalog) {
-    if (landmark.kind != Landmark::Kind::line && landmark.attempts > 0) continue;
-    if (const auto at = position_of(landmark, estimate.belief))
-      if (const auto projected = camera.project(PointLandmark::in_camera<double>(now, at->position)))
-        taken.push_back(projected->pixel);
-  }
+  const std::vector<Eigen::Vector2d> taken = occupied_pixels(estimate, camera);
   for (int i = 0; i < boxes_tried; ++i) {
     const PixelBox box{rim + random.below(image.width() - 2 * rim - width + 1),
                        rim + random.below(image.height() - 2 * rim - height + 1), width, height};
-    if (near_any_match(taken, box, settings.search.patch_size_px / 2)) continue;
-    const auto corner = strongest_corner(image, box, settings.search.patch_size_px);
+    if (near_any_match(taken, box, patch / 2)) continue;
+    const auto corner = strongest_corner(image, box, patch);
     if (!corner || corner->strength < initialization.min_corner_strength) continue;
     std::optional<Eigen::Vector2d> center(std::in_place, corner->u, corner->v);
     if (initialization.center == InitializationSettings::Center::edges)
-      center = center_of_corner(image, *center, settings.search.patch_size_px);
-    if (!center || !stays_in_view(*center, camera, now, initialization)) continue;
+      center = center_of_corner(image, *center, patch);
+    if (!center || !stays_in_view(*center, camera.camera, camera.view.camera, initialization)) continue;
     // The center may lie outside the box, on a corner that is already mapped
     const PixelBox there{static_cast<int>(std::lround(center->x())),
                          static_cast<int>(std::lround(center->y())), 1, 1};
-    if (!near_any_match(taken, there, settings.search.patch_size_px / 2)) return center;
+    if (!near_any_match(taken, there, patch / 2)) return center;
   }
   return std::nullopt;
 }
 
+namespace {
+
+/// Adds the block of a new landmark to the belief: five errors of a ray, or six with the depth.
+void augment(Landmark& landmark, const InverseDepthLandmark::Initialization& initialized,
+             const TrackedCamera& camera, AnyBelief& belief) {
+  Eigen::Matrix<double, 6, 6> noise = camera.pixel_var() * initialized.Jz * initialized.Jz.transpose();
+  noise(5, 5) += std::pow(camera.settings.initialization.sigma_inverse_depth_per_m, 2);
+  // The initial position duplicates the camera position: regularization keeps the covariance positive definite
+  noise.topLeftCorner<3, 3>() += 1e-8 * Eigen::Matrix3d::Identity();
+  const Viewpoint& view = camera.view;
+  const SmallMatrix Jv = view.by_body.size() == 0 ? SmallMatrix(initialized.Jv)
+                                                  : SmallMatrix(initialized.Jv.leftCols<6>() * view.by_body);
+  const int errors = landmark.form.kind == LandmarkParametrization::Kind::ray ? 5 : 6;
+  const BlockParent parent{view.body, Jv.topRows(errors)};
+  landmark.block = belief.augment(Chart::line(errors), initialized.landmark.head(errors), {&parent, 1},
+                                  noise.topLeftCorner(errors, errors));
+}
+
+}  // namespace
+
 bool initialize_landmark(const Image& image, const Eigen::Vector2d& pixel, Estimate& estimate,
-                         const Camera& camera, const CameraSlamSettings& settings) {
-  const InitializationSettings& initialization = settings.initialization;
-  const CameraState from = estimate.camera_state();
-  auto view = cut_view(image, pixel, from, camera, settings);
-  const auto initialized =
-      InverseDepthLandmark::initialize(camera, from, pixel, initialization.inverse_depth_per_m);
+                         TrackedCamera& camera) {
+  const InitializationSettings& initialization = camera.settings.initialization;
+  auto view = cut_view(image, pixel, camera.view.camera, camera.camera, camera.settings);
+  const auto initialized = InverseDepthLandmark::initialize(camera.camera, camera.view.camera, pixel,
+                                                            initialization.inverse_depth_per_m);
   if (!view || !initialized) return false;
+  const bool as_line = initialization.method == InitializationSettings::Method::depth_line;
   Landmark landmark;
-  landmark.id = estimate.next_id++;
-  landmark.initial_axes.world_from_initial_camera = initialized->world_from_initial_camera;
-  landmark.view = *std::move(view);
-  const double pixel_var = std::pow(settings.filter.sigma_pixel_px, 2);
-  Eigen::Matrix<double, 6, 6> noise = pixel_var * initialized->Jz * initialized->Jz.transpose();
-  if (initialization.method == InitializationSettings::Method::depth_line) {
-    landmark.kind = Landmark::Kind::line;
-    landmark.particles = uniform_depths(
+  landmark.id = new_id(estimate);
+  landmark.camera = camera.index;
+  landmark.first_view = view->camera_position;
+  landmark.form = {
+      as_line ? LandmarkParametrization::Kind::ray : LandmarkParametrization::Kind::inverse_depth,
+      initialized->world_from_initial_camera};
+  augment(landmark, *initialized, camera, estimate.belief);
+  Feature feature;
+  feature.view = *std::move(view);
+  if (as_line)
+    feature.depths = uniform_depths(
         initialization, Eigen::Vector3d(initialized->landmark[3], initialized->landmark[4], 1).norm());
-    const Belief::Parent parent{estimate.camera, initialized->Jv.topRows<5>()};
-    // The initial position duplicates the camera position: regularization keeps the covariance positive definite
-    Eigen::Matrix<double, 5, 5> line_noise = noise.topLeftCorner<5, 5>();
-    line_noise.topLeftCorner<3, 3>() += 1e-8 * Eigen::Matrix3d::Identity();
-    landmark.block =
-        estimate.belief.augment(Chart::line(5), initialized->landmark.head<5>(), {&parent, 1}, line_noise);
-  } else {
-    landmark.kind = Landmark::Kind::inverse_depth;
-    noise(5, 5) += std::pow(initialization.sigma_inverse_depth_per_m, 2);
-    noise.topLeftCorner<3, 3>() += 1e-8 * Eigen::Matrix3d::Identity();
-    const Belief::Parent parent{estimate.camera, initialized->Jv};
-    landmark.block =
-        estimate.belief.augment(InverseDepthLandmark::chart, initialized->landmark, {&parent, 1}, noise);
-  }
-  estimate.catalog.push_back(std::move(landmark));
+  camera.features.emplace(landmark.id, std::move(feature));
+  estimate.landmarks.emplace(landmark.id, std::move(landmark));
   return true;
+}
+
+void add_anchor(const Eigen::Vector3d& position, PatchView view, Estimate& estimate, TrackedCamera& camera) {
+  Landmark anchor;
+  anchor.id = new_id(estimate);
+  anchor.fixed = true;
+  anchor.position = position;
+  anchor.camera = camera.index;
+  anchor.first_view = view.camera_position;
+  camera.features[anchor.id].view = std::move(view);
+  estimate.landmarks.emplace(anchor.id, std::move(anchor));
 }
 
 }  // namespace incognita

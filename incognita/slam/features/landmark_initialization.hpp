@@ -1,11 +1,8 @@
 // Initialization of new landmarks: thesis C.2, C.3, C.4.
 #pragma once
 
-#include <string>
-
 #include "incognita/math/random.hpp"
-#include "incognita/slam/features/estimate.hpp"
-#include "incognita/slam/features/settings.hpp"
+#include "incognita/slam/features/feature.hpp"
 #include "incognita/vision/corners.hpp"
 
 namespace incognita {
@@ -13,13 +10,15 @@ namespace incognita {
 /// The best corner in a box placed at random where no landmark is predicted, if it stays in view at the
 /// current velocity. Nothing when a few boxes contain none.
 std::optional<Eigen::Vector2d> find_new_corner(const Image& image, const Estimate& estimate,
-                                               const Camera& camera, const CameraSlamSettings& settings,
-                                               RandomStream& random);
+                                               const TrackedCamera& camera, RandomStream& random);
 
-/// Adds a landmark at a pixel of this image, as an inverse-depth landmark or as a line with depth hypotheses,
+/// Adds a landmark at a pixel of this image, as an inverse-depth landmark or as a ray with depth hypotheses,
 /// according to the settings. False when no patch can be cut or no ray maps to the pixel.
 bool initialize_landmark(const Image& image, const Eigen::Vector2d& pixel, Estimate& estimate,
-                         const Camera& camera, const CameraSlamSettings& settings);
+                         TrackedCamera& camera);
+
+/// Adds a landmark at a known position (world, m), with its appearance.
+void add_anchor(const Eigen::Vector3d& position, PatchView view, Estimate& estimate, TrackedCamera& camera);
 
 /// The patch around a pixel with the view it is seen from; its assumed normal faces the camera.
 std::optional<PatchView> cut_view(const Image& image, const Eigen::Vector2d& pixel, const CameraState& from,

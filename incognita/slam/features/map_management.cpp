@@ -3,47 +3,64 @@
 #include <algorithm>
 
 namespace incognita {
+namespace {
 
-void count_frames_away(Estimate& estimate) {
-  for (Landmark& landmark : estimate.catalog) ++landmark.frames_away;
-  for (const FeatureMatch& match : estimate.matches)
-    if (match.outcome == MatchOutcome::matched) estimate.catalog[match.landmark].frames_away = 0;
+using Kind = LandmarkParametrization::Kind;
+
+bool is_inverse_depth(const Landmark& landmark) {
+  return !landmark.fixed && landmark.form.kind == Kind::inverse_depth;
 }
 
-void count_attempts(Estimate& estimate) {
-  for (const FeatureMatch& match : estimate.matches) {
+}  // namespace
+
+void count_frames_away(TrackedCamera& camera) {
+  for (auto& [id, feature] : camera.features) ++feature.frames_away;
+  for (const FeatureMatch& match : camera.matches)
+    if (match.outcome == MatchOutcome::matched) camera.features.at(match.id).frames_away = 0;
+}
+
+void count_attempts(Estimate& estimate, TrackedCamera& camera) {
+  for (const FeatureMatch& match : camera.matches) {
     if (match.outcome == MatchOutcome::not_searched || match.outcome == MatchOutcome::unconfirmed) continue;
-    Landmark& landmark = estimate.catalog[match.landmark];
-    ++landmark.attempts;
-    landmark.matches += match.outcome == MatchOutcome::matched;
+    ++camera.features.at(match.id).attempts;
+    estimate.landmarks.at(match.id).detection_count += match.outcome == MatchOutcome::matched;
   }
 }
 
-void delete_bad_landmarks(Estimate& estimate, const MapSettings& settings) {
-  std::erase_if(estimate.catalog, [&](const Landmark& landmark) {
-    if (!landmark.mapped()) return false;
-    const bool rarely_matched = landmark.attempts >= settings.min_attempts &&
-                                landmark.matches < settings.min_matched_share * landmark.attempts;
-    const bool beyond_infinity =
-        landmark.kind == Landmark::Kind::inverse_depth && estimate.belief.mean(landmark.block)[5] < 0;
-    if (!rarely_matched && !beyond_infinity) return false;
-    estimate.belief.drop(landmark.block);
-    return true;
-  });
+void delete_bad_landmarks(Estimate& estimate, TrackedCamera& camera) {
+  const MapSettings& settings = camera.settings.map;
+  for (auto next = camera.features.begin(); next != camera.features.end();) {
+    const auto& [id, feature] = *next++;
+    const Landmark& landmark = estimate.landmarks.at(id);
+    if (!landmark.mapped()) continue;
+    const bool rarely_matched = feature.attempts >= settings.min_attempts &&
+                                landmark.detection_count < settings.min_matched_share * feature.attempts;
+    const bool beyond_infinity = is_inverse_depth(landmark) && estimate.belief.mean(landmark.block)[5] < 0;
+    if (rarely_matched || beyond_infinity) remove_landmark(estimate, camera, id);
+  }
 }
 
-void simplify_landmarks(Estimate& estimate, const InitializationSettings& settings) {
-  const Eigen::Vector3d camera = free_camera::position(estimate.camera_state());
-  for (Landmark& landmark : estimate.catalog) {
-    if (landmark.kind != Landmark::Kind::inverse_depth) continue;
+void simplify_landmarks(Estimate& estimate, const TrackedCamera& camera) {
+  const Eigen::Vector3d from = free_camera::position(camera.view.camera);
+  for (const auto& [id, feature] : camera.features) {
+    Landmark& landmark = estimate.landmarks.at(id);
+    if (!is_inverse_depth(landmark)) continue;
+    const InverseDepthLandmark axes{landmark.form.initial_axes};
     const InverseDepthLandmark::State y = estimate.belief.mean(landmark.block);
     const double variance = estimate.belief.covariance(landmark.block)(5, 5);
-    if (landmark.initial_axes.linearity_index(y, variance, camera) > settings.max_linearity) continue;
-    const auto point = landmark.initial_axes.point(y);
+    if (axes.linearity_index(y, variance, from) > camera.settings.initialization.max_linearity) continue;
+    const auto point = axes.point(y);
     estimate.belief.replace(landmark.block, PointLandmark::chart, point.position, point.J,
                             Eigen::Matrix3d::Zero());
-    landmark.kind = Landmark::Kind::point;
+    landmark.form.kind = Kind::point;
   }
+}
+
+void remove_landmark(Estimate& estimate, TrackedCamera& camera, std::int64_t id) {
+  const Landmark& landmark = estimate.landmarks.at(id);
+  if (!landmark.fixed) estimate.belief.drop(landmark.block);
+  estimate.landmarks.erase(id);
+  camera.features.erase(id);
 }
 
 }  // namespace incognita

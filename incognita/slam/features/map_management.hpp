@@ -1,23 +1,25 @@
 // Map management: thesis C.4.
 #pragma once
 
-#include "incognita/slam/features/estimate.hpp"
-#include "incognita/slam/features/settings.hpp"
+#include "incognita/slam/features/feature.hpp"
 
 namespace incognita {
 
-/// Counts the frames since the last match of each landmark; for every tracked frame.
-void count_frames_away(Estimate& estimate);
+/// Counts the frames since the last match of each feature; for every tracked frame.
+void count_frames_away(TrackedCamera& camera);
 
 /// Counts this frame's searches. The caller skips frames with hardly any match, which carry no information
 /// about single landmarks (e.g. a covered lens).
-void count_attempts(Estimate& estimate);
+void count_attempts(Estimate& estimate, TrackedCamera& camera);
 
 /// Deletes points and inverse-depth landmarks that were matched in too small a share of their attempts, and
-/// inverse-depth landmarks of negative depth. Invalidates the landmark indices of this frame's matches: call it last.
-void delete_bad_landmarks(Estimate& estimate, const MapSettings& settings);
+/// inverse-depth landmarks of negative depth.
+void delete_bad_landmarks(Estimate& estimate, TrackedCamera& camera);
 
 /// Converts inverse-depth landmarks of small linearity index (Civera) to points.
-void simplify_landmarks(Estimate& estimate, const InitializationSettings& settings);
+void simplify_landmarks(Estimate& estimate, const TrackedCamera& camera);
+
+/// Removes a landmark from the map, the belief and the camera.
+void remove_landmark(Estimate& estimate, TrackedCamera& camera, std::int64_t id);
 
 }  // namespace incognita

@@ -7,10 +7,10 @@ namespace incognita {
 namespace {
 
 /// Thesis C.4: whether the view is close enough to the initial view, in angle and distance, for the patch to match.
-bool same_view_as_initial(const PatchView& view, const Eigen::Vector3d& point, const CameraState& from,
-                          const MapSettings& settings) {
+bool same_view_as_initial(const Eigen::Vector3d& first_view, const Eigen::Vector3d& point,
+                          const CameraState& from, const MapSettings& settings) {
   const Eigen::Vector3d now = point - free_camera::position(from);
-  const Eigen::Vector3d then = point - view.camera_position;
+  const Eigen::Vector3d then = point - first_view;
   const double now_m = now.norm(), then_m = then.norm();
   if (now_m < 1e-6 || then_m < 1e-6) return false;
   if (now.dot(then) < std::cos(settings.max_view_angle_rad) * now_m * then_m) return false;
@@ -19,12 +19,12 @@ bool same_view_as_initial(const PatchView& view, const Eigen::Vector3d& point, c
 
 }  // namespace
 
-Eigen::Vector3d nominal_position(const Landmark& landmark, const Belief& belief) {
-  if (landmark.kind == Landmark::Kind::anchor) return landmark.anchor;
-  if (landmark.kind == Landmark::Kind::point) return belief.mean(landmark.block);
+Eigen::Vector3d nominal_position(const Landmark& landmark, const AnyBelief& belief) {
+  if (landmark.fixed) return landmark.position;
+  if (landmark.form.kind == LandmarkParametrization::Kind::point) return belief.mean(landmark.block);
   InverseDepthLandmark::State y = belief.mean(landmark.block);
   if (!(y[5] > 1e-6)) y[5] = 0.01;
-  return landmark.initial_axes.point(y).position;
+  return InverseDepthLandmark{landmark.form.initial_axes}.point(y).position;
 }
 
 std::optional<Eigen::Matrix2d> local_warp(const PatchView& view, const Eigen::Vector3d& normal,
@@ -58,77 +58,85 @@ std::optional<Eigen::Matrix2d> local_warp(const PatchView& view, const Eigen::Ve
   return warp;
 }
 
-std::optional<FeatureMatch> predict_pixel(const Landmark& landmark, const Belief& belief,
+std::optional<FeatureMatch> predict_pixel(const Landmark& landmark, const AnyBelief& belief,
                                           const Camera& camera, const CameraState& from,
                                           const CameraSlamSettings& settings) {
   FeatureMatch match{};
   match.id = landmark.id;
-  match.kind = landmark.kind;
-  if (landmark.kind == Landmark::Kind::inverse_depth) {
-    const auto prediction =
-        landmark.initial_axes.predict_measurement(camera, from, belief.mean(landmark.block));
+  match.anchor = landmark.fixed;
+  if (!landmark.fixed && landmark.form.kind == LandmarkParametrization::Kind::inverse_depth) {
+    const auto prediction = InverseDepthLandmark{landmark.form.initial_axes}.predict_measurement(
+        camera, from, belief.mean(landmark.block));
     if (!prediction) return std::nullopt;
     match.predicted = prediction->pixel;
     match.Hv = prediction->Hv;
     match.Hl = prediction->Hl;
   } else {
-    const bool known = landmark.kind == Landmark::Kind::anchor;
-    const Eigen::Vector3d point = known ? landmark.anchor : Eigen::Vector3d(belief.mean(landmark.block));
+    const Eigen::Vector3d point =
+        landmark.fixed ? Eigen::Vector3d(landmark.position) : Eigen::Vector3d(belief.mean(landmark.block));
     const auto prediction = PointLandmark::predict_measurement(camera, from, point);
     if (!prediction) return std::nullopt;
     match.predicted = prediction->pixel;
     match.Hv = prediction->Hv;
-    if (known)
+    if (landmark.fixed)
       match.Hl.resize(2, 0);
     else
       match.Hl = prediction->Hl;
   }
   if (!camera.contains(match.predicted, settings.search.patch_size_px / 2 + 1)) return std::nullopt;
   match.point = nominal_position(landmark, belief);
-  if (!same_view_as_initial(landmark.view, match.point, from, settings.map)) return std::nullopt;
+  if (!same_view_as_initial(landmark.first_view, match.point, from, settings.map)) return std::nullopt;
   return match;
 }
 
-std::optional<FeatureMatch> predict_match(const Landmark& landmark, const Belief& belief,
-                                          const Camera& camera, const CameraState& from,
-                                          const CameraSlamSettings& settings) {
-  std::optional<FeatureMatch> prediction = predict_pixel(landmark, belief, camera, from, settings);
-  if (!prediction) return std::nullopt;
-  FeatureMatch& match = *prediction;
-  const auto warp =
-      local_warp(landmark.view, landmark.view.plane.normal(), match.point, match.predicted, camera, from);
+std::optional<FeatureMatch> predict_match(const Landmark& landmark, const PatchView& view,
+                                          const AnyBelief& belief, const Camera& camera,
+                                          const CameraState& from, const CameraSlamSettings& settings) {
+  std::optional<FeatureMatch> match = predict_pixel(landmark, belief, camera, from, settings);
+  if (!match) return std::nullopt;
+  const auto warp = local_warp(view, view.plane.normal(), match->point, match->predicted, camera, from);
   if (!warp) return std::nullopt;
-  match.texture_from_view = *warp;
-  return prediction;
+  match->texture_from_view = *warp;
+  return match;
 }
 
 LinearizedMeasurement linearized_measurement(const FeatureMatch& match, const Landmark& landmark,
-                                             BlockId camera, double sigma_pixel_px) {
-  LinearizedMeasurement affine;
-  affine.add(camera, match.Hv);
-  if (landmark.kind != Landmark::Kind::anchor) affine.add(landmark.block, match.Hl);
-  affine.residual = Eigen::Vector2d::Zero();
-  if (match.measured) affine.residual = *match.measured - match.predicted;
-  affine.R = sigma_pixel_px * sigma_pixel_px * Eigen::Matrix2d::Identity() + match.plane_cov;
-  return affine;
+                                             const TrackedCamera& camera) {
+  LinearizedMeasurement measurement;
+  measurement.add(camera.view.body, camera.view.jacobian(match.Hv));
+  if (!landmark.fixed) measurement.add(landmark.block, match.Hl);
+  measurement.residual = Eigen::Vector2d::Zero();
+  if (match.measured) measurement.residual = *match.measured - match.predicted;
+  measurement.R = camera.pixel_var() * Eigen::Matrix2d::Identity() + match.plane_cov;
+  return measurement;
 }
 
-void predict_matches(const Estimate& estimate, const Camera& camera, const CameraSlamSettings& settings,
-                     std::vector<FeatureMatch>& matches) {
-  matches.clear();
-  const CameraState from = estimate.camera_state();
+LinearizedMeasurement relinearized_measurement(const FeatureMatch& match, const Estimate& estimate,
+                                               const TrackedCamera& camera) {
+  const Landmark& landmark = estimate.landmarks.at(match.id);
+  const auto now =
+      predict_pixel(landmark, estimate.belief, camera.camera, camera.view.camera, camera.settings);
+  if (!now) return {};
+  FeatureMatch again = match;
+  again.predicted = now->predicted;
+  again.Hv = now->Hv;
+  again.Hl = now->Hl;
+  return linearized_measurement(again, landmark, camera);
+}
+
+void predict_matches(const Estimate& estimate, TrackedCamera& camera) {
+  camera.matches.clear();
   Eigen::MatrixXd S(2, 2);
-  for (std::size_t i = 0; i < estimate.catalog.size(); ++i) {
-    const Landmark& landmark = estimate.catalog[i];
-    if (landmark.kind == Landmark::Kind::line) continue;
-    auto match = predict_match(landmark, estimate.belief, camera, from, settings);
+  for (const auto& [id, feature] : camera.features) {
+    const Landmark& landmark = estimate.landmarks.at(id);
+    if (landmark.form.kind == LandmarkParametrization::Kind::ray) continue;
+    auto match = predict_match(landmark, feature.view, estimate.belief, camera.camera, camera.view.camera,
+                               camera.settings);
     if (!match) continue;
-    match->landmark = i;
-    const LinearizedMeasurement affine =
-        linearized_measurement(*match, landmark, estimate.camera, settings.filter.sigma_pixel_px);
-    estimate.belief.innovation_covariance({&affine, 1}, S);
+    const LinearizedMeasurement measurement = linearized_measurement(*match, landmark, camera);
+    estimate.belief.innovation_covariance({&measurement, 1}, S);
     match->innovation_cov = S;
-    matches.push_back(*std::move(match));
+    camera.matches.push_back(*std::move(match));
   }
 }
 

@@ -1,36 +1,36 @@
 // Prediction of visible landmarks: pixel, innovation covariance and warped appearance.
 #pragma once
 
-#include <vector>
-
-#include "incognita/slam/features/estimate.hpp"
-#include "incognita/slam/features/settings.hpp"
+#include "incognita/slam/features/feature.hpp"
 
 namespace incognita {
 
-/// Approximate position of a landmark; not for lines. An inverse depth near or below zero is replaced by a
+/// Approximate position of a landmark; not for rays. An inverse depth near or below zero is replaced by a
 /// depth of 100 m.
-Eigen::Vector3d nominal_position(const Landmark& landmark, const Belief& belief);
+Eigen::Vector3d nominal_position(const Landmark& landmark, const AnyBelief& belief);
 
 /// predict_match() without the appearance, as needed for planned measurements.
-std::optional<FeatureMatch> predict_pixel(const Landmark& landmark, const Belief& belief,
+std::optional<FeatureMatch> predict_pixel(const Landmark& landmark, const AnyBelief& belief,
                                           const Camera& camera, const CameraState& from,
                                           const CameraSlamSettings& settings);
 
-/// The predicted measurement of one landmark from a camera state. Nothing when it is not visible: behind the
-/// camera, outside the image, or too different from its initial view for a match (thesis C.4). The innovation
-/// covariance is not filled: see predict_matches().
-std::optional<FeatureMatch> predict_match(const Landmark& landmark, const Belief& belief,
-                                          const Camera& camera, const CameraState& from,
-                                          const CameraSlamSettings& settings);
+/// The predicted measurement of one landmark from a camera state; `view`: its appearance. Nothing when it is not
+/// visible: behind the camera, outside the image, or too different from its initial view for a match (thesis C.4).
+/// The innovation covariance is not filled: see predict_matches().
+std::optional<FeatureMatch> predict_match(const Landmark& landmark, const PatchView& view,
+                                          const AnyBelief& belief, const Camera& camera,
+                                          const CameraState& from, const CameraSlamSettings& settings);
 
-/// The linearized measurement, two rows, with zero residual before a match; camera and landmark blocks.
+/// The linearized measurement, two rows, with zero residual before a match; blocks of the body and the landmark.
 LinearizedMeasurement linearized_measurement(const FeatureMatch& match, const Landmark& landmark,
-                                             BlockId camera, double sigma_pixel_px);
+                                             const TrackedCamera& camera);
 
-/// Predicts all visible anchors and mapped landmarks, with innovation covariances.
-void predict_matches(const Estimate& estimate, const Camera& camera, const CameraSlamSettings& settings,
-                     std::vector<FeatureMatch>& matches);
+/// The same measurement linearized at the current means; without parts where it is not defined.
+LinearizedMeasurement relinearized_measurement(const FeatureMatch& match, const Estimate& estimate,
+                                               const TrackedCamera& camera);
+
+/// Predicts all visible features of the camera at its current viewpoint, with innovation covariances.
+void predict_matches(const Estimate& estimate, TrackedCamera& camera);
 
 /// The 2x2 map from pixels of a view to pixels of the patch's own view, for the plane through `point` with
 /// the given unit normal (both world). Nothing when the plane is seen from behind or edge on.

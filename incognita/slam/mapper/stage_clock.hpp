@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -13,11 +14,17 @@ class StageClock {
       : timing_ms_(timing_ms), last_(Clock::now()) {
     timing_ms_.clear();
   }
-  /// Assigns the time since the previous mark to this stage.
+  /// Adds the time since the previous mark to this stage.
   void mark(const char* stage) {
     const auto now = Clock::now();
-    timing_ms_.emplace_back(stage, std::chrono::duration<double, std::milli>(now - last_).count());
+    const double ms = std::chrono::duration<double, std::milli>(now - last_).count();
     last_ = now;
+    for (auto& [name, total] : timing_ms_)
+      if (std::string_view(name) == stage) {
+        total += ms;
+        return;
+      }
+    timing_ms_.emplace_back(stage, ms);
   }
 
  private:

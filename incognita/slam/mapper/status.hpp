@@ -53,8 +53,8 @@ inline const char* name(MatchOutcome outcome) {
 
 struct TrackingStatus {
   TrackingState state = TrackingState::starting;
-  std::string reason;       ///< states values and limits, e.g. "2 of 12 features matched, gate 3 sigma"
-  int frames_with_few = 0;  ///< consecutive frames with too few matches
+  std::string
+      reason;  ///< states values and limits, e.g. "fewer than 3 features matched; 2 of 12 features matched"
 };
 
 }  // namespace incognita

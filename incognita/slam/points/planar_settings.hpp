@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "incognita/slam/points/team_settings.hpp"
+#include "incognita/slam/mapper/settings.hpp"
 
 namespace incognita {
 
@@ -78,7 +78,7 @@ struct PlanarSlamSettings {
 };
 
 inline std::optional<FilterIncompatibility> find_incompatibility(const PlanarFilterSettings& filter) {
-  TeamFilterSettings same;
+  MapperSettings same;
   same.linearization = filter.linearization;
   same.map_frame = filter.map_frame;
   same.decorrelate = filter.decorrelate;

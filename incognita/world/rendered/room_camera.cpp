@@ -29,7 +29,7 @@ Observation RoomCamera::measure(const std::optional<Truth>& truth, const Tick& t
            *image);
   noise_.add_to(*image);
   Observation observation;
-  observation.bodies.emplace_back().image = std::move(image);
+  observation.bodies.emplace_back().images = {std::move(image)};
   return observation;
 }
 

@@ -1,0 +1,17 @@
+// For bodies whose motion is prescribed: no action is chosen.
+#pragma once
+
+#include "incognita/decision/strategy.hpp"
+
+namespace incognita {
+
+class NoDecision final : public Strategy {
+ public:
+  Goal choose(const Estimate&, const Observation&, const Tick&) override { return {}; }
+  const std::vector<std::string>& actions() const override { return none_; }
+
+ private:
+  std::vector<std::string> none_;
+};
+
+}  // namespace incognita

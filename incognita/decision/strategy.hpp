@@ -1,0 +1,24 @@
+// The interface of the decision in the loop: which action comes next.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "incognita/messages/goal.hpp"
+#include "incognita/messages/observation.hpp"
+#include "incognita/messages/tick.hpp"
+#include "incognita/slam/mapper/estimate.hpp"
+
+namespace incognita {
+
+class Strategy {
+ public:
+  virtual ~Strategy() = default;
+  /// The goal of every body, with the scores of all candidate actions. No action is chosen without a pose (not started,
+  /// lost).
+  virtual Goal choose(const Estimate& estimate, const Observation& observation, const Tick& tick) = 0;
+  /// Names of the candidate actions, constant over a run.
+  virtual const std::vector<std::string>& actions() const = 0;
+};
+
+}  // namespace incognita

@@ -1,0 +1,1 @@
+incognita_module(navigator FOLDERS navigator USES incognita::slam incognita::decision)

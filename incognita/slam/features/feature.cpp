@@ -1,0 +1,43 @@
+#include "incognita/slam/features/feature.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace incognita {
+
+Viewpoint viewpoint(const Estimate& e, const TrackedCamera& c) {
+  const BlockId block = e.bodies[c.body].block;
+  return {block, e.belief.mean(block), {}};
+}
+
+Viewpoint viewpoint(const Estimate& e, const TrackedCamera& c, const AnyMotion& motion) {
+  if (!c.mount) return viewpoint(e, c);
+  const BlockId block = e.bodies[c.body].block;
+  const SmallVector state = e.belief.mean(block);
+  const MountedCamera<6> mounted =
+      c.mount->on(PoseOf<6>{pose_of(motion, state), Eigen::Matrix<double, 6, 6>::Identity()});
+  return {block, mounted.camera, mounted.J * pose_jacobian(motion, state)};
+}
+
+RayDepth depth_of(const std::vector<DepthHypothesis>& hypotheses) {
+  double mean = 0, square = 0;
+  for (const DepthHypothesis& h : hypotheses) {
+    mean += h.weight / h.inverse_depth;
+    square += h.weight / (h.inverse_depth * h.inverse_depth);
+  }
+  return {mean, std::sqrt(std::max(0.0, square - mean * mean))};
+}
+
+std::optional<Eigen::Vector3d> current_position(const Estimate& e, const Landmark& landmark,
+                                                const Feature& feature) {
+  if (landmark.fixed) return Eigen::Vector3d(landmark.position);
+  if (landmark.form.kind == LandmarkParametrization::Kind::ray) {
+    InverseDepthLandmark::State y;
+    y << e.belief.mean(landmark.block), 1 / depth_of(feature.depths).mean;
+    return InverseDepthLandmark{landmark.form.initial_axes}.point(y).position;
+  }
+  const auto at = position_of(landmark.form, SmallVector(e.belief.mean(landmark.block)));
+  return at ? std::optional<Eigen::Vector3d>(at->position) : std::nullopt;
+}
+
+}  // namespace incognita

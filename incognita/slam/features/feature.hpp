@@ -1,0 +1,121 @@
+// The image front end's knowledge of a camera: the appearance of its landmarks, keyed by landmark id, and the
+// results of the current frame. What is estimated is in slam/mapper/estimate.hpp.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "incognita/models/camera_measurement.hpp"
+#include "incognita/models/mount.hpp"
+#include "incognita/slam/features/patch_plane.hpp"
+#include "incognita/slam/features/settings.hpp"
+#include "incognita/slam/mapper/estimate.hpp"
+#include "incognita/vision/patch.hpp"
+
+namespace incognita {
+
+/// The texture of a landmark and the view it was taken from.
+struct PatchView {
+  PatchTexture texture;
+  Eigen::Vector2d pixel;            ///< in that view's image, px
+  Eigen::Vector3d camera_position;  ///< world, m
+  Eigen::Vector4d world_from_camera;
+  PatchPlane plane;
+};
+
+/// A depth hypothesis on a ray: inverse depth along the initial optical axis, and its probability.
+struct DepthHypothesis {
+  double inverse_depth = 0;
+  double weight = 0;
+};
+
+/// The appearance of one landmark.
+struct Feature {
+  PatchView view;
+  std::vector<DepthHypothesis> depths;  ///< of a ray only
+  int attempts = 0;                     ///< searches in frames that were otherwise matched
+  int frames_away = 0;                  ///< since its last update of the filter or its initialization
+  int ray_failures = 0;                 ///< of a ray only: consecutive failed searches
+};
+
+/// The predicted measurement of a landmark in this frame, and the result of the search.
+struct FeatureMatch {
+  std::int64_t id = 0;
+  bool anchor = false;
+  Eigen::Vector2d predicted;                             ///< px, from the prior belief
+  Eigen::Matrix2d innovation_cov;                        ///< S_i = H_i P H_i' + R, px^2
+  CameraJacobian Hv;                                     ///< d(pixel) / d(camera error)
+  Eigen::Matrix<double, 2, Eigen::Dynamic, 0, 2, 6> Hl;  ///< no columns for anchors
+  Eigen::Vector3d point;                                 ///< world, m: position assumed for the warp
+  Eigen::Matrix2d texture_from_view;  ///< local map from pixels of this view to pixels of the texture
+  std::optional<Eigen::Vector2d> measured;
+  std::optional<PlaneEvidence> plane;                   ///< of a match on a patch of unknown plane
+  Eigen::Matrix2d plane_cov = Eigen::Matrix2d::Zero();  ///< px^2: its additional noise
+  double correlation = 0;
+  MatchOutcome outcome = MatchOutcome::not_searched;
+};
+
+/// The search for a ray along all its depth hypotheses, after the camera has been updated by the map's
+/// features. It does not update the camera: `matched` re-weights the hypotheses; `outlier` means that no
+/// hypothesis explains the match.
+struct RayMatch {
+  std::int64_t id = 0;
+  Eigen::Vector2d predicted;       ///< px, weighted mean of the hypotheses in view
+  Eigen::Matrix2d innovation_cov;  ///< px^2, about that mean: of the mixture of the hypotheses
+  std::optional<Eigen::Vector2d> measured;
+  double correlation = 0;
+  MatchOutcome outcome = MatchOutcome::not_searched;
+};
+
+/// Pose of a camera, from the estimate of the body that carries it.
+struct Viewpoint {
+  BlockId body = 0;
+  /// Velocity and rate are zero unless the body is the camera itself.
+  CameraState camera = CameraState::Zero();
+  SmallMatrix by_body;  ///< d(camera pose error, 6) / d(body error); empty: the body is the camera itself
+
+  /// Jacobian by the body error, from that by the camera error.
+  MeasurementJacobian jacobian(const CameraJacobian& by_camera) const {
+    if (by_body.size() == 0) return by_camera;
+    return by_camera.leftCols<6>() * by_body;
+  }
+};
+
+/// A camera on a body, as the image front end tracks with it.
+struct TrackedCamera {
+  Camera camera;
+  CameraSlamSettings settings = {};
+  int index = 0;                    ///< among all cameras of the estimator; Landmark::camera
+  std::size_t body = 0;             ///< that carries it
+  std::optional<Mount> mount = {};  ///< none: the body is the camera itself
+  std::map<std::int64_t, Feature> features = {};
+
+  // Of the current frame
+  Viewpoint view = {};
+  std::vector<FeatureMatch> matches = {};
+  std::vector<RayMatch> ray_matches = {};
+  int predicted = 0;  ///< features searched for
+  int matched = 0;    ///< inliers
+
+  double pixel_var() const { return settings.filter.sigma_pixel_px * settings.filter.sigma_pixel_px; }
+};
+
+/// The pose of the camera at the current mean of its body.
+Viewpoint viewpoint(const Estimate& estimate, const TrackedCamera& camera, const AnyMotion& motion);
+/// The same of a body that is the camera itself.
+Viewpoint viewpoint(const Estimate& estimate, const TrackedCamera& camera);
+
+/// The mean depth of a ray along its initial optical axis, and its standard deviation, m.
+struct RayDepth {
+  double mean = 0, sigma = 0;
+};
+RayDepth depth_of(const std::vector<DepthHypothesis>& hypotheses);
+
+/// World position of a landmark, of a ray at its mean depth; nothing at infinity.
+std::optional<Eigen::Vector3d> current_position(const Estimate& estimate, const Landmark& landmark,
+                                                const Feature& feature);
+
+}  // namespace incognita

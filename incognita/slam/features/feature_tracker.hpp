@@ -1,0 +1,94 @@
+// The image front end of one camera: thesis Appendix C, one frame at a time. It finds the landmarks of the estimate in
+// the images by active search, proposes new ones, and keeps their appearance; the back end corrects the belief.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "incognita/math/random.hpp"
+#include "incognita/slam/features/feature.hpp"
+#include "incognita/slam/features/target.hpp"
+#include "incognita/slam/features/target_pose.hpp"
+#include "incognita/vision/search.hpp"
+
+namespace incognita {
+
+/// Where a camera is, and how the pose of its body is found at the start.
+struct CameraPlacement {
+  std::size_t body = 0;
+  std::optional<Mount> mount = {};    ///< none: the body is the camera itself
+  std::optional<Target> target = {};  ///< its pose defines the world; none: the body starts as its model says
+  double max_search_s = 10;           ///< lost when no image shows the target by then
+};
+
+class FeatureTracker {
+ public:
+  /// Throws std::invalid_argument, with the key of the scenario file and the value, for the first invalid setting.
+  FeatureTracker(Camera camera, const CameraSlamSettings& settings, const CameraPlacement& placement,
+                 std::uint64_t seed);
+
+  /// Sets the index among all cameras of the estimator.
+  void set_index(int index);
+
+  /// Takes the image of this tick; null without one. The image must live until the next call. Throws
+  /// std::invalid_argument for an image whose size is not that of the camera.
+  void see(const Image* image);
+  bool has_image() const { return sees_; }
+
+  /// The start pose of the body, or why there is none.
+  struct Start {
+    bool ready = false;
+    bool given_up = false;                ///< nothing was found for max_search_s
+    std::optional<TargetPose> pose = {};  ///< from the target, if there is one
+    std::string reason;
+  };
+  Start find_start(double waited_s) const;
+  /// Adds the corners of the target that was found, and the first landmarks of the image.
+  void start_map(Estimate& estimate, const std::optional<TargetPose>& pose, const AnyMotion& motion);
+
+  /// Predicts the features in view from the current estimate.
+  void predict(const Estimate& estimate, const AnyMotion& motion);
+  /// Searches for the predicted features.
+  void search();
+  /// Adds the noise of patches whose plane is not known yet.
+  void add_plane_uncertainty();
+  void reject_outliers(const Estimate& estimate);
+
+  /// The inliers, linearized at the prediction.
+  void append_measurements(const Estimate& estimate, std::vector<LinearizedMeasurement>& measurements) const;
+  /// The same, linearized at the current means; without parts where a measurement is not defined.
+  void append_relinearized(const Estimate& estimate, const AnyMotion& motion,
+                           std::vector<LinearizedMeasurement>& measurements);
+  /// To be called after the correction: the inliers did not correct the filter.
+  void discard_matches();
+  /// To be called after the correction: takes the corrected viewpoint, and estimates the planes of the patches.
+  void after_correction(const Estimate& estimate, const AnyMotion& motion);
+  /// Counts the frames since the last match of each feature.
+  void count_frames_away();
+
+  /// Converts, deletes and adds landmarks; for frames with enough matches.
+  void maintain_map(Estimate& estimate);
+  /// Removes what means nothing without the pose.
+  void forget_depth_lines(Estimate& estimate);
+
+  /// Takes over a landmark of the estimate, e.g. of a saved map, with its appearance.
+  void adopt(std::int64_t id, Feature feature) { camera_.features[id] = std::move(feature); }
+
+  /// Appends the matches of this frame.
+  void append_matches(std::vector<Match>& matches) const;
+
+  const TrackedCamera& camera() const { return camera_; }
+  int matched() const { return camera_.matched; }
+
+ private:
+  void add_landmarks(Estimate& estimate);
+
+  TrackedCamera camera_;
+  CameraPlacement placement_;
+  SummedImage summed_;
+  bool sees_ = false;
+  RandomStream random_;
+};
+
+}  // namespace incognita

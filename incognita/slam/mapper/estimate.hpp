@@ -1,0 +1,154 @@
+// The joint estimate of the bodies and of the landmarks that their sensors measure, updated in place.
+//
+// The map is expressed in the world or, for one vehicle on a plane, in the vehicle frame (Castellanos et al.,
+// "Robocentric map joining", RAS 2007; the third way of thesis Section 3.2). In the latter case the belief
+// consists of the motion of the vehicle since the last tick, the pose of the world relative to the vehicle,
+// and landmarks relative to the vehicle; Body::pose and position_of() are in the world either way.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "incognita/belief/any_belief.hpp"
+#include "incognita/models/any_sensor.hpp"
+#include "incognita/slam/mapper/entropy_values.hpp"
+#include "incognita/slam/mapper/status.hpp"
+
+namespace incognita {
+
+struct Body {
+  BlockId block = 0;
+  SmallVector prediction;            ///< state after the last prediction, before the corrections of that tick
+  double t = 0;                      ///< s, time of the prediction
+  std::optional<SmallVector> input;  ///< last odometry reading, held until the next
+  double input_t = 0;                ///< s, time of that reading
+  double input_period = 0;           ///< s, between the last two readings; 0 before the second
+  std::optional<Eigen::Vector2d> wheels;  ///< speed, m/s, turn rate, rad/s, of a camera's carrier
+
+  // After the last tick, in the world
+  SmallVector state;             ///< as defined by the motion model
+  SmallMatrix state_covariance;  ///< of the state error
+  RigidPose pose = {};           ///< as a rigid body in space
+  Eigen::Matrix<double, 6, 6> pose_covariance = Eigen::Matrix<double, 6, 6>::Zero();  ///< of its error
+};
+
+struct Landmark {
+  std::int64_t id = 0;
+  bool fixed = false;  ///< an anchor: at a known position, not in the belief
+  LandmarkParametrization form;
+  BlockId block = 0;     ///< in the belief, unless fixed
+  SmallVector position;  ///< world, m; of an anchor only
+  SmallVector first;     ///< first estimate, for first-estimate Jacobians
+  int detection_count = 0;
+  int camera = -1;                      ///< index of the camera that tracks it by its appearance; -1: none
+  Eigen::Vector3d first_view{0, 0, 0};  ///< world, m: from where that camera saw it first
+
+  /// In the belief, with a position that its covariance describes.
+  bool mapped() const { return !fixed && form.kind != LandmarkParametrization::Kind::ray; }
+};
+
+/// A measurement with its association.
+struct Match {
+  int body = 0;
+  int sensor = 0;        ///< among the point sensors of the body, or with `image`, of all cameras
+  bool of_body = false;  ///< the target is another body with index `id`, not a landmark
+  bool anchor = false;
+  bool image = false;   ///< found in an image; z is in pixels
+  bool ray = false;     ///< of a landmark whose depth is a set of hypotheses; it does not correct the filter
+  std::int64_t id = 0;  ///< of the associated landmark; Detection::unknown: none
+  MeasurementVector measured;   ///< in the coordinates of the sensor; empty when the search found nothing
+  MeasurementVector predicted;  ///< before the update; empty without a prediction and for new landmarks
+  MeasurementMatrix innovation_cov;  ///< rows x rows; empty in the same cases
+  double correlation = 0;            ///< images: normalized cross-correlation at the best match
+  MatchOutcome outcome = MatchOutcome::not_searched;
+};
+
+/// A position fix that was applied to a body.
+struct UsedFix {
+  int body = 0;
+  Eigen::Vector2d position{0.0, 0.0};  ///< world, m
+  double sigma_m = 0;
+};
+
+/// The results of one tick.
+struct FrameReport {
+  std::vector<Match> matches;
+  std::vector<UsedFix> fixes;
+  int predicted = 0;      ///< landmarks searched for in the images, and detections of the other sensors
+  int matched = 0;        ///< matches that updated the filter
+  int visible = 0;        ///< landmarks predicted in view of a camera
+  int image_matches = 0;  ///< matches in images that updated the filter
+  UpdateReport update;
+  bool refused = false;             ///< an update or a fix was not usable within rounding
+  bool association_capped = false;  ///< the joint search reached its node limit
+  int iterations = 0;               ///< of the iterated update
+
+  /// Back to the initial values; the memory of the lists is kept.
+  void restart() {
+    FrameReport next;
+    next.matches.swap(matches);
+    next.fixes.swap(fixes);
+    next.matches.clear();
+    next.fixes.clear();
+    *this = std::move(next);
+  }
+};
+
+/// What the assessment of the status remembers between ticks: health.hpp.
+struct HealthRecord {
+  int frames_with_few = 0;                 ///< consecutive frames of the cameras with too few matches
+  int unmatched_ticks = 0;                 ///< consecutive ticks with detections but without a match
+  int doubted_ticks = 0;                   ///< consecutive ticks with large innovations
+  double recent_nis = 0, recent_rows = 0;  ///< weighted sums over updates, forgetting factor 0.9
+};
+
+struct Estimate {
+  AnyBelief belief;
+  bool started = false;           ///< whether `belief` contains the bodies
+  std::optional<double> first_t;  ///< s, of the first tick
+  std::vector<Body> bodies;
+  std::optional<BlockId> world;  ///< pose of the world in the vehicle frame; only for a map in that frame
+  /// By id: the identity that a sensor provides, or a number of the estimator. With the anchors.
+  std::map<std::int64_t, Landmark> landmarks;
+  std::int64_t next_id = 0;  ///< next number of the estimator; numbers are unique
+  TrackingStatus status;
+  HealthRecord health;
+  Entropy entropy;                  ///< map and total are refreshed about once a second: entropy_period_s()
+  std::optional<double> entropy_t;  ///< s, time of their last refresh
+  std::int64_t unconverged_updates = 0;  ///< iterated updates that reached the iteration limit
+  std::int64_t capped_associations = 0;  ///< joint searches that reached the node limit
+  FrameReport last;
+  std::vector<std::pair<const char*, double>> timing_ms;
+
+  /// The first body.
+  const Body& body() const { return bodies.front(); }
+  /// Mean of the first body, which must be a free camera.
+  FreeCameraMotion::State<double> camera_state() const { return belief.mean(body().block); }
+  /// Number of landmarks in the belief whose depth is known or Gaussian.
+  int mapped_count() const {
+    int count = 0;
+    for (const auto& [id, landmark] : landmarks) count += landmark.mapped();
+    return count;
+  }
+};
+
+/// The next number for a landmark without identity.
+inline std::int64_t new_id(Estimate& estimate) { return estimate.next_id++; }
+
+/// Position of a landmark in the world, in its own dimensions, and its covariance (zero for anchors).
+struct LandmarkPosition {
+  SmallVector position;
+  SmallMatrix covariance;
+};
+/// Nothing unless the depth is Gaussian and positive: the landmark may be at infinity.
+std::optional<LandmarkPosition> position_of(const Landmark& landmark, const Estimate& estimate);
+
+/// Entropy of the bodies: thesis (6.2).
+double vehicle_entropy(const Estimate& estimate);
+/// Entropies of the bodies, the map and both: thesis (6.2). Cubic in the map, linear with a block-diagonal map.
+Entropy entropies(const Estimate& estimate);
+
+}  // namespace incognita

@@ -1,0 +1,22 @@
+// The tracking status of the estimate, with its reason: one definition for all bodies and sensors.
+#pragma once
+
+#include "incognita/messages/observation.hpp"
+#include "incognita/slam/mapper/estimate.hpp"
+#include "incognita/slam/mapper/settings.hpp"
+
+namespace incognita {
+
+/// Largest standard deviation of a body's position along any direction, m.
+double sigma_position(const Body& body);
+
+/// Status after the current tick, which `estimate.last` reports; updates `estimate.health`.
+///
+/// `lost`: a pose or covariance is not finite; a position sigma exceeds its limit; for `max_ticks` consecutive
+/// frames fewer than `min_matches` features were matched in the images (`with_images`: the bodies carry cameras); for
+/// as many ticks there were detections but no match with `min_expected` landmarks predicted in view; or the rms
+/// normalized innovation exceeded `max_innovation_sigmas` as long. `degraded`: this frame had too few matches, an
+/// update was rejected, a joint association was incomplete, or the innovations are improbably large.
+TrackingStatus assess(Estimate& estimate, bool with_images, const EstimatorSettings& settings);
+
+}  // namespace incognita

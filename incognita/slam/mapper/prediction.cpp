@@ -1,0 +1,144 @@
+#include "incognita/slam/mapper/prediction.hpp"
+
+#include <algorithm>
+#include <type_traits>
+
+#include "incognita/belief/linearize.hpp"
+#include "incognita/slam/mapper/measurements.hpp"
+
+namespace incognita {
+namespace {
+
+LinearizedMotion linearized_motion(const BodyModel& body_model, const std::string& linearization,
+                                   const AnyBelief& belief, BlockId block, const SmallVector& input,
+                                   const SmallMatrix& Q, double dt) {
+  const auto by = [&](const auto& model) {
+    using Model = std::decay_t<decltype(model)>;
+    constexpr int m = Model::input_size;
+    const typename Model::template Input<double> u = input;
+    const Eigen::Matrix<double, m, m> noise = Q;
+    if (linearization == "unscented-vehicle") return unscented(model, belief, block, u, noise, dt);
+    return linearized(model, belief, block, u, noise, dt);
+  };
+  return std::visit([&](const auto& model) { return by(integrator_of(model)); }, body_model.motion);
+}
+
+/// Predicts with one input held for `dt` seconds. Its noise is constant over a reading of `period` seconds: a
+/// part of a reading gets a share of the variance such that parts that add up to T seconds give T^2 Q.
+void hold(Estimate& e, std::size_t which, const SmallVector& input, double dt, double period,
+          const EstimatorSettings& settings) {
+  const BodyModel& model = settings.bodies[which];
+  Body& body = e.bodies[which];
+  const SmallMatrix Q = model.input_sigmas.cwiseAbs2().asDiagonal() * std::max(1.0, period / dt);
+  LinearizedMotion motion =
+      linearized_motion(model, settings.filter.linearization, e.belief, body.block, input, Q, dt);
+  if (settings.filter.linearization == "first-estimate")
+    motion.A =
+        planar::jacobian_between(planar::Pose<double>(body.prediction), planar::Pose<double>(motion.x_next));
+  body.prediction = motion.x_next;
+  e.belief.predict(motion);
+}
+
+void hold_until(Estimate& e, std::size_t which, double until, const EstimatorSettings& settings) {
+  Body& body = e.bodies[which];
+  const double dt = until - body.t;
+  if (!(dt > 0)) return;
+  body.t = until;
+  // The duration of the current reading is not known yet: that of the previous one is used
+  if (body.input) hold(e, which, *body.input, dt, body.input_period, settings);
+}
+
+void correct_by_fix(Estimate& e, std::size_t which, const PositionReading& fix,
+                    const EstimatorSettings& settings) {
+  const double sigma_m = settings.bodies[which].sigma_fix_m;
+  const LinearizedMeasurement measurement = linearized_fix(e, which, fix.position, settings);
+  e.last.update = e.belief.update({&measurement, 1});
+  if (e.last.update.outcome == UpdateReport::Outcome::updated)
+    e.last.fixes.push_back({static_cast<int>(which), fix.position, sigma_m});
+  else
+    e.last.refused = true;
+}
+
+/// Applies the readings and fixes of one vehicle in time order.
+void predict_through_readings(Estimate& e, std::size_t which, const BodyObservation& view, double t,
+                              const EstimatorSettings& settings) {
+  Body& body = e.bodies[which];
+  auto fix = view.fixes.begin();
+  const auto use_fixes_until = [&](double until) {
+    for (; settings.bodies[which].sigma_fix_m > 0 && fix != view.fixes.end() && fix->t <= until; ++fix) {
+      if (fix->t < body.t) continue;  // from before the start
+      hold_until(e, which, fix->t, settings);
+      correct_by_fix(e, which, *fix, settings);
+    }
+  };
+  for (const Odometry& reading : view.odometry) {
+    use_fixes_until(reading.t);
+    hold_until(e, which, reading.t, settings);
+    if (body.input && reading.t > body.input_t) body.input_period = reading.t - body.input_t;
+    body.input = reading.input;
+    body.input_t = reading.t;
+  }
+  use_fixes_until(t);
+  hold_until(e, which, t, settings);
+}
+
+}  // namespace
+
+UpdateReport update_with_wheel_odometry(AnyBelief& belief, BlockId camera, const WheelOdometry& odometry,
+                                        const Eigen::Vector2d& wheels) {
+  const WheelOdometry::Prediction expected =
+      odometry.predict_measurement(FreeCameraMotion::State<double>(belief.mean(camera)));
+  LinearizedMeasurement measurement;
+  measurement.add(camera, expected.H);
+  measurement.residual = WheelOdometry::measured(wheels) - expected.z;
+  measurement.R = expected.R;
+  return belief.update({&measurement, 1});
+}
+
+namespace {
+
+/// Predicts by the command of the last tick; wheel readings of a carrier correct the result.
+void predict_by_command(Estimate& e, std::size_t which, const SmallVector& commanded,
+                        const BodyObservation& observed, double dt, const EstimatorSettings& settings) {
+  const BodyModel& model = settings.bodies[which];
+  const Body& body = e.bodies[which];
+  if (dt > 0) hold(e, which, commanded, dt, dt, settings);
+  if (model.wheels && !observed.odometry.empty())
+    update_with_wheel_odometry(e.belief, body.block, *model.wheels, observed.odometry.back().input);
+}
+
+}  // namespace
+
+void predict_body(Estimate& e, std::size_t which, const SmallVector& commanded,
+                  const BodyObservation& observed, const Tick& tick, const EstimatorSettings& settings) {
+  const bool by_command = settings.bodies[which].input == BodyModel::Input::commanded;
+  if (!observed.input && !by_command) return predict_through_readings(e, which, observed, tick.t, settings);
+  Body& body = e.bodies[which];
+  if (by_command) {
+    predict_by_command(e, which, commanded, observed, tick.dt, settings);
+  } else {
+    const double dt = tick.t - body.t;
+    if (dt > 0) hold(e, which, *observed.input, dt, dt, settings);
+  }
+  body.t = tick.t;
+  for (const PositionReading& fix : observed.fixes)
+    if (settings.bodies[which].sigma_fix_m > 0) correct_by_fix(e, which, fix, settings);
+}
+
+void recenter_map(Estimate& e) {
+  if (!e.world) return;
+  const BlockId vehicle = e.body().block;
+  const planar::Pose<double> moved = e.belief.mean(vehicle);
+  const planar::FramedPose world = planar::in_frame(moved, planar::Pose<double>(e.belief.mean(*e.world)));
+  std::vector<Belief::MovedBlock> others{{*e.world, world.pose, world.by_pose, world.by_frame}};
+  for (const auto& [id, landmark] : e.landmarks) {
+    if (landmark.fixed) continue;
+    const planar::FramedPoint at = planar::in_frame(moved, Eigen::Vector2d(e.belief.mean(landmark.block)));
+    others.push_back({landmark.block, at.point, at.by_point, at.by_frame});
+  }
+  const Eigen::Matrix3d zero = Eigen::Matrix3d::Zero();
+  e.belief.change_frame({vehicle, Eigen::Vector3d::Zero(), zero, zero}, others);
+  e.bodies.front().prediction = Eigen::Vector3d::Zero();
+}
+
+}  // namespace incognita

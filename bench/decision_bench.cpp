@@ -59,7 +59,7 @@ Estimate among(int landmarks) {
 }
 
 /// (log|P| - log|P after|) / 2 of the whole state: predict, update and two factorizations, as in thesis 6.3.2.
-double by_determinants(const Eigen::MatrixXd& P, const ImaginedStep& step, const Belief& belief) {
+double by_determinants(const Eigen::MatrixXd& P, const ImaginedStep& step, const AnyBelief& belief) {
   Eigen::MatrixXd moved = P;
   moved.topRows(12) = step.A * moved.topRows(12);
   moved.leftCols(12) = moved.leftCols(12) * step.A.transpose();

@@ -68,7 +68,7 @@ EstimatorSettings filter_of(const std::vector<SimulatedVehicle>& team) {
     settings.bodies.push_back(body_with_sensor(v.motion, v.sensor, v.plant.start, v.plant.start_sigmas,
                                                v.plant.input_sigmas, v.sigmas));
   settings.filter.gate_probability = 0.9999;
-  settings.lost.max_sigma_position_m = 1e3;
+  settings.health.max_sigma_position_m = 1e3;
   return settings;
 }
 
@@ -189,9 +189,9 @@ void tick(benchmark::State& state) {
     double own = 0;
     wall.push_back(seconds([&] { own = processor_seconds([&] { team.update(); }); }));
     processor.push_back(own);
-    ratios.push_back(own / bare.seconds_of(team.estimate().update.rows));
+    ratios.push_back(own / bare.seconds_of(team.estimate().last.update.rows));
     for (const auto& [stage, ms] : team.estimate().timing_ms) stages[stage].push_back(ms);
-    measurements.push_back(team.estimate().matched);
+    measurements.push_back(team.estimate().last.matched);
     sights.add(team.seen());
     state.SetIterationTime(own);
   }

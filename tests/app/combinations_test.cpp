@@ -9,6 +9,7 @@
 #include "incognita/math/angles.hpp"
 #include "incognita/math/gaussian.hpp"
 #include "incognita/math/random.hpp"
+#include "incognita/slam/estimator/slam_estimator.hpp"
 #include "tests/scratch.hpp"
 
 namespace incognita {

@@ -20,6 +20,10 @@ LinearizedMotion linearized_motion(const BodyModel& body_model, const std::strin
     if (linearization == "unscented-vehicle") return unscented(model, belief, block, u, noise, dt);
     return linearized(model, belief, block, u, noise, dt);
   };
+  // A commanded camera steps as printed in (5.24): its velocity changes at the start of the tick
+  if (body_model.input == BodyModel::Input::commanded &&
+      std::holds_alternative<FreeCameraMotion>(body_model.motion))
+    return by(FreeCameraMotion{});
   return std::visit([&](const auto& model) { return by(integrator_of(model)); }, body_model.motion);
 }
 

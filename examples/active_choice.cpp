@@ -18,7 +18,6 @@ int main() {
   std::mt19937 random(1);
   std::normal_distribution<double> normal;
   Eigen::Vector3d robot(0, 0, 0);  // what really happens
-  Goal goal;
   for (double t = 0; t < 10; t += 0.1) {
     std::vector<PointDetection> detections;
     for (int post = 0; post < 8; ++post) {
@@ -27,7 +26,7 @@ int main() {
       detections.push_back({post, z + Eigen::Vector2d(0.2 * normal(random), 0.02 * normal(random))});
     }
     navigator.add_detections(detections, t);
-    goal = navigator.choose(most_informative);
+    const Goal goal = navigator.choose(most_informative);
     if (goal.decided) std::printf("t = %.1f s: %s\n", t, most_informative.actions().at(goal.chosen).c_str());
     const auto [pose, covariance] = navigator.pose();
     const Eigen::Vector3d to =

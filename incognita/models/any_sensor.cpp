@@ -99,8 +99,7 @@ std::optional<AnyPoint> position_of(const LandmarkParametrization& form, const S
   if (form.kind == LandmarkParametrization::Kind::point)
     return AnyPoint{landmark, SmallMatrix::Identity(landmark.size(), landmark.size())};
   if (form.kind == LandmarkParametrization::Kind::ray) return std::nullopt;
-  constexpr double least_inverse_depth_per_m = 1e-6;
-  if (!(landmark[landmark.size() - 1] > least_inverse_depth_per_m)) return std::nullopt;
+  if (!(landmark[landmark.size() - 1] > 0)) return std::nullopt;
   if (landmark.size() == PlanarInverseDistance::size) {
     const auto point = PlanarInverseDistance::point(PlanarInverseDistance::State<double>(landmark));
     return AnyPoint{point.position, point.J};

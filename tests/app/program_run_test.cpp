@@ -233,7 +233,7 @@ TEST(ProgramRun, ACoveredLensIsSaid) {
   const Ended ended =
       testing::incognita(room_for("6", "run", {"--set", "room.cover_lens_from_s=2"}), scratch.folder());
   EXPECT_EQ(ended.code, 1);
-  EXPECT_SAYS(ended.err, ": lost: 0 of ");
+  EXPECT_SAYS(ended.err, ": lost: 10 frames in a row with fewer than 3 features matched; 0 of ");
   EXPECT_SAYS(ended.err, "failed, lost at the end: ");
   const nlohmann::json summary = testing::summary_of(run);
   EXPECT_EQ(summary["status"], "failed");

@@ -7,9 +7,9 @@
 #include <functional>
 #include <memory>
 #include <string>
-#include <utility>
 
 #include "incognita/models/wide_angle_camera.hpp"
+#include "tests/slam/scene_with_target.hpp"
 
 namespace incognita {
 namespace {
@@ -48,21 +48,6 @@ Target target() {
       for (int u = 0; u < 11; ++u)
         patch(u, v) = static_cast<std::uint8_t>(((u - 5) * (u - 5) + (v - 5) * (v - 5)) * 5 % 250);
     target.corners.push_back({at, patch});
-  }
-  return target;
-}
-
-/// Four corners of the blocks, as on a plane 1 m ahead of a camera at the origin that looks along +x.
-Target corners_of(const Image& image) {
-  Target target;
-  target.name = "blocks";
-  target.normal = {-1, 0, 0};
-  for (const auto& [u, v] : {std::pair{64, 48}, {256, 48}, {256, 192}, {64, 192}}) {
-    const Eigen::Vector3d ray = camera.unproject({u - 0.5, v - 0.5}).value();
-    Image patch(11, 11);
-    for (int y = 0; y < 11; ++y)
-      for (int x = 0; x < 11; ++x) patch(x, y) = image(u + x - 5, v + y - 5);
-    target.corners.push_back({Eigen::Vector3d(1, -ray.x() / ray.z(), -ray.y() / ray.z()), patch});
   }
   return target;
 }
@@ -129,9 +114,9 @@ TEST(SingleCamera, KeepsNoImageAndSearchesNothingWithoutOne) {
   settings.initialization.method = InitializationSettings::Method::depth_line;
   settings.map.wanted_visible = 20;
   settings.lost.min_matches = 1;
-  SlamEstimator tracking = single_camera(camera, corners_of(*blocks(1)), settings, 10, 1);
+  SlamEstimator tracking = single_camera(synthetic::camera, synthetic::sheet_target(), settings, 10, 1);
   Estimate estimate;
-  auto image = blocks(1);
+  auto image = synthetic::wall_with_sheet().shared_view(synthetic::camera_at({0, 0, 0}));
   // Rays are followed while the anchors hold the camera
   for (int k = 0; k < 6; ++k) tracking.update(estimate, {}, seeing(image), tick(0, 0, k));
   ASSERT_TRUE(searches_rays(estimate)) << estimate.status.reason;

@@ -251,7 +251,7 @@ TEST(SingleVehicle, SaysThatItIsLost) {
     estimator.update(e, {}, blind, {k, static_cast<double>(k), k > 0 ? 1.0 : 0.0});
   }
   EXPECT_EQ(e.status.state, TrackingState::lost);
-  EXPECT_NE(e.status.reason.find("the limit is 0.3"), std::string::npos) << e.status.reason;
+  EXPECT_NE(e.status.reason.find("limit 0.3 m"), std::string::npos) << e.status.reason;
 }
 
 TEST(SingleVehicle, IsLostWhenNothingIsWhereItShouldBe) {

@@ -96,10 +96,11 @@ void SlamEstimator::update(Estimate& e, const Command& command, const Observatio
 }
 
 void SlamEstimator::see(const Observation& observation) {
-  std::vector<std::size_t> cameras_of_body(settings_.bodies.size(), 0);
-  for (FeatureTracker& camera : cameras_) {
-    const std::size_t body = camera.camera().body;
-    camera.see(image_of(of_body(observation, body), cameras_of_body[body]++).get());
+  for (std::size_t k = 0; k < cameras_.size(); ++k) {
+    const std::size_t body = cameras_[k].camera().body;
+    const auto before = std::count_if(cameras_.begin(), cameras_.begin() + static_cast<std::ptrdiff_t>(k),
+                                      [&](const FeatureTracker& c) { return c.camera().body == body; });
+    cameras_[k].see(image_of(of_body(observation, body), static_cast<std::size_t>(before)).get());
   }
 }
 

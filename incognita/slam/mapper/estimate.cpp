@@ -1,6 +1,8 @@
 #include "incognita/slam/mapper/estimate.hpp"
 
+#include <Eigen/Cholesky>
 #include <Eigen/LU>
+#include <limits>
 
 #include "incognita/math/gaussian.hpp"
 #include "incognita/models/planar_frame.hpp"
@@ -68,10 +70,19 @@ std::optional<LandmarkPosition> position_of(const Landmark& landmark, const Esti
   return LandmarkPosition{at->position, at->J * e.belief.covariance(landmark.block) * at->J.transpose()};
 }
 
-double vehicle_entropy(const Estimate& e) {
-  if (e.world) return gaussian_entropy(log_det(Eigen::MatrixXd(e.belief.covariance(*e.world))), 3);
-  const int errors = vehicle_errors(e);
-  Eigen::MatrixXd P(errors, errors);
+namespace {
+
+template <class Matrix>
+double entropy_of(const Matrix& P) {
+  const Eigen::LLT<Matrix> llt(P);
+  if (llt.info() != Eigen::Success) return std::numeric_limits<double>::quiet_NaN();
+  const Matrix& L = llt.matrixLLT();
+  return gaussian_entropy(2 * L.diagonal().array().log().sum(), static_cast<int>(P.rows()));
+}
+
+template <class Matrix>
+double entropy_of_bodies(const Estimate& e, int errors) {
+  Matrix P(errors, errors);
   int row = 0;
   for (const Body& a : e.bodies) {
     int column = 0;
@@ -82,7 +93,16 @@ double vehicle_entropy(const Estimate& e) {
     }
     row += e.belief.chart(a.block).tangent();
   }
-  return gaussian_entropy(log_det(P), errors);
+  return entropy_of(P);
+}
+
+}  // namespace
+
+double vehicle_entropy(const Estimate& e) {
+  if (e.world) return entropy_of(BlockMatrix(e.belief.covariance(*e.world)));
+  const int errors = vehicle_errors(e);
+  return errors <= max_small ? entropy_of_bodies<SmallMatrix>(e, errors)  // no allocation in the loop
+                             : entropy_of_bodies<Eigen::MatrixXd>(e, errors);
 }
 
 Entropy entropies(const Estimate& e) {

@@ -119,7 +119,7 @@ void predict_body(Estimate& e, std::size_t which, const SmallVector& commanded,
   if (!observed.input && !by_command) return predict_through_readings(e, which, observed, tick.t, settings);
   Body& body = e.bodies[which];
   if (by_command) {
-    predict_by_command(e, which, commanded, observed, tick.dt, settings);
+    if (tick.t > body.t) predict_by_command(e, which, commanded, observed, tick.dt, settings);
   } else {
     const double dt = tick.t - body.t;
     if (dt > 0) hold(e, which, *observed.input, dt, dt, settings);

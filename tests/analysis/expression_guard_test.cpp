@@ -1,4 +1,4 @@
-// What passes for an expression, every way in which a text is none, and the order it is computed in.
+// The tokenizer and parser of expressions: accepted input, every kind of error, and the order of evaluation.
 #include "incognita/analysis/systems/expression_guard.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 
 const std::vector<std::string> known = {"a", "b", "c", "e", "omega", "theta", "v", "x", "y"};
 
-/// The tokens, each with the letter of its kind.
+/// The tokens, each preceded by the letter of its kind.
 std::string taken_apart(const std::string& text) {
   static constexpr char letters[] = {'n', 'N', 'f', 's', 'o', '(', ')', ','};
   std::string all;
@@ -25,7 +25,7 @@ std::string taken_apart(const std::string& text) {
   return all;
 }
 
-/// "offset: what is wrong", or "fine".
+/// "offset: error message", or "fine".
 std::string problem(const std::string& text) {
   try {
     checked_tokens(text, known);
@@ -43,7 +43,7 @@ std::string repeated(const std::string& part, int times) {
   return all;
 }
 
-TEST(ExpressionGuard, TakesApart) {
+TEST(ExpressionGuard, SplitsIntoTokens) {
   EXPECT_EQ(taken_apart("v*cos(theta)"), "N:v o:* f:cos (:( N:theta ):)");
   EXPECT_EQ(taken_apart(" atan2 (y, -x)-\ttheta "), "f:atan2 (:( N:y ,:, s:- N:x ):) o:- N:theta");
   EXPECT_EQ(taken_apart("-a^-2"), "s:- N:a o:^ s:- n:2");
@@ -52,7 +52,7 @@ TEST(ExpressionGuard, TakesApart) {
   EXPECT_EQ(taken_apart("(((x)))\n+ 1"), "(:( (:( (:( N:x ):) ):) ):) o:+ n:1");
 }
 
-TEST(ExpressionGuard, KnowsEveryFunction) {
+TEST(ExpressionGuard, AcceptsEveryFunction) {
   for (const ExpressionFunction& function : expression_functions()) {
     const std::string name(function.name);
     const std::string right = function.arguments == 1 ? "(x)" : "(x, y)";
@@ -66,7 +66,7 @@ TEST(ExpressionGuard, KnowsEveryFunction) {
   EXPECT_FALSE(is_reserved_name("x"));
 }
 
-TEST(ExpressionGuard, RefusesWithPlaceAndRemedy) {
+TEST(ExpressionGuard, ErrorsNameOffsetAndRemedy) {
   const std::pair<const char*, const char*> cases[] = {
       {"", "0: the expression is empty"},
       {" \t\n", "0: the expression is empty"},
@@ -127,11 +127,11 @@ TEST(ExpressionGuard, RefusesWithPlaceAndRemedy) {
     EXPECT_TRUE(problem(text).starts_with(wanted)) << "`" << text << "` gives `" << problem(text) << "`";
 }
 
-TEST(ExpressionGuard, NulIsACharacterLikeAnyOther) {
+TEST(ExpressionGuard, NulIsAnOrdinaryInvalidCharacter) {
   EXPECT_TRUE(problem(std::string("a\0b", 3)).starts_with("1: U+0000 means nothing"));
 }
 
-TEST(ExpressionGuard, HasLimits) {
+TEST(ExpressionGuard, LimitsLengthAndDepth) {
   EXPECT_EQ(problem(std::string(40, '1')), "fine");
   EXPECT_EQ(problem(std::string(41, '1')), "0: a number has at most 40 characters, and this 41");
   EXPECT_EQ(problem("1e300"), "fine");
@@ -141,7 +141,7 @@ TEST(ExpressionGuard, HasLimits) {
   EXPECT_TRUE(problem(std::string(4000, 'x')).starts_with("0: there is no `xxx"));
 }
 
-TEST(ExpressionGuard, DepthIsParenthesesSignsAndPowers) {
+TEST(ExpressionGuard, DepthCountsParenthesesSignsAndPowers) {
   const auto nested = [](int n) { return repeated("(", n) + "x" + repeated(")", n); };
   EXPECT_EQ(problem(nested(100)), "fine");
   EXPECT_TRUE(problem(nested(101)).starts_with("100: parentheses, signs and powers inside each other"));
@@ -152,7 +152,7 @@ TEST(ExpressionGuard, DepthIsParenthesesSignsAndPowers) {
   EXPECT_TRUE(problem(repeated("x^-", 51) + "x").starts_with("151: parentheses"));
   EXPECT_TRUE(problem(repeated("-(", 51) + "x").starts_with("100: parentheses"));
   EXPECT_TRUE(problem(repeated("sin(", 101)).starts_with("403: parentheses"));
-  // Side by side is not deep
+  // Operands side by side do not add depth
   EXPECT_EQ(problem(repeated("-x^2*", 500) + "x"), "fine");
   EXPECT_EQ(problem(repeated("(x)-", 1000) + "x"), "fine");
   EXPECT_EQ(problem(repeated("atan2(-x^2, -y^2) + ", 200) + "x"), "fine");
@@ -192,7 +192,7 @@ double computed(const std::string& text) {
   return stack.back();
 }
 
-TEST(ExpressionPostfix, IsTheOrderOfMathematics) {
+TEST(ExpressionPostfix, FollowsPrecedence) {
   const double a = 3, b = 2, c = 0.5, x = 1.25, y = -0.75;
   EXPECT_EQ(computed("a - b - c"), a - b - c);
   EXPECT_EQ(computed("a / b / c * x"), a / b / c * x);
@@ -213,8 +213,8 @@ TEST(ExpressionPostfix, IsTheOrderOfMathematics) {
   EXPECT_EQ(computed("sin(sin(a)*b)/c"), std::sin(std::sin(a) * b) / c);
 }
 
-/// Any words in any order: refused, or in an order that a stack computes.
-TEST(ExpressionGuard, AnyWordsAreTakenOrRefused) {
+/// Random token sequences: either refused or a postfix sequence that a stack can evaluate.
+TEST(ExpressionGuard, RandomTokensAreRefusedOrEvaluable) {
   static constexpr const char* words[] = {"a", "x", "2", ".5", "1e3", "sin(", "atan2(", "(",   ")", ")",
                                           ",", "+", "-", "*",  "/",   "^",    " ",      "sin", "b", "**"};
   RandomStream random(7, "words");

@@ -1,4 +1,4 @@
-// A camera on a vehicle that drives over uneven ground: where it is, and how fast it moves and turns.
+// A camera on a vehicle on uneven ground: its pose and its velocities.
 #include "incognita/world/carried_camera_world.hpp"
 
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ Tick tick(int frame, double t, double dt) {
   return out;
 }
 
-TEST(CameraSensor, MovesAndTurnsAsItsPlacesSay) {
+TEST(CameraSensor, VelocitiesAreDerivativesOfThePose) {
   CarriedCameraWorld world({on_waves()}, 1);
   constexpr double dt = 1e-4;
   Camera before = world.move({}, tick(0, 0, 0))->camera;
@@ -55,7 +55,7 @@ TEST(CameraSensor, MovesAndTurnsAsItsPlacesSay) {
   EXPECT_EQ(middle.wheels[0], Eigen::Vector2d(0.6, 0.5));
 }
 
-TEST(CameraSensor, IsALeversLengthFromTheGroundUnderTheAxle) {
+TEST(CameraSensor, IsTheMountsDistanceFromTheGroundUnderTheAxle) {
   CameraCarrier carrier = on_waves();
   CarriedCameraWorld world({carrier}, 1);
   for (int i = 0; i < 100; ++i) {
@@ -70,7 +70,7 @@ TEST(CameraSensor, IsALeversLengthFromTheGroundUnderTheAxle) {
   }
 }
 
-TEST(CameraSensor, StandsWithoutACommandAndKeepsToItsLimits) {
+TEST(CameraSensor, StandsWithoutACommandAndRespectsTheLimits) {
   CarriedCameraWorld world({on_waves()}, 1);
   const Camera first = world.move({}, tick(0, 0, 0))->camera;
   EXPECT_EQ(world.move({}, tick(1, 0.1, 0.1))->camera, first);

@@ -9,7 +9,7 @@ namespace {
 
 RangeRecording drive() { return drive_planar_loop({.duration_s = 60}, 5); }
 
-TEST(ClockWarnings, NoneForADriveOnOneClock) {
+TEST(ClockWarnings, NoneForADriveWithASingleClock) {
   EXPECT_TRUE(clock_warnings(drive()).empty());
   EXPECT_TRUE(clock_warnings({}).empty());
 }
@@ -33,7 +33,7 @@ TEST(ClockWarnings, ScansInMilliseconds) {
   EXPECT_EQ(clock_warnings(recording).size(), 2u);
 }
 
-TEST(ClockWarnings, OdometryThatStopsForAWhile) {
+TEST(ClockWarnings, OdometryWithAGap) {
   RangeRecording recording = drive();
   recording.odometry.erase(recording.odometry.begin() + 200, recording.odometry.begin() + 350);
   const auto warnings = clock_warnings(recording);

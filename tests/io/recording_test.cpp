@@ -1,4 +1,4 @@
-// Recordings of every layout, made here, and each way in which one can be broken.
+// Image recordings in every layout, and every kind of invalid file.
 #include "incognita/io/recordings/recording.hpp"
 
 #include <fmt/ranges.h>
@@ -25,7 +25,7 @@ SharedRecording share(Recording recording) { return std::make_shared<const Recor
 
 Tick at(double t) { return {1, t, 0.1}; }
 
-TEST(ImageFolder, TakesImagesInNaturalOrder) {
+TEST(ImageFolder, OrdersImagesNaturally) {
   const Scratch scratch;
   for (const char* name : {"img10.pgm", "img2.pgm", "img1.pgm", "img002b.pgm", "notes.txt", "z.PGM"}) {
     scratch.write(name, pgm(20, 16));
@@ -51,7 +51,7 @@ std::string notes_on(const std::vector<std::string>& names) {
   return all;
 }
 
-TEST(ImageFolder, SaysWhichNumbersAreMissing) {
+TEST(ImageFolder, ReportsMissingNumbers) {
   EXPECT_HAS(notes_on({"a8.pgm", "a9.pgm", "a11.pgm", "a12.pgm", "a13.pgm", "a16.pgm", "a17.pgm"}),
              "3 numbers are missing, the first between a9.pgm and a11.pgm");
   for (const std::vector<std::string>& whole : {std::vector<std::string>{"08.pgm", "09.pgm", "10.pgm"},
@@ -67,7 +67,7 @@ std::string png(int width, int height, int type) {
   return {bytes.begin(), bytes.end()};
 }
 
-/// As RGB-D recordings are often unpacked: colour and depth in one folder.
+/// As RGB-D recordings are often unpacked: color and depth in one folder.
 struct ColorAndDepth {
   Scratch scratch;
   ColorAndDepth() {
@@ -81,7 +81,7 @@ struct ColorAndDepth {
   }
 };
 
-TEST(ImageFolder, RefusesTheImagesOfTwoCameras) {
+TEST(ImageFolder, RefusesImagesOfTwoCameras) {
   const ColorAndDepth folder;
   const std::string text = message_of([&] { folder.read(""); });
   EXPECT_HAS(text,
@@ -94,7 +94,7 @@ TEST(ImageFolder, RefusesTheImagesOfTwoCameras) {
       "not alike: 3 of 20x16 px with 8 bits (the first frame-000.color.png), 3 of 20x16 px with 16 bits");
 }
 
-TEST(ImageFolder, TakesThoseOfAPattern) {
+TEST(ImageFolder, SelectsByAPattern) {
   const ColorAndDepth folder;
   const Recording recording = folder.read("*.color.png");
   ASSERT_EQ(recording.frames.size(), 3u);
@@ -107,7 +107,7 @@ TEST(ImageFolder, TakesThoseOfAPattern) {
              "means nothing with the format `tum`");
 }
 
-TEST(ImageFolder, ProposesNoPatternThatTakesBothCameras) {
+TEST(ImageFolder, SuggestsNoPatternThatMatchesBothCameras) {
   const Scratch scratch;
   for (const char* number : {"0", "1"})
     for (const char* kind : {".png", "_depth.png"})
@@ -121,7 +121,7 @@ TEST(ImageFolder, ProposesNoPatternThatTakesBothCameras) {
   EXPECT_EQ(read("*").frames.size(), 4u);
 }
 
-TEST(ImageFolder, SaysWhereTwoCamerasDifferInANumberOnly) {
+TEST(ImageFolder, ReportsNamesThatDifferInACameraNumberOnly) {
   const Scratch scratch;
   for (const char* name : {"cam0_00.png", "cam0_01.png", "cam1_00.png", "cam1_01.png"})
     scratch.write(name, png(20, 16, CV_8U));
@@ -131,7 +131,7 @@ TEST(ImageFolder, SaysWhereTwoCamerasDifferInANumberOnly) {
              "recording.pattern = \"cam0_*\"");
 }
 
-TEST(ImageFolder, LooksIntoImagesWhoseNamesAreAlike) {
+TEST(ImageFolder, ComparesImagesWithSimilarNames) {
   const Scratch scratch;
   for (int i = 0; i < 4; ++i)
     scratch.write("image" + std::to_string(i) + ".png", png(i % 2 ? 20 : 40, 16, CV_8U));
@@ -143,7 +143,7 @@ TEST(ImageFolder, LooksIntoImagesWhoseNamesAreAlike) {
              "images of two kinds: 2 in colour (the first image0.png), 2 grey (the first image1.png)");
 }
 
-TEST(ImageFolder, OneImageOfAnotherKindIsSaidAndNoMore) {
+TEST(ImageFolder, ASingleDifferentImageIsAWarning) {
   const Scratch scratch;
   for (int i = 0; i < 30; ++i) scratch.write("a" + std::to_string(i) + ".pgm", pgm(20, 16));
   scratch.write("target.pgm", pgm(30, 16));
@@ -155,7 +155,7 @@ TEST(ImageFolder, OneImageOfAnotherKindIsSaidAndNoMore) {
   EXPECT_HAS(notes, "not alike: 30 of 20x16 px with 8 bits (the first a0.pgm), 1 of 30x16 px");
 }
 
-TEST(ImageHeader, IsThatOfTheFile) {
+TEST(ImageHeader, IsParsed) {
   const auto is = [](const std::string& bytes, int width, int height, int channels, int bits) {
     const auto h = image_header(bytes);
     return h && h->width == width && h->height == height && h->channels == channels && h->bits == bits;
@@ -177,7 +177,7 @@ TEST(ImageHeader, IsThatOfTheFile) {
     EXPECT_FALSE(image_header(other)) << other;
 }
 
-TEST(ImageFolder, SaysWhatIsThereInstead) {
+TEST(ImageFolder, ListsTheFilesFoundInstead) {
   const Scratch scratch;
   scratch.write("frames/a.pgm", pgm(20, 16));
   EXPECT_HAS(message_of([&] { read_recording(scratch.folder(), "auto", 30); }),
@@ -212,7 +212,7 @@ TEST(TumRecording, ReadsImagesAndTruth) {
   EXPECT_FALSE(world.move({}, at(1305031103)));
 }
 
-TEST(TumRecording, RefusesBrokenTables) {
+TEST(TumRecording, RefusesInvalidTables) {
   const auto complaint = [](const std::string& rgb, const std::string& truth = "") {
     const Scratch scratch;
     scratch.write("rgb.txt", rgb);
@@ -232,7 +232,7 @@ TEST(TumRecording, RefusesBrokenTables) {
              "groundtruth.txt:2: the stamps must not");
 }
 
-TEST(EurocRecording, MakesTheTruthTheCameras) {
+TEST(EurocRecording, TransformsTheTruthToTheCamera) {
   const Scratch scratch;
   scratch.write(
       "mav0/cam0/data.csv",
@@ -240,7 +240,7 @@ TEST(EurocRecording, MakesTheTruthTheCameras) {
   scratch.write(
       "mav0/state_groundtruth_estimate0/data.csv",
       "#timestamp, p_x, ...\n1403636579763555584,1,2,3,0.7071067811865476,0,0,0.7071067811865476,0,0,0\n");
-  // the camera sits 1 m along the body's x and is turned a quarter about z
+  // the camera is 1 m along the body's x and rotated a quarter turn about z
   const std::string yaml =
       "sensor_type: camera\nT_BS:\n  cols: 4\n  rows: 4\n  data: [0.0, -1.0, 0.0, 1.0,\n         1.0, 0.0, "
       "0.0, 0.0,\n   0,0,1,0, 0,0,0,1]\n";
@@ -255,17 +255,17 @@ TEST(EurocRecording, MakesTheTruthTheCameras) {
   scratch.write("mav0/cam0/sensor.yaml", yaml);
   const Recording camera = read_recording(scratch.folder() / "mav0", "euroc", 30);
   EXPECT_HAS(camera.notes.back(), "made the camera's");
-  // world_from_body turns a quarter about z: body x is world y
+  // world_from_body rotates a quarter turn about z: body x is world y
   EXPECT_LT((camera.truth.at(0).position - Eigen::Vector3d(1, 3, 3)).norm(), 1e-12);
   EXPECT_NEAR(std::abs(camera.truth.at(0).world_from_camera[3]), 1,
-              1e-12);  // two quarters: half a turn about z
+              1e-12);  // two quarter turns: half a turn about z
 
   scratch.write("mav0/cam0/data.csv", "12.5,a.png\n");
   EXPECT_HAS(message_of([&] { read_recording(scratch.folder(), "auto", 30); }),
              "data.csv:1: column 1 must be a stamp in whole nanoseconds, and is `12.5`");
 }
 
-TEST(EurocRecording, TakesStampsWithZerosBehindThePoint) {
+TEST(EurocRecording, AcceptsStampsWithDecimals) {
   const Scratch scratch;
   scratch.write("cam0/data.csv", "1403636579763555584.0,a.png\n1403636579813555456.0,b.png\n");
   scratch.write("state_groundtruth_estimate0/data.csv",
@@ -283,7 +283,7 @@ SharedRecording three_images(const Scratch& scratch) {
   return share(read_recording(scratch.folder(), "images", 10));
 }
 
-TEST(RecordedClock, EndsWithTheRecordingOrTheDuration) {
+TEST(RecordedClock, EndsAtTheEndOfTheRecordingOrTheDuration) {
   const Scratch scratch;
   const SharedRecording recording = three_images(scratch);
   RecordedClock whole(recording, 100), part(recording, 0.2);
@@ -301,7 +301,7 @@ TEST(RecordedClock, EndsWithTheRecordingOrTheDuration) {
   EXPECT_FALSE(RecordedWorld(recording).move({}, first));
 }
 
-TEST(RecordedSensor, GivesImageAfterImage) {
+TEST(RecordedSensor, ReturnsTheImagesInOrder) {
   const Scratch scratch;
   RecordedSensor sensor(three_images(scratch), 20, 16);
   for (int k : {0, 1, 2, 0}) {
@@ -316,7 +316,7 @@ TEST(RecordedSensor, GivesImageAfterImage) {
              "frame 3 was asked for, the recording has 3");
 }
 
-TEST(RecordedSensor, RefusesAWrongFirstImageAsInput) {
+TEST(RecordedSensor, AWrongFirstImageIsAnInputError) {
   const Scratch scratch;
   const SharedRecording recording = three_images(scratch);
   const std::string text = message_of([&] { RecordedSensor(recording, 320, 240); });
@@ -326,7 +326,7 @@ TEST(RecordedSensor, RefusesAWrongFirstImageAsInput) {
   EXPECT_HAS(message_of([&] { RecordedSensor(recording, 20, 16); }), "a0.pgm: the file is cut short");
 }
 
-TEST(RecordedSensor, FailsHalfWayAsAJob) {
+TEST(RecordedSensor, ALaterFailureIsARuntimeError) {
   const Scratch scratch;
   RecordedSensor sensor(three_images(scratch), 20, 16);
   const auto complaint = [&] {
@@ -341,7 +341,7 @@ TEST(RecordedSensor, FailsHalfWayAsAJob) {
   EXPECT_HAS(complaint(), "a1.pgm: cannot be read: No such file");
 }
 
-// Decoders fill the missing part of an image with grey and say nothing.
+// Decoders silently fill the missing part of an image with gray.
 TEST(ReadImage, RefusesEveryTruncation) {
   const Scratch scratch;
   cv::Mat noise(48, 64, CV_8U);
@@ -365,7 +365,7 @@ TEST(ReadImage, RefusesEveryTruncation) {
   }
 }
 
-TEST(ReadImage, TakesTextPgmAndComments) {
+TEST(ReadImage, AcceptsTextPgmWithComments) {
   const Scratch scratch;
   const Image image = read_image(scratch.write("t.pgm", "P2\n# by hand\n3 2\n255\n1 2 3\n4 5 6\n"));
   EXPECT_EQ(image(2, 1), 6);
@@ -395,7 +395,7 @@ class DataFolder : public ::testing::Test {
   std::filesystem::path here_ = std::filesystem::current_path();
 };
 
-TEST_F(DataFolder, SearchesInOrder) {
+TEST_F(DataFolder, IsSearchedInOrder) {
   scratch_.write("data/mine/a.pgm", pgm(20, 16));
   scratch_.write("project/data/far/a.pgm", pgm(20, 16));
   const std::filesystem::path scenario = scratch_.write("project/scenarios/s.toml", "");
@@ -414,7 +414,7 @@ TEST_F(DataFolder, SearchesInOrder) {
              "Put it under data/, or set INCOGNITA_DATA");
 }
 
-TEST_F(DataFolder, SaysWhereAMissingRecordingIsPublished) {
+TEST_F(DataFolder, AMissingRecordingIsReportedWithItsPublisher) {
   const LoadedScenario davison = load_scenario("davison");
   const std::string text = message_of([&] { read_recording(davison); });
   EXPECT_HAS(text, "davison.toml:");

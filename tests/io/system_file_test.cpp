@@ -1,4 +1,4 @@
-// Systems written as TOML: what is read, and every way in which such a file can be wrong.
+// Systems written as TOML: valid files, and every kind of invalid one.
 #include "incognita/io/formats/system_file.hpp"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ std::string complaint(const std::string& toml) {
   return message_of([&] { read_system(toml, "s.toml"); });
 }
 
-/// With all that a file can have; `with` puts something wrong in.
+/// A file with every key; `with` replaces a part of it.
 const std::string whole = R"toml(name = "cart"
 title = "cart on a line"
 source = "by hand"
@@ -98,21 +98,21 @@ std::string at(const SourceLocation& location) {
   return std::to_string(location.line) + ":" + std::to_string(location.column);
 }
 
-std::string told(const std::vector<NamedExpression>& all) {
+std::string described(const std::vector<NamedExpression>& all) {
   std::string text;
   for (const NamedExpression& e : all)
     text += e.name + "@" + at(e.location) + "=" + e.expression.text + "@" + at(e.expression.location) + " ";
   return text;
 }
 
-std::string told(const std::vector<NamedRange>& all) {
+std::string described(const std::vector<NamedRange>& all) {
   std::string text;
   for (const NamedRange& r : all)
     text += r.name + "@" + at(r.location) + "=" + toml_number(r.low) + ".." + toml_number(r.high) + " ";
   return text;
 }
 
-std::string told(const std::vector<MeasurementText>& all) {
+std::string described(const std::vector<MeasurementText>& all) {
   std::string text;
   for (const MeasurementText& m : all)
     text += m.name + "@" + at(m.location) + "=" + m.expression.text + "@" + at(m.expression.location) + "+-" +
@@ -120,25 +120,26 @@ std::string told(const std::vector<MeasurementText>& all) {
   return text;
 }
 
-std::string told(const std::vector<DirectionText>& all) {
+std::string described(const std::vector<DirectionText>& all) {
   std::string text;
   for (const DirectionText& d : all)
-    text += "[" + d.name + "@" + at(d.location) + " " + told(d.vehicle) + "| " + told(d.landmark) + "] ";
+    text += "[" + d.name + "@" + at(d.location) + " " + described(d.vehicle) + "| " + described(d.landmark) +
+            "] ";
   return text;
 }
 
-std::string told(const std::vector<SparseRow>& all) {
+std::string described(const std::vector<SparseRow>& all) {
   std::string text;
   for (const SparseRow& row : all)
-    text += "[" + row.name + "@" + at(row.location) + " " + told(row.entries) + "] ";
+    text += "[" + row.name + "@" + at(row.location) + " " + described(row.entries) + "] ";
   return text;
 }
 
-/// What is told, whatever the lines it stands in.
+/// The equations with their locations, as text.
 template <class T>
 std::string without_location(const T& items) {
   static const std::regex location("@[0-9]+:[0-9]+");
-  return std::regex_replace(told(items), location, "");
+  return std::regex_replace(described(items), location, "");
 }
 
 TEST(SystemFile, ReadsPlanarExactly) {
@@ -177,31 +178,31 @@ TEST(SystemFile, ReadsPlanarExactly) {
   EXPECT_FALSE(planar.error_form);
 }
 
-TEST(SystemFile, ReadsAllThereCanBe) {
+TEST(SystemFile, ReadsEveryKey) {
   const SystemText cart = read_system(whole, "s.toml");
   EXPECT_EQ(cart.file, "s.toml");
   EXPECT_EQ(cart.segment_duration_s, 0.5);
   ASSERT_EQ(cart.parameters.size(), 1u);
   EXPECT_EQ(cart.parameters[0].name, "L");
   EXPECT_EQ(cart.parameters[0].value, 1.5);
-  EXPECT_EQ(told(cart.vehicle.region), "x@18:1=-2.0..2.0 w@19:1=0.5..10.0 ");
-  EXPECT_EQ(told(cart.vehicle.measurements), "place@21:1=x@21:10+-1.0 ");
-  EXPECT_EQ(told(cart.anchor->measurements), "distance@37:1=s@37:20+-1.0 ");
-  EXPECT_EQ(told(cart.motions[0].assignments), "v@39:1=u*half@39:6 x@40:1=-1.5@40:5 ");
-  EXPECT_EQ(told(cart.motions[0].draws), "u@41:6=0.0..1.0 ");
+  EXPECT_EQ(described(cart.vehicle.region), "x@18:1=-2.0..2.0 w@19:1=0.5..10.0 ");
+  EXPECT_EQ(described(cart.vehicle.measurements), "place@21:1=x@21:10+-1.0 ");
+  EXPECT_EQ(described(cart.anchor->measurements), "distance@37:1=s@37:20+-1.0 ");
+  EXPECT_EQ(described(cart.motions[0].assignments), "v@39:1=u*half@39:6 x@40:1=-1.5@40:5 ");
+  EXPECT_EQ(described(cart.motions[0].draws), "u@41:6=0.0..1.0 ");
   ASSERT_TRUE(cart.error_form);
   EXPECT_EQ(cart.error_form->source, "(1.2)");
-  EXPECT_EQ(told(cart.error_form->names), "x@47:8=error of x@47:13 ");
-  EXPECT_EQ(told(cart.error_form->directions), "[along x@52:19 x@53:1=1@53:5 | p@54:10=1@54:14 ] ");
-  EXPECT_EQ(told(cart.error_form->landmark_directions), "[depth@59:28 | p@60:1=1@60:5 ] ");
-  EXPECT_EQ(told(cart.vehicle.error_F), "[x@49:1 w@49:7=-0.1*L@49:12 ] ");
-  EXPECT_EQ(told(cart.vehicle.error_H), "[place@51:1 x@51:11=1@51:15 ] ");
-  EXPECT_EQ(told(cart.landmark->error_H), "[distance@56:1 p@56:14=1@56:18 x@56:21=-1@56:25 ] ");
-  EXPECT_EQ(told(cart.landmark->error_F), "[p@58:1 ] ");
-  EXPECT_EQ(told(cart.anchor->error_H), "[distance@62:1 x@62:14=-1@62:18 ] ");
+  EXPECT_EQ(described(cart.error_form->names), "x@47:8=error of x@47:13 ");
+  EXPECT_EQ(described(cart.error_form->directions), "[along x@52:19 x@53:1=1@53:5 | p@54:10=1@54:14 ] ");
+  EXPECT_EQ(described(cart.error_form->landmark_directions), "[depth@59:28 | p@60:1=1@60:5 ] ");
+  EXPECT_EQ(described(cart.vehicle.error_F), "[x@49:1 w@49:7=-0.1*L@49:12 ] ");
+  EXPECT_EQ(described(cart.vehicle.error_H), "[place@51:1 x@51:11=1@51:15 ] ");
+  EXPECT_EQ(described(cart.landmark->error_H), "[distance@56:1 p@56:14=1@56:18 x@56:21=-1@56:25 ] ");
+  EXPECT_EQ(described(cart.landmark->error_F), "[p@58:1 ] ");
+  EXPECT_EQ(described(cart.anchor->error_H), "[distance@62:1 x@62:14=-1@62:18 ] ");
 }
 
-TEST(SystemFile, LittleIsEnough) {
+TEST(SystemFile, AcceptsAMinimalFile) {
   const SystemText little =
       read_system("name = \"a\"\nstates.x = 0\nregion.x = [1, 1]\nmeasurements.z = \"x\"", "s.toml");
   EXPECT_EQ(little.title, "a");
@@ -210,7 +211,7 @@ TEST(SystemFile, LittleIsEnough) {
   EXPECT_FALSE(little.landmark || little.anchor || little.error_form);
 }
 
-TEST(SystemFile, EveryBuiltInSystemIsReadAndFoundByName) {
+TEST(SystemFile, EveryBuiltInSystemLoadsByName) {
   const std::vector<std::string> names = built_in_systems();
   EXPECT_GE(names.size(), 1u);
   for (const std::string& name : names) {
@@ -221,7 +222,7 @@ TEST(SystemFile, EveryBuiltInSystemIsReadAndFoundByName) {
   }
 }
 
-/// What stands at each place of the file is what was read from there.
+/// The text at a location of the file is the one that was read from there.
 void expect_there(const std::vector<std::string>& lines, const SourceLocation& location,
                   const std::string& text) {
   ASSERT_GE(location.line, 1) << text;
@@ -229,7 +230,7 @@ void expect_there(const std::vector<std::string>& lines, const SourceLocation& l
   EXPECT_EQ(line.substr(static_cast<std::size_t>(location.column) - 1, text.size()), text) << line;
 }
 
-TEST(SystemFile, PlacesAreThoseOfTheFile) {
+TEST(SystemFile, LocationsAreThoseInTheFile) {
   for (const std::string& name : built_in_systems()) {
     const auto file = testing::lines(std::string(INCOGNITA_SOURCE_DIR) + "/systems/" + name + ".toml");
     const SystemText system = load_system(name);
@@ -258,7 +259,7 @@ TEST(SystemFile, PlacesAreThoseOfTheFile) {
   }
 }
 
-TEST(SystemFile, RepresentationChoosesOrIsRefused) {
+TEST(SystemFile, RepresentationIsSelectedOrRefused) {
   EXPECT_EQ(load_system("planar", "world").representation, "world");
   EXPECT_EQ(load_system("planar", "relative").file, "planar-relative.toml");
   EXPECT_EQ(load_system("planar-relative", "world").file, "planar.toml");
@@ -274,7 +275,7 @@ TEST(SystemFile, RepresentationChoosesOrIsRefused) {
              "cart.toml: is written as `world`, and `relative` was asked for");
 }
 
-TEST(SystemFile, RefusesWhatIsNotThere) {
+TEST(SystemFile, RefusesAMissingFile) {
   EXPECT_HAS(message_of([] { load_system("planer"); }),
              "planer: no such system file, nor a built-in system; built in are: ");
   for (const char* file : {"some/where/planer.toml", "planer.toml", "some/where"}) {
@@ -301,7 +302,7 @@ void expect_problems(std::initializer_list<Fault> problems) {
   }
 }
 
-TEST(SystemFile, RefusesWrongKeysAndKinds) {
+TEST(SystemFile, RefusesInvalidKeysAndTypes) {
   expect_problems({
       {"name = \"cart\"\n", "", "s.toml: the system has no name; write name = \"...\" at the top"},
       {"name = \"cart\"", "name = 3", "s.toml:1:8: `name` must be a text, and is a whole number"},
@@ -344,7 +345,7 @@ TEST(SystemFile, RefusesWrongKeysAndKinds) {
   });
 }
 
-TEST(SystemFile, RefusesWrongNames) {
+TEST(SystemFile, RefusesInvalidNames) {
   const std::string long_name(41, 'x');
   expect_problems({
       {"L = 1.5", "\"my L\" = 1.5", "s.toml:8:1: `my L` is no name; names are a letter and then"},
@@ -371,7 +372,7 @@ TEST(SystemFile, RefusesWrongNames) {
   });
 }
 
-TEST(SystemFile, RefusesNamesThatALandmarksStateWillHave) {
+TEST(SystemFile, RefusesNamesReservedForLandmarkStates) {
   const std::string text =
       "name = \"s\"\n[states]\ny_1 = 0\n[region]\ny_1 = [0, 1]\n[landmark.states]\ny = 0\n"
       "[landmark.region]\ny = [0, 1]\n[landmark.measurements]\nz = \"y - y_1\"\n";
@@ -384,7 +385,7 @@ TEST(SystemFile, RefusesNamesThatALandmarksStateWillHave) {
   }
 }
 
-TEST(SystemFile, RefusesNamesOfNothing) {
+TEST(SystemFile, RefusesUnknownNames) {
   expect_problems({
       {"w = [0.5, 1e1]", "ww = [0.5, 1e1]", "s.toml:19:1: state `ww` has no equation; the nearest is `w`"},
       {"w = [0.5, 1e1]\n", "",
@@ -411,7 +412,7 @@ TEST(SystemFile, RefusesNamesOfNothing) {
   });
 }
 
-TEST(SystemFile, DisturbedStatesAreTheVehicles) {
+TEST(SystemFile, DisturbedStatesBelongToTheVehicle) {
   const auto disturbed = [](const std::string& list) {
     return with("segment_duration_s = 0.5", "segment_duration_s = 0.5\ndisturbed = " + list);
   };
@@ -425,7 +426,7 @@ TEST(SystemFile, DisturbedStatesAreTheVehicles) {
   EXPECT_TRUE(complaint(disturbed("\"w\"")).starts_with("s.toml:6:13: `disturbed` must be a list of"));
 }
 
-TEST(SystemFile, RefusesWrongRangesAndWhatIsMissing) {
+TEST(SystemFile, RefusesInvalidRangesAndMissingEntries) {
   expect_problems({
       {"v = [-1, 1]", "v = [1, -1]", "s.toml:10:1: the range of `v` is empty; write [lowest, highest]"},
       {"v = [-1, 1]", "v = [-1.7e308, 1.7e308]", "s.toml:10:1: the range of `v` must be finite"},
@@ -440,7 +441,7 @@ TEST(SystemFile, RefusesWrongRangesAndWhatIsMissing) {
              "s.toml: the system has no measurement; write one under [measurements], ");
 }
 
-TEST(SystemFile, RefusesWrongExpressionsWhereTheyAreWrong) {
+TEST(SystemFile, LocatesInvalidExpressions) {
   expect_problems({
       {"\"v + drag\"", "\"v + darg\"", "s.toml:12:10: there is no `darg` that this expression sees"},
       {"\"v + drag\"", "'v + * drag'", "s.toml:12:10: nothing stands between `+` and `*`"},
@@ -458,13 +459,13 @@ TEST(SystemFile, RefusesWrongExpressionsWhereTheyAreWrong) {
       {"\"r/r\"", "\"r/\"", "s.toml:44:16: nothing stands after `/`"},
       {"\"-0.1*L\"", "\"-0.1*p\"", "s.toml:49:17: there is no `p` that this expression sees"},
       {"\"error of x\"", "\"\"", "s.toml:47:12: `x` must be one line of 1 to 400 characters"},
-      // Where what is written is not what is read the place is that of the quotes
+      // With escapes or several lines the location is that of the opening quote
       {"\"v + drag\"", "\"\"\"\nv +\n  darg\"\"\"", "s.toml:12:5: there is no `darg`"},
       {"\"v + drag\"\nw = 0", "\"\"\"\nv +\n  drag\"\"\"\nw = \"zz\"", "s.toml:15:6: there is no `zz`"},
   });
 }
 
-TEST(SystemFile, RefusesTooMuch) {
+TEST(SystemFile, RefusesTooManyEntries) {
   const auto many = [](const std::string& name, int count, const std::string& value) {
     std::string text;
     for (int i = 0; i < count; ++i) text += name + std::to_string(i) + value + "\n";
@@ -488,7 +489,7 @@ TEST(SystemFile, RefusesTooMuch) {
   EXPECT_HAS(complaint(whole + "#" + std::string(1 << 20, '-')), "bytes are too many");
 }
 
-TEST(SystemFile, RefusesWhatIsNoToml) {
+TEST(SystemFile, RefusesInvalidToml) {
   EXPECT_HAS(complaint("name = \"a\"\nstates = {\n"), "s.toml:2:11: not valid TOML: ");
   EXPECT_EQ(complaint(with("w = 0", "x = 0")),
             "s.toml:13:5: not valid TOML: there is a key `x` already in this section; keep one of them");
@@ -499,7 +500,7 @@ TEST(SystemFile, RefusesWhatIsNoToml) {
   EXPECT_HAS(complaint("name = \"\xff\""), "s.toml:1:");
 }
 
-TEST(TomlValue, KnowsItsPlace) {
+TEST(TomlValue, HasItsLocation) {
   const TomlTable table = parse_toml(
       "b = \"one\" # \nlong = '''one'''\nesc = \"o\\n\"\n\"\xce\xb8\" = '\xce\xb8'\n"
       "t = { z = 1, a = \"two\" }\na.c = [1, -2]\n",
@@ -509,7 +510,7 @@ TEST(TomlValue, KnowsItsPlace) {
     keys += entry.key + ":" + std::to_string(entry.value.text_column) + " ";
   EXPECT_EQ(keys, "b:6 long:8 esc:7 \xce\xb8:8 t:5 a:1 ");
   const auto& inner = std::get<TomlTable>(table[4].value.value);
-  EXPECT_EQ(inner[0].key, "z");  // as they were written, not by the alphabet
+  EXPECT_EQ(inner[0].key, "z");  // in the order of the file, not alphabetical
   EXPECT_EQ(inner[0].column, 7);
   EXPECT_EQ(inner[1].column, 14);
   EXPECT_EQ(inner[1].value.column, 18);
@@ -519,8 +520,8 @@ TEST(TomlValue, KnowsItsPlace) {
   EXPECT_EQ(std::get<TomlArray>(c.value.value)[1].column, 11);
 }
 
-// The reader makes a table of each part, and the program would die of half a million inside each other
-TEST(TomlValue, RefusesDeepKeys) {
+// The parser recurses into tables; half a million nested ones would overflow the stack
+TEST(TomlValue, RefusesDeepNesting) {
   std::string deep;
   for (int i = 0; i < 60'000; ++i) deep += "a . 'b' .\"c\\\"\".";
   for (const std::string& text : {deep + "d = 1", "x = 1\n[" + deep + "d]", "x = { " + deep + "d = 1 }"})

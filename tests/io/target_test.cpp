@@ -1,4 +1,4 @@
-// Target files: what they mean, and each way in which one can be wrong.
+// Target files: their meaning, and every kind of invalid file.
 #include "incognita/io/scenario/target_file.hpp"
 
 #include <gtest/gtest.h>
@@ -58,12 +58,12 @@ TEST(Target, ConvertsSceneLibsAxes) {
   const Target target = read_target(scratch.write(
       "t.toml", "name = \"a\"\naxes = \"scenelib\"\nnormal = [0, 0, -1]\n" + corner("[0.1, 0.07, 0]") +
                     corner("[-0.1, 0.07, 0]") + corner("[0.1, -0.07, 0]") + corner("[-0.1, -0.07, 0]")));
-  EXPECT_EQ(target.normal, Eigen::Vector3d(-1, 0, 0));                   // against forward
-  EXPECT_EQ(target.corners[0].position, Eigen::Vector3d(0, 0.1, 0.07));  // left and up stay so
+  EXPECT_EQ(target.normal, Eigen::Vector3d(-1, 0, 0));                   // opposite to forward
+  EXPECT_EQ(target.corners[0].position, Eigen::Vector3d(0, 0.1, 0.07));  // left and up are unchanged
   EXPECT_EQ(target.corners[3].position, Eigen::Vector3d(0, -0.1, -0.07));
 }
 
-TEST(Target, RefusesWhatCannotBe) {
+TEST(Target, RefusesInvalidFiles) {
   EXPECT_EQ(complaint(head + four), "(none)");
   EXPECT_HAS(complaint(head + three),
              "t.toml:3: corner: must be 4 to 100 tables, written [[corner]], and is 3");
@@ -93,7 +93,7 @@ TEST(Target, RefusesWhatCannotBe) {
              "position_m: the corners are on one line");
 }
 
-TEST(Target, RefusesPatchesThatCannotBe) {
+TEST(Target, RefusesInvalidPatches) {
   const auto with = [](const char* patch) {
     return complaint(head + three + corner("[3, -0.2, 1.5]", patch));
   };
@@ -108,7 +108,7 @@ TEST(Target, RefusesPatchesThatCannotBe) {
              "/nowhere/t.toml: cannot be read: No such file");
 }
 
-/// A corner that is seen at (u, v) of the picture.
+/// A corner at pixel (u, v) of the picture.
 std::string seen(const std::string& position, const std::string& pixel) {
   return corner(position) + "picture_px = " + pixel + "\n";
 }
@@ -129,8 +129,8 @@ TEST(Target, MayHaveAPicture) {
     EXPECT_NEAR((target.picture->world_from_px * pixel - at).norm(), 0, 1e-12);
 }
 
-/// Of 180x150 px means over squares of 2.
-TEST(Target, KeepsNoMoreOfAPictureThanACameraSees) {
+/// 180x150 px are reduced to means over 2x2 px.
+TEST(Target, ReducesAPictureToTheResolutionOfTheCamera) {
   const Scratch scratch;
   scratch.write("p.pgm", pgm(11, 11));
   scratch.write("whole.pgm", pgm(180, 150));
@@ -151,7 +151,7 @@ TEST(Target, KeepsNoMoreOfAPictureThanACameraSees) {
       << "where the first corner is, between the pixels of the kept";
 }
 
-TEST(Target, RefusesPicturesThatCannotBe) {
+TEST(Target, RefusesInvalidPictures) {
   const Scratch scratch;
   scratch.write("p.pgm", pgm(11, 11));
   scratch.write("whole.pgm", pgm(60, 50));
@@ -190,8 +190,8 @@ TEST(Target, RefusesPicturesThatCannotBe) {
   EXPECT_HAS(complaint(head + four + "picture_px = [1, 2]\n"), "picture_px: is of no use without `picture`");
 }
 
-/// As docs/scenarios.md has it for a room of another length.
-TEST(Target, FindsPatchesAmongThoseBuiltIn) {
+/// As in docs/scenarios.md for a room of another length.
+TEST(Target, FindsBuiltInPatches) {
   const Scratch scratch;
   std::string text = read_file(std::filesystem::path(embedded_root) / "targets/sheet.toml", 1 << 20);
   for (std::size_t at; (at = text.find("[3, ")) != std::string::npos;) text.replace(at, 4, "[5, ");
@@ -222,14 +222,14 @@ TEST(Target, IsFoundBesideItsScenario) {
   scratch.write("p.pgm", pgm(11, 11));
   EXPECT_EQ(find_target(loaded), scratch.folder() / "mine.toml");
   EXPECT_EQ(load_target(loaded).corners.size(), 4u);
-  // what is printed may be run from another folder
+  // the printed path may be used from another folder
   const Scratch elsewhere;
   const LoadedScenario again = load_scenario(elsewhere.write("e.toml", effective_toml(loaded)).string());
   EXPECT_EQ(load_target(again).name, "sheet");
 }
 
-// The patches of Davison's recording must lie as the corners do: dark is the printed rectangle, inside.
-TEST(Target, DavisonsPatchesAgreeWithTheirCorners) {
+// The patches of Davison's recording agree with the corners: the printed rectangle, inside, is dark.
+TEST(Target, PatchesOfDavisonAgreeWithTheirCorners) {
   const LoadedScenario davison = load_scenario("davison");
   Target target;
   try {

@@ -7,8 +7,8 @@
 //   -detect_leaks=0
 //         build-fuzz/found tests/fuzz/corpus systems
 //
-// GiNaC's power::derivative loses some 40 bytes when a number overflows in it and it throws: such leaks are
-// not ours.
+// GiNaC's power::derivative leaks some 40 bytes when a number overflows and it throws: such leaks are
+// GiNaC's.
 #include "tests/fuzz/system_fuzz.hpp"
 
 #include <cstdlib>
@@ -26,7 +26,7 @@ namespace {
 
 using namespace incognita;
 
-/// Derives everything once, in the middle of its region.
+/// Computes all derivatives once, at the center of its region.
 void use(const SystemText& text) {
   const SymbolicSystem system = make_symbolic(text);
   const SystemInstance instance(system, text.landmark ? 1 : 0, text.anchor ? 1 : 0);

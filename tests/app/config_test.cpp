@@ -1,4 +1,4 @@
-// `incognita config`, called as the program calls it.
+// The command `incognita config`, called as the program does.
 #include "incognita/app/commands/config.hpp"
 
 #include <gtest/gtest.h>
@@ -81,7 +81,7 @@ TEST(Config, ChecksTargetAndImages) {
   EXPECT_HAS(message_of([&] { run({"config", "nothing"}); }), "no such scenario");
 }
 
-TEST(Config, ExplainsItself) {
+TEST(Config, ItsHelpHasAnExample) {
   CLI::App app;
   std::function<int()> job;
   const std::string help = add_config(app, job)->help();

@@ -1,4 +1,4 @@
-// `incognita campaign` as a person, a batch system or a power cut meets it.
+// The command `incognita campaign` for a user, a batch system and after a power failure.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ using testing::Words;
 constexpr const char* tables[] = {"runs.csv", "table.csv", "campaign.json"};
 constexpr const char* vary = "plant.sigma_speed_m_s=0.05,0.2";
 
-/// A folder with a scenario whose runs take some milliseconds.
+/// A folder with a scenario whose runs take a few milliseconds.
 class TimedPosition : public Scratch {
  public:
   TimedPosition() {
@@ -49,7 +49,7 @@ class TimedPosition : public Scratch {
     return contents(*this / out / file);
   }
 
-  /// Files of runs, without what says whose they are.
+  /// Files of runs, without those that identify their campaign.
   std::vector<fs::path> results(const char* out = "c") const {
     std::vector<fs::path> found;
     if (!fs::exists(*this / out)) return found;
@@ -81,7 +81,7 @@ TEST(ProgramCampaign, HelpHasAnExample) {
   EXPECT_SAYS(help.out, "incognita campaign room --seeds");
 }
 
-TEST(ProgramCampaign, MakesTheRunsThatRunMakes) {
+TEST(ProgramCampaign, MakesTheSameRunsAsTheCommandRun) {
   const TimedPosition place;
   const Ended ended = place.campaign({"--seeds", "3..5", "--vary", vary});
   ASSERT_EQ(ended.code, 0) << ended.err;
@@ -106,7 +106,7 @@ TEST(ProgramCampaign, MakesTheRunsThatRunMakes) {
   EXPECT_EQ(place.results().size(), 6u);
 }
 
-TEST(ProgramCampaign, AnswersAsTheSchemaSays) {
+TEST(ProgramCampaign, AnswerConformsToItsSchema) {
   const TimedPosition place;
   const Ended ended = place.campaign({"--seeds", "1..6", "--vary", vary, "--json"});
   ASSERT_EQ(ended.code, 0) << ended.err;
@@ -118,7 +118,7 @@ TEST(ProgramCampaign, AnswersAsTheSchemaSays) {
   for (const Json& variant : answer["variants"]) EXPECT_EQ(variant["measures"].size(), 1u);
 }
 
-TEST(ProgramCampaign, GivesTheSameBytesHoweverItIsSpread) {
+TEST(ProgramCampaign, TableDoesNotDependOnTheDistributionOfRuns) {
   const TimedPosition place;
   const Words what = {"--seeds", "1..7", "--vary", vary, "--vary", "points.count=8,16"};
   const auto with = [&](Words words, const Words& more) {
@@ -139,7 +139,7 @@ TEST(ProgramCampaign, GivesTheSameBytesHoweverItIsSpread) {
   EXPECT_EQ(place.results("one").size(), 28u);
 }
 
-TEST(ProgramCampaign, SaysWhatAnEarlyTableLacks) {
+TEST(ProgramCampaign, ReportsRunsMissingFromAnEarlyTable) {
   const TimedPosition place;
   const Words what = {"--seeds", "1..4", "--vary", vary};
   ASSERT_EQ(place.campaign({"--seeds", "1..4", "--vary", vary, "--shard", "1/2"}).code, 0);
@@ -150,7 +150,7 @@ TEST(ProgramCampaign, SaysWhatAnEarlyTableLacks) {
   EXPECT_EQ(place.campaign(what).code, 0);
 }
 
-/// Starts it again and again, and kills it each time a little later, until it gets to its end.
+/// Restarts it repeatedly, and kills it each time a little later, until it ends by itself.
 int kill_until_done(const TimedPosition& place, const Words& what, bool with_children) {
   std::mt19937 random(7);
   for (int kills = 0;; ++kills) {
@@ -181,7 +181,7 @@ TEST_P(KilledAtAnyMoment, GivesTheSameTable) {
 
 INSTANTIATE_TEST_SUITE_P(Campaign, KilledAtAnyMoment, ::testing::Bool());
 
-TEST(ProgramCampaign, RepeatsNoRunThatHasEnded) {
+TEST(ProgramCampaign, RepeatsNoCompletedRun) {
   const TimedPosition place;
   ASSERT_EQ(place.campaign({"--seeds", "1..4", "--vary", vary}).code, 0);
   std::vector<std::pair<fs::path, std::string>> before;
@@ -189,12 +189,13 @@ TEST(ProgramCampaign, RepeatsNoRunThatHasEnded) {
   const Ended more = place.campaign({"--seeds", "1..6", "--vary", vary});
   EXPECT_EQ(more.code, 0) << more.err;
   EXPECT_SAYS(more.err, "8 made before, 4 to make");
-  for (const auto& [file, text] : before) EXPECT_EQ(contents(file), text);  // `seconds` would be others
+  // a repeated run would have other `seconds`
+  for (const auto& [file, text] : before) EXPECT_EQ(contents(file), text);
   ASSERT_EQ(place.campaign({"--seeds", "1..6", "--vary", vary}, "whole").code, 0);
   expect_same_tables(place, "whole", "c");
 }
 
-TEST(ProgramCampaign, SurvivesWhatLiesAbout) {
+TEST(ProgramCampaign, RepairsBrokenFilesAndKeepsForeignOnes) {
   const TimedPosition place;
   const Words what = {"--seeds", "1..3", "--vary", vary};
   ASSERT_EQ(place.campaign(what, "whole").code, 0);
@@ -219,7 +220,7 @@ TEST(ProgramCampaign, SurvivesWhatLiesAbout) {
   EXPECT_EQ(contents(place / "c/runs/notes.txt"), "mine");
 }
 
-TEST(ProgramCampaign, CountsRunsThatFail) {
+TEST(ProgramCampaign, CountsFailedRuns) {
   const TimedPosition place;
   const Words what = {"--seeds", "1..5", "--vary", "vehicle_lost.max_sigma_position_m=10,0.011"};
   const Ended ended = place.campaign(what);
@@ -256,7 +257,7 @@ TEST(ProgramCampaign, CountsRunsThatFail) {
   EXPECT_EQ(within["variants"][1]["measures"]["ate_m.below:1000"]["versus_baseline"]["difference"], -1);
 }
 
-TEST(ProgramCampaign, RefusesALimitThatIsNoneBeforeAnyRun) {
+TEST(ProgramCampaign, RefusesAnInvalidLimitBeforeAnyRun) {
   const TimedPosition place;
   const Ended ended = place.campaign({"--seeds", "1..3", "--measure", "ate_m.below:low"});
   EXPECT_EQ(ended.code, 2);
@@ -276,7 +277,7 @@ std::vector<pid_t> children_of(pid_t process) {
   return found;
 }
 
-/// A process that makes a run of the only campaign of this one.
+/// A process that makes a run of the only campaign started by this process.
 pid_t process_of_a_run() {
   for (int i = 0; i < 1000; ++i, wait_ms(10)) {
     const std::vector<pid_t> ours = children_of(::getpid());
@@ -287,13 +288,13 @@ pid_t process_of_a_run() {
   return 0;
 }
 
-TEST(ProgramCampaign, ARunThatCrashesIsAResult) {
+TEST(ProgramCampaign, ACrashedRunIsAFailedRun) {
   const TimedPosition place;
   Program program(place.words({"--seeds", "1..3", "--duration", "20000", "--jobs", "1"}), {place.folder()});
   for (int i = 0; i < 3; ++i) {
     const pid_t run = process_of_a_run();
     ASSERT_NE(run, 0);
-    wait_ms(50);  // it has set its signals by then
+    wait_ms(50);  // its signal handlers are installed by then
     ASSERT_EQ(::kill(run, i == 1 ? SIGABRT : SIGSEGV), 0);
     wait_ms(200);
   }
@@ -305,7 +306,7 @@ TEST(ProgramCampaign, ARunThatCrashesIsAResult) {
   EXPECT_EQ(testing::problems(answer, schema()), "");
 }
 
-TEST(ProgramCampaign, ARunThatIsKilledIsMadeAgain) {
+TEST(ProgramCampaign, AKilledRunIsRepeated) {
   const TimedPosition place;
   const Words what = {"--seeds", "1..2", "--duration", "300", "--jobs", "1"};
   ASSERT_EQ(place.campaign(what, "whole").code, 0);
@@ -321,7 +322,7 @@ TEST(ProgramCampaign, ARunThatIsKilledIsMadeAgain) {
   expect_same_tables(place, "whole", "c");
 }
 
-TEST(ProgramCampaign, AskedToEndItEnds) {
+TEST(ProgramCampaign, InterruptedItEndsAndResumes) {
   const TimedPosition place;
   const Words what = {"--seeds", "1..40", "--duration", "60", "--vary", vary, "--jobs", "2"};
   for (const int signal : {SIGINT, SIGTERM}) {
@@ -339,7 +340,7 @@ TEST(ProgramCampaign, AskedToEndItEnds) {
   expect_same_tables(place, "whole", "c");
 }
 
-TEST(ProgramCampaign, KeepsWholeRunsWhenAsked) {
+TEST(ProgramCampaign, KeepsRunDirectoriesOnRequest) {
   const TimedPosition place;
   ASSERT_EQ(place.campaign({"--seeds", "1..2", "--keep-runs"}).code, 0);
   ASSERT_EQ(place.campaign({"--seeds", "1..2"}, "bare").code, 0);
@@ -359,7 +360,7 @@ TEST(ProgramCampaign, KeepsWholeRunsWhenAsked) {
   EXPECT_SILENT_ON(*testing::everything_in(place / "bare").rbegin(), "run.mcap");
 }
 
-TEST(ProgramCampaign, AFullDiskIsSaidAndTheRestGoesOn) {
+TEST(ProgramCampaign, AFullDiskIsReportedAndTheOtherRunsContinue) {
   const TimedPosition place;
   const Words what = {"--seeds", "1..40"};
   ASSERT_EQ(place.campaign(what, "whole").code, 0);
@@ -368,7 +369,8 @@ TEST(ProgramCampaign, AFullDiskIsSaidAndTheRestGoesOn) {
     largest = std::max({largest, fs::file_size(file), fs::file_size(file.parent_path() / "settings.json")});
   }
   const auto table = fs::file_size(place / "whole/runs.csv");
-  ASSERT_LT(largest, table);  // with these limits the runs have room, and not their table; then not even they
+  // with the first limit the runs fit, but not their table; with the second not even the runs
+  ASSERT_LT(largest, table);
   const Ended no_table = testing::incognita(
       place.words(what), {place.folder(), testing::Stream::kept, testing::Stream::kept, table - 1});
   EXPECT_EQ(no_table.code, 1);
@@ -396,7 +398,7 @@ TEST(ProgramCampaign, ValuesMayBeLists) {
   EXPECT_FALSE(answer["variants"][1]["measures"]["ate_m"].contains("versus_baseline"));
 }
 
-TEST(ProgramCampaign, RefusesBeforeAnyRun) {
+TEST(ProgramCampaign, RefusesInvalidArgumentsBeforeAnyRun) {
   const TimedPosition place;
   place.write("in-the-way", "a file\n");
   const std::size_t before = testing::everything_in(place.folder()).size();
@@ -445,7 +447,7 @@ TEST(ProgramCampaign, RefusesBeforeAnyRun) {
   EXPECT_EQ(testing::everything_in(place.folder()).size(), before);
 }
 
-TEST(ProgramCampaign, LeavesNothingWhereNoRunCanStart) {
+TEST(ProgramCampaign, LeavesNothingIfNoRunCanStart) {
   const TimedPosition place;
   place.write("recorded.toml",
               "[run]\nworld = \"recording\"\n[recording]\nfolder = \"nowhere\"\n[start]\nfrom = \"free\"\n");
@@ -457,7 +459,7 @@ TEST(ProgramCampaign, LeavesNothingWhereNoRunCanStart) {
   EXPECT_EQ(testing::everything_in(place.folder()).size(), before);
 }
 
-TEST(ProgramCampaign, SaysWhereSeedsDoNothing) {
+TEST(ProgramCampaign, WarnsIfSeedsHaveNoEffect) {
   const TimedPosition place;
   Words still = {"--seeds", "1..2", "--set", "points.file=points.csv"};
   for (const char* noise : {"plant.sigma_speed_m_s", "plant.sigma_turn_rate_rad_s", "plant.sigma_range_m",
@@ -470,7 +472,7 @@ TEST(ProgramCampaign, SaysWhereSeedsDoNothing) {
   EXPECT_SILENT_ON(place.campaign({"--seeds", "1..2"}, "noisy").err, "every seed gave the same");
 }
 
-TEST(ProgramCampaign, RefusesAMeasureThatNobodyMeasuresAfterTheFirstRun) {
+TEST(ProgramCampaign, RefusesAnUnknownMeasureAfterTheFirstRun) {
   const TimedPosition place;
   const Ended ended = place.campaign({"--seeds", "1..200", "--jobs", "1", "--measure", "ate"});
   EXPECT_EQ(ended.code, 2);
@@ -490,7 +492,7 @@ TEST(ProgramCampaign, RefusesAMeasureThatNobodyMeasuresAfterTheFirstRun) {
   EXPECT_EQ(contents(kept), made);
 }
 
-TEST(ProgramCampaign, AMeasureOfTheLastVariantAloneIsNotRefused) {
+TEST(ProgramCampaign, AcceptsAMeasureOfTheLastVariantOnly) {
   const TimedPosition place;
   const Words what = {"--seeds", "1..3",   "--jobs",
                       "1",       "--vary", "team.positions_m=[[0, 0, 0]],[[0, 0, 0], [2, 0, 0]]"};
@@ -506,9 +508,9 @@ TEST(ProgramCampaign, AMeasureOfTheLastVariantAloneIsNotRefused) {
   EXPECT_EQ(place.results().size(), 6u);
 }
 
-TEST(ProgramCampaign, ARunThatFailsSaysNothingOfWhatOthersMeasure) {
+TEST(ProgramCampaign, AFailedRunDoesNotDetermineTheMeasures) {
   const TimedPosition place;
-  // every run of this one is lost, and ends so
+  // every run of this campaign is lost
   const Ended ended = place.campaign({"--seeds", "1..5", "--jobs", "1", "--measure", "ate", "--set",
                                       "vehicle_lost.max_sigma_position_m=0.011"});
   EXPECT_EQ(ended.code, 2);
@@ -516,18 +518,18 @@ TEST(ProgramCampaign, ARunThatFailsSaysNothingOfWhatOthersMeasure) {
   EXPECT_EQ(place.results().size(), 5u) << "only when there is no other run to come";
 }
 
-/// A campaign that is at work, and would be for minutes.
-std::unique_ptr<Program> at_work(const TimedPosition& place, Words more = {}) {
+/// A campaign that is running, and would take minutes.
+std::unique_ptr<Program> running(const TimedPosition& place, Words more = {}) {
   more.insert(more.begin(), {"--seeds", "1..2", "--duration", "20000", "--jobs", "1"});
   auto program = std::make_unique<Program>(place.words(more), testing::Circumstances{place.folder()});
   EXPECT_NE(process_of_a_run(), 0);
   return program;
 }
 
-TEST(ProgramCampaign, OneCampaignAtATimeWorksInAFolder) {
+TEST(ProgramCampaign, OnlyOneCampaignRunsInAFolder) {
   const TimedPosition place;
   ASSERT_EQ(place.campaign({"--seeds", "1", "--duration", "20"}, "elsewhere").code, 0);
-  auto first = at_work(place);
+  auto first = running(place);
   const std::set<std::string> before = testing::everything_in(place / "c");
   const Words same = {"--seeds", "1..2", "--duration", "20000"};
   for (const Words& more : {Words{}, Words{"--shard", "1/2"}, Words{"--vary", vary}}) {
@@ -546,15 +548,15 @@ TEST(ProgramCampaign, OneCampaignAtATimeWorksInAFolder) {
 
   first->signal(SIGKILL);
   EXPECT_EQ(first->wait().signal, SIGKILL);
-  auto next = at_work(place);  // at once, nothing to remove by hand
+  auto next = running(place);  // at once, with nothing to remove by hand
   next->signal(SIGTERM);
   EXPECT_EQ(next->wait().code, 1);
   EXPECT_FALSE(fs::exists(place / "c/.lock"));
 }
 
-TEST(ProgramCampaign, SharesOfOneCampaignWorkTogetherEachOnce) {
+TEST(ProgramCampaign, ShardsRunTogetherEachOnce) {
   const TimedPosition place;
-  const auto first = at_work(place, {"--shard", "1/2"});
+  const auto first = running(place, {"--shard", "1/2"});
   const auto ended = [&](const Words& more) {
     Words words = {"--seeds", "1..2", "--duration", "20000"};
     words.insert(words.end(), more.begin(), more.end());
@@ -580,7 +582,7 @@ TEST(ProgramCampaign, SharesOfOneCampaignWorkTogetherEachOnce) {
   EXPECT_EQ(ended({"--shard", "1/2"}).code, 2);
 }
 
-TEST(ProgramCampaign, RefusesAFolderOfSomethingElse) {
+TEST(ProgramCampaign, RefusesTheFolderOfAnotherCampaign) {
   const TimedPosition place;
   ASSERT_EQ(place.campaign({"--seeds", "1..2", "--vary", vary}).code, 0);
   const std::string table = place.read("table.csv");
@@ -599,13 +601,13 @@ TEST(ProgramCampaign, RefusesAFolderOfSomethingElse) {
   EXPECT_SAYS(other.err, "scenario small there, other here");
   EXPECT_EQ(place.read("table.csv"), table);
   EXPECT_EQ(place.results().size(), 4u);
-  // More values of the same are no other campaign
+  // More values of the same setting extend the campaign
   const Ended more = place.campaign({"--seeds", "1..2", "--vary", "plant.sigma_speed_m_s=0.05,0.2,0.4"});
   EXPECT_EQ(more.code, 0) << more.err;
   EXPECT_SAYS(more.err, "4 made before, 2 to make");
 }
 
-TEST(ProgramCampaign, RefusesTheSameFolderOverOtherGround) {
+TEST(ProgramCampaign, RefusesTheSameFolderWithAnotherTerrain) {
   const TimedPosition place;
   place.write("hills.toml",
               "[run]\nworld = \"points\"\nsensor = \"camera\"\nrate_hz = 10\nduration_s = 0.5\n"
@@ -624,7 +626,7 @@ TEST(ProgramCampaign, RefusesTheSameFolderOverOtherGround) {
   EXPECT_SAYS(other.err, "terrain.file");
 }
 
-/// The words behind `mpirun -n N incognita campaign`, waited for; exit code and what it said go to files.
+/// Runs `mpirun -n N incognita campaign` with these arguments; exit code and messages go to files.
 int with_mpirun(const TimedPosition& place, const Words& words, int ranks) {
   std::string line =
       "cd '" + place.folder().string() +
@@ -635,7 +637,7 @@ int with_mpirun(const TimedPosition& place, const Words& words, int ranks) {
   return WEXITSTATUS(std::system((line + " > mpi.out 2> mpi.err").c_str()));
 }
 
-TEST(ProgramCampaign, ManyMachinesGiveTheSameTable) {
+TEST(ProgramCampaign, MpiGivesTheSameTable) {
   if (std::system("mpirun --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "there is no mpirun here";
   const TimedPosition place;
   const Words what = {"--seeds", "1..20", "--vary", vary};

@@ -40,7 +40,7 @@ Ran run(const LoadedScenario& loaded) {
 
 Ran drive(const std::vector<std::string>& sets) { return run(load_scenario("rendered-terrain", sets)); }
 
-TEST(RoomVehicle, KnowsWhereItIsByImagesAloneOnUnevenGround) {
+TEST(RoomVehicle, LocalizesByImagesOnUnevenGround) {
   const Ran ran = drive({"run.duration_s=8"});
   EXPECT_EQ(ran.frames, 240);
   EXPECT_EQ(ran.lost, 0);
@@ -49,7 +49,7 @@ TEST(RoomVehicle, KnowsWhereItIsByImagesAloneOnUnevenGround) {
   EXPECT_GT(ran.last.landmarks.size(), 10u);
 }
 
-TEST(RoomVehicle, WheelsHelp) {
+TEST(RoomVehicle, OdometryReducesTheSpeedSigma) {
   const Ran images = drive({"run.duration_s=4"}),
             wheels = drive({"run.duration_s=4", "filter.odometry=true"});
   EXPECT_EQ(wheels.lost, 0);
@@ -63,7 +63,7 @@ TEST(RoomVehicle, SameSeedSameRun) {
   EXPECT_EQ(one.last.covariance, two.last.covariance);
 }
 
-TEST(RoomVehicle, DecidesHowItDrivesAndDecidesTheSameAgain) {
+TEST(RoomVehicle, DecidesDeterministically) {
   const auto explored = [](const std::vector<std::string>& sets) {
     return run(load_scenario("explore-terrain", sets));
   };
@@ -80,7 +80,7 @@ TEST(RoomVehicle, DecidesHowItDrivesAndDecidesTheSameAgain) {
   EXPECT_EQ(ran.last.decision.scores, again.last.decision.scores);
 }
 
-TEST(RoomVehicle, KeepsClearOfWalls) {
+TEST(RoomVehicle, AvoidsWalls) {
   const testing::Scratch scratch;
   const auto straight_on = [&](const std::string& obstacle_avoidance) {
     const std::string text =

@@ -108,8 +108,8 @@ TEST(Stability, SpectralRadiusDecides) {
   EXPECT_FALSE(is_stabilizing(F, G, Eigen::RowVector2d(0, 0)));
   EXPECT_NEAR(is_stabilizing(F, G, Eigen::RowVector2d(0, 0)).spectral_radius, 1.5, 1e-15);
   EXPECT_TRUE(is_stabilizing(F, G, Eigen::RowVector2d(1, 0)));
-  EXPECT_FALSE(stability_of(MatrixXd::Identity(2, 2))) << "on the circle is not inside";
-  EXPECT_FALSE(stability_of(MatrixXd::Constant(2, 2, NAN))) << "unknown is not stable";
+  EXPECT_FALSE(stability_of(MatrixXd::Identity(2, 2))) << "the unit circle is not inside";
+  EXPECT_FALSE(stability_of(MatrixXd::Constant(2, 2, NAN))) << "NaN is not stable";
   EXPECT_TRUE(stability_of(MatrixXd(0, 0)));
 }
 

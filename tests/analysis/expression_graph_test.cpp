@@ -199,10 +199,10 @@ TEST(ExpressionGraph, DifferentiatesThroughDefinitions) {
   graph.define("x", Owner::vehicle, graph.parse({"x + 7", {}}, Owner::vehicle), {});
   EXPECT_EQ(written(graph.parse({"2*x", {}}, Owner::vehicle)), "2*x");
   EXPECT_EQ(written(graph.derivative(graph.parse({"2*x", {}}, Owner::vehicle), x)), "2")
-      << "the state, not a result";
+      << "the state, not its result";
   const auto z = graph.define("z", Owner::landmark, graph.parse({"r^2", {}}, Owner::vehicle), {});
   EXPECT_EQ(written(graph.derivative(*graph[z].expression, x)), "-2*r");
-  EXPECT_EQ(graph.find("z", Owner::anchor), std::nullopt) << "what is a landmark's is not an anchor's";
+  EXPECT_EQ(graph.find("z", Owner::anchor), std::nullopt) << "anchors have none of the landmark's states";
   EXPECT_EQ(graph.find("r", Owner::anchor), 1);
 }
 

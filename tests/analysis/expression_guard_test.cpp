@@ -70,54 +70,54 @@ TEST(ExpressionGuard, ErrorsNameOffsetAndRemedy) {
   const std::pair<const char*, const char*> cases[] = {
       {"", "0: the expression is empty"},
       {" \t\n", "0: the expression is empty"},
-      {"a**2", "1: a power is written ^, not **"},
-      {"a = 2", "2: an expression has no `=`; what it stands for is the key before it"},
-      {"a % 2", "2: `%` means nothing in an expression; it has names, numbers and + - * / ^ ( ) ,"},
-      {"a; b", "1: `;` means nothing"},
-      {"a[1]", "1: `[` means nothing"},
-      {"\"a\"", "0: `\"` means nothing"},
-      {"a * \xce\xb8", "4: U+03B8 means nothing"},
-      {"a \xe2\x88\x92 b", "2: U+2212 means nothing"},
+      {"a**2", "1: write a power with ^, not **"},
+      {"a = 2", "2: an expression has no `=`; its name is the key before it"},
+      {"a % 2", "2: `%` is not allowed in an expression, which has names, numbers and + - * / ^ ( ) ,"},
+      {"a; b", "1: `;` is not allowed"},
+      {"a[1]", "1: `[` is not allowed"},
+      {"\"a\"", "0: `\"` is not allowed"},
+      {"a * \xce\xb8", "4: U+03B8 is not allowed"},
+      {"a \xe2\x88\x92 b", "2: U+2212 is not allowed"},
       {"a\xff", "1: U+"},
-      {"\xe2", "0: U+0002 means nothing"},
-      {"a_1", "0: there is no `a_1` that this expression sees; the nearest is `a`"},
+      {"\xe2", "0: U+0002 is not allowed"},
+      {"a_1", "0: there is no `a_1` in the scope of this expression; the nearest is `a`"},
       {"_a", "0: a name begins with a letter"},
-      {"v*thetta", "2: there is no `thetta` that this expression sees; the nearest is `theta`"},
-      {"Pi", "0: there is no `Pi` that this expression sees; the nearest is `pi`"},
+      {"v*thetta", "2: there is no `thetta` in the scope of this expression; the nearest is `theta`"},
+      {"Pi", "0: there is no `Pi` in the scope of this expression; the nearest is `pi`"},
       {"1 + sine(x)", "4: there is no function `sine`; the nearest is `sin`"},
-      {"2*x (y)", "2: `x` is no function; a product is written with *"},
-      {"pi(2)", "0: `pi` is no function; a product is written with *"},
+      {"2*x (y)", "2: `x` is not a function; write a product with *"},
+      {"pi(2)", "0: `pi` is not a function; write a product with *"},
       {"cos", "0: `cos` is a function; write cos(...)"},
       {"sin(x, y)", "0: `sin` takes 1 argument, and has 2"},
       {"1+atan2(x)", "2: `atan2` takes 2 arguments, and has 1"},
-      {"sin()", "4: nothing stands between `(` and `)`"},
-      {"()", "1: nothing stands between `(` and `)`"},
-      {"atan2(x,)", "8: nothing stands between `,` and `)`"},
-      {"atan2(,x)", "6: nothing stands between `(` and `,`"},
-      {"(x, y)", "2: a comma only stands between the arguments of a function"},
-      {"x, y", "1: a comma only stands between the arguments of a function"},
-      {"atan2((x, y), y)", "8: a comma only stands between the arguments of a function"},
+      {"sin()", "4: an operand is missing between `(` and `)`"},
+      {"()", "1: an operand is missing between `(` and `)`"},
+      {"atan2(x,)", "8: an operand is missing between `,` and `)`"},
+      {"atan2(,x)", "6: an operand is missing between `(` and `,`"},
+      {"(x, y)", "2: a comma is allowed only between the arguments of a function"},
+      {"x, y", "1: a comma is allowed only between the arguments of a function"},
+      {"atan2((x, y), y)", "8: a comma is allowed only between the arguments of a function"},
       {"a*(b + c", "2: this `(` is never closed"},
       {"sin(", "3: this `(` is never closed"},
       {"(a))", "3: there is no `(` for this `)`"},
       {")", "0: there is no `(` for this `)`"},
-      {"a +", "2: nothing stands after `+`"},
-      {"-", "0: nothing stands after `-`"},
-      {"*a", "0: nothing stands before `*`"},
-      {"a + * b", "4: nothing stands between `+` and `*`"},
-      {"a - / b", "4: nothing stands between `-` and `/`"},
-      {"(a + )", "5: nothing stands between `+` and `)`"},
-      {"a b", "2: an operation is missing before `b`; a product is written with *"},
+      {"a +", "2: an operand is missing after `+`"},
+      {"-", "0: an operand is missing after `-`"},
+      {"*a", "0: an operand is missing before `*`"},
+      {"a + * b", "4: an operand is missing between `+` and `*`"},
+      {"a - / b", "4: an operand is missing between `-` and `/`"},
+      {"(a + )", "5: an operand is missing between `+` and `)`"},
+      {"a b", "2: an operation is missing before `b`; write a product with *"},
       {"2x", "1: an operation is missing before `x`"},
       {"2e", "1: an operation is missing before `e`"},
       {"a 2", "2: an operation is missing before `2`"},
       {"(a)(b)", "3: an operation is missing before `(`"},
       {"(a) sin(b)", "4: an operation is missing before `sin`"},
       {"1.5.5", "3: an operation is missing before `.5`"},
-      {"1.", "1: no digit stands after this point; a whole number has no point"},
-      {".", "0: no digit stands after this point"},
-      {"1.e5", "1: no digit stands after this point"},
-      {"1e301", "0: a number's exponent is at most 300, up or down; choose other units"},
+      {"1.", "1: a digit is missing after this point; write an integer without a point"},
+      {".", "0: a digit is missing after this point"},
+      {"1.e5", "1: a digit is missing after this point"},
+      {"1e301", "0: a number's exponent is at most 300, positive or negative; choose other units"},
       {"a+1e-301", "2: a number's exponent is at most 300"},
       {"1e99999999999999999999", "0: a number's exponent is at most 300"},
       {"99999999999e300", "0: `99999999999e300` is out of the range of numbers; choose other units"},
@@ -128,12 +128,12 @@ TEST(ExpressionGuard, ErrorsNameOffsetAndRemedy) {
 }
 
 TEST(ExpressionGuard, NulIsAnOrdinaryInvalidCharacter) {
-  EXPECT_TRUE(problem(std::string("a\0b", 3)).starts_with("1: U+0000 means nothing"));
+  EXPECT_TRUE(problem(std::string("a\0b", 3)).starts_with("1: U+0000 is not allowed"));
 }
 
 TEST(ExpressionGuard, LimitsLengthAndDepth) {
   EXPECT_EQ(problem(std::string(40, '1')), "fine");
-  EXPECT_EQ(problem(std::string(41, '1')), "0: a number has at most 40 characters, and this 41");
+  EXPECT_EQ(problem(std::string(41, '1')), "0: a number has at most 40 characters, this one has 41");
   EXPECT_EQ(problem("1e300"), "fine");
   EXPECT_EQ(problem("x" + std::string(4095, ' ')), "fine");
   EXPECT_TRUE(
@@ -144,7 +144,7 @@ TEST(ExpressionGuard, LimitsLengthAndDepth) {
 TEST(ExpressionGuard, DepthCountsParenthesesSignsAndPowers) {
   const auto nested = [](int n) { return repeated("(", n) + "x" + repeated(")", n); };
   EXPECT_EQ(problem(nested(100)), "fine");
-  EXPECT_TRUE(problem(nested(101)).starts_with("100: parentheses, signs and powers inside each other"));
+  EXPECT_TRUE(problem(nested(101)).starts_with("100: parentheses, signs and powers may be nested"));
   EXPECT_EQ(problem(repeated("-", 100) + "x"), "fine");
   EXPECT_TRUE(problem(repeated("-+", 51) + "x").starts_with("100: parentheses"));
   EXPECT_EQ(problem(repeated("x^", 100) + "x"), "fine");

@@ -76,7 +76,7 @@ TEST(Monobot, ConvergesToTheClosedForm) {
       const double p = (v * v + std::sqrt(std::pow(v, 4) + 4 * v * v * w * w)) / 2;
       const double relative = (s.H * limit.P * s.H.transpose())(0, 0);
       EXPECT_NEAR(relative / p, 1, 1e-9);
-      EXPECT_NEAR(limit.K(1, 0), 0, 1e-9) << "the landmark is not corrected any more";
+      EXPECT_NEAR(limit.K(1, 0), 0, 1e-9) << "the landmark gets no further corrections";
       EXPECT_NEAR(error_dynamics(s, limit.K).trace() - 1, w * w / (p + w * w), 1e-9);
     }
 }
@@ -86,7 +86,7 @@ TEST(Monobot, LandmarkVarianceFallsAsOneOverTimeWithAnAnchor) {
   const auto slowest = [&](int steps) {
     const RiccatiLimit limit = iterate_riccati(s, Matrix2d::Identity(), {.max_iterations = steps});
     EXPECT_FALSE(limit.settled);
-    EXPECT_NE(limit.reason.find("the cap"), std::string::npos);
+    EXPECT_NE(limit.reason.find("steps, the limit"), std::string::npos);
     const auto eigenvalues = MatrixXd(error_dynamics(s, limit.K)).eigenvalues();
     return eigenvalues.cwiseAbs().maxCoeff();
   };

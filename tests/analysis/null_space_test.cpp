@@ -53,7 +53,7 @@ TEST(NullSpace, IgnoresRowsThatAreRounding) {
   M.rows << 1, 0, 0, 0, 1, 0, 1e-17, 3e-17, 1e-16;
   EXPECT_EQ(null_space(M).rank, 2);
   M.noise.setZero();
-  EXPECT_EQ(null_space(M).rank, 3) << "the same row, when it is said to be exact";
+  EXPECT_EQ(null_space(M).rank, 3) << "the same row, stated as exact";
 }
 
 TEST(NullSpace, DoesNotScaleUpAColumnOfRounding) {
@@ -75,7 +75,7 @@ TEST(NullSpace, ReportsAFaintColumnAsAmbiguous) {
     EXPECT_EQ(null_space(r).rank, 2);
     EXPECT_TRUE(null_space(r).ambiguous);
   }
-  EXPECT_EQ(null_space(exact(M)).rank, 3) << "the same entries, when they are said to be exact";
+  EXPECT_EQ(null_space(exact(M)).rank, 3) << "the same entries, stated as exact";
 }
 
 TEST(NullSpace, EqualsThatOfCondensedRows) {

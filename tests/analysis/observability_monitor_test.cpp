@@ -210,7 +210,7 @@ TEST(ObservabilityMonitor, EqualsTheInformationFilterWithoutPrior) {
         both.add_measurement(id, 1 + static_cast<int>((id + static_cast<unsigned>(step)) % 2));
       if (step % 2 == 0) both.initialize(3, 1);
       if (step == 3) both.add_measurement(vehicle, 2);
-      both.compare("looks and births");
+      both.compare("measurements and initializations");
       if (step == 2) both.replace(1, 2, false);
       if (step == 3) both.replace(2, 3, true);
       both.compare("replaced");

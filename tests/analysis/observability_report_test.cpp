@@ -93,7 +93,7 @@ TEST(ObservabilityReport, ExactJacobiansAddNoInformationOnTheFrame) {
   for (const QuantityReport& q : report.quantities) {
     EXPECT_FALSE(q.ideally_observable || q.gained || q.estimated_sigma) << q.name;
   }
-  EXPECT_EQ(in_words(report), (std::vector<std::string>{"place: unobservable", "heading: unobservable"}));
+  EXPECT_EQ(in_words(report), (std::vector<std::string>{"position: unobservable", "heading: unobservable"}));
 }
 
 TEST(ObservabilityReport, VaryingJacobiansAddInformationOnTheHeadingOnly) {
@@ -105,7 +105,8 @@ TEST(ObservabilityReport, VaryingJacobiansAddInformationOnTheHeadingOnly) {
   const QuantityReport heading = quantity(report, "heading");
   EXPECT_TRUE(heading.gained);
   EXPECT_FALSE(heading.ideally_observable);
-  EXPECT_NE(in_words(report)[1].find("heading: unobservable, yet the filter believes to know it to "),
+  EXPECT_NE(in_words(report)[1].find(
+                "heading: unobservable, but the filter has spurious information from measurements: sigma "),
             std::string::npos);
   EXPECT_LT(*quantity(Drive(0.04).report(), "heading").estimated_sigma, *heading.estimated_sigma);
 }
@@ -121,7 +122,7 @@ TEST(ObservabilityReport, OneAnchorLeavesARotationAndTwoNothing) {
   EXPECT_EQ(two.information.nullity(), 0);
   for (const QuantityReport& q : two.quantities) EXPECT_TRUE(q.ideally_observable && q.gained) << q.name;
   EXPECT_EQ(in_words(two),
-            (std::vector<std::string>{"place: fixed by 2 anchors", "heading: fixed by 2 anchors"}));
+            (std::vector<std::string>{"position: fixed by 2 anchors", "heading: fixed by 2 anchors"}));
 }
 
 TEST(ObservabilityReport, UncoveredRunReportsNoFilterInformation) {
@@ -132,8 +133,8 @@ TEST(ObservabilityReport, UncoveredRunReportsNoFilterInformation) {
   EXPECT_EQ(report.information.errors, 0);
   EXPECT_FALSE(quantity(report, "heading").estimated_sigma);
   EXPECT_EQ(in_words(report), (std::vector<std::string>{
-                                  "place: can be fixed by 2 anchors", "heading: can be fixed by 2 anchors",
-                                  "what the filter believes of these is not worked out: the map moves"}));
+                                  "position: observable with 2 anchors", "heading: observable with 2 anchors",
+                                  "the filter's information is not monitored: the map moves"}));
 }
 
 // Camera
@@ -302,10 +303,13 @@ TEST(ObservabilityReport, InformationFromTheMotionModelIsNotSpurious) {
   EXPECT_FALSE(scale.sigma_from_measurements);
   EXPECT_FALSE(quantity(report, "x").by_motion_model);
   const std::vector<std::string> words = in_words(report);
-  EXPECT_EQ(words[0], "place: unobservable");
-  EXPECT_EQ(words[1].find("orientation: unobservable by looks, turn about "), 0u) << words[1];
-  EXPECT_NE(words[1].find(" deg by its motion model"), std::string::npos) << words[1];
-  EXPECT_EQ(words[2].find("scale: unobservable by looks, known to "), 0u) << words[2];
+  EXPECT_EQ(words[0], "position: unobservable");
+  EXPECT_EQ(words[1].find("orientation: unobservable by measurements; information on rotation about "), 0u)
+      << words[1];
+  EXPECT_NE(words[1].find(" from the motion model: sigma "), std::string::npos) << words[1];
+  EXPECT_EQ(words[2].find("scale: unobservable by measurements; information from the motion model: sigma "),
+            0u)
+      << words[2];
 }
 
 // However small the assumed accelerations: without commands the motion preserves the symmetries
@@ -325,7 +329,8 @@ TEST(ObservabilityReport, InformationOnTheScaleFromMeasurementsIsSpurious) {
     const QuantityReport scale = quantity(report, "scale");
     EXPECT_TRUE(scale.gained && scale.sigma_from_measurements && !scale.by_motion_model) << acceleration;
     EXPECT_LE(*scale.estimated_sigma, *scale.sigma_from_measurements * (1 + 1e-9));
-    EXPECT_NE(in_words(report)[2].find("yet the filter believes to know it to "), std::string::npos);
+    EXPECT_NE(in_words(report)[2].find("but the filter has spurious information from measurements: sigma "),
+              std::string::npos);
   }
 }
 

@@ -56,7 +56,8 @@ TEST(MeanNis, ToleratesApproximateModels) {
   EXPECT_EQ(mean_nis_of_run(1.3, 5000, 1e5)->verdict(), Consistency::consistent);
   EXPECT_EQ(mean_nis_of_run(2.1, 5000, 1e5)->verdict(), Consistency::overconfident);
   EXPECT_EQ(mean_nis_of_run(0.4, 5000, 1e5)->verdict(), Consistency::conservative);
-  EXPECT_EQ(mean_nis_of_run(2.1, 10, 10)->verdict(), Consistency::consistent) << "ten numbers say little";
+  EXPECT_EQ(mean_nis_of_run(2.1, 10, 10)->verdict(), Consistency::consistent)
+      << "too few samples for a verdict";
   EXPECT_FALSE(mean_nis_of_run(1, fewest_samples - 1, 100));
 }
 

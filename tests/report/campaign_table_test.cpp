@@ -165,7 +165,7 @@ TEST(CampaignMeasures, AreTheNumbersOfASummary) {
   const RunMeasures run =
       measures_of(R"({"status": "done", "seed": 7, "frames": 3, "entropy": {"total": -1.5},
     "ate_m": null, "vehicles": [{"ate_m": 1}, {"ate_m": 2}], "consistency": {"nis": 1, "nis_band": [0.5, 2], "outlier_share": 0.1}, "timing_ms": {"frame": {"median": 4}},
-    "observability": {"ambiguous": false, "directions": [{"name": "turn about x", "sigma": 0.5}]}})");
+    "observability": {"ambiguous": false, "directions": [{"name": "rotation about x", "sigma": 0.5}]}})");
   std::vector<std::string> names;
   for (const auto& [name, value] : run.measures) names.push_back(name);
   EXPECT_EQ(names, (std::vector<std::string>{"frames", "entropy.total", "ate_m", "vehicles.1.ate_m",

@@ -99,7 +99,7 @@ TEST(InformationForm, AgreesWithTheCovarianceFormUnderAnyOperations) {
         ASSERT_TRUE(both.information.correction(measurements, both.ids, corrections));
         for (std::size_t i = 0; i < expected.size(); ++i)
           EXPECT_LE((corrections[i] - expected[i]).norm(), 1e-8 * (1 + expected[i].norm()));
-        ASSERT_TRUE(both.same(1e-8)) << "asking changes nothing";
+        ASSERT_TRUE(both.same(1e-8)) << "queries do not change the state";
         const UpdateReport a = both.covariance.update(measurements),
                            b = both.information.update(measurements);
         ASSERT_EQ(a.outcome, UpdateReport::Outcome::updated);
@@ -123,7 +123,7 @@ TEST(InformationForm, IsTheInverseOfTheCovariance) {
   const Eigen::MatrixXd P = both.covariance.dense_covariance();
   const Eigen::VectorXd spread = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(P).eigenvalues();
   const double rounding = 1e-14 * spread.maxCoeff() / spread.minCoeff();
-  ASSERT_LT(rounding, 1e-2) << "it means something";
+  ASSERT_LT(rounding, 1e-2) << "the comparison is meaningful";
   const Eigen::MatrixXd product = both.information.dense_information() * P;
   EXPECT_LT((product - Eigen::MatrixXd::Identity(P.rows(), P.cols())).cwiseAbs().maxCoeff(), rounding);
   // det P = det P_map * det P_vehicle|map, from the factor and from the covariance

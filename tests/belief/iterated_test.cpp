@@ -127,8 +127,8 @@ TEST(IteratedUpdate, OfARotatedBodyIsTheMapEstimate) {
     apart_after_one = std::max(apart_after_one, (minus(once.mean(0), scene.prior) - best).norm());
     farthest_turn = std::max(farthest_turn, best.tail<3>().norm());
   }
-  EXPECT_GT(farthest_turn, 0.5) << "far enough for the chart to bend";
-  EXPECT_GT(apart_after_one, 0.05) << "one linearisation is not enough";
+  EXPECT_GT(farthest_turn, 0.5) << "far enough for the chart to be nonlinear";
+  EXPECT_GT(apart_after_one, 0.05) << "one linearization is not enough";
 }
 
 TEST(IteratedUpdate, StopsWhenAChangeIsSmallAgainstTheSigma) {

@@ -59,7 +59,7 @@ TEST(AnySensor, InitializationIsTheInverseOfTheMeasurement) {
     EXPECT_EQ(initialized.Jd.size() == 0, measures_distance(c.sensor));
     if (!measures_distance(c.sensor)) {
       EXPECT_LE((again->Hl * initialized.Jd).norm(), 1e-12)
-          << "the distance is not seen from where it was born";
+          << "the distance is unobservable from the initial pose";
       EXPECT_EQ(initialized.landmark[initialized.landmark.size() - 1], 0.25);
       return;
     }

@@ -156,16 +156,16 @@ TEST(AnySensor, LinearityIndexIsFourSigmaOverDistanceTimesCosineOfParallax) {
   const auto index = [&](const SmallVector& y, const SmallVector& from) {
     return linearity_index(far, y, sigma * sigma, from);
   };
-  EXPECT_EQ(linearity_index({}, vec({1, 2}), sigma * sigma, vec({0, 0})), 0) << "a point is one";
-  EXPECT_NEAR(index(on_plane, vec({1, 2})), 4 * spread_m / d, 1e-12) << "from where it was born";
+  EXPECT_EQ(linearity_index({}, vec({1, 2}), sigma * sigma, vec({0, 0})), 0) << "zero for a point";
+  EXPECT_NEAR(index(on_plane, vec({1, 2})), 4 * spread_m / d, 1e-12) << "from the initial pose";
   EXPECT_NEAR(index(in_space, vec({1, 2, 3})), 4 * spread_m / d, 1e-12);
-  EXPECT_NEAR(index(on_plane, vec({1 + d, 7})), 0, 1e-12) << "at a right angle its distance is seen";
+  EXPECT_NEAR(index(on_plane, vec({1 + d, 7})), 0, 1e-12) << "at a right angle the distance is observable";
   EXPECT_NEAR(index(in_space, vec({1, 9, 3 + d})), 0, 1e-12);
   const double c = std::cos(1.0), s = std::sin(1.0);  // 2 m away, parallax 1 rad
   EXPECT_NEAR(index(on_plane, vec({1 + d - 2 * c, 2 + 2 * s})), 4 * spread_m / 2 * c, 1e-12);
   EXPECT_NEAR(index(in_space, vec({1, 2 + 2 * s, 3 + d - 2 * c})), 4 * spread_m / 2 * c, 1e-12);
   for (const double inverse : {0.0, -0.1}) {
-    EXPECT_GT(index(vec({1, 2, 0, inverse}), vec({0, 0})), 1e6) << "infinity is no point";
+    EXPECT_GT(index(vec({1, 2, 0, inverse}), vec({0, 0})), 1e6) << "a landmark at infinity is not converted";
     EXPECT_GT(index(vec({1, 2, 3, 0, 0, inverse}), vec({0, 0, 0})), 1e6);
   }
 }
@@ -182,7 +182,7 @@ TEST(AnySensor, IncompatibleVehicleIsRefusedWithTheReason) {
         EXPECT_EQ(why, "") << traits_of(motion).name << ", " << traits_of(sensor).name;
       }
       if (!why.empty()) {
-        EXPECT_GT(why.size(), 40u) << "a reason, in words";
+        EXPECT_GT(why.size(), 40u) << "the reason as a sentence";
       }
     }
   const auto says = [](const AnyMotion& motion, const AnySensor& sensor, const char* part) {
@@ -190,9 +190,9 @@ TEST(AnySensor, IncompatibleVehicleIsRefusedWithTheReason) {
         << incompatibility(motion, sensor);
   };
   says(MonobotMotion{}, BearingSensor{}, "a bearing says nothing there");
-  says(DifferentialDrive{}, RelativePositionSensor{}, "belongs to a vehicle on a line");
-  says(FreeCameraMotion{}, RelativePositionSensor{}, "belongs to a vehicle on a line");
-  says(FreeCameraMotion{}, RangeBearingSensor{}, "nothing of where a body is in space");
+  says(DifferentialDrive{}, RelativePositionSensor{}, "needs a vehicle on a line");
+  says(FreeCameraMotion{}, RelativePositionSensor{}, "needs a vehicle on a line");
+  says(FreeCameraMotion{}, RangeBearingSensor{}, "cannot localize a body in space");
   says(TerrainVehicle{}, BearingSensor{}, "tilts with the vehicle");
 }
 

@@ -89,7 +89,7 @@ TEST(PlanarInverseDistance, AtInfinityOnlyRotationMatters) {
              there = PlanarInverseDistance::predict_measurement({-50, 9, 1}, y);
   EXPECT_EQ(here->z[0], there->z[0]);
   EXPECT_EQ(here->Hv, Eigen::RowVector3d(0, 0, -1));
-  EXPECT_NE(here->Hl[3], 0) << "but a look from elsewhere tells the distance";
+  EXPECT_NE(here->Hl[3], 0) << "a measurement from another position depends on the distance";
 }
 
 /// The index by its definition: twice the distance's sigma times the second over the first derivative of the

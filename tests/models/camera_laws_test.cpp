@@ -77,9 +77,9 @@ class CameraLaws : public ::testing::Test {
     EXPECT_LE((projection.J - J).norm(), 1e-11 * J.norm()) << "at " << point.transpose() << "\ncoded\n"
                                                            << projection.J << "\nexact\n"
                                                            << J;
-    EXPECT_LE((projection.pixel - plain).norm(), 1e-13 * (1 + plain.norm())) << "project() is not h()";
+    EXPECT_LE((projection.pixel - plain).norm(), 1e-13 * (1 + plain.norm())) << "project() differs from h()";
     EXPECT_LE((J * point).norm(), 1e-12 * J.norm() * point.norm())
-        << "a point's distance along its ray is not seen";
+        << "the distance along the ray is unobservable";
   }
 };
 

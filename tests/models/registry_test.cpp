@@ -109,7 +109,7 @@ TEST(Registry, ParametersAreSetByTheirKeys) {
     std::set<const double*> places;
     for (const Parameter<Model>& p : parameters_of<Model>()) {
       EXPECT_EQ(p.in(model), p.in(plain) + 0.25) << name << ": " << p.quantity.key();
-      EXPECT_TRUE(places.insert(&p.in(model)).second) << name << ": two parameters are one number";
+      EXPECT_TRUE(places.insert(&p.in(model)).second) << name << ": two parameters refer to the same member";
     }
   };
   for_each_type<AnyMotion>([&]<class M>(std::type_identity<M>) { check(M{}, M::name); });

@@ -39,12 +39,12 @@ inline SmallMatrix differences(const Chart& of, const SmallVector& x, const Char
   return J;
 }
 
-inline void expect_jacobian(const SmallMatrix& told, const SmallMatrix& found, const std::string& of) {
-  ASSERT_EQ(told.rows(), found.rows()) << of;
-  ASSERT_EQ(told.cols(), found.cols()) << of;
-  EXPECT_LE((told - found).norm(), 1e-7 * (1e-3 + found.norm())) << of << "\ntold\n"
-                                                                 << told << "\nfound\n"
-                                                                 << found;
+inline void expect_jacobian(const SmallMatrix& J, const SmallMatrix& found, const std::string& of) {
+  ASSERT_EQ(J.rows(), found.rows()) << of;
+  ASSERT_EQ(J.cols(), found.cols()) << of;
+  EXPECT_LE((J - found).norm(), 1e-7 * (1e-3 + found.norm())) << of << "\nanalytic\n"
+                                                              << J << "\nfound\n"
+                                                              << found;
 }
 
 // Every motion model with every sensor

@@ -77,13 +77,13 @@ TEST(StereoInverseDepthMeasurement, EqualsThatOfTheSamePoint) {
   const StereoCamera stereo{Camera(wide), baseline};
   for (const Case& c : cases()) {
     if (!(c.y[5] > 0.1)) continue;
-    const auto told = stereo.predict_measurement(c.x, c.form, c.y);
+    const auto by_inverse_depth = stereo.predict_measurement(c.x, c.form, c.y);
     const auto point = stereo.predict_measurement(c.x, c.form.point(c.y).position);
-    ASSERT_TRUE(told && point);
-    expect_near(told->z, point->z, 1e-10);
-    expect_near(told->right, point->right, 1e-10);
-    expect_near(told->Hv, point->Hv, 1e-10);
-    expect_near(told->Hl, point->Hl * c.form.point(c.y).J, 1e-9);
+    ASSERT_TRUE(by_inverse_depth && point);
+    expect_near(by_inverse_depth->z, point->z, 1e-10);
+    expect_near(by_inverse_depth->right, point->right, 1e-10);
+    expect_near(by_inverse_depth->Hv, point->Hv, 1e-10);
+    expect_near(by_inverse_depth->Hl, point->Hl * c.form.point(c.y).J, 1e-9);
   }
 }
 

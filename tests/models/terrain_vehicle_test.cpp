@@ -55,7 +55,7 @@ TEST(TerrainVehicle, AxesAreOrthonormalAndTangentToTheGround) {
       EXPECT_NEAR(R.determinant(), 1, 1e-14);
       EXPECT_LE((rotation_matrix(vehicle.pose(x).pose.world_from_body) - R).norm(), 1e-14);
       EXPECT_LE(wrap_angle(std::atan2(R(1, 0), R(0, 0)) - x[2]), 1e-14)
-          << "heading is that of forward from above";
+          << "the heading is that of the forward axis in the plane";
       // The normal, from differences of height alone
       const double e = 1e-5, up = 1 / (2 * e);
       const auto height = [&](double dx, double dy) {
@@ -252,7 +252,7 @@ TEST(Printed610, LeavesCurvedGround) {
   const auto exact = by_contact(vehicle, x, {1, 0}, 0, y_up());
   const Printed printed = gamma(exact.angles, 0, {1, 0}, true);
   EXPECT_LE((exact.velocity - printed.velocity).norm(), 1e-8);
-  EXPECT_EQ(printed.angles.norm(), 0) << "straight on, it never pitches or rolls";
+  EXPECT_EQ(printed.angles.norm(), 0) << "it drives straight without pitch or roll";
   EXPECT_GT(exact.angle_rates.norm(), 0.02);
   // and so leaves the ground quadratically in the distance: straight along the tangent
   const Vector3d forward = vehicle.axes<double>(x).col(0);

@@ -51,7 +51,7 @@ TEST(CameraSensor, VelocitiesAreDerivativesOfThePose) {
       quaternion_conjugate<double>(Eigen::Vector4d(before.segment<4>(3))), after.segment<4>(3));
   EXPECT_NEAR((quaternion_log<double>(turned) / (2 * dt) - middle.camera.tail<3>()).norm(), 0, 1e-6);
   EXPECT_GT(middle.camera.tail<3>().norm(), 0.4) << "it turns";
-  EXPECT_TRUE(middle.inputs[0].isZero()) << "nobody commands its accelerations";
+  EXPECT_TRUE(middle.inputs[0].isZero()) << "accelerations are not commanded";
   EXPECT_EQ(middle.wheels[0], Eigen::Vector2d(0.6, 0.5));
 }
 

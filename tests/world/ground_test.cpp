@@ -137,7 +137,7 @@ TEST(Ground, HillsOccludeWhatIsBehindThem) {
   const Image a = picture(level, {0, 0, 0.3}, 0), b = picture(hidden, {0, 0, 0.3}, 0);
   EXPECT_GT(mean_difference(a, b), 10);
   EXPECT_EQ(mean_difference(picture(hidden, {2, 0, 0.3}, 0), Image(320, 240)), 0)
-      << "seen from under the ground";
+      << "a camera below the ground";
 }
 
 TEST(Ground, SameSeedSameBytes) {

@@ -147,11 +147,11 @@ TEST(Plant, ClampsTheInputAndReportsWhatItApplied) {
       const SmallVector before = plant.state();
       const SmallVector after = plant.move(asked, 0.5);
       EXPECT_EQ(plant.executed(), done);
-      EXPECT_EQ(after, integrate(motion, before, done, 0.5)) << "as if that had been asked";
+      EXPECT_EQ(after, integrate(motion, before, done, 0.5)) << "as for the clamped command";
       EXPECT_EQ(after, plant.state());
     }
     const SmallVector before = plant.state();
-    EXPECT_EQ(plant.move(far, 0), before) << "no time, no way";
+    EXPECT_EQ(plant.move(far, 0), before) << "no displacement in zero time";
   }
 }
 
@@ -165,7 +165,7 @@ TEST(Plant, HasDisturbancesThatItDoesNotReport) {
   for (int k = 0; k < ticks; ++k) {
     const SmallVector before = plant.state();
     const SmallVector after = plant.move(vec({0.5, -0.3}), dt);
-    EXPECT_EQ(plant.executed(), vec({0.5, -0.3})) << "the disturbance is not told";
+    EXPECT_EQ(plant.executed(), vec({0.5, -0.3})) << "the disturbance is not reported";
     const double w = wrap_angle(after[2] - before[2]) / dt, half = w * dt / 2;
     const double chord =
         (after - before).head<2>().dot(Vector2d(std::cos(before[2] + half), std::sin(before[2] + half)));
@@ -232,17 +232,17 @@ TEST(Plant, RefusesInvalidSettings) {
     }
     EXPECT_HAS(complaint([](auto& s) { s.start_sigmas[0] = -1; }), "zero or positive");
     EXPECT_HAS(complaint([](auto& s) { s.input_sigmas[0] = -1; }), "zero or positive");
-    EXPECT_HAS(complaint([](auto& s) { s.least_input[0] = 3; }), "more than the most");
+    EXPECT_HAS(complaint([](auto& s) { s.least_input[0] = 3; }), "exceeds the upper one");
     Plant plant(motion, at_rest(motion), 1, "plant");
     const SmallVector before = plant.state(), input = SmallVector::Zero(inputs_of(motion));
     const auto moving = [&](const SmallVector& u, double dt) {
       return message_of<std::invalid_argument>([&] { plant.move(u, dt); });
     };
-    EXPECT_HAS(moving(SmallVector::Zero(9), 0.1), "9 numbers where");
+    EXPECT_HAS(moving(SmallVector::Zero(9), 0.1), "9 numbers, expected");
     EXPECT_HAS(moving(SmallVector::Constant(input.size(), nan), 0.1), "must be finite");
     for (const double bad : {-0.1, nan, std::numeric_limits<double>::infinity()})
       EXPECT_HAS(moving(input, bad), "a tick must last zero or more seconds");
-    EXPECT_EQ(plant.state(), before) << "what was refused moved nothing";
+    EXPECT_EQ(plant.state(), before) << "a refused operation changes nothing";
   }
 }
 
@@ -253,7 +253,7 @@ TEST(Plant, RefusesAnInvalidOrientationAndASteeringAboutTheMeasuredWheel) {
   PlantSettings body = at_rest(FreeCameraMotion{});
   for (const double w : {0.0, 2.0}) {
     body.start[3] = w;
-    EXPECT_HAS(complaint(FreeCameraMotion{}, body), "quaternion of length 1");
+    EXPECT_HAS(complaint(FreeCameraMotion{}, body), "unit quaternion");
   }
   const AckermannCar car;
   PlantSettings s = at_rest(car);

@@ -96,7 +96,7 @@ TEST(FreeCameraPlant, WallsStopTheBodyAndLetItSlide) {
   EXPECT_DOUBLE_EQ(plant.state()[7], 0);
   EXPECT_NEAR(plant.state()[1], 0.15 * 2.5 * 2.5, 1e-9) << "motion along the wall goes on";
   move_for(plant, {{-1, 0, 0}, Eigen::Vector3d::Zero()}, 30);
-  EXPECT_NEAR(plant.state()[0], 3 - 0.15 - 0.5, 1e-9) << "and the way back is free";
+  EXPECT_NEAR(plant.state()[0], 3 - 0.15 - 0.5, 1e-9) << "motion away from the wall is free";
 }
 
 TEST(FreeCameraPlant, FloorAndCeilingStopIt) {

@@ -56,7 +56,7 @@ Eigen::Vector2d refined(const Image& image, const Eigen::Vector2d& near) {
 Eigen::Vector2d projected(const Camera& camera, const Pose& at, const Eigen::Vector3d& point) {
   const Eigen::Matrix3d camera_from_world = rotation_matrix<double>(at.world_from_camera).transpose();
   const auto projection = camera.project(camera_from_world * (point - at.position));
-  EXPECT_TRUE(projection && camera.contains(projection->pixel, 10)) << "the test looks past the sheet";
+  EXPECT_TRUE(projection && camera.contains(projection->pixel, 10)) << "the sheet is out of view";
   return projection->pixel;
 }
 

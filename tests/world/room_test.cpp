@@ -71,7 +71,7 @@ TEST(RoomLayout, BoxesStandAtWallsApartFromEachOtherAndClearOfThePath) {
             s.start_position_m + along * (Eigen::Vector3d(3, 0, 1.3) - s.start_position_m);
         EXPECT_FALSE(box.grown(0.5).contains({p.x(), p.y(), 0.2}));
       }
-      EXPECT_FALSE(box.grown(1.0).contains({0, 0, 0.2})) << "the middle is free";
+      EXPECT_FALSE(box.grown(1.0).contains({0, 0, 0.2})) << "the center is free";
     }
   }
 }
@@ -88,7 +88,7 @@ TEST(RoomLayout, RefusesInvalidRooms) {
   EXPECT_THROW(room_layout(s, 1), std::invalid_argument);
   s.boxes = 24;
   s.size_m = {2, 2, 2.5};
-  EXPECT_THROW(room_layout(s, 1), std::invalid_argument) << "24 boxes do not fit, and it ends";
+  EXPECT_THROW(room_layout(s, 1), std::invalid_argument) << "24 boxes do not fit, and the search ends";
   s.boxes = 0;
   s.size_m.x() = NAN;
   EXPECT_THROW(room_layout(s, 1), std::invalid_argument);

@@ -70,7 +70,7 @@ TEST(RoomVehicle, StopsItsRadiusFromWallsAndCanTurnAndLeave) {
     ASSERT_GE(plan.clearance_at(truth.vehicles[0].head<2>()), radius_m - 1e-12);
   }
   EXPECT_LT(plan.clearance_at(truth.vehicles[0].head<2>()), radius_m + 0.06);
-  EXPECT_NEAR(truth.inputs[0][0], 0.8, 0) << "its wheels turn on";
+  EXPECT_NEAR(truth.inputs[0][0], 0.8, 0) << "its wheels go on turning";
   EXPECT_NEAR(truth.camera.segment<3>(7).norm(), 0, 1e-12) << "and it stands";
   const double heading = truth.vehicles[0][2];
   truth = *world.move(drive(0.8, 1), {100, 5, 0.05});
@@ -113,7 +113,7 @@ TEST(FloorPlan, ConesMeasureTheNearestObstacleInsideThem) {
     EXPECT_NEAR(plan.clearance_towards(at, direction, half, 100), nearest_by_rays(room, at, direction, half),
                 0.01);
   }
-  EXPECT_EQ(plan.clearance_towards({0, 0}, 0, 0.1, 0.5), 0.5) << "its reach where there is nothing";
+  EXPECT_EQ(plan.clearance_towards({0, 0}, 0, 0.1, 0.5), 0.5) << "its range limit where there is no obstacle";
 }
 
 TEST(FloorPlan, ARingHasNoGaps) {

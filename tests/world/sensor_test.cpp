@@ -46,7 +46,7 @@ TEST(ImageNoise, HasTheStatedSigmaAndNoBias) {
     const Moments m = moments(image);
     EXPECT_NEAR(m.mean, 128, 5 * sigma / std::sqrt(320.0 * 240));
     EXPECT_NEAR(m.sigma, std::sqrt(sigma * sigma + 1.0 / 12), 0.02 * sigma)
-        << "with the rounding to whole levels";
+        << "including rounding to integer levels";
   }
 }
 
@@ -65,7 +65,8 @@ TEST(ImageNoise, StaysBetweenBlackAndWhite) {
   Image black(64, 64, 0), white(64, 64, 255);
   noise.add_to(black);
   noise.add_to(white);
-  EXPECT_NEAR(moments(black).mean, 50 / std::sqrt(2 * 3.14159), 2) << "half a normal, not wrapped around";
+  EXPECT_NEAR(moments(black).mean, 50 / std::sqrt(2 * 3.14159), 2)
+      << "half a normal distribution, without wrapping";
   EXPECT_NEAR(moments(white).mean, 255 - 50 / std::sqrt(2 * 3.14159), 2);
   EXPECT_THROW(ImageNoise(-1, 3), std::invalid_argument);
 }

@@ -196,8 +196,8 @@ TEST(TeamSensor, CamerasMeasureVehiclesOnTheFloor) {
   const Observation observation = first_measurement(team, {}, true);
   ASSERT_EQ(observation.bodies[0].vehicles.size(), 1u);
   const SmallVector z = observation.bodies[0].vehicles[0].z;
-  EXPECT_NEAR(z[0], 159.5 - 160 / 4.0, 1e-9) << "a metre to the left";
-  EXPECT_NEAR(z[1], 119.5 + 160 / 4.0, 1e-9) << "and a metre below";
+  EXPECT_NEAR(z[0], 159.5 - 160 / 4.0, 1e-9) << "a meter to the left";
+  EXPECT_NEAR(z[1], 119.5 + 160 / 4.0, 1e-9) << "and a meter below";
   EXPECT_TRUE(observation.bodies[1].vehicles.empty()) << "it is behind";
 }
 
@@ -240,7 +240,8 @@ TEST(TeamSensor, WithholdsIdentitiesOutsideItsList) {
   ASSERT_EQ(truth.size(), 8u);
   for (std::size_t i = 0; i < seen.size(); ++i) {
     EXPECT_EQ(seen[i].identity, i < 2 ? truth[i] : Detection::unknown);
-    EXPECT_EQ(seen[i].z, seen_by(v, {{truth[i], place.at(truth[i])}}).front().z) << "so it is of that one";
+    EXPECT_EQ(seen[i].z, seen_by(v, {{truth[i], place.at(truth[i])}}).front().z)
+        << "its measurement is that of the landmark";
   }
   PointLandmarks renamed = place;
   std::swap(renamed[10], renamed[17]), std::swap(renamed[11], renamed[15]);
@@ -276,7 +277,8 @@ std::vector<double> measurements_of(std::uint64_t seed, int vehicles) {
 TEST(TeamWorld, IsDeterministicForASeed) {
   EXPECT_EQ(measurements_of(3, 2), measurements_of(3, 2));
   EXPECT_NE(measurements_of(3, 2), measurements_of(4, 2));
-  EXPECT_EQ(measurements_of(3, 1), measurements_of(3, 3)) << "others do not change what the first sees";
+  EXPECT_EQ(measurements_of(3, 1), measurements_of(3, 3))
+      << "other vehicles do not change the first one's measurements";
 }
 
 TEST(TeamWorld, RefusesInvalidSettings) {
@@ -292,10 +294,10 @@ TEST(TeamWorld, RefusesInvalidSettings) {
   };
   EXPECT_EQ(complaint(good, ring(3, 1)), "(none)");
   EXPECT_HAS(message_of<std::invalid_argument>([] { TeamWorld({}, 1); }), "a team needs a vehicle");
-  EXPECT_HAS(changed([](auto& v) { v.sensor = RelativePositionSensor{}; }), "belongs to a vehicle on a line");
+  EXPECT_HAS(changed([](auto& v) { v.sensor = RelativePositionSensor{}; }), "needs a vehicle on a line");
   EXPECT_HAS(changed([](auto& v) { v.sigmas = vec({0.1}); }), "a sensor needs 2 sigmas");
   EXPECT_HAS(complaint(good, {{7, vec({1, 2, 3})}}),
-             "landmark 7 has 3 numbers, and the sensor measures in 2");
+             "landmark 7 has 3 numbers, but the sensor measures in 2");
   EXPECT_HAS(complaint(good, {{7, vec({1, nan})}}), "landmark 7");
   for (const double bad : {-0.1, nan}) {
     EXPECT_HAS(changed([&](auto& v) { v.sigmas[1] = bad; }), "zero or positive");

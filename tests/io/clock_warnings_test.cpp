@@ -19,8 +19,9 @@ TEST(ClockWarnings, OdometryInMillisecondsAndScansInSeconds) {
   for (Odometry& odometry : recording.odometry) odometry.t *= 1000;
   const auto warnings = clock_warnings(recording);
   ASSERT_EQ(warnings.size(), 2u);
-  EXPECT_NE(warnings[0].find("the odometry (0 s to 60000 s) and the scans (0 s to 60 s) have only 0.1 %"),
-            std::string::npos)
+  EXPECT_NE(
+      warnings[0].find("the odometry (0 s to 60000 s) and the scans (0 s to 60 s) overlap by only 0.1 %"),
+      std::string::npos)
       << warnings[0];
   EXPECT_NE(warnings[1].find("the odometry reading of 0 s is held for 60 s"), std::string::npos)
       << warnings[1];

@@ -96,7 +96,7 @@ TEST(EurocCamera, ErrorsNameTheLine) {
              "sensor.yaml:16: resolution must be a list of numbers");
   EXPECT_HAS(complaint(with("[752, 480]", "[0, 480]")), "resolution must be width and height in px");
   EXPECT_HAS(complaint(with("0.0, 0.0, 0.0, 1.0]", "0.0, 0.0]")), "T_BS must have 16 numbers, and has 14");
-  EXPECT_HAS(complaint(with("0.999557249008", "0.1")), "T_BS must be a rotation and a translation");
+  EXPECT_HAS(complaint(with("0.999557249008", "0.1")), "T_BS must be a rigid transformation");
   EXPECT_HAS(complaint(with("rate_hz: 20", "rate_hz: [20")), "sensor.yaml:");
   EXPECT_HAS(complaint("- a list\n"), "must be a list of `key: value`");
   EXPECT_HAS(complaint(""), "must be a list of `key: value`");
@@ -164,13 +164,13 @@ TEST_F(CameraOfRecording, IsNotComparedWhereTheScenarioDisablesIt) {
 TEST_F(CameraOfRecording, AnUnsupportedModelIsReported) {
   scratch_.write("mav0/cam0/sensor.yaml", with("radial-tangential", "equidistant"));
   const std::string text = message_of([&] { load(""); });
-  EXPECT_HAS(text, "sensor.yaml: distortion_model is `equidistant`, and no camera model of this program");
+  EXPECT_HAS(text, "sensor.yaml: distortion_model is `equidistant`, which no camera model supports");
   EXPECT_HAS(text, "undistort the images");
   const Recording recording = read_recording(load(typed));
   std::string notes;
   for (const std::string& note : recording.notes) notes += note + "\n";
   EXPECT_HAS(notes,
-             "distortion_model is `equidistant`, which no camera model here is: the camera is not compared");
+             "distortion_model is `equidistant`, which no camera model supports: the camera is not compared");
 }
 
 }  // namespace

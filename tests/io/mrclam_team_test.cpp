@@ -63,7 +63,7 @@ TEST(MrclamTeam, HasEveryRobotWithOdometryInTheOrderOfNumbers) {
   for (const RangeRecording& robot : team) {
     EXPECT_EQ(robot.format, "mrclam");
     EXPECT_EQ(robot.vehicle, "differential-drive");
-    ASSERT_EQ(robot.landmarks.size(), 2u) << "each knows where they are";
+    ASSERT_EQ(robot.landmarks.size(), 2u) << "each robot has the survey";
     EXPECT_EQ(robot.landmarks[1].identity, 7);
     EXPECT_EQ(robot.landmarks[1].position, Eigen::Vector2d(2, 3));
   }
@@ -85,7 +85,7 @@ TEST(MrclamTeam, KeepsTheClockOfTheFiles) {
 
 TEST(MrclamTeam, DetectsRobotsByIndexAndLandmarksByNumber) {
   const std::vector<RangeRecording> team = Team().read();
-  ASSERT_EQ(team[0].scans.size(), 3u) << "one time is one scan, and one that saw nothing known is one too";
+  ASSERT_EQ(team[0].scans.size(), 3u) << "each time is one scan, also without known landmarks";
   ASSERT_EQ(team[0].scans[0].detections.size(), 1u);
   EXPECT_EQ(team[0].scans[0].detections[0].identity, 6);
   EXPECT_EQ(team[0].scans[0].detections[0].range_m, 1.5);
@@ -97,7 +97,7 @@ TEST(MrclamTeam, DetectsRobotsByIndexAndLandmarksByNumber) {
   EXPECT_TRUE(team[0].scans[1].detections.empty());
   EXPECT_TRUE(team[0].scans[2].vehicles.empty());
 
-  ASSERT_EQ(team[1].scans[0].vehicles.size(), 1u) << "robot 3 is no member";
+  ASSERT_EQ(team[1].scans[0].vehicles.size(), 1u) << "robot 3 is not a member";
   EXPECT_EQ(team[1].scans[0].vehicles[0].identity, 0);
   EXPECT_EQ(team[1].scans[0].detections.at(0).identity, 7);
   ASSERT_EQ(team[2].scans[0].vehicles.size(), 2u);
@@ -112,12 +112,12 @@ TEST(MrclamTeam, ReportsWhatItOmits) {
              "1 measurements of barcodes that are not in Barcodes.dat are skipped, the first at ");
   EXPECT_HAS(all_notes(team[0]), "Robot1_Measurement.dat:5");
   EXPECT_EQ(all_notes(team[0]).find("other robots"), std::string::npos);
-  EXPECT_HAS(all_notes(team[1]), "1 measurements of other robots are left out, the first at ");
+  EXPECT_HAS(all_notes(team[1]), "1 measurements of other robots are omitted, the first at ");
   EXPECT_HAS(all_notes(team[1]), "Robot2_Measurement.dat:2");
   EXPECT_HAS(all_notes(team[1]),
              "1 detections without a positive range and a bearing are skipped, the first at ");
   EXPECT_HAS(all_notes(team[1]), "Robot2_Measurement.dat:4");
-  EXPECT_TRUE(team[1].scans[1].vehicles.empty()) << "seen at no distance";
+  EXPECT_TRUE(team[1].scans[1].vehicles.empty()) << "undefined at zero distance";
 }
 
 /// The robot's own bar code, or a misread one, is of no use to a filter.
@@ -133,7 +133,7 @@ TEST(MrclamTeam, OneRobotIsATeamWithoutOthers) {
   const std::vector<RangeRecording> team = alone.read();
   ASSERT_EQ(team.size(), 1u);
   for (const RangeRecording::Scan& scan : team[0].scans) EXPECT_TRUE(scan.vehicles.empty());
-  EXPECT_HAS(all_notes(team[0]), "2 measurements of other robots are left out");
+  EXPECT_HAS(all_notes(team[0]), "2 measurements of other robots are omitted");
 }
 
 TEST(MrclamTeam, NamesMissingFiles) {
@@ -141,10 +141,10 @@ TEST(MrclamTeam, NamesMissingFiles) {
   EXPECT_HAS(Team().without("Robot4_Measurement.dat").complaint(), "Robot4_Measurement.dat: cannot be read");
   Team none;
   for (const char* robot : {"1", "2", "4"}) none.without("Robot" + std::string(robot) + "_Odometry.dat");
-  EXPECT_HAS(none.complaint(), "Robot1_Odometry.dat: is not there; no robot's odometry is");
+  EXPECT_HAS(none.complaint(), "Robot1_Odometry.dat: does not exist; there is no odometry of any robot");
   const Scratch empty;
-  EXPECT_HAS(message_of([&] { read_mrclam_team(empty.folder()); }), "no robot's odometry is");
-  EXPECT_HAS(message_of([&] { read_mrclam_team(empty / "none"); }), "no robot's odometry is");
+  EXPECT_HAS(message_of([&] { read_mrclam_team(empty.folder()); }), "there is no odometry of any robot");
+  EXPECT_HAS(message_of([&] { read_mrclam_team(empty / "none"); }), "there is no odometry of any robot");
   const auto without = Team().without("Landmark_Groundtruth.dat").read();
   for (const RangeRecording& robot : without) {
     EXPECT_TRUE(robot.landmarks.empty());
@@ -171,7 +171,7 @@ TEST(MrclamTeam, RefusesInvalidFiles) {
              "Robot4_Measurement.dat:1: column 2 must be a whole number from 0, and is `63.5`");
   EXPECT_HAS(with("Robot4_Measurement.dat", "# nothing\n"), "robot 4: there are no scans");
   EXPECT_HAS(with("Robot4_Measurement.dat", "500 14 5 1\n"),
-             "robot 4: the odometry (100 s to 102 s) and the scans (500 s to 500 s) have no time in common");
+             "robot 4: the odometry (100 s to 102 s) and the scans (500 s to 500 s) do not overlap in time");
   EXPECT_HAS(with("Robot1_Groundtruth.dat", "1 2 3\n"),
              "Robot1_Groundtruth.dat:1: has 3 columns, column 4 is wanted");
   EXPECT_HAS(with("Barcodes.dat", "1 5\n2 5\n"), "Barcodes.dat:2: barcode 5 is already that of subject 1");

@@ -150,7 +150,7 @@ TEST(RangeTables, AreRead) {
   ASSERT_EQ(recording.landmarks.size(), 1u);
   EXPECT_EQ(recording.landmarks[0].position, Eigen::Vector2d(3, 4));
   ASSERT_EQ(recording.notes.size(), 1u);
-  EXPECT_HAS(recording.notes[0], "taken for the format `tables`");
+  EXPECT_HAS(recording.notes[0], "detected format `tables`");
 }
 
 /// The odometry covers 0 to 0.2 s.
@@ -162,8 +162,9 @@ TEST(RangeTables, WarnOfFixesOutsideTheOdometry) {
     return recording.notes.empty() ? "" : recording.notes.back();
   };
   EXPECT_HAS(note_on("-0.5,1,2"), "the fixes (-0.5 s to -0.5 s) are all from before the odometry");
-  EXPECT_HAS(note_on("-0.5,1,2"), "with vehicle_start.at_first_fix the vehicle starts at the first");
-  EXPECT_HAS(note_on("5,1,2"), "are all from after the odometry (0 s to 0.2 s): is that one clock?");
+  EXPECT_HAS(note_on("-0.5,1,2"), "with vehicle_start.at_first_fix the vehicle starts at the first fix");
+  EXPECT_HAS(note_on("5,1,2"),
+             "are all from after the odometry (0 s to 0.2 s): check that both are on the same clock");
   EXPECT_EQ(note_on("0.1,1,2").find("fixes"), std::string::npos);
 }
 
@@ -179,7 +180,7 @@ TEST(RangeTables, AcceptAnyOrderOfColumnsAndOtherStyles) {
   EXPECT_EQ(recording.odometry[0].input, Eigen::Vector2d(3, -0.25));
   ASSERT_EQ(recording.scans.size(), 1u);
   EXPECT_NEAR(recording.scans[0].detections.at(0).bearing_rad, 4 - 2 * pi, 1e-12);
-  EXPECT_HAS(all_notes(recording), "odometry.csv: columns that are not used: comment");
+  EXPECT_HAS(all_notes(recording), "odometry.csv: unused columns: comment");
   EXPECT_HAS(all_notes(recording), "there is no truth.csv");
   EXPECT_HAS(all_notes(recording), "there is no landmarks.csv");
 }
@@ -235,7 +236,7 @@ TEST(RangeTables, RefuseInvalidRows) {
              "detections.csv:2: the bearing must be within +-6.283 rad");
   EXPECT_HAS(detections_complaint(seen + "0,1,,1\n"),
              "detections.csv:2: `range_m`, `bearing_rad` and `identity` must all");
-  EXPECT_HAS(detections_complaint(seen + "0,,,1\n"), "must all be empty where the scan saw nothing");
+  EXPECT_HAS(detections_complaint(seen + "0,,,1\n"), "must all be empty if the scan has no detection");
   EXPECT_HAS(detections_complaint(seen + "0,1,0,1.5\n"),
              "detections.csv:2: `identity` must be a whole number");
   EXPECT_HAS(detections_complaint(seen + "0,1,0,-2\n"), "and is `-2`");
@@ -252,13 +253,14 @@ TEST(RangeTables, RefuseInvalidRows) {
 TEST(RangeTables, RefuseFilesWithoutRowsAndDifferentClocks) {
   EXPECT_HAS(odometry_complaint(""), "odometry.csv: is empty; its first line must name the columns");
   EXPECT_HAS(odometry_complaint("# nothing\n\n"), "odometry.csv: is empty");
-  EXPECT_HAS(odometry_complaint(drive), "odometry.csv: there are no rows after the names of the columns");
+  EXPECT_HAS(odometry_complaint(drive), "odometry.csv: there are no rows below the column names");
   EXPECT_HAS(detections_complaint(seen), "detections.csv: there are no rows");
   EXPECT_HAS(truth_complaint("t_s,x_m,y_m\n"), "truth.csv: there are no rows");
   EXPECT_HAS(landmarks_complaint("identity,x_m,y_m\n"), "landmarks.csv: there are no rows");
-  EXPECT_HAS(detections_complaint(seen + "1305031102.17,1,0,1\n"),
-             "the odometry (0 s to 0.2 s) and the scans (1305031102.17 s to 1305031102.17 s) have no time in "
-             "common");
+  EXPECT_HAS(
+      detections_complaint(seen + "1305031102.17,1,0,1\n"),
+      "the odometry (0 s to 0.2 s) and the scans (1305031102.17 s to 1305031102.17 s) do not overlap in "
+      "common");
   Tables tables;
   tables.truth = "t_s,x_m,y_m\n1305031102.17,0,0\n";
   EXPECT_HAS(all_notes(tables.read()), "the truth (1305031102.17 s to");
@@ -337,7 +339,7 @@ TEST(RangeTables, AreNotWrittenOverOtherFiles) {
   EXPECT_FALSE(std::filesystem::exists(scratch / "odometry.csv"));
   EXPECT_EQ(contents(scratch / "truth.csv"), "mine\n");
   EXPECT_HAS(message_of<RecordError>([&] { write_range_tables(recording, scratch / "truth.csv/folder"); }),
-             "cannot make");
+             "cannot create");
   RangeRecording unknown = recording;
   unknown.vehicle = "hovercraft";
   EXPECT_HAS(message_of([&] { write_range_tables(unknown, scratch / "new"); }), "the vehicle `hovercraft`");
@@ -349,7 +351,7 @@ TEST(RangeRecordingFormat, IsDetectedOrExplained) {
   const Scratch scratch;
   scratch.write("deep/odometry.csv", drive);
   const std::string text = message_of([&] { read_range_recording(scratch.folder(), "auto"); });
-  EXPECT_HAS(text, "no recording of ranges and bearings is recognised; it has the folders deep");
+  EXPECT_HAS(text, "no range-bearing recording is recognized; it has the folders deep");
   EXPECT_HAS(text, "tables: odometry.csv and detections.csv");
   EXPECT_HAS(text, "acfr: data_set.mat");
   EXPECT_HAS(text, "mrclam: Barcodes.dat");
@@ -415,7 +417,7 @@ TEST(CarPark, HasItsSurveyedBeacons) {
   ASSERT_EQ(recording.landmarks.size(), 3u);
   EXPECT_EQ(recording.landmarks[1].identity, 2);
   EXPECT_EQ(recording.landmarks[1].position, Eigen::Vector2d(-3.5, 4));
-  EXPECT_HAS(recording.notes.front(), "taken for the format `acfr`");
+  EXPECT_HAS(recording.notes.front(), "detected format `acfr`");
   EXPECT_HAS(message_of([&] {
                read(row({1, 2, 3}));
              }),
@@ -503,7 +505,7 @@ TEST(CarPark, RefusesEveryTruncation) {
     for (std::size_t size = 0; size < whole.size(); size += 1 + whole.size() / 97)
       EXPECT_HAS(bytes_complaint(whole.substr(0, size)), "data_set.mat: ") << size;
     EXPECT_HAS(bytes_complaint(whole.substr(0, whole.size() - 1)),
-               "is cut short in variable 12; copy it again");
+               "is truncated in variable 12; copy it again");
   }
 }
 
@@ -521,7 +523,7 @@ TEST(CarPark, RefusesVariablesOfAnotherType) {
   mat_complex_split_t split{numbers, numbers + 1};
   char text[] = "x";
   EXPECT_HAS(with(Mat_VarCreate("Time", MAT_C_CELL, MAT_T_CELL, 2, one, nullptr, 0)),
-             "variable 1 `Time` is no matrix of numbers (class 1); save the file without it");
+             "variable 1 `Time` is not a numeric matrix (class 1); save the file without it");
   EXPECT_HAS(with(Mat_VarCreate("Time", MAT_C_CHAR, MAT_T_UINT8, 2, one, text, 0)),
              "`Time` must be a matrix of real numbers");
   EXPECT_HAS(with(Mat_VarCreate("Time", MAT_C_DOUBLE, MAT_T_DOUBLE, 3, deep, numbers, 0)),
@@ -573,15 +575,15 @@ TEST(Mrclam, IsReadAsASingleRobot) {
   EXPECT_EQ(recording.scans[0].detections[1].identity, 7);
   EXPECT_EQ(recording.scans[0].detections[1].range_m, 2);
   EXPECT_EQ(recording.scans[0].detections[1].bearing_rad, -0.5);
-  EXPECT_TRUE(recording.scans[1].detections.empty()) << "it saw another robot only";
+  EXPECT_TRUE(recording.scans[1].detections.empty()) << "it detected only another robot";
   ASSERT_EQ(recording.truth.size(), 3u);
   EXPECT_EQ(recording.truth[0].heading_rad, -1.75);
   ASSERT_EQ(recording.landmarks.size(), 2u);
   EXPECT_EQ(recording.landmarks[0].identity, 6);
   EXPECT_EQ(recording.landmarks[0].position, Eigen::Vector2d(1.5, -4));
   const std::string notes = all_notes(recording);
-  EXPECT_HAS(notes, "taken for the format `mrclam`");
-  EXPECT_HAS(notes, "1 measurements of other robots are left out, the first at ");
+  EXPECT_HAS(notes, "detected format `mrclam`");
+  EXPECT_HAS(notes, "1 measurements of other robots are omitted, the first at ");
   EXPECT_HAS(notes, "1 measurements of barcodes that are not in Barcodes.dat are skipped, the first at ");
   EXPECT_HAS(notes, "Robot2_Measurement.dat:5");
 }
@@ -597,8 +599,8 @@ TEST(Mrclam, WorksWithoutTruthAndLandmarks) {
 
 TEST(Mrclam, RefusesInvalidFiles) {
   EXPECT_HAS(Mrclam().complaint(6), "recording.robot = 6: must be 1 to 5");
-  EXPECT_HAS(Mrclam().complaint(3), "Robot3_Odometry.dat: is not there; that of robot 2 is");
-  EXPECT_HAS(Mrclam().without("Robot2_Odometry.dat").complaint(), "no robot's odometry is");
+  EXPECT_HAS(Mrclam().complaint(3), "Robot3_Odometry.dat: does not exist; there is odometry of robot 2");
+  EXPECT_HAS(Mrclam().without("Robot2_Odometry.dat").complaint(), "there is no odometry of any robot");
   EXPECT_HAS(Mrclam().without("Robot2_Measurement.dat").complaint(),
              "Robot2_Measurement.dat: cannot be read");
   EXPECT_HAS(Mrclam().with("Barcodes.dat", "# none\n").complaint(), "Barcodes.dat: lists no barcodes");
@@ -618,7 +620,7 @@ TEST(Mrclam, RefusesInvalidFiles) {
              "Robot2_Groundtruth.dat:2: the times must not go backwards");
   EXPECT_HAS(Mrclam().with("Landmark_Groundtruth.dat", "6 0 0\n6 1 1\n").complaint(),
              "Landmark_Groundtruth.dat:2: there is already a landmark 6");
-  EXPECT_HAS(Mrclam().with("Robot2_Measurement.dat", "1 63 1 0\n").complaint(), "have no time in common");
+  EXPECT_HAS(Mrclam().with("Robot2_Measurement.dat", "1 63 1 0\n").complaint(), "do not overlap in time");
 }
 
 // The published recordings, if present
@@ -659,7 +661,7 @@ TEST(PublishedRecordings, AreNamedWhereTheyAreMissing) {
 
 TEST(PublishedCarPark, HasTheNumberOfDetectionsInTheLiterature) {
   const std::filesystem::path folder = published("acfr_car_park");
-  if (folder.empty()) GTEST_SKIP() << "the recording is not here";
+  if (folder.empty()) GTEST_SKIP() << "the recording is missing";
   const RangeRecording recording = read_range_recording(folder, "auto");
   EXPECT_EQ(recording.odometry.size(), 5001u);
   EXPECT_EQ(recording.truth.size(), 626u);
@@ -674,7 +676,7 @@ TEST(PublishedCarPark, HasTheNumberOfDetectionsInTheLiterature) {
 
 TEST(PublishedMrclam, IsReadForEveryRobot) {
   const std::filesystem::path folder = published("mrclam/MRCLAM_Dataset7");
-  if (folder.empty()) GTEST_SKIP() << "the recording is not here";
+  if (folder.empty()) GTEST_SKIP() << "the recording is missing";
   const std::size_t odometry[] = {58598, 60936, 55085, 62207, 59787};
   const std::size_t detections[] = {2578, 3818, 4425, 1822, 3424};
   for (int robot = 1; robot <= 5; ++robot) {

@@ -38,8 +38,8 @@ TEST(ImageFolder, OrdersImagesNaturally) {
     EXPECT_DOUBLE_EQ(recording.frames[k].t, static_cast<double>(k) / 25);
   }
   EXPECT_EQ(recording.format, "images");
-  EXPECT_HAS(recording.notes.front(), "taken for the format `images`");
-  EXPECT_HAS(recording.notes.back(), "1 files that are not images are left out");
+  EXPECT_HAS(recording.notes.front(), "detected format `images`");
+  EXPECT_HAS(recording.notes.back(), "1 files that are not images are ignored");
   EXPECT_TRUE(recording.truth.empty());
 }
 
@@ -91,7 +91,7 @@ TEST(ImageFolder, RefusesImagesOfTwoCameras) {
   const std::string all = message_of([&] { folder.read("*"); });
   EXPECT_HAS(
       all,
-      "not alike: 3 of 20x16 px with 8 bits (the first frame-000.color.png), 3 of 20x16 px with 16 bits");
+      "images differ: 3 of 20x16 px with 8 bits (the first frame-000.color.png), 3 of 20x16 px with 16 bits");
 }
 
 TEST(ImageFolder, SelectsByAPattern) {
@@ -99,12 +99,12 @@ TEST(ImageFolder, SelectsByAPattern) {
   const Recording recording = folder.read("*.color.png");
   ASSERT_EQ(recording.frames.size(), 3u);
   EXPECT_EQ(recording.frames[2].image.filename(), "frame-002.color.png");
-  EXPECT_HAS(recording.notes.back(), "3 images whose names do not fit recording.pattern are left out");
-  EXPECT_HAS(message_of([&] { folder.read("*.jpg"); }), "fits the names of none of its 6 images");
+  EXPECT_HAS(recording.notes.back(), "3 images that do not match recording.pattern are ignored");
+  EXPECT_HAS(message_of([&] { folder.read("*.jpg"); }), "matches none of its 6 images");
   const Scratch tum;
   tum.write("rgb.txt", "1 a.png\n");
   EXPECT_HAS(message_of([&] { read_recording(tum.folder(), "auto", 25, "*"); }),
-             "means nothing with the format `tum`");
+             "does not apply to the format `tum`");
 }
 
 TEST(ImageFolder, SuggestsNoPatternThatMatchesBothCameras) {
@@ -116,7 +116,7 @@ TEST(ImageFolder, SuggestsNoPatternThatMatchesBothCameras) {
     return read_recording(scratch.folder(), "auto", 25, pattern);
   };
   for (const char* pattern : {"", "*.png"})
-    EXPECT_HAS(message_of([&] { read(pattern); }), "put its images in a folder of their own") << pattern;
+    EXPECT_HAS(message_of([&] { read(pattern); }), "put its images into their own folder") << pattern;
   EXPECT_EQ(read("[0-9].png").frames.size(), 2u);
   EXPECT_EQ(read("*").frames.size(), 4u);
 }
@@ -127,7 +127,7 @@ TEST(ImageFolder, ReportsNamesThatDifferInACameraNumberOnly) {
     scratch.write(name, png(20, 16, CV_8U));
   const Recording recording = read_recording(scratch.folder(), "auto", 25, "");
   EXPECT_HAS(fmt::format("{}", fmt::join(recording.notes, "\n")),
-             "the same numbers stand behind cam0_, cam1_: if these are cameras, choose one, e.g. "
+             "the same numbers follow cam0_, cam1_: if these are cameras, select one, e.g. "
              "recording.pattern = \"cam0_*\"");
 }
 
@@ -136,11 +136,11 @@ TEST(ImageFolder, ComparesImagesWithSimilarNames) {
   for (int i = 0; i < 4; ++i)
     scratch.write("image" + std::to_string(i) + ".png", png(i % 2 ? 20 : 40, 16, CV_8U));
   EXPECT_HAS(message_of([&] { read_recording(scratch.folder(), "images", 25); }),
-             "not alike: 2 of 40x16 px with 8 bits (the first image0.png), 2 of 20x16 px with 8 bits");
+             "images differ: 2 of 40x16 px with 8 bits (the first image0.png), 2 of 20x16 px with 8 bits");
   for (int i = 0; i < 4; ++i)
     scratch.write("image" + std::to_string(i) + ".png", png(20, 16, i % 2 ? CV_8U : CV_8UC3));
   EXPECT_HAS(read_recording(scratch.folder(), "images", 25).notes.back(),
-             "images of two kinds: 2 in colour (the first image0.png), 2 grey (the first image1.png)");
+             "images of two kinds: 2 in color (the first image0.png), 2 gray (the first image1.png)");
 }
 
 TEST(ImageFolder, ASingleDifferentImageIsAWarning) {
@@ -152,7 +152,7 @@ TEST(ImageFolder, ASingleDifferentImageIsAWarning) {
   std::string notes;
   for (const std::string& note : recording.notes) notes += note + "\n";
   EXPECT_HAS(notes, "names of 2 kinds: 30 a*.pgm (the first a0.pgm), 1 target.pgm");
-  EXPECT_HAS(notes, "not alike: 30 of 20x16 px with 8 bits (the first a0.pgm), 1 of 30x16 px");
+  EXPECT_HAS(notes, "images differ: 30 of 20x16 px with 8 bits (the first a0.pgm), 1 of 30x16 px");
 }
 
 TEST(ImageHeader, IsParsed) {
@@ -246,7 +246,7 @@ TEST(EurocRecording, TransformsTheTruthToTheCamera) {
       "0.0, 0.0,\n   0,0,1,0, 0,0,0,1]\n";
   const Recording body = read_recording(scratch.folder(), "auto", 30);
   EXPECT_EQ(body.format, "euroc");
-  EXPECT_HAS(body.notes.back(), "the truth is the body's");
+  EXPECT_HAS(body.notes.back(), "the truth is that of the body");
   EXPECT_EQ(body.truth.at(0).position, Eigen::Vector3d(1, 2, 3));
   ASSERT_EQ(body.frames.size(), 2u);
   EXPECT_EQ(body.frames[1].image, scratch.folder() / "mav0/cam0/data/b.png");
@@ -254,7 +254,7 @@ TEST(EurocRecording, TransformsTheTruthToTheCamera) {
 
   scratch.write("mav0/cam0/sensor.yaml", yaml);
   const Recording camera = read_recording(scratch.folder() / "mav0", "euroc", 30);
-  EXPECT_HAS(camera.notes.back(), "made the camera's");
+  EXPECT_HAS(camera.notes.back(), "transformed to the camera");
   // world_from_body rotates a quarter turn about z: body x is world y
   EXPECT_LT((camera.truth.at(0).position - Eigen::Vector3d(1, 3, 3)).norm(), 1e-12);
   EXPECT_NEAR(std::abs(camera.truth.at(0).world_from_camera[3]), 1,
@@ -313,7 +313,7 @@ TEST(RecordedSensor, ReturnsTheImagesInOrder) {
   EXPECT_HAS(message_of<RecordError>([&] {
                sensor.measure(std::nullopt, {3, 0, 0});
              }),
-             "frame 3 was asked for, the recording has 3");
+             "frame 3 requested, the recording has 3");
 }
 
 TEST(RecordedSensor, AWrongFirstImageIsAnInputError) {
@@ -323,7 +323,7 @@ TEST(RecordedSensor, AWrongFirstImageIsAnInputError) {
   EXPECT_HAS(text, "a0.pgm: frame 0 is 20x16 px");
   EXPECT_HAS(text, "expect 320x240");
   scratch.write("a0.pgm", pgm(20, 16).substr(0, 100));
-  EXPECT_HAS(message_of([&] { RecordedSensor(recording, 20, 16); }), "a0.pgm: the file is cut short");
+  EXPECT_HAS(message_of([&] { RecordedSensor(recording, 20, 16); }), "a0.pgm: the file is truncated");
 }
 
 TEST(RecordedSensor, ALaterFailureIsARuntimeError) {
@@ -361,7 +361,7 @@ TEST(ReadImage, RefusesEveryTruncation) {
       EXPECT_HAS(message_of<std::runtime_error>([&] { read_image(file); }), "part") << ending << " " << size;
     }
     const auto last = scratch.write(std::string("part") + ending, whole.substr(0, whole.size() - 1));
-    EXPECT_HAS(message_of<std::runtime_error>([&] { read_image(last); }), "cut short") << ending;
+    EXPECT_HAS(message_of<std::runtime_error>([&] { read_image(last); }), "truncated") << ending;
   }
 }
 
@@ -371,7 +371,7 @@ TEST(ReadImage, AcceptsTextPgmWithComments) {
   EXPECT_EQ(image(2, 1), 6);
   EXPECT_HAS(message_of<std::runtime_error>(
                  [&] { read_image(scratch.write("t.pgm", "P2\n3 2\n255\n1 2 3\n4 5\n")); }),
-             "cut short");
+             "truncated");
   EXPECT_HAS(
       message_of<std::runtime_error>([&] { read_image(scratch.write("t.pgm", "P5\n99999999999 2\n255\n")); }),
       "header");
@@ -407,7 +407,7 @@ TEST_F(DataFolder, IsSearchedInOrder) {
   EXPECT_HAS(message_of([&] { find_data("mine", scenario, "s.toml:3: recording.folder"); }),
              "s.toml:3: recording.folder: mine is not in the data folder");
   const std::string text = message_of([&] { find_data("mine", scenario, "x"); });
-  EXPECT_HAS(text, "INCOGNITA_DATA is set, so that only this folder is looked at");
+  EXPECT_HAS(text, "INCOGNITA_DATA is set, so that only this folder is searched");
   EXPECT_EQ(text.find("Put it under data/"), std::string::npos) << text;
   unsetenv("INCOGNITA_DATA");
   EXPECT_HAS(message_of([&] { find_data("none", scenario, "x"); }),

@@ -264,15 +264,15 @@ TEST(SystemFile, RepresentationIsSelectedOrRefused) {
   EXPECT_EQ(load_system("planar", "relative").file, "planar-relative.toml");
   EXPECT_EQ(load_system("planar-relative", "world").file, "planar.toml");
   EXPECT_EQ(message_of([] { load_system("cv6", "relative"); }),
-            "cv6 is built in as `world`, and not as `relative`");
+            "cv6 is built in with the representation `world`, not `relative`");
   EXPECT_EQ(message_of([] { load_system("planar", "polar"); }),
-            "the representation is `world` or `relative`, and not `polar`");
+            "the representation must be `world` or `relative`, not `polar`");
   const Scratch scratch;
   const std::string file = scratch.write("cart.toml", whole).string();
   EXPECT_EQ(load_system(file).file, file);
   EXPECT_EQ(load_system(file, "world").name, "cart");
   EXPECT_HAS(message_of([&] { load_system(file, "relative"); }),
-             "cart.toml: is written as `world`, and `relative` was asked for");
+             "cart.toml: has the representation `world`, not `relative`");
 }
 
 TEST(SystemFile, RefusesAMissingFile) {
@@ -285,7 +285,7 @@ TEST(SystemFile, RefusesAMissingFile) {
   }
   EXPECT_HAS(message_of([] { load_system("planer"); }), "the nearest is planar");
   const Scratch scratch;
-  EXPECT_HAS(message_of([&] { load_system(scratch.folder().string()); }), "is a folder, a file is wanted");
+  EXPECT_HAS(message_of([&] { load_system(scratch.folder().string()); }), "is a folder, not a file");
   const std::string large = scratch.write("large.toml", "#" + std::string(1 << 20, '-')).string();
   EXPECT_HAS(message_of([&] { load_system(large); }), "is larger than the 1048576 bytes allowed");
 }
@@ -348,15 +348,15 @@ TEST(SystemFile, RefusesInvalidKeysAndTypes) {
 TEST(SystemFile, RefusesInvalidNames) {
   const std::string long_name(41, 'x');
   expect_problems({
-      {"L = 1.5", "\"my L\" = 1.5", "s.toml:8:1: `my L` is no name; names are a letter and then"},
-      {"L = 1.5", "_L = 1.5", "s.toml:8:1: `_L` is no name"},
-      {"L = 1.5", "\"\" = 1.5", "s.toml:8:1: `` is no name"},
-      {"L = 1.5", "\"\\u001b[2J\" = 1.5", "s.toml:8:1: `?[2J` is no name"},
+      {"L = 1.5", "\"my L\" = 1.5", "s.toml:8:1: `my L` is not a name; a name is a letter followed by"},
+      {"L = 1.5", "_L = 1.5", "s.toml:8:1: `_L` is not a name"},
+      {"L = 1.5", "\"\" = 1.5", "s.toml:8:1: `` is not a name"},
+      {"L = 1.5", "\"\\u001b[2J\" = 1.5", "s.toml:8:1: `?[2J` is not a name"},
       {"L = 1.5", (long_name + " = 1").c_str(), "s.toml:8:1: `xxxxxxxxxxx"},
-      {"L = 1.5", "pi = 1.5", "s.toml:8:1: `pi` has a meaning of its own; choose another name"},
-      {"L = 1.5", "I = 1.5", "s.toml:8:1: `I` has a meaning"},
-      {"L = 1.5", "tanh = 1.5", "s.toml:8:1: `tanh` has a meaning"},
-      {"L = 1.5", "draw = 1.5", "s.toml:8:1: `draw` has a meaning"},
+      {"L = 1.5", "pi = 1.5", "s.toml:8:1: `pi` is reserved; choose another name"},
+      {"L = 1.5", "I = 1.5", "s.toml:8:1: `I` is reserved"},
+      {"L = 1.5", "tanh = 1.5", "s.toml:8:1: `tanh` is reserved"},
+      {"L = 1.5", "draw = 1.5", "s.toml:8:1: `draw` is reserved"},
       {"v = [-1, 1]", "L = [-1, 1]", "s.toml:10:1: there is a parameter `L` already, in line 8"},
       {"half =", "w =", "s.toml:16:1: there is a state `w` already, in line 13"},
       {"[landmark.states]\np = 0\n[landmark.region]\np", "[landmark.states]\nx = 0\n[landmark.region]\nx",
@@ -364,9 +364,10 @@ TEST(SystemFile, RefusesInvalidNames) {
       {"r = \"p - x\"", "drag = \"p - x\"", "s.toml:27:1: there is a definition `drag` already, in line 15"},
       {"q = [-9, -3]", "v = [-9, -3]", "s.toml:33:1: there is an input `v` already, in line 10"},
       {"draw.u", "draw.w", "s.toml:41:6: there is a state `w` already, in line 13"},
-      {"place = \"x\"", "\"the place\" = \"x\"", "s.toml:21:1: `the place` is no name"},
+      {"place = \"x\"", "\"the place\" = \"x\"", "s.toml:21:1: `the place` is not a name"},
       {"[motion.steady]", "[motion.general]", "s.toml:38:9: every system has the motion `general`"},
-      {"[motion.steady]", "[motion.\"\"]", "s.toml:38:9: a name of 1 to 80 characters on one line is wanted"},
+      {"[motion.steady]", "[motion.\"\"]",
+       "s.toml:38:9: a name of 1 to 80 characters on one line is required"},
       {"[directions.\"along x\"]", "[directions.depth]",
        "s.toml:30:22: there is a direction `depth` already"},
   });
@@ -381,7 +382,7 @@ TEST(SystemFile, RefusesNamesReservedForLandmarkStates) {
     FAIL() << "read";
   } catch (const InputError& error) {
     EXPECT_STREQ(error.what(),
-                 "s.toml:3:1: `y_1` is what state `y` of a landmark is called; choose another name");
+                 "s.toml:3:1: `y_1` is the displayed name of state `y` of a landmark; choose another name");
   }
 }
 
@@ -393,7 +394,7 @@ TEST(SystemFile, RefusesUnknownNames) {
       {"p = [3, 9]\n", "",
        "s.toml:23:1: state `p` has no region; write p = [lowest, highest] under [landmark.region]"},
       {"[states]\nx = \"v + drag\"\nw = 0\n", "",
-       "s.toml:15:1: the region is of `x`, and there are no states; write x = \"its rate of change\" under "
+       "s.toml:15:1: the region contains `x`, but there are no states; write x = \"its rate of change\" under "
        "[states]"},
       {"[landmark.region]\np", "[landmark.region]\nx", "s.toml:25:1: state `x` has no equation"},
       {"v = \"u*half\"", "L = \"u*half\"", "s.toml:39:1: there is no state or input `L`"},
@@ -421,7 +422,7 @@ TEST(SystemFile, DisturbedStatesBelongToTheVehicle) {
   EXPECT_EQ(cart.disturbed[0].name, "w");
   EXPECT_EQ(at(cart.disturbed[1].location), "6:19");
   EXPECT_EQ(complaint(disturbed("[\"w\", \"v\"]")), "s.toml:6:19: there is no state `v`; the nearest is `x`");
-  EXPECT_EQ(complaint(disturbed("[\"w\", \"w\"]")), "s.toml:6:19: `w` stands here twice");
+  EXPECT_EQ(complaint(disturbed("[\"w\", \"w\"]")), "s.toml:6:19: `w` occurs twice");
   EXPECT_TRUE(complaint(disturbed("[\"w\", 1]")).starts_with("s.toml:6:13: `disturbed` must be a list of"));
   EXPECT_TRUE(complaint(disturbed("\"w\"")).starts_with("s.toml:6:13: `disturbed` must be a list of"));
 }
@@ -432,8 +433,8 @@ TEST(SystemFile, RefusesInvalidRangesAndMissingEntries) {
       {"v = [-1, 1]", "v = [-1.7e308, 1.7e308]", "s.toml:10:1: the range of `v` must be finite"},
       {"q = [-9, -3]", "q = [-3, -9]", "s.toml:33:1: the range of `q` is empty"},
       {"draw.u = [0, 1]", "draw.u = [1, 0]", "s.toml:41:6: the range of `u` is empty"},
-      {"p = 0\n", "", "s.toml: a landmark needs a state; one whose place is known is an anchor"},
-      {"x = 1\nlandmark.p = \"r/r\"\n", "", "s.toml:42:13: direction `along x` moves nothing"},
+      {"p = 0\n", "", "s.toml: a landmark needs a state; a landmark with known position is an anchor"},
+      {"x = 1\nlandmark.p = \"r/r\"\n", "", "s.toml:42:13: direction `along x` is empty"},
   });
   EXPECT_EQ(complaint("name = \"a\""),
             "s.toml: the system has no states; write x = \"its rate of change\" under [states]");
@@ -443,21 +444,21 @@ TEST(SystemFile, RefusesInvalidRangesAndMissingEntries) {
 
 TEST(SystemFile, LocatesInvalidExpressions) {
   expect_problems({
-      {"\"v + drag\"", "\"v + darg\"", "s.toml:12:10: there is no `darg` that this expression sees"},
-      {"\"v + drag\"", "'v + * drag'", "s.toml:12:10: nothing stands between `+` and `*`"},
-      {"\"v + drag\"", "\"v + r\"", "s.toml:12:10: there is no `r` that this expression sees"},
-      {"\"-0.1*w*L\"", "\"half\"", "s.toml:15:9: there is no `half` that this expression sees"},
+      {"\"v + drag\"", "\"v + darg\"", "s.toml:12:10: there is no `darg` in the scope of this expression"},
+      {"\"v + drag\"", "'v + * drag'", "s.toml:12:10: an operand is missing between `+` and `*`"},
+      {"\"v + drag\"", "\"v + r\"", "s.toml:12:10: there is no `r` in the scope of this expression"},
+      {"\"-0.1*w*L\"", "\"half\"", "s.toml:15:9: there is no `half` in the scope of this expression"},
       {"w = 0", "w = 1e305", "s.toml:13:5: a number's exponent is at most 300"},
       {"w = 0", "w = \"\"", "s.toml:13:6: the expression is empty"},
-      {"\"r\", sigma", "\"r**2\", sigma", "s.toml:29:21: a power is written ^, not **"},
-      {"\"p - x\"", "\"p - q\"", "s.toml:27:10: there is no `q` that this expression sees"},
-      {"\"q - x\"", "\"p - x\"", "s.toml:35:6: there is no `p` that this expression sees"},
-      {"\"u*half\"", "\"u*p\"", "s.toml:39:8: there is no `p` that this expression sees"},
+      {"\"r\", sigma", "\"r**2\", sigma", "s.toml:29:21: write a power with ^, not **"},
+      {"\"p - x\"", "\"p - q\"", "s.toml:27:10: there is no `q` in the scope of this expression"},
+      {"\"q - x\"", "\"p - x\"", "s.toml:35:6: there is no `p` in the scope of this expression"},
+      {"\"u*half\"", "\"u*p\"", "s.toml:39:8: there is no `p` in the scope of this expression"},
       {"x = -1.5", "x = \"2x\"", "s.toml:40:7: an operation is missing before `x`"},
       {"x = 1\nlandmark.p", "x = \"r\"\nlandmark.p",
-       "s.toml:43:6: there is no `r` that this expression sees"},
-      {"\"r/r\"", "\"r/\"", "s.toml:44:16: nothing stands after `/`"},
-      {"\"-0.1*L\"", "\"-0.1*p\"", "s.toml:49:17: there is no `p` that this expression sees"},
+       "s.toml:43:6: there is no `r` in the scope of this expression"},
+      {"\"r/r\"", "\"r/\"", "s.toml:44:16: an operand is missing after `/`"},
+      {"\"-0.1*L\"", "\"-0.1*p\"", "s.toml:49:17: there is no `p` in the scope of this expression"},
       {"\"error of x\"", "\"\"", "s.toml:47:12: `x` must be one line of 1 to 400 characters"},
       // With escapes or several lines the location is that of the opening quote
       {"\"v + drag\"", "\"\"\"\nv +\n  darg\"\"\"", "s.toml:12:5: there is no `darg`"},
@@ -475,7 +476,7 @@ TEST(SystemFile, RefusesTooManyEntries) {
     return complaint(with(part, part + more));
   };
   EXPECT_HAS(complaint_of("[states]\n", many("k", 63, " = 0")),
-             "s.toml:76:1: there are 65 states here; at most 64 are read");
+             "s.toml:76:1: there are 65 states; at most 64 are allowed");
   EXPECT_HAS(complaint_of("[measurements]\n", many("k", 64, " = 0")), "there are 65 measurements here");
   EXPECT_HAS(complaint_of("[definitions]\n", many("k", 255, " = 0")), "there are 257 definitions here");
   EXPECT_HAS(complaint_of("[parameters]\n", many("k", 256, " = 0")), "there are 257 parameters here");

@@ -102,7 +102,7 @@ TEST(Target, RefusesInvalidPatches) {
              "t.toml:14: patch: even.pgm must be an odd square of 9 to 101 px, and is 12x12");
   EXPECT_HAS(with("oblong.pgm"), "and is 11x13");
   EXPECT_HAS(with("small.pgm"), "and is 7x7");
-  EXPECT_HAS(with("cut.pgm"), "cut.pgm: the file is cut short");
+  EXPECT_HAS(with("cut.pgm"), "cut.pgm: the file is truncated");
   EXPECT_HAS(with("flat.pgm"), "flat.pgm is of one grey");
   EXPECT_HAS(message_of([] { read_target("/nowhere/t.toml"); }),
              "/nowhere/t.toml: cannot be read: No such file");
@@ -165,19 +165,20 @@ TEST(Target, RefusesInvalidPictures) {
   EXPECT_HAS(complaint(pictured + seen("[3, -0.2, 1.2]", "[50]")),
              "picture_px: must be a list of two finite numbers");
   EXPECT_HAS(complaint(pictured + seen("[3, -0.2, 1.2]", "[45, 20]")),
-             "t.toml:3: picture: must be taken straight on");
+             "t.toml:3: picture: must be a frontal view");
   const auto corners = [&](const std::vector<std::string>& pixels) {
     return complaint(head + "picture = \"whole.pgm\"\n" + seen("[3, 0.2, 1]", pixels[0]) +
                      seen("[3, -0.2, 1]", pixels[1]) + seen("[3, 0.2, 1.2]", pixels[2]) +
                      seen("[3, -0.2, 1.2]", pixels[3]));
   };
-  EXPECT_HAS(corners({"[10, 35]", "[50, 45]", "[10, 15]", "[50, 25]"}), "degrees apart") << "sheared";
+  EXPECT_HAS(corners({"[10, 35]", "[50, 45]", "[10, 15]", "[50, 25]"}), "degrees between rows and columns")
+      << "sheared";
   EXPECT_HAS(corners({"[10, 25]", "[50, 25]", "[10, 15]", "[50, 15]"}),
-             "they are 0.01 m wide and 0.02 m high, and rows and columns 90 degrees apart");
+             "a pixel is 0.01 m wide and 0.02 m high, with 90 degrees between rows and columns");
   EXPECT_HAS(corners({"[10, 15]", "[50, 15]", "[10, 15]", "[50, 15]"}),
              "corners 0 and 2 are less than 4 px apart");
   EXPECT_HAS(complaint(pictured + seen("[3, -0.2, 1.2]", "[60, 15]")),
-             "t.toml:3: picture: must be of the whole target, and corner 3 is outside");
+             "t.toml:3: picture: must show the whole target, but picture_px of corner 3 is outside");
   EXPECT_HAS(complaint(head + "picture = \"whole.pgm\"\n" + seen("[3, 0.2, 1]", "[50, 35]") +
                        seen("[3, -0.2, 1]", "[10, 35]") + seen("[3, 0.2, 1.2]", "[50, 15]") +
                        seen("[3, -0.2, 1.2]", "[10, 15]")),
@@ -209,7 +210,8 @@ TEST(Target, FindsBuiltInPatches) {
   };
   for (const char* outside : {"../../x", "../../../../sheet_corner0.pgm"})
     EXPECT_HAS(complaint(outside), std::string("patch: ") + outside + " is not there");
-  EXPECT_HAS(complaint("../room.toml"), "room.toml: ") << "there is such a file built in, and it is no image";
+  EXPECT_HAS(complaint("../room.toml"), "room.toml: ")
+      << "a built-in file of that name exists, but is not an image";
 }
 
 TEST(Target, IsFoundBesideItsScenario) {

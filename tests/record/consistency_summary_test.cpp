@@ -30,11 +30,11 @@ TEST(ConsistencySummary, UsesNeesWhereTheTruthIsKnown) {
   EXPECT_EQ(right.verdict, Consistency::consistent);
   EXPECT_TRUE(right.symptom.empty() && right.causes.empty());
   EXPECT_NEAR(right.pose.nees->mean, 1, 0.2);
-  EXPECT_EQ(right.pose.frames_with_truth, 117) << "120 less those before the start";
+  EXPECT_EQ(right.pose.frames_with_truth, 117) << "120 minus those before the start";
   const ConsistencyReport over = report_of(off_by(3));
   EXPECT_EQ(over.verdict, Consistency::overconfident);
   EXPECT_GT(over.pose.overconfident_frames, 30);
-  EXPECT_NE(over.symptom.find("the pose is farther off"), std::string::npos);
+  EXPECT_NE(over.symptom.find("pose errors are larger"), std::string::npos);
   EXPECT_EQ(report_of(off_by(0.3)).verdict, Consistency::conservative);
 }
 
@@ -74,7 +74,8 @@ TEST(ConsistencySummary, SuggestsSignUnitAndClockFirstWhereNisIsLargeFromTheStar
 
 // A gate that rejects inconsistent measurements hides them from NIS
 TEST(ConsistencySummary, CountsMeasurementsOutsideTheirGates) {
-  EXPECT_NEAR(*report_of({}).outlier_share, 1.0 / 6, 1e-9) << "of 8 looks, 5 matched and 1 inconsistent";
+  EXPECT_NEAR(*report_of({}).outlier_share, 1.0 / 6, 1e-9)
+      << "of 8 measurements, 5 matched and 1 inconsistent";
   ConsistencySummary summary(true);
   for (int i = 0; i < 120; ++i) {
     Snapshot snapshot = testing::synthetic_snapshot({}, i);

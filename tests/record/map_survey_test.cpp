@@ -21,7 +21,7 @@ TEST(MapSurvey, MatchesByIdentityAtAnyDistance) {
   const std::vector<SnapshotLandmark> map{mapped(1, 3, 0), mapped(2, 10, 4), mapped(9, 0, 5),
                                           mapped(3, 7, 7, true)};
   const auto error = surveyed_map_error(map, survey(true), {});
-  EXPECT_EQ(error.matched, 2) << "one has no surveyed landmark, one is an anchor";
+  EXPECT_EQ(error.matched, 2) << "one landmark is not surveyed, one is an anchor";
   EXPECT_NEAR(error.rms_m, std::sqrt((9.0 + 16) / 2), 1e-12);
 }
 

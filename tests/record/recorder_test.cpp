@@ -191,7 +191,7 @@ TEST(Recorder, ReportsObservability) {
 TEST(Recorder, ReportsWhyObservabilityIsUnknown) {
   const Scratch scratch;
   ObservabilityReport report;
-  report.uncovered = "the filter drops correlations";
+  report.uncovered = "the filter decorrelates its map";
   Recorder recorder(scratch / "run", info());
   recorder.note(report);
   recorder.finish(RunStatus::done, "");

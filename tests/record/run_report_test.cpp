@@ -59,7 +59,7 @@ TEST(RunReport, OfARunWithoutFramesReportsUnknowns) {
             "run          interrupted, stopped at t = 0.000 s\n"
             "frames       0 in 0.0 s: 0 tracked, 0 lost\n"
             "path         unknown\n"
-            "trajectory   no error: the truth is not known\n"
+            "trajectory   no error: the truth is unknown\n"
             "map          0 landmarks\n"
             "consistency  unknown\n"
             "decisions    0\n"
@@ -71,7 +71,7 @@ TEST(RunReport, UsesNoMetersWhereTheScaleIsUnobservable) {
   r.alignment = AlignmentKind::sim3;
   r.scale_known = r.true_path = false;
   const std::string text = in_words(r, 4, "x");
-  EXPECT_NE(text.find("path         8.41 arbitrary units (scale unobservable), as estimated\n"),
+  EXPECT_NE(text.find("path         8.41 arbitrary units (scale unobservable), estimated\n"),
             std::string::npos)
       << text;
   EXPECT_NE(text.find("ATE 2.5 mm after sim3 alignment"), std::string::npos) << "of the truth, which is in m";

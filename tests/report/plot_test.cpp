@@ -146,7 +146,7 @@ TEST(Plot, EqualRangesHaveEqualTics) {
   EXPECT_HAS(text, "set yrange [-3.2:3.2]\nset size ratio -1\nset xtics 2\nset ytics 2\n");
   const std::size_t reset = text.rfind("set xtics autofreq\n");
   ASSERT_NE(reset, std::string::npos);
-  EXPECT_LT(text.rfind("set xtics 2\n"), reset) << "nor those of the panel before";
+  EXPECT_LT(text.rfind("set xtics 2\n"), reset) << "not those of the previous panel";
 }
 
 TEST(Plot, OfOnePointHasTics) {

@@ -64,11 +64,11 @@ TEST(Config, ChecksTargetAndImages) {
           .string();
   scratch.write("frames/rgb.txt", "1 a.pgm\n2 b.pgm\n");
   scratch.write("frames/a.pgm", pgm(320, 240));
-  EXPECT_HAS(message_of([&] { run({"config", file, "--check"}); }), "b.pgm: is listed and not there");
+  EXPECT_HAS(message_of([&] { run({"config", file, "--check"}); }), "b.pgm: is listed but does not exist");
   scratch.write("frames/b.pgm", pgm(320, 240));
   const Answer answer = run({"config", file, "--check"});
-  EXPECT_HAS(answer.out, "all 2 images are there, the first is 320x240");
-  EXPECT_HAS(answer.out, "s: in order");
+  EXPECT_HAS(answer.out, "all 2 images exist, the first is 320x240");
+  EXPECT_HAS(answer.out, "s: valid");
   EXPECT_HAS(message_of([&] {
                run({"config", file, "--check", "--set", "camera.width_px=400"});
              }),

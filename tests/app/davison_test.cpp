@@ -120,7 +120,7 @@ TEST(Davison, PredictsTheTargetWhenItReturns) {
     std::printf("seed %s\n", seed);
     const Return found = come_back(assembly, load_target(loaded), make_camera(loaded.scenario.camera));
     EXPECT_EQ(found.lost_frames, 0);
-    ASSERT_GE(found.px.size(), 2u) << "frames with all four corners: the detector is not what it was";
+    ASSERT_GE(found.px.size(), 2u) << "the corner detector finds too few frames";
     EXPECT_LE(*std::max_element(found.px.begin(), found.px.end()), allowed_at_once_px);
     const double sum = std::accumulate(found.px.begin(), found.px.end(), 0.0);
     EXPECT_LE(sum / static_cast<double>(found.px.size()), allowed_px);

@@ -126,18 +126,18 @@ TEST(ObservabilityWatch, OneAnchorLeavesTheHeadingUnobservable) {
 TEST(ObservabilityWatch, ReportsUncoveredFilters) {
   const Watched from_vehicle =
       drive(20, [](PlanarSlamSettings& s, const RangeRecording&) { s.filter.map_frame = "vehicle"; });
-  EXPECT_EQ(from_vehicle.report.uncovered, "the map is told in the vehicle's frame");
+  EXPECT_EQ(from_vehicle.report.uncovered, "the map is expressed in the vehicle frame");
   EXPECT_FALSE(heading(from_vehicle.report).estimated_sigma);
   EXPECT_EQ(in_words(from_vehicle.report).size(), 3u);
   const Watched anchored = drive(20, [](PlanarSlamSettings& s, const RangeRecording& r) {
     s.filter.map_frame = "vehicle";
     s.filter.anchors = {r.landmarks[0].position, r.landmarks[1].position};
   });
-  EXPECT_EQ(in_words(anchored.report)[0], "place: can be fixed by 2 anchors");
+  EXPECT_EQ(in_words(anchored.report)[0], "position: observable with 2 anchors");
   for (const char* how : {"everything", "map", "map-linear"}) {
     const Watched dropped =
         drive(5, [&](PlanarSlamSettings& s, const RangeRecording&) { s.filter.decorrelate = how; });
-    EXPECT_EQ(dropped.report.uncovered, "the filter drops correlations") << how;
+    EXPECT_EQ(dropped.report.uncovered, "the filter decorrelates its map") << how;
   }
 }
 
@@ -161,7 +161,8 @@ TEST(ObservabilityWatch, ReportsNonFiniteNumbersAndTheIdealNullity) {
     watch.follow(broken);
     const auto report = watch.report();
     ASSERT_TRUE(report);
-    EXPECT_EQ(report->uncovered, of_mean ? "the estimate is not finite" : "its information is not finite");
+    EXPECT_EQ(report->uncovered,
+              of_mean ? "the estimate is not finite" : "the filter's information is not finite");
     EXPECT_EQ(report->ideal_nullity, 3);
     ASSERT_EQ(report->quantities.size(), 3u);
     EXPECT_FALSE(report->quantities[0].ideally_observable || report->quantities[0].estimated_sigma);

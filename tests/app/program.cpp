@@ -36,7 +36,7 @@ void connect(int stream, Stream where, std::FILE* kept) {
     case Stream::full_disk:
       ::dup2(::open("/dev/full", O_WRONLY), stream);
       break;
-    case Stream::nobody:
+    case Stream::no_reader:
       if (::pipe2(ends, O_CLOEXEC) == 0) ::dup2(ends[1], stream);
       break;
   }

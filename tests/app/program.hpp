@@ -18,7 +18,7 @@ namespace incognita::testing {
 using Words = std::vector<std::string>;
 
 /// Target of a standard stream of the program.
-enum class Stream { kept, closed, full_disk, nobody };
+enum class Stream { kept, closed, full_disk, no_reader };
 
 struct Circumstances {
   std::filesystem::path folder;  ///< its working directory

@@ -240,7 +240,7 @@ TEST(ProgramCampaign, CountsFailedRuns) {
   EXPECT_EQ(lost["measures"]["ate_m"]["share_failed"], 1);
   EXPECT_EQ(lost["measures"]["ate_m"]["versus_baseline"]["pairs"], 0);
   EXPECT_EQ(lost["measures"]["ate_m"]["versus_baseline"]["pairs_left_out"], 5);
-  EXPECT_SAYS(ended.out, "failed, and left out above");
+  EXPECT_SAYS(ended.out, "failed, and excluded above");
   EXPECT_SAYS(ended.out, "0 of 5   100 %");
   EXPECT_SAYS(ended.out, "--measure ate_m.below:0.1");
   EXPECT_SAYS(ended.err, "seed 3: failed: ");
@@ -265,7 +265,7 @@ TEST(ProgramCampaign, RefusesAnInvalidLimitBeforeAnyRun) {
   EXPECT_TRUE(place.results().empty());
   const Ended unknown = place.campaign({"--seeds", "1..3", "--jobs", "1", "--measure", "ate.below:1"});
   EXPECT_EQ(unknown.code, 2);
-  EXPECT_SAYS(unknown.err, "--measure ate: no run has measured that; the nearest is ate_m");
+  EXPECT_SAYS(unknown.err, "--measure ate: no run has this measure; the nearest is ate_m");
 }
 
 std::vector<pid_t> children_of(pid_t process) {
@@ -316,8 +316,8 @@ TEST(ProgramCampaign, AKilledRunIsRepeated) {
   ASSERT_EQ(::kill(run, SIGKILL), 0);
   const Ended ended = program.wait();
   EXPECT_EQ(ended.code, 1) << ended.err;
-  EXPECT_SAYS(ended.err, "ended from outside by signal 9");
-  EXPECT_SAYS(ended.err, "1 runs are still to make");
+  EXPECT_SAYS(ended.err, "killed from outside by signal 9");
+  EXPECT_SAYS(ended.err, "1 runs are missing");
   EXPECT_EQ(place.campaign(what).code, 0);
   expect_same_tables(place, "whole", "c");
 }
@@ -332,7 +332,7 @@ TEST(ProgramCampaign, InterruptedItEndsAndResumes) {
     const Ended ended = program.wait();
     EXPECT_EQ(ended.code, 1) << ended.err;
     EXPECT_SAYS(ended.err, "interrupted: ");
-    EXPECT_SAYS(ended.err, "the same command goes on");
+    EXPECT_SAYS(ended.err, "the same command continues");
   }
   for (const std::string& name : testing::everything_in(place / "c")) EXPECT_SILENT_ON(name, ".part");
   EXPECT_EQ(place.campaign(what).code, 0);
@@ -411,29 +411,29 @@ TEST(ProgramCampaign, RefusesInvalidArgumentsBeforeAnyRun) {
       {{"--vary", "plant.sigma_speed_m_s="}, "a value is missing"},
       {{"--vary", "plant.sigma_speed_m_s=1,,2"}, "a value is missing"},
       {{"--vary", "points.size_m=[1,2"}, "do not close"},
-      {{"--vary", "plant.sigma_speed_m_s=0.1,0.10"}, "is there twice"},
+      {{"--vary", "plant.sigma_speed_m_s=0.1,0.10"}, "occurs twice"},
       {{"--vary", "points.count=8", "--vary", "points.count=9"}, "given twice"},
       {{"--vary", "points.count=8", "--set", "points.count=9"}, "set the same"},
       {{"--vary", "run.duration_s=1,2", "--duration", "3"}, "set the same"},
       {{"--vary", "run.seed=1,2"}, "--seeds"},
       {{"--set", "run.seed=1"}, "--seeds"},
       {{"--vary", "decision.strategy=none,mutual-information"}, "means nothing with"},
-      {{"--seeds", "5..1"}, "runs backwards"},
-      {{"--seeds", "1..3,2"}, "2 is there twice"},
-      {{"--seeds", ""}, "is no seed"},
-      {{"--seeds", "-1"}, "is no seed"},
-      {{"--seeds", "1..x"}, "`x` is no seed"},
+      {{"--seeds", "5..1"}, "is decreasing"},
+      {{"--seeds", "1..3,2"}, "2 occurs twice"},
+      {{"--seeds", ""}, "is not a seed"},
+      {{"--seeds", "-1"}, "is not a seed"},
+      {{"--seeds", "1..x"}, "`x` is not a seed"},
       {{"--seeds", "1..99999999999"}, "more than 1000000 runs"},
       {{"--seeds", "0..9223372036854775807"}, "more than 1000000 runs"},
       {{"--jobs", "0"}, "--jobs 0: must be a whole number from 1"},
       {{"--shard", "0/2"}, "must be written i/N"},
       {{"--shard", "3/2"}, "must be written i/N"},
       {{"--shard", "1"}, "must be written i/N"},
-      {{"--table"}, "holds no campaign"},
+      {{"--table"}, "contains no campaign"},
       {{"--baseline", "points.count=8"}, "is not varied"},
-      {{"--vary", "points.count=8,9", "--baseline", "points.count=7"}, "none of the values"},
-      {{"--out", ""}, "--out: names nothing"},
-      {{"--out", "in-the-way"}, "in the way"},
+      {{"--vary", "points.count=8,9", "--baseline", "points.count=7"}, "not one of the values"},
+      {{"--out", ""}, "--out: is empty"},
+      {{"--out", "in-the-way"}, "a file with this name exists"},
       {{"--out", "/proc/incognita"}, "--out /proc/incognita: cannot write"},
       {{"--sheds", "1"}, "the nearest is `--seeds`"}};
   for (const auto& [words, message] : wrong) {
@@ -468,22 +468,21 @@ TEST(ProgramCampaign, WarnsIfSeedsHaveNoEffect) {
   place.write("points.csv", "id,x,y\n1,5,1\n2,6,-3\n");
   const Ended ended = place.campaign(still);
   EXPECT_EQ(ended.code, 0) << ended.err;
-  EXPECT_SAYS(ended.err, "small: every seed gave the same");
-  EXPECT_SILENT_ON(place.campaign({"--seeds", "1..2"}, "noisy").err, "every seed gave the same");
+  EXPECT_SAYS(ended.err, "small: every seed gave the same result");
+  EXPECT_SILENT_ON(place.campaign({"--seeds", "1..2"}, "noisy").err, "every seed gave the same result");
 }
 
 TEST(ProgramCampaign, RefusesAnUnknownMeasureAfterTheFirstRun) {
   const TimedPosition place;
   const Ended ended = place.campaign({"--seeds", "1..200", "--jobs", "1", "--measure", "ate"});
   EXPECT_EQ(ended.code, 2);
-  EXPECT_SAYS(ended.err,
-              "--measure ate: no run has measured that; the nearest is ate_m. Runs that have ended");
+  EXPECT_SAYS(ended.err, "--measure ate: no run has this measure; the nearest is ate_m. Completed runs");
   EXPECT_EQ(ended.out, "");
   ASSERT_EQ(place.results().size(), 1u);
   const fs::path kept = place.results()[0];
   const std::string made = contents(kept);
   const Ended again = place.campaign({"--seeds", "1..200", "--measure", "entropy.totl"});
-  EXPECT_EQ(again.code, 2) << "by what is in the folder, before any run";
+  EXPECT_EQ(again.code, 2) << "from the results in the folder, before any run";
   EXPECT_SAYS(again.err, "the nearest is entropy.total");
   EXPECT_EQ(place.results().size(), 1u);
   const Ended right = place.campaign({"--seeds", "1..3", "--measure", "ate_m", "--measure", "failed"});
@@ -515,7 +514,7 @@ TEST(ProgramCampaign, AFailedRunDoesNotDetermineTheMeasures) {
                                       "vehicle_lost.max_sigma_position_m=0.011"});
   EXPECT_EQ(ended.code, 2);
   EXPECT_SAYS(ended.err, "--measure ate: ");
-  EXPECT_EQ(place.results().size(), 5u) << "only when there is no other run to come";
+  EXPECT_EQ(place.results().size(), 5u) << "only after the last run";
 }
 
 /// A campaign that is running, and would take minutes.
@@ -537,12 +536,12 @@ TEST(ProgramCampaign, OnlyOneCampaignRunsInAFolder) {
     words.insert(words.end(), more.begin(), more.end());
     const Ended second = place.campaign(words);
     EXPECT_EQ(second.code, 2);
-    EXPECT_SAYS(second.err, "--out c: another command is at work in it");
+    EXPECT_SAYS(second.err, "--out c: another command is running in it");
     EXPECT_EQ(second.out, "");
   }
   EXPECT_EQ(testing::everything_in(place / "c"), before);
   const Ended table = place.campaign({"--seeds", "1..2", "--duration", "20000", "--table"});
-  EXPECT_EQ(table.code, 1) << "that is no work";
+  EXPECT_EQ(table.code, 1) << "--table needs no lock";
   EXPECT_SAYS(table.err, "none of the 2 runs has been made yet");
   EXPECT_EQ(place.campaign({"--seeds", "1..2", "--duration", "20"}, "elsewhere").code, 0);
 
@@ -563,10 +562,10 @@ TEST(ProgramCampaign, ShardsRunTogetherEachOnce) {
     return place.campaign(words);
   };
   const std::pair<Words, std::string> refused[] = {
-      {{"--shard", "1/2"}, "another process with --shard 1/2 is at work in it"},
-      {{"--shard", "2/3"}, "another number of shards of this one, is at work in it"},
+      {{"--shard", "1/2"}, "another process with --shard 1/2 is running in it"},
+      {{"--shard", "2/3"}, "another number of shards of this one, is running in it"},
       {{"--shard", "2/2", "--vary", vary}, "another campaign, or "},
-      {{}, "--out c: another command is at work in it"}};
+      {{}, "--out c: another command is running in it"}};
   for (const auto& [words, message] : refused) {
     const Ended second = ended(words);
     EXPECT_EQ(second.code, 2);
@@ -638,7 +637,7 @@ int with_mpirun(const TimedPosition& place, const Words& words, int ranks) {
 }
 
 TEST(ProgramCampaign, MpiGivesTheSameTable) {
-  if (std::system("mpirun --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "there is no mpirun here";
+  if (std::system("mpirun --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "mpirun is not installed";
   const TimedPosition place;
   const Words what = {"--seeds", "1..20", "--vary", vary};
   ASSERT_EQ(place.campaign(what, "whole").code, 0);
@@ -649,7 +648,7 @@ TEST(ProgramCampaign, MpiGivesTheSameTable) {
   EXPECT_SAYS(said, "40 runs: ");
   expect_same_tables(place, "whole", "c");
   EXPECT_EQ(with_mpirun(place, place.words({"--seeds", "3..1"}), 3), 2);
-  EXPECT_SAYS(contents(place / "mpi.err"), "runs backwards");
+  EXPECT_SAYS(contents(place / "mpi.err"), "is decreasing");
 }
 
 }  // namespace

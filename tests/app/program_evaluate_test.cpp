@@ -98,12 +98,13 @@ TEST(ProgramEvaluate, AnswersAreFinite) {
 TEST(ProgramEvaluate, RefusesInvalidIntervals) {
   const Scratch scratch;
   scratch.write("truth", path_text);
-  const std::pair<Words, std::string> wrong[] = {{{"--max-dt", "nan"}, "nan: must be 0 or more"},
-                                                 {{"--max-dt", "-1"}, "-1: must be 0 or more"},
-                                                 {{"--rpe-delta-s", "nan"}, "nan: must be more than 0"},
-                                                 {{"--rpe-delta-s", "0"}, "0: must be more than 0"},
-                                                 {{"--max-dt", "soon"}, "soon: must be 0 or more"},
-                                                 {{"--align", "se4"}, "none of auto, none, se3, sim3, yaw"}};
+  const std::pair<Words, std::string> wrong[] = {
+      {{"--max-dt", "nan"}, "nan: must be 0 or more"},
+      {{"--max-dt", "-1"}, "-1: must be 0 or more"},
+      {{"--rpe-delta-s", "nan"}, "nan: must be more than 0"},
+      {{"--rpe-delta-s", "0"}, "0: must be more than 0"},
+      {{"--max-dt", "soon"}, "soon: must be 0 or more"},
+      {{"--align", "se4"}, "must be auto, none, se3, sim3 or yaw"}};
   for (const auto& [option, message] : wrong) {
     Words words = {"truth", "--truth", "truth"};
     words.insert(words.end(), option.begin(), option.end());

@@ -74,8 +74,8 @@ TEST(ProgramObserve, ReportsTheOperatingPoint) {
   EXPECT_NEAR(a["look_times_s"][24].get<double>(), 3, 1e-12);
   const Ended table = observe({"planar"});
   EXPECT_SAYS(table.out, "Segment 1 is at x = ");
-  EXPECT_SAYS(table.out, "25 looks in all. ");
-  EXPECT_SAYS(observe({"cv6", "--features", "2", "--no-lie"}).out, "Where segments start, their inputs, ");
+  EXPECT_SAYS(table.out, "25 measurement times in total");
+  EXPECT_SAYS(observe({"cv6", "--features", "2", "--no-lie"}).out, "the starts and inputs of the segments, ");
 }
 
 TEST(ProgramObserve, IsDeterministicForASeed) {
@@ -136,10 +136,10 @@ TEST(ProgramObserve, TableIsConsistentWithItsRemarks) {
   const std::string faint = table_of(
       "name = \"s\"\n[states]\nx = 0\nb = 0\n[region]\nx = [0, 1]\nb = [0, 1]\n"
       "[measurements]\nm = \"1e-12*x\"\nn = \"x + b\"\n");
-  EXPECT_SAYS(faint, "The Fisher information does not show:\n  ");
+  EXPECT_SAYS(faint, "Unobservable by the Fisher information:\n  ");
   const std::string stiff =
       table_of("name = \"s\"\n[states]\nx = \"9*x\"\n[region]\nx = [1, 2]\n[measurements]\nz = \"x\"\n");
-  EXPECT_SAYS(stiff, "allows (not to be trusted: see the notes): x");
+  EXPECT_SAYS(stiff, "for this motion (unreliable: see the notes): x");
   for (const std::string& table : {faint, stiff}) EXPECT_EQ(table.find("; \n"), std::string::npos) << table;
 }
 
@@ -190,7 +190,7 @@ TEST(ProgramObserve, LocatesADivisionByZero) {
 }
 
 TEST(ProgramObserve, RepeatsNothingOfTheAnswer) {
-  EXPECT_EQ(observe({"planar", "--json"}).err, "") << "disagreements are in the answer";
+  EXPECT_EQ(observe({"planar", "--json"}).err, "") << "the answer contains the disagreements";
   EXPECT_SAYS(observe({"planar", "--latex"}).err, "SOM over 3 segments leaves 2 unobservable");
 }
 
@@ -199,7 +199,7 @@ TEST(ProgramObserve, RefusesInapplicableOptions) {
       {{"plannar"}, "planar"},
       {{"nowhere.toml"}, "nowhere.toml"},
       {{"planar", "--motion", "sideways"}, "general, straight, stationary, unaccelerated"},
-      {{"planar", "--motion", "sideways"}, "planar: `planar` knows no motion"},
+      {{"planar", "--motion", "sideways"}, "planar: `planar` has no motion"},
       {{"planar", "--representation", "relative", "--anchors", "1"}, "no anchors"},
       {{"cv6", "--representation", "relative"}, "cv6"},
       {{"planar", "--features", "0"}, "nothing is measured"},

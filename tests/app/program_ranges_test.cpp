@@ -97,7 +97,7 @@ class ProgramRanges : public ::testing::Test {
 TEST_F(ProgramRanges, RunsOnTables) {
   const Ended ended = go();
   ASSERT_EQ(ended.code, 0) << ended.err;
-  EXPECT_SAYS(ended.err, "taken for the format `tables`");
+  EXPECT_SAYS(ended.err, "detected format `tables`");
   const auto summary = testing::summary_of(run());
   EXPECT_EQ(summary["status"], "done");
   EXPECT_EQ(summary["frames"], 61);
@@ -152,10 +152,12 @@ TEST_F(ProgramRanges, IsDeterministicToTheByte) {
 }
 
 TEST_F(ProgramRanges, ReportsSpuriousInformation) {
-  EXPECT_SAYS(go().err, "place: unobservable\nheading: unobservable, yet the filter believes to know it to ");
+  EXPECT_SAYS(
+      go().err,
+      "position: unobservable\nheading: unobservable, but the filter has spurious information from measurements: sigma ");
   EXPECT_EQ(testing::summary_of(run())["observability"]["wrongly_believed"], 1);
   const Ended better = go({"--set", "vehicle_filter.lineariser=first-estimate"});
-  EXPECT_SAYS(better.err, "place: unobservable\nheading: unobservable\n");
+  EXPECT_SAYS(better.err, "position: unobservable\nheading: unobservable\n");
   EXPECT_EQ(testing::summary_of(run())["observability"]["wrongly_believed"], 0);
 }
 
@@ -351,7 +353,7 @@ TEST_F(ProgramRanges, WarnsOfOdometryInMilliseconds) {
   write_drive(milliseconds);
   const Ended ended = go();
   EXPECT_SAYS(ended.err,
-              "warning: the odometry (0 s to 60000 s) and the scans (0 s to 60 s) have only 0.1 %");
+              "warning: the odometry (0 s to 60000 s) and the scans (0 s to 60 s) overlap by only 0.1 %");
   EXPECT_SAYS(ended.err, "is held for 60 s");
   const auto warnings = testing::summary_of(run())["warnings"];
   EXPECT_EQ(warnings.size(), 2u);

@@ -127,14 +127,14 @@ TEST_F(ProgramRecording, ReportsMissingNumbers) {
 TEST_F(ProgramRecording, StopsAtATruncatedPgm) {
   write_images();
   write_image(wrong_one, as_pgm(*images_[wrong_one]).substr(0, 40'000));
-  expect_ends_half_way({"frame0012.pgm: the file is cut short", "replace the file or end before it"});
+  expect_ends_half_way({"frame0012.pgm: the file is truncated", "replace the file or end before it"});
 }
 
 TEST_F(ProgramRecording, StopsAtATruncatedPng) {
   write_images(".png");
   const std::string whole = as_png(*images_[wrong_one]);
   write_image(wrong_one, whole.substr(0, whole.size() / 2), ".png");
-  expect_ends_half_way({"frame0012.png: the file is cut short"});
+  expect_ends_half_way({"frame0012.png: the file is truncated"});
 }
 
 TEST_F(ProgramRecording, StopsAtADamagedPng) {
@@ -174,14 +174,14 @@ TEST_F(ProgramRecording, DoesNotStartWithAWrongFirstImage) {
 }
 
 TEST_F(ProgramRecording, DoesNotStartWithoutImages) {
-  expect_never_begins({"s.toml:4: recording.folder: ", "images is not there"});
+  expect_never_begins({"s.toml:4: recording.folder: ", "images does not exist"});
   std::filesystem::create_directory(images());
   expect_never_begins({"images: there are no images in this folder"});
   scratch_.write("images/deeper/frame0000.pgm", pgm(320, 240));
   expect_never_begins({"images: there are no images in this folder; it has the folders deeper"});
   std::filesystem::remove_all(images());
   scratch_.write("images", "a file");
-  expect_never_begins({"images: is not a folder; a recording is one"});
+  expect_never_begins({"images: is not a folder; a recording must be a folder"});
 }
 
 }  // namespace

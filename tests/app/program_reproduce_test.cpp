@@ -53,7 +53,7 @@ TEST(ProgramReproduce, RefusesInvalidArgumentsBeforeAnyWork) {
       {{"--seeds", "many"}, "many: must be a whole number"},
       {{"--seeds", "99999999999999999999"}, "must be a whole number"},
       {{"--seed", "3"}, "there is no option `--seed`; the nearest is `--seeds`"},
-      {{"--out", ""}, "--out: names nothing"}};
+      {{"--out", ""}, "--out: is empty"}};
   for (const auto& [words, message] : wrong) {
     const Ended ended = reproduce(scratch, words);
     EXPECT_EQ(ended.code, 2) << ended.err;

@@ -56,7 +56,7 @@ TEST(ProgramRun, ReportsWhatFixesTheScale) {
   const Scratch scratch;
   const Ended anchored = testing::incognita(room_for("2", "anchored"), scratch.folder());
   EXPECT_SAYS(anchored.err,
-              "place: fixed by 4 anchors\norientation: fixed by 4 anchors\nscale: fixed by 4 anchors\n");
+              "position: fixed by 4 anchors\norientation: fixed by 4 anchors\nscale: fixed by 4 anchors\n");
   const nlohmann::json said = testing::summary_of(scratch.folder() / "anchored")["observability"];
   EXPECT_EQ(said["ideal_nullity"], 0);
   EXPECT_EQ(said["nullity"], 0);
@@ -330,7 +330,7 @@ TEST(ProgramRun, OnlyOneRunWritesToAFolder) {
   const std::string settings = testing::contents(run / "effective.toml");
   const Ended second = testing::incognita(room_for("0.2", "same", {"--seed", "9"}), scratch.folder());
   EXPECT_EQ(second.code, 2);
-  EXPECT_SAYS(second.err, "--out same: another command is at work in it");
+  EXPECT_SAYS(second.err, "--out same: another command is running in it");
   EXPECT_SAYS(second.err, "choose another folder with --out");
   EXPECT_EQ(second.out, "");
   EXPECT_EQ(testing::everything_in(run), files);
@@ -338,10 +338,10 @@ TEST(ProgramRun, OnlyOneRunWritesToAFolder) {
   const Ended campaign = testing::incognita(
       {"campaign", "room", "--seeds", "1", "--duration", "0.1", "--out", "same"}, scratch.folder());
   EXPECT_EQ(campaign.code, 2);
-  EXPECT_SAYS(campaign.err, "--out same: another command is at work in it");
+  EXPECT_SAYS(campaign.err, "--out same: another command is running in it");
   const Ended claims = testing::incognita({"reproduce", "6.1", "--out", "same"}, scratch.folder());
   EXPECT_EQ(claims.code, 2);
-  EXPECT_SAYS(claims.err, "--out same: another command is at work in it");
+  EXPECT_SAYS(claims.err, "--out same: another command is running in it");
   EXPECT_EQ(testing::everything_in(run), files);
 
   first.signal(SIGKILL);

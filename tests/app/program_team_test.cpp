@@ -61,7 +61,7 @@ TEST(ProgramTeam, CountsCorrectMatchesWithoutIdentities) {
   EXPECT_GT(summary["matches_right"].get<int>(), 100);
   EXPECT_LT(summary["matches_wrong"].get<int>(), summary["matches_right"].get<int>() / 20);
   EXPECT_TRUE(summary.contains("matches_missed"));
-  EXPECT_TRUE(summary.contains("landmarks_born_again"));
+  EXPECT_TRUE(summary.contains("duplicate_landmarks"));
 }
 
 TEST(ProgramTeam, WritesEveryVehiclesPath) {
@@ -169,11 +169,11 @@ TEST_F(RecordedTeamWithGaps, EvaluateGivesTheSameErrors) {
   const auto answer = nlohmann::json::parse(ended.out), summary = testing::summary_of(run());
   ASSERT_EQ(answer["vehicles"].size(), 2u);
   for (std::size_t robot = 0; robot < 2; ++robot) {
-    const auto &one = answer["vehicles"][robot], &told = summary["vehicles"][robot];
-    EXPECT_EQ(one["matched"], told["compared_frames"]);
+    const auto &one = answer["vehicles"][robot], &summarized = summary["vehicles"][robot];
+    EXPECT_EQ(one["matched"], summarized["compared_frames"]);
     EXPECT_EQ(one["estimate_poses"], 21);
-    EXPECT_NEAR(one["ate_m"]["rmse"].get<double>(), told["ate_m"].get<double>(), 1e-9);
-    EXPECT_NEAR(one["mean_nees"].get<double>(), told["mean_nees"].get<double>(), 1e-6);
+    EXPECT_NEAR(one["ate_m"]["rmse"].get<double>(), summarized["ate_m"].get<double>(), 1e-9);
+    EXPECT_NEAR(one["mean_nees"].get<double>(), summarized["mean_nees"].get<double>(), 1e-6);
   }
   EXPECT_EQ(answer["matched"], summary["compared_poses"]);
   EXPECT_NEAR(answer["ate_m"]["rmse"].get<double>(), summary["ate_m"].get<double>(), 1e-9);
@@ -187,7 +187,7 @@ TEST_F(RecordedTeamWithGaps, EvaluateRefusesOneTruthForSeveralRobots) {
   ASSERT_EQ(testing::incognita({"run", "s.toml", "--out", "run", "--no-figures"}, scratch_.folder()).code, 0);
   const Ended ended = testing::incognita({"evaluate", "run", "--truth", "run/truth.tum"}, scratch_.folder());
   EXPECT_EQ(ended.code, 2);
-  EXPECT_SAYS(ended.err, "team of 2 vehicles");
+  EXPECT_SAYS(ended.err, "is a run of 2 vehicles");
   EXPECT_SAYS(ended.err, "estimate-2.tum");
 }
 

@@ -48,18 +48,18 @@ TEST(ProgramUsage, PrintsItsVersion) {
 }
 
 TEST(ProgramUsage, ErrorsSuggestTheNearestName) {
-  expect_usage_error({}, "a command is wanted: run, evaluate, config");
+  expect_usage_error({}, "a command is required: run, evaluate, config");
   expect_usage_error({"evalaute"}, "there is no command `evalaute`; the nearest is `evaluate`");
   expect_usage_error({"--verson"}, "there is no option `--verson`; the nearest is `--version`");
   expect_usage_error({"run", "room", "--sed", "3"}, "there is no option `--sed`; the nearest is `--seed`");
   expect_usage_error({"run", "room", "--durations=3"}, "`--durations`; the nearest is `--duration`");
-  expect_usage_error({"run", "room", "davison"}, "`davison` is one word too many");
+  expect_usage_error({"run", "room", "davison"}, "unexpected argument `davison`");
   expect_usage_error({"run", "room", "--set"}, "--set");
   expect_usage_error({"evaluate"}, "ESTIMATE is required");
   expect_usage_error({"run", "rom"}, "rom: no such scenario file, nor a built-in scenario");
   expect_usage_error({"run", "rom"}, "the nearest is room");
   expect_usage_error({"config", "davisn"}, "the nearest is davison");
-  expect_usage_error({"run", "room", "--out", ""}, "--out: names nothing");
+  expect_usage_error({"run", "room", "--out", ""}, "--out: is empty");
 }
 
 TEST(ProgramUsage, FlagsAreCheckedLikeTheirSettings) {
@@ -93,14 +93,15 @@ TEST(ProgramUsage, UnwritableResultsAreAFailure) {
 
 TEST(ProgramUsage, AClosedPipeEndsItSilently) {
   const Scratch scratch;
-  const Ended found = testing::incognita({"config", "room"}, Circumstances{scratch.folder(), Stream::nobody});
+  const Ended found =
+      testing::incognita({"config", "room"}, Circumstances{scratch.folder(), Stream::no_reader});
   EXPECT_EQ(found.signal, SIGPIPE);  // as for any filter
   EXPECT_EQ(found.err, "");
 }
 
 TEST(ProgramUsage, UnwritableMessagesChangeNothing) {
   const Scratch scratch;
-  for (const Stream where : {Stream::full_disk, Stream::closed, Stream::nobody}) {
+  for (const Stream where : {Stream::full_disk, Stream::closed, Stream::no_reader}) {
     const std::string out = "run" + std::to_string(static_cast<int>(where));
     const Words words = {"run", "room", "--duration", "0.1", "--no-figures", "--out", out};
     const Ended run = testing::incognita(words, Circumstances{scratch.folder(), Stream::kept, where});

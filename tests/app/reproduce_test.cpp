@@ -125,7 +125,7 @@ TEST(Reproduce, RefusesUnknownIds) {
   };
   EXPECT_HAS(message({"fig-1.22"}), "there is no example or figure `fig-1.22`; the nearest is `fig-1.2`");
   EXPECT_HAS(message({"1.1", "1.4"}), "no example or figure `1.4`; the nearest is `1.1`");
-  EXPECT_HAS(message({"--out", ""}), "--out: names nothing");
+  EXPECT_HAS(message({"--out", ""}), "--out: is empty");
   EXPECT_THROW(reproduce({"1.1", "--out", "/dev/null/nowhere"}), RecordError);
 }
 

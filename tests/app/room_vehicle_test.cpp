@@ -89,9 +89,9 @@ TEST(RoomVehicle, AvoidsWalls) {
         "0.3\n[steer]\ninput = [0.5, 0]\n";
     return run(load_scenario(scratch.write("mine.toml", text + obstacle_avoidance).string())).farthest_m;
   };
-  EXPECT_GT(straight_on("keep_clear_m = 0.9"), 2) << "it never came near";
+  EXPECT_GT(straight_on("keep_clear_m = 0.9"), 2) << "it never came near the wall";
   EXPECT_LT(straight_on("keep_clear_m = 0.9"), 3 - 0.3 - 0.03);
-  EXPECT_GT(straight_on(""), 3 - 0.3 - 0.03) << "nor would it without";
+  EXPECT_GT(straight_on(""), 3 - 0.3 - 0.03) << "it reaches the wall without avoidance";
 }
 
 TEST(RoomVehicle, IsRefusedWithTheKey) {

@@ -46,7 +46,7 @@ Found found_from(const From& from) {
     summed.assign(image);
     const TargetSearch search = find_target(target, camera, summed, s.slam.filter.sigma_pixel_px);
     ++found.pictures;
-    EXPECT_NE(search.pose.has_value(), !search.reason.empty()) << "a pose, or why there is none";
+    EXPECT_NE(search.pose.has_value(), !search.reason.empty()) << "a pose, or the reason for its absence";
     if (!search.pose) continue;
     ++found.poses;
     const Eigen::Vector3d off = search.pose->position - at;
@@ -72,7 +72,7 @@ TEST(TargetStart, FromFarNoOtherTextureIsAccepted) {
     const Found found = found_from({distance_m, 0.1, 1, 8});
     EXPECT_LT(found.most_m, 0.6) << found.poses << " of " << found.pictures << " from " << distance_m << " m";
   }
-  EXPECT_GT(found_from({4, 0.5, 32, 1, false}).most_m, 1) << "were it not for the picture";
+  EXPECT_GT(found_from({4, 0.5, 32, 1, false}).most_m, 1) << "without the picture";
   EXPECT_EQ(found_from({4, 0.5, 32, 1}).poses, 0);
 }
 

@@ -208,7 +208,7 @@ TEST_P(Combinations, IsConsistentOrRefused) {
   ASSERT_EQ(problem.empty(), makes_sense(motion, sensor, linearization)) << problem;
   if (!problem.empty()) {
     EXPECT_THROW(SlamEstimator{scene.filter}, std::invalid_argument);
-    EXPECT_GT(problem.size(), 40u) << "a reason, in words";
+    EXPECT_GT(problem.size(), 40u) << "the reason as a sentence";
     return;
   }
   double nees = 0;
@@ -336,7 +336,7 @@ TEST_P(Forms, GiveTheSameEstimate) {
   if (known_map)
     EXPECT_EQ(a.belief.errors(), 9);
   else
-    EXPECT_GT(a.landmarks.size(), first_seen) << "born on the way";
+    EXPECT_GT(a.landmarks.size(), first_seen) << "initialized during the run";
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Forms,
@@ -471,7 +471,7 @@ TEST(Steering, RefusesInvalidSettings) {
   EXPECT_NE(why_not(drive, s, 0.1).find("2 numbers"), std::string::npos);
   s.most_input = vec({0.1, 1});
   s.path = CirclePath{};
-  EXPECT_NE(why_not(drive, s, 0.1), "") << "0.6 m/s are asked of 0.1";
+  EXPECT_NE(why_not(drive, s, 0.1), "") << "the path needs 0.6 m/s, the limit is 0.1 m/s";
   s.most_input = vec({1, 1});
   s.law = "lqg";
   EXPECT_NE(why_not(drive, s, 0.1).find("to a point"), std::string::npos);

@@ -39,7 +39,7 @@ TEST(CarLinearization, IsExactWithinTheSteeringLimitAndNeverFasterOutside) {
     EXPECT_LE(std::abs(command.steering_rad), limits.max_steering_rad);
     const Vector2d moves = point_velocity(car, heading, command);
     if (command.saturated) {
-      EXPECT_GT(moves.dot(desired), 0) << "begins towards the goal";
+      EXPECT_GT(moves.dot(desired), 0) << "starts towards the goal";
       EXPECT_LE(moves.norm(), desired.norm() * (1 + 1e-12));
       ++outside;
     } else {
@@ -61,7 +61,7 @@ TEST(CarLinearization, IsDefinedAtRestAndAbeam) {
       car_for_velocity({.body = {3.78, 0}}, 0, {0, 1}, {});  // the axle would stand still
   EXPECT_TRUE(abeam.saturated);
   EXPECT_DOUBLE_EQ(abeam.steering_rad, CarLimits{}.max_steering_rad);
-  EXPECT_GT(abeam.speed_m_s, 0) << "forwards, both ways being as near";
+  EXPECT_GT(abeam.speed_m_s, 0) << "forward, since both directions are equally near";
   const CarCommand fast = car_for_velocity(car, 0, {100, 0}, {});
   EXPECT_DOUBLE_EQ(fast.speed_m_s, CarLimits{}.max_speed_m_s);
   EXPECT_EQ(fast.steering_rad, 0);

@@ -21,7 +21,7 @@ TEST(ObstacleAvoidance, KeepsACommandInFreeSpace) {
   const std::vector<ConeRange> around{cone(0, 0.81), cone(pi / 2, 0.31), cone(pi, 0.31)};
   const AvoidanceCommand clear = avoid_obstacles({0.5, 0.1}, around, settings, TurnSide::left);
   EXPECT_EQ(clear.drive, Eigen::Vector2d(0.5, 0.1));
-  EXPECT_EQ(clear.turn_side, TurnSide::none) << "and forgets to which side it turned";
+  EXPECT_EQ(clear.turn_side, TurnSide::none) << "the side of the turn is reset";
   EXPECT_EQ(avoid_obstacles({0, 0.4}, {}, settings, TurnSide::none).drive, Eigen::Vector2d(0, 0.4));
 }
 

@@ -178,7 +178,7 @@ Off driven(const Case& c, const SmallVector& start) {
     if (t > 0.8 * c.duration_s) worst = {std::max(worst.m, now.m), std::max(worst.rad, now.rad)};
     const SmallVector input = law->act(plant.state(), t);
     plant.move(input, c.period_s);
-    EXPECT_EQ(plant.executed(), input) << "more than it can do, at t = " << t;
+    EXPECT_EQ(plant.executed(), input) << "beyond its limit, at t = " << t;
   }
   return worst;
 }
@@ -217,7 +217,7 @@ TEST(SteeringLaws, RespectLimitsBelowTheLawsOwn) {
     s.law = law;
     const SmallVector far = vec({50, -60, 70, 0, 0, 1, 0, 0, 0, 0, 9, -9, 9});
     const SmallVector u = make_steering(body, s, 0.05)->act(far, 0);
-    EXPECT_EQ(u.cwiseAbs(), s.most_input) << "as much as it can do";
+    EXPECT_EQ(u.cwiseAbs(), s.most_input) << "up to its limit";
   }
 }
 

@@ -41,7 +41,7 @@ TEST(Exploration, SeenCellsExpectNoLandmarksAndOthersKeepThem) {
   };
   EXPECT_GT(count_east(), 0);
   for (int i = 0; i < 9; ++i) e.update(east, 0.1, 0);
-  EXPECT_EQ(e.coverage(), 0) << "a second makes a cell seen, and not before";
+  EXPECT_EQ(e.coverage(), 0) << "a cell counts as seen after one second";
   e.update(east, 0.1, 0);
   EXPECT_NEAR(e.coverage(), 0.5, 1e-12);
   EXPECT_EQ(e.expected().size(), 20u);
@@ -51,7 +51,7 @@ TEST(Exploration, SeenCellsExpectNoLandmarksAndOthersKeepThem) {
   for (std::size_t i = 0; i < before.size(); ++i) EXPECT_EQ(e.expected()[i].position, before[i].position);
   for (int i = 0; i < 10; ++i) e.update([](const Eigen::Vector3d&) { return true; }, 0.1, 0);
   EXPECT_EQ(e.coverage(), 1);
-  EXPECT_TRUE(e.expected().empty()) << "there is no elsewhere";
+  EXPECT_TRUE(e.expected().empty()) << "no unseen cells remain";
 }
 
 TEST(Exploration, MappedLandmarksReduceTheExpectedNumber) {
@@ -62,7 +62,7 @@ TEST(Exploration, MappedLandmarksReduceTheExpectedNumber) {
   e.update(nothing, 0.1, 12);
   EXPECT_TRUE(e.expected().empty());
   e.update(nothing, 0.1, 4);
-  ASSERT_EQ(e.expected().size(), 6u) << "what is dropped from the map is expected again";
+  ASSERT_EQ(e.expected().size(), 6u) << "landmarks dropped from the map are expected again";
   for (std::size_t i = 0; i < 6; ++i)
     EXPECT_EQ(e.expected()[i].position, before[i].position) << "where it was before";
 }

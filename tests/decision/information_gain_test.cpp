@@ -314,7 +314,7 @@ TEST(InformationGain, OfAVehicleWithOneExactAxis) {
   EXPECT_NEAR(gain.of_vehicle(), gain.of_state(), 1e-12);
   EXPECT_THROW(gain.of_position_and_map(3, P), std::invalid_argument);
   EXPECT_THROW(gain.of_position_and_map(-1, P), std::invalid_argument);
-  EXPECT_NEAR(gain.of_position_and_map(0, P), 0, 1e-12) << "there is no map, and nothing to learn of it";
+  EXPECT_NEAR(gain.of_position_and_map(0, P), 0, 1e-12) << "there is no map to gain information on";
   EXPECT_NEAR(gain.of_position_and_map(2, P), gain.of_state(), 1e-12) << "all of it";
 }
 

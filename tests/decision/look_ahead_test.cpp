@@ -118,7 +118,7 @@ TEST(LookAhead, EqualsExhaustiveSearchWithAFullBeam) {
 TEST(LookAhead, FindsInformationBeyondOneStep) {
   Line line;
   const std::vector<bool> all(3, true);
-  EXPECT_EQ(best_of(line.scores(1), all, 1), 2) << "greedy: to the right";
+  EXPECT_EQ(best_of(line.scores(1), all, 1), 2) << "one step: to the right";
   EXPECT_EQ(best_of(line.scores(3), all, 1), 0) << "with what follows: to the left";
 }
 
@@ -130,7 +130,7 @@ TEST(LookAhead, RespectsItsBudgetAndFollowsEveryFirstAction) {
   EXPECT_EQ(all.evaluations(), 3 + 9 + 27 + 81 + 243);
   EXPECT_LE(few.evaluations(), 3 + 4 * 9);
   for (std::size_t a = 0; a < 3; ++a) {
-    EXPECT_LE(beam[a], full[a] + 1e-12) << "less is looked at, nothing better is found";
+    EXPECT_LE(beam[a], full[a] + 1e-12) << "with fewer sequences the result is not better";
     EXPECT_GT(beam[a], 0);
   }
 }
@@ -155,7 +155,7 @@ TEST(BestOf, StaysWhereNothingIsGainedOrAllowed) {
   EXPECT_EQ(best_of({2, 1, 2}, {true, true, true}, 1), 0);
   EXPECT_EQ(best_of({2, 1, 3}, {true, true, false}, 1), 0);
   EXPECT_EQ(best_of({2, 1, 3}, {false, false, false}, 1), 1);
-  EXPECT_EQ(best_of({2, 5, 3}, {true, false, true}, 1), 2) << "also staying may not be allowed";
+  EXPECT_EQ(best_of({2, 5, 3}, {true, false, true}, 1), 2) << "staying may be forbidden too";
 }
 
 /// Ten seconds of decisions at 10 frames a second.
@@ -201,7 +201,7 @@ TEST(ActionChoice, OneActionPerFrameDecidesTheSameInAStaticScene) {
   bool one_each = true;
   std::vector<int> chosen = choices(s, 1, &one_each);
   EXPECT_TRUE(one_each);
-  EXPECT_EQ(chosen.front(), 1) << "in its first frame it has scored one only, and stays";
+  EXPECT_EQ(chosen.front(), 1) << "after the first frame only one action has a score: stay";
   chosen.erase(chosen.begin());
   EXPECT_EQ(chosen, std::vector<int>(9, 2));
 }

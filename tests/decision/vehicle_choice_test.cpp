@@ -89,7 +89,7 @@ TEST(VehicleChoice, ReturnsWhenEveryActionEndsOutOfBounds) {
   d.beacon.position = Eigen::Vector3d(2, 0, 0.6);
   const Goal goal = d.first();
   EXPECT_NEAR(goal.drive->x(), 0.4, 1e-12);
-  EXPECT_GT(goal.to.x(), 0.1) << "out of bounds it is";
+  EXPECT_GT(goal.to.x(), 0.1) << "it ends out of bounds";
 }
 
 TEST(VehicleChoice, BoundsOfTheHeightDoNotApply) {

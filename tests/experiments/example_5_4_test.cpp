@@ -109,7 +109,7 @@ using Verdicts = std::map<std::string, std::string>;
 Verdicts verdicts(const std::vector<Claim>& claims) {
   Verdicts found;
   for (const Claim& claim : claims) {
-    EXPECT_TRUE(found.emplace(claim.id, name(claim.verdict)).second) << claim.id << " is there twice";
+    EXPECT_TRUE(found.emplace(claim.id, name(claim.verdict)).second) << claim.id << " occurs twice";
     EXPECT_EQ(claim.why.empty(), claim.verdict == Verdict::holds) << claim.id;
   }
   return found;

@@ -130,7 +130,7 @@ TEST(Search, IgnoresABetterMatchOutsideTheEllipse) {
   EXPECT_LT((wider->pixel - Vector2d(67, 57)).norm(), 0.2);
   const auto shorter = search(sheet, summed, patch, circle({60, 50}, 10), 6);
   ASSERT_TRUE(shorter);
-  EXPECT_LT((shorter->pixel - Vector2d(55, 45)).norm(), 0.7) << "no further out than asked for";
+  EXPECT_LT((shorter->pixel - Vector2d(55, 45)).norm(), 0.7) << "not further out than commanded";
 }
 
 TEST(Search, IsTheMaximumOverTheEllipse) {
@@ -224,8 +224,8 @@ TEST(Correlation, ApproximatesTheCorrelationCoefficient) {
   for (const int u : {10, 23, 31, 44}) EXPECT_LT(worst_difference(image, image, u, 30), 0.015);
 }
 
-// Disabled: the pixels of an unwarped patch are integers, so that rounding 8 * (pixel - mean) has the same
-// error for all of them, and the image's mean adds up to half the squared size to the product.
+// An unwarped patch has integer pixels, so that rounding 8 * (pixel - mean) has the same error for all of them.
+// Without a correction the image's mean would add up to half the squared size to the product.
 TEST(Correlation, EqualsTheCorrelationCoefficient) {
   const Image image = Pattern(15, 35).drawn(70, 60);
   for (const int u : {10, 23, 31, 44}) EXPECT_LT(worst_difference(image, image, u, 30), 1e-3);

@@ -1,5 +1,5 @@
-// Every way to the heap is counted: the functions below stand before those of the C library, which operator
-// new and Eigen both end up in.
+// Counts all heap allocations: the functions below replace those of the C library, which operator new and
+// Eigen both call.
 #include "tests/allocations.hpp"
 
 #include <atomic>

@@ -1,4 +1,4 @@
-// How often the heap was asked for memory; allocations.cpp is linked into the test that wants to know.
+// Number of heap allocations; a test that uses it links allocations.cpp.
 #pragma once
 
 #include <gtest/gtest.h>

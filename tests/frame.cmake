@@ -1,9 +1,9 @@
-# What holds the project together apart from its code.
+# Tests of the project besides its code.
 add_test(NAME frame.include_directions COMMAND ${PROJECT_SOURCE_DIR}/tools/check-includes)
 add_test(NAME frame.include_check_finds_mistakes COMMAND ${PROJECT_SOURCE_DIR}/tools/check-includes --self-test)
 add_test(NAME frame.dependencies_argued_for COMMAND ${PROJECT_SOURCE_DIR}/tools/check-dependencies)
 
-# The library in another project: beside it (add_subdirectory) and installed (find_package)
+# Use of the library in another project: by add_subdirectory and installed, by find_package
 set(another ${CMAKE_CURRENT_SOURCE_DIR}/library)
 set(another_build ${CMAKE_CURRENT_BINARY_DIR}/library)
 set(another_prefix ${another_build}/prefix)

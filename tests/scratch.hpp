@@ -1,4 +1,4 @@
-// A folder of its own for a test, small files to fill it with, and a look into those written there.
+// A temporary folder for a test, small files in it, and a reader of those written there.
 #pragma once
 
 #include <stdlib.h>
@@ -58,7 +58,7 @@ inline void write(const std::filesystem::path& path, const std::string& text) {
   std::ofstream(path, std::ios::binary) << text;
 }
 
-/// A PGM whose pixels tell where they are.
+/// A PGM whose pixels encode their position.
 inline std::string pgm(int width, int height, int first = 0) {
   std::string bytes = "P5\n" + std::to_string(width) + " " + std::to_string(height) + "\n255\n";
   for (int v = 0; v < height; ++v) {
@@ -67,7 +67,7 @@ inline std::string pgm(int width, int height, int first = 0) {
   return bytes;
 }
 
-/// The message of the error of that type that `action` ends with; "(none)" when there was none.
+/// The message of the error of that type that `action` throws; "(none)" without an error.
 template <class Error = InputError, class Action>
 std::string message_of(Action action) {
   try {

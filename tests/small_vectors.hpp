@@ -1,4 +1,4 @@
-// Vectors whose size a test decides, and moving them through a chart.
+// Vectors of dynamic size, and their operations through a chart.
 #pragma once
 
 #include <algorithm>

@@ -48,7 +48,7 @@ BlockId Belief::add_vehicle(const Chart& chart, const Eigen::Ref<const Eigen::Ve
                             const Eigen::Ref<const Eigen::MatrixXd>& covariance) {
   check_vehicle(chart, mean, covariance);
   if (vehicles_ == 1 && correlations_ == MapCorrelations::block_diagonal)
-    throw std::logic_error("dropped correlations: one vehicle, not more");
+    throw std::logic_error("add_vehicle: a belief with a block-diagonal map has one vehicle at most");
   const int first = errors_;
   reserve(first + chart.tangent());
   const BlockId id = append_vehicle(chart, mean);

@@ -18,9 +18,9 @@ BlockMatrix inverse_of(const Eigen::Ref<const Eigen::MatrixXd>& covariance, cons
   const BlockMatrix given = covariance;
   const Eigen::LLT<BlockMatrix> llt(given);
   if (llt.info() != Eigen::Success)
-    throw std::invalid_argument(std::string(what) +
-                                " is not positive definite: something is known exactly, and the information "
-                                "form can not tell infinite information");
+    throw std::invalid_argument(
+        std::string(what) +
+        " is not positive definite: exact knowledge is infinite information, which the information form cannot represent");
   return llt.solve(BlockMatrix::Identity(given.rows(), given.cols()));
 }
 
@@ -48,8 +48,7 @@ struct Complement {
     if (pivots.allFinite() &&
         !(pivots.minCoeff() > std::numeric_limits<double>::epsilon() * pivots.maxCoeff()))
       throw std::invalid_argument(
-          "a direction of the block would be known exactly, and the information form can not tell infinite "
-          "information");
+          "a direction of the block would be known exactly: infinite information, which the information form cannot represent");
     const Wide by_y = R.triangularView<Eigen::Upper>().solve(Q.leftCols(y).transpose()).transpose();
     x_by_y = by_y.topRows(x);
     w_by_y = by_y.bottomRows(w);

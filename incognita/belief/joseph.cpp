@@ -8,7 +8,7 @@ namespace incognita {
 
 UpdateReport Belief::update_joseph(std::span<const LinearizedMeasurement> measurements) {
   if (correlations_ == MapCorrelations::block_diagonal)
-    throw std::logic_error("update_joseph: it would fill a map whose correlations are dropped");
+    throw std::logic_error("update_joseph: not available with a block-diagonal map");
   UpdateReport report;
   if (measurements.empty()) return report;
   if (!factorize_innovation(measurements, report)) {

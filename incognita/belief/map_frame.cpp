@@ -19,21 +19,22 @@ std::string square(int size) { return std::to_string(size) + "x" + std::to_strin
 
 void Belief::change_frame(const LinearizedMotion& frame_motion, std::span<const MovedBlock> others) {
   if (correlations_ == MapCorrelations::block_diagonal)
-    throw std::logic_error("carry: a map whose correlations are dropped cannot move as a whole");
+    throw std::logic_error("change_frame: not available with a block-diagonal map");
   const int first = block(frame_motion.block).error, size = block(frame_motion.block).chart.tangent();
   if (frame_motion.A.rows() != size || frame_motion.A.cols() != size || frame_motion.N.rows() != size ||
       frame_motion.N.cols() != size || frame_motion.x_next.size() != chart(frame_motion.block).ambient())
-    refuse_frame_change("A and N of the mover must be " + square(size) + ", its mean as long as its chart's");
+    refuse_frame_change("A and N of the frame motion must be " + square(size) +
+                        ", its mean as large as its chart");
   std::vector<BlockId> named{frame_motion.block};
   for (const MovedBlock& c : others) {
     const int own = block(c.block).chart.tangent();
     if (std::find(named.begin(), named.end(), c.block) != named.end())
-      refuse_frame_change("block " + std::to_string(c.block) + " is named twice");
+      refuse_frame_change("block " + std::to_string(c.block) + " occurs twice");
     if (c.A.rows() != own || c.A.cols() != own || c.B.rows() != own || c.B.cols() != size ||
         c.x_next.size() != chart(c.block).ambient())
       refuse_frame_change("block " + std::to_string(c.block) + " needs A " + square(own) + ", B " +
                           std::to_string(own) + "x" + std::to_string(size) +
-                          " and a mean as long as its chart's");
+                          " and a mean as large as its chart");
     named.push_back(c.block);
   }
   // P <- T P T', T of diagonal blocks and the columns of the moving block: rows first, then columns
@@ -57,7 +58,7 @@ void Belief::change_frame(const LinearizedMotion& frame_motion, std::span<const 
 }
 
 void Belief::decorrelate(Scope scope) {
-  if (vehicles_ > 1) throw std::logic_error("decorrelate: one vehicle, not more");
+  if (vehicles_ > 1) throw std::logic_error("decorrelate: only available with one vehicle");
   std::vector<int> sizes;
   for (const Block& b : blocks_) sizes.push_back(b.chart.tangent());
   if (sizes.size() < 2) return;

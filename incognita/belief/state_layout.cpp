@@ -69,7 +69,7 @@ void StateLayout::check_new_block(const Chart& chart, const Eigen::Ref<const Eig
           " errors");
   for (const BlockParent& parent : parents) {
     const Size fits{size, block(parent.block).chart.tangent()};
-    require(size_of(parent.J) == fits, "birth Jacobian is ", size_of(parent.J), ", must be ", fits);
+    require(size_of(parent.J) == fits, "initialization Jacobian is ", size_of(parent.J), ", must be ", fits);
   }
 }
 
@@ -95,7 +95,7 @@ void StateLayout::check(const LinearizedMotion& motion) const {
 int StateLayout::check(std::span<const LinearizedMeasurement> measurements) const {
   int rows = 0;
   for (const LinearizedMeasurement& measurement : measurements) {
-    require(size_of(measurement.R) == Size{measurement.rows(), measurement.rows()}, "look has ",
+    require(size_of(measurement.R) == Size{measurement.rows(), measurement.rows()}, "measurement has ",
             measurement.rows(), " numbers, its noise is ", size_of(measurement.R));
     for (int i = 0; i < measurement.part_count; ++i) {
       const Size fits{measurement.rows(), block(measurement.parts[i].block).chart.tangent()};

@@ -202,7 +202,8 @@ bool Belief::compute_delta(int rank) {
 bool Belief::correction(std::span<const LinearizedMeasurement> measurements, std::span<const BlockId> blocks,
                         std::span<BlockVector> out) {
   if (correlations_ == MapCorrelations::block_diagonal)
-    throw std::logic_error("correction: looks are used one after the other where correlations are dropped");
+    throw std::logic_error(
+        "correction: not available with a block-diagonal map, where measurements are applied sequentially");
   UpdateReport report;
   if (measurements.empty() || !factorize_innovation(measurements, report)) return false;
   auto y = residual_.head(report.rows);  // S^-1 residual

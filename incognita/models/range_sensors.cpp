@@ -3,7 +3,7 @@
 namespace incognita {
 
 std::string RelativePositionSensor::incompatibility(const MotionTraits& motion) {
-  return motion.on_line() ? "" : "the scanner of a line belongs to a vehicle on a line";
+  return motion.on_line() ? "" : "a relative-position sensor needs a vehicle on a line";
 }
 
 std::string incompatibility_of_scanner(const MotionTraits& motion) {
@@ -13,10 +13,9 @@ std::string incompatibility_of_scanner(const MotionTraits& motion) {
     case Space::plane:
       return "";
     case Space::uneven_ground:
-      return "on uneven ground the plane that a scanner scans tilts with the vehicle: what it measures is no map of "
-             "the plane";
+      return "on uneven ground the scan plane tilts with the vehicle, so that its measurements are not in the plane of the map";
     case Space::space:
-      return "a scanner of the plane tells nothing of where a body is in space";
+      return "a planar scanner cannot localize a body in space";
   }
   return "";
 }

@@ -10,7 +10,7 @@ namespace {
 
 [[noreturn]] void refuse(const char* what, std::string_view name, const std::vector<std::string>& names) {
   const std::string given(name);
-  throw std::invalid_argument("`" + given + "` is no " + what + "; the nearest is `" +
+  throw std::invalid_argument("`" + given + "` is not a " + what + "; the nearest is `" +
                               nearest_name(given, names) + "`");
 }
 

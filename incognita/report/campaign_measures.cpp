@@ -51,7 +51,7 @@ void gather(const Json& value, const std::string& name, Measures& all) {
 
 RunMeasures measures_of(const std::string& summary_json) {
   const Json summary = Json::parse(summary_json, nullptr, false);
-  if (!summary.is_object()) throw std::invalid_argument("summary.json: is no JSON object");
+  if (!summary.is_object()) throw std::invalid_argument("summary.json: is not a JSON object");
   Measures all;
   gather(summary, "", all);
   RunMeasures run;

@@ -37,7 +37,7 @@ std::string draw_script(const fs::path& folder, const std::string& name) {
   const auto result = run_child({"gnuplot", "figures/" + name + ".gp"}, folder);
   if (!result || result->exit_code != 0) fs::remove(svg, ignored);  // an old picture would not show this run
   if (!result)
-    return "gnuplot is not installed: the figures' scripts are there, the figures are not; install it "
+    return "gnuplot is not installed: scripts of the figures are written, figures are not; install it "
            "(Debian, "
            "Ubuntu: `apt-get install gnuplot-nox`)";
   if (result->exit_code != 0) {
@@ -48,7 +48,7 @@ std::string draw_script(const fs::path& folder, const std::string& name) {
   if (is_complete(svg)) return "";
   fs::remove(svg, ignored);
   throw RecordError("cannot write " + svg.string() +
-                    ": gnuplot left half a figure; is there space on the disk?");
+                    ": gnuplot wrote an incomplete figure; is the disk full?");
 }
 
 std::string gnuplot_string(const std::string& words) {

@@ -97,15 +97,10 @@ std::string ledger_json(const std::vector<LedgerEntry>& entries) {
 std::string ledger_markdown(const std::vector<LedgerEntry>& entries) {
   std::string text =
       "# Claims\n\n"
-      "What the thesis says, claim by claim, and what came out when it was computed. A claim holds, holds "
-      "as\n"
-      "corrected, or does not hold, and the last column says why. It is undecided where the interval that "
-      "the\n"
-      "runs give holds both answers, or where there are fewer runs than it takes. Intervals are 95 % unless "
-      "a\n"
-      "level is given. `incognita reproduce --out DIR` makes this page again, as `DIR/claims.md`, with "
-      "every\n"
-      "figure and its numbers beside it.\n\n"
+      "The claims of the thesis, each with the result of its reproduction. A claim holds, holds as corrected, or\n"
+      "does not hold; the last column states the reason. It is undecided if the interval of its runs contains\n"
+      "both answers, or if there are too few runs. Intervals are 95 % unless another level is given.\n"
+      "`incognita reproduce --out DIR` writes this page as `DIR/claims.md`, with every figure and its data.\n\n"
       "| verdict | claims |\n|---|---|\n";
   for (const Verdict verdict : verdicts)
     text += fmt::format("| {} | {} |\n", in_words(verdict), count(entries, verdict));

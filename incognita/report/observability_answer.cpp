@@ -12,14 +12,14 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 std::string gap_text(const NullSpace& space) {
-  return space.nullity == 0      ? "none left"
+  return space.nullity == 0      ? "full rank"
          : std::isinf(space.gap) ? "exact"
                                  : fmt::format("{:.0e}", space.gap);
 }
 
 std::string row(const std::string& method, const NullSpace& space, const std::string& note) {
   return fmt::format("  {:<30}{:>5}{:>9}{:>9.0e}{:>11}   {}{}\n", method, space.rank, space.nullity,
-                     space.least, gap_text(space), space.ambiguous ? "not clear" : "",
+                     space.least, gap_text(space), space.ambiguous ? "ambiguous" : "",
                      space.ambiguous && !note.empty() ? "; " + note : note);
 }
 
@@ -36,8 +36,8 @@ std::string rows_of(const ObservabilityAnalysis& a) {
   text += row("Fisher information", a.fisher.space, "");
   if (!a.lie) return text;
   const std::string order = fmt::format("order {}{}{}", a.lie->order,
-                                        a.lie->closed   ? ", no more to come"
-                                        : a.lie->missed ? ", more may come"
+                                        a.lie->closed   ? ", complete"
+                                        : a.lie->missed ? ", possibly incomplete"
                                                         : ", limit reached",
                                         a.lie->inputs_nonlinear ? "; at drawn inputs" : "");
   return text + row("Lie derivatives", a.lie->space, order);
@@ -46,8 +46,7 @@ std::string rows_of(const ObservabilityAnalysis& a) {
 std::string vectors_of(const std::string& what, const std::vector<UnobservableDirection>& directions,
                        const std::vector<std::string>& states, bool barely = false) {
   if (directions.empty())
-    return what + (barely ? ": nothing; but see the note on what is seen in principle only\n"
-                          : ": nothing; all is seen\n");
+    return what + (barely ? ": none; but see the note on weakly observable states\n" : ": none\n");
   std::string text = what + ":\n";
   for (const UnobservableDirection& d : directions) {
     const std::string written = written_combination(d.vector, states);
@@ -69,9 +68,9 @@ std::string observable_states(const ObservabilityAnalysis& a) {
     if (state.sigma) list += fmt::format(" ({:.2g})", *state.sigma);
   }
   return fmt::format(
-      "States by themselves, with the least sigma this motion allows{}: {}\nNot by themselves: {}\n",
-      a.sigmas_trusted || seen.empty() ? "" : " (not to be trusted: see the notes)",
-      seen.empty() ? "none" : seen, unseen.empty() ? "none" : unseen);
+      "Observable states, with their minimum sigma for this motion{}: {}\nNot observable by themselves: {}\n",
+      a.sigmas_trusted || seen.empty() ? "" : " (unreliable: see the notes)", seen.empty() ? "none" : seen,
+      unseen.empty() ? "none" : unseen);
 }
 
 std::string counted(int count, const char* one, const char* many) {
@@ -92,10 +91,11 @@ std::string start_of(const ObservabilityAnalysis& a) {
       values_of(a.states, a.points.front().x) + (inputs.empty() ? "" : ", with " + inputs);
   constexpr std::size_t longest = 100;
   const bool is_short = start.size() <= longest;
-  return fmt::format("{}{} looks in all. {} in --json.\n", is_short ? "Segment 1 is at " + start + ". " : "",
-                     a.measurement_times_s.size(),
-                     is_short ? "Every digit, the other segments, anchors and the times of looks are"
-                              : "Where segments start, their inputs, anchors and the times of looks are");
+  return fmt::format("{}{} measurement times in total; --json has {}.\n",
+                     is_short ? "Segment 1 is at " + start + ". " : "", a.measurement_times_s.size(),
+                     is_short
+                         ? "all digits, the other segments, the anchors and the measurement times"
+                         : "the starts and inputs of the segments, the anchors and the measurement times");
 }
 
 }  // namespace
@@ -110,21 +110,21 @@ std::string observability_table(const SystemText& text, const ObservabilityAnaly
   out.insert(out.size() - 1, start_of(a));
   out += rows_of(a);
   out += fmt::format(
-      "\nRanks: singular values above {:.0e} of the largest, rows and columns brought to length one.\n"
-      "Least: last that counts over the largest. Gap: it over the first that does not count; less than "
-      "{:.0e}, values close to the tolerance, and effects as faint as rounding are called not clear.\n\n",
+      "\nRank: number of singular values above {:.0e} of the largest, after scaling rows and columns to unit length.\n"
+      "Least: the smallest of these over the largest. Gap: the smallest of these over the next one. A rank is ambiguous with a gap\nbelow {:.0e}, values close to the tolerance, or effects below rounding.\n\n",
       settings.rank.tolerance, settings.rank.clear_gap);
   const std::size_t segments = a.segments.size();
-  out += vectors_of(fmt::format("SOM does not see, after {}", counted(int(segments), "segment", "segments")),
-                    a.segments.back().stripped.directions, a.error_states);
+  out +=
+      vectors_of(fmt::format("Unobservable by SOM, after {}", counted(int(segments), "segment", "segments")),
+                 a.segments.back().stripped.directions, a.error_states);
   const bool barely = std::any_of(a.information.begin(), a.information.end(),
                                   [](const StateInformation& i) { return i.weakly_observable; });
-  out += "\n" + vectors_of("The motion does not show", a.local.directions, a.states, barely) + "\n";
+  out += "\n" + vectors_of("Unobservable along the motion", a.local.directions, a.states, barely) + "\n";
   // Where the ranks differ, the observable states would otherwise seem to contradict the directions above.
   if (a.fisher.space.nullity != a.local.space.nullity)
-    out += vectors_of("The Fisher information does not show", a.fisher.directions, a.states) + "\n";
+    out += vectors_of("Unobservable by the Fisher information", a.fisher.directions, a.states) + "\n";
   if (a.lie && a.lie->space.nullity != a.local.space.nullity)
-    out += vectors_of("The Lie derivatives do not show", a.lie_directions, a.states) + "\n";
+    out += vectors_of("Unobservable by the Lie derivatives", a.lie_directions, a.states) + "\n";
   out += observable_states(a);
   for (const std::string& line : a.disagreements) out += "\nThe methods disagree. " + line + "\n";
   for (const auto* lines : {&a.doubts, &a.notes})

@@ -59,7 +59,7 @@ void check_panel(const Plot& plot, const Panel& panel) {
 void check(const Plot& plot) {
   constexpr std::string_view allowed = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-._";
   if (plot.id.empty() || plot.id.front() == '.' || plot.id.find_first_not_of(allowed) != std::string::npos)
-    refuse(plot, "its id cannot name files");
+    refuse(plot, "its id is not a file name");
   if (plot.columns < 1 || plot.panels.empty()) refuse(plot, "nothing to draw");
   for (const Panel& panel : plot.panels) check_panel(plot, panel);
 }

@@ -178,7 +178,7 @@ std::optional<std::string> control_script(const fs::path& run_directory, Alignme
   const auto table = vehicles_of(run_directory);
   if (!table || !knows(*table, "wanted_x_m")) return std::nullopt;
   const std::size_t vehicles = count_of(*table);
-  std::vector<Panel> panels{{"from path, m", {}}};
+  std::vector<Panel> panels{{"distance to path, m", {}}};
   const bool known = knows(*table, "from_path_m");
   for (std::size_t i = 0; known && i < std::min(vehicles, most_named); ++i)
     panels.front().lines.push_back(

@@ -31,9 +31,8 @@ SmallVector integrate(const AnyMotion& motion, const SmallVector& state, const S
   const auto stepper = odeint::make_controlled<odeint::runge_kutta_dopri5<Numbers>>(tolerance, tolerance);
   odeint::integrate_adaptive(stepper, rate, x, 0.0, dt_s, dt_s, [steps = 0](const Numbers&, double) mutable {
     if (++steps > most_steps)
-      throw std::runtime_error(
-          "the motion of a tick needs more than " + std::to_string(most_steps) +
-          " steps: the ground is too rough, or the vehicle too fast, for ticks this long");
+      throw std::runtime_error("the motion of a tick needs more than " + std::to_string(most_steps) +
+                               " steps: the ground is too rough or the vehicle too fast; use shorter ticks");
   });
   SmallVector after = Eigen::Map<const Eigen::VectorXd>(x.data(), n);
   SmallVector nothing = SmallVector::Zero(chart_of(motion).tangent());

@@ -14,15 +14,15 @@ namespace {
 
 void need_size(const SmallVector& v, int size, const char* what) {
   if (v.size() != size)
-    throw std::invalid_argument(std::string(what) + ": " + std::to_string(v.size()) + " numbers where " +
-                                std::to_string(size) + " belong");
+    throw std::invalid_argument(std::string(what) + ": " + std::to_string(v.size()) + " numbers, expected " +
+                                std::to_string(size));
   if (!v.allFinite()) throw std::invalid_argument(std::string(what) + " must be finite");
 }
 
 /// Checks the values of settings that have the right sizes.
 void check_numbers(const FreeCameraMotion&, const PlantSettings& s) {
   if (std::abs(free_camera::orientation(s.start).norm() - 1) > 1e-6)
-    throw std::invalid_argument("the orientation at the start of a plant must be a quaternion of length 1");
+    throw std::invalid_argument("the orientation at the start of a plant must be a unit quaternion");
 }
 void check_numbers(const AckermannCar& car, const PlantSettings& s) {
   const double ratio = s.input_ratios.size() > 0 ? s.input_ratios[1] : 1;
@@ -30,8 +30,8 @@ void check_numbers(const AckermannCar& car, const PlantSettings& s) {
     const bool to_a_side = std::abs(steering) < std::numbers::pi / 2;
     if (to_a_side && std::tan(steering) * car.wheel_left_m < car.wheelbase_m) continue;
     throw std::invalid_argument(
-        "steered by " + std::to_string(steering) +
-        " rad a car would turn about the wheel whose speed is measured, or beyond it");
+        "steering angle " + std::to_string(steering) +
+        " rad: the turning center is at the wheel whose speed is measured, or nearer");
   }
 }
 void check_numbers(const auto& model, const PlantSettings& s) {
@@ -44,13 +44,13 @@ void check(const AnyMotion& motion, const PlantSettings& s) {
   need_size(s.start, chart.ambient(), "the start of a plant");
   need_size(s.start_sigmas, chart.tangent(), "the sigmas of a plant's start");
   need_size(s.input_sigmas, inputs, "the sigmas of a plant's inputs");
-  need_size(s.least_input, inputs, "the least inputs of a plant");
-  need_size(s.most_input, inputs, "the most of a plant's inputs");
+  need_size(s.least_input, inputs, "the lower limits of a plant's inputs");
+  need_size(s.most_input, inputs, "the upper limits of a plant's inputs");
   if (s.input_ratios.size() > 0) need_size(s.input_ratios, inputs, "the ratios of a plant's inputs");
   if ((s.start_sigmas.array() < 0).any() || (s.input_sigmas.array() < 0).any())
     throw std::invalid_argument("the sigmas of a plant must be zero or positive");
   if ((s.least_input.array() > s.most_input.array()).any())
-    throw std::invalid_argument("the least input of a plant is more than the most");
+    throw std::invalid_argument("a lower limit of a plant's inputs exceeds the upper one");
   std::visit([&](const auto& model) { check_numbers(model, s); }, motion);
 }
 

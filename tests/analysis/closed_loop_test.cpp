@@ -1,4 +1,4 @@
-// (5.5) against plant and filter run side by side.
+// The closed loop of thesis (5.5) against plant and filter simulated side by side.
 #include "incognita/analysis/observability/closed_loop.hpp"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ Loop random_loop(RandomStream& random) {
           0.3 * random_matrix(random, n, p)};
 }
 
-TEST(ClosedLoop, MovesAsPlantAndFilterDo) {
+TEST(ClosedLoop, EqualsPlantAndFilterSimulatedSeparately) {
   RandomStream random(1, "loops");
   for (int i = 0; i < 50; ++i) {
     const auto [s, L, K] = random_loop(random);
@@ -55,7 +55,7 @@ TEST(ClosedLoop, MovesAsPlantAndFilterDo) {
   }
 }
 
-TEST(ClosedLoop, HasTheEigenvaluesOfItsPartsAndNoOthers) {
+TEST(ClosedLoop, EigenvaluesAreThoseOfRegulatorAndFilter) {
   RandomStream random(2, "loops");
   for (int i = 0; i < 200; ++i) {
     const auto [s, L, K] = random_loop(random);
@@ -69,7 +69,7 @@ TEST(ClosedLoop, HasTheEigenvaluesOfItsPartsAndNoOthers) {
   }
 }
 
-TEST(ClosedLoop, DoesNotSeparateWhenTheFilterIsLinearizedElsewhere) {
+TEST(ClosedLoop, SeparationFailsWhenTheFilterIsLinearizedElsewhere) {
   RandomStream random(3, "loops");
   for (int i = 0; i < 50; ++i) {
     const auto [plant, L, K] = random_loop(random);
@@ -82,8 +82,8 @@ TEST(ClosedLoop, DoesNotSeparateWhenTheFilterIsLinearizedElsewhere) {
   }
 }
 
-/// Two parts that are each stable make an unstable whole once the filter is wrong about the plant's gain.
-TEST(ClosedLoop, CanBeUnstableThoughBothPartsAreNot) {
+/// Regulator and filter are each stable, their loop is not once the filter assumes a wrong gain of the plant.
+TEST(ClosedLoop, CanBeUnstableThoughBothPartsAreStable) {
   const auto scalar = [](double value) { return MatrixXd::Constant(1, 1, value); };
   const ControlledSystem filter{scalar(1), scalar(1), scalar(1)}, plant{scalar(1), scalar(3), scalar(1)};
   const Separation answer = separation(plant, filter, scalar(0.9), scalar(0.9));
@@ -93,7 +93,7 @@ TEST(ClosedLoop, CanBeUnstableThoughBothPartsAreNot) {
   EXPECT_FALSE(answer.holds);
 }
 
-TEST(ClosedLoop, SteadyFilterAndItsErrorDynamicsAreTheSameMatrix) {
+TEST(ClosedLoop, SteadyStateFilterHasTheErrorDynamicsMatrix) {
   const LinearSystem monobot{MatrixXd::Identity(1, 1), MatrixXd::Ones(1, 1), -MatrixXd::Ones(1, 1),
                              0.09 * MatrixXd::Ones(1, 1), 0.04 * MatrixXd::Ones(1, 1)};
   const RiccatiLimit limit = iterate_riccati(monobot, MatrixXd::Ones(1, 1));
@@ -103,17 +103,17 @@ TEST(ClosedLoop, SteadyFilterAndItsErrorDynamicsAreTheSameMatrix) {
   EXPECT_TRUE(answer.whole);
 }
 
-TEST(Stability, IsOfTheLargestEigenvalue) {
+TEST(Stability, SpectralRadiusDecides) {
   const MatrixXd F = Eigen::Vector2d(1.5, 0.2).asDiagonal(), G = Eigen::Vector2d(1, 0);
   EXPECT_FALSE(is_stabilizing(F, G, Eigen::RowVector2d(0, 0)));
   EXPECT_NEAR(is_stabilizing(F, G, Eigen::RowVector2d(0, 0)).spectral_radius, 1.5, 1e-15);
   EXPECT_TRUE(is_stabilizing(F, G, Eigen::RowVector2d(1, 0)));
-  EXPECT_FALSE(stability_of(MatrixXd::Identity(2, 2))) << "on the circle is not inside";
-  EXPECT_FALSE(stability_of(MatrixXd::Constant(2, 2, NAN))) << "unknown is not stable";
+  EXPECT_FALSE(stability_of(MatrixXd::Identity(2, 2))) << "the unit circle is not inside";
+  EXPECT_FALSE(stability_of(MatrixXd::Constant(2, 2, NAN))) << "NaN is not stable";
   EXPECT_TRUE(stability_of(MatrixXd(0, 0)));
 }
 
-TEST(ClosedLoop, SaysWhichSizeIsWrong) {
+TEST(ClosedLoop, RefusalNamesTheWrongSize) {
   const MatrixXd I = MatrixXd::Identity(2, 2), three = MatrixXd::Identity(3, 3);
   const auto complaint = [](auto action) { return message_of<std::invalid_argument>(action); };
   EXPECT_EQ(complaint([&] { is_stabilizing(I, I, three); }), "L is 3x3, not 2x2");

@@ -1,4 +1,5 @@
-// Expressions mean what they say, their derivatives are right, and their order is always the same.
+// Expressions: precedence, values, derivatives, and an order of terms that does not depend on how they were
+// built.
 #include "incognita/analysis/systems/expression_graph.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +17,7 @@ struct Evaluated {
   Eigen::VectorXd gradient;
 };
 
-/// Of an expression in a and b.
+/// Value of an expression in a and b.
 Evaluated evaluate(const std::string& text, double a, double b) {
   ExpressionGraph graph;
   const auto slot_a = graph.add_atom("a", Owner::vehicle, {}, 0),
@@ -30,7 +31,7 @@ Evaluated evaluate(const std::string& text, double a, double b) {
   return {e.value[static_cast<std::size_t>(slot)], e.gradient.col(slot)};
 }
 
-TEST(Expression, BindsAsMathematicsDoes) {
+TEST(Expression, PrecedenceIsThatOfMathematics) {
   const std::pair<const char*, double> cases[] = {{"2 + 3*4", 14},
                                                   {"2*3^2", 18},
                                                   {"-3^2", -9},
@@ -67,7 +68,7 @@ TEST(Expression, BindsAsMathematicsDoes) {
   for (const auto& [text, value] : cases) EXPECT_NEAR(evaluate(text, 3, 2).value, value, 1e-14) << text;
 }
 
-/// A random expression, and what it comes to.
+/// A random expression and its value.
 struct Sample {
   std::string text;
   double value;
@@ -111,7 +112,7 @@ Sample random_expression(RandomStream& random, int depth, double a, double b) {
   }
 }
 
-TEST(Expression, ComesToWhatItSaysAndHasTheRightDerivatives) {
+TEST(Expression, ValueAndDerivativesAreCorrect) {
   RandomStream random(5, "expressions");
   for (int trial = 0; trial < 300; ++trial) {
     const double a = random.uniform(-2, 2), b = random.uniform(-2, 2);
@@ -128,7 +129,7 @@ TEST(Expression, ComesToWhatItSaysAndHasTheRightDerivatives) {
   }
 }
 
-TEST(Expression, IsWrittenInAnOrderOfItsOwn) {
+TEST(Expression, PrintsInACanonicalOrder) {
   const GiNaC::realsymbol a("a"), b("b"), theta("theta");
   EXPECT_EQ(written(b - a), "b - a");
   EXPECT_EQ(written(a - b), "a - b");
@@ -146,7 +147,7 @@ TEST(Expression, IsWrittenInAnOrderOfItsOwn) {
   EXPECT_EQ(in_latex(GiNaC::pow(GiNaC::abs(a) + 1, 2)), "\\left(1 + \\left|a\\right|\\right)^{2}");
 }
 
-TEST(LatexNames, AreAsAPersonTypesetsThem) {
+TEST(LatexNames, AreTypesetAsInMathematics) {
   const std::pair<const char*, const char*> cases[] = {{"x", "x"},
                                                        {"xf", "x_{f}"},
                                                        {"xf1", "x_{f1}"},
@@ -161,7 +162,7 @@ TEST(LatexNames, AreAsAPersonTypesetsThem) {
   for (const auto& [name, latex] : cases) EXPECT_EQ(latex_name(name), latex);
 }
 
-TEST(LatexNames, LookDifferentWhereTheyAre) {
+TEST(LatexNames, DistinctNamesAreTypesetDifferently) {
   const LatexNames names({"xf", "x_f", "x1", "x_1", "x", "x_", "pi_", "L"});
   EXPECT_EQ(names("xf"), "x_{f}");
   EXPECT_EQ(names("x_f"), "\\mathit{x\\_f}");
@@ -170,13 +171,13 @@ TEST(LatexNames, LookDifferentWhereTheyAre) {
   EXPECT_EQ(names("pi_"), "\\mathit{pi\\_}");
   EXPECT_EQ(names("L_theta L_0(2) x_f"), "\\mathcal{L}_{\\theta} \\mathcal{L}_{{0^{(2)}}} \\mathit{x\\_f}");
   EXPECT_EQ(names("v(2)"), "{v^{(2)}}");
-  // Beside others a derivative must not run into them
+  // A derivative followed by another symbol needs a separator
   const GiNaC::realsymbol derivative("L_0 x"), L("L");
   EXPECT_EQ(in_latex(L * GiNaC::pow(derivative, 2), names), "L \\left(\\mathcal{L}_{0} x\\right)^{2}");
 }
 
-/// What is written can be read again, and is the same.
-TEST(Expression, ReadsWhatItWrites) {
+/// A printed expression parses to the same expression.
+TEST(Expression, ParsesWhatItPrints) {
   RandomStream random(6, "round trip");
   for (int trial = 0; trial < 200; ++trial) {
     const double a = random.uniform(-2, 2), b = random.uniform(-2, 2);
@@ -191,17 +192,17 @@ TEST(Expression, ReadsWhatItWrites) {
   }
 }
 
-TEST(ExpressionGraph, CarriesDerivativesThroughDefinitions) {
+TEST(ExpressionGraph, DifferentiatesThroughDefinitions) {
   ExpressionGraph graph;
   const auto x = graph.add_atom("x", Owner::vehicle, {}, 0);
   graph.define("r", Owner::vehicle, graph.parse({"3 - x", {}}, Owner::vehicle), {}, true);
   graph.define("x", Owner::vehicle, graph.parse({"x + 7", {}}, Owner::vehicle), {});
   EXPECT_EQ(written(graph.parse({"2*x", {}}, Owner::vehicle)), "2*x");
   EXPECT_EQ(written(graph.derivative(graph.parse({"2*x", {}}, Owner::vehicle), x)), "2")
-      << "the state, not a result";
+      << "the state, not its result";
   const auto z = graph.define("z", Owner::landmark, graph.parse({"r^2", {}}, Owner::vehicle), {});
   EXPECT_EQ(written(graph.derivative(*graph[z].expression, x)), "-2*r");
-  EXPECT_EQ(graph.find("z", Owner::anchor), std::nullopt) << "what is a landmark's is not an anchor's";
+  EXPECT_EQ(graph.find("z", Owner::anchor), std::nullopt) << "anchors have none of the landmark's states";
   EXPECT_EQ(graph.find("r", Owner::anchor), 1);
 }
 

@@ -1,4 +1,4 @@
-// What passes for an expression, every way in which a text is none, and the order it is computed in.
+// The tokenizer and parser of expressions: accepted input, every kind of error, and the order of evaluation.
 #include "incognita/analysis/systems/expression_guard.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 
 const std::vector<std::string> known = {"a", "b", "c", "e", "omega", "theta", "v", "x", "y"};
 
-/// The tokens, each with the letter of its kind.
+/// The tokens, each preceded by the letter of its kind.
 std::string taken_apart(const std::string& text) {
   static constexpr char letters[] = {'n', 'N', 'f', 's', 'o', '(', ')', ','};
   std::string all;
@@ -25,7 +25,7 @@ std::string taken_apart(const std::string& text) {
   return all;
 }
 
-/// "offset: what is wrong", or "fine".
+/// "offset: error message", or "fine".
 std::string problem(const std::string& text) {
   try {
     checked_tokens(text, known);
@@ -43,7 +43,7 @@ std::string repeated(const std::string& part, int times) {
   return all;
 }
 
-TEST(ExpressionGuard, TakesApart) {
+TEST(ExpressionGuard, SplitsIntoTokens) {
   EXPECT_EQ(taken_apart("v*cos(theta)"), "N:v o:* f:cos (:( N:theta ):)");
   EXPECT_EQ(taken_apart(" atan2 (y, -x)-\ttheta "), "f:atan2 (:( N:y ,:, s:- N:x ):) o:- N:theta");
   EXPECT_EQ(taken_apart("-a^-2"), "s:- N:a o:^ s:- n:2");
@@ -52,7 +52,7 @@ TEST(ExpressionGuard, TakesApart) {
   EXPECT_EQ(taken_apart("(((x)))\n+ 1"), "(:( (:( (:( N:x ):) ):) ):) o:+ n:1");
 }
 
-TEST(ExpressionGuard, KnowsEveryFunction) {
+TEST(ExpressionGuard, AcceptsEveryFunction) {
   for (const ExpressionFunction& function : expression_functions()) {
     const std::string name(function.name);
     const std::string right = function.arguments == 1 ? "(x)" : "(x, y)";
@@ -66,58 +66,58 @@ TEST(ExpressionGuard, KnowsEveryFunction) {
   EXPECT_FALSE(is_reserved_name("x"));
 }
 
-TEST(ExpressionGuard, RefusesWithPlaceAndRemedy) {
+TEST(ExpressionGuard, ErrorsNameOffsetAndRemedy) {
   const std::pair<const char*, const char*> cases[] = {
       {"", "0: the expression is empty"},
       {" \t\n", "0: the expression is empty"},
-      {"a**2", "1: a power is written ^, not **"},
-      {"a = 2", "2: an expression has no `=`; what it stands for is the key before it"},
-      {"a % 2", "2: `%` means nothing in an expression; it has names, numbers and + - * / ^ ( ) ,"},
-      {"a; b", "1: `;` means nothing"},
-      {"a[1]", "1: `[` means nothing"},
-      {"\"a\"", "0: `\"` means nothing"},
-      {"a * \xce\xb8", "4: U+03B8 means nothing"},
-      {"a \xe2\x88\x92 b", "2: U+2212 means nothing"},
+      {"a**2", "1: write a power with ^, not **"},
+      {"a = 2", "2: an expression has no `=`; its name is the key before it"},
+      {"a % 2", "2: `%` is not allowed in an expression, which has names, numbers and + - * / ^ ( ) ,"},
+      {"a; b", "1: `;` is not allowed"},
+      {"a[1]", "1: `[` is not allowed"},
+      {"\"a\"", "0: `\"` is not allowed"},
+      {"a * \xce\xb8", "4: U+03B8 is not allowed"},
+      {"a \xe2\x88\x92 b", "2: U+2212 is not allowed"},
       {"a\xff", "1: U+"},
-      {"\xe2", "0: U+0002 means nothing"},
-      {"a_1", "0: there is no `a_1` that this expression sees; the nearest is `a`"},
+      {"\xe2", "0: U+0002 is not allowed"},
+      {"a_1", "0: there is no `a_1` in the scope of this expression; the nearest is `a`"},
       {"_a", "0: a name begins with a letter"},
-      {"v*thetta", "2: there is no `thetta` that this expression sees; the nearest is `theta`"},
-      {"Pi", "0: there is no `Pi` that this expression sees; the nearest is `pi`"},
+      {"v*thetta", "2: there is no `thetta` in the scope of this expression; the nearest is `theta`"},
+      {"Pi", "0: there is no `Pi` in the scope of this expression; the nearest is `pi`"},
       {"1 + sine(x)", "4: there is no function `sine`; the nearest is `sin`"},
-      {"2*x (y)", "2: `x` is no function; a product is written with *"},
-      {"pi(2)", "0: `pi` is no function; a product is written with *"},
+      {"2*x (y)", "2: `x` is not a function; write a product with *"},
+      {"pi(2)", "0: `pi` is not a function; write a product with *"},
       {"cos", "0: `cos` is a function; write cos(...)"},
       {"sin(x, y)", "0: `sin` takes 1 argument, and has 2"},
       {"1+atan2(x)", "2: `atan2` takes 2 arguments, and has 1"},
-      {"sin()", "4: nothing stands between `(` and `)`"},
-      {"()", "1: nothing stands between `(` and `)`"},
-      {"atan2(x,)", "8: nothing stands between `,` and `)`"},
-      {"atan2(,x)", "6: nothing stands between `(` and `,`"},
-      {"(x, y)", "2: a comma only stands between the arguments of a function"},
-      {"x, y", "1: a comma only stands between the arguments of a function"},
-      {"atan2((x, y), y)", "8: a comma only stands between the arguments of a function"},
+      {"sin()", "4: an operand is missing between `(` and `)`"},
+      {"()", "1: an operand is missing between `(` and `)`"},
+      {"atan2(x,)", "8: an operand is missing between `,` and `)`"},
+      {"atan2(,x)", "6: an operand is missing between `(` and `,`"},
+      {"(x, y)", "2: a comma is allowed only between the arguments of a function"},
+      {"x, y", "1: a comma is allowed only between the arguments of a function"},
+      {"atan2((x, y), y)", "8: a comma is allowed only between the arguments of a function"},
       {"a*(b + c", "2: this `(` is never closed"},
       {"sin(", "3: this `(` is never closed"},
       {"(a))", "3: there is no `(` for this `)`"},
       {")", "0: there is no `(` for this `)`"},
-      {"a +", "2: nothing stands after `+`"},
-      {"-", "0: nothing stands after `-`"},
-      {"*a", "0: nothing stands before `*`"},
-      {"a + * b", "4: nothing stands between `+` and `*`"},
-      {"a - / b", "4: nothing stands between `-` and `/`"},
-      {"(a + )", "5: nothing stands between `+` and `)`"},
-      {"a b", "2: an operation is missing before `b`; a product is written with *"},
+      {"a +", "2: an operand is missing after `+`"},
+      {"-", "0: an operand is missing after `-`"},
+      {"*a", "0: an operand is missing before `*`"},
+      {"a + * b", "4: an operand is missing between `+` and `*`"},
+      {"a - / b", "4: an operand is missing between `-` and `/`"},
+      {"(a + )", "5: an operand is missing between `+` and `)`"},
+      {"a b", "2: an operation is missing before `b`; write a product with *"},
       {"2x", "1: an operation is missing before `x`"},
       {"2e", "1: an operation is missing before `e`"},
       {"a 2", "2: an operation is missing before `2`"},
       {"(a)(b)", "3: an operation is missing before `(`"},
       {"(a) sin(b)", "4: an operation is missing before `sin`"},
       {"1.5.5", "3: an operation is missing before `.5`"},
-      {"1.", "1: no digit stands after this point; a whole number has no point"},
-      {".", "0: no digit stands after this point"},
-      {"1.e5", "1: no digit stands after this point"},
-      {"1e301", "0: a number's exponent is at most 300, up or down; choose other units"},
+      {"1.", "1: a digit is missing after this point; write an integer without a point"},
+      {".", "0: a digit is missing after this point"},
+      {"1.e5", "1: a digit is missing after this point"},
+      {"1e301", "0: a number's exponent is at most 300, positive or negative; choose other units"},
       {"a+1e-301", "2: a number's exponent is at most 300"},
       {"1e99999999999999999999", "0: a number's exponent is at most 300"},
       {"99999999999e300", "0: `99999999999e300` is out of the range of numbers; choose other units"},
@@ -127,13 +127,13 @@ TEST(ExpressionGuard, RefusesWithPlaceAndRemedy) {
     EXPECT_TRUE(problem(text).starts_with(wanted)) << "`" << text << "` gives `" << problem(text) << "`";
 }
 
-TEST(ExpressionGuard, NulIsACharacterLikeAnyOther) {
-  EXPECT_TRUE(problem(std::string("a\0b", 3)).starts_with("1: U+0000 means nothing"));
+TEST(ExpressionGuard, NulIsAnOrdinaryInvalidCharacter) {
+  EXPECT_TRUE(problem(std::string("a\0b", 3)).starts_with("1: U+0000 is not allowed"));
 }
 
-TEST(ExpressionGuard, HasLimits) {
+TEST(ExpressionGuard, LimitsLengthAndDepth) {
   EXPECT_EQ(problem(std::string(40, '1')), "fine");
-  EXPECT_EQ(problem(std::string(41, '1')), "0: a number has at most 40 characters, and this 41");
+  EXPECT_EQ(problem(std::string(41, '1')), "0: a number has at most 40 characters, this one has 41");
   EXPECT_EQ(problem("1e300"), "fine");
   EXPECT_EQ(problem("x" + std::string(4095, ' ')), "fine");
   EXPECT_TRUE(
@@ -141,10 +141,10 @@ TEST(ExpressionGuard, HasLimits) {
   EXPECT_TRUE(problem(std::string(4000, 'x')).starts_with("0: there is no `xxx"));
 }
 
-TEST(ExpressionGuard, DepthIsParenthesesSignsAndPowers) {
+TEST(ExpressionGuard, DepthCountsParenthesesSignsAndPowers) {
   const auto nested = [](int n) { return repeated("(", n) + "x" + repeated(")", n); };
   EXPECT_EQ(problem(nested(100)), "fine");
-  EXPECT_TRUE(problem(nested(101)).starts_with("100: parentheses, signs and powers inside each other"));
+  EXPECT_TRUE(problem(nested(101)).starts_with("100: parentheses, signs and powers may be nested"));
   EXPECT_EQ(problem(repeated("-", 100) + "x"), "fine");
   EXPECT_TRUE(problem(repeated("-+", 51) + "x").starts_with("100: parentheses"));
   EXPECT_EQ(problem(repeated("x^", 100) + "x"), "fine");
@@ -152,7 +152,7 @@ TEST(ExpressionGuard, DepthIsParenthesesSignsAndPowers) {
   EXPECT_TRUE(problem(repeated("x^-", 51) + "x").starts_with("151: parentheses"));
   EXPECT_TRUE(problem(repeated("-(", 51) + "x").starts_with("100: parentheses"));
   EXPECT_TRUE(problem(repeated("sin(", 101)).starts_with("403: parentheses"));
-  // Side by side is not deep
+  // Operands side by side do not add depth
   EXPECT_EQ(problem(repeated("-x^2*", 500) + "x"), "fine");
   EXPECT_EQ(problem(repeated("(x)-", 1000) + "x"), "fine");
   EXPECT_EQ(problem(repeated("atan2(-x^2, -y^2) + ", 200) + "x"), "fine");
@@ -192,7 +192,7 @@ double computed(const std::string& text) {
   return stack.back();
 }
 
-TEST(ExpressionPostfix, IsTheOrderOfMathematics) {
+TEST(ExpressionPostfix, FollowsPrecedence) {
   const double a = 3, b = 2, c = 0.5, x = 1.25, y = -0.75;
   EXPECT_EQ(computed("a - b - c"), a - b - c);
   EXPECT_EQ(computed("a / b / c * x"), a / b / c * x);
@@ -213,8 +213,8 @@ TEST(ExpressionPostfix, IsTheOrderOfMathematics) {
   EXPECT_EQ(computed("sin(sin(a)*b)/c"), std::sin(std::sin(a) * b) / c);
 }
 
-/// Any words in any order: refused, or in an order that a stack computes.
-TEST(ExpressionGuard, AnyWordsAreTakenOrRefused) {
+/// Random token sequences: either refused or a postfix sequence that a stack can evaluate.
+TEST(ExpressionGuard, RandomTokensAreRefusedOrEvaluable) {
   static constexpr const char* words[] = {"a", "x", "2", ".5", "1e3", "sin(", "atan2(", "(",   ")", ")",
                                           ",", "+", "-", "*",  "/",   "^",    " ",      "sin", "b", "**"};
   RandomStream random(7, "words");

@@ -1,5 +1,5 @@
-// The monobot of thesis Examples 3.1 and 3.3: what can be observed and controlled, and where its filter
-// settles.
+// The monobot of thesis Examples 3.1 and 3.3: observability, controllability and the steady state of its
+// filter.
 #include "incognita/analysis/observability/linear_system.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ using Eigen::Matrix2d;
 using Eigen::MatrixXd;
 using Eigen::Vector2d;
 
-/// One landmark (3.7), and an anchor at the origin if wanted (3.12).
+/// One landmark (3.7), and optionally an anchor at the origin (3.12).
 LinearSystem monobot(double sigma_v, double sigma_w, bool anchored) {
   LinearSystem s;
   s.F = Matrix2d::Identity();
@@ -28,18 +28,18 @@ LinearSystem monobot(double sigma_v, double sigma_w, bool anchored) {
   return s;
 }
 
-TEST(Monobot, CannotForgetAnErrorOfBothWhateverTheGain) {
+TEST(Monobot, CommonErrorPersistsForAnyGain) {
   RandomStream random(1, "gains");
   const LinearSystem s = monobot(0.3, 0.2, false);
   for (int i = 0; i < 1000; ++i) {
     const Vector2d K(random.uniform(-5, 5), i % 3 == 0 ? -1 : random.uniform(-5, 5));
     EXPECT_LE((error_dynamics(s, K) * Vector2d::Ones() - Vector2d::Ones()).norm(), 1e-12);
-    // The other eigenvalue is 1 + k1 - k2: the trace less one
+    // The other eigenvalue is 1 + k1 - k2: the trace minus one
     EXPECT_NEAR(error_dynamics(s, K).trace() - 1, 1 + K[0] - K[1], 1e-12);
   }
 }
 
-TEST(Monobot, RanksOfObservationAndControl) {
+TEST(Monobot, RanksOfObservabilityAndControllability) {
   for (const bool anchored : {false, true}) {
     const LinearSystem s = monobot(0.3, 0.2, anchored);
     EXPECT_EQ(rank_of(observability_matrix(s)).rank, anchored ? 2 : 1);
@@ -52,7 +52,7 @@ TEST(Monobot, RanksOfObservationAndControl) {
 }
 
 /// (3.9)-(3.11) are the covariance and gain after one update and one prediction from diag(0, 1).
-TEST(Monobot, PrintedSteadyStateIsThatOfTheSecondStep) {
+TEST(Monobot, PrintedSteadyStateIsTheSecondStep) {
   for (const double v : {0.1, 0.7, 2.0})
     for (const double w : {0.05, 0.5, 1.5}) {
       const LinearSystem s = monobot(v, w, false);
@@ -67,7 +67,7 @@ TEST(Monobot, PrintedSteadyStateIsThatOfTheSecondStep) {
     }
 }
 
-TEST(Monobot, SettlesWhereTheClosedFormSays) {
+TEST(Monobot, ConvergesToTheClosedForm) {
   for (const double v : {0.1, 0.7, 2.0})
     for (const double w : {0.05, 0.5, 1.5}) {
       const LinearSystem s = monobot(v, w, false);
@@ -76,17 +76,17 @@ TEST(Monobot, SettlesWhereTheClosedFormSays) {
       const double p = (v * v + std::sqrt(std::pow(v, 4) + 4 * v * v * w * w)) / 2;
       const double relative = (s.H * limit.P * s.H.transpose())(0, 0);
       EXPECT_NEAR(relative / p, 1, 1e-9);
-      EXPECT_NEAR(limit.K(1, 0), 0, 1e-9) << "the landmark is not corrected any more";
+      EXPECT_NEAR(limit.K(1, 0), 0, 1e-9) << "the landmark gets no further corrections";
       EXPECT_NEAR(error_dynamics(s, limit.K).trace() - 1, w * w / (p + w * w), 1e-9);
     }
 }
 
-TEST(Monobot, WithAnAnchorTheLandmarkSettlesAsOneOverTime) {
+TEST(Monobot, LandmarkVarianceFallsAsOneOverTimeWithAnAnchor) {
   const LinearSystem s = monobot(0.3, 0.2, true);
   const auto slowest = [&](int steps) {
     const RiccatiLimit limit = iterate_riccati(s, Matrix2d::Identity(), {.max_iterations = steps});
     EXPECT_FALSE(limit.settled);
-    EXPECT_NE(limit.reason.find("the cap"), std::string::npos);
+    EXPECT_NE(limit.reason.find("steps, the limit"), std::string::npos);
     const auto eigenvalues = MatrixXd(error_dynamics(s, limit.K)).eigenvalues();
     return eigenvalues.cwiseAbs().maxCoeff();
   };
@@ -95,7 +95,7 @@ TEST(Monobot, WithAnAnchorTheLandmarkSettlesAsOneOverTime) {
   EXPECT_NEAR((1 - after_100) / (1 - after_1000), 10, 0.3);
 }
 
-TEST(LinearSystem, SaysWhichSizeIsWrong) {
+TEST(LinearSystem, RefusalNamesTheWrongSize) {
   LinearSystem s = monobot(1, 1, false);
   s.H = MatrixXd::Ones(1, 3);
   try {
@@ -106,7 +106,7 @@ TEST(LinearSystem, SaysWhichSizeIsWrong) {
   }
 }
 
-TEST(Rank, ReportsWhatDecidedIt) {
+TEST(Rank, ReportsTheDecidingSingularValues) {
   const Rank rank = rank_of(Eigen::Vector3d(4, 1, 1e-13).asDiagonal().toDenseMatrix());
   EXPECT_EQ(rank.rank, 2);
   EXPECT_NEAR(rank.gap / 1e13, 1, 1e-6);

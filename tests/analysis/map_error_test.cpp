@@ -17,7 +17,7 @@ Points random_points(RandomStream& random, int count) {
   return points;
 }
 
-TEST(FitRigid, FindsTheMotionThatWasMade) {
+TEST(FitRigid, RecoversARigidMotion) {
   RandomStream random(1, "fit");
   for (int run = 0; run < 50; ++run) {
     const PlanarFit made{random.uniform(-3.1, 3.1), {random.uniform(-5, 5), random.uniform(-5, 5)}};
@@ -30,7 +30,7 @@ TEST(FitRigid, FindsTheMotionThatWasMade) {
   }
 }
 
-TEST(FitRigid, IsTheLeastOfAllNearby) {
+TEST(FitRigid, IsALocalMinimum) {
   RandomStream random(2, "least");
   const Points from = random_points(random, 6);
   Points to = random_points(random, 6);
@@ -50,7 +50,7 @@ TEST(FitRigid, IsTheLeastOfAllNearby) {
   EXPECT_EQ(fit_rigid({}, {}).turn_rad, 0);
 }
 
-TEST(MapError, MatchesOneToOneAndSaysWhatIsLeft) {
+TEST(MapError, MatchesOneToOneAndReportsTheRest) {
   const Points surveyed{{0, 0}, {10, 0}, {0, 10}}, estimated{{0.1, 0}, {0.3, 0}, {10, 0.2}, {50, 50}};
   const MapError error = map_error(estimated, surveyed, 1);
   ASSERT_EQ(error.matches.size(), 2u);
@@ -63,7 +63,7 @@ TEST(MapError, MatchesOneToOneAndSaysWhatIsLeft) {
   EXPECT_TRUE(std::isnan(map_error({}, surveyed, 1).rms_m));
 }
 
-TEST(FittedMapError, MendsARoughGuess) {
+TEST(FittedMapError, CorrectsAnApproximateInitialAlignment) {
   RandomStream random(3, "rough");
   const Points surveyed = random_points(random, 12);
   const PlanarFit made{0.4, {2, -1}};

@@ -1,4 +1,5 @@
-// Ranks and null spaces, decided as they should be whatever the units, and said to be unclear where they are.
+// Ranks and null spaces: independent of units, and reported as ambiguous where the singular values leave no
+// gap.
 #include "incognita/analysis/observability/null_space.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +21,7 @@ Eigen::MatrixXd random_matrix(int rows, int columns, RandomStream& random) {
 
 NoisyRows exact(const Eigen::MatrixXd& M) { return NoisyRows::exact(M); }
 
-TEST(NullSpace, HasTheRankThatTheMatrixWasMadeWith) {
+TEST(NullSpace, FindsTheRankOfAConstructedMatrix) {
   RandomStream random(1, "ranks");
   for (int trial = 0; trial < 200; ++trial) {
     const int n = 1 + random.below(12), m = 1 + random.below(30), rank = random.below(std::min(n, m) + 1);
@@ -33,7 +34,7 @@ TEST(NullSpace, HasTheRankThatTheMatrixWasMadeWith) {
   }
 }
 
-TEST(NullSpace, DoesNotDependOnUnits) {
+TEST(NullSpace, IsIndependentOfUnits) {
   RandomStream random(2, "units");
   for (int trial = 0; trial < 100; ++trial) {
     const Eigen::MatrixXd M = random_matrix(9, 3, random) * random_matrix(3, 6, random);
@@ -46,16 +47,16 @@ TEST(NullSpace, DoesNotDependOnUnits) {
   }
 }
 
-TEST(NullSpace, LeavesOutRowsThatAreRounding) {
+TEST(NullSpace, IgnoresRowsThatAreRounding) {
   NoisyRows M = exact(Eigen::MatrixXd(3, 3));
   M.noise.setConstant(1e-15);
   M.rows << 1, 0, 0, 0, 1, 0, 1e-17, 3e-17, 1e-16;
   EXPECT_EQ(null_space(M).rank, 2);
   M.noise.setZero();
-  EXPECT_EQ(null_space(M).rank, 3) << "the same row, when it is said to be exact";
+  EXPECT_EQ(null_space(M).rank, 3) << "the same row, stated as exact";
 }
 
-TEST(NullSpace, DoesNotRaiseAColumnOfRounding) {
+TEST(NullSpace, DoesNotScaleUpAColumnOfRounding) {
   Eigen::MatrixXd M(3, 3);
   M << 1, 2, 1e-18, 3, 4, -2e-18, 5, 7, 1e-18;
   NoisyRows rows = exact(M);
@@ -65,7 +66,7 @@ TEST(NullSpace, DoesNotRaiseAColumnOfRounding) {
   EXPECT_FALSE(space.ambiguous);
 }
 
-TEST(NullSpace, SaysThatAFaintColumnMayBeSomething) {
+TEST(NullSpace, ReportsAFaintColumnAsAmbiguous) {
   Eigen::MatrixXd M(3, 3);
   M << 1, 2, 1e-13, 3, 4, -2e-13, 5, 7, 1e-13;
   NoisyRows rows = exact(M);
@@ -74,10 +75,10 @@ TEST(NullSpace, SaysThatAFaintColumnMayBeSomething) {
     EXPECT_EQ(null_space(r).rank, 2);
     EXPECT_TRUE(null_space(r).ambiguous);
   }
-  EXPECT_EQ(null_space(exact(M)).rank, 3) << "the same entries, when they are said to be exact";
+  EXPECT_EQ(null_space(exact(M)).rank, 3) << "the same entries, stated as exact";
 }
 
-TEST(NullSpace, IsThatOfCondensedRows) {
+TEST(NullSpace, EqualsThatOfCondensedRows) {
   RandomStream random(5, "condensed");
   NoisyRows all = exact(Eigen::MatrixXd(0, 6)), carried = all;
   for (int part = 0; part < 4; ++part) {
@@ -94,7 +95,7 @@ TEST(NullSpace, IsThatOfCondensedRows) {
   }
 }
 
-TEST(NullSpace, SaysWhenTheGapIsNotClear) {
+TEST(NullSpace, ReportsAMissingGapAsAmbiguous) {
   // Singular values that fall by a factor of 30 each, across the tolerance
   const int n = 10;
   RandomStream random(3, "gap");
@@ -109,14 +110,14 @@ TEST(NullSpace, SaysWhenTheGapIsNotClear) {
   EXPECT_LT(space.gap, 1e3);
 }
 
-TEST(NullSpace, OfNothingIsEverything) {
+TEST(NullSpace, OfAnEmptyMatrixIsTheWholeSpace) {
   const NullSpace space = null_space(exact(Eigen::MatrixXd::Zero(2, 4)));
   EXPECT_EQ(space.nullity, 4);
   EXPECT_TRUE(space.contains(Eigen::Vector4d::UnitX()));
   EXPECT_EQ(null_space(exact(Eigen::MatrixXd(0, 3))).nullity, 3);
 }
 
-TEST(NullSpace, KnowsItsDirectionsInAnyUnits) {
+TEST(NullSpace, FindsItsDirectionsInAnyUnits) {
   Eigen::MatrixXd M(2, 3);
   M << 1, -1e6, 0, 0, 1e6, -1;  // x = 1e6 y, z = 1e6 y
   const NullSpace space = null_space(exact(M));
@@ -126,16 +127,16 @@ TEST(NullSpace, KnowsItsDirectionsInAnyUnits) {
   EXPECT_GT(space.observed_share(Eigen::Vector3d::UnitY()), 0.1);
 }
 
-/// Whose null space the columns of B span.
+/// A matrix whose null space is spanned by the columns of B.
 NullSpace space_of(const Eigen::MatrixXd& B) {
   const Eigen::MatrixXd Q = B.householderQr().householderQ();
   return null_space(exact(Q.rightCols(B.rows() - B.cols()).transpose()));
 }
 
-TEST(ReadableBasis, StaysInTheSpaceInAnyUnits) {
+TEST(ReadableBasis, SpansTheSameSpaceInAnyUnits) {
   for (const double k : {1e-11, 1e-9, 1.0, 1e9, 1e11}) {
     Eigen::MatrixXd M(2, 4);
-    M << 1, -k, 0, 0, 0, k, -1, 0;  // x = k y = z, and w, which nothing sees
+    M << 1, -k, 0, 0, 0, k, -1, 0;  // x = k y = z, and w, which is not measured
     const NullSpace space = null_space(exact(M));
     const auto basis = readable_basis(space);
     ASSERT_EQ(basis.size(), 2u);
@@ -145,7 +146,7 @@ TEST(ReadableBasis, StaysInTheSpaceInAnyUnits) {
   }
 }
 
-TEST(ReadableBasis, IsSparseAndWholeWhereThatIsExact) {
+TEST(ReadableBasis, IsSparseAndIntegerWherePossible) {
   RandomStream random(4, "basis");
   Eigen::MatrixXd nice(5, 2);  // thesis (4.20)
   nice << 1, 0, 0, 1, 0, 0, 1, 0, 0, 1;
@@ -156,14 +157,14 @@ TEST(ReadableBasis, IsSparseAndWholeWhereThatIsExact) {
   EXPECT_EQ(basis[1], nice.col(1));
 }
 
-TEST(ReadableBasis, TurnsSmallFractionsIntoWholeNumbersAndKeepsOthers) {
+TEST(ReadableBasis, TurnsSimpleFractionsIntoIntegers) {
   EXPECT_EQ(readable_basis(space_of(Eigen::Vector3d(2, 1, 0) / 7)).front(), Eigen::Vector3d(2, 1, 0));
   EXPECT_EQ(readable_basis(space_of(Eigen::Vector3d(3, -2, 1e-13))).front(), Eigen::Vector3d(3, -2, 0));
   const Eigen::VectorXd kept = readable_basis(space_of(Eigen::Vector2d(1, std::sqrt(2)))).front();
   EXPECT_DOUBLE_EQ(kept[1], std::sqrt(2));
 }
 
-TEST(WrittenCombination, ReadsAsAPersonWouldWriteIt) {
+TEST(WrittenCombination, IsReadable) {
   EXPECT_EQ(written_combination(Eigen::Vector3d(1, 0, -2), {"x", "y", "z"}), "x - 2 z");
   EXPECT_EQ(written_combination(Eigen::Vector2d(-1, 0.5), {"x", "y"}), "-x + 0.5 y");
   EXPECT_EQ(written_combination(Eigen::Vector2d(0, 0), {"x", "y"}), "0");

@@ -1,4 +1,4 @@
-// The monitor's information against dense matrices built the long way: ranks, and every number.
+// The monitor's information matrix against a dense reference: ranks and all values.
 #include "incognita/analysis/observability/observability_monitor.hpp"
 
 #include <gtest/gtest.h>
@@ -35,11 +35,11 @@ Eigen::Index rank_of(const MatrixXd& M) {
   return svd.rank();
 }
 
-/// The same information the long way: the errors of the vehicle now and of every block there ever was, no
-/// block forgotten until the end; motions by the matrix inversion lemma, after what they forget is
-/// marginalised out.
-struct LongWay {
-  explicit LongWay(int errors) : size(errors), Y(MatrixXd::Zero(errors, errors)) {}
+/// Dense reference: information over the errors of the present vehicle and of all blocks that ever existed,
+/// with dropped blocks marginalized only at the end; motions by the matrix inversion lemma, after
+/// marginalizing the directions that they forget.
+struct DenseReference {
+  explicit DenseReference(int errors) : size(errors), Y(MatrixXd::Zero(errors, errors)) {}
 
   void grow(BlockId id, Eigen::Index errors) {
     const Eigen::Index old = Y.rows();
@@ -73,7 +73,7 @@ struct LongWay {
     const MatrixXd inner = MatrixXd::Identity(size, size) + G.transpose() * M * G;
     Y = M - M * G * inner.inverse() * G.transpose() * M;
   }
-  /// Old errors y become K k + (T J)^+ T x, k forgotten at the end.
+  /// Old errors y become K k + (T J)^+ T x, with k marginalized at the end.
   void replace(BlockId id, const MatrixXd& J, const MatrixXd& T) {
     const MatrixXd TJ = T * J;
     const Eigen::JacobiSVD<MatrixXd> svd(TJ, Eigen::ComputeFullV);
@@ -109,11 +109,12 @@ struct LongWay {
   std::map<BlockId, Eigen::Index> first, errors_of;
 };
 
-/// Random motions, looks, births, replacements and drops, given to both.
+/// Random motions, measurements, initializations, replacements and drops, applied to the monitor and to the
+/// reference.
 class BothWays {
  public:
   BothWays(std::uint64_t seed, int errors)
-      : random_(seed, "monitor"), errors_(errors), monitor(0, errors), long_way(errors) {}
+      : random_(seed, "monitor"), errors_(errors), monitor(0, errors), reference(errors) {}
 
   void move(int noises, double noise) {
     move(MatrixXd::Identity(errors_, errors_) + 0.3 * random_matrix(random_, errors_, errors_), noises,
@@ -126,9 +127,9 @@ class BothWays {
     const MatrixXd G = noise * random_matrix(random_, errors_, noises);
     m.N = G * G.transpose();
     monitor.move(m);
-    long_way.move(m);
+    reference.move(m);
   }
-  void look_at_all(int times) {
+  void measure_all(int times) {
     for (int i = 0; i < times; ++i)
       for (const BlockId id : live) add_measurement(id, 2);
   }
@@ -138,16 +139,16 @@ class BothWays {
     measurement.add(vehicle, Hv);
     measurement.R = MatrixXd::Identity(rows, rows) + noise * noise.transpose();
     measurement.residual = VectorXd::Zero(rows);
-    MatrixXd all = long_way.spread(vehicle, Hv);
+    MatrixXd all = reference.spread(vehicle, Hv);
     if (id != vehicle) {
-      const MatrixXd Hl = random_matrix(random_, rows, long_way.errors_of.at(id));
+      const MatrixXd Hl = random_matrix(random_, rows, reference.errors_of.at(id));
       measurement.add(id, Hl);
-      all += long_way.spread(id, Hl);
+      all += reference.spread(id, Hl);
     }
     monitor.add_measurement(measurement);
-    long_way.add(all, measurement.R);
+    reference.add(all, measurement.R);
   }
-  /// `assumed`: so many of its last errors are a guess.
+  /// `assumed`: number of the block's last errors that are not measured but assumed.
   BlockId initialize(int size, int assumed) {
     BlockAugmentation initialization;
     initialization.block = ++last_;
@@ -157,16 +158,16 @@ class BothWays {
     const MatrixXd noise = random_matrix(random_, size, size);
     initialization.noise = 0.1 * MatrixXd::Identity(size, size) + noise * noise.transpose();
     monitor.augment(initialization);
-    long_way.grow(initialization.block, size);
+    reference.grow(initialization.block, size);
     const int measured = size - assumed;
-    const MatrixXd H = long_way.spread(initialization.block, MatrixXd::Identity(measured, size)) -
-                       long_way.spread(vehicle, J.topRows(measured));
-    long_way.add(H, initialization.noise.topLeftCorner(measured, measured));
+    const MatrixXd H = reference.spread(initialization.block, MatrixXd::Identity(measured, size)) -
+                       reference.spread(vehicle, J.topRows(measured));
+    reference.add(H, initialization.noise.topLeftCorner(measured, measured));
     live.insert(initialization.block);
     return initialization.block;
   }
   void replace(BlockId id, int size, bool noisy) {
-    BlockReplacement r{id, random_matrix(random_, size, long_way.errors_of.at(id)),
+    BlockReplacement r{id, random_matrix(random_, size, reference.errors_of.at(id)),
                        MatrixXd::Zero(size, size)};
     MatrixXd T = MatrixXd::Identity(size, size);
     if (noisy) {
@@ -175,7 +176,7 @@ class BothWays {
       const Eigen::JacobiSVD<MatrixXd> svd(MatrixXd(r.noise), Eigen::ComputeFullU);
       T = svd.matrixU().rightCols(size - 1).transpose();
     }
-    long_way.replace(id, r.J, T);
+    reference.replace(id, r.J, T);
     monitor.replace(r);
   }
   void drop(BlockId id) {
@@ -183,9 +184,9 @@ class BothWays {
     live.erase(id);
   }
   void compare(const char* when) {
-    const MatrixXd expected = long_way.of(monitor.blocks()), Y = monitor.information();
+    const MatrixXd expected = reference.of(monitor.blocks()), Y = monitor.information();
     ASSERT_EQ(Y.rows(), expected.rows()) << when;
-    EXPECT_LT((Y - expected).norm(), 1e-9 * (1 + long_way.Y.norm())) << when;
+    EXPECT_LT((Y - expected).norm(), 1e-9 * (1 + reference.Y.norm())) << when;
   }
 
  private:
@@ -195,21 +196,21 @@ class BothWays {
 
  public:
   ObservabilityMonitor monitor;
-  LongWay long_way;
+  DenseReference reference;
   std::set<BlockId> live;
 };
 
-TEST(ObservabilityMonitor, IsTheInformationFilterWithoutPrior) {
+TEST(ObservabilityMonitor, EqualsTheInformationFilterWithoutPrior) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     BothWays both(seed, 4);
     for (int step = 0; step < 6; ++step) {
       both.move(2, 0.5);
-      if (step % 3 == 1) both.move(2, 0.2);  // two in a row
+      if (step % 3 == 1) both.move(2, 0.2);  // two motions in a row
       for (const BlockId id : both.live)
         both.add_measurement(id, 1 + static_cast<int>((id + static_cast<unsigned>(step)) % 2));
       if (step % 2 == 0) both.initialize(3, 1);
       if (step == 3) both.add_measurement(vehicle, 2);
-      both.compare("looks and births");
+      both.compare("measurements and initializations");
       if (step == 2) both.replace(1, 2, false);
       if (step == 3) both.replace(2, 3, true);
       both.compare("replaced");
@@ -219,7 +220,7 @@ TEST(ObservabilityMonitor, IsTheInformationFilterWithoutPrior) {
   }
 }
 
-TEST(ObservabilityMonitor, ABlockAsLargeAsBeforeIsToldAnew) {
+TEST(ObservabilityMonitor, ReplacementMayKeepTheSize) {
   BothWays both(11, 4);
   for (int i = 0; i < 3; ++i) both.initialize(3, 1);
   for (int round = 0; round < 3; ++round)
@@ -230,8 +231,8 @@ TEST(ObservabilityMonitor, ABlockAsLargeAsBeforeIsToldAnew) {
   both.compare("with noise along one direction");
 }
 
-// Then nothing is known of it, and what it taught of others stays
-TEST(ObservabilityMonitor, ABlockThatIsAllNoiseIsNew) {
+// The replaced block has no information left, and the other blocks keep what it constrained
+TEST(ObservabilityMonitor, ReplacementByPureNoiseIsANewBlock) {
   BothWays both(12, 4);
   for (int i = 0; i < 3; ++i) both.initialize(3, 1);
   for (int round = 0; round < 3; ++round)
@@ -245,8 +246,8 @@ TEST(ObservabilityMonitor, ABlockThatIsAllNoiseIsNew) {
   EXPECT_LT((Y.topLeftCorner(10, 10) - expected).norm(), 1e-9 * expected.norm());
 }
 
-/// A system as its observability matrix has it: every look as a row over the vehicle at first and all blocks
-/// there ever were. Looks are few and poor, so that much stays unseen.
+/// The system as a stacked observability matrix: each measurement is a row over the initial vehicle errors
+/// and all blocks that ever existed. Measurements are few and scalar, so that much stays unobservable.
 struct StackedSystem {
   explicit StackedSystem(std::uint64_t seed) : random(seed, "stacked"), monitor(vehicle, errors) {}
 
@@ -281,7 +282,7 @@ struct StackedSystem {
   MatrixXd M = MatrixXd::Zero(0, errors + size * blocks);
 };
 
-// Motions that can be undone do not change what is unobservable, however noisy they are
+// Motions with an invertible transition do not change the unobservable space, whatever their noise
 TEST(ObservabilityMonitor, HasTheRankOfTheStackedMatrix) {
   int poor = 0;
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
@@ -294,7 +295,7 @@ TEST(ObservabilityMonitor, HasTheRankOfTheStackedMatrix) {
     }
     const std::vector<BlockId> dropped{2, 5};
     for (const BlockId id : dropped) system.monitor.drop(id);
-    MatrixXd gone(system.M.rows(), 4);  // what is left of a rank when columns are eliminated
+    MatrixXd gone(system.M.rows(), 4);  // the rank that remains when columns are eliminated
     gone << system.M.middleCols(6, 2), system.M.middleCols(12, 2);
     const Eigen::Index left = rank_of(system.M) - rank_of(gone);
     ASSERT_EQ(rank_of(system.monitor.information()), left) << "seed " << seed;
@@ -303,14 +304,14 @@ TEST(ObservabilityMonitor, HasTheRankOfTheStackedMatrix) {
   EXPECT_GT(poor, 20);
 }
 
-/// Position and velocity, noise that enters as an acceleration: of equal variances, half have nothing left
-/// once the others are taken.
-TEST(ObservabilityMonitor, TakesNoiseThatIsPerfectlyCorrelated) {
+/// Position and velocity with noise that enters as an acceleration: N has rank 3 of 6, and with equal
+/// variances half of the pivots vanish.
+TEST(ObservabilityMonitor, AcceptsRankDeficientProcessNoise) {
   const double dt = 1.0 / 30;
   RandomStream random(3, "correlated");
   for (int run = 0; run < 20; ++run) {
     ObservabilityMonitor monitor(vehicle, 6);
-    LongWay long_way(6);
+    DenseReference reference(6);
     for (int step = 0; step < 5; ++step) {
       LinearizedMeasurement measurement;
       const MatrixXd H = random_matrix(random, 3, 6);
@@ -318,7 +319,7 @@ TEST(ObservabilityMonitor, TakesNoiseThatIsPerfectlyCorrelated) {
       measurement.R = 0.01 * MatrixXd::Identity(3, 3);
       measurement.residual = VectorXd::Zero(3);
       monitor.add_measurement(measurement);
-      long_way.add(H, measurement.R);
+      reference.add(H, measurement.R);
       LinearizedMotion m;
       m.block = vehicle;
       m.A = MatrixXd::Identity(6, 6);
@@ -330,17 +331,17 @@ TEST(ObservabilityMonitor, TakesNoiseThatIsPerfectlyCorrelated) {
       }
       m.N = G * G.transpose();
       monitor.move(m);
-      long_way.move(m);
-      EXPECT_LT((monitor.information() - long_way.Y).norm(), 1e-9 * long_way.Y.norm()) << step;
+      reference.move(m);
+      EXPECT_LT((monitor.information() - reference.Y).norm(), 1e-9 * reference.Y.norm()) << step;
     }
   }
 }
 
-// As of a camera that is put at rest where it is: its pose and the map stay known
-TEST(ObservabilityMonitor, AMotionThatCannotBeUndoneTakesWhatItForgetsAndNoMore) {
+// As for a camera whose velocity is set to zero: the information on pose and map remains
+TEST(ObservabilityMonitor, SingularMotionRemovesOnlyItsNullSpace) {
   BothWays both(7, 4);
   for (int i = 0; i < 3; ++i) both.initialize(2, 0);
-  both.look_at_all(4);
+  both.measure_all(4);
   MatrixXd rest = MatrixXd::Identity(4, 4);
   rest(3, 3) = 0;
   both.move(rest, 4, 1);
@@ -348,31 +349,31 @@ TEST(ObservabilityMonitor, AMotionThatCannotBeUndoneTakesWhatItForgetsAndNoMore)
   EXPECT_LT(at_rest.row(3).norm(), 1e-12 * at_rest.norm());
   EXPECT_EQ(rank_of(at_rest), 9);
   both.compare("at rest");
-  both.look_at_all(3);
+  both.measure_all(3);
   both.move(3, 0.5);
   both.compare("and on");
 }
 
-// What is put in place of what it forgets is nobody's business: the rest is asked for
-TEST(ObservabilityMonitor, AMotionMayForgetDirectionsThatAreNoAxis) {
+// The result along the forgotten directions is arbitrary, so that only the others are compared
+TEST(ObservabilityMonitor, SingularMotionMayForgetObliqueDirections) {
   BothWays both(17, 4);
   for (int i = 0; i < 3; ++i) both.initialize(2, 0);
-  both.look_at_all(4);
+  both.measure_all(4);
   RandomStream random(8, "skew");
   const MatrixXd to = random_matrix(random, 4, 2);
   both.move(to * random_matrix(random, 2, 4), 0, 0);
   MatrixXd rest = MatrixXd::Zero(10, 8);
   rest.topLeftCorner(4, 2) = to;
   rest.bottomRightCorner(6, 6).setIdentity();
-  const MatrixXd expected = rest.transpose() * both.long_way.of(both.monitor.blocks()) * rest;
+  const MatrixXd expected = rest.transpose() * both.reference.of(both.monitor.blocks()) * rest;
   EXPECT_EQ(rank_of(expected), 8);
   EXPECT_LT((rest.transpose() * both.monitor.information() * rest - expected).norm(), 1e-9 * expected.norm());
 }
 
-TEST(ObservabilityMonitor, AMotionThatForgetsAllLeavesTheMap) {
+TEST(ObservabilityMonitor, MotionThatForgetsAllKeepsTheMap) {
   BothWays both(9, 4);
   for (int i = 0; i < 3; ++i) both.initialize(2, 0);
-  both.look_at_all(4);
+  both.measure_all(4);
   both.move(MatrixXd::Zero(4, 4), 4, 1);
   const MatrixXd Y = both.monitor.information();
   EXPECT_TRUE(Y.topRows(4).isZero(0));
@@ -380,11 +381,11 @@ TEST(ObservabilityMonitor, AMotionThatForgetsAllLeavesTheMap) {
   both.compare("forgotten");
 }
 
-// Each shrinks an error a little, all together below rounding, and none forgets it
-TEST(ObservabilityMonitor, ManyMotionsInARowAreNotOneThatCannotBeUndone) {
+// Each motion shrinks an error slightly, all together below rounding, and none forgets it
+TEST(ObservabilityMonitor, ManyContractionsAreNotASingularMotion) {
   BothWays both(10, 4);
   for (int i = 0; i < 3; ++i) both.initialize(2, 0);
-  both.look_at_all(4);
+  both.measure_all(4);
   MatrixXd slower = MatrixXd::Identity(4, 4);
   slower(3, 3) = 0.5;
   for (int i = 0; i < 60; ++i) both.move(slower, 4, 0.1);
@@ -392,8 +393,8 @@ TEST(ObservabilityMonitor, ManyMotionsInARowAreNotOneThatCannotBeUndone) {
   both.compare("slower and slower");
 }
 
-TEST(ObservabilityMonitor, TheUnitOfLengthDoesNotMakeAMotionSingular) {
-  const double per_m = 1e6;  // and a vehicle that turns 1 km away
+TEST(ObservabilityMonitor, UnitOfLengthDoesNotMakeAMotionSingular) {
+  const double per_m = 1e6;  // the vehicle rotates about a point 1 km away
   ObservabilityMonitor monitor(vehicle, 3);
   LinearizedMeasurement measurement;
   measurement.add(vehicle, Eigen::Vector3d(1 / per_m, 1 / per_m, 1).asDiagonal().toDenseMatrix());
@@ -406,12 +407,12 @@ TEST(ObservabilityMonitor, TheUnitOfLengthDoesNotMakeAMotionSingular) {
   motion.A.topRightCorner(2, 1) << -1e3 * per_m, 1e3 * per_m;
   motion.N = MatrixXd::Zero(3, 3);
   monitor.move(motion);
-  const Eigen::Vector3d m(per_m, per_m, 1e-3);  // what a turn moves 1 km away
+  const Eigen::Vector3d m(per_m, per_m, 1e-3);  // scale of each error for a rotation about a point 1 km away
   EXPECT_EQ(rank_of(m.asDiagonal() * monitor.information() * m.asDiagonal()), 3);
 }
 
-// Only what is seen of several landmarks at once, from one place
-TEST(ObservabilityMonitor, MotionsMayTellNothing) {
+// Only simultaneous measurements of several landmarks from one pose carry information
+TEST(ObservabilityMonitor, UninformativeMotionsRemoveTheVehicle) {
   ObservabilityMonitor measurements(vehicle, 4, ObservabilityMonitor::Motions::uninformative);
   MatrixXd of_map = MatrixXd::Zero(6, 6);
   RandomStream random(13, "nothing");
@@ -442,22 +443,22 @@ TEST(ObservabilityMonitor, MotionsMayTellNothing) {
   EXPECT_LT((Y.bottomRightCorner(6, 6) - of_map).norm(), 1e-9 * of_map.norm());
 }
 
-// A robot that waits looks on. Were the rows kept until it moves, these would be turned by a matrix of 12000
-// x 12000
-TEST(ObservabilityMonitor, LooksWithoutMotionCostWhatTheyCostWithIt) {
+// A waiting robot goes on measuring. Rows kept until the next motion would need a QR decomposition of 12000 x
+// 12000
+TEST(ObservabilityMonitor, MeasurementsWithoutMotionAreCondensed) {
   BothWays both(14, 4);
   for (int i = 0; i < 3; ++i) both.initialize(2, 0);
   int most = 0;
   for (int i = 0; i < 200; ++i) {
-    both.look_at_all(10);
+    both.measure_all(10);
     most = std::max(most, both.monitor.waiting_rows());
   }
   both.compare("waited");
   EXPECT_LE(most, 64 + max_measurement_rows);
 }
 
-// Ids are never used again: a long run's are large, and not many at a time
-TEST(ObservabilityMonitor, KeepsNothingOfBlocksThatAreGone) {
+// Ids are never reused: in a long run they are large, but few exist at a time
+TEST(ObservabilityMonitor, StoresNothingOfDroppedBlocks) {
   ObservabilityMonitor monitor(vehicle, 2);
   for (const BlockId id : {5u, 4'000'000'000u, 7u}) {
     BlockAugmentation initialization{id, {{vehicle, MatrixXd::Identity(2, 2)}}, MatrixXd::Identity(2, 2)};
@@ -472,12 +473,12 @@ TEST(ObservabilityMonitor, KeepsNothingOfBlocksThatAreGone) {
   EXPECT_EQ(monitor.errors(), 4);
 }
 
-TEST(ObservabilityMonitor, WhatWasAddedIsRememberedWhenItIsForgotten) {
+TEST(ObservabilityMonitor, GatheredInformationOutlastsTheBlock) {
   BothWays both(15, 4);
   for (int i = 0; i < 3; ++i) both.initialize(3, 0);
-  both.look_at_all(3);
+  both.measure_all(3);
   both.move(4, 1e3);
-  both.look_at_all(1);
+  both.measure_all(1);
   const VectorXd before = both.monitor.gathered();
   EXPECT_TRUE((before.array() >= both.monitor.information().diagonal().array() * (1 - 1e-12)).all());
   both.drop(2);
@@ -487,11 +488,11 @@ TEST(ObservabilityMonitor, WhatWasAddedIsRememberedWhenItIsForgotten) {
   EXPECT_GT(after[4], both.monitor.information()(4, 4));
 }
 
-// A copy of the vehicle's place is weighed as exact as was said, all else as its noise has it
-TEST(ObservabilityMonitor, ANewbornsPlaceIsNoMoreExactThanTheScene) {
+// The copy of the vehicle's position has the stated exactness, all other errors their noise
+TEST(ObservabilityMonitor, InitializationUsesTheStatedExactness) {
   BlockAugmentation initialization{1, {{vehicle, MatrixXd::Identity(3, 3)}}, MatrixXd::Zero(3, 3)};
   initialization.noise.diagonal() << 1e-8, 1e-8, 1e-8;
-  initialization.noise(0, 2) = initialization.noise(2, 0) = 1e-9;  // not by itself
+  initialization.noise(0, 2) = initialization.noise(2, 0) = 1e-9;  // not exact by itself
   ObservabilityMonitor monitor(vehicle, 3);
   monitor.set_exact_position(2, 0.05);
   monitor.augment(initialization);
@@ -501,8 +502,8 @@ TEST(ObservabilityMonitor, ANewbornsPlaceIsNoMoreExactThanTheScene) {
   EXPECT_GT(own[2], 1e7);
 }
 
-// The filter's own covariance is what this information and its prior leave
-TEST(ObservabilityMonitor, FollowsABelief) {
+// The filter's covariance is the inverse of this information plus the prior
+TEST(ObservabilityMonitor, AgreesWithABeliefThatItFollows) {
   RandomStream random(5, "belief");
   Belief belief;
   const MatrixXd prior = 1e7 * MatrixXd::Identity(3, 3);
@@ -537,7 +538,7 @@ TEST(ObservabilityMonitor, FollowsABelief) {
   EXPECT_LT((monitor.information().inverse() - P).norm(), 1e-4 * P.norm());
 }
 
-TEST(ObservabilityMonitor, SaysWhatItDoesNotCover) {
+TEST(ObservabilityMonitor, ReportsWhatItDoesNotCover) {
   for (const auto& [how, why] :
        {std::pair{CovarianceEdit::frame_changed, ObservabilityMonitor::Uncovered::frame_changed},
         std::pair{CovarianceEdit::decorrelated, ObservabilityMonitor::Uncovered::decorrelated}}) {

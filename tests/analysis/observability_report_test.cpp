@@ -1,4 +1,4 @@
-// What is said of drives and camera paths whose symmetries are known.
+// Observability reports of vehicle and camera paths with known symmetries.
 #include "incognita/analysis/observability/observability_report.hpp"
 
 #include <gtest/gtest.h>
@@ -32,20 +32,20 @@ MonitoredInformation information_of(ObservabilityMonitor& monitor) {
   return {monitor.information(), monitor.gathered()};
 }
 
-// A vehicle on a plane
+// Planar vehicle
 // ---------------------------------------------------------------------------------------------------------
 
-/// A circle among landmarks, all seen at every step; the Jacobians at the true places, or beside them by
-/// `off` as those of a filter are, other each time.
+/// A circle among landmarks, all measured at every step; Jacobians at the true states or, as in a filter, at
+/// states perturbed by `off` anew each time.
 struct Drive {
   explicit Drive(double off, int known = 0) {
     RandomStream random(1, "drive");
     const std::vector<Vector2d> points{{5, 3}, {8, -2}, {2, 6}, {12, 4}};
     for (int step = 0; step <= steps; ++step) {
-      const planar::Pose<double> here = scene.vehicle + off * beside(random);
+      const planar::Pose<double> here = scene.vehicle + off * perturbation(random);
       for (std::size_t i = 0; i < points.size(); ++i) {
         const auto prediction =
-            RangeBearing::predict_measurement(here, points[i] + off * beside(random).head<2>());
+            RangeBearing::predict_measurement(here, points[i] + off * perturbation(random).head<2>());
         LinearizedMeasurement measurement;
         measurement.add(vehicle, prediction->Hv);
         if (i >= static_cast<std::size_t>(known))
@@ -71,7 +71,7 @@ struct Drive {
     fixed.positions.resize(2, known);
     for (int i = 0; i < known; ++i) fixed.positions.col(i) = points[static_cast<std::size_t>(i)];
   }
-  static planar::Pose<double> beside(RandomStream& random) {
+  static planar::Pose<double> perturbation(RandomStream& random) {
     return {random.normal(), random.normal(), random.normal()};
   }
   ObservabilityReport report() { return observability_report(information_of(monitor), scene, fixed); }
@@ -82,7 +82,7 @@ struct Drive {
   FixedPoints fixed;
 };
 
-TEST(ObservabilityReport, ExactJacobiansLearnNothingOfAFrameWithoutAnchors) {
+TEST(ObservabilityReport, ExactJacobiansAddNoInformationOnTheFrame) {
   const ObservabilityReport report = Drive(0).report();
   EXPECT_EQ(report.ideal_nullity, 3);
   EXPECT_EQ(report.information.nullity(), 3);
@@ -93,10 +93,10 @@ TEST(ObservabilityReport, ExactJacobiansLearnNothingOfAFrameWithoutAnchors) {
   for (const QuantityReport& q : report.quantities) {
     EXPECT_FALSE(q.ideally_observable || q.gained || q.estimated_sigma) << q.name;
   }
-  EXPECT_EQ(in_words(report), (std::vector<std::string>{"place: unobservable", "heading: unobservable"}));
+  EXPECT_EQ(in_words(report), (std::vector<std::string>{"position: unobservable", "heading: unobservable"}));
 }
 
-TEST(ObservabilityReport, JacobiansThatMoveLearnTheHeadingAndNotThePlace) {
+TEST(ObservabilityReport, VaryingJacobiansAddInformationOnTheHeadingOnly) {
   const ObservabilityReport report = Drive(0.02).report();
   EXPECT_EQ(report.ideal_nullity, 3);
   EXPECT_EQ(report.information.nullity(), 2);
@@ -105,12 +105,13 @@ TEST(ObservabilityReport, JacobiansThatMoveLearnTheHeadingAndNotThePlace) {
   const QuantityReport heading = quantity(report, "heading");
   EXPECT_TRUE(heading.gained);
   EXPECT_FALSE(heading.ideally_observable);
-  EXPECT_NE(in_words(report)[1].find("heading: unobservable, yet the filter believes to know it to "),
+  EXPECT_NE(in_words(report)[1].find(
+                "heading: unobservable, but the filter has spurious information from measurements: sigma "),
             std::string::npos);
   EXPECT_LT(*quantity(Drive(0.04).report(), "heading").estimated_sigma, *heading.estimated_sigma);
 }
 
-TEST(ObservabilityReport, OneAnchorLeavesATurnAndTwoNothing) {
+TEST(ObservabilityReport, OneAnchorLeavesARotationAndTwoNothing) {
   const ObservabilityReport one = Drive(0, 1).report();
   EXPECT_EQ(one.ideal_nullity, 1);
   EXPECT_EQ(one.information.nullity(), 1);
@@ -121,10 +122,10 @@ TEST(ObservabilityReport, OneAnchorLeavesATurnAndTwoNothing) {
   EXPECT_EQ(two.information.nullity(), 0);
   for (const QuantityReport& q : two.quantities) EXPECT_TRUE(q.ideally_observable && q.gained) << q.name;
   EXPECT_EQ(in_words(two),
-            (std::vector<std::string>{"place: fixed by 2 anchors", "heading: fixed by 2 anchors"}));
+            (std::vector<std::string>{"position: fixed by 2 anchors", "heading: fixed by 2 anchors"}));
 }
 
-TEST(ObservabilityReport, WhatIsNotFollowedIsNotBelieved) {
+TEST(ObservabilityReport, UncoveredRunReportsNoFilterInformation) {
   Drive drive(0, 2);
   const ObservabilityReport report =
       observability_report(MonitoredInformation{}, drive.scene, drive.fixed, "the map moves");
@@ -132,27 +133,28 @@ TEST(ObservabilityReport, WhatIsNotFollowedIsNotBelieved) {
   EXPECT_EQ(report.information.errors, 0);
   EXPECT_FALSE(quantity(report, "heading").estimated_sigma);
   EXPECT_EQ(in_words(report), (std::vector<std::string>{
-                                  "place: can be fixed by 2 anchors", "heading: can be fixed by 2 anchors",
-                                  "what the filter believes of these is not worked out: the map moves"}));
+                                  "position: observable with 2 anchors", "heading: observable with 2 anchors",
+                                  "the filter's information is not monitored: the map moves"}));
 }
 
-// A camera
+// Camera
 // ---------------------------------------------------------------------------------------------------------
 
 struct Journey {
-  int known = 0;  ///< points
+  int known = 0;  ///< number of points with known position
   bool moves = true;
   int steps = 20;
-  double unit = 1;  ///< all lengths are so many times as long, but for the hair of noise of a birth
-  bool exact_positions = true;  ///< that hair is told to be one
-  double acceleration = 0;      ///< commanded, to and fro, of this amplitude
+  double unit = 1;              ///< scale of all lengths, except of the regularization of an initialization
+  bool exact_positions = true;  ///< this regularization is declared as such
+  double acceleration = 0;      ///< amplitude of the alternating commanded acceleration
   double sigma = 1;             ///< assumed accelerations, linear and angular
-  double off = 0;               ///< Jacobians so far beside the truth, other each time
-  int points_from = 1000;       ///< step from which landmarks are told as points
+  // perturbation of the states at which Jacobians are evaluated, anew each time
+  double off = 0;
+  int points_from = 1000;  ///< step at which landmarks are converted to points
 };
 
-/// A camera that turns and moves, or stands still, and sees points: some of them known, the others born with
-/// inverse depth. All Jacobians at the truth, or beside it.
+/// A camera that rotates and translates, or stands still, and measures points: some with known position, the
+/// others initialized with inverse depth. All Jacobians at the true states, or at perturbed ones.
 class Path {
  public:
   explicit Path(const Journey& journey) : j_(journey) {
@@ -161,12 +163,12 @@ class Path {
     scene_.camera.segment<3>(7) *= j_.unit;
     for (ObservabilityMonitor* monitor : both())
       if (j_.exact_positions) monitor->set_exact_position(3, 5e-5 * 2.4 * j_.unit);
-    for (int i = 0; i < j_.known; ++i) look_at(i, true);
+    for (int i = 0; i < j_.known; ++i) measure(i, true);
     for (int i = j_.known; i < 8; ++i) augment(i);
     for (int step = 0; step < j_.steps; ++step) {
       move(step / 30.0);
-      for (int i = 0; i < 8; ++i) look_at(i, i < j_.known);
-      if (step == j_.points_from) tell_as_points();
+      for (int i = 0; i < 8; ++i) measure(i, i < j_.known);
+      if (step == j_.points_from) convert_to_points();
     }
     scene_.errors = monitor_.errors();
     for (auto& landmark : scene_.landmarks)
@@ -198,24 +200,25 @@ class Path {
     for (ObservabilityMonitor* monitor : both()) monitor->move(motion);
     scene_.camera = step.x;
   }
-  void tell_as_points() {
+  void convert_to_points() {
     for (auto& landmark : scene_.landmarks) {
       const auto at = landmark_point(landmark);
-      const BlockReplacement told{static_cast<BlockId>(landmark.id + 1), at->J, Eigen::Matrix3d::Zero()};
-      for (ObservabilityMonitor* monitor : both()) monitor->replace(told);
+      const BlockReplacement replacement{static_cast<BlockId>(landmark.id + 1), at->J,
+                                         Eigen::Matrix3d::Zero()};
+      for (ObservabilityMonitor* monitor : both()) monitor->replace(replacement);
       landmark.form = SpatialScene::Landmark::Form::point;
       landmark.mean.head<3>() = at->position;
     }
   }
-  /// Where a filter thinks it is.
-  CameraState believed_camera() {
+  /// The perturbed camera state, at which a filter would linearize.
+  CameraState perturbed_camera() {
     CameraState x = scene_.camera;
     for (int i = 0; i < 3; ++i) x[i] += j_.off * j_.unit * random_.normal();
     return x;
   }
   void augment(int i) {
     const auto pixel = PointLandmark::predict_measurement(camera_, scene_.camera, point(i))->pixel;
-    const double depth = point(i).z();  // all are born at the start
+    const double depth = point(i).z();  // all landmarks are initialized at the start
     const auto initialized = InverseDepthLandmark::initialize(camera_, scene_.camera, pixel, 1 / depth);
     BlockAugmentation initialization;
     initialization.block = static_cast<BlockId>(i + 1);
@@ -231,7 +234,7 @@ class Path {
     landmark.initial_axes.world_from_initial_camera = initialized->world_from_initial_camera;
     landmark.mean = initialized->landmark;
   }
-  void look_at(int i, bool known) {
+  void measure(int i, bool known) {
     LinearizedMeasurement measurement;
     if (known) {
       measurement.add(vehicle, PointLandmark::predict_measurement(camera_, scene_.camera, point(i))->Hv);
@@ -244,7 +247,7 @@ class Path {
     for (ObservabilityMonitor* monitor : both()) monitor->add_measurement(measurement);
   }
   void add_measurement(LinearizedMeasurement& measurement, const SpatialScene::Landmark& landmark) {
-    const CameraState from = believed_camera();
+    const CameraState from = perturbed_camera();
     const auto block = static_cast<BlockId>(landmark.id + 1);
     const auto add = [&](const auto& seen) {
       measurement.add(vehicle, seen->Hv);
@@ -265,8 +268,8 @@ class Path {
   FixedPoints fixed_;
 };
 
-TEST(ObservabilityReport, AMovingCameraLacksWhatItsAnchorsDoNotFix) {
-  const int ideal[] = {7, 4, 1, 1, 0};  // the first three points are on a line
+TEST(ObservabilityReport, MovingCameraLacksWhatItsAnchorsDoNotFix) {
+  const int ideal[] = {7, 4, 1, 1, 0};  // the first three points are collinear
   for (int known = 0; known <= 4; ++known) {
     const ObservabilityReport report = Path({.known = known}).report();
     EXPECT_EQ(report.ideal_nullity, ideal[known]) << known;
@@ -280,15 +283,15 @@ TEST(ObservabilityReport, AMovingCameraLacksWhatItsAnchorsDoNotFix) {
   }
 }
 
-TEST(ObservabilityReport, TheScaleSaidPlainly) {
+TEST(ObservabilityReport, ReportsTheScale) {
   EXPECT_EQ(in_words(Path({.known = 4}).report())[2], "scale: fixed by 4 anchors");
   EXPECT_EQ(in_words(Path({.known = 0}).report())[2], "scale: unobservable");
   EXPECT_EQ(in_words(Path({.known = 1}).report())[2], "scale: unobservable with 1 anchor");
 }
 
-// v' = v + a dt with a known does not scale with v, nor turn with it: all Jacobians true, and yet not a
-// motion of the symmetries. No mistake of the looks
-TEST(ObservabilityReport, WhatAMotionModelTellsIsNotWronglyBelieved) {
+// v' = v + a dt with known a does not scale or rotate with v: all Jacobians are true, but the motion does not
+// preserve the symmetries. This information is not spurious
+TEST(ObservabilityReport, InformationFromTheMotionModelIsNotSpurious) {
   const ObservabilityReport report = Path({.steps = 200, .acceleration = 1, .sigma = 0.02}).report();
   EXPECT_EQ(report.ideal_nullity, 7);
   EXPECT_EQ(report.information.nullity(), 3);
@@ -300,13 +303,16 @@ TEST(ObservabilityReport, WhatAMotionModelTellsIsNotWronglyBelieved) {
   EXPECT_FALSE(scale.sigma_from_measurements);
   EXPECT_FALSE(quantity(report, "x").by_motion_model);
   const std::vector<std::string> words = in_words(report);
-  EXPECT_EQ(words[0], "place: unobservable");
-  EXPECT_EQ(words[1].find("orientation: unobservable by looks, turn about "), 0u) << words[1];
-  EXPECT_NE(words[1].find(" deg by its motion model"), std::string::npos) << words[1];
-  EXPECT_EQ(words[2].find("scale: unobservable by looks, known to "), 0u) << words[2];
+  EXPECT_EQ(words[0], "position: unobservable");
+  EXPECT_EQ(words[1].find("orientation: unobservable by measurements; information on rotation about "), 0u)
+      << words[1];
+  EXPECT_NE(words[1].find(" from the motion model: sigma "), std::string::npos) << words[1];
+  EXPECT_EQ(words[2].find("scale: unobservable by measurements; information from the motion model: sigma "),
+            0u)
+      << words[2];
 }
 
-// However small the accelerations are taken to be: without commands the symmetries move on as they are
+// However small the assumed accelerations: without commands the motion preserves the symmetries
 TEST(ObservabilityReport, SmallAccelerationsAloneAreNoReference) {
   const ObservabilityReport report = Path({.steps = 200, .sigma = 0.001}).report();
   EXPECT_EQ(report.information.nullity(), 7);
@@ -314,7 +320,7 @@ TEST(ObservabilityReport, SmallAccelerationsAloneAreNoReference) {
   EXPECT_EQ(report.by_motion_model, 0);
 }
 
-TEST(ObservabilityReport, WhatLooksTellOfAScaleIsWronglyBelieved) {
+TEST(ObservabilityReport, InformationOnTheScaleFromMeasurementsIsSpurious) {
   for (const double acceleration : {0.0, 1.0}) {
     const ObservabilityReport report =
         Path({.steps = 200, .acceleration = acceleration, .sigma = 0.02, .off = 0.05}).report();
@@ -323,12 +329,13 @@ TEST(ObservabilityReport, WhatLooksTellOfAScaleIsWronglyBelieved) {
     const QuantityReport scale = quantity(report, "scale");
     EXPECT_TRUE(scale.gained && scale.sigma_from_measurements && !scale.by_motion_model) << acceleration;
     EXPECT_LE(*scale.estimated_sigma, *scale.sigma_from_measurements * (1 + 1e-9));
-    EXPECT_NE(in_words(report)[2].find("yet the filter believes to know it to "), std::string::npos);
+    EXPECT_NE(in_words(report)[2].find("but the filter has spurious information from measurements: sigma "),
+              std::string::npos);
   }
 }
 
-// The hair of noise that a place of birth has is in metres
-TEST(ObservabilityReport, TheUnitOfLengthDoesNotMatter) {
+// The regularization of an initial position is in meters
+TEST(ObservabilityReport, IsIndependentOfTheUnitOfLength) {
   for (const double acceleration : {0.0, 1.0}) {
     Journey journey{.steps = 100, .acceleration = acceleration, .sigma = 0.1};
     const ObservabilityReport in_meters = Path(journey).report();
@@ -343,12 +350,11 @@ TEST(ObservabilityReport, TheUnitOfLengthDoesNotMatter) {
   }
 }
 
-// Weighed as it is, a hair among kilometres leaves nothing but rounding of the rest
-TEST(ObservabilityReport, ARankIsTheSameInAnyUnitOrSaidToBeUnclear) {
+// At its own scale, a regularization among kilometers would leave only rounding of the rest
+TEST(ObservabilityReport, RankIsTheSameInAnyUnitOrReportedAsAmbiguous) {
   for (const int points_from : {1000, 50})
     for (const bool exact_positions : {true, false}) {
-      if (!exact_positions && points_from == 50)
-        continue;  // rounding of what is told anew is not followed so far
+      if (!exact_positions && points_from == 50) continue;  // rounding of conversions is not tracked so far
       Journey journey{.steps = 100, .exact_positions = exact_positions, .acceleration = 1, .sigma = 0.1};
       const int nullity = Path(journey).report().information.nullity();
       journey.points_from = points_from;
@@ -366,7 +372,7 @@ TEST(ObservabilityReport, ARankIsTheSameInAnyUnitOrSaidToBeUnclear) {
 // Ranks
 // ---------------------------------------------------------------------------------------------------------
 
-TEST(ObservabilityReport, ARankNearRoundingIsSaidToBeUnclear) {
+TEST(ObservabilityReport, RankNearRoundingIsReportedAsAmbiguous) {
   Eigen::VectorXd values(4);
   values << 1e6, 1e3, 1, 0;
   const Eigen::VectorXd units = Eigen::VectorXd::Ones(4);
@@ -379,10 +385,11 @@ TEST(ObservabilityReport, ARankNearRoundingIsSaidToBeUnclear) {
   EXPECT_FALSE(clear.ambiguous);
   values[2] = 3 * clear.tolerance;
   EXPECT_TRUE(rank(values).ambiguous);
-  values[2] = 1e15;  // rounding then hides as much as is worth knowing
+  values[2] = 1e15;  // rounding now hides as much as is worth resolving
   EXPECT_TRUE(rank(values).ambiguous);
   values[2] = 1;
-  EXPECT_TRUE(rank(1e9 * values).ambiguous);  // of which most is forgotten, and its rounding is not
+  // most of this information is forgotten later, its rounding is not
+  EXPECT_TRUE(rank(1e9 * values).ambiguous);
 }
 
 }  // namespace

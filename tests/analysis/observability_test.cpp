@@ -1,5 +1,5 @@
-// The systems of Chapter 4 against ranks that an independent program found, and the tool against what must
-// hold of any system.
+// The systems of Chapter 4 against ranks from an independent program, and the analysis against properties of
+// any system.
 #include "incognita/analysis/observability/observability.hpp"
 
 #include <gtest/gtest.h>
@@ -18,9 +18,9 @@
 namespace incognita {
 namespace {
 
-/// ranks.csv: made by another program in another language, with ranks over the numbers modulo a prime for the
-/// Lie derivatives, complex-step derivatives through an 8th-order integrator for the motion, and the thesis'
-/// error forms typed in anew for the segments.
+/// ranks.csv: from a program in another language, with ranks modulo a prime for the Lie derivatives,
+/// complex-step derivatives through an 8th-order integrator for the motion, and the thesis' error forms
+/// entered independently for the segments.
 struct Ranks {
   std::string representation, motion;
   int features = 0, anchors = 0;
@@ -71,7 +71,7 @@ std::vector<int> condition(const ObservabilityAnalysis& a) {
 
 class ThesisSystem : public testing::TestWithParam<const char*> {};
 
-TEST_P(ThesisSystem, HasTheRanksThatAnotherProgramFound) {
+TEST_P(ThesisSystem, HasTheRanksOfAnIndependentProgram) {
   const std::vector<Ranks> cases = read_ranks()[GetParam()];
   ASSERT_GE(cases.size(), 12u);
   for (const Ranks& expected : cases) {
@@ -101,7 +101,7 @@ INSTANTIATE_TEST_SUITE_P(All, ThesisSystem,
 
 class BuiltIn : public testing::TestWithParam<std::string> {};
 
-TEST_P(BuiltIn, DoesNotDependOnTheOperatingPoint) {
+TEST_P(BuiltIn, RanksDoNotDependOnTheOperatingPoint) {
   const SystemText text = load_system(GetParam());
   ObservabilitySettings settings;
   settings.lie = false;
@@ -117,7 +117,7 @@ TEST_P(BuiltIn, DoesNotDependOnTheOperatingPoint) {
   }
 }
 
-TEST_P(BuiltIn, HasLieDerivativesThatDoNotDependOnTheOperatingPointEither) {
+TEST_P(BuiltIn, LieRanksDoNotDependOnTheOperatingPoint) {
   const SystemText text = load_system(GetParam());
   ObservabilitySettings settings;
   settings.segments = 1;
@@ -131,7 +131,7 @@ TEST_P(BuiltIn, HasLieDerivativesThatDoNotDependOnTheOperatingPointEither) {
   }
 }
 
-TEST_P(BuiltIn, HasTheDerivativesOfItsEquations) {
+TEST_P(BuiltIn, JacobiansAreDerivativesOfTheEquations) {
   const SymbolicSystem system = make_symbolic(load_system(GetParam()));
   const SystemInstance instance(system, 2, system.text.anchor ? 1 : 0);
   RandomStream random(7, "derivatives");
@@ -157,7 +157,7 @@ INSTANTIATE_TEST_SUITE_P(All, BuiltIn, testing::ValuesIn(built_in_systems()), []
   return name;
 });
 
-/// From Euler angles' differences to misalignment about the axes of the world: psi = C' E^-1 dPsi, with the
+/// Transformation from errors of Euler angles to misalignment about world axes: psi = C' E^-1 dPsi, with the
 /// inverse of (4.28).
 Eigen::MatrixXd misalignment(const SystemInstance& instance, const SystemPoint& point) {
   const auto& names = instance.names();
@@ -203,7 +203,7 @@ INSTANTIATE_TEST_SUITE_P(All, ErrorForm,
 
 SystemText drone() { return load_system(INCOGNITA_SOURCE_DIR "/docs/systems/drone.toml"); }
 
-TEST(Observability, OfASystemThatAUserWroteDown) {
+TEST(Observability, AnalyzesASystemOfAUser) {
   ObservabilitySettings settings;
   settings.landmarks = 2;
   const auto a = analyze_observability(drone(), settings);
@@ -213,8 +213,8 @@ TEST(Observability, OfASystemThatAUserWroteDown) {
   EXPECT_TRUE(a.local.space.contains(shift));
 }
 
-TEST(Observability, TakesInputsThatEnterNonlinearly) {
-  // An Ackermann car: the steering angle is in a tangent
+TEST(Observability, AcceptsInputsThatEnterNonlinearly) {
+  // An Ackermann car: the steering angle is the argument of a tangent
   SystemText car = load_system("planar");
   car.inputs[1] = {"steer", {}, -0.5, 0.5};
   car.vehicle.states[2].expression.text = "v*tan(steer)/2";
@@ -225,7 +225,7 @@ TEST(Observability, TakesInputsThatEnterNonlinearly) {
   EXPECT_EQ(a.local.space.nullity, 3);
 }
 
-TEST(Observability, NamesWhatCannotBeSeen) {
+TEST(Observability, NamesUnobservableDirections) {
   const auto a = analyze_observability(load_system("cv6"), {.landmarks = 2, .lie = false});
   std::vector<std::string> names;
   for (const auto& d : a.local.directions) names.push_back(d.name);
@@ -237,18 +237,18 @@ TEST(Observability, NamesWhatCannotBeSeen) {
   EXPECT_EQ(still.local.directions[0].name, "depth of feature 1");
 }
 
-TEST(Observability, SaysWhereTheMethodsDisagreeAndWhy) {
+TEST(Observability, ReportsDisagreeingMethodsWithTheReason) {
   const auto a = analyze_observability(load_system("planar"), {.anchors = 1});
   ASSERT_FALSE(a.disagreements.empty());
-  EXPECT_NE(a.disagreements.front().find("frozen"), std::string::npos) << a.disagreements.front();
+  EXPECT_NE(a.disagreements.front().find("keeps H constant"), std::string::npos) << a.disagreements.front();
   const auto agree = analyze_observability(load_system("planar"), {.anchors = 2});
   EXPECT_TRUE(agree.disagreements.empty()) << agree.disagreements.front();
 }
 
-TEST(Observability, GivesLeastSigmasThatMatchTheInformation) {
+TEST(Observability, MinimumSigmasMatchTheInformation) {
   const auto a = analyze_observability(load_system("monobot"), {.anchors = 1, .segments = 1, .lie = false});
-  // One landmark and one anchor, looked at 9 times with 0.1 m: x is known to 0.1/3 m, the landmark to sqrt(2)
-  // of it
+  // One landmark and one anchor, measured 9 times with sigma 0.1 m: sigma of x is 0.1/3 m, of the landmark
+  // sqrt(2) times that
   ASSERT_TRUE(a.information[0].sigma && a.information[1].sigma);
   EXPECT_NEAR(*a.information[0].sigma, 0.1 / 3, 1e-9);
   EXPECT_NEAR(*a.information[1].sigma, std::sqrt(2) * 0.1 / 3, 1e-9);
@@ -256,14 +256,14 @@ TEST(Observability, GivesLeastSigmasThatMatchTheInformation) {
   EXPECT_FALSE(none.information[0].sigma);
 }
 
-TEST(Observability, IsTheSameForTheSameSeed) {
+TEST(Observability, IsDeterministicForASeed) {
   const auto once = analyze_observability(load_system("inertial"), {.lie = false}),
              again = analyze_observability(load_system("inertial"), {.lie = false});
   EXPECT_EQ(once.local.space.singular_values, again.local.space.singular_values);
   EXPECT_EQ(once.points[2].x, again.points[2].x);
 }
 
-TEST(Observability, FollowsTheLieDerivativesNoFurtherThanToldAndSaysSo) {
+TEST(Observability, ReportsTheOrderLimitOfLieDerivatives) {
   ObservabilitySettings settings;
   settings.lie_settings.max_order = 1;
   const auto a = analyze_observability(load_system("cv6"), settings);
@@ -273,7 +273,7 @@ TEST(Observability, FollowsTheLieDerivativesNoFurtherThanToldAndSaysSo) {
   EXPECT_NE(a.doubts.front().find("order 1 only"), std::string::npos) << a.doubts.front();
 }
 
-TEST(Observability, RefusesWhatTheSystemDoesNotHave) {
+TEST(Observability, RefusesOptionsThatTheSystemLacks) {
   EXPECT_THROW(analyze_observability(load_system("planar", "relative"), {.anchors = 1}),
                std::invalid_argument);
   EXPECT_THROW(analyze_observability(load_system("planar"), {.motion = "sideways"}), std::invalid_argument);
@@ -281,7 +281,7 @@ TEST(Observability, RefusesWhatTheSystemDoesNotHave) {
   EXPECT_THROW(analyze_observability(load_system("planar"), {.segments = 0}), std::invalid_argument);
 }
 
-/// A vehicle that measures itself, and has no landmarks.
+/// A vehicle that measures its own state, without landmarks.
 SystemText alone(const std::string& states, const std::string& region, const std::string& measurements,
                  const std::string& inputs = "") {
   return read_system("name = \"alone\"\n[states]\n" + states + "[region]\n" + region + "[inputs]\n" + inputs +
@@ -293,14 +293,14 @@ ObservabilityAnalysis analyzed(const SystemText& text, int segments = 3) {
   return analyze_observability(text, {.landmarks = 0, .segments = segments});
 }
 
-TEST(Observability, CountsInputsThatAreInMeasurements) {
+TEST(Observability, CountsInputsInMeasurements) {
   const auto a =
       analyzed(alone("a = 0\nb = 0\n", "a = [1, 2]\nb = [1, 2]\n", "z = \"u*a + b\"\n", "u = [-1, 1]\n"));
   EXPECT_EQ(a.lie->space.nullity, 0);
   EXPECT_EQ(a.local.space.nullity, 0);
 }
 
-TEST(Observability, TakesAsManyNonlinearInputsAsItNeeds) {
+TEST(Observability, UsesAsManyNonlinearInputsAsNecessary) {
   const auto a = analyzed(
       alone("x = \"u*a + u^2*b + u^3*c + u^4*d\"\na = 0\nb = 0\nc = 0\nd = 0\n",
             "x = [1, 2]\na = [1, 2]\nb = [1, 2]\nc = [1, 2]\nd = [1, 2]\n", "z = \"x\"\n", "u = [0.5, 2]\n"),
@@ -309,21 +309,21 @@ TEST(Observability, TakesAsManyNonlinearInputsAsItNeeds) {
   EXPECT_EQ(a.local.space.nullity, 0);
 }
 
-TEST(Observability, TakesAnInputThatCannotVaryForAConstant) {
+TEST(Observability, TreatsAFixedInputAsAConstant) {
   const auto a =
       analyzed(alone("x = \"v\"\nk = 0\n", "x = [1, 2]\nk = [1, 2]\n", "z = \"k*x\"\n", "v = [0, 0]\n"));
   EXPECT_EQ(a.lie->space.nullity, 1);
   EXPECT_EQ(a.local.space.nullity, 1);
 }
 
-TEST(Observability, DoesNotMeetAnOscillationAtOnePhaseOnly) {
-  // 4 Hz, where eight even looks a second would always meet p at 0
+TEST(Observability, SamplesAnOscillationAtSeveralPhases) {
+  // 4 Hz, where eight equally spaced measurements a second would always sample p at 0
   const auto a =
       analyzed(alone("x = \"p\"\np = \"-(8*pi)^2*x\"\n", "x = [1, 2]\np = [1, 2]\n", "z = \"x\"\n"));
   EXPECT_EQ(a.local.space.nullity, 0);
 }
 
-TEST(Observability, KnowsMeasurementsOfAnySize) {
+TEST(Observability, AcceptsMeasurementsOfAnyScale) {
   for (const char* z : {"z = \"1e200*x\"\n", "z = \"1e-200*x\"\n"}) {
     const auto a = analyzed(alone("x = 1\n", "x = [1, 2]\n", z));
     EXPECT_EQ(a.segments[0].stripped.space.nullity, 0) << z;
@@ -331,22 +331,22 @@ TEST(Observability, KnowsMeasurementsOfAnySize) {
   }
 }
 
-TEST(Observability, DoesNotTrustAMotionThatGrows) {
+TEST(Observability, DoubtsADivergingMotion) {
   const auto a = analyzed(alone("x = \"9*x\"\nk = 0\n", "x = [1, 2]\nk = [1, 2]\n", "z = \"x\"\n"));
   ASSERT_FALSE(a.doubts.empty());
   EXPECT_NE(a.doubts.front().find("grow by a factor"), std::string::npos) << a.doubts.front();
   EXPECT_FALSE(a.sigmas_trusted);
 }
 
-TEST(Observability, SaysWhenARankIsOnTheEdge) {
+TEST(Observability, DoubtsANearlyDeficientRank) {
   const auto a = analyzed(
       alone("a = 0\nb = 0\n", "a = [1, 2]\nb = [1, 2]\n", "z1 = \"a + b\"\nz2 = \"a + (1 + 4e-10)*b\"\n"));
   EXPECT_FALSE(a.doubts.empty());
 }
 
-/// Many definitions, each of the one before twice, with the input in the first: written out, they would not
-/// end.
-TEST(Observability, DoesNotWriteDefinitionsOut) {
+/// Many definitions, each containing the previous one twice, with the input in the first: expanded, they
+/// would have 2^60 terms.
+TEST(Observability, DoesNotExpandDefinitions) {
   std::string text =
       "name = \"deep\"\n[inputs]\nu = [1, 2]\n[states]\nx = \"d60\"\n[region]\nx = [1, 2]\n"
       "[measurements]\nz = \"x\"\n[definitions]\nd0 = \"x + u\"\n";
@@ -361,7 +361,7 @@ TEST(Observability, DoesNotWriteDefinitionsOut) {
   }
 }
 
-/// A vehicle on a line whose one measurement is `text`.
+/// A vehicle on a line with the single measurement `text`.
 SystemText measuring(const std::string& text) {
   return read_system(
       "name = \"line\"\n[states]\nx = 1\n[region]\nx = [1, 2]\n[measurements]\nz = \"" + text + "\"\n",
@@ -387,7 +387,7 @@ SystemText chain_of(const std::string& factor) {
                      "chain.toml");
 }
 
-TEST(Observability, DoesNotDependOnUnits) {
+TEST(Observability, RanksAreIndependentOfUnits) {
   const std::vector<std::pair<std::string, std::string>> units{
       {"1e-11", "[1e11, 2e11]"}, {"1e-9", "[1e9, 2e9]"},     {"1", "[1, 2]"},
       {"1e9", "[1e-9, 2e-9]"},   {"1e11", "[1e-11, 2e-11]"}, {"1e9", "[1, 2]"}};
@@ -406,20 +406,20 @@ TEST(Observability, DoesNotDependOnUnits) {
   }
 }
 
-TEST(Observability, SaysWhatIsTooSmallToTell) {
+TEST(Observability, ReportsEffectsBelowRounding) {
   const ObservabilityAnalysis clear = analyze_observability(chain_of("0.01"), {.landmarks = 0});
   EXPECT_EQ(clear.lie->space.nullity, 0);
   EXPECT_EQ(clear.local.space.nullity, 0);
   EXPECT_TRUE(clear.disagreements.empty());
-  // The last state acts on the measurement by 1e-18 of the first
+  // The last state changes the measurement by 1e-18 of the first
   const ObservabilityAnalysis faint = analyze_observability(chain_of("1e-6"), {.landmarks = 0});
   EXPECT_TRUE(faint.local.space.nullity == 0 || faint.local.space.ambiguous);
   EXPECT_TRUE(faint.lie->space.nullity == 0 || !faint.lie->closed);
   for (const std::string& said : faint.disagreements)
-    EXPECT_EQ(said.find("stays frozen"), std::string::npos) << said;
+    EXPECT_EQ(said.find("keeps H constant"), std::string::npos) << said;
 }
 
-/// All that an analysis says besides ranks.
+/// All remarks of an analysis besides ranks.
 std::string remarks(const ObservabilityAnalysis& a) {
   std::string all;
   for (const auto* lines : {&a.disagreements, &a.doubts, &a.notes})
@@ -431,7 +431,7 @@ bool says(const ObservabilityAnalysis& a, const std::string& part) {
   return remarks(a).find(part) != std::string::npos;
 }
 
-/// Two ranges to points on the axis that a vehicle drives along, which hardly tell how far off it is.
+/// Two ranges to points on the axis along which a vehicle drives: its lateral offset is nearly unobservable.
 ObservabilityAnalysis beside_the_axis(const std::string& y) {
   const std::string text =
       "name = \"mirror\"\n[inputs]\nv = [1, 2]\n[states]\nx = \"v\"\ny = 0\n[region]\nx = [-5, 5]\n"
@@ -441,18 +441,18 @@ ObservabilityAnalysis beside_the_axis(const std::string& y) {
   return analyze_observability(read_system(text, "m.toml"), {.landmarks = 0, .anchors = 2, .motion = "near"});
 }
 
-TEST(Observability, SaysWhatIsSeenInPrincipleOnly) {
+TEST(Observability, ReportsWeakObservability) {
   const ObservabilityAnalysis near = beside_the_axis("1e-6");
   EXPECT_EQ(near.local.space.nullity, 0);
   EXPECT_TRUE(near.information[1].weakly_observable && !near.information[0].weakly_observable);
-  EXPECT_TRUE(says(near, "y is seen in principle only: sigma 1.3e+06 where its region is 4 wide."))
+  EXPECT_TRUE(says(near, "y is only weakly observable: sigma 1.3e+06, width of its region 4."))
       << remarks(near);
   const ObservabilityAnalysis far = beside_the_axis("2");
   EXPECT_FALSE(far.information[1].weakly_observable);
-  EXPECT_FALSE(says(far, "in principle")) << remarks(far);
+  EXPECT_FALSE(says(far, "weakly observable")) << remarks(far);
 }
 
-TEST(Observability, NamesTheStatesWhoseEffectIsAsFaintAsRounding) {
+TEST(Observability, NamesStatesWithAnEffectBelowRounding) {
   const ObservabilityAnalysis a = analyze_observability(
       read_system("name = \"faint\"\n[states]\nx = 0\ny = 0\n[region]\nx = [-5e8, 5e8]\ny = [-5, 5]\n"
                   "[measurements]\nz = \"sqrt(x^2 + y^2)\"\n",
@@ -461,22 +461,22 @@ TEST(Observability, NamesTheStatesWhoseEffectIsAsFaintAsRounding) {
   ASSERT_TRUE(a.local.space.ambiguous);
   EXPECT_EQ(a.local.space.faint, (std::vector<bool>{false, true}));
   EXPECT_FALSE(a.sigmas_trusted);
-  EXPECT_TRUE(says(a, "what y would do to the measurements is as faint as rounding")) << remarks(a);
+  EXPECT_TRUE(says(a, "the effect of y on the measurements is below rounding")) << remarks(a);
   EXPECT_FALSE(says(a, "times the next")) << remarks(a);
 }
 
-TEST(Observability, SaysWhyTheInformationLeavesMoreOpen) {
+TEST(Observability, ReportsWhyTheInformationHasALargerNullSpace) {
   const auto a =
       analyzed(alone("x = 0\nb = 0\n", "x = [0, 1]\nb = [0, 1]\n", "m = \"1e-12*x\"\nn = \"x + b\"\n"));
   EXPECT_EQ(a.local.space.nullity, 0);
   EXPECT_EQ(a.fisher.space.nullity, 1);
-  EXPECT_TRUE(says(a, "weighs each measurement with its sensitivity over its sigma")) << remarks(a);
+  EXPECT_TRUE(says(a, "weights each measurement with its sensitivity over its sigma")) << remarks(a);
 }
 
-TEST(Observability, SaysWhichInputsNothingUses) {
+TEST(Observability, NamesUnusedInputs) {
   const auto a =
       analyzed(alone("x = \"v\"\n", "x = [1, 2]\n", "z = \"x\"\n", "v = [0, 1]\nspare = [0, 1]\n"));
-  EXPECT_TRUE(says(a, "Input `spare` is in no equation and no measurement")) << remarks(a);
+  EXPECT_TRUE(says(a, "Input `spare` occurs in no equation and no measurement")) << remarks(a);
   EXPECT_FALSE(says(a, "`v`")) << remarks(a);
 }
 
@@ -501,7 +501,7 @@ void expect_ranks(const ObservabilityAnalysis& a, int lie, int local) {
   EXPECT_EQ(a.fisher.space.rank, local) << remarks(a);
 }
 
-TEST(AssignedInput, ThatEqualsAnotherVariesWithIt) {
+TEST(AssignedInput, EqualToAnotherVariesWithIt) {
   const auto a = in_motion(read_system(
       "name = \"equal\"\n[states]\nx = \"k*(u1 - u2)\"\nk = 0\n[region]\nx = [1, 2]\nk = [1, 2]\n"
       "[inputs]\nu1 = [1, 2]\nu2 = [1, 2]\n[measurements]\nz = \"x\"\n[motion.chosen]\nu1 = \"u2\"\n",
@@ -510,7 +510,7 @@ TEST(AssignedInput, ThatEqualsAnotherVariesWithIt) {
   EXPECT_FALSE(says(a, "other inputs of this kind")) << remarks(a);
 }
 
-/// The same motion written with an input and with a draw has the same ranks.
+/// A motion has the same ranks whether it is written with an input or with a draw.
 TEST(AssignedInput, MayBeWrittenWithADraw) {
   const std::string draw = "draw.q = [1, 5]\n";
   const auto straight = in_motion(wheels("wl = \"wr\"\n"));
@@ -522,7 +522,7 @@ TEST(AssignedInput, MayBeWrittenWithADraw) {
   expect_ranks(in_motion(wheels("")), 5, 5);
 }
 
-/// Whatever stands first in the file: u2 is set before u1, which is the double of it.
+/// The order in the file does not matter: u2 is assigned before u1, which is twice u2.
 TEST(AssignedInput, MayBePartOfAChain) {
   const std::string head =
       "name = \"chain\"\n[states]\nx = \"k*(u1 - 2*u2) + c*(u2 + u3)\"\nk = 0\nc = 0\n[region]\n"
@@ -539,7 +539,7 @@ TEST(AssignedInput, MayBePartOfAChain) {
   }
 }
 
-/// k only moves x with u1 - u2*p, which is 0 in one motion and not in the other.
+/// k moves x only with u1 - u2*p, which is 0 in one motion and not in the other.
 TEST(AssignedInput, MayDependOnStatesAndDraws) {
   const std::string head =
       "name = \"mixed\"\n[states]\nx = \"k*(u1 - u2*p)\"\np = 0\nk = 0\n[region]\nx = [1, 2]\np = [1, 2]\n"
@@ -549,8 +549,8 @@ TEST(AssignedInput, MayDependOnStatesAndDraws) {
   expect_ranks(in_motion(read_system(head + "u1 = \"q*u2*p\"\ndraw.q = [2, 3]\n", "m.toml")), 3, 3);
 }
 
-/// A rate that is not affine in a draw takes as many values as there are products of it.
-TEST(AssignedInput, MayHaveADrawInAnyPower) {
+/// A rate that is not affine in a draw takes as many values as there are monomials of the draw.
+TEST(AssignedInput, MayHaveADrawToAnyPower) {
   const std::string head =
       "name = \"powers\"\n[states]\nx = \"a + b*u + c*w\"\na = 0\nb = 0\nc = 0\n[region]\nx = [1, 2]\n"
       "a = [1, 2]\nb = [1, 2]\nc = [1, 2]\n[inputs]\nu = [1, 2]\nw = [1, 2]\n[measurements]\nz = \"x\"\n"
@@ -560,7 +560,7 @@ TEST(AssignedInput, MayHaveADrawInAnyPower) {
   expect_ranks(in_motion(read_system(head + "w = \"abs(q - 1.5)\"\n", "p.toml")), 4, 4);
 }
 
-TEST(AssignedInput, IsSetBeforeAStateThatIsSetFromIt) {
+TEST(AssignedInput, IsAssignedBeforeStatesThatDependOnIt) {
   const auto a = in_motion(read_system(
       "name = \"start\"\n[states]\nx = \"u\"\n[region]\nx = [1, 2]\n[inputs]\nu = [1, 2]\nw = [5, 6]\n"
       "[measurements]\nz = \"x\"\n[motion.chosen]\nx = \"u\"\nu = \"w\"\n",
@@ -569,7 +569,7 @@ TEST(AssignedInput, IsSetBeforeAStateThatIsSetFromIt) {
   EXPECT_EQ(a.points[0].x[0], a.points[0].u[0]);
 }
 
-TEST(AssignedInput, ThatDependsOnItselfIsRefusedInWords) {
+TEST(AssignedInput, CyclicDependenceIsRefused) {
   const auto refusal = [](const std::string& motion) -> std::string {
     try {
       in_motion(wheels(motion));
@@ -579,8 +579,7 @@ TEST(AssignedInput, ThatDependsOnItselfIsRefusedInWords) {
     }
     return "accepted";
   };
-  const std::string remedy =
-      "; draw a number for one of them (draw.q = [lowest, highest]) and use it instead";
+  const std::string remedy = "; replace one of them by a drawn number (draw.q = [lowest, highest])";
   EXPECT_EQ(refusal("wl = \"2*wr\"\nwr = \"wl\"\n"),
             "the motion's assignments are circular: `wl` depends on `wr`, which depends on `wl`" + remedy);
   EXPECT_EQ(refusal("wl = \"wl + 1\"\n"),
@@ -589,7 +588,7 @@ TEST(AssignedInput, ThatDependsOnItselfIsRefusedInWords) {
             "the motion's assignments are circular: `x` depends on `wl`, which depends on `x`" + remedy);
 }
 
-TEST(Observability, SaysWhereAnExpressionHasNoValue) {
+TEST(Observability, LocatesAnUndefinedExpression) {
   EXPECT_EQ(refused("1/(x - x)", "a division by zero").line, 7);
   EXPECT_EQ(refused("1/(x*0.5 + x/2 - 2*x/2 + sin(x - x))", "").column, 6);
   EXPECT_EQ(refused("log(sin(x) - 2)", "operating point").column, 6);
@@ -598,7 +597,7 @@ TEST(Observability, SaysWhereAnExpressionHasNoValue) {
   EXPECT_EQ(refused("sqrt(-2)*x", "not finite").line, 7);
 }
 
-TEST(Observability, RefusesExpressionsThatOutgrowTheAlgebra) {
+TEST(Observability, RefusesExpressionsThatAreTooLarge) {
   std::string product = "x + 1";
   for (int i = 2; i < 200; ++i) product += ")*(x + " + std::to_string(i);
   EXPECT_EQ(refused("(" + product + ")", "factors").line, 7);

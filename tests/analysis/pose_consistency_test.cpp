@@ -10,7 +10,7 @@
 namespace incognita {
 namespace {
 
-TEST(PoseError, IsInTheWorldAndInTheBody) {
+TEST(PoseError, IsExpressedInTheWorldAndInTheBody) {
   const StampedPose estimate{0, {1, 2, 3}, quaternion_exp<double>(Eigen::Vector3d(0.3, -2, 0.5))};
   const Eigen::Vector3d turn(0.01, -0.02, 0.03);
   const StampedPose truth{
@@ -25,30 +25,30 @@ TEST(PoseNees, MatchesAHandComputedValue) {
   P(0, 0) = 4;
   PoseError e = PoseError::Zero();
   e[0] = 2;  // one sigma
-  e[5] = 3;  // three
+  e[5] = 3;  // three sigma
   EXPECT_NEAR(*pose_nees(e, P), 10.0 / 6, 1e-12);
   P(2, 2) = 0;
-  e[2] = 1e-9;  // said to be exact, and wrong
+  e[2] = 1e-9;  // error in a component with zero variance
   EXPECT_FALSE(pose_nees(e, P));
 }
 
-TEST(PoseNees, LeavesOutWhatIsNoState) {
+TEST(PoseNees, OmitsComponentsThatAreNotStates) {
   PoseCovariance P = PoseCovariance::Zero();
   P(0, 0) = P(1, 1) = P(5, 5) = 1;
   PoseError e = PoseError::Zero();
   e[0] = 2, e[5] = 1;
-  EXPECT_NEAR(*pose_nees(e, P), 5.0 / 3, 1e-12);  // on a plane
+  EXPECT_NEAR(*pose_nees(e, P), 5.0 / 3, 1e-12);  // planar
   e.tail<3>().setConstant(std::numeric_limits<double>::quiet_NaN());
-  EXPECT_NEAR(*pose_nees(e, P), 4.0 / 2, 1e-12);  // with the true heading unknown
+  EXPECT_NEAR(*pose_nees(e, P), 4.0 / 2, 1e-12);  // planar, true heading unknown
   EXPECT_FALSE(pose_nees(PoseError::Zero(), PoseCovariance::Zero()));
-  PoseCovariance line = PoseCovariance::Identity();  // positive definite by rounding alone
+  PoseCovariance line = PoseCovariance::Identity();  // positive definite only by rounding
   line(0, 1) = line(1, 0) = 1 - 1e-16;
   line(1, 1) = 1 + 4e-16;
   EXPECT_FALSE(pose_nees(PoseError::Zero(), line));
 }
 
-/// On uneven ground the place and the heading give the rest: six errors that hang on three.
-TEST(PoseNees, TakesPlaceAndHeadingWhereTheGroundGivesTheRest) {
+/// On uneven ground position and heading determine the other components: six errors with rank 3.
+TEST(PoseNees, UsesPositionAndHeadingOnUnevenGround) {
   Eigen::Matrix<double, 6, 3> J;
   J << 1, 0, 0, 0, 1, 0, 0.2, -0.1, 0, 0.3, 0.1, 0, 0.1, 0.4, 0, 0, 0, 1;
   const Eigen::Vector3d state(0.02, -0.02, 0.01);
@@ -58,7 +58,7 @@ TEST(PoseNees, TakesPlaceAndHeadingWhereTheGroundGivesTheRest) {
   EXPECT_TRUE(beyond_three_sigma((J * state).head<3>() * 2, P.topLeftCorner<3, 3>()));
 }
 
-TEST(PoseNees, AveragesToOneForErrorsOfThatCovariance) {
+TEST(PoseNees, AveragesToOneForConsistentErrors) {
   RandomStream random(3, "nees");
   PoseCovariance root = PoseCovariance::Identity() * 0.1;
   root(1, 0) = 0.05;
@@ -85,7 +85,7 @@ TEST(BeyondThreeSigma, IsTheChiSquareQuantile) {
   EXPECT_TRUE(beyond_three_sigma({0.2 * 3.440, 0, 0}, flat));
 }
 
-TEST(MeanPoseNees, UsesCovariancesOfTheSameStampOnly) {
+TEST(MeanPoseNees, UsesOnlyCovariancesWithTheSameStamp) {
   const StampedPose truth{1, {1, 0, 0}, {1, 0, 0, 0}}, later{2, {1, 0, 0}, {1, 0, 0, 0}};
   const StampedPose first{1, {0, 0, 0}, {1, 0, 0, 0}}, second{2, {0, 0, 0}, {1, 0, 0, 0}};
   const MatchedTrajectories matched{{first, second}, {truth, later}};

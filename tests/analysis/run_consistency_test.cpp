@@ -10,8 +10,8 @@
 namespace incognita {
 namespace {
 
-/// Share of 400 runs with a verdict: pose errors of `dof` numbers, a Gauss-Markov process of so many frames
-/// whose neighbors are correlated by `phi`, `factor` times as large as the filter says.
+/// Share of 400 runs with a verdict: pose errors of `dof` numbers, a Gauss-Markov process over the given
+/// number of frames with correlation `phi` of neighbors, `factor` times as large as the filter's sigma.
 double share(Consistency verdict, double phi, int dof, double factor) {
   constexpr int runs = 400, frames = 1000;
   int count = 0;
@@ -30,14 +30,14 @@ double share(Consistency verdict, double phi, int dof, double factor) {
   return static_cast<double>(count) / runs;
 }
 
-TEST(MeanNees, DoesNotAccuseAConsistentFilterHoweverLongItsErrorsLast) {
+TEST(MeanNees, AcceptsAConsistentFilterWithCorrelatedErrors) {
   for (const double phi : {0.0, 0.9, 0.999, 1.0}) {
     EXPECT_GE(share(Consistency::consistent, phi, 6, 1), 0.975) << phi;
     EXPECT_GE(share(Consistency::consistent, phi, 3, 1), 0.975) << phi;
   }
 }
 
-TEST(MeanNees, AccusesAWrongOneWhoseErrorsPass) {
+TEST(MeanNees, RejectsAnOverconfidentFilterWithShortErrors) {
   for (const double phi : {0.0, 0.9}) {
     EXPECT_GE(share(Consistency::overconfident, phi, 6, 2.2), 0.99) << phi;
     EXPECT_GE(share(Consistency::conservative, phi, 6, 0.25), 0.99) << phi;
@@ -52,11 +52,12 @@ TEST(MeanNees, HasTheBandOfOneSample) {
   EXPECT_FALSE(mean_nees_of_run(1, 100, 0));
 }
 
-TEST(MeanNis, AllowsForModelsThatAreApproximations) {
+TEST(MeanNis, ToleratesApproximateModels) {
   EXPECT_EQ(mean_nis_of_run(1.3, 5000, 1e5)->verdict(), Consistency::consistent);
   EXPECT_EQ(mean_nis_of_run(2.1, 5000, 1e5)->verdict(), Consistency::overconfident);
   EXPECT_EQ(mean_nis_of_run(0.4, 5000, 1e5)->verdict(), Consistency::conservative);
-  EXPECT_EQ(mean_nis_of_run(2.1, 10, 10)->verdict(), Consistency::consistent) << "ten numbers say little";
+  EXPECT_EQ(mean_nis_of_run(2.1, 10, 10)->verdict(), Consistency::consistent)
+      << "too few samples for a verdict";
   EXPECT_FALSE(mean_nis_of_run(1, fewest_samples - 1, 100));
 }
 

@@ -1,4 +1,4 @@
-// Intervals against tables and exact cases.
+// Confidence intervals against tables and exact cases.
 #include "incognita/analysis/evaluation/statistics.hpp"
 
 #include <gtest/gtest.h>
@@ -13,19 +13,19 @@
 namespace incognita {
 namespace {
 
-TEST(Statistics, MeanOfThreeByStudent) {
+TEST(Statistics, MeanOfThreeByStudentT) {
   const Interval i = mean_of({1, 2, 3});
   EXPECT_DOUBLE_EQ(i.value, 2);
-  EXPECT_NEAR(i.high - i.value, 4.302653 / std::sqrt(3), 1e-6);  // t of 2 degrees of freedom at 97.5 %
+  EXPECT_NEAR(i.high - i.value, 4.302653 / std::sqrt(3), 1e-6);  // t with 2 degrees of freedom at 97.5 %
   EXPECT_NEAR(i.value - i.low, i.high - i.value, 1e-12);
 }
 
-TEST(Statistics, OneRunSaysNothingOfTheMean) {
+TEST(Statistics, OneRunHasNoIntervalOfTheMean) {
   const Interval i = mean_of({5});
   EXPECT_TRUE(i.contains(-1e9) && i.contains(1e9));
 }
 
-// Of ten the second and the ninth: 2.1 % lie outside, with the third and the eighth it would be 10.9 %
+// For ten values the second and the ninth: 2.1 % lie outside; the third and the eighth would leave 10.9 %
 TEST(Statistics, MedianByTheBinomial) {
   const Interval ten = median_interval({10, 1, 9, 2, 8, 3, 7, 4, 6, 5});
   EXPECT_DOUBLE_EQ(ten.value, 5.5);
@@ -51,7 +51,7 @@ TEST(Statistics, RmsByChiSquare) {
   EXPECT_NEAR(i.high, 2 * std::sqrt(10 / 3.246973), 1e-6);
 }
 
-TEST(Statistics, SlopeOfALineIsExact) {
+TEST(Statistics, SlopeOfAnExactLine) {
   const Interval i = slope_of({0, 1, 2, 5}, {1, 3, 5, 11});
   EXPECT_NEAR(i.value, 2, 1e-12);
   EXPECT_NEAR(i.high - i.low, 0, 1e-6);
@@ -77,26 +77,27 @@ TEST(Statistics, ShareByWilson) {
   EXPECT_TRUE(std::isnan(share_of(0, 0).value));
 }
 
-TEST(Statistics, MedianOfOddEvenAndNone) {
+TEST(Statistics, MedianOfOddEvenAndEmptySamples) {
   EXPECT_EQ(median_of({3, 1, 2}), 2);
   EXPECT_EQ(median_of({4, 1, 2, 3}), 2.5);
   EXPECT_TRUE(std::isnan(median_of({})));
 }
 
-TEST(Statistics, PairsShareTheirSeed) {
+TEST(Statistics, PairedSamplesShareTheirSeed) {
   const double none = std::numeric_limits<double>::quiet_NaN();
   const PairedComparison c = compare_pairs({1, 2, 3, 4, 5, 9, none}, {2, 3, 4, 5, 5, none, 1});
   EXPECT_EQ(c.pairs, 5u);
   EXPECT_DOUBLE_EQ(c.difference.value, -0.8);
   EXPECT_DOUBLE_EQ(c.share_lower, 0.8);
   EXPECT_DOUBLE_EQ(c.share_higher, 0);
-  // Of five draws k are the 0 with Bin(5, 0.2): 33 % for k = 0, 5.8 % for three or more, 0.7 % for four
+  // Among five draws the value 0 occurs k times with Bin(5, 0.2): 33 % for k = 0, 5.8 % for three or more,
+  // 0.7 % for four
   EXPECT_DOUBLE_EQ(c.difference.low, -1);
   EXPECT_DOUBLE_EQ(c.difference.high, -0.4);
   EXPECT_THROW(compare_pairs({1}, {}), std::invalid_argument);
 }
 
-TEST(Statistics, ABootstrapOfADifferenceIsAboutAsWideAsStudents) {
+TEST(Statistics, BootstrapOfADifferenceIsAboutAsWideAsStudentT) {
   std::vector<double> a, b;
   for (int i = 0; i < 200; ++i) {
     b.push_back(std::sin(7.0 * i));
@@ -113,7 +114,7 @@ TEST(Statistics, ABootstrapOfADifferenceIsAboutAsWideAsStudents) {
   EXPECT_EQ(c.difference.high, again.difference.high);
 }
 
-TEST(Statistics, NothingInCommonIsSaid) {
+TEST(Statistics, SamplesWithoutCommonSeedsAreReported) {
   const PairedComparison c = compare_pairs({}, {});
   EXPECT_EQ(c.pairs, 0u);
   EXPECT_TRUE(std::isnan(c.difference.value));

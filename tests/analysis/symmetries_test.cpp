@@ -1,4 +1,4 @@
-// Symmetries by what they promise: looks do not see them, motions carry them on, anchors take them away.
+// Symmetries by their definition: invisible to measurements, preserved by motions, removed by anchors.
 #include "incognita/analysis/observability/symmetries.hpp"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ Eigen::Vector3d in_front(const CameraState& x, RandomStream& random) {
   return rotation_matrix<double>(free_camera::orientation(x)) * c + free_camera::position(x);
 }
 
-TEST(Symmetries, RangesAndBearingsDoNotSeeThem) {
+TEST(Symmetries, RangesAndBearingsAreInvariant) {
   RandomStream random(1, "symmetries");
   for (int i = 0; i < 20; ++i) {
     PlanarScene scene;
@@ -38,7 +38,7 @@ TEST(Symmetries, RangesAndBearingsDoNotSeeThem) {
     H << prediction->Hv, prediction->Hl;
     const MatrixXd N = symmetry_directions(scene, {random.normal(), random.normal()});
     EXPECT_LT((H * N).norm(), 1e-12 * (1 + H.norm()));
-    // From here to there, however it got there
+    // Any rigid motion from one pose to another
     PlanarScene later = scene;
     later.vehicle += planar::Pose<double>(random.normal(), random.normal(), random.normal());
     const MatrixXd F = planar::jacobian_between(scene.vehicle, later.vehicle);
@@ -49,7 +49,7 @@ TEST(Symmetries, RangesAndBearingsDoNotSeeThem) {
   }
 }
 
-TEST(Symmetries, ACameraDoesNotSeeThemWhateverItsLandmarksAreToldAs) {
+TEST(Symmetries, PixelsAreInvariantForAnyParametrization) {
   RandomStream random(2, "symmetries");
   const Camera camera = WideAngleCamera{};
   int inverse_depths = 0;
@@ -85,7 +85,7 @@ TEST(Symmetries, ACameraDoesNotSeeThemWhateverItsLandmarksAreToldAs) {
   EXPECT_GT(inverse_depths, 5);
 }
 
-TEST(Symmetries, AnInverseDepthLandmarkMovesAsThePointItStandsFor) {
+TEST(Symmetries, InverseDepthLandmarkMovesAsItsPoint) {
   RandomStream random(3, "symmetries");
   for (int i = 0; i < 20; ++i) {
     SpatialScene scene;
@@ -105,7 +105,7 @@ TEST(Symmetries, AnInverseDepthLandmarkMovesAsThePointItStandsFor) {
   }
 }
 
-TEST(Symmetries, AFreeCameraCarriesThemOn) {
+TEST(Symmetries, FreeCameraMotionPreservesThem) {
   RandomStream random(4, "symmetries");
   for (int i = 0; i < 20; ++i) {
     SpatialScene before, after;
@@ -117,12 +117,12 @@ TEST(Symmetries, AFreeCameraCarriesThemOn) {
   }
 }
 
-TEST(Symmetries, AnchorsTakeThemAway) {
+TEST(Symmetries, AnchorsRemoveThem) {
   MatrixXd points(3, 4);
   points << 0, 1, 2, 0,  //
       0, 0, 0, 1,        //
       1, 1, 1, 2;
-  const int left[] = {7, 4, 1, 1, 0};  // the first three are on a line
+  const int left[] = {7, 4, 1, 1, 0};  // the first three are collinear
   for (int n = 0; n <= 4; ++n) {
     const RemainingSymmetries remaining = remaining_symmetries(points.leftCols(n));
     EXPECT_EQ(remaining.basis.cols(), left[n]) << n;
@@ -133,12 +133,12 @@ TEST(Symmetries, AnchorsTakeThemAway) {
   for (int n = 0; n <= 2; ++n)
     EXPECT_EQ(remaining_symmetries(points.topLeftCorner(2, n)).basis.cols(), left_on_plane[n]) << n;
   EXPECT_EQ(remaining_symmetries(Eigen::Vector2d(3, 4).replicate(1, 3)).basis.cols(),
-            1);  // one place, thrice
+            1);  // three anchors at one point
 }
 
-TEST(Symmetries, ALineIsALineWhereverItIs) {
+TEST(Symmetries, CollinearityIsIndependentOfTheOrigin) {
   MatrixXd far(3, 3);
-  far << 1000, 1001, 1002, 2000, 2000, 2000, 0, 0, 1e-4;  // 0.05 mm off a line of 2 m
+  far << 1000, 1001, 1002, 2000, 2000, 2000, 0, 0, 1e-4;  // 0.05 mm off a line 2 m long
   EXPECT_EQ(remaining_symmetries(far).basis.cols(), 1);
   far(2, 2) = 0.1;
   EXPECT_EQ(remaining_symmetries(far).basis.cols(), 0);

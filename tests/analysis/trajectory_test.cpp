@@ -25,7 +25,7 @@ Trajectory wandering(int count) {
   return trajectory;
 }
 
-/// The estimate that this alignment would turn into the truth.
+/// The estimate that this alignment transforms into the truth.
 Trajectory undone(const Trajectory& truth, const Alignment& alignment) {
   const Alignment inverse{1 / alignment.scale, alignment.rotation.transpose(),
                           -alignment.rotation.transpose() * alignment.translation / alignment.scale};
@@ -63,7 +63,7 @@ TEST(Align, RecoversAKnownHeading) {
   expect_recovered(AlignmentKind::yaw, {1, rotation_exp<double>(Eigen::Vector3d(0, 0, -2.5)), {3, -2, 0.5}});
 }
 
-TEST(Align, OfYawDoesNotTilt) {
+TEST(Align, YawAlignmentDoesNotTilt) {
   const Trajectory truth = wandering(60);
   const Alignment tilt{1, rotation_exp<double>(Eigen::Vector3d(0.3, 0, 0)), {0, 0, 0}};
   const MatchedTrajectories matched = match(undone(truth, tilt), truth, 1e-6);
@@ -73,7 +73,7 @@ TEST(Align, OfYawDoesNotTilt) {
   EXPECT_GT(absolute_trajectory_error({aligned(matched.estimate, *found), truth}).rmse, 0.05);
 }
 
-TEST(Align, OfMirrorImagesIsStillARotation) {
+TEST(Align, MirroredTrajectoryStillGivesARotation) {
   const Trajectory truth = wandering(60);
   Trajectory mirrored = truth;
   for (StampedPose& pose : mirrored) pose.position.x() *= -1;
@@ -93,7 +93,7 @@ TEST(Align, RefusesAScaleWithoutMotion) {
       1e-12);
 }
 
-TEST(Associate, TakesTheNearestAndEachPoseOnce) {
+TEST(Associate, TakesTheNearestStampAndEachPoseOnce) {
   const auto at = [](std::initializer_list<double> times) {
     Trajectory trajectory;
     for (const double t : times) trajectory.push_back({t, {0, 0, 0}, {1, 0, 0, 0}});
@@ -102,14 +102,16 @@ TEST(Associate, TakesTheNearestAndEachPoseOnce) {
   using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
   EXPECT_EQ(associate(at({0.0, 1.0, 2.0}), at({0.004, 0.996, 2.02}), 0.01), (Pairs{{0, 0}, {1, 1}}));
   EXPECT_EQ(associate(at({0.0, 0.003, 0.006}), at({0.004}), 0.01), (Pairs{{1, 0}}));
-  EXPECT_EQ(associate(at({2.0, 0.0, 1.0}), at({1.0, 2.0}), 0.01), (Pairs{{2, 0}, {0, 1}}));   // unsorted
-  EXPECT_EQ(associate(at({1.0, 1.0}), at({1.0, 1.0}), 0.01).size(), 1u);                      // double stamps
-  EXPECT_EQ(associate(at({0.0, 1.0, 2.0}), at({0.0, 0.0, 1.0, 1.0, 2.0}), 0.01).size(), 3u);  // are no end
+  EXPECT_EQ(associate(at({2.0, 0.0, 1.0}), at({1.0, 2.0}), 0.01), (Pairs{{2, 0}, {0, 1}}));  // unsorted
+  // duplicate stamps
+  EXPECT_EQ(associate(at({1.0, 1.0}), at({1.0, 1.0}), 0.01).size(), 1u);
+  // duplicates do not end the search
+  EXPECT_EQ(associate(at({0.0, 1.0, 2.0}), at({0.0, 0.0, 1.0, 1.0, 2.0}), 0.01).size(), 3u);
   EXPECT_EQ(associate(at({0.0, 0.0, 1.0, 1.0, 2.0}), at({0.0, 1.0, 2.0}), 0.01).size(), 3u);
   EXPECT_TRUE(associate({}, at({1.0}), 0.01).empty());
 }
 
-/// Along x at 1 m/s, a pose a second; the estimate is off by `errors` along y.
+/// Along x at 1 m/s with one pose per second; the estimate is off by `errors` along y.
 MatchedTrajectories off_by(const std::vector<double>& errors) {
   MatchedTrajectories matched;
   for (std::size_t i = 0; i < errors.size(); ++i) {
@@ -135,25 +137,25 @@ TEST(RelativePoseError, MatchesHandComputedValues) {
   EXPECT_NEAR(by_time.translation_m.rmse, std::sqrt(6.0 / 3), 1e-12);
   EXPECT_NEAR(by_time.translation_m.median, 1, 1e-12);
   EXPECT_NEAR(by_time.rotation_rad.max, 0, 1e-12);
-  const RelativePoseError by_frames = relative_pose_error(off_by({0, 1, 2, 4}), {1, 2});  // 2 and 3
+  const RelativePoseError by_frames = relative_pose_error(off_by({0, 1, 2, 4}), {1, 2});  // steps of 2 and 3
   EXPECT_EQ(by_frames.translation_m.count, 2u);
   EXPECT_NEAR(by_frames.translation_m.max, 3, 1e-12);
   EXPECT_EQ(relative_pose_error(off_by({0, 1, 2, 4}), {1.5, 0}).translation_m.count, 0u);  // no such interval
 }
 
-TEST(RelativePoseError, SeesATurn) {
+TEST(RelativePoseError, IncludesRotation) {
   MatchedTrajectories matched = off_by({0, 0, 0});
   matched.estimate[2].orientation = quaternion_exp<double>(Eigen::Vector3d(0, 0, 0.2));
   const RelativePoseError error = relative_pose_error(matched, {1, 0});
   EXPECT_EQ(error.rotation_rad.count, 2u);
   EXPECT_NEAR(error.rotation_rad.max, 0.2, 1e-12);
   EXPECT_NEAR(error.rotation_rad.mean, 0.1, 1e-12);
-  // a turn of the first frame swings the relative translation: seen from there the second lies elsewhere
+  // a rotation error of the first frame rotates the relative translation
   matched.estimate[0].orientation = quaternion_exp<double>(Eigen::Vector3d(0, 0, 0.2));
   EXPECT_NEAR(relative_pose_error(matched, {1, 0}).translation_m.max, 2 * std::sin(0.1), 1e-12);
 }
 
-TEST(Statistics, OfNothingAreZeroAndSaySo) { EXPECT_EQ(statistics({}).count, 0u); }
+TEST(Statistics, OfAnEmptySampleAreZeroWithCountZero) { EXPECT_EQ(statistics({}).count, 0u); }
 
 }  // namespace
 }  // namespace incognita

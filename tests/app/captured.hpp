@@ -1,4 +1,4 @@
-// A command called as the program calls it, and what it printed.
+// Calls a command as the program does, and captures its output.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -15,13 +15,13 @@ struct Captured {
   std::string out, err;
 };
 
-/// `add` puts the command on an app; what its job throws passes through.
+/// `add` registers the command on an app; exceptions of its job pass through.
 inline Captured captured(const std::function<void(CLI::App&, std::function<int()>&)>& add,
                          const std::vector<std::string>& words) {
   CLI::App app;
   std::function<int()> job;
   add(app, job);
-  app.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // as CLI11 wants a vector
+  app.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // CLI11 takes a vector in reverse order
   ::testing::internal::CaptureStdout();
   ::testing::internal::CaptureStderr();
   Captured result;

@@ -1,4 +1,4 @@
-// The car park as recorded: skipped, and said so, where the recording is not.
+// The recorded car park; skipped, with the reason, without the recording.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -54,7 +54,7 @@ double rms(const std::vector<Eigen::Vector2d>& a, const std::vector<Eigen::Vecto
     GTEST_SKIP() << error.what();         \
   }
 
-TEST(CarPark, WithTwoAnchorsTheMapIsTheSurveyedOne) {
+TEST(CarPark, WithTwoAnchorsTheMapAgreesWithTheSurvey) {
   Outcome out;
   SKIP_WITHOUT_RECORDING(out = drive("car-park-anchored"));
   const MapError error = map_error(out.landmarks, out.beacons, 1);
@@ -66,7 +66,7 @@ TEST(CarPark, WithTwoAnchorsTheMapIsTheSurveyedOne) {
   EXPECT_EQ(out.lost, 0);
 }
 
-TEST(CarPark, WithoutAnchorsTheMapIsTheSameShiftedAndTurned) {
+TEST(CarPark, WithoutAnchorsTheMapAgreesAfterARigidTransformation) {
   Outcome out;
   SKIP_WITHOUT_RECORDING(out = drive("car-park"));
   const FittedMapError fitted = fitted_map_error(out.landmarks, out.beacons, 1, fit_rigid(out.path, out.gps));
@@ -78,7 +78,7 @@ TEST(CarPark, WithoutAnchorsTheMapIsTheSameShiftedAndTurned) {
   EXPECT_GT(rms(out.path, out.gps), 1);  // before the fit
 }
 
-TEST(CarPark, AMapToldInTheVehiclesFrameIsAsGood) {
+TEST(CarPark, AMapInTheVehicleFrameIsAsAccurate) {
   Outcome out;
   SKIP_WITHOUT_RECORDING(out = drive("car-park-anchored", {"vehicle_filter.map_frame=vehicle",
                                                            "vehicle_filter.lineariser=analytic"}));
@@ -86,7 +86,7 @@ TEST(CarPark, AMapToldInTheVehiclesFrameIsAsGood) {
   EXPECT_LT(rms(out.path, out.gps), 0.16);
 }
 
-TEST(CarPark, AnchoredItBearsDroppedCorrelations) {
+TEST(CarPark, WithAnchorsABlockDiagonalMapIsAccurate) {
   for (const char* decorrelate : {"map", "map-linear"}) {
     Outcome out;
     SKIP_WITHOUT_RECORDING(

@@ -1,5 +1,5 @@
-// Options that any vehicle may combine: each combination runs over a fixed set of seeds, and the normalized estimation
-// error of all poses together (NEES) must be inside its chi-square band.
+// Options that any vehicle may combine: each combination runs over a fixed set of seeds, and the normalized
+// estimation error of all poses together (NEES) must be inside its chi-square band.
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
@@ -17,7 +17,7 @@ namespace {
 
 constexpr int seeds = 20;
 
-/// The errors of all vehicles on a plane at the end of a run: e' P^-1 e, with the correlations between them.
+/// The final errors of all planar vehicles: e' P^-1 e, with the correlations between them.
 struct JointError {
   double nees = 0;
   int dof = 0;
@@ -43,7 +43,8 @@ double joint_nees(const Estimate& e, const Truth& truth) {
 using Change = std::function<void(EstimatorSettings&)>;
 using Sense = std::function<void(Observation&, const Truth&, const Tick&)>;
 
-/// Runs a scenario with a changed estimator; `sense` adds measurements that the scenario's own sensor does not make.
+/// Runs a scenario with a modified estimator; `sense` adds measurements that the scenario's own sensor does
+/// not make.
 JointError run(const std::string& scenario, std::vector<std::string> sets, int seed, const Change& change,
                const Sense& sense = {}) {
   sets.push_back("run.seed=" + std::to_string(seed));
@@ -69,7 +70,7 @@ JointError run(const std::string& scenario, std::vector<std::string> sets, int s
   return out;
 }
 
-/// Sums over the seeds, and holds the sum to the 99.9 % band of its degrees of freedom.
+/// The sum over the seeds must be inside the 99.9 % band of its degrees of freedom.
 void expect_consistent(const char* name, const std::string& scenario, const std::vector<std::string>& sets,
                        std::size_t landmarks, const Change& change,
                        const std::function<Sense(int seed)>& sense_of = {}) {
@@ -107,7 +108,7 @@ TEST(Combinations, JointCompatibilityInATeamOfThree) {
                     [](EstimatorSettings& s) { ASSERT_EQ(s.association.method, "joint"); });
 }
 
-/// The first vehicle alone has a GPS; the others profit through the common landmarks.
+/// Only the first vehicle has a GPS; the others profit through the common landmarks.
 TEST(Combinations, PositionFixesOfOneVehicleOfATeam) {
   static constexpr double sigma_m = 0.2;
   const auto fixes = [](int seed) -> Sense {

@@ -1,4 +1,4 @@
-// `incognita config`, called as the program calls it.
+// The command `incognita config`, called as the program does.
 #include "incognita/app/commands/config.hpp"
 
 #include <gtest/gtest.h>
@@ -64,11 +64,11 @@ TEST(Config, ChecksTargetAndImages) {
           .string();
   scratch.write("frames/rgb.txt", "1 a.pgm\n2 b.pgm\n");
   scratch.write("frames/a.pgm", pgm(320, 240));
-  EXPECT_HAS(message_of([&] { run({"config", file, "--check"}); }), "b.pgm: is listed and not there");
+  EXPECT_HAS(message_of([&] { run({"config", file, "--check"}); }), "b.pgm: is listed but does not exist");
   scratch.write("frames/b.pgm", pgm(320, 240));
   const Answer answer = run({"config", file, "--check"});
-  EXPECT_HAS(answer.out, "all 2 images are there, the first is 320x240");
-  EXPECT_HAS(answer.out, "s: in order");
+  EXPECT_HAS(answer.out, "all 2 images exist, the first is 320x240");
+  EXPECT_HAS(answer.out, "s: valid");
   EXPECT_HAS(message_of([&] {
                run({"config", file, "--check", "--set", "camera.width_px=400"});
              }),
@@ -81,7 +81,7 @@ TEST(Config, ChecksTargetAndImages) {
   EXPECT_HAS(message_of([&] { run({"config", "nothing"}); }), "no such scenario");
 }
 
-TEST(Config, ExplainsItself) {
+TEST(Config, ItsHelpHasAnExample) {
   CLI::App app;
   std::function<int()> job;
   const std::string help = add_config(app, job)->help();

@@ -1,5 +1,5 @@
-// Davison's sequence from end to end: the camera comes back to the known target after having lost it from
-// view, and must know where its corners are before it has measured any of them again.
+// Davison's sequence from end to end: the target leaves the view and returns, and its corners must be
+// predicted accurately before any of them is measured again.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,14 +19,14 @@
 namespace incognita {
 namespace {
 
-constexpr int gone_from = 925;  // the target is out of view from about here
+constexpr int out_of_view_from = 925;  // the target is out of view from about this frame
 constexpr int back_from = 975;
-constexpr double allowed_px = 2, allowed_at_once_px = 4;  // in the mean of the return, and in any frame
+constexpr double allowed_px = 2, allowed_at_once_px = 4;  // mean over the return, and maximum in any frame
 
 using Corners = std::array<Eigen::Vector2d, 4>;
 
-/// The dark quadrilateral on a light ground that is larger than any other, without a look at any estimate: by
-/// threshold, contour and polygon. Nothing when there is none wholly in view.
+/// The largest dark quadrilateral on a light background, by threshold, contour and polygon, independent of
+/// any estimate. Empty if none is wholly in view.
 std::optional<Corners> detect_target(const Image& image) {
   const cv::Mat gray(image.height(), image.width(), CV_8UC1, const_cast<std::uint8_t*>(image.row(0)));
   cv::Mat dark;
@@ -42,7 +42,7 @@ std::optional<Corners> detect_target(const Image& image) {
     const cv::Rect box = cv::boundingRect(polygon);
     const bool inside =
         box.x > 3 && box.y > 3 && box.br().x < image.width() - 3 && box.br().y < image.height() - 3;
-    // A5 lying: wider than high, and filled like a rectangle
+    // A5 in landscape format: wider than high, and with the area of a rectangle
     const bool shaped =
         box.width > 1.1 * box.height && box.width < 2.2 * box.height && area > 0.8 * box.area();
     cv::Mat filled = cv::Mat::zeros(gray.size(), CV_8UC1);
@@ -57,7 +57,7 @@ std::optional<Corners> detect_target(const Image& image) {
   if (best.empty()) return std::nullopt;
   cv::cornerSubPix(gray, best, {3, 3}, {-1, -1}, {cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 30, 0.01});
   Corners corners;
-  // As the target lists them: top left, top right, bottom left, bottom right
+  // In the order of the target: top left, top right, bottom left, bottom right
   std::sort(best.begin(), best.end(), [](const auto& a, const auto& b) { return a.y < b.y; });
   if (best[0].x > best[1].x) std::swap(best[0], best[1]);
   if (best[2].x > best[3].x) std::swap(best[2], best[3]);
@@ -65,7 +65,7 @@ std::optional<Corners> detect_target(const Image& image) {
   return corners;
 }
 
-/// Where the corners are expected, from a camera state alone.
+/// Greatest error of the predicted corners, from a camera state alone.
 double worst_px(const CameraState& x, const Target& target, const Camera& camera, const Corners& corners) {
   double worst = 0;
   for (std::size_t i = 0; i < 4; ++i) {
@@ -82,8 +82,8 @@ bool any_anchor_matched(const Estimate& estimate) {
 }
 
 struct Return {
-  /// Worst corner in every frame after back_from in which all four are detected, before any was measured
-  /// again; expected from where the other features of the frame say that the camera is.
+  /// Error of the worst corner in every frame after back_from in which all four are detected, before any was
+  /// measured again; predicted from a camera pose that the other features of the frame determine.
   std::vector<double> px;
   int lost_frames = 0;
 };
@@ -97,7 +97,7 @@ Return come_back(Assembly& assembly, const Target& target, const Camera& camera)
     const Observation observation = sensor->measure(std::nullopt, tick);
     estimator->update(estimate, Command{}, observation, tick);
     found.lost_frames += estimate.status.state == TrackingState::lost;
-    if (tick.frame > gone_from && any_anchor_matched(estimate)) measured_again = true;
+    if (tick.frame > out_of_view_from && any_anchor_matched(estimate)) measured_again = true;
     if (tick.frame <= back_from || measured_again) continue;
     if (const auto corners = detect_target(*observation.bodies[0].images.at(0))) {
       found.px.push_back(worst_px(estimate.camera_state(), target, camera, *corners));
@@ -107,7 +107,7 @@ Return come_back(Assembly& assembly, const Target& target, const Camera& camera)
   return found;
 }
 
-TEST(Davison, ComesBackToTheTargetAndKnowsWhereItIs) {
+TEST(Davison, PredictsTheTargetWhenItReturns) {
   for (const char* seed : {"1", "2", "3", "4", "5", "6"}) {
     const std::vector<Flag> flags{{"run.seed", seed, "test"}};
     const LoadedScenario loaded = load_scenario("davison", {}, flags);
@@ -120,7 +120,7 @@ TEST(Davison, ComesBackToTheTargetAndKnowsWhereItIs) {
     std::printf("seed %s\n", seed);
     const Return found = come_back(assembly, load_target(loaded), make_camera(loaded.scenario.camera));
     EXPECT_EQ(found.lost_frames, 0);
-    ASSERT_GE(found.px.size(), 2u) << "frames with all four corners: the detector is not what it was";
+    ASSERT_GE(found.px.size(), 2u) << "the corner detector finds too few frames";
     EXPECT_LE(*std::max_element(found.px.begin(), found.px.end()), allowed_at_once_px);
     const double sum = std::accumulate(found.px.begin(), found.px.end(), 0.0);
     EXPECT_LE(sum / static_cast<double>(found.px.size()), allowed_px);

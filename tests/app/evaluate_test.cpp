@@ -33,10 +33,10 @@ void record(const std::filesystem::path& folder, const std::string& alignment) {
 }
 
 const char* truth_text = "0 0 0 0 0 0 0 1\n1 1 0 0 0 0 0 1\n2 1 1 0 0 0 0 1\n3 1 1 1 0 0 0 1\n";
-/// Twice as large, and a metre up.
+/// Twice as large, and one meter higher.
 const char* doubled_text = "0 0 0 1 0 0 0 1\n1 2 0 1 0 0 0 1\n2 2 2 1 0 0 0 1\n3 2 2 3 0 0 0 1\n";
 
-TEST(Evaluate, ARunAgreesWithItsSummary) {
+TEST(Evaluate, ARunHasTheErrorsOfItsSummary) {
   const Scratch scratch;
   const std::string run = scratch / "run";
   record(run, "none");
@@ -53,7 +53,7 @@ TEST(Evaluate, ARunAgreesWithItsSummary) {
   EXPECT_EQ(json["rpe"]["translation_m"]["count"], 87);
 }
 
-TEST(Evaluate, TakesTheAlignmentThatTheRunNames) {
+TEST(Evaluate, UsesTheAlignmentOfTheRun) {
   const Scratch scratch;
   const std::string run = scratch / "run";
   record(run, "sim3");
@@ -65,7 +65,7 @@ TEST(Evaluate, TakesTheAlignmentThatTheRunNames) {
   EXPECT_NE(se3.err.find("no NEES"), std::string::npos);
 }
 
-TEST(Evaluate, FindsAScale) {
+TEST(Evaluate, EstimatesAScale) {
   const Scratch scratch;
   testing::write(scratch / "truth", truth_text);
   testing::write(scratch / "estimate", doubled_text);
@@ -81,7 +81,7 @@ TEST(Evaluate, FindsAScale) {
   EXPECT_NE(evaluate({estimate, "--truth", truth}).out.find("matched 4 of 4"), std::string::npos);
 }
 
-TEST(Evaluate, WithoutMatchesFailsAndSaysWhy) {
+TEST(Evaluate, WithoutMatchesFailsWithTheReason) {
   const Scratch scratch;
   testing::write(scratch / "truth", truth_text);
   testing::write(scratch / "estimate", "100 0 0 0 0 0 0 1\n101 0 0 0 0 0 0 1\n");
@@ -92,7 +92,7 @@ TEST(Evaluate, WithoutMatchesFailsAndSaysWhy) {
   EXPECT_NE(result.err.find("--max-dt"), std::string::npos) << result.err;
 }
 
-TEST(Evaluate, RefusesWrongInput) {
+TEST(Evaluate, RefusesInvalidInput) {
   const Scratch scratch;
   const std::string truth = scratch / "truth";
   testing::write(truth, truth_text);

@@ -1,5 +1,5 @@
-// A recorded team made up for a test, in MRCLAM's layout: two robots drive side by side along x, see two
-// landmarks and each other, and motion capture loses each of them for a while.
+// A synthetic recording of a team in MRCLAM's layout: two robots drive side by side along x, detect two
+// landmarks and each other, and motion capture has a gap for each of them.
 #pragma once
 
 #include <fmt/format.h>
@@ -19,9 +19,9 @@ struct Gap {
 
 struct GeneratedTeam {
   double speed_m_s = 0.5, duration_s = 10, step_s = 0.1;
-  std::vector<Gap> without_truth{{5, 8}, {2, 4}};  ///< of each robot
-  Gap wheel_slip{5, 8};  ///< of robot 1: what its odometry says is half as much again
-  int see_every = 5;     ///< steps
+  std::vector<Gap> without_truth{{5, 8}, {2, 4}};  ///< one per robot
+  Gap wheel_slip{5, 8};                            ///< of robot 1: its odometry is 50 % too high meanwhile
+  int see_every = 5;                               ///< steps
 
   int steps() const { return static_cast<int>(std::lround(duration_s / step_s)); }
   double y_m(std::size_t robot) const { return robot == 0 ? 0 : 2; }

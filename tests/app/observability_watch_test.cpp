@@ -1,4 +1,4 @@
-// What a run says that it knows, of filters that are known to know better and worse.
+// The observability report of a run, for filters with known consistency.
 #include "incognita/app/loop/observability_watch.hpp"
 
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ struct Watched {
   double filter_sigma_heading = 0;
 };
 
-/// A simulated circle, watched.
+/// A simulated circle, monitored.
 Watched drive(double duration_s,
               const std::function<void(PlanarSlamSettings&, const RangeRecording&)>& change) {
   PlanarLoopSettings loop;
@@ -66,7 +66,7 @@ Watched drive_with(double duration_s, const char* linearization) {
 const QuantityReport& heading(const ObservabilityReport& report) { return report.quantities.back(); }
 
 // Huang, Mourikis, Roumeliotis, IJRR 2010: the filter's own observability matrix has rank n - 2, not n - 3
-TEST(ObservabilityWatch, AnExtendedFilterWronglyLearnsTheHeading) {
+TEST(ObservabilityWatch, EkfGainsSpuriousInformationOnTheHeading) {
   double before = start_sigma_rad;
   for (const double duration_s : {10, 63, 126}) {
     const Watched run = drive_with(duration_s, "analytic");
@@ -80,15 +80,15 @@ TEST(ObservabilityWatch, AnExtendedFilterWronglyLearnsTheHeading) {
     const double sigma = *heading(report).estimated_sigma;
     EXPECT_LT(sigma, before);
     before = sigma;
-    // The filter's own covariance: what it was told at the start, and what it has learnt since
+    // The filter's covariance combines the prior with the information since
     const double both = 1 / std::sqrt(std::pow(start_sigma_rad, -2) + std::pow(sigma, -2));
-    std::printf("%3.0f s: believed %.4f rad, with the start %.4f, the filter says %.4f\n", duration_s, sigma,
-                both, run.filter_sigma_heading);
+    std::printf("%3.0f s: sigma of the information %.4f rad, with the prior %.4f, of the filter %.4f\n",
+                duration_s, sigma, both, run.filter_sigma_heading);
     EXPECT_NEAR(run.filter_sigma_heading, both, 0.05 * both);
   }
 }
 
-TEST(ObservabilityWatch, FirstEstimatesLearnNothingOfIt) {
+TEST(ObservabilityWatch, FirstEstimateJacobiansGainNone) {
   const Watched run = drive_with(250, "first-estimate");
   EXPECT_EQ(run.report.information.nullity(), 3);
   EXPECT_EQ(run.report.spurious_information, 0);
@@ -96,7 +96,7 @@ TEST(ObservabilityWatch, FirstEstimatesLearnNothingOfIt) {
   EXPECT_GE(run.filter_sigma_heading, start_sigma_rad * (1 - 1e-9));
 }
 
-TEST(ObservabilityWatch, AnchorsAndFixesFixTheFrame) {
+TEST(ObservabilityWatch, AnchorsAndPositionFixesFixTheFrame) {
   const Watched anchored = drive(60, [](PlanarSlamSettings& s, const RangeRecording& r) {
     s.filter.anchors = {r.landmarks[0].position, r.landmarks[1].position};
   });
@@ -113,7 +113,7 @@ TEST(ObservabilityWatch, AnchorsAndFixesFixTheFrame) {
               0.05 * fixed.filter_sigma_heading);
 }
 
-TEST(ObservabilityWatch, OneAnchorIsOneAnchor) {
+TEST(ObservabilityWatch, OneAnchorLeavesTheHeadingUnobservable) {
   const Watched run = drive(60, [](PlanarSlamSettings& s, const RangeRecording& r) {
     s.filter.anchors = {r.landmarks[0].position};
     s.filter.linearization = "first-estimate";
@@ -123,7 +123,7 @@ TEST(ObservabilityWatch, OneAnchorIsOneAnchor) {
   EXPECT_EQ(in_words(run.report)[1], "heading: unobservable with 1 anchor");
 }
 
-TEST(ObservabilityWatch, SaysWhatItDoesNotFollow) {
+TEST(ObservabilityWatch, ReportsUncoveredFilters) {
   const Watched from_vehicle =
       drive(20, [](PlanarSlamSettings& s, const RangeRecording&) { s.filter.map_frame = "vehicle"; });
   EXPECT_EQ(from_vehicle.report.uncovered, "the map is expressed in the vehicle's frame");
@@ -133,15 +133,15 @@ TEST(ObservabilityWatch, SaysWhatItDoesNotFollow) {
     s.filter.map_frame = "vehicle";
     s.filter.anchors = {r.landmarks[0].position, r.landmarks[1].position};
   });
-  EXPECT_EQ(in_words(anchored.report)[0], "place: can be fixed by 2 anchors");
+  EXPECT_EQ(in_words(anchored.report)[0], "position: observable with 2 anchors");
   for (const char* how : {"everything", "map", "map-linear"}) {
     const Watched dropped =
         drive(5, [&](PlanarSlamSettings& s, const RangeRecording&) { s.filter.decorrelate = how; });
-    EXPECT_EQ(dropped.report.uncovered, "the filter drops correlations") << how;
+    EXPECT_EQ(dropped.report.uncovered, "the filter decorrelates its map") << how;
   }
 }
 
-TEST(ObservabilityWatch, SaysThatNumbersAreNotFiniteAndWhatCanBeKnownAllTheSame) {
+TEST(ObservabilityWatch, ReportsNonFiniteNumbersAndTheIdealNullity) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   Estimate estimate;
   estimate.bodies.resize(1);
@@ -161,19 +161,20 @@ TEST(ObservabilityWatch, SaysThatNumbersAreNotFiniteAndWhatCanBeKnownAllTheSame)
     watch.follow(broken);
     const auto report = watch.report();
     ASSERT_TRUE(report);
-    EXPECT_EQ(report->uncovered, of_mean ? "the estimate is not finite" : "its information is not finite");
+    EXPECT_EQ(report->uncovered,
+              of_mean ? "the estimate is not finite" : "the filter's information is not finite");
     EXPECT_EQ(report->ideal_nullity, 3);
     ASSERT_EQ(report->quantities.size(), 3u);
     EXPECT_FALSE(report->quantities[0].ideally_observable || report->quantities[0].estimated_sigma);
   }
 }
 
-// A camera
+// Camera
 // ---------------------------------------------------------------------------------------------------------
 
-/// A camera that is thrown about by commands among points, some of them anchors; Jacobians at the truth.
-struct ThrownCamera {
-  explicit ThrownCamera(int anchors) {
+/// A camera that moves fast by commands among points, some of them anchors; Jacobians at the true states.
+struct CommandedCamera {
+  explicit CommandedCamera(int anchors) {
     CameraState x = CameraState::Zero();
     x[3] = 1;
     camera = estimate.bodies.emplace_back().block = estimate.belief.add_vehicle(
@@ -186,7 +187,7 @@ struct ThrownCamera {
       const Eigen::Vector3d at(0.5 * (i % 3) - 0.5, 0.4 * (i / 3) - 0.4, 2 + 0.3 * (i % 4));
       landmark.fixed = i < anchors;
       landmark.position = at;
-      const Belief::Parent parent{camera, Eigen::MatrixXd::Zero(3, 12)};  // assumed
+      const Belief::Parent parent{camera, Eigen::MatrixXd::Zero(3, 12)};  // as if independent
       if (i >= anchors)
         landmark.block =
             estimate.belief.augment(PointLandmark::chart, at, {&parent, 1}, Eigen::Matrix3d::Identity());
@@ -222,22 +223,22 @@ struct ThrownCamera {
   ObservabilityWatch watch;
 };
 
-TEST(ObservabilityWatch, ACameraThatIsCommandedIsNotAccusedOfWhatItIsTold) {
-  const ObservabilityReport free = ThrownCamera(0).watch.report().value();
+TEST(ObservabilityWatch, InformationFromCommandsIsNotSpurious) {
+  const ObservabilityReport free = CommandedCamera(0).watch.report().value();
   EXPECT_EQ(free.ideal_nullity, 7);
   EXPECT_EQ(free.spurious_information, 0);
   EXPECT_EQ(free.by_motion_model, 4);
-  const ObservabilityReport one = ThrownCamera(1).watch.report().value();
+  const ObservabilityReport one = CommandedCamera(1).watch.report().value();
   EXPECT_EQ(one.ideal_nullity, 4);
   EXPECT_EQ(one.spurious_information, 0);
   EXPECT_EQ(one.by_motion_model, 4);
-  const ObservabilityReport fixed = ThrownCamera(4).watch.report().value();
+  const ObservabilityReport fixed = CommandedCamera(4).watch.report().value();
   EXPECT_EQ(fixed.ideal_nullity, 0);
   EXPECT_EQ(fixed.spurious_information + fixed.by_motion_model, 0);
   EXPECT_EQ(in_words(fixed)[2], "scale: fixed by 4 anchors");
 }
 
-TEST(ObservabilityWatch, NothingIsNotedWhereNobodyWatches) {
+TEST(ObservabilityWatch, WithoutAMonitorNothingIsTraced) {
   PlanarLoopSettings loop;
   loop.duration_s = 5;
   RangeAssembly assembly = assemble_ranges(drive_planar_loop(loop, 5), settings_for(loop), 10);

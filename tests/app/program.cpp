@@ -23,7 +23,7 @@ namespace {
 
 constexpr unsigned patience_s = 120;
 
-/// In the child, before it becomes the program: nothing but system calls.
+/// Runs in the child before exec: system calls only.
 void connect(int stream, Stream where, std::FILE* kept) {
   int ends[2] = {-1, -1};
   switch (where) {
@@ -36,7 +36,7 @@ void connect(int stream, Stream where, std::FILE* kept) {
     case Stream::full_disk:
       ::dup2(::open("/dev/full", O_WRONLY), stream);
       break;
-    case Stream::nobody:
+    case Stream::no_reader:
       if (::pipe2(ends, O_CLOEXEC) == 0) ::dup2(ends[1], stream);
       break;
   }
@@ -45,7 +45,7 @@ void connect(int stream, Stream where, std::FILE* kept) {
 [[noreturn]] void become_program(const Circumstances& c, std::vector<char*>& argv, std::FILE* out,
                                  std::FILE* err) {
   ::unsetenv("INCOGNITA_DATA");
-  ::alarm(patience_s);  // outlives what follows
+  ::alarm(patience_s);  // remains active after exec
   if (::chdir(c.folder.c_str()) != 0) ::_exit(126);
   if (c.largest_file != RLIM_INFINITY) {
     const rlimit limited{c.largest_file, c.largest_file};
@@ -65,7 +65,7 @@ std::string all_of(std::FILE* file) {
   return text;
 }
 
-/// Of a table whose cells are never quoted, as those of a run are.
+/// Number of cells in a row without quotes, as in the tables of a run.
 std::size_t cells(const std::string& row, char separator) {
   return 1 + static_cast<std::size_t>(std::count(row.begin(), row.end(), separator));
 }
@@ -94,7 +94,8 @@ Program::Program(const Words& arguments, const Circumstances& circumstances)
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
   child_ = ::fork();
-  if (child_ == 0) ::setpgid(0, 0);  // as a shell starts it: what is typed at the terminal is for the group
+  // a process group, as a shell makes it: signals of the terminal go to the group
+  if (child_ == 0) ::setpgid(0, 0);
   if (child_ == 0) become_program(circumstances, argv, out_.get(), err_.get());
   if (child_ < 0) throw std::system_error(errno, std::generic_category(), "fork");
 }

@@ -1,5 +1,5 @@
-// The built program as a person or a script meets it: started, watched, asked to end, and looked at
-// afterwards.
+// Runs the built program as a user or a script would: starts it, waits for it, interrupts it, and inspects
+// its output.
 #pragma once
 
 #include <sys/resource.h>
@@ -17,22 +17,22 @@ namespace incognita::testing {
 
 using Words = std::vector<std::string>;
 
-/// Where a standard stream of the program goes.
-enum class Stream { kept, closed, full_disk, nobody };
+/// Target of a standard stream of the program.
+enum class Stream { kept, closed, full_disk, no_reader };
 
 struct Circumstances {
-  std::filesystem::path folder;  ///< works there
+  std::filesystem::path folder;  ///< its working directory
   Stream out = Stream::kept, err = Stream::kept;
   rlim_t largest_file = RLIM_INFINITY;
 };
 
 struct Ended {
-  int code = -1;   ///< -1: a signal ended it
-  int signal = 0;  ///< which
+  int code = -1;   ///< -1: ended by a signal
+  int signal = 0;  ///< number of that signal
   std::string out, err;
 };
 
-/// A program that runs. Ended by force when it is dropped, or after two minutes.
+/// A running program. Killed by the destructor, or after two minutes.
 class Program {
  public:
   Program(const Words& arguments, const Circumstances& circumstances);
@@ -41,7 +41,7 @@ class Program {
   Program& operator=(const Program&) = delete;
 
   void signal(int number) const;
-  void signal_group(int number) const;  ///< with its children, as Ctrl-C at a terminal does
+  void signal_group(int number) const;  ///< signals its children too, as Ctrl-C in a terminal does
   Ended wait();
 
  private:
@@ -54,21 +54,22 @@ class Program {
   pid_t child_ = -1;
 };
 
-/// Starts it in a folder and waits for its end.
+/// Runs it in a folder until it ends.
 Ended incognita(const Words& arguments, const std::filesystem::path& folder);
 Ended incognita(const Words& arguments, const Circumstances& circumstances);
 
-/// Waits until a file has so many lines. False after half a minute.
+/// Waits until a file has that many lines. False after half a minute.
 bool has_lines(const std::filesystem::path& file, std::size_t count);
 
-/// Everything below a folder, by relative path.
+/// All files below a folder, by relative path.
 std::set<std::string> everything_in(const std::filesystem::path& folder);
 
-/// Of a run directory. Fails the test where it is no valid JSON or not as docs/schemas says.
+/// The summary of a run directory. Fails the test if it is not valid JSON or violates its schema in
+/// docs/schemas.
 nlohmann::json summary_of(const std::filesystem::path& run);
 
-/// Fails the test unless every table of a run directory has whole rows only, as wide as its header, and
-/// nothing that is infinite.
+/// Fails the test unless every row of every table of a run directory is complete, as wide as its header, and
+/// finite.
 void expect_whole_tables(const std::filesystem::path& run);
 
 #define EXPECT_SAYS(text, part) \

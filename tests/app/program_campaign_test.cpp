@@ -1,4 +1,4 @@
-// `incognita campaign` as a person, a batch system or a power cut meets it.
+// The command `incognita campaign` for a user, a batch system and after a power failure.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ using testing::Words;
 constexpr const char* tables[] = {"runs.csv", "table.csv", "campaign.json"};
 constexpr const char* vary = "plant.sigma_speed_m_s=0.05,0.2";
 
-/// A folder with a scenario whose runs take some milliseconds.
+/// A folder with a scenario whose runs take a few milliseconds.
 class TimedPosition : public Scratch {
  public:
   TimedPosition() {
@@ -49,7 +49,7 @@ class TimedPosition : public Scratch {
     return contents(*this / out / file);
   }
 
-  /// Files of runs, without what says whose they are.
+  /// Files of runs, without those that identify their campaign.
   std::vector<fs::path> results(const char* out = "c") const {
     std::vector<fs::path> found;
     if (!fs::exists(*this / out)) return found;
@@ -81,7 +81,7 @@ TEST(ProgramCampaign, HelpHasAnExample) {
   EXPECT_SAYS(help.out, "incognita campaign room --seeds");
 }
 
-TEST(ProgramCampaign, MakesTheRunsThatRunMakes) {
+TEST(ProgramCampaign, MakesTheSameRunsAsTheCommandRun) {
   const TimedPosition place;
   const Ended ended = place.campaign({"--seeds", "3..5", "--vary", vary});
   ASSERT_EQ(ended.code, 0) << ended.err;
@@ -106,7 +106,7 @@ TEST(ProgramCampaign, MakesTheRunsThatRunMakes) {
   EXPECT_EQ(place.results().size(), 6u);
 }
 
-TEST(ProgramCampaign, AnswersAsTheSchemaSays) {
+TEST(ProgramCampaign, AnswerConformsToItsSchema) {
   const TimedPosition place;
   const Ended ended = place.campaign({"--seeds", "1..6", "--vary", vary, "--json"});
   ASSERT_EQ(ended.code, 0) << ended.err;
@@ -118,7 +118,7 @@ TEST(ProgramCampaign, AnswersAsTheSchemaSays) {
   for (const Json& variant : answer["variants"]) EXPECT_EQ(variant["measures"].size(), 1u);
 }
 
-TEST(ProgramCampaign, GivesTheSameBytesHoweverItIsSpread) {
+TEST(ProgramCampaign, TableDoesNotDependOnTheDistributionOfRuns) {
   const TimedPosition place;
   const Words what = {"--seeds", "1..7", "--vary", vary, "--vary", "points.count=8,16"};
   const auto with = [&](Words words, const Words& more) {
@@ -139,7 +139,7 @@ TEST(ProgramCampaign, GivesTheSameBytesHoweverItIsSpread) {
   EXPECT_EQ(place.results("one").size(), 28u);
 }
 
-TEST(ProgramCampaign, SaysWhatAnEarlyTableLacks) {
+TEST(ProgramCampaign, ReportsRunsMissingFromAnEarlyTable) {
   const TimedPosition place;
   const Words what = {"--seeds", "1..4", "--vary", vary};
   ASSERT_EQ(place.campaign({"--seeds", "1..4", "--vary", vary, "--shard", "1/2"}).code, 0);
@@ -150,7 +150,7 @@ TEST(ProgramCampaign, SaysWhatAnEarlyTableLacks) {
   EXPECT_EQ(place.campaign(what).code, 0);
 }
 
-/// Starts it again and again, and kills it each time a little later, until it gets to its end.
+/// Restarts it repeatedly, and kills it each time a little later, until it ends by itself.
 int kill_until_done(const TimedPosition& place, const Words& what, bool with_children) {
   std::mt19937 random(7);
   for (int kills = 0;; ++kills) {
@@ -181,7 +181,7 @@ TEST_P(KilledAtAnyMoment, GivesTheSameTable) {
 
 INSTANTIATE_TEST_SUITE_P(Campaign, KilledAtAnyMoment, ::testing::Bool());
 
-TEST(ProgramCampaign, RepeatsNoRunThatHasEnded) {
+TEST(ProgramCampaign, RepeatsNoCompletedRun) {
   const TimedPosition place;
   ASSERT_EQ(place.campaign({"--seeds", "1..4", "--vary", vary}).code, 0);
   std::vector<std::pair<fs::path, std::string>> before;
@@ -189,12 +189,13 @@ TEST(ProgramCampaign, RepeatsNoRunThatHasEnded) {
   const Ended more = place.campaign({"--seeds", "1..6", "--vary", vary});
   EXPECT_EQ(more.code, 0) << more.err;
   EXPECT_SAYS(more.err, "8 made before, 4 to make");
-  for (const auto& [file, text] : before) EXPECT_EQ(contents(file), text);  // `seconds` would be others
+  // a repeated run would have other `seconds`
+  for (const auto& [file, text] : before) EXPECT_EQ(contents(file), text);
   ASSERT_EQ(place.campaign({"--seeds", "1..6", "--vary", vary}, "whole").code, 0);
   expect_same_tables(place, "whole", "c");
 }
 
-TEST(ProgramCampaign, SurvivesWhatLiesAbout) {
+TEST(ProgramCampaign, RepairsBrokenFilesAndKeepsForeignOnes) {
   const TimedPosition place;
   const Words what = {"--seeds", "1..3", "--vary", vary};
   ASSERT_EQ(place.campaign(what, "whole").code, 0);
@@ -219,7 +220,7 @@ TEST(ProgramCampaign, SurvivesWhatLiesAbout) {
   EXPECT_EQ(contents(place / "c/runs/notes.txt"), "mine");
 }
 
-TEST(ProgramCampaign, CountsRunsThatFail) {
+TEST(ProgramCampaign, CountsFailedRuns) {
   const TimedPosition place;
   const Words what = {"--seeds", "1..5", "--vary", "vehicle_lost.max_sigma_position_m=10,0.011"};
   const Ended ended = place.campaign(what);
@@ -239,7 +240,7 @@ TEST(ProgramCampaign, CountsRunsThatFail) {
   EXPECT_EQ(lost["measures"]["ate_m"]["share_failed"], 1);
   EXPECT_EQ(lost["measures"]["ate_m"]["versus_baseline"]["pairs"], 0);
   EXPECT_EQ(lost["measures"]["ate_m"]["versus_baseline"]["pairs_left_out"], 5);
-  EXPECT_SAYS(ended.out, "failed, and left out above");
+  EXPECT_SAYS(ended.out, "failed, and excluded above");
   EXPECT_SAYS(ended.out, "0 of 5   100 %");
   EXPECT_SAYS(ended.out, "--measure ate_m.below:0.1");
   EXPECT_SAYS(ended.err, "seed 3: failed: ");
@@ -256,7 +257,7 @@ TEST(ProgramCampaign, CountsRunsThatFail) {
   EXPECT_EQ(within["variants"][1]["measures"]["ate_m.below:1000"]["versus_baseline"]["difference"], -1);
 }
 
-TEST(ProgramCampaign, RefusesALimitThatIsNoneBeforeAnyRun) {
+TEST(ProgramCampaign, RefusesAnInvalidLimitBeforeAnyRun) {
   const TimedPosition place;
   const Ended ended = place.campaign({"--seeds", "1..3", "--measure", "ate_m.below:low"});
   EXPECT_EQ(ended.code, 2);
@@ -264,7 +265,7 @@ TEST(ProgramCampaign, RefusesALimitThatIsNoneBeforeAnyRun) {
   EXPECT_TRUE(place.results().empty());
   const Ended unknown = place.campaign({"--seeds", "1..3", "--jobs", "1", "--measure", "ate.below:1"});
   EXPECT_EQ(unknown.code, 2);
-  EXPECT_SAYS(unknown.err, "--measure ate: no run has measured that; the nearest is ate_m");
+  EXPECT_SAYS(unknown.err, "--measure ate: no run has this measure; the nearest is ate_m");
 }
 
 std::vector<pid_t> children_of(pid_t process) {
@@ -276,7 +277,7 @@ std::vector<pid_t> children_of(pid_t process) {
   return found;
 }
 
-/// A process that makes a run of the only campaign of this one.
+/// A process that makes a run of the only campaign started by this process.
 pid_t process_of_a_run() {
   for (int i = 0; i < 1000; ++i, wait_ms(10)) {
     const std::vector<pid_t> ours = children_of(::getpid());
@@ -287,13 +288,13 @@ pid_t process_of_a_run() {
   return 0;
 }
 
-TEST(ProgramCampaign, ARunThatCrashesIsAResult) {
+TEST(ProgramCampaign, ACrashedRunIsAFailedRun) {
   const TimedPosition place;
   Program program(place.words({"--seeds", "1..3", "--duration", "20000", "--jobs", "1"}), {place.folder()});
   for (int i = 0; i < 3; ++i) {
     const pid_t run = process_of_a_run();
     ASSERT_NE(run, 0);
-    wait_ms(50);  // it has set its signals by then
+    wait_ms(50);  // its signal handlers are installed by then
     ASSERT_EQ(::kill(run, i == 1 ? SIGABRT : SIGSEGV), 0);
     wait_ms(200);
   }
@@ -305,7 +306,7 @@ TEST(ProgramCampaign, ARunThatCrashesIsAResult) {
   EXPECT_EQ(testing::problems(answer, schema()), "");
 }
 
-TEST(ProgramCampaign, ARunThatIsKilledIsMadeAgain) {
+TEST(ProgramCampaign, AKilledRunIsRepeated) {
   const TimedPosition place;
   const Words what = {"--seeds", "1..2", "--duration", "300", "--jobs", "1"};
   ASSERT_EQ(place.campaign(what, "whole").code, 0);
@@ -315,13 +316,13 @@ TEST(ProgramCampaign, ARunThatIsKilledIsMadeAgain) {
   ASSERT_EQ(::kill(run, SIGKILL), 0);
   const Ended ended = program.wait();
   EXPECT_EQ(ended.code, 1) << ended.err;
-  EXPECT_SAYS(ended.err, "ended from outside by signal 9");
-  EXPECT_SAYS(ended.err, "1 runs are still to make");
+  EXPECT_SAYS(ended.err, "killed from outside by signal 9");
+  EXPECT_SAYS(ended.err, "1 runs are missing");
   EXPECT_EQ(place.campaign(what).code, 0);
   expect_same_tables(place, "whole", "c");
 }
 
-TEST(ProgramCampaign, AskedToEndItEnds) {
+TEST(ProgramCampaign, InterruptedItEndsAndResumes) {
   const TimedPosition place;
   const Words what = {"--seeds", "1..40", "--duration", "60", "--vary", vary, "--jobs", "2"};
   for (const int signal : {SIGINT, SIGTERM}) {
@@ -331,7 +332,7 @@ TEST(ProgramCampaign, AskedToEndItEnds) {
     const Ended ended = program.wait();
     EXPECT_EQ(ended.code, 1) << ended.err;
     EXPECT_SAYS(ended.err, "interrupted: ");
-    EXPECT_SAYS(ended.err, "the same command goes on");
+    EXPECT_SAYS(ended.err, "the same command continues");
   }
   for (const std::string& name : testing::everything_in(place / "c")) EXPECT_SILENT_ON(name, ".part");
   EXPECT_EQ(place.campaign(what).code, 0);
@@ -339,7 +340,7 @@ TEST(ProgramCampaign, AskedToEndItEnds) {
   expect_same_tables(place, "whole", "c");
 }
 
-TEST(ProgramCampaign, KeepsWholeRunsWhenAsked) {
+TEST(ProgramCampaign, KeepsRunDirectoriesOnRequest) {
   const TimedPosition place;
   ASSERT_EQ(place.campaign({"--seeds", "1..2", "--keep-runs"}).code, 0);
   ASSERT_EQ(place.campaign({"--seeds", "1..2"}, "bare").code, 0);
@@ -359,7 +360,7 @@ TEST(ProgramCampaign, KeepsWholeRunsWhenAsked) {
   EXPECT_SILENT_ON(*testing::everything_in(place / "bare").rbegin(), "run.mcap");
 }
 
-TEST(ProgramCampaign, AFullDiskIsSaidAndTheRestGoesOn) {
+TEST(ProgramCampaign, AFullDiskIsReportedAndTheOtherRunsContinue) {
   const TimedPosition place;
   const Words what = {"--seeds", "1..40"};
   ASSERT_EQ(place.campaign(what, "whole").code, 0);
@@ -368,7 +369,8 @@ TEST(ProgramCampaign, AFullDiskIsSaidAndTheRestGoesOn) {
     largest = std::max({largest, fs::file_size(file), fs::file_size(file.parent_path() / "settings.json")});
   }
   const auto table = fs::file_size(place / "whole/runs.csv");
-  ASSERT_LT(largest, table);  // with these limits the runs have room, and not their table; then not even they
+  // with the first limit the runs fit, but not their table; with the second not even the runs
+  ASSERT_LT(largest, table);
   const Ended no_table = testing::incognita(
       place.words(what), {place.folder(), testing::Stream::kept, testing::Stream::kept, table - 1});
   EXPECT_EQ(no_table.code, 1);
@@ -396,7 +398,7 @@ TEST(ProgramCampaign, ValuesMayBeLists) {
   EXPECT_FALSE(answer["variants"][1]["measures"]["ate_m"].contains("versus_baseline"));
 }
 
-TEST(ProgramCampaign, RefusesBeforeAnyRun) {
+TEST(ProgramCampaign, RefusesInvalidArgumentsBeforeAnyRun) {
   const TimedPosition place;
   place.write("in-the-way", "a file\n");
   const std::size_t before = testing::everything_in(place.folder()).size();
@@ -409,29 +411,29 @@ TEST(ProgramCampaign, RefusesBeforeAnyRun) {
       {{"--vary", "plant.sigma_speed_m_s="}, "a value is missing"},
       {{"--vary", "plant.sigma_speed_m_s=1,,2"}, "a value is missing"},
       {{"--vary", "points.size_m=[1,2"}, "do not close"},
-      {{"--vary", "plant.sigma_speed_m_s=0.1,0.10"}, "is there twice"},
+      {{"--vary", "plant.sigma_speed_m_s=0.1,0.10"}, "occurs twice"},
       {{"--vary", "points.count=8", "--vary", "points.count=9"}, "given twice"},
       {{"--vary", "points.count=8", "--set", "points.count=9"}, "set the same"},
       {{"--vary", "run.duration_s=1,2", "--duration", "3"}, "set the same"},
       {{"--vary", "run.seed=1,2"}, "--seeds"},
       {{"--set", "run.seed=1"}, "--seeds"},
       {{"--vary", "decision.strategy=none,mutual-information"}, "means nothing with"},
-      {{"--seeds", "5..1"}, "runs backwards"},
-      {{"--seeds", "1..3,2"}, "2 is there twice"},
-      {{"--seeds", ""}, "is no seed"},
-      {{"--seeds", "-1"}, "is no seed"},
-      {{"--seeds", "1..x"}, "`x` is no seed"},
+      {{"--seeds", "5..1"}, "is decreasing"},
+      {{"--seeds", "1..3,2"}, "2 occurs twice"},
+      {{"--seeds", ""}, "is not a seed"},
+      {{"--seeds", "-1"}, "is not a seed"},
+      {{"--seeds", "1..x"}, "`x` is not a seed"},
       {{"--seeds", "1..99999999999"}, "more than 1000000 runs"},
       {{"--seeds", "0..9223372036854775807"}, "more than 1000000 runs"},
       {{"--jobs", "0"}, "--jobs 0: must be a whole number from 1"},
       {{"--shard", "0/2"}, "must be written i/N"},
       {{"--shard", "3/2"}, "must be written i/N"},
       {{"--shard", "1"}, "must be written i/N"},
-      {{"--table"}, "holds no campaign"},
+      {{"--table"}, "contains no campaign"},
       {{"--baseline", "points.count=8"}, "is not varied"},
-      {{"--vary", "points.count=8,9", "--baseline", "points.count=7"}, "none of the values"},
-      {{"--out", ""}, "--out: names nothing"},
-      {{"--out", "in-the-way"}, "in the way"},
+      {{"--vary", "points.count=8,9", "--baseline", "points.count=7"}, "not one of the values"},
+      {{"--out", ""}, "--out: is empty"},
+      {{"--out", "in-the-way"}, "a file with this name exists"},
       {{"--out", "/proc/incognita"}, "--out /proc/incognita: cannot write"},
       {{"--sheds", "1"}, "the nearest is `--seeds`"}};
   for (const auto& [words, message] : wrong) {
@@ -445,7 +447,7 @@ TEST(ProgramCampaign, RefusesBeforeAnyRun) {
   EXPECT_EQ(testing::everything_in(place.folder()).size(), before);
 }
 
-TEST(ProgramCampaign, LeavesNothingWhereNoRunCanStart) {
+TEST(ProgramCampaign, LeavesNothingIfNoRunCanStart) {
   const TimedPosition place;
   place.write("recorded.toml",
               "[run]\nworld = \"recording\"\n[recording]\nfolder = \"nowhere\"\n[start]\nfrom = \"free\"\n");
@@ -457,7 +459,7 @@ TEST(ProgramCampaign, LeavesNothingWhereNoRunCanStart) {
   EXPECT_EQ(testing::everything_in(place.folder()).size(), before);
 }
 
-TEST(ProgramCampaign, SaysWhereSeedsDoNothing) {
+TEST(ProgramCampaign, WarnsIfSeedsHaveNoEffect) {
   const TimedPosition place;
   Words still = {"--seeds", "1..2", "--set", "points.file=points.csv"};
   for (const char* noise : {"plant.sigma_speed_m_s", "plant.sigma_turn_rate_rad_s", "plant.sigma_range_m",
@@ -466,22 +468,21 @@ TEST(ProgramCampaign, SaysWhereSeedsDoNothing) {
   place.write("points.csv", "id,x,y\n1,5,1\n2,6,-3\n");
   const Ended ended = place.campaign(still);
   EXPECT_EQ(ended.code, 0) << ended.err;
-  EXPECT_SAYS(ended.err, "small: every seed gave the same");
-  EXPECT_SILENT_ON(place.campaign({"--seeds", "1..2"}, "noisy").err, "every seed gave the same");
+  EXPECT_SAYS(ended.err, "small: every seed gave the same result");
+  EXPECT_SILENT_ON(place.campaign({"--seeds", "1..2"}, "noisy").err, "every seed gave the same result");
 }
 
-TEST(ProgramCampaign, RefusesAMeasureThatNobodyMeasuresAfterTheFirstRun) {
+TEST(ProgramCampaign, RefusesAnUnknownMeasureAfterTheFirstRun) {
   const TimedPosition place;
   const Ended ended = place.campaign({"--seeds", "1..200", "--jobs", "1", "--measure", "ate"});
   EXPECT_EQ(ended.code, 2);
-  EXPECT_SAYS(ended.err,
-              "--measure ate: no run has measured that; the nearest is ate_m. Runs that have ended");
+  EXPECT_SAYS(ended.err, "--measure ate: no run has this measure; the nearest is ate_m. Completed runs");
   EXPECT_EQ(ended.out, "");
   ASSERT_EQ(place.results().size(), 1u);
   const fs::path kept = place.results()[0];
   const std::string made = contents(kept);
   const Ended again = place.campaign({"--seeds", "1..200", "--measure", "entropy.totl"});
-  EXPECT_EQ(again.code, 2) << "by what is in the folder, before any run";
+  EXPECT_EQ(again.code, 2) << "from the results in the folder, before any run";
   EXPECT_SAYS(again.err, "the nearest is entropy.total");
   EXPECT_EQ(place.results().size(), 1u);
   const Ended right = place.campaign({"--seeds", "1..3", "--measure", "ate_m", "--measure", "failed"});
@@ -490,7 +491,7 @@ TEST(ProgramCampaign, RefusesAMeasureThatNobodyMeasuresAfterTheFirstRun) {
   EXPECT_EQ(contents(kept), made);
 }
 
-TEST(ProgramCampaign, AMeasureOfTheLastVariantAloneIsNotRefused) {
+TEST(ProgramCampaign, AcceptsAMeasureOfTheLastVariantOnly) {
   const TimedPosition place;
   const Words what = {"--seeds", "1..3",   "--jobs",
                       "1",       "--vary", "team.positions_m=[[0, 0, 0]],[[0, 0, 0], [2, 0, 0]]"};
@@ -506,28 +507,28 @@ TEST(ProgramCampaign, AMeasureOfTheLastVariantAloneIsNotRefused) {
   EXPECT_EQ(place.results().size(), 6u);
 }
 
-TEST(ProgramCampaign, ARunThatFailsSaysNothingOfWhatOthersMeasure) {
+TEST(ProgramCampaign, AFailedRunDoesNotDetermineTheMeasures) {
   const TimedPosition place;
-  // every run of this one is lost, and ends so
+  // every run of this campaign is lost
   const Ended ended = place.campaign({"--seeds", "1..5", "--jobs", "1", "--measure", "ate", "--set",
                                       "vehicle_lost.max_sigma_position_m=0.011"});
   EXPECT_EQ(ended.code, 2);
   EXPECT_SAYS(ended.err, "--measure ate: ");
-  EXPECT_EQ(place.results().size(), 5u) << "only when there is no other run to come";
+  EXPECT_EQ(place.results().size(), 5u) << "only after the last run";
 }
 
-/// A campaign that is at work, and would be for minutes.
-std::unique_ptr<Program> at_work(const TimedPosition& place, Words more = {}) {
+/// A campaign that is running, and would take minutes.
+std::unique_ptr<Program> running(const TimedPosition& place, Words more = {}) {
   more.insert(more.begin(), {"--seeds", "1..2", "--duration", "20000", "--jobs", "1"});
   auto program = std::make_unique<Program>(place.words(more), testing::Circumstances{place.folder()});
   EXPECT_NE(process_of_a_run(), 0);
   return program;
 }
 
-TEST(ProgramCampaign, OneCampaignAtATimeWorksInAFolder) {
+TEST(ProgramCampaign, OnlyOneCampaignRunsInAFolder) {
   const TimedPosition place;
   ASSERT_EQ(place.campaign({"--seeds", "1", "--duration", "20"}, "elsewhere").code, 0);
-  auto first = at_work(place);
+  auto first = running(place);
   const std::set<std::string> before = testing::everything_in(place / "c");
   const Words same = {"--seeds", "1..2", "--duration", "20000"};
   for (const Words& more : {Words{}, Words{"--shard", "1/2"}, Words{"--vary", vary}}) {
@@ -535,36 +536,36 @@ TEST(ProgramCampaign, OneCampaignAtATimeWorksInAFolder) {
     words.insert(words.end(), more.begin(), more.end());
     const Ended second = place.campaign(words);
     EXPECT_EQ(second.code, 2);
-    EXPECT_SAYS(second.err, "--out c: another command is at work in it");
+    EXPECT_SAYS(second.err, "--out c: another command is running in it");
     EXPECT_EQ(second.out, "");
   }
   EXPECT_EQ(testing::everything_in(place / "c"), before);
   const Ended table = place.campaign({"--seeds", "1..2", "--duration", "20000", "--table"});
-  EXPECT_EQ(table.code, 1) << "that is no work";
+  EXPECT_EQ(table.code, 1) << "--table needs no lock";
   EXPECT_SAYS(table.err, "none of the 2 runs has been made yet");
   EXPECT_EQ(place.campaign({"--seeds", "1..2", "--duration", "20"}, "elsewhere").code, 0);
 
   first->signal(SIGKILL);
   EXPECT_EQ(first->wait().signal, SIGKILL);
-  auto next = at_work(place);  // at once, nothing to remove by hand
+  auto next = running(place);  // at once, with nothing to remove by hand
   next->signal(SIGTERM);
   EXPECT_EQ(next->wait().code, 1);
   EXPECT_FALSE(fs::exists(place / "c/.lock"));
 }
 
-TEST(ProgramCampaign, SharesOfOneCampaignWorkTogetherEachOnce) {
+TEST(ProgramCampaign, ShardsRunTogetherEachOnce) {
   const TimedPosition place;
-  const auto first = at_work(place, {"--shard", "1/2"});
+  const auto first = running(place, {"--shard", "1/2"});
   const auto ended = [&](const Words& more) {
     Words words = {"--seeds", "1..2", "--duration", "20000"};
     words.insert(words.end(), more.begin(), more.end());
     return place.campaign(words);
   };
   const std::pair<Words, std::string> refused[] = {
-      {{"--shard", "1/2"}, "another process with --shard 1/2 is at work in it"},
-      {{"--shard", "2/3"}, "another number of shards of this one, is at work in it"},
+      {{"--shard", "1/2"}, "another process with --shard 1/2 is running in it"},
+      {{"--shard", "2/3"}, "another number of shards of this one, is running in it"},
       {{"--shard", "2/2", "--vary", vary}, "another campaign, or "},
-      {{}, "--out c: another command is at work in it"}};
+      {{}, "--out c: another command is running in it"}};
   for (const auto& [words, message] : refused) {
     const Ended second = ended(words);
     EXPECT_EQ(second.code, 2);
@@ -580,7 +581,7 @@ TEST(ProgramCampaign, SharesOfOneCampaignWorkTogetherEachOnce) {
   EXPECT_EQ(ended({"--shard", "1/2"}).code, 2);
 }
 
-TEST(ProgramCampaign, RefusesAFolderOfSomethingElse) {
+TEST(ProgramCampaign, RefusesTheFolderOfAnotherCampaign) {
   const TimedPosition place;
   ASSERT_EQ(place.campaign({"--seeds", "1..2", "--vary", vary}).code, 0);
   const std::string table = place.read("table.csv");
@@ -599,13 +600,13 @@ TEST(ProgramCampaign, RefusesAFolderOfSomethingElse) {
   EXPECT_SAYS(other.err, "scenario small there, other here");
   EXPECT_EQ(place.read("table.csv"), table);
   EXPECT_EQ(place.results().size(), 4u);
-  // More values of the same are no other campaign
+  // More values of the same setting extend the campaign
   const Ended more = place.campaign({"--seeds", "1..2", "--vary", "plant.sigma_speed_m_s=0.05,0.2,0.4"});
   EXPECT_EQ(more.code, 0) << more.err;
   EXPECT_SAYS(more.err, "4 made before, 2 to make");
 }
 
-TEST(ProgramCampaign, RefusesTheSameFolderOverOtherGround) {
+TEST(ProgramCampaign, RefusesTheSameFolderWithAnotherTerrain) {
   const TimedPosition place;
   place.write("hills.toml",
               "[run]\nworld = \"points\"\nsensor = \"camera\"\nrate_hz = 10\nduration_s = 0.5\n"
@@ -624,7 +625,7 @@ TEST(ProgramCampaign, RefusesTheSameFolderOverOtherGround) {
   EXPECT_SAYS(other.err, "terrain.file");
 }
 
-/// The words behind `mpirun -n N incognita campaign`, waited for; exit code and what it said go to files.
+/// Runs `mpirun -n N incognita campaign` with these arguments; exit code and messages go to files.
 int with_mpirun(const TimedPosition& place, const Words& words, int ranks) {
   std::string line =
       "cd '" + place.folder().string() +
@@ -635,8 +636,8 @@ int with_mpirun(const TimedPosition& place, const Words& words, int ranks) {
   return WEXITSTATUS(std::system((line + " > mpi.out 2> mpi.err").c_str()));
 }
 
-TEST(ProgramCampaign, ManyMachinesGiveTheSameTable) {
-  if (std::system("mpirun --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "there is no mpirun here";
+TEST(ProgramCampaign, MpiGivesTheSameTable) {
+  if (std::system("mpirun --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "mpirun is not installed";
   const TimedPosition place;
   const Words what = {"--seeds", "1..20", "--vary", vary};
   ASSERT_EQ(place.campaign(what, "whole").code, 0);
@@ -647,7 +648,7 @@ TEST(ProgramCampaign, ManyMachinesGiveTheSameTable) {
   EXPECT_SAYS(said, "40 runs: ");
   expect_same_tables(place, "whole", "c");
   EXPECT_EQ(with_mpirun(place, place.words({"--seeds", "3..1"}), 3), 2);
-  EXPECT_SAYS(contents(place / "mpi.err"), "runs backwards");
+  EXPECT_SAYS(contents(place / "mpi.err"), "is decreasing");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Where a run cannot be written, from its start or from some moment on.
+// Runs that cannot be written, from the start or from some moment on.
 #include <gtest/gtest.h>
 #include <sched.h>
 #include <sys/mount.h>
@@ -22,7 +22,7 @@ Words room_for(const std::string& seconds, const std::string& out) {
   return {"run", "room", "--duration", seconds, "--out", out, "--no-figures"};
 }
 
-TEST(ProgramDisk, WhereNothingCanBeWrittenNothingIsLeft) {
+TEST(ProgramDisk, AnUnwritableFolderLeavesNothing) {
   const Scratch scratch;
   scratch.write("file", "mine");
   for (const char* out : {"file", "file/run", "/proc/run", "/dev/null"}) {
@@ -36,7 +36,7 @@ TEST(ProgramDisk, WhereNothingCanBeWrittenNothingIsLeft) {
   EXPECT_EQ(testing::contents(scratch.folder() / "file"), "mine");
 }
 
-TEST(ProgramDisk, TooSmallToBeginLeavesNothing) {
+TEST(ProgramDisk, ADiskTooSmallToStartLeavesNothing) {
   const Scratch scratch;
   const Circumstances tight{scratch.folder(), Stream::kept, Stream::kept, 4096};
   const Ended ended = testing::incognita(room_for("1", "new/run"), tight);
@@ -46,7 +46,7 @@ TEST(ProgramDisk, TooSmallToBeginLeavesNothing) {
   EXPECT_EQ(testing::everything_in(scratch.folder()).size(), 0u);
 }
 
-/// What is there is whole, and says how far it came and why no further.
+/// Written files are complete, and the summary states the end and its reason.
 void expect_cut_short(const Ended& ended, const std::filesystem::path& run, const std::string& why,
                       const std::string& remedy) {
   EXPECT_EQ(ended.code, 1);
@@ -63,14 +63,14 @@ void expect_cut_short(const Ended& ended, const std::filesystem::path& run, cons
   testing::expect_whole_tables(run);
 }
 
-TEST(ProgramDisk, AFileThatMayGrowNoFurtherEndsTheRun) {
+TEST(ProgramDisk, AFileSizeLimitEndsTheRun) {
   const Scratch scratch;
   const Circumstances tight{scratch.folder(), Stream::kept, Stream::kept, 100'000};
   const Ended ended = testing::incognita(room_for("100", "run"), tight);
   expect_cut_short(ended, scratch.folder() / "run", "File too large", "ulimit -f");
 }
 
-/// A disk of its own for this process and its children: nobody else sees it, and it goes with them.
+/// A small file system, visible to this process and its children only.
 class SmallDisk {
  public:
   explicit SmallDisk(const std::filesystem::path& folder) : folder_(folder) {
@@ -100,7 +100,7 @@ TEST(ProgramDisk, AFullDiskEndsTheRun) {
   expect_cut_short(ended, scratch.folder() / "disk/run", "No space left on device", "free some space");
 }
 
-TEST(ProgramDisk, ADiskFullBeforeItBeginsLeavesNothing) {
+TEST(ProgramDisk, ADiskFullBeforeTheStartLeavesNothing) {
   const Scratch scratch;
   const SmallDisk disk(scratch.folder() / "disk");
   if (!disk.refused().empty()) GTEST_SKIP() << "no disk can be mounted here: " << disk.refused();
@@ -111,7 +111,7 @@ TEST(ProgramDisk, ADiskFullBeforeItBeginsLeavesNothing) {
   EXPECT_EQ(testing::everything_in(scratch.folder() / "disk"), std::set<std::string>{"filler"});
 }
 
-TEST(ProgramDisk, PicturesThatDoNotFitEndTheRun) {
+TEST(ProgramDisk, PicturesOnAFullDiskEndTheRun) {
   const Scratch scratch;
   const SmallDisk disk(scratch.folder() / "disk");
   if (!disk.refused().empty()) GTEST_SKIP() << "no disk can be mounted here: " << disk.refused();

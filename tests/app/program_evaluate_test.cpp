@@ -1,4 +1,4 @@
-// `incognita evaluate` on what people hand it.
+// The command `incognita evaluate` with valid and invalid input.
 #include <gtest/gtest.h>
 
 #include "tests/app/program.hpp"
@@ -19,7 +19,7 @@ Ended evaluate(const Scratch& scratch, const Words& more) {
   return testing::incognita(words, scratch.folder());
 }
 
-TEST(ProgramEvaluate, RefusesFilesThatAreNoTrajectory) {
+TEST(ProgramEvaluate, RefusesInvalidTrajectories) {
   const Scratch scratch;
   scratch.write("truth", path_text);
   std::string binary;
@@ -47,7 +47,7 @@ TEST(ProgramEvaluate, RefusesFilesThatAreNoTrajectory) {
   }
 }
 
-TEST(ProgramEvaluate, RefusesAFolderThatIsNoRun) {
+TEST(ProgramEvaluate, RefusesAFolderThatIsNotARun) {
   const Scratch scratch;
   scratch.write("truth", path_text);
   scratch.write("folder/readme", "");
@@ -56,7 +56,7 @@ TEST(ProgramEvaluate, RefusesAFolderThatIsNoRun) {
   EXPECT_SAYS(ended.err, "folder: is a folder without estimate.tum");
 }
 
-TEST(ProgramEvaluate, FailsWhereThereIsTooLittleToCompare) {
+TEST(ProgramEvaluate, FailsWithTooFewMatches) {
   const Scratch scratch;
   scratch.write("truth", path_text);
   scratch.write("one", "0 0 0 0 0 0 0 1\n");
@@ -71,7 +71,7 @@ TEST(ProgramEvaluate, FailsWhereThereIsTooLittleToCompare) {
   EXPECT_SAYS(later.err, "spans 10 to 12 s, the truth 0 to 3 s; see --max-dt");
 }
 
-TEST(ProgramEvaluate, StampsGivenTwiceEndNothing) {
+TEST(ProgramEvaluate, AcceptsDuplicateStamps) {
   const Scratch scratch;
   scratch.write("once", path_text);
   scratch.write("twice", std::string("0 0 0 0 0 0 0 1\n") + path_text);
@@ -82,7 +82,7 @@ TEST(ProgramEvaluate, StampsGivenTwiceEndNothing) {
   }
 }
 
-TEST(ProgramEvaluate, NeverAnswersWithWhatIsNoNumber) {
+TEST(ProgramEvaluate, AnswersAreFinite) {
   const Scratch scratch;
   scratch.write("huge", "0 1e308 1e308 1e308 0 0 0 1\n1 0 0 -1e308 0 0 0 1\n2 0 0 0 0 0 0 1\n");
   for (const char* alignment : {"none", "se3", "sim3", "yaw"}) {
@@ -95,15 +95,16 @@ TEST(ProgramEvaluate, NeverAnswersWithWhatIsNoNumber) {
   EXPECT_SAYS(evaluate(scratch, {"hgue"}).err, "hgue: there is no such file or folder");
 }
 
-TEST(ProgramEvaluate, RefusesIntervalsThatAreNone) {
+TEST(ProgramEvaluate, RefusesInvalidIntervals) {
   const Scratch scratch;
   scratch.write("truth", path_text);
-  const std::pair<Words, std::string> wrong[] = {{{"--max-dt", "nan"}, "nan: must be 0 or more"},
-                                                 {{"--max-dt", "-1"}, "-1: must be 0 or more"},
-                                                 {{"--rpe-delta-s", "nan"}, "nan: must be more than 0"},
-                                                 {{"--rpe-delta-s", "0"}, "0: must be more than 0"},
-                                                 {{"--max-dt", "soon"}, "soon: must be 0 or more"},
-                                                 {{"--align", "se4"}, "none of auto, none, se3, sim3, yaw"}};
+  const std::pair<Words, std::string> wrong[] = {
+      {{"--max-dt", "nan"}, "nan: must be 0 or more"},
+      {{"--max-dt", "-1"}, "-1: must be 0 or more"},
+      {{"--rpe-delta-s", "nan"}, "nan: must be more than 0"},
+      {{"--rpe-delta-s", "0"}, "0: must be more than 0"},
+      {{"--max-dt", "soon"}, "soon: must be 0 or more"},
+      {{"--align", "se4"}, "must be auto, none, se3, sim3 or yaw"}};
   for (const auto& [option, message] : wrong) {
     Words words = {"truth", "--truth", "truth"};
     words.insert(words.end(), option.begin(), option.end());
@@ -113,7 +114,7 @@ TEST(ProgramEvaluate, RefusesIntervalsThatAreNone) {
   }
 }
 
-TEST(ProgramEvaluate, SaysWhyThereIsNoNees) {
+TEST(ProgramEvaluate, StatesWhyThereIsNoNees) {
   const Scratch scratch;
   scratch.write("truth", path_text);
   scratch.write("covariance.csv", "t\n");

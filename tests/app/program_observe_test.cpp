@@ -1,4 +1,4 @@
-// `incognita observe` as a person or a script meets it.
+// The command `incognita observe` for a user and for a script.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -32,7 +32,7 @@ json answer(Words words) {
   return document;
 }
 
-TEST(ProgramObserve, AnswersAsItsSchemaSays) {
+TEST(ProgramObserve, AnswerConformsToItsSchema) {
   const json planar = answer({"planar"});
   EXPECT_EQ(planar["system"], "planar");
   EXPECT_EQ(planar["states"], (json{"x", "y", "theta", "xf_1", "yf_1"}));
@@ -52,14 +52,14 @@ TEST(ProgramObserve, AnswersAsItsSchemaSays) {
   EXPECT_EQ(relative["segments"][2]["som_nullity"], 2);
 }
 
-/// Whoever wants to check the ranks needs all that was drawn.
-TEST(ProgramObserve, TellsWhereItLooked) {
+/// All drawn values, so that the ranks can be checked.
+TEST(ProgramObserve, ReportsTheOperatingPoint) {
   const json a = answer({"planar", "--anchors", "2", "--no-lie"});
   const json &first = a["segments"][0], &second = a["segments"][1];
   ASSERT_EQ(first["start"].size(), 5u);
   for (const auto& state : a["states"]) EXPECT_TRUE(first["start"].contains(state)) << state;
   EXPECT_EQ(first["duration_s"], 1.0);
-  // What the vehicle's equations make of it
+  // The state after the segment, by the vehicle's equations
   const double v = first["inputs"]["v"], omega = first["inputs"]["omega"], theta = first["start"]["theta"];
   EXPECT_NEAR(second["start"]["theta"].get<double>(), theta + omega, 1e-9);
   EXPECT_NEAR(second["start"]["x"].get<double>(),
@@ -74,11 +74,11 @@ TEST(ProgramObserve, TellsWhereItLooked) {
   EXPECT_NEAR(a["look_times_s"][24].get<double>(), 3, 1e-12);
   const Ended table = observe({"planar"});
   EXPECT_SAYS(table.out, "Segment 1 is at x = ");
-  EXPECT_SAYS(table.out, "25 looks in all. ");
-  EXPECT_SAYS(observe({"cv6", "--features", "2", "--no-lie"}).out, "Where segments start, their inputs, ");
+  EXPECT_SAYS(table.out, "25 measurement times in total");
+  EXPECT_SAYS(observe({"cv6", "--features", "2", "--no-lie"}).out, "the starts and inputs of the segments, ");
 }
 
-TEST(ProgramObserve, SaysTheSameForTheSameSeed) {
+TEST(ProgramObserve, IsDeterministicForASeed) {
   for (const char* as : {"--json", "--latex"}) {
     const Ended once = observe({"inertial", "--seed", "7", as});
     EXPECT_EQ(once.code, 0);
@@ -88,19 +88,19 @@ TEST(ProgramObserve, SaysTheSameForTheSameSeed) {
             observe({"inertial", "--seed", "7", "--json"}).out);
 }
 
-TEST(ProgramObserve, ShowsATableAndMatrices) {
+TEST(ProgramObserve, PrintsATableAndMatrices) {
   const Ended table = observe({"planar", "--anchors", "1"});
   EXPECT_EQ(table.code, 0);
   EXPECT_EQ(table.err, "");
   for (const char* part : {"SOM, segments 1 to 2", "Lie derivatives", "rotation +", "The methods disagree"})
     EXPECT_SAYS(table.out, part);
   const Ended latex = observe({"planar", "--latex"});
-  // thesis (4.15), its first entry
+  // first entry of thesis (4.15)
   EXPECT_SAYS(latex.out, "\\frac{r_{y}}{r_{x}^{2} + r_{y}^{2}} & -\\frac{r_{x}}{r_{x}^{2} + r_{y}^{2}} & -1");
   EXPECT_SAYS(latex.out, "-v \\sin\\left(\\theta\\right)");
 }
 
-TEST(ProgramObserve, TypesetsWhatItUses) {
+TEST(ProgramObserve, TypesetsTheMatricesThatItUses) {
   const Scratch scratch;
   scratch.write("s.toml",
                 "name = \"s\"\n[parameters]\nL = 2\n[inputs]\nv = [1, 2]\n[states]\nx = \"v*cos(hitch)\"\n"
@@ -115,13 +115,13 @@ TEST(ProgramObserve, TypesetsWhatItUses) {
   EXPECT_EQ(latex.out.find("L_{0 "), std::string::npos) << latex.out;
 }
 
-TEST(ProgramObserve, TakesASystemThatSomebodyWrote) {
+TEST(ProgramObserve, AcceptsASystemFileOfAUser) {
   const json drone = answer({INCOGNITA_SOURCE_DIR "/docs/systems/drone.toml", "--features", "3"});
   EXPECT_EQ(drone["local_nullity"], 3);
   EXPECT_EQ(drone["segments"][2]["nullspace"][0], (json{1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0}));
 }
 
-/// The table of a system of this text.
+/// The table for a system with this text.
 std::string table_of(const std::string& text, const Words& more = {}) {
   const Scratch scratch;
   scratch.write("s.toml", text);
@@ -132,14 +132,14 @@ std::string table_of(const std::string& text, const Words& more = {}) {
   return ended.out;
 }
 
-TEST(ProgramObserve, DoesNotContradictItself) {
+TEST(ProgramObserve, TableIsConsistentWithItsRemarks) {
   const std::string faint = table_of(
       "name = \"s\"\n[states]\nx = 0\nb = 0\n[region]\nx = [0, 1]\nb = [0, 1]\n"
       "[measurements]\nm = \"1e-12*x\"\nn = \"x + b\"\n");
-  EXPECT_SAYS(faint, "The Fisher information does not show:\n  ");
+  EXPECT_SAYS(faint, "Unobservable by the Fisher information:\n  ");
   const std::string stiff =
       table_of("name = \"s\"\n[states]\nx = \"9*x\"\n[region]\nx = [1, 2]\n[measurements]\nz = \"x\"\n");
-  EXPECT_SAYS(stiff, "allows (not to be trusted: see the notes): x");
+  EXPECT_SAYS(stiff, "for this motion (unreliable: see the notes): x");
   for (const std::string& table : {faint, stiff}) EXPECT_EQ(table.find("; \n"), std::string::npos) << table;
 }
 
@@ -148,7 +148,7 @@ std::string line(const std::string& rate, const std::string& more = "") {
          "\"\n[region]\nx = [1, 2]\n[measurements]\nz = \"x\"\n" + more;
 }
 
-TEST(ProgramObserve, RefusesBadSystemsWithTheirPlace) {
+TEST(ProgramObserve, RefusesInvalidSystemsWithTheirLocation) {
   std::string long_sum = "x";
   for (int i = 0; i < 40; ++i) long_sum = "sin(" + long_sum + "*x)";
   const std::pair<std::string, std::string> wrong[] = {
@@ -174,7 +174,7 @@ TEST(ProgramObserve, RefusesBadSystemsWithTheirPlace) {
   }
 }
 
-TEST(ProgramObserve, SaysWhichZeroItDividesBy) {
+TEST(ProgramObserve, LocatesADivisionByZero) {
   const std::string zero = line("x/k", "[parameters]\nk = 0\n"),
                     held = line("1/v", "[inputs]\nv = [1, 2]\n[motion.parked]\nv = 0\n");
   for (const auto& [text, name] : {std::pair{zero, "`k`"}, std::pair{held, "`v`"}}) {
@@ -189,17 +189,17 @@ TEST(ProgramObserve, SaysWhichZeroItDividesBy) {
   }
 }
 
-TEST(ProgramObserve, SaysOnceWhatTheAnswerHas) {
-  EXPECT_EQ(observe({"planar", "--json"}).err, "") << "disagreements are in the answer";
+TEST(ProgramObserve, RepeatsNothingOfTheAnswer) {
+  EXPECT_EQ(observe({"planar", "--json"}).err, "") << "the answer contains the disagreements";
   EXPECT_SAYS(observe({"planar", "--latex"}).err, "SOM over 3 segments leaves 2 unobservable");
 }
 
-TEST(ProgramObserve, RefusesWhatMakesNoSense) {
+TEST(ProgramObserve, RefusesInapplicableOptions) {
   const std::pair<Words, std::string> wrong[] = {
       {{"plannar"}, "planar"},
       {{"nowhere.toml"}, "nowhere.toml"},
       {{"planar", "--motion", "sideways"}, "general, straight, stationary, unaccelerated"},
-      {{"planar", "--motion", "sideways"}, "planar: `planar` knows no motion"},
+      {{"planar", "--motion", "sideways"}, "planar: `planar` has no motion"},
       {{"planar", "--representation", "relative", "--anchors", "1"}, "no anchors"},
       {{"cv6", "--representation", "relative"}, "cv6"},
       {{"planar", "--features", "0"}, "nothing is measured"},

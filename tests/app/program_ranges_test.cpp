@@ -1,5 +1,4 @@
-// The program on recordings of ranges and bearings: whole runs, and what is wrong with a recording or a
-// scenario.
+// The program on range-bearing recordings: complete runs, and invalid recordings and scenarios.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -51,7 +50,7 @@ RangeRecording minute_of_driving() {
   return drive_planar_loop(settings, 5);
 }
 
-/// A minute of the simulated loop as tables in `drive`, and a scenario `s.toml` over them.
+/// A minute of the simulated loop as tables in `drive`, and a scenario `s.toml` that uses them.
 class ProgramRanges : public ::testing::Test {
  protected:
   ProgramRanges() {
@@ -73,7 +72,7 @@ class ProgramRanges : public ::testing::Test {
     EXPECT_FALSE(std::filesystem::exists(run()));
     return ended;
   }
-  /// A scenario that takes the drive for that of a car.
+  /// A scenario that declares the drive to be that of a car.
   std::string write_car() {
     scratch_.write("car.toml",
                    "[run]\nworld = \"recording\"\nsensor = \"range-bearing\"\n[recording]\nfolder = \"" +
@@ -88,7 +87,7 @@ class ProgramRanges : public ::testing::Test {
     std::ofstream(drive() / table, std::ios::binary) << out;
   }
   /// Rewrites the whole drive.
-  void drive_again(RangeRecording recording) {
+  void write_drive(RangeRecording recording) {
     std::filesystem::remove_all(drive());
     write_range_tables(recording, drive());
   }
@@ -98,7 +97,7 @@ class ProgramRanges : public ::testing::Test {
 TEST_F(ProgramRanges, RunsOnTables) {
   const Ended ended = go();
   ASSERT_EQ(ended.code, 0) << ended.err;
-  EXPECT_SAYS(ended.err, "taken for the format `tables`");
+  EXPECT_SAYS(ended.err, "detected format `tables`");
   const auto summary = testing::summary_of(run());
   EXPECT_EQ(summary["status"], "done");
   EXPECT_EQ(summary["frames"], 61);
@@ -114,8 +113,8 @@ TEST_F(ProgramRanges, RunsOnTables) {
   EXPECT_SILENT_ON(bytes_of(run() / "effective.toml"), "[camera]");
 }
 
-/// Motion capture is often switched on after the robot.
-TEST_F(ProgramRanges, TruthThatBeginsLateIsComparedFromThenOn) {
+/// Motion capture is often started after the robot.
+TEST_F(ProgramRanges, ALateTruthIsComparedFromItsStart) {
   std::istringstream truth(bytes_of(drive() / "truth.csv"));
   std::string late, line;
   for (int n = 0; std::getline(truth, line); ++n)
@@ -126,14 +125,14 @@ TEST_F(ProgramRanges, TruthThatBeginsLateIsComparedFromThenOn) {
                                        std::to_string(landmark.y()) + "]]"});
   ASSERT_EQ(ended.code, 0) << ended.err;
   const auto summary = testing::summary_of(run());
-  EXPECT_EQ(summary["compared_poses"], 50);  // scans of 11 s to 60 s
+  EXPECT_EQ(summary["compared_poses"], 50);  // scans from 11 s to 60 s
   EXPECT_SAYS(ended.out, "truth at 50 of 61 tracked frames");
   EXPECT_SAYS(testing::lines(run() / "series.csv").front(), ",error_x_m,");
   testing::expect_whole_tables(run());
 }
 
 TEST_F(ProgramRanges, AnchorsMakeErrorsAbsolute) {
-  const auto landmark = drive_planar_loop({}, 5).landmarks[0].position;  // seen from the start
+  const auto landmark = drive_planar_loop({}, 5).landmarks[0].position;  // relative to the start
   const Ended ended = go({"--set", "vehicle_filter.anchors_m=[[" + std::to_string(landmark.x()) + ", " +
                                        std::to_string(landmark.y()) + "]]"});
   ASSERT_EQ(ended.code, 0) << ended.err;
@@ -143,7 +142,7 @@ TEST_F(ProgramRanges, AnchorsMakeErrorsAbsolute) {
   EXPECT_FALSE(summary["mean_nees"].is_null());
 }
 
-TEST_F(ProgramRanges, TheSameTwiceToTheByte) {
+TEST_F(ProgramRanges, IsDeterministicToTheByte) {
   ASSERT_EQ(go().code, 0);
   const std::string map = bytes_of(run() / "map.csv"), series = bytes_of(run() / "series.csv"),
                     log = bytes_of(run() / "run.mcap");
@@ -152,11 +151,13 @@ TEST_F(ProgramRanges, TheSameTwiceToTheByte) {
   EXPECT_TRUE(log == bytes_of(run() / "run.mcap"));
 }
 
-TEST_F(ProgramRanges, SaysWhatItWronglyBelieves) {
-  EXPECT_SAYS(go().err, "place: unobservable\nheading: unobservable, yet the filter believes to know it to ");
+TEST_F(ProgramRanges, ReportsSpuriousInformation) {
+  EXPECT_SAYS(
+      go().err,
+      "position: unobservable\nheading: unobservable, but the filter has spurious information from measurements: sigma ");
   EXPECT_EQ(testing::summary_of(run())["observability"]["wrongly_believed"], 1);
   const Ended better = go({"--set", "vehicle_filter.lineariser=first-estimate"});
-  EXPECT_SAYS(better.err, "place: unobservable\nheading: unobservable\n");
+  EXPECT_SAYS(better.err, "position: unobservable\nheading: unobservable\n");
   EXPECT_EQ(testing::summary_of(run())["observability"]["wrongly_believed"], 0);
 }
 
@@ -171,7 +172,7 @@ TEST_F(ProgramRanges, EveryFilterRuns) {
   }
 }
 
-TEST_F(ProgramRanges, SkipsBadRangesWithACount) {
+TEST_F(ProgramRanges, SkipsInvalidRangesAndReportsThem) {
   rewrite("detections.csv", 3, "0,nan,0.1,3");
   const Ended ended = go();
   EXPECT_EQ(ended.code, 0) << ended.err;
@@ -185,7 +186,7 @@ TEST_F(ProgramRanges, RefusesAMissingColumn) {
   EXPECT_SAYS(ended.err, "bearing_rad");
 }
 
-TEST_F(ProgramRanges, RefusesTimesThatGoBackwards) {
+TEST_F(ProgramRanges, RefusesDecreasingTimes) {
   rewrite("odometry.csv", 5, "0.05,1,0.1");
   EXPECT_SAYS(refused().err, "odometry.csv:5");
 }
@@ -205,7 +206,7 @@ TEST_F(ProgramRanges, RefusesKnownAssociationWithoutIdentities) {
               "association.method = known");
 }
 
-TEST_F(ProgramRanges, RefusesAnAnchorThatTheSensorCannotTell) {
+TEST_F(ProgramRanges, RefusesAnAnchorWithoutADetection) {
   EXPECT_SAYS(refused({"--set", "vehicle_filter.anchors_m=[[100, 100]]"}).err, "vehicle_filter.anchors_m");
 }
 
@@ -223,13 +224,13 @@ TEST_F(ProgramRanges, RefusesSettingsOfOtherVehiclesAndMethods) {
   EXPECT_SAYS(refused({"--set", "run.rate_hz=3"}).err, "means nothing with a recording");
 }
 
-TEST_F(ProgramRanges, RefusesSettingsOfACamera) {
+TEST_F(ProgramRanges, RefusesCameraSettings) {
   const Ended ended = refused({"--set", "camera.fu_px=200"});
   EXPECT_SAYS(ended.err, "camera.fu_px");
   EXPECT_SAYS(ended.err, "means nothing with run.sensor = `range-bearing`");
 }
 
-TEST_F(ProgramRanges, RefusesFiltersThatMakeNoSenseTogether) {
+TEST_F(ProgramRanges, RefusesIncompatibleFilterOptions) {
   EXPECT_SAYS(
       refused({"--set", "vehicle_filter.map_frame=vehicle", "--set", "vehicle_filter.decorrelate=map"}).err,
       "vehicle_filter.decorrelate");
@@ -242,13 +243,13 @@ TEST_F(ProgramRanges, RefusesFiltersThatMakeNoSenseTogether) {
   EXPECT_SAYS(refused({"--save-frames"}).err, "--save-frames");
 }
 
-TEST_F(ProgramRanges, SaysWhenTheJointSearchIsCapped) {
+TEST_F(ProgramRanges, ReportsACappedJointSearch) {
   const Ended ended = go({"--set", "association.method=joint", "--set", "association.max_nodes=1", "--set",
                           "association.birth_probability=0.9999999"});
   EXPECT_SAYS(bytes_of(run() / "series.csv"), "degraded");
 }
 
-TEST_F(ProgramRanges, CheckRefusesWhatARunWould) {
+TEST_F(ProgramRanges, CheckRefusesWhatARunRefuses) {
   const Ended ended = testing::incognita({"config", write_car(), "--check"}, scratch_.folder());
   EXPECT_EQ(ended.code, 2) << ended.out;
 }
@@ -262,7 +263,7 @@ TEST_F(ProgramRanges, ChecksAScenario) {
   EXPECT_SILENT_ON(json.out, "camera.fu_px");
 }
 
-TEST_F(ProgramRanges, SaysAtItsEndWhatItAchieved) {
+TEST_F(ProgramRanges, EndsWithASummary) {
   const Ended ended = go();
   EXPECT_SAYS(ended.out, "run          done\n");
   EXPECT_SAYS(ended.out, "frames       61 in 60.0 s: 61 tracked, 0 lost\n");
@@ -281,7 +282,7 @@ TEST_F(ProgramRanges, SaysAtItsEndWhatItAchieved) {
   EXPECT_TRUE(summary["consistency"]["causes"].empty());
 }
 
-TEST_F(ProgramRanges, TheMapErrorIsThatOfMapCsvAgainstSurveyedCsv) {
+TEST_F(ProgramRanges, MapErrorIsThatOfTheTables) {
   ASSERT_EQ(go().code, 0);
   std::map<std::string, std::pair<double, double>> surveyed;
   std::istringstream survey(bytes_of(run() / "surveyed.csv")), map(bytes_of(run() / "map.csv"));
@@ -318,7 +319,7 @@ TEST_F(ProgramRanges, MirroredBearingsAreOverconfident) {
   RangeRecording mirrored = minute_of_driving();
   for (auto& scan : mirrored.scans)
     for (Detection& d : scan.detections) d.bearing_rad = -d.bearing_rad;
-  drive_again(mirrored);
+  write_drive(mirrored);
   const Ended ended = go({"--duration", "40"});
   EXPECT_EQ(ended.code, 0) << ended.err;
   EXPECT_SAYS(ended.out, "consistency  overconfident: NIS ");
@@ -330,14 +331,14 @@ TEST_F(ProgramRanges, MirroredBearingsAreOverconfident) {
   EXPECT_GE(consistency["causes"].size(), 4u);
 }
 
-TEST_F(ProgramRanges, MirroredBearingsThatTheGateRefusesAreSaidToo) {
+TEST_F(ProgramRanges, MirroredBearingsRejectedByTheGateAreOverconfident) {
   PlanarLoopSettings exact;
   exact.duration_s = 60;
   exact.sigma_range_m = exact.sigma_bearing_rad = exact.sigma_speed_m_s = exact.sigma_turn_rate_rad_s = 0.02;
   RangeRecording mirrored = drive_planar_loop(exact, 5);
   for (auto& scan : mirrored.scans)
     for (Detection& d : scan.detections) d.bearing_rad = -d.bearing_rad;
-  drive_again(mirrored);
+  write_drive(mirrored);
   const Ended ended =
       go({"--set", "ranges.sigma_range_m=0.02", "--set", "ranges.sigma_bearing_rad=0.02", "--set",
           "vehicle.sigma_speed_m_s=0.02", "--set", "vehicle.sigma_turn_rate_rad_s=0.02"});
@@ -349,17 +350,17 @@ TEST_F(ProgramRanges, MirroredBearingsThatTheGateRefusesAreSaidToo) {
 TEST_F(ProgramRanges, WarnsOfOdometryInMilliseconds) {
   RangeRecording milliseconds = minute_of_driving();
   for (Odometry& odometry : milliseconds.odometry) odometry.t *= 1000;
-  drive_again(milliseconds);
+  write_drive(milliseconds);
   const Ended ended = go();
   EXPECT_SAYS(ended.err,
-              "warning: the odometry (0 s to 60000 s) and the scans (0 s to 60 s) have only 0.1 %");
+              "warning: the odometry (0 s to 60000 s) and the scans (0 s to 60 s) overlap by only 0.1 %");
   EXPECT_SAYS(ended.err, "is held for 60 s");
   const auto warnings = testing::summary_of(run())["warnings"];
   EXPECT_EQ(warnings.size(), 2u);
   EXPECT_SAYS(ended.out, "warnings     2, the first: the odometry");
 }
 
-TEST_F(ProgramRanges, IsEvaluated) {
+TEST_F(ProgramRanges, CanBeEvaluated) {
   ASSERT_EQ(go().code, 0);
   const Ended ended = testing::incognita({"evaluate", "run"}, scratch_.folder());
   EXPECT_EQ(ended.code, 0) << ended.err;

@@ -1,5 +1,4 @@
-// Recordings with something wrong in them. The images are of the rendered room, so that there is something to
-// track.
+// Image recordings with defects. The images show the rendered room, so that there are features to track.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -40,7 +39,7 @@ std::string as_png(const Image& image) {
   return {bytes.begin(), bytes.end()};
 }
 
-/// A moment of drifting before the room's sheet, in a scenario `s.toml` over the folder `images`.
+/// A short drift in front of the room's sheet, in a scenario `s.toml` that uses the folder `images`.
 class ProgramRecording : public ::testing::Test {
  protected:
   ProgramRecording() {
@@ -70,7 +69,7 @@ class ProgramRecording : public ::testing::Test {
     return testing::incognita({"run", "s.toml", "--out", "run", "--no-figures"}, scratch_.folder());
   }
 
-  /// Up to the wrong frame everything is there; the message names its file.
+  /// All frames before the defective one are recorded; the message names its file.
   void expect_ends_half_way(const Words& messages) const {
     const Ended ended = follow();
     EXPECT_EQ(ended.code, 1) << ended.err;
@@ -99,7 +98,7 @@ class ProgramRecording : public ::testing::Test {
   std::vector<std::shared_ptr<const Image>> images_;
 };
 
-TEST_F(ProgramRecording, IsFollowedToItsEnd) {
+TEST_F(ProgramRecording, IsProcessedToItsEnd) {
   write_images();
   const Ended ended = follow();
   EXPECT_EQ(ended.code, 0) << ended.err;
@@ -108,7 +107,7 @@ TEST_F(ProgramRecording, IsFollowedToItsEnd) {
   EXPECT_FALSE(exists(run() / "truth.tum"));
 }
 
-TEST_F(ProgramRecording, EndsAtAListedImageThatIsMissing) {
+TEST_F(ProgramRecording, StopsAtAMissingImage) {
   write_images();
   std::string list;
   for (int i = 0; i < frames; ++i) list += fmt::format("{} {}.pgm\n", i / 30.0, name_of(i));
@@ -117,7 +116,7 @@ TEST_F(ProgramRecording, EndsAtAListedImageThatIsMissing) {
   expect_ends_half_way({"at frame 12", "frame0012.pgm: cannot be read: No such file", "run.duration_s"});
 }
 
-TEST_F(ProgramRecording, SaysWhichNumbersAreMissing) {
+TEST_F(ProgramRecording, ReportsMissingNumbers) {
   write_images();
   for (const int gone : {7, 16, 17}) std::filesystem::remove(images() / (name_of(gone) + ".pgm"));
   const Ended ended = follow();
@@ -125,20 +124,20 @@ TEST_F(ProgramRecording, SaysWhichNumbersAreMissing) {
   EXPECT_SAYS(ended.err, "3 numbers are missing, the first between frame0006.pgm and frame0008.pgm");
 }
 
-TEST_F(ProgramRecording, EndsAtAPgmCutShort) {
+TEST_F(ProgramRecording, StopsAtATruncatedPgm) {
   write_images();
   write_image(wrong_one, as_pgm(*images_[wrong_one]).substr(0, 40'000));
-  expect_ends_half_way({"frame0012.pgm: the file is cut short", "replace the file or end before it"});
+  expect_ends_half_way({"frame0012.pgm: the file is truncated", "replace the file or end before it"});
 }
 
-TEST_F(ProgramRecording, EndsAtAPngCutShort) {
+TEST_F(ProgramRecording, StopsAtATruncatedPng) {
   write_images(".png");
   const std::string whole = as_png(*images_[wrong_one]);
   write_image(wrong_one, whole.substr(0, whole.size() / 2), ".png");
-  expect_ends_half_way({"frame0012.png: the file is cut short"});
+  expect_ends_half_way({"frame0012.png: the file is truncated"});
 }
 
-TEST_F(ProgramRecording, EndsAtAPngThatIsDamaged) {
+TEST_F(ProgramRecording, StopsAtADamagedPng) {
   write_images(".png");
   std::string damaged = as_png(*images_[wrong_one]);
   for (std::size_t i = damaged.size() / 2; i < damaged.size() / 2 + 64; ++i)
@@ -147,13 +146,13 @@ TEST_F(ProgramRecording, EndsAtAPngThatIsDamaged) {
   expect_ends_half_way({"frame0012.png"});
 }
 
-TEST_F(ProgramRecording, EndsAtAnImageOfAnotherSize) {
+TEST_F(ProgramRecording, StopsAtAnImageOfAnotherSize) {
   write_images();
   write_image(wrong_one, pgm(160, 120));
   expect_ends_half_way({"frame0012.pgm: frame 12 is 160x120 px", "camera.width_px", "320x240"});
 }
 
-TEST_F(ProgramRecording, EndsAtAFolderNamedAsAnImage) {
+TEST_F(ProgramRecording, StopsAtAFolderNamedLikeAnImage) {
   write_images();
   const auto file = images() / (name_of(wrong_one) + ".pgm");
   std::string list;
@@ -164,7 +163,7 @@ TEST_F(ProgramRecording, EndsAtAFolderNamedAsAnImage) {
   expect_ends_half_way({"frame0012.pgm: is a folder"});
 }
 
-TEST_F(ProgramRecording, NeverBeginsWithAWrongFirstImage) {
+TEST_F(ProgramRecording, DoesNotStartWithAWrongFirstImage) {
   write_images();
   write_image(0, "");
   expect_never_begins({"frame0000.pgm: the file is empty"});
@@ -174,15 +173,15 @@ TEST_F(ProgramRecording, NeverBeginsWithAWrongFirstImage) {
   expect_never_begins({"frame0000.pgm: frame 0 is 32x24 px", "camera.width_px"});
 }
 
-TEST_F(ProgramRecording, NeverBeginsWithoutImages) {
-  expect_never_begins({"s.toml:4: recording.folder: ", "images is not there"});
+TEST_F(ProgramRecording, DoesNotStartWithoutImages) {
+  expect_never_begins({"s.toml:4: recording.folder: ", "images does not exist"});
   std::filesystem::create_directory(images());
   expect_never_begins({"images: there are no images in this folder"});
   scratch_.write("images/deeper/frame0000.pgm", pgm(320, 240));
   expect_never_begins({"images: there are no images in this folder; it has the folders deeper"});
   std::filesystem::remove_all(images());
   scratch_.write("images", "a file");
-  expect_never_begins({"images: is not a folder; a recording is one"});
+  expect_never_begins({"images: is not a folder; a recording must be a folder"});
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// `incognita reproduce` as a person meets it.
+// The command `incognita reproduce` for a user.
 #include <gtest/gtest.h>
 
 #include "tests/app/program.hpp"
@@ -33,7 +33,7 @@ TEST(ProgramReproduce, HelpHasAnExample) {
   EXPECT_SAYS(help.out, "--seeds");
 }
 
-TEST(ProgramReproduce, ListsAndLeavesNothingBehind) {
+TEST(ProgramReproduce, ListLeavesNothingBehind) {
   const Scratch scratch;
   const Json all = listed(scratch);
   const Ended text = reproduce(scratch, {"--list"});
@@ -42,7 +42,7 @@ TEST(ProgramReproduce, ListsAndLeavesNothingBehind) {
   EXPECT_EQ(testing::everything_in(scratch.folder()).size(), 0u);
 }
 
-TEST(ProgramReproduce, RefusesBeforeAnyWork) {
+TEST(ProgramReproduce, RefusesInvalidArgumentsBeforeAnyWork) {
   const Scratch scratch;
   const std::pair<Words, std::string> wrong[] = {
       {{"chapter-9"}, "there is no example or figure `chapter-9`"},
@@ -53,7 +53,7 @@ TEST(ProgramReproduce, RefusesBeforeAnyWork) {
       {{"--seeds", "many"}, "many: must be a whole number"},
       {{"--seeds", "99999999999999999999"}, "must be a whole number"},
       {{"--seed", "3"}, "there is no option `--seed`; the nearest is `--seeds`"},
-      {{"--out", ""}, "--out: names nothing"}};
+      {{"--out", ""}, "--out: is empty"}};
   for (const auto& [words, message] : wrong) {
     const Ended ended = reproduce(scratch, words);
     EXPECT_EQ(ended.code, 2) << ended.err;
@@ -63,7 +63,7 @@ TEST(ProgramReproduce, RefusesBeforeAnyWork) {
   EXPECT_EQ(testing::everything_in(scratch.folder()).size(), 0u);
 }
 
-TEST(ProgramReproduce, NamesTheNearest) {
+TEST(ProgramReproduce, SuggestsTheNearestId) {
   const Scratch scratch;
   const Json all = listed(scratch);
   ASSERT_FALSE(all.empty());
@@ -71,7 +71,7 @@ TEST(ProgramReproduce, NamesTheNearest) {
   EXPECT_SAYS(reproduce(scratch, {id + "x"}).err, "the nearest is `" + id + "`");
 }
 
-TEST(ProgramReproduce, AnswersAsTheSchemaSays) {
+TEST(ProgramReproduce, AnswerConformsToItsSchema) {
   const Scratch scratch;
   const Json all = listed(scratch);
   ASSERT_FALSE(all.empty());

@@ -1,4 +1,4 @@
-// Whole runs in the rendered room: repeated, interrupted, killed, and blinded.
+// Complete runs in the rendered room: repeated, interrupted, killed, and with a covered lens.
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
@@ -51,12 +51,12 @@ TEST(ProgramRun, SameSeedSameBytes) {
   testing::expect_whole_tables(one);
 }
 
-// "What is the scale?"
-TEST(ProgramRun, SaysWhatFixesTheScale) {
+// The user's question: "What is the scale?"
+TEST(ProgramRun, ReportsWhatFixesTheScale) {
   const Scratch scratch;
   const Ended anchored = testing::incognita(room_for("2", "anchored"), scratch.folder());
   EXPECT_SAYS(anchored.err,
-              "place: fixed by 4 anchors\norientation: fixed by 4 anchors\nscale: fixed by 4 anchors\n");
+              "position: fixed by 4 anchors\norientation: fixed by 4 anchors\nscale: fixed by 4 anchors\n");
   const nlohmann::json said = testing::summary_of(scratch.folder() / "anchored")["observability"];
   EXPECT_EQ(said["ideal_nullity"], 0);
   EXPECT_EQ(said["nullity"], 0);
@@ -68,7 +68,7 @@ TEST(ProgramRun, SaysWhatFixesTheScale) {
   EXPECT_EQ(testing::summary_of(scratch.folder() / "free")["observability"]["ideal_nullity"], 7);
 }
 
-TEST(ProgramRun, SaysNothingOfItWhereItIsNotToBeWorkedOut) {
+TEST(ProgramRun, OmitsObservabilityOnRequest) {
   const Scratch scratch;
   const Words off = {"--set", "run.observability=false"};
   const Ended ended = testing::incognita(room_for("1", "run", off), scratch.folder());
@@ -78,8 +78,8 @@ TEST(ProgramRun, SaysNothingOfItWhereItIsNotToBeWorkedOut) {
   EXPECT_FALSE(summary["timing_ms"].contains("watch"));
 }
 
-/// Rows of looks.csv by kind and outcome.
-int looks_with(const std::filesystem::path& run, const std::string& kind, const std::string& outcome) {
+/// Rows of the table of matches by kind and outcome.
+int matches_with(const std::filesystem::path& run, const std::string& kind, const std::string& outcome) {
   std::istringstream table(testing::contents(run / "looks.csv"));
   int found = 0;
   for (std::string row; std::getline(table, row);)
@@ -87,8 +87,9 @@ int looks_with(const std::filesystem::path& run, const std::string& kind, const 
   return found;
 }
 
-// Thesis C.3: a depth is found along a line, then the line is a point of the map that is matched
-TEST(ProgramRun, DepthsAreFoundAlongLines) {
+// Thesis C.3: a depth is found by a search along a line, then the feature becomes a point of the map and is
+// matched
+TEST(ProgramRun, DepthLinesConvergeToPoints) {
   const Scratch scratch;
   const Words lines = {"--set", "birth.method=depth-line"};
   ASSERT_EQ(testing::incognita(room_for("10", "run", lines), scratch.folder()).code, 0);
@@ -98,11 +99,11 @@ TEST(ProgramRun, DepthsAreFoundAlongLines) {
   EXPECT_GE(summary["landmarks"], 8);
   EXPECT_LT(summary["ate_m"], 0.01);
   EXPECT_LT(summary["mean_nees"], 2);
-  EXPECT_GT(looks_with(run, "line", "matched"), 50);
-  EXPECT_GT(looks_with(run, "landmark", "matched"), 500);
+  EXPECT_GT(matches_with(run, "line", "matched"), 50);
+  EXPECT_GT(matches_with(run, "landmark", "matched"), 500);
 }
 
-/// The least distance in px between two of the map's matches in one frame.
+/// The smallest distance in px between two matches of map features in one frame.
 double nearest_matches(const std::filesystem::path& run) {
   std::map<std::string, std::vector<std::pair<double, double>>> by_frame;
   for (const std::string& row : testing::lines(run / "looks.csv")) {
@@ -121,7 +122,7 @@ double nearest_matches(const std::filesystem::path& run) {
   return nearest;
 }
 
-// One corner mapped twice would be one witness heard twice
+// One corner mapped twice would count its information twice
 TEST(ProgramRun, NoCornerIsMappedTwice) {
   const Scratch scratch;
   const Words many = {"--set", "birth.max_new_per_frame=5"};
@@ -131,7 +132,7 @@ TEST(ProgramRun, NoCornerIsMappedTwice) {
   EXPECT_LT(nearest, 100);
 }
 
-TEST(ProgramRun, AnotherSeedIsAnotherRun) {
+TEST(ProgramRun, AnotherSeedGivesAnotherRun) {
   const Scratch scratch;
   for (const char* seed : {"1", "2"})
     EXPECT_EQ(testing::incognita(room_for("0.5", seed, {"--seed", seed}), scratch.folder()).code, 0);
@@ -142,7 +143,7 @@ TEST(ProgramRun, AnotherSeedIsAnotherRun) {
   }
 }
 
-TEST(ProgramRun, ItsEffectiveScenarioGivesTheSameRun) {
+TEST(ProgramRun, TheEffectiveScenarioGivesTheSameRun) {
   const Scratch scratch;
   const Words changed = {"--seed", "5", "--set", "room.boxes=3", "--set", "camera.fu_px=194.3"};
   EXPECT_EQ(testing::incognita(room_for("0.5", "one", changed), scratch.folder()).code, 0);
@@ -154,7 +155,7 @@ TEST(ProgramRun, ItsEffectiveScenarioGivesTheSameRun) {
   }
 }
 
-/// Asked to end half-way, so many times.
+/// Interrupted halfway, with the given number of signals.
 void expect_interrupted(int signal, int times) {
   const Scratch scratch;
   const auto run = scratch.folder() / "run";
@@ -175,7 +176,7 @@ void expect_interrupted(int signal, int times) {
 
 TEST(ProgramRun, InterruptedClosesItsFiles) { expect_interrupted(SIGINT, 1); }
 TEST(ProgramRun, TerminatedTwiceStillClosesItsFiles) { expect_interrupted(SIGTERM, 2); }
-TEST(ProgramRun, LosingItsTerminalClosesItsFiles) { expect_interrupted(SIGHUP, 1); }
+TEST(ProgramRun, HangupClosesItsFiles) { expect_interrupted(SIGHUP, 1); }
 
 TEST(ProgramRun, ManyInterruptsLeaveEveryFigure) {
   const Scratch scratch;
@@ -192,7 +193,7 @@ TEST(ProgramRun, ManyInterruptsLeaveEveryFigure) {
   EXPECT_TRUE(testing::summary_of(run).value("warnings", nlohmann::json::array()).empty());
 }
 
-TEST(ProgramRun, ALensCoveredFromTheStartNeverStarted) {
+TEST(ProgramRun, ALensCoveredFromTheStartIsReported) {
   const Scratch scratch;
   const Words covered = {"--set", "room.cover_lens_from_s=0", "--set", "start.max_search_s=1"};
   const Ended ended = testing::incognita(room_for("2", "run", covered), scratch.folder());
@@ -200,7 +201,7 @@ TEST(ProgramRun, ALensCoveredFromTheStartNeverStarted) {
   EXPECT_SAYS(ended.err, "failed, never started: ");
 }
 
-TEST(ProgramRun, InterruptedWhileItWaitsForTheClockDoesNotWait) {
+TEST(ProgramRun, AnInterruptEndsTheWaitForTheClock) {
   const Scratch scratch;
   const Words slow = {"--realtime", "--set", "run.rate_hz=0.001"};
   Program program(room_for("3600", "run", slow), Circumstances{scratch.folder()});
@@ -213,11 +214,11 @@ TEST(ProgramRun, InterruptedWhileItWaitsForTheClockDoesNotWait) {
   EXPECT_EQ(testing::summary_of(scratch.folder() / "run")["frames"], 1);
 }
 
-TEST(ProgramRun, KilledLeavesWholeRows) {
+TEST(ProgramRun, KilledLeavesCompleteRows) {
   const Scratch scratch;
   const auto run = scratch.folder() / "run";
   Program program(room_for("3600", "run"), Circumstances{scratch.folder()});
-  ASSERT_TRUE(testing::has_lines(run / "series.csv", 35));  // past the first second of the run
+  ASSERT_TRUE(testing::has_lines(run / "series.csv", 35));  // beyond the first second of the run
   program.signal(SIGKILL);
   EXPECT_EQ(program.wait().signal, SIGKILL);
   const nlohmann::json summary = testing::summary_of(run);
@@ -227,7 +228,7 @@ TEST(ProgramRun, KilledLeavesWholeRows) {
   testing::expect_whole_tables(run);
 }
 
-TEST(ProgramRun, ACoveredLensIsSaid) {
+TEST(ProgramRun, ACoveredLensIsReported) {
   const Scratch scratch;
   const auto run = scratch.folder() / "run";
   const Ended ended =
@@ -247,7 +248,7 @@ TEST(ProgramRun, ACoveredLensIsSaid) {
   testing::expect_whole_tables(run);
 }
 
-TEST(ProgramRun, NothingElseIsTakenForTheTarget) {
+TEST(ProgramRun, IsNotStartedByOtherTexture) {
   const Scratch scratch;
   for (const char* heading : {"1.0", "3.1"}) {
     const Words turned_away = {"--set", std::string("room.start_heading_rad=") + heading};
@@ -260,7 +261,7 @@ TEST(ProgramRun, NothingElseIsTakenForTheTarget) {
   }
 }
 
-TEST(ProgramRun, NothingIsLostByAFolderUsedBefore) {
+TEST(ProgramRun, KeepsFilesInAnExistingFolder) {
   const Scratch scratch;
   scratch.write("run/notes.txt", "mine");
   EXPECT_EQ(testing::incognita(room_for("1", "run"), scratch.folder()).code, 0);
@@ -269,7 +270,7 @@ TEST(ProgramRun, NothingIsLostByAFolderUsedBefore) {
   EXPECT_EQ(testing::lines(scratch.folder() / "run/series.csv").size(), 4u);
 }
 
-TEST(ProgramRun, SaysAtItsEndWhatItAchieved) {
+TEST(ProgramRun, EndsWithASummary) {
   const Scratch scratch;
   const Ended ended = testing::incognita(room_for("2", "run"), scratch.folder());
   for (const char* line : {"run          done\n", "frames       60 in 2.0 s: ", "path         ",
@@ -284,7 +285,7 @@ TEST(ProgramRun, SaysAtItsEndWhatItAchieved) {
   EXPECT_LE(said["frames_with_truth"], 60);
 }
 
-TEST(ProgramRun, SaysWhatItAchievedWhenItWasLostToo) {
+TEST(ProgramRun, ALostRunEndsWithASummaryToo) {
   const Scratch scratch;
   const Ended ended =
       testing::incognita(room_for("5", "run", {"--set", "room.cover_lens_from_s=2"}), scratch.folder());
@@ -294,7 +295,7 @@ TEST(ProgramRun, SaysWhatItAchievedWhenItWasLostToo) {
   EXPECT_SILENT_ON(ended.out, " 0 lost");
 }
 
-TEST(ProgramRun, CallsNothingMetersWhereTheScaleIsUnobservable) {
+TEST(ProgramRun, UsesNoMetersWhereTheScaleIsUnobservable) {
   const Scratch scratch;
   const Ended ended = testing::incognita(
       {"run", "room", "--duration", "2", "--out", "run", "--set", "start.from=free"}, scratch.folder());
@@ -306,7 +307,7 @@ TEST(ProgramRun, CallsNothingMetersWhereTheScaleIsUnobservable) {
   EXPECT_SAYS(testing::contents(scratch.folder() / "run/figures/errors.svg"), "arbitrary");
 }
 
-TEST(ProgramRun, SaysThatGnuplotIsMissing) {
+TEST(ProgramRun, ReportsAMissingGnuplot) {
   const Scratch scratch;
   const std::string path = ::getenv("PATH");
   ::setenv("PATH", scratch.folder().c_str(), 1);
@@ -320,7 +321,7 @@ TEST(ProgramRun, SaysThatGnuplotIsMissing) {
   EXPECT_TRUE(exists(scratch.folder() / "run/figures/map.gp"));
 }
 
-TEST(ProgramRun, AFolderIsWrittenByOneRunAtATime) {
+TEST(ProgramRun, OnlyOneRunWritesToAFolder) {
   const Scratch scratch;
   const auto run = scratch.folder() / "same";
   Program first(room_for("3600", "same"), Circumstances{scratch.folder()});
@@ -329,7 +330,7 @@ TEST(ProgramRun, AFolderIsWrittenByOneRunAtATime) {
   const std::string settings = testing::contents(run / "effective.toml");
   const Ended second = testing::incognita(room_for("0.2", "same", {"--seed", "9"}), scratch.folder());
   EXPECT_EQ(second.code, 2);
-  EXPECT_SAYS(second.err, "--out same: another command is at work in it");
+  EXPECT_SAYS(second.err, "--out same: another command is running in it");
   EXPECT_SAYS(second.err, "choose another folder with --out");
   EXPECT_EQ(second.out, "");
   EXPECT_EQ(testing::everything_in(run), files);
@@ -337,10 +338,10 @@ TEST(ProgramRun, AFolderIsWrittenByOneRunAtATime) {
   const Ended campaign = testing::incognita(
       {"campaign", "room", "--seeds", "1", "--duration", "0.1", "--out", "same"}, scratch.folder());
   EXPECT_EQ(campaign.code, 2);
-  EXPECT_SAYS(campaign.err, "--out same: another command is at work in it");
+  EXPECT_SAYS(campaign.err, "--out same: another command is running in it");
   const Ended claims = testing::incognita({"reproduce", "6.1", "--out", "same"}, scratch.folder());
   EXPECT_EQ(claims.code, 2);
-  EXPECT_SAYS(claims.err, "--out same: another command is at work in it");
+  EXPECT_SAYS(claims.err, "--out same: another command is running in it");
   EXPECT_EQ(testing::everything_in(run), files);
 
   first.signal(SIGKILL);

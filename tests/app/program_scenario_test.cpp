@@ -52,7 +52,7 @@ TEST(ProgramScenario, RefusesWhatIsInTheFile) {
 TEST(ProgramScenario, RefusesWhatIsNoFile) {
   const Scratch scratch;
   scratch.write("folder/file", "");
-  expect_refused(scratch, {"folder"}, {"folder: is a folder, a file is wanted"});
+  expect_refused(scratch, {"folder"}, {"folder: is a folder, not a file"});
   expect_refused(scratch, {"folder/file/more.toml"}, {"folder/file/more.toml: no such scenario file"});
   expect_refused(scratch, {"/dev/zero"}, {"/dev/zero: is larger than the 1048576 bytes allowed"});
   scratch.write("empty.toml", "");
@@ -155,7 +155,7 @@ TEST(ProgramScenario, RefusesTargetsThatCannotBe) {
       {head + three + corner("[4, -0.2, 1.5]"), {"the corners are not in one plane"}},
       {head + three + corner("[3, -0.2, 1.5]", "nowhere.pgm"),
        {"t.toml:14: patch", "nowhere.pgm is not there"}},
-      {head + three + corner("[3, -0.2, 1.5]", "cut.pgm"), {"t.toml:14: patch", "cut.pgm", "cut short"}},
+      {head + three + corner("[3, -0.2, 1.5]", "cut.pgm"), {"t.toml:14: patch", "cut.pgm", "truncated"}},
       {head + three + corner("[3, -0.2, 1.5]", "."), {"t.toml:14: patch"}},
       {"\x01\xff\x02", {"t.toml:1: not valid TOML"}},
       {"", {"t.toml:1: name: is missing"}},

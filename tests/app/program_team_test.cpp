@@ -1,4 +1,4 @@
-// The program on teams of vehicles: the scenarios built in, what a run leaves, and what is refused.
+// The program with teams of vehicles: built-in scenarios, output of a run, and refusals.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ std::string bytes_of(const std::filesystem::path& file) {
 
 class BuiltInTeams : public ::testing::TestWithParam<const char*> {};
 
-TEST_P(BuiltInTeams, RunsAndKnowsHowSureItIs) {
+TEST_P(BuiltInTeams, RunConsistently) {
   const Scratch scratch;
   const Ended ended = testing::incognita(
       {"run", GetParam(), "--duration", "6", "--out", "run", "--no-figures"}, scratch.folder());
@@ -50,7 +50,7 @@ INSTANTIATE_TEST_SUITE_P(All, BuiltInTeams,
                            return name;
                          });
 
-TEST(ProgramTeam, CountsRightMatchesWhereNothingHasAName) {
+TEST(ProgramTeam, CountsCorrectMatchesWithoutIdentities) {
   const Scratch scratch;
   const Ended ended = testing::incognita({"run", "free-camera", "--duration", "3", "--set",
                                           "association.method=nearest", "--out", "run", "--no-figures"},
@@ -61,10 +61,10 @@ TEST(ProgramTeam, CountsRightMatchesWhereNothingHasAName) {
   EXPECT_GT(summary["matches_right"].get<int>(), 100);
   EXPECT_LT(summary["matches_wrong"].get<int>(), summary["matches_right"].get<int>() / 20);
   EXPECT_TRUE(summary.contains("matches_missed"));
-  EXPECT_TRUE(summary.contains("landmarks_born_again"));
+  EXPECT_TRUE(summary.contains("duplicate_landmarks"));
 }
 
-TEST(ProgramTeam, LeavesEveryVehiclesPath) {
+TEST(ProgramTeam, WritesEveryVehiclesPath) {
   const Scratch scratch;
   const std::filesystem::path run = scratch.folder() / "run";
   ASSERT_EQ(
@@ -79,7 +79,7 @@ TEST(ProgramTeam, LeavesEveryVehiclesPath) {
   const Ended compared = testing::incognita(
       {"evaluate", "run/estimate-2.tum", "--truth", "run/truth-2.tum", "--align", "none"}, scratch.folder());
   EXPECT_EQ(compared.code, 0) << compared.err;
-  // One vehicle in the same folder: the second's files go
+  // A later run with one vehicle in the same folder removes the second vehicle's files
   ASSERT_EQ(testing::incognita({"run", "circle", "--duration", "1", "--out", "run", "--no-figures"},
                                scratch.folder())
                 .code,
@@ -87,7 +87,7 @@ TEST(ProgramTeam, LeavesEveryVehiclesPath) {
   EXPECT_FALSE(std::filesystem::exists(run / "estimate-2.tum"));
 }
 
-TEST(ProgramTeam, GivesTheSameBytesForTheSameSeed) {
+TEST(ProgramTeam, IsDeterministicForASeed) {
   const Scratch scratch;
   const auto go = [&](const char* seed, const char* out) {
     ASSERT_EQ(testing::incognita(
@@ -103,7 +103,7 @@ TEST(ProgramTeam, GivesTheSameBytesForTheSameSeed) {
   }
 }
 
-/// A run of two robots whose truth has gaps: 16 of 21 ticks of robot 1 have it, 18 of robot 2.
+/// A run of two robots whose truth has gaps: 16 of 21 ticks of robot 1 have a truth, 18 of robot 2.
 class RecordedTeamWithGaps : public ::testing::Test {
  protected:
   RecordedTeamWithGaps() {
@@ -118,8 +118,8 @@ class RecordedTeamWithGaps : public ::testing::Test {
 
   std::filesystem::path run() const { return scratch_.folder() / "run"; }
 
-  /// From the estimated poses and the path that the robot really took, over the ticks at which its own truth
-  /// is recorded.
+  /// Errors from the estimated poses and the true path of the robot, over the ticks at which its own truth is
+  /// recorded.
   struct Worked {
     int ticks = 0;
     double rms_m = 0;
@@ -141,7 +141,7 @@ class RecordedTeamWithGaps : public ::testing::Test {
   Scratch scratch_;
 };
 
-TEST_F(RecordedTeamWithGaps, ComparesEachRobotWhereItsOwnTruthIsKnown) {
+TEST_F(RecordedTeamWithGaps, ComparesEachRobotWithItsOwnTruth) {
   const Ended ended =
       testing::incognita({"run", "s.toml", "--out", "run", "--no-figures"}, scratch_.folder());
   ASSERT_EQ(ended.code, 0) << ended.err;
@@ -162,18 +162,18 @@ TEST_F(RecordedTeamWithGaps, ComparesEachRobotWhereItsOwnTruthIsKnown) {
   testing::expect_whole_tables(run());
 }
 
-TEST_F(RecordedTeamWithGaps, EvaluateComparesEachRobotTheSame) {
+TEST_F(RecordedTeamWithGaps, EvaluateGivesTheSameErrors) {
   ASSERT_EQ(testing::incognita({"run", "s.toml", "--out", "run", "--no-figures"}, scratch_.folder()).code, 0);
   const Ended ended = testing::incognita({"evaluate", "run", "--json"}, scratch_.folder());
   ASSERT_EQ(ended.code, 0) << ended.err;
   const auto answer = nlohmann::json::parse(ended.out), summary = testing::summary_of(run());
   ASSERT_EQ(answer["vehicles"].size(), 2u);
   for (std::size_t robot = 0; robot < 2; ++robot) {
-    const auto &one = answer["vehicles"][robot], &told = summary["vehicles"][robot];
-    EXPECT_EQ(one["matched"], told["compared_frames"]);
+    const auto &one = answer["vehicles"][robot], &summarized = summary["vehicles"][robot];
+    EXPECT_EQ(one["matched"], summarized["compared_frames"]);
     EXPECT_EQ(one["estimate_poses"], 21);
-    EXPECT_NEAR(one["ate_m"]["rmse"].get<double>(), told["ate_m"].get<double>(), 1e-9);
-    EXPECT_NEAR(one["mean_nees"].get<double>(), told["mean_nees"].get<double>(), 1e-6);
+    EXPECT_NEAR(one["ate_m"]["rmse"].get<double>(), summarized["ate_m"].get<double>(), 1e-9);
+    EXPECT_NEAR(one["mean_nees"].get<double>(), summarized["mean_nees"].get<double>(), 1e-6);
   }
   EXPECT_EQ(answer["matched"], summary["compared_poses"]);
   EXPECT_NEAR(answer["ate_m"]["rmse"].get<double>(), summary["ate_m"].get<double>(), 1e-9);
@@ -187,11 +187,11 @@ TEST_F(RecordedTeamWithGaps, EvaluateRefusesOneTruthForSeveralRobots) {
   ASSERT_EQ(testing::incognita({"run", "s.toml", "--out", "run", "--no-figures"}, scratch_.folder()).code, 0);
   const Ended ended = testing::incognita({"evaluate", "run", "--truth", "run/truth.tum"}, scratch_.folder());
   EXPECT_EQ(ended.code, 2);
-  EXPECT_SAYS(ended.err, "team of 2 vehicles");
+  EXPECT_SAYS(ended.err, "is a run of 2 vehicles");
   EXPECT_SAYS(ended.err, "estimate-2.tum");
 }
 
-TEST(ProgramTeam, ChoosesItsMovesAndSaysWhy) {
+TEST(ProgramTeam, DecidesAndReportsItsScores) {
   const Scratch scratch;
   std::ostringstream text;
   text << "[run]\nworld = \"points\"\nsensor = \"range-bearing\"\nrate_hz = 10\nduration_s = "
@@ -205,7 +205,7 @@ TEST(ProgramTeam, ChoosesItsMovesAndSaysWhy) {
   EXPECT_SAYS(bytes_of(scratch.folder() / "run/actions.csv"), "t,chosen,");
 }
 
-TEST(ProgramTeam, RefusesAndLeavesNothing) {
+TEST(ProgramTeam, RefusesInvalidSettingsAndLeavesNothing) {
   const Scratch scratch;
   const auto refused = [&](const testing::Words& sets, const char* because) {
     testing::Words words{"run", "circle", "--out", "run"};

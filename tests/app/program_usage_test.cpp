@@ -1,4 +1,4 @@
-// What the program says, where, and with which exit code, before any work is done.
+// Usage errors: messages, streams and exit codes before any work is done.
 #include <gtest/gtest.h>
 
 #include <csignal>
@@ -41,31 +41,31 @@ TEST(ProgramUsage, EveryHelpHasAnExample) {
   }
 }
 
-TEST(ProgramUsage, SaysItsVersion) {
+TEST(ProgramUsage, PrintsItsVersion) {
   const Ended version = ended({"--version"});
   EXPECT_EQ(version.code, 0);
   EXPECT_EQ(version.out, INCOGNITA_VERSION "\n");
 }
 
-TEST(ProgramUsage, NamesWhatIsWrongAndTheNearestThatIsNot) {
-  expect_usage_error({}, "a command is wanted: run, evaluate, config");
+TEST(ProgramUsage, ErrorsSuggestTheNearestName) {
+  expect_usage_error({}, "a command is required: run, evaluate, config");
   expect_usage_error({"evalaute"}, "there is no command `evalaute`; the nearest is `evaluate`");
   expect_usage_error({"--verson"}, "there is no option `--verson`; the nearest is `--version`");
   expect_usage_error({"run", "room", "--sed", "3"}, "there is no option `--sed`; the nearest is `--seed`");
   expect_usage_error({"run", "room", "--durations=3"}, "`--durations`; the nearest is `--duration`");
-  expect_usage_error({"run", "room", "davison"}, "`davison` is one word too many");
+  expect_usage_error({"run", "room", "davison"}, "unexpected argument `davison`");
   expect_usage_error({"run", "room", "--set"}, "--set");
   expect_usage_error({"evaluate"}, "ESTIMATE is required");
   expect_usage_error({"run", "rom"}, "rom: no such scenario file, nor a built-in scenario");
   expect_usage_error({"run", "rom"}, "the nearest is room");
   expect_usage_error({"config", "davisn"}, "the nearest is davison");
-  expect_usage_error({"run", "room", "--out", ""}, "--out: names nothing");
+  expect_usage_error({"run", "room", "--out", ""}, "--out: is empty");
 }
 
-TEST(ProgramUsage, FlagsAreHeldToTheirSettings) {
+TEST(ProgramUsage, FlagsAreCheckedLikeTheirSettings) {
   expect_usage_error({"run", "room", "--seed", "-1"}, "--seed: run.seed = -1: must be at least 0");
   expect_usage_error({"run", "room", "--seed", "1.5"}, "--seed: run.seed = 1.5: must be a whole number");
-  // more than 64 bits hold: another seed in its place would be a lie
+  // more than 64 bits: it must not be replaced by another seed
   expect_usage_error({"run", "room", "--seed", "99999999999999999999"},
                      "run.seed = 99999999999999999999: must");
   for (const char* value : {"0", "nan", "1e9", "soon", ""})
@@ -73,14 +73,14 @@ TEST(ProgramUsage, FlagsAreHeldToTheirSettings) {
                        std::string("run.duration_s = ") + value + ": must");
 }
 
-TEST(ProgramUsage, ResultsAloneAreOnStandardOutput) {
+TEST(ProgramUsage, StandardOutputHasOnlyResults) {
   const Ended config = ended({"config", "room", "--json", "--set", "run.seed=7"});
   EXPECT_EQ(config.code, 0);
   EXPECT_TRUE(nlohmann::json::accept(config.out));
   EXPECT_SAYS(config.err, "run.seed = 7 (--set) replaces 1");
 }
 
-TEST(ProgramUsage, ResultsThatDoNotArriveAreAFailure) {
+TEST(ProgramUsage, UnwritableResultsAreAFailure) {
   const Scratch scratch;
   for (const Words& words : {Words{"config", "room"}, Words{"config", "room", "--json"}, Words{"--help"}}) {
     for (const Stream where : {Stream::full_disk, Stream::closed}) {
@@ -91,16 +91,17 @@ TEST(ProgramUsage, ResultsThatDoNotArriveAreAFailure) {
   }
 }
 
-TEST(ProgramUsage, NobodyListeningEndsItWithoutNoise) {
+TEST(ProgramUsage, AClosedPipeEndsItSilently) {
   const Scratch scratch;
-  const Ended found = testing::incognita({"config", "room"}, Circumstances{scratch.folder(), Stream::nobody});
-  EXPECT_EQ(found.signal, SIGPIPE);  // as any filter
+  const Ended found =
+      testing::incognita({"config", "room"}, Circumstances{scratch.folder(), Stream::no_reader});
+  EXPECT_EQ(found.signal, SIGPIPE);  // as for any filter
   EXPECT_EQ(found.err, "");
 }
 
-TEST(ProgramUsage, MessagesThatNobodyHearsChangeNothing) {
+TEST(ProgramUsage, UnwritableMessagesChangeNothing) {
   const Scratch scratch;
-  for (const Stream where : {Stream::full_disk, Stream::closed, Stream::nobody}) {
+  for (const Stream where : {Stream::full_disk, Stream::closed, Stream::no_reader}) {
     const std::string out = "run" + std::to_string(static_cast<int>(where));
     const Words words = {"run", "room", "--duration", "0.1", "--no-figures", "--out", out};
     const Ended run = testing::incognita(words, Circumstances{scratch.folder(), Stream::kept, where});

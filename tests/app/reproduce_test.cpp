@@ -1,4 +1,4 @@
-// `incognita reproduce` with experiments made for these tests.
+// The command `incognita reproduce` with experiments defined for these tests.
 #include "incognita/app/commands/reproduce.hpp"
 
 #include <gtest/gtest.h>
@@ -61,7 +61,7 @@ Result reproduce(std::vector<std::string> words) {
       [](CLI::App& app, std::function<int()>& job) { add_reproduce(app, job, experiments); }, words);
 }
 
-TEST(Reproduce, RunsTheExampleOfAFigureAndGivesItsWholeEntry) {
+TEST(Reproduce, RunsTheExampleOfAFigureWithItsWholeEntry) {
   const Scratch scratch;
   const Result result = reproduce({"fig-1.2", "1.1", "--json", "--seeds", "7", "--out", scratch / "out"});
   EXPECT_EQ(result.code, 0);
@@ -80,7 +80,7 @@ TEST(Reproduce, RunsTheExampleOfAFigureAndGivesItsWholeEntry) {
   EXPECT_HAS(result.err, "1 claim: 0 hold, 0 hold as corrected, 1 does not hold, 0 are undecided");
 }
 
-TEST(Reproduce, GoesOnAfterAFailureAndSaysSo) {
+TEST(Reproduce, ContinuesAfterAFailureAndReportsIt) {
   const Scratch scratch;
   const Result result = reproduce({"--out", scratch / "out"});
   EXPECT_EQ(result.code, 1);
@@ -93,7 +93,7 @@ TEST(Reproduce, GoesOnAfterAFailureAndSaysSo) {
   EXPECT_EQ(json[1]["id"], "1.3");
 }
 
-TEST(Reproduce, WhatIsSkippedIsNoFailure) {
+TEST(Reproduce, ASkippedExperimentIsNotAFailure) {
   const Scratch scratch;
   const Result result = reproduce({"1.3", "--json", "--out", scratch / "out"});
   EXPECT_EQ(result.code, 0);
@@ -103,7 +103,7 @@ TEST(Reproduce, WhatIsSkippedIsNoFailure) {
   EXPECT_EQ(result.err.find("0 claims"), std::string::npos) << result.err;
 }
 
-TEST(Reproduce, NothingOfAnEarlierLedgerStays) {
+TEST(Reproduce, ReplacesAnEarlierLedger) {
   const Scratch scratch;
   reproduce({"1.1", "--out", scratch / "out"});
   EXPECT_EQ(reproduce({"1.2", "--out", scratch / "out"}).code, 1);
@@ -119,17 +119,17 @@ TEST(Reproduce, ListsWithoutRunning) {
   EXPECT_EQ(json[0]["id"], "1.2");
 }
 
-TEST(Reproduce, RefusesWhatIsNotThere) {
+TEST(Reproduce, RefusesUnknownIds) {
   const auto message = [](const std::vector<std::string>& words) {
     return testing::message_of([&] { reproduce(words); });
   };
   EXPECT_HAS(message({"fig-1.22"}), "there is no example or figure `fig-1.22`; the nearest is `fig-1.2`");
   EXPECT_HAS(message({"1.1", "1.4"}), "no example or figure `1.4`; the nearest is `1.1`");
-  EXPECT_HAS(message({"--out", ""}), "--out: names nothing");
+  EXPECT_HAS(message({"--out", ""}), "--out: is empty");
   EXPECT_THROW(reproduce({"1.1", "--out", "/dev/null/nowhere"}), RecordError);
 }
 
-TEST(Reproduce, AllExperimentsHaveNamesOfTheirOwn) {
+TEST(Reproduce, AllExperimentsHaveUniqueNames) {
   std::set<std::string> names;
   for (const Experiment& experiment : all_experiments()) {
     EXPECT_TRUE(names.insert(experiment.id).second) << experiment.id;

@@ -40,7 +40,7 @@ Ran run(const LoadedScenario& loaded) {
 
 Ran drive(const std::vector<std::string>& sets) { return run(load_scenario("rendered-terrain", sets)); }
 
-TEST(RoomVehicle, KnowsWhereItIsByImagesAloneOnUnevenGround) {
+TEST(RoomVehicle, LocalizesByImagesOnUnevenGround) {
   const Ran ran = drive({"run.duration_s=8"});
   EXPECT_EQ(ran.frames, 240);
   EXPECT_EQ(ran.lost, 0);
@@ -49,7 +49,7 @@ TEST(RoomVehicle, KnowsWhereItIsByImagesAloneOnUnevenGround) {
   EXPECT_GT(ran.last.landmarks.size(), 10u);
 }
 
-TEST(RoomVehicle, WheelsHelp) {
+TEST(RoomVehicle, OdometryReducesTheSpeedSigma) {
   const Ran images = drive({"run.duration_s=4"}),
             wheels = drive({"run.duration_s=4", "filter.odometry=true"});
   EXPECT_EQ(wheels.lost, 0);
@@ -63,7 +63,7 @@ TEST(RoomVehicle, SameSeedSameRun) {
   EXPECT_EQ(one.last.covariance, two.last.covariance);
 }
 
-TEST(RoomVehicle, DecidesHowItDrivesAndDecidesTheSameAgain) {
+TEST(RoomVehicle, DecidesDeterministically) {
   const auto explored = [](const std::vector<std::string>& sets) {
     return run(load_scenario("explore-terrain", sets));
   };
@@ -80,7 +80,7 @@ TEST(RoomVehicle, DecidesHowItDrivesAndDecidesTheSameAgain) {
   EXPECT_EQ(ran.last.decision.scores, again.last.decision.scores);
 }
 
-TEST(RoomVehicle, KeepsClearOfWalls) {
+TEST(RoomVehicle, AvoidsWalls) {
   const testing::Scratch scratch;
   const auto straight_on = [&](const std::string& obstacle_avoidance) {
     const std::string text =
@@ -89,9 +89,9 @@ TEST(RoomVehicle, KeepsClearOfWalls) {
         "0.3\n[steer]\ninput = [0.5, 0]\n";
     return run(load_scenario(scratch.write("mine.toml", text + obstacle_avoidance).string())).farthest_m;
   };
-  EXPECT_GT(straight_on("keep_clear_m = 0.9"), 2) << "it never came near";
+  EXPECT_GT(straight_on("keep_clear_m = 0.9"), 2) << "it never came near the wall";
   EXPECT_LT(straight_on("keep_clear_m = 0.9"), 3 - 0.3 - 0.03);
-  EXPECT_GT(straight_on(""), 3 - 0.3 - 0.03) << "nor would it without";
+  EXPECT_GT(straight_on(""), 3 - 0.3 - 0.03) << "it reaches the wall without avoidance";
 }
 
 TEST(RoomVehicle, IsRefusedWithTheKey) {

@@ -25,7 +25,7 @@ namespace {
 constexpr double rate_hz = 30;
 constexpr int seeds = 8;
 
-/// The default scenario; one room for all seeds, as painting it takes longest.
+/// The default scenario; one room for all seeds, since painting its textures takes longest.
 struct Setup {
   LoadedScenario loaded = load_scenario("room");
   const Scenario& scenario = loaded.scenario;
@@ -80,7 +80,7 @@ void expect_in_band(const char* name, const std::vector<Ran>& runs, int dof) {
 
 // Two cameras
 
-/// The second camera looks to the right of the first, from 0.1 m beside it; the axes of the body are those of the
+/// The second camera faces to the right of the first, 0.1 m beside it; the axes of the body are those of the
 /// first camera.
 const Mount second_camera{.forward_m = 0.1, .left_m = 0, .up_m = 0};
 
@@ -102,7 +102,7 @@ SlamEstimator with_cameras(int count, std::uint64_t seed) {
   return SlamEstimator(std::move(settings), std::move(cameras));
 }
 
-/// A sway to the side and up, and of the gaze, so that depths are measured.
+/// Sways to the side and up, with a swing of the gaze, so that depths become observable.
 Command sway(double t) {
   Command command;
   command.linear_acceleration = {0.1 * std::cos(t), 0.5 * std::cos(2.1 * t), 0.4 * std::cos(2.6 * t + 1)};

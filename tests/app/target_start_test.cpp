@@ -1,4 +1,5 @@
-// Where a camera begins by the sheet in the rendered room: near it rightly, and from far rather not at all.
+// Starts of a camera from the sheet in the rendered room: accurate when near, and refused rather than wrong
+// when far.
 #include <gtest/gtest.h>
 
 #include "incognita/io/scenario/camera.hpp"
@@ -21,11 +22,11 @@ struct From {
 
 struct Found {
   int pictures = 0, poses = 0;
-  double most_m = 0;       ///< that a pose is off
-  double most_sigmas = 0;  ///< the same, by its covariance
+  double most_m = 0;       ///< greatest error of a pose
+  double most_sigmas = 0;  ///< the same as Mahalanobis distance
 };
 
-/// From around a distance from the sheet, over rooms, looking towards it by and large.
+/// Starts about a distance from the sheet, over several rooms, facing it approximately.
 Found found_from(const From& from) {
   const LoadedScenario loaded = load_scenario("room");
   const Scenario& s = loaded.scenario;
@@ -45,7 +46,7 @@ Found found_from(const From& from) {
     summed.assign(image);
     const TargetSearch search = find_target(target, camera, summed, s.slam.filter.sigma_pixel_px);
     ++found.pictures;
-    EXPECT_NE(search.pose.has_value(), !search.reason.empty()) << "a pose, or why there is none";
+    EXPECT_NE(search.pose.has_value(), !search.reason.empty()) << "a pose, or the reason for its absence";
     if (!search.pose) continue;
     ++found.poses;
     const Eigen::Vector3d off = search.pose->position - at;
@@ -56,7 +57,7 @@ Found found_from(const From& from) {
   return found;
 }
 
-TEST(TargetStart, NearTheSheetItIsFound) {
+TEST(TargetStart, NearTheSheetItIsDetected) {
   for (const double distance_m : {0.9, 1.4}) {
     const Found found = found_from({distance_m, 0.1, 1, 8});
     EXPECT_GE(found.poses, 7) << "of " << found.pictures << " from " << distance_m << " m";
@@ -65,18 +66,18 @@ TEST(TargetStart, NearTheSheetItIsFound) {
   }
 }
 
-/// From there its corners are a few pixels apart, and other things stand likewise.
-TEST(TargetStart, FromFarNothingElseIsTakenForIt) {
+/// From far its corners are a few pixels apart, and other texture has a similar arrangement.
+TEST(TargetStart, FromFarNoOtherTextureIsAccepted) {
   for (const double distance_m : {2.4, 3.0, 4.0}) {
     const Found found = found_from({distance_m, 0.1, 1, 8});
     EXPECT_LT(found.most_m, 0.6) << found.poses << " of " << found.pictures << " from " << distance_m << " m";
   }
-  EXPECT_GT(found_from({4, 0.5, 32, 1, false}).most_m, 1) << "were it not for the picture";
+  EXPECT_GT(found_from({4, 0.5, 32, 1, false}).most_m, 1) << "without the picture";
   EXPECT_EQ(found_from({4, 0.5, 32, 1}).poses, 0);
 }
 
-/// Whose picture is not what hangs there is told so, and not that its corners are wrong.
-TEST(TargetStart, SaysWhenItIsThePictureThatDiffers) {
+/// If the picture differs from the sheet, the reason names the picture, not the corners.
+TEST(TargetStart, ReportsADifferentPicture) {
   const LoadedScenario loaded = load_scenario("room");
   const Camera camera = make_camera(loaded.scenario.camera);
   const Room room(loaded.scenario.room, 1);

@@ -1,5 +1,5 @@
-// Five robots that see each other, as recorded (UTIAS MRCLAM): skipped, and said so, where the recording is
-// not.
+// Five robots that detect each other, as recorded (UTIAS MRCLAM); skipped, with the reason, without the
+// recording.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,7 +14,7 @@
 namespace incognita {
 namespace {
 
-/// Commands are told, not what the wheels did: their noise is mostly what robots make of them.
+/// The odometry has commanded velocities, not wheel readings: its noise is mostly the robots' response.
 BodyModel member_of(const RangeRecording& recording, double first_t) {
   BodyModel member = body_with_sensor(DifferentialDrive{}, RangeBearingSensor{}, {}, {}, {}, {});
   auto place = true_position(recording, first_t);
@@ -65,7 +65,7 @@ Errors drive(const std::vector<RangeRecording>& robots, bool see_each_other) {
   return errors;
 }
 
-TEST(TeamRecording, RobotsThatSeeEachOtherKnowMoreThanEachAlone) {
+TEST(TeamRecording, RelativeDetectionsReduceErrors) {
   std::vector<RangeRecording> robots;
   try {
     robots = read_mrclam_team(find_data("mrclam/MRCLAM_Dataset7", "", "test"));

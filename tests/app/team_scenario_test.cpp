@@ -430,7 +430,7 @@ TEST(TeamScenario, AFreeCameraFindsWhatItSeesAndIsAsSureOfItselfAsByNames) {
   }
   RecordProperty("right", std::to_string(right)), RecordProperty("wrong", std::to_string(wrong));
   RecordProperty("missed", std::to_string(missed)),
-      RecordProperty("born_again", std::to_string(duplicate_landmarks));
+      RecordProperty("duplicate_landmarks", std::to_string(duplicate_landmarks));
   EXPECT_GT(right, 4000);
   EXPECT_LT(static_cast<double>(wrong), 0.02 * static_cast<double>(right));
   EXPECT_LT(static_cast<double>(missed), 0.02 * static_cast<double>(right));
@@ -468,7 +468,7 @@ TEST(TeamScenario, ReadsPlacesAndPathsFromTables) {
     run(load_scenario((scratch.folder() / "s.toml").string(), {}));
     FAIL() << "an id twice";
   } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("points.csv:3: landmark 7 is there twice"), std::string::npos)
+    EXPECT_NE(std::string(error.what()).find("points.csv:3: landmark 7 occurs twice"), std::string::npos)
         << error.what();
   }
 }

@@ -1,5 +1,5 @@
-// The simulated environment of thesis Appendix B: every motion with every sensor, filter and controller that
-// fits.
+// The simulated environment of thesis Appendix B: every motion model with every sensor, filter and controller
+// that fits.
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
@@ -24,7 +24,7 @@ SmallVector vec(std::initializer_list<double> numbers) {
   return v;
 }
 
-/// Vehicles in a place, what they believe, and where they are to go.
+/// Vehicles in a world, their filter, and their paths.
 struct Scene {
   std::vector<SimulatedVehicle> vehicles;
   EstimatorSettings filter;
@@ -49,9 +49,9 @@ struct Scene {
 
 struct Result {
   Estimate estimate;
-  double nees = 0;              ///< of all vehicles, mean, over its degrees of freedom
+  double nees = 0;              ///< mean of all vehicles, divided by its degrees of freedom
   double tracking_m = 0;        ///< true distance from the path, mean of the last third
-  double position_error_m = 0;  ///< at the end, the largest
+  double position_error_m = 0;  ///< largest, at the end
 };
 
 double nees_of(const Scene& scene, const Estimate& estimate, const Truth& truth, std::size_t i) {
@@ -118,7 +118,7 @@ Camera wide_angle() {
   return camera;
 }
 
-/// A registered motion with its sensor off the axle, as control laws need it.
+/// A registered motion model with its sensor off the axle, as control laws require.
 AnyMotion motion_named(const std::string& name) {
   AnyMotion motion = make_motion(name);
   const bool steers = traits_of(motion).has_input("steering");
@@ -148,7 +148,7 @@ SmallVector sigmas_of(const AnySensor& sensor) {
                    {{"range_m", 0.1}, {"bearing_rad", measures_range ? 0.02 : 0.01}, {"pixel_px", 1.0}});
 }
 
-/// A vehicle that goes round, or on a line to a point; sees what it needs to keep its place.
+/// A vehicle on a circle, or on a line to a point; its world has what the sensor needs to localize.
 Scene scene_of(const AnyMotion& motion, const AnySensor& sensor, const std::string& linearization,
                const std::string& form = "covariance") {
   Scene scene;
@@ -160,7 +160,7 @@ Scene scene_of(const AnyMotion& motion, const AnySensor& sensor, const std::stri
                  : line ? vec({0})
                         : at_rest(motion, {4, -1, 0}, 1.57);
   member.start_sigmas = SmallVector::Constant(chart_of(motion).tangent(), 0.01);
-  if (free && form == "covariance") member.start_sigmas.tail(6).setZero();  // it stands still, exactly
+  if (free && form == "covariance") member.start_sigmas.tail(6).setZero();  // it is at rest, exactly
   member.input_sigmas = free ? SmallVector::Constant(6, 0.2) : SmallVector::Constant(inputs_of(motion), 0.05);
   if (free) {
     BackAndForthPath path;
@@ -183,14 +183,14 @@ Scene scene_of(const AnyMotion& motion, const AnySensor& sensor, const std::stri
   scene.rate_hz = dimensions == 3 ? 20 : 10;
   scene.filter.filter.linearization = linearization;
   scene.filter.filter.form = form;
-  if (!measures_distance(sensor))  // they fix place and scale
+  if (!measures_distance(sensor))  // they fix position and scale
     for (int i = 0; i < (dimensions == 3 ? 8 : 4); ++i) scene.filter.anchors[i] = scene.place[i];
   scene.add(member, steer, 1e9);
   return scene;
 }
 
 using Combination = std::tuple<std::string, std::string, const char*, const char*>;
-/// Whether they fit; first-estimate Jacobians were derived for points of the plane seen from planar poses.
+/// Compatibility; first-estimate Jacobians are derived for planar points and planar poses only.
 bool makes_sense(const AnyMotion& motion, const AnySensor& sensor, const std::string& linearization) {
   if (!incompatibility(motion, sensor).empty()) return false;
   return linearization != "first-estimate" ||
@@ -199,7 +199,7 @@ bool makes_sense(const AnyMotion& motion, const AnySensor& sensor, const std::st
 
 class Combinations : public ::testing::TestWithParam<Combination> {};
 
-TEST_P(Combinations, RunsAndKnowsHowSureItIsOrIsRefused) {
+TEST_P(Combinations, IsConsistentOrRefused) {
   const auto [motion_name, sensor_name, linearization, form] = GetParam();
   const AnyMotion motion = motion_named(motion_name);
   const AnySensor sensor = sensor_named(sensor_name, motion);
@@ -208,7 +208,7 @@ TEST_P(Combinations, RunsAndKnowsHowSureItIsOrIsRefused) {
   ASSERT_EQ(problem.empty(), makes_sense(motion, sensor, linearization)) << problem;
   if (!problem.empty()) {
     EXPECT_THROW(SlamEstimator{scene.filter}, std::invalid_argument);
-    EXPECT_GT(problem.size(), 40u) << "a reason, in words";
+    EXPECT_GT(problem.size(), 40u) << "the reason as a sentence";
     return;
   }
   double nees = 0;
@@ -241,7 +241,7 @@ INSTANTIATE_TEST_SUITE_P(
                        ::testing::Values("covariance", "information")),
     name_of);
 
-/// Three that go round beside each other and see 6 m far.
+/// Three vehicles on circles side by side, with a range of 6 m.
 Scene three_on_circles(bool see_each_other, int landmarks, double sigma_start) {
   Scene scene;
   scene.see_each_other = see_each_other;
@@ -264,7 +264,7 @@ Scene three_on_circles(bool see_each_other, int landmarks, double sigma_start) {
   return scene;
 }
 
-TEST(Team, ThatSeesEachOtherKnowsMoreThanOneThatDoesNot) {
+TEST(Team, RelativeDetectionsReduceUncertainty) {
   double together = 0, apart = 0;
   for (std::uint64_t seed = 1; seed <= 10; ++seed)
     for (const bool see : {false, true})
@@ -272,7 +272,7 @@ TEST(Team, ThatSeesEachOtherKnowsMoreThanOneThatDoesNot) {
   EXPECT_LT(together, 0.9 * apart);
 }
 
-/// By how much two estimates of the same differ: means in sigmas, covariances in products of those.
+/// Difference of two estimates of the same blocks: means in sigmas, covariances in products of sigmas.
 double apart(const AnyBelief& a, const AnyBelief& b, const std::vector<BlockId>& blocks) {
   const Eigen::MatrixXd P = a.dense_covariance(), Q = b.dense_covariance();
   if (P.rows() != Q.rows()) return INFINITY;
@@ -300,7 +300,7 @@ std::vector<BlockId> blocks_of(const Estimate& estimate) {
 
 class Forms : public ::testing::TestWithParam<std::tuple<const char*, bool>> {};
 
-TEST_P(Forms, GiveTheSameAnswers) {
+TEST_P(Forms, GiveTheSameEstimate) {
   const auto [linearization, known_map] = GetParam();
   Scene scene = three_on_circles(true, 20, 0.01);
   scene.filter.filter.linearization = linearization;
@@ -315,7 +315,8 @@ TEST_P(Forms, GiveTheSameAnswers) {
   FixedRateClock clock(10, 30);
   Command command;
   for (const SteeringSettings& steer : scene.steering) command.inputs.push_back(steer.most_input * 0.3);
-  // The root of a covariance that sigma points need enlarges rounding where two directions are alike
+  // The square root of a covariance in the unscented transform amplifies rounding where two directions are
+  // nearly alike
   const double tolerance = linearization == std::string("unscented-vehicle") ? 1e-6 : 1e-8;
   std::size_t first_seen = 0;
   while (const Tick tick = clock.next()) {
@@ -335,7 +336,7 @@ TEST_P(Forms, GiveTheSameAnswers) {
   if (known_map)
     EXPECT_EQ(a.belief.errors(), 9);
   else
-    EXPECT_GT(a.landmarks.size(), first_seen) << "born on the way";
+    EXPECT_GT(a.landmarks.size(), first_seen) << "initialized during the run";
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Forms,
@@ -343,7 +344,7 @@ INSTANTIATE_TEST_SUITE_P(All, Forms,
                                                               "first-estimate"),
                                             ::testing::Bool()));
 
-TEST(Forms, InformationIsRefusedWhereItWouldBeInfinite) {
+TEST(Forms, InformationFormRefusesExactPriors) {
   const AnyMotion motion = motion_named("differential-drive");
   EstimatorSettings settings = scene_of(motion, BearingSensor{}, "analytic", "information").filter;
   EXPECT_EQ(validate(settings), "");
@@ -361,8 +362,8 @@ TEST(Forms, InformationIsRefusedWhereItWouldBeInfinite) {
       std::string::npos);
 }
 
-/// Vehicles that cross each other's way, a hand's breadth apart, keep a belief that is as sure as it may be.
-TEST(Team, StaysConsistentWhereVehiclesMeet) {
+/// Vehicles whose paths cross at small distances stay consistent.
+TEST(Team, IsConsistentWhereVehiclesMeet) {
   double nees = 0;
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     Scene scene = three_on_circles(true, 20, 0.01);
@@ -372,9 +373,9 @@ TEST(Team, StaysConsistentWhereVehiclesMeet) {
   EXPECT_LT(nees, 2);
 }
 
-TEST(Team, SaysThatItIsLostWhereNothingIsWhereItShouldBe) {
+TEST(Team, AWrongStartIsReportedAsLost) {
   Scene scene = three_on_circles(false, 20, 0.01);
-  for (BodyModel& member : scene.filter.bodies) member.start[2] += 2;  // sure of a heading that is wrong
+  for (BodyModel& member : scene.filter.bodies) member.start[2] += 2;  // confident of a wrong heading
   scene.filter.anchors = scene.place;
   scene.filter.filter.gate_probability = 0.99;
   const Result result = run(scene, 20, 1);
@@ -383,7 +384,7 @@ TEST(Team, SaysThatItIsLostWhereNothingIsWhereItShouldBe) {
       << result.estimate.status.reason;
 }
 
-TEST(Team, ABodyThatIsLostBrakes) {
+TEST(Team, ALostBodyBrakes) {
   const AnyMotion body = motion_named("free-camera");
   const Scene scene = scene_of(body, sensor_named("stereo", body), "analytic");
   std::vector<VehicleSteering> steering{{body, scene.steering[0]}};
@@ -403,7 +404,7 @@ TEST(Team, ABodyThatIsLostBrakes) {
   EXPECT_TRUE(controller.act(e, {}, {}, {30, 1.5, 0.05}).inputs.empty()) << "then nothing";
 }
 
-TEST(Team, GivesTheSameForTheSameSeed) {
+TEST(Team, IsDeterministicForASeed) {
   const AnyMotion motion = motion_named("differential-drive");
   const Scene scene = scene_of(motion, sensor_named("range-bearing", motion), "analytic");
   const Result a = run(scene, 10, 3), b = run(scene, 10, 3), c = run(scene, 10, 4);
@@ -411,7 +412,7 @@ TEST(Team, GivesTheSameForTheSameSeed) {
   EXPECT_NE(a.nees, c.nees);
 }
 
-TEST(Team, RefusesWhatCannotBe) {
+TEST(Team, RefusesInvalidSettings) {
   const AnyMotion motion = motion_named("differential-drive");
   Scene scene = scene_of(motion, sensor_named("range-bearing", motion), "analytic");
   const auto refused = [](const EstimatorSettings& settings, const char* because) {
@@ -454,7 +455,7 @@ std::string why_not(const AnyMotion& motion, const SteeringSettings& steer, doub
   return "";
 }
 
-TEST(Steering, RefusesWhatCannotBeSteered) {
+TEST(Steering, RefusesInvalidSettings) {
   const AnyMotion on_axle = DifferentialDrive{0, 0}, drive = DifferentialDrive{0.3, 0},
                   car = motion_named("ackermann");
   SteeringSettings s;
@@ -470,7 +471,7 @@ TEST(Steering, RefusesWhatCannotBeSteered) {
   EXPECT_NE(why_not(drive, s, 0.1).find("2 numbers"), std::string::npos);
   s.most_input = vec({0.1, 1});
   s.path = CirclePath{};
-  EXPECT_NE(why_not(drive, s, 0.1), "") << "0.6 m/s are asked of 0.1";
+  EXPECT_NE(why_not(drive, s, 0.1), "") << "the path needs 0.6 m/s, the limit is 0.1 m/s";
   s.most_input = vec({1, 1});
   s.law = "lqg";
   EXPECT_NE(why_not(drive, s, 0.1).find("to a point"), std::string::npos);

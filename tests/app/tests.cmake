@@ -15,14 +15,14 @@ incognita_program_test(program_test
                        SOURCES app/program_usage_test.cpp app/program_scenario_test.cpp app/program_run_test.cpp
                                app/program_disk_test.cpp app/program_evaluate_test.cpp app/program_observe_test.cpp
                                app/program_reproduce_test.cpp)
-# Apart, as it alone renders and writes images: the others start faster without the libraries for that
+# Separate, since it alone renders and writes images: the others start faster without those libraries
 incognita_program_test(program_recording_test SOURCES app/program_recording_test.cpp
                        USES incognita::io incognita::world opencv_core opencv_imgcodecs fmt::fmt)
 incognita_test(target_start_test SOURCES app/target_start_test.cpp USES incognita::io incognita::slam incognita::world)
 incognita_test(davison_test SOURCES app/davison_test.cpp USES incognita::app opencv_imgproc opencv_core)
 incognita_test(reproduce_test SOURCES app/reproduce_test.cpp
                USES incognita_app_reproduce incognita::experiments CLI11::CLI11 nlohmann_json::nlohmann_json)
-# As the recording tests: with a room's own libraries
+# Links modules of the library, like program_recording_test
 incognita_program_test(program_ranges_test SOURCES app/program_ranges_test.cpp USES incognita::io incognita::world)
 incognita_test(car_park_test SOURCES app/car_park_test.cpp USES incognita::app incognita::analysis)
 incognita_test(observability_watch_test SOURCES app/observability_watch_test.cpp USES incognita::app)
@@ -31,7 +31,7 @@ incognita_test(team_recording_test SOURCES app/team_recording_test.cpp USES inco
 incognita_test(team_scenario_test SOURCES app/team_scenario_test.cpp USES incognita::app fmt::fmt)
 incognita_program_test(program_team_test SOURCES app/program_team_test.cpp
                        USES incognita::record fmt::fmt)
-# Apart, as it alone kills what it starts
+# Separate, since it alone kills the programs that it starts
 incognita_program_test(program_campaign_test SOURCES app/program_campaign_test.cpp)
 incognita_test(withheld_truth_test SOURCES app/withheld_truth_test.cpp USES incognita::app)
 incognita_test(room_vehicle_test SOURCES app/room_vehicle_test.cpp USES incognita::app)

@@ -1,5 +1,5 @@
-// What is on the robot's side of the loop (estimator, decision, controller) cannot depend on the truth: fed
-// with the observations and ticks of a run alone, without a world, it gives the same estimates and commands.
+// The robot's side of the loop (estimator, decision, controller) does not depend on the truth: from the
+// observations and ticks of a run alone, without a world, it gives the same estimates and commands.
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>
@@ -19,7 +19,7 @@
 namespace incognita {
 namespace {
 
-// Nothing true has a place in an observation: no state of the world's, and nothing that an operator feels.
+// An observation has no member for true quantities: no state of the world, and none of an operator's motion.
 template <class T>
 constexpr bool has_truth = requires(T o) {
   o.felt;
@@ -103,7 +103,7 @@ std::string commands_of(const Command& command) {
   return text;
 }
 
-/// All that the robot's side made of each tick, in text that tells any two numbers apart.
+/// The output of the robot's side at each tick, as text that distinguishes any two numbers.
 std::vector<std::string> run(LoopParts& parts) {
   std::vector<std::string> made;
   run_loop(
@@ -118,7 +118,7 @@ std::vector<std::string> run(LoopParts& parts) {
   return made;
 }
 
-/// `assembled`: makes the same parts anew.
+/// `assembled`: constructs the same parts again.
 template <class Assembled>
 void expect_same_without_a_world(const Assembled& assembled) {
   Given given;
@@ -140,22 +140,22 @@ LoadedScenario loaded(const std::string& name, const std::vector<std::string>& s
   return load_scenario(name, sets, {});
 }
 
-TEST(WithheldTruth, OfAFreeCameraInTheRoom) {
+TEST(WithheldTruth, FreeCameraInTheRoom) {
   for (const char* name : {"room", "hand-held"})
     expect_same_without_a_world([&] { return assemble(loaded(name, {"run.duration_s=3"})); });
 }
 
-TEST(WithheldTruth, OfAVehicleInTheRoom) {
+TEST(WithheldTruth, VehicleInTheRoom) {
   expect_same_without_a_world(
       [] { return assemble_room_vehicle(loaded("explore-terrain", {"run.duration_s=2"})); });
 }
 
-TEST(WithheldTruth, OfATeam) {
+TEST(WithheldTruth, Team) {
   for (const char* name : {"two-robots", "terrain"})
     expect_same_without_a_world([&] { return assemble_team(loaded(name, {"run.duration_s=4"})); });
 }
 
-TEST(WithheldTruth, OfCamerasThatOperatorsHold) {
+TEST(WithheldTruth, HandHeldCameras) {
   expect_same_without_a_world([] {
     return assemble_team(
         loaded("free-camera", {"run.duration_s=3", "person.holds=true", "person.delay_s=0.1"}));

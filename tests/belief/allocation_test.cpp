@@ -1,4 +1,4 @@
-// The loop allocates nothing once it has seen its largest state and measurement.
+// The loop allocates no memory after its largest state and measurement have occurred.
 #include "tests/allocations.hpp"
 
 #include "incognita/belief/aligned_buffer.hpp"
@@ -7,17 +7,17 @@
 namespace incognita::testing {
 namespace {
 
-TEST_F(Allocation, IsCountedWhicheverWayItGoes) {
+TEST_F(Allocation, IsCountedForEveryKindOfNew) {
   EXPECT_GT(allocations_in([] { std::vector<double> v(100), w = v; }), 0);
   EXPECT_GT(allocations_in([] { Eigen::VectorXd v = Eigen::VectorXd::Random(100), w = v; }), 0);
   EXPECT_GT(allocations_in([] { AlignedBuffer v(100); }), 0);
 }
 
-TEST_F(Allocation, NeverHappensInTheLoop) {
+TEST_F(Allocation, IsAbsentFromTheLoop) {
   RandomStream random(1, "allocation");
   Map map(random, {12, 3}, std::vector<int>(60, 3));
   std::vector<LinearizedMeasurement> measurements;
-  for (int i = 0; i < 40; ++i)  // 80 rows: beyond what Eigen factorises without blocking
+  for (int i = 0; i < 40; ++i)  // 80 rows: beyond what Eigen factorizes unblocked
     measurements.push_back(random_measurement(random, map.belief, 2, {map.vehicles[0], map.landmarks[i]}));
   LinearizedMotion camera{map.vehicles[0], map.belief.mean(map.vehicles[0]), BlockMatrix::Identity(12, 12),
                           0.1 * BlockMatrix::Identity(12, 12)};
@@ -39,12 +39,12 @@ TEST_F(Allocation, NeverHappensInTheLoop) {
                 map.belief.update({measurements.data(), count});
               }),
               0)
-        << count << " looks";
-  ASSERT_EQ(allocations_in([&] { map.belief.update(measurements); }), 0) << "all looks again";
+        << count << " measurements";
+  ASSERT_EQ(allocations_in([&] { map.belief.update(measurements); }), 0) << "all measurements again";
   EXPECT_EQ(allocations_in([&] { map.belief.update({&bad, 1}); }), 0) << "a refusal";
 }
 
-TEST_F(Allocation, NeverHappensWhenBlocksGoAndComeBack) {
+TEST_F(Allocation, IsAbsentWhenBlocksAreDroppedAndAddedAgain) {
   RandomStream random(2, "turnover");
   Map map(random, {12}, std::vector<int>(20, 3));
   const LinearizedMeasurement measurement =

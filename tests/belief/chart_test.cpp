@@ -1,4 +1,4 @@
-// Means that are not vectors: the update moves them along their charts.
+// Means on manifolds: the update moves them along their charts.
 #include <cmath>
 #include <numbers>
 
@@ -11,7 +11,7 @@ namespace {
 const Chart planar_pose{{Chart::Kind::line, 2}, {Chart::Kind::angle, 1}};
 const Chart spatial_pose{{Chart::Kind::line, 3}, {Chart::Kind::quaternion, 4}};
 
-TEST(Charts, AnAngleIsWrappedWhenTheUpdateCarriesItOverTheEnd) {
+TEST(Charts, AngleIsWrappedWhenTheUpdateCrossesPi) {
   Belief belief;
   const BlockId robot = belief.add_vehicle(planar_pose, Eigen::Vector3d(1, 2, std::numbers::pi - 0.1),
                                            Eigen::Matrix3d::Identity());
@@ -20,11 +20,11 @@ TEST(Charts, AnAngleIsWrappedWhenTheUpdateCarriesItOverTheEnd) {
   compass.residual = MeasurementVector::Constant(1, 0.4);
   compass.R = MeasurementMatrix::Identity(1, 1);
   belief.update({&compass, 1});
-  EXPECT_NEAR(belief.mean(robot)[2], -std::numbers::pi + 0.1, 1e-14);  // half of the residual, over the end
+  EXPECT_NEAR(belief.mean(robot)[2], -std::numbers::pi + 0.1, 1e-14);  // half of the residual, across pi
   EXPECT_EQ(belief.mean(robot)[0], 1);
 }
 
-TEST(Charts, ARotationTurnsInItsOwnFrameAndStaysAUnitQuaternion) {
+TEST(Charts, RotationErrorIsInTheBodyFrameAndTheQuaternionStaysUnit) {
   Belief belief;
   const Eigen::Vector4d start = quaternion_exp<double>(Eigen::Vector3d(0.3, -1.1, 0.7));
   Eigen::VectorXd mean(7);
@@ -48,7 +48,7 @@ TEST(Charts, ARotationTurnsInItsOwnFrameAndStaysAUnitQuaternion) {
   EXPECT_NEAR(belief.mean(camera).tail(4).norm(), 1, 1e-14);
 }
 
-TEST(Charts, BlocksWithMoreNumbersThanErrorsKeepTheirPlaces) {
+TEST(Charts, BlocksWithMoreStatesThanErrorsKeepTheirIndices) {
   RandomStream random(1, "places");
   Belief belief;
   Eigen::VectorXd pose(7);
@@ -70,7 +70,7 @@ TEST(Charts, BlocksWithMoreNumbersThanErrorsKeepTheirPlaces) {
   EXPECT_EQ(belief.mean(robot), Eigen::Vector3d(4, 5, 0.5));
   EXPECT_EQ(belief.mean(point), Eigen::Vector3d(7, 8, 9));
   EXPECT_EQ(belief.offset(point), 6);
-  // The other way round: as many errors, more numbers
+  // The opposite case: the same number of errors, more states
   belief.replace(body, Chart{{Chart::Kind::quaternion, 4}}, Eigen::Vector4d(1, 0, 0, 0),
                  BlockMatrix::Identity(3, 3), BlockMatrix::Zero(3, 3));
   EXPECT_EQ(belief.mean(body), Eigen::Vector4d(1, 0, 0, 0));

@@ -86,7 +86,7 @@ Eigen::VectorXd stacked_mean(const Belief& belief, const std::vector<BlockId>& i
 
 ::testing::AssertionResult positive_definite(const Eigen::MatrixXd& P) {
   if (!P.allFinite()) return ::testing::AssertionFailure() << "not finite";
-  // In units of the standard deviations, so that scales do not matter
+  // In units of the standard deviations, independent of scale
   const Eigen::VectorXd weights = P.diagonal().cwiseSqrt().cwiseInverse();
   const Eigen::LLT<Eigen::MatrixXd> llt(weights.asDiagonal() * P * weights.asDiagonal());
   if (llt.info() == Eigen::Success) return ::testing::AssertionSuccess();

@@ -1,4 +1,5 @@
-// A long life: every operation in any order, each held to the dense formula, and the covariance stays one.
+// A long sequence of random operations: each agrees with the dense formula, and the covariance stays
+// positive.
 #include "tests/belief/dense.hpp"
 
 namespace incognita::testing {
@@ -18,7 +19,7 @@ class Life {
 
   const Belief& belief() const { return belief_; }
 
-  /// One random operation; returns what the covariance must be after it.
+  /// One random operation; returns the expected covariance after it.
   Eigen::MatrixXd step() {
     const int draw = random_.below(100);
     if (draw < 40) return predict();
@@ -105,7 +106,7 @@ class Life {
   std::vector<BlockId> vehicles_, landmarks_;
 };
 
-TEST(Endurance, AnyOrderOfOperationsKeepsACovariance) {
+TEST(Endurance, CovarianceStaysValidUnderAnyOrderOfOperations) {
   Life life;
   for (int i = 0; i < operations; ++i) {
     const Eigen::MatrixXd expected = life.step();

@@ -1,4 +1,4 @@
-// Block-diagonal covariances: against the closed forms that exist, and always on the safe side.
+// Block-diagonal inflation: equal to the closed forms where they exist, and conservative everywhere.
 #include "incognita/belief/inflation.hpp"
 
 #include <numeric>
@@ -15,14 +15,14 @@ double smallest_eigenvalue(const MatrixXd& symmetric) {
   return Eigen::SelfAdjointEigenSolver<MatrixXd>(symmetric, Eigen::EigenvaluesOnly).eigenvalues()[0];
 }
 
-/// The symmetric square root, another way than by singular values.
+/// The symmetric square root, by eigenvalues instead of singular values.
 MatrixXd root(const MatrixXd& psd) {
   const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(psd);
   return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal() *
          eigen.eigenvectors().transpose();
 }
 
-/// Positive semi-definite of the given rank, of many scales.
+/// Positive semidefinite with the given rank, with a wide range of scales.
 MatrixXd covariance_of_rank(RandomStream& random, int size, int rank) {
   const Eigen::VectorXd scales = random_matrix(random, size, 1).array().exp();
   const MatrixXd A = scales.asDiagonal() * random_matrix(random, size, rank);
@@ -38,7 +38,7 @@ Sizes random_sizes(RandomStream& random, int most) {
 
 int sum_of(const Sizes& sizes) { return std::accumulate(sizes.begin(), sizes.end(), 0); }
 
-/// What is between the blocks, with zeros for the blocks themselves.
+/// The off-diagonal blocks, with zeros for the diagonal blocks.
 MatrixXd between_blocks(MatrixXd P, const Sizes& sizes) {
   int first = 0;
   for (const int size : sizes) {
@@ -48,7 +48,7 @@ MatrixXd between_blocks(MatrixXd P, const Sizes& sizes) {
   return P;
 }
 
-/// What inflating pair by pair, each as if it were alone, would add.
+/// The trace added by inflating each pair of blocks independently.
 double pairwise_trace(const MatrixXd& P, const Sizes& sizes) {
   double sum = 0;
   int row = 0;
@@ -64,8 +64,8 @@ double pairwise_trace(const MatrixXd& P, const Sizes& sizes) {
   return sum;
 }
 
-/// What must hold whatever the ascent came to.
-void expect_safe(const Inflation& inflation, const MatrixXd& P, const Sizes& sizes) {
+/// Properties that must hold for any result of the ascent.
+void expect_conservative(const Inflation& inflation, const MatrixXd& P, const Sizes& sizes) {
   EXPECT_TRUE(between_blocks(inflation.P, sizes).isZero(0));
   EXPECT_TRUE(inflation.P == inflation.P.transpose());
   EXPECT_GE(smallest_eigenvalue(inflation.P - P), 0);
@@ -73,7 +73,7 @@ void expect_safe(const Inflation& inflation, const MatrixXd& P, const Sizes& siz
   EXPECT_GE(inflation.trace_added, inflation.least_trace);
 }
 
-TEST(Inflation, OfTwoNumbersIsTheirCorrelation) {
+TEST(Inflation, OfTwoScalarsIsTheirCorrelation) {
   const Eigen::Matrix2d P{{4, -1.5}, {-1.5, 9}}, expected{{5.5, 0}, {0, 10.5}};
   const Inflation inflation = decorrelate_all(P, Sizes{1, 1});
   EXPECT_TRUE(close(inflation.P, expected, 1e-13));
@@ -91,18 +91,19 @@ TEST(Inflation, OfTwoBlocksIsTheClosedForm) {
     expected.topLeftCorner(a, a) += root(C * C.transpose());
     expected.bottomRightCorner(b, b) += root(C.transpose() * C);
     const Inflation inflation = decorrelate_all(P, Sizes{a, b});
-    expect_safe(inflation, P, {a, b});
+    expect_conservative(inflation, P, {a, b});
     EXPECT_TRUE(inflation.converged);
-    EXPECT_TRUE(close(inflation.P, expected, 1e-7));  // a root of what rounds to 1e-16
+    // the square root of a quantity that is rounded to 1e-16
+    EXPECT_TRUE(close(inflation.P, expected, 1e-7));
     EXPECT_NEAR(inflation.trace_added, pairwise_trace(P, {a, b}), 1e-11 * P.trace());
   }
 }
 
-TEST(Inflation, TheAscentComesToTheClosedForm) {
+TEST(Inflation, AscentReachesTheClosedForm) {
   RandomStream random(2, "third");
   for (int run = 0; run < 50; ++run) {
     const int a = 1 + random.below(4), b = 1 + random.below(4);
-    MatrixXd P = MatrixXd::Identity(a + b + 1, a + b + 1);  // a third block that has to do with neither
+    MatrixXd P = MatrixXd::Identity(a + b + 1, a + b + 1);  // a third block, uncorrelated with both
     P.topLeftCorner(a + b, a + b) = random_covariance(random, a + b);
     const Inflation ascended = decorrelate_all(P, Sizes{a, b, 1});
     const Inflation closed = decorrelate_all(P.topLeftCorner(a + b, a + b), Sizes{a, b});
@@ -115,9 +116,9 @@ TEST(Inflation, TheAscentComesToTheClosedForm) {
   }
 }
 
-/// D - w w' with numbers for blocks. The dual is then to make |sum of w_i v_i|, with unit vectors v_i, small:
-/// zero if no |w_i| exceeds the others' sum, else the excess.
-TEST(Inflation, OfNumbersWithOneCommonPartIsKnown) {
+/// D - w w' with scalar blocks. The dual problem minimizes |sum of w_i v_i| over unit vectors v_i: zero if no
+/// |w_i| exceeds the sum of the others, else the excess.
+TEST(Inflation, OfScalarsWithOneCommonPartHasAClosedForm) {
   RandomStream random(3, "rank one");
   for (int run = 0; run < 60; ++run) {
     const int n = 3 + random.below(12);
@@ -130,7 +131,7 @@ TEST(Inflation, OfNumbersWithOneCommonPartIsKnown) {
     const MatrixXd P = D - w * w.transpose();  // singular
     const Sizes sizes(static_cast<std::size_t>(n), 1);
     const Inflation inflation = decorrelate_all(P, sizes);
-    expect_safe(inflation, P, sizes);
+    expect_conservative(inflation, P, sizes);
     EXPECT_TRUE(inflation.converged);
     EXPECT_NEAR(inflation.P.trace(), D.trace() - excess * excess, 3e-9 * w.squaredNorm());
     MatrixXd expected = D;
@@ -142,7 +143,7 @@ TEST(Inflation, OfNumbersWithOneCommonPartIsKnown) {
   }
 }
 
-TEST(Inflation, IsSafeAndNoWorseThanPairByPairForAnyCovariance) {
+TEST(Inflation, IsConservativeAndNoWorseThanPairwiseInflation) {
   RandomStream random(4, "any");
   int converged = 0;
   for (int run = 0; run < 200; ++run) {
@@ -150,14 +151,14 @@ TEST(Inflation, IsSafeAndNoWorseThanPairByPairForAnyCovariance) {
     const int n = sum_of(sizes);
     const MatrixXd P = covariance_of_rank(random, n, 1 + random.below(n));
     const Inflation inflation = decorrelate_all(P, sizes);
-    expect_safe(inflation, P, sizes);
+    expect_conservative(inflation, P, sizes);
     EXPECT_LE(inflation.trace_added, pairwise_trace(P, sizes) + 1e-11 * P.trace());
     converged += inflation.converged;
   }
   EXPECT_GE(converged, 195);
 }
 
-TEST(Inflation, IsSafeWhereverTheAscentStops) {
+TEST(Inflation, IsConservativeWhereverTheAscentStops) {
   RandomStream random(5, "stopped");
   const Sizes sizes{3, 2, 2, 2, 1, 4};
   const MatrixXd P = covariance_of_rank(random, sum_of(sizes), 7);
@@ -166,14 +167,14 @@ TEST(Inflation, IsSafeWhereverTheAscentStops) {
   for (const int most : {1, 2, 3, 5, 8}) {
     const Inflation stopped = decorrelate_all(P, sizes, {.max_sweeps = most});
     EXPECT_EQ(stopped.sweeps, most);
-    expect_safe(stopped, P, sizes);
+    expect_conservative(stopped, P, sizes);
     EXPECT_LE(stopped.least_trace, best.trace_added);
     EXPECT_GE(stopped.trace_added, best.least_trace);
   }
   EXPECT_FALSE(decorrelate_all(P, sizes, {.max_sweeps = 1}).converged);
 }
 
-TEST(Inflation, LeavesABlockDiagonalCovarianceAsItIs) {
+TEST(Inflation, KeepsABlockDiagonalCovariance) {
   RandomStream random(6, "diagonal");
   const Sizes sizes{3, 2, 4};
   const MatrixXd full = random_covariance(random, 9), P = full - between_blocks(full, sizes);
@@ -185,7 +186,7 @@ TEST(Inflation, LeavesABlockDiagonalCovarianceAsItIs) {
   }
 }
 
-TEST(Inflation, OfTheMapLeavesTheVehicleAndItsCorrelations) {
+TEST(Inflation, OfTheMapKeepsTheVehicleAndItsCorrelations) {
   RandomStream random(7, "map");
   for (int run = 0; run < 50; ++run) {
     Sizes sizes = random_sizes(random, 12);
@@ -197,17 +198,17 @@ TEST(Inflation, OfTheMapLeavesTheVehicleAndItsCorrelations) {
     EXPECT_TRUE(inflation.P.leftCols(3) == P.leftCols(3));
     Inflation of_map = inflation;
     of_map.P = inflation.P.bottomRightCorner(map, map);
-    expect_safe(of_map, P.bottomRightCorner(map, map), {sizes.begin() + 1, sizes.end()});
+    expect_conservative(of_map, P.bottomRightCorner(map, map), {sizes.begin() + 1, sizes.end()});
   }
 }
 
-TEST(Inflation, IsTheSameEveryTimeAndInAnyUnit) {
+TEST(Inflation, IsDeterministicAndIndependentOfUnits) {
   RandomStream random(8, "again");
   const Sizes sizes{3, 2, 2, 2};
   const MatrixXd P = random_covariance(random, 9);
   const Inflation first = decorrelate_all(P, sizes);
   EXPECT_TRUE(first.P == decorrelate_all(P, sizes).P);
-  for (const double scale : {0x1p-60, 0x1p60})  // powers of two, which round nothing
+  for (const double scale : {0x1p-60, 0x1p60})  // powers of two, which cause no rounding
     EXPECT_TRUE(close(decorrelate_all(scale * P, sizes).P / scale, first.P, 1e-12)) << scale;
 }
 

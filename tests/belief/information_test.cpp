@@ -1,4 +1,4 @@
-// The information form beside the covariance form: the same answers to whatever is done to both.
+// The information form against the covariance form under the same operations.
 #include "incognita/belief/information_belief.hpp"
 
 #include "incognita/belief/any_belief.hpp"
@@ -16,7 +16,7 @@ Eigen::VectorXd mean_on(RandomStream& random, const Chart& chart) {
   return mean;
 }
 
-/// Both forms, told the same.
+/// Both forms, with the same operations applied.
 struct Pair {
   Belief covariance;
   InformationBelief information;
@@ -30,7 +30,7 @@ struct Pair {
   }
   void augment(RandomStream& random, const Chart& chart) {
     std::vector<BlockParent> parents;
-    for (const BlockId id : {ids.front(), ids.back()})  // twice the same while there is one
+    for (const BlockId id : {ids.front(), ids.back()})  // the same block while there is only one
       parents.push_back({id, random_matrix(random, chart.tangent(), covariance.chart(id).tangent())});
     const Eigen::VectorXd mean = mean_on(random, chart);
     const Eigen::MatrixXd noise = random_covariance(random, chart.tangent());
@@ -62,7 +62,7 @@ struct Pair {
   }
 };
 
-TEST(InformationForm, HasTheAnswersOfTheCovarianceFormWhateverIsDone) {
+TEST(InformationForm, AgreesWithTheCovarianceFormUnderAnyOperations) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     RandomStream random(seed, "information");
     Pair both;
@@ -73,7 +73,7 @@ TEST(InformationForm, HasTheAnswersOfTheCovarianceFormWhateverIsDone) {
       const int what = random.below(8);
       if (what == 0) {
         both.augment(random, Chart::line(1 + random.below(5)));
-      } else if (what == 1 && any >= 2) {  // fewer errors, with noise or without
+      } else if (what == 1 && any >= 2) {  // fewer errors, with or without noise
         const int size = both.covariance.chart(any).tangent(), left = 1 + random.below(size);
         const Eigen::VectorXd mean = random_matrix(random, left, 1);
         const BlockMatrix J = random_matrix(random, left, size);
@@ -99,7 +99,7 @@ TEST(InformationForm, HasTheAnswersOfTheCovarianceFormWhateverIsDone) {
         ASSERT_TRUE(both.information.correction(measurements, both.ids, corrections));
         for (std::size_t i = 0; i < expected.size(); ++i)
           EXPECT_LE((corrections[i] - expected[i]).norm(), 1e-8 * (1 + expected[i].norm()));
-        ASSERT_TRUE(both.same(1e-8)) << "asking changes nothing";
+        ASSERT_TRUE(both.same(1e-8)) << "queries do not change the state";
         const UpdateReport a = both.covariance.update(measurements),
                            b = both.information.update(measurements);
         ASSERT_EQ(a.outcome, UpdateReport::Outcome::updated);
@@ -123,7 +123,7 @@ TEST(InformationForm, IsTheInverseOfTheCovariance) {
   const Eigen::MatrixXd P = both.covariance.dense_covariance();
   const Eigen::VectorXd spread = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(P).eigenvalues();
   const double rounding = 1e-14 * spread.maxCoeff() / spread.minCoeff();
-  ASSERT_LT(rounding, 1e-2) << "it means something";
+  ASSERT_LT(rounding, 1e-2) << "the comparison is meaningful";
   const Eigen::MatrixXd product = both.information.dense_information() * P;
   EXPECT_LT((product - Eigen::MatrixXd::Identity(P.rows(), P.cols())).cwiseAbs().maxCoeff(), rounding);
   // det P = det P_map * det P_vehicle|map, from the factor and from the covariance
@@ -134,12 +134,12 @@ TEST(InformationForm, IsTheInverseOfTheCovariance) {
   EXPECT_NEAR(dets.others, std::log(map.determinant()), rounding);
 }
 
-TEST(InformationForm, NeedsNoInverseOfAMotion) {
+TEST(InformationForm, AcceptsASingularMotion) {
   RandomStream random(4, "stop");
   Pair both;
   both.add_vehicle(random, Chart::line(4));
   both.augment(random, Chart::line(2));
-  // Two of the errors are forgotten and drawn anew, the others kept exactly
+  // Two of the errors are forgotten and drawn again, the others kept exactly
   LinearizedMotion motion{both.ids[0], Eigen::VectorXd::Zero(4), BlockMatrix::Zero(4, 4),
                           BlockMatrix::Zero(4, 4)};
   motion.A.topLeftCorner(2, 2).setIdentity();
@@ -158,7 +158,7 @@ std::string why(const std::function<void()>& work) {
   return "";
 }
 
-TEST(InformationForm, RefusesWhatWouldBeKnownExactly) {
+TEST(InformationForm, RefusesExactKnowledge) {
   RandomStream random(5, "exactly");
   Pair both;
   both.add_vehicle(random, Chart::line(2));
@@ -181,7 +181,7 @@ TEST(InformationForm, RefusesWhatWouldBeKnownExactly) {
   EXPECT_TRUE(both.same(1e-12));
 }
 
-TEST(InformationForm, RefusesLooksThatCannotBeUsed) {
+TEST(InformationForm, RefusesInvalidMeasurements) {
   RandomStream random(6, "looks");
   Pair both;
   both.add_vehicle(random, Chart::line(3));
@@ -196,13 +196,13 @@ TEST(InformationForm, RefusesLooksThatCannotBeUsed) {
   bad.residual[0] = std::nan("");
   EXPECT_EQ(both.information.update({&bad, 1}).outcome, UpdateReport::Outcome::singular);
   bad.residual[0] = 0;
-  bad.parts[0].H *= 1e200;  // what is known of all else would be lost in rounding
+  bad.parts[0].H *= 1e200;  // all other information would be lost to rounding
   EXPECT_EQ(both.information.update({&bad, 1}).outcome, UpdateReport::Outcome::singular);
   EXPECT_EQ(both.information.dense_information(), information);
   EXPECT_TRUE(both.same(1e-12));
 }
 
-TEST(InformationForm, SaysWhenNothingIsKnownAnyMore) {
+TEST(InformationForm, ReportsANonFiniteInformationMatrix) {
   RandomStream random(7, "nothing");
   Pair both;
   both.add_vehicle(random, Chart::line(2));
@@ -215,7 +215,7 @@ TEST(InformationForm, SaysWhenNothingIsKnownAnyMore) {
   EXPECT_EQ(both.information.update({&measurement, 1}).outcome, UpdateReport::Outcome::singular);
 }
 
-TEST(InformationForm, NotesWhatTheCovarianceFormNotes) {
+TEST(InformationForm, RecordsTheSameTraceAsTheCovarianceForm) {
   RandomStream random(8, "trace");
   AnyBelief forms[] = {AnyBelief(Belief()), AnyBelief(InformationBelief())};
   for (AnyBelief& belief : forms) {
@@ -242,7 +242,7 @@ TEST(InformationForm, NotesWhatTheCovarianceFormNotes) {
   for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(forms[0].trace()[i].index(), forms[1].trace()[i].index());
 }
 
-TEST(InformationForm, IteratesToTheSame) {
+TEST(InformationForm, IteratedUpdateAgrees) {
   RandomStream random(10, "iterated");
   Pair both;
   both.add_vehicle(random, Chart::line(2));

@@ -1,4 +1,5 @@
-// The iterated update of a body that turns in space: the most probable state, found by another way too.
+// The iterated update of a body with rotation finds the maximum a posteriori state, as an independent
+// optimizer does.
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
@@ -16,7 +17,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Pose = Eigen::Matrix<double, 7, 1>;   // position, world_from_body
-using Error = Eigen::Matrix<double, 6, 1>;  // of both, the rotation's on the right
+using Error = Eigen::Matrix<double, 6, 1>;  // of position and rotation, the rotation error on the right
 
 constexpr Chart pose_chart{{Chart::Kind::line, 3}, {Chart::Kind::quaternion, 4}};
 constexpr double sigma_m = 0.05;
@@ -31,7 +32,7 @@ Error minus(Pose y, Pose x) {
   return e;
 }
 
-/// A body that knows little of how it is turned sees known points in its own axes, with noise.
+/// A body with an uncertain rotation measures known points in its own axes, with noise.
 struct Scene {
   Pose prior = Pose::Zero();
   Eigen::Matrix<double, 6, 6> P;
@@ -48,7 +49,7 @@ struct Scene {
     Error off;
     off << 0.2 * drawn(), 0.5 * drawn();
     const Pose truth = plus(prior, off);
-    for (int i = 0; i < 2; ++i) {  // which leave a turn about the line through them to the prior
+    for (int i = 0; i < 2; ++i) {  // two points leave the rotation about their line to the prior
       points.push_back(3 * drawn());
       measured.push_back(seen(truth, points.back()) + sigma_m * drawn());
     }
@@ -80,7 +81,7 @@ struct Scene {
     return all;
   }
 
-  /// Prior and looks, each whitened: what is least where the state is most probable.
+  /// Residuals of prior and measurements, each whitened: the MAP state minimizes their squared norm.
   Eigen::VectorXd costs(const Error& e) const {
     const Pose x = plus(prior, e);
     Eigen::VectorXd all(6 + 3 * points.size());
@@ -90,8 +91,8 @@ struct Scene {
     return all;
   }
 
-  /// By steps of Levenberg and Marquardt in the prior's chart, with differences for derivatives: nothing in
-  /// common with what is tested but the cost.
+  /// By Levenberg-Marquardt in the prior's chart with finite differences: independent of the code under test
+  /// but for the cost.
   Error most_probable() const {
     Error e = Error::Zero();
     double damping = 1e-3;
@@ -111,7 +112,7 @@ struct Scene {
   }
 };
 
-TEST(IteratedUpdate, OfATurnedBodyIsTheMostProbableState) {
+TEST(IteratedUpdate, OfARotatedBodyIsTheMapEstimate) {
   constexpr BlockId blocks[] = {0};
   double farthest_turn = 0, apart_after_one = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
@@ -126,11 +127,11 @@ TEST(IteratedUpdate, OfATurnedBodyIsTheMostProbableState) {
     apart_after_one = std::max(apart_after_one, (minus(once.mean(0), scene.prior) - best).norm());
     farthest_turn = std::max(farthest_turn, best.tail<3>().norm());
   }
-  EXPECT_GT(farthest_turn, 0.5) << "far enough for the chart to bend";
-  EXPECT_GT(apart_after_one, 0.05) << "one linearisation is not enough";
+  EXPECT_GT(farthest_turn, 0.5) << "far enough for the chart to be nonlinear";
+  EXPECT_GT(apart_after_one, 0.05) << "one linearization is not enough";
 }
 
-TEST(IteratedUpdate, SettlesWhereAChangeIsLittleOfTheSpread) {
+TEST(IteratedUpdate, StopsWhenAChangeIsSmallAgainstTheSigma) {
   const Scene scene(3);
   constexpr BlockId blocks[] = {0};
   const auto linearize_at = [&](const Belief& b) { return scene.measurements(b); };
@@ -144,8 +145,8 @@ TEST(IteratedUpdate, SettlesWhereAChangeIsLittleOfTheSpread) {
   EXPECT_LE((apart.array().abs() / scene.P.diagonal().array().sqrt()).maxCoeff(), 1e-2);
 }
 
-/// A look that the sensor can not have where the update leads says there what it said before.
-TEST(IteratedUpdate, KeepsALookThatIsLostOnTheWay) {
+/// A measurement that becomes undefined at an iterate keeps its last linearization.
+TEST(IteratedUpdate, KeepsAMeasurementThatBecomesUndefined) {
   const Scene scene(5);
   constexpr BlockId blocks[] = {0};
   int asked = 0;
@@ -165,7 +166,7 @@ TEST(IteratedUpdate, KeepsALookThatIsLostOnTheWay) {
     const Pose x = b.mean(0);
     const Error moved = minus(x, scene.prior);
     measurements[1] = linear;
-    // H (x (+) e (-) x_0) by e
+    // derivative of H (x (+) e (-) x_0) with respect to e
     Eigen::Matrix<double, 6, 6> J = Eigen::Matrix<double, 6, 6>::Identity();
     J.block<3, 3>(3, 3) = right_jacobian(moved.tail<3>()).inverse();
     measurements[1].residual -= linear.parts[0].H * moved;

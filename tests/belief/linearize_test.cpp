@@ -1,4 +1,4 @@
-// Linearisers on a model of a vehicle that turns, written here: the engine does not know the rooms of models.
+// Linearizations on a unicycle defined here: belief/ does not depend on models/.
 #include "incognita/belief/linearize.hpp"
 #include "incognita/belief/iterated_update.hpp"
 
@@ -7,7 +7,7 @@
 namespace incognita::testing {
 namespace {
 
-/// A unicycle, linear or not: x, y, heading; speed and turn rate.
+/// A unicycle, linear or not: state x, y, heading; input speed and turn rate.
 template <bool linear>
 struct Unicycle {
   static constexpr int error_size = 3, input_size = 2;
@@ -43,7 +43,7 @@ Belief vehicle(const Eigen::Vector3d& mean, const Eigen::Matrix3d& P) {
   return belief;
 }
 
-TEST(Unscented, IsTheLinearFilterOnALinearModel) {
+TEST(Unscented, EqualsTheKalmanFilterOnALinearModel) {
   RandomStream random(1, "unscented");
   for (int run = 0; run < 50; ++run) {
     const Belief belief = vehicle({1, 2, 0.4}, 0.02 * random_covariance(random, 3));  // no angle wraps
@@ -56,7 +56,7 @@ TEST(Unscented, IsTheLinearFilterOnALinearModel) {
   }
 }
 
-TEST(Unscented, TakesAVehicleThatIsKnownExactly) {
+TEST(Unscented, AcceptsAVehicleWithZeroCovariance) {
   const Belief belief = vehicle({0, 0, 3.0}, Eigen::Matrix3d::Zero());
   const Eigen::Matrix2d Q = Eigen::Vector2d(0.04, 0.01).asDiagonal();
   const LinearizedMotion u = unscented(Unicycle<false>(), belief, 0, {1, 0.5}, Q, 0.1);
@@ -66,8 +66,8 @@ TEST(Unscented, TakesAVehicleThatIsKnownExactly) {
   EXPECT_TRUE(close(u.N, a.N, 1e-12));
 }
 
-/// Mean and covariance of what f makes of a Gaussian, by drawing.
-TEST(Unscented, IsNearerTheTrueMomentsThanTheFirstOrder) {
+/// Sample mean and covariance of f of a Gaussian.
+TEST(Unscented, IsNearerTheTrueMomentsThanFirstOrder) {
   const Eigen::Matrix3d P = Eigen::Vector3d(0.01, 0.01, 0.25).asDiagonal();
   const Belief belief = vehicle({0, 0, 0.2}, P);
   const Eigen::Vector2d u(2, 0.1);
@@ -84,7 +84,7 @@ TEST(Unscented, IsNearerTheTrueMomentsThanTheFirstOrder) {
   EXPECT_LT(by_points, 0.05 * by_first) << mean.transpose();
 }
 
-TEST(Unscented, GainsNothingWhereAHeadingIsHardlyKnown) {
+TEST(Unscented, DoesNotShrinkAnUnconstrainedHeading) {
   for (const double sigma : {1.0, 2.0, 6.0}) {
     const Eigen::Matrix3d P = Eigen::Vector3d(1e10, 1e10, sigma * sigma).asDiagonal();
     Belief belief = vehicle({0, 0, 0.2}, P);
@@ -96,7 +96,7 @@ TEST(Unscented, GainsNothingWhereAHeadingIsHardlyKnown) {
   }
 }
 
-TEST(Unscented, LeavesTheWholeCovariancePositive) {
+TEST(Unscented, KeepsTheWholeCovariancePositive) {
   RandomStream random(7, "cross");
   Belief belief = vehicle({0, 0, 0.2}, random_covariance(random, 3));
   const Belief::Parent parent{0, Eigen::Matrix<double, 2, 3>::Ones()};
@@ -107,7 +107,7 @@ TEST(Unscented, LeavesTheWholeCovariancePositive) {
   EXPECT_TRUE(positive_definite(belief.dense_covariance()));
 }
 
-/// A range to a known place, far from linear where the vehicle is unsure of itself.
+/// A range to a known point, strongly nonlinear for an uncertain vehicle.
 LinearizedMeasurement range_measurement(const Belief& belief, double measured) {
   const Eigen::Vector2d to_place = Eigen::Vector2d(2, 0) - belief.mean(0).head<2>();
   LinearizedMeasurement measurement;
@@ -119,7 +119,7 @@ LinearizedMeasurement range_measurement(const Belief& belief, double measured) {
   return measurement;
 }
 
-TEST(Iterated, EndsAtTheMostProbableState) {
+TEST(Iterated, ConvergesToTheMapEstimate) {
   const Eigen::Matrix3d P = Eigen::Vector3d(1, 0.1, 0.1).asDiagonal();  // not along the line of sight
   const Eigen::Vector3d prior(0.3, 0.8, 0);
   Belief belief = vehicle(prior, P);
@@ -142,7 +142,7 @@ TEST(Iterated, EndsAtTheMostProbableState) {
   }
 }
 
-TEST(Iterated, SaysWhenItReachesItsCap) {
+TEST(Iterated, ReportsTheCapOfIterations) {
   Belief belief = vehicle({0.3, 0.8, 0}, Eigen::Vector3d(1, 0.1, 0.1).asDiagonal());
   const BlockId blocks[] = {0};
   const IterationReport report = update_iterated(
@@ -154,7 +154,7 @@ TEST(Iterated, SaysWhenItReachesItsCap) {
   EXPECT_EQ(report.update.outcome, UpdateReport::Outcome::updated);
 }
 
-TEST(Iterated, IsTheOrdinaryUpdateOfALinearLook) {
+TEST(Iterated, EqualsTheOrdinaryUpdateOfALinearMeasurement) {
   RandomStream random(11, "linear look");
   Map map(random, {3}, {2, 2, 2});
   Belief once = map.belief;

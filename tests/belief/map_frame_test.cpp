@@ -1,4 +1,4 @@
-// What changes every block at once, and the map whose correlations are dropped.
+// Operations on every block at once, and the block-diagonal map.
 #include <Eigen/Eigenvalues>
 
 #include "tests/belief/dense.hpp"
@@ -10,7 +10,7 @@ double least_eigenvalue(const Eigen::MatrixXd& M) {
   return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(M).eigenvalues()[0];
 }
 
-TEST(Correction, IsWhatTheUpdateAdds) {
+TEST(Correction, EqualsWhatTheUpdateAdds) {
   RandomStream random(1, "correction");
   for (int run = 0; run < 50; ++run) {
     Map map(random, {3}, {2, 2, 1, 3});
@@ -31,11 +31,12 @@ TEST(Correction, IsWhatTheUpdateAdds) {
   }
 }
 
-TEST(Carry, IsTheDenseProduct) {
+TEST(ChangeFrame, EqualsTheDenseProduct) {
   RandomStream random(2, "carry");
   for (int run = 0; run < 50; ++run) {
     Map map(random, {3, 2}, {2, 1, 3});
-    const std::vector<BlockId> ids{map.vehicles[1], map.landmarks[0], map.landmarks[2]};  // one stays
+    // one stays unchanged
+    const std::vector<BlockId> ids{map.vehicles[1], map.landmarks[0], map.landmarks[2]};
     const BlockId frame_motion = map.vehicles[0];
     const int n = map.belief.errors();
     Eigen::MatrixXd T = Eigen::MatrixXd::Identity(n, n);
@@ -60,7 +61,7 @@ TEST(Carry, IsTheDenseProduct) {
   }
 }
 
-TEST(Carry, RefusesWhatDoesNotFit) {
+TEST(ChangeFrame, RefusesWrongSizes) {
   RandomStream random(3, "misfit");
   Map map(random, {3}, {2});
   const LinearizedMotion motion{map.vehicles[0], Eigen::Vector3d::Zero(), Eigen::Matrix3d::Zero(),
@@ -70,7 +71,7 @@ TEST(Carry, RefusesWhatDoesNotFit) {
   EXPECT_THROW(map.belief.change_frame(motion, {&wrong, 1}), std::invalid_argument);
 }
 
-TEST(Decorrelate, MapKeepsTheVehicleAndGrowsTheRest) {
+TEST(Decorrelate, MapKeepsTheVehicleAndInflatesTheRest) {
   RandomStream random(4, "decorrelate");
   for (int run = 0; run < 20; ++run) {
     Map map(random, {3}, {2, 2, 2, 1});
@@ -85,7 +86,7 @@ TEST(Decorrelate, MapKeepsTheVehicleAndGrowsTheRest) {
   }
 }
 
-TEST(Decorrelate, EverythingIsBlockDiagonal) {
+TEST(Decorrelate, AllBlocksAreUncorrelated) {
   RandomStream random(5, "everything");
   Map map(random, {3}, {2, 2});
   const Eigen::MatrixXd P = map.belief.dense_covariance();
@@ -96,90 +97,90 @@ TEST(Decorrelate, EverythingIsBlockDiagonal) {
   EXPECT_GE(least_eigenvalue(inflated - P), -1e-9 * P.norm());
 }
 
-/// A vehicle and landmarks born of it, in a belief that drops the map's correlations and in one that keeps
-/// them.
-struct Twins {
-  Belief kept{64}, dropped{64, MapCorrelations::block_diagonal};
+/// A vehicle and landmarks initialized from it, in a belief with a block-diagonal map and in one with a full
+/// covariance.
+struct BothMaps {
+  Belief full{64}, block_diagonal{64, MapCorrelations::block_diagonal};
   std::vector<BlockId> landmarks;
-  explicit Twins(RandomStream& random, int count) {
+  explicit BothMaps(RandomStream& random, int count) {
     const Eigen::MatrixXd P = random_covariance(random, 3);
-    for (Belief* b : {&kept, &dropped}) b->add_vehicle(Chart::line(3), Eigen::Vector3d::Zero(), P);
+    for (Belief* b : {&full, &block_diagonal}) b->add_vehicle(Chart::line(3), Eigen::Vector3d::Zero(), P);
     for (int i = 0; i < count; ++i) {
       const Belief::Parent parent{0, random_matrix(random, 2, 3)};
       const Eigen::MatrixXd noise = random_covariance(random, 2);
-      for (Belief* b : {&kept, &dropped})
+      for (Belief* b : {&full, &block_diagonal})
         landmarks.push_back(b->augment(Chart::line(2), Eigen::Vector2d::Zero(), {&parent, 1}, noise));
       landmarks.pop_back();
     }
   }
 };
 
-TEST(DroppedCorrelations, NeverSayMoreThanTheWholeFilterWould) {
+TEST(BlockDiagonalMap, IsNeverMoreConfidentThanTheFullFilter) {
   RandomStream random(6, "dropped");
   for (int run = 0; run < 20; ++run) {
-    Twins twins(random, 1 + random.below(6));
+    BothMaps both(random, 1 + random.below(6));
     for (int step = 0; step < 30; ++step) {
-      // From the same covariance, one update of either kind: what is kept must not be less
-      const LinearizedMeasurement measurement =
-          random_measurement(random, twins.dropped, 1 + random.below(2),
-                             {0, twins.landmarks[static_cast<std::size_t>(
-                                     random.below(static_cast<int>(twins.landmarks.size())))]});
-      const Eigen::MatrixXd before = twins.dropped.dense_covariance();
-      const Stacked stacked(twins.dropped, {&measurement, 1});
+      // From the same covariance, one update of either kind: the block-diagonal posterior must not be smaller
+      const LinearizedMeasurement measurement = random_measurement(
+          random, both.block_diagonal, 1 + random.below(2),
+          {0,
+           both.landmarks[static_cast<std::size_t>(random.below(static_cast<int>(both.landmarks.size())))]});
+      const Eigen::MatrixXd before = both.block_diagonal.dense_covariance();
+      const Stacked stacked(both.block_diagonal, {&measurement, 1});
       const Posterior whole = textbook_update(before, stacked);
-      ASSERT_EQ(twins.dropped.update({&measurement, 1}).outcome, UpdateReport::Outcome::updated);
-      const Eigen::MatrixXd after = twins.dropped.dense_covariance();
+      ASSERT_EQ(both.block_diagonal.update({&measurement, 1}).outcome, UpdateReport::Outcome::updated);
+      const Eigen::MatrixXd after = both.block_diagonal.dense_covariance();
       EXPECT_GE(least_eigenvalue(after - whole.P), -1e-9 * before.norm());
       EXPECT_TRUE(close(after.topRows(3), whole.P.topRows(3), 1e-9 * before.norm()));
       EXPECT_LE(after.trace(), before.trace() * (1 + 1e-12));
       EXPECT_TRUE(positive_definite(after));
-      for (std::size_t i = 0; i < twins.landmarks.size(); ++i)
+      for (std::size_t i = 0; i < both.landmarks.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
-          EXPECT_TRUE(twins.dropped.covariance(twins.landmarks[i], twins.landmarks[j]).isZero(0));
+          EXPECT_TRUE(both.block_diagonal.covariance(both.landmarks[i], both.landmarks[j]).isZero(0));
     }
   }
 }
 
-TEST(DroppedCorrelations, BirthGrowsNoLessThanItsCorrelationsWere) {
+TEST(BlockDiagonalMap, InitializationInflatesByAtLeastTheCorrelations) {
   RandomStream random(7, "born apart");
   for (int run = 0; run < 20; ++run) {
-    const Twins twins(random, 1 + random.below(6));
-    const Eigen::MatrixXd grown = twins.dropped.dense_covariance() - twins.kept.dense_covariance();
-    EXPECT_GE(least_eigenvalue(grown), -1e-9 * twins.kept.dense_covariance().norm());
+    const BothMaps both(random, 1 + random.below(6));
+    const Eigen::MatrixXd grown = both.block_diagonal.dense_covariance() - both.full.dense_covariance();
+    EXPECT_GE(least_eigenvalue(grown), -1e-9 * both.full.dense_covariance().norm());
   }
 }
 
-TEST(DroppedCorrelations, OneLandmarkLosesNothing) {
+TEST(BlockDiagonalMap, IsExactWithOneLandmark) {
   RandomStream random(8, "alone");
-  Twins twins(random, 1);
+  BothMaps both(random, 1);
   for (int step = 0; step < 20; ++step) {
     const LinearizedMeasurement measurement =
-        random_measurement(random, twins.kept, 2, {0, twins.landmarks[0]});
-    twins.kept.update({&measurement, 1});
-    twins.dropped.update({&measurement, 1});
-    EXPECT_TRUE(close(twins.dropped.dense_covariance(), twins.kept.dense_covariance(), 1e-9));
-    EXPECT_TRUE(close(twins.dropped.mean(0), twins.kept.mean(0), 1e-9));
+        random_measurement(random, both.full, 2, {0, both.landmarks[0]});
+    both.full.update({&measurement, 1});
+    both.block_diagonal.update({&measurement, 1});
+    EXPECT_TRUE(close(both.block_diagonal.dense_covariance(), both.full.dense_covariance(), 1e-9));
+    EXPECT_TRUE(close(both.block_diagonal.mean(0), both.full.mean(0), 1e-9));
   }
 }
 
-/// With one landmark nothing is dropped: two looks one after the other are two looks at once.
-TEST(DroppedCorrelations, LooksOneAfterTheOtherAreLooksTogether) {
+/// With one landmark the map is exact: two sequential measurements equal two simultaneous ones.
+TEST(BlockDiagonalMap, SequentialMeasurementsEqualSimultaneousOnes) {
   RandomStream random(10, "in turn");
   for (int run = 0; run < 20; ++run) {
-    Twins twins(random, 1);
+    BothMaps both(random, 1);
     const std::vector<LinearizedMeasurement> measurements{
-        random_measurement(random, twins.kept, 2, {0, twins.landmarks[0]}),
-        random_measurement(random, twins.kept, 1, {0}),
-        random_measurement(random, twins.kept, 2, {0, twins.landmarks[0]})};
-    const UpdateReport a = twins.kept.update(measurements), b = twins.dropped.update(measurements);
+        random_measurement(random, both.full, 2, {0, both.landmarks[0]}),
+        random_measurement(random, both.full, 1, {0}),
+        random_measurement(random, both.full, 2, {0, both.landmarks[0]})};
+    const UpdateReport a = both.full.update(measurements), b = both.block_diagonal.update(measurements);
     EXPECT_NEAR(a.nis, b.nis, 1e-9 * a.nis);
-    EXPECT_TRUE(close(twins.dropped.dense_covariance(), twins.kept.dense_covariance(), 1e-9));
-    EXPECT_TRUE(close(twins.dropped.mean(0), twins.kept.mean(0), 1e-9));
-    EXPECT_TRUE(close(twins.dropped.mean(1), twins.kept.mean(1), 1e-9));
+    EXPECT_TRUE(close(both.block_diagonal.dense_covariance(), both.full.dense_covariance(), 1e-9));
+    EXPECT_TRUE(close(both.block_diagonal.mean(0), both.full.mean(0), 1e-9));
+    EXPECT_TRUE(close(both.block_diagonal.mean(1), both.full.mean(1), 1e-9));
   }
 }
 
-TEST(DroppedCorrelations, RefuseToLoseAVariance) {
+TEST(BlockDiagonalMap, RefusesToLoseAVariance) {
   Belief belief(8, MapCorrelations::block_diagonal);
   belief.add_vehicle(Chart::line(2), Eigen::Vector2d::Zero(),
                      Eigen::Matrix2d(Eigen::Vector2d(1e18, 1.7e18).asDiagonal()));
@@ -191,16 +192,16 @@ TEST(DroppedCorrelations, RefuseToLoseAVariance) {
   EXPECT_EQ(belief.covariance(0)(0, 0), 1e18);
 }
 
-TEST(DroppedCorrelations, RefuseWhatWouldFillTheMap) {
+TEST(BlockDiagonalMap, RefusesOperationsThatCorrelateTheMap) {
   RandomStream random(11, "refused");
-  Twins twins(random, 2);
+  BothMaps both(random, 2);
   const LinearizedMeasurement measurement =
-      random_measurement(random, twins.dropped, 1, {0, twins.landmarks[0]});
+      random_measurement(random, both.block_diagonal, 1, {0, both.landmarks[0]});
   std::vector<BlockVector> out(1);
   const BlockId ids[] = {0};
-  EXPECT_THROW(twins.dropped.update_joseph({&measurement, 1}), std::logic_error);
-  EXPECT_THROW(twins.dropped.correction({&measurement, 1}, ids, out), std::logic_error);
-  EXPECT_THROW(twins.dropped.change_frame(
+  EXPECT_THROW(both.block_diagonal.update_joseph({&measurement, 1}), std::logic_error);
+  EXPECT_THROW(both.block_diagonal.correction({&measurement, 1}, ids, out), std::logic_error);
+  EXPECT_THROW(both.block_diagonal.change_frame(
                    {0, Eigen::Vector3d::Zero(), Eigen::Matrix3d::Identity(), Eigen::Matrix3d::Zero()}, {}),
                std::logic_error);
   Belief two(8, MapCorrelations::block_diagonal);
@@ -209,18 +210,18 @@ TEST(DroppedCorrelations, RefuseWhatWouldFillTheMap) {
                std::logic_error);
 }
 
-TEST(DroppedCorrelations, TheGainIsThatOfItsCovariance) {
+TEST(BlockDiagonalMap, GainIsThatOfItsCovariance) {
   RandomStream random(9, "gain");
-  Twins twins(random, 4);
+  BothMaps both(random, 4);
   const LinearizedMeasurement measurement =
-      random_measurement(random, twins.dropped, 2, {0, twins.landmarks[2]});
-  const std::vector<BlockId> ids{0, twins.landmarks[0], twins.landmarks[1], twins.landmarks[2],
-                                 twins.landmarks[3]};
-  const Eigen::VectorXd before = stacked_mean(twins.dropped, ids);
-  const Posterior whole =
-      textbook_update(twins.dropped.dense_covariance(), Stacked(twins.dropped, {&measurement, 1}));
-  twins.dropped.update({&measurement, 1});
-  EXPECT_TRUE(close(stacked_mean(twins.dropped, ids) - before, whole.delta, 1e-9));
+      random_measurement(random, both.block_diagonal, 2, {0, both.landmarks[2]});
+  const std::vector<BlockId> ids{0, both.landmarks[0], both.landmarks[1], both.landmarks[2],
+                                 both.landmarks[3]};
+  const Eigen::VectorXd before = stacked_mean(both.block_diagonal, ids);
+  const Posterior whole = textbook_update(both.block_diagonal.dense_covariance(),
+                                          Stacked(both.block_diagonal, {&measurement, 1}));
+  both.block_diagonal.update({&measurement, 1});
+  EXPECT_TRUE(close(stacked_mean(both.block_diagonal, ids) - before, whole.delta, 1e-9));
 }
 
 }  // namespace

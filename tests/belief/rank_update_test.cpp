@@ -1,4 +1,4 @@
-// Every build of the inner loop against Eigen's.
+// Every instruction-set path of the inner loop against Eigen.
 #include "incognita/belief/rank_update.hpp"
 
 #include <string>
@@ -34,7 +34,7 @@ struct Problem {
   double at(int i, int j) const { return storage.data()[i + static_cast<long>(j) * stride]; }
 };
 
-/// Sizes around the edges of tiles, and some at which rank and rows are cut.
+/// Sizes around the borders of tiles, and some at which rank and rows are split.
 std::vector<std::pair<int, int>> sizes(int most_rows, int step) {
   std::vector<std::pair<int, int>> all = {{700, 30}, {430, 191}, {200, 193}, {90, 500}, {410, 390}};
   for (int n = 1; n <= most_rows; ++n)
@@ -42,7 +42,7 @@ std::vector<std::pair<int, int>> sizes(int most_rows, int step) {
   return all;
 }
 
-TEST(RankUpdate, EveryPathIsEigens) {
+TEST(RankUpdate, EveryPathEqualsEigen) {
   RandomStream random(1, "rank");
   for (const RankUpdatePath& path : rank_update_paths())
     for (const auto& [n, rank] : sizes(70, 1)) {
@@ -57,7 +57,7 @@ TEST(RankUpdate, EveryPathIsEigens) {
     }
 }
 
-TEST(Whiten, OnEveryPathIsEigensTriangularSolve) {
+TEST(Whiten, EveryPathEqualsEigensTriangularSolve) {
   RandomStream random(4, "whiten");
   for (const RankUpdatePath& path : rank_update_paths())
     for (const auto& [n, rank] : sizes(40, 3)) {
@@ -85,7 +85,7 @@ TEST(Whiten, OnEveryPathIsEigensTriangularSolve) {
     }
 }
 
-TEST(Cholesky, IsEigens) {
+TEST(Cholesky, EqualsEigen) {
   RandomStream random(5, "cholesky");
   for (const int n : {1, 2, 7, 8, 63, 64, 65, 71, 128, 130, 200, 333}) {
     const int stride = round_up_to_panel(n) + 8;
@@ -98,7 +98,7 @@ TEST(Cholesky, IsEigens) {
     ASSERT_TRUE(cholesky(storage.data(), stride, n, workspace.data()));
     const Eigen::MatrixXd expected = S.llt().matrixL(), got = L.triangularView<Eigen::Lower>();
     ASSERT_TRUE(close(got, expected, 1e-10)) << n;
-    // Wherever it stops being positive
+    // For a negative pivot at the beginning, in the middle and at the end
     for (const int bad : {0, n / 2, n - 1}) {
       L.triangularView<Eigen::Lower>() = S;
       L(bad, bad) = expected.row(bad).head(bad).squaredNorm() - 1e-3;
@@ -107,7 +107,7 @@ TEST(Cholesky, IsEigens) {
   }
 }
 
-TEST(RankUpdate, WritesNowhereBesideItsTiles) {
+TEST(RankUpdate, WritesOnlyItsTiles) {
   RandomStream random(2, "beside");
   for (const RankUpdatePath& path : rank_update_paths())
     for (int n = 1; n <= 40; ++n) {
@@ -124,13 +124,13 @@ TEST(RankUpdate, WritesNowhereBesideItsTiles) {
     }
 }
 
-TEST(RankUpdate, TheBestPathIsInUseAndTheBaselineIsAlwaysThere) {
+TEST(RankUpdate, TheBestPathIsInUseAndTheBaselineIsAlwaysAvailable) {
   ASSERT_FALSE(rank_update_paths().empty());
   EXPECT_EQ(std::string(rank_update_path()), rank_update_paths().front().name);
   EXPECT_EQ(std::string(rank_update_paths().back().name), "baseline");
 }
 
-TEST(RankUpdate, TheSamePathAlwaysGivesTheSameBytes) {
+TEST(RankUpdate, APathIsDeterministic) {
   for (const RankUpdatePath& path : rank_update_paths()) {
     RandomStream a(3, "bytes"), b(3, "bytes");
     Problem first(a, 67, 24), second(b, 67, 24);

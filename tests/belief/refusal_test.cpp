@@ -1,4 +1,4 @@
-// What cannot be done is refused, with the sizes, and leaves no trace.
+// Invalid operations are refused, with the sizes, and leave the belief unchanged.
 #include <functional>
 #include <limits>
 #include <string>
@@ -25,7 +25,7 @@ class Refusal : public ::testing::Test {
     EXPECT_TRUE(Photograph(map.belief, ids) == before);
   }
 
-  /// The message must name what was given and what would fit.
+  /// The message must contain what was given and what would be valid.
   void throws(const std::string& given, const std::string& fits, const std::function<void()>& call) {
     const Photograph before(map.belief, ids);
     const int errors = map.belief.errors(), blocks = map.belief.block_count();
@@ -42,14 +42,14 @@ class Refusal : public ::testing::Test {
   }
 };
 
-TEST_F(Refusal, OfTheSamePerfectLookTwice) {
+TEST_F(Refusal, OfTheSameExactMeasurementTwice) {
   LinearizedMeasurement perfect = measurement(1);
   perfect.R = 1e-20 * MeasurementMatrix::Identity(2, 2);
   refuses({perfect, perfect});
 }
 
-TEST_F(Refusal, OfLooksThatDifferByNothingButRounding) {
-  for (int run = 0; run < 50; ++run) {  // S is singular, yet its last pivot may come out positive
+TEST_F(Refusal, OfMeasurementsThatDifferOnlyByRounding) {
+  for (int run = 0; run < 50; ++run) {  // S is singular, but its last pivot may be positive after rounding
     LinearizedMeasurement a = measurement(1), b = a;
     a.R = b.R = 1e-20 * MeasurementMatrix::Identity(2, 2);
     for (int i = 0; i < 2; ++i) b.parts[i].H *= 1.0 / 3.0;
@@ -57,7 +57,7 @@ TEST_F(Refusal, OfLooksThatDifferByNothingButRounding) {
   }
 }
 
-TEST_F(Refusal, OfNoiseThatIsNotPositive) {
+TEST_F(Refusal, OfNoiseThatIsNotPositiveDefinite) {
   LinearizedMeasurement negative = measurement(1), zero = measurement(2), undefined = measurement(3);
   negative.R(1, 1) = -1;
   zero.R.setZero();
@@ -67,7 +67,7 @@ TEST_F(Refusal, OfNoiseThatIsNotPositive) {
   refuses({undefined});
 }
 
-TEST_F(Refusal, OfNumbersThatAreNot) {
+TEST_F(Refusal, OfNonFiniteNumbers) {
   for (const double bad :
        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     LinearizedMeasurement residual = measurement(1), jacobian = measurement(2);
@@ -78,7 +78,7 @@ TEST_F(Refusal, OfNumbersThatAreNot) {
   }
 }
 
-TEST_F(Refusal, OfAnUpdateThatRoundingWouldLeaveNothingOf) {
+TEST_F(Refusal, OfAnUpdateThatLosesAVarianceToRounding) {
   Belief vague;
   const BlockId robot =
       vague.add_vehicle(Chart::line(1), Eigen::VectorXd::Zero(1), Eigen::MatrixXd::Constant(1, 1, 1e17));
@@ -94,7 +94,7 @@ TEST_F(Refusal, OfAnUpdateThatRoundingWouldLeaveNothingOf) {
   EXPECT_NEAR(vague.mean(robot)[0], 5, 1e-9);
 }
 
-TEST_F(Refusal, OfLooksThatDoNotFit) {
+TEST_F(Refusal, OfMeasurementsOfWrongSize) {
   LinearizedMeasurement wide = measurement(1), tall = measurement(1), noise = measurement(1),
                         gone = measurement(1);
   wide.parts[1].H.setZero(2, 4);
@@ -115,13 +115,13 @@ TEST_F(Refusal, OfLooksThatDoNotFit) {
   throws("2x4", "2x3", [&] { map.belief.innovation_covariance({&wide, 1}, S); });
 }
 
-TEST_F(Refusal, OfALookAtTooManyBlocks) {
+TEST_F(Refusal, OfAMeasurementOfTooManyBlocks) {
   LinearizedMeasurement many = random_measurement(random, map.belief, 1, {0, 1, 2});
   EXPECT_THROW(many.add(3, Eigen::MatrixXd::Zero(1, 6)), std::length_error);
   EXPECT_EQ(many.part_count, 3);
 }
 
-TEST_F(Refusal, OfMotionThatDoesNotFit) {
+TEST_F(Refusal, OfAMotionOfWrongSize) {
   const LinearizedMotion good{0, BlockVector::Zero(6), BlockMatrix::Identity(6, 6), BlockMatrix::Zero(6, 6)};
   LinearizedMotion mean = good, A = good, N = good, gone = good;
   mean.x_next.setZero(7);
@@ -134,7 +134,7 @@ TEST_F(Refusal, OfMotionThatDoesNotFit) {
   throws("42", "no block", [&] { map.belief.predict(gone); });
 }
 
-TEST_F(Refusal, OfBlocksThatDoNotFit) {
+TEST_F(Refusal, OfBlocksOfWrongSize) {
   Belief& belief = map.belief;
   const Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   const Eigen::Matrix3d noise = Eigen::Matrix3d::Identity();

@@ -1,10 +1,10 @@
-// Blocks come, change and go: what happens to the covariance, the means and the ids.
+// Blocks added, replaced and dropped: covariance, means and ids.
 #include "tests/belief/dense.hpp"
 
 namespace incognita::testing {
 namespace {
 
-/// P with some rows and columns left out.
+/// P without some rows and columns.
 Eigen::MatrixXd without(const Eigen::MatrixXd& P, int first, int count) {
   std::vector<int> kept;
   for (int i = 0; i < P.rows(); ++i)
@@ -12,7 +12,7 @@ Eigen::MatrixXd without(const Eigen::MatrixXd& P, int first, int count) {
   return P(kept, kept);
 }
 
-TEST(Augment, IsTheDenseJacobian) {
+TEST(Augment, EqualsTheDenseJacobian) {
   RandomStream random(1, "augment");
   for (int run = 0; run < 60; ++run) {
     Map map(random, {6, 1 + random.below(16)}, std::vector<int>(random.below(30), 3));
@@ -20,7 +20,8 @@ TEST(Augment, IsTheDenseJacobian) {
     std::vector<Belief::Parent> parents;
     Eigen::MatrixXd G = Eigen::MatrixXd::Zero(old + size, old);  // errors before -> errors after (2.23)
     G.topRows(old).setIdentity();
-    for (int i = random.below(4); i > 0; --i) {  // none is a prior; a block may come twice
+    // no parent: an independent prior; a block may be a parent twice
+    for (int i = random.below(4); i > 0; --i) {
       const BlockId id = random.below(map.belief.block_count());
       parents.push_back({id, random_matrix(random, size, map.belief.chart(id).tangent())});
       G.block(old, map.belief.offset(id), size, map.belief.chart(id).tangent()) += parents.back().J;
@@ -36,20 +37,20 @@ TEST(Augment, IsTheDenseJacobian) {
   }
 }
 
-TEST(Augment, TakesAMeanFromTheBeliefItself) {
-  Belief belief(1);  // so small that it must grow while it copies
+TEST(Augment, AcceptsAMeanInsideTheBelief) {
+  Belief belief(1);  // so small that it must reallocate while copying
   BlockId last = belief.add_vehicle(Chart::line(3), Eigen::Vector3d(1, 2, 3), Eigen::Matrix3d::Identity());
   for (int i = 0; i < 50; ++i)
     last = belief.augment(Chart::line(3), belief.mean(last), {}, Eigen::Matrix3d::Identity());
   EXPECT_EQ(belief.mean(last), Eigen::Vector3d(1, 2, 3));
 }
 
-TEST(AddVehicle, IsIndependentAlsoWhereALandmarkHasBeen) {
+TEST(AddVehicle, IsIndependentEvenInMemoryOfADroppedLandmark) {
   RandomStream random(2, "vehicles");
   Map map(random, {3}, {3, 3});
   const Eigen::MatrixXd first = map.belief.covariance(map.vehicles[0]);
   map.belief.drop(map.landmarks[0]);
-  map.belief.drop(map.landmarks[1]);  // what they leave behind in memory must not come back
+  map.belief.drop(map.landmarks[1]);  // values left in memory must not reappear
   const Eigen::MatrixXd P = random_covariance(random, 4);
   const BlockId second = map.belief.add_vehicle(Chart::line(4), Eigen::Vector4d::Ones(), P);
   EXPECT_EQ(map.belief.covariance(second), P);
@@ -57,11 +58,11 @@ TEST(AddVehicle, IsIndependentAlsoWhereALandmarkHasBeen) {
   EXPECT_EQ(map.belief.covariance(map.vehicles[0], second), BlockMatrix::Zero(3, 4));
 }
 
-TEST(Replace, IsTheDenseJacobianAlsoWhenTheBlockShrinks) {
+TEST(Replace, EqualsTheDenseJacobianForFewerErrorsToo) {
   RandomStream random(3, "replace");
   for (int run = 0; run < 60; ++run) {
     Map map(random, {6, 2}, {6, 3, 6, 1, 6});
-    const BlockId id = map.landmarks[2 * random.below(3)];  // first, in the middle, last
+    const BlockId id = map.landmarks[2 * random.below(3)];  // first, middle, last
     const int size = run % 2 == 0 ? 3 : 6, first = map.belief.offset(id), n = map.belief.errors();
     const Eigen::MatrixXd J = random_matrix(random, size, 6), noise = random_covariance(random, size);
     Eigen::MatrixXd G = Eigen::MatrixXd::Zero(n - 6 + size, n);
@@ -80,7 +81,7 @@ TEST(Replace, IsTheDenseJacobianAlsoWhenTheBlockShrinks) {
   }
 }
 
-TEST(Replace, TakesAMeanFromTheBlockItReplaces) {
+TEST(Replace, AcceptsTheMeanOfTheReplacedBlock) {
   RandomStream random(4, "alias");
   Map map(random, {3}, {6, 3});
   const Eigen::VectorXd mean = map.belief.mean(map.landmarks[0]).tail(3),
@@ -91,7 +92,7 @@ TEST(Replace, TakesAMeanFromTheBlockItReplaces) {
   EXPECT_EQ(map.belief.mean(map.landmarks[1]), next);
 }
 
-TEST(Drop, DeletesRowsAndColumnsAndNothingElse) {
+TEST(Drop, RemovesItsRowsAndColumnsOnly) {
   RandomStream random(5, "drop");
   for (int which = 0; which < 7; ++which) {
     Map map(random, {4, 2}, {3, 6, 1, 3, 2});
@@ -114,7 +115,7 @@ TEST(Drop, DeletesRowsAndColumnsAndNothingElse) {
   }
 }
 
-TEST(Ids, AreNeverUsedAgain) {
+TEST(Ids, AreNeverReused) {
   RandomStream random(6, "ids");
   Map map(random, {3}, {3, 3});
   const BlockId last = map.landmarks.back();
@@ -126,7 +127,7 @@ TEST(Ids, AreNeverUsedAgain) {
   EXPECT_THROW(map.belief.mean(last), std::invalid_argument);
 }
 
-TEST(Covariance, BetweenTwoBlocksIsEitherWayRound) {
+TEST(Covariance, BetweenTwoBlocksIsTransposedWhenSwapped) {
   RandomStream random(7, "cross");
   Map map(random, {4}, {3, 2});
   const BlockMatrix a = map.belief.covariance(map.landmarks[1], map.vehicles[0]);
@@ -136,7 +137,7 @@ TEST(Covariance, BetweenTwoBlocksIsEitherWayRound) {
   EXPECT_EQ(a, map.belief.dense_covariance().block(7, 0, 2, 4));
 }
 
-TEST(Copy, GoesItsOwnWay) {
+TEST(Copy, IsIndependentOfTheOriginal) {
   RandomStream random(8, "copy");
   Map map(random, {3}, {3, 3});
   const std::vector<BlockId> ids = {map.vehicles[0], map.landmarks[0], map.landmarks[1]};

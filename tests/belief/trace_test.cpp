@@ -1,4 +1,4 @@
-// What a belief notes of what is done to it.
+// The trace of the operations on a belief.
 #include "tests/belief/dense.hpp"
 
 namespace incognita::testing {
@@ -12,13 +12,13 @@ LinearizedMeasurement look_at(BlockId id, double variance) {
   return measurement;
 }
 
-TEST(Trace, HasEverythingThatWasDoneInOrder) {
+TEST(Trace, HasEveryOperationInOrder) {
   const Eigen::Matrix2d I = Eigen::Matrix2d::Identity();
   const Eigen::Vector2d zero = Eigen::Vector2d::Zero();
   Belief belief;
   const BlockId vehicle = belief.add_vehicle(Chart::line(2), zero, I);
   belief.predict({vehicle, zero, I, I});
-  EXPECT_TRUE(belief.trace().empty());  // nobody had asked
+  EXPECT_TRUE(belief.trace().empty());  // the trace is off by default
   belief.keep_trace(true);
   belief.predict({vehicle, zero, 2 * I, I});
   const Belief::Parent parent{vehicle, 3 * I};
@@ -48,7 +48,7 @@ TEST(Trace, HasEverythingThatWasDoneInOrder) {
   EXPECT_TRUE(belief.keeps_trace());
 }
 
-TEST(Trace, LeavesOutWhatWasRefused) {
+TEST(Trace, OmitsRefusedOperations) {
   Belief belief;
   const BlockId vehicle =
       belief.add_vehicle(Chart::line(2), Eigen::Vector2d::Zero(), 1e20 * Eigen::Matrix2d::Identity());
@@ -58,7 +58,7 @@ TEST(Trace, LeavesOutWhatWasRefused) {
   EXPECT_TRUE(belief.trace().empty());
 }
 
-TEST(Trace, BelongsToItsBelief) {
+TEST(Trace, IsNotCopiedWithTheBelief) {
   Belief belief;
   const BlockId vehicle =
       belief.add_vehicle(Chart::line(2), Eigen::Vector2d::Zero(), Eigen::Matrix2d::Identity());

@@ -1,4 +1,4 @@
-// predict and update against the formulas as printed, on dense matrices.
+// predict and update against the printed formulas on dense matrices.
 #include "tests/belief/dense.hpp"
 
 namespace incognita::testing {
@@ -20,20 +20,20 @@ std::vector<LinearizedMeasurement> linearize_at(RandomStream& random, const Map&
   return measurements;
 }
 
-/// Multiplies the errors of a block, and what depends on them, by a factor: other units, the same problem.
+/// Scales the errors of a block and their Jacobians by a factor: the same problem in other units.
 void rescale(LinearizedMeasurement& measurement, BlockId block, double factor) {
   for (int i = 0; i < measurement.part_count; ++i)
     if (measurement.parts[i].block == block) measurement.parts[i].H /= factor;
 }
 
-TEST(Update, IsTheTextbookForAnyBlocksAndSizes) {
+TEST(Update, EqualsTheTextbookForAnyBlocksAndSizes) {
   RandomStream random(1, "update");
   for (int run = 0; run < 200; ++run) {
     std::vector<int> landmarks(1 + random.below(12));
     for (int& size : landmarks) size = 1 + random.below(6);
     Map map(random, {1 + random.below(16), 3}, landmarks);
     std::vector<LinearizedMeasurement> measurements;
-    for (int i = 1 + random.below(8); i > 0; --i) {  // a block may come twice, in any order
+    for (int i = 1 + random.below(8); i > 0; --i) {  // a block may occur twice, in any order
       std::vector<BlockId> blocks;
       for (int k = 1 + random.below(3); k > 0; --k) blocks.push_back(random.below(map.belief.block_count()));
       measurements.push_back(random_measurement(random, map.belief, 1 + random.below(6), blocks));
@@ -55,7 +55,7 @@ TEST(Update, IsTheTextbookForAnyBlocksAndSizes) {
   }
 }
 
-TEST(Update, ReadsAndWritesAcrossTheEdgesOfItsTiles) {
+TEST(Update, EqualsTheTextbookAcrossTileBorders) {
   RandomStream random(2, "sizes");
   for (int landmarks = 0; landmarks <= 70; ++landmarks) {
     Map map(random, {2}, std::vector<int>(landmarks, 1));
@@ -71,11 +71,11 @@ TEST(Update, ReadsAndWritesAcrossTheEdgesOfItsTiles) {
   }
 }
 
-TEST(Update, OfATeamThatSeesMuchIsTheTextbookAndThatOfOneAfterTheOther) {
+TEST(Update, OfATeamEqualsTheTextbookAndSequentialUpdates) {
   RandomStream random(6, "team");
   Map map(random, std::vector<int>(8, 3), std::vector<int>(90, 2));
   std::vector<LinearizedMeasurement>
-      measurements;  // 224 rows: beyond what is factorised or subtracted in one piece
+      measurements;  // 224 rows: more than one tile of the factorization and of the subtraction
   for (int i = 0; i < 112; ++i) {
     const BlockId viewer = map.vehicles[static_cast<std::size_t>(i / 14)];
     const BlockId seen = i % 14 == 0 ? map.vehicles[static_cast<std::size_t>((i / 14 + 1) % 8)]
@@ -91,11 +91,11 @@ TEST(Update, OfATeamThatSeesMuchIsTheTextbookAndThatOfOneAfterTheOther) {
   EXPECT_TRUE(close_covariance(map.belief.dense_covariance(), in_turns.dense_covariance(), P, 1e-10));
 }
 
-TEST(Update, IsTheJosephFormAtAnyScale) {
+TEST(Update, EqualsTheJosephFormAtAnyScale) {
   for (const double scale : {1e-8, 1e-4, 1.0, 1e4, 1e8}) {
     RandomStream random(3, "scales");
     Map map(random, {6}, {3, 3, 3});
-    // One landmark in other units than the rest, one look of other units than the other
+    // One landmark and one measurement in other units than the rest
     const BlockId odd = map.landmarks[1];
     const BlockMatrix J = scale * BlockMatrix::Identity(3, 3);
     map.belief.replace(odd, Chart::line(3), map.belief.mean(odd) * scale, J, BlockMatrix::Zero(3, 3));
@@ -116,7 +116,7 @@ TEST(Update, IsTheJosephFormAtAnyScale) {
   }
 }
 
-TEST(Update, IsTheJosephFormForLooksMuchBetterThanThePrior) {
+TEST(Update, EqualsTheJosephFormForVeryPreciseMeasurements) {
   for (const double sigma : {1.0, 1e-2, 1e-4}) {
     RandomStream random(4, "precise");
     Map map(random, {6}, {3, 3, 3});
@@ -132,7 +132,7 @@ TEST(Update, IsTheJosephFormForLooksMuchBetterThanThePrior) {
   }
 }
 
-TEST(Update, LookByLookIsAllLooksAtOnce) {
+TEST(Update, SequentialMeasurementsEqualSimultaneousOnes) {
   RandomStream random(5, "sequential");
   Map map(random, {6, 4}, {3, 6, 3, 2, 3});
   const std::vector<LinearizedMeasurement> measurements = linearize_at(random, map, {0, 1, 2, 3, 4});
@@ -141,7 +141,7 @@ TEST(Update, LookByLookIsAllLooksAtOnce) {
   const Eigen::MatrixXd prior = map.belief.dense_covariance();
   double log_det_S = 0, nis = 0;
   for (LinearizedMeasurement measurement :
-       measurements) {  // linear: what is left of the residual follows from the change of the mean
+       measurements) {  // linear: the remaining residual follows from the change of the mean
     const Stacked alone(sequential, {&measurement, 1});
     measurement.residual -= alone.H * (stacked_mean(sequential, all(map)) - start);
     const UpdateReport report = sequential.update({&measurement, 1});
@@ -159,7 +159,7 @@ double log_det(const Eigen::MatrixXd& P) {
   return 2 * Eigen::LLT<Eigen::MatrixXd>(P).matrixLLT().diagonal().array().log().sum();
 }
 
-TEST(Update, TakesTheEntropyThatTheInnovationSays) {  // thesis (6.6)
+TEST(Update, ReducesTheEntropyByThatOfTheInnovation) {  // thesis (6.6)
   RandomStream random(6, "information");
   for (int run = 0; run < 20; ++run) {
     Map map(random, {6}, {3, 3, 3, 3});
@@ -172,7 +172,7 @@ TEST(Update, TakesTheEntropyThatTheInnovationSays) {  // thesis (6.6)
   }
 }
 
-TEST(Update, OfNothingIsNothing) {
+TEST(Update, WithoutMeasurementsChangesNothing) {
   RandomStream random(7, "nothing");
   Map map(random, {3}, {2});
   const Photograph before(map.belief, all(map));
@@ -181,7 +181,7 @@ TEST(Update, OfNothingIsNothing) {
   EXPECT_TRUE(Photograph(map.belief, all(map)) == before);
 }
 
-TEST(Update, KeepsWhatIsKnownExactly) {  // a robot that defines the origin starts with no variance at all
+TEST(Update, KeepsExactKnowledge) {  // a robot that defines the origin starts with no variance at all
   Belief belief;
   const BlockId vehicle =
       belief.add_vehicle(Chart::line(2), Eigen::Vector2d::Zero(), Eigen::Matrix2d::Zero());
@@ -199,7 +199,7 @@ TEST(Update, KeepsWhatIsKnownExactly) {  // a robot that defines the origin star
   EXPECT_TRUE(close(belief.mean(landmark), Eigen::Vector2d(1.5, 2.5), 1e-15));
 }
 
-TEST(Predict, IsTheTextbookForEachVehicleAndForLandmarks) {
+TEST(Predict, EqualsTheTextbookForEachVehicleAndForLandmarks) {
   RandomStream random(8, "predict");
   for (int run = 0; run < 50; ++run) {
     std::vector<int> landmarks(random.below(60));

@@ -1,4 +1,4 @@
-// A car steered through the same law: exact within its steering, well-defined everywhere else.
+// The linearizing law on a car: exact within the steering limit, well-defined everywhere else.
 #include "incognita/control/car_linearization.hpp"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ Pose drive(const AckermannCar& car, Pose pose, const CarCommand& command, double
   return pose;
 }
 
-TEST(CarLinearization, IsExactWithinTheSteeringAndNeverWorseThanAskedOutside) {
+TEST(CarLinearization, IsExactWithinTheSteeringLimitAndNeverFasterOutside) {
   RandomStream random(1, "cars");
   const AckermannCar car;
   const CarLimits limits{3, 0.5};
@@ -39,7 +39,7 @@ TEST(CarLinearization, IsExactWithinTheSteeringAndNeverWorseThanAskedOutside) {
     EXPECT_LE(std::abs(command.steering_rad), limits.max_steering_rad);
     const Vector2d moves = point_velocity(car, heading, command);
     if (command.saturated) {
-      EXPECT_GT(moves.dot(desired), 0) << "begins towards the goal";
+      EXPECT_GT(moves.dot(desired), 0) << "starts towards the goal";
       EXPECT_LE(moves.norm(), desired.norm() * (1 + 1e-12));
       ++outside;
     } else {
@@ -61,7 +61,7 @@ TEST(CarLinearization, IsDefinedAtRestAndAbeam) {
       car_for_velocity({.body = {3.78, 0}}, 0, {0, 1}, {});  // the axle would stand still
   EXPECT_TRUE(abeam.saturated);
   EXPECT_DOUBLE_EQ(abeam.steering_rad, CarLimits{}.max_steering_rad);
-  EXPECT_GT(abeam.speed_m_s, 0) << "forwards, both ways being as near";
+  EXPECT_GT(abeam.speed_m_s, 0) << "forward, since both directions are equally near";
   const CarCommand fast = car_for_velocity(car, 0, {100, 0}, {});
   EXPECT_DOUBLE_EQ(fast.speed_m_s, CarLimits{}.max_speed_m_s);
   EXPECT_EQ(fast.steering_rad, 0);
@@ -71,7 +71,7 @@ TEST(CarLinearization, IsDefinedAtRestAndAbeam) {
   EXPECT_EQ(back.steering_rad, 0);
 }
 
-TEST(CarLinearization, ArrivesFromAnywhere) {
+TEST(CarLinearization, ConvergesFromAnywhere) {
   RandomStream random(2, "starts");
   const CarLinearizationSettings settings{.gain_per_s = 0.5 * Eigen::Matrix2d::Identity()};
   const CarLinearization law(settings);
@@ -82,7 +82,7 @@ TEST(CarLinearization, ArrivesFromAnywhere) {
   }
 }
 
-TEST(CarLinearization, FollowsACircleItCanTurn) {
+TEST(CarLinearization, FollowsACircleWithinItsTurningRadius) {
   const CarLinearizationSettings settings;
   const CarLinearization law(settings);
   const Path circle = CirclePath{.radius_m = 12, .rate_rad_s = -0.15};
@@ -96,7 +96,7 @@ TEST(CarLinearization, FollowsACircleItCanTurn) {
   EXPECT_LT(worst_late, 0.03);
 }
 
-TEST(CarLinearization, RefusesWhatWouldNotWork) {
+TEST(CarLinearization, RefusesInvalidSettings) {
   const auto complaint = [](auto change) {
     CarLinearizationSettings settings;
     change(settings);

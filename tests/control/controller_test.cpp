@@ -8,7 +8,7 @@
 namespace incognita {
 namespace {
 
-TEST(MinimumJerk, GoesFromRestToRestAndItsDerivativesAreItsOwn) {
+TEST(MinimumJerk, GoesFromRestToRestWithConsistentDerivatives) {
   const Eigen::Vector3d a(1, 2, 3), b(1.3, 2, 2.9);
   EXPECT_TRUE(minimum_jerk(a, b, 2, 3, 1.5).position.isApprox(a));
   EXPECT_TRUE(minimum_jerk(a, b, 2, 3, 9).position.isApprox(b));
@@ -29,7 +29,7 @@ CameraState at_rest() {
   return x;
 }
 
-TEST(TrackReference, BringsTheConstantVelocityModelToThePlaceAndGaze) {  // thesis (5.29) on (5.24)
+TEST(TrackReference, BringsTheConstantVelocityModelToTheGoalPose) {  // thesis (5.29) on (5.24)
   CameraState x = at_rest();
   x.head<3>() << 0.3, -0.2, 0.1;
   x.segment<4>(3) = level_gaze(0.4);
@@ -45,7 +45,7 @@ TEST(TrackReference, BringsTheConstantVelocityModelToThePlaceAndGaze) {  // thes
   EXPECT_LT(error.norm(), 1e-4);
 }
 
-TEST(TrackReference, NeverAsksForMoreThanTheBodyCanDo) {
+TEST(TrackReference, RespectsTheAccelerationLimits) {
   CameraState x = at_rest();
   x.head<3>() << 100, -100, 0;
   ControlSettings settings;
@@ -56,7 +56,7 @@ TEST(TrackReference, NeverAsksForMoreThanTheBodyCanDo) {
   EXPECT_LE(u.angular_acceleration.cwiseAbs().maxCoeff(), settings.max_angular_acceleration_rad_s2);
 }
 
-TEST(CameraController, BrakesFromTheLastKnownMotionWhenLostThenDoesNothing) {
+TEST(CameraController, BrakesFromTheLastEstimateWhenLostThenCommandsNothing) {
   Estimate estimate;
   CameraState x = at_rest();
   x.segment<3>(7) << 0.4, 0, 0;
@@ -74,8 +74,8 @@ TEST(CameraController, BrakesFromTheLastKnownMotionWhenLostThenDoesNothing) {
   EXPECT_TRUE(controller.act(estimate, {}, {}, {60, 2.0, 1 / 30.0}).linear_acceleration.isZero());
 }
 
-/// An operator is shown the goal; what the hand does with it nobody on the robot's side knows.
-TEST(CameraController, ShowsAnOperatorTheGoalAndAsksForNoInput) {
+/// The operator sees the goal; the operator's motion is not a command.
+TEST(CameraController, DisplaysTheGoalToAnOperatorAndCommandsNothing) {
   Estimate estimate;
   CameraState moving = at_rest();
   moving.segment<3>(7) << 0.4, 0, 0;

@@ -1,4 +1,4 @@
-// Feedback linearisation of planar vehicles: exact, convergent with held commands, within limits, or refused.
+// Feedback linearization of planar vehicles: exact, convergent with held commands, within limits, or refused.
 #include "incognita/control/feedback_linearization.hpp"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ using Eigen::Vector2d;
 using testing::message_of;
 using Pose = planar::Pose<double>;
 
-/// The continuous vehicle with its input held: a thousand steps of (3.16).
+/// The continuous vehicle with a held input: a thousand steps of (3.16).
 Pose drive(const DifferentialDrive& body, Pose pose, const Vector2d& input, double hold_s) {
   for (int i = 0; i < 1000; ++i) pose = body.f<double>(pose, input, hold_s / 1000);
   return pose;
@@ -33,7 +33,7 @@ DifferentialDrive random_body(RandomStream& random) {
   return {(random.below(2) ? 1 : -1) * random.uniform(0.05, 2), random.uniform(-1, 1)};
 }
 
-TEST(FeedbackLinearization, MovesThePointAsAskedAtEveryHeading) {
+TEST(FeedbackLinearization, MovesTheControlPointAtTheDesiredVelocityForEveryHeading) {
   RandomStream random(1, "headings");
   for (int i = 0; i < 1000; ++i) {
     const DifferentialDrive body = random_body(random);
@@ -47,22 +47,22 @@ TEST(FeedbackLinearization, MovesThePointAsAskedAtEveryHeading) {
   }
 }
 
-TEST(FeedbackLinearization, IsTheThesisMatrixForAPointOnTheAxis) {  // (5.13)
+TEST(FeedbackLinearization, EqualsTheThesisMatrixForAPointOnTheAxis) {  // (5.13)
   const double heading = 0.7, l = 0.4;
   Matrix2d Q_r;
   Q_r << std::cos(heading), -l * std::sin(heading), std::sin(heading), l * std::cos(heading);
   EXPECT_TRUE(point_velocity_by_input({l, 0}, heading).isApprox(Q_r, 1e-15));
 }
 
-/// Distances to a still goal over a run with held commands.
-struct Way {
+/// Distances to a fixed goal over a run with held commands.
+struct Approach {
   double first = 0, last = 0;
   bool nearer_each_time = true, within_limits = true;
 };
 
-Way run_to_origin(const LinearizationSettings& settings, Pose pose, int commands) {
+Approach run_to_origin(const LinearizationSettings& settings, Pose pose, int commands) {
   const FeedbackLinearization law(settings);
-  Way run{pose.head<2>().norm(), 0, true, true};
+  Approach run{pose.head<2>().norm(), 0, true, true};
   double before = run.first;
   for (int k = 0; k < commands; ++k) {
     const PlanarCommand command = law.act(pose, still_at(0, 0));
@@ -71,13 +71,13 @@ Way run_to_origin(const LinearizationSettings& settings, Pose pose, int commands
     pose = drive(settings.body, pose, command.input(), settings.hold_s);
     run.last = pose.head<2>().norm();
     run.nearer_each_time =
-        run.nearer_each_time && run.last < before * (1 + 1e-4) + 1e-6;  // the thousand steps
+        run.nearer_each_time && run.last < before * (1 + 1e-4) + 1e-6;  // error of the thousand steps
     before = run.last;
   }
   return run;
 }
 
-TEST(FeedbackLinearization, ComesNearerAtEveryHeldCommandUpToTheBound) {
+TEST(FeedbackLinearization, DistanceFallsAtEveryHeldCommandUpToTheBound) {
   RandomStream random(2, "holds");
   for (int i = 0; i < 100; ++i) {
     LinearizationSettings settings;
@@ -87,14 +87,14 @@ TEST(FeedbackLinearization, ComesNearerAtEveryHeldCommandUpToTheBound) {
     const double bound = gain_bound_per_s(settings.limits.max_turn_rate_rad_s, settings.hold_s);
     settings.gain_per_s = random.uniform(0.1, 0.99) * bound * Matrix2d::Identity();
     const Pose start(random.uniform(-5, 5), random.uniform(-5, 5), random.uniform(-4, 4));
-    const Way run = run_to_origin(settings, start, 300);
+    const Approach run = run_to_origin(settings, start, 300);
     EXPECT_TRUE(run.nearer_each_time);
     EXPECT_TRUE(run.within_limits);
     EXPECT_LT(run.last, run.first);
   }
 }
 
-TEST(FeedbackLinearization, ArrivesFromAnyHeading) {
+TEST(FeedbackLinearization, ConvergesFromAnyHeading) {
   LinearizationSettings settings;
   settings.gain_per_s = 2 * Matrix2d::Identity();
   settings.limits = {1, 2};
@@ -102,7 +102,7 @@ TEST(FeedbackLinearization, ArrivesFromAnyHeading) {
     EXPECT_LT(run_to_origin(settings, {3, -2, heading}, 300).last, 1e-4);
 }
 
-TEST(FeedbackLinearization, UnequalGainsObeyTheirOwnBound) {
+TEST(FeedbackLinearization, UnequalGainsHaveTheirOwnBound) {
   RandomStream random(3, "gains");
   int accepted = 0;
   for (int i = 0; i < 400; ++i) {
@@ -124,7 +124,7 @@ TEST(FeedbackLinearization, UnequalGainsObeyTheirOwnBound) {
 /// The exact motion under a held command, from which the bound follows.
 double ratio_of_distances(double k, double hold_s, double turn_rate) {
   const DifferentialDrive body{0.5, 0};
-  // A goal for which -k e has just that turn rate, and a forward part so that it lies in every direction
+  // A goal for which -k e has that turn rate, with a forward part, so that it lies in every direction
   double worst = 0;
   for (double forward = -3; forward <= 3; forward += 0.05) {
     const Vector2d w(forward, turn_rate * body.forward_m);
@@ -146,7 +146,7 @@ TEST(HeldCommand, BoundIsWhereTheDistanceBeginsToGrow) {
   EXPECT_NEAR(gain_bound_per_s(std::numbers::pi / 0.1, 0.1), 0, 1e-9);
 }
 
-/// K dt = 1.5 with l = 0.1 m satisfies |1 - K dt| < 1, and the vehicle leaves.
+/// K dt = 1.5 with l = 0.1 m satisfies |1 - K dt| < 1, and still the vehicle diverges.
 TEST(HeldCommand, VehicleWithoutATurnRateLimitDiverges) {
   const DifferentialDrive body{0.1, 0};
   const double hold_s = 0.1;
@@ -186,7 +186,7 @@ TEST(FeedbackLinearization, FollowsACircle) {  // Example 5.2: 7 m, 5 deg/s
   EXPECT_NEAR(command.speed_m_s, 0.61, 0.02);  // "around a steady-state value 0.6"
 }
 
-TEST(FeedbackLinearization, SaturatedPointKeepsItsDirection) {
+TEST(FeedbackLinearization, SaturationKeepsTheDirectionOfTheControlPoint) {
   RandomStream random(4, "limits");
   for (int i = 0; i < 500; ++i) {
     LinearizationSettings settings;
@@ -201,7 +201,7 @@ TEST(FeedbackLinearization, SaturatedPointKeepsItsDirection) {
   }
 }
 
-TEST(FeedbackLinearization, TeamIsEachAlone) {
+TEST(FeedbackLinearization, TeamEqualsIndependentVehicles) {
   RandomStream random(5, "team");
   std::vector<FeedbackLinearization> team;
   std::vector<Pose> poses;
@@ -222,7 +222,7 @@ TEST(FeedbackLinearization, TeamIsEachAlone) {
             "3 vehicles, 2 estimates and 3 references");
 }
 
-TEST(FeedbackLinearization, RefusesWhatWouldNotWork) {
+TEST(FeedbackLinearization, RefusesInvalidSettings) {
   const auto complaint = [](auto change) {
     LinearizationSettings settings;
     change(settings);

@@ -92,7 +92,7 @@ TEST(PlanarRegulator, DrivesFromStartToGoal) {  // Example 5.1: from (-7, 0) to 
   }
 }
 
-TEST(PlanarRegulator, PositionIsStableAndTheHeadingIsLeftAlone) {
+TEST(PlanarRegulator, PositionIsStableAndTheHeadingUncontrolled) {
   RandomStream random(1, "poses");
   for (int i = 0; i < 200; ++i) {
     PlanarRegulatorSettings settings;
@@ -108,7 +108,7 @@ TEST(PlanarRegulator, PositionIsStableAndTheHeadingIsLeftAlone) {
   }
 }
 
-/// What the linear loop says is what the plant does: differences of the closed recursion.
+/// The linear closed loop is the derivative of the simulated one.
 TEST(PlanarRegulator, ClosedLoopIsTheDerivativeOfThePlantUnderAFixedGain) {
   const DifferentialDrive body{0.4, 0.2};
   const Pose pose(1, 2, 0.6);
@@ -126,7 +126,7 @@ TEST(PlanarRegulator, ClosedLoopIsTheDerivativeOfThePlantUnderAFixedGain) {
   }
 }
 
-TEST(PlanarRegulator, RefusesSettingsWithoutARegulator) {
+TEST(PlanarRegulator, RefusesSettingsWithoutASolution) {
   const auto complaint = [](auto change) {
     PlanarRegulatorSettings settings;
     change(settings);

@@ -1,4 +1,4 @@
-// Regulators (5.1) to (5.4): known solutions, what they promise, and every refusal.
+// Regulators (5.1) to (5.4): known solutions, optimality, and every refusal.
 #include "incognita/control/lqr.hpp"
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ MatrixXd random_definite(RandomStream& random, int n) {
   return A * A.transpose() + 0.1 * identity(n);
 }
 
-/// The algebraic equation as textbooks have it, not as (5.4) writes it.
+/// The algebraic Riccati equation as in textbooks, not in the form of (5.4).
 double residual(const MatrixXd& F, const MatrixXd& G, const MatrixXd& Q1, const MatrixXd& Q2,
                 const MatrixXd& T) {
   const MatrixXd FTG = F.transpose() * T * G;
@@ -43,7 +43,7 @@ double residual(const MatrixXd& F, const MatrixXd& G, const MatrixXd& Q1, const 
   return (T - right).norm() / std::max(T.norm(), (F.transpose() * T * F).norm());
 }
 
-/// Sum of x' Q1 x + u' Q2 u over the gains, the last state at T_end.
+/// Sum of x' Q1 x + u' Q2 u over the gains, with T_end on the last state.
 double simulated_cost(const MatrixXd& F, const MatrixXd& G, const MatrixXd& Q1, const MatrixXd& Q2,
                       const MatrixXd& T_end, const std::vector<MatrixXd>& gains, VectorXd x) {
   double cost = 0;
@@ -55,7 +55,7 @@ double simulated_cost(const MatrixXd& F, const MatrixXd& G, const MatrixXd& Q1, 
   return cost + x.dot(T_end * x);
 }
 
-TEST(SteadyGain, OfAScalarIsTheRootOfItsQuadratic) {
+TEST(SteadyGain, OfAScalarIsTheRootOfAQuadratic) {
   for (const double f : {0.0, 0.5, 1.0, -1.0, 3.0})
     for (const double q2 : {0.01, 1.0, 100.0}) {
       const double g = 0.7, q1 = 2;
@@ -69,7 +69,7 @@ TEST(SteadyGain, OfAScalarIsTheRootOfItsQuadratic) {
     }
 }
 
-/// Unit period and costs; digits of 300 steps of the scalar equations in 40-digit arithmetic.
+/// Unit period and costs; reference from 300 steps of the scalar equations in 40-digit arithmetic.
 TEST(SteadyGain, OfTheDoubleIntegrator) {
   Matrix2d F;
   F << 1, 1, 0, 1;
@@ -81,7 +81,7 @@ TEST(SteadyGain, OfTheDoubleIntegrator) {
   EXPECT_LE((answer.L - Eigen::RowVector2d(0.422082440385454, 1.243928853903714)).norm(), 1e-11);
 }
 
-TEST(SteadyGain, StabilizesWhateverIsControllable) {
+TEST(SteadyGain, StabilizesEveryControllableSystem) {
   RandomStream random(1, "regulators");
   for (int i = 0; i < 300; ++i) {
     const int n = 1 + random.below(6), m = 1 + random.below(3);
@@ -97,9 +97,9 @@ TEST(SteadyGain, StabilizesWhateverIsControllable) {
   }
 }
 
-TEST(SteadyGain, ServesSystemsThatSettleInAMillionSteps) {
+TEST(SteadyGain, ConvergesWhenAMillionStepsAreNecessary) {
   Matrix2d F;
-  F << 1, 1e-3, 0, 1;  // a kHz loop whose position costs next to nothing
+  F << 1, 1e-3, 0, 1;  // a loop at 1 kHz with nearly no cost of position
   const MatrixXd G = Vector2d(0.5e-6, 1e-3), Q1 = Vector2d(1e-8, 0).asDiagonal();
   const SteadyGain answer = steady_gain(F, G, Q1, scalar(1));
   ASSERT_EQ(answer.outcome, converged) << answer.reason;
@@ -107,7 +107,7 @@ TEST(SteadyGain, ServesSystemsThatSettleInAMillionSteps) {
   EXPECT_LE(residual(F, G, Q1, scalar(1), answer.T), 1e-9);
 }
 
-TEST(SteadyGain, DoesNotDependOnUnits) {
+TEST(SteadyGain, IsIndependentOfUnits) {
   RandomStream random(2, "units");
   for (int i = 0; i < 50; ++i) {
     const MatrixXd F = random_matrix(random, 3, 3), G = random_matrix(random, 3, 2);
@@ -121,7 +121,7 @@ TEST(SteadyGain, DoesNotDependOnUnits) {
   }
 }
 
-TEST(FiniteHorizon, CostIsWhatItSaysAndNoOtherGainIsCheaper) {
+TEST(FiniteHorizon, CostIsThePredictedOneAndNoOtherGainIsCheaper) {
   RandomStream random(3, "costs");
   for (int i = 0; i < 100; ++i) {
     const int n = 1 + random.below(4), m = 1 + random.below(2), steps = 1 + random.below(12);
@@ -139,7 +139,7 @@ TEST(FiniteHorizon, CostIsWhatItSaysAndNoOtherGainIsCheaper) {
   }
 }
 
-TEST(FiniteHorizon, TendsToTheSteadyGain) {
+TEST(FiniteHorizon, ConvergesToTheSteadyGain) {
   RandomStream random(4, "horizon");
   for (int i = 0; i < 30; ++i) {
     const MatrixXd F = random_matrix(random, 3, 3), G = random_matrix(random, 3, 2);
@@ -156,7 +156,7 @@ TEST(FiniteHorizon, TendsToTheSteadyGain) {
   }
 }
 
-TEST(FiniteHorizon, TakesCostsThatArePositiveSemiDefinite) {
+TEST(FiniteHorizon, AcceptsPositiveSemidefiniteCosts) {
   const HorizonGains deadbeat =
       finite_horizon_gains(scalar(2), scalar(1), scalar(1), scalar(0), scalar(1), 3);
   ASSERT_EQ(deadbeat.outcome, converged) << deadbeat.reason;
@@ -170,17 +170,17 @@ TEST(FiniteHorizon, TakesCostsThatArePositiveSemiDefinite) {
   EXPECT_TRUE(finite_horizon_gains(scalar(2), scalar(1), scalar(1), scalar(1), scalar(5), 0).L.empty());
 }
 
-/// A system of which some modes are out of reach, seen in turned axes.
-struct Turned {
+/// A system with uncontrollable modes, in rotated coordinates.
+struct Rotated {
   MatrixXd F, G;
 };
 
-Turned turned(RandomStream& random, const MatrixXd& F, const MatrixXd& G) {
+Rotated turned(RandomStream& random, const MatrixXd& F, const MatrixXd& G) {
   const MatrixXd R = random_matrix(random, F.rows(), F.rows()).householderQr().householderQ();
   return {R * F * R.transpose(), R * G};
 }
 
-TEST(SteadyGain, NamesTheModeThatTheInputsDoNotReach) {
+TEST(SteadyGain, NamesTheUncontrollableMode) {
   RandomStream random(5, "modes");
   Matrix2d spiral;
   spiral << 1.2, -0.5, 0.5, 1.2;
@@ -190,11 +190,11 @@ TEST(SteadyGain, NamesTheModeThatTheInputsDoNotReach) {
     F.topRightCorner(2, 2) = random_matrix(random, 2, 2);
     F.bottomRightCorner(2, 2) = spiral;
     G.topRows(2) = random_matrix(random, 2, 2);
-    Turned s = turned(random, F, G);
+    Rotated s = turned(random, F, G);
     const SteadyGain growing = steady_gain(s.F, s.G, identity(4), identity(2));
     EXPECT_EQ(growing.outcome, not_stabilizable);
     EXPECT_HAS(growing.reason, "of magnitude 1.3");
-    F.bottomRightCorner(2, 2) = 0.5 * spiral;  // dies out by itself: no matter
+    F.bottomRightCorner(2, 2) = 0.5 * spiral;  // this mode decays and may be uncontrollable
     s = turned(random, F, G);
     EXPECT_EQ(steady_gain(s.F, s.G, identity(4), identity(2)).outcome, converged);
   }
@@ -207,23 +207,23 @@ TEST(SteadyGain, CannotMoveALandmark) {  // the monobot (3.7): the second mode s
   EXPECT_EQ(answer.L.size(), 0);
 }
 
-TEST(SteadyGain, RefusesModesOutOfReachThatCoincideWithOthers) {
+TEST(SteadyGain, RefusesUncontrollableModesThatCoincideWithOthers) {
   RandomStream random(6, "coincide");
   Matrix2d F;
-  F << 1, 1, 0, 1;  // one Jordan block, whose lower end is out of reach
+  F << 1, 1, 0, 1;  // one Jordan block, whose lower end is uncontrollable
   for (int i = 0; i < 100; ++i) {
-    const Turned s = turned(random, F, Vector2d(1, 0));
+    const Rotated s = turned(random, F, Vector2d(1, 0));
     EXPECT_EQ(steady_gain(s.F, s.G, identity(2), scalar(1)).outcome, not_stabilizable);
   }
 }
 
-TEST(SteadyGain, RefusesACostThatLeavesAModeToItself) {
+TEST(SteadyGain, RefusesACostThatDoesNotObserveAMode) {
   const MatrixXd first_only = Vector2d(1, 0).asDiagonal();
   const SteadyGain standing = steady_gain(identity(2), identity(2), first_only, identity(2));
   EXPECT_EQ(standing.outcome, not_detectable);
   EXPECT_HAS(standing.reason, "the mode 1, of magnitude 1");
   Matrix2d F;
-  F << 1, 1, 0, 1;  // here the second state shows in the first
+  F << 1, 1, 0, 1;  // here the second state affects the first
   EXPECT_EQ(steady_gain(F, identity(2), first_only, identity(2)).outcome, converged);
   const SteadyGain growing = steady_gain(scalar(-2), scalar(1), scalar(0), scalar(1));
   EXPECT_EQ(growing.outcome, not_detectable);
@@ -233,7 +233,7 @@ TEST(SteadyGain, RefusesACostThatLeavesAModeToItself) {
   EXPECT_EQ(nothing_to_do.L(0, 0), 0);
 }
 
-TEST(SteadyGain, RefusesCostsThatAreNone) {
+TEST(SteadyGain, RefusesInvalidCosts) {
   const auto outcome = [](const MatrixXd& Q1, const MatrixXd& Q2) {
     return steady_gain(identity(2), identity(2), Q1, Q2);
   };
@@ -247,7 +247,7 @@ TEST(SteadyGain, RefusesCostsThatAreNone) {
   EXPECT_EQ(outcome(skew, identity(2)).outcome, cost_not_definite);
 }
 
-TEST(SteadyGain, StopsAtTheCap) {
+TEST(SteadyGain, StopsAtTheIterationLimit) {
   const SteadyGain answer = steady_gain(scalar(1), scalar(1), scalar(1e-6), scalar(1), {.max_iterations = 3});
   EXPECT_EQ(answer.outcome, not_converged);
   EXPECT_EQ(answer.iterations, 3);
@@ -255,7 +255,7 @@ TEST(SteadyGain, StopsAtTheCap) {
   EXPECT_EQ(answer.T.size(), 0);
 }
 
-TEST(SteadyGain, ThrowsWhereSizesOrEntriesCannotBe) {
+TEST(SteadyGain, ThrowsForWrongSizesAndNonFiniteEntries) {
   const auto complaint = [](const MatrixXd& F, const MatrixXd& G, const MatrixXd& Q1, const MatrixXd& Q2) {
     return message_of<std::invalid_argument>([&] { steady_gain(F, G, Q1, Q2); });
   };
@@ -273,7 +273,7 @@ TEST(SteadyGain, ThrowsWhereSizesOrEntriesCannotBe) {
             "T_end is 1x1, not 2x2");
 }
 
-TEST(RegulatorOutcome, HasASentenceForEach) {
+TEST(RegulatorOutcome, EachHasAMessage) {
   for (const RegulatorOutcome outcome :
        {converged, cost_not_definite, not_stabilizable, not_detectable, not_converged})
     EXPECT_GT(sentence(outcome).size(), 10u);

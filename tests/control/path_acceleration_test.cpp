@@ -1,4 +1,4 @@
-// The highest accelerations of a path are those found by following it closely.
+// The greatest accelerations of a path equal those of following it in small steps.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -31,12 +31,12 @@ std::vector<Path> paths() {
           WayPointPath{{{0, 0, 0}, {1, 2, 0}, {1, 2, 0}, {-1, 2, 0.5}}, 0.7}, through(samples)};
 }
 
-TEST(PathAcceleration, IsThatOfFollowingIt) {
+TEST(PathAcceleration, EqualsThatOfSmallSteps) {
   for (const Path& path : paths()) {
-    const PathAcceleration told = greatest_acceleration(path), found = by_following(path, 300);
-    EXPECT_NEAR(told.m_s2, found.m_s2, 2e-3 * told.m_s2) << path.index();
-    EXPECT_NEAR(told.rad_s2, found.rad_s2, 2e-3 * told.rad_s2) << path.index();
-    EXPECT_EQ(told.m_s2 > 0, path.index() > 0);
+    const PathAcceleration stated = greatest_acceleration(path), found = by_following(path, 300);
+    EXPECT_NEAR(stated.m_s2, found.m_s2, 2e-3 * stated.m_s2) << path.index();
+    EXPECT_NEAR(stated.rad_s2, found.rad_s2, 2e-3 * stated.rad_s2) << path.index();
+    EXPECT_EQ(stated.m_s2 > 0, path.index() > 0);
   }
 }
 

@@ -1,4 +1,4 @@
-// Paths in time: each is its own derivative, stands still outside its span, and says how fast it is.
+// Timed paths: consistent derivatives, rest outside their span, and the greatest speed.
 #include "incognita/control/reference_path.hpp"
 
 #include <gtest/gtest.h>
@@ -53,7 +53,7 @@ void expect_derivatives(const Reference& before, const Reference& now, const Ref
   EXPECT_NEAR((after.heading_rate - before.heading_rate) / (2 * h), now.heading_acceleration, 1e-4);
 }
 
-TEST(ReferencePath, DerivativesAreItsOwnAtManyTimes) {
+TEST(ReferencePath, DerivativesEqualDifferences) {
   RandomStream random(1, "times");
   constexpr double h = 1e-5;
   for (const Path& path : every_path()) {
@@ -69,7 +69,7 @@ TEST(ReferencePath, DerivativesAreItsOwnAtManyTimes) {
   }
 }
 
-TEST(ReferencePath, StandsStillBeforeItsStartAndFromItsEnd) {
+TEST(ReferencePath, IsAtRestBeforeItsStartAndAfterItsEnd) {
   for (const Path& path : every_path()) {
     const PathSpan span = span_of(path);
     const auto stands = [&](double t, double where) {
@@ -87,7 +87,7 @@ TEST(ReferencePath, StandsStillBeforeItsStartAndFromItsEnd) {
   }
 }
 
-TEST(CirclePath, IsTheThesisCircleWithItsTrueVelocity) {  // (5.14), and (5.15) with its factor
+TEST(CirclePath, IsTheThesisCircleWithTheCorrectVelocity) {  // (5.14), and (5.15) with its factor
   const double r = 7, w = radians(5);
   for (const double t : {0.0, 3.0, 100.0}) {
     const Reference reference = at(CirclePath{{0, 0, 0}, r, w, 0}, t);
@@ -101,8 +101,8 @@ TEST(CirclePath, IsTheThesisCircleWithItsTrueVelocity) {  // (5.14), and (5.15) 
               r * w, 1e-12);
 }
 
-/// (5.28) in the thesis' axes, turned into ours and seen by a camera.
-TEST(BackAndForthPath, IsTheThesisPathAndLooksAtTheCenter) {
+/// (5.28) in the axes of the thesis, transformed into ours, for a camera.
+TEST(BackAndForthPath, IsTheThesisPathAndFacesTheCenter) {
   const BackAndForthPath path{{0.3, -0.4, 1.2}, 1.5, radians(15)};
   for (double t = 0; t < 30; t += 0.37) {
     const double p = path.amplitude_rad * (std::sin(2 * t) - 2 * t / pi);
@@ -120,7 +120,7 @@ TEST(BackAndForthPath, IsTheThesisPathAndLooksAtTheCenter) {
       << "not periodic";
 }
 
-TEST(WayPointPath, StopsAtEachPointAndLooksWhereItGoes) {
+TEST(WayPointPath, StopsAtEachPointAndFacesItsDirection) {
   const Path path = way_points;
   EXPECT_NEAR(span_of(path).end_s, 15.0 / 8 * (2 + 1 + std::sqrt(10.0)) / 0.8, 1e-12);
   const double first = 15.0 / 8 * 2 / 0.8, second = first + 15.0 / 8 / 0.8;
@@ -137,7 +137,7 @@ TEST(WayPointPath, StopsAtEachPointAndLooksWhereItGoes) {
   EXPECT_EQ(greatest_speed(one).m_s, 0);
 }
 
-TEST(SampledPath, GoesThroughItsSamplesSmoothly) {
+TEST(SampledPath, InterpolatesItsSamplesSmoothly) {
   const PathSamples samples = wandering(7, 20, true);
   const Path path = through(samples);
   EXPECT_EQ(span_of(path).start_s, samples.t.front());
@@ -153,7 +153,7 @@ TEST(SampledPath, GoesThroughItsSamplesSmoothly) {
   }
 }
 
-TEST(SampledPath, FollowsWhatItWasSampledFrom) {
+TEST(SampledPath, ConvergesToTheSampledPath) {
   const Path circle = CirclePath{{1, 2, 0}, 2, 0.5, 0};
   PathSamples samples;
   for (double t = 0; t <= 40; t += 0.25) {
@@ -168,7 +168,7 @@ TEST(SampledPath, FollowsWhatItWasSampledFrom) {
   }
 }
 
-TEST(SampledPath, TurnsTheShorterWayAndKeepsTheHeadingWhereItStands) {
+TEST(SampledPath, TurnsTheShorterWayAndKeepsTheHeadingAtRest) {
   PathSamples samples{{0, 1, 2}, {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {3.1, -3.1, 3.1}};
   EXPECT_LT(std::abs(at(through(samples), 0.5).heading_rate), 0.5);
   samples = {{0, 1, 2, 3, 4}, {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, {}};
@@ -178,7 +178,7 @@ TEST(SampledPath, TurnsTheShorterWayAndKeepsTheHeadingWhereItStands) {
   EXPECT_TRUE(at(through(samples), 0.3).velocity.isApprox(Vector3d(0, 2, 0)));
 }
 
-TEST(GreatestSpeed, IsNeitherExceededNorMissed) {
+TEST(GreatestSpeed, IsATightBound) {
   for (const Path& path : every_path()) {
     const PathSpan span = span_of(path);
     const double end = std::min(span.end_s, span.start_s + 100);
@@ -192,7 +192,7 @@ TEST(GreatestSpeed, IsNeitherExceededNorMissed) {
   }
 }
 
-TEST(Unreachable, SaysWhatIsAskedAndWhatThereIs) {
+TEST(Unreachable, StatesTheDemandAndTheLimit) {
   const Path circle = CirclePath{{0, 0, 0}, 7, -0.5, 0};
   EXPECT_EQ(unreachable(circle, 3.5), std::nullopt);
   EXPECT_EQ(unreachable(circle, 2).value_or(""),
@@ -202,7 +202,7 @@ TEST(Unreachable, SaysWhatIsAskedAndWhatThereIs) {
             "the path asks for 2 m/s at t = 1.875 s, the vehicle has 1 m/s");
 }
 
-TEST(ReferencePath, RefusesWhatIsNone) {
+TEST(ReferencePath, RefusesInvalidPaths) {
   const auto complaint = [](const Path& path) {
     return message_of<std::invalid_argument>([&] { check(path); });
   };
@@ -218,7 +218,7 @@ TEST(ReferencePath, RefusesWhatIsNone) {
   EXPECT_HAS(complaint(SampledPath{}), "made by through()");
 }
 
-TEST(SampledPath, RefusesSamplesThatDoNotFit) {
+TEST(SampledPath, RefusesInvalidSamples) {
   const auto complaint = [](const PathSamples& samples) {
     return message_of<std::invalid_argument>([&] { through(samples); });
   };

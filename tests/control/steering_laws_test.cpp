@@ -1,5 +1,5 @@
-// Every law of steering brings every vehicle that it is made for to its path, on the continuous plant and
-// within its limits; what it is not made for, or with numbers that cannot be, is refused with the reason.
+// Every steering law drives every vehicle that it supports to its path, on the continuous plant and within
+// its limits; unsupported vehicles and invalid numbers are refused with the reason.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -31,7 +31,7 @@ Path way_points() { return WayPointPath{{{0, 0, 0}, {6, 0, 0}, {6, 5, 0}, {-2, 7
 Path swing(double radius_m, double amplitude_rad = 0.2) {
   return BackAndForthPath{.center = {0, 0, 1.2}, .radius_m = radius_m, .amplitude_rad = amplitude_rad};
 }
-/// Slowly round an eight, up and down besides, looking where it goes.
+/// A slow figure of eight with changing height, heading along the path.
 Path eight(double size = 1) {
   PathSamples samples;
   for (int i = 0; i <= 80; ++i) {
@@ -51,16 +51,16 @@ struct Case {
   const AnyMotion& motion;
   std::string law;
   Path path;
-  double bound_m;         ///< how near to its path it stays at last
-  double bound_rad = -1;  ///< its heading or gaze; negative where the law leaves that free
+  double bound_m;         ///< final distance to the path
+  double bound_rad = -1;  ///< final error of heading or gaze; negative where the law leaves it free
   double duration_s = 60;
   double period_s = 0.1;
 };
 
-constexpr double still = 1e-6;  // m, of what comes to rest, or goes along arcs, as held commands do
+constexpr double still = 1e-6;  // m, for paths that end at rest or consist of arcs, as held commands do
 
-/// Elsewhere a command is held while the reference bends away: what stays of a = 0.12^2 4 m/s^2 is a period /
-/// (2 K), 6 mm on the line, and so on for the others.
+/// Elsewhere a command is held while the reference changes: with a = 0.12^2 4 m/s^2 the error is a period /
+/// (2 K), 6 mm on the line; the other bounds follow in the same way.
 std::vector<Case> on_the_line() {
   std::vector<Case> all{{line, "lqg", point(), still}};
   for (const char* law : {"tracking", "feedback-linearisation"})
@@ -81,14 +81,15 @@ std::vector<Case> on_the_plane() {
     all.push_back({*motion, law, point(), still});
     all.push_back({*motion, law, circle(), 1e-5});
     all.push_back({*motion, law, circle(-0.12), 1e-5});
-    all.push_back({*motion, law, eight(motion == &car ? 2 : 1), 0.005});  // what a car can turn
+    // a path within the turning radius of a car
+    all.push_back({*motion, law, eight(motion == &car ? 2 : 1), 0.005});
     all.push_back({*motion, law, way_points(), 1e-5, -1, 110});
     all.push_back({*motion, law, swing(4, 0.05), 0.03});
   }
   return all;
 }
 
-/// The laws know the plane below: a slope of 0.3 takes 4 per cent of the speed, 2 cm a second.
+/// The laws assume level ground: a slope of 0.3 costs 4 per cent of the speed, 2 cm/s.
 std::vector<Case> on_uneven_ground() {
   return {{terrain, "tracking", circle(), 0.02, 0.03},
           {terrain, "tracking", eight(), 0.02, 0.03},
@@ -99,14 +100,15 @@ std::vector<Case> on_uneven_ground() {
           {terrain, "feedback-linearisation", way_points(), 1e-5, -1, 110}};
 }
 
-/// Held while the acceleration changes by j a second, j period / (2 K_p) stays: 1 cm of the fastest, 3 m/s^3.
+/// A command held while the acceleration changes by the jerk j leaves j period / (2 K_p): 1 cm at the
+/// greatest, 3 m/s^3.
 std::vector<Case> in_space() {
   std::vector<Case> all{{body, "lqg", PointPath{{1, 1, 1}, 2}, still, still, 40, 0.05}};
   for (const char* law : {"tracking", "feedback-linearisation"}) {
     all.push_back({body, law, PointPath{{1, 1, 1}, 2}, still, still, 30, 0.05});
     all.push_back({body, law, circle(), 1e-4, 1e-4, 30, 0.05});
     all.push_back({body, law, eight(), 1e-4, 1e-4, 30, 0.05});
-    all.push_back({body, law, way_points(), 1e-3, 1e-4, 20, 0.05});  // in the middle of a leg
+    all.push_back({body, law, way_points(), 1e-3, 1e-4, 20, 0.05});  // in the middle of a segment
     all.push_back({body, law, swing(1.5), 0.01, 0.01, 30, 0.05});
   }
   return all;
@@ -123,7 +125,7 @@ SteeringSettings settings_of(const AnyMotion& motion, const std::string& law, co
   return s;
 }
 
-/// Off the path, and turned away from it.
+/// Starts off the path, with a wrong heading.
 std::vector<SmallVector> starts_of(const AnyMotion& motion) {
   if (&motion == &line) return {vec({-8}), vec({0}), vec({15})};
   if (&motion != &body) return {vec({0, 0, 0}), vec({6, -3, 3.1}), vec({-4, 5, -2}), vec({3, 2, 1.5})};
@@ -139,7 +141,7 @@ std::vector<SmallVector> starts_of(const AnyMotion& motion) {
   return all;
 }
 
-/// How far the point that the law steers is off its reference, and how far the heading or the gaze.
+/// Distance of the steered point from its reference, and error of the heading or gaze.
 struct Off {
   double m = 0, rad = 0;
 };
@@ -151,7 +153,7 @@ Off off(const Case& c, const SmallVector& x, const Reference& r) {
     desired.segment<4>(3) = level_gaze(r.heading);
     return {(x.head<3>() - r.position).norm(), minus(chart_of(c.motion), x, desired).segment<3>(3).norm()};
   }
-  // Tracking steers the axle, the other laws a point that is off it
+  // Tracking steers the axle, the other laws a point off the axle
   const bool tracks = c.law == "tracking";
   Eigen::Vector2d from_state(0, 0);
   if (&c.motion == &drive && tracks) from_state << -0.3, -0.1;
@@ -160,7 +162,7 @@ Off off(const Case& c, const SmallVector& x, const Reference& r) {
   return {(at - r.position.head<2>()).norm(), std::abs(wrap_angle(x[2] - r.heading))};
 }
 
-/// The worst of the last fifth of the time.
+/// The greatest error in the last fifth of the time.
 Off driven(const Case& c, const SmallVector& start) {
   const SteeringSettings s = settings_of(c.motion, c.law, c.path);
   const auto law = make_steering(c.motion, s, c.period_s);
@@ -176,7 +178,7 @@ Off driven(const Case& c, const SmallVector& start) {
     if (t > 0.8 * c.duration_s) worst = {std::max(worst.m, now.m), std::max(worst.rad, now.rad)};
     const SmallVector input = law->act(plant.state(), t);
     plant.move(input, c.period_s);
-    EXPECT_EQ(plant.executed(), input) << "more than it can do, at t = " << t;
+    EXPECT_EQ(plant.executed(), input) << "beyond its limit, at t = " << t;
   }
   return worst;
 }
@@ -193,12 +195,12 @@ void expect_convergence(const std::vector<Case>& cases) {
     }
 }
 
-TEST(SteeringLaws, BringAVehicleOnALineToItsPath) { expect_convergence(on_the_line()); }
-TEST(SteeringLaws, BringAVehicleOnThePlaneToItsPath) { expect_convergence(on_the_plane()); }
-TEST(SteeringLaws, BringAVehicleOnUnevenGroundToItsPath) { expect_convergence(on_uneven_ground()); }
-TEST(SteeringLaws, BringABodyInSpaceToItsPath) { expect_convergence(in_space()); }
+TEST(SteeringLaws, ConvergeOnALine) { expect_convergence(on_the_line()); }
+TEST(SteeringLaws, ConvergeOnThePlane) { expect_convergence(on_the_plane()); }
+TEST(SteeringLaws, ConvergeOnUnevenGround) { expect_convergence(on_uneven_ground()); }
+TEST(SteeringLaws, ConvergeInSpace) { expect_convergence(in_space()); }
 
-TEST(SteeringLaws, HoldAnInputWhateverHappens) {
+TEST(SteeringLaws, HoldAConstantInput) {
   for (const AnyMotion* motion : {&line, &drive, &car, &terrain, &body}) {
     SteeringSettings s;
     s.input = SmallVector::LinSpaced(inputs_of(*motion), -0.3, 0.5);
@@ -208,18 +210,18 @@ TEST(SteeringLaws, HoldAnInputWhateverHappens) {
   }
 }
 
-TEST(SteeringLaws, KeepWithinLimitsThatAreLessThanTheLawsOwn) {
+TEST(SteeringLaws, RespectLimitsBelowTheLawsOwn) {
   SteeringSettings s = settings_of(body, "feedback-linearisation", point());
   s.most_input = vec({0.5, 1, 2, 0.1, 0.2, 0.3});
   for (const char* law : {"feedback-linearisation", "lqg"}) {
     s.law = law;
     const SmallVector far = vec({50, -60, 70, 0, 0, 1, 0, 0, 0, 0, 9, -9, 9});
     const SmallVector u = make_steering(body, s, 0.05)->act(far, 0);
-    EXPECT_EQ(u.cwiseAbs(), s.most_input) << "as much as it can do";
+    EXPECT_EQ(u.cwiseAbs(), s.most_input) << "up to its limit";
   }
 }
 
-// What is refused
+// Refusals
 
 std::string why_not(const AnyMotion& motion, const SteeringSettings& s, double period_s = 0.1) {
   return message_of<std::invalid_argument>([&] { make_steering(motion, s, period_s); });
@@ -235,7 +237,7 @@ std::string why_not(const AnyMotion& motion, const std::string& law, const Path&
 constexpr double nan = std::numeric_limits<double>::quiet_NaN(),
                  inf = std::numeric_limits<double>::infinity();
 
-TEST(SteeringRefusals, ALawThatDoesNotSteerThatMotion) {
+TEST(SteeringRefusals, AnUnsupportedMotionModel) {
   EXPECT_HAS(why_not(car, "tracking", circle()), "a car is steered by `feedback-linearisation`");
   EXPECT_HAS(why_not(car, "lqg", point()), "a car is steered by `feedback-linearisation`");
   EXPECT_HAS(why_not(terrain, "lqg", point()), "does not know the slopes");
@@ -244,7 +246,7 @@ TEST(SteeringRefusals, ALawThatDoesNotSteerThatMotion) {
                "`traking` is no law of steering; the nearest is `tracking`");
 }
 
-TEST(SteeringRefusals, APathThatTheLawDoesNotFollow) {
+TEST(SteeringRefusals, AnUnsupportedPath) {
   for (const AnyMotion* motion : {&line, &drive, &body})
     for (const Path& path : {circle(), way_points(), eight(), swing(1)})
       EXPECT_HAS(why_not(*motion, "lqg", path), "an LQG regulator drives to a point");
@@ -258,7 +260,7 @@ TEST(SteeringRefusals, APathThatTheLawDoesNotFollow) {
   }
 }
 
-TEST(SteeringRefusals, APathThatIsNone) {
+TEST(SteeringRefusals, AnInvalidPath) {
   for (const AnyMotion* motion : {&line, &drive, &car, &terrain, &body}) {
     EXPECT_HAS(why_not(*motion, "feedback-linearisation", CirclePath{.radius_m = -1}), "radius");
     EXPECT_HAS(why_not(*motion, "feedback-linearisation", PointPath{{nan, 0, 0}}), "not finite");
@@ -266,7 +268,7 @@ TEST(SteeringRefusals, APathThatIsNone) {
   }
 }
 
-TEST(SteeringRefusals, APathThatCannotBeReached) {
+TEST(SteeringRefusals, APathThatIsTooFast) {
   const Path fast = CirclePath{.radius_m = 4, .rate_rad_s = 0.5};  // 2 m/s
   for (const AnyMotion* motion : {&line, &drive, &car, &terrain})
     EXPECT_HAS(why_not(*motion, "feedback-linearisation", fast), "the path asks for 2 m/s at t = 0 s");
@@ -286,8 +288,8 @@ TEST(SteeringRefusals, APathThatCannotBeReached) {
   }
 }
 
-/// A car goes round the tightest circle that is not refused, and not round a tighter one.
-TEST(SteeringRefusals, TheTightestCircleIsTheCarsOwn) {
+/// A car follows the tightest circle that is not refused; a tighter one is refused.
+TEST(SteeringRefusals, ACircleTighterThanTheTurningRadius) {
   const AckermannCar& its = std::get<AckermannCar>(car);
   const double tightest = std::hypot(its.wheelbase_m / std::tan(0.6), its.body.forward_m);
   const auto around = [](double radius_m) { return CirclePath{.radius_m = radius_m, .rate_rad_s = 0.2}; };
@@ -310,7 +312,7 @@ TEST(SteeringRefusals, AControlPointOnTheAxle) {
                "finite way from the axle");
 }
 
-TEST(SteeringRefusals, LimitsThatAreNone) {
+TEST(SteeringRefusals, InvalidLimits) {
   for (const AnyMotion* motion : {&line, &drive, &car, &terrain, &body}) {
     const int inputs = inputs_of(*motion);
     const auto with = [&](const SmallVector& most) {
@@ -327,7 +329,7 @@ TEST(SteeringRefusals, LimitsThatAreNone) {
              "between 0 and pi/2");
 }
 
-TEST(SteeringRefusals, APeriodThatIsNone) {
+TEST(SteeringRefusals, AnInvalidPeriod) {
   for (const AnyMotion* motion : {&line, &drive, &car, &terrain, &body})
     for (const char* law : {"none", "tracking", "lqg", "feedback-linearisation"})
       for (const double bad : {0.0, -0.1, nan, inf}) {
@@ -337,18 +339,18 @@ TEST(SteeringRefusals, APeriodThatIsNone) {
       }
 }
 
-TEST(SteeringRefusals, AnInputThatCannotBeHeld) {
+TEST(SteeringRefusals, AConstantInputBeyondTheLimits) {
   SteeringSettings s;
   EXPECT_HAS(why_not(drive, s), "the inputs that are held need 2 numbers, and have 0");
   s.input = vec({0.1, nan});
   EXPECT_HAS(why_not(drive, s), "must be finite");
   s.input = vec({0.1, 2});
-  EXPECT_EQ(why_not(drive, s), "(none)") << "where no limits are told";
+  EXPECT_EQ(why_not(drive, s), "(none)") << "without limits";
   s.most_input = vec({1, 1});
   EXPECT_HAS(why_not(drive, s), "more than the vehicle can do");
 }
 
-/// What the gains of a law are called, and a path for it.
+/// The keys of a law's gains, and a path for it.
 struct Gain {
   const AnyMotion& motion;
   const char* law;
@@ -375,7 +377,7 @@ std::vector<Gain> gains() {
   return all;
 }
 
-TEST(SteeringRefusals, GainsThatAreNotPositiveNumbers) {
+TEST(SteeringRefusals, GainsThatAreNotPositive) {
   for (const Gain& gain : gains()) {
     SteeringSettings s = settings_of(gain.motion, gain.law, gain.path);
     EXPECT_EQ(why_not(gain.motion, s), "(none)");
@@ -391,7 +393,7 @@ TEST(SteeringRefusals, GainsThatAreNotPositiveNumbers) {
 TEST(SteeringRefusals, GainsOfTheWrongSize) {
   for (const Gain& gain : gains()) {
     SteeringSettings s = settings_of(gain.motion, gain.law, gain.path);
-    if (gain.law == std::string("tracking") && &gain.motion != &line) continue;  // its gains are numbers
+    if (gain.law == std::string("tracking") && &gain.motion != &line) continue;  // its gains are scalars
     if (gain.law == std::string("feedback-linearisation") && &gain.motion == &body) continue;
     (gain.law == std::string("lqg") ? s.weight_state : s.gain_per_s) =
         Diagonal(SmallVector::Constant(5, 1.0));
@@ -399,18 +401,18 @@ TEST(SteeringRefusals, GainsOfTheWrongSize) {
   }
 }
 
-TEST(SteeringLaws, AWeightOfItsOwnForEachInput) {
+TEST(SteeringLaws, WeightEachInputSeparately) {
   SteeringSettings s = settings_of(drive, "lqg", point());
   const SmallVector x = vec({-3, 0.4, 0.1});
   const SmallVector even = make_steering(drive, s, 0.1)->act(x, 0);
-  s.weight_input = Diagonal(vec({1, 1e4}));  // turning is dear
+  s.weight_input = Diagonal(vec({1, 1e4}));  // turning is expensive
   const SmallVector uneven = make_steering(drive, s, 0.1)->act(x, 0);
   EXPECT_LT(std::abs(uneven[1]), 0.1 * std::abs(even[1]));
 }
 
-TEST(SteeringRefusals, GainsThatOvershootWhileACommandIsHeld) {
+TEST(SteeringRefusals, GainsThatOvershootWithHeldCommands) {
   for (const Gain& gain : gains()) {
-    if (gain.law == std::string("lqg")) continue;  // its weights may be anything
+    if (gain.law == std::string("lqg")) continue;  // its weights may be any positive numbers
     SteeringSettings s = settings_of(gain.motion, gain.law, gain.path);
     for (double* number : gain.of(s)) {
       const double good = std::exchange(*number, 1e4);
@@ -424,14 +426,14 @@ TEST(SteeringRefusals, GainsThatOvershootWhileACommandIsHeld) {
                "it must be 1 rad at most");
 }
 
-/// The bound is where the sampled body begins to swing up.
-TEST(SteeringRefusals, GainsOfABodyAreThoseThatDoNotSettle) {
+/// The bound is the limit of stability of the sampled double integrator.
+TEST(SteeringRefusals, GainsOfABodyThatDoNotSettle) {
   for (const double by_rate : {5.0, 39.0, 41.0}) {
     SteeringSettings s = settings_of(body, "feedback-linearisation", point());
     s.camera.gain_velocity_per_s = by_rate;
     const bool refused = why_not(body, s, 0.05) != "(none)";
     EXPECT_EQ(refused, by_rate > 40);
-    double v = 0, p = 0.001;  // a double integrator with its acceleration held
+    double v = 0, p = 0.001;  // a double integrator with held acceleration
     for (int k = 0; k < 2000; ++k) {
       const double a = -s.camera.gain_position_per_s2 * p - by_rate * v;
       p += 0.05 * v + 0.05 * 0.05 / 2 * a, v += 0.05 * a;

@@ -1,4 +1,5 @@
-// The low level of a vehicle with a camera: what it is told comes first, then its law, and both keep clear.
+// Low-level control of a vehicle with a camera: a commanded drive takes precedence over the law, and obstacle
+// avoidance applies to both.
 #include "incognita/control/vehicle_controller.hpp"
 
 #include <gtest/gtest.h>
@@ -39,19 +40,19 @@ TEST(VehicleController, FindsTheAxleUnderTheCamera) {
 
 Eigen::Vector2d input(const Command& command) { return command.inputs.at(0); }
 
-TEST(VehicleController, DrivesAsItIsToldBeforeItsLaw) {
+TEST(VehicleController, CommandedDriveTakesPrecedenceOverTheLaw) {
   VehicleController controller(driving(), 0.1);
   const Estimate estimate = at({}, {0, 0, 0});
   Goal goal;
   EXPECT_EQ(input(controller.act(estimate, goal, {}, {0, 0, 0})), Eigen::Vector2d(0.2, 0.1));
   goal.drive = Eigen::Vector2d(-0.3, 0.2);
   EXPECT_EQ(input(controller.act(estimate, goal, {}, {1, 0.1, 0.1})), Eigen::Vector2d(-0.3, 0.2));
-  goal.drive = Eigen::Vector2d(5, 0.6);  // the same way, as far as it can
+  goal.drive = Eigen::Vector2d(5, 0.6);  // the same direction, up to the limits
   EXPECT_LT((input(controller.act(estimate, goal, {}, {2, 0.2, 0.1})) - Eigen::Vector2d(0.5, 0.06)).norm(),
             1e-12);
 }
 
-TEST(VehicleController, StandsStillBeforeTheStartAndWhenLost) {
+TEST(VehicleController, CommandsZeroBeforeTheStartAndWhenLost) {
   VehicleController controller(driving(), 0.1);
   EXPECT_EQ(input(controller.act({}, {}, {}, {0, 0, 0})), Eigen::Vector2d(0, 0));
   Estimate estimate = at({}, {0, 0, 0});
@@ -59,7 +60,7 @@ TEST(VehicleController, StandsStillBeforeTheStartAndWhenLost) {
   EXPECT_EQ(input(controller.act(estimate, {}, {}, {1, 0.1, 0.1})), Eigen::Vector2d(0, 0));
 }
 
-TEST(VehicleController, KeepsClearWhateverItIsTold) {
+TEST(VehicleController, AvoidsObstaclesUnderAnyCommand) {
   VehicleDriving d = driving();
   d.obstacle_avoidance = ObstacleAvoidanceSettings{0.8, 0.3, {0.5, 0.6}};
   VehicleController controller(d, 0.1);
@@ -88,7 +89,7 @@ TEST(VehicleController, FollowsAPathOnUnevenGround) {
   EXPECT_LT((front - Eigen::Vector2d(std::cos(0.2 * t), std::sin(0.2 * t))).norm(), 0.05);
 }
 
-TEST(VehicleController, RefusesWhatCannotSteer) {
+TEST(VehicleController, RefusesInvalidSettings) {
   VehicleDriving d = driving("lqg");
   EXPECT_THROW(VehicleController(d, 0.1), std::invalid_argument);
   d = driving();

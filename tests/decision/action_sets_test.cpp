@@ -1,4 +1,4 @@
-// What actions make of a state: against exact motion.
+// States predicted for actions, against exact motion.
 #include "incognita/decision/action_sets.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ BlockVector level_camera(double heading) {
   return x;
 }
 
-TEST(Translations, GoAlongTheHeadingAndGravityFromRestToRest) {
+TEST(Translations, FollowTheHeadingAndGravityFromRestToRest) {
   const Translations moves(seven_translations(0.3), 1, growth_over(1, 0.3, 0.3), {});
   const BlockVector x = level_camera(1);
   const Eigen::Vector3d ahead(std::cos(1.0), std::sin(1.0), 0), left(-std::sin(1.0), std::cos(1.0), 0);
@@ -41,7 +41,7 @@ TEST(Translations, GoAlongTheHeadingAndGravityFromRestToRest) {
   EXPECT_EQ(moves.stay(), 6);
 }
 
-TEST(Translations, TurnOnAsTheGazeDoes) {
+TEST(Translations, RotateAtTheGazeRate) {
   Translations moves(seven_translations(0.3), 2, growth_over(2, 0.3, 0.3), {});
   moves.turn_at(0.2);
   EXPECT_NEAR(heading_of(Eigen::Vector4d(moves.after(level_camera(1), 6).state.segment<4>(3))), 1.4, 1e-9);
@@ -56,7 +56,7 @@ TEST(Translations, AreAllowedInsideTheBoundsAndStayingAlways) {
   EXPECT_TRUE(moves.after(outside, 6).allowed());
 }
 
-TEST(Actions, OfOnesOwnHaveNamesAndMustStay) {
+TEST(Actions, UserActionsHaveNamesAndMustIncludeStay) {
   const auto own = named(std::vector<Eigen::Vector3d>{{0.5, 0, 0}, {0.2, 0, 0}, {0.1, 0.1, 0}, {0, 0, 0}});
   EXPECT_EQ(own[0].name, "go_forward");
   EXPECT_EQ(own[1].name, "go_forward_2");
@@ -67,7 +67,7 @@ TEST(Actions, OfOnesOwnHaveNamesAndMustStay) {
       std::invalid_argument);
 }
 
-TEST(Actions, OfTable61) {
+TEST(Actions, AreThoseOfTable61) {
   const auto table = table_6_1(0.5, 0.3, 0.1);
   const char* names[] = {"stay", "right", "left", "slower", "faster", "slower_right", "faster_left"};
   ASSERT_EQ(table.size(), 7u);
@@ -75,7 +75,7 @@ TEST(Actions, OfTable61) {
   EXPECT_NEAR((table[6].change - Eigen::Vector2d(0.05, 0.03)).norm(), 0, 1e-15);
 }
 
-TEST(Turns, TurnRightLeftOrNot) {
+TEST(Turns, RotateRightLeftOrNot) {
   const Turns turns(0.2, 1.5, growth_over(1.5, 0.3, 0.3));
   for (int a = 0; a < 3; ++a) {
     const ActionOutcome out = turns.after(level_camera(0.5), a);
@@ -87,9 +87,8 @@ TEST(Turns, TurnRightLeftOrNot) {
   EXPECT_EQ(turns.rate_of(turns.stay()), 0);
 }
 
-/// On a plane, level or tilted, (6.10) is exact: it is how a vehicle that keeps to the ground carries its
-/// camera.
-TEST(SpeedChanges, CarryTheCameraAsAVehicleOnAPlaneDoes) {
+/// On a level or tilted plane (6.10) is exact for a camera on a vehicle.
+TEST(SpeedChanges, PredictTheCameraOfAVehicleOnAPlane) {
   const Mount mount{0.3, 0.1, 0.6, 0.2, 0.4};
   for (const auto& [slope_x, slope_y] : {std::pair{0.0, 0.0}, std::pair{0.3, -0.2}}) {
     const TerrainVehicle vehicle{TiltedPlane{0, slope_x, slope_y}};
@@ -111,7 +110,7 @@ TEST(SpeedChanges, CarryTheCameraAsAVehicleOnAPlaneDoes) {
   }
 }
 
-TEST(SpeedChanges, KeepToWhatTheVehicleCanDo) {
+TEST(SpeedChanges, RespectTheLimitsOfTheVehicle) {
   const SpeedChanges moves(table_6_1(5, 3, 1), 1, growth_over(1, 0.3, 0.3), {}, {}, 1, 0.5);
   EXPECT_EQ(moves.after(Eigen::Vector2d(0.5, 0), 6), Eigen::Vector2d(1, 0.5));
   EXPECT_EQ(moves.after(Eigen::Vector2d(0.5, 0), 5), Eigen::Vector2d(-1, -0.5));

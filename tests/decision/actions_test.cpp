@@ -31,7 +31,7 @@ TEST(Heading, IsThatOfTheLevelGaze) {
   }
 }
 
-/// A camera at the origin looking along +x with one unsure landmark and one sure one ahead.
+/// A camera at the origin, facing +x, with one uncertain and one accurate landmark ahead.
 Estimate two_landmarks() {
   Estimate estimate;
   CameraState x = CameraState::Zero();
@@ -46,16 +46,16 @@ Estimate two_landmarks() {
     landmark.camera = 0;
     const Eigen::Vector3d at(2.0, y, 0);
     const Eigen::Matrix3d cov =
-        Eigen::Vector3d(0.25, 1e-4, 1e-4).asDiagonal();  // unsure along the line of sight
+        Eigen::Vector3d(0.25, 1e-4, 1e-4).asDiagonal();  // uncertain along the line of sight
     landmark.block = estimate.belief.augment(PointLandmark::chart, at, {}, cov);
     estimate.landmarks.emplace(landmark.id, landmark);
   }
   return estimate;
 }
 
-TEST(CameraDecision, MovesAcrossTheLineOfSightToLearnDepth) {
+TEST(CameraDecision, MovesAcrossTheLineOfSightToGainDepth) {
   const Estimate estimate = two_landmarks();
-  CameraSlamSettings steady;  // a second of unknown accelerations would drown the parallax
+  CameraSlamSettings steady;  // a second of unknown accelerations would mask the parallax
   steady.filter.sigma_acceleration_m_s2 = steady.filter.sigma_angular_acceleration_rad_s2 = 0.01;
   CameraDecision decision(WideAngleCamera{}, steady, {});
   const Goal goal = decision.choose(estimate, Tick{0, 0, 0});
@@ -66,7 +66,7 @@ TEST(CameraDecision, MovesAcrossTheLineOfSightToLearnDepth) {
   EXPECT_NEAR((goal.to - goal.from).norm(), 0.3, 1e-12);
 }
 
-TEST(CameraDecision, ComparesOncePerPeriodAndScoresEveryFrame) {
+TEST(CameraDecision, DecidesOncePerPeriodAndScoresEveryFrame) {
   const Estimate estimate = two_landmarks();
   CameraDecision decision(WideAngleCamera{}, {}, {});
   int decided = 0;
@@ -79,7 +79,7 @@ TEST(CameraDecision, ComparesOncePerPeriodAndScoresEveryFrame) {
   EXPECT_EQ(decided, 3);
 }
 
-TEST(CameraDecision, LeavesOutGoalsBeyondTheBounds) {
+TEST(CameraDecision, ExcludesGoalsOutsideTheBounds) {
   const Estimate estimate = two_landmarks();
   DecisionSettings settings;
   settings.min_bound_m = {-0.1, -0.1, -0.1};

@@ -1,4 +1,4 @@
-// What a camera imagines to see: what it would search for and map, no more.
+// Predicted measurements of a camera: limited to what it would search for and initialize.
 #include "incognita/decision/camera_expectation.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace incognita {
 namespace {
 
-/// A camera at the origin that looks along +x, and points before it, each as unsure as it is drawn.
+/// A camera at the origin, facing +x, and points ahead with random uncertainties.
 Estimate before(int landmarks) {
   Estimate e;
   CameraState x = CameraState::Zero();
@@ -54,7 +54,7 @@ std::ptrdiff_t count(const std::vector<PredictedMeasurement>& measurements, Pred
                        [&](const PredictedMeasurement& l) { return l.of == of; });
 }
 
-TEST(CameraExpectation, SearchesForTheMostUncertain) {
+TEST(CameraExpectation, PredictsTheMostUncertainLandmarks) {
   const Estimate e = before(20);
   CameraSlamSettings slam;
   slam.search.max_measurements = 20;
@@ -79,7 +79,7 @@ TEST(CameraExpectation, SearchesForTheMostUncertain) {
   }
 }
 
-TEST(CameraExpectation, OfWhatNobodySawNoMoreThanWouldBeMapped) {
+TEST(CameraExpectation, PredictsNoMoreNewLandmarksThanWouldBeInitialized) {
   CameraSlamSettings slam;
   slam.map.wanted_visible = 12;
   for (const int mapped : {0, 5, 11, 12, 20}) {
@@ -91,7 +91,7 @@ TEST(CameraExpectation, OfWhatNobodySawNoMoreThanWouldBeMapped) {
   EXPECT_EQ(count(expect(before(2), predicted_before(3), slam, true), PredictedMeasurement::Of::unseen), 3);
   EXPECT_EQ(count(expect(before(20), predicted_before(30), slam, false), PredictedMeasurement::Of::unseen),
             30)
-      << "all of them, unless told otherwise";
+      << "all of them by default";
 }
 
 }  // namespace

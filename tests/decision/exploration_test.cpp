@@ -1,4 +1,4 @@
-// What is expected where nobody has looked: Figure 6.3.
+// The exploration prior: Figure 6.3.
 #include "incognita/decision/exploration.hpp"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ ExplorationSettings room(int expected) {
 
 bool nothing(const Eigen::Vector3d&) { return false; }
 
-TEST(Exploration, ExpectsSoManyInsideTheBox) {
+TEST(Exploration, ExpectsTheStatedNumberInsideTheVolume) {
   const Exploration e(room(27), 3);
   ASSERT_EQ(e.expected().size(), 27u);
   for (const ExpectedLandmark& l : e.expected()) {
@@ -31,7 +31,7 @@ TEST(Exploration, ExpectsSoManyInsideTheBox) {
   EXPECT_NE(e.expected()[0].position, other.expected()[0].position);
 }
 
-TEST(Exploration, LandmarksLeaveWhatWasSeenAndStayElsewhere) {
+TEST(Exploration, SeenCellsExpectNoLandmarksAndOthersKeepThem) {
   Exploration e(room(20), 1);
   const auto east = [](const Eigen::Vector3d& p) { return p.x() > 0; };
   const auto count_east = [&] {
@@ -41,7 +41,7 @@ TEST(Exploration, LandmarksLeaveWhatWasSeenAndStayElsewhere) {
   };
   EXPECT_GT(count_east(), 0);
   for (int i = 0; i < 9; ++i) e.update(east, 0.1, 0);
-  EXPECT_EQ(e.coverage(), 0) << "a second makes a cell seen, and not before";
+  EXPECT_EQ(e.coverage(), 0) << "a cell counts as seen after one second";
   e.update(east, 0.1, 0);
   EXPECT_NEAR(e.coverage(), 0.5, 1e-12);
   EXPECT_EQ(e.expected().size(), 20u);
@@ -51,10 +51,10 @@ TEST(Exploration, LandmarksLeaveWhatWasSeenAndStayElsewhere) {
   for (std::size_t i = 0; i < before.size(); ++i) EXPECT_EQ(e.expected()[i].position, before[i].position);
   for (int i = 0; i < 10; ++i) e.update([](const Eigen::Vector3d&) { return true; }, 0.1, 0);
   EXPECT_EQ(e.coverage(), 1);
-  EXPECT_TRUE(e.expected().empty()) << "there is no elsewhere";
+  EXPECT_TRUE(e.expected().empty()) << "no unseen cells remain";
 }
 
-TEST(Exploration, WhatIsMappedIsNoLongerExpected) {
+TEST(Exploration, MappedLandmarksReduceTheExpectedNumber) {
   Exploration e(room(10), 1);
   e.update(nothing, 0.1, 4);
   EXPECT_EQ(e.expected().size(), 6u);
@@ -62,26 +62,26 @@ TEST(Exploration, WhatIsMappedIsNoLongerExpected) {
   e.update(nothing, 0.1, 12);
   EXPECT_TRUE(e.expected().empty());
   e.update(nothing, 0.1, 4);
-  ASSERT_EQ(e.expected().size(), 6u) << "what is dropped from the map is expected again";
+  ASSERT_EQ(e.expected().size(), 6u) << "landmarks dropped from the map are expected again";
   for (std::size_t i = 0; i < 6; ++i)
     EXPECT_EQ(e.expected()[i].position, before[i].position) << "where it was before";
 }
 
-TEST(Exploration, ExpectsNothingUnlessTold) {
+TEST(Exploration, ExpectsNothingByDefault) {
   Exploration e({}, 1);
   e.update([](const Eigen::Vector3d&) { return true; }, 10, 0);
   EXPECT_TRUE(e.expected().empty());
   EXPECT_EQ(e.coverage(), 0);
 }
 
-TEST(Exploration, EntropyOfWhatIsNotMapped) {
+TEST(Exploration, EntropyOfUnmappedLandmarks) {
   const double each = 1.5 * (1 + std::log(2 * std::numbers::pi * 1.5));  // 3/2 (1 + log(2 pi variance))
   EXPECT_NEAR(entropy_of_unmapped(27, 1.5), 27 * each, 1e-9);
   EXPECT_EQ(entropy_of_unmapped(0, 1.5), 0);
   EXPECT_NEAR(entropy_of_unmapped(27, 1.5, 2), 27 * each * 2 / 3, 1e-9) << "on a plane";
 }
 
-TEST(Exploration, RefusesWhatCanNotBe) {
+TEST(Exploration, RefusesInvalidSettings) {
   ExplorationSettings s = room(5);
   s.max_m = s.min_m;
   EXPECT_THROW(Exploration(s, 1), std::invalid_argument);

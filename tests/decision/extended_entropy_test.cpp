@@ -20,7 +20,7 @@ Eigen::MatrixXd some_covariance(int size) {
   return root * root.transpose();
 }
 
-TEST(ExtendedEntropy, IsThatOfWhatIsTold) {
+TEST(ExtendedEntropy, IsThatOfTheGivenTransformation) {
   const Eigen::MatrixXd P = some_covariance(12 + 3 + 6);
   const Eigen::MatrixXd transforms = some_covariance(6).topRows(3);
   Eigen::MatrixXd J = Eigen::MatrixXd::Zero(18, 21);
@@ -43,7 +43,7 @@ Estimate camera_alone() {
   return e;
 }
 
-TEST(ExtendedEntropy, ALandmarkMappedAsBadlyAsItWasExpectedTeachesNothing) {
+TEST(ExtendedEntropy, ALandmarkAsUncertainAsItsPriorGainsNothing) {
   ExplorationSettings exploration;
   exploration.expected_landmarks = 4;
   exploration.variance_expected_m2 = 1.5;

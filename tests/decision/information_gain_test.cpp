@@ -1,5 +1,5 @@
-// What imagined looks would teach, in measurement space, against the thesis' determinants of the whole
-// covariance, (6.6), step by step with textbook posteriors.
+// Information gain of predicted measurements, computed in measurement space, against the thesis' determinants
+// of the whole covariance, (6.6), step by step with textbook posteriors.
 #include "incognita/decision/information_gain.hpp"
 
 #include <gtest/gtest.h>
@@ -59,7 +59,7 @@ PredictedMeasurement random_measurement(RandomStream& random, const SmallMap& ma
   return measurement;
 }
 
-/// An anchor, some of the map, and one that nobody has seen yet.
+/// An anchor, some landmarks of the map, and one that is not initialized yet.
 ImaginedStep random_step(RandomStream& random, const SmallMap& map) {
   ImaginedStep step{random_matrix(random, 12, 12) * 0.5, random_covariance(random, 12), {}};
   for (int of = -1; of < static_cast<int>(map.landmarks.size()) + unseen_count; ++of)
@@ -67,7 +67,8 @@ ImaginedStep random_step(RandomStream& random, const SmallMap& map) {
   return step;
 }
 
-/// The state with those that are not seen yet in it (Figure 6.3), moved and updated by the textbook.
+/// The state augmented with the uninitialized landmarks (Figure 6.3), predicted and updated by the textbook
+/// formulas.
 struct Textbook {
   Eigen::MatrixXd P;
   int errors;
@@ -132,8 +133,9 @@ TEST(InformationGain, EqualsTheThesisDeterminantsStepByStep) {
   }
 }
 
-/// At the end of a path the vehicle knows what its last pose shares with all looks of the path.
-TEST(InformationGain, OfTheVehicleIsThatOfAllLooksOfThePath) {
+/// At the end of a path, the information on the vehicle is that of its last pose from all measurements along
+/// the path.
+TEST(InformationGain, OfTheVehicleIncludesAllMeasurementsOfThePath) {
   RandomStream random(7, "test.information");
   for (int round = 0; round < 20; ++round) {
     const SmallMap map(random, 3);
@@ -153,7 +155,7 @@ TEST(InformationGain, OfTheVehicleIsThatOfAllLooksOfThePath) {
   }
 }
 
-TEST(InformationGain, OfPositionAndMapLeavesOutTheRest) {
+TEST(InformationGain, OfPositionAndMapMarginalizesTheRest) {
   RandomStream random(5, "test.information");
   constexpr int kept = 3;
   for (int round = 0; round < 20; ++round) {
@@ -173,7 +175,7 @@ TEST(InformationGain, OfPositionAndMapLeavesOutTheRest) {
   }
 }
 
-TEST(InformationGain, IsTheSameByEveryWayToAPath) {
+TEST(InformationGain, DoesNotDependOnTheOrderOfEvaluation) {
   RandomStream random(6, "test.information");
   const SmallMap map(random, 4);
   const AnyBelief same = AnyBelief(map.belief);
@@ -197,7 +199,7 @@ TEST(InformationGain, IsTheSameByEveryWayToAPath) {
   EXPECT_THROW(wandering.pop(), std::logic_error);
 }
 
-TEST(InformationGain, NoLooksTeachNothingAndMoreLooksTeachMore) {
+TEST(InformationGain, IsZeroWithoutMeasurementsAndGrowsWithThem) {
   RandomStream random(2, "test.information");
   const SmallMap map(random, 5);
   const ImaginedStep all = random_step(random, map);
@@ -249,8 +251,8 @@ TEST(InformationGain, FisherTraceIsThatOfTheWholeMatrices) {
   EXPECT_LT(gain.fisher_trace(), gain.fisher_trace_given_state());
 }
 
-TEST(InformationGain, SurvivesWhereDeterminantsUnderflow) {
-  // |1e-4 I| of 313 states is 0 in double: the thesis' way gives no number at all, this one does
+TEST(InformationGain, IsFiniteWhereDeterminantsUnderflow) {
+  // |1e-4 I| of 313 states is 0 in double precision: the thesis' formula has no value, this one has
   RandomStream random(3, "test.information");
   SmallMap map(random, 0);
   for (int i = 0; i < 101; ++i)
@@ -278,7 +280,7 @@ TEST(InformationGain, SurvivesWhereDeterminantsUnderflow) {
               0.5 * (log_det(map.belief.dense_covariance()) - log_det(updated.dense_covariance())), 1e-6);
 }
 
-TEST(InformationGain, RefusesWhatDoesNotFit) {
+TEST(InformationGain, RefusesWrongSizes) {
   RandomStream random(9, "test.information");
   const SmallMap map(random, 2);
   InformationGain gain;
@@ -296,8 +298,8 @@ TEST(InformationGain, RefusesWhatDoesNotFit) {
   EXPECT_THROW(gain.push(step), std::invalid_argument);
 }
 
-/// Its covariance has no inverse; what is known exactly has nothing to learn.
-TEST(InformationGain, OfAVehicleThatIsKnownExactlyAlongOneAxis) {
+/// The covariance is singular; an exact error has no information to gain.
+TEST(InformationGain, OfAVehicleWithOneExactAxis) {
   Belief belief;
   const Eigen::Matrix2d P = Eigen::Vector2d(0, 0.04).asDiagonal();
   const BlockId vehicle = belief.add_vehicle(Chart::line(2), Eigen::Vector2d::Zero(), P);
@@ -312,7 +314,7 @@ TEST(InformationGain, OfAVehicleThatIsKnownExactlyAlongOneAxis) {
   EXPECT_NEAR(gain.of_vehicle(), gain.of_state(), 1e-12);
   EXPECT_THROW(gain.of_position_and_map(3, P), std::invalid_argument);
   EXPECT_THROW(gain.of_position_and_map(-1, P), std::invalid_argument);
-  EXPECT_NEAR(gain.of_position_and_map(0, P), 0, 1e-12) << "there is no map, and nothing to learn of it";
+  EXPECT_NEAR(gain.of_position_and_map(0, P), 0, 1e-12) << "there is no map to gain information on";
   EXPECT_NEAR(gain.of_position_and_map(2, P), gain.of_state(), 1e-12) << "all of it";
 }
 

@@ -1,4 +1,4 @@
-// One action, or several one after the other: which begins best.
+// Look-ahead over one or several actions.
 #include "incognita/decision/look_ahead.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 namespace incognita {
 namespace {
 
-/// A robot on a line that steps left, stays or steps right, and past a wall at x = 30 may not.
+/// A robot on a line that steps left, stays or steps right, with a wall at x = 30.
 class Steps final : public ActionSet {
  public:
   int count() const override { return 3; }
@@ -26,7 +26,7 @@ class Steps final : public ActionSet {
   }
 };
 
-/// What is near is seen the better, each landmark with a noise of its own distance.
+/// Near landmarks are measured more accurately: the noise of each depends on its distance.
 class NearPoints final : public Expectation {
  public:
   struct Point {
@@ -55,7 +55,7 @@ class NearPoints final : public Expectation {
   }
 };
 
-/// Something middling to the right, and far to the left something rich that one step does not show.
+/// Some information to the right, and far to the left much information that is out of reach of one step.
 struct Line {
   Belief belief;
   BlockId robot;
@@ -81,7 +81,7 @@ struct Line {
   }
 };
 
-/// All sequences, each with a gain of its own: no tree, no beam.
+/// Exhaustive search: each sequence evaluated independently, without tree or beam.
 double best_of_all(const Line& line, int first, int horizon) {
   double best = -1;
   const int sequences = static_cast<int>(std::pow(3, horizon - 1));
@@ -105,7 +105,7 @@ double best_of_all(const Line& line, int first, int horizon) {
   return best;
 }
 
-TEST(LookAhead, IsTheBestOfAllSequencesWhereAllAreFollowed) {
+TEST(LookAhead, EqualsExhaustiveSearchWithAFullBeam) {
   for (const int horizon : {1, 2, 3, 4}) {
     Line line;
     const std::vector<double> scores = line.scores(horizon);
@@ -115,14 +115,14 @@ TEST(LookAhead, IsTheBestOfAllSequencesWhereAllAreFollowed) {
   }
 }
 
-TEST(LookAhead, GoesForWhatOneStepDoesNotShow) {
+TEST(LookAhead, FindsInformationBeyondOneStep) {
   Line line;
   const std::vector<bool> all(3, true);
-  EXPECT_EQ(best_of(line.scores(1), all, 1), 2) << "greedy: to the right";
+  EXPECT_EQ(best_of(line.scores(1), all, 1), 2) << "one step: to the right";
   EXPECT_EQ(best_of(line.scores(3), all, 1), 0) << "with what follows: to the left";
 }
 
-TEST(LookAhead, KeepsToItsBudgetAndFollowsEveryFirstAction) {
+TEST(LookAhead, RespectsItsBudgetAndFollowsEveryFirstAction) {
   Line line;
   LookAhead all({Metric::state, 5, 1000000, 1}), few({Metric::state, 5, 40, 1});
   const std::vector<double> full = all.scores(line.belief, line.robot, line.at, Steps(), line.points);
@@ -130,12 +130,12 @@ TEST(LookAhead, KeepsToItsBudgetAndFollowsEveryFirstAction) {
   EXPECT_EQ(all.evaluations(), 3 + 9 + 27 + 81 + 243);
   EXPECT_LE(few.evaluations(), 3 + 4 * 9);
   for (std::size_t a = 0; a < 3; ++a) {
-    EXPECT_LE(beam[a], full[a] + 1e-12) << "less is looked at, nothing better is found";
+    EXPECT_LE(beam[a], full[a] + 1e-12) << "with fewer sequences the result is not better";
     EXPECT_GT(beam[a], 0);
   }
 }
 
-TEST(LookAhead, NeverWalksThroughWalls) {
+TEST(LookAhead, NeverPassesThroughWalls) {
   Line line;
   line.at[0] = 30;
   LookAhead ahead({Metric::state, 2, 1000, 1});
@@ -143,7 +143,7 @@ TEST(LookAhead, NeverWalksThroughWalls) {
   EXPECT_EQ(ahead.allowed(), (std::vector<bool>{true, true, false}));
 }
 
-TEST(LookAhead, RefusesWhatCanNotBe) {
+TEST(LookAhead, RefusesInvalidSettings) {
   EXPECT_THROW(LookAhead({Metric::state, 0, 10, 3}), std::invalid_argument);
   EXPECT_THROW(LookAhead({Metric::state, 1, 0, 3}), std::invalid_argument);
   EXPECT_THROW(LookAhead({Metric::position_and_map, 2, 10, 3}), std::invalid_argument);
@@ -155,10 +155,10 @@ TEST(BestOf, StaysWhereNothingIsGainedOrAllowed) {
   EXPECT_EQ(best_of({2, 1, 2}, {true, true, true}, 1), 0);
   EXPECT_EQ(best_of({2, 1, 3}, {true, true, false}, 1), 0);
   EXPECT_EQ(best_of({2, 1, 3}, {false, false, false}, 1), 1);
-  EXPECT_EQ(best_of({2, 5, 3}, {true, false, true}, 1), 2) << "also staying may not be allowed";
+  EXPECT_EQ(best_of({2, 5, 3}, {true, false, true}, 1), 2) << "staying may be forbidden too";
 }
 
-/// Ten seconds of choices at 10 frames a second.
+/// Ten seconds of decisions at 10 frames a second.
 std::vector<int> choices(const DecisionSettings& settings, std::uint64_t seed,
                          bool* scored_one_each = nullptr, const Tick& first = {0, 0, 0}) {
   Line line;
@@ -179,7 +179,7 @@ std::vector<int> choices(const DecisionSettings& settings, std::uint64_t seed,
   return chosen;
 }
 
-TEST(ActionChoice, ChoosesOnceAPeriodByStrategy) {
+TEST(ActionChoice, DecidesOncePerPeriodByStrategy) {
   DecisionSettings s;
   EXPECT_EQ(choices(s, 1), std::vector<int>(10, 2));
   s.strategy = DecisionSettings::Strategy::none;
@@ -195,19 +195,19 @@ TEST(ActionChoice, ChoosesOnceAPeriodByStrategy) {
   EXPECT_NE(random, choices(s, 2));
 }
 
-TEST(ActionChoice, OneActionAFrameChoosesTheSameWhereNothingChanges) {
+TEST(ActionChoice, OneActionPerFrameDecidesTheSameInAStaticScene) {
   DecisionSettings s;
   s.schedule = DecisionSettings::Schedule::one_per_frame;
   bool one_each = true;
   std::vector<int> chosen = choices(s, 1, &one_each);
   EXPECT_TRUE(one_each);
-  EXPECT_EQ(chosen.front(), 1) << "in its first frame it has scored one only, and stays";
+  EXPECT_EQ(chosen.front(), 1) << "after the first frame only one action has a score: stay";
   chosen.erase(chosen.begin());
   EXPECT_EQ(chosen, std::vector<int>(9, 2));
 }
 
-/// Whatever the first tick: times since 1970 have a rounding of their own.
-TEST(ActionChoice, ChoosesAsOftenWhateverTheFirstTick) {
+/// Times since 1970 have their own rounding.
+TEST(ActionChoice, DecidesAtTheSameRateForAnyFirstTick) {
   DecisionSettings s;
   s.period_s = 0.3;
   EXPECT_EQ(choices(s, 1).size(), 34u);
@@ -215,8 +215,8 @@ TEST(ActionChoice, ChoosesAsOftenWhateverTheFirstTick) {
   EXPECT_EQ(choices(s, 1, nullptr, {5, -1000.1, 0}).size(), 34u);
 }
 
-/// Two frames a period, three actions: the first that can be chosen by all is the second period's.
-TEST(ActionChoice, OneActionAFrameWaitsUntilAllHaveAScore) {
+/// Two frames per period, three actions: the first decision with all scores is that of the second period.
+TEST(ActionChoice, OneActionPerFrameWaitsUntilAllHaveAScore) {
   DecisionSettings s;
   s.schedule = DecisionSettings::Schedule::one_per_frame;
   s.period_s = 0.2;
@@ -232,14 +232,14 @@ TEST(ActionChoice, OneActionAFrameWaitsUntilAllHaveAScore) {
   }
 }
 
-TEST(ActionChoice, ScoresOnlyWhenItChoosesWhereItIsToldSo) {
+TEST(ActionChoice, ScoresOnlyAtDecisionsIfScheduledSo) {
   DecisionSettings s;
   const std::vector<int> in_every_frame = choices(s, 1);
   s.schedule = DecisionSettings::Schedule::at_decisions;
   EXPECT_EQ(choices(s, 1), in_every_frame);
 }
 
-TEST(ActionChoice, RefusesWhatCanNotBe) {
+TEST(ActionChoice, RefusesInvalidSettings) {
   const std::vector<std::string> names{"left", "stay", "right"};
   DecisionSettings s;
   s.strategy = DecisionSettings::Strategy::fixed_path;
@@ -257,7 +257,7 @@ TEST(ActionChoice, RefusesWhatCanNotBe) {
   EXPECT_THROW(ActionChoice(s, names, 1), std::invalid_argument);
 }
 
-/// A vehicle that cannot stop: whatever it does now, all that may follow ends past the wall.
+/// A vehicle that cannot stop: every sequence of two actions ends beyond the wall.
 class DeadEnd final : public ActionSet {
  public:
   int count() const override { return 3; }
@@ -270,7 +270,7 @@ class DeadEnd final : public ActionSet {
   }
 };
 
-TEST(LookAhead, WhatLeadsNowhereFurtherIsWorthWhatItTeachesUntilThere) {
+TEST(LookAhead, DeadEndsKeepTheGainUpToThere) {
   const Line line;
   LookAhead one({Metric::state, 1, 100, 1}), two({Metric::state, 2, 100, 1});
   const auto greedy = one.scores(line.belief, line.robot, line.at, DeadEnd{}, line.points);
@@ -278,14 +278,14 @@ TEST(LookAhead, WhatLeadsNowhereFurtherIsWorthWhatItTeachesUntilThere) {
   EXPECT_EQ(two.scores(line.belief, line.robot, line.at, DeadEnd{}, line.points), greedy);
 }
 
-TEST(LookAhead, WhatIsNoNumberIsNeverTheBest) {
+TEST(LookAhead, NanIsNeverTheBest) {
   const double none = std::nan("");
   EXPECT_EQ(best_of({none, 1, 2}, {true, true, true}, 1), 2);
   EXPECT_EQ(best_of({3, none, 2}, {true, true, true}, 1), 0);
   EXPECT_EQ(best_of({none, none, none}, {true, true, true}, 1), 1) << "stay";
 }
 
-TEST(ActionChoice, EachVehicleOfATeamDrawsItsOwn) {
+TEST(ActionChoice, EachVehicleOfATeamDrawsIndependently) {
   const Line line;
   DecisionSettings settings;
   settings.strategy = DecisionSettings::Strategy::random;

@@ -1,5 +1,5 @@
-// How a vehicle drives on: by what it would see, from the speeds that it has, and back where it left its
-// bounds.
+// Decisions of a vehicle: by predicted measurements, from its present speeds, and back inside after it left
+// its bounds.
 #include "incognita/decision/vehicle_choice.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,8 @@ namespace {
 
 constexpr double sigma = 0.3;
 
-/// A landmark that is seen the better the nearer the camera is to a place; none where there is none.
+/// A landmark that is measured more accurately the nearer the camera is to a point; none if there is no
+/// point.
 class Beacon final : public Expectation {
  public:
   std::optional<Eigen::Vector3d> position;
@@ -49,7 +50,7 @@ struct Driven {
   Driven()
       : vehicle(belief.add_vehicle(FreeCameraMotion::chart, level_camera(),
                                    SmallMatrix(0.1 * SmallMatrix::Identity(12, 12)))) {
-    settings.impulse_s = 1;  // 0.5 m/s and 0.3 rad/s at once
+    settings.impulse_s = 1;  // 0.5 m/s and 0.3 rad/s in one decision
   }
   Goal first() {
     VehicleChoice choice(settings, CarrierSettings{}, sigma, sigma, 1);
@@ -61,7 +62,7 @@ struct Driven {
   }
 };
 
-TEST(VehicleChoice, DrivesToWhereMostIsSeen) {
+TEST(VehicleChoice, DrivesToTheGreatestGain) {
   Driven d;
   d.beacon.position = Eigen::Vector3d(-2, 0, 0.6);
   const Goal back = d.first();
@@ -71,16 +72,16 @@ TEST(VehicleChoice, DrivesToWhereMostIsSeen) {
   EXPECT_EQ(*d.first().drive, Eigen::Vector2d(0.5, 0));
 }
 
-TEST(VehicleChoice, ChangesTheSpeedsThatTheWheelsTell) {
+TEST(VehicleChoice, ChangesTheSpeedsMeasuredByTheWheels) {
   Driven d;
   d.beacon.position = Eigen::Vector3d(-2, 0, 0.6);
   d.wheels = Eigen::Vector2d(0.3, 0);
   EXPECT_NEAR((*d.first().drive - Eigen::Vector2d(-0.2, 0)).norm(), 0, 1e-12);
 }
 
-/// It can not stop at once: out of bounds whatever it does, it does what is the least so, whatever it would
-/// learn elsewhere.
-TEST(VehicleChoice, TurnsBackWhereAllEndsOutOfBounds) {
+/// It cannot stop immediately: when every action ends out of bounds, it takes the one that ends nearest to
+/// them, whatever the gain.
+TEST(VehicleChoice, ReturnsWhenEveryActionEndsOutOfBounds) {
   Driven d;
   d.settings.min_bound_m = {-9, -9, -9};
   d.settings.max_bound_m = {0.1, 9, 9};
@@ -88,10 +89,10 @@ TEST(VehicleChoice, TurnsBackWhereAllEndsOutOfBounds) {
   d.beacon.position = Eigen::Vector3d(2, 0, 0.6);
   const Goal goal = d.first();
   EXPECT_NEAR(goal.drive->x(), 0.4, 1e-12);
-  EXPECT_GT(goal.to.x(), 0.1) << "out of bounds it is";
+  EXPECT_GT(goal.to.x(), 0.1) << "it ends out of bounds";
 }
 
-TEST(VehicleChoice, HowHighItStandsIsNoActionsChoice) {
+TEST(VehicleChoice, BoundsOfTheHeightDoNotApply) {
   Driven d;
   d.settings.min_bound_m = {-9, -9, 2};
   d.settings.max_bound_m = {9, 9, 3};
@@ -99,14 +100,14 @@ TEST(VehicleChoice, HowHighItStandsIsNoActionsChoice) {
   EXPECT_EQ(*d.first().drive, Eigen::Vector2d(-0.5, 0));
 }
 
-TEST(VehicleChoice, GoesOnAsItGoesWhereNothingIsSeen) {
+TEST(VehicleChoice, KeepsItsSpeedsWhereNothingIsPredicted) {
   Driven d;
   d.wheels = Eigen::Vector2d(0.2, 0.1);
   const Goal goal = d.first();
   EXPECT_EQ(*goal.drive, Eigen::Vector2d(0.2, 0.1));
 }
 
-TEST(VehicleChoice, StandsAfterTheEstimateWasLost) {
+TEST(VehicleChoice, StopsAfterTheEstimateWasLost) {
   Driven d;
   d.beacon.position = Eigen::Vector3d(2, 0, 0.6);
   VehicleChoice choice(d.settings, CarrierSettings{}, sigma, sigma, 1);
@@ -121,7 +122,7 @@ TEST(VehicleChoice, StandsAfterTheEstimateWasLost) {
   EXPECT_EQ(*goal.drive, Eigen::Vector2d(0, 0));
 }
 
-TEST(VehicleChoice, TakesASetOfOnesOwn) {
+TEST(VehicleChoice, AcceptsAUserActionSet) {
   Driven d;
   d.settings.accelerations = {{0, 0}, {0.1, 0}, {0, 0.2}};
   const VehicleChoice choice(d.settings, CarrierSettings{}, sigma, sigma, 1);

@@ -1,5 +1,4 @@
-"""tools/check-doc-commands finds the mistakes that a page can have in a command, with the program named on the command
-line."""
+"""tools/check-doc-commands reports every kind of wrong command in a page, for the program given on the command line."""
 
 import subprocess
 import sys
@@ -24,14 +23,14 @@ class DocCommands(unittest.TestCase):
         self.assertEqual(code, 1, said)
         self.assertIn(fault, said)
 
-    def test_right_commands_pass(self):
+    def test_correct_commands_pass(self):
         code, said = self.said("Text.\n\n    build/incognita run circle --set steer.law=tracking --seed 3   # a comment\n"
                                "    build/incognita campaign circle --seeds 1..3 \\\n        --vary run.rate_hz=10,20\n\n"
                                "```sh\nbuild/incognita reproduce 3.1 fig-3.4\n```\n")
         self.assertEqual(code, 0, said)
         self.assertIn("3 commands, 0 wrong", said)
 
-    def test_a_page_without_commands_is_no_success(self):
+    def test_a_page_without_commands_fails(self):
         self.assertEqual(self.said("    make build\n")[0], 1)
 
     def test_faults_are_found(self):

@@ -1,4 +1,4 @@
-"""tools/make-docs on a small project: what comes out passes, what is stale, unmarked or unlisted does not."""
+"""tools/make-docs on a small project: reproduced blocks pass; stale, unmarked and unlisted ones do not."""
 
 import fcntl
 import struct
@@ -58,7 +58,7 @@ class MakeDocs(unittest.TestCase):
         self.assertEqual(ended.returncode, code, ended.stdout + ended.stderr)
         self.assertIn(said, ended.stdout + ended.stderr)
 
-    def test_what_comes_out_passes(self):
+    def test_reproduced_blocks_pass(self):
         self.expect(0, "--check", said="0 stale")
         self.expect(0, "--check", "--sample", said="2 blocks and pictures")
 
@@ -94,7 +94,7 @@ class MakeDocs(unittest.TestCase):
         self.write(PAGE, picture="P 2")
         self.expect(1, "--check", said="docs/images/map.svg is stale")
 
-    def test_making_writes_block_and_picture_and_nothing_else(self):
+    def test_making_writes_only_the_block_and_the_picture(self):
         self.write(PAGE.replace("3.412", "9"), picture="old")
         self.expect(0, said="drive: changed")
         self.assertEqual(self.page(), PAGE)
@@ -127,7 +127,7 @@ class MakeDocs(unittest.TestCase):
         self.write(PAGE, LIST.replace("> out/docs/drive/map.svg", "> out/elsewhere"))
         self.expect(2, "--lint", said="belongs under out/docs/drive")
 
-    def test_a_changed_input_makes_the_run_anew(self):
+    def test_a_changed_input_repeats_the_run(self):
         numbers = LIST.replace("printf 'error 3.412 m in 10 runs\\\\n'", "cat input.txt")
         self.write(PAGE, numbers)
         (self.project / "input.txt").write_text("error 3.412 m in 10 runs\n")
@@ -150,25 +150,25 @@ class MakeDocs(unittest.TestCase):
             self.expect(1, "--check", said="another tools/make-docs is at work")
         self.expect(0, "--check")
 
-    def test_missing_recordings_are_said_and_skipped(self):
+    def test_missing_recordings_are_reported_and_skipped(self):
         self.write(PAGE.replace("3.412", "9"), LIST.replace("seconds = 0", 'seconds = 0\nrecordings = "nowhere"'))
         self.expect(0, "--check", said="skipped, recordings nowhere are not there")
 
-    def test_times_are_never_compared_and_made_only_when_asked_for(self):
+    def test_times_are_never_compared_and_measured_only_on_request(self):
         self.write(PAGE.replace("3.412", "9"), LIST.replace("sample = true", "timed = true"))
         self.expect(0, "--check", "drive", said="0 stale")
         self.expect(0, said="0 blocks and pictures")
         self.expect(0, "--timed", said="drive: changed")
-        for _ in range(2):  # measured anew each time, though by several blocks only once
+        for _ in range(2):  # measured again by each call, but once for several blocks
             ended = self.run_tool("--timed")
             self.assertEqual(ended.stderr.count("drive: about"), 1, ended.stderr)
 
-    def test_an_unknown_id_is_answered_with_the_nearest(self):
+    def test_an_unknown_id_suggests_the_nearest(self):
         self.expect(2, "--check", "drvie", said="the nearest is `drive`")
 
 
 def png(path: Path, rows: list[bytes]):
-    """A grey PNG of lines that already have their filter byte."""
+    """A gray PNG of lines that already have their filter byte."""
     def chunk(kind: bytes, content: bytes) -> bytes:
         return struct.pack(">I", len(content)) + kind + content + struct.pack(">I", zlib.crc32(kind + content))
 
@@ -178,9 +178,9 @@ def png(path: Path, rows: list[bytes]):
 
 
 class Pictures(unittest.TestCase):
-    """Lines of PNG specification, 9.2, worked out by hand: each filter gives back 10 20 30."""
+    """Lines of PNG specification, 9.2, computed by hand: each filter restores 10 20 30."""
 
-    def test_filters_are_undone(self):
+    def test_filters_are_inverted(self):
         sys.path.insert(0, str(TOOL.parent))
         from pages.png import mean_difference, samples
         with tempfile.TemporaryDirectory() as folder:

@@ -1,4 +1,4 @@
-# The pages of docs/: that their list and marks fit, that their commands exist, and a sample of their numbers
+# The pages of docs/: consistent list and markers, existing commands, and a sample of their numbers
 find_package(Python3 3.11 COMPONENTS Interpreter)
 if(NOT Python3_Interpreter_FOUND)
   message(STATUS "No Python 3.11: the pages of docs/ are not checked")

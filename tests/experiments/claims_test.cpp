@@ -1,7 +1,6 @@
-// docs/claims.md says what comes out: every experiment is run again, and each of its claims must stand there
-// with the same verdict. What was measured may differ in its last digits from one processor to the next and
-// is not compared; nor is the verdict of what is timed, or of what takes too long to be run with all its
-// seeds here.
+// docs/claims.md is up to date: every experiment is run again, and each of its claims must be there with the
+// same verdict. Measured values may differ in their last digits between processors and are not compared; nor
+// is the verdict of a timed claim, or of one that takes too long with all its seeds.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -14,13 +13,13 @@
 
 namespace incognita {
 
-/// GoogleTest names a case after this.
+/// GoogleTest names a case by this.
 void PrintTo(const Experiment& experiment, std::ostream* out) { *out << experiment.id; }
 
 namespace {
 
-/// What of a row is compared: place, statement, printed and, unless it is timed, verdict and why. What was
-/// measured, the fourth cell, is not.
+/// The cells of a row that are compared: place, statement, printed and, unless it is timed, verdict and why.
+/// The fourth cell, measured, is not compared.
 enum class Cells { all, of_the_thesis };
 
 std::set<std::string> rows_of(const std::string& page, Cells cells_compared) {
@@ -49,7 +48,7 @@ std::string published() {
   return text.str();
 }
 
-/// No `inf` and no `nan` as a number in what a reader sees.
+/// No `inf` and no `nan` as a number in the text for readers.
 void expect_finite_numbers(const LedgerEntry& entry) {
   static const std::regex not_a_number("(^|[^A-Za-z])(inf|nan)([^A-Za-z]|$)");
   for (const Claim& claim : entry.claims)
@@ -59,7 +58,7 @@ void expect_finite_numbers(const LedgerEntry& entry) {
 
 class Claims : public ::testing::TestWithParam<Experiment> {};
 
-TEST_P(Claims, ArePublishedAsTheyComeOut) {
+TEST_P(Claims, ArePublishedWithTheirVerdicts) {
   const testing::Scratch scratch;
   ExperimentSettings settings;
   settings.out = scratch.folder();
@@ -79,10 +78,10 @@ TEST_P(Claims, ArePublishedAsTheyComeOut) {
   }
 }
 
-/// With a single run nothing about chance is decided, and every number that is written is one.
-TEST_P(Claims, OfChanceAreUndecidedAfterOneRun) {
+/// After a single run statistical claims are undecided, and all written numbers are finite.
+TEST_P(Claims, StatisticalOnesAreUndecidedAfterOneRun) {
   const std::string& id = GetParam().id;
-  if (id.starts_with("4.") || id == "text-4") return;  // no chance in Chapter 4
+  if (id.starts_with("4.") || id == "text-4") return;  // Chapter 4 has no statistical claims
   const testing::Scratch scratch;
   ExperimentSettings settings;
   settings.out = scratch.folder();

@@ -1,5 +1,4 @@
-// The simulated runs of Examples 5.1 to 5.3, what is said of many of them, and that each example yields what
-// it promises.
+// The simulated runs of Examples 5.1 to 5.3, their statistics, and the figures and claims of each example.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -18,7 +17,7 @@ namespace incognita {
 namespace {
 
 using namespace closed_loop;
-using ClosedLoop = closed_loop::Setup;  // inside a test, Setup is one of GoogleTest's
+using ClosedLoop = closed_loop::Setup;  // inside a test, Setup is a name of GoogleTest
 
 ClosedLoop short_run() {
   ClosedLoop s = section_5_3::two_circles();
@@ -26,7 +25,7 @@ ClosedLoop short_run() {
   return s;
 }
 
-TEST(ClosedLoopRuns, AreTheSameForTheSameSeedAndNoOther) {
+TEST(ClosedLoopRuns, AreDeterministicForASeed) {
   const auto a = drive(short_run(), 3), b = drive(short_run(), 3), c = drive(short_run(), 4);
   ASSERT_EQ(a.instants.size(), 100u);
   for (std::size_t k = 0; k < a.instants.size(); ++k)
@@ -37,20 +36,20 @@ TEST(ClosedLoopRuns, AreTheSameForTheSameSeedAndNoOther) {
   EXPECT_NE(a.instants.back().robots[0].truth, c.instants.back().robots[0].truth);
 }
 
-TEST(ClosedLoopRuns, KeepWithinTheLimitsAndScanEverySecondTick) {
+TEST(ClosedLoopRuns, RespectTheLimitsAndScanEverySecondTick) {
   const auto run = drive(short_run(), 1);
   for (std::size_t k = 0; k < run.instants.size(); ++k) {
     EXPECT_LE(std::abs(run.instants[k].robots[0].input[0]), top_speed_m_s);
     EXPECT_LE(std::abs(run.instants[k].robots[0].input[1]), top_turn_rate);
     if (k % ticks_per_scan == 0 || k == 0) continue;
-    for (std::size_t l = 0; l < 16; ++l) {  // without a scan no landmark is better known
+    for (std::size_t l = 0; l < 16; ++l) {  // without a scan no landmark gains information
       const double before = run.instants[k - 1].traces[l], now = run.instants[k].traces[l];
       EXPECT_TRUE(before == now || std::isnan(before));
     }
   }
 }
 
-TEST(ClosedLoopRuns, KnownLandmarksAreNotMappedAndMoreNoiseErrsMore) {
+TEST(ClosedLoopRuns, AnchorsAreNotMappedAndMoreNoiseGivesLargerErrors) {
   ClosedLoop anchored = short_run(), loud = short_run();
   anchored.anchors = 2;
   loud.noise = 5;
@@ -64,7 +63,7 @@ TEST(ClosedLoopRuns, KnownLandmarksAreNotMappedAndMoreNoiseErrsMore) {
   EXPECT_GT(rms(noisy), 4 * rms(plain));
 }
 
-TEST(ClosedLoopRuns, LandmarksAreClearOfTheWays) {
+TEST(ClosedLoopRuns, LandmarksAreClearOfThePaths) {
   const PointLandmarks place = sixteen_landmarks();
   EXPECT_EQ(place.size(), 16u);
   for (const auto& [identity, point] : place) {
@@ -74,7 +73,7 @@ TEST(ClosedLoopRuns, LandmarksAreClearOfTheWays) {
   }
 }
 
-TEST(ClosedLoopStatistics, ShareHasTheIntervalOfTables) {
+TEST(ClosedLoopStatistics, ShareHasTheIntervalOfPublishedTables) {
   EXPECT_EQ(share_text(5, 10), "5 of 10 (18.7 to 81.3 %)");
   EXPECT_EQ(share_text(0, 10), "0 of 10 (0.0 to 30.8 %)");
   EXPECT_EQ(share_text(10, 10), "10 of 10 (69.2 to 100.0 %)");
@@ -87,7 +86,7 @@ TEST(ClosedLoopStatistics, QuantilesInterpolate) {
   EXPECT_DOUBLE_EQ(quantile({7}, 0.95), 7);
 }
 
-TEST(ClosedLoopStatistics, HeadingsModeIsOneAtRestAndAboveItBackwards) {
+TEST(ClosedLoopStatistics, HeadingModeIsOneAtRestAndLargerWhenReversing) {
   RobotInstant at{{1, 2, 0.4}, {1, 2, 0.4}, Eigen::Matrix3d::Identity(), {0, 0}};
   for (const Eigen::Matrix2d& L : {section_5_1::gain(at.mean), section_5_2::gain(at.mean)}) {
     at.input = {0, 0};
@@ -100,7 +99,7 @@ TEST(ClosedLoopStatistics, HeadingsModeIsOneAtRestAndAboveItBackwards) {
   }
 }
 
-TEST(Example51, GainTurnsWithTheBody) {
+TEST(Example51, GainRotatesWithTheBody) {
   const PlanarRegulator regulator({.body = body});
   for (const double heading : {-2.0, 0.3, 3.1}) {
     const planar::Pose<double> pose(1, -4, heading);
@@ -108,14 +107,15 @@ TEST(Example51, GainTurnsWithTheBody) {
   }
 }
 
-TEST(Example52, LawWithoutNoiseEndsOnTheCircle) {
+TEST(Example52, LawWithoutNoiseConvergesToTheCircle) {
   const section_5_2::Way way = section_5_2::follow(section_5_2::circle, {-7, 0, std::numbers::pi}, 90);
   EXPECT_GT(way.distance_m(section_5_2::circle, 0), 13.9);
   EXPECT_LT(way.distance_m(section_5_2::circle, way.poses.size() - 1), 1e-9);
 }
 
-/// A robot at the origin: its start shifts and turns the frame, and what it sees of its start adds to that.
-TEST(Example53, LeastTracesExceedWhatTheStartLeavesOpen) {
+/// A robot that starts at the origin: errors of its start shift and rotate the frame and add to those of its
+/// measurements.
+TEST(Example53, MinimumTracesExceedThoseOfTheStart) {
   ClosedLoop s = section_5_3::two_circles();
   s.robots.resize(1);
   s.robots[0].start.setZero();
@@ -128,7 +128,7 @@ TEST(Example53, LeastTracesExceedWhatTheStartLeavesOpen) {
   }
 }
 
-TEST(ClosedLoopExamples, DrawWhatTheyPromiseAndNameEachClaimOnce) {
+TEST(ClosedLoopExamples, DrawTheirFiguresAndNameEachClaimOnce) {
   const testing::Scratch scratch;
   ExperimentSettings few;
   few.out = scratch.folder();

@@ -1,4 +1,4 @@
-// Words and verdicts.
+// Texts and verdicts of claims.
 #include "experiments/evidence.hpp"
 
 #include <gtest/gtest.h>
@@ -9,18 +9,16 @@
 namespace incognita {
 namespace {
 
-TEST(Evidence, WordsOfAnInterval) {
-  EXPECT_EQ(text({0.158, 0.143, 0.1761}, "m"), "0.158 m (0.143 to 0.176)");
-}
+TEST(Evidence, TextOfAnInterval) { EXPECT_EQ(text({0.158, 0.143, 0.1761}, "m"), "0.158 m (0.143 to 0.176)"); }
 
-TEST(Evidence, WhatIsAsGoodAsZeroStaysBelowAPowerOfTen) {
+TEST(Evidence, ValuesNearZeroAreBelowAPowerOfTen) {
   EXPECT_EQ(below(0), "below 1e-12");
   EXPECT_EQ(below(-3e-16), "below 1e-12");
   EXPECT_EQ(below(2.7e-12), "below 1e-11");
   EXPECT_EQ(below(4e-5), "below 1e-4");
 }
 
-TEST(Evidence, NoInfinityAndNoNanReachesAReader) {
+TEST(Evidence, TextsContainNoInfinityAndNoNan) {
   constexpr double inf = std::numeric_limits<double>::infinity();
   EXPECT_EQ(text({0.158, -inf, inf}, "m"), "0.158 m (too few runs for an interval)");
   EXPECT_EQ(text({std::nan(""), -inf, inf}, "m"), "unknown (no runs to compare)");
@@ -30,7 +28,7 @@ TEST(Evidence, NoInfinityAndNoNanReachesAReader) {
   EXPECT_EQ(decimals(-inf, 2), "unknown");
 }
 
-TEST(Finding, AnIntervalThatHoldsBothAnswersDecidesNothing) {
+TEST(Finding, AnIntervalThatContainsTheLimitIsUndecided) {
   EXPECT_EQ(is_above({2, 1, 3}, 0), Finding::shown);
   EXPECT_EQ(is_above({-2, -3, -1}, 0), Finding::refuted);
   EXPECT_EQ(is_above({1, -1, 3}, 0), Finding::undecided);
@@ -42,7 +40,7 @@ TEST(Finding, AnIntervalThatHoldsBothAnswersDecidesNothing) {
   EXPECT_EQ(is_below({nan, nan, nan}, 0), Finding::undecided);
 }
 
-TEST(Finding, EqualityTakesAMargin) {
+TEST(Finding, EqualityHasAMargin) {
   EXPECT_EQ(agrees({1.01, 0.95, 1.07}, 1, 0.1), Finding::shown);
   EXPECT_EQ(agrees({1.3, 1.2, 1.4}, 1, 0.1), Finding::refuted);
   EXPECT_EQ(agrees({0.7, 0.6, 0.8}, 1, 0.1), Finding::refuted);
@@ -52,14 +50,14 @@ TEST(Finding, EqualityTakesAMargin) {
   EXPECT_EQ(differs({0.1, -0.05, 0.25}, 0), Finding::undecided);
 }
 
-TEST(Finding, SharesTakeRuns) {
+TEST(Finding, SharesNeedRuns) {
   EXPECT_EQ(happens_in(0.95, 200, 200), Finding::shown);
   EXPECT_EQ(happens_in(0.95, 20, 20), Finding::undecided);
   EXPECT_EQ(happens_in(0.95, 10, 20), Finding::refuted);
   EXPECT_EQ(happens_in(0.95, 0, 0), Finding::undecided);
 }
 
-TEST(Finding, CombinesByKleene) {
+TEST(Finding, CombineByKleenesLogic) {
   const Finding yes = true, no = false, open = Finding::undecided;
   EXPECT_EQ(yes && open, open);
   EXPECT_EQ(no && open, no);
@@ -69,7 +67,7 @@ TEST(Finding, CombinesByKleene) {
   EXPECT_EQ(!yes, no);
 }
 
-TEST(Evidence, ReasonsStayOnlyWhereThereIsSomethingToExplain) {
+TEST(Evidence, ReasonsStayOnlyWithVerdictsThatNeedThem) {
   Claim claim;
   claim.why = "because";
   EXPECT_EQ(assessed(claim, true).verdict, Verdict::holds);
@@ -93,7 +91,7 @@ TEST(Evidence, NotSignificantIsNotFalse) {
   EXPECT_EQ(assessed(claim, true, open).verdict, Verdict::holds);
 }
 
-TEST(Evidence, TooFewRunsDecideNothing) {
+TEST(Evidence, TooFewRunsAreUndecided) {
   Claim claim;
   claim.runs = 4, claim.least_runs = enough_runs;
   for (const bool is_so : {true, false}) {

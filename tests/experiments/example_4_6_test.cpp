@@ -1,4 +1,4 @@
-// The information filter of Example 4.6 against what it must equal, and its claims' verdicts.
+// The information filter of Example 4.6 against reference solutions, and the verdicts of its claims.
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
@@ -22,7 +22,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 using namespace two_bearings;
-using TwoBearings = two_bearings::Setup;  // inside a test, Setup is one of GoogleTest's
+using TwoBearings = two_bearings::Setup;  // inside a test, Setup is a name of GoogleTest
 
 MatrixXd some_matrix(RandomStream& random, Eigen::Index rows, Eigen::Index columns) {
   return MatrixXd::NullaryExpr(rows, columns, [&] { return random.normal(); });
@@ -66,7 +66,7 @@ TEST(ArcTest, JacobiansAreDerivatives) {
   }
 }
 
-TEST(DriveTest, RestsGoesNorthAndTurnsEast) {
+TEST(DriveTest, RestsDrivesNorthAndTurnsEast) {
   for (const double dt : {0.05, 0.1, 0.5}) {
     const auto all = drive(dt);
     const auto at = [&](double t) { return all[static_cast<std::size_t>(std::lround(t / dt))]; };
@@ -77,7 +77,7 @@ TEST(DriveTest, RestsGoesNorthAndTurnsEast) {
   }
 }
 
-TEST(RootInformationTest, IsTheInformationFilterWithSingularMatricesToo) {
+TEST(RootInformationTest, EqualsTheInformationFilterForSingularMatricesToo) {
   RandomStream random(1, "matrices");
   for (int run = 0; run < 20; ++run) {
     const MatrixXd H = some_matrix(random, 3, 7), G = some_matrix(random, 7, 2),
@@ -94,7 +94,7 @@ TEST(RootInformationTest, IsTheInformationFilterWithSingularMatricesToo) {
   }
 }
 
-TEST(RootInformationTest, IsTheInverseOfTheKalmanFiltersCovariance) {
+TEST(RootInformationTest, EqualsTheInverseOfTheKalmanFiltersCovariance) {
   RandomStream random(2, "matrices");
   LinearSystem s;
   s.F = MatrixXd::Identity(4, 4) + 0.2 * some_matrix(random, 4, 4);
@@ -114,7 +114,7 @@ TEST(RootInformationTest, IsTheInverseOfTheKalmanFiltersCovariance) {
   EXPECT_LE((filter.matrix() * P - MatrixXd::Identity(4, 4)).norm(), 1e-8);
 }
 
-TEST(RootInformationTest, WithoutProcessNoiseNothingIsLost) {
+TEST(RootInformationTest, WithoutProcessNoiseNoInformationIsLost) {
   RandomStream random(3, "matrices");
   const MatrixXd H = some_matrix(random, 2, 7), G = some_matrix(random, 7, 2),
                  F = MatrixXd::Identity(7, 7) + 0.3 * some_matrix(random, 7, 7);
@@ -124,7 +124,7 @@ TEST(RootInformationTest, WithoutProcessNoiseNothingIsLost) {
   EXPECT_LE((F.transpose() * filter.matrix() * F - H.transpose() * H).norm(), 1e-10);
 }
 
-TEST(KnowledgeTest, MarginalizTheLimitOfEverWeakerPriors) {
+TEST(KnowledgeTest, MarginalIsTheLimitOfVanishingPriors) {
   RandomStream random(4, "matrices");
   for (int run = 0; run < 20; ++run) {
     const MatrixXd H = some_matrix(random, 4, states);
@@ -145,7 +145,7 @@ TEST(KnowledgeTest, MarginalizTheLimitOfEverWeakerPriors) {
 TEST(KnowledgeTest, MarginalOfAStateIsTheSchurComplement) {
   RandomStream random(5, "matrices");
   MatrixXd H = some_matrix(random, 5, states);
-  H.row(4) = VectorXd::Unit(states, 2).transpose();  // a state that is known, in a matrix that is singular
+  H.row(4) = VectorXd::Unit(states, 2).transpose();  // an observable state, in a singular matrix
   RootInformation filter(states);
   filter.measure(H, 0.7);
   const MatrixXd Y = filter.matrix();
@@ -156,7 +156,7 @@ TEST(KnowledgeTest, MarginalOfAStateIsTheSchurComplement) {
   EXPECT_NEAR(Knowledge(filter.root()).marginal(VectorXd::Unit(states, 2)), schur, 1e-8 * schur);
 }
 
-/// Bearings of both features after each step, by the first state.
+/// Bearings of both features after each step, as a function of the first state.
 VectorXd all_bearings(const VectorXd& first, double dt_s) {
   const auto instants = drive(dt_s);
   Vector3d pose = first.head<3>();
@@ -169,9 +169,8 @@ VectorXd all_bearings(const VectorXd& first, double dt_s) {
   return z;
 }
 
-// The Fisher information of the first state, from nothing but what is seen of it: central differences of
-// bearings, no F, no H and no filter.
-TEST(TwoBearingsTest, RankIsThatOfWhatIsSeenOfTheFirstState) {
+// The Fisher information of the first state by central differences of the bearings, without F, H or a filter.
+TEST(TwoBearingsTest, RankIsThatOfTheFisherInformation) {
   constexpr double dt = 0.5, h = 1e-4;
   const TwoBearings setup{.dt_s = dt};
   VectorXd first(states);
@@ -191,7 +190,7 @@ TEST(TwoBearingsTest, RankIsThatOfWhatIsSeenOfTheFirstState) {
   }
 }
 
-TEST(TwoBearingsTest, NothingIsKnownOfPlaceAndHeadingOfTheWhole) {
+TEST(TwoBearingsTest, GlobalPositionAndHeadingAreUnobservable) {
   const TwoBearings setup;
   const auto known = course(setup);
   const auto instants = drive(setup.dt_s);
@@ -207,7 +206,7 @@ TEST(TwoBearingsTest, NothingIsKnownOfPlaceAndHeadingOfTheWhole) {
   }
 }
 
-TEST(TwoBearingsTest, AHeadingThatIsGivenIsKnown) {
+TEST(TwoBearingsTest, APriorOnTheHeadingIsInformation) {
   const auto known = course({.sigma_heading_rad = 0.02});
   EXPECT_NEAR(known.front().marginal(VectorXd::Unit(states, 2)), 2500, 1e-6);
   EXPECT_EQ(known.back().rank.rank, 5);

@@ -1,4 +1,4 @@
-// Example 5.4: its runs, what is made of them, and the verdicts that do not rest on chance.
+// Example 5.4: its runs, their summaries, and the verdicts that do not depend on random draws.
 #include "experiments/example_5_4.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 namespace incognita::swinging_camera {
 namespace {
 
-using CameraSetup = Setup;  // inside a test, Setup is one of GoogleTest's
+using CameraSetup = Setup;  // inside a test, Setup is a name of GoogleTest
 
 CameraSetup brief() {
   CameraSetup setup;
@@ -21,7 +21,7 @@ CameraSetup brief() {
   return setup;
 }
 
-TEST(OverSeeds, KeepsTheirOrderAndTellsWhatWentWrong) {
+TEST(OverSeeds, KeepsTheOrderAndRethrowsErrors) {
   const auto squares = over_seeds(100, [](std::uint64_t seed) { return seed * seed; });
   ASSERT_EQ(squares.size(), 100u);
   for (std::uint64_t i = 0; i < 100; ++i) EXPECT_EQ(squares[i], (i + 1) * (i + 1));
@@ -33,7 +33,7 @@ TEST(OverSeeds, KeepsTheirOrderAndTellsWhatWentWrong) {
                std::runtime_error);
 }
 
-TEST(SwingingCamera, IsTheSameForTheSameSeedOnAnyNumberOfThreads) {
+TEST(SwingingCamera, IsDeterministicOnAnyNumberOfThreads) {
   const Summary alone = summary(run(brief(), 3));
   const auto among = runs(brief(), 4);
   EXPECT_EQ(among[2].rms_error_m, alone.rms_error_m);
@@ -41,7 +41,7 @@ TEST(SwingingCamera, IsTheSameForTheSameSeedOnAnyNumberOfThreads) {
   EXPECT_NE(among[1].rms_error_m, alone.rms_error_m);
 }
 
-TEST(SwingingCamera, HasTheSameRoomWhateverTheSetup) {
+TEST(SwingingCamera, HasTheSameLandmarksForAnySetup) {
   CameraSetup other = brief();
   other.anchors = 6, other.told = false, other.steered_by_truth = true;
   const Course a = run(brief(), 5), b = run(other, 5);
@@ -57,7 +57,7 @@ TEST(SwingingCamera, HasTheSameRoomWhateverTheSetup) {
     for (int anchor = 0; anchor < 6; ++anchor) EXPECT_NE(p.truth, b.place[static_cast<std::size_t>(anchor)]);
 }
 
-TEST(SwingingCamera, StaysWhereItKnowsItselfToBe) {
+TEST(SwingingCamera, FollowsItsPathInTheEstimatedFrame) {
   const CameraSetup setup = brief();
   const auto states = steered(setup, 0, 1);
   for (std::size_t k = 0; k < states.size(); ++k) {
@@ -67,8 +67,8 @@ TEST(SwingingCamera, StaysWhereItKnowsItselfToBe) {
   }
 }
 
-/// Goes round a circle at half of the size it believes, off by 0.1 m in z with a sigma of 0.04.
-Course made_up() {
+/// True motion on a circle of half the estimated size, with an error of 0.1 m in z and a sigma of 0.04.
+Course synthetic() {
   Course course;
   for (int k = 0; k < 200; ++k) {
     Instant i;
@@ -87,8 +87,8 @@ Course made_up() {
   return course;
 }
 
-TEST(Summary, SaysWhatIsInTheCourse) {
-  const Summary s = summary(made_up());
+TEST(Summary, HasTheValuesOfTheCourse) {
+  const Summary s = summary(synthetic());
   EXPECT_NEAR(s.rms_error_m, 0.1, 1e-12);
   EXPECT_NEAR(s.scale_off, -0.5, 1e-9);
   EXPECT_EQ(s.inside[0], 1);
@@ -109,7 +109,7 @@ using Verdicts = std::map<std::string, std::string>;
 Verdicts verdicts(const std::vector<Claim>& claims) {
   Verdicts found;
   for (const Claim& claim : claims) {
-    EXPECT_TRUE(found.emplace(claim.id, name(claim.verdict)).second) << claim.id << " is there twice";
+    EXPECT_TRUE(found.emplace(claim.id, name(claim.verdict)).second) << claim.id << " occurs twice";
     EXPECT_EQ(claim.why.empty(), claim.verdict == Verdict::holds) << claim.id;
   }
   return found;

@@ -1,4 +1,5 @@
-// Exploring, as Chapter 6's experiments run it: what does not depend on the machine, and that it pays.
+// Active SLAM as in the experiments of Chapter 6: deterministic decisions, and less entropy than the
+// baselines.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,7 +12,7 @@
 namespace incognita::exploring {
 namespace {
 
-/// All that was decided, and by what.
+/// Every decision and its scores are equal.
 void expect_same(const Run& a, const Run& b) {
   ASSERT_EQ(a.decisions.size(), b.decisions.size());
   for (std::size_t i = 0; i < a.decisions.size(); ++i) {
@@ -25,7 +26,7 @@ void expect_same(const Run& a, const Run& b) {
 
 class OnThreads : public ::testing::TestWithParam<const char*> {};
 
-TEST_P(OnThreads, OneOrTwoTheSameSeedDecidesTheSame) {
+TEST_P(OnThreads, DecisionsAreEqualOnOneAndTwoThreads) {
   const auto once = [] { return explore(GetParam(), {"run.duration_s=5"}, 3); };
   const exploring::Run alone = once();
   ASSERT_GT(alone.decisions.size(), 3u);
@@ -45,7 +46,7 @@ INSTANTIATE_TEST_SUITE_P(Exploring, OnThreads,
                            return name;
                          });
 
-/// 95 % interval of `ours` less `theirs` at the end.
+/// 95 % interval of the final entropy of `ours` minus that of `theirs`.
 Interval gap(const std::string& scenario, const Strategy& ours, const Strategy& theirs, const Sets& sets,
              int seeds) {
   const auto runs = [&](const Strategy& strategy) {
@@ -57,15 +58,15 @@ Interval gap(const std::string& scenario, const Strategy& ours, const Strategy& 
   return bootstrap_mean(less(each(runs(ours), final_entropy), each(runs(theirs), final_entropy)));
 }
 
-TEST(Exploring, ByMutualInformationLeavesLessEntropyThanAtRandom) {
+TEST(Exploring, MutualInformationLeavesLessEntropyThanRandomMotion) {
   EXPECT_LT(gap("free-camera", by_gaze()[0], baselines()[0], {}, 12).high, 0);
 }
 
-TEST(Exploring, OnImagesToo) {
+TEST(Exploring, MutualInformationLeavesLessEntropyOnImages) {
   EXPECT_LT(gap("explore-room", by_gaze()[0], baselines()[0], {"run.duration_s=15"}, 5).high, 0);
 }
 
-TEST(Exploring, CountsLandmarksThatComeBack) {
+TEST(Exploring, CountsReturningLandmarks) {
   const exploring::Run run =
       explore("hand-held", {"run.duration_s=20", "decision.schedule=at-decisions", "explore.counted=all"}, 1);
   int returned = 0;

@@ -1,4 +1,4 @@
-// The monobot's filter against matrices, and the verdicts of the linear examples.
+// The monobot's filter against matrix equations, and the verdicts of the linear examples.
 #include "experiments/monobot.hpp"
 
 #include <gtest/gtest.h>
@@ -16,13 +16,13 @@ namespace {
 
 using Eigen::MatrixXd;
 using monobot::Decorrelated;
-using MonobotSetup = monobot::Setup;  // inside a test, Setup is one of GoogleTest's
+using MonobotSetup = monobot::Setup;  // inside a test, Setup is a name of GoogleTest
 
 MatrixXd first_prior(const MonobotSetup& setup) {
   return predicted(monobot::system(setup), monobot::first_covariance(setup));
 }
 
-TEST(MonobotFilter, IsTheRiccatiEquation) {
+TEST(MonobotFilter, FollowsTheRiccatiEquation) {
   for (const bool anchored : {false, true})
     for (const int n : {1, 3}) {
       const MonobotSetup setup{.landmarks = n, .anchored = anchored};
@@ -36,7 +36,7 @@ TEST(MonobotFilter, IsTheRiccatiEquation) {
     }
 }
 
-TEST(MonobotFilter, StartsAsItsSetupSays) {
+TEST(MonobotFilter, StartsAtItsSetup) {
   const MatrixXd known = monobot::first_covariance({.landmarks = 2});
   EXPECT_EQ(known, MatrixXd(Eigen::Vector3d(0, 1, 1).asDiagonal()));
   const MatrixXd initialized = monobot::first_covariance({.robot_var_m2 = 0.25, .landmark_var_m2 = {}});
@@ -44,7 +44,7 @@ TEST(MonobotFilter, StartsAsItsSetupSays) {
   EXPECT_NEAR(initialized(0, 1), 0.25, 1e-15);
 }
 
-TEST(MonobotFilter, SettlesWhereTheClosedFormSays) {
+TEST(MonobotFilter, ConvergesToTheClosedForm) {
   for (const int n : {1, 2, 5})
     for (const double robot_var : {0.0, 0.5})
       for (const std::optional<double> landmark_var : {std::optional(1.0), std::optional<double>()}) {
@@ -57,7 +57,7 @@ TEST(MonobotFilter, SettlesWhereTheClosedFormSays) {
       }
 }
 
-TEST(MonobotFilter, DecorrelatesBeforeTheUpdateAndOnTheSafeSide) {
+TEST(MonobotFilter, DecorrelatesConservativelyBeforeTheUpdate) {
   for (const auto what : {Decorrelated::everything, Decorrelated::map}) {
     const auto course = monobot::course({.landmarks = 3, .decorrelated = what, .steps = 20});
     for (int k = 1; k <= 20; ++k) {
@@ -70,7 +70,7 @@ TEST(MonobotFilter, DecorrelatesBeforeTheUpdateAndOnTheSafeSide) {
   }
 }
 
-TEST(MonobotFilter, ErrsAsItSaysUnlessInflated) {
+TEST(MonobotFilter, CovarianceIsExactUnlessInflated) {
   const MonobotSetup plain{.landmarks = 2}, dropped{.landmarks = 2, .decorrelated = Decorrelated::map};
   const auto course = monobot::course(plain), inflated = monobot::course(dropped);
   EXPECT_LE((monobot::actual_covariances(plain, course)[100] - course.posterior[100]).norm(), 1e-14);
@@ -78,7 +78,7 @@ TEST(MonobotFilter, ErrsAsItSaysUnlessInflated) {
             0.99 * inflated.posterior[100].trace());
 }
 
-TEST(MonobotRun, SameSeedSameNoisesWhateverTheSetup) {
+TEST(MonobotRun, NoiseDependsOnTheSeedAlone) {
   const auto one = monobot::simulate({}, 3), many = monobot::simulate({.landmarks = 4, .anchored = true}, 3);
   EXPECT_EQ(one.truth.row(0), many.truth.row(0));
   EXPECT_LE((one.measurement.row(0) - many.measurement.row(1)).rightCols(100).cwiseAbs().maxCoeff(), 1e-15);
@@ -88,7 +88,7 @@ TEST(MonobotRun, SameSeedSameNoisesWhateverTheSetup) {
   EXPECT_TRUE((one.truth.row(1).array() == 1).all());
 }
 
-TEST(MonobotRun, VariancesAreTheCourses) {
+TEST(MonobotRun, VariancesEqualThoseOfTheCourse) {
   const MonobotSetup setup{.landmarks = 2, .anchored = true};
   const auto run = monobot::simulate(setup, 1);
   const auto course = monobot::course(setup);
@@ -106,7 +106,7 @@ TEST(MonobotFigure, HasFourRowsAndTwoColumns) {
   EXPECT_EQ(plot.panels[7].curves.size(), 5u);
 }
 
-TEST(MonobotNoise, CountsWhatNoiseAndInflationReach) {
+TEST(MonobotNoise, ExcitedRankCountsNoiseAndInflation) {
   const MonobotSetup setup{.landmarks = 2};
   EXPECT_EQ(monobot::excited(setup, MatrixXd::Zero(3, 3)).rank, 1);
   const Eigen::Vector3d difference(0, 1, -1);
@@ -129,7 +129,7 @@ void expect_verdicts(const Experiment& experiment, const Verdicts& expected) {
   EXPECT_EQ(entry.id, experiment.id);
   Verdicts found;
   for (const Claim& claim : entry.claims) {
-    EXPECT_TRUE(found.emplace(claim.id, name(claim.verdict)).second) << claim.id << " is there twice";
+    EXPECT_TRUE(found.emplace(claim.id, name(claim.verdict)).second) << claim.id << " occurs twice";
     EXPECT_FALSE(claim.place.empty() || claim.statement.empty() || claim.measured.empty()) << claim.id;
     EXPECT_EQ(claim.why.empty(), claim.verdict == Verdict::holds) << claim.id;
     const auto wanted = expected.find(claim.id);

@@ -1,5 +1,5 @@
-// How printed null spaces are held against computed ones, on matrices whose null spaces are plain to see, and
-// that the motions are those of `incognita observe`.
+// Comparison of printed with computed null spaces, on matrices with obvious null spaces; the motions are
+// those of `incognita observe`.
 #include "experiments/observability_claims.hpp"
 
 #include <gtest/gtest.h>
@@ -17,10 +17,10 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/// What rows do not see.
+/// Null space of the rows.
 NullSpace of(const MatrixXd& rows) { return null_space(NoisyRows::exact(rows)); }
 
-/// Sees the first two coordinates' difference only.
+/// Measures the difference of the first two coordinates only.
 MatrixXd difference() { return (MatrixXd(1, 3) << 1, -1, 0).finished(); }
 
 const std::vector<Course> two_courses(2);
@@ -29,7 +29,7 @@ Vectors vectors(const std::vector<VectorXd>& all) {
   return [all](const Course&) { return all; };
 }
 
-TEST(SpacesTest, DimensionIsWhatAllAgreeOn) {
+TEST(SpacesTest, DimensionIsTheCommonOne) {
   EXPECT_EQ(dimension({of(difference()), of(difference())}), 2);
   EXPECT_EQ(dimension({of(difference()), of(MatrixXd::Identity(3, 3))}), no_dimension);
   EXPECT_EQ(dimension({}), no_dimension);
@@ -38,7 +38,7 @@ TEST(SpacesTest, DimensionIsWhatAllAgreeOn) {
   EXPECT_EQ(dimension({of(difference()), doubtful}), no_dimension);
 }
 
-TEST(SpacesTest, BasisIsInsideIndependentAndComplete) {
+TEST(SpacesTest, BasisIsContainedIndependentAndComplete) {
   const Spaces spaces(2, of(difference()));
   const VectorXd a = Vector3d(1, 1, 0), b = Vector3d(2, 2, 5), outside = Vector3d(1, 0, 0);
   EXPECT_TRUE(are_basis(spaces, two_courses, vectors({a, b})));
@@ -52,7 +52,7 @@ TEST(SpacesTest, BasisIsInsideIndependentAndComplete) {
   EXPECT_FALSE(contain({}, {}, vectors({})));
 }
 
-TEST(SpacesTest, ABasisMustSuitEveryMotion) {
+TEST(SpacesTest, ABasisMustBeInTheNullSpaceOfEveryMotion) {
   const Spaces spaces{of(difference()), of(Vector3d(1, 1, 0).transpose())};
   EXPECT_FALSE(are_basis(spaces, two_courses, vectors({Vector3d(1, 1, 0), Vector3d(0, 0, 1)})));
   EXPECT_TRUE(contain(spaces, two_courses, vectors({Vector3d(0, 0, 1)})));
@@ -78,7 +78,7 @@ TEST(SpacesTest, DimensionsWithinSomeStates) {
   EXPECT_EQ(dimension_within({of(difference()), of(MatrixXd::Identity(3, 3))}, 0, 2), no_dimension);
 }
 
-TEST(SpacesTest, SameIsMoreThanAsLarge) {
+TEST(SpacesTest, EqualSpacesHaveMoreThanEqualDimensions) {
   const NullSpace one = of(difference()), other = of(Vector3d(1, 1, 0).transpose());
   EXPECT_TRUE(same({one}, {of(-7 * difference())}));
   EXPECT_FALSE(same({one}, {other}));
@@ -86,7 +86,7 @@ TEST(SpacesTest, SameIsMoreThanAsLarge) {
   EXPECT_FALSE(same({one}, {one, one}));
 }
 
-TEST(SpacesTest, StatesThatOnlySomeMotionsSeeAreQuestionable) {
+TEST(SpacesTest, StatesObservableInSomeMotionsAreQuestionable) {
   MatrixXd third(2, 3);
   third << 1, -1, 0, 0, 0, 1;
   const std::vector<std::string> names{"x", "y", "z"};
@@ -95,7 +95,7 @@ TEST(SpacesTest, StatesThatOnlySomeMotionsSeeAreQuestionable) {
   EXPECT_TRUE(observable_states({of(difference())}, names).empty());
 }
 
-TEST(SpacesTest, Words) {
+TEST(SpacesTest, Texts) {
   EXPECT_EQ(joined({3, 2, 2}), "3/2/2");
   EXPECT_EQ(joined({3, no_dimension}), "3/not the same in all");
   EXPECT_EQ(listed({}), "none");
@@ -103,7 +103,7 @@ TEST(SpacesTest, Words) {
   EXPECT_EQ(listed({"x", "y", "z"}), "x, y and z");
 }
 
-TEST(StudyTest, IsWhatTheProgramSaysOfTheSameMotions) {
+TEST(StudyTest, EqualsObserveOnTheSameMotions) {
   const Study& s = study({.system = "planar-cv", .anchors = 1});
   ASSERT_EQ(s.courses().size(), std::size_t{motions});
   for (const int seed : {1, 7}) {
@@ -124,7 +124,7 @@ TEST(StudyTest, IsWhatTheProgramSaysOfTheSameMotions) {
   EXPECT_EQ(s.text(), "SOM and TOM leave 4/1/0 dimensions after 1/2/3 segments, the motion itself 2");
 }
 
-TEST(StudyTest, ChangesAreAppliedAndKeptApart) {
+TEST(StudyTest, ChangesAreAppliedSeparately) {
   const Change still{"still", [](SystemText& text) { text.inputs.at(0).low = text.inputs.at(0).high = 0; }};
   const Study &moving = study({.system = "planar"}), &standing = study({.system = "planar", .change = still});
   EXPECT_EQ(moving.dimensions(), (std::vector{3, 2, 2}));
@@ -132,7 +132,7 @@ TEST(StudyTest, ChangesAreAppliedAndKeptApart) {
   EXPECT_EQ(&moving, &study({.system = "planar"}));
 }
 
-TEST(StudyTest, MatricesThatAreNotTheSystems) {
+TEST(StudyTest, RefusesMatricesOfTheWrongSystem) {
   const Study& s = study({.system = "planar"});
   const Spaces as_it_is = stripped_with(s, 2, [](Linearization&, const SystemPoint&) {}),
                blind = stripped_with(s, 2, [](Linearization&form, const SystemPoint&) { form.F.setZero(); });
@@ -140,7 +140,8 @@ TEST(StudyTest, MatricesThatAreNotTheSystems) {
   EXPECT_FALSE(same(blind, s.stripped(2)));
 }
 
-/// Largest difference of F and H by misalignments, from exact derivatives, from those of the error form.
+/// Largest difference of F and H, transformed to misalignments from exact derivatives, from those of the
+/// error form.
 double apart_from_error_form(const Case& which, Eigen::Index angles,
                              const std::function<Vector3d(const SystemPoint&)>& rate) {
   return largest(study(which), [&](const Course& c) {
@@ -150,7 +151,7 @@ double apart_from_error_form(const Case& which, Eigen::Index angles,
   });
 }
 
-TEST(MisalignedTest, ExactDerivativesBecomeTheErrorForm) {
+TEST(MisalignedTest, ExactDerivativesEqualTheErrorForm) {
   const auto measured = [](const SystemPoint& p) -> Vector3d { return p.u.tail<3>(); };
   const auto state = [](const SystemPoint& p) -> Vector3d { return p.x.segment<3>(9); };
   EXPECT_LT(apart_from_error_form(inertial::world(1, 2), 6, measured), 1e-10);
@@ -160,7 +161,7 @@ TEST(MisalignedTest, ExactDerivativesBecomeTheErrorForm) {
   EXPECT_GT(apart_from_error_form(inertial::world(), 6, none), 1e-3);
 }
 
-TEST(MisalignedTest, BearingsByTheirDerivative) {
+TEST(MisalignedTest, BearingsHaveTheirDerivatives) {
   const Vector3d s(3, -2, 1.5);
   const auto measurement = [](const Vector3d& at) {
     return Eigen::Vector2d(std::atan2(at.y(), at.x()), std::atan2(at.z(), at.head<2>().norm()));
@@ -173,7 +174,7 @@ TEST(MisalignedTest, BearingsByTheirDerivative) {
   }
 }
 
-TEST(StudyTest, LieDerivativesWhereTheMotionsBegin) {
+TEST(StudyTest, LieDerivativesAtTheStartOfTheMotions) {
   const Spaces spaces = lie({.system = "planar", .representation = "relative"}, 3);
   ASSERT_EQ(spaces.size(), 3U);
   EXPECT_EQ(dimension(spaces), 1);

@@ -1,5 +1,5 @@
-// Smaller versions of the consistency table: fixed seeds, and an interval recorded for each filter. A filter
-// that leaves its interval has changed.
+// Smaller versions of the consistency table: fixed seeds, and a recorded interval for each filter. A filter
+// outside its interval has changed.
 #include "experiments/planar_consistency.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ struct Recorded {
   double least, most;
 };
 
-TEST(PlanarConsistency, EachFilterStaysInTheIntervalRecordedForIt) {
+TEST(PlanarConsistency, EachFilterStaysInItsRecordedInterval) {
   const std::map<std::string, Recorded> recorded{{"EKF", {2.3, 2.8}},
                                                  {"iterated EKF", {1.7, 2.05}},
                                                  {"unscented vehicle", {2.3, 2.8}},
@@ -38,7 +38,7 @@ TEST(PlanarConsistency, EachFilterStaysInTheIntervalRecordedForIt) {
   }
 }
 
-TEST(PlanarConsistency, WithAnExternalSensorTheFilterIsConsistent) {
+TEST(PlanarConsistency, WithAPositionSensorTheFilterIsConsistent) {
   PlanarFilterSettings filter;
   filter.use_fixes = true;
   double nees = 0;
@@ -46,7 +46,7 @@ TEST(PlanarConsistency, WithAnExternalSensorTheFilterIsConsistent) {
   EXPECT_NEAR(nees, 1, 0.1);
 }
 
-TEST(PlanarConsistency, DroppedCorrelationsAreConservative) {
+TEST(PlanarConsistency, ABlockDiagonalMapIsConservative) {
   PlanarFilterSettings filter;
   filter.decorrelate = "map-linear";
   double nees = 0;
@@ -54,7 +54,7 @@ TEST(PlanarConsistency, DroppedCorrelationsAreConservative) {
   EXPECT_LT(nees, 1.2);
 }
 
-TEST(PlanarConsistency, TheSameSeedIsTheSameRun) {
+TEST(PlanarConsistency, IsDeterministicForASeed) {
   for (const PlanarFilterChoice& choice : planar_filter_choices()) {
     const PlanarConsistency a = planar_consistency({.duration_s = 50}, 3, choice.filter),
                             b = planar_consistency({.duration_s = 50}, 3, choice.filter);
@@ -63,7 +63,7 @@ TEST(PlanarConsistency, TheSameSeedIsTheSameRun) {
   }
 }
 
-TEST(StandingVehicle, OnlyFirstEstimatesKeepWhatIsNotKnown) {
+TEST(StandingVehicle, OnlyFirstEstimatesKeepTheUnobservableDirections) {
   EXPECT_LT(standing_vehicle(1, "analytic").sigma_heading_deg, 10);
   EXPECT_NEAR(standing_vehicle(1, "first-estimate").sigma_heading_deg, standing_sigma_heading_deg, 1e-6);
 }

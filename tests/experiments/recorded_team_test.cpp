@@ -1,5 +1,5 @@
-// A made-up recording of two robots: joint and alone are looked at at the same times, and differ in what they
-// see.
+// A synthetic recording of two robots: the joint and the separate filters are evaluated at the same times and
+// differ in their measurements.
 #include "experiments/recorded_team.hpp"
 
 #include <gtest/gtest.h>
@@ -17,8 +17,8 @@ namespace {
 
 const std::vector<Eigen::Vector2d> places = {{0, 4}, {3, -1}, {-2, -2}};
 
-/// Goes round to the left at 0.3 m/s; told at 20 Hz; looks at landmarks `measurements_until_s` and at the other
-/// robot.
+/// Drives to the left at 0.3 m/s, with odometry at 20 Hz; measures landmarks until `measurements_until_s`,
+/// and the other robot always.
 RangeRecording robot(const planar::Pose<double>& start, double first_measurement_s,
                      double measurements_until_s, const std::vector<planar::Pose<double>>& other,
                      std::vector<planar::Pose<double>>& poses) {
@@ -53,7 +53,7 @@ RangeRecording robot(const planar::Pose<double>& start, double first_measurement
   return r;
 }
 
-/// The second loses sight of the landmarks after 10 s, and sees the first all along.
+/// The second robot measures no landmarks after 10 s, and the first robot all the time.
 Robots two() {
   std::vector<planar::Pose<double>> first, second;
   const RangeRecording a = robot({1, 0, 0}, 0, 1e9, {}, first);
@@ -61,7 +61,7 @@ Robots two() {
   return {a, b};
 }
 
-TEST(RecordedTeam, IsLookedAtAtTheSameTimesTogetherAndAlone) {
+TEST(RecordedTeam, IsEvaluatedAtTheSameTimesJointlyAndSeparately) {
   const Robots robots = two();
   const Drive joint = together(robots, {});
   for (std::size_t i = 0; i < 2; ++i) {
@@ -72,7 +72,7 @@ TEST(RecordedTeam, IsLookedAtAtTheSameTimesTogetherAndAlone) {
   }
 }
 
-TEST(RecordedTeam, KnowsMoreTogether) {
+TEST(RecordedTeam, JointFilterIsMoreAccurate) {
   const Robots robots = two();
   const Drive joint = together(robots, {}), by_itself = alone(robots, 1, {});
   EXPECT_EQ(joint.landmarks.size(), places.size());
@@ -86,7 +86,7 @@ TEST(RecordedTeam, KnowsMoreTogether) {
   EXPECT_NEAR(joint.recorded_s, 39, 1.1);
 }
 
-TEST(RecordedTeam, IsSkippedWhereItIsNot) {
+TEST(RecordedTeam, IsSkippedWithoutTheRecording) {
   const testing::Scratch scratch;
   const char* before = std::getenv("INCOGNITA_DATA");
   const std::string kept = before ? before : "";

@@ -1,5 +1,4 @@
-// The fuzzer's function without the fuzzer: on the built-in systems, on the corpus, and on small damages to
-// both.
+// The fuzz target without libFuzzer: on the built-in systems, on the corpus, and on small mutations of both.
 #include <gtest/gtest.h>
 
 #include <ctime>
@@ -15,7 +14,7 @@
 namespace incognita {
 namespace {
 
-/// Of this process alone, so that a busy machine changes nothing.
+/// CPU time of this process, independent of other load.
 double seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 /// name -> bytes, of both folders
@@ -40,7 +39,7 @@ TEST(SystemReplay, SeedsAreReadOrRefusedInTime) {
   for (const auto& [name, bytes] : files) feed(bytes, name);
 }
 
-/// What a person could not write by hand, and a program could.
+/// Larger than a person would write, but possible for a program.
 TEST(SystemReplay, LargestFilesAreReadOrRefusedInTime) {
   const auto filled = [](const std::string& head, const std::string& part, const std::string& tail) {
     std::string text = head;
@@ -66,7 +65,7 @@ TEST(SystemReplay, LargestFilesAreReadOrRefusedInTime) {
   feed(keys, "many definitions");
 }
 
-TEST(SystemReplay, DamagedSeedsAreReadOrRefusedInTime) {
+TEST(SystemReplay, MutatedSeedsAreReadOrRefusedInTime) {
   constexpr int times = 4000;
   constexpr double longest_s = 30.0 * INCOGNITA_SLOWNESS;
   const std::map<std::string, std::string> files = seeds();

@@ -1,14 +1,12 @@
-// Any bytes as a system file: a system, or a refusal that names the file, and nothing else.
+// Fuzz target: any bytes as a system file must give a system, or an error that names the file.
 //
 //   cmake -G Ninja -B build-fuzz -DCMAKE_CXX_COMPILER=clang++ -DINCOGNITA_FUZZ=ON
 //         -DINCOGNITA_SANITIZE=fuzzer-no-link,address,undefined -DINCOGNITA_BENCH=OFF
 //   cmake --build build-fuzz --target system_fuzz
 //   mkdir -p build-fuzz/found && build-fuzz/system_fuzz -max_len=20000 -timeout=10 -max_total_time=600
-//   -detect_leaks=0
-//         build-fuzz/found tests/fuzz/corpus systems
+//         -detect_leaks=0 build-fuzz/found tests/fuzz/corpus systems
 //
-// GiNaC's power::derivative loses some 40 bytes when a number overflows in it and it throws: such leaks are
-// not ours.
+// GiNaC's power::derivative leaks some 40 bytes when a number overflows and it throws: these leaks are in GiNaC.
 #include "tests/fuzz/system_fuzz.hpp"
 
 #include <cstdlib>
@@ -26,7 +24,7 @@ namespace {
 
 using namespace incognita;
 
-/// Derives everything once, in the middle of its region.
+/// Computes all derivatives once, at the center of its region.
 void use(const SystemText& text) {
   const SymbolicSystem system = make_symbolic(text);
   const SystemInstance instance(system, text.landmark ? 1 : 0, text.anchor ? 1 : 0);

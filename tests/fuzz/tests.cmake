@@ -8,7 +8,7 @@ else()
 endif()
 target_compile_definitions(system_replay_test PRIVATE INCOGNITA_SLOWNESS=${slowness})  # how much longer it may take
 
-# How to build it with clang stands in fuzz/system_fuzz.cpp
+# fuzz/system_fuzz.cpp describes the build with clang
 option(INCOGNITA_FUZZ "Build the fuzz target (clang, with INCOGNITA_SANITIZE=fuzzer-no-link,address,undefined)" OFF)
 if(INCOGNITA_FUZZ)
   if(NOT CMAKE_CXX_COMPILER_ID STREQUAL Clang OR NOT INCOGNITA_SANITIZE MATCHES fuzzer-no-link)

@@ -9,7 +9,7 @@ namespace {
 
 RangeRecording drive() { return drive_planar_loop({.duration_s = 60}, 5); }
 
-TEST(ClockWarnings, NoneForADriveOnOneClock) {
+TEST(ClockWarnings, NoneForADriveWithASingleClock) {
   EXPECT_TRUE(clock_warnings(drive()).empty());
   EXPECT_TRUE(clock_warnings({}).empty());
 }
@@ -19,8 +19,9 @@ TEST(ClockWarnings, OdometryInMillisecondsAndScansInSeconds) {
   for (Odometry& odometry : recording.odometry) odometry.t *= 1000;
   const auto warnings = clock_warnings(recording);
   ASSERT_EQ(warnings.size(), 2u);
-  EXPECT_NE(warnings[0].find("the odometry (0 s to 60000 s) and the scans (0 s to 60 s) have only 0.1 %"),
-            std::string::npos)
+  EXPECT_NE(
+      warnings[0].find("the odometry (0 s to 60000 s) and the scans (0 s to 60 s) overlap by only 0.1 %"),
+      std::string::npos)
       << warnings[0];
   EXPECT_NE(warnings[1].find("the odometry reading of 0 s is held for 60 s"), std::string::npos)
       << warnings[1];
@@ -33,7 +34,7 @@ TEST(ClockWarnings, ScansInMilliseconds) {
   EXPECT_EQ(clock_warnings(recording).size(), 2u);
 }
 
-TEST(ClockWarnings, OdometryThatStopsForAWhile) {
+TEST(ClockWarnings, OdometryWithAGap) {
   RangeRecording recording = drive();
   recording.odometry.erase(recording.odometry.begin() + 200, recording.odometry.begin() + 350);
   const auto warnings = clock_warnings(recording);

@@ -1,4 +1,4 @@
-// Small damages to a file, the same each time.
+// Deterministic small mutations of a file.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 
 namespace incognita::testing {
 
-/// One to four bytes changed, left out, put in or repeated; sometimes the rest is gone.
+/// One to four bytes changed, deleted, inserted or repeated; sometimes the rest is truncated.
 inline std::string damaged(std::string text, RandomStream& random) {
   static constexpr const char* words[] = {
       "nan", "-inf", "1e999", "-", "[", "\"", "\n", "99999999999999999999", ","};
@@ -40,7 +40,7 @@ inline std::string damaged(std::string text, RandomStream& random) {
   return text;
 }
 
-/// How many of the damaged files were still read. `read` may throw what a reader may.
+/// Number of mutated files that were accepted. `read` may throw what a reader may.
 inline int still_read(const std::string& whole, int times,
                       const std::function<void(const std::string&)>& read) {
   RandomStream random(1, "damage");
@@ -50,7 +50,7 @@ inline int still_read(const std::string& whole, int times,
     try {
       read(text);
       ++fine;
-    } catch (const std::runtime_error& error) {  // InputError is one
+    } catch (const std::runtime_error& error) {  // includes InputError
       EXPECT_FALSE(std::string(error.what()).empty());
     }
   }

@@ -1,4 +1,4 @@
-// What no decision can be made of is refused, with the key and the reason.
+// Inapplicable settings of the decision are refused, with the key and the reason.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -25,7 +25,7 @@ struct Case {
   std::string text, part;
 };
 
-TEST(DecisionChecks, RefuseWhatNoDecisionCanBeMadeOf) {
+TEST(DecisionChecks, RefuseInapplicableSettings) {
   const std::vector<Case> everywhere{
       {"[decision]\nmoves_m = [[0.3, 0, 0], [-0.3, 0, 0]]", "decision.moves_m = [[0.3, 0.0, 0.0]"},
       {"[decision]\nmoves_m = [[0.3, 0, 0], [-0.3, 0, 0]]", "must have [0, 0, 0], to stay"},
@@ -49,8 +49,9 @@ TEST(DecisionChecks, RefuseWhatNoDecisionCanBeMadeOf) {
              "must be `all` with run.world = \"points\"");
 }
 
-/// In a place of points nothing swings: told, it is refused; not told, the gaze is held, and said to be.
-TEST(DecisionChecks, RefuseASwingWhereThereIsNone) {
+/// In the point-landmark world there is no gaze swing: it is refused when set; by default the gaze is held,
+/// as the effective scenario shows.
+TEST(DecisionChecks, RefuseASwingWithoutARenderedWorld) {
   EXPECT_HAS(complaint(points + "[decision]\ngaze = \"swing\"\n"),
              "decision.gaze = \"swing\": must be `hold`, `constant-rate`, `mutual-information`, `fisher` or "
              "`fisher-given-state` with run.world = `points`");
@@ -60,12 +61,12 @@ TEST(DecisionChecks, RefuseASwingWhereThereIsNone) {
   EXPECT_HAS(effective_toml(load_scenario(scratch.write("room.toml", room).string())), "gaze = \"swing\"");
 }
 
-TEST(DecisionChecks, AHandNeedsTheFrameOfTheRoom) {
+TEST(DecisionChecks, AnOperatorNeedsTheFrameOfTheRoom) {
   EXPECT_HAS(complaint(room + "[person]\nholds = true\n"),
              "person.holds = true: must be false with start.from");
 }
 
-TEST(DecisionChecks, LetTheRestPass) {
+TEST(DecisionChecks, AcceptTheRest) {
   EXPECT_EQ(complaint(room + "[decision]\nmoves_m = [[0.3, 0, 0], [0, 0, 0]]\n"), "(none)");
   EXPECT_EQ(complaint(points + "[decision]\nhorizon = 3\n"), "(none)");
 }

@@ -1,4 +1,4 @@
-// The calibration that a EuRoC recording brings along, and the camera of the scenario that follows it.
+// The calibration in a EuRoC recording, and the camera of a scenario that uses it.
 #include "incognita/io/recordings/euroc_camera.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace {
 using testing::message_of;
 using testing::Scratch;
 
-/// As the benchmark has it.
+/// As published with the benchmark.
 const std::string published =
     "# General sensor definitions.\nsensor_type: camera\ncomment: VI-Sensor cam0 (MT9M034)\n\n"
     "# Sensor extrinsics wrt. the body-frame.\nT_BS:\n  cols: 4\n  rows: 4\n  data: [0.0148655429818, "
@@ -24,7 +24,7 @@ const std::string published =
     "cu, cv\ndistortion_model: radial-tangential\ndistortion_coefficients: [-0.28340811, 0.07395907, "
     "0.00019359, 1.76187114e-05]\n";
 
-/// With one piece of it replaced.
+/// With one substring replaced.
 std::string with(const std::string& piece, const std::string& other) {
   std::string text = published;
   return text.replace(text.find(piece), piece.size(), other);
@@ -59,7 +59,7 @@ TEST(EurocCamera, IsReadAsPublished) {
   EXPECT_EQ((*sensor.body_from_camera)(1, 3), -0.064676986768);
 }
 
-TEST(EurocCamera, IsReadAsOthersWriteIt) {
+TEST(EurocCamera, IsReadInOtherYamlStyles) {
   const EurocSensor sensor = read(
       "%YAML:1.0\nresolution:\n  - 752\n  - 480\ncamera_model: \"pinhole\"\nintrinsics:\n  - 4.5e2\n  - "
       "450\n  - 300\n"
@@ -72,14 +72,14 @@ TEST(EurocCamera, IsReadAsOthersWriteIt) {
   EXPECT_FALSE(read("sensor_type: camera\n").camera);
 }
 
-TEST(EurocCamera, SaysWhichModelIsNotHere) {
+TEST(EurocCamera, NamesAnUnsupportedModel) {
   EXPECT_EQ(read(with("radial-tangential", "equidistant")).camera->unfit,
             "distortion_model is `equidistant`");
   EXPECT_EQ(read(with("camera_model: pinhole", "camera_model: omni")).camera->unfit,
             "camera_model is `omni`");
 }
 
-TEST(EurocCamera, WithoutAKeySaysWhich) {
+TEST(EurocCamera, NamesAMissingKey) {
   EXPECT_EQ(read(with("distortion_model: radial-tangential\n", "")).camera->unfit, "");
   EXPECT_EQ(read(with("camera_model: pinhole\n", "")).camera->unfit, "camera_model is ``");
   EXPECT_HAS(complaint(with("resolution: [752, 480]\n", "")),
@@ -87,7 +87,7 @@ TEST(EurocCamera, WithoutAKeySaysWhich) {
   EXPECT_HAS(complaint(with("  data: [", "  dates: [")), "T_BS must be a list of numbers");
 }
 
-TEST(EurocCamera, RefusesNamingTheLine) {
+TEST(EurocCamera, ErrorsNameTheLine) {
   EXPECT_HAS(complaint(with("[458.654, 457.296,", "[458.654, 457,296,")),
              "sensor.yaml:18: intrinsics must be fu, fv");
   EXPECT_HAS(complaint(with("457.296", "wide")),
@@ -96,13 +96,13 @@ TEST(EurocCamera, RefusesNamingTheLine) {
              "sensor.yaml:16: resolution must be a list of numbers");
   EXPECT_HAS(complaint(with("[752, 480]", "[0, 480]")), "resolution must be width and height in px");
   EXPECT_HAS(complaint(with("0.0, 0.0, 0.0, 1.0]", "0.0, 0.0]")), "T_BS must have 16 numbers, and has 14");
-  EXPECT_HAS(complaint(with("0.999557249008", "0.1")), "T_BS must be a rotation and a translation");
+  EXPECT_HAS(complaint(with("0.999557249008", "0.1")), "T_BS must be a rigid transformation");
   EXPECT_HAS(complaint(with("rate_hz: 20", "rate_hz: [20")), "sensor.yaml:");
   EXPECT_HAS(complaint("- a list\n"), "must be a list of `key: value`");
   EXPECT_HAS(complaint(""), "must be a list of `key: value`");
 }
 
-/// A EuRoC folder of one image, and a scenario over it with more of its own.
+/// A EuRoC folder with one image, and a scenario that uses it and adds settings.
 class CameraOfRecording : public ::testing::Test {
  protected:
   CameraOfRecording() {
@@ -131,7 +131,7 @@ std::string replaced(std::string text, const std::string& piece, const std::stri
   return text.replace(text.find(piece), piece.size(), other);
 }
 
-TEST_F(CameraOfRecording, IsTakenWhereTheScenarioHasNone) {
+TEST_F(CameraOfRecording, IsUsedWhereTheScenarioHasNone) {
   const LoadedScenario loaded = load("");
   EXPECT_EQ(loaded.scenario.camera.model, "pinhole");
   EXPECT_EQ(loaded.scenario.camera.fu_px, 458.654);
@@ -143,9 +143,9 @@ TEST_F(CameraOfRecording, IsTakenWhereTheScenarioHasNone) {
   EXPECT_HAS(compare_camera(repeated, read_recording(repeated)), "the camera agrees with");
 }
 
-TEST_F(CameraOfRecording, AgreesWithWhatIsTypedToAFewDigits) { EXPECT_EQ(differences(typed), "(none)"); }
+TEST_F(CameraOfRecording, AgreesWithRoundedValues) { EXPECT_EQ(differences(typed), "(none)"); }
 
-TEST_F(CameraOfRecording, RefusesAnotherCameraWithBothValues) {
+TEST_F(CameraOfRecording, ADifferentCameraIsRefusedWithBothValues) {
   const std::string text = differences(replaced(replaced(typed, "458.65", "517.3"), "k1 = -0.2834\n", ""));
   EXPECT_HAS(text, "mine.toml:11: camera.fu_px = 517.3: ");
   EXPECT_HAS(text, "mav0/cam0/sensor.yaml has 458.654");
@@ -157,20 +157,20 @@ TEST_F(CameraOfRecording, RefusesAnotherCameraWithBothValues) {
   EXPECT_HAS(differences(replaced(without_lens, "pinhole", "wide-angle")), "camera.model = \"wide-angle\": ");
 }
 
-TEST_F(CameraOfRecording, IsNotComparedWhereTheScenarioSaysSo) {
+TEST_F(CameraOfRecording, IsNotComparedWhereTheScenarioDisablesIt) {
   EXPECT_EQ(differences("check_calibration = false\n" + replaced(typed, "458.65", "517.3")), "(none)");
 }
 
-TEST_F(CameraOfRecording, OfAnotherModelIsSaidAndNotGuessed) {
+TEST_F(CameraOfRecording, AnUnsupportedModelIsReported) {
   scratch_.write("mav0/cam0/sensor.yaml", with("radial-tangential", "equidistant"));
   const std::string text = message_of([&] { load(""); });
-  EXPECT_HAS(text, "sensor.yaml: distortion_model is `equidistant`, and no camera model of this program");
+  EXPECT_HAS(text, "sensor.yaml: distortion_model is `equidistant`, which no camera model supports");
   EXPECT_HAS(text, "undistort the images");
   const Recording recording = read_recording(load(typed));
   std::string notes;
   for (const std::string& note : recording.notes) notes += note + "\n";
   EXPECT_HAS(notes,
-             "distortion_model is `equidistant`, which no camera model here is: the camera is not compared");
+             "distortion_model is `equidistant`, which no camera model supports: the camera is not compared");
 }
 
 }  // namespace

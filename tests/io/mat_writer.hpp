@@ -1,4 +1,4 @@
-// MAT files for tests, and a small car park in one: what the readers of data_set.mat want.
+// Writes MAT files, and a small car park in the layout of data_set.mat.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace incognita::testing {
 
 using MatVariables = std::map<std::string, Eigen::MatrixXd>;
 
-/// Whole numbers from 0 to 65535 are stored as such, as in the published file; all others as double.
+/// Integers from 0 to 65535 are stored as such, as in the published file; all other numbers as double.
 inline void write_mat(const std::filesystem::path& path, const MatVariables& variables,
                       matio_compression compression = MAT_COMPRESSION_NONE) {
   mat_t* mat = Mat_CreateVer(path.c_str(), "by a test", MAT_FT_MAT5);
@@ -40,7 +40,7 @@ inline Eigen::MatrixXd row(const std::vector<double>& values) {
   return Eigen::RowVectorXd::Map(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
-/// Two fixes, three readings of the wheels, three scans; the second scan sees nothing.
+/// Two fixes, three wheel readings, three scans; the second scan has no detection.
 inline MatVariables small_car_park() {
   MatVariables park;
   park["Time"] = row({10, 10.1, 10.2, 10.3, 10.4, 10.5, 10.6, 10.7});

@@ -1,5 +1,5 @@
-// MRCLAM recordings read as a team: robots on one clock that see each other, and each way in which their
-// files can be broken.
+// MRCLAM recordings read as a team: robots with a common clock that detect each other, and every kind of
+// broken file.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -14,8 +14,8 @@ namespace {
 using testing::message_of;
 using testing::Scratch;
 
-/// A folder with the robots 1, 2 and 4, whole but for what a test changes. Bar codes: 5, 14, 41 and 23 are
-/// robots 1, 2, 4 and 3, of which there are no files; 63 and 25 are the landmarks 6 and 7.
+/// A folder with the robots 1, 2 and 4, valid except for what a test changes. Bar codes: 5, 14, 41 and 23 are
+/// the robots 1, 2, 4 and 3, the last without files; 63 and 25 are the landmarks 6 and 7.
 struct Team {
   std::map<std::string, std::string> files = {
       {"Barcodes.dat", "# Subject # Barcode #\n  1 \t 5 \n  2 \t 14\n3 23\n4 41\n  6 \t 63\n  7 \t 25\n"},
@@ -53,8 +53,8 @@ std::string all_notes(const RangeRecording& recording) {
   return all;
 }
 
-/// Robot 4 is the third of the team: 2.
-TEST(MrclamTeam, IsEveryRobotThatHasOdometryInTheOrderOfTheirNumbers) {
+/// Robot 4 has index 2 in the team.
+TEST(MrclamTeam, HasEveryRobotWithOdometryInTheOrderOfNumbers) {
   const std::vector<RangeRecording> team = Team().read();
   ASSERT_EQ(team.size(), 3u);
   EXPECT_EQ(team[0].odometry.size(), 3u);
@@ -63,7 +63,7 @@ TEST(MrclamTeam, IsEveryRobotThatHasOdometryInTheOrderOfTheirNumbers) {
   for (const RangeRecording& robot : team) {
     EXPECT_EQ(robot.format, "mrclam");
     EXPECT_EQ(robot.vehicle, "differential-drive");
-    ASSERT_EQ(robot.landmarks.size(), 2u) << "each knows where they are";
+    ASSERT_EQ(robot.landmarks.size(), 2u) << "each robot has the survey";
     EXPECT_EQ(robot.landmarks[1].identity, 7);
     EXPECT_EQ(robot.landmarks[1].position, Eigen::Vector2d(2, 3));
   }
@@ -72,7 +72,7 @@ TEST(MrclamTeam, IsEveryRobotThatHasOdometryInTheOrderOfTheirNumbers) {
   EXPECT_HAS(all_notes(team[1]), "there is no Robot2_Groundtruth.dat: the truth is unknown");
 }
 
-TEST(MrclamTeam, StaysOnTheClockOfTheFiles) {
+TEST(MrclamTeam, KeepsTheClockOfTheFiles) {
   const std::vector<RangeRecording> team = Team().read();
   EXPECT_EQ(team[0].odometry[0].t, 100.5);
   EXPECT_EQ(team[1].odometry[0].t, 100.6);
@@ -83,9 +83,9 @@ TEST(MrclamTeam, StaysOnTheClockOfTheFiles) {
   EXPECT_EQ(team[0].truth[0].t, 100.4);
 }
 
-TEST(MrclamTeam, SeesEachOtherByPlaceInTheTeamAndLandmarksByTheirNumber) {
+TEST(MrclamTeam, DetectsRobotsByIndexAndLandmarksByNumber) {
   const std::vector<RangeRecording> team = Team().read();
-  ASSERT_EQ(team[0].scans.size(), 3u) << "one time is one scan, and one that saw nothing known is one too";
+  ASSERT_EQ(team[0].scans.size(), 3u) << "each time is one scan, also without known landmarks";
   ASSERT_EQ(team[0].scans[0].detections.size(), 1u);
   EXPECT_EQ(team[0].scans[0].detections[0].identity, 6);
   EXPECT_EQ(team[0].scans[0].detections[0].range_m, 1.5);
@@ -97,7 +97,7 @@ TEST(MrclamTeam, SeesEachOtherByPlaceInTheTeamAndLandmarksByTheirNumber) {
   EXPECT_TRUE(team[0].scans[1].detections.empty());
   EXPECT_TRUE(team[0].scans[2].vehicles.empty());
 
-  ASSERT_EQ(team[1].scans[0].vehicles.size(), 1u) << "robot 3 is no member";
+  ASSERT_EQ(team[1].scans[0].vehicles.size(), 1u) << "robot 3 is not a member";
   EXPECT_EQ(team[1].scans[0].vehicles[0].identity, 0);
   EXPECT_EQ(team[1].scans[0].detections.at(0).identity, 7);
   ASSERT_EQ(team[2].scans[0].vehicles.size(), 2u);
@@ -106,45 +106,45 @@ TEST(MrclamTeam, SeesEachOtherByPlaceInTheTeamAndLandmarksByTheirNumber) {
   EXPECT_EQ(team[2].scans[0].vehicles[1].identity, 0);
 }
 
-TEST(MrclamTeam, SaysWhatItLeavesOut) {
+TEST(MrclamTeam, ReportsWhatItOmits) {
   const std::vector<RangeRecording> team = Team().read();
   EXPECT_HAS(all_notes(team[0]),
              "1 measurements of barcodes that are not in Barcodes.dat are skipped, the first at ");
   EXPECT_HAS(all_notes(team[0]), "Robot1_Measurement.dat:5");
   EXPECT_EQ(all_notes(team[0]).find("other robots"), std::string::npos);
-  EXPECT_HAS(all_notes(team[1]), "1 measurements of other robots are left out, the first at ");
+  EXPECT_HAS(all_notes(team[1]), "1 measurements of other robots are omitted, the first at ");
   EXPECT_HAS(all_notes(team[1]), "Robot2_Measurement.dat:2");
   EXPECT_HAS(all_notes(team[1]),
              "1 detections without a positive range and a bearing are skipped, the first at ");
   EXPECT_HAS(all_notes(team[1]), "Robot2_Measurement.dat:4");
-  EXPECT_TRUE(team[1].scans[1].vehicles.empty()) << "seen at no distance";
+  EXPECT_TRUE(team[1].scans[1].vehicles.empty()) << "undefined at zero distance";
 }
 
-/// A code on one's own body, or misread: nothing that a filter could use.
-TEST(MrclamTeam, NobodySeesItself) {
+/// The robot's own bar code, or a misread one, is of no use to a filter.
+TEST(MrclamTeam, ARobotDoesNotDetectItself) {
   const auto team = Team().with("Robot2_Measurement.dat", "100.65 14 2 1\n100.65 5 2 1\n").read();
   ASSERT_EQ(team[1].scans[0].vehicles.size(), 1u);
   EXPECT_EQ(team[1].scans[0].vehicles[0].identity, 0);
   EXPECT_HAS(all_notes(team[1]), "1 measurements of the robot's own barcode are skipped, the first at ");
 }
 
-TEST(MrclamTeam, OneRobotIsATeamAndSeesNoOther) {
+TEST(MrclamTeam, OneRobotIsATeamWithoutOthers) {
   const Team alone = Team().without("Robot2_Odometry.dat").without("Robot4_Odometry.dat");
   const std::vector<RangeRecording> team = alone.read();
   ASSERT_EQ(team.size(), 1u);
   for (const RangeRecording::Scan& scan : team[0].scans) EXPECT_TRUE(scan.vehicles.empty());
-  EXPECT_HAS(all_notes(team[0]), "2 measurements of other robots are left out");
+  EXPECT_HAS(all_notes(team[0]), "2 measurements of other robots are omitted");
 }
 
-TEST(MrclamTeam, NamesFilesThatAreMissing) {
+TEST(MrclamTeam, NamesMissingFiles) {
   EXPECT_HAS(Team().without("Barcodes.dat").complaint(), "Barcodes.dat: cannot be read");
   EXPECT_HAS(Team().without("Robot4_Measurement.dat").complaint(), "Robot4_Measurement.dat: cannot be read");
   Team none;
   for (const char* robot : {"1", "2", "4"}) none.without("Robot" + std::string(robot) + "_Odometry.dat");
-  EXPECT_HAS(none.complaint(), "Robot1_Odometry.dat: is not there; no robot's odometry is");
+  EXPECT_HAS(none.complaint(), "Robot1_Odometry.dat: does not exist; there is no odometry of any robot");
   const Scratch empty;
-  EXPECT_HAS(message_of([&] { read_mrclam_team(empty.folder()); }), "no robot's odometry is");
-  EXPECT_HAS(message_of([&] { read_mrclam_team(empty / "none"); }), "no robot's odometry is");
+  EXPECT_HAS(message_of([&] { read_mrclam_team(empty.folder()); }), "there is no odometry of any robot");
+  EXPECT_HAS(message_of([&] { read_mrclam_team(empty / "none"); }), "there is no odometry of any robot");
   const auto without = Team().without("Landmark_Groundtruth.dat").read();
   for (const RangeRecording& robot : without) {
     EXPECT_TRUE(robot.landmarks.empty());
@@ -152,8 +152,8 @@ TEST(MrclamTeam, NamesFilesThatAreMissing) {
   }
 }
 
-/// Whichever robot's file it is, it is named with the line, and what would be right.
-TEST(MrclamTeam, RefusesGarbage) {
+/// Errors in the file of any robot name the file, the line and the remedy.
+TEST(MrclamTeam, RefusesInvalidFiles) {
   const auto with = [](const char* name, const char* text) { return Team().with(name, text).complaint(); };
   EXPECT_HAS(with("Robot2_Odometry.dat", "100.6 0.2 0\n101 fast 0\n"),
              "Robot2_Odometry.dat:2: column 2 must be a number, and is `fast`");
@@ -171,7 +171,7 @@ TEST(MrclamTeam, RefusesGarbage) {
              "Robot4_Measurement.dat:1: column 2 must be a whole number from 0, and is `63.5`");
   EXPECT_HAS(with("Robot4_Measurement.dat", "# nothing\n"), "robot 4: there are no scans");
   EXPECT_HAS(with("Robot4_Measurement.dat", "500 14 5 1\n"),
-             "robot 4: the odometry (100 s to 102 s) and the scans (500 s to 500 s) have no time in common");
+             "robot 4: the odometry (100 s to 102 s) and the scans (500 s to 500 s) do not overlap in time");
   EXPECT_HAS(with("Robot1_Groundtruth.dat", "1 2 3\n"),
              "Robot1_Groundtruth.dat:1: has 3 columns, column 4 is wanted");
   EXPECT_HAS(with("Barcodes.dat", "1 5\n2 5\n"), "Barcodes.dat:2: barcode 5 is already that of subject 1");

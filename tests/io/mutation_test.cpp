@@ -1,5 +1,5 @@
-// Readers of targets, images and recordings under hundreds of small damages: an answer or a refusal, never
-// more.
+// Readers of targets, images and recordings under hundreds of small mutations: they accept or refuse, and
+// never crash.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -78,8 +78,8 @@ TEST(DamagedRecording, IsReadOrRefused) {
   EXPECT_GT(still_read(truth, 150, [&](const std::string& text) { read(list, text); }), 5);
 }
 
-/// What a range recording promises, whatever the files were.
-void expect_sound(const RangeRecording& recording) {
+/// Invariants of a range-bearing recording, whatever the files.
+void expect_valid(const RangeRecording& recording) {
   const auto in_order = [](const auto& rows) {
     return std::is_sorted(rows.begin(), rows.end(), [](const auto& a, const auto& b) { return a.t < b.t; });
   };
@@ -101,14 +101,14 @@ void expect_sound(const RangeRecording& recording) {
     EXPECT_TRUE(landmark.position.allFinite());
 }
 
-/// Damages one file after the other of a folder that is whole otherwise.
+/// Mutates each file of an otherwise valid folder in turn.
 void damage_each(const std::map<std::string, std::string>& files, const std::string& format) {
   const Scratch scratch;
   for (const auto& [name, whole] : files) scratch.write(name, whole);
   for (const auto& [name, whole] : files) {
     const int fine = still_read(whole, 150, [&, file = name](const std::string& text) {
       scratch.write(file, text);
-      expect_sound(read_range_recording(scratch.folder(), format));
+      expect_valid(read_range_recording(scratch.folder(), format));
     });
     EXPECT_GT(fine, 5) << name;
     EXPECT_LT(fine, 150) << name;
@@ -139,12 +139,12 @@ TEST(DamagedMatFile, IsReadOrRefused) {
   const std::string whole = testing::contents(scratch / "data_set.mat");
   const auto read = [&](const std::string& bytes) {
     scratch.write("data_set.mat", bytes);
-    expect_sound(read_range_recording(scratch.folder(), "acfr"));
+    expect_valid(read_range_recording(scratch.folder(), "acfr"));
   };
   EXPECT_LT(still_read(whole, 300, read), 300);
   testing::write_mat(scratch / "data_set.mat", testing::small_car_park(), MAT_COMPRESSION_ZLIB);
   EXPECT_LT(still_read(testing::contents(scratch / "data_set.mat"), 300, read), 150);
-  // Most of the file are numbers; where sizes and types are decides what is believed
+  // Most of the file are numbers; the offsets of sizes and types matter
   for (std::size_t at = 0; at + 200 < whole.size(); at += at < 1200 ? 100 : 1700) {
     still_read(whole.substr(at, 200), 40,
                [&](const std::string& part) { read(whole.substr(0, at) + part + whole.substr(at + 200)); });

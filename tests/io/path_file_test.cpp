@@ -1,4 +1,4 @@
-// Paths from tables: what they mean, and each way in which one can be wrong.
+// Paths in tables: their meaning, and every kind of invalid file.
 #include "incognita/io/formats/path_file.hpp"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ TEST(PathFile, IsRead) {
   EXPECT_EQ(read("heading,y,x,t\n1,2,3,4\n1,2,3,5\n").position[0], Eigen::Vector3d(3, 2, 0));
 }
 
-TEST(PathFile, RefusesWhatIsNoPathAndSaysWhatWouldBe) {
+TEST(PathFile, RefusesInvalidPathsWithTheRemedy) {
   EXPECT_HAS(complaint(""), "p.csv: is empty; its first line must name the columns");
   EXPECT_HAS(complaint("t,x,y\n"), "p.csv: there are no rows");
   EXPECT_HAS(complaint("t,x,y\n0,1,2\n"), "p.csv:2: a path needs two rows or more");
@@ -52,7 +52,7 @@ TEST(PathFile, RefusesWhatIsNoPathAndSaysWhatWouldBe) {
   EXPECT_HAS(message_of([] { read_path("/nowhere/p.csv"); }), "/nowhere/p.csv: cannot be read");
 }
 
-TEST(PathFile, WhateverIsStillReadMakesAPath) {
+TEST(PathFile, AnyAcceptedFileIsAValidPath) {
   std::string whole = "t,x,y,z,heading\n";
   for (int i = 0; i < 10; ++i) {
     const std::string n = std::to_string(i);

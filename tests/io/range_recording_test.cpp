@@ -1,4 +1,4 @@
-// Range-bearing recordings of every layout, made here, and each way in which one can be broken.
+// Range-bearing recordings in every layout, and every kind of invalid file.
 #include "incognita/io/recordings/range_recording.hpp"
 
 #include <gtest/gtest.h>
@@ -48,24 +48,24 @@ TEST(Reflectors, AreAtTheMeanOfTheirBeams) {
   EXPECT_TRUE(HandMadeScan().find().empty());
   const auto found = HandMadeScan().post(0, 5).post(180, 10).post(182, 10.5).post(360, 20).find();
   ASSERT_EQ(found.size(), 3u);
-  EXPECT_NEAR(found[0].bearing_rad, -pi / 2, 1e-12) << "beam 1 looks to the right";
+  EXPECT_NEAR(found[0].bearing_rad, -pi / 2, 1e-12) << "beam 1 is to the right";
   EXPECT_NEAR(found[1].bearing_rad, radians(0.5), 1e-12);
   EXPECT_DOUBLE_EQ(found[1].range_m, 10.25);
   EXPECT_NEAR(found[2].bearing_rad, pi / 2, 1e-12);
   for (const Detection& one : found) EXPECT_EQ(one.identity, Detection::unknown);
 }
 
-TEST(Reflectors, AreApartBeyondTheGap) {
+TEST(Reflectors, AreSeparatedByTheGap) {
   EXPECT_EQ(HandMadeScan().post(10, 5).post(12, 5).post(14, 5).find().size(), 1u);
   EXPECT_EQ(HandMadeScan().post(10, 5).post(13, 5).find().size(), 2u);
 }
 
-TEST(Reflectors, AreNeitherTheVehicleNorBeyondTheYard) {
+TEST(Reflectors, ExcludeTheVehicleAndWhatIsBeyondTheYard) {
   EXPECT_TRUE(HandMadeScan().post(10, 0.85).post(100, 1).post(200, 30).post(300, 81.91).find().empty());
   EXPECT_EQ(HandMadeScan().post(10, 1.01).post(200, 29.99).find().size(), 2u);
 }
 
-TEST(Reflectors, LeaveOutBeamsWithoutARange) {
+TEST(Reflectors, IgnoreBeamsWithoutARange) {
   const double nan = std::nan("");
   const auto found = HandMadeScan().post(10, nan).post(11, 5).post(12, INFINITY).post(100, nan).find();
   ASSERT_EQ(found.size(), 1u);
@@ -81,7 +81,7 @@ const std::string drive_rows = "0,0.5,0\n0.1,0.5,0.2\n0.2,0.4,0.2\n";
 const std::string seen = "t_s,range_m,bearing_rad,identity\n";
 const std::string seen_rows = "0.05,2,0.5,7\n0.05,3,-0.25,\n0.15,,,\n";
 
-/// A folder of tables, written whole but for what a test changes.
+/// A folder of tables, valid except for what a test changes.
 struct Tables {
   std::string odometry = drive + drive_rows;
   std::string detections = seen + seen_rows;
@@ -150,11 +150,11 @@ TEST(RangeTables, AreRead) {
   ASSERT_EQ(recording.landmarks.size(), 1u);
   EXPECT_EQ(recording.landmarks[0].position, Eigen::Vector2d(3, 4));
   ASSERT_EQ(recording.notes.size(), 1u);
-  EXPECT_HAS(recording.notes[0], "taken for the format `tables`");
+  EXPECT_HAS(recording.notes[0], "detected format `tables`");
 }
 
-/// The odometry is of 0 to 0.2 s.
-TEST(RangeTables, SayWhatFixesFromAnotherTimeAreGoodFor) {
+/// The odometry covers 0 to 0.2 s.
+TEST(RangeTables, WarnOfFixesOutsideTheOdometry) {
   Tables tables;
   const auto note_on = [&](const char* fix) {
     tables.fixes = std::string("t_s,x_m,y_m\n") + fix + "\n";
@@ -162,12 +162,13 @@ TEST(RangeTables, SayWhatFixesFromAnotherTimeAreGoodFor) {
     return recording.notes.empty() ? "" : recording.notes.back();
   };
   EXPECT_HAS(note_on("-0.5,1,2"), "the fixes (-0.5 s to -0.5 s) are all from before the odometry");
-  EXPECT_HAS(note_on("-0.5,1,2"), "with vehicle_start.at_first_fix the vehicle starts at the first");
-  EXPECT_HAS(note_on("5,1,2"), "are all from after the odometry (0 s to 0.2 s): is that one clock?");
+  EXPECT_HAS(note_on("-0.5,1,2"), "with vehicle_start.at_first_fix the vehicle starts at the first fix");
+  EXPECT_HAS(note_on("5,1,2"),
+             "are all from after the odometry (0 s to 0.2 s): check that both are on the same clock");
   EXPECT_EQ(note_on("0.1,1,2").find("fixes"), std::string::npos);
 }
 
-TEST(RangeTables, AreReadInAnyOrderOfColumnsAndAsOthersWriteThem) {
+TEST(RangeTables, AcceptAnyOrderOfColumnsAndOtherStyles) {
   Tables tables;
   tables.odometry =
       "\xEF\xBB\xBF# from a car\r\n\"steering_rad\", comment "
@@ -179,12 +180,12 @@ TEST(RangeTables, AreReadInAnyOrderOfColumnsAndAsOthersWriteThem) {
   EXPECT_EQ(recording.odometry[0].input, Eigen::Vector2d(3, -0.25));
   ASSERT_EQ(recording.scans.size(), 1u);
   EXPECT_NEAR(recording.scans[0].detections.at(0).bearing_rad, 4 - 2 * pi, 1e-12);
-  EXPECT_HAS(all_notes(recording), "odometry.csv: columns that are not used: comment");
+  EXPECT_HAS(all_notes(recording), "odometry.csv: unused columns: comment");
   EXPECT_HAS(all_notes(recording), "there is no truth.csv");
   EXPECT_HAS(all_notes(recording), "there is no landmarks.csv");
 }
 
-TEST(RangeTables, SkipWhatIsNoMeasurementAndSaySo) {
+TEST(RangeTables, SkipInvalidDetectionsAndReportThem) {
   Tables tables;
   tables.detections = seen + "0,2,0,1\n0.1,nan,0,2\n0.1,0,0.1,3\n0.1,-1,0,3\n0.1,inf,0,3\n0.2,2,nan,3\n";
   const RangeRecording recording = tables.read();
@@ -196,7 +197,7 @@ TEST(RangeTables, SkipWhatIsNoMeasurementAndSaySo) {
   EXPECT_HAS(all_notes(recording), "detections.csv:3");
 }
 
-TEST(RangeTables, NameTheColumnThatIsMissing) {
+TEST(RangeTables, NameAMissingColumn) {
   const std::string turn = odometry_complaint("t_s,speed_m_s,turnrate_rad_s\n0,1,0\n");
   EXPECT_HAS(turn, "odometry.csv:1: there is no column `turn_rate_rad_s`");
   EXPECT_HAS(turn, "the columns are t_s, speed_m_s, turnrate_rad_s; the nearest is `turnrate_rad_s`");
@@ -213,7 +214,7 @@ TEST(RangeTables, NameTheColumnThatIsMissing) {
   EXPECT_HAS(landmarks_complaint("id,x_m,y_m\n0,1,0\n"), "landmarks.csv:1: there is no column `identity`");
 }
 
-TEST(RangeTables, RefuseRowsThatCannotBe) {
+TEST(RangeTables, RefuseInvalidRows) {
   EXPECT_HAS(odometry_complaint(drive + "0,1,0\n1,1,0\n0.5,1,0\n"),
              "odometry.csv:4: the times must not go backwards: 0.5 comes after 1");
   EXPECT_HAS(odometry_complaint(drive + "0,nan,0\n"),
@@ -235,7 +236,7 @@ TEST(RangeTables, RefuseRowsThatCannotBe) {
              "detections.csv:2: the bearing must be within +-6.283 rad");
   EXPECT_HAS(detections_complaint(seen + "0,1,,1\n"),
              "detections.csv:2: `range_m`, `bearing_rad` and `identity` must all");
-  EXPECT_HAS(detections_complaint(seen + "0,,,1\n"), "must all be empty where the scan saw nothing");
+  EXPECT_HAS(detections_complaint(seen + "0,,,1\n"), "must all be empty if the scan has no detection");
   EXPECT_HAS(detections_complaint(seen + "0,1,0,1.5\n"),
              "detections.csv:2: `identity` must be a whole number");
   EXPECT_HAS(detections_complaint(seen + "0,1,0,-2\n"), "and is `-2`");
@@ -249,16 +250,17 @@ TEST(RangeTables, RefuseRowsThatCannotBe) {
              "landmarks.csv:2: `y_m` must be a finite number");
 }
 
-TEST(RangeTables, RefuseFilesWithoutRowsAndClocksApart) {
+TEST(RangeTables, RefuseFilesWithoutRowsAndDifferentClocks) {
   EXPECT_HAS(odometry_complaint(""), "odometry.csv: is empty; its first line must name the columns");
   EXPECT_HAS(odometry_complaint("# nothing\n\n"), "odometry.csv: is empty");
-  EXPECT_HAS(odometry_complaint(drive), "odometry.csv: there are no rows after the names of the columns");
+  EXPECT_HAS(odometry_complaint(drive), "odometry.csv: there are no rows below the column names");
   EXPECT_HAS(detections_complaint(seen), "detections.csv: there are no rows");
   EXPECT_HAS(truth_complaint("t_s,x_m,y_m\n"), "truth.csv: there are no rows");
   EXPECT_HAS(landmarks_complaint("identity,x_m,y_m\n"), "landmarks.csv: there are no rows");
-  EXPECT_HAS(detections_complaint(seen + "1305031102.17,1,0,1\n"),
-             "the odometry (0 s to 0.2 s) and the scans (1305031102.17 s to 1305031102.17 s) have no time in "
-             "common");
+  EXPECT_HAS(
+      detections_complaint(seen + "1305031102.17,1,0,1\n"),
+      "the odometry (0 s to 0.2 s) and the scans (1305031102.17 s to 1305031102.17 s) do not overlap in "
+      "common");
   Tables tables;
   tables.truth = "t_s,x_m,y_m\n1305031102.17,0,0\n";
   EXPECT_HAS(all_notes(tables.read()), "the truth (1305031102.17 s to");
@@ -300,7 +302,7 @@ void expect_same(const RangeRecording& a, const RangeRecording& b) {
   }
 }
 
-TEST(RangeTables, ComeBackAsTheyWere) {
+TEST(RangeTables, RoundTrip) {
   RangeRecording recording{"simulated", "ackermann", {}, {}, {}, {}, {}, {}};
   for (int k = 0; k < 5; ++k) {
     const double t = 1248446188.323 + k / 3.0;
@@ -328,7 +330,7 @@ TEST(RangeTables, ComeBackAsTheyWere) {
   EXPECT_FALSE(std::filesystem::exists(scratch / "other/fixes.csv"));
 }
 
-TEST(RangeTables, AreNotWrittenOverOthersOrWhereNothingCanBe) {
+TEST(RangeTables, AreNotWrittenOverOtherFiles) {
   const RangeRecording recording = Tables().read();
   const Scratch scratch;
   scratch.write("truth.csv", "mine\n");
@@ -337,7 +339,7 @@ TEST(RangeTables, AreNotWrittenOverOthersOrWhereNothingCanBe) {
   EXPECT_FALSE(std::filesystem::exists(scratch / "odometry.csv"));
   EXPECT_EQ(contents(scratch / "truth.csv"), "mine\n");
   EXPECT_HAS(message_of<RecordError>([&] { write_range_tables(recording, scratch / "truth.csv/folder"); }),
-             "cannot make");
+             "cannot create");
   RangeRecording unknown = recording;
   unknown.vehicle = "hovercraft";
   EXPECT_HAS(message_of([&] { write_range_tables(unknown, scratch / "new"); }), "the vehicle `hovercraft`");
@@ -345,11 +347,11 @@ TEST(RangeTables, AreNotWrittenOverOthersOrWhereNothingCanBe) {
 
 // The format
 
-TEST(RangeRecordingFormat, IsGuessedOrExplained) {
+TEST(RangeRecordingFormat, IsDetectedOrExplained) {
   const Scratch scratch;
   scratch.write("deep/odometry.csv", drive);
   const std::string text = message_of([&] { read_range_recording(scratch.folder(), "auto"); });
-  EXPECT_HAS(text, "no recording of ranges and bearings is recognised; it has the folders deep");
+  EXPECT_HAS(text, "no range-bearing recording is recognized; it has the folders deep");
   EXPECT_HAS(text, "tables: odometry.csv and detections.csv");
   EXPECT_HAS(text, "acfr: data_set.mat");
   EXPECT_HAS(text, "mrclam: Barcodes.dat");
@@ -368,7 +370,7 @@ RangeRecording read_park(const MatVariables& park, matio_compression compression
   return read_range_recording(scratch.folder(), "acfr");
 }
 
-/// The complaint about the small car park with one variable changed.
+/// The error message for the small car park with one variable changed.
 std::string park_complaint(const std::string& name, const Eigen::MatrixXd& values) {
   MatVariables park = small_car_park();
   park[name] = values;
@@ -396,7 +398,7 @@ void check_small_park(const RangeRecording& recording) {
   EXPECT_NEAR(recording.scans[2].detections.at(0).bearing_rad, pi / 2, 1e-12);
 }
 
-TEST(CarPark, IsReadPlainAndCompressed) {
+TEST(CarPark, IsReadUncompressedAndCompressed) {
   const RangeRecording plain = read_park(small_car_park());
   check_small_park(plain);
   check_small_park(read_park(small_car_park(), MAT_COMPRESSION_ZLIB));
@@ -415,7 +417,7 @@ TEST(CarPark, HasItsSurveyedBeacons) {
   ASSERT_EQ(recording.landmarks.size(), 3u);
   EXPECT_EQ(recording.landmarks[1].identity, 2);
   EXPECT_EQ(recording.landmarks[1].position, Eigen::Vector2d(-3.5, 4));
-  EXPECT_HAS(recording.notes.front(), "taken for the format `acfr`");
+  EXPECT_HAS(recording.notes.front(), "detected format `acfr`");
   EXPECT_HAS(message_of([&] {
                read(row({1, 2, 3}));
              }),
@@ -423,17 +425,17 @@ TEST(CarPark, HasItsSurveyedBeacons) {
   EXPECT_HAS(message_of([&] { read(row({1, std::nan("")})); }), "`estbeac` 1: must be two finite numbers");
 }
 
-TEST(CarPark, SkipsBeamsWithoutARange) {
+TEST(CarPark, IgnoresBeamsWithoutARange) {
   MatVariables park = small_car_park();
   park["Laser"](0, 0) = std::nan("");
-  park["Laser"](0, 50) = std::nan("");  // nothing reflects there
+  park["Laser"](0, 50) = std::nan("");  // no reflection
   const RangeRecording recording = read_park(park);
   EXPECT_EQ(recording.scans[0].detections.size(), 1u);
   EXPECT_HAS(all_notes(recording), "1 reflective beams without a range are skipped, the first at ");
   EXPECT_HAS(all_notes(recording), "data_set.mat: `Laser` 1");
 }
 
-TEST(CarPark, NamesTheVariableThatIsMissingOrOfAnotherSize) {
+TEST(CarPark, NamesAVariableThatIsMissingOrOfTheWrongSize) {
   MatVariables park = small_car_park();
   park["Lazer"] = park["Laser"];
   park.erase("Laser");
@@ -448,7 +450,7 @@ TEST(CarPark, NamesTheVariableThatIsMissingOrOfAnotherSize) {
   EXPECT_HAS(park_complaint("Time", Eigen::MatrixXd::Zero(2, 4)), "`Time`: is 2x4, and must be one row");
 }
 
-TEST(CarPark, RefusesEventsThatPointNowhere) {
+TEST(CarPark, RefusesEventsOutOfRange) {
   const auto index = [](double value) { return row({1, 1, 1, 2, 2, 2, value, 3}); };
   EXPECT_HAS(park_complaint("Index", index(4)),
              "`Index` 7: must be a whole number from 1 to 3, the length of `Time_VS`");
@@ -463,7 +465,7 @@ TEST(CarPark, RefusesEventsThatPointNowhere) {
              "`Sensor` 5: must be 1 (GPS), 2 (wheels) or 3 (laser), and is 4");
 }
 
-TEST(CarPark, RefusesNumbersThatCannotBe) {
+TEST(CarPark, RefusesInvalidNumbers) {
   const double nan = std::nan("");
   EXPECT_HAS(park_complaint("Velocity", row({1, nan, 1})),
              "`Velocity` 2: must be a finite number, and is nan");
@@ -478,14 +480,14 @@ TEST(CarPark, RefusesNumbersThatCannotBe) {
              "`Time_VS` 3: the times must not go backwards: 10.25 comes after 10.3");
 }
 
-/// The complaint about a data_set.mat of these bytes.
+/// The error message for a data_set.mat of these bytes.
 std::string bytes_complaint(const std::string& bytes) {
   const Scratch scratch;
   scratch.write("data_set.mat", bytes);
   return message_of([&] { read_range_recording(scratch.folder(), "acfr"); });
 }
 
-TEST(CarPark, RefusesFilesThatAreNoMatFiles) {
+TEST(CarPark, RefusesFilesThatAreNotMatFiles) {
   EXPECT_HAS(bytes_complaint(""),
              "data_set.mat: is not a MAT file of level 5; MATLAB and Octave write one with");
   EXPECT_HAS(bytes_complaint(std::string(1000, 'x')), "is not a MAT file of level 5");
@@ -503,11 +505,11 @@ TEST(CarPark, RefusesEveryTruncation) {
     for (std::size_t size = 0; size < whole.size(); size += 1 + whole.size() / 97)
       EXPECT_HAS(bytes_complaint(whole.substr(0, size)), "data_set.mat: ") << size;
     EXPECT_HAS(bytes_complaint(whole.substr(0, whole.size() - 1)),
-               "is cut short in variable 12; copy it again");
+               "is truncated in variable 12; copy it again");
   }
 }
 
-TEST(CarPark, RefusesVariablesOfAnotherKind) {
+TEST(CarPark, RefusesVariablesOfAnotherType) {
   const Scratch scratch;
   const auto with = [&](matvar_t* variable) {
     mat_t* mat = Mat_CreateVer((scratch / "data_set.mat").c_str(), nullptr, MAT_FT_MAT5);
@@ -521,7 +523,7 @@ TEST(CarPark, RefusesVariablesOfAnotherKind) {
   mat_complex_split_t split{numbers, numbers + 1};
   char text[] = "x";
   EXPECT_HAS(with(Mat_VarCreate("Time", MAT_C_CELL, MAT_T_CELL, 2, one, nullptr, 0)),
-             "variable 1 `Time` is no matrix of numbers (class 1); save the file without it");
+             "variable 1 `Time` is not a numeric matrix (class 1); save the file without it");
   EXPECT_HAS(with(Mat_VarCreate("Time", MAT_C_CHAR, MAT_T_UINT8, 2, one, text, 0)),
              "`Time` must be a matrix of real numbers");
   EXPECT_HAS(with(Mat_VarCreate("Time", MAT_C_DOUBLE, MAT_T_DOUBLE, 3, deep, numbers, 0)),
@@ -532,7 +534,7 @@ TEST(CarPark, RefusesVariablesOfAnotherKind) {
 
 // MRCLAM
 
-/// A folder of MRCLAM files for robot 2, whole but for what a test changes.
+/// A folder of MRCLAM files of robot 2, valid except for what a test changes.
 struct Mrclam {
   std::map<std::string, std::string> files = {
       {"Barcodes.dat", "# Subject # Barcode #\n  1 \t 5 \n  2 \t 14\n  6 \t 63\n  7 \t 25\n"},
@@ -560,7 +562,7 @@ struct Mrclam {
   }
 };
 
-TEST(Mrclam, IsReadForOneRobot) {
+TEST(Mrclam, IsReadAsASingleRobot) {
   const RangeRecording recording = Mrclam().read();
   EXPECT_EQ(recording.format, "mrclam");
   EXPECT_EQ(recording.vehicle, "differential-drive");
@@ -573,20 +575,20 @@ TEST(Mrclam, IsReadForOneRobot) {
   EXPECT_EQ(recording.scans[0].detections[1].identity, 7);
   EXPECT_EQ(recording.scans[0].detections[1].range_m, 2);
   EXPECT_EQ(recording.scans[0].detections[1].bearing_rad, -0.5);
-  EXPECT_TRUE(recording.scans[1].detections.empty()) << "it saw another robot only";
+  EXPECT_TRUE(recording.scans[1].detections.empty()) << "it detected only another robot";
   ASSERT_EQ(recording.truth.size(), 3u);
   EXPECT_EQ(recording.truth[0].heading_rad, -1.75);
   ASSERT_EQ(recording.landmarks.size(), 2u);
   EXPECT_EQ(recording.landmarks[0].identity, 6);
   EXPECT_EQ(recording.landmarks[0].position, Eigen::Vector2d(1.5, -4));
   const std::string notes = all_notes(recording);
-  EXPECT_HAS(notes, "taken for the format `mrclam`");
-  EXPECT_HAS(notes, "1 measurements of other robots are left out, the first at ");
+  EXPECT_HAS(notes, "detected format `mrclam`");
+  EXPECT_HAS(notes, "1 measurements of other robots are omitted, the first at ");
   EXPECT_HAS(notes, "1 measurements of barcodes that are not in Barcodes.dat are skipped, the first at ");
   EXPECT_HAS(notes, "Robot2_Measurement.dat:5");
 }
 
-TEST(Mrclam, GoesWithoutTruthAndLandmarks) {
+TEST(Mrclam, WorksWithoutTruthAndLandmarks) {
   const RangeRecording recording =
       Mrclam().without("Robot2_Groundtruth.dat").without("Landmark_Groundtruth.dat").read();
   EXPECT_TRUE(recording.truth.empty());
@@ -595,10 +597,10 @@ TEST(Mrclam, GoesWithoutTruthAndLandmarks) {
   EXPECT_HAS(all_notes(recording), "there is no Landmark_Groundtruth.dat");
 }
 
-TEST(Mrclam, RefusesBrokenFiles) {
+TEST(Mrclam, RefusesInvalidFiles) {
   EXPECT_HAS(Mrclam().complaint(6), "recording.robot = 6: must be 1 to 5");
-  EXPECT_HAS(Mrclam().complaint(3), "Robot3_Odometry.dat: is not there; that of robot 2 is");
-  EXPECT_HAS(Mrclam().without("Robot2_Odometry.dat").complaint(), "no robot's odometry is");
+  EXPECT_HAS(Mrclam().complaint(3), "Robot3_Odometry.dat: does not exist; there is odometry of robot 2");
+  EXPECT_HAS(Mrclam().without("Robot2_Odometry.dat").complaint(), "there is no odometry of any robot");
   EXPECT_HAS(Mrclam().without("Robot2_Measurement.dat").complaint(),
              "Robot2_Measurement.dat: cannot be read");
   EXPECT_HAS(Mrclam().with("Barcodes.dat", "# none\n").complaint(), "Barcodes.dat: lists no barcodes");
@@ -618,12 +620,12 @@ TEST(Mrclam, RefusesBrokenFiles) {
              "Robot2_Groundtruth.dat:2: the times must not go backwards");
   EXPECT_HAS(Mrclam().with("Landmark_Groundtruth.dat", "6 0 0\n6 1 1\n").complaint(),
              "Landmark_Groundtruth.dat:2: there is already a landmark 6");
-  EXPECT_HAS(Mrclam().with("Robot2_Measurement.dat", "1 63 1 0\n").complaint(), "have no time in common");
+  EXPECT_HAS(Mrclam().with("Robot2_Measurement.dat", "1 63 1 0\n").complaint(), "do not overlap in time");
 }
 
-// The published recordings, where they are
+// The published recordings, if present
 
-/// Scans of the first seconds, counted from the first message of any sensor.
+/// Scans of the first seconds after the first message of any sensor.
 struct Beginning {
   std::size_t scans = 0, seeing = 0, detections = 0, most = 0;
 };
@@ -657,9 +659,9 @@ TEST(PublishedRecordings, AreNamedWhereTheyAreMissing) {
   EXPECT_HAS(complaint("mrclam/none"), "asrl.utias.utoronto.ca/datasets/mrclam");
 }
 
-TEST(PublishedCarPark, HasTheDetectionsThatOthersCount) {
+TEST(PublishedCarPark, HasTheNumberOfDetectionsInTheLiterature) {
   const std::filesystem::path folder = published("acfr_car_park");
-  if (folder.empty()) GTEST_SKIP() << "the recording is not here";
+  if (folder.empty()) GTEST_SKIP() << "the recording is missing";
   const RangeRecording recording = read_range_recording(folder, "auto");
   EXPECT_EQ(recording.odometry.size(), 5001u);
   EXPECT_EQ(recording.truth.size(), 626u);
@@ -674,7 +676,7 @@ TEST(PublishedCarPark, HasTheDetectionsThatOthersCount) {
 
 TEST(PublishedMrclam, IsReadForEveryRobot) {
   const std::filesystem::path folder = published("mrclam/MRCLAM_Dataset7");
-  if (folder.empty()) GTEST_SKIP() << "the recording is not here";
+  if (folder.empty()) GTEST_SKIP() << "the recording is missing";
   const std::size_t odometry[] = {58598, 60936, 55085, 62207, 59787};
   const std::size_t detections[] = {2578, 3818, 4425, 1822, 3424};
   for (int robot = 1; robot <= 5; ++robot) {

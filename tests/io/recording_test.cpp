@@ -1,4 +1,4 @@
-// Recordings of every layout, made here, and each way in which one can be broken.
+// Image recordings in every layout, and every kind of invalid file.
 #include "incognita/io/recordings/recording.hpp"
 
 #include <fmt/ranges.h>
@@ -25,7 +25,7 @@ SharedRecording share(Recording recording) { return std::make_shared<const Recor
 
 Tick at(double t) { return {1, t, 0.1}; }
 
-TEST(ImageFolder, TakesImagesInNaturalOrder) {
+TEST(ImageFolder, OrdersImagesNaturally) {
   const Scratch scratch;
   for (const char* name : {"img10.pgm", "img2.pgm", "img1.pgm", "img002b.pgm", "notes.txt", "z.PGM"}) {
     scratch.write(name, pgm(20, 16));
@@ -38,8 +38,8 @@ TEST(ImageFolder, TakesImagesInNaturalOrder) {
     EXPECT_DOUBLE_EQ(recording.frames[k].t, static_cast<double>(k) / 25);
   }
   EXPECT_EQ(recording.format, "images");
-  EXPECT_HAS(recording.notes.front(), "taken for the format `images`");
-  EXPECT_HAS(recording.notes.back(), "1 files that are not images are left out");
+  EXPECT_HAS(recording.notes.front(), "detected format `images`");
+  EXPECT_HAS(recording.notes.back(), "1 files that are not images are ignored");
   EXPECT_TRUE(recording.truth.empty());
 }
 
@@ -51,7 +51,7 @@ std::string notes_on(const std::vector<std::string>& names) {
   return all;
 }
 
-TEST(ImageFolder, SaysWhichNumbersAreMissing) {
+TEST(ImageFolder, ReportsMissingNumbers) {
   EXPECT_HAS(notes_on({"a8.pgm", "a9.pgm", "a11.pgm", "a12.pgm", "a13.pgm", "a16.pgm", "a17.pgm"}),
              "3 numbers are missing, the first between a9.pgm and a11.pgm");
   for (const std::vector<std::string>& whole : {std::vector<std::string>{"08.pgm", "09.pgm", "10.pgm"},
@@ -67,7 +67,7 @@ std::string png(int width, int height, int type) {
   return {bytes.begin(), bytes.end()};
 }
 
-/// As RGB-D recordings are often unpacked: colour and depth in one folder.
+/// As RGB-D recordings are often unpacked: color and depth in one folder.
 struct ColorAndDepth {
   Scratch scratch;
   ColorAndDepth() {
@@ -81,7 +81,7 @@ struct ColorAndDepth {
   }
 };
 
-TEST(ImageFolder, RefusesTheImagesOfTwoCameras) {
+TEST(ImageFolder, RefusesImagesOfTwoCameras) {
   const ColorAndDepth folder;
   const std::string text = message_of([&] { folder.read(""); });
   EXPECT_HAS(text,
@@ -91,23 +91,23 @@ TEST(ImageFolder, RefusesTheImagesOfTwoCameras) {
   const std::string all = message_of([&] { folder.read("*"); });
   EXPECT_HAS(
       all,
-      "not alike: 3 of 20x16 px with 8 bits (the first frame-000.color.png), 3 of 20x16 px with 16 bits");
+      "images differ: 3 of 20x16 px with 8 bits (the first frame-000.color.png), 3 of 20x16 px with 16 bits");
 }
 
-TEST(ImageFolder, TakesThoseOfAPattern) {
+TEST(ImageFolder, SelectsByAPattern) {
   const ColorAndDepth folder;
   const Recording recording = folder.read("*.color.png");
   ASSERT_EQ(recording.frames.size(), 3u);
   EXPECT_EQ(recording.frames[2].image.filename(), "frame-002.color.png");
-  EXPECT_HAS(recording.notes.back(), "3 images whose names do not fit recording.pattern are left out");
-  EXPECT_HAS(message_of([&] { folder.read("*.jpg"); }), "fits the names of none of its 6 images");
+  EXPECT_HAS(recording.notes.back(), "3 images that do not match recording.pattern are ignored");
+  EXPECT_HAS(message_of([&] { folder.read("*.jpg"); }), "matches none of its 6 images");
   const Scratch tum;
   tum.write("rgb.txt", "1 a.png\n");
   EXPECT_HAS(message_of([&] { read_recording(tum.folder(), "auto", 25, "*"); }),
-             "means nothing with the format `tum`");
+             "does not apply to the format `tum`");
 }
 
-TEST(ImageFolder, ProposesNoPatternThatTakesBothCameras) {
+TEST(ImageFolder, SuggestsNoPatternThatMatchesBothCameras) {
   const Scratch scratch;
   for (const char* number : {"0", "1"})
     for (const char* kind : {".png", "_depth.png"})
@@ -116,34 +116,34 @@ TEST(ImageFolder, ProposesNoPatternThatTakesBothCameras) {
     return read_recording(scratch.folder(), "auto", 25, pattern);
   };
   for (const char* pattern : {"", "*.png"})
-    EXPECT_HAS(message_of([&] { read(pattern); }), "put its images in a folder of their own") << pattern;
+    EXPECT_HAS(message_of([&] { read(pattern); }), "put its images into their own folder") << pattern;
   EXPECT_EQ(read("[0-9].png").frames.size(), 2u);
   EXPECT_EQ(read("*").frames.size(), 4u);
 }
 
-TEST(ImageFolder, SaysWhereTwoCamerasDifferInANumberOnly) {
+TEST(ImageFolder, ReportsNamesThatDifferInACameraNumberOnly) {
   const Scratch scratch;
   for (const char* name : {"cam0_00.png", "cam0_01.png", "cam1_00.png", "cam1_01.png"})
     scratch.write(name, png(20, 16, CV_8U));
   const Recording recording = read_recording(scratch.folder(), "auto", 25, "");
   EXPECT_HAS(fmt::format("{}", fmt::join(recording.notes, "\n")),
-             "the same numbers stand behind cam0_, cam1_: if these are cameras, choose one, e.g. "
+             "the same numbers follow cam0_, cam1_: if these are cameras, select one, e.g. "
              "recording.pattern = \"cam0_*\"");
 }
 
-TEST(ImageFolder, LooksIntoImagesWhoseNamesAreAlike) {
+TEST(ImageFolder, ComparesImagesWithSimilarNames) {
   const Scratch scratch;
   for (int i = 0; i < 4; ++i)
     scratch.write("image" + std::to_string(i) + ".png", png(i % 2 ? 20 : 40, 16, CV_8U));
   EXPECT_HAS(message_of([&] { read_recording(scratch.folder(), "images", 25); }),
-             "not alike: 2 of 40x16 px with 8 bits (the first image0.png), 2 of 20x16 px with 8 bits");
+             "images differ: 2 of 40x16 px with 8 bits (the first image0.png), 2 of 20x16 px with 8 bits");
   for (int i = 0; i < 4; ++i)
     scratch.write("image" + std::to_string(i) + ".png", png(20, 16, i % 2 ? CV_8U : CV_8UC3));
   EXPECT_HAS(read_recording(scratch.folder(), "images", 25).notes.back(),
-             "images of two kinds: 2 in colour (the first image0.png), 2 grey (the first image1.png)");
+             "images of two kinds: 2 in color (the first image0.png), 2 gray (the first image1.png)");
 }
 
-TEST(ImageFolder, OneImageOfAnotherKindIsSaidAndNoMore) {
+TEST(ImageFolder, ASingleDifferentImageIsAWarning) {
   const Scratch scratch;
   for (int i = 0; i < 30; ++i) scratch.write("a" + std::to_string(i) + ".pgm", pgm(20, 16));
   scratch.write("target.pgm", pgm(30, 16));
@@ -152,10 +152,10 @@ TEST(ImageFolder, OneImageOfAnotherKindIsSaidAndNoMore) {
   std::string notes;
   for (const std::string& note : recording.notes) notes += note + "\n";
   EXPECT_HAS(notes, "names of 2 kinds: 30 a*.pgm (the first a0.pgm), 1 target.pgm");
-  EXPECT_HAS(notes, "not alike: 30 of 20x16 px with 8 bits (the first a0.pgm), 1 of 30x16 px");
+  EXPECT_HAS(notes, "images differ: 30 of 20x16 px with 8 bits (the first a0.pgm), 1 of 30x16 px");
 }
 
-TEST(ImageHeader, IsThatOfTheFile) {
+TEST(ImageHeader, IsParsed) {
   const auto is = [](const std::string& bytes, int width, int height, int channels, int bits) {
     const auto h = image_header(bytes);
     return h && h->width == width && h->height == height && h->channels == channels && h->bits == bits;
@@ -177,7 +177,7 @@ TEST(ImageHeader, IsThatOfTheFile) {
     EXPECT_FALSE(image_header(other)) << other;
 }
 
-TEST(ImageFolder, SaysWhatIsThereInstead) {
+TEST(ImageFolder, ListsTheFilesFoundInstead) {
   const Scratch scratch;
   scratch.write("frames/a.pgm", pgm(20, 16));
   EXPECT_HAS(message_of([&] { read_recording(scratch.folder(), "auto", 30); }),
@@ -212,7 +212,7 @@ TEST(TumRecording, ReadsImagesAndTruth) {
   EXPECT_FALSE(world.move({}, at(1305031103)));
 }
 
-TEST(TumRecording, RefusesBrokenTables) {
+TEST(TumRecording, RefusesInvalidTables) {
   const auto complaint = [](const std::string& rgb, const std::string& truth = "") {
     const Scratch scratch;
     scratch.write("rgb.txt", rgb);
@@ -232,7 +232,7 @@ TEST(TumRecording, RefusesBrokenTables) {
              "groundtruth.txt:2: the stamps must not");
 }
 
-TEST(EurocRecording, MakesTheTruthTheCameras) {
+TEST(EurocRecording, TransformsTheTruthToTheCamera) {
   const Scratch scratch;
   scratch.write(
       "mav0/cam0/data.csv",
@@ -240,13 +240,13 @@ TEST(EurocRecording, MakesTheTruthTheCameras) {
   scratch.write(
       "mav0/state_groundtruth_estimate0/data.csv",
       "#timestamp, p_x, ...\n1403636579763555584,1,2,3,0.7071067811865476,0,0,0.7071067811865476,0,0,0\n");
-  // the camera sits 1 m along the body's x and is turned a quarter about z
+  // the camera is 1 m along the body's x and rotated a quarter turn about z
   const std::string yaml =
       "sensor_type: camera\nT_BS:\n  cols: 4\n  rows: 4\n  data: [0.0, -1.0, 0.0, 1.0,\n         1.0, 0.0, "
       "0.0, 0.0,\n   0,0,1,0, 0,0,0,1]\n";
   const Recording body = read_recording(scratch.folder(), "auto", 30);
   EXPECT_EQ(body.format, "euroc");
-  EXPECT_HAS(body.notes.back(), "the truth is the body's");
+  EXPECT_HAS(body.notes.back(), "the truth is that of the body");
   EXPECT_EQ(body.truth.at(0).position, Eigen::Vector3d(1, 2, 3));
   ASSERT_EQ(body.frames.size(), 2u);
   EXPECT_EQ(body.frames[1].image, scratch.folder() / "mav0/cam0/data/b.png");
@@ -254,18 +254,18 @@ TEST(EurocRecording, MakesTheTruthTheCameras) {
 
   scratch.write("mav0/cam0/sensor.yaml", yaml);
   const Recording camera = read_recording(scratch.folder() / "mav0", "euroc", 30);
-  EXPECT_HAS(camera.notes.back(), "made the camera's");
-  // world_from_body turns a quarter about z: body x is world y
+  EXPECT_HAS(camera.notes.back(), "transformed to the camera");
+  // world_from_body rotates a quarter turn about z: body x is world y
   EXPECT_LT((camera.truth.at(0).position - Eigen::Vector3d(1, 3, 3)).norm(), 1e-12);
   EXPECT_NEAR(std::abs(camera.truth.at(0).world_from_camera[3]), 1,
-              1e-12);  // two quarters: half a turn about z
+              1e-12);  // two quarter turns: half a turn about z
 
   scratch.write("mav0/cam0/data.csv", "12.5,a.png\n");
   EXPECT_HAS(message_of([&] { read_recording(scratch.folder(), "auto", 30); }),
              "data.csv:1: column 1 must be a stamp in whole nanoseconds, and is `12.5`");
 }
 
-TEST(EurocRecording, TakesStampsWithZerosBehindThePoint) {
+TEST(EurocRecording, AcceptsStampsWithDecimals) {
   const Scratch scratch;
   scratch.write("cam0/data.csv", "1403636579763555584.0,a.png\n1403636579813555456.0,b.png\n");
   scratch.write("state_groundtruth_estimate0/data.csv",
@@ -283,7 +283,7 @@ SharedRecording three_images(const Scratch& scratch) {
   return share(read_recording(scratch.folder(), "images", 10));
 }
 
-TEST(RecordedClock, EndsWithTheRecordingOrTheDuration) {
+TEST(RecordedClock, EndsAtTheEndOfTheRecordingOrTheDuration) {
   const Scratch scratch;
   const SharedRecording recording = three_images(scratch);
   RecordedClock whole(recording, 100), part(recording, 0.2);
@@ -301,7 +301,7 @@ TEST(RecordedClock, EndsWithTheRecordingOrTheDuration) {
   EXPECT_FALSE(RecordedWorld(recording).move({}, first));
 }
 
-TEST(RecordedSensor, GivesImageAfterImage) {
+TEST(RecordedSensor, ReturnsTheImagesInOrder) {
   const Scratch scratch;
   RecordedSensor sensor(three_images(scratch), 20, 16);
   for (int k : {0, 1, 2, 0}) {
@@ -313,20 +313,20 @@ TEST(RecordedSensor, GivesImageAfterImage) {
   EXPECT_HAS(message_of<RecordError>([&] {
                sensor.measure(std::nullopt, {3, 0, 0});
              }),
-             "frame 3 was asked for, the recording has 3");
+             "frame 3 requested, the recording has 3");
 }
 
-TEST(RecordedSensor, RefusesAWrongFirstImageAsInput) {
+TEST(RecordedSensor, AWrongFirstImageIsAnInputError) {
   const Scratch scratch;
   const SharedRecording recording = three_images(scratch);
   const std::string text = message_of([&] { RecordedSensor(recording, 320, 240); });
   EXPECT_HAS(text, "a0.pgm: frame 0 is 20x16 px");
   EXPECT_HAS(text, "expect 320x240");
   scratch.write("a0.pgm", pgm(20, 16).substr(0, 100));
-  EXPECT_HAS(message_of([&] { RecordedSensor(recording, 20, 16); }), "a0.pgm: the file is cut short");
+  EXPECT_HAS(message_of([&] { RecordedSensor(recording, 20, 16); }), "a0.pgm: the file is truncated");
 }
 
-TEST(RecordedSensor, FailsHalfWayAsAJob) {
+TEST(RecordedSensor, ALaterFailureIsARuntimeError) {
   const Scratch scratch;
   RecordedSensor sensor(three_images(scratch), 20, 16);
   const auto complaint = [&] {
@@ -341,7 +341,7 @@ TEST(RecordedSensor, FailsHalfWayAsAJob) {
   EXPECT_HAS(complaint(), "a1.pgm: cannot be read: No such file");
 }
 
-// Decoders fill the missing part of an image with grey and say nothing.
+// Decoders silently fill the missing part of an image with gray.
 TEST(ReadImage, RefusesEveryTruncation) {
   const Scratch scratch;
   cv::Mat noise(48, 64, CV_8U);
@@ -361,17 +361,17 @@ TEST(ReadImage, RefusesEveryTruncation) {
       EXPECT_HAS(message_of<std::runtime_error>([&] { read_image(file); }), "part") << ending << " " << size;
     }
     const auto last = scratch.write(std::string("part") + ending, whole.substr(0, whole.size() - 1));
-    EXPECT_HAS(message_of<std::runtime_error>([&] { read_image(last); }), "cut short") << ending;
+    EXPECT_HAS(message_of<std::runtime_error>([&] { read_image(last); }), "truncated") << ending;
   }
 }
 
-TEST(ReadImage, TakesTextPgmAndComments) {
+TEST(ReadImage, AcceptsTextPgmWithComments) {
   const Scratch scratch;
   const Image image = read_image(scratch.write("t.pgm", "P2\n# by hand\n3 2\n255\n1 2 3\n4 5 6\n"));
   EXPECT_EQ(image(2, 1), 6);
   EXPECT_HAS(message_of<std::runtime_error>(
                  [&] { read_image(scratch.write("t.pgm", "P2\n3 2\n255\n1 2 3\n4 5\n")); }),
-             "cut short");
+             "truncated");
   EXPECT_HAS(
       message_of<std::runtime_error>([&] { read_image(scratch.write("t.pgm", "P5\n99999999999 2\n255\n")); }),
       "header");
@@ -395,7 +395,7 @@ class DataFolder : public ::testing::Test {
   std::filesystem::path here_ = std::filesystem::current_path();
 };
 
-TEST_F(DataFolder, SearchesInOrder) {
+TEST_F(DataFolder, IsSearchedInOrder) {
   scratch_.write("data/mine/a.pgm", pgm(20, 16));
   scratch_.write("project/data/far/a.pgm", pgm(20, 16));
   const std::filesystem::path scenario = scratch_.write("project/scenarios/s.toml", "");
@@ -407,14 +407,14 @@ TEST_F(DataFolder, SearchesInOrder) {
   EXPECT_HAS(message_of([&] { find_data("mine", scenario, "s.toml:3: recording.folder"); }),
              "s.toml:3: recording.folder: mine is not in the data folder");
   const std::string text = message_of([&] { find_data("mine", scenario, "x"); });
-  EXPECT_HAS(text, "INCOGNITA_DATA is set, so that only this folder is looked at");
+  EXPECT_HAS(text, "INCOGNITA_DATA is set, so that only this folder is searched");
   EXPECT_EQ(text.find("Put it under data/"), std::string::npos) << text;
   unsetenv("INCOGNITA_DATA");
   EXPECT_HAS(message_of([&] { find_data("none", scenario, "x"); }),
              "Put it under data/, or set INCOGNITA_DATA");
 }
 
-TEST_F(DataFolder, SaysWhereAMissingRecordingIsPublished) {
+TEST_F(DataFolder, AMissingRecordingIsReportedWithItsPublisher) {
   const LoadedScenario davison = load_scenario("davison");
   const std::string text = message_of([&] { read_recording(davison); });
   EXPECT_HAS(text, "davison.toml:");

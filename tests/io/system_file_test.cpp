@@ -1,4 +1,4 @@
-// Systems written as TOML: what is read, and every way in which such a file can be wrong.
+// Systems written as TOML: valid files, and every kind of invalid one.
 #include "incognita/io/formats/system_file.hpp"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ std::string complaint(const std::string& toml) {
   return message_of([&] { read_system(toml, "s.toml"); });
 }
 
-/// With all that a file can have; `with` puts something wrong in.
+/// A file with every key; `with` replaces a part of it.
 const std::string whole = R"toml(name = "cart"
 title = "cart on a line"
 source = "by hand"
@@ -98,21 +98,21 @@ std::string at(const SourceLocation& location) {
   return std::to_string(location.line) + ":" + std::to_string(location.column);
 }
 
-std::string told(const std::vector<NamedExpression>& all) {
+std::string described(const std::vector<NamedExpression>& all) {
   std::string text;
   for (const NamedExpression& e : all)
     text += e.name + "@" + at(e.location) + "=" + e.expression.text + "@" + at(e.expression.location) + " ";
   return text;
 }
 
-std::string told(const std::vector<NamedRange>& all) {
+std::string described(const std::vector<NamedRange>& all) {
   std::string text;
   for (const NamedRange& r : all)
     text += r.name + "@" + at(r.location) + "=" + toml_number(r.low) + ".." + toml_number(r.high) + " ";
   return text;
 }
 
-std::string told(const std::vector<MeasurementText>& all) {
+std::string described(const std::vector<MeasurementText>& all) {
   std::string text;
   for (const MeasurementText& m : all)
     text += m.name + "@" + at(m.location) + "=" + m.expression.text + "@" + at(m.expression.location) + "+-" +
@@ -120,25 +120,26 @@ std::string told(const std::vector<MeasurementText>& all) {
   return text;
 }
 
-std::string told(const std::vector<DirectionText>& all) {
+std::string described(const std::vector<DirectionText>& all) {
   std::string text;
   for (const DirectionText& d : all)
-    text += "[" + d.name + "@" + at(d.location) + " " + told(d.vehicle) + "| " + told(d.landmark) + "] ";
+    text += "[" + d.name + "@" + at(d.location) + " " + described(d.vehicle) + "| " + described(d.landmark) +
+            "] ";
   return text;
 }
 
-std::string told(const std::vector<SparseRow>& all) {
+std::string described(const std::vector<SparseRow>& all) {
   std::string text;
   for (const SparseRow& row : all)
-    text += "[" + row.name + "@" + at(row.location) + " " + told(row.entries) + "] ";
+    text += "[" + row.name + "@" + at(row.location) + " " + described(row.entries) + "] ";
   return text;
 }
 
-/// What is told, whatever the lines it stands in.
+/// The equations with their locations, as text.
 template <class T>
 std::string without_location(const T& items) {
   static const std::regex location("@[0-9]+:[0-9]+");
-  return std::regex_replace(told(items), location, "");
+  return std::regex_replace(described(items), location, "");
 }
 
 TEST(SystemFile, ReadsPlanarExactly) {
@@ -177,31 +178,31 @@ TEST(SystemFile, ReadsPlanarExactly) {
   EXPECT_FALSE(planar.error_form);
 }
 
-TEST(SystemFile, ReadsAllThereCanBe) {
+TEST(SystemFile, ReadsEveryKey) {
   const SystemText cart = read_system(whole, "s.toml");
   EXPECT_EQ(cart.file, "s.toml");
   EXPECT_EQ(cart.segment_duration_s, 0.5);
   ASSERT_EQ(cart.parameters.size(), 1u);
   EXPECT_EQ(cart.parameters[0].name, "L");
   EXPECT_EQ(cart.parameters[0].value, 1.5);
-  EXPECT_EQ(told(cart.vehicle.region), "x@18:1=-2.0..2.0 w@19:1=0.5..10.0 ");
-  EXPECT_EQ(told(cart.vehicle.measurements), "place@21:1=x@21:10+-1.0 ");
-  EXPECT_EQ(told(cart.anchor->measurements), "distance@37:1=s@37:20+-1.0 ");
-  EXPECT_EQ(told(cart.motions[0].assignments), "v@39:1=u*half@39:6 x@40:1=-1.5@40:5 ");
-  EXPECT_EQ(told(cart.motions[0].draws), "u@41:6=0.0..1.0 ");
+  EXPECT_EQ(described(cart.vehicle.region), "x@18:1=-2.0..2.0 w@19:1=0.5..10.0 ");
+  EXPECT_EQ(described(cart.vehicle.measurements), "place@21:1=x@21:10+-1.0 ");
+  EXPECT_EQ(described(cart.anchor->measurements), "distance@37:1=s@37:20+-1.0 ");
+  EXPECT_EQ(described(cart.motions[0].assignments), "v@39:1=u*half@39:6 x@40:1=-1.5@40:5 ");
+  EXPECT_EQ(described(cart.motions[0].draws), "u@41:6=0.0..1.0 ");
   ASSERT_TRUE(cart.error_form);
   EXPECT_EQ(cart.error_form->source, "(1.2)");
-  EXPECT_EQ(told(cart.error_form->names), "x@47:8=error of x@47:13 ");
-  EXPECT_EQ(told(cart.error_form->directions), "[along x@52:19 x@53:1=1@53:5 | p@54:10=1@54:14 ] ");
-  EXPECT_EQ(told(cart.error_form->landmark_directions), "[depth@59:28 | p@60:1=1@60:5 ] ");
-  EXPECT_EQ(told(cart.vehicle.error_F), "[x@49:1 w@49:7=-0.1*L@49:12 ] ");
-  EXPECT_EQ(told(cart.vehicle.error_H), "[place@51:1 x@51:11=1@51:15 ] ");
-  EXPECT_EQ(told(cart.landmark->error_H), "[distance@56:1 p@56:14=1@56:18 x@56:21=-1@56:25 ] ");
-  EXPECT_EQ(told(cart.landmark->error_F), "[p@58:1 ] ");
-  EXPECT_EQ(told(cart.anchor->error_H), "[distance@62:1 x@62:14=-1@62:18 ] ");
+  EXPECT_EQ(described(cart.error_form->names), "x@47:8=error of x@47:13 ");
+  EXPECT_EQ(described(cart.error_form->directions), "[along x@52:19 x@53:1=1@53:5 | p@54:10=1@54:14 ] ");
+  EXPECT_EQ(described(cart.error_form->landmark_directions), "[depth@59:28 | p@60:1=1@60:5 ] ");
+  EXPECT_EQ(described(cart.vehicle.error_F), "[x@49:1 w@49:7=-0.1*L@49:12 ] ");
+  EXPECT_EQ(described(cart.vehicle.error_H), "[place@51:1 x@51:11=1@51:15 ] ");
+  EXPECT_EQ(described(cart.landmark->error_H), "[distance@56:1 p@56:14=1@56:18 x@56:21=-1@56:25 ] ");
+  EXPECT_EQ(described(cart.landmark->error_F), "[p@58:1 ] ");
+  EXPECT_EQ(described(cart.anchor->error_H), "[distance@62:1 x@62:14=-1@62:18 ] ");
 }
 
-TEST(SystemFile, LittleIsEnough) {
+TEST(SystemFile, AcceptsAMinimalFile) {
   const SystemText little =
       read_system("name = \"a\"\nstates.x = 0\nregion.x = [1, 1]\nmeasurements.z = \"x\"", "s.toml");
   EXPECT_EQ(little.title, "a");
@@ -210,7 +211,7 @@ TEST(SystemFile, LittleIsEnough) {
   EXPECT_FALSE(little.landmark || little.anchor || little.error_form);
 }
 
-TEST(SystemFile, EveryBuiltInSystemIsReadAndFoundByName) {
+TEST(SystemFile, EveryBuiltInSystemLoadsByName) {
   const std::vector<std::string> names = built_in_systems();
   EXPECT_GE(names.size(), 1u);
   for (const std::string& name : names) {
@@ -221,7 +222,7 @@ TEST(SystemFile, EveryBuiltInSystemIsReadAndFoundByName) {
   }
 }
 
-/// What stands at each place of the file is what was read from there.
+/// The text at a location of the file is the one that was read from there.
 void expect_there(const std::vector<std::string>& lines, const SourceLocation& location,
                   const std::string& text) {
   ASSERT_GE(location.line, 1) << text;
@@ -229,7 +230,7 @@ void expect_there(const std::vector<std::string>& lines, const SourceLocation& l
   EXPECT_EQ(line.substr(static_cast<std::size_t>(location.column) - 1, text.size()), text) << line;
 }
 
-TEST(SystemFile, PlacesAreThoseOfTheFile) {
+TEST(SystemFile, LocationsAreThoseInTheFile) {
   for (const std::string& name : built_in_systems()) {
     const auto file = testing::lines(std::string(INCOGNITA_SOURCE_DIR) + "/systems/" + name + ".toml");
     const SystemText system = load_system(name);
@@ -258,23 +259,23 @@ TEST(SystemFile, PlacesAreThoseOfTheFile) {
   }
 }
 
-TEST(SystemFile, RepresentationChoosesOrIsRefused) {
+TEST(SystemFile, RepresentationIsSelectedOrRefused) {
   EXPECT_EQ(load_system("planar", "world").representation, "world");
   EXPECT_EQ(load_system("planar", "relative").file, "planar-relative.toml");
   EXPECT_EQ(load_system("planar-relative", "world").file, "planar.toml");
   EXPECT_EQ(message_of([] { load_system("cv6", "relative"); }),
-            "cv6 is built in as `world`, and not as `relative`");
+            "cv6 is built in with the representation `world`, not `relative`");
   EXPECT_EQ(message_of([] { load_system("planar", "polar"); }),
-            "the representation is `world` or `relative`, and not `polar`");
+            "the representation must be `world` or `relative`, not `polar`");
   const Scratch scratch;
   const std::string file = scratch.write("cart.toml", whole).string();
   EXPECT_EQ(load_system(file).file, file);
   EXPECT_EQ(load_system(file, "world").name, "cart");
   EXPECT_HAS(message_of([&] { load_system(file, "relative"); }),
-             "cart.toml: is written as `world`, and `relative` was asked for");
+             "cart.toml: has the representation `world`, not `relative`");
 }
 
-TEST(SystemFile, RefusesWhatIsNotThere) {
+TEST(SystemFile, RefusesAMissingFile) {
   EXPECT_HAS(message_of([] { load_system("planer"); }),
              "planer: no such system file, nor a built-in system; built in are: ");
   for (const char* file : {"some/where/planer.toml", "planer.toml", "some/where"}) {
@@ -284,7 +285,7 @@ TEST(SystemFile, RefusesWhatIsNotThere) {
   }
   EXPECT_HAS(message_of([] { load_system("planer"); }), "the nearest is planar");
   const Scratch scratch;
-  EXPECT_HAS(message_of([&] { load_system(scratch.folder().string()); }), "is a folder, a file is wanted");
+  EXPECT_HAS(message_of([&] { load_system(scratch.folder().string()); }), "is a folder, not a file");
   const std::string large = scratch.write("large.toml", "#" + std::string(1 << 20, '-')).string();
   EXPECT_HAS(message_of([&] { load_system(large); }), "is larger than the 1048576 bytes allowed");
 }
@@ -301,7 +302,7 @@ void expect_problems(std::initializer_list<Fault> problems) {
   }
 }
 
-TEST(SystemFile, RefusesWrongKeysAndKinds) {
+TEST(SystemFile, RefusesInvalidKeysAndTypes) {
   expect_problems({
       {"name = \"cart\"\n", "", "s.toml: the system has no name; write name = \"...\" at the top"},
       {"name = \"cart\"", "name = 3", "s.toml:1:8: `name` must be a text, and is a whole number"},
@@ -344,18 +345,18 @@ TEST(SystemFile, RefusesWrongKeysAndKinds) {
   });
 }
 
-TEST(SystemFile, RefusesWrongNames) {
+TEST(SystemFile, RefusesInvalidNames) {
   const std::string long_name(41, 'x');
   expect_problems({
-      {"L = 1.5", "\"my L\" = 1.5", "s.toml:8:1: `my L` is no name; names are a letter and then"},
-      {"L = 1.5", "_L = 1.5", "s.toml:8:1: `_L` is no name"},
-      {"L = 1.5", "\"\" = 1.5", "s.toml:8:1: `` is no name"},
-      {"L = 1.5", "\"\\u001b[2J\" = 1.5", "s.toml:8:1: `?[2J` is no name"},
+      {"L = 1.5", "\"my L\" = 1.5", "s.toml:8:1: `my L` is not a name; a name is a letter followed by"},
+      {"L = 1.5", "_L = 1.5", "s.toml:8:1: `_L` is not a name"},
+      {"L = 1.5", "\"\" = 1.5", "s.toml:8:1: `` is not a name"},
+      {"L = 1.5", "\"\\u001b[2J\" = 1.5", "s.toml:8:1: `?[2J` is not a name"},
       {"L = 1.5", (long_name + " = 1").c_str(), "s.toml:8:1: `xxxxxxxxxxx"},
-      {"L = 1.5", "pi = 1.5", "s.toml:8:1: `pi` has a meaning of its own; choose another name"},
-      {"L = 1.5", "I = 1.5", "s.toml:8:1: `I` has a meaning"},
-      {"L = 1.5", "tanh = 1.5", "s.toml:8:1: `tanh` has a meaning"},
-      {"L = 1.5", "draw = 1.5", "s.toml:8:1: `draw` has a meaning"},
+      {"L = 1.5", "pi = 1.5", "s.toml:8:1: `pi` is reserved; choose another name"},
+      {"L = 1.5", "I = 1.5", "s.toml:8:1: `I` is reserved"},
+      {"L = 1.5", "tanh = 1.5", "s.toml:8:1: `tanh` is reserved"},
+      {"L = 1.5", "draw = 1.5", "s.toml:8:1: `draw` is reserved"},
       {"v = [-1, 1]", "L = [-1, 1]", "s.toml:10:1: there is a parameter `L` already, in line 8"},
       {"half =", "w =", "s.toml:16:1: there is a state `w` already, in line 13"},
       {"[landmark.states]\np = 0\n[landmark.region]\np", "[landmark.states]\nx = 0\n[landmark.region]\nx",
@@ -363,15 +364,16 @@ TEST(SystemFile, RefusesWrongNames) {
       {"r = \"p - x\"", "drag = \"p - x\"", "s.toml:27:1: there is a definition `drag` already, in line 15"},
       {"q = [-9, -3]", "v = [-9, -3]", "s.toml:33:1: there is an input `v` already, in line 10"},
       {"draw.u", "draw.w", "s.toml:41:6: there is a state `w` already, in line 13"},
-      {"place = \"x\"", "\"the place\" = \"x\"", "s.toml:21:1: `the place` is no name"},
+      {"place = \"x\"", "\"the place\" = \"x\"", "s.toml:21:1: `the place` is not a name"},
       {"[motion.steady]", "[motion.general]", "s.toml:38:9: every system has the motion `general`"},
-      {"[motion.steady]", "[motion.\"\"]", "s.toml:38:9: a name of 1 to 80 characters on one line is wanted"},
+      {"[motion.steady]", "[motion.\"\"]",
+       "s.toml:38:9: a name of 1 to 80 characters on one line is required"},
       {"[directions.\"along x\"]", "[directions.depth]",
        "s.toml:30:22: there is a direction `depth` already"},
   });
 }
 
-TEST(SystemFile, RefusesNamesThatALandmarksStateWillHave) {
+TEST(SystemFile, RefusesNamesReservedForLandmarkStates) {
   const std::string text =
       "name = \"s\"\n[states]\ny_1 = 0\n[region]\ny_1 = [0, 1]\n[landmark.states]\ny = 0\n"
       "[landmark.region]\ny = [0, 1]\n[landmark.measurements]\nz = \"y - y_1\"\n";
@@ -380,11 +382,11 @@ TEST(SystemFile, RefusesNamesThatALandmarksStateWillHave) {
     FAIL() << "read";
   } catch (const InputError& error) {
     EXPECT_STREQ(error.what(),
-                 "s.toml:3:1: `y_1` is what state `y` of a landmark is called; choose another name");
+                 "s.toml:3:1: `y_1` is the displayed name of state `y` of a landmark; choose another name");
   }
 }
 
-TEST(SystemFile, RefusesNamesOfNothing) {
+TEST(SystemFile, RefusesUnknownNames) {
   expect_problems({
       {"w = [0.5, 1e1]", "ww = [0.5, 1e1]", "s.toml:19:1: state `ww` has no equation; the nearest is `w`"},
       {"w = [0.5, 1e1]\n", "",
@@ -392,7 +394,7 @@ TEST(SystemFile, RefusesNamesOfNothing) {
       {"p = [3, 9]\n", "",
        "s.toml:23:1: state `p` has no region; write p = [lowest, highest] under [landmark.region]"},
       {"[states]\nx = \"v + drag\"\nw = 0\n", "",
-       "s.toml:15:1: the region is of `x`, and there are no states; write x = \"its rate of change\" under "
+       "s.toml:15:1: the region contains `x`, but there are no states; write x = \"its rate of change\" under "
        "[states]"},
       {"[landmark.region]\np", "[landmark.region]\nx", "s.toml:25:1: state `x` has no equation"},
       {"v = \"u*half\"", "L = \"u*half\"", "s.toml:39:1: there is no state or input `L`"},
@@ -411,7 +413,7 @@ TEST(SystemFile, RefusesNamesOfNothing) {
   });
 }
 
-TEST(SystemFile, DisturbedStatesAreTheVehicles) {
+TEST(SystemFile, DisturbedStatesBelongToTheVehicle) {
   const auto disturbed = [](const std::string& list) {
     return with("segment_duration_s = 0.5", "segment_duration_s = 0.5\ndisturbed = " + list);
   };
@@ -420,19 +422,19 @@ TEST(SystemFile, DisturbedStatesAreTheVehicles) {
   EXPECT_EQ(cart.disturbed[0].name, "w");
   EXPECT_EQ(at(cart.disturbed[1].location), "6:19");
   EXPECT_EQ(complaint(disturbed("[\"w\", \"v\"]")), "s.toml:6:19: there is no state `v`; the nearest is `x`");
-  EXPECT_EQ(complaint(disturbed("[\"w\", \"w\"]")), "s.toml:6:19: `w` stands here twice");
+  EXPECT_EQ(complaint(disturbed("[\"w\", \"w\"]")), "s.toml:6:19: `w` occurs twice");
   EXPECT_TRUE(complaint(disturbed("[\"w\", 1]")).starts_with("s.toml:6:13: `disturbed` must be a list of"));
   EXPECT_TRUE(complaint(disturbed("\"w\"")).starts_with("s.toml:6:13: `disturbed` must be a list of"));
 }
 
-TEST(SystemFile, RefusesWrongRangesAndWhatIsMissing) {
+TEST(SystemFile, RefusesInvalidRangesAndMissingEntries) {
   expect_problems({
       {"v = [-1, 1]", "v = [1, -1]", "s.toml:10:1: the range of `v` is empty; write [lowest, highest]"},
       {"v = [-1, 1]", "v = [-1.7e308, 1.7e308]", "s.toml:10:1: the range of `v` must be finite"},
       {"q = [-9, -3]", "q = [-3, -9]", "s.toml:33:1: the range of `q` is empty"},
       {"draw.u = [0, 1]", "draw.u = [1, 0]", "s.toml:41:6: the range of `u` is empty"},
-      {"p = 0\n", "", "s.toml: a landmark needs a state; one whose place is known is an anchor"},
-      {"x = 1\nlandmark.p = \"r/r\"\n", "", "s.toml:42:13: direction `along x` moves nothing"},
+      {"p = 0\n", "", "s.toml: a landmark needs a state; a landmark with known position is an anchor"},
+      {"x = 1\nlandmark.p = \"r/r\"\n", "", "s.toml:42:13: direction `along x` is empty"},
   });
   EXPECT_EQ(complaint("name = \"a\""),
             "s.toml: the system has no states; write x = \"its rate of change\" under [states]");
@@ -440,31 +442,31 @@ TEST(SystemFile, RefusesWrongRangesAndWhatIsMissing) {
              "s.toml: the system has no measurement; write one under [measurements], ");
 }
 
-TEST(SystemFile, RefusesWrongExpressionsWhereTheyAreWrong) {
+TEST(SystemFile, LocatesInvalidExpressions) {
   expect_problems({
-      {"\"v + drag\"", "\"v + darg\"", "s.toml:12:10: there is no `darg` that this expression sees"},
-      {"\"v + drag\"", "'v + * drag'", "s.toml:12:10: nothing stands between `+` and `*`"},
-      {"\"v + drag\"", "\"v + r\"", "s.toml:12:10: there is no `r` that this expression sees"},
-      {"\"-0.1*w*L\"", "\"half\"", "s.toml:15:9: there is no `half` that this expression sees"},
+      {"\"v + drag\"", "\"v + darg\"", "s.toml:12:10: there is no `darg` in the scope of this expression"},
+      {"\"v + drag\"", "'v + * drag'", "s.toml:12:10: an operand is missing between `+` and `*`"},
+      {"\"v + drag\"", "\"v + r\"", "s.toml:12:10: there is no `r` in the scope of this expression"},
+      {"\"-0.1*w*L\"", "\"half\"", "s.toml:15:9: there is no `half` in the scope of this expression"},
       {"w = 0", "w = 1e305", "s.toml:13:5: a number's exponent is at most 300"},
       {"w = 0", "w = \"\"", "s.toml:13:6: the expression is empty"},
-      {"\"r\", sigma", "\"r**2\", sigma", "s.toml:29:21: a power is written ^, not **"},
-      {"\"p - x\"", "\"p - q\"", "s.toml:27:10: there is no `q` that this expression sees"},
-      {"\"q - x\"", "\"p - x\"", "s.toml:35:6: there is no `p` that this expression sees"},
-      {"\"u*half\"", "\"u*p\"", "s.toml:39:8: there is no `p` that this expression sees"},
+      {"\"r\", sigma", "\"r**2\", sigma", "s.toml:29:21: write a power with ^, not **"},
+      {"\"p - x\"", "\"p - q\"", "s.toml:27:10: there is no `q` in the scope of this expression"},
+      {"\"q - x\"", "\"p - x\"", "s.toml:35:6: there is no `p` in the scope of this expression"},
+      {"\"u*half\"", "\"u*p\"", "s.toml:39:8: there is no `p` in the scope of this expression"},
       {"x = -1.5", "x = \"2x\"", "s.toml:40:7: an operation is missing before `x`"},
       {"x = 1\nlandmark.p", "x = \"r\"\nlandmark.p",
-       "s.toml:43:6: there is no `r` that this expression sees"},
-      {"\"r/r\"", "\"r/\"", "s.toml:44:16: nothing stands after `/`"},
-      {"\"-0.1*L\"", "\"-0.1*p\"", "s.toml:49:17: there is no `p` that this expression sees"},
+       "s.toml:43:6: there is no `r` in the scope of this expression"},
+      {"\"r/r\"", "\"r/\"", "s.toml:44:16: an operand is missing after `/`"},
+      {"\"-0.1*L\"", "\"-0.1*p\"", "s.toml:49:17: there is no `p` in the scope of this expression"},
       {"\"error of x\"", "\"\"", "s.toml:47:12: `x` must be one line of 1 to 400 characters"},
-      // Where what is written is not what is read the place is that of the quotes
+      // With escapes or several lines the location is that of the opening quote
       {"\"v + drag\"", "\"\"\"\nv +\n  darg\"\"\"", "s.toml:12:5: there is no `darg`"},
       {"\"v + drag\"\nw = 0", "\"\"\"\nv +\n  drag\"\"\"\nw = \"zz\"", "s.toml:15:6: there is no `zz`"},
   });
 }
 
-TEST(SystemFile, RefusesTooMuch) {
+TEST(SystemFile, RefusesTooManyEntries) {
   const auto many = [](const std::string& name, int count, const std::string& value) {
     std::string text;
     for (int i = 0; i < count; ++i) text += name + std::to_string(i) + value + "\n";
@@ -474,7 +476,7 @@ TEST(SystemFile, RefusesTooMuch) {
     return complaint(with(part, part + more));
   };
   EXPECT_HAS(complaint_of("[states]\n", many("k", 63, " = 0")),
-             "s.toml:76:1: there are 65 states here; at most 64 are read");
+             "s.toml:76:1: there are 65 states; at most 64 are allowed");
   EXPECT_HAS(complaint_of("[measurements]\n", many("k", 64, " = 0")), "there are 65 measurements here");
   EXPECT_HAS(complaint_of("[definitions]\n", many("k", 255, " = 0")), "there are 257 definitions here");
   EXPECT_HAS(complaint_of("[parameters]\n", many("k", 256, " = 0")), "there are 257 parameters here");
@@ -488,7 +490,7 @@ TEST(SystemFile, RefusesTooMuch) {
   EXPECT_HAS(complaint(whole + "#" + std::string(1 << 20, '-')), "bytes are too many");
 }
 
-TEST(SystemFile, RefusesWhatIsNoToml) {
+TEST(SystemFile, RefusesInvalidToml) {
   EXPECT_HAS(complaint("name = \"a\"\nstates = {\n"), "s.toml:2:11: not valid TOML: ");
   EXPECT_EQ(complaint(with("w = 0", "x = 0")),
             "s.toml:13:5: not valid TOML: there is a key `x` already in this section; keep one of them");
@@ -499,7 +501,7 @@ TEST(SystemFile, RefusesWhatIsNoToml) {
   EXPECT_HAS(complaint("name = \"\xff\""), "s.toml:1:");
 }
 
-TEST(TomlValue, KnowsItsPlace) {
+TEST(TomlValue, HasItsLocation) {
   const TomlTable table = parse_toml(
       "b = \"one\" # \nlong = '''one'''\nesc = \"o\\n\"\n\"\xce\xb8\" = '\xce\xb8'\n"
       "t = { z = 1, a = \"two\" }\na.c = [1, -2]\n",
@@ -509,7 +511,7 @@ TEST(TomlValue, KnowsItsPlace) {
     keys += entry.key + ":" + std::to_string(entry.value.text_column) + " ";
   EXPECT_EQ(keys, "b:6 long:8 esc:7 \xce\xb8:8 t:5 a:1 ");
   const auto& inner = std::get<TomlTable>(table[4].value.value);
-  EXPECT_EQ(inner[0].key, "z");  // as they were written, not by the alphabet
+  EXPECT_EQ(inner[0].key, "z");  // in the order of the file, not alphabetical
   EXPECT_EQ(inner[0].column, 7);
   EXPECT_EQ(inner[1].column, 14);
   EXPECT_EQ(inner[1].value.column, 18);
@@ -519,8 +521,8 @@ TEST(TomlValue, KnowsItsPlace) {
   EXPECT_EQ(std::get<TomlArray>(c.value.value)[1].column, 11);
 }
 
-// The reader makes a table of each part, and the program would die of half a million inside each other
-TEST(TomlValue, RefusesDeepKeys) {
+// The parser recurses into tables; half a million nested ones would overflow the stack
+TEST(TomlValue, RefusesDeepNesting) {
   std::string deep;
   for (int i = 0; i < 60'000; ++i) deep += "a . 'b' .\"c\\\"\".";
   for (const std::string& text : {deep + "d = 1", "x = 1\n[" + deep + "d]", "x = { " + deep + "d = 1 }"})

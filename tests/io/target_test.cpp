@@ -1,4 +1,4 @@
-// Target files: what they mean, and each way in which one can be wrong.
+// Target files: their meaning, and every kind of invalid file.
 #include "incognita/io/scenario/target_file.hpp"
 
 #include <gtest/gtest.h>
@@ -58,12 +58,12 @@ TEST(Target, ConvertsSceneLibsAxes) {
   const Target target = read_target(scratch.write(
       "t.toml", "name = \"a\"\naxes = \"scenelib\"\nnormal = [0, 0, -1]\n" + corner("[0.1, 0.07, 0]") +
                     corner("[-0.1, 0.07, 0]") + corner("[0.1, -0.07, 0]") + corner("[-0.1, -0.07, 0]")));
-  EXPECT_EQ(target.normal, Eigen::Vector3d(-1, 0, 0));                   // against forward
-  EXPECT_EQ(target.corners[0].position, Eigen::Vector3d(0, 0.1, 0.07));  // left and up stay so
+  EXPECT_EQ(target.normal, Eigen::Vector3d(-1, 0, 0));                   // opposite to forward
+  EXPECT_EQ(target.corners[0].position, Eigen::Vector3d(0, 0.1, 0.07));  // left and up are unchanged
   EXPECT_EQ(target.corners[3].position, Eigen::Vector3d(0, -0.1, -0.07));
 }
 
-TEST(Target, RefusesWhatCannotBe) {
+TEST(Target, RefusesInvalidFiles) {
   EXPECT_EQ(complaint(head + four), "(none)");
   EXPECT_HAS(complaint(head + three),
              "t.toml:3: corner: must be 4 to 100 tables, written [[corner]], and is 3");
@@ -93,7 +93,7 @@ TEST(Target, RefusesWhatCannotBe) {
              "position_m: the corners are on one line");
 }
 
-TEST(Target, RefusesPatchesThatCannotBe) {
+TEST(Target, RefusesInvalidPatches) {
   const auto with = [](const char* patch) {
     return complaint(head + three + corner("[3, -0.2, 1.5]", patch));
   };
@@ -102,13 +102,13 @@ TEST(Target, RefusesPatchesThatCannotBe) {
              "t.toml:14: patch: even.pgm must be an odd square of 9 to 101 px, and is 12x12");
   EXPECT_HAS(with("oblong.pgm"), "and is 11x13");
   EXPECT_HAS(with("small.pgm"), "and is 7x7");
-  EXPECT_HAS(with("cut.pgm"), "cut.pgm: the file is cut short");
+  EXPECT_HAS(with("cut.pgm"), "cut.pgm: the file is truncated");
   EXPECT_HAS(with("flat.pgm"), "flat.pgm is of one grey");
   EXPECT_HAS(message_of([] { read_target("/nowhere/t.toml"); }),
              "/nowhere/t.toml: cannot be read: No such file");
 }
 
-/// A corner that is seen at (u, v) of the picture.
+/// A corner at pixel (u, v) of the picture.
 std::string seen(const std::string& position, const std::string& pixel) {
   return corner(position) + "picture_px = " + pixel + "\n";
 }
@@ -129,8 +129,8 @@ TEST(Target, MayHaveAPicture) {
     EXPECT_NEAR((target.picture->world_from_px * pixel - at).norm(), 0, 1e-12);
 }
 
-/// Of 180x150 px means over squares of 2.
-TEST(Target, KeepsNoMoreOfAPictureThanACameraSees) {
+/// 180x150 px are reduced to means over 2x2 px.
+TEST(Target, ReducesAPictureToTheResolutionOfTheCamera) {
   const Scratch scratch;
   scratch.write("p.pgm", pgm(11, 11));
   scratch.write("whole.pgm", pgm(180, 150));
@@ -151,7 +151,7 @@ TEST(Target, KeepsNoMoreOfAPictureThanACameraSees) {
       << "where the first corner is, between the pixels of the kept";
 }
 
-TEST(Target, RefusesPicturesThatCannotBe) {
+TEST(Target, RefusesInvalidPictures) {
   const Scratch scratch;
   scratch.write("p.pgm", pgm(11, 11));
   scratch.write("whole.pgm", pgm(60, 50));
@@ -165,19 +165,20 @@ TEST(Target, RefusesPicturesThatCannotBe) {
   EXPECT_HAS(complaint(pictured + seen("[3, -0.2, 1.2]", "[50]")),
              "picture_px: must be a list of two finite numbers");
   EXPECT_HAS(complaint(pictured + seen("[3, -0.2, 1.2]", "[45, 20]")),
-             "t.toml:3: picture: must be taken straight on");
+             "t.toml:3: picture: must be a frontal view");
   const auto corners = [&](const std::vector<std::string>& pixels) {
     return complaint(head + "picture = \"whole.pgm\"\n" + seen("[3, 0.2, 1]", pixels[0]) +
                      seen("[3, -0.2, 1]", pixels[1]) + seen("[3, 0.2, 1.2]", pixels[2]) +
                      seen("[3, -0.2, 1.2]", pixels[3]));
   };
-  EXPECT_HAS(corners({"[10, 35]", "[50, 45]", "[10, 15]", "[50, 25]"}), "degrees apart") << "sheared";
+  EXPECT_HAS(corners({"[10, 35]", "[50, 45]", "[10, 15]", "[50, 25]"}), "degrees between rows and columns")
+      << "sheared";
   EXPECT_HAS(corners({"[10, 25]", "[50, 25]", "[10, 15]", "[50, 15]"}),
-             "they are 0.01 m wide and 0.02 m high, and rows and columns 90 degrees apart");
+             "a pixel is 0.01 m wide and 0.02 m high, with 90 degrees between rows and columns");
   EXPECT_HAS(corners({"[10, 15]", "[50, 15]", "[10, 15]", "[50, 15]"}),
              "corners 0 and 2 are less than 4 px apart");
   EXPECT_HAS(complaint(pictured + seen("[3, -0.2, 1.2]", "[60, 15]")),
-             "t.toml:3: picture: must be of the whole target, and corner 3 is outside");
+             "t.toml:3: picture: must show the whole target, but picture_px of corner 3 is outside");
   EXPECT_HAS(complaint(head + "picture = \"whole.pgm\"\n" + seen("[3, 0.2, 1]", "[50, 35]") +
                        seen("[3, -0.2, 1]", "[10, 35]") + seen("[3, 0.2, 1.2]", "[50, 15]") +
                        seen("[3, -0.2, 1.2]", "[10, 15]")),
@@ -190,8 +191,8 @@ TEST(Target, RefusesPicturesThatCannotBe) {
   EXPECT_HAS(complaint(head + four + "picture_px = [1, 2]\n"), "picture_px: is of no use without `picture`");
 }
 
-/// As docs/scenarios.md has it for a room of another length.
-TEST(Target, FindsPatchesAmongThoseBuiltIn) {
+/// As in docs/scenarios.md for a room of another length.
+TEST(Target, FindsBuiltInPatches) {
   const Scratch scratch;
   std::string text = read_file(std::filesystem::path(embedded_root) / "targets/sheet.toml", 1 << 20);
   for (std::size_t at; (at = text.find("[3, ")) != std::string::npos;) text.replace(at, 4, "[5, ");
@@ -209,7 +210,8 @@ TEST(Target, FindsPatchesAmongThoseBuiltIn) {
   };
   for (const char* outside : {"../../x", "../../../../sheet_corner0.pgm"})
     EXPECT_HAS(complaint(outside), std::string("patch: ") + outside + " is not there");
-  EXPECT_HAS(complaint("../room.toml"), "room.toml: ") << "there is such a file built in, and it is no image";
+  EXPECT_HAS(complaint("../room.toml"), "room.toml: ")
+      << "a built-in file of that name exists, but is not an image";
 }
 
 TEST(Target, IsFoundBesideItsScenario) {
@@ -222,14 +224,14 @@ TEST(Target, IsFoundBesideItsScenario) {
   scratch.write("p.pgm", pgm(11, 11));
   EXPECT_EQ(find_target(loaded), scratch.folder() / "mine.toml");
   EXPECT_EQ(load_target(loaded).corners.size(), 4u);
-  // what is printed may be run from another folder
+  // the printed path may be used from another folder
   const Scratch elsewhere;
   const LoadedScenario again = load_scenario(elsewhere.write("e.toml", effective_toml(loaded)).string());
   EXPECT_EQ(load_target(again).name, "sheet");
 }
 
-// The patches of Davison's recording must lie as the corners do: dark is the printed rectangle, inside.
-TEST(Target, DavisonsPatchesAgreeWithTheirCorners) {
+// The patches of Davison's recording agree with the corners: the printed rectangle, inside, is dark.
+TEST(Target, PatchesOfDavisonAgreeWithTheirCorners) {
   const LoadedScenario davison = load_scenario("davison");
   Target target;
   try {

@@ -1,4 +1,4 @@
-// Height maps from images: where each pixel lies, to what depth, and what is refused.
+// Height maps from images: position and height of each pixel, and refusals.
 #include "incognita/io/scenario/terrain_file.hpp"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ LoadedScenario load(const Scratch& scratch, const std::string& text) {
   return load_scenario(scratch.write("mine.toml", text).string());
 }
 
-/// 5 columns, 3 rows: white in the upper right corner, a given grey left of the middle.
+/// 5 columns, 3 rows: white in the upper right corner, a given gray left of the middle.
 template <class Pixel>
 cv::Mat ground(Pixel white, Pixel gray) {
   cv::Mat map = cv::Mat_<Pixel>::zeros(3, 5);
@@ -35,11 +35,11 @@ void write_png(const Scratch& scratch, const cv::Mat& map) {
   ASSERT_TRUE(cv::imwrite((scratch / "ground.png").string(), map));
 }
 
-TEST(TerrainFile, PutsEachPixelWhereItIsSeenFromAbove) {
+TEST(TerrainFile, RowsAreNorthToSouth) {
   const Scratch scratch;
   write_png(scratch, ground<std::uint8_t>(255, 51));
   const Terrain terrain = terrain_of(load(scratch, points + image));
-  // 2 m apart, the middle at the origin: x from -4 to 4, y from -2 to 2
+  // 2 m apart, centered at the origin: x from -4 to 4, y from -2 to 2
   EXPECT_NEAR(terrain.at<double>(4, 2).height, 2, 1e-12);
   EXPECT_NEAR(terrain.at<double>(-2, 0).height, 0.4, 1e-12);
   EXPECT_NEAR(terrain.at<double>(4, -2).height, 0, 1e-12);
@@ -72,25 +72,25 @@ std::string complaint(const std::string& text, const std::string& bytes, const c
   return message_of([&] { terrain_of(load(scratch, text)); });
 }
 
-TEST(TerrainFile, RefusesWhatIsNoHeightMap) {
+TEST(TerrainFile, RefusesFilesThatAreNotHeightMaps) {
   const std::string text = points + image;
   EXPECT_HAS(complaint(text, ""), "mine.toml:8: terrain.file = \"ground.png\": there is no such file");
   const std::string noise = complaint(text, "this is no image");
   EXPECT_HAS(noise, "mine.toml:8: terrain.file = \"ground.png\": ");
   EXPECT_HAS(noise, "ground.png: is not an image");
   EXPECT_HAS(noise, "take a grey image of 8 or 16 bits");
-  EXPECT_HAS(complaint(text, "P5\n4 4\n255\n123"), "the file is cut short");
+  EXPECT_HAS(complaint(text, "P5\n4 4\n255\n123"), "the file is truncated");
   EXPECT_HAS(complaint(text, "P2\n4 1\n255\n1 2 3 4\n"), "has 4 x 1 pixels, and a height map needs 2 x 2");
 }
 
-TEST(TerrainFile, RefusesAnImageThatDoesNotReachTheStart) {
+TEST(TerrainFile, RefusesAnImageThatDoesNotContainTheStart) {
   const std::string start = "[team]\npositions_m = [[0, 0, 0], [3, 2.5, 0]]\nheadings_rad = [0]\n";
   const std::string why = complaint(points + image + start, "", ground<std::uint8_t>(255, 51));
   EXPECT_HAS(why, "mine.toml:9: terrain.size_m = 8: the image reaches 8 m by 4 m about the origin");
   EXPECT_HAS(why, "starts at [3, 2.5] (team.positions_m): make the image larger or terrain.size_m more");
 }
 
-TEST(TerrainFile, SettingsOfOtherGroundsMeanNothing) {
+TEST(TerrainFile, SettingsOfOtherTerrainsAreRefused) {
   EXPECT_HAS(complaint(points + "[terrain]\nfile = \"x.png\"\n", ""),
              "terrain.file = \"x.png\": means nothing with terrain.kind = `waves`");
   EXPECT_HAS(complaint(points + image + "amplitude_m = 1\n", ""),
@@ -99,7 +99,7 @@ TEST(TerrainFile, SettingsOfOtherGroundsMeanNothing) {
              "default: terrain.file = \"\": must name a grey image");
 }
 
-TEST(TerrainFile, AnEffectiveScenarioFindsItFromElsewhere) {
+TEST(TerrainFile, IsFoundByAnEffectiveScenarioElsewhere) {
   const Scratch scratch, elsewhere;
   write_png(scratch, ground<std::uint8_t>(255, 51));
   const LoadedScenario mine = load(scratch, points + image);
@@ -107,11 +107,11 @@ TEST(TerrainFile, AnEffectiveScenarioFindsItFromElsewhere) {
   EXPECT_NEAR(terrain_of(again).at<double>(4, 2).height, 2, 1e-12);
 }
 
-// What a vehicle in the rendered room is told, and what means nothing to it.
+// Settings of a vehicle in the rendered room, and inapplicable ones.
 const std::string room =
     "[run]\nworld = \"room\"\n[vehicle]\nmodel = \"terrain\"\n[start]\nfrom = \"free\"\n";
 
-TEST(RoomVehicleSettings, FitTogether) {
+TEST(RoomVehicleSettings, AreAccepted) {
   EXPECT_EQ(complaint(room, ""), "(none)");
   EXPECT_EQ(complaint(room + "[steer]\nlaw = \"tracking\"\n[path]\nkind = \"circle\"\n", ""), "(none)");
   const Scratch scratch;
@@ -120,7 +120,7 @@ TEST(RoomVehicleSettings, FitTogether) {
   EXPECT_TRUE(again.scenario.slam.filter.odometry);
 }
 
-TEST(RoomVehicleSettings, RefuseWhatMeansNothingOrContradicts) {
+TEST(RoomVehicleSettings, InapplicableOrContradictoryOnesAreRefused) {
   struct Case {
     const char *text, *part;
   };

@@ -19,7 +19,7 @@ TEST(WrapAngle, KeepsPiAndTurnsMinusPiIntoPi) {
   EXPECT_EQ(wrap_angle(0.0), 0.0);
 }
 
-TEST(WrapAngle, StepsOverTheSeam) {
+TEST(WrapAngle, IsContinuousAcrossTheWrap) {
   constexpr double little = 1e-9;
   EXPECT_NEAR(wrap_angle(pi + little), -pi + little, 1e-15);
   EXPECT_NEAR(wrap_angle(-pi - little), pi - little, 1e-15);
@@ -27,14 +27,14 @@ TEST(WrapAngle, StepsOverTheSeam) {
   EXPECT_EQ(wrap_angle(-pi + little), -pi + little);
 }
 
-TEST(WrapAngle, TakesAwayWholeTurns) {
+TEST(WrapAngle, RemovesWholeTurns) {
   EXPECT_NEAR(wrap_angle(3 * pi / 2), -pi / 2, 1e-15);
   EXPECT_NEAR(wrap_angle(-3 * pi / 2), pi / 2, 1e-15);
   EXPECT_NEAR(wrap_angle(2 * pi), 0, 1e-15);
   EXPECT_NEAR(wrap_angle(7 * 2 * pi + 0.25), 0.25, 1e-14);
 }
 
-TEST(WrapAngle, IsTheSameDirectionInRangeWhereverItStarts) {
+TEST(WrapAngle, PreservesTheDirection) {
   RandomStream random(1, "wrap");
   for (int i = 0; i < 20000; ++i) {
     const double angle = random.uniform(-1, 1) * std::pow(10.0, random.uniform(-3, 4));
@@ -47,7 +47,7 @@ TEST(WrapAngle, IsTheSameDirectionInRangeWhereverItStarts) {
   }
 }
 
-TEST(WrapAngle, StaysInRangeWithinRoundingOfEverySeam) {
+TEST(WrapAngle, StaysInRangeWithinRoundingOfEveryWrap) {
   for (int turn = -50; turn <= 50; ++turn) {
     const double seam = (2 * turn + 1) * pi;
     double below = seam, above = seam;
@@ -64,7 +64,7 @@ TEST(WrapAngle, StaysInRangeWithinRoundingOfEverySeam) {
   }
 }
 
-TEST(Degrees, AreUndoneByRadians) {
+TEST(Degrees, AreTheInverseOfRadians) {
   EXPECT_DOUBLE_EQ(radians(180), pi);
   EXPECT_DOUBLE_EQ(degrees(pi / 6), 30);
   for (const double angle : {-720.0, -1.0, 0.0, 33.3, 400.0})

@@ -35,7 +35,7 @@ VectorXd minus(const Chart& chart, const VectorXd& y, const VectorXd& x) {
   return delta;
 }
 
-/// One of each part, an angle between two others.
+/// One part of each kind, an angle between two others.
 const Chart everything{
     {Chart::Kind::line, 2}, {Chart::Kind::angle, 1}, {Chart::Kind::quaternion, 4}, {Chart::Kind::line, 1}};
 
@@ -43,7 +43,7 @@ Vector3d random_direction(RandomStream& random) {
   return Vector3d(random.normal(), random.normal(), random.normal()).normalized();
 }
 
-/// A state of `everything`, turned by `rotation` from the identity.
+/// A state of `everything`, rotated by `rotation` from the identity.
 VectorXd state(RandomStream& random, double heading, const Vector3d& rotation) {
   VectorXd x(8);
   x << 10 * random.normal(), 10 * random.normal(), heading, quaternion_exp<double>(rotation), random.normal();
@@ -64,17 +64,17 @@ void expect_same_state(const VectorXd& a, const VectorXd& b, double tolerance) {
   EXPECT_NEAR(a[7], b[7], tolerance);
 }
 
-/// Rotation angles where charts break.
+/// Rotation angles at which charts are ill-conditioned.
 constexpr double rotations[] = {0, 1e-300, 1e-12, 1e-6, 9.9e-5, 1.01e-4, 0.01, 1, 3, pi - 1e-6, pi - 1e-10};
 
-TEST(Chart, CountsItsNumbers) {
+TEST(Chart, CountsStatesAndErrors) {
   EXPECT_EQ(everything.ambient(), 8);
   EXPECT_EQ(everything.tangent(), 7);
   EXPECT_EQ(Chart::line(5).ambient(), 5);
   EXPECT_EQ(Chart::line(5).tangent(), 5);
 }
 
-TEST(Chart, NothingAddedChangesNothing) {
+TEST(Chart, AddingZeroChangesNothing) {
   RandomStream random(1, "zero");
   for (const double angle : rotations) {
     const VectorXd x = state(random, random.uniform(-3, 3), random_direction(random) * angle);
@@ -83,7 +83,7 @@ TEST(Chart, NothingAddedChangesNothing) {
   }
 }
 
-TEST(Chart, WhatWasAddedIsTheDifference) {
+TEST(Chart, DifferenceRecoversWhatWasAdded) {
   RandomStream random(1, "plus then minus");
   for (const double start : rotations)
     for (const double turn : rotations)
@@ -95,7 +95,7 @@ TEST(Chart, WhatWasAddedIsTheDifference) {
       }
 }
 
-TEST(Chart, TheDifferenceLeadsThere) {
+TEST(Chart, AddingTheDifferenceReachesTheOtherState) {
   RandomStream random(1, "minus then plus");
   for (const double from : rotations)
     for (const double to : rotations)
@@ -106,7 +106,7 @@ TEST(Chart, TheDifferenceLeadsThere) {
       }
 }
 
-TEST(Chart, AnglesAreSubtractedAcrossTheSeam) {
+TEST(Chart, AnglesAreSubtractedAcrossTheWrap) {
   const Chart heading{{Chart::Kind::angle, 1}};
   const auto one = [](double a) { return VectorXd::Constant(1, a); };
   EXPECT_NEAR(minus(heading, one(-pi + 0.1), one(pi - 0.1))[0], 0.2, 1e-15);
@@ -120,12 +120,13 @@ TEST(Chart, SmallRotationsAreTheErrorInTheBodyFrame) {
   const Chart chart{{Chart::Kind::quaternion, 4}};
   const Vector4d q = quaternion_exp<double>(Vector3d(0, 0, pi / 2));  // body x is world y
   const Vector4d tipped = plus(chart, q, Vector3d(0.1, 0, 0));
-  const Vector3d expected = Eigen::Vector3d(0, std::cos(0), 0);  // turning about body x leaves body x
+  // a rotation about body x leaves body x unchanged
+  const Vector3d expected = Eigen::Vector3d(0, std::cos(0), 0);
   EXPECT_LT((rotation_matrix<double>(tipped).col(0) - expected).norm(), 1e-15);
   EXPECT_GT((rotation_matrix<double>(tipped).col(1) - rotation_matrix<double>(q).col(1)).norm(), 0.09);
 }
 
-TEST(Chart, BothSignsOfAQuaternionAreOneState) {
+TEST(Chart, BothSignsOfAQuaternionAreTheSameState) {
   RandomStream random(1, "sign");
   const Chart chart{{Chart::Kind::quaternion, 4}};
   for (int i = 0; i < 100; ++i) {
@@ -136,7 +137,7 @@ TEST(Chart, BothSignsOfAQuaternionAreOneState) {
   }
 }
 
-TEST(Chart, AQuaternionStaysOnItsSphere) {
+TEST(Chart, QuaternionStaysOnTheUnitSphere) {
   RandomStream random(1, "sphere");
   VectorXd x = state(random, 0, Vector3d::Zero());
   double worst = 0;

@@ -22,7 +22,8 @@ Vector3d random_direction(RandomStream& random) {
   return Vector3d(random.normal(), random.normal(), random.normal()).normalized();
 }
 
-/// Angles where a formula for rotations may break: zero, either side of the switch to a series, pi.
+/// Angles at which a formula for rotations may be ill-conditioned: zero, either side of the switch to a
+/// series, pi.
 std::vector<double> angles() {
   return {0,      1e-300, 1e-20,  1e-10, 1e-6,      9.9e-6,    1e-5,      1.01e-5,
           1.9e-5, 2.1e-5, 9.9e-5, 1e-4,  1.001e-4,  1e-3,      0.1,       1,
@@ -42,7 +43,7 @@ TEST(Quaternion, ProductIsHamiltons) {
   EXPECT_EQ(quaternion_product<double>(i, i), minus_one);
 }
 
-TEST(Quaternion, ProductTurnsOneAfterTheOther) {
+TEST(Quaternion, ProductComposesRotations) {
   RandomStream random(1, "product");
   for (int i = 0; i < 100; ++i) {
     const Vector4d a = quaternion_exp<double>(random_direction(random) * random.uniform(0, pi));
@@ -64,7 +65,7 @@ TEST(Quaternion, ExpIsTheRotationAboutTheAxis) {
   }
 }
 
-TEST(Quaternion, ExpKeepsTheDigitsOfATinyTurn) {
+TEST(Quaternion, ExpIsAccurateForATinyAngle) {
   for (const double angle : {1e-200, 1e-12, 9.9e-5, 1.01e-4}) {
     const Vector4d q = quaternion_exp<double>(Vector3d(0, angle, 0));
     EXPECT_NEAR(q[2] / std::sin(angle / 2), 1, 1e-15) << angle;
@@ -72,7 +73,7 @@ TEST(Quaternion, ExpKeepsTheDigitsOfATinyTurn) {
   }
 }
 
-TEST(Quaternion, LogUndoesExpUpToPi) {
+TEST(Quaternion, LogIsTheInverseOfExpUpToPi) {
   RandomStream random(1, "log");
   for (const double angle : angles()) {
     for (int i = 0; i < 20; ++i) {
@@ -85,7 +86,7 @@ TEST(Quaternion, LogUndoesExpUpToPi) {
   }
 }
 
-TEST(Quaternion, LogOfHalfATurnIsOfLengthPi) {
+TEST(Quaternion, LogOfHalfATurnHasNormPi) {
   RandomStream random(1, "half turn");
   for (int i = 0; i < 100; ++i) {
     const Vector3d axis = random_direction(random);
@@ -95,13 +96,13 @@ TEST(Quaternion, LogOfHalfATurnIsOfLengthPi) {
   }
 }
 
-TEST(Quaternion, LogTakesTheShorterWay) {
+TEST(Quaternion, LogIsTheShorterRotation) {
   const Vector3d axis = Vector3d(1, 2, -2) / 3;
   const Vector3d e = quaternion_log<double>(quaternion_exp<double>(axis * (pi + 0.5)));
   EXPECT_LT((e - axis * (0.5 - pi)).norm(), 1e-14);
 }
 
-TEST(Quaternion, RotationMatrixIsARotation) {
+TEST(Quaternion, RotationMatrixIsOrthonormal) {
   RandomStream random(1, "orthonormal");
   for (int i = 0; i < 1000; ++i) {
     const Vector4d q =
@@ -115,7 +116,7 @@ TEST(Quaternion, RotationMatrixIsARotation) {
 }
 
 TEST(Quaternion, FromMatrixInEachOfShepperdsCases) {
-  // the largest of w, x, y, z decides the case; ties lie between two
+  // the largest of w, x, y, z decides the case; ties lie between two cases
   const std::vector<Vector4d> cases = {{1, 0, 0, 0},          {0, 1, 0, 0},          {0, 0, 1, 0},
                                        {0, 0, 0, 1},          {0.9, 0.1, -0.2, 0.3}, {0.1, 0.9, -0.2, 0.3},
                                        {0.1, -0.2, 0.9, 0.3}, {0.2, 0.1, -0.3, 0.9}, {1, 1, 1, 1},
@@ -130,7 +131,7 @@ TEST(Quaternion, FromMatrixInEachOfShepperdsCases) {
   }
 }
 
-TEST(Quaternion, FromMatrixUndoesRotationMatrix) {
+TEST(Quaternion, FromMatrixIsTheInverseOfRotationMatrix) {
   RandomStream random(1, "matrix");
   for (int i = 0; i < 1000; ++i) {
     Vector4d q = Vector4d(random.normal(), random.normal(), random.normal(), random.normal()).normalized();
@@ -165,13 +166,13 @@ TEST(RightJacobian, AgreesWithDifferences) {
   }
 }
 
-TEST(RightJacobian, DoesNotJumpWhereTheSeriesEnds) {
+TEST(RightJacobian, IsContinuousWhereTheSeriesEnds) {
   const Vector3d axis = Vector3d(2, -1, 2) / 3;
   const Matrix3d below = right_jacobian(axis * 0.999999e-4), above = right_jacobian(axis * 1.000001e-4);
   EXPECT_LT((below - above).norm(), 1e-9);
 }
 
-TEST(RightJacobian, LeavesTheAxisAlone) {
+TEST(RightJacobian, LeavesTheAxisUnchanged) {
   RandomStream random(1, "right jacobian axis");
   for (const double angle : angles()) {
     const Vector3d axis = random_direction(random);

@@ -12,9 +12,9 @@ namespace {
 
 constexpr int draws = 100000;
 
-// Values of an implementation of its own (Python integers): a stream is the same on every machine and
-// forever.
-TEST(RandomStream, GivesTheRecordedDraws) {
+// Values of an independent implementation (Python integers): a stream is the same on every machine and in
+// every release.
+TEST(RandomStream, MatchesTheRecordedDraws) {
   RandomStream random(1, "recorded");
   EXPECT_EQ(random.bits(), 0x693a47c8e27df397u);
   EXPECT_EQ(random.bits(), 0x78e4d0eb77236977u);
@@ -23,7 +23,7 @@ TEST(RandomStream, GivesTheRecordedDraws) {
   EXPECT_EQ(RandomStream(1, "").bits(), 0x85f54936022ef6d0u);
 }
 
-TEST(RandomStream, GivesTheRecordedNormals) {
+TEST(RandomStream, MatchesTheRecordedNormals) {
   RandomStream random(1, "recorded");
   EXPECT_NEAR(random.normal(), -2.474625506519008, 1e-14);
   EXPECT_NEAR(random.normal(), -0.772215340249533, 1e-14);
@@ -48,14 +48,14 @@ TEST(RandomStream, NormalsHaveTheirMoments) {
     third += x * x * x / draws;
     fourth += x * x * x * x / draws;
   }
-  const double sigmas = 4 / std::sqrt(draws);  // times the standard deviation of x^k
+  const double sigmas = 4 / std::sqrt(draws);  // in units of the standard deviation of x^k
   EXPECT_NEAR(first, 0, sigmas);
   EXPECT_NEAR(second, 1, sigmas * std::sqrt(2));
   EXPECT_NEAR(third, 0, sigmas * std::sqrt(15));
   EXPECT_NEAR(fourth, 3, sigmas * std::sqrt(96));
 }
 
-TEST(RandomStream, TheTwoNormalsOfAPairAreUnrelated) {
+TEST(RandomStream, TheTwoNormalsOfAPairAreUncorrelated) {
   RandomStream random(3, "pairs");
   double product = 0, of_squares = 0;
   for (int i = 0; i < draws; ++i) {
@@ -67,7 +67,7 @@ TEST(RandomStream, TheTwoNormalsOfAPairAreUnrelated) {
   EXPECT_NEAR(of_squares, 0, 4 * 2 / std::sqrt(draws));
 }
 
-TEST(RandomStream, UniformFillsItsRangeEvenly) {
+TEST(RandomStream, UniformCoversItsRangeEvenly) {
   RandomStream random(4, "uniform");
   std::vector<int> bins(20);
   double low = 1, high = 0;
@@ -91,7 +91,7 @@ TEST(RandomStream, UniformFillsItsRangeEvenly) {
   }
 }
 
-TEST(RandomStream, BelowGivesEveryNumberBelow) {
+TEST(RandomStream, BelowCoversEveryValue) {
   RandomStream random(5, "below");
   std::vector<int> counts(7);
   for (int i = 0; i < draws; ++i) {
@@ -125,15 +125,14 @@ TEST(RandomStream, BelowAtItsBounds) {
   }
 }
 
-/// The correlation of n draws of two streams is normal with standard deviation 1/sqrt(n) when they are
-/// unrelated.
+/// The correlation of n draws of two uncorrelated streams is normal with standard deviation 1/sqrt(n).
 double correlation(RandomStream a, RandomStream b) {
   double sum = 0;
   for (int i = 0; i < draws; ++i) sum += a.normal() * b.normal() / draws;
   return sum;
 }
 
-TEST(RandomStream, NearNamesAndNearSeedsAreUnrelated) {
+TEST(RandomStream, SimilarNamesAndSeedsAreUncorrelated) {
   const double limit = 4 / std::sqrt(draws);
   EXPECT_NEAR(correlation({1, "a"}, {1, "a"}), 1, 0.02) << "the measure itself";
   EXPECT_NEAR(correlation({1, "plant"}, {1, "plans"}), 0, limit);
@@ -142,7 +141,7 @@ TEST(RandomStream, NearNamesAndNearSeedsAreUnrelated) {
   EXPECT_NEAR(correlation({1, ""}, {1, "x"}), 0, limit);
 }
 
-TEST(RandomStream, DrawingFromOneLeavesTheOthersAlone) {
+TEST(RandomStream, DrawingFromOneDoesNotChangeAnother) {
   RandomStream busy(9, "busy"), calm(9, "calm"), alone(9, "calm");
   for (int i = 0; i < 100; ++i) {
     for (int k = 0; k <= i; ++k) busy.normal();
@@ -150,9 +149,9 @@ TEST(RandomStream, DrawingFromOneLeavesTheOthersAlone) {
   }
 }
 
-TEST(RandomStream, ACopyGoesOnWhereTheOriginalWas) {
+TEST(RandomStream, ACopyContinuesTheSequence) {
   RandomStream original(10, "copy");
-  original.normal();  // half of a pair is kept back
+  original.normal();  // the second half of a pair is buffered
   RandomStream copy = original;
   for (int i = 0; i < 5; ++i) ASSERT_EQ(copy.normal(), original.normal());
 }

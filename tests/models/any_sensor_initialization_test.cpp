@@ -1,5 +1,5 @@
-// Landmarks born from what any sensor on any vehicle sees: being born undoes being seen, and the Jacobians
-// are those of differences through the charts.
+// Landmark initialization for any sensor on any vehicle: the inverse of the measurement model, with Jacobians
+// equal to finite differences through the charts.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,8 +12,8 @@ namespace {
 
 using namespace sensor_cases;
 
-/// A landmark told along the axes of another's birth, which are a constant while all else errs. `keep`: its
-/// inverse depth is what is known beforehand, and that is known along those axes.
+/// Change of an initialized landmark to the axes of another initialization, which stay constant under errors
+/// of the pose. `keep`: the inverse depth is prior knowledge along those axes and keeps its value.
 SmallVector chart_transition_jacobian(const AnyInitialization& initialized, const AnyInitialization& in,
                                       bool keep) {
   if (initialized.landmark.size() != 6) return initialized.landmark;
@@ -26,7 +26,7 @@ SmallVector chart_transition_jacobian(const AnyInitialization& initialized, cons
   return y;
 }
 
-/// A vehicle and what its sensor measured of a point.
+/// A vehicle and what its sensor measures of a point.
 void for_every_initialization(
     const std::function<void(const Case&, const SmallVector& z, const AnyInitialization&)>& with) {
   int tried = 0;
@@ -45,13 +45,13 @@ void for_every_initialization(
   EXPECT_GT(tried, 300);
 }
 
-TEST(AnySensor, BeingBornUndoesBeingSeen) {
+TEST(AnySensor, InitializationIsTheInverseOfTheMeasurement) {
   for_every_initialization([](const Case& c, const SmallVector& z, const AnyInitialization& initialized) {
     const auto again =
         predict_measurement(c.sensor, c.motion, c.vehicle, initialized.form, initialized.landmark);
     ASSERT_TRUE(again) << c.name();
     EXPECT_LE(minus(chart_of(c.sensor), again->z, z).norm(), 1e-7) << c.name();
-    // To first order too: a vehicle that errs carries its landmark along, so that it is seen where it was
+    // To first order too: a pose error displaces the landmark so that the predicted measurement stays
     const SmallMatrix stays = again->Hv + again->Hl * initialized.Jv;
     EXPECT_LE(stays.norm(), 1e-8 * (1 + again->Hv.norm())) << c.name();
     const SmallMatrix as_seen = again->Hl * initialized.Jz;
@@ -59,7 +59,7 @@ TEST(AnySensor, BeingBornUndoesBeingSeen) {
     EXPECT_EQ(initialized.Jd.size() == 0, measures_distance(c.sensor));
     if (!measures_distance(c.sensor)) {
       EXPECT_LE((again->Hl * initialized.Jd).norm(), 1e-12)
-          << "the distance is not seen from where it was born";
+          << "the distance is unobservable from the initial pose";
       EXPECT_EQ(initialized.landmark[initialized.landmark.size() - 1], 0.25);
       return;
     }
@@ -70,14 +70,14 @@ TEST(AnySensor, BeingBornUndoesBeingSeen) {
   });
 }
 
-TEST(AnySensor, BirthsHaveTheJacobiansOfDifferences) {
+TEST(AnySensor, InitializationJacobiansEqualDifferences) {
   for_every_initialization([](const Case& c, const SmallVector& z, const AnyInitialization& initialized) {
     const bool keep = !measures_distance(c.sensor);
     const auto initialization = [&](const SmallVector& x, const SmallVector& seen, double inverse) {
       return chart_transition_jacobian(*initialize_landmark(c.sensor, c.motion, x, seen, inverse),
                                        initialized, keep);
     };
-    // A disparity of a pixel more or less is another place: what differences miss grows with its inverse
+    // One pixel of disparity changes the distance: the truncation error of differences grows with its inverse
     const double disparity = z.size() == 3 ? z[0] - z[2] : 1e9;
     if (disparity < 2) return;
     expect_jacobian(initialized.Jv,

@@ -1,5 +1,5 @@
-// Any sensor on any vehicle that it fits: what it tells is where the point is, its Jacobians are those of
-// differences through the charts, and what does not fit says why.
+// Any sensor on any vehicle that it fits: correct measurements, Jacobians equal to finite differences through
+// the charts, and refusals with a reason.
 #include "incognita/models/any_sensor.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,8 @@ namespace {
 
 using namespace sensor_cases;
 
-/// What a sensor should measure of a point, by the names of its numbers; NAN for a name that is not known here.
+/// Expected measurement of a point, by the names of its components; NAN for a name without an expected value
+/// here.
 struct Expected {
   SmallVector z;
   bool in_view = true;
@@ -47,7 +48,7 @@ Expected expected_of(const Case& c) {
   return expected;
 }
 
-TEST(AnySensor, TellsWhereThePointIs) {
+TEST(AnySensor, MeasurementsHaveTheExpectedValues) {
   for_every_case([](const Case& c) {
     if (c.point.size() == 0) return;
     const auto prediction = c.predict();
@@ -65,7 +66,7 @@ TEST(AnySensor, TellsWhereThePointIs) {
   });
 }
 
-TEST(AnySensor, LooksHaveTheJacobiansOfDifferences) {
+TEST(AnySensor, MeasurementJacobiansEqualDifferences) {
   for_every_case([](const Case& c) {
     const auto prediction = c.predict();
     ASSERT_TRUE(prediction) << c.name();
@@ -89,7 +90,7 @@ TEST(AnySensor, LooksHaveTheJacobiansOfDifferences) {
                     "Hl, " + c.name());
   });
 }
-TEST(AnySensor, TellsNothingOfWhatItCannotSee) {
+TEST(AnySensor, RefusesWhatIsOutsideItsFieldOfView) {
   for (const AnyMotion& motion : motions())
     for (const AnySensor& sensor : sensors()) {
       if (!incompatibility(motion, sensor).empty() || dimensions_of(sensor) == 1) continue;
@@ -106,7 +107,7 @@ TEST(AnySensor, TellsNothingOfWhatItCannotSee) {
     }
 }
 
-TEST(AnySensor, PositionsHaveTheJacobiansOfDifferences) {
+TEST(AnySensor, PositionJacobiansEqualDifferences) {
   for (const AnyMotion& motion : motions())
     for (const SmallVector& x : states(motion)) {
       const AnyPoint at = position_of(motion, x);
@@ -134,7 +135,7 @@ TEST(AnySensor, PositionsHaveTheJacobiansOfDifferences) {
   });
 }
 
-TEST(AnySensor, AVehicleOnTheFloorIsAtHeightNothingInSpace) {
+TEST(AnySensor, APlanarVehicleIsAtHeightZero) {
   for (const AnyMotion& motion : motions())
     for (const SmallVector& x : states(motion))
       for (const int dimensions : {1, 2, 3}) {
@@ -147,29 +148,29 @@ TEST(AnySensor, AVehicleOnTheFloorIsAtHeightNothingInSpace) {
       }
 }
 
-TEST(AnySensor, LinearityIndexIsFourSpreadsOverTheDistanceTimesTheCosineOfTheParallax) {
+TEST(AnySensor, LinearityIndexIsFourSigmaOverDistanceTimesCosineOfParallax) {
   const LandmarkParametrization far{LandmarkParametrization::Kind::inverse_depth, {1, 0, 0, 0}};
-  const double sigma = 0.01, d = 4, spread_m = sigma * d * d;  // of the distance
+  const double sigma = 0.01, d = 4, spread_m = sigma * d * d;  // sigma of the distance
   const SmallVector on_plane = vec({1, 2, 0, 1 / d}),
                     in_space = vec({1, 2, 3, 0, 0, 1 / d});  // along +x, along +z
   const auto index = [&](const SmallVector& y, const SmallVector& from) {
     return linearity_index(far, y, sigma * sigma, from);
   };
-  EXPECT_EQ(linearity_index({}, vec({1, 2}), sigma * sigma, vec({0, 0})), 0) << "a point is one";
-  EXPECT_NEAR(index(on_plane, vec({1, 2})), 4 * spread_m / d, 1e-12) << "from where it was born";
+  EXPECT_EQ(linearity_index({}, vec({1, 2}), sigma * sigma, vec({0, 0})), 0) << "zero for a point";
+  EXPECT_NEAR(index(on_plane, vec({1, 2})), 4 * spread_m / d, 1e-12) << "from the initial pose";
   EXPECT_NEAR(index(in_space, vec({1, 2, 3})), 4 * spread_m / d, 1e-12);
-  EXPECT_NEAR(index(on_plane, vec({1 + d, 7})), 0, 1e-12) << "at a right angle its distance is seen";
+  EXPECT_NEAR(index(on_plane, vec({1 + d, 7})), 0, 1e-12) << "at a right angle the distance is observable";
   EXPECT_NEAR(index(in_space, vec({1, 9, 3 + d})), 0, 1e-12);
-  const double c = std::cos(1.0), s = std::sin(1.0);  // 2 m away, under a parallax of 1 rad
+  const double c = std::cos(1.0), s = std::sin(1.0);  // 2 m away, parallax 1 rad
   EXPECT_NEAR(index(on_plane, vec({1 + d - 2 * c, 2 + 2 * s})), 4 * spread_m / 2 * c, 1e-12);
   EXPECT_NEAR(index(in_space, vec({1, 2 + 2 * s, 3 + d - 2 * c})), 4 * spread_m / 2 * c, 1e-12);
   for (const double inverse : {0.0, -0.1}) {
-    EXPECT_GT(index(vec({1, 2, 0, inverse}), vec({0, 0})), 1e6) << "infinity is no point";
+    EXPECT_GT(index(vec({1, 2, 0, inverse}), vec({0, 0})), 1e6) << "a landmark at infinity is not converted";
     EXPECT_GT(index(vec({1, 2, 3, 0, 0, inverse}), vec({0, 0, 0})), 1e6);
   }
 }
 
-TEST(AnySensor, WhatDoesNotFitSaysWhy) {
+TEST(AnySensor, IncompatibleVehicleIsRefusedWithTheReason) {
   const auto sensor_list = sensors();
   for (const AnyMotion& motion : motions())
     for (const AnySensor& sensor : sensor_list) {
@@ -181,7 +182,7 @@ TEST(AnySensor, WhatDoesNotFitSaysWhy) {
         EXPECT_EQ(why, "") << traits_of(motion).name << ", " << traits_of(sensor).name;
       }
       if (!why.empty()) {
-        EXPECT_GT(why.size(), 40u) << "a reason, in words";
+        EXPECT_GT(why.size(), 40u) << "the reason as a sentence";
       }
     }
   const auto says = [](const AnyMotion& motion, const AnySensor& sensor, const char* part) {
@@ -189,9 +190,9 @@ TEST(AnySensor, WhatDoesNotFitSaysWhy) {
         << incompatibility(motion, sensor);
   };
   says(MonobotMotion{}, BearingSensor{}, "a bearing says nothing there");
-  says(DifferentialDrive{}, RelativePositionSensor{}, "belongs to a vehicle on a line");
-  says(FreeCameraMotion{}, RelativePositionSensor{}, "belongs to a vehicle on a line");
-  says(FreeCameraMotion{}, RangeBearingSensor{}, "nothing of where a body is in space");
+  says(DifferentialDrive{}, RelativePositionSensor{}, "needs a vehicle on a line");
+  says(FreeCameraMotion{}, RelativePositionSensor{}, "needs a vehicle on a line");
+  says(FreeCameraMotion{}, RangeBearingSensor{}, "cannot localize a body in space");
   says(TerrainVehicle{}, BearingSensor{}, "tilts with the vehicle");
 }
 

@@ -1,4 +1,4 @@
-// A bearing alone: what is not seen, birth, the way to a point and when it may be gone.
+// Bearing-only measurements: undefined cases, initialization, conversion to a point and the linearity index.
 #include "incognita/models/bearing.hpp"
 
 #include <gtest/gtest.h>
@@ -31,14 +31,14 @@ TEST(Bearing, IsTheSecondRowOfRangeAndBearing) {
     }
 }
 
-TEST(Bearing, NoBearingOfThePlaceOfTheSensor) {
+TEST(Bearing, IsUndefinedAtTheSensor) {
   EXPECT_FALSE(Bearing::predict_measurement({1, 2, 3}, {1, 2}));
   EXPECT_FALSE(Bearing::predict_measurement({1, 2, 3}, {1 + 1e-7, 2}));
   EXPECT_FALSE(PlanarInverseDistance::predict_measurement({1, 2, 3}, {0, 2, 0, 1}));
   EXPECT_FALSE(PlanarInverseDistance::predict_measurement({1e6, 2, 3}, {0, 2, 0, 1e-6}));
 }
 
-TEST(PlanarInverseDistance, BirthUndoesLook) {
+TEST(PlanarInverseDistance, InitializationIsTheInverseOfTheMeasurement) {
   for (const Vector3d& pose : poses())
     for (const double bearing : {0.0, 1e-9, pi / 2, -pi / 2, pi - 1e-7, -pi + 1e-7, -2.5})
       for (const double inverse : {0.0, 1e-9, 0.5, 100.0}) {
@@ -47,14 +47,14 @@ TEST(PlanarInverseDistance, BirthUndoesLook) {
         ASSERT_TRUE(prediction);
         EXPECT_NEAR(wrap_angle(prediction->z[0] - bearing), 0, 2e-15);
         EXPECT_EQ(initialized.landmark[3], inverse);
-        // To first order too: the pose's error moves the landmark with it, so what is seen stays
+        // To first order too: a pose error displaces the landmark so that the predicted bearing stays
         EXPECT_LE((prediction->Hv + prediction->Hl * initialized.Jv).norm(),
                   1e-14 * (1 + prediction->Hv.norm()));
         EXPECT_LE((prediction->Hl * initialized.Jz - Eigen::RowVector2d(1, 0)).norm(), 1e-14);
       }
 }
 
-TEST(PlanarInverseDistance, BirthJacobiansAreExact) {
+TEST(PlanarInverseDistance, InitializationJacobiansAreExact) {
   using D = Dual<5>;
   const Vector3d pose(1, -2, 3);
   const auto x = variables<5>(pose);
@@ -66,7 +66,7 @@ TEST(PlanarInverseDistance, BirthJacobiansAreExact) {
   EXPECT_EQ((initialized.Jv - J.leftCols<3>()).norm() + (initialized.Jz - J.rightCols<2>()).norm(), 0);
 }
 
-TEST(PlanarInverseDistance, PointIsExactAndSeenTheSame) {
+TEST(PlanarInverseDistance, PointIsExactAndHasTheSameBearing) {
   using D = Dual<4>;
   for (const Vector4d& y : {Vector4d(1, 2, 0.3, 0.5), Vector4d(-3, 1, pi, 20), Vector4d(0, 0, -2, 1e-3)}) {
     const auto d = variables<4>(y);
@@ -83,17 +83,18 @@ TEST(PlanarInverseDistance, PointIsExactAndSeenTheSame) {
   }
 }
 
-TEST(PlanarInverseDistance, AtInfinityOnlyTurningMatters) {
+TEST(PlanarInverseDistance, AtInfinityOnlyRotationMatters) {
   const Vector4d y(1, 2, 0.3, 0);
   const auto here = PlanarInverseDistance::predict_measurement({5, 6, 1}, y),
              there = PlanarInverseDistance::predict_measurement({-50, 9, 1}, y);
   EXPECT_EQ(here->z[0], there->z[0]);
   EXPECT_EQ(here->Hv, Eigen::RowVector3d(0, 0, -1));
-  EXPECT_NE(here->Hl[3], 0) << "but a look from elsewhere tells the distance";
+  EXPECT_NE(here->Hl[3], 0) << "a measurement from another position depends on the distance";
 }
 
-/// The index by its definition: twice the distance's sigma times the look's second derivative over its first.
-TEST(PlanarInverseDistance, LinearityIndexIsHowMuchTheLookBends) {
+/// The index by its definition: twice the distance's sigma times the second over the first derivative of the
+/// measurement.
+TEST(PlanarInverseDistance, LinearityIndexMeasuresTheCurvature) {
   const Vector4d y(0, 0, 0.4, 0.25);
   const double sigma = 0.02, sigma_distance = sigma / (y[3] * y[3]), e = 1e-3;
   for (const Vector2d& sensor : {Vector2d(1, 0), Vector2d(2, 3), Vector2d(-1, 0.5), Vector2d(5, -1)}) {
@@ -109,11 +110,11 @@ TEST(PlanarInverseDistance, LinearityIndexIsHowMuchTheLookBends) {
   }
 }
 
-TEST(PlanarInverseDistance, NoPointIsAsGoodWhereNothingIsKnown) {
+TEST(PlanarInverseDistance, LinearityIndexRejectsAnUnconstrainedDistance) {
   EXPECT_GT(PlanarInverseDistance::linearity_index({0, 0, 0, 0}, 0.01, {1, 1}), 1e6);
   EXPECT_GT(PlanarInverseDistance::linearity_index({0, 0, 0, -0.1}, 0.01, {1, 1}), 1e6);
   EXPECT_GT(PlanarInverseDistance::linearity_index({0, 0, 0, 1}, 0.01, {1, 0}), 1e6) << "the landmark itself";
-  // seen from its birth it never becomes a point; from abeam it soon does
+  // with zero parallax it never becomes a point; abeam it soon does
   EXPECT_GT(PlanarInverseDistance::linearity_index({0, 0, 0, 0.5}, 0.01, {0, 0}), 0.1);
   EXPECT_LT(PlanarInverseDistance::linearity_index({0, 0, 0, 0.5}, 0.01, {2, 5}), 1e-9);
 }

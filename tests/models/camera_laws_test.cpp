@@ -1,4 +1,4 @@
-// What every camera model obeys. A model joins by one line in the list below.
+// Properties of every camera model. A new model is added by one line in the list below.
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
@@ -28,13 +28,13 @@ struct Example {
 
 using Cameras = ::testing::Types<           //
     Example<WideAngleCamera{}>,             //
-    Example<WideAngleCamera{.kd1 = 9e-6}>,  // a lens of 100 degrees
+    Example<WideAngleCamera{.kd1 = 9e-6}>,  // field of view 100 degrees
     Example<WideAngleCamera{
         .width = 640, .height = 480, .fu = 400, .fv = 420, .u0 = 300, .v0 = 250, .kd1 = 1e-6}>,
-    Example<PinholeCamera{}>,                                                             //
-    Example<PinholeCamera{.k1 = -0.28, .k2 = 0.07, .p1 = 2e-4, .p2 = 2e-5}>,              // EuRoC's lens
-    Example<PinholeCamera{.k1 = 0.26, .k2 = -0.95, .p1 = -5e-3, .p2 = 3e-3, .k3 = 1.16}>  // TUM's first
-    >;
+    Example<PinholeCamera{}>,                                                 //
+    Example<PinholeCamera{.k1 = -0.28, .k2 = 0.07, .p1 = 2e-4, .p2 = 2e-5}>,  // a lens of EuRoC
+    // a lens of TUM RGB-D
+    Example<PinholeCamera{.k1 = 0.26, .k2 = -0.95, .p1 = -5e-3, .p2 = 3e-3, .k3 = 1.16}>>;
 
 template <class E>
 class CameraLaws : public ::testing::Test {
@@ -42,7 +42,7 @@ class CameraLaws : public ::testing::Test {
   static constexpr auto model = E::model;
   using Model = std::remove_const_t<decltype(model)>;
 
-  /// Pixels all over the image, its edges and corners with them.
+  /// Pixels all over the image, including its edges and corners.
   static std::vector<Vector2d> pixels() {
     std::vector<Vector2d> all;
     constexpr int across = 16, down = 12;
@@ -62,7 +62,7 @@ class CameraLaws : public ::testing::Test {
     return all;
   }
 
-  /// Where derivatives are hard: on the axis, beside it, far off it, nearly behind, very near, very far.
+  /// Ill-conditioned points: on the axis, close to it, far off it, nearly behind, very near, very far.
   static std::vector<Vector3d> nasty_points() {
     return {{0, 0, 1},          {0, 0, 1e6},     {1e-12, 0, 1},  {0, -1e-9, 2},  {1e-7, 1e-7, 1e-3},
             {0.3, 0, 1},        {0, 0.3, 1},     {10, 3, 0.1},   {-8, 20, 1e-2}, {1, -1, 1e-4},
@@ -77,9 +77,9 @@ class CameraLaws : public ::testing::Test {
     EXPECT_LE((projection.J - J).norm(), 1e-11 * J.norm()) << "at " << point.transpose() << "\ncoded\n"
                                                            << projection.J << "\nexact\n"
                                                            << J;
-    EXPECT_LE((projection.pixel - plain).norm(), 1e-13 * (1 + plain.norm())) << "project() is not h()";
+    EXPECT_LE((projection.pixel - plain).norm(), 1e-13 * (1 + plain.norm())) << "project() differs from h()";
     EXPECT_LE((J * point).norm(), 1e-12 * J.norm() * point.norm())
-        << "a point's distance along its ray is not seen";
+        << "the distance along the ray is unobservable";
   }
 };
 
@@ -100,14 +100,15 @@ TYPED_TEST(CameraLaws, JacobianIsExactAllOverTheImage) {
 TYPED_TEST(CameraLaws, JacobianIsExactAtNastyPoints) {
   int tried = 0;
   for (const Vector3d& point : this->nasty_points()) {
-    if (!this->model.defined(point)) continue;  // far off the axis, where a polynomial folds over
+    // far off the axis, where the polynomial is no longer monotonic
+    if (!this->model.defined(point)) continue;
     ++tried;
     this->expect_exact_jacobian(point);
   }
   EXPECT_GE(tried, 8);
 }
 
-TYPED_TEST(CameraLaws, UnprojectUndoesProject) {
+TYPED_TEST(CameraLaws, UnprojectIsTheInverseOfProject) {
   for (const Vector3d& point : this->points_in_view()) {
     const auto ray = this->model.unproject(this->model.project(point).pixel);
     ASSERT_TRUE(ray) << point.transpose();
@@ -116,7 +117,7 @@ TYPED_TEST(CameraLaws, UnprojectUndoesProject) {
   }
 }
 
-TYPED_TEST(CameraLaws, ProjectUndoesUnproject) {
+TYPED_TEST(CameraLaws, ProjectIsTheInverseOfUnproject) {
   for (const Vector2d& pixel : this->pixels()) {
     const auto ray = this->model.unproject(pixel);
     ASSERT_TRUE(ray) << pixel.transpose();
@@ -124,7 +125,7 @@ TYPED_TEST(CameraLaws, ProjectUndoesUnproject) {
   }
 }
 
-TYPED_TEST(CameraLaws, RightIsRightAndDownIsDown) {
+TYPED_TEST(CameraLaws, RightAndDownArePositive) {
   const Vector2d center = this->model.project(Vector3d(0, 0, 1)).pixel;
   EXPECT_LE((center - Vector2d(this->model.u0, this->model.v0)).norm(), 1e-12);
   EXPECT_GT(this->model.project(Vector3d(0.1, 0, 1)).pixel.x(), center.x() + 1);
@@ -141,7 +142,7 @@ TYPED_TEST(CameraLaws, BehindTheCameraIsRefused) {
   }
 }
 
-TYPED_TEST(CameraLaws, TheHolderAnswersLikeTheModel) {
+TYPED_TEST(CameraLaws, TheVariantEqualsItsModel) {
   const Camera camera(this->model);
   EXPECT_EQ(camera.width(), this->model.width);
   EXPECT_EQ(camera.height(), this->model.height);
@@ -160,7 +161,7 @@ TYPED_TEST(CameraLaws, TheHolderAnswersLikeTheModel) {
   EXPECT_TRUE(camera.contains({5, 100}, 5));
 }
 
-/// Each way a parameter can be wrong is refused under the parameter's name, by the model and by the holder.
+/// Each kind of invalid parameter is refused with the parameter's name, by the model and by the variant.
 template <class Model, class T>
 void expect_refused(const Model& good, T Model::*parameter, const std::string& parameter_name,
                     std::initializer_list<double> values) {
@@ -177,7 +178,7 @@ void expect_refused(const Model& good, T Model::*parameter, const std::string& p
   }
 }
 
-TYPED_TEST(CameraLaws, BadParametersAreRefusedByName) {
+TYPED_TEST(CameraLaws, InvalidParametersAreRefusedByName) {
   using C = typename TestFixture::Model;
   constexpr double nan = std::numeric_limits<double>::quiet_NaN(),
                    inf = std::numeric_limits<double>::infinity();
@@ -199,7 +200,7 @@ TYPED_TEST(CameraLaws, BadParametersAreRefusedByName) {
 
 }  // namespace
 
-TEST(WideAngleCamera, IsThesis526) {
+TEST(WideAngleCamera, EqualsThesisEquation526) {
   const WideAngleCamera camera{.fu = 200, .fv = 210, .u0 = 160, .v0 = 120, .kd1 = 9e-6};
   // u_c = 100, v_c = -42, d = 1 + 1.8e-5 (10000 + 1764) = 1.211752
   const Vector2d pixel = camera.h<double>(Vector3d(1, -0.4, 2));

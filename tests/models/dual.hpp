@@ -6,7 +6,7 @@
 #include <unsupported/Eigen/AutoDiff>
 
 namespace Eigen {
-/// A whole number does not move with its argument.
+/// An integer has no derivative.
 template <class D>
 auto floor(const AutoDiffScalar<D>& x) {
   using Derivatives = typename internal::remove_all<D>::type::PlainObject;
@@ -16,8 +16,8 @@ auto floor(const AutoDiffScalar<D>& x) {
 
 namespace incognita {
 
-/// A number with its derivatives with respect to N variables. The size is fixed, so that a constant has zero
-/// derivatives and not none.
+/// Dual number with derivatives with respect to N variables. The size is fixed, so that a constant has zero
+/// derivatives instead of an empty vector.
 template <int N>
 using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<double, N, 1>>;
 
@@ -29,7 +29,7 @@ auto variables(const V& x, int first = 0) {
   return dual;
 }
 
-/// dy/dx, one row per number of y.
+/// dy/dx, one row per component of y.
 template <int N, int Rows>
 Eigen::Matrix<double, Rows, N> derivatives(const Eigen::Matrix<Dual<N>, Rows, 1>& y) {
   Eigen::Matrix<double, Rows, N> J(y.size(), N);

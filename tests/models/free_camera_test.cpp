@@ -23,7 +23,7 @@ State at_rest() {
   return x;
 }
 
-TEST(FreeCameraMotion, MovesWithTheNewVelocity) {  // (5.24)
+TEST(FreeCameraMotion, TranslatesWithTheNewVelocity) {  // (5.24)
   State x = at_rest();
   x.segment<3>(7) << 1, -2, 0.5;
   Input u = Input::Zero();
@@ -34,7 +34,7 @@ TEST(FreeCameraMotion, MovesWithTheNewVelocity) {  // (5.24)
   EXPECT_EQ(y.segment<4>(3), Vector4d(1, 0, 0, 0));
 }
 
-TEST(FreeCameraMotion, TurnsAboutItsOwnAxes) {
+TEST(FreeCameraMotion, RotatesAboutItsOwnAxes) {
   State x = at_rest();
   x.segment<4>(3) = quaternion_exp<double>(Vector3d(0, 0, std::numbers::pi / 2));  // camera x is world y
   x.segment<3>(10) << 0.3, 0, 0;
@@ -44,7 +44,7 @@ TEST(FreeCameraMotion, TurnsAboutItsOwnAxes) {
   EXPECT_LT((y.segment<4>(3) - about_world_y).norm(), 1e-15);
 }
 
-TEST(FreeCameraMotion, TwoStepsWithoutInputAreOne) {
+TEST(FreeCameraMotion, TwoStepsWithoutInputEqualOne) {
   RandomStream random(1, "two steps");
   for (int i = 0; i < 100; ++i) {
     State x;
@@ -56,7 +56,7 @@ TEST(FreeCameraMotion, TwoStepsWithoutInputAreOne) {
   }
 }
 
-TEST(FreeCameraMotion, WhereItIsAndWhichWayItFacesDoNotMatter) {
+TEST(FreeCameraMotion, IsInvariantToRigidTransformations) {
   RandomStream random(1, "symmetry");
   State x;
   for (double& number : x) number = random.normal();
@@ -72,7 +72,7 @@ TEST(FreeCameraMotion, WhereItIsAndWhichWayItFacesDoNotMatter) {
   EXPECT_EQ(here.G, there.G);
 }
 
-TEST(FreeCameraMotion, OrientationStaysUnitForAnHourOfFrames) {
+TEST(FreeCameraMotion, QuaternionStaysUnitForAnHourOfFrames) {
   RandomStream random(1, "hour");
   State x = at_rest();
   double worst = 0;

@@ -1,4 +1,4 @@
-// Ground that tests drive on.
+// Terrain for tests.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,23 +8,23 @@
 
 namespace incognita::grounds {
 
-/// 73 degrees steep.
+/// Slope of 73 degrees.
 inline Terrain steep_slope() { return TiltedPlane{.height_m = 2, .slope_x = -2.5, .slope_y = 2}; }
 
-/// Slopes up to a half.
+/// Slopes up to 0.5.
 inline Terrain gentle_waves() {
   return Waves{.height_m = -1,
                .waves = {{.amplitude_m = 1, .length_m = 20, .direction_rad = 0.3},
                          {.amplitude_m = 0.5, .length_m = 15, .direction_rad = 1.9, .phase_rad = 1}}};
 }
 
-/// Slopes up to 4, that is 76 degrees.
+/// Slopes up to 4 (76 degrees).
 inline Terrain steep_waves() {
   return Waves{.waves = {{.amplitude_m = 1, .length_m = 3, .direction_rad = 0},
                          {.amplitude_m = 0.8, .length_m = 2.5, .direction_rad = 1.7, .phase_rad = 2}}};
 }
 
-/// 18 m by 30 m around the origin, smooth hills.
+/// Smooth hills, 18 m by 30 m around the origin.
 inline Terrain small_height_map() {
   Eigen::MatrixXd heights(7, 11);
   for (int i = 0; i < heights.rows(); ++i)

@@ -1,5 +1,5 @@
-// A height map as the ground that it is: whichever way one goes over it, across cells, over its border and
-// past its corners, nothing jumps, and its slopes are those of its heights.
+// Continuity of a height map: across cells, over its border and past its corners neither height nor
+// derivatives jump, and its slopes are those of its heights.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,7 +17,7 @@ constexpr int rows = 6, cols = 5;
 constexpr double spacing_m = 0.7;
 const Vector2d origin(-1.3, 4.1), size((rows - 1) * spacing_m, (cols - 1) * spacing_m);
 
-/// Rough: neighbours differ by up to 2 m.
+/// Rough: neighbors differ by up to 2 m.
 HeightMap rough() {
   RandomStream random(5, "rough");
   Eigen::MatrixXd heights(rows, cols);
@@ -25,7 +25,7 @@ HeightMap rough() {
   return {heights, spacing_m, origin};
 }
 
-/// Whole lines over the map, along the axes, on the seams, and aslant, from outside to outside.
+/// Lines across the whole map, along the axes, on cell borders, and oblique, from outside to outside.
 struct Line {
   Vector2d from, to;
   Vector2d at(double s) const { return from + s * (to - from); }
@@ -49,7 +49,7 @@ std::vector<Line> lines() {
   return all;
 }
 
-TEST(RoughHeightMap, NeitherHeightNorSlopeNorBendingJumpsAnywhere) {
+TEST(RoughHeightMap, HeightSlopeAndCurvatureAreContinuous) {
   const HeightMap map = rough();
   constexpr int steps = 20'000;
   for (const Line& line : lines()) {
@@ -58,7 +58,7 @@ TEST(RoughHeightMap, NeitherHeightNorSlopeNorBendingJumpsAnywhere) {
     for (int i = 1; i <= steps; ++i) {
       const Vector2d at = line.at(i / double(steps));
       const auto now = map.at<double>(at.x(), at.y());
-      // No further than the next derivative allows, which this map has at most so much of
+      // The change is bounded by the next derivative, whose maximum on this map is given
       ASSERT_LE(std::abs(now.height - last.height), 50 * step) << at.transpose();
       ASSERT_LE(std::hypot(now.x - last.x, now.y - last.y), 60 * step) << at.transpose();
       ASSERT_LE(std::hypot(now.xx - last.xx, now.xy - last.xy, now.yy - last.yy), 200 * step)
@@ -68,9 +68,9 @@ TEST(RoughHeightMap, NeitherHeightNorSlopeNorBendingJumpsAnywhere) {
   }
 }
 
-/// Central differences miss the square of their step where the third derivative is the same on both sides,
-/// and the step itself on a seam.
-TEST(RoughHeightMap, SlopesAndBendingsAreThoseOfDifferences) {
+/// The error of central differences is of second order in the step where the third derivative is continuous,
+/// and of first order at a cell border.
+TEST(RoughHeightMap, SlopesAndCurvaturesEqualDifferences) {
   const HeightMap map = rough();
   constexpr double h = 1e-5;
   for (const Line& line : lines())
@@ -86,8 +86,8 @@ TEST(RoughHeightMap, SlopesAndBendingsAreThoseOfDifferences) {
     }
 }
 
-/// Straight on from the border: along the way out the slope stays what it was there.
-TEST(RoughHeightMap, GoesStraightOnBeyondItsBorderAndItsCorners) {
+/// Beyond the border the map continues linearly with the slope at the border.
+TEST(RoughHeightMap, ExtrapolatesLinearlyBeyondItsBorderAndCorners) {
   const HeightMap map = rough();
   const Vector2d end = origin + size;
   for (double s = 0; s <= 1; s += 0.05) {
@@ -103,7 +103,7 @@ TEST(RoughHeightMap, GoesStraightOnBeyondItsBorderAndItsCorners) {
       EXPECT_EQ(beyond_top.yy, 0);
     }
   }
-  // Past a corner it is the twisted plane that the two borders lead to
+  // Past a corner it is the bilinear surface through the two borders
   const auto corner = map.at<double>(end.x(), end.y()), beyond = map.at<double>(end.x() + 3, end.y() + 2);
   EXPECT_NEAR(beyond.height, corner.height + 3 * corner.x + 2 * corner.y + 6 * corner.xy, 1e-9);
   EXPECT_NEAR(beyond.x, corner.x + 2 * corner.xy, 1e-9);

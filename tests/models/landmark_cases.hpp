@@ -1,4 +1,4 @@
-// Cameras, places and errors that tests of landmarks share.
+// Cameras, points and errors shared by the tests of landmarks.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -18,10 +18,10 @@ using Eigen::Vector3d;
 using Eigen::Vector4d;
 inline constexpr int camera_errors = FreeCameraMotion::error_size;
 
-inline constexpr WideAngleCamera wide{.kd1 = 9e-6};  // a lens of 100 degrees
+inline constexpr WideAngleCamera wide{.kd1 = 9e-6};  // field of view 100 degrees
 inline constexpr PinholeCamera pinhole{.k1 = -0.28, .k2 = 0.07, .p1 = 2e-4, .p2 = 2e-5};
 
-/// The camera moved by its error, written out from the definition of the chart.
+/// The camera displaced by its error, from the definition of the chart.
 template <class S>
 FreeCameraMotion::State<S> moved(const CameraState& x, const Eigen::Matrix<S, camera_errors, 1>& e) {
   FreeCameraMotion::State<S> y = x.cast<S>();
@@ -44,7 +44,7 @@ inline Vector3d to_world(const CameraState& x, const Vector3d& in_camera) {
   return x.head<3>() + rotation_matrix<double>(x.segment<4>(3)) * in_camera;
 }
 
-/// In camera axes: ordinary, far off the axis, a millimetre away, very far away.
+/// In camera axes: ordinary, far off the axis, a millimeter away, very far away.
 inline std::vector<Vector3d> ordinary_and_nasty() {
   return {{0.2, -0.1, 1.5}, {0, 0, 2},       {3, 2, 1},           {-9, 0.1, 1},    {30, -40, 1},
           {0, 0, 1e-3},     {1e-3, 0, 1e-3}, {-4e-4, 3e-4, 1e-3}, {2e3, 1e3, 5e3}, {1e-9, -1e-9, 1}};

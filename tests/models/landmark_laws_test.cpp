@@ -1,4 +1,4 @@
-// What a landmark must obey: its Jacobians are those of its own model, and being born undoes being seen.
+// Landmark parametrizations: exact Jacobians, and initialization as the inverse of the measurement.
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
@@ -34,12 +34,12 @@ void check_point_prediction(const Model& model) {
   EXPECT_GE(seen, 5);
 }
 
-TEST(PointLook, JacobiansAreThoseOfTheModel) {
+TEST(PointMeasurement, JacobiansAreExact) {
   check_point_prediction(wide);
   check_point_prediction(pinhole);
 }
 
-TEST(PointLook, NothingBehindTheCamera) {
+TEST(PointMeasurement, IsUndefinedBehindTheCamera) {
   RandomStream random(2, "behind");
   const CameraState x = some_camera(random);
   EXPECT_FALSE(PointLandmark::predict_measurement(Camera(wide), x, to_world(x, {0.1, 0, -1})));
@@ -52,8 +52,8 @@ struct Case {
   CameraState x;
 };
 
-/// Landmarks born at one camera and seen from another near it, with inverse depths from infinity to a
-/// centimetre.
+/// Landmarks initialized at one camera pose and measured from another near it, with inverse depths from
+/// infinity to a centimeter.
 std::vector<Case> inverse_depth_cases() {
   RandomStream random(3, "inverse depth");
   std::vector<Case> cases;
@@ -96,12 +96,12 @@ void check_inverse_depth_prediction(const Model& model) {
   EXPECT_GE(seen, 15);
 }
 
-TEST(InverseDepthLook, JacobiansAreThoseOfTheModel) {
+TEST(InverseDepthMeasurement, JacobiansAreExact) {
   check_inverse_depth_prediction(wide);
   check_inverse_depth_prediction(pinhole);
 }
 
-TEST(InverseDepthLook, IsTheLookOfTheSamePoint) {
+TEST(InverseDepthMeasurement, EqualsThatOfTheSamePoint) {
   int seen = 0;
   for (const Case& c : inverse_depth_cases()) {
     if (!(c.y[5] > 0)) continue;
@@ -110,14 +110,14 @@ TEST(InverseDepthLook, IsTheLookOfTheSamePoint) {
     ASSERT_EQ(prediction.has_value(), point.has_value());
     if (!prediction) continue;
     ++seen;
-    // a place 1e12 m away is known to 1e-4 m, that is to 1e-16 rad
+    // a position 1e12 m away has a resolution of 1e-4 m, i.e. 1e-16 rad
     expect_near(prediction->pixel, point->pixel, 1e-9);
     expect_near(prediction->Hv, point->Hv, 1e-8);
   }
   EXPECT_GE(seen, 10);
 }
 
-TEST(InverseDepthLook, AtInfinityOnlyTurningMatters) {
+TEST(InverseDepthMeasurement, AtInfinityOnlyRotationMatters) {
   for (Case c : inverse_depth_cases()) {
     if (c.y[5] != 0) continue;
     const auto here = c.axes.predict_measurement(Camera(wide), c.x, c.y);
@@ -131,17 +131,17 @@ TEST(InverseDepthLook, AtInfinityOnlyTurningMatters) {
   }
 }
 
-TEST(InverseDepthPoint, IsWhereTheRayIsThatDeep) {
+TEST(InverseDepthPoint, LiesOnTheRayAtItsDepth) {
   RandomStream random(4, "geometry");
   const CameraState x = some_camera(random);
-  const Vector3d seen(0.4, -0.3, 2.5);  // in the axes of birth
+  const Vector3d seen(0.4, -0.3, 2.5);  // in the axes of the initialization
   const InverseDepthLandmark axes{x.segment<4>(3)};
   InverseDepthLandmark::State y;
   y << x.head<3>(), seen.x() / seen.z(), seen.y() / seen.z(), 1 / seen.z();
   expect_near(axes.point(y).position, to_world(x, seen), 1e-14);
 }
 
-TEST(InverseDepthPoint, JacobianIsThatOfTheGeometry) {
+TEST(InverseDepthPoint, JacobianIsExact) {
   for (const Case& c : inverse_depth_cases()) {
     if (!(c.y[5] > 1e-6)) continue;
     const auto y = variables<6>(c.y);
@@ -159,7 +159,7 @@ std::vector<Vector2d> pixels_to_initialize_at() {
   return {{159.5, 119.5}, {160, 100}, {20, 200}, {0, 0}, {319, 239}, {319, 0}, {0, 119.5}};
 }
 
-TEST(Initialization, UndoesTheLook) {
+TEST(Initialization, IsTheInverseOfTheMeasurement) {
   RandomStream random(5, "births");
   for (const Camera& camera : {Camera(wide), Camera(pinhole)})
     for (const Vector2d& pixel : pixels_to_initialize_at())
@@ -173,7 +173,7 @@ TEST(Initialization, UndoesTheLook) {
                 camera, x, initialized->landmark);
         ASSERT_TRUE(prediction);
         EXPECT_LT((prediction->pixel - pixel).norm(), 1e-8);
-        // and to first order: the camera's error moves the landmark with it, so the pixel stays
+        // and to first order: a camera error displaces the landmark so that the pixel stays
         const Eigen::Matrix<double, 2, camera_errors> stays =
             prediction->Hv + prediction->Hl * initialized->Jv;
         EXPECT_LT(stays.norm(), 1e-7 * (1 + prediction->Hv.norm()));
@@ -181,7 +181,7 @@ TEST(Initialization, UndoesTheLook) {
       }
 }
 
-TEST(Initialization, JacobiansAreThoseOfTheRay) {
+TEST(Initialization, JacobiansAreExact) {
   RandomStream random(6, "birth rays");
   for (const Vector2d& at : pixels_to_initialize_at()) {
     const CameraState x = some_camera(random);
@@ -207,7 +207,7 @@ TEST(Initialization, JacobiansAreThoseOfTheRay) {
   }
 }
 
-TEST(Initialization, NothingWhereNoRayReaches) {
+TEST(Initialization, FailsWhereNoRayReaches) {
   // the image of infinity is a circle of radius 1/sqrt(2 kd1) = 236 px
   const CameraState x = (CameraState() << 0, 0, 0, 1, Eigen::Matrix<double, 9, 1>::Zero()).finished();
   EXPECT_TRUE(InverseDepthLandmark::initialize(Camera(wide), x, {159.5 + 235, 119.5}, 0.5));

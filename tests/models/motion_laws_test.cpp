@@ -1,4 +1,4 @@
-// What every registered motion model obeys, and the integrator of each.
+// Properties of every registered motion model and of its integrator.
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
@@ -78,14 +78,15 @@ class MotionLaws : public ::testing::Test {
     return e;
   }
 
-  /// Any state: the chart leads everywhere from a state that it accepts.
+  /// A random state: the chart reaches all states from any valid one.
   static State state(RandomStream& random, double scale) {
     Error e;
     for (double& number : e) number = scale * random.normal();
     return plus(origin(), e);
   }
 
-  /// Where the chart's quaternions begin, in the state: turning four zeros leaves zeros, all else moves.
+  /// First indices of the quaternions in the state: adding an error to four zeros leaves zeros, and changes
+  /// all other parts.
   static std::vector<int> quaternions() {
     std::vector<int> found;
     const State moved = plus(State::Zero(), Error::Constant(0.1));
@@ -103,8 +104,7 @@ class MotionLaws : public ::testing::Test {
     return x;
   }
 
-  /// Calls with(state index, error index, numbers in the state) for each quaternion and each number beside
-  /// them.
+  /// Calls with(state index, error index, count of states) for each quaternion and each other component.
   template <class F>
   static void for_each_part(F with) {
     const std::vector<int> begins = quaternions();
@@ -116,7 +116,7 @@ class MotionLaws : public ::testing::Test {
     }
   }
 
-  /// At rest, slow, ordinary, wild; no time, a frame, long; no input, some, much.
+  /// At rest, slow, ordinary, fast; zero time, one frame, long; zero input, some, much.
   static std::vector<Case> cases() {
     RandomStream random(1, "motion");
     std::vector<Case> all;
@@ -130,7 +130,7 @@ class MotionLaws : public ::testing::Test {
     return all;
   }
 
-  /// The motion itself over `dt`, by many small steps of fourth order.
+  /// The exact motion over `dt`, by many small fourth-order steps.
   static State integrated(const M& model, State x, const Input& u, double dt) {
     constexpr int steps = 16;
     const double h = dt / steps;
@@ -208,7 +208,7 @@ TYPED_TEST(MotionLaws, StepIsF) {
       EXPECT_EQ(model.step(x, u, dt).x, model.template f<double>(x, u, dt));
 }
 
-TYPED_TEST(MotionLaws, NothingHappensInNoTime) {
+TYPED_TEST(MotionLaws, ZeroTimeChangesNothing) {
   using Model = typename TypeParam::Model;
   for (const Model& model : TypeParam::examples())
     for (const auto& [x, u, dt] : this->cases()) {
@@ -219,10 +219,10 @@ TYPED_TEST(MotionLaws, NothingHappensInNoTime) {
     }
 }
 
-/// A step is the motion of rate() to first order at least: halving the time leaves a quarter of what it
-/// misses, where a wrong rate would leave half. What is far smaller than a step's second order is let pass: a
-/// third derivative may jump, as where the cells of a height map meet.
-TYPED_TEST(MotionLaws, AShortStepIsTheContinuousMotion) {
+/// A step agrees with rate() to first order at least: halving dt divides the error by four, where a wrong
+/// rate would halve it. Errors far below the second order of a step pass: a third derivative may jump, e.g.
+/// between cells of a height map.
+TYPED_TEST(MotionLaws, AShortStepFollowsTheRate) {
   using Model = typename TypeParam::Model;
   for (const Model& model : TypeParam::examples())
     for (const auto& [x, u, unused] : this->cases()) {
@@ -240,7 +240,7 @@ TYPED_TEST(MotionLaws, AShortStepIsTheContinuousMotion) {
     }
 }
 
-TYPED_TEST(MotionLaws, InputNoiseAddsUncertaintyAndNeverTakesItAway) {
+TYPED_TEST(MotionLaws, InputNoiseOnlyAddsUncertainty) {
   using Model = typename TypeParam::Model;
   RandomStream random(1, "noise");
   for (const Model& model : TypeParam::examples())
@@ -253,7 +253,7 @@ TYPED_TEST(MotionLaws, InputNoiseAddsUncertaintyAndNeverTakesItAway) {
       EXPECT_LE((noise - noise.transpose()).norm(), 1e-15 * noise.norm());
       const Eigen::VectorXd eigenvalues = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(noise).eigenvalues();
       EXPECT_GE(eigenvalues.minCoeff(), -1e-13 * noise.norm()) << "dt " << dt;
-      if (dt > 1e-3 && u.norm() > 0) {  // a car at rest does not feel its steering
+      if (dt > 1e-3 && u.norm() > 0) {  // steering does not move a car at rest
         const int rank = static_cast<int>((eigenvalues.array() > 1e-12 * eigenvalues.maxCoeff()).count());
         EXPECT_EQ(rank, Model::input_size) << "every input reaches the state";
       }

@@ -1,4 +1,4 @@
-// A camera on a vehicle: where it is, and that its Jacobian is that of the definitions.
+// A camera mounted on a vehicle: its pose, and the exact Jacobian of this pose.
 #include "incognita/models/mount.hpp"
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ std::vector<Vector3d> poses() {
       {0, 0, 0}, {1, -2, std::numbers::pi}, {-3, 4, -3.1415}, {0.1, 0.2, std::numbers::pi / 2}, {7, 7, -2}};
 }
 
-/// The camera of a moved vehicle, written out from the definitions, and the camera's error against `mean`.
+/// The pose of the mounted camera of a displaced vehicle, by definition, as an error about `mean`.
 Eigen::Matrix<double, 6, 3> exact(const Mount& mount, const Vector3<D>& position, const Matrix3<D>& axes,
                                   const CameraState& mean) {
   const Matrix3<D> camera = axes * mount.body_from_camera().cast<D>();
@@ -47,7 +47,7 @@ Eigen::Matrix<double, 6, 3> exact(const Mount& mount, const Vector3<D>& position
   return J;
 }
 
-TEST(Mount, OnAPlanarVehicleTheJacobianIsExact) {
+TEST(Mount, JacobianIsExactOnAPlanarVehicle) {
   for (const Mount& mount : mounts())
     for (const Vector3d& pose : poses()) {
       const auto mounted_pose = mount.on(on_floor(pose));
@@ -60,7 +60,7 @@ TEST(Mount, OnAPlanarVehicleTheJacobianIsExact) {
     }
 }
 
-TEST(Mount, OnUnevenGroundTheJacobianIsExact) {
+TEST(Mount, JacobianIsExactOnUnevenGround) {
   for (const Terrain& ground : {grounds::steep_waves(), grounds::small_height_map(), grounds::steep_slope()})
     for (const Mount& mount : mounts())
       for (const Vector3d& pose : poses()) {
@@ -72,7 +72,7 @@ TEST(Mount, OnUnevenGroundTheJacobianIsExact) {
       }
 }
 
-TEST(Mount, ALookThroughItHasTheVehiclesJacobian) {
+TEST(Mount, MeasurementThroughItHasTheVehiclesJacobian) {
   const TerrainVehicle vehicle{grounds::gentle_waves()};
   const Mount mount{.forward_m = 0.3, .left_m = 0.1, .up_m = 0.5, .pitch_rad = 0.2, .yaw_rad = -0.3};
   for (const Vector3d& pose : poses()) {
@@ -90,7 +90,7 @@ TEST(Mount, ALookThroughItHasTheVehiclesJacobian) {
   }
 }
 
-TEST(Mount, LooksWhereItIsTurned) {
+TEST(Mount, HasTheStatedOrientation) {
   const auto level =
       Mount{.forward_m = 1, .left_m = 2, .up_m = 3}.on(on_floor({10, 20, std::numbers::pi / 2}));
   expect_near(Vector3d(level.camera.head<3>()), Vector3d(8, 21, 3), 1e-15);

@@ -1,4 +1,4 @@
-// The pinhole camera against OpenCV's own, and at the places where a distortion model misbehaves.
+// The pinhole camera against OpenCV's, and where its distortion polynomial is not monotonic.
 #include "incognita/models/pinhole_camera.hpp"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace incognita {
 namespace {
 
-// a barrel lens as published for TUM's freiburg1, and a plain one with strong tangential terms
+// barrel distortion as published for TUM's freiburg1, and strong tangential distortion
 const PinholeCamera freiburg{640, 480, 517.3, 516.5, 318.6, 255.3, 0.2624, -0.9531, -0.0054, 0.0026, 1.1633};
 const PinholeCamera euroc{752,         480,        458.654,    457.296,        367.215, 248.375,
                           -0.28340811, 0.07395907, 0.00019359, 1.76187114e-05, 0};
@@ -64,7 +64,7 @@ TEST(PinholeCamera, UnprojectsAsOpenCv) {
   }
 }
 
-TEST(PinholeCamera, ComesBackFromEveryPixelOfTheImage) {
+TEST(PinholeCamera, UnprojectIsTheInverseOfProjectAtEveryPixel) {
   for (const PinholeCamera& camera : cameras) {
     for (double u = 0; u <= camera.width - 1; u += 9.5) {
       for (double v = 0; v <= camera.height - 1; v += 9.5) {
@@ -77,7 +77,7 @@ TEST(PinholeCamera, ComesBackFromEveryPixelOfTheImage) {
   }
 }
 
-TEST(PinholeCamera, JacobianIsTheSlope) {
+TEST(PinholeCamera, JacobianEqualsDifferences) {
   std::mt19937 random(2);
   for (const PinholeCamera& camera : cameras) {
     for (int i = 0; i < 200; ++i) {
@@ -102,8 +102,8 @@ TEST(PinholeCamera, IsUndefinedBehind) {
   }
 }
 
-// r (1 - 0.3 r^2) turns back at r = 1/sqrt(0.9), where the image is r (2/3)
-TEST(PinholeCamera, EndsWhereTheRadialTermTurnsBack) {
+// r (1 - 0.3 r^2) has its maximum at r = 1/sqrt(0.9), where its value is r (2/3)
+TEST(PinholeCamera, IsUndefinedBeyondTheRadialMaximum) {
   PinholeCamera camera = plain;
   camera.k1 = -0.3;
   const double limit = 1 / std::sqrt(0.9);
@@ -116,9 +116,8 @@ TEST(PinholeCamera, EndsWhereTheRadialTermTurnsBack) {
   EXPECT_FALSE(camera.unproject({camera.u0 + 10 * furthest, camera.v0}));
 }
 
-// beyond a dip the polynomial rises again: a point there is just as undefined, whatever the sign at the point
-// itself
-TEST(PinholeCamera, StaysUndefinedBeyondADip) {
+// Beyond a minimum the polynomial increases again: points there are undefined too, whatever the local slope
+TEST(PinholeCamera, StaysUndefinedBeyondAMinimum) {
   for (const bool with_k3 : {false, true}) {
     PinholeCamera camera = plain;
     camera.k1 = -1;
@@ -130,12 +129,12 @@ TEST(PinholeCamera, StaysUndefinedBeyondADip) {
     };
     double first_turn = 0;
     while (slope(first_turn) > 0 && first_turn < 2) first_turn += 1e-4;
-    ASSERT_GT(slope(2), 0);  // it does rise again
+    ASSERT_GT(slope(2), 0);  // the polynomial does increase again
     for (double r = 0; r < 3; r += 0.01) EXPECT_EQ(camera.defined({r, 0, 1}), r < first_turn) << r;
   }
 }
 
-TEST(PinholeCamera, NeverAnswersNonsense) {
+TEST(PinholeCamera, ResultsAreFiniteOrUndefined) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> k(-2, 2), tangential(-0.1, 0.1), pixel(-500, 900);
   for (int i = 0; i < 3000; ++i) {

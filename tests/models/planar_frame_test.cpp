@@ -1,4 +1,4 @@
-// Frames on the plane: derivatives against automatic differentiation, inverses, and the F of rigid motions.
+// Frames on the plane: Jacobians against automatic differentiation, inverses, and the F of rigid motions.
 #include "incognita/models/planar_frame.hpp"
 
 #include <gtest/gtest.h>
@@ -54,7 +54,7 @@ TEST(PlanarFrame, PosesComposeAndInvert) {
   for (const Vector3d& frame : poses())
     for (const Vector3d& pose : poses()) {
       const planar::FramedPose seen = planar::in_frame(frame, pose), world = planar::inverse(frame);
-      // frame seen from the world, seen from the frame: the identity, and back again
+      // the frame in world axes, the world in frame axes: their composition is the identity
       const planar::FramedPose back = planar::in_frame(world.pose, seen.pose);
       EXPECT_LE((back.pose.head<2>() - pose.head<2>()).norm(), 1e-9 * (1 + frame.norm() + pose.norm()));
       EXPECT_NEAR(wrap_angle(back.pose[2] - pose[2]), 0, 1e-12);
@@ -65,8 +65,8 @@ TEST(PlanarFrame, PosesComposeAndInvert) {
     }
 }
 
-/// One lemma for all vehicles: however a rigid body moves, the same motion from another start ends displaced.
-TEST(PlanarFrame, JacobianBetweenIsEveryVehiclesF) {
+/// A lemma for all vehicles: the F of a rigid motion depends on the two poses alone.
+TEST(PlanarFrame, JacobianBetweenPosesIsTheFOfEveryVehicle) {
   const DifferentialDrive drive{0.7, -0.3};
   const AckermannCar car;
   for (const Vector3d& x : poses())

@@ -1,4 +1,4 @@
-// What every look from a planar pose obeys. A model joins by one line in the list below.
+// Properties of every measurement from a planar pose. A new model is added by one line in the list below.
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
@@ -16,7 +16,8 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// A model with its landmark at a range and a bearing (m, rad) from a pose, in the model's own numbers.
+/// A model with its landmark at a range and a bearing (m, rad) from a pose, in the model's own
+/// parametrization.
 template <class M>
 struct AsPoint : M {
   static constexpr int landmark_size = 2;
@@ -26,7 +27,7 @@ struct AsPoint : M {
 };
 struct AsInverseDistance : PlanarInverseDistance {
   static constexpr int landmark_size = 4;
-  /// Born here, born a little or far away, and infinitely far in that direction.
+  /// Initialized here, initialized at a small and a large distance, and infinitely far in that direction.
   static std::vector<State<double>> landmarks(const Vector3d& pose, const Vector2d& z) {
     const Vector2d at = RangeBearing::j<double>(pose, z);
     std::vector<State<double>> all;
@@ -40,17 +41,17 @@ struct AsInverseDistance : PlanarInverseDistance {
   }
 };
 
-using Looks = ::testing::Types<  //
-    AsPoint<RangeBearing>,       //
-    AsPoint<Bearing>,            //
-    AsInverseDistance            //
+using Measurements = ::testing::Types<  //
+    AsPoint<RangeBearing>,              //
+    AsPoint<Bearing>,                   //
+    AsInverseDistance                   //
     >;
 
 template <class M>
-class PlanarLookLaws : public ::testing::Test {
+class PlanarMeasurementLaws : public ::testing::Test {
  protected:
-  /// Calls with(pose, landmark): ahead, abeam, behind on either side of the wrap, a micrometre and a hundred
-  /// kilometres away.
+  /// Calls with(pose, landmark): ahead, abeam, behind on either side of the wrap, at a micrometer and at a
+  /// hundred kilometers.
   template <class F>
   static void at_nasty_places(F with) {
     constexpr double pi = std::numbers::pi;
@@ -62,9 +63,9 @@ class PlanarLookLaws : public ::testing::Test {
   }
 };
 
-TYPED_TEST_SUITE(PlanarLookLaws, Looks);
+TYPED_TEST_SUITE(PlanarMeasurementLaws, Measurements);
 
-TYPED_TEST(PlanarLookLaws, JacobiansAreExact) {
+TYPED_TEST(PlanarMeasurementLaws, JacobiansAreExact) {
   constexpr int size = TypeParam::landmark_size, all = 3 + size;
   int tried = 0;
   this->at_nasty_places([&](const Vector3d& pose, const Eigen::Matrix<double, size, 1>& landmark) {
@@ -84,7 +85,7 @@ TYPED_TEST(PlanarLookLaws, JacobiansAreExact) {
   EXPECT_GE(tried, 200);
 }
 
-TYPED_TEST(PlanarLookLaws, BearingsAreWrapped) {
+TYPED_TEST(PlanarMeasurementLaws, BearingsAreWrapped) {
   this->at_nasty_places([&](const Vector3d& pose, const auto& landmark) {
     const auto prediction = TypeParam::predict_measurement(pose, landmark);
     if (!prediction) return;
@@ -92,7 +93,7 @@ TYPED_TEST(PlanarLookLaws, BearingsAreWrapped) {
   });
 }
 
-TYPED_TEST(PlanarLookLaws, ANumberThatIsNoneIsNotSeen) {
+TYPED_TEST(PlanarMeasurementLaws, NonFiniteStatesAreUndefined) {
   this->at_nasty_places([&](const Vector3d& pose, auto landmark) {
     landmark[1] = NAN;
     EXPECT_FALSE(TypeParam::predict_measurement(pose, landmark));

@@ -11,7 +11,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// Small steps of a model tend to the circle that a rigid body with constant speed and turn rate drives.
+/// Small steps of a model converge to the circle of a rigid body with constant speed and turn rate.
 Vector3d driven(const DifferentialDrive& vehicle, Vector3d x, const Vector2d& u, double seconds, int steps) {
   for (int i = 0; i < steps; ++i) x = vehicle.step(x, u, seconds / steps).x;
   return x;
@@ -29,7 +29,7 @@ Vector3d on_circle(const DifferentialDrive& vehicle, const Vector3d& x, const Ve
   return {point.x(), point.y(), wrap_angle(after)};
 }
 
-TEST(DifferentialDrive, SmallStepsDriveTheExactCircle) {
+TEST(DifferentialDrive, SmallStepsFollowTheExactCircle) {
   for (const DifferentialDrive vehicle : {DifferentialDrive{}, {0.1, 0}, {3.78, 0.5}, {-1, -2}}) {
     const Vector3d start(1, -2, 2.5);
     const Vector2d u(1.3, 0.8);
@@ -52,7 +52,7 @@ TEST(AckermannCar, LeftRearWheelIsTheSlowerOneInALeftTurn) {
   const double steering = 0.4;
   const Vector2d axle = car.at_axle<double>({1, steering});
   EXPECT_GT(axle[0], 1);
-  // Each wheel of the axle rolls about one centre: that at tan(steering) = wheelbase / radius
+  // Each wheel of the axle rolls about one center: that at tan(steering) = wheelbase / radius
   const double radius = car.wheelbase_m / std::tan(steering);
   EXPECT_NEAR(axle[1], 1 / (radius - car.wheel_left_m), 1e-15);
   EXPECT_NEAR(axle[0], radius * axle[1], 1e-15);

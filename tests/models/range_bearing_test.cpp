@@ -1,4 +1,4 @@
-// Range and bearing: exact Jacobians, birth undoes look, at ordinary and at nasty places.
+// Range and bearing: exact Jacobians, and initialization as the inverse of the measurement.
 #include "incognita/models/range_bearing.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using D = Dual<5>;
 
-/// Ahead, abeam, behind on either side of the wrap, a micrometre and a hundred kilometres away.
+/// Ahead, abeam, behind on either side of the wrap, at a micrometer and at a hundred kilometers.
 std::vector<Vector2d> places() {
   std::vector<Vector2d> all;
   for (const double range : {2e-6, 1e-3, 1.0, 30.0, 1e5})
@@ -48,7 +48,7 @@ TEST(RangeBearing, JacobiansAreExact) {
     }
 }
 
-TEST(RangeBearing, BirthUndoesLook) {
+TEST(RangeBearing, InitializationIsTheInverseOfTheMeasurement) {
   for (const Vector3d& pose : poses())
     for (const Vector2d& z : places()) {
       const auto prediction =
@@ -56,7 +56,7 @@ TEST(RangeBearing, BirthUndoesLook) {
       ASSERT_TRUE(prediction);
       Vector2d difference;
       RangeBearing::chart.minus({prediction->z.data(), 2}, {z.data(), 2}, {difference.data(), 2});
-      // Rounding of positions of some metres, seen from z[0] away
+      // Rounding of positions of some meters at distance z[0]
       EXPECT_LE(std::abs(difference[0]), 1e-15 * (20 + z[0])) << pose.transpose() << " " << z.transpose();
       EXPECT_LE(std::abs(difference[1]), 1e-15 * (20 + 20 / z[0]))
           << pose.transpose() << " " << z.transpose();
@@ -64,7 +64,7 @@ TEST(RangeBearing, BirthUndoesLook) {
     }
 }
 
-TEST(RangeBearing, NoBearingOfThePlaceOfTheSensor) {
+TEST(RangeBearing, IsUndefinedAtTheSensor) {
   EXPECT_FALSE(RangeBearing::predict_measurement({1, 2, 3}, {1, 2}));
   EXPECT_FALSE(RangeBearing::predict_measurement({1, 2, 3}, {1, NAN}));
 }
@@ -77,7 +77,7 @@ TEST(RangeBearing, LeftIsPositiveAndAheadIsZero) {
   EXPECT_NEAR(left->z[1], std::numbers::pi / 2, 1e-15);
 }
 
-TEST(RelativePosition, BirthUndoesLook) {
+TEST(RelativePosition, InitializationIsTheInverseOfTheMeasurement) {
   EXPECT_EQ(RelativePosition::predict_measurement(-1, 1).z[0], 2);
   EXPECT_EQ(RelativePosition::initialize(-1, 2).landmark[0], 1);
   EXPECT_EQ(RelativePosition::predict_measurement(-1, 1).Hv[0], -1);

@@ -1,5 +1,5 @@
-// Examples of every registered motion and sensor, made from what the models declare: a model that joins the registry is
-// tested without a line in any test.
+// Examples of every registered motion model and sensor, generated from what the models declare: a newly
+// registered model is tested without a line in any test.
 #pragma once
 
 #include <cmath>
@@ -15,12 +15,12 @@
 
 namespace incognita::registered {
 
-inline constexpr WideAngleCamera wide_lens{.kd1 = 9e-6};  // of 100 degrees
+inline constexpr WideAngleCamera wide_lens{.kd1 = 9e-6};  // field of view 100 degrees
 inline constexpr PinholeCamera pinhole_lens{.k1 = -0.28, .k2 = 0.07, .p1 = 2e-4, .p2 = 2e-5};
 inline const Mount some_mount{
     .forward_m = 0.2, .left_m = -0.1, .up_m = 0.6, .pitch_rad = -0.2, .yaw_rad = 0.4};
 
-/// A model with every parameter elsewhere in its range.
+/// A model with every parameter at another value of its range.
 template <class Model>
 Model with_other_parameters() {
   Model model;
@@ -37,7 +37,7 @@ Model with_other_parameters() {
   return model;
 }
 
-/// With its defaults, with other parameters, on each of the grounds, with every lens.
+/// With default parameters, with others, on each terrain, with every camera.
 template <class Model>
 std::vector<Model> examples(const std::vector<Terrain>& all_grounds = {grounds::steep_slope(),
                                                                        grounds::gentle_waves(),
@@ -75,7 +75,7 @@ std::vector<Variant> examples_of_all() {
 inline std::vector<AnyMotion> motions() { return examples_of_all<AnyMotion>(); }
 inline std::vector<AnySensor> sensors() { return examples_of_all<AnySensor>(); }
 
-/// States anywhere, and with the heading at the wrap.
+/// Random states, and states with the heading at the wrap.
 inline std::vector<SmallVector> states(const AnyMotion& motion) {
   constexpr double pi = std::numbers::pi;
   RandomStream random(1, "states");

@@ -1,4 +1,4 @@
-// What registered models state about themselves: that it is complete, unambiguous, and true.
+// What registered models declare about themselves is complete, unambiguous and correct.
 #include "incognita/models/registry.hpp"
 
 #include <gtest/gtest.h>
@@ -49,7 +49,7 @@ void expect_sound(const std::vector<ParameterInfo>& parameters, std::string_view
   }
 }
 
-TEST(Registry, NamesAreUniqueAndEveryNumberHasAName) {
+TEST(Registry, NamesAreUniqueAndEveryComponentHasOne) {
   std::set<std::string_view> motions, sensors;
   for (const auto& [traits, parameters] : registered_motions()) {
     EXPECT_TRUE(motions.insert(traits.name).second) << traits.name;
@@ -67,7 +67,7 @@ TEST(Registry, NamesAreUniqueAndEveryNumberHasAName) {
   }
 }
 
-TEST(Registry, NamesMakeModelsAndUnknownOnesNameTheNearest) {
+TEST(Registry, NamesMakeModelsAndUnknownNamesSuggestTheNearest) {
   for (const std::string& name : motion_names()) EXPECT_EQ(traits_of(make_motion(name)).name, name);
   EXPECT_NE(refusal([] { make_motion("ackerman"); }).find("`ackermann`"), std::string::npos);
   for (const auto& [motion, unused] : registered_motions())
@@ -109,14 +109,14 @@ TEST(Registry, ParametersAreSetByTheirKeys) {
     std::set<const double*> places;
     for (const Parameter<Model>& p : parameters_of<Model>()) {
       EXPECT_EQ(p.in(model), p.in(plain) + 0.25) << name << ": " << p.quantity.key();
-      EXPECT_TRUE(places.insert(&p.in(model)).second) << name << ": two parameters are one number";
+      EXPECT_TRUE(places.insert(&p.in(model)).second) << name << ": two parameters refer to the same member";
     }
   };
   for_each_type<AnyMotion>([&]<class M>(std::type_identity<M>) { check(M{}, M::name); });
   for_each_type<AnySensor>([&]<class S>(std::type_identity<S>) { check(S{}, S::name); });
 }
 
-TEST(Registry, AtRestIsWhereItWasPutAndStaysThere) {
+TEST(Registry, StateAtRestKeepsThePoseAndStaysThere) {
   const Eigen::Vector3d position(1.5, -2, 0.7);
   for (const AnyMotion& motion : registered::motions())
     for (const double heading : {0.0, 2.5, -3.0}) {
@@ -141,7 +141,7 @@ TEST(Registry, HeadingIsThatOfThePose) {
     }
 }
 
-TEST(Registry, PosesHaveTheJacobiansOfDifferences) {
+TEST(Registry, PoseJacobiansEqualDifferences) {
   const Chart pose_chart{{Chart::Kind::line, 3}, {Chart::Kind::quaternion, 4}};
   for (const AnyMotion& motion : registered::motions())
     for (const SmallVector& x : registered::states(motion))
@@ -158,7 +158,7 @@ TEST(Registry, PosesHaveTheJacobiansOfDifferences) {
                       std::string(traits_of(motion).name));
 }
 
-/// The motion of rate() by the classical Runge-Kutta method in many steps.
+/// The motion of rate() by many classical Runge-Kutta steps.
 SmallVector integrated(const AnyMotion& motion, SmallVector x, const SmallVector& u, double dt) {
   constexpr int steps = 64;
   const double h = dt / steps;
@@ -170,9 +170,9 @@ SmallVector integrated(const AnyMotion& motion, SmallVector x, const SmallVector
   return x;
 }
 
-/// A filter that moves along the tangent is off to the same side at every step. Integrators miss the third power of a
-/// step at most.
-TEST(Registry, IntegratorsFollowAHeldInput) {
+/// A filter that steps along the tangent has an error to the same side at every step. The error of
+/// integrators is of third order at most.
+TEST(Registry, IntegratorsFollowAConstantInput) {
   RandomStream random(1, "inputs");
   for (const AnyMotion& motion : registered::motions())
     for (const SmallVector& x : registered::states(motion))
@@ -203,7 +203,7 @@ TEST(Quantity, KeysEndWithTheUnit) {
   EXPECT_EQ((Quantity{"slope", ""}.key()), "slope");
 }
 
-TEST(Quantity, ValuesAreFoundByKindAndAMissingOneIsNamed) {
+TEST(Quantity, ValuesAreFoundByKindAndMissingOnesAreNamed) {
   const std::array<Quantity, 3> quantities{
       {{"x", "m", "position"}, {"y", "m", "position"}, {"heading", "rad"}}};
   EXPECT_EQ(values_of(quantities, {{"heading_rad", 3}, {"position_m", 2}}), vec({2, 2, 3}));

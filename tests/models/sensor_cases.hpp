@@ -1,5 +1,5 @@
-// Any sensor on any vehicle that it fits, and what it sees: ordinary and nasty. Tests of all of them share
-// it.
+// Every sensor on every vehicle that it fits, with measured points: ordinary and ill-conditioned. Shared by
+// the tests of all sensors.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ using testing::plus;
 using testing::vec;
 inline constexpr double pi = std::numbers::pi;
 
-/// dy/dx through the charts, from five points: misses the fourth power of `step`.
+/// dy/dx through the charts, from five points: the error is of fourth order in `step`.
 inline SmallMatrix differences(const Chart& of, const SmallVector& x, const Chart& to,
                                const std::function<SmallVector(const SmallVector&)>& f, double step) {
   SmallMatrix J(to.tangent(), of.tangent());
@@ -39,22 +39,22 @@ inline SmallMatrix differences(const Chart& of, const SmallVector& x, const Char
   return J;
 }
 
-inline void expect_jacobian(const SmallMatrix& told, const SmallMatrix& found, const std::string& of) {
-  ASSERT_EQ(told.rows(), found.rows()) << of;
-  ASSERT_EQ(told.cols(), found.cols()) << of;
-  EXPECT_LE((told - found).norm(), 1e-7 * (1e-3 + found.norm())) << of << "\ntold\n"
-                                                                 << told << "\nfound\n"
-                                                                 << found;
+inline void expect_jacobian(const SmallMatrix& J, const SmallMatrix& found, const std::string& of) {
+  ASSERT_EQ(J.rows(), found.rows()) << of;
+  ASSERT_EQ(J.cols(), found.cols()) << of;
+  EXPECT_LE((J - found).norm(), 1e-7 * (1e-3 + found.norm())) << of << "\nanalytic\n"
+                                                              << J << "\nfound\n"
+                                                              << found;
 }
 
-// Every motion with every sensor
+// Every motion model with every sensor
 
 using registered::motions;
 using registered::sensors;
 using registered::states;
 inline const Mount mount = registered::some_mount;
 
-/// The camera's axes and place, from the vehicle's pose and how it is mounted.
+/// Axes and position of the camera, from the vehicle's pose and the mount.
 struct Lens {
   Eigen::Matrix3d axes;
   Eigen::Vector3d position;
@@ -71,7 +71,7 @@ inline Lens lens_on(const AnyMotion& motion, const SmallVector& x) {
   return {body * mount.body_from_camera(), pose.position + body * mount.lever()};
 }
 
-/// The lens of a camera; none of other sensors.
+/// The camera model of a camera; empty for other sensors.
 inline std::optional<Camera> lens_of(AnySensor sensor) {
   return std::visit(
       [](auto& s) -> std::optional<Camera> {
@@ -81,16 +81,16 @@ inline std::optional<Camera> lens_of(AnySensor sensor) {
       sensor);
 }
 
-/// A vehicle and a landmark that it sees.
+/// A vehicle and a landmark in its field of view.
 struct Case {
   const AnyMotion& motion;
   const AnySensor& sensor;
   SmallVector vehicle;
   LandmarkParametrization form;
   SmallVector landmark;
-  Chart chart;        ///< of the landmark
-  SmallVector point;  ///< where it is; empty at infinity and beyond
-  double away_m;      ///< the scale on which its look bends
+  Chart chart;        ///< chart of the landmark
+  SmallVector point;  ///< its position; empty at infinity and beyond
+  double away_m;      ///< scale of the measurement's nonlinearity
 
   std::optional<AnyPrediction> predict() const {
     return predict_measurement(sensor, motion, vehicle, form, landmark);
@@ -109,8 +109,8 @@ inline void add_on_line(std::vector<Case>& all, const AnyMotion& motion, const A
     all.push_back({motion, sensor, x, {}, vec({x[0] + away}), Chart::line(1), vec({x[0] + away}), 1});
 }
 
-/// Ahead, abeam, behind on both sides of the wrap; close and far; for bearings also told by inverse distance,
-/// from where the vehicle is and from elsewhere, up to infinity and past it.
+/// Ahead, abeam, behind on both sides of the wrap; near and far; for bearings also as inverse distance, from
+/// the vehicle's position and from another, up to infinity and past it.
 inline void add_on_plane(std::vector<Case>& all, const AnyMotion& motion, const AnySensor& sensor,
                          const SmallVector& x) {
   for (const double bearing : {0.0, 1.2, pi / 2, -pi / 2, pi, pi - 1e-6, -pi + 1e-6, -2.5})
@@ -139,8 +139,8 @@ inline void add_on_plane(std::vector<Case>& all, const AnyMotion& motion, const 
     }
 }
 
-/// Pixels in the middle, anywhere, and at the edges of the image; close and far; as points and by inverse
-/// depths from another view, up to infinity and past it.
+/// Pixels in the middle, anywhere, and at the edges of the image; near and far; as points and as inverse
+/// depth from another view, up to infinity and past it.
 inline void add_in_space(std::vector<Case>& all, const AnyMotion& motion, const AnySensor& sensor,
                          const SmallVector& x) {
   const Camera camera = *lens_of(sensor);

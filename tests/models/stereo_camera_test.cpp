@@ -1,4 +1,4 @@
-// A stereo camera: exact Jacobians, birth undoes look, and refusals.
+// Stereo camera: exact Jacobians, initialization as the inverse of the measurement, and refusals.
 #include "incognita/models/stereo_camera.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double baseline = 0.12;
 
-/// The pair by its definition: two lenses in one body.
+/// Stereo measurement by definition: two lenses in one body.
 template <class S, class Model>
 Vector3<S> seen(const Model& model, const FreeCameraMotion::State<S>& left, const Vector3<S>& point) {
   const Vector3<S> c = PointLandmark::in_camera<S>(left, point);
@@ -39,7 +39,7 @@ void check_prediction(const Model& model) {
     const auto z =
         seen<Dual<n>>(model, moved<Dual<n>>(x, e), Vector3<Dual<n>>(variables<n>(point, camera_errors)));
     const auto J = derivatives<n, 3>(z);
-    // a point a millimetre away is known to 1e-16 m, so to 1e-13 of its place: 1e-10 of a pixel
+    // a point a millimeter away has a resolution of 1e-16 m, relative 1e-13: 1e-10 pixels
     expect_near(prediction->z, (values<n, 3>(z)), 1e-9);
     expect_near(prediction->Hv, J.template leftCols<camera_errors>(), 1e-8);
     expect_near(prediction->Hl, J.template rightCols<3>(), 1e-8);
@@ -47,13 +47,13 @@ void check_prediction(const Model& model) {
   EXPECT_GE(tried, 5);
 }
 
-TEST(StereoLook, JacobiansAreThoseOfTheModel) {
+TEST(StereoMeasurement, JacobiansAreExact) {
   check_prediction(wide);
   check_prediction(WideAngleCamera{});
   check_prediction(pinhole);
 }
 
-TEST(StereoLook, DisparityIsFocalLengthTimesBaselineOverDepth) {
+TEST(StereoMeasurement, DisparityIsFocalLengthTimesBaselineOverDepth) {
   const PinholeCamera straight{};
   const StereoCamera stereo{Camera(straight), baseline};
   RandomStream random(2, "disparity");
@@ -64,7 +64,7 @@ TEST(StereoLook, DisparityIsFocalLengthTimesBaselineOverDepth) {
   EXPECT_NEAR(prediction->z[1], prediction->right.y(), 1e-9) << "rows are the same without distortion";
 }
 
-TEST(StereoLook, NothingBehindTheCamera) {
+TEST(StereoMeasurement, IsUndefinedBehindTheCamera) {
   RandomStream random(3, "behind");
   const CameraState x = some_camera(random);
   for (const Camera& camera : {Camera(wide), Camera(pinhole)})
@@ -75,7 +75,7 @@ TEST(StereoLook, NothingBehindTheCamera) {
     }
 }
 
-TEST(StereoLook, BothImagesMustHoldIt) {
+TEST(StereoMeasurement, BothImagesMustContainThePoint) {
   const StereoCamera stereo{Camera(WideAngleCamera{}), baseline};
   const CameraState x = (CameraState() << 0, 0, 0, 1, Eigen::Matrix<double, 9, 1>::Zero()).finished();
   EXPECT_TRUE(stereo.contains(*stereo.predict_measurement(x, {0, 0, 1})));
@@ -83,7 +83,7 @@ TEST(StereoLook, BothImagesMustHoldIt) {
   EXPECT_FALSE(stereo.contains(*stereo.predict_measurement(x, {-0.75, 0, 1}))) << "left of the right image";
 }
 
-/// In camera axes: all over the image, and from a hand's breadth to where little disparity is left.
+/// In camera axes: all over the image, and from 0.1 m to distances with little disparity.
 std::vector<Vector3d> where_both_see() {
   std::vector<Vector3d> all;
   for (const double depth : {0.3, 1.0, 5.0, 25.0})
@@ -93,7 +93,7 @@ std::vector<Vector3d> where_both_see() {
   return all;
 }
 
-TEST(StereoBirth, UndoesTheLook) {
+TEST(StereoInitialization, IsTheInverseOfTheMeasurement) {
   RandomStream random(4, "stereo births");
   for (const Camera& camera : {Camera(wide), Camera(WideAngleCamera{}), Camera(pinhole)})
     for (const Vector3d& c : where_both_see()) {
@@ -109,8 +109,8 @@ TEST(StereoBirth, UndoesTheLook) {
     }
 }
 
-/// Against triangulation written out for lenses without distortion, in numbers that know their derivatives.
-TEST(StereoBirth, JacobiansAreThoseOfTriangulation) {
+/// Against triangulation for lenses without distortion, written with dual numbers.
+TEST(StereoInitialization, JacobiansAreThoseOfTriangulation) {
   constexpr int n = camera_errors + 3;
   using D = Dual<n>;
   const WideAngleCamera lens{};
@@ -135,7 +135,7 @@ TEST(StereoBirth, JacobiansAreThoseOfTriangulation) {
   }
 }
 
-TEST(StereoBirth, NothingWithoutEnoughDisparity) {
+TEST(StereoInitialization, FailsWithoutEnoughDisparity) {
   const CameraState x = (CameraState() << 0, 0, 0, 1, Eigen::Matrix<double, 9, 1>::Zero()).finished();
   for (const Camera& camera : {Camera(wide), Camera(pinhole)}) {
     const StereoCamera stereo{camera, baseline, 0.5}, eager{camera, baseline, 0};
@@ -150,7 +150,7 @@ TEST(StereoBirth, NothingWithoutEnoughDisparity) {
   }
 }
 
-TEST(StereoBirth, NothingWhereNoRayReaches) {
+TEST(StereoInitialization, FailsWhereNoRayReaches) {
   // the image of infinity is a circle of radius 236 px
   const CameraState x = (CameraState() << 0, 0, 0, 1, Eigen::Matrix<double, 9, 1>::Zero()).finished();
   const StereoCamera stereo{Camera(wide), baseline};
@@ -159,7 +159,7 @@ TEST(StereoBirth, NothingWhereNoRayReaches) {
   EXPECT_FALSE(stereo.initialize(x, {159.5 + 237, 119.5, 159.5}));
 }
 
-TEST(StereoCamera, WhatCannotBeIsRefused) {
+TEST(StereoCamera, InvalidParametersAreRefused) {
   EXPECT_NO_THROW((StereoCamera{Camera(wide)}.check()));
   for (const double bad : {0.0, -0.1, double(NAN), double(INFINITY)})
     EXPECT_THROW((StereoCamera{Camera(wide), bad}.check()), std::invalid_argument);

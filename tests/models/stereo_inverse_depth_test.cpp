@@ -1,4 +1,5 @@
-// A stereo camera's landmarks told by inverse depth: exact Jacobians, birth undoes look, infinity is a place.
+// Inverse-depth landmarks of a stereo camera: exact Jacobians, initialization as the inverse of the
+// measurement, points at infinity.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,14 +13,14 @@ namespace {
 
 constexpr double baseline = 0.12;
 
-/// A camera, and a landmark that was first seen from elsewhere.
+/// A camera, and a landmark that was initialized from another pose.
 struct Case {
   CameraState x;
   InverseDepthLandmark form;
   InverseDepthLandmark::State y;
 };
 
-/// From close to infinity and past it; born where the camera is, and beside it.
+/// From near to infinity and past it; initialized at the camera's pose, and beside it.
 std::vector<Case> cases() {
   RandomStream random(1, "stereo inverse depths");
   std::vector<Case> all;
@@ -36,8 +37,8 @@ std::vector<Case> cases() {
   return all;
 }
 
-/// The pair by its definition: two lenses in one body. A vector along the landmark has the length that its
-/// inverse depth is told for, and the right lens is seen from as far along it.
+/// Stereo measurement by definition: two lenses in one body. A direction vector along the landmark is scaled
+/// so that its inverse depth refers to it, and the baseline by the inverse depth.
 template <class S, class Model>
 Vector3<S> seen(const Model& model, const InverseDepthLandmark& form, const FreeCameraMotion::State<S>& left,
                 const Eigen::Matrix<S, 6, 1>& y) {
@@ -66,27 +67,27 @@ void check_prediction(const Model& model) {
   EXPECT_GE(tried, 20);
 }
 
-TEST(StereoInverseDepthLook, JacobiansAreThoseOfTheModel) {
+TEST(StereoInverseDepthMeasurement, JacobiansAreExact) {
   check_prediction(wide);
   check_prediction(WideAngleCamera{});
   check_prediction(pinhole);
 }
 
-TEST(StereoInverseDepthLook, IsTheLookOfTheSamePoint) {
+TEST(StereoInverseDepthMeasurement, EqualsThatOfTheSamePoint) {
   const StereoCamera stereo{Camera(wide), baseline};
   for (const Case& c : cases()) {
     if (!(c.y[5] > 0.1)) continue;
-    const auto told = stereo.predict_measurement(c.x, c.form, c.y);
+    const auto by_inverse_depth = stereo.predict_measurement(c.x, c.form, c.y);
     const auto point = stereo.predict_measurement(c.x, c.form.point(c.y).position);
-    ASSERT_TRUE(told && point);
-    expect_near(told->z, point->z, 1e-10);
-    expect_near(told->right, point->right, 1e-10);
-    expect_near(told->Hv, point->Hv, 1e-10);
-    expect_near(told->Hl, point->Hl * c.form.point(c.y).J, 1e-9);
+    ASSERT_TRUE(by_inverse_depth && point);
+    expect_near(by_inverse_depth->z, point->z, 1e-10);
+    expect_near(by_inverse_depth->right, point->right, 1e-10);
+    expect_near(by_inverse_depth->Hv, point->Hv, 1e-10);
+    expect_near(by_inverse_depth->Hl, point->Hl * c.form.point(c.y).J, 1e-9);
   }
 }
 
-TEST(StereoInverseDepthLook, AtInfinityBothSeeTheSame) {
+TEST(StereoInverseDepthMeasurement, HasZeroDisparityAtInfinity) {
   const StereoCamera stereo{Camera(pinhole), baseline};
   for (const Case& c : cases()) {
     if (c.y[5] != 0) continue;
@@ -105,7 +106,7 @@ std::vector<Vector3d> where_both_see() {
   return all;
 }
 
-TEST(StereoDistantBirth, UndoesTheLook) {
+TEST(StereoInverseDepthInitialization, IsTheInverseOfTheMeasurement) {
   RandomStream random(2, "stereo births");
   for (const Camera& camera : {Camera(wide), Camera(WideAngleCamera{}), Camera(pinhole)})
     for (const Vector3d& c : where_both_see()) {
@@ -125,9 +126,9 @@ TEST(StereoDistantBirth, UndoesTheLook) {
     }
 }
 
-/// Against triangulation written out for lenses without distortion, in numbers that know their derivatives.
-/// The axes of birth are a constant: what an erring camera sees is turned into them.
-TEST(StereoDistantBirth, JacobiansAreThoseOfTriangulation) {
+/// Against triangulation for lenses without distortion, written with dual numbers. The axes of the
+/// initialization are constant: measurements of a displaced camera are rotated into them.
+TEST(StereoInverseDepthInitialization, JacobiansAreThoseOfTriangulation) {
   constexpr int n = camera_errors + 3;
   using D = Dual<n>;
   const WideAngleCamera lens{};
@@ -155,7 +156,7 @@ TEST(StereoDistantBirth, JacobiansAreThoseOfTriangulation) {
   }
 }
 
-TEST(StereoDistantBirth, NothingWithoutEnoughDisparity) {
+TEST(StereoInverseDepthInitialization, FailsWithoutEnoughDisparity) {
   const CameraState x = (CameraState() << 0, 0, 0, 1, Eigen::Matrix<double, 9, 1>::Zero()).finished();
   const StereoCamera stereo{Camera(wide), baseline, 0.5};
   EXPECT_TRUE(stereo.initialize_inverse_depth(x, {160, 120, 159}));

@@ -1,4 +1,4 @@
-// The ground: derivatives are those of its height, a height map passes through its heights and is smooth.
+// Terrain: derivatives equal those of the height; a height map interpolates its heights smoothly.
 #include "incognita/models/terrain.hpp"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ std::vector<Terrain> every_kind() {
           grounds::small_height_map()};
 }
 
-/// Anywhere, far away, and where cells of the height map meet, at its corner and beyond.
+/// Anywhere, far away, on cell borders of the height map, at its corner and beyond.
 std::vector<Vector2d> places() {
   std::vector<Vector2d> all{{0, 0},   {-9, -15}, {9, 15},     {-9, 3},    {3, -15}, {9 - 1e-12, 15 - 1e-12},
                             {-20, 4}, {50, 60},  {1e3, -1e3}, {-3, -6.5}, {0.5, 3}, {-12, -18}};
@@ -33,7 +33,7 @@ std::vector<Vector2d> places() {
   return all;
 }
 
-TEST(Terrain, DerivativesAreThoseOfTheHeight) {
+TEST(Terrain, DerivativesEqualThoseOfTheHeight) {
   for (const Terrain& terrain : every_kind())
     for (const Vector2d& at : places()) {
       const auto x = variables<2>(at);
@@ -74,7 +74,7 @@ Eigen::MatrixXd some_heights(int rows, int cols) {
   return heights;
 }
 
-TEST(HeightMap, PassesThroughItsHeights) {
+TEST(HeightMap, InterpolatesItsHeights) {
   for (const auto& [rows, cols] : {std::pair{2, 2}, {2, 5}, {3, 3}, {9, 6}}) {
     const Eigen::MatrixXd heights = some_heights(rows, cols);
     const HeightMap map(heights, 0.25, {-1, 3});
@@ -84,7 +84,7 @@ TEST(HeightMap, PassesThroughItsHeights) {
   }
 }
 
-TEST(HeightMap, IsContinuousToTheSecondDerivativeAcrossCellsAndItsEdge) {
+TEST(HeightMap, IsContinuousToTheSecondDerivativeAcrossCellsAndItsBorder) {
   const HeightMap map(some_heights(5, 4), 1);
   for (const double seam : {0.0, 1.0, 2.0, 3.0, 4.0})
     for (const double beside : {-2.0, 0.3, 1.0, 2.7, 3.5}) {
@@ -101,7 +101,7 @@ TEST(HeightMap, IsExactOnATwistedPlane) {
     for (int k = 0; k < 7; ++k) heights(i, k) = height(1 + 2 * i, -3 + 2 * k);
   const HeightMap map(heights, 2, {1, -3});
   for (const Vector2d& at :
-       {Vector2d(1, -3), {2.2, 3.1}, {9, 9}, {-4, 20}, {30, -8}}) {  // the edge, and beyond
+       {Vector2d(1, -3), {2.2, 3.1}, {9, 9}, {-4, 20}, {30, -8}}) {  // the border, and beyond
     const auto p = map.at<double>(at.x(), at.y());
     EXPECT_NEAR(p.height, height(at.x(), at.y()), 1e-12) << at.transpose();
     EXPECT_NEAR(p.x, -0.3 + 0.05 * at.y(), 1e-12);
@@ -111,7 +111,7 @@ TEST(HeightMap, IsExactOnATwistedPlane) {
   }
 }
 
-TEST(HeightMap, ComesCloserToSmoothGroundWithTheFourthPowerOfItsSpacing) {
+TEST(HeightMap, ConvergesToSmoothGroundWithTheFourthPowerOfItsSpacing) {
   const Terrain ground = grounds::gentle_waves();
   const auto worst = [&](int cells) {
     const double spacing = 60.0 / cells;
@@ -120,7 +120,7 @@ TEST(HeightMap, ComesCloserToSmoothGroundWithTheFourthPowerOfItsSpacing) {
       for (int k = 0; k <= cells; ++k) heights(i, k) = ground.at<double>(spacing * i, spacing * k).height;
     const HeightMap map(heights, spacing);
     double most = 0;
-    for (double x = 20; x < 40; x += 0.37)  // away from the edge, where the true ground is not straight
+    for (double x = 20; x < 40; x += 0.37)  // away from the border, where the true terrain is curved
       for (double y = 20; y < 40; y += 0.41)
         most = std::max(most, std::abs(map.at<double>(x, y).height - ground.at<double>(x, y).height));
     return most;
@@ -129,7 +129,7 @@ TEST(HeightMap, ComesCloserToSmoothGroundWithTheFourthPowerOfItsSpacing) {
   EXPECT_GT(worst(60) / worst(120), 12);
 }
 
-TEST(HeightMap, KnowsWhereItEnds) {
+TEST(HeightMap, HasItsExtent) {
   const Terrain map = HeightMap(Eigen::MatrixXd::Zero(3, 5), 2, {-1, 10});
   EXPECT_TRUE(map.contains(-1, 10));
   EXPECT_TRUE(map.contains(3, 18));
@@ -139,7 +139,7 @@ TEST(HeightMap, KnowsWhereItEnds) {
   EXPECT_TRUE(Terrain().contains(1e9, -1e9));
 }
 
-TEST(Terrain, WhatCannotBeIsRefused) {
+TEST(Terrain, InvalidParametersAreRefused) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(Terrain(TiltedPlane{.slope_x = nan}), std::invalid_argument);
   EXPECT_THROW(Terrain(Waves{.waves = {{.length_m = 0}}}), std::invalid_argument);

@@ -1,5 +1,5 @@
-// A vehicle on uneven ground against contact itself, against the planar vehicle, and against the printed
-// (6.10).
+// A vehicle on uneven ground against the contact condition, against the planar vehicle, and against (6.10) as
+// printed.
 #include "incognita/models/terrain_vehicle.hpp"
 
 #include <gtest/gtest.h>
@@ -36,7 +36,7 @@ std::vector<Vector3d> states() {
 
 std::vector<Vector2d> inputs() { return {{0, 0}, {1.5, 0}, {0, 0.7}, {-0.8, 1.1}, {2, -2}}; }
 
-/// The continuous motion, by many small steps of fourth order.
+/// The continuous motion, by many small fourth-order steps.
 Vector3d driven(const TerrainVehicle& vehicle, Vector3d x, const Vector2d& u, double seconds, int steps) {
   const double h = seconds / steps;
   const auto rate = [&](const Vector3d& at) { return vehicle.rate<double>(at, u); };
@@ -47,7 +47,7 @@ Vector3d driven(const TerrainVehicle& vehicle, Vector3d x, const Vector2d& u, do
   return x;
 }
 
-TEST(TerrainVehicle, AxesAreRightHandedOnTheGround) {
+TEST(TerrainVehicle, AxesAreOrthonormalAndTangentToTheGround) {
   for (const auto& vehicle : vehicles())
     for (const Vector3d& x : states()) {
       const Matrix3d R = vehicle.axes<double>(x);
@@ -55,7 +55,7 @@ TEST(TerrainVehicle, AxesAreRightHandedOnTheGround) {
       EXPECT_NEAR(R.determinant(), 1, 1e-14);
       EXPECT_LE((rotation_matrix(vehicle.pose(x).pose.world_from_body) - R).norm(), 1e-14);
       EXPECT_LE(wrap_angle(std::atan2(R(1, 0), R(0, 0)) - x[2]), 1e-14)
-          << "heading is that of forward from above";
+          << "the heading is that of the forward axis in the plane";
       // The normal, from differences of height alone
       const double e = 1e-5, up = 1 / (2 * e);
       const auto height = [&](double dx, double dy) {
@@ -67,9 +67,8 @@ TEST(TerrainVehicle, AxesAreRightHandedOnTheGround) {
     }
 }
 
-/// Nothing but positions and orientations along the integrated motion: no formula of the model's rate is
-/// used.
-TEST(TerrainVehicle, DrivesAtItsSpeedAlongTheGroundAndTurnsAtItsRateAboutTheNormal) {
+/// From positions and orientations along the integrated motion alone: no formula of the model's rate is used.
+TEST(TerrainVehicle, SpeedIsAlongTheGroundAndTurnRateAboutTheNormal) {
   const double e = 1e-4;
   for (const auto& vehicle : vehicles())
     for (const Vector3d& start : states())
@@ -120,7 +119,7 @@ TEST(TerrainVehicle, PoseJacobianIsExact) {
     }
 }
 
-TEST(TerrainVehicle, JacobiansAreExactOnVerySteepGround) {
+TEST(TerrainVehicle, JacobiansAreExactOnSteepGround) {
   const TerrainVehicle vehicle{grounds::steep_waves()};
   for (const Vector3d& x : states())
     for (const Vector2d& u : inputs()) {
@@ -132,7 +131,7 @@ TEST(TerrainVehicle, JacobiansAreExactOnVerySteepGround) {
     }
 }
 
-TEST(TerrainVehicle, OnLevelGroundIsTheDifferentialDrive) {
+TEST(TerrainVehicle, EqualsTheDifferentialDriveOnLevelGround) {
   const TerrainVehicle vehicle{TiltedPlane{.height_m = 3}};
   for (const Vector3d& x : states())
     for (const Vector2d& u : inputs()) {
@@ -161,14 +160,15 @@ TEST(TerrainVehicle, AStepIsOfFourthOrder) {
   }
 }
 
-TEST(TerrainVehicle, AStepThatDrivesFarSeesTheGroundBetween) {
+TEST(TerrainVehicle, ALongStepFollowsTheGroundInBetween) {
   for (const auto& vehicle : vehicles())
     for (const Vector2d& u : {Vector2d(6, 0), Vector2d(0, 9), Vector2d(-4, 5)}) {
       const Vector3d start(1, 2, 0.4), after = vehicle.f<double>(start, u, 1);
       Vector3d exact = driven(vehicle, start, u, 1, 20000);
       exact[2] = wrap_angle(exact[2]);
       EXPECT_GE(vehicle.pieces<double>(u, 1), 20);
-      // On a slope of 73 degrees a heading seen from above turns up to 3.4 times as fast as the body
+      // On a slope of 73 degrees the heading in the horizontal plane changes up to 3.4 times as fast as the
+      // body rotates
       EXPECT_LT((after - exact).norm(), 0.03) << "u " << u.transpose();
     }
   EXPECT_EQ(TerrainVehicle{}.pieces<double>({1, 1}, 1.0 / 30), 1);
@@ -178,7 +178,7 @@ TEST(TerrainVehicle, AStepThatDrivesFarSeesTheGroundBetween) {
 // ---- (6.10) as printed ----
 
 struct Printed {
-  Vector3d velocity;  ///< of the optic centre
+  Vector3d velocity;  ///< of the optical center
   Vector3d angles;    ///< rates of psi, theta, phi
 };
 
@@ -203,8 +203,8 @@ struct Camera610 {
   Vector3d velocity, angles, angle_rates;
 };
 
-/// What contact says of a camera l ahead of the axle that looks forward, told in a world turned by
-/// `thesis_from_ours`.
+/// Velocities by the contact condition of a camera mounted l ahead of the axle and facing forward, expressed
+/// in a world rotated by `thesis_from_ours`.
 Camera610 by_contact(const TerrainVehicle& vehicle, const Vector3d& x, const Vector2d& u, double l,
                      const Matrix3d& thesis_from_ours) {
   const Mount mount{.forward_m = l};
@@ -219,11 +219,11 @@ Camera610 by_contact(const TerrainVehicle& vehicle, const Vector3d& x, const Vec
           (angles(e) - angles(-e)) / (2 * e)};
 }
 
-Matrix3d y_up() {  // the thesis' world: x right, y up, so z comes towards us
+Matrix3d y_up() {  // the thesis' world: x right, y up, so that z points towards the viewer
   return (Matrix3d() << 1, 0, 0, 0, 0, 1, 0, -1, 0).finished();
 }
 
-TEST(Printed610, IsRightOnAnyPlaneWithARigidLever) {
+TEST(Printed610, IsCorrectOnAnyPlaneWithARigidLever) {
   const double l = 0.3;
   for (const Matrix3d& world : {Matrix3d(Matrix3d::Identity()), y_up()})
     for (const TiltedPlane& plane :
@@ -239,22 +239,22 @@ TEST(Printed610, IsRightOnAnyPlaneWithARigidLever) {
         }
 }
 
-TEST(Printed610, LosesItsLeverWhereZIsUp) {
+TEST(Printed610, HasNoLeverWhereZIsUp) {
   const Vector2d u(0, 1);
   const auto level = by_contact({}, {0, 0, 0.3}, u, 0.3, Matrix3d::Identity());
   EXPECT_NEAR(level.velocity.norm(), 0.3, 1e-8);
   EXPECT_NEAR(gamma(level.angles, 0.3, u, true).velocity.norm(), 0, 1e-8);
 }
 
-TEST(Printed610, DoesNotFollowCurvedGround) {
+TEST(Printed610, LeavesCurvedGround) {
   const TerrainVehicle vehicle{grounds::gentle_waves()};
   const Vector3d x(1, 2, 0.3);
   const auto exact = by_contact(vehicle, x, {1, 0}, 0, y_up());
   const Printed printed = gamma(exact.angles, 0, {1, 0}, true);
   EXPECT_LE((exact.velocity - printed.velocity).norm(), 1e-8);
-  EXPECT_EQ(printed.angles.norm(), 0) << "straight on, it never pitches or rolls";
+  EXPECT_EQ(printed.angles.norm(), 0) << "it drives straight without pitch or roll";
   EXPECT_GT(exact.angle_rates.norm(), 0.02);
-  // and so leaves the ground with the square of the way: straight on along the tangent
+  // and so leaves the ground quadratically in the distance: straight along the tangent
   const Vector3d forward = vehicle.axes<double>(x).col(0);
   const auto off = [&](double way) {
     const Vector3d p = vehicle.position<double>(x) + way * forward;
@@ -262,7 +262,7 @@ TEST(Printed610, DoesNotFollowCurvedGround) {
   };
   EXPECT_GT(off(1), 0.005);
   EXPECT_NEAR(off(0.02) / off(0.01), 4, 0.1);
-  // while the model is on it whatever the step
+  // while the model stays on it for any step
   const Vector3d after = vehicle.f<double>(x, {1, 0}, 1);
   EXPECT_EQ(vehicle.position<double>(after).z(), vehicle.terrain.at<double>(after.x(), after.y()).height);
 }

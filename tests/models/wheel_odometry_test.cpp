@@ -1,5 +1,5 @@
-// What wheels tell of the camera that the vehicle carries: Jacobian, and that a vehicle on uneven ground
-// obeys.
+// Wheel odometry as a measurement of the camera on the vehicle: its Jacobian, and a vehicle on uneven ground
+// satisfies it.
 #include "incognita/models/wheel_odometry.hpp"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ State drawn(RandomStream& random, double scale) {
   return x;
 }
 
-/// h of the state plus an error, the chart written out for dual numbers.
+/// h of the state plus an error, with the chart written for dual numbers.
 template <class S>
 WheelOdometry::Measured<S> moved(const State& x, const Eigen::Matrix<S, 12, 1>& e) {
   FreeCameraMotion::State<S> y = x.cast<S>();
@@ -51,7 +51,7 @@ TEST(WheelOdometry, JacobianIsExact) {
   }
 }
 
-TEST(WheelOdometry, AVehicleOnUnevenGroundObeysIt) {
+TEST(WheelOdometry, HoldsForAVehicleOnUnevenGround) {
   RandomStream random(2, "vehicles");
   for (const Terrain& ground :
        {grounds::gentle_waves(), grounds::steep_slope(), grounds::small_height_map()}) {

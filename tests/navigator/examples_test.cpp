@@ -1,4 +1,4 @@
-// The programs in examples/: they run, print what they promise, and stay short.
+// The programs in examples/ run, print their results, and stay short.
 #include <gtest/gtest.h>
 
 #include <algorithm>

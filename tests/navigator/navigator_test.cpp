@@ -1,4 +1,4 @@
-// The push interface gives the same estimates as the loop, and refuses what cannot be.
+// The push interface gives the same estimates as the loop, and refuses invalid calls.
 #include "incognita/navigator/navigator.hpp"
 
 #include <gtest/gtest.h>
@@ -93,7 +93,7 @@ std::string refusal(const std::function<void(Navigator&)>& act) {
   return "accepted";
 }
 
-TEST(Navigator, RefusesWhatCannotBe) {
+TEST(Navigator, RefusesInvalidCalls) {
   EXPECT_EQ(refusal([](Navigator& n) { n.add_odometry({0, 0}, 3); }), "accepted");
   EXPECT_NE(refusal([](Navigator& n) { n.add_odometry({0, 0}, 2.9); }).find("time order"), std::string::npos);
   EXPECT_NE(refusal([](Navigator& n) { n.advance(2); }).find("2.0"), std::string::npos);

@@ -25,20 +25,20 @@ SyntheticRun off_by(double factor) {
   return run;
 }
 
-TEST(ConsistencySummary, JudgesByTheTruth) {
+TEST(ConsistencySummary, UsesNeesWhereTheTruthIsKnown) {
   const ConsistencyReport right = report_of(off_by(1));
   EXPECT_EQ(right.verdict, Consistency::consistent);
   EXPECT_TRUE(right.symptom.empty() && right.causes.empty());
   EXPECT_NEAR(right.pose.nees->mean, 1, 0.2);
-  EXPECT_EQ(right.pose.frames_with_truth, 117) << "120 less those before the start";
+  EXPECT_EQ(right.pose.frames_with_truth, 117) << "120 minus those before the start";
   const ConsistencyReport over = report_of(off_by(3));
   EXPECT_EQ(over.verdict, Consistency::overconfident);
   EXPECT_GT(over.pose.overconfident_frames, 30);
-  EXPECT_NE(over.symptom.find("the pose is farther off"), std::string::npos);
+  EXPECT_NE(over.symptom.find("pose errors are larger"), std::string::npos);
   EXPECT_EQ(report_of(off_by(0.3)).verdict, Consistency::conservative);
 }
 
-TEST(ConsistencySummary, JudgesByInnovationsWithoutTruth) {
+TEST(ConsistencySummary, UsesInnovationsWithoutTruth) {
   SyntheticRun blind;
   blind.with_truth = false;
   EXPECT_EQ(report_of(blind).verdict, Consistency::consistent);
@@ -49,12 +49,12 @@ TEST(ConsistencySummary, JudgesByInnovationsWithoutTruth) {
       << "the truth is in another frame";
 }
 
-TEST(ConsistencySummary, LowInnovationsAloneAreNoFaultWhereTheTruthIsKnown) {
+TEST(ConsistencySummary, SmallInnovationsAloneAreConsistentWhereTheTruthIsKnown) {
   EXPECT_EQ(report_of(off_by(1), 0.1).verdict, Consistency::consistent);
   EXPECT_EQ(report_of(off_by(1), 4).verdict, Consistency::overconfident);
 }
 
-TEST(ConsistencySummary, NamesSignUnitAndClockFirstWhereNisIsLargeFromTheStart) {
+TEST(ConsistencySummary, SuggestsSignUnitAndClockFirstWhereNisIsLargeFromTheStart) {
   const ConsistencyReport report = report_of(off_by(1), 4);
   EXPECT_NE(report.symptom.find("from the start"), std::string::npos);
   ASSERT_GE(report.causes.size(), 4u);
@@ -72,9 +72,10 @@ TEST(ConsistencySummary, NamesSignUnitAndClockFirstWhereNisIsLargeFromTheStart) 
   EXPECT_EQ(late.report().symptom.find("from the start"), std::string::npos);
 }
 
-// A gate that refuses what does not fit hides it from NIS
+// A gate that rejects inconsistent measurements hides them from NIS
 TEST(ConsistencySummary, CountsMeasurementsOutsideTheirGates) {
-  EXPECT_NEAR(*report_of({}).outlier_share, 1.0 / 6, 1e-9) << "of 8 looks, 5 matched and 1 inconsistent";
+  EXPECT_NEAR(*report_of({}).outlier_share, 1.0 / 6, 1e-9)
+      << "of 8 measurements, 5 matched and 1 inconsistent";
   ConsistencySummary summary(true);
   for (int i = 0; i < 120; ++i) {
     Snapshot snapshot = testing::synthetic_snapshot({}, i);
@@ -90,7 +91,7 @@ TEST(ConsistencySummary, CountsMeasurementsOutsideTheirGates) {
   EXPECT_NE(summary.report().causes.at(0).find("sign"), std::string::npos);
 }
 
-TEST(ConsistencySummary, SaysNothingOfAFewFrames) {
+TEST(ConsistencySummary, HasNoVerdictOnAFewFrames) {
   SyntheticRun run;
   run.frames = 8;
   const ConsistencyReport report = report_of(run);
@@ -99,7 +100,7 @@ TEST(ConsistencySummary, SaysNothingOfAFewFrames) {
   EXPECT_FALSE(report.nis);
 }
 
-/// Two robots on a plane; `off` sigmas from the truth in x.
+/// Two planar robots, with errors in x in sigmas.
 Snapshot team_at(int frame, double first_off, double second_off, bool second_has_truth) {
   Snapshot s;
   s.tick = {frame, 0.1 * frame, 0.1};
@@ -115,7 +116,7 @@ Snapshot team_at(int frame, double first_off, double second_off, bool second_has
   return s;
 }
 
-TEST(ConsistencySummary, OfATeamCountsEachFrameOnceAndEachRobotByItself) {
+TEST(ConsistencySummary, OfATeamCountsFramesPerRobot) {
   ConsistencySummary summary(true);
   for (int i = 0; i < 100; ++i) summary.add(team_at(i, 5, i < 30 ? 5 : 0, i < 60));
   const ConsistencyReport report = summary.report();
@@ -128,11 +129,11 @@ TEST(ConsistencySummary, OfATeamCountsEachFrameOnceAndEachRobotByItself) {
   EXPECT_EQ(report.robots[1].overconfident_frames, 30);
   EXPECT_NEAR(report.robots[0].nees->mean, 25.0 / 3, 1e-9);
   EXPECT_EQ(report.robots[0].verdict(), Consistency::overconfident);
-  // 100 samples of the first, 30 of the second alike, 30 of 0
+  // 100 samples of the first robot, 30 equal ones of the second, 30 of 0
   EXPECT_NEAR(summary.mean_nees(), 25.0 / 3 * 130 / 160, 1e-9);
 }
 
-TEST(ConsistencySummary, OneOverconfidentRobotMakesItsTeamSo) {
+TEST(ConsistencySummary, OneOverconfidentRobotMakesItsTeamOverconfident) {
   ConsistencySummary summary(true);
   for (int i = 0; i < 100; ++i) {
     Snapshot s = team_at(i, 4, 1.7, true);

@@ -1,4 +1,5 @@
-// For its lifetime no file of this process grows beyond a size: a disk that is full, without filling one.
+// Limits the size of the files that this process writes, for the lifetime of the object: a full disk without
+// filling one.
 #pragma once
 
 #include <sys/resource.h>

@@ -20,7 +20,7 @@ Snapshot with_image() {
   return snapshot;
 }
 
-TEST(FramePictures, DrawLooksInTheColorsOfTheirOutcome) {
+TEST(FramePictures, ColorMatchesByOutcome) {
   const testing::Scratch scratch;
   FramePictures(scratch.folder(), 11).publish(with_image());
   const cv::Mat picture = cv::imread((scratch / "frames/frame-000050.png").string());
@@ -39,7 +39,7 @@ TEST(FramePictures, DrawLooksInTheColorsOfTheirOutcome) {
   EXPECT_GT(plain, 640 * 480 / 2);
 }
 
-TEST(FramePictures, DoNotMindNonsenseOrNoImage) {
+TEST(FramePictures, AcceptNonFiniteValuesAndMissingImages) {
   const testing::Scratch scratch;
   FramePictures pictures(scratch.folder(), 11);
   Snapshot snapshot = with_image();
@@ -56,7 +56,7 @@ TEST(FramePictures, DoNotMindNonsenseOrNoImage) {
   EXPECT_FALSE(std::filesystem::exists(scratch / "frames/frame-000051.png"));
 }
 
-TEST(FramePictures, AreWholeOrNotThere) {
+TEST(FramePictures, AreWholeOrAbsent) {
   const testing::Scratch scratch;
   FramePictures pictures(scratch.folder(), 11);
   const testing::FileSizeLimit limit(200);

@@ -17,15 +17,15 @@ SnapshotLandmark mapped(std::int64_t id, double x, double y, bool anchor = false
 
 Survey survey(bool identified) { return {{{1, {0, 0, 0}}, {2, {10, 0, 0}}, {3, {0, 5, 0}}}, identified}; }
 
-TEST(MapSurvey, MatchesByIdentityHoweverFar) {
+TEST(MapSurvey, MatchesByIdentityAtAnyDistance) {
   const std::vector<SnapshotLandmark> map{mapped(1, 3, 0), mapped(2, 10, 4), mapped(9, 0, 5),
                                           mapped(3, 7, 7, true)};
   const auto error = surveyed_map_error(map, survey(true), {});
-  EXPECT_EQ(error.matched, 2) << "one has no surveyed landmark, one is an anchor";
+  EXPECT_EQ(error.matched, 2) << "one landmark is not surveyed, one is an anchor";
   EXPECT_NEAR(error.rms_m, std::sqrt((9.0 + 16) / 2), 1e-12);
 }
 
-TEST(MapSurvey, MatchesByPositionOneToOneWithinReach) {
+TEST(MapSurvey, MatchesByPositionOneToOneWithinAGate) {
   const std::vector<SnapshotLandmark> map{mapped(7, 0.3, 0), mapped(8, 0.6, 0), mapped(9, 10, 2)};
   const auto error = surveyed_map_error(map, survey(false), {});
   EXPECT_EQ(error.matched, 1);

@@ -26,7 +26,7 @@ std::string message(int i, std::size_t bytes = 0) {
   return "{\"x\":" + std::to_string(i) + std::string(bytes, ' ') + "}";
 }
 
-/// `seconds` of ten messages a second of `bytes` each on /a, and of one a second on /b.
+/// Over `seconds`, ten messages per second of `bytes` each on /a, and one per second on /b.
 void fill(McapFile& file, int seconds, std::size_t bytes = 0) {
   const std::uint16_t a = file.add_channel("/a", "test.Number", number_schema);
   const std::uint16_t b = file.add_channel("/b", "test.Number", number_schema);
@@ -36,7 +36,7 @@ void fill(McapFile& file, int seconds, std::size_t bytes = 0) {
   }
 }
 
-TEST(McapFile, HoldsWhatWasWritten) {
+TEST(McapFile, ContainsWhatWasWritten) {
   const Scratch scratch;
   McapFile file(scratch / "run.mcap", "incognita test");
   fill(file, 5);
@@ -57,21 +57,21 @@ TEST(McapFile, HoldsWhatWasWritten) {
   EXPECT_EQ(read.of("/b")[4]->data, message(-40));
 }
 
-TEST(McapFile, WithoutMessagesIsStillOne) {
+TEST(McapFile, WithoutMessagesIsValid) {
   const Scratch scratch;
   {
     McapFile file(scratch / "run.mcap", "incognita test");
-    EXPECT_TRUE(read_mcap(contents(scratch / "run.mcap")).messages.empty());  // while it is open, too
+    EXPECT_TRUE(read_mcap(contents(scratch / "run.mcap")).messages.empty());  // also while it is open
     file.add_channel("/a", "test.Number", number_schema);
   }
   EXPECT_TRUE(read_mcap(contents(scratch / "run.mcap")).schemas.empty());
 }
 
-TEST(McapFile, EndsAChunkAtAMegabyteOrTwoSeconds) {
+TEST(McapFile, ClosesAChunkAtAMegabyteOrTwoSeconds) {
   const Scratch scratch;
   McapFile slow(scratch / "slow.mcap", ""), large(scratch / "large.mcap", "");
   fill(slow, 10);
-  fill(large, 10, 100'000);  // a megabyte a second
+  fill(large, 10, 100'000);  // a megabyte per second
   slow.close();
   large.close();
   EXPECT_EQ(read_mcap(contents(scratch / "slow.mcap")).chunk_sizes.size(), 5u);
@@ -83,7 +83,7 @@ TEST(McapFile, EndsAChunkAtAMegabyteOrTwoSeconds) {
   }
 }
 
-TEST(McapFile, IsWholeWhileItIsWritten) {
+TEST(McapFile, IsReadableWhileItIsWritten) {
   const Scratch scratch;
   McapFile file(scratch / "run.mcap", "");
   const std::uint16_t a = file.add_channel("/a", "test.Number", number_schema);
@@ -98,7 +98,7 @@ TEST(McapFile, IsWholeWhileItIsWritten) {
   EXPECT_GT(last, 0u);
 }
 
-TEST(McapFile, TakesAClockThatJumpsBackAndAChannelThatComesLate) {
+TEST(McapFile, AcceptsAClockThatJumpsBackAndALateChannel) {
   const Scratch scratch;
   McapFile file(scratch / "run.mcap", "");
   const std::uint16_t a = file.add_channel("/a", "test.Number", number_schema);
@@ -120,7 +120,7 @@ TEST(McapFile, SameMessagesSameBytes) {
   EXPECT_FALSE(contents(scratch / "one").empty());
 }
 
-TEST(McapFile, OnAFullDiskKeepsItsWholeChunksAndIsClosed) {
+TEST(McapFile, OnAFullDiskKeepsItsCompleteChunksAndIsClosed) {
   for (const rlim_t bytes : {5'000, 100'000, 2'500'000, 4'000'001}) {
     const Scratch scratch;
     const testing::FileSizeLimit limit(bytes);
@@ -134,7 +134,7 @@ TEST(McapFile, OnAFullDiskKeepsItsWholeChunksAndIsClosed) {
     EXPECT_NE(reason.find("run.mcap"), std::string::npos) << reason;
     EXPECT_NE(reason.find("ulimit"), std::string::npos) << reason;
     EXPECT_FALSE(file.is_open());
-    EXPECT_NO_THROW(file.write(1, 1000 * second, "{}"));  // the failure was told once
+    EXPECT_NO_THROW(file.write(1, 1000 * second, "{}"));  // the failure was reported once
     EXPECT_NO_THROW(file.close());
     const McapContents read = read_mcap(contents(scratch / "run.mcap"));
     EXPECT_EQ(read.chunk_sizes.size(), bytes / 1'060'000) << "as many whole chunks as fit";
@@ -143,7 +143,7 @@ TEST(McapFile, OnAFullDiskKeepsItsWholeChunksAndIsClosed) {
   }
 }
 
-TEST(McapFile, KilledLosesTwoSecondsAtMost) {
+TEST(McapFile, LosesAtMostTwoSecondsWhenKilled) {
   const Scratch scratch;
   const pid_t child = ::fork();
   if (child == 0) {
@@ -157,7 +157,7 @@ TEST(McapFile, KilledLosesTwoSecondsAtMost) {
   EXPECT_GE(read_mcap(contents(scratch / "run.mcap")).count("/a"), 580u);
 }
 
-TEST(McapFile, CutAnywhereStillHasItsWholeChunks) {
+TEST(McapFile, TruncatedAnywhereKeepsItsCompleteChunks) {
   const Scratch scratch;
   McapFile file(scratch / "run.mcap", "");
   fill(file, 10, 1000);
@@ -173,7 +173,7 @@ TEST(McapFile, CutAnywhereStillHasItsWholeChunks) {
   EXPECT_EQ(last, 110u);
 }
 
-TEST(McapFile, SaysWhatItCannotOpen) {
+TEST(McapFile, NamesTheFileThatItCannotOpen) {
   try {
     McapFile("/nowhere/at/all.mcap", "");
     FAIL();
@@ -186,7 +186,7 @@ TEST(McapFile, SaysWhatItCannotOpen) {
   EXPECT_FALSE(std::filesystem::exists(scratch / "run.mcap"));
 }
 
-TEST(McapReader, FindsEveryChangedByte) {  // so that the tests above can fail
+TEST(McapReader, DetectsEveryChangedByte) {  // so that the tests above can fail
   const Scratch scratch;
   McapFile file(scratch / "run.mcap", "incognita test");
   fill(file, 3);

@@ -16,7 +16,7 @@ void demand(bool holds, const std::string& what) {
   if (!holds) throw std::runtime_error(what);
 }
 
-std::uint32_t crc32(std::string_view bytes) {  // bit by bit, as the definition has it
+std::uint32_t crc32(std::string_view bytes) {  // bit by bit, as in the definition
   std::uint32_t crc = 0xFFFFFFFF;
   for (const char c : bytes) {
     crc ^= static_cast<unsigned char>(c);
@@ -57,7 +57,7 @@ class Cursor {
 
 struct Record {
   int opcode = 0;
-  std::uint64_t offset = 0, length = 0;  ///< in what was walked; with opcode and length
+  std::uint64_t offset = 0, length = 0;  ///< within the traversed bytes; with opcode and length
   std::string_view content;
 };
 
@@ -87,7 +87,7 @@ struct FoundChunk {
   std::map<std::uint16_t, Record> message_indexes;
 };
 
-/// Walks a file and gathers what it says; `McapContents` is what a user wants of it.
+/// Parses a file and collects its contents; `McapContents` is the part for users.
 class Reader {
  public:
   McapContents contents;
@@ -255,7 +255,7 @@ class Reader {
   std::vector<FoundChunk> chunks_;
 };
 
-/// `at`: where the section begins in the file.
+/// `at`: offset of the section in the file.
 void Reader::check_summary(std::string_view section, std::uint64_t at, std::uint64_t offsets_at) {
   struct Group {
     std::uint64_t start = 0, length = 0;

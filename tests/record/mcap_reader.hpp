@@ -1,5 +1,5 @@
-// A reader of MCAP files that shares nothing with the writer and believes nothing: every length, offset,
-// checksum and count is held to what the file has where they point.
+// A strict reader of MCAP files, independent of the writer: every length, offset, checksum and count is
+// compared with the contents of the file.
 #pragma once
 
 #include <cstdint>
@@ -20,17 +20,17 @@ struct McapContents {
   std::string library;
   std::map<std::string, std::string> schema_of_topic;  ///< topic -> name of its schema
   std::map<std::string, std::string> schemas;          ///< name -> text
-  std::vector<McapMessage> messages;                   ///< as they are in the file
+  std::vector<McapMessage> messages;                   ///< in the order of the file
   std::vector<std::size_t> chunk_sizes;                ///< bytes of records
 
   std::size_t count(const std::string& topic) const;
   std::vector<const McapMessage*> of(const std::string& topic) const;
 };
 
-/// Throws std::runtime_error saying the first thing that is wrong.
+/// Throws std::runtime_error with the first violation.
 McapContents read_mcap(const std::string& bytes);
 
-/// Without footer and summary: whole records from the start, up to where they end or the file does.
+/// Without footer and summary: complete records from the start, up to their end or the end of the file.
 McapContents read_open_mcap(const std::string& bytes);
 
 }  // namespace incognita::testing

@@ -57,7 +57,7 @@ std::size_t logged_snapshots(const fs::path& folder) {
 
 std::size_t columns(const std::string& line) { return std::count(line.begin(), line.end(), ',') + 1; }
 
-/// Rows below the header, every one as wide as it.
+/// Rows below the header; all must be as wide as it.
 std::size_t rows(const fs::path& csv) {
   const auto all = lines(csv);
   if (all.empty()) return 0;
@@ -95,17 +95,18 @@ TEST(Recorder, WritesEveryFileOfARun) {
   EXPECT_EQ(lines(run / "actions.csv").front(), "t,chosen,stay,forward,back,left,right,up,down");
   EXPECT_TRUE(
       lines(run / "series.csv").front().starts_with("t,state,matched,predicted,landmarks,sigma_position_m,"));
-  EXPECT_EQ(lines(run / "timings.csv").front(), "t,search_ms,frame_ms,birth_ms");  // birth came late
+  // the stage `birth` begins late
+  EXPECT_EQ(lines(run / "timings.csv").front(), "t,search_ms,frame_ms,birth_ms");
   EXPECT_EQ(contents(run / "series.csv").find("_ms,"), std::string::npos);
 }
 
-TEST(Recorder, WritesWhatTheSnapshotsSay) {
+TEST(Recorder, WritesTheSnapshotsValues) {
   const Scratch scratch;
   const SyntheticRun synthetic;
   record(scratch / "run", synthetic);
   const Snapshot snapshot = testing::synthetic_snapshot(synthetic, 50);
   const Trajectory estimate = read_trajectory(scratch / "run/estimate.tum");
-  EXPECT_EQ(estimate[47].t, snapshot.tick.t);  // exactly: numbers are written to be read back
+  EXPECT_EQ(estimate[47].t, snapshot.tick.t);  // exactly: numbers are written with all their digits
   EXPECT_EQ(estimate[47].position, Eigen::Vector3d(snapshot.camera.head<3>()));
   EXPECT_TRUE(estimate[47].orientation.isApprox(snapshot.camera.segment<4>(3), 1e-15));
   EXPECT_EQ(read_covariances(scratch / "run/covariance.csv")[47].covariance,
@@ -127,7 +128,7 @@ TEST(Recorder, WritesWhatTheSnapshotsSay) {
   EXPECT_EQ(cell(scratch / "run/looks.csv", 7, "kind"), "line");
 }
 
-TEST(Recorder, SummarisesARun) {
+TEST(Recorder, SummarizesARun) {
   const Scratch scratch;
   SyntheticRun synthetic;
   synthetic.frames = 600;
@@ -156,7 +157,7 @@ TEST(Recorder, SummarisesARun) {
   EXPECT_EQ(json["timing_ms"]["birth"]["p99"], 1.0);
 }
 
-/// What a filter that has seen one anchor could say, with more to say than there is room for.
+/// Report of a filter with one anchor, with more directions than fit.
 ObservabilityReport observability() {
   ObservabilityReport report;
   report.anchors = 1;
@@ -170,7 +171,7 @@ ObservabilityReport observability() {
   return report;
 }
 
-TEST(Recorder, SaysWhatTheFilterCanKnow) {
+TEST(Recorder, ReportsObservability) {
   const Scratch scratch;
   Recorder recorder(scratch / "run", info());
   recorder.note(observability());
@@ -187,10 +188,10 @@ TEST(Recorder, SaysWhatTheFilterCanKnow) {
   EXPECT_EQ(said["without_information_count"], 300);
 }
 
-TEST(Recorder, SaysWhyTheFilterWasNotFollowed) {
+TEST(Recorder, ReportsWhyObservabilityIsUnknown) {
   const Scratch scratch;
   ObservabilityReport report;
-  report.uncovered = "the filter drops correlations";
+  report.uncovered = "the filter decorrelates its map";
   Recorder recorder(scratch / "run", info());
   recorder.note(report);
   recorder.finish(RunStatus::done, "");
@@ -201,7 +202,7 @@ TEST(Recorder, SaysWhyTheFilterWasNotFollowed) {
   EXPECT_FALSE(json["observability"].contains("rank"));
 }
 
-TEST(Recorder, SeesOverconfidence) {
+TEST(Recorder, DetectsOverconfidence) {
   const Scratch scratch;
   SyntheticRun synthetic;
   synthetic.error_factor = 5;
@@ -211,7 +212,7 @@ TEST(Recorder, SeesOverconfidence) {
   EXPECT_GT(json["overconfident_frames"].get<int>(), 90);
 }
 
-TEST(Recorder, DoesNotCompareCovariancesWithTheTruthOfAnotherFrame) {
+TEST(Recorder, DoesNotCompareWithATruthInAnotherFrame) {
   const Scratch scratch;
   RunInfo free = info();
   free.ate_alignment = "sim3";
@@ -224,7 +225,7 @@ TEST(Recorder, DoesNotCompareCovariancesWithTheTruthOfAnotherFrame) {
   EXPECT_EQ(cell(scratch / "run/series.csv", 50, "error_x_m"), "no column error_x_m");
 }
 
-TEST(Recorder, WithoutTruthSaysNothingOfErrors) {
+TEST(Recorder, WithoutTruthReportsNoErrors) {
   const Scratch scratch;
   SyntheticRun synthetic;
   synthetic.with_truth = false;
@@ -238,7 +239,7 @@ TEST(Recorder, WithoutTruthSaysNothingOfErrors) {
 TEST(Recorder, WritesTheSameBytesForTheSameRun) {
   const Scratch scratch;
   record(scratch / "a", {}, info(), 5);
-  record(scratch / "b", {}, info(), 7);  // another machine, another pace
+  record(scratch / "b", {}, info(), 7);  // another machine, another speed
   for (const char* file : {"effective.toml", "estimate.tum", "truth.tum", "covariance.csv", "actions.csv",
                            "map.csv", "map.ply", "series.csv", "looks.csv", "run.mcap"}) {
     EXPECT_EQ(contents(scratch / "a" / file), contents(scratch / "b" / file)) << file;
@@ -292,7 +293,7 @@ TEST(Recorder, WritesAMatFileThatReadsBack) {
   Mat_Close(mat);
 }
 
-TEST(Recorder, KilledLeavesAValidSummaryAndCompleteRows) {
+TEST(Recorder, WhenKilledLeavesAValidSummaryAndCompleteRows) {
   const Scratch scratch;
   const fs::path run = scratch / "run";
   const pid_t child = ::fork();
@@ -317,7 +318,7 @@ TEST(Recorder, KilledLeavesAValidSummaryAndCompleteRows) {
   EXPECT_GT(logged_snapshots(run), 130u);  // all but the last two seconds
 }
 
-TEST(Recorder, StartedAndKilledLeavesAValidSummary) {
+TEST(Recorder, WhenKilledAtTheStartLeavesAValidSummary) {
   const Scratch scratch;
   { const Recorder recorder(scratch / "run", info()); }
   const Json json = summary(scratch / "run");
@@ -326,7 +327,7 @@ TEST(Recorder, StartedAndKilledLeavesAValidSummary) {
   EXPECT_EQ(fs::file_size(scratch / "run/summary.json"), 16384u);
 }
 
-TEST(Recorder, LeavesOwnFilesOfItsUserAlone) {
+TEST(Recorder, KeepsFilesOfTheUser) {
   const Scratch scratch;
   for (const char* name : {"run/figures/map.svg", "run/figures/map-final.svg", "run/frames/frame-000001.png",
                            "run/frames/frame-copy.png", "run/frames/frame-1.png", "run/notes.txt"})
@@ -339,7 +340,7 @@ TEST(Recorder, LeavesOwnFilesOfItsUserAlone) {
     EXPECT_TRUE(fs::exists(scratch / "run" / kept)) << kept;
 }
 
-TEST(Recorder, OfARunWithoutFramesIsStillComplete) {
+TEST(Recorder, ARunWithoutFramesIsComplete) {
   const Scratch scratch;
   Recorder recorder(scratch / "run", info());
   recorder.finish(RunStatus::failed, "no image came");
@@ -351,7 +352,7 @@ TEST(Recorder, OfARunWithoutFramesIsStillComplete) {
   EXPECT_EQ(logged_snapshots(scratch / "run"), 0u);
 }
 
-TEST(Recorder, OnAFullDiskKeepsWhatItHasAndSaysSo) {
+TEST(Recorder, OnAFullDiskKeepsWhatItHasAndReportsIt) {
   const Scratch scratch;
   const fs::path run = scratch / "run";
   std::string reason;
@@ -381,11 +382,11 @@ TEST(Recorder, OnAFullDiskKeepsWhatItHasAndSaysSo) {
   EXPECT_NO_THROW(logged_snapshots(run));
 }
 
-TEST(Recorder, LeavesOutWhatFailsAtTheEnd) {
+TEST(Recorder, FailsWithoutTheFileThatCannotBeWritten) {
   const Scratch scratch;
   Recorder recorder(scratch / "run", info());
   for (int i = 0; i < 120; ++i) recorder.publish(testing::synthetic_snapshot({}, i));
-  fs::create_directory(scratch / "run/map.ply");  // in the way
+  fs::create_directory(scratch / "run/map.ply");  // blocks the file of this name
   const RunOutcome outcome = recorder.finish(
       RunStatus::done, "",
       [](const fs::path&) -> std::vector<std::string> { return {"gnuplot is not installed"}; });
@@ -398,18 +399,18 @@ TEST(Recorder, LeavesOutWhatFailsAtTheEnd) {
   EXPECT_TRUE(fs::exists(scratch / "run/series.mat"));
 }
 
-TEST(Recorder, ThatCannotStartLeavesNothing) {
+TEST(Recorder, LeavesNothingWhenItCannotStart) {
   const Scratch scratch;
   testing::write(scratch / "file", "mine\n");
   EXPECT_THROW(Recorder(scratch / "file", info()), RecordError);
   EXPECT_THROW(Recorder(scratch / "file/run", info()), RecordError);
   {
-    const FileSizeLimit limit(8000);  // no room for the summary
+    const FileSizeLimit limit(8000);  // not enough for the summary
     EXPECT_THROW(Recorder(scratch / "a/b/run", info()), RecordError);
   }
   EXPECT_EQ(contents(scratch / "file"), "mine\n");
   EXPECT_EQ(std::distance(fs::directory_iterator(scratch.folder()), fs::directory_iterator{}), 1);
-  if (::geteuid() == 0) return;  // to whom nothing is forbidden
+  if (::geteuid() == 0) return;  // root may write anywhere
   fs::create_directory(scratch / "locked");
   fs::permissions(scratch / "locked", fs::perms::owner_read | fs::perms::owner_exec);
   EXPECT_THROW(Recorder(scratch / "locked", info()), RecordError);
@@ -434,7 +435,7 @@ TEST(Recorder, ReplacesAnEarlierRunAndNothingElse) {
   EXPECT_EQ(contents(scratch / "run/notes.txt"), "mine\n");
 }
 
-TEST(Recorder, RefusesAFieldOfTheContracts) {
+TEST(Recorder, RefusesAReservedField) {
   const Scratch scratch;
   Recorder recorder(scratch / "run", info());
   EXPECT_THROW(recorder.note("status", std::string("fine")), std::invalid_argument);
@@ -443,7 +444,7 @@ TEST(Recorder, RefusesAFieldOfTheContracts) {
   EXPECT_EQ(summary(scratch / "run")["scenario"], "another");
 }
 
-TEST(SummarySchema, RefusesWhatIsWrong) {
+TEST(SummarySchema, RefusesInvalidSummaries) {
   const Scratch scratch;
   record(scratch / "run", {});
   Json json = summary(scratch / "run");

@@ -17,7 +17,7 @@ using testing::contents;
 using testing::lines;
 using testing::Scratch;
 
-TEST(RowFile, IsOnTheDiskASecondLater) {
+TEST(RowFile, IsFlushedAfterASecond) {
   const Scratch scratch;
   RowFile file(scratch / "rows.csv", "t,x");
   EXPECT_EQ(contents(scratch / "rows.csv"), "t,x\n");
@@ -30,7 +30,7 @@ TEST(RowFile, IsOnTheDiskASecondLater) {
   EXPECT_EQ(lines(scratch / "rows.csv").back(), "11.5,4");
 }
 
-TEST(RowFile, IsOnTheDiskSoonerWhenThereIsMuch) {
+TEST(RowFile, IsFlushedEarlierWhenThereIsMuchData) {
   const Scratch scratch;
   RowFile file(scratch / "rows.csv", "");
   for (int i = 0; i < 10000; ++i) file.append("0123456789012345678901234567890123456789", 1);
@@ -49,7 +49,7 @@ TEST(RowFile, KeepsCompleteRowsWhenTheDiskIsFull) {
       reason = error.what();
     }
     EXPECT_NE(reason.find("rows.csv"), std::string::npos) << reason;
-    EXPECT_NO_THROW(file.append("more", 1e6));  // the failure was told once
+    EXPECT_NO_THROW(file.append("more", 1e6));  // the failure was reported once
     EXPECT_NO_THROW(file.close());
     const std::string text = contents(scratch / "rows.csv");
     EXPECT_EQ(text.size(), 4 + 11 * ((bytes - 4) / 11)) << "as many whole rows as fit";
@@ -59,7 +59,7 @@ TEST(RowFile, KeepsCompleteRowsWhenTheDiskIsFull) {
   }
 }
 
-TEST(RowFile, SaysWhatItCannotOpen) {
+TEST(RowFile, NamesTheFileThatItCannotOpen) {
   try {
     RowFile("/nowhere/at/all.csv", "t");
     FAIL();
@@ -69,7 +69,7 @@ TEST(RowFile, SaysWhatItCannotOpen) {
   }
 }
 
-TEST(WholeFile, IsThereOrNot) {
+TEST(WholeFile, IsWrittenWholeOrNotAtAll) {
   const Scratch scratch;
   const testing::FileSizeLimit limit(1000);
   write_whole_file(scratch / "small", std::string(1000, 'x'));
@@ -78,7 +78,7 @@ TEST(WholeFile, IsThereOrNot) {
   EXPECT_FALSE(std::filesystem::exists(scratch / "large"));
 }
 
-TEST(Number, ReadsBackExactly) {
+TEST(Number, RoundTripsExactly) {
   for (const double value : {0.1, -1.0 / 3, 1e300, 5e-324, 1403636579.7635555, 0.0, -7.0}) {
     std::string text;
     append_number(text, value);
@@ -91,7 +91,7 @@ TEST(Number, ReadsBackExactly) {
   EXPECT_EQ(text, "0.1,nan,\"a,b \"\"c\"\"\"");
 }
 
-TEST(Number, IsNotWhatMerelyBeginsLikeOne) {
+TEST(Number, RefusesTrailingCharacters) {
   EXPECT_EQ(parse_number(" +1.5\r"), 1.5);
   for (const char* word : {"", " ", "1.5x", "x", "1,5", "+-1", "0x10", "--1"})
     EXPECT_FALSE(parse_number(word)) << word;

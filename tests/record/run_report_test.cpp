@@ -27,7 +27,7 @@ RunReport room() {
   return r;
 }
 
-TEST(RunReport, SaysInTenLinesWhatARunAchieved) {
+TEST(RunReport, SummarizesARunInTenLines) {
   EXPECT_EQ(in_words(room(), 4.1, "out/room"),
             "run          done\n"
             "frames       1800 in 60.0 s: 1800 tracked (3 of them degraded), 0 lost\n"
@@ -41,7 +41,7 @@ TEST(RunReport, SaysInTenLinesWhatARunAchieved) {
             "results      out/room\n");
 }
 
-TEST(RunReport, SaysWhyARunFailed) {
+TEST(RunReport, StatesWhyARunFailed) {
   RunReport r = room();
   r.status = RunStatus::failed;
   r.reason = "lost at the end: 0 of 12 features matched";
@@ -51,7 +51,7 @@ TEST(RunReport, SaysWhyARunFailed) {
   EXPECT_NE(text.find("20 lost"), std::string::npos);
 }
 
-TEST(RunReport, OfARunWithoutFramesInventsNothing) {
+TEST(RunReport, OfARunWithoutFramesReportsUnknowns) {
   RunReport r;
   r.status = RunStatus::interrupted;
   r.reason = "stopped at t = 0.000 s";
@@ -59,19 +59,19 @@ TEST(RunReport, OfARunWithoutFramesInventsNothing) {
             "run          interrupted, stopped at t = 0.000 s\n"
             "frames       0 in 0.0 s: 0 tracked, 0 lost\n"
             "path         unknown\n"
-            "trajectory   no error: the truth is not known\n"
+            "trajectory   no error: the truth is unknown\n"
             "map          0 landmarks\n"
             "consistency  unknown\n"
             "decisions    0\n"
             "results      x\n");
 }
 
-TEST(RunReport, CallsNoLengthMetersWhereTheScaleIsUnobservable) {
+TEST(RunReport, UsesNoMetersWhereTheScaleIsUnobservable) {
   RunReport r = room();
   r.alignment = AlignmentKind::sim3;
   r.scale_known = r.true_path = false;
   const std::string text = in_words(r, 4, "x");
-  EXPECT_NE(text.find("path         8.41 arbitrary units (scale unobservable), as estimated\n"),
+  EXPECT_NE(text.find("path         8.41 arbitrary units (scale unobservable), estimated\n"),
             std::string::npos)
       << text;
   EXPECT_NE(text.find("ATE 2.5 mm after sim3 alignment"), std::string::npos) << "of the truth, which is in m";
@@ -79,7 +79,7 @@ TEST(RunReport, CallsNoLengthMetersWhereTheScaleIsUnobservable) {
   EXPECT_NE(in_words(r, 4, "x").find("path         8.41 m\n"), std::string::npos);
 }
 
-TEST(RunReport, SaysTheVerdictWithItsSymptomAndCauses) {
+TEST(RunReport, StatesTheVerdictWithSymptomAndCauses) {
   RunReport r = room();
   r.consistency.verdict = Consistency::overconfident;
   r.consistency.symptom = "measurements do not fit";
@@ -118,7 +118,7 @@ TEST(RunReport, ComparesTheMapWithTheSurvey) {
       << in_words(r, 4, "x");
 }
 
-TEST(LengthInWords, TakesTheUnitThatPeopleWould) {
+TEST(LengthInWords, ChoosesAReadableUnit) {
   EXPECT_EQ(length_in_words(0.00248), "2.5 mm");
   EXPECT_EQ(length_in_words(0.0248), "2.5 cm");
   EXPECT_EQ(length_in_words(2.4816), "2.48 m");

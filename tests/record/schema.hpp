@@ -1,6 +1,6 @@
-// Enough of JSON Schema to hold a document to the schemas in docs/schemas: type, enum, required,
-// dependentRequired, properties, additionalProperties, items, minimum; contentEncoding says what a text is
-// and forbids nothing. Anything else in a schema is an error here, not ignored.
+// The part of JSON Schema that the schemas in docs/schemas use: type, enum, required, dependentRequired,
+// properties, additionalProperties, items, minimum; contentEncoding is informative. Any other keyword in a
+// schema is an error here, not ignored.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -25,7 +25,7 @@ inline bool has_type(const Json& value, const std::string& type) {
 
 inline void check_object(const Json& value, const Json& schema, const std::string& at, std::string& problems);
 
-/// What is wrong with a value, a line each; nothing when it conforms.
+/// Violations of a schema by a value, one line each; empty when it conforms.
 inline void check(const Json& value, const Json& schema, const std::string& at, std::string& problems) {
   static const std::set<std::string> known{
       "$schema",           "title",      "description",          "type",  "enum",    "required",

@@ -69,7 +69,7 @@ std::string unbase64(const std::string& text) {
   return bytes;
 }
 
-TEST(SnapshotLog, HasTheTopicsAndSchemasThatViewersKnow) {
+TEST(SnapshotLog, HasTopicsAndSchemasOfViewers) {
   const Scratch scratch;
   const McapContents read = log(scratch / "run.mcap");
   const std::map<std::string, std::string> expected{{"/tf", "foxglove.FrameTransform"},
@@ -83,14 +83,14 @@ TEST(SnapshotLog, HasTheTopicsAndSchemasThatViewersKnow) {
   EXPECT_EQ(read.library, "incognita 0.1.0");
   EXPECT_EQ(read.count("/snapshot"), 120u);
   EXPECT_EQ(read.count("/truth/pose"), 120u);
-  EXPECT_EQ(read.count("/estimate/pose"), 117u);  // not while starting
+  EXPECT_EQ(read.count("/estimate/pose"), 117u);  // none while starting
   EXPECT_EQ(read.count("/tf"), 237u);
   EXPECT_EQ(read.count("/camera/image"), 60u);  // every other
   EXPECT_EQ(read.count("/camera/annotations"), 60u);
   EXPECT_EQ(read.count("/map"), 5u);  // at 0, 1, 2, 3 s and at the end
 }
 
-TEST(SnapshotLog, EveryMessageIsAsItsSchemaSays) {
+TEST(SnapshotLog, EveryMessageConformsToItsSchema) {
   const Scratch scratch;
   SyntheticRun run;
   run.lost_from = 40;
@@ -106,8 +106,8 @@ TEST(SnapshotLog, EveryMessageIsAsItsSchemaSays) {
         << message.topic << ": " << message.data;
 }
 
-/// Viewers that turn JSON schemas into types of their own take one type per field, and no field that merely
-/// refers to another.
+/// Viewers that convert JSON schemas into types accept one type per field, and no field that is only a
+/// reference.
 void expect_simple(const Json& schema, const std::string& at) {
   ASSERT_TRUE(schema.contains("type") && schema["type"].is_string()) << at;
   if (schema["type"] == "array") {
@@ -126,13 +126,13 @@ TEST(SnapshotLog, SchemasAreSimpleEnoughForViewers) {
   for (const auto& [name, text] : read.schemas) expect_simple(Json::parse(text), name);
 }
 
-TEST(SnapshotLog, SaysWhatTheSnapshotSays) {
+TEST(SnapshotLog, HasTheSnapshotsValues) {
   const Scratch scratch;
   const McapContents read = log(scratch / "run.mcap");
   const Snapshot snapshot = with_image({}, 50);
   const Json json = parsed(*read.of("/snapshot")[50]);
   EXPECT_EQ(json["frame"], 50);
-  EXPECT_EQ(json["t"], snapshot.tick.t);  // exactly, as all numbers but those of looks
+  EXPECT_EQ(json["t"], snapshot.tick.t);  // exactly, as all numbers except those of matches
   EXPECT_EQ(json["state"], "tracking");
   EXPECT_EQ(json["position"]["x"], snapshot.camera[0]);
   EXPECT_EQ(json["orientation"]["w"], snapshot.camera[3]);
@@ -184,7 +184,7 @@ TEST(SnapshotLog, HasPosesAndFramesOfTheTick) {
   EXPECT_EQ(frames, (std::map<std::string, int>{{"camera", 117}, {"true_camera", 120}}));
 }
 
-TEST(SnapshotLog, SaysNothingThatIsNotKnown) {
+TEST(SnapshotLog, OmitsUnknownValues) {
   const Scratch scratch;
   SyntheticRun run;
   run.with_truth = false;
@@ -201,7 +201,7 @@ TEST(SnapshotLog, SaysNothingThatIsNotKnown) {
   EXPECT_EQ(parsed(*read.of("/snapshot")[0])["entropy"], Json::object());
 }
 
-TEST(SnapshotLog, KeepsATruthOfAnotherFrameInAWorldOfItsOwn) {
+TEST(SnapshotLog, TruthInAnotherFrameHasItsOwnRootFrame) {
   const Scratch scratch;
   RunInfo free = info();
   free.ate_alignment = "sim3";
@@ -223,7 +223,7 @@ TEST(SnapshotLog, HasImagesThatDecode) {
   EXPECT_NEAR(picture.at<std::uint8_t>(40, 50), 90, 6);
 }
 
-TEST(SnapshotLog, DrawsEllipsesAndPatchesWhereTheyAre) {
+TEST(SnapshotLog, DrawsEllipsesAndPatchesAtTheirPixels) {
   const Scratch scratch;
   const McapContents read = log(scratch / "run.mcap");
   const Json points = parsed(*read.of("/camera/annotations")[25])["points"];
@@ -263,7 +263,7 @@ TEST(SnapshotLog, DrawsLandmarksAsTwoSigmaEllipsoids) {
   }
 }
 
-TEST(SnapshotLog, DoesNotMindNonsense) {
+TEST(SnapshotLog, AcceptsNonFiniteValues) {
   const Scratch scratch;
   Snapshot snapshot = with_image({}, 50);
   const double unknown = std::numeric_limits<double>::quiet_NaN();
@@ -290,7 +290,7 @@ TEST(SnapshotLog, DoesNotMindNonsense) {
               "");
 }
 
-TEST(SnapshotLog, SameRunSameBytesWhateverThePace) {
+TEST(SnapshotLog, SameRunSameBytesAtAnySpeed) {
   const Scratch scratch;
   for (const double pace_ms : {5.0, 7.0}) {
     SnapshotLog log(scratch / std::to_string(pace_ms), info());
@@ -300,7 +300,7 @@ TEST(SnapshotLog, SameRunSameBytesWhateverThePace) {
   EXPECT_EQ(contents(scratch / std::to_string(5.0)), contents(scratch / std::to_string(7.0)));
 }
 
-TEST(SnapshotLog, OnAFullDiskKeepsWhatItHas) {
+TEST(SnapshotLog, OnAFullDiskKeepsItsCompleteChunks) {
   const Scratch scratch;
   const testing::FileSizeLimit limit(1'500'000);
   SnapshotLog log(scratch / "run.mcap", info());
@@ -310,7 +310,7 @@ TEST(SnapshotLog, OnAFullDiskKeepsWhatItHas) {
   EXPECT_GT(testing::read_mcap(contents(scratch / "run.mcap")).count("/snapshot"), 100u);
 }
 
-TEST(Base64, IsAsItsRfcHasIt) {
+TEST(Base64, FollowsTheRfc) {
   const std::pair<const char*, const char*> known[] = {{"", ""},
                                                        {"f", "Zg=="},
                                                        {"fo", "Zm8="},

@@ -1,4 +1,4 @@
-// Snapshots of a run that never was: a camera on a circle, its estimate a little off, two anchors, a growing
+// Snapshots of a synthetic run: a camera on a circle, an estimate with small errors, two anchors, a growing
 // map.
 #pragma once
 
@@ -18,7 +18,7 @@ struct SyntheticRun {
   int starting = 3;  ///< first frames, without a pose
   int lost_from = 1 << 30, lost_to = 1 << 30;
   double sigma_position_m = 0.02, sigma_rotation_rad = 0.01;
-  double error_factor = 1;  ///< true errors are this many times what the covariance says
+  double error_factor = 1;  ///< ratio of the true errors to the sigmas
 
   TrackingState state(int frame) const {
     if (frame < starting) return TrackingState::starting;

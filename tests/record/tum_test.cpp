@@ -17,7 +17,7 @@ Trajectory read(const std::string& text) {
   return read_trajectory(scratch / "poses");
 }
 
-/// The message with which it is refused.
+/// The error message.
 std::string refusal(const std::string& text) {
   try {
     read(text);
@@ -27,7 +27,7 @@ std::string refusal(const std::string& text) {
   return "accepted";
 }
 
-TEST(ReadTrajectory, OfTum) {
+TEST(ReadTrajectory, ReadsTum) {
   const Trajectory poses =
       read("# a comment\n\n1305031102.175304 1 2 3 0.1 0.2 0.3 0.9273618\r\n  2\t1 2 3 0 0 0 1\n");
   ASSERT_EQ(poses.size(), 2u);
@@ -38,7 +38,7 @@ TEST(ReadTrajectory, OfTum) {
   EXPECT_EQ(poses[1].orientation, Eigen::Vector4d(1, 0, 0, 0));
 }
 
-TEST(ReadTrajectory, OfEuroc) {
+TEST(ReadTrajectory, ReadsEuroc) {
   const Trajectory poses = read(
       "#timestamp, p_RS_R_x [m], p_RS_R_y [m], p_RS_R_z [m], q_RS_w [], q_RS_x [], q_RS_y [], q_RS_z [], "
       "v_x\n"
@@ -50,13 +50,13 @@ TEST(ReadTrajectory, OfEuroc) {
   EXPECT_NEAR(poses[0].orientation[2], -0.827383, 1e-5);
 }
 
-TEST(ReadTrajectory, WhoseHeaderNamesTheQuaternionItsOrderDecides) {
+TEST(ReadTrajectory, TakesTheOrderOfTheQuaternionFromTheHeader) {
   const Trajectory poses = read("#timestamp,tx,ty,tz,qw,qx,qy,qz\n1403636579763555584,1,2,3,0.8,0.6,0,0\n");
   ASSERT_EQ(poses.size(), 1u);
   EXPECT_TRUE(poses[0].orientation.isApprox(Eigen::Vector4d(0.8, 0.6, 0, 0)));
 }
 
-TEST(ReadTrajectory, OfTumWhoseHeaderHasCommas) {
+TEST(ReadTrajectory, ReadsTumWithCommasInTheHeader) {
   for (const char* header : {"# timestamp, tx, ty, tz, qx, qy, qz, qw\n", "#timestamp,tx,ty,tz,qx,qy,qz,qw\n",
                              "timestamp,x,y,z,qx,qy,qz,qw\n", "# timestamp tx ty tz qx qy qz qw\n",
                              "timestamp tx ty tz qx qy qz qw\n"}) {
@@ -67,14 +67,14 @@ TEST(ReadTrajectory, OfTumWhoseHeaderHasCommas) {
   }
 }
 
-TEST(ReadTrajectory, OfEurocWithZerosBehindItsStamps) {
+TEST(ReadTrajectory, ReadsEurocStampsWithTrailingZeros) {
   const Trajectory poses = read("timestamp,x,y,z,qw,qx,qy,qz\n1403636580838555648.0,1,2,3,0.8,0.6,0,0\n");
   ASSERT_EQ(poses.size(), 1u);
   EXPECT_NEAR(poses[0].t, 1403636580.838555648, 1e-6);
   EXPECT_TRUE(poses[0].orientation.isApprox(Eigen::Vector4d(0.8, 0.6, 0, 0)));
 }
 
-TEST(ReadTrajectory, RefusesNamingTheLineAndWhy) {
+TEST(ReadTrajectory, ErrorsNameTheLineAndTheReason) {
   EXPECT_NE(refusal("0 0 0 0 0 0 0 1\n1 0 0\n").find("poses:2: 3 columns"), std::string::npos);
   EXPECT_NE(refusal("0 0 0 zero 0 0 0 1\n").find("`zero` is not a number"), std::string::npos);
   EXPECT_NE(refusal("0 0 nan 0 0 0 0 1\n").find("finite"), std::string::npos);
@@ -87,12 +87,12 @@ TEST(ReadTrajectory, RefusesNamingTheLineAndWhy) {
   EXPECT_NE(refusal(std::string(200000, '7')).find("text file"), std::string::npos);
 }
 
-TEST(ReadTrajectory, OfWhatIsNotThere) {
+TEST(ReadTrajectory, RefusesAMissingFile) {
   EXPECT_THROW(read_trajectory("/nowhere.tum"), InputError);
   EXPECT_THROW(read_trajectory("/tmp"), InputError);
 }
 
-TEST(ReadTrajectory, SurvivesGarbage) {
+TEST(ReadTrajectory, SurvivesRandomBytes) {
   RandomStream random(11, "garbage");
   const std::string good = "0.5 1 2 3 0 0 0 1\n";
   for (int run = 0; run < 300; ++run) {
@@ -114,7 +114,7 @@ TEST(ReadCovariances, RefusesShortRows) {
   EXPECT_THROW(read_covariances(scratch / "c.csv"), InputError);
 }
 
-TEST(Tum, KnowsATruthWithoutOrientation) {
+TEST(Tum, AcceptsATruthWithoutOrientation) {
   const Scratch scratch;
   const auto known = read_trajectory(scratch.write("a.tum", "# t x\n1 2 3 4 0 0 0 1\n"));
   const auto blind = read_trajectory(scratch.write(

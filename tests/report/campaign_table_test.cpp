@@ -1,4 +1,4 @@
-// Campaigns whose numbers can be worked out by hand.
+// Campaign statistics against values computed by hand.
 #include "incognita/report/campaign_table.hpp"
 
 #include <gtest/gtest.h>
@@ -39,7 +39,7 @@ const MeasureStatistics& find(const VariantStatistics& s, const std::string& nam
                        [&](const auto& m) { return m.measure == name; });
 }
 
-TEST(CampaignStatistics, AreOfTheRunsThatAreDone) {
+TEST(CampaignStatistics, UseCompletedRuns) {
   const auto all = statistics_of(two_variants());
   ASSERT_EQ(all.size(), 2u);
   EXPECT_EQ(all[1].runs, 7u);
@@ -50,11 +50,12 @@ TEST(CampaignStatistics, AreOfTheRunsThatAreDone) {
   EXPECT_EQ(error.n, 5u);
   EXPECT_DOUBLE_EQ(error.mean.value, 3.6);
   EXPECT_EQ(error.median, 4);
-  // 2.776445 is Student's t of 4 degrees of freedom at 97.5 %; squared distances from the mean are 17.2
+  // 2.776445 is Student's t with 4 degrees of freedom at 97.5 %; squared deviations from the mean add up to
+  // 17.2
   EXPECT_NEAR(error.mean.high - 3.6, 2.776445 * std::sqrt(17.2 / 4 / 5), 1e-6);
 }
 
-TEST(CampaignStatistics, PairSeedsThatBothHaveDone) {
+TEST(CampaignStatistics, PairSeedsThatAreCompletedInBoth) {
   const auto all = statistics_of(two_variants());
   const PairedComparison& c = find(all[1], "error_m").versus_baseline;  // 1 -1 1 1 1
   EXPECT_EQ(c.pairs, 5u);
@@ -63,7 +64,7 @@ TEST(CampaignStatistics, PairSeedsThatBothHaveDone) {
   EXPECT_DOUBLE_EQ(c.share_higher, 0.8);
   EXPECT_DOUBLE_EQ(c.difference.high, 1);
   EXPECT_DOUBLE_EQ(c.difference.low,
-                   -0.2);  // three of five draws are the -1: 5.8 % have it or more, 0.7 % four
+                   -0.2);  // -1 occurs three or more times in five draws with 5.8 %, four times with 0.7 %
 }
 
 TEST(CampaignStatistics, CountFailuresAsAMeasure) {
@@ -71,23 +72,23 @@ TEST(CampaignStatistics, CountFailuresAsAMeasure) {
   const MeasureStatistics& failed = find(all[1], "failed");
   EXPECT_EQ(failed.n, 6u);
   EXPECT_DOUBLE_EQ(failed.mean.value, 1.0 / 6);
-  EXPECT_EQ(failed.versus_baseline.pairs, 6u);  // seed 7 has not ended in both
+  EXPECT_EQ(failed.versus_baseline.pairs, 6u);  // seed 7 is not completed in both
   EXPECT_DOUBLE_EQ(failed.versus_baseline.difference.value, 1.0 / 6);
 }
 
-TEST(CampaignStatistics, SayHowManyRunsAndPairsAFailureTookOut) {
+TEST(CampaignStatistics, StateHowManyRunsAndPairsFailuresExclude) {
   const auto all = statistics_of(two_variants());
   const MeasureStatistics &a = find(all[0], "error_m"), &b = find(all[1], "error_m");
   EXPECT_EQ(a.ended, 7u);
   EXPECT_DOUBLE_EQ(a.share_failed, 1.0 / 7);
   EXPECT_EQ(b.ended, 6u);
   EXPECT_DOUBLE_EQ(b.share_failed, 1.0 / 6);
-  EXPECT_EQ(b.pairs_left_out, 1u);  // seed 6; seed 7 has not ended in both
+  EXPECT_EQ(b.pairs_left_out, 1u);  // seed 6; seed 7 is not completed in both
   EXPECT_EQ(find(all[1], "failed").pairs_left_out, 0u);
 }
 
-/// What loses its bad seeds has the smaller mean error and no more successes.
-TEST(CampaignStatistics, ALimitCountsRunsThatFailed) {
+/// A variant that fails on its bad seeds has the smaller mean error and no more successes.
+TEST(CampaignStatistics, ALimitCountsFailedRuns) {
   Campaign campaign{"small", "1", {1, 2, 3, 4, 5, 6}, {}, 0};
   campaign.variants.push_back(
       {"keeps", {}, {run(1, 1), run(2, 1), run(3, 1), run(4, 5), run(5, 5), run(6, 5)}});
@@ -99,15 +100,15 @@ TEST(CampaignStatistics, ALimitCountsRunsThatFailed) {
   EXPECT_EQ(loses.n, 6u);
   EXPECT_DOUBLE_EQ(keeps.mean.value, 0.5);
   EXPECT_DOUBLE_EQ(loses.mean.value, 0.5);
-  EXPECT_NEAR(loses.mean.low, 0.1876, 1e-4);  // Wilson's score of 3 in 6
+  EXPECT_NEAR(loses.mean.low, 0.1876, 1e-4);  // Wilson's interval for 3 of 6
   EXPECT_EQ(loses.versus_baseline.pairs, 6u);
   EXPECT_EQ(loses.pairs_left_out, 0u);
   EXPECT_EQ(loses.versus_baseline.difference.value, 0);
   EXPECT_DOUBLE_EQ(find(all[1], "error_m.above:2").versus_baseline.difference.value, -0.5);
 }
 
-/// What never happens in a run has no time at which it happened.
-TEST(CampaignStatistics, ALimitCountsWhatNeverHappenedAsAMiss) {
+/// An event that does not occur in a run has no time.
+TEST(CampaignStatistics, ALimitCountsAMissingEventAsAMiss) {
   const double never = std::nan("");
   Campaign campaign{"small", "1", {1, 2, 3}, {}, 0};
   campaign.variants.push_back({"often", {}, {run(1, 1), run(2, 1), run(3, never)}});
@@ -127,7 +128,7 @@ TEST(CampaignStatistics, ALimitIsANumber) {
     EXPECT_THROW(limit_measure(wrong), InputError) << wrong;
 }
 
-TEST(CampaignTables, SayTheShareThatFailedBesideEveryMean) {
+TEST(CampaignTables, StateTheShareOfFailuresBesideEveryMean) {
   const Campaign campaign = two_variants();
   const auto all = statistics_of(campaign, limit_measures({"error_m.below:2.5"}));
   const std::vector<std::string> requested{"error_m", "error_m.below:2.5"};
@@ -143,7 +144,7 @@ TEST(CampaignTables, SayTheShareThatFailedBesideEveryMean) {
   EXPECT_HAS(json, "\"pairs_left_out\": 1");
 }
 
-TEST(CampaignTables, QuoteAndNeverSayInfinite) {
+TEST(CampaignTables, QuoteNamesAndContainNoInfinity) {
   const Campaign campaign = two_variants();
   const std::string runs = runs_csv(campaign);
   EXPECT_HAS(runs, "variant,seed,status,reason,error_m\n");
@@ -164,7 +165,7 @@ TEST(CampaignMeasures, AreTheNumbersOfASummary) {
   const RunMeasures run =
       measures_of(R"({"status": "done", "seed": 7, "frames": 3, "entropy": {"total": -1.5},
     "ate_m": null, "vehicles": [{"ate_m": 1}, {"ate_m": 2}], "consistency": {"nis": 1, "nis_band": [0.5, 2], "outlier_share": 0.1}, "timing_ms": {"frame": {"median": 4}},
-    "observability": {"ambiguous": false, "directions": [{"name": "turn about x", "sigma": 0.5}]}})");
+    "observability": {"ambiguous": false, "directions": [{"name": "rotation about x", "sigma": 0.5}]}})");
   std::vector<std::string> names;
   for (const auto& [name, value] : run.measures) names.push_back(name);
   EXPECT_EQ(names, (std::vector<std::string>{"frames", "entropy.total", "ate_m", "vehicles.1.ate_m",

@@ -33,14 +33,14 @@ std::vector<LedgerEntry> example() {
           {"3.2", "Car park", "the recording is not there: docs/data.md", {}, {}}};
 }
 
-TEST(Ledger, IsAsItsSchemaSays) {
+TEST(Ledger, ConformsToItsSchema) {
   EXPECT_EQ(schema_faults(ledger_json(example())), "");
   EXPECT_EQ(schema_faults(ledger_json({})), "");
   EXPECT_EQ(ledger_json({}), "[]\n");
   EXPECT_NE(schema_faults(R"([{"id": "3.1", "title": "", "claims": [{}], "figures": []}])"), "");
 }
 
-TEST(Ledger, GivesBackEveryWord) {
+TEST(Ledger, RoundTripsEveryField) {
   const Json json = Json::parse(ledger_json(example()));
   ASSERT_EQ(json.size(), 2u);
   const Json& claim = json[0]["claims"][1];
@@ -56,7 +56,7 @@ TEST(Ledger, GivesBackEveryWord) {
   EXPECT_TRUE(json[1]["claims"].is_array());
 }
 
-TEST(Ledger, TakesWordsThatAreNotUtf8) {
+TEST(Ledger, AcceptsTextThatIsNotUtf8) {
   std::vector<LedgerEntry> entries = example();
   entries[1].skipped = "\xff is not there";
   EXPECT_EQ(schema_faults(ledger_json(entries)), "");
@@ -82,7 +82,7 @@ TEST(LedgerPage, CountsAndTabulates) {
   EXPECT_HAS(page, "\n## 3.2: Car park\n\nSkipped: the recording is not there: docs/data.md\n");
 }
 
-TEST(LedgerPage, KeepsWhatWouldBreakTheTable) {
+TEST(LedgerPage, EscapesWhatWouldBreakTheTable) {
   EXPECT_HAS(
       ledger_markdown(example()),
       "| (3.11) | steady \\| state | s_v^2 \\* 2 | 0.25 \\< 1 | holds as corrected | after one step |\n");

@@ -57,7 +57,7 @@ Plot everything() {
   return plot;
 }
 
-/// Draws and expects a picture.
+/// Draws the plot and requires a picture.
 std::string drawn(const Scratch& scratch, const Plot& plot) {
   std::vector<std::string> warnings;
   const LedgerFigure figure = draw_plot(scratch.folder(), plot, &warnings);
@@ -95,12 +95,12 @@ TEST(Plot, TableHasEveryNumber) {
   EXPECT_EQ(table.rows[0], (std::vector<std::string>{"1", "1", "0", "-1", "1", "band"}));
   EXPECT_EQ(table.rows[4], (std::vector<std::string>{"1", "2", "1", "0.3333333333333333", "", "line"}));
   EXPECT_EQ(table.rows[10],
-            (std::vector<std::string>{"1", "5", "1", "1", "", "steps"}));  // counts from `first`
+            (std::vector<std::string>{"1", "5", "1", "1", "", "steps"}));  // indices from `first`
   EXPECT_EQ(table.rows.back(), (std::vector<std::string>{"4", "1", "2", "1", "6", "net"}));
   EXPECT_EQ(table.rows[table.rows.size() - 2][4], "nan");
 }
 
-TEST(Plot, ScriptNamesTheRowsOfEachCurve) {
+TEST(Plot, ScriptSelectsTheRowsOfEachCurve) {
   const Scratch scratch;
   drawn(scratch, everything());
   const std::string text = script(scratch);
@@ -117,7 +117,7 @@ TEST(Plot, ScriptNamesTheRowsOfEachCurve) {
   EXPECT_HAS(text, "set multiplot layout 2,2 title \"everything\"");
 }
 
-TEST(Plot, NamesMayStandForNumbers) {
+TEST(Plot, NamesMayReplaceNumbers) {
   const Scratch scratch;
   Plot plot = plot_of({{"chosen", Style::steps, {0, 1, 2}, {1, 0, 1}}});
   plot.panels.push_back(plot.panels.front());
@@ -128,8 +128,8 @@ TEST(Plot, NamesMayStandForNumbers) {
   EXPECT_LT(text.find("set ytics ("), text.rfind("set ytics autofreq")) << "of one panel only";
 }
 
-/// Tics are those of what is shown, not of what lies outside.
-TEST(Plot, AlikeAxesHaveAlikeTics) {
+/// Tics depend on the displayed range, not on values outside.
+TEST(Plot, EqualRangesHaveEqualTics) {
   const Scratch scratch;
   Plot plot = plot_of({{"path", Style::line, {0, 55}, {12, 14.5}}});
   plot.panels[0].equal_axes = true;
@@ -146,7 +146,7 @@ TEST(Plot, AlikeAxesHaveAlikeTics) {
   EXPECT_HAS(text, "set yrange [-3.2:3.2]\nset size ratio -1\nset xtics 2\nset ytics 2\n");
   const std::size_t reset = text.rfind("set xtics autofreq\n");
   ASSERT_NE(reset, std::string::npos);
-  EXPECT_LT(text.rfind("set xtics 2\n"), reset) << "nor those of the panel before";
+  EXPECT_LT(text.rfind("set xtics 2\n"), reset) << "not those of the previous panel";
 }
 
 TEST(Plot, OfOnePointHasTics) {
@@ -157,7 +157,7 @@ TEST(Plot, OfOnePointHasTics) {
   EXPECT_HAS(script(scratch), "set size ratio -1\nset xtics 1\nset ytics 1\n");
 }
 
-TEST(Plot, WhatIsNoNumberIsAGap) {
+TEST(Plot, NonFiniteValuesAreGaps) {
   const Scratch scratch;
   const std::string svg =
       drawn(scratch, plot_of({{"a", Style::line, {0, 1, 2, 3, 4, 5}, {nan, 1, 2, inf, 1, 2}},
@@ -167,7 +167,7 @@ TEST(Plot, WhatIsNoNumberIsAGap) {
   EXPECT_HAS(contents(scratch / "figures/fig-1.csv"), "1,1,0,nan,,a\n");
 }
 
-TEST(Plot, WhereThereIsNothingToDrawAxesAndKeyStay) {
+TEST(Plot, WithoutDataAxesAndKeyRemain) {
   const Scratch scratch;
   Plot plot = plot_of({{"none", Style::line, {}, {}}, {"unknown", Style::points, {0, 1}, {nan, nan}}});
   EXPECT_HAS(drawn(scratch, plot), ">unknown<");
@@ -181,7 +181,7 @@ TEST(Plot, WhereThereIsNothingToDrawAxesAndKeyStay) {
   drawn(scratch, plot_of({{"a point", Style::line, {1}, {0}}}));
 }
 
-TEST(Plot, LabelsAreTextAndNothingElse) {
+TEST(Plot, LabelsAreLiteralText) {
   const Scratch scratch;
   for (const std::string& label :
        {"it's \"1\", s_v^2 {x} \\ `touch hacked`7 @data"s, "'; system('touch hacked'); '"s,
@@ -197,7 +197,7 @@ TEST(Plot, LabelsAreTextAndNothingElse) {
   EXPECT_EQ(testing::lines(scratch / "figures/fig-1.csv").size(), 2u);
 }
 
-TEST(Plot, WithoutGnuplotTableAndScriptStay) {
+TEST(Plot, WithoutGnuplotTableAndScriptRemain) {
   const Scratch scratch;
   drawn(scratch, everything());
   const std::string path = ::getenv("PATH");
@@ -211,10 +211,10 @@ TEST(Plot, WithoutGnuplotTableAndScriptStay) {
   EXPECT_HAS(warnings[0], "gnuplot is not installed");
   EXPECT_TRUE(fs::exists(scratch / "figures/fig-1.csv"));
   EXPECT_TRUE(fs::exists(scratch / "figures/fig-1.gp"));
-  EXPECT_FALSE(fs::exists(scratch / "figures/fig-1.svg"));  // an old one would be of other numbers
+  EXPECT_FALSE(fs::exists(scratch / "figures/fig-1.svg"));  // an old picture would show other numbers
 }
 
-TEST(Plot, RefusesWhatFitsNoFigure) {
+TEST(Plot, RefusesInvalidFigures) {
   const Scratch scratch;
   const auto refused = [&](const Plot& plot) {
     return testing::message_of<std::invalid_argument>([&] { draw_plot(scratch.folder(), plot, nullptr); });
@@ -238,14 +238,14 @@ TEST(Plot, RefusesWhatFitsNoFigure) {
   EXPECT_TRUE(fs::is_empty(scratch.folder()));
 }
 
-TEST(Plot, OnAFullDiskLeavesNoHalfFile) {
+TEST(Plot, OnAFullDiskLeavesNoPartialFile) {
   const Scratch scratch;
   const testing::FileSizeLimit limit(500);
   EXPECT_THROW(draw_plot(scratch.folder(), everything(), nullptr), RecordError);
   EXPECT_TRUE(fs::is_empty(scratch / "figures"));
 }
 
-TEST(Plot, EllipsesLieWhereTheyShould) {
+TEST(Plot, EllipsesHaveTheirPosition) {
   Eigen::Matrix2d covariance;
   covariance << 4, 0, 0, 1;
   const Curve curve = ellipses("e", {{1, 2}, {5, 5}}, {covariance, Eigen::Matrix2d::Zero()}, 3);

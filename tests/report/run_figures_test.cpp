@@ -53,7 +53,7 @@ TEST(RunFigures, AreAllDrawn) {
   EXPECT_NE(contents(scratch / "run/figures/decision.svg").find("forward"), std::string::npos);
 }
 
-TEST(RunFigures, CallNoLengthMetersWhereTheScaleIsUnobservable) {
+TEST(RunFigures, UseNoMetersWhereTheScaleIsUnobservable) {
   const Scratch scratch;
   RunInfo info;
   info.ate_alignment = "sim3";
@@ -79,7 +79,7 @@ TEST(RunFigures, CallNoLengthMetersWhereTheScaleIsUnobservable) {
   EXPECT_LT(right, 10);
 }
 
-TEST(RunFigures, ShowSurveyedLandmarksWhereTheMapHasThem) {
+TEST(RunFigures, ShowSurveyedLandmarksAtTheirPositions) {
   const Scratch scratch;
   RunInfo info;
   info.survey = {{{2, {1, 2, 0}}, {3, {-1, 2, 0}}}, true};
@@ -91,7 +91,7 @@ TEST(RunFigures, ShowSurveyedLandmarksWhereTheMapHasThem) {
   EXPECT_NE(contents(scratch / "run/figures/map.svg").find(">surveyed<"), std::string::npos);
 }
 
-TEST(RunFigures, WithoutTruthShowTheBounds) {
+TEST(RunFigures, WithoutTruthShowSigmaBounds) {
   const Scratch scratch;
   SyntheticRun run;
   run.with_truth = false;
@@ -101,7 +101,7 @@ TEST(RunFigures, WithoutTruthShowTheBounds) {
   EXPECT_EQ(contents(scratch / "run/figures/errors.svg").find(">error<"), std::string::npos);
 }
 
-TEST(RunFigures, OfARunThatNeverStartedShowItsMapAlone) {
+TEST(RunFigures, OfARunThatNeverStartedShowItsMapOnly) {
   const Scratch scratch;
   SyntheticRun run;
   run.frames = 10;
@@ -111,7 +111,7 @@ TEST(RunFigures, OfARunThatNeverStartedShowItsMapAlone) {
   expect_figures(scratch / "run", {"map"});
 }
 
-TEST(RunFigures, OfARunWithoutFramesAreNone) {
+TEST(RunFigures, OfARunWithoutFramesAreAbsent) {
   const Scratch scratch;
   SyntheticRun run;
   run.frames = 0;
@@ -143,7 +143,7 @@ TEST(RunFigures, WithoutGnuplotLeaveTheScriptsAndWarn) {
   EXPECT_FALSE(fs::exists(scratch / "run/figures/map.svg"));
 }
 
-TEST(RunFigures, OnAFullDiskLeaveNoHalfFigure) {
+TEST(RunFigures, OnAFullDiskLeaveNoPartialFigure) {
   const Scratch scratch;
   record(scratch / "run", {});
   const testing::FileSizeLimit limit(6000);
@@ -151,7 +151,7 @@ TEST(RunFigures, OnAFullDiskLeaveNoHalfFigure) {
   EXPECT_FALSE(fs::exists(scratch / "run/figures/map.svg"));
 }
 
-TEST(RunFigures, TakeNoNameForACommand) {
+TEST(RunFigures, QuoteNames) {
   const Scratch scratch;
   Recorder recorder(scratch / "run", RunInfo{});
   Snapshot snapshot = testing::synthetic_snapshot({}, 45);
@@ -164,7 +164,7 @@ TEST(RunFigures, TakeNoNameForACommand) {
   EXPECT_FALSE(fs::exists("hacked"));
 }
 
-TEST(ChildProcess, TellsHowItWent) {
+TEST(ChildProcess, ReportsItsExitStatus) {
   EXPECT_EQ(run_child({"false"}, "/")->exit_code, 1);
   EXPECT_EQ(run_child({"pwd"}, "/usr")->output, "/usr\n");
   EXPECT_EQ(run_child({"echo", "$HOME; `id`"}, "/")->output, "$HOME; `id`\n");

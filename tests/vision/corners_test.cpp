@@ -9,7 +9,7 @@
 namespace incognita {
 namespace {
 
-/// Mean gradient product's smaller eigenvalue, from its definition with Sobel's gradient.
+/// Smaller eigenvalue of the mean gradient product, from its definition with Sobel gradients.
 double naive_strength(const Image& image, int u, int v, int window) {
   double xx = 0, xy = 0, yy = 0;
   for (int r = v - window / 2; r <= v + window / 2; ++r)
@@ -32,10 +32,10 @@ void draw_square(Image& image, int u0, int v0, int side, std::uint8_t gray) {
     for (int u = u0; u < u0 + side; ++u) image(u, v) = gray;
 }
 
-TEST(StrongestCorner, FindsADrawnCornerInItsBoxOnly) {
+TEST(StrongestCorner, FindsADrawnCornerInsideItsBoxOnly) {
   Image image(200, 150, 60);
   draw_square(image, 50, 40, 40, 110);   // its first corner is at (50, 40)
-  draw_square(image, 130, 90, 40, 250);  // a much stronger one, elsewhere
+  draw_square(image, 130, 90, 40, 250);  // a much stronger one, outside the box
   const PixelBox box{35, 25, 30, 30};
   const auto corner = strongest_corner(image, box, 11);
   ASSERT_TRUE(corner);
@@ -47,7 +47,7 @@ TEST(StrongestCorner, FindsADrawnCornerInItsBoxOnly) {
   EXPECT_GT(stronger->u, 120);
 }
 
-TEST(StrongestCorner, IsTheBestOfTheBoxByDefinition) {
+TEST(StrongestCorner, MaximizesTheStrengthInTheBox) {
   const Image image = Pattern(1, 35).drawn(160, 120);
   for (const PixelBox& box : {PixelBox{40, 30, 40, 30}, PixelBox{70, 55, 1, 1}, PixelBox{20, 60, 15, 40}}) {
     const auto corner = strongest_corner(image, box, 11);
@@ -62,7 +62,7 @@ TEST(StrongestCorner, IsTheBestOfTheBoxByDefinition) {
   }
 }
 
-TEST(StrongestCorner, AnEdgeIsNone) {
+TEST(StrongestCorner, AnEdgeIsNotACorner) {
   Image image(200, 150, 60);
   for (int v = 0; v < 150; ++v)
     for (int u = 100; u < 200; ++u) image(u, v) = 200;
@@ -71,7 +71,7 @@ TEST(StrongestCorner, AnEdgeIsNone) {
   EXPECT_LT(corner->strength, 1);
 }
 
-TEST(StrongestCorner, TheBoxMayLeaveTheImage) {
+TEST(StrongestCorner, TheBoxMayExtendBeyondTheImage) {
   const Image image = Pattern(2, 35).drawn(160, 120);
   for (const PixelBox& box : {PixelBox{-20, -20, 40, 40}, PixelBox{150, 110, 40, 40}}) {
     const auto corner = strongest_corner(image, box, 11);
@@ -83,7 +83,7 @@ TEST(StrongestCorner, TheBoxMayLeaveTheImage) {
   EXPECT_FALSE(strongest_corner(image, {50, 50, 0, 40}, 11));
 }
 
-/// The lower right quarter plane from (u, v) on, dark, as pixels average it, then blurred as a lens does.
+/// A dark lower right quarter plane from (u, v) on, averaged over pixels, then blurred as by a lens.
 Image quarter_plane(double u0, double v0) {
   const auto sharp = [&](int u, int v) {
     const double in_u = std::clamp(u + 0.5 - u0, 0.0, 1.0), in_v = std::clamp(v + 0.5 - v0, 0.0, 1.0);
@@ -101,7 +101,7 @@ Image quarter_plane(double u0, double v0) {
   return image;
 }
 
-TEST(CenterOfCorner, IsWhereTheEdgesMeet) {
+TEST(CenterOfCorner, IsTheIntersectionOfTheEdges) {
   for (const double fraction : {0.0, 0.2, 0.5, 0.8}) {
     const Eigen::Vector2d corner(30 + fraction, 25 - fraction);
     const Image image = quarter_plane(corner.x(), corner.y());
@@ -115,7 +115,7 @@ TEST(CenterOfCorner, IsWhereTheEdgesMeet) {
   }
 }
 
-TEST(CenterOfCorner, ThereIsNoneOnBlankPaper) {
+TEST(CenterOfCorner, IsUndefinedInAUniformImage) {
   EXPECT_FALSE(center_of_corner(Image(60, 50, 128), {30, 25}, 11));
 }
 

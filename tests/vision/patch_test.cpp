@@ -12,7 +12,7 @@ namespace {
 using Eigen::Matrix2d;
 using Eigen::Vector2d;
 
-TEST(Warp, IdentityGivesThePixels) {
+TEST(Warp, IdentityKeepsThePixels) {
   const Image image = Pattern(1, 35).drawn(60, 50);
   for (const int size : {9, 11, 15}) {
     const int half = size / 2;
@@ -37,7 +37,7 @@ TEST(Warp, IdentityGivesThePixels) {
   }
 }
 
-TEST(Warp, AQuarterTurnTurnsThePixels) {
+TEST(Warp, AQuarterTurnRotatesThePixels) {
   const Image image = Pattern(2, 35).drawn(60, 50);
   const auto texture = cut_texture(image, Vector2d(30, 20), 21, 5);
   Matrix2d turn;
@@ -50,20 +50,20 @@ TEST(Warp, AQuarterTurnTurnsThePixels) {
       EXPECT_EQ(turned->values[(dv + 5) * stride + du + 5], upright->values[(du + 5) * stride - dv + 5]);
 }
 
-TEST(Warp, NothingBeyondWhatWasStored) {
+TEST(Warp, FailsBeyondTheStoredTexture) {
   const Image image = Pattern(3, 35).drawn(60, 50);
   const auto texture = cut_texture(image, Vector2d(30, 20), 15, 5);
   EXPECT_TRUE(warp(*texture, 1.4 * Matrix2d::Identity(), 11));
   EXPECT_FALSE(warp(*texture, 1.6 * Matrix2d::Identity(), 11));
 }
 
-TEST(Warp, NothingOfAFlatPatch) {
+TEST(Warp, FailsForAUniformPatch) {
   const auto texture = cut_texture(Image(60, 50, 77), Vector2d(30, 20), 15, 5);
   ASSERT_TRUE(texture);
   EXPECT_FALSE(warp(*texture, Matrix2d::Identity(), 11));
 }
 
-TEST(CutTexture, KeepsThePlaceAtTheEdge) {
+TEST(CutTexture, KeepsThePositionAtTheImageEdge) {
   const Image image = Pattern(4, 35).drawn(60, 50);
   for (const Vector2d& center :
        {Vector2d(30, 20), Vector2d(5, 5), Vector2d(54, 44), Vector2d(6.3, 43.8), Vector2d(30.4, 5)}) {

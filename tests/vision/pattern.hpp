@@ -1,4 +1,4 @@
-// A smooth random texture that can be drawn shifted by any fraction of a pixel.
+// A smooth random texture that can be rendered with any subpixel shift.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace incognita {
 
 class Pattern {
  public:
-  /// Waves of 6 to 16 pixels in all directions; `contrast` is the standard deviation in grey levels.
+  /// Waves of 6 to 16 pixels in all directions; `contrast` is the standard deviation in gray levels.
   Pattern(std::uint64_t seed, double contrast) {
     RandomStream random(seed, "pattern");
     constexpr int count = 16;
@@ -29,7 +29,7 @@ class Pattern {
     return amplitude_ * sum;
   }
 
-  /// What is at (u, v) of the pattern is drawn at (u + du, v + dv), around a mean grey.
+  /// The texture at (u, v) is rendered at (u + du, v + dv), about a mean gray level.
   Image drawn(int width, int height, double du = 0, double dv = 0, double mean = 128) const {
     Image image(width, height);
     for (int v = 0; v < height; ++v)

@@ -27,7 +27,7 @@ bool inside(const Ellipse& e, double u, double v) {
   return d.dot(e.covariance.inverse() * d) <= e.gate_sigmas * e.gate_sigmas;
 }
 
-/// Correlation coefficient of two squares, from its definition.
+/// Correlation coefficient of two squares, by definition.
 double naive(const Image& a, int au, int av, const Image& b, int bu, int bv) {
   double ma = 0, mb = 0, ab = 0, aa = 0, bb = 0;
   for (int r = -half; r <= half; ++r)
@@ -47,7 +47,7 @@ double naive(const Image& a, int au, int av, const Image& b, int bu, int bv) {
   return ab / std::sqrt(aa * bb);
 }
 
-/// Largest difference from the definition over a piece of the image.
+/// Largest difference from the definition over a region of the image.
 double worst_difference(const Image& from, const Image& in, int u, int v) {
   const PatchTemplate patch = patch_at(from, u, v);
   SummedImage summed;
@@ -70,11 +70,11 @@ TEST(Search, FindsAWholePixelShift) {
   const auto found = search(sheet, summed, patch_at(before, 60, 50), circle({60, 50}, 12), 60);
   ASSERT_TRUE(found);
   EXPECT_LT((found->pixel - Vector2d(67, 46)).norm(),
-            0.15);  // a peak of correlation is not quite a quadratic
+            0.15);  // a correlation peak is not exactly quadratic
   EXPECT_GT(found->correlation, 0.99);
 }
 
-TEST(Search, FindsAFractionOfAPixel) {
+TEST(Search, FindsASubpixelShift) {
   double squares = 0;
   int count = 0;
   for (std::uint64_t seed = 20; seed < 30; ++seed)
@@ -91,11 +91,11 @@ TEST(Search, FindsAFractionOfAPixel) {
       squares += off * off;
       ++count;
     }
-  // a parabola along each axis is off where the peak lies askew; whole pixels would be off by 0.4 here
+  // a parabola along each axis has an error where the peak is oblique; whole pixels would give 0.4 here
   EXPECT_LT(std::sqrt(squares / count), 0.25);
 }
 
-TEST(Search, BrighterAndFlatterLightChangesNothing) {
+TEST(Search, IsInvariantToBrightnessAndContrast) {
   const Image before = Pattern(5, 35).drawn(120, 100), after = Pattern(5, 14).drawn(120, 100, 3, 2, 170);
   SummedImage summed;
   summed.assign(after);
@@ -106,13 +106,13 @@ TEST(Search, BrighterAndFlatterLightChangesNothing) {
   EXPECT_GT(found->correlation, 0.99);
 }
 
-TEST(Search, ABetterCopyJustOutsideIsNotTaken) {
+TEST(Search, IgnoresABetterMatchOutsideTheEllipse) {
   const Image source = Pattern(6, 35).drawn(60, 60);
   Image image = Pattern(7, 8).drawn(120, 100);
   RandomStream random(8, "worn");
   for (int r = -half; r <= half; ++r)
     for (int c = -half; c <= half; ++c) {
-      // inside the box around the ellipse, and yet outside the ellipse
+      // inside the bounding box of the ellipse, but outside the ellipse
       image(60 + 7 + c, 50 + 7 + r) = source(30 + c, 30 + r);
       image(60 - 5 + c, 50 - 5 + r) =
           static_cast<std::uint8_t>(std::clamp(source(30 + c, 30 + r) + 12 * random.normal(), 0.0, 255.0));
@@ -130,10 +130,10 @@ TEST(Search, ABetterCopyJustOutsideIsNotTaken) {
   EXPECT_LT((wider->pixel - Vector2d(67, 57)).norm(), 0.2);
   const auto shorter = search(sheet, summed, patch, circle({60, 50}, 10), 6);
   ASSERT_TRUE(shorter);
-  EXPECT_LT((shorter->pixel - Vector2d(55, 45)).norm(), 0.7) << "no further out than asked for";
+  EXPECT_LT((shorter->pixel - Vector2d(55, 45)).norm(), 0.7) << "not further out than commanded";
 }
 
-TEST(Search, IsTheBestOfAllPlacesInTheEllipse) {
+TEST(Search, IsTheMaximumOverTheEllipse) {
   const Image image = Pattern(9, 30).drawn(120, 100);
   const PatchTemplate patch = patch_at(Pattern(10, 30).drawn(60, 60), 30, 30);
   SummedImage summed;
@@ -163,7 +163,7 @@ TEST(Search, IsTheBestOfAllPlacesInTheEllipse) {
   }
 }
 
-TEST(Search, PlacesSharedByTwoEllipsesAreComputedOnce) {
+TEST(Search, PixelsSharedByTwoEllipsesAreComputedOnce) {
   const Image image = Pattern(12, 30).drawn(120, 100);
   const PatchTemplate patch = patch_at(image, 30, 30);
   SummedImage summed;
@@ -177,7 +177,7 @@ TEST(Search, PlacesSharedByTwoEllipsesAreComputedOnce) {
       first += inside(one, u, v);
       both += inside(one, u, v) || inside(other, u, v);
     }
-  constexpr int neighbors = 4;  // of the maximum, for the parabola
+  constexpr int neighbors = 4;  // neighbors of the maximum, for the parabola
   EXPECT_EQ(sheet.computed(), 0);
   ASSERT_TRUE(search(sheet, one, 60));
   EXPECT_GE(sheet.computed(), first);
@@ -191,7 +191,7 @@ TEST(Search, PlacesSharedByTwoEllipsesAreComputedOnce) {
   EXPECT_EQ(sheet.computed(), done);
 }
 
-TEST(Search, AFlatImageMatchesNothing) {
+TEST(Search, AUniformImageMatchesNothing) {
   const Image flat(120, 100, 90);
   SummedImage summed;
   summed.assign(flat);
@@ -201,7 +201,7 @@ TEST(Search, AFlatImageMatchesNothing) {
   EXPECT_TRUE(!found || found->correlation == 0);
 }
 
-TEST(Search, TheImageMayEndInsideTheEllipse) {
+TEST(Search, TheEllipseMayExtendBeyondTheImage) {
   const Image image = Pattern(14, 30).drawn(64, 48);
   SummedImage summed;
   summed.assign(image);
@@ -219,31 +219,31 @@ TEST(Search, TheImageMayEndInsideTheEllipse) {
   EXPECT_FALSE(search(sheet, summed, patch_at(image, 30, 30), circle({1, 1}, 3), 60));
 }
 
-TEST(Correlation, IsNearTheCorrelationCoefficient) {
+TEST(Correlation, ApproximatesTheCorrelationCoefficient) {
   const Image image = Pattern(15, 35).drawn(70, 60);
   for (const int u : {10, 23, 31, 44}) EXPECT_LT(worst_difference(image, image, u, 30), 0.015);
 }
 
-// Disabled: the pixels of an unwarped patch are whole numbers, so that rounding 8 * (pixel - mean) is off by
-// the same for all of them, and the image's mean leaks into the product by up to half the size squared.
-TEST(Correlation, IsTheCorrelationCoefficient) {
+// An unwarped patch has integer pixels, so that rounding 8 * (pixel - mean) has the same error for all of them.
+// Without a correction the image's mean would add up to half the squared size to the product.
+TEST(Correlation, EqualsTheCorrelationCoefficient) {
   const Image image = Pattern(15, 35).drawn(70, 60);
   for (const int u : {10, 23, 31, 44}) EXPECT_LT(worst_difference(image, image, u, 30), 1e-3);
 }
 
-TEST(Correlation, IsTheCorrelationCoefficientAtLowContrastToo) {
+TEST(Correlation, EqualsTheCorrelationCoefficientAtLowContrast) {
   const Image image = Pattern(16, 4).drawn(70, 60, 0, 0, 200);
   for (const int u : {10, 23, 31, 44}) EXPECT_LT(worst_difference(image, image, u, 30), 1e-2);
 }
 
 TEST(SummedImage, IsTheSumOverTheSquare) {
   RandomStream random(17, "pixels");
-  Image image(320, 240, 255);  // bright enough for the squares to pass 2^32
+  Image image(320, 240, 255);  // bright enough for sums beyond 2^32
   for (int v = 0; v < 240; ++v)
     for (int u = 0; u < 320; ++u)
       if (random.below(8) == 0) image(u, v) = static_cast<std::uint8_t>(random.below(256));
   SummedImage summed;
-  summed.assign(Image(10, 400));  // of another size before
+  summed.assign(Image(10, 400));  // previously of another size
   summed.assign(image);
   const auto check = [&](int u, int v, int side) {
     double sum = 0, squares = 0;

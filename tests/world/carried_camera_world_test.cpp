@@ -1,4 +1,4 @@
-// A camera on a vehicle that drives over uneven ground: where it is, and how fast it moves and turns.
+// A camera on a vehicle on uneven ground: its pose and its velocities.
 #include "incognita/world/carried_camera_world.hpp"
 
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ Tick tick(int frame, double t, double dt) {
   return out;
 }
 
-TEST(CameraSensor, MovesAndTurnsAsItsPlacesSay) {
+TEST(CameraSensor, VelocitiesAreDerivativesOfThePose) {
   CarriedCameraWorld world({on_waves()}, 1);
   constexpr double dt = 1e-4;
   Camera before = world.move({}, tick(0, 0, 0))->camera;
@@ -51,11 +51,11 @@ TEST(CameraSensor, MovesAndTurnsAsItsPlacesSay) {
       quaternion_conjugate<double>(Eigen::Vector4d(before.segment<4>(3))), after.segment<4>(3));
   EXPECT_NEAR((quaternion_log<double>(turned) / (2 * dt) - middle.camera.tail<3>()).norm(), 0, 1e-6);
   EXPECT_GT(middle.camera.tail<3>().norm(), 0.4) << "it turns";
-  EXPECT_TRUE(middle.inputs[0].isZero()) << "nobody commands its accelerations";
+  EXPECT_TRUE(middle.inputs[0].isZero()) << "accelerations are not commanded";
   EXPECT_EQ(middle.wheels[0], Eigen::Vector2d(0.6, 0.5));
 }
 
-TEST(CameraSensor, IsALeversLengthFromTheGroundUnderTheAxle) {
+TEST(CameraSensor, IsTheMountsDistanceFromTheGroundUnderTheAxle) {
   CameraCarrier carrier = on_waves();
   CarriedCameraWorld world({carrier}, 1);
   for (int i = 0; i < 100; ++i) {
@@ -70,7 +70,7 @@ TEST(CameraSensor, IsALeversLengthFromTheGroundUnderTheAxle) {
   }
 }
 
-TEST(CameraSensor, StandsWithoutACommandAndKeepsToItsLimits) {
+TEST(CameraSensor, StandsWithoutACommandAndRespectsTheLimits) {
   CarriedCameraWorld world({on_waves()}, 1);
   const Camera first = world.move({}, tick(0, 0, 0))->camera;
   EXPECT_EQ(world.move({}, tick(1, 0.1, 0.1))->camera, first);

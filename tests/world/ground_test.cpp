@@ -1,4 +1,4 @@
-// The uneven floor of the rendered room: where rays meet it, and what a camera sees of it.
+// The uneven floor of the rendered room: intersections with rays, and its images.
 #include "incognita/world/rendered/ground.hpp"
 
 #include <gtest/gtest.h>
@@ -23,8 +23,8 @@ Terrain waves(double amplitude_m, double length_m) {
 
 using Ray = std::array<float, 3>;
 
-/// The first place at which a ray is under the terrain itself, by small steps and bisection.
-double first_meeting(const Terrain& terrain, const Ray& eye, const Ray& d, double most) {
+/// First point of a ray below the terrain itself, by small steps and bisection.
+double first_intersection(const Terrain& terrain, const Ray& eye, const Ray& d, double most) {
   const auto gap = [&](double t) {
     return eye[2] + t * d[2] - terrain.at<double>(eye[0] + t * d[0], eye[1] + t * d[1]).height;
   };
@@ -37,7 +37,7 @@ double first_meeting(const Terrain& terrain, const Ray& eye, const Ray& d, doubl
   return low;
 }
 
-TEST(ground, rays_meet_it_where_they_are_first_under_the_terrain) {
+TEST(Ground, RaysMeetItWhereTheyFirstEnterTheTerrain) {
   const Terrain terrain = waves(0.12, 1.7);
   const Ground ground(terrain, inside);
   RandomStream random(3, "rays");
@@ -47,12 +47,12 @@ TEST(ground, rays_meet_it_where_they_are_first_under_the_terrain) {
     const Ray eye{x, y, static_cast<float>(terrain.at<double>(x, y).height + random.uniform(0.1, 1.2))};
     const double heading = random.uniform(-3.1, 3.1), down = random.uniform(-0.1, 0.9);
     const Ray d{float(std::cos(heading)), float(std::sin(heading)), float(-down)};
-    double most = 1e9;  // to the nearest wall
+    double most = 1e9;  // distance to the nearest wall
     for (int axis = 0; axis < 2; ++axis)
       if (d[axis] != 0) most = std::min(most, (std::copysign(3.0, d[axis]) - eye[axis]) / d[axis]);
-    const double expected = first_meeting(terrain, eye, d, most);
+    const double expected = first_intersection(terrain, eye, d, most);
     const double found = ground.meet(eye, d, static_cast<float>(most));
-    // Grazing a crest, or not, is a matter of less than the grid can tell
+    // Whether a ray hits a crest or grazes it is beyond the resolution of the grid
     const double least_gap = 1e-3;
     if (std::abs(found - expected) > 5e-3) {
       const double t = std::min(found, expected);
@@ -63,10 +63,10 @@ TEST(ground, rays_meet_it_where_they_are_first_under_the_terrain) {
     met += found < most;
   }
   EXPECT_GT(met, 1000);
-  EXPECT_LT(missed, 20);  // crests alone
+  EXPECT_LT(missed, 20);  // at crests only
 }
 
-TEST(ground, tells_height_and_slope) {
+TEST(Ground, HasTheHeightAndSlopeOfTheTerrain) {
   const Terrain terrain = waves(0.1, 2.5);
   const Ground ground(terrain, inside);
   RandomStream random(4, "places");
@@ -82,7 +82,7 @@ TEST(ground, tells_height_and_slope) {
   EXPECT_NEAR(ground.lowest_m(), -0.2, 0.01);
 }
 
-TEST(ground, refuses_what_does_not_fit_a_room) {
+TEST(Ground, RefusesTerrainThatDoesNotFitTheRoom) {
   const HeightMap small(Eigen::MatrixXd::Zero(5, 5), 1, {-2, -2});
   EXPECT_THROW(Ground(small, inside), std::invalid_argument);
   EXPECT_THROW(Ground(TiltedPlane{2.2, 0, 0}, inside), std::invalid_argument);
@@ -103,8 +103,8 @@ double mean_difference(const Image& a, const Image& b) {
   return sum / (a.width() * a.height());
 }
 
-// Two ways to the same picture: planes for a flat floor, the march for a level terrain.
-TEST(ground, level_terrain_looks_like_the_flat_floor) {
+// Two algorithms, one image: planes for a flat floor, ray marching for a level terrain.
+TEST(Ground, LevelTerrainLooksLikeTheFlatFloor) {
   const Room flat(RoomSettings{}, 1), level(RoomSettings{}, 1, Terrain{});
   for (const double heading : {0.0, 1.3, -2.2}) {
     const Image a = picture(flat, {0.4, -0.3, 1.1}, heading), b = picture(level, {0.4, -0.3, 1.1}, heading);
@@ -116,9 +116,9 @@ TEST(ground, level_terrain_looks_like_the_flat_floor) {
   }
 }
 
-// A place of the floor keeps its paint however it is looked at: that of two pictures, the second of a raised
-// floor, from a camera raised as much, must agree.
-TEST(ground, a_raised_floor_is_the_same_floor) {
+// The texture is fixed to the floor: the image of a raised floor from an equally raised camera must show the
+// same floor.
+TEST(Ground, ARaisedFloorHasTheSameTexture) {
   const Room level(RoomSettings{}, 1, Terrain{}), raised(RoomSettings{}, 1, Terrain(TiltedPlane{0.3, 0, 0}));
   const Image a = picture(level, {0, -0.3, 1.1}, 0), b = picture(raised, {0, -0.3, 1.4}, 0);
   double floor = 0;
@@ -129,18 +129,18 @@ TEST(ground, a_raised_floor_is_the_same_floor) {
   EXPECT_GT(mean_difference(a, b), 1.0);  // the walls have moved
 }
 
-TEST(ground, hills_hide_what_lies_behind_them) {
+TEST(Ground, HillsOccludeWhatIsBehindThem) {
   const Room level(RoomSettings{}, 1, Terrain{});
-  // A ridge of 1 m across the room, 1 m before the camera, which looks at it from 0.5 m
+  // A ridge of 1 m across the room, 1 m ahead of the camera at 0.5 m height
   const Terrain ridge = Waves{0, {{0.5, 4, 0, -quarter}}};
   const Room hidden(RoomSettings{}, 1, ridge);
   const Image a = picture(level, {0, 0, 0.3}, 0), b = picture(hidden, {0, 0, 0.3}, 0);
   EXPECT_GT(mean_difference(a, b), 10);
   EXPECT_EQ(mean_difference(picture(hidden, {2, 0, 0.3}, 0), Image(320, 240)), 0)
-      << "seen from under the ground";
+      << "a camera below the ground";
 }
 
-TEST(ground, same_seed_same_bytes) {
+TEST(Ground, SameSeedSameBytes) {
   const Terrain terrain = waves(0.05, 2.5);
   const Room one(RoomSettings{}, 7, terrain), two(RoomSettings{}, 7, terrain);
   EXPECT_EQ(mean_difference(picture(one, {0, 0, 1}, 0.3), picture(two, {0, 0, 1}, 0.3)), 0);

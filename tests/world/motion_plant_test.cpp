@@ -1,5 +1,4 @@
-// The true motion of any vehicle: where closed forms say it goes, within what it can do, and drawn from its
-// seed alone.
+// The simulated motion of any vehicle: closed-form solutions, limits, and determinism for a seed.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -23,9 +22,9 @@ using testing::message_of;
 using testing::minus;
 using testing::vec;
 
-// Closed forms
+// Closed-form solutions
 
-/// Where the point of a body is after its axle went with speed v (m/s) and turn rate w (rad/s) for t seconds.
+/// Pose of a body after its axle moved with speed v (m/s) and turn rate w (rad/s) for t seconds.
 SmallVector on_circle(const DifferentialDrive& body, const SmallVector& x, double v, double w, double t) {
   const Vector2d lever(body.forward_m, body.left_m);
   const Vector2d axle = x.head<2>() - Eigen::Rotation2Dd(x[2]) * lever;
@@ -35,7 +34,7 @@ SmallVector on_circle(const DifferentialDrive& body, const SmallVector& x, doubl
   return vec({point.x(), point.y(), wrap_angle(heading)});
 }
 
-TEST(Integrate, ADifferentialDriveGoesRoundACircle) {
+TEST(Integrate, ADifferentialDriveMovesOnACircle) {
   const SmallVector start = vec({1, -2, 3});
   for (const DifferentialDrive& body : {DifferentialDrive{0, 0}, DifferentialDrive{0.4, -0.2}})
     for (const double w : {0.7, -2.0})
@@ -47,12 +46,12 @@ TEST(Integrate, ADifferentialDriveGoesRoundACircle) {
       }
 }
 
-TEST(Integrate, ACarGoesRoundTheCircleOfItsSteering) {
+TEST(Integrate, ACarMovesOnTheCircleOfItsSteering) {
   const AckermannCar car;
   const SmallVector start = vec({5, 1, -1});
   for (const double steering : {0.3, -0.5})
     for (const double t : {0.1, 20.0}) {
-      // The wheel that is measured goes round on its own radius, with the turn rate of the whole car
+      // The measured wheel moves on its own radius, with the turn rate of the car
       const double radius = car.wheelbase_m / std::tan(steering), w = 2 / (radius - car.wheel_left_m);
       const SmallVector end = integrate(car, start, vec({2, steering}), t);
       const SmallVector off = minus(planar::pose_chart, end, on_circle(car.body, start, radius * w, w, t));
@@ -60,7 +59,7 @@ TEST(Integrate, ACarGoesRoundTheCircleOfItsSteering) {
     }
 }
 
-TEST(Integrate, ABodyInSpaceFallsAlongAParabolaAndSpinsUpAboutAnAxis) {
+TEST(Integrate, AFreeBodyMovesOnAParabolaAndSpinsUpAboutAnAxis) {
   const Vector3d v(1, -2, 0.5), f(0.3, 0.1, -9.81), axis = Vector3d(1, 2, -2) / 3;
   const double w = 0.8, a = -0.3;
   SmallVector start(13);
@@ -79,11 +78,11 @@ TEST(Integrate, ABodyInSpaceFallsAlongAParabolaAndSpinsUpAboutAnAxis) {
   }
 }
 
-TEST(Integrate, AVehicleOnALineGoesStraight) {
+TEST(Integrate, AVehicleOnALineMovesStraight) {
   EXPECT_NEAR(integrate(MonobotMotion{}, vec({3}), vec({-0.7}), 10)[0], -4, 1e-9);
 }
 
-TEST(Integrate, AVehicleOnASlopeGoesRoundACircleInThatPlane) {
+TEST(Integrate, AVehicleOnASlopeMovesOnACircleInThatPlane) {
   const TerrainVehicle vehicle{grounds::steep_slope()};
   const SmallVector start = vec({1, 2, 0.5});
   const double v = 1.2, w = 0.6;
@@ -96,7 +95,7 @@ TEST(Integrate, AVehicleOnASlopeGoesRoundACircleInThatPlane) {
   }
 }
 
-TEST(Integrate, AVehicleOnUnevenGroundStaysOnItAndGoesAlongItAsFastAsItIsTold) {
+TEST(Integrate, AVehicleOnUnevenGroundStaysOnItAtTheCommandedSpeed) {
   for (const Terrain& ground :
        {grounds::steep_waves(), grounds::gentle_waves(), grounds::small_height_map()}) {
     const AnyMotion vehicle = TerrainVehicle{ground};
@@ -107,7 +106,7 @@ TEST(Integrate, AVehicleOnUnevenGroundStaysOnItAndGoesAlongItAsFastAsItIsTold) {
       x = integrate(vehicle, x, vec({v, w}), dt);
       const RigidPose after = pose_of(vehicle, x);
       ASSERT_NEAR(after.position.z(), (ground.at<double>(x[0], x[1]).height), 1e-12);
-      // The way and the turn of a thousandth of a second, in the axes of its middle
+      // Displacement and rotation over a millisecond, in the axes at its middle
       const SmallVector middle = x - 0.5 * dt * rate_of(vehicle, x, vec({v, w}));
       const Eigen::Matrix3d axes = rotation_matrix<double>(pose_of(vehicle, middle).world_from_body);
       const Vector3d moved = axes.transpose() * (after.position - before.position) / dt;
@@ -135,7 +134,7 @@ PlantSettings at_rest(const AnyMotion& motion) {
 
 std::vector<AnyMotion> motions() { return registered::examples_of_all<AnyMotion>(); }
 
-TEST(Plant, CutsTheInputOffAndTellsWhatItDid) {
+TEST(Plant, ClampsTheInputAndReportsWhatItApplied) {
   for (const AnyMotion& motion : motions()) {
     const int inputs = inputs_of(motion);
     const PlantSettings s = at_rest(motion);
@@ -148,15 +147,15 @@ TEST(Plant, CutsTheInputOffAndTellsWhatItDid) {
       const SmallVector before = plant.state();
       const SmallVector after = plant.move(asked, 0.5);
       EXPECT_EQ(plant.executed(), done);
-      EXPECT_EQ(after, integrate(motion, before, done, 0.5)) << "as if that had been asked";
+      EXPECT_EQ(after, integrate(motion, before, done, 0.5)) << "as for the clamped command";
       EXPECT_EQ(after, plant.state());
     }
     const SmallVector before = plant.state();
-    EXPECT_EQ(plant.move(far, 0), before) << "no time, no way";
+    EXPECT_EQ(plant.move(far, 0), before) << "no displacement in zero time";
   }
 }
 
-TEST(Plant, IsDisturbedBeyondWhatItTells) {
+TEST(Plant, HasDisturbancesThatItDoesNotReport) {
   PlantSettings s = at_rest(DifferentialDrive{});
   s.input_sigmas = vec({0.1, 0.2});
   Plant plant(DifferentialDrive{}, s, 3, "plant");
@@ -166,20 +165,20 @@ TEST(Plant, IsDisturbedBeyondWhatItTells) {
   for (int k = 0; k < ticks; ++k) {
     const SmallVector before = plant.state();
     const SmallVector after = plant.move(vec({0.5, -0.3}), dt);
-    EXPECT_EQ(plant.executed(), vec({0.5, -0.3})) << "the disturbance is not told";
+    EXPECT_EQ(plant.executed(), vec({0.5, -0.3})) << "the disturbance is not reported";
     const double w = wrap_angle(after[2] - before[2]) / dt, half = w * dt / 2;
     const double chord =
         (after - before).head<2>().dot(Vector2d(std::cos(before[2] + half), std::sin(before[2] + half)));
     const double v = chord / dt * half / std::sin(half);
     mean += (v - 0.5) / ticks, speed += (v - 0.5) * (v - 0.5) / ticks, turn += (w + 0.3) * (w + 0.3) / ticks;
   }
-  // Of 20 000 draws the sigma is known to half a per cent
+  // With 20 000 draws sigma is accurate to 0.5 %
   EXPECT_NEAR(std::sqrt(speed), 0.1, 0.002);
   EXPECT_NEAR(std::sqrt(turn), 0.2, 0.004);
   EXPECT_NEAR(mean, 0, 0.003) << "anew at each tick";
 }
 
-TEST(Plant, StartsAroundWhereItIsToldTo) {
+TEST(Plant, StartsWithTheStatedUncertainty) {
   const AnyMotion motion = FreeCameraMotion{};
   PlantSettings s = at_rest(motion);
   s.start_sigmas = SmallVector::LinSpaced(12, 0, 0.11);
@@ -202,7 +201,7 @@ std::vector<SmallVector> states(const AnyMotion& motion, std::uint64_t seed, con
   return all;
 }
 
-TEST(Plant, GivesTheSameForTheSameSeedAndNameAndAnotherForOthers) {
+TEST(Plant, IsDeterministicForASeedAndAName) {
   for (const AnyMotion& motion : motions()) {
     const auto first = states(motion, 7, "a");
     EXPECT_EQ(first, states(motion, 7, "a"));
@@ -214,7 +213,7 @@ TEST(Plant, GivesTheSameForTheSameSeedAndNameAndAnotherForOthers) {
   }
 }
 
-TEST(Plant, RefusesWhatCannotBe) {
+TEST(Plant, RefusesInvalidSettings) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   for (const AnyMotion& motion : motions()) {
     const auto complaint = [&](auto change) {
@@ -233,32 +232,33 @@ TEST(Plant, RefusesWhatCannotBe) {
     }
     EXPECT_HAS(complaint([](auto& s) { s.start_sigmas[0] = -1; }), "zero or positive");
     EXPECT_HAS(complaint([](auto& s) { s.input_sigmas[0] = -1; }), "zero or positive");
-    EXPECT_HAS(complaint([](auto& s) { s.least_input[0] = 3; }), "more than the most");
+    EXPECT_HAS(complaint([](auto& s) { s.least_input[0] = 3; }), "exceeds the upper one");
     Plant plant(motion, at_rest(motion), 1, "plant");
     const SmallVector before = plant.state(), input = SmallVector::Zero(inputs_of(motion));
     const auto moving = [&](const SmallVector& u, double dt) {
       return message_of<std::invalid_argument>([&] { plant.move(u, dt); });
     };
-    EXPECT_HAS(moving(SmallVector::Zero(9), 0.1), "9 numbers where");
+    EXPECT_HAS(moving(SmallVector::Zero(9), 0.1), "9 numbers, expected");
     EXPECT_HAS(moving(SmallVector::Constant(input.size(), nan), 0.1), "must be finite");
     for (const double bad : {-0.1, nan, std::numeric_limits<double>::infinity()})
       EXPECT_HAS(moving(input, bad), "a tick must last zero or more seconds");
-    EXPECT_EQ(plant.state(), before) << "what was refused moved nothing";
+    EXPECT_EQ(plant.state(), before) << "a refused operation changes nothing";
   }
 }
 
-TEST(Plant, RefusesAnOrientationThatIsNoneAndASteeringThatTurnsAboutAWheel) {
+TEST(Plant, RefusesAnInvalidOrientationAndASteeringAboutTheMeasuredWheel) {
   const auto complaint = [](const AnyMotion& motion, const PlantSettings& s) {
     return message_of<std::invalid_argument>([&] { Plant(motion, s, 1, "plant"); });
   };
   PlantSettings body = at_rest(FreeCameraMotion{});
   for (const double w : {0.0, 2.0}) {
     body.start[3] = w;
-    EXPECT_HAS(complaint(FreeCameraMotion{}, body), "quaternion of length 1");
+    EXPECT_HAS(complaint(FreeCameraMotion{}, body), "unit quaternion");
   }
   const AckermannCar car;
   PlantSettings s = at_rest(car);
-  const double tightest = std::atan(car.wheelbase_m / car.wheel_left_m);  // to the left, where the wheel is
+  // to the left, where the measured wheel is
+  const double tightest = std::atan(car.wheelbase_m / car.wheel_left_m);
   for (const auto& [least, most, fits] :
        {std::tuple(-1.5, 0.99 * tightest, true), {-0.5, 1.01 * tightest, false}, {-1.6, 0.5, false}}) {
     s.least_input[1] = least, s.most_input[1] = most;

@@ -30,7 +30,7 @@ void move_for(FreeCameraPlant& plant, const Command& command, int ticks) {
   for (int i = 0; i < ticks; ++i) plant.move(command, dt);
 }
 
-TEST(level_gaze, looks_along_its_heading_with_the_floor_down) {
+TEST(LevelGaze, FacesItsHeadingWithTheFloorDown) {
   for (const double heading : {0.0, 0.7, std::numbers::pi, -2.0}) {
     const Eigen::Matrix3d r = rotation_matrix<double>(level_gaze(heading));
     EXPECT_NEAR((r.col(2) - Eigen::Vector3d(std::cos(heading), std::sin(heading), 0)).norm(), 0, 1e-12);
@@ -39,7 +39,7 @@ TEST(level_gaze, looks_along_its_heading_with_the_floor_down) {
   }
 }
 
-TEST(plant, starts_at_rest_where_it_was_told) {
+TEST(FreeCameraPlant, StartsAtRestAtTheGivenPose) {
   RoomSettings s = quiet();
   s.start_heading_rad = 0.4;
   const auto plant = plant_in(s);
@@ -48,7 +48,7 @@ TEST(plant, starts_at_rest_where_it_was_told) {
   EXPECT_TRUE(plant.state().tail<6>().isZero());
 }
 
-TEST(plant, constant_acceleration_gives_the_parabola) {
+TEST(FreeCameraPlant, ConstantAccelerationGivesTheParabola) {
   auto plant = plant_in(quiet());
   const Eigen::Vector3d a(0.5, -0.3, 0.2);
   move_for(plant, {a, Eigen::Vector3d::Zero()}, 45);
@@ -57,7 +57,7 @@ TEST(plant, constant_acceleration_gives_the_parabola) {
   EXPECT_NEAR((plant.state().segment<3>(7) - t * a).norm(), 0, 1e-9);
 }
 
-TEST(plant, constant_angular_acceleration_about_one_axis_turns_by_half_a_t_squared) {
+TEST(FreeCameraPlant, ConstantAngularAccelerationGivesHalfAlphaTSquared) {
   auto plant = plant_in(quiet());
   const Eigen::Vector3d axis = Eigen::Vector3d(1, 2, -0.5).normalized();
   move_for(plant, {Eigen::Vector3d::Zero(), 0.8 * axis}, 60);
@@ -71,8 +71,8 @@ TEST(plant, constant_angular_acceleration_about_one_axis_turns_by_half_a_t_squar
   EXPECT_NEAR(plant.state().segment<4>(3).norm(), 1, 1e-14);
 }
 
-/// Turning to the right by the camera's own down axis turns the heading against z.
-TEST(plant, a_positive_rate_about_the_down_axis_turns_right) {
+/// A right turn about the camera's down axis reduces the heading about z.
+TEST(FreeCameraPlant, APositiveRateAboutTheDownAxisTurnsRight) {
   auto plant = plant_in(quiet());
   move_for(plant, {Eigen::Vector3d::Zero(), {0, 1, 0}}, 30);
   const Eigen::Vector3d forward =
@@ -80,7 +80,7 @@ TEST(plant, a_positive_rate_about_the_down_axis_turns_right) {
   EXPECT_NEAR(std::atan2(forward.y(), forward.x()), -0.5, 1e-8);
 }
 
-TEST(plant, agrees_with_the_discrete_model_for_short_steps) {
+TEST(FreeCameraPlant, AgreesWithTheDiscreteModelForShortSteps) {
   auto plant = plant_in(quiet());
   move_for(plant, {{0.3, 0.1, 0}, {0.4, -0.6, 0.2}}, 20);
   const Command command{{0.3, -0.2, 0.1}, {0.2, 0.3, -0.4}};
@@ -89,17 +89,17 @@ TEST(plant, agrees_with_the_discrete_model_for_short_steps) {
   EXPECT_NEAR((plant.move(command, step) - expected).norm(), 0, 1e-7);
 }
 
-TEST(plant, walls_stop_the_body_and_let_it_slide) {
+TEST(FreeCameraPlant, WallsStopTheBodyAndLetItSlide) {
   auto plant = plant_in(quiet());
   move_for(plant, {{2, 0.3, 0}, Eigen::Vector3d::Zero()}, 75);
   EXPECT_DOUBLE_EQ(plant.state()[0], 3 - 0.15);
   EXPECT_DOUBLE_EQ(plant.state()[7], 0);
   EXPECT_NEAR(plant.state()[1], 0.15 * 2.5 * 2.5, 1e-9) << "motion along the wall goes on";
   move_for(plant, {{-1, 0, 0}, Eigen::Vector3d::Zero()}, 30);
-  EXPECT_NEAR(plant.state()[0], 3 - 0.15 - 0.5, 1e-9) << "and the way back is free";
+  EXPECT_NEAR(plant.state()[0], 3 - 0.15 - 0.5, 1e-9) << "motion away from the wall is free";
 }
 
-TEST(plant, floor_and_ceiling_stop_it_too) {
+TEST(FreeCameraPlant, FloorAndCeilingStopIt) {
   auto plant = plant_in(quiet());
   move_for(plant, {{0, 0, -3}, Eigen::Vector3d::Zero()}, 60);
   EXPECT_DOUBLE_EQ(plant.state()[2], 0.15);
@@ -107,7 +107,7 @@ TEST(plant, floor_and_ceiling_stop_it_too) {
   EXPECT_DOUBLE_EQ(plant.state()[2], 2.5 - 0.15);
 }
 
-TEST(plant, a_box_stops_it_even_at_a_speed_that_would_jump_over_it) {
+TEST(FreeCameraPlant, ABoxStopsItAtAnySpeed) {
   const RoomSettings s = quiet();
   RoomLayout layout = room_layout(s, 1);
   layout.boxes.push_back({{1, -0.5, 0}, {1.3, 0.5, 1.8}});
@@ -119,7 +119,7 @@ TEST(plant, a_box_stops_it_even_at_a_speed_that_would_jump_over_it) {
   EXPECT_GT(plant.state()[1], 0) << "it slides along the box";
 }
 
-TEST(plant, never_enters_anything_however_it_is_pushed) {
+TEST(FreeCameraPlant, NeverEntersAnObstacle) {
   RoomSettings s;
   s.sigma_acceleration_m_s2 = 30;
   const RoomLayout layout = room_layout(s, 3);
@@ -134,7 +134,7 @@ TEST(plant, never_enters_anything_however_it_is_pushed) {
   }
 }
 
-TEST(plant, same_seed_same_states_and_another_seed_others) {
+TEST(FreeCameraPlant, SameSeedSameStatesAndAnotherSeedOthers) {
   auto a = plant_in(RoomSettings{}, 5), b = plant_in(RoomSettings{}, 5), c = plant_in(RoomSettings{}, 6);
   EXPECT_EQ(a.state(), b.state());
   EXPECT_NE(a.state(), c.state());
@@ -143,7 +143,7 @@ TEST(plant, same_seed_same_states_and_another_seed_others) {
   EXPECT_EQ(a.state(), b.state());
 }
 
-TEST(plant, disturbances_have_the_stated_size) {
+TEST(FreeCameraPlant, DisturbancesHaveTheStatedSigma) {
   RoomSettings s = quiet();
   s.sigma_acceleration_m_s2 = 0.3;
   s.sigma_angular_acceleration_rad_s2 = 0.5;
@@ -155,12 +155,12 @@ TEST(plant, disturbances_have_the_stated_size) {
     linear += plant.state().segment<3>(7).squaredNorm();
     angular += plant.state().segment<3>(10).squaredNorm();
   }
-  // the standard error of these is 1.3 %
+  // their standard error is 1.3 %
   EXPECT_NEAR(std::sqrt(linear / (3 * runs)) / dt, 0.3, 0.3 * 0.05);
   EXPECT_NEAR(std::sqrt(angular / (3 * runs)) / dt, 0.5, 0.5 * 0.05);
 }
 
-TEST(plant, refuses_what_cannot_be) {
+TEST(FreeCameraPlant, RefusesInvalidSettings) {
   RoomSettings outside = quiet();
   outside.start_position_m.x() = 2.9;
   EXPECT_THROW(plant_in(outside), std::invalid_argument);
@@ -172,7 +172,7 @@ TEST(plant, refuses_what_cannot_be) {
   EXPECT_THROW(plant.move({{NAN, 0, 0}, Eigen::Vector3d::Zero()}, dt), std::invalid_argument);
 }
 
-TEST(room_world, the_first_tick_gives_the_start) {
+TEST(RoomWorld, TheFirstTickReturnsTheStart) {
   const RoomSettings s;
   RoomWorld world(room_layout(s, 2), s, 2);
   const auto first = world.move({{1, 1, 1}, Eigen::Vector3d::Zero()}, Tick{0, 0, 0});

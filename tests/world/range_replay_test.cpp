@@ -1,4 +1,4 @@
-// Recordings of ranges as the loop sees them, and the simulated drive.
+// Range-bearing recordings replayed in the loop, and the simulated drive.
 #include "incognita/world/replay/range_replay.hpp"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ RangeRecording small() {
   return r;
 }
 
-TEST(RangeClock, TicksOncePerScanUntilItsTimeIsUp) {
+TEST(RangeClock, TicksOncePerScanForItsDuration) {
   RangeClock clock(shared({small()}), 1.5);  // from 0.8, the first event of any kind
   EXPECT_EQ(clock.expected_frames(), 2);
   const Tick first = clock.next(), second = clock.next();
@@ -34,7 +34,7 @@ TEST(RangeClock, TicksOncePerScanUntilItsTimeIsUp) {
   EXPECT_FALSE(clock.next());
 }
 
-TEST(RangeSensor, TellsWhatCameSinceTheTickBefore) {
+TEST(RangeSensor, ReturnsWhatWasMeasuredSinceThePreviousTick) {
   RangeSensor sensor(shared({small()}), {30, Fixes::all});
   const BodyObservation first = sensor.measure({}, {0, 1, 0}).bodies.at(0),
                         second = sensor.measure({}, {1, 2, 1}).bodies.at(0);
@@ -50,25 +50,25 @@ TEST(RangeSensor, TellsWhatCameSinceTheTickBefore) {
   EXPECT_EQ(second.fixes[0].t, 1.9);
 }
 
-TEST(RangeSensor, GivesNoMoreFixesThanAreWanted) {
+TEST(RangeSensor, ReturnsTheRequestedFixesOnly) {
   RangeSensor none(shared({small()}), {30, Fixes::none}), first(shared({small()}), {30, Fixes::first});
   EXPECT_TRUE(none.measure({}, {0, 1, 0}).bodies.at(0).fixes.empty());
   EXPECT_FALSE(first.measure({}, {0, 1, 0}).bodies.at(0).fixes.empty());
   EXPECT_TRUE(first.measure({}, {1, 2, 1}).bodies.at(0).fixes.empty());
 }
 
-TEST(TruePlace, LiesBetweenItsNeighborsAndTurnsTheShortWay) {
+TEST(TruePosition, InterpolatesAndTurnsTheShorterWay) {
   const RangeRecording recording = small();
   const auto reference = true_position(recording, 1.0);
   ASSERT_TRUE(reference);
   EXPECT_NEAR(reference->position.x(), 2, 1e-12);
   EXPECT_NEAR(std::abs(*reference->heading_rad), M_PI, 1e-9);
-  EXPECT_FALSE(true_position(recording, 2.0));  // a hole of 1.7 s
+  EXPECT_FALSE(true_position(recording, 2.0));  // a gap of 1.7 s
   EXPECT_FALSE(true_position(recording, 0.5));
   EXPECT_FALSE(true_position(recording, 3.5));
 }
 
-TEST(RangeWorld, SaysWhetherTheOrientationIsKnown) {
+TEST(RangeWorld, ReportsWhetherTheOrientationIsKnown) {
   RangeRecording r = small();
   for (auto& place : r.truth) place.heading_rad.reset();
   RangeWorld blind(shared({r})), seeing(shared({small()}));
@@ -77,7 +77,7 @@ TEST(RangeWorld, SaysWhetherTheOrientationIsKnown) {
   EXPECT_FALSE(seeing.move({}, {1, 2, 1}));
 }
 
-TEST(PlanarLoop, IsTheSameForTheSameSeed) {
+TEST(PlanarLoop, IsDeterministicForASeed) {
   PlanarLoopSettings settings;
   settings.duration_s = 20;
   const RangeRecording a = drive_planar_loop(settings, 7), b = drive_planar_loop(settings, 7),
@@ -87,8 +87,8 @@ TEST(PlanarLoop, IsTheSameForTheSameSeed) {
   EXPECT_NE(a.truth.back().position, c.truth.back().position);
 }
 
-/// What the filters are told of the noise is what it is.
-TEST(PlanarLoop, HasTheNoiseItSays) {
+/// The noise stated to the filter is the noise of the data.
+TEST(PlanarLoop, HasTheStatedNoise) {
   PlanarLoopSettings settings;
   settings.duration_s = 2000;
   const RangeRecording r = drive_planar_loop(settings, 3);
@@ -121,12 +121,12 @@ TEST(PlanarLoop, HasTheNoiseItSays) {
   EXPECT_NEAR(std::sqrt(turn / steps), settings.sigma_turn_rate_rad_s, 0.05 * settings.sigma_turn_rate_rad_s);
 }
 
-TEST(RangeWorld, KnowsEachRobotWhereItsOwnTruthIs) {
+TEST(RangeWorld, EachRobotHasItsOwnTruth) {
   RangeRecording first = small(), second = small();
   second.truth = {{1.0, {7, 1}, 0.5}, {1.4, {7, 2}, 0.5}};
   RangeWorld world(shared({first, second}));
   const auto both = world.move({}, {0, 1.2, 0}), second_only = world.move({}, {1, 1.3, 0.1}),
-             nobody = world.move({}, {2, 2, 0.7});
+             neither = world.move({}, {2, 2, 0.7});
   ASSERT_TRUE(both && second_only);
   ASSERT_EQ(both->poses.size(), 2u);
   ASSERT_TRUE(both->poses[0] && both->poses[1]);
@@ -135,7 +135,7 @@ TEST(RangeWorld, KnowsEachRobotWhereItsOwnTruthIs) {
   EXPECT_FALSE(second_only->poses[0]);  // its neighbors are 1.7 s apart
   ASSERT_TRUE(second_only->poses[1]);
   EXPECT_NEAR(second_only->poses[1]->position.y(), 1.75, 1e-12);
-  EXPECT_FALSE(nobody);
+  EXPECT_FALSE(neither);
 }
 
 }  // namespace

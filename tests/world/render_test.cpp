@@ -44,7 +44,7 @@ double standard_deviation(const Image& image) {
   return std::sqrt(squares / count - sum / count * sum / count);
 }
 
-/// Where OpenCV finds a corner near a pixel: the point at right angles to all gradients around it.
+/// The corner near a pixel by OpenCV: the point orthogonal to all gradients around it.
 Eigen::Vector2d refined(const Image& image, const Eigen::Vector2d& near) {
   const cv::Mat gray(image.height(), image.width(), CV_8U, const_cast<std::uint8_t*>(image.row(0)));
   std::vector<cv::Point2f> corner{{static_cast<float>(near.x()), static_cast<float>(near.y())}};
@@ -56,12 +56,12 @@ Eigen::Vector2d refined(const Image& image, const Eigen::Vector2d& near) {
 Eigen::Vector2d projected(const Camera& camera, const Pose& at, const Eigen::Vector3d& point) {
   const Eigen::Matrix3d camera_from_world = rotation_matrix<double>(at.world_from_camera).transpose();
   const auto projection = camera.project(camera_from_world * (point - at.position));
-  EXPECT_TRUE(projection && camera.contains(projection->pixel, 10)) << "the test looks past the sheet";
+  EXPECT_TRUE(projection && camera.contains(projection->pixel, 10)) << "the sheet is out of view";
   return projection->pixel;
 }
 
-/// How far the black-white edge through `on_edge` lies towards `out`, a unit vector to the white side. The
-/// profile across an edge, however smooth, holds as much black as the edge is far.
+/// Distance of the black-white edge from `on_edge` along `out`, a unit vector to the white side. The integral
+/// over the profile across an edge, whatever its blur, is its position.
 double edge_offset(const Image& image, const Eigen::Vector2d& on_edge, const Eigen::Vector2d& out) {
   constexpr double reach = 4, step = 0.05;
   const auto gray = [&](double s) {
@@ -81,9 +81,9 @@ class Corners : public testing::TestWithParam<double> {
                          pose(1.9, -0.7, 1.0, 0.5, {0.15, 0.1, 0})};
 };
 
-/// Camera model, axes, room and renderer agree: the sides of the black rectangle, and so its corners, are
-/// seen where the model puts them, from many places.
-TEST_P(Corners, of_the_sheet_are_joined_by_edges_where_the_camera_model_puts_them) {
+/// Camera model, axes, room and renderer agree: the edges of the black rectangle, and so its corners, are
+/// where the model projects them, from many poses.
+TEST_P(Corners, OfTheSheetAreJoinedByEdgesWhereTheCameraModelProjectsThem) {
   const auto corners = room().layout().sheet.corners();
   const Eigen::Vector3d middle = 0.5 * (corners[0] + corners[2]);
   for (const Pose& at : poses) {
@@ -102,9 +102,9 @@ TEST_P(Corners, of_the_sheet_are_joined_by_edges_where_the_camera_model_puts_the
   }
 }
 
-/// The same with a corner finder. It draws every corner that is black on one quarter a little inwards, here
-/// by up to 0.3 px; over the four corners of a rectangle that cancels.
-TEST_P(Corners, of_the_sheet_are_found_where_the_camera_model_puts_them) {
+/// The same with a corner detector. It displaces every corner with one black quadrant inwards, here by up to
+/// 0.3 px; over the four corners of a rectangle this cancels.
+TEST_P(Corners, OfTheSheetAreDetectedWhereTheCameraModelProjectsThem) {
   for (const Pose& at : poses) {
     const Image image = picture(camera, at);
     Eigen::Vector2d mean(0, 0);
@@ -119,17 +119,17 @@ TEST_P(Corners, of_the_sheet_are_found_where_the_camera_model_puts_them) {
 }
 INSTANTIATE_TEST_SUITE_P(distortion, Corners, testing::Values(0.0, 9e-6));
 
-TEST(render, what_is_left_in_the_world_is_left_in_the_image) {
+TEST(Render, LeftInTheWorldIsLeftInTheImage) {
   const Image image = picture(WideAngleCamera{}, pose(1.6, 0, 1.3, 0));
   EXPECT_LT(image(159, 119), 30) << "the black rectangle in the middle";
   EXPECT_GT(image(159 - 40, 119), 220) << "white paper left of it";
   EXPECT_GT(image(159, 119 + 28), 220) << "and below it";
-  // turned a little to the right, the sheet goes to the left
+  // a turn to the right moves the sheet to the left
   const Image right = picture(WideAngleCamera{}, pose(1.6, 0, 1.3, -0.4));
   EXPECT_LT(right(159 - 82, 119), 30);
 }
 
-TEST(render, every_view_is_full_of_texture) {
+TEST(Render, EveryViewIsTextured) {
   for (double x : {-1.5, 0.0, 1.5})
     for (double heading = 0; heading < 2 * std::numbers::pi; heading += 0.5)
       EXPECT_GT(standard_deviation(picture(WideAngleCamera{.kd1 = 9e-6}, pose(x, 0.2, 1.3, heading))), 25)
@@ -139,8 +139,8 @@ TEST(render, every_view_is_full_of_texture) {
         << pitch;
 }
 
-/// A patch that is searched for has to hold something: corners are found all over each wall.
-TEST(render, corners_are_everywhere) {
+/// Patches for the search need texture: corners are detected all over each wall.
+TEST(Render, CornersAreEverywhere) {
   for (double heading = 0; heading < 2 * std::numbers::pi; heading += 0.5) {
     const Image image = picture(WideAngleCamera{.kd1 = 9e-6}, pose(0, 0, 1.3, heading));
     const cv::Mat gray(image.height(), image.width(), CV_8U, const_cast<std::uint8_t*>(image.row(0)));
@@ -150,12 +150,12 @@ TEST(render, corners_are_everywhere) {
       for (int u = 0; u < 4; ++u) {
         double best = 0;
         cv::minMaxLoc(strength(cv::Rect(80 * u, 60 * v, 80, 60)), nullptr, &best);
-        EXPECT_GT(best, 2e-4) << heading << " " << u << " " << v;  // noise of 2 grey levels alone gives 2e-5
+        EXPECT_GT(best, 2e-4) << heading << " " << u << " " << v;  // noise of 2 gray levels alone gives 2e-5
       }
   }
 }
 
-TEST(render, depends_on_the_pose_alone) {
+TEST(Render, DependsOnThePoseAlone) {
   const RayTable rays{Camera(WideAngleCamera{.kd1 = 9e-6})};
   const Pose here = pose(0.5, 0.5, 1.3, 1.0), there = pose(-1, 0.2, 0.8, 3.0);
   Image first, again;
@@ -168,7 +168,7 @@ TEST(render, depends_on_the_pose_alone) {
   EXPECT_EQ(first, again) << "q and -q are the same orientation";
 }
 
-TEST(render, a_room_is_its_seed) {
+TEST(Render, ARoomIsDeterminedByItsSeed) {
   const RayTable rays{Camera(WideAngleCamera{})};
   const Pose here = pose(0, 0, 1.3, 2.0);
   Image same, other, reference = picture(WideAngleCamera{}, here);
@@ -178,10 +178,10 @@ TEST(render, a_room_is_its_seed) {
   EXPECT_NE(other, reference);
 }
 
-/// Tiles where only one wall can be seen take a short cut: it must not change anything.
-TEST(render, a_camera_with_shifted_tiles_sees_the_same) {
+/// Tiles that contain a single wall are rendered by a shortcut: it must not change the image.
+TEST(Render, ACameraWithShiftedTilesHasTheSameImage) {
   const WideAngleCamera whole{.width = 320, .height = 240};
-  WideAngleCamera shifted = whole;  // drops five columns and three rows: tiles begin elsewhere
+  WideAngleCamera shifted = whole;  // without five columns and three rows: tiles begin elsewhere
   shifted.width -= 5, shifted.height -= 3, shifted.u0 -= 5, shifted.v0 -= 3;
   for (double heading = 0; heading < 6; heading += 0.37) {
     const Pose at = pose(0.4, -0.3, 1.2, heading, {0.2, 0, 0.1});
@@ -193,8 +193,8 @@ TEST(render, a_camera_with_shifted_tiles_sees_the_same) {
   }
 }
 
-/// A pixel is an average of what it covers: small moves make small changes, which aliasing would not.
-TEST(render, an_image_is_the_average_of_a_finer_one) {
+/// A pixel is the average over its area: without aliasing small motions make small changes.
+TEST(Render, AnImageIsTheAverageOfAFinerOne) {
   const WideAngleCamera coarse;
   const WideAngleCamera fine{.width = 1280, .height = 960, .fu = 780, .fv = 780, .u0 = 639.5, .v0 = 479.5};
   double squares = 0;
@@ -212,7 +212,7 @@ TEST(render, an_image_is_the_average_of_a_finer_one) {
   EXPECT_LT(std::sqrt(squares / count), 12);
 }
 
-TEST(render, pixels_without_a_ray_are_black) {
+TEST(Render, PixelsWithoutARayAreBlack) {
   const WideAngleCamera fisheye{.kd1 = 3e-5};  // the image of infinity is a circle of 129 px
   const Image image = picture(fisheye, pose(0, 0, 1.3, 0));
   EXPECT_EQ(image(0, 0), 0);
@@ -220,7 +220,7 @@ TEST(render, pixels_without_a_ray_are_black) {
   EXPECT_GT(image(159, 119), 0);
 }
 
-TEST(render, from_outside_there_is_nothing_to_see) {
+TEST(Render, OutsideTheRoomTheImageIsBlack) {
   const Image image = picture(WideAngleCamera{}, pose(3.5, 0, 1.3, 0));
   EXPECT_EQ(image, Image(320, 240));
 }

@@ -14,7 +14,7 @@ std::string text_of(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// The three numbers of every line that begins with `key`.
+/// The three numbers of each line that begins with `key`.
 std::vector<Eigen::Vector3d> vectors_of(const std::string& text, const std::string& key) {
   std::vector<Eigen::Vector3d> out;
   std::istringstream lines(text);
@@ -28,7 +28,7 @@ std::vector<Eigen::Vector3d> vectors_of(const std::string& text, const std::stri
 
 const std::string targets = std::string(INCOGNITA_SOURCE_DIR) + "/scenarios/targets/";
 
-TEST(room_layout, the_target_file_says_where_the_sheet_hangs) {
+TEST(RoomLayout, TheTargetFileHasThePoseOfTheSheet) {
   const Sheet sheet = room_layout(RoomSettings{}, 1).sheet;
   const std::string file = text_of(targets + "sheet.toml");
   const auto corners = vectors_of(file, "position_m");
@@ -38,8 +38,8 @@ TEST(room_layout, the_target_file_says_where_the_sheet_hangs) {
   EXPECT_EQ(vectors_of(file, "normal")[0], sheet.normal());
 }
 
-/// The black quadrant of each patch lies towards the middle of the rectangle, as someone facing it sees it.
-TEST(room_layout, the_target_patches_show_their_corners) {
+/// The black quadrant of each patch is towards the center of the rectangle, as seen from the front.
+TEST(RoomLayout, TheTargetPatchesShowTheirCorners) {
   const int black_u[] = {12, 2, 2, 12}, black_v[] = {12, 12, 2, 2};
   for (int corner = 0; corner < 4; ++corner) {
     const std::string pgm = text_of(targets + "sheet_corner" + std::to_string(corner) + ".pgm");
@@ -55,7 +55,7 @@ TEST(room_layout, the_target_patches_show_their_corners) {
   }
 }
 
-TEST(room_layout, boxes_stand_at_walls_apart_from_each_other_and_out_of_the_way) {
+TEST(RoomLayout, BoxesStandAtWallsApartFromEachOtherAndClearOfThePath) {
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
     const RoomSettings s;
     const RoomLayout layout = room_layout(s, seed);
@@ -66,35 +66,35 @@ TEST(room_layout, boxes_stand_at_walls_apart_from_each_other_and_out_of_the_way)
       EXPECT_NEAR(std::min({low.x(), low.y(), high.x(), high.y()}), 0, 1e-12) << "touches a wall";
       EXPECT_GE(std::min(low.minCoeff(), high.minCoeff()), -1e-12) << "is in the room";
       for (double along = 0; along <= 1;
-           along += 0.1) {  // the way from the start to the target, with room around it
+           along += 0.1) {  // the path from the start to the target, with clearance
         const Eigen::Vector3d p =
             s.start_position_m + along * (Eigen::Vector3d(3, 0, 1.3) - s.start_position_m);
         EXPECT_FALSE(box.grown(0.5).contains({p.x(), p.y(), 0.2}));
       }
-      EXPECT_FALSE(box.grown(1.0).contains({0, 0, 0.2})) << "the middle is free";
+      EXPECT_FALSE(box.grown(1.0).contains({0, 0, 0.2})) << "the center is free";
     }
   }
 }
 
-TEST(room_layout, depends_on_the_seed_alone) {
+TEST(RoomLayout, DependsOnTheSeedAlone) {
   const auto first_box = [](std::uint64_t seed) { return room_layout(RoomSettings{}, seed).boxes[0].min; };
   EXPECT_EQ(first_box(4), first_box(4));
   EXPECT_NE(first_box(4), first_box(5));
 }
 
-TEST(room_layout, refuses_rooms_that_cannot_be) {
+TEST(RoomLayout, RefusesInvalidRooms) {
   RoomSettings s;
   s.boxes = 25;
   EXPECT_THROW(room_layout(s, 1), std::invalid_argument);
   s.boxes = 24;
   s.size_m = {2, 2, 2.5};
-  EXPECT_THROW(room_layout(s, 1), std::invalid_argument) << "24 boxes do not fit, and it ends";
+  EXPECT_THROW(room_layout(s, 1), std::invalid_argument) << "24 boxes do not fit, and the search ends";
   s.boxes = 0;
   s.size_m.x() = NAN;
   EXPECT_THROW(room_layout(s, 1), std::invalid_argument);
 }
 
-TEST(texture, magnified_it_is_bilinear_and_far_away_it_is_the_mean) {
+TEST(Texture, MagnificationIsBilinearAndDistanceGivesTheMean) {
   Image checks(64, 48);
   for (int v = 0; v < 48; ++v)
     for (int u = 0; u < 64; ++u) checks(u, v) = (u + v) % 2 ? 200 : 40;

@@ -1,5 +1,4 @@
-// A vehicle on the uneven floor of the rendered room: where its camera is, what its wheels tell, what stops
-// it.
+// A vehicle on the uneven floor of the rendered room: pose of its camera, wheel odometry, and collisions.
 #include "incognita/world/rendered/room_vehicle.hpp"
 
 #include <gtest/gtest.h>
@@ -42,7 +41,7 @@ Command drive(double speed, double turn_rate) {
   return command;
 }
 
-TEST(room_vehicle, carries_its_camera_where_its_mount_says) {
+TEST(RoomVehicle, CarriesItsCameraAtTheMountedPose) {
   RoomVehicle world(body, mount, plant({0.3, -0.4, 0.7}), empty_room(), radius_m, 1);
   const auto start = world.move({}, {0, 0, 0});
   const MountedCamera<3> mounted_pose = mount.on(body.pose({0.3, -0.4, 0.7}));
@@ -61,7 +60,7 @@ TEST(room_vehicle, carries_its_camera_where_its_mount_says) {
   }
 }
 
-TEST(room_vehicle, stops_its_radius_from_walls_and_can_turn_and_leave) {
+TEST(RoomVehicle, StopsItsRadiusFromWallsAndCanTurnAndLeave) {
   const RoomLayout room = empty_room();
   const FloorPlan plan(room);
   RoomVehicle world(body, mount, plant({2, 0, 0}, 0.1), room, radius_m, 1);
@@ -71,7 +70,7 @@ TEST(room_vehicle, stops_its_radius_from_walls_and_can_turn_and_leave) {
     ASSERT_GE(plan.clearance_at(truth.vehicles[0].head<2>()), radius_m - 1e-12);
   }
   EXPECT_LT(plan.clearance_at(truth.vehicles[0].head<2>()), radius_m + 0.06);
-  EXPECT_NEAR(truth.inputs[0][0], 0.8, 0) << "its wheels turn on";
+  EXPECT_NEAR(truth.inputs[0][0], 0.8, 0) << "its wheels go on turning";
   EXPECT_NEAR(truth.camera.segment<3>(7).norm(), 0, 1e-12) << "and it stands";
   const double heading = truth.vehicles[0][2];
   truth = *world.move(drive(0.8, 1), {100, 5, 0.05});
@@ -80,12 +79,12 @@ TEST(room_vehicle, stops_its_radius_from_walls_and_can_turn_and_leave) {
   EXPECT_GT(plan.clearance_at(truth.vehicles[0].head<2>()), 0.5);
 }
 
-TEST(room_vehicle, refuses_to_start_in_a_wall) {
+TEST(RoomVehicle, RefusesToStartInAWall) {
   EXPECT_THROW(RoomVehicle(body, mount, plant({2.9, 0, 0}), empty_room(), radius_m, 1),
                std::invalid_argument);
 }
 
-/// The nearest thing inside a cone by looking along very many rays.
+/// The nearest obstacle inside a cone, by casting many rays.
 double nearest_by_rays(const RoomLayout& room, const Eigen::Vector2d& at, double direction, double half) {
   double least = 1e9;
   for (int i = 0; i <= 400; ++i) {
@@ -103,7 +102,7 @@ double nearest_by_rays(const RoomLayout& room, const Eigen::Vector2d& at, double
   return least;
 }
 
-TEST(floor_plan, cones_tell_the_nearest_thing_inside_them) {
+TEST(FloorPlan, ConesMeasureTheNearestObstacleInsideThem) {
   const RoomLayout room = room_layout(RoomSettings{}, 5);
   const FloorPlan plan(room);
   RandomStream random(2, "cones");
@@ -114,10 +113,10 @@ TEST(floor_plan, cones_tell_the_nearest_thing_inside_them) {
     EXPECT_NEAR(plan.clearance_towards(at, direction, half, 100), nearest_by_rays(room, at, direction, half),
                 0.01);
   }
-  EXPECT_EQ(plan.clearance_towards({0, 0}, 0, 0.1, 0.5), 0.5) << "its reach where there is nothing";
+  EXPECT_EQ(plan.clearance_towards({0, 0}, 0, 0.1, 0.5), 0.5) << "its range limit where there is no obstacle";
 }
 
-TEST(floor_plan, a_ring_misses_nothing) {
+TEST(FloorPlan, ARingHasNoGaps) {
   const RoomLayout room = room_layout(RoomSettings{}, 5);
   const FloorPlan plan(room);
   RandomStream random(2, "ring");
@@ -131,7 +130,7 @@ TEST(floor_plan, a_ring_misses_nothing) {
   }
 }
 
-TEST(room_vehicle, its_sensor_tells_images_wheels_and_ranges) {
+TEST(RoomVehicle, ItsSensorMeasuresImagesWheelsAndRanges) {
   RoomSettings settings;
   settings.boxes = 0;
   settings.sigma_image_gray = 0;

@@ -38,7 +38,7 @@ Moments moments(const Image& image) {
   return {sum / count, std::sqrt(squares / count - sum / count * sum / count)};
 }
 
-TEST(image_noise, has_the_stated_sigma_and_no_bias) {
+TEST(ImageNoise, HasTheStatedSigmaAndNoBias) {
   for (const double sigma : {1.0, 2.0, 7.5}) {
     ImageNoise noise(sigma, 3);
     Image image(320, 240, 128);
@@ -46,11 +46,11 @@ TEST(image_noise, has_the_stated_sigma_and_no_bias) {
     const Moments m = moments(image);
     EXPECT_NEAR(m.mean, 128, 5 * sigma / std::sqrt(320.0 * 240));
     EXPECT_NEAR(m.sigma, std::sqrt(sigma * sigma + 1.0 / 12), 0.02 * sigma)
-        << "with the rounding to whole levels";
+        << "including rounding to integer levels";
   }
 }
 
-TEST(image_noise, rows_and_frames_do_not_repeat) {
+TEST(ImageNoise, RowsAndFramesDoNotRepeat) {
   ImageNoise noise(2, 3);
   Image image(320, 240, 128), next = image;
   noise.add_to(image);
@@ -60,17 +60,18 @@ TEST(image_noise, rows_and_frames_do_not_repeat) {
     ASSERT_FALSE(std::equal(image.row(v), image.row(v) + 320, image.row(v - 1))) << v;
 }
 
-TEST(image_noise, stays_between_black_and_white) {
+TEST(ImageNoise, StaysBetweenBlackAndWhite) {
   ImageNoise noise(50, 3);
   Image black(64, 64, 0), white(64, 64, 255);
   noise.add_to(black);
   noise.add_to(white);
-  EXPECT_NEAR(moments(black).mean, 50 / std::sqrt(2 * 3.14159), 2) << "half a normal, not wrapped around";
+  EXPECT_NEAR(moments(black).mean, 50 / std::sqrt(2 * 3.14159), 2)
+      << "half a normal distribution, without wrapping";
   EXPECT_NEAR(moments(white).mean, 255 - 50 / std::sqrt(2 * 3.14159), 2);
   EXPECT_THROW(ImageNoise(-1, 3), std::invalid_argument);
 }
 
-TEST(room_camera, is_the_render_plus_noise) {
+TEST(RoomCamera, IsTheRenderPlusNoise) {
   const WideAngleCamera model{.kd1 = 9e-6};
   RoomSettings quiet;
   quiet.sigma_image_gray = 0;
@@ -91,7 +92,7 @@ TEST(room_camera, is_the_render_plus_noise) {
   EXPECT_NEAR(std::sqrt(squares / count), std::sqrt(4 + 1.0 / 12), 0.05);
 }
 
-TEST(room_camera, same_seed_same_bytes_and_another_seed_others) {
+TEST(RoomCamera, SameSeedSameBytesAndAnotherSeedOthers) {
   const auto bytes = [](std::uint64_t seed) {
     RoomCamera camera(room(), WideAngleCamera{}, RoomSettings{}, seed);
     camera.measure(start(), Tick{0, 0, 0});
@@ -101,7 +102,7 @@ TEST(room_camera, same_seed_same_bytes_and_another_seed_others) {
   EXPECT_NE(bytes(8), bytes(9));
 }
 
-TEST(room_camera, a_covered_lens_is_dark_from_then_on) {
+TEST(RoomCamera, ACoveredLensIsDarkFromThenOn) {
   RoomSettings s;
   s.cover_lens_from_s = 2;
   RoomCamera camera(room(), WideAngleCamera{}, s, 1);
@@ -113,12 +114,12 @@ TEST(room_camera, a_covered_lens_is_dark_from_then_on) {
   }
 }
 
-TEST(room_camera, needs_the_truth) {
+TEST(RoomCamera, NeedsTheTruth) {
   RoomCamera camera(room(), WideAngleCamera{}, RoomSettings{}, 1);
   EXPECT_THROW(camera.measure(std::nullopt, Tick{0, 0, 0}), std::invalid_argument);
 }
 
-TEST(room_clock, ticks_steadily_and_ends) {
+TEST(RoomClock, TicksSteadilyAndEnds) {
   FixedRateClock clock(30, 2);
   EXPECT_EQ(clock.expected_frames(), 60);
   int frames = 0;

@@ -1,5 +1,5 @@
-// A simulated place of points and the vehicles in it: who sees what and whom, how far and which way, with
-// noise that follows from the seed alone.
+// A simulated point-landmark world and its vehicles: which landmarks and vehicles each sensor measures, the
+// values, and noise that is deterministic for a seed.
 #include "incognita/world/points/team_world.hpp"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ using testing::vec;
 
 constexpr double pi = std::numbers::pi;
 
-/// Still, exact, all-seeing.
+/// At rest, without noise, without limits of range or field of view.
 SimulatedVehicle vehicle(const AnyMotion& motion, const AnySensor& sensor, const SmallVector& start) {
   const int inputs = inputs_of(motion);
   return {motion,
@@ -32,7 +32,7 @@ SimulatedVehicle vehicle(const AnyMotion& motion, const AnySensor& sensor, const
           SmallVector::Zero(chart_of(sensor).tangent())};
 }
 
-/// Landmarks all around on the plane, named 10, 11, ...
+/// Landmarks all around on the plane, with identities 10, 11, ...
 PointLandmarks ring(int count, double radius_m) {
   PointLandmarks place;
   for (int i = 0; i < count; ++i) {
@@ -48,7 +48,7 @@ std::set<std::int64_t> names(const std::vector<PointDetection>& seen) {
   return all;
 }
 
-/// The first look of all.
+/// The first observation of all.
 Observation first_measurement(const std::vector<SimulatedVehicle>& team, const PointLandmarks& place,
                               bool see_each_other = false, std::uint64_t seed = 1) {
   TeamWorld world(team, seed);
@@ -61,7 +61,7 @@ std::vector<PointDetection> seen_by(const SimulatedVehicle& v, const PointLandma
   return first_measurement({v}, place).bodies[0].landmarks;
 }
 
-TEST(TeamSensor, TellsExactlyWhatIsThereWithoutNoise) {
+TEST(TeamSensor, MeasurementsAreExactWithoutNoise) {
   const SmallVector pose = vec({1, -2, 2.5});
   const PointLandmarks place = ring(16, 5);
   for (const bool ranges : {true, false}) {
@@ -82,7 +82,7 @@ TEST(TeamSensor, TellsExactlyWhatIsThereWithoutNoise) {
   }
 }
 
-TEST(TeamSensor, SeesAsFarAsItCan) {
+TEST(TeamSensor, RespectsItsRange) {
   SimulatedVehicle v = vehicle(DifferentialDrive{}, RangeBearingSensor{}, vec({0, 0, 0}));
   v.reach.max_range_m = 5;
   const PointLandmarks place{
@@ -94,9 +94,9 @@ TEST(TeamSensor, SeesAsFarAsItCan) {
             (std::set<std::int64_t>{1, 3}));
 }
 
-TEST(TeamSensor, SeesAsWideAsItCan) {
+TEST(TeamSensor, RespectsItsFieldOfView) {
   for (const AnySensor& scanner : {AnySensor(RangeBearingSensor{}), AnySensor(BearingSensor{})}) {
-    SimulatedVehicle v = vehicle(DifferentialDrive{}, scanner, vec({0, 0, pi}));  // looks along -x
+    SimulatedVehicle v = vehicle(DifferentialDrive{}, scanner, vec({0, 0, pi}));  // faces -x
     const PointLandmarks place = ring(36, 3);
     v.reach.field_of_view_rad = radians(95);
     for (const PointDetection& s : seen_by(v, place)) EXPECT_LT(place.at(s.identity).x(), 0);
@@ -113,8 +113,7 @@ WideAngleCamera lens() {
   return camera;
 }
 
-/// Height counts in how far a camera sees: a vehicle on the floor is in space too.
-/// The first of so many ticks is one that it measures in, whatever its number.
+/// The first tick includes a measurement, whatever its frame number.
 TEST(TeamSensor, MeasuresInItsFirstTick) {
   SimulatedVehicle v = vehicle(DifferentialDrive{0, 0}, RangeBearingSensor{}, vec({0, 0, 0}));
   v.ticks_per_measurement = 5;
@@ -129,7 +128,8 @@ TEST(TeamSensor, MeasuresInItsFirstTick) {
   }
 }
 
-TEST(TeamSensor, ACameraSeesWhatItsImageHasAndAsFarAsItCan) {
+/// The range of a camera is a distance in space, also for a vehicle on the floor.
+TEST(TeamSensor, ACameraMeasuresWhatIsInItsImageAndWithinItsRange) {
   const CameraSensor camera{Camera(lens()), {.up_m = 0}};
   const PointLandmarks place{{1, vec({3, 0, 0})},    {2, vec({-3, 0, 0})},  {3, vec({3, 2.9, 0})},
                              {4, vec({3, 3.1, 0})},  {5, vec({3, 0, 2.1})}, {6, vec({3, 0, 2.3})},
@@ -150,11 +150,11 @@ TEST(TeamSensor, ARangeIsNeverNegative) {
   for (int i = 0; i < 1000; ++i) place[i] = vec({0.3, 0});
   const std::vector<PointDetection> seen = seen_by(v, place);
   for (const PointDetection& s : seen) EXPECT_GT(s.z[0], 0);
-  // As many are left out as a Gaussian has below -0.6 sigma
+  // As many are omitted as a Gaussian has below -0.6 sigma
   EXPECT_NEAR(static_cast<double>(seen.size()), 1000 * 0.7257, 50);
 }
 
-TEST(TeamSensor, HasTheNoiseThatItIsTold) {
+TEST(TeamSensor, HasTheStatedNoise) {
   SimulatedVehicle v = vehicle(DifferentialDrive{}, RangeBearingSensor{}, vec({0, 0, 0}));
   v.sigmas = vec({0.1, 0.02});
   v.sigma_range_ratio = 0.03;
@@ -169,12 +169,12 @@ TEST(TeamSensor, HasTheNoiseThatItIsTold) {
   EXPECT_NEAR(std::sqrt(bearing), 0.02, 0.0005);
 }
 
-TEST(TeamSensor, VehiclesSeeEachOtherAndNotThemselves) {
+TEST(TeamSensor, VehiclesMeasureEachOtherButNotThemselves) {
   std::vector<SimulatedVehicle> team;
   for (const SmallVector& pose : {vec({0, 0, 0}), vec({3, 0, pi}), vec({20, 0, 1})})
     team.push_back(vehicle(DifferentialDrive{0.3, 0}, RangeBearingSensor{}, pose));
   team[1].reach.max_range_m = 10;
-  team[2].reach.field_of_view_rad = 0.5;  // looks elsewhere
+  team[2].reach.field_of_view_rad = 0.5;  // faces another way
   const Observation observation = first_measurement(team, ring(4, 2), true);
   ASSERT_EQ(observation.bodies.size(), 3u);
   EXPECT_EQ(names(observation.bodies[0].vehicles), (std::set<std::int64_t>{1, 2}));
@@ -188,20 +188,20 @@ TEST(TeamSensor, VehiclesSeeEachOtherAndNotThemselves) {
   for (const BodyObservation& view : blind.bodies) EXPECT_TRUE(view.vehicles.empty());
 }
 
-/// A camera sees the others in space, also those whose own state is on a plane.
-TEST(TeamSensor, CamerasSeeVehiclesOnTheFloor) {
+/// A camera measures other vehicles in space, also those with a planar state.
+TEST(TeamSensor, CamerasMeasureVehiclesOnTheFloor) {
   const CameraSensor camera{Camera(lens()), {.up_m = 1}};
   const std::vector<SimulatedVehicle> team{vehicle(DifferentialDrive{}, camera, vec({0, 0, 0})),
                                            vehicle(AckermannCar{}, camera, vec({4, 1, 0}))};
   const Observation observation = first_measurement(team, {}, true);
   ASSERT_EQ(observation.bodies[0].vehicles.size(), 1u);
   const SmallVector z = observation.bodies[0].vehicles[0].z;
-  EXPECT_NEAR(z[0], 159.5 - 160 / 4.0, 1e-9) << "a metre to the left";
-  EXPECT_NEAR(z[1], 119.5 + 160 / 4.0, 1e-9) << "and a metre below";
+  EXPECT_NEAR(z[0], 159.5 - 160 / 4.0, 1e-9) << "a meter to the left";
+  EXPECT_NEAR(z[1], 119.5 + 160 / 4.0, 1e-9) << "and a meter below";
   EXPECT_TRUE(observation.bodies[1].vehicles.empty()) << "it is behind";
 }
 
-TEST(TeamWorld, MovesEachAsCommandedAndTellsWhatWasDone) {
+TEST(TeamWorld, MovesEachVehicleAsCommandedAndReportsWhatItApplied) {
   const std::vector<SimulatedVehicle> team{
       vehicle(DifferentialDrive{}, RangeBearingSensor{}, vec({0, 0, 0})),
       vehicle(DifferentialDrive{}, RangeBearingSensor{}, vec({5, 0, 0.1}))};
@@ -209,7 +209,7 @@ TEST(TeamWorld, MovesEachAsCommandedAndTellsWhatWasDone) {
   TeamSensor sensor(team, {}, false, 1);
   const Tick first{0, 0, 0}, second{1, 0.5, 0.5};
   Command command;
-  command.inputs = {vec({0.4, 4})};  // more than it can turn, and nothing for the other
+  command.inputs = {vec({0.4, 4})};  // beyond its turn rate limit, and nothing for the other
   const auto before = world.move(command, first);
   EXPECT_EQ(before->vehicles[0], vec({0, 0, 0})) << "no time has passed";
   const Observation at_first = sensor.measure(before, first);
@@ -225,7 +225,7 @@ TEST(TeamWorld, MovesEachAsCommandedAndTellsWhatWasDone) {
   EXPECT_NEAR((after->camera.head<2>() - after->vehicles[0].head<2>()).norm(), 0, 1e-12) << "of the first";
 }
 
-TEST(TeamSensor, TellsNothingOfWhatItCannotName) {
+TEST(TeamSensor, WithholdsIdentitiesOutsideItsList) {
   const SimulatedVehicle v = vehicle(DifferentialDrive{}, RangeBearingSensor{}, vec({0, 0, 0.3}));
   const auto measurement = [&](const PointLandmarks& place) {
     TeamWorld world({v}, 1);
@@ -234,13 +234,14 @@ TEST(TeamSensor, TellsNothingOfWhatItCannotName) {
     const Observation observation = sensor.measure(world.move({}, tick), tick);
     return std::pair(observation.bodies[0].landmarks, sensor.truth()->at(0));
   };
-  const PointLandmarks place = ring(8, 5);  // 10 to 17
+  const PointLandmarks place = ring(8, 5);  // identities 10 to 17
   const auto [seen, truth] = measurement(place);
   ASSERT_EQ(seen.size(), 8u);
   ASSERT_EQ(truth.size(), 8u);
   for (std::size_t i = 0; i < seen.size(); ++i) {
     EXPECT_EQ(seen[i].identity, i < 2 ? truth[i] : Detection::unknown);
-    EXPECT_EQ(seen[i].z, seen_by(v, {{truth[i], place.at(truth[i])}}).front().z) << "so it is of that one";
+    EXPECT_EQ(seen[i].z, seen_by(v, {{truth[i], place.at(truth[i])}}).front().z)
+        << "its measurement is that of the landmark";
   }
   PointLandmarks renamed = place;
   std::swap(renamed[10], renamed[17]), std::swap(renamed[11], renamed[15]);
@@ -252,8 +253,8 @@ TEST(TeamSensor, TellsNothingOfWhatItCannotName) {
   }
 }
 
-/// All that a team sees in a while, disturbed.
-std::vector<double> told(std::uint64_t seed, int vehicles) {
+/// All measurements of a team over some time, with disturbances.
+std::vector<double> measurements_of(std::uint64_t seed, int vehicles) {
   std::vector<SimulatedVehicle> team;
   for (int i = 0; i < vehicles; ++i) {
     SimulatedVehicle v = vehicle(DifferentialDrive{}, RangeBearingSensor{}, vec({0.1 * i, 0, 0}));
@@ -273,13 +274,14 @@ std::vector<double> told(std::uint64_t seed, int vehicles) {
   return numbers;
 }
 
-TEST(TeamWorld, GivesTheSameForTheSameSeedAndAnotherForAnother) {
-  EXPECT_EQ(told(3, 2), told(3, 2));
-  EXPECT_NE(told(3, 2), told(4, 2));
-  EXPECT_EQ(told(3, 1), told(3, 3)) << "others do not change what the first sees";
+TEST(TeamWorld, IsDeterministicForASeed) {
+  EXPECT_EQ(measurements_of(3, 2), measurements_of(3, 2));
+  EXPECT_NE(measurements_of(3, 2), measurements_of(4, 2));
+  EXPECT_EQ(measurements_of(3, 1), measurements_of(3, 3))
+      << "other vehicles do not change the first one's measurements";
 }
 
-TEST(TeamWorld, RefusesWhatCannotBe) {
+TEST(TeamWorld, RefusesInvalidSettings) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   const SimulatedVehicle good = vehicle(DifferentialDrive{}, RangeBearingSensor{}, vec({0, 0, 0}));
   const auto complaint = [](const SimulatedVehicle& v, const PointLandmarks& place) {
@@ -292,10 +294,10 @@ TEST(TeamWorld, RefusesWhatCannotBe) {
   };
   EXPECT_EQ(complaint(good, ring(3, 1)), "(none)");
   EXPECT_HAS(message_of<std::invalid_argument>([] { TeamWorld({}, 1); }), "a team needs a vehicle");
-  EXPECT_HAS(changed([](auto& v) { v.sensor = RelativePositionSensor{}; }), "belongs to a vehicle on a line");
+  EXPECT_HAS(changed([](auto& v) { v.sensor = RelativePositionSensor{}; }), "needs a vehicle on a line");
   EXPECT_HAS(changed([](auto& v) { v.sigmas = vec({0.1}); }), "a sensor needs 2 sigmas");
   EXPECT_HAS(complaint(good, {{7, vec({1, 2, 3})}}),
-             "landmark 7 has 3 numbers, and the sensor measures in 2");
+             "landmark 7 has 3 numbers, but the sensor measures in 2");
   EXPECT_HAS(complaint(good, {{7, vec({1, nan})}}), "landmark 7");
   for (const double bad : {-0.1, nan}) {
     EXPECT_HAS(changed([&](auto& v) { v.sigmas[1] = bad; }), "zero or positive");

@@ -14,7 +14,7 @@ Eigen::Vector2d PlanarFit::operator()(const Eigen::Vector2d& p) const {
 
 PlanarFit fit_rigid(const std::vector<Eigen::Vector2d>& from, const std::vector<Eigen::Vector2d>& to) {
   if (from.size() != to.size())
-    throw std::invalid_argument("fit_rigid: two lists of points, of equal length");
+    throw std::invalid_argument("fit_rigid: the lists of points must have equal length");
   PlanarFit fit;
   if (from.empty()) return fit;
   Eigen::Vector2d from_mean = Eigen::Vector2d::Zero(), to_mean = Eigen::Vector2d::Zero();

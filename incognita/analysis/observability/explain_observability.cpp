@@ -108,8 +108,8 @@ namespace {
 /// Differences between ranks are explained only if both are clear.
 bool both_clear(const NullSpace& a, const NullSpace& b) { return !a.ambiguous && !b.ambiguous; }
 
-constexpr const char* not_clear = "one of these ranks is not clear.";
-constexpr const char* not_known = "why is not known; digits may have been lost on the way.";
+constexpr const char* not_clear = "one of these ranks is ambiguous.";
+constexpr const char* not_known = "the cause is unknown, possibly rounding.";
 
 bool differ(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
   return ((a - b).array().abs() > 1e-6 * (a.array().abs() + b.array().abs())).any();
@@ -135,12 +135,12 @@ void compare_with_motion(const ObservabilityAnalysis& a, bool changes, std::vect
   const std::string cause =
       !both_clear(stripped.space, a.local.space) ? not_clear
       : !changes                                 ? not_known
-      : more ? "inside a segment H stays frozen while F moves the vehicle on, and what does not change a "
-               "single look seems to. A filter that linearises anew at each estimate believes the same."
-             : "the change of H within a segment, which SOM drops, is what shows the rest.";
+      : more
+          ? "within a segment SOM keeps H constant while F propagates the vehicle, so that directions without effect on any single measurement seem observable. A filter that relinearizes at each estimate is overconfident in them."
+          : "the change of H within a segment, which SOM ignores, makes the rest observable.";
   said.push_back("SOM over " + counted(static_cast<int>(a.segments.size()), "segment", "segments") +
-                 " leaves " + std::to_string(frozen) + " unobservable" +
-                 (more ? "" : " (" + list_of(stripped.directions) + ")") + ", the motion itself " +
+                 " has nullity " + std::to_string(frozen) +
+                 (more ? "" : " (" + list_of(stripped.directions) + ")") + ", the motion nullity " +
                  std::to_string(local) + (more ? " (" + list_of(a.local.directions) + ")" : "") + ": " +
                  cause);
 }
@@ -152,9 +152,9 @@ void compare_som_and_tom(const ObservabilityAnalysis& a, std::vector<std::string
     const std::string cause =
         !both_clear(s.stripped.space, s.total.space) ? not_clear
         : s.condition_holds ? "condition (4.9) holds for each segment, so that one of the ranks is wrong."
-                            : "condition (4.9) does not hold, so that SOM may not stand for TOM.";
-    said.push_back("After segment " + std::to_string(k + 1) + " SOM leaves " +
-                   std::to_string(s.stripped.space.nullity) + " unobservable and TOM " +
+                            : "condition (4.9) does not hold, so that SOM cannot replace TOM.";
+    said.push_back("After segment " + std::to_string(k + 1) + " SOM has nullity " +
+                   std::to_string(s.stripped.space.nullity) + " and TOM " +
                    std::to_string(s.total.space.nullity) + ": " + cause);
   }
 }
@@ -163,18 +163,18 @@ std::string cause_of_lie(const ObservabilityAnalysis& a, bool inputs_vary) {
   const LieAnalysis& lie = *a.lie;
   if (!both_clear(lie.space, a.local.space)) return not_clear;
   if (lie.space.nullity < a.local.space.nullity)
-    return inputs_vary ? "other inputs of this kind than the ones held here would show more." : not_known;
+    return inputs_vary ? "other inputs of this kind make more observable than the inputs of this motion."
+                       : not_known;
   if (!lie.closed) return "the order of the Lie derivatives was limited.";
   if (lie.space.rank < lie.generic_rank)
-    return "the motion leaves its starting point, at which the Lie derivatives are taken, and sees more from "
-           "elsewhere.";
-  return lie.inputs_nonlinear ? "the Lie derivatives were taken at a few drawn inputs only." : not_known;
+    return "the motion leaves the state at which the Lie derivatives are evaluated, and more is observable elsewhere.";
+  return lie.inputs_nonlinear ? "the Lie derivatives were evaluated at a few drawn inputs only." : not_known;
 }
 
 void compare_with_lie(const ObservabilityAnalysis& a, bool inputs_vary, std::vector<std::string>& said) {
   if (!a.lie || a.lie->space.nullity == a.local.space.nullity) return;
-  said.push_back("Lie derivatives leave " + std::to_string(a.lie->space.nullity) +
-                 " unobservable, this motion " + std::to_string(a.local.space.nullity) + ": " +
+  said.push_back("The Lie derivatives have nullity " + std::to_string(a.lie->space.nullity) +
+                 ", this motion " + std::to_string(a.local.space.nullity) + ": " +
                  cause_of_lie(a, inputs_vary));
 }
 
@@ -182,13 +182,12 @@ void compare_with_lie(const ObservabilityAnalysis& a, bool inputs_vary, std::vec
 void compare_with_information(const ObservabilityAnalysis& a, std::vector<std::string>& said) {
   const int local = a.local.space.nullity, weighed = a.fisher.space.nullity;
   if (local == weighed) return;
-  said.push_back("The Fisher information leaves " + std::to_string(weighed) + " unobservable, the motion " +
-                 std::to_string(local) + ": " +
-                 (both_clear(a.fisher.space, a.local.space)
-                      ? "it weighs each measurement with its sensitivity over its sigma, and these differ so "
-                        "much that beside the best of them the others count as nothing. The motion's rank "
-                        "takes every measurement at its own size."
-                      : not_clear));
+  said.push_back(
+      "The Fisher information has nullity " + std::to_string(weighed) + ", the motion " +
+      std::to_string(local) + ": " +
+      (both_clear(a.fisher.space, a.local.space)
+           ? "the information weights each measurement with its sensitivity over its sigma, and these weights differ so much that some are below rounding. The rank of the motion scales all measurements alike."
+           : not_clear));
 }
 
 /// The same segments without error coordinates: the rank of SOM depends on the coordinates.
@@ -208,10 +207,8 @@ void compare_coordinates(const ObservabilityAnalysis& a, const SystemInstance& i
     plain += (k > 0 ? "/" : "") + std::to_string(here);
   }
   if (!all_alike)
-    said.push_back("SOM in the stated error form leaves " + stated +
-                   " unobservable, in plain derivatives of the "
-                   "same equations " +
-                   plain + ": what it finds depends on the coordinates.");
+    said.push_back("SOM has nullity " + stated + " in the stated error form and " + plain +
+                   " in plain derivatives of the same equations: its rank depends on the coordinates.");
 }
 
 }  // namespace
@@ -248,10 +245,10 @@ std::string why_not_clear(const NullSpace& space, const std::vector<std::string>
   for (std::size_t i = 0; i < space.faint.size(); ++i)
     if (space.faint[i]) faint += (faint.empty() ? "" : ", ") + states[i];
   if (!faint.empty())
-    return "what " + faint +
-           " would do to the measurements is as faint as rounding beside the rest, and is left out";
-  const std::string least =
-      "the least singular value that counts is " + short_number("%.2g", space.least) + " of the largest";
+    return "the effect of " + faint +
+           " on the measurements is below rounding relative to the others, and is omitted";
+  const std::string least = "the smallest singular value above the tolerance is " +
+                            short_number("%.2g", space.least) + " of the largest";
   return std::isinf(space.gap) ? least + ", close to the tolerance"
                                : least + ", " + short_number("%.2g", space.gap) + " times the next";
 }
@@ -260,8 +257,8 @@ void doubt_ranks(const ObservabilityAnalysis& a, std::vector<std::string>& doubt
   const auto check_rank = [&](const std::string& what, const NullSpace& space,
                               const std::vector<std::string>& states) {
     if (space.ambiguous)
-      doubts.push_back("The rank of " + what + " is not clear: " + std::to_string(space.rank) +
-                       " is the best guess: " + why_not_clear(space, states) + ".");
+      doubts.push_back("The rank of " + what + " is ambiguous, probably " + std::to_string(space.rank) +
+                       ": " + why_not_clear(space, states) + ".");
   };
   for (std::size_t k = 0; k < a.segments.size(); ++k) {
     check_rank("SOM after segment " + std::to_string(k + 1), a.segments[k].stripped.space, a.error_states);
@@ -275,14 +272,13 @@ void doubt_ranks(const ObservabilityAnalysis& a, std::vector<std::string>& doubt
 void doubt_lie(const LieAnalysis& lie, std::vector<std::string>& doubts) {
   if (lie.missed)
     doubts.push_back(
-        "Lie derivatives that add next to nothing were not derived further; a state or a unit of very "
-        "different size than the others may hide what they show.");
+        "Lie derivatives with a negligible contribution were not differentiated further; badly scaled states or units may hide a contribution.");
   else if (!lie.closed)
-    doubts.push_back("The Lie derivatives were followed to order " + std::to_string(lie.orders_examined) +
-                     " only; higher ones (--lie-order) might show more.");
+    doubts.push_back("The Lie derivatives were computed up to order " + std::to_string(lie.orders_examined) +
+                     "; higher orders (--lie-order) may raise the rank.");
   if (lie.space.rank < lie.generic_rank)
     doubts.push_back("The Lie derivatives have rank " + std::to_string(lie.space.rank) +
-                     " where this motion starts and " + std::to_string(lie.generic_rank) +
+                     " at the start of this motion and " + std::to_string(lie.generic_rank) +
                      " at other states with the same inputs.");
 }
 
@@ -292,12 +288,12 @@ void note_weakly_observable(const ObservabilityAnalysis& a, std::vector<std::str
   int count = 0;
   for (const StateInformation& i : a.information) {
     if (!i.weakly_observable || ++count > most) continue;
-    notes.push_back(i.state + " is seen in principle only: sigma " + short_number("%.2g", *i.sigma) +
-                    " where its region is " + short_number("%.3g", i.region_width) + " wide.");
+    notes.push_back(i.state + " is only weakly observable: sigma " + short_number("%.2g", *i.sigma) +
+                    ", width of its region " + short_number("%.3g", i.region_width) + ".");
   }
   if (count > most)
     notes.push_back(counted(count - most, "further state is", "further states are") +
-                    " seen in principle only.");
+                    " only weakly observable.");
 }
 
 void note_inputs(const SymbolicSystem& s, std::vector<std::string>& notes) {
@@ -312,8 +308,7 @@ void note_inputs(const SymbolicSystem& s, std::vector<std::string>& notes) {
   const std::vector<bool> needed = s.graph.needed_for(used);
   for (const SymbolicSystem::Slot input : s.inputs)
     if (!needed[static_cast<std::size_t>(input)])
-      notes.push_back("Input `" + s.graph[input].name +
-                      "` is in no equation and no measurement, and changes nothing.");
+      notes.push_back("Input `" + s.graph[input].name + "` occurs in no equation and no measurement.");
 }
 
 }  // namespace
@@ -323,8 +318,7 @@ std::vector<std::string> doubts_in(const ObservabilityAnalysis& a) {
   doubt_ranks(a, doubts);
   if (a.growth > most_growth)
     doubts.push_back("Small differences grow by a factor of " + short_number("%.2g", a.growth) +
-                     " along the motion: what is said of it is not to be trusted; a shorter "
-                     "segment_duration_s helps.");
+                     " along the motion, so that its results are unreliable; reduce segment_duration_s.");
   if (a.lie) doubt_lie(*a.lie, doubts);
   return doubts;
 }

@@ -112,11 +112,11 @@ RiccatiLimit iterate_riccati(const LinearSystem& system, const Eigen::MatrixXd& 
     if (change > settings.tolerance) continue;
     limit.K = kalman_gain(system, limit.P);
     limit.settled = true;
-    limit.reason = words("settled in ", limit.iterations, " steps");
+    limit.reason = words("converged in ", limit.iterations, " steps");
     return limit;
   }
-  limit.reason = words("still changes by ", change, " of its largest entry a step after ", limit.iterations,
-                       " steps, the cap");
+  limit.reason = words("still changes by ", change, " of its largest entry per step after ", limit.iterations,
+                       " steps, the limit");
   return limit;
 }
 

@@ -85,7 +85,7 @@ NoisyRows NoisyRows::exact(const Eigen::MatrixXd& rows) {
 
 void NoisyRows::append(const NoisyRows& more) {
   if (more.rows.rows() != more.noise.rows() || more.rows.cols() != more.noise.cols())
-    throw std::invalid_argument("an entry without its noise");
+    throw std::invalid_argument("NoisyRows: rows and noise must have the same size");
   const Eigen::Index before = rows.rows(), after = before + more.rows.rows(), n = more.rows.cols();
   rows.conservativeResize(after, n);
   noise.conservativeResize(after, n);

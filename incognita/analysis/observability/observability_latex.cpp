@@ -160,9 +160,7 @@ class Equations {
 
 std::string lie_rows(const LieAnalysis& lie, Equations& once) {
   std::string text =
-      "% Lie derivatives that raised the rank, (4.61): \\mathcal{L}_{0} along the rates where the inputs are "
-      "0, or as they are held,\n% \\mathcal{L}_{u} along what input u adds to them; x^{(2)}: with another "
-      "value of the inputs\n";
+      "% Lie derivatives that raised the rank, (4.61): \\mathcal{L}_{0} along the rates at zero or constant inputs,\n% \\mathcal{L}_{u} along the contribution of input u; x^{(2)}: at other values of the inputs\n";
   for (const LieRow& row : lie.rows) {
     if (!row.raised_rank) continue;
     text += "% " + row.owner + ": " + row.name + "\n";

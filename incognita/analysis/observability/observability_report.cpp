@@ -237,8 +237,12 @@ CameraFunctionals functionals(const MonitoredInformation& information, const Spa
 
 std::vector<Quantity> quantities_of(const SpatialScene& scene) {
   const double length = typical_distance(scene);
-  return {{"x", "m", length},         {"y", "m", length},         {"z", "m", length},
-          {"turn about x", "rad", 1}, {"turn about y", "rad", 1}, {"turn about z", "rad", 1},
+  return {{"x", "m", length},
+          {"y", "m", length},
+          {"z", "m", length},
+          {"rotation about x", "rad", 1},
+          {"rotation about y", "rad", 1},
+          {"rotation about z", "rad", 1},
           {"scale", "1", 1}};
 }
 
@@ -304,7 +308,7 @@ struct Group {
 };
 
 std::vector<Group> groups_of(const ObservabilityReport& report) {
-  Group position{"place", {}}, turns{"orientation", {}}, scale{"scale", {}};
+  Group position{"position", {}}, turns{"orientation", {}}, scale{"scale", {}};
   for (const QuantityReport& q : report.quantities)
     (q.unit == "m" ? position : q.unit == "rad" ? turns : scale).members.push_back(&q);
   if (turns.members.size() == 1) turns.word = "heading";
@@ -316,10 +320,9 @@ std::vector<Group> groups_of(const ObservabilityReport& report) {
 std::string of_observable(const Group& group, const ObservabilityReport& report) {
   const bool all = std::all_of(group.members.begin(), group.members.end(), [](auto* q) { return q->gained; });
   const std::string by = fixed_by(report);
-  if (!report.uncovered.empty()) return std::string(group.word) + ": can be fixed by " + by;
+  if (!report.uncovered.empty()) return std::string(group.word) + ": observable with " + by;
   if (all) return std::string(group.word) + ": fixed by " + by;
-  return std::string(group.word) + ": could be fixed by " + by +
-         ", but too little has been learnt of it so far";
+  return std::string(group.word) + ": observable with " + by + ", but with too little information so far";
 }
 
 /// The best known of a group's unobservable quantities with information, from measurements or from motions.
@@ -339,13 +342,14 @@ std::string of_unobservable(const Group& group, const ObservabilityReport& repor
   const QuantityReport* by_measurements = best_gained(group, false);
   if (by_measurements)
     text +=
-        ", yet the filter believes to know " + (many ? by_measurements->name : "it") + " to " +
+        ", but the filter has spurious information from measurements" +
+        (many ? " on " + by_measurements->name : std::string()) + ": sigma " +
         sigma_in_words(by_measurements->sigma_from_measurements.value_or(*by_measurements->estimated_sigma),
-                       by_measurements->unit) +
-        " from its looks";
+                       by_measurements->unit);
   if (const QuantityReport* q = best_gained(group, true))
-    text += (by_measurements ? "; " : " by looks, ") + (many ? q->name + " known" : std::string("known")) +
-            " to " + sigma_in_words(*q->estimated_sigma, q->unit) + " by its motion model";
+    text += (by_measurements ? "; information" : " by measurements; information") +
+            (many ? " on " + q->name : std::string()) + " from the motion model: sigma " +
+            sigma_in_words(*q->estimated_sigma, q->unit);
   return text;
 }
 
@@ -413,13 +417,13 @@ std::vector<std::string> in_words(const ObservabilityReport& report) {
     lines.push_back(observable ? of_observable(group, report) : of_unobservable(group, report));
   }
   if (!report.without_information.empty())
-    lines.push_back("nothing learnt so far of: " + listed(report.without_information));
+    lines.push_back("no information so far on: " + listed(report.without_information));
   if (!report.uncovered.empty())
-    lines.push_back("what the filter believes of these is not worked out: " + report.uncovered);
+    lines.push_back("the filter's information is not monitored: " + report.uncovered);
   else if (report.information.ambiguous)
-    lines.push_back("the rank of its information, " + std::to_string(report.information.rank) + " of " +
-                    std::to_string(report.information.errors) +
-                    ", is not clear: an eigenvalue is near rounding");
+    lines.push_back("the rank of the filter's information, " + std::to_string(report.information.rank) +
+                    " of " + std::to_string(report.information.errors) +
+                    ", is ambiguous: an eigenvalue is close to rounding");
   return lines;
 }
 

@@ -49,7 +49,7 @@ struct FixedPoints {
 };
 
 struct QuantityReport {
-  std::string name;  ///< `x`, `y`, `heading`; `x`, `y`, `z`, `turn about x`, ..., `scale`
+  std::string name;  ///< `x`, `y`, `heading`; `x`, `y`, `z`, `rotation about x`, ..., `scale`
   std::string unit;  ///< `m`, `rad`, or `1` for the scale, a ratio
   bool ideally_observable = false;
   /// Standard deviation from the filter's own information, without prior; empty without information

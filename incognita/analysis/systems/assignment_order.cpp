@@ -49,7 +49,7 @@ class Order {
       cycle += (next == first + 1 ? " depends on " : ", which depends on ") + name(*next);
     throw SystemError(graph_[assignments_[*first].value].location,
                       "the motion's assignments are circular: " + cycle +
-                          "; draw a number for one of them (draw.q = [lowest, highest]) and use it instead");
+                          "; replace one of them by a drawn number (draw.q = [lowest, highest])");
   }
 
   const ExpressionGraph& graph_;

@@ -59,7 +59,7 @@ ExpressionGraph::Slot ExpressionGraph::define(const std::string& name, Owner own
   spend(tree_size(expression, largest_expression + 1), location);
   if (has_long_product(expression))
     throw SystemTooLarge(location, "a product of more than " + std::to_string(most_factors) +
-                                       " factors: give parts of it names, under definitions");
+                                       " factors: name parts of it under definitions");
   GiNaC::exset names;
   symbols_in(expression, names);
   Quantity quantity;

@@ -54,12 +54,14 @@ class Guard {
 
   std::vector<Token> tokens() {
     if (text_.size() > longest_expression)
-      refuse(0, "an expression has at most " + std::to_string(longest_expression) + " characters, and this " +
-                    std::to_string(text_.size()) + "; name its parts under definitions");
+      refuse(0, "an expression has at most " + std::to_string(longest_expression) +
+                    " characters, this one has " + std::to_string(text_.size()) +
+                    "; name its parts under definitions");
     for (skip_blanks(); at_ < text_.size(); skip_blanks()) take_token();
     if (tokens_.empty()) refuse(0, "the expression is empty");
     if (levels_.size() > 1) refuse(levels_.back().open, "this `(` is never closed");
-    if (want_operand_) refuse(tokens_.back().offset, "nothing stands after " + in_ticks(tokens_.back().text));
+    if (want_operand_)
+      refuse(tokens_.back().offset, "an operand is missing after " + in_ticks(tokens_.back().text));
     return std::move(tokens_);
   }
 
@@ -105,18 +107,18 @@ class Guard {
       case '^':
         return take_operation(c);
       case '=':
-        refuse(at_, "an expression has no `=`; what it stands for is the key before it");
+        refuse(at_, "an expression has no `=`; its name is the key before it");
       case '_':
         refuse(at_, "a name begins with a letter");
       default:
         refuse(at_, character_in_ticks(text_, at_) +
-                        " means nothing in an expression; it has names, numbers and + - * / ^ ( ) ,");
+                        " is not allowed in an expression, which has names, numbers and + - * / ^ ( ) ,");
     }
   }
 
   void need_operation_before(std::string_view word) const {
     if (!want_operand_)
-      refuse(at_, "an operation is missing before " + in_ticks(word) + "; a product is written with *");
+      refuse(at_, "an operation is missing before " + in_ticks(word) + "; write a product with *");
   }
 
   std::size_t end_of_digits(std::size_t from) const {
@@ -129,7 +131,8 @@ class Guard {
     if (end < text_.size() && text_[end] == '.') {
       const std::size_t point = end;
       end = end_of_digits(point + 1);
-      if (end == point + 1) refuse(point, "no digit stands after this point; a whole number has no point");
+      if (end == point + 1)
+        refuse(point, "a digit is missing after this point; write an integer without a point");
     }
     if (end < text_.size() && (text_[end] == 'e' || text_[end] == 'E')) {
       const std::size_t sign = end + 1;
@@ -151,13 +154,13 @@ class Guard {
     for (const char digit : digits) exponent = std::min(10 * exponent + (digit - '0'), 10000);
     if (exponent > largest_decimal_exponent)
       refuse(at_, "a number's exponent is at most " + std::to_string(largest_decimal_exponent) +
-                      ", up or down; choose other units");
+                      ", positive or negative; choose other units");
   }
 
   void need_sensible_number(std::string_view number) const {
     need_operation_before(number);
     if (number.size() > longest_number)
-      refuse(at_, "a number has at most " + std::to_string(longest_number) + " characters, and this " +
+      refuse(at_, "a number has at most " + std::to_string(longest_number) + " characters, this one has " +
                       std::to_string(number.size()));
     double value = 0;
     if (std::from_chars(number.data(), number.data() + number.size(), value).ec != std::errc())
@@ -178,7 +181,7 @@ class Guard {
       skip_blanks();
       return take_open(function);
     }
-    if (known && called) refuse(at_, in_ticks(word) + " is no function; a product is written with *");
+    if (known && called) refuse(at_, in_ticks(word) + " is not a function; write a product with *");
     if (!known) refuse_unknown(word, called);
     push(Token::name, word.size());
     want_operand_ = false;
@@ -193,13 +196,13 @@ class Guard {
       names.emplace_back("pi");
     }
     refuse(at_, std::string(called ? "there is no function " : "there is no ") + in_ticks(word) +
-                    (called ? "" : " that this expression sees") + "; the nearest is " +
+                    (called ? "" : " in the scope of this expression") + "; the nearest is " +
                     in_ticks(nearest_name(word, names)));
   }
 
   void go_deeper() {
     if (++depth_ > deepest_expression)
-      refuse(at_, "parentheses, signs and powers inside each other go at most " +
+      refuse(at_, "parentheses, signs and powers may be nested at most " +
                       std::to_string(deepest_expression) + " deep; name parts of it under definitions");
   }
 
@@ -218,9 +221,9 @@ class Guard {
   /// Requires an operand before `end`.
   void need_operand_before(std::string_view end) const {
     if (want_operand_)
-      refuse(at_, "nothing stands " + (tokens_.empty() ? "before " + in_ticks(end)
-                                                       : "between " + in_ticks(tokens_.back().text) +
-                                                             " and " + in_ticks(end)));
+      refuse(at_, "an operand is missing " + (tokens_.empty() ? "before " + in_ticks(end)
+                                                              : "between " + in_ticks(tokens_.back().text) +
+                                                                    " and " + in_ticks(end)));
   }
 
   void take_close() {
@@ -239,7 +242,7 @@ class Guard {
   }
 
   void take_comma() {
-    if (!levels_.back().function) refuse(at_, "a comma only stands between the arguments of a function");
+    if (!levels_.back().function) refuse(at_, "a comma is allowed only between the arguments of a function");
     need_operand_before(",");
     end_chain();
     ++levels_.back().commas;
@@ -248,7 +251,7 @@ class Guard {
   }
 
   void take_operation(char c) {
-    if (c == '*' && text_.substr(at_, 2) == "**") refuse(at_, "a power is written ^, not **");
+    if (c == '*' && text_.substr(at_, 2) == "**") refuse(at_, "write a power with ^, not **");
     if (want_operand_ && (c == '+' || c == '-')) {
       go_deeper();
       ++levels_.back().chain;

@@ -158,8 +158,8 @@ class SystemBuilder {
       if (name == "general") return;
       std::string known = "general";
       for (const MotionText& m : motions) known += ", " + m.name;
-      throw std::invalid_argument("`" + system_.text.name + "` knows no motion `" + name +
-                                  "`, but: " + known);
+      throw std::invalid_argument("`" + system_.text.name + "` has no motion `" + name + "`; it has " +
+                                  known);
     }
     for (const NamedRange& draw : found->draws) {
       system_.draws.push_back(graph().add_atom(draw.name, Owner::motion, draw.location));

@@ -27,8 +27,8 @@ bool is_identifier(const std::string& name) {
 void need_identifier(const std::string& name, SourceLocation location) {
   if (!is_identifier(name))
     throw SystemError(location, quoted_name(name) +
-                                    " is no name; names are a letter and then letters, digits and _, " +
-                                    std::to_string(longest_name) + " at most");
+                                    " is not a name; a name is a letter followed by letters, digits and _, " +
+                                    std::to_string(longest_name) + " characters at most");
 }
 
 /// Titles of motions, directions and errors: any printable text on one line.
@@ -37,14 +37,14 @@ void need_title(const std::string& title, SourceLocation location) {
       title.begin(), title.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; });
   if (title.empty() || title.size() > longest_title || !printable)
     throw SystemError(location, "a name of 1 to " + std::to_string(longest_title) +
-                                    " characters on one line is wanted here, and not " + quoted_name(title));
+                                    " characters on one line is required, not " + quoted_name(title));
 }
 
 template <class T>
 void need_few(const std::vector<T>& items, std::size_t most, const std::string& what) {
   if (items.size() > most)
     throw SystemError(items[most].location, "there are " + std::to_string(items.size()) + " " + what +
-                                                " here; at most " + std::to_string(most) + " are read");
+                                                "; at most " + std::to_string(most) + " are allowed");
 }
 
 template <class T>
@@ -76,7 +76,7 @@ void need_known(const std::vector<T>& items, const Names& known, const std::stri
       throw SystemError(item.location,
                         with_nearest("there is no " + what + " " + quoted_name(item.name), item.name, known));
     if (!seen.insert(item.name).second)
-      throw SystemError(item.location, quoted_name(item.name) + " stands here twice");
+      throw SystemError(item.location, quoted_name(item.name) + " occurs twice");
   }
 }
 
@@ -97,7 +97,7 @@ class Scope {
     need_identifier(name, location);
     // `landmark` and `draw` are keywords of the tables that assign values to states
     if (is_reserved_name(name) || name == "landmark" || name == "draw")
-      throw SystemError(location, quoted_name(name) + " has a meaning of its own; choose another name");
+      throw SystemError(location, quoted_name(name) + " is reserved; choose another name");
     const auto [at, added] = owners_.insert({name, {what, location}});
     if (!added) {
       const Owner& owner = at->second;
@@ -204,9 +204,10 @@ class SystemCheck {
   static void check_region(const BlockText& block, const std::string& section) {
     const Names states = names_of(block.states), ranges = names_of(block.region);
     if (states.empty())
-      throw SystemError(block.region[0].location,
-                        "the region is of " + quoted_name(ranges[0]) + ", and there are no states; write " +
-                            ranges[0] + " = \"its rate of change\" under [" + section + "states]");
+      throw SystemError(block.region[0].location, "the region contains " + quoted_name(ranges[0]) +
+                                                      ", but there are no states; write " + ranges[0] +
+                                                      " = \"its rate of change\" under [" + section +
+                                                      "states]");
     for (const NamedRange& range : block.region) {
       if (!contains(states, range.name))
         throw SystemError(
@@ -226,7 +227,7 @@ class SystemCheck {
     landmark_ = vehicle_;
     if (!system_.landmark) return;
     if (system_.landmark->states.empty())
-      throw SystemError({}, "a landmark needs a state; one whose place is known is an anchor");
+      throw SystemError({}, "a landmark needs a state; a landmark with known position is an anchor");
     check_block(*system_.landmark, "landmark.", landmark_);
     need_distinct_names();
   }
@@ -238,9 +239,9 @@ class SystemCheck {
       if (bar == std::string::npos || bar + 1 == state.name.size()) continue;
       const bool number = state.name.find_first_not_of("0123456789", bar + 1) == std::string::npos;
       if (number && contains(landmark_states(), state.name.substr(0, bar)))
-        throw SystemError(state.location, quoted_name(state.name) + " is what state " +
+        throw SystemError(state.location, quoted_name(state.name) + " is the displayed name of state " +
                                               quoted_name(state.name.substr(0, bar)) +
-                                              " of a landmark is called; choose another name");
+                                              " of a landmark; choose another name");
     }
   }
 
@@ -249,7 +250,7 @@ class SystemCheck {
     if (!system_.anchor) return;
     BlockText known = *system_.anchor;
     if (!known.states.empty())
-      throw SystemError(known.states[0].location, "an anchor has constants, and no states");
+      throw SystemError(known.states[0].location, "an anchor has constants, not states");
     need_few(known.region, most_states, "constants");
     need_ranges(known.region);
     anchor_.add_all("a constant", known.region);
@@ -305,7 +306,8 @@ class SystemCheck {
     vehicle_.check_all(direction.vehicle);
     landmark_.check_all(direction.landmark);
     if (direction.vehicle.empty() && direction.landmark.empty())
-      throw SystemError(direction.location, "direction " + quoted_name(direction.name) + " moves nothing");
+      throw SystemError(direction.location, "direction " + quoted_name(direction.name) +
+                                                " is empty: it needs a vehicle or landmark state");
   }
 
   void check_error_form(const ErrorFormText& form) const {

@@ -47,17 +47,19 @@ struct RowWriter {
 SystemInstance::SystemInstance(const SymbolicSystem& system, int landmarks, int anchors)
     : system_(&system), landmarks_(landmarks), anchors_(anchors) {
   const SystemText& text = system.text;
-  if (landmarks < 0 || anchors < 0) throw std::invalid_argument("features and anchors are counted from 0");
+  if (landmarks < 0 || anchors < 0)
+    throw std::invalid_argument("the numbers of features and anchors must be 0 or more");
   if (landmarks > 0 && !text.landmark)
     throw std::invalid_argument("`" + text.name + "` has no [landmark] block, so that it has no features");
   if (anchors > 0 && !text.anchor)
     throw std::invalid_argument(
         "`" + text.name + "` has no [anchor] block, so that it has no anchors" +
-        (text.representation == "relative" ? ": a relative map does not say where in the world it is" : ""));
+        (text.representation == "relative" ? ": a relative map has no world frame" : ""));
   const auto count = [](const Block& block) { return static_cast<int>(block.measurements.size()); };
   states_ = static_cast<int>(system.vehicle.states.size() + landmarks * system.landmark.states.size());
   measurements_ = count(system.vehicle) + landmarks * count(system.landmark) + anchors * count(system.anchor);
-  if (measurements_ == 0) throw std::invalid_argument("nothing is measured: ask for features or anchors");
+  if (measurements_ == 0)
+    throw std::invalid_argument("nothing is measured: the numbers of features and anchors are 0");
   std::vector<ExpressionGraph::Slot> rates = system.vehicle.rates;
   rates.insert(rates.end(), system.landmark.rates.begin(), system.landmark.rates.end());
   for_rates_ = system.graph.needed_for(rates);

@@ -112,8 +112,8 @@ std::string written_number(double value) {
   const SymbolicSystem& s = instance.system();
   const auto& rates = s.vehicle.rates.empty() ? s.landmark.rates : s.vehicle.rates;
   throw SystemError(rates.empty() ? SourceLocation{} : s.graph[rates[0]].location,
-                    "the motion cannot be followed for " + written_number(duration) +
-                        " s: it grows without bound, or is too fast; choose another region or a shorter "
+                    "the motion cannot be integrated over " + written_number(duration) +
+                        " s: it diverges, or is too fast; choose another region or a shorter "
                         "segment_duration_s");
 }
 
@@ -154,7 +154,7 @@ void integrate(const SystemInstance& instance, SystemPoint& at, Eigen::MatrixXd&
 }  // namespace
 
 SystemMotion draw_motion(const SystemInstance& instance, int segments, RandomStream& random) {
-  if (segments < 1) throw std::invalid_argument("segments are counted from 1");
+  if (segments < 1) throw std::invalid_argument("the number of segments must be at least 1");
   const double duration = instance.system().text.segment_duration_s;
   Assigner assigner(instance);
   SystemPoint point = drawn_start(instance, random);

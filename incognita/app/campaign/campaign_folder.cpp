@@ -79,12 +79,12 @@ std::vector<std::string> differences(const Json& there, const Json& here) {
       if (varies || !old.contains(key) || old[key] == value) continue;
       const auto plain = [](const Json& j) { return j.is_string() ? j.get<std::string>() : j.dump(); };
       found.push_back(std::string(part) == "files"
-                          ? fmt::format("the content of the file that {} names", key)
+                          ? fmt::format("the content of the file in {}", key)
                           : fmt::format("{} = {} there, {} here", key, plain(old[key]), plain(value)));
     }
   }
   if (found.empty() && text_of(there, "variant") == text_of(here, "variant") && there != here)
-    found.push_back("which settings are in force");
+    found.push_back("which settings apply");
   return found;
 }
 
@@ -129,11 +129,9 @@ void CampaignFolder::refuse_others() const {
         found.resize(most_differences);
         found.push_back(fmt::format("and {} more", more));
       }
-      throw InputError(
-          fmt::format("--out {}: there are runs of something else in it ({}): {}. Choose another folder with "
-                      "--out, or give "
-                      "the same settings to go on",
-                      path_.string(), text_of(there, "variant"), fmt::join(found, "; ")));
+      throw InputError(fmt::format(
+          "--out {}: it contains runs of another campaign ({}): {}. Choose another folder with --out, or give the same settings to continue",
+          path_.string(), text_of(there, "variant"), fmt::join(found, "; ")));
     }
   }
 }

@@ -35,8 +35,8 @@ std::int64_t seed_of_text(const std::string& text, const std::string& all) {
   std::int64_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc{} || end != text.data() + text.size() || value < 0 || text.empty())
-    throw InputError(
-        fmt::format("--seeds {}: `{}` is no seed; they are whole numbers from 0, {}", all, text, seeds_form));
+    throw InputError(fmt::format("--seeds {}: `{}` is not a seed; seeds are whole numbers from 0, {}", all,
+                                 text, seeds_form));
   return value;
 }
 
@@ -60,17 +60,17 @@ std::string key_of(const std::string& set) { return set.substr(0, set.find('='))
 void refuse_two_masters(const CampaignRequest& request, const std::vector<Varied>& lists) {
   std::set<std::string> keys;
   for (const Varied& list : lists) {
-    if (list.key == "run.seed") throw InputError("--vary run.seed: the seeds are given by --seeds");
+    if (list.key == "run.seed") throw InputError("--vary run.seed: give the seeds with --seeds");
     if (!keys.insert(list.key).second)
       throw InputError(fmt::format("--vary {}: given twice; put all its values into one list", list.key));
     if (list.key == "run.duration_s" && request.duration_s)
-      throw InputError("--vary run.duration_s and --duration set the same; leave one of them out");
+      throw InputError("--vary run.duration_s and --duration set the same key; remove one of them");
   }
   for (const std::string& set : request.sets) {
-    if (key_of(set) == "run.seed") throw InputError("--set run.seed: the seeds are given by --seeds");
+    if (key_of(set) == "run.seed") throw InputError("--set run.seed: give the seeds with --seeds");
     if (keys.contains(key_of(set)))
       throw InputError(
-          fmt::format("--set {0} and --vary {0} set the same; leave one of them out", key_of(set)));
+          fmt::format("--set {0} and --vary {0} set the same key; remove one of them", key_of(set)));
   }
 }
 
@@ -122,7 +122,7 @@ void refuse_duplicates(const std::vector<Variant>& variants) {
   for (const Variant& variant : variants)
     if (!names.insert(variant.name).second)
       throw InputError(
-          fmt::format("--vary: the variant {} is there twice; leave one of its values out", variant.name));
+          fmt::format("--vary: the variant {} occurs twice; remove one of its values", variant.name));
 }
 
 /// The variant with the named values, and the first value of all other keys.
@@ -134,15 +134,16 @@ std::size_t find_baseline(const CampaignRequest& request, const CampaignPlan& pl
     const auto list =
         std::find_if(lists.begin(), lists.end(), [&](const Varied& l) { return l.key == named.key; });
     if (list == lists.end())
-      throw InputError(fmt::format("--baseline {}: {} is not varied; it names values given to --vary",
-                                   assignment, named.key));
+      throw InputError(
+          fmt::format("--baseline {}: {} is not varied; the baseline is a combination of values of --vary",
+                      assignment, named.key));
     const auto has_it = [&](const Variant& v) {
       const std::string& value = v.varied.at(named.key);
       return named.values.size() == 1 && (value == named.values[0] || plain(value) == plain(named.values[0]));
     };
     const auto found = std::find_if(plan.variants.begin(), plan.variants.end(), has_it);
     if (found == plan.variants.end())
-      throw InputError(fmt::format("--baseline {}: is none of the values given to --vary {}: {}", assignment,
+      throw InputError(fmt::format("--baseline {}: is not one of the values of --vary {}: {}", assignment,
                                    named.key, fmt::join(list->values, ", ")));
     requested[named.key] = found->varied.at(named.key);
   }
@@ -204,7 +205,7 @@ std::vector<std::int64_t> parse_seeds(const std::string& text) {
     const std::int64_t first = seed_of_text(part.substr(0, dots), text);
     const std::int64_t last = dots == std::string::npos ? first : seed_of_text(part.substr(dots + 2), text);
     if (last < first)
-      throw InputError(fmt::format("--seeds {}: {} runs backwards, {}", text, part, seeds_form));
+      throw InputError(fmt::format("--seeds {}: {} is decreasing, {}", text, part, seeds_form));
     if (static_cast<std::uint64_t>(last - first) >= most_runs || seeds.size() > most_runs)
       throw InputError(fmt::format("--seeds {}: more than {} runs", text, most_runs));
     for (std::int64_t seed = first;; ++seed) {
@@ -216,7 +217,7 @@ std::vector<std::int64_t> parse_seeds(const std::string& text) {
   }
   std::sort(seeds.begin(), seeds.end());
   const auto twice = std::adjacent_find(seeds.begin(), seeds.end());
-  if (twice != seeds.end()) throw InputError(fmt::format("--seeds {}: {} is there twice", text, *twice));
+  if (twice != seeds.end()) throw InputError(fmt::format("--seeds {}: {} occurs twice", text, *twice));
   return seeds;
 }
 

@@ -35,9 +35,8 @@ Campaign gather(const CampaignPlan& plan, const CampaignFolder& folder) {
     campaign.variants[run % plan.variants.size()].runs.push_back(std::move(one));
   }
   if (programs.size() > 1)
-    print_message(
-        "the runs are of {} builds of this program; whether they differ in what counts is yours to know\n",
-        programs.size());
+    print_message("the runs were made by {} builds of this program, whose results may differ\n",
+                  programs.size());
   return campaign;
 }
 
@@ -55,9 +54,8 @@ void warn_of_unused_seeds(const Campaign& campaign) {
       return run.done && same(run.measured.measures, variant.runs.front().measured.measures);
     };
     if (variant.runs.size() > 1 && std::all_of(variant.runs.begin(), variant.runs.end(), as_the_first))
-      print_message(
-          "{}: every seed gave the same, so that there is nothing random in it; its intervals say nothing\n",
-          variant.name);
+      print_message("{}: every seed gave the same result, so that its intervals are meaningless\n",
+                    variant.name);
   }
 }
 
@@ -88,15 +86,13 @@ void print_text(const Campaign& campaign, const std::vector<VariantStatistics>& 
     for (const CampaignRun& run : variant.runs) {
       if (run.done || ++failed > most_shown) continue;
       fmt::print("{}{}, seed {}: {}\n",
-                 failed == 1 ? "\nfailed, and left out above except where failures are counted:\n" : "",
+                 failed == 1 ? "\nfailed, and excluded above except from counts of failures:\n" : "",
                  variant.name, run.seed, run.reason);
     }
   if (failed > most_shown) fmt::print("and {} more: runs.csv\n", failed - most_shown);
   if (failed > 0 && limit_measures(measures).empty())
     fmt::print(
-        "A variant that loses its hard seeds looks better in such a mean than it is; a limit counts them "
-        "all, "
-        "e.g. --measure ate_m.below:0.1\n");
+        "Means without failed runs favor a variant that fails on hard seeds; a limit counts all runs, e.g. --measure ate_m.below:0.1\n");
 }
 
 }  // namespace

@@ -137,7 +137,7 @@ std::string answer_of(const JobEnd& end) {
   Json answer;
   if (end.signal != 0)
     answer = is_a_crash(end.signal) ? ended("failed", "crashed: " + in_words(end.signal))
-                                    : trouble("ended from outside by " + in_words(end.signal));
+                                    : trouble("killed from outside by " + in_words(end.signal));
   else if (end.exit_code != 0)
     answer = ended("failed", fmt::format("crashed: ended with exit code {}", end.exit_code));
   else

@@ -8,9 +8,7 @@ namespace incognita {
 Ranks::Ranks() {
   if (started_by_mpirun())
     throw InputError(
-        "campaign: mpirun started several of this program, which was built without MPI. Install "
-        "libopenmpi-dev and "
-        "build again, or give each its share with --shard i/N");
+        "campaign: mpirun started several processes, but this program was built without MPI. Install libopenmpi-dev and build again, or start each process with --shard i/N");
 }
 
 Ranks::~Ranks() = default;

@@ -42,9 +42,8 @@ std::string unknown_measure(const std::vector<std::string>& requested,
                             const std::vector<std::string>& known) {
   for (const std::string& name : requested)
     if (!is_among(name, known))
-      return fmt::format(
-          "--measure {}: no run has measured that; the nearest is {}. Runs that have ended are kept", name,
-          nearest_name(name, known));
+      return fmt::format("--measure {}: no run has this measure; the nearest is {}. Completed runs are kept",
+                         name, nearest_name(name, known));
   return "";
 }
 

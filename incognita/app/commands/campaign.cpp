@@ -72,7 +72,8 @@ Shard shard_of(const Options& options) {
       slash == std::string_view::npos ? std::nullopt : count_of(text.substr(slash + 1), most_shards);
   if (!which || !of || *which > *of)
     throw InputError(fmt::format("--shard {}: must be written i/N, i from 1 to N: 1/4, 2/4, 3/4, 4/4", text));
-  if (options.table_alone) throw InputError("--shard and --table: a shard makes runs, --table makes none");
+  if (options.table_alone)
+    throw InputError("--shard and --table: a shard makes runs, but --table makes none");
   return {*which - 1, *of};
 }
 
@@ -139,8 +140,7 @@ void report_unkept(const CampaignPlan& plan, const CampaignFolder& folder) {
   for (std::size_t run = 0; run < plan.runs(); ++run)
     unkept += folder.has(run) && !fs::exists(run_directory(folder.path(), plan, run));
   if (unkept > 0)
-    print_message("--keep-runs: {} runs were made before without it, and are not made again to keep them\n",
-                  unkept);
+    print_message("--keep-runs: {} runs were made before without it, and are not repeated\n", unkept);
 }
 
 std::unique_ptr<FolderLock> locked(const fs::path& out, const std::string& digest,
@@ -162,7 +162,7 @@ int lead(Ranks& ranks, const Options& options, const fs::path& out) {
   limit_measures(options.measures);  // refuses invalid limits
   const CampaignPlan plan = plan_campaign(options.request);
   if (options.table_alone && !fs::is_directory(out / "runs"))
-    throw InputError(fmt::format("--table: {} holds no campaign; see --out", out.string()));
+    throw InputError(fmt::format("--table: {} contains no campaign; see --out", out.string()));
   if (options.table_alone)
     return report_campaign(plan, CampaignFolder(out, plan, INCOGNITA_VERSION),
                            {options.measures, options.json});
@@ -177,12 +177,12 @@ int lead(Ranks& ranks, const Options& options, const fs::path& out) {
   const std::size_t left = make_runs(ranks, plan, folder, {options.measures, plan, folder}, std::move(work));
   folder.tidy();
   if (left > 0) {
-    print_message("incognita: {}{} runs are still to make; the same command goes on\n",
+    print_message("incognita: {}{} runs are missing; the same command continues\n",
                   interrupted ? "interrupted: " : "", left);
     return 1;
   }
   if (!options.shard) return report_campaign(plan, folder, {options.measures, options.json});
-  print_message("shard {} is done; when all are, the same command without --shard makes the table\n",
+  print_message("shard {} is done; after all shards, the same command without --shard makes the table\n",
                 *options.shard);
   return 0;
 }
@@ -201,14 +201,14 @@ int serve(Ranks& ranks, const Options& options, const fs::path& out) {
   serve_as_worker(ranks, jobs, [&](std::size_t run, const std::string& digest) {
     if (!plan) return no_run(wrong);
     if (digest_of(*plan) != digest)
-      return no_run("other machines have another program, scenario or file that it names than the first one");
+      return no_run("the processes differ in the program, the scenario or a file that it refers to");
     return make_run(*plan, run, kept(out, options, *plan, run));
   });
   return 0;
 }
 
 int campaign(const Options& options) {
-  if (options.out && options.out->empty()) throw InputError("--out: names nothing; a folder is wanted");
+  if (options.out && options.out->empty()) throw InputError("--out: is empty; a folder is required");
   const fs::path out = options.out.value_or("out/campaign");
   handle_signals();
   ::setenv("OPENCV_FOR_THREADS_NUM", "1", 0);  // one run per core is faster than one run on all cores
@@ -220,39 +220,37 @@ void add_options(CLI::App& command, Options& options) {
   CampaignRequest& request = options.request;
   command.add_option("scenario", request.scenario, "Scenario file, or the name of a built-in one")
       ->capture_default_str();
-  command.add_option("--seeds", request.seeds, "The same in every variant: 1..100, or 1,5,10..20")
+  command.add_option("--seeds", request.seeds, "Seeds of every variant: 1..100, or 1,5,10..20")
       ->type_name("LIST")
       ->capture_default_str();
   command
       .add_option(
           "--vary", request.vary,
-          "Values of a setting: one variant each, with several --vary one for each combination. Commas "
-          "separate, except in brackets and quotes")
+          "Values of a setting: one variant each; with several --vary one for each combination. Separated by commas outside of brackets and quotes")
       ->type_name("KEY=VALUE,VALUE")
       ->allow_extra_args(false);
   command.add_option("--set", request.sets, "Override a setting in every variant")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
-  command.add_option("--duration", request.duration_s, "Stop each run after so many seconds")->type_name("S");
+  command.add_option("--duration", request.duration_s, "Duration of each run")->type_name("S");
   command
       .add_option(
           "--baseline", request.baseline,
-          "What the others are compared with; keys not named take their first value [the first variant]")
+          "Variant with which the others are compared; other keys have their first value [the first variant]")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
   command
-      .add_option("--measure", options.measures,
-                  "Only these in the tables, e.g. ate_m, or ate_m.below:0.1 for the share of runs that are "
-                  "done and below; "
-                  "runs.csv has all")
+      .add_option(
+          "--measure", options.measures,
+          "Measure in the tables, e.g. ate_m, or ate_m.below:0.1 for the share of runs that are done and below the limit; runs.csv has all measures")
       ->type_name("NAME")
       ->allow_extra_args(false);
   command.add_option("--out", options.out, "Folder of the campaign [out/campaign]")->type_name("DIR");
-  command.add_option("--jobs", options.jobs, "Runs at a time [as many as cores; 1 per process of mpirun]")
+  command.add_option("--jobs", options.jobs, "Concurrent runs [number of cores; 1 per process of mpirun]")
       ->type_name("N");
-  command.add_option("--shard", options.shard, "Make only the i-th of N shares of the runs, and no table")
+  command.add_option("--shard", options.shard, "Make only the i-th of N shares of the runs, without tables")
       ->type_name("i/N");
-  command.add_flag("--table", options.table_alone, "Make no runs, only the tables of what is there");
+  command.add_flag("--table", options.table_alone, "Make no runs, only the tables of existing ones");
   command.add_flag("--keep-runs", options.keep_runs, "Keep each run's directory, without figures");
   command.add_flag("--json", options.json, "One JSON document on standard output: docs/schemas");
 }
@@ -261,7 +259,8 @@ void add_options(CLI::App& command, Options& options) {
 
 CLI::App* add_campaign(CLI::App& app, std::function<int()>& job) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("campaign", "Many seeds and settings, and what they say together");
+  CLI::App* command = app.add_subcommand(
+      "campaign", "Runs over many seeds and settings, with statistics and confidence intervals");
   add_options(*command, *options);
   command->footer(
       "Example:\n  incognita campaign room --seeds 1..50 --vary decision.strategy=none,mutual-information "

@@ -83,7 +83,7 @@ void put_errors(const Loaded& loaded, const std::vector<TrajectoryFiles>& vehicl
   const bool fitted = options.alignment != AlignmentKind::none;
   if (fitted && !vehicles.front().covariance.empty())
     print_message(
-        "evaluate: no NEES: it needs --align none, a fit would hide errors that the covariance counts\n");
+        "evaluate: no NEES: it needs --align none, since an alignment removes errors that the covariance includes\n");
   MatchedTrajectories all;
   for (std::size_t i = 0; i < vehicles.size(); ++i) {
     MatchedTrajectories matched = loaded.matched[i];
@@ -114,13 +114,14 @@ std::optional<TrajectoryComparison> compare_trajectories(const std::vector<Traje
   for (const MatchedTrajectories& matched : loaded.matched) append(all, matched);
   const auto alignment = align(all, options.alignment);
   if (!alignment) {
-    print_message("evaluate: one of the trajectories never moves, so there is no scale; use --align se3\n");
+    print_message(
+        "evaluate: one of the trajectories does not move, so that the scale is undefined; use --align se3\n");
     return std::nullopt;
   }
   comparison.alignment = *alignment;
   put_errors(loaded, vehicles, options, comparison);
   if (is_finite(comparison)) return comparison;
-  print_message("evaluate: the positions are too large to be compared; are they in metres?\n");
+  print_message("evaluate: the positions are too large to be compared; are they in meters?\n");
   return std::nullopt;
 }
 

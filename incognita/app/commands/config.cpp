@@ -107,7 +107,7 @@ std::vector<std::string> check_team(const LoadedScenario& loaded) {
 /// Performs all checks that could stop a run before its first frame.
 std::vector<std::string> check(const LoadedScenario& loaded) {
   const Scenario& s = loaded.scenario;
-  std::vector<std::string> found = {"the settings fit together"};
+  std::vector<std::string> found = {"the settings are compatible"};
   if (is_team(s)) {
     for (std::string& line : check_team(loaded)) found.push_back(std::move(line));
     return found;
@@ -134,9 +134,10 @@ std::vector<std::string> check(const LoadedScenario& loaded) {
     found.insert(found.end(), recording->notes.begin(), recording->notes.end());
     if (!compared.empty()) found.push_back(compared);
     for (const Recording::RecordedFrame& frame : recording->frames) {
-      if (!file_exists(frame.image)) throw InputError(frame.image.string() + ": is listed and not there");
+      if (!file_exists(frame.image))
+        throw InputError(frame.image.string() + ": is listed but does not exist");
     }
-    found.push_back(fmt::format("all {} images are there, the first is {}x{}", recording->frames.size(),
+    found.push_back(fmt::format("all {} images exist, the first is {}x{} px", recording->frames.size(),
                                 s.camera.width_px, s.camera.height_px));
   }
   if (!is_room_vehicle(s)) assemble(loaded);  // refuses what a run would refuse
@@ -151,7 +152,7 @@ int run_config(const Options& options) {
     print_json(loaded, checked);
   } else if (options.check) {
     for (const std::string& line : checked) std::cout << line << "\n";
-    std::cout << fmt::format("{}: in order\n", loaded.name);
+    std::cout << fmt::format("{}: valid\n", loaded.name);
   } else {
     std::cout << fmt::format("{} ({})\n", loaded.name, shown(loaded.file));
     print_table(loaded);
@@ -165,13 +166,14 @@ CLI::App* add_config(CLI::App& app, std::function<int()>& job) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand(
       "config", "Print every setting of a scenario with its value, unit, default and source");
-  command->add_option("SCENARIO", options->scenario, "A scenario file, or the name of one built in")
+  command->add_option("SCENARIO", options->scenario, "Scenario file, or the name of a built-in one")
       ->capture_default_str();
   command
       ->add_option("--set", options->sets, "Set a value before printing: section.name=value; may be repeated")
       ->allow_extra_args(false);
-  command->add_flag("--check", options->check,
-                    "Only check: settings, target, room or recording, and all else that a run needs");
+  command->add_flag(
+      "--check", options->check,
+      "Only check the settings, the target, the room or recording, and everything else that a run needs");
   command->add_flag("--json", options->json, "One JSON document on standard output");
   command->footer(
       "Example: incognita config room --set run.seed=7\n         incognita config davison --check");

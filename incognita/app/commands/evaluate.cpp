@@ -51,22 +51,21 @@ TrajectoryFiles files_of(const fs::path& run, std::size_t vehicle) {
 EvaluationRequest request_for_run(const Options& options) {
   const fs::path run = options.estimate;
   if (!fs::exists(run / "estimate.tum"))
-    throw InputError(run.string() + ": is a folder without estimate.tum, so no run directory");
+    throw InputError(run.string() + ": is a folder without estimate.tum, and not a run directory");
   EvaluationRequest asked;
   for (std::size_t i = 0; i == 0 || fs::exists(run / name_for_vehicle("estimate.tum", i)); ++i)
     asked.vehicles.push_back(files_of(run, i));
   asked.team = asked.vehicles.size() > 1;
   if (asked.team && (!options.truth.empty() || !options.covariance.empty()))
     throw InputError(fmt::format(
-        "{}: is the run of a team of {} vehicles, and --truth and --covariance name one file: compare {} and "
-        "so on with files of their own, or the run with the truth that it has",
+        "{}: is a run of {} vehicles, but --truth and --covariance give one file: evaluate {} etc. separately, or the run with its own truth",
         run.string(), asked.vehicles.size(), (run / name_for_vehicle("estimate.tum", 1)).string()));
   TrajectoryFiles& first = asked.vehicles.front();
   if (!options.truth.empty()) first.truth = options.truth;
   if (!options.covariance.empty()) first.covariance = options.covariance;
   const auto has_truth = [](const TrajectoryFiles& files) { return !files.truth.empty(); };
   if (std::none_of(asked.vehicles.begin(), asked.vehicles.end(), has_truth))
-    throw InputError(run.string() + ": the run knew no truth; give it with --truth FILE");
+    throw InputError(run.string() + ": the run has no truth; give one with --truth FILE");
   return asked;
 }
 
@@ -83,7 +82,7 @@ EvaluationRequest resolved(const Options& options) {
 AlignmentKind alignment_of(const Options& asked) {
   if (const auto kind = alignment_kind(asked.align)) return *kind;
   if (asked.align != "auto")
-    throw InputError("--align " + asked.align + ": none of auto, none, se3, sim3, yaw");
+    throw InputError("--align " + asked.align + ": must be auto, none, se3, sim3 or yaw");
   std::ifstream in(fs::path(asked.estimate) / "summary.json");
   const Json summary = in ? Json::parse(in, nullptr, false) : Json();
   if (summary.is_object() && summary.contains("ate_alignment") && summary["ate_alignment"].is_string())
@@ -134,7 +133,7 @@ void print_row(const std::string& what, const ErrorStatistics& s) {
 
 void print_nees(const std::optional<MeanNees>& nees) {
   if (!nees) return;
-  fmt::print("NEES per degree of freedom {:.4g} (1 is right, more is overconfident)\n", nees->value);
+  fmt::print("NEES per degree of freedom {:.4g} (expected 1; more is overconfident)\n", nees->value);
 }
 
 void print_relative(const RelativePoseError& rpe, double delta_s) {
@@ -205,7 +204,7 @@ CLI::App* add_evaluate(CLI::App& app, std::function<int()>& job) {
           "--align", options->align,
           "auto (as the run says, else se3), none, se3, sim3 or yaw (about the vertical, and position)")
       ->capture_default_str();
-  command->add_option("--max-dt", options->max_dt_s, "s: poses further apart in time do not match")
+  command->add_option("--max-dt", options->max_dt_s, "s: greatest time difference of matched poses")
       ->check(number_where("0 or more", [](double value) { return value >= 0; }))
       ->capture_default_str();
   command->add_option("--rpe-delta-s", options->rpe_delta_s, "s: interval of the relative pose error")

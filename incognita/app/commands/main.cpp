@@ -19,11 +19,12 @@ namespace {
 enum ExitCode { done = 0, job_failed = 1, bad_input = 2 };
 
 int carry_out(int argc, char** argv) {
-  CLI::App app{"incognita: maps an unknown place, knows how sure it is, and moves to learn more",
-               "incognita"};
+  CLI::App app{
+      "incognita: active SLAM. It maps an unknown environment, quantifies its uncertainty, and plans informative motion",
+      "incognita"};
   app.set_version_flag("--version", INCOGNITA_VERSION);
   app.require_subcommand(1);
-  app.footer("Example:\n  incognita run room\n\n`incognita COMMAND --help` tells more.\n");
+  app.footer("Example:\n  incognita run room\n\nSee `incognita COMMAND --help` for details.\n");
   app.failure_message(incognita::usage_message);
   std::function<int()> job;
   incognita::add_run(app, job);

@@ -38,9 +38,9 @@ ObservabilityAnalysis analyze(const SystemText& text, const Options& options) {
   try {
     return analyze_observability(text, options.analysis);
   } catch (const SystemTooLarge& error) {
-    throw InputError(at(text, error.location) + error.what() +
-                     "; give large parts names under definitions, ask for a lower --lie-order, or leave the "
-                     "Lie derivatives out with --no-lie");
+    throw InputError(
+        at(text, error.location) + error.what() +
+        "; name large parts under definitions, reduce --lie-order, or omit the Lie derivatives with --no-lie");
   } catch (const SystemError& error) {
     throw InputError(at(text, error.location) + error.what());
   } catch (const std::invalid_argument& error) {
@@ -48,7 +48,8 @@ ObservabilityAnalysis analyze(const SystemText& text, const Options& options) {
     throw InputError(options.system + ": " + error.what());
   } catch (const std::bad_alloc&) {
     throw InputError(
-        text.file + ": more than memory holds; ask for less, or leave the Lie derivatives out with --no-lie");
+        text.file +
+        ": not enough memory; reduce --features or --segments, or omit the Lie derivatives with --no-lie");
   }
 }
 
@@ -81,39 +82,38 @@ int observe(Options options) {
 }  // namespace
 
 CLI::App* add_observe(CLI::App& app, std::function<int()>& job) {
-  CLI::App* command = app.add_subcommand("observe", "What can be seen of a system, and what cannot");
+  CLI::App* command =
+      app.add_subcommand("observe", "Observability of a system: ranks, null spaces and minimum sigmas");
   const auto o = std::make_shared<Options>();
   std::string names;
   for (const std::string& name : built_in_systems()) names += (names.empty() ? "" : ", ") + name;
-  command->add_option("SYSTEM", o->system, "One that is built in (" + names + "), or a file")->required();
+  command->add_option("SYSTEM", o->system, "Built-in system (" + names + "), or a file")->required();
   command
       ->add_option("--features", o->features,
-                   "Landmarks whose place is estimated; 1 if not given, 0 for a system without landmarks")
+                   "Landmarks with estimated position [1; 0 for a system without landmarks]")
       ->check(CLI::Range(0, 500));
-  command->add_option("--anchors", o->analysis.anchors, "Landmarks whose place is known")
+  command->add_option("--anchors", o->analysis.anchors, "Landmarks with known position")
       ->check(CLI::Range(0, 500))
       ->capture_default_str();
-  command
-      ->add_option("--segments", o->analysis.segments, "Stretches of the motion, each with inputs of its own")
+  command->add_option("--segments", o->analysis.segments, "Segments of the motion, each with its own inputs")
       ->check(CLI::Range(1, 50))
       ->capture_default_str();
-  command->add_option("--representation", o->representation, "world or relative; the file's own if not given")
+  command->add_option("--representation", o->representation, "world or relative [that of the file]")
       ->check(CLI::IsMember({"world", "relative"}));
-  command
-      ->add_option("--motion", o->analysis.motion, "general, or a kind that the system knows: straight, ...")
+  command->add_option("--motion", o->analysis.motion, "general, or a motion of the system: straight, ...")
       ->capture_default_str();
-  command->add_option("--seed", o->seed, "Of the operating point")
+  command->add_option("--seed", o->seed, "Seed of the operating point")
       ->check(CLI::Range(std::int64_t{0}, std::numeric_limits<std::int64_t>::max()))
       ->capture_default_str();
   command->add_option("--lie-order", o->analysis.lie_settings.max_order, "Highest order of Lie derivatives")
       ->check(CLI::Range(0, 30))
       ->capture_default_str();
-  command->add_flag("--no-lie", o->no_lie, "Without Lie derivatives");
+  command->add_flag("--no-lie", o->no_lie, "Omit the Lie derivatives");
   command->add_flag("--json", o->json, "The answer as JSON");
   command->add_flag("--latex", o->latex, "The matrices, in symbols, as LaTeX");
   command->footer(
       "Example:\n  incognita observe planar --features 2 --anchors 1\n  incognita observe mine.toml --motion "
-      "straight --json\n\ndocs/add-a-system.md shows how to write a system down.\n");
+      "straight --json\n\ndocs/add-a-system.md describes system files.\n");
   command->callback([o, &job] { job = [o] { return observe(*o); }; });
   return command;
 }

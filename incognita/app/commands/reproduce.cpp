@@ -55,7 +55,7 @@ std::size_t index_of(const std::string& id, const Experiments& experiments) {
                                   [&](const Experiment& e) { return e.id == id || draws(e, id); });
   if (found != experiments.end()) return static_cast<std::size_t>(found - experiments.begin());
   const std::string nearest = nearest_name(id, all_ids(experiments));
-  throw InputError(fmt::format("reproduce: there is no example or figure `{}`{}; --list names all", id,
+  throw InputError(fmt::format("reproduce: there is no example or figure `{}`{}; --list lists all", id,
                                nearest.empty() ? "" : fmt::format("; the nearest is `{}`", nearest)));
 }
 
@@ -119,18 +119,17 @@ std::string counted(const std::vector<LedgerEntry>& entries) {
 
 void report_outcomes(const Options& options, const std::vector<LedgerEntry>& entries) {
   if (const std::size_t missing = missing_figures(options, entries); missing > 0)
-    print_message("reproduce: {} figures are not drawn (is gnuplot installed?); scripts and data are in {}\n",
-                  missing, (options.out / fs::path("figures")).string());
-  if (options.seeds < ExperimentSettings{}.seeds)
     print_message(
-        "with {} seeds instead of {} more claims are undecided: an interval is the wider the fewer runs "
-        "there are\n",
-        options.seeds, ExperimentSettings{}.seeds);
+        "reproduce: {} figures were not drawn (is gnuplot installed?); their scripts and data are in {}\n",
+        missing, (options.out / fs::path("figures")).string());
+  if (options.seeds < ExperimentSettings{}.seeds)
+    print_message("with {} seeds instead of {} more claims are undecided: fewer runs give wider intervals\n",
+                  options.seeds, ExperimentSettings{}.seeds);
   std::vector<std::string> skipped;
   for (const LedgerEntry& entry : entries)
     if (!entry.skipped.empty()) skipped.push_back(entry.id);
   const std::string page = (options.out / fs::path("claims.md")).string();
-  if (!skipped.empty()) print_message("skipped: {}; {} says why\n", fmt::join(skipped, ", "), page);
+  if (!skipped.empty()) print_message("skipped: {}; reasons are in {}\n", fmt::join(skipped, ", "), page);
   if (skipped.size() < entries.size()) print_message("{}; see {}\n", counted(entries), page);
 }
 
@@ -170,7 +169,7 @@ int reproduce(const Options& options, const Experiments& all) {
   if (options.list) return list(experiments, options.json);
   std::signal(SIGPIPE, SIG_IGN);  // a closed output pipe must not end the job
   std::signal(SIGXFSZ, SIG_IGN);  // makes a full disk a reported error
-  if (options.out.empty()) throw InputError("--out: names nothing; a folder is wanted");
+  if (options.out.empty()) throw InputError("--out: is empty; a folder is required");
   const FolderLock lock(options.out);  // before any file of an earlier run is changed
   make_figures_folder(options.out);
   const std::vector<LedgerEntry> entries = run_all(options, experiments);
@@ -192,20 +191,20 @@ CLI::App* add_reproduce(CLI::App& app, std::function<int()>& job,
                         const std::vector<Experiment>& experiments) {
   auto options = std::make_shared<Options>();
   CLI::App* command =
-      app.add_subcommand("reproduce", "The thesis' examples and figures again, each with its claims checked");
+      app.add_subcommand("reproduce", "Reproduce the thesis' examples and figures, and check their claims");
   command->add_option("ID", options->ids, "Examples (3.1) and figures (fig-3.4) [all]")->type_name("");
   command->add_option("--out", options->out, "Folder for claims.json, claims.md and figures/")
       ->type_name("DIR")
       ->capture_default_str();
   command
-      ->add_option("--seeds", options->seeds,
-                   "Independent runs behind a claim about chance; costly ones take fewer, some more: `runs` "
-                   "in --json says")
+      ->add_option(
+          "--seeds", options->seeds,
+          "Independent runs of a statistical claim; expensive claims use fewer, some more: see `runs` in --json")
       ->type_name("N")
       ->check(CLI::Validator(why_no_count, ""))
       ->capture_default_str();
   command->add_flag("--json", options->json, "One JSON document on standard output: docs/schemas");
-  command->add_flag("--list", options->list, "Only name what there is");
+  command->add_flag("--list", options->list, "Only list the experiments");
   command->footer("Example: incognita reproduce 3.1 fig-3.8 --seeds 50 --out out/examples");
   command->callback([options, &job, &experiments] {
     job = [options, &experiments] { return reproduce(*options, experiments); };

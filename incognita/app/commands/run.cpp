@@ -146,7 +146,7 @@ class RecorderSink : public RunSink {
 };
 
 void refuse_pictures_without_images(const Scenario& scenario) {
-  if (is_team(scenario)) throw InputError("--save-frames: there are no images where points are named");
+  if (is_team(scenario)) throw InputError("--save-frames: there are no images with run.world = points");
   if (scenario.run.sensor != "camera")
     throw InputError("--save-frames: there are no images with run.sensor = range-bearing");
 }
@@ -154,8 +154,8 @@ void refuse_pictures_without_images(const Scenario& scenario) {
 int run(const Options& options) {
   std::signal(SIGPIPE, SIG_IGN);  // a closed output pipe must not end the run
   if (options.scenario.empty())
-    throw InputError("the scenario names nothing; a file or a built-in one is wanted");
-  if (options.out && options.out->empty()) throw InputError("--out: names nothing; a folder is wanted");
+    throw InputError("the scenario is empty; a file or the name of a built-in one is required");
+  if (options.out && options.out->empty()) throw InputError("--out: is empty; a folder is required");
   const LoadedScenario loaded = load(options);
   for (const std::string& line : loaded.overrides) print_message("{}\n", line);
   if (options.save_frames) refuse_pictures_without_images(loaded.scenario);
@@ -192,15 +192,15 @@ CLI::App* add_run(CLI::App& app, std::function<int()>& job) {
   command->add_option("scenario", options->scenario, "Scenario file, or the name of a built-in one")
       ->capture_default_str();
   command->add_option("--out", options->out, "Run directory [out/<scenario>]")->type_name("DIR");
-  command->add_option("--seed", options->seed, "Seed of all randomness")->type_name("N");
+  command->add_option("--seed", options->seed, "Seed of all random streams")->type_name("N");
   command->add_option("--set", options->sets, "Override a setting, e.g. --set map.wanted_visible=20")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
-  command->add_option("--duration", options->duration_s, "Stop after so many seconds")->type_name("S");
-  command->add_flag("--realtime", options->realtime, "No faster than the clock on the wall");
+  command->add_option("--duration", options->duration_s, "Duration of the run")->type_name("S");
+  command->add_flag("--realtime", options->realtime, "Not faster than real time");
   command->add_flag("--save-frames", options->save_frames,
-                    "Write a picture of every frame, ellipses drawn in");
-  command->add_flag("--no-figures", options->no_figures, "Leave out the figures");
+                    "Write a picture of every frame with its search ellipses");
+  command->add_flag("--no-figures", options->no_figures, "Draw no figures");
   command->footer("Example:\n  incognita run room --seed 7 --duration 20 --out out/first\n");
   command->callback([options, &job] { job = [options] { return run(*options); }; });
   return command;

@@ -46,7 +46,7 @@ bool others_have(int descriptor, off_t from, off_t end) {
 bool is_held_by_another(int error) { return error == EAGAIN || error == EACCES; }
 
 std::string busy(const fs::path& folder, const std::string& who) {
-  return fmt::format("--out {}: {} is at work in it; wait for its end, or choose another folder with --out",
+  return fmt::format("--out {}: {} is running in it; wait for its end, or choose another folder with --out",
                      folder.string(), who);
 }
 

@@ -23,7 +23,7 @@ std::string why_output_failed() {
   std::cout.flush();
   const bool arrived = std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.good();
   if (arrived) return "";
-  return errno == 0 ? "not all could be written, is the disk full?" : std::strerror(errno);
+  return errno == 0 ? "not all output could be written; is the disk full?" : std::strerror(errno);
 }
 
 }  // namespace incognita

@@ -36,7 +36,7 @@ std::string what_is_wrong(const CLI::App& app, const CLI::Error& error) {
   const bool is_option = word.starts_with("-");
   if (given.empty() && !is_option) {
     const std::string all = fmt::format("{}", fmt::join(commands(app), ", "));
-    if (word.empty()) return fmt::format("a command is wanted: {}", all);
+    if (word.empty()) return fmt::format("a command is required: {}", all);
     return fmt::format("there is no command `{}`; the nearest is `{}` (all: {})", word,
                        nearest_name(word, commands(app)), all);
   }
@@ -45,7 +45,7 @@ std::string what_is_wrong(const CLI::App& app, const CLI::Error& error) {
     return fmt::format("there is no option `{}`; the nearest is `{}`", name,
                        nearest_name(name, options(given.empty() ? app : *given.front())));
   }
-  if (!word.empty()) return fmt::format("`{}` is one word too many", word);
+  if (!word.empty()) return fmt::format("unexpected argument `{}`", word);
   return error.what();
 }
 
@@ -54,7 +54,8 @@ std::string what_is_wrong(const CLI::App& app, const CLI::Error& error) {
 std::string usage_message(const CLI::App* app, const CLI::Error& error) {
   const std::vector<CLI::App*> given = app->get_subcommands();
   const std::string command = given.empty() ? "" : " " + given.front()->get_name();
-  return fmt::format("incognita: {}\nincognita{} --help tells more\n", what_is_wrong(*app, error), command);
+  return fmt::format("incognita: {}\nincognita{} --help lists the options\n", what_is_wrong(*app, error),
+                     command);
 }
 
 }  // namespace incognita

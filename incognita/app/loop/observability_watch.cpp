@@ -43,16 +43,16 @@ SpatialScene spatial_scene_of(const Estimate& estimate, const ObservabilityMonit
   return scene;
 }
 
-constexpr const char* not_finite = "its information is not finite";
+constexpr const char* not_finite = "the filter's information is not finite";
 
 std::string why(ObservabilityMonitor::Uncovered uncovered) {
   switch (uncovered) {
     case ObservabilityMonitor::Uncovered::frame_changed:
-      return "the map is expressed in the vehicle's frame";
+      return "the map is expressed in the vehicle frame";
     case ObservabilityMonitor::Uncovered::decorrelated:
-      return "the filter drops correlations";
+      return "the filter decorrelates its map";
     case ObservabilityMonitor::Uncovered::other_block:
-      return "more than one vehicle moves";
+      return "the filter has more than one vehicle";
     case ObservabilityMonitor::Uncovered::not_finite:
       return not_finite;
   }

@@ -59,9 +59,9 @@ std::vector<std::string> warnings_of(const RunProgress& progress, bool to_see) {
       std::count_if(last.landmarks.begin(), last.landmarks.end(),
                     [](const SnapshotLandmark& l) { return l.anchor && l.detection_count == 0; });
   if (unseen > 0 && last.vehicles.empty())
-    warnings.push_back(fmt::format("anchors never matched: {}; are they where they should be?", unseen));
+    warnings.push_back(fmt::format("{} anchors were never matched; check their positions", unseen));
   if (to_see && !last.vehicles.empty() && !progress.ever_measured)
-    warnings.push_back("nothing was seen in the whole run");
+    warnings.push_back("there was no measurement in the whole run");
   constexpr double most_doubted = 0.1;  // share of all frames
   if (static_cast<double>(progress.doubted) > most_doubted * static_cast<double>(progress.frames))
     warnings.push_back(
@@ -107,7 +107,7 @@ void note(const AssociationScore& score, RunSink& sink) {
   sink.note("matches_right", score.right());
   sink.note("matches_wrong", score.wrong());
   sink.note("matches_missed", score.missed());
-  sink.note("landmarks_born_again", std::int64_t{score.duplicate_landmarks()});
+  sink.note("duplicate_landmarks", std::int64_t{score.duplicate_landmarks()});
 }
 
 /// Runs the loop; `info` is complete. `score` is set if the estimator gets detections without identity.
@@ -131,7 +131,7 @@ RunOutcome run_camera(const LoadedScenario& loaded, const SinkFactory& open, con
   Assembly assembly = assemble(loaded);
   for (const std::string& line : assembly.notes) callbacks.report(line);
   if (!assembly.scale_is_known)
-    callbacks.report("no target: the scale is not observable, lengths are relative");
+    callbacks.report("no target: the scale is unobservable, lengths are in arbitrary units");
   RunInfo info = info_of(loaded);
   // The frame of a recording's truth may differ from that of the target.
   const bool own_frame = loaded.scenario.run.world == "recording";
@@ -143,7 +143,7 @@ RunOutcome run_room_vehicle(const LoadedScenario& loaded, const SinkFactory& ope
                             const RunCallbacks& callbacks) {
   RoomVehicleAssembly assembly = assemble_room_vehicle(loaded);
   if (!assembly.scale_is_known)
-    callbacks.report("no target: the scale is not observable, lengths are relative");
+    callbacks.report("no target: the scale is unobservable, lengths are in arbitrary units");
   RunInfo info = info_of(loaded);
   info.ate_alignment = assembly.scale_is_known ? "none" : "sim3";
   return run_parts(assembly.parts, info, loaded, open, callbacks);
@@ -154,7 +154,7 @@ RunOutcome run_vehicle(const LoadedScenario& loaded, const SinkFactory& open, co
   for (const std::string& line : assembly.notes) callbacks.report(line);
   if (!assembly.frame_is_fixed)
     callbacks.report(
-        "no anchors: place and heading are not observable, the map is about where the vehicle started");
+        "no anchors: position and heading are unobservable, the map is relative to the start of the vehicle");
   RunInfo info = info_of(loaded);
   info.body = "vehicle";
   info.ranges = true;

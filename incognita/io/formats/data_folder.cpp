@@ -49,7 +49,7 @@ std::string chosen_folder() {
 
 std::string remedy() {
   if (chosen_folder().empty()) return "Put it under data/, or set INCOGNITA_DATA to the folder that has it.";
-  return "INCOGNITA_DATA is set, so that only this folder is looked at: put it there, set INCOGNITA_DATA to "
+  return "INCOGNITA_DATA is set, so that only this folder is searched: put it there, set INCOGNITA_DATA to "
          "the "
          "folder that has it, or unset it to use data/.";
 }
@@ -70,17 +70,17 @@ std::vector<std::filesystem::path> data_folders(const std::filesystem::path& sce
 std::filesystem::path find_data(const std::string& path, const std::filesystem::path& scenario_file,
                                 const std::string& wanted_by) {
   std::error_code ignored;
-  if (path.empty()) throw InputError(wanted_by + ": names nothing");
+  if (path.empty()) throw InputError(wanted_by + ": the path is empty");
   if (std::filesystem::path(path).is_absolute()) {
     if (std::filesystem::exists(path, ignored)) return path;
-    throw InputError(fmt::format("{}: {} is not there", wanted_by, path));
+    throw InputError(fmt::format("{}: {} does not exist", wanted_by, path));
   }
   std::string looked;
   for (const std::filesystem::path& folder : data_folders(scenario_file)) {
     if (std::filesystem::exists(folder / path, ignored)) return folder / path;
     looked += (looked.empty() ? "" : ", ") + (folder / path).string();
   }
-  throw InputError(fmt::format("{}: {} is not in the data folder (looked for {}).\n{}{}", wanted_by, path,
+  throw InputError(fmt::format("{}: {} is not in the data folder (searched: {}).\n{}{}", wanted_by, path,
                                looked, remedy(), publication(path)));
 }
 

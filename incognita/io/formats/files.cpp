@@ -47,7 +47,7 @@ std::string read_file(const std::filesystem::path& path, std::size_t largest) {
   }
   std::error_code error;
   if (std::filesystem::is_directory(path, error)) {
-    throw InputError(fmt::format("{}: is a folder, a file is wanted", path.native()));
+    throw InputError(fmt::format("{}: is a folder, not a file", path.native()));
   }
   std::ifstream file(path, std::ios::binary);
   if (!file) throw InputError(fmt::format("{}: cannot be read: {}", path.native(), std::strerror(errno)));
@@ -59,7 +59,8 @@ std::string read_file(const std::filesystem::path& path, std::size_t largest) {
       throw InputError(fmt::format("{}: is larger than the {} bytes allowed", path.native(), largest));
     }
   }
-  if (file.bad()) throw InputError(fmt::format("{}: reading failed half-way", path.native()));
+  if (file.bad())
+    throw InputError(fmt::format("{}: reading failed before the end of the file", path.native()));
   return content;
 }
 

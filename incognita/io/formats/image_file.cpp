@@ -15,7 +15,7 @@ namespace incognita {
 namespace {
 
 constexpr std::size_t largest_image_file = std::size_t{256} << 20;
-constexpr const char* cut_short = "the file is cut short";
+constexpr const char* cut_short = "the file is truncated";
 
 std::uint32_t byte(std::string_view bytes, std::size_t i) { return static_cast<unsigned char>(bytes[i]); }
 

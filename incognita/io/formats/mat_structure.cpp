@@ -99,15 +99,14 @@ std::string wrong_in_matrix(std::string_view bytes, bool swapped) {
   const std::uint32_t kind = parts.word(flags->data, 0) & 0xff;
   if (kind == characters) return "";
   if (kind < first_number || kind > last_number) {
-    return fmt::format("`{}` is no matrix of numbers (class {}); save the file without it",
+    return fmt::format("`{}` is not a numeric matrix (class {}); save the file without it",
                        name->data.substr(0, 63), kind);
   }
   const auto numbers = count(parts, dimensions->data);
   const bool is_complex = parts.word(flags->data, 0) & complex_bit;
   bool whole = numbers && holds(parts.next(true), *numbers);
   if (whole && is_complex) whole = holds(parts.next(true), *numbers);
-  return whole ? ""
-               : fmt::format("`{}` has not the numbers that its size promises", name->data.substr(0, 63));
+  return whole ? "" : fmt::format("`{}` has fewer numbers than its size requires", name->data.substr(0, 63));
 }
 
 /// Whether the file has the opposite byte order; throws unless it is a level-5 file.
@@ -129,12 +128,12 @@ void check_mat_structure(std::string_view bytes, const std::string& file) {
   for (int number = 1; !variables.at_end(); ++number) {
     const auto variable = variables.next(false);
     if (!variable)
-      throw InputError(fmt::format("{}: is cut short in variable {}; copy it again", file, number));
+      throw InputError(fmt::format("{}: is truncated in variable {}; copy it again", file, number));
     std::string wrong;
     if (variable->type == matrix) wrong = wrong_in_matrix(variable->data, swapped);
-    if (variable->type != matrix && variable->type != compressed) wrong = "is of a type that is not known";
+    if (variable->type != matrix && variable->type != compressed) wrong = "has an unknown type";
     if (wrong.empty()) continue;
-    throw InputError(fmt::format("{}: is damaged or of another kind: variable {} {}", file, number, wrong));
+    throw InputError(fmt::format("{}: is damaged or not supported: variable {} {}", file, number, wrong));
   }
 }
 

@@ -56,7 +56,7 @@ NamedTable::NamedTable(const std::filesystem::path& file) : file_(shown(file)) {
     }
   }
   if (columns_.empty()) throw InputError(file_ + ": is empty; its first line must name the columns");
-  if (lines_.empty()) throw InputError(file_ + ": there are no rows after the names of the columns");
+  if (lines_.empty()) throw InputError(file_ + ": there are no rows below the column names");
 }
 
 void NamedTable::read_header(std::string_view line, int number) {
@@ -100,7 +100,7 @@ std::string NamedTable::unused(std::initializer_list<std::string_view> known) co
     return std::find(known.begin(), known.end(), column) == known.end();
   });
   if (others.empty()) return "";
-  return fmt::format("{}: columns that are not used: {}", file_, fmt::join(others, ", "));
+  return fmt::format("{}: unused columns: {}", file_, fmt::join(others, ", "));
 }
 
 double NamedTable::number(std::size_t row, std::size_t column) const {
@@ -128,8 +128,7 @@ std::int64_t NamedTable::identity(std::size_t row, std::optional<std::size_t> co
   const auto [stopped, error] = std::from_chars(text.data(), end, value);
   if (error == std::errc() && stopped == end && value >= 0) return value;
   throw InputError(
-      fmt::format("{}: `{}` must be a whole number from 0, and is `{}`; leave it empty where it is "
-                  "not known",
+      fmt::format("{}: `{}` must be a whole number from 0, and is `{}`; leave it empty if it is unknown",
                   where(row), columns_[*column], text.substr(0, 60)));
 }
 

@@ -29,7 +29,7 @@ std::vector<std::string> split(std::string_view line) {
 
 const std::string& TableLine::text(std::size_t i) const {
   if (i >= cells.size()) {
-    throw InputError(fmt::format("{}: has {} columns, column {} is wanted", where, cells.size(), i + 1));
+    throw InputError(fmt::format("{}: has {} columns, column {} is required", where, cells.size(), i + 1));
   }
   return cells[i];
 }

@@ -22,7 +22,7 @@ void refuse_unknown(const NamedTable& table) {
     if (std::find(known.begin(), known.end(), column) != known.end()) continue;
     throw InputError(
         fmt::format("{}: a path has no column `{}`; the nearest is `{}`. Its columns are "
-                    "t,x,y[,z[,heading]], named in the first line with commas between: leave out the rest",
+                    "t,x,y[,z[,heading]], named in the first line and separated by commas: remove the others",
                     table.header(), column.substr(0, 60), nearest_name(column, known)));
   }
 }
@@ -37,11 +37,9 @@ double within(const NamedTable& table, std::size_t row, std::size_t column, doub
 
 void expect_later(const NamedTable& table, std::size_t row, const std::vector<double>& t) {
   if (row == 0 || t[row] - t[row - 1] >= shortest_s) return;
-  throw InputError(
-      fmt::format("{}: t = {} must be later than {} in the row before, by {:g} s or more; sort the rows by "
-                  "time and leave out "
-                  "repeated ones",
-                  table.where(row), t[row], t[row - 1], shortest_s));
+  throw InputError(fmt::format(
+      "{}: t = {} must be later than {} in the row before, by {:g} s or more; sort the rows by time and remove duplicates",
+      table.where(row), t[row], t[row - 1], shortest_s));
 }
 
 }  // namespace
@@ -60,8 +58,8 @@ PathSamples read_path(const std::filesystem::path& file) {
     if (heading) samples.heading.push_back(within(table, row, *heading, farthest_m));
   }
   if (samples.t.size() >= 2) return samples;
-  throw InputError(
-      fmt::format("{}: a path needs two rows or more; to stay at a place, use a point", table.where(0)));
+  throw InputError(fmt::format("{}: a path needs two rows or more; for a fixed position use a point path",
+                               table.where(0)));
 }
 
 }  // namespace incognita

@@ -32,7 +32,7 @@ std::map<std::int64_t, Eigen::Vector3d> read_points(const std::filesystem::path&
     const Eigen::Vector3d position(coordinate(table, row, x), coordinate(table, row, y),
                                    z ? coordinate(table, row, *z) : 0.0);
     if (!points.emplace(identity, position).second)
-      throw InputError(fmt::format("{}: landmark {} is there twice", table.where(row), identity));
+      throw InputError(fmt::format("{}: landmark {} occurs twice", table.where(row), identity));
   }
   return points;
 }

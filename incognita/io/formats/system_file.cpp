@@ -70,7 +70,7 @@ std::string text(const TomlEntry& entry) {
     refuse_as(entry, fmt::format("one line of 1 to {} characters", longest_text),
               words->empty()                                      ? "is empty"
               : words->find_first_of("\r\n") != std::string::npos ? "has a line break"
-              : !printable                                        ? "has a character that cannot be shown"
+              : !printable                                        ? "has a character that cannot be displayed"
                                                                   : fmt::format("has {}", words->size()));
   return *words;
 }
@@ -359,17 +359,15 @@ SystemText load_built_in(const EmbeddedFile& file, const std::string& representa
     if (!other) continue;
     if (SystemText found = read_built_in(*other); found.representation == representation) return found;
   }
-  throw InputError(fmt::format("{} is built in as `{}`, and not as `{}`", system.name, system.representation,
-                               representation));
+  throw InputError(fmt::format("{} is built in with the representation `{}`, not `{}`", system.name,
+                               system.representation, representation));
 }
 
 SystemText load_file(const std::string& path, const std::string& representation) {
   SystemText system = read_system(read_file(path, largest_system), path);
   if (representation.empty() || system.representation == representation) return system;
-  throw InputError(
-      fmt::format("{}: is written as `{}`, and `{}` was asked for; ask for `{}`, or give the file of "
-                  "the other",
-                  path, system.representation, representation, system.representation));
+  throw InputError(fmt::format("{}: has the representation `{}`, not `{}`; use `{}`, or another file", path,
+                               system.representation, representation, system.representation));
 }
 
 /// Replaces messages of the TOML library that contain its own type names.
@@ -415,7 +413,7 @@ std::vector<std::string> built_in_systems() {
 
 SystemText load_system(const std::string& name_or_path, const std::string& representation) {
   if (!representation.empty() && representation != "world" && representation != "relative")
-    throw InputError("the representation is `world` or `relative`, and not " + quoted_name(representation));
+    throw InputError("the representation must be `world` or `relative`, not " + quoted_name(representation));
   if (const EmbeddedFile* file = find_built_in(name_or_path)) return load_built_in(*file, representation);
   std::error_code ignored;
   if (std::filesystem::exists(name_or_path, ignored)) return load_file(name_or_path, representation);

@@ -33,17 +33,16 @@ void check_inside(const Image& whole, const Eigen::MatrixX2d& px) {
   for (Eigen::Index i = 0; i < px.rows(); ++i)
     if (px.row(i).minCoeff() < 0 || px(i, 0) > whole.width() - 1 || px(i, 1) > whole.height() - 1)
       throw std::invalid_argument(
-          fmt::format("must be of the whole target, and corner {} is outside, by its picture_px", i));
+          fmt::format("must show the whole target, but picture_px of corner {} is outside", i));
 }
 
 void check_apart(const Eigen::MatrixX2d& px) {
   for (Eigen::Index i = 0; i < px.rows(); ++i)
     for (Eigen::Index k = 0; k < i; ++k)
       if ((px.row(i) - px.row(k)).norm() < least_apart_px)
-        throw std::invalid_argument(
-            fmt::format("shows too little: corners {} and {} are less than {} px apart in it, of {} px at "
-                        "the most that are kept",
-                        k, i, least_apart_px, largest_px));
+        throw std::invalid_argument(fmt::format(
+            "has too little detail: corners {} and {} are less than {} px apart after reduction to {} px", k,
+            i, least_apart_px, largest_px));
 }
 
 /// Least squares over the corners.
@@ -57,16 +56,14 @@ Eigen::Matrix3d world_from(const Eigen::MatrixX2d& px, const std::vector<Target:
   const double cosine = world_from_px.col(0).dot(world_from_px.col(1)) / (wide * high);
   // The negated form also refuses NaN.
   if (!(std::abs(cosine) < skew && std::abs(wide - high) < skew * wide))
-    throw std::invalid_argument(
-        fmt::format("must be taken straight on, its pixels square; by picture_px they are {:.3g} m wide and "
-                    "{:.3g} m high, and rows and columns {:.0f} degrees apart",
-                    wide, high, std::acos(cosine) * 180 / std::numbers::pi));
+    throw std::invalid_argument(fmt::format(
+        "must be a frontal view with square pixels; by picture_px a pixel is {:.3g} m wide and {:.3g} m high, with {:.0f} degrees between rows and columns",
+        wide, high, std::acos(cosine) * 180 / std::numbers::pi));
   const double residual_px = (at * world_from_px.transpose() - positions).rowwise().norm().maxCoeff() / wide;
   if (!(residual_px < max_residual_px))
-    throw std::invalid_argument(
-        fmt::format("must be taken straight on, with each picture_px where its corner is in it; the corners' "
-                    "places are up to {:.2g} px from there",
-                    residual_px));
+    throw std::invalid_argument(fmt::format(
+        "must be a frontal view with picture_px at its corners; the positions of the corners are up to {:.2g} px from there",
+        residual_px));
   return world_from_px;
 }
 
@@ -78,14 +75,14 @@ Target::Picture target_picture_from(const Target& target, const Image& whole,
   const int side = (std::max(whole.width(), whole.height()) + largest_px - 1) / largest_px;
   if (std::min(whole.width(), whole.height()) < side * smallest_px)
     throw std::invalid_argument(
-        fmt::format("must be {} px or more each way, and not much longer than wide; it is {}x{}", smallest_px,
-                    whole.width(), whole.height()));
+        fmt::format("must be {} px or more in width and height, and not too elongated; it is {}x{}",
+                    smallest_px, whole.width(), whole.height()));
   const Eigen::MatrixX2d kept_px = (corner_px.array() - (side - 1) / 2.0) / side;
   check_apart(kept_px);
   Target::Picture picture{shrunk(whole, side), world_from(kept_px, target.corners)};
   const Eigen::Vector3d right = picture.world_from_px.col(0), down = picture.world_from_px.col(1);
   if (right.cross(down).dot(target.normal) >= 0)
-    throw std::invalid_argument("is mirrored: the normal points away from who sees it so");
+    throw std::invalid_argument("is mirrored: the normal points away from the viewer");
   return picture;
 }
 

@@ -175,7 +175,7 @@ class CarPark {
 
 void read_beacons(const std::filesystem::path& path, RangeRecordingBuilder& recording) {
   if (!file_exists(path)) {
-    recording.note(fmt::format("there is no {}: no landmark is known beforehand", beacon_file));
+    recording.note(fmt::format("there is no {}: there are no surveyed landmarks", beacon_file));
     return;
   }
   const auto read = read_mat_numbers(path, {"estbeac"});
@@ -201,7 +201,7 @@ RangeRecording read_acfr(const std::filesystem::path& folder) {
   RangeRecordingBuilder recording("acfr", "ackermann");
   CarPark(folder / data_file).add_to(recording);
   read_beacons(folder / beacon_file, recording);
-  recording.note("the truth is that of the GPS, without heading; its fixes are the same");
+  recording.note("the GPS fixes serve as measurements and as truth, without heading");
   return recording.finish((folder / data_file).string());
 }
 

@@ -69,8 +69,7 @@ void take_camera_of_recording(LoadedScenario& loaded) {
   if (!calibration) return;
   if (!calibration->unfit.empty())
     throw InputError(fmt::format(
-        "{}: {}, and no camera model of this program is that one; undistort the images, and write the camera "
-        "that they then have as [camera] with model = \"pinhole\"",
+        "{}: {}, which no camera model supports; undistort the images, and describe the resulting camera in [camera] with model = \"pinhole\"",
         shown(calibration->file), calibration->unfit));
   loaded.scenario.camera = calibration->camera;
   for (const Setting& setting : camera_settings(loaded.scenario))
@@ -94,8 +93,7 @@ std::string compare_camera(const LoadedScenario& loaded, const Recording& record
                        shown(recording.camera->file));
   throw InputError(
       differences +
-      "Write what the calibration has, or leave all of [camera] out, and it is taken from there. "
-      "For a camera that you calibrated anew set recording.check_calibration = false");
+      "Use the values of the calibration, or remove [camera] to take them from there. For a recalibrated camera set recording.check_calibration = false");
 }
 
 }  // namespace incognita

@@ -31,8 +31,7 @@ std::optional<std::string> barely_overlap(const std::vector<double>& odometry,
   const double longer = std::max(odometry.back() - odometry.front(), scans.back() - scans.front());
   if (common >= least_share * longer) return std::nullopt;
   return fmt::format(
-      "the odometry ({} s to {} s) and the scans ({} s to {} s) have only {:.3g} % of the longer of the two "
-      "times in common: are both in s, and on one clock?",
+      "the odometry ({} s to {} s) and the scans ({} s to {} s) overlap by only {:.3g} % of the longer one: check that both are in s and on the same clock",
       odometry.front(), odometry.back(), scans.front(), scans.back(), 100 * common / longer);
 }
 
@@ -60,9 +59,7 @@ std::optional<std::string> held_for_long(const std::vector<double>& odometry,
   if (held.for_s < shortest_s || held.for_s <= most_intervals * std::min(odometry_s, scans_s))
     return std::nullopt;
   return fmt::format(
-      "the odometry reading of {} s is held for {:.3g} s; the median interval is {:.3g} s between readings "
-      "and "
-      "{:.3g} s between scans: are both in s, and on one clock?",
+      "the odometry reading of {} s is held for {:.3g} s; the median interval is {:.3g} s between readings and {:.3g} s between scans: check that both are in s and on the same clock",
       held.t, held.for_s, odometry_s, scans_s);
 }
 

@@ -23,7 +23,7 @@ class SensorFile {
     try {
       root_ = YAML::Load(text);
     } catch (const YAML::Exception& error) {
-      refuse(error.mark, fmt::format("is no YAML: {}", error.msg));
+      refuse(error.mark, fmt::format("is not YAML: {}", error.msg));
     }
     if (!root_.IsMap()) refuse(root_.Mark(), "must be a list of `key: value`");
   }
@@ -76,7 +76,7 @@ std::optional<Eigen::Matrix4d> body_from_camera(const SensorFile& file) {
   const Eigen::Matrix3d r = m.topLeftCorner<3, 3>();
   const bool rotates = (r * r.transpose() - Eigen::Matrix3d::Identity()).norm() < 1e-3 && r.determinant() > 0;
   if (!rotates)
-    file.refuse("T_BS", "must be a rotation and a translation, and its upper left 3x3 does not rotate");
+    file.refuse("T_BS", "must be a rigid transformation, but its upper left 3x3 is not a rotation");
   return m;
 }
 

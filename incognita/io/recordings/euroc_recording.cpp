@@ -34,8 +34,8 @@ double seconds(const TableLine& line) {
 void read_truth(const std::filesystem::path& mav, const std::optional<Eigen::Matrix4d>& body,
                 Recording& recording) {
   recording.notes.push_back(
-      body ? "the truth is made the camera's with T_BS of cam0/sensor.yaml"
-           : "the truth is the body's, not the camera's: there is no T_BS in cam0/sensor.yaml");
+      body ? "the truth is transformed to the camera with T_BS of cam0/sensor.yaml"
+           : "the truth is that of the body, not of the camera: there is no T_BS in cam0/sensor.yaml");
   const Eigen::Vector3d offset =
       body ? Eigen::Vector3d(body->topRightCorner<3, 1>()) : Eigen::Vector3d::Zero();
   const Eigen::Vector4d turn =
@@ -60,11 +60,11 @@ void read_truth(const std::filesystem::path& mav, const std::optional<Eigen::Mat
 void note_camera(const EurocSensor& sensor, Recording& recording) {
   recording.camera = sensor.camera;
   if (!sensor.camera)
-    recording.notes.push_back(
-        fmt::format("no intrinsics in {}: the camera is compared with nothing", sensor_file));
+    recording.notes.push_back(fmt::format("no intrinsics in {}: the camera is not compared", sensor_file));
   else if (!sensor.camera->unfit.empty())
-    recording.notes.push_back(fmt::format("{}: {}, which no camera model here is: the camera is not compared",
-                                          sensor_file, sensor.camera->unfit));
+    recording.notes.push_back(
+        fmt::format("{}: {}, which no camera model supports: the camera is not compared", sensor_file,
+                    sensor.camera->unfit));
 }
 
 }  // namespace

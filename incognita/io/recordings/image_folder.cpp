@@ -78,7 +78,7 @@ std::string missing_numbers(const std::vector<std::string>& names) {
     if (first.empty() && *here > *before + 1) first = names[i - 1] + " and " + names[i];
   }
   if (missing == 0 || 2 * steps_of_one < names.size()) return "";
-  return fmt::format("{} numbers are missing, the first between {}; the images are taken as if none were",
+  return fmt::format("{} numbers are missing, the first between {}; the images are treated as consecutive",
                      missing, first);
 }
 
@@ -105,7 +105,7 @@ Recording read_image_folder(const std::filesystem::path& folder, double rate_hz,
   }
   if (error) throw InputError(fmt::format("{}: cannot be read: {}", folder.string(), error.message()));
   if (names.empty() && unchosen > 0)
-    throw InputError(fmt::format("{}: recording.pattern = \"{}\" fits the names of none of its {} images",
+    throw InputError(fmt::format("{}: recording.pattern = \"{}\" matches none of its {} images",
                                  folder.string(), pattern, unchosen));
   if (names.empty()) {
     throw InputError(fmt::format("{}: there are no images in this folder{}", folder.string(),
@@ -125,8 +125,8 @@ Recording read_image_folder(const std::filesystem::path& folder, double rate_hz,
     if (!odd.empty()) recording.notes.push_back(odd);
   if (unchosen > 0)
     recording.notes.push_back(
-        fmt::format("{} images whose names do not fit recording.pattern are left out", unchosen));
-  if (others > 0) recording.notes.push_back(fmt::format("{} files that are not images are left out", others));
+        fmt::format("{} images that do not match recording.pattern are ignored", unchosen));
+  if (others > 0) recording.notes.push_back(fmt::format("{} files that are not images are ignored", others));
   return recording;
 }
 

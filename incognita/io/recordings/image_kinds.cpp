@@ -116,18 +116,18 @@ std::string check_names(const std::filesystem::path& folder, const std::vector<s
   if (is_another_camera(kinds, names.size()))
     throw InputError(
         fmt::format("{}: the {} images have names of {} kinds: {}. A recording is of one camera: {}; "
-                    "recording.pattern = \"*\" takes all",
+                    "recording.pattern = \"*\" selects all",
                     folder.string(), names.size(), kinds.size(), list_of(kinds),
                     takes_only_its_own(kinds[0], names)
-                        ? fmt::format("choose, e.g. recording.pattern = \"{}\"", kinds[0].words)
-                        : "put its images in a folder of their own"));
+                        ? fmt::format("select, e.g. recording.pattern = \"{}\"", kinds[0].words)
+                        : "put its images into their own folder"));
   if (const auto cameras = cameras_by_number(names); !cameras.empty())
     return fmt::format(
-        "the same numbers stand behind {}: if these are cameras, choose one, e.g. "
+        "the same numbers follow {}: if these are cameras, select one, e.g. "
         "recording.pattern = \"{}*\"",
         fmt::join(cameras, ", "), cameras.front());
   if (kinds.size() < 2 || kinds[0].count < 2) return "";
-  return fmt::format("names of {} kinds: {}; all are taken, unless recording.pattern chooses", kinds.size(),
+  return fmt::format("names of {} kinds: {}; all are used unless recording.pattern selects", kinds.size(),
                      list_of(kinds));
 }
 
@@ -137,15 +137,15 @@ std::string check_headers(const std::filesystem::path& folder, const std::vector
     const auto header = header_of(folder / name);
     if (!header) continue;
     count(sizes, fmt::format("of {}x{} px with {} bits", header->width, header->height, header->bits), name);
-    count(channels, header->channels == 1 ? "grey" : "in colour", name);
+    count(channels, header->channels == 1 ? "gray" : "in color", name);
   }
   sort(sizes), sort(channels);
   if (is_another_camera(sizes, names.size()))
     throw InputError(fmt::format(
-        "{}: the {} images are not alike: {}. A recording is of one camera: choose its images with "
-        "recording.pattern, as in recording.pattern = \"*color*\", or put them in a folder of their own",
+        "{}: the {} images differ: {}. A recording is of one camera: select its images with "
+        "recording.pattern, as in recording.pattern = \"*color*\", or put them into their own folder",
         folder.string(), names.size(), list_of(sizes)));
-  if (sizes.size() > 1) return fmt::format("the images are not alike: {}", list_of(sizes));
+  if (sizes.size() > 1) return fmt::format("the images differ: {}", list_of(sizes));
   if (is_another_camera(channels, names.size()))
     return fmt::format("images of two kinds: {}", list_of(channels));
   return "";

@@ -66,7 +66,7 @@ void read_measurements(const std::filesystem::path& file, const Subjects& subjec
     } else if (subject->second <= robots) {
       const auto other = std::find(members.begin(), members.end(), subject->second);
       if (other == members.end())
-        recording.skip("measurements of other robots are left out", line.where);
+        recording.skip("measurements of other robots are omitted", line.where);
       else
         recording.add_vehicle_detection(line.where,
                                         {detection.range_m, detection.bearing_rad, other - members.begin()});
@@ -88,7 +88,7 @@ void read_truth(const std::filesystem::path& file, RangeRecordingBuilder& record
 
 void read_landmarks(const std::filesystem::path& file, RangeRecordingBuilder& recording) {
   if (!file_exists(file)) {
-    recording.note(fmt::format("there is no {}: no landmark is known beforehand", landmark_file));
+    recording.note(fmt::format("there is no {}: there are no surveyed landmarks", landmark_file));
     return;
   }
   for (const TableLine& line : read_table(file)) {
@@ -109,9 +109,10 @@ void check_robot(const std::filesystem::path& folder, int robot) {
   }
   if (file_exists(robot_file(folder, robot, "Odometry"))) return;
   const std::vector<int> there = robots_in(folder);
-  throw InputError(fmt::format(
-      "{}: is not there; {}", robot_file(folder, robot, "Odometry").string(),
-      there.empty() ? "no robot's odometry is" : fmt::format("that of robot {} is", fmt::join(there, ", "))));
+  throw InputError(fmt::format("{}: does not exist; {}", robot_file(folder, robot, "Odometry").string(),
+                               there.empty()
+                                   ? "there is no odometry of any robot"
+                                   : fmt::format("there is odometry of robot {}", fmt::join(there, ", "))));
 }
 
 RangeRecording read_robot(const std::filesystem::path& folder, int robot, const std::vector<int>& members) {

@@ -31,7 +31,7 @@ std::string guess_format(const std::filesystem::path& folder) {
   if (looks_like_mrclam(folder)) return "mrclam";
   const std::vector<std::string> inside = folders_in(folder);
   throw InputError(
-      fmt::format("{}: no recording of ranges and bearings is recognised{}.\n"
+      fmt::format("{}: no range-bearing recording is recognized{}.\n"
                   "tables: odometry.csv and detections.csv; acfr: data_set.mat; mrclam: Barcodes.dat and, "
                   "for each robot N,\n"
                   "RobotN_Odometry.dat and RobotN_Measurement.dat. See docs/range-recordings.md.",
@@ -53,13 +53,13 @@ RangeRecording read_range_recording(const std::filesystem::path& folder, const s
                                     int robot) {
   std::error_code ignored;
   if (!std::filesystem::is_directory(folder, ignored)) {
-    throw InputError(fmt::format("{}: is not a folder; a recording is one", folder.string()));
+    throw InputError(fmt::format("{}: is not a folder; a recording must be a folder", folder.string()));
   }
   if (format != "auto") return read_as(format, folder, robot);
   const std::string guess = guess_format(folder);
   RangeRecording recording = read_as(guess, folder, robot);
   recording.notes.insert(recording.notes.begin(),
-                         fmt::format("{}: taken for the format `{}`", folder.string(), guess));
+                         fmt::format("{}: detected format `{}`", folder.string(), guess));
   return recording;
 }
 

@@ -114,13 +114,13 @@ void RangeRecordingBuilder::note_clocks() {
   const std::string odometry = span_of(recording_.odometry);
   if (!truth.empty() && apart(truth, recording_.odometry))
     note(
-        fmt::format("the truth ({}) and the odometry ({}) have no time in common", span_of(truth), odometry));
+        fmt::format("the truth ({}) and the odometry ({}) do not overlap in time", span_of(truth), odometry));
   if (fixes.empty() || !apart(fixes, recording_.odometry)) return;
   const bool before = fixes.back().t < recording_.odometry.front().t;
-  note(fmt::format(
-      "the fixes ({}) are all from {} the odometry ({}): {}", span_of(fixes), before ? "before" : "after",
-      odometry,
-      before ? "with vehicle_start.at_first_fix the vehicle starts at the first" : "is that one clock?"));
+  note(fmt::format("the fixes ({}) are all from {} the odometry ({}): {}", span_of(fixes),
+                   before ? "before" : "after", odometry,
+                   before ? "with vehicle_start.at_first_fix the vehicle starts at the first fix"
+                          : "check that both are on the same clock"));
 }
 
 RangeRecording RangeRecordingBuilder::finish(const std::string& where) {
@@ -128,7 +128,7 @@ RangeRecording RangeRecordingBuilder::finish(const std::string& where) {
   if (recording_.scans.empty()) throw InputError(fmt::format("{}: there are no scans", where));
   if (apart(recording_.odometry, recording_.scans)) {
     throw InputError(fmt::format(
-        "{}: the odometry ({}) and the scans ({}) have no time in common; both must be on one clock, in s",
+        "{}: the odometry ({}) and the scans ({}) do not overlap in time; both must be in s and on the same clock",
         where, span_of(recording_.odometry), span_of(recording_.scans)));
   }
   note_clocks();

@@ -43,7 +43,7 @@ const Vehicle& vehicle_of(const NamedTable& table) {
   const int drive = edits(vehicles[0], table.columns()), car = edits(vehicles[1], table.columns());
   if (drive == 0 && car == 0) {
     throw InputError(
-        fmt::format("{}: has the columns of a differential drive and of an Ackermann car; leave one "
+        fmt::format("{}: has the columns of a differential drive and of an Ackermann car; remove one "
                     "vehicle's",
                     table.header()));
   }
@@ -86,10 +86,9 @@ void read_detections(const NamedTable& table, RangeRecordingBuilder& recording) 
     const std::int64_t who = table.identity(row, identity);
     if (table.empty(row, range) && table.empty(row, bearing) && who == Detection::unknown) continue;
     if (table.empty(row, range) || table.empty(row, bearing)) {
-      throw InputError(
-          fmt::format("{}: `range_m`, `bearing_rad` and `identity` must all be empty where the scan "
-                      "saw nothing",
-                      where));
+      throw InputError(fmt::format(
+          "{}: `range_m`, `bearing_rad` and `identity` must all be empty if the scan has no detection",
+          where));
     }
     recording.add_detection(where, {table.number(row, range), table.number(row, bearing), who});
   }
@@ -131,7 +130,7 @@ std::string odometry_text(const RangeRecording& recording) {
     }
     return text;
   }
-  throw InputError(fmt::format("the vehicle `{}` has no table of odometry; those that have are `{}` and `{}`",
+  throw InputError(fmt::format("the vehicle `{}` has no odometry table; vehicles with one are `{}` and `{}`",
                                recording.vehicle, vehicles[0].name, vehicles[1].name));
 }
 
@@ -208,7 +207,7 @@ RangeRecording read_range_tables(const std::filesystem::path& folder) {
   if (file_exists(folder / landmarks_file)) {
     read_landmarks(NamedTable(folder / landmarks_file), recording);
   } else {
-    recording.note("there is no landmarks.csv: no landmark is known beforehand");
+    recording.note("there is no landmarks.csv: there are no surveyed landmarks");
   }
   return recording.finish(folder.string());
 }
@@ -218,7 +217,7 @@ void write_range_tables(const RangeRecording& recording, const std::filesystem::
   refuse_tables_in(folder);
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  if (error) throw RecordError(fmt::format("cannot make {}: {}", folder.string(), error.message()));
+  if (error) throw RecordError(fmt::format("cannot create {}: {}", folder.string(), error.message()));
   write_text(folder / odometry_file, odometry);
   write_text(folder / detections_file, detections_text(recording));
   if (!recording.truth.empty()) write_text(folder / truth_file, places_text(recording.truth));

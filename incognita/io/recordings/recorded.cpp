@@ -65,8 +65,8 @@ Observation RecordedSensor::measure(const std::optional<Truth>&, const Tick& tic
 std::shared_ptr<const Image> RecordedSensor::read(std::int64_t frame) const {
   const auto count = static_cast<std::int64_t>(recording_->frames.size());
   if (frame < 0 || frame >= count) {
-    throw RecordError(fmt::format("{}: frame {} was asked for, the recording has {}",
-                                  recording_->folder.string(), frame, count));
+    throw RecordError(fmt::format("{}: frame {} requested, the recording has {}", recording_->folder.string(),
+                                  frame, count));
   }
   const std::filesystem::path& file = recording_->frames[static_cast<std::size_t>(frame)].image;
   std::shared_ptr<const Image> image;

@@ -20,10 +20,9 @@ std::string guess_format(const std::filesystem::path& folder) {
 Recording read_as(const std::string& format, const std::filesystem::path& folder, double rate_hz,
                   const std::string& pattern) {
   if (format != "images" && !pattern.empty())
-    throw InputError(
-        fmt::format("recording.pattern = \"{}\": means nothing with the format `{}`, whose tables list "
-                    "the images",
-                    pattern, format));
+    throw InputError(fmt::format(
+        "recording.pattern = \"{}\": does not apply to the format `{}`, whose tables list the images",
+        pattern, format));
   if (format == "tum") return read_tum(folder);
   if (format == "euroc") return read_euroc(folder);
   if (format == "images") return read_image_folder(folder, rate_hz, pattern);
@@ -36,13 +35,13 @@ Recording read_recording(const std::filesystem::path& folder, const std::string&
                          const std::string& pattern) {
   std::error_code ignored;
   if (!std::filesystem::is_directory(folder, ignored)) {
-    throw InputError(fmt::format("{}: is not a folder; a recording is one", folder.string()));
+    throw InputError(fmt::format("{}: is not a folder; a recording must be a folder", folder.string()));
   }
   if (format != "auto") return read_as(format, folder, rate_hz, pattern);
   const std::string guess = guess_format(folder);
   Recording recording = read_as(guess, folder, rate_hz, pattern);
   recording.notes.insert(recording.notes.begin(),
-                         fmt::format("{}: taken for the format `{}`", folder.string(), guess));
+                         fmt::format("{}: detected format `{}`", folder.string(), guess));
   return recording;
 }
 

@@ -34,7 +34,7 @@ void keep(const Group& group, const ReflectorSettings& settings, std::vector<Det
 std::vector<Detection> find_reflectors(std::span<const double> ranges_m, std::span<const double> intensities,
                                        const ReflectorSettings& settings) {
   if (ranges_m.size() != intensities.size()) {
-    throw std::invalid_argument("find_reflectors: as many ranges as intensities are wanted");
+    throw std::invalid_argument("find_reflectors: ranges and intensities must have the same size");
   }
   std::vector<Detection> found;
   Group group;

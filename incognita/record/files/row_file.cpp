@@ -47,7 +47,7 @@ const char* remedy(int error) {
       return "choose a folder you may write to with --out";
     case ENOTDIR:
     case EEXIST:
-      return "a file is in the way; choose another folder with --out";
+      return "a file with this name exists; choose another folder with --out";
     default:
       return "choose another folder with --out";
   }

@@ -115,8 +115,7 @@ Header header_of(std::string_view text) {
 }
 
 std::ifstream open_text(const std::filesystem::path& path) {
-  if (std::filesystem::is_directory(path))
-    throw InputError(path.string() + ": is a folder, a file is needed");
+  if (std::filesystem::is_directory(path)) throw InputError(path.string() + ": is a folder, not a file");
   std::ifstream in(path, std::ios::binary);
   if (!in) throw InputError(path.string() + ": cannot be read; is the name right?");
   return in;

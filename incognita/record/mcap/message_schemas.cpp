@@ -63,7 +63,7 @@ std::string document(const char* title, const Json& schema) {
 }
 
 Json time(const char* description) { return object({{"sec", integer()}, {"nsec", integer()}}, description); }
-Json timestamp() { return time("since the start of the run, or as the recording stamps it"); }
+Json timestamp() { return time("since the start of the run, or the time stamp of the recording"); }
 
 Json xyz(const char* description) {
   return object({{"x", number()}, {"y", number()}, {"z", number()}}, description);
@@ -86,16 +86,17 @@ Json look() {
                  {"predicted", array(number(), "u, v: px, before the image was used"), sometimes},
                  {"innovation_cov", array(number(), "uu, uv, vv: px^2"), sometimes},
                  {"measured", array(number(), "u, v: px"), sometimes},
-                 {"correlation", number("of the best place found"), sometimes},
-                 {"vehicle", integer("of a team: which of them looked, from 1"), sometimes}});
+                 {"correlation", number("of the best match"), sometimes},
+                 {"vehicle", integer("index of the measuring vehicle of a team, from 1"), sometimes}});
 }
 
 Json vehicle() {
   return object({{"position", xyz("m, world")},
                  {"orientation", quaternion("world_from_vehicle")},
-                 {"pose_covariance", array(number(), "6x6 row by row, as that of the first"), sometimes},
-                 {"wanted", array(number(), "x, y, z (m) and heading (rad) where it was to be"), sometimes},
-                 {"input", array(number(), "as its motion takes it"), sometimes}});
+                 {"pose_covariance",
+                  array(number(), "6x6, row-major: x y z (m, world), rotation (rad, body axes)"), sometimes},
+                 {"wanted", array(number(), "reference: x, y, z (m) and heading (rad)"), sometimes},
+                 {"input", array(number(), "input of its motion model"), sometimes}});
 }
 
 Json landmark() {
@@ -103,7 +104,7 @@ Json landmark() {
                  {"kind", one_of({"anchor", "landmark"})},
                  {"sightings", integer("matches so far")},
                  {"position", xyz("m, world"), sometimes},
-                 {"covariance", array(number(), "m^2, 3x3 row by row"), sometimes}});
+                 {"covariance", array(number(), "m^2, 3x3, row-major"), sometimes}});
 }
 
 Json entropy() {
@@ -114,8 +115,8 @@ Json entropy() {
 
 Json decision() {
   const Json candidate = object({{"action", text()}, {"score", number("nats"), sometimes}});
-  return object({{"decided", flag("whether a decision was taken in this very frame")},
-                 {"chosen", integer("index of the candidate in force, -1 for none")},
+  return object({{"decided", flag("whether a decision was taken in this frame")},
+                 {"chosen", integer("index of the current action, -1 for none")},
                  {"candidates", array(candidate)}});
 }
 
@@ -127,11 +128,12 @@ Json command() {
 }  // namespace
 
 std::string frame_transform() {
-  return document("foxglove.FrameTransform", object({{"timestamp", timestamp()},
-                                                     {"parent_frame_id", text()},
-                                                     {"child_frame_id", text()},
-                                                     {"translation", xyz("m, of the child in the parent")},
-                                                     {"rotation", quaternion("parent_from_child")}}));
+  return document("foxglove.FrameTransform",
+                  object({{"timestamp", timestamp()},
+                          {"parent_frame_id", text()},
+                          {"child_frame_id", text()},
+                          {"translation", xyz("m, position of the child in the parent frame")},
+                          {"rotation", quaternion("parent_from_child")}}));
 }
 
 std::string pose_in_frame() {
@@ -143,7 +145,7 @@ std::string scene_update() {
   const Json sphere = object({{"pose", pose()}, {"size", xyz("m, diameters")}, {"color", color()}});
   Json entity = object({{"timestamp", timestamp()},
                         {"frame_id", text()},
-                        {"id", text("an entity replaces the one before of the same id")},
+                        {"id", text("replaces the entity with the same id")},
                         {"lifetime", time("0: until it is replaced")},
                         {"frame_locked", flag()},
                         {"spheres", array(sphere)}});
@@ -165,7 +167,7 @@ std::string compressed_image() {
 std::string image_annotations() {
   const Json point = object({{"x", number("px")}, {"y", number("px")}});
   const Json outline = object({{"timestamp", timestamp()},
-                               {"type", integer("2: a closed line")},
+                               {"type", integer("2: closed polyline")},
                                {"points", array(point)},
                                {"outline_color", color()},
                                {"outline_colors", unused()},
@@ -178,28 +180,30 @@ std::string image_annotations() {
 std::string snapshot() {
   return document(
       "incognita.Snapshot",
-      object({{"frame", integer("counts from 0")},
-              {"t", number("s")},
-              {"dt", number("s, since the frame before")},
-              {"state", one_of({"starting", "tracking", "degraded", "lost", "relocated"})},
-              {"reason", text("why that state")},
-              {"position", xyz("m, world; as the next, not while starting or lost"), sometimes},
-              {"orientation", quaternion("world_from_camera"), sometimes},
-              {"velocity", xyz("m/s, world"), sometimes},
-              {"angular_rate", xyz("rad/s, camera axes"), sometimes},
-              {"pose_covariance",
-               array(number(), "6x6 row by row: x y z (m, world), rotation (rad, camera axes)"), sometimes},
-              {"matched", integer("looks that updated the filter")},
-              {"predicted", integer("looks searched for")},
-              {"nis_dof", integer("degrees of freedom; 0 without an update")},
-              {"nis", number("normalised innovation squared, a sum"), sometimes},
-              {"entropy", entropy()},
-              {"decision", decision()},
-              {"command", command()},
-              {"vehicles", array(vehicle(), "of a team; the first is the one above"), sometimes},
-              {"looks", array(look())},
-              {"landmark_ids", array(integer())},
-              {"landmarks", array(landmark(), "about once a second"), sometimes}}));
+      object(
+          {{"frame", integer("counts from 0")},
+           {"t", number("s")},
+           {"dt", number("s, since the previous frame")},
+           {"state", one_of({"starting", "tracking", "degraded", "lost", "relocated"})},
+           {"reason", text("reason for the state")},
+           {"position", xyz("m, world; absent, like the next fields, while starting or lost"), sometimes},
+           {"orientation", quaternion("world_from_camera"), sometimes},
+           {"velocity", xyz("m/s, world"), sometimes},
+           {"angular_rate", xyz("rad/s, camera axes"), sometimes},
+           {"pose_covariance",
+            array(number(), "6x6, row-major: x y z (m, world), rotation (rad, camera axes)"), sometimes},
+           {"matched", integer("measurements that updated the filter")},
+           {"predicted", integer("measurements predicted")},
+           {"nis_dof", integer("degrees of freedom; 0 without an update")},
+           {"nis", number("normalized innovation squared, sum over the measurements"), sometimes},
+           {"entropy", entropy()},
+           {"decision", decision()},
+           {"command", command()},
+           {"vehicles", array(vehicle(), "vehicles of a team; the first is also given by the fields above"),
+            sometimes},
+           {"looks", array(look())},
+           {"landmark_ids", array(integer())},
+           {"landmarks", array(landmark(), "about once a second"), sometimes}}));
 }
 
 }  // namespace incognita::message_schemas

@@ -38,31 +38,29 @@ bool beyond_from_the_start(const std::vector<double>& nis, const Interval& band)
 
 void explain_large_nis(ConsistencyReport& report, bool from_the_start) {
   if (from_the_start) {
-    report.symptom =
-        "measurements are farther from their predictions than the filter expects, from the start";
+    report.symptom = "innovations are larger than their covariance, from the start";
     report.causes = {"sign or axis of a measurement (bearings are positive to the left)",
                      "unit (degrees for radians, mm for m)",
                      "clock (ms for s, odometry and measurements shifted in time)",
                      "measurement noise set too low"};
   } else {
-    report.symptom = "measurements come to be farther from their predictions than the filter expects";
+    report.symptom = "innovations become larger than their covariance";
     report.causes = {"motion noise set too low (slip, jerks)", "wrong data association",
                      "measurement noise set too low"};
   }
 }
 
 void explain_large_nees(ConsistencyReport& report) {
-  report.symptom = "measurements fit their predictions, yet the pose is farther off than its covariance says";
-  report.causes = {"start pose farther off than its sigma says", "truth in another frame or on another clock",
+  report.symptom = "innovations are consistent, but pose errors are larger than their covariance";
+  report.causes = {"start pose error larger than its sigma", "truth in another frame or on another clock",
                    "wrong data association or duplicate landmarks",
-                   "errors that last, as of a bias, where the filter assumes white noise", "linearization"};
+                   "correlated errors, e.g. a bias, where the filter assumes white noise", "linearization"};
 }
 
 void explain_conservative(ConsistencyReport& report) {
-  report.symptom = report.pose.nees ? "the pose is nearer to the truth than its covariance says"
-                                    : "innovations are smaller than the filter expects";
-  report.causes = {"measurement noise set too high, or set for errors that last",
-                   "motion noise set too high"};
+  report.symptom = report.pose.nees ? "pose errors are smaller than their covariance"
+                                    : "innovations are smaller than their covariance";
+  report.causes = {"measurement noise set too high, or raised to cover biases", "motion noise set too high"};
 }
 
 void explain_outliers(ConsistencyReport& report) {
@@ -74,9 +72,7 @@ void explain_outliers(ConsistencyReport& report) {
 
 void explain_low_nis(ConsistencyReport& report) {
   report.symptom =
-      "innovations are smaller than the filter expects: its measurement noise allows for errors that last, "
-      "or is "
-      "set too high";
+      "innovations are smaller than their covariance: the measurement noise is raised to cover biases, or set too high";
 }
 
 bool has_many_outliers(const ConsistencyReport& report) {

@@ -35,16 +35,15 @@ std::string frames_in_words(const RunReport& r) {
 std::string path_in_words(const BodyReport& body, const RunReport& r) {
   if (!std::isfinite(body.path_length)) return "unknown";
   if (r.true_path) return length_in_words(body.path_length);
-  return estimated_length(body.path_length, r.scale_known) + ", as estimated";
+  return estimated_length(body.path_length, r.scale_known) + ", estimated";
 }
 
 std::string errors_in_words(const BodyReport& body, const RunReport& r) {
   if (!std::isfinite(body.ate_m))
-    return !r.truth_known          ? "no error: the truth is not known"
-           : r.tracked_frames == 0 ? "no error: there is no pose to compare with the truth"
-           : r.alignment == AlignmentKind::none
-               ? "no error: the truth is not known where there is a pose"
-               : "no error: too few poses with a known truth for an alignment";
+    return !r.truth_known                       ? "no error: the truth is unknown"
+           : r.tracked_frames == 0              ? "no error: there is no pose to compare with the truth"
+           : r.alignment == AlignmentKind::none ? "no error: the truth is unknown at all tracked frames"
+                                                : "no error: too few poses with truth for an alignment";
   std::string text = "ATE " + length_in_words(body.ate_m);
   if (r.alignment != AlignmentKind::none) text += fmt::format(" after {} alignment", name(r.alignment));
   if (std::isfinite(body.drift_percent))

@@ -139,7 +139,8 @@ RunSummary::RunSummary(const RunInfo& info)
       team_(info.body == "camera", info.steered_m) {
   const auto kind = alignment_kind(info.ate_alignment);
   if (!kind)
-    throw std::invalid_argument("ate_alignment `" + info.ate_alignment + "`; none, se3, sim3 or yaw");
+    throw std::invalid_argument("ate_alignment is `" + info.ate_alignment +
+                                "`, must be none, se3, sim3 or yaw");
   alignment_ = *kind;
   entropy_ = {unknown, unknown, unknown};
   for (const auto& [key, value] : info.extra) note(key, value);
@@ -147,7 +148,7 @@ RunSummary::RunSummary(const RunInfo& info)
 
 void RunSummary::note(const std::string& key, SummaryValue value) {
   if (std::find(std::begin(reserved), std::end(reserved), key) != std::end(reserved))
-    throw std::invalid_argument("summary.json has its own `" + key + "`");
+    throw std::invalid_argument("summary.json reserves the key `" + key + "`");
   for (auto& [name, old] : extra_)
     if (name == key) {
       old = std::move(value);

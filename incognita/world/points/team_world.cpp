@@ -25,15 +25,15 @@ void check(const SimulatedVehicle& v, const PointLandmarks& place) {
   need(v.sigmas.allFinite() && (v.sigmas.array() >= 0).all() && v.sigma_range_ratio >= 0 &&
            std::isfinite(v.sigma_range_ratio),
        "the sigmas of a sensor must be zero or positive");
-  need(v.ticks_per_measurement >= 1, "a sensor looks at every tick or more rarely");
+  need(v.ticks_per_measurement >= 1, "ticks_per_measurement of a sensor must be at least 1");
   need(v.reach.max_range_m > 0 && v.reach.field_of_view_rad > 0,
-       "how far and how wide a sensor sees must be positive");
+       "range and field of view of a sensor must be positive");
   for (const auto& [identity, point] : place) {
     const std::string which = "landmark " + std::to_string(identity);
     need(point.size() == dimensions_of(v.sensor),
-         which + " has " + std::to_string(point.size()) + " numbers, and the sensor measures in " +
+         which + " has " + std::to_string(point.size()) + " numbers, but the sensor measures in " +
              std::to_string(dimensions_of(v.sensor)) + " dimensions");
-    need(point.allFinite(), which + " is nowhere: its numbers must be finite");
+    need(point.allFinite(), which + " must have finite coordinates");
   }
 }
 
@@ -45,10 +45,10 @@ TeamWorld::TeamWorld(const std::vector<SimulatedVehicle>& vehicles, std::uint64_
   if (vehicles.empty()) throw std::invalid_argument("a team needs a vehicle");
   need(
       actuators_.empty() || actuators_.size() == vehicles.size(),
-      std::to_string(vehicles.size()) + " vehicles, and " + std::to_string(actuators_.size()) + " operators");
+      std::to_string(vehicles.size()) + " vehicles, but " + std::to_string(actuators_.size()) + " operators");
   for (std::size_t i = 0; i < vehicles.size(); ++i) {
     need(actuators_.empty() || traits_of(vehicles[i].motion).in_space(),
-         "an operator moves a camera that is free");
+         "an operator can hold only a free camera");
     plants_.emplace_back(vehicles[i].motion, vehicles[i].plant, seed, stream_of("plant", i));
   }
 }
@@ -134,7 +134,7 @@ void TeamSensor::remove_identities(BodyObservation& view, std::vector<std::int64
 Observation TeamSensor::measure(const std::optional<Truth>& truth, const Tick& tick) {
   Observation observation;
   if (!truth || truth->vehicles.size() != vehicles_.size())
-    throw std::logic_error("a team's sensor without its team");
+    throw std::logic_error("TeamSensor: the truth has another number of vehicles");
   truth_->assign(vehicles_.size(), {});
   for (std::size_t i = 0; i < vehicles_.size(); ++i) {
     BodyObservation view;

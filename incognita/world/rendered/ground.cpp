@@ -17,9 +17,8 @@ void check(const Terrain& terrain, const Box& inside) {
   for (const double x : {inside.min.x(), inside.max.x()})
     for (const double y : {inside.min.y(), inside.max.y()})
       if (!terrain.contains(x, y))
-        throw std::invalid_argument(
-            "the terrain must reach all over the floor of the room, and does not reach (" +
-            std::to_string(x) + ", " + std::to_string(y) + ")");
+        throw std::invalid_argument("the terrain must cover the floor of the room, but does not contain (" +
+                                    std::to_string(x) + ", " + std::to_string(y) + ")");
 }
 
 std::invalid_argument too_high(float highest_m) {

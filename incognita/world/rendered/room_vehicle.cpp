@@ -13,8 +13,8 @@ RoomVehicle::RoomVehicle(const TerrainVehicle& body, const Mount& mount, const P
   const double free_m = plan_.clearance_at(plant_.state().head<2>());
   if (free_m < radius_m)
     throw std::invalid_argument("the vehicle starts " + std::to_string(free_m) +
-                                " m from a wall or a box, and needs " + std::to_string(radius_m) +
-                                " m (room.clearance_m): start it elsewhere, or take another room.boxes");
+                                " m from a wall or a box, but needs " + std::to_string(radius_m) +
+                                " m (room.clearance_m): move its start, or change room.boxes");
 }
 
 /// Blocks motion towards an obstacle. The vehicle may still turn in place, and move away.
@@ -47,7 +47,7 @@ RoomVehicleSensor::RoomVehicleSensor(RoomCamera camera, const RoomLayout& layout
 
 Observation RoomVehicleSensor::measure(const std::optional<Truth>& truth, const Tick& tick) {
   Observation observation = camera_.measure(truth, tick);
-  if (truth->vehicles.empty()) throw std::logic_error("a vehicle's sensor without its vehicle");
+  if (truth->vehicles.empty()) throw std::logic_error("RoomVehicleSensor: the truth has no vehicle");
   BodyObservation& body = observation.bodies.front();
   if (tick.dt > 0) body.odometry.push_back({tick.t, truth->inputs.front()});
   const SmallVector& x = truth->vehicles.front();

@@ -1,5 +1,5 @@
-// node read_run.mjs FILE...: reads each run.mcap by its indexes and from start to end with the format's reference
-// reader, holds every message to the schema in the file, and prints how many there are of each topic.
+// node read_run.mjs FILE...: reads each run.mcap by its indexes and sequentially with the format's reference reader,
+// validates every message against the schema in the file, and prints the number of messages per topic.
 import { crc32 } from "@foxglove/crc";
 import { McapIndexedReader, McapStreamReader } from "@mcap/core";
 import Ajv from "ajv";

@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <cmath>
+#include <numeric>
 
 #include "incognita/math/angles.hpp"
 #include "incognita/math/random.hpp"
@@ -80,7 +81,9 @@ PlanarConsistency planar_consistency(const PlanarLoopSettings& drive, std::uint6
       std::make_shared<const std::vector<RangeRecording>>(1, drive_planar_loop(drive, seed));
   RangeClock clock(recordings, drive.duration_s);
   RangeSensor sensor(recordings, {drive.max_range_m * 2, filter.use_fixes ? Fixes::all : Fixes::none});
-  SlamEstimator estimator(single_vehicle(settings_for(drive, filter)));
+  std::vector<std::int64_t> anchors(filter.anchors.size());
+  std::iota(anchors.begin(), anchors.end(), 0);  // the drive identifies its landmarks by their order
+  SlamEstimator estimator(single_vehicle(settings_for(drive, filter), anchors));
   Estimate estimate;
   PlanarConsistency sum;
   double scans = 0, updates = 0;

@@ -24,6 +24,7 @@ struct PlanarConsistency {
   double position_rms_m = 0;
   double heading_rms_rad = 0;
 };
+/// Anchors of the filter, if any, are the first landmarks of the drive, in their order.
 PlanarConsistency planar_consistency(const PlanarLoopSettings& drive, std::uint64_t seed,
                                      const PlanarFilterSettings& filter);
 

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "incognita/math/random.hpp"
-#include "incognita/models/planar_vehicle.hpp"
+#include "incognita/models/arc_motion.hpp"
 #include "incognita/models/range_bearing.hpp"
 
 namespace incognita {
@@ -21,15 +21,18 @@ std::vector<RangeRecording::Landmark> landmarks_around(const PlanarLoopSettings&
   return landmarks;
 }
 
+/// Noise is drawn for every landmark, measured or not. Otherwise two drives that differ by a millimeter would
+/// get different noise from the first scan on in which a landmark is in range of only one of them.
 RangeRecording::Scan scan_from(const planar::Pose<double>& pose, double t, const RangeRecording& r,
                                const PlanarLoopSettings& s, RandomStream& noise) {
   RangeRecording::Scan scan{t, {}};
   for (const RangeRecording::Landmark& landmark : r.landmarks) {
+    const double range_noise = s.sigma_range_m * noise.normal();
+    const double bearing_noise = s.sigma_bearing_rad * noise.normal();
     const auto prediction = RangeBearing::predict_measurement(pose, landmark.position);
     if (!prediction || prediction->z[0] > s.max_range_m) continue;
-    const double range = prediction->z[0] + s.sigma_range_m * noise.normal();
-    const double bearing = wrap_angle(prediction->z[1] + s.sigma_bearing_rad * noise.normal());
-    scan.detections.push_back({range, bearing, landmark.identity});
+    scan.detections.push_back(
+        {prediction->z[0] + range_noise, wrap_angle(prediction->z[1] + bearing_noise), landmark.identity});
   }
   return scan;
 }
@@ -43,7 +46,7 @@ RangeRecording drive_planar_loop(const PlanarLoopSettings& s, std::uint64_t seed
   r.format = "simulated";
   r.vehicle = "differential-drive";
   r.landmarks = landmarks_around(s);
-  const DifferentialDrive plant{};
+  const ArcMotion<DifferentialDrive> plant{};
   const double dt = 1 / s.odometry_hz;
   const auto steps = static_cast<std::int64_t>(std::llround(s.duration_s * s.odometry_hz));
   const auto steps_per_scan = static_cast<std::int64_t>(std::llround(s.odometry_hz / s.scan_hz));

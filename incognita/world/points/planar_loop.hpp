@@ -1,8 +1,9 @@
 // Simulated drive in circles among landmarks, to measure consistency.
 //
-// The plant is the differential drive of thesis (3.16) with l = 0, stepped along its tangent at the rate of the odometry;
-// its inputs are the commanded ones plus white noise held for one step, and the odometry is the command. A filter with
-// the same noises has the right model but for its linearization and for the arc that it follows in a step (0.5 mm aside).
+// The plant is the differential drive of thesis (3.16) with l = 0, integrated along the arc of each odometry
+// step. Its inputs are the commands plus white noise held for one step, and the odometry is the command. A
+// filter with the same noise parameters thus has the exact model, and its only error is the linearization.
+// (A plant that steps along the tangent drives half a step's turn, 0.005 rad, aside of its heading: a bias.)
 #pragma once
 
 #include <cstdint>

@@ -27,7 +27,7 @@ namespace {
 constexpr double pi = std::numbers::pi, sigma_bearing = 0.5 * pi / 180;
 
 struct Plane {
-  Belief belief;
+  AnyBelief belief;
   BlockId camera = 0;
   std::vector<Eigen::Vector2d> points;
   std::vector<BlockId> blocks;

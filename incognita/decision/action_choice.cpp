@@ -63,8 +63,7 @@ void ActionChoice::forget() {
   std::fill(scores_.begin(), scores_.end(), 0);
 }
 
-template <class Form>
-bool ActionChoice::choose(const Form& belief, BlockId vehicle, const BlockVector& state,
+bool ActionChoice::choose(const AnyBelief& belief, BlockId vehicle, const BlockVector& state,
                           const ActionSet& action_set, const Expectation& expectation, const Tick& tick) {
   const bool due = chosen_ < 0 || has_come(end_t_, tick.t);
   if (due || (settings_.horizon == 1 && settings_.schedule != Schedule::at_decisions))
@@ -75,14 +74,8 @@ bool ActionChoice::choose(const Form& belief, BlockId vehicle, const BlockVector
   return true;
 }
 
-template bool ActionChoice::choose(const Belief&, BlockId, const BlockVector&, const ActionSet&,
-                                   const Expectation&, const Tick&);
-template bool ActionChoice::choose(const AnyBelief&, BlockId, const BlockVector&, const ActionSet&,
-                                   const Expectation&, const Tick&);
-
 /// Scores are also computed for the strategies that do not use them, since they are recorded.
-template <class Form>
-void ActionChoice::score(const Form& belief, BlockId vehicle, const BlockVector& state,
+void ActionChoice::score(const AnyBelief& belief, BlockId vehicle, const BlockVector& state,
                          const ActionSet& action_set, const Expectation& expectation) {
   if (settings_.schedule != Schedule::one_per_frame) {
     scores_ = look_ahead_.scores(belief, vehicle, state, action_set, expectation);

@@ -21,8 +21,7 @@ class ActionChoice {
                int position_errors = 3, std::size_t who = 0);
 
   /// Scores the actions; compares them once per period. Returns true if an action was chosen in this tick.
-  template <class Form>
-  bool choose(const Form& belief, BlockId vehicle, const BlockVector& state, const ActionSet& action_set,
+  bool choose(const AnyBelief& belief, BlockId vehicle, const BlockVector& state, const ActionSet& action_set,
               const Expectation& expectation, const Tick& tick);
 
   /// To be called when tracking is lost: the next tick compares all actions again.
@@ -35,8 +34,7 @@ class ActionChoice {
   const std::vector<std::string>& names() const { return names_; }
 
  private:
-  template <class Form>
-  void score(const Form& belief, BlockId vehicle, const BlockVector& state, const ActionSet& action_set,
+  void score(const AnyBelief& belief, BlockId vehicle, const BlockVector& state, const ActionSet& action_set,
              const Expectation& expectation);
   void allow(const BlockVector& state, const ActionSet& action_set);
   int compare(const BlockVector& state, const ActionSet& action_set);

@@ -36,8 +36,7 @@ void FreeCameraChoice::forget() {
 }
 
 /// Integrates the heading at the current rate; the rate is chosen anew every gaze period.
-template <class Form>
-void FreeCameraChoice::turn(const Form& belief, BlockId vehicle, const CameraState& camera,
+void FreeCameraChoice::turn(const AnyBelief& belief, BlockId vehicle, const CameraState& camera,
                             const Expectation& expectation, const Tick& tick) {
   const bool first = !looking_;
   if (first) {
@@ -54,8 +53,7 @@ void FreeCameraChoice::turn(const Form& belief, BlockId vehicle, const CameraSta
   heading_rate_rad_s_ = turns_.rate_of(best_of(scores, gaze_.allowed(), turns_.stay()));
 }
 
-template <class Form>
-void FreeCameraChoice::choose(const Form& belief, BlockId vehicle, const CameraState& camera,
+void FreeCameraChoice::choose(const AnyBelief& belief, BlockId vehicle, const CameraState& camera,
                               const Expectation& expectation, const Tick& tick, Goal& goal) {
   if (settings_.gaze != Gaze::swing) {
     turn(belief, vehicle, camera, expectation, tick);
@@ -72,10 +70,5 @@ void FreeCameraChoice::choose(const Form& belief, BlockId vehicle, const CameraS
   goal.start_t = tick.t;
   goal.end_t = choice_.end_t();
 }
-
-template void FreeCameraChoice::choose(const Belief&, BlockId, const CameraState&, const Expectation&,
-                                       const Tick&, Goal&);
-template void FreeCameraChoice::choose(const AnyBelief&, BlockId, const CameraState&, const Expectation&,
-                                       const Tick&, Goal&);
 
 }  // namespace incognita

@@ -19,9 +19,8 @@ class FreeCameraChoice {
                    double sigma_angular_acceleration_rad_s2, std::uint64_t seed, std::size_t who = 0);
 
   /// Sets scores, chosen, from, to, times and gaze of the goal. `camera`: the estimated camera state.
-  template <class Form>
-  void choose(const Form& belief, BlockId vehicle, const CameraState& camera, const Expectation& expectation,
-              const Tick& tick, Goal& goal);
+  void choose(const AnyBelief& belief, BlockId vehicle, const CameraState& camera,
+              const Expectation& expectation, const Tick& tick, Goal& goal);
 
   /// To be called when tracking is lost.
   void forget();
@@ -29,9 +28,8 @@ class FreeCameraChoice {
   const std::vector<std::string>& names() const { return choice_.names(); }
 
  private:
-  template <class Form>
-  void turn(const Form& belief, BlockId vehicle, const CameraState& camera, const Expectation& expectation,
-            const Tick& tick);
+  void turn(const AnyBelief& belief, BlockId vehicle, const CameraState& camera,
+            const Expectation& expectation, const Tick& tick);
 
   DecisionSettings settings_;
   Translations translations_;

@@ -33,16 +33,8 @@ std::int64_t identity_of(const PredictedMeasurement& measurement) {
 
 }  // namespace
 
-void InformationGain::start(const Belief& belief, BlockId vehicle) {
-  belief_ = &belief;
-  any_ = nullptr;
-  vehicle_ = vehicle;
-  begin(belief.chart(vehicle).tangent());
-}
-
 void InformationGain::start(const AnyBelief& belief, BlockId vehicle) {
-  belief_ = nullptr;
-  any_ = &belief;
+  belief_ = &belief;
   vehicle_ = vehicle;
   begin(belief.chart(vehicle).tangent());
 }
@@ -64,7 +56,7 @@ void InformationGain::begin(int vehicle_errors) {
 
 BlockMatrix InformationGain::covariance(const Known& a, const Known& b) const {
   const auto row = static_cast<BlockId>(a.id), column = static_cast<BlockId>(b.id);
-  return belief_ ? belief_->covariance(row, column) : any_->covariance(row, column);
+  return belief_->covariance(row, column);
 }
 
 /// First column of the landmark's errors in P_; -1 for an anchor, which has no error.
@@ -331,10 +323,7 @@ double InformationGain::fisher_trace_given_state() const {
   return sum;
 }
 
-namespace {
-
-template <class Form>
-BlockMatrix given_map(const Form& belief, BlockId vehicle) {
+BlockMatrix vehicle_given_map(const AnyBelief& belief, BlockId vehicle) {
   const Eigen::MatrixXd P = belief.dense_covariance();
   const int first = belief.offset(vehicle), size = belief.chart(vehicle).tangent();
   const auto n = static_cast<int>(P.rows()), others = n - size;
@@ -347,10 +336,5 @@ BlockMatrix given_map(const Form& belief, BlockId vehicle) {
   }
   return P.block(first, first, size, size) - cross.transpose() * map.llt().solve(cross);
 }
-
-}  // namespace
-
-BlockMatrix vehicle_given_map(const Belief& belief, BlockId vehicle) { return given_map(belief, vehicle); }
-BlockMatrix vehicle_given_map(const AnyBelief& belief, BlockId vehicle) { return given_map(belief, vehicle); }
 
 }  // namespace incognita

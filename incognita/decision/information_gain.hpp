@@ -18,7 +18,6 @@ namespace incognita {
 class InformationGain {
  public:
   /// Starts at the current belief, with no step taken. `belief` must not change until the next start().
-  void start(const Belief& belief, BlockId vehicle);
   void start(const AnyBelief& belief, BlockId vehicle);
 
   /// Appends one step. Throws std::invalid_argument if rows, Jacobians or blocks do not fit the belief.
@@ -75,8 +74,7 @@ class InformationGain {
   void factorize(const Step& step);
   BlockMatrix vehicle_now() const;
 
-  const Belief* belief_ = nullptr;
-  const AnyBelief* any_ = nullptr;
+  const AnyBelief* belief_ = nullptr;
   BlockId vehicle_ = 0;
   int vehicle_errors_ = 0;
 
@@ -93,7 +91,6 @@ class InformationGain {
 };
 
 /// Covariance of a vehicle given the map: P_v - P_vm P_m^-1 P_mv. Cost is cubic in the size of the map.
-BlockMatrix vehicle_given_map(const Belief& belief, BlockId vehicle);
 BlockMatrix vehicle_given_map(const AnyBelief& belief, BlockId vehicle);
 
 }  // namespace incognita

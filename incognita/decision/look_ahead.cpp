@@ -33,9 +33,9 @@ LookAhead::LookAhead(const LookAheadSettings& settings) : settings_(settings) {
         "a horizon of more than one action needs the information of the whole state or of the vehicle");
 }
 
-template <class Form>
-const std::vector<double>& LookAhead::scores(const Form& belief, BlockId vehicle, const BlockVector& state,
-                                             const ActionSet& action_set, const Expectation& expectation) {
+const std::vector<double>& LookAhead::scores(const AnyBelief& belief, BlockId vehicle,
+                                             const BlockVector& state, const ActionSet& action_set,
+                                             const Expectation& expectation) {
   const int actions = action_set.count();
   evaluations_ = 0;
   if (settings_.metric == Metric::position_and_map) given_map_ = vehicle_given_map(belief, vehicle);
@@ -60,13 +60,7 @@ const std::vector<double>& LookAhead::scores(const Form& belief, BlockId vehicle
   return scores_;
 }
 
-template const std::vector<double>& LookAhead::scores(const Belief&, BlockId, const BlockVector&,
-                                                      const ActionSet&, const Expectation&);
-template const std::vector<double>& LookAhead::scores(const AnyBelief&, BlockId, const BlockVector&,
-                                                      const ActionSet&, const Expectation&);
-
-template <class Form>
-double LookAhead::score_of(const Form& belief, BlockId vehicle, const BlockVector& state, int action,
+double LookAhead::score_of(const AnyBelief& belief, BlockId vehicle, const BlockVector& state, int action,
                            const ActionSet& action_set, const Expectation& expectation) {
   evaluations_ = 0;
   if (settings_.metric == Metric::position_and_map) given_map_ = vehicle_given_map(belief, vehicle);
@@ -75,11 +69,6 @@ double LookAhead::score_of(const Form& belief, BlockId vehicle, const BlockVecto
   evaluate(action_set, expectation, {{}, state, 0}, action, next_);
   return next_.front().score;
 }
-
-template double LookAhead::score_of(const Belief&, BlockId, const BlockVector&, int, const ActionSet&,
-                                    const Expectation&);
-template double LookAhead::score_of(const AnyBelief&, BlockId, const BlockVector&, int, const ActionSet&,
-                                    const Expectation&);
 
 /// Sets the score of each first action to the best of next_; an action without successors keeps its score.
 void LookAhead::back_up_scores(int actions) {

@@ -29,13 +29,11 @@ class LookAhead {
   /// Scores each action by the best sequence that starts with it. Beam search: the tree is expanded level by level,
   /// and on each level as many of the best nodes are kept as max_evaluations permits, at least one per allowed first
   /// action. Actions that are not allowed are scored alone and not expanded. The belief is not changed.
-  template <class Form>
-  const std::vector<double>& scores(const Form& belief, BlockId vehicle, const BlockVector& state,
+  const std::vector<double>& scores(const AnyBelief& belief, BlockId vehicle, const BlockVector& state,
                                     const ActionSet& action_set, const Expectation& expectation);
 
   /// Score of one action alone.
-  template <class Form>
-  double score_of(const Form& belief, BlockId vehicle, const BlockVector& state, int action,
+  double score_of(const AnyBelief& belief, BlockId vehicle, const BlockVector& state, int action,
                   const ActionSet& action_set, const Expectation& expectation);
 
   /// For each action, whether it is allowed.

@@ -16,8 +16,7 @@ void VehicleChoice::forget() {
   drive_.setZero();
 }
 
-template <class Form>
-void VehicleChoice::choose(const Form& belief, BlockId vehicle, const CameraState& camera,
+void VehicleChoice::choose(const AnyBelief& belief, BlockId vehicle, const CameraState& camera,
                            const std::optional<Eigen::Vector2d>& wheels, const Expectation& expectation,
                            const Tick& tick, Goal& goal) {
   BlockVector state(camera.size() + 2);
@@ -35,12 +34,5 @@ void VehicleChoice::choose(const Form& belief, BlockId vehicle, const CameraStat
   }
   goal.drive = drive_;
 }
-
-template void VehicleChoice::choose(const Belief&, BlockId, const CameraState&,
-                                    const std::optional<Eigen::Vector2d>&, const Expectation&, const Tick&,
-                                    Goal&);
-template void VehicleChoice::choose(const AnyBelief&, BlockId, const CameraState&,
-                                    const std::optional<Eigen::Vector2d>&, const Expectation&, const Tick&,
-                                    Goal&);
 
 }  // namespace incognita

@@ -32,8 +32,7 @@ class VehicleChoice {
   /// Sets scores, chosen, times, from, to and drive of the goal. `camera`: the estimated camera state.
   /// `wheels`: speed (m/s) and turn rate (rad/s) from the encoders; if empty, the last command is used. Only
   /// the decision uses them, not the filter: thesis 6.4.2.
-  template <class Form>
-  void choose(const Form& belief, BlockId vehicle, const CameraState& camera,
+  void choose(const AnyBelief& belief, BlockId vehicle, const CameraState& camera,
               const std::optional<Eigen::Vector2d>& wheels, const Expectation& expectation, const Tick& tick,
               Goal& goal);
 

@@ -28,7 +28,7 @@ Eigen::MatrixXd random_covariance(RandomStream& random, int size) {
 }
 
 struct SmallMap {
-  Belief belief;
+  AnyBelief belief;
   BlockId vehicle = 0;
   std::vector<BlockId> landmarks;
 
@@ -273,7 +273,7 @@ TEST(InformationGain, IsFiniteWhereDeterminantsUnderflow) {
   InformationGain gain;
   gain.start(map.belief, map.vehicle);
   gain.push(step);
-  Belief updated = map.belief;
+  AnyBelief updated = map.belief;
   const UpdateReport report = updated.update(measurements);
   EXPECT_NEAR(gain.of_state(), 0.5 * (report.log_det_S - report.log_det_R), 1e-7);
   EXPECT_NEAR(gain.of_state(),
@@ -300,7 +300,7 @@ TEST(InformationGain, RefusesWrongSizes) {
 
 /// The covariance is singular; an exact error has no information to gain.
 TEST(InformationGain, OfAVehicleWithOneExactAxis) {
-  Belief belief;
+  AnyBelief belief;
   const Eigen::Matrix2d P = Eigen::Vector2d(0, 0.04).asDiagonal();
   const BlockId vehicle = belief.add_vehicle(Chart::line(2), Eigen::Vector2d::Zero(), P);
   PredictedMeasurement measurement;

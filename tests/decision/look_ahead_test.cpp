@@ -57,7 +57,7 @@ class NearPoints final : public Expectation {
 
 /// Some information to the right, and far to the left much information that is out of reach of one step.
 struct Line {
-  Belief belief;
+  AnyBelief belief;
   BlockId robot;
   NearPoints points;
   BlockVector at = BlockVector::Zero(1);

@@ -40,7 +40,7 @@ CameraState level_camera() {
 }
 
 struct Driven {
-  Belief belief{0};
+  AnyBelief belief;
   CameraState camera = level_camera();
   DecisionSettings settings;
   Beacon beacon;

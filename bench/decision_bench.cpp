@@ -161,10 +161,12 @@ BENCHMARK(look_ahead)->Arg(1)->Arg(2)->Arg(3)->Arg(4)->Unit(benchmark::kMillisec
 /// map of the same size all around the camera, with some two hundred landmarks in view.
 void frame(benchmark::State& state) {
   const auto landmarks = static_cast<int>(state.range(0));
-  const std::vector<std::string> sets{
-      "room.sigma_acceleration_m_s2=0", "room.sigma_angular_acceleration_rad_s2=0",
-      "search.max_measurements=12",     "map.wanted_visible=22",
-      "map.max_landmarks=22",           "run.duration_s=1000"};
+  const std::vector<std::string> sets{"plant.sigma_acceleration_m_s2=0",
+                                      "plant.sigma_angular_acceleration_rad_s2=0",
+                                      "search.max_measurements=12",
+                                      "map.wanted_visible=22",
+                                      "map.max_landmarks=22",
+                                      "run.duration_s=1000"};
   Assembly room = assemble(load_scenario("room", sets));
   Estimate estimate = {}, around = among(landmarks);
   std::vector<Observation> images;

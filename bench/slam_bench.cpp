@@ -48,10 +48,12 @@ void add_unseen(Estimate& estimate, FeatureTracker& tracker, int count) {
 
 /// A converged map with that many landmarks.
 Standing standing(int landmarks) {
-  const std::vector<std::string> sets{
-      "room.sigma_acceleration_m_s2=0", "room.sigma_angular_acceleration_rad_s2=0",
-      "search.max_measurements=10",     "map.wanted_visible=22",
-      "map.max_landmarks=22",           "run.duration_s=1000"};
+  const std::vector<std::string> sets{"plant.sigma_acceleration_m_s2=0",
+                                      "plant.sigma_angular_acceleration_rad_s2=0",
+                                      "search.max_measurements=10",
+                                      "map.wanted_visible=22",
+                                      "map.max_landmarks=22",
+                                      "run.duration_s=1000"};
   Standing s{assemble(load_scenario("room", sets)), {}, {}};
   const LoopParts& parts = s.assembly.parts;
   for (int i = 0; i < 30; ++i) {

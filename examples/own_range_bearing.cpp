@@ -8,7 +8,8 @@
 int main() {
   using namespace incognita;
   EstimatorSettings settings;
-  settings.association.method = "joint";  // the detections do not say which post they are of
+  settings.association.method =
+      DataAssociationSettings::Method::joint;  // the detections do not say which post they are of
   settings.association.initialization_distance_m = 1;
   settings.bodies.push_back(body_with_sensor(DifferentialDrive{}, RangeBearingSensor{},
                                              /*start=*/Eigen::Vector3d(0, 0, 0),

@@ -34,7 +34,7 @@ double worst_sigma(const Eigen::Matrix2d& P) {
 /// unknown association do not look at it.
 void identify(Data& data) {
   PlanarSlamSettings settings = data.settings;
-  settings.filter.linearization = "first-estimate";
+  settings.filter.linearization = Linearization::first_estimate;
   settings.filter.anchors = data.anchors;
   settings.start.heading_rad = radians(right_heading_deg);
   settings.start.sigma_heading_rad = radians(2);
@@ -204,7 +204,7 @@ double Drive::mean_landmark_sigma_m() const {
 Data load() {
   const LoadedScenario loaded = load_scenario("car-park");
   Data data{read_range_recording(loaded), loaded.scenario.planar, {}};
-  data.settings.filter.linearization = "analytic";
+  data.settings.filter.linearization = Linearization::analytic;
   data.settings.lost.max_sigma_position_m = 1e6;  // how far it goes is what is asked
   data.anchors = {{2.8953, -4.0353}, {9.9489, 6.9239}};
   identify(data);

@@ -128,7 +128,7 @@ PointLandmarks sixteen_landmarks() {
   return place;
 }
 
-Robot robot(const planar::Pose<double>& start, const std::string& law, const Path& path) {
+Robot robot(const planar::Pose<double>& start, ControlLaw law, const Path& path) {
   Robot r{start, {}};
   r.steering.law = law;
   r.steering.path = path;

@@ -40,14 +40,14 @@ struct Setup {
   int anchors = 0;  ///< the first so many landmarks are known to the filter
   double duration_s = 60;
   double noise = 1;  ///< all sigmas, of start, inputs and sensor, times this
-  std::string linearization = "analytic";
+  Linearization linearization = Linearization::analytic;
 };
 
 /// 16 landmarks, drawn once over 24 m x 24 m: 2.5 m from each other, 1 m from the line of Example 5.1 and the
 /// circles of Examples 5.2 and 5.3.
 PointLandmarks sixteen_landmarks();
 
-Robot robot(const planar::Pose<double>& start, const std::string& law, const Path& path);
+Robot robot(const planar::Pose<double>& start, ControlLaw law, const Path& path);
 
 struct RobotInstant {
   planar::Pose<double> truth, mean;

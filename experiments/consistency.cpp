@@ -156,14 +156,14 @@ Claim relative_map(const Result& relative, const Result& ekf) {
 }
 
 Claim vehicle_that_stands(int seeds) {
-  std::map<std::string, std::vector<double>> sigma, nees;
-  for (const char* linearization : {"analytic", "first-estimate"})
+  std::map<Linearization, std::vector<double>> sigma, nees;
+  for (const Linearization linearization : {Linearization::analytic, Linearization::first_estimate})
     for (int seed = 1; seed <= seeds; ++seed) {
       const StandingVehicle one = standing_vehicle(static_cast<std::uint64_t>(seed), linearization);
       sigma[linearization].push_back(one.sigma_heading_deg);
       nees[linearization].push_back(one.nees);
     }
-  const Interval ekf = bootstrap_mean(nees["analytic"]);
+  const Interval ekf = bootstrap_mean(nees[Linearization::analytic]);
   return assessed(
       {.id = "consistency-standing",
        .place = "Chapter 3, introduction, with [70]",
@@ -171,14 +171,15 @@ Claim vehicle_that_stands(int seeds) {
            "A vehicle that stands still and looks at a landmark again and again makes the EKF inconsistent: "
            "its heading sigma falls by more than a tenth although nothing tells it its heading",
        .printed = "inconsistent map",
-       .measured = fmt::format("heading sigma from {:.0f}° to {} after {} looks, its NEES {}; "
-                               "first-estimate Jacobians: {}, NEES {}",
-                               standing_sigma_heading_deg, text(mean_of(sigma["analytic"]), "°"),
-                               standing_looks, text(ekf), text(mean_of(sigma["first-estimate"]), "°"),
-                               text(bootstrap_mean(nees["first-estimate"]))),
+       .measured =
+           fmt::format("heading sigma from {:.0f}° to {} after {} looks, its NEES {}; "
+                       "first-estimate Jacobians: {}, NEES {}",
+                       standing_sigma_heading_deg, text(mean_of(sigma[Linearization::analytic]), "°"),
+                       standing_looks, text(ekf), text(mean_of(sigma[Linearization::first_estimate]), "°"),
+                       text(bootstrap_mean(nees[Linearization::first_estimate]))),
        .runs = seeds,
        .least_runs = enough_runs},
-      is_below(mean_of(sigma["analytic"]), 0.9 * standing_sigma_heading_deg));
+      is_below(mean_of(sigma[Linearization::analytic]), 0.9 * standing_sigma_heading_deg));
 }
 
 LedgerFigure nees_figure(const ExperimentSettings& settings, const std::vector<Result>& results) {

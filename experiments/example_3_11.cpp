@@ -19,7 +19,7 @@ namespace {
 using car_park::Data;
 using car_park::Drive;
 
-PlanarSlamSettings anchored(const Data& data, const char* decorrelate) {
+PlanarSlamSettings anchored(const Data& data, Decorrelation decorrelate) {
   PlanarSlamSettings s = data.settings;
   s.filter.anchors = data.anchors;
   s.filter.decorrelate = decorrelate;
@@ -44,7 +44,7 @@ Claim independent_of_the_start(const Data& data, const Drive& d) {
   std::vector<std::string> lines;
   double worst = 0;
   for (const car_park::Start& start : car_park::other_starts()) {
-    const Drive other = car_park::drive(data, start.applied_to(anchored(data, "map")));
+    const Drive other = car_park::drive(data, start.applied_to(anchored(data, Decorrelation::map)));
     worst = std::max(worst, car_park::apart(d, other));
     lines.push_back(fmt::format("{}: {:.3f} and {:.3f} m", start.name, other.mean_landmark_sigma_m(),
                                 other.last_sigma_m()));
@@ -64,7 +64,7 @@ Claim independent_of_the_start(const Data& data, const Drive& d) {
 
 Claim smaller_than_relative(const Data& data, const Drive& d) {
   PlanarSlamSettings alone = data.settings;
-  alone.filter.decorrelate = "map";
+  alone.filter.decorrelate = Decorrelation::map;
   const Drive relative = car_park::drive(data, alone);
   return assessed(
       {.id = "3.11-smaller",
@@ -102,8 +102,8 @@ Claim linear_time() {
 
 LedgerEntry run(const ExperimentSettings& settings) {
   return car_park::entry(example_3_11, [&](const Data& data, LedgerEntry& entry) {
-    const Drive least = car_park::drive(data, anchored(data, "map")),
-                linear = car_park::drive(data, anchored(data, "map-linear"));
+    const Drive least = car_park::drive(data, anchored(data, Decorrelation::map)),
+                linear = car_park::drive(data, anchored(data, Decorrelation::map_linear));
     entry.claims = {accurate_map(least, linear), linear_time(), independent_of_the_start(data, least),
                     smaller_than_relative(data, least)};
     const std::string title = "Car park, two anchors, map decorrelated, EKF";

@@ -156,7 +156,7 @@ Claim false_gain(const Drive& ekf, const Data& data) {
 LedgerEntry run(const ExperimentSettings& settings) {
   return car_park::entry(example_3_2, [&](const Data& data, LedgerEntry& entry) {
     PlanarSlamSettings first_estimate = data.settings;
-    first_estimate.filter.linearization = "first-estimate";
+    first_estimate.filter.linearization = Linearization::first_estimate;
     const Drive ekf = car_park::drive(data, data.settings), fej = car_park::drive(data, first_estimate);
     entry.claims = {relative_map(ekf, fej), perfect_relative_map(ekf),
                     mapped_once(ekf, fej),  depends_on_the_start(data),

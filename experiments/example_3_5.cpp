@@ -18,7 +18,7 @@ namespace {
 using car_park::Data;
 using car_park::Drive;
 
-PlanarSlamSettings anchored(const Data& data, const char* linearization) {
+PlanarSlamSettings anchored(const Data& data, Linearization linearization) {
   PlanarSlamSettings s = data.settings;
   s.filter.anchors = data.anchors;
   s.filter.linearization = linearization;
@@ -30,8 +30,8 @@ std::string errors(const char* filter, const Drive& d) {
 }
 
 Claim absolute_error(const Data& data, const Drive& ekf, const Drive& fej, const Drive& alone) {
-  PlanarSlamSettings relative = anchored(data, "analytic");
-  relative.filter.map_frame = "vehicle";
+  PlanarSlamSettings relative = anchored(data, Linearization::analytic);
+  relative.filter.map_frame = MapFrame::vehicle;
   return assessed(
       {.id = "3.5-absolute",
        .place = "Example 3.5, Figures 3.10 (c), 3.11",
@@ -53,7 +53,7 @@ struct Independence {
   double worst = 0;
   std::string text;
 };
-Independence independence(const Data& data, const char* linearization, const Drive& own) {
+Independence independence(const Data& data, Linearization linearization, const Drive& own) {
   Independence out;
   out.text = fmt::format("{:.3f} and {:.3f} m from the recording's start", own.mean_landmark_sigma_m(),
                          own.last_sigma_m());
@@ -67,8 +67,8 @@ Independence independence(const Data& data, const char* linearization, const Dri
 }
 
 Claim independent_of_the_start(const Data& data, const Drive& ekf, const Drive& fej) {
-  const Independence by_ekf = independence(data, "analytic", ekf),
-                     by_fej = independence(data, "first-estimate", fej);
+  const Independence by_ekf = independence(data, Linearization::analytic, ekf),
+                     by_fej = independence(data, Linearization::first_estimate, fej);
   return assessed(
       {.id = "3.5-independent",
        .place = "Example 3.5, Figure 3.10 (b), (d)",
@@ -108,7 +108,7 @@ Claim reduced_covariance(const Drive& ekf, const Drive& ekf_alone, const Drive& 
 
 Claim external_sensor(const Data& data) {
   PlanarSlamSettings s = data.settings;
-  s.filter.linearization = "first-estimate";
+  s.filter.linearization = Linearization::first_estimate;
   s.filter.use_fixes = true;
   s.filter.sigma_fix_m = 0.1;
   const Drive d = car_park::drive(data, s);
@@ -126,9 +126,9 @@ Claim external_sensor(const Data& data) {
 LedgerEntry run(const ExperimentSettings& settings) {
   return car_park::entry(example_3_5, [&](const Data& data, LedgerEntry& entry) {
     PlanarSlamSettings unanchored = data.settings;
-    unanchored.filter.linearization = "first-estimate";
-    const Drive ekf = car_park::drive(data, anchored(data, "analytic")),
-                fej = car_park::drive(data, anchored(data, "first-estimate")),
+    unanchored.filter.linearization = Linearization::first_estimate;
+    const Drive ekf = car_park::drive(data, anchored(data, Linearization::analytic)),
+                fej = car_park::drive(data, anchored(data, Linearization::first_estimate)),
                 alone = car_park::drive(data, unanchored), ekf_alone = car_park::drive(data, data.settings);
     entry.claims = {absolute_error(data, ekf, fej, alone), reduced_covariance(ekf, ekf_alone, fej, alone),
                     independent_of_the_start(data, ekf, fej), external_sensor(data)};

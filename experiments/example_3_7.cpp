@@ -26,8 +26,8 @@ double largest(const Drive& d, bool second_half) {
 
 Claim unbounded(const Drive& dropped, const Drive& kept, const Data& data) {
   PlanarSlamSettings known = data.settings;
-  known.filter.decorrelate = "everything";
-  known.association.method = "known";
+  known.filter.decorrelate = Decorrelation::everything;
+  known.association.method = DataAssociationSettings::Method::known;
   known.association.gate_probability = 1 - 1e-9;
   const Drive right = car_park::drive(data, known);
   const auto numbers = [](const Drive& d) {
@@ -70,7 +70,7 @@ Claim wrong_associations(const Drive& dropped, const Drive& kept) {
 LedgerEntry run(const ExperimentSettings& settings) {
   return car_park::entry(example_3_7, [&](const Data& data, LedgerEntry& entry) {
     PlanarSlamSettings s = data.settings;
-    s.filter.decorrelate = "everything";
+    s.filter.decorrelate = Decorrelation::everything;
     const Drive dropped = car_park::drive(data, s), kept = car_park::drive(data, data.settings);
     entry.claims = {unbounded(dropped, kept, data), wrong_associations(dropped, kept)};
     const std::string title = "Car park, no anchors, everything decorrelated, EKF";

@@ -19,8 +19,8 @@ using car_park::Drive;
 
 Claim bounded(const Drive& d, const Data& data) {
   PlanarSlamSettings known = data.settings;
-  known.filter.decorrelate = "map";
-  known.association.method = "known";
+  known.filter.decorrelate = Decorrelation::map;
+  known.association.method = DataAssociationSettings::Method::known;
   known.association.gate_probability = 1 - 1e-9;
   const Drive right = car_park::drive(data, known);
   const auto numbers = [](const Drive& one) {
@@ -53,7 +53,7 @@ Claim association_problems(const Drive& d) {
 
 Claim avoidable(const Data& data) {
   PlanarSlamSettings s = data.settings;
-  s.filter.decorrelate = "map";
+  s.filter.decorrelate = Decorrelation::map;
   s.start.sigma_heading_rad /= 15;  // one degree, about the right heading: what a compass would give
   s.start.heading_rad -= 0.2618;
   const Drive d = car_park::drive(data, s);
@@ -72,7 +72,7 @@ Claim avoidable(const Data& data) {
 LedgerEntry run(const ExperimentSettings& settings) {
   return car_park::entry(example_3_9, [&](const Data& data, LedgerEntry& entry) {
     PlanarSlamSettings s = data.settings;
-    s.filter.decorrelate = "map";
+    s.filter.decorrelate = Decorrelation::map;
     const Drive d = car_park::drive(data, s);
     entry.claims = {bounded(d, data), association_problems(d), avoidable(data)};
     const std::string title = "Car park, no anchors, map decorrelated, EKF";

@@ -27,7 +27,7 @@ constexpr double near_m = 0.5, by_s = 40;
 
 Setup setup() {
   Setup s;
-  s.robots = {robot({-7, 0, 0}, "lqg", to_goal)};
+  s.robots = {robot({-7, 0, 0}, ControlLaw::lqg, to_goal)};
   s.place = sixteen_landmarks();
   s.duration_s = 50;
   return s;

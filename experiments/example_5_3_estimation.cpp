@@ -180,8 +180,8 @@ Unseen unseen(const Setup& setup, int anchors) {
 
 Claim observability() {
   Setup to_goal = two_circles(), round = two_circles();
-  to_goal.robots = {robot({-7, 0, 0}, "lqg", PointPath{{10, 10, 0}})};
-  round.robots = {robot({-7, 0, std::numbers::pi}, "feedback-linearisation", section_5_2::circle)};
+  to_goal.robots = {robot({-7, 0, 0}, ControlLaw::lqg, PointPath{{10, 10, 0}})};
+  round.robots = {robot({-7, 0, std::numbers::pi}, ControlLaw::feedback_linearization, section_5_2::circle)};
   std::string measured;
   bool none_gained = true, all_with_two = true;
   for (const auto& [name, setup] : {std::pair("regulator", to_goal), std::pair("circle", round),

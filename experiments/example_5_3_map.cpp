@@ -83,14 +83,15 @@ Claim settle(const ExperimentSettings& settings, const std::vector<Traces>& all)
   const auto [low, high] = std::minmax_element(least.begin(), least.end());
   ExperimentSettings few = settings;
   few.seeds = std::min(settings.seeds, enough_runs);
-  const auto longer = [&](const std::string& linearization) {
+  const auto longer = [&](Linearization linearization, const char* name) {
     Setup setup = two_circles();
     setup.duration_s = 400;
     setup.linearization = linearization;
-    return Span(over_seeds(few, "5.3, 400 s, " + linearization, setup,
+    return Span(over_seeds(few, std::string("5.3, 400 s, ") + name, setup,
                            [&](const Run& run) { return traces_of(run, least); }));
   };
-  const Span usual(all), ekf = longer("analytic"), first = longer("first-estimate");
+  const Span usual(all), ekf = longer(Linearization::analytic, "analytic"),
+                         first = longer(Linearization::first_estimate, "first-estimate");
   return assessed(
       {.id = "5.3-traces-settle",
        .place = "Figure 5.11, below (5.23)",

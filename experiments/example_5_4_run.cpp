@@ -140,7 +140,7 @@ std::unique_ptr<Steering> law_of(const Setup& s) {
   if (s.law == Law::as_printed || s.law == Law::velocity_mended) return std::make_unique<PrintedLaw>(s);
   if (s.law == Law::rate_alone) return std::make_unique<RateAlone>(s);
   SteeringSettings steering;
-  steering.law = "feedback-linearisation";
+  steering.law = ControlLaw::feedback_linearization;
   steering.path = s.path;
   steering.camera = s.control;
   steering.most_input = most_of(s.control);

@@ -9,7 +9,6 @@
 #include "incognita/app/loop/assemble.hpp"
 #include "incognita/app/loop/assemble_room_vehicle.hpp"
 #include "incognita/app/loop/assemble_team.hpp"
-#include "incognita/io/scenario/team_setting_list.hpp"
 #include "incognita/record/snapshot/series.hpp"
 #include "incognita/record/summary/exploration_summary.hpp"
 
@@ -115,8 +114,8 @@ Run explore(const std::string& scenario, const Sets& sets, std::uint64_t seed) {
   Sets all = sets;
   all.push_back("run.seed=" + std::to_string(seed));
   const LoadedScenario loaded = load_scenario(scenario, all);
-  if (is_team(loaded.scenario)) return gather(assemble_team(loaded));
-  if (is_room_vehicle(loaded.scenario)) return gather(assemble_room_vehicle(loaded));
+  if (loaded.scenario.is_team()) return gather(assemble_team(loaded));
+  if (loaded.scenario.is_room_vehicle()) return gather(assemble_room_vehicle(loaded));
   return gather(assemble(loaded));
 }
 

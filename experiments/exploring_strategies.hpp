@@ -15,9 +15,9 @@ struct Common {
   std::string id, place, why, variant;
 };
 
-/// explore.counted = "as-mapped": ours, beside the printed metric that counts all.
+/// exploration.counted = "as-mapped": ours, beside the printed metric that counts all.
 inline const std::string as_mapped =
-    ". Variant: unseen landmarks count only as far as they would be mapped (explore.counted = as-mapped)";
+    ". Variant: unseen landmarks count only as far as they would be mapped (exploration.counted = as-mapped)";
 
 /// Translation by mutual information, gaze by (i), (ii), (iii) of the thesis, in their order.
 const std::vector<Strategy>& by_gaze();

@@ -11,7 +11,7 @@ namespace incognita::recorded_team {
 namespace {
 
 Setup iterated(Setup setup) {
-  setup.linearization = "iterated";
+  setup.linearization = Linearization::iterated;
   return setup;
 }
 

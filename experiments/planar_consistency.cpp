@@ -24,7 +24,7 @@ PlanarSlamSettings settings_for(const PlanarLoopSettings& drive, const PlanarFil
   s.sensor.sigma_bearing_rad = drive.sigma_bearing_rad;
   s.filter = filter;
   s.filter.sigma_fix_m = drive.sigma_fix_m;
-  s.association.method = "known";
+  s.association.method = DataAssociationSettings::Method::known;
   s.association.gate_probability = 1 - 1e-12;  // of known identity: nothing is refused
   s.lost.max_sigma_position_m = 1e6;
   return s;
@@ -34,26 +34,26 @@ PlanarSlamSettings settings_for(const PlanarLoopSettings& drive, const PlanarFil
 
 std::vector<PlanarFilterChoice> planar_filter_choices() {
   std::vector<PlanarFilterChoice> choices;
-  const auto add = [&](const char* name, const char* linearization, const char* frame) {
+  const auto add = [&](const char* name, Linearization linearization, MapFrame frame) {
     PlanarFilterSettings filter;
     filter.linearization = linearization;
     filter.map_frame = frame;
     choices.push_back({name, filter});
   };
-  add("EKF", "analytic", "world");
-  add("iterated EKF", "iterated", "world");
-  add("unscented vehicle", "unscented-vehicle", "world");
-  add("first-estimate Jacobians", "first-estimate", "world");
-  add("map in the vehicle's frame", "analytic", "vehicle");
+  add("EKF", Linearization::analytic, MapFrame::world);
+  add("iterated EKF", Linearization::iterated, MapFrame::world);
+  add("unscented vehicle", Linearization::unscented_vehicle, MapFrame::world);
+  add("first-estimate Jacobians", Linearization::first_estimate, MapFrame::world);
+  add("map in the vehicle's frame", Linearization::analytic, MapFrame::vehicle);
   return choices;
 }
 
-StandingVehicle standing_vehicle(std::uint64_t seed, const std::string& linearization) {
+StandingVehicle standing_vehicle(std::uint64_t seed, Linearization linearization) {
   PlanarSlamSettings s;
   s.vehicle.model = "differential-drive";
   s.sensor = {0.1, 0, radians(1), 80};
   s.filter.linearization = linearization;
-  s.association.method = "known";
+  s.association.method = DataAssociationSettings::Method::known;
   s.association.gate_probability = 1 - 1e-12;
   s.start.sigma_heading_rad = radians(standing_sigma_heading_deg);
   SlamEstimator estimator(single_vehicle(s));

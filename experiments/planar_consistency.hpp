@@ -40,6 +40,6 @@ struct StandingVehicle {
   double sigma_heading_deg = 0;  ///< at the end
   double nees = 0;               ///< of the heading at the end
 };
-StandingVehicle standing_vehicle(std::uint64_t seed, const std::string& linearization);
+StandingVehicle standing_vehicle(std::uint64_t seed, Linearization linearization);
 
 }  // namespace incognita

@@ -25,7 +25,7 @@ Robots load();
 
 struct Setup {
   bool see_each_other = true;
-  std::string linearization = "analytic";
+  Linearization linearization = Linearization::analytic;
   double input_sigmas_times = 1, sensor_sigmas_times = 1;
 };
 

@@ -74,9 +74,10 @@ LedgerEntry run(const ExperimentSettings& all_seeds) {
   LedgerEntry entry{section_6_3.id, section_6_3.title, "", {}, {}};
   const std::vector<Runs> gaze = runs_of_all(by_gaze(), settings), other = runs_of_all(baselines(), settings),
                           variant = runs_of_all(variants(), settings);
-  const Runs blind = runs_of(
-      "free-camera",
-      {"nothing expected", {"decision.gaze=mutual-information", "explore.expected_landmarks=1"}}, settings);
+  const Runs blind =
+      runs_of("free-camera",
+              {"nothing expected", {"decision.gaze=mutual-information", "exploration.expected_landmarks=1"}},
+              settings);
   const auto add = [&](const std::vector<Claim>& claims) {
     entry.claims.insert(entry.claims.end(), claims.begin(), claims.end());
   };

@@ -26,16 +26,17 @@ using namespace exploring;
 
 const char* const place = "Section 6.3, on images";
 
-/// The same strategy with the metric as printed, explore.counted = "all"; the scenarios have our variant.
+/// The same strategy with the metric as printed, exploration.counted = "all"; the scenarios have our variant.
 Strategy as_printed(Strategy strategy) {
   strategy.name += ", all counted";
-  strategy.sets.push_back("explore.counted=all");
+  strategy.sets.push_back("exploration.counted=all");
   return strategy;
 }
 
 const std::vector<Strategy>& actuators() {
-  static const std::vector<Strategy> all{
-      {"obedient", {}}, {"late", {"person.delay_s=1"}}, {"often wrong", {"person.wrong=0.5"}}};
+  static const std::vector<Strategy> all{{"obedient", {}},
+                                         {"late", {"operator.delay_s=1"}},
+                                         {"often wrong", {"operator.wrong_probability=0.5"}}};
   return all;
 }
 

@@ -75,7 +75,7 @@ LedgerEntry run(const ExperimentSettings& all_seeds) {
   std::vector<Runs> runs;
   for (const Strategy& s : driving()) runs.push_back(runs_of("terrain", s, settings));
   const Runs from_the_middle =
-      runs_of("terrain", {"from the middle", {"team.positions_m=[[0, 0, 0]]"}}, settings);
+      runs_of("terrain", {"from the middle", {"start.positions_m=[[0, 0, 0]]"}}, settings);
   const char* place = "Section 6.4.2";
   Claim random = beats("6.4-random", place,
                        "Driving by mutual information leaves less entropy than driving at random, by the "

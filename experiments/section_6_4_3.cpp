@@ -44,7 +44,7 @@ LedgerEntry run(const ExperimentSettings& all_seeds) {
   for (const Strategy& s : driving()) runs.push_back(runs_of("explore-terrain", s, settings, fresh_rooms));
   const char* place = "Section 6.4.3, on images";
   const Runs all =
-      runs_of("explore-terrain", {"all in view counted", {"explore.counted=all"}}, settings, fresh_rooms);
+      runs_of("explore-terrain", {"all in view counted", {"exploration.counted=all"}}, settings, fresh_rooms);
   const auto by_metric = [&](const Common& common, const Runs& active) {
     const std::string leaves = "Driving by mutual information leaves less entropy than ";
     return std::vector<Claim>{

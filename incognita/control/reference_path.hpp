@@ -12,6 +12,7 @@
 #include "incognita/control/pose_spline.hpp"
 #include "incognita/control/reference.hpp"
 #include "incognita/math/angles.hpp"
+#include "incognita/math/setting.hpp"
 
 namespace incognita {
 
@@ -19,6 +20,12 @@ namespace incognita {
 struct PointPath {
   Eigen::Vector3d position{0, 0, 0};
   double heading_rad = 0;
+
+  static void describe(auto&& setting) {
+    setting(&PointPath::position, "position_m", "m", limits::between(-1e6, 1e6), "Position of the point");
+    setting(&PointPath::heading_rad, "heading_rad", "rad", limits::between(-6.3, 6.3),
+            "Heading at the point");
+  }
 };
 
 /// Circle at a constant rate, thesis (5.14). (5.15) is meant as its velocity and lacks the factor
@@ -26,8 +33,18 @@ struct PointPath {
 struct CirclePath {
   Eigen::Vector3d center{0, 0, 0};
   double radius_m = 7;
-  double rate_rad_s = radians(5);  ///< positive to the left; not 0
-  double phase_rad = 0;            ///< initial angle on the circle
+  double rate_rad_s = radians(5);
+  double phase_rad = 0;
+
+  static void describe(auto&& setting) {
+    using namespace limits;
+    using S = CirclePath;
+    setting(&S::center, "center_m", "m", between(-1e6, 1e6), "Center of the circle");
+    setting(&S::radius_m, "radius_m", "m", above_up_to(0, 1e6), "Radius of the circle");
+    setting(&S::rate_rad_s, "rate_rad_s", "rad/s", between(-10, 10),
+            "Angular rate around the center, positive to the left; not 0");
+    setting(&S::phase_rad, "phase_rad", "rad", between(-6.3, 6.3), "Initial angle on the circle");
+  }
 };
 
 /// Back and forth on a circle, always facing its center: thesis (5.28), with p = amplitude (sin 2t - 2t/pi).
@@ -41,6 +58,14 @@ struct BackAndForthPath {
   Eigen::Vector3d center{0, 0, 0};
   double radius_m = 1.5;
   double amplitude_rad = radians(15);
+
+  static void describe(auto&& setting) {
+    using namespace limits;
+    using S = BackAndForthPath;
+    setting(&S::center, "center_m", "m", between(-1e6, 1e6), "Center of the circle");
+    setting(&S::radius_m, "radius_m", "m", above_up_to(0, 1e6), "Radius of the circle");
+    setting(&S::amplitude_rad, "amplitude_rad", "rad", between(-3.2, 3.2), "Amplitude of (5.28)");
+  }
 };
 
 /// Straight minimum-jerk legs between way-points, at rest at each. Way-points are set to avoid obstacles
@@ -48,7 +73,14 @@ struct BackAndForthPath {
 /// and steps at the way-points, at standstill.
 struct WayPointPath {
   std::vector<Eigen::Vector3d> points;
-  double speed_m_s = 0.5;  ///< maximum, at mid-leg; the mean is 8/15 of it
+  double speed_m_s = 0.5;
+
+  static void describe(auto&& setting) {
+    using namespace limits;
+    setting(&WayPointPath::points, "points_m", "m", between(-1e6, 1e6), "Way-points, [x, y, z] each");
+    setting(&WayPointPath::speed_m_s, "speed_m_s", "m/s", above_up_to(0, 1000),
+            "Largest speed, at mid-leg; the mean is 8/15 of it");
+  }
 };
 
 /// Path through samples with continuous velocity and acceleration; made by `through`.

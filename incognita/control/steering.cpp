@@ -177,26 +177,26 @@ struct SteeringFactory {
   const SteeringSettings& s;
   double period;
 
-  bool is(const char* law) const { return s.law == law; }
+  bool is(ControlLaw law) const { return s.law == law; }
 
   std::unique_ptr<Steering> operator()(const MonobotMotion&) const {
-    if (is("lqg")) return std::make_unique<LineRegulation>(s, period);
+    if (is(ControlLaw::lqg)) return std::make_unique<LineRegulation>(s, period);
     return std::make_unique<LineTracking>(s);
   }
   std::unique_ptr<Steering> operator()(const DifferentialDrive& body) const {
-    if (is("lqg")) return std::make_unique<DriveRegulation>(s, body, period);
-    if (is("tracking")) return std::make_unique<PlanarTracking>(s, body);
+    if (is(ControlLaw::lqg)) return std::make_unique<DriveRegulation>(s, body, period);
+    if (is(ControlLaw::tracking)) return std::make_unique<PlanarTracking>(s, body);
     return std::make_unique<DriveLinearization>(s, body, period, false);
   }
   std::unique_ptr<Steering> operator()(const AckermannCar& car) const {
     return std::make_unique<CarSteering>(s, car, period);
   }
   std::unique_ptr<Steering> operator()(const TerrainVehicle&) const {
-    if (is("tracking")) return std::make_unique<PlanarTracking>(s, DifferentialDrive{0, 0});
+    if (is(ControlLaw::tracking)) return std::make_unique<PlanarTracking>(s, DifferentialDrive{0, 0});
     return std::make_unique<DriveLinearization>(s, DifferentialDrive{s.control_point_m, 0}, period, true);
   }
   std::unique_ptr<Steering> operator()(const FreeCameraMotion&) const {
-    if (is("lqg")) return std::make_unique<BodyRegulation>(s, period);
+    if (is(ControlLaw::lqg)) return std::make_unique<BodyRegulation>(s, period);
     return std::make_unique<BodyLinearization>(s);
   }
   template <class Model>
@@ -214,7 +214,7 @@ struct SteeringFactory {
 std::unique_ptr<Steering> make_steering(const AnyMotion& motion, const SteeringSettings& s, double period_s) {
   const std::string problem = validate_steering(motion, s, period_s);
   if (!problem.empty()) refuse(problem);
-  if (s.law == "none") return std::make_unique<HeldInput>(s.input);
+  if (s.law == ControlLaw::none) return std::make_unique<HeldInput>(s.input);
   return std::visit(SteeringFactory{s, period_s}, motion);
 }
 

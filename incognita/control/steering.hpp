@@ -24,12 +24,19 @@ struct Diagonal {
   }
 };
 
+enum class ControlLaw {
+  none,      ///< a constant input
+  tracking,  ///< of a moving reference
+  lqg,       ///< linear quadratic regulator to a point
+  feedback_linearization
+};
+
 struct SteeringSettings {
-  std::string law = "none";       ///< `none`, `tracking`, `lqg`, `feedback-linearisation`
+  ControlLaw law = ControlLaw::none;
   Path path;                      ///< in time since the first tick
   SmallVector input;              ///< `none`: constant input of the motion model
-  Diagonal gain_per_s = 0.5;      ///< per axis: `feedback-linearisation`, and `tracking` on a line
-  double control_point_m = 0.2;   ///< `feedback-linearisation` on uneven ground: distance ahead of the axle
+  Diagonal gain_per_s = 0.5;      ///< per axis: `feedback_linearization`, and `tracking` on a line
+  double control_point_m = 0.2;   ///< `feedback_linearization` on uneven ground: distance ahead of the axle
   double gain_along_per_s = 1;    ///< `tracking` on a plane: gain on the error ahead (Kanayama's K_x)
   double gain_across_per_m2 = 4;  ///< gain on the lateral error (K_y)
   double gain_heading_per_m = 2;  ///< gain on the sine of the heading error (K_theta)

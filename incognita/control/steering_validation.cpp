@@ -9,7 +9,6 @@
 #include "incognita/control/held_command.hpp"
 #include "incognita/control/path_speed.hpp"
 #include "incognita/math/angles.hpp"
-#include "incognita/math/nearest_name.hpp"
 
 namespace incognita {
 namespace {
@@ -52,7 +51,7 @@ std::string need_speed(const SteeringSettings& s) {
 
 std::string need_point(const SteeringSettings& s) {
   if (std::holds_alternative<PointPath>(s.path)) return "";
-  return "an LQG regulator drives to a point: take `feedback-linearisation` or `tracking` for a path in time";
+  return "an LQG regulator drives to a point: take `feedback-linearization` or `tracking` for a path in time";
 }
 
 /// Limits the turn during one command, for a law that uses the heading at its start (lqg_regulator.hpp).
@@ -108,7 +107,7 @@ std::string need_wide_circle(const AckermannCar& car, const SteeringSettings& s)
 /// Kanayama's law controls the heading, which must be the direction of travel.
 std::string need_heading_along(const Path& path) {
   constexpr double most_rad = 0.2;
-  const char* instead = "; tracking holds the heading too, take `feedback-linearisation`";
+  const char* instead = "; tracking holds the heading too, take `feedback-linearization`";
   if (std::holds_alternative<BackAndForthPath>(path))
     return format_message("the path looks at its centre and not where it goes", instead);
   const auto* sampled = std::get_if<SampledPath>(&path);
@@ -128,7 +127,7 @@ std::string need_heading_along(const Path& path) {
 std::string validate_tracking(const SteeringSettings& s, double period_s) {
   const double v = greatest_speed(s.path).m_s;
   if (!(v > 0))
-    return "tracking follows a reference that moves: take `feedback-linearisation` or `lqg` for a point";
+    return "tracking follows a reference that moves: take `feedback-linearization` or `lqg` for a point";
   std::string problem =
       first_of({need_speed(s), need_turn_rate(s), need_small_turns(s, period_s), need_heading_along(s.path),
                 need_positive("the gain along", s.gain_along_per_s),
@@ -169,10 +168,10 @@ struct SteeringValidator {
   const SteeringSettings& s;
   double period_s;
 
-  bool is(const char* law) const { return s.law == law; }
+  bool is(ControlLaw law) const { return s.law == law; }
 
   std::string operator()(const MonobotMotion&) const {
-    if (is("lqg")) return first_of({need_point(s), validate_weights(s, 1, 1)});
+    if (is(ControlLaw::lqg)) return first_of({need_point(s), validate_weights(s, 1, 1)});
     const std::string problem = need_gains("the gain", s.gain_per_s, 1);
     if (!problem.empty()) return problem;
     if (s.gain_per_s.numbers[0] * period_s < 2) return need_speed(s);
@@ -181,23 +180,24 @@ struct SteeringValidator {
   std::string operator()(const DifferentialDrive& body) const {
     if (!std::isfinite(body.forward_m) || !std::isfinite(body.left_m))
       return "the point that the state tells must be a finite way from the axle";
-    if (is("lqg")) return first_of({need_point(s), need_small_turns(s, period_s), validate_weights(s, 2, 2)});
-    if (is("tracking")) return validate_tracking(s, period_s);
+    if (is(ControlLaw::lqg))
+      return first_of({need_point(s), need_small_turns(s, period_s), validate_weights(s, 2, 2)});
+    if (is(ControlLaw::tracking)) return validate_tracking(s, period_s);
     return first_of({need_speed(s), need_turn_rate(s), need_gains("the gain", s.gain_per_s, 2)});
   }
   std::string operator()(const AckermannCar& car) const {
-    if (!is("feedback-linearisation"))
-      return "a car is steered by `feedback-linearisation`: it turns only while it moves";
+    if (!is(ControlLaw::feedback_linearization))
+      return "a car is steered by `feedback-linearization`: it turns only while it moves";
     return first_of({need_speed(s), need_wide_circle(car, s), need_gains("the gain", s.gain_per_s, 2)});
   }
   std::string operator()(const TerrainVehicle&) const {
-    if (is("lqg"))
-      return "a regulator at rest does not know the slopes: take `feedback-linearisation` or `tracking`";
-    if (is("tracking")) return validate_tracking(s, period_s);
+    if (is(ControlLaw::lqg))
+      return "a regulator at rest does not know the slopes: take `feedback-linearization` or `tracking`";
+    if (is(ControlLaw::tracking)) return validate_tracking(s, period_s);
     return first_of({need_speed(s), need_turn_rate(s), need_gains("the gain", s.gain_per_s, 2)});
   }
   std::string operator()(const FreeCameraMotion&) const {
-    if (is("lqg"))
+    if (is(ControlLaw::lqg))
       return first_of({need_point(s), need_small_body_turns(s, period_s), validate_weights(s, 12, 6)});
     return validate_body_tracking(s, period_s);
   }
@@ -211,14 +211,10 @@ struct SteeringValidator {
 }  // namespace
 
 std::string validate_steering(const AnyMotion& motion, const SteeringSettings& s, double period_s) {
-  const std::vector<std::string> laws{"none", "tracking", "lqg", "feedback-linearisation"};
-  if (std::find(laws.begin(), laws.end(), s.law) == laws.end())
-    return format_message("`", s.law, "` is no law of steering; the nearest is `", nearest_name(s.law, laws),
-                          "`");
   std::string period = need_positive("the time for which a command is held", period_s);
   if (!period.empty()) return period;
   const int inputs = inputs_of(motion);
-  if (s.law == "none") return validate_held(s, inputs);
+  if (s.law == ControlLaw::none) return validate_held(s, inputs);
   std::string limits = validate_limits(s, inputs);
   if (!limits.empty()) return limits;
   check(s.path);

@@ -28,8 +28,8 @@ SmallVector driven(const VehicleSteering& v, const Eigen::Vector2d& drive) {
 
 /// The goal of the control point: on uneven ground it lies ahead of the axle.
 Eigen::Vector3d steered_to(const VehicleSteering& v, const VehicleGoal& goal) {
-  const bool ahead =
-      traits_of(v.motion).space == Space::uneven_ground && v.settings.law == "feedback-linearisation";
+  const bool ahead = traits_of(v.motion).space == Space::uneven_ground &&
+                     v.settings.law == ControlLaw::feedback_linearization;
   const double forward_m = ahead ? v.settings.control_point_m : 0;
   return goal.to + forward_m * Eigen::Vector3d(std::cos(goal.heading_rad), std::sin(goal.heading_rad), 0);
 }
@@ -122,7 +122,7 @@ Command TeamController::act(const Estimate& estimate, const Goal& goal, const Ob
       continue;
     }
     command.inputs.push_back(laws_[i]->act(last_known_[i], t));
-    if (vehicles_[i].settings.law == "none") continue;
+    if (vehicles_[i].settings.law == ControlLaw::none) continue;
     const Reference reference = at(vehicles_[i].settings.path, t);
     command.references.emplace_back(reference.position.x(), reference.position.y(), reference.position.z(),
                                     reference.heading);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "incognita/decision/metric.hpp"
+#include "incognita/math/setting.hpp"
 
 namespace incognita {
 
@@ -28,39 +29,92 @@ struct DecisionSettings {
 
   Strategy strategy = Strategy::mutual_information;
   Metric metric = Metric::state;
-  int horizon = 1;             ///< actions planned ahead; 1: greedy, as in the thesis
-  int max_evaluations = 1000;  ///< sets of predicted measurements per comparison
+  int horizon = 1;
+  int max_evaluations = 1000;
   Schedule schedule = Schedule::every_frame;
-  double step_m = 0.3;  ///< length of each of the seven translations, thesis 6.3.1
-  /// Overrides step_m: displacements along heading, left, up; one must be 0.
+  double step_m = 0.3;
   std::vector<Eigen::Vector3d> moves_m;
-  /// Speed changes of a vehicle that carries the camera, Table 6.1: accelerations act for impulse_s once per period
   double acceleration_m_s2 = 0.5;
   double turn_acceleration_rad_s2 = 0.3;
-  double impulse_s = 1.0 / 15;                 ///< one frame at the thesis' 15 Hz
-  std::vector<Eigen::Vector2d> accelerations;  ///< overrides Table 6.1: (m/s^2, rad/s^2); one must be 0
-  std::string sequence;                        ///< `fixed-path` only: names of actions, separated by spaces
-  double period_s = 1.0;                       ///< duration of an action; then all are compared again
-  Eigen::Vector3d min_bound_m{-1e9, -1e9, -1e9};  ///< goals outside these world bounds are not chosen
+  double impulse_s = 1.0 / 15;  // one frame at the thesis' 15 Hz
+  std::vector<Eigen::Vector2d> accelerations;
+  std::string sequence;
+  double period_s = 1.0;
+  Eigen::Vector3d min_bound_m{-1e9, -1e9, -1e9};
   Eigen::Vector3d max_bound_m{1e9, 1e9, 1e9};
 
   Gaze gaze = Gaze::swing;
-  double gaze_rate_rad_s = 0.2;  ///< thesis 6.3.1
-  double gaze_period_s = 0.05;   ///< duration of a turn; then turns are compared again
-  double gaze_ahead_s = 1.0;     ///< predicted duration of a turn when comparing
+  double gaze_rate_rad_s = 0.2;
+  double gaze_period_s = 0.05;
+  double gaze_ahead_s = 1.0;
+
+  static void describe(auto&& setting) {
+    using namespace limits;
+    using S = DecisionSettings;
+    setting(&S::strategy, "strategy", "", any(), "Choice of the next action; `none`: no motion");
+    setting(&S::metric, "metric", "", any(),
+            "State whose entropy is compared: all, without gaze and velocities, or the vehicle alone");
+    setting(&S::horizon, "horizon", "", between(1, 20), "Number of actions planned ahead; 1: greedy");
+    setting(&S::max_evaluations, "max_evaluations", "", between(1, 10000000),
+            "Limit of the sets of predicted measurements in one comparison");
+    setting(&S::schedule, "schedule", "", any(),
+            "Frames in which actions are scored: every one, those of a decision, or one action per frame");
+    setting(&S::sequence, "sequence", "", any(),
+            "Names of the actions that the strategy `fixed-path` repeats, separated by spaces");
+    setting(&S::period_s, "period_s", "s", between(0.001, 1e4),
+            "Duration of an action, after which all are compared again");
+    setting(&S::min_bound_m, "min_bound_m", "m", any(), "Lower corner of the box that goals must lie in");
+    setting(&S::max_bound_m, "max_bound_m", "m", any(), "Upper corner of the box that goals must lie in");
+    setting(&S::step_m, "step_m", "m", above_up_to(0, 1000),
+            "Length of each of the seven translations, thesis 6.3.1");
+    setting(&S::moves_m, "displacements_m", "m", between(-1000, 1000),
+            "Displacements along heading, left and up in place of the seven translations; one must be 0");
+    setting(&S::acceleration_m_s2, "acceleration_m_s2", "m/s^2", above_up_to(0, 1000),
+            "Acceleration of the vehicle in the actions of Table 6.1");
+    setting(&S::turn_acceleration_rad_s2, "turn_acceleration_rad_s2", "rad/s^2", above_up_to(0, 1000),
+            "Angular acceleration of the vehicle in the actions of Table 6.1");
+    setting(&S::impulse_s, "impulse_s", "s", above_up_to(0, 1000),
+            "Time for which an action accelerates, once per period");
+    setting(&S::accelerations, "accelerations", "", between(-1000, 1000),
+            "Actions in place of Table 6.1, [m/s^2, rad/s^2] each; one must be 0");
+    setting(&S::gaze, "gaze", "", any(), "Rotation of a free camera");
+    setting(&S::gaze_rate_rad_s, "gaze_rate_rad_s", "rad/s", between(0, 10),
+            "Angular rate of the gaze, thesis 6.3.1");
+    setting(&S::gaze_period_s, "gaze_period_s", "s", between(0.001, 1e4),
+            "Duration of a rotation, after which rotations are compared again");
+    setting(&S::gaze_ahead_s, "gaze_ahead_s", "s", between(0.001, 1e4),
+            "Predicted duration of a rotation in a comparison");
+  }
 };
 
 /// Exploration prior: see exploration.hpp.
 struct ExplorationSettings {
-  int expected_landmarks = 0;         ///< in the whole volume, mapped or not; 0: no prior
-  double variance_expected_m2 = 1.5;  ///< P_uu: per coordinate of an unmapped landmark, thesis 6.3.1
-  Eigen::Vector3d min_m{-3, -3, 0};   ///< exploration volume, world
-  Eigen::Vector3d max_m{3, 3, 2.5};
   /// Which of the unmapped landmarks in view count: all, or as many as a camera would initialize there
   enum class Counted { all, as_mapped };
+
+  int expected_landmarks = 0;
+  double variance_expected_m2 = 1.5;
+  Eigen::Vector3d min_m{-3, -3, 0};
+  Eigen::Vector3d max_m{3, 3, 2.5};
   Counted counted = Counted::all;
-  double cell_m = 0.5;  ///< side length of a cell
-  double seen_s = 1;    ///< total time in view after which a cell holds no unmapped landmarks
+  double cell_m = 0.5;
+  double seen_s = 1;
+
+  static void describe(auto&& setting) {
+    using namespace limits;
+    using S = ExplorationSettings;
+    setting(&S::expected_landmarks, "expected_landmarks", "", between(0, 1000),
+            "Number of landmarks in the whole exploration volume, mapped or not; 0: no exploration prior");
+    setting(&S::variance_expected_m2, "variance_expected_m2", "m^2", above_up_to(0, 1e6),
+            "Variance of each coordinate of an unmapped landmark, P_uu, thesis 6.3.1");
+    setting(&S::counted, "counted", "", any(),
+            "Unmapped landmarks in view that count: all, or as many as map.wanted_visible would initialize");
+    setting(&S::min_m, "volume_min_m", "m", any(), "Lower corner of the exploration volume");
+    setting(&S::max_m, "volume_max_m", "m", any(), "Upper corner of the exploration volume");
+    setting(&S::cell_m, "cell_m", "m", above_up_to(0, 1000), "Side of a cell of the exploration volume");
+    setting(&S::seen_s, "seen_s", "s", above_up_to(0, 1e4),
+            "Time in view after which a cell holds no unmapped landmarks");
+  }
 };
 
 }  // namespace incognita

@@ -15,9 +15,9 @@ TeamDecision::TeamDecision(EstimatorSettings team, const TeamDecisionSettings& s
       settings_(settings),
       exploration_(settings.exploration, settings.seed),
       expectation_(team_, settings.max_measurements) {
-  if (team_.filter.map_frame == "vehicle")
+  if (team_.filter.map_frame == MapFrame::vehicle)
     throw std::invalid_argument(
-        "vehicle_filter.map_frame = vehicle: information gain is predicted in the world frame; take `world`");
+        "estimator.map_frame = `vehicle`: information gain is predicted in the world frame; take `world`");
   const DecisionSettings& d = settings_.decision;
   for (const BodyModel& member : team_.bodies) {
     if (settings_.carrier) {

@@ -57,7 +57,7 @@ struct SensorEntry {
 const std::vector<MotionEntry>& registered_motions();
 const std::vector<SensorEntry>& registered_sensors();
 
-/// The values of vehicle.model and run.sensor.
+/// The values of vehicle.model and sensor.type.
 std::vector<std::string> motion_names();
 std::vector<std::string> sensor_words();
 

@@ -60,7 +60,7 @@ inline constexpr std::string_view line_needs_relative_position =
 /// Static properties of a sensor, for code independent of its type.
 struct SensorTraits {
   std::string_view name;     ///< unique
-  std::string_view word;     ///< value of run.sensor; sensors of different spaces may share it
+  std::string_view word;     ///< value of sensor.type; sensors of different spaces may share it
   std::string_view summary;  ///< one sentence
   int dimensions = 2;        ///< coordinates of a point
   std::span<const Quantity> measurement;

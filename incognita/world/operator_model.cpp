@@ -33,9 +33,9 @@ void need(bool ok, const char* key, double value, const char* limit) {
 
 OperatorModel::OperatorModel(const OperatorSettings& settings, std::uint64_t seed, const std::string& name)
     : settings_(settings), random_(seed, name) {
-  need(settings_.delay_s >= 0, "person.delay_s", settings_.delay_s, "0 or more");
-  need(settings_.wrong >= 0 && settings_.wrong <= 1, "person.wrong", settings_.wrong, "0 to 1");
-  need(settings_.sigma_way_ratio >= 0, "person.sigma_way_ratio", settings_.sigma_way_ratio, "0 or more");
+  need(settings_.delay_s >= 0, "operator.delay_s", settings_.delay_s, "0 or more");
+  need(settings_.wrong >= 0 && settings_.wrong <= 1, "operator.wrong_probability", settings_.wrong, "0 to 1");
+  need(settings_.sigma_way_ratio >= 0, "operator.sigma_length_ratio", settings_.sigma_way_ratio, "0 or more");
 }
 
 /// Always draws three random numbers, so that runs with different error probabilities use the same draws.

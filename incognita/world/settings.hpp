@@ -3,28 +3,70 @@
 
 #include <Eigen/Core>
 
+#include "incognita/math/setting.hpp"
+
 namespace incognita {
 
 struct RoomSettings {
-  Eigen::Vector3d size_m{6.0, 6.0, 2.5};            ///< interior: +-x/2, +-y/2, 0 to z
-  int boxes = 6;                                    ///< textured boxes standing on the floor along the walls
-  Eigen::Vector3d start_position_m{1.6, 0.0, 1.3};  ///< camera at t = 0, facing the target along +x
-  double start_heading_rad = 0.0;                   ///< about z, from +x
-  double sigma_start_position_m = 0.05;             ///< spread of the true start about the above
+  Eigen::Vector3d size_m{6.0, 6.0, 2.5};
+  int boxes = 6;
+  Eigen::Vector3d start_position_m{1.6, 0.0, 1.3};
+  double start_heading_rad = 0.0;
+  double sigma_start_position_m = 0.05;
   double sigma_start_heading_rad = 0.03;
-  double sigma_image_gray = 2.0;         ///< image noise, gray levels
-  double sigma_acceleration_m_s2 = 0.3;  ///< true disturbance per axis, held for one frame
+  double sigma_image_gray = 2.0;
+  double sigma_acceleration_m_s2 = 0.3;
   double sigma_angular_acceleration_rad_s2 = 0.3;
-  double clearance_m = 0.15;      ///< minimum distance of the camera from walls and boxes
-  double cover_lens_from_s = -1;  ///< time from which the lens is covered; negative: never
+  double clearance_m = 0.15;
+  double cover_lens_from_s = -1;
+
+  static void describe(auto&& setting) {
+    using namespace limits;
+    using S = RoomSettings;
+    setting(&S::size_m, "size_m", "m", between(1.8, 50), "Interior of the room: +-x/2, +-y/2, 0 to z");
+    setting(&S::boxes, "boxes", "", between(0, 24),
+            "Number of textured boxes that stand on the floor along the walls");
+    setting(&S::start_position_m, "start_position_m", "m", between(-1000, 1000),
+            "Nominal initial position of the camera");
+    setting(&S::start_heading_rad, "start_heading_rad", "rad", between(-6.3, 6.3),
+            "Nominal initial heading about z, from the x axis, along which the target is");
+    setting(&S::sigma_image_gray, "sigma_image_gray", "gray", between(0, 100),
+            "Standard deviation of the image noise in gray levels");
+    setting(&S::clearance_m, "clearance_m", "m", between(0, 0.5),
+            "Least distance of the camera, or of its vehicle's axle, from walls and boxes");
+    setting(&S::cover_lens_from_s, "cover_lens_from_s", "s", any(),
+            "Time from which the lens is covered; negative: never");
+    setting(&S::sigma_start_position_m, "sigma_start_position_m", "m", between(0, 10),
+            "Standard deviation of the true initial position about the nominal one, per axis");
+    setting(&S::sigma_start_heading_rad, "sigma_start_heading_rad", "rad", between(0, 3.2),
+            "Standard deviation of the true initial heading about the nominal one");
+    setting(
+        &S::sigma_acceleration_m_s2, "sigma_acceleration_m_s2", "m/s^2", between(0, 1000),
+        "Standard deviation of the true disturbance of the acceleration per axis, constant over one frame");
+    setting(&S::sigma_angular_acceleration_rad_s2, "sigma_angular_acceleration_rad_s2", "rad/s^2",
+            between(0, 1000),
+            "Standard deviation of the true disturbance of the angular acceleration per axis");
+  }
 };
 
 /// Operator who moves the camera by hand as shown on a screen, thesis 6.3.2.
 struct OperatorSettings {
-  bool holds = false;            ///< whether an operator holds the camera
-  double delay_s = 0.3;          ///< delay from command shown to motion
-  double wrong = 0;              ///< probability of moving in another of six directions
-  double sigma_way_ratio = 0.2;  ///< sigma of the length moved over the length shown
+  bool holds = false;
+  double delay_s = 0.3;
+  double wrong = 0;
+  double sigma_way_ratio = 0.2;
+
+  static void describe(auto&& setting) {
+    using namespace limits;
+    using S = OperatorSettings;
+    setting(&S::holds, "holds", "", any(),
+            "Whether an operator moves the camera by hand as the screen shows, unknown to the estimator");
+    setting(&S::delay_s, "delay_s", "s", between(0, 100), "Delay from the displayed action to the motion");
+    setting(&S::wrong, "wrong_probability", "", between(0, 1),
+            "Probability of a motion in another of the six directions");
+    setting(&S::sigma_way_ratio, "sigma_length_ratio", "", between(0, 10),
+            "Standard deviation of the length moved over the length displayed");
+  }
 };
 
 }  // namespace incognita

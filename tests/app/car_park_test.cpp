@@ -80,8 +80,8 @@ TEST(CarPark, WithoutAnchorsTheMapAgreesAfterARigidTransformation) {
 
 TEST(CarPark, AMapInTheVehicleFrameIsAsAccurate) {
   Outcome out;
-  SKIP_WITHOUT_RECORDING(out = drive("car-park-anchored", {"vehicle_filter.map_frame=vehicle",
-                                                           "vehicle_filter.lineariser=analytic"}));
+  SKIP_WITHOUT_RECORDING(
+      out = drive("car-park-anchored", {"estimator.map_frame=vehicle", "estimator.linearization=analytic"}));
   EXPECT_LT(map_error(out.landmarks, out.beacons, 1).rms_m, 0.12);
   EXPECT_LT(rms(out.path, out.gps), 0.16);
 }
@@ -90,8 +90,8 @@ TEST(CarPark, WithAnchorsABlockDiagonalMapIsAccurate) {
   for (const char* decorrelate : {"map", "map-linear"}) {
     Outcome out;
     SKIP_WITHOUT_RECORDING(
-        out = drive("car-park-anchored", {std::string("vehicle_filter.decorrelate=") + decorrelate,
-                                          "vehicle_filter.lineariser=analytic"}));
+        out = drive("car-park-anchored", {std::string("estimator.decorrelate=") + decorrelate,
+                                          "estimator.linearization=analytic"}));
     EXPECT_LT(map_error(out.landmarks, out.beacons, 1).rms_m, 0.25) << decorrelate;
     EXPECT_LT(rms(out.path, out.gps), 0.20) << decorrelate;
   }

@@ -90,12 +90,12 @@ void expect_consistent(const char* name, const std::string& scenario, const std:
 }
 
 const std::vector<std::string> team_of_three = {"run.duration_s=20",
-                                                "team.positions_m=[[-6, 0, 0], [6, 0, 0], [0, 8, 0]]",
-                                                "team.headings_rad=[1.5708, -1.5708, 0]",
+                                                "start.positions_m=[[-6, 0, 0], [6, 0, 0], [0, 8, 0]]",
+                                                "start.headings_rad=[1.5708, -1.5708, 0]",
                                                 "path.offsets_m=[[-6, 0, 0], [6, 0, 0], [0, 8, 0]]",
                                                 "path.radius_m=4",
-                                                "team.sigma_position_m=0.1",
-                                                "team.sigma_heading_rad=0.05"};
+                                                "start.sigma_position_m=0.1",
+                                                "start.sigma_heading_rad=0.05"};
 
 std::vector<std::string> with(std::vector<std::string> sets, const std::vector<std::string>& more) {
   sets.insert(sets.end(), more.begin(), more.end());
@@ -105,7 +105,7 @@ std::vector<std::string> with(std::vector<std::string> sets, const std::vector<s
 TEST(Combinations, JointCompatibilityInATeamOfThree) {
   expect_consistent("joint compatibility, three vehicles", "two-robots",
                     with(team_of_three, {"association.method=joint"}), 16,
-                    [](EstimatorSettings& s) { ASSERT_EQ(s.association.method, "joint"); });
+                    [](EstimatorSettings& s) { ASSERT_EQ(s.association.method, DataAssociationSettings::Method::joint); });
 }
 
 /// Only the first vehicle has a GPS; the others profit through the common landmarks.
@@ -144,10 +144,13 @@ TEST(Combinations, PositionFixesOfOneVehicleOfATeam) {
 
 TEST(Combinations, AMapInTheFrameOfACarUnderControl) {
   const testing::Scratch folder;
-  const std::filesystem::path car = folder.write("car.toml", R"(
+  const std::filesystem::path car = folder.write("car.toml", R"([world]
+type = "points"
+
+[sensor]
+type = "range-bearing"
+
 [run]
-world = "points"
-sensor = "range-bearing"
 rate_hz = 10
 duration_s = 20
 
@@ -160,7 +163,7 @@ sensor_left_m = 0
 sigma_speed_m_s = 0.05
 sigma_steering_rad = 0.02
 
-[team]
+[start]
 positions_m = [[0, 0, 0]]
 sigma_position_m = 0.1
 sigma_heading_rad = 0.05
@@ -169,16 +172,16 @@ sigma_heading_rad = 0.05
 count = 16
 size_m = [30, 30, 0]
 
-[steer]
-law = "feedback-linearisation"
+[controller]
+law = "feedback-linearization"
 max_speed_m_s = 1
 
 [path]
-kind = "circle"
+type = "circle"
 radius_m = 7
 )");
   expect_consistent("map in the vehicle's frame, Ackermann car under control", car.string(), {}, 16,
-                    [](EstimatorSettings& s) { s.filter.map_frame = "vehicle"; });
+                    [](EstimatorSettings& s) { s.filter.map_frame = MapFrame::vehicle; });
 }
 
 }  // namespace

@@ -5,8 +5,9 @@
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
+#include <set>
 
-#include "incognita/io/scenario/settings.hpp"
+#include "incognita/io/scenario/load_scenario.hpp"
 #include "tests/app/captured.hpp"
 #include "tests/scratch.hpp"
 
@@ -27,8 +28,11 @@ Answer run(const std::vector<std::string>& words) {
 
 TEST(Config, PrintsEverySetting) {
   const Answer answer = run({"config", "room", "--set", "run.seed=7"});
-  Scenario scenario;
-  for (const Setting& setting : settings_in_force(scenario)) EXPECT_HAS(answer.out, setting.key);
+  for (const SettingInForce& setting : load_scenario("room").settings) {
+    EXPECT_HAS(answer.out, setting.key);
+    EXPECT_HAS(answer.out, setting.help);
+  }
+  EXPECT_EQ(answer.out.find("[points]"), std::string::npos) << "only what is chosen";
   EXPECT_HAS(answer.out, "from --set");
   EXPECT_HAS(answer.out, "from room.toml:");
   EXPECT_HAS(answer.err, "run.seed = 7 (--set) replaces 1 (room.toml:");
@@ -38,10 +42,7 @@ TEST(Config, AnswersInJson) {
   const Answer answer = run({"config", "davison", "--json", "--set", "run.seed=7"});
   const nlohmann::json document = nlohmann::json::parse(answer.out);
   EXPECT_EQ(document.at("scenario"), "davison");
-  Scenario scenario;
-  scenario.run.world = "recording";
-  scenario.recording.format = "images";
-  ASSERT_EQ(document.at("settings").size(), settings_in_force(scenario).size());
+  ASSERT_EQ(document.at("settings").size(), load_scenario("davison").settings.size());
   for (const nlohmann::json& setting : document.at("settings")) {
     if (setting.at("key") == "run.seed") {
       EXPECT_EQ(setting.at("value"), 7);
@@ -55,12 +56,29 @@ TEST(Config, AnswersInJson) {
   }
 }
 
+TEST(Config, ListsTheSettingsOfAllScenarios) {
+  const nlohmann::json document = nlohmann::json::parse(run({"config", "--all", "--json"}).out);
+  std::set<std::string> keys;
+  for (const nlohmann::json& setting : document.at("settings")) {
+    EXPECT_TRUE(keys.insert(setting.at("key")).second) << setting;
+    if (setting.at("key") == "path.radius_m")
+      EXPECT_HAS(setting.at("with").get<std::string>(), "path.type = \"circle\"");
+  }
+  for (const char* key :
+       {"run.seed", "camera.k1", "path.points_m", "sensor.baseline_m", "vehicle.wheelbase_m",
+        "estimator.sigma_slip_m_s", "landmark_initialization.particles"})
+    EXPECT_TRUE(keys.contains(key)) << key;
+  for (const nlohmann::json& renamed : document.at("renamed"))
+    EXPECT_TRUE(keys.contains(renamed.at("after").get<std::string>())) << renamed;
+  EXPECT_HAS(run({"config", "--all"}).out, "[landmark_initialization]");
+}
+
 TEST(Config, ChecksTargetAndImages) {
   const Scratch scratch;
   const std::string file =
       scratch
-          .write("s.toml", "[run]\nworld = \"recording\"\n[recording]\nfolder = \"" +
-                               scratch.folder().string() + "/frames\"\n[start]\nfrom = \"free\"\n")
+          .write("s.toml", "[world]\ntype = \"recording\"\n[recording]\nfolder = \"" +
+                               scratch.folder().string() + "/frames\"\n\n[start]\nfrom = \"free\"\n")
           .string();
   scratch.write("frames/rgb.txt", "1 a.pgm\n2 b.pgm\n");
   scratch.write("frames/a.pgm", pgm(320, 240));

@@ -26,7 +26,7 @@ PlanarSlamSettings settings_for(const PlanarLoopSettings& drive) {
   s.sensor.sigma_bearing_rad = drive.sigma_bearing_rad;
   s.filter.sigma_fix_m = drive.sigma_fix_m;
   s.start.sigma_heading_rad = start_sigma_rad;
-  s.association.method = "known";
+  s.association.method = DataAssociationSettings::Method::known;
   s.association.gate_probability = 1 - 1e-12;
   s.lost.max_sigma_position_m = 1e6;
   return s;
@@ -58,7 +58,7 @@ Watched drive(double duration_s,
   return out;
 }
 
-Watched drive_with(double duration_s, const char* linearization) {
+Watched drive_with(double duration_s, Linearization linearization) {
   return drive(duration_s,
                [&](PlanarSlamSettings& s, const RangeRecording&) { s.filter.linearization = linearization; });
 }
@@ -69,7 +69,7 @@ const QuantityReport& heading(const ObservabilityReport& report) { return report
 TEST(ObservabilityWatch, EkfGainsSpuriousInformationOnTheHeading) {
   double before = start_sigma_rad;
   for (const double duration_s : {10, 63, 126}) {
-    const Watched run = drive_with(duration_s, "analytic");
+    const Watched run = drive_with(duration_s, Linearization::analytic);
     const ObservabilityReport& report = run.report;
     EXPECT_EQ(report.ideal_nullity, 3);
     EXPECT_EQ(report.information.nullity(), 2);
@@ -89,7 +89,7 @@ TEST(ObservabilityWatch, EkfGainsSpuriousInformationOnTheHeading) {
 }
 
 TEST(ObservabilityWatch, FirstEstimateJacobiansGainNone) {
-  const Watched run = drive_with(250, "first-estimate");
+  const Watched run = drive_with(250, Linearization::first_estimate);
   EXPECT_EQ(run.report.information.nullity(), 3);
   EXPECT_EQ(run.report.spurious_information, 0);
   EXPECT_FALSE(heading(run.report).estimated_sigma);
@@ -116,7 +116,7 @@ TEST(ObservabilityWatch, AnchorsAndPositionFixesFixTheFrame) {
 TEST(ObservabilityWatch, OneAnchorLeavesTheHeadingUnobservable) {
   const Watched run = drive(60, [](PlanarSlamSettings& s, const RangeRecording& r) {
     s.filter.anchors = {r.landmarks[0].position};
-    s.filter.linearization = "first-estimate";
+    s.filter.linearization = Linearization::first_estimate;
   });
   EXPECT_EQ(run.report.ideal_nullity, 1);
   EXPECT_EQ(run.report.information.nullity(), 1);
@@ -125,19 +125,19 @@ TEST(ObservabilityWatch, OneAnchorLeavesTheHeadingUnobservable) {
 
 TEST(ObservabilityWatch, ReportsUncoveredFilters) {
   const Watched from_vehicle =
-      drive(20, [](PlanarSlamSettings& s, const RangeRecording&) { s.filter.map_frame = "vehicle"; });
+      drive(20, [](PlanarSlamSettings& s, const RangeRecording&) { s.filter.map_frame = MapFrame::vehicle; });
   EXPECT_EQ(from_vehicle.report.uncovered, "the map is expressed in the vehicle frame");
   EXPECT_FALSE(heading(from_vehicle.report).estimated_sigma);
   EXPECT_EQ(in_words(from_vehicle.report).size(), 3u);
   const Watched anchored = drive(20, [](PlanarSlamSettings& s, const RangeRecording& r) {
-    s.filter.map_frame = "vehicle";
+    s.filter.map_frame = MapFrame::vehicle;
     s.filter.anchors = {r.landmarks[0].position, r.landmarks[1].position};
   });
   EXPECT_EQ(in_words(anchored.report)[0], "position: observable with 2 anchors");
-  for (const char* how : {"everything", "map", "map-linear"}) {
+  for (const auto how : {Decorrelation::everything, Decorrelation::map, Decorrelation::map_linear}) {
     const Watched dropped =
         drive(5, [&](PlanarSlamSettings& s, const RangeRecording&) { s.filter.decorrelate = how; });
-    EXPECT_EQ(dropped.report.uncovered, "the filter decorrelates its map") << how;
+    EXPECT_EQ(dropped.report.uncovered, "the filter decorrelates its map") << static_cast<int>(how);
   }
 }
 

@@ -33,8 +33,9 @@ class TimedPosition : public Scratch {
  public:
   TimedPosition() {
     write("small.toml",
-          "[run]\nworld = \"points\"\nsensor = \"range-bearing\"\nrate_hz = 10\nduration_s = 2\n"
-          "[vehicle]\nmodel = \"differential-drive\"\nsensor_forward_m = 0.3\nsensor_left_m = 0\n");
+          "[world]\ntype = \"points\"\n[sensor]\ntype = \"range-bearing\"\n[run]\n"
+          "rate_hz = 10\nduration_s = 2\n[vehicle]\nmodel = \"differential-drive\"\n"
+          "sensor_forward_m = 0.3\nsensor_left_m = 0\n");
   }
 
   Words words(const Words& more, const char* out = "c") const {
@@ -222,7 +223,7 @@ TEST(ProgramCampaign, RepairsBrokenFilesAndKeepsForeignOnes) {
 
 TEST(ProgramCampaign, CountsFailedRuns) {
   const TimedPosition place;
-  const Words what = {"--seeds", "1..5", "--vary", "vehicle_lost.max_sigma_position_m=10,0.011"};
+  const Words what = {"--seeds", "1..5", "--vary", "health.max_sigma_position_m=10,0.011"};
   const Ended ended = place.campaign(what);
   EXPECT_EQ(ended.code, 0) << ended.err;
   const Json answer = Json::parse(place.read("campaign.json"));
@@ -417,7 +418,7 @@ TEST(ProgramCampaign, RefusesInvalidArgumentsBeforeAnyRun) {
       {{"--vary", "run.duration_s=1,2", "--duration", "3"}, "set the same"},
       {{"--vary", "run.seed=1,2"}, "--seeds"},
       {{"--set", "run.seed=1"}, "--seeds"},
-      {{"--vary", "decision.strategy=none,mutual-information"}, "means nothing with"},
+      {{"--vary", "decision.strategy=none,mutual-information"}, "belongs to `controller.law = \"active\"`"},
       {{"--seeds", "5..1"}, "is decreasing"},
       {{"--seeds", "1..3,2"}, "2 occurs twice"},
       {{"--seeds", ""}, "is not a seed"},
@@ -450,7 +451,7 @@ TEST(ProgramCampaign, RefusesInvalidArgumentsBeforeAnyRun) {
 TEST(ProgramCampaign, LeavesNothingIfNoRunCanStart) {
   const TimedPosition place;
   place.write("recorded.toml",
-              "[run]\nworld = \"recording\"\n[recording]\nfolder = \"nowhere\"\n[start]\nfrom = \"free\"\n");
+              "[world]\ntype = \"recording\"\n[recording]\nfolder = \"nowhere\"\n[start]\nfrom = \"free\"\n");
   const std::size_t before = testing::everything_in(place.folder()).size();
   const Ended ended =
       testing::incognita({"campaign", "recorded.toml", "--seeds", "1..3", "--out", "a/b"}, place.folder());
@@ -463,7 +464,7 @@ TEST(ProgramCampaign, WarnsIfSeedsHaveNoEffect) {
   const TimedPosition place;
   Words still = {"--seeds", "1..2", "--set", "points.file=points.csv"};
   for (const char* noise : {"plant.sigma_speed_m_s", "plant.sigma_turn_rate_rad_s", "plant.sigma_range_m",
-                            "plant.sigma_bearing_rad", "team.sigma_position_m", "team.sigma_heading_rad"})
+                            "plant.sigma_bearing_rad", "start.sigma_position_m", "start.sigma_heading_rad"})
     still.insert(still.end(), {"--set", std::string(noise) + "=0"});
   place.write("points.csv", "id,x,y\n1,5,1\n2,6,-3\n");
   const Ended ended = place.campaign(still);
@@ -494,7 +495,7 @@ TEST(ProgramCampaign, RefusesAnUnknownMeasureAfterTheFirstRun) {
 TEST(ProgramCampaign, AcceptsAMeasureOfTheLastVariantOnly) {
   const TimedPosition place;
   const Words what = {"--seeds", "1..3",   "--jobs",
-                      "1",       "--vary", "team.positions_m=[[0, 0, 0]],[[0, 0, 0], [2, 0, 0]]"};
+                      "1",       "--vary", "start.positions_m=[[0, 0, 0]],[[0, 0, 0], [2, 0, 0]]"};
   Words right = what, wrong = what;
   right.insert(right.end(), {"--measure", "vehicles.2.ate_m"});
   wrong.insert(wrong.end(), {"--measure", "vehicles.3.ate_m"});
@@ -511,7 +512,7 @@ TEST(ProgramCampaign, AFailedRunDoesNotDetermineTheMeasures) {
   const TimedPosition place;
   // every run of this campaign is lost
   const Ended ended = place.campaign({"--seeds", "1..5", "--jobs", "1", "--measure", "ate", "--set",
-                                      "vehicle_lost.max_sigma_position_m=0.011"});
+                                      "health.max_sigma_position_m=0.011"});
   EXPECT_EQ(ended.code, 2);
   EXPECT_SAYS(ended.err, "--measure ate: ");
   EXPECT_EQ(place.results().size(), 5u) << "only after the last run";
@@ -609,9 +610,9 @@ TEST(ProgramCampaign, RefusesTheFolderOfAnotherCampaign) {
 TEST(ProgramCampaign, RefusesTheSameFolderWithAnotherTerrain) {
   const TimedPosition place;
   place.write("hills.toml",
-              "[run]\nworld = \"points\"\nsensor = \"camera\"\nrate_hz = 10\nduration_s = 0.5\n"
-              "[vehicle]\nmodel = \"terrain\"\n"
-              "[terrain]\nkind = \"image\"\nfile = \"hills.pgm\"\nsize_m = 30\nheight_m = 0.1\n");
+              "[world]\ntype = \"points\"\n[sensor]\ntype = \"camera\"\n[run]\nrate_hz = 10\n"
+              "duration_s = 0.5\n[vehicle]\nmodel = \"terrain\"\n[terrain]\ntype = \"image\"\n"
+              "file = \"hills.pgm\"\nsize_m = 30\nheight_m = 0.1\n");
   const auto over = [&](const std::string& heights) {
     place.write("hills.pgm", "P2\n4 4\n255\n" + heights);
     return testing::incognita({"campaign", "hills.toml", "--seeds", "1..2", "--out", "c"}, place.folder());

@@ -19,20 +19,24 @@ using testing::Ended;
 using testing::Scratch;
 using testing::Words;
 
-constexpr const char* scenario = R"([run]
-world = "recording"
-sensor = "range-bearing"
+constexpr const char* scenario = R"([world]
+type = "recording"
+
+[sensor]
+type = "range-bearing"
+sigma_range_m = 0.1
+sigma_bearing_rad = 0.1
+
 [recording]
 folder = "FOLDER"
+
 [vehicle]
 model = "differential-drive"
 sensor_forward_m = 0
 sensor_left_m = 0
 sigma_speed_m_s = 0.1
 sigma_turn_rate_rad_s = 0.1
-[ranges]
-sigma_range_m = 0.1
-sigma_bearing_rad = 0.1
+
 [association]
 method = "known"
 gate_probability = 0.999999
@@ -75,8 +79,9 @@ class ProgramRanges : public ::testing::Test {
   /// A scenario that declares the drive to be that of a car.
   std::string write_car() {
     scratch_.write("car.toml",
-                   "[run]\nworld = \"recording\"\nsensor = \"range-bearing\"\n[recording]\nfolder = \"" +
-                       drive().string() + "\"\n[vehicle]\nmodel = \"ackermann\"\n");
+                   "[world]\ntype = \"recording\"\n[sensor]\ntype = \"range-bearing\"\n[recording]\n"
+                   "folder = \"" +
+                       drive().string() + "\"\n\n[vehicle]\nmodel = \"ackermann\"\n");
     return "car.toml";
   }
   /// Replaces a line of a table, counted from 1.
@@ -121,7 +126,7 @@ TEST_F(ProgramRanges, ALateTruthIsComparedFromItsStart) {
     if (n == 0 || std::stod(line) > 10) late += line + "\n";
   std::ofstream(drive() / "truth.csv", std::ios::binary) << late;
   const auto landmark = drive_planar_loop({}, 5).landmarks[0].position;
-  const Ended ended = go({"--set", "vehicle_filter.anchors_m=[[" + std::to_string(landmark.x()) + ", " +
+  const Ended ended = go({"--set", "estimator.anchors_m=[[" + std::to_string(landmark.x()) + ", " +
                                        std::to_string(landmark.y()) + "]]"});
   ASSERT_EQ(ended.code, 0) << ended.err;
   const auto summary = testing::summary_of(run());
@@ -133,7 +138,7 @@ TEST_F(ProgramRanges, ALateTruthIsComparedFromItsStart) {
 
 TEST_F(ProgramRanges, AnchorsMakeErrorsAbsolute) {
   const auto landmark = drive_planar_loop({}, 5).landmarks[0].position;  // relative to the start
-  const Ended ended = go({"--set", "vehicle_filter.anchors_m=[[" + std::to_string(landmark.x()) + ", " +
+  const Ended ended = go({"--set", "estimator.anchors_m=[[" + std::to_string(landmark.x()) + ", " +
                                        std::to_string(landmark.y()) + "]]"});
   ASSERT_EQ(ended.code, 0) << ended.err;
   const auto summary = testing::summary_of(run());
@@ -156,16 +161,16 @@ TEST_F(ProgramRanges, ReportsSpuriousInformation) {
       go().err,
       "position: unobservable\nheading: unobservable, but the filter has spurious information from measurements: sigma ");
   EXPECT_EQ(testing::summary_of(run())["observability"]["wrongly_believed"], 1);
-  const Ended better = go({"--set", "vehicle_filter.lineariser=first-estimate"});
+  const Ended better = go({"--set", "estimator.linearization=first-estimate"});
   EXPECT_SAYS(better.err, "position: unobservable\nheading: unobservable\n");
   EXPECT_EQ(testing::summary_of(run())["observability"]["wrongly_believed"], 0);
 }
 
 TEST_F(ProgramRanges, EveryFilterRuns) {
-  for (const char* set : {"vehicle_filter.lineariser=iterated", "vehicle_filter.lineariser=unscented-vehicle",
-                          "vehicle_filter.lineariser=first-estimate", "vehicle_filter.map_frame=vehicle",
-                          "vehicle_filter.decorrelate=everything", "vehicle_filter.decorrelate=map",
-                          "vehicle_filter.decorrelate=map-linear", "vehicle_filter.use_fixes=true"}) {
+  for (const char* set : {"estimator.linearization=iterated", "estimator.linearization=unscented-vehicle",
+                          "estimator.linearization=first-estimate", "estimator.map_frame=vehicle",
+                          "estimator.decorrelate=everything", "estimator.decorrelate=map",
+                          "estimator.decorrelate=map-linear", "estimator.use_fixes=true"}) {
     const Ended ended = go({"--set", set});
     EXPECT_EQ(ended.code, 0) << set << ": " << ended.err;
     EXPECT_LT(testing::summary_of(run())["ate_m"], 1.5) << set;
@@ -207,7 +212,7 @@ TEST_F(ProgramRanges, RefusesKnownAssociationWithoutIdentities) {
 }
 
 TEST_F(ProgramRanges, RefusesAnAnchorWithoutADetection) {
-  EXPECT_SAYS(refused({"--set", "vehicle_filter.anchors_m=[[100, 100]]"}).err, "vehicle_filter.anchors_m");
+  EXPECT_SAYS(refused({"--set", "estimator.anchors_m=[[100, 100]]"}).err, "estimator.anchors_m");
 }
 
 TEST_F(ProgramRanges, RefusesADurationWithoutAScan) {
@@ -218,34 +223,31 @@ TEST_F(ProgramRanges, RefusesADurationWithoutAScan) {
 
 TEST_F(ProgramRanges, RefusesSettingsOfOtherVehiclesAndMethods) {
   EXPECT_SAYS(refused({"--set", "vehicle.wheelbase_m=3"}).err,
-              "means nothing with vehicle.model = `differential-drive`");
+              "`vehicle.wheelbase_m` belongs to `vehicle.model = \"ackermann\"`");
   EXPECT_SAYS(refused({"--set", "association.max_nodes=3"}).err,
-              "means nothing with association.method = `known`");
-  EXPECT_SAYS(refused({"--set", "run.rate_hz=3"}).err, "means nothing with a recording");
+              "`association.max_nodes` belongs to `association.method = \"joint\"`");
+  EXPECT_SAYS(refused({"--set", "run.rate_hz=3"}).err, "`run.rate_hz` belongs to `world.type = ");
 }
 
 TEST_F(ProgramRanges, RefusesCameraSettings) {
   const Ended ended = refused({"--set", "camera.fu_px=200"});
   EXPECT_SAYS(ended.err, "camera.fu_px");
-  EXPECT_SAYS(ended.err, "means nothing with run.sensor = `range-bearing`");
+  EXPECT_SAYS(ended.err, "belongs to `sensor.type = \"camera\"`; here `sensor.type = \"range-bearing\"`");
 }
 
 TEST_F(ProgramRanges, RefusesIncompatibleFilterOptions) {
   EXPECT_SAYS(
-      refused({"--set", "vehicle_filter.map_frame=vehicle", "--set", "vehicle_filter.decorrelate=map"}).err,
-      "vehicle_filter.decorrelate");
-  EXPECT_SAYS(refused({"--set", "vehicle_filter.map_frame=vehicle", "--set",
-                       "vehicle_filter.lineariser=first-estimate"})
-                  .err,
-              "vehicle_filter.lineariser");
+      refused({"--set", "estimator.map_frame=vehicle", "--set", "estimator.linearization=first-estimate"})
+          .err,
+      "estimator.linearization");
   EXPECT_SAYS(refused({"--set", "recording.format=tum"}).err, "recording.format");
-  EXPECT_SAYS(refused({"--set", "run.world=room"}).err, "run.world");
+  EXPECT_SAYS(refused({"--set", "world.type=room"}).err, "world.type");
   EXPECT_SAYS(refused({"--save-frames"}).err, "--save-frames");
 }
 
 TEST_F(ProgramRanges, ReportsACappedJointSearch) {
   const Ended ended = go({"--set", "association.method=joint", "--set", "association.max_nodes=1", "--set",
-                          "association.birth_probability=0.9999999"});
+                          "association.initialization_probability=0.9999999"});
   EXPECT_SAYS(bytes_of(run() / "series.csv"), "degraded");
 }
 
@@ -259,7 +261,7 @@ TEST_F(ProgramRanges, ChecksAScenario) {
   EXPECT_EQ(ended.code, 0) << ended.err;
   EXPECT_SAYS(ended.out, "61 scans");
   const Ended json = testing::incognita({"config", "s.toml", "--json"}, scratch_.folder());
-  EXPECT_SAYS(json.out, "vehicle_filter.anchors_m");
+  EXPECT_SAYS(json.out, "estimator.anchors_m");
   EXPECT_SILENT_ON(json.out, "camera.fu_px");
 }
 
@@ -340,7 +342,7 @@ TEST_F(ProgramRanges, MirroredBearingsRejectedByTheGateAreOverconfident) {
     for (Detection& d : scan.detections) d.bearing_rad = -d.bearing_rad;
   write_drive(mirrored);
   const Ended ended =
-      go({"--set", "ranges.sigma_range_m=0.02", "--set", "ranges.sigma_bearing_rad=0.02", "--set",
+      go({"--set", "sensor.sigma_range_m=0.02", "--set", "sensor.sigma_bearing_rad=0.02", "--set",
           "vehicle.sigma_speed_m_s=0.02", "--set", "vehicle.sigma_turn_rate_rad_s=0.02"});
   EXPECT_SAYS(ended.out, "consistency  overconfident");
   EXPECT_SAYS(ended.out, "of the measurements are outside their gates");

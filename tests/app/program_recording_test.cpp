@@ -51,8 +51,8 @@ class ProgramRecording : public ::testing::Test {
     while (const Tick tick = clock.next())
       images_.push_back(camera.measure(world.move({}, tick), tick).bodies.at(0).images.at(0));
     scratch_.write("s.toml",
-                   "[run]\nworld = \"recording\"\n[recording]\nfolder = \"" + images().string() +
-                       "\"\n[start]\ntarget = \"targets/sheet.toml\"\n[decision]\nstrategy = \"none\"\n");
+                   "[world]\ntype = \"recording\"\n[recording]\nfolder = \"" + images().string() +
+                       "\"\n\n[start]\ntarget = \"targets/sheet.toml\"\n[decision]\nstrategy = \"none\"\n");
   }
 
   std::filesystem::path images() const { return scratch_.folder() / "images"; }

@@ -91,7 +91,7 @@ int matches_with(const std::filesystem::path& run, const std::string& kind, cons
 // matched
 TEST(ProgramRun, DepthLinesConvergeToPoints) {
   const Scratch scratch;
-  const Words lines = {"--set", "birth.method=depth-line"};
+  const Words lines = {"--set", "landmark_initialization.method=depth-line"};
   ASSERT_EQ(testing::incognita(room_for("10", "run", lines), scratch.folder()).code, 0);
   const auto run = scratch.folder() / "run";
   const nlohmann::json summary = testing::summary_of(run);
@@ -125,7 +125,7 @@ double nearest_matches(const std::filesystem::path& run) {
 // One corner mapped twice would count its information twice
 TEST(ProgramRun, NoCornerIsMappedTwice) {
   const Scratch scratch;
-  const Words many = {"--set", "birth.max_new_per_frame=5"};
+  const Words many = {"--set", "landmark_initialization.max_new_per_frame=5"};
   ASSERT_EQ(testing::incognita(room_for("8", "run", many), scratch.folder()).code, 0);
   const double nearest = nearest_matches(scratch.folder() / "run");
   EXPECT_GT(nearest, 2.5);

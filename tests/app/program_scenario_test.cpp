@@ -32,8 +32,8 @@ TEST(ProgramScenario, RefusesWhatIsInTheFile) {
       {"[run]\nduration_s = nan\n", {"s.toml:2: run.duration_s = nan: must be finite"}},
       {"[run]\nduration_s = -inf\n", {"s.toml:2: run.duration_s = -inf: must be finite"}},
       {"[run]\nrate_hz = \"30\"\n", {"s.toml:2: run.rate_hz = \"30\": must be a number", "and is a text"}},
-      {"[run]\nworld = \"rom\"\n",
-       {"s.toml:2: run.world = \"rom\": must be `room`, `points` or `recording`", "nearest is `room`"}},
+      {"[world]\ntype = \"rom\"\n",
+       {"s.toml:2: world.type = \"rom\": must be `room`, `points` or `recording`", "nearest is `room`"}},
       {"[room]\nsize_m = [6, 6]\n", {"s.toml:2: room.size_m = [6, 6]: must be a list of three numbers"}},
       {"[run]\nseed = 1\nseed = 2\n", {"s.toml:3: not valid TOML: "}},
       {"[run\n", {"s.toml:1: not valid TOML: "}},
@@ -69,7 +69,7 @@ TEST(ProgramScenario, RefusesTheSameFromTheCommandLine) {
       {"run.duration_s=inf", "--set: run.duration_s = inf: must be finite"},
       {"run.rate_hz=fast", "--set: run.rate_hz = fast: must be a number"},
       {"room.size_m=[6, 6]", "--set: room.size_m = [6, 6]: must be a list of three numbers"},
-      {"run.world=rom", "the nearest is `room`"},
+      {"world.type=rom", "the nearest is `room`"},
       {"run.seed=1]\n[run", "--set: run.seed = 1]"},
       {"run.seed=99999999999999999999", "run.seed = 99999999999999999999: must"},
   };
@@ -99,7 +99,7 @@ TEST(ProgramScenario, RefusesRoomsThatCannotBe) {
   const Scratch scratch;
   for (const char* set :
        {"room.boxes=1000", "room.boxes=-1", "room.size_m=[100, 100, 100]", "room.size_m=[1.9, 6, 2.5]",
-        "room.sigma_image_grey=255", "room.clearance_m=1", "room.start_position_m=[9, 0, 1]"})
+        "room.sigma_image_gray=255", "room.clearance_m=1", "room.start_position_m=[9, 0, 1]"})
     expect_refused(scratch, {"room", "--set", set}, {std::string("--set: ") + std::string(set).substr(0, 9)});
   expect_refused(scratch, {"room", "--set", "run.rate_hz=10000", "--set", "run.duration_s=1e7"},
                  {"at most 1e+09 frames"});

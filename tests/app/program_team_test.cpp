@@ -109,10 +109,11 @@ class RecordedTeamWithGaps : public ::testing::Test {
   RecordedTeamWithGaps() {
     team_.write(scratch_, "recording");
     scratch_.write("s.toml",
-                   "[run]\nworld = \"recording\"\nsensor = \"range-bearing\"\n[recording]\nfolder = \"" +
+                   "[world]\ntype = \"recording\"\n[sensor]\ntype = \"range-bearing\"\n[recording]\n"
+                   "folder = \"" +
                        (scratch_.folder() / "recording").string() +
-                       "\"\nformat = \"mrclam\"\nteam = true\n[vehicle]\nmodel = \"differential-drive\"\n"
-                       "sigma_speed_m_s = 0.1\nsigma_turn_rate_rad_s = 0.1\n[ranges]\nsigma_range_m = 0.1\n"
+                       "\"\nformat = \"mrclam\"\nteam = true\n\n[vehicle]\nmodel = \"differential-drive\"\n"
+                       "sigma_speed_m_s = 0.1\nsigma_turn_rate_rad_s = 0.1\n[sensor]\nsigma_range_m = 0.1\n"
                        "sigma_bearing_rad = 0.05\n");
   }
 
@@ -194,9 +195,9 @@ TEST_F(RecordedTeamWithGaps, EvaluateRefusesOneTruthForSeveralRobots) {
 TEST(ProgramTeam, DecidesAndReportsItsScores) {
   const Scratch scratch;
   std::ostringstream text;
-  text << "[run]\nworld = \"points\"\nsensor = \"range-bearing\"\nrate_hz = 10\nduration_s = "
-          "5\n[vehicle]\nmodel = "
-          "\"differential-drive\"\nsensor_forward_m = 0.3\nsensor_left_m = 0\n[steer]\nlaw = \"active\"\n";
+  text << "[world]\ntype = \"points\"\n[sensor]\ntype = \"range-bearing\"\n[run]\n"
+          "rate_hz = 10\nduration_s = 5\n[vehicle]\nmodel = \"differential-drive\"\n"
+          "sensor_forward_m = 0.3\nsensor_left_m = 0\n[controller]\nlaw = \"active\"\n";
   scratch.write("active.toml", text.str());
   const Ended ended =
       testing::incognita({"run", "active.toml", "--out", "run", "--no-figures"}, scratch.folder());
@@ -216,11 +217,11 @@ TEST(ProgramTeam, RefusesInvalidSettingsAndLeavesNothing) {
     EXPECT_FALSE(std::filesystem::exists(scratch.folder() / "run"));
   };
   refused({"vehicle.sensor_forward_m=0"}, "axle");
-  refused({"steer.gain_per_s=[40]"}, "gain");
-  refused({"steer.gain_per_s=[1,2,3]"}, "1 number or 2");
-  refused({"team.positions_m=[[0, 0, 2]]"}, "a z of 0");
+  refused({"controller.gain_per_s=[40]"}, "gain");
+  refused({"controller.gain_per_s=[1,2,3]"}, "1 number or 2");
+  refused({"start.positions_m=[[0, 0, 2]]"}, "a z of 0");
   refused({"path.radius_m=70"}, "m/s");
-  refused({"run.sensor=stereo", "ranges.max_range_m=3"}, "means nothing with run.sensor");
+  refused({"sensor.type=stereo", "sensor.max_range_m=3"}, "`sensor.max_range_m` belongs to `sensor.type = ");
 }
 
 TEST(ProgramTeam, ChecksAScenarioWithoutRunningIt) {

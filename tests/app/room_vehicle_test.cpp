@@ -3,7 +3,6 @@
 
 #include "incognita/analysis/evaluation/pose_consistency.hpp"
 #include "incognita/app/loop/assemble_room_vehicle.hpp"
-#include "incognita/io/scenario/settings.hpp"
 #include "incognita/messages/errors.hpp"
 #include "tests/scratch.hpp"
 
@@ -51,7 +50,7 @@ TEST(RoomVehicle, LocalizesByImagesOnUnevenGround) {
 
 TEST(RoomVehicle, OdometryReducesTheSpeedSigma) {
   const Ran images = drive({"run.duration_s=4"}),
-            wheels = drive({"run.duration_s=4", "filter.odometry=true"});
+            wheels = drive({"run.duration_s=4", "estimator.use_odometry=true"});
   EXPECT_EQ(wheels.lost, 0);
   EXPECT_LT(wheels.rms_m, 0.05);
   EXPECT_LT(wheels.sigma_speed, 0.7 * images.sigma_speed);
@@ -84,13 +83,13 @@ TEST(RoomVehicle, AvoidsWalls) {
   const testing::Scratch scratch;
   const auto straight_on = [&](const std::string& obstacle_avoidance) {
     const std::string text =
-        "[run]\nduration_s = 9\nrate_hz = 15\n[vehicle]\nmodel = \"terrain\"\n[start]\nfrom = "
-        "\"free\"\n[mount]\nup_m = 1.2\nyaw_rad = 1.57\n[terrain]\namplitude_m = 0.03\n[room]\nclearance_m = "
-        "0.3\n[steer]\ninput = [0.5, 0]\n";
+        "[run]\nduration_s = 9\nrate_hz = 15\n[vehicle]\nmodel = \"terrain\"\n[start]\n"
+        "from = \"free\"\n[mount]\nup_m = 1.2\nyaw_rad = 1.57\n[terrain]\n"
+        "amplitude_m = 0.03\n[room]\nclearance_m = 0.3\n[controller]\ninput = [0.5, 0]\n";
     return run(load_scenario(scratch.write("mine.toml", text + obstacle_avoidance).string())).farthest_m;
   };
-  EXPECT_GT(straight_on("keep_clear_m = 0.9"), 2) << "it never came near the wall";
-  EXPECT_LT(straight_on("keep_clear_m = 0.9"), 3 - 0.3 - 0.03);
+  EXPECT_GT(straight_on("avoidance_distance_m = 0.9"), 2) << "it never came near the wall";
+  EXPECT_LT(straight_on("avoidance_distance_m = 0.9"), 3 - 0.3 - 0.03);
   EXPECT_GT(straight_on(""), 3 - 0.3 - 0.03) << "it reaches the wall without avoidance";
 }
 

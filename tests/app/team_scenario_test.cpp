@@ -11,11 +11,10 @@
 #include "incognita/app/loop/assemble_team.hpp"
 #include "incognita/app/loop/association_score.hpp"
 #include "incognita/app/loop/loop.hpp"
-#include "incognita/io/scenario/settings.hpp"
-#include "incognita/io/scenario/team_setting_list.hpp"
 #include "incognita/math/random.hpp"
 #include "incognita/messages/errors.hpp"
 #include "incognita/models/any_sensor.hpp"
+#include "tests/merged_toml.hpp"
 #include "tests/scratch.hpp"
 
 namespace incognita {
@@ -39,7 +38,7 @@ Ran run(const LoadedScenario& loaded) {
 
 LoadedScenario load(const std::string& text, const std::vector<std::string>& sets = {}) {
   const Scratch scratch;
-  return load_scenario(scratch.write("s.toml", text).string(), sets);
+  return load_scenario(scratch.write("s.toml", testing::merged_toml(text)).string(), sets);
 }
 
 std::string complaint(const std::string& text, const std::vector<std::string>& sets = {}) {
@@ -82,24 +81,24 @@ struct Choice {
 };
 
 std::string steer_of(const Choice& c) {
-  const std::string law = "[steer]\nlaw = \"" + c.law + "\"\n";
+  const std::string law = "[controller]\nlaw = \"" + c.law + "\"\n";
   if (c.law == "none")
     return law + (c.line()   ? "input = [0.1]\n"
                   : c.body() ? "input = [0.1, 0, 0, 0, 0.1, 0]\n"
                              : "input = [0.5, 0.1]\n");
   if (c.law == "active") return law;
   if (c.line() || c.law == "lqg")
-    return law + "[path]\nkind = \"point\"\ncentre_m = " +
+    return law + "[path]\ntype = \"point\"\nposition_m = " +
            (c.line()   ? "[2, 0, 0]\n"
             : c.body() ? "[2, 0.5, 1]\n"
                        : "[2, 0.5, 0]\n");
-  if (c.body()) return law + "[path]\nkind = \"back-and-forth\"\ncentre_m = [0, 0, 1]\nradius_m = 1.5\n";
-  return law + "[path]\nkind = \"circle\"\nradius_m = 4\nrate_rad_s = 0.12\n";
+  if (c.body()) return law + "[path]\ntype = \"back-and-forth\"\ncenter_m = [0, 0, 1]\nradius_m = 1.5\n";
+  return law + "[path]\ntype = \"circle\"\nradius_m = 4\nrate_rad_s = 0.12\n";
 }
 
 std::string text_of(const Choice& c) {
-  std::string text = "[run]\nworld = \"points\"\nsensor = \"" + c.sensor_word() +
-                     "\"\nrate_hz = 20\nduration_s = 3\n[vehicle]\nmodel = \"" + c.motion + "\"\n";
+  std::string text = "[run]\nrate_hz = 20\nduration_s = 3\n[world]\ntype = \"points\"\n[sensor]\ntype = \"" +
+                     c.sensor_word() + "\"\n[vehicle]\nmodel = \"" + c.motion + "\"\n";
   for (const auto& [key, value] : {std::pair{"sensor_forward_m", "0.4"},
                                    {"sensor_left_m", "0"},
                                    {"wheelbase_m", "1"},
@@ -109,14 +108,14 @@ std::string text_of(const Choice& c) {
   if (c.sensor == "pinhole") text += "[camera]\nmodel = \"pinhole\"\n";
   if (c.sensor != "wide-angle" && c.sensor != "pinhole" &&
       !measures_distance(make_sensor(c.sensor, c.traits())))
-    text += "[birth]\ninverse_depth_per_m = 0.15\nsigma_inverse_depth_per_m = 0.15\n";
-  text += c.body() ? "[team]\npositions_m = [[-1.5, 0, 1]]\n" : "[team]\npositions_m = [[-2, 0, 0]]\n";
+    text += "[landmark_initialization]\ninverse_depth_per_m = 0.15\nsigma_inverse_depth_per_m = 0.15\n";
+  text += c.body() ? "[start]\npositions_m = [[-1.5, 0, 1]]\n" : "[start]\npositions_m = [[-2, 0, 0]]\n";
   return text + "[points]\ncount = 40\nsize_m = [12, 12, 2.5]\nknown = 8\n" + steer_of(c);
 }
 
 using Words = std::tuple<std::string, std::string, const char*>;
 
-/// Of run.sensor, a camera with either lens.
+/// Of sensor.type, a camera with either lens.
 std::vector<std::string> sensors_and_lenses() {
   std::vector<std::string> words{"wide-angle", "pinhole"};
   for (const std::string& word : sensor_words())
@@ -130,7 +129,7 @@ TEST_P(Blocks, RunOrAreRefusedWithTheReason) {
   const Choice c{std::get<0>(GetParam()), std::get<1>(GetParam()), std::get<2>(GetParam())};
   if (!c.sees() || !c.steers()) {
     const std::string why = complaint(text_of(c));
-    EXPECT_NE(why.find(c.sees() ? "steer.law = " : "run.sensor = "), std::string::npos) << why;
+    EXPECT_NE(why.find(c.sees() ? "controller.law = " : "sensor.type = "), std::string::npos) << why;
     EXPECT_GT(why.size(), 60u) << why;
     return;
   }
@@ -157,10 +156,10 @@ std::string name_of(const ::testing::TestParamInfo<Words>& info) {
 INSTANTIATE_TEST_SUITE_P(
     All, Blocks,
     ::testing::Combine(::testing::ValuesIn(motion_names()), ::testing::ValuesIn(sensors_and_lenses()),
-                       ::testing::Values("none", "tracking", "lqg", "feedback-linearisation", "active")),
+                       ::testing::Values("none", "tracking", "lqg", "feedback-linearization", "active")),
     name_of);
 
-const std::string drive = text_of({"differential-drive", "range-bearing", "feedback-linearisation"});
+const std::string drive = text_of({"differential-drive", "range-bearing", "feedback-linearization"});
 
 TEST(TeamScenario, RefusesAtStartWithTheReason) {
   const auto refused = [&](const std::vector<std::string>& sets, const char* key, const char* because) {
@@ -171,52 +170,58 @@ TEST(TeamScenario, RefusesAtStartWithTheReason) {
   refused({"vehicle.sensor_forward_m=0"}, "vehicle.sensor_forward_m", "axle");
   refused({"vehicle.sensor_forward_m=1e-9"}, "vehicle.sensor_forward_m", "axle");
   refused({"points.known=41"}, "points.known", "points.count");
-  refused({"team.positions_m=[[0, 0, 1]]"}, "team.positions_m", "z of 0");
-  refused({"team.sigma_position_m=100"}, "team.sigma_position_m", "lost");
-  refused({"steer.gain_per_s=[40]"}, "steer.law", "gain");
-  refused({"steer.gain_per_s=[-1]"}, "steer.law", "gain");
-  refused({"steer.gain_per_s=[1, 1, 1]"}, "steer.gain_per_s", "1 number or 2");
+  refused({"start.positions_m=[[0, 0, 1]]"}, "start.positions_m", "z of 0");
+  refused({"start.sigma_position_m=100"}, "start.sigma_position_m", "lost");
+  refused({"controller.gain_per_s=[40]"}, "controller.law", "gain");
+  refused({"controller.gain_per_s=[-1]"}, "controller.law", "gain");
+  refused({"controller.gain_per_s=[1, 1, 1]"}, "controller.gain_per_s", "1 number or 2");
   refused({"path.rate_rad_s=0"}, "path.rate_rad_s", "must not be 0");
-  refused({"path.rate_rad_s=3"}, "steer.law", "m/s");
-  refused({"team.positions_m=[]"}, "team.positions_m", "one for each vehicle");
-  refused({"team.headings_rad=[0, 1]"}, "team.headings_rad", "one for each vehicle");
+  refused({"path.rate_rad_s=3"}, "controller.law", "m/s");
+  refused({"start.positions_m=[]"}, "start.positions_m", "one for each vehicle");
+  refused({"start.headings_rad=[0, 1]"}, "start.headings_rad", "one for each vehicle");
   refused({"path.offsets_m=[[0, 0, 0], [1, 1, 0]]"}, "path.offsets_m", "one for each vehicle");
-  refused({"team_filter.lineariser=linear"}, "team_filter.lineariser", "nearest");
-  refused({"plant.motion=terrain"}, "plant.motion", "tilts");
+  refused({"estimator.linearization=linear"}, "estimator.linearization", "nearest");
+  refused({"plant.motion=terrain"}, "`plant.motion` belongs to", "sensor.type");
   refused({"run.rate_hz=10000", "run.duration_s=1e7"}, "run.duration_s", "ticks");
-  refused({"association.method=nearest", "association.birth_probability=0.9"},
-          "association.birth_probability", "what is inside its gate is no new one");
-  refused({"points.file=nowhere.csv"}, "points.count", "means nothing with points.file");
+  refused({"association.method=nearest", "association.initialization_probability=0.9"},
+          "association.initialization_probability", "inside the gate of a landmark");
+  refused({"points.file=nowhere.csv"}, "`points.count` belongs to", "points.file = \"nowhere.csv\"");
 }
 
 TEST(TeamScenario, RefusesVehiclesThatSeeEachOtherInOnePlace) {
-  const std::string why = complaint(drive, {"team.positions_m=[[0, 0, 0], [3, 0, 0]]"});
+  const std::string why = complaint(drive, {"start.positions_m=[[0, 0, 0], [3, 0, 0]]"});
   EXPECT_NE(why.find("path.offsets_m"), std::string::npos) << why;
-  EXPECT_NE(why.find("team.sees_team"), std::string::npos) << why;
+  EXPECT_NE(why.find("sensor.measures_vehicles"), std::string::npos) << why;
   const std::string one_place =
-      complaint(drive, {"team.positions_m=[[0, 0, 0], [0, 0, 0]]", "path.offsets_m=[[0, 0, 0], [3, 0, 0]]"});
+      complaint(drive, {"start.positions_m=[[0, 0, 0], [0, 0, 0]]", "path.offsets_m=[[0, 0, 0], [3, 0, 0]]"});
   EXPECT_NE(one_place.find("vehicles 1 and 2 start in one place"), std::string::npos) << one_place;
-  load(drive, {"team.positions_m=[[0, 0, 0], [3, 0, 0]]", "team.sees_team=false"});
-  load(drive, {"team.positions_m=[[0, 0, 0], [3, 0, 0]]", "path.offsets_m=[[0, 0, 0], [3, 0, 0]]"});
+  load(drive, {"start.positions_m=[[0, 0, 0], [3, 0, 0]]", "sensor.measures_vehicles=false"});
+  load(drive, {"start.positions_m=[[0, 0, 0], [3, 0, 0]]", "path.offsets_m=[[0, 0, 0], [3, 0, 0]]"});
 }
 
 /// What a filter may believe its vehicle may be, for it is that unless told otherwise.
 TEST(TeamScenario, TruthsFollowBeliefsUpToTheirLimits) {
-  Scenario scenario;
-  const std::vector<Setting> settings = list_settings(scenario);
-  const auto setting = [&](const std::string& key) {
-    return *std::find_if(settings.begin(), settings.end(), [&](const Setting& s) { return s.key == key; });
-  };
-  for (const auto& [truth, belief] : true_noise_defaults()) {
-    EXPECT_LE(setting(belief).allowed.most, setting(truth).allowed.most) << belief;
-    EXPECT_GE(setting(belief).allowed.least, setting(truth).allowed.least) << belief;
-  }
+  int followers = 0;
+  for (const char* vehicle : {"ackermann", "differential-drive", "free-camera"})
+    for (const SettingInForce& setting :
+         load(text_of({vehicle, std::string(vehicle) == "free-camera" ? "wide-angle" : "range-bearing",
+                       "active"}))
+             .settings) {
+      if (!setting.source.starts_with("as ")) continue;
+      ++followers;
+      EXPECT_TRUE(setting.key.starts_with("plant.sigma_") || setting.key == "start.sigma_height_m")
+          << setting.key;
+      EXPECT_EQ(setting.value, setting.default_value) << setting.key;
+    }
+  EXPECT_GE(followers, 18);
+  const std::string why = complaint(drive, {"vehicle.sigma_speed_m_s=0.3", "start.sigma_heading_rad=0.2"});
+  EXPECT_EQ(why, "") << "the limits of the truth are those of the estimator or wider";
 }
 
 TEST(TeamScenario, RefusesTheInputThatIsHeldByItsOwnName) {
   const std::string held = text_of({"differential-drive", "range-bearing", "none"});
-  const std::string why = complaint(held, {"steer.input=[1, 1]", "steer.max_turn_rate_rad_s=0.5"});
-  EXPECT_NE(why.find("steer.input = [1, 1]"), std::string::npos) << why;
+  const std::string why = complaint(held, {"controller.input=[1, 1]", "controller.max_turn_rate_rad_s=0.5"});
+  EXPECT_NE(why.find("controller.input = [1, 1]"), std::string::npos) << why;
 }
 
 TEST(TeamScenario, RefusesTablesWithPlacesThatCanNotBe) {
@@ -232,75 +237,76 @@ TEST(TeamScenario, RefusesTablesWithPlacesThatCanNotBe) {
     }
     return std::string();
   };
-  const std::string off = why("[points]\nfile = \"points.csv\"\n[steer]\nlaw = \"none\"\n");
+  const std::string off = why("[points]\nfile = \"points.csv\"\n[controller]\nlaw = \"none\"\n");
   EXPECT_NE(off.find("landmark 7 is off the plane"), std::string::npos) << off;
   const std::string up =
-      why("[steer]\nlaw = \"feedback-linearisation\"\n[path]\nkind = \"file\"\nfile = \"path.csv\"\n");
+      why("[controller]\nlaw = \"feedback-linearization\"\n[path]\ntype = \"file\"\nfile = \"path.csv\"\n");
   EXPECT_NE(up.find("has z other than 0"), std::string::npos) << up;
 }
 
 TEST(TeamScenario, RefusesGainsAndInputsOfTheWrongLength) {
   const std::string held = text_of({"differential-drive", "range-bearing", "none"}),
                     lqg = text_of({"differential-drive", "range-bearing", "lqg"});
-  EXPECT_NE(complaint(held, {"steer.input=[1, 2, 3]"}).find("steer.input"), std::string::npos);
-  EXPECT_NE(complaint(lqg, {"steer.weight_input=[1, 2, 3]"}).find("1 number or 2"), std::string::npos);
-  EXPECT_NE(complaint(lqg, {"steer.weight_state=[]"}).find("steer.weight_state"), std::string::npos);
-  EXPECT_NE(complaint(lqg, {"steer.weight_input=[-1]"}).find("steer.law"), std::string::npos);
+  EXPECT_NE(complaint(held, {"controller.input=[1, 2, 3]"}).find("controller.input"), std::string::npos);
+  EXPECT_NE(complaint(lqg, {"controller.weight_input=[1, 2, 3]"}).find("1 number or 2"), std::string::npos);
+  EXPECT_NE(complaint(lqg, {"controller.weight_state=[]"}).find("controller.weight_state"),
+            std::string::npos);
+  EXPECT_NE(complaint(lqg, {"controller.weight_input=[-1]"}).find("controller.law"), std::string::npos);
 }
 
 TEST(TeamScenario, RefusesWhatItWouldIgnore) {
   const auto ignored = [&](const std::string& set, const char* with) {
     const std::string why = complaint(drive, {set});
-    EXPECT_NE(why.find("means nothing with"), std::string::npos) << set << ": " << why;
+    EXPECT_NE(why.find(" belongs to "), std::string::npos) << set << ": " << why;
     EXPECT_NE(why.find(with), std::string::npos) << set << ": " << why;
   };
   ignored("vehicle.wheelbase_m=2", "vehicle.model");
-  ignored("camera.fu_px=200", "run.sensor");
-  ignored("room.boxes=3", "run.world");
-  ignored("search.gate_sigmas=2", "run.world");
-  ignored("steer.weight_state=[1]", "steer.law");
-  ignored("steer.max_steering_rad=0.5", "vehicle.model");
-  ignored("path.speed_m_s=1", "path.kind");
+  ignored("camera.fu_px=200", "sensor.type");
+  ignored("room.boxes=3", "world.type");
+  ignored("search.gate_sigmas=2", "world.type");
+  ignored("controller.weight_state=[1]", "controller.law");
+  ignored("controller.max_steering_rad=0.5", "vehicle.model");
+  ignored("path.speed_m_s=1", "path.type");
   ignored("terrain.length_m=3", "vehicle.model");
-  ignored("stereo.baseline_m=0.2", "run.sensor");
-  ignored("decision.step_m=0.2", "steer.law");
-  ignored("association.birth_distance_m=2", "association.method");
-  ignored("association.gate_probability=0.9", "association.method = `known`");
-  ignored("control.gain_velocity_per_s=1", "vehicle.model");
-  ignored("plant.sigma_pixel_px=1", "run.sensor");
+  ignored("sensor.baseline_m=0.2", "sensor.type");
+  ignored("decision.step_m=0.2", "controller.law");
+  ignored("association.initialization_distance_m=2", "association.method");
+  ignored("controller.gain_velocity_per_s=1", "vehicle.model");
+  ignored("plant.sigma_pixel_px=1", "sensor.type");
 }
 
 /// A camera that a vehicle carries over uneven ground, thesis Section 6.4.
 const std::string carried =
-    "[run]\nworld = \"points\"\nsensor = \"camera\"\nrate_hz = 15\nduration_s = 4\n[vehicle]\nmodel = "
-    "\"free-camera\"\n[plant]\nmotion = \"terrain\"\n[terrain]\namplitude_m = 0.1\nlength_m = 3\n[camera]\n"
-    "kd1_per_px2 = 9e-6\n[points]\ncount = 31\nsize_m = [6, 6, 2.5]\nknown = 6\n";
+    "[world]\ntype = \"points\"\n[sensor]\ntype = \"camera\"\n[run]\nrate_hz = 15\n"
+    "duration_s = 4\n[vehicle]\nmodel = \"free-camera\"\n[plant]\nmotion = \"terrain\"\n"
+    "[terrain]\namplitude_m = 0.1\nlength_m = 3\n[camera]\nkd1_per_px2 = 9e-6\n[points]\n"
+    "count = 31\nsize_m = [6, 6, 2.5]\nknown = 6\n";
 
 TEST(TeamScenario, ACarriedCameraRefusesWhatItsCarrierCanNot) {
   const auto refused = [&](const std::string& law, const std::vector<std::string>& sets, const char* why) {
-    const std::string said = complaint(carried + "[steer]\nlaw = \"" + law + "\"\n", sets);
+    const std::string said = complaint(carried + "[controller]\nlaw = \"" + law + "\"\n", sets);
     EXPECT_NE(said.find(why), std::string::npos) << why << ": " << said;
   };
-  refused("tracking", {}, "must be `active`, or `none` with a steer.input");
-  refused("none", {"steer.input=[1, 0, 0, 0, 0, 0]"}, "must have 2 numbers");
-  refused("active", {"decision.step_m=0.2"}, "means nothing with plant.motion = `terrain`");
-  refused("active", {"decision.gaze=fisher"}, "means nothing with plant.motion = `terrain`");
-  refused("active", {"control.max_acceleration_m_s2=1"}, "means nothing with plant.motion = `terrain`");
-  refused("active", {"person.holds=true"}, "means nothing with plant.motion = `terrain`");
-  refused("active", {"decision.accelerations=[[0.5, 0]]"}, "must have [0, 0], to go on as it goes");
+  refused("tracking", {}, "must be `none` or `active`");
+  refused("none", {"controller.input=[1, 0, 0, 0, 0, 0]"}, "must have 2 numbers");
+  refused("active", {"decision.step_m=0.2"}, "here `plant.motion = \"terrain\"`");
+  refused("active", {"decision.gaze=fisher"}, "here `plant.motion = \"terrain\"`");
+  refused("active", {"controller.max_acceleration_m_s2=1"}, "here `plant.motion = \"terrain\"`");
+  refused("active", {"operator.holds=true"}, "here `plant.motion = \"terrain\"`");
+  refused("active", {"decision.accelerations=[[0.5, 0]]"}, "must have [0, 0]: to keep the speed");
   refused("active", {"decision.accelerations=[[0, 0]]", "decision.acceleration_m_s2=1"},
-          "means nothing with decision.accelerations");
-  refused("active", {"team.positions_m=[[0, 0, 1]]"}, "stands on the ground");
+          "belongs to `decision.accelerations = []`");
+  refused("active", {"start.positions_m=[[0, 0, 1]]"}, "is on the ground");
 }
 
 TEST(TeamScenario, ACarriedCameraDrivesAsItIsToldAndKnowsHowSureItIs) {
-  const Ran held = run(load(carried + "[steer]\nlaw = \"none\"\ninput = [0.2, 0.1]\n"));
+  const Ran held = run(load(carried + "[controller]\nlaw = \"none\"\ninput = [0.2, 0.1]\n"));
   const SnapshotVehicle& v = held.last.vehicles.front();
   EXPECT_NEAR(v.truth->position.head<2>().norm(), 0.8, 0.25)
       << "4 s at 0.2 m/s, by a camera 0.6 m over ground that tilts it";
   EXPECT_LT((v.truth->position - v.estimate.position).norm(), 0.2);
   EXPECT_EQ(v.input.size(), 2);
-  const Ran active = run(load(carried + "[steer]\nlaw = \"active\"\n"));
+  const Ran active = run(load(carried + "[controller]\nlaw = \"active\"\n"));
   EXPECT_EQ(active.last.decision.actions.size(), 7u);
   EXPECT_EQ(active.last.decision.actions[3], "slower");
   EXPECT_GE(active.last.decision.chosen, 0);
@@ -309,11 +315,12 @@ TEST(TeamScenario, ACarriedCameraDrivesAsItIsToldAndKnowsHowSureItIs) {
 /// What a hand does nobody tells the filter, whose input stays 0; the hand moves it all the same.
 TEST(TeamScenario, APersonMovesTheCamera) {
   const std::string operator_controlled =
-      "[run]\nworld = \"points\"\nsensor = \"camera\"\nrate_hz = 15\nduration_s = 4\n[vehicle]\nmodel = "
-      "\"free-camera\"\n[camera]\nkd1_per_px2 = 9e-6\n[team]\npositions_m = [[-1.5, 0, 1.2]]\n[points]\n"
-      "count = 31\nsize_m = [6, 6, 2.5]\nknown = 6\n[filter]\nsigma_acceleration_m_s2 = 2\n[steer]\nlaw = "
-      "\"active\"\n[decision]\ngaze = \"hold\"\n";
-  const Ran actuator = run(load(operator_controlled, {"person.holds=true", "person.delay_s=0.5"}));
+      "[world]\ntype = \"points\"\n[sensor]\ntype = \"camera\"\n[run]\nrate_hz = 15\n"
+      "duration_s = 4\n[vehicle]\nmodel = \"free-camera\"\nsigma_acceleration_m_s2 = 2\n"
+      "[camera]\nkd1_per_px2 = 9e-6\n[start]\npositions_m = [[-1.5, 0, 1.2]]\n[points]\n"
+      "count = 31\nsize_m = [6, 6, 2.5]\nknown = 6\n[controller]\nlaw = \"active\"\n"
+      "[decision]\ngaze = \"hold\"\n";
+  const Ran actuator = run(load(operator_controlled, {"operator.holds=true", "operator.delay_s=0.5"}));
   const Ran robot = run(load(operator_controlled));
   EXPECT_TRUE(actuator.last.command.operator_controlled);
   EXPECT_FALSE(robot.last.command.operator_controlled);
@@ -321,8 +328,8 @@ TEST(TeamScenario, APersonMovesTheCamera) {
   EXPECT_TRUE(actuator.last.truth->inputs.front().isZero());
   EXPECT_FALSE(robot.last.truth->inputs.front().isZero());
   EXPECT_LT((actuator.last.truth->camera - actuator.last.camera).head<3>().norm(), 0.3);
-  const std::string why = complaint(operator_controlled, {"person.delay_s=0.5"});
-  EXPECT_NE(why.find("means nothing with person.holds = false"), std::string::npos) << why;
+  const std::string why = complaint(operator_controlled, {"operator.delay_s=0.5"});
+  EXPECT_NE(why.find("belongs to `operator.holds = true`"), std::string::npos) << why;
 }
 
 /// A run on points without names, and what of it was taken for what it is.
@@ -355,9 +362,10 @@ const std::vector<std::string> without_identity = {"association.method=nearest"}
 TEST(TeamScenario, PointsWithoutNamesAreWhatTheyAreByTheirPlacesAlone) {
   const Scratch scratch;
   const std::string text =
-      "[run]\nworld = \"points\"\nsensor = \"camera\"\nduration_s = 4\n[vehicle]\nmodel = "
-      "\"free-camera\"\n[camera]\nkd1_per_px2 = 9e-6\n[team]\npositions_m = [[-1.5, 0, 1]]\n[points]\nfile = "
-      "\"points.csv\"\nknown = 3\n[plant]\nsigma_pixel_px = 0\n[steer]\nlaw = \"active\"\n[association]\n"
+      "[world]\ntype = \"points\"\n[sensor]\ntype = \"camera\"\n[run]\nduration_s = 4\n"
+      "[vehicle]\nmodel = \"free-camera\"\n[camera]\nkd1_per_px2 = 9e-6\n[start]\n"
+      "positions_m = [[-1.5, 0, 1]]\n[points]\nfile = \"points.csv\"\nknown = 3\n[plant]\n"
+      "sigma_pixel_px = 0\n[controller]\nlaw = \"active\"\n[association]\n"
       "method = \"nearest\"\n";
   const auto run_with = [&](const std::vector<int>& ids) {
     RandomStream random(3, "places");
@@ -384,7 +392,7 @@ TEST(TeamScenario, PointsWithoutNamesAreWhatTheyAreByTheirPlacesAlone) {
 
 /// On the plane points are far apart for how well they are seen.
 TEST(TeamScenario, MatchesWhatItSeesOnThePlane) {
-  const std::string two = "team.positions_m=[[-2, 0, 0], [2, -6, 0]]";
+  const std::string two = "start.positions_m=[[-2, 0, 0], [2, -6, 0]]";
   for (const char* seed : {"run.seed=1", "run.seed=2", "run.seed=3"}) {
     const std::vector<std::string> sets = {without_identity[0], seed, two,
                                            "path.offsets_m=[[0, 0, 0], [4, -6, 0]]"};
@@ -440,11 +448,15 @@ TEST(TeamScenario, AFreeCameraFindsWhatItSeesAndIsAsSureOfItselfAsByNames) {
 
 TEST(TeamScenario, SettingsOfTeamsMeanNothingToOthers) {
   const std::string why =
-      complaint("[run]\nworld = \"room\"\n[start]\nfrom = \"free\"\n[steer]\nlaw = \"lqg\"\n");
-  EXPECT_NE(why.find("means nothing with run.world = `room`"), std::string::npos) << why;
+      complaint("[world]\ntype = \"room\"\n[start]\nfrom = \"free\"\n[controller]\nlaw = \"lqg\"\n");
+  EXPECT_NE(why.find("`controller.law` belongs to "), std::string::npos) << why;
   const std::string sensor =
-      complaint("[run]\nworld = \"room\"\nsensor = \"stereo\"\n[start]\nfrom = \"free\"\n");
-  EXPECT_NE(sensor.find("run.world = `points`"), std::string::npos) << sensor;
+      complaint("[world]\ntype = \"room\"\n[sensor]\ntype = \"stereo\"\n[start]\nfrom = \"free\"\n");
+  EXPECT_NE(
+      sensor.find(
+          "sensor.type = \"stereo\": must be `camera`; \"stereo\" belongs to `world.type = \"points\"`"),
+      std::string::npos)
+      << sensor;
 }
 
 TEST(TeamScenario, ReadsPlacesAndPathsFromTables) {
@@ -453,9 +465,8 @@ TEST(TeamScenario, ReadsPlacesAndPathsFromTables) {
   scratch.write("path.csv", "t,x,y\n0,-2,0\n2,-1,0\n4,0,0.5\n");
   std::string text = drive.substr(0, drive.find("[points]"));
   text +=
-      "[points]\nfile = \"points.csv\"\nknown = -1\n[steer]\nlaw = \"feedback-linearisation\"\n[path]\nkind "
-      "= "
-      "\"file\"\nfile = \"path.csv\"\n";
+      "[points]\nfile = \"points.csv\"\nknown = -1\n[controller]\n"
+      "law = \"feedback-linearization\"\n[path]\ntype = \"file\"\nfile = \"path.csv\"\n";
   const Ran ran = run(load_scenario(scratch.write("s.toml", text).string(), {}));
   ASSERT_EQ(ran.last.matches.size(), 2u);
   EXPECT_EQ(ran.last.matches[0].id, 7);
@@ -487,7 +498,7 @@ TEST(TeamScenario, APlantMayBeOtherThanItsFilterBelieves) {
 }
 
 TEST(TeamScenario, LooksMayBeRarerThanTicks) {
-  TeamAssembly assembly = assemble_team(load(drive, {"plant.ticks_per_look=5"}));
+  TeamAssembly assembly = assemble_team(load(drive, {"sensor.ticks_per_measurement=5"}));
   int looked = 0, ticks = 0;
   run_loop(assembly.parts, std::function<void(const Snapshot&)>([&](const Snapshot& s) {
              looked += !s.matches.empty();

@@ -158,7 +158,7 @@ TEST(WithheldTruth, Team) {
 TEST(WithheldTruth, HandHeldCameras) {
   expect_same_without_a_world([] {
     return assemble_team(
-        loaded("free-camera", {"run.duration_s=3", "person.holds=true", "person.delay_s=0.1"}));
+        loaded("free-camera", {"run.duration_s=3", "operator.holds=true", "operator.delay_s=0.1"}));
   });
 }
 

@@ -49,7 +49,7 @@ constexpr double before_axle_m = 0.2;  // on uneven ground
 
 struct Case {
   const AnyMotion& motion;
-  std::string law;
+  ControlLaw law;
   Path path;
   double bound_m;         ///< final distance to the path
   double bound_rad = -1;  ///< final error of heading or gaze; negative where the law leaves it free
@@ -62,8 +62,8 @@ constexpr double still = 1e-6;  // m, for paths that end at rest or consist of a
 /// Elsewhere a command is held while the reference changes: with a = 0.12^2 4 m/s^2 the error is a period /
 /// (2 K), 6 mm on the line; the other bounds follow in the same way.
 std::vector<Case> on_the_line() {
-  std::vector<Case> all{{line, "lqg", point(), still}};
-  for (const char* law : {"tracking", "feedback-linearisation"})
+  std::vector<Case> all{{line, ControlLaw::lqg, point(), still}};
+  for (const ControlLaw law : {ControlLaw::tracking, ControlLaw::feedback_linearization})
     for (const auto& [path, bound_m] : std::initializer_list<std::pair<Path, double>>{
              {point(), still}, {circle(), 0.006}, {eight(), 0.006}, {way_points(), 0.015}, {swing(1), 0.08}})
       all.push_back({line, law, path, bound_m});
@@ -71,13 +71,13 @@ std::vector<Case> on_the_line() {
 }
 
 std::vector<Case> on_the_plane() {
-  std::vector<Case> all{{drive, "lqg", point(), still},
-                        {drive, "tracking", circle(), still, still},
-                        {drive, "tracking", circle(-0.12), still, still},
-                        {drive, "tracking", eight(), 0.005, 0.01},
-                        {drive, "tracking", way_points(), 1e-3, 1e-3, 110}};  // after its end
+  std::vector<Case> all{{drive, ControlLaw::lqg, point(), still},
+                        {drive, ControlLaw::tracking, circle(), still, still},
+                        {drive, ControlLaw::tracking, circle(-0.12), still, still},
+                        {drive, ControlLaw::tracking, eight(), 0.005, 0.01},
+                        {drive, ControlLaw::tracking, way_points(), 1e-3, 1e-3, 110}};  // after its end
   for (const AnyMotion* motion : {&drive, &car}) {
-    const char* law = "feedback-linearisation";
+    const ControlLaw law = ControlLaw::feedback_linearization;
     all.push_back({*motion, law, point(), still});
     all.push_back({*motion, law, circle(), 1e-5});
     all.push_back({*motion, law, circle(-0.12), 1e-5});
@@ -91,20 +91,20 @@ std::vector<Case> on_the_plane() {
 
 /// The laws assume level ground: a slope of 0.3 costs 4 per cent of the speed, 2 cm/s.
 std::vector<Case> on_uneven_ground() {
-  return {{terrain, "tracking", circle(), 0.02, 0.03},
-          {terrain, "tracking", eight(), 0.02, 0.03},
-          {terrain, "tracking", way_points(), 0.01, 0.03, 110},
-          {terrain, "feedback-linearisation", point(), still},
-          {terrain, "feedback-linearisation", circle(), 0.02},
-          {terrain, "feedback-linearisation", eight(), 0.02},
-          {terrain, "feedback-linearisation", way_points(), 1e-5, -1, 110}};
+  return {{terrain, ControlLaw::tracking, circle(), 0.02, 0.03},
+          {terrain, ControlLaw::tracking, eight(), 0.02, 0.03},
+          {terrain, ControlLaw::tracking, way_points(), 0.01, 0.03, 110},
+          {terrain, ControlLaw::feedback_linearization, point(), still},
+          {terrain, ControlLaw::feedback_linearization, circle(), 0.02},
+          {terrain, ControlLaw::feedback_linearization, eight(), 0.02},
+          {terrain, ControlLaw::feedback_linearization, way_points(), 1e-5, -1, 110}};
 }
 
 /// A command held while the acceleration changes by the jerk j leaves j period / (2 K_p): 1 cm at the
 /// greatest, 3 m/s^3.
 std::vector<Case> in_space() {
-  std::vector<Case> all{{body, "lqg", PointPath{{1, 1, 1}, 2}, still, still, 40, 0.05}};
-  for (const char* law : {"tracking", "feedback-linearisation"}) {
+  std::vector<Case> all{{body, ControlLaw::lqg, PointPath{{1, 1, 1}, 2}, still, still, 40, 0.05}};
+  for (const ControlLaw law : {ControlLaw::tracking, ControlLaw::feedback_linearization}) {
     all.push_back({body, law, PointPath{{1, 1, 1}, 2}, still, still, 30, 0.05});
     all.push_back({body, law, circle(), 1e-4, 1e-4, 30, 0.05});
     all.push_back({body, law, eight(), 1e-4, 1e-4, 30, 0.05});
@@ -114,7 +114,7 @@ std::vector<Case> in_space() {
   return all;
 }
 
-SteeringSettings settings_of(const AnyMotion& motion, const std::string& law, const Path& path) {
+SteeringSettings settings_of(const AnyMotion& motion, ControlLaw law, const Path& path) {
   SteeringSettings s;
   s.law = law;
   s.path = path;
@@ -154,7 +154,7 @@ Off off(const Case& c, const SmallVector& x, const Reference& r) {
     return {(x.head<3>() - r.position).norm(), minus(chart_of(c.motion), x, desired).segment<3>(3).norm()};
   }
   // Tracking steers the axle, the other laws a point off the axle
-  const bool tracks = c.law == "tracking";
+  const bool tracks = c.law == ControlLaw::tracking;
   Eigen::Vector2d from_state(0, 0);
   if (&c.motion == &drive && tracks) from_state << -0.3, -0.1;
   if (&c.motion == &terrain && !tracks) from_state << before_axle_m, 0;
@@ -187,7 +187,8 @@ void expect_convergence(const std::vector<Case>& cases) {
   for (std::size_t i = 0; i < cases.size(); ++i)
     for (const SmallVector& start : starts_of(cases[i].motion)) {
       const Off worst = driven(cases[i], start);
-      SCOPED_TRACE(cases[i].law + ", case " + std::to_string(i) + ", from " + std::to_string(start[0]));
+      SCOPED_TRACE("law " + std::to_string(static_cast<int>(cases[i].law)) + ", case " + std::to_string(i) +
+                   ", from " + std::to_string(start[0]));
       EXPECT_LE(worst.m, cases[i].bound_m);
       if (cases[i].bound_rad >= 0) {
         EXPECT_LE(worst.rad, cases[i].bound_rad);
@@ -211,9 +212,9 @@ TEST(SteeringLaws, HoldAConstantInput) {
 }
 
 TEST(SteeringLaws, RespectLimitsBelowTheLawsOwn) {
-  SteeringSettings s = settings_of(body, "feedback-linearisation", point());
+  SteeringSettings s = settings_of(body, ControlLaw::feedback_linearization, point());
   s.most_input = vec({0.5, 1, 2, 0.1, 0.2, 0.3});
-  for (const char* law : {"feedback-linearisation", "lqg"}) {
+  for (const ControlLaw law : {ControlLaw::feedback_linearization, ControlLaw::lqg}) {
     s.law = law;
     const SmallVector far = vec({50, -60, 70, 0, 0, 1, 0, 0, 0, 0, 9, -9, 9});
     const SmallVector u = make_steering(body, s, 0.05)->act(far, 0);
@@ -227,7 +228,7 @@ std::string why_not(const AnyMotion& motion, const SteeringSettings& s, double p
   return message_of<std::invalid_argument>([&] { make_steering(motion, s, period_s); });
 }
 
-std::string why_not(const AnyMotion& motion, const std::string& law, const Path& path,
+std::string why_not(const AnyMotion& motion, ControlLaw law, const Path& path,
                     const std::function<void(SteeringSettings&)>& change = {}) {
   SteeringSettings s = settings_of(motion, law, path);
   if (change) change(s);
@@ -238,50 +239,49 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN(),
                  inf = std::numeric_limits<double>::infinity();
 
 TEST(SteeringRefusals, AnUnsupportedMotionModel) {
-  EXPECT_HAS(why_not(car, "tracking", circle()), "a car is steered by `feedback-linearisation`");
-  EXPECT_HAS(why_not(car, "lqg", point()), "a car is steered by `feedback-linearisation`");
-  EXPECT_HAS(why_not(terrain, "lqg", point()), "does not know the slopes");
-  for (const AnyMotion* motion : {&line, &drive, &car, &terrain, &body})
-    EXPECT_HAS(why_not(*motion, "traking", circle()),
-               "`traking` is no law of steering; the nearest is `tracking`");
+  EXPECT_HAS(why_not(car, ControlLaw::tracking, circle()), "a car is steered by `feedback-linearization`");
+  EXPECT_HAS(why_not(car, ControlLaw::lqg, point()), "a car is steered by `feedback-linearization`");
+  EXPECT_HAS(why_not(terrain, ControlLaw::lqg, point()), "does not know the slopes");
 }
 
 TEST(SteeringRefusals, AnUnsupportedPath) {
   for (const AnyMotion* motion : {&line, &drive, &body})
     for (const Path& path : {circle(), way_points(), eight(), swing(1)})
-      EXPECT_HAS(why_not(*motion, "lqg", path), "an LQG regulator drives to a point");
+      EXPECT_HAS(why_not(*motion, ControlLaw::lqg, path), "an LQG regulator drives to a point");
   for (const AnyMotion* motion : {&drive, &terrain}) {
-    EXPECT_HAS(why_not(*motion, "tracking", point()), "a reference that moves");
-    EXPECT_HAS(why_not(*motion, "tracking", WayPointPath{{{1, 2, 0}}, 0.5}), "a reference that moves");
-    EXPECT_HAS(why_not(*motion, "tracking", swing(1)), "not where it goes");
+    EXPECT_HAS(why_not(*motion, ControlLaw::tracking, point()), "a reference that moves");
+    EXPECT_HAS(why_not(*motion, ControlLaw::tracking, WayPointPath{{{1, 2, 0}}, 0.5}),
+               "a reference that moves");
+    EXPECT_HAS(why_not(*motion, ControlLaw::tracking, swing(1)), "not where it goes");
     PathSamples sideways{{0, 1, 2}, {{0, 0, 0}, {0.5, 0, 0}, {1, 0, 0}}, {1.5, 1.5, 1.5}};
-    EXPECT_HAS(why_not(*motion, "tracking", through(sideways)),
+    EXPECT_HAS(why_not(*motion, ControlLaw::tracking, through(sideways)),
                "the path looks 1.5 rad away from where it goes");
   }
 }
 
 TEST(SteeringRefusals, AnInvalidPath) {
   for (const AnyMotion* motion : {&line, &drive, &car, &terrain, &body}) {
-    EXPECT_HAS(why_not(*motion, "feedback-linearisation", CirclePath{.radius_m = -1}), "radius");
-    EXPECT_HAS(why_not(*motion, "feedback-linearisation", PointPath{{nan, 0, 0}}), "not finite");
-    EXPECT_HAS(why_not(*motion, "feedback-linearisation", WayPointPath{}), "no way-points");
+    EXPECT_HAS(why_not(*motion, ControlLaw::feedback_linearization, CirclePath{.radius_m = -1}), "radius");
+    EXPECT_HAS(why_not(*motion, ControlLaw::feedback_linearization, PointPath{{nan, 0, 0}}), "not finite");
+    EXPECT_HAS(why_not(*motion, ControlLaw::feedback_linearization, WayPointPath{}), "no way-points");
   }
 }
 
 TEST(SteeringRefusals, APathThatIsTooFast) {
   const Path fast = CirclePath{.radius_m = 4, .rate_rad_s = 0.5};  // 2 m/s
   for (const AnyMotion* motion : {&line, &drive, &car, &terrain})
-    EXPECT_HAS(why_not(*motion, "feedback-linearisation", fast), "the path asks for 2 m/s at t = 0 s");
+    EXPECT_HAS(why_not(*motion, ControlLaw::feedback_linearization, fast),
+               "the path asks for 2 m/s at t = 0 s");
   for (const AnyMotion* motion : {&drive, &terrain}) {
-    EXPECT_HAS(why_not(*motion, "tracking", fast), "the path asks for 2 m/s");
+    EXPECT_HAS(why_not(*motion, ControlLaw::tracking, fast), "the path asks for 2 m/s");
     const Path tight = CirclePath{.radius_m = 0.5, .rate_rad_s = -1.5};
-    for (const char* law : {"tracking", "feedback-linearisation"})
+    for (const ControlLaw law : {ControlLaw::tracking, ControlLaw::feedback_linearization})
       EXPECT_HAS(why_not(*motion, law, tight), "the circle turns with 1.5 rad/s, the vehicle with at most 1");
   }
-  EXPECT_HAS(why_not(car, "feedback-linearisation", CirclePath{.radius_m = 1.6, .rate_rad_s = 0.1}),
+  EXPECT_HAS(why_not(car, ControlLaw::feedback_linearization, CirclePath{.radius_m = 1.6, .rate_rad_s = 0.1}),
              "the circle's radius is 1.6 m, and the car's steering allows 1.66");
   const Path jerky = CirclePath{.radius_m = 1, .rate_rad_s = 2};  // 4 m/s^2
-  for (const char* law : {"tracking", "feedback-linearisation"}) {
+  for (const ControlLaw law : {ControlLaw::tracking, ControlLaw::feedback_linearization}) {
     EXPECT_HAS(why_not(body, law, jerky), "the path asks for 4 m/s^2, the body has 3 m/s^2");
     const Path turning = BackAndForthPath{.radius_m = 0.1, .amplitude_rad = 1};
     EXPECT_HAS(why_not(body, law, turning), "the gaze asks for 4 rad/s^2, the body has 3 rad/s^2");
@@ -293,21 +293,24 @@ TEST(SteeringRefusals, ACircleTighterThanTheTurningRadius) {
   const AckermannCar& its = std::get<AckermannCar>(car);
   const double tightest = std::hypot(its.wheelbase_m / std::tan(0.6), its.body.forward_m);
   const auto around = [](double radius_m) { return CirclePath{.radius_m = radius_m, .rate_rad_s = 0.2}; };
-  EXPECT_HAS(why_not(car, "feedback-linearisation", around(0.999 * tightest)), "steering allows");
-  const Case wide{car, "feedback-linearisation", around(1.001 * tightest), 1e-4};
+  EXPECT_HAS(why_not(car, ControlLaw::feedback_linearization, around(0.999 * tightest)), "steering allows");
+  const Case wide{car, ControlLaw::feedback_linearization, around(1.001 * tightest), 1e-4};
   EXPECT_LE(driven(wide, vec({0, 0, 0})).m, wide.bound_m);
 }
 
 TEST(SteeringRefusals, AControlPointOnTheAxle) {
-  EXPECT_HAS(why_not(DifferentialDrive{0, 0.1}, settings_of(drive, "feedback-linearisation", point())),
-             "must be before or behind the axle");
-  EXPECT_NE(why_not(DifferentialDrive{0, 0.1}, settings_of(drive, "lqg", point())), "(none)");
-  EXPECT_HAS(why_not(AckermannCar{1, 0.3, {0, 0}}, settings_of(car, "feedback-linearisation", point())),
-             "must be before or behind the axle");
+  EXPECT_HAS(
+      why_not(DifferentialDrive{0, 0.1}, settings_of(drive, ControlLaw::feedback_linearization, point())),
+      "must be before or behind the axle");
+  EXPECT_NE(why_not(DifferentialDrive{0, 0.1}, settings_of(drive, ControlLaw::lqg, point())), "(none)");
+  EXPECT_HAS(
+      why_not(AckermannCar{1, 0.3, {0, 0}}, settings_of(car, ControlLaw::feedback_linearization, point())),
+      "must be before or behind the axle");
   for (const double bad : {0.0, nan, inf})
-    EXPECT_HAS(why_not(terrain, "feedback-linearisation", point(), [&](auto& s) { s.control_point_m = bad; }),
+    EXPECT_HAS(why_not(terrain, ControlLaw::feedback_linearization, point(),
+                       [&](auto& s) { s.control_point_m = bad; }),
                "before or behind the axle");
-  for (const char* law : {"tracking", "feedback-linearisation", "lqg"})
+  for (const ControlLaw law : {ControlLaw::tracking, ControlLaw::feedback_linearization, ControlLaw::lqg})
     EXPECT_HAS(why_not(DifferentialDrive{nan, 0}, settings_of(drive, law, point())),
                "finite way from the axle");
 }
@@ -316,7 +319,8 @@ TEST(SteeringRefusals, InvalidLimits) {
   for (const AnyMotion* motion : {&line, &drive, &car, &terrain, &body}) {
     const int inputs = inputs_of(*motion);
     const auto with = [&](const SmallVector& most) {
-      return why_not(*motion, "feedback-linearisation", circle(), [&](auto& s) { s.most_input = most; });
+      return why_not(*motion, ControlLaw::feedback_linearization, circle(),
+                     [&](auto& s) { s.most_input = most; });
     };
     EXPECT_HAS(with(SmallVector::Constant(inputs + 1, 2)), "need " + std::to_string(inputs) + " numbers");
     EXPECT_HAS(with(SmallVector(0)), "need " + std::to_string(inputs) + " numbers, and have 0");
@@ -325,13 +329,15 @@ TEST(SteeringRefusals, InvalidLimits) {
     for (const double bad : {nan, inf})
       EXPECT_HAS(with(SmallVector::Constant(inputs, bad)), "must be finite");
   }
-  EXPECT_HAS(why_not(car, "feedback-linearisation", point(), [](auto& s) { s.most_input[1] = 1.6; }),
-             "between 0 and pi/2");
+  EXPECT_HAS(
+      why_not(car, ControlLaw::feedback_linearization, point(), [](auto& s) { s.most_input[1] = 1.6; }),
+      "between 0 and pi/2");
 }
 
 TEST(SteeringRefusals, AnInvalidPeriod) {
   for (const AnyMotion* motion : {&line, &drive, &car, &terrain, &body})
-    for (const char* law : {"none", "tracking", "lqg", "feedback-linearisation"})
+    for (const ControlLaw law :
+         {ControlLaw::none, ControlLaw::tracking, ControlLaw::lqg, ControlLaw::feedback_linearization})
       for (const double bad : {0.0, -0.1, nan, inf}) {
         SteeringSettings s = settings_of(*motion, law, circle());
         s.input = s.most_input;
@@ -353,27 +359,28 @@ TEST(SteeringRefusals, AConstantInputBeyondTheLimits) {
 /// The keys of a law's gains, and a path for it.
 struct Gain {
   const AnyMotion& motion;
-  const char* law;
+  ControlLaw law;
   Path path;
   std::vector<double*> of(SteeringSettings& s) const {
-    if (law == std::string("lqg")) return {s.weight_state.numbers.data(), s.weight_input.numbers.data()};
+    if (law == ControlLaw::lqg) return {s.weight_state.numbers.data(), s.weight_input.numbers.data()};
     if (&motion == &body)
       return {&s.camera.gain_position_per_s2, &s.camera.gain_velocity_per_s,
               &s.camera.gain_orientation_per_s2, &s.camera.gain_rate_per_s};
-    if (law == std::string("tracking") && &motion != &line)
+    if (law == ControlLaw::tracking && &motion != &line)
       return {&s.gain_along_per_s, &s.gain_across_per_m2, &s.gain_heading_per_m};
     return {s.gain_per_s.numbers.data()};
   }
 };
 
 std::vector<Gain> gains() {
-  std::vector<Gain> all{{line, "lqg", point()},
-                        {drive, "lqg", point()},
-                        {body, "lqg", point()},
-                        {terrain, "tracking", circle()}};
-  for (const AnyMotion* motion : {&line, &drive, &body}) all.push_back({*motion, "tracking", circle()});
+  std::vector<Gain> all{{line, ControlLaw::lqg, point()},
+                        {drive, ControlLaw::lqg, point()},
+                        {body, ControlLaw::lqg, point()},
+                        {terrain, ControlLaw::tracking, circle()}};
+  for (const AnyMotion* motion : {&line, &drive, &body})
+    all.push_back({*motion, ControlLaw::tracking, circle()});
   for (const AnyMotion* motion : {&line, &drive, &car, &terrain, &body})
-    all.push_back({*motion, "feedback-linearisation", circle()});
+    all.push_back({*motion, ControlLaw::feedback_linearization, circle()});
   return all;
 }
 
@@ -384,7 +391,7 @@ TEST(SteeringRefusals, GainsThatAreNotPositive) {
     for (double* number : gain.of(s))
       for (const double bad : {0.0, -1.0, nan, inf}) {
         const double good = std::exchange(*number, bad);
-        EXPECT_GT(why_not(gain.motion, s).size(), 20u) << gain.law << ": accepts " << bad;
+        EXPECT_GT(why_not(gain.motion, s).size(), 20u) << static_cast<int>(gain.law) << ": accepts " << bad;
         *number = good;
       }
   }
@@ -393,16 +400,16 @@ TEST(SteeringRefusals, GainsThatAreNotPositive) {
 TEST(SteeringRefusals, GainsOfTheWrongSize) {
   for (const Gain& gain : gains()) {
     SteeringSettings s = settings_of(gain.motion, gain.law, gain.path);
-    if (gain.law == std::string("tracking") && &gain.motion != &line) continue;  // its gains are scalars
-    if (gain.law == std::string("feedback-linearisation") && &gain.motion == &body) continue;
-    (gain.law == std::string("lqg") ? s.weight_state : s.gain_per_s) =
+    if (gain.law == ControlLaw::tracking && &gain.motion != &line) continue;  // its gains are scalars
+    if (gain.law == ControlLaw::feedback_linearization && &gain.motion == &body) continue;
+    (gain.law == ControlLaw::lqg ? s.weight_state : s.gain_per_s) =
         Diagonal(SmallVector::Constant(5, 1.0));
-    EXPECT_HAS(why_not(gain.motion, s), "needs 1 number or ") << gain.law;
+    EXPECT_HAS(why_not(gain.motion, s), "needs 1 number or ") << static_cast<int>(gain.law);
   }
 }
 
 TEST(SteeringLaws, WeightEachInputSeparately) {
-  SteeringSettings s = settings_of(drive, "lqg", point());
+  SteeringSettings s = settings_of(drive, ControlLaw::lqg, point());
   const SmallVector x = vec({-3, 0.4, 0.1});
   const SmallVector even = make_steering(drive, s, 0.1)->act(x, 0);
   s.weight_input = Diagonal(vec({1, 1e4}));  // turning is expensive
@@ -412,16 +419,16 @@ TEST(SteeringLaws, WeightEachInputSeparately) {
 
 TEST(SteeringRefusals, GainsThatOvershootWithHeldCommands) {
   for (const Gain& gain : gains()) {
-    if (gain.law == std::string("lqg")) continue;  // its weights may be any positive numbers
+    if (gain.law == ControlLaw::lqg) continue;  // its weights may be any positive numbers
     SteeringSettings s = settings_of(gain.motion, gain.law, gain.path);
     for (double* number : gain.of(s)) {
       const double good = std::exchange(*number, 1e4);
-      EXPECT_HAS(why_not(gain.motion, s), "than ") << gain.law;
+      EXPECT_HAS(why_not(gain.motion, s), "than ") << static_cast<int>(gain.law);
       *number = good;
     }
   }
-  for (const char* law : {"tracking", "lqg"})
-    EXPECT_HAS(why_not(drive, law, law == std::string("lqg") ? point() : circle(),
+  for (const ControlLaw law : {ControlLaw::tracking, ControlLaw::lqg})
+    EXPECT_HAS(why_not(drive, law, law == ControlLaw::lqg ? point() : circle(),
                        [](auto& s) { s.most_input[1] = 28; }),
                "it must be 1 rad at most");
 }
@@ -429,7 +436,7 @@ TEST(SteeringRefusals, GainsThatOvershootWithHeldCommands) {
 /// The bound is the limit of stability of the sampled double integrator.
 TEST(SteeringRefusals, GainsOfABodyThatDoNotSettle) {
   for (const double by_rate : {5.0, 39.0, 41.0}) {
-    SteeringSettings s = settings_of(body, "feedback-linearisation", point());
+    SteeringSettings s = settings_of(body, ControlLaw::feedback_linearization, point());
     s.camera.gain_velocity_per_s = by_rate;
     const bool refused = why_not(body, s, 0.05) != "(none)";
     EXPECT_EQ(refused, by_rate > 40);

@@ -11,7 +11,7 @@ namespace {
 
 const Mount mount{0.2, -0.1, 0.8, -0.3, 0.4};
 
-VehicleDriving driving(const std::string& law = "none") {
+VehicleDriving driving(ControlLaw law = ControlLaw::none) {
   VehicleDriving d;
   d.steering.law = law;
   d.steering.input = SmallVector(Eigen::Vector2d(0.2, 0.1));
@@ -76,7 +76,7 @@ TEST(VehicleController, AvoidsObstaclesUnderAnyCommand) {
 
 TEST(VehicleController, FollowsAPathOnUnevenGround) {
   const TerrainVehicle vehicle{Waves{0, {{0.06, 2, 0.3, 0.2}}}};
-  VehicleDriving d = driving("feedback-linearisation");
+  VehicleDriving d = driving(ControlLaw::feedback_linearization);
   d.steering.path = CirclePath{{0, 0, 0}, 1, 0.2, 0};
   VehicleController controller(d, 0.05);
   Eigen::Vector3d x(0.8, 0, 1.2);
@@ -90,7 +90,7 @@ TEST(VehicleController, FollowsAPathOnUnevenGround) {
 }
 
 TEST(VehicleController, RefusesInvalidSettings) {
-  VehicleDriving d = driving("lqg");
+  VehicleDriving d = driving(ControlLaw::lqg);
   EXPECT_THROW(VehicleController(d, 0.1), std::invalid_argument);
   d = driving();
   d.obstacle_avoidance = ObstacleAvoidanceSettings{0.2, 0.3, {0.5, 0.6}};

@@ -24,7 +24,7 @@ class DocCommands(unittest.TestCase):
         self.assertIn(fault, said)
 
     def test_correct_commands_pass(self):
-        code, said = self.said("Text.\n\n    build/incognita run circle --set steer.law=tracking --seed 3   # a comment\n"
+        code, said = self.said("Text.\n\n    build/incognita run circle --set controller.law=tracking --seed 3   # a comment\n"
                                "    build/incognita campaign circle --seeds 1..3 \\\n        --vary run.rate_hz=10,20\n\n"
                                "```sh\nbuild/incognita reproduce 3.1 fig-3.4\n```\n")
         self.assertEqual(code, 0, said)
@@ -37,7 +37,7 @@ class DocCommands(unittest.TestCase):
         self.expect_fault("walk circle", "no command `walk`")
         self.expect_fault("run circle --sede 3", "no option --sede")
         self.expect_fault("run circel", "circel")
-        self.expect_fault("run circle --set steer.low=tracking", "steer.low")
+        self.expect_fault("run circle --set controller.low=tracking", "controller.low")
         self.expect_fault("run circle --duration -5", "run.duration_s")
         self.expect_fault("campaign circle --vary run.rate_hz=10,fast", "run.rate_hz")
         self.expect_fault("campaign circle --seeds 1..2 \\\n        --set run.rate=2", "run.rate")

@@ -82,7 +82,7 @@ TEST(PlanarConsistency, WithAPositionSensorTheFilterIsConsistent) {
 
 TEST(PlanarConsistency, ABlockDiagonalMapIsConservative) {
   PlanarFilterSettings filter;
-  filter.decorrelate = "map-linear";
+  filter.decorrelate = Decorrelation::map_linear;
   double nees = 0;
   for (int seed = 1; seed <= seeds; ++seed) nees += planar_consistency({}, seed, filter).nees / seeds;
   EXPECT_LT(nees, 1.2);
@@ -98,8 +98,8 @@ TEST(PlanarConsistency, IsDeterministicForASeed) {
 }
 
 TEST(StandingVehicle, OnlyFirstEstimatesKeepTheUnobservableDirections) {
-  EXPECT_LT(standing_vehicle(1, "analytic").sigma_heading_deg, 10);
-  EXPECT_NEAR(standing_vehicle(1, "first-estimate").sigma_heading_deg, standing_sigma_heading_deg, 1e-6);
+  EXPECT_LT(standing_vehicle(1, Linearization::analytic).sigma_heading_deg, 10);
+  EXPECT_NEAR(standing_vehicle(1, Linearization::first_estimate).sigma_heading_deg, standing_sigma_heading_deg, 1e-6);
 }
 
 }  // namespace

@@ -4,15 +4,14 @@
 #include <string>
 
 #include "incognita/io/scenario/load_scenario.hpp"
-#include "incognita/io/scenario/settings.hpp"
 #include "tests/scratch.hpp"
 
 namespace incognita {
 namespace {
 
 const std::string points =
-    "[run]\nworld = \"points\"\nsensor = \"camera\"\n[vehicle]\nmodel = \"free-camera\"\n[steer]\nlaw = "
-    "\"active\"\n";
+    "[world]\ntype = \"points\"\n[sensor]\ntype = \"camera\"\n[vehicle]\n"
+    "model = \"free-camera\"\n[controller]\nlaw = \"active\"\n";
 const std::string room = "[start]\nfrom = \"free\"\n";
 
 std::string complaint(const std::string& text) {
@@ -27,26 +26,29 @@ struct Case {
 
 TEST(DecisionChecks, RefuseInapplicableSettings) {
   const std::vector<Case> everywhere{
-      {"[decision]\nmoves_m = [[0.3, 0, 0], [-0.3, 0, 0]]", "decision.moves_m = [[0.3, 0.0, 0.0]"},
-      {"[decision]\nmoves_m = [[0.3, 0, 0], [-0.3, 0, 0]]", "must have [0, 0, 0], to stay"},
+      {"[decision]\ndisplacements_m = [[0.3, 0, 0], [-0.3, 0, 0]]",
+       "decision.displacements_m = [[0.3, 0.0, 0.0]"},
+      {"[decision]\ndisplacements_m = [[0.3, 0, 0], [-0.3, 0, 0]]",
+       "must have [0, 0, 0]: the action that is left"},
       {"[decision]\nhorizon = 0", "decision.horizon = 0: must be 1 to 20"},
       {"[decision]\nmax_evaluations = 0", "decision.max_evaluations"},
       {"[decision]\nhorizon = 2\nmetric = \"position-and-map\"", "must be 1 with decision.metric"},
       {"[decision]\nhorizon = 2\nschedule = \"one-per-frame\"", "must be 1 with decision.schedule"},
       {"[decision]\nstrategy = \"fixed-path\"", "decision.sequence"},
       {"[decision]\nstrategy = \"boldly\"", "decision.strategy"},
-      {"[explore]\nexpected_landmarks = -1", "explore.expected_landmarks"},
-      {"[explore]\nexpected_landmarks = 5\nmin_m = [1, 1, 1]\nmax_m = [1, 2, 2]",
-       "must be more than explore.min_m along each axis"},
-      {"[explore]\nexpected_landmarks = 5\ncell_m = 0.01", "at most a million cells"},
-      {"[explore]\nexpected_landmarks = 5\nmax_m = [30, 3, 2.5]", "landmarks are not expected outside"},
+      {"[exploration]\nexpected_landmarks = -1", "exploration.expected_landmarks"},
+      {"[exploration]\nexpected_landmarks = 5\nvolume_min_m = [1, 1, 1]\nvolume_max_m = [1, 2, 2]",
+       "must be more than exploration.volume_min_m along each axis"},
+      {"[exploration]\nexpected_landmarks = 5\ncell_m = 0.01", "at most a million cells"},
+      {"[exploration]\nexpected_landmarks = 5\nvolume_max_m = [30, 3, 2.5]",
+       "landmarks are not expected outside"},
   };
   for (const Case& one : everywhere) {
     EXPECT_HAS(complaint(points + one.text + "\n"), one.part);
     EXPECT_HAS(complaint(room + one.text + "\n"), one.part);
   }
-  EXPECT_HAS(complaint(points + "[explore]\ncounted = \"as-mapped\"\nexpected_landmarks = 5\n"),
-             "must be `all` with run.world = \"points\"");
+  EXPECT_HAS(complaint(points + "[exploration]\ncounted = \"as-mapped\"\nexpected_landmarks = 5\n"),
+             "`exploration.counted` belongs to `world.type = \"room\"");
 }
 
 /// In the point-landmark world there is no gaze swing: it is refused when set; by default the gaze is held,
@@ -54,7 +56,7 @@ TEST(DecisionChecks, RefuseInapplicableSettings) {
 TEST(DecisionChecks, RefuseASwingWithoutARenderedWorld) {
   EXPECT_HAS(complaint(points + "[decision]\ngaze = \"swing\"\n"),
              "decision.gaze = \"swing\": must be `hold`, `constant-rate`, `mutual-information`, `fisher` or "
-             "`fisher-given-state` with run.world = `points`");
+             "`fisher-given-state`");
   EXPECT_EQ(complaint(room + "[decision]\ngaze = \"swing\"\n"), "(none)");
   const testing::Scratch scratch;
   EXPECT_HAS(effective_toml(load_scenario(scratch.write("points.toml", points).string())), "gaze = \"hold\"");
@@ -62,12 +64,12 @@ TEST(DecisionChecks, RefuseASwingWithoutARenderedWorld) {
 }
 
 TEST(DecisionChecks, AnOperatorNeedsTheFrameOfTheRoom) {
-  EXPECT_HAS(complaint(room + "[person]\nholds = true\n"),
-             "person.holds = true: must be false with start.from");
+  EXPECT_HAS(complaint(room + "[operator]\nholds = true\n"),
+             "operator.holds = true: must be false with start.from");
 }
 
 TEST(DecisionChecks, AcceptTheRest) {
-  EXPECT_EQ(complaint(room + "[decision]\nmoves_m = [[0.3, 0, 0], [0, 0, 0]]\n"), "(none)");
+  EXPECT_EQ(complaint(room + "[decision]\ndisplacements_m = [[0.3, 0, 0], [0, 0, 0]]\n"), "(none)");
   EXPECT_EQ(complaint(points + "[decision]\nhorizon = 3\n"), "(none)");
 }
 

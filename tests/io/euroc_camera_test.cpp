@@ -44,18 +44,18 @@ TEST(EurocCamera, IsReadAsPublished) {
   ASSERT_TRUE(sensor.camera && sensor.body_from_camera);
   EXPECT_EQ(sensor.camera->unfit, "");
   const CameraSettings& c = sensor.camera->camera;
-  EXPECT_EQ(c.model, "pinhole");
+  const PinholeLens& lens = std::get<PinholeLens>(c.model);
   EXPECT_EQ(c.width_px, 752);
   EXPECT_EQ(c.height_px, 480);
   EXPECT_EQ(c.fu_px, 458.654);
   EXPECT_EQ(c.fv_px, 457.296);
   EXPECT_EQ(c.u0_px, 367.215);
   EXPECT_EQ(c.v0_px, 248.375);
-  EXPECT_EQ(c.k1, -0.28340811);
-  EXPECT_EQ(c.k2, 0.07395907);
-  EXPECT_EQ(c.p1, 0.00019359);
-  EXPECT_EQ(c.p2, 1.76187114e-05);
-  EXPECT_EQ(c.k3, 0);
+  EXPECT_EQ(lens.k1, -0.28340811);
+  EXPECT_EQ(lens.k2, 0.07395907);
+  EXPECT_EQ(lens.p1, 0.00019359);
+  EXPECT_EQ(lens.p2, 1.76187114e-05);
+  EXPECT_EQ(lens.k3, 0);
   EXPECT_EQ((*sensor.body_from_camera)(1, 3), -0.064676986768);
 }
 
@@ -111,7 +111,7 @@ class CameraOfRecording : public ::testing::Test {
   }
   LoadedScenario load(const std::string& more) const {
     const std::string text =
-        "[start]\nfrom = \"free\"\n[run]\nworld = \"recording\"\n[recording]\nfolder = \"" +
+        "[start]\nfrom = \"free\"\n[world]\ntype = \"recording\"\n[recording]\nfolder = \"" +
         scratch_.folder().string() + "\"\n" + more;
     return load_scenario(scratch_.write("mine.toml", text).string());
   }
@@ -133,13 +133,13 @@ std::string replaced(std::string text, const std::string& piece, const std::stri
 
 TEST_F(CameraOfRecording, IsUsedWhereTheScenarioHasNone) {
   const LoadedScenario loaded = load("");
-  EXPECT_EQ(loaded.scenario.camera.model, "pinhole");
+  EXPECT_TRUE(std::holds_alternative<PinholeLens>(loaded.scenario.camera.model));
   EXPECT_EQ(loaded.scenario.camera.fu_px, 458.654);
   EXPECT_HAS(loaded.sources.at("camera.fu_px"), "mav0/cam0/sensor.yaml");
   EXPECT_HAS(compare_camera(loaded, read_recording(loaded)), "the camera is taken from");
   const std::string again = scratch_.write("effective.toml", effective_toml(loaded)).string();
   const LoadedScenario repeated = load_scenario(again);
-  EXPECT_EQ(repeated.scenario.camera.k1, -0.28340811);
+  EXPECT_EQ(std::get<PinholeLens>(repeated.scenario.camera.model).k1, -0.28340811);
   EXPECT_HAS(compare_camera(repeated, read_recording(repeated)), "the camera agrees with");
 }
 

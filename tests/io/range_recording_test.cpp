@@ -162,7 +162,7 @@ TEST(RangeTables, WarnOfFixesOutsideTheOdometry) {
     return recording.notes.empty() ? "" : recording.notes.back();
   };
   EXPECT_HAS(note_on("-0.5,1,2"), "the fixes (-0.5 s to -0.5 s) are all from before the odometry");
-  EXPECT_HAS(note_on("-0.5,1,2"), "with vehicle_start.at_first_fix the vehicle starts at the first fix");
+  EXPECT_HAS(note_on("-0.5,1,2"), "with start.at_first_fix the vehicle starts at the first fix");
   EXPECT_HAS(note_on("5,1,2"),
              "are all from after the odometry (0 s to 0.2 s): check that both are on the same clock");
   EXPECT_EQ(note_on("0.1,1,2").find("fixes"), std::string::npos);

@@ -1,15 +1,17 @@
-// The list of settings, reading files and the command line, and every way in which both can be wrong.
-#include "incognita/io/scenario/settings.hpp"
-
+// The settings and their tree, reading files and the command line, and every way in which both can be wrong.
 #include <gtest/gtest.h>
 
 #include <map>
 #include <random>
 #include <set>
+#include <typeinfo>
 
 #include "incognita/io/formats/files.hpp"
 #include "incognita/io/scenario/load_scenario.hpp"
+#include "incognita/io/scenario/renamed_settings.hpp"
+#include "incognita/io/scenario/unknown_setting.hpp"
 #include "incognita/math/nearest_name.hpp"
+#include "tests/merged_toml.hpp"
 #include "tests/scratch.hpp"
 
 namespace incognita {
@@ -41,10 +43,20 @@ TEST(NearestName, CountsEdits) {
   EXPECT_EQ(nearest_name("x", {}), "");
 }
 
+const std::vector<CataloguedSetting>& catalogue() {
+  static const std::vector<CataloguedSetting> all = all_settings();
+  return all;
+}
+
+/// `--set` options that make a setting appear.
+std::vector<std::string> sets_for(const CataloguedSetting& catalogued) {
+  std::vector<std::string> sets;
+  for (const auto& [key, values] : catalogued.context) sets.push_back(key + "=" + values.front());
+  return sets;
+}
+
 TEST(Settings, KeysAreUniqueAndEndWithTheirUnit) {
-  Scenario scenario;
   std::set<std::string> seen;
-  std::set<const void*> fields;
   const std::map<std::string, std::string> suffix = {{"s", "_s"},
                                                      {"Hz", "_hz"},
                                                      {"px", "_px"},
@@ -58,75 +70,121 @@ TEST(Settings, KeysAreUniqueAndEndWithTheirUnit) {
                                                      {"1/m", "_per_m"},
                                                      {"1/s^2", "_per_s2"},
                                                      {"1/px^2", "_per_px2"},
-                                                     {"grey", "_grey"}};
-  for (const Setting& setting : list_settings(scenario)) {
+                                                     {"gray", "_gray"},
+                                                     {"m^2", "_m2"},
+                                                     {"1/m^2", "_per_m2"}};
+  for (const auto& [setting, context] : catalogue()) {
     EXPECT_TRUE(seen.insert(setting.key).second) << setting.key;
-    EXPECT_TRUE(
-        fields.insert(std::visit([](auto* f) { return static_cast<const void*>(f); }, setting.field)).second)
-        << setting.key;
     EXPECT_FALSE(setting.help.empty()) << setting.key;
     if (suffix.count(setting.unit)) {
       EXPECT_TRUE(setting.key.ends_with(suffix.at(setting.unit))) << setting.key;
     }
   }
+  EXPECT_GT(seen.size(), 180u);
 }
 
-// A field that is forgotten in the list could never be set. Every byte of the structs is a field's or
-// padding, whose amount on a 64-bit machine is known: whoever adds a field adds it to the list, and an int
-// may change the padding.
-TEST(Settings, EveryFieldIsBound) {
-  Scenario scenario;
-  std::size_t bytes = 0;
-  for (const Setting& setting : list_settings(scenario)) {
-    bytes += std::visit([](auto* f) { return sizeof *f; }, setting.field);
+/// The size of a struct whose members are those it describes, in that order of their addresses.
+template <class S>
+std::size_t described_size() {
+  S s;
+  std::map<const void*, std::pair<std::size_t, std::size_t>> members;  // size and alignment by address
+  S::describe([&](auto member, auto&&...) {
+    using Member = std::remove_reference_t<decltype(s.*member)>;
+    members[&(s.*member)] = {sizeof(Member), alignof(Member)};
+  });
+  std::size_t size = 0, alignment = 1;
+  const auto align = [&](std::size_t to) { size = (size + to - 1) / to * to; };
+  for (const auto& [address, member] : members) {
+    align(member.second);
+    size += member.first;
+    alignment = std::max(alignment, member.second);
   }
-  constexpr std::size_t padding = 148;
-  // Parameters of models that have no member of their own are bound one by one, not as a map
-  constexpr std::size_t maps = 2 * sizeof(std::map<std::string, double>);
-  EXPECT_EQ(sizeof(Scenario), bytes + padding + maps);
+  align(alignment);
+  return size;
 }
 
-TEST(Settings, DefaultsAreAllowedAndReadBack) {
-  Scenario scenario, other;
-  const std::vector<Setting> settings = list_settings(scenario), others = list_settings(other);
-  for (std::size_t i = 0; i < settings.size(); ++i) {
-    if (settings[i].key == "recording.folder" || settings[i].key == "start.target") continue;
-    EXPECT_NO_THROW(assign_text(others[i], settings[i].written())) << settings[i].key;
-    EXPECT_EQ(settings[i].written(), others[i].written());
-  }
+// A member that is forgotten in describe() could never be set.
+TEST(Settings, EveryMemberIsDescribed) {
+  const auto expect_all = []<class... S>(std::type_identity<std::tuple<S...>>) {
+    const auto expect = [](std::size_t described, std::size_t size, const char* name) {
+      EXPECT_EQ(described, size) << name;
+    };
+    (expect(described_size<S>(), sizeof(S), typeid(S).name()), ...);
+  };
+  expect_all(
+      std::type_identity<std::tuple<
+          FilterSettings, SearchSettings, InitializationSettings, MapSettings, LostSettings, StartSettings,
+          RangeBearingSettings, PlanarFilterSettings, PlanarStartSettings, PlanarLostSettings,
+          DataAssociationSettings, DecisionSettings, ExplorationSettings, ControlSettings, RoomSettings,
+          OperatorSettings, RunSettings, WorldSettings, WideAngleLens, PinholeLens, CameraSettings,
+          RecordingSettings, TeamStartSettings, FormSettings, PointsSettings, TruePlantSettings, PlaneTerrain,
+          WavesTerrain, ImageTerrain, TerrainSettings, ControllerSettings, PathFile, PathSettings, PointPath,
+          CirclePath, BackAndForthPath, WayPointPath>>{});
 }
 
-/// Every word of a choice is taken, and written back as it was given.
-TEST(Settings, ChoicesAreReadAndWrittenByTheirWords) {
-  Scenario scenario;
-  int choices = 0;
-  for (const Setting& setting : list_settings(scenario)) {
-    for (const std::string& word : setting.allowed.choices) {
-      assign_text(setting, word);
-      EXPECT_EQ(setting.written(), "\"" + word + "\"") << setting.key;
+/// Every setting appears with its choices, takes its default when that is given, and takes each of its words.
+TEST(Settings, DefaultsAndWordsAreTakenWhereTheyBelong) {
+  int words = 0;
+  for (const CataloguedSetting& catalogued : catalogue()) {
+    std::vector<std::string> values = catalogued.setting.options;
+    words += values.size() > 1 ? 1 : 0;
+    values.push_back(catalogued.setting.default_value);
+    for (const std::string& value : values) {
+      std::vector<std::string> sets = sets_for(catalogued);
+      sets.push_back(catalogued.setting.key + "=" + value);
+      const std::string said = complaint("", sets);
+      EXPECT_EQ(said.find(catalogued.setting.key + " = " + value + ": must be `"), std::string::npos) << said;
+      EXPECT_EQ(said.find("belongs to"), std::string::npos) << said;
     }
-    choices += setting.allowed.choices.empty() ? 0 : 1;
   }
-  EXPECT_GE(choices, 20);
-  EXPECT_EQ(scenario.decision.gaze, DecisionSettings::Gaze::fisher_given_state) << "the last of its words";
+  EXPECT_GE(words, 25);
+}
+
+/// A setting that a scenario does not have is refused with the choices that it needs.
+TEST(Settings, OfOtherChoicesAreExplained) {
+  int others = 0;
+  for (const CataloguedSetting& catalogued : catalogue()) {
+    const auto& [setting, context] = catalogued;
+    if (context.size() != 1) continue;
+    ++others;
+    const std::string said = complaint(free_start, {setting.key + "=" + setting.default_value});
+    EXPECT_HAS(said, "--set: `" + setting.key + "` belongs to `" + context.begin()->first + " = ");
+    EXPECT_HAS(said, "; here `" + context.begin()->first + " = ");
+  }
+  EXPECT_GT(others, 20);
+}
+
+TEST(Settings, RenamedOnesSayTheirNewName) {
+  std::set<std::string> known;
+  for (const CataloguedSetting& catalogued : catalogue()) known.insert(catalogued.setting.key);
+  ASSERT_GT(renamed_settings().size(), 100u);
+  for (const auto& [before, after] : renamed_settings()) {
+    EXPECT_FALSE(known.contains(before)) << before << " is in use";
+    EXPECT_TRUE(known.contains(after)) << after;
+    const std::string key(before);
+    const std::string said = complaint(
+        testing::merged_toml(free_start + "[" + section_of(key) + "]\n" + name_in_section(key) + " = 1\n"));
+    EXPECT_HAS(said, "`" + key + "` is now ");
+    EXPECT_HAS(said, "`" + std::string(after) + "`");
+  }
 }
 
 TEST(Settings, DefaultsAreTheStructs) {
-  LoadedScenario mine = loaded(free_start);
-  Scenario defaults;
-  defaults.start.from = StartSettings::From::free;
-  const std::vector<Setting> read = list_settings(mine.scenario), wanted = list_settings(defaults);
-  for (std::size_t i = 0; i < read.size(); ++i) {
-    EXPECT_EQ(read[i].written(), wanted[i].written()) << read[i].key;
-    EXPECT_EQ(mine.sources.at(read[i].key) == "default", read[i].key != "start.from");
+  const LoadedScenario mine = loaded(free_start);
+  for (const SettingInForce& setting : mine.settings) {
+    if (setting.key != "start.from") {
+      EXPECT_EQ(setting.value, setting.default_value) << setting.key;
+    }
+    EXPECT_EQ(setting.source == "default", setting.key != "start.from");
   }
 }
 
 TEST(LoadScenario, ReadsEveryKindOfValue) {
-  const LoadedScenario mine = loaded(free_start +
-                                     "[run]\nseed = 12345678901\nduration_s = 7\n[search]\n"
-                                     "patch_size_px = 13\n[birth]\nmethod = \"depth-line\"\n"
-                                     "[room]\nsize_m = [4, 5.5, 2.25]\n");
+  const LoadedScenario mine =
+      loaded(free_start +
+             "[run]\nseed = 12345678901\nduration_s = 7\n[search]\n"
+             "patch_size_px = 13\n[landmark_initialization]\nmethod = \"depth-line\"\n"
+             "[room]\nsize_m = [4, 5.5, 2.25]\n");
   EXPECT_EQ(mine.scenario.run.seed, 12345678901);
   EXPECT_EQ(mine.scenario.run.duration_s, 7);
   EXPECT_EQ(mine.scenario.slam.search.patch_size_px, 13);
@@ -144,7 +202,7 @@ TEST(LoadScenario, FlagsBeatSetsBeatTheFileBeatsDefaults) {
   EXPECT_EQ(mine.scenario.run.rate_hz, 20);
   EXPECT_EQ(mine.sources.at("run.seed"), "--seed");
   EXPECT_EQ(mine.sources.at("run.duration_s"), "--set");
-  EXPECT_EQ(mine.sources.at("run.world"), "default");
+  EXPECT_EQ(mine.sources.at("world.type"), "default");
   ASSERT_EQ(mine.overrides.size(), 3u);
   EXPECT_HAS(mine.overrides[0], "run.seed = 5 (--set) replaces 2 (");
   EXPECT_HAS(mine.overrides[0], "mine.toml:4)");
@@ -153,9 +211,9 @@ TEST(LoadScenario, FlagsBeatSetsBeatTheFileBeatsDefaults) {
 
 TEST(LoadScenario, SetTakesTextsAndLists) {
   const LoadedScenario mine =
-      loaded(free_start,
-             {"recording.folder=a b=c", "decision.max_bound_m=[2, 1, 3.5]", "birth.method=\"depth-line\""});
-  EXPECT_EQ(mine.scenario.recording.folder, "a b=c");
+      loaded(free_start, {"start.from=target", "start.target=a b=c", "decision.max_bound_m=[2, 1, 3.5]",
+                          "landmark_initialization.method=\"depth-line\""});
+  EXPECT_EQ(mine.scenario.start.target, "a b=c");
   EXPECT_EQ(mine.scenario.decision.max_bound_m, Eigen::Vector3d(2, 1, 3.5));
   EXPECT_EQ(mine.scenario.slam.initialization.method, InitializationSettings::Method::depth_line);
 }
@@ -163,10 +221,10 @@ TEST(LoadScenario, SetTakesTextsAndLists) {
 TEST(LoadScenario, RefusesUnknownNamesWithTheNearest) {
   const std::string key = complaint(free_start + "[run]\nsede = 3\n");
   EXPECT_HAS(key, "mine.toml:4: there is no setting `run.sede`; the nearest is `run.seed`");
-  const std::string section = complaint(free_start + "\n[fliter]\nsigma_pixel_px = 1\n");
-  EXPECT_HAS(section, "mine.toml:4: there is no section `fliter`; the nearest is `filter`");
-  EXPECT_HAS(complaint(free_start, {"filter.sigma_pixel=1"}),
-             "--set: there is no setting `filter.sigma_pixel`; the nearest is `filter.sigma_pixel_px`");
+  const std::string section = complaint(free_start + "\n[serch]\ngate_sigmas = 1\n");
+  EXPECT_HAS(section, "mine.toml:4: there is no section `serch`; the nearest is `search`");
+  EXPECT_HAS(complaint(free_start, {"sensor.sigma_pixel=1"}),
+             "--set: there is no setting `sensor.sigma_pixel`; the nearest is `sensor.sigma_pixel_px`");
   EXPECT_HAS(complaint(free_start, {"run.seed"}), "--set: `run.seed` must be written section.name=value");
   EXPECT_HAS(complaint("run = 3\n" + free_start), "mine.toml:1: run = 3: must be a section, written [run]");
   const std::string scenario = message_of([] { load_scenario("rooom"); });
@@ -188,14 +246,15 @@ TEST(LoadScenario, RefusesWrongValues) {
       {"run", "duration_s = inf", "run.duration_s = inf: must be finite"},
       {"run", "rate_hz = true", "run.rate_hz = true: must be a number"},
       {"run", "rate_hz = 2020-01-01", "and is a date or time"},
-      {"run", "world = \"rom\"",
-       "run.world = \"rom\": must be `room`, `points` or `recording`; the nearest is `room`"},
-      {"run", "world = 3", "run.world = 3: must be a text"},
+      {"world", "type = \"rom\"",
+       "world.type = \"rom\": must be `room`, `points` or `recording`; the nearest is `room`"},
+      {"world", "type = 3", "world.type = 3: must be a text"},
       {"camera", "width_px = -320", "camera.width_px = -320: must be 16 to 16384"},
       {"camera", "width_px = 99999999999999", "camera.width_px = 99999999999999: must be 16 to 16384"},
       {"search", "patch_size_px = 10", "search.patch_size_px = 10: must be odd, 9 to 15"},
       {"search", "patch_size_px = 17", "search.patch_size_px = 17: must be odd, 9 to 15"},
-      {"birth", "particles = 1", "birth.particles = 1: must be 2 to 100000"},
+      {"landmark_initialization", "box_width_px = 1",
+       "landmark_initialization.box_width_px = 1: must be 16 to"},
       {"room", "size_m = [1, 2]", "room.size_m = [1, 2]: must be a list of three numbers"},
       {"room", "size_m = [6, 2, nan]", "room.size_m = [6, 2, nan]: must be finite"},
       {"room", "size_m = [6, \"2\", 3]", "must be a list of three numbers"},
@@ -213,10 +272,10 @@ TEST(LoadScenario, RefusesWrongValues) {
 }
 
 TEST(LoadScenario, TellsAllFaultsAtOnce) {
-  const std::string text = complaint(free_start + "[run]\nsede = 1\nrate_hz = -1\n", {"run.world=x"});
+  const std::string text = complaint(free_start + "[run]\nsede = 1\nrate_hz = -1\n", {"world.type=x"});
   EXPECT_HAS(text, "mine.toml:4: ");
   EXPECT_HAS(text, "mine.toml:5: ");
-  EXPECT_HAS(text, "--set: run.world = x");
+  EXPECT_HAS(text, "--set: world.type = x");
 }
 
 TEST(LoadScenario, RefusesContradictions) {
@@ -224,22 +283,22 @@ TEST(LoadScenario, RefusesContradictions) {
     const char *text, *part;
   };
   const Case cases[] = {
-      {"[birth]\nmax_depth_m = 0.2",
-       "mine.toml:4: birth.max_depth_m = 0.2: must be more than birth.min_depth_m"},
-      {"[birth]\nbox_width_px = 400",
-       "mine.toml:4: birth.box_width_px = 400: must be at most camera.width_px, which is 320"},
+      {"[landmark_initialization]\nmax_depth_m = 0.2",
+       "mine.toml:4: landmark_initialization.max_depth_m = 0.2: must be more than landmark_initialization.min_depth_m"},
+      {"[landmark_initialization]\nbox_width_px = 400",
+       "mine.toml:4: landmark_initialization.box_width_px = 400: must be at most camera.width_px, which is 320"},
       {"[decision]\nmax_bound_m = [1, -2e9, 1]", "mine.toml:4: decision.max_bound_m"},
-      {"[run]\nworld = \"recording\"", "default: recording.folder = \"\": must name the recording"},
+      {"[world]\ntype = \"recording\"", "default: recording.folder = \"\": must name the recording"},
       {"[room]\nstart_position_m = [9, 0, 1]",
        "mine.toml:4: room.start_position_m = [9.0, 0.0, 1.0]: must be inside"},
       {"[camera]\nu0_px = 400",
-       "mine.toml:4: camera.u0_px = 400.0: camera u0_px must lie inside the image width"},
-      {"[camera]\nkd1_per_px2 = 0.34",
-       "mine.toml:4: camera.kd1_per_px2 = 0.34: camera kd1_per_px2 must leave a ray"},
-      {"[camera]\nk1 = -8\nmodel = \"pinhole\"", "mine.toml:4: camera.k1 = -8.0: camera k1 must leave a ray"},
-      {"[camera]\nk1 = -0.3", "mine.toml:4: camera.k1 = -0.3: must be 0, camera.model being `wide-angle`"},
+       "mine.toml:4: camera.u0_px = 400.0: must lie inside the image, 0 to 320 (camera.width_px)"},
+      {"[camera]\nkd1_per_px2 = 0.34", "mine.toml:4: camera.kd1_per_px2 = 0.34: must leave a ray"},
+      {"[camera]\nk1 = -8\nmodel = \"pinhole\"", "mine.toml:4: camera.k1 = -8.0: must leave a ray"},
+      {"[camera]\nk1 = -0.3",
+       "mine.toml:4: `camera.k1` belongs to `camera.model = \"pinhole\"`; here `camera.model = \"wide-angle\"`"},
       {"[camera]\nkd1_per_px2 = 9e-6\nmodel = \"pinhole\"",
-       "mine.toml:4: camera.kd1_per_px2 = 9e-06: must be 0"},
+       "mine.toml:4: `camera.kd1_per_px2` belongs to `camera.model = \"wide-angle\"`"},
       {"[room]\nsize_m = [6, 1.9, 2.5]",
        "mine.toml:4: room.size_m = [6.0, 1.9, 2.5]: must be 2 to 50 long and wide"},
       {"[room]\nsize_m = [6, 6, 30]",
@@ -322,74 +381,93 @@ TEST(LoadScenario, FindsBuiltInScenariosFromAnywhere) {
   std::filesystem::current_path(scratch.folder());
   const LoadedScenario room = load_scenario("room"), davison = load_scenario("davison");
   std::filesystem::current_path(here);
-  EXPECT_EQ(room.scenario.run.world, "room");
+  EXPECT_EQ(room.scenario.world.type, WorldSettings::Type::room);
   EXPECT_EQ(davison.scenario.recording.folder, "monoslam_testseq/frames");
-  EXPECT_EQ(davison.scenario.camera.kd1_per_px2, 9e-6);
+  EXPECT_EQ(std::get<WideAngleLens>(davison.scenario.camera.model).kd1_per_px2, 9e-6);
   EXPECT_TRUE(davison.sources.at("camera.kd1_per_px2").starts_with("davison.toml:"));
 }
 
-TEST(EffectiveToml, GivesTheSameScenarioAgain) {
-  for (const char* name : {"room", "davison"}) {
-    LoadedScenario first = load_scenario(
-        name, std::vector<std::string>{"filter.sigma_pixel_px=0.4234567890123456789",
-                                       "run.seed=9007199254740993", "decision.min_bound_m=[-1e-7,-3,0.1]"});
-    const std::string text = effective_toml(first);
-    const Scratch scratch;
-    LoadedScenario again = load_scenario(scratch.write("effective.toml", text).string());
-    const std::vector<Setting> a = list_settings(first.scenario), b = list_settings(again.scenario);
-    for (std::size_t i = 0; i < a.size(); ++i) {
-      EXPECT_EQ(a[i].written(), b[i].written()) << a[i].key;
-      const bool in_force = inapplicable_reason(a[i].key, first.scenario).empty();
-      EXPECT_EQ(again.sources.at(a[i].key) == "default", !in_force) << a[i].key;
-    }
-    EXPECT_HAS(text, "sigma_pixel_px = 0.4234567890123457  # --set; px; ");
-    EXPECT_HAS(text, "# default; ");
+void expect_same_again(const LoadedScenario& first) {
+  const Scratch scratch;
+  const LoadedScenario again = load_scenario(scratch.write("effective.toml", effective_toml(first)).string());
+  ASSERT_EQ(first.settings.size(), again.settings.size()) << first.name;
+  for (std::size_t i = 0; i < first.settings.size(); ++i) {
+    EXPECT_EQ(first.settings[i].key, again.settings[i].key) << first.name;
+    EXPECT_EQ(first.settings[i].value, again.settings[i].value) << first.settings[i].key;
+    EXPECT_TRUE(again.settings[i].is_given()) << again.settings[i].key;
   }
 }
 
-TEST(EffectiveToml, GivesTheSameVehicleAgain) {
-  LoadedScenario first =
-      load_scenario("car-park-anchored", std::vector<std::string>{"vehicle_filter.use_fixes=true"});
+TEST(EffectiveToml, GivesEveryScenarioAgain) {
+  for (const std::string& name : embedded_scenarios()) expect_same_again(load_scenario(name));
+  expect_same_again(load_scenario("car-park-anchored", std::vector<std::string>{"estimator.use_fixes=true"}));
+}
+
+TEST(EffectiveToml, KeepsEveryDigit) {
+  const LoadedScenario first = load_scenario(
+      "room", std::vector<std::string>{"sensor.sigma_pixel_px=0.4234567890123456789",
+                                       "run.seed=9007199254740993", "decision.min_bound_m=[-1e-7,-3,0.1]"});
+  expect_same_again(first);
   const std::string text = effective_toml(first);
-  EXPECT_HAS(text, "anchors_m = [[2.8953, -4.0353], [9.9489, 6.9239]]");
-  EXPECT_EQ(text.find("[camera]"), std::string::npos);
-  const Scratch scratch;
-  LoadedScenario again = load_scenario(scratch.write("effective.toml", text).string());
-  const std::vector<Setting> a = settings_in_force(first.scenario), b = settings_in_force(again.scenario);
-  ASSERT_EQ(a.size(), b.size());
-  for (std::size_t i = 0; i < a.size(); ++i) EXPECT_EQ(a[i].written(), b[i].written()) << a[i].key;
+  EXPECT_HAS(text, "sigma_pixel_px = 0.4234567890123457  # --set; px; ");
+  EXPECT_HAS(text, "# default; ");
+  EXPECT_EQ(text.find("[vehicle_start]"), std::string::npos);
 }
 
 TEST(LoadScenario, RefusesASectionOfAnotherSensor) {
-  EXPECT_HAS(
-      complaint("[run]\nworld = \"recording\"\nsensor = \"range-bearing\"\n[recording]\nfolder = \"x\"\n"
-                "[camera]\nfu_px = 200\n"),
-      "camera.fu_px = 200.0: means nothing with run.sensor = `range-bearing`");
+  EXPECT_HAS(complaint("[world]\ntype = \"recording\"\n[sensor]\ntype = \"range-bearing\"\n"
+                       "[recording]\nfolder = \"x\"\n[camera]\nfu_px = 200\nfv_px = 200\n"),
+             "mine.toml:7: section `camera` belongs to `sensor.type = \"camera\"`; here `sensor.type = "
+             "\"range-bearing\"`");
   EXPECT_HAS(complaint(free_start + "[vehicle]\nmodel = \"ackermann\"\n"),
-             "vehicle.model = \"ackermann\": means nothing with run.sensor = `camera`");
+             "vehicle.model = \"ackermann\": must be `free-camera` or `terrain`");
+}
+
+/// The choice of the command line decides, and what the file gives to another alternative is refused.
+TEST(LoadScenario, ChoicesOfTheCommandLineComeFirst) {
+  const std::string text =
+      "[world]\ntype = \"points\"\n[sensor]\ntype = \"range-bearing\"\n[vehicle]\nmodel = "
+      "\"differential-drive\"\nsensor_forward_m = 0.3\n[controller]\nlaw = \"feedback-linearization\"\n";
+  const LoadedScenario circle =
+      loaded(text + "[path]\nradius_m = 3\n", {"path.type=circle", "path.rate_rad_s=0.1"});
+  EXPECT_EQ(std::get<CirclePath>(circle.scenario.path.type).radius_m, 3);
+  EXPECT_EQ(std::get<CirclePath>(circle.scenario.path.type).rate_rad_s, 0.1);
+  EXPECT_HAS(complaint(text + "[path]\ntype = \"circle\"\nradius_m = 3\n", {"path.type=point"}),
+             "mine.toml:12: `path.radius_m` belongs to `path.type = \"circle\" or \"back-and-forth\"`; here "
+             "`path.type = \"point\"`");
+}
+
+/// Those of a strategy that is not chosen are taken, so that a campaign can vary the strategy.
+TEST(LoadScenario, TakesTheSettingsOfAllStrategies) {
+  const std::string text = free_start + "[decision]\nsequence = \"go_left\"\ngaze_rate_rad_s = 0.1\n";
+  for (const char* strategy : {"mutual-information", "random", "fixed-path", "none"})
+    for (const char* gaze : {"swing", "hold", "constant-rate", "fisher"})
+      EXPECT_EQ(complaint(text, {"decision.strategy=" + std::string(strategy),
+                                 "decision.gaze=" + std::string(gaze)}),
+                "(none)");
 }
 
 TEST(LoadScenario, ReadsPairsAndAnswers) {
   const std::string vehicle =
-      "[run]\nworld = \"recording\"\nsensor = \"range-bearing\"\n[recording]\nfolder = \"x\"\n";
+      "[world]\ntype = \"recording\"\n[sensor]\ntype = \"range-bearing\"\n[recording]\nfolder = \"x\"\n";
   const LoadedScenario mine = loaded(vehicle +
-                                     "[vehicle_filter]\nanchors_m = [[1, 2.5]]\nuse_fixes = true\n"
-                                     "[vehicle_start]\nposition_m = [3, 4]\n");
+                                     "[estimator]\nanchors_m = [[1, 2.5]]\nuse_fixes = true\n"
+                                     "[start]\nposition_m = [3, 4]\n");
   ASSERT_EQ(mine.scenario.planar.filter.anchors.size(), 1u);
   EXPECT_EQ(mine.scenario.planar.filter.anchors[0], Eigen::Vector2d(1, 2.5));
   EXPECT_TRUE(mine.scenario.planar.filter.use_fixes);
   EXPECT_EQ(mine.scenario.planar.start.position_m, Eigen::Vector2d(3, 4));
-  EXPECT_HAS(complaint(vehicle + "[vehicle_filter]\nanchors_m = [1, 2]\n"), "must be a list of [x, y]");
-  EXPECT_HAS(complaint(vehicle + "[vehicle_filter]\nanchors_m = [[1, 2, 3]]\n"), "anchors_m");
-  EXPECT_HAS(complaint(vehicle + "[vehicle_filter]\nuse_fixes = 1\n"), "must be true or false");
+  EXPECT_HAS(complaint(vehicle + "[estimator]\nanchors_m = [1, 2]\n"), "must be a list of [x, y]");
+  EXPECT_HAS(complaint(vehicle + "[estimator]\nanchors_m = [[1, 2, 3]]\n"), "anchors_m");
+  EXPECT_HAS(complaint(vehicle + "[estimator]\nuse_fixes = 1\n"), "must be true or false");
 }
 
 TEST(EffectiveToml, StaysOnItsLinesWhateverIsInTexts) {
-  LoadedScenario first = load_scenario("room", std::vector<std::string>{"recording.folder=a\"b\\c\n[x]\tü"});
-  first.sources["run.seed"] = "two\nlines";
+  LoadedScenario first = load_scenario("room", std::vector<std::string>{"start.target=a\"b\\c\n[x]\tü"});
+  first.settings[0].source = "two\nlines";
   const Scratch scratch;
   const LoadedScenario again = load_scenario(scratch.write("e.toml", effective_toml(first)).string());
-  EXPECT_EQ(again.scenario.recording.folder, "a\"b\\c\n[x]\tü");
+  EXPECT_EQ(again.scenario.start.target, "a\"b\\c\n[x]\tü");
 }
 
 }  // namespace

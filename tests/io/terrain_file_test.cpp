@@ -6,7 +6,7 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 
-#include "incognita/io/scenario/settings.hpp"
+#include "tests/merged_toml.hpp"
 #include "tests/scratch.hpp"
 
 namespace incognita {
@@ -15,11 +15,13 @@ namespace {
 using testing::message_of;
 using testing::Scratch;
 
-const std::string points = "[run]\nworld = \"points\"\nsensor = \"camera\"\n[vehicle]\nmodel = \"terrain\"\n";
-const std::string image = "[terrain]\nkind = \"image\"\nfile = \"ground.png\"\nsize_m = 8\nheight_m = 2\n";
+const std::string points =
+    "[world]\ntype = \"points\"\n[sensor]\ntype = \"camera\"\n[vehicle]\n"
+    "model = \"terrain\"\n";
+const std::string image = "[terrain]\ntype = \"image\"\nfile = \"ground.png\"\nsize_m = 8\nheight_m = 2\n";
 
 LoadedScenario load(const Scratch& scratch, const std::string& text) {
-  return load_scenario(scratch.write("mine.toml", text).string());
+  return load_scenario(scratch.write("mine.toml", testing::merged_toml(text)).string());
 }
 
 /// 5 columns, 3 rows: white in the upper right corner, a given gray left of the middle.
@@ -84,19 +86,19 @@ TEST(TerrainFile, RefusesFilesThatAreNotHeightMaps) {
 }
 
 TEST(TerrainFile, RefusesAnImageThatDoesNotContainTheStart) {
-  const std::string start = "[team]\npositions_m = [[0, 0, 0], [3, 2.5, 0]]\nheadings_rad = [0]\n";
+  const std::string start = "[start]\npositions_m = [[0, 0, 0], [3, 2.5, 0]]\nheadings_rad = [0]\n";
   const std::string why = complaint(points + image + start, "", ground<std::uint8_t>(255, 51));
   EXPECT_HAS(why, "mine.toml:9: terrain.size_m = 8: the image reaches 8 m by 4 m about the origin");
-  EXPECT_HAS(why, "starts at [3, 2.5] (team.positions_m): make the image larger or terrain.size_m more");
+  EXPECT_HAS(why, "starts at [3, 2.5] (start.positions_m): make the image larger or terrain.size_m more");
 }
 
 TEST(TerrainFile, SettingsOfOtherTerrainsAreRefused) {
   EXPECT_HAS(complaint(points + "[terrain]\nfile = \"x.png\"\n", ""),
-             "terrain.file = \"x.png\": means nothing with terrain.kind = `waves`");
+             "`terrain.file` belongs to `terrain.type = \"image\"`; here `terrain.type = \"waves\"`");
   EXPECT_HAS(complaint(points + image + "amplitude_m = 1\n", ""),
-             "terrain.amplitude_m = 1.0: means nothing with terrain.kind = `image`");
-  EXPECT_HAS(complaint(points + "[terrain]\nkind = \"image\"\n", ""),
-             "default: terrain.file = \"\": must name a grey image");
+             "`terrain.amplitude_m` belongs to `terrain.type = \"waves\"`; here `terrain.type = \"image\"`");
+  EXPECT_HAS(complaint(points + "[terrain]\ntype = \"image\"\n", ""),
+             "default: terrain.file = \"\": must name a gray image");
 }
 
 TEST(TerrainFile, IsFoundByAnEffectiveScenarioElsewhere) {
@@ -109,13 +111,13 @@ TEST(TerrainFile, IsFoundByAnEffectiveScenarioElsewhere) {
 
 // Settings of a vehicle in the rendered room, and inapplicable ones.
 const std::string room =
-    "[run]\nworld = \"room\"\n[vehicle]\nmodel = \"terrain\"\n[start]\nfrom = \"free\"\n";
+    "[world]\ntype = \"room\"\n[vehicle]\nmodel = \"terrain\"\n[start]\nfrom = \"free\"\n";
 
 TEST(RoomVehicleSettings, AreAccepted) {
   EXPECT_EQ(complaint(room, ""), "(none)");
-  EXPECT_EQ(complaint(room + "[steer]\nlaw = \"tracking\"\n[path]\nkind = \"circle\"\n", ""), "(none)");
+  EXPECT_EQ(complaint(room + "[controller]\nlaw = \"tracking\"\n[path]\ntype = \"circle\"\n", ""), "(none)");
   const Scratch scratch;
-  LoadedScenario mine = load(scratch, room + "[filter]\nodometry = true\n");
+  LoadedScenario mine = load(scratch, room + "[estimator]\nuse_odometry = true\n");
   const LoadedScenario again = load(scratch, effective_toml(mine));
   EXPECT_TRUE(again.scenario.slam.filter.odometry);
 }
@@ -125,36 +127,42 @@ TEST(RoomVehicleSettings, InapplicableOrContradictoryOnesAreRefused) {
     const char *text, *part;
   };
   const Case cases[] = {
-      {"[decision]\nimpulse_s = 0.2", "decision.impulse_s = 0.2: means nothing with steer.law = `none`"},
-      {"[steer]\nlaw = \"active\"\n[decision]\nstep_m = 0.2",
-       "decision.step_m = 0.2: means nothing with vehicle.model = `terrain`"},
-      {"[steer]\nlaw = \"active\"\n[decision]\naccelerations = [[1, 0]]",
+      {"[decision]\nimpulse_s = 0.2",
+       "section `decision` belongs to `controller.law = \"active\"`; here `controller.law = \"none\"`"},
+      {"[controller]\nlaw = \"active\"\n[decision]\nstep_m = 0.2",
+       "`decision.step_m` belongs to `vehicle.model = \"free-camera\"`; here `vehicle.model = \"terrain\"`"},
+      {"[controller]\nlaw = \"active\"\n[decision]\naccelerations = [[1, 0]]",
        "decision.accelerations = [[1.0, 0.0]]: must have [0, 0]"},
-      {"[steer]\nlaw = \"active\"\n[decision]\nmin_bound_m = [1, 1, 1]",
-       "must, with decision.max_bound_m, leave team.positions_m inside"},
-      {"[person]\nholds = true", "means nothing with vehicle.model = `terrain`"},
-      {"[control]\ngaze_period_s = 5", "means nothing with vehicle.model = `terrain`"},
-      {"[room]\nstart_position_m = [0, 0, 1]", "means nothing with vehicle.model = `terrain`"},
-      {"[filter]\nsigma_slip_m_s = 0.1", "means nothing with filter.odometry = false"},
-      {"[points]\ncount = 3", "means nothing with run.world = `room`"},
-      {"[path]\noffsets_m = [[0, 0, 0]]\n[steer]\nlaw = \"tracking\"",
-       "means nothing with run.world = `room`"},
-      {"[team]\npositions_m = [[0, 0, 0], [1, 0, 0]]", "team.positions_m"},
-      {"[team]\npositions_m = [[2.95, 0, 0]]", "must be inside room.size_m [6, 6, 2.5]"},
-      {"[team]\npositions_m = [[1, 0, 0.5]]", "must have a z of 0"},
-      {"[steer]\nlaw = \"lqg\"",
-       "steer.law = \"lqg\": must be `active`, `none`, `tracking` or `feedback-linearisation`"},
-      {"[steer]\nkeep_clear_m = 0.2", "steer.keep_clear_m = 0.2: must be 0 or at least"},
+      {"[controller]\nlaw = \"active\"\n[decision]\nmin_bound_m = [1, 1, 1]",
+       "must, with decision.max_bound_m, contain start.positions_m"},
+      {"[operator]\nholds = true", "section `operator` belongs to `vehicle.model = \"free-camera\"`"},
+      {"[controller]\nswing_period_s = 5",
+       "`controller.swing_period_s` belongs to `vehicle.model = \"free-camera\"`"},
+      {"[room]\nstart_position_m = [0, 0, 1]",
+       "`room.start_position_m` belongs to `vehicle.model = \"free-camera\"`"},
+      {"[estimator]\nsigma_slip_m_s = 0.1",
+       "`estimator.sigma_slip_m_s` belongs to `estimator.use_odometry = true`"},
+      {"[points]\ncount = 3",
+       "section `points` belongs to `world.type = \"points\"`; here `world.type = \"room\"`"},
+      {"[path]\noffsets_m = [[0, 0, 0]]\n[controller]\nlaw = \"tracking\"",
+       "`path.offsets_m` belongs to `world.type = \"points\"`"},
+      {"[start]\npositions_m = [[0, 0, 0], [1, 0, 0]]", "start.positions_m"},
+      {"[start]\npositions_m = [[2.95, 0, 0]]", "must be inside room.size_m [6, 6, 2.5]"},
+      {"[start]\npositions_m = [[1, 0, 0.5]]", "must have a z of 0"},
+      {"[controller]\nlaw = \"lqg\"",
+       "controller.law = \"lqg\": must be `none`, `tracking`, `feedback-linearization` or `active`"},
+      {"[controller]\navoidance_distance_m = 0.2",
+       "controller.avoidance_distance_m = 0.2: must be 0 or at least"},
       {"[mount]\nup_m = 0", "mount.up_m = 0.0: must be more than 0"},
-      {"[terrain]\nkind = \"image\"", "terrain.file"},
+      {"[terrain]\ntype = \"image\"", "terrain.file"},
   };
   for (const Case& one : cases) EXPECT_HAS(complaint(room + one.text + "\n", ""), one.part);
-  EXPECT_HAS(complaint("[start]\nfrom = \"free\"\n[filter]\nodometry = true\n", ""),
-             "filter.odometry = true: means nothing with a camera that is on no vehicle");
+  EXPECT_HAS(complaint("[start]\nfrom = \"free\"\n[estimator]\nuse_odometry = true\n", ""),
+             "section `estimator` belongs to `vehicle.model = \"terrain\"`");
   EXPECT_HAS(complaint("[start]\nfrom = \"free\"\n[decision]\nmin_bound_m = [5, 5, 5]\n", ""),
-             "must, with decision.max_bound_m, leave room.start_position_m inside");
-  EXPECT_HAS(complaint(points + "[steer]\nkeep_clear_m = 1\n", ""),
-             "means nothing with run.world = `points`");
+             "must, with decision.max_bound_m, contain room.start_position_m");
+  EXPECT_HAS(complaint(points + "[controller]\navoidance_distance_m = 1\n", ""),
+             "`controller.avoidance_distance_m` belongs to `world.type = \"room\"`");
 }
 
 }  // namespace

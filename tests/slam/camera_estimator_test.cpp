@@ -147,22 +147,23 @@ std::string refusal(const std::function<void(CameraSlamSettings&)>& change) {
 TEST(SingleCamera, RefusesSettingsThatCannotBe) {
   EXPECT_EQ(refusal([](auto&) {}), "accepted");
   EXPECT_EQ(refusal([](auto& s) { s.filter.sigma_pixel_px = 0; }),
-            "filter.sigma_pixel_px = 0: must be more than 0, and finite");
+            "sensor.sigma_pixel_px = 0: must be more than 0, and finite");
   EXPECT_EQ(refusal([](auto& s) { s.filter.sigma_acceleration_m_s2 = -1; }),
-            "filter.sigma_acceleration_m_s2 = -1: must be 0 or more, and finite");
+            "vehicle.sigma_acceleration_m_s2 = -1: must be 0 or more, and finite");
   EXPECT_EQ(refusal([](auto& s) { s.filter.sigma_start_velocity_m_s = std::nan(""); }),
-            "filter.sigma_start_velocity_m_s = nan: must be 0 or more, and finite");
+            "start.sigma_velocity_m_s = nan: must be 0 or more, and finite");
   EXPECT_EQ(refusal([](auto& s) { s.search.patch_size_px = 10; }),
             "search.patch_size_px = 10: must be odd, 9 to 15");
   EXPECT_EQ(refusal([](auto& s) { s.search.gate_probability = 1; }),
             "search.gate_probability = 1: must be more than 0 and less than 1");
-  EXPECT_EQ(refusal([](auto& s) { s.initialization.max_depth_m = 0.1; }),
-            "birth.max_depth_m = 0.1: must be more than birth.min_depth_m, and finite");
+  EXPECT_EQ(
+      refusal([](auto& s) { s.initialization.max_depth_m = 0.1; }),
+      "landmark_initialization.max_depth_m = 0.1: must be more than landmark_initialization.min_depth_m, and finite");
   EXPECT_EQ(refusal([](auto& s) { s.initialization.particles = 1; }),
-            "birth.particles = 1: must be 2 or more");
+            "landmark_initialization.particles = 1: must be 2 or more");
   EXPECT_EQ(refusal([](auto& s) { s.map.max_scale = 1; }),
             "map.max_scale = 1: must be more than 1, and finite");
-  EXPECT_EQ(refusal([](auto& s) { s.lost.min_matches = 0; }), "lost.min_matches = 0: must be 1 or more");
+  EXPECT_EQ(refusal([](auto& s) { s.lost.min_matches = 0; }), "health.min_matches = 0: must be 1 or more");
 }
 
 TEST(SingleCamera, RefusesATargetOrWheelsThatCannotBe) {

@@ -55,7 +55,7 @@ PlanarSlamSettings drive_settings() {
   s.vehicle.sigma_speed_m_s = 0.05;
   s.vehicle.sigma_turn_rate_rad_s = 0.02;
   s.sensor.sigma_range_m = 0.05;
-  s.association.method = "known";
+  s.association.method = DataAssociationSettings::Method::known;
   return s;
 }
 
@@ -110,14 +110,15 @@ Estimate run(const PlanarSlamSettings& s, int ticks, double noise = 1, bool anon
 }
 
 TEST(SingleVehicle, MapsWhatItSees) {
-  for (const char* method : {"known", "nearest", "joint"}) {
+  for (const auto method : {DataAssociationSettings::Method::known, DataAssociationSettings::Method::nearest,
+                            DataAssociationSettings::Method::joint}) {
     PlanarSlamSettings s = drive_settings();
     s.association.method = method;
     Drive drive;
-    const Estimate e = run(s, 30, 1, s.association.method != "known", &drive);
-    ASSERT_EQ(map_size(e), landmarks.size()) << method;
+    const Estimate e = run(s, 30, 1, s.association.method != DataAssociationSettings::Method::known, &drive);
+    ASSERT_EQ(map_size(e), landmarks.size()) << static_cast<int>(method);
     for (std::size_t i = 0; i < landmarks.size(); ++i)
-      EXPECT_LT((nearest(e, landmarks[i]).position - landmarks[i]).norm(), 0.2) << method;
+      EXPECT_LT((nearest(e, landmarks[i]).position - landmarks[i]).norm(), 0.2) << static_cast<int>(method);
     EXPECT_LT((pose(e) - drive.truth).norm(), 0.2);
     EXPECT_EQ(e.status.state, TrackingState::tracking);
     EXPECT_EQ(e.last.matched, 4);
@@ -130,14 +131,15 @@ TEST(SingleVehicle, EveryFilterIsTheSameWhereNothingIsToLinearize) {
   s.sensor.sigma_range_m = s.sensor.sigma_bearing_rad = 1e-7;
   const Estimate plain = run(s, 20);
   const Eigen::Matrix3d P = covariance(plain);
-  for (const char* linearization : {"iterated", "unscented-vehicle", "first-estimate"}) {
+  for (const auto linearization :
+       {Linearization::iterated, Linearization::unscented_vehicle, Linearization::first_estimate}) {
     s.filter.linearization = linearization;
     const Estimate other = run(s, 20);
-    EXPECT_LT((pose(other) - pose(plain)).norm(), 1e-11) << linearization;
-    EXPECT_LT((covariance(other) - P).norm(), 1e-3 * P.norm()) << linearization;
+    EXPECT_LT((pose(other) - pose(plain)).norm(), 1e-11) << static_cast<int>(linearization);
+    EXPECT_LT((covariance(other) - P).norm(), 1e-3 * P.norm()) << static_cast<int>(linearization);
   }
-  s.filter.linearization = "analytic";
-  s.filter.map_frame = "vehicle";
+  s.filter.linearization = Linearization::analytic;
+  s.filter.map_frame = MapFrame::vehicle;
   const Estimate relative = run(s, 20);
   EXPECT_LT((pose(relative) - pose(plain)).norm(), 1e-11);
   EXPECT_LT((covariance(relative) - P).norm(), 1e-3 * P.norm());
@@ -152,29 +154,29 @@ TEST(SingleVehicle, FirstEstimatesGainNoHeadingWithoutAnchors) {
   PlanarSlamSettings s = drive_settings();
   s.start.sigma_heading_rad = 0.2;
   const double analytic = covariance(run(s, 60))(2, 2);
-  s.filter.linearization = "first-estimate";
+  s.filter.linearization = Linearization::first_estimate;
   const double kept = covariance(run(s, 60))(2, 2);
   EXPECT_GE(kept, 0.04 * (1 - 1e-9));
   EXPECT_LT(analytic, 0.04);
 }
 
 TEST(SingleVehicle, AnchorsAndFixesFixTheFrame) {
-  for (const char* frame : {"world", "vehicle"}) {
+  for (const MapFrame frame : {MapFrame::world, MapFrame::vehicle}) {
     PlanarSlamSettings s = drive_settings();
     s.filter.map_frame = frame;
     s.start = {{0.3, -0.2}, 0.1, false, 0.5, 0.2};
     s.filter.anchors = {landmarks[0], landmarks[1]};
-    s.association.method = "joint";
+    s.association.method = DataAssociationSettings::Method::joint;
     Drive drive;
     const Estimate anchored = run(s, 40, 1, true, &drive);
-    EXPECT_LT((pose(anchored) - drive.truth).norm(), 0.15) << frame;
-    EXPECT_EQ(map_size(anchored), 4u) << frame;
-    EXPECT_EQ(anchored.mapped_count(), 2) << frame;
+    EXPECT_LT((pose(anchored) - drive.truth).norm(), 0.15) << static_cast<int>(frame);
+    EXPECT_EQ(map_size(anchored), 4u) << static_cast<int>(frame);
+    EXPECT_EQ(anchored.mapped_count(), 2) << static_cast<int>(frame);
   }
 }
 
 TEST(SingleVehicle, FixesAreUsedInEitherFrame) {
-  for (const char* frame : {"world", "vehicle"}) {
+  for (const MapFrame frame : {MapFrame::world, MapFrame::vehicle}) {
     PlanarSlamSettings s = drive_settings();
     s.filter.map_frame = frame;
     s.filter.use_fixes = true;
@@ -188,7 +190,7 @@ TEST(SingleVehicle, FixesAreUsedInEitherFrame) {
       observation.bodies[0].fixes = {{static_cast<double>(drive.frame), drive.truth.head<2>()}};
       estimator.update(e, {}, observation, drive.tick());
     }
-    EXPECT_LT((pose(e) - drive.truth).norm(), 0.1) << frame;
+    EXPECT_LT((pose(e) - drive.truth).norm(), 0.1) << static_cast<int>(frame);
   }
 }
 
@@ -229,7 +231,7 @@ TEST(SingleVehicle, LeavesAloneWhatHasNoIdentityWhereIdentitiesAreWanted) {
 
 TEST(SingleVehicle, TwoDetectionsOfOnePlaceAreOneLandmark) {
   PlanarSlamSettings s = drive_settings();
-  s.association.method = "joint";
+  s.association.method = DataAssociationSettings::Method::joint;
   SlamEstimator estimator(single_vehicle(s));
   Estimate e;
   Observation observation = of_one();
@@ -283,7 +285,7 @@ TEST(SingleVehicle, HoldsEachInputUntilTheNext) {
 }
 
 TEST(SingleVehicle, UsesAFixAtItsOwnTime) {
-  for (const char* frame : {"world", "vehicle"}) {
+  for (const MapFrame frame : {MapFrame::world, MapFrame::vehicle}) {
     PlanarSlamSettings s = drive_settings();
     s.filter.map_frame = frame;
     s.filter.use_fixes = true;
@@ -296,8 +298,8 @@ TEST(SingleVehicle, UsesAFixAtItsOwnTime) {
     observation.bodies[0].fixes = {{0.1, {1, 0.5}},
                                    {0.2, {2, 0.5}}};  // half a metre beside where it thinks it is
     estimator.update(e, {}, observation, {0, 1, 0});
-    EXPECT_NEAR(pose(e)[0], 10, 0.1) << frame;
-    EXPECT_NEAR(pose(e)[1], 0.5, 0.1) << frame;
+    EXPECT_NEAR(pose(e)[0], 10, 0.1) << static_cast<int>(frame);
+    EXPECT_NEAR(pose(e)[1], 0.5, 0.1) << static_cast<int>(frame);
   }
 }
 
@@ -314,7 +316,7 @@ TEST(SingleVehicle, AnchorsAreKnownByTheirIdentity) {
 }
 
 TEST(SingleVehicle, SaysThatAnUpdateWasRefused) {
-  for (const char* decorrelate : {"nothing", "map-linear"}) {
+  for (const auto decorrelate : {Decorrelation::nothing, Decorrelation::map_linear}) {
     PlanarSlamSettings s = drive_settings();
     s.filter.decorrelate = decorrelate;
     s.filter.anchors = {landmarks[0], landmarks[1]};
@@ -326,14 +328,15 @@ TEST(SingleVehicle, SaysThatAnUpdateWasRefused) {
     Estimate e;
     Drive drive;
     drive.step(estimator, e, s);
-    EXPECT_EQ(e.last.update.outcome, UpdateReport::Outcome::singular) << decorrelate;
-    EXPECT_EQ(e.status.state, TrackingState::degraded) << decorrelate;
-    EXPECT_EQ(e.last.matched, 0) << decorrelate;
+    EXPECT_EQ(e.last.update.outcome, UpdateReport::Outcome::singular) << static_cast<int>(decorrelate);
+    EXPECT_EQ(e.status.state, TrackingState::degraded) << static_cast<int>(decorrelate);
+    EXPECT_EQ(e.last.matched, 0) << static_cast<int>(decorrelate);
   }
 }
 
 TEST(SingleVehicle, LeavesAloneWhatIsNoDetection) {
-  for (const char* method : {"known", "nearest", "joint"}) {
+  for (const auto method : {DataAssociationSettings::Method::known, DataAssociationSettings::Method::nearest,
+                            DataAssociationSettings::Method::joint}) {
     PlanarSlamSettings s = drive_settings();
     s.association.method = method;
     SlamEstimator estimator(single_vehicle(s));
@@ -342,14 +345,14 @@ TEST(SingleVehicle, LeavesAloneWhatIsNoDetection) {
     observation.bodies[0].landmarks = {detection(std::nan(""), 0.1, 1), detection(-3, 0.1, 2),
                                        detection(5, std::nan(""), 3), detection(5, 0.1, 4)};
     estimator.update(e, {}, observation, {0, 0, 0});
-    EXPECT_EQ(map_size(e), 1u) << method;
+    EXPECT_EQ(map_size(e), 1u) << static_cast<int>(method);
     EXPECT_TRUE(pose(e).allFinite());
   }
 }
 
 TEST(SingleVehicle, NewLandmarksAloneDoNotKeepItFromBeingLost) {
   PlanarSlamSettings s = drive_settings();
-  s.association.method = "joint";
+  s.association.method = DataAssociationSettings::Method::joint;
   SlamEstimator estimator(single_vehicle(s));
   Estimate e;
   for (int k = 0; k < s.lost.max_unmatched_scans + 3; ++k) {
@@ -362,7 +365,7 @@ TEST(SingleVehicle, NewLandmarksAloneDoNotKeepItFromBeingLost) {
 
 TEST(SingleVehicle, EntropiesOfABlockDiagonalMapAreThoseOfItsMatrix) {
   PlanarSlamSettings s = drive_settings();
-  s.filter.decorrelate = "map-linear";
+  s.filter.decorrelate = Decorrelation::map_linear;
   s.start.sigma_position_m = s.start.sigma_heading_rad = 0.1;
   const Estimate e = run(s, 5);
   const Eigen::MatrixXd P = e.belief.dense_covariance();
@@ -372,40 +375,38 @@ TEST(SingleVehicle, EntropiesOfABlockDiagonalMapAreThoseOfItsMatrix) {
 }
 
 TEST(SingleVehicle, KeepsTheMapBlockDiagonalWhenAsked) {
-  for (const char* decorrelate : {"map", "map-linear"}) {
+  for (const auto decorrelate : {Decorrelation::map, Decorrelation::map_linear}) {
     PlanarSlamSettings s = drive_settings();
     s.filter.decorrelate = decorrelate;
     const Estimate e = run(s, 20);
     for (int i = 0; i < 4; ++i)
       for (int j = 0; j < i; ++j)
-        EXPECT_TRUE(e.belief.covariance(block(e, i), block(e, j)).isZero(0)) << decorrelate;
-    EXPECT_FALSE(e.belief.covariance(e.bodies[0].block, block(e, 0)).isZero(0)) << decorrelate;
+        EXPECT_TRUE(e.belief.covariance(block(e, i), block(e, j)).isZero(0)) << static_cast<int>(decorrelate);
+    EXPECT_FALSE(e.belief.covariance(e.bodies[0].block, block(e, 0)).isZero(0)) << static_cast<int>(decorrelate);
   }
   PlanarSlamSettings s = drive_settings();
-  s.filter.decorrelate = "everything";
+  s.filter.decorrelate = Decorrelation::everything;
   const Estimate e = run(s, 20);
   EXPECT_TRUE(e.belief.covariance(e.bodies[0].block, block(e, 0)).isZero(0));
 }
 
 TEST(SingleVehicle, RefusesWhatMakesNoSense) {
   PlanarSlamSettings s = drive_settings();
-  s.filter.linearization = "magic";
+  s.filter.linearization = Linearization::iterated;
+  s.filter.decorrelate = Decorrelation::map_linear;
   EXPECT_THROW(SlamEstimator(single_vehicle(s)), std::invalid_argument);
-  s.filter.linearization = "iterated";
-  s.filter.decorrelate = "map-linear";
+  s.filter.decorrelate = Decorrelation::nothing;
+  s.filter.linearization = Linearization::first_estimate;
+  s.filter.map_frame = MapFrame::vehicle;
   EXPECT_THROW(SlamEstimator(single_vehicle(s)), std::invalid_argument);
-  s.filter.decorrelate = "nothing";
-  s.filter.linearization = "first-estimate";
-  s.filter.map_frame = "vehicle";
-  EXPECT_THROW(SlamEstimator(single_vehicle(s)), std::invalid_argument);
-  s.filter.linearization = "analytic";
-  s.filter.decorrelate = "map";
+  s.filter.linearization = Linearization::analytic;
+  s.filter.decorrelate = Decorrelation::map;
   EXPECT_THROW(SlamEstimator(single_vehicle(s)), std::invalid_argument);
 }
 
 TEST(SingleVehicle, FirstEstimatesLinearizeWhereTheyWereFirst) {
   PlanarSlamSettings s = drive_settings();
-  s.filter.linearization = "first-estimate";
+  s.filter.linearization = Linearization::first_estimate;
   Drive drive;
   const Estimate e = run(s, 10, 1, false, &drive);
   const Landmark& landmark = e.landmarks.at(1);

@@ -60,7 +60,7 @@ def car_row(results: Results, folder: str) -> str:
     """A filter's rank and what it has gained of its heading."""
     report, heading = results.summary(folder)["observability"], results.direction(folder, "heading")
     scenario = tomllib.loads((results.output_folder / folder / "effective.toml").read_text())
-    start = math.degrees(scenario["vehicle_start"]["sigma_heading_rad"])
+    start = math.degrees(scenario["start"]["sigma_heading_rad"])
     gained = math.degrees(heading["believed_sigma"]) if heading["gained"] else math.inf
     last = list(results.rows(f"{folder}/covariance.csv")[-1].values())
     filter_sigma = math.degrees(math.sqrt(float(last[36])))  # after t, the 6x6 covariance row by row
@@ -96,7 +96,7 @@ def comparison(results: Results, section: str, against: str, as_mapped: bool) ->
     strategy. `as_mapped`: in the variant that counts unseen landmarks as far as they would be mapped."""
     for row in ledger_section(results, section).split("\n"):
         found = COMPARISON.search(row)
-        if found and found[1] == against and ("explore.counted = as-mapped" in row) == as_mapped:
+        if found and found[1] == against and ("exploration.counted = as-mapped" in row) == as_mapped:
             return [plain(number) for number in found.groups()[1:]], row.split(" | ")[4]
     raise KeyError(f"docs/claims.md, {section}: no comparison with `{against}`")
 
@@ -178,6 +178,24 @@ def stage_row(results: Results, folder: str, name: str) -> str:
 def megabytes(results: Results, path: str) -> float:
     """Size of a file."""
     return (results.output_folder / path).stat().st_size / 1e6
+
+
+def setting_tables(results: Results, path: str) -> str:
+    """Every setting of `incognita config --all --json`, a table per section."""
+    sections: dict[str, list[str]] = {}
+    for s in results.document(path)["settings"]:
+        section, name = s["key"].split(".", 1)
+        value = json.dumps(s["default"], ensure_ascii=False)
+        allowed = s["allowed"].replace("|", "\\|")
+        needs = f"`{s['with']}`" if s["with"] else ""
+        sections.setdefault(section, []).append(f"| `{name}` | `{value}` | {allowed} | {s['help']} | {needs} |")
+    head = "| setting | default | values | meaning | with, e.g. |\n|---|---|---|---|---|\n"
+    return "\n\n".join(f"### `[{section}]`\n\n{head}" + "\n".join(rows) for section, rows in sections.items())
+
+
+def renamed_rows(results: Results, path: str) -> str:
+    """The settings that were renamed: before, after."""
+    return "\n".join(f"| `{r['before']}` | `{r['after']}` |" for r in results.document(path)["renamed"])
 
 
 def functions(results: Results) -> dict:

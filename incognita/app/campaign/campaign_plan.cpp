@@ -9,7 +9,6 @@
 
 #include "incognita/io/formats/files.hpp"
 #include "incognita/io/scenario/scenario_file.hpp"
-#include "incognita/io/scenario/settings.hpp"
 #include "incognita/messages/errors.hpp"
 
 namespace incognita {
@@ -81,17 +80,15 @@ std::string plain(const std::string& written) {
   return quoted ? written.substr(1, written.size() - 2) : written;
 }
 
-void describe(Variant& variant, LoadedScenario loaded, const std::vector<Varied>& lists) {
-  for (const Setting& setting : settings_in_force(loaded.scenario)) {
-    const std::string written = setting.written();
-    const bool follows = loaded.sources.at(setting.key).starts_with("as ");
-    if (setting.key != "run.seed" && !follows) variant.settings[setting.key] = written;
-    const bool names_file = setting.key == "start.target" || setting.key == "points.file" ||
-                            setting.key == "path.file" || setting.key == "terrain.file";
-    const std::string* file = names_file ? *std::get_if<std::string*>(&setting.field) : nullptr;
-    if (file && !file->empty())
+void describe(Variant& variant, const LoadedScenario& loaded, const std::vector<Varied>& lists) {
+  for (const SettingInForce& setting : loaded.settings) {
+    const bool follows = setting.source.starts_with("as ");
+    if (setting.key != "run.seed" && !follows) variant.settings[setting.key] = setting.value;
+    if (!setting.names_file) continue;
+    const auto file = std::get<std::string>(value_of_toml(setting.value).value);
+    if (!file.empty())
       variant.files[setting.key] =
-          digest_of(read_file(find_named_file(loaded, setting.key, *file), largest_named_file));
+          digest_of(read_file(find_named_file(loaded, setting.key, file), largest_named_file));
   }
   for (const Varied& list : lists) {
     const std::string& value = variant.settings.at(list.key);
@@ -243,9 +240,9 @@ CampaignPlan plan_campaign(const CampaignRequest& request) {
   }
   plan.variants = all_variants(request, lists, count);
   for (Variant& variant : plan.variants) {
-    LoadedScenario loaded = load_run(plan, variant, plan.seeds.back());
+    const LoadedScenario loaded = load_run(plan, variant, plan.seeds.back());
     plan.scenario_name = loaded.name;
-    describe(variant, std::move(loaded), lists);
+    describe(variant, loaded, lists);
   }
   refuse_duplicates(plan.variants);
   plan.baseline = find_baseline(request, plan, lists);

@@ -18,11 +18,10 @@
 #include "incognita/io/recordings/camera_of_recording.hpp"
 #include "incognita/io/recordings/recorded.hpp"
 #include "incognita/io/recordings/recording.hpp"
-#include "incognita/io/scenario/enum_words.hpp"
 #include "incognita/io/scenario/load_scenario.hpp"
-#include "incognita/io/scenario/settings.hpp"
+#include "incognita/io/scenario/renamed_settings.hpp"
 #include "incognita/io/scenario/target_file.hpp"
-#include "incognita/io/scenario/team_setting_list.hpp"
+#include "incognita/io/scenario/unknown_setting.hpp"
 #include "incognita/messages/errors.hpp"
 
 namespace incognita {
@@ -32,68 +31,85 @@ struct Options {
   std::string scenario = "room";
   std::vector<std::string> sets;
   bool check = false;
+  bool all = false;
   bool json = false;
 };
 
-nlohmann::json as_json(const Setting& setting) {
-  const auto to_json = [](const auto* field) -> nlohmann::json {
-    if constexpr (std::is_same_v<decltype(field), const Eigen::Vector3d*>) {
-      return {field->x(), field->y(), field->z()};
-    } else if constexpr (std::is_same_v<decltype(field), const Eigen::Vector2d*>) {
-      return {field->x(), field->y()};
-    } else if constexpr (std::is_same_v<decltype(field), const std::vector<Eigen::Vector2d>*>) {
-      nlohmann::json list = nlohmann::json::array();
-      for (const Eigen::Vector2d& point : *field) list.push_back({point.x(), point.y()});
-      return list;
-    } else if constexpr (std::is_enum_v<std::remove_cvref_t<decltype(*field)>>) {
-      return word_of(*field);
-    } else {
-      return *field;
-    }
-  };
-  return std::visit([&](const auto* field) { return to_json(field); }, setting.field);
-}
-
-const Setting& find(const std::vector<Setting>& settings, const std::string& key) {
-  return *std::find_if(settings.begin(), settings.end(), [&](const Setting& s) { return s.key == key; });
-}
-
-void print_json(LoadedScenario& loaded, const std::vector<std::string>& checked) {
-  Scenario defaults;
-  const std::vector<Setting> settings = settings_in_force(loaded.scenario), before = list_settings(defaults);
-  nlohmann::json list = nlohmann::json::array();
-  for (const Setting& setting : settings) {
-    list.push_back({{"key", setting.key},
-                    {"value", as_json(setting)},
-                    {"unit", setting.unit},
-                    {"default", as_json(find(before, setting.key))},
-                    {"source", loaded.sources.at(setting.key)},
-                    {"allowed", setting.allowed.text()},
-                    {"help", setting.help}});
+struct AsJson {
+  nlohmann::json operator()(const TomlArray& items) const {
+    nlohmann::json list = nlohmann::json::array();
+    for (const TomlValue& item : items) list.push_back(std::visit(*this, item.value));
+    return list;
   }
-  const nlohmann::json document = {{"scenario", loaded.name},
-                                   {"file", shown(loaded.file)},
-                                   {"settings", list},
-                                   {"overrides", loaded.overrides},
-                                   {"checked", checked}};
+  nlohmann::json operator()(const TomlTable&) const { return nullptr; }  // no setting is a table or a date
+  nlohmann::json operator()(const TomlDate&) const { return nullptr; }
+  nlohmann::json operator()(const auto& value) const { return value; }
+};
+
+nlohmann::json as_json(const SettingInForce& setting) {
+  return {{"key", setting.key},
+          {"value", std::visit(AsJson{}, value_of_toml(setting.value).value)},
+          {"unit", setting.unit},
+          {"default", std::visit(AsJson{}, value_of_toml(setting.default_value).value)},
+          {"source", setting.source},
+          {"allowed", setting.allowed},
+          {"help", setting.help}};
+}
+
+void print_json(const nlohmann::json& document) {
   // File names may not be UTF-8; a replaced character is better than an exception.
   std::cout << document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << "\n";
 }
 
-void print_table(LoadedScenario& loaded) {
-  Scenario defaults;
-  const std::vector<Setting> settings = settings_in_force(loaded.scenario), before = list_settings(defaults);
-  std::string section;
-  for (const Setting& setting : settings) {
-    if (section_of(setting.key) != section) {
-      section = section_of(setting.key);
-      std::cout << fmt::format("\n[{}]\n", section);
-    }
-    const std::string& source = loaded.sources.at(setting.key);
-    const std::string value = setting.written() + (setting.unit.empty() ? "" : " " + setting.unit);
-    std::cout << fmt::format("  {:<40} {:<28} default {:<24} from {}\n", setting.key, value,
-                             find(before, setting.key).written(), source);
+nlohmann::json as_json(const LoadedScenario& loaded, const std::vector<std::string>& checked) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const SettingInForce& setting : loaded.settings) list.push_back(as_json(setting));
+  return {{"scenario", loaded.name},
+          {"file", shown(loaded.file)},
+          {"settings", list},
+          {"overrides", loaded.overrides},
+          {"checked", checked}};
+}
+
+/// Two lines: value, default and source; the meaning.
+void print_setting(const SettingInForce& s, std::string& section) {
+  if (section_of(s.key) != section) {
+    section = section_of(s.key);
+    std::cout << fmt::format("\n[{}]\n", section);
   }
+  const std::string value = s.value + (s.unit.empty() ? "" : " " + s.unit);
+  std::cout << fmt::format("  {:<46} {:<28} default {:<24} from {}\n", s.key, value, s.default_value,
+                           s.source)
+            << "      " << s.help << (s.allowed.empty() ? "" : " (" + s.allowed + ")") << "\n";
+}
+
+std::string needs_of(const CataloguedSetting& catalogued) {
+  std::vector<std::string> needs;
+  for (const auto& [key, values] : catalogued.context) needs.push_back(key + " = " + values.front());
+  return fmt::format("{}", fmt::join(needs, ", "));
+}
+
+/// Every setting of every scenario, with the choices that it needs.
+void print_all(bool json) {
+  nlohmann::json list = nlohmann::json::array();
+  std::string section;
+  for (const CataloguedSetting& catalogued : all_settings()) {
+    if (json) {
+      list.push_back(as_json(catalogued.setting));
+      list.back().erase("value");
+      list.back().erase("source");
+      list.back()["with"] = needs_of(catalogued);
+    } else {
+      SettingInForce setting = catalogued.setting;
+      setting.source = catalogued.context.empty() ? "default" : needs_of(catalogued);
+      print_setting(setting, section);
+    }
+  }
+  if (!json) return;
+  nlohmann::json renamed = nlohmann::json::array();
+  for (const auto& [before, after] : renamed_settings())
+    renamed.push_back({{"before", before}, {"after", after}});
+  print_json({{"settings", list}, {"renamed", renamed}});
 }
 
 std::vector<std::string> check_team(const LoadedScenario& loaded) {
@@ -108,12 +124,12 @@ std::vector<std::string> check_team(const LoadedScenario& loaded) {
 std::vector<std::string> check(const LoadedScenario& loaded) {
   const Scenario& s = loaded.scenario;
   std::vector<std::string> found = {"the settings are compatible"};
-  if (is_team(s)) {
+  if (s.is_team()) {
     for (std::string& line : check_team(loaded)) found.push_back(std::move(line));
     return found;
   }
-  if (is_room_vehicle(s)) assemble_room_vehicle(loaded);  // refuses what a run would refuse
-  if (s.run.sensor == "range-bearing") {
+  if (s.is_room_vehicle()) assemble_room_vehicle(loaded);  // refuses what a run would refuse
+  if (s.sensor.type == "range-bearing") {
     const RangeAssembly assembly = assemble_ranges(loaded);  // refuses what a run would refuse
     const RangeRecording& recording = assembly.recording();
     found.insert(found.end(), assembly.notes.begin(), assembly.notes.end());
@@ -127,7 +143,7 @@ std::vector<std::string> check(const LoadedScenario& loaded) {
     found.push_back(fmt::format("target {}: {} corners, {}", target.name, target.corners.size(),
                                 shown(find_target(loaded))));
   }
-  if (s.run.world == "recording") {
+  if (s.is_recording()) {
     const auto recording = std::make_shared<const Recording>(read_recording(loaded));
     const std::string compared = compare_camera(loaded, *recording);
     const RecordedSensor first_image_fits(recording, s.camera.width_px, s.camera.height_px);
@@ -140,22 +156,27 @@ std::vector<std::string> check(const LoadedScenario& loaded) {
     found.push_back(fmt::format("all {} images exist, the first is {}x{} px", recording->frames.size(),
                                 s.camera.width_px, s.camera.height_px));
   }
-  if (!is_room_vehicle(s)) assemble(loaded);  // refuses what a run would refuse
+  if (!s.is_room_vehicle()) assemble(loaded);  // refuses what a run would refuse
   return found;
 }
 
 int run_config(const Options& options) {
-  LoadedScenario loaded = load_scenario(options.scenario, options.sets);
+  if (options.all) {
+    print_all(options.json);
+    return 0;
+  }
+  const LoadedScenario loaded = load_scenario(options.scenario, options.sets);
   for (const std::string& line : loaded.overrides) print_message("{}\n", line);
   const std::vector<std::string> checked = options.check ? check(loaded) : std::vector<std::string>{};
   if (options.json) {
-    print_json(loaded, checked);
+    print_json(as_json(loaded, checked));
   } else if (options.check) {
     for (const std::string& line : checked) std::cout << line << "\n";
     std::cout << fmt::format("{}: valid\n", loaded.name);
   } else {
     std::cout << fmt::format("{} ({})\n", loaded.name, shown(loaded.file));
-    print_table(loaded);
+    std::string section;
+    for (const SettingInForce& setting : loaded.settings) print_setting(setting, section);
   }
   return 0;
 }
@@ -165,7 +186,7 @@ int run_config(const Options& options) {
 CLI::App* add_config(CLI::App& app, std::function<int()>& job) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand(
-      "config", "Print every setting of a scenario with its value, unit, default and source");
+      "config", "Print every setting of a scenario with its value, unit, default, source and meaning");
   command->add_option("SCENARIO", options->scenario, "Scenario file, or the name of a built-in one")
       ->capture_default_str();
   command
@@ -174,6 +195,7 @@ CLI::App* add_config(CLI::App& app, std::function<int()>& job) {
   command->add_flag(
       "--check", options->check,
       "Only check the settings, the target, the room or recording, and everything else that a run needs");
+  command->add_flag("--all", options->all, "Every setting of every scenario, with the choices that it needs");
   command->add_flag("--json", options->json, "One JSON document on standard output");
   command->footer(
       "Example: incognita config room --set run.seed=7\n         incognita config davison --check");

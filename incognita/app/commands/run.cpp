@@ -19,7 +19,6 @@
 #include "incognita/app/console/print_message.hpp"
 #include "incognita/app/console/progress.hpp"
 #include "incognita/app/loop/scenario_run.hpp"
-#include "incognita/io/scenario/team_setting_list.hpp"
 #include "incognita/messages/errors.hpp"
 #include "incognita/record/frame_pictures.hpp"
 #include "incognita/record/recorder.hpp"
@@ -146,9 +145,9 @@ class RecorderSink : public RunSink {
 };
 
 void refuse_pictures_without_images(const Scenario& scenario) {
-  if (is_team(scenario)) throw InputError("--save-frames: there are no images with run.world = points");
-  if (scenario.run.sensor != "camera")
-    throw InputError("--save-frames: there are no images with run.sensor = range-bearing");
+  if (scenario.is_team()) throw InputError("--save-frames: there are no images with world.type = points");
+  if (scenario.sensor.type != "camera")
+    throw InputError("--save-frames: there are no images with sensor.type = range-bearing");
 }
 
 int run(const Options& options) {

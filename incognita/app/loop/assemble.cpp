@@ -63,7 +63,7 @@ Assembly assembled(const LoadedScenario& loaded) {
   if (scenario.start.from == StartSettings::From::target) target = load_target(loaded);
   const bool scale_is_known = target.has_value();
   std::vector<std::string> notes;
-  Environment environment = scenario.run.world == "recording" ? recorded_environment(loaded, camera, notes)
+  Environment environment = scenario.is_recording() ? recorded_environment(loaded, camera, notes)
                                                               : rendered_environment(loaded, camera, target);
   return {
       {std::move(environment.clock), std::move(environment.world), std::move(environment.sensor),
@@ -88,8 +88,8 @@ void check_sheet(const LoadedScenario& loaded, const Target& target, const Sheet
         fmt::format("{}: start.target = {}: has a corner at [{}, {}, {}], and the sheet in this room hangs "
                     "at x = {} (room.size_m, "
                     "{}): the target file must say the same",
-                    loaded.sources.at("start.target"), loaded.scenario.start.target, p.x(), p.y(), p.z(),
-                    sheet.x, loaded.sources.at("room.size_m")));
+                    loaded.source_of("start.target"), loaded.scenario.start.target, p.x(), p.y(), p.z(),
+                    sheet.x, loaded.source_of("room.size_m")));
   }
 }
 

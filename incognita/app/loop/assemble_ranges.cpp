@@ -21,26 +21,26 @@ void check_vehicle(const LoadedScenario& loaded, const RangeRecording& recording
   const std::string& model = loaded.scenario.planar.vehicle.model;
   if (recording.vehicle == model) return;
   throw InputError(fmt::format("{}: vehicle.model = {}: the odometry of this recording is that of `{}`",
-                               loaded.sources.at("vehicle.model"), model, recording.vehicle));
+                               loaded.source_of("vehicle.model"), model, recording.vehicle));
 }
 
 void check_identities(const LoadedScenario& loaded, const RangeRecording& recording) {
-  if (loaded.scenario.planar.association.method != "known") return;
+  if (loaded.scenario.planar.association.method != DataAssociationSettings::Method::known) return;
   for (const RangeRecording::Scan& scan : recording.scans)
     for (const Detection& detection : scan.detections)
       if (detection.identity != Detection::unknown) return;
   throw InputError(
       fmt::format("{}: association.method = known: no detection of this recording says which landmark it "
                   "is of; take `joint` or `nearest`",
-                  loaded.sources.at("association.method")));
+                  loaded.source_of("association.method")));
 }
 
 void check_fixes(const LoadedScenario& loaded, const RangeRecording& recording) {
   const PlanarSlamSettings& s = loaded.scenario.planar;
   if (!recording.fixes.empty() || !(s.start.at_first_fix || s.filter.use_fixes)) return;
-  const char* key = s.filter.use_fixes ? "vehicle_filter.use_fixes" : "vehicle_start.at_first_fix";
+  const char* key = s.filter.use_fixes ? "estimator.use_fixes" : "start.at_first_fix";
   throw InputError(
-      fmt::format("{}: {} = true: no external sensor is in this recording", loaded.sources.at(key), key));
+      fmt::format("{}: {} = true: no external sensor is in this recording", loaded.source_of(key), key));
 }
 
 /// Refuses a duration that ends before the first scan: the run would report that it never started. All
@@ -51,7 +51,7 @@ void check_scans(const LoadedScenario& loaded, const RangeRecording& recording) 
   if (first <= duration_s) return;
   throw InputError(
       fmt::format("{}: run.duration_s = {}: the first scan of this recording comes {:.1f} s after its start",
-                  loaded.sources.at("run.duration_s"), duration_s, first));
+                  loaded.source_of("run.duration_s"), duration_s, first));
 }
 
 /// Identities of the anchors, found by position among the surveyed landmarks; nullopt if one is missing.
@@ -82,9 +82,9 @@ std::vector<std::string> left_out(const RangeRecording& recording, const PlanarS
   }
   std::vector<std::string> notes;
   if (far > 0)
-    notes.push_back(fmt::format("{} of {} detections are beyond ranges.max_range_m = {} and left out", far,
+    notes.push_back(fmt::format("{} of {} detections are beyond sensor.max_range_m = {} and left out", far,
                                 all, s.sensor.max_range_m));
-  if (without_identity > 0 && s.association.method == "known")
+  if (without_identity > 0 && s.association.method == DataAssociationSettings::Method::known)
     notes.push_back(fmt::format("{} of {} detections do not say which landmark they are of and are left out",
                                 without_identity, all));
   if (!recording.truth.empty() && placed < recording.scans.size())
@@ -132,12 +132,13 @@ RangeAssembly assemble_ranges(const LoadedScenario& loaded) {
   check_identities(loaded, recording);
   check_fixes(loaded, recording);
   check_scans(loaded, recording);
-  if (settings.association.method == "known" && !identities_of_anchors(settings.filter.anchors, recording))
+  if (settings.association.method == DataAssociationSettings::Method::known &&
+      !identities_of_anchors(settings.filter.anchors, recording))
     throw InputError(
-        fmt::format("{}: vehicle_filter.anchors_m: with association.method = known each anchor must be "
+        fmt::format("{}: estimator.anchors_m: with association.method = known each anchor must be "
                     "one of the recording's surveyed landmarks (landmarks.csv), within 5 cm: the sensor "
                     "tells them by their identity",
-                    loaded.sources.at("vehicle_filter.anchors_m")));
+                    loaded.source_of("estimator.anchors_m")));
   try {
     return assemble_ranges(std::move(recording), settings, loaded.scenario.run.duration_s);
   } catch (const std::invalid_argument& error) {

@@ -12,6 +12,7 @@
 #include "incognita/decision/no_decision.hpp"
 #include "incognita/io/formats/files.hpp"
 #include "incognita/io/scenario/camera.hpp"
+#include "incognita/io/scenario/enum_words.hpp"
 #include "incognita/io/scenario/target_file.hpp"
 #include "incognita/messages/errors.hpp"
 #include "incognita/slam/estimator/single_camera.hpp"
@@ -24,8 +25,8 @@ namespace {
 /// The room places no boxes between its target and the initial camera position.
 RoomSettings room_of(const Scenario& s) {
   RoomSettings room = s.room;
-  const Eigen::Vector3d& start = s.team.start.positions_m.front();
-  room.start_position_m = {start.x(), start.y(), s.team.mount.up_m};
+  const Eigen::Vector3d& start = s.team_start.positions_m.front();
+  room.start_position_m = {start.x(), start.y(), s.mount.up_m};
   return room;
 }
 
@@ -38,11 +39,11 @@ VehicleDriving driving_of(const LoadedScenario& loaded, const Terrain& ground) {
   constexpr double to_spare_m = 0.05;  // margin for range and wheel errors
   const Scenario& s = loaded.scenario;
   VehicleDriving driving{steering_of(loaded, 0, ground).settings, mount_of(s)};
-  if (s.team.steer.avoidance_distance_m > 0)
+  if (s.controller.avoidance_distance_m > 0)
     driving.obstacle_avoidance =
-        ObstacleAvoidanceSettings{s.team.steer.avoidance_distance_m,
+        ObstacleAvoidanceSettings{s.controller.avoidance_distance_m,
                                   s.room.clearance_m + to_spare_m,
-                                  {s.team.steer.max_speed_m_s, s.team.steer.max_turn_rate_rad_s}};
+                                  {s.controller.max_speed_m_s, s.controller.max_turn_rate_rad_s}};
   return driving;
 }
 
@@ -51,14 +52,14 @@ std::unique_ptr<Controller> controller_of(const LoadedScenario& loaded, const Te
   try {
     return std::make_unique<VehicleController>(driving_of(loaded, ground), 1 / s.run.rate_hz);
   } catch (const std::invalid_argument& error) {
-    throw InputError(fmt::format("{}: steer.law = {}: {}", loaded.sources.at("steer.law"), s.team.steer.law,
-                                 error.what()));
+    throw InputError(fmt::format("{}: controller.law = {}: {}", loaded.source_of("controller.law"),
+                                 word_of(s.controller.law), error.what()));
   }
 }
 
 std::unique_ptr<Strategy> decision_of(const Scenario& s, const Camera& camera) {
-  if (s.team.steer.law != "active") return std::make_unique<NoDecision>();
-  const SteerChoice& can = s.team.steer;
+  if (!s.decides()) return std::make_unique<NoDecision>();
+  const ControllerSettings& can = s.controller;
   const CarrierSettings carrier{mount_of(s), can.max_speed_m_s, can.max_turn_rate_rad_s};
   return std::make_unique<CameraDecision>(camera, s.slam, s.decision, s.exploration,
                                           static_cast<std::uint64_t>(s.run.seed), carrier);

@@ -12,7 +12,6 @@
 #include "incognita/app/loop/association_score.hpp"
 #include "incognita/app/loop/observability_watch.hpp"
 #include "incognita/app/loop/team_models.hpp"
-#include "incognita/io/scenario/team_setting_list.hpp"
 #include "incognita/record/recorder.hpp"
 
 namespace incognita {
@@ -117,7 +116,7 @@ RunOutcome run_parts(LoopParts& parts, const RunInfo& info, const LoadedScenario
   const std::unique_ptr<RunSink> sink = open(info, parts.clock->expected_frames());
   std::optional<ObservabilityWatch> watch;
   if (loaded.scenario.run.observability && info.vehicles == 0) watch.emplace();
-  const PointsSettings& points = loaded.scenario.team.points;
+  const PointsSettings& points = loaded.scenario.points;
   const bool to_see = points.count > 0 || !points.file.empty();
   const RunConclusion conclusion = drive(parts, *sink, watch ? &*watch : nullptr, score ? &*score : nullptr,
                                          callbacks, to_see, info.vehicles > 0);
@@ -134,7 +133,7 @@ RunOutcome run_camera(const LoadedScenario& loaded, const SinkFactory& open, con
     callbacks.report("no target: the scale is unobservable, lengths are in arbitrary units");
   RunInfo info = info_of(loaded);
   // The frame of a recording's truth may differ from that of the target.
-  const bool own_frame = loaded.scenario.run.world == "recording";
+  const bool own_frame = loaded.scenario.is_recording();
   info.ate_alignment = !assembly.scale_is_known ? "sim3" : own_frame ? "se3" : "none";
   return run_parts(assembly.parts, info, loaded, open, callbacks);
 }
@@ -161,7 +160,7 @@ RunOutcome run_vehicle(const LoadedScenario& loaded, const SinkFactory& open, co
   info.ate_alignment = assembly.frame_is_fixed ? "none" : "se3";
   info.truth_recorded = !assembly.recording().truth.empty();
   info.warnings = assembly.warnings;
-  info.survey = survey_of(assembly.recording(), loaded.scenario.planar.association.method == "known");
+  info.survey = survey_of(assembly.recording(), loaded.scenario.planar.association.method == DataAssociationSettings::Method::known);
   return run_parts(assembly.parts, info, loaded, open, callbacks);
 }
 
@@ -175,11 +174,11 @@ std::vector<std::string> inputs_of(const MotionTraits& motion) {
 RunOutcome run_team(const LoadedScenario& loaded, const SinkFactory& open, const RunCallbacks& callbacks) {
   TeamAssembly assembly = assemble_team(loaded);
   for (const std::string& line : assembly.notes) callbacks.report(line);
-  const MotionTraits& motion = motion_traits_of(loaded.scenario.planar.vehicle.model);
+  const MotionTraits& motion = loaded.scenario.motion();
   RunInfo info = info_of(loaded);
   info.body = motion.in_space() ? "camera" : "vehicle";
   info.vehicles = static_cast<int>(assembly.estimator.bodies.size());
-  info.inputs = inputs_of(has_carried_camera(loaded.scenario) ? motion_traits<TerrainVehicle> : motion);
+  info.inputs = inputs_of(loaded.scenario.has_carried_camera() ? motion_traits<TerrainVehicle> : motion);
   info.steered_m = steered_point(loaded.scenario);
   info.survey = std::move(assembly.survey);
   info.warnings = std::move(assembly.warnings);
@@ -192,10 +191,10 @@ RunOutcome run_team(const LoadedScenario& loaded, const SinkFactory& open, const
 
 RunOutcome run_scenario(const LoadedScenario& loaded, const SinkFactory& open,
                         const RunCallbacks& callbacks) {
-  if (is_team(loaded.scenario)) return run_team(loaded, open, callbacks);
-  if (is_room_vehicle(loaded.scenario)) return run_room_vehicle(loaded, open, callbacks);
-  return loaded.scenario.run.sensor == "camera" ? run_camera(loaded, open, callbacks)
-                                                : run_vehicle(loaded, open, callbacks);
+  if (loaded.scenario.is_team()) return run_team(loaded, open, callbacks);
+  if (loaded.scenario.is_room_vehicle()) return run_room_vehicle(loaded, open, callbacks);
+  return loaded.scenario.sensor.type == "camera" ? run_camera(loaded, open, callbacks)
+                                                 : run_vehicle(loaded, open, callbacks);
 }
 
 }  // namespace incognita

@@ -9,12 +9,13 @@
 #include "incognita/io/formats/point_file.hpp"
 #include "incognita/io/scenario/camera.hpp"
 #include "incognita/io/scenario/scenario_file.hpp"
-#include "incognita/io/scenario/team_setting_list.hpp"
 #include "incognita/io/scenario/terrain_file.hpp"
 #include "incognita/messages/errors.hpp"
 
 namespace incognita {
 namespace {
+
+using Law = ControllerSettings::Law;
 
 SmallVector list(std::initializer_list<double> numbers) {
   SmallVector v(static_cast<Eigen::Index>(numbers.size()));
@@ -22,24 +23,22 @@ SmallVector list(std::initializer_list<double> numbers) {
   return v;
 }
 
-const MotionTraits& motion_traits_in(const Scenario& s) { return motion_traits_of(s.planar.vehicle.model); }
-
 double heading_of_start(const TeamStartSettings& s, std::size_t i) {
   return s.headings_rad.size() == 1 ? s.headings_rad.front() : s.headings_rad.at(i);
 }
 
 /// True start state; for a carried camera that of its carrier.
 SmallVector start_of(const Scenario& s, std::size_t i) {
-  const Eigen::Vector3d& at = s.team.start.positions_m.at(i);
-  const double heading = heading_of_start(s.team.start, i);
-  if (has_carried_camera(s)) return TerrainVehicle::at_rest(at, heading);
+  const Eigen::Vector3d& at = s.team_start.positions_m.at(i);
+  const double heading = heading_of_start(s.team_start, i);
+  if (s.has_carried_camera()) return TerrainVehicle::at_rest(at, heading);
   return at_rest(make_motion(s.planar.vehicle.model), at, heading);
 }
 
 /// Start of the estimated state; for a carried camera the camera state on its carrier at rest.
 SmallVector estimated_start(const Scenario& s, std::size_t i, const Terrain& ground) {
   const SmallVector start = start_of(s, i);
-  if (!has_carried_camera(s)) return start;
+  if (!s.has_carried_camera()) return start;
   const CameraCarrier carrier{{ground}, {}, mount_of(s)};
   return carried_camera(carrier, start.head<3>(), TerrainVehicle::State<double>::Zero());
 }
@@ -48,23 +47,22 @@ struct StartSigmas {
   double position_m, height_m, heading_rad, velocity_m_s, rate_rad_s;
 };
 SmallVector of_start(const Scenario& s, const StartSigmas& sigma) {
-  return values_of(motion_traits_in(s).error, {{"position_m", sigma.position_m},
-                                               {"height_m", sigma.height_m},
-                                               {"heading_rad", sigma.heading_rad},
-                                               {"velocity_m_s", sigma.velocity_m_s},
-                                               {"angular_rate_rad_s", sigma.rate_rad_s}});
+  return values_of(s.motion().error, {{"position_m", sigma.position_m},
+                                      {"height_m", sigma.height_m},
+                                      {"heading_rad", sigma.heading_rad},
+                                      {"velocity_m_s", sigma.velocity_m_s},
+                                      {"angular_rate_rad_s", sigma.rate_rad_s}});
 }
 
 struct InputSigmas {
   double speed_m_s, turn_rate_rad_s, steering_rad, acceleration_m_s2, angular_acceleration_rad_s2;
 };
 SmallVector of_inputs(const Scenario& s, const InputSigmas& sigma) {
-  return values_of(motion_traits_in(s).input,
-                   {{"speed_m_s", sigma.speed_m_s},
-                    {"turn_rate_rad_s", sigma.turn_rate_rad_s},
-                    {"steering_rad", sigma.steering_rad},
-                    {"acceleration_m_s2", sigma.acceleration_m_s2},
-                    {"angular_acceleration_rad_s2", sigma.angular_acceleration_rad_s2}});
+  return values_of(s.motion().input, {{"speed_m_s", sigma.speed_m_s},
+                                      {"turn_rate_rad_s", sigma.turn_rate_rad_s},
+                                      {"steering_rad", sigma.steering_rad},
+                                      {"acceleration_m_s2", sigma.acceleration_m_s2},
+                                      {"angular_acceleration_rad_s2", sigma.angular_acceleration_rad_s2}});
 }
 
 SmallVector of_sensor(const AnySensor& sensor, double range_m, double bearing_rad, double pixel_px) {
@@ -75,20 +73,20 @@ SmallVector of_sensor(const AnySensor& sensor, double range_m, double bearing_ra
 bool measures_ranges(const AnySensor& sensor) { return traits_of(sensor).measures("range"); }
 
 SmallVector limits_of(const Scenario& s) {
-  const SteerChoice& can = s.team.steer;
-  if (has_carried_camera(s)) return list({can.max_speed_m_s, can.max_turn_rate_rad_s});
+  const ControllerSettings& can = s.controller;
+  if (s.has_carried_camera()) return list({can.max_speed_m_s, can.max_turn_rate_rad_s});
   return of_inputs(s, {can.max_speed_m_s, can.max_turn_rate_rad_s, can.max_steering_rad,
                        s.control.max_acceleration_m_s2, s.control.max_angular_acceleration_rad_s2});
 }
 
 /// The true vehicle; for a carried camera its carrier with speed and turn rate as inputs.
 PlantSettings plant_of(const Scenario& s, std::size_t i) {
-  const PlantChoice& p = s.team.plant;
+  const TruePlantSettings& p = s.plant;
   PlantSettings plant;
   plant.start = start_of(s, i);
   plant.most_input = limits_of(s);
   plant.least_input = -plant.most_input;
-  if (has_carried_camera(s)) {
+  if (s.has_carried_camera()) {
     plant.start_sigmas =
         list({p.sigma_start_position_m, p.sigma_start_position_m, p.sigma_start_heading_rad});
     plant.input_sigmas = list({p.sigma_speed_m_s, p.sigma_turn_rate_rad_s});
@@ -104,18 +102,21 @@ PlantSettings plant_of(const Scenario& s, std::size_t i) {
   return plant;
 }
 
-Path path_of(const LoadedScenario& loaded, const Eigen::Vector3d& offset) {
-  const PathChoice& p = loaded.scenario.team.path;
-  const Eigen::Vector3d center = p.center_m + offset;
-  if (p.kind == "point") return PointPath{center, p.heading_rad};
-  if (p.kind == "circle") return CirclePath{center, p.radius_m, p.rate_rad_s, p.phase_rad};
-  if (p.kind == "back-and-forth") return BackAndForthPath{center, p.radius_m, p.amplitude_rad};
-  if (p.kind == "way-points") {
-    WayPointPath path{p.points_m, p.speed_m_s};
-    for (Eigen::Vector3d& point : path.points) point += offset;
-    return path;
-  }
-  const MotionTraits& motion = motion_traits_in(loaded.scenario);
+Path path_of(PointPath path, const Eigen::Vector3d& offset, const LoadedScenario&) {
+  path.position += offset;
+  return path;
+}
+Path path_of(WayPointPath path, const Eigen::Vector3d& offset, const LoadedScenario&) {
+  for (Eigen::Vector3d& point : path.points) point += offset;
+  return path;
+}
+/// Circles.
+Path path_of(auto path, const Eigen::Vector3d& offset, const LoadedScenario&) {
+  path.center += offset;
+  return path;
+}
+Path path_of(const PathFile& p, const Eigen::Vector3d& offset, const LoadedScenario& loaded) {
+  const MotionTraits& motion = loaded.scenario.motion();
   PathSamples samples = read_path(find_named_file(loaded, "path.file", p.file));
   for (const Eigen::Vector3d& position : samples.position)
     if ((!motion.in_space() && position.z() != 0) || (motion.on_line() && position.y() != 0))
@@ -132,9 +133,26 @@ Diagonal diagonal(const std::vector<double>& numbers) {
       Eigen::Map<const Eigen::VectorXd>(numbers.data(), static_cast<Eigen::Index>(numbers.size()))));
 }
 
+/// Actions are segments, which the usual law of the motion follows.
+ControlLaw control_law_of(const Scenario& s) {
+  switch (s.controller.law) {
+    case Law::none:
+      return ControlLaw::none;
+    case Law::tracking:
+      return ControlLaw::tracking;
+    case Law::lqg:
+      return ControlLaw::lqg;
+    case Law::feedback_linearization:
+      return ControlLaw::feedback_linearization;
+    case Law::active:
+      break;
+  }
+  return s.motion().on_line() ? ControlLaw::tracking : ControlLaw::feedback_linearization;
+}
+
 /// Zero if no input is set.
 SmallVector held_input(const Scenario& s, int inputs) {
-  const std::vector<double>& input = s.team.steer.input;
+  const std::vector<double>& input = s.controller.input;
   if (input.empty()) return SmallVector::Zero(inputs);
   return Eigen::Map<const Eigen::VectorXd>(input.data(), static_cast<Eigen::Index>(input.size()));
 }
@@ -143,16 +161,14 @@ SmallVector held_input(const Scenario& s, int inputs) {
 
 Terrain ground_of(const LoadedScenario& loaded) {
   const Scenario& s = loaded.scenario;
-  const bool uneven = motion_traits_in(s).space == Space::uneven_ground || s.team.plant.motion == "terrain";
+  const bool uneven =
+      s.motion().space == Space::uneven_ground || s.plant.motion == TruePlantSettings::Motion::terrain;
   return uneven ? terrain_of(loaded) : Terrain{};
 }
 
-Mount mount_of(const Scenario& s) {
-  const MountChoice& m = s.team.mount;
-  return {m.forward_m, m.left_m, m.up_m, m.pitch_rad, m.yaw_rad};
-}
+Mount mount_of(const Scenario& s) { return s.mount; }
 
-std::size_t vehicles_of(const Scenario& s) { return s.team.start.positions_m.size(); }
+std::size_t vehicles_of(const Scenario& s) { return s.team_start.positions_m.size(); }
 
 AnyMotion motion_of(const Scenario& s, const Terrain& ground) {
   AnyMotion motion = motion_of(s.planar.vehicle);
@@ -161,11 +177,11 @@ AnyMotion motion_of(const Scenario& s, const Terrain& ground) {
 }
 
 AnySensor sensor_of(const Scenario& s) {
-  AnySensor sensor = make_sensor(s.run.sensor, motion_traits_in(s));
+  AnySensor sensor = make_sensor(s.sensor.type, s.motion());
   if (dimensions_of(sensor) == 3) set_camera(sensor, make_camera(s.camera), mount_of(s));
-  TeamScenario values = s.team;
   set_model_parameters(sensor, [&](const std::string& key, double usual) {
-    return values.sensor_parameter(s.run.sensor + "." + key, usual);
+    const auto given = s.sensor.parameters.find(key);
+    return given == s.sensor.parameters.end() ? usual : given->second;
   });
   return sensor;
 }
@@ -175,7 +191,7 @@ static SensorLimits reach_of(const Scenario& s, const AnySensor& sensor) {
   SensorLimits sensor_limits;
   if (dimensions_of(sensor) == 3) return sensor_limits;
   sensor_limits.max_range_m = s.planar.sensor.max_range_m;
-  const double field_rad = s.team.plant.field_of_view_rad;
+  const double field_rad = s.sensor.field_of_view_rad;
   if (field_rad < 6.2831853) sensor_limits.field_of_view_rad = field_rad;
   return sensor_limits;
 }
@@ -186,7 +202,7 @@ BodyModel member_of(const Scenario& s, std::size_t i, const Terrain& ground) {
   BodyModel m;
   m.motion = motion_of(s, ground);
   m.start = estimated_start(s, i, ground);
-  const TeamStartSettings& start = s.team.start;
+  const TeamStartSettings& start = s.team_start;
   m.start_sigmas = of_start(s, {start.sigma_position_m, start.sigma_height_m, start.sigma_heading_rad,
                                 f.sigma_start_velocity_m_s, f.sigma_start_angular_rate_rad_s});
   m.input_sigmas = of_inputs(s, {v.sigma_speed_m_s, v.sigma_turn_rate_rad_s, v.sigma_steering_rad,
@@ -202,9 +218,11 @@ BodyModel member_of(const Scenario& s, std::size_t i, const Terrain& ground) {
 
 MapperSettings filter_of(const Scenario& s) {
   MapperSettings f;
-  f.linearization = s.team.filter.linearization;
-  f.form = s.team.filter.form;
-  f.gate_probability = s.team.filter.gate_probability;
+  f.linearization = s.planar.filter.linearization;
+  f.form = s.belief.form;
+  const DataAssociationSettings& association = s.planar.association;
+  if (association.method == DataAssociationSettings::Method::known)
+    f.gate_probability = association.gate_probability;
   f.inverse_depth_per_m = s.slam.initialization.inverse_depth_per_m;
   f.sigma_inverse_depth_per_m = s.slam.initialization.sigma_inverse_depth_per_m;
   f.max_linearity_index = s.slam.initialization.max_linearity;
@@ -216,37 +234,38 @@ CameraCarrier carrier_of(const Scenario& s, std::size_t i, const Terrain& ground
 }
 
 SimulatedVehicle simulated_vehicle(const Scenario& s, std::size_t i, const Terrain& ground) {
-  const PlantChoice& p = s.team.plant;
+  const TruePlantSettings& p = s.plant;
   SimulatedVehicle v{motion_of(s, ground), {}, sensor_of(s), {}};
-  if (p.motion == "terrain" && !has_carried_camera(s)) v.motion = TerrainVehicle{ground};
+  if (p.motion == TruePlantSettings::Motion::terrain && !s.has_carried_camera())
+    v.motion = TerrainVehicle{ground};
   v.plant = plant_of(s, i);
   v.sigmas = of_sensor(v.sensor, p.sigma_range_m, p.sigma_bearing_rad, p.sigma_pixel_px);
   if (measures_ranges(v.sensor)) v.sigma_range_ratio = p.sigma_range_ratio;
   v.reach = reach_of(s, v.sensor);
-  v.ticks_per_measurement = p.ticks_per_measurement;
+  v.ticks_per_measurement = s.sensor.ticks_per_measurement;
   return v;
 }
 
 Eigen::Vector2d steered_point(const Scenario& s) {
-  const std::string& law = s.team.steer.law;
+  const Law law = s.controller.law;
   const VehicleSettings& v = s.planar.vehicle;
-  const MotionTraits& motion = motion_traits_in(s);
-  if (motion.on_plane() && law == "tracking") return {-v.sensor_forward_m, -v.sensor_left_m};
-  const bool linearized = law == "feedback-linearisation" || law == "active";
-  if (motion.space == Space::uneven_ground && linearized) return {s.team.steer.control_point_m, 0};
+  const MotionTraits& motion = s.motion();
+  if (motion.on_plane() && law == Law::tracking) return {-v.sensor_forward_m, -v.sensor_left_m};
+  const bool linearized = law == Law::feedback_linearization || law == Law::active;
+  if (motion.space == Space::uneven_ground && linearized) return {s.controller.control_point_m, 0};
   return {0, 0};
 }
 
 VehicleSteering steering_of(const LoadedScenario& loaded, std::size_t i, const Terrain& ground) {
   const Scenario& s = loaded.scenario;
-  const SteerChoice& c = s.team.steer;
+  const ControllerSettings& c = s.controller;
   SteeringSettings out;
-  if (has_carried_camera(s)) {
+  if (s.has_carried_camera()) {
     out.input = held_input(s, TerrainVehicle::input_size);
     out.most_input = limits_of(s);
     return {TerrainVehicle{ground}, out};
   }
-  out.law = c.law != "active" ? c.law : motion_traits_in(s).on_line() ? "tracking" : "feedback-linearisation";
+  out.law = control_law_of(s);
   AnyMotion motion = motion_of(s, ground);
   out.input = held_input(s, inputs_of(motion));
   out.gain_per_s = diagonal(c.gain_per_s);
@@ -258,18 +277,18 @@ VehicleSteering steering_of(const LoadedScenario& loaded, std::size_t i, const T
   out.weight_input = diagonal(c.weight_input);
   out.camera = s.control;
   out.most_input = limits_of(s);
-  const std::vector<Eigen::Vector3d>& offsets = s.team.path.offsets_m;
+  const std::vector<Eigen::Vector3d>& offsets = s.path.offsets_m;
   const Eigen::Vector3d offset = offsets.empty() ? Eigen::Vector3d(0, 0, 0) : offsets.at(i);
-  if (c.law == "active")
-    out.path = PointPath{s.team.start.positions_m.at(i), heading_of_start(s.team.start, i)};
-  else if (c.law != "none")
-    out.path = path_of(loaded, offset);
+  if (c.law == Law::active)
+    out.path = PointPath{s.team_start.positions_m.at(i), heading_of_start(s.team_start, i)};
+  else if (c.law != Law::none)
+    out.path = std::visit([&](const auto& path) { return path_of(path, offset, loaded); }, s.path.type);
   return {std::move(motion), out};
 }
 
 PointLandmarks point_landmarks_of(const LoadedScenario& loaded) {
   const Scenario& s = loaded.scenario;
-  const PointsSettings& p = s.team.points;
+  const PointsSettings& p = s.points;
   const int dimensions = dimensions_of(sensor_of(s));
   std::map<std::int64_t, Eigen::Vector3d> points;
   if (!p.file.empty()) points = read_points(find_named_file(loaded, "points.file", p.file));
@@ -282,9 +301,9 @@ PointLandmarks point_landmarks_of(const LoadedScenario& loaded) {
   for (const auto& [identity, point] : points) {
     if (!p.file.empty() && !point.tail(3 - dimensions).isZero())
       throw InputError(
-          fmt::format("{}: points.file = {}: landmark {} is off the {} that run.sensor = `{}` knows of",
+          fmt::format("{}: points.file = {}: landmark {} is off the {} that sensor.type = `{}` measures in",
                       loaded.sources.at("points.file"), p.file, identity, dimensions == 1 ? "line" : "plane",
-                      s.run.sensor));
+                      s.sensor.type));
     place[identity] = point.head(dimensions);
   }
   return place;

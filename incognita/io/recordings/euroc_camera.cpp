@@ -81,9 +81,11 @@ std::optional<Eigen::Matrix4d> body_from_camera(const SensorFile& file) {
 }
 
 /// The `pinhole` model has OpenCV's coefficient order k1 k2 p1 p2 k3; EuRoC has the same without k3.
-void take_distortion(const std::vector<double>& k, CameraSettings& camera) {
-  double* const places[] = {&camera.k1, &camera.k2, &camera.p1, &camera.p2, &camera.k3};
+PinholeLens lens_of(const std::vector<double>& k) {
+  PinholeLens lens;
+  double* const places[] = {&lens.k1, &lens.k2, &lens.p1, &lens.p2, &lens.k3};
   for (std::size_t i = 0; i < k.size(); ++i) *places[i] = k[i];
+  return lens;
 }
 
 std::string why_unfit(const SensorFile& file, const std::vector<double>& distortion) {
@@ -109,10 +111,9 @@ std::optional<CalibratedCamera> camera_of(const SensorFile& file, const std::fil
   if (size.size() != 2 || !(size[0] >= 1 && size[0] <= 1e5 && size[1] >= 1 && size[1] <= 1e5))
     file.refuse("resolution", "must be width and height in px");
   CameraSettings& camera = found.camera;
-  camera.model = "pinhole";
+  camera.model = lens_of(distortion);
   camera.width_px = static_cast<int>(size[0]), camera.height_px = static_cast<int>(size[1]);
   camera.fu_px = f[0], camera.fv_px = f[1], camera.u0_px = f[2], camera.v0_px = f[3];
-  take_distortion(distortion, camera);
   return found;
 }
 

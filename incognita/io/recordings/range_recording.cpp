@@ -9,6 +9,7 @@
 
 #include "incognita/io/formats/data_folder.hpp"
 #include "incognita/io/recordings/range_formats.hpp"
+#include "incognita/io/scenario/enum_words.hpp"
 #include "incognita/messages/errors.hpp"
 
 namespace incognita {
@@ -65,10 +66,8 @@ RangeRecording read_range_recording(const std::filesystem::path& folder, const s
 
 RangeRecording read_range_recording(const LoadedScenario& loaded) {
   const RecordingSettings& settings = loaded.scenario.recording;
-  const auto source = loaded.sources.find("recording.folder");
-  const std::string wanted_by =
-      fmt::format("{}: recording.folder", source == loaded.sources.end() ? "default" : source->second);
-  return read_range_recording(find_data(settings.folder, loaded.file, wanted_by), settings.format,
+  const std::string wanted_by = loaded.source_of("recording.folder") + ": recording.folder";
+  return read_range_recording(find_data(settings.folder, loaded.file, wanted_by), word_of(settings.format),
                               settings.robot);
 }
 

@@ -119,7 +119,7 @@ void RangeRecordingBuilder::note_clocks() {
   const bool before = fixes.back().t < recording_.odometry.front().t;
   note(fmt::format("the fixes ({}) are all from {} the odometry ({}): {}", span_of(fixes),
                    before ? "before" : "after", odometry,
-                   before ? "with vehicle_start.at_first_fix the vehicle starts at the first fix"
+                   before ? "with start.at_first_fix the vehicle starts at the first fix"
                           : "check that both are on the same clock"));
 }
 

@@ -6,6 +6,7 @@
 
 #include "incognita/io/formats/data_folder.hpp"
 #include "incognita/io/recordings/recording_formats.hpp"
+#include "incognita/io/scenario/enum_words.hpp"
 #include "incognita/messages/errors.hpp"
 
 namespace incognita {
@@ -47,10 +48,8 @@ Recording read_recording(const std::filesystem::path& folder, const std::string&
 
 Recording read_recording(const LoadedScenario& loaded) {
   const RecordingSettings& settings = loaded.scenario.recording;
-  const auto source = loaded.sources.find("recording.folder");
-  const std::string wanted_by =
-      fmt::format("{}: recording.folder", source == loaded.sources.end() ? "default" : source->second);
-  return read_recording(find_data(settings.folder, loaded.file, wanted_by), settings.format,
+  const std::string wanted_by = loaded.source_of("recording.folder") + ": recording.folder";
+  return read_recording(find_data(settings.folder, loaded.file, wanted_by), word_of(settings.format),
                         loaded.scenario.run.rate_hz, settings.pattern);
 }
 

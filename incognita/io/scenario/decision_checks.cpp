@@ -1,10 +1,10 @@
-#include "incognita/io/scenario/decision_checks.hpp"
+// Checks of decisions and of the exploration prior.
+#include "incognita/io/scenario/scenario_checks.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "incognita/io/scenario/team_setting_list.hpp"
 #include "incognita/models/registry.hpp"
 
 namespace incognita {
@@ -15,12 +15,12 @@ using List = std::vector<Contradiction>;
 void check_actions(const DecisionSettings& s, List& found) {
   const auto& moves = s.moves_m;
   if (!moves.empty() && std::none_of(moves.begin(), moves.end(), [](const auto& m) { return m.isZero(); }))
-    found.push_back(
-        {"decision.moves_m", "must have [0, 0, 0], to stay: what is done where nothing else is allowed"});
+    found.push_back({"decision.displacements_m",
+                     "must have [0, 0, 0]: the action that is left where no other is allowed"});
   const auto& speeds = s.accelerations;
   if (!speeds.empty() &&
       std::none_of(speeds.begin(), speeds.end(), [](const auto& change) { return change.isZero(); }))
-    found.push_back({"decision.accelerations", "must have [0, 0], to go on as it goes"});
+    found.push_back({"decision.accelerations", "must have [0, 0]: to keep the speed"});
   if (s.strategy == DecisionSettings::Strategy::fixed_path && s.sequence.empty())
     found.push_back({"decision.sequence", "must name actions, decision.strategy being `fixed-path`"});
 }
@@ -43,26 +43,27 @@ void check_box(const Scenario& s, List& found) {
   const ExplorationSettings& e = s.exploration;
   if (e.expected_landmarks == 0) return;
   if ((e.max_m.array() <= e.min_m.array()).any())
-    return found.push_back({"explore.max_m", "must be more than explore.min_m along each axis"});
+    return found.push_back(
+        {"exploration.volume_max_m", "must be more than exploration.volume_min_m along each axis"});
   constexpr double most_cells = 1e6;
   if (((e.max_m - e.min_m) / e.cell_m).array().ceil().prod() > most_cells)
-    return found.push_back({"explore.cell_m", "must make at most a million cells of the place"});
-  if (s.run.world == "recording") return;
+    return found.push_back({"exploration.cell_m", "must make at most a million cells of the volume"});
+  if (s.is_recording()) return;
   Eigen::Vector3d min(-s.room.size_m.x() / 2, -s.room.size_m.y() / 2, 0), max = min + s.room.size_m;
   const char* what = "the room, room.size_m";
-  if (s.run.world == "points") {
-    if (!s.team.points.file.empty()) return;
-    const Eigen::Vector3d& size = s.team.points.size_m;
-    const Eigen::Vector2d& center = s.team.points.center_m;
+  if (s.is_simulated()) {
+    if (!s.points.file.empty()) return;
+    const Eigen::Vector3d& size = s.points.size_m;
+    const Eigen::Vector2d& center = s.points.center_m;
     min = {center.x() - size.x() / 2, center.y() - size.y() / 2, 0};
     max = min + size;
-    what = "where the points are, points.size_m and points.centre_m";
+    what = "the box of the landmarks, points.size_m and points.center_m";
   }
   if (!inside(min, max, e))
-    found.push_back(
-        {"explore.max_m", fmt::format("must, with explore.min_m, lie inside {}: [{:g}, {:g}, {:g}] to "
-                                      "[{:g}, {:g}, {:g}]; landmarks are not expected outside",
-                                      what, min.x(), min.y(), min.z(), max.x(), max.y(), max.z())});
+    found.push_back({"exploration.volume_max_m",
+                     fmt::format("must, with exploration.volume_min_m, lie inside {}: [{:g}, {:g}, {:g}] to "
+                                 "[{:g}, {:g}, {:g}]; landmarks are not expected outside",
+                                 what, min.x(), min.y(), min.z(), max.x(), max.y(), max.z())});
 }
 
 bool holds(const DecisionSettings& d, const Eigen::Vector3d& at, int axes) {
@@ -70,45 +71,32 @@ bool holds(const DecisionSettings& d, const Eigen::Vector3d& at, int axes) {
          (at.head(axes).array() <= d.max_bound_m.head(axes).array()).all();
 }
 
-/// Checks the start in the rendered room; team_checks.cpp does so for point landmarks.
-void check_start(const Scenario& s, List& found) {
-  if (s.run.world != "room") return;
-  if (!is_room_vehicle(s)) {
-    if (!holds(s.decision, s.room.start_position_m, 3))
-      found.push_back(
-          {"decision.min_bound_m", "must, with decision.max_bound_m, leave room.start_position_m inside"});
-    return;
-  }
-  if (s.team.steer.law != "active") return;
-  for (const Eigen::Vector3d& at : s.team.start.positions_m)
-    if (!holds(s.decision, at, 2))
+/// The bounds must have a volume and contain the starts. The height of a vehicle follows the ground.
+void check_bounds(const Scenario& s, List& found) {
+  const DecisionSettings& d = s.decision;
+  for (int axis = 0; axis < 3; ++axis)
+    if (d.max_bound_m[axis] <= d.min_bound_m[axis])
       return found.push_back(
-          {"decision.min_bound_m", "must, with decision.max_bound_m, leave team.positions_m inside"});
+          {"decision.max_bound_m", fmt::format("must be more than decision.min_bound_m along {}: {} and {}",
+                                               "xyz"[axis], d.min_bound_m[axis], d.max_bound_m[axis])});
+  if (s.is_recording()) return;
+  const bool one_camera = !s.is_simulated() && !s.is_room_vehicle();
+  const int axes = s.has_carried_camera() || s.is_room_vehicle() ? 2 : 3;
+  const std::vector<Eigen::Vector3d> one{s.room.start_position_m};
+  for (const Eigen::Vector3d& at : one_camera ? one : s.team_start.positions_m)
+    if (!holds(d, at, axes))
+      return found.push_back(
+          {"decision.min_bound_m", fmt::format("must, with decision.max_bound_m, contain {}",
+                                               one_camera ? "room.start_position_m" : "start.positions_m")});
 }
 
 /// The operator perceives the pose in the room frame, goals are in the filter's frame: only a target aligns both.
-void check_held(const Scenario& s, List& found) {
-  if (s.operator_settings.holds && s.run.world == "room" && s.start.from == StartSettings::From::free)
-    found.push_back({"person.holds",
-                     "must be false with start.from = \"free\": the hand is told where to move "
-                     "in the frame of the room, which only a target fixes"});
-}
-
-void check_counted(const Scenario& s, List& found) {
-  if (s.exploration.counted == ExplorationSettings::Counted::as_mapped && s.run.world == "points")
+void check_operator(const Scenario& s, List& found) {
+  if (s.operator_settings.holds && !s.is_simulated() && s.start.from == StartSettings::From::free)
     found.push_back(
-        {"explore.counted", "must be `all` with run.world = \"points\": all in view is mapped there"});
-}
-
-/// Only CameraController implements the swinging gaze; it is used in the rendered room and with recordings.
-void check_gaze(const Scenario& s, List& found) {
-  const bool is_free_camera = motion_traits_of(s.planar.vehicle.model).in_space() && !has_carried_camera(s);
-  if (s.run.world == "points" && is_free_camera && s.team.steer.law == "active" &&
-      s.decision.gaze == DecisionSettings::Gaze::swing)
-    found.push_back({"decision.gaze",
-                     "must be `hold`, `constant-rate`, `mutual-information`, `fisher` or "
-                     "`fisher-given-state` with run.world = `points`: the swing to and fro is "
-                     "of the rendered room"});
+        {"operator.holds",
+         "must be false with start.from = \"free\": the operator moves in the frame of the room, which "
+         "only a target gives to the estimator"});
 }
 
 }  // namespace
@@ -117,10 +105,8 @@ void check_decision(const Scenario& scenario, List& found) {
   check_actions(scenario.decision, found);
   check_horizon(scenario.decision, found);
   check_box(scenario, found);
-  check_counted(scenario, found);
-  check_gaze(scenario, found);
-  check_held(scenario, found);
-  check_start(scenario, found);
+  check_bounds(scenario, found);
+  check_operator(scenario, found);
 }
 
 }  // namespace incognita

@@ -1,13 +1,15 @@
-// The words of a scenario for the values of enumerations.
+// The words of a scenario for the values of enumerations and for the alternatives of variants.
 #pragma once
 
-#include <span>
+#include <array>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
+#include <utility>
+#include <variant>
 #include <vector>
 
-#include "incognita/decision/settings.hpp"
-#include "incognita/slam/features/settings.hpp"
+#include "incognita/io/scenario/scenario.hpp"
 
 namespace incognita {
 
@@ -17,69 +19,133 @@ struct EnumWord {
   const char* word;
 };
 
-inline constexpr EnumWord<DecisionSettings::Strategy> strategy_words[] = {
-    {DecisionSettings::Strategy::mutual_information, "mutual-information"},
-    {DecisionSettings::Strategy::random, "random"},
-    {DecisionSettings::Strategy::fixed_path, "fixed-path"},
-    {DecisionSettings::Strategy::none, "none"}};
-/// Metrics that compare actions; the Fisher traces only compare camera rotations.
-inline constexpr EnumWord<Metric> metric_words[] = {
-    {Metric::state, "state"}, {Metric::position_and_map, "position-and-map"}, {Metric::vehicle, "vehicle"}};
-inline constexpr EnumWord<DecisionSettings::Schedule> schedule_words[] = {
-    {DecisionSettings::Schedule::every_frame, "every-frame"},
-    {DecisionSettings::Schedule::at_decisions, "at-decisions"},
-    {DecisionSettings::Schedule::one_per_frame, "one-per-frame"}};
-inline constexpr EnumWord<DecisionSettings::Gaze> gaze_words[] = {
-    {DecisionSettings::Gaze::swing, "swing"},
-    {DecisionSettings::Gaze::hold, "hold"},
-    {DecisionSettings::Gaze::constant_rate, "constant-rate"},
-    {DecisionSettings::Gaze::mutual_information, "mutual-information"},
-    {DecisionSettings::Gaze::fisher, "fisher"},
-    {DecisionSettings::Gaze::fisher_given_state, "fisher-given-state"}};
-inline constexpr EnumWord<ExplorationSettings::Counted> counted_words[] = {
-    {ExplorationSettings::Counted::all, "all"}, {ExplorationSettings::Counted::as_mapped, "as-mapped"}};
-inline constexpr EnumWord<InitializationSettings::Method> method_words[] = {
-    {InitializationSettings::Method::inverse_depth, "inverse-depth"},
-    {InitializationSettings::Method::depth_line, "depth-line"}};
-inline constexpr EnumWord<InitializationSettings::Center> center_words[] = {
-    {InitializationSettings::Center::edges, "edges"}, {InitializationSettings::Center::peak, "peak"}};
-inline constexpr EnumWord<StartSettings::From> start_words[] = {{StartSettings::From::target, "target"},
-                                                                {StartSettings::From::free, "free"}};
+/// The words of an enumeration; for each a specialization below.
+template <class Enum>
+inline constexpr auto enum_words = nullptr;
 
-inline std::span<const EnumWord<DecisionSettings::Strategy>> words_of(DecisionSettings::Strategy) {
-  return strategy_words;
-}
-inline std::span<const EnumWord<Metric>> words_of(Metric) { return metric_words; }
-inline std::span<const EnumWord<DecisionSettings::Schedule>> words_of(DecisionSettings::Schedule) {
-  return schedule_words;
-}
-inline std::span<const EnumWord<DecisionSettings::Gaze>> words_of(DecisionSettings::Gaze) {
-  return gaze_words;
-}
-inline std::span<const EnumWord<ExplorationSettings::Counted>> words_of(ExplorationSettings::Counted) {
-  return counted_words;
-}
-inline std::span<const EnumWord<InitializationSettings::Method>> words_of(InitializationSettings::Method) {
-  return method_words;
-}
-inline std::span<const EnumWord<InitializationSettings::Center>> words_of(InitializationSettings::Center) {
-  return center_words;
-}
-inline std::span<const EnumWord<StartSettings::From>> words_of(StartSettings::From) { return start_words; }
+template <>
+inline constexpr auto enum_words<WorldSettings::Type> =
+    std::to_array<EnumWord<WorldSettings::Type>>({{WorldSettings::Type::room, "room"},
+                                                  {WorldSettings::Type::points, "points"},
+                                                  {WorldSettings::Type::recording, "recording"}});
+template <>
+inline constexpr auto enum_words<RecordingSettings::Format> =
+    std::to_array<EnumWord<RecordingSettings::Format>>({{RecordingSettings::Format::automatic, "auto"},
+                                                        {RecordingSettings::Format::images, "images"},
+                                                        {RecordingSettings::Format::tum, "tum"},
+                                                        {RecordingSettings::Format::euroc, "euroc"},
+                                                        {RecordingSettings::Format::acfr, "acfr"},
+                                                        {RecordingSettings::Format::mrclam, "mrclam"},
+                                                        {RecordingSettings::Format::tables, "tables"}});
+template <>
+inline constexpr auto enum_words<StartSettings::From> = std::to_array<EnumWord<StartSettings::From>>(
+    {{StartSettings::From::target, "target"}, {StartSettings::From::free, "free"}});
+template <>
+inline constexpr auto enum_words<InitializationSettings::Method> =
+    std::to_array<EnumWord<InitializationSettings::Method>>(
+        {{InitializationSettings::Method::inverse_depth, "inverse-depth"},
+         {InitializationSettings::Method::depth_line, "depth-line"}});
+template <>
+inline constexpr auto enum_words<InitializationSettings::Center> =
+    std::to_array<EnumWord<InitializationSettings::Center>>({{InitializationSettings::Center::edges, "edges"},
+                                                             {InitializationSettings::Center::peak, "peak"}});
+template <>
+inline constexpr auto enum_words<Linearization> =
+    std::to_array<EnumWord<Linearization>>({{Linearization::analytic, "analytic"},
+                                            {Linearization::iterated, "iterated"},
+                                            {Linearization::unscented_vehicle, "unscented-vehicle"},
+                                            {Linearization::first_estimate, "first-estimate"}});
+template <>
+inline constexpr auto enum_words<BeliefForm> = std::to_array<EnumWord<BeliefForm>>(
+    {{BeliefForm::covariance, "covariance"}, {BeliefForm::information, "information"}});
+template <>
+inline constexpr auto enum_words<MapFrame> =
+    std::to_array<EnumWord<MapFrame>>({{MapFrame::world, "world"}, {MapFrame::vehicle, "vehicle"}});
+template <>
+inline constexpr auto enum_words<Decorrelation> =
+    std::to_array<EnumWord<Decorrelation>>({{Decorrelation::nothing, "nothing"},
+                                            {Decorrelation::everything, "everything"},
+                                            {Decorrelation::map, "map"},
+                                            {Decorrelation::map_linear, "map-linear"}});
+template <>
+inline constexpr auto enum_words<DataAssociationSettings::Method> =
+    std::to_array<EnumWord<DataAssociationSettings::Method>>(
+        {{DataAssociationSettings::Method::known, "known"},
+         {DataAssociationSettings::Method::nearest, "nearest"},
+         {DataAssociationSettings::Method::joint, "joint"}});
+template <>
+inline constexpr auto enum_words<DecisionSettings::Strategy> =
+    std::to_array<EnumWord<DecisionSettings::Strategy>>(
+        {{DecisionSettings::Strategy::mutual_information, "mutual-information"},
+         {DecisionSettings::Strategy::random, "random"},
+         {DecisionSettings::Strategy::fixed_path, "fixed-path"},
+         {DecisionSettings::Strategy::none, "none"}});
+/// Metrics that compare actions; the Fisher traces only compare camera rotations.
+template <>
+inline constexpr auto enum_words<Metric> = std::to_array<EnumWord<Metric>>(
+    {{Metric::state, "state"}, {Metric::position_and_map, "position-and-map"}, {Metric::vehicle, "vehicle"}});
+template <>
+inline constexpr auto enum_words<DecisionSettings::Schedule> =
+    std::to_array<EnumWord<DecisionSettings::Schedule>>(
+        {{DecisionSettings::Schedule::every_frame, "every-frame"},
+         {DecisionSettings::Schedule::at_decisions, "at-decisions"},
+         {DecisionSettings::Schedule::one_per_frame, "one-per-frame"}});
+template <>
+inline constexpr auto enum_words<DecisionSettings::Gaze> = std::to_array<EnumWord<DecisionSettings::Gaze>>(
+    {{DecisionSettings::Gaze::swing, "swing"},
+     {DecisionSettings::Gaze::hold, "hold"},
+     {DecisionSettings::Gaze::constant_rate, "constant-rate"},
+     {DecisionSettings::Gaze::mutual_information, "mutual-information"},
+     {DecisionSettings::Gaze::fisher, "fisher"},
+     {DecisionSettings::Gaze::fisher_given_state, "fisher-given-state"}});
+template <>
+inline constexpr auto enum_words<ExplorationSettings::Counted> =
+    std::to_array<EnumWord<ExplorationSettings::Counted>>(
+        {{ExplorationSettings::Counted::all, "all"}, {ExplorationSettings::Counted::as_mapped, "as-mapped"}});
+template <>
+inline constexpr auto enum_words<ControllerSettings::Law> = std::to_array<EnumWord<ControllerSettings::Law>>(
+    {{ControllerSettings::Law::none, "none"},
+     {ControllerSettings::Law::tracking, "tracking"},
+     {ControllerSettings::Law::lqg, "lqg"},
+     {ControllerSettings::Law::feedback_linearization, "feedback-linearization"},
+     {ControllerSettings::Law::active, "active"}});
+template <>
+inline constexpr auto enum_words<TruePlantSettings::Motion> =
+    std::to_array<EnumWord<TruePlantSettings::Motion>>({{TruePlantSettings::Motion::as_modeled, "as-modeled"},
+                                                        {TruePlantSettings::Motion::terrain, "terrain"}});
+
+/// The words of the alternatives of a variant, in their order.
+template <class Variant>
+inline constexpr auto alternative_words = nullptr;
+template <>
+inline constexpr auto alternative_words<decltype(CameraSettings::model)> =
+    std::to_array<const char*>({"wide-angle", "pinhole"});
+template <>
+inline constexpr auto alternative_words<decltype(TerrainSettings::type)> =
+    std::to_array<const char*>({"waves", "plane", "image"});
+template <>
+inline constexpr auto alternative_words<decltype(PathSettings::type)> =
+    std::to_array<const char*>({"point", "circle", "back-and-forth", "way-points", "file"});
 
 /// Throws std::invalid_argument for a value that a scenario cannot select.
 template <class Enum>
-std::string word_of(Enum value) {
-  for (const auto& [known, word] : words_of(value))
+requires std::is_enum_v<Enum> std::string word_of(Enum value) {
+  for (const auto& [known, word] : enum_words<Enum>)
     if (known == value) return word;
   throw std::invalid_argument("a setting has a value that has no word");
 }
 
+/// Throws std::invalid_argument for an unknown word.
 template <class Enum>
-std::vector<std::string> all_words_of(Enum example) {
-  std::vector<std::string> all;
-  for (const auto& [value, word] : words_of(example)) all.emplace_back(word);
-  return all;
+Enum enum_of(const std::string& word) {
+  for (const auto& [known, name] : enum_words<Enum>)
+    if (name == word) return known;
+  throw std::invalid_argument("`" + word + "` is no word of this setting");
+}
+
+template <class... Alternative>
+std::string word_of(const std::variant<Alternative...>& value) {
+  return alternative_words<std::variant<Alternative...>>[value.index()];
 }
 
 }  // namespace incognita

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "incognita/io/scenario/scenario.hpp"
+#include "incognita/io/scenario/setting.hpp"
 
 namespace incognita {
 
@@ -15,8 +16,15 @@ struct LoadedScenario {
   Scenario scenario;
   std::string name;                            ///< file name without ".toml"
   std::filesystem::path file;                  ///< "embedded:/..." if built in
+  std::vector<SettingInForce> settings;        ///< all settings of this scenario, section by section
   std::map<std::string, std::string> sources;  ///< per key: "default", "room.toml:12", "--set", "--seed"
   std::vector<std::string> overrides;  ///< values replaced by the command line, one line each, for printing
+
+  /// "default" for a setting that this scenario does not have.
+  std::string source_of(const std::string& key) const {
+    const auto source = sources.find(key);
+    return source == sources.end() ? "default" : source->second;
+  }
 };
 
 /// A setting with a command-line flag of its own, e.g. {"run.seed", "7", "--seed"}.

@@ -1,12 +1,19 @@
-// A scenario: all settings of a run as plain structs.
+// A scenario: all settings of a run as plain structs. Which of them a scenario has follows from its choices:
+// scenario_tree.cpp.
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
+#include <map>
 #include <string>
+#include <variant>
+#include <vector>
 
+#include "incognita/control/reference_path.hpp"
 #include "incognita/control/settings.hpp"
 #include "incognita/decision/settings.hpp"
-#include "incognita/io/scenario/team_scenario.hpp"
+#include "incognita/math/setting.hpp"
+#include "incognita/models/mount.hpp"
 #include "incognita/slam/features/settings.hpp"
 #include "incognita/slam/points/planar_settings.hpp"
 #include "incognita/world/settings.hpp"
@@ -14,48 +21,402 @@
 namespace incognita {
 
 struct RunSettings {
-  std::string world = "room";     ///< `room` (rendered, closed loop), `points` (simulated) or `recording`
-  std::string sensor = "camera";  ///< `camera`, `range-bearing`; with `points` also e.g. `bearing`, `stereo`
   std::int64_t seed = 1;
-  double duration_s = 60;     ///< upper limit; a recording may end earlier
-  double rate_hz = 30;        ///< frame rate of simulations and of recordings without time stamps
-  bool observability = true;  ///< whether the observability of the filter is analyzed
+  double duration_s = 60;
+  double rate_hz = 30;
+  bool observability = true;
+
+  static void describe(auto&& setting) {
+    using namespace limits;
+    using S = RunSettings;
+    setting(&S::seed, "seed", "", at_least(0), "Seed of all random streams");
+    setting(&S::duration_s, "duration_s", "s", above_up_to(0, 1e7),
+            "Limit of the duration; a recording may end earlier");
+    setting(&S::rate_hz, "rate_hz", "Hz", above_up_to(0, 10000),
+            "Frame rate of simulations and of recordings without time stamps");
+    setting(&S::observability, "observability", "", any(),
+            "Whether the observability of the running filter is analyzed");
+  }
+};
+
+struct WorldSettings {
+  enum class Type {
+    room,      ///< rendered, closed loop
+    points,    ///< simulated point landmarks
+    recording  ///< replayed
+  };
+  Type type = Type::room;
+
+  static void describe(auto&& setting) {
+    setting(&WorldSettings::type, "type", "", limits::any(),
+            "World: rendered room, simulated point landmarks, or a recording");
+  }
+};
+
+/// The sensor of every body, by its word in models/registry.hpp.
+struct SensorSettings {
+  std::string type = "camera";
+  bool measures_vehicles = true;
+  double field_of_view_rad = 6.2831853;
+  int ticks_per_measurement = 1;
+  std::map<std::string, double> parameters = {};  ///< of the chosen sensor, by key
+
+  static void describe(auto&& setting) {
+    using namespace limits;
+    using S = SensorSettings;
+    setting(&S::type, "type", "", any(), "Sensor of each body");
+    setting(&S::measures_vehicles, "measures_vehicles", "", any(), "Whether the vehicles measure each other");
+    setting(&S::field_of_view_rad, "field_of_view_rad", "rad", above_up_to(0, 6.2831854),
+            "Field of view of a scanner, centered straight ahead");
+    setting(&S::ticks_per_measurement, "ticks_per_measurement", "", between(1, 100000),
+            "Measurement interval in ticks");
+  }
+};
+
+struct WideAngleLens {
+  double kd1_per_px2 = 0;
+
+  static void describe(auto&& setting) {
+    setting(&WideAngleLens::kd1_per_px2, "kd1_per_px2", "1/px^2", limits::at_least(0),
+            "Radial distortion of (5.26)");
+  }
+};
+
+/// Distortion as in OpenCV.
+struct PinholeLens {
+  double k1 = 0, k2 = 0, p1 = 0, p2 = 0, k3 = 0;
+
+  static void describe(auto&& setting) {
+    using namespace limits;
+    using S = PinholeLens;
+    setting(&S::k1, "k1", "", any(), "Radial distortion, first term, as in OpenCV");
+    setting(&S::k2, "k2", "", any(), "Radial distortion, second term");
+    setting(&S::p1, "p1", "", any(), "Tangential distortion, first term");
+    setting(&S::p2, "p2", "", any(), "Tangential distortion, second term");
+    setting(&S::k3, "k3", "", any(), "Radial distortion, third term");
+  }
 };
 
 struct CameraSettings {
-  std::string model = "wide-angle";  ///< `wide-angle` (5.26) or `pinhole` (OpenCV's k1 k2 p1 p2 k3)
+  std::variant<WideAngleLens, PinholeLens> model;
   int width_px = 320;
   int height_px = 240;
   double fu_px = 195;
   double fv_px = 195;
   double u0_px = 159.5;
   double v0_px = 119.5;
-  double kd1_per_px2 = 0;                         ///< `wide-angle`
-  double k1 = 0, k2 = 0, p1 = 0, p2 = 0, k3 = 0;  ///< `pinhole`
+
+  static void describe(auto&& setting) {
+    using namespace limits;
+    using S = CameraSettings;
+    setting(&S::model, "model", "", any(), "Projection and distortion model");
+    setting(&S::width_px, "width_px", "px", between(16, 16384), "Width of the image");
+    setting(&S::height_px, "height_px", "px", between(16, 16384), "Height of the image");
+    setting(&S::fu_px, "fu_px", "px", above_up_to(0, 1e6), "Focal length over the width of a pixel");
+    setting(&S::fv_px, "fv_px", "px", above_up_to(0, 1e6), "Focal length over the height of a pixel");
+    setting(&S::u0_px, "u0_px", "px", any(),
+            "Column of the principal point; the center of the first pixel is 0");
+    setting(&S::v0_px, "v0_px", "px", any(),
+            "Row of the principal point; the center of the first pixel is 0");
+  }
 };
 
 struct RecordingSettings {
-  std::string folder;             ///< relative to the data folder
-  std::string format = "auto";    ///< `auto`, `images`, `tum`, `euroc`, `acfr`, `mrclam`, `tables`
-  std::string pattern;            ///< `images`: shell pattern of file names; empty: all
-  bool check_calibration = true;  ///< `euroc`: compare the camera with the recorded calibration
-  int robot = 1;                  ///< `mrclam`: which of the five robots
-  bool team = false;              ///< `mrclam`: all five robots in one belief
+  enum class Format { automatic, images, tum, euroc, acfr, mrclam, tables };
+
+  Format format = Format::automatic;
+  std::string folder;
+  std::string pattern;
+  bool check_calibration = true;
+  int robot = 1;
+  bool team = false;
+
+  static void describe(auto&& setting) {
+    using namespace limits;
+    using S = RecordingSettings;
+    setting(&S::format, "format", "", any(), "Format of the recording; `auto`: guessed from the folder");
+    setting(&S::folder, "folder", "", any(), "Folder of the recording, relative to the data folder");
+    setting(&S::pattern, "pattern", "", any(),
+            "Shell pattern of the file names of the images; empty: all images, which must be of one kind");
+    setting(&S::check_calibration, "check_calibration", "", any(),
+            "Whether the camera is compared with the calibration of the recording");
+    setting(&S::robot, "robot", "", between(1, 5), "Number of the recorded robot");
+    setting(&S::team, "team", "", any(), "Whether all recorded robots are estimated in one belief");
+  }
+};
+
+/// Initial poses of several vehicles and their uncertainty.
+struct TeamStartSettings {
+  std::vector<Eigen::Vector3d> positions_m{{0, 0, 0}};
+  std::vector<double> headings_rad{0};
+  double sigma_position_m = 0.01;
+  double sigma_height_m = 0.01;
+  double sigma_heading_rad = 0.01;
+
+  static void describe(auto&& setting) {
+    using namespace limits;
+    using S = TeamStartSettings;
+    setting(&S::positions_m, "positions_m", "m", between(-1e6, 1e6),
+            "Initial positions, [x, y, z] each; their number is the number of vehicles");
+    setting(&S::headings_rad, "headings_rad", "rad", between(-6.3, 6.3),
+            "Initial headings about z, from the x axis; one each, or one for all");
+    setting(&S::sigma_position_m, "sigma_position_m", "m", between(0, 1e6),
+            "Standard deviation of the initial position, per axis");
+    setting(&S::sigma_height_m, "sigma_height_m", "m", between(0, 1e6),
+            "Standard deviation of the initial height");
+    setting(&S::sigma_heading_rad, "sigma_heading_rad", "rad", between(0, 3.2),
+            "Standard deviation of the initial heading; of a body in space, of each of its three rotations");
+  }
+};
+
+struct FormSettings {
+  BeliefForm form = BeliefForm::covariance;
+
+  static void describe(auto&& setting) {
+    setting(&FormSettings::form, "form", "", limits::any(),
+            "Representation of the belief: the same estimate at different cost");
+  }
+};
+
+/// Point landmarks of a simulation.
+struct PointsSettings {
+  std::string file;
+  int count = 16;
+  Eigen::Vector3d size_m{30, 30, 2.5};
+  Eigen::Vector2d center_m{0, 0};
+  int known = 0;
+
+  static void describe(auto&& setting) {
+    using namespace limits;
+    using S = PointsSettings;
+    setting(&S::file, "file", "", any(),
+            "Table of the landmarks with columns id, x, y, z, beside the scenario or under the data folder; "
+            "empty: random landmarks");
+    setting(&S::count, "count", "", between(0, 10000), "Number of random landmarks");
+    setting(&S::size_m, "size_m", "m", between(0, 1e6),
+            "Box of the random landmarks: uniform in +-x/2, +-y/2 about the center, and 0 to z");
+    setting(&S::center_m, "center_m", "m", between(-1e6, 1e6), "Center of the random landmarks");
+    setting(&S::known, "known", "", between(-1, 100000),
+            "Number of landmarks that the estimator has as anchors; -1: all, for localization only");
+  }
+};
+
+/// The true vehicle where it differs from the estimator's model.
+struct TruePlantSettings {
+  enum class Motion { as_modeled, terrain };
+
+  Motion motion = Motion::as_modeled;
+  double speed_ratio = 1;
+  double turn_ratio = 1;
+  double sigma_start_position_m = 0.01;
+  double sigma_start_height_m = 0.01;
+  double sigma_start_heading_rad = 0.01;
+  double sigma_speed_m_s = 0.05;
+  double sigma_turn_rate_rad_s = 0.02;
+  double sigma_steering_rad = 0.01;
+  double sigma_acceleration_m_s2 = 0.3;
+  double sigma_angular_acceleration_rad_s2 = 0.3;
+  double sigma_range_m = 0.1;
+  double sigma_range_ratio = 0;
+  double sigma_bearing_rad = 0.0174533;
+  double sigma_pixel_px = 1;
+
+  static void describe(auto&& setting) {
+    using namespace limits;
+    using S = TruePlantSettings;
+    setting(&S::motion, "motion", "", any(),
+            "True motion: that of the estimator's model, or a vehicle on uneven ground");
+    setting(&S::speed_ratio, "speed_ratio", "", between(0.1, 10), "True speed over the measured one");
+    setting(&S::turn_ratio, "turn_ratio", "", between(0.1, 10),
+            "True turn rate or steering angle over the measured one");
+    setting(&S::sigma_start_position_m, "sigma_start_position_m", "m", between(0, 1e6),
+            "Standard deviation of the true initial position about the nominal one, per axis");
+    setting(&S::sigma_start_height_m, "sigma_start_height_m", "m", between(0, 1e6),
+            "Standard deviation of the true initial height about the nominal one");
+    setting(&S::sigma_start_heading_rad, "sigma_start_heading_rad", "rad", between(0, 3.2),
+            "Standard deviation of the true initial heading about the nominal one");
+    setting(&S::sigma_speed_m_s, "sigma_speed_m_s", "m/s", between(0, 1000),
+            "Standard deviation of the true disturbance of the speed, constant over one tick");
+    setting(&S::sigma_turn_rate_rad_s, "sigma_turn_rate_rad_s", "rad/s", between(0, 1000),
+            "Standard deviation of the true disturbance of the turn rate, constant over one tick");
+    setting(&S::sigma_steering_rad, "sigma_steering_rad", "rad", between(0, 3.2),
+            "Standard deviation of the true disturbance of the steering angle, constant over one tick");
+    setting(
+        &S::sigma_acceleration_m_s2, "sigma_acceleration_m_s2", "m/s^2", between(0, 1e4),
+        "Standard deviation of the true disturbance of the acceleration per axis, constant over one tick");
+    setting(&S::sigma_angular_acceleration_rad_s2, "sigma_angular_acceleration_rad_s2", "rad/s^2",
+            between(0, 1e4),
+            "Standard deviation of the true disturbance of the angular acceleration per axis");
+    setting(&S::sigma_range_m, "sigma_range_m", "m", between(0, 1000),
+            "Standard deviation of the true noise of a range measurement");
+    setting(&S::sigma_range_ratio, "sigma_range_ratio", "", between(0, 1),
+            "Share of the range that is added to the true standard deviation of a range measurement");
+    setting(&S::sigma_bearing_rad, "sigma_bearing_rad", "rad", between(0, 3.2),
+            "Standard deviation of the true noise of a bearing measurement");
+    setting(&S::sigma_pixel_px, "sigma_pixel_px", "px", between(0, 100),
+            "Standard deviation of the true noise of an image position, per axis");
+  }
+};
+
+struct PlaneTerrain {
+  double slope_x = 0, slope_y = 0;
+
+  static void describe(auto&& setting) {
+    setting(&PlaneTerrain::slope_x, "slope_x", "", limits::between(-2, 2), "Slope along x");
+    setting(&PlaneTerrain::slope_y, "slope_y", "", limits::between(-2, 2), "Slope along y");
+  }
+};
+
+/// Two perpendicular waves.
+struct WavesTerrain {
+  double amplitude_m = 0.15;
+  double length_m = 6;
+
+  static void describe(auto&& setting) {
+    setting(&WavesTerrain::amplitude_m, "amplitude_m", "m", limits::between(0, 100),
+            "Amplitude of each of the two perpendicular waves");
+    setting(&WavesTerrain::length_m, "length_m", "m", limits::between(0.01, 1e5), "Length of each wave");
+  }
+};
+
+/// A height map from a gray image.
+struct ImageTerrain {
+  std::string file;
+  double size_m = 6;
+  double height_m = 0.3;
+
+  static void describe(auto&& setting) {
+    using namespace limits;
+    setting(
+        &ImageTerrain::file, "file", "", any(),
+        "Gray image of 8 or 16 bits, seen from above with its center at the origin and x to the right; beside "
+        "the scenario or under the data folder");
+    setting(&ImageTerrain::size_m, "size_m", "m", between(0.01, 1e5),
+            "Extent along x, from the centers of the first pixels to those of the last");
+    setting(&ImageTerrain::height_m, "height_m", "m", between(-100, 100), "Height of white; black is at 0");
+  }
+};
+
+struct TerrainSettings {
+  std::variant<WavesTerrain, PlaneTerrain, ImageTerrain> type;
+
+  static void describe(auto&& setting) {
+    setting(&TerrainSettings::type, "type", "", limits::any(), "Surface of the ground");
+  }
+};
+
+struct ControllerSettings {
+  enum class Law {
+    none,  ///< a constant input
+    tracking,
+    lqg,
+    feedback_linearization,
+    active  ///< follows the decision, thesis Chapter 6
+  };
+  Law law = Law::none;
+  std::vector<double> input{};
+  std::vector<double> gain_per_s{0.5};
+  double control_point_m = 0.2;
+  double gain_along_per_s = 1, gain_across_per_m2 = 4, gain_heading_per_m = 2;
+  std::vector<double> weight_state{1}, weight_input{1};
+  double max_speed_m_s = 1, max_turn_rate_rad_s = 1, max_steering_rad = 0.6;
+  double avoidance_distance_m = 0;
+
+  static void describe(auto&& setting) {
+    using namespace limits;
+    using S = ControllerSettings;
+    setting(
+        &S::law, "law", "", any(),
+        "Control law; `none`: a constant input; `active`: the action chosen by the decision, thesis Chapter 6");
+    setting(
+        &S::input, "input", "", between(-1e4, 1e4),
+        "Constant input: speed (m/s) and turn rate (rad/s) or steering angle (rad); of a body in space, three "
+        "accelerations (m/s^2) and three angular accelerations (rad/s^2); empty: 0");
+    setting(&S::gain_per_s, "gain_per_s", "1/s", any(),
+            "Gain on the position error, one or per axis, Q_2 of (5.9)");
+    setting(&S::control_point_m, "control_point_m", "m", between(-1000, 1000),
+            "Control point on uneven ground, ahead of the axle; not 0");
+    setting(&S::gain_along_per_s, "gain_along_per_s", "1/s", any(), "Gain on the longitudinal error");
+    setting(&S::gain_across_per_m2, "gain_across_per_m2", "1/m^2", any(), "Gain on the lateral error");
+    setting(&S::gain_heading_per_m, "gain_heading_per_m", "1/m", any(),
+            "Gain on the sine of the heading error");
+    setting(&S::weight_state, "weight_state", "", any(),
+            "Diagonal of the state weight Q_1 of (5.1); one number: all the same");
+    setting(&S::weight_input, "weight_input", "", any(),
+            "Diagonal of the input weight Q_2 of (5.1); one number: all the same");
+    setting(&S::max_speed_m_s, "max_speed_m_s", "m/s", above_up_to(0, 1000), "Limit of the speed");
+    setting(&S::max_turn_rate_rad_s, "max_turn_rate_rad_s", "rad/s", above_up_to(0, 1000),
+            "Limit of the turn rate");
+    setting(&S::max_steering_rad, "max_steering_rad", "rad", above_up_to(0, 1.5),
+            "Limit of the steering angle");
+    setting(
+        &S::avoidance_distance_m, "avoidance_distance_m", "m", between(0, 10),
+        "Distance of walls and boxes from the axle below which the vehicle slows down and turns away; 0: off");
+  }
+};
+
+/// A path from a table.
+struct PathFile {
+  std::string file;
+
+  static void describe(auto&& setting) {
+    setting(
+        &PathFile::file, "file", "", limits::any(),
+        "Table with columns t, x, y and, optionally, z and heading, beside the scenario or under the data "
+        "folder");
+  }
+};
+
+struct PathSettings {
+  std::variant<PointPath, CirclePath, BackAndForthPath, WayPointPath, PathFile> type;
+  std::vector<Eigen::Vector3d> offsets_m{};
+
+  static void describe(auto&& setting) {
+    using namespace limits;
+    setting(&PathSettings::type, "type", "", any(), "Reference path in time");
+    setting(&PathSettings::offsets_m, "offsets_m", "m", between(-1e6, 1e6),
+            "Offset of the path of each vehicle, [x, y, z] each; empty: none");
+  }
 };
 
 struct Scenario {
   RunSettings run;
+  WorldSettings world;
+  SensorSettings sensor;
   CameraSettings camera;
   RecordingSettings recording;
+  RoomSettings room;
+  PointsSettings points;
   StartSettings start;
+  TeamStartSettings team_start;
   CameraSlamSettings slam;
+  PlanarSlamSettings planar;
+  FormSettings belief;
   DecisionSettings decision;
   ExplorationSettings exploration;
-  PlanarSlamSettings planar;
+  ControllerSettings controller;
   ControlSettings control;
+  PathSettings path;
   OperatorSettings operator_settings;
-  RoomSettings room;
-  TeamScenario team;
+  TruePlantSettings plant;
+  TerrainSettings terrain;
+  Mount mount{.up_m = 0.6};
+
+  const MotionTraits& motion() const { return motion_traits_of(planar.vehicle.model); }
+  const SensorTraits& measured() const { return sensor_traits_of(sensor.type, motion()); }
+  bool is_recording() const { return world.type == WorldSettings::Type::recording; }
+  bool is_simulated() const { return world.type == WorldSettings::Type::points; }
+  /// Whether vehicles are estimated in one team belief: with simulated point landmarks, or from a team recording.
+  bool is_team() const { return is_simulated() || (is_recording() && recording.team); }
+  /// Whether a vehicle on uneven ground carries the camera through the rendered room.
+  bool is_room_vehicle() const {
+    return world.type == WorldSettings::Type::room && motion().space == Space::uneven_ground;
+  }
+  /// Whether a camera is carried by a vehicle that its filter does not model: thesis Section 6.4.
+  bool has_carried_camera() const {
+    return is_simulated() && motion().in_space() && plant.motion == TruePlantSettings::Motion::terrain;
+  }
+  bool decides() const { return controller.law == ControllerSettings::Law::active; }
 };
 
 }  // namespace incognita

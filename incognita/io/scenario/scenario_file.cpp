@@ -21,10 +21,8 @@ std::filesystem::path find_named_file(const LoadedScenario& loaded, const std::s
     if (file_exists(folder / name)) return folder / name;
     looked += (looked.empty() ? "" : ", ") + (is_embedded(folder) ? "those built in" : shown(folder / name));
   }
-  const auto source = loaded.sources.find(key);
-  throw InputError(fmt::format("{}: {} = {}: there is no such file (looked for {})",
-                               source == loaded.sources.end() ? "default" : source->second, key,
-                               toml_string(name), looked));
+  throw InputError(fmt::format("{}: {} = {}: there is no such file (looked for {})", loaded.source_of(key),
+                               key, toml_string(name), looked));
 }
 
 }  // namespace incognita

@@ -4,163 +4,144 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
-#include <type_traits>
 
-#include "incognita/io/scenario/enum_words.hpp"
 #include "incognita/math/nearest_name.hpp"
-#include "incognita/messages/errors.hpp"
 
 namespace incognita {
 namespace {
 
-std::optional<double> as_number(const TomlValue& value) {
-  if (const auto* whole = std::get_if<std::int64_t>(&value.value)) return static_cast<double>(*whole);
-  if (const auto* real = std::get_if<double>(&value.value)) return *real;
-  return std::nullopt;
-}
-
-void need_allowed(const Allowed& allowed, double number) {
+void need_allowed(const Setting& setting, double number) {
+  const Limits& limits = setting.limits;
   if (!std::isfinite(number)) throw BadValue{"must be finite"};
   const bool inside =
-      (allowed.more_than_least ? number > allowed.least : number >= allowed.least) && number <= allowed.most;
-  const bool parity = !allowed.odd || std::fmod(number, 2.0) != 0.0;
-  if (!inside || !parity) throw BadValue{"must be " + allowed.text()};
+      (limits.more_than_least ? number > limits.least : number >= limits.least) && number <= limits.most;
+  const bool parity = !limits.odd || std::fmod(number, 2.0) != 0.0;
+  if (!inside || !parity) throw BadValue{"must be " + setting.allowed()};
 }
 
 BadValue wrong_kind(const Setting& setting, const TomlValue& value) {
-  const std::string allowed = setting.allowed.text();
+  const std::string allowed = setting.allowed();
   return {fmt::format("must be {}{}, and is {}", setting.kind(), allowed.empty() ? "" : ", " + allowed,
                       value.kind())};
 }
 
-double number_for(const Setting& setting, const TomlValue& value) {
-  const std::optional<double> number = as_number(value);
-  if (!number) throw wrong_kind(setting, value);
-  need_allowed(setting.allowed, *number);
-  return *number;
+template <class T>
+const T& get(const Setting& setting, const TomlValue& value) {
+  if (const auto* held = std::get_if<T>(&value.value)) return *held;
+  throw wrong_kind(setting, value);
 }
 
-std::int64_t whole_for(const Setting& setting, const TomlValue& value) {
-  const auto* whole = std::get_if<std::int64_t>(&value.value);
-  if (!whole) throw wrong_kind(setting, value);
-  need_allowed(setting.allowed, static_cast<double>(*whole));
-  return *whole;
-}
-
-std::string text_for(const Setting& setting, const TomlValue& value) {
-  const auto* text = std::get_if<std::string>(&value.value);
-  if (!text) throw wrong_kind(setting, value);
-  const auto& choices = setting.allowed.choices;
-  if (!choices.empty() && std::find(choices.begin(), choices.end(), *text) == choices.end()) {
-    throw BadValue{
-        fmt::format("must be {}; the nearest is `{}`", setting.allowed.text(), nearest_name(*text, choices))};
+std::size_t index_of_word(const Setting& setting, const std::string& text) {
+  const auto at = std::find(setting.words.begin(), setting.words.end(), text);
+  if (at == setting.words.end()) {
+    const std::string nearest = setting.words.size() > 1
+                                    ? fmt::format("; the nearest is `{}`", nearest_name(text, setting.words))
+                                    : "";
+    throw BadValue{fmt::format("must be {}{}", setting.allowed(), nearest)};
   }
-  return *text;
+  return static_cast<std::size_t>(at - setting.words.begin());
+}
+
+void set(const Choice& field, const Setting& setting, const TomlValue& value) {
+  field.choose(index_of_word(setting, get<std::string>(setting, value)));
 }
 
 void set(std::string* field, const Setting& setting, const TomlValue& value) {
-  *field = text_for(setting, value);
+  const auto& text = get<std::string>(setting, value);
+  if (!setting.words.empty()) index_of_word(setting, text);
+  *field = text;
 }
 
-template <class Enum>
-requires std::is_enum_v<Enum>
-void set(Enum* field, const Setting& setting, const TomlValue& value) {
-  const std::string text = text_for(setting, value);
-  for (const auto& [known, word] : words_of(*field))
-    if (text == word) *field = known;
-}
+void set(bool* field, const Setting& setting, const TomlValue& value) { *field = get<bool>(setting, value); }
 
 void set(std::int64_t* field, const Setting& setting, const TomlValue& value) {
-  *field = whole_for(setting, value);
+  const std::int64_t whole = get<std::int64_t>(setting, value);
+  need_allowed(setting, static_cast<double>(whole));
+  *field = whole;
 }
 
 void set(int* field, const Setting& setting, const TomlValue& value) {
-  const std::int64_t whole = whole_for(setting, value);
-  if (whole < std::numeric_limits<int>::min() || whole > std::numeric_limits<int>::max()) {
+  std::int64_t whole = *field;
+  set(&whole, setting, value);
+  if (whole < std::numeric_limits<int>::min() || whole > std::numeric_limits<int>::max())
     throw BadValue{"must fit in 32 bits"};
-  }
   *field = static_cast<int>(whole);
 }
 
 void set(double* field, const Setting& setting, const TomlValue& value) {
-  *field = number_for(setting, value);
+  const auto* whole = std::get_if<std::int64_t>(&value.value);
+  const double number = whole ? static_cast<double>(*whole) : get<double>(setting, value);
+  need_allowed(setting, number);
+  *field = number;
 }
 
-void set(Eigen::Vector3d* field, const Setting& setting, const TomlValue& value) {
-  const auto* items = std::get_if<TomlArray>(&value.value);
-  if (!items || items->size() != 3) throw wrong_kind(setting, value);
-  Eigen::Vector3d vector;
-  for (int i = 0; i < 3; ++i) vector[i] = number_for(setting, (*items)[i]);
+template <int size>
+void set(Eigen::Matrix<double, size, 1>* field, const Setting& setting, const TomlValue& value) {
+  const auto& items = get<TomlArray>(setting, value);
+  if (items.size() != size) throw wrong_kind(setting, value);
+  Eigen::Matrix<double, size, 1> vector;
+  for (int i = 0; i < size; ++i) set(&vector[i], setting, items[i]);
   *field = vector;
-}
-
-void set(bool* field, const Setting& setting, const TomlValue& value) {
-  const auto* answer = std::get_if<bool>(&value.value);
-  if (!answer) throw wrong_kind(setting, value);
-  *field = *answer;
-}
-
-void set(Eigen::Vector2d* field, const Setting& setting, const TomlValue& value) {
-  const auto* items = std::get_if<TomlArray>(&value.value);
-  if (!items || items->size() != 2) throw wrong_kind(setting, value);
-  *field = {number_for(setting, (*items)[0]), number_for(setting, (*items)[1])};
 }
 
 template <class Item>
 void set(std::vector<Item>* field, const Setting& setting, const TomlValue& value) {
-  const auto* items = std::get_if<TomlArray>(&value.value);
-  if (!items) throw wrong_kind(setting, value);
-  std::vector<Item> list(items->size());
-  for (std::size_t i = 0; i < list.size(); ++i) set(&list[i], setting, (*items)[i]);
+  const auto& items = get<TomlArray>(setting, value);
+  std::vector<Item> list(items.size());
+  for (std::size_t i = 0; i < list.size(); ++i) set(&list[i], setting, items[i]);
   *field = list;
 }
 
 std::string write(const std::string* text) { return toml_string(*text); }
-template <class Enum>
-requires std::is_enum_v<Enum> std::string write(const Enum* choice) { return toml_string(word_of(*choice)); }
 std::string write(const int* whole) { return std::to_string(*whole); }
 std::string write(const std::int64_t* whole) { return std::to_string(*whole); }
 std::string write(const double* real) { return toml_number(*real); }
-std::string write(const Eigen::Vector3d* v) {
-  return fmt::format("[{}, {}, {}]", toml_number(v->x()), toml_number(v->y()), toml_number(v->z()));
-}
-
 std::string write(const bool* answer) { return *answer ? "true" : "false"; }
-std::string write(const Eigen::Vector2d* v) {
-  return fmt::format("[{}, {}]", toml_number(v->x()), toml_number(v->y()));
+
+template <int size>
+std::string write(const Eigen::Matrix<double, size, 1>* vector);
+
+std::string in_brackets(const auto& items) {
+  std::string text = "[";
+  for (const auto& item : items) text += (text.size() > 1 ? ", " : "") + write(&item);
+  return text + "]";
+}
+template <int size>
+std::string write(const Eigen::Matrix<double, size, 1>* vector) {
+  return in_brackets(*vector);
 }
 template <class Item>
 std::string write(const std::vector<Item>* list) {
-  std::string text = "[";
-  for (const Item& item : *list) text += (text.size() > 1 ? ", " : "") + write(&item);
-  return text + "]";
+  return in_brackets(*list);
 }
-
-std::string plain(double number) { return fmt::format("{}", number); }
 
 }  // namespace
 
-std::string Allowed::text() const {
+std::string Setting::allowed() const {
   std::string text;
-  for (std::size_t i = 0; i < choices.size(); ++i) {
-    text += (i == 0 ? "`" : i + 1 == choices.size() ? " or `" : ", `") + choices[i] + "`";
-  }
-  if (!choices.empty()) return text;
-  if (odd) text = "odd";
-  const std::string space = text.empty() ? "" : ", ";
-  const bool low = std::isfinite(least), high = std::isfinite(most);
-  if (low && high) {
-    return text + space +
-           fmt::format("{}{} to {}", more_than_least ? "more than " : "", plain(least), plain(most));
-  }
-  if (low) return text + space + (more_than_least ? "more than " : "at least ") + plain(least);
-  if (high) return text + space + "at most " + plain(most);
-  return text;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    text += (i == 0 ? "`" : i + 1 == words.size() ? " or `" : ", `") + words[i] + "`";
+  if (!words.empty()) return text;
+  if (limits.odd) text = "odd, ";
+  const bool low = std::isfinite(limits.least), high = std::isfinite(limits.most);
+  if (low && high)
+    return fmt::format("{}{}{} to {}", text, limits.more_than_least ? "more than " : "", limits.least,
+                       limits.most);
+  if (low)
+    return fmt::format("{}{} {}", text, limits.more_than_least ? "more than" : "at least", limits.least);
+  return high ? fmt::format("{}at most {}", text, limits.most) : "";
 }
 
 std::string Setting::written() const {
-  return std::visit([](const auto* value) { return write(value); }, field);
+  if (const auto* choice = std::get_if<Choice>(&field)) return toml_string(words.at(choice->index()));
+  return std::visit(
+      [](const auto& value) -> std::string {
+        if constexpr (requires { write(value); }) return write(value);
+        return "";
+      },
+      field);
 }
 
 std::string Setting::kind() const {
@@ -168,33 +149,43 @@ std::string Setting::kind() const {
                                           "a whole number",
                                           "a whole number",
                                           "a number",
-                                          "a list of three numbers",
                                           "true or false",
                                           "a list of two numbers",
+                                          "a list of three numbers",
+                                          "a list of numbers",
                                           "a list of [x, y]",
                                           "a list of [x, y, z]",
-                                          "a list of numbers"};
-  return field.index() < std::size(names) ? names[field.index()] : names[0];  // enumerations are strings
+                                          "a text"};
+  return names[field.index()];
 }
 
 void assign(const Setting& setting, const TomlValue& value) {
-  std::visit([&](auto* target) { set(target, setting, value); }, setting.field);
+  std::visit([&](const auto& field) { set(field, setting, value); }, setting.field);
 }
 
 void assign_text(const Setting& setting, std::string_view text) {
   const bool is_text = setting.kind() == "a text";
   const bool quoted = text.size() >= 2 && (text.front() == '"' || text.front() == '\'');
   if (is_text && !quoted) return assign(setting, TomlValue{std::string(text), 0});
-  const BadValue unreadable{fmt::format("must be {}", setting.kind())};
-  if (text.find_first_of("\n\r#") != std::string_view::npos) throw unreadable;
-  TomlTable table;
+  TomlValue value;
   try {
-    table = parse_toml("value = " + std::string(text), "");
+    value = value_of_toml(std::string(text));
   } catch (const InputError&) {
-    throw unreadable;
+    throw BadValue{fmt::format("must be {}", setting.kind())};
   }
-  if (table.size() != 1) throw unreadable;
-  assign(setting, table.front().value);
+  assign(setting, value);
 }
+
+TomlValue value_of_toml(const std::string& written) {
+  if (written.find_first_of("\n\r#") == std::string::npos || written.starts_with('"')) {
+    TomlTable table = parse_toml("value = " + written, "");
+    if (table.size() == 1) return std::move(table.front().value);
+  }
+  throw InputError(written + ": is no value");
+}
+
+std::string section_of(const std::string& key) { return key.substr(0, key.find('.')); }
+
+std::string name_in_section(const std::string& key) { return key.substr(key.find('.') + 1); }
 
 }  // namespace incognita

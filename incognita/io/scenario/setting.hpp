@@ -1,48 +1,54 @@
-// A setting: a key bound to a field of a scenario, with unit and allowed values.
+// A setting of a scenario: its declaration (math/setting.hpp) with its key, bound to a field.
 #pragma once
 
 #include <Eigen/Core>
 #include <cstdint>
-#include <limits>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
-#include "incognita/decision/settings.hpp"
 #include "incognita/io/formats/toml_value.hpp"
-#include "incognita/slam/features/settings.hpp"
+#include "incognita/math/setting.hpp"
 
 namespace incognita {
 
-/// The allowed values of a setting.
-struct Allowed {
-  double least = -std::numeric_limits<double>::infinity();
-  double most = std::numeric_limits<double>::infinity();
-  bool more_than_least = false;  ///< `least` itself is excluded
-  bool odd = false;
-  std::vector<std::string> choices;  ///< of a string; empty: any
-
-  /// "0 to 1", "more than 0", "`room` or `recording`"; empty if unrestricted.
-  std::string text() const;
+/// An enumeration or the alternative of a variant, by the index of its word.
+struct Choice {
+  std::function<std::size_t()> index;
+  std::function<void(std::size_t)> choose;
 };
+
+using SettingField =
+    std::variant<std::string*, int*, std::int64_t*, double*, bool*, Eigen::Vector2d*, Eigen::Vector3d*,
+                 std::vector<double>*, std::vector<Eigen::Vector2d>*, std::vector<Eigen::Vector3d>*, Choice>;
 
 struct Setting {
   std::string key;  ///< "section.name"; the name ends with the unit
-  std::variant<std::string*, int*, std::int64_t*, double*, Eigen::Vector3d*, bool*, Eigen::Vector2d*,
-               std::vector<Eigen::Vector2d>*, std::vector<Eigen::Vector3d>*, std::vector<double>*,
-               DecisionSettings::Strategy*, Metric*, DecisionSettings::Schedule*, DecisionSettings::Gaze*,
-               ExplorationSettings::Counted*, InitializationSettings::Method*,
-               InitializationSettings::Center*, StartSettings::From*>
-      field;
-  std::string unit;  ///< empty for counts, ratios and strings
-  std::string help;
-  Allowed allowed;
+  SettingField field;
+  std::string unit;  ///< empty for counts, ratios and words
+  Limits limits;
+  std::string help;                     ///< one sentence
+  std::vector<std::string> words = {};  ///< admissible texts; of a Choice in the order of its indices
 
   /// The current value in TOML.
   std::string written() const;
   /// "a text", "a whole number", ...
   std::string kind() const;
+  /// "0 to 1", "more than 0", "`room` or `recording`"; empty if unrestricted.
+  std::string allowed() const;
+};
+
+/// A setting of this scenario with its value and source.
+struct SettingInForce {
+  std::string key, value, default_value;  ///< values in TOML
+  std::string source;  ///< "default", "room.toml:12", "--set", "as vehicle.sigma_speed_m_s"
+  std::string unit, allowed, help;
+  std::vector<std::string> options;  ///< values in TOML that can make other settings appear
+  bool names_file = false;
+
+  bool is_given() const { return source != "default" && !source.starts_with("as "); }
 };
 
 /// Why a value was refused: "must be ...". The caller adds its location.
@@ -55,5 +61,13 @@ void assign(const Setting& setting, const TomlValue& value);
 
 /// The same for command-line text, where strings need no quotes.
 void assign_text(const Setting& setting, std::string_view text);
+
+/// A value in TOML as a plain value: the inverse of Setting::written(). Throws InputError for anything else.
+TomlValue value_of_toml(const std::string& written);
+
+/// "run" of "run.seed".
+std::string section_of(const std::string& key);
+/// "seed" of "run.seed".
+std::string name_in_section(const std::string& key);
 
 }  // namespace incognita

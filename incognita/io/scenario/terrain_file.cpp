@@ -16,8 +16,7 @@ namespace {
 
 /// A setting with its source, for messages.
 std::string with_source(const LoadedScenario& loaded, const std::string& key, const std::string& value) {
-  const auto source = loaded.sources.find(key);
-  return fmt::format("{}: {} = {}", source == loaded.sources.end() ? "default" : source->second, key, value);
+  return fmt::format("{}: {} = {}", loaded.source_of(key), key, value);
 }
 
 /// Fractions of white with rows along x and columns along y. In the image, x points right and y up.
@@ -26,18 +25,16 @@ Eigen::MatrixXd seen_from_above(const Eigen::MatrixXd& image) {
 }
 
 void check_cover(const LoadedScenario& loaded, const HeightMap& map, double length_m, double width_m) {
-  const TerrainChoice& t = loaded.scenario.team.terrain;
-  for (const Eigen::Vector3d& start : loaded.scenario.team.start.positions_m)
+  for (const Eigen::Vector3d& start : loaded.scenario.team_start.positions_m)
     if (!map.contains(start.x(), start.y()))
       throw InputError(
           fmt::format("{}: the image reaches {:.4g} m by {:.4g} m about the origin, and a vehicle starts at "
-                      "[{:g}, {:g}] (team.positions_m): make the image larger or terrain.size_m more",
-                      with_source(loaded, "terrain.size_m", fmt::format("{:g}", t.size_m)), length_m, width_m,
+                      "[{:g}, {:g}] (start.positions_m): make the image larger or terrain.size_m more",
+                      with_source(loaded, "terrain.size_m", fmt::format("{:g}", length_m)), length_m, width_m,
                       start.x(), start.y()));
 }
 
-Terrain image_terrain(const LoadedScenario& loaded) {
-  const TerrainChoice& t = loaded.scenario.team.terrain;
+Terrain image_terrain(const LoadedScenario& loaded, const ImageTerrain& t) {
   const std::filesystem::path file = find_named_file(loaded, "terrain.file", t.file);
   const auto refuse = [&](const std::string& why) {
     throw InputError(fmt::format("{}: {}: take a grey image of 8 or 16 bits, PNG or PGM for instance",
@@ -62,10 +59,12 @@ Terrain image_terrain(const LoadedScenario& loaded) {
 }  // namespace
 
 Terrain terrain_of(const LoadedScenario& loaded) {
-  const TerrainChoice& t = loaded.scenario.team.terrain;
-  if (t.kind == "image") return image_terrain(loaded);
-  if (t.kind == "plane") return TiltedPlane{0, t.slope_x, t.slope_y};
+  const auto& terrain = loaded.scenario.terrain.type;
+  if (const auto* image = std::get_if<ImageTerrain>(&terrain)) return image_terrain(loaded, *image);
+  if (const auto* plane = std::get_if<PlaneTerrain>(&terrain))
+    return TiltedPlane{0, plane->slope_x, plane->slope_y};
   constexpr double quarter = 1.5707963267948966;
+  const auto& t = std::get<WavesTerrain>(terrain);
   return Waves{0, {{t.amplitude_m, t.length_m, 0, 0}, {t.amplitude_m, t.length_m, quarter, quarter}}};
 }
 

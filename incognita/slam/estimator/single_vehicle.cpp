@@ -37,13 +37,12 @@ EstimatorSettings single_vehicle(const PlanarSlamSettings& s,
   team.filter.map_frame = s.filter.map_frame;
   team.filter.decorrelate = s.filter.decorrelate;
   team.association = s.association;
-  if (s.association.method == "known") team.filter.gate_probability = s.association.gate_probability;
+  if (s.association.method == DataAssociationSettings::Method::known) team.filter.gate_probability = s.association.gate_probability;
   team.health.max_sigma_position_m = s.lost.max_sigma_position_m;
   team.health.max_ticks = s.lost.max_unmatched_scans;
-  team.anchors_have_identity = s.association.method == "known";
+  team.anchors_have_identity = s.association.method == DataAssociationSettings::Method::known;
   if (team.anchors_have_identity && anchor_identities.size() != s.filter.anchors.size())
-    throw std::invalid_argument(
-        "vehicle_filter.anchors_m: with association by identity each anchor needs one");
+    throw std::invalid_argument("estimator.anchors_m: with association by identity each anchor needs one");
   for (std::size_t i = 0; i < s.filter.anchors.size(); ++i)
     team.anchors[team.anchors_have_identity ? anchor_identities[i] : static_cast<std::int64_t>(i)] =
         s.filter.anchors[i];

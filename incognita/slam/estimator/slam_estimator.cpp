@@ -20,9 +20,9 @@ std::string problem_of_camera(const FeatureTracker& camera, const EstimatorSetti
     return "a camera is on body " + std::to_string(c.body + 1) + ", which does not exist";
   if (!c.mount && !std::holds_alternative<FreeCameraMotion>(s.bodies[c.body].motion))
     return "a camera on a vehicle needs its mount";
-  if (s.filter.map_frame == "vehicle")
-    return "vehicle_filter.map_frame = `vehicle`: images are tracked in a map in the world frame; take `world`";
-  if (s.filter.linearization == "first-estimate")
+  if (s.filter.map_frame == MapFrame::vehicle)
+    return "estimator.map_frame = `vehicle`: images are tracked in a map in the world frame; take `world`";
+  if (s.filter.linearization == Linearization::first_estimate)
     return "first-estimate Jacobians are derived for ranges and bearings on a plane only, not for images";
   return "";
 }
@@ -109,9 +109,9 @@ void SlamEstimator::see(const Observation& observation) {
 namespace {
 
 AnyBelief empty_belief(const MapperSettings& filter) {
-  if (filter.form == "information") return AnyBelief(InformationBelief());
+  if (filter.form == BeliefForm::information) return AnyBelief(InformationBelief());
   return AnyBelief(Belief(
-      64, filter.decorrelate == "map-linear" ? MapCorrelations::block_diagonal : MapCorrelations::full));
+      64, filter.decorrelate == Decorrelation::map_linear ? MapCorrelations::block_diagonal : MapCorrelations::full));
 }
 
 /// Adds the body and, for a map in its frame, the pose of the world relative to it.
@@ -199,7 +199,7 @@ void SlamEstimator::add_bodies(Estimate& e, const Observation& observation, cons
       P.topLeftCorner<6, 6>() = starts[k].pose->covariance;
     }
     add_body(e, model, at, P, start_time(model, of_body(observation, i), tick.t),
-             settings_.filter.map_frame == "vehicle");
+             settings_.filter.map_frame == MapFrame::vehicle);
   }
 }
 
@@ -291,8 +291,8 @@ void SlamEstimator::update_map(Estimate& e, StageClock& stage) {
   convert_converged_inverse_depths(e, settings_);
   stage.mark("births");
   recenter_map(e);
-  if (settings_.filter.decorrelate == "everything") e.belief.decorrelate(Belief::Scope::everything);
-  if (settings_.filter.decorrelate == "map") e.belief.decorrelate(Belief::Scope::map);
+  if (settings_.filter.decorrelate == Decorrelation::everything) e.belief.decorrelate(Belief::Scope::everything);
+  if (settings_.filter.decorrelate == Decorrelation::map) e.belief.decorrelate(Belief::Scope::map);
   stage.mark("decorrelate");
 }
 

@@ -1,28 +1,69 @@
-// Settings of the camera estimator. Every field is one key of a scenario file; units are in the names.
+// Settings of the camera estimator.
 #pragma once
 
 #include <string>
 
+#include "incognita/math/setting.hpp"
+
 namespace incognita {
 
 struct FilterSettings {
-  double sigma_acceleration_m_s2 = 1.0;            ///< unknown acceleration per axis, held for one frame
-  double sigma_angular_acceleration_rad_s2 = 1.0;  ///< the same for angular acceleration
-  double sigma_pixel_px = 1.0;                     ///< of one measured patch position, per axis
-  double sigma_start_velocity_m_s = 0.2;           ///< per axis, at the start of the run
-  double sigma_start_angular_rate_rad_s = 0.2;     ///< per axis, at the start of the run
-  bool odometry = false;                           ///< the wheel odometry of the camera's carrier is used
-  double sigma_slip_m_s = 0.02;  ///< per axis, deviation of the carrier from the no-slip constraint
+  double sigma_acceleration_m_s2 = 1.0;
+  double sigma_angular_acceleration_rad_s2 = 1.0;
+  double sigma_pixel_px = 1.0;
+  double sigma_start_velocity_m_s = 0.2;
+  double sigma_start_angular_rate_rad_s = 0.2;
+  bool odometry = false;
+  double sigma_slip_m_s = 0.02;
+
+  static void describe(auto&& setting) {
+    using namespace limits;
+    using S = FilterSettings;
+    setting(&S::sigma_acceleration_m_s2, "sigma_acceleration_m_s2", "m/s^2", between(0, 1e4),
+            "Standard deviation of the unknown acceleration per axis, constant over one frame");
+    setting(&S::sigma_angular_acceleration_rad_s2, "sigma_angular_acceleration_rad_s2", "rad/s^2",
+            between(0, 1e4),
+            "Standard deviation of the unknown angular acceleration per axis, constant over one frame");
+    setting(&S::sigma_pixel_px, "sigma_pixel_px", "px", between(0.001, 100),
+            "Standard deviation of one measured image position, per axis");
+    setting(&S::sigma_start_velocity_m_s, "sigma_velocity_m_s", "m/s", between(0, 1e4),
+            "Standard deviation of the initial velocity, per axis");
+    setting(&S::sigma_start_angular_rate_rad_s, "sigma_angular_rate_rad_s", "rad/s", between(0, 1e4),
+            "Standard deviation of the initial angular rate, per axis");
+    setting(&S::odometry, "use_odometry", "", any(),
+            "Whether the estimator uses the wheel odometry of the vehicle that carries the camera");
+    setting(&S::sigma_slip_m_s, "sigma_slip_m_s", "m/s", above_up_to(0, 100),
+            "Standard deviation of the vehicle's deviation from rolling without slip, per axis");
+  }
 };
 
 struct SearchSettings {
-  int patch_size_px = 11;               ///< side of the matched square, odd, 9 to 15
-  double gate_sigmas = 3.0;             ///< half axes of the search ellipse in sigmas of the innovation
-  double min_correlation = 0.8;         ///< normalized cross-correlation required for a match
-  int max_measurements = 12;            ///< features searched for per frame, the most uncertain first
-  double max_half_axis_px = 60;         ///< limit of the search in u and in v, from the center of the ellipse
-  double gate_probability = 0.99;       ///< of a correct match, in each consistency test
-  double max_unconfirmed_sigma_px = 8;  ///< re-detections predicted less precisely are unconfirmed
+  int patch_size_px = 11;
+  double gate_sigmas = 3.0;
+  double min_correlation = 0.8;
+  int max_measurements = 12;
+  double max_half_axis_px = 60;
+  double gate_probability = 0.99;
+  double max_unconfirmed_sigma_px = 8;
+
+  static void describe(auto&& setting) {
+    using namespace limits;
+    using S = SearchSettings;
+    setting(&S::patch_size_px, "patch_size_px", "px", odd_between(9, 15),
+            "Side of the square image patch that is matched");
+    setting(&S::gate_sigmas, "gate_sigmas", "", above_up_to(0, 100),
+            "Half axes of the search ellipse in standard deviations of the innovation");
+    setting(&S::min_correlation, "min_correlation", "", between(-1, 1),
+            "Normalized cross-correlation below which a candidate is no match");
+    setting(&S::max_measurements, "max_measurements", "", between(1, 10000),
+            "Number of features searched per frame, the most uncertain first");
+    setting(&S::max_half_axis_px, "max_half_axis_px", "px", above_up_to(0, 16384),
+            "Limit of the search in u and in v, from the center of the ellipse");
+    setting(&S::gate_probability, "gate_probability", "", between(0.5, 0.999999),
+            "Probability that a correct match passes each consistency test");
+    setting(&S::max_unconfirmed_sigma_px, "max_unconfirmed_sigma_px", "px", above_up_to(0, 1e9),
+            "Predicted standard deviation above which a re-detection stays unconfirmed");
+  }
 };
 
 struct InitializationSettings {
@@ -31,36 +72,97 @@ struct InitializationSettings {
   enum class Center { edges, peak };
 
   Method method = Method::inverse_depth;
-  int box_width_px = 80;  ///< of the box in which a new feature is searched
+  int box_width_px = 80;
   int box_height_px = 60;
-  double min_corner_strength = 30;  ///< smaller eigenvalue of the structure tensor, gray levels^2 per pixel^2
+  double min_corner_strength = 30;
   Center center = Center::edges;
-  double look_ahead_s = 0.5;  ///< corners that leave the view within this time are rejected
-  double sigma_slope = 0.7;   ///< prior tangent of a patch's tilt, per axis; 0: faces the camera
+  double look_ahead_s = 0.5;
+  double sigma_slope = 0.7;
   int max_new_per_frame = 1;
-  int particles = 100;       ///< `depth-line`: depth hypotheses on the ray
-  double min_depth_m = 0.5;  ///< minimum depth along the ray, of lines and for look_ahead_s
+  int particles = 100;
+  double min_depth_m = 0.5;
   double max_depth_m = 5.0;
-  double depth_ratio = 0.3;          ///< `depth-line`: sigma/depth below which a line becomes a point
-  int max_line_failures = 10;        ///< `depth-line`: consecutive failed searches until a line is dropped
-  double inverse_depth_per_m = 0.5;  ///< `inverse-depth`: prior mean
+  double depth_ratio = 0.3;
+  int max_line_failures = 10;
+  double inverse_depth_per_m = 0.5;
   double sigma_inverse_depth_per_m = 0.5;
-  double max_linearity = 0.1;  ///< `inverse-depth`: Civera's linearity index below which it becomes a point
+  double max_linearity = 0.1;
+
+  static void describe(auto&& setting) {
+    using namespace limits;
+    using S = InitializationSettings;
+    setting(&S::method, "method", "", any(), "Parametrization of a new landmark along its line of sight");
+    setting(&S::box_width_px, "box_width_px", "px", between(16, 16384),
+            "Width of the image box in which a new feature is searched");
+    setting(&S::box_height_px, "box_height_px", "px", between(16, 16384),
+            "Height of the image box in which a new feature is searched");
+    setting(&S::min_corner_strength, "min_corner_strength", "gray^2/px^2", at_least(0),
+            "Smaller eigenvalue of the structure tensor that a new feature needs");
+    setting(&S::center, "center", "", any(),
+            "Center of a patch: intersection of its edges, or maximum of the corner strength");
+    setting(&S::look_ahead_s, "look_ahead_s", "s", between(0, 100),
+            "Time for which a new feature must be predicted to stay in view");
+    setting(
+        &S::sigma_slope, "sigma_slope", "", between(0, 10),
+        "Prior standard deviation of the tangent of a patch's tilt, per axis; 0: patches face the camera");
+    setting(&S::max_new_per_frame, "max_new_per_frame", "", between(0, 1000),
+            "Number of landmarks initialized per frame");
+    setting(&S::particles, "particles", "", between(2, 100000), "Number of depth hypotheses on the ray");
+    setting(&S::min_depth_m, "min_depth_m", "m", above_up_to(0, 1e6), "Nearest depth of a new feature");
+    setting(&S::max_depth_m, "max_depth_m", "m", above_up_to(0, 1e6), "Farthest depth of a new feature");
+    setting(&S::depth_ratio, "depth_ratio", "", above_up_to(0, 1),
+            "Ratio of depth sigma to depth below which a ray becomes a point");
+    setting(&S::max_line_failures, "max_line_failures", "", between(1, 10000),
+            "Consecutive failed searches after which a ray is dropped");
+    setting(&S::inverse_depth_per_m, "inverse_depth_per_m", "1/m", between(1e-6, 1000),
+            "Prior mean of the inverse depth");
+    setting(&S::sigma_inverse_depth_per_m, "sigma_inverse_depth_per_m", "1/m", above_up_to(0, 1000),
+            "Prior standard deviation of the inverse depth");
+    setting(&S::max_linearity, "max_linearity", "", between(0, 10),
+            "Linearity index (Civera et al. 2008) below which an inverse depth becomes a point");
+  }
 };
 
 struct MapSettings {
-  int wanted_visible = 12;          ///< new features are added while fewer are predicted in view
-  int max_landmarks = 200;          ///< limit of mapped landmarks
-  double max_view_angle_rad = 0.7;  ///< to the initial viewing direction; beyond, no match is expected
-  double max_scale = 1.8;           ///< limit of the ratio to the initial distance, either way
-  int min_attempts = 10;            ///< before a landmark can be deleted
-  double min_matched_share = 0.5;   ///< of its attempts; with less a landmark is deleted
+  int wanted_visible = 12;
+  int max_landmarks = 200;
+  double max_view_angle_rad = 0.7;
+  double max_scale = 1.8;
+  int min_attempts = 10;
+  double min_matched_share = 0.5;
+
+  static void describe(auto&& setting) {
+    using namespace limits;
+    using S = MapSettings;
+    setting(&S::wanted_visible, "wanted_visible", "", between(0, 10000),
+            "Number of landmarks predicted in view below which new ones are initialized");
+    setting(&S::max_landmarks, "max_landmarks", "", between(1, 10000), "Limit of the number of landmarks");
+    setting(&S::max_view_angle_rad, "max_view_angle_rad", "rad", above_up_to(0, 3.2),
+            "Angle to the initial viewing direction beyond which no match is predicted");
+    setting(&S::max_scale, "max_scale", "", above_up_to(1, 100),
+            "Ratio to the initial distance, either way, beyond which no match is predicted");
+    setting(&S::min_attempts, "min_attempts", "", between(1, 100000),
+            "Number of searches before a landmark can be deleted");
+    setting(&S::min_matched_share, "min_matched_share", "", between(0, 1),
+            "Share of successful searches below which a landmark is deleted");
+  }
 };
 
 struct LostSettings {
-  int min_matches = 3;                ///< a frame with fewer counts towards lost
-  int max_frames = 10;                ///< consecutive frames with too few matches until lost
-  double max_sigma_position_m = 0.5;  ///< upper limit of the position sigma
+  int min_matches = 3;
+  int max_frames = 10;
+  double max_sigma_position_m = 0.5;
+
+  static void describe(auto&& setting) {
+    using namespace limits;
+    using S = LostSettings;
+    setting(&S::min_matches, "min_matches", "", between(3, 10000),
+            "Number of matches below which a frame counts towards `lost`");
+    setting(&S::max_frames, "max_frames", "", between(1, 100000),
+            "Consecutive frames with too few matches after which the state is `lost`");
+    setting(&S::max_sigma_position_m, "max_sigma_position_m", "m", more_than(0),
+            "Standard deviation of the position above which the state is `lost`");
+  }
 };
 
 struct StartSettings {
@@ -69,8 +171,19 @@ struct StartSettings {
     free     ///< the first view is the origin
   };
   From from = From::target;
-  std::string target;        ///< target file, beside the scenario or in the data folder
-  double max_search_s = 10;  ///< lost when the target is not found by then
+  std::string target;
+  double max_search_s = 10;
+
+  static void describe(auto&& setting) {
+    using namespace limits;
+    using S = StartSettings;
+    setting(
+        &S::from, "from", "", any(),
+        "Origin of the world frame: a known target, from which the initial pose is solved, or the first view");
+    setting(&S::target, "target", "", any(), "Target file, beside the scenario or under the data folder");
+    setting(&S::max_search_s, "max_search_s", "s", above_up_to(0, 1e6),
+            "Time after which the state is `lost` if the target was not found");
+  }
 };
 
 struct CameraSlamSettings {

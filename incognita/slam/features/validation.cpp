@@ -30,11 +30,11 @@ void need_at_least(const char* key, int value, int least, const char* limit) {
 }
 
 void validate(const FilterSettings& s) {
-  need_not_negative("filter.sigma_acceleration_m_s2", s.sigma_acceleration_m_s2);
-  need_not_negative("filter.sigma_angular_acceleration_rad_s2", s.sigma_angular_acceleration_rad_s2);
-  need_positive("filter.sigma_pixel_px", s.sigma_pixel_px);
-  need_not_negative("filter.sigma_start_velocity_m_s", s.sigma_start_velocity_m_s);
-  need_not_negative("filter.sigma_start_angular_rate_rad_s", s.sigma_start_angular_rate_rad_s);
+  need_not_negative("vehicle.sigma_acceleration_m_s2", s.sigma_acceleration_m_s2);
+  need_not_negative("vehicle.sigma_angular_acceleration_rad_s2", s.sigma_angular_acceleration_rad_s2);
+  need_positive("sensor.sigma_pixel_px", s.sigma_pixel_px);
+  need_not_negative("start.sigma_velocity_m_s", s.sigma_start_velocity_m_s);
+  need_not_negative("start.sigma_angular_rate_rad_s", s.sigma_start_angular_rate_rad_s);
 }
 
 void validate(const SearchSettings& s) {
@@ -47,25 +47,25 @@ void validate(const SearchSettings& s) {
   need_positive("search.max_half_axis_px", s.max_half_axis_px);
   need(s.gate_probability > 0 && s.gate_probability < 1, "search.gate_probability", s.gate_probability,
        "more than 0 and less than 1");
-  need_positive("search.max_alone_sigma_px", s.max_unconfirmed_sigma_px);
+  need_positive("search.max_unconfirmed_sigma_px", s.max_unconfirmed_sigma_px);
 }
 
 void validate(const InitializationSettings& s) {
-  need_at_least("birth.box_width_px", s.box_width_px, 16, "16 or more");
-  need_at_least("birth.box_height_px", s.box_height_px, 16, "16 or more");
-  need_not_negative("birth.min_corner_strength", s.min_corner_strength);
-  need_not_negative("birth.look_ahead_s", s.look_ahead_s);
-  need_not_negative("birth.sigma_slope", s.sigma_slope);
-  need_at_least("birth.max_new_per_frame", s.max_new_per_frame, 0, "0 or more");
-  need_at_least("birth.particles", s.particles, 2, "2 or more");
-  need_positive("birth.min_depth_m", s.min_depth_m);
-  need(s.max_depth_m > s.min_depth_m && s.max_depth_m < infinity, "birth.max_depth_m", s.max_depth_m,
-       "more than birth.min_depth_m, and finite");
-  need_positive("birth.depth_ratio", s.depth_ratio);
-  need_at_least("birth.max_line_failures", s.max_line_failures, 1, "1 or more");
-  need_positive("birth.inverse_depth_per_m", s.inverse_depth_per_m);
-  need_positive("birth.sigma_inverse_depth_per_m", s.sigma_inverse_depth_per_m);
-  need_not_negative("birth.max_linearity", s.max_linearity);
+  need_at_least("landmark_initialization.box_width_px", s.box_width_px, 16, "16 or more");
+  need_at_least("landmark_initialization.box_height_px", s.box_height_px, 16, "16 or more");
+  need_not_negative("landmark_initialization.min_corner_strength", s.min_corner_strength);
+  need_not_negative("landmark_initialization.look_ahead_s", s.look_ahead_s);
+  need_not_negative("landmark_initialization.sigma_slope", s.sigma_slope);
+  need_at_least("landmark_initialization.max_new_per_frame", s.max_new_per_frame, 0, "0 or more");
+  need_at_least("landmark_initialization.particles", s.particles, 2, "2 or more");
+  need_positive("landmark_initialization.min_depth_m", s.min_depth_m);
+  need(s.max_depth_m > s.min_depth_m && s.max_depth_m < infinity, "landmark_initialization.max_depth_m",
+       s.max_depth_m, "more than landmark_initialization.min_depth_m, and finite");
+  need_positive("landmark_initialization.depth_ratio", s.depth_ratio);
+  need_at_least("landmark_initialization.max_line_failures", s.max_line_failures, 1, "1 or more");
+  need_positive("landmark_initialization.inverse_depth_per_m", s.inverse_depth_per_m);
+  need_positive("landmark_initialization.sigma_inverse_depth_per_m", s.sigma_inverse_depth_per_m);
+  need_not_negative("landmark_initialization.max_linearity", s.max_linearity);
 }
 
 void validate(const MapSettings& s) {
@@ -80,9 +80,9 @@ void validate(const MapSettings& s) {
 
 /// With 0 matches required a camera without images would never be lost.
 void validate(const LostSettings& s) {
-  need_at_least("lost.min_matches", s.min_matches, 1, "1 or more");
-  need_at_least("lost.max_frames", s.max_frames, 1, "1 or more");
-  need(s.max_sigma_position_m > 0, "lost.max_sigma_position_m", s.max_sigma_position_m, "more than 0");
+  need_at_least("health.min_matches", s.min_matches, 1, "1 or more");
+  need_at_least("health.max_frames", s.max_frames, 1, "1 or more");
+  need(s.max_sigma_position_m > 0, "health.max_sigma_position_m", s.max_sigma_position_m, "more than 0");
 }
 
 }  // namespace
@@ -102,7 +102,7 @@ void validate(const CameraSlamSettings& s, const std::optional<Target>& target, 
 void validate(const WheelOdometry& odometry) {
   need_not_negative("vehicle.sigma_speed_m_s", odometry.sigma_speed_m_s);
   need_positive("vehicle.sigma_turn_rate_rad_s", odometry.sigma_turn_rate_rad_s);
-  need_positive("filter.sigma_slip_m_s", odometry.sigma_slip_m_s);
+  need_positive("estimator.sigma_slip_m_s", odometry.sigma_slip_m_s);
 }
 
 }  // namespace incognita

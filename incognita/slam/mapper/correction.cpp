@@ -30,7 +30,7 @@ void iterate(Estimate& e, std::span<const LinearizedMeasurement> measurements,
 bool correct(Estimate& e, std::span<const LinearizedMeasurement> measurements, const Relinearize& relinearize,
              const EstimatorSettings& settings) {
   if (measurements.empty()) return false;
-  if (settings.filter.linearization == "iterated")
+  if (settings.filter.linearization == Linearization::iterated)
     iterate(e, measurements, relinearize);
   else
     e.last.update = e.belief.update(measurements);

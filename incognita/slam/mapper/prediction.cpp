@@ -9,7 +9,7 @@
 namespace incognita {
 namespace {
 
-LinearizedMotion linearized_motion(const BodyModel& body_model, const std::string& linearization,
+LinearizedMotion linearized_motion(const BodyModel& body_model, Linearization linearization,
                                    const AnyBelief& belief, BlockId block, const SmallVector& input,
                                    const SmallMatrix& Q, double dt) {
   const auto by = [&](const auto& model) {
@@ -17,7 +17,7 @@ LinearizedMotion linearized_motion(const BodyModel& body_model, const std::strin
     constexpr int m = Model::input_size;
     const typename Model::template Input<double> u = input;
     const Eigen::Matrix<double, m, m> noise = Q;
-    if (linearization == "unscented-vehicle") return unscented(model, belief, block, u, noise, dt);
+    if (linearization == Linearization::unscented_vehicle) return unscented(model, belief, block, u, noise, dt);
     return linearized(model, belief, block, u, noise, dt);
   };
   // A commanded camera steps as printed in (5.24): its velocity changes at the start of the tick
@@ -36,7 +36,7 @@ void hold(Estimate& e, std::size_t which, const SmallVector& input, double dt, d
   const SmallMatrix Q = model.input_sigmas.cwiseAbs2().asDiagonal() * std::max(1.0, period / dt);
   LinearizedMotion motion =
       linearized_motion(model, settings.filter.linearization, e.belief, body.block, input, Q, dt);
-  if (settings.filter.linearization == "first-estimate")
+  if (settings.filter.linearization == Linearization::first_estimate)
     motion.A =
         planar::jacobian_between(planar::Pose<double>(body.prediction), planar::Pose<double>(motion.x_next));
   body.prediction = motion.x_next;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "incognita/math/setting.hpp"
 #include "incognita/math/small_matrix.hpp"
 #include "incognita/models/any_sensor.hpp"
 #include "incognita/models/wheel_odometry.hpp"
@@ -61,17 +62,39 @@ inline BodyModel body_with_sensor(const AnyMotion& motion, const AnySensor& sens
   return body;
 }
 
+/// Representation of the belief: the same estimate at different cost.
+enum class BeliefForm { covariance, information };
+
+/// Linearization of motion and measurements; it determines the filter.
+enum class Linearization {
+  analytic,           ///< extended Kalman filter
+  iterated,           ///< each update is relinearized at its result
+  unscented_vehicle,  ///< sigma points for the motion of the vehicle, otherwise as `analytic`
+  first_estimate      ///< Jacobians at the first estimates of vehicle and landmarks
+};
+
+/// Frame in which landmarks are expressed: the world, or the vehicle (thesis Section 3.2, third way).
+enum class MapFrame { world, vehicle };
+
+/// Blocks of the covariance that are made independent after each scan, thesis Section 3.3.
+enum class Decorrelation {
+  nothing,
+  everything,
+  map,        ///< landmarks from each other, with the least added trace
+  map_linear  ///< the same in closed form, in time linear in the size of the map
+};
+
 struct MapperSettings {
-  std::string form = "covariance";         ///< `covariance` or `information`: same estimate, different cost
-  std::string linearization = "analytic";  ///< `analytic`, `iterated`, `unscented-vehicle`, `first-estimate`
+  BeliefForm form = BeliefForm::covariance;
+  Linearization linearization = Linearization::analytic;
   double gate_probability = 1;             ///< of a correct match; matches outside are outliers. 1: no gate
   double inverse_depth_per_m = 0.25;       ///< prior mean of the inverse depth, for sensors without range
   double sigma_inverse_depth_per_m = 0.25;
   /// Linearity index below which an inverse depth is converted to a point. 0.1 suffices for a single
   /// measurement, but a map accumulates the error of each.
   double max_linearity_index = 0.02;
-  std::string map_frame = "world";      ///< `world`, or `vehicle`: thesis Section 3.2, third way
-  std::string decorrelate = "nothing";  ///< `nothing`, `everything`, `map`, `map-linear`: thesis Section 3.3
+  MapFrame map_frame = MapFrame::world;
+  Decorrelation decorrelate = Decorrelation::nothing;
 };
 
 /// A setting that is incompatible with another.
@@ -82,28 +105,48 @@ struct FilterIncompatibility {
 
 /// The first incompatibility, if any.
 inline std::optional<FilterIncompatibility> find_incompatibility(const MapperSettings& filter) {
-  const bool in_vehicle_frame = filter.map_frame == "vehicle";
-  if (in_vehicle_frame && filter.linearization == "first-estimate")
-    return {{"vehicle_filter.lineariser",
-             "first-estimate Jacobians need a map in the world frame, vehicle_filter.map_frame = `world`"}};
-  if (in_vehicle_frame && filter.decorrelate != "nothing")
-    return {{"vehicle_filter.decorrelate",
-             "must be `nothing` with vehicle_filter.map_frame = `vehicle`: such a map moves as a whole"}};
-  if (filter.linearization == "iterated" && filter.decorrelate == "map-linear")
+  const bool in_vehicle_frame = filter.map_frame == MapFrame::vehicle;
+  if (in_vehicle_frame && filter.linearization == Linearization::first_estimate)
+    return {{"estimator.linearization",
+             "first-estimate Jacobians need a map in the world frame, estimator.map_frame = `world`"}};
+  if (in_vehicle_frame && filter.decorrelate != Decorrelation::nothing)
+    return {{"estimator.decorrelate",
+             "must be `nothing` with estimator.map_frame = `vehicle`: such a map moves as a whole"}};
+  if (filter.linearization == Linearization::iterated && filter.decorrelate == Decorrelation::map_linear)
     return {
-        {"vehicle_filter.decorrelate",
-         "must not be `map-linear` with vehicle_filter.lineariser = `iterated`: it uses measurements one after the "
+        {"estimator.decorrelate",
+         "must not be `map-linear` with estimator.linearization = `iterated`: it uses measurements one after the "
          "other; take `map`"}};
   return std::nullopt;
 }
 
 /// Settings of data association.
 struct DataAssociationSettings {
-  std::string method = "joint";                ///< `known` (by identity), `nearest` or `joint`
-  double gate_probability = 0.95;              ///< `nearest`, `joint`: of a correct match
-  std::int64_t max_nodes = 100000;             ///< `joint`: limit of the branch and bound search
-  double initialization_probability = 0.9999;  ///< gate of new landmarks: outside of it for all landmarks
-  double initialization_distance_m = 1.0;      ///< and at least this far from every landmark; 0: no limit
+  enum class Method {
+    known,    ///< by the identity that the sensor reports
+    nearest,  ///< nearest neighbor
+    joint     ///< joint compatibility branch and bound
+  };
+  Method method = Method::joint;
+  double gate_probability = 0.95;
+  std::int64_t max_nodes = 100000;
+  double initialization_probability = 0.9999;
+  double initialization_distance_m = 1.0;
+
+  static void describe(auto&& setting) {
+    using namespace limits;
+    using S = DataAssociationSettings;
+    setting(&S::method, "method", "", any(),
+            "Data association by known identity, nearest neighbor or joint compatibility");
+    setting(&S::gate_probability, "gate_probability", "", between(0.5, 1),
+            "Probability that a correct match lies inside its gate; 1: no gate, with known identities only");
+    setting(&S::max_nodes, "max_nodes", "", between(1, 1e9),
+            "Limit of the nodes of the branch and bound search; reaching it is reported");
+    setting(&S::initialization_probability, "initialization_probability", "", between(0.5, 0.999999999),
+            "Gate of every landmark that a detection must lie outside of to initialize a new one");
+    setting(&S::initialization_distance_m, "initialization_distance_m", "m", at_least(0),
+            "Distance from every landmark that a new one must have");
+  }
 };
 
 /// Limits beyond which the estimate is degraded or lost, and the search after that.
@@ -125,7 +168,8 @@ struct EstimatorSettings {
   std::vector<BodyModel> bodies;
   MapperSettings filter;
   std::map<std::int64_t, SmallVector> anchors;  ///< landmarks at known positions
-  DataAssociationSettings association = {.method = "known", .initialization_distance_m = 0};
+  DataAssociationSettings association = {.method = DataAssociationSettings::Method::known,
+                                         .initialization_distance_m = 0};
   HealthSettings health = {};
   /// Whether detections of anchors carry their identity. If not, anchors are associated like other landmarks.
   bool anchors_have_identity = true;

@@ -1,5 +1,4 @@
 // Validation of the settings of a team.
-#include <algorithm>
 #include <string>
 #include <variant>
 
@@ -77,7 +76,7 @@ std::string validate_iterated(const BodyModel& m, const EstimatorSettings& s) {
   if (!s.anchors.empty()) return "";
   if (s.filter.max_linearity_index <= most) return "";
   return "the iterated update of a body that turns freely in space turns a map that no anchor fixes, where "
-         "landmarks become points at a linearity index above 0.03: lower it (birth.max_linearity), give "
+         "landmarks become points at a linearity index above 0.03: lower it (landmark_initialization.max_linearity), give "
          "anchors, "
          "or take `analytic`";
 }
@@ -85,43 +84,34 @@ std::string validate_iterated(const BodyModel& m, const EstimatorSettings& s) {
 /// A vehicle-frame map requires one vehicle on a plane.
 std::string validate_map_frame(const EstimatorSettings& s) {
   const MapperSettings& f = s.filter;
-  if (f.map_frame == "world") return "";
-  if (f.map_frame != "vehicle")
-    return "vehicle_filter.map_frame = `" + f.map_frame + "`: must be one of `world`, `vehicle`";
+  if (f.map_frame == MapFrame::world) return "";
   if (s.bodies.size() > 1)
-    return "vehicle_filter.map_frame = `vehicle`: a map in the frame of one of several vehicles is not supported; take `world`";
+    return "estimator.map_frame = `vehicle`: a map in the frame of one of several vehicles is not supported; take `world`";
   if (!is_planar(s.bodies.front()) || !measures_points_of_plane(s.bodies.front()))
-    return "vehicle_filter.map_frame = `vehicle`: only for a vehicle on a plane that measures ranges and bearings; take `world`";
-  if (f.form == "information")
-    return "vehicle_filter.map_frame = `vehicle`: the information form cannot change the frame of a map; take `covariance`";
+    return "estimator.map_frame = `vehicle`: only for a vehicle on a plane that measures ranges and bearings; take `world`";
+  if (f.form == BeliefForm::information)
+    return "estimator.map_frame = `vehicle`: the information form cannot change the frame of a map; take `covariance`";
   return "";
 }
 
 /// Decorrelation requires one vehicle in covariance form.
 std::string validate_decorrelation(const EstimatorSettings& s) {
   const MapperSettings& f = s.filter;
-  if (f.decorrelate == "nothing") return "";
-  const auto& words = {"everything", "map", "map-linear"};
-  if (std::find(words.begin(), words.end(), f.decorrelate) == words.end())
-    return "vehicle_filter.decorrelate = `" + f.decorrelate +
-           "`: must be one of `nothing`, `everything`, `map`, `map-linear`";
-  if (s.bodies.size() > 1)
-    return "vehicle_filter.decorrelate = `" + f.decorrelate + "`: only for one vehicle; take `nothing`";
-  if (f.form == "information")
-    return "vehicle_filter.decorrelate = `" + f.decorrelate +
-           "`: the information form keeps all correlations";
+  if (f.decorrelate == Decorrelation::nothing) return "";
+  if (s.bodies.size() > 1) return "estimator.decorrelate: only for one vehicle; take `nothing`";
+  if (f.form == BeliefForm::information)
+    return "estimator.decorrelate: the information form keeps all correlations; take `nothing`";
   return "";
 }
 
 std::string validate_association(const EstimatorSettings& s) {
   const DataAssociationSettings& a = s.association;
-  if (a.method != "known" && a.method != "nearest" && a.method != "joint")
-    return "association.method = `" + a.method + "`: must be one of `known`, `nearest`, `joint`";
-  if (a.method != "known" && !(a.gate_probability < 1 && a.initialization_probability < 1 &&
-                               a.gate_probability <= a.initialization_probability))
+  const bool known = a.method == DataAssociationSettings::Method::known;
+  if (!known && !(a.gate_probability < 1 && a.initialization_probability < 1 &&
+                  a.gate_probability <= a.initialization_probability))
     return "the gate of a new landmark must be the gate of a match or wider, and both less than 1";
-  if (a.method == "known" && !s.anchors_have_identity && !s.anchors.empty())
-    return "vehicle_filter.anchors_m: with association by identity each anchor needs one";
+  if (known && !s.anchors_have_identity && !s.anchors.empty())
+    return "estimator.anchors_m: with association by identity each anchor needs one";
   return "";
 }
 
@@ -137,20 +127,15 @@ std::string validate_body(const BodyModel& b, const EstimatorSettings& s) {
   for (const PointSensor& sensor : b.sensors)
     for (const std::string& problem : {validate_sensor(b, sensor), validate_anchors(sensor, s)})
       if (!problem.empty()) return problem;
-  if (s.filter.linearization == "first-estimate" && !(is_planar(b) && measures_points_of_plane(b)))
+  if (s.filter.linearization == Linearization::first_estimate && !(is_planar(b) && measures_points_of_plane(b)))
     return "first-estimate Jacobians are derived for ranges and bearings on a plane only";
-  return s.filter.linearization == "iterated" ? validate_iterated(b, s) : "";
+  return s.filter.linearization == Linearization::iterated ? validate_iterated(b, s) : "";
 }
 
 }  // namespace
 
 std::string validate(const EstimatorSettings& s) {
   if (s.bodies.empty()) return "an estimator needs a vehicle";
-  const auto& words = {"analytic", "iterated", "unscented-vehicle", "first-estimate"};
-  if (std::find(words.begin(), words.end(), s.filter.linearization) == words.end())
-    return "team_filter.lineariser = `" + s.filter.linearization +
-           "`: must be one of `analytic`, `iterated`, `unscented-vehicle`, "
-           "`first-estimate`";
   for (const std::string& problem :
        {validate_map_frame(s), validate_decorrelation(s), validate_association(s)})
     if (!problem.empty()) return problem;
@@ -158,10 +143,7 @@ std::string validate(const EstimatorSettings& s) {
     return std::string(conflict->key) + ": " + conflict->why;
   for (const BodyModel& b : s.bodies)
     if (const std::string problem = validate_body(b, s); !problem.empty()) return problem;
-  if (s.filter.form == "information") return validate_information(s);
-  if (s.filter.form != "covariance")
-    return "team_filter.form = `" + s.filter.form + "`: must be `covariance` or `information`";
-  return "";
+  return s.filter.form == BeliefForm::information ? validate_information(s) : "";
 }
 
 }  // namespace incognita

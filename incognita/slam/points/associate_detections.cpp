@@ -107,7 +107,7 @@ struct Association {
   }
 
   void landmarks(int body, const std::vector<PointDetection>& detections) {
-    if (settings.association.method == "known") return by_identity(body, detections);
+    if (settings.association.method == DataAssociationSettings::Method::known) return by_identity(body, detections);
     const std::size_t sensors = settings.bodies[static_cast<std::size_t>(body)].sensors.size();
     if (sensors <= 1) return by_position(body, detections);
     for (std::size_t k = 0; k < sensors; ++k) {
@@ -149,7 +149,7 @@ void append_relinearized(const Estimate& e, const Inliers& inliers, const Estima
 }
 
 void initialize_candidates(Estimate& e, const Inliers& inliers, const EstimatorSettings& settings) {
-  const bool by_identity = settings.association.method == "known";
+  const bool by_identity = settings.association.method == DataAssociationSettings::Method::known;
   for (const std::size_t index : inliers.candidates) {
     Match& match = e.last.matches[index];
     const std::int64_t id = by_identity ? match.id : new_id(e);

@@ -1,4 +1,4 @@
-// Settings of the planar estimator. Every field is one key of a scenario file; units are in the names.
+// Settings of the estimator of one planar vehicle.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,14 +13,14 @@
 namespace incognita {
 
 struct VehicleSettings {
-  std::string model = "ackermann";  ///< name of a motion model: models/registry.hpp
-  double wheelbase_m = 2.83;        ///< `ackermann`
-  double wheel_left_m = 0.76;       ///< `ackermann`: from the middle of the rear axle to the measured wheel
-  double sensor_forward_m = 0;      ///< sensor from the middle of the rear (or only) axle
+  std::string model = "ackermann";
+  double wheelbase_m = 2.83;    ///< `ackermann`
+  double wheel_left_m = 0.76;   ///< `ackermann`: from the middle of the rear axle to the measured wheel
+  double sensor_forward_m = 0;  ///< sensor from the middle of the rear (or only) axle
   double sensor_left_m = 0;
-  double sigma_speed_m_s = 0.7;                   ///< of the measured speed, held for one reading
-  double sigma_steering_rad = 0.12217;            ///< `ackermann`
-  double sigma_turn_rate_rad_s = 0.05;            ///< `differential-drive`
+  double sigma_speed_m_s = 0.7;
+  double sigma_steering_rad = 0.12217;
+  double sigma_turn_rate_rad_s = 0.05;
   std::map<std::string, double> parameters = {};  ///< of other motion models, by key
 
   /// The parameter with this key, as declared by the motion models. A new one is set to `default_value`.
@@ -31,6 +31,19 @@ struct VehicleSettings {
     if (key == "sensor_left_m") return sensor_left_m;
     return parameters.emplace(key, default_value).first->second;
   }
+
+  /// The parameters are declared by the motion models: models/registry.hpp.
+  static void describe(auto&& setting) {
+    using namespace limits;
+    using S = VehicleSettings;
+    setting(&S::model, "model", "", any(), "Motion model, and meaning of the odometry");
+    setting(&S::sigma_speed_m_s, "sigma_speed_m_s", "m/s", between(0, 1000),
+            "Standard deviation of the speed, constant over one reading");
+    setting(&S::sigma_turn_rate_rad_s, "sigma_turn_rate_rad_s", "rad/s", between(0, 1000),
+            "Standard deviation of the turn rate, constant over one reading");
+    setting(&S::sigma_steering_rad, "sigma_steering_rad", "rad", between(0, 3.2),
+            "Standard deviation of the steering angle, constant over one reading");
+  }
 };
 
 /// The motion model with its parameters and level ground. Throws std::invalid_argument for an unknown model.
@@ -40,32 +53,83 @@ SmallVector input_sigmas_of(const VehicleSettings& settings, const MotionTraits&
 
 struct RangeBearingSettings {
   double sigma_range_m = 0.1;
-  double sigma_range_ratio = 0;  ///< times the range, added to sigma_range_m
+  double sigma_range_ratio = 0;
   double sigma_bearing_rad = 0.0174533;
-  double max_range_m = 80;  ///< more distant detections are ignored
+  double max_range_m = 80;
+
+  static void describe(auto&& setting) {
+    using namespace limits;
+    using S = RangeBearingSettings;
+    setting(&S::sigma_range_m, "sigma_range_m", "m", above_up_to(0, 1000),
+            "Standard deviation of one range measurement");
+    setting(&S::sigma_range_ratio, "sigma_range_ratio", "", between(0, 1),
+            "Share of the range that is added to the standard deviation of a range measurement");
+    setting(&S::sigma_bearing_rad, "sigma_bearing_rad", "rad", above_up_to(0, 3.2),
+            "Standard deviation of one bearing measurement");
+    setting(&S::max_range_m, "max_range_m", "m", above_up_to(0, 1e6),
+            "Range beyond which detections are ignored");
+  }
 };
 
 struct PlanarFilterSettings {
-  std::string linearization = "analytic";  ///< `analytic`, `iterated`, `unscented-vehicle`, `first-estimate`
-  std::string map_frame = "world";       ///< frame of the landmarks, `world` or `vehicle`: thesis Section 3.2
-  std::string decorrelate = "nothing";   ///< `nothing`, `everything`, `map`, `map-linear`: thesis Section 3.3
-  std::vector<Eigen::Vector2d> anchors;  ///< known landmarks, world, m
-  bool use_fixes = false;                ///< position fixes of an external sensor correct the vehicle
+  Linearization linearization = Linearization::analytic;
+  MapFrame map_frame = MapFrame::world;
+  Decorrelation decorrelate = Decorrelation::nothing;
+  std::vector<Eigen::Vector2d> anchors;
+  bool use_fixes = false;
   double sigma_fix_m = 0.1;
+
+  static void describe(auto&& setting) {
+    using namespace limits;
+    using S = PlanarFilterSettings;
+    setting(&S::linearization, "linearization", "", any(), "Linearization of motion and measurements");
+    setting(&S::map_frame, "map_frame", "", any(),
+            "Frame in which landmarks are expressed, thesis Section 3.2");
+    setting(&S::decorrelate, "decorrelate", "", any(),
+            "Blocks of the covariance made independent after each scan by inflation, thesis Section 3.3");
+    setting(&S::anchors, "anchors_m", "m", between(-1e9, 1e9), "Landmarks at known positions, [x, y] each");
+    setting(
+        &S::use_fixes, "use_fixes", "", any(),
+        "Whether the position fixes of an external sensor such as GPS correct the vehicle during the run");
+    setting(&S::sigma_fix_m, "sigma_fix_m", "m", above_up_to(0, 1e6),
+            "Standard deviation of one position fix, per axis");
+  }
 };
 
 struct PlanarStartSettings {
   Eigen::Vector2d position_m{0.0, 0.0};
   double heading_rad = 0;
-  bool at_first_fix = false;  ///< the first position fix replaces position_m
+  bool at_first_fix = false;
   double sigma_position_m = 0;
   double sigma_heading_rad = 0;
+
+  static void describe(auto&& setting) {
+    using namespace limits;
+    using S = PlanarStartSettings;
+    setting(&S::position_m, "position_m", "m", between(-1e9, 1e9), "Initial position of the sensor, [x, y]");
+    setting(&S::heading_rad, "heading_rad", "rad", between(-6.3, 6.3),
+            "Initial heading about z, from the x axis");
+    setting(&S::at_first_fix, "at_first_fix", "", any(),
+            "Whether the first position fix of an external sensor gives the initial position");
+    setting(&S::sigma_position_m, "sigma_position_m", "m", between(0, 1e6),
+            "Standard deviation of the initial position, per axis");
+    setting(&S::sigma_heading_rad, "sigma_heading_rad", "rad", between(0, 6.3),
+            "Standard deviation of the initial heading");
+  }
 };
 
 struct PlanarLostSettings {
-  double max_sigma_position_m = 10;  ///< upper limit of the position sigma
-  /// Consecutive scans with detections, none of which matches a landmark predicted in view.
+  double max_sigma_position_m = 10;
   int max_unmatched_scans = 10;
+
+  static void describe(auto&& setting) {
+    using namespace limits;
+    using S = PlanarLostSettings;
+    setting(&S::max_sigma_position_m, "max_sigma_position_m", "m", more_than(0),
+            "Standard deviation of the position above which the state is `lost`");
+    setting(&S::max_unmatched_scans, "max_unmatched_scans", "", between(1, 100000),
+            "Consecutive scans with detections but without a match after which the state is `lost`");
+  }
 };
 
 struct PlanarSlamSettings {

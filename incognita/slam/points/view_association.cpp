@@ -53,7 +53,7 @@ class UnidentifiedDetections {
 
   void associate(ViewAssociation& out) const {
     const AssociationSettings joint{settings_.association.gate_probability, settings_.association.max_nodes};
-    if (settings_.association.method == "joint") {
+    if (settings_.association.method == DataAssociationSettings::Method::joint) {
       const Association found = jointly_compatible(e_.belief, pairings_, joint);
       out.capped = found.capped;
       for (const int p : found.chosen)
@@ -106,7 +106,7 @@ class UnidentifiedDetections {
       if (distance > gate_) continue;
       const int measurement = static_cast<int>(s), landmark = static_cast<int>(numbers_.size());
       candidates_.push_back({measurement, landmark, distance});
-      if (settings_.association.method == "joint")
+      if (settings_.association.method == DataAssociationSettings::Method::joint)
         pairings_.push_back({measurement, landmark, expected->linearized});
     }
     numbers_.push_back(number);

@@ -14,7 +14,7 @@ constexpr int table_size = 1 << 17;
 
 ImageNoise::ImageNoise(double sigma_gray, std::uint64_t seed) : random_(seed, "sensor.image") {
   if (!(sigma_gray >= 0 && sigma_gray <= 100))
-    throw std::invalid_argument("room sigma_image_grey must be 0 to 100, got " + std::to_string(sigma_gray));
+    throw std::invalid_argument("room.sigma_image_gray must be 0 to 100, got " + std::to_string(sigma_gray));
   if (sigma_gray == 0) return;
   table_.resize(table_size);
   for (std::int16_t& n : table_) n = static_cast<std::int16_t>(std::lround(sigma_gray * random_.normal()));

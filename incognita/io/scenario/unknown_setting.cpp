@@ -1,0 +1,195 @@
+#include "incognita/io/scenario/unknown_setting.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <deque>
+#include <functional>
+#include <optional>
+#include <set>
+
+#include "incognita/io/scenario/renamed_settings.hpp"
+#include "incognita/io/scenario/scenario_tree.hpp"
+#include "incognita/math/nearest_name.hpp"
+
+namespace incognita {
+namespace {
+
+/// One value for each choice.
+using Choices = std::map<std::string, std::string>;
+
+/// The settings of a scenario with these choices; nothing if they refuse one of its given words.
+std::optional<std::vector<SettingInForce>> settings_with(GivenValues given, const Choices& choices,
+                                                         bool strict) {
+  for (const auto& [key, value] : choices) given[key] = {GivenValue{value, ""}};
+  SettingReader reader(given);
+  Scenario scenario;
+  read_settings(reader, scenario);
+  if (strict && !reader.refused_words().empty()) return std::nullopt;
+  return reader.settings();
+}
+
+/// Visits the scenarios that differ from the given one in a choice, then in two, and so on, as long as they have new
+/// settings. `visit` gets the choices and the settings, and returns whether to go on.
+template <class Visit>
+void search(const GivenValues& given, bool strict, Visit visit) {
+  std::set<std::string> known;
+  std::deque<Choices> next{{}};
+  const auto is_new = [&](const std::vector<SettingInForce>& settings) {
+    bool found = false;
+    for (const SettingInForce& s : settings) found |= known.insert(s.key).second;
+    return found;
+  };
+  const auto first = settings_with(given, {}, false);
+  is_new(*first);
+  if (!visit(Choices{}, *first)) return;
+  while (!next.empty()) {
+    const Choices choices = std::move(next.front());
+    next.pop_front();
+    const auto current = settings_with(given, choices, false);
+    for (const SettingInForce& setting : *current)
+      for (const std::string& option : setting.options) {
+        if (option == setting.value || choices.contains(setting.key)) continue;
+        Choices other = choices;
+        other[setting.key] = option;
+        const auto settings = settings_with(given, other, strict);
+        if (!settings) continue;
+        if (!visit(other, *settings)) return;
+        if (is_new(*settings)) next.push_back(std::move(other));
+      }
+  }
+}
+
+using Wanted = std::function<bool(const SettingInForce& setting)>;
+
+/// The fewest other choices with which the scenario has a setting that satisfies the condition. Nothing if no choices
+/// give it one.
+std::optional<Context> find_choices(const GivenValues& given, bool strict, const Wanted& wanted) {
+  std::optional<Context> found;
+  std::size_t depth = 0;
+  search(given, strict, [&](const Choices& choices, const std::vector<SettingInForce>& settings) {
+    if (found && choices.size() > depth) return false;
+    if (std::none_of(settings.begin(), settings.end(), wanted)) return true;
+    if (!found) {
+      found.emplace();
+      depth = choices.size();
+      for (const auto& [key, value] : choices) (*found)[key] = {value};
+    } else if (depth == 1 && found->contains(choices.begin()->first)) {
+      (*found)[choices.begin()->first].push_back(choices.begin()->second);
+    }
+    return true;
+  });
+  return found;
+}
+
+/// Prefers choices that leave the given ones as they are.
+std::optional<Context> find_choices(const GivenValues& given, const Wanted& wanted) {
+  if (auto found = find_choices(given, true, wanted)) return found;
+  return find_choices(given, false, wanted);
+}
+
+std::string in_words(const Context& context) {
+  std::string text;
+  for (const auto& [key, values] : context)
+    text += fmt::format("{}`{} = {}`", text.empty() ? "" : " with ", key, fmt::join(values, " or "));
+  return text;
+}
+
+/// "; here it is "point"" for a single choice.
+std::string here(const Context& context, const SettingReader& reader) {
+  std::string text;
+  for (const SettingInForce& s : reader.settings())
+    if (context.contains(s.key))
+      text += fmt::format("{}`{} = {}`", text.empty() ? "" : " and ", s.key, s.value);
+  return text.empty() ? "" : "; here " + text;
+}
+
+std::vector<std::string> keys_of(const SettingReader& reader, const std::string& section = "") {
+  std::vector<std::string> keys;
+  for (const SettingInForce& s : reader.settings())
+    if (section.empty() || section_of(s.key) == section) keys.push_back(s.key);
+  return keys;
+}
+
+std::vector<std::string> sections_of(const SettingReader& reader) {
+  std::vector<std::string> sections;
+  for (const SettingInForce& s : reader.settings()) sections.push_back(section_of(s.key));
+  return sections;
+}
+
+bool is_section(const SettingReader& reader, const std::string& section) {
+  return !keys_of(reader, section).empty();
+}
+
+}  // namespace
+
+std::vector<CataloguedSetting> all_settings() {
+  std::vector<CataloguedSetting> all;
+  std::set<std::string> known;
+  search({}, false, [&](const Choices& choices, const std::vector<SettingInForce>& settings) {
+    Context context;
+    for (const auto& [key, value] : choices) context[key] = {value};
+    for (const SettingInForce& s : settings)
+      if (known.insert(s.key).second) all.push_back({s, context});
+    return true;
+  });
+  std::vector<std::string> sections;
+  for (const CataloguedSetting& s : all) sections.push_back(section_of(s.setting.key));
+  const auto rank = [&](const CataloguedSetting& s) {
+    return std::find(sections.begin(), sections.end(), section_of(s.setting.key)) - sections.begin();
+  };
+  std::stable_sort(all.begin(), all.end(), [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+  return all;
+}
+
+std::vector<std::string> explained_problems(const GivenValues& given, const SettingReader& reader) {
+  std::vector<std::string> problems = reader.problems();
+  GivenValues others = given;
+  for (const auto& [key, refused] : reader.refused_words()) others.erase(key);
+  for (const auto& [key, refused] : reader.refused_words()) {
+    const auto& [word, problem] = refused;
+    const std::optional<Context> context = find_choices(others, [&](const SettingInForce& s) {
+      return s.key == key && std::find(s.options.begin(), s.options.end(), word) != s.options.end();
+    });
+    if (context)
+      problems.at(problem) +=
+          fmt::format("; {} belongs to {}{}", word, in_words(*context), here(*context, reader));
+  }
+  return problems;
+}
+
+std::vector<std::string> explain_unknown(const GivenValues& given, const SettingReader& reader) {
+  std::vector<std::string> problems;
+  std::set<std::string> explained;  // sections
+  for (const auto& [key, values] : given) {
+    if (reader.has(key)) continue;
+    const GivenValue& value = values.back();
+    const std::string section = section_of(key);
+    if (const std::string now = new_key(key); !now.empty()) {
+      problems.push_back(fmt::format("{}: `{}` is now {}", value.source, key, now));
+      continue;
+    }
+    const bool whole = !value.section_source.empty() && !is_section(reader, section);
+    if (whole && !explained.insert(section).second) continue;
+    const auto wanted = [&](const SettingInForce& other) {
+      return whole ? section_of(other.key) == section : other.key == key;
+    };
+    const std::optional<Context> context = find_choices(given, wanted);
+    if (context && reader.refused_choice()) continue;  // it may follow from the refused value
+    const std::string& at = whole ? value.section_source : value.source;
+    const std::string what = whole ? fmt::format("section `{}`", section) : fmt::format("`{}`", key);
+    if (context)
+      problems.push_back(
+          fmt::format("{}: {} belongs to {}{}", at, what, in_words(*context), here(*context, reader)));
+    else if (whole)
+      problems.push_back(fmt::format("{}: there is no section `{}`; the nearest is `{}`", at, section,
+                                     nearest_name(section, sections_of(reader))));
+    else
+      problems.push_back(
+          fmt::format("{}: there is no setting `{}`; the nearest is `{}`", at, key,
+                      nearest_name(key, keys_of(reader, is_section(reader, section) ? section : ""))));
+  }
+  return problems;
+}
+
+}  // namespace incognita

@@ -1,0 +1,30 @@
+// Explains settings that a scenario does not have: renamed ones, those of other choices, and misspelled ones.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "incognita/io/scenario/setting_reader.hpp"
+
+namespace incognita {
+
+/// The values of choices that make a setting appear, by key in TOML: {"path.type": ["\"circle\""]}.
+using Context = std::map<std::string, std::vector<std::string>>;
+
+/// A setting with the choices that it needs besides the defaults.
+struct CataloguedSetting {
+  SettingInForce setting;
+  Context context;
+};
+
+/// Every setting of every scenario, section by section.
+std::vector<CataloguedSetting> all_settings();
+
+/// The problems of the reader; a word that other choices admit is explained.
+std::vector<std::string> explained_problems(const GivenValues& given, const SettingReader& reader);
+
+/// Explains the given values of settings that were not visited, one line each.
+std::vector<std::string> explain_unknown(const GivenValues& given, const SettingReader& reader);
+
+}  // namespace incognita

@@ -1,20 +1,18 @@
 #include "experiments/car_park.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <memory>
 
+#include "experiments/curves.hpp"
+#include "experiments/run_trace.hpp"
 #include "incognita/io/recordings/range_recording.hpp"
 #include "incognita/io/scenario/load_scenario.hpp"
-#include "incognita/math/angles.hpp"
-#include "incognita/messages/errors.hpp"
+#include "incognita/math/largest_sigma.hpp"
 #include "incognita/models/range_bearing.hpp"
 #include "incognita/slam/estimator/single_vehicle.hpp"
-#include "incognita/slam/estimator/slam_estimator.hpp"
-#include "incognita/world/replay/range_replay.hpp"
 
 namespace incognita::car_park {
 namespace {
@@ -24,28 +22,18 @@ constexpr double right_heading_deg = -127;  // at which the anchored filter ends
 constexpr double beacon_reach_m =
     1.5;  // of a landmark from its beacon after the fit; the nearest beacons are 2 m apart
 
-double worst_sigma(const Eigen::Matrix2d& P) {
-  return std::sqrt(std::max(0.0, Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(P).eigenvalues()[1]));
-}
-
-/// Tells each detection which beacon it is of: placed with the pose of a filter that has both anchors and
-/// starts with the right heading (that at which the anchored filter ends: 15 degrees from the authors'),
-/// whose own error is far below the distance of beacons. Unknown for none within a metre. Filters with
-/// unknown association do not look at it.
+/// Gives each detection the identity of its beacon: the nearest one, within a meter, by the pose of a filter
+/// with both anchors and the right heading at the start (that at which the anchored filter ends, 15 degrees
+/// from the authors'). The error of that filter is far below the distance between beacons. Filters with
+/// unknown association ignore the identity.
 void identify(Data& data) {
   PlanarSlamSettings settings = data.settings;
   settings.filter.linearization = Linearization::first_estimate;
   settings.filter.anchors = data.anchors;
   settings.start.heading_rad = radians(right_heading_deg);
   settings.start.sigma_heading_rad = radians(2);
-  const auto recordings = std::make_shared<const std::vector<RangeRecording>>(1, data.recording);
-  RangeClock clock(recordings, duration_s);
-  RangeSensor sensor(recordings, {settings.sensor.max_range_m, Fixes::first});
-  SlamEstimator estimator(single_vehicle(settings));
-  Estimate estimate;
-  while (const Tick tick = clock.next()) {
-    estimator.update(estimate, {}, sensor.measure({}, tick), tick);
-    if (!estimate.started) continue;
+  const auto nearest_beacon = [&](const Estimate& estimate, const Tick& tick) {
+    if (!estimate.started) return;
     for (Detection& d : data.recording.scans[static_cast<std::size_t>(tick.frame)].detections) {
       const Eigen::Vector2d at = RangeBearing::j<double>(planar::Pose<double>(estimate.bodies.front().state),
                                                          {d.range_m, d.bearing_rad});
@@ -55,10 +43,12 @@ void identify(Data& data) {
         if (distance < nearest_m) nearest_m = distance, d.identity = static_cast<std::int64_t>(b);
       }
     }
-  }
+  };
+  replay(std::make_shared<const std::vector<RangeRecording>>(1, data.recording), duration_s,
+         {settings.sensor.max_range_m, Fixes::first}, single_vehicle(settings), nearest_beacon);
 }
 
-/// What a drive gathers while it goes.
+/// Records a drive while the estimator runs.
 class Driver {
  public:
   Driver(const Data& data, const PlanarSlamSettings& settings) : data_(data), settings_(settings) {
@@ -69,25 +59,17 @@ class Driver {
   }
 
   Drive run() {
-    const auto recordings = std::make_shared<const std::vector<RangeRecording>>(1, data_.recording);
-    RangeClock clock(recordings, duration_s);
-    RangeSensor sensor(
-        recordings, {settings_.sensor.max_range_m, settings_.filter.use_fixes ? Fixes::all : Fixes::first});
-    SlamEstimator estimator(
-        single_vehicle(settings_, std::vector<std::int64_t>(anchors_.begin(), anchors_.end())));
-    Estimate estimate;
-    while (const Tick tick = clock.next()) {
-      estimator.update(estimate, {}, sensor.measure({}, tick), tick);
-      if (estimate.started) gather(estimate, tick);
-    }
-    compare(estimate);
+    compare(replay(std::make_shared<const std::vector<RangeRecording>>(1, data_.recording), duration_s,
+                   {settings_.sensor.max_range_m, settings_.filter.use_fixes ? Fixes::all : Fixes::first},
+                   single_vehicle(settings_, std::vector<std::int64_t>(anchors_.begin(), anchors_.end())),
+                   [&](const Estimate& estimate, const Tick& tick) {
+                     if (estimate.started) gather(estimate, tick);
+                   }));
     return drive_;
   }
 
  private:
-  bool is_anchor(int beacon) const {
-    return std::find(anchors_.begin(), anchors_.end(), beacon) != anchors_.end();
-  }
+  bool is_anchor(int beacon) const { return std::ranges::find(anchors_, beacon) != anchors_.end(); }
 
   void gather(const Estimate& e, const Tick& tick) {
     const Body& vehicle = e.bodies.front();
@@ -95,7 +77,7 @@ class Driver {
     drive_.t.push_back(tick.t);
     drive_.path.push_back(vehicle.state.head<2>());
     drive_.gps.push_back(truth ? truth->position : Eigen::Vector2d(unknown, unknown));
-    drive_.sigma_m.push_back(worst_sigma(vehicle.state_covariance.topLeftCorner<2, 2>()));
+    drive_.sigma_m.push_back(largest_sigma(Eigen::Matrix2d(vehicle.state_covariance.topLeftCorner<2, 2>())));
     drive_.sigma_heading_rad.push_back(std::sqrt(std::max(0.0, vehicle.state_covariance(2, 2))));
     drive_.lost_scans += e.status.state == TrackingState::lost;
     gather_measurements(e, data_.recording.scans[static_cast<std::size_t>(tick.frame)].detections);
@@ -104,7 +86,7 @@ class Driver {
       const LandmarkPosition at = *position_of(landmark, e);
       Track& track = tracks_[id];
       track.t.push_back(tick.t);
-      track.sigma_m.push_back(worst_sigma(at.covariance));
+      track.sigma_m.push_back(largest_sigma(at.covariance));
       const int beacon = initialized_from_[id];
       track.error_m.push_back(
           beacon < 0
@@ -167,7 +149,7 @@ class Driver {
       if (seen_[which[s]] < 10) continue;
       ++drive_.often_seen;
       const auto& missing = drive_.fitted.error.missing;
-      drive_.often_seen_mapped += std::find(missing.begin(), missing.end(), s) == missing.end();
+      drive_.often_seen_mapped += std::ranges::find(missing, s) == missing.end();
     }
   }
 
@@ -186,18 +168,11 @@ std::vector<double> plus_minus(const std::vector<double>& sigma, double factor) 
   return out;
 }
 
-Curve path_curve(const std::string& label, const std::vector<Eigen::Vector2d>& path, Style style,
-                 Color color) {
-  Curve curve{label, style, {}, {}, {}, color};
-  for (const Eigen::Vector2d& p : path) curve.x.push_back(p.x()), curve.y.push_back(p.y());
-  return curve;
-}
-
 }  // namespace
 
 double Drive::mean_landmark_sigma_m() const {
   double sum = 0;
-  for (const Eigen::Matrix2d& P : covariances) sum += worst_sigma(P);
+  for (const Eigen::Matrix2d& P : covariances) sum += largest_sigma(P);
   return sum / static_cast<double>(covariances.size());
 }
 
@@ -205,21 +180,10 @@ Data load() {
   const LoadedScenario loaded = load_scenario("car-park");
   Data data{read_range_recording(loaded), loaded.scenario.planar, {}};
   data.settings.filter.linearization = Linearization::analytic;
-  data.settings.lost.max_sigma_position_m = 1e6;  // how far it goes is what is asked
+  data.settings.lost.max_sigma_position_m = 1e6;  // how far it diverges is the result
   data.anchors = {{2.8953, -4.0353}, {9.9489, 6.9239}};
   identify(data);
   return data;
-}
-
-LedgerEntry entry(const Experiment& experiment, const std::function<void(const Data&, LedgerEntry&)>& fill) {
-  LedgerEntry entry{experiment.id, experiment.title, "", {}, {}};
-  try {
-    const Data data = load();
-    fill(data, entry);
-  } catch (const InputError& error) {
-    entry.skipped = error.what();
-  }
-  return entry;
 }
 
 Drive drive(const Data& data, const PlanarSlamSettings& settings) { return Driver(data, settings).run(); }
@@ -240,9 +204,9 @@ PlanarSlamSettings Start::applied_to(PlanarSlamSettings s) const {
 }
 
 std::vector<Start> other_starts() {
-  return {{"position a third as unsure", 1.0 / 3, 1, false},
-          {"position three times as unsure", 3, 1, false},
-          {"heading twice as unsure", 1, 2, false},
+  return {{"a third of the position sigma", 1.0 / 3, 1, false},
+          {"three times the position sigma", 3, 1, false},
+          {"twice the heading sigma", 1, 2, false},
           {"heading right and to 5°", 1, 1.0 / 3, true}};
 }
 
@@ -253,8 +217,7 @@ double largest_growth(const Drive& d) {
   return most;
 }
 
-LedgerFigure four_frames(const ExperimentSettings& out, const std::string& id, const std::string& title,
-                         const Drive& d) {
+Plot four_frames(const std::string& id, const std::string& title, const Drive& d) {
   std::vector<double> off;
   for (std::size_t i = 0; i < d.path.size(); ++i) off.push_back((d.path[i] - d.gps[i]).norm());
   std::vector<double> degrees;
@@ -272,23 +235,23 @@ LedgerFigure four_frames(const ExperimentSettings& out, const std::string& id, c
     c.curves.push_back({"", Style::thin, track.t, track.error_m, {}, Color::automatic});
     e.curves.push_back({"", Style::thin, track.t, track.sigma_m, {}, Color::automatic});
   }
-  return draw_plot(out.out, {id, title, 2, {a, b, c, e}}, nullptr);
+  return {id, title, 2, {a, b, c, e}};
 }
 
-LedgerFigure map(const ExperimentSettings& out, const std::string& id, const std::string& title,
-                 const Data& data, const Drive& d, const std::vector<Eigen::Vector2d>& anchors) {
+Plot map(const std::string& id, const std::string& title, const Data& data, const Drive& d,
+         const std::vector<Eigen::Vector2d>& anchors) {
   std::vector<Eigen::Vector2d> beacons;
   for (const auto& landmark : data.recording.landmarks) beacons.push_back(landmark.position);
   Panel panel{"", "east, m", "north, m", {}, true};
-  panel.curves = {path_curve("GPS", d.gps, Style::thin, Color::gray),
-                  path_curve("estimated path", d.path, Style::line, Color::orange),
-                  path_curve("surveyed beacons", beacons, Style::circles, Color::ink),
-                  path_curve("landmarks", d.landmarks, Style::crosses, Color::blue)};
+  panel.curves = {path_of("GPS", Style::thin, Color::gray, d.gps),
+                  path_of("estimated path", Style::line, Color::orange, d.path),
+                  path_of("surveyed beacons", Style::circles, Color::ink, beacons),
+                  path_of("landmarks", Style::crosses, Color::blue, d.landmarks)};
   Curve outlines = ellipses("2σ", d.landmarks, d.covariances);
   outlines.color = Color::blue;
   panel.curves.push_back(outlines);
-  if (!anchors.empty()) panel.curves.push_back(path_curve("anchors", anchors, Style::stars, Color::green));
-  return draw_plot(out.out, {id, title, 1, {panel}}, nullptr);
+  if (!anchors.empty()) panel.curves.push_back(path_of("anchors", Style::stars, Color::green, anchors));
+  return {id, title, 1, {panel}};
 }
 
 }  // namespace incognita::car_park

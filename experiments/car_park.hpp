@@ -3,13 +3,11 @@
 // Fixed before anything was compared: recording, vehicle, noises and start of scenarios/car-park.toml, which
 // are those of the recording's authors (0.7 m/s, 7 degrees, 0.1 m, 1 degree; start at the first GPS fix,
 // heading -112 degrees give or take 15), the 112 s they use, unknown association by joint compatibility. GPS
-// gives the first position and is otherwise the truth. A landmark is compared with the surveyed beacon it is
-// of.
+// gives the first position and is otherwise the truth. A landmark is compared with its surveyed beacon.
 #pragma once
 
 #include <Eigen/Core>
-#include <functional>
-#include <optional>
+
 #include <string>
 #include <vector>
 
@@ -24,18 +22,16 @@ namespace incognita::car_park {
 inline constexpr double duration_s = 112;
 
 struct Data {
-  RangeRecording recording;     ///< detections know their beacons, for `known` association and for counting
-  PlanarSlamSettings settings;  ///< of the scenario, with the thesis' plain EKF
+  RangeRecording
+      recording;  ///< detections have the identities of their beacons, for `known` association and for counting
+  PlanarSlamSettings settings;           ///< of the scenario, with the thesis' plain EKF
   std::vector<Eigen::Vector2d> anchors;  ///< (2.8953, -4.0353) and (9.9489, 6.9239)
 };
 
 /// Throws InputError, saying where the recording is published, when it is not there.
 Data load();
 
-/// An entry of the ledger: `claims_of` what is loaded, or why nothing could be.
-LedgerEntry entry(const Experiment& experiment, const std::function<void(const Data&, LedgerEntry&)>& fill);
-
-/// One landmark over the drive, from its birth.
+/// One landmark over the drive, from its initialization.
 struct Track {
   std::vector<double> t, sigma_m, error_m;  ///< s; in the worst direction; from its beacon, NaN without one
 };
@@ -52,7 +48,7 @@ struct Drive {
   double path_rms_m = 0;  ///< vehicle against GPS
   double fitted_path_rms_m = 0;
   int detections = 0, matched = 0, lost_scans = 0;
-  int wrong = 0;              ///< matches with a landmark that was born of another beacon
+  int wrong = 0;              ///< matches with a landmark that was initialized from another beacon
   int often_seen = 0;         ///< beacons, anchors left out, with ten detections or more
   int often_seen_mapped = 0;  ///< of them, those near a landmark after the fit
   double mean_landmark_sigma_m() const;
@@ -66,7 +62,8 @@ bool is_accurate(const Drive& drive);
 /// The larger relative difference of two drives' sigmas at the end: landmarks' mean, and the vehicle's.
 double apart(const Drive& a, const Drive& b);
 
-/// Other honest starts: none is surer than its error allows (the authors' heading is 15 degrees off).
+/// Other consistent starts: no sigma is smaller than the error allows (the authors' heading is 15 degrees
+/// off).
 struct Start {
   std::string name;
   double position_times = 1, heading_times = 1;
@@ -80,11 +77,10 @@ double largest_growth(const Drive& drive);
 
 /// Four frames over time as in Figure 3.5: vehicle error within 2 sigma, its sigma, landmark errors, their
 /// sigmas.
-LedgerFigure four_frames(const ExperimentSettings& out, const std::string& id, const std::string& title,
-                         const Drive& drive);
+Plot four_frames(const std::string& id, const std::string& title, const Drive& drive);
 
 /// Path and landmarks with 2-sigma ellipses, GPS and surveyed beacons, as in Figure 3.6.
-LedgerFigure map(const ExperimentSettings& out, const std::string& id, const std::string& title,
-                 const Data& data, const Drive& drive, const std::vector<Eigen::Vector2d>& anchors);
+Plot map(const std::string& id, const std::string& title, const Data& data, const Drive& drive,
+         const std::vector<Eigen::Vector2d>& anchors = {});
 
 }  // namespace incognita::car_park

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "experiments/closed_loop_statistics.hpp"
+#include "experiments/curves.hpp"
 #include "incognita/math/angles.hpp"
 
 namespace incognita::closed_loop {
@@ -15,26 +16,14 @@ using Eigen::Vector2d;
 constexpr Color colors[] = {Color::blue, Color::orange, Color::green, Color::pink};
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-std::vector<double> times(const Run& run) {
-  std::vector<double> t;
-  for (const Instant& i : run.instants) t.push_back(i.t_s);
-  return t;
-}
-
 template <class Of>
-Curve over_time(const std::string& label, const Run& run, std::size_t robot, const Of& of, Color color,
-                Style style = Style::line) {
-  Curve curve{label, style, times(run), {}, {}, color};
-  for (const Instant& i : run.instants) curve.y.push_back(of(i.robots[robot]));
-  return curve;
+Curve over_time(const std::string& label, const Run& run, std::size_t robot, Color color, const Of& of) {
+  return curve_of(label, Style::line, color, run.instants, &Instant::t_s,
+                  [&](const Instant& i) { return of(i.robots[robot]); });
 }
 
 Panel panel_over_time(const std::string& title, const std::string& y_label) {
-  Panel panel;
-  panel.title = title;
-  panel.x_label = "time, s";
-  panel.y_label = y_label;
-  return panel;
+  return {title, "time, s", y_label, {}};
 }
 
 /// A heading jumps from one end of its range to the other: a gap there instead of a line.
@@ -49,29 +38,29 @@ Panel error_panel(const std::string& title, const Run& run, std::size_t robot, i
   const double unit = heading ? degrees(1) : 1;
   static constexpr const char* labels[] = {"error of x, m", "error of y, m", "error of heading, deg"};
   Panel panel = panel_over_time(title, labels[state]);
-  const auto sigma = [&](const RobotInstant& r) { return 2 * unit * std::sqrt(r.covariance(state, state)); };
-  Curve band = over_time("2 sigma", run, robot, sigma, Color::gray, Style::band);
+  Curve band = over_time("2 sigma", run, robot, Color::gray, [&](const RobotInstant& r) {
+    return 2 * unit * std::sqrt(r.covariance(state, state));
+  });
+  band.style = Style::band;
   band.y2 = band.y;
   for (double& y : band.y2) y = -y;
-  panel.curves = {band, over_time(
-                            "truth less estimate", run, robot,
-                            [&](const RobotInstant& r) { return unit * r.error()[state]; }, Color::blue)};
+  panel.curves = {band, over_time("truth less estimate", run, robot, Color::blue,
+                                  [&](const RobotInstant& r) { return unit * r.error()[state]; })};
   return panel;
 }
 
 Panel position_panel(const std::string& title, const Run& run, std::size_t robot) {
   Panel panel = panel_over_time(title, "estimate, m");
-  panel.curves = {over_time(
-                      "x", run, robot, [](const RobotInstant& r) { return r.mean.x(); }, Color::blue),
-                  over_time(
-                      "y", run, robot, [](const RobotInstant& r) { return r.mean.y(); }, Color::orange)};
+  panel.curves = {
+      over_time("x", run, robot, Color::blue, [](const RobotInstant& r) { return r.mean.x(); }),
+      over_time("y", run, robot, Color::orange, [](const RobotInstant& r) { return r.mean.y(); })};
   return panel;
 }
 
 Panel heading_panel(const std::string& title, const Run& run, std::size_t robot) {
   Panel panel = panel_over_time(title, "estimate, deg");
-  panel.curves = {with_gaps(over_time(
-      "heading", run, robot, [](const RobotInstant& r) { return degrees(r.mean[2]); }, Color::green))};
+  panel.curves = {with_gaps(over_time("heading", run, robot, Color::green,
+                                      [](const RobotInstant& r) { return degrees(r.mean[2]); }))};
   panel.y_range = {-185, 185};
   return panel;
 }
@@ -79,32 +68,23 @@ Panel heading_panel(const std::string& title, const Run& run, std::size_t robot)
 Panel command_panel(const std::string& title, const Run& run, std::size_t robot) {
   Panel panel = panel_over_time(title, "command");
   panel.curves = {
-      over_time(
-          "turn rate, rad/s", run, robot, [](const RobotInstant& r) { return r.input[1]; }, Color::orange),
-      over_time(
-          "speed, m/s", run, robot, [](const RobotInstant& r) { return r.input[0]; }, Color::blue)};
+      over_time("turn rate, rad/s", run, robot, Color::orange,
+                [](const RobotInstant& r) { return r.input[1]; }),
+      over_time("speed, m/s", run, robot, Color::blue, [](const RobotInstant& r) { return r.input[0]; })};
   panel.y_range = {-1.15, 1.15};
   return panel;
 }
 
-Curve path_of(const std::string& label, const Run& run, std::size_t robot, bool truth, Style style,
-              Color color) {
-  Curve curve{label, style, {}, {}, {}, color};
-  for (const Instant& i : run.instants) {
-    const planar::Pose<double>& pose = truth ? i.robots[robot].truth : i.robots[robot].mean;
-    curve.x.push_back(pose.x()), curve.y.push_back(pose.y());
-  }
-  return curve;
+Curve poses_of(const std::string& label, const Run& run, std::size_t robot,
+               planar::Pose<double> RobotInstant::*pose, Style style, Color color) {
+  return path_of(label, style, color, run.instants, [&](const Instant& i) { return i.robots[robot].*pose; });
 }
 
 Curve wanted(const std::string& label, const Path& path, const Run& run) {
-  Curve curve{label, Style::dashed, {}, {}, {}, Color::gray};
-  for (const Instant& i : run.instants) {
-    const Vector2d p = at(path, i.t_s).position.head<2>();
-    curve.x.push_back(p.x()), curve.y.push_back(p.y());
-  }
-  if (std::holds_alternative<PointPath>(path)) curve.style = Style::crosses, curve.color = Color::ink;
-  return curve;
+  const auto position = [&](const Instant& i) { return at(path, i.t_s).position; };
+  if (std::holds_alternative<PointPath>(path))
+    return path_of(label, Style::crosses, Color::ink, run.instants, position);
+  return path_of(label, Style::dashed, Color::gray, run.instants, position);
 }
 
 /// Every ten seconds.
@@ -133,10 +113,7 @@ Curve map_ellipses(const Run& run) {
 }  // namespace
 
 Plot map_figure(const std::string& id, const std::string& title, const Setup& setup, const Run& run) {
-  Panel panel;
-  panel.x_label = "x, m";
-  panel.y_label = "y, m";
-  panel.equal_axes = true;
+  Panel panel{"", "x, m", "y, m", {}, true};
   for (std::size_t i = 0; i < setup.robots.size(); ++i) {
     const bool one = setup.robots.size() == 1;
     const std::string who = one ? "" : fmt::format(" {}", i + 1);
@@ -144,15 +121,14 @@ Plot map_figure(const std::string& id, const std::string& title, const Setup& se
     const std::string goal = std::holds_alternative<PointPath>(path) ? "goal" : "path";
     const planar::Pose<double>& start = run.instants.front().robots[i].truth;
     panel.curves.push_back(wanted(i == 0 ? goal : "", path, run));
-    panel.curves.push_back(path_of("robot" + who, run, i, true, Style::line, colors[i]));
-    panel.curves.push_back(path_of(i == 0 ? "estimate" : "", run, i, false, Style::thin, Color::ink));
+    panel.curves.push_back(poses_of("robot" + who, run, i, &RobotInstant::truth, Style::line, colors[i]));
+    panel.curves.push_back(
+        poses_of(i == 0 ? "estimate" : "", run, i, &RobotInstant::mean, Style::thin, Color::ink));
     panel.curves.push_back(robot_ellipses("", run, i, colors[i]));
     panel.curves.push_back({i == 0 ? "start" : "", Style::circles, {start.x()}, {start.y()}, {}, colors[i]});
   }
-  Curve landmarks{"landmarks", Style::stars, {}, {}, {}, Color::gray};
-  for (const auto& [identity, point] : setup.place)
-    landmarks.x.push_back(point[0]), landmarks.y.push_back(point[1]);
-  panel.curves.push_back(landmarks);
+  panel.curves.push_back(
+      path_of("landmarks", Style::stars, Color::gray, setup.place, &PointLandmarks::value_type::second));
   panel.curves.push_back(map_ellipses(run));
   return {id, title, 1, {panel}};
 }
@@ -181,17 +157,13 @@ Plot state_figure(const std::string& id, const std::string& title, const Run& ru
 Plot eigenvalue_figure(const std::string& id, const std::string& title, const Run& run,
                        const std::function<Eigen::Matrix2d(const planar::Pose<double>&)>& gain) {
   Panel panel = panel_over_time("", "magnitude of the eigenvalues of F - G L");
-  Curve sizes[3] = {{"largest", Style::line, times(run), {}, {}, Color::blue},
-                    {"second", Style::line, times(run), {}, {}, Color::orange},
-                    {"third", Style::line, times(run), {}, {}, Color::green}};
-  for (const Instant& i : run.instants) {
-    const Eigen::Vector3d now = moduli(i.robots[0], gain(i.robots[0].mean));
-    for (int k = 0; k < 3; ++k) sizes[k].y.push_back(now[k]);
-  }
+  const auto size = [&](const char* label, Color color, int k) {
+    return over_time(label, run, 0, color, [&](const RobotInstant& r) { return moduli(r, gain(r.mean))[k]; });
+  };
   panel.curves = {{"1", Style::dashed, {0, run.instants.back().t_s}, {1, 1}, {}, Color::gray},
-                  sizes[2],
-                  sizes[1],
-                  sizes[0]};
+                  size("third", Color::green, 2),
+                  size("second", Color::orange, 1),
+                  size("largest", Color::blue, 0)};
   return {id, title, 1, {panel}};
 }
 

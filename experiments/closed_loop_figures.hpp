@@ -10,8 +10,7 @@
 
 namespace incognita::closed_loop {
 
-/// Where the robots went, where they believed to be, where they were to go, and what they mapped: Figures
-/// 5.3, 5.6, 5.9.
+/// True, estimated and desired paths of the robots, and their map: Figures 5.3, 5.6, 5.9.
 Plot map_figure(const std::string& id, const std::string& title, const Setup& setup, const Run& run);
 
 /// State, error within two sigmas, and commands over time; a column for each robot: Figures 5.4, 5.7, 5.10.

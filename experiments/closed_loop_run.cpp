@@ -9,7 +9,6 @@
 
 #include "incognita/control/team_controller.hpp"
 #include "incognita/math/random.hpp"
-#include "incognita/slam/estimator/slam_estimator.hpp"
 #include "incognita/world/room_clock.hpp"
 
 namespace incognita::closed_loop {
@@ -26,8 +25,8 @@ SmallVector numbers(std::initializer_list<double> values) {
   return v;
 }
 
-/// Where robots are to go in any of the examples.
-std::vector<Vector2d> ways() {
+/// Points of the desired paths of all examples.
+std::vector<Vector2d> desired_points() {
   constexpr int points = 120;
   std::vector<Vector2d> all;
   for (int k = 0; k <= points; ++k) {
@@ -42,11 +41,11 @@ std::vector<Vector2d> ways() {
 }
 
 bool clear_of(const std::vector<Vector2d>& others, const Vector2d& point, double distance) {
-  return std::all_of(others.begin(), others.end(),
-                     [&](const Vector2d& other) { return (point - other).norm() > distance; });
+  return std::ranges::all_of(others,
+                             [&](const Vector2d& other) { return (point - other).norm() > distance; });
 }
 
-/// What is simulated, and what believes to know it.
+/// The simulated vehicles, the filter and the control laws.
 struct Scene {
   std::vector<SimulatedVehicle> vehicles;
   EstimatorSettings filter;
@@ -80,7 +79,7 @@ Scene scene_of(const Setup& s) {
   return scene;
 }
 
-/// Between scans the wheels alone tell something.
+/// Between scans there is odometry alone.
 Observation odometry_alone(const Truth& truth) {
   Observation observation;
   for (const SmallVector& input : truth.inputs) {
@@ -117,7 +116,7 @@ double joint_nees(const Instant& now, const Estimate& e, const PointLandmarks& p
 
 PointLandmarks sixteen_landmarks() {
   RandomStream random(1, "place");
-  const std::vector<Vector2d> taken = ways();
+  const std::vector<Vector2d> taken = desired_points();
   std::vector<Vector2d> points;
   while (points.size() < 16) {
     const double x = random.uniform(-12, 12), y = random.uniform(-12, 12);
@@ -135,14 +134,6 @@ Robot robot(const planar::Pose<double>& start, ControlLaw law, const Path& path)
   r.steering.most_input = numbers({top_speed_m_s, top_turn_rate});
   return r;
 }
-
-planar::Pose<double> RobotInstant::error() const {
-  planar::Pose<double> e = truth - mean;
-  e[2] = wrap_angle(e[2]);
-  return e;
-}
-
-double RobotInstant::nees() const { return error().dot(covariance.llt().solve(error())) / 3; }
 
 Run drive(const Setup& setup, std::uint64_t seed) {
   Scene scene = scene_of(setup);

@@ -1,11 +1,10 @@
-// Robots of the plane that steer by what their filter believes, and map as they go: the simulated runs of
-// Examples 5.1 to 5.3.
+// Planar robots that are steered by their estimate while they map: the simulated runs of Examples 5.1 to 5.3.
 //
 // Fixed before anything was compared, where the thesis is silent: the control point and the sensor are 0.3 m
 // before the axle (Example 3.4's); a scanner of half a turn, five scans a second, 0.1 m and 1 degree (the car
-// park's); inputs disturbed by 0.1 m/s and 0.1 rad/s, drawn for each tick, which the filter is told; at most
+// park's); inputs disturbed by 0.1 m/s and 0.1 rad/s, drawn for each tick and known to the filter; at most
 // 1 m/s and 1 rad/s; ten ticks a second. The start is known to 0.05 m and 0.5 degrees, and fixes the frame.
-// The plant is integrated, the filter is the EKF along arcs, landmarks name themselves.
+// The plant is integrated, the filter is an EKF along arcs, and the identities of landmarks are known.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,10 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "experiments/run_trace.hpp"
 #include "incognita/control/steering.hpp"
-#include "incognita/math/angles.hpp"
-#include "incognita/models/planar_vehicle.hpp"
-#include "incognita/slam/mapper/estimate.hpp"
 #include "incognita/world/points/team_world.hpp"
 
 namespace incognita::closed_loop {
@@ -49,15 +46,7 @@ PointLandmarks sixteen_landmarks();
 
 Robot robot(const planar::Pose<double>& start, ControlLaw law, const Path& path);
 
-struct RobotInstant {
-  planar::Pose<double> truth, mean;
-  Eigen::Matrix3d covariance;
-  Eigen::Vector2d input;  ///< asked for, until the next tick
-
-  /// truth less mean; heading within half a turn
-  planar::Pose<double> error() const;
-  double nees() const;  ///< of the pose, divided by 3
-};
+using RobotInstant = PoseInstant;
 
 struct Instant {
   double t_s = 0;

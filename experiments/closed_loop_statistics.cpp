@@ -12,16 +12,16 @@
 
 namespace incognita::closed_loop {
 
-std::string share_text(int of_them, int runs) {
+std::string share_text(RunCount of_them, RunCount runs) {
   using boost::math::ibeta_inv;
-  const double k = of_them, n = runs, tail = 0.025;
-  const double low = of_them > 0 ? ibeta_inv(k, n - k + 1, tail) : 0;
-  const double high = of_them < runs ? ibeta_inv(k + 1, n - k, 1 - tail) : 1;
-  return fmt::format("{} of {} ({:.1f} to {:.1f} %)", of_them, runs, 100 * low, 100 * high);
+  const double k = of_them.value, n = runs.value, tail = 0.025;
+  const double low = k > 0 ? ibeta_inv(k, n - k + 1, tail) : 0;
+  const double high = k < n ? ibeta_inv(k + 1, n - k, 1 - tail) : 1;
+  return fmt::format("{} of {} ({:.1f} to {:.1f} %)", of_them.value, runs.value, 100 * low, 100 * high);
 }
 
 double quantile(std::vector<double> samples, double share) {
-  std::sort(samples.begin(), samples.end());
+  std::ranges::sort(samples);
   const double at = share * static_cast<double>(samples.size() - 1);
   const auto before = static_cast<std::size_t>(at), after = std::min(before + 1, samples.size() - 1);
   return samples[before] + (at - static_cast<double>(before)) * (samples[after] - samples[before]);
@@ -52,6 +52,21 @@ Eigen::Array3d share_within_two_sigmas(const Run& run, std::size_t robot) {
     within += (r.error().array().abs() <= 2 * r.covariance.diagonal().array().sqrt()).cast<double>();
   }
   return within / static_cast<double>(run.instants.size());
+}
+
+Claim consistent_enough(const std::string& id, const std::string& place, const std::vector<double>& nees,
+                        const std::vector<Eigen::Array3d>& within) {
+  Eigen::Array3d share = Eigen::Array3d::Zero();
+  for (const Eigen::Array3d& w : within) share += 100 * w / static_cast<double>(within.size());
+  return assessed(
+      id, place,
+      "The estimate stays usable for control: mean NEES of the pose, over its 3 degrees of freedom, below "
+      "1.2",
+      {.measured = fmt::format(
+           "NEES {}; error within two sigmas at {:.1f}, {:.1f}, {:.1f} % of the ticks (x, y, heading)",
+           text(bootstrap_mean(nees)), share[0], share[1], share[2]),
+       .seeds = nees.size()},
+      is_below(bootstrap_mean(nees), 1.2));
 }
 
 Eigen::Vector3d moduli(const RobotInstant& at, const Eigen::Matrix2d& L) {

@@ -1,16 +1,18 @@
-// What is said of many closed-loop runs: how far from where they were to be, and how right about it.
+// Statistics of many closed-loop runs: tracking errors and consistency.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "experiments/closed_loop_run.hpp"
+#include "experiments/evidence.hpp"
+#include "experiments/seeds.hpp"
 #include "incognita/report/experiment.hpp"
 
 namespace incognita::closed_loop {
 
 /// `198 of 200 (96.4 to 99.9 %)`: 95 % by Clopper and Pearson.
-std::string share_text(int of_them, int runs);
+std::string share_text(RunCount of_them, RunCount runs);
 
 /// Of samples in any order; share from 0 to 1.
 double quantile(std::vector<double> samples, double share);
@@ -18,7 +20,7 @@ double quantile(std::vector<double> samples, double share);
 /// `median 0.137 m, 95 % below 0.27 m`
 std::string spread_text(const std::vector<double>& samples, const std::string& unit);
 
-/// Of the control point from where its path wants it, at every tick, m.
+/// Distances of the control point from the reference, at every tick, m.
 std::vector<double> distances_m(const Run& run, const Path& path, std::size_t robot = 0);
 
 /// Mean over the ticks of a run of the pose's NEES; 1 is right.
@@ -31,23 +33,17 @@ Eigen::Array3d share_within_two_sigmas(const Run& run, std::size_t robot = 0);
 /// the estimate and under the input.
 Eigen::Vector3d moduli(const RobotInstant& at, const Eigen::Matrix2d& L);
 
-/// One result for each run of seeds 1, 2, ...; `what` is told while it goes.
+/// The claim of Examples 5.1 and 5.2 that the estimate is consistent enough for control: `within` is the
+/// share of ticks with an error within two sigmas, by x, y and heading.
+Claim consistent_enough(const std::string& id, const std::string& place, const std::vector<double>& nees,
+                        const std::vector<Eigen::Array3d>& within);
+
+/// One result for each run of seeds 1, 2, ...; `what` is reported as progress.
 template <class Of>
 auto over_seeds(const ExperimentSettings& settings, const std::string& what, const Setup& setup,
                 const Of& of) {
   if (settings.report) settings.report(what + ": " + std::to_string(settings.seeds) + " runs");
-  std::vector<decltype(of(Run()))> all;
-  for (int seed = 1; seed <= settings.seeds; ++seed)
-    all.push_back(of(drive(setup, static_cast<std::uint64_t>(seed))));
-  return all;
-}
-
-/// One number of each.
-template <class Result, class Of>
-std::vector<double> each(const std::vector<Result>& results, const Of& of) {
-  std::vector<double> numbers;
-  for (const Result& r : results) numbers.push_back(of(r));
-  return numbers;
+  return incognita::over_seeds(settings.seeds, [&](std::uint64_t seed) { return of(drive(setup, seed)); });
 }
 
 }  // namespace incognita::closed_loop

@@ -34,8 +34,9 @@ Finding differs(const Interval& i, double value) {
   return i.low > value || i.high < value ? Finding::shown : Finding::undecided;
 }
 
-Finding happens_in(double share, std::size_t count, std::size_t of) {
-  return is_above(share_of(count, of, shown_at), share);
+Finding happens_in(double share, RunCount count, RunCount of) {
+  return is_above(
+      share_of(static_cast<std::size_t>(count.value), static_cast<std::size_t>(of.value), shown_at), share);
 }
 
 std::string text(const Interval& i, const std::string& unit) {
@@ -67,6 +68,21 @@ Claim assessed(Claim claim, Finding printed, Finding corrected) {
   if (claim.verdict == Verdict::holds) claim.why.clear();
   if (claim.verdict == Verdict::does_not_hold && claim.why.empty()) claim.why = "not investigated";
   return claim;
+}
+
+Claim assessed(std::string id, std::string place, std::string statement, Evidence r, Finding printed,
+               Finding corrected) {
+  const bool by_chance = r.seeds.value >= 0;
+  return assessed({.id = std::move(id),
+                   .place = std::move(place),
+                   .statement = std::move(statement),
+                   .printed = std::move(r.printed),
+                   .measured = std::move(r.measured),
+                   .why = std::move(r.why),
+                   .runs = by_chance ? r.seeds.value : r.runs.value,
+                   .least_runs = by_chance ? enough_runs : 1,
+                   .timed = r.timed},
+                  printed, corrected);
 }
 
 }  // namespace incognita

@@ -1,14 +1,16 @@
-// From runs to verdicts: how an interval is written, what it shows, and how a claim is judged.
+// From runs to verdicts: how an interval is written, what it shows, and how a claim is assessed.
 //
 // A statement about chance is shown, refuted or undecided, never "not significant, so false": its interval
 // lies on one side of the bound, on the other, or holds both. A statement that two things are equal comes
 // with the margin within which they count as equal, so that it can be shown too. Intervals are 95 % where
-// they are printed without a level; `assessed_at` is the level of statements of which many are tested at once.
+// they are printed without a level; `assessed_at` is the level of statements of which many are tested at
+// once.
 //
 // The margins of Chapters 2 to 5 were chosen with results known, and so was the larger number of runs in
 // parts of Example 5.4.
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <string>
 
@@ -21,6 +23,12 @@ inline constexpr double shown_at = usual_confidence, assessed_at = 0.999;
 
 /// Runs that a claim about chance rests on at the least; with fewer its verdict is `undecided`.
 inline constexpr int enough_runs = 20;
+
+/// A number of runs, of any integer type.
+struct RunCount {
+  int value;
+  constexpr RunCount(std::integral auto n) : value(static_cast<int>(n)) {}
+};
 
 /// What runs say of a statement. Where there is no chance it is shown or refuted, so a bool converts.
 class Finding {
@@ -51,7 +59,7 @@ Finding differs(const Interval& interval, double value);
 
 /// That something happens in at least this share of all cases, by Wilson's interval, 95 %; `count` of `of`
 /// did.
-Finding happens_in(double share, std::size_t count, std::size_t of);
+Finding happens_in(double share, RunCount count, RunCount of);
 
 /// `0.158 m (0.143 to 0.176)`. In place of what is not a number, or of an infinite interval, it says so.
 std::string text(const Interval& interval, const std::string& unit = "");
@@ -69,5 +77,19 @@ std::string below(double difference);
 /// - both refuted: does not hold; without a `why`, that is without a diagnosis, it says "not investigated";
 /// - else, or with fewer runs than Claim::least_runs: undecided, and `why` says what was missing.
 Claim assessed(Claim claim, Finding printed, Finding corrected = Finding::refuted);
+
+/// The members of a Claim that follow its statement.
+struct Evidence {
+  std::string printed = {};
+  std::string measured;
+  std::string why = {};
+  RunCount runs = 1;    ///< cases, where there is no chance
+  RunCount seeds = -1;  ///< random runs, in place of `runs`: the verdict takes `enough_runs` of them
+  bool timed = false;
+};
+
+/// The claim `id`, which stands at `place` of the thesis.
+Claim assessed(std::string id, std::string place, std::string statement, Evidence evidence, Finding printed,
+               Finding corrected = Finding::refuted);
 
 }  // namespace incognita

@@ -4,13 +4,9 @@
 // Measured: covariances and gains, which do not depend on chance; the landmark's errors over seeds 1, 2, ...
 // Holds: settled when 500 more steps change nothing by more than 1e-6 relative; a gain that never reaches
 // zero when 10 times the steps leave more than half of it; errors as in Example 3.1.
-#include <fmt/format.h>
-
 #include <Eigen/Eigenvalues>
-#include <algorithm>
 
-#include "experiments/evidence.hpp"
-#include "experiments/list.hpp"
+#include "experiments/common.hpp"
 #include "experiments/monobot.hpp"
 
 namespace incognita {
@@ -26,9 +22,7 @@ Setup decorrelated(int landmarks, Decorrelated what, int steps = 1000, bool anch
 }
 
 Claim stable() {
-  std::vector<std::string> lines;
-  bool all = true;
-  for (const int n : {1, 2}) {
+  const Cases cases = by_number({1, 2}, [](int n) -> CaseResult {
     const Setup setup = decorrelated(n, Decorrelated::everything);
     const Course course = monobot::course(setup);
     const MatrixXd &P = course.posterior[1000], &before = course.posterior[500];
@@ -37,52 +31,43 @@ Claim stable() {
                                .eigenvalues()
                                .cwiseAbs()
                                .maxCoeff();
-    all = all && change < 1e-6 && largest < 0.999;
-    lines.push_back(fmt::format("{}: robot {:.5f}, landmark {:.5f} m^2, change {}, eigenvalue {:.3f}", n,
-                                P(0, 0), P(1, 1), below(change), largest));
-  }
+    return {fmt::format("robot {:.5f}, landmark {:.5f} m^2, change {}, eigenvalue {:.3f}", P(0, 0), P(1, 1),
+                        below(change), largest),
+            change < 1e-6 && largest < 0.999};
+  });
   return assessed(
-      {.id = "3.10-stable",
-       .place = "Figure 3.18, Section 3.4",
-       .statement = "With an anchor everything can be decorrelated and the filter stays stable: the "
-                    "covariance settles, and all eigenvalues of F - KHF are inside the circle (below 0.999)",
-       .printed = "stable",
-       .measured = fmt::format(
-           "by number of landmarks, after 1000 steps, change from step 500 on, largest eigenvalue: {}",
-           fmt::join(lines, "; "))},
-      all);
+      "3.10-stable", "Figure 3.18, Section 3.4",
+      "With an anchor everything can be decorrelated and the filter stays stable: the covariance settles, "
+      "and all eigenvalues of F - KHF are inside the circle (below 0.999)",
+      {.printed = "stable",
+       .measured = "by number of landmarks, after 1000 steps, change from step 500 on, largest eigenvalue: " +
+                   cases.text()},
+      cases.hold());
 }
 
-/// Largest landmark gain by the landmark's own look after so many steps.
+/// Largest landmark gain by the landmark's own measurement after so many steps.
 double landmark_gain(const Course& course, int step) {
   const MatrixXd& K = course.gain[step];
   return K.bottomRightCorner(K.rows() - 1, K.rows() - 1).diagonal().maxCoeff();
 }
 
 Claim gain_never_zero(const std::string& id, const std::string& place, Decorrelated what,
-                      const std::string& why) {
-  std::vector<std::string> lines;
-  bool never = true;
-  for (const int n : {1, 2}) {
+                      const std::string& why = "") {
+  const Cases cases = by_number({1, 2}, [&](int n) -> CaseResult {
     const Course course = monobot::course(decorrelated(n, what));
     const double at_100 = landmark_gain(course, 100), at_1000 = landmark_gain(course, 1000);
-    lines.push_back(fmt::format("{}: {:.4f}, {:.4f}", n, at_100, at_1000));
-    never = never && at_1000 > 0.5 * at_100;
-  }
-  return assessed(
-      {.id = id,
-       .place = place,
-       .statement = fmt::format("With an anchor and {} decorrelated the landmarks' gains never reach zero",
-                                what == Decorrelated::map ? "the map" : "everything"),
-       .printed = "not 0",
-       .measured =
-           fmt::format("by number of landmarks, after 100 and 1000 steps: {}", fmt::join(lines, "; ")),
-       .why = why},
-      never);
+    return {fmt::format("{:.4f}, {:.4f}", at_100, at_1000), at_1000 > 0.5 * at_100};
+  });
+  return assessed(id, place,
+                  fmt::format("With an anchor and {} decorrelated the landmarks' gains never reach zero",
+                              what == Decorrelated::map ? "the map" : "everything"),
+                  {.printed = "not 0",
+                   .measured = "by number of landmarks, after 100 and 1000 steps: " + cases.text(),
+                   .why = why},
+                  cases.hold());
 }
 
 Claim independent_of_the_start() {
-  std::vector<std::string> lines;
   double of_anchored = 0, of_free = 1e300;
   const auto last = [](Setup setup, double robot_var, double landmark_var) {
     setup.robot_var_m2 = robot_var;
@@ -98,112 +83,85 @@ Claim independent_of_the_start() {
     of_free = std::min(of_free, spread({.landmarks = n, .steps = 600}));
   }
   return assessed(
-      {.id = "3.10-start",
-       .place = "Example 3.10",
-       .statement =
-           "The solution of the Riccati equation no longer depends on the initial covariance: from three of "
-           "them (robot 0, 1, 100 m^2, landmark 1, 1, 0.01 m^2) it settles in the same place, to 1e-6",
-       .printed = "independent",
+      "3.10-start", "Example 3.10",
+      "The solution of the Riccati equation no longer depends on the initial covariance: from three of them "
+      "(robot 0, 1, 100 m^2, landmark 1, 1, 0.01 m^2) it settles at the same value, to 1e-6",
+      {.printed = "independent",
        .measured = fmt::format("largest relative difference after 600 steps: {} (Example 3.1: {:.2g})",
                                below(of_anchored), of_free)},
       of_anchored < 1e-6);
 }
 
 Claim lower_than_without_anchor() {
-  std::vector<std::string> lines;
-  bool lower = true;
+  Cases cases;
   for (const auto what : {Decorrelated::map, Decorrelated::everything})
     for (const int n : {1, 2}) {
       const auto anchored = monobot::course(decorrelated(n, what, 100)).posterior,
                  free = monobot::course(decorrelated(n, what, 100, false)).posterior;
-      for (std::size_t k = 1; k < free.size(); ++k)
-        lower = lower && (anchored[k].diagonal().array() < free[k].diagonal().array()).all();
-      lines.push_back(
-          fmt::format("{} with {}: robot {:.4f} against {:.4f}, landmark {:.4f} against {:.4f} m^2",
-                      what == Decorrelated::map ? "map" : "everything", n, anchored[100](0, 0),
-                      free[100](0, 0), anchored[100](1, 1), free[100](1, 1)));
+      cases.add({fmt::format("{} with {}: robot {:.4f} against {:.4f}, landmark {:.4f} against {:.4f} m^2",
+                             what == Decorrelated::map ? "map" : "everything", n, anchored[100](0, 0),
+                             free[100](0, 0), anchored[100](1, 1), free[100](1, 1)),
+                 monobot::smaller_variances(anchored, free)});
     }
-  return assessed(
-      {.id = "3.10-variance",
-       .place = "Example 3.10",
-       .statement = "Variances reach lower values than in the partially observable case, at every step",
-       .printed = "lower",
-       .measured = fmt::format("after 100 steps: {}", fmt::join(lines, "; "))},
-      lower);
+  return assessed("3.10-variance", "Example 3.10",
+                  "Variances reach lower values than in the partially observable case, at every step",
+                  {.printed = "lower", .measured = "after 100 steps: " + cases.text()}, cases.hold());
 }
 
 Claim map_alone_is_better(int seeds) {
-  std::vector<std::string> lines;
-  bool better = true;
-  for (const int n : {1, 2}) {
-    const MatrixXd map = monobot::course(decorrelated(n, Decorrelated::map, 100)).posterior[100],
-                   all = monobot::course(decorrelated(n, Decorrelated::everything, 100)).posterior[100];
-    better = better && map.trace() < all.trace();
-    lines.push_back(fmt::format("{}: {:.4f} against {:.4f} m^2", n, map.trace(), all.trace()));
-  }
+  const Cases traces = by_number({1, 2}, [](int n) -> CaseResult {
+    const double map = monobot::course(decorrelated(n, Decorrelated::map, 100)).posterior[100].trace(),
+                 all = monobot::course(decorrelated(n, Decorrelated::everything, 100)).posterior[100].trace();
+    return {fmt::format("{:.4f} against {:.4f} m^2", map, all), map < all};
+  });
   const auto last = [&](Decorrelated what) {
     return monobot::errors(monobot::simulate_all(decorrelated(1, what, 100), seeds), 1, 100);
   };
   const auto map = last(Decorrelated::map), all = last(Decorrelated::everything);
   std::vector<double> gain;
   for (std::size_t i = 0; i < map.size(); ++i) gain.push_back(all[i] * all[i] - map[i] * map[i]);
-  return assessed(
-      {.id = "3.10-map-alone",
-       .place = "below Figure 3.18, Section 3.4",
-       .statement = "Also with full observability it is best to decorrelate only the map: smaller trace "
-                    "after 100 steps, and smaller errors of the landmark in paired runs (one landmark)",
-       .printed = "best",
-       .measured = fmt::format("trace by number of landmarks, map alone against everything: {}; rms error {} "
-                               "against {}; mean square less: {}",
-                               fmt::join(lines, "; "), text(rms_of(map), "m"), text(rms_of(all), "m"),
-                               text(mean_of(gain), "m^2")),
-       .runs = seeds,
-       .least_runs = enough_runs},
-      better && is_above(mean_of(gain), 0));
+  return assessed("3.10-map-alone", "below Figure 3.18, Section 3.4",
+                  "Also with full observability it is best to decorrelate only the map: smaller trace after "
+                  "100 steps, and smaller errors of the landmark in paired runs (one landmark)",
+                  {.printed = "best",
+                   .measured = fmt::format("trace by number of landmarks, map alone against everything: {}; "
+                                           "rms error {} against {}; mean square less: {}",
+                                           traces.text(), text(rms_of(map), "m"), text(rms_of(all), "m"),
+                                           text(mean_of(gain), "m^2")),
+                   .seeds = seeds},
+                  traces.hold() && is_above(mean_of(gain), 0));
 }
 
 Claim pseudo_noise_on_everything() {
-  bool all = true;
-  std::vector<std::string> lines;
-  for (const int n : {1, 2}) {
+  const Cases cases = by_number({1, 2}, [](int n) -> CaseResult {
     const Setup setup{.landmarks = n, .anchored = true};
     const MatrixXd dP = 0.05 * 0.05 * MatrixXd::Identity(n + 1, n + 1);
     const LinearSystem noisy = monobot::with_pseudo_noise(monobot::system(setup), dP);
     const RiccatiLimit limit = iterate_riccati(noisy, predicted(noisy, monobot::first_covariance(setup)));
-    all = all && limit.settled && limit.K(1, 1) > 1e-3;
-    lines.push_back(fmt::format("{}: {}, landmark {:.5f} m^2 before the update, gain {:.4f}", n, limit.reason,
-                                limit.P(1, 1), limit.K(1, 1)));
-  }
-  return assessed(
-      {.id = "3.10-pseudo-noise",
-       .place = "Section 3.4",
-       .statement = "Fully observable, pseudo-noise on robot and landmarks (0.05 m a step) leaves "
-                    "a steady state with gains that are not zero",
-       .printed = "steady",
-       .measured = fmt::format("by number of landmarks: {}", fmt::join(lines, "; "))},
-      all);
+    return {fmt::format("{}, landmark {:.5f} m^2 before the update, gain {:.4f}", limit.reason, limit.P(1, 1),
+                        limit.K(1, 1)),
+            limit.settled && limit.K(1, 1) > 1e-3};
+  });
+  return assessed("3.10-pseudo-noise", "Section 3.4",
+                  "Fully observable, pseudo-noise on robot and landmarks (0.05 m a step) leaves a steady "
+                  "state with gains that are not zero",
+                  {.printed = "steady", .measured = "by number of landmarks: " + cases.text()}, cases.hold());
 }
 
 LedgerEntry run(const ExperimentSettings& settings) {
-  LedgerEntry entry{example_3_10.id, example_3_10.title, "", {}, {}};
-  entry.claims = {
-      stable(),
-      gain_never_zero("3.10-gain-everything", "Example 3.10, Figure 3.18 (d)", Decorrelated::everything,
-                      "it goes to zero"),
-      gain_never_zero("3.10-gain-map", "Example 3.10", Decorrelated::map,
-                      "with one landmark there is nothing to decorrelate, and with more the dP of least "
-                      "trace does not reach their mean: its variance goes to zero as one over the number of "
-                      "steps, dP with it, and with both every gain of the landmarks"),
-      independent_of_the_start(),
-      lower_than_without_anchor(),
-      map_alone_is_better(settings.seeds),
-      monobot::inflated("3.10-inflated", decorrelated(1, Decorrelated::everything, 100), settings.seeds),
-      pseudo_noise_on_everything()};
-  entry.figures = {draw_plot(settings.out,
-                             monobot::four_rows("fig-3.18", "With an anchor, everything decorrelated",
-                                                decorrelated(1, Decorrelated::everything, 100)),
-                             nullptr)};
-  return entry;
+  return entry_of(
+      example_3_10, settings,
+      {stable(),
+       gain_never_zero("3.10-gain-everything", "Example 3.10, Figure 3.18 (d)", Decorrelated::everything),
+       gain_never_zero("3.10-gain-map", "Example 3.10", Decorrelated::map,
+                       "with one landmark there is nothing to decorrelate, and with more the dP of least "
+                       "trace does not reach their mean: its variance goes to zero as one over the number of "
+                       "steps, dP with it, and with both every gain of the landmarks"),
+       independent_of_the_start(), lower_than_without_anchor(), map_alone_is_better(settings.seeds),
+       monobot::inflated("3.10-inflated", decorrelated(1, Decorrelated::everything, 100), settings.seeds),
+       pseudo_noise_on_everything()},
+      {monobot::four_rows("fig-3.18", "With an anchor, everything decorrelated",
+                          decorrelated(1, Decorrelated::everything, 100))});
 }
 
 }  // namespace

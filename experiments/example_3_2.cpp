@@ -3,15 +3,10 @@
 // Measured: the map against the survey before and after a rigid fit; how shift and turn depend on the start;
 // which beacons are mapped. Holds: the relative map within 0.25 m rms, the map before the fit at least twice
 // as far off.
-#include <fmt/format.h>
-
 #include <Eigen/Eigenvalues>
-#include <algorithm>
-#include <cmath>
 
 #include "experiments/car_park.hpp"
-#include "experiments/evidence.hpp"
-#include "experiments/list.hpp"
+#include "experiments/common.hpp"
 #include "incognita/math/angles.hpp"
 
 namespace incognita {
@@ -24,35 +19,31 @@ constexpr double good_map_m = 0.25;
 
 std::string numbers(const Drive& d) {
   return fmt::format(
-      "map {:.3f} m rms, turned by {:.1f}° and shifted by {:.2f} m; {:.3f} m after the fit; vehicle {:.2f} "
-      "m rms from GPS, {:.2f} m after a fit of its own",
+      "map {:.3f} m rms, turned by {:.1f}° and shifted by {:.2f} m; {:.3f} m after the fit; vehicle {:.2f} m "
+      "rms from GPS, {:.2f} m after a fit of its own",
       d.map_rms_m, degrees(-d.fitted.fit.turn_rad), d.fitted.fit.shift.norm(), d.fitted.error.rms_m,
       d.path_rms_m, d.fitted_path_rms_m);
 }
 
 Claim relative_map(const Drive& ekf, const Drive& first_estimate) {
-  return assessed(
-      {.id = "3.2-relative-map",
-       .place = "Example 3.2, Figure 3.6",
-       .statement = "The relative map is internally consistent, but rotated and shifted from the actual "
-                    "beacons: within 0.25 m rms after a rigid fit, at least twice as far before",
-       .printed = "rotated and shifted",
-       .measured =
-           fmt::format("EKF: {}. With first-estimate Jacobians: {}", numbers(ekf), numbers(first_estimate))},
-      ekf.fitted.error.rms_m < good_map_m && ekf.map_rms_m > 2 * ekf.fitted.error.rms_m);
+  return assessed("3.2-relative-map", "Example 3.2, Figure 3.6",
+                  "The relative map is internally consistent, but rotated and shifted from the actual "
+                  "beacons: within 0.25 m rms after a rigid fit, at least twice as far before",
+                  {.printed = "rotated and shifted",
+                   .measured = fmt::format("EKF: {}. With first-estimate Jacobians: {}", numbers(ekf),
+                                           numbers(first_estimate))},
+                  ekf.fitted.error.rms_m < good_map_m && ekf.map_rms_m > 2 * ekf.fitted.error.rms_m);
 }
 
 Claim perfect_relative_map(const Drive& ekf) {
-  return assessed(
-      {.id = "3.2-perfect",
-       .place = "text after Example 3.2, with [40]",
-       .statement = "A perfect relative map is produced: to the 2 cm of the survey",
-       .printed = "perfect",
-       .measured = fmt::format("{:.3f} m rms after the fit, {} landmarks", ekf.fitted.error.rms_m,
-                               ekf.fitted.error.matches.size()),
-       .why = "that is the limit of a linear filter after infinitely many looks; after 112 s of this drive "
-              "some centimetres are left"},
-      ekf.fitted.error.rms_m < 0.02);
+  return assessed("3.2-perfect", "text after Example 3.2, with [40]",
+                  "A perfect relative map is produced: to the 2 cm of the survey",
+                  {.printed = "perfect",
+                   .measured = fmt::format("{:.3f} m rms after the fit, {} landmarks", ekf.fitted.error.rms_m,
+                                           ekf.fitted.error.matches.size()),
+                   .why = "that is the limit of a linear filter after infinitely many measurements; after "
+                          "112 s of this drive some centimeters are left"},
+                  ekf.fitted.error.rms_m < 0.02);
 }
 
 Claim mapped_once(const Drive& ekf, const Drive& first_estimate) {
@@ -62,17 +53,15 @@ Claim mapped_once(const Drive& ekf, const Drive& first_estimate) {
   };
   const auto counts = [](const Drive& d) {
     return fmt::format(
-        "{} of {} beacons with ten detections or more, {} landmarks in all, {} twice, {} of no beacon, {} "
-        "of {} matches wrong",
+        "{} of {} beacons with ten detections or more, {} landmarks in all, {} twice, {} of no beacon, {} of "
+        "{} matches wrong",
         d.often_seen_mapped, d.often_seen, d.landmarks.size(), d.fitted.error.twice.size(),
         d.fitted.error.unmatched.size(), d.wrong, d.matched);
   };
   return assessed(
-      {.id = "3.2-mapped-once",
-       .place = "Figure 3.6",
-       .statement = "Every beacon that is seen at least ten times is mapped, none twice",
-       .printed = "",
-       .measured = fmt::format("EKF: {}. First-estimate Jacobians: {}", counts(ekf), counts(first_estimate))},
+      "3.2-mapped-once", "Figure 3.6",
+      "Every beacon that is detected at least ten times is mapped, none twice",
+      {.measured = fmt::format("EKF: {}. First-estimate Jacobians: {}", counts(ekf), counts(first_estimate))},
       once(ekf));
 }
 
@@ -97,25 +86,22 @@ Claim depends_on_the_start(const Data& data) {
     shifts_by_sigma.push_back(one.shift_m);
   }
   const auto spread = [](const std::vector<double>& v) {
-    return *std::max_element(v.begin(), v.end()) - *std::min_element(v.begin(), v.end());
+    return *std::ranges::max_element(v) - *std::ranges::min_element(v);
   };
   const double slope = slope_of(off, turns).value;
   return assessed(
-      {.id = "3.2-start",
-       .place = "Example 3.2, Figure 3.5 (c)",
-       .statement =
-           "The amount of shift and turn depends on the initial vehicle uncertainty: a start that is said "
-           "to be 5, 15 or 30° unsure turns the map by at least a degree or shifts it by 0.2 m more or less",
-       .printed = "depends on P0",
+      "3.2-start", "Example 3.2, Figure 3.5 (c)",
+      "The amount of shift and turn depends on the initial vehicle uncertainty: a start with a heading sigma "
+      "of 5, 15 or 30° changes the turn of the map by at least a degree or its shift by 0.2 m",
+      {.printed = "depends on P0",
        .measured =
            fmt::format("EKF, with sigma 5, 15, 30°: turned by {:.1f}, {:.1f}, {:.1f}°, shifted by {:.2f}, "
                        "{:.2f}, {:.2f} m; with the start's heading off by -10, 0, 10, 20° more: {:.1f}, "
                        "{:.1f}, {:.1f}, {:.1f}°, slope {:.2f}",
                        turns_by_sigma[0], turns_by_sigma[1], turns_by_sigma[2], shifts_by_sigma[0],
                        shifts_by_sigma[1], shifts_by_sigma[2], turns[0], turns[1], turns[2], turns[3], slope),
-       .why =
-           "it depends on the initial error, degree for degree; the uncertainty only says how large that may "
-           "be"},
+       .why = "it depends on the initial error, degree for degree; the uncertainty is only the expected size "
+              "of that error"},
       spread(turns_by_sigma) > 1 || spread(shifts_by_sigma) > 0.2, std::abs(slope - 1) < 0.1);
 }
 
@@ -125,44 +111,41 @@ Claim covariance_keeps_the_start(const Drive& first_estimate, const Data& data) 
   for (const Eigen::Matrix2d& P : first_estimate.covariances)
     least = std::min(least, std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(P).eigenvalues()[0]));
   const double heading = degrees(first_estimate.sigma_heading_rad.back());
-  return assessed(
-      {.id = "3.2-bound",
-       .place = "Section 3.1, third property",
-       .statement =
-           "No landmark becomes better known than the vehicle was at the start (0.316 m, 15°), nor the "
-           "vehicle itself; first-estimate Jacobians",
-       .printed = "lower bound P0",
-       .measured = fmt::format("least landmark sigma in any direction {:.3f} m, vehicle {:.3f} m (in its "
-                               "worst) and {:.2f}° at the end",
-                               least, first_estimate.last_sigma_m(), heading)},
-      least > 0.99 * start && heading > 0.99 * degrees(data.settings.start.sigma_heading_rad));
+  return assessed("3.2-bound", "Section 3.1, third property",
+                  "No landmark becomes better known than the vehicle was at the start (0.316 m, 15°), nor "
+                  "the vehicle itself; first-estimate Jacobians",
+                  {.printed = "lower bound P0",
+                   .measured = fmt::format("least landmark sigma in any direction {:.3f} m, vehicle {:.3f} m "
+                                           "(in its worst) and {:.2f}° at the end",
+                                           least, first_estimate.last_sigma_m(), heading)},
+                  least > 0.99 * start && heading > 0.99 * degrees(data.settings.start.sigma_heading_rad));
 }
 
 Claim false_gain(const Drive& ekf, const Data& data) {
   const double heading = degrees(ekf.sigma_heading_rad.back()),
                start = degrees(data.settings.start.sigma_heading_rad);
   return assessed(
-      {.id = "3.2-false-gain",
-       .place = "Section 3.1, with [70]",
-       .statement =
-           "Linearisation makes the EKF inconsistent: without anchors it becomes surer of its heading "
-           "than it was at the start, which nothing it sees can justify",
-       .printed = "inconsistent",
+      "3.2-false-gain", "Section 3.1, with [70]",
+      "Linearization makes the EKF inconsistent: without anchors the sigma of its heading falls below that "
+      "of the start, although no measurement has information about it",
+      {.printed = "inconsistent",
        .measured = fmt::format("heading sigma {:.1f}° at the start, {:.2f}° at the end, its error {:.1f}°",
                                start, heading, degrees(std::abs(ekf.fitted.fit.turn_rad)))},
       heading < 0.9 * start);
 }
 
 LedgerEntry run(const ExperimentSettings& settings) {
-  return car_park::entry(example_3_2, [&](const Data& data, LedgerEntry& entry) {
+  return unless_missing(example_3_2, [&] {
+    const Data data = car_park::load();
     PlanarSlamSettings first_estimate = data.settings;
     first_estimate.filter.linearization = Linearization::first_estimate;
     const Drive ekf = car_park::drive(data, data.settings), fej = car_park::drive(data, first_estimate);
-    entry.claims = {relative_map(ekf, fej), perfect_relative_map(ekf),
-                    mapped_once(ekf, fej),  depends_on_the_start(data),
-                    false_gain(ekf, data),  covariance_keeps_the_start(fej, data)};
-    entry.figures = {car_park::four_frames(settings, "fig-3.5", "Car park, no anchors, EKF", ekf),
-                     car_park::map(settings, "fig-3.6", "Car park, no anchors, EKF", data, ekf, {})};
+    const std::string title = "Car park, no anchors, EKF";
+    return entry_of(
+        example_3_2, settings,
+        {relative_map(ekf, fej), perfect_relative_map(ekf), mapped_once(ekf, fej), depends_on_the_start(data),
+         false_gain(ekf, data), covariance_keeps_the_start(fej, data)},
+        {car_park::four_frames("fig-3.5", title, ekf), car_park::map("fig-3.6", title, data, ekf)});
   });
 }
 

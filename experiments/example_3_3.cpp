@@ -6,14 +6,9 @@
 // them), and errors over seeds 1, 2, ... Holds: an equation to 1e-12 relative; an eigenvalue inside (0, 1); a
 // mean whose 99.9 % interval has 0 in it; what is forgotten when less than 2 % of it is left after 1000
 // steps.
-#include <fmt/format.h>
-
 #include <Eigen/Eigenvalues>
-#include <algorithm>
-#include <cmath>
 
-#include "experiments/evidence.hpp"
-#include "experiments/list.hpp"
+#include "experiments/common.hpp"
 #include "experiments/monobot.hpp"
 #include "incognita/math/random.hpp"
 
@@ -53,49 +48,42 @@ MatrixXd gain_of_second_step(const LinearSystem& s, const MatrixXd& P) {
 }
 
 Claim full_rank() {
-  std::vector<std::string> lines;
-  bool full = true;
-  for (const int n : {1, 2, 5, 10}) {
+  const Cases cases = by_number({1, 2, 5, 10}, [](int n) -> CaseResult {
     const Rank anchored = rank_of(observability_matrix(monobot::system({.landmarks = n, .anchored = true})));
     const Rank free = rank_of(observability_matrix(monobot::system({.landmarks = n})));
-    lines.push_back(fmt::format("{}: {} of {} (without {})", n, anchored.rank, n + 1, free.rank));
-    full = full && anchored.rank == n + 1;
-  }
-  return assessed({.id = "3.3-observable",
-                   .place = "below (3.12), Example 3.3",
-                   .statement = "With the anchor the observability matrix has full rank",
-                   .printed = "full",
-                   .measured = fmt::format("rank by number of landmarks: {}", fmt::join(lines, "; "))},
-                  full);
+    return {fmt::format("{} of {} (without {})", anchored.rank, n + 1, free.rank), anchored.rank == n + 1};
+  });
+  return assessed(
+      "3.3-observable", "below (3.12), Example 3.3", "With the anchor the observability matrix has full rank",
+      {.printed = "full", .measured = "rank by number of landmarks: " + cases.text()}, cases.hold());
 }
 
 Claim closed_form_gains() {
-  double of_printed = 0, of_ours = 0, of_example = 0;
+  Worst worst;
+  double of_example = 0;
+  const auto apart = [](const MatrixXd& K, const MatrixXd& exact) {
+    return (K - exact).norm() / exact.norm();
+  };
   for (const double v : {0.05, 0.1, 0.5, 2.0})
     for (const double w : {0.05, 0.2, 1.0, 2.0}) {
       const LinearSystem s = system(v, w);
-      const MatrixXd K = gain_of_second_step(s, Matrix2d::Identity());
-      of_printed = std::max(of_printed, (closed_form_gain(v, w, true) - K).norm() / K.norm());
-      of_ours = std::max(of_ours, (closed_form_gain(v, w, false) - K).norm() / K.norm());
+      const MatrixXd K = gain_of_second_step(s, Matrix2d::Identity()), ours = closed_form_gain(v, w, false);
+      worst.take(apart(closed_form_gain(v, w, true), K), apart(ours, K));
       const MatrixXd elsewhere = gain_of_second_step(s, Vector2d(0, 1).asDiagonal().toDenseMatrix());
-      of_example =
-          std::max(of_example, (closed_form_gain(v, w, false) - elsewhere).norm() / elsewhere.norm());
+      of_example = std::max(of_example, apart(ours, elsewhere));
     }
-  const LinearSystem s = system(0.1, 0.2);
   return assessed(
-      {.id = "3.3-gains",
-       .place = "(3.14), (3.15), Example 3.3",
-       .statement = "These are the gains of the second step from the covariance I, to 1e-12",
-       .printed = fmt::format("k11 has 4 s_v s_w^2; with s_v 0.1 m, s_w 0.2 m: k11 = {:.4f}",
+      "3.3-gains", "(3.14), (3.15), Example 3.3",
+      "These are the gains of the second step from the covariance I, to 1e-12",
+      {.printed = fmt::format("k11 has 4 s_v s_w^2; with s_v 0.1 m, s_w 0.2 m: k11 = {:.4f}",
                               closed_form_gain(0.1, 0.2, true)(0, 0)),
-       .measured =
-           fmt::format("with the same noises k11 = {:.4f}. Largest relative difference over 16 pairs "
-                       "of noises: printed {:.2g}, ours {}",
-                       gain_of_second_step(s, Matrix2d::Identity())(0, 0), of_printed, below(of_ours)),
+       .measured = fmt::format(
+           "with the same noises k11 = {:.4f}. Largest relative difference over 16 pairs of noises: {}",
+           gain_of_second_step(system(0.1, 0.2), Matrix2d::Identity())(0, 0), worst.text()),
        .why = fmt::format("4 s_v^2 s_w^2 in k11 (the two agree at s_v = 1 m). Not the steady state, and not "
                           "from the diag(0, 1) of Example 3.1 either: from there they differ by up to {:.2g}",
                           of_example)},
-      of_printed <= 1e-12, of_ours <= 1e-12);
+      worst, 1e-12);
 }
 
 Claim inside_the_circle() {
@@ -107,13 +95,12 @@ Claim inside_the_circle() {
       lowest = std::min(lowest, values[0]);
       highest = std::max(highest, values[1]);
     }
-  return assessed({.id = "3.3-inside",
-                   .place = "Figure 3.7, Example 3.3",
-                   .statement = "With those gains no eigenvalue of F - KHF reaches 0 or 1",
-                   .printed = "inside (0, 1)",
-                   .measured = fmt::format("between {:.4f} and {:.4f} over s_v and s_w from 0.05 to 2 m",
-                                           lowest, highest)},
-                  lowest > 0 && highest < 1);
+  return assessed(
+      "3.3-inside", "Figure 3.7, Example 3.3", "With those gains no eigenvalue of F - KHF reaches 0 or 1",
+      {.printed = "inside (0, 1)",
+       .measured =
+           fmt::format("between {:.4f} and {:.4f} over s_v and s_w from 0.05 to 2 m", lowest, highest)},
+      lowest > 0 && highest < 1);
 }
 
 Claim inside_at_every_step() {
@@ -132,14 +119,12 @@ Claim inside_at_every_step() {
       P = predicted(s, updated(s, P, K));
     }
   }
-  return assessed(
-      {.id = "3.3-any-noise",
-       .place = "below (3.15), Section 3.2",
-       .statement = "The observability matrix having full rank, the eigenvalues of F - KHF are inside the "
-                    "circle for any Q and R; tested at steps 1 to 1000 of 200 pairs of noises",
-       .printed = "inside the unit circle",
-       .measured = fmt::format("between {:.2g} and {:.5f}", lowest, highest)},
-      lowest > 0 && highest < 1);
+  return assessed("3.3-any-noise", "below (3.15), Section 3.2",
+                  "The observability matrix having full rank, the eigenvalues of F - KHF are inside the "
+                  "circle for any Q and R; tested at steps 1 to 1000 of 200 pairs of noises",
+                  {.printed = "inside the unit circle",
+                   .measured = fmt::format("between {:.2g} and {:.5f}", lowest, highest)},
+                  lowest > 0 && highest < 1);
 }
 
 /// How far the eigenvalue nearest to 1 is from it after so many steps of the example.
@@ -154,11 +139,10 @@ Claim inside_in_the_limit() {
   const double at_100 = distance_from_one(100), at_1000 = distance_from_one(1000),
                at_10000 = distance_from_one(10'000);
   return assessed(
-      {.id = "3.3-limit-inside",
-       .place = "below (3.15), Section 3.2",
-       .statement = "In the steady state, too, full observability keeps the eigenvalues off 1; tested: 100 "
-                    "times the steps leave more than half of the distance from 1",
-       .printed = "never reach 1",
+      "3.3-limit-inside", "below (3.15), Section 3.2",
+      "In the steady state, too, full observability keeps the eigenvalues off 1; tested: 100 times the steps "
+      "leave more than half of the distance from 1",
+      {.printed = "never reach 1",
        .measured = fmt::format(
            "1 - eigenvalue after 100, 1000, 10000 steps: {:.3g}, {:.3g}, {:.3g}: it falls as step^{:.2f}",
            at_100, at_1000, at_10000, exponent_of({100, 1000, 10'000}, {at_100, at_1000, at_10000})),
@@ -172,92 +156,66 @@ Claim forgets_the_start(int seeds) {
   const Setup as_it_is{.anchored = true, .steps = 1000},
       shifted{.anchored = true, .steps = 1000, .shift_m = 1};
   const MatrixXd left = (simulate(as_it_is, 1).error() - simulate(shifted, 1).error()).cwiseAbs();
-  Finding zero_mean = true;
-  std::vector<std::string> lines;
+  Cases means;
   for (const int n : {1, 2}) {
     const auto runs = monobot::simulate_all({.landmarks = n, .anchored = true}, seeds);
     for (const int state : {0, 1}) {
-      const auto last = monobot::errors(runs, state, 100);
-      zero_mean = zero_mean && agrees(mean_of(last), 0, 0.03);
-      lines.push_back(
-          fmt::format("{} with {}: {}", state == 0 ? "robot" : "landmark", n, text(mean_of(last), "m")));
+      const Interval mean = mean_of(monobot::errors(runs, state, 100));
+      means.add({fmt::format("{} with {}: {}", state == 0 ? "robot" : "landmark", n, text(mean, "m")),
+                 agrees(mean, 0, 0.03)});
     }
   }
-  return assessed({.id = "3.3-zero-mean",
-                   .place = "above Example 3.4, Figure 3.8 (b), (c)",
-                   .statement = "The errors converge to zero mean: all first estimates wrong by 1 m are "
-                                "forgotten, and the mean error over runs is 0 after 100 steps, to 0.03 m",
-                   .printed = "0",
-                   .measured = fmt::format(
-                       "of 1 m there is left after 10, 100, 1000 steps: robot {:.2g}, {:.2g}, {:.2g} m, "
-                       "landmark {:.2g}, {:.2g}, {:.2g} m, as one over the number of steps. Means: {}",
-                       left(0, 10), left(0, 100), left(0, 1000), left(1, 10), left(1, 100), left(1, 1000),
-                       fmt::join(lines, "; ")),
-                   .runs = seeds,
-                   .least_runs = enough_runs},
-                  left.col(1000).maxCoeff() < 0.02 && zero_mean);
+  return assessed(
+      "3.3-zero-mean", "above Example 3.4, Figure 3.8 (b), (c)",
+      "The errors converge to zero mean: all first estimates wrong by 1 m are forgotten, and the mean error "
+      "over runs is 0 after 100 steps, to 0.03 m",
+      {.printed = "0",
+       .measured = fmt::format(
+           "of 1 m there is left after 10, 100, 1000 steps: robot {:.2g}, {:.2g}, {:.2g} m, landmark {:.2g}, "
+           "{:.2g}, {:.2g} m, as one over the number of steps. Means: {}",
+           left(0, 10), left(0, 100), left(0, 1000), left(1, 10), left(1, 100), left(1, 1000), means.text()),
+       .seeds = seeds},
+      left.col(1000).maxCoeff() < 0.02 && means.hold());
 }
 
 Claim smaller_variances() {
-  std::vector<std::string> lines;
-  bool smaller = true;
-  for (const int n : {1, 2}) {
+  const Cases cases = by_number({1, 2}, [](int n) -> CaseResult {
     const auto anchored = monobot::course({.landmarks = n, .anchored = true}).posterior,
                free = monobot::course({.landmarks = n}).posterior;
-    for (std::size_t k = 1; k < free.size(); ++k)
-      smaller = smaller && (anchored[k].diagonal().array() < free[k].diagonal().array()).all();
-    lines.push_back(fmt::format("{}: robot {:.4f} against {:.4f} m^2, landmark {:.5f} against {:.4f} m^2", n,
-                                anchored[100](0, 0), free[100](0, 0), anchored[100](1, 1), free[100](1, 1)));
-  }
-  return assessed(
-      {.id = "3.3-variance",
-       .place = "above Example 3.4, Figure 3.8",
-       .statement = "Robot and landmark variances are smaller than without an anchor, at every step",
-       .printed = "",
-       .measured = fmt::format("after 100 steps, by number of landmarks: {}", fmt::join(lines, "; "))},
-      smaller);
+    return {fmt::format("robot {:.4f} against {:.4f} m^2, landmark {:.5f} against {:.4f} m^2",
+                        anchored[100](0, 0), free[100](0, 0), anchored[100](1, 1), free[100](1, 1)),
+            monobot::smaller_variances(anchored, free)};
+  });
+  return assessed("3.3-variance", "above Example 3.4, Figure 3.8",
+                  "Robot and landmark variances are smaller than without an anchor, at every step",
+                  {.measured = "after 100 steps, by number of landmarks: " + cases.text()}, cases.hold());
 }
 
 /// Over s_v and s_w: the eigenvalues with the gains of (3.14), and after 100 steps of the example.
 Plot eigenvalue_surfaces() {
-  Panel second, later;
-  std::vector<double> grid;
-  for (int i = 1; i <= 20; ++i) grid.push_back(0.1 * i);
-  std::vector<double> low, high, later_low, later_high;
-  for (const double w : grid)
-    for (const double v : grid) {
-      const LinearSystem s = system(v, w);
-      const Vector2d at_second = eigenvalues(s, closed_form_gain(v, w, false));
-      const MatrixXd first = predicted(s, Vector2d(0, 1).asDiagonal().toDenseMatrix());
-      const Vector2d at_100 = eigenvalues(s, iterate_riccati(s, first, {.max_iterations = 99}).K);
-      low.push_back(at_second[0]), high.push_back(at_second[1]);
-      later_low.push_back(at_100[0]), later_high.push_back(at_100[1]);
-    }
-  second.title = "second step, (3.14) corrected";
-  second.surfaces = {{"larger", grid, grid, high}, {"smaller", grid, grid, low}};
-  later.title = "after 100 steps";
-  later.surfaces = {{"larger", grid, grid, later_high}, {"smaller", grid, grid, later_low}};
-  Plot plot{"fig-3.7", "Eigenvalues of F - KHF, one landmark and an anchor", 2, {second, later}};
-  for (Panel& panel : plot.panels)
-    panel.x_label = "s_v, m", panel.y_label = "s_w, m", panel.z_label = "eigenvalue";
-  return plot;
+  const auto larger_first = [](const Vector2d& values) { return std::vector<double>{values[1], values[0]}; };
+  const auto second = [&](double v, double w) {
+    return larger_first(eigenvalues(system(v, w), closed_form_gain(v, w, false)));
+  };
+  const auto later = [&](double v, double w) {
+    const LinearSystem s = system(v, w);
+    const MatrixXd first = predicted(s, Vector2d(0, 1).asDiagonal().toDenseMatrix());
+    return larger_first(eigenvalues(s, iterate_riccati(s, first, {.max_iterations = 99}).K));
+  };
+  const std::vector<std::string> labels{"larger", "smaller"};
+  return monobot::eigenvalue_surfaces(
+      "fig-3.7", "Eigenvalues of F - KHF, one landmark and an anchor",
+      {{"second step, (3.14) corrected", labels, second}, {"after 100 steps", labels, later}});
 }
 
 LedgerEntry run(const ExperimentSettings& settings) {
-  LedgerEntry entry{example_3_3.id, example_3_3.title, "", {}, {}};
-  entry.claims = {
-      full_rank(),
-      closed_form_gains(),
-      inside_the_circle(),
-      inside_at_every_step(),
-      inside_in_the_limit(),
-      forgets_the_start(settings.seeds),
-      smaller_variances(),
-      monobot::consistent("3.3-consistent", "Figure 3.8 (b), (c)", {.anchored = true}, settings.seeds)};
-  const Plot course = monobot::four_rows("fig-3.8", "With an anchor at the origin", {.anchored = true});
-  entry.figures = {draw_plot(settings.out, eigenvalue_surfaces(), nullptr),
-                   draw_plot(settings.out, course, nullptr)};
-  return entry;
+  return entry_of(
+      example_3_3, settings,
+      {full_rank(), closed_form_gains(), inside_the_circle(), inside_at_every_step(), inside_in_the_limit(),
+       forgets_the_start(settings.seeds), smaller_variances(),
+       monobot::consistent("3.3-consistent", "Figure 3.8 (b), (c)", {.anchored = true}, settings.seeds)},
+      {eigenvalue_surfaces(),
+       monobot::four_rows("fig-3.8", "With an anchor at the origin", {.anchored = true})});
 }
 
 }  // namespace

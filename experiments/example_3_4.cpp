@@ -1,27 +1,20 @@
-// Example 3.4: the vehicle of the plane with range and bearing, and how many anchors it takes to observe it.
+// Example 3.4: the planar vehicle with range and bearing, and how many anchors it takes to observe it.
 //
 // Experiment: the models of planar_vehicle.hpp and range_bearing.hpp at 100 random poses, inputs and
-// landmarks (places within 5 m, at least 1 m off; speed 0.5 to 2 m/s, turn rate 0.2 to 1 rad/s; dt 0.5 s;
+// landmarks (positions within 5 m, at least 1 m away; speed 0.5 to 2 m/s, turn rate 0.2 to 1 rad/s; dt 0.5 s;
 // sensor 0.3 m before the axle). No chance beyond that, no noise. Measured: printed Jacobians against central
 // differences of the printed models; ranks of (3.24), with F and H frozen, and of [H_0; H_1 F_0; H_2 F_1 F_0;
-// ...] along the motion, over 8 looks. Holds: Jacobians to 1e-6; ranks by singular values above 1e-9 of the
-// largest, with at least a factor of 1000 between what counts and what does not, the same at all 100.
-#include <fmt/format.h>
-
+// ...] along the motion, over 8 measurements. Holds: Jacobians to 1e-6; ranks by singular values above 1e-9
+// of the largest, with at least a factor of 1000 between what counts and what does not, the same at all 100.
 #include <Eigen/Geometry>
-
-#include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <optional>
 
-#include "experiments/evidence.hpp"
-#include "experiments/list.hpp"
+#include "experiments/common.hpp"
 #include "incognita/analysis/observability/linear_system.hpp"
 #include "incognita/math/random.hpp"
 #include "incognita/models/planar_vehicle.hpp"
 #include "incognita/models/range_bearing.hpp"
-#include "incognita/report/plot.hpp"
 
 namespace incognita {
 namespace {
@@ -34,7 +27,7 @@ using std::numbers::pi;
 constexpr int places = 100, measurements = 8;
 constexpr double dt = 0.5;  // s
 
-/// A pose, an input and points to look at, anchors or landmarks.
+/// A pose, an input and points to measure, anchors or landmarks.
 struct SourceLocation {
   Vector3d pose;
   Vector2d input;
@@ -79,23 +72,15 @@ MatrixXd differences(const Function& f, const Eigen::VectorXd& x) {
   return J;
 }
 
-/// Largest entries of the differences between a printed matrix, ours, and what the derivatives are.
-struct Wrong {
-  double printed = 0, ours = 0;
-  void take(const MatrixXd& as_printed, const MatrixXd& as_ours, const MatrixXd& truth) {
-    printed = std::max(printed, (as_printed - truth).cwiseAbs().maxCoeff());
-    ours = std::max(ours, (as_ours - truth).cwiseAbs().maxCoeff());
-  }
-  std::string text() const {
-    return fmt::format("largest difference from numerical derivatives at {} places: printed {:.2g}, ours {}",
-                       places, printed, below(ours));
-  }
-};
+/// Largest differences of a printed Jacobian and ours from numerical derivatives.
+std::string from_numerical(const Worst& worst) {
+  return fmt::format("largest difference from numerical derivatives at {} poses: {}", places, worst.text());
+}
 
 constexpr double as_good_as_zero = 1e-6;
 
 Claim state_jacobian() {
-  Wrong wrong;
+  Worst worst;
   for (const SourceLocation& p : random_positions()) {
     const double c = std::cos(p.pose[2]), s = std::sin(p.pose[2]), v = p.input[0], lw = 0.3 * p.input[1];
     Eigen::Matrix3d printed = Eigen::Matrix3d::Identity();
@@ -103,20 +88,18 @@ Claim state_jacobian() {
     const auto f = [&](const Eigen::VectorXd& x) -> Eigen::VectorXd {
       return vehicle.f<double>(Vector3d(x), p.input, dt);
     };
-    wrong.take(printed, vehicle.step(p.pose, p.input, dt).F, differences(f, p.pose));
+    worst.take(printed, vehicle.step(p.pose, p.input, dt).F, differences(f, p.pose));
   }
-  return assessed({.id = "3.4-F",
-                   .place = "(3.17)",
-                   .statement = "Jacobian of (3.16) by the state, to 1e-6",
-                   .printed = "first row, last entry -(v sin - l w cos) dt",
-                   .measured = wrong.text(),
+  return assessed("3.4-F", "(3.17)", "Jacobian of (3.16) by the state, to 1e-6",
+                  {.printed = "first row, last entry -(v sin - l w cos) dt",
+                   .measured = from_numerical(worst),
                    .why = "-(v sin + l w cos) dt",
                    .runs = places},
-                  wrong.printed <= as_good_as_zero, wrong.ours <= as_good_as_zero);
+                  worst, as_good_as_zero);
 }
 
 Claim input_jacobian() {
-  Wrong wrong;
+  Worst worst;
   for (const SourceLocation& p : random_positions()) {
     const double c = std::cos(p.pose[2]), s = std::sin(p.pose[2]);
     Eigen::Matrix<double, 3, 2> printed;
@@ -124,16 +107,12 @@ Claim input_jacobian() {
     const auto f = [&](const Eigen::VectorXd& u) -> Eigen::VectorXd {
       return vehicle.f<double>(p.pose, Vector2d(u), dt);
     };
-    wrong.take(printed, vehicle.step(p.pose, p.input, dt).G, differences(f, p.input));
+    worst.take(printed, vehicle.step(p.pose, p.input, dt).G, differences(f, p.input));
   }
-  return assessed({.id = "3.4-G",
-                   .place = "(3.18)",
-                   .statement = "Jacobian of (3.16) by the input noises, to 1e-6",
-                   .printed = "last row [0 1]",
-                   .measured = wrong.text(),
-                   .why = "[0 dt]",
-                   .runs = places},
-                  wrong.printed <= as_good_as_zero, wrong.ours <= as_good_as_zero);
+  return assessed(
+      "3.4-G", "(3.18)", "Jacobian of (3.16) by the input noises, to 1e-6",
+      {.printed = "last row [0 1]", .measured = from_numerical(worst), .why = "[0 dt]", .runs = places},
+      worst, as_good_as_zero);
 }
 
 double wrapped(double angle) { return wrap_angle<double>(angle); }
@@ -141,7 +120,8 @@ double wrapped(double angle) { return wrap_angle<double>(angle); }
 /// Where the direction to a landmark is known to be: turning by it and driving ahead must lead to the
 /// landmark.
 Claim bearing() {
-  double printed = 0, without_quarter = 0, ours = 0;
+  Worst worst;
+  double without_quarter = 0;
   int behind = 0;
   for (const SourceLocation& p : random_positions()) {
     const Vector2d d = p.landmark - p.pose.head<2>();
@@ -150,47 +130,42 @@ Claim bearing() {
     const auto miss = [&](double b) {
       return (RangeBearing::initialize(p.pose, {z[0], b}).landmark - p.landmark).norm();
     };
-    printed = std::max(printed, miss(as_printed));
+    worst.take(miss(as_printed), miss(z[1]));
     without_quarter = std::max(without_quarter, miss(as_printed - pi / 2));
     behind += miss(as_printed - pi / 2) > 1 ? 1 : 0;
-    ours = std::max(ours, miss(z[1]));
   }
   return assessed(
-      {.id = "3.4-bearing",
-       .place = "(3.19)",
-       .statement =
-           "The bearing of a landmark, from the heading: following it leads to the landmark, to 1e-6 m",
-       .printed = "atan(dy/dx) - theta + pi/2",
-       .measured = fmt::format("largest miss at {} places: printed {:.2g} m; without the pi/2 still {:.2g} "
-                               "m, wrong at {} places; ours {}",
-                               places, printed, without_quarter, behind, below(ours)),
-       .why = "atan2(dy, dx) - theta: atan cannot tell a landmark from the one opposite, and the pi/2 is one "
-              "laser's way to count its beams",
+      "3.4-bearing", "(3.19)",
+      "The bearing of a landmark, from the heading: following it leads to the landmark, to 1e-6 m",
+      {.printed = "atan(dy/dx) - theta + pi/2",
+       .measured = fmt::format("largest miss at {} poses: printed {:.2g} m; without the pi/2 still {:.2g} m, "
+                               "wrong at {} poses; ours {}",
+                               places, worst.printed, without_quarter, behind, below(worst.ours)),
+       .why = "atan2(dy, dx) - theta: atan does not distinguish opposite directions, and the pi/2 is a "
+              "convention of one laser scanner",
        .runs = places},
-      printed <= as_good_as_zero, ours <= as_good_as_zero);
+      worst, as_good_as_zero);
 }
 
 Claim anchor_bearing() {
-  double printed = 0, ours = 0;
+  Worst worst;
   for (const SourceLocation& p : random_positions()) {
     const double truth = RangeBearing::predict_measurement(p.pose, Vector2d::Zero())->z[1];
     const double x = p.pose.x(), y = p.pose.y();
-    printed = std::max(printed, std::abs(wrapped(std::atan(y / x) - p.pose[2] + pi / 2 - truth)));
-    ours = std::max(ours, std::abs(wrapped(std::atan2(-y, -x) - p.pose[2] - truth)));
+    worst.take(std::abs(wrapped(std::atan(y / x) - p.pose[2] + pi / 2 - truth)),
+               std::abs(wrapped(std::atan2(-y, -x) - p.pose[2] - truth)));
   }
-  return assessed(
-      {.id = "3.4-anchor-bearing",
-       .place = "(3.21)",
-       .statement = "The bearing of an anchor at the origin is (3.19) with the landmark there, to 1e-6 rad",
-       .printed = "atan(y/x) - theta + pi/2",
-       .measured = fmt::format("largest difference at {} places: printed {:.3g} rad, ours {}", places,
-                               printed, below(ours)),
-       .why = "atan2(-y, -x) - theta",
-       .runs = places},
-      printed <= as_good_as_zero, ours <= as_good_as_zero);
+  return assessed("3.4-anchor-bearing", "(3.21)",
+                  "The bearing of an anchor at the origin is (3.19) with the landmark there, to 1e-6 rad",
+                  {.printed = "atan(y/x) - theta + pi/2",
+                   .measured = fmt::format("largest difference at {} poses: printed {:.3g} rad, ours {}",
+                                           places, worst.printed, below(worst.ours)),
+                   .why = "atan2(-y, -x) - theta",
+                   .runs = places},
+                  worst, as_good_as_zero);
 }
 
-/// One look at an anchor or at the landmark; by the pose and the landmark.
+/// Jacobian of one measurement of an anchor or of the landmark, by the pose and the landmark.
 MatrixXd measurement_rows(const Vector3d& pose, const Vector2d& at, bool anchor) {
   const auto prediction = RangeBearing::predict_measurement(pose, at);
   MatrixXd H = MatrixXd::Zero(2, 5);
@@ -201,7 +176,7 @@ MatrixXd measurement_rows(const Vector3d& pose, const Vector2d& at, bool anchor)
 
 /// (3.20) and (3.22), differentiated together by pose and landmark.
 Claim measurement_jacobians() {
-  Wrong wrong;
+  Worst worst;
   for (const SourceLocation& p : random_positions()) {
     const double x = p.pose.x(), y = p.pose.y(), r2 = x * x + y * y, r = std::sqrt(r2);
     const Vector2d to = p.landmark - p.pose.head<2>();
@@ -219,25 +194,21 @@ Claim measurement_jacobians() {
           RangeBearing::h<double>(Vector3d(s.head<3>()), Vector2d(s.tail<2>()));
       return z;
     };
-    wrong.take(printed, ours, differences(h, state));
+    worst.take(printed, ours, differences(h, state));
   }
-  return assessed({.id = "3.4-H",
-                   .place = "(3.20), (3.22)",
-                   .statement = "Jacobians of range and bearing, of a landmark and of the anchor, to 1e-6",
-                   .printed = "",
-                   .measured = wrong.text(),
-                   .runs = places},
-                  wrong.printed <= as_good_as_zero, wrong.ours <= as_good_as_zero);
+  return assessed("3.4-H", "(3.20), (3.22)",
+                  "Jacobians of range and bearing, of a landmark and of the anchor, to 1e-6",
+                  {.measured = from_numerical(worst), .runs = places}, worst, as_good_as_zero);
 }
 
 // Observability ---------------------------------------------------------------------------------------
 
 struct View {
   int anchors = 0;
-  bool oriented = false;  ///< the first anchor's direction is seen too
+  bool oriented = false;  ///< the first anchor's orientation is measured too
 };
 
-/// What is seen from a pose; states: pose, landmark.
+/// Jacobian of all measurements from a pose; states: pose, landmark.
 MatrixXd rows_seen(const SourceLocation& p, const Vector3d& pose, const View& view) {
   MatrixXd H(2 * (view.anchors + 1) + (view.oriented ? 1 : 0), 5);
   for (int a = 0; a < view.anchors; ++a) H.middleRows(2 * a, 2) = measurement_rows(pose, p.anchors[a], true);
@@ -277,7 +248,7 @@ MatrixXd along_the_motion(const SourceLocation& p, const View& view, const Diffe
   return O;
 }
 
-/// The rank that a matrix has at all places; nothing when it is not the same or not clear.
+/// The rank of a matrix at all poses; none when it is not the same or not clear.
 struct Ranks {
   std::optional<int> rank;
   double least_kept = 1, most_left_out = 0;  ///< singular values, of the largest
@@ -316,7 +287,7 @@ Ranks true_rank(const View& view, const DifferentialDrive& drive = vehicle) {
 
 /// (3.25), rows five to eight: what H F has in the heading's column beyond H.
 Claim printed_product() {
-  double printed = 0, ours = 0;
+  Worst worst;
   const DifferentialDrive at_axle;
   for (const SourceLocation& p : random_positions()) {
     const double c = std::cos(p.pose[2]), s = std::sin(p.pose[2]), v = p.input[0], x = p.pose.x(),
@@ -332,28 +303,24 @@ Claim printed_product() {
     MatrixXd H(4, 5);
     H << measurement_rows(p.pose, p.landmark, false), measurement_rows(p.pose, Vector2d::Zero(), true);
     const Eigen::Vector4d truth = (H * transition(at_axle, p.pose, p.input) - H).col(2) / dt;
-    printed = std::max(printed, (as_printed - truth).cwiseAbs().maxCoeff());
-    ours = std::max(ours, (corrected - truth).cwiseAbs().maxCoeff());
+    worst.take(as_printed, corrected, truth);
   }
-  return assessed({.id = "3.4-product",
-                   .place = "(3.25), rows 5 to 8",
-                   .statement = "Heading's column of (H F - H)/dt with l = 0, to 1e-6",
-                   .printed = "rows -(dx v sin + dy v cos)/d, -(dx v cos - dy v sin)/d^2, (x v sin + y v "
+  return assessed("3.4-product", "(3.25), rows 5 to 8",
+                  "Heading's column of (H F - H)/dt with l = 0, to 1e-6",
+                  {.printed = "rows -(dx v sin + dy v cos)/d, -(dx v cos - dy v sin)/d^2, (x v sin + y v "
                               "cos)/r^2, (x v cos + y v sin)/r^2",
-                   .measured = fmt::format("largest difference at {} places: printed {:.2g}, ours {}", places,
-                                           printed, below(ours)),
+                   .measured = fmt::format("largest difference at {} poses: {}", places, worst.text()),
                    .why = "(dx v sin - dy v cos)/d, -(dx v cos + dy v sin)/d^2, -(x v sin - y v cos)/r, and "
                           "the last as printed",
                    .runs = places},
-                  printed <= as_good_as_zero, ours <= as_good_as_zero);
+                  worst, as_good_as_zero);
 }
 
 Claim frozen_product_rank() {
   const Ranks offset = frozen_rank({.anchors = 1}), at_axle = frozen_rank({.anchors = 1}, {});
-  return assessed({.id = "3.4-frozen-rank",
-                   .place = "(3.24), (3.25)",
-                   .statement = "The product (3.24) has full rank with one anchor, also with l other than 0",
-                   .printed = "5",
+  return assessed("3.4-frozen-rank", "(3.24), (3.25)",
+                  "The product (3.24) has full rank with one anchor, also with l other than 0",
+                  {.printed = "5",
                    .measured = fmt::format("l = 0.3 m: {}; l = 0: {}", offset.text(), at_axle.text()),
                    .runs = places},
                   offset.is(5) && at_axle.is(5));
@@ -362,24 +329,21 @@ Claim frozen_product_rank() {
 Claim one_anchor_observes_all() {
   const Ranks one = true_rank({.anchors = 1});
   return assessed(
-      {.id = "3.4-one-anchor",
-       .place = "below (3.25)",
-       .statement =
-           "One anchor and any other landmark guarantee that the vehicle of the plane is fully observable",
-       .printed = "rank 5",
-       .measured = fmt::format("along the motion, over {} looks: {}", measurements, one.text()),
-       .why = "turning everything about the anchor changes no look. That (3.24) has full rank is an "
-              "artefact: its F moves the vehicle on, while H stays where it was",
+      "3.4-one-anchor", "below (3.25)",
+      "One anchor and any other landmark guarantee that the planar vehicle is fully observable",
+      {.printed = "rank 5",
+       .measured = fmt::format("along the motion, over {} measurements: {}", measurements, one.text()),
+       .why = "turning everything about the anchor changes no measurement. The full rank of (3.24) is an "
+              "artifact: F moves the vehicle while H is frozen",
        .runs = places},
       one.is(5));
 }
 
 Claim what_it_takes() {
   const Ranks two = true_rank({.anchors = 2}), oriented = true_rank({.anchors = 1, .oriented = true});
-  return assessed({.id = "3.4-two-anchors",
-                   .place = "below (3.25)",
-                   .statement = "One anchor with orientation, or two without, are enough",
-                   .printed = "rank 5",
+  return assessed("3.4-two-anchors", "below (3.25)",
+                  "One anchor with orientation, or two without, are enough",
+                  {.printed = "rank 5",
                    .measured = fmt::format("along the motion: two anchors {}; one with orientation {}",
                                            two.text(), oriented.text()),
                    .runs = places},
@@ -389,15 +353,13 @@ Claim what_it_takes() {
 Claim no_anchor() {
   const Ranks product = frozen_rank({}), truth = true_rank({});
   return assessed(
-      {.id = "3.4-no-anchor",
-       .place = "Section 3.1, above Example 3.2",
-       .statement =
-           "Without anchors the linearised system of the vehicle of the plane is partially "
-           "observable, and (3.24) finds as many unobservable directions as there are along the motion",
-       .printed = "partially observable",
+      "3.4-no-anchor", "Section 3.1, above Example 3.2",
+      "Without anchors the linearized system of the planar vehicle is partially observable, and (3.24) has "
+      "as many unobservable directions as the motion",
+      {.printed = "partially observable",
        .measured = fmt::format("the frozen product {}; along the motion {}", product.text(), truth.text()),
-       .why = "both are partially observable, but not alike: three directions, place and heading of the "
-              "whole, change no look; the frozen product takes only two of them for unobservable",
+       .why = "both are partially observable, but three directions, position and heading of the whole, "
+              "change no measurement, and the null space of the frozen product has only two of them",
        .runs = places},
       product.rank && truth.rank && *product.rank < 5 && *product.rank == *truth.rank,
       product.is(3) && truth.is(2));
@@ -407,14 +369,10 @@ Claim no_anchor() {
 
 Curve outline(const std::string& label, const Vector3d& pose, const std::vector<Vector2d>& corners,
               Style style, Color color) {
-  Curve curve;
-  curve.label = label;
-  curve.style = style;
-  curve.color = color;
+  Curve curve{label, style, {}, {}, {}, color};
   for (const Vector2d& corner : corners) {
     const Vector2d at = pose.head<2>() + Eigen::Rotation2Dd(pose[2]) * corner;
-    curve.x.push_back(at.x());
-    curve.y.push_back(at.y());
+    curve.x.push_back(at.x()), curve.y.push_back(at.y());
   }
   return curve;
 }
@@ -423,49 +381,32 @@ Curve outline(const std::string& label, const Vector3d& pose, const std::vector<
 Plot geometry() {
   const Vector3d pose(1, 0.6, pi / 6);
   const double l = vehicle.forward_m;
-  const auto wheel = [](double side) {
-    return std::vector<Vector2d>{{-0.1, side - 0.03},
-                                 {0.1, side - 0.03},
-                                 {0.1, side + 0.03},
-                                 {-0.1, side + 0.03},
-                                 {-0.1, side - 0.03}};
+  const auto rectangle = [&](const char* label, double x0, double y0, double x1, double y1, Color color) {
+    return outline(label, pose, {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}, {x0, y0}}, Style::line, color);
   };
-  Panel p;
-  p.x_label = "x, m";
-  p.y_label = "y, m";
-  p.equal_axes = true;
-  p.curves = {outline("body", pose, {{-0.2, -0.22}, {0.42, -0.22}, {0.42, 0.22}, {-0.2, 0.22}, {-0.2, -0.22}},
-                      Style::line, Color::ink),
+  Panel p{"", "x, m", "y, m", {}, true};
+  p.curves = {rectangle("body", -0.2, -0.22, 0.42, 0.22, Color::ink),
               outline("axle and wheels", pose, {{0, -0.25}, {0, 0.25}}, Style::line, Color::gray),
-              outline("", pose, wheel(-0.28), Style::line, Color::gray),
-              outline("", pose, wheel(0.28), Style::line, Color::gray),
+              rectangle("", -0.1, -0.28 - 0.03, 0.1, -0.28 + 0.03, Color::gray),
+              rectangle("", -0.1, 0.28 - 0.03, 0.1, 0.28 + 0.03, Color::gray),
               outline("l, from the axle to the sensor", pose, {{0, 0}, {l, 0}}, Style::line, Color::orange),
               outline("sensor (x_r, y_r)", pose, {{l, 0}}, Style::circles, Color::orange),
               outline("heading theta", pose, {{l, 0}, {0.75, 0}, {0.69, 0.03}, {0.69, -0.03}, {0.75, 0}},
                       Style::line, Color::blue),
               outline("world x", {pose.x(), pose.y(), 0}, {{0, 0}, {0.75, 0}}, Style::dashed, Color::gray)};
-  Plot plot{"fig-3.9", "Vehicle with differential steering", 1, {p}};
-  return plot;
+  return {"fig-3.9", "Vehicle with differential steering", 1, {p}};
 }
 
 LedgerEntry run(const ExperimentSettings& settings) {
-  LedgerEntry entry{example_3_4.id, example_3_4.title, "", {}, {}};
-  entry.claims = {state_jacobian(),
-                  input_jacobian(),
-                  bearing(),
-                  anchor_bearing(),
-                  measurement_jacobians(),
-                  printed_product(),
-                  frozen_product_rank(),
-                  one_anchor_observes_all(),
-                  what_it_takes(),
-                  no_anchor()};
-  entry.figures = {draw_plot(settings.out, geometry(), nullptr)};
-  return entry;
+  return entry_of(
+      example_3_4, settings,
+      {state_jacobian(), input_jacobian(), bearing(), anchor_bearing(), measurement_jacobians(),
+       printed_product(), frozen_product_rank(), one_anchor_observes_all(), what_it_takes(), no_anchor()},
+      {geometry()});
 }
 
 }  // namespace
 
-const Experiment example_3_4{"3.4", "A vehicle of the plane with range and bearing", {"fig-3.9"}, run};
+const Experiment example_3_4{"3.4", "A planar vehicle with range and bearing", {"fig-3.9"}, run};
 
 }  // namespace incognita

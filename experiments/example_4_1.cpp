@@ -1,18 +1,11 @@
-// Example 4.1: what a vehicle of the plane with a camera gets to see of itself and of features. World-centric
+// Example 4.1: observability of a planar vehicle with a camera, and of features. World-centric
 // here; with anchors in example_4_1_anchors.cpp, the relative map in example_4_1_relative.cpp.
 //
 // Experiment: the built-in system `planar`, motions and rules of observability_claims.hpp; 1 to 3 features,
 // up to 5 segments; also turning on the spot, and with the feature anywhere, straight ahead or abeam. Holds:
 // beside those rules, matrices to 1e-9.
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <iterator>
-
-#include "experiments/evidence.hpp"
 #include "experiments/example_4_1.hpp"
-#include "experiments/list.hpp"
+#include "experiments/common.hpp"
 
 namespace incognita::observability_claims {
 namespace {
@@ -62,13 +55,10 @@ Claim error_form() {
                     (course.exact[0].H - H).cwiseAbs().maxCoeff());
   };
   const double difference = largest(world(), wrong);
-  return assessed({.id = "4.1-F-H",
-                   .place = "(4.14), (4.15)",
-                   .statement = "F and H of the error form are the derivatives of (4.11) and (4.12), to 1e-9",
-                   .printed = "",
-                   .measured = fmt::format("largest difference in {} motions {}", motions, below(difference)),
-                   .runs = motions},
-                  difference < planar::rounding);
+  return studied("4.1-F-H", "(4.14), (4.15)",
+                 "F and H of the error form are the derivatives of (4.11) and (4.12), to 1e-9",
+                 {.measured = fmt::format("largest difference in {} motions {}", motions, below(difference))},
+                 difference < planar::rounding);
 }
 
 Claim first_segment() {
@@ -82,102 +72,88 @@ Claim first_segment() {
     return std::max((H * F - printed).cwiseAbs().maxCoeff(), (H * F * F).cwiseAbs().maxCoeff());
   };
   const double difference = largest(world(), wrong);
-  return assessed(
-      {.id = "4.1-Q1",
-       .place = "(4.16), footnote 1",
-       .statement = "Q_1 is H and one row H F, which has but a heading; higher powers are zero; to 1e-9",
-       .printed = "(-r_y v sin - r_x v cos)/d^2",
-       .measured = fmt::format("largest difference in {} motions {}", motions, below(difference)),
-       .runs = motions},
-      difference < planar::rounding);
+  return studied("4.1-Q1", "(4.16), footnote 1",
+                 "Q_1 is H and one row H F, which has but a heading; higher powers are zero; to 1e-9",
+                 {.printed = "(-r_y v sin - r_x v cos)/d^2",
+                  .measured = fmt::format("largest difference in {} motions {}", motions, below(difference))},
+                 difference < planar::rounding);
 }
 
 Claim f_null_space() {
   const Spaces spaces = null_spaces(world(), [](const Course& c) { return c.forms[0].F; });
   const bool basis = are_basis(spaces, world().courses(), [](const Course&) {
     const MatrixXd I = MatrixXd::Identity(5, 5);
-    return std::vector<VectorXd>{I.col(0), I.col(1), I.col(3), I.col(4)};
+    return Basis{I.col(0), I.col(1), I.col(3), I.col(4)};
   });
   bool one = true;
   for (int k = 1; k <= 3; ++k) one = one && same(world().stripped(k), world().total(k));
-  return assessed(
-      {.id = "4.1-F-null-space",
-       .place = "(4.19), (4.9)",
-       .statement = "N(F_j) is all but the heading and contains N(Q_j), so that TOM and SOM have one null "
-                    "space",
-       .printed = "dimension 4",
-       .measured = fmt::format("dimension {}; (4.9) holds in {} segments; null spaces of SOM and TOM after "
-                               "1, 2, 3 segments are {}",
-                               dimension(spaces), world().stays() ? "all" : "not all",
-                               one ? "the same" : "not the same"),
-       .runs = motions},
-      basis && world().stays() && one);
+  return studied("4.1-F-null-space", "(4.19), (4.9)",
+                 "N(F_j) is all but the heading and contains N(Q_j), so that TOM and SOM have one null space",
+                 {.printed = "dimension 4",
+                  .measured = fmt::format("dimension {}; (4.9) holds in {} segments; null spaces of SOM and "
+                                          "TOM after 1, 2, 3 segments are {}",
+                                          dimension(spaces), world().stays() ? "all" : "not all",
+                                          one ? "the same" : "not the same")},
+                 basis && world().stays() && one);
 }
 
 // One segment -----------------------------------------------------------------------------------------
 
-std::vector<VectorXd> vectors_4_17(const Course& c) {
+Basis vectors_4_17(const Course& c) {
   const Vector2d r = r_of(c.points[0]);
   return {five(r.x(), r.y(), 0, 0, 0), five(1, 0, 0, 1, 0), five(-r.x(), 0, 0, 0, r.y())};
 }
 
 Claim instant_null_space() {
   const Study& s = world();
-  const bool basis = are_basis(s.stripped(1), s.courses(), vectors_4_17);
-  return assessed({.id = "4.1-instant-null-space",
-                   .place = "(4.17)",
-                   .statement = "Null space of one segment, with nothing of the heading in it",
-                   .printed = "dimension 3",
-                   .measured = fmt::format("dimension {} of 5 in {} motions; the printed vectors span it: {}",
-                                           dimension(s.stripped(1)), motions, basis ? "yes" : "no"),
-                   .runs = motions},
-                  basis);
+  const bool basis = s.stripped_spanned_by(1, vectors_4_17);
+  return studied("4.1-instant-null-space", "(4.17)",
+                 "Null space of one segment, with nothing of the heading in it",
+                 {.printed = "dimension 3",
+                  .measured = fmt::format("dimension {} of 5 in {} motions; the printed vectors span it: {}",
+                                          dimension(s.stripped(1)), motions, yes_no(basis))},
+                 basis);
 }
 
 Claim orientation() {
   const auto in_segment = observable_states(world().stripped(1), world().error_states()),
              along = observable_states(world().along(), world().states());
   const std::vector<std::string> heading{"theta"};
-  const bool turns = contain(world().along(), world().courses(), [](const Course& c) {
-    return std::vector<VectorXd>{turn(c.points[0], Vector2d::Zero())};
-  });
-  return assessed(
-      {.id = "4.1-orientation",
-       .place = "below (4.17), Section 4.4",
-       .statement = "The vehicle's orientation is the only completely observable state, as long as it moves",
-       .printed = "orientation",
+  const bool turns =
+      world().along_contains([](const Course& c) { return Basis{turn(c.points[0], Vector2d::Zero())}; });
+  return studied(
+      "4.1-orientation", "below (4.17), Section 4.4",
+      "The vehicle's orientation is the only completely observable state, as long as it moves",
+      {.printed = "orientation",
        .measured = fmt::format("states outside the null space in {} motions: of Q_1 {}; of the motion itself "
                                "{}. All turned about a point is in its null space: {}",
                                motions, listed(in_segment), listed(along), yes_no(turns)),
-       .why = "so Q_1 says, which lets F move the vehicle on and leaves H where it was. Turning vehicle and "
-              "map about a point changes no look, so that no motion shows the heading",
-       .runs = motions},
+       .why = "so it is by Q_1, in which F moves the vehicle while H is frozen. Turning vehicle and map "
+              "about a point changes no measurement, so that no motion makes the heading observable"},
       in_segment == heading && along == heading);
 }
 
 Claim at_rest() {
   const Study& s = standing();
   const auto vectors = [](double sign) {
-    return [sign](const Course& c) -> std::vector<VectorXd> {
+    return [sign](const Course& c) -> Basis {
       const Vector2d r = r_of(c.points[0]);
       return {five(-r.x(), -r.y(), 0, 0, 0), five(r.x(), 0, 0, 0, -r.y()), five(1, 0, 0, 1, 0),
               five(r.squaredNorm(), 0, sign * r.y(), 0, 0)};
     };
   };
-  const bool printed = are_basis(s.stripped(1), s.courses(), vectors(-1)),
-             corrected = are_basis(s.stripped(1), s.courses(), vectors(1));
+  const bool printed = s.stripped_spanned_by(1, vectors(-1)),
+             corrected = s.stripped_spanned_by(1, vectors(1));
   const bool unseen = observable_states(s.stripped(1), s.error_states()).empty();
-  return assessed(
-      {.id = "4.1-standing",
-       .place = "(4.18)",
-       .statement = "At rest the null space has dimension 4, and the heading is not observable either",
-       .printed = "4th vector [d^2 0 -r_y 0 0]",
+  return studied(
+      "4.1-standing", "(4.18)",
+      "At rest the null space has dimension 4, and the heading is not observable either",
+      {.printed = "4th vector [d^2 0 -r_y 0 0]",
        .measured = fmt::format("{} (turning on the spot); states outside the null space: {}. The 4th vector "
                                "is {} with -r_y, {} with r_y",
                                s.text(), listed(observable_states(s.stripped(1), s.error_states())),
                                printed ? "in it" : "not in it", corrected ? "in it" : "not in it"),
-       .why = "[d^2 0 r_y 0 0]",
-       .runs = motions},
+       .why = "[d^2 0 r_y 0 0]"},
       printed && unseen, corrected && unseen && s.true_dimension() == 4);
 }
 
@@ -204,14 +180,13 @@ Claim anywhere() {
   const double row = std::max({wrong_row(around), wrong_row(ahead), wrong_row(abeam)});
   const bool falls_short = of_4_17 == 2 && contain(ahead.stripped(1), ahead.courses(), vectors_4_17),
              row_is_so = row < planar::rounding && size_of_row(abeam) < planar::rounding;
-  return assessed(
-      {.id = "4.1-anywhere",
-       .place = "below (4.18)",
-       .statement = "One segment leaves three modes wherever the feature is, except on the optical axis",
-       .printed = "except r_y = 0",
+  return studied(
+      "4.1-anywhere", "below (4.18)",
+      "One segment leaves three modes wherever the feature is, except on the optical axis",
+      {.printed = "except r_y = 0",
        .measured = fmt::format("N(Q_1) in {} motions each, vehicle heading along x: feature anywhere {}, "
-                               "straight ahead {}, where (4.17) has {} independent vectors, abeam {}, "
-                               "where the row H F is {}. That row differs from [0 0 -v r_x/d^2 0 0] by {}",
+                               "straight ahead {}, where (4.17) has {} independent vectors, abeam {}, where "
+                               "the row H F is {}. That row differs from [0 0 -v r_x/d^2 0 0] by {}",
                                motions, joined({d[0]}), joined({d[1]}), joined({of_4_17}), joined({d[2]}),
                                below(size_of_row(abeam)), below(row)),
        .why = "except abeam, r_x = 0: there the row H F, -v r_x/d^2, is zero. Straight ahead it is (4.17) "
@@ -223,8 +198,8 @@ Claim anywhere() {
 
 // More segments ---------------------------------------------------------------------------------------
 
-std::vector<VectorXd> translations(int features) {
-  std::vector<VectorXd> both;
+Basis translations(int features) {
+  Basis both;
   for (int axis = 0; axis < 2; ++axis) {
     VectorXd v = VectorXd::Zero(3 + 2 * features);
     v[axis] = 1;
@@ -236,76 +211,64 @@ std::vector<VectorXd> translations(int features) {
 
 Claim two_segments() {
   const Study& s = world();
-  const bool basis = are_basis(s.stripped(2), s.courses(), [](const Course&) { return translations(1); });
-  return assessed(
-      {.id = "4.1-two-segments",
-       .place = "(4.20)",
-       .statement = "Null space of the SOM of two segments: the two translations of vehicle and feature",
-       .printed = "dimension 2",
-       .measured = fmt::format("{}, in {} motions; the printed vectors span it: {}", s.text(), motions,
-                               basis ? "yes" : "no"),
-       .runs = motions},
-      basis);
+  const bool basis = s.stripped_spanned_by(2, [](const Course&) { return translations(1); });
+  return studied("4.1-two-segments", "(4.20)",
+                 "Null space of the SOM of two segments: the two translations of vehicle and feature",
+                 {.printed = "dimension 2",
+                  .measured = fmt::format("{}, in {} motions; the printed vectors span it: {}", s.text(),
+                                          motions, yes_no(basis))},
+                 basis);
 }
 
 Claim more_of_it() {
-  std::vector<std::string> lines;
-  bool all = true;
-  for (const int features : {1, 2, 3}) {
+  const Cases cases = by_number({1, 2, 3}, [](int features) -> CaseResult {
     const Study& s = world(features, 0, 5);
-    lines.push_back(fmt::format("{}: {}", features, s.segments_text()));
+    bool all = true;
     for (int k = 2; k <= 5; ++k)
-      all =
-          all && are_basis(s.stripped(k), s.courses(), [&](const Course&) { return translations(features); });
-  }
-  return assessed(
-      {.id = "4.1-more",
-       .place = "below (4.20)",
-       .statement = "More features or segments do not change the null space of the SOM: two translations",
-       .printed = "dimension 2",
-       .measured = fmt::format("dimensions left by SOM and TOM after 1/2/3/4/5 segments, by features: {}",
-                               fmt::join(lines, "; ")),
+      all = all && s.stripped_spanned_by(k, [&](const Course&) { return translations(features); });
+    return {s.segments_text(), all};
+  });
+  return studied(
+      "4.1-more", "below (4.20)",
+      "More features or segments do not change the null space of the SOM: two translations",
+      {.printed = "dimension 2",
+       .measured = "dimensions left by SOM and TOM after 1/2/3/4/5 segments, by features: " + cases.text(),
        .runs = 3 * motions},
-      all);
+      cases.hold());
 }
 
 Claim unobservable_modes() {
-  std::vector<std::string> lines;
-  bool printed = true, corrected = true;
-  for (const int features : {1, 2, 3}) {
+  bool corrected = true;
+  const Cases printed = by_number({1, 2, 3}, [&](int features) -> CaseResult {
     const Study& s = world(features);
-    lines.push_back(fmt::format("{}: {}", features, joined({s.true_dimension()})));
-    const auto printed_modes = [&](const Course&) { return translations(features); };
     const auto with_turn = [&](const Course& c) {
       auto modes = translations(features);
       modes.push_back(turn(c.points[0], Vector2d::Zero()));
       return modes;
     };
-    printed = printed && are_basis(s.along(), s.courses(), printed_modes);
-    corrected = corrected && are_basis(s.along(), s.courses(), with_turn) && dimension(s.stripped(3)) == 2 &&
+    corrected = corrected && s.along_spanned_by(with_turn) && dimension(s.stripped(3)) == 2 &&
                 dimension(s.total(3)) == 2;
-  }
-  return assessed(
-      {.id = "4.1-modes",
-       .place = "below (4.20)",
-       .statement = "The system's unobservable modes are the two translations of vehicle and map, for any "
-                    "number of features",
-       .printed = "2",
-       .measured =
-           fmt::format("dimensions left by the motion itself, by features: {}", fmt::join(lines, "; ")),
-       .why = "three: these and the turn of all about a point. SOM and TOM leave two, because H is frozen "
-              "within a segment",
-       .runs = 3 * motions},
-      printed, corrected);
+    return {joined({s.true_dimension()}),
+            s.along_spanned_by([&](const Course&) { return translations(features); })};
+  });
+  return studied("4.1-modes", "below (4.20)",
+                 "The system's unobservable modes are the two translations of vehicle and map, for any "
+                 "number of features",
+                 {.printed = "2",
+                  .measured = "dimensions left by the motion itself, by features: " + printed.text(),
+                  .why = "three: these and the turn of all about a point. SOM and TOM leave two, because H "
+                         "is frozen within a segment",
+                  .runs = 3 * motions},
+                 printed.hold(), corrected);
 }
 
-LedgerEntry run(const ExperimentSettings&) {
-  LedgerEntry entry{example_4_1.id, example_4_1.title, "", {}, {}};
-  entry.claims = {error_form(), first_segment(), instant_null_space(), orientation(), at_rest(),
-                  anywhere(),   f_null_space(),  two_segments(),       more_of_it(),  unobservable_modes()};
-  std::ranges::move(planar::anchor_claims(), std::back_inserter(entry.claims));
-  std::ranges::move(planar::relative_claims(), std::back_inserter(entry.claims));
-  return entry;
+LedgerEntry run(const ExperimentSettings& settings) {
+  return entry_of(
+      example_4_1, settings,
+      concatenated({{error_form(), first_segment(), instant_null_space(), orientation(), at_rest(),
+                     anywhere(), f_null_space(), two_segments(), more_of_it(), unobservable_modes()},
+                    planar::anchor_claims(),
+                    planar::relative_claims()}));
 }
 
 }  // namespace
@@ -313,6 +276,6 @@ LedgerEntry run(const ExperimentSettings&) {
 
 namespace incognita {
 
-const Experiment example_4_1{"4.1", "Bearings for a vehicle of the plane", {}, observability_claims::run};
+const Experiment example_4_1{"4.1", "Bearings for a planar vehicle", {}, observability_claims::run};
 
 }  // namespace incognita

@@ -19,7 +19,7 @@ Eigen::VectorXd five(double x, double y, double theta, double xf, double yf);
 /// From the vehicle to the first feature.
 Eigen::Vector2d r_of(const SystemPoint& point);
 
-/// Everything turned about a place.
+/// Everything turned about a point.
 Eigen::VectorXd turn(const SystemPoint& point, const Eigen::Vector2d& about);
 
 std::vector<Claim> anchor_claims();

@@ -1,19 +1,14 @@
-// Example 4.2: what a body with inertial sensors and a camera gets to see, without anchors and with some. Its
+// Example 4.2: observability of a body with inertial sensors and a camera, without and with anchors. Its
 // matrices are in example_4_2_matrices.cpp, the relative map in example_4_2_relative.cpp.
 //
 // Experiment: the built-in systems `inertial` and `inertial-rb` (azimuth, elevation; and range), motions and
 // rules of observability_claims.hpp; 1 to 3 features, up to 4 anchors, also two of them one above the other;
 // also unaccelerated, in each of the ways that `f = 0` may mean: falling, without gravity, and (f = -g then)
 // at constant velocity under gravity.
-#include <fmt/format.h>
-
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <iterator>
 
-#include "experiments/evidence.hpp"
+#include "experiments/common.hpp"
 #include "experiments/example_4_2.hpp"
-#include "experiments/list.hpp"
 
 namespace incognita::observability_claims {
 namespace {
@@ -57,25 +52,21 @@ Case one_above_the_other() {
 Claim world_null_space() {
   const Study& s = study(world());
   const auto translations = [](const Course&) {
-    std::vector<VectorXd> all;
+    Basis all;
     for (int axis = 0; axis < 3; ++axis) {
       const Vector3d e = Vector3d::Unit(axis);
       all.push_back(twelve(e, Vector3d::Zero(), Vector3d::Zero(), e));
     }
     return all;
   };
-  const bool basis = are_basis(s.stripped(2), s.courses(), translations) &&
-                     are_basis(s.stripped(3), s.courses(), translations);
-  return assessed(
-      {.id = "4.2-world-null-space",
-       .place = "(4.35)",
-       .statement = "Null space of the SOM: the three translations of vehicle and feature",
-       .printed = "dimension 3",
-       .measured = fmt::format("{}, in {} motions; the printed vectors span that of two and three segments: "
-                               "{}. The state has {} entries; printed are vectors of 14",
-                               s.text(), motions, yes_no(basis), s.error_states().size()),
-       .runs = motions},
-      basis);
+  const bool basis = s.stripped_spanned_by(2, translations) && s.stripped_spanned_by(3, translations);
+  return studied("4.2-world-null-space", "(4.35)",
+                 "Null space of the SOM: the three translations of vehicle and feature",
+                 {.printed = "dimension 3",
+                  .measured = fmt::format("{}, in {} motions; the printed vectors span that of two and three "
+                                          "segments: {}. The state has {} entries; printed are vectors of 14",
+                                          s.text(), motions, yes_no(basis), s.error_states().size())},
+                 basis);
 }
 
 Claim world_recovered() {
@@ -83,60 +74,50 @@ Claim world_recovered() {
   const auto in_som = observable_states(s.stripped(3), s.error_states()),
              along = observable_states(s.along(), s.states());
   const std::vector<std::string> printed{"vx", "vy", "vz", "phi", "theta", "psi"}, ours{"vz", "phi", "theta"};
-  const bool yaws = contain(s.along(), s.courses(), [](const Course& c) -> std::vector<VectorXd> {
-    return {yawed(c.points[0], Vector3d::Zero())};
-  });
-  return assessed(
-      {.id = "4.2-world-recovered",
-       .place = "below (4.35)",
-       .statement = "Not fully observable: linear velocity and misalignments are recovered, and nothing else",
-       .printed = "velocity, misalignments",
-       .measured = fmt::format("states outside the null space in {} motions: of the SOM {}; of the motion "
-                               "itself {}",
-                               motions, listed(in_som), listed(along)),
-       .why = "of both only what gravity tells: vertical speed, roll and pitch. Turning all about a vertical "
-              "changes no look, so that heading and horizontal velocity are not recovered",
-       .runs = motions},
+  const bool yaws =
+      s.along_contains([](const Course& c) { return Basis{yawed(c.points[0], Vector3d::Zero())}; });
+  return studied(
+      "4.2-world-recovered", "below (4.35)",
+      "Not fully observable: linear velocity and misalignments are recovered, and nothing else",
+      {.printed = "velocity, misalignments",
+       .measured =
+           fmt::format("states outside the null space in {} motions: of the SOM {}; of the motion itself {}",
+                       motions, listed(in_som), listed(along)),
+       .why = "of both only what gravity determines: vertical speed, roll and pitch. Turning all about a "
+              "vertical changes no measurement, so that heading and horizontal velocity are not recovered"},
       along == printed, along == ours && yaws && s.true_dimension() == 4);
 }
 
 Claim range_bearing_world() {
-  std::vector<std::string> lines;
-  bool all = true;
-  for (const int features : {1, 2}) {
+  const Cases cases = by_number({1, 2}, [](int features) -> CaseResult {
     const Study& s = study({.system = "inertial-rb", .features = features, .segment_s = in_space_s});
-    all = all && dimension(s.stripped(3)) > 0 && s.true_dimension() > 0;
-    lines.push_back(fmt::format("{}: {}", features, s.numbers()));
-  }
-  return assessed({.id = "4.2-range-bearing-world",
-                   .place = "below (4.28), of [19]",
-                   .statement = "With range and bearing the world-centric map is partially observable",
-                   .printed = "partially",
-                   .measured = fmt::format("{}, by features: {}", legend, fmt::join(lines, "; ")),
-                   .runs = 2 * motions},
-                  all);
+    return {s.numbers(), dimension(s.stripped(3)) > 0 && s.true_dimension() > 0};
+  });
+  return studied("4.2-range-bearing-world", "below (4.28), of [19]",
+                 "With range and bearing the world-centric map is partially observable",
+                 {.printed = "partially",
+                  .measured = fmt::format("{}, by features: {}", legend, cases.text()),
+                  .runs = 2 * motions},
+                 cases.hold());
 }
 
 // Anchors ---------------------------------------------------------------------------------------------
 
 Claim few_anchors() {
   const Study &one = study(world(1, 1)), &two = study(world(1, 2)), &vertical = study(one_above_the_other());
-  const bool yaws = are_basis(one.along(), one.courses(), [](const Course& c) -> std::vector<VectorXd> {
-    return {yawed(c.points[0], c.points[0].anchors)};
-  });
-  const bool missed = dimension(one.stripped(2)) == 0 && dimension(one.total(2)) == 0;
-  return assessed(
-      {.id = "4.2-few-anchors",
-       .place = "head of Section 4.1.2, below (4.37)",
-       .statement = "One or two anchors leave the system partially observable; it takes more than two",
-       .printed = "partially",
-       .measured = fmt::format("{}, by anchors: 1: {}; 2: {}; 2, one above the other: {}", legend,
-                               one.numbers(), two.numbers(), vertical.numbers()),
-       .why = "one does: the turn about the vertical through it is left, which SOM and TOM miss. Two are "
-              "enough, unless one is above the other",
-       .runs = 3 * motions},
-      one.true_dimension() > 0 && two.true_dimension() > 0,
-      yaws && missed && two.true_dimension() == 0 && vertical.true_dimension() == 1);
+  const bool yaws =
+      one.along_spanned_by([](const Course& c) { return Basis{yawed(c.points[0], c.points[0].anchors)}; });
+  const bool missed = one.full_rank(2);
+  return studied("4.2-few-anchors", "head of Section 4.1.2, below (4.37)",
+                 "One or two anchors leave the system partially observable; it takes more than two",
+                 {.printed = "partially",
+                  .measured = fmt::format("{}, by anchors: 1: {}; 2: {}; 2, one above the other: {}", legend,
+                                          one.numbers(), two.numbers(), vertical.numbers()),
+                  .why = "one does: the turn about the vertical through it is left, which is not in the null "
+                         "spaces of SOM and TOM. Two are enough, unless one is above the other",
+                  .runs = 3 * motions},
+                 one.true_dimension() > 0 && two.true_dimension() > 0,
+                 yaws && missed && two.true_dimension() == 0 && vertical.true_dimension() == 1);
 }
 
 /// The first vector of (4.38), with r in axes of the sensor as printed or of the world.
@@ -151,71 +132,61 @@ VectorXd second_of_4_38(const SystemPoint& p) {
 }
 
 Claim anchored_null_space() {
-  const auto printed = [](const Course& c) -> std::vector<VectorXd> {
-    return {first_of_4_38(c.points[0], true), second_of_4_38(c.points[0])};
+  const auto printed = [](const Course& c) {
+    return Basis{first_of_4_38(c.points[0], true), second_of_4_38(c.points[0])};
   };
-  const auto ours = [](const Course& c) -> std::vector<VectorXd> {
-    return {first_of_4_38(c.points[0], false)};
-  };
+  const auto ours = [](const Course& c) { return Basis{first_of_4_38(c.points[0], false)}; };
   const Study &three = study(world(1, 3)), &four = study(world(1, 4)), &none = study(world());
   const auto both = [&](const Vectors& vectors) {
-    return are_basis(three.stripped(1), three.courses(), vectors) &&
-           are_basis(four.stripped(1), four.courses(), vectors);
+    return three.stripped_spanned_by(1, vectors) && four.stripped_spanned_by(1, vectors);
   };
-  const bool without =
-      contain(none.stripped(1), none.courses(),
-              [](const Course& c) -> std::vector<VectorXd> { return {second_of_4_38(c.points[0])}; });
+  const bool without = contain(none.stripped(1), none.courses(),
+                               [](const Course& c) { return Basis{second_of_4_38(c.points[0])}; });
   std::vector<int> by_features;
   for (const int features : {1, 2, 3})
     by_features.push_back(dimension(study(world(features, 3)).stripped(1)));
-  return assessed({.id = "4.2-anchored-null-space",
-                   .place = "(4.38)",
-                   .statement = "Null space of one segment with three or more anchors and one feature",
-                   .printed = "[0 0 0 C r], [r x f 0 f 0]: dimension 2",
-                   .measured = fmt::format(
-                       "dimension with 3 and 4 anchors {} and {} in {} motions; with 3 anchors and 1/2/3 "
-                       "features {}. The second vector lies in the null space without anchors: {}",
-                       dimension(three.stripped(1)), dimension(four.stripped(1)), motions,
-                       joined(by_features), without ? "yes" : "no"),
-                   .why = "1: the distance of the feature, [0 0 0 r] with r in axes of the world",
-                   .runs = 5 * motions},
-                  both(printed), both(ours));
+  return studied("4.2-anchored-null-space", "(4.38)",
+                 "Null space of one segment with three or more anchors and one feature",
+                 {.printed = "[0 0 0 C r], [r x f 0 f 0]: dimension 2",
+                  .measured = fmt::format(
+                      "dimension with 3 and 4 anchors {} and {} in {} motions; with 3 anchors and 1/2/3 "
+                      "features {}. The second vector lies in the null space without anchors: {}",
+                      dimension(three.stripped(1)), dimension(four.stripped(1)), motions, joined(by_features),
+                      yes_no(without)),
+                  .why = "1: the distance of the feature, [0 0 0 r] with r in axes of the world",
+                  .runs = 5 * motions},
+                 both(printed), both(ours));
 }
 
 Claim anchored_recovered() {
   const Study& s = study(world(1, 3));
   const auto seen = observable_states(s.stripped(1), s.error_states());
-  return assessed({.id = "4.2-anchored-recovered",
-                   .place = "below (4.38)",
-                   .statement = "With three or more anchors one segment recovers linear velocities only",
-                   .printed = "velocities",
-                   .measured = fmt::format("states outside N(Q_1) with 3 anchors in {} motions: {}", motions,
-                                           listed(seen)),
-                   .why = "all states of the vehicle",
-                   .runs = motions},
-                  seen == velocities, seen == of_vehicle && s.true_dimension() == 0);
+  return studied("4.2-anchored-recovered", "below (4.38)",
+                 "With three or more anchors one segment recovers linear velocities only",
+                 {.printed = "velocities",
+                  .measured = fmt::format("states outside N(Q_1) with 3 anchors in {} motions: {}", motions,
+                                          listed(seen)),
+                  .why = "all states of the vehicle"},
+                 seen == velocities, seen == of_vehicle && s.true_dimension() == 0);
 }
 
 Claim anchored_two_segments() {
-  std::vector<std::string> lines;
-  bool all = study(world(1, 3)).true_dimension() == 0;
+  Cases cases;
   for (const int anchors : {3, 4})
     for (const int features : {1, 2, 3}) {
       const Study& s = study(world(features, anchors));
-      all = all && dimension(s.stripped(2)) == 0;
-      lines.push_back(fmt::format("{} and {}: {}", anchors, features, s.segments_text()));
+      cases.add({fmt::format("{} and {}: {}", anchors, features, s.segments_text()),
+                 dimension(s.stripped(2)) == 0});
     }
-  return assessed(
-      {.id = "4.2-anchored-two-segments",
-       .place = "below (4.38)",
-       .statement = "With three or more anchors the SOM has full rank in two segments",
-       .printed = "0",
-       .measured = fmt::format(
-           "dimensions left by SOM and TOM after 1/2/3 segments, anchors and features: {}; by the "
-           "motion itself, 3 and 1: {}",
-           fmt::join(lines, "; "), study(world(1, 3)).true_dimension()),
-       .runs = 6 * motions},
-      all);
+  const int in_truth = study(world(1, 3)).true_dimension();
+  return studied("4.2-anchored-two-segments", "below (4.38)",
+                 "With three or more anchors the SOM has full rank in two segments",
+                 {.printed = "0",
+                  .measured = fmt::format("dimensions left by SOM and TOM after 1/2/3 segments, anchors and "
+                                          "features: {}; by the motion itself, 3 and 1: {}",
+                                          cases.text(), in_truth),
+                  .runs = 6 * motions},
+                 in_truth == 0 && cases.hold());
 }
 
 /// What (4.38) is followed by: so many dimensions left in one segment and in two, and the states that are
@@ -244,34 +215,31 @@ Claim anchored_unaccelerated() {
   const Recovery falling(falls), floating(weightless), accelerated(pushed);
   const bool in_truth =
       falls.true_dimension() == 0 && weightless.true_dimension() == 0 && pushed.true_dimension() == 0;
-  return assessed(
-      {.id = "4.2-anchored-unaccelerated",
-       .place = "below (4.38)",
-       .statement = "Without acceleration (f = 0) three anchors leave four in one segment, which still "
-                    "recovers linear velocities, and one in two, which recover the feature's position and "
-                    "the velocity, but not the vehicle's position and orientation",
-       .printed = "4, then 1",
+  return studied(
+      "4.2-anchored-unaccelerated", "below (4.38)",
+      "Without acceleration (f = 0) three anchors leave four in one segment, which still recovers linear "
+      "velocities, and one in two, which recover the feature's position and the velocity, but not the "
+      "vehicle's position and orientation",
+      {.printed = "4, then 1",
        .measured = fmt::format(
            "dimensions left by the SOM after 1/2 segments with 3 anchors (and states outside its null "
            "space): falling {}; without gravity {}; accelerated {}. By the motion itself {}",
            falling.text(), floating.text(), accelerated.text(),
            joined({falls.true_dimension(), weightless.true_dimension(), pushed.true_dimension()})),
-       .why = "1, then 0: three anchors tell all of the vehicle at once, accelerated or not",
+       .why = "1, then 0: three anchors determine all states of the vehicle at once, accelerated or not",
        .runs = 3 * motions},
       falling.as_printed() && floating.as_printed() && in_truth,
       falling.all_of_vehicle_at_once() && floating.all_of_vehicle_at_once() &&
           accelerated.all_of_vehicle_at_once() && in_truth);
 }
 
-LedgerEntry run(const ExperimentSettings&) {
-  LedgerEntry entry{example_4_2.id, example_4_2.title, "", {}, {}};
-  entry.claims = inertial::matrix_claims();
-  std::ranges::move(std::vector<Claim>{world_null_space(), world_recovered(), range_bearing_world(),
-                                       few_anchors(), anchored_null_space(), anchored_recovered(),
-                                       anchored_two_segments(), anchored_unaccelerated()},
-                    std::back_inserter(entry.claims));
-  std::ranges::move(inertial::relative_claims(), std::back_inserter(entry.claims));
-  return entry;
+LedgerEntry run(const ExperimentSettings& settings) {
+  return entry_of(example_4_2, settings,
+                  concatenated({inertial::matrix_claims(),
+                                {world_null_space(), world_recovered(), range_bearing_world(), few_anchors(),
+                                 anchored_null_space(), anchored_recovered(), anchored_two_segments(),
+                                 anchored_unaccelerated()},
+                                inertial::relative_claims()}));
 }
 
 }  // namespace

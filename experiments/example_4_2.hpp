@@ -9,14 +9,14 @@
 
 namespace incognita::observability_claims::inertial {
 
-/// Nothing accelerates it: the thesis writes f = 0, f being what its accelerometers say.
+/// Nothing accelerates it: the thesis writes f = 0, f being the reading of its accelerometers.
 enum class Unaccelerated {
   falls,       ///< f = 0: gravity alone moves it
   weightless,  ///< f = 0 and no gravity: constant velocity
   carried      ///< constant velocity under gravity, not turning: f = -g
 };
 
-/// World-centric: position, velocity, angles, and the place of each feature.
+/// World-centric: position, velocity, angles, and the position of each feature.
 Case world(int features = 1, int anchors = 0);
 /// Velocity, angles, and each feature from the vehicle, in axes of the world.
 Case relative(int features = 1);

@@ -4,16 +4,12 @@
 // Experiment: the built-in system `inertial`, motions of observability_claims.hpp. Misalignment angles turn
 // about the axes of the world, so that Euler angles change by E C of them: with that its exact derivatives
 // become those of the error form. Also without turning, f held: F is constant then in each of ten segments,
-// and [H_1; H_2 e^(F_1 t); ...] is what the error form itself says of the motion. Holds: to 1e-9. The printed
-// [x a] may be [a x] or its negative, r in axes of the world or of the sensor, whichever comes nearest, but
-// the same sign in F and H.
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
+// and [H_1; H_2 e^(F_1 t); ...] is the observability matrix of the error form along the motion. Holds: to
+// 1e-9. The printed [x a] may be [a x] or its negative, r in axes of the world or of the sensor, whichever
+// comes nearest, but the same sign in F and H.
 #include <unsupported/Eigen/MatrixFunctions>
 
-#include "experiments/evidence.hpp"
+#include "experiments/common.hpp"
 #include "experiments/example_4_2.hpp"
 
 namespace incognita::observability_claims::inertial {
@@ -75,9 +71,7 @@ Matrix23 bearings_by(const Vector3d& s) {
       .finished();
 }
 
-double nearest(const std::vector<double>& readings) {
-  return *std::min_element(readings.begin(), readings.end());
-}
+double nearest(const std::vector<double>& readings) { return *std::ranges::min_element(readings); }
 
 double apart(const MatrixXd& a, const MatrixXd& b) { return (a - b).cwiseAbs().maxCoeff(); }
 
@@ -177,41 +171,33 @@ Claim force_matrix() {
   std::vector<int> with_other;
   for (const int k : {1, 2, 3}) with_other.push_back(dimension(stripped_with(s, k, other)));
   const int left = left_by_transitions(1), left_as_printed = left_by_transitions(-1);
-  return assessed(
-      {.id = "4.2-F",
-       .place = "(4.30), (4.31)",
-       .statement = "F has [x f], of the sign that [x r] has in H, to 1e-9",
-       .printed = "the same sign",
-       .measured = fmt::format(
-           "largest difference from exact derivatives in {} motions: printed {:.2g}, ours {}. SOM {} "
-           "tell: it leaves {} and {}. With exact transitions, not turning, the printed sign leaves {} and "
-           "the other {}; the motion itself leaves {}",
-           motions, printed, below(corrected), with_other == s.dimensions() ? "does not" : "does",
-           joined(with_other), joined(s.dimensions()), left_as_printed, left, s.true_dimension()),
-       .why = "the other sign: -[f x] beside [r x], f and r in axes of the world",
-       .runs = 2 * motions},
-      printed < 1e-9, corrected < 1e-9 && left == s.true_dimension());
+  return studied("4.2-F", "(4.30), (4.31)", "F has [x f], of the sign that [x r] has in H, to 1e-9",
+                 {.printed = "the same sign",
+                  .measured = fmt::format(
+                      "largest difference from exact derivatives in {} motions: printed {:.2g}, ours {}. SOM "
+                      "{} distinguish them: it leaves {} and {}. With exact transitions, not turning, the "
+                      "printed sign leaves {} and the other {}; the motion itself leaves {}",
+                      motions, printed, below(corrected), with_other == s.dimensions() ? "does not" : "does",
+                      joined(with_other), joined(s.dimensions()), left_as_printed, left, s.true_dimension()),
+                  .why = "the other sign: -[f x] beside [r x], f and r in axes of the world",
+                  .runs = 2 * motions},
+                 printed < 1e-9, corrected < 1e-9 && left == s.true_dimension());
 }
 
 Claim partials() {
-  double printed = 0, corrected = 0;
+  Worst worst;
   for (const Course& course : study(world()).courses()) {
     const Begin b(course);
     const Matrix23 ours = bearings_by(b.C * b.r);
     Matrix23 as_printed = ours;
     as_printed(1, 1) *= -1;
-    printed = std::max(printed, apart(as_printed, b.by_r));
-    corrected = std::max(corrected, apart(ours, b.by_r));
+    worst.take(as_printed, ours, b.by_r);
   }
-  return assessed({.id = "4.2-partials",
-                   .place = "(4.34)",
-                   .statement = "Derivative of azimuth and elevation by r^s, to 1e-9",
-                   .printed = "second row [-, +, +], and 0_2x3 in the first",
-                   .measured = fmt::format("largest difference in {} motions: printed {:.2g}, ours {}",
-                                           motions, printed, below(corrected)),
-                   .why = "[-r_x r_z, -r_y r_z, d^2]/(d (d^2 + r_z^2)), and one 0",
-                   .runs = motions},
-                  printed < 1e-9, corrected < 1e-9);
+  return studied("4.2-partials", "(4.34)", "Derivative of azimuth and elevation by r^s, to 1e-9",
+                 {.printed = "second row [-, +, +], and 0_2x3 in the first",
+                  .measured = fmt::format("largest difference in {} motions: {}", motions, worst.text()),
+                  .why = "[-r_x r_z, -r_y r_z, d^2]/(d (d^2 + r_z^2)), and one 0"},
+                 worst, 1e-9);
 }
 
 Claim measurement_matrix() {
@@ -226,18 +212,12 @@ Claim measurement_matrix() {
                        apart(H.rightCols(3), A), angles});
     });
   };
-  const double printed = std::min(wrong(false, false), wrong(false, true)), corrected = wrong(true, false);
-  return assessed({.id = "4.2-H",
-                   .place = "(4.32), (4.33)",
-                   .statement = "H is dz/dr^s [-I 0 [x r] I], to 1e-9",
-                   .printed = "",
-                   .measured = fmt::format(
-                       "largest difference from exact derivatives in {} motions: printed {:.2g}, ours "
-                       "{}",
-                       motions, printed, below(corrected)),
-                   .why = "dz/dr^s C [-I 0 [r x] I], r in axes of the world",
-                   .runs = motions},
-                  printed < 1e-9, corrected < 1e-9);
+  const Worst worst{std::min(wrong(false, false), wrong(false, true)), wrong(true, false)};
+  return studied("4.2-H", "(4.32), (4.33)", "H is dz/dr^s [-I 0 [x r] I], to 1e-9",
+                 {.measured = fmt::format("largest difference from exact derivatives in {} motions: {}",
+                                          motions, worst.text()),
+                  .why = "dz/dr^s C [-I 0 [r x] I], r in axes of the world"},
+                 worst, 1e-9);
 }
 
 /// [-I 0 [x r] 0] before which dz/dr^s stands, or that with C; r of the anchor, by one sign of [x r].
@@ -259,19 +239,16 @@ double wrong_anchor_rows(bool turned, bool r_of_sensor, double sign) {
 }
 
 Claim anchor_rows() {
-  const double printed = nearest({wrong_anchor_rows(false, false, 1), wrong_anchor_rows(false, false, -1),
-                                  wrong_anchor_rows(false, true, 1), wrong_anchor_rows(false, true, -1)}),
-               corrected = wrong_anchor_rows(true, false, 1);
-  return assessed({.id = "4.2-anchored-H",
-                   .place = "(4.36), (4.37)",
-                   .statement = "Rows of H for an anchor are dz/dr^s [-I 0 [x r] 0], with its r, to 1e-9",
-                   .printed = "",
-                   .measured = fmt::format("largest difference from exact derivatives in {} motions, three "
-                                           "anchors: printed {:.2g}, ours {}",
-                                           motions, printed, below(corrected)),
-                   .why = "dz/dr^s C [-I 0 [r x] 0], r in axes of the world",
-                   .runs = motions},
-                  printed < 1e-9, corrected < 1e-9);
+  const Worst worst{nearest({wrong_anchor_rows(false, false, 1), wrong_anchor_rows(false, false, -1),
+                             wrong_anchor_rows(false, true, 1), wrong_anchor_rows(false, true, -1)}),
+                    wrong_anchor_rows(true, false, 1)};
+  return studied(
+      "4.2-anchored-H", "(4.36), (4.37)",
+      "Rows of H for an anchor are dz/dr^s [-I 0 [x r] 0], with its r, to 1e-9",
+      {.measured = fmt::format("largest difference from exact derivatives in {} motions, three anchors: {}",
+                               motions, worst.text()),
+       .why = "dz/dr^s C [-I 0 [r x] 0], r in axes of the world"},
+      worst, 1e-9);
 }
 
 }  // namespace

@@ -1,16 +1,13 @@
-// Example 4.2, relative map: features told from the vehicle, in axes of the world.
+// Example 4.2, relative map: features relative to the vehicle, in axes of the world.
 //
 // Experiment: the built-in systems `inertial` and `inertial-rb` in their relative forms, motions and rules of
-// observability_claims.hpp; also unaccelerated, as in example_4_2.cpp.
-// Printed vectors hold r, v, psi in this order; r is x_f - p, as (4.39) has it. Matrices are held against
-// exact derivatives by misalignments, as in example_4_2_matrices.cpp, to 1e-9; printed [x a] may be [a x] or
-// its negative, r and f in axes of the world or of the sensor, whichever comes nearest.
-#include <fmt/format.h>
-
+// observability_claims.hpp; also unaccelerated, as in example_4_2.cpp. Printed vectors hold r, v, psi in this
+// order; r is x_f - p, as (4.39) has it. Matrices are compared with exact derivatives by misalignments, as in
+// example_4_2_matrices.cpp, to 1e-9; printed [x a] may be [a x] or its negative, r and f in axes of the world
+// or of the sensor, whichever comes nearest.
 #include <Eigen/Geometry>
-#include <algorithm>
 
-#include "experiments/evidence.hpp"
+#include "experiments/common.hpp"
 #include "experiments/example_4_2.hpp"
 
 namespace incognita::observability_claims::inertial {
@@ -27,7 +24,7 @@ VectorXd nine(const Vector3d& r, const Vector3d& v, const Vector3d& psi) {
 Vector3d r_of(const SystemPoint& p) { return p.x.segment<3>(6); }
 
 /// Everything turned about a vertical, as Euler angles see it.
-std::vector<VectorXd> yawed(const Course& c) {
+Basis yawed(const Course& c) {
   const SystemPoint& p = c.points[0];
   const Vector3d up = Vector3d::UnitZ();
   VectorXd v(p.x.size());
@@ -36,7 +33,7 @@ std::vector<VectorXd> yawed(const Course& c) {
   return {v};
 }
 
-bool leaves_the_yaw(const Study& s) { return are_basis(s.along(), s.courses(), yawed); }
+bool leaves_the_yaw(const Study& s) { return s.along_spanned_by(yawed); }
 
 /// Exact derivatives where a motion begins, with the states in the printed order: r = x_f - p, v, psi.
 struct Begin {
@@ -70,18 +67,16 @@ double wrong_rows(double of_r, double of_psi) {
 }
 
 Claim measurement_matrix() {
-  const double printed = nearest({wrong_rows(-1, 1), wrong_rows(-1, -1)}), corrected = wrong_rows(1, 1);
-  return assessed({.id = "4.2-relative-H",
-                   .place = "(4.39), (4.40)",
-                   .statement = "The measurement is [-I 0 [x r]] of features told by r = x_f - p, to 1e-9 "
-                                "(before it dz/dr^s C)",
-                   .printed = "-I",
-                   .measured = fmt::format("largest difference from exact derivatives in {} motions, either "
-                                           "sign of [x r]: printed {:.2g}, ours {}",
-                                           motions, printed, below(corrected)),
-                   .why = "[I 0 [r x]]: I, as (4.41) has it, for r = x_f - p; -I is for p - x_f",
-                   .runs = motions},
-                  printed < 1e-9, corrected < 1e-9);
+  const Worst worst{nearest({wrong_rows(-1, 1), wrong_rows(-1, -1)}), wrong_rows(1, 1)};
+  return studied("4.2-relative-H", "(4.39), (4.40)",
+                 "The measurement is [-I 0 [x r]] of features parametrized by r = x_f - p, to 1e-9 (before "
+                 "it dz/dr^s C)",
+                 {.printed = "-I",
+                  .measured = fmt::format(
+                      "largest difference from exact derivatives in {} motions, either sign of [x r]: {}",
+                      motions, worst.text()),
+                  .why = "[I 0 [r x]]: I, as (4.41) has it, for r = x_f - p; -I is for p - x_f"},
+                 worst, 1e-9);
 }
 
 /// Rows of (4.41), with A for dz/dr^s.
@@ -120,17 +115,13 @@ double size_of_third_power() {
 
 Claim independent_rows() {
   const int left = dimension(study(relative()).stripped(1));
-  return assessed({.id = "4.2-relative-Q1",
-                   .place = "(4.41)",
-                   .statement = "Q_1 has six independent rows",
-                   .printed = "6",
-                   .measured = fmt::format("rank {} of 9 in {} motions", 9 - left, motions),
-                   .runs = motions},
-                  left == 3);
+  return studied("4.2-relative-Q1", "(4.41)", "Q_1 has six independent rows",
+                 {.printed = "6", .measured = fmt::format("rank {} of 9 in {} motions", 9 - left, motions)},
+                 left == 3);
 }
 
 /// Of (4.42), with `directed` for what is printed as C r.
-std::vector<VectorXd> vectors_4_42(const Course& c, bool directed_as_printed) {
+Basis vectors_4_42(const Course& c, bool directed_as_printed) {
   const SystemPoint& p = c.points[0];
   const Eigen::Matrix3d C = C_of(p.x.segment<3>(3));
   const Vector3d r = r_of(p), f = C.transpose() * p.u.head<3>(), zero = Vector3d::Zero(),
@@ -157,38 +148,31 @@ Claim entries() {
                without_minus = wrong_4_41(true, false, 1, 1), third = size_of_third_power();
   const bool explains = are_basis(spaces_of_4_41(), study(relative()).courses(),
                                   [](const Course& c) { return vectors_4_42(c, true); });
-  return assessed(
-      {.id = "4.2-relative-Q1-entries",
-       .place = "(4.41)",
-       .statement = "Q_1 is H, H F and H F F with these entries, and nothing more, to 1e-9",
-       .printed = "[A 0 A x r], [0 A 0], [0 0 A x f] with A = dz/dr^s",
+  return studied(
+      "4.2-relative-Q1-entries", "(4.41)",
+      "Q_1 is H, H F and H F F with these entries, and nothing more, to 1e-9",
+      {.printed = "[A 0 A x r], [0 A 0], [0 0 A x f] with A = dz/dr^s",
        .measured = fmt::format(
            "largest difference from exact derivatives in {} motions: printed {:.2g}, with A C for A {:.2g}, "
            "ours {}; H F F F is {}. The null space of the printed rows is that of (4.42) with C r: {}",
            motions, printed, without_minus, below(corrected), below(third), yes_no(explains)),
        .why = "A C for A, -A C in the row of v (r' = -v), r and f in axes of the world. C is why (4.42) has "
-              "C r for r",
-       .runs = motions},
+              "C r for r"},
       printed < 1e-9 && third < 1e-9, corrected < 1e-9 && third < 1e-9 && explains);
 }
 
 Claim instant_null_space() {
   const Study& s = study(relative());
   const auto basis = [&](bool as_printed) {
-    return are_basis(s.stripped(1), s.courses(),
-                     [&](const Course& c) { return vectors_4_42(c, as_printed); });
+    return s.stripped_spanned_by(1, [&](const Course& c) { return vectors_4_42(c, as_printed); });
   };
-  return assessed(
-      {.id = "4.2-relative-null-space",
-       .place = "(4.42), (4.43)",
-       .statement = "Null space of one segment",
-       .printed = "[C r 0 0], [zeta 0 f], [0 C r 0]: dimension 3",
+  return studied(
+      "4.2-relative-null-space", "(4.42), (4.43)", "Null space of one segment",
+      {.printed = "[C r 0 0], [zeta 0 f], [0 C r 0]: dimension 3",
        .measured = fmt::format("dimension {} of 9 in {} motions; spanned with C r: {}, with r: {}",
-                               dimension(s.stripped(1)), motions, basis(true) ? "yes" : "no",
-                               basis(false) ? "yes" : "no"),
+                               dimension(s.stripped(1)), motions, yes_no(basis(true)), yes_no(basis(false))),
        .why = "r in axes of the world, as f, in place of C r. zeta is r x f up to sign and multiples of r, "
-              "which put its zero along r_y as printed or, as the text has it, along r_x",
-       .runs = motions},
+              "which put its zero along r_y as printed or, as the text has it, along r_x"},
       basis(true), basis(false));
 }
 
@@ -198,28 +182,24 @@ Claim partially_reconstructed() {
   const int of_v = dimension_within(s.stripped(1), 0, 3), of_psi = dimension_within(s.stripped(1), 3, 3),
             of_r = dimension_within(s.stripped(1), 6, 3);
   const auto in_part = [](int left) { return left == 1 || left == 2; };
-  return assessed(
-      {.id = "4.2-relative-partially",
-       .place = "below (4.43)",
-       .statement = "Relative position and misalignment can only be partially reconstructed in one segment",
-       .printed = "partially",
+  return studied(
+      "4.2-relative-partially", "below (4.43)",
+      "Relative position and misalignment can only be partially reconstructed in one segment",
+      {.printed = "partially",
        .measured = fmt::format("directions of three that N(Q_1) leaves open in {} motions: of r {}, of psi "
                                "{}, of v {}; states outside it: {}",
-                               motions, joined({of_r}), joined({of_psi}), joined({of_v}), listed(seen)),
-       .runs = motions},
+                               motions, joined({of_r}), joined({of_psi}), joined({of_v}), listed(seen))},
       seen.empty() && in_part(of_r) && in_part(of_psi));
 }
 
 Claim two_segments() {
   const Study &s = study(relative()), &more = study(relative(2));
-  const bool full = dimension(s.stripped(2)) == 0 && dimension(s.total(2)) == 0;
-  const bool leaves =
-      std::none_of(s.courses().begin(), s.courses().end(), [](const Course& c) { return c.stays; });
-  return assessed(
-      {.id = "4.2-relative-two-segments",
-       .place = "(4.44)",
-       .statement = "SOM and TOM have full rank in two segments, although N(Q_j) is not within N(F_j)",
-       .printed = "0",
+  const bool full = s.full_rank(2);
+  const bool leaves = std::ranges::none_of(s.courses(), [](const Course& c) { return c.stays; });
+  return studied(
+      "4.2-relative-two-segments", "(4.44)",
+      "SOM and TOM have full rank in two segments, although N(Q_j) is not within N(F_j)",
+      {.printed = "0",
        .measured = fmt::format("{}, in {} motions; (4.9) holds in {}, and with two features in {}", s.text(),
                                motions, leaves ? "none" : "some", more.stays() ? "all" : "not all"),
        .runs = 2 * motions},
@@ -228,42 +208,33 @@ Claim two_segments() {
 
 Claim fully_observable() {
   const Study& s = study(relative());
-  return assessed(
-      {.id = "4.2-relative-observable",
-       .place = "head of Section 4.1.2",
-       .statement = "The relative map makes bearing-only SLAM with inertial sensors fully observable",
-       .printed = "fully",
-       .measured = fmt::format("{}, in {} motions", s.text(), motions),
-       .why =
-           "up to the heading: turning all about a vertical changes no look. SOM and TOM find it because H "
-           "is frozen",
-       .runs = motions},
-      s.true_dimension() == 0,
-      leaves_the_yaw(s) && dimension(s.stripped(2)) == 0 && dimension(s.total(2)) == 0);
+  return studied("4.2-relative-observable", "head of Section 4.1.2",
+                 "The relative map makes bearing-only SLAM with inertial sensors fully observable",
+                 {.printed = "fully",
+                  .measured = fmt::format("{}, in {} motions", s.text(), motions),
+                  .why = "up to the heading: turning all about a vertical changes no measurement. SOM and "
+                         "TOM have full rank because H is frozen"},
+                 s.true_dimension() == 0, leaves_the_yaw(s) && s.full_rank(2));
 }
 
 Claim range_and_bearing() {
-  std::vector<std::string> lines;
-  bool as_matrices = true, all = true, but_the_heading = true;
-  for (const int features : {1, 2}) {
+  bool as_matrices = true, but_the_heading = true;
+  const Cases cases = by_number({1, 2}, [&](int features) -> CaseResult {
     const Study& s = study({.system = "inertial-rb",
                             .representation = "relative",
                             .features = features,
                             .segment_s = in_space_s});
-    lines.push_back(fmt::format("{}: {}", features, s.numbers()));
     as_matrices = as_matrices && dimension(s.stripped(2)) == 0;
-    all = all && s.true_dimension() == 0;
     but_the_heading = but_the_heading && leaves_the_yaw(s);
-  }
-  return assessed(
-      {.id = "4.2-range-bearing-relative",
-       .place = "below (4.28), of [19]",
-       .statement = "With range and bearing the relative map is completely observable in two segments",
-       .printed = "completely",
-       .measured = fmt::format("{}, by features: {}", legend, fmt::join(lines, "; ")),
-       .why = "up to the heading, as with bearings alone",
-       .runs = 2 * motions},
-      as_matrices && all, as_matrices && but_the_heading);
+    return {s.numbers(), s.true_dimension() == 0};
+  });
+  return studied("4.2-range-bearing-relative", "below (4.28), of [19]",
+                 "With range and bearing the relative map is completely observable in two segments",
+                 {.printed = "completely",
+                  .measured = fmt::format("{}, by features: {}", legend, cases.text()),
+                  .why = "up to the heading, as with bearings alone",
+                  .runs = 2 * motions},
+                 as_matrices && cases.hold(), as_matrices && but_the_heading);
 }
 
 Claim unaccelerated_ranks() {
@@ -272,13 +243,10 @@ Claim unaccelerated_ranks() {
     const Study& s = study(unaccelerated(relative(), how));
     all = all && dimension(s.stripped(1)) == 5 && dimension(s.stripped(2)) == 2;
   }
-  return assessed(
-      {.id = "4.2-relative-unaccelerated",
-       .place = "below (4.44)",
-       .statement =
-           "Without acceleration (f = 0) the rank of Q_1 is four, and the SOM of two segments leaves "
-           "two",
-       .printed = "4 of 9, 2",
+  return studied(
+      "4.2-relative-unaccelerated", "below (4.44)",
+      "Without acceleration (f = 0) the rank of Q_1 is four, and the SOM of two segments leaves two",
+      {.printed = "4 of 9, 2",
        .measured = fmt::format("{}, in {} motions: {}", legend, motions, by_unaccelerated(relative())),
        .runs = 3 * motions},
       all);
@@ -294,17 +262,15 @@ Claim unaccelerated_recovered() {
     along.push_back(listed(observable_states(s.along(), s.states())));
     printed = printed && observable_states(s.along(), s.states()) == velocities;
   }
-  return assessed(
-      {.id = "4.2-relative-unaccelerated-recovered",
-       .place = "below (4.44)",
-       .statement = "Without acceleration (f = 0) the only observable state is the linear velocity",
-       .printed = "velocity",
-       .measured =
-           fmt::format("states outside the null space, falling and without gravity: of the SOM of two "
-                       "segments {}, and {}; of the motion itself {}, and {}",
-                       in_som[0], in_som[1], along[0], along[1]),
-       .why = "falling, gravity tells the vertical: speed and distance along it, roll and pitch. Without "
-              "gravity nothing tells lengths or directions",
+  return studied(
+      "4.2-relative-unaccelerated-recovered", "below (4.44)",
+      "Without acceleration (f = 0) the only observable state is the linear velocity",
+      {.printed = "velocity",
+       .measured = fmt::format("states outside the null space, falling and without gravity: of the SOM of "
+                               "two segments {}, and {}; of the motion itself {}, and {}",
+                               in_som[0], in_som[1], along[0], along[1]),
+       .why = "falling, gravity determines the vertical: speed and distance along it, roll and pitch. "
+              "Without gravity no length and no direction is observable",
        .runs = 2 * motions},
       printed);
 }

@@ -1,13 +1,9 @@
-// Example 4.3, relative map: features told from the camera, in axes of the world.
+// Example 4.3, relative map: features relative to the camera, in axes of the world.
 //
 // Experiment: the built-in system `planar-cv` in its relative form, motions and rules of
 // observability_claims.hpp; 1 to 3 features; with H as it is and with the zero that is printed in its heading
 // column; also at rest. The thesis prints matrices of r = p - x_f; ours is x_f - p.
-#include <fmt/format.h>
-
-#include <algorithm>
-
-#include "experiments/evidence.hpp"
+#include "experiments/common.hpp"
 #include "experiments/example_4_3.hpp"
 
 namespace incognita::observability_claims::planar_cv {
@@ -38,7 +34,7 @@ std::vector<int> dimensions_with_zero(const Study& s) {
 }
 
 /// Everything turned, and everything scaled.
-std::vector<VectorXd> turn_and_scale(const Course& c, int features) {
+Basis turn_and_scale(const Course& c, int features) {
   const SystemPoint& p = c.points[0];
   VectorXd turn = VectorXd::Zero(4 + 2 * features), scale = turn;
   turn[0] = 1;
@@ -54,171 +50,145 @@ std::vector<VectorXd> turn_and_scale(const Course& c, int features) {
 
 bool leaves_turn_and_scale(int features) {
   const Study& s = relative(features);
-  return are_basis(s.along(), s.courses(), [&](const Course& c) { return turn_and_scale(c, features); });
+  return s.along_spanned_by([&](const Course& c) { return turn_and_scale(c, features); });
 }
 
 Claim first_segment() {
-  double printed = 0, corrected = 0;
+  Worst worst;
   for (const Course& course : relative().courses()) {
     const Vector2d r = r_to(course.points[0], 0);
     const MatrixXd &H = course.exact[0].H, HF = H * course.exact[0].F;
-    MatrixXd exact = MatrixXd::Zero(2, 6), rows = exact;  // printed order and sign of r
+    MatrixXd exact = MatrixXd::Zero(2, 6), printed = exact;  // printed order and sign of r
     exact.row(0) << -H(0, 4), -H(0, 5), H(0, 0), H(0, 1), H(0, 2), H(0, 3);
     exact.row(1) << -HF(0, 4), -HF(0, 5), HF(0, 0), HF(0, 1), HF(0, 2), HF(0, 3);
-    rows(0, 0) = rows(1, 3) = r.y() / r.squaredNorm();
-    rows(0, 1) = rows(1, 4) = -r.x() / r.squaredNorm();
-    printed = std::max(printed, (exact - rows).cwiseAbs().maxCoeff());
-    rows(0, 2) = rows(1, 5) = -1;
-    corrected = std::max(corrected, (exact - rows).cwiseAbs().maxCoeff());
+    printed(0, 0) = printed(1, 3) = r.y() / r.squaredNorm();
+    printed(0, 1) = printed(1, 4) = -r.x() / r.squaredNorm();
+    MatrixXd ours = printed;
+    ours(0, 2) = ours(1, 5) = -1;
+    worst.take(printed, ours, exact);
   }
-  return assessed({.id = "4.3-relative-Q1",
-                   .place = "(4.50), (4.51)",
-                   .statement = "Q_1 with H of (4.24), to 1e-9",
-                   .printed = "0 in the columns of heading and turn rate",
-                   .measured = fmt::format(
-                       "largest difference from exact derivatives in {} motions: printed {:.2g}, ours "
-                       "{}",
-                       motions, printed, below(corrected)),
-                   .why = "-1 there, as (4.24) has it (r is p - x_f here)",
-                   .runs = motions},
-                  printed < rounding, corrected < rounding);
+  return studied("4.3-relative-Q1", "(4.50), (4.51)", "Q_1 with H of (4.24), to 1e-9",
+                 {.printed = "0 in the columns of heading and turn rate",
+                  .measured = fmt::format("largest difference from exact derivatives in {} motions: {}",
+                                          motions, worst.text()),
+                  .why = "-1 there, as (4.24) has it (r is p - x_f here)"},
+                 worst, rounding);
 }
 
 Claim instant_null_space() {
   const Study& s = relative();
-  const auto printed = [](const Course& c) -> std::vector<VectorXd> {
+  const auto printed = [](const Course& c) -> Basis {
     const Vector2d r = r_to(c.points[0], 0);
     return {six(r.x(), r.y(), 0, 0, 0, 0), six(0, 0, 0, r.x(), r.y(), 0), six(0, 0, 1, 0, 0, 0),
             six(0, 0, 0, 0, 0, 1)};
   };
-  const auto ours = [](const Course& c) -> std::vector<VectorXd> {
+  const auto ours = [](const Course& c) -> Basis {
     const Vector2d r = r_to(c.points[0], 0);
     return {six(r.x(), r.y(), 0, 0, 0, 0), six(0, 0, 0, r.x(), r.y(), 0), six(-r.y(), r.x(), 1, 0, 0, 0),
             six(0, 0, 0, r.y(), -r.x(), 1)};
   };
   const bool of_zero = are_basis(stripped_with(s, 1, zero_heading), s.courses(), printed);
-  return assessed(
-      {.id = "4.3-relative-null-space",
-       .place = "(4.52)",
-       .statement = "Null space of one segment",
-       .printed = "[r 0 0 0], [0 0 r 0], heading, turn rate: dimension 4",
-       .measured =
-           fmt::format("dimension {} of 6 in {} motions; the printed vectors span it: {}; with the 0 of "
-                       "(4.51): {}",
-                       dimension(s.stripped(1)), motions,
-                       are_basis(s.stripped(1), s.courses(), printed) ? "yes" : "no", of_zero ? "yes" : "no"),
-       .why =
-           "dimension 4, but heading and turn rate only together with the turned r: [-r_y r_x 1 0 0 0], [0 "
-           "0 0 r_y -r_x 1] with r = x_f - p",
-       .runs = motions},
-      are_basis(s.stripped(1), s.courses(), printed), are_basis(s.stripped(1), s.courses(), ours));
+  return studied(
+      "4.3-relative-null-space", "(4.52)", "Null space of one segment",
+      {.printed = "[r 0 0 0], [0 0 r 0], heading, turn rate: dimension 4",
+       .measured = fmt::format(
+           "dimension {} of 6 in {} motions; the printed vectors span it: {}; with the 0 of (4.51): {}",
+           dimension(s.stripped(1)), motions, yes_no(s.stripped_spanned_by(1, printed)), yes_no(of_zero)),
+       .why = "dimension 4, but heading and turn rate only together with the turned r: [-r_y r_x 1 0 0 0], "
+              "[0 0 0 r_y -r_x 1] with r = x_f - p"},
+      s.stripped_spanned_by(1, printed), s.stripped_spanned_by(1, ours));
 }
 
 Claim nothing_in_one_segment() {
   const auto seen = observable_states(relative().stripped(1), relative().error_states());
-  return assessed({.id = "4.3-relative-instant",
-                   .place = "below (4.52)",
-                   .statement = "No state is completely observable in one segment, not even the orientation",
-                   .printed = "none",
-                   .measured = fmt::format("states outside N(Q_1) in {} motions: {}", motions, listed(seen)),
-                   .runs = motions},
-                  seen.empty());
+  return studied("4.3-relative-instant", "below (4.52)",
+                 "No state is completely observable in one segment, not even the orientation",
+                 {.printed = "none",
+                  .measured = fmt::format("states outside N(Q_1) in {} motions: {}", motions, listed(seen))},
+                 seen.empty());
 }
 
 Claim more_segments() {
   const Study& s = relative();
-  const auto printed = [](const Course&) -> std::vector<VectorXd> {
-    return {six(0, 0, 1, 0, 0, 0), six(0, 0, 0, 0, 0, 1)};
-  };
+  const auto printed = [](const Course&) { return Basis{six(0, 0, 1, 0, 0, 0), six(0, 0, 0, 0, 0, 1)}; };
   const bool of_zero = are_basis(stripped_with(s, 2, zero_heading), s.courses(), printed) &&
                        are_basis(stripped_with(s, 3, zero_heading), s.courses(), printed),
              third_takes_both = s.dimensions() == std::vector{4, 2, 0};
   const auto seen = observable_states(s.along(), s.states());
-  const bool turn_rate = std::find(seen.begin(), seen.end(), "wz") != seen.end();
-  return assessed(
-      {.id = "4.3-relative-two-segments",
-       .place = "(4.53)",
-       .statement = "Two or more segments leave two modes, orientation and angular velocity",
-       .printed = "heading, turn rate: dimension 2",
+  const bool turn_rate = std::ranges::find(seen, "wz") != seen.end();
+  return studied(
+      "4.3-relative-two-segments", "(4.53)",
+      "Two or more segments leave two modes, orientation and angular velocity",
+      {.printed = "heading, turn rate: dimension 2",
        .measured =
-           fmt::format("{}, in {} motions; with the 0 of (4.51) SOM leaves {}, by (4.53) {}; states "
-                       "outside the null space of the motion itself: {}",
+           fmt::format("{}, in {} motions; with the 0 of (4.51) SOM leaves {}, by (4.53) {}; states outside "
+                       "the null space of the motion itself: {}",
                        s.text(), motions, joined(dimensions_with_zero(s)), yes_no(of_zero), listed(seen)),
        .why = "two modes are left, but they are turning all and scaling all; the angular velocity is "
-              "recovered. (4.53) comes of the 0 in (4.51); with -1 a third segment takes both from SOM",
-       .runs = motions},
-      are_basis(s.stripped(2), s.courses(), printed) && are_basis(s.stripped(3), s.courses(), printed) &&
-          are_basis(s.along(), s.courses(), printed),
+              "recovered. (4.53) comes of the 0 in (4.51); with -1 the SOM of three segments has full rank"},
+      s.stripped_spanned_by(2, printed) && s.stripped_spanned_by(3, printed) && s.along_spanned_by(printed),
       leaves_turn_and_scale(1) && turn_rate && of_zero && third_takes_both);
 }
 
 Claim more_features() {
-  std::vector<std::string> lines, zero;
-  bool printed = true, corrected = true;
-  for (const int features : {1, 2, 3}) {
+  bool corrected = true;
+  Cases zero;
+  const Cases printed = by_number({1, 2, 3}, [&](int features) -> CaseResult {
     const Study& s = relative(features);
-    lines.push_back(fmt::format("{}: {}", features, s.numbers()));
-    zero.push_back(fmt::format("{}: {}", features, joined(dimensions_with_zero(s))));
-    printed = printed && dimension(s.stripped(2)) == 2;
-    corrected = corrected && leaves_turn_and_scale(features) && dimensions_with_zero(s)[1] == 2 &&
+    const std::vector<int> with_zero = dimensions_with_zero(s);
+    zero.add({fmt::format("{}: {}", features, joined(with_zero))});
+    corrected = corrected && leaves_turn_and_scale(features) && with_zero[1] == 2 &&
                 dimension(s.stripped(2)) == (features == 1 ? 2 : 1);
-  }
-  return assessed(
-      {.id = "4.3-relative-features",
-       .place = "below (4.53)",
-       .statement = "More features do not change that the SOM of two segments leaves two modes",
-       .printed = "2",
+    return {s.numbers(), dimension(s.stripped(2)) == 2};
+  });
+  return studied(
+      "4.3-relative-features", "below (4.53)",
+      "More features do not change that the SOM of two segments leaves two modes",
+      {.printed = "2",
        .measured = fmt::format("{}, by features: {}; left by SOM with the 0 of (4.51): {}", legend,
-                               fmt::join(lines, "; "), fmt::join(zero, "; ")),
-       .why =
-           "of the motion itself that is true, which leaves turn and scale with any number. In SOM a second "
-           "feature takes one, unless H has the 0 of (4.51)",
+                               printed.text(), zero.text()),
+       .why = "of the motion itself that is true, which leaves turn and scale with any number. A second "
+              "feature removes one from the null space of the SOM, unless H has the 0 of (4.51)",
        .runs = 3 * motions},
-      printed, corrected);
+      printed.hold(), corrected);
 }
 
 Claim must_move() {
   const Study &s = relative(), &rest = relative(1, "stationary");
   const auto seen = observable_states(s.along(), s.states());
-  const auto has = [&](const char* name) { return std::find(seen.begin(), seen.end(), name) != seen.end(); };
+  const auto has = [&](const char* name) { return std::ranges::find(seen, name) != seen.end(); };
   const bool lost = rest.true_dimension() > s.true_dimension() && rest.dimensions() == std::vector{4, 4, 4};
-  return assessed(
-      {.id = "4.3-relative-moving",
-       .place = "below (4.53)",
-       .statement = "The velocity must be nonzero to at least recover the relative positions",
-       .printed = "recovered",
-       .measured = fmt::format("{}: moving {}, at rest {}; states outside the null space of the motion "
-                               "itself: {}",
-                               legend, s.numbers(), rest.numbers(), listed(seen)),
-       .why = "moving recovers them up to scale and turn, with any number of features",
-       .runs = 2 * motions},
-      lost && has("rx_1") && has("ry_1"),
-      lost && leaves_turn_and_scale(1) && leaves_turn_and_scale(2) && leaves_turn_and_scale(3));
+  return studied("4.3-relative-moving", "below (4.53)",
+                 "The velocity must be nonzero to at least recover the relative positions",
+                 {.printed = "recovered",
+                  .measured = fmt::format(
+                      "{}: moving {}, at rest {}; states outside the null space of the motion itself: {}",
+                      legend, s.numbers(), rest.numbers(), listed(seen)),
+                  .why = "moving recovers them up to scale and turn, with any number of features",
+                  .runs = 2 * motions},
+                 lost && has("rx_1") && has("ry_1"),
+                 lost && leaves_turn_and_scale(1) && leaves_turn_and_scale(2) && leaves_turn_and_scale(3));
 }
 
 Claim never_full() {
-  std::vector<std::string> lines;
-  bool in_truth = true, by_matrices = true, reached = true, with_zero = true;
-  for (const int features : {1, 2, 3}) {
+  bool by_matrices = true, reached = true, with_zero = true;
+  const Cases in_truth = by_number({1, 2, 3}, [&](int features) -> CaseResult {
     const Study& s = relative(features);
-    lines.push_back(fmt::format("{}: {}, with the 0 of (4.51) {}", features, s.numbers(),
-                                joined(dimensions_with_zero(s))));
-    in_truth = in_truth && leaves_turn_and_scale(features);
-    by_matrices = by_matrices && dimension(s.stripped(3)) > 0 && dimension(s.total(3)) > 0;
-    reached = reached && dimension(s.stripped(3)) == 0 && dimension(s.total(3)) == 0;
+    by_matrices = by_matrices && s.rank_deficient(3);
+    reached = reached && s.full_rank(3);
     with_zero = with_zero && dimensions_with_zero(s)[2] > 0;
-  }
-  return assessed(
-      {.id = "4.3-relative-never",
-       .place = "end of Example 4.3",
-       .statement = "No relative map of a constant-velocity model is fully observable, or reaches the rank "
-                    "condition",
-       .printed = "none",
-       .measured = fmt::format("{}, by features: {}", legend, fmt::join(lines, "; ")),
+    return {fmt::format("{}, with the 0 of (4.51) {}", s.numbers(), joined(dimensions_with_zero(s))),
+            leaves_turn_and_scale(features)};
+  });
+  return studied(
+      "4.3-relative-never", "end of Example 4.3",
+      "No relative map of a constant-velocity model is fully observable, or reaches the rank condition",
+      {.printed = "none",
+       .measured = fmt::format("{}, by features: {}", legend, in_truth.text()),
        .why = "none is, as the motion itself leaves turn and scale. But SOM and TOM have full rank in three "
               "segments, unless H has the 0 of (4.51)",
        .runs = 3 * motions},
-      in_truth && by_matrices, in_truth && reached && with_zero);
+      in_truth.hold() && by_matrices, in_truth.hold() && reached && with_zero);
 }
 
 }  // namespace

@@ -1,18 +1,14 @@
-// Example 4.4: what a camera gets to see in space, moved by it is not said whom, with anchors.
+// Example 4.4: observability of a camera in space with unknown motion, with anchors.
 //
 // Experiment: the built-in system `cv6`, motions and rules of observability_claims.hpp: velocity and turn
-// rate constant within a segment, changed by nobody knows how much from one to the next; one feature, up to 4
+// rate constant within a segment, changed by an unknown amount from one to the next; one feature, up to 4
 // anchors. Printed vectors hold p, v, psi, omega, x_f in this order. Their r may be that of the feature or of
 // the anchor, of either sign, in axes of the world or of the sensor: each vector is given the reading that
-// suits it. F of (4.55) is held against exact derivatives by misalignments, to 1e-9.
-#include <fmt/format.h>
-
+// suits it. F of (4.55) is compared with exact derivatives by misalignments, to 1e-9.
 #include <Eigen/Geometry>
-#include <algorithm>
 
-#include "experiments/evidence.hpp"
+#include "experiments/common.hpp"
 #include "experiments/example_4_2.hpp"
-#include "experiments/list.hpp"
 #include "experiments/observability_claims.hpp"
 
 namespace incognita::observability_claims {
@@ -46,8 +42,8 @@ struct Begin {
 };
 
 /// The vectors of (4.56) by one reading of r.
-std::vector<VectorXd> printed_vectors(const Matrix3d& C, const Vector3d& r, double sign) {
-  std::vector<VectorXd> all;
+Basis printed_vectors(const Matrix3d& C, const Vector3d& r, double sign) {
+  Basis all;
   for (int i = 0; i < 3; ++i) {
     const Vector3d e = Vector3d::Unit(i);
     all.push_back(fifteen(zero, sign * C.row(i).transpose().cross(r), zero, e, zero));
@@ -77,10 +73,10 @@ int printed_inside(const Study& s, bool feature_in_axes_of_world) {
 
 /// With one anchor: the feature's distance, the anchor's with feature, a turn about each axis, and what turn
 /// rates can do together with the velocity so that neither feature nor anchor moves sideways.
-std::vector<VectorXd> our_vectors(const Course& course) {
+Basis our_vectors(const Course& course) {
   const Begin at(course);
   const Vector3d d = at.r - at.b;
-  std::vector<VectorXd> all{fifteen(zero, zero, zero, zero, at.r), fifteen(at.b, zero, zero, zero, at.b)};
+  Basis all{fifteen(zero, zero, zero, zero, at.r), fifteen(at.b, zero, zero, zero, at.b)};
   for (int i = 0; i < 3; ++i) {
     const Vector3d e = Vector3d::Unit(i);
     all.push_back(fifteen(at.b.cross(e), zero, e, zero, at.b.cross(e) - at.r.cross(e)));
@@ -94,18 +90,17 @@ std::vector<VectorXd> our_vectors(const Course& course) {
 
 Claim instant_null_space() {
   const Study &one = world(1), &two = world(2);
-  const bool basis = are_basis(one.stripped(1), one.courses(), our_vectors);
-  return assessed(
-      {.id = "4.4-null-space",
-       .place = "(4.56)",
-       .statement = "With two anchors one segment leaves seven and sees eight combinations of states",
-       .printed = "dimension 7, rank 8",
-       .measured = fmt::format("dimension with 1/2 anchors in {} motions {}/{}, rank {}/{}", motions,
-                               dimension(one.stripped(1)), dimension(two.stripped(1)),
-                               15 - dimension(one.stripped(1)), 15 - dimension(two.stripped(1))),
-       .why = "with one anchor; two leave three",
-       .runs = 2 * motions},
-      dimension(two.stripped(1)) == 7, basis && dimension(two.stripped(1)) == 3);
+  const bool basis = one.stripped_spanned_by(1, our_vectors);
+  return studied("4.4-null-space", "(4.56)",
+                 "With two anchors one segment leaves seven dimensions unobservable and eight combinations "
+                 "of states observable",
+                 {.printed = "dimension 7, rank 8",
+                  .measured = fmt::format("dimension with 1/2 anchors in {} motions {}/{}, rank {}/{}",
+                                          motions, dimension(one.stripped(1)), dimension(two.stripped(1)),
+                                          15 - dimension(one.stripped(1)), 15 - dimension(two.stripped(1))),
+                  .why = "with one anchor; two leave three",
+                  .runs = 2 * motions},
+                 dimension(two.stripped(1)) == 7, basis && dimension(two.stripped(1)) == 3);
 }
 
 Claim basis_vectors() {
@@ -117,20 +112,17 @@ Claim basis_vectors() {
     return counts;
   };
   const std::vector<int> as_printed = inside(false), in_world = inside(true);
-  const bool ours = are_basis(one.stripped(1), one.courses(), our_vectors);
-  return assessed(
-      {.id = "4.4-basis",
-       .place = "(4.56)",
-       .statement = "Vectors of that null space",
-       .printed = "[0 C_i' x r 0 e_i 0], [[x r]_i 0 e_i 0 0], [0 0 0 0 r^s]",
-       .measured = fmt::format("in the null space with 0/1/2 anchors: {} of 7, {} with r for r^s; ours span "
-                               "it with one anchor: {}",
-                               joined(as_printed), joined(in_world), ours ? "yes" : "no"),
-       .why = "they belong to a camera without anchors. With one anchor at b: [0 0 0 0 r], [b 0 0 0 b], [b x "
-              "e_i 0 e_i 0 (b - r) x e_i], and two of v and omega, one of them turning about d = r - b: [0 b "
-              "x d 0 C d 0]",
-       .runs = 3 * motions},
-      as_printed[1] == 7 || as_printed[2] == 7, ours && in_world[0] == 7);
+  const bool ours = one.stripped_spanned_by(1, our_vectors);
+  return studied("4.4-basis", "(4.56)", "Vectors of that null space",
+                 {.printed = "[0 C_i' x r 0 e_i 0], [[x r]_i 0 e_i 0 0], [0 0 0 0 r^s]",
+                  .measured = fmt::format("in the null space with 0/1/2 anchors: {} of 7, {} with r for r^s; "
+                                          "ours span it with one anchor: {}",
+                                          joined(as_printed), joined(in_world), yes_no(ours)),
+                  .why = "they belong to a camera without anchors. With one anchor at b: [0 0 0 0 r], [b 0 0 "
+                         "0 b], [b x e_i 0 e_i 0 (b - r) x e_i], and two of v and omega, one of them turning "
+                         "about d = r - b: [0 b x d 0 C d 0]",
+                  .runs = 3 * motions},
+                 as_printed[1] == 7 || as_printed[2] == 7, ours && in_world[0] == 7);
 }
 
 Claim rows() {
@@ -142,20 +134,18 @@ Claim rows() {
       general = general && rows == 2 * features + 2 * anchors;
       if (features == 1) found.push_back(rows);
     }
-  return assessed(
-      {.id = "4.4-rows",
-       .place = "below (4.56)",
-       .statement = "With one feature and three or more anchors H has ten rows, in general 2 nm + 2 na",
-       .printed = "10",
-       .measured = fmt::format("with 3 anchors {}, with 4 {}; in general {}", found[0], found[1],
-                               general ? "2 nm + 2 na" : "other numbers"),
-       .why = "eight with three anchors; ten are four's",
-       .runs = 4},
-      general && found[0] == 10, general && found[0] == 8 && found[1] == 10);
+  return studied("4.4-rows", "below (4.56)",
+                 "With one feature and three or more anchors H has ten rows, in general 2 nm + 2 na",
+                 {.printed = "10",
+                  .measured = fmt::format("with 3 anchors {}, with 4 {}; in general {}", found[0], found[1],
+                                          general ? "2 nm + 2 na" : "other numbers"),
+                  .why = "eight with three anchors; ten are four's",
+                  .runs = 4},
+                 general && found[0] == 10, general && found[0] == 8 && found[1] == 10);
 }
 
 /// Everything turned about the line through the first two anchors, as Euler angles see it.
-std::vector<VectorXd> turn_about_line(const Course& course) {
+Basis turn_about_line(const Course& course) {
   const SystemPoint& p = course.points[0];
   const Vector3d angles = p.x.segment<3>(6), first = p.anchors.head<3>(),
                  axis = (p.anchors.segment<3>(3) - first).normalized();
@@ -165,38 +155,30 @@ std::vector<VectorXd> turn_about_line(const Course& course) {
 }
 
 Claim two_segments() {
-  std::vector<std::string> lines;
-  for (const int anchors : {1, 2, 3, 4})
-    lines.push_back(fmt::format("{}: {}", anchors, world(anchors).numbers()));
-  const Study& two = world(2);
-  const bool full = dimension(two.stripped(2)) == 0 && dimension(two.total(2)) == 0,
-             turns = are_basis(two.along(), two.courses(), turn_about_line);
   bool all = true;
-  for (const int anchors : {3, 4}) {
+  const Cases cases = by_number({1, 2, 3, 4}, [&](int anchors) -> CaseResult {
     const Study& s = world(anchors);
-    all = all && dimension(s.stripped(2)) == 0 && s.true_dimension() == 0;
-  }
-  return assessed(
-      {.id = "4.4-two-segments",
-       .place = "(4.57)",
-       .statement = "With more than two anchors the SOM has full rank, and the system is observable, in two "
-                    "segments",
-       .printed = "0",
+    if (anchors >= 3) all = all && dimension(s.stripped(2)) == 0 && s.true_dimension() == 0;
+    return {s.numbers()};
+  });
+  const Study& two = world(2);
+  return studied(
+      "4.4-two-segments", "(4.57)",
+      "With more than two anchors the SOM has full rank, and the system is observable, in two segments",
+      {.printed = "0",
        .measured = fmt::format("{}, by anchors: {}. With two SOM and TOM have full rank in two segments: {}; "
                                "the motion itself leaves the turn of all about the line through them: {}",
-                               legend, fmt::join(lines, "; "), yes_no(full), yes_no(turns)),
+                               legend, cases.text(), yes_no(two.full_rank(2)),
+                               yes_no(two.along_spanned_by(turn_about_line))),
        .runs = 4 * motions},
       all);
 }
 
 Claim as_on_the_plane() {
   const Study &space = world(3), &plane = study({.system = "planar-cv", .anchors = 3});
-  return assessed(
-      {.id = "4.4-as-on-the-plane",
-       .place = "end of Example 4.4",
-       .statement = "That is as with the constant-velocity model of the plane",
-       .printed = "",
-       .measured = fmt::format("{}, with three anchors: space {}; plane {}", legend, space.numbers(),
+  return studied(
+      "4.4-as-on-the-plane", "end of Example 4.4", "That is as with the constant-velocity model of the plane",
+      {.measured = fmt::format("{}, with three anchors: space {}; plane {}", legend, space.numbers(),
                                plane.numbers()),
        .runs = 2 * motions},
       space.dimensions() == plane.dimensions() && space.true_dimension() == plane.true_dimension());
@@ -218,24 +200,21 @@ double wrong_F(bool told_from_vehicle) {
 
 Claim error_form() {
   const double of_r = wrong_F(true), of_p = wrong_F(false);
-  return assessed(
-      {.id = "4.4-F",
-       .place = "(4.55) and F below it",
-       .statement = "The error form of (4.54) is r' = v, v' = 0, psi' = C' omega, omega' = 0, to 1e-9",
-       .printed = "r' = v",
-       .measured = fmt::format("largest difference of F from exact derivatives in {} motions: for r = x_f - "
-                               "p {:.2g}, for p {}",
-                               motions, of_r, below(of_p)),
-       .why = "p' = v. F is right, but for the feature's zeros, which it leaves out",
-       .runs = motions},
+  return studied(
+      "4.4-F", "(4.55) and F below it",
+      "The error form of (4.54) is r' = v, v' = 0, psi' = C' omega, omega' = 0, to 1e-9",
+      {.printed = "r' = v",
+       .measured = fmt::format(
+           "largest difference of F from exact derivatives in {} motions: for r = x_f - p {:.2g}, for p {}",
+           motions, of_r, below(of_p)),
+       .why = "p' = v. F is right, but for the feature's zeros, which it leaves out"},
       of_r < 1e-9, of_p < 1e-9);
 }
 
-LedgerEntry run(const ExperimentSettings&) {
-  LedgerEntry entry{example_4_4.id, example_4_4.title, "", {}, {}};
-  entry.claims = {error_form(), instant_null_space(), basis_vectors(),
-                  rows(),       two_segments(),       as_on_the_plane()};
-  return entry;
+LedgerEntry run(const ExperimentSettings& settings) {
+  return entry_of(
+      example_4_4, settings,
+      {error_form(), instant_null_space(), basis_vectors(), rows(), two_segments(), as_on_the_plane()});
 }
 
 }  // namespace

@@ -1,19 +1,15 @@
-// Example 4.5: Lie derivatives of the relative map of the plane, and the heading that they do not find.
+// Example 4.5: Lie derivatives of the relative map of the plane, and the heading, which they leave
+// unobservable.
 //
 // Experiment: the built-in systems `planar-polar` (range and bearing of the feature as states), `planar` and
-// `planar-rb` in their relative forms, motions and rules of observability_claims.hpp; 1 to 3 features. What
-// the printed model is held against are (4.11) and exact derivatives of range and bearing; r may be x_f - p
-// or p - x_f. Holds: beside those rules, formulas to 1e-9; of Lie derivatives all orders are taken, until
-// none can add anything. (4.64) and (4.66) are tested on what the program derives symbolically, up to the
-// third order, with the last term by five points.
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
+// `planar-rb` in their relative forms, motions and rules of observability_claims.hpp; 1 to 3 features. The
+// printed model is compared with (4.11) and exact derivatives of range and bearing; r may be x_f - p or p -
+// x_f. Holds: beside those rules, formulas to 1e-9; of Lie derivatives all orders are taken, until none can
+// add anything. (4.64) and (4.66) are tested on what the program derives symbolically, up to the third order,
+// with the last term by five points.
 #include <optional>
 
-#include "experiments/evidence.hpp"
-#include "experiments/list.hpp"
+#include "experiments/common.hpp"
 #include "experiments/observability_claims.hpp"
 #include "incognita/analysis/systems/lie_algebra.hpp"
 #include "incognita/analysis/systems/system_instance.hpp"
@@ -75,18 +71,15 @@ Claim model() {
   const double of_equations = either(equations, Vector3d(0, -1, 1)),
                of_fields = either(fields, Vector3d(0, 0, 1)),
                corrected = wrong_fields(ours, Vector3d(0, -1, 1), false);
-  return assessed(
-      {.id = "4.5-model",
-       .place = "(4.69) to (4.73)",
-       .statement = "The model in polar coordinates follows from (4.11), to 1e-9",
-       .printed = "rho' = v cos phi; g_1 = [cos phi, sin phi/rho, -1], g_2 = [0 0 1]",
-       .measured = fmt::format("largest difference in {} motions, r = x_f - p or p - x_f: (4.69) to (4.71) "
-                               "{:.2g}, (4.72) and (4.73) {:.2g}, ours {}",
-                               motions, of_equations, of_fields, below(corrected)),
-       .why = "rho' = -v cos phi, phi' = (v/rho) sin phi - omega with r = x_f - p: g_1 = [-cos phi, sin "
-              "phi/rho, 0], g_2 = [0, -1, 1]",
-       .runs = motions},
-      of_equations < rounding && of_fields < rounding, corrected < rounding);
+  return studied("4.5-model", "(4.69) to (4.73)",
+                 "The model in polar coordinates follows from (4.11), to 1e-9",
+                 {.printed = "rho' = v cos phi; g_1 = [cos phi, sin phi/rho, -1], g_2 = [0 0 1]",
+                  .measured = fmt::format("largest difference in {} motions, r = x_f - p or p - x_f: (4.69) "
+                                          "to (4.71) {:.2g}, (4.72) and (4.73) {:.2g}, ours {}",
+                                          motions, of_equations, of_fields, below(corrected)),
+                  .why = "rho' = -v cos phi, phi' = (v/rho) sin phi - omega with r = x_f - p: g_1 = [-cos "
+                         "phi, sin phi/rho, 0], g_2 = [0, -1, 1]"},
+                 of_equations < rounding && of_fields < rounding, corrected < rounding);
 }
 
 Claim first_order() {
@@ -97,16 +90,14 @@ Claim first_order() {
     second = std::max(second, std::abs(at.by_omega[1] - 0));
     ours = std::max(ours, std::abs(at.by_omega[1] + 1));
   }
-  return assessed({.id = "4.5-first-order",
-                   .place = "(4.74), (4.75)",
-                   .statement = "Lie derivatives of the bearing along both fields, to 1e-9",
-                   .printed = "sin phi/rho and 0",
-                   .measured = fmt::format(
-                       "largest difference in {} motions: the first {}, the second {:.2g}, from -1 {}",
+  return studied(
+      "4.5-first-order", "(4.74), (4.75)", "Lie derivatives of the bearing along both fields, to 1e-9",
+      {.printed = "sin phi/rho and 0",
+       .measured =
+           fmt::format("largest difference in {} motions: the first {}, the second {:.2g}, from -1 {}",
                        motions, below(first), second, below(ours)),
-                   .why = "the second is -1. Its differential is 0 all the same",
-                   .runs = motions},
-                  first < rounding && second < rounding, first < rounding && ours < rounding);
+       .why = "the second is -1. Its differential is 0 all the same"},
+      first < rounding && second < rounding, first < rounding && ours < rounding);
 }
 
 Claim rank() {
@@ -120,16 +111,13 @@ Claim rank() {
     difference = std::max(difference, (exact - printed).cwiseAbs().maxCoeff());
   }
   const int left = dimension(lie(polar()));
-  return assessed(
-      {.id = "4.5-rank",
-       .place = "(4.76)",
-       .statement = "The differentials of all Lie derivatives span two of three dimensions",
-       .printed = "2 of 3",
-       .measured = fmt::format("rank {} at {} points, derivatives of all orders; largest difference of the "
-                               "printed second column from d(sin phi/rho) {}",
-                               3 - left, motions, below(difference)),
-       .runs = motions},
-      left == 1 && difference < rounding);
+  return studied("4.5-rank", "(4.76)",
+                 "The differentials of all Lie derivatives span two of three dimensions",
+                 {.printed = "2 of 3",
+                  .measured = fmt::format("rank {} at {} points, derivatives of all orders; largest "
+                                          "difference of the printed second column from d(sin phi/rho) {}",
+                                          3 - left, motions, below(difference))},
+                 left == 1 && difference < rounding);
 }
 
 Claim null_space_of_all() {
@@ -138,41 +126,36 @@ Claim null_space_of_all() {
   for (const int features : {1, 2, 3}) {
     const Spaces spaces = lie(polar(features));
     found.push_back(dimension(spaces));
-    heading = heading && are_basis(spaces, study(polar(features)).courses(), [&](const Course&) {
-                return std::vector<VectorXd>{VectorXd::Unit(1 + 2 * features, 0)};
-              });
+    heading = heading && are_basis(spaces, study(polar(features)).courses(),
+                                   [&](const Course&) { return Basis{VectorXd::Unit(1 + 2 * features, 0)}; });
   }
-  return assessed(
-      {.id = "4.5-null-space",
-       .place = "(4.77), head of Chapter 4",
-       .statement = "What they do not span is the orientation",
-       .printed = "[0 0 1]: dimension 1",
+  return studied(
+      "4.5-null-space", "(4.77), head of Chapter 4", "What they do not span is the orientation",
+      {.printed = "[0 0 1]: dimension 1",
        .measured = fmt::format("dimension with 1/2/3 features at {} points {}; the heading spans it: {}",
-                               motions, joined(found), heading ? "yes" : "no"),
+                               motions, joined(found), yes_no(heading)),
        .runs = 3 * motions},
       heading);
 }
 
 Claim contrary() {
   const Study &s = cartesian(), &in_polar = study(polar());
-  const auto turned = [](const Course& c) -> std::vector<VectorXd> {
+  const auto turned = [](const Course& c) -> Basis {
     const Vector3d x = c.points[0].x;  // heading and r
     return {Vector3d(1, -x[2], x[1])};
   };
   const Spaces by_lie = lie({.system = "planar", .representation = "relative"});
-  const bool linear_finds_it = dimension(s.stripped(2)) == 0 && dimension(s.total(2)) == 0,
-             unseen = are_basis(by_lie, s.courses(), turned) && are_basis(s.along(), s.courses(), turned),
+  const bool linear_finds_it = s.full_rank(2),
+             unseen = are_basis(by_lie, s.courses(), turned) && s.along_spanned_by(turned),
              depends = s.dimensions() != in_polar.dimensions();
-  return assessed(
-      {.id = "4.5-contrary",
-       .place = "below (4.77)",
-       .statement = "The global orientation is not observable, contrary to what the linear analysis shows",
-       .printed = "contrary",
-       .measured =
-           fmt::format("{} in {} motions: {}; by Lie derivatives {}: all turned, {}. In polar coordinates "
-                       "{}: what SOM and TOM find {} on coordinates",
-                       legend, motions, s.numbers(), joined({dimension(by_lie)}), yes_no(unseen),
-                       in_polar.numbers(), depends ? "depends" : "does not depend"),
+  return studied(
+      "4.5-contrary", "below (4.77)",
+      "The global orientation is not observable, contrary to the result of the linear analysis",
+      {.printed = "contrary",
+       .measured = fmt::format("{} in {} motions: {}; by Lie derivatives {}: all turned, {}. In polar "
+                               "coordinates {}: the result of SOM and TOM {} on coordinates",
+                               legend, motions, s.numbers(), joined({dimension(by_lie)}), yes_no(unseen),
+                               in_polar.numbers(), depends ? "depends" : "does not depend"),
        .runs = 2 * motions},
       linear_finds_it && unseen);
 }
@@ -186,8 +169,7 @@ class RepeatedLie {
   explicit RepeatedLie(const std::string& system)
       : algebra_(make_symbolic(load_system(system, "relative")), 0) {
     const auto& fields = algebra_.fields();
-    const auto along =
-        std::find_if(fields.begin(), fields.end(), [](const VectorField& f) { return f.name == "v"; });
+    const auto along = std::ranges::find_if(fields, [](const VectorField& f) { return f.name == "v"; });
     const int field = static_cast<int>(along - fields.begin());
     slots_.push_back(algebra_.system().landmark.measurements.at(0));
     while (slots_.size() <= orders) slots_.push_back(algebra_.derive(slots_.back(), field, {}));
@@ -226,39 +208,34 @@ VectorXd changed_along(const RepeatedLie& lie, std::size_t q, const SystemPoint&
 }
 
 Claim recursion() {
-  double printed = 0, corrected = 0;
+  Worst worst;
   for (const char* system : {"planar", "planar-polar"}) {
     const RepeatedLie lie(system);
     for (const Course& course : study({.system = system, .representation = "relative"}).courses()) {
       SystemPoint point = course.points[0];
       point.u = VectorXd::Unit(2, 0);
       for (std::size_t q = 1; q <= RepeatedLie::orders; ++q) {
-        const VectorXd exact = lie.differential(q, point), before = lie.differential(q - 1, point),
-                       last = changed_along(lie, q - 1, point);
-        const VectorXd quotient = before.cwiseProduct(lie.g(point)).cwiseQuotient(point.x);
-        printed = std::max(printed, (quotient + last - exact).cwiseAbs().maxCoeff());
-        corrected =
-            std::max(corrected, (lie.by_x(point).transpose() * before + last - exact).cwiseAbs().maxCoeff());
+        const VectorXd before = lie.differential(q - 1, point), last = changed_along(lie, q - 1, point),
+                       quotient = before.cwiseProduct(lie.g(point)).cwiseQuotient(point.x);
+        worst.take(quotient + last, lie.by_x(point).transpose() * before + last, lie.differential(q, point));
       }
     }
   }
-  return assessed(
-      {.id = "4.5-recursion",
-       .place = "(4.64), (4.66)",
-       .statement = "The differential of a Lie derivative from the one before, orders 1 to 3, to 1e-9",
-       .printed = "L dh (g(x)/x) + ...",
+  return studied(
+      "4.5-recursion", "(4.64), (4.66)",
+      "The differential of a Lie derivative from the one before, orders 1 to 3, to 1e-9",
+      {.printed = "L dh (g(x)/x) + ...",
        .measured = fmt::format("largest difference from gradients of L^q h along g_1 at {} points, in "
                                "Cartesian and polar coordinates: g/x entry by entry {:.2g}, ours {}",
-                               motions, printed, below(corrected)),
+                               motions, worst.printed, below(worst.ours)),
        .why = "L dh (dg/dx) + ...: the quotient is a derivative",
        .runs = 2 * motions},
-      printed < rounding, corrected < rounding);
+      worst, rounding);
 }
 
-LedgerEntry run(const ExperimentSettings&) {
-  LedgerEntry entry{example_4_5.id, example_4_5.title, "", {}, {}};
-  entry.claims = {recursion(), model(), first_order(), rank(), null_space_of_all(), contrary()};
-  return entry;
+LedgerEntry run(const ExperimentSettings& settings) {
+  return entry_of(example_4_5, settings,
+                  {recursion(), model(), first_order(), rank(), null_space_of_all(), contrary()});
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
-// Figures 4.3 to 4.6, with what the filter of Example 4.6 gives beside what is printed.
+// Figures 4.3 to 4.6, by the filter of Example 4.6, compared with the printed ones.
 #include <limits>
 
+#include "experiments/curves.hpp"
 #include "experiments/example_4_6_filter.hpp"
 
 namespace incognita::two_bearings {
@@ -10,22 +11,15 @@ constexpr double gap = std::numeric_limits<double>::quiet_NaN();
 
 Plot map() {
   const Run u{Setup{}};
-  Curve path{"vehicle", Style::line, {}, {}, {}, Color::blue},
-      stops{"after 0, 10, 14, 20 s", Style::circles, {}, {}, {}, Color::blue};
-  for (const Instant& i : u.drive) path.x.push_back(i.pose.y()), path.y.push_back(i.pose.x());
-  for (const double t : {0.0, 10.0, 14.0, 20.0}) {
-    const auto& pose = u.drive[u.look_at(t)].pose;
-    stops.x.push_back(pose.y()), stops.y.push_back(pose.x());
-  }
+  const auto position = [](const Instant& i) { return i.pose; };  // drawn with north up
+  std::vector<Instant> stops;
+  for (const double t : {0.0, 10.0, 14.0, 20.0}) stops.push_back(u.drive[u.measurement_at(t)]);
   const auto& [first, second] = u.setup.features;
-  Panel p;
-  p.x_label = "east y, m";
-  p.y_label = "north x, m";
-  p.equal_axes = true;
+  Panel p{"", "east y, m", "north x, m", {}, true};
   p.x_range = {-4, 16};
   p.y_range = {-1, 17};
-  p.curves = {path,
-              stops,
+  p.curves = {path_of("vehicle", Style::line, Color::blue, u.drive, position, 1, 0),
+              path_of("after 0, 10, 14, 20 s", Style::circles, Color::blue, stops, position, 1, 0),
               {"feature 1", Style::stars, {first.y()}, {first.x()}, {}, Color::orange},
               {"feature 2", Style::stars, {second.y()}, {second.x()}, {}, Color::green}};
   return {"fig-4.3", "Trajectory and features", 1, {p}};
@@ -54,19 +48,17 @@ Curve rank_curve(const std::string& label, const Run& run, const std::vector<Kno
 
 Plot ranks_over_time() {
   const Run u{Setup{}};
-  Panel ranks;
-  ranks.x_label = "time, s";
-  ranks.y_label = "rank";
+  Panel ranks{"", "time, s", "rank", {}};
   ranks.y_range = {0, 7};
   ranks.curves = {
       {"printed", Style::dashed, {0, 10, 10, 14, 14, 20}, {2, 2, 4, 4, 5, 5}, {}, Color::gray},
       rank_curve("information matrix", u, u.known, Style::steps, Color::blue),
       rank_curve("along the motion", u, along_the_motion(u.setup), Style::crosses, Color::blue, 10),
       rank_curve("stripped (4.8)", u, stripped(u.setup), Style::circles, Color::orange, 10)};
-  Panel values;
-  values.title = "Singular values of the root of the information matrix, metres in units of 10";
-  values.x_label = "time, s";
-  values.y_label = "of the largest";
+  Panel values{"Singular values of the root of the information matrix, meters in units of 10",
+               "time, s",
+               "of the largest",
+               {}};
   values.log_y = true;
   values.y_range = {1e-17, 10};
   for (int i = 0; i < states; ++i) {
@@ -87,9 +79,7 @@ Plot orientation_over_time() {
   const Direction c = constantly(state(heading));
   const Run u{Setup{}}, late(Setup{.jacobians = Jacobians::odometry_late}),
       strays(Setup{.jacobians = Jacobians::estimates});
-  Panel p;
-  p.x_label = "time, s";
-  p.y_label = "information, 1/rad^2";
+  Panel p{"", "time, s", "information, 1/rad^2", {}};
   p.y_range = {-0.05, 1.25};
   p.curves = {over_time("at the truth", u, information(u, c), Color::blue),
               over_time("odometry a step late", late, information(late, c), Color::orange, Style::dashed),
@@ -99,10 +89,7 @@ Plot orientation_over_time() {
 
 Panel mode_panel(const std::string& title, const Run& run, const std::string& x_name, const Direction& x_mode,
                  const std::string& y_name, const Direction& y_mode) {
-  Panel p;
-  p.title = title;
-  p.x_label = "time, s";
-  p.y_label = "information, 1/m^2";
+  Panel p{title, "time, s", "information, 1/m^2", {}};
   p.curves = {over_time(x_name, run, information(run, x_mode), Color::blue),
               over_time(y_name, run, information(run, y_mode), Color::orange, Style::dashed)};
   return p;

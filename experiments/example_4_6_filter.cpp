@@ -62,7 +62,7 @@ Stray stray(RandomStream& random, const Pose& pose, const Features& features) {
   return s;
 }
 
-/// F and H of each step of a drive, and of the look after it.
+/// F and H of each step of a drive, and of the measurement after it.
 class Linearized {
  public:
   explicit Linearized(const Setup& setup) : setup_(setup), drive_(drive(setup.dt_s)) {
@@ -72,12 +72,12 @@ class Linearized {
 
   std::size_t measurements() const { return drive_.size(); }
 
-  /// Of the step that leads to look k.
+  /// Of the step that leads to measurement k.
   planar::PoseJacobian F(std::size_t k) const {
     const Pose &from = drive_[k - 1].pose, &to = drive_[k].pose;
     switch (setup_.jacobians) {
       case Jacobians::where_it_is:
-      case Jacobians::looks_late:
+      case Jacobians::measurements_late:
         break;
       case Jacobians::along_tangent:
         return tangent(from, drive_[k].input, setup_.dt_s);
@@ -96,7 +96,7 @@ class Linearized {
   MatrixXd G(std::size_t k) const { return arc(drive_[k - 1].pose, drive_[k].input, setup_.dt_s).G; }
 
   MatrixXd H(std::size_t k) const {
-    if (setup_.jacobians == Jacobians::looks_late && k > 0)
+    if (setup_.jacobians == Jacobians::measurements_late && k > 0)
       return bearing_rows(drive_[k - 1].pose, setup_.features);
     if (setup_.jacobians == Jacobians::estimates) return bearing_rows(strays_[k].pose, strays_[k].features);
     return bearing_rows(drive_[k].pose, setup_.features);
@@ -249,7 +249,9 @@ std::vector<Knowledge> stripped(const Setup& setup) {
 
 Run::Run(const Setup& s) : setup(s), drive(two_bearings::drive(s.dt_s)), known(course(s)) {}
 
-std::size_t Run::look_at(double t_s) const { return static_cast<std::size_t>(std::lround(t_s / setup.dt_s)); }
+std::size_t Run::measurement_at(double t_s) const {
+  return static_cast<std::size_t>(std::lround(t_s / setup.dt_s));
+}
 
 VectorXd state(int i) { return VectorXd::Unit(states, i); }
 

@@ -1,10 +1,10 @@
-// The information filter of thesis Example 4.6: a vehicle of the plane that knows its speeds looks at the
-// bearings of two features, with nothing known at first.
+// The information filter of thesis Example 4.6: a planar vehicle with known speeds measures the bearings of
+// two features, without prior information.
 //
 // State (7): x (m, north), y (m, east), heading (rad, from north to the east), then x and y of both features:
 // (4.13). Its Jacobians are evaluated at the truth, which is known exactly: 10 s at rest facing north, 4 s to
 // the north at 1 m/s, then 6 s along an arc to the east at 0.25 rad/s, as the text has it. (The caption of
-// Figure 4.3 says five seconds, and would end 14 degrees before.) A look at both features at the start and
+// Figure 4.3 says five seconds, and would end 14 degrees before.) Both features are measured at the start and
 // after each step.
 #pragma once
 
@@ -24,11 +24,11 @@ inline constexpr int states = 7;
 inline constexpr double at_rest_until_s = 10, north_until_s = 14, end_s = 20;
 inline constexpr double speed_mps = 1, turn_radps = 0.25;
 
-/// What a metre weighs against a radian where directions of the state are compared: this many are one unit.
+/// What a meter weighs against a radian where directions of the state are compared: this many are one unit.
 inline constexpr double unit_m = 10;
 /// Singular values of the information's root count above this of the largest; 1e-18 in the information.
 inline constexpr double rank_tolerance = 1e-9;
-/// Something is known of a direction when no more than this of it lies in what nothing is known of.
+/// There is information about a direction when no more than this share of it is unobservable.
 inline constexpr double outside_tolerance = 1e-7;
 
 struct Features {
@@ -43,14 +43,14 @@ struct Noise {
   double sigma_bearing_rad = 0.02;
 };
 
-/// Where F and H of a step and of the look after it are taken.
+/// Where F and H of a step and of the measurement after it are evaluated.
 enum class Jacobians {
-  where_it_is,     ///< F between the true poses, H at the true pose
-  along_tangent,   ///< F by (4.14), with the heading at the step's start, as (3.17)
-  looks_late,      ///< H where the vehicle was a step ago
-  odometry_late,   ///< F with what it did a step ago
-  measured_speed,  ///< F with speeds as encoders say, 2 % off at random
-  estimates        ///< F and H at poses and features that stray by 1 cm and 0.1 degrees about the truth
+  where_it_is,        ///< F between the true poses, H at the true pose
+  along_tangent,      ///< F by (4.14), with the heading at the step's start, as (3.17)
+  measurements_late,  ///< H where the vehicle was a step ago
+  odometry_late,      ///< F with what it did a step ago
+  measured_speed,     ///< F with the speeds of encoders, 2 % off at random
+  estimates           ///< F and H at poses and features that stray by 1 cm and 0.1 degrees about the truth
 };
 
 struct Setup {
@@ -77,8 +77,8 @@ Eigen::MatrixXd bearing_rows(const planar::Pose<double>& pose, const Features& f
 /// F of the whole state from that of the vehicle.
 Eigen::MatrixXd with_features(const planar::PoseJacobian& F);
 
-/// An information matrix Y = R'R by its root R. Directions of which nothing is known stay so to rounding,
-/// which in Y itself would drown looks that differ by less than 1e-8.
+/// An information matrix Y = R'R by its root R. Directions without information stay so to rounding,
+/// which in Y itself would exceed differences of measurements below 1e-8.
 class RootInformation {
  public:
   explicit RootInformation(Eigen::Index size) : root_(Eigen::MatrixXd::Zero(size, size)) {}
@@ -95,18 +95,18 @@ class RootInformation {
   Eigen::MatrixXd root_;  ///< upper triangle
 };
 
-/// What a root of 7 columns tells, with metres in units of `unit_m`.
+/// The information of a root of 7 columns, with meters in units of `unit_m`.
 class Knowledge {
  public:
   explicit Knowledge(const Eigen::MatrixXd& root);
 
   Rank rank;  ///< of the root
-  /// That nobody can take another rank for the right one.
+  /// Whether the rank is unambiguous.
   bool clear() const { return rank.gap >= 1000; }
-  /// Orthonormal columns, in units: directions of the state of which nothing is known.
+  /// Orthonormal columns, in units: unobservable directions of the state.
   Eigen::MatrixXd unobservable;
 
-  /// Of how a direction c of the state splits, the share (0 to 1) that is in what nothing is known of.
+  /// The share (0 to 1) of a direction c of the state that is unobservable.
   double outside(const Eigen::VectorXd& c) const;
   /// Marginal information of c'x: the inverse of its variance, c'Y^+ c, when nothing of c is outside, else 0.
   /// With c a state it is the Schur complement, with a pseudoinverse: the limit of ever weaker priors.
@@ -116,24 +116,25 @@ class Knowledge {
   Eigen::MatrixXd known_;  ///< columns over their singular values
 };
 
-/// What is known after each look of the drive.
+/// The information after each measurement of the drive.
 std::vector<Knowledge> course(const Setup& setup);
 
-/// Two observability matrices of all looks up to each one: [H_0; H_1 F_0; H_2 F_1 F_0; ...] along the motion,
+/// Two observability matrices of all measurements up to each one: [H_0; H_1 F_0; H_2 F_1 F_0; ...] along the
+/// motion,
 std::vector<Knowledge> along_the_motion(const Setup& setup);
 /// and (4.8), each step a segment with the [H; H F] of (4.14) and (4.15) where it ends.
 std::vector<Knowledge> stripped(const Setup& setup);
 
-/// A drive and what is known after each look.
+/// A drive and the information after each measurement.
 struct Run {
   Setup setup;
   std::vector<Instant> drive;
   std::vector<Knowledge> known;
   explicit Run(const Setup& s);
-  std::size_t look_at(double t_s) const;
+  std::size_t measurement_at(double t_s) const;
 };
 
-/// A direction of the state, where the vehicle is after a look.
+/// A direction of the state, at the pose after a measurement.
 using Direction = std::function<Eigen::VectorXd(const Run&, std::size_t measurement)>;
 
 inline constexpr int x = 0, y = 1, heading = 2, x1 = 3, y1 = 4, x2 = 5, y2 = 6;  // states
@@ -145,7 +146,7 @@ Eigen::VectorXd distance_to_1(const Run& run, std::size_t measurement);
 Eigen::VectorXd distance_to_2(const Run& run, std::size_t measurement);
 Eigen::VectorXd distance_between(const Run& run, std::size_t measurement);
 
-/// Marginal information after each look, in 1/m^2 or 1/rad^2.
+/// Marginal information after each measurement, in 1/m^2 or 1/rad^2.
 std::vector<double> information(const Run& run, const Direction& c);
 
 /// Figures 4.3 to 4.6.

@@ -4,13 +4,9 @@
 // with normal M, weights and noises random and definite; expected costs are propagated exactly, nothing is
 // drawn beyond the systems. Holds: differences to 1e-8 of what is compared; of costs, that each of ten other
 // sets of gains costs more.
-#include <fmt/format.h>
-
 #include <Eigen/Eigenvalues>
-#include <algorithm>
-#include <cmath>
 
-#include "experiments/evidence.hpp"
+#include "experiments/common.hpp"
 #include "experiments/example_5_1.hpp"
 #include "incognita/analysis/observability/closed_loop.hpp"
 #include "incognita/control/lqr.hpp"
@@ -48,7 +44,8 @@ constexpr int systems = 100, steps = 10;
 constexpr double as_good_as_equal = 1e-8;
 constexpr double dt = 0.1;  // s, on a line
 
-/// A way of ten steps that begins with an estimate and its covariance; no cost at the end, as (5.1) has it.
+/// A horizon of ten steps that begins with an estimate and its covariance; no cost at the end, as (5.1) has
+/// it.
 struct Task {
   LinearSystem system;
   MatrixXd Q1, Q2, P0;
@@ -125,16 +122,14 @@ Claim duality() {
     ++settled;
     worst = std::max({worst, relative(dual.T, filter.P), relative(dual.L.transpose(), s.F * filter.K)});
   }
-  return assessed(
-      {.id = "5.1-duality",
-       .place = "Chapter 5, introduction; Section 5.1",
-       .statement = "LQG regulation is the dual of the Kalman filter: (5.3) and (5.4) for F', H', "
-                    "G Q G' and R give the filter's covariance and F K, to 1e-8",
-       .printed = "its dual",
-       .measured =
-           fmt::format("largest relative difference of {} systems that settle: {}", settled, below(worst)),
-       .runs = systems},
-      settled >= systems / 2 && worst <= as_good_as_equal);
+  return assessed("5.1-duality", "Chapter 5, introduction; Section 5.1",
+                  "LQG regulation is the dual of the Kalman filter: (5.3) and (5.4) for F', H', G Q G' and R "
+                  "give the filter's covariance and F K, to 1e-8",
+                  {.printed = "its dual",
+                   .measured = fmt::format("largest relative difference of {} systems that settle: {}",
+                                           settled, below(worst)),
+                   .runs = systems},
+                  settled >= systems / 2 && worst <= as_good_as_equal);
 }
 
 std::vector<MatrixXd> disturbed(RandomStream& random, std::vector<MatrixXd> gains) {
@@ -162,11 +157,10 @@ Claim optimal() {
     }
   }
   return assessed(
-      {.id = "5.1-optimal",
-       .place = "Section 5.1, (5.1)-(5.3)",
-       .statement = "For a linear system with Gaussian noises and a quadratic cost the optimal solution is "
-                    "the LQG: its cost is what (5.4) says (to 1e-8), and other gains cost more",
-       .printed = "optimal",
+      "5.1-optimal", "Section 5.1, (5.1)-(5.3)",
+      "For a linear system with Gaussian noises and a quadratic cost the optimal solution is the LQG: its "
+      "cost is that of (5.4) (to 1e-8), and other gains cost more",
+      {.printed = "optimal",
        .measured = fmt::format("largest relative difference of the cost from Riccati's {}; {} other gains "
                                "each: of the regulator from {:.6f} times as much, of the filter from {:.6f}",
                                below(worst), others, least_by_L, least_by_K),
@@ -186,11 +180,10 @@ Claim decomposition() {
     with_another = std::max(with_another, relative(other.whole, other.estimate + other.error));
   }
   return assessed(
-      {.id = "5.1-decomposition",
-       .place = "below (5.1)",
-       .statement = "(5.1) falls into a term of the estimate and the input and one of the estimation error, "
-                    "which does not depend on the input; to 1e-8",
-       .printed = "two terms",
+      "5.1-decomposition", "below (5.1)",
+      "(5.1) falls into a term of the estimate and the input and one of the estimation error, which does not "
+      "depend on the input; to 1e-8",
+      {.printed = "two terms",
        .measured = fmt::format(
            "largest relative difference of the sum of the two {}, of the error's term with another control "
            "{}; with another gain of the filter than Kalman's the sum is off by up to {:.0f} %",
@@ -199,7 +192,7 @@ Claim decomposition() {
       with_kalman <= as_good_as_equal && by_control <= as_good_as_equal);
 }
 
-/// x' T x of the way without noise, under gains that may change.
+/// x' T x of the trajectory without noise, under gains that may change.
 double cost_without_noise(const Task& t, const std::vector<MatrixXd>& L) {
   VectorXd x = t.estimate;
   double cost = 0;
@@ -226,17 +219,15 @@ Claim index_of_T() {
     least = std::min(least, ratio), most = std::max(most, ratio);
   }
   return assessed(
-      {.id = "5.1-index",
-       .place = "(5.3), (5.4)",
-       .statement =
-           "The gains of (5.3) with (5.4) have the least cost (5.1): no more than the least, to 1e-8",
-       .printed = "T_k on both sides of (5.4), and in (5.3)",
+      "5.1-index", "(5.3), (5.4)",
+      "The gains of (5.3) with (5.4) have the least cost (5.1): no more than the least, to 1e-8",
+      {.printed = "T_k on both sides of (5.4), and in (5.3)",
        .measured = fmt::format(
            "over {} steps, {} systems: the same T on both sides costs {:.4f} to {:.3g} times as much; with "
            "T_(k+1) on the right x_0' T_0 x_0 is the cost, to a relative difference {}",
            steps, compared, least, most, below(worst)),
        .why = "T_(k+1) on the right of both: the recursion runs back from the end. The same T on both sides "
-              "is where it settles on an endless way",
+              "is where it settles over an infinite horizon",
        .runs = compared},
       most <= 1 + as_good_as_equal, worst <= as_good_as_equal && least >= 1 - as_good_as_equal);
 }
@@ -260,10 +251,9 @@ Claim to_zero() {
   const double a = 1 - dt * line.L(0, 0), sigma_v = 0.1;
   const double var = std::pow(dt * sigma_v, 2) / (1 - a * a);  // of x+ = a x + dt v
   return assessed(
-      {.id = "5.1-to-zero",
-       .place = "below (5.1)",
-       .statement = "With Q1 and Q2 positive semi-definite the minimisation drives the state to zero",
-       .printed = "psd",
+      "5.1-to-zero", "below (5.1)",
+      "With Q1 and Q2 positive semi-definite the minimization drives the state to zero",
+      {.printed = "psd",
        .measured = fmt::format("Q1 = 0 on a line, which is psd: {}; Q1 definite, no noise: of {} systems the "
                                "most that is left after 1000 steps {}; on a line disturbed by 0.1 m/s at 10 "
                                "Hz, Q1 = Q2 = 1: {:.1f} mm rms for ever",
@@ -284,20 +274,18 @@ double left_on_line(double L) {
 
 Claim any_gain() {
   const MatrixXd one = MatrixXd::Identity(1, 1);
-  const auto told = [&](double L) {
+  const auto in_words = [&](double L) {
     return fmt::format("{} ({:.2g} m)", is_stabilizing(one, dt * one, L * one) ? "stable" : "unstable",
                        left_on_line(L));
   };
   const auto stable = [&](double L) { return is_stabilizing(one, dt * one, L * one) && left_on_line(L) < 1; };
   return assessed(
-      {.id = "5.1-any-gain",
-       .place = "above Example 5.1",
-       .statement =
-           "For a fully observable monobot the vehicle part of F - G L is stable for any positive definite L",
-       .printed = "any",
+      "5.1-any-gain", "above Example 5.1",
+      "For a fully observable monobot the vehicle part of F - G L is stable for any positive definite L",
+      {.printed = "any",
        .measured = fmt::format("at 10 Hz, by L in 1/s, with what is left of 1 m after 100 steps: 0.1: {}; "
                                "10: {}; 19.9: {}; 20.1: {}; 40: {}",
-                               told(0.1), told(10), told(19.9), told(20.1), told(40)),
+                               in_words(0.1), in_words(10), in_words(19.9), in_words(20.1), in_words(40)),
        .why = "0 < L < 2/dt: the vehicle part is 1 - L dt. Larger ones overshoot by more than they correct"},
       stable(20.1) && stable(40), stable(0.1) && stable(10) && stable(19.9) && !stable(20.1) && !stable(40));
 }
@@ -307,19 +295,17 @@ Claim frozen_eigenvalues() {
   A << 0.5, 2, 0, 0.5;
   const double each = stability_of(A).spectral_radius,
                in_turns = std::sqrt(stability_of(MatrixXd(A.transpose() * A)).spectral_radius);
-  return assessed(
-      {.id = "5.1-frozen",
-       .place = "Figure 5.5 and Figure 5.8, captions; below (5.12)",
-       .statement = "Asymptotic stability is guaranteed when the eigenvalues of F - G L, which "
-                    "change with every step, are less than one",
-       .printed = "guaranteed",
-       .measured = fmt::format("[0.5 2; 0 0.5] and its transpose, both with eigenvalues {:.1f}, in "
-                               "turns: an error grows {:.2f} times a step",
-                               each, in_turns),
-       .why = "of a matrix that stays as it is. Of one that changes the eigenvalues of each say "
-              "nothing of the product; what decides is whether a norm of the error falls at every "
-              "step, as that of the position does here, see (5.10)"},
-      each < 1 && in_turns < 1);
+  return assessed("5.1-frozen", "Figure 5.5 and Figure 5.8, captions; below (5.12)",
+                  "Asymptotic stability is guaranteed when the eigenvalues of F - G L, which change with "
+                  "every step, are less than one",
+                  {.printed = "guaranteed",
+                   .measured = fmt::format("[0.5 2; 0 0.5] and its transpose, both with eigenvalues {:.1f}, "
+                                           "in turns: an error grows {:.2f} times a step",
+                                           each, in_turns),
+                   .why = "of a matrix that stays as it is. Of one that changes the eigenvalues of each do "
+                          "not determine those of the product; the condition is whether a norm of the error "
+                          "falls at every step, as that of the position does here, see (5.10)"},
+                  each < 1 && in_turns < 1);
 }
 
 }  // namespace

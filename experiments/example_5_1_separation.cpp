@@ -6,14 +6,10 @@
 // landmarks, as full observability takes, for 40 s each from the start of Example 5.1 to its goal, with Q1 a
 // tenth of and ten times that of the example; the same noises for both, as many seeds as asked for. Holds:
 // linear, differences to 1e-9; the vehicle, by 95 % intervals of paired differences.
-#include <fmt/format.h>
-
 #include <Eigen/Cholesky>
-#include <algorithm>
-#include <cmath>
 
 #include "experiments/closed_loop_statistics.hpp"
-#include "experiments/evidence.hpp"
+#include "experiments/common.hpp"
 #include "experiments/example_5_1.hpp"
 #include "experiments/monobot.hpp"
 #include "incognita/analysis/observability/closed_loop.hpp"
@@ -43,7 +39,7 @@ Loop some_loop(RandomStream& random) {
 Claim structure() {
   RandomStream random(1, "loops");
   constexpr int loops = 100, steps = 5;
-  double printed = 0, ours = 0;
+  Worst worst;
   for (int i = 0; i < loops; ++i) {
     const auto [s, L, K] = some_loop(random);
     const Index n = s.F.rows(), m = s.G.cols(), p = s.H.rows();
@@ -60,22 +56,20 @@ Claim structure() {
       x_hat = expected + K * (s.H * x + w_next - s.H * expected);
       VectorXd moved(2 * n);
       moved << x, x - x_hat;
-      printed = std::max(printed, (A * state + B * now - moved).norm() / moved.norm());
-      ours = std::max(ours, (A * state + B * next - moved).norm() / moved.norm());
+      worst.take((A * state + B * now - moved).norm() / moved.norm(),
+                 (A * state + B * next - moved).norm() / moved.norm());
       w = w_next;
     }
   }
-  return assessed(
-      {.id = "5.1-structure",
-       .place = "(5.5)",
-       .statement = "(5.5) is how state and estimation error move, with z_k = H x_k + w_k; to 1e-9",
-       .printed = "noise w_k",
-       .measured = fmt::format("against plant and filter stepped side by side, largest relative "
-                               "difference of {} loops: printed {:.2g}, with w_(k+1) {}",
-                               loops, printed, below(ours)),
-       .why = "all signs are right; the noise is that of the measurement after the step, w_(k+1)",
-       .runs = loops},
-      printed <= as_good_as_zero, ours <= as_good_as_zero);
+  return assessed("5.1-structure", "(5.5)",
+                  "(5.5) is how state and estimation error move, with z_k = H x_k + w_k; to 1e-9",
+                  {.printed = "noise w_k",
+                   .measured = fmt::format("against plant and filter stepped side by side, largest relative "
+                                           "difference of {} loops: printed {:.2g}, with w_(k+1) {}",
+                                           loops, worst.printed, below(worst.ours)),
+                   .why = "all signs are right; the noise is that of the measurement after the step, w_(k+1)",
+                   .runs = loops},
+                  worst, as_good_as_zero);
 }
 
 Claim eigenvalues() {
@@ -93,19 +87,16 @@ Claim eigenvalues() {
     filter.F += 0.1 * some_matrix(random, plant.F.rows(), plant.F.cols());
     elsewhere = std::min(elsewhere, separation(plant, filter, loop.L, loop.K).spectral_distance);
   }
-  return assessed(
-      {.id = "5.1-eigenvalues-of-loop",
-       .place = "below (5.5)",
-       .statement =
-           "The eigenvalues of the closed loop are those of F - G L together with those of F - K H F (to "
-           "1e-6, to which eigenvalues that coincide are known), and it is stable when both are",
-       .printed = "together",
-       .measured =
-           fmt::format("largest distance between an eigenvalue of plant and filter and its like of the "
+  return assessed("5.1-eigenvalues-of-loop", "below (5.5)",
+                  "The eigenvalues of the closed loop are those of F - G L together with those of F - K H F "
+                  "(to 1e-6, to which eigenvalues that coincide are known), and it is stable when both are",
+                  {.printed = "together",
+                   .measured = fmt::format(
+                       "largest distance between an eigenvalue of plant and filter and its like of the "
                        "parts, {} loops: {}; of a filter whose F is not the plant's, at least {:.2g}",
                        loops, below(same), elsewhere),
-       .runs = loops},
-      same <= 1e-6 && stable_together);
+                   .runs = loops},
+                  same <= 1e-6 && stable_together);
 }
 
 /// Errors of the estimate, a column a step, and the covariance at the end.
@@ -121,7 +112,7 @@ Filtered steered(const LinearSystem& s, double L, std::uint64_t seed) {
   RandomStream random(seed, "monobot");
   VectorXd x = VectorXd::Ones(n), x_hat = x;
   MatrixXd P = MatrixXd::Identity(n, n);
-  P(0, 0) = 0;  // the robot's place is known at first, its landmarks' to 1 m
+  P(0, 0) = 0;  // the robot's position is known at first, its landmarks' to 1 m
   for (Index i = 1; i < n; ++i) x[i] += random.normal();
   Filtered out{MatrixXd(n, steps), P, 0};
   const double sigma_v = std::sqrt(s.Q(0, 0)), sigma_w = std::sqrt(s.R(0, 0));
@@ -160,11 +151,10 @@ Claim filter_of_any_control(int seeds) {
     }
   }
   return assessed(
-      {.id = "5.1-filter-alone",
-       .place = "below (5.1) and (5.4)",
-       .statement = "Linear: the estimation error does not depend on the input, and the filter not on what "
-                    "the control is; to 1e-9",
-       .printed = "independent of Q1 and Q2",
+      "5.1-filter-alone", "below (5.1) and (5.4)",
+      "Linear: the estimation error does not depend on the input, and the filter not on what the control is; "
+      "to 1e-9",
+      {.printed = "independent of Q1 and Q2",
        .measured = fmt::format(
            "monobot with an anchor and two landmarks, L = 0.1, 0.5, 1, 1.9, the same noises: errors over 100 "
            "steps differ, in m, {}, covariances, in m^2, {}; the farthest it went by up to {:.2f} m",
@@ -213,11 +203,10 @@ Claim control_of_any_noise() {
       }
     }
   }
-  return assessed({.id = "5.1-control-alone",
-                   .place = "below (5.4)",
-                   .statement = "Linear: the best control gain does not depend on P, Q and R: whatever they "
-                                "are, gains other than (5.3) cost more",
-                   .printed = "does not depend",
+  return assessed("5.1-control-alone", "below (5.4)",
+                  "Linear: the best control gain does not depend on P, Q and R: whatever they are, gains "
+                  "other than (5.3) cost more",
+                  {.printed = "does not depend",
                    .measured = fmt::format("{} systems, {} pairs of Q and R each over four decades, {} other "
                                            "gains: from 1 + {:.1e} times the cost a step",
                                            assessed_systems, noises, others, least - 1),
@@ -250,11 +239,10 @@ Claim observable_filter() {
     longest = std::max(longest, left.norm());
   }
   return assessed(
-      {.id = "5.1-observable-filter",
-       .place = "above Example 5.1",
-       .statement = "For a fully observable monobot F - K H F is always stable: with an anchor all its "
-                    "eigenvalues are inside the unit circle at every step",
-       .printed = "always",
+      "5.1-observable-filter", "above Example 5.1",
+      "For a fully observable monobot F - K H F is always stable: with an anchor all its eigenvalues are "
+      "inside the unit circle at every step",
+      {.printed = "always",
        .measured = fmt::format(
            "largest of {} choices of noises and one to three landmarks, 1000 steps: 1 - {:.1e}; after 100 "
            "steps 1 - {:.1e}, after 1000 1 - {:.1e}. What is left of the first error: at most {:.1e}",
@@ -307,28 +295,24 @@ std::vector<double> differences(const std::vector<Estimated>& a, const std::vect
 }
 
 Claim need_of_observability(const std::vector<double>& free_m, const std::vector<Estimated>& anchored) {
-  const int runs = static_cast<int>(free_m.size());
   const auto near = [](const std::vector<double>& all) {
-    return static_cast<int>(std::count_if(all.begin(), all.end(), [](double d) { return d < 0.5; }));
+    return std::ranges::count_if(all, [](double d) { return d < 0.5; });
   };
-  const std::vector<double> known_m =
-      closed_loop::each(anchored, [](const Estimated& e) { return e.final_m; });
+  const std::vector<double> known_m = each(anchored, &Estimated::final_m);
+  const auto in_words = [&](const std::vector<double>& all) {
+    return closed_loop::share_text(near(all), all.size()) + ", " + closed_loop::spread_text(all, "m");
+  };
   return assessed(
-      {.id = "5.1-must-be-observable",
-       .place = "Section 5.3",
-       .statement = "SLAM must be fully observable for its estimates to be used by any controller: without "
-                    "known landmarks fewer than 95 % of the seeds end within 0.5 m of the goal",
-       .printed = "must",
-       .measured =
-           fmt::format("without: {}, {}; with two known landmarks, Q1 = 10 I: {}, {}",
-                       closed_loop::share_text(near(free_m), runs), closed_loop::spread_text(free_m, "m"),
-                       closed_loop::share_text(near(known_m), runs), closed_loop::spread_text(known_m, "m")),
+      "5.1-must-be-observable", "Section 5.3",
+      "SLAM must be fully observable for its estimates to be used by any controller: without known landmarks "
+      "fewer than 95 % of the seeds end within 0.5 m of the goal",
+      {.printed = "must",
+       .measured = fmt::format("without: {}; with two known landmarks, Q1 = 10 I: {}", in_words(free_m),
+                               in_words(known_m)),
        .why = "what cannot be observed is the frame, and that was fixed by the start: the vehicle goes to "
-              "the goal as that frame has it. What it takes observability for is that the error of the frame "
-              "does not stay",
-       .runs = runs,
-       .least_runs = enough_runs},
-      !happens_in(0.95, static_cast<std::size_t>(near(free_m)), free_m.size()));
+              "the goal in that frame. Observability is needed to remove the error of the frame",
+       .seeds = free_m.size()},
+      !happens_in(0.95, near(free_m), free_m.size()));
 }
 
 std::vector<Claim> vehicle(const ExperimentSettings& settings, const std::vector<double>& free_m) {
@@ -341,43 +325,32 @@ std::vector<Claim> vehicle(const ExperimentSettings& settings, const std::vector
   const std::string measured = fmt::format(
       "two known landmarks, Q1 = 10 I less Q1 = I/10, the same noises: rms error {}, sigma {}; with Q1 = "
       "I/10 they are {:.1f} and {:.1f} mm",
-      text(error, "mm"), text(sigma, "mm"),
-      1000 * mean_of(closed_loop::each(soft, [](const Estimated& e) { return e.error_m; })).value,
-      1000 * mean_of(closed_loop::each(soft, [](const Estimated& e) { return e.sigma_m; })).value);
-  const Claim nonlinear =
-      assessed({.id = "5.1-separation-nonlinear",
-                .place = "Section 5.1, end; Section 5.3",
-                .statement = "For a nonlinear system separation is not sure: the control influences the "
-                             "estimation (the filter's sigma changes with the gain, 95 % interval without 0)",
-                .printed = "some influence",
-                .measured = measured,
-                .runs = settings.seeds,
-                .least_runs = enough_runs},
-               differs(sigma, 0));
+      text(error, "mm"), text(sigma, "mm"), 1000 * mean_of(each(soft, &Estimated::error_m)).value,
+      1000 * mean_of(each(soft, &Estimated::sigma_m)).value);
+  const Claim nonlinear = assessed(
+      "5.1-separation-nonlinear", "Section 5.1, end; Section 5.3",
+      "For a nonlinear system separation is not guaranteed: the control influences the estimation (the "
+      "filter's sigma changes with the gain, 95 % interval without 0)",
+      {.printed = "some influence", .measured = measured, .seeds = settings.seeds}, differs(sigma, 0));
   const Claim unaffected = assessed(
-      {.id = "5.1-unaffected",
-       .place = "Section 5.3",
-       .statement = "The control strategies do not affect the estimation performance of fully observable EKF "
-                    "SLAM: neither error nor sigma changes with the gain (95 % intervals with 0)",
-       .printed = "do not affect",
+      "5.1-unaffected", "Section 5.3",
+      "The control strategies do not affect the estimation performance of fully observable EKF SLAM: neither "
+      "error nor sigma changes with the gain (95 % intervals with 0)",
+      {.printed = "do not affect",
        .measured = measured,
-       .why = "they lead along another way, and what is seen from there is something else; and the same "
-              "section says so itself further on",
-       .runs = settings.seeds,
-       .least_runs = enough_runs},
+       .why =
+           "they lead along another path with other measurements; the same section says so itself further on",
+       .seeds = settings.seeds},
       !(differs(error, 0) || differs(sigma, 0)));
   const Interval grown = mean_of(growth, assessed_at);
   const Claim stable = assessed(
-      {.id = "5.1-stable",
-       .place = "Section 5.1, end",
-       .statement = "LQG in SLAM is stable for a controllable vehicle, and with full observability so "
-                    "is the filter: with two known landmarks its error does not grow while it stands "
-                    "at the goal by more than 5 mm (99.9 %)",
-       .printed = "stable",
+      "5.1-stable", "Section 5.1, end",
+      "LQG in SLAM is stable for a controllable vehicle, and with full observability so is the filter: with "
+      "two known landmarks its error does not grow while it stands at the goal by more than 5 mm (99.9 %)",
+      {.printed = "stable",
        .measured = fmt::format("rms error from 32.5 s to 40 s less that of the 7.5 s before: {} over {} runs",
                                text(grown, "m"), growth.size()),
-       .runs = static_cast<int>(growth.size()),
-       .least_runs = enough_runs},
+       .seeds = growth.size()},
       is_below(grown, 0.005));
   return {nonlinear, unaffected, stable, need_of_observability(free_m, stiff)};
 }
@@ -385,10 +358,9 @@ std::vector<Claim> vehicle(const ExperimentSettings& settings, const std::vector
 }  // namespace
 
 std::vector<Claim> separation_claims(const ExperimentSettings& settings, const std::vector<double>& free_m) {
-  std::vector<Claim> claims{structure(), eigenvalues(), filter_of_any_control(std::min(settings.seeds, 20)),
-                            control_of_any_noise(), observable_filter()};
-  for (const Claim& claim : vehicle(settings, free_m)) claims.push_back(claim);
-  return claims;
+  return concatenated({{structure(), eigenvalues(), filter_of_any_control(std::min(settings.seeds, 20)),
+                        control_of_any_noise(), observable_filter()},
+                       vehicle(settings, free_m)});
 }
 
 }  // namespace incognita::section_5_1

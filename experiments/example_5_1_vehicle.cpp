@@ -2,16 +2,12 @@
 //
 // Experiment: the vehicle of closed_loop_run.hpp along exact arcs, commands held for 0.1 s. Costs (5.1), Q1 =
 // Q2 = I, over 60 s, from the start of Example 5.1 and from (9, 9), where no limit is reached, at eight
-// headings; the two rows of L multiplied by factors from 1/4 to 4 each, the same all the way. Noise, where
+// headings; the two rows of L multiplied by factors from 1/4 to 4 each, constant along the path. Noise, where
 // there is any, is that of the runs.
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
 #include <numbers>
 
 #include "experiments/closed_loop_statistics.hpp"
-#include "experiments/evidence.hpp"
+#include "experiments/common.hpp"
 #include "experiments/example_5_1.hpp"
 #include "incognita/analysis/observability/closed_loop.hpp"
 #include "incognita/control/lqg_regulator.hpp"
@@ -41,7 +37,7 @@ Vector2d input(const Pose& pose, const Vector2d& factors) {
   return limited(wanted.cwiseProduct(factors), limits).input();
 }
 
-/// (5.1) of one way of 60 s; with `noise` on the inputs.
+/// (5.1) of one run of 60 s; with `noise` on the inputs.
 double cost(Pose pose, const Vector2d& factors, RandomStream* noise = nullptr) {
   double sum = 0;
   for (int k = 0; k < 600; ++k) {
@@ -87,12 +83,10 @@ std::vector<Claim> optimality(int seeds) {
   const auto [near_least, near_most] = savings({9, 9});
   const Pose start(9, 9, 0);
   const Cheapest best = cheapest(start);
-  std::vector<double> saved;
-  for (int seed = 1; seed <= seeds; ++seed) {
-    RandomStream one(static_cast<std::uint64_t>(seed), "disturbance"), same = one;
-    saved.push_back(cost(start, {1, 1}, &one) - cost(start, best.factors, &same));
-  }
-  const Interval mean = mean_of(saved);
+  const Interval mean = mean_of(over_seeds(seeds, [&](std::uint64_t seed) {
+    RandomStream one(seed, "disturbance"), same = one;
+    return cost(start, {1, 1}, &one) - cost(start, best.factors, &same);
+  }));
   const std::string measured = fmt::format(
       "rows of L times two constants, without noise, at eight headings: {:.2f} to {:.2f} % cheaper from (-7, "
       "0), {:.2f} to {:.2f} % from (9, 9), where no limit is reached; disturbed, from (9, 9) ahead, times "
@@ -100,28 +94,22 @@ std::vector<Claim> optimality(int seeds) {
       far_least, far_most, near_least, near_most, best.factors[0], best.factors[1], text(mean),
       cost(start, {1, 1}));
   const bool beaten = std::max(far_most, near_most) > 0.1;
-  return {
-      assessed({.id = "5.1-optimal-vehicle",
-                .place = "below (5.6)",
-                .statement = "The control strategy is optimal by duality from the EKF: no constant factors "
-                             "on the rows of L make (5.1) less by 0.1 %",
-                .printed = "optimal by duality",
-                .measured = measured,
-                .why = "(5.3) is the optimum of the linear system that the vehicle is at one heading; that "
-                       "moving changes the heading, and limits, are not in it",
-                .runs = seeds},
-               !beaten),
-      assessed({.id = "5.1-no-guarantee",
-                .place = "Example 5.1",
-                .statement = "For this nonlinear case there is no guarantee that the control is optimal",
-                .printed = "no guarantee",
-                .measured = measured,
-                .runs = seeds},
-               beaten)};
+  return {assessed("5.1-optimal-vehicle", "below (5.6)",
+                   "The control strategy is optimal by duality from the EKF: no constant factors on the rows "
+                   "of L make (5.1) less by 0.1 %",
+                   {.printed = "optimal by duality",
+                    .measured = measured,
+                    .why = "(5.3) is the optimum of the linear system that the vehicle is at one heading; "
+                           "that moving changes the heading, and limits, are not in it",
+                    .runs = seeds},
+                   !beaten),
+          assessed("5.1-no-guarantee", "Example 5.1",
+                   "For this nonlinear case there is no guarantee that the control is optimal",
+                   {.printed = "no guarantee", .measured = measured, .runs = seeds}, beaten)};
 }
 
-/// Without noise, from (-7, 0) at heading 0. What each step leaves of the distance is looked at from 25 s to
-/// 35 s: before, the limits are in it, and later, rounding.
+/// Without noise, from (-7, 0) at heading 0. The remaining share of the distance per step is taken from 25 s
+/// to 35 s: before, limits are active, and later rounding dominates.
 Claim finite_time() {
   Pose pose(-7, 0, 0);
   std::vector<double> distances;
@@ -130,7 +118,7 @@ Claim finite_time() {
     pose = vehicle.f<double>(pose, input(pose, {1, 1}), closed_loop::period_s);
   }
   const auto time_below = [&](double distance) {
-    const auto at = std::find_if(distances.begin(), distances.end(), [&](double d) { return d < distance; });
+    const auto at = std::ranges::find_if(distances, [&](double d) { return d < distance; });
     return closed_loop::period_s * static_cast<double>(at - distances.begin());
   };
   double least = 1, most = 0;
@@ -143,10 +131,8 @@ Claim finite_time() {
           .eigenvalues.cwiseAbs();
   std::sort(modes.begin(), modes.end());
   return assessed(
-      {.id = "5.1-finite-time",
-       .place = "Section 5.3",
-       .statement = "The first law reaches a desired location in finite time",
-       .printed = "finite time",
+      "5.1-finite-time", "Section 5.3", "The first law reaches a desired location in finite time",
+      {.printed = "finite time",
        .measured =
            fmt::format("without noise: within 0.1 m after {:.1f} s, 1 mm after {:.1f} s, 1 um after {:.1f} "
                        "s; from 25 s to 35 s each step leaves {:.4f} to {:.4f} of the distance (modes of the "
@@ -158,10 +144,6 @@ Claim finite_time() {
 
 }  // namespace
 
-std::vector<Claim> vehicle_claims(int seeds) {
-  std::vector<Claim> claims = optimality(seeds);
-  claims.push_back(finite_time());
-  return claims;
-}
+std::vector<Claim> vehicle_claims(int seeds) { return concatenated({optimality(seeds), {finite_time()}}); }
 
 }  // namespace incognita::section_5_1

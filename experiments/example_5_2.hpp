@@ -28,7 +28,7 @@ struct Way {
 std::vector<Claim> equation_claims();
 /// Which Q2 make it converge, and when: (5.10) and below (5.13).
 std::vector<Claim> convergence_claims();
-/// The heading, which nobody steers: Figure 5.8 and below.
+/// The heading, which is not controlled: Figure 5.8 and below.
 std::vector<Claim> heading_claims();
 
 /// Our law along a path, from a start, within the limits.

@@ -1,16 +1,12 @@
-// Which gains Q2 make feedback linearisation converge, and whether in finite time: (5.10) and below (5.13).
+// Which gains Q2 make feedback linearization converge, and whether in finite time: (5.10) and below (5.13).
 //
 // Experiment: (5.10) itself; the single integrator under commands held for dt, e+ = (I - K dt) e; the vehicle
 // along exact arcs, state known, no noise. Of held commands the worst ratio of distances to a still goal over
 // one command, over goals for which the turn rate is just at its limit, at gains 2 % below and above the
 // bound of control/held_command.hpp.
-#include <fmt/format.h>
-
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
 
-#include "experiments/evidence.hpp"
+#include "experiments/common.hpp"
 #include "experiments/example_5_2.hpp"
 #include "incognita/control/feedback_linearization.hpp"
 #include "incognita/control/held_command.hpp"
@@ -63,10 +59,8 @@ Claim gains() {
   const bool corrected =
       under < 1 && over > 1 && slow_under < 1 && slow_over > 1 && left > 0.3 && stays <= 0.3 * (1 + 1e-9);
   return assessed(
-      {.id = "5.2-gain",
-       .place = "(5.10)",
-       .statement = "The error dynamics are asymptotically stable if Q2 is positive semi-definite",
-       .printed = "e_(k+1) + Q2 e_k = 0, any psd Q2",
+      "5.2-gain", "(5.10)", "The error dynamics are asymptotically stable if Q2 is positive semi-definite",
+      {.printed = "e_(k+1) + Q2 e_k = 0, any psd Q2",
        .measured =
            fmt::format("(5.10) as printed, an error of 1 after 20 steps: Q2 = 0.5 I {:.1e}, 2 I {:.1e}; with "
                        "e+ = (I - K dt) e: K dt = 0 {:.0f}, 1.9 {:.2f}, 2.1 {:.1f}. Of a held command at 1 "
@@ -101,13 +95,11 @@ Claim finite_time() {
   const double factor = 1 - gain_per_s * period_s, left = still.distance_m(origin, 400),
                behind = moving.distance_m(circle, 400);
   return assessed(
-      {.id = "5.2-finite-time",
-       .place = "below (5.13)",
-       .statement = "The tracking error converges to zero in finite time",
-       .printed = "finite time",
+      "5.2-finite-time", "below (5.13)", "The tracking error converges to zero in finite time",
+      {.printed = "finite time",
        .measured = fmt::format(
-           "without noise: after 40 s {:.1e} m from a point, {:.1e} m on the circle; from 20 s on "
-           "each command leaves {:.4f} to {:.4f} and {:.4f} to {:.4f} of it, 1 - K dt is {:.4f}",
+           "without noise: after 40 s {:.1e} m from a point, {:.1e} m on the circle; from 20 s on each "
+           "command leaves {:.4f} to {:.4f} and {:.4f} to {:.4f} of it, 1 - K dt is {:.4f}",
            left, behind, of_still.least, of_still.most, of_moving.least, of_moving.most, factor),
        .why = "asymptotically: each command leaves the same share of the error"},
       left == 0 && behind == 0, of_still.is(factor) && of_moving.is(factor));

@@ -1,16 +1,12 @@
-// The heading of a vehicle whose position is controlled: nobody steers it, and Figure 5.8 is about it.
+// The heading of a vehicle whose position is controlled: it is not controlled, and Figure 5.8 is about it.
 //
 // Experiment: the vehicle of closed_loop_run.hpp with its state known and no noise, along exact arcs, from
 // (-7, 0) at 16 headings; onto the circle for 144 s, and to the point (0, 0) for 60 s. Eigenvalues of F - [G
 // L, 0] as in the runs. An eigenvalue counts as above 1 from 1 + 1e-9 on; the error as large from 1 m on.
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
 #include <numbers>
 
 #include "experiments/closed_loop_statistics.hpp"
-#include "experiments/evidence.hpp"
+#include "experiments/common.hpp"
 #include "experiments/example_5_2.hpp"
 #include "incognita/control/lqr.hpp"
 
@@ -34,7 +30,7 @@ double largest_eigenvalue(const Way& way, std::size_t k) {
 /// What of Figure 5.8 depends on what.
 struct Counted {
   int far = 0, far_above = 0, close = 0, close_above = 0;  ///< ticks, by the size of the error
-  int ahead_above = 0, back_below = 0;                     ///< by where the vehicle goes
+  int ahead_above = 0, back_below = 0;                     ///< by the direction of motion
   int headings_above = 0;  ///< starts from which an eigenvalue was ever above 1
   double largest = 0, longest_s = 0;
 };
@@ -64,20 +60,19 @@ Counted count() {
 Claim initial_transient() {
   const Counted c = count();
   return assessed(
-      {.id = "5.2-eigenvalues",
-       .place = "above and in Figure 5.8",
-       .statement = "While the tracking error is large at first the error dynamics are not stable; "
-                    "once the vehicle is near its path they are",
-       .printed = "not stable, then stable",
+      "5.2-eigenvalues", "above and in Figure 5.8",
+      "While the tracking error is large at first the error dynamics are not stable; once the vehicle is "
+      "near its path they are",
+      {.printed = "not stable, then stable",
        .measured = fmt::format(
-           "from (-7, 0) at {} headings: an eigenvalue above 1 at {} of {} ticks more than 1 m "
-           "off, at {} of {} nearer; up to {:.4f}, for at most {:.1f} s; from {} of the headings. "
-           "With the vehicle going forwards {} times, going backwards and none above 1 {} times",
+           "from (-7, 0) at {} headings: an eigenvalue above 1 at {} of {} ticks more than 1 m off, at {} of "
+           "{} nearer; up to {:.4f}, for at most {:.1f} s; from {} of the headings. With the vehicle moving "
+           "forward {} times, moving backward and none above 1 {} times",
            headings, c.far_above, c.far, c.close_above, c.close, c.largest, c.longest_s, c.headings_above,
            c.ahead_above, c.back_below),
-       .why = "stable near the path, yes; at first it is not the size of the error that makes it "
-              "unstable, but going backwards: then the heading turns away from where it goes until "
-              "the vehicle has turned round. Started facing the path it is stable all the way"},
+       .why = "stable near the path, yes; at first it is not the size of the error that makes it unstable, "
+              "but moving backward: the heading turns away from the direction of motion until the vehicle "
+              "has turned around. When it starts facing the path it is always stable"},
       c.far_above == c.far && c.close_above == 0,
       c.far_above > 0 && c.far_above < c.far && c.close_above == 0 && c.ahead_above == 0 &&
           c.back_below == 0);
@@ -93,18 +88,16 @@ Claim whole_pose() {
     farthest = std::max(farthest, way.poses.back().head<2>().norm());
     least = std::min(least, way.poses.back()[2]), most = std::max(most, way.poses.back()[2]);
   }
-  return assessed(
-      {.id = "5.2-whole-pose",
-       .place = "below Figure 5.8, with [17]",
-       .statement = "The whole pose of this vehicle cannot be stabilised (at a point, by a linear "
-                    "law of its inputs); its position can, and the heading ends where it will",
-       .printed = "cannot",
-       .measured = fmt::format(
-           "regulator of the pose at rest: {}. From {} headings, after 60 s: at most {:.1e} m from "
-           "the point, with headings from {:.0f} to {:.0f} deg",
-           sentence(regulator.outcome), headings, farthest, degrees(least), degrees(most))},
-      regulator.outcome == RegulatorOutcome::not_stabilizable && farthest < 1e-3 &&
-          most - least > radians(20));
+  return assessed("5.2-whole-pose", "below Figure 5.8, with [17]",
+                  "The whole pose of this vehicle cannot be stabilized (at a point, by a linear law of its "
+                  "inputs); its position can, and the final heading is free",
+                  {.printed = "cannot",
+                   .measured = fmt::format(
+                       "regulator of the pose at rest: {}. From {} headings, after 60 s: at most {:.1e} m "
+                       "from the point, with headings from {:.0f} to {:.0f} deg",
+                       sentence(regulator.outcome), headings, farthest, degrees(least), degrees(most))},
+                  regulator.outcome == RegulatorOutcome::not_stabilizable && farthest < 1e-3 &&
+                      most - least > radians(20));
 }
 
 Claim free_heading() {
@@ -115,17 +108,15 @@ Claim free_heading() {
     if (i == 0) first = way.poses.back()[2];
     spread = std::max(spread, std::abs(wrap_angle(way.poses.back()[2] - first)));
   }
-  return assessed(
-      {.id = "5.2-free-heading",
-       .place = "below Figure 5.8",
-       .statement = "With the position controlled only and the heading free the path is still followed "
-                    "accurately after a transient: within 1 cm in the second round from every heading, and "
-                    "the heading becomes the path's (the same from all, to 1e-6 rad)",
-       .printed = "accurately",
-       .measured = fmt::format("from {} headings at most {:.1f} mm off in the second round; headings at the "
-                               "end differ, in rad, {}",
-                               headings, 1000 * worst, below(spread))},
-      worst < 0.01 && spread < 1e-6);
+  return assessed("5.2-free-heading", "below Figure 5.8",
+                  "With the position controlled only and the heading free the path is still followed "
+                  "accurately after a transient: within 1 cm in the second round from every heading, and the "
+                  "heading becomes the path's (the same from all, to 1e-6 rad)",
+                  {.printed = "accurately",
+                   .measured = fmt::format("from {} headings at most {:.1f} mm off in the second round; "
+                                           "headings at the end differ, in rad, {}",
+                                           headings, 1000 * worst, below(spread))},
+                  worst < 0.01 && spread < 1e-6);
 }
 
 }  // namespace

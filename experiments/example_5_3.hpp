@@ -9,7 +9,7 @@
 
 namespace incognita::section_5_3 {
 
-/// Two robots, each from the centre of its circle of 5 m.
+/// Two robots, each from the center of its circle of 5 m.
 closed_loop::Setup two_circles();
 
 /// (5.20)-(5.23): law and closed loop.
@@ -17,9 +17,9 @@ std::vector<Claim> equation_claims();
 /// (5.18), (5.19), and what can be observed at all.
 std::vector<Claim> estimation_claims();
 
-/// Traces of the landmarks' covariances, by identity, where a filter that gains nothing of what cannot be
-/// observed ends: the map's shape is known, and of its frame what the starts tell, as they are known and as
-/// they are seen in that map. m^2.
+/// Traces of the landmarks' covariances, by identity, in the limit of a filter without spurious information:
+/// the shape of the map is known, and its frame as well as the starts determine it, by their priors and by
+/// their measurements in that map. m^2.
 std::vector<double> least_traces(const closed_loop::Setup& setup);
 
 /// Of one run, against its least traces.

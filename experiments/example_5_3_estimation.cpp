@@ -1,19 +1,15 @@
 // (5.18) and (5.19) as an estimate, and what of a team and its map can be observed: Sections 5.2.1 and 5.3.
 //
-// Experiment: 200 random poses known to 0.5 m and 20 degrees, or to 0.05 m and half a degree, that look at
+// Experiment: 200 random poses known to 0.5 m and 20 degrees, or to 0.05 m and half a degree, that measure
 // three known landmarks with the noises of closed_loop_run.hpp; the least squares are found by Gauss and
-// Newton, started from the truth and from (5.18), the better of the two. Ranks: looks at all landmarks every
-// 2 s along the way that seed 1 really took, of the regulator, round the circle, and of the team; singular
+// Newton, started from the truth and from (5.18), the better of the two. Ranks: measurements of all landmarks
+// every 2 s along the true path of seed 1, of the regulator, round the circle, and of the team; singular
 // values above 1e-9 of the largest count, with a gap of 1000 to the next.
-#include <fmt/format.h>
-
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
-#include <algorithm>
-#include <cmath>
 #include <numbers>
 
-#include "experiments/evidence.hpp"
+#include "experiments/common.hpp"
 #include "experiments/example_5_2.hpp"
 #include "experiments/example_5_3.hpp"
 #include "incognita/analysis/observability/linear_system.hpp"
@@ -33,7 +29,7 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 using Pose = planar::Pose<double>;
 
-/// A pose that is known about, and looks at known landmarks.
+/// A pose with a prior, and measurements of known landmarks.
 struct Problem {
   Pose truth, prior;
   Matrix3d P;
@@ -63,14 +59,14 @@ Problem some_problem(RandomStream& random, const Vector3d& sigmas) {
   return p;
 }
 
-/// All looks about a pose.
-struct Looks {
+/// All measurements, linearized at a pose.
+struct Measurements {
   MatrixXd H = MatrixXd(6, 3);
   VectorXd residual = VectorXd(6);
 };
 
-Looks looks_from(const Problem& p, const Pose& pose) {
-  Looks out;
+Measurements measurements_at(const Problem& p, const Pose& pose) {
+  Measurements out;
   for (Index l = 0; l < 3; ++l) {
     const auto i = static_cast<std::size_t>(l);
     const auto prediction = RangeBearing::predict_measurement(pose, p.landmarks[i]);
@@ -83,17 +79,17 @@ Looks looks_from(const Problem& p, const Pose& pose) {
 
 MatrixXd measurement_noise() { return measurement_sigmas.cwiseAbs2().replicate(3, 1).asDiagonal(); }
 
-/// What least squares minimise.
+/// What least squares minimize.
 double squares(const Problem& p, const Pose& pose) {
   const Vector3d e = difference(pose, p.prior);
-  const VectorXd r = looks_from(p, pose).residual;
+  const VectorXd r = measurements_at(p, pose).residual;
   return e.dot(p.P.inverse() * e) + r.dot(measurement_noise().inverse() * r);
 }
 
 Pose least_squares(const Problem& p, Pose pose) {
   const MatrixXd weight = measurement_noise().inverse();
   for (int i = 0; i < 50; ++i) {
-    const Looks at = looks_from(p, pose);
+    const Measurements at = measurements_at(p, pose);
     const Matrix3d A = p.P.inverse() + at.H.transpose() * weight * at.H;
     const Vector3d b = at.H.transpose() * weight * at.residual - p.P.inverse() * difference(pose, p.prior);
     pose += A.llt().solve(b);
@@ -113,7 +109,7 @@ Excess excess(const Vector3d& sigmas, int problems) {
   Excess out;
   for (int i = 0; i < problems; ++i) {
     const Problem p = some_problem(random, sigmas);
-    const Looks at = looks_from(p, p.prior);
+    const Measurements at = measurements_at(p, p.prior);
     const MatrixXd S = at.H * p.P * at.H.transpose() + measurement_noise(),
                    K = p.P * at.H.transpose() * S.inverse();
     const Pose ekf = p.prior + K * at.residual;
@@ -123,7 +119,7 @@ Excess excess(const Vector3d& sigmas, int problems) {
                    joseph = rest * p.P * rest.transpose() + K * measurement_noise() * K.transpose();
     out.covariance = std::max(out.covariance, (printed - joseph).norm() / joseph.norm());
   }
-  std::sort(all.begin(), all.end());
+  std::ranges::sort(all);
   out.median = all[all.size() / 2], out.largest = all.back();
   return out;
 }
@@ -132,11 +128,10 @@ Claim optimal_estimate() {
   constexpr int problems = 200;
   const Excess vague = excess({0.5, 0.5, radians(20)}, problems), usual = excess(start_sigmas, problems);
   return assessed(
-      {.id = "5.3-least-squares",
-       .place = "(5.18), (5.19)",
-       .statement = "(5.18) is the optimal estimate in the sense of least squares: no other pose has a lower "
-                    "sum, to 1e-6; (5.19) is its covariance to first order, the same as (A.2.7), to 1e-9",
-       .printed = "optimal",
+      "5.3-least-squares", "(5.18), (5.19)",
+      "(5.18) is the optimal estimate in the sense of least squares: no other pose has a lower sum, to 1e-6; "
+      "(5.19) is its covariance to first order, the same as (A.2.7), to 1e-9",
+      {.printed = "optimal",
        .measured = fmt::format(
            "sum of squares in excess of the least, median and largest of {}: {:.2g} and {:.2g} from poses "
            "known to 0.5 m and 20 deg, {:.1e} and {:.1e} to 0.05 m and 0.5 deg; (5.19) from (A.2.7) {}",
@@ -149,8 +144,8 @@ Claim optimal_estimate() {
       vague.median > 10 * usual.median && std::max(vague.covariance, usual.covariance) <= 1e-9);
 }
 
-/// Directions of robots and map that no look along the way depends on. The first `anchors` landmarks are
-/// known.
+/// Directions of robots and map on which no measurement along the path depends. The first `anchors` landmarks
+/// are known.
 struct Unseen {
   int directions = 0;
   double gap = 0;
@@ -182,25 +177,22 @@ Claim observability() {
   Setup to_goal = two_circles(), round = two_circles();
   to_goal.robots = {robot({-7, 0, 0}, ControlLaw::lqg, PointPath{{10, 10, 0}})};
   round.robots = {robot({-7, 0, std::numbers::pi}, ControlLaw::feedback_linearization, section_5_2::circle)};
-  std::string measured;
-  bool none_gained = true, all_with_two = true;
+  Cases none_gained;
+  bool all_with_two = true;
   for (const auto& [name, setup] : {std::pair("regulator", to_goal), std::pair("circle", round),
                                     std::pair("two robots", two_circles())}) {
     const Unseen free = unseen(setup, 0), two = unseen(setup, 2);
-    none_gained = none_gained && free.directions == 3 && free.gap >= 1000;
     all_with_two = all_with_two && two.directions == 0;
-    measured += fmt::format("{}{}: {}, with two known landmarks {}", measured.empty() ? "" : "; ", name,
-                            free.directions, two.directions);
+    none_gained.add(
+        {fmt::format("{}: {}, with two known landmarks {}", name, free.directions, two.directions),
+         free.directions == 3 && free.gap >= 1000});
   }
   return assessed(
-      {.id = "5.3-observability",
-       .place = "Section 5.3; below (5.23)",
-       .statement = "A low-level control law does not gain observability: along all these ways, of "
-                    "one robot and of two, place and heading of the whole stay unobservable, and "
-                    "two known landmarks make all observable",
-       .printed = "not able",
-       .measured = "unobservable directions along the way: " + measured},
-      none_gained && all_with_two);
+      "5.3-observability", "Section 5.3; below (5.23)",
+      "A low-level control law does not gain observability: along all these paths, of one robot and of two, "
+      "position and heading of the whole stay unobservable, and two known landmarks make all observable",
+      {.printed = "not able", .measured = "unobservable directions along the path: " + none_gained.text()},
+      none_gained.hold() && all_with_two);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "experiments/evidence.hpp"
 #include "experiments/example_5_4_run.hpp"
+#include "experiments/seeds.hpp"
 #include "incognita/report/experiment.hpp"
 #include "incognita/report/plot.hpp"
 
@@ -15,8 +16,8 @@ namespace incognita::swinging_camera {
 struct Summary {
   bool lost = false;
   double rms_error_m = 0, worst_error_m = 0;  ///< of the estimated position
-  double believed_off_m = 0,
-         believed_off_95_m = 0;  ///< from the path: median of ticks and 95 %, once settled
+  double estimated_off_m = 0,
+         estimated_off_95_m = 0;  ///< from the path: median of ticks and 95 %, once settled
   double truly_off_m = 0, truly_off_95_m = 0, most_off_m = 0;
   double gaze_off_95_rad = 0;
   std::array<double, 6> inside{};              ///< share of ticks within 2 sigma
@@ -35,7 +36,7 @@ Summary summary(const Course& course);
 std::vector<Summary> runs(const Setup& setup, int seeds);
 
 // Over runs
-std::vector<double> each(const std::vector<Summary>& runs, double Summary::*what);
+
 double mean_of_runs(const std::vector<Summary>& runs, double Summary::*what);
 double quantile(std::vector<double> values, double share);
 double median(const std::vector<Summary>& runs, double Summary::*what);
@@ -57,7 +58,7 @@ struct Compared {
 Compared compare_paths(const ExperimentSettings& settings, const std::vector<Summary>& example);
 std::vector<Claim> path_claims(const ExperimentSettings& settings, const Compared& compared);
 
-/// A camera that knows its state, steered by the setup's law; the states at its ticks.
+/// A camera with known state, steered by the setup's law; the states at its ticks.
 std::vector<FreeCameraMotion::State<double>> steered(const Setup& setup, double sigma_disturbance,
                                                      std::uint64_t seed);
 

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "experiments/curves.hpp"
 #include "experiments/example_5_4.hpp"
 
 namespace incognita::swinging_camera {
@@ -18,11 +19,9 @@ void add(Curve& c, double x, double y) { c.x.push_back(x), c.y.push_back(y); }
 
 /// f over the instants of a course.
 template <class F>
-Curve over_time(const std::string& label, const Course& course, const F& f, Color color,
+Curve over_time(const std::string& label, const Course& course, Color color, const F& f,
                 Style style = Style::line) {
-  Curve c = curve(label, style, color);
-  for (const Instant& i : course.instants) add(c, i.t, f(i));
-  return c;
+  return curve_of(label, style, color, course.instants, &Instant::t, f);
 }
 
 // Figure 5.12 -----------------------------------------------------------------------------------------
@@ -50,7 +49,7 @@ Plot wanted_path() {
     add(mean, t, -degrees * 2 * BackAndForthPath{}.amplitude_rad * t / pi);
   }
   angle.curves = {mean, p};
-  return {"fig-5.12", "Back and forth round a circle of 1.5 m, (5.28)", 2, {above, angle}};
+  return {"fig-5.12", "Back and forth around a circle of 1.5 m, (5.28)", 2, {above, angle}};
 }
 
 // Figure 5.13 -----------------------------------------------------------------------------------------
@@ -64,27 +63,24 @@ struct View {
 
 Panel seen(const Course& course, const View& v) {
   Panel panel{v.title, v.right_label, v.up_label, {}, true};
-  Curve points = curve("points", Style::stars, Color::amber),
-        mapped = curve("map", Style::crosses, Color::blue),
-        wanted = curve("desired", Style::dashed, Color::ink),
-        estimated = curve("estimated", Style::line, Color::orange),
-        truth = curve("true", Style::thin, Color::green);
+  const auto path = [&](const char* label, Style style, Color color, const auto& position) {
+    return path_of(label, style, color, course.instants, position, v.right, v.up);
+  };
   std::vector<Eigen::Vector2d> means;
   std::vector<Eigen::Matrix2d> covariances;
-  for (const Vector3d& p : course.place) add(points, p[v.right], p[v.up]);
   for (const MappedPoint& p : course.map) {
-    add(mapped, p.estimated[v.right], p.estimated[v.up]);
     means.emplace_back(p.estimated[v.right], p.estimated[v.up]);
     covariances.push_back(p.covariance({v.right, v.up}, {v.right, v.up}));
   }
-  for (const Instant& i : course.instants) {
-    add(wanted, i.reference.position[v.right], i.reference.position[v.up]);
-    add(estimated, i.mean[v.right], i.mean[v.up]);
-    add(truth, i.truth[v.right], i.truth[v.up]);
-  }
   Curve outlines = ellipses("2σ", means, covariances);
   outlines.color = Color::sky;
-  panel.curves = {outlines, points, mapped, truth, estimated, wanted};
+  panel.curves = {
+      outlines,
+      path_of("points", Style::stars, Color::amber, course.place, std::identity{}, v.right, v.up),
+      path_of("map", Style::crosses, Color::blue, means),
+      path("true", Style::thin, Color::green, &Instant::truth),
+      path("estimated", Style::line, Color::orange, &Instant::mean),
+      path("desired", Style::dashed, Color::ink, [](const Instant& i) { return i.reference.position; })};
   return panel;
 }
 
@@ -94,7 +90,7 @@ Panel commands(const Course& course, const char* title, const char* label, int f
   const char* names[] = {"x", "y", "z"};
   for (int k = 0; k < 3; ++k)
     panel.curves.push_back(over_time(
-        names[k], course, [&](const Instant& i) { return i.command[first + k]; }, colors[k], Style::thin));
+        names[k], course, colors[k], [&](const Instant& i) { return i.command[first + k]; }, Style::thin));
   return panel;
 }
 
@@ -105,12 +101,11 @@ Plot loop(const Course& course) {
   const char* names[] = {"x", "y", "z"};
   for (int k = 0; k < 3; ++k)
     tracking.curves.push_back(over_time(
-        names[k], course, [&](const Instant& i) { return i.reference.position[k] - i.mean[k]; }, colors[k],
+        names[k], course, colors[k], [&](const Instant& i) { return i.reference.position[k] - i.mean[k]; },
         Style::thin));
-  off.curves = {over_time(
-                    "true", course, [](const Instant& i) { return i.truly_off_m(); }, Color::green),
-                over_time(
-                    "estimated", course, [](const Instant& i) { return i.believed_off_m(); }, Color::orange)};
+  off.curves = {
+      over_time("true", course, Color::green, [](const Instant& i) { return i.truly_off_m(); }),
+      over_time("estimated", course, Color::orange, [](const Instant& i) { return i.estimated_off_m(); })};
   Panel above = seen(course, {"(a) from above", 0, 1, "x, m", "y, m"}),
         aside = seen(course, {"(a) from the side", 0, 2, "x, m", "z, m"});
   above.x_range = aside.x_range = {-4.3, 4.3};
@@ -127,11 +122,10 @@ Plot loop(const Course& course) {
 Panel within_sigma(const Course& course, const char* title, const char* label, int k, double unit) {
   Panel panel{title, "t, s", label, {}};
   Curve band = over_time(
-      "2σ", course, [&](const Instant& i) { return -2 * unit * i.sigma[k]; }, Color::sky, Style::band);
+      "2σ", course, Color::sky, [&](const Instant& i) { return -2 * unit * i.sigma[k]; }, Style::band);
   for (const Instant& i : course.instants) band.y2.push_back(2 * unit * i.sigma[k]);
-  panel.curves = {band,
-                  over_time(
-                      "error", course, [&](const Instant& i) { return unit * i.error[k]; }, Color::orange)};
+  panel.curves = {
+      band, over_time("error", course, Color::orange, [&](const Instant& i) { return unit * i.error[k]; })};
   return panel;
 }
 
@@ -170,11 +164,11 @@ Plot paths(const Compared& c) {
   both("never back", c.surges, Color::orange);
   both("steady", c.steady, Color::pink);
   both("in place", c.swings, Color::green);
-  return {"fig-5.14-paths", "Round the same circle, rms over runs", 2, {sigma, error}};
+  return {"fig-5.14-paths", "Around the same circle, rms over runs", 2, {sigma, error}};
 }
 
 Plot laws() {
-  Panel above{"(a) a camera that knows its state, from above", "x, m", "y, m", {}, true},
+  Panel above{"(a) a camera with known state, from above", "x, m", "y, m", {}, true},
       gaze{"(b) gaze, disturbed", "t, s", "degrees off", {}};
   const auto way = [&](const char* name, Law law, Color color) {
     Setup s;

@@ -97,7 +97,8 @@ SimulatedVehicle body_of(const Setup& s) {
 EstimatorSettings filter_of(const Setup& s, const PointLandmarks& place) {
   BodyModel member =
       body_with_sensor(FreeCameraMotion{}, CameraSensor{lens()}, start_of(s), start_sigmas(s), {}, {});
-  member.input_sigmas = s.told ? disturbances(s) : six(s.sigma_untold, s.sigma_untold);
+  member.input_sigmas =
+      s.given_commands ? disturbances(s) : six(s.sigma_unknown_input, s.sigma_unknown_input);
   member.sensors[0].sigmas = SmallVector::Constant(2, s.sigma_pixel_px);
   EstimatorSettings settings;
   settings.bodies = {member};
@@ -108,7 +109,7 @@ EstimatorSettings filter_of(const Setup& s, const PointLandmarks& place) {
   return settings;
 }
 
-/// What is believed of the camera beside what is so.
+/// The estimate of the camera compared with the truth.
 void compare(const Estimate& e, Instant& at) {
   const BlockId camera = e.bodies.front().block;
   at.mean = e.belief.mean(camera);
@@ -183,7 +184,7 @@ Course run(const Setup& s, std::uint64_t seed) {
   while (const Tick tick = clock.next()) {
     const auto truth = world.move(command, tick);
     Observation observation = sensor.measure(truth, tick);
-    if (!s.told && observation.bodies.front().input) observation.bodies.front().input->setZero();
+    if (!s.given_commands && observation.bodies.front().input) observation.bodies.front().input->setZero();
     estimator.update(estimate, command, observation, tick);
     Instant now;
     now.t = tick.t;

@@ -1,8 +1,8 @@
-// The camera of thesis Example 5.4 in closed loop: it moves freely (5.24), sees points in a room (5.26),
-// keeps them and itself in one belief, and is steered along a path by what it believes (5.29).
+// The camera of thesis Example 5.4 in closed loop: it moves freely (5.24), observes points in a room (5.26),
+// estimates them and itself in one belief, and is steered along a path by its estimate (5.29).
 //
 // World z-up: the room's 6 x 2 x 8 m (x, y up, z) are y, z and x here, about the origin, which is the path's
-// centre: the camera starts at (-1.5, 0, 0) and looks along +x.
+// center: the camera starts at (-1.5, 0, 0) and faces +x.
 #pragma once
 
 #include <Eigen/Core>
@@ -33,14 +33,14 @@ struct Setup {
   Path path = BackAndForthPath{};
   Law law = Law::corrected;
   ControlSettings control = {};
-  bool steered_by_truth = false;  ///< instead of by what is believed
+  bool steered_by_truth = false;  ///< instead of by the estimate
   bool starts_at_rest = false;    ///< instead of as the path goes
   double duration_s = 40, rate_hz = 20;
 
   int points = 30;
-  int anchors = 0;   ///< of them, known beforehand
-  bool told = true;  ///< the filter is told what was commanded (Appendix B); else it takes that for chance
-  double sigma_untold = 4;  ///< of the accelerations then, m/s^2 and rad/s^2, per axis and tick
+  int anchors = 0;             ///< of them, known beforehand
+  bool given_commands = true;  ///< the filter is given the commands (Appendix B); else they are noise to it
+  double sigma_unknown_input = 4;  ///< of the accelerations then, m/s^2 and rad/s^2, per axis and tick
 
   double sigma_pixel_px = 1;
   double sigma_acceleration_m_s2 = 0.3;  ///< disturbs the camera, per axis, held for a tick
@@ -53,7 +53,7 @@ struct Setup {
   double noise_times = 1;  ///< of all true noises and the start, the filter's left as they are
 };
 
-/// The setup's law, for a camera that knows or believes its state.
+/// The setup's law, by the true or the estimated state.
 std::unique_ptr<Steering> law_of(const Setup& setup);
 
 /// Where the path starts, moving as it does unless it starts at rest.
@@ -69,19 +69,21 @@ struct Instant {
   Reference reference;
   FreeCameraMotion::State<double> truth, mean;
   Vector6 error;         ///< truth less estimate: position (m, world), rotation (rad, camera axes)
-  Vector6 sigma;         ///< of it, as believed
+  Vector6 sigma;         ///< of it, by the filter
   Vector6 command;       ///< m/s^2, rad/s^2; held from now on
   double pose_nees = 0;  ///< over its 6 degrees of freedom
-  double nis = 0;        ///< of this tick's looks, over their number; 0 without any
+  double nis = 0;        ///< of this tick's measurements, over their number; 0 without any
   bool lost = false;
 
-  double believed_off_m() const { return (mean.head<3>() - reference.position).norm(); }  ///< Figure 5.13 (c)
+  double estimated_off_m() const {
+    return (mean.head<3>() - reference.position).norm();
+  }  ///< Figure 5.13 (c)
   double truly_off_m() const { return (truth.head<3>() - reference.position).norm(); }
   double position_error_m() const { return error.head<3>().norm(); }
   double sigma_position_m() const { return sigma.head<3>().norm(); }
 };
 
-/// Between where a camera looks and where it should.
+/// Angle between the orientation of a camera and its reference.
 double gaze_off_rad(const FreeCameraMotion::State<double>& camera, const Reference& reference);
 
 struct MappedPoint {

@@ -48,7 +48,7 @@ void add_settled(const Course& course, Summary& s) {
       limited_at_first += is_at_limit(i.command), ++at_first;
       continue;
     }
-    estimated.push_back(i.believed_off_m());
+    estimated.push_back(i.estimated_off_m());
     truth.push_back(i.truly_off_m());
     gaze.push_back(gaze_off_rad(i.truth, i.reference));
     limited += is_at_limit(i.command);
@@ -59,7 +59,7 @@ void add_settled(const Course& course, Summary& s) {
   }
   s.at_limit = limited / static_cast<double>(estimated.size());
   s.at_limit_at_first = limited_at_first / at_first;
-  s.believed_off_m = quantile(estimated, 0.5), s.believed_off_95_m = quantile(estimated, 0.95);
+  s.estimated_off_m = quantile(estimated, 0.5), s.estimated_off_95_m = quantile(estimated, 0.95);
   s.truly_off_m = quantile(truth, 0.5), s.truly_off_95_m = quantile(truth, 0.95);
   s.most_off_m = quantile(truth, 1);
   s.gaze_off_95_rad = quantile(gaze, 0.95);
@@ -98,14 +98,8 @@ std::vector<Summary> runs(const Setup& setup, int seeds) {
   return over_seeds(seeds, [&](std::uint64_t seed) { return summary(run(setup, seed)); });
 }
 
-std::vector<double> each(const std::vector<Summary>& runs, double Summary::*what) {
-  std::vector<double> values;
-  for (const Summary& s : runs) values.push_back(s.*what);
-  return values;
-}
-
 double quantile(std::vector<double> values, double share) {
-  std::sort(values.begin(), values.end());
+  std::ranges::sort(values);
   return values[static_cast<std::size_t>(std::lround(share * static_cast<double>(values.size() - 1)))];
 }
 
@@ -120,15 +114,13 @@ double mean_of_runs(const std::vector<Summary>& runs, double Summary::*what) {
 }
 
 double share_near_path(const std::vector<Summary>& runs) {
-  const auto near =
-      std::count_if(runs.begin(), runs.end(), [](const Summary& s) { return s.most_off_m <= near_path_m; });
+  const auto near = std::ranges::count_if(runs, [](const Summary& s) { return s.most_off_m <= near_path_m; });
   return static_cast<double>(near) / static_cast<double>(runs.size());
 }
 
 Finding follows(const std::vector<Summary>& runs) {
-  const auto near =
-      std::count_if(runs.begin(), runs.end(), [](const Summary& s) { return s.most_off_m <= near_path_m; });
-  return happens_in(0.95, static_cast<std::size_t>(near), runs.size());
+  const auto near = std::ranges::count_if(runs, [](const Summary& s) { return s.most_off_m <= near_path_m; });
+  return happens_in(0.95, near, runs.size());
 }
 
 int fewer(const ExperimentSettings& settings) { return std::max(5, settings.seeds / 5); }

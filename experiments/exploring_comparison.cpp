@@ -1,14 +1,9 @@
 #include "experiments/exploring_comparison.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
 
-#include "experiments/evidence.hpp"
-#include "experiments/seeds.hpp"
+#include "experiments/common.hpp"
 #include "incognita/analysis/evaluation/median.hpp"
 #include "incognita/math/quaternion.hpp"
 
@@ -18,13 +13,13 @@ namespace {
 /// Scores in frames that choose nothing would only take time.
 Sets sets_of(const Strategy& strategy) {
   Sets sets = strategy.sets;
-  const bool told = std::any_of(sets.begin(), sets.end(),
-                                [](const std::string& s) { return s.starts_with("decision.schedule"); });
-  if (!told) sets.push_back("decision.schedule=at-decisions");
+  const bool scheduled =
+      std::ranges::any_of(sets, [](const std::string& s) { return s.starts_with("decision.schedule"); });
+  if (!scheduled) sets.push_back("decision.schedule=at-decisions");
   return sets;
 }
 
-/// Of the way that it went the share that it went backwards.
+/// Share of the path that was driven backward.
 double share_backwards(const Run& run) {
   double back = 0, all = 0;
   for (std::size_t i = 1; i < run.instants.size(); ++i) {
@@ -44,18 +39,16 @@ Interval median_known(std::vector<double> numbers) {
 }
 
 std::ptrdiff_t lost_of(const Runs& runs) {
-  return std::count_if(runs.begin(), runs.end(), [](const Run& r) { return r.lost; });
+  return std::ranges::count_if(runs, [](const Run& r) { return r.lost; });
 }
 
-std::ptrdiff_t diverged_of(const Runs& runs) { return std::count_if(runs.begin(), runs.end(), diverged); }
+std::ptrdiff_t diverged_of(const Runs& runs) { return std::ranges::count_if(runs, diverged); }
 
 /// Not a number for a run that diverged: the entropy of one that was lost is that of its last decision, too
 /// high, and the entropy of one with such an error is overconfident.
 double entropy_if_not_diverged(const Run& run) { return diverged(run) ? std::nan("") : final_entropy(run); }
 
-double typically_off_m(const Runs& runs) {
-  return median_of_known(each(runs, [](const Run& r) { return r.position_rms_m; }));
-}
+double typically_off_m(const Runs& runs) { return median_of_known(each(runs, &Run::position_rms_m)); }
 
 }  // namespace
 
@@ -66,6 +59,13 @@ Runs runs_of(const std::string& scenario, const Strategy& strategy, const Experi
   return over_seeds(settings.seeds, [&](std::uint64_t seed) {
     return explore(scenario, sets_of(strategy), first - 1 + seed);
   });
+}
+
+std::vector<Runs> runs_of_all(const std::string& scenario, const std::vector<Strategy>& strategies,
+                              const ExperimentSettings& settings, std::uint64_t first) {
+  std::vector<Runs> all;
+  for (const Strategy& strategy : strategies) all.push_back(runs_of(scenario, strategy, settings, first));
+  return all;
 }
 
 bool diverged(const Run& run) { return run.lost || !(run.position_rms_m <= 0.5); }
@@ -89,12 +89,11 @@ std::string in_numbers(const std::string& name, const Runs& runs) {
   constexpr double overconfident = 3;
   return fmt::format(
       "{}: entropy {}, position error {} m (median), NEES {} (median; above {} in {}), {} located, {} % "
-      "seen, "
-      "14th after {}, {} lost",
+      "covered, 14th after {}, {} lost",
       name, text(bootstrap_mean(each(runs, final_entropy))),
-      text(median_known(each(runs, [](const Run& r) { return r.position_rms_m; }))),
-      decimals(median_of_known(each(runs, [](const Run& r) { return r.nees; })), 2), overconfident,
-      std::count_if(runs.begin(), runs.end(), [](const Run& r) { return r.nees > overconfident; }),
+      text(median_known(each(runs, &Run::position_rms_m))),
+      decimals(median_of_known(each(runs, &Run::nees)), 2), overconfident,
+      std::ranges::count_if(runs, [](const Run& r) { return r.nees > overconfident; }),
       text(bootstrap_mean(each(runs, located))),
       text(bootstrap_mean(each(runs, [](const Run& r) { return 100 * r.coverage; }))),
       std::isfinite(t_14.value) ? text(t_14, "s") + " (median)" : "the end of most runs", lost_of(runs));
@@ -125,20 +124,17 @@ Claim backs_away(const std::string& id, const std::string& place, const std::str
       slower += d.action.starts_with("slower");
       faster += d.action.starts_with("faster");
     }
-  return assessed(
-      {.id = id,
-       .place = place,
-       .statement = "The vehicle explores by repeatedly choosing a negative linear acceleration: of "
-                    "the way that it goes more than half is backwards, starting " +
-                    start + variant,
-       .printed = printed,
-       .measured = fmt::format("share backwards less a half: {} (99.9 %); {} decisions for slower, "
-                               "{} for faster",
-                               text(more), slower, faster),
-       .why = why,
-       .runs = static_cast<int>(beyond_half.size()),
-       .least_runs = enough_runs},
-      is_above(more, 0));
+  return assessed(id, place,
+                  "The vehicle explores by repeatedly choosing a negative linear acceleration: more than "
+                  "half of its path is driven backward, starting " +
+                      start + variant,
+                  {.printed = printed,
+                   .measured = fmt::format(
+                       "share backward less a half: {} (99.9 %); {} decisions for slower, {} for faster",
+                       text(more), slower, faster),
+                   .why = why,
+                   .seeds = beyond_half.size()},
+                  is_above(more, 0));
 }
 
 namespace {
@@ -158,7 +154,7 @@ Claim beats(const std::string& id, const std::string& place, const std::string& 
                             found = less(each(ours, entropy_if_not_diverged),
                                          each(theirs, entropy_if_not_diverged));
   const Interval gap = bootstrap_mean(all, assessed_at), gap_if_found = bootstrap_mean(found, assessed_at);
-  const auto better = std::count_if(all.begin(), all.end(), [](double d) { return d < 0; });
+  const auto better = std::ranges::count_if(all, [](double d) { return d < 0; });
   const std::size_t left_out = ours.size() - all.size();
   std::string measured = fmt::format(
       "entropy less that of {}: {} nats (99.9 %), lower in {} of {} rooms{}", what, text(gap), better,
@@ -167,14 +163,8 @@ Claim beats(const std::string& id, const std::string& place, const std::string& 
     measured +=
         fmt::format("; in the {} in which neither diverged {} nats", found.size(), text(gap_if_found));
   const Finding in_all = is_below(gap, 0), in_found = is_below(gap_if_found, 0);
-  Claim claim = assessed({.id = id,
-                          .place = place,
-                          .statement = statement,
-                          .printed = "",
-                          .measured = measured + "; " + price(ours, theirs),
-                          .why = why,
-                          .runs = static_cast<int>(all.size()),
-                          .least_runs = enough_runs},
+  Claim claim = assessed(id, place, statement,
+                         {.measured = measured + "; " + price(ours, theirs), .why = why, .seeds = all.size()},
                          in_all && in_found);
   if (claim.verdict == Verdict::undecided && claim.runs >= claim.least_runs && in_all == Finding::shown)
     claim.why = "shown for all rooms; among those in which neither diverged the interval holds both answers";

@@ -1,4 +1,4 @@
-// Ways to explore compared over many seeds: what Sections 6.3 and 6.4 share.
+// Exploration strategies compared over many seeds, for Sections 6.3 and 6.4.
 #pragma once
 
 #include <cmath>
@@ -6,13 +6,15 @@
 #include <string>
 #include <vector>
 
+#include "experiments/curves.hpp"
 #include "experiments/exploring_run.hpp"
+#include "experiments/seeds.hpp"
 #include "incognita/report/experiment.hpp"
 #include "incognita/report/plot.hpp"
 
 namespace incognita::exploring {
 
-/// A way to choose where to go and where to look.
+/// A choice of translations and gaze.
 struct Strategy {
   std::string name;
   Sets sets;
@@ -21,7 +23,7 @@ struct Strategy {
 /// Runs of one strategy, by seed.
 using Runs = std::vector<Run>;
 
-/// The first room that no setting was chosen by.
+/// The first room that was not used to choose settings.
 inline constexpr std::uint64_t fresh_rooms = 101;
 
 /// Runs of a scenario by that strategy, settings.seeds of them from `first` on. Frames that choose nothing
@@ -29,13 +31,9 @@ inline constexpr std::uint64_t fresh_rooms = 101;
 Runs runs_of(const std::string& scenario, const Strategy& strategy, const ExperimentSettings& settings,
              std::uint64_t first = 1);
 
-/// A number of each run.
-template <class Of>
-std::vector<double> each(const Runs& runs, const Of& of) {
-  std::vector<double> numbers;
-  for (const Run& run : runs) numbers.push_back(of(run));
-  return numbers;
-}
+/// The same by several strategies, one after the other.
+std::vector<Runs> runs_of_all(const std::string& scenario, const std::vector<Strategy>& strategies,
+                              const ExperimentSettings& settings, std::uint64_t first = 1);
 
 /// Of pairs by seed a - b, where both are numbers.
 std::vector<double> less(const std::vector<double>& a, const std::vector<double>& b);
@@ -56,31 +54,29 @@ double share_across(const Run& run);
 /// Lost at the end, or with a position error above 0.5 m (rms).
 bool diverged(const Run& run);
 
-/// The claim that a vehicle that starts there goes more than half of its way backwards. `variant` ends the
+/// The claim that a vehicle that starts there drives more than half of its path backward. `variant` ends the
 /// statement.
 Claim backs_away(const std::string& id, const std::string& place, const std::string& printed,
-                 const std::string& start, const Runs& runs, const std::string& why,
+                 const std::string& start, const Runs& runs, const std::string& why = "",
                  const std::string& variant = "");
 
 /// The claim that `ours` leave less entropy than `theirs`, by paired differences, in all rooms and in those
 /// in which neither diverged; `what` names theirs. The measured text adds how many of either diverged, their
 /// position errors, and how many pairs had no entropy to compare.
 Claim beats(const std::string& id, const std::string& place, const std::string& statement,
-            const std::string& what, const Runs& ours, const Runs& theirs, const std::string& why);
+            const std::string& what, const Runs& ours, const Runs& theirs, const std::string& why = "");
 
 /// Entropy of the camera, the map, and all; points where landmarks were located: of Figures 6.4, 6.7 and 6.9.
 Panel entropies(const std::string& title, const Run& run);
 /// The path with the final map, from above.
 Panel from_above(const std::string& title, const Run& run);
-/// What was chosen when, by number; what they mean is told below.
+/// The chosen actions over time.
 Panel choices(const std::string& title, const Run& run);
 /// A number of every instant.
 template <class F>
-Curve over_time(const std::string& label, const Run& run, const F& f, Color color,
+Curve over_time(const std::string& label, const Run& run, Color color, const F& f,
                 Style style = Style::line) {
-  Curve c{label, style, {}, {}, {}, color};
-  for (const Instant& i : run.instants) c.x.push_back(i.t_s), c.y.push_back(f(i));
-  return c;
+  return curve_of(label, style, color, run.instants, &Instant::t_s, f);
 }
 
 /// Paths, final maps and entropies of the first seed; a column for each strategy: Figures 6.4 and 6.9.

@@ -25,12 +25,10 @@ Panel error_panel(const std::string& title, const std::string& unit, const Run& 
 
 Panel from_above(const std::string& title, const Run& run) {
   Panel p{title, "x, m", "y, m", {}, true};
-  Curve truth{"camera", Style::line, {}, {}, {}, Color::blue},
-      estimated{"believed", Style::dashed, {}, {}, {}, Color::orange};
-  for (const Instant& i : run.instants) {
-    truth.x.push_back(i.truth.position.x()), truth.y.push_back(i.truth.position.y());
-    estimated.x.push_back(i.estimate.position.x()), estimated.y.push_back(i.estimate.position.y());
-  }
+  const auto truth = path_of("camera", Style::line, Color::blue, run.instants,
+                             [](const Instant&i) { return i.truth.position; }),
+             estimated = path_of("estimated", Style::dashed, Color::orange, run.instants,
+                                 [](const Instant&i) { return i.estimate.position; });
   Curve anchors{"anchors", Style::stars, {}, {}, {}, Color::ink};
   std::vector<Eigen::Vector2d> means;
   std::vector<Eigen::Matrix2d> covariances;
@@ -49,13 +47,8 @@ Panel from_above(const std::string& title, const Run& run) {
 
 Panel choices(const std::string& title, const Run& run) {
   Panel p{title, "t, s", "", {}};
-  Curve chosen{"", Style::steps, {}, {}, {}, Color::blue};
-  for (const Decision& d : run.decisions) {
-    chosen.x.push_back(d.t_s);
-    chosen.y.push_back(d.chosen);
-  }
+  p.curves = {curve_of("", Style::steps, Color::blue, run.decisions, &Decision::t_s, &Decision::chosen)};
   p.y_names = run.actions;
-  p.curves = {chosen};
   p.y_range = {-0.5, static_cast<double>(run.actions.size()) - 0.5};
   return p;
 }
@@ -67,13 +60,9 @@ Panel entropies(const std::string& title, const Run& run) {
     located.x.push_back(*run.located_at_s(n));
     located.y.push_back(run.entropy_when_located(n).value_or(std::nan("")));
   }
-  p.curves = {over_time(
-                  "camera", run, [](const Instant& i) { return i.entropy.vehicle; }, Color::sky),
-              over_time(
-                  "map", run, [](const Instant& i) { return i.entropy.map; }, Color::orange),
-              over_time(
-                  "all", run, [](const Instant& i) { return i.entropy.total; }, Color::ink),
-              located};
+  p.curves = {over_time("camera", run, Color::sky, [](const Instant& i) { return i.entropy.vehicle; }),
+              over_time("map", run, Color::orange, [](const Instant& i) { return i.entropy.map; }),
+              over_time("all", run, Color::ink, [](const Instant& i) { return i.entropy.total; }), located};
   return p;
 }
 

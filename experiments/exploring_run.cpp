@@ -95,18 +95,16 @@ std::optional<double> Run::located_at_s(int count) const {
 std::optional<double> Run::entropy_when_located(int count) const {
   const auto t = located_at_s(count);
   if (!t) return std::nullopt;
-  const auto at = std::find_if(instants.begin(), instants.end(), [&](const Instant& i) {
-    return i.t_s >= *t && std::isfinite(i.entropy.total);
-  });
+  const auto at = std::ranges::find_if(
+      instants, [&](const Instant& i) { return i.t_s >= *t && std::isfinite(i.entropy.total); });
   return at == instants.end() ? std::nullopt : std::optional(at->entropy.total);
 }
 
 std::optional<double> Run::extended_when_located(int count) const {
   const auto t = located_at_s(count);
   if (!t) return std::nullopt;
-  const auto at = std::find_if(decisions.begin(), decisions.end(), [&](const Decision& d) {
-    return d.t_s >= *t && std::isfinite(d.entropy_extended);
-  });
+  const auto at = std::ranges::find_if(
+      decisions, [&](const Decision& d) { return d.t_s >= *t && std::isfinite(d.entropy_extended); });
   return at == decisions.end() ? std::nullopt : std::optional(at->entropy_extended);
 }
 

@@ -1,4 +1,4 @@
-// A run of a scenario that explores, as the experiments of Chapter 6 look at it.
+// A run of a scenario that explores, as the experiments of Chapter 6 evaluate it.
 #pragma once
 
 #include <Eigen/Core>
@@ -53,7 +53,7 @@ struct Run {
 /// Landmarks that were not matched for so long have been away; matching them again closes a loop.
 inline constexpr double away_s = 5;
 
-/// `scenario`: the name of a built-in one, of one camera in a place of points or in the rendered room.
+/// `scenario`: the name of a built-in one, of one camera in a point-landmark world or in the rendered room.
 Run explore(const std::string& scenario, const Sets& sets, std::uint64_t seed);
 
 }  // namespace incognita::exploring

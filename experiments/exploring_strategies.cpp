@@ -1,11 +1,6 @@
 #include "experiments/exploring_strategies.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-
-#include "experiments/evidence.hpp"
+#include "experiments/common.hpp"
 
 namespace incognita::exploring {
 namespace {
@@ -34,20 +29,16 @@ Claim lower_at_the_14th(const Common& common, const std::vector<Runs>& runs) {
   const std::vector<double> less_i = less(fisher, each(runs[0], at_the_14th)),
                             less_ii = less(fisher, each(runs[1], at_the_14th));
   const Interval to_i = bootstrap_mean(less_i, assessed_at), to_ii = bootstrap_mean(less_ii, assessed_at);
-  return assessed(
-      {.id = common.id + "-14th-entropy",
-       .place = common.place + ", Figure 6.4",
-       .statement =
-           "With the same number of landmarks gaze by (6.8) has the lower entropy: at the 14th landmark "
-           "below those of a constant rate and of mutual information" +
-           common.variant,
-       .printed = "-530, -550 and -610 at 19, 18 and 30 s",
-       .measured = fmt::format("medians: {}. (iii) less (i): {} nats, less (ii): {} (99.9 %)", medians,
-                               text(to_i), text(to_ii)),
-       .why = common.why,
-       .runs = static_cast<int>(std::min(less_i.size(), less_ii.size())),
-       .least_runs = enough_runs},
-      is_below(to_i, 0) && is_below(to_ii, 0));
+  return assessed(common.id + "-14th-entropy", common.place + ", Figure 6.4",
+                  "With the same number of landmarks gaze by (6.8) has the lower entropy: at the 14th "
+                  "landmark below those of a constant rate and of mutual information" +
+                      common.variant,
+                  {.printed = "-530, -550 and -610 at 19, 18 and 30 s",
+                   .measured = fmt::format("medians: {}. (iii) less (i): {} nats, less (ii): {} (99.9 %)",
+                                           medians, text(to_i), text(to_ii)),
+                   .why = common.why,
+                   .seeds = std::min(less_i.size(), less_ii.size())},
+                  is_below(to_i, 0) && is_below(to_ii, 0));
 }
 
 Claim fewer_landmarks(const Common& common, const std::vector<Runs>& runs) {
@@ -55,16 +46,14 @@ Claim fewer_landmarks(const Common& common, const std::vector<Runs>& runs) {
   const Interval fewer_i = bootstrap_mean(less(fisher, each(runs[0], located)), assessed_at),
                  fewer_ii = bootstrap_mean(less(fisher, each(runs[1], located)), assessed_at);
   return assessed(
-      {.id = common.id + "-fewer-landmarks",
-       .place = common.place,
-       .statement = "A constant rate and mutual information initialize landmarks faster than (6.8), which "
-                    "measures those it has: fewer located after 35 s than with either" +
-                    common.variant,
-       .printed = "at a faster pace",
+      common.id + "-fewer-landmarks", common.place,
+      "A constant rate and mutual information initialize landmarks faster than (6.8), which measures those "
+      "it has: fewer located after 35 s than with either" +
+          common.variant,
+      {.printed = "at a faster pace",
        .measured = fmt::format("(iii) less (i): {}, less (ii): {} (99.9 %)", text(fewer_i), text(fewer_ii)),
        .why = "fewer than with a constant rate, but not than with mutual information",
-       .runs = static_cast<int>(runs[0].size()),
-       .least_runs = enough_runs},
+       .seeds = runs[0].size()},
       is_below(fewer_i, 0) && is_below(fewer_ii, 0), is_below(fewer_i, 0));
 }
 
@@ -104,8 +93,19 @@ std::vector<Claim> against_baselines(const Common& common, const std::string& wh
             leaves + "a fixed path, three moves each ahead, left, back and right by a heading that turns" +
                 common.variant,
             "the fixed path", active, runs[1], common.why),
-      beats(common.id + "-standing", common.place, leaves + "standing and looking around" + common.variant,
+      beats(common.id + "-standing", common.place, leaves + "standing with a turning gaze" + common.variant,
             "standing", active, runs[2], common.why)};
+}
+
+std::vector<Claim> driving_claims(const Common& common, const Runs& active, const std::vector<Runs>& runs) {
+  const std::string leaves = "Driving by mutual information leaves less entropy than ";
+  return {beats(common.id + "-random", common.place,
+                leaves + "driving at random, by the accelerations of Table 6.1" + common.variant,
+                "driving at random", active, runs[1], common.why),
+          beats(common.id + "-fixed", common.place, leaves + "driving to and fro" + common.variant,
+                "driving to and fro", active, runs[2], common.why),
+          beats(common.id + "-standing", common.place, leaves + "standing" + common.variant, "standing",
+                active, runs[3], common.why)};
 }
 
 std::vector<Claim> gaze_claims(const Common& common, const std::vector<Runs>& runs) {
@@ -117,17 +117,26 @@ Claim moves_across(const Common& common, const Runs& runs, const std::string& wh
   const Interval more =
       bootstrap_mean(less(shares, std::vector<double>(shares.size(), 2.0 / 3)), assessed_at);
   return assessed(
-      {.id = common.id + "-across",
-       .place = common.place,
-       .statement = "The most informative moves are across the line of sight: up, down, left and right more "
-                    "often than their two thirds of all moves" +
-                    common.variant,
-       .printed = "repeated up-down movements, as well as left-right",
+      common.id + "-across", common.place,
+      "The most informative moves are across the line of sight: up, down, left and right more often than "
+      "their two thirds of all moves" +
+          common.variant,
+      {.printed = "repeated up-down movements, as well as left-right",
        .measured = fmt::format("share of a run's moves less two thirds: {} (99.9 %), {}", text(more), whose),
        .why = common.why,
-       .runs = static_cast<int>(runs.size()),
-       .least_runs = enough_runs},
+       .seeds = runs.size()},
       is_above(more, 0));
+}
+
+std::vector<Claim> with_numbers(std::vector<Claim> claims, const std::string& numbers) {
+  claims.front().measured += ". " + numbers;
+  return claims;
+}
+
+std::vector<std::string> names_of(const std::vector<Strategy>& strategies) {
+  std::vector<std::string> names;
+  for (const Strategy& strategy : strategies) names.push_back(strategy.name);
+  return names;
 }
 
 std::string in_numbers(const std::vector<Strategy>& strategies, const std::vector<Runs>& runs) {

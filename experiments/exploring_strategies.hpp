@@ -1,5 +1,5 @@
-// Ways of a camera to choose where to go and where to look, and what Section 6.3 says of them: of points and
-// of images.
+// Strategies of a camera for translation and gaze, and the claims of Section 6.3 about them, for points and
+// for images.
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@
 
 namespace incognita::exploring {
 
-/// What claims of Section 6.3 have in common: ids begin with `id`, `why` says why they do not hold, and
-/// `variant` ends each statement where the set-up is not the thesis'.
+/// What claims of Sections 6.3 and 6.4 have in common: ids begin with `id`, `variant` ends each statement
+/// where the set-up is not the thesis', and `why` is the diagnosis of those that do not hold.
 struct Common {
-  std::string id, place, why, variant;
+  std::string id, place, variant = {}, why = {};
 };
 
 /// exploration.counted = "as-mapped": ours, beside the printed metric that counts all.
@@ -32,11 +32,20 @@ std::vector<Claim> against_baselines(const Common& common, const std::string& wh
 /// Of a vehicle that carries the camera: mutual information, at random, to and fro, standing.
 const std::vector<Strategy>& driving();
 
+/// The claims that `active` leaves less entropy than driving at random, to and fro, and standing: those of
+/// `runs`, which are in the order of driving().
+std::vector<Claim> driving_claims(const Common& common, const Runs& active, const std::vector<Runs>& runs);
+
 /// Runs `by_gaze`: entropies at the 14th landmark, and how fast landmarks are located.
 std::vector<Claim> gaze_claims(const Common& common, const std::vector<Runs>& runs);
 
 /// That moves are across the line of sight more often than by chance; `whose`: which runs these are.
 Claim moves_across(const Common& common, const Runs& runs, const std::string& whose);
+
+/// The claims, with those numbers after what the first has measured.
+std::vector<Claim> with_numbers(std::vector<Claim> claims, const std::string& numbers);
+
+std::vector<std::string> names_of(const std::vector<Strategy>& strategies);
 
 /// Numbers of several strategies, one after the other.
 std::string in_numbers(const std::vector<Strategy>& strategies, const std::vector<Runs>& runs);

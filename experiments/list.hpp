@@ -1,40 +1,23 @@
-// Every experiment, one line each, in the thesis' order. Its file includes this header, which is what makes
-// the constant in it known elsewhere; all_experiments.cpp puts it on the list that the program has.
+// Every experiment, in the thesis' order. The file of one defines the constant of that name.
 #pragma once
 
 #include "incognita/report/experiment.hpp"
 
+// clang-format off
+#define INCOGNITA_EXPERIMENTS(EACH) \
+  EACH(text_chapters_1_to_3) EACH(example_3_1) EACH(example_3_2) EACH(example_3_3) \
+  EACH(example_3_4) EACH(example_3_5) EACH(example_3_6) EACH(example_3_7) EACH(example_3_8) \
+  EACH(example_3_9) EACH(example_3_10) EACH(example_3_11) EACH(text_chapter_4) EACH(example_4_1) \
+  EACH(example_4_2) EACH(example_4_3) EACH(example_4_4) EACH(example_4_5) EACH(example_4_6) \
+  EACH(example_5_1) EACH(example_5_2) EACH(example_5_3) EACH(mrclam) EACH(example_5_4) \
+  EACH(section_6_1) EACH(section_6_3) EACH(section_6_3_2) EACH(section_6_4) EACH(section_6_4_3) \
+  EACH(consistency)
+// clang-format on
+
 namespace incognita {
 
-extern const Experiment text_chapters_1_to_3;
-extern const Experiment example_3_1;
-extern const Experiment example_3_2;
-extern const Experiment example_3_3;
-extern const Experiment example_3_4;
-extern const Experiment example_3_5;
-extern const Experiment example_3_6;
-extern const Experiment example_3_7;
-extern const Experiment example_3_8;
-extern const Experiment example_3_9;
-extern const Experiment example_3_10;
-extern const Experiment example_3_11;
-extern const Experiment text_chapter_4;
-extern const Experiment example_4_1;
-extern const Experiment example_4_2;
-extern const Experiment example_4_3;
-extern const Experiment example_4_4;
-extern const Experiment example_4_5;
-extern const Experiment example_4_6;
-extern const Experiment example_5_1;
-extern const Experiment example_5_2;
-extern const Experiment example_5_3;
-extern const Experiment mrclam;
-extern const Experiment example_5_4;
-extern const Experiment section_6_1;
-extern const Experiment section_6_3;
-extern const Experiment section_6_3_2;
-extern const Experiment section_6_4;
-extern const Experiment section_6_4_3;
-extern const Experiment consistency;
+#define INCOGNITA_DECLARE(name) extern const Experiment name;
+INCOGNITA_EXPERIMENTS(INCOGNITA_DECLARE)
+#undef INCOGNITA_DECLARE
 
 }  // namespace incognita

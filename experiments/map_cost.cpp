@@ -1,10 +1,10 @@
 #include "experiments/map_cost.hpp"
 
 #include <algorithm>
-#include <ctime>
 #include <limits>
 #include <vector>
 
+#include "experiments/processor_time.hpp"
 #include "incognita/models/planar_vehicle.hpp"
 #include "incognita/models/range_bearing.hpp"
 
@@ -12,13 +12,6 @@ namespace incognita {
 namespace {
 
 constexpr int measurements_per_step = 10, steps = 60;
-
-/// Of this thread: what else the machine does at the time does not count.
-double processor_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 Belief mapped(int landmarks, MapCorrelations correlations, std::vector<BlockId>& ids) {
   Belief belief(3 + 2 * landmarks, correlations);

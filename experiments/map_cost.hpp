@@ -1,12 +1,12 @@
-// What a step of range-bearing SLAM costs as the map grows, with the map's correlations kept or dropped.
+// What a step of range-bearing SLAM costs as the map grows, with a full or a block-diagonal map covariance.
 #pragma once
 
 #include "incognita/belief/belief.hpp"
 
 namespace incognita {
 
-/// Seconds of the fastest of 60 steps, each a prediction and an update with ten looks at ten landmarks, on a
-/// map of so many. Times are of this machine and this moment; how they grow is what is asked.
+/// Seconds of the fastest of 60 steps, each a prediction and an update with ten measurements of ten
+/// landmarks, on a map of so many. Times depend on the machine; only their growth is meaningful.
 double step_seconds(int landmarks, MapCorrelations correlations);
 
 }  // namespace incognita

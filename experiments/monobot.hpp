@@ -1,14 +1,16 @@
-// The monobot of thesis Examples 3.1 to 3.10: a robot on a line that nobody steers, and landmarks that it
-// sees all the time.
+// The monobot of thesis Examples 3.1 to 3.10: a robot on a line without control, and landmarks that it
+// measures at every step.
 //
 // Fixed before anything was run, the same for all examples (the thesis does not print its noises): the robot
-// starts at -1 m, all landmarks are at 1 m, 100 steps; process noise 0.1 m a step, measurement noise 0.2 m a
-// look, both known to the filter; the robot's place is known at first, the landmarks' to 1 m, as (3.9) has
-// it, and the first estimates err by what that says. One step: the robot moves, the filter predicts,
-// correlations are dropped if they are to be (3.26), the robot looks, the filter updates.
+// starts at -1 m, all landmarks are at 1 m, 100 steps; process noise 0.1 m a step, measurement noise 0.2 m,
+// both known to the filter; the robot's position is known at first, the landmarks' to 1 m, as in (3.9), and
+// the first estimates are drawn with these sigmas. One step: the robot moves, the filter predicts, the
+// covariance is decorrelated if that is set (3.26), the robot measures, the filter updates.
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,12 +31,12 @@ struct Setup {
   Decorrelated decorrelated = Decorrelated::nothing;
   int steps = 100;
   double sigma_v_m = 0.1;  ///< process noise of a step
-  double sigma_w_m = 0.2;  ///< noise of a look
+  double sigma_w_m = 0.2;  ///< noise of a measurement
   double robot_var_m2 = 0;
-  std::optional<double> landmark_var_m2 = 1;  ///< nothing: born from a first look, (2.20)-(2.26)
-  // what is wrong and the filter does not know
+  std::optional<double> landmark_var_m2 = 1;  ///< none: initialized from the first measurement, (2.20)-(2.26)
+  // errors that are unknown to the filter
   double shift_m = 0;                    ///< of all first estimates alike
-  double first_measurement_error_m = 0;  ///< added to the first look at the first landmark
+  double first_measurement_error_m = 0;  ///< added to the first measurement of the first landmark
 };
 
 int states(const Setup& setup);  ///< the robot's and the landmarks'
@@ -52,7 +54,8 @@ Rank excited(const Setup& setup, const Eigen::MatrixXd& dP);
 /// Covariance of the first estimates: robot, landmarks.
 Eigen::MatrixXd first_covariance(const Setup& setup);
 
-/// What the filter does whatever it sees. Index: step, from 0, which has no prior and no gain.
+/// Covariances and gains of the filter, which do not depend on the measurements. Index: step, from 0, which
+/// has no prior and no gain.
 struct Course {
   std::vector<Eigen::MatrixXd> prior;      ///< covariance before the update, inflated if it was
   std::vector<Eigen::MatrixXd> inflation;  ///< the dP of (3.26); empty matrices without decorrelation
@@ -61,21 +64,24 @@ struct Course {
 };
 Course course(const Setup& setup);
 
-/// Covariances after each update of the errors that a filter with those gains really makes. They are the
+/// Actual error covariances, after each update, of a filter with those gains. They are the
 /// posterior ones exactly when nothing is inflated.
 std::vector<Eigen::MatrixXd> actual_covariances(const Setup& setup, const Course& course);
 
 /// One run. Columns are steps from 0, rows the robot and the landmarks; m.
 struct Run {
   Eigen::MatrixXd truth, estimate, variance;
-  Eigen::MatrixXd measurement;  ///< what was seen, rows as in (3.12); column 0 is empty
+  Eigen::MatrixXd measurement;  ///< the measurements, rows as in (3.12); column 0 is empty
   Eigen::VectorXd nees;  ///< of all states together; 1 is right. NaN at 0, where the robot is known exactly
   Eigen::MatrixXd error() const { return truth - estimate; }  ///< (3.1)
 };
 /// The same seed gives the same noises of robot and landmarks whatever the setup.
-Run simulate(const Setup& setup, int seed);
+Run simulate(const Setup& setup, std::uint64_t seed);
 /// Seeds 1 to `count`.
 std::vector<Run> simulate_all(const Setup& setup, int count);
+
+/// Whether every variance of `a` is smaller than that of `b`, at every step from the first update on.
+bool smaller_variances(const std::vector<Eigen::MatrixXd>& a, const std::vector<Eigen::MatrixXd>& b);
 
 /// Errors of one state (0: the robot) at one step, over runs.
 std::vector<double> errors(const std::vector<Run>& runs, int state, int step);
@@ -88,14 +94,24 @@ Claim consistent(const std::string& id, const std::string& place, Setup setup, i
 /// small.
 Claim inflated(const std::string& id, const Setup& setup, int seeds);
 
-/// In the steady state, without an anchor and decorrelation: prior variance of what n landmarks together say
-/// of the robot's relative position, m^2. Positive root of p^2 = v^2 (p + w^2/n).
+/// In the steady state, without an anchor and decorrelation: prior variance of the robot's position relative
+/// to n landmarks together, m^2. Positive root of p^2 = v^2 (p + w^2/n).
 double relative_variance(double sigma_v_m, double sigma_w_m, int landmarks = 1);
 
 /// Where the covariance before an update settles then, for equal landmarks and first estimates that are
-/// independent: the first estimates, corrected by one exact look at the landmarks' differences and one of
-/// variance p at their mean, and p more for the robot.
+/// independent: the first estimates, corrected by one exact measurement of the landmarks' differences and one
+/// of variance p of their mean, and p more for the robot.
 Eigen::MatrixXd settled_prior(const Setup& setup);
+
+/// Figures 3.3 and 3.7: eigenvalues over the noises s_v and s_w, both from 0.1 to 2 m, in two panels. `of(v,
+/// w)` has as many numbers as there are labels.
+struct EigenvaluePanel {
+  std::string title;
+  std::vector<std::string> labels;
+  std::function<std::vector<double>(double v, double w)> of;
+};
+Plot eigenvalue_surfaces(const std::string& id, const std::string& title,
+                         const std::vector<EigenvaluePanel>& panels);
 
 /// Figures 3.4, 3.8, 3.12, 3.15, 3.18: states, the robot's error and the landmark's within 2 sigma, gains;
 /// with one landmark (left) and with two. Seed 1.

@@ -1,21 +1,15 @@
-// Section 5.2.1 on real robots: five in one belief, (5.16)-(5.19), beside the same filter for each alone. See
-// recorded_team.hpp for the recording, its noises and its start.
+// Section 5.2.1 on real robots: five in one belief, (5.16)-(5.19), compared with the same filter for each
+// alone. See recorded_team.hpp for the recording, its noises and its start.
 //
-// Measured at every time at which any robot saw something: rms of each robot's position against motion
-// capture, as it is and after the rigid fit of the estimated landmarks to the surveyed ones; each landmark's
-// distance from its survey; NEES of the poses, NIS. A robot alone is given the best of four: plain
-// and iterated, looked at at the team's times and at its own. Holds: joint better than that for each of the
-// five, with the noises as fixed, halved and doubled.
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
+// Measured at every time of a measurement by any robot: rms of each robot's position against motion capture,
+// as it is and after the rigid fit of the estimated landmarks to the surveyed ones; each landmark's distance
+// from its survey; NEES of the poses, NIS. A robot alone is given the best of four: plain and iterated,
+// evaluated at the team's times and at its own. Holds: joint better than that for each of the five, with the
+// noises as fixed, halved and doubled.
 #include <numbers>
 
-#include "experiments/evidence.hpp"
-#include "experiments/list.hpp"
+#include "experiments/common.hpp"
 #include "experiments/mrclam.hpp"
-#include "incognita/messages/errors.hpp"
 
 namespace incognita::recorded_team {
 namespace {
@@ -48,20 +42,16 @@ Claim joint_beats_alone(const Drives& d) {
              alone = best_robots(d.alone, &RobotCourse::rms_m),
              alone_fitted = best_robots(d.alone, &RobotCourse::fitted_rms_m);
   return assessed(
-      {.id = "mrclam-joint",
-       .place = "Section 5.2.1, (5.16)-(5.19)",
-       .statement =
-           "The extension to many robots is direct, and pays: where they see each other every robot's rms "
-           "position error is smaller in one belief than alone, nothing fitted and after a rigid fit of "
-           "the landmarks",
-       .printed = "",
-       .measured =
-           fmt::format("five robots, {:.0f} s, by robot. Nothing fitted: joint {}; {}. After the fit: joint "
-                       "{}; {}. Headings: joint {}; alone {}",
-                       d.joint.recorded_s, list(joint), four_ways(d.alone, &RobotCourse::rms_m), list(fitted),
-                       four_ways(d.alone, &RobotCourse::fitted_rms_m),
-                       list(of_robots(d.joint, &RobotCourse::rms_heading_rad), " rad"),
-                       list(of_robots(d.alone.plain, &RobotCourse::rms_heading_rad), " rad"))},
+      "mrclam-joint", "Section 5.2.1, (5.16)-(5.19)",
+      "The extension to many robots is direct, and improves the estimate: where they measure each other "
+      "every robot's rms position error is smaller in one belief than alone, nothing fitted and after a "
+      "rigid fit of the landmarks",
+      {.measured = fmt::format("five robots, {:.0f} s, by robot. Nothing fitted: joint {}; {}. After the "
+                               "fit: joint {}; {}. Headings: joint {}; alone {}",
+                               d.joint.recorded_s, list(joint), four_ways(d.alone, &RobotCourse::rms_m),
+                               list(fitted), four_ways(d.alone, &RobotCourse::fitted_rms_m),
+                               list(of_robots(d.joint, &RobotCourse::rms_heading_rad), " rad"),
+                               list(of_robots(d.alone.plain, &RobotCourse::rms_heading_rad), " rad"))},
       least_ratio(joint, alone) > 1 && least_ratio(fitted, alone_fitted) > 1);
 }
 
@@ -70,15 +60,13 @@ Claim seeing_each_other(const Drives& d) {
              shared = of_robots(d.shared_map, &RobotCourse::rms_m),
              alone = best_robots(d.alone, &RobotCourse::rms_m);
   return assessed(
-      {.id = "mrclam-each-other",
-       .place = "(5.17)",
-       .statement = "Measurements of each other help beyond the map that they share: every robot's rms "
-                    "error is smaller with them than without, in the same joint filter",
-       .printed = "",
-       .measured = fmt::format("with {}; without, the map shared, {}; alone {}. {} sightings, {} of them of "
-                               "robots",
-                               list(joint), list(shared), list(alone), d.joint.measurements,
-                               d.joint.measurements - d.shared_map.measurements)},
+      "mrclam-each-other", "(5.17)",
+      "Measurements of each other help beyond the map that they share: every robot's rms error is smaller "
+      "with them than without, in the same joint filter",
+      {.measured = fmt::format(
+           "with {}; without, the map shared, {}; alone {}. {} measurements, {} of them of robots",
+           list(joint), list(shared), list(alone), d.joint.measurements,
+           d.joint.measurements - d.shared_map.measurements)},
       least_ratio(joint, shared) > 1);
 }
 
@@ -86,28 +74,24 @@ Claim landmarks(const Robots& robots, const Drives& d) {
   const auto alone = best_maps(d.alone, &Drive::map_rms_m),
              alone_fitted = best_maps(d.alone, &Drive::fitted_map_rms_m);
   const auto better_than = [](double joint, const std::vector<double>& all) {
-    return joint < *std::min_element(all.begin(), all.end());
+    return joint < *std::ranges::min_element(all);
   };
   const auto off = landmark_errors(d.joint);
   const bool all_there = d.joint.landmarks.size() == robots.front().landmarks.size();
-  return assessed(
-      {.id = "mrclam-landmarks",
-       .place = "Section 5.2.1",
-       .statement =
-           "The joint map has every landmark and is better than that of any robot alone, nothing fitted and "
-           "after a rigid fit (rms over landmarks)",
-       .printed = "",
-       .measured =
-           fmt::format("nothing fitted: joint {:.3f} m; alone {}. After the fit, a turn by {:.1f} degrees: "
+  return assessed("mrclam-landmarks", "Section 5.2.1",
+                  "The joint map has every landmark and is better than that of any robot alone, nothing "
+                  "fitted and after a rigid fit (rms over landmarks)",
+                  {.measured = fmt::format(
+                       "nothing fitted: joint {:.3f} m; alone {}. After the fit, a turn by {:.1f} degrees: "
                        "joint {:.3f} m; alone {}. Landmarks {} to {} after the fit: {}",
                        d.joint.map_rms_m, list(alone, " m", 3), degrees * d.joint.fit.turn_rad,
                        d.joint.fitted_map_rms_m, list(alone_fitted, " m", 3),
                        d.joint.landmarks.front().identity, d.joint.landmarks.back().identity, list(off)),
-       .why = "nothing fitted. After the fit a robot that sees them often knows their distances as well by "
-              "itself: what the others add is where the whole map is"},
-      all_there && better_than(d.joint.map_rms_m, alone) &&
-          better_than(d.joint.fitted_map_rms_m, alone_fitted),
-      all_there && better_than(d.joint.map_rms_m, alone));
+                   .why = "nothing fitted. After the fit a robot that measures them often has their "
+                          "distances as accurately by itself: the others add the position of the whole map"},
+                  all_there && better_than(d.joint.map_rms_m, alone) &&
+                      better_than(d.joint.fitted_map_rms_m, alone_fitted),
+                  all_there && better_than(d.joint.map_rms_m, alone));
 }
 
 /// The largest factor, either way, between two lists.
@@ -128,22 +112,18 @@ Claim linearized_once(const Drives& d) {
     heading.push_back(degrees * drive.robots.front().most_sigma_heading_rad);
   }
   return assessed(
-      {.id = "mrclam-linearised",
-       .place = "(5.18), (5.19)",
-       .statement =
-           "First-order linearisation is enough: iterating the update changes no robot's rms error by more "
-           "than a tenth",
-       .printed = "first order linearisations",
-       .measured =
-           fmt::format("joint: by a factor of {:.2f} at most; alone: plain {}, iterated {}. Longest time "
-                       "without a sighting: joint {:.1f} s, alone {}; largest sigma of the heading: "
-                       "alone {}",
-                       joint, list(alone), list(alone_iterated), d.joint.longest_blind_s,
-                       list(blind, " s", 0), list(heading, " degrees", 0)),
-       .why =
-           "in the joint filter, in which nobody is blind for long. A robot alone loses its heading, and "
-           "where "
-           "its next look is linearised decides what it takes for it, and how its map is turned, for good"},
+      "mrclam-linearised", "(5.18), (5.19)",
+      "First-order linearization is enough: iterating the update changes no robot's rms error by more than a "
+      "tenth",
+      {.printed = "first order linearisations",
+       .measured = fmt::format(
+           "joint: by a factor of {:.2f} at most; alone: plain {}, iterated {}. Longest time without a "
+           "measurement: joint {:.1f} s, alone {}; largest sigma of the heading: alone {}",
+           joint, list(alone), list(alone_iterated), d.joint.longest_blind_s, list(blind, " s", 0),
+           list(heading, " degrees", 0)),
+       .why = "in the joint filter, in which no robot is long without a measurement. A robot alone loses its "
+              "heading, and the linearization point of its next measurement decides its heading estimate and "
+              "the orientation of its map from then on"},
       joint < 1.1 && largest_factor(alone, alone_iterated) < 1.1, joint < 1.1);
 }
 
@@ -153,21 +133,18 @@ Claim consistent(const Robots& robots, const Drives& d) {
   const Drive wide = together(robots, doubled);
   const auto nees = of_robots(d.joint, &RobotCourse::nees);
   return assessed(
-      {.id = "mrclam-consistent",
-       .place = "(5.18), (5.19)",
-       .statement =
-           "The estimate is as far off as (5.19) says: NEES over its degrees of freedom from 0.5 to 2 for "
-           "every robot",
-       .printed = "optimal estimate, in a least squares sense",
-       .measured = fmt::format(
-           "NEES by robot: joint {}, NIS {:.2f}; alone {}; joint with twice the noise on the "
-           "odometry {}, NIS {:.2f}",
-           list(nees, "", 1), d.joint.nis, list(of_robots(d.alone.plain, &RobotCourse::nees), "", 1),
-           list(of_robots(wide, &RobotCourse::nees), "", 1), wide.nis),
-       .why = "optimal for white noise. What robots make of their commands, and what a camera makes of a "
-              "barcode, is "
-              "wrong the same way for a while: looks agree better with each other than with the truth"},
-      std::all_of(nees.begin(), nees.end(), [](double x) { return x > 0.5 && x < 2; }));
+      "mrclam-consistent", "(5.18), (5.19)",
+      "The error of the estimate is that of (5.19): NEES over its degrees of freedom from 0.5 to 2 for every "
+      "robot",
+      {.printed = "optimal estimate, in a least squares sense",
+       .measured = fmt::format("NEES by robot: joint {}, NIS {:.2f}; alone {}; joint with twice the noise on "
+                               "the odometry {}, NIS {:.2f}",
+                               list(nees, "", 1), d.joint.nis,
+                               list(of_robots(d.alone.plain, &RobotCourse::nees), "", 1),
+                               list(of_robots(wide, &RobotCourse::nees), "", 1), wide.nis),
+       .why = "optimal for white noise. The errors of the executed commands and of the camera are correlated "
+              "in time: measurements agree better with each other than with the truth"},
+      std::ranges::all_of(nees, [](double x) { return x > 0.5 && x < 2; }));
 }
 
 /// One change of the noises and what becomes of the table.
@@ -177,61 +154,41 @@ struct Variant {
 };
 
 Claim sensitivity(const Robots& robots) {
-  std::string numbers;
-  double least = 1e9;
+  Cases cases;
   for (const Variant& v : {Variant{"half the odometry's noise", 0.5, 1}, Variant{"twice", 2, 1},
                            Variant{"half the sensor's", 1, 0.5}, Variant{"twice", 1, 2}}) {
     Setup setup;
     setup.input_sigmas_times = v.input, setup.sensor_sigmas_times = v.sensor;
     const auto joint = of_robots(together(robots, setup), &RobotCourse::rms_m),
                alone = best_robots(drive_alone(robots, setup), &RobotCourse::rms_m);
-    least = std::min(least, least_ratio(joint, alone));
-    numbers += fmt::format("{}{}: joint {}, alone {}", numbers.empty() ? "" : "; ", v.name, list(joint),
-                           list(alone));
+    cases.add({fmt::format("{}: joint {}, alone {}", v.name, list(joint), list(alone)),
+               least_ratio(joint, alone) > 1});
   }
-  return assessed(
-      {.id = "mrclam-noises",
-       .place = "Section 5.2.1",
-       .statement =
-           "None of this hangs on the noises that the filter is given: with those of the odometry or "
-           "of the sensor halved or doubled, joint is still better for every robot",
-       .printed = "",
-       .measured = numbers},
-      least > 1);
+  return assessed("mrclam-noises", "Section 5.2.1",
+                  "The result does not depend on the noises that the filter is given: with those of the "
+                  "odometry or of the sensor halved or doubled, joint is still better for every robot",
+                  {.measured = cases.text()}, cases.hold());
 }
 
 Claim cost(const Drives& d) {
   const double times = d.joint.recorded_s / d.joint.took_s;
   return assessed(
-      {.id = "mrclam-cost",
-       .place = "Section 5.2.1",
-       .statement = "One belief of five robots and 15 landmarks is affordable: updated more than 20 times "
-                    "faster than it was recorded, on one processor",
-       .printed = "",
-       .measured = times > 20 ? "more than 20 times" : fmt::format("{:.1f} times", times),
-       .timed = true},
+      "mrclam-cost", "Section 5.2.1",
+      "One belief of five robots and 15 landmarks is affordable: updated more than 20 times faster than it "
+      "was recorded, on one processor",
+      {.measured = times > 20 ? "more than 20 times" : fmt::format("{:.1f} times", times), .timed = true},
       times > 20 && !d.joint.lost);
 }
 
 LedgerEntry run(const ExperimentSettings& settings) {
-  LedgerEntry entry{mrclam.id, mrclam.title, "", {}, {}};
-  Robots robots;
-  try {
-    robots = load();
-  } catch (const InputError& error) {
-    entry.skipped = error.what();
-    return entry;
-  }
-  const Drives drives = compare(robots);
-  entry.claims = {joint_beats_alone(drives),
-                  seeing_each_other(drives),
-                  landmarks(robots, drives),
-                  linearized_once(drives),
-                  consistent(robots, drives),
-                  sensitivity(robots),
-                  cost(drives)};
-  for (const Plot& plot : figures(drives)) entry.figures.push_back(draw_plot(settings.out, plot, nullptr));
-  return entry;
+  return unless_missing(mrclam, [&] {
+    const Robots robots = load();
+    const Drives drives = compare(robots);
+    return entry_of(mrclam, settings,
+                    {joint_beats_alone(drives), seeing_each_other(drives), landmarks(robots, drives),
+                     linearized_once(drives), consistent(robots, drives), sensitivity(robots), cost(drives)},
+                    figures(drives));
+  });
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 
 namespace incognita::recorded_team {
 
-/// Each robot alone, in four ways.
+/// Each robot alone, with four filters.
 struct Alone {
   std::vector<Drive> plain, iterated, plain_own_times, iterated_own_times;
   std::vector<const std::vector<Drive>*> all() const {
@@ -28,7 +28,7 @@ Drives compare(const Robots& robots);
 using Number = double RobotCourse::*;
 std::vector<double> of_robots(const Drive& drive, Number what);
 std::vector<double> of_robots(const std::vector<Drive>& alone, Number what);
-/// For each robot, and for its map, the least over the ways.
+/// For each robot, and for its map, the least over the four.
 std::vector<double> best_robots(const Alone& alone, Number what);
 std::vector<double> best_maps(const Alone& alone, double Drive::*what);
 /// After the rigid fit, m.

@@ -15,7 +15,7 @@ Setup iterated(Setup setup) {
   return setup;
 }
 
-/// For each robot the least over the ways.
+/// For each robot the least over the four.
 template <class Get>
 std::vector<double> best(const Alone& alone, const Get& of_drive) {
   std::vector<double> least(alone.plain.size(), std::numeric_limits<double>::infinity());
@@ -30,7 +30,7 @@ Curve points(const std::string& label, Style style, Color color, const std::vect
   return curve;
 }
 
-/// Not more often than that, in s: nobody sees 16 points a second.
+/// Interval of drawn points, s: 16 points a second would not be distinguishable.
 constexpr double drawn_every_s = 2;
 
 Curve thinned(const std::string& label, const RobotCourse& robot, Color color,
@@ -96,13 +96,16 @@ Panel map_of(const char* title, const Drive& drive) {
     surveyed.x.push_back(l.surveyed.x()), surveyed.y.push_back(l.surveyed.y());
   }
   const RobotCourse& robot = drive.robots.front();
-  const auto place = [](const std::vector<Eigen::Vector2d>& path) {
-    return [&path](std::size_t k) { return std::pair(path[k].x(), path[k].y()); };
+  const auto path = [&](planar::Pose<double> PoseInstant::*which) {
+    return [&robot, which](std::size_t k) {
+      const planar::Pose<double>& pose = robot.instants[k].*which;
+      return std::pair(pose.x(), pose.y());
+    };
   };
   Curve outlines = ellipses("2σ", estimated, covariances);
   outlines.color = Color::sky;
-  panel.curves = {thinned("motion capture", robot, Color::gray, place(robot.truth)),
-                  thinned("estimated", robot, Color::orange, place(robot.estimated)), outlines, surveyed,
+  panel.curves = {thinned("motion capture", robot, Color::gray, path(&PoseInstant::truth)),
+                  thinned("estimated", robot, Color::orange, path(&PoseInstant::mean)), outlines, surveyed,
                   mapped};
   return panel;
 }
@@ -119,7 +122,7 @@ Plot errors(const Drives& d) {
   for (std::size_t i = 0; i < d.alone.plain.size(); ++i) {
     const auto curve = [](const char* name, const RobotCourse& robot, Color color) {
       return thinned(name, robot, color, [&](std::size_t k) {
-        return std::pair(robot.t_s[k], (robot.estimated[k] - robot.truth[k]).norm());
+        return std::pair(robot.t_s[k], robot.instants[k].error().head<2>().norm());
       });
     };
     Panel panel{fmt::format("robot {}", i + 1), "t, s", "m", {}};

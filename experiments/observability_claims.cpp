@@ -46,7 +46,7 @@ std::vector<int> dimensions_of(const std::vector<Spaces>& by_segment) {
   return all;
 }
 
-/// Columns that count as parallel when what tells them apart is less than this part of them.
+/// Columns count as parallel when they differ by less than this share.
 constexpr double parallel = 1e-6;
 
 Eigen::Index rank_of(const Eigen::MatrixXd& columns) {
@@ -59,7 +59,7 @@ Eigen::Index rank_of(const Eigen::MatrixXd& columns) {
 int agreed(const std::vector<Eigen::Index>& numbers) {
   if (numbers.empty()) return no_dimension;
   const auto as_first = [&](Eigen::Index n) { return n == numbers[0]; };
-  return std::all_of(numbers.begin(), numbers.end(), as_first) ? static_cast<int>(numbers[0]) : no_dimension;
+  return std::ranges::all_of(numbers, as_first) ? static_cast<int>(numbers[0]) : no_dimension;
 }
 
 std::string key_of(const Case& c) {
@@ -95,7 +95,7 @@ const Spaces& Study::along() const {
   if (!along_.empty()) return along_;
   const SymbolicSystem system = make_symbolic(text_of(which_), which_.motion);
   const SystemInstance instance(system, which_.features, which_.anchors);
-  // looks enough that rank is not short of rows
+  // enough measurements that the rank is not limited by the number of rows
   const int per_segment =
       std::max(4, 3 * instance.states() / (instance.measurements() * which_.segments) + 1);
   for (int seed = 1; seed <= motions; ++seed) {
@@ -110,8 +110,17 @@ std::vector<int> Study::total_dimensions() const { return dimensions_of(total_);
 int Study::true_dimension() const { return dimension(along()); }
 
 bool Study::stays() const {
-  return std::all_of(courses_.begin(), courses_.end(), [](const Course& c) { return c.stays; });
+  return std::ranges::all_of(courses_, [](const Course& c) { return c.stays; });
 }
+
+bool Study::full_rank(int k) const { return dimension(stripped(k)) == 0 && dimension(total(k)) == 0; }
+bool Study::rank_deficient(int k) const { return dimension(stripped(k)) > 0 && dimension(total(k)) > 0; }
+
+bool Study::stripped_spanned_by(int k, const Vectors& vectors) const {
+  return are_basis(stripped(k), courses_, vectors);
+}
+bool Study::along_spanned_by(const Vectors& vectors) const { return are_basis(along(), courses_, vectors); }
+bool Study::along_contains(const Vectors& vectors) const { return contain(along(), courses_, vectors); }
 
 std::string Study::segments_text() const {
   const std::string som = joined(dimensions()), tom = joined(total_dimensions());
@@ -127,6 +136,19 @@ std::string Study::text() const {
 
 std::string Study::numbers() const {
   return fmt::format("{} and {}", segments_text(), joined({true_dimension()}));
+}
+
+Claim studied(std::string id, std::string place, std::string statement, Evidence evidence, Finding printed,
+              Finding corrected) {
+  if (evidence.runs.value == 1) evidence.runs = motions;
+  return assessed(std::move(id), std::move(place), std::move(statement), std::move(evidence), printed,
+                  corrected);
+}
+
+Claim studied(std::string id, std::string place, std::string statement, Evidence evidence, const Worst& worst,
+              double tolerance) {
+  return studied(std::move(id), std::move(place), std::move(statement), std::move(evidence),
+                 worst.printed <= tolerance, worst.ours <= tolerance);
 }
 
 const Study& study(const Case& which) {
@@ -145,7 +167,7 @@ Spaces lie(const Case& which, int how_many) {
     const SystemMotion motion = draw_motion(instance, which.segments, random);
     const LieAnalysis analysis = analyze_lie(instance, motion, random);
     if (!analysis.closed)
-      throw std::runtime_error(which.system + ": Lie derivatives of higher orders may see more");
+      throw std::runtime_error(which.system + ": Lie derivatives of higher orders may have a higher rank");
     spaces.push_back(analysis.space);
   }
   return spaces;
@@ -154,7 +176,7 @@ Spaces lie(const Case& which, int how_many) {
 int dimension(const Spaces& spaces) {
   if (spaces.empty()) return no_dimension;
   const auto agrees = [&](const NullSpace& s) { return !s.ambiguous && s.nullity == spaces[0].nullity; };
-  return std::all_of(spaces.begin(), spaces.end(), agrees) ? spaces[0].nullity : no_dimension;
+  return std::ranges::all_of(spaces, agrees) ? spaces[0].nullity : no_dimension;
 }
 
 Spaces null_spaces(const Study& study, const std::function<Eigen::MatrixXd(const Course&)>& matrix) {
@@ -225,7 +247,7 @@ std::vector<std::string> observable_states(const Spaces& spaces, const std::vect
   std::vector<std::string> seen;
   for (std::size_t state = 0; state < states.size(); ++state) {
     const auto sees = [&](const NullSpace& space) { return !touched(space.basis)[state]; };
-    const auto count = std::count_if(spaces.begin(), spaces.end(), sees);
+    const auto count = std::ranges::count_if(spaces, sees);
     if (count > 0) seen.push_back(states[state] + (count < static_cast<long>(spaces.size()) ? "?" : ""));
   }
   return seen;

@@ -1,5 +1,5 @@
 // What the claims of Chapter 4 rest on: systems of systems/*.toml in 20 motions each, the matrices (4.6) to
-// (4.8), what can be seen along the motion itself, and printed vectors held against their null spaces.
+// (4.8), the observability along the motion itself, and printed vectors compared with their null spaces.
 //
 // Motions: three segments of 1 s (in space 0.25 s), unless said otherwise; start, inputs and what disturbs
 // the system drawn from its regions as `incognita observe` draws them with seeds 1 to 20. No noise. SOM and
@@ -7,11 +7,11 @@
 // observability matrix along it, by exact derivatives, with unknown disturbances taken out; Lie derivatives
 // agree with it (text-4). Holds: a dimension when it is the same in all motions, by singular values above
 // 1e-9 of the largest and a factor of 1000 clear of the others. A printed null space when its vectors lie in
-// the computed one (to 1e-9), are independent and as many as its dimension. A state is seen when no vector of
-// the null space touches it. What is said of Q_1, SOM or TOM is judged on them. What is said of the system or
-// its states - observable, recovered, so many modes - must hold for the motion itself as well; where only the
-// matrices have it so, or only the motion, the claim holds as corrected when what the other leaves was found
-// to be what `why` says, and else it does not hold.
+// the computed one (to 1e-9), are independent and as many as its dimension. A state is observable when no
+// vector of the null space touches it. Claims about Q_1, SOM or TOM are assessed by them. Claims about the
+// system or its states - observable, recovered, so many modes - must hold for the motion itself as well;
+// where they hold only for the matrices, or only for the motion, the claim holds as corrected when the null
+// space of the other is the one in `why`, and else it does not hold.
 #pragma once
 
 #include <Eigen/Core>
@@ -20,6 +20,7 @@
 #include <string>
 #include <vector>
 
+#include "experiments/worst.hpp"
 #include "incognita/analysis/observability/null_space.hpp"
 #include "incognita/analysis/systems/linearization.hpp"
 #include "incognita/analysis/systems/system_text.hpp"
@@ -28,7 +29,7 @@ namespace incognita::observability_claims {
 
 inline constexpr int motions = 20;
 
-/// What is done to a built-in system; by a name, so that what was found can be found again.
+/// A change of a built-in system; its name identifies the study.
 struct Change {
   std::string name;
   std::function<void(SystemText&)> apply;
@@ -57,6 +58,10 @@ struct Course {
 
 using Spaces = std::vector<NullSpace>;  ///< of each motion
 
+using Basis = std::vector<Eigen::VectorXd>;
+/// Vectors that a claim is about, in one motion.
+using Vectors = std::function<Basis(const Course&)>;
+
 /// One case in all its motions.
 class Study {
  public:
@@ -68,8 +73,8 @@ class Study {
   /// Of the first k segments together: (4.8) and (4.7).
   const Spaces& stripped(int k) const { return stripped_[static_cast<std::size_t>(k - 1)]; }
   const Spaces& total(int k) const { return total_[static_cast<std::size_t>(k - 1)]; }
-  /// Of all looks along the motion, by the states at its start and exact derivatives. Worked out when asked
-  /// for.
+  /// Of all measurements along the motion, by the states at its start and exact derivatives. Computed on
+  /// demand.
   const Spaces& along() const;
 
   /// Dimensions of the SOM's null spaces, one for each number of segments; no_dimension where there is none.
@@ -77,11 +82,19 @@ class Study {
   std::vector<int> total_dimensions() const;
   int true_dimension() const;
   bool stays() const;  ///< (4.9), everywhere
+  /// Whether SOM and TOM of the first k segments have full rank; whether neither has.
+  bool full_rank(int k) const;
+  bool rank_deficient(int k) const;
+  /// Whether the vectors span the null space of the SOM of the first k segments.
+  bool stripped_spanned_by(int k, const Vectors& vectors) const;
+  /// Whether they span the null space of the motion itself; whether they lie in it.
+  bool along_spanned_by(const Vectors& vectors) const;
+  bool along_contains(const Vectors& vectors) const;
   /// `3/2/2`: what SOM leaves, and TOM where that is something else
   std::string segments_text() const;
   /// `SOM and TOM leave 3/2/2 dimensions after 1/2/3 segments, the motion itself 3`
   std::string text() const;
-  /// `3/2/2 and 3`: the same where `legend` says what it is
+  /// `3/2/2 and 3`: the same, explained by `legend`
   std::string numbers() const;
 
  private:
@@ -96,6 +109,12 @@ class Study {
 inline constexpr char legend[] =
     "dimensions left by SOM and TOM after 1/2/3 segments, and by the motion itself";
 
+/// The claim, which rests on all motions of one case where `runs` does not say otherwise.
+Claim studied(std::string id, std::string place, std::string statement, Evidence evidence, Finding printed,
+              Finding corrected = Finding::refuted);
+Claim studied(std::string id, std::string place, std::string statement, Evidence evidence, const Worst& worst,
+              double tolerance);
+
 /// Each case is studied once.
 const Study& study(const Case& which);
 
@@ -107,13 +126,10 @@ inline constexpr int no_dimension = -1;
 
 /// Of all the spaces, if they agree and none is in doubt.
 int dimension(const Spaces& spaces);
-/// What a matrix that a study's motions have does not see.
+/// Null spaces of a matrix in each motion of a study.
 Spaces null_spaces(const Study& study, const std::function<Eigen::MatrixXd(const Course&)>& matrix);
 /// `3/2/2`
 std::string joined(const std::vector<int>& dimensions);
-
-/// Vectors that somebody claims something of, in one motion.
-using Vectors = std::function<std::vector<Eigen::VectorXd>(const Course&)>;
 
 /// Whether every vector lies in its motion's space.
 bool contain(const Spaces& spaces, const std::vector<Course>& courses, const Vectors& vectors);
@@ -126,7 +142,7 @@ int dimension_within(const Spaces& spaces, Eigen::Index first, Eigen::Index coun
 /// Whether two spaces are one.
 bool same(const Spaces& a, const Spaces& b);
 
-/// States that no vector of any space touches; with a question mark where some motions' do.
+/// States that are zero in all vectors of all spaces; with a question mark where some motions' do.
 std::vector<std::string> observable_states(const Spaces& spaces, const std::vector<std::string>& states);
 
 /// (4.8) of the first k segments when F and H are not the system's.

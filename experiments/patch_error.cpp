@@ -1,11 +1,11 @@
 // How wrong a matched patch is, against the truth of the rendered room, and for how long it stays wrong.
 //
-// A landmark is what was seen at one pixel of one picture: its true place is where the true ray of that pixel
+// A landmark is the patch at one pixel of one image: its true position is where the true ray of that pixel
 // meets the room. The error of a match is the pixel that was measured minus the pixel where the true camera
-// sees the true place. Noise differs from frame to frame; what a filter must fear is the part that does not.
+// projects the true position. Noise differs from frame to frame; the part that does not makes a filter
+// overconfident.
 //
-//   build/patch_error "1 2 3" [KEY=VALUE...] > errors.csv       # seeds; settings as `incognita config room`
-//   lists
+//   build/patch_error "1 2 3" [KEY=VALUE...] > errors.csv       # seeds; settings of `incognita config room`
 //
 // Prints `lag_s,covariance_px2,pairs`: the mean product of a match's error with that of the same landmark
 // `lag_s` later, over both axes, all landmarks and seeds; at lag 0 it is the mean square error.

@@ -1,15 +1,12 @@
 #include "experiments/planar_consistency.hpp"
 
-#include <Eigen/Cholesky>
 #include <cmath>
 #include <numeric>
 
-#include "incognita/math/angles.hpp"
+#include "experiments/run_trace.hpp"
 #include "incognita/math/random.hpp"
 #include "incognita/models/range_bearing.hpp"
 #include "incognita/slam/estimator/single_vehicle.hpp"
-#include "incognita/slam/estimator/slam_estimator.hpp"
-#include "incognita/world/replay/range_replay.hpp"
 
 namespace incognita {
 namespace {
@@ -61,7 +58,7 @@ StandingVehicle standing_vehicle(std::uint64_t seed, Linearization linearization
   const planar::Pose<double> truth(0, 0, s.start.sigma_heading_rad * random.normal());
   const Eigen::Vector2d landmark(10, 0);
   Estimate estimate;
-  for (int k = 0; k < standing_looks; ++k) {
+  for (int k = 0; k < standing_measurements; ++k) {
     Eigen::Vector2d z = RangeBearing::h<double>(truth, landmark);
     z[0] += s.sensor.sigma_range_m * random.normal();
     z[1] += s.sensor.sigma_bearing_rad * random.normal();
@@ -79,32 +76,22 @@ PlanarConsistency planar_consistency(const PlanarLoopSettings& drive, std::uint6
                                      const PlanarFilterSettings& filter) {
   const auto recordings =
       std::make_shared<const std::vector<RangeRecording>>(1, drive_planar_loop(drive, seed));
-  RangeClock clock(recordings, drive.duration_s);
-  RangeSensor sensor(recordings, {drive.max_range_m * 2, filter.use_fixes ? Fixes::all : Fixes::none});
-  std::vector<std::int64_t> anchors(filter.anchors.size());
-  std::iota(anchors.begin(), anchors.end(), 0);  // the drive identifies its landmarks by their order
-  SlamEstimator estimator(single_vehicle(settings_for(drive, filter), anchors));
-  Estimate estimate;
-  PlanarConsistency sum;
-  double scans = 0, updates = 0;
-  while (const Tick tick = clock.next()) {
-    estimator.update(estimate, {}, sensor.measure({}, tick), tick);
-    if (estimate.last.update.rows > 0) {
-      sum.nis += estimate.last.update.nis / estimate.last.update.rows;
-      ++updates;
-    }
-    if (tick.frame == 0) continue;  // the start is known exactly
+  RunTrace trace;
+  double nis = 0, updates = 0;
+  const auto gather = [&](const Estimate& estimate, const Tick& tick) {
+    if (estimate.last.update.rows > 0) nis += estimate.last.update.nis / estimate.last.update.rows, ++updates;
+    if (tick.frame == 0) return;  // the start is known exactly
     const auto truth = true_position(recordings->front(), tick.t);
     const Body& at = estimate.bodies.front();
-    Eigen::Vector3d error;
-    error << truth->position - at.state.head<2>(), wrap_angle(*truth->heading_rad - at.state[2]);
-    sum.nees += error.dot(Eigen::Matrix3d(at.state_covariance).llt().solve(error)) / 3;
-    sum.position_rms_m += error.head<2>().squaredNorm();
-    sum.heading_rms_rad += error[2] * error[2];
-    ++scans;
-  }
-  return {sum.nees / scans, sum.nis / updates, std::sqrt(sum.position_rms_m / scans),
-          std::sqrt(sum.heading_rms_rad / scans)};
+    trace.add(
+        tick.t,
+        {{truth->position.x(), truth->position.y(), *truth->heading_rad}, at.state, at.state_covariance});
+  };
+  std::vector<std::int64_t> anchors(filter.anchors.size());
+  std::iota(anchors.begin(), anchors.end(), 0);  // the drive identifies its landmarks by their order
+  replay(recordings, drive.duration_s, {drive.max_range_m * 2, filter.use_fixes ? Fixes::all : Fixes::none},
+         single_vehicle(settings_for(drive, filter), anchors), gather);
+  return {trace.mean_nees(), nis / updates, trace.position_rms_m(), trace.heading_rms_rad()};
 }
 
 }  // namespace incognita

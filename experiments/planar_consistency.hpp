@@ -29,13 +29,13 @@ PlanarConsistency planar_consistency(const PlanarLoopSettings& drive, std::uint6
                                      const PlanarFilterSettings& filter);
 
 /// The drives of the table are those of the seeds after this.
-inline constexpr int first_consistency_seed = 1000;
+inline constexpr std::uint64_t first_consistency_seed = 1000;
 
 inline constexpr double standing_sigma_heading_deg = 15;
-inline constexpr int standing_looks = 500;
+inline constexpr int standing_measurements = 500;
 
-/// A vehicle that stands at a place known exactly, its heading to 15 degrees, and looks at one landmark 10 m
-/// away (0.1 m, 1 degree) again and again.
+/// A stationary vehicle at a known position, its heading known to 15 degrees, that measures one landmark 10 m
+/// away (0.1 m, 1 degree) repeatedly.
 struct StandingVehicle {
   double sigma_heading_deg = 0;  ///< at the end
   double nees = 0;               ///< of the heading at the end

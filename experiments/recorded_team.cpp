@@ -1,30 +1,19 @@
 #include "experiments/recorded_team.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <memory>
 
+#include "experiments/processor_time.hpp"
 #include "incognita/io/formats/data_folder.hpp"
 #include "incognita/io/recordings/range_formats.hpp"
-#include "incognita/math/angles.hpp"
-#include "incognita/slam/estimator/slam_estimator.hpp"
-#include "incognita/world/replay/range_replay.hpp"
+#include "incognita/math/largest_sigma.hpp"
 
 namespace incognita::recorded_team {
 namespace {
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
-
-/// Of this thread: what else the machine does at the time does not count.
-double processor_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 BodyModel member_of(const RangeRecording& robot, double start_t, const Setup& setup) {
   BodyModel member = body_with_sensor(DifferentialDrive{}, RangeBearingSensor{}, {}, {}, {}, {});
@@ -46,7 +35,7 @@ EstimatorSettings settings_of(const Robots& robots, double start_t, const Setup&
   return settings;
 }
 
-/// What one drive gathers while it goes.
+/// Records a drive while the estimator runs.
 class Driver {
  public:
   Driver(const Robots& robots, const Setup& setup)
@@ -90,33 +79,26 @@ class Driver {
   void compare(const Estimate& e, std::size_t i, double t, double start_t) {
     const auto place = true_position(robots_[i], t);
     if (!place) return;
-    const Vector3d mean = e.belief.mean(e.bodies[i].block);
     const Eigen::Matrix3d P = e.belief.covariance(e.bodies[i].block);
-    Vector3d error;
-    error << place->position - mean.head<2>(), wrap_angle(*place->heading_rad - mean[2]);
     RobotCourse& course = drive_.robots[i];
-    course.t_s.push_back(t - start_t);
-    course.estimated.emplace_back(mean.head<2>());
-    course.truth.push_back(place->position);
-    course.sigma_m.push_back(
-        std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(P.topLeftCorner<2, 2>()).eigenvalues()[1]));
-    course.rms_heading_rad += error[2] * error[2];
+    course.add(t - start_t, {{place->position.x(), place->position.y(), *place->heading_rad},
+                             e.belief.mean(e.bodies[i].block),
+                             P});
+    course.sigma_m.push_back(largest_sigma(Eigen::Matrix2d(P.topLeftCorner<2, 2>())));
     course.most_sigma_heading_rad = std::max(course.most_sigma_heading_rad, std::sqrt(P(2, 2)));
-    course.nees += error.dot(P.ldlt().solve(error)) / 3;
   }
 
   void finish(const Estimate& e) {
     drive_.nis = squares_ / std::max(1, rows_);
     fit_landmarks(e);
     for (RobotCourse& course : drive_.robots) {
-      const auto count = static_cast<double>(course.t_s.size());
-      for (std::size_t k = 0; k < course.t_s.size(); ++k) {
-        course.rms_m += (course.estimated[k] - course.truth[k]).squaredNorm() / count;
-        course.fitted_rms_m += (drive_.fit(course.estimated[k]) - course.truth[k]).squaredNorm() / count;
-      }
-      course.rms_m = std::sqrt(course.rms_m), course.fitted_rms_m = std::sqrt(course.fitted_rms_m);
-      course.rms_heading_rad = std::sqrt(course.rms_heading_rad / count);
-      course.nees /= count;
+      for (const PoseInstant& now : course.instants)
+        course.fitted_rms_m += (drive_.fit(now.mean.head<2>()) - now.truth.head<2>()).squaredNorm() /
+                               static_cast<double>(course.instants.size());
+      course.fitted_rms_m = std::sqrt(course.fitted_rms_m);
+      course.rms_m = course.position_rms_m();
+      course.rms_heading_rad = course.heading_rms_rad();
+      course.nees = course.mean_nees();
     }
   }
 

@@ -1,5 +1,5 @@
-// Five recorded robots that see each other and 15 landmarks (UTIAS MRCLAM, set 7): one joint filter, thesis
-// (5.16)-(5.19), and others beside it, over the same 900 s and at the same times.
+// Five recorded robots that measure each other and 15 landmarks (UTIAS MRCLAM, set 7): one joint filter,
+// thesis (5.16)-(5.19), and others for comparison, over the same 900 s and at the same times.
 //
 // Fixed before anything was compared: noises of 0.1 m/s and 0.5 rad/s on each reading of the odometry (what
 // is recorded are commands), 0.1 m and 3 % of a range, 0.02 rad of a bearing, a gate of 99.9 %, known
@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "experiments/run_trace.hpp"
 #include "incognita/analysis/evaluation/map_error.hpp"
 #include "incognita/world/replay/range_recording.hpp"
 
@@ -29,9 +30,9 @@ struct Setup {
   double input_sigmas_times = 1, sensor_sigmas_times = 1;
 };
 
-struct RobotCourse {
-  std::vector<double> t_s, sigma_m;  ///< since the start; of the position, in the worst direction
-  std::vector<Eigen::Vector2d> estimated, truth;
+/// Times since the start.
+struct RobotCourse : RunTrace {
+  std::vector<double> sigma_m;         ///< of the position, in the worst direction
   double rms_m = 0, fitted_rms_m = 0;  ///< of the position, as it is and after the fit of the landmarks
   double rms_heading_rad = 0;
   double most_sigma_heading_rad = 0;
@@ -50,18 +51,19 @@ struct Drive {
   std::vector<MappedLandmark> landmarks;
   PlanarFit fit;  ///< rigid, of the estimated landmarks to the surveyed ones
   double map_rms_m = 0, fitted_map_rms_m = 0;
-  double nis = 0;                      ///< over its degrees of freedom
-  int measurements = 0, left_out = 0;  ///< sightings of what was known; of them, outside the gate
-  double longest_blind_s = 0;          ///< without a sighting
-  double recorded_s = 0, took_s = 0;   ///< of the recording, and of one processor
+  double nis = 0;  ///< over its degrees of freedom
+  int measurements = 0,
+      left_out = 0;            ///< measurements of known landmarks and robots; of them, outside the gate
+  double longest_blind_s = 0;  ///< without a measurement
+  double recorded_s = 0, took_s = 0;  ///< of the recording, and of one processor
   bool lost = false;
 };
 
 /// All in one belief.
 Drive together(const Robots& robots, const Setup& setup);
 
-/// When a robot alone is looked at. At its own sightings it is never seen where it is blind, and its start is
-/// given at the first of them, to make its first landmark from; the team's have to wait for theirs.
+/// When a robot alone is evaluated. At its own measurements its times without any do not count, and its start
+/// is given at the first of them; in the team it may come later.
 enum class Times { of_team, own };
 
 /// One by itself.

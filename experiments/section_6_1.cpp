@@ -1,25 +1,18 @@
-// Figure 6.2 and Section 6.1: where a camera on a plane learns most, and what the metrics are.
+// Figure 6.2 and Section 6.1: the information gain of a camera on a plane, and what the metrics are.
 //
-// The camera stands at the origin, unsure by 0.2 m and 5 degrees, and sees bearings to 0.5 degrees within 90
-// degrees to either side of where it looks. Three landmarks: to its left, in front, and to the right of that;
-// each known to 0.5 m. It may go 0.5 m any way, looking on as it does.
-#include <fmt/format.h>
-
+// The camera stands at the origin, known to 0.2 m and 5 degrees, and measures bearings to 0.5 degrees within
+// 90 degrees of its heading. Three landmarks: to its left, in front, and to the right of that; each known to
+// 0.5 m. It may move 0.5 m in any direction with the same heading.
 #include <Eigen/LU>
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <numbers>
 #include <utility>
-#include <vector>
 
-#include "experiments/evidence.hpp"
-#include "experiments/list.hpp"
+#include "experiments/common.hpp"
 #include "incognita/decision/information_gain.hpp"
 #include "incognita/math/gaussian.hpp"
 #include "incognita/math/random.hpp"
 #include "incognita/models/bearing.hpp"
-#include "incognita/report/plot.hpp"
 
 namespace incognita {
 namespace {
@@ -89,8 +82,7 @@ double by_determinants(const Plane& plane, const Eigen::Vector2d& position) {
 
 Plot figure(const Plane& plane) {
   Panel map{"(a) from above", "x, m", "y, m", {}, true};
-  Curve points{"landmarks", Style::stars, {}, {}, {}, Color::ink};
-  for (const Eigen::Vector2d& p : plane.points) points.x.push_back(p.x()), points.y.push_back(p.y());
+  const Curve points = path_of("landmarks", Style::stars, Color::ink, plane.points);
   Curve rose{"gain, 0.25 m a nat", Style::line, {}, {}, {}, Color::blue};
   Panel by_angle{"(b) by direction", "degrees to the left", "nats", {}};
   Curve gains{"I(X; Z)", Style::line, {}, {}, {}, Color::blue};
@@ -105,7 +97,10 @@ Plot figure(const Plane& plane) {
       ellipses("2 sigma", plane.points, std::vector<Eigen::Matrix2d>(3, 0.25 * Eigen::Matrix2d::Identity())),
       points, rose};
   by_angle.curves = {gains};
-  return {"fig-6.2", "What moving 0.5 m any way would teach a camera on a plane", 2, {map, by_angle}};
+  return {"fig-6.2",
+          "Information gain of moving 0.5 m in any direction for a camera on a plane",
+          2,
+          {map, by_angle}};
 }
 
 int best_way(const Plane& plane) {
@@ -117,7 +112,7 @@ int best_way(const Plane& plane) {
 
 double direction_of(const Eigen::Vector2d& p) { return std::atan2(p.y(), p.x()) * 180 / pi; }
 
-/// A place of the kind that the figure shows: its own is not told.
+/// A layout like that of the figure, whose numbers are not printed.
 Plane drawn_landmarks(RandomStream& random) {
   const auto at = [&](double from, double to) {
     const double angle = random.uniform(from, to) * pi / 180, away = random.uniform(1, 2.5);
@@ -136,24 +131,20 @@ Claim where_it_is_best(const Plane& plane) {
     const int best = best_way(other);
     between += best < direction_of(other.points[1]) && best > direction_of(other.points[2]);
   }
-  Claim claim{
-      "6.2-between",
-      "Figure 6.2",
-      "There are such places: of three landmarks to the left, in front and to the right, moving between the "
-      "second and the third is the most informative",
-      "between landmarks 2 and 3",
-      fmt::format(
-          "in {} of {} places; in the one that is drawn best at {} degrees, {:.2f} nats, landmarks at "
-          "{:.0f}, {:.0f} and {:.0f} degrees",
-          between, layouts, best_way(plane), plane.gain_at(way(best_way(plane))),
-          direction_of(plane.points[0]), direction_of(plane.points[1]), direction_of(plane.points[2])),
-      Verdict::does_not_hold,
-      "in none of these places",
-      layouts};
-  return assessed(claim, between > 0);
+  return assessed("6.2-between", "Figure 6.2",
+                  "There are such layouts: of three landmarks to the left, in front and to the right, moving "
+                  "between the second and the third is the most informative",
+                  {.printed = "between landmarks 2 and 3",
+                   .measured = fmt::format("in {} of {} layouts; in the drawn one best at {} degrees, {:.2f} "
+                                           "nats, landmarks at {:.0f}, {:.0f} and {:.0f} degrees",
+                                           between, layouts, best_way(plane),
+                                           plane.gain_at(way(best_way(plane))), direction_of(plane.points[0]),
+                                           direction_of(plane.points[1]), direction_of(plane.points[2])),
+                   .runs = layouts},
+                  between > 0);
 }
 
-/// (6.6): the printed determinants, ours, and that nothing is lost by looking.
+/// (6.6): the printed determinants, ours, and that measurements lose no information.
 std::vector<Claim> identities(const Plane& plane) {
   double apart = 0, least = 1e9;
   RandomStream random(6, "section-6.1");
@@ -164,45 +155,38 @@ std::vector<Claim> identities(const Plane& plane) {
     least = std::min(least, ours);
   }
   const Eigen::MatrixXd large = 1e-4 * Eigen::MatrixXd::Identity(313, 313);
-  Claim same{
-      "6.6-identity",
-      "(6.6)",
-      "Mutual information is half the difference of log|P| before and after; to 1e-9",
-      "",
-      fmt::format(
-          "1000 places: against (log|S| - log|R|)/2, which needs no posterior, at most {} apart. |P| of "
-          "313 states known to 1 cm each is {} in double precision, so the difference is computed from "
-          "factors",
-          below(apart), large.determinant()),
-      Verdict::does_not_hold,
-      "they differ"};
-  Claim positive{"6.6-positive",
-                 "below (6.6)",
-                 "Mutual information is always positive: looks lose nothing",
-                 "",
-                 fmt::format("least of 1000 places {:.3g} nats; of none in view exactly {}", least,
-                             plane.gain_at({50, 0})),
-                 Verdict::does_not_hold,
-                 ""};
   // A Gaussian known exactly but for one number of variance v: -sum p log p is half of 1 + log 2 pi v
   const double variance = 0.3;
   const auto p = [&](double x) { return std::exp(-x * x / (2 * variance)) / std::sqrt(2 * pi * variance); };
   double integral = 0;
   for (double x = -8; x < 8; x += 1e-3) integral -= 1e-3 * p(x) * std::log(p(x));
-  Claim entropy{"6.2-entropy",
-                "(6.1), (6.2)",
-                "The entropy of a Gaussian is half of log((2 pi)^n |P|); to 1e-6",
-                "1/2 log((2 pi)^n |P|)",
-                fmt::format("of variance 0.3: integral {:.6f}, printed {:.6f}, with e {:.6f} nats", integral,
-                            0.5 * std::log(2 * pi * variance), gaussian_entropy(std::log(variance), 1)),
-                Verdict::holds,
-                "with e: half of log((2 pi e)^n |P|). Differences of entropies, all that decides, are right"};
-  return {assessed(same, apart < 1e-9), assessed(positive, least > 0),
-          assessed(entropy, std::abs(integral - 0.5 * std::log(2 * pi * variance)) < 1e-6,
-                   std::abs(integral - gaussian_entropy(std::log(variance), 1)) < 1e-6)};
+  const double printed = 0.5 * std::log(2 * pi * variance), ours = gaussian_entropy(std::log(variance), 1);
+  return {
+      assessed(
+          "6.6-identity", "(6.6)",
+          "Mutual information is half the difference of log|P| before and after; to 1e-9",
+          {.measured = fmt::format("1000 positions: against (log|S| - log|R|)/2, which needs no posterior, "
+                                   "at most {} apart. |P| of 313 states known to 1 cm each is {} in double "
+                                   "precision, so the difference is computed from factors",
+                                   below(apart), large.determinant())},
+          apart < 1e-9),
+      assessed("6.6-positive", "below (6.6)",
+               "Mutual information is always positive: measurements lose no information",
+               {.measured = fmt::format("least of 1000 positions {:.3g} nats; of none in view exactly {}",
+                                        least, plane.gain_at({50, 0}))},
+               least > 0),
+      assessed(
+          "6.2-entropy", "(6.1), (6.2)", "The entropy of a Gaussian is half of log((2 pi)^n |P|); to 1e-6",
+          {.printed = "1/2 log((2 pi)^n |P|)",
+           .measured = fmt::format("of variance 0.3: integral {:.6f}, printed {:.6f}, with e {:.6f} nats",
+                                   integral, printed, ours),
+           .why =
+               "with e: half of log((2 pi e)^n |P|). Differences of entropies, all that decides, are right"},
+          std::abs(integral - printed) < 1e-6, std::abs(integral - ours) < 1e-6)};
 }
 
-/// (6.8) has S where the Fisher information of a look has R, and they order looks the other way round.
+/// (6.8) has S where the Fisher information of a measurement has R, and they order measurements the other way
+/// around.
 Claim fisher() {
   const auto traces = [](double landmark_sigma) {
     Plane other;
@@ -215,24 +199,23 @@ Claim fisher() {
     gain.push(step);
     return std::array{gain.fisher_trace(), gain.fisher_trace_given_state(), gain.of_state()};
   };
-  const auto unsure = traces(0.5), sure = traces(0.01);
-  Claim claim{"6.8-uncertain",
-              "(6.8), Section 6.3.1",
-              "The Fisher information of (6.8), H' S^-1 H, is greatest where the landmark that is looked at "
-              "is known least",
-              "choose the best direction to look at [...] those most uncertain landmarks",
-              fmt::format("trace of a look at the first landmark, known to 0.5 m and to 1 cm: (6.8) {:.3g} "
-                          "and {:.3g}; with R "
-                          "in place of S {:.3g} and {:.3g}; mutual information {:.2f} and {:.2f} nats",
-                          unsure[0], sure[0], unsure[1], sure[1], unsure[2], sure[2]),
-              Verdict::does_not_hold,
-              "S grows with what is not known, so its inverse falls: (6.8) prefers landmarks that are well "
-              "known. The Fisher "
-              "information given the state, with R, does not depend on it; mutual information grows with it"};
-  return assessed(claim, unsure[0] > sure[0]);
+  const auto uncertain = traces(0.5), certain = traces(0.01);
+  return assessed(
+      "6.8-uncertain", "(6.8), Section 6.3.1",
+      "The Fisher information of (6.8), H' S^-1 H, is greatest where the measured landmark is the most "
+      "uncertain",
+      {.printed = "choose the best direction to look at [...] those most uncertain landmarks",
+       .measured = fmt::format(
+           "trace of a measurement of the first landmark, known to 0.5 m and to 1 cm: (6.8) {:.3g} and "
+           "{:.3g}; with R in place of S {:.3g} and {:.3g}; mutual information {:.2f} and {:.2f} nats",
+           uncertain[0], certain[0], uncertain[1], certain[1], uncertain[2], certain[2]),
+       .why = "S grows with the uncertainty of the landmark, so its inverse falls: (6.8) prefers landmarks "
+              "that are well known. The Fisher information given the state, with R, does not depend on it; "
+              "mutual information grows with it"},
+      uncertain[0] > certain[0]);
 }
 
-/// The landmarks looked at from all around until no more is learnt of one by another.
+/// Measures the landmarks from all around until they are fully correlated.
 void measure_often(Plane& plane, int measurements, RandomStream& random) {
   for (int i = 0; i < measurements; ++i) {
     const Eigen::Vector2d position(random.uniform(-1, 1), random.uniform(-1, 1));
@@ -251,13 +234,13 @@ void measure_often(Plane& plane, int measurements, RandomStream& random) {
   }
 }
 
-/// What the ways teach of the map, at the most, nats; and how much less than by the best way is learnt by the
-/// one that is best for the camera, as it is, and were the map known.
-struct Taught {
+/// Largest information gain about the map over all directions, nats; and how much less than the best gain is
+/// that of the direction that is best for the camera alone, and for the camera given the map.
+struct Gains {
   double of_map = 0, lost_by_own = 0, lost_by_own_given_map = 0;
 };
-Taught taught_by_all_ways(const Plane& plane) {
-  Taught taught;
+Gains gains_of_all_directions(const Plane& plane) {
+  Gains gains;
   const BlockMatrix given_map = vehicle_given_map(plane.belief, plane.camera);
   double most = 0, most_own = 0, most_given = 0, by_own = 0, by_given = 0;
   for (int d = -180; d < 180; d += 3) {
@@ -266,44 +249,42 @@ Taught taught_by_all_ways(const Plane& plane) {
     gain.push(plane.step_to(way(d)));
     const double of_all = gain.of_state(), own = gain.of_vehicle(),
                  of_map = gain.of_position_and_map(0, given_map), own_given_map = of_all - of_map;
-    taught.of_map = std::max(taught.of_map, of_map);
+    gains.of_map = std::max(gains.of_map, of_map);
     most = std::max(most, of_all);
     if (own > most_own) most_own = own, by_own = of_all;
     if (own_given_map > most_given) most_given = own_given_map, by_given = of_all;
   }
-  taught.lost_by_own = most - by_own;
-  taught.lost_by_own_given_map = most - by_given;
-  return taught;
+  gains.lost_by_own = most - by_own;
+  gains.lost_by_own_given_map = most - by_given;
+  return gains;
 }
 
-/// In places of the kind of Figure 6.2.
+/// In layouts like that of Figure 6.2.
 Claim once_correlated() {
   constexpr int layouts = 30, measurements = 1500;
-  Taught worst;
+  Gains worst;
   RandomStream random(7, "section-6.1");
   for (int i = 0; i < layouts; ++i) {
     Plane plane = drawn_landmarks(random);
     measure_often(plane, measurements, random);
-    const Taught taught = taught_by_all_ways(plane);
-    worst.of_map = std::max(worst.of_map, taught.of_map);
-    worst.lost_by_own = std::max(worst.lost_by_own, taught.lost_by_own);
-    worst.lost_by_own_given_map = std::max(worst.lost_by_own_given_map, taught.lost_by_own_given_map);
+    const Gains gains = gains_of_all_directions(plane);
+    worst.of_map = std::max(worst.of_map, gains.of_map);
+    worst.lost_by_own = std::max(worst.lost_by_own, gains.lost_by_own);
+    worst.lost_by_own_given_map = std::max(worst.lost_by_own_given_map, gains.lost_by_own_given_map);
   }
   return assessed(
-      {.id = "6.1-fully-correlated",
-       .place = "end of Section 6.1.1",
-       .statement = "Once the map is fully correlated there is nothing to learn of it, and the camera's own "
-                    "entropy is enough to decide by: the way that it finds best teaches as much as any, to "
-                    "0.01 nats",
-       .printed = "replacing x with x_r",
+      "6.1-fully-correlated", "end of Section 6.1.1",
+      "Once the map is fully correlated there is no information left to gain about it, and the camera's own "
+      "entropy is enough to decide by: its best direction has as much information gain as any, to 0.01 nats",
+      {.printed = "replacing x with x_r",
        .measured =
-           fmt::format("worst of {} places after {} looks from all around: {:.4f} nats of the map, by "
-                       "the camera's way {:.3f} nats less than by the best, by its way were the map "
-                       "known {:.4f}; in a map not looked at yet {:.2f} nats of the map",
+           fmt::format("worst of {} layouts after {} measurements from all around: {:.4f} nats of the map, "
+                       "by the camera's choice {:.3f} nats less than by the best, by its choice given the "
+                       "map {:.4f}; in a map not measured yet {:.2f} nats of the map",
                        layouts, measurements, worst.of_map, worst.lost_by_own, worst.lost_by_own_given_map,
-                       taught_by_all_ways(Plane()).of_map),
-       .why = "with the camera's entropy given the map. By itself it also counts what looks tell of where "
-              "camera and map are together, which they do not tell",
+                       gains_of_all_directions(Plane()).of_map),
+       .why = "with the camera's entropy given the map. By itself it also counts information about the joint "
+              "position of camera and map, which measurements do not have",
        .runs = layouts},
       worst.of_map < 0.01 && worst.lost_by_own < 0.01,
       worst.of_map < 0.01 && worst.lost_by_own_given_map < 0.01);
@@ -311,13 +292,9 @@ Claim once_correlated() {
 
 LedgerEntry run(const ExperimentSettings& settings) {
   const Plane plane;
-  LedgerEntry entry{section_6_1.id, section_6_1.title, "", {}, {}};
-  entry.claims = identities(plane);
-  entry.claims.push_back(where_it_is_best(plane));
-  entry.claims.push_back(fisher());
-  entry.claims.push_back(once_correlated());
-  entry.figures.push_back(draw_plot(settings.out, figure(plane), nullptr));
-  return entry;
+  return entry_of(section_6_1, settings,
+                  concatenated({identities(plane), {where_it_is_best(plane), fisher(), once_correlated()}}),
+                  {figure(plane)});
 }
 
 }  // namespace

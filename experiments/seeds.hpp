@@ -1,8 +1,9 @@
-// Independent runs, on all processors.
+// Independent runs, on all processors, and numbers of each.
 #pragma once
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <future>
 #include <thread>
 #include <vector>
@@ -23,6 +24,14 @@ auto over_seeds(int seeds, const Run& run) {
   work();
   for (std::future<void>& helper : helpers) helper.get();
   return results;
+}
+
+/// A number of each result: a member, or what a function makes of it.
+template <class Result, class Of>
+std::vector<double> each(const std::vector<Result>& results, const Of& of) {
+  std::vector<double> numbers;
+  for (const Result& r : results) numbers.push_back(std::invoke(of, r));
+  return numbers;
 }
 
 }  // namespace incognita

@@ -1,19 +1,14 @@
-// What the running text of Chapter 4 says outside its examples: of the method in text_chapter_4_method.cpp,
-// and here of the systems, at the heads of subsections and in the conclusion (Section 4.4).
+// Claims in the running text of Chapter 4 outside its examples: about the method in
+// text_chapter_4_method.cpp, and here about the systems, at the heads of subsections and in the conclusion
+// (Section 4.4).
 //
 // Experiment: the built-in systems, motions and rules of observability_claims.hpp; also at rest,
 // unaccelerated (see example_4_2.cpp), and with a camera whose accelerations are known. That a system becomes
-// observable is judged on the motion itself as well.
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <iterator>
-
-#include "experiments/evidence.hpp"
-#include "experiments/example_4_2.hpp"
-#include "experiments/list.hpp"
-#include "experiments/observability_claims.hpp"
+// observable is assessed by the motion itself as well.
 #include "experiments/text_chapter_4.hpp"
+#include "experiments/common.hpp"
+#include "experiments/example_4_2.hpp"
+#include "experiments/observability_claims.hpp"
 
 namespace incognita::observability_claims {
 namespace {
@@ -55,29 +50,20 @@ Claim world_is_partial() {
     const Study& s = lines.add(system, of(system));
     all = all && dimension(s.stripped(3)) > 0 && s.true_dimension() > 0;
   }
-  return assessed(
-      {.id = "text-4-world",
-       .place = "Sections 4.1.1 and 4.1.2",
-       .statement = "World-centric maps without anchors are partially observable in any SLAM case",
-       .printed = "partially",
-       .measured = lines.text(),
-       .runs = lines.runs()},
-      all);
+  return studied("text-4-world", "Sections 4.1.1 and 4.1.2",
+                 "World-centric maps without anchors are partially observable in any SLAM case",
+                 {.printed = "partially", .measured = lines.text(), .runs = lines.runs()}, all);
 }
 
 Claim planar_anchors() {
   Lines lines;
   const Study &moving = lines.add("moving", of("planar", 2)),
               &rest = lines.add("at rest", of("planar", 2, "stationary"));
-  return assessed(
-      {.id = "text-4-planar-anchors",
-       .place = "Section 4.1.1",
-       .statement = "With anchors (two) the planar vehicle is fully observable, as long as it translates",
-       .printed = "fully",
-       .measured = lines.text(),
-       .runs = lines.runs()},
-      moving.true_dimension() == 0 && dimension(moving.stripped(2)) == 0 && rest.true_dimension() > 0 &&
-          dimension(rest.stripped(3)) > 0);
+  return studied("text-4-planar-anchors", "Section 4.1.1",
+                 "With anchors (two) the planar vehicle is fully observable, as long as it translates",
+                 {.printed = "fully", .measured = lines.text(), .runs = lines.runs()},
+                 moving.true_dimension() == 0 && dimension(moving.stripped(2)) == 0 &&
+                     rest.true_dimension() > 0 && dimension(rest.stripped(3)) > 0);
 }
 
 Claim planar_at_rest() {
@@ -91,18 +77,14 @@ Claim planar_at_rest() {
     measurement(fmt::format("{} anchor{}", anchors, anchors == 1 ? "" : "s"),
                 of("planar", anchors, "stationary"));
   measurement("relative map", relative("planar", "stationary"));
-  return assessed({.id = "text-4-planar-at-rest",
-                   .place = "Section 4.4",
-                   .statement = "At zero velocity the planar vehicle's system simply is unobservable",
-                   .printed = "unobservable",
-                   .measured = lines.text(),
-                   .runs = lines.runs()},
-                  all);
+  return studied("text-4-planar-at-rest", "Section 4.4",
+                 "At zero velocity the planar vehicle's system simply is unobservable",
+                 {.printed = "unobservable", .measured = lines.text(), .runs = lines.runs()}, all);
 }
 
 /// The relative inertial map turned about the line on which the body travels: r by v x r, and the
-/// misalignment along v. What all places on that line see alike.
-std::vector<VectorXd> turn_about_travel(const Course& c) {
+/// misalignment along v. All points on that line have the same measurements.
+Basis turn_about_travel(const Course& c) {
   const Eigen::VectorXd& x = c.points[0].x;  // velocity, angles, r
   const Eigen::Vector3d v = x.head<3>(), r = x.tail<3>();
   return {(VectorXd(9) << Eigen::Vector3d::Zero(), v, v.cross(r)).finished()};
@@ -122,20 +104,19 @@ Claim third_step() {
   };
   bool one_for_good = true;
   for (int k = 3; k <= many; ++k)
-    one_for_good = one_for_good && are_basis(on.stripped(k), on.courses(), turn_about_travel) &&
-                   dimension(on.total(k)) == 1;
-  return assessed(
-      {.id = "text-4-third-step",
-       .place = "Section 4.4",
-       .statement = "Without acceleration the inertial model becomes one of constant velocity, and takes a "
-                    "third step to full rank of the TOM (relative map)",
-       .printed = "third",
+    one_for_good =
+        one_for_good && on.stripped_spanned_by(k, turn_about_travel) && dimension(on.total(k)) == 1;
+  return studied(
+      "text-4-third-step", "Section 4.4",
+      "Without acceleration the inertial model becomes one of constant velocity, and takes a third step to "
+      "full rank of the TOM (relative map)",
+      {.printed = "third",
        .measured = fmt::format("{}: {}. Without gravity the TOM leaves {} after 1/2/3/4/5/6 segments, and "
                                "the SOM from the third on the turn about the line of travel: {}",
                                legend, inertial::by_unaccelerated(inertial::relative()),
                                joined(on.total_dimensions()), yes_no(one_for_good)),
        .why = "with f = 0 when it falls. At constant velocity its segments begin on one line, and one "
-              "direction is left for good, the turn about it; under gravity f = -g, and two steps do",
+              "direction remains unobservable, the turn about it; under gravity f = -g, and two steps do",
        .runs = 4 * motions},
       full_from(falls, 3) && full_from(weightless, 3),
       full_from(falls, 3) && one_for_good && full_from(carried, 2));
@@ -148,26 +129,23 @@ Claim exteroceptive_only() {
               &space = lines.add("cv6 with 3", of("cv6", 3)),
               &space_rest = lines.add("at rest", of("cv6", 3, "stationary"));
   const Study &no_anchor = lines.add("planar-cv without", of("planar-cv")),
-              &told = lines.add("relative map", relative("planar-cv")),
+              &map = lines.add("relative map", relative("planar-cv")),
               &free = lines.add("cv6 without", of("cv6"));
   const auto full = [](const Study& s) { return dimension(s.stripped(2)) == 0 && s.true_dimension() == 0; };
   const bool in_truth = full(flat) && full(space) && flat_rest.true_dimension() > 0 &&
                         space_rest.true_dimension() > 0 && no_anchor.true_dimension() > 0 &&
-                        told.true_dimension() > 0 && free.true_dimension() > 0;
-  const auto lacks = [](const Study& s) { return dimension(s.stripped(3)) > 0 && dimension(s.total(3)) > 0; };
+                        map.true_dimension() > 0 && free.true_dimension() > 0;
+  const auto lacks = [](const Study& s) { return s.rank_deficient(3); };
   const bool but_one = lacks(flat_rest) && lacks(space_rest) && lacks(no_anchor) && lacks(free);
-  return assessed(
-      {.id = "text-4-only-anchors",
-       .place = "Section 4.1.4",
-       .statement = "Constant-velocity systems are fully observable with anchors and translation, and with "
-                    "nothing else",
-       .printed = "anchors only",
+  return studied(
+      "text-4-only-anchors", "Section 4.1.4",
+      "Constant-velocity systems are fully observable with anchors and translation, and with nothing else",
+      {.printed = "anchors only",
        .measured = lines.text(),
-       .why = "so it is for the motion itself. SOM and TOM of three segments have full rank for the "
-              "relative map as well",
+       .why = "so it is for the motion itself. SOM and TOM of three segments have full rank for the relative "
+              "map as well",
        .runs = lines.runs()},
-      in_truth && but_one && lacks(told),
-      in_truth && but_one && dimension(told.stripped(3)) == 0 && dimension(told.total(3)) == 0);
+      in_truth && but_one && lacks(map), in_truth && but_one && map.full_rank(3));
 }
 
 Claim cv_velocities() {
@@ -178,17 +156,16 @@ Claim cv_velocities() {
       const Study& s = study(of(system, anchors));
       const auto seen = observable_states(s.stripped(1), s.error_states());
       const auto is_velocity = [](const std::string& state) { return state[0] == 'v' || state[0] == 'w'; };
-      const auto recovered = std::count_if(seen.begin(), seen.end(), is_velocity);
-      const auto wanted = std::count_if(s.error_states().begin(), s.error_states().end(), is_velocity);
+      const auto recovered = std::ranges::count_if(seen, is_velocity);
+      const auto wanted = std::ranges::count_if(s.error_states(), is_velocity);
       always = always && recovered == wanted;
       from_two = from_two && (anchors == 1 ? recovered == 0 : recovered == wanted);
       lines.push_back(fmt::format("{}, {}: {} of {}", system, anchors, recovered, wanted));
     }
-  return assessed(
-      {.id = "text-4-cv-velocities",
-       .place = "Section 4.4",
-       .statement = "With anchors one segment recovers the velocities of the constant-velocity models",
-       .printed = "recovered",
+  return studied(
+      "text-4-cv-velocities", "Section 4.4",
+      "With anchors one segment recovers the velocities of the constant-velocity models",
+      {.printed = "recovered",
        .measured = fmt::format("velocities outside N(Q_1) with one feature in {} motions, by anchors: {}",
                                motions, fmt::join(lines, "; ")),
        .why = "from two anchors on",
@@ -215,26 +192,25 @@ Claim accelerations() {
               &constant = lines.add("constant velocities", of("planar-cv", 0, "unaccelerated"));
   Case known = of("planar-cv");
   known.change = {"known", known_acceleration};
-  const Study &told = lines.add("known accelerations", known),
+  const Study &measured = lines.add("known accelerations", known),
               &rest = lines.add("two anchors at rest", of("planar-cv", 2, "stationary"));
   const bool unknown_do_not = changing.dimensions() == constant.dimensions() &&
                               changing.true_dimension() == constant.true_dimension() &&
                               rest.true_dimension() > 0;
-  return assessed(
-      {.id = "text-4-accelerations",
-       .place = "Section 4.4",
-       .statement = "In constant-velocity models the accelerations, inputs to the system, do not affect "
-                    "observability; zero velocity does",
-       .printed = "do not",
+  return studied(
+      "text-4-accelerations", "Section 4.4",
+      "In constant-velocity models the accelerations, inputs to the system, do not affect observability; "
+      "zero velocity does",
+      {.printed = "do not",
        .measured = lines.text(),
-       .why = "as noise, which they are here. Were they inputs that are known, they would tell lengths and "
-              "directions",
+       .why =
+           "as noise, which they are here. As known inputs they would make lengths and directions observable",
        .runs = lines.runs()},
-      unknown_do_not && told.true_dimension() == constant.true_dimension(),
-      unknown_do_not && are_basis(told.along(), told.courses(), [](const Course&) {
+      unknown_do_not && measured.true_dimension() == constant.true_dimension(),
+      unknown_do_not && measured.along_spanned_by([](const Course&) {
         const VectorXd x = VectorXd::Unit(8, 0) + VectorXd::Unit(8, 6),
                        y = VectorXd::Unit(8, 1) + VectorXd::Unit(8, 7);
-        return std::vector<VectorXd>{x, y};  // neither a turn nor a scale is left
+        return Basis{x, y};  // neither a turn nor a scale is left
       }));
 }
 
@@ -249,7 +225,7 @@ Claim lower_limit() {
     settles = settles && left[2] == left[3] && left[3] == left[5] && left[5] > 0;
     const Eigen::Index axes = which.system.starts_with("planar") ? 2 : 3;
     for (Eigen::Index axis = 0; axis < axes; ++axis) {
-      const auto translation = [&](const Course& c) -> std::vector<VectorXd> {
+      const auto translation = [&](const Course& c) -> Basis {
         const Eigen::Index n = c.points[0].x.size();
         return {VectorXd::Unit(n, axis) + VectorXd::Unit(n, n - axes + axis)};
       };
@@ -258,18 +234,15 @@ Claim lower_limit() {
     }
     lines.push_back(fmt::format("{} {}", system, s.segments_text()));
   }
-  return assessed(
-      {.id = "text-4-lower-limit",
-       .place = "Section 4.4",
-       .statement = "World-centric maps reach a lower limit of unobservable modes; the global position is "
-                    "among them however many segments",
-       .printed = "a limit",
-       .measured = fmt::format(
-           "dimensions left by SOM and TOM after 1/2/3/4/5/6 segments: {}; translations among them, "
-           "and left by the motion itself: {}",
-           fmt::join(lines, "; "), always ? "always" : "not always"),
-       .runs = 4 * motions},
-      settles && always);
+  return studied("text-4-lower-limit", "Section 4.4",
+                 "World-centric maps reach a lower limit of unobservable modes; the global position is among "
+                 "them however many segments",
+                 {.printed = "a limit",
+                  .measured = fmt::format("dimensions left by SOM and TOM after 1/2/3/4/5/6 segments: {}; "
+                                          "translations among them, and left by the motion itself: {}",
+                                          fmt::join(lines, "; "), always ? "always" : "not always"),
+                  .runs = 4 * motions},
+                 settles && always);
 }
 
 Claim becomes_observable() {
@@ -279,36 +252,31 @@ Claim becomes_observable() {
               &flat_relative = lines.add("planar, relative map", relative("planar")),
               &space_relative = lines.add("inertial, relative map", relative("inertial"));
   const bool anchors = flat.true_dimension() == 0 && space.true_dimension() == 0;
-  const auto turned = [](const Course& c) -> std::vector<VectorXd> {
+  const auto turned = [](const Course& c) -> Basis {
     const VectorXd& x = c.points[0].x;
     if (x.size() == 3) return {Eigen::Vector3d(1, -x[2], x[1])};  // heading, r
     const auto aside = [&](Eigen::Index i) { return Eigen::Vector3d::UnitZ().cross(x.segment<3>(i)); };
     return {(VectorXd(9) << aside(0), Eigen::Vector3d::UnitZ(), aside(6)).finished()};  // v, angles, r
   };
-  const auto leaves_turn = [&](const Study& s) { return are_basis(s.along(), s.courses(), turned); };
-  return assessed(
-      {.id = "text-4-observable",
-       .place = "Section 4.4",
-       .statement =
-           "Anchors, or a sensor-centric map with proprioceptive sensors, let the system become fully "
-           "observable when it moves as it must",
-       .printed = "both",
-       .measured = lines.text(),
-       .why = "anchors do. The sensor-centric map keeps one direction, heading and map turned (about the "
-              "vertical)",
-       .runs = lines.runs()},
-      anchors && flat_relative.true_dimension() == 0 && space_relative.true_dimension() == 0,
-      anchors && leaves_turn(flat_relative) && leaves_turn(space_relative));
+  const auto leaves_turn = [&](const Study& s) { return s.along_spanned_by(turned); };
+  return studied("text-4-observable", "Section 4.4",
+                 "Anchors, or a sensor-centric map with proprioceptive sensors, make the system fully "
+                 "observable under a suitable motion",
+                 {.printed = "both",
+                  .measured = lines.text(),
+                  .why = "anchors do. The sensor-centric map keeps one direction, heading and map turned "
+                         "(about the vertical)",
+                  .runs = lines.runs()},
+                 anchors && flat_relative.true_dimension() == 0 && space_relative.true_dimension() == 0,
+                 anchors && leaves_turn(flat_relative) && leaves_turn(space_relative));
 }
 
-LedgerEntry run(const ExperimentSettings&) {
-  LedgerEntry entry{text_chapter_4.id, text_chapter_4.title, "", {}, {}};
-  entry.claims = method_claims();
-  std::ranges::move(std::vector<Claim>{world_is_partial(), planar_anchors(), planar_at_rest(), third_step(),
-                                       exteroceptive_only(), cv_velocities(), accelerations(), lower_limit(),
-                                       becomes_observable()},
-                    std::back_inserter(entry.claims));
-  return entry;
+LedgerEntry run(const ExperimentSettings& settings) {
+  return entry_of(text_chapter_4, settings,
+                  concatenated({method_claims(),
+                                {world_is_partial(), planar_anchors(), planar_at_rest(), third_step(),
+                                 exteroceptive_only(), cv_velocities(), accelerations(), lower_limit(),
+                                 becomes_observable()}}));
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 
 namespace incognita::observability_claims {
 
-/// Section 4.1: Gramian, SOM and TOM, what the method can tell.
+/// Section 4.1: Gramian, SOM and TOM, what the method can show.
 std::vector<Claim> method_claims();
 
 }  // namespace incognita::observability_claims

@@ -1,16 +1,13 @@
-// What the running text of Chapter 4 says of its method: the Gramian (4.1), SOM and TOM, one look, and what
-// motions without a look from the side cannot show.
+// Claims in the running text of Chapter 4 about its method: the Gramian (4.1), SOM and TOM, one measurement,
+// and motions without parallax.
 //
 // Experiment: the built-in systems, motions and rules of observability_claims.hpp. The Gramian over 1 s of
 // frozen F and H, which Simpson's rule integrates exactly, as F is nilpotent; `planar` with one feature and
 // four anchors, where H is square and H H' can be had. 100 random systems of six states, two of which are not
-// seen, for (4.2). 20 segments of 0.05 s for short ones.
-#include <fmt/format.h>
-
+// observable, for (4.2). 20 segments of 0.05 s for short ones.
 #include <Eigen/QR>
-#include <algorithm>
 
-#include "experiments/evidence.hpp"
+#include "experiments/common.hpp"
 #include "experiments/example_4_1.hpp"
 #include "experiments/observability_claims.hpp"
 #include "experiments/text_chapter_4.hpp"
@@ -39,21 +36,18 @@ Claim gramian_claim() {
                corrected = null_spaces(s, [](const Course&c) {
                  return gramian(c.forms[0], c.forms[0].H.transpose() * c.forms[0].H);
                });
-  return assessed(
-      {.id = "text-4-gramian",
-       .place = "(4.1)",
-       .statement = "The null space of the Gramian is what cannot be observed: that of (4.2)",
-       .printed = "with H H'",
-       .measured = fmt::format("Q_1 leaves {} in {} motions (one feature, four anchors, where H is square); "
-                               "the Gramian with H H' {}, {}; with H' H {}, {}",
-                               dimension(s.stripped(1)), motions, joined({dimension(printed)}),
-                               same(printed, s.stripped(1)) ? "the same" : "not the same",
-                               joined({dimension(corrected)}),
-                               same(corrected, s.stripped(1)) ? "the same" : "not the same"),
-       .why = "H' H; with as many measurements as states H H' is another matrix, else the product does not "
-              "exist",
-       .runs = motions},
-      same(printed, s.stripped(1)), same(corrected, s.stripped(1)));
+  return studied("text-4-gramian", "(4.1)",
+                 "The null space of the Gramian is what cannot be observed: that of (4.2)",
+                 {.printed = "with H H'",
+                  .measured = fmt::format("Q_1 leaves {} in {} motions (one feature, four anchors, where H "
+                                          "is square); the Gramian with H H' {}, {}; with H' H {}, {}",
+                                          dimension(s.stripped(1)), motions, joined({dimension(printed)}),
+                                          same(printed, s.stripped(1)) ? "the same" : "not the same",
+                                          joined({dimension(corrected)}),
+                                          same(corrected, s.stripped(1)) ? "the same" : "not the same"),
+                  .why = "H' H; with as many measurements as states H H' is another matrix, else the product "
+                         "does not exist"},
+                 same(printed, s.stripped(1)), same(corrected, s.stripped(1)));
 }
 
 MatrixXd some_matrix(RandomStream& random, Eigen::Index rows, Eigen::Index columns) {
@@ -69,7 +63,7 @@ Claim steps() {
   RandomStream random(1, "systems");
   bool same_space = true;
   for (int i = 0; i < systems; ++i) {
-    // two states that neither are seen nor move the others
+    // two states that are neither measured nor influence the others
     MatrixXd F = MatrixXd::Zero(n, n), H = MatrixXd::Zero(1, n);
     F.topLeftCorner(4, 4) = some_rotation(random, 4);
     F.bottomLeftCorner(2, 4) = some_matrix(random, 2, 4),
@@ -83,14 +77,11 @@ Claim steps() {
     };
     same_space = same_space && left_after(n).nullity == 2 && same({left_after(n)}, {left_after(5 * n)});
   }
-  return assessed(
-      {.id = "text-4-steps",
-       .place = "below (4.1)",
-       .statement = "What is unobservable over n steps is unobservable over any number",
-       .printed = "",
-       .measured = fmt::format("{} random systems of 6 states, 2 of them not seen: left after 6 and after 30 "
-                               "steps: {}",
-                               systems, same_space ? "2 in all" : "not the same in all"),
+  return studied(
+      "text-4-steps", "below (4.1)", "What is unobservable over n steps is unobservable over any number",
+      {.measured = fmt::format(
+           "{} random systems of 6 states, 2 of them not observable: left after 6 and after 30 steps: {}",
+           systems, same_space ? "2 in all" : "not the same in all"),
        .runs = systems},
       same_space);
 }
@@ -120,24 +111,21 @@ Claim condition() {
     else
       ++others, others_kept += s.dimensions() == s.total_dimensions();
   }
-  return assessed({.id = "text-4-condition",
-                   .place = "(4.9), (4.10)",
-                   .statement = "Where N(Q_j) is within N(F_j), SOM and TOM have the same null space",
-                   .printed = "",
-                   .measured = fmt::format(
-                       "(4.9) holds in {} of {} cases, in {} of them the null spaces are the same; of "
-                       "the other {} cases the dimensions are in {}",
-                       met, met + others, kept, others, others_kept),
-                   .runs = motions * (met + others)},
-                  met > 0 && met == kept);
+  return studied("text-4-condition", "(4.9), (4.10)",
+                 "Where N(Q_j) is within N(F_j), SOM and TOM have the same null space",
+                 {.measured = fmt::format("(4.9) holds in {} of {} cases, in {} of them the null spaces are "
+                                          "the same; of the other {} cases the dimensions are in {}",
+                                          met, met + others, kept, others, others_kept),
+                  .runs = motions * (met + others)},
+                 met > 0 && met == kept);
 }
 
-/// Why SOM finds more: all turned about the origin, neither one look nor the motion sees it, but the row H F
-/// does, of an H that stays where it was.
+/// Why SOM has a higher rank: the turn of all about the origin is in the null spaces of one measurement and
+/// of the motion, but not in that of the row H F, in which H is frozen.
 bool only_frozen_rows_see_the_turn() {
   const Study& s = study({.system = "planar"});
-  const auto turned = [](const Course& c) -> std::vector<VectorXd> {
-    return {planar::turn(c.points[0], Eigen::Vector2d::Zero())};
+  const auto turned = [](const Course& c) {
+    return Basis{planar::turn(c.points[0], Eigen::Vector2d::Zero())};
   };
   const auto keeps = [&](const Spaces& spaces) { return contain(spaces, s.courses(), turned); };
   const auto of = [&](auto matrix) { return null_spaces(s, matrix); };
@@ -148,7 +136,7 @@ bool only_frozen_rows_see_the_turn() {
 /// TOM of three segments and Lie derivatives beside the motion itself.
 struct Comparison {
   bool loses_nothing = true, never_too_few = true, agree = true;
-  std::vector<std::string> lines;
+  Cases cases;
 
   void add(const Case& which) {
     const Study& s = study(which);
@@ -156,7 +144,7 @@ struct Comparison {
     loses_nothing = loses_nothing && by_matrices == in_truth;
     never_too_few = never_too_few && by_matrices != no_dimension && by_matrices <= in_truth;
     agree = agree && dimension(lie(which, 1)) == in_truth;
-    lines.push_back(fmt::format("{}, {}: {}", which.system, which.anchors, s.numbers()));
+    cases.add({fmt::format("{}, {}: {}", which.system, which.anchors, s.numbers())});
   }
 };
 
@@ -171,25 +159,23 @@ Claim piecewise() {
   const int of_fine = dimension(fine.total(20));
   const bool turn = only_frozen_rows_see_the_turn(),
              no_better = of_fine != no_dimension && of_fine < fine.true_dimension();
-  std::string why = "they are not the same";
+  std::string why;
   if (all.never_too_few && !all.loses_nothing && all.agree && turn)
     why =
-        "SOM and TOM find more than there is: H stays frozen in a segment while F moves the vehicle on, so "
-        "that H F is not how H changes";
-  if (no_better) why += ". Shorter segments do not mend it";
-  return assessed(
-      {.id = "text-4-piecewise",
-       .place = "below (4.2), of [55]",
-       .statement = "Piecewise constant segments keep the characteristic behaviour: the TOM leaves what the "
-                    "motion itself leaves",
-       .printed = "no loss",
-       .measured = fmt::format("{}, systems and anchors: {}. Lie derivatives, at one point each, leave {} "
-                               "the motion does. 20 short segments on the plane: SOM and TOM leave {} and "
-                               "{}, the motion {}. Of the turn of all H F, but neither H nor the motion, "
-                               "tells something: {}",
-                               legend, fmt::join(all.lines, "; "), all.agree ? "what" : "not what",
-                               joined({dimension(fine.stripped(20))}), joined({of_fine}),
-                               joined({fine.true_dimension()}), yes_no(turn)),
+        "SOM and TOM have too high a rank: H is frozen in a segment while F moves the vehicle, so that H F "
+        "is not the change of H";
+  if (no_better) why += ". Shorter segments do not help";
+  return studied(
+      "text-4-piecewise", "below (4.2), of [55]",
+      "Piecewise constant segments keep the characteristic behavior: the TOM leaves what the motion itself "
+      "leaves",
+      {.printed = "no loss",
+       .measured = fmt::format(
+           "{}, systems and anchors: {}. Lie derivatives, at one point each, leave {} the motion does. 20 "
+           "short segments on the plane: SOM and TOM leave {} and {}, the motion {}. The turn of all is "
+           "observable by H F, but neither by H nor by the motion: {}",
+           legend, all.cases.text(), all.agree ? "what" : "not what", joined({dimension(fine.stripped(20))}),
+           joined({of_fine}), joined({fine.true_dimension()}), yes_no(turn)),
        .why = why,
        .runs = 9 * motions},
       all.loses_nothing && all.agree && of_fine == fine.true_dimension());
@@ -208,12 +194,10 @@ Claim one_measurement() {
     }
     lines.push_back(fmt::format("{} {}", system, joined(left)));
   }
-  return assessed(
-      {.id = "text-4-one-look",
-       .place = "head of Chapter 4",
-       .statement = "One measurement step leaves bearing-only SLAM unobservable",
-       .printed = "unobservable",
-       .measured = fmt::format("dimensions left by one look at one feature, with 0/1/2/3 anchors: {}",
+  return studied(
+      "text-4-one-look", "head of Chapter 4", "One measurement step leaves bearing-only SLAM unobservable",
+      {.printed = "unobservable",
+       .measured = fmt::format("dimensions left by one measurement of one feature, with 0/1/2/3 anchors: {}",
                                fmt::join(lines, "; ")),
        .runs = 16 * motions},
       never);
@@ -228,7 +212,7 @@ void turn_on_the_spot(SystemText& text) {
 }
 
 /// The direction in which the first feature is, where a motion begins.
-std::vector<VectorXd> distance(const Course& c, Eigen::Index dimensions) {
+Basis distance(const Course& c, Eigen::Index dimensions) {
   VectorXd v = VectorXd::Zero(c.points[0].x.size());
   v.tail(dimensions) = c.points[0].x.tail(dimensions) - c.points[0].x.head(dimensions);
   return {v};
@@ -242,18 +226,16 @@ Claim turning_only() {
                               .motion = "stationary",
                               .change = turning,
                               .segment_s = in_space_s});
-  const bool both = are_basis(flat.along(), flat.courses(), [](const Course& c) { return distance(c, 2); }) &&
-                    are_basis(space.along(), space.courses(), [](const Course& c) { return distance(c, 3); });
-  return assessed(
-      {.id = "text-4-turning",
-       .place = "head of Chapter 4",
-       .statement = "A purely rotating camera tells nothing of how far a feature is, however well anchors "
-                    "tell where the camera is",
-       .printed = "nothing",
-       .measured =
-           fmt::format("{}, with three anchors, turning on the spot: planar {}; cv6 {}; what is left is "
-                       "the distance: {}",
-                       legend, flat.numbers(), space.numbers(), both ? "yes" : "no"),
+  const bool both = flat.along_spanned_by([](const Course& c) { return distance(c, 2); }) &&
+                    space.along_spanned_by([](const Course& c) { return distance(c, 3); });
+  return studied(
+      "text-4-turning", "head of Chapter 4",
+      "A purely rotating camera has no information about the distance of a feature, however well its pose is "
+      "known by anchors",
+      {.printed = "nothing",
+       .measured = fmt::format(
+           "{}, with three anchors, turning on the spot: planar {}; cv6 {}; what is left is the distance: {}",
+           legend, flat.numbers(), space.numbers(), yes_no(both)),
        .runs = 2 * motions},
       both);
 }
@@ -267,18 +249,14 @@ Claim line_of_sight() {
   const Study &s =
                   study({.system = "planar", .anchors = 2, .motion = "straight", .change = {"ahead", ahead}}),
               &aside = study({.system = "planar", .anchors = 2, .motion = "straight"});
-  const bool distance_alone =
-      are_basis(s.along(), s.courses(), [](const Course& c) { return distance(c, 2); });
-  return assessed(
-      {.id = "text-4-line-of-sight",
-       .place = "head of Chapter 4",
-       .statement = "Looking at a feature along the line on which the camera moves forward does not tell its "
-                    "distance",
-       .printed = "does not",
-       .measured =
-           fmt::format("{}, with two anchors, straight on: {}; with the feature straight ahead {}: its "
-                       "distance, {}",
-                       legend, aside.numbers(), s.numbers(), distance_alone ? "yes" : "no"),
+  const bool distance_alone = s.along_spanned_by([](const Course& c) { return distance(c, 2); });
+  return studied(
+      "text-4-line-of-sight", "head of Chapter 4",
+      "The distance of a feature on the line along which the camera moves is not observable",
+      {.printed = "does not",
+       .measured = fmt::format(
+           "{}, with two anchors, straight on: {}; with the feature straight ahead {}: its distance, {}",
+           legend, aside.numbers(), s.numbers(), yes_no(distance_alone)),
        .runs = 2 * motions},
       distance_alone && aside.true_dimension() == 0);
 }

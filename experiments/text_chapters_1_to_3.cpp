@@ -1,14 +1,9 @@
-// Claims in the running text of Chapters 1 to 3 about the linear case, and some that the vehicle of the plane
+// Claims in the running text of Chapters 1 to 3 about the linear case, and some that the planar vehicle
 // shows at once: the parts are text_chapter_2.cpp and text_chapter_3.cpp, each with its experiment at its
 // head.
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <array>
-#include <iterator>
 
-#include "experiments/evidence.hpp"
-#include "experiments/list.hpp"
+#include "experiments/common.hpp"
 #include "experiments/monobot.hpp"
 #include "experiments/text_claims.hpp"
 
@@ -26,12 +21,13 @@ Plot riccati_limits() {
   const auto closed_form = [](double v, int n, double robot) {
     return robot + monobot::relative_variance(v, 0.2, n) - v * v;
   };
-  Panel over_number, over_start;
+  Panel over_number{"robot known at first", "landmarks", "landmark's variance, m^2", {}},
+      over_start{"s_v = 0.1 m", "robot's first variance, m^2", "landmark's variance, m^2", {}};
   const Color colors[] = {Color::blue, Color::orange, Color::green};
   for (int i = 0; i < 3; ++i) {
     const double v = std::array{0.05, 0.1, 0.3}[i];
-    Curve line{fmt::format("s_v = {} m", v), Style::line, {}, {}, {}, colors[i]}, circles = line;
-    circles.style = Style::circles, circles.label.clear();
+    Curve line{fmt::format("s_v = {} m", v), Style::line, {}, {}, {}, colors[i]},
+        circles{"", Style::circles, {}, {}, {}, colors[i]};
     for (int n = 1; n <= 10; ++n) {
       line.x.push_back(n), line.y.push_back(closed_form(v, n, 0));
       circles.x.push_back(n), circles.y.push_back(filter(v, n, 0));
@@ -39,8 +35,7 @@ Plot riccati_limits() {
     over_number.curves.insert(over_number.curves.end(), {line, circles});
     const int count = std::array{1, 2, 10}[i];
     Curve from{fmt::format("{} landmark{}", count, count > 1 ? "s" : ""), Style::line, {}, {}, {}, colors[i]},
-        at = from;
-    at.style = Style::circles, at.label.clear();
+        at{"", Style::circles, {}, {}, {}, colors[i]};
     for (int step = 0; step <= 5; ++step) {
       const double robot = 0.01 * step;
       from.x.push_back(robot), from.y.push_back(closed_form(0.1, count, robot));
@@ -48,24 +43,17 @@ Plot riccati_limits() {
     }
     over_start.curves.insert(over_start.curves.end(), {from, at});
   }
-  over_number.title = "robot known at first";
-  over_number.x_label = "landmarks";
-  over_start.title = "s_v = 0.1 m";
-  over_start.x_label = "robot's first variance, m^2";
-  Plot plot{"fig-riccati",
-            "Where a landmark's variance settles without an anchor (s_w = 0.2 m)",
-            2,
-            {over_number, over_start}};
-  for (Panel& panel : plot.panels) panel.y_label = "landmark's variance, m^2";
-  return plot;
+  return {"fig-riccati",
+          "Where a landmark's variance settles without an anchor (s_w = 0.2 m)",
+          2,
+          {over_number, over_start}};
 }
 
 LedgerEntry run(const ExperimentSettings& settings) {
-  LedgerEntry entry{text_chapters_1_to_3.id, text_chapters_1_to_3.title, "", {}, {}};
-  entry.claims = chapter_2_claims(settings.seeds);
-  std::ranges::move(chapter_3_claims(settings.seeds), std::back_inserter(entry.claims));
-  entry.figures = {draw_plot(settings.out, riccati_limits(), nullptr)};
-  return entry;
+  return entry_of(text_chapters_1_to_3, settings,
+                  concatenated({chapter_2_claims(settings.seeds), chapter_3_stability_claims(),
+                                chapter_3_landmark_claims(settings.seeds)}),
+                  {riccati_limits()});
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ TEST(SwingingCamera, IsDeterministicOnAnyNumberOfThreads) {
 
 TEST(SwingingCamera, HasTheSameLandmarksForAnySetup) {
   CameraSetup other = brief();
-  other.anchors = 6, other.told = false, other.steered_by_truth = true;
+  other.anchors = 6, other.given_commands = false, other.steered_by_truth = true;
   const Course a = run(brief(), 5), b = run(other, 5);
   EXPECT_EQ(a.place, b.place);
   EXPECT_EQ(a.instants[0].truth, b.instants[0].truth);
@@ -94,7 +94,7 @@ TEST(Summary, HasTheValuesOfTheCourse) {
   EXPECT_EQ(s.inside[0], 1);
   EXPECT_EQ(s.inside[2], 0);
   EXPECT_NEAR(s.truly_off_m, std::sqrt(1.01), 1e-9);
-  EXPECT_NEAR(s.believed_off_m, 2, 1e-9);
+  EXPECT_NEAR(s.estimated_off_m, 2, 1e-9);
   EXPECT_EQ(s.at_limit, 1);
   EXPECT_EQ(s.most_rad_s2, 1);
   EXPECT_EQ(s.pose_nees, 2);

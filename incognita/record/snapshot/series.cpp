@@ -1,9 +1,10 @@
 #include "incognita/record/snapshot/series.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "incognita/math/largest_sigma.hpp"
 
 namespace incognita {
 namespace {
@@ -12,11 +13,6 @@ constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 StampedPose pose(double t, const FreeCameraMotion::State<double>& camera) {
   return {t, free_camera::position(camera), free_camera::orientation(camera)};
-}
-
-double worst_sigma(const Eigen::Matrix3d& covariance) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance, Eigen::EigenvaluesOnly);
-  return std::sqrt(std::max(0.0, solver.eigenvalues().maxCoeff()));
 }
 
 void append_pose_columns(std::vector<std::string>& columns, const std::string& prefix) {
@@ -80,8 +76,8 @@ std::vector<double> series_row(const Snapshot& snapshot, bool with_errors) {
   std::vector<double> row{static_cast<double>(snapshot.matched),
                           static_cast<double>(snapshot.predicted),
                           static_cast<double>(mapped_landmarks(snapshot)),
-                          posed ? worst_sigma(P.topLeftCorner<3, 3>()) : unknown,
-                          posed ? worst_sigma(P.bottomRightCorner<3, 3>()) : unknown,
+                          posed ? largest_sigma(P.topLeftCorner<3, 3>()) : unknown,
+                          posed ? largest_sigma(P.bottomRightCorner<3, 3>()) : unknown,
                           snapshot.entropy.vehicle,
                           snapshot.entropy.map,
                           snapshot.entropy.total,

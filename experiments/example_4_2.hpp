@@ -42,7 +42,7 @@ struct Misaligned {
 };
 /// Exact derivatives by Euler angles, the states from `first` on, made into those; the body turns by `rate`,
 /// in its own axes.
-Misaligned misaligned(const Linearization& exact, const Eigen::Vector3d& angles, Eigen::Index first,
+Misaligned misaligned(const LinearizedSystem& exact, const Eigen::Vector3d& angles, Eigen::Index first,
                       const Eigen::Vector3d& rate);
 
 /// Smallest of what several readings of a printed matrix come to.

@@ -98,7 +98,7 @@ Matrix3d rate_of_T(const Vector3d& angles, const Vector3d& by) {
 
 }  // namespace
 
-Misaligned misaligned(const Linearization& exact, const Vector3d& angles, Eigen::Index first,
+Misaligned misaligned(const LinearizedSystem& exact, const Vector3d& angles, Eigen::Index first,
                       const Vector3d& rate) {
   const Eigen::Index n = exact.F.rows();
   MatrixXd S = MatrixXd::Identity(n, n), S_rate = MatrixXd::Zero(n, n);  // ours by those
@@ -147,7 +147,7 @@ const Study& level() {
 int left_by_transitions(double sign) {
   return dimension(null_spaces(level(), [&](const Course& course) {
     MatrixXd M(0, 12), moved = MatrixXd::Identity(12, 12);
-    for (const Linearization& form : course.forms) {
+    for (const LinearizedSystem& form : course.forms) {
       MatrixXd F = form.F;
       F.block<3, 3>(3, 6) *= sign;
       M.conservativeResize(M.rows() + 2, 12);
@@ -167,7 +167,7 @@ Claim force_matrix() {
     });
   };
   const double printed = std::min(wrong(1, 1), wrong(-1, -1)), corrected = wrong(1, -1);
-  const auto other = [](Linearization& form, const SystemPoint&) { form.F.block<3, 3>(3, 6) *= -1; };
+  const auto other = [](LinearizedSystem& form, const SystemPoint&) { form.F.block<3, 3>(3, 6) *= -1; };
   std::vector<int> with_other;
   for (const int k : {1, 2, 3}) with_other.push_back(dimension(stripped_with(s, k, other)));
   const int left = left_by_transitions(1), left_as_printed = left_by_transitions(-1);

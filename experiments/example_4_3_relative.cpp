@@ -24,7 +24,7 @@ VectorXd six(double rx, double ry, double theta, double vx, double vy, double om
   return (VectorXd(6) << theta, vx, vy, omega, rx, ry).finished();
 }
 
-void zero_heading(Linearization& form, const SystemPoint&) { form.H.col(0).setZero(); }
+void zero_heading(LinearizedSystem& form, const SystemPoint&) { form.H.col(0).setZero(); }
 
 /// What SOM leaves with the printed zero.
 std::vector<int> dimensions_with_zero(const Study& s) {

@@ -86,7 +86,7 @@ Claim settle(const ExperimentSettings& settings, const std::vector<Traces>& all)
                            [&](const Run& run) { return traces_of(run, least); }));
   };
   const Span usual(all), ekf = longer(Linearization::analytic, "analytic"),
-             first = longer(Linearization::first_estimate, "first-estimate");
+                         first = longer(Linearization::first_estimate, "first-estimate");
   return assessed("5.3-traces-settle", "Figure 5.11, below (5.23)",
                   "The landmarks' traces reach an asymptotic minimum, the least that the starts leave open: "
                   "they come within a quarter of it in 80 s and never fall below it",

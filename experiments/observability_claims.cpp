@@ -34,7 +34,7 @@ Course course_of(const SystemInstance& instance, const SystemMotion& motion) {
     course.points.push_back(segment.start);
     course.forms.push_back(instance.error_form(segment.start));
     course.exact.push_back(instance.linearize(segment.start));
-    const Linearization& form = course.forms.back();
+    const LinearizedSystem& form = course.forms.back();
     course.stays = course.stays && null_space_stays(form, null_space(segment_observability(form)));
   }
   return course;
@@ -254,10 +254,10 @@ std::vector<std::string> observable_states(const Spaces& spaces, const std::vect
 }
 
 Spaces stripped_with(const Study& study, int k,
-                     const std::function<void(Linearization&, const SystemPoint&)>& change) {
+                     const std::function<void(LinearizedSystem&, const SystemPoint&)>& change) {
   Spaces spaces;
   for (const Course& course : study.courses()) {
-    std::vector<Linearization> forms = course.forms;
+    std::vector<LinearizedSystem> forms = course.forms;
     for (std::size_t j = 0; j < forms.size(); ++j) change(forms[j], course.points[j]);
     const auto upto = stripped_observability(segment_observability(forms));
     spaces.push_back(null_space(upto[static_cast<std::size_t>(k - 1)]));

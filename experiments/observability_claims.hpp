@@ -52,7 +52,7 @@ inline constexpr double in_space_s = 0.25;
 /// One motion: where each segment begins, F and H there in the system's error form, and by exact derivatives.
 struct Course {
   std::vector<SystemPoint> points;
-  std::vector<Linearization> forms, exact;
+  std::vector<LinearizedSystem> forms, exact;
   bool stays = false;  ///< (4.9) holds in each segment
 };
 
@@ -147,7 +147,7 @@ std::vector<std::string> observable_states(const Spaces& spaces, const std::vect
 
 /// (4.8) of the first k segments when F and H are not the system's.
 Spaces stripped_with(const Study& study, int k,
-                     const std::function<void(Linearization&, const SystemPoint&)>& change);
+                     const std::function<void(LinearizedSystem&, const SystemPoint&)>& change);
 
 /// Largest of a number over all motions.
 double largest(const Study& study, const std::function<double(const Course&)>& of);

@@ -59,9 +59,9 @@ LedgerEntry run(const ExperimentSettings& all_seeds) {
     return runs_of_all("free-camera", all, settings);
   };
   const std::vector<Runs> gaze = runs(by_gaze()), other = runs(baselines()), variant = runs(variants()),
-                          blind =
-                              runs({{"nothing expected",
-                                     {"decision.gaze=mutual-information", "exploration.expected_landmarks=1"}}});
+                          blind = runs(
+                              {{"nothing expected",
+                                {"decision.gaze=mutual-information", "exploration.expected_landmarks=1"}}});
   const std::string numbers = in_numbers(by_gaze(), gaze) + "; " + in_numbers(baselines(), other) + "; " +
                               in_numbers(variants(), variant);
   const char* why_14th =

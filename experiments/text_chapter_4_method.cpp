@@ -19,7 +19,7 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-MatrixXd gramian(const Linearization& form, const MatrixXd& inner) {
+MatrixXd gramian(const LinearizedSystem& form, const MatrixXd& inner) {
   const auto at = [&](double t) -> MatrixXd {
     const MatrixXd moved = MatrixXd::Identity(form.F.rows(), form.F.cols()) + t * form.F;  // F F = 0
     return moved.transpose() * inner * moved;

@@ -137,7 +137,7 @@ TEST_P(BuiltIn, JacobiansAreDerivativesOfTheEquations) {
   RandomStream random(7, "derivatives");
   for (int trial = 0; trial < 5; ++trial) {
     const SystemPoint point = draw_motion(instance, 1, random).segments.front().start;
-    const Linearization exact = instance.linearize(point);
+    const LinearizedSystem exact = instance.linearize(point);
     for (int column = 0; column < instance.states(); ++column) {
       const double step = 1e-6;
       SystemPoint up = point, down = point;
@@ -182,7 +182,7 @@ TEST_P(ErrorForm, IsTheSameSystemInOtherCoordinates) {
   RandomStream random(8, "error form");
   for (int trial = 0; trial < 5; ++trial) {
     const SystemPoint point = draw_motion(instance, 1, random).segments.front().start;
-    const Linearization exact = instance.linearize(point), error = instance.error_form(point);
+    const LinearizedSystem exact = instance.linearize(point), error = instance.error_form(point);
     const Eigen::MatrixXd T = misalignment(instance, point);
     EXPECT_LT((error.H * T - exact.H).norm(), 1e-12 * exact.H.norm());
     // e = T dx, so that e' = (T' + T F) T^-1 e, with T' along the motion

@@ -104,8 +104,9 @@ std::vector<std::string> with(std::vector<std::string> sets, const std::vector<s
 
 TEST(Combinations, JointCompatibilityInATeamOfThree) {
   expect_consistent("joint compatibility, three vehicles", "two-robots",
-                    with(team_of_three, {"association.method=joint"}), 16,
-                    [](EstimatorSettings& s) { ASSERT_EQ(s.association.method, DataAssociationSettings::Method::joint); });
+                    with(team_of_three, {"association.method=joint"}), 16, [](EstimatorSettings& s) {
+                      ASSERT_EQ(s.association.method, DataAssociationSettings::Method::joint);
+                    });
 }
 
 /// Only the first vehicle has a GPS; the others profit through the common landmarks.

@@ -511,8 +511,8 @@ TEST(ProgramCampaign, AcceptsAMeasureOfTheLastVariantOnly) {
 TEST(ProgramCampaign, AFailedRunDoesNotDetermineTheMeasures) {
   const TimedPosition place;
   // every run of this campaign is lost
-  const Ended ended = place.campaign({"--seeds", "1..5", "--jobs", "1", "--measure", "ate", "--set",
-                                      "health.max_sigma_position_m=0.011"});
+  const Ended ended = place.campaign(
+      {"--seeds", "1..5", "--jobs", "1", "--measure", "ate", "--set", "health.max_sigma_position_m=0.011"});
   EXPECT_EQ(ended.code, 2);
   EXPECT_SAYS(ended.err, "--measure ate: ");
   EXPECT_EQ(place.results().size(), 5u) << "only after the last run";

@@ -160,7 +160,8 @@ Scene scene_of(const AnyMotion& motion, const AnySensor& sensor, Linearization l
                  : line ? vec({0})
                         : at_rest(motion, {4, -1, 0}, 1.57);
   member.start_sigmas = SmallVector::Constant(chart_of(motion).tangent(), 0.01);
-  if (free && form == BeliefForm::covariance) member.start_sigmas.tail(6).setZero();  // it is at rest, exactly
+  if (free && form == BeliefForm::covariance)
+    member.start_sigmas.tail(6).setZero();  // it is at rest, exactly
   member.input_sigmas = free ? SmallVector::Constant(6, 0.2) : SmallVector::Constant(inputs_of(motion), 0.05);
   if (free) {
     BackAndForthPath path;
@@ -226,8 +227,7 @@ TEST_P(Combinations, IsConsistentOrRefused) {
   EXPECT_LT(nees, 3.0);
 }
 
-constexpr const char* linearization_names[] = {"analytic", "iterated", "unscented_vehicle",
-                                                "first_estimate"};
+constexpr const char* linearization_names[] = {"analytic", "iterated", "unscented_vehicle", "first_estimate"};
 
 std::string name_of(const ::testing::TestParamInfo<Combination>& info) {
   std::string name = std::string(std::get<0>(info.param)) + "_" + std::get<1>(info.param) + "_" +
@@ -352,7 +352,8 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(Forms, InformationFormRefusesExactPriors) {
   const AnyMotion motion = motion_named("differential-drive");
-  EstimatorSettings settings = scene_of(motion, BearingSensor{}, Linearization::analytic, BeliefForm::information).filter;
+  EstimatorSettings settings =
+      scene_of(motion, BearingSensor{}, Linearization::analytic, BeliefForm::information).filter;
   EXPECT_EQ(validate(settings), "");
   settings.filter.sigma_inverse_depth_per_m = 0;
   EXPECT_NE(validate(settings).find("inverse depth that is known exactly"), std::string::npos);

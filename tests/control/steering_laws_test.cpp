@@ -402,8 +402,7 @@ TEST(SteeringRefusals, GainsOfTheWrongSize) {
     SteeringSettings s = settings_of(gain.motion, gain.law, gain.path);
     if (gain.law == ControlLaw::tracking && &gain.motion != &line) continue;  // its gains are scalars
     if (gain.law == ControlLaw::feedback_linearization && &gain.motion == &body) continue;
-    (gain.law == ControlLaw::lqg ? s.weight_state : s.gain_per_s) =
-        Diagonal(SmallVector::Constant(5, 1.0));
+    (gain.law == ControlLaw::lqg ? s.weight_state : s.gain_per_s) = Diagonal(SmallVector::Constant(5, 1.0));
     EXPECT_HAS(why_not(gain.motion, s), "needs 1 number or ") << static_cast<int>(gain.law);
   }
 }

@@ -67,8 +67,8 @@ TEST(Exploring, MutualInformationLeavesLessEntropyOnImages) {
 }
 
 TEST(Exploring, CountsReturningLandmarks) {
-  const exploring::Run run =
-      explore("hand-held", {"run.duration_s=20", "decision.schedule=at-decisions", "exploration.counted=all"}, 1);
+  const exploring::Run run = explore(
+      "hand-held", {"run.duration_s=20", "decision.schedule=at-decisions", "exploration.counted=all"}, 1);
   int returned = 0;
   for (const Decision& d : run.decisions) {
     if (d.t_s < away_s) {

@@ -134,8 +134,9 @@ TEST(StudyTest, ChangesAreAppliedSeparately) {
 
 TEST(StudyTest, RefusesMatricesOfTheWrongSystem) {
   const Study& s = study({.system = "planar"});
-  const Spaces as_it_is = stripped_with(s, 2, [](Linearization&, const SystemPoint&) {}),
-               blind = stripped_with(s, 2, [](Linearization&form, const SystemPoint&) { form.F.setZero(); });
+  const Spaces as_it_is = stripped_with(s, 2, [](LinearizedSystem&, const SystemPoint&) {}),
+               blind =
+                   stripped_with(s, 2, [](LinearizedSystem&form, const SystemPoint&) { form.F.setZero(); });
   EXPECT_TRUE(same(as_it_is, s.stripped(2)));
   EXPECT_FALSE(same(blind, s.stripped(2)));
 }

@@ -99,7 +99,8 @@ TEST(PlanarConsistency, IsDeterministicForASeed) {
 
 TEST(StandingVehicle, OnlyFirstEstimatesKeepTheUnobservableDirections) {
   EXPECT_LT(standing_vehicle(1, Linearization::analytic).sigma_heading_deg, 10);
-  EXPECT_NEAR(standing_vehicle(1, Linearization::first_estimate).sigma_heading_deg, standing_sigma_heading_deg, 1e-6);
+  EXPECT_NEAR(standing_vehicle(1, Linearization::first_estimate).sigma_heading_deg,
+              standing_sigma_heading_deg, 1e-6);
 }
 
 }  // namespace

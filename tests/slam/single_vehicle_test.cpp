@@ -382,7 +382,8 @@ TEST(SingleVehicle, KeepsTheMapBlockDiagonalWhenAsked) {
     for (int i = 0; i < 4; ++i)
       for (int j = 0; j < i; ++j)
         EXPECT_TRUE(e.belief.covariance(block(e, i), block(e, j)).isZero(0)) << static_cast<int>(decorrelate);
-    EXPECT_FALSE(e.belief.covariance(e.bodies[0].block, block(e, 0)).isZero(0)) << static_cast<int>(decorrelate);
+    EXPECT_FALSE(e.belief.covariance(e.bodies[0].block, block(e, 0)).isZero(0))
+        << static_cast<int>(decorrelate);
   }
   PlanarSlamSettings s = drive_settings();
   s.filter.decorrelate = Decorrelation::everything;

@@ -140,10 +140,11 @@ TEST(TeamAssociation, DoesNotDependOnTheOrderOfSightings) {
 }
 
 TEST(TeamAssociation, ByNamesWhatHasNoneIsLeftAlone) {
-  const Estimate e = estimate_of(Drive(1, DataAssociationSettings::Method::known), [](Observation& observation) {
-    for (PointDetection& s : observation.bodies[0].landmarks)
-      if (s.identity > 5) s.identity = Detection::unknown;
-  });
+  const Estimate e =
+      estimate_of(Drive(1, DataAssociationSettings::Method::known), [](Observation& observation) {
+        for (PointDetection& s : observation.bodies[0].landmarks)
+          if (s.identity > 5) s.identity = Detection::unknown;
+      });
   EXPECT_EQ(e.mapped_count(), 4);
 }
 

@@ -119,8 +119,8 @@ bool differ(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
 bool form_changes(const SystemInstance& instance, const std::vector<MotionSample>& samples) {
   for (std::size_t i = 1; i < samples.size(); ++i) {
     if (samples[i].point.u != samples[i - 1].point.u) continue;
-    const Linearization before = instance.linearize(samples[i - 1].point),
-                        now = instance.linearize(samples[i].point);
+    const LinearizedSystem before = instance.linearize(samples[i - 1].point),
+                           now = instance.linearize(samples[i].point);
     if (differ(before.F, now.F) || differ(before.H, now.H)) return true;
   }
   return false;
@@ -195,7 +195,7 @@ void compare_coordinates(const ObservabilityAnalysis& a, const SystemInstance& i
                          const SystemMotion& motion, const NullSpaceSettings& rank,
                          std::vector<std::string>& said) {
   if (!instance.has_error_form()) return;
-  std::vector<Linearization> exact;
+  std::vector<LinearizedSystem> exact;
   for (const MotionSegment& s : motion.segments) exact.push_back(instance.linearize(s.start));
   std::string stated, plain;
   bool all_alike = true;

@@ -13,7 +13,7 @@ namespace incognita {
 namespace {
 
 std::vector<SegmentAnalysis> analyze_segments(const SystemInstance& instance, const SystemMotion& motion,
-                                              const std::vector<Linearization>& forms,
+                                              const std::vector<LinearizedSystem>& forms,
                                               const NullSpaceSettings& rank) {
   std::vector<double> durations;
   for (const MotionSegment& s : motion.segments) durations.push_back(s.duration_s);

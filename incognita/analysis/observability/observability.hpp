@@ -69,8 +69,8 @@ struct ObservabilityAnalysis {
   std::vector<double> durations_s;  ///< one per segment
   /// The end of a segment is the start of the next, or the last measurement.
   int measurements_per_segment = 0;
-  std::vector<double> measurement_times_s;  ///< all measurements along the motion, from its start
-  std::vector<Linearization> error_forms;   ///< F and H of each segment
+  std::vector<double> measurement_times_s;    ///< all measurements along the motion, from its start
+  std::vector<LinearizedSystem> error_forms;  ///< F and H of each segment
   std::vector<SegmentAnalysis> segments;
   ObservableSpace local, fisher;
   /// Of small differences along the motion: largest entry of the transitions from its start.

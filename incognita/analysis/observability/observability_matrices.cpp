@@ -18,7 +18,7 @@ Eigen::Index powers_that_count(const Eigen::MatrixXd& F) {
 
 }  // namespace
 
-NoisyRows segment_observability(const Linearization& segment) {
+NoisyRows segment_observability(const LinearizedSystem& segment) {
   const Eigen::Index n = segment.F.rows();
   NoisyRows Q{Eigen::MatrixXd(0, n), Eigen::MatrixXd(0, n), false, {}};
   Eigen::MatrixXd block = segment.H;
@@ -42,10 +42,10 @@ NoisyRows segment_observability(const Linearization& segment) {
   return Q;
 }
 
-std::vector<NoisyRows> segment_observability(const std::vector<Linearization>& segments) {
+std::vector<NoisyRows> segment_observability(const std::vector<LinearizedSystem>& segments) {
   std::vector<NoisyRows> Q;
   Q.reserve(segments.size());
-  for (const Linearization& segment : segments) Q.push_back(segment_observability(segment));
+  for (const LinearizedSystem& segment : segments) Q.push_back(segment_observability(segment));
   return Q;
 }
 
@@ -60,7 +60,7 @@ std::vector<NoisyRows> stripped_observability(const std::vector<NoisyRows>& Q) {
 }
 
 std::vector<NoisyRows> total_observability(const std::vector<NoisyRows>& Q,
-                                           const std::vector<Linearization>& segments,
+                                           const std::vector<LinearizedSystem>& segments,
                                            const std::vector<double>& durations_s) {
   const Eigen::Index n = segments.front().F.cols();
   std::vector<NoisyRows> moved;
@@ -76,7 +76,7 @@ std::vector<NoisyRows> total_observability(const std::vector<NoisyRows>& Q,
   return stripped_observability(moved);
 }
 
-bool null_space_stays(const Linearization& segment, const NullSpace& of_segment) {
+bool null_space_stays(const LinearizedSystem& segment, const NullSpace& of_segment) {
   // In scaled coordinates the null vectors have unit length and an accuracy of 1e-9
   const Eigen::MatrixXd F = segment.F * of_segment.column_scale.asDiagonal();
   const Eigen::VectorXd allowed = 1e-9 * F.cwiseAbs().rowwise().sum();
@@ -108,7 +108,7 @@ NoisyRows local_observability(const SystemInstance& instance, const std::vector<
   Eigen::MatrixXd M(rows, n), J(rows, jumps);
   Eigen::Index row = 0;
   for (const MotionSample& sample : samples) {
-    const Linearization at = instance.linearize(sample.point);
+    const LinearizedSystem at = instance.linearize(sample.point);
     Eigen::VectorXd size =
         whitened ? at.sigma : Eigen::VectorXd((at.H * units.asDiagonal()).cwiseAbs().rowwise().maxCoeff());
     for (double& s : size) s = s > 0 ? s : 1;

@@ -14,7 +14,7 @@ struct SystemPoint {
 
 /// Linearization at a point: dx' = F dx, dz = H dx. m measurements: the vehicle's own, each landmark's, each
 /// anchor's.
-struct Linearization {
+struct LinearizedSystem {
   Eigen::MatrixXd F;        ///< n x n
   Eigen::MatrixXd H;        ///< m x n
   Eigen::VectorXd sigma;    ///< m: of the measurement noise

@@ -102,11 +102,11 @@ Eigen::MatrixXd SystemInstance::rate_derivative(const SystemPoint& point) const 
   return F;
 }
 
-Linearization SystemInstance::linearize(const SystemPoint& point) const {
+LinearizedSystem SystemInstance::linearize(const SystemPoint& point) const {
   const int vehicle_states = static_cast<int>(system_->vehicle.states.size());
-  Linearization l{Eigen::MatrixXd::Zero(states_, states_), Eigen::MatrixXd::Zero(measurements_, states_),
-                  Eigen::VectorXd(measurements_), Eigen::MatrixXd::Zero(states_, states_),
-                  Eigen::MatrixXd::Zero(measurements_, states_)};
+  LinearizedSystem l{Eigen::MatrixXd::Zero(states_, states_), Eigen::MatrixXd::Zero(measurements_, states_),
+                     Eigen::VectorXd(measurements_), Eigen::MatrixXd::Zero(states_, states_),
+                     Eigen::MatrixXd::Zero(measurements_, states_)};
   int row = 0;
   visit(point, true, [&](Owner owner, const Block& block, int, int first, const Evaluation& e) {
     const RowWriter writer{vehicle_states, owner == Owner::landmark ? first : -1};
@@ -123,12 +123,12 @@ Linearization SystemInstance::linearize(const SystemPoint& point) const {
   return l;
 }
 
-Linearization SystemInstance::error_form(const SystemPoint& point) const {
+LinearizedSystem SystemInstance::error_form(const SystemPoint& point) const {
   if (!has_error_form()) return linearize(point);
   const int vehicle_states = static_cast<int>(system_->vehicle.states.size());
-  Linearization l{Eigen::MatrixXd::Zero(states_, states_), Eigen::MatrixXd::Zero(measurements_, states_),
-                  Eigen::VectorXd(measurements_), Eigen::MatrixXd::Zero(states_, states_),
-                  Eigen::MatrixXd::Zero(measurements_, states_)};
+  LinearizedSystem l{Eigen::MatrixXd::Zero(states_, states_), Eigen::MatrixXd::Zero(measurements_, states_),
+                     Eigen::VectorXd(measurements_), Eigen::MatrixXd::Zero(states_, states_),
+                     Eigen::MatrixXd::Zero(measurements_, states_)};
   int row = 0;
   visit(point, false, [&](Owner owner, const Block& block, int, int first, const Evaluation& e) {
     const RowWriter writer{vehicle_states, owner == Owner::landmark ? first : -1};

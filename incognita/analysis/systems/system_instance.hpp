@@ -39,9 +39,9 @@ class SystemInstance {
   /// F of linearize(), without computing H.
   Eigen::MatrixXd rate_derivative(const SystemPoint& point) const;
   /// With exact derivatives.
-  Linearization linearize(const SystemPoint& point) const;
+  LinearizedSystem linearize(const SystemPoint& point) const;
   /// In the coordinates of the stated error form; with exact derivatives if there is none.
-  Linearization error_form(const SystemPoint& point) const;
+  LinearizedSystem error_form(const SystemPoint& point) const;
   /// The directions named in the file at this point, those of single landmarks first; `of_error_form`: those
   /// of the error form.
   std::vector<NamedDirection> directions(const SystemPoint& point, bool of_error_form) const;

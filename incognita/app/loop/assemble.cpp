@@ -64,7 +64,7 @@ Assembly assembled(const LoadedScenario& loaded) {
   const bool scale_is_known = target.has_value();
   std::vector<std::string> notes;
   Environment environment = scenario.is_recording() ? recorded_environment(loaded, camera, notes)
-                                                              : rendered_environment(loaded, camera, target);
+                                                    : rendered_environment(loaded, camera, target);
   return {
       {std::move(environment.clock), std::move(environment.world), std::move(environment.sensor),
        std::make_unique<SlamEstimator>(

@@ -153,8 +153,8 @@ TeamAssembly simulated(const LoadedScenario& loaded) {
       held ? fmt::format("[{}]", fmt::join(s.controller.input, ", ")) : word_of(s.controller.law), [&] {
         return std::make_unique<TeamController>(std::move(steering), period_s, s.operator_settings.holds);
       });
-  auto points =
-      std::make_unique<TeamSensor>(vehicles, point_landmarks, s.sensor.measures_vehicles, seed, names_of(team));
+  auto points = std::make_unique<TeamSensor>(vehicles, point_landmarks, s.sensor.measures_vehicles, seed,
+                                             names_of(team));
   auto association_truth = names_of(team) ? points->truth() : nullptr;
   return {{std::make_unique<FixedRateClock>(s.run.rate_hz, s.run.duration_s), world_of(s, vehicles, ground),
            std::move(points), std::move(estimator), strategy_of(s, team), std::move(controller)},
@@ -205,8 +205,8 @@ TeamAssembly recorded(const LoadedScenario& loaded) {
       warnings.push_back(fmt::format("robot {}: {}", i + 1, warning));
   }
   return {{std::move(clock), std::make_unique<RangeWorld>(robots),
-           std::make_unique<RangeSensor>(
-               robots, RangeSensorSettings{s.planar.sensor.max_range_m, Fixes::none, s.sensor.measures_vehicles}),
+           std::make_unique<RangeSensor>(robots, RangeSensorSettings{s.planar.sensor.max_range_m, Fixes::none,
+                                                                     s.sensor.measures_vehicles}),
            estimator_of(loaded, team), std::make_unique<NoDecision>(),
            std::make_unique<TeamController>(std::vector<VehicleSteering>{}, 1)},
           team,

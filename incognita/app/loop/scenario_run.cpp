@@ -160,7 +160,8 @@ RunOutcome run_vehicle(const LoadedScenario& loaded, const SinkFactory& open, co
   info.ate_alignment = assembly.frame_is_fixed ? "none" : "se3";
   info.truth_recorded = !assembly.recording().truth.empty();
   info.warnings = assembly.warnings;
-  info.survey = survey_of(assembly.recording(), loaded.scenario.planar.association.method == DataAssociationSettings::Method::known);
+  info.survey = survey_of(assembly.recording(), loaded.scenario.planar.association.method ==
+                                                    DataAssociationSettings::Method::known);
   return run_parts(assembly.parts, info, loaded, open, callbacks);
 }
 

@@ -37,7 +37,8 @@ EstimatorSettings single_vehicle(const PlanarSlamSettings& s,
   team.filter.map_frame = s.filter.map_frame;
   team.filter.decorrelate = s.filter.decorrelate;
   team.association = s.association;
-  if (s.association.method == DataAssociationSettings::Method::known) team.filter.gate_probability = s.association.gate_probability;
+  if (s.association.method == DataAssociationSettings::Method::known)
+    team.filter.gate_probability = s.association.gate_probability;
   team.health.max_sigma_position_m = s.lost.max_sigma_position_m;
   team.health.max_ticks = s.lost.max_unmatched_scans;
   team.anchors_have_identity = s.association.method == DataAssociationSettings::Method::known;

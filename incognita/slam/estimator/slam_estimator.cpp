@@ -110,8 +110,9 @@ namespace {
 
 AnyBelief empty_belief(const MapperSettings& filter) {
   if (filter.form == BeliefForm::information) return AnyBelief(InformationBelief());
-  return AnyBelief(Belief(
-      64, filter.decorrelate == Decorrelation::map_linear ? MapCorrelations::block_diagonal : MapCorrelations::full));
+  return AnyBelief(Belief(64, filter.decorrelate == Decorrelation::map_linear
+                                  ? MapCorrelations::block_diagonal
+                                  : MapCorrelations::full));
 }
 
 /// Adds the body and, for a map in its frame, the pose of the world relative to it.
@@ -291,7 +292,8 @@ void SlamEstimator::update_map(Estimate& e, StageClock& stage) {
   convert_converged_inverse_depths(e, settings_);
   stage.mark("births");
   recenter_map(e);
-  if (settings_.filter.decorrelate == Decorrelation::everything) e.belief.decorrelate(Belief::Scope::everything);
+  if (settings_.filter.decorrelate == Decorrelation::everything)
+    e.belief.decorrelate(Belief::Scope::everything);
   if (settings_.filter.decorrelate == Decorrelation::map) e.belief.decorrelate(Belief::Scope::map);
   stage.mark("decorrelate");
 }

@@ -21,7 +21,9 @@ SmallVector residual_of(const AnySensor& sensor, const SmallVector& measured, co
   return residual;
 }
 
-bool uses_first_estimates(const EstimatorSettings& s) { return s.filter.linearization == Linearization::first_estimate; }
+bool uses_first_estimates(const EstimatorSettings& s) {
+  return s.filter.linearization == Linearization::first_estimate;
+}
 
 /// The observed point, with the belief block that it depends on.
 struct Target {

@@ -17,7 +17,8 @@ LinearizedMotion linearized_motion(const BodyModel& body_model, Linearization li
     constexpr int m = Model::input_size;
     const typename Model::template Input<double> u = input;
     const Eigen::Matrix<double, m, m> noise = Q;
-    if (linearization == Linearization::unscented_vehicle) return unscented(model, belief, block, u, noise, dt);
+    if (linearization == Linearization::unscented_vehicle)
+      return unscented(model, belief, block, u, noise, dt);
     return linearized(model, belief, block, u, noise, dt);
   };
   // A commanded camera steps as printed in (5.24): its velocity changes at the start of the tick

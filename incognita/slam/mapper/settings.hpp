@@ -87,8 +87,8 @@ enum class Decorrelation {
 struct MapperSettings {
   BeliefForm form = BeliefForm::covariance;
   Linearization linearization = Linearization::analytic;
-  double gate_probability = 1;             ///< of a correct match; matches outside are outliers. 1: no gate
-  double inverse_depth_per_m = 0.25;       ///< prior mean of the inverse depth, for sensors without range
+  double gate_probability = 1;        ///< of a correct match; matches outside are outliers. 1: no gate
+  double inverse_depth_per_m = 0.25;  ///< prior mean of the inverse depth, for sensors without range
   double sigma_inverse_depth_per_m = 0.25;
   /// Linearity index below which an inverse depth is converted to a point. 0.1 suffices for a single
   /// measurement, but a map accumulates the error of each.

@@ -127,7 +127,8 @@ std::string validate_body(const BodyModel& b, const EstimatorSettings& s) {
   for (const PointSensor& sensor : b.sensors)
     for (const std::string& problem : {validate_sensor(b, sensor), validate_anchors(sensor, s)})
       if (!problem.empty()) return problem;
-  if (s.filter.linearization == Linearization::first_estimate && !(is_planar(b) && measures_points_of_plane(b)))
+  if (s.filter.linearization == Linearization::first_estimate &&
+      !(is_planar(b) && measures_points_of_plane(b)))
     return "first-estimate Jacobians are derived for ranges and bearings on a plane only";
   return s.filter.linearization == Linearization::iterated ? validate_iterated(b, s) : "";
 }

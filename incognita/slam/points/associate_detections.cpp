@@ -107,7 +107,8 @@ struct Association {
   }
 
   void landmarks(int body, const std::vector<PointDetection>& detections) {
-    if (settings.association.method == DataAssociationSettings::Method::known) return by_identity(body, detections);
+    if (settings.association.method == DataAssociationSettings::Method::known)
+      return by_identity(body, detections);
     const std::size_t sensors = settings.bodies[static_cast<std::size_t>(body)].sensors.size();
     if (sensors <= 1) return by_position(body, detections);
     for (std::size_t k = 0; k < sensors; ++k) {

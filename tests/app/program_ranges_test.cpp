@@ -236,6 +236,8 @@ TEST_F(ProgramRanges, RefusesCameraSettings) {
 }
 
 TEST_F(ProgramRanges, RefusesIncompatibleFilterOptions) {
+  EXPECT_SAYS(refused({"--set", "estimator.map_frame=vehicle", "--set", "estimator.decorrelate=map"}).err,
+              "estimator.decorrelate");
   EXPECT_SAYS(
       refused({"--set", "estimator.map_frame=vehicle", "--set", "estimator.linearization=first-estimate"})
           .err,

@@ -61,8 +61,9 @@ TEST(Config, ListsTheSettingsOfAllScenarios) {
   std::set<std::string> keys;
   for (const nlohmann::json& setting : document.at("settings")) {
     EXPECT_TRUE(keys.insert(setting.at("key")).second) << setting;
-    if (setting.at("key") == "path.radius_m")
+    if (setting.at("key") == "path.radius_m") {
       EXPECT_HAS(setting.at("with").get<std::string>(), "path.type = \"circle\"");
+    }
   }
   for (const char* key :
        {"run.seed", "camera.k1", "path.points_m", "sensor.baseline_m", "vehicle.wheelbase_m",

@@ -163,8 +163,9 @@ SlamEstimator with_camera_and_scanner(const Eigen::Vector3d& start, bool camera,
   const Scenario& s = setup().scenario;
   EstimatorSettings settings;
   BodyModel body = body_with_sensor(
-      DifferentialDrive{}, RangeBearingSensor{}, start, Eigen::Vector3d(0.02, 0.02, 0.01),
-      Eigen::Vector2d(sigma_speed_m_s, sigma_turn_rad_s), Eigen::Vector2d(sigma_range_m, sigma_bearing_rad));
+      DifferentialDrive{}, make_sensor("range-bearing", traits_of(AnyMotion(DifferentialDrive{}))), start,
+      Eigen::Vector3d(0.02, 0.02, 0.01), Eigen::Vector2d(sigma_speed_m_s, sigma_turn_rad_s),
+      Eigen::Vector2d(sigma_range_m, sigma_bearing_rad));
   if (!scanner) body.sensors.clear();
   settings.bodies.push_back(body);
   settings.health.max_sigma_position_m = 1;

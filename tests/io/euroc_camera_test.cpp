@@ -67,7 +67,7 @@ TEST(EurocCamera, IsReadInOtherYamlStyles) {
   ASSERT_TRUE(sensor.camera);
   EXPECT_EQ(sensor.camera->camera.fu_px, 450);
   EXPECT_EQ(sensor.camera->camera.v0_px, 200.5);
-  EXPECT_EQ(sensor.camera->camera.k3, 0.5);
+  EXPECT_EQ(std::get<PinholeLens>(sensor.camera->camera.model).k3, 0.5);
   EXPECT_FALSE(sensor.body_from_camera);
   EXPECT_FALSE(read("sensor_type: camera\n").camera);
 }

@@ -18,7 +18,7 @@ Tracking with_outcomes(const std::vector<MatchOutcome>& outcomes) {
     match.id = new_id(t.estimate);
     match.outcome = outcome;
     t.estimate.landmarks[match.id].fixed = true;
-    t.tracked.features[match.id] = {};
+    t.tracked.features.try_emplace(match.id);
     t.tracked.matches.push_back(match);
   }
   return t;
@@ -31,7 +31,7 @@ const std::vector<MatchOutcome> one_of_each{MatchOutcome::matched, MatchOutcome:
 TEST(CountFramesAway, AMatchThatUpdatesTheFilterStartsAnew) {
   Tracking t = with_outcomes(one_of_each);
   const std::int64_t out_of_view = 5;
-  t.tracked.features[out_of_view] = {};
+  t.tracked.features.try_emplace(out_of_view);
   for (int frame = 1; frame <= 3; ++frame) {
     count_frames_away(t.tracked);
     EXPECT_EQ(t.feature(0).frames_away, 0);

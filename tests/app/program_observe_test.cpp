@@ -191,7 +191,7 @@ TEST(ProgramObserve, LocatesADivisionByZero) {
 
 TEST(ProgramObserve, RepeatsNothingOfTheAnswer) {
   EXPECT_EQ(observe({"planar", "--json"}).err, "") << "the answer contains the disagreements";
-  EXPECT_SAYS(observe({"planar", "--latex"}).err, "SOM over 3 segments leaves 2 unobservable");
+  EXPECT_SAYS(observe({"planar", "--latex"}).err, "SOM over 3 segments has nullity 2");
 }
 
 TEST(ProgramObserve, RefusesInapplicableOptions) {

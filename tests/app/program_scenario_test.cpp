@@ -81,12 +81,15 @@ TEST(ProgramScenario, RefusesCamerasThatCannotBe) {
   const std::pair<Words, std::string> wrong[] = {
       {{"camera.fu_px=-195"}, "--set: camera.fu_px = -195: must be more than 0"},
       {{"camera.fv_px=0"}, "--set: camera.fv_px = 0: must be more than 0"},
-      {{"camera.u0_px=400"}, "--set: camera.u0_px = 400.0: camera u0_px must lie inside the image width"},
-      {{"camera.v0_px=-3"}, "--set: camera.v0_px = -3.0: camera v0_px must lie inside the image height"},
+      {{"camera.u0_px=400"},
+       "--set: camera.u0_px = 400.0: must lie inside the image, 0 to 320 (camera.width_px)"},
+      {{"camera.v0_px=-3"},
+       "--set: camera.v0_px = -3.0: must lie inside the image, 0 to 240 (camera.height_px)"},
       {{"camera.width_px=0"}, "--set: camera.width_px = 0: must be 16 to 16384"},
       {{"camera.kd1_per_px2=9"}, "is its unit right?"},
-      {{"camera.k1=-0.3"}, "--set: camera.k1 = -0.3: must be 0, camera.model being `wide-angle`"},
-      {{"camera.model=pinhole", "camera.kd1_per_px2=1e-6"}, "must be 0, camera.model being `pinhole`"},
+      {{"camera.k1=-0.3"}, "--set: `camera.k1` belongs to `camera.model = \"pinhole\"`"},
+      {{"camera.model=pinhole", "camera.kd1_per_px2=1e-6"},
+       "--set: `camera.kd1_per_px2` belongs to `camera.model = \"wide-angle\"`"},
   };
   for (const auto& [sets, message] : wrong) {
     Words words = {"room"};

@@ -108,13 +108,14 @@ class RecordedTeamWithGaps : public ::testing::Test {
  protected:
   RecordedTeamWithGaps() {
     team_.write(scratch_, "recording");
-    scratch_.write("s.toml",
-                   "[world]\ntype = \"recording\"\n[sensor]\ntype = \"range-bearing\"\n[recording]\n"
-                   "folder = \"" +
-                       (scratch_.folder() / "recording").string() +
-                       "\"\nformat = \"mrclam\"\nteam = true\n\n[vehicle]\nmodel = \"differential-drive\"\n"
-                       "sigma_speed_m_s = 0.1\nsigma_turn_rate_rad_s = 0.1\n[sensor]\nsigma_range_m = 0.1\n"
-                       "sigma_bearing_rad = 0.05\n");
+    scratch_.write(
+        "s.toml",
+        "[world]\ntype = \"recording\"\n[recording]\n"
+        "folder = \"" +
+            (scratch_.folder() / "recording").string() +
+            "\"\nformat = \"mrclam\"\nteam = true\n\n[vehicle]\nmodel = \"differential-drive\"\n"
+            "sigma_speed_m_s = 0.1\nsigma_turn_rate_rad_s = 0.1\n[sensor]\ntype = \"range-bearing\"\nsigma_range_m = 0.1\n"
+            "sigma_bearing_rad = 0.05\n");
   }
 
   std::filesystem::path run() const { return scratch_.folder() / "run"; }

@@ -158,7 +158,7 @@ TEST(MrclamTeam, RefusesInvalidFiles) {
   EXPECT_HAS(with("Robot2_Odometry.dat", "100.6 0.2 0\n101 fast 0\n"),
              "Robot2_Odometry.dat:2: column 2 must be a number, and is `fast`");
   EXPECT_HAS(with("Robot2_Odometry.dat", "100.6 0.2\n"),
-             "Robot2_Odometry.dat:1: has 2 columns, column 3 is wanted");
+             "Robot2_Odometry.dat:1: has 2 columns, column 3 is required");
   EXPECT_HAS(
       with("Robot2_Odometry.dat", "100.6 0.2 0\n100 0 0\n"),
       "Robot2_Odometry.dat:2: the times must not go backwards: 100 comes after 100.6; sort the rows by time");
@@ -173,7 +173,7 @@ TEST(MrclamTeam, RefusesInvalidFiles) {
   EXPECT_HAS(with("Robot4_Measurement.dat", "500 14 5 1\n"),
              "robot 4: the odometry (100 s to 102 s) and the scans (500 s to 500 s) do not overlap in time");
   EXPECT_HAS(with("Robot1_Groundtruth.dat", "1 2 3\n"),
-             "Robot1_Groundtruth.dat:1: has 3 columns, column 4 is wanted");
+             "Robot1_Groundtruth.dat:1: has 3 columns, column 4 is required");
   EXPECT_HAS(with("Barcodes.dat", "1 5\n2 5\n"), "Barcodes.dat:2: barcode 5 is already that of subject 1");
   EXPECT_HAS(with("Landmark_Groundtruth.dat", "6 0 0\n6 1 1\n"),
              "Landmark_Groundtruth.dat:2: there is already a landmark 6");

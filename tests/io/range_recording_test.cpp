@@ -260,7 +260,7 @@ TEST(RangeTables, RefuseFilesWithoutRowsAndDifferentClocks) {
   EXPECT_HAS(
       detections_complaint(seen + "1305031102.17,1,0,1\n"),
       "the odometry (0 s to 0.2 s) and the scans (1305031102.17 s to 1305031102.17 s) do not overlap in "
-      "common");
+      "time");
   Tables tables;
   tables.truth = "t_s,x_m,y_m\n1305031102.17,0,0\n";
   EXPECT_HAS(all_notes(tables.read()), "the truth (1305031102.17 s to");
@@ -615,7 +615,7 @@ TEST(Mrclam, RefusesInvalidFiles) {
   EXPECT_HAS(Mrclam().with("Robot2_Odometry.dat", "1 nan 0\n").complaint(),
              "Robot2_Odometry.dat:1: column 2 must be a number, and is `nan`");
   EXPECT_HAS(Mrclam().with("Robot2_Measurement.dat", "100.6 63 1\n").complaint(),
-             "Robot2_Measurement.dat:1: has 3 columns, column 4 is wanted");
+             "Robot2_Measurement.dat:1: has 3 columns, column 4 is required");
   EXPECT_HAS(Mrclam().with("Robot2_Groundtruth.dat", "2 0 0 0\n1 0 0 0\n").complaint(),
              "Robot2_Groundtruth.dat:2: the times must not go backwards");
   EXPECT_HAS(Mrclam().with("Landmark_Groundtruth.dat", "6 0 0\n6 1 1\n").complaint(),

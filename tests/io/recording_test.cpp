@@ -220,14 +220,14 @@ TEST(TumRecording, RefusesInvalidTables) {
     return message_of([&] { read_recording(scratch.folder(), "tum", 30); });
   };
   EXPECT_HAS(complaint("# nothing\n"), "rgb.txt: lists no images");
-  EXPECT_HAS(complaint("# c\n1.5\n"), "rgb.txt:2: has 1 columns, column 2 is wanted");
+  EXPECT_HAS(complaint("# c\n1.5\n"), "rgb.txt:2: has 1 columns, column 2 is required");
   EXPECT_HAS(complaint("x a.png\n"), "rgb.txt:1: column 1 must be a number, and is `x`");
   EXPECT_HAS(complaint("nan a.png\n"), "column 1 must be a number");
   EXPECT_HAS(complaint("2 a.png\n1 b.png\n"), "rgb.txt:2: the stamps must increase, 1 does not");
   EXPECT_HAS(complaint("1 a.png\n", "1 0 0 0 0 0 0 0\n"),
              "groundtruth.txt:1: columns 5 to 8 must be a unit quaternion");
   EXPECT_HAS(complaint("1 a.png\n", "1 0 0 0 0 0 0\n"),
-             "groundtruth.txt:1: has 7 columns, column 8 is wanted");
+             "groundtruth.txt:1: has 7 columns, column 8 is required");
   EXPECT_HAS(complaint("1 a.png\n", "2 0 0 0 0 0 0 1\n1 0 0 0 0 0 0 1\n"),
              "groundtruth.txt:2: the stamps must not");
 }

@@ -477,16 +477,15 @@ TEST(SystemFile, RefusesTooManyEntries) {
   };
   EXPECT_HAS(complaint_of("[states]\n", many("k", 63, " = 0")),
              "s.toml:76:1: there are 65 states; at most 64 are allowed");
-  EXPECT_HAS(complaint_of("[measurements]\n", many("k", 64, " = 0")), "there are 65 measurements here");
-  EXPECT_HAS(complaint_of("[definitions]\n", many("k", 255, " = 0")), "there are 257 definitions here");
-  EXPECT_HAS(complaint_of("[parameters]\n", many("k", 256, " = 0")), "there are 257 parameters here");
-  EXPECT_HAS(complaint_of("[inputs]\n", many("k", 64, " = [0, 1]")), "there are 65 inputs here");
-  EXPECT_HAS(complaint_of("[anchor.constants]\n", many("k", 64, " = [0, 1]")), "there are 65 constants here");
-  EXPECT_HAS(complaint_of("half = \"drag/2\"\n", many("[motion.k", 64, "]")), "there are 65 motions here");
-  EXPECT_HAS(complaint_of("half = \"drag/2\"\n", many("[directions.k", 64, "]")),
-             "there are 65 directions here");
+  EXPECT_HAS(complaint_of("[measurements]\n", many("k", 64, " = 0")), "there are 65 measurements");
+  EXPECT_HAS(complaint_of("[definitions]\n", many("k", 255, " = 0")), "there are 257 definitions");
+  EXPECT_HAS(complaint_of("[parameters]\n", many("k", 256, " = 0")), "there are 257 parameters");
+  EXPECT_HAS(complaint_of("[inputs]\n", many("k", 64, " = [0, 1]")), "there are 65 inputs");
+  EXPECT_HAS(complaint_of("[anchor.constants]\n", many("k", 64, " = [0, 1]")), "there are 65 constants");
+  EXPECT_HAS(complaint_of("half = \"drag/2\"\n", many("[motion.k", 64, "]")), "there are 65 motions");
+  EXPECT_HAS(complaint_of("half = \"drag/2\"\n", many("[directions.k", 64, "]")), "there are 65 directions");
   EXPECT_HAS(complaint_of("half = \"drag/2\"\n", "[motion.z.draw]\n" + many("k", 65, " = [0, 1]")),
-             "there are 65 draws here");
+             "there are 65 draws");
   EXPECT_HAS(complaint(whole + "#" + std::string(1 << 20, '-')), "bytes are too many");
 }
 

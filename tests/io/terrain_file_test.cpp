@@ -76,9 +76,9 @@ std::string complaint(const std::string& text, const std::string& bytes, const c
 
 TEST(TerrainFile, RefusesFilesThatAreNotHeightMaps) {
   const std::string text = points + image;
-  EXPECT_HAS(complaint(text, ""), "mine.toml:8: terrain.file = \"ground.png\": there is no such file");
+  EXPECT_HAS(complaint(text, ""), "mine.toml:9: terrain.file = \"ground.png\": there is no such file");
   const std::string noise = complaint(text, "this is no image");
-  EXPECT_HAS(noise, "mine.toml:8: terrain.file = \"ground.png\": ");
+  EXPECT_HAS(noise, "mine.toml:9: terrain.file = \"ground.png\": ");
   EXPECT_HAS(noise, "ground.png: is not an image");
   EXPECT_HAS(noise, "take a grey image of 8 or 16 bits");
   EXPECT_HAS(complaint(text, "P5\n4 4\n255\n123"), "the file is truncated");
@@ -88,7 +88,7 @@ TEST(TerrainFile, RefusesFilesThatAreNotHeightMaps) {
 TEST(TerrainFile, RefusesAnImageThatDoesNotContainTheStart) {
   const std::string start = "[start]\npositions_m = [[0, 0, 0], [3, 2.5, 0]]\nheadings_rad = [0]\n";
   const std::string why = complaint(points + image + start, "", ground<std::uint8_t>(255, 51));
-  EXPECT_HAS(why, "mine.toml:9: terrain.size_m = 8: the image reaches 8 m by 4 m about the origin");
+  EXPECT_HAS(why, "mine.toml:10: terrain.size_m = 8: the image reaches 8 m by 4 m about the origin");
   EXPECT_HAS(why, "starts at [3, 2.5] (start.positions_m): make the image larger or terrain.size_m more");
 }
 

@@ -170,7 +170,7 @@ TEST(CampaignMeasures, AreTheNumbersOfASummary) {
   for (const auto& [name, value] : run.measures) names.push_back(name);
   EXPECT_EQ(names, (std::vector<std::string>{"frames", "entropy.total", "ate_m", "vehicles.1.ate_m",
                                              "vehicles.2.ate_m", "consistency.outlier_share",
-                                             "observability.directions.turn_about_x.sigma"}));
+                                             "observability.directions.rotation_about_x.sigma"}));
   EXPECT_TRUE(std::isnan(value_of(run.measures, "ate_m")));
   EXPECT_EQ(value_of(run.measures, "vehicles.2.ate_m"), 2);
   ASSERT_EQ(run.timings.size(), 1u);

@@ -227,7 +227,7 @@ TEST(Plant, RefusesInvalidSettings) {
          {&PlantSettings::start, &PlantSettings::start_sigmas, &PlantSettings::input_sigmas,
           &PlantSettings::least_input, &PlantSettings::most_input}) {
       EXPECT_HAS(complaint([&](auto& s) { (s.*member).conservativeResize((s.*member).size() - 1); }),
-                 "belong");
+                 "numbers, expected");
       EXPECT_HAS(complaint([&](auto& s) { (s.*member)[0] = nan; }), "must be finite");
     }
     EXPECT_HAS(complaint([](auto& s) { s.start_sigmas[0] = -1; }), "zero or positive");

@@ -96,6 +96,8 @@ void read(LoadedScenario& loaded, Given given) {
   loaded.settings = by_section(reader.settings());
   for (const SettingInForce& setting : loaded.settings) loaded.sources[setting.key] = setting.source;
   for (const auto& [order, line] : reader.overrides()) loaded.overrides.push_back(line);
+  for (const LeftOut& one : left_out_by_command_line(given.values, reader))
+    loaded.overrides.push_back(one.note);
   for (const Contradiction& found : find_contradictions(loaded.scenario)) {
     const auto setting = std::find_if(loaded.settings.begin(), loaded.settings.end(),
                                       [&](const SettingInForce& s) { return s.key == found.key; });

@@ -47,11 +47,12 @@ void search(const GivenValues& given, bool strict, Visit visit) {
     const Choices choices = std::move(next.front());
     next.pop_front();
     const auto current = settings_with(given, choices, false);
-    for (const SettingInForce& setting : *current)
-      for (const std::string& option : setting.options) {
-        if (option == setting.value || choices.contains(setting.key)) continue;
+    // The last choice is the most specific one, and explains best
+    for (auto setting = current->rbegin(); setting != current->rend(); ++setting)
+      for (const std::string& option : setting->options) {
+        if (option == setting->value || choices.contains(setting->key)) continue;
         Choices other = choices;
-        other[setting.key] = option;
+        other[setting->key] = option;
         const auto settings = settings_with(given, other, strict);
         if (!settings) continue;
         if (!visit(other, *settings)) return;
@@ -158,11 +159,31 @@ std::vector<std::string> explained_problems(const GivenValues& given, const Sett
   return problems;
 }
 
+std::vector<LeftOut> left_out_by_command_line(const GivenValues& given, const SettingReader& reader) {
+  GivenValues in_file;
+  for (const auto& [key, values] : given)
+    if (values.front().order == 0) in_file[key] = {values.front()};
+  SettingReader alone(in_file);
+  Scenario scenario;
+  read_settings(alone, scenario);
+  std::vector<LeftOut> left_out;
+  for (const auto& [key, values] : given)
+    if (!reader.has(key) && alone.has(key) && values.back().order == 0)
+      left_out.push_back(
+          {key, fmt::format("{} ({}) is left out: it belongs to a choice that the command line replaces", key,
+                            values.back().source)});
+  return left_out;
+}
+
 std::vector<std::string> explain_unknown(const GivenValues& given, const SettingReader& reader) {
   std::vector<std::string> problems;
   std::set<std::string> explained;  // sections
+  const std::vector<LeftOut> left_out = left_out_by_command_line(given, reader);
+  const auto is_left_out = [&](const std::string& key) {
+    return std::any_of(left_out.begin(), left_out.end(), [&](const LeftOut& l) { return l.key == key; });
+  };
   for (const auto& [key, values] : given) {
-    if (reader.has(key)) continue;
+    if (reader.has(key) || is_left_out(key)) continue;
     const GivenValue& value = values.back();
     const std::string section = section_of(key);
     if (const std::string now = new_key(key); !now.empty()) {

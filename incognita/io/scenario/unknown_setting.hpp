@@ -24,7 +24,15 @@ std::vector<CataloguedSetting> all_settings();
 /// The problems of the reader; a word that other choices admit is explained.
 std::vector<std::string> explained_problems(const GivenValues& given, const SettingReader& reader);
 
-/// Explains the given values of settings that were not visited, one line each.
+/// A setting of the file that belongs to a choice of the file that the command line replaces: it means nothing any
+/// more, and is no mistake.
+struct LeftOut {
+  std::string key;
+  std::string note;
+};
+std::vector<LeftOut> left_out_by_command_line(const GivenValues& given, const SettingReader& reader);
+
+/// Explains the other given values of settings that were not visited, one line each.
 std::vector<std::string> explain_unknown(const GivenValues& given, const SettingReader& reader);
 
 }  // namespace incognita

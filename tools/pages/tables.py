@@ -83,7 +83,7 @@ NUMBER = r"(-?[\d.]+(?:e[+-]\d+)?)"
 COMPARISON = re.compile(rf"entropy less that of (?:moving |driving |the )?([a-z ]+): {NUMBER} \({NUMBER} to {NUMBER}\) nats .*?"
                         r"lower in (\d+) of (\d+) rooms.*?diverged (\d+) and (\d+), "
                         rf"position error {NUMBER} and {NUMBER} m \(median\)")
-COVERAGE = re.compile(rf"([a-z() ,]+): entropy {NUMBER} .*? located, {NUMBER} \([^()]*\) % seen")
+COVERAGE = re.compile(rf"([a-z() ,]+): entropy {NUMBER} .*? located, {NUMBER} \([^()]*\) % covered")
 
 
 def plain(number: str) -> str:

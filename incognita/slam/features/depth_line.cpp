@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "incognita/slam/features/each_feature.hpp"
 #include "incognita/slam/features/map_management.hpp"
 #include "incognita/slam/features/predict_matches.hpp"
 
@@ -175,21 +176,18 @@ bool follow(Landmark& line, Feature& feature, CorrelationSheet& sheet, const Sum
 
 void update_depth_lines(const SummedImage& image, Estimate& estimate, TrackedCamera& camera) {
   CorrelationSheet sheet;
-  for (auto next = camera.features.begin(); next != camera.features.end();) {
-    const auto at = next++;
-    Landmark& landmark = estimate.landmarks.at(at->first);
-    if (landmark.form.kind != LandmarkParametrization::Kind::ray) continue;
-    if (!follow(landmark, at->second, sheet, image, estimate, camera))
-      remove_landmark(estimate, camera, at->first);
-  }
+  for_each_feature(estimate, camera.features, [&](Landmark& landmark, Feature& feature) {
+    if (landmark.form.kind != LandmarkParametrization::Kind::ray) return;
+    if (!follow(landmark, feature, sheet, image, estimate, camera))
+      remove_landmark(estimate, camera, landmark.id);
+  });
 }
 
 void drop_depth_lines(Estimate& estimate, TrackedCamera& camera) {
-  for (auto next = camera.features.begin(); next != camera.features.end();) {
-    const std::int64_t id = (next++)->first;
-    if (estimate.landmarks.at(id).form.kind == LandmarkParametrization::Kind::ray)
-      remove_landmark(estimate, camera, id);
-  }
+  for_each_feature(estimate, camera.features, [&](const Landmark& landmark, const Feature&) {
+    if (landmark.form.kind == LandmarkParametrization::Kind::ray)
+      remove_landmark(estimate, camera, landmark.id);
+  });
 }
 
 }  // namespace incognita

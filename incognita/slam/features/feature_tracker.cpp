@@ -4,6 +4,7 @@
 
 #include "incognita/slam/features/active_search.hpp"
 #include "incognita/slam/features/depth_line.hpp"
+#include "incognita/slam/features/each_feature.hpp"
 #include "incognita/slam/features/estimate_patch_planes.hpp"
 #include "incognita/slam/features/landmark_initialization.hpp"
 #include "incognita/slam/features/map_management.hpp"
@@ -147,11 +148,10 @@ void FeatureTracker::add_landmarks(Estimate& estimate) {
   const InitializationSettings& initialization = camera_.settings.initialization;
   const int visible = static_cast<int>(camera_.matches.size());
   int rays = 0, mapped = 0;
-  for (const auto& [id, feature] : camera_.features) {
-    const Landmark& landmark = estimate.landmarks.at(id);
+  for_each_feature(estimate, camera_.features, [&](const Landmark& landmark, const Feature&) {
     rays += landmark.form.kind == LandmarkParametrization::Kind::ray;
     mapped += landmark.mapped();
-  }
+  });
   for (int i = 0; i < initialization.max_new_per_frame; ++i) {
     if (visible + rays + i >= camera_.settings.map.wanted_visible) return;
     if (mapped + rays >= camera_.settings.map.max_landmarks) return;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "incognita/slam/features/each_feature.hpp"
+
 namespace incognita {
 namespace {
 
@@ -29,31 +31,28 @@ void count_attempts(Estimate& estimate, TrackedCamera& camera) {
 
 void delete_bad_landmarks(Estimate& estimate, TrackedCamera& camera) {
   const MapSettings& settings = camera.settings.map;
-  for (auto next = camera.features.begin(); next != camera.features.end();) {
-    const auto& [id, feature] = *next++;
-    const Landmark& landmark = estimate.landmarks.at(id);
-    if (!landmark.mapped()) continue;
+  for_each_feature(estimate, camera.features, [&](const Landmark& landmark, const Feature& feature) {
+    if (!landmark.mapped()) return;
     const bool rarely_matched = feature.attempts >= settings.min_attempts &&
                                 landmark.detection_count < settings.min_matched_share * feature.attempts;
     const bool beyond_infinity = is_inverse_depth(landmark) && estimate.belief.mean(landmark.block)[5] < 0;
-    if (rarely_matched || beyond_infinity) remove_landmark(estimate, camera, id);
-  }
+    if (rarely_matched || beyond_infinity) remove_landmark(estimate, camera, landmark.id);
+  });
 }
 
 void simplify_landmarks(Estimate& estimate, const TrackedCamera& camera) {
   const Eigen::Vector3d from = free_camera::position(camera.view.camera);
-  for (const auto& [id, feature] : camera.features) {
-    Landmark& landmark = estimate.landmarks.at(id);
-    if (!is_inverse_depth(landmark)) continue;
+  for_each_feature(estimate, camera.features, [&](Landmark& landmark, const Feature&) {
+    if (!is_inverse_depth(landmark)) return;
     const InverseDepthLandmark axes{landmark.form.initial_axes};
     const InverseDepthLandmark::State y = estimate.belief.mean(landmark.block);
     const double variance = estimate.belief.covariance(landmark.block)(5, 5);
-    if (axes.linearity_index(y, variance, from) > camera.settings.initialization.max_linearity) continue;
+    if (axes.linearity_index(y, variance, from) > camera.settings.initialization.max_linearity) return;
     const auto point = axes.point(y);
     estimate.belief.replace(landmark.block, PointLandmark::chart, point.position, point.J,
                             Eigen::Matrix3d::Zero());
     landmark.form.kind = Kind::point;
-  }
+  });
 }
 
 void remove_landmark(Estimate& estimate, TrackedCamera& camera, std::int64_t id) {

@@ -3,6 +3,8 @@
 #include <Eigen/LU>
 #include <cmath>
 
+#include "incognita/slam/features/each_feature.hpp"
+
 namespace incognita {
 namespace {
 
@@ -127,17 +129,16 @@ LinearizedMeasurement relinearized_measurement(const FeatureMatch& match, const 
 void predict_matches(const Estimate& estimate, TrackedCamera& camera) {
   camera.matches.clear();
   Eigen::MatrixXd S(2, 2);
-  for (const auto& [id, feature] : camera.features) {
-    const Landmark& landmark = estimate.landmarks.at(id);
-    if (landmark.form.kind == LandmarkParametrization::Kind::ray) continue;
+  for_each_feature(estimate, camera.features, [&](const Landmark& landmark, const Feature& feature) {
+    if (landmark.form.kind == LandmarkParametrization::Kind::ray) return;
     auto match = predict_match(landmark, feature.view, estimate.belief, camera.camera, camera.view.camera,
                                camera.settings);
-    if (!match) continue;
+    if (!match) return;
     const LinearizedMeasurement measurement = linearized_measurement(*match, landmark, camera);
     estimate.belief.innovation_covariance({&measurement, 1}, S);
     match->innovation_cov = S;
     camera.matches.push_back(*std::move(match));
-  }
+  });
 }
 
 }  // namespace incognita

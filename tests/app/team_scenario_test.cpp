@@ -185,7 +185,9 @@ TEST(TeamScenario, RefusesAtStartWithTheReason) {
   refused({"run.rate_hz=10000", "run.duration_s=1e7"}, "run.duration_s", "ticks");
   refused({"association.method=nearest", "association.initialization_probability=0.9"},
           "association.initialization_probability", "inside the gate of a landmark");
-  refused({"points.file=nowhere.csv"}, "`points.count` belongs to", "points.file = \"nowhere.csv\"");
+  refused({"points.file=nowhere.csv"}, "points.file = \"nowhere.csv\"", "there is no such file");
+  refused({"points.file=nowhere.csv", "points.count=40"}, "`points.count` belongs to",
+          "points.file = \"nowhere.csv\"");
 }
 
 TEST(TeamScenario, RefusesVehiclesThatSeeEachOtherInOnePlace) {

@@ -423,7 +423,8 @@ TEST(LoadScenario, RefusesASectionOfAnotherSensor) {
              "vehicle.model = \"ackermann\": must be `free-camera` or `terrain`");
 }
 
-/// The choice of the command line decides, and what the file gives to another alternative is refused.
+/// The choice of the command line decides. The file's settings of the choice it replaces are left out, with a note each;
+/// settings of another choice are errors as soon as the command line gives them, or the file decides the choice itself.
 TEST(LoadScenario, ChoicesOfTheCommandLineComeFirst) {
   const std::string text =
       "[world]\ntype = \"points\"\n[sensor]\ntype = \"range-bearing\"\n[vehicle]\nmodel = "
@@ -432,9 +433,20 @@ TEST(LoadScenario, ChoicesOfTheCommandLineComeFirst) {
       loaded(text + "[path]\nradius_m = 3\n", {"path.type=circle", "path.rate_rad_s=0.1"});
   EXPECT_EQ(std::get<CirclePath>(circle.scenario.path.type).radius_m, 3);
   EXPECT_EQ(std::get<CirclePath>(circle.scenario.path.type).rate_rad_s, 0.1);
-  EXPECT_HAS(complaint(text + "[path]\ntype = \"circle\"\nradius_m = 3\n", {"path.type=point"}),
-             "mine.toml:12: `path.radius_m` belongs to `path.type = \"circle\" or \"back-and-forth\"`; here "
-             "`path.type = \"point\"`");
+
+  const std::string on_circle = text + "[path]\ntype = \"circle\"\nradius_m = 3\n";
+  const LoadedScenario point = loaded(on_circle, {"path.type=point"});
+  EXPECT_TRUE(std::holds_alternative<PointPath>(point.scenario.path.type));
+  ASSERT_EQ(point.overrides.size(), 2u);  // the choice itself and what goes with it
+  EXPECT_HAS(point.overrides[1], "path.radius_m (");
+  EXPECT_HAS(point.overrides[1],
+             "mine.toml:12) is left out: it belongs to a choice that the command line replaces");
+
+  const std::string belongs =
+      "`path.radius_m` belongs to `path.type = \"circle\" or \"back-and-forth\"`; here "
+      "`path.type = \"point\"`";
+  EXPECT_HAS(complaint(on_circle, {"path.type=point", "path.radius_m=3"}), "--set: " + belongs);
+  EXPECT_HAS(complaint(text + "[path]\ntype = \"point\"\nradius_m = 3\n"), "mine.toml:12: " + belongs);
 }
 
 /// Those of a strategy that is not chosen are taken, so that a campaign can vary the strategy.

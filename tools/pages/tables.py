@@ -73,7 +73,7 @@ def car_row(results: Results, folder: str) -> str:
 def camera_row(results: Results, folder: str) -> str:
     """Ranks of a camera without a target, and what it wrongly takes for known."""
     report = results.summary(folder)["observability"]
-    turn, scale = results.direction(folder, "turn about z"), results.direction(folder, "scale")
+    turn, scale = results.direction(folder, "rotation about z"), results.direction(folder, "scale")
     return (f"| `{folder.removeprefix('free-')}` | {report['rank']} | {report['ideal_rank']} | {report['errors']} | "
             f"{report['wrongly_believed']} | {math.degrees(turn['sigma_from_looks']):.2f} | "
             f"{percent(scale['sigma_from_looks'], 1)}, {percent(scale['believed_sigma'], 1)} |")

@@ -45,7 +45,7 @@ Claim stable() {
       cases.hold());
 }
 
-/// Largest landmark gain by the landmark's own measurement after so many steps.
+/// Largest landmark gain by the landmark's own measurement after the given number of steps.
 double landmark_gain(const Course& course, int step) {
   const MatrixXd& K = course.gain[step];
   return K.bottomRightCorner(K.rows() - 1, K.rows() - 1).diagonal().maxCoeff();

@@ -127,7 +127,7 @@ Claim inside_at_every_step() {
                   lowest > 0 && highest < 1);
 }
 
-/// How far the eigenvalue nearest to 1 is from it after so many steps of the example.
+/// How far the eigenvalue nearest to 1 is from it after a number of steps of the example.
 double distance_from_one(int steps) {
   const Setup setup{.anchored = true};
   const Eigen::MatrixXd first = monobot::first_covariance(setup);

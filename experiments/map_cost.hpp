@@ -6,7 +6,7 @@
 namespace incognita {
 
 /// Seconds of the fastest of 60 steps, each a prediction and an update with ten measurements of ten
-/// landmarks, on a map of so many. Times depend on the machine; only their growth is meaningful.
+/// landmarks, on a map of a given number of them. Times depend on the machine; only their growth is meaningful.
 double step_seconds(int landmarks, MapCorrelations correlations);
 
 }  // namespace incognita

@@ -9,7 +9,7 @@
 // 1e-9 of the largest and a factor of 1000 clear of the others. A printed null space when its vectors lie in
 // the computed one (to 1e-9), are independent and as many as its dimension. A state is observable when no
 // vector of the null space touches it. Claims about Q_1, SOM or TOM are assessed by them. Claims about the
-// system or its states - observable, recovered, so many modes - must hold for the motion itself as well;
+// system or its states - observable, recovered, a number of modes - must hold for the motion itself as well;
 // where they hold only for the matrices, or only for the motion, the claim holds as corrected when the null
 // space of the other is the one in `why`, and else it does not hold.
 #pragma once

@@ -30,7 +30,7 @@ inline Eigen::MatrixXd filtered(const LinearSystem& system, Eigen::MatrixXd P, i
 
 inline Eigen::MatrixXd start_of(const monobot::Setup& setup) { return monobot::first_covariance(setup); }
 
-/// The monobot's covariance after so many steps.
+/// The monobot's covariance after the given number of steps.
 inline Eigen::MatrixXd after(const monobot::Setup& setup, int steps) {
   return filtered(monobot::system(setup), start_of(setup), steps);
 }

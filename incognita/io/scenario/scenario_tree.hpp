@@ -15,7 +15,7 @@ struct FoundCamera {
   std::string source;
 };
 
-/// Looks for the calibration of the recording of a scenario that gives no camera.
+/// Searches for the calibration of the recording of a scenario that gives no camera.
 using CameraFinder = std::function<std::optional<FoundCamera>(const Scenario&)>;
 
 /// Visits every setting of the scenario from the top of the tree: world, sensor, vehicle, and what they need.

@@ -49,12 +49,11 @@ std::string validate_sensor(const BodyModel& b, const PointSensor& s) {
 std::string validate_information(const EstimatorSettings& s) {
   for (const BodyModel& m : s.bodies) {
     if (!(m.start_sigmas.minCoeff() > 0))
-      return "a start that is known exactly has infinite information, which the information form can not "
-             "tell: give all sigmas of a vehicle's start more than 0, or take `covariance`";
+      return "a start that is known exactly has infinite information, which the information form cannot "
+             "represent: give all sigmas of a vehicle's start more than 0, or take `covariance`";
     if (!measures_all_distances(m) && !(s.filter.sigma_inverse_depth_per_m > 0))
-      return "an inverse depth that is known exactly at birth has infinite information, which the "
-             "information "
-             "form can not tell: give it a sigma of more than 0, or take `covariance`";
+      return "an inverse depth that is known exactly at initialization has infinite information, which the "
+             "information form cannot represent: give it a sigma of more than 0, or take `covariance`";
   }
   return "";
 }

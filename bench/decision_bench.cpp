@@ -9,10 +9,11 @@
 #include <vector>
 
 #include "bench/timing.hpp"
-#include "incognita/app/loop/assemble.hpp"
+#include "incognita/app/loop/assembly.hpp"
 #include "incognita/app/loop/snapshot_of.hpp"
-#include "incognita/decision/camera_decision.hpp"
+#include "incognita/decision/decision.hpp"
 #include "incognita/decision/exploration.hpp"
+#include "incognita/decision/image_expectation.hpp"
 #include "incognita/models/heading.hpp"
 #include "incognita/models/wide_angle_camera.hpp"
 #include "incognita/slam/estimator/slam_estimator.hpp"
@@ -85,9 +86,9 @@ double by_determinants(const Eigen::MatrixXd& P, const ImaginedStep& step, const
 /// the method of the thesis does not consider.
 void evaluation(benchmark::State& state) {
   const Estimate e = among(static_cast<int>(state.range(0)));
-  CameraExpectation expectation(WideAngleCamera{}, twelve_looks());
+  ImageExpectation expectation(WideAngleCamera{}, twelve_looks());
   const Exploration unseen({.expected_landmarks = static_cast<int>(state.range(1))}, 1);
-  expectation.prepare(e, unseen.expected(), 1.5);
+  expectation.prepare(e, 0, unseen.expected(), 1.5);
   const Translations moves(seven_translations(0.3), 1, growth_over(1, 0.3, 0.3), {});
   InformationGain gain;
   ImaginedStep step;
@@ -144,9 +145,9 @@ BENCHMARK(evaluation)
 /// Sequences of that many actions, scored by look-ahead.
 void look_ahead(benchmark::State& state) {
   const Estimate e = among(100);
-  CameraExpectation expectation(WideAngleCamera{}, twelve_looks());
+  ImageExpectation expectation(WideAngleCamera{}, twelve_looks());
   const std::vector<ExpectedLandmark> nothing;
-  expectation.prepare(e, nothing, 1.5);
+  expectation.prepare(e, 0, nothing, 1.5);
   const Translations moves(seven_translations(0.3), 1, growth_over(1, 0.3, 0.3), {});
   LookAhead ahead({Metric::state, static_cast<int>(state.range(0)), 210, 3});
   for (auto _ : state)
@@ -195,22 +196,22 @@ void frame(benchmark::State& state) {
         estimate.belief.augment(Chart::line(3), at, {&parent, 1}, 1e-4 * Eigen::Matrix3d::Identity());
     estimate.landmarks.emplace(landmark.id, landmark);
   }
-  DecisionSettings settings;
-  settings.gaze = DecisionSettings::Gaze::mutual_information;
-  CameraDecision decision(WideAngleCamera{}, twelve_looks(), settings,
-                          {.expected_landmarks = landmarks + 30});
+  ActiveSettings settings;
+  settings.decision.gaze = DecisionSettings::Gaze::mutual_information;
+  settings.exploration.expected_landmarks = landmarks + 30;
+  const auto decision = decide_by_images(WideAngleCamera{}, twelve_looks(), settings);
   std::vector<double> all, deciding, reporting_ms;
   for (auto _ : state) {
     const Tick tick = next();
     const Observation& observation = images[static_cast<std::size_t>(tick.frame) % images.size()];
     const double update = seconds([&] { room.parts.estimator->update(estimate, {}, observation, tick); });
     Goal goal;
-    deciding.push_back(1e3 * seconds([&] { goal = decision.choose(around, tick); }));
+    deciding.push_back(1e3 * seconds([&] { goal = decision->choose(around, tick); }));
     reporting_ms.push_back(1e3 * seconds([&] {
                              const Command command =
                                  room.parts.controller->act(estimate, goal, observation, tick);
                              benchmark::DoNotOptimize(snapshot_of(tick, std::nullopt, observation, estimate,
-                                                                  goal, decision.actions(), command, {}));
+                                                                  goal, decision->actions(), command, {}));
                            }));
     all.push_back(1e3 * update + deciding.back() + reporting_ms.back());
     state.SetIterationTime(1e-3 * all.back());

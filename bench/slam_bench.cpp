@@ -6,7 +6,7 @@
 #include <map>
 #include <string>
 
-#include "incognita/app/loop/assemble.hpp"
+#include "incognita/app/loop/assembly.hpp"
 #include "incognita/slam/estimator/slam_estimator.hpp"
 
 using namespace incognita;

@@ -81,7 +81,7 @@ class Team {
         world_(vehicles_, 1),
         clock_(rate_hz, 1e6),
         estimator_(filter_of(vehicles_)) {
-    command_.inputs.assign(vehicles_.size(), Eigen::Vector2d(speed_m_s, speed_m_s / radius_m));
+    command_.bodies.assign(vehicles_.size(), BodyCommand{Eigen::Vector2d(speed_m_s, speed_m_s / radius_m)});
     TeamSensor everything(vehicles_, points_, false, 2);
     for (SimulatedVehicle& v : vehicles_) v.reach.max_range_m = range_m;
     sensor_.emplace(vehicles_, points_, true, 1);
@@ -121,7 +121,7 @@ class Team {
     double worst = 0;
     for (std::size_t i = 0; i < vehicles_.size(); ++i)
       worst = std::max(worst, (Eigen::Vector2d(estimate_.belief.mean(estimate_.bodies[i].block).head<2>()) -
-                               Eigen::Vector2d(truth_->vehicles[i].head<2>()))
+                               Eigen::Vector2d(truth_->bodies[i].state.head<2>()))
                                   .norm());
     return worst;
   }

@@ -18,11 +18,10 @@ const std::shared_ptr<const Room>& room() {
 /// One complete image with noise, while the camera turns once around in the middle of the room.
 void measure(benchmark::State& state) {
   RoomCamera camera(room(), WideAngleCamera{.kd1 = 9e-6}, RoomSettings{}, 1);
-  Truth truth;
-  truth.camera.head<3>() << 0.3, -0.2, 1.3;
+  Truth truth{{BodyTruth{RigidPose{{0.3, -0.2, 1.3}}}}};
   std::int64_t frame = 0;
   for (auto _ : state) {
-    truth.camera.segment<4>(3) = level_gaze(0.05 * static_cast<double>(frame));
+    truth.bodies[0].pose->world_from_body = level_gaze(0.05 * static_cast<double>(frame));
     benchmark::DoNotOptimize(camera.measure(truth, Tick{frame++, 0, 0}));
   }
   state.counters["frames"] = benchmark::Counter(static_cast<double>(frame), benchmark::Counter::kIsRate);
@@ -36,8 +35,8 @@ BENCHMARK(paint_room)->Unit(benchmark::kMillisecond);
 
 void move(benchmark::State& state) {
   FreeCameraPlant plant(RoomSettings{}, room()->layout(), 1);
-  const Command command{{0.1, 0, 0}, {0, 0.1, 0}, {}};
-  for (auto _ : state) benchmark::DoNotOptimize(plant.move(command, 1.0 / 30));
+  const FreeCameraMotion::Input<double> input{0.1, 0, 0, 0, 0.1, 0};
+  for (auto _ : state) benchmark::DoNotOptimize(plant.move(input, 1.0 / 30));
 }
 BENCHMARK(move);
 

@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <random>
 
-#include "incognita/decision/team_decision.hpp"
+#include "incognita/decision/decision.hpp"
 #include "incognita/navigator/navigator.hpp"
 
 int main() {
@@ -13,7 +13,7 @@ int main() {
                                              Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(0.1, 0.1, 0.1),
                                              Eigen::Vector2d(0.05, 0.05), Eigen::Vector2d(0.2, 0.02)));
   Navigator navigator{SlamEstimator(settings)};
-  TeamDecision most_informative(settings, TeamDecisionSettings{.tick_s = 0.1});
+  const auto most_informative = decide_by_points(settings, {.tick_s = 0.1});
 
   std::mt19937 random(1);
   std::normal_distribution<double> normal;
@@ -26,11 +26,11 @@ int main() {
       detections.push_back({post, z + Eigen::Vector2d(0.2 * normal(random), 0.02 * normal(random))});
     }
     navigator.add_detections(detections, t);
-    const Goal goal = navigator.choose(most_informative);
-    if (goal.decided) std::printf("t = %.1f s: %s\n", t, most_informative.actions().at(goal.chosen).c_str());
+    const BodyGoal goal = navigator.choose(*most_informative).bodies.at(0);
+    if (goal.decided) std::printf("t = %.1f s: %s\n", t, most_informative->actions().at(goal.chosen).c_str());
     const auto [pose, covariance] = navigator.pose();
     const Eigen::Vector3d to =
-        rotation_matrix<double>(pose.world_from_body).transpose() * (goal.team[0].to - pose.position);
+        rotation_matrix<double>(pose.world_from_body).transpose() * (goal.to - pose.position);
     const Eigen::Vector2d drive(std::min(0.5, to.norm()),
                                 to.norm() > 0.05 ? std::atan2(to.y(), to.x()) : 0.0);
     navigator.add_odometry(drive, t);

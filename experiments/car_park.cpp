@@ -180,7 +180,7 @@ Data load() {
   const LoadedScenario loaded = load_scenario("car-park");
   Data data{read_range_recording(loaded), loaded.scenario.planar, {}};
   data.settings.filter.linearization = Linearization::analytic;
-  data.settings.lost.max_sigma_position_m = 1e6;  // how far it diverges is the result
+  data.settings.health.max_sigma_position_m = 1e6;  // how far it diverges is the result
   data.anchors = {{2.8953, -4.0353}, {9.9489, 6.9239}};
   identify(data);
   return data;

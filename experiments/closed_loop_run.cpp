@@ -7,7 +7,7 @@
 #include <memory>
 #include <numbers>
 
-#include "incognita/control/team_controller.hpp"
+#include "incognita/control/steering_controller.hpp"
 #include "incognita/math/random.hpp"
 #include "incognita/world/room_clock.hpp"
 
@@ -49,7 +49,7 @@ bool clear_of(const std::vector<Vector2d>& others, const Vector2d& point, double
 struct Scene {
   std::vector<SimulatedVehicle> vehicles;
   EstimatorSettings filter;
-  std::vector<VehicleSteering> steering;
+  std::vector<BodyControl> control;
 };
 
 BodyModel member_of(const Setup& s, const Robot& robot) {
@@ -72,7 +72,7 @@ Scene scene_of(const Setup& s) {
     vehicle.reach.field_of_view_rad = std::numbers::pi;
     scene.vehicles.push_back(vehicle);
     scene.filter.bodies.push_back(m);
-    scene.steering.push_back({m.motion, robot.steering});
+    scene.control.push_back({m.motion, robot.steering});
   }
   for (const auto& [identity, point] : s.place)
     if (identity < s.anchors) scene.filter.anchors[identity] = point;
@@ -82,10 +82,7 @@ Scene scene_of(const Setup& s) {
 /// Between scans there is odometry alone.
 Observation odometry_alone(const Truth& truth) {
   Observation observation;
-  for (const SmallVector& input : truth.inputs) {
-    observation.bodies.emplace_back();
-    observation.bodies.back().input = input;
-  }
+  for (const BodyTruth& body : truth.bodies) observation.bodies.emplace_back().input = body.input;
   return observation;
 }
 
@@ -94,8 +91,8 @@ Instant instant_of(const Tick& tick, const Truth& truth, const Estimate& e, cons
   Instant now{tick.t, {}, std::vector<double>(landmarks, unknown)};
   for (std::size_t i = 0; i < e.bodies.size(); ++i) {
     const BlockId block = e.bodies[i].block;
-    now.robots.push_back(
-        {truth.vehicles[i], e.belief.mean(block), e.belief.covariance(block), command.inputs.at(i)});
+    now.robots.push_back({truth.bodies[i].state, e.belief.mean(block), e.belief.covariance(block),
+                          command.bodies.at(i).input});
   }
   for (const auto& [identity, landmark] : e.landmarks)
     now.traces.at(static_cast<std::size_t>(identity)) = e.belief.covariance(landmark.block).trace();
@@ -140,7 +137,7 @@ Run drive(const Setup& setup, std::uint64_t seed) {
   TeamWorld world(scene.vehicles, seed);
   TeamSensor sensor(scene.vehicles, setup.place, false, seed);
   SlamEstimator estimator(scene.filter);
-  TeamController controller(std::move(scene.steering), period_s);
+  SteeringController controller(std::move(scene.control), period_s);
   FixedRateClock clock(1 / period_s, setup.duration_s);
   Estimate estimate;
   Command command;

@@ -59,8 +59,7 @@ struct RateAlone final : Steering {
   SmallVector act(const SmallVector& x, double t) const override {
     const Reference r = at(path, t);
     return track_reference(x, r.position, r.velocity, r.acceleration, level_gaze(r.heading),
-                           {0, -r.heading_rate, 0}, gains, {0, -r.heading_acceleration, 0})
-        .as_input();
+                           {0, -r.heading_rate, 0}, gains, {0, -r.heading_acceleration, 0});
   }
 };
 
@@ -189,10 +188,10 @@ Course run(const Setup& s, std::uint64_t seed) {
     Instant now;
     now.t = tick.t;
     now.reference = at(s.path, tick.t);
-    now.truth = truth->vehicles.front();
+    now.truth = truth->bodies.front().state;
     compare(estimate, now);
     now.command = law->act(s.steered_by_truth ? now.truth : now.mean, tick.t);
-    command.inputs = {now.command};
+    command.bodies = {BodyCommand{now.command}};
     course.instants.push_back(now);
   }
   course.map = map_of(estimate, place);

@@ -6,9 +6,7 @@
 #include <map>
 #include <utility>
 
-#include "incognita/app/loop/assemble.hpp"
-#include "incognita/app/loop/assemble_room_vehicle.hpp"
-#include "incognita/app/loop/assemble_team.hpp"
+#include "incognita/app/loop/assembly.hpp"
 #include "incognita/record/snapshot/series.hpp"
 #include "incognita/record/summary/exploration_summary.hpp"
 
@@ -36,7 +34,7 @@ class Gathered {
       run_.decisions.push_back(decision_of(s));
       run_.decisions.back().returned = std::exchange(returned_, 0);
     }
-    if (s.truth && has_pose(s)) add_instant(s);
+    if (has_pose(s) && s.bodies.front().truth) add_instant(s);
   }
 
   Run finish() {
@@ -52,8 +50,8 @@ class Gathered {
 
  private:
   void add_instant(const Snapshot& s) {
-    Instant i{s.tick.t,  true_pose(s.tick, *s.truth), estimated_pose(s), pose_covariance(s),
-              s.entropy, mapped_landmarks(s)};
+    const SnapshotBody& body = s.bodies.front();
+    Instant i{s.tick.t, *body.truth, body.estimate, body.covariance, s.entropy, mapped_landmarks(s)};
     squares_ += (i.truth.position - i.estimate.position).squaredNorm();
     nees_ += pose_nees(pose_error(i.truth, i.estimate), i.covariance).value_or(std::nan(""));
     run_.instants.push_back(std::move(i));
@@ -77,8 +75,7 @@ class Gathered {
   double squares_ = 0, nees_ = 0;
 };
 
-template <class SomeAssembly>
-Run gather(SomeAssembly assembly) {
+Run gather(Assembly assembly) {
   Gathered gathered;
   run_loop(assembly.parts, std::function<void(const Snapshot&)>([&](const Snapshot& s) { gathered.add(s); }),
            std::function<bool(const Tick&)>([](const Tick&) { return true; }));
@@ -111,10 +108,7 @@ std::optional<double> Run::extended_when_located(int count) const {
 Run explore(const std::string& scenario, const Sets& sets, std::uint64_t seed) {
   Sets all = sets;
   all.push_back("run.seed=" + std::to_string(seed));
-  const LoadedScenario loaded = load_scenario(scenario, all);
-  if (loaded.scenario.is_team()) return gather(assemble_team(loaded));
-  if (loaded.scenario.is_room_vehicle()) return gather(assemble_room_vehicle(loaded));
-  return gather(assemble(loaded));
+  return gather(assemble(load_scenario(scenario, all)));
 }
 
 }  // namespace incognita::exploring

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "incognita/app/loop/assemble.hpp"
+#include "incognita/app/loop/assembly.hpp"
 #include "incognita/io/scenario/camera.hpp"
 #include "incognita/messages/errors.hpp"
 #include "incognita/slam/estimator/slam_estimator.hpp"
@@ -61,8 +61,8 @@ std::map<std::int64_t, Errors> errors_of_a_run(const std::string& seed,
     const auto truth = world->move(command, tick);
     const Observation observation = sensor->measure(truth, tick);
     estimator->update(estimate, command, observation, tick);
-    const Eigen::Vector3d position = free_camera::position(truth->camera);
-    const Eigen::Matrix3d R = rotation_matrix<double>(free_camera::orientation(truth->camera));
+    const Eigen::Vector3d position = truth->bodies[0].pose->position;
+    const Eigen::Matrix3d R = rotation_matrix<double>(truth->bodies[0].pose->world_from_body);
     for (const Match& match : estimate.last.matches) {
       const auto place = places.find(match.id);
       if (match.outcome != MatchOutcome::matched || place == places.end()) continue;

@@ -23,7 +23,7 @@ PlanarSlamSettings settings_for(const PlanarLoopSettings& drive, const PlanarFil
   s.filter.sigma_fix_m = drive.sigma_fix_m;
   s.association.method = DataAssociationSettings::Method::known;
   s.association.gate_probability = 1 - 1e-12;  // of known identity: nothing is refused
-  s.lost.max_sigma_position_m = 1e6;
+  s.health.max_sigma_position_m = 1e6;
   return s;
 }
 

@@ -8,7 +8,7 @@
 namespace incognita {
 
 /// (5.29), track_reference.hpp, along a minimum-jerk segment from rest to rest, with a level gaze.
-Command fly_segment(const CameraState& state, const Segment& segment, const Heading& gaze, double t,
-                    const ControlSettings& settings);
+FreeCameraMotion::Input<double> fly_segment(const CameraState& state, const Segment& segment,
+                                            const Heading& gaze, double t, const ControlSettings& settings);
 
 }  // namespace incognita

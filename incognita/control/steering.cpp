@@ -140,8 +140,7 @@ struct BodyLinearization final : Steering {
     // A left turn about z is a turn about -y of a level camera
     const Eigen::Vector3d rate(0, -r.heading_rate, 0), faster(0, -r.heading_acceleration, 0);
     return within(track_reference(x, r.position, r.velocity, r.acceleration, level_gaze(r.heading), rate,
-                                  s.camera, faster)
-                      .as_input(),
+                                  s.camera, faster),
                   s.most_input);
   }
 };

@@ -7,17 +7,15 @@
 #pragma once
 
 #include "incognita/control/settings.hpp"
-#include "incognita/messages/command.hpp"
 #include "incognita/models/camera_measurement.hpp"
 
 namespace incognita {
 
 /// (5.29) for one state and one reference; accelerations are clamped to the limits. `gaze_rate`,
 /// `gaze_acceleration` (alpha*): camera axes.
-Command track_reference(const CameraState& estimate, const Eigen::Vector3d& position,
-                        const Eigen::Vector3d& velocity, const Eigen::Vector3d& acceleration,
-                        const Eigen::Vector4d& gaze, const Eigen::Vector3d& gaze_rate,
-                        const ControlSettings& settings,
-                        const Eigen::Vector3d& gaze_acceleration = Eigen::Vector3d::Zero());
+FreeCameraMotion::Input<double> track_reference(
+    const CameraState& estimate, const Eigen::Vector3d& position, const Eigen::Vector3d& velocity,
+    const Eigen::Vector3d& acceleration, const Eigen::Vector4d& gaze, const Eigen::Vector3d& gaze_rate,
+    const ControlSettings& settings, const Eigen::Vector3d& gaze_acceleration = Eigen::Vector3d::Zero());
 
 }  // namespace incognita

@@ -53,15 +53,16 @@ void FreeCameraChoice::turn(const AnyBelief& belief, BlockId vehicle, const Came
   heading_rate_rad_s_ = turns_.rate_of(best_of(scores, gaze_.allowed(), turns_.stay()));
 }
 
-void FreeCameraChoice::choose(const AnyBelief& belief, BlockId vehicle, const CameraState& camera,
-                              const Expectation& expectation, const Tick& tick, Goal& goal) {
+void FreeCameraChoice::choose(const AnyBelief& belief, const Body& body, const Expectation& expectation,
+                              const Tick& tick, BodyGoal& goal) {
+  const CameraState camera = belief.mean(body.block);
   if (settings_.gaze != Gaze::swing) {
-    turn(belief, vehicle, camera, expectation, tick);
+    turn(belief, body.block, camera, expectation, tick);
     goal.heading_rad = heading_rad_;
     goal.heading_rate_rad_s = heading_rate_rad_s_;
     translations_.turn_at(heading_rate_rad_s_);
   }
-  goal.decided = choice_.choose(belief, vehicle, camera, translations_, expectation, tick);
+  goal.decided = choice_.choose(belief, body.block, camera, translations_, expectation, tick);
   goal.scores = choice_.scores();
   goal.chosen = choice_.chosen();
   if (!goal.decided) return;

@@ -6,26 +6,22 @@
 #include <vector>
 
 #include "incognita/decision/action_choice.hpp"
-#include "incognita/messages/goal.hpp"
+#include "incognita/decision/body_choice.hpp"
 #include "incognita/models/camera_measurement.hpp"
 
 namespace incognita {
 
-class FreeCameraChoice {
+class FreeCameraChoice final : public BodyChoice {
  public:
   /// Sigmas: of the unknown accelerations of the motion model. `who`: index in the team. Throws
   /// std::invalid_argument as ActionChoice and Translations do.
   FreeCameraChoice(const DecisionSettings& settings, double sigma_acceleration_m_s2,
                    double sigma_angular_acceleration_rad_s2, std::uint64_t seed, std::size_t who = 0);
 
-  /// Sets scores, chosen, from, to, times and gaze of the goal. `camera`: the estimated camera state.
-  void choose(const AnyBelief& belief, BlockId vehicle, const CameraState& camera,
-              const Expectation& expectation, const Tick& tick, Goal& goal);
-
-  /// To be called when tracking is lost.
-  void forget();
-
-  const std::vector<std::string>& names() const { return choice_.names(); }
+  void choose(const AnyBelief& belief, const Body& body, const Expectation& expectation, const Tick& tick,
+              BodyGoal& goal) override;
+  void forget() override;
+  const std::vector<std::string>& names() const override { return choice_.names(); }
 
  private:
   void turn(const AnyBelief& belief, BlockId vehicle, const CameraState& camera,

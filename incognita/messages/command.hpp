@@ -1,7 +1,8 @@
-// Output of the controller: the input of thesis (5.24), or an instruction to the operator who holds the camera.
+// Output of the controller: for each body the input of its motion model, or an instruction to the operator who holds it.
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -23,25 +24,30 @@ struct UserCommand {
   std::optional<Heading> gaze;  ///< viewing direction; none: the operator's choice
 };
 
-struct Command {
-  Eigen::Vector3d linear_acceleration = Eigen::Vector3d::Zero();   ///< m/s^2, world axes
-  Eigen::Vector3d angular_acceleration = Eigen::Vector3d::Zero();  ///< rad/s^2, camera axes
-
-  /// True when an operator moves the camera: no input is commanded and the actual input is unknown.
+struct BodyCommand {
+  /// In the convention of its motion model; for a free camera the accelerations of (5.24), m/s^2 in world axes and
+  /// rad/s^2 in camera axes. Empty: none, a vehicle stands still and a body in space keeps its velocity.
+  SmallVector input = {};
+  /// True when an operator moves the body: no input is commanded and the actual input is unknown.
   bool operator_controlled = false;
-  /// One per hand-held camera; none: come to rest.
-  std::vector<UserCommand> user_commands = {};
-
-  /// Team: one input per vehicle, in the convention of its motion model; none: stand still.
-  std::vector<SmallVector> inputs = {};
-  /// Team: reference x, y, z (m, world) and heading (rad) per vehicle; empty without a trajectory to follow.
-  std::vector<Eigen::Vector4d> references = {};
-
-  Eigen::Matrix<double, 6, 1> as_input() const {
-    Eigen::Matrix<double, 6, 1> u;
-    u << linear_acceleration, angular_acceleration;
-    return u;
-  }
+  std::optional<UserCommand> shown = {};          ///< to its operator; none: come to rest
+  std::optional<Eigen::Vector4d> reference = {};  ///< x, y, z (m, world) and heading (rad) to follow
 };
+
+struct Command {
+  std::vector<BodyCommand> bodies;  ///< one per body, in their order; none for a body: an empty one
+};
+
+/// The command of a body; an empty one where there is none.
+inline const BodyCommand& command_of(const Command& command, std::size_t body) {
+  static const BodyCommand nothing;
+  return body < command.bodies.size() ? command.bodies[body] : nothing;
+}
+
+/// The input of a body; zeros where none is commanded.
+inline SmallVector input_of(const Command& command, std::size_t body, Eigen::Index size) {
+  const SmallVector& input = command_of(command, body).input;
+  return input.size() == 0 ? SmallVector(SmallVector::Zero(size)) : input;
+}
 
 }  // namespace incognita

@@ -1,22 +1,14 @@
-// The decision: the chosen action and the predicted information gain of every candidate.
+// The decision: the chosen action of every body, and the predicted information gain of every candidate.
 #pragma once
 
 #include <Eigen/Core>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace incognita {
 
-/// Goal of one vehicle of a team.
-struct VehicleGoal {
-  Eigen::Vector3d from{0, 0, 0}, to{0, 0, 0};  ///< world, m, from `start_t` to `end_t` of the goal
-  double heading_rad = 0;                      ///< from +x about z
-  double heading_rate_rad_s = 0;               ///< positive to the left
-  std::optional<Eigen::Vector2d> drive = {};   ///< as Goal::drive, instead of a position
-};
-
-struct Goal {
+/// Goal of one body.
+struct BodyGoal {
   std::vector<double> scores;     ///< predicted information gain, nats, one per action, at the last decision
   int chosen = -1;                ///< index of the current action; -1 before the first decision and when lost
   bool decided = false;           ///< chosen in this tick
@@ -24,16 +16,18 @@ struct Goal {
   Eigen::Vector3d to{0, 0, 0};    ///< world, m: end of the action
   double start_t = 0;             ///< s
   double end_t = 0;
-  std::optional<double> heading_rad = {};  ///< gaze of the camera, rad from +x about z; none: free
+  std::optional<double> heading_rad = {};  ///< at the end of the action, rad from +x about z; none: free
   double heading_rate_rad_s = 0;           ///< rate of heading_rad, positive to the left
-  /// Vehicles driven by velocity instead of a target position: speed, m/s, and turn rate, rad/s, positive to
-  /// the left.
+  /// A vehicle driven by velocity instead of a target position: speed, m/s, and turn rate, rad/s, positive to the left.
   std::optional<Eigen::Vector2d> drive = {};
+};
+
+struct Goal {
+  std::vector<BodyGoal> bodies;  ///< one per body, in their order; empty where nothing is decided
 
   /// Exploration prior, where the scenario has one (Figure 6.3).
   std::optional<double> coverage = {};          ///< viewed share of the exploration volume
-  std::optional<double> entropy_extended = {};  ///< nats, of vehicle, map and expected landmarks
-  std::vector<VehicleGoal> team = {};
+  std::optional<double> entropy_extended = {};  ///< nats, of bodies, map and expected landmarks
 };
 
 }  // namespace incognita

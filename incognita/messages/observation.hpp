@@ -77,10 +77,10 @@ struct Observation {
   std::vector<BodyObservation> bodies;
 };
 
-/// The observation of the first body; an empty one where there is none.
-inline const BodyObservation& of_first_body(const Observation& observation) {
+/// The observation of a body; an empty one where there is none.
+inline const BodyObservation& body_of(const Observation& observation, std::size_t body) {
   static const BodyObservation nothing;
-  return observation.bodies.empty() ? nothing : observation.bodies.front();
+  return body < observation.bodies.size() ? observation.bodies[body] : nothing;
 }
 
 }  // namespace incognita

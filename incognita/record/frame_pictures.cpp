@@ -62,7 +62,7 @@ void draw_ellipse(Picture& picture, const SnapshotMatch& match) {
   const double degrees = std::atan2(major.y(), major.x()) * 180 / std::numbers::pi;
   const auto length = [](double a) { return cvRound(std::clamp(a, 1.0, 1e4) * (1 << subpixel_bits)); };
   cv::ellipse(picture.canvas, picture.at(match.predicted), {length(axes[1]), length(axes[0])}, degrees, 0,
-              360, color(match.outcome), match.line ? 1 : 2, cv::LINE_AA, subpixel_bits);
+              360, color(match.outcome), match.ray ? 1 : 2, cv::LINE_AA, subpixel_bits);
 }
 
 void draw_patch(Picture& picture, const SnapshotMatch& match, int patch_size_px) {
@@ -114,9 +114,10 @@ FramePictures::FramePictures(const std::filesystem::path& run_directory, int pat
 void FramePictures::publish(const Snapshot& snapshot) {
   if (!snapshot.image || snapshot.image->empty()) return;
   Picture picture = picture_of(*snapshot.image);
-  for (const SnapshotMatch& match : snapshot.matches) draw_ellipse(picture, match);
-  for (const SnapshotMatch& match : snapshot.matches) draw_patch(picture, match, patch_size_px_);
-  for (const SnapshotMatch& match : snapshot.matches) draw_label(picture, match);
+  const std::vector<SnapshotMatch> matches = matches_of_first_camera(snapshot);
+  for (const SnapshotMatch& match : matches) draw_ellipse(picture, match);
+  for (const SnapshotMatch& match : matches) draw_patch(picture, match, patch_size_px_);
+  for (const SnapshotMatch& match : matches) draw_label(picture, match);
   draw_band(picture, snapshot);
   std::vector<unsigned char> png;
   cv::imencode(".png", picture.canvas, png);

@@ -22,7 +22,7 @@ int gray(const SnapshotLandmark& landmark) {
 }  // namespace
 
 void write_map_csv(const std::filesystem::path& path, const std::vector<SnapshotLandmark>& landmarks) {
-  std::string text = "id,kind,x,y,z,pxx,pxy,pxz,pyy,pyz,pzz,sightings\n";
+  std::string text = "id,kind,x,y,z,pxx,pxy,pxz,pyy,pyz,pzz,detections\n";
   for (const SnapshotLandmark& landmark : landmarks) {
     text += std::to_string(landmark.id);
     append_cell(text, landmark.anchor ? "anchor" : "landmark");

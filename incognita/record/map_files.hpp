@@ -9,7 +9,7 @@
 
 namespace incognita {
 
-/// Columns `id,kind,x,y,z,pxx,pxy,pxz,pyy,pyz,pzz,sightings` (m, m^2). All writers here throw RecordError and
+/// Columns `id,kind,x,y,z,pxx,pxy,pxz,pyy,pyz,pzz,detections` (m, m^2). All writers here throw RecordError and
 /// leave no partial file.
 void write_map_csv(const std::filesystem::path& path, const std::vector<SnapshotLandmark>& landmarks);
 

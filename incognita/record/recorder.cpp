@@ -18,32 +18,21 @@ namespace {
 
 constexpr const char* cut_short = "the program ended before the run did";
 constexpr const char* matches_header =
-    "t,id,kind,u_predicted,v_predicted,sigma_u,sigma_v,u_measured,v_measured,correlation,outcome";
-constexpr const char* range_matches_header =
-    "t,id,kind,range_predicted_m,bearing_predicted_rad,sigma_range_m,sigma_bearing_rad,range_measured_m,"
-    "bearing_measured_rad,outcome";
-constexpr const char* team_matches_header =
-    "t,id,kind,predicted_1,predicted_2,sigma_1,sigma_2,measured_1,measured_2,vehicle,outcome";
+    "t,body,sensor,id,kind,predicted_1,predicted_2,sigma_1,sigma_2,measured_1,measured_2,correlation,outcome";
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-std::string matches_header_of(const RunInfo& info) {
-  return info.vehicles > 0 ? team_matches_header : info.ranges ? range_matches_header : matches_header;
-}
-
-std::string match_row(double t, const SnapshotMatch& match, const RunInfo& info) {
+/// Bodies and sensors are counted from 1 in files.
+std::string match_row(double t, const SnapshotMatch& match) {
   std::string row;
   append_number(row, t);
-  // Vehicles are numbered from 1 in files.
-  row += fmt::format(",{},{}", match.of_vehicle ? match.id + 1 : match.id, kind(match));
+  row += fmt::format(",{},{}-{},{},{}", match.body + 1, match.image ? "camera" : "sensor", match.sensor + 1,
+                     match.of_body ? match.id + 1 : match.id, kind(match));
   const Eigen::Vector2d sigma = match.innovation_cov.diagonal().cwiseMax(0).cwiseSqrt();
   const Eigen::Vector2d measured = match.measured.value_or(Eigen::Vector2d(unknown, unknown));
   for (const double value :
        {match.predicted.x(), match.predicted.y(), sigma.x(), sigma.y(), measured.x(), measured.y()})
     append_cell(row, value);
-  if (info.vehicles > 0)
-    append_cell(row, std::to_string(match.vehicle + 1));
-  else if (!info.ranges)
-    append_cell(row, match.correlation);
+  append_cell(row, match.image ? match.correlation : unknown);
   append_cell(row, name(match.outcome));
   return row;
 }
@@ -65,9 +54,9 @@ void Recorder::open_files(const RunInfo& info) {
   write_whole_file(directory_.file("effective.toml"), info.effective_toml);
   estimate_ = RowFile(directory_.file("estimate.tum"), tum_header(info.body));
   covariance_ = RowFile(directory_.file("covariance.csv"), covariance_header());
-  matches_ = RowFile(directory_.file("looks.csv"), matches_header_of(info));
+  matches_ = RowFile(directory_.file("measurements.csv"), matches_header);
   timings_ = TimingTable(directory_.file("timings.csv"));
-  if (info.vehicles > 0) team_.emplace(directory_, info);
+  bodies_.emplace(directory_, info);
   log_.emplace(directory_.file("run.mcap"), info);
 }
 
@@ -78,7 +67,7 @@ void Recorder::publish(const Snapshot& snapshot) {
   write_series(snapshot);
   write_decision(snapshot);
   write_matches(snapshot);
-  if (team_) team_->publish(snapshot);
+  bodies_->publish(snapshot);
   timings_.add(snapshot);
   log_->publish(snapshot);
   refresh_summary(snapshot.tick.t);
@@ -86,16 +75,17 @@ void Recorder::publish(const Snapshot& snapshot) {
 
 void Recorder::write_pose(const Snapshot& snapshot) {
   const double t = snapshot.tick.t;
-  if (snapshot.truth) {
+  if (snapshot.bodies.empty()) return;
+  const SnapshotBody& body = snapshot.bodies.front();
+  if (body.truth) {
     if (!truth_opened_)
-      truth_ =
-          RowFile(directory_.file("truth.tum"), tum_header(info_.body, snapshot.truth->orientation_known));
+      truth_ = RowFile(directory_.file("truth.tum"), tum_header(info_.body, body.truth->oriented));
     truth_opened_ = true;
-    truth_.append(tum_row(true_pose(snapshot.tick, *snapshot.truth)), t);
+    truth_.append(tum_row(*body.truth), t);
   }
   if (!has_pose(snapshot)) return;
-  estimate_.append(tum_row(estimated_pose(snapshot)), t);
-  covariance_.append(covariance_row(t, pose_covariance(snapshot)), t);
+  estimate_.append(tum_row(body.estimate), t);
+  covariance_.append(covariance_row(t, body.covariance), t);
 }
 
 void Recorder::open_series() {
@@ -108,7 +98,8 @@ void Recorder::open_series() {
 
 void Recorder::write_series(const Snapshot& snapshot) {
   if (!with_errors_) {
-    with_errors_ = compare_with_truth_ && (info_.truth_recorded || snapshot.truth.has_value());
+    const bool truth_known = !snapshot.bodies.empty() && snapshot.bodies.front().truth;
+    with_errors_ = compare_with_truth_ && (info_.truth_recorded || truth_known);
     open_series();
   }
   const std::vector<double> values = series_row(snapshot, *with_errors_);
@@ -147,7 +138,7 @@ void Recorder::write_decision(const Snapshot& snapshot) {
 
 void Recorder::write_matches(const Snapshot& snapshot) {
   for (const SnapshotMatch& match : snapshot.matches)
-    matches_.append(match_row(snapshot.tick.t, match, info_), snapshot.tick.t);
+    matches_.append(match_row(snapshot.tick.t, match), snapshot.tick.t);
 }
 
 void Recorder::refresh_summary(double t_s) {
@@ -195,7 +186,7 @@ RunOutcome Recorder::finish(RunStatus status, const std::string& reason, const F
   for (RowFile* file : {&estimate_, &truth_, &covariance_, &series_, &actions_, &matches_})
     attempt([&] { file->close(); });
   attempt([&] {
-    if (team_) team_->close();
+    if (bodies_) bodies_->close();
   });
   attempt([&] { timings_.close(); });
   attempt([&] { log_->close(map_); });

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "incognita/record/body_tables.hpp"
 #include "incognita/record/files/padded_file.hpp"
 #include "incognita/record/files/row_file.hpp"
 #include "incognita/record/mcap/snapshot_log.hpp"
@@ -14,7 +15,6 @@
 #include "incognita/record/snapshot/snapshot.hpp"
 #include "incognita/record/summary/run_summary.hpp"
 #include "incognita/record/summary/timing_table.hpp"
-#include "incognita/record/team_tables.hpp"
 
 namespace incognita {
 
@@ -32,9 +32,9 @@ struct RunOutcome {
 ///   starting or lost. There is no truth.tum if the truth is unknown.
 /// - covariance.csv: t and the row-major 6x6 covariance of each row of estimate.tum, order x y z rotX rotY
 ///   rotZ: position in the world (m), rotation as right error in camera axes (rad), q_true = q * exp(rot/2).
-/// - series.csv: see series_columns(). actions.csv: a row per decision, scores in nats. looks.csv: every
-///   feature match.
-/// - for a team: see TeamTables.
+/// - series.csv: see series_columns(). actions.csv: a row per decision, scores in nats. measurements.csv: every
+///   measurement with its association.
+/// - vehicles.csv, and for several bodies the files of each: see BodyTables.
 /// - timings.csv: milliseconds per stage.
 /// - run.mcap: the snapshots, for replay and for viewers; see SnapshotLog.
 /// - map.csv, map.ply, series.mat, and surveyed.csv if landmarks are surveyed: at the end. summary.json:
@@ -81,7 +81,7 @@ class Recorder {
   std::optional<PaddedFile> summary_file_;
   RowFile estimate_, truth_, covariance_, series_, actions_, matches_;
   TimingTable timings_;
-  std::optional<TeamTables> team_;
+  std::optional<BodyTables> bodies_;
   std::optional<SnapshotLog> log_;
 
   std::size_t candidates_ = 0;  ///< columns of actions.csv after t and chosen

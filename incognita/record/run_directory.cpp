@@ -11,10 +11,10 @@ namespace incognita {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::array run_files{"effective.toml", "summary.json", "estimate.tum", "truth.tum",
-                               "covariance.csv", "actions.csv",  "map.csv",      "map.ply",
-                               "series.csv",     "looks.csv",    "timings.csv",  "series.mat",
-                               "run.mcap",       "vehicles.csv", "surveyed.csv"};
+constexpr std::array run_files{"effective.toml", "summary.json", "estimate.tum",    "truth.tum",
+                               "covariance.csv", "actions.csv",  "map.csv",         "map.ply",
+                               "series.csv",     "vehicles.csv", "timings.csv",     "series.mat",
+                               "run.mcap",       "surveyed.csv", "measurements.csv"};
 
 /// Whether the name is prefix, `digits` or more digits, suffix.
 bool is_numbered(std::string_view name, std::string_view prefix, std::string_view suffix,
@@ -28,7 +28,7 @@ bool is_numbered(std::string_view name, std::string_view prefix, std::string_vie
 /// frame-000123.png, see FramePictures.
 bool is_frame_picture(std::string_view name) { return is_numbered(name, "frame-", ".png", 6); }
 
-/// Files from a team's second vehicle on, see TeamTables.
+/// Files from the second body on, see BodyTables.
 bool is_of_vehicle(std::string_view name) {
   return is_numbered(name, "estimate-", ".tum", 1) || is_numbered(name, "truth-", ".tum", 1) ||
          is_numbered(name, "covariance-", ".csv", 1);

@@ -138,16 +138,19 @@ Map map_blocks(const fs::path& run_directory) {
 
 }  // namespace
 
-std::optional<std::string> vehicles_script(const fs::path& run_directory, AlignmentKind) {
+std::optional<std::string> vehicles_script(const fs::path& run_directory, AlignmentKind alignment) {
   const auto table = vehicles_of(run_directory);
-  if (!table || !knows(*table, "x_m") || on_line(*table)) return std::nullopt;
+  if (!table || !knows(*table, "x_m") || on_line(*table) || alignment != AlignmentKind::none)
+    return std::nullopt;
   std::vector<std::string> plots;
   const std::size_t vehicles = count_of(*table);
+  if (vehicles < 2 && !knows(*table, "reference_x_m"))
+    return std::nullopt;  // the figure `map` shows the same
   for (std::size_t i = 0; i < vehicles; ++i) {
     const bool named = i < most_named;
-    if (knows(*table, "wanted_x_m"))
-      plots.push_back(line(i, vehicles, "wanted_x_m", "wanted_y_m", "linecolor rgb '#c8c8c8' linewidth 4",
-                           i == 0 ? "wanted" : ""));
+    if (knows(*table, "reference_x_m"))
+      plots.push_back(line(i, vehicles, "reference_x_m", "reference_y_m",
+                           "linecolor rgb '#c8c8c8' linewidth 4", i == 0 ? "reference" : ""));
     if (knows(*table, "true_x_m"))
       plots.push_back(
           line(i, vehicles, "true_x_m", "true_y_m", "linecolor rgb ink linewidth 1.6", i == 0 ? "true" : ""));
@@ -176,7 +179,7 @@ std::optional<std::string> vehicles_script(const fs::path& run_directory, Alignm
 
 std::optional<std::string> control_script(const fs::path& run_directory, AlignmentKind) {
   const auto table = vehicles_of(run_directory);
-  if (!table || !knows(*table, "wanted_x_m")) return std::nullopt;
+  if (!table || !knows(*table, "reference_x_m")) return std::nullopt;
   const std::size_t vehicles = count_of(*table);
   std::vector<Panel> panels{{"distance to path, m", {}}};
   const bool known = knows(*table, "from_path_m");

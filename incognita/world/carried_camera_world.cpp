@@ -24,14 +24,14 @@ std::optional<Truth> CarriedCameraWorld::move(const Command& command, const Tick
   Truth truth;
   for (std::size_t i = 0; i < plants_.size(); ++i) {
     Plant& plant = plants_[i];
-    plant.move(i < command.inputs.size() ? command.inputs[i] : SmallVector(SmallVector::Zero(2)), tick.dt);
-    truth.vehicles.emplace_back(
-        carried_camera(carriers_[i], plant.state().head<3>(), plant.rate().head<3>()));
-    truth.inputs.emplace_back(SmallVector::Zero(FreeCameraMotion::input_size));
-    truth.wheels.emplace_back(plant.executed());
-    truth.poses.push_back(pose_of(FreeCameraMotion{}, truth.vehicles.back()));
+    plant.move(input_of(command, i, TerrainVehicle::input_size), tick.dt);
+    BodyTruth& body = truth.bodies.emplace_back();
+    body.state = carried_camera(carriers_[i], plant.state().head<3>(), plant.rate().head<3>());
+    body.pose = pose_of(FreeCameraMotion{}, body.state);
+    body.input = SmallVector::Zero(FreeCameraMotion::input_size);
+    body.carrier = plant.state();
+    body.wheels = plant.executed();
   }
-  truth.camera = truth.vehicles.front();
   return truth;
 }
 

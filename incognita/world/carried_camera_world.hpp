@@ -28,7 +28,7 @@ class CarriedCameraWorld final : public World {
   /// Throws std::invalid_argument as Plant does.
   CarriedCameraWorld(std::vector<CameraCarrier> carriers, std::uint64_t seed);
 
-  /// `command.inputs`: speed and turn rate of each carrier; a carrier without input stands still. The truth
+  /// Inputs: speed and turn rate of each carrier; a carrier without input stands still. The truth
   /// is that of the cameras; their inputs are 0, since their accelerations are not commanded.
   std::optional<Truth> move(const Command& command, const Tick& tick) override;
 

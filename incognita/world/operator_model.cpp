@@ -67,13 +67,12 @@ const Segment& OperatorModel::follow(const UserCommand& shown, const Eigen::Vect
 OperatorActuator::OperatorActuator(OperatorModel model, OperatorMotion motion, const GazeSwing& swing)
     : model_(std::move(model)), motion_(std::move(motion)), swing_(swing) {}
 
-Input OperatorActuator::move(const Command& command, std::size_t camera, const State& state, double t) {
+Input OperatorActuator::move(const BodyCommand& command, const State& state, double t) {
   if (!command.operator_controlled) return Input::Zero();
-  if (camera >= command.user_commands.size()) return stop(state, t);
+  if (!command.shown) return stop(state, t);
   stopped_.reset();
-  const UserCommand& shown = command.user_commands[camera];
-  const Heading measurements = gaze(shown, state, t);
-  return motion_(state, model_.follow(shown, free_camera::position(state), t), measurements, t);
+  const Heading heading = gaze(*command.shown, state, t);
+  return motion_(state, model_.follow(*command.shown, free_camera::position(state), t), heading, t);
 }
 
 /// Stops within half a second, from the motion when the screen went dark.

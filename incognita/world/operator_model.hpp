@@ -56,7 +56,7 @@ class OperatorActuator {
 
   /// Input of the camera from time `t` on, given the true state at that time. Without user commands the
   /// camera is brought to rest; before it is handed over (`operator_controlled` false) the input is 0.
-  FreeCameraMotion::Input<double> move(const Command& command, std::size_t camera,
+  FreeCameraMotion::Input<double> move(const BodyCommand& command,
                                        const FreeCameraMotion::State<double>& state, double t);
 
  private:

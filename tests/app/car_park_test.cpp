@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "incognita/analysis/evaluation/map_error.hpp"
-#include "incognita/app/loop/assemble_ranges.hpp"
+#include "incognita/app/loop/assembly.hpp"
 #include "incognita/messages/errors.hpp"
 
 namespace incognita {
@@ -18,21 +18,21 @@ struct Outcome {
 /// The first 112 s.
 Outcome drive(const std::string& scenario, std::vector<std::string> sets = {}) {
   sets.push_back("run.duration_s=112");
-  RangeAssembly assembly = assemble_ranges(load_scenario(scenario, sets));
+  Assembly assembly = assemble(load_scenario(scenario, sets));
   auto& [clock, world, sensor, estimator, decision, controller] = assembly.parts;
   Estimate estimate;
   Outcome out;
   while (const Tick tick = clock->next()) {
     estimator->update(estimate, {}, sensor->measure({}, tick), tick);
     out.lost += estimate.status.state == TrackingState::lost;
-    const auto truth = true_position(assembly.recording(), tick.t);
+    const auto truth = true_position(assembly.recordings->front(), tick.t);
     if (!truth || !estimate.started) continue;
     out.path.emplace_back(estimate.bodies.front().state.head<2>());
     out.gps.push_back(truth->position);
   }
   for (const auto& [id, landmark] : estimate.landmarks)
     if (!landmark.fixed) out.landmarks.emplace_back(position_of(landmark, estimate)->position);
-  for (const auto& beacon : assembly.recording().landmarks) {
+  for (const auto& beacon : assembly.recordings->front().landmarks) {
     bool anchor = false;
     for (const auto& [id, landmark] : estimate.landmarks)
       anchor |= landmark.fixed && (Eigen::Vector2d(landmark.position) - beacon.position).norm() < 0.01;

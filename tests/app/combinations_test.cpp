@@ -5,7 +5,7 @@
 #include <Eigen/Cholesky>
 #include <cstdio>
 
-#include "incognita/app/loop/assemble_team.hpp"
+#include "incognita/app/loop/assembly.hpp"
 #include "incognita/math/angles.hpp"
 #include "incognita/math/gaussian.hpp"
 #include "incognita/math/random.hpp"
@@ -31,7 +31,7 @@ double joint_nees(const Estimate& e, const Truth& truth) {
   Eigen::MatrixXd P(3 * n, 3 * n);
   for (Eigen::Index i = 0; i < n; ++i) {
     const Body& v = e.bodies[static_cast<std::size_t>(i)];
-    const SmallVector& x = truth.vehicles[static_cast<std::size_t>(i)];
+    const SmallVector& x = truth.bodies[static_cast<std::size_t>(i)].state;
     error.segment<3>(3 * i) << x[0] - v.state[0], x[1] - v.state[1], wrap_angle(x[2] - v.state[2]);
     for (Eigen::Index j = 0; j < n; ++j)
       P.block<3, 3>(3 * i, 3 * j) = e.belief.covariance(v.block, e.bodies[static_cast<std::size_t>(j)].block);
@@ -48,9 +48,9 @@ using Sense = std::function<void(Observation&, const Truth&, const Tick&)>;
 JointError run(const std::string& scenario, std::vector<std::string> sets, int seed, const Change& change,
                const Sense& sense = {}) {
   sets.push_back("run.seed=" + std::to_string(seed));
-  TeamAssembly assembly = assemble_team(load_scenario(scenario, sets));
+  Assembly assembly = assemble(load_scenario(scenario, sets));
   auto& [clock, world, sensor, scenario_estimator, decision, controller] = assembly.parts;
-  EstimatorSettings settings = assembly.estimator;
+  EstimatorSettings settings = dynamic_cast<SlamEstimator&>(*scenario_estimator).settings();
   change(settings);
   SlamEstimator estimator(settings);
   Estimate estimate;
@@ -116,16 +116,16 @@ TEST(Combinations, PositionFixesOfOneVehicleOfATeam) {
     const auto noise = std::make_shared<RandomStream>(static_cast<std::uint64_t>(seed), "test: fixes");
     return [noise](Observation& observation, const Truth& truth, const Tick& tick) {
       const Eigen::Vector2d off(noise->normal(), noise->normal());
-      const Eigen::Vector2d at = truth.vehicles[0].head<2>();
+      const Eigen::Vector2d at = truth.bodies[0].state.head<2>();
       observation.bodies[0].fixes.push_back({tick.t, at + sigma_m * off});
     };
   };
   const auto use_fixes = [](EstimatorSettings& s) { s.bodies[0].sigma_fix_m = sigma_m; };
   expect_consistent("fixes of one vehicle of three", "two-robots", team_of_three, 16, use_fixes, fixes);
   const auto sigma_of_last = [&](const Change& change) {
-    TeamAssembly assembly = assemble_team(load_scenario("two-robots", team_of_three));
+    Assembly assembly = assemble(load_scenario("two-robots", team_of_three));
     auto& [clock, world, sensor, scenario_estimator, decision, controller] = assembly.parts;
-    EstimatorSettings settings = assembly.estimator;
+    EstimatorSettings settings = dynamic_cast<SlamEstimator&>(*scenario_estimator).settings();
     change(settings);
     SlamEstimator estimator(settings);
     Estimate e;

@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-#include "incognita/app/loop/assemble.hpp"
+#include "incognita/app/loop/assembly.hpp"
 #include "incognita/io/formats/data_folder.hpp"
 #include "incognita/io/scenario/camera.hpp"
 #include "incognita/io/scenario/target_file.hpp"

@@ -7,7 +7,7 @@
 #include <limits>
 #include <memory>
 
-#include "incognita/app/loop/assemble_ranges.hpp"
+#include "incognita/app/loop/assembly.hpp"
 #include "incognita/models/wide_angle_camera.hpp"
 #include "incognita/world/points/planar_loop.hpp"
 
@@ -28,7 +28,7 @@ PlanarSlamSettings settings_for(const PlanarLoopSettings& drive) {
   s.start.sigma_heading_rad = start_sigma_rad;
   s.association.method = DataAssociationSettings::Method::known;
   s.association.gate_probability = 1 - 1e-12;
-  s.lost.max_sigma_position_m = 1e6;
+  s.health.max_sigma_position_m = 1e6;
   return s;
 }
 
@@ -45,7 +45,7 @@ Watched drive(double duration_s,
   const RangeRecording recording = drive_planar_loop(loop, 5);
   PlanarSlamSettings settings = settings_for(loop);
   change(settings, recording);
-  RangeAssembly assembly = assemble_ranges(recording, settings, duration_s + 1);
+  Assembly assembly = assemble_ranges(recording, settings, duration_s + 1);
   ObservabilityWatch watch;
   Watched out;
   run_loop(
@@ -241,7 +241,7 @@ TEST(ObservabilityWatch, InformationFromCommandsIsNotSpurious) {
 TEST(ObservabilityWatch, WithoutAMonitorNothingIsTraced) {
   PlanarLoopSettings loop;
   loop.duration_s = 5;
-  RangeAssembly assembly = assemble_ranges(drive_planar_loop(loop, 5), settings_for(loop), 10);
+  Assembly assembly = assemble_ranges(drive_planar_loop(loop, 5), settings_for(loop), 10);
   auto& [clock, world, sensor, estimator, decision, controller] = assembly.parts;
   Estimate unwatched, watched;
   watched.belief.keep_trace(true);

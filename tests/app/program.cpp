@@ -160,7 +160,7 @@ nlohmann::json summary_of(const fs::path& run) {
 
 void expect_whole_tables(const fs::path& run) {
   for (const char* name :
-       {"series.csv", "looks.csv", "actions.csv", "covariance.csv", "timings.csv", "map.csv"}) {
+       {"series.csv", "measurements.csv", "actions.csv", "covariance.csv", "timings.csv", "map.csv"}) {
     if (fs::exists(run / name)) expect_whole_rows(run / name, ',');
   }
   for (const char* name : {"estimate.tum", "truth.tum"}) {

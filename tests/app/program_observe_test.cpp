@@ -67,11 +67,11 @@ TEST(ProgramObserve, ReportsTheOperatingPoint) {
               1e-9);
   ASSERT_EQ(a["anchors_at"].size(), 2u);
   EXPECT_LE(a["anchors_at"][1]["ax"].get<double>(), -3);
-  EXPECT_EQ(a["looks_per_segment"], 8);
-  ASSERT_EQ(a["look_times_s"].size(), 25u);
-  EXPECT_EQ(a["look_times_s"][0], 0.0);
-  EXPECT_NEAR(a["look_times_s"][8].get<double>(), 1, 1e-12);
-  EXPECT_NEAR(a["look_times_s"][24].get<double>(), 3, 1e-12);
+  EXPECT_EQ(a["measurements_per_segment"], 8);
+  ASSERT_EQ(a["measurement_times_s"].size(), 25u);
+  EXPECT_EQ(a["measurement_times_s"][0], 0.0);
+  EXPECT_NEAR(a["measurement_times_s"][8].get<double>(), 1, 1e-12);
+  EXPECT_NEAR(a["measurement_times_s"][24].get<double>(), 3, 1e-12);
   const Ended table = observe({"planar"});
   EXPECT_SAYS(table.out, "Segment 1 is at x = ");
   EXPECT_SAYS(table.out, "25 measurement times in total");

@@ -111,8 +111,8 @@ TEST_F(ProgramRanges, RunsOnTables) {
   EXPECT_EQ(summary["ate_alignment"], "se3");
   EXPECT_LT(summary["ate_m"], 0.5);
   testing::expect_whole_tables(run());
-  EXPECT_SAYS(bytes_of(run() / "looks.csv"), "range_predicted_m");
-  EXPECT_SAYS(bytes_of(run() / "looks.csv"), "born");
+  EXPECT_SAYS(bytes_of(run() / "measurements.csv"), "predicted_1");
+  EXPECT_SAYS(bytes_of(run() / "measurements.csv"), "initialized");
   EXPECT_SAYS(bytes_of(run() / "estimate.tum"), "world_from_vehicle");
   EXPECT_SAYS(bytes_of(run() / "effective.toml"), "[vehicle]");
   EXPECT_SILENT_ON(bytes_of(run() / "effective.toml"), "[camera]");
@@ -160,10 +160,10 @@ TEST_F(ProgramRanges, ReportsSpuriousInformation) {
   EXPECT_SAYS(
       go().err,
       "position: unobservable\nheading: unobservable, but the filter has spurious information from measurements: sigma ");
-  EXPECT_EQ(testing::summary_of(run())["observability"]["wrongly_believed"], 1);
+  EXPECT_EQ(testing::summary_of(run())["observability"]["spurious_information"], 1);
   const Ended better = go({"--set", "estimator.linearization=first-estimate"});
   EXPECT_SAYS(better.err, "position: unobservable\nheading: unobservable\n");
-  EXPECT_EQ(testing::summary_of(run())["observability"]["wrongly_believed"], 0);
+  EXPECT_EQ(testing::summary_of(run())["observability"]["spurious_information"], 0);
 }
 
 TEST_F(ProgramRanges, EveryFilterRuns) {

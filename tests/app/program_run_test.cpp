@@ -36,7 +36,7 @@ TEST(ProgramRun, SameSeedSameBytes) {
   const std::set<std::string> files = testing::everything_in(one);
   EXPECT_EQ(files, testing::everything_in(two));
   for (const char* file :
-       {"effective.toml", "estimate.tum", "truth.tum", "covariance.csv", "series.csv", "looks.csv",
+       {"effective.toml", "estimate.tum", "truth.tum", "covariance.csv", "series.csv", "measurements.csv",
         "actions.csv", "map.csv", "map.ply", "timings.csv", "series.mat", "summary.json"})
     EXPECT_TRUE(files.contains(file)) << file;
   for (const std::string& file : files) {
@@ -62,7 +62,7 @@ TEST(ProgramRun, ReportsWhatFixesTheScale) {
   EXPECT_EQ(said["nullity"], 0);
   EXPECT_EQ(said["directions"].back()["name"], "scale");
   EXPECT_TRUE(said["directions"].back()["gained"]);
-  EXPECT_LT(said["directions"].back()["believed_sigma"], 0.05);
+  EXPECT_LT(said["directions"].back()["estimated_sigma"], 0.05);
   const Words free = {"--set", "start.from=free"};
   EXPECT_SAYS(testing::incognita(room_for("2", "free", free), scratch.folder()).err, "scale: unobservable");
   EXPECT_EQ(testing::summary_of(scratch.folder() / "free")["observability"]["ideal_nullity"], 7);
@@ -80,7 +80,7 @@ TEST(ProgramRun, OmitsObservabilityOnRequest) {
 
 /// Rows of the table of matches by kind and outcome.
 int matches_with(const std::filesystem::path& run, const std::string& kind, const std::string& outcome) {
-  std::istringstream table(testing::contents(run / "looks.csv"));
+  std::istringstream table(testing::contents(run / "measurements.csv"));
   int found = 0;
   for (std::string row; std::getline(table, row);)
     found += row.find("," + kind + ",") != std::string::npos && row.find("," + outcome) != std::string::npos;
@@ -99,19 +99,19 @@ TEST(ProgramRun, DepthLinesConvergeToPoints) {
   EXPECT_GE(summary["landmarks"], 8);
   EXPECT_LT(summary["ate_m"], 0.01);
   EXPECT_LT(summary["mean_nees"], 2);
-  EXPECT_GT(matches_with(run, "line", "matched"), 50);
+  EXPECT_GT(matches_with(run, "ray", "matched"), 50);
   EXPECT_GT(matches_with(run, "landmark", "matched"), 500);
 }
 
 /// The smallest distance in px between two matches of map features in one frame.
 double nearest_matches(const std::filesystem::path& run) {
   std::map<std::string, std::vector<std::pair<double, double>>> by_frame;
-  for (const std::string& row : testing::lines(run / "looks.csv")) {
+  for (const std::string& row : testing::lines(run / "measurements.csv")) {
     std::istringstream cells(row);
     std::vector<std::string> cell;
     for (std::string one; std::getline(cells, one, ',');) cell.push_back(one);
-    if (cell.back() != "matched" || cell[2] == "line") continue;
-    by_frame[cell[0]].push_back({std::stod(cell[7]), std::stod(cell[8])});
+    if (cell.back() != "matched" || cell[4] == "ray") continue;
+    by_frame[cell[0]].push_back({std::stod(cell[9]), std::stod(cell[10])});
   }
   double nearest = 1e9;
   for (const auto& [t, positions] : by_frame)
@@ -136,7 +136,7 @@ TEST(ProgramRun, AnotherSeedGivesAnotherRun) {
   const Scratch scratch;
   for (const char* seed : {"1", "2"})
     EXPECT_EQ(testing::incognita(room_for("0.5", seed, {"--seed", seed}), scratch.folder()).code, 0);
-  for (const char* file : {"truth.tum", "estimate.tum", "looks.csv"}) {
+  for (const char* file : {"truth.tum", "estimate.tum", "measurements.csv"}) {
     EXPECT_NE(testing::contents(scratch.folder() / "1" / file),
               testing::contents(scratch.folder() / "2" / file))
         << file;
@@ -148,7 +148,7 @@ TEST(ProgramRun, TheEffectiveScenarioGivesTheSameRun) {
   const Words changed = {"--seed", "5", "--set", "room.boxes=3", "--set", "camera.fu_px=194.3"};
   EXPECT_EQ(testing::incognita(room_for("0.5", "one", changed), scratch.folder()).code, 0);
   EXPECT_EQ(testing::incognita({"run", "one/effective.toml", "--out", "two"}, scratch.folder()).code, 0);
-  for (const char* file : {"truth.tum", "estimate.tum", "looks.csv", "map.csv"}) {
+  for (const char* file : {"truth.tum", "estimate.tum", "measurements.csv", "map.csv"}) {
     EXPECT_TRUE(testing::contents(scratch.folder() / "one" / file) ==
                 testing::contents(scratch.folder() / "two" / file))
         << file;

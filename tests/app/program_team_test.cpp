@@ -73,7 +73,7 @@ TEST(ProgramTeam, WritesEveryVehiclesPath) {
   EXPECT_EQ(std::count(vehicles.begin(), vehicles.end(), '\n'), 1 + 2 * 30);
   EXPECT_SAYS(vehicles, "t,vehicle,x_m,y_m,z_m,heading_rad,two_sigma_x_m");
   EXPECT_SAYS(vehicles, "input_speed_m_s,input_turn_rate_rad_s");
-  EXPECT_SAYS(bytes_of(run / "looks.csv"), ",vehicle,");
+  EXPECT_SAYS(bytes_of(run / "measurements.csv"), "t,body,sensor,");
   for (const char* file : {"estimate-2.tum", "truth-2.tum", "covariance-2.csv"})
     EXPECT_TRUE(std::filesystem::exists(run / file)) << file;
   const Ended compared = testing::incognita(
@@ -97,7 +97,7 @@ TEST(ProgramTeam, IsDeterministicForASeed) {
               0);
   };
   go("3", "a"), go("3", "b"), go("4", "c");
-  for (const char* file : {"vehicles.csv", "series.csv", "looks.csv", "map.csv", "run.mcap"}) {
+  for (const char* file : {"vehicles.csv", "series.csv", "measurements.csv", "map.csv", "run.mcap"}) {
     EXPECT_EQ(bytes_of(scratch.folder() / "a" / file), bytes_of(scratch.folder() / "b" / file)) << file;
     EXPECT_NE(bytes_of(scratch.folder() / "a" / file), bytes_of(scratch.folder() / "c" / file)) << file;
   }

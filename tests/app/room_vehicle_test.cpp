@@ -2,7 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "incognita/analysis/evaluation/pose_consistency.hpp"
-#include "incognita/app/loop/assemble_room_vehicle.hpp"
+#include "incognita/app/loop/assembly.hpp"
+#include "incognita/control/body_controller.hpp"
 #include "incognita/messages/errors.hpp"
 #include "tests/scratch.hpp"
 
@@ -16,21 +17,27 @@ struct Ran {
 };
 
 Ran run(const LoadedScenario& loaded) {
-  RoomVehicleAssembly assembly = assemble_room_vehicle(loaded);
+  Assembly assembly = assemble(loaded);
   Ran ran;
   double low = 1e9, high = -1e9;
-  run_loop(assembly.parts, std::function<void(const Snapshot&)>([&](const Snapshot& s) {
-             ran.last = s;
-             ++ran.frames;
-             ran.lost += s.status.state == TrackingState::lost || s.status.state == TrackingState::starting;
-             ran.rms_m += (s.camera.head<3>() - s.truth->camera.head<3>()).squaredNorm();
-             ran.sigma_speed += std::sqrt(s.covariance.diagonal().segment<3>(6).sum());
-             const SmallVector& axle = s.truth->vehicles.front();
-             ran.farthest_m = std::max(ran.farthest_m, axle.head<2>().cwiseAbs().maxCoeff());
-             low = std::min(low, s.truth->camera[2]);
-             high = std::max(high, s.truth->camera[2]);
-           }),
-           std::function<bool(const Tick&)>([](const Tick&) { return true; }));
+  const auto publish = [&](const Snapshot& s) {
+    ran.last = s;
+    ++ran.frames;
+    ran.lost += s.status.state == TrackingState::lost || s.status.state == TrackingState::starting;
+    const StampedPose &truth = *s.bodies[0].truth, &estimate = s.bodies[0].estimate;
+    ran.rms_m += (estimate.position - truth.position).squaredNorm();
+    CameraState camera = CameraState::Zero();
+    camera.head<7>() << truth.position, truth.orientation;
+    const Eigen::Vector3d axle = axle_under(camera, loaded.scenario.mount);
+    ran.farthest_m = std::max(ran.farthest_m, axle.head<2>().cwiseAbs().maxCoeff());
+    low = std::min(low, truth.position.z());
+    high = std::max(high, truth.position.z());
+  };
+  const auto watch = [&](const Estimate& e) {
+    if (e.started) ran.sigma_speed += std::sqrt(e.body().state_covariance.diagonal().segment<3>(6).sum());
+  };
+  run_loop(
+      assembly.parts, publish, [](const Tick&) { return true; }, watch);
   ran.rms_m = std::sqrt(ran.rms_m / ran.frames);
   ran.sigma_speed /= ran.frames;
   ran.height_span_m = high - low;
@@ -58,8 +65,8 @@ TEST(RoomVehicle, OdometryReducesTheSpeedSigma) {
 
 TEST(RoomVehicle, SameSeedSameRun) {
   const Ran one = drive({"run.duration_s=2"}), two = drive({"run.duration_s=2"});
-  EXPECT_EQ(one.last.camera, two.last.camera);
-  EXPECT_EQ(one.last.covariance, two.last.covariance);
+  EXPECT_EQ(one.last.bodies[0].estimate.position, two.last.bodies[0].estimate.position);
+  EXPECT_EQ(one.last.bodies[0].covariance, two.last.bodies[0].covariance);
 }
 
 TEST(RoomVehicle, DecidesDeterministically) {
@@ -74,8 +81,9 @@ TEST(RoomVehicle, DecidesDeterministically) {
   EXPECT_GT(ran.last.decision.coverage.value_or(0), 0.05);
   EXPECT_LT(ran.rms_m, 0.1);
   const Ran stood = explored({"run.duration_s=5", "run.rate_hz=15", "decision.strategy=none"});
-  EXPECT_GT((ran.last.truth->camera - stood.last.truth->camera).head<3>().norm(), 0.2) << "it drove";
-  EXPECT_EQ(ran.last.camera, again.last.camera);
+  EXPECT_GT((ran.last.bodies[0].truth->position - stood.last.bodies[0].truth->position).norm(), 0.2)
+      << "it drove";
+  EXPECT_EQ(ran.last.bodies[0].estimate.position, again.last.bodies[0].estimate.position);
   EXPECT_EQ(ran.last.decision.scores, again.last.decision.scores);
 }
 
@@ -96,7 +104,7 @@ TEST(RoomVehicle, AvoidsWalls) {
 TEST(RoomVehicle, IsRefusedWithTheKey) {
   using testing::message_of;
   const auto complaint = [](const std::vector<std::string>& sets) {
-    return message_of([&] { assemble_room_vehicle(load_scenario("rendered-terrain", sets)); });
+    return message_of([&] { assemble(load_scenario("rendered-terrain", sets)); });
   };
   EXPECT_HAS(complaint({"terrain.amplitude_m=3"}),
              "the terrain rises to 6 m, and must stay 0.5 m under the ceiling: make it lower");

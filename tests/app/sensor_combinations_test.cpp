@@ -18,6 +18,7 @@
 #include "incognita/slam/estimator/single_camera.hpp"
 #include "incognita/world/rendered/free_camera_plant.hpp"
 #include "incognita/world/rendered/room_camera.hpp"
+#include "tests/camera_truth.hpp"
 
 namespace incognita {
 namespace {
@@ -42,7 +43,7 @@ const Setup& setup() {
 Tick tick_of(int k) { return {k, k / rate_hz, k == 0 ? 0 : 1 / rate_hz}; }
 
 std::shared_ptr<const Image> image_from(RoomCamera& camera, const CameraState& pose, const Tick& tick) {
-  return image_of(of_first_body(camera.measure(Truth{pose}, tick)));
+  return image_of(body_of(camera.measure(testing::camera_truth(pose), tick), 0));
 }
 
 /// The outcome of one run.
@@ -94,7 +95,7 @@ SlamEstimator with_cameras(int count, std::uint64_t seed) {
   const Scenario& s = setup().scenario;
   EstimatorSettings settings;
   settings.bodies.push_back(free_camera_body(s.slam.filter));
-  settings.health = health_of(s.slam);
+  settings.health = s.slam.health;
   std::vector<FeatureTracker> cameras;
   cameras.emplace_back(setup().camera, s.slam, CameraPlacement{.target = setup().target}, seed);
   if (count == 2)
@@ -104,10 +105,10 @@ SlamEstimator with_cameras(int count, std::uint64_t seed) {
 
 /// Sways to the side and up, with a swing of the gaze, so that depths become observable.
 Command sway(double t) {
-  Command command;
-  command.linear_acceleration = {0.1 * std::cos(t), 0.5 * std::cos(2.1 * t), 0.4 * std::cos(2.6 * t + 1)};
-  command.angular_acceleration = {0, 0.25 * std::cos(2 * t), 0};
-  return command;
+  FreeCameraMotion::Input<double> input;
+  input << 0.1 * std::cos(t), 0.5 * std::cos(2.1 * t), 0.4 * std::cos(2.6 * t + 1), 0, 0.25 * std::cos(2 * t),
+      0;
+  return {{BodyCommand{input}}};
 }
 
 Ran fly(int cameras, std::uint64_t seed) {
@@ -121,7 +122,7 @@ Ran fly(int cameras, std::uint64_t seed) {
   Ran ran;
   CameraState truth;
   for (int k = 0; k <= 3 * rate_hz; ++k) {
-    truth = plant.move(command, tick_of(k).dt);
+    truth = plant.move(input_of(command, 0, 6), tick_of(k).dt);
     Observation observation;
     BodyObservation& body = observation.bodies.emplace_back();
     body.images = {image_from(first, truth, tick_of(k)), image_from(second, second_pose(truth), tick_of(k))};

@@ -8,7 +8,7 @@
 #include <string>
 #include <tuple>
 
-#include "incognita/app/loop/assemble_team.hpp"
+#include "incognita/app/loop/assembly.hpp"
 #include "incognita/app/loop/association_score.hpp"
 #include "incognita/app/loop/loop.hpp"
 #include "incognita/math/random.hpp"
@@ -28,7 +28,7 @@ struct Ran {
 };
 
 Ran run(const LoadedScenario& loaded) {
-  TeamAssembly assembly = assemble_team(loaded);
+  Assembly assembly = assemble(loaded);
   Ran ran;
   run_loop(
       assembly.parts, [&](const Snapshot& s) { ran.last = s, ++ran.ticks; },
@@ -136,8 +136,8 @@ TEST_P(Blocks, RunOrAreRefusedWithTheReason) {
   const Ran ran = run(load(text_of(c)));
   EXPECT_EQ(ran.ticks, 60);
   EXPECT_EQ(ran.last.status.state, TrackingState::tracking) << ran.last.status.reason;
-  ASSERT_EQ(ran.last.vehicles.size(), 1u);
-  const SnapshotVehicle& v = ran.last.vehicles.front();
+  ASSERT_EQ(ran.last.bodies.size(), 1u);
+  const SnapshotBody& v = ran.last.bodies.front();
   ASSERT_TRUE(v.truth.has_value());
   EXPECT_LT((v.truth->position - v.estimate.position).norm(), 0.5);
   EXPECT_EQ(v.reference.has_value(), c.law != "none");
@@ -303,7 +303,7 @@ TEST(TeamScenario, ACarriedCameraRefusesWhatItsCarrierCanNot) {
 
 TEST(TeamScenario, ACarriedCameraDrivesAsItIsToldAndKnowsHowSureItIs) {
   const Ran held = run(load(carried + "[controller]\nlaw = \"none\"\ninput = [0.2, 0.1]\n"));
-  const SnapshotVehicle& v = held.last.vehicles.front();
+  const SnapshotBody& v = held.last.bodies.front();
   EXPECT_NEAR(v.truth->position.head<2>().norm(), 0.8, 0.25)
       << "4 s at 0.2 m/s, by a camera 0.6 m over ground that tilts it";
   EXPECT_LT((v.truth->position - v.estimate.position).norm(), 0.2);
@@ -324,12 +324,13 @@ TEST(TeamScenario, APersonMovesTheCamera) {
       "[decision]\ngaze = \"hold\"\n";
   const Ran actuator = run(load(operator_controlled, {"operator.holds=true", "operator.delay_s=0.5"}));
   const Ran robot = run(load(operator_controlled));
-  EXPECT_TRUE(actuator.last.command.operator_controlled);
-  EXPECT_FALSE(robot.last.command.operator_controlled);
-  EXPECT_GT((actuator.last.truth->camera.head<3>() - Eigen::Vector3d(-1.5, 0, 1.2)).norm(), 0.1);
-  EXPECT_TRUE(actuator.last.truth->inputs.front().isZero());
-  EXPECT_FALSE(robot.last.truth->inputs.front().isZero());
-  EXPECT_LT((actuator.last.truth->camera - actuator.last.camera).head<3>().norm(), 0.3);
+  EXPECT_TRUE(actuator.last.bodies[0].operator_controlled);
+  EXPECT_FALSE(robot.last.bodies[0].operator_controlled);
+  EXPECT_GT((actuator.last.bodies[0].truth->position - Eigen::Vector3d(-1.5, 0, 1.2)).norm(), 0.1);
+  EXPECT_EQ(actuator.last.bodies[0].input.size(), 0) << "no input is commanded";
+  EXPECT_FALSE(robot.last.bodies[0].input.isZero());
+  EXPECT_LT((actuator.last.bodies[0].truth->position - actuator.last.bodies[0].estimate.position).norm(),
+            0.3);
   const std::string why = complaint(operator_controlled, {"operator.delay_s=0.5"});
   EXPECT_NE(why.find("belongs to `operator.holds = true`"), std::string::npos) << why;
 }
@@ -337,19 +338,19 @@ TEST(TeamScenario, APersonMovesTheCamera) {
 /// A run on points without names, and what of it was taken for what it is.
 struct Nameless {
   Ran ran;
-  std::vector<SnapshotVehicle> way;
+  std::vector<SnapshotBody> way;
   std::int64_t right = 0, wrong = 0, missed = 0;
   int duplicate_landmarks = 0;
 };
 
 Nameless run_nameless(const LoadedScenario& loaded) {
-  TeamAssembly assembly = assemble_team(loaded);
+  Assembly assembly = assemble(loaded);
   AssociationScore score(assembly.association_truth);
   Nameless out;
   run_loop(assembly.parts, std::function<void(const Snapshot&)>([&](const Snapshot& s) {
              score.add(s);
              out.ran.last = s, ++out.ran.ticks;
-             out.way.push_back(s.vehicles.front());
+             out.way.push_back(s.bodies.front());
            }),
            std::function<bool(const Tick&)>([](const Tick&) { return true; }));
   out.right = score.right(), out.wrong = score.wrong(), out.missed = score.missed();
@@ -408,10 +409,10 @@ TEST(TeamScenario, MatchesWhatItSeesOnThePlane) {
 }
 
 /// Of the camera's pose, per degree of freedom, over a run.
-double mean_nees(const std::vector<SnapshotVehicle>& way) {
+double mean_nees(const std::vector<SnapshotBody>& way) {
   double sum = 0;
   int count = 0;
-  for (const SnapshotVehicle& v : way)
+  for (const SnapshotBody& v : way)
     if (const auto nees = pose_nees(pose_error(*v.truth, v.estimate), v.covariance)) sum += *nees, ++count;
   return sum / count;
 }
@@ -428,12 +429,12 @@ TEST(TeamScenario, AFreeCameraFindsWhatItSeesAndIsAsSureOfItselfAsByNames) {
         "free-camera", std::vector<std::string>{sets[0], sets[1], "association.method=nearest"}));
     right += n.right, wrong += n.wrong, missed += n.missed, duplicate_landmarks += n.duplicate_landmarks;
     by_places += mean_nees(n.way) / static_cast<double>(seeds.size());
-    TeamAssembly told = assemble_team(
+    Assembly told = assemble(
         load_scenario("free-camera", std::vector<std::string>{sets[0], sets[1], "association.method=known"}));
     EXPECT_EQ(told.association_truth, nullptr);
-    std::vector<SnapshotVehicle> way;
+    std::vector<SnapshotBody> way;
     run_loop(told.parts, std::function<void(const Snapshot&)>([&](const Snapshot& s) {
-               way.push_back(s.vehicles.front());
+               way.push_back(s.bodies.front());
              }),
              std::function<bool(const Tick&)>([](const Tick&) { return true; }));
     by_names += mean_nees(way) / static_cast<double>(seeds.size());
@@ -473,9 +474,8 @@ TEST(TeamScenario, ReadsPlacesAndPathsFromTables) {
   ASSERT_EQ(ran.last.matches.size(), 2u);
   EXPECT_EQ(ran.last.matches[0].id, 7);
   EXPECT_TRUE(ran.last.matches[0].anchor);
-  EXPECT_LT(
-      (ran.last.vehicles[0].truth->position.head<2>() - ran.last.vehicles[0].reference->head<2>()).norm(),
-      0.4);
+  EXPECT_LT((ran.last.bodies[0].truth->position.head<2>() - ran.last.bodies[0].reference->head<2>()).norm(),
+            0.4);
   scratch.write("points.csv", "id,x,y\n7,3,1\n7,-2,4\n");
   try {
     run(load_scenario((scratch.folder() / "s.toml").string(), {}));
@@ -489,7 +489,7 @@ TEST(TeamScenario, ReadsPlacesAndPathsFromTables) {
 TEST(TeamScenario, APlantMayBeOtherThanItsFilterBelieves) {
   const auto error_with = [&](const std::vector<std::string>& sets) {
     const Ran ran = run(load(drive, sets));
-    return (ran.last.vehicles[0].truth->position - ran.last.vehicles[0].estimate.position).norm();
+    return (ran.last.bodies[0].truth->position - ran.last.bodies[0].estimate.position).norm();
   };
   const std::vector<std::string> blind = {"points.count=0", "points.known=0", "plant.sigma_speed_m_s=0",
                                           "plant.sigma_turn_rate_rad_s=0"};
@@ -500,7 +500,7 @@ TEST(TeamScenario, APlantMayBeOtherThanItsFilterBelieves) {
 }
 
 TEST(TeamScenario, LooksMayBeRarerThanTicks) {
-  TeamAssembly assembly = assemble_team(load(drive, {"sensor.ticks_per_measurement=5"}));
+  Assembly assembly = assemble(load(drive, {"sensor.ticks_per_measurement=5"}));
   int looked = 0, ticks = 0;
   run_loop(assembly.parts, std::function<void(const Snapshot&)>([&](const Snapshot& s) {
              looked += !s.matches.empty();

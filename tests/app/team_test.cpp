@@ -9,7 +9,7 @@
 #include <memory>
 #include <numbers>
 
-#include "incognita/control/team_controller.hpp"
+#include "incognita/control/steering_controller.hpp"
 #include "incognita/models/wide_angle_camera.hpp"
 #include "incognita/slam/estimator/slam_estimator.hpp"
 #include "incognita/world/points/team_world.hpp"
@@ -56,7 +56,7 @@ struct Result {
 
 double nees_of(const Scene& scene, const Estimate& estimate, const Truth& truth, std::size_t i) {
   const Chart& chart = chart_of(scene.vehicles[i].motion);
-  const SmallVector mean = estimate.belief.mean(estimate.bodies[i].block), t = truth.vehicles[i];
+  const SmallVector mean = estimate.belief.mean(estimate.bodies[i].block), t = truth.bodies[i].state;
   Eigen::VectorXd e(chart.tangent());
   chart.minus({t.data(), static_cast<std::size_t>(t.size())},
               {mean.data(), static_cast<std::size_t>(mean.size())},
@@ -69,10 +69,10 @@ Result run(const Scene& scene, double duration_s, std::uint64_t seed) {
   TeamWorld world(scene.vehicles, seed);
   TeamSensor sensor(scene.vehicles, scene.place, scene.see_each_other, seed);
   SlamEstimator estimator(scene.filter);
-  std::vector<VehicleSteering> steered;
+  std::vector<BodyControl> steered;
   for (std::size_t i = 0; i < scene.steering.size(); ++i)
     steered.push_back({scene.vehicles[i].motion, scene.steering[i]});
-  TeamController controller(std::move(steered), 1 / scene.rate_hz);
+  SteeringController controller(std::move(steered), 1 / scene.rate_hz);
   FixedRateClock clock(scene.rate_hz, duration_s);
   Result result;
   Command command;
@@ -84,7 +84,7 @@ Result run(const Scene& scene, double duration_s, std::uint64_t seed) {
     result.position_error_m = 0;
     for (std::size_t i = 0; i < scene.vehicles.size(); ++i) {
       const AnyMotion& motion = scene.vehicles[i].motion;
-      const SmallVector at_truth = position_of(motion, truth->vehicles[i]).position;
+      const SmallVector at_truth = position_of(motion, truth->bodies[i].state).position;
       const SmallVector estimated =
           position_of(motion, result.estimate.belief.mean(result.estimate.bodies[i].block)).position;
       result.position_error_m = std::max(result.position_error_m, (at_truth - estimated).norm());
@@ -319,7 +319,7 @@ TEST_P(Forms, GiveTheSameEstimate) {
   TeamSensor sensor(scene.vehicles, scene.place, true, 5);
   FixedRateClock clock(10, 30);
   Command command;
-  for (const SteeringSettings& steer : scene.steering) command.inputs.push_back(steer.most_input * 0.3);
+  for (const SteeringSettings& steer : scene.steering) command.bodies.push_back({steer.most_input * 0.3});
   // The square root of a covariance in the unscented transform amplifies rounding where two directions are
   // nearly alike
   const double tolerance = linearization == Linearization::unscented_vehicle ? 1e-6 : 1e-8;
@@ -390,8 +390,7 @@ TEST(Team, AWrongStartIsReportedAsLost) {
 TEST(Team, ALostBodyBrakes) {
   const AnyMotion body = motion_named("free-camera");
   const Scene scene = scene_of(body, sensor_named("stereo", body), Linearization::analytic);
-  std::vector<VehicleSteering> steering{{body, scene.steering[0]}};
-  TeamController controller(steering, 0.05);
+  SteeringController controller({{body, scene.steering[0]}}, 0.05);
   Estimate e;
   SlamEstimator estimator(scene.filter);
   Observation nothing;
@@ -401,10 +400,10 @@ TEST(Team, ALostBodyBrakes) {
   controller.act(e, {}, {}, {1, 0.05, 0.05});
   e.status.state = TrackingState::lost;
   const Command braking = controller.act(e, {}, {}, {2, 0.1, 0.05});
-  ASSERT_EQ(braking.inputs.size(), 1u);
-  EXPECT_NEAR(braking.inputs[0][0], -0.8, 1e-12);
-  EXPECT_NEAR(braking.inputs[0][2], 0.4, 1e-12);
-  EXPECT_TRUE(controller.act(e, {}, {}, {30, 1.5, 0.05}).inputs.empty()) << "then nothing";
+  ASSERT_EQ(braking.bodies.size(), 1u);
+  EXPECT_NEAR(braking.bodies[0].input[0], -0.8, 1e-12);
+  EXPECT_NEAR(braking.bodies[0].input[2], 0.4, 1e-12);
+  EXPECT_TRUE(controller.act(e, {}, {}, {30, 1.5, 0.05}).bodies[0].input.isZero()) << "then nothing";
 }
 
 TEST(Team, IsDeterministicForASeed) {

@@ -9,9 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "incognita/app/loop/assemble.hpp"
-#include "incognita/app/loop/assemble_room_vehicle.hpp"
-#include "incognita/app/loop/assemble_team.hpp"
+#include "incognita/app/loop/assembly.hpp"
 #include "incognita/app/loop/loop.hpp"
 #include "incognita/io/scenario/load_scenario.hpp"
 #include "incognita/record/mcap/snapshot_message.hpp"
@@ -90,29 +88,48 @@ class GivenSensor final : public Sensor {
   std::size_t next_ = 0;
 };
 
-std::string commands_of(const Command& command) {
-  std::string text = std::to_string(command.operator_controlled);
+std::string text_of(const Command& command) {
+  std::string text;
   const auto add = [&](const auto& numbers) {
     for (Eigen::Index i = 0; i < numbers.size(); ++i) text += fmt::format(" {}", numbers[i]);
   };
-  for (const UserCommand& user : command.user_commands) {
-    add(user.segment.from), add(user.segment.to);
-    text += user.is_new ? " new" : "";
+  for (const BodyCommand& body : command.bodies) {
+    text += body.operator_controlled ? " shown" : " commanded";
+    add(body.input);
+    if (!body.shown) continue;
+    add(body.shown->segment.from), add(body.shown->segment.to);
+    text += body.shown->is_new ? " new" : "";
   }
-  for (const SmallVector& input : command.inputs) add(input);
   return text;
 }
 
+/// Keeps what the controller commands.
+class RecordingController final : public Controller {
+ public:
+  RecordingController(std::unique_ptr<Controller> controller, std::vector<std::string>& commands)
+      : controller_(std::move(controller)), commands_(commands) {}
+  Command act(const Estimate& estimate, const Goal& goal, const Observation& observation,
+              const Tick& tick) override {
+    const Command command = controller_->act(estimate, goal, observation, tick);
+    commands_.push_back(text_of(command));
+    return command;
+  }
+
+ private:
+  std::unique_ptr<Controller> controller_;
+  std::vector<std::string>& commands_;
+};
+
 /// The output of the robot's side at each tick, as text that distinguishes any two numbers.
 std::vector<std::string> run(LoopParts& parts) {
-  std::vector<std::string> made;
+  std::vector<std::string> made, commands;
+  parts.controller = std::make_unique<RecordingController>(std::move(parts.controller), commands);
   run_loop(
       parts,
       [&](const Snapshot& s) {
         Snapshot known = s;
-        known.truth.reset();
-        for (SnapshotVehicle& vehicle : known.vehicles) vehicle.truth.reset();
-        made.push_back(snapshot_message(known, true) + commands_of(s.command));
+        for (SnapshotBody& body : known.bodies) body.truth.reset();
+        made.push_back(snapshot_message(known, true) + commands.back());
       },
       [](const Tick&) { return true; });
   return made;
@@ -146,18 +163,17 @@ TEST(WithheldTruth, FreeCameraInTheRoom) {
 }
 
 TEST(WithheldTruth, VehicleInTheRoom) {
-  expect_same_without_a_world(
-      [] { return assemble_room_vehicle(loaded("explore-terrain", {"run.duration_s=2"})); });
+  expect_same_without_a_world([] { return assemble(loaded("explore-terrain", {"run.duration_s=2"})); });
 }
 
 TEST(WithheldTruth, Team) {
   for (const char* name : {"two-robots", "terrain"})
-    expect_same_without_a_world([&] { return assemble_team(loaded(name, {"run.duration_s=4"})); });
+    expect_same_without_a_world([&] { return assemble(loaded(name, {"run.duration_s=4"})); });
 }
 
 TEST(WithheldTruth, HandHeldCameras) {
   expect_same_without_a_world([] {
-    return assemble_team(
+    return assemble(
         loaded("free-camera", {"run.duration_s=3", "operator.holds=true", "operator.delay_s=0.1"}));
   });
 }

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "incognita/control/camera_controller.hpp"
 #include "incognita/control/reference.hpp"
+#include "incognita/control/steering_controller.hpp"
 #include "incognita/control/track_reference.hpp"
 #include "incognita/models/heading.hpp"
 
@@ -36,8 +36,8 @@ TEST(TrackReference, BringsTheConstantVelocityModelToTheGoalPose) {  // thesis (
   x.segment<3>(7) << 0.2, 0, -0.1;
   const ControlSettings settings;
   for (int k = 0; k < 300; ++k) {
-    const Command u = track_reference(x, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, level_gaze(0), {0, 0, 0}, settings);
-    x = FreeCameraMotion{}.f<double>(x, u.as_input(), 1 / 30.0);
+    const auto u = track_reference(x, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, level_gaze(0), {0, 0, 0}, settings);
+    x = FreeCameraMotion{}.f<double>(x, u, 1 / 30.0);
   }
   Eigen::Matrix<double, 12, 1> error;
   const CameraState desired = at_rest();
@@ -50,62 +50,84 @@ TEST(TrackReference, RespectsTheAccelerationLimits) {
   x.head<3>() << 100, -100, 0;
   ControlSettings settings;
   settings.max_acceleration_m_s2 = 2;
-  const Command u = track_reference(x, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, level_gaze(3), {0, 0, 0}, settings);
-  EXPECT_DOUBLE_EQ(u.linear_acceleration.x(), -2);
-  EXPECT_DOUBLE_EQ(u.linear_acceleration.y(), 2);
-  EXPECT_LE(u.angular_acceleration.cwiseAbs().maxCoeff(), settings.max_angular_acceleration_rad_s2);
+  const auto u = track_reference(x, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, level_gaze(3), {0, 0, 0}, settings);
+  EXPECT_DOUBLE_EQ(u[0], -2);
+  EXPECT_DOUBLE_EQ(u[1], 2);
+  EXPECT_LE(u.tail<3>().cwiseAbs().maxCoeff(), settings.max_angular_acceleration_rad_s2);
 }
 
-TEST(CameraController, BrakesFromTheLastEstimateWhenLostThenCommandsNothing) {
+Estimate tracking(const CameraState& x) {
   Estimate estimate;
-  CameraState x = at_rest();
-  x.segment<3>(7) << 0.4, 0, 0;
-  estimate.bodies.emplace_back().block =
+  Body& body = estimate.bodies.emplace_back();
+  body.block =
       estimate.belief.add_vehicle(FreeCameraMotion::chart, x, FreeCameraMotion::Jacobian::Identity());
+  body.state = x;
   estimate.started = true;
   estimate.status.state = TrackingState::tracking;
-  CameraController controller({});
-  controller.act(estimate, {}, {}, {0, 0, 0});
+  return estimate;
+}
+
+TEST(SteeringController, BrakesAFreeCameraFromTheLastEstimateWhenLostThenCommandsNothing) {
+  CameraState x = at_rest();
+  x.segment<3>(7) << 0.4, 0, 0;
+  Estimate estimate = tracking(x);
+  SteeringController controller({free_camera_control({})});
+  const auto input = [&](int k) {
+    return input_of(controller.act(estimate, {}, {}, {k, k / 30.0, 1 / 30.0}), 0, 6);
+  };
+  input(0);
   estimate.status.state = TrackingState::lost;
   double velocity = 0.4;
-  for (int k = 1; k < 60; ++k)
-    velocity += controller.act(estimate, {}, {}, {k, k / 30.0, 1 / 30.0}).linear_acceleration.x() / 30;
+  for (int k = 1; k < 60; ++k) velocity += input(k)[0] / 30;
   EXPECT_NEAR(velocity, 0, 0.03);
-  EXPECT_TRUE(controller.act(estimate, {}, {}, {60, 2.0, 1 / 30.0}).linear_acceleration.isZero());
+  EXPECT_TRUE(input(60).isZero());
+}
+
+TEST(SteeringController, SwingsTheGazeWhereTheGoalLeavesItFree) {
+  const Estimate estimate = tracking(at_rest());
+  ControlSettings settings;
+  settings.gaze_amplitude_rad = 0.5;
+  SteeringController controller({free_camera_control(settings)});
+  Goal goal;
+  goal.bodies.resize(1);
+  const auto gaze = [&](double t) {
+    return (*controller.act(estimate, goal, {}, {1, t, 0.1}).bodies.at(0).reference)[3];
+  };
+  EXPECT_NEAR(gaze(0), 0, 1e-12);
+  EXPECT_NEAR(gaze(settings.gaze_period_s / 4), 0.5, 1e-12);
+  goal.bodies[0].heading_rad = 1.2;
+  EXPECT_NEAR(gaze(1), 1.2, 1e-12);
 }
 
 /// The operator sees the goal; the operator's motion is not a command.
-TEST(CameraController, DisplaysTheGoalToAnOperatorAndCommandsNothing) {
-  Estimate estimate;
+TEST(SteeringController, DisplaysTheGoalToAnOperatorAndCommandsNothing) {
   CameraState moving = at_rest();
   moving.segment<3>(7) << 0.4, 0, 0;
-  CameraController controller({}, true);
+  SteeringController controller({free_camera_control({}, true)});
   Goal goal;
-  goal.decided = true;
-  goal.to = {0, 0.3, 0};
-  goal.end_t = 1;
-  EXPECT_FALSE(controller.act(estimate, goal, {}, {0, 0, 0}).operator_controlled) << "not started";
-  estimate.bodies.emplace_back().block =
-      estimate.belief.add_vehicle(FreeCameraMotion::chart, moving, FreeCameraMotion::Jacobian::Identity());
-  estimate.started = true;
-  estimate.status.state = TrackingState::tracking;
-  Command command = controller.act(estimate, goal, {}, {1, 0.1, 0.1});
+  BodyGoal& own = goal.bodies.emplace_back();
+  own.decided = true;
+  own.to = {0, 0.3, 0};
+  own.end_t = 1;
+  EXPECT_TRUE(controller.act({}, goal, {}, {0, 0, 0}).bodies.empty()) << "not started";
+  Estimate estimate = tracking(moving);
+  BodyCommand command = controller.act(estimate, goal, {}, {1, 0.1, 0.1}).bodies.at(0);
   EXPECT_TRUE(command.operator_controlled);
-  EXPECT_TRUE(command.as_input().isZero());
-  ASSERT_EQ(command.user_commands.size(), 1u);
-  EXPECT_EQ(command.user_commands[0].segment.to, goal.to);
-  EXPECT_EQ(command.user_commands[0].segment.end_t, 1);
-  EXPECT_TRUE(command.user_commands[0].is_new);
-  EXPECT_FALSE(command.user_commands[0].gaze);
-  goal.decided = false;
-  goal.heading_rad = 0.5;
-  command = controller.act(estimate, goal, {}, {2, 0.2, 0.1});
-  EXPECT_FALSE(command.user_commands[0].is_new);
-  EXPECT_EQ(command.user_commands[0].gaze->rad, 0.5);
+  EXPECT_EQ(command.input.size(), 0);
+  ASSERT_TRUE(command.shown);
+  EXPECT_EQ(command.shown->segment.to, own.to);
+  EXPECT_EQ(command.shown->segment.end_t, 1);
+  EXPECT_TRUE(command.shown->is_new);
+  EXPECT_FALSE(command.shown->gaze);
+  own.decided = false;
+  own.heading_rad = 0.5;
+  command = controller.act(estimate, goal, {}, {2, 0.2, 0.1}).bodies.at(0);
+  EXPECT_FALSE(command.shown->is_new);
+  EXPECT_EQ(command.shown->gaze->rad, 0.5);
   estimate.status.state = TrackingState::lost;
-  command = controller.act(estimate, goal, {}, {3, 0.3, 0.1});
-  EXPECT_TRUE(command.operator_controlled && command.user_commands.empty()) << "come to rest";
-  EXPECT_TRUE(command.as_input().isZero());
+  command = controller.act(estimate, goal, {}, {3, 0.3, 0.1}).bodies.at(0);
+  EXPECT_TRUE(command.operator_controlled && !command.shown) << "come to rest";
+  EXPECT_EQ(command.input.size(), 0);
 }
 
 }  // namespace

@@ -5,4 +5,4 @@ incognita_test(steering_test
                        control/reference_path_test.cpp
                USES incognita::steering)
 incognita_test(steering_laws_test SOURCES control/steering_laws_test.cpp USES incognita::steering incognita::world)
-incognita_test(keep_clear_test SOURCES control/obstacle_avoidance_test.cpp control/vehicle_controller_test.cpp USES incognita::control incognita::world)
+incognita_test(keep_clear_test SOURCES control/obstacle_avoidance_test.cpp control/body_controller_test.cpp USES incognita::control incognita::world)

@@ -4,7 +4,7 @@
 
 #include <Eigen/LU>
 
-#include "incognita/decision/camera_decision.hpp"
+#include "incognita/decision/decision.hpp"
 #include "incognita/models/heading.hpp"
 #include "incognita/models/wide_angle_camera.hpp"
 
@@ -53,25 +53,25 @@ Estimate two_landmarks() {
   return estimate;
 }
 
-TEST(CameraDecision, MovesAcrossTheLineOfSightToGainDepth) {
+TEST(Decision, MovesAcrossTheLineOfSightToGainDepth) {
   const Estimate estimate = two_landmarks();
   CameraSlamSettings steady;  // a second of unknown accelerations would mask the parallax
   steady.filter.sigma_acceleration_m_s2 = steady.filter.sigma_angular_acceleration_rad_s2 = 0.01;
-  CameraDecision decision(WideAngleCamera{}, steady, {});
-  const Goal goal = decision.choose(estimate, Tick{0, 0, 0});
+  const auto decision = decide_by_images(WideAngleCamera{}, steady);
+  const BodyGoal goal = decision->choose(estimate, Tick{0, 0, 0}).bodies.at(0);
   ASSERT_TRUE(goal.decided);
-  const std::string chosen = decision.actions()[goal.chosen];
+  const std::string chosen = decision->actions()[goal.chosen];
   EXPECT_TRUE(chosen == "go_left" || chosen == "go_right" || chosen == "go_up" || chosen == "go_down")
       << chosen;
   EXPECT_NEAR((goal.to - goal.from).norm(), 0.3, 1e-12);
 }
 
-TEST(CameraDecision, DecidesOncePerPeriodAndScoresEveryFrame) {
+TEST(Decision, DecidesOncePerPeriodAndScoresEveryFrame) {
   const Estimate estimate = two_landmarks();
-  CameraDecision decision(WideAngleCamera{}, {}, {});
+  const auto decision = decide_by_images(WideAngleCamera{}, {});
   int decided = 0;
   for (int k = 0; k < 61; ++k) {
-    const Goal goal = decision.choose(estimate, Tick{k, k / 30.0, 1 / 30.0});
+    const BodyGoal goal = decision->choose(estimate, Tick{k, k / 30.0, 1 / 30.0}).bodies.at(0);
     decided += goal.decided;
     ASSERT_EQ(goal.scores.size(), 7u);
     for (const double score : goal.scores) EXPECT_GT(score, 0);
@@ -79,20 +79,20 @@ TEST(CameraDecision, DecidesOncePerPeriodAndScoresEveryFrame) {
   EXPECT_EQ(decided, 3);
 }
 
-TEST(CameraDecision, ExcludesGoalsOutsideTheBounds) {
+TEST(Decision, ExcludesGoalsOutsideTheBounds) {
   const Estimate estimate = two_landmarks();
   DecisionSettings settings;
   settings.min_bound_m = {-0.1, -0.1, -0.1};
   settings.max_bound_m = {0.1, 0.1, 0.1};
-  CameraDecision decision(WideAngleCamera{}, {}, settings);
-  EXPECT_EQ(decision.actions()[decision.choose(estimate, Tick{0, 0, 0}).chosen], "stay");
+  const auto decision = decide_by_images(WideAngleCamera{}, {}, {settings});
+  EXPECT_EQ(decision->actions()[decision->choose(estimate, Tick{0, 0, 0}).bodies.at(0).chosen], "stay");
 }
 
-TEST(CameraDecision, HasNoActionWhenLost) {
+TEST(Decision, HasNoActionWhenLost) {
   Estimate estimate = two_landmarks();
   estimate.status.state = TrackingState::lost;
-  CameraDecision decision(WideAngleCamera{}, {}, {});
-  EXPECT_EQ(decision.choose(estimate, Tick{0, 0, 0}).chosen, -1);
+  const auto decision = decide_by_images(WideAngleCamera{}, {});
+  EXPECT_EQ(decision->choose(estimate, Tick{0, 0, 0}).bodies.at(0).chosen, -1);
 }
 
 }  // namespace

@@ -51,12 +51,11 @@ TEST(DecisionChecks, RefuseInapplicableSettings) {
              "`exploration.counted` belongs to `world.type = \"room\"");
 }
 
-/// In the point-landmark world there is no gaze swing: it is refused when set; by default the gaze is held,
-/// as the effective scenario shows.
-TEST(DecisionChecks, RefuseASwingWithoutARenderedWorld) {
-  EXPECT_HAS(complaint(points + "[decision]\ngaze = \"swing\"\n"),
-             "decision.gaze = \"swing\": must be `hold`, `constant-rate`, `mutual-information`, `fisher` or "
-             "`fisher-given-state`");
+/// In the point-landmark world the gaze is held by default, as the effective scenario shows.
+TEST(DecisionChecks, TheGazeOfAnyFreeCameraMaySwing) {
+  const std::string swing =
+      points + "[decision]\ngaze = \"swing\"\n[controller]\nswing_amplitude_rad = 0.5\n";
+  EXPECT_EQ(complaint(swing), "(none)");
   EXPECT_EQ(complaint(room + "[decision]\ngaze = \"swing\"\n"), "(none)");
   const testing::Scratch scratch;
   EXPECT_HAS(effective_toml(load_scenario(scratch.write("points.toml", points).string())), "gaze = \"hold\"");

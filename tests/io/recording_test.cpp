@@ -205,8 +205,8 @@ TEST(TumRecording, ReadsImagesAndTruth) {
   RecordedWorld world(share(recording));
   const auto truth = world.move({}, at(1305031102.175304));
   ASSERT_TRUE(truth);
-  EXPECT_EQ(truth->camera.head<3>(), Eigen::Vector3d(1, 2, 3));
-  EXPECT_NEAR(truth->camera[7], 1.0, 1e-5);  // 0.1 m in 0.1 s
+  EXPECT_EQ(truth->bodies[0].pose->position, Eigen::Vector3d(1, 2, 3));
+  EXPECT_NEAR(truth->bodies[0].state[7], 1.0, 1e-5);  // 0.1 m in 0.1 s
   EXPECT_FALSE(world.move({}, at(1305031102.22))) << "50 ms from either pose";
   EXPECT_TRUE(world.move({}, at(1305031102.26)));
   EXPECT_FALSE(world.move({}, at(1305031103)));

@@ -113,13 +113,13 @@ TEST(Settings, EveryMemberIsDescribed) {
   };
   expect_all(
       std::type_identity<std::tuple<
-          FilterSettings, SearchSettings, InitializationSettings, MapSettings, LostSettings, StartSettings,
-          RangeBearingSettings, PlanarFilterSettings, PlanarStartSettings, PlanarLostSettings,
-          DataAssociationSettings, DecisionSettings, ExplorationSettings, ControlSettings, RoomSettings,
-          OperatorSettings, RunSettings, WorldSettings, WideAngleLens, PinholeLens, CameraSettings,
-          RecordingSettings, TeamStartSettings, FormSettings, PointsSettings, TruePlantSettings, PlaneTerrain,
-          WavesTerrain, ImageTerrain, TerrainSettings, ControllerSettings, PathFile, PathSettings, PointPath,
-          CirclePath, BackAndForthPath, WayPointPath>>{});
+          FilterSettings, SearchSettings, InitializationSettings, MapSettings, HealthSettings, StartSettings,
+          RangeBearingSettings, PlanarFilterSettings, PlanarStartSettings, DataAssociationSettings,
+          DecisionSettings, ExplorationSettings, ControlSettings, RoomSettings, OperatorSettings, RunSettings,
+          WorldSettings, WideAngleLens, PinholeLens, CameraSettings, RecordingSettings, TeamStartSettings,
+          FormSettings, PointsSettings, TruePlantSettings, PlaneTerrain, WavesTerrain, ImageTerrain,
+          TerrainSettings, ControllerSettings, PathFile, PathSettings, PointPath, CirclePath,
+          BackAndForthPath, WayPointPath>>{});
 }
 
 /// Every setting appears with its choices, takes its default when that is given, and takes each of its words.

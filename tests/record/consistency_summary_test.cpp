@@ -105,13 +105,12 @@ Snapshot team_at(int frame, double first_off, double second_off, bool second_has
   Snapshot s;
   s.tick = {frame, 0.1 * frame, 0.1};
   s.status.state = TrackingState::tracking;
-  s.truth = Truth{};
   for (const double off : {first_off, second_off}) {
-    SnapshotVehicle v;
+    SnapshotBody v;
     v.estimate.position.x() = 0.1 * off;
     v.covariance.diagonal() << 0.01, 0.01, 0, 0, 0, 0.01;
-    if (s.vehicles.empty() || second_has_truth) v.truth = StampedPose{};
-    s.vehicles.push_back(v);
+    if (s.bodies.empty() || second_has_truth) v.truth = StampedPose{};
+    s.bodies.push_back(v);
   }
   return s;
 }
@@ -122,13 +121,13 @@ TEST(ConsistencySummary, OfATeamCountsFramesPerRobot) {
   const ConsistencyReport report = summary.report();
   EXPECT_EQ(report.pose.frames_with_truth, 100);
   EXPECT_EQ(report.pose.overconfident_frames, 100);
-  ASSERT_EQ(report.robots.size(), 2u);
-  EXPECT_EQ(report.robots[0].frames_with_truth, 100);
-  EXPECT_EQ(report.robots[0].overconfident_frames, 100);
-  EXPECT_EQ(report.robots[1].frames_with_truth, 60);
-  EXPECT_EQ(report.robots[1].overconfident_frames, 30);
-  EXPECT_NEAR(report.robots[0].nees->mean, 25.0 / 3, 1e-9);
-  EXPECT_EQ(report.robots[0].verdict(), Consistency::overconfident);
+  ASSERT_EQ(report.bodies.size(), 2u);
+  EXPECT_EQ(report.bodies[0].frames_with_truth, 100);
+  EXPECT_EQ(report.bodies[0].overconfident_frames, 100);
+  EXPECT_EQ(report.bodies[1].frames_with_truth, 60);
+  EXPECT_EQ(report.bodies[1].overconfident_frames, 30);
+  EXPECT_NEAR(report.bodies[0].nees->mean, 25.0 / 3, 1e-9);
+  EXPECT_EQ(report.bodies[0].verdict(), Consistency::overconfident);
   // 100 samples of the first robot, 30 equal ones of the second, 30 of 0
   EXPECT_NEAR(summary.mean_nees(), 25.0 / 3 * 130 / 160, 1e-9);
 }
@@ -137,7 +136,7 @@ TEST(ConsistencySummary, OneOverconfidentRobotMakesItsTeamOverconfident) {
   ConsistencySummary summary(true);
   for (int i = 0; i < 100; ++i) {
     Snapshot s = team_at(i, 4, 1.7, true);
-    for (int k = 0; k < 6; ++k) s.vehicles.push_back(s.vehicles.back());
+    for (int k = 0; k < 6; ++k) s.bodies.push_back(s.bodies.back());
     summary.add(s);
   }
   EXPECT_EQ(summary.report().pose.verdict(), Consistency::consistent);

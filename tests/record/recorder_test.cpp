@@ -87,11 +87,11 @@ TEST(Recorder, WritesEveryFileOfARun) {
   EXPECT_EQ(read_covariances(run / "covariance.csv").size(), 107u);
   EXPECT_EQ(rows(run / "series.csv"), 120u);
   EXPECT_EQ(rows(run / "timings.csv"), 120u);
-  EXPECT_EQ(rows(run / "looks.csv"), 960u);
+  EXPECT_EQ(rows(run / "measurements.csv"), 960u);
   EXPECT_EQ(rows(run / "actions.csv"), 4u);
   EXPECT_EQ(rows(run / "map.csv"), 13u);
   EXPECT_EQ(logged_snapshots(run), 120u);
-  EXPECT_EQ(lines(run / "map.csv").front(), "id,kind,x,y,z,pxx,pxy,pxz,pyy,pyz,pzz,sightings");
+  EXPECT_EQ(lines(run / "map.csv").front(), "id,kind,x,y,z,pxx,pxy,pxz,pyy,pyz,pzz,detections");
   EXPECT_EQ(lines(run / "actions.csv").front(), "t,chosen,stay,forward,back,left,right,up,down");
   EXPECT_TRUE(
       lines(run / "series.csv").front().starts_with("t,state,matched,predicted,landmarks,sigma_position_m,"));
@@ -107,10 +107,9 @@ TEST(Recorder, WritesTheSnapshotsValues) {
   const Snapshot snapshot = testing::synthetic_snapshot(synthetic, 50);
   const Trajectory estimate = read_trajectory(scratch / "run/estimate.tum");
   EXPECT_EQ(estimate[47].t, snapshot.tick.t);  // exactly: numbers are written with all their digits
-  EXPECT_EQ(estimate[47].position, Eigen::Vector3d(snapshot.camera.head<3>()));
-  EXPECT_TRUE(estimate[47].orientation.isApprox(snapshot.camera.segment<4>(3), 1e-15));
-  EXPECT_EQ(read_covariances(scratch / "run/covariance.csv")[47].covariance,
-            PoseCovariance(snapshot.covariance.topLeftCorner<6, 6>()));
+  EXPECT_EQ(estimate[47].position, snapshot.bodies[0].estimate.position);
+  EXPECT_TRUE(estimate[47].orientation.isApprox(snapshot.bodies[0].estimate.orientation, 1e-15));
+  EXPECT_EQ(read_covariances(scratch / "run/covariance.csv")[47].covariance, snapshot.bodies[0].covariance);
   const fs::path series = scratch / "run/series.csv";
   EXPECT_EQ(cell(series, 0, "state"), "starting");
   EXPECT_EQ(cell(series, 0, "sigma_position_m"), "nan");
@@ -118,14 +117,14 @@ TEST(Recorder, WritesTheSnapshotsValues) {
   EXPECT_EQ(cell(series, 50, "landmarks"), "5");
   EXPECT_NEAR(*parse_number(cell(series, 50, "sigma_position_m")), 0.02, 1e-12);
   EXPECT_NEAR(*parse_number(cell(series, 50, "two_sigma_rotz_rad")), 0.02, 1e-12);
-  EXPECT_NEAR(*parse_number(cell(series, 50, "error_x_m")), snapshot.camera[0] - snapshot.truth->camera[0],
-              1e-12);
+  EXPECT_NEAR(*parse_number(cell(series, 50, "error_x_m")),
+              snapshot.bodies[0].estimate.position.x() - snapshot.bodies[0].truth->position.x(), 1e-12);
   EXPECT_EQ(*parse_number(cell(series, 50, "nis")), snapshot.nis);
   EXPECT_EQ(cell(scratch / "run/actions.csv", 1, "chosen"), "back");
-  EXPECT_EQ(cell(scratch / "run/looks.csv", 0, "kind"), "anchor");
-  EXPECT_EQ(cell(scratch / "run/looks.csv", 5, "u_measured"), "nan");
-  EXPECT_EQ(cell(scratch / "run/looks.csv", 5, "outcome"), "not-found");
-  EXPECT_EQ(cell(scratch / "run/looks.csv", 7, "kind"), "line");
+  EXPECT_EQ(cell(scratch / "run/measurements.csv", 0, "kind"), "anchor");
+  EXPECT_EQ(cell(scratch / "run/measurements.csv", 5, "measured_1"), "nan");
+  EXPECT_EQ(cell(scratch / "run/measurements.csv", 5, "outcome"), "not-found");
+  EXPECT_EQ(cell(scratch / "run/measurements.csv", 7, "kind"), "ray");
 }
 
 TEST(Recorder, SummarizesARun) {
@@ -182,8 +181,8 @@ TEST(Recorder, ReportsObservability) {
   EXPECT_EQ(said["ideal_rank"], 196);
   EXPECT_EQ(said["nullity"], 3);
   EXPECT_EQ(said["gap"], 5e6);
-  EXPECT_EQ(said["directions"][0]["believed_sigma"], nullptr);
-  EXPECT_EQ(said["directions"][1]["believed_sigma"], 0.02);
+  EXPECT_EQ(said["directions"][0]["estimated_sigma"], nullptr);
+  EXPECT_EQ(said["directions"][1]["estimated_sigma"], 0.02);
   EXPECT_EQ(said["without_information"].size(), 50u);
   EXPECT_EQ(said["without_information_count"], 300);
 }
@@ -241,7 +240,7 @@ TEST(Recorder, WritesTheSameBytesForTheSameRun) {
   record(scratch / "a", {}, info(), 5);
   record(scratch / "b", {}, info(), 7);  // another machine, another speed
   for (const char* file : {"effective.toml", "estimate.tum", "truth.tum", "covariance.csv", "actions.csv",
-                           "map.csv", "map.ply", "series.csv", "looks.csv", "run.mcap"}) {
+                           "map.csv", "map.ply", "series.csv", "measurements.csv", "run.mcap"}) {
     EXPECT_EQ(contents(scratch / "a" / file), contents(scratch / "b" / file)) << file;
     EXPECT_FALSE(contents(scratch / "a" / file).empty()) << file;
   }
@@ -375,7 +374,7 @@ TEST(Recorder, OnAFullDiskKeepsWhatItHasAndReportsIt) {
   EXPECT_EQ(json["status"], "failed");
   EXPECT_TRUE(json["reason"].get<std::string>().starts_with(reason));
   EXPECT_GT(json["frames"], 10);
-  for (const char* file : {"series.csv", "looks.csv", "covariance.csv"}) {
+  for (const char* file : {"series.csv", "measurements.csv", "covariance.csv"}) {
     EXPECT_GT(rows(run / file), 5u) << file;
     EXPECT_EQ(contents(run / file).back(), '\n') << file;
   }

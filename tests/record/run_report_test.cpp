@@ -92,11 +92,11 @@ TEST(RunReport, StatesTheVerdictWithSymptomAndCauses) {
 
 TEST(RunReport, HasALineForEachRobotOfATeam) {
   RunReport r = room();
-  r.robots = {r.body, r.body};
-  r.robots[0].consistency = {1797, 0, mean(1.1)};
-  r.robots[1].consistency = {900, 150, mean(3.4)};
-  r.robots[1].ate_m = 0.152;
-  r.robots[1].compared_frames = 900;
+  r.bodies = {r.body, r.body};
+  r.bodies[0].consistency = {1797, 0, mean(1.1)};
+  r.bodies[1].consistency = {900, 150, mean(3.4)};
+  r.bodies[1].ate_m = 0.152;
+  r.bodies[1].compared_frames = 900;
   const std::string text = in_words(r, 4, "x");
   EXPECT_NE(
       text.find("  robot 1    path 8.41 m, ATE 2.5 mm, drift 0.041 % of the path, NEES 1.10 (0.50 to 2.00), "

@@ -134,27 +134,30 @@ TEST(SnapshotLog, HasTheSnapshotsValues) {
   EXPECT_EQ(json["frame"], 50);
   EXPECT_EQ(json["t"], snapshot.tick.t);  // exactly, as all numbers except those of matches
   EXPECT_EQ(json["state"], "tracking");
-  EXPECT_EQ(json["position"]["x"], snapshot.camera[0]);
-  EXPECT_EQ(json["orientation"]["w"], snapshot.camera[3]);
-  EXPECT_EQ(json["orientation"]["z"], snapshot.camera[6]);
-  ASSERT_EQ(json["pose_covariance"].size(), 36u);
+  ASSERT_EQ(json["bodies"].size(), 1u);
+  const Json& body = json["bodies"][0];
+  EXPECT_EQ(body["position"]["x"], snapshot.bodies[0].estimate.position.x());
+  EXPECT_EQ(body["orientation"]["w"], snapshot.bodies[0].estimate.orientation[0]);
+  EXPECT_EQ(body["orientation"]["z"], snapshot.bodies[0].estimate.orientation[3]);
+  ASSERT_EQ(body["pose_covariance"].size(), 36u);
   for (int i = 0; i < 6; ++i)
     for (int j = 0; j < 6; ++j)
-      EXPECT_EQ(json["pose_covariance"][static_cast<std::size_t>(6 * i + j)], snapshot.covariance(i, j));
+      EXPECT_EQ(body["pose_covariance"][static_cast<std::size_t>(6 * i + j)],
+                snapshot.bodies[0].covariance(i, j));
   EXPECT_EQ(json["nis"], snapshot.nis);
   EXPECT_EQ(json["nis_dof"], 10);
   EXPECT_EQ(json["entropy"]["total"], snapshot.entropy.total);
   EXPECT_EQ(json["decision"]["candidates"][2]["action"], "back");
   EXPECT_EQ(json["decision"]["candidates"][2]["score"], snapshot.decision.scores[2]);
   EXPECT_EQ(json["decision"]["chosen"], snapshot.decision.chosen);
-  EXPECT_EQ(json["command"]["linear_acceleration"]["y"], 0.2);
-  ASSERT_EQ(json["looks"].size(), 8u);
-  EXPECT_NEAR(json["looks"][3]["predicted"][1], snapshot.matches[3].predicted.y(), 1e-4);
-  EXPECT_NEAR(json["looks"][3]["measured"][0], snapshot.matches[3].measured->x(), 1e-4);
-  EXPECT_EQ(json["looks"][3]["innovation_cov"], Json::parse("[12.0,3.0,6.0]"));
-  EXPECT_EQ(json["looks"][5]["outcome"], "not-found");
-  EXPECT_FALSE(json["looks"][5].contains("measured"));
-  EXPECT_EQ(json["looks"][7]["kind"], "line");
+  EXPECT_EQ(body["input"][1], 0.2);
+  ASSERT_EQ(json["matches"].size(), 8u);
+  EXPECT_NEAR(json["matches"][3]["predicted"][1], snapshot.matches[3].predicted.y(), 1e-4);
+  EXPECT_NEAR(json["matches"][3]["measured"][0], snapshot.matches[3].measured->x(), 1e-4);
+  EXPECT_EQ(json["matches"][3]["innovation_cov"], Json::parse("[12.0,3.0,6.0]"));
+  EXPECT_EQ(json["matches"][5]["outcome"], "not-found");
+  EXPECT_FALSE(json["matches"][5].contains("measured"));
+  EXPECT_EQ(json["matches"][7]["kind"], "ray");
   EXPECT_EQ(json["landmark_ids"].size(), snapshot.landmarks.size());
   EXPECT_FALSE(json.contains("landmarks"));
   const Json with_map = parsed(*read.of("/snapshot")[60]);
@@ -173,8 +176,8 @@ TEST(SnapshotLog, HasPosesAndFramesOfTheTick) {
   const Json pose = parsed(message);
   EXPECT_EQ(pose["timestamp"], Json::parse(R"({"sec":1,"nsec":666666667})"));
   EXPECT_EQ(pose["frame_id"], "world");
-  EXPECT_EQ(pose["pose"]["position"]["z"], snapshot.camera[2]);
-  EXPECT_EQ(pose["pose"]["orientation"]["x"], snapshot.camera[4]);
+  EXPECT_EQ(pose["pose"]["position"]["z"], snapshot.bodies[0].estimate.position.z());
+  EXPECT_EQ(pose["pose"]["orientation"]["x"], snapshot.bodies[0].estimate.orientation[1]);
   std::map<std::string, int> frames;
   for (const McapMessage* transform : read.of("/tf")) {
     const Json json = parsed(*transform);
@@ -267,8 +270,8 @@ TEST(SnapshotLog, AcceptsNonFiniteValues) {
   const Scratch scratch;
   Snapshot snapshot = with_image({}, 50);
   const double unknown = std::numeric_limits<double>::quiet_NaN();
-  snapshot.camera.setConstant(unknown);
-  snapshot.covariance.setConstant(unknown);
+  snapshot.bodies[0].estimate.position.setConstant(unknown);
+  snapshot.bodies[0].covariance.setConstant(unknown);
   snapshot.matches[0].innovation_cov.setConstant(unknown);
   snapshot.matches[1].predicted.setConstant(1e300);
   snapshot.matches[2].innovation_cov.setZero();

@@ -8,6 +8,7 @@
 
 #include "incognita/math/quaternion.hpp"
 #include "incognita/math/random.hpp"
+#include "incognita/models/free_camera.hpp"
 #include "incognita/record/snapshot/snapshot.hpp"
 
 namespace incognita::testing {
@@ -57,7 +58,8 @@ inline void add_measurements(Snapshot& snapshot, RandomStream& random) {
     SnapshotMatch match;
     match.id = i;
     match.anchor = i < 2;
-    match.line = i == 7;
+    match.ray = i == 7;
+    match.image = true;
     match.predicted << 40 + 35 * i, 60 + 20 * (i % 4);
     match.innovation_cov << 9 + i, 3, 3, 6;
     match.outcome = outcomes[i < 5 ? 0 : i - 4];
@@ -74,18 +76,21 @@ inline void add_measurements(Snapshot& snapshot, RandomStream& random) {
 
 inline void add_pose(Snapshot& snapshot, const SyntheticRun& run, RandomStream& random) {
   const FreeCameraMotion::State<double> truth = camera_on_circle(snapshot.tick.t);
-  if (run.with_truth) snapshot.truth = Truth{truth};
-  snapshot.camera = truth;
-  snapshot.covariance.setIdentity();
+  SnapshotBody& body = snapshot.bodies.emplace_back();
+  body.estimate = {snapshot.tick.t, truth.head<3>(), truth.segment<4>(3)};
+  if (run.with_truth) body.truth = body.estimate;
   for (int i = 0; i < 6; ++i) {
     const double sigma = i < 3 ? run.sigma_position_m : run.sigma_rotation_rad;
-    snapshot.covariance(i, i) = sigma * sigma;
+    body.covariance(i, i) = sigma * sigma;
   }
   Eigen::Vector3d shift, turn;
   for (int i = 0; i < 3; ++i) shift[i] = run.error_factor * run.sigma_position_m * random.normal();
   for (int i = 0; i < 3; ++i) turn[i] = run.error_factor * run.sigma_rotation_rad * random.normal();
-  snapshot.camera.head<3>() += shift;
-  snapshot.camera.segment<4>(3) = quaternion_product<double>(truth.segment<4>(3), quaternion_exp(turn));
+  body.estimate.position += shift;
+  body.estimate.orientation = quaternion_product<double>(truth.segment<4>(3), quaternion_exp(turn));
+  body.velocity = truth.tail<6>();
+  body.input.resize(6);
+  body.input << 0.1, 0.2, -0.1, 0, 0, 0;
 }
 
 inline void add_decision(Snapshot& snapshot, int frame) {
@@ -108,7 +113,6 @@ inline Snapshot synthetic_snapshot(const SyntheticRun& run, int frame, double pa
   const double unknown = std::numeric_limits<double>::quiet_NaN();
   snapshot.entropy = {-50.0 - 0.01 * frame, 3.0 * (frame / 10), -50 - 0.01 * frame + 3.0 * (frame / 10)};
   if (frame < run.starting) snapshot.entropy = {unknown, unknown, unknown};
-  snapshot.command.linear_acceleration << 0.1, 0.2, -0.1;
   snapshot.timing_ms = {{"search", 0.5 * pace_ms}, {"frame", pace_ms}};
   if (frame == 20) snapshot.timing_ms.insert(snapshot.timing_ms.begin() + 1, {"birth", 1.0});
   return snapshot;

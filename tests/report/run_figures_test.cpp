@@ -60,8 +60,8 @@ TEST(RunFigures, UseNoMetersWhereTheScaleIsUnobservable) {
   Recorder recorder(scratch / "run", info);
   for (int i = 0; i < 60; ++i) {
     Snapshot snapshot = testing::synthetic_snapshot({}, i);
-    snapshot.truth->camera.head<3>() *= 3;  // the estimate's unit is 3 m
-    snapshot.truth->camera.head<3>() += Eigen::Vector3d(50, 0, 0);
+    Eigen::Vector3d& truth = snapshot.bodies[0].truth->position;
+    truth = 3 * truth + Eigen::Vector3d(50, 0, 0);  // the estimate's unit is 3 m
     recorder.publish(snapshot);
   }
   recorder.finish(RunStatus::done, "");

@@ -15,6 +15,7 @@
 #include "incognita/slam/estimator/single_camera.hpp"
 #include "incognita/world/rendered/free_camera_plant.hpp"
 #include "incognita/world/rendered/room_camera.hpp"
+#include "tests/camera_truth.hpp"
 
 namespace incognita {
 namespace {
@@ -36,10 +37,10 @@ const Setup& setup() {
 
 /// A sway of 0.3 m to the side and up, and of the gaze, so that depths are seen.
 Command sway(double t) {
-  Command command;
-  command.linear_acceleration = {0.1 * std::cos(t), 0.5 * std::cos(2.1 * t), 0.4 * std::cos(2.6 * t + 1)};
-  command.angular_acceleration = {0, 0.25 * std::cos(2 * t), 0};
-  return command;
+  FreeCameraMotion::Input<double> input;
+  input << 0.1 * std::cos(t), 0.5 * std::cos(2.1 * t), 0.4 * std::cos(2.6 * t + 1), 0, 0.25 * std::cos(2 * t),
+      0;
+  return {{BodyCommand{input}}};
 }
 
 struct Run {
@@ -74,14 +75,14 @@ Run run(std::uint64_t seed, double duration_s) {
   const int frames = static_cast<int>(std::lround(duration_s * rate_hz));
   for (int k = 0; k <= frames; ++k) {
     const Tick tick{k, k / rate_hz, k == 0 ? 0 : 1 / rate_hz};
-    const Truth truth{plant.move(command, tick.dt)};
-    estimator.update(estimate, command, sensor.measure(truth, tick), tick);
+    const CameraState truth = plant.move(input_of(command, 0, 6), tick.dt);
+    estimator.update(estimate, command, sensor.measure(testing::camera_truth(truth), tick), tick);
     command = sway(tick.t);
     run.lost_frames += estimate.status.state == TrackingState::lost;
     if (!estimate.started) continue;
     run.most_error_m =
-        std::max(run.most_error_m, (truth.camera.head<3>() - estimate.camera_state().head<3>()).norm());
-    if (k > 0 && k % 15 == 0) run.nees.push_back(pose_nees(truth.camera, estimate));
+        std::max(run.most_error_m, (truth.head<3>() - estimate.camera_state().head<3>()).norm());
+    if (k > 0 && k % 15 == 0) run.nees.push_back(pose_nees(truth, estimate));
     if (k % 10 != 0) continue;
     append(run.bytes, estimate.camera_state());
     append(run.bytes, estimate.belief.dense_covariance());

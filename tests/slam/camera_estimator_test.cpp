@@ -113,7 +113,7 @@ TEST(SingleCamera, KeepsNoImageAndSearchesNothingWithoutOne) {
   CameraSlamSettings settings;
   settings.initialization.method = InitializationSettings::Method::depth_line;
   settings.map.wanted_visible = 20;
-  settings.lost.min_matches = 1;
+  settings.health.min_matches = 1;
   SlamEstimator tracking = single_camera(synthetic::camera, synthetic::sheet_target(), settings, 10, 1);
   Estimate estimate;
   auto image = synthetic::wall_with_sheet().shared_view(synthetic::camera_at({0, 0, 0}));
@@ -163,7 +163,7 @@ TEST(SingleCamera, RefusesSettingsThatCannotBe) {
             "landmark_initialization.particles = 1: must be 2 or more");
   EXPECT_EQ(refusal([](auto& s) { s.map.max_scale = 1; }),
             "map.max_scale = 1: must be more than 1, and finite");
-  EXPECT_EQ(refusal([](auto& s) { s.lost.min_matches = 0; }), "health.min_matches = 0: must be 1 or more");
+  EXPECT_EQ(refusal([](auto& s) { s.health.min_matches = 0; }), "health.min_matches = 0: must be 1 or more");
 }
 
 TEST(SingleCamera, RefusesATargetOrWheelsThatCannotBe) {

@@ -54,7 +54,7 @@ TEST(CameraLost, ACoveredLensIsDegradedAndThenLost) {
     Tracked t;
     const std::size_t landmarks = t.estimate.landmarks.size();
     const auto before = t.features();
-    for (int i = 1; i < t.settings.lost.max_frames; ++i) {
+    for (int i = 1; i < t.settings.health.max_ticks; ++i) {
       covered ? t.see_gray() : t.see_nothing();
       EXPECT_EQ(t.estimate.status.state, TrackingState::degraded) << i;
       EXPECT_EQ(t.estimate.health.frames_with_few, i);
@@ -84,8 +84,8 @@ TEST(CameraLost, NotAfterAShortBlink) {
 
 TEST(CameraLost, WhenThePositionIsTooUncertain) {
   CameraSlamSettings settings = Tracked::defaults();
-  settings.lost.max_frames = 1000;
-  settings.lost.max_sigma_position_m = 0.2;
+  settings.health.max_ticks = 1000;
+  settings.health.max_sigma_position_m = 0.2;
   settings.filter.sigma_acceleration_m_s2 = 5;
   Tracked t(settings);
   double sigma_before = 0;
@@ -101,7 +101,7 @@ TEST(CameraLost, WhenThePositionIsTooUncertain) {
 }
 
 void declare_lost(Tracked& t) {
-  for (int i = 0; i < t.settings.lost.max_frames; ++i) t.see_gray();
+  for (int i = 0; i < t.settings.health.max_ticks; ++i) t.see_gray();
   ASSERT_EQ(t.estimate.status.state, TrackingState::lost);
 }
 
@@ -116,9 +116,7 @@ TEST(CameraLost, StaysWhereItWas) {
   EXPECT_GT(sigma_m, 0.1) << "as uncertain as a search around allows";
   EXPECT_LT(sigma_m, 0.3);
   const Eigen::MatrixXd P = t.estimate.belief.dense_covariance();
-  Command push;
-  push.linear_acceleration = {3, -2, 1};
-  push.angular_acceleration = {1, 1, -2};
+  const Command push{{BodyCommand{(SmallVector(6) << 3, -2, 1, 1, 1, -2).finished()}}};
   const auto elsewhere = Wall(1.4, 99).shared_view(t.truth);
   for (int i = 0; i < 30; ++i) {
     i % 3 == 0 ? t.see_nothing(push)

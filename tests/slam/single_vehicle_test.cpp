@@ -244,7 +244,7 @@ TEST(SingleVehicle, TwoDetectionsOfOnePlaceAreOneLandmark) {
 
 TEST(SingleVehicle, SaysThatItIsLost) {
   PlanarSlamSettings s = drive_settings();
-  s.lost.max_sigma_position_m = 0.3;
+  s.health.max_sigma_position_m = 0.3;
   SlamEstimator estimator(single_vehicle(s));
   Estimate e;
   for (int k = 0; k < 200; ++k) {
@@ -262,7 +262,7 @@ TEST(SingleVehicle, IsLostWhenNothingIsWhereItShouldBe) {
   Estimate e;
   Drive drive;
   for (int k = 0; k < 5; ++k) drive.step(estimator, e, s);
-  for (int k = 0; k < s.lost.max_unmatched_scans; ++k) {
+  for (int k = 0; k < s.health.max_ticks; ++k) {
     Observation observation = drive.next(s);
     for (PointDetection& d : observation.bodies[0].landmarks) d.z[0] += 20;
     estimator.update(e, {}, observation, drive.tick());
@@ -322,7 +322,7 @@ TEST(SingleVehicle, SaysThatAnUpdateWasRefused) {
     s.filter.anchors = {landmarks[0], landmarks[1]};
     s.start.sigma_position_m = 1e9;
     s.sensor.sigma_range_m = s.sensor.sigma_bearing_rad = 1e-5;
-    s.lost.max_sigma_position_m = 1e12;
+    s.health.max_sigma_position_m = 1e12;
     s.association.gate_probability = 1 - 1e-9;
     SlamEstimator estimator(single_vehicle(s, {0, 1}));
     Estimate e;
@@ -355,7 +355,7 @@ TEST(SingleVehicle, NewLandmarksAloneDoNotKeepItFromBeingLost) {
   s.association.method = DataAssociationSettings::Method::joint;
   SlamEstimator estimator(single_vehicle(s));
   Estimate e;
-  for (int k = 0; k < s.lost.max_unmatched_scans + 3; ++k) {
+  for (int k = 0; k < s.health.max_ticks + 3; ++k) {
     Observation observation = of_one();
     observation.bodies[0].landmarks = {detection(5.0 + 10 * k, 0.1)};
     estimator.update(e, {}, observation, {k, static_cast<double>(k), 1.0});

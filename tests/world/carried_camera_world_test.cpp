@@ -25,7 +25,7 @@ CameraCarrier on_waves() {
 
 Command drive(double speed, double turn_rate) {
   Command command;
-  command.inputs.push_back((SmallVector(2) << speed, turn_rate).finished());
+  command.bodies.push_back({(SmallVector(2) << speed, turn_rate).finished()});
   return command;
 }
 
@@ -40,26 +40,26 @@ Tick tick(int frame, double t, double dt) {
 TEST(CameraSensor, VelocitiesAreDerivativesOfThePose) {
   CarriedCameraWorld world({on_waves()}, 1);
   constexpr double dt = 1e-4;
-  Camera before = world.move({}, tick(0, 0, 0))->camera;
+  Camera before = world.move({}, tick(0, 0, 0))->bodies[0].state;
   for (int i = 1; i < 50; ++i) world.move(drive(0.6, 0.5), tick(i, 0.1 * i, 0.1));
-  before = world.move(drive(0.6, 0.5), tick(50, 5, dt))->camera;
+  before = world.move(drive(0.6, 0.5), tick(50, 5, dt))->bodies[0].state;
   const Truth middle = *world.move(drive(0.6, 0.5), tick(51, 5 + dt, dt));
-  const Camera after = world.move(drive(0.6, 0.5), tick(52, 5 + 2 * dt, dt))->camera;
+  const Camera after = world.move(drive(0.6, 0.5), tick(52, 5 + 2 * dt, dt))->bodies[0].state;
   const Eigen::Vector3d velocity = (after.head<3>() - before.head<3>()) / (2 * dt);
-  EXPECT_NEAR((velocity - middle.camera.segment<3>(7)).norm(), 0, 1e-6);
+  EXPECT_NEAR((velocity - middle.bodies[0].state.segment<3>(7)).norm(), 0, 1e-6);
   const Eigen::Vector4d turned = quaternion_product<double>(
       quaternion_conjugate<double>(Eigen::Vector4d(before.segment<4>(3))), after.segment<4>(3));
-  EXPECT_NEAR((quaternion_log<double>(turned) / (2 * dt) - middle.camera.tail<3>()).norm(), 0, 1e-6);
-  EXPECT_GT(middle.camera.tail<3>().norm(), 0.4) << "it turns";
-  EXPECT_TRUE(middle.inputs[0].isZero()) << "accelerations are not commanded";
-  EXPECT_EQ(middle.wheels[0], Eigen::Vector2d(0.6, 0.5));
+  EXPECT_NEAR((quaternion_log<double>(turned) / (2 * dt) - middle.bodies[0].state.tail<3>()).norm(), 0, 1e-6);
+  EXPECT_GT(middle.bodies[0].state.tail<3>().norm(), 0.4) << "it turns";
+  EXPECT_TRUE(middle.bodies[0].input.isZero()) << "accelerations are not commanded";
+  EXPECT_EQ(middle.bodies[0].wheels, Eigen::Vector2d(0.6, 0.5));
 }
 
 TEST(CameraSensor, IsTheMountsDistanceFromTheGroundUnderTheAxle) {
   CameraCarrier carrier = on_waves();
   CarriedCameraWorld world({carrier}, 1);
   for (int i = 0; i < 100; ++i) {
-    const Camera camera = world.move(drive(-0.5, 0.3), tick(i, 0.1 * i, i == 0 ? 0 : 0.1))->camera;
+    const Camera camera = world.move(drive(-0.5, 0.3), tick(i, 0.1 * i, i == 0 ? 0 : 0.1))->bodies[0].state;
     const Eigen::Matrix3d world_from_body = rotation_matrix<double>(Eigen::Vector4d(camera.segment<4>(3))) *
                                             carrier.mount.body_from_camera().transpose();
     const Eigen::Vector3d axle = camera.head<3>() - world_from_body * carrier.mount.lever();
@@ -72,9 +72,9 @@ TEST(CameraSensor, IsTheMountsDistanceFromTheGroundUnderTheAxle) {
 
 TEST(CameraSensor, StandsWithoutACommandAndRespectsTheLimits) {
   CarriedCameraWorld world({on_waves()}, 1);
-  const Camera first = world.move({}, tick(0, 0, 0))->camera;
-  EXPECT_EQ(world.move({}, tick(1, 0.1, 0.1))->camera, first);
-  EXPECT_EQ(world.move(drive(7, -7), tick(2, 0.2, 0.1))->wheels[0], Eigen::Vector2d(1, -1));
+  const Camera first = world.move({}, tick(0, 0, 0))->bodies[0].state;
+  EXPECT_EQ(world.move({}, tick(1, 0.1, 0.1))->bodies[0].state, first);
+  EXPECT_EQ(world.move(drive(7, -7), tick(2, 0.2, 0.1))->bodies[0].wheels, Eigen::Vector2d(1, -1));
 }
 
 }  // namespace

@@ -135,7 +135,7 @@ CameraState at_rest() {
 
 OperatorActuator actuator_of(const OperatorSettings& settings, const GazeSwing& swing = {}) {
   const auto motion = [](const CameraState& state, const Segment& segment, const Heading& gaze, double t) {
-    return fly_segment(state, segment, gaze, t, {}).as_input();
+    return fly_segment(state, segment, gaze, t, {});
   };
   return {OperatorModel(settings, 1, "operator"), motion, swing};
 }
@@ -146,17 +146,17 @@ struct Held {
   CameraState camera = at_rest();
   int ticks = 0;
 
-  Eigen::Matrix<double, 6, 1> step(const Command& command) {
-    const auto input = actuator.move(command, 0, camera, ticks++ / 30.0);
+  Eigen::Matrix<double, 6, 1> step(const BodyCommand& command) {
+    const auto input = actuator.move(command, camera, ticks++ / 30.0);
     camera = FreeCameraMotion{}.f<double>(camera, input, 1 / 30.0);
     return input;
   }
 };
 
-Command to_operator(const UserCommand& shown) {
-  Command command;
+BodyCommand to_operator(const UserCommand& shown) {
+  BodyCommand command;
   command.operator_controlled = true;
-  command.user_commands = {shown};
+  command.shown = shown;
   return command;
 }
 
@@ -181,7 +181,7 @@ TEST(OperatorActuator, StopsWithoutADisplayedCommandAndForgetsTheLastOne) {
   held.step(to_operator(shown));
   const double before = held.camera.segment<3>(7).norm();
   ASSERT_GT(before, 0.2);
-  Command blank;
+  BodyCommand blank;
   blank.operator_controlled = true;
   for (int k = 1; k < 45; ++k) held.step(blank);
   EXPECT_LT(held.camera.segment<3>(7).norm(), 0.05 * before);

@@ -26,8 +26,14 @@ FreeCameraPlant plant_in(const RoomSettings& s, std::uint64_t seed = 1) {
   return FreeCameraPlant(s, room_layout(s, seed), seed);
 }
 
-void move_for(FreeCameraPlant& plant, const Command& command, int ticks) {
-  for (int i = 0; i < ticks; ++i) plant.move(command, dt);
+using Input = FreeCameraMotion::Input<double>;
+
+Input push(const Eigen::Vector3d& linear = {0, 0, 0}, const Eigen::Vector3d& angular = {0, 0, 0}) {
+  return (Input() << linear, angular).finished();
+}
+
+void move_for(FreeCameraPlant& plant, const Input& input, int ticks) {
+  for (int i = 0; i < ticks; ++i) plant.move(input, dt);
 }
 
 TEST(LevelGaze, FacesItsHeadingWithTheFloorDown) {
@@ -51,7 +57,7 @@ TEST(FreeCameraPlant, StartsAtRestAtTheGivenPose) {
 TEST(FreeCameraPlant, ConstantAccelerationGivesTheParabola) {
   auto plant = plant_in(quiet());
   const Eigen::Vector3d a(0.5, -0.3, 0.2);
-  move_for(plant, {a, Eigen::Vector3d::Zero()}, 45);
+  move_for(plant, push(a), 45);
   const double t = 45 * dt;
   EXPECT_NEAR((plant.state().head<3>() - (Eigen::Vector3d(0, 0, 1.2) + 0.5 * t * t * a)).norm(), 0, 1e-9);
   EXPECT_NEAR((plant.state().segment<3>(7) - t * a).norm(), 0, 1e-9);
@@ -60,7 +66,7 @@ TEST(FreeCameraPlant, ConstantAccelerationGivesTheParabola) {
 TEST(FreeCameraPlant, ConstantAngularAccelerationGivesHalfAlphaTSquared) {
   auto plant = plant_in(quiet());
   const Eigen::Vector3d axis = Eigen::Vector3d(1, 2, -0.5).normalized();
-  move_for(plant, {Eigen::Vector3d::Zero(), 0.8 * axis}, 60);
+  move_for(plant, push(Eigen::Vector3d::Zero(), 0.8 * axis), 60);
   const double t = 60 * dt;
   const Eigen::Vector4d turned =
       quaternion_product<double>(level_gaze(0), quaternion_exp<double>(Eigen::Vector3d(0.4 * t * t * axis)));
@@ -74,7 +80,7 @@ TEST(FreeCameraPlant, ConstantAngularAccelerationGivesHalfAlphaTSquared) {
 /// A right turn about the camera's down axis reduces the heading about z.
 TEST(FreeCameraPlant, APositiveRateAboutTheDownAxisTurnsRight) {
   auto plant = plant_in(quiet());
-  move_for(plant, {Eigen::Vector3d::Zero(), {0, 1, 0}}, 30);
+  move_for(plant, push(Eigen::Vector3d::Zero(), {0, 1, 0}), 30);
   const Eigen::Vector3d forward =
       rotation_matrix<double>(Eigen::Vector4d(plant.state().segment<4>(3))).col(2);
   EXPECT_NEAR(std::atan2(forward.y(), forward.x()), -0.5, 1e-8);
@@ -82,28 +88,28 @@ TEST(FreeCameraPlant, APositiveRateAboutTheDownAxisTurnsRight) {
 
 TEST(FreeCameraPlant, AgreesWithTheDiscreteModelForShortSteps) {
   auto plant = plant_in(quiet());
-  move_for(plant, {{0.3, 0.1, 0}, {0.4, -0.6, 0.2}}, 20);
-  const Command command{{0.3, -0.2, 0.1}, {0.2, 0.3, -0.4}};
+  move_for(plant, push({0.3, 0.1, 0}, {0.4, -0.6, 0.2}), 20);
+  const Input input = push({0.3, -0.2, 0.1}, {0.2, 0.3, -0.4});
   const double step = 1e-4;
-  const auto expected = FreeCameraMotion{}.f<double>(plant.state(), command.as_input(), step);
-  EXPECT_NEAR((plant.move(command, step) - expected).norm(), 0, 1e-7);
+  const auto expected = FreeCameraMotion{}.f<double>(plant.state(), input, step);
+  EXPECT_NEAR((plant.move(input, step) - expected).norm(), 0, 1e-7);
 }
 
 TEST(FreeCameraPlant, WallsStopTheBodyAndLetItSlide) {
   auto plant = plant_in(quiet());
-  move_for(plant, {{2, 0.3, 0}, Eigen::Vector3d::Zero()}, 75);
+  move_for(plant, push({2, 0.3, 0}), 75);
   EXPECT_DOUBLE_EQ(plant.state()[0], 3 - 0.15);
   EXPECT_DOUBLE_EQ(plant.state()[7], 0);
   EXPECT_NEAR(plant.state()[1], 0.15 * 2.5 * 2.5, 1e-9) << "motion along the wall goes on";
-  move_for(plant, {{-1, 0, 0}, Eigen::Vector3d::Zero()}, 30);
+  move_for(plant, push({-1, 0, 0}), 30);
   EXPECT_NEAR(plant.state()[0], 3 - 0.15 - 0.5, 1e-9) << "motion away from the wall is free";
 }
 
 TEST(FreeCameraPlant, FloorAndCeilingStopIt) {
   auto plant = plant_in(quiet());
-  move_for(plant, {{0, 0, -3}, Eigen::Vector3d::Zero()}, 60);
+  move_for(plant, push({0, 0, -3}), 60);
   EXPECT_DOUBLE_EQ(plant.state()[2], 0.15);
-  move_for(plant, {{0, 0, 3}, Eigen::Vector3d::Zero()}, 90);
+  move_for(plant, push({0, 0, 3}), 90);
   EXPECT_DOUBLE_EQ(plant.state()[2], 2.5 - 0.15);
 }
 
@@ -112,10 +118,10 @@ TEST(FreeCameraPlant, ABoxStopsItAtAnySpeed) {
   RoomLayout layout = room_layout(s, 1);
   layout.boxes.push_back({{1, -0.5, 0}, {1.3, 0.5, 1.8}});
   FreeCameraPlant plant(s, layout, 1);
-  plant.move({{3000, 0, 0}, Eigen::Vector3d::Zero()}, dt);
+  plant.move(push({3000, 0, 0}), dt);
   EXPECT_DOUBLE_EQ(plant.state()[0], 1 - 0.15);
   EXPECT_DOUBLE_EQ(plant.state()[7], 0);
-  plant.move({{0, 1, 0}, Eigen::Vector3d::Zero()}, dt);
+  plant.move(push({0, 1, 0}), dt);
   EXPECT_GT(plant.state()[1], 0) << "it slides along the box";
 }
 
@@ -126,8 +132,8 @@ TEST(FreeCameraPlant, NeverEntersAnObstacle) {
   FreeCameraPlant plant(s, layout, 3);
   RandomStream random(3, "test.push");
   for (int i = 0; i < 3000; ++i) {
-    const Eigen::Vector3d push(random.normal(), random.normal(), random.normal());
-    const Eigen::Vector3d p = plant.move({20 * push, Eigen::Vector3d::Zero()}, dt).head<3>();
+    const Eigen::Vector3d jolt(random.normal(), random.normal(), random.normal());
+    const Eigen::Vector3d p = plant.move(push(20 * jolt), dt).head<3>();
     ASSERT_TRUE(layout.inside.grown(1e-9 - s.clearance_m).contains(p)) << p.transpose();
     for (const Box& box : layout.boxes)
       ASSERT_FALSE(box.grown(s.clearance_m - 1e-9).contains(p)) << p.transpose();
@@ -138,8 +144,8 @@ TEST(FreeCameraPlant, SameSeedSameStatesAndAnotherSeedOthers) {
   auto a = plant_in(RoomSettings{}, 5), b = plant_in(RoomSettings{}, 5), c = plant_in(RoomSettings{}, 6);
   EXPECT_EQ(a.state(), b.state());
   EXPECT_NE(a.state(), c.state());
-  move_for(a, {}, 30);
-  move_for(b, {}, 30);
+  move_for(a, push(), 30);
+  move_for(b, push(), 30);
   EXPECT_EQ(a.state(), b.state());
 }
 
@@ -151,7 +157,7 @@ TEST(FreeCameraPlant, DisturbancesHaveTheStatedSigma) {
   constexpr int runs = 1000;
   for (int seed = 0; seed < runs; ++seed) {
     auto plant = plant_in(s, seed);
-    plant.move({}, dt);
+    plant.move(push(), dt);
     linear += plant.state().segment<3>(7).squaredNorm();
     angular += plant.state().segment<3>(10).squaredNorm();
   }
@@ -168,17 +174,17 @@ TEST(FreeCameraPlant, RefusesInvalidSettings) {
   negative.sigma_acceleration_m_s2 = -1;
   EXPECT_THROW(plant_in(negative), std::invalid_argument);
   auto plant = plant_in(quiet());
-  EXPECT_THROW(plant.move({}, -dt), std::invalid_argument);
-  EXPECT_THROW(plant.move({{NAN, 0, 0}, Eigen::Vector3d::Zero()}, dt), std::invalid_argument);
+  EXPECT_THROW(plant.move(push(), -dt), std::invalid_argument);
+  EXPECT_THROW(plant.move(push({NAN, 0, 0}), dt), std::invalid_argument);
 }
 
 TEST(RoomWorld, TheFirstTickReturnsTheStart) {
   const RoomSettings s;
   RoomWorld world(room_layout(s, 2), s, 2);
-  const auto first = world.move({{1, 1, 1}, Eigen::Vector3d::Zero()}, Tick{0, 0, 0});
+  const auto first = world.move({{BodyCommand{push({1, 1, 1})}}}, Tick{0, 0, 0});
   ASSERT_TRUE(first);
-  EXPECT_EQ(first->camera, plant_in(s, 2).state());
-  EXPECT_NE(world.move({}, Tick{1, dt, dt})->camera, first->camera);
+  EXPECT_EQ(first->bodies[0].state, plant_in(s, 2).state());
+  EXPECT_NE(world.move({}, Tick{1, dt, dt})->bodies[0].state, first->bodies[0].state);
 }
 
 }  // namespace

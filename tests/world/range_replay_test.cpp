@@ -72,8 +72,8 @@ TEST(RangeWorld, ReportsWhetherTheOrientationIsKnown) {
   RangeRecording r = small();
   for (auto& place : r.truth) place.heading_rad.reset();
   RangeWorld blind(shared({r})), seeing(shared({small()}));
-  EXPECT_FALSE(blind.move({}, {0, 1, 0})->orientation_known);
-  EXPECT_TRUE(seeing.move({}, {0, 1, 0})->orientation_known);
+  EXPECT_FALSE(blind.move({}, {0, 1, 0})->bodies[0].orientation_known);
+  EXPECT_TRUE(seeing.move({}, {0, 1, 0})->bodies[0].orientation_known);
   EXPECT_FALSE(seeing.move({}, {1, 2, 1}));
 }
 
@@ -128,13 +128,12 @@ TEST(RangeWorld, EachRobotHasItsOwnTruth) {
   const auto both = world.move({}, {0, 1.2, 0}), second_only = world.move({}, {1, 1.3, 0.1}),
              neither = world.move({}, {2, 2, 0.7});
   ASSERT_TRUE(both && second_only);
-  ASSERT_EQ(both->poses.size(), 2u);
-  ASSERT_TRUE(both->poses[0] && both->poses[1]);
-  EXPECT_EQ(both->poses[0]->position, Eigen::Vector3d(4, 0, 0));
-  EXPECT_EQ(both->camera.head<3>(), both->poses[0]->position);
-  EXPECT_FALSE(second_only->poses[0]);  // its neighbors are 1.7 s apart
-  ASSERT_TRUE(second_only->poses[1]);
-  EXPECT_NEAR(second_only->poses[1]->position.y(), 1.75, 1e-12);
+  ASSERT_EQ(both->bodies.size(), 2u);
+  ASSERT_TRUE(both->bodies[0].pose && both->bodies[1].pose);
+  EXPECT_EQ(both->bodies[0].pose->position, Eigen::Vector3d(4, 0, 0));
+  EXPECT_FALSE(second_only->bodies[0].pose);  // its neighbors are 1.7 s apart
+  ASSERT_TRUE(second_only->bodies[1].pose);
+  EXPECT_NEAR(second_only->bodies[1].pose->position.y(), 1.75, 1e-12);
   EXPECT_FALSE(neither);
 }
 

@@ -37,7 +37,7 @@ RoomLayout empty_room() {
 
 Command drive(double speed, double turn_rate) {
   Command command;
-  command.inputs.push_back(pair(speed, turn_rate));
+  command.bodies.push_back({pair(speed, turn_rate)});
   return command;
 }
 
@@ -45,17 +45,19 @@ TEST(RoomVehicle, CarriesItsCameraAtTheMountedPose) {
   RoomVehicle world(body, mount, plant({0.3, -0.4, 0.7}), empty_room(), radius_m, 1);
   const auto start = world.move({}, {0, 0, 0});
   const MountedCamera<3> mounted_pose = mount.on(body.pose({0.3, -0.4, 0.7}));
-  EXPECT_EQ(start->camera, mounted_pose.camera);
+  EXPECT_EQ(start->bodies[0].state, mounted_pose.camera);
   Truth before = *start;
   constexpr double dt = 1e-4;
   for (int k = 1; k <= 3000; ++k) {
     const Truth now = *world.move(drive(0.4, 0.5), {k, k * dt, dt});
-    const Eigen::Vector3d moved = (now.camera.head<3>() - before.camera.head<3>()) / dt;
-    EXPECT_NEAR((moved - 0.5 * (now.camera.segment<3>(7) + before.camera.segment<3>(7))).norm(), 0,
-                k == 1 ? 1 : 1e-4);
-    const Eigen::Vector4d turned = quaternion_product<double>(
-        quaternion_conjugate<double>(before.camera.segment<4>(3)), now.camera.segment<4>(3));
-    EXPECT_NEAR((quaternion_log<double>(turned) / dt - now.camera.tail<3>()).norm(), 0, 1e-3);
+    const Eigen::Vector3d moved = (now.bodies[0].state.head<3>() - before.bodies[0].state.head<3>()) / dt;
+    EXPECT_NEAR(
+        (moved - 0.5 * (now.bodies[0].state.segment<3>(7) + before.bodies[0].state.segment<3>(7))).norm(), 0,
+        k == 1 ? 1 : 1e-4);
+    const Eigen::Vector4d turned =
+        quaternion_product<double>(quaternion_conjugate<double>(before.bodies[0].state.segment<4>(3)),
+                                   now.bodies[0].state.segment<4>(3));
+    EXPECT_NEAR((quaternion_log<double>(turned) / dt - now.bodies[0].state.tail<3>()).norm(), 0, 1e-3);
     before = now;
   }
 }
@@ -67,16 +69,16 @@ TEST(RoomVehicle, StopsItsRadiusFromWallsAndCanTurnAndLeave) {
   Truth truth = *world.move({}, {0, 0, 0});
   for (int k = 1; k < 100; ++k) {
     truth = *world.move(drive(0.8, 0), {k, k * 0.05, 0.05});
-    ASSERT_GE(plan.clearance_at(truth.vehicles[0].head<2>()), radius_m - 1e-12);
+    ASSERT_GE(plan.clearance_at(truth.bodies[0].carrier.head<2>()), radius_m - 1e-12);
   }
-  EXPECT_LT(plan.clearance_at(truth.vehicles[0].head<2>()), radius_m + 0.06);
-  EXPECT_NEAR(truth.inputs[0][0], 0.8, 0) << "its wheels go on turning";
-  EXPECT_NEAR(truth.camera.segment<3>(7).norm(), 0, 1e-12) << "and it stands";
-  const double heading = truth.vehicles[0][2];
+  EXPECT_LT(plan.clearance_at(truth.bodies[0].carrier.head<2>()), radius_m + 0.06);
+  EXPECT_NEAR((*truth.bodies[0].wheels)[0], 0.8, 0) << "its wheels go on turning";
+  EXPECT_NEAR(truth.bodies[0].state.segment<3>(7).norm(), 0, 1e-12) << "and it stands";
+  const double heading = truth.bodies[0].carrier[2];
   truth = *world.move(drive(0.8, 1), {100, 5, 0.05});
-  EXPECT_GT(truth.vehicles[0][2], heading + 0.03);
+  EXPECT_GT(truth.bodies[0].carrier[2], heading + 0.03);
   for (int k = 101; k < 120; ++k) truth = *world.move(drive(-0.8, 0), {k, k * 0.05, 0.05});
-  EXPECT_GT(plan.clearance_at(truth.vehicles[0].head<2>()), 0.5);
+  EXPECT_GT(plan.clearance_at(truth.bodies[0].carrier.head<2>()), 0.5);
 }
 
 TEST(RoomVehicle, RefusesToStartInAWall) {

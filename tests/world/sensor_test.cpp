@@ -17,12 +17,7 @@ const std::shared_ptr<const Room>& room() {
   return shared;
 }
 
-Truth start() {
-  Truth truth;
-  truth.camera.head<3>() << 1.6, 0, 1.3;
-  truth.camera.segment<4>(3) = level_gaze(0);
-  return truth;
-}
+Truth start() { return {{BodyTruth{RigidPose{{1.6, 0, 1.3}, level_gaze(0)}}}}; }
 
 struct Moments {
   double mean = 0, sigma = 0;

@@ -209,20 +209,21 @@ TEST(TeamWorld, MovesEachVehicleAsCommandedAndReportsWhatItApplied) {
   TeamSensor sensor(team, {}, false, 1);
   const Tick first{0, 0, 0}, second{1, 0.5, 0.5};
   Command command;
-  command.inputs = {vec({0.4, 4})};  // beyond its turn rate limit, and nothing for the other
+  command.bodies = {{vec({0.4, 4})}};  // beyond its turn rate limit, and nothing for the other
   const auto before = world.move(command, first);
-  EXPECT_EQ(before->vehicles[0], vec({0, 0, 0})) << "no time has passed";
+  EXPECT_EQ(before->bodies[0].state, vec({0, 0, 0})) << "no time has passed";
   const Observation at_first = sensor.measure(before, first);
   for (const BodyObservation& view : at_first.bodies) EXPECT_FALSE(view.input);
   const auto after = world.move(command, second);
-  EXPECT_EQ(after->inputs[0], vec({0.4, 1}));
-  EXPECT_EQ(after->inputs[1], vec({0, 0}));
-  EXPECT_NEAR(after->vehicles[0][2], 0.5, 1e-9);
-  EXPECT_NEAR((after->vehicles[1] - vec({5, 0, 0.1})).norm(), 0, 1e-12) << "it stands";
+  EXPECT_EQ(after->bodies[0].input, vec({0.4, 1}));
+  EXPECT_EQ(after->bodies[1].input, vec({0, 0}));
+  EXPECT_NEAR(after->bodies[0].state[2], 0.5, 1e-9);
+  EXPECT_NEAR((after->bodies[1].state - vec({5, 0, 0.1})).norm(), 0, 1e-12) << "it stands";
   const Observation observation = sensor.measure(after, second);
-  EXPECT_EQ(*observation.bodies[0].input, after->inputs[0]);
-  EXPECT_EQ(*observation.bodies[1].input, after->inputs[1]);
-  EXPECT_NEAR((after->camera.head<2>() - after->vehicles[0].head<2>()).norm(), 0, 1e-12) << "of the first";
+  EXPECT_EQ(*observation.bodies[0].input, after->bodies[0].input);
+  EXPECT_EQ(*observation.bodies[1].input, after->bodies[1].input);
+  EXPECT_NEAR((after->bodies[0].pose->position.head<2>() - after->bodies[0].state.head<2>()).norm(), 0,
+              1e-12);
 }
 
 TEST(TeamSensor, WithholdsIdentitiesOutsideItsList) {

@@ -75,8 +75,8 @@ def camera_row(results: Results, folder: str) -> str:
     report = results.summary(folder)["observability"]
     turn, scale = results.direction(folder, "rotation about z"), results.direction(folder, "scale")
     return (f"| `{folder.removeprefix('free-')}` | {report['rank']} | {report['ideal_rank']} | {report['errors']} | "
-            f"{report['wrongly_believed']} | {math.degrees(turn['sigma_from_looks']):.2f} | "
-            f"{percent(scale['sigma_from_looks'], 1)}, {percent(scale['believed_sigma'], 1)} |")
+            f"{report['spurious_information']} | {math.degrees(turn['sigma_from_measurements']):.2f} | "
+            f"{percent(scale['sigma_from_measurements'], 1)}, {percent(scale['believed_sigma'], 1)} |")
 
 
 NUMBER = r"(-?[\d.]+(?:e[+-]\d+)?)"

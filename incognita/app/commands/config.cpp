@@ -10,10 +10,7 @@
 #include <vector>
 
 #include "incognita/app/console/print_message.hpp"
-#include "incognita/app/loop/assemble.hpp"
-#include "incognita/app/loop/assemble_ranges.hpp"
-#include "incognita/app/loop/assemble_room_vehicle.hpp"
-#include "incognita/app/loop/assemble_team.hpp"
+#include "incognita/app/loop/assembly.hpp"
 #include "incognita/io/formats/files.hpp"
 #include "incognita/io/recordings/camera_of_recording.hpp"
 #include "incognita/io/recordings/recorded.hpp"
@@ -112,51 +109,44 @@ void print_all(bool json) {
   print_json({{"settings", list}, {"renamed", renamed}});
 }
 
-std::vector<std::string> check_team(const LoadedScenario& loaded) {
-  const TeamAssembly assembly = assemble_team(loaded);  // refuses what a run would refuse
-  std::vector<std::string> found = assembly.notes;
-  const EstimatorSettings& team = assembly.estimator;
-  found.push_back(fmt::format("vehicles: {}, known landmarks: {}", team.bodies.size(), team.anchors.size()));
-  return found;
+/// What the files of recorded images hold. Throws InputError for the first image that does not exist.
+std::vector<std::string> check_images(const LoadedScenario& loaded) {
+  const Recording recording = read_recording(loaded);
+  for (const Recording::RecordedFrame& frame : recording.frames)
+    if (!file_exists(frame.image)) throw InputError(frame.image.string() + ": is listed but does not exist");
+  const CameraSettings& camera = loaded.scenario.camera;
+  return {fmt::format("all {} images exist, the first is {}x{} px", recording.frames.size(), camera.width_px,
+                      camera.height_px)};
+}
+
+std::vector<std::string> check_target(const LoadedScenario& loaded) {
+  const Target target = load_target(loaded);
+  return {fmt::format("target {}: {} corners, {}", target.name, target.corners.size(),
+                      shown(find_target(loaded)))};
+}
+
+std::string contents_of(const RangeRecording& recording) {
+  return fmt::format("{} odometry readings, {} scans, {} true places, {} surveyed landmarks",
+                     recording.odometry.size(), recording.scans.size(), recording.truth.size(),
+                     recording.landmarks.size());
 }
 
 /// Performs all checks that could stop a run before its first frame.
 std::vector<std::string> check(const LoadedScenario& loaded) {
   const Scenario& s = loaded.scenario;
   std::vector<std::string> found = {"the settings are compatible"};
-  if (s.is_team()) {
-    for (std::string& line : check_team(loaded)) found.push_back(std::move(line));
-    return found;
-  }
-  if (s.is_room_vehicle()) assemble_room_vehicle(loaded);  // refuses what a run would refuse
-  if (s.sensor.type == "range-bearing") {
-    const RangeAssembly assembly = assemble_ranges(loaded);  // refuses what a run would refuse
-    const RangeRecording& recording = assembly.recording();
-    found.insert(found.end(), assembly.notes.begin(), assembly.notes.end());
-    found.push_back(fmt::format("{} odometry readings, {} scans, {} true places, {} surveyed landmarks",
-                                recording.odometry.size(), recording.scans.size(), recording.truth.size(),
-                                recording.landmarks.size()));
-    return found;
-  }
-  if (s.start.from == StartSettings::From::target) {
-    const Target target = load_target(loaded);
-    found.push_back(fmt::format("target {}: {} corners, {}", target.name, target.corners.size(),
-                                shown(find_target(loaded))));
-  }
-  if (s.is_recording()) {
-    const auto recording = std::make_shared<const Recording>(read_recording(loaded));
-    const std::string compared = compare_camera(loaded, *recording);
-    const RecordedSensor first_image_fits(recording, s.camera.width_px, s.camera.height_px);
-    found.insert(found.end(), recording->notes.begin(), recording->notes.end());
-    if (!compared.empty()) found.push_back(compared);
-    for (const Recording::RecordedFrame& frame : recording->frames) {
-      if (!file_exists(frame.image))
-        throw InputError(frame.image.string() + ": is listed but does not exist");
-    }
-    found.push_back(fmt::format("all {} images exist, the first is {}x{} px", recording->frames.size(),
-                                s.camera.width_px, s.camera.height_px));
-  }
-  if (!s.is_room_vehicle()) assemble(loaded);  // refuses what a run would refuse
+  const auto add = [&](std::vector<std::string> lines) {
+    for (std::string& line : lines) found.push_back(std::move(line));
+  };
+  const bool images = s.sensor.type == "camera" && !s.is_simulated();
+  if (images && s.is_recording()) add(check_images(loaded));
+  const Assembly assembly = assemble(loaded);  // refuses what a run would refuse
+  add(assembly.notes);
+  if (images && s.start.from == StartSettings::From::target) add(check_target(loaded));
+  if (s.is_team())
+    found.push_back(fmt::format("vehicles: {}, known landmarks: {}", assembly.info.bodies, assembly.anchors));
+  else if (assembly.recordings)
+    found.push_back(contents_of(assembly.recordings->front()));
   return found;
 }
 

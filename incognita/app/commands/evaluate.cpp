@@ -18,8 +18,8 @@
 #include "incognita/analysis/evaluation/trajectory.hpp"
 #include "incognita/app/commands/compare_trajectories.hpp"
 #include "incognita/messages/errors.hpp"
+#include "incognita/record/body_tables.hpp"
 #include "incognita/record/files/number.hpp"
-#include "incognita/record/team_tables.hpp"
 
 namespace incognita {
 namespace fs = std::filesystem;

@@ -64,7 +64,8 @@ class StateReporter {
     if (!is_lost && was_lost_)
       print_message("t = {:.3f} s: {}: {}\n", s.tick.t, name(s.status.state), s.status.reason);
     was_lost_ = is_lost;
-    if (s.command.operator_controlled && s.decision.decided && s.decision.chosen >= 0)
+    const bool shown = !s.bodies.empty() && s.bodies.front().operator_controlled;
+    if (shown && s.decision.decided && s.decision.chosen >= 0)
       print_message("t = {:.2f} s: {}\n", s.tick.t,
                     s.decision.actions[static_cast<std::size_t>(s.decision.chosen)]);
   }

@@ -1,14 +1,16 @@
-#include "incognita/app/loop/assemble_ranges.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <stdexcept>
+#include <memory>
+#include <utility>
 
-#include "incognita/control/team_controller.hpp"
+#include "incognita/app/loop/assemblers.hpp"
+#include "incognita/app/loop/body_models.hpp"
+#include "incognita/control/steering_controller.hpp"
 #include "incognita/decision/no_decision.hpp"
-#include "incognita/io/formats/files.hpp"
+#include "incognita/io/formats/data_folder.hpp"
 #include "incognita/io/recordings/clock_warnings.hpp"
+#include "incognita/io/recordings/range_formats.hpp"
 #include "incognita/io/recordings/range_recording.hpp"
 #include "incognita/messages/errors.hpp"
 #include "incognita/slam/estimator/single_vehicle.hpp"
@@ -105,27 +107,48 @@ Survey survey_of(const RangeRecording& recording, bool identified) {
   return survey;
 }
 
-RangeAssembly assemble_ranges(RangeRecording recording, const PlanarSlamSettings& s, double duration_s) {
+/// Commands have no effect on a recording.
+LoopParts replay_of(const SharedRangeRecordings& recordings, const RangeSensorSettings& sensor,
+                    std::unique_ptr<Estimator> estimator, double duration_s) {
+  return {std::make_unique<RangeClock>(recordings, duration_s),
+          std::make_unique<RangeWorld>(recordings),
+          std::make_unique<RangeSensor>(recordings, sensor),
+          std::move(estimator),
+          std::make_unique<NoDecision>(),
+          std::make_unique<SteeringController>()};
+}
+
+Assembly assemble_ranges(RangeRecording recording, const PlanarSlamSettings& s, double duration_s) {
   const auto recordings = std::make_shared<const std::vector<RangeRecording>>(1, std::move(recording));
   const RangeRecording& r = recordings->front();
   RangeSensorSettings sensor;
   sensor.max_range_m = s.sensor.max_range_m;
   sensor.fixes = s.filter.use_fixes ? Fixes::all : s.start.at_first_fix ? Fixes::first : Fixes::none;
   const auto identities = identities_of_anchors(s.filter.anchors, r);
-  const EstimatorSettings team = single_vehicle(s, identities.value_or(std::vector<std::int64_t>{}));
-  std::vector<std::string> notes = r.notes;
-  for (std::string& note : left_out(r, s)) notes.push_back(std::move(note));
-  return {
-      {std::make_unique<RangeClock>(recordings, duration_s), std::make_unique<RangeWorld>(recordings),
-       std::make_unique<RangeSensor>(recordings, sensor), std::make_unique<SlamEstimator>(team),
-       std::make_unique<NoDecision>(), std::make_unique<TeamController>(std::vector<VehicleSteering>{}, 1)},
-      recordings,
-      s.filter.use_fixes || !s.filter.anchors.empty(),
-      std::move(notes),
-      clock_warnings(r)};
+  const bool frame_is_fixed = s.filter.use_fixes || !s.filter.anchors.empty();
+  Assembly out;
+  out.parts = replay_of(
+      recordings, sensor,
+      std::make_unique<SlamEstimator>(single_vehicle(s, identities.value_or(std::vector<std::int64_t>{}))),
+      duration_s);
+  out.info.body = "vehicle";
+  out.info.ate_alignment = frame_is_fixed ? "none" : "se3";
+  out.info.truth_recorded = !r.truth.empty();
+  out.info.warnings = clock_warnings(r);
+  out.info.survey = survey_of(r, s.association.method == DataAssociationSettings::Method::known);
+  out.notes = r.notes;
+  for (std::string& note : left_out(r, s)) out.notes.push_back(std::move(note));
+  if (!frame_is_fixed)
+    out.notes.emplace_back(
+        "no anchors: position and heading are unobservable, the map is relative to the start of the vehicle");
+  out.anchors = static_cast<int>(s.filter.anchors.size());
+  out.recordings = recordings;
+  return out;
 }
 
-RangeAssembly assemble_ranges(const LoadedScenario& loaded) {
+namespace {
+
+Assembly assemble_vehicle(const LoadedScenario& loaded) {
   RangeRecording recording = read_range_recording(loaded);
   const PlanarSlamSettings& settings = loaded.scenario.planar;
   check_vehicle(loaded, recording);
@@ -139,11 +162,71 @@ RangeAssembly assemble_ranges(const LoadedScenario& loaded) {
                     "one of the recording's surveyed landmarks (landmarks.csv), within 5 cm: the sensor "
                     "tells them by their identity",
                     loaded.source_of("estimator.anchors_m")));
-  try {
-    return assemble_ranges(std::move(recording), settings, loaded.scenario.run.duration_s);
-  } catch (const std::invalid_argument& error) {
-    throw InputError(shown(loaded.file) + ": " + error.what());
+  Assembly out = assemble_ranges(std::move(recording), settings, loaded.scenario.run.duration_s);
+  RunInfo info = info_of(loaded);
+  info.body = out.info.body;
+  info.ate_alignment = out.info.ate_alignment;
+  info.truth_recorded = out.info.truth_recorded;
+  info.warnings = std::move(out.info.warnings);
+  info.survey = std::move(out.info.survey);
+  out.info = std::move(info);
+  return out;
+}
+
+/// The bodies with each robot starting at its motion-capture pose at time t.
+EstimatorSettings recorded_team(const LoadedScenario& loaded, const std::vector<RangeRecording>& robots,
+                                double t) {
+  const Scenario& s = loaded.scenario;
+  EstimatorSettings team;
+  team.filter = filter_of(s);
+  team.health = s.planar.health;
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    const auto reference = true_position(robots[i], t);
+    if (!reference || !reference->heading_rad)
+      throw InputError(
+          fmt::format("{}: recording.folder: where robot {} starts is not known: its ground truth is "
+                      "wanted at t = {:.3f} s",
+                      loaded.source_of("recording.folder"), i + 1, t));
+    Scenario at_start = s;
+    at_start.team_start.positions_m = {{reference->position.x(), reference->position.y(), 0}};
+    at_start.team_start.headings_rad = {*reference->heading_rad};
+    team.bodies.push_back(member_of(at_start, 0, {}));
   }
+  return team;
+}
+
+Assembly assemble_team(const LoadedScenario& loaded) {
+  const Scenario& s = loaded.scenario;
+  const auto robots = std::make_shared<const std::vector<RangeRecording>>(read_mrclam_team(find_data(
+      s.recording.folder, loaded.file, loaded.source_of("recording.folder") + ": recording.folder")));
+  RangeClock glance(robots, s.run.duration_s);
+  const Tick first = glance.next();
+  if (!first)
+    throw InputError(fmt::format("{}: run.duration_s = {}: nothing was seen by then",
+                                 loaded.source_of("run.duration_s"), s.run.duration_s));
+  Assembly out;
+  out.parts = replay_of(
+      robots, RangeSensorSettings{s.planar.sensor.max_range_m, Fixes::none, s.sensor.measures_vehicles},
+      point_estimator(loaded, recorded_team(loaded, *robots, first.t)), s.run.duration_s);
+  out.info = info_of(loaded);
+  out.info.body = "vehicle";
+  out.info.bodies = static_cast<int>(robots->size());
+  out.info.inputs = input_names(s.motion());
+  out.info.survey = survey_of(robots->front(), true);
+  for (std::size_t i = 0; i < robots->size(); ++i) {
+    const RangeRecording& robot = (*robots)[i];
+    out.notes.insert(out.notes.end(), robot.notes.begin(), robot.notes.end());
+    for (const std::string& warning : clock_warnings(robot))
+      out.info.warnings.push_back(fmt::format("robot {}: {}", i + 1, warning));
+  }
+  out.recordings = robots;
+  return out;
+}
+
+}  // namespace
+
+Assembly assemble_recorded_ranges(const LoadedScenario& loaded) {
+  return loaded.scenario.recording.team ? assemble_team(loaded) : assemble_vehicle(loaded);
 }
 
 }  // namespace incognita

@@ -11,8 +11,8 @@ void AssociationScore::add(const Snapshot& s) {
       mapped.insert(known->second);
   std::vector<std::size_t> next(truth_->size(), 0);
   for (const SnapshotMatch& match : s.matches) {
-    if (match.of_vehicle) continue;
-    const auto vehicle = static_cast<std::size_t>(match.vehicle);
+    if (match.of_body) continue;
+    const auto vehicle = static_cast<std::size_t>(match.body);
     add(match, truth_->at(vehicle).at(next[vehicle]++), mapped);
   }
 }

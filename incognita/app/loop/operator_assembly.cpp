@@ -10,7 +10,7 @@ OperatorActuator operator_of(const Scenario& s, std::size_t camera) {
   const auto seed = static_cast<std::uint64_t>(s.run.seed);
   const OperatorMotion motion = [settings = s.control](const CameraState& state, const Segment& segment,
                                                        const Heading& gaze, double t) {
-    return fly_segment(state, segment, gaze, t, settings).as_input();
+    return fly_segment(state, segment, gaze, t, settings);
   };
   return {OperatorModel(s.operator_settings, seed, "person." + std::to_string(camera)),
           motion,

@@ -33,30 +33,31 @@ StageTimes timing_of(const StageTimes& in_estimator, const StageTimes& loop_ms) 
   return timing;
 }
 
-SnapshotVehicle body_of(const Estimate& e, std::size_t i, const std::optional<Truth>& truth,
-                        const Command& command, double t) {
-  const Body& body = e.bodies[i];
-  SnapshotVehicle out;
+void put_estimate(const Body& body, double t, SnapshotBody& out) {
   out.estimate = {t, body.pose.position, body.pose.world_from_body};
   out.covariance = body.pose_covariance;
-  if (truth && i < truth->poses.size() && truth->poses[i])
-    out.truth = StampedPose{t, truth->poses[i]->position, truth->poses[i]->world_from_body};
-  if (i < command.references.size()) out.reference = command.references[i];
-  if (i < command.inputs.size()) out.input = command.inputs[i];
-  return out;
+  if (body.state.size() == FreeCameraMotion::state_size) out.velocity = body.state.tail<6>();
 }
 
-/// The first body: the whole state of a free camera, the pose of any other.
-void put_first_body(Snapshot& s, const Estimate& e) {
-  const Body& body = e.body();
-  if (body.state.size() == FreeCameraMotion::state_size) {
-    s.camera = body.state;
-    s.covariance = body.state_covariance;
-    return;
+void put_truth(const BodyTruth& truth, double t, SnapshotBody& out) {
+  if (!truth.pose) return;
+  out.truth = StampedPose{t, truth.pose->position, truth.pose->world_from_body};
+  out.truth->oriented = truth.orientation_known;
+}
+
+/// Before the start the bodies of the truth.
+std::vector<SnapshotBody> bodies_of(const Estimate& e, const std::optional<Truth>& truth,
+                                    const Command& command, double t) {
+  std::vector<SnapshotBody> bodies(std::max(e.bodies.size(), truth ? truth->bodies.size() : 0));
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (i < e.bodies.size()) put_estimate(e.bodies[i], t, bodies[i]);
+    if (truth && i < truth->bodies.size()) put_truth(truth->bodies[i], t, bodies[i]);
+    const BodyCommand& commanded = command_of(command, i);
+    bodies[i].reference = commanded.reference;
+    bodies[i].input = commanded.input;
+    bodies[i].operator_controlled = commanded.operator_controlled;
   }
-  s.camera.head<3>() = body.pose.position;
-  s.camera.segment<4>(3) = body.pose.world_from_body;
-  s.covariance.topLeftCorner<6, 6>() = body.pose_covariance;
+  return bodies;
 }
 
 /// Embeds a point on a line or plane in space; missing coordinates are 0 with zero covariance.
@@ -88,9 +89,11 @@ SnapshotMatch match_of(const Match& match) {
   SnapshotMatch out;
   out.id = match.id;
   out.anchor = match.anchor;
-  out.line = match.ray;
-  out.vehicle = match.body;
-  out.of_vehicle = match.of_body;
+  out.ray = match.ray;
+  out.body = match.body;
+  out.sensor = match.sensor;
+  out.image = match.image;
+  out.of_body = match.of_body;
   out.predicted = first_two(match.predicted);
   if (!match.image || match.measured.size() > 0) out.measured = first_two(match.measured);
   out.innovation_cov.setConstant(nan);
@@ -104,11 +107,13 @@ SnapshotMatch match_of(const Match& match) {
 SnapshotDecision decision_of(const Goal& goal, const std::vector<std::string>& actions) {
   SnapshotDecision decision;
   decision.actions = actions;
-  decision.scores = goal.scores;
-  decision.chosen = goal.chosen;
-  decision.decided = goal.decided;
   decision.coverage = goal.coverage;
   decision.entropy_extended = goal.entropy_extended;
+  if (goal.bodies.empty()) return decision;
+  const BodyGoal& first = goal.bodies.front();
+  decision.scores = first.scores;
+  decision.chosen = first.chosen;
+  decision.decided = first.decided;
   return decision;
 }
 
@@ -119,12 +124,9 @@ Snapshot snapshot_of(const Tick& tick, const std::optional<Truth>& truth, const 
                      const Command& command, const StageTimes& loop_ms) {
   Snapshot s;
   s.tick = tick;
-  if (truth && (truth->poses.empty() || truth->poses.front())) s.truth = truth;
-  s.image = image_of(of_first_body(observation));
+  s.image = image_of(body_of(observation, 0));
   s.status = e.status;
-  for (std::size_t i = 0; i < e.bodies.size(); ++i)
-    s.vehicles.push_back(body_of(e, i, truth, command, tick.t));
-  if (e.started) put_first_body(s, e);
+  s.bodies = bodies_of(e, truth, command, tick.t);
   s.landmarks = landmarks_of(e);
   for (const Match& match : e.last.matches) s.matches.push_back(match_of(match));
   s.predicted = e.last.predicted;
@@ -135,7 +137,6 @@ Snapshot snapshot_of(const Tick& tick, const std::optional<Truth>& truth, const 
   }
   s.entropy = {e.entropy.vehicle, e.entropy.map, e.entropy.total};
   s.decision = decision_of(goal, actions);
-  s.command = command;
   s.timing_ms = timing_of(e.timing_ms, loop_ms);
   return s;
 }

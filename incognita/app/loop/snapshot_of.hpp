@@ -6,10 +6,12 @@
 #include <utility>
 #include <vector>
 
+#include "incognita/messages/command.hpp"
 #include "incognita/messages/goal.hpp"
 #include "incognita/messages/observation.hpp"
 #include "incognita/record/snapshot/snapshot.hpp"
 #include "incognita/slam/mapper/estimate.hpp"
+#include "incognita/world/truth.hpp"
 
 namespace incognita {
 

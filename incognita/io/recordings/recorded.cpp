@@ -16,16 +16,18 @@ constexpr double furthest_s = 0.02;
 Truth as_truth(const std::vector<RecordedPose>& poses, std::size_t i) {
   const RecordedPose& here = poses[i];
   Truth truth;
-  truth.camera.segment<3>(0) = here.position;
-  truth.camera.segment<4>(3) = here.world_from_camera;
+  BodyTruth& body = truth.bodies.emplace_back();
+  body.pose = RigidPose{here.position, here.world_from_camera};
+  body.state = SmallVector::Zero(FreeCameraMotion::state_size);
+  body.state.head<7>() << here.position, here.world_from_camera;
   const RecordedPose& before = poses[i > 0 ? i - 1 : i];
   const RecordedPose& after = poses[i + 1 < poses.size() ? i + 1 : i];
   const double dt = after.t - before.t;
   if (!(dt > 0)) return truth;
   const Eigen::Vector4d turned = quaternion_product<double>(
       quaternion_conjugate<double>(before.world_from_camera), after.world_from_camera);
-  truth.camera.segment<3>(7) = (after.position - before.position) / dt;
-  truth.camera.segment<3>(10) = quaternion_log<double>(turned) / dt;
+  body.state.segment<3>(7) = (after.position - before.position) / dt;
+  body.state.segment<3>(10) = quaternion_log<double>(turned) / dt;
   return truth;
 }
 

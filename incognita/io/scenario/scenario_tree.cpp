@@ -95,16 +95,11 @@ void decision(SettingReader& r, Scenario& s, bool accelerates) {
          &E::seen_s);
 }
 
-/// The rotation of a free camera. The swing to and fro is that of CameraController, which images have.
-void gaze(SettingReader& r, Scenario& s, bool can_swing) {
+/// The rotation of a free camera.
+void gaze(SettingReader& r, Scenario& s) {
   r.section("decision");
   using D = DecisionSettings;
-  Words words;
-  for (const auto& [value, word] : enum_words<D::Gaze>)
-    if (can_swing || value != D::Gaze::swing) words.emplace_back(word);
-  if (!can_swing) s.decision.gaze = D::Gaze::hold;
-  r.choice(s.decision, &D::gaze, words);
-  r.some(s.decision, &D::gaze_rate_rad_s, &D::gaze_period_s, &D::gaze_ahead_s);
+  r.some(s.decision, &D::gaze, &D::gaze_rate_rad_s, &D::gaze_period_s, &D::gaze_ahead_s);
 }
 
 void operator_model(SettingReader& r, Scenario& s) {
@@ -136,9 +131,20 @@ void ranges(SettingReader& r, Scenario& s, const Bodies& b) {
   r.some(s.planar.sensor, &R::max_range_m);
 }
 
-void position_limit(SettingReader& r, Scenario& s) {
+/// Limits of the estimate from point sensors.
+void point_health(SettingReader& r, HealthSettings& health) {
+  using H = HealthSettings;
   r.section("health");
-  r.some(s.planar.lost, &PlanarLostSettings::max_sigma_position_m);
+  r.some(health, &H::max_sigma_position_m, &H::max_ticks, &H::max_innovation_sigmas, &H::min_expected);
+}
+
+/// Limits of the estimate from images.
+void image_health(SettingReader& r, HealthSettings& health) {
+  using H = HealthSettings;
+  r.section("health");
+  r.some(health, &H::max_sigma_position_m, &H::max_ticks, &H::max_innovation_sigmas, &H::min_matches,
+         &H::min_matches_to_relocate, &H::sigma_search_position_m, &H::sigma_search_rotation_rad,
+         &H::sigma_search_velocity_m_s, &H::sigma_search_rate_rad_s);
 }
 
 // ------------------------------------------------------------------------------------------------ estimation from images
@@ -169,14 +175,13 @@ void image_estimator(SettingReader& r, Scenario& s) {
   landmark_initialization(r, s.slam.initialization);
   r.section("map");
   r.all(s.slam.map);
-  r.section("health");
-  r.all(s.slam.lost);
+  image_health(r, s.slam.health);
 }
 
 /// Decision and control of a free camera that sees images.
 void free_camera(SettingReader& r, Scenario& s) {
   decision(r, s, false);
-  gaze(r, s, true);
+  gaze(r, s);
   r.section("exploration");
   r.some(s.exploration, &ExplorationSettings::counted);
   r.section("controller");
@@ -242,7 +247,13 @@ void controller(SettingReader& r, Scenario& s, const Bodies& b) {
   if (c.law != Law::none && c.law != Law::active) path(r, s, b.in_space);
   if (c.law != Law::active) return;
   decision(r, s, carried || s.is_room_vehicle());
-  if (b.in_space && !carried) gaze(r, s, false);
+  if (b.in_space && !carried) {
+    s.decision.gaze = DecisionSettings::Gaze::hold;
+    gaze(r, s);
+    r.section("controller");
+    if (s.decision.gaze == DecisionSettings::Gaze::swing)
+      r.some(s.control, &G::gaze_amplitude_rad, &G::gaze_period_s);
+  }
   if (s.is_room_vehicle()) r.section("exploration"), r.some(s.exploration, &ExplorationSettings::counted);
   if (b.in_space && !carried) operator_model(r, s);
 }
@@ -326,8 +337,7 @@ void recorded_vehicle(SettingReader& r, Scenario& s) {
   r.some(s.planar.filter, &F::linearization, &F::map_frame, &F::decorrelate, &F::anchors, &F::use_fixes);
   if (s.planar.filter.use_fixes) r.some(s.planar.filter, &F::sigma_fix_m);
   association(r, s);
-  r.section("health");
-  r.all(s.planar.lost);
+  point_health(r, s.planar.health);
 }
 
 void recorded_team(SettingReader& r, Scenario& s) {
@@ -345,7 +355,7 @@ void recorded_team(SettingReader& r, Scenario& s) {
   r.section("association");
   s.planar.association = {.method = Method::known, .gate_probability = 1};
   r.some(s.planar.association, &DataAssociationSettings::gate_probability);
-  position_limit(r, s);
+  point_health(r, s.planar.health);
 }
 
 /// The sensors whose measurements are in recordings of that format.
@@ -472,7 +482,7 @@ void points(SettingReader& r, Scenario& s) {
                           .initialization_probability = 0.99999999,
                           .initialization_distance_m = 0};
   association(r, s);
-  position_limit(r, s);
+  point_health(r, s.planar.health);
   controller(r, s, b);
 }
 

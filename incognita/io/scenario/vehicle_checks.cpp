@@ -148,13 +148,13 @@ void check_known(const Scenario& s, List& found) {
   if (p.file.empty() && p.known > p.count)
     found.push_back(
         {"points.known", fmt::format("must be at most points.count, which is {}, or -1 for all", p.count)});
-  if (s.team_start.sigma_position_m > s.planar.lost.max_sigma_position_m)
+  if (s.team_start.sigma_position_m > s.planar.health.max_sigma_position_m)
     found.push_back(
         {"start.sigma_position_m",
          fmt::format(
              "must be at most health.max_sigma_position_m, which is {}: the state would be `lost` from the "
              "start",
-             s.planar.lost.max_sigma_position_m)});
+             s.planar.health.max_sigma_position_m)});
 }
 
 /// A zero-variance state has infinite information and cannot be represented in information form.

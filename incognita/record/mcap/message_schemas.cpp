@@ -79,30 +79,36 @@ Json color() {
 
 Json pose() { return object({{"position", xyz("m")}, {"orientation", quaternion("")}}); }
 
-Json look() {
-  return object({{"id", integer()},
-                 {"kind", one_of({"anchor", "landmark", "line", "vehicle"})},
-                 {"outcome", one_of({"matched", "not-found", "inconsistent", "alone", "not-tried", "born"})},
-                 {"predicted", array(number(), "u, v: px, before the image was used"), sometimes},
-                 {"innovation_cov", array(number(), "uu, uv, vv: px^2"), sometimes},
-                 {"measured", array(number(), "u, v: px"), sometimes},
-                 {"correlation", number("of the best match"), sometimes},
-                 {"vehicle", integer("index of the measuring vehicle of a team, from 1"), sometimes}});
+Json match() {
+  return object(
+      {{"id", integer("of the landmark, -1 without one; of another body its index from 1")},
+       {"kind", one_of({"anchor", "landmark", "ray", "body"})},
+       {"outcome", one_of({"matched", "not-found", "outlier", "unconfirmed", "not-searched", "initialized"})},
+       {"body", integer("index of the measuring body, from 1")},
+       {"sensor", integer("index among the cameras or the other sensors of the body, from 1")},
+       {"image", flag("measured in an image; u, v in px, else in m and rad")},
+       {"predicted", array(number(), "the first two components, before the measurement was used"), sometimes},
+       {"innovation_cov", array(number(), "of them: 11, 12, 22"), sometimes},
+       {"measured", array(number(), "the first two components"), sometimes},
+       {"correlation", number("of the best match in the image"), sometimes}});
 }
 
-Json vehicle() {
+Json body() {
   return object({{"position", xyz("m, world")},
-                 {"orientation", quaternion("world_from_vehicle")},
+                 {"orientation", quaternion("world_from_body")},
                  {"pose_covariance",
                   array(number(), "6x6, row-major: x y z (m, world), rotation (rad, body axes)"), sometimes},
-                 {"wanted", array(number(), "reference: x, y, z (m) and heading (rad)"), sometimes},
-                 {"input", array(number(), "input of its motion model"), sometimes}});
+                 {"velocity", xyz("m/s, world; of a free camera"), sometimes},
+                 {"angular_rate", xyz("rad/s, camera axes; of a free camera"), sometimes},
+                 {"reference", array(number(), "x, y, z (m) and heading (rad)"), sometimes},
+                 {"input", array(number(), "commanded, as its motion model takes it"), sometimes},
+                 {"operator_controlled", flag("an operator moves it")}});
 }
 
 Json landmark() {
   return object({{"id", integer()},
                  {"kind", one_of({"anchor", "landmark"})},
-                 {"sightings", integer("matches so far")},
+                 {"detections", integer("matches so far")},
                  {"position", xyz("m, world"), sometimes},
                  {"covariance", array(number(), "m^2, 3x3, row-major"), sometimes}});
 }
@@ -118,11 +124,6 @@ Json decision() {
   return object({{"decided", flag("whether a decision was taken in this frame")},
                  {"chosen", integer("index of the current action, -1 for none")},
                  {"candidates", array(candidate)}});
-}
-
-Json command() {
-  return object({{"linear_acceleration", xyz("m/s^2, world axes")},
-                 {"angular_acceleration", xyz("rad/s^2, camera axes")}});
 }
 
 }  // namespace
@@ -180,30 +181,21 @@ std::string image_annotations() {
 std::string snapshot() {
   return document(
       "incognita.Snapshot",
-      object(
-          {{"frame", integer("counts from 0")},
-           {"t", number("s")},
-           {"dt", number("s, since the previous frame")},
-           {"state", one_of({"starting", "tracking", "degraded", "lost", "relocated"})},
-           {"reason", text("reason for the state")},
-           {"position", xyz("m, world; absent, like the next fields, while starting or lost"), sometimes},
-           {"orientation", quaternion("world_from_camera"), sometimes},
-           {"velocity", xyz("m/s, world"), sometimes},
-           {"angular_rate", xyz("rad/s, camera axes"), sometimes},
-           {"pose_covariance",
-            array(number(), "6x6, row-major: x y z (m, world), rotation (rad, camera axes)"), sometimes},
-           {"matched", integer("measurements that updated the filter")},
-           {"predicted", integer("measurements predicted")},
-           {"nis_dof", integer("degrees of freedom; 0 without an update")},
-           {"nis", number("normalized innovation squared, sum over the measurements"), sometimes},
-           {"entropy", entropy()},
-           {"decision", decision()},
-           {"command", command()},
-           {"vehicles", array(vehicle(), "vehicles of a team; the first is also given by the fields above"),
-            sometimes},
-           {"looks", array(look())},
-           {"landmark_ids", array(integer())},
-           {"landmarks", array(landmark(), "about once a second"), sometimes}}));
+      object({{"frame", integer("counts from 0")},
+              {"t", number("s")},
+              {"dt", number("s, since the previous frame")},
+              {"state", one_of({"starting", "tracking", "degraded", "lost", "relocated"})},
+              {"reason", text("reason for the state")},
+              {"bodies", array(body(), "empty while starting or lost")},
+              {"matched", integer("measurements that updated the filter")},
+              {"predicted", integer("measurements predicted")},
+              {"nis_dof", integer("degrees of freedom; 0 without an update")},
+              {"nis", number("normalized innovation squared, sum over the measurements"), sometimes},
+              {"entropy", entropy()},
+              {"decision", decision()},
+              {"matches", array(match())},
+              {"landmark_ids", array(integer())},
+              {"landmarks", array(landmark(), "about once a second"), sometimes}}));
 }
 
 }  // namespace incognita::message_schemas

@@ -54,26 +54,18 @@ void SnapshotLog::put(const Topic& topic, const std::string& message) {
   file_.write(channel->second, time_ns_, message);
 }
 
+/// Frames of the bodies: vehicle, vehicle_2, ..., true_vehicle, true_vehicle_2, ...
 void SnapshotLog::put_poses(const Snapshot& snapshot) {
-  if (has_pose(snapshot) && finite(estimated_pose(snapshot))) {
-    put(transforms, frame_transform(time_ns_, world, body_, estimated_pose(snapshot)));
-    put(estimated_poses, pose_in_frame(time_ns_, world, estimated_pose(snapshot)));
-  }
-  put_others(snapshot);
-  if (!snapshot.truth) return;
-  const StampedPose truth = true_pose(snapshot.tick, *snapshot.truth);
-  put(transforms, frame_transform(time_ns_, true_world_, "true_" + body_, truth));
-  put(true_poses, pose_in_frame(time_ns_, true_world_, truth));
-}
-
-/// Frames of a team from the second vehicle on: vehicle_2, true_vehicle_2, ...
-void SnapshotLog::put_others(const Snapshot& snapshot) {
-  for (std::size_t i = 1; i < snapshot.vehicles.size(); ++i) {
-    const SnapshotVehicle& v = snapshot.vehicles[i];
-    const std::string frame = body_ + "_" + std::to_string(i + 1);
-    if (has_pose(snapshot) && finite(v.estimate))
-      put(transforms, frame_transform(time_ns_, world, frame, v.estimate));
-    if (v.truth) put(transforms, frame_transform(time_ns_, true_world_, "true_" + frame, *v.truth));
+  for (std::size_t i = 0; i < snapshot.bodies.size(); ++i) {
+    const SnapshotBody& body = snapshot.bodies[i];
+    const std::string frame = i == 0 ? body_ : body_ + "_" + std::to_string(i + 1);
+    if (has_pose(snapshot) && finite(body.estimate)) {
+      put(transforms, frame_transform(time_ns_, world, frame, body.estimate));
+      if (i == 0) put(estimated_poses, pose_in_frame(time_ns_, world, body.estimate));
+    }
+    if (!body.truth) continue;
+    put(transforms, frame_transform(time_ns_, true_world_, "true_" + frame, *body.truth));
+    if (i == 0) put(true_poses, pose_in_frame(time_ns_, true_world_, *body.truth));
   }
 }
 
@@ -82,7 +74,7 @@ void SnapshotLog::put_picture(const Snapshot& snapshot) {
   if (!is_due(time_ns_, picture_time_ns_, picture_every_ns)) return;
   picture_time_ns_ = time_ns_;
   put(images, compressed_image(time_ns_, body_, *snapshot.image));
-  put(annotations, image_annotations(time_ns_, snapshot.matches, patch_size_px_));
+  put(annotations, image_annotations(time_ns_, matches_of_first_camera(snapshot), patch_size_px_));
 }
 
 void SnapshotLog::publish(const Snapshot& snapshot) {

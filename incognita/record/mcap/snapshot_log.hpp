@@ -47,7 +47,6 @@ class SnapshotLog {
 
   void put(const Topic& topic, const std::string& message);
   void put_poses(const Snapshot& snapshot);
-  void put_others(const Snapshot& snapshot);
   void put_picture(const Snapshot& snapshot);
 
   McapFile file_;

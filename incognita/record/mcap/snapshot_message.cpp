@@ -18,7 +18,7 @@ void put(Json& json, const char* key, double value) {
   if (std::isfinite(value)) json[key] = value;
 }
 
-/// Four decimals are sufficient for pixels and correlations; looks.csv has full precision.
+/// Four decimals are sufficient for pixels and correlations; measurements.csv has full precision.
 double shortened(double value) { return std::round(value * 1e4) / 1e4; }
 
 /// Omits non-finite values: a one-dimensional measurement has no second component.
@@ -37,51 +37,48 @@ void put(Json& json, const char* key, const Eigen::MatrixXd& values) {
     for (Eigen::Index j = 0; j < values.cols(); ++j) list.push_back(values(i, j));
 }
 
-void put_camera(Json& json, const Snapshot& snapshot) {
-  if (!has_pose(snapshot) || !snapshot.camera.allFinite()) return;
-  const Eigen::Vector4d q = free_camera::orientation(snapshot.camera);
-  json["position"] = xyz(free_camera::position(snapshot.camera));
-  json["orientation"] = {{"x", q[1]}, {"y", q[2]}, {"z", q[3]}, {"w", q[0]}};
-  json["velocity"] = xyz(free_camera::velocity(snapshot.camera));
-  json["angular_rate"] = xyz(free_camera::angular_rate(snapshot.camera));
-  put(json, "pose_covariance", Eigen::MatrixXd(pose_covariance(snapshot)));
-}
-
-Json match_json(const SnapshotMatch& match, bool of_team) {
-  Json json{{"id", match.of_vehicle ? match.id + 1 : match.id},
+Json match_json(const SnapshotMatch& match) {
+  Json json{{"id", match.of_body ? match.id + 1 : match.id},
             {"kind", kind(match)},
-            {"outcome", name(match.outcome)}};
-  if (of_team) json["vehicle"] = match.vehicle + 1;
+            {"outcome", name(match.outcome)},
+            {"body", match.body + 1},
+            {"sensor", match.sensor + 1},
+            {"image", match.image}};
   const Eigen::Matrix2d& S = match.innovation_cov;
   put_shortened(json, "predicted", {match.predicted.x(), match.predicted.y()});
   put_shortened(json, "innovation_cov", {S(0, 0), S(0, 1), S(1, 1)});
   if (!match.measured) return json;
   put_shortened(json, "measured", {match.measured->x(), match.measured->y()});
-  put(json, "correlation", shortened(match.correlation));
+  if (match.image) put(json, "correlation", shortened(match.correlation));
   return json;
 }
 
-Json vehicle_json(const SnapshotVehicle& vehicle) {
-  const Eigen::Vector4d& q = vehicle.estimate.orientation;
-  Json json{{"position", xyz(vehicle.estimate.position)},
+Json body_json(const SnapshotBody& body) {
+  const Eigen::Vector4d& q = body.estimate.orientation;
+  Json json{{"position", xyz(body.estimate.position)},
             {"orientation", {{"x", q[1]}, {"y", q[2]}, {"z", q[3]}, {"w", q[0]}}}};
-  put(json, "pose_covariance", Eigen::MatrixXd(vehicle.covariance));
-  if (vehicle.reference) put(json, "wanted", Eigen::MatrixXd(*vehicle.reference));
-  if (vehicle.input.size() > 0) put(json, "input", Eigen::MatrixXd(vehicle.input));
+  put(json, "pose_covariance", Eigen::MatrixXd(body.covariance));
+  if (body.velocity) {
+    json["velocity"] = xyz(body.velocity->head<3>());
+    json["angular_rate"] = xyz(body.velocity->tail<3>());
+  }
+  if (body.reference) put(json, "reference", Eigen::MatrixXd(*body.reference));
+  if (body.input.size() > 0) put(json, "input", Eigen::MatrixXd(body.input));
+  json["operator_controlled"] = body.operator_controlled;
   return json;
 }
 
-void put_vehicles(Json& json, const Snapshot& snapshot) {
-  if (snapshot.vehicles.empty() || !has_pose(snapshot)) return;
-  Json& vehicles = json["vehicles"] = Json::array();
-  for (const SnapshotVehicle& vehicle : snapshot.vehicles)
-    if (vehicle.estimate.position.allFinite()) vehicles.push_back(vehicle_json(vehicle));
+void put_bodies(Json& json, const Snapshot& snapshot) {
+  Json& bodies = json["bodies"] = Json::array();
+  if (!has_pose(snapshot)) return;
+  for (const SnapshotBody& body : snapshot.bodies)
+    if (body.estimate.position.allFinite()) bodies.push_back(body_json(body));
 }
 
 Json landmark_json(const SnapshotLandmark& landmark) {
   Json json{{"id", landmark.id},
             {"kind", landmark.anchor ? "anchor" : "landmark"},
-            {"sightings", landmark.detection_count}};
+            {"detections", landmark.detection_count}};
   if (landmark.position.allFinite()) json["position"] = xyz(landmark.position);
   put(json, "covariance", Eigen::MatrixXd(landmark.covariance));
   return json;
@@ -115,19 +112,15 @@ std::string snapshot_message(const Snapshot& snapshot, bool landmarks) {
             {"dt", snapshot.tick.dt},
             {"state", name(snapshot.status.state)},
             {"reason", snapshot.status.reason}};
-  put_camera(json, snapshot);
+  put_bodies(json, snapshot);
   json["matched"] = snapshot.matched;
   json["predicted"] = snapshot.predicted;
   json["nis_dof"] = snapshot.nis_dof;
   if (snapshot.nis_dof > 0) put(json, "nis", snapshot.nis);
   json["entropy"] = entropy_json(snapshot.entropy);
   json["decision"] = decision_json(snapshot.decision);
-  json["command"] = {{"linear_acceleration", xyz(snapshot.command.linear_acceleration)},
-                     {"angular_acceleration", xyz(snapshot.command.angular_acceleration)}};
-  put_vehicles(json, snapshot);
-  Json& matches = json["looks"] = Json::array();
-  for (const SnapshotMatch& match : snapshot.matches)
-    matches.push_back(match_json(match, !snapshot.vehicles.empty()));
+  Json& matches = json["matches"] = Json::array();
+  for (const SnapshotMatch& match : snapshot.matches) matches.push_back(match_json(match));
   Json& ids = json["landmark_ids"] = Json::array();
   for (const SnapshotLandmark& landmark : snapshot.landmarks) ids.push_back(landmark.id);
   if (landmarks) {

@@ -11,10 +11,6 @@ namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-StampedPose pose(double t, const FreeCameraMotion::State<double>& camera) {
-  return {t, free_camera::position(camera), free_camera::orientation(camera)};
-}
-
 void append_pose_columns(std::vector<std::string>& columns, const std::string& prefix) {
   for (const char* axis : {"x", "y", "z"}) columns.push_back(prefix + axis + "_m");
   for (const char* axis : {"rotx", "roty", "rotz"}) columns.push_back(prefix + axis + "_rad");
@@ -24,31 +20,22 @@ void append(std::vector<double>& row, const Eigen::VectorXd& values) {
   row.insert(row.end(), values.begin(), values.end());
 }
 
-/// Errors of the six pose components (estimate minus truth; m, rad), and NEES.
-Eigen::VectorXd errors(const Snapshot& snapshot, const PoseCovariance& P) {
+/// Errors of the six pose components (estimate minus truth; m, rad), and NEES. `body`: null without a valid pose.
+Eigen::VectorXd errors(const SnapshotBody* body) {
   Eigen::VectorXd values = Eigen::VectorXd::Constant(7, unknown);
-  if (!snapshot.truth || !has_pose(snapshot)) return values;
+  if (!body || !body->truth) return values;
   // pose_error() is truth minus estimate; NEES does not depend on the sign.
-  values.head<6>() = -pose_error(true_pose(snapshot.tick, *snapshot.truth), estimated_pose(snapshot));
-  values[6] = pose_nees(values.head<6>(), P).value_or(unknown);
+  values.head<6>() = -pose_error(*body->truth, body->estimate);
+  values[6] = pose_nees(values.head<6>(), body->covariance).value_or(unknown);
   return values;
 }
 
 }  // namespace
 
 bool has_pose(const Snapshot& snapshot) {
-  return snapshot.status.state != TrackingState::starting && snapshot.status.state != TrackingState::lost;
+  return snapshot.status.state != TrackingState::starting && snapshot.status.state != TrackingState::lost &&
+         !snapshot.bodies.empty();
 }
-
-StampedPose estimated_pose(const Snapshot& snapshot) { return pose(snapshot.tick.t, snapshot.camera); }
-
-StampedPose true_pose(const Tick& tick, const Truth& truth) {
-  StampedPose out = pose(tick.t, truth.camera);
-  out.oriented = truth.orientation_known;
-  return out;
-}
-
-PoseCovariance pose_covariance(const Snapshot& snapshot) { return snapshot.covariance.topLeftCorner<6, 6>(); }
 
 int mapped_landmarks(const Snapshot& snapshot) {
   return static_cast<int>(std::count_if(snapshot.landmarks.begin(), snapshot.landmarks.end(),
@@ -65,14 +52,12 @@ std::vector<std::string> series_columns(bool with_errors) {
     append_pose_columns(columns, "error_");
     columns.push_back("nees_per_dof");
   }
-  for (const char* axis : {"x", "y", "z"}) columns.push_back(std::string("command_a") + axis + "_m_s2");
-  for (const char* axis : {"x", "y", "z"}) columns.push_back(std::string("command_alpha") + axis + "_rad_s2");
   return columns;
 }
 
 std::vector<double> series_row(const Snapshot& snapshot, bool with_errors) {
-  const bool posed = has_pose(snapshot);
-  const PoseCovariance P = pose_covariance(snapshot);
+  const SnapshotBody* posed = has_pose(snapshot) ? &snapshot.bodies.front() : nullptr;
+  const PoseCovariance P = posed ? posed->covariance : PoseCovariance::Zero();
   std::vector<double> row{static_cast<double>(snapshot.matched),
                           static_cast<double>(snapshot.predicted),
                           static_cast<double>(mapped_landmarks(snapshot)),
@@ -87,8 +72,7 @@ std::vector<double> series_row(const Snapshot& snapshot, bool with_errors) {
                           snapshot.decision.entropy_extended.value_or(unknown)};
   append(row, posed ? Eigen::VectorXd(2 * P.diagonal().cwiseMax(0).cwiseSqrt())
                     : Eigen::VectorXd::Constant(6, unknown));
-  if (with_errors) append(row, errors(snapshot, P));
-  append(row, snapshot.command.as_input());
+  if (with_errors) append(row, errors(posed));
   return row;
 }
 

@@ -9,13 +9,9 @@
 
 namespace incognita {
 
-/// Whether the estimated pose is valid: not while starting or lost.
+/// Whether the estimated poses are valid: not while starting or lost.
 bool has_pose(const Snapshot& snapshot);
 
-StampedPose estimated_pose(const Snapshot& snapshot);
-StampedPose true_pose(const Tick& tick, const Truth& truth);
-/// 6x6 covariance of the pose in the order of PoseCovariance.
-PoseCovariance pose_covariance(const Snapshot& snapshot);
 /// Number of landmarks in the map, without anchors.
 int mapped_landmarks(const Snapshot& snapshot);
 
@@ -24,7 +20,7 @@ int mapped_landmarks(const Snapshot& snapshot);
 /// `sigma_position_m` and `sigma_rotation_rad` are standard deviations in the worst direction.
 std::vector<std::string> series_columns(bool with_errors);
 
-/// The values of those columns; NaN if unknown, e.g. all pose columns without a valid pose.
+/// The values of those columns, the pose of the first body; NaN if unknown, e.g. all pose columns without a valid pose.
 std::vector<double> series_row(const Snapshot& snapshot, bool with_errors);
 
 }  // namespace incognita

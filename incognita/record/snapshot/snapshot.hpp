@@ -9,11 +9,10 @@
 #include <vector>
 
 #include "incognita/analysis/evaluation/pose_consistency.hpp"
-#include "incognita/messages/command.hpp"
+#include "incognita/math/small_matrix.hpp"
 #include "incognita/messages/tick.hpp"
 #include "incognita/slam/mapper/status.hpp"
 #include "incognita/vision/image.hpp"
-#include "incognita/world/truth.hpp"
 
 namespace incognita {
 
@@ -26,32 +25,40 @@ struct SnapshotLandmark {
   int detection_count = 0;                               ///< matches so far
 };
 
+/// A measurement with its association. Of a measurement with more components the first two: of an image px, else m and
+/// rad in the coordinates of the sensor.
 struct SnapshotMatch {
   std::int64_t id = 0;
   bool anchor = false;
-  bool line = false;                                    ///< depth not converged, not yet in the map
-  Eigen::Vector2d predicted = Eigen::Vector2d::Zero();  ///< px, prior to this update; if `line`, after it
-  Eigen::Matrix2d innovation_cov = Eigen::Matrix2d::Zero();  ///< px^2
-  std::optional<Eigen::Vector2d> measured;                   ///< px, where the search found the patch
-  double correlation = 0;                                    ///< normalized correlation at the best match
+  bool ray = false;                                     ///< depth not converged, not yet in the map
+  Eigen::Vector2d predicted = Eigen::Vector2d::Zero();  ///< before this update; of a ray, after it
+  Eigen::Matrix2d innovation_cov = Eigen::Matrix2d::Zero();
+  std::optional<Eigen::Vector2d> measured;  ///< none where the search found nothing
+  double correlation = 0;                   ///< of an image: normalized correlation at the best match
   MatchOutcome outcome = MatchOutcome::not_searched;
-  int vehicle = 0;          ///< of a team: the measuring vehicle, from 0
-  bool of_vehicle = false;  ///< the target is another vehicle with index `id`, not a landmark
+  int body = 0;          ///< the measuring body, from 0
+  int sensor = 0;        ///< which of its point sensors, or of its cameras
+  bool image = false;    ///< measured by a camera in its image
+  bool of_body = false;  ///< the target is another body with index `id`, not a landmark
 };
 
 inline const char* kind(const SnapshotMatch& match) {
-  return match.of_vehicle ? "vehicle" : match.anchor ? "anchor" : match.line ? "line" : "landmark";
+  return match.of_body ? "body" : match.anchor ? "anchor" : match.ray ? "ray" : "landmark";
 }
 
-/// One vehicle of a team, as a rigid body in space.
-struct SnapshotVehicle {
-  StampedPose estimate;
+/// One body, as a rigid body in space.
+struct SnapshotBody {
+  StampedPose estimate;  ///< invalid while starting or lost
   PoseCovariance covariance = PoseCovariance::Zero();
   std::optional<StampedPose> truth;
+  /// A free camera: estimated velocity (m/s, world) and angular rate (rad/s, camera axes)
+  std::optional<Eigen::Matrix<double, 6, 1>> velocity;
   std::optional<Eigen::Vector4d> reference;  ///< x, y, z (m, world), heading (rad)
-  SmallVector input;                         ///< applied until the next tick, as its motion model takes it
+  SmallVector input;                         ///< commanded until the next tick, as its motion model takes it
+  bool operator_controlled = false;          ///< an operator moves it, as the display shows
 };
 
+/// The decision for the first body.
 struct SnapshotDecision {
   std::vector<std::string> actions;  ///< names, constant over a run
   std::vector<double> scores;        ///< nats, one per action, of this frame
@@ -68,23 +75,26 @@ struct SnapshotEntropy {  ///< nats; NaN if unknown
 
 struct Snapshot {
   Tick tick;
-  std::optional<Truth> truth;
-  std::shared_ptr<const Image> image;
+  std::shared_ptr<const Image> image;  ///< of the first camera
   TrackingStatus status;
-  /// Estimated camera state (5.24) and its 12x12 error covariance; invalid while starting or lost.
-  FreeCameraMotion::State<double> camera = FreeCameraMotion::State<double>::Zero();
-  FreeCameraMotion::Jacobian covariance = FreeCameraMotion::Jacobian::Zero();
+  std::vector<SnapshotBody> bodies;
   std::vector<SnapshotLandmark> landmarks;  ///< mapped points and anchors
-  std::vector<SnapshotMatch> matches;       ///< feature matches of this frame
-  int predicted = 0;                        ///< features searched for in this frame
+  std::vector<SnapshotMatch> matches;       ///< of this frame
+  int predicted = 0;                        ///< measurements predicted in this frame
   int matched = 0;                          ///< matches used by the filter in this frame
   double nis = 0;                           ///< normalized innovation squared of this frame's update, summed
   int nis_dof = 0;                          ///< degrees of freedom of `nis`; 0 without an update
   SnapshotEntropy entropy{};
   SnapshotDecision decision;
-  Command command;
-  std::vector<SnapshotVehicle> vehicles;  ///< of a team; the first equals `camera`, `covariance`, `truth`
   std::vector<std::pair<const char*, double>> timing_ms;  ///< stage -> ms, same order in every snapshot
 };
+
+/// The matches in the image that a snapshot holds.
+inline std::vector<SnapshotMatch> matches_of_first_camera(const Snapshot& snapshot) {
+  std::vector<SnapshotMatch> matches;
+  for (const SnapshotMatch& match : snapshot.matches)
+    if (match.image && match.sensor == 0) matches.push_back(match);
+  return matches;
+}
 
 }  // namespace incognita

@@ -11,24 +11,6 @@
 namespace incognita {
 namespace {
 
-struct ComparedPose {
-  StampedPose truth, estimate;
-  PoseCovariance covariance;
-};
-
-/// One pose per robot of a team, else one; unset where the truth is unknown.
-std::vector<std::optional<ComparedPose>> compared_poses(const Snapshot& s) {
-  std::vector<std::optional<ComparedPose>> poses;
-  for (const SnapshotVehicle& v : s.vehicles) {
-    poses.emplace_back();
-    if (v.truth) poses.back() = {*v.truth, v.estimate, v.covariance};
-  }
-  if (!s.vehicles.empty()) return poses;
-  poses.emplace_back();
-  if (s.truth) poses.back() = {true_pose(s.tick, *s.truth), estimated_pose(s), pose_covariance(s)};
-  return poses;
-}
-
 /// Whether the mean NIS of the first fifth of the updates exceeds the band: a wrong model shows from the
 /// start, a deteriorating map only later.
 bool beyond_from_the_start(const std::vector<double>& nis, const Interval& band) {
@@ -85,7 +67,7 @@ Consistency verdict_of(const ConsistencyReport& report) {
   const auto overconfident = [](const PoseConsistency& pose) {
     return pose.verdict() == Consistency::overconfident;
   };
-  if (overconfident(report.pose) || std::any_of(report.robots.begin(), report.robots.end(), overconfident))
+  if (overconfident(report.pose) || std::any_of(report.bodies.begin(), report.bodies.end(), overconfident))
     return Consistency::overconfident;
   if (has_many_outliers(report)) return Consistency::overconfident;
   const Consistency by_nis = report.nis ? report.nis->verdict() : Consistency::unknown;
@@ -118,14 +100,13 @@ void ConsistencySummary::add(const Snapshot& snapshot) {
 
 void ConsistencySummary::compare(const Snapshot& snapshot) {
   const bool claims = snapshot.status.state == TrackingState::tracking;
-  const auto poses = compared_poses(snapshot);
-  bodies_.resize(std::max(bodies_.size(), poses.size()));
+  bodies_.resize(std::max(bodies_.size(), snapshot.bodies.size()));
   bool any_truth = false, any_overconfident = false;
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    if (!poses[i]) continue;
+  for (std::size_t i = 0; i < snapshot.bodies.size(); ++i) {
+    if (!snapshot.bodies[i].truth) continue;
     Body& body = bodies_[i];
-    const PoseError error = pose_error(poses[i]->truth, poses[i]->estimate);
-    const PoseCovariance& P = poses[i]->covariance;
+    const PoseError error = pose_error(*snapshot.bodies[i].truth, snapshot.bodies[i].estimate);
+    const PoseCovariance& P = snapshot.bodies[i].covariance;
     const bool overconfident = claims && beyond_three_sigma(error.head<3>(), P.topLeftCorner<3, 3>());
     ++body.frames_with_truth;
     body.overconfident_frames += overconfident;
@@ -149,9 +130,8 @@ ConsistencyReport ConsistencySummary::report() const {
   int dof = 0;
   for (const Body& body : bodies_) {
     dof += body.most_dof;
-    if (bodies_.size() > 1)
-      report.robots.push_back({body.frames_with_truth, body.overconfident_frames,
-                               mean_nees_of_run(body.nees.mean(), body.nees.count, body.most_dof)});
+    report.bodies.push_back({body.frames_with_truth, body.overconfident_frames,
+                             mean_nees_of_run(body.nees.mean(), body.nees.count, body.most_dof)});
   }
   report.pose = {frames_with_truth_, overconfident_frames_, mean_nees_of_run(nees_.mean(), nees_.count, dof)};
   report.verdict = verdict_of(report);

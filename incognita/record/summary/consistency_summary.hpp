@@ -28,9 +28,9 @@ struct ConsistencyReport {
   std::optional<double> outlier_share;
   /// For a team, a frame counts once, whether one robot is overconfident or all; NEES is the mean over all robots.
   PoseConsistency pose;
-  std::vector<PoseConsistency> robots;  ///< of a team
-  std::string symptom;                  ///< what was observed, in words; may be empty
-  std::vector<std::string> causes;      ///< the usual ones, likeliest first
+  std::vector<PoseConsistency> bodies;
+  std::string symptom;              ///< what was observed, in words; may be empty
+  std::vector<std::string> causes;  ///< the usual ones, likeliest first
 };
 
 /// Above this share the model is wrong rather than the measurements: gates pass 95 % and more of the
@@ -44,9 +44,12 @@ class ConsistencySummary {
 
   void add(const Snapshot& snapshot);
 
-  /// Means over all frames and all robots of a team; NaN without any.
+  /// Means over all frames and all bodies, or of one body; NaN without any.
   double mean_nis() const { return nis_.mean(); }
   double mean_nees() const { return nees_.mean(); }
+  double mean_nees(std::size_t body) const {
+    return body < bodies_.size() ? bodies_[body].nees.mean() : Sum{}.mean();
+  }
   ConsistencyReport report() const;
 
  private:
@@ -70,8 +73,8 @@ class ConsistencySummary {
   Sum nis_;
   std::vector<double> nis_per_dof_;  ///< in time order, to see whether NIS was large from the start
   std::int64_t matches_ = 0, outliers_ = 0;
-  Sum nees_;                  ///< of all bodies
-  std::vector<Body> bodies_;  ///< one, or the robots of a team
+  Sum nees_;  ///< of all bodies
+  std::vector<Body> bodies_;
   std::int64_t frames_with_truth_ = 0, overconfident_frames_ = 0;
 };
 

@@ -10,9 +10,11 @@ namespace incognita {
 void ExplorationSummary::add(const Snapshot& s) {
   if (s.decision.coverage) coverage_ = s.decision.coverage;
   if (s.decision.entropy_extended) entropy_extended_ = s.decision.entropy_extended;
+  if (s.bodies.empty()) return;
+  const Eigen::Vector3d& from = s.bodies.front().estimate.position;
   for (const SnapshotLandmark& l : s.landmarks) {
     if (l.anchor || located_t_s_.count(l.id) > 0) continue;
-    const double away_m = (l.position - s.camera.head<3>()).norm();
+    const double away_m = (l.position - from).norm();
     const double limit = located_ratio * away_m;
     // The trace bounds the largest eigenvalue from both sides and is far cheaper.
     const double trace = l.covariance.trace();

@@ -9,12 +9,8 @@ void PathSummary::add(const Snapshot& s) {
   const auto where_posed = [&](const StampedPose& pose) {
     return posed ? std::optional(pose) : std::nullopt;
   };
-  for (std::size_t i = 0; i < s.vehicles.size(); ++i)
-    add(i, s.vehicles[i].truth, where_posed(s.vehicles[i].estimate));
-  if (!s.vehicles.empty()) return;
-  std::optional<StampedPose> truth;
-  if (s.truth) truth = true_pose(s.tick, *s.truth);
-  add(0, truth, where_posed(estimated_pose(s)));
+  for (std::size_t i = 0; i < s.bodies.size(); ++i)
+    add(i, s.bodies[i].truth, where_posed(s.bodies[i].estimate));
 }
 
 void PathSummary::add(std::size_t body, const std::optional<StampedPose>& truth,

@@ -19,7 +19,7 @@ struct BodyPath {
 class PathSummary {
  public:
   void add(const Snapshot& snapshot);
-  /// One entry per robot of a team, else a single one; empty before the first frame.
+  /// One entry per body; empty before the first frame.
   const std::vector<BodyPath>& bodies() const { return bodies_; }
 
  private:

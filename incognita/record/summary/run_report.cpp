@@ -88,16 +88,17 @@ std::string consistency_lines(const ConsistencyReport& c) {
 std::string robot_lines(const RunReport& r) {
   std::string lines;
   constexpr std::size_t most = 20;  // summary.json has more
-  for (std::size_t i = 0; i < r.robots.size() && i < most; ++i) {
-    const BodyReport& robot = r.robots[i];
+  if (r.bodies.size() < 2) return lines;
+  for (std::size_t i = 0; i < r.bodies.size() && i < most; ++i) {
+    const BodyReport& robot = r.bodies[i];
     std::string text = fmt::format("path {}", path_in_words(robot, r));
     if (std::isfinite(robot.ate_m)) text += ", " + errors_in_words(robot, r);
     if (robot.consistency.nees) text += ", " + in_words("NEES", robot.consistency.nees);
     if (robot.consistency.verdict() == Consistency::overconfident) text += ", overconfident";
     lines += line(fmt::format("  robot {}", i + 1), text + overconfident_in_words(robot.consistency));
   }
-  if (r.robots.size() > most)
-    lines += line("", fmt::format("{} more robots: see vehicles.csv", r.robots.size() - most));
+  if (r.bodies.size() > most)
+    lines += line("", fmt::format("{} more robots: see vehicles.csv", r.bodies.size() - most));
   return lines;
 }
 

@@ -19,7 +19,7 @@ struct BodyReport {
   double ate_m = std::numeric_limits<double>::quiet_NaN();          ///< rms, after alignment
   double drift_percent = std::numeric_limits<double>::quiet_NaN();  ///< final position error over true path
   std::int64_t compared_frames = 0;                                 ///< tracked frames with known truth
-  PoseConsistency consistency;                                      ///< of a robot of a team
+  PoseConsistency consistency;                                      ///< of its own pose
 };
 
 struct RunReport {
@@ -31,8 +31,8 @@ struct RunReport {
   bool scale_known = true;   ///< else lengths of the estimate are in arbitrary units
   bool truth_known = false;  ///< at any frame
   bool true_path = false;    ///< path lengths are of the true path, known at every frame with a pose
-  BodyReport body;           ///< of a team: all its robots together
-  std::vector<BodyReport> robots;
+  BodyReport body;           ///< all bodies together
+  std::vector<BodyReport> bodies;
   int landmarks = 0, anchors = 0;
   int surveyed = 0;  ///< landmarks the map can be compared with; 0: none
   double map_error_m = std::numeric_limits<double>::quiet_NaN();  ///< rms over the matched landmarks

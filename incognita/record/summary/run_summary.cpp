@@ -58,10 +58,10 @@ Json quantity_json(const QuantityReport& q) {
             {"ideally_observable", q.ideally_observable},
             {"gained", q.gained},
             {"by_motion_model", q.by_motion_model},
-            {"believed_sigma", nullptr},
-            {"sigma_from_looks", nullptr}};
-  if (q.estimated_sigma) json["believed_sigma"] = *q.estimated_sigma;
-  if (q.sigma_from_measurements) json["sigma_from_looks"] = *q.sigma_from_measurements;
+            {"estimated_sigma", nullptr},
+            {"sigma_from_measurements", nullptr}};
+  if (q.estimated_sigma) json["estimated_sigma"] = *q.estimated_sigma;
+  if (q.sigma_from_measurements) json["sigma_from_measurements"] = *q.sigma_from_measurements;
   return json;
 }
 
@@ -81,7 +81,7 @@ Json observability_json(const ObservabilityReport& report) {
   json["nullity"] = information.nullity();
   json["gap"] = information.gap();
   json["ambiguous"] = information.ambiguous;
-  json["wrongly_believed"] = report.spurious_information;
+  json["spurious_information"] = report.spurious_information;
   json["by_motion_model"] = report.by_motion_model;
   json["without_information"] = Json::array();
   for (std::size_t i = 0; i < std::min(report.without_information.size(), max_names); ++i)
@@ -99,8 +99,7 @@ Json mean_json(const std::optional<MeanNormalizedSquare>& value) {
   return value ? Json(value->mean) : Json(nullptr);
 }
 
-Json pose_json(const ConsistencyReport& report, std::size_t robot) {
-  const PoseConsistency pose = robot < report.robots.size() ? report.robots[robot] : report.pose;
+Json pose_json(const PoseConsistency& pose) {
   return {{"verdict", name(pose.verdict())},
           {"nees_band", band_json(pose.nees)},
           {"overconfident_frames", pose.overconfident_frames},
@@ -120,6 +119,11 @@ Json consistency_json(const ConsistencyReport& report) {
           {"causes", report.causes}};
 }
 
+double ate_m(const MatchedTrajectories& matched, const std::optional<Alignment>& alignment) {
+  if (!alignment || matched.estimate.empty()) return unknown;
+  return absolute_trajectory_error({aligned(matched.estimate, *alignment), matched.truth}).rmse;
+}
+
 /// Length of the true path, else of the estimated one if it is in m.
 double path_json(const BodyReport& body, const RunReport& report) {
   return report.true_path || report.scale_known ? body.path_length : unknown;
@@ -136,7 +140,7 @@ RunSummary::RunSummary(const RunInfo& info)
       consistency_(same_frame_as_truth(info)),
       survey_(info.survey),
       warnings_(info.warnings),
-      team_(info.body == "camera", info.steered_m) {
+      distances_(info.body == "camera", info.steered_m) {
   const auto kind = alignment_kind(info.ate_alignment);
   if (!kind)
     throw std::invalid_argument("ate_alignment is `" + info.ate_alignment +
@@ -174,7 +178,7 @@ void RunSummary::add(const Snapshot& snapshot) {
   paths_.add(snapshot);
   if (!survey_.landmarks.empty()) map_ = snapshot.landmarks;
   compare_with_truth(snapshot);
-  if (has_pose(snapshot)) team_.add(snapshot);
+  if (has_pose(snapshot) && alignment_ == AlignmentKind::none) distances_.add(snapshot);
   for (const auto& [stage, ms] : snapshot.timing_ms) {
     auto found =
         std::find_if(stage_ms_.begin(), stage_ms_.end(), [&](const auto& s) { return s.first == stage; });
@@ -184,21 +188,24 @@ void RunSummary::add(const Snapshot& snapshot) {
 }
 
 void RunSummary::compare_with_truth(const Snapshot& s) {
-  has_truth_ = has_truth_ || s.truth ||
-               std::any_of(s.vehicles.begin(), s.vehicles.end(), [](const auto& v) { return v.truth; });
-  if (!has_pose(s)) return;
-  const auto compare = [&](const StampedPose& truth, const StampedPose& estimate) {
-    matched_.truth.push_back(truth);
-    matched_.estimate.push_back(estimate);
-  };
-  if (s.truth) compare(true_pose(s.tick, *s.truth), estimated_pose(s));
-  for (std::size_t i = 1; i < s.vehicles.size(); ++i)
-    if (s.vehicles[i].truth) compare(*s.vehicles[i].truth, s.vehicles[i].estimate);
+  matched_.resize(std::max(matched_.size(), s.bodies.size()));
+  for (const SnapshotBody& body : s.bodies) {
+    if (!body.truth) continue;
+    has_truth_ = true;
+    if (!has_pose(s)) continue;
+    MatchedTrajectories& own = matched_[static_cast<std::size_t>(&body - s.bodies.data())];
+    own.truth.push_back(*body.truth);
+    own.estimate.push_back(body.estimate);
+  }
 }
 
-double RunSummary::ate_m(const std::optional<Alignment>& alignment) const {
-  if (!alignment || matched_.estimate.empty()) return unknown;
-  return absolute_trajectory_error({aligned(matched_.estimate, *alignment), matched_.truth}).rmse;
+MatchedTrajectories RunSummary::all_matched() const {
+  MatchedTrajectories all;
+  for (const MatchedTrajectories& body : matched_) {
+    all.truth.insert(all.truth.end(), body.truth.begin(), body.truth.end());
+    all.estimate.insert(all.estimate.end(), body.estimate.begin(), body.estimate.end());
+  }
+  return all;
 }
 
 RunReport RunSummary::report(RunStatus status, const std::string& reason) const {
@@ -217,22 +224,22 @@ RunReport RunSummary::report(RunStatus status, const std::string& reason) const 
   r.consistency = consistency_.report();
   r.decisions = decisions_;
   r.warnings = warnings_;
-  const auto alignment = align(matched_, alignment_);
-  report_paths(r, alignment);
+  report_paths(r);
   report_map(r);
   return r;
 }
 
-void RunSummary::report_paths(RunReport& r, const std::optional<Alignment>& alignment) const {
+void RunSummary::report_paths(RunReport& r) const {
+  const MatchedTrajectories all = all_matched();
+  const auto alignment = align(all, alignment_);
   const std::vector<BodyPath>& paths = paths_.bodies();
   r.truth_known = has_truth_;
   r.true_path = has_truth_ && std::all_of(paths.begin(), paths.end(), [](const BodyPath& path) {
                   return path.true_length_m && !path.truth_has_gaps;
                 });
   if (!paths.empty()) r.body.path_length = 0;
-  r.body.ate_m = ate_m(alignment);
-  r.body.compared_frames = paths.size() > 1 ? tracked_frames_ : std::ssize(matched_.estimate);
-  const std::vector<TeamSummary::Vehicle> team = team_.vehicles();
+  r.body.ate_m = ate_m(all, alignment);
+  r.body.compared_frames = paths.size() > 1 ? tracked_frames_ : std::ssize(all.estimate);
   for (std::size_t i = 0; i < paths.size(); ++i) {
     BodyReport body;
     body.path_length = r.true_path ? *paths[i].true_length_m : paths[i].estimated_length;
@@ -242,16 +249,20 @@ void RunSummary::report_paths(RunReport& r, const std::optional<Alignment>& alig
     }
     r.body.path_length += body.path_length;
     if (paths.size() == 1) r.body.drift_percent = body.drift_percent;
-    if (i < team.size()) body.ate_m = team[i].ate_m, body.compared_frames = team[i].compared_frames;
-    if (i < r.consistency.robots.size()) body.consistency = r.consistency.robots[i];
-    if (paths.size() > 1) r.robots.push_back(body);
+    if (i < matched_.size()) {
+      body.ate_m = ate_m(matched_[i], alignment);
+      body.compared_frames = std::ssize(matched_[i].estimate);
+    }
+    if (i < r.consistency.bodies.size()) body.consistency = r.consistency.bodies[i];
+    r.bodies.push_back(body);
   }
 }
 
 std::optional<Alignment> RunSummary::truth_from_map() const {
   if (alignment_ == AlignmentKind::none) return Alignment{};
   // Without a true trajectory, the map is aligned to the survey itself.
-  return matched_.truth.empty() ? align_to_survey(map_, survey_, alignment_) : align(matched_, alignment_);
+  const MatchedTrajectories all = all_matched();
+  return all.truth.empty() ? align_to_survey(map_, survey_, alignment_) : align(all, alignment_);
 }
 
 void RunSummary::report_map(RunReport& r) const {
@@ -291,7 +302,7 @@ std::string RunSummary::json(RunStatus status, const std::string& reason) const 
             {"mean_nis", consistency_.mean_nis()},
             {"path_m", path_json(report.body, report)}};
   if (has_truth_) {
-    json["compared_poses"] = matched_.estimate.size();
+    json["compared_poses"] = all_matched().estimate.size();
     json["ate_m"] = report.body.ate_m;
     json["ate_alignment"] = name(alignment_);
     json["drift_percent"] = report.body.drift_percent;
@@ -313,17 +324,16 @@ std::string RunSummary::json(RunStatus status, const std::string& reason) const 
                          {"t_14_located_s", or_null(exploration_.located_t_s(thesis_landmarks))},
                          {"coverage", or_null(exploration_.coverage())},
                          {"entropy_extended", or_null(exploration_.entropy_extended())}};
-  if (!team_.empty()) {
-    Json& vehicles = json["vehicles"] = Json::array();
-    const std::vector<TeamSummary::Vehicle> all = team_.vehicles();
-    for (std::size_t i = 0; i < std::min(all.size(), max_vehicles); ++i) {
-      const TeamSummary::Vehicle& v = all[i];
-      vehicles.push_back({{"compared_frames", v.compared_frames},
-                          {"ate_m", v.ate_m},
-                          {"mean_nees", v.mean_nees},
-                          {"consistency", pose_json(report.consistency, i)},
-                          {"from_path_m", {{"median", v.from_path_median_m}, {"p95", v.from_path_p95_m}}}});
-    }
+  Json& vehicles = json["vehicles"] = Json::array();
+  const std::vector<PathDistance> distances = distances_.bodies(report.bodies.size());
+  for (std::size_t i = 0; i < std::min(report.bodies.size(), max_vehicles); ++i) {
+    const BodyReport& body = report.bodies[i];
+    const PathDistance& distance = distances[i];
+    vehicles.push_back({{"compared_frames", body.compared_frames},
+                        {"ate_m", body.ate_m},
+                        {"mean_nees", consistency_.mean_nees(i)},
+                        {"consistency", pose_json(body.consistency)},
+                        {"from_path_m", {{"median", distance.median_m}, {"p95", distance.p95_m}}}});
   }
   if (observability_) json["observability"] = observability_json(*observability_);
   json["timing_ms"] = timing_json(stage_ms_);

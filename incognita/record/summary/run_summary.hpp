@@ -14,10 +14,10 @@
 #include "incognita/record/summary/consistency_summary.hpp"
 #include "incognita/record/summary/exploration_summary.hpp"
 #include "incognita/record/summary/map_survey.hpp"
+#include "incognita/record/summary/path_distance.hpp"
 #include "incognita/record/summary/path_summary.hpp"
 #include "incognita/record/summary/run_report.hpp"
 #include "incognita/record/summary/run_status.hpp"
-#include "incognita/record/summary/team_summary.hpp"
 
 namespace incognita {
 
@@ -31,10 +31,9 @@ struct RunInfo {
   std::string ate_alignment = "none";  ///< `none` if anchors fix the frame, `sim3` if the scale is free
   bool truth_recorded = false;         ///< a recording with truth, even if the first frames lack it
   std::string body = "camera";         ///< whose pose is estimated: `camera` or `vehicle`
-  bool ranges = false;                 ///< measurements are ranges and bearings, not pixels
-  int vehicles = 0;                    ///< team size; 0: no team
-  Eigen::Vector2d steered_m{0, 0};  ///< of a team: controlled point, ahead and left of the vehicle's origin
-  std::vector<std::string> inputs = {};    ///< of a team's vehicles: names with units, e.g. "speed_m_s"
+  int bodies = 1;
+  Eigen::Vector2d steered_m{0, 0};         ///< controlled point, ahead and left of the body's origin
+  std::vector<std::string> inputs = {};    ///< of each body: names with units, e.g. "speed_m_s"
   int patch_size_px = 11;                  ///< side of the matched patches, for drawing
   std::vector<std::string> warnings = {};  ///< likely problems of the input
   Survey survey = {};                      ///< true landmarks, for evaluation; empty if unknown
@@ -66,8 +65,8 @@ class RunSummary {
  private:
   std::optional<Alignment> truth_from_map() const;
   void compare_with_truth(const Snapshot& snapshot);
-  double ate_m(const std::optional<Alignment>& alignment) const;
-  void report_paths(RunReport& report, const std::optional<Alignment>& alignment) const;
+  MatchedTrajectories all_matched() const;
+  void report_paths(RunReport& report) const;
   void report_map(RunReport& report) const;
 
   std::string version_;
@@ -87,9 +86,9 @@ class RunSummary {
   std::vector<SnapshotLandmark> map_;  ///< of the last frame, if there is a survey
   bool has_truth_ = false;
   std::optional<ObservabilityReport> observability_;
-  MatchedTrajectories matched_;
+  std::vector<MatchedTrajectories> matched_;  ///< per body
   std::vector<std::pair<std::string, std::vector<double>>> stage_ms_;
-  TeamSummary team_;
+  PathDistanceSummary distances_;
 };
 
 }  // namespace incognita

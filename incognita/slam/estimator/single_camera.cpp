@@ -21,16 +21,6 @@ BodyModel free_camera_body(const FilterSettings& s) {
   return body;
 }
 
-HealthSettings health_of(const CameraSlamSettings& s) {
-  HealthSettings health;
-  health.max_sigma_position_m = s.lost.max_sigma_position_m;
-  health.min_matches = s.lost.min_matches;
-  health.max_ticks = s.lost.max_frames;
-  health.sigma_search_velocity_m_s = s.filter.sigma_start_velocity_m_s;
-  health.sigma_search_rate_rad_s = s.filter.sigma_start_angular_rate_rad_s;
-  return health;
-}
-
 SlamEstimator single_camera(Camera camera, const std::optional<Target>& target,
                             const CameraSlamSettings& settings, double max_search_s, std::uint64_t seed,
                             const std::optional<WheelOdometry>& odometry) {
@@ -41,7 +31,7 @@ SlamEstimator single_camera(Camera camera, const std::optional<Target>& target,
   EstimatorSettings estimator;
   estimator.bodies.push_back(free_camera_body(settings.filter));
   estimator.bodies.front().wheels = odometry;
-  estimator.health = health_of(settings);
+  estimator.health = settings.health;
   return SlamEstimator(std::move(estimator), std::move(cameras));
 }
 

@@ -19,7 +19,4 @@ SlamEstimator single_camera(Camera camera, const std::optional<Target>& target,
 /// The model of a free camera that starts at the origin, level, looking along x, until a target says where it is.
 BodyModel free_camera_body(const FilterSettings& settings);
 
-/// The limits of a camera's health.
-HealthSettings health_of(const CameraSlamSettings& settings);
-
 }  // namespace incognita

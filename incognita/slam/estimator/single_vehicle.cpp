@@ -39,8 +39,7 @@ EstimatorSettings single_vehicle(const PlanarSlamSettings& s,
   team.association = s.association;
   if (s.association.method == DataAssociationSettings::Method::known)
     team.filter.gate_probability = s.association.gate_probability;
-  team.health.max_sigma_position_m = s.lost.max_sigma_position_m;
-  team.health.max_ticks = s.lost.max_unmatched_scans;
+  team.health = s.health;
   team.anchors_have_identity = s.association.method == DataAssociationSettings::Method::known;
   if (team.anchors_have_identity && anchor_identities.size() != s.filter.anchors.size())
     throw std::invalid_argument("estimator.anchors_m: with association by identity each anchor needs one");

@@ -210,11 +210,8 @@ namespace {
 
 /// The commanded input of a body; zero without one, and for a camera whose carrier is commanded.
 SmallVector commanded_input(const Command& command, std::size_t body, const AnyMotion& motion) {
-  if (body < command.inputs.size())
-    return command.inputs[body].size() == inputs_of(motion) ? command.inputs[body]
-                                                            : SmallVector::Zero(inputs_of(motion));
-  if (body == 0 && std::holds_alternative<FreeCameraMotion>(motion)) return command.as_input();
-  return SmallVector::Zero(inputs_of(motion));
+  const SmallVector& input = command_of(command, body).input;
+  return input.size() == inputs_of(motion) ? input : SmallVector(SmallVector::Zero(inputs_of(motion)));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "incognita/math/setting.hpp"
+#include "incognita/slam/mapper/settings.hpp"
 
 namespace incognita {
 
@@ -148,23 +149,6 @@ struct MapSettings {
   }
 };
 
-struct LostSettings {
-  int min_matches = 3;
-  int max_frames = 10;
-  double max_sigma_position_m = 0.5;
-
-  static void describe(auto&& setting) {
-    using namespace limits;
-    using S = LostSettings;
-    setting(&S::min_matches, "min_matches", "", between(3, 10000),
-            "Number of matches below which a frame counts towards `lost`");
-    setting(&S::max_frames, "max_frames", "", between(1, 100000),
-            "Consecutive frames with too few matches after which the state is `lost`");
-    setting(&S::max_sigma_position_m, "max_sigma_position_m", "m", more_than(0),
-            "Standard deviation of the position above which the state is `lost`");
-  }
-};
-
 struct StartSettings {
   enum class From {
     target,  ///< pose solved from the known target
@@ -191,7 +175,7 @@ struct CameraSlamSettings {
   SearchSettings search;
   InitializationSettings initialization;
   MapSettings map;
-  LostSettings lost;
+  HealthSettings health{.max_sigma_position_m = 0.5};
 };
 
 }  // namespace incognita

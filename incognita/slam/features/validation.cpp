@@ -79,9 +79,9 @@ void validate(const MapSettings& s) {
 }
 
 /// With 0 matches required a camera without images would never be lost.
-void validate(const LostSettings& s) {
+void validate(const HealthSettings& s) {
   need_at_least("health.min_matches", s.min_matches, 1, "1 or more");
-  need_at_least("health.max_frames", s.max_frames, 1, "1 or more");
+  need_at_least("health.max_ticks", s.max_ticks, 1, "1 or more");
   need(s.max_sigma_position_m > 0, "health.max_sigma_position_m", s.max_sigma_position_m, "more than 0");
 }
 
@@ -92,7 +92,7 @@ void validate(const CameraSlamSettings& s, const std::optional<Target>& target, 
   validate(s.search);
   validate(s.initialization);
   validate(s.map);
-  validate(s.lost);
+  validate(s.health);
   need(max_search_s > 0, "start.max_search_s", max_search_s, "more than 0");
   if (target && target->corners.size() < 4)
     throw std::invalid_argument("start.target: " + target->name + " has " +

@@ -162,6 +162,33 @@ struct HealthSettings {
   /// Lost: uncertainty of the search around the last pose.
   double sigma_search_position_m = 0.1, sigma_search_rotation_rad = 0.1;
   double sigma_search_velocity_m_s = 0.2, sigma_search_rate_rad_s = 0.2;
+
+  static void describe(auto&& setting) {
+    using namespace limits;
+    using S = HealthSettings;
+    setting(&S::max_sigma_position_m, "max_sigma_position_m", "m", more_than(0),
+            "Standard deviation of the position above which the state is `lost`");
+    setting(
+        &S::max_ticks, "max_ticks", "", between(1, 100000),
+        "Consecutive ticks with too few matches, or with too large innovations, after which the state is `lost`");
+    setting(&S::max_innovation_sigmas, "max_innovation_sigmas", "", more_than(1),
+            "Rms normalized innovation above which a tick counts towards `lost`; 1 is expected");
+    setting(&S::min_matches, "min_matches", "", between(3, 10000),
+            "Number of matches in the images below which a frame counts towards `lost`");
+    setting(&S::min_matches_to_relocate, "min_matches_to_relocate", "", between(3, 10000),
+            "Number of matches in one image that end the state `lost`");
+    setting(
+        &S::min_expected, "min_expected", "", between(1, 10000),
+        "Landmarks predicted in view from which a tick with detections, but without a match, counts towards `lost`");
+    setting(&S::sigma_search_position_m, "sigma_search_position_m", "m", above_up_to(0, 1000),
+            "Standard deviation of the position for the search around the last pose in state `lost`");
+    setting(&S::sigma_search_rotation_rad, "sigma_search_rotation_rad", "rad", above_up_to(0, 3.2),
+            "Standard deviation of the rotation for the search around the last pose");
+    setting(&S::sigma_search_velocity_m_s, "sigma_search_velocity_m_s", "m/s", above_up_to(0, 1000),
+            "Standard deviation of the velocity for the search around the last pose");
+    setting(&S::sigma_search_rate_rad_s, "sigma_search_rate_rad_s", "rad/s", above_up_to(0, 1000),
+            "Standard deviation of the angular rate for the search around the last pose");
+  }
 };
 
 struct EstimatorSettings {

@@ -40,21 +40,21 @@ inline const char* name(MatchOutcome outcome) {
     case MatchOutcome::not_found:
       return "not-found";
     case MatchOutcome::outlier:
-      return "inconsistent";
+      return "outlier";
     case MatchOutcome::unconfirmed:
-      return "alone";
+      return "unconfirmed";
     case MatchOutcome::not_searched:
-      return "not-tried";
+      return "not-searched";
     case MatchOutcome::initialized:
-      return "born";
+      return "initialized";
   }
   return "unknown";
 }
 
 struct TrackingStatus {
   TrackingState state = TrackingState::starting;
-  std::string
-      reason;  ///< states values and limits, e.g. "fewer than 3 features matched; 2 of 12 features matched"
+  /// States values and limits, e.g. "fewer than 3 features matched; 2 of 12 features matched"
+  std::string reason;
 };
 
 }  // namespace incognita

@@ -118,27 +118,13 @@ struct PlanarStartSettings {
   }
 };
 
-struct PlanarLostSettings {
-  double max_sigma_position_m = 10;
-  int max_unmatched_scans = 10;
-
-  static void describe(auto&& setting) {
-    using namespace limits;
-    using S = PlanarLostSettings;
-    setting(&S::max_sigma_position_m, "max_sigma_position_m", "m", more_than(0),
-            "Standard deviation of the position above which the state is `lost`");
-    setting(&S::max_unmatched_scans, "max_unmatched_scans", "", between(1, 100000),
-            "Consecutive scans with detections but without a match after which the state is `lost`");
-  }
-};
-
 struct PlanarSlamSettings {
   VehicleSettings vehicle;
   RangeBearingSettings sensor;
   PlanarFilterSettings filter;
   DataAssociationSettings association;
   PlanarStartSettings start;
-  PlanarLostSettings lost;
+  HealthSettings health;
 };
 
 inline std::optional<FilterIncompatibility> find_incompatibility(const PlanarFilterSettings& filter) {

@@ -53,27 +53,25 @@ TeamWorld::TeamWorld(const std::vector<SimulatedVehicle>& vehicles, std::uint64_
   }
 }
 
-SmallVector TeamWorld::input_of(const Command& command, std::size_t i) {
+SmallVector TeamWorld::executed_input(const Command& command, std::size_t i) {
   const Plant& plant = plants_[i];
   if (!actuators_.empty() && last_t_)
-    return actuators_[i].move(command, i, FreeCameraMotion::State<double>(plant.state()), *last_t_);
-  return i < command.inputs.size() ? command.inputs[i] : SmallVector::Zero(inputs_of(plant.motion()));
+    return actuators_[i].move(command_of(command, i), FreeCameraMotion::State<double>(plant.state()),
+                              *last_t_);
+  return input_of(command, i, inputs_of(plant.motion()));
 }
 
 std::optional<Truth> TeamWorld::move(const Command& command, const Tick& tick) {
   Truth truth;
   for (std::size_t i = 0; i < plants_.size(); ++i) {
-    truth.vehicles.push_back(plants_[i].move(input_of(command, i), tick.dt));
+    BodyTruth& body = truth.bodies.emplace_back();
+    body.state = plants_[i].move(executed_input(command, i), tick.dt);
+    body.pose = pose_of(plants_[i].motion(), body.state);
     const SmallVector& executed = plants_[i].executed();
     // The operator's inputs are not measured
-    truth.inputs.push_back(actuators_.empty() ? executed : SmallVector(SmallVector::Zero(executed.size())));
-    truth.poses.push_back(pose_of(plants_[i].motion(), truth.vehicles.back()));
+    body.input = actuators_.empty() ? executed : SmallVector(SmallVector::Zero(executed.size()));
   }
   last_t_ = tick.t;
-  const RigidPose& first = *truth.poses.front();
-  truth.camera.head<3>() = first.position;
-  truth.camera.segment<4>(3) = first.world_from_body;
-  if (traits_of(plants_.front().motion()).in_space()) truth.camera = truth.vehicles.front();
   return truth;
 }
 
@@ -108,13 +106,13 @@ std::optional<SmallVector> TeamSensor::measured(std::size_t i, const SmallVector
 
 void TeamSensor::measure_vehicle(std::size_t i, const Truth& truth, BodyObservation& view) {
   for (const auto& [identity, point] : landmarks_)
-    if (auto z = measured(i, truth.vehicles[i], point)) view.landmarks.push_back({identity, *z});
+    if (auto z = measured(i, truth.bodies[i].state, point)) view.landmarks.push_back({identity, *z});
   remove_identities(view, truth_->at(i));
   for (std::size_t j = 0; sees_vehicles_ && j < vehicles_.size(); ++j) {
     if (j == i) continue;
     const SmallVector other =
-        position_of(vehicles_[j].motion, truth.vehicles[j], dimensions_of(vehicles_[i].sensor)).position;
-    if (auto z = measured(i, truth.vehicles[i], other))
+        position_of(vehicles_[j].motion, truth.bodies[j].state, dimensions_of(vehicles_[i].sensor)).position;
+    if (auto z = measured(i, truth.bodies[i].state, other))
       view.vehicles.push_back({static_cast<std::int64_t>(j), *z});
   }
 }
@@ -133,13 +131,13 @@ void TeamSensor::remove_identities(BodyObservation& view, std::vector<std::int64
 
 Observation TeamSensor::measure(const std::optional<Truth>& truth, const Tick& tick) {
   Observation observation;
-  if (!truth || truth->vehicles.size() != vehicles_.size())
+  if (!truth || truth->bodies.size() != vehicles_.size())
     throw std::logic_error("TeamSensor: the truth has another number of vehicles");
   truth_->assign(vehicles_.size(), {});
   for (std::size_t i = 0; i < vehicles_.size(); ++i) {
     BodyObservation view;
-    if (tick.dt > 0) view.input = truth->inputs[i];
-    if (i < truth->wheels.size()) view.wheels = truth->wheels[i];
+    if (tick.dt > 0) view.input = truth->bodies[i].input;
+    view.wheels = truth->bodies[i].wheels;
     if (ticks_ % vehicles_[i].ticks_per_measurement == 0) measure_vehicle(i, *truth, view);
     observation.bodies.push_back(std::move(view));
   }

@@ -41,7 +41,7 @@ class TeamWorld final : public World {
   std::optional<Truth> move(const Command& command, const Tick& tick) override;
 
  private:
-  SmallVector input_of(const Command& command, std::size_t vehicle);
+  SmallVector executed_input(const Command& command, std::size_t body);
 
   std::vector<Plant> plants_;
   std::vector<OperatorActuator> actuators_;

@@ -63,8 +63,7 @@ FreeCameraPlant::FreeCameraPlant(const RoomSettings& s, const RoomLayout& layout
   stop_at_obstacles(s.start_position_m);
 }
 
-const FreeCameraPlant::State& FreeCameraPlant::move(const Command& command, double dt_s) {
-  Input u = command.as_input();
+const FreeCameraPlant::State& FreeCameraPlant::move(Input u, double dt_s) {
   if (!u.allFinite()) throw std::invalid_argument("the command to the camera is not finite");
   if (!(dt_s >= 0 && std::isfinite(dt_s)))
     throw std::invalid_argument("a tick must last zero or more seconds, got " + std::to_string(dt_s));

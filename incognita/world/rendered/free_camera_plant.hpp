@@ -4,10 +4,9 @@
 #include <cstdint>
 
 #include "incognita/math/random.hpp"
-#include "incognita/messages/command.hpp"
+#include "incognita/models/free_camera.hpp"
 #include "incognita/world/rendered/room_layout.hpp"
 #include "incognita/world/settings.hpp"
-#include "incognita/world/truth.hpp"
 
 namespace incognita {
 
@@ -20,9 +19,9 @@ class FreeCameraPlant {
   /// Throws std::invalid_argument if the start lies outside the room or a sigma is invalid.
   FreeCameraPlant(const RoomSettings& settings, const RoomLayout& layout, std::uint64_t seed);
 
-  /// State after `dt_s` seconds; unchanged if it is 0. Throws std::invalid_argument if the command or the
+  /// State after `dt_s` seconds; unchanged if it is 0. Throws std::invalid_argument if the input or the
   /// time is not finite or the time is negative.
-  const State& move(const Command& command, double dt_s);
+  const State& move(FreeCameraMotion::Input<double> input, double dt_s);
 
   const State& state() const { return state_; }
 

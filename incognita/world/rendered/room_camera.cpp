@@ -20,13 +20,13 @@ RoomCamera::RoomCamera(std::shared_ptr<const Room> room, const Camera& camera, c
       cover_lens_from_s_(settings.cover_lens_from_s) {}
 
 Observation RoomCamera::measure(const std::optional<Truth>& truth, const Tick& tick) {
-  if (!truth) throw std::invalid_argument("the camera of the rendered room needs the true pose");
+  if (!truth || truth->bodies.empty() || !truth->bodies[0].pose)
+    throw std::invalid_argument("the camera of the rendered room needs the true pose");
   auto image = std::make_shared<Image>();
   if (covered(tick))
     *image = Image(rays_.width, rays_.height, covered_gray);
   else
-    render(*room_, rays_, free_camera::position(truth->camera), free_camera::orientation(truth->camera),
-           *image);
+    render(*room_, rays_, truth->bodies[0].pose->position, truth->bodies[0].pose->world_from_body, *image);
   noise_.add_to(*image);
   Observation observation;
   observation.bodies.emplace_back().images = {std::move(image)};

@@ -25,8 +25,8 @@ void RoomVehicle::stop_at_obstacles(const SmallVector& before) {
 }
 
 std::optional<Truth> RoomVehicle::move(const Command& command, const Tick& tick) {
-  const SmallVector none = SmallVector::Zero(TerrainVehicle::input_size), before = plant_.state();
-  plant_.move(command.inputs.empty() ? none : command.inputs.front(), tick.dt);
+  const SmallVector before = plant_.state();
+  plant_.move(input_of(command, 0, TerrainVehicle::input_size), tick.dt);
   if (tick.dt > 0) stop_at_obstacles(before);
   const TerrainVehicle::State<double> x = plant_.state();
   TerrainVehicle::Input<double> u = plant_.in_force();
@@ -34,10 +34,12 @@ std::optional<Truth> RoomVehicle::move(const Command& command, const Tick& tick)
   const MountedCamera<TerrainVehicle::error_size> mounted_pose = mount_.on(body_.pose(x));
   const Eigen::Matrix<double, 6, 1> speeds = mounted_pose.J * body_.rate<double>(x, u);
   Truth truth;
-  truth.camera = mounted_pose.camera;
-  truth.camera.tail<6>() = speeds;
-  truth.vehicles.push_back(plant_.state());
-  truth.inputs.push_back(plant_.executed());
+  BodyTruth& body = truth.bodies.emplace_back();
+  body.state = mounted_pose.camera;
+  body.state.tail<6>() = speeds;
+  body.pose = pose_of(FreeCameraMotion{}, body.state);
+  body.carrier = plant_.state();
+  body.wheels = plant_.executed();
   return truth;
 }
 
@@ -47,10 +49,11 @@ RoomVehicleSensor::RoomVehicleSensor(RoomCamera camera, const RoomLayout& layout
 
 Observation RoomVehicleSensor::measure(const std::optional<Truth>& truth, const Tick& tick) {
   Observation observation = camera_.measure(truth, tick);
-  if (truth->vehicles.empty()) throw std::logic_error("RoomVehicleSensor: the truth has no vehicle");
+  const BodyTruth& carried = truth->bodies.front();
+  if (!carried.wheels) throw std::logic_error("RoomVehicleSensor: the truth has no vehicle");
   BodyObservation& body = observation.bodies.front();
-  if (tick.dt > 0) body.odometry.push_back({tick.t, truth->inputs.front()});
-  const SmallVector& x = truth->vehicles.front();
+  if (tick.dt > 0) body.odometry.push_back({tick.t, *carried.wheels});
+  const SmallVector& x = carried.carrier;
   body.proximity_ranges = measure_ranges(plan_, ring_, x.head<2>(), x[2]);
   for (ConeRange& cone : body.proximity_ranges)
     if (cone.range_m < ring_.reach_m)

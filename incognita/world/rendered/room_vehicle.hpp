@@ -13,7 +13,7 @@
 
 namespace incognita {
 
-/// Its input is the first of the command's `inputs`; without one it stands still. If it would come closer
+/// Its input is that of the first body; without one it stands still. If it would come closer
 /// than its radius to a wall or a box, its wheels slip and it stays in position.
 class RoomVehicle final : public World {
  public:
@@ -22,8 +22,7 @@ class RoomVehicle final : public World {
   RoomVehicle(const TerrainVehicle& body, const Mount& mount, const PlantSettings& plant,
               const RoomLayout& layout, double radius_m, std::uint64_t seed);
 
-  /// Returns the camera's pose and rates; `vehicles[0]` is the vehicle's state and `inputs[0]` its executed
-  /// wheel input.
+  /// Returns the state of the camera, that of the vehicle as its carrier, and the executed wheel input.
   std::optional<Truth> move(const Command& command, const Tick& tick) override;
 
  private:

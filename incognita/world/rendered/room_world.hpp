@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "incognita/models/any_motion.hpp"
 #include "incognita/world/operator_model.hpp"
 #include "incognita/world/rendered/free_camera_plant.hpp"
 #include "incognita/world/world.hpp"
@@ -18,14 +19,13 @@ class RoomWorld final : public World {
 
   /// A tick of zero duration, such as the first, only returns the start.
   std::optional<Truth> move(const Command& command, const Tick& tick) override {
-    Command executed = command;
-    if (actuator_ && last_t_) {
-      const FreeCameraMotion::Input<double> input = actuator_->move(command, 0, plant_.state(), *last_t_);
-      executed.linear_acceleration = input.head<3>();
-      executed.angular_acceleration = input.tail<3>();
-    }
+    FreeCameraMotion::Input<double> input = input_of(command, 0, FreeCameraMotion::input_size);
+    if (actuator_ && last_t_) input = actuator_->move(command_of(command, 0), plant_.state(), *last_t_);
     last_t_ = tick.t;
-    return Truth{plant_.move(executed, tick.dt)};
+    BodyTruth body;
+    body.state = plant_.move(input, tick.dt);
+    body.pose = pose_of(FreeCameraMotion{}, body.state);
+    return Truth{{std::move(body)}};
   }
 
  private:

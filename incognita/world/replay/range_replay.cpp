@@ -56,18 +56,15 @@ std::optional<Truth> RangeWorld::move(const Command&, const Tick& tick) {
   Truth truth;
   bool any_known = false;
   for (const RangeRecording& r : *recordings_) {
-    std::optional<RigidPose>& pose = truth.poses.emplace_back();
+    BodyTruth& body = truth.bodies.emplace_back();
     const auto reference = true_position(r, tick.t);
     // A single vehicle may have a GPS, which measures no heading; in a team each needs its heading
     if (!reference || (!reference->heading_rad && recordings_->size() > 1)) continue;
     const Eigen::Vector3d on_plane(reference->position.x(), reference->position.y(),
                                    reference->heading_rad.value_or(0));
-    pose = on_floor(planar::Pose<double>(on_plane)).pose;
+    body.pose = on_floor(planar::Pose<double>(on_plane)).pose;
     any_known = true;
-    truth.orientation_known = reference->heading_rad.has_value();
-    const double half = on_plane[2] / 2;
-    if (truth.poses.size() == 1)
-      truth.camera.head<7>() << on_plane[0], on_plane[1], 0, std::cos(half), 0, 0, std::sin(half);
+    body.orientation_known = reference->heading_rad.has_value();
   }
   return any_known ? std::optional(truth) : std::nullopt;
 }

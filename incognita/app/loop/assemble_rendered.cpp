@@ -1,0 +1,121 @@
+#include <fmt/format.h>
+
+#include <memory>
+#include <stdexcept>
+#include <utility>
+
+#include "incognita/app/loop/assemblers.hpp"
+#include "incognita/app/loop/body_models.hpp"
+#include "incognita/app/loop/operator_assembly.hpp"
+#include "incognita/control/steering_controller.hpp"
+#include "incognita/decision/decision.hpp"
+#include "incognita/decision/no_decision.hpp"
+#include "incognita/io/scenario/camera.hpp"
+#include "incognita/io/scenario/enum_words.hpp"
+#include "incognita/messages/errors.hpp"
+#include "incognita/world/rendered/room_camera.hpp"
+#include "incognita/world/rendered/room_vehicle.hpp"
+#include "incognita/world/rendered/room_world.hpp"
+#include "incognita/world/room_clock.hpp"
+
+namespace incognita {
+namespace {
+
+/// The room places no boxes between its target and the initial camera position.
+RoomSettings room_of(const Scenario& s) {
+  RoomSettings room = s.room;
+  const Eigen::Vector3d& start = s.team_start.positions_m.front();
+  room.start_position_m = {start.x(), start.y(), s.mount.up_m};
+  return room;
+}
+
+WheelOdometry odometry_of(const Scenario& s) {
+  const VehicleSettings& v = s.planar.vehicle;
+  return {s.mount, v.sigma_speed_m_s, v.sigma_turn_rate_rad_s, s.slam.filter.sigma_slip_m_s};
+}
+
+/// Of the vehicle that carries the camera.
+BodyControl carrier_control(const LoadedScenario& loaded, const Terrain& ground) {
+  constexpr double to_spare_m = 0.05;  // margin for range and wheel errors
+  const Scenario& s = loaded.scenario;
+  BodyControl control = body_control_of(loaded, 0, ground);
+  control.carried_at = s.mount;
+  if (s.controller.avoidance_distance_m > 0)
+    control.obstacle_avoidance =
+        ObstacleAvoidanceSettings{s.controller.avoidance_distance_m,
+                                  s.room.clearance_m + to_spare_m,
+                                  {s.controller.max_speed_m_s, s.controller.max_turn_rate_rad_s}};
+  return control;
+}
+
+std::unique_ptr<Controller> carrier_controller(const LoadedScenario& loaded, const Terrain& ground) {
+  const Scenario& s = loaded.scenario;
+  try {
+    return std::make_unique<SteeringController>(std::vector{carrier_control(loaded, ground)},
+                                                1 / s.run.rate_hz);
+  } catch (const std::invalid_argument& error) {
+    throw InputError(fmt::format("{}: controller.law = {}: {}", loaded.source_of("controller.law"),
+                                 word_of(s.controller.law), error.what()));
+  }
+}
+
+/// A vehicle carries the camera.
+void put_vehicle(const LoadedScenario& loaded, const Camera& camera, const std::optional<Target>& target,
+                 LoopParts& parts) {
+  const Scenario& s = loaded.scenario;
+  const auto seed = static_cast<std::uint64_t>(s.run.seed);
+  const Terrain ground = ground_of(loaded);
+  const auto room = std::make_shared<const Room>(room_of(s), seed, ground);
+  if (target) check_sheet(loaded, *target, room->layout().sheet);
+  parts.world =
+      std::make_unique<RoomVehicle>(TerrainVehicle{ground}, s.mount, simulated_vehicle(s, 0, ground).plant,
+                                    room->layout(), s.room.clearance_m, seed);
+  parts.sensor = std::make_unique<RoomVehicleSensor>(RoomCamera(room, camera, s.room, seed), room->layout(),
+                                                     RangeRing{}, seed);
+  std::optional<WheelOdometry> odometry;
+  if (s.slam.filter.odometry) odometry = odometry_of(s);
+  parts.estimator = image_estimator(loaded, camera, target, odometry);
+  if (s.decides())
+    parts.strategy = decide_by_images(camera, s.slam, active_settings_of(s));
+  else
+    parts.strategy = std::make_unique<NoDecision>();
+  parts.controller = carrier_controller(loaded, ground);
+}
+
+/// The camera flies, or an operator holds it.
+void put_free_camera(const LoadedScenario& loaded, const Camera& camera, const std::optional<Target>& target,
+                     LoopParts& parts) {
+  const Scenario& s = loaded.scenario;
+  const auto seed = static_cast<std::uint64_t>(s.run.seed);
+  const auto room = std::make_shared<const Room>(s.room, seed);
+  if (target) check_sheet(loaded, *target, room->layout().sheet);
+  std::optional<OperatorActuator> actuator;
+  if (s.operator_settings.holds) actuator = operator_of(s, 0);
+  parts.world = std::make_unique<RoomWorld>(room->layout(), s.room, seed, std::move(actuator));
+  parts.sensor = std::make_unique<RoomCamera>(room, camera, s.room, seed);
+  parts.estimator = image_estimator(loaded, camera, target);
+  parts.strategy = decide_by_images(camera, s.slam, active_settings_of(s));
+  parts.controller = std::make_unique<SteeringController>(
+      std::vector{free_camera_control(s.control, s.operator_settings.holds)}, 1 / s.run.rate_hz);
+}
+
+}  // namespace
+
+Assembly assemble_rendered(const LoadedScenario& loaded) {
+  const Scenario& s = loaded.scenario;
+  const Camera camera = make_camera(s.camera);
+  const std::optional<Target> target = start_target(loaded);
+  Assembly out;
+  out.info = info_of(loaded);
+  out.info.ate_alignment = target ? "none" : "sim3";
+  out.info.inputs = input_names(s.is_room_vehicle() ? motion_traits<TerrainVehicle> : s.motion());
+  if (!target) out.notes.emplace_back("no target: the scale is unobservable, lengths are in arbitrary units");
+  out.parts.clock = std::make_unique<FixedRateClock>(s.run.rate_hz, s.run.duration_s);
+  if (s.is_room_vehicle())
+    put_vehicle(loaded, camera, target, out.parts);
+  else
+    put_free_camera(loaded, camera, target, out.parts);
+  return out;
+}
+
+}  // namespace incognita

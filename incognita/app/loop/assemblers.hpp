@@ -1,0 +1,41 @@
+// The builders behind assemble(), one per world.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "incognita/app/loop/assembly.hpp"
+#include "incognita/models/camera.hpp"
+#include "incognita/models/wheel_odometry.hpp"
+#include "incognita/slam/features/target.hpp"
+#include "incognita/world/rendered/room_layout.hpp"
+
+namespace incognita {
+
+/// The rendered room, with a free camera or a vehicle that carries it.
+Assembly assemble_rendered(const LoadedScenario& loaded);
+/// Recorded images.
+Assembly assemble_recorded_images(const LoadedScenario& loaded);
+/// Point landmarks, simulated.
+Assembly assemble_points(const LoadedScenario& loaded);
+/// Recorded ranges and bearings of one vehicle or of a team.
+Assembly assemble_recorded_ranges(const LoadedScenario& loaded);
+
+/// The information for the recorder that does not depend on the world.
+RunInfo info_of(const LoadedScenario& loaded);
+
+/// The surveyed landmarks of a recording. `identified`: the map uses their identities.
+Survey survey_of(const RangeRecording& recording, bool identified);
+
+/// The target from which the camera starts, if any.
+std::optional<Target> start_target(const LoadedScenario& loaded);
+/// The estimator of one camera that maps by its images.
+std::unique_ptr<Estimator> image_estimator(const LoadedScenario& loaded, const Camera& camera,
+                                           const std::optional<Target>& target,
+                                           const std::optional<WheelOdometry>& odometry = {});
+
+/// Checks that the target is at the position of the room's sheet, which depends on the room's size: otherwise
+/// the start pose would be wrong and overconfident. Throws InputError.
+void check_sheet(const LoadedScenario& loaded, const Target& target, const Sheet& sheet);
+
+}  // namespace incognita

@@ -1,0 +1,37 @@
+#include "incognita/app/loop/assembly.hpp"
+
+#include <stdexcept>
+
+#include "incognita/app/loop/assemblers.hpp"
+#include "incognita/io/formats/files.hpp"
+#include "incognita/messages/errors.hpp"
+
+namespace incognita {
+namespace {
+
+Assembly assembled(const LoadedScenario& loaded) {
+  const Scenario& s = loaded.scenario;
+  if (s.is_simulated()) return assemble_points(loaded);
+  if (!s.is_recording()) return assemble_rendered(loaded);
+  return s.sensor.type == "camera" ? assemble_recorded_images(loaded) : assemble_recorded_ranges(loaded);
+}
+
+}  // namespace
+
+RunInfo info_of(const LoadedScenario& loaded) {
+  RunInfo info;
+  info.effective_toml = effective_toml(loaded);
+  info.seed = loaded.scenario.run.seed;
+  info.patch_size_px = loaded.scenario.slam.search.patch_size_px;
+  return info;
+}
+
+Assembly assemble(const LoadedScenario& loaded) {
+  try {
+    return assembled(loaded);
+  } catch (const std::invalid_argument& error) {  // e.g. a room too small for its boxes
+    throw InputError(shown(loaded.file) + ": " + error.what());
+  }
+}
+
+}  // namespace incognita

@@ -1,0 +1,27 @@
+#include "incognita/control/steering_controller.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace incognita {
+
+SteeringController::SteeringController(std::vector<BodyControl> bodies, double period_s) {
+  for (BodyControl& body : bodies) bodies_.emplace_back(std::move(body), period_s);
+}
+
+Command SteeringController::act(const Estimate& estimate, const Goal& goal, const Observation& observation,
+                                const Tick& tick) {
+  if (!first_t_) first_t_ = tick.t;
+  Command command;
+  if (!estimate.started) return command;
+  const bool lost = estimate.status.state == TrackingState::lost;
+  for (std::size_t i = 0; i < std::min(bodies_.size(), estimate.bodies.size()); ++i) {
+    const BodyGoal* own = i < goal.bodies.size() ? &goal.bodies[i] : nullptr;
+    command.bodies.push_back(lost ? bodies_[i].act_when_lost(tick.t)
+                                  : bodies_[i].act(estimate.bodies[i].state, own, body_of(observation, i),
+                                                   tick.t, tick.t - *first_t_));
+  }
+  return command;
+}
+
+}  // namespace incognita

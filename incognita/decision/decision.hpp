@@ -1,0 +1,65 @@
+// Next action of each body: the most informative one (thesis 6.2), body by body, each as if the others stood still.
+// A free camera chooses translations and turns (6.3.1), a carried one its carrier's speed changes (6.4.2); vehicles on
+// the ground or a line choose among the translations that they can execute.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "incognita/decision/body_choice.hpp"
+#include "incognita/decision/carrier_choice.hpp"
+#include "incognita/decision/exploration.hpp"
+#include "incognita/decision/settings.hpp"
+#include "incognita/decision/strategy.hpp"
+#include "incognita/models/camera.hpp"
+#include "incognita/slam/features/settings.hpp"
+#include "incognita/slam/mapper/settings.hpp"
+
+namespace incognita {
+
+class Decision final : public Strategy {
+ public:
+  /// One choice per body. Throws std::invalid_argument without one and for invalid settings.
+  Decision(std::vector<std::unique_ptr<BodyChoice>> choices, std::unique_ptr<MapExpectation> expectation,
+           const ExplorationSettings& exploration = {}, std::uint64_t seed = 1);
+
+  /// Scores the actions as the schedule asks; compares them and sets a new goal once per period. Actions that
+  /// would end outside the bounds are scored but not chosen.
+  Goal choose(const Estimate& estimate, const Observation& observation, const Tick& tick) override;
+  Goal choose(const Estimate& estimate, const Tick& tick) { return choose(estimate, {}, tick); }
+
+  const std::vector<std::string>& actions() const override { return choices_.front()->names(); }
+
+ private:
+  void forget();
+  void explore(const Estimate& estimate, const Tick& tick);
+
+  std::vector<std::unique_ptr<BodyChoice>> choices_;
+  std::unique_ptr<MapExpectation> expectation_;
+  Exploration exploration_;
+  Goal goal_;
+  std::optional<double> entropy_due_t_;  ///< s, next evaluation of the extended entropy
+};
+
+struct ActiveSettings {
+  DecisionSettings decision = {};
+  ExplorationSettings exploration = {};
+  std::optional<CarrierSettings> carrier = {};  ///< vehicles that carry the cameras; empty for free cameras
+  double tick_s = 0.1;                          ///< duration of one input
+  int max_measurements =
+      1000;  ///< predicted measurements of point sensors per set; the most uncertain are kept
+  std::uint64_t seed = 1;
+};
+
+/// For one camera that maps by its images. Throws std::invalid_argument for invalid settings.
+std::unique_ptr<Decision> decide_by_images(const Camera& camera, const CameraSlamSettings& slam,
+                                           const ActiveSettings& settings = {});
+
+/// For bodies whose first point sensor maps. Throws std::invalid_argument for invalid settings.
+std::unique_ptr<Decision> decide_by_points(const EstimatorSettings& bodies,
+                                           const ActiveSettings& settings = {});
+
+}  // namespace incognita

@@ -1,0 +1,26 @@
+#include "incognita/decision/ground_choice.hpp"
+
+namespace incognita {
+
+GroundChoice::GroundChoice(const DecisionSettings& s, const BodyModel& body, double tick_s, std::uint64_t seed,
+                           std::size_t who)
+    : motion_(body.motion),
+      actions_(body, translations_of(s), s.period_s, tick_s, WorldBounds{s.min_bound_m, s.max_bound_m}),
+      choice_(s, names_of(actions_.actions()), seed, traits_of(motion_).position_size, who) {}
+
+void GroundChoice::choose(const AnyBelief& belief, const Body& body, const Expectation& expectation,
+                          const Tick& tick, BodyGoal& goal) {
+  const SmallVector state = belief.mean(body.block);
+  goal.decided = choice_.choose(belief, body.block, state, actions_, expectation, tick);
+  goal.scores = choice_.scores();
+  goal.chosen = choice_.chosen();
+  if (!goal.decided) return;
+  const SmallVector after = actions_.after(state, goal.chosen).state;
+  goal.from = pose_of(motion_, state).position;
+  goal.to = pose_of(motion_, after).position;
+  goal.heading_rad = heading_by(motion_, after);
+  goal.start_t = tick.t;
+  goal.end_t = choice_.end_t();
+}
+
+}  // namespace incognita

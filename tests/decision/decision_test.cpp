@@ -1,0 +1,78 @@
+#include "incognita/decision/decision.hpp"
+
+#include <gtest/gtest.h>
+
+#include "incognita/models/heading.hpp"
+#include "incognita/models/wide_angle_camera.hpp"
+
+namespace incognita {
+namespace {
+
+/// Free cameras side by side, looking along x, and a landmark ahead of each.
+struct Cameras {
+  EstimatorSettings settings;
+  Estimate estimate;
+
+  explicit Cameras(int count) {
+    for (int i = 0; i < count; ++i) {
+      SmallVector start = SmallVector::Zero(13);
+      start[1] = 3.0 * i;
+      start.segment<4>(3) = level_gaze(0);
+      settings.bodies.push_back(body_with_sensor(
+          FreeCameraMotion{}, CameraSensor{Camera(WideAngleCamera{}), {}}, start,
+          SmallVector::Constant(12, 0.01), SmallVector::Constant(6, 0.01), SmallVector::Constant(2, 1)));
+      Body& body = estimate.bodies.emplace_back();
+      body.block = estimate.belief.add_vehicle(FreeCameraMotion::chart, start,
+                                               1e-4 * FreeCameraMotion::Jacobian::Identity());
+    }
+    for (int i = 0; i < count; ++i) {
+      Landmark landmark;
+      landmark.id = new_id(estimate);
+      landmark.block =
+          estimate.belief.augment(PointLandmark::chart, Eigen::Vector3d(2, 3.0 * i, 0), {},
+                                  Eigen::Matrix3d(Eigen::Vector3d(0.25, 1e-4, 1e-4).asDiagonal()));
+      estimate.landmarks.emplace(landmark.id, landmark);
+    }
+    estimate.started = true;
+    estimate.status.state = TrackingState::tracking;
+  }
+};
+
+TEST(Decision, ChoosesForEachBodyWithItsOwnScores) {
+  const Cameras c(2);
+  const Goal goal = decide_by_points(c.settings)->choose(c.estimate, Tick{0, 0, 0});
+  ASSERT_EQ(goal.bodies.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_TRUE(goal.bodies[i].decided);
+    EXPECT_EQ(goal.bodies[i].scores.size(), 7u);
+    EXPECT_NEAR(goal.bodies[i].from.y(), 3.0 * static_cast<double>(i), 1e-12);
+    EXPECT_NEAR((goal.bodies[i].to - goal.bodies[i].from).norm(), 0.3, 1e-12) << "across the line of sight";
+  }
+}
+
+TEST(Decision, LeavesTheGazeFreeWhereItSwings) {
+  const Cameras c(1);
+  ActiveSettings settings;
+  settings.decision.gaze = DecisionSettings::Gaze::swing;
+  EXPECT_FALSE(
+      decide_by_points(c.settings, settings)->choose(c.estimate, Tick{0, 0, 0}).bodies.at(0).heading_rad);
+  settings.decision.gaze = DecisionSettings::Gaze::hold;
+  EXPECT_EQ(
+      decide_by_points(c.settings, settings)->choose(c.estimate, Tick{0, 0, 0}).bodies.at(0).heading_rad, 0);
+}
+
+TEST(Decision, HasNoActionBeforeTheStart) {
+  const Cameras c(1);
+  const Goal goal = decide_by_points(c.settings)->choose(Estimate{}, Tick{0, 0, 0});
+  EXPECT_EQ(goal.bodies.at(0).chosen, -1);
+}
+
+TEST(Decision, RefusesAMapInTheVehicleFrameAndNoBodies) {
+  Cameras c(1);
+  c.settings.filter.map_frame = MapFrame::vehicle;
+  EXPECT_THROW(decide_by_points(c.settings), std::invalid_argument);
+  EXPECT_THROW(decide_by_points(EstimatorSettings{}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace incognita

@@ -14,8 +14,8 @@
 #include "incognita/decision/decision.hpp"
 #include "incognita/decision/exploration.hpp"
 #include "incognita/decision/image_expectation.hpp"
-#include "incognita/models/heading.hpp"
-#include "incognita/models/wide_angle_camera.hpp"
+#include "incognita/models/motion/heading.hpp"
+#include "incognita/models/sensors/wide_angle_camera.hpp"
 #include "incognita/slam/estimator/slam_estimator.hpp"
 
 using namespace incognita;

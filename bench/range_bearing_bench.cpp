@@ -19,8 +19,8 @@
 #include "incognita/belief/belief.hpp"
 #include "incognita/belief/rank_update.hpp"
 #include "incognita/math/random.hpp"
-#include "incognita/models/planar_vehicle.hpp"
-#include "incognita/models/range_bearing.hpp"
+#include "incognita/models/motion/planar_vehicle.hpp"
+#include "incognita/models/sensors/range_bearing.hpp"
 
 namespace {
 

@@ -1,8 +1,8 @@
 // Cost of rendering: at 30 Hz a frame may take 33 ms in total, of which rendering should use little.
 #include <benchmark/benchmark.h>
 
-#include "incognita/models/heading.hpp"
-#include "incognita/models/wide_angle_camera.hpp"
+#include "incognita/models/motion/heading.hpp"
+#include "incognita/models/sensors/wide_angle_camera.hpp"
 #include "incognita/world/rendered/free_camera_plant.hpp"
 #include "incognita/world/rendered/room_camera.hpp"
 

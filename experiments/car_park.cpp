@@ -11,7 +11,7 @@
 #include "incognita/io/recordings/range_recording.hpp"
 #include "incognita/io/scenario/load_scenario.hpp"
 #include "incognita/math/largest_sigma.hpp"
-#include "incognita/models/range_bearing.hpp"
+#include "incognita/models/sensors/range_bearing.hpp"
 #include "incognita/slam/estimator/single_vehicle.hpp"
 
 namespace incognita::car_park {

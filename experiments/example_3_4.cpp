@@ -13,8 +13,8 @@
 #include "experiments/common.hpp"
 #include "incognita/analysis/observability/linear_system.hpp"
 #include "incognita/math/random.hpp"
-#include "incognita/models/planar_vehicle.hpp"
-#include "incognita/models/range_bearing.hpp"
+#include "incognita/models/motion/planar_vehicle.hpp"
+#include "incognita/models/sensors/range_bearing.hpp"
 
 namespace incognita {
 namespace {

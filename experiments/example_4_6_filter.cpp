@@ -8,8 +8,8 @@
 
 #include "incognita/math/angles.hpp"
 #include "incognita/math/random.hpp"
-#include "incognita/models/planar_frame.hpp"
-#include "incognita/models/range_bearing.hpp"
+#include "incognita/models/motion/planar_frame.hpp"
+#include "incognita/models/sensors/range_bearing.hpp"
 
 namespace incognita::two_bearings {
 namespace {

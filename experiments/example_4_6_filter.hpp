@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "incognita/analysis/observability/linear_system.hpp"
-#include "incognita/models/planar_vehicle.hpp"
+#include "incognita/models/motion/planar_vehicle.hpp"
 #include "incognita/report/plot.hpp"
 
 namespace incognita::two_bearings {

@@ -6,7 +6,7 @@
 
 #include "incognita/analysis/observability/linear_system.hpp"
 #include "incognita/math/random.hpp"
-#include "incognita/models/planar_vehicle.hpp"
+#include "incognita/models/motion/planar_vehicle.hpp"
 #include "incognita/report/experiment.hpp"
 
 namespace incognita::section_5_1 {

@@ -10,7 +10,7 @@
 #include "experiments/example_5_1.hpp"
 #include "incognita/analysis/observability/closed_loop.hpp"
 #include "incognita/control/lqr.hpp"
-#include "incognita/models/monobot.hpp"
+#include "incognita/models/motion/monobot.hpp"
 
 namespace incognita::section_5_1 {
 

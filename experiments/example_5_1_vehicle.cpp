@@ -11,8 +11,8 @@
 #include "experiments/example_5_1.hpp"
 #include "incognita/analysis/observability/closed_loop.hpp"
 #include "incognita/control/lqg_regulator.hpp"
-#include "incognita/models/arc_motion.hpp"
-#include "incognita/models/planar_frame.hpp"
+#include "incognita/models/motion/arc_motion.hpp"
+#include "incognita/models/motion/planar_frame.hpp"
 
 namespace incognita::section_5_1 {
 

@@ -10,7 +10,7 @@
 #include "experiments/example_5_2.hpp"
 #include "incognita/control/feedback_linearization.hpp"
 #include "incognita/control/held_command.hpp"
-#include "incognita/models/arc_motion.hpp"
+#include "incognita/models/motion/arc_motion.hpp"
 
 namespace incognita::section_5_2 {
 namespace {

@@ -13,7 +13,7 @@
 #include "experiments/example_5_2.hpp"
 #include "incognita/control/feedback_linearization.hpp"
 #include "incognita/math/random.hpp"
-#include "incognita/models/arc_motion.hpp"
+#include "incognita/models/motion/arc_motion.hpp"
 
 namespace incognita::section_5_2 {
 namespace {

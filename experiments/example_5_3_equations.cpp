@@ -14,8 +14,8 @@
 #include "incognita/analysis/observability/closed_loop.hpp"
 #include "incognita/control/feedback_linearization.hpp"
 #include "incognita/math/random.hpp"
-#include "incognita/models/arc_motion.hpp"
-#include "incognita/models/range_bearing.hpp"
+#include "incognita/models/motion/arc_motion.hpp"
+#include "incognita/models/sensors/range_bearing.hpp"
 
 namespace incognita::section_5_3 {
 namespace {

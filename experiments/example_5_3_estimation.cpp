@@ -14,8 +14,8 @@
 #include "experiments/example_5_3.hpp"
 #include "incognita/analysis/observability/linear_system.hpp"
 #include "incognita/math/random.hpp"
-#include "incognita/models/planar_frame.hpp"
-#include "incognita/models/range_bearing.hpp"
+#include "incognita/models/motion/planar_frame.hpp"
+#include "incognita/models/sensors/range_bearing.hpp"
 
 namespace incognita::section_5_3 {
 namespace {

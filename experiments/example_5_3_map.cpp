@@ -11,7 +11,7 @@
 #include "experiments/common.hpp"
 #include "experiments/example_5_2.hpp"
 #include "experiments/example_5_3.hpp"
-#include "incognita/models/range_bearing.hpp"
+#include "incognita/models/sensors/range_bearing.hpp"
 
 namespace incognita::section_5_3 {
 namespace {

@@ -4,7 +4,7 @@
 #include "experiments/common.hpp"
 #include "experiments/example_5_4.hpp"
 #include "incognita/analysis/observability/closed_loop.hpp"
-#include "incognita/models/heading.hpp"
+#include "incognita/models/motion/heading.hpp"
 #include "incognita/world/plant.hpp"
 
 namespace incognita::swinging_camera {

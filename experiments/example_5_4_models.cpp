@@ -3,7 +3,7 @@
 #include "experiments/common.hpp"
 #include "experiments/example_5_4.hpp"
 #include "incognita/math/random.hpp"
-#include "incognita/models/wide_angle_camera.hpp"
+#include "incognita/models/sensors/wide_angle_camera.hpp"
 #include "incognita/world/plant.hpp"
 
 namespace incognita::swinging_camera {

@@ -8,8 +8,8 @@
 
 #include "incognita/control/track_reference.hpp"
 #include "incognita/math/random.hpp"
-#include "incognita/models/heading.hpp"
-#include "incognita/models/wide_angle_camera.hpp"
+#include "incognita/models/motion/heading.hpp"
+#include "incognita/models/sensors/wide_angle_camera.hpp"
 #include "incognita/slam/estimator/slam_estimator.hpp"
 #include "incognita/world/points/team_world.hpp"
 #include "incognita/world/room_clock.hpp"

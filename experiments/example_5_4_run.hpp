@@ -10,11 +10,11 @@
 #include <memory>
 #include <vector>
 
-#include "incognita/control/reference_path.hpp"
+#include "incognita/control/paths/reference_path.hpp"
 #include "incognita/control/settings.hpp"
 #include "incognita/control/steering.hpp"
-#include "incognita/models/camera.hpp"
-#include "incognita/models/free_camera.hpp"
+#include "incognita/models/motion/free_camera.hpp"
+#include "incognita/models/sensors/camera.hpp"
 
 namespace incognita::swinging_camera {
 

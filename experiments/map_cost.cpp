@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "experiments/processor_time.hpp"
-#include "incognita/models/planar_vehicle.hpp"
-#include "incognita/models/range_bearing.hpp"
+#include "incognita/models/motion/planar_vehicle.hpp"
+#include "incognita/models/sensors/range_bearing.hpp"
 
 namespace incognita {
 namespace {

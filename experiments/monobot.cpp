@@ -10,7 +10,7 @@
 #include "incognita/belief/belief.hpp"
 #include "incognita/belief/linearize.hpp"
 #include "incognita/math/random.hpp"
-#include "incognita/models/monobot.hpp"
+#include "incognita/models/motion/monobot.hpp"
 
 namespace incognita::monobot {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "experiments/run_trace.hpp"
 #include "incognita/math/random.hpp"
-#include "incognita/models/range_bearing.hpp"
+#include "incognita/models/sensors/range_bearing.hpp"
 #include "incognita/slam/estimator/single_vehicle.hpp"
 
 namespace incognita {

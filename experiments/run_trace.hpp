@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "incognita/math/angles.hpp"
-#include "incognita/models/planar_vehicle.hpp"
+#include "incognita/models/motion/planar_vehicle.hpp"
 #include "incognita/slam/estimator/slam_estimator.hpp"
 #include "incognita/world/replay/range_replay.hpp"
 

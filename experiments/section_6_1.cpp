@@ -12,7 +12,7 @@
 #include "incognita/decision/information_gain.hpp"
 #include "incognita/math/gaussian.hpp"
 #include "incognita/math/random.hpp"
-#include "incognita/models/bearing.hpp"
+#include "incognita/models/sensors/bearing.hpp"
 
 namespace incognita {
 namespace {

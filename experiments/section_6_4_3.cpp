@@ -10,7 +10,7 @@
 // metric failed, in rooms 1 to 16; here are others.
 #include "experiments/common.hpp"
 #include "experiments/exploring_strategies.hpp"
-#include "incognita/models/heading.hpp"
+#include "incognita/models/motion/heading.hpp"
 
 namespace incognita {
 namespace {

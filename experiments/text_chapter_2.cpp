@@ -13,9 +13,9 @@
 #include "experiments/text_claims.hpp"
 #include "incognita/belief/belief.hpp"
 #include "incognita/math/random.hpp"
-#include "incognita/models/monobot.hpp"
-#include "incognita/models/planar_vehicle.hpp"
-#include "incognita/models/range_bearing.hpp"
+#include "incognita/models/motion/monobot.hpp"
+#include "incognita/models/motion/planar_vehicle.hpp"
+#include "incognita/models/sensors/range_bearing.hpp"
 
 namespace incognita {
 namespace {

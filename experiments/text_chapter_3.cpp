@@ -13,7 +13,7 @@
 #include "experiments/monobot.hpp"
 #include "experiments/text_claims.hpp"
 #include "incognita/math/random.hpp"
-#include "incognita/models/planar_vehicle.hpp"
+#include "incognita/models/motion/planar_vehicle.hpp"
 
 namespace incognita {
 namespace {

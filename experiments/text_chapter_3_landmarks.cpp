@@ -7,7 +7,7 @@
 #include "experiments/common.hpp"
 #include "experiments/monobot.hpp"
 #include "experiments/text_claims.hpp"
-#include "incognita/models/planar_vehicle.hpp"
+#include "incognita/models/motion/planar_vehicle.hpp"
 
 namespace incognita {
 namespace {

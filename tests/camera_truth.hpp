@@ -2,7 +2,7 @@
 #pragma once
 
 #include "incognita/models/any_motion.hpp"
-#include "incognita/models/camera_measurement.hpp"
+#include "incognita/models/sensors/camera_measurement.hpp"
 #include "incognita/world/truth.hpp"
 
 namespace incognita::testing {

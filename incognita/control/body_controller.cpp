@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "incognita/control/fly_segment.hpp"
-#include "incognita/models/heading.hpp"
+#include "incognita/models/motion/heading.hpp"
 
 namespace incognita {
 namespace {
@@ -82,7 +82,8 @@ void BodyController::head_for(const BodyGoal& goal) {
 }
 
 /// Scaled to the limits of the vehicle and slowed down by obstacles.
-Eigen::Vector2d BodyController::clear_of_obstacles(const Eigen::Vector2d& desired, const BodyObservation& observed) {
+Eigen::Vector2d BodyController::clear_of_obstacles(const Eigen::Vector2d& desired,
+                                                   const BodyObservation& observed) {
   const SmallVector& most = control_.steering.most_input;
   const Eigen::Vector2d drive = limited(desired, {most[0], most[1]}).input();
   if (!control_.obstacle_avoidance) return drive;
@@ -121,8 +122,8 @@ void BodyController::steer(const SmallVector& state, double since_start_s, BodyC
   command.reference = Eigen::Vector4d(r.position.x(), r.position.y(), r.position.z(), r.heading);
 }
 
-BodyCommand BodyController::act(const SmallVector& state, const BodyGoal* goal, const BodyObservation& observed,
-                                double t, double since_start_s) {
+BodyCommand BodyController::act(const SmallVector& state, const BodyGoal* goal,
+                                const BodyObservation& observed, double t, double since_start_s) {
   if (control_.operator_controlled) return shown(goal);
   lost_t_.reset();
   last_known_ = state;

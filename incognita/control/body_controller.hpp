@@ -10,7 +10,7 @@
 #include "incognita/messages/command.hpp"
 #include "incognita/messages/goal.hpp"
 #include "incognita/messages/observation.hpp"
-#include "incognita/models/mount.hpp"
+#include "incognita/models/motion/mount.hpp"
 
 namespace incognita {
 

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "incognita/control/feedback_linearization.hpp"
-#include "incognita/models/planar_frame.hpp"
+#include "incognita/models/motion/planar_frame.hpp"
 
 namespace incognita {
 namespace {

@@ -12,8 +12,8 @@
 
 #include <Eigen/Core>
 
-#include "incognita/control/reference.hpp"
-#include "incognita/models/planar_vehicle.hpp"
+#include "incognita/control/paths/reference.hpp"
+#include "incognita/models/motion/planar_vehicle.hpp"
 
 namespace incognita {
 

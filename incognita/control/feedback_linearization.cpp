@@ -5,7 +5,7 @@
 #include <string>
 
 #include "incognita/control/held_command.hpp"
-#include "incognita/models/planar_frame.hpp"
+#include "incognita/models/motion/planar_frame.hpp"
 
 namespace incognita {
 

@@ -17,9 +17,9 @@
 #include <span>
 #include <vector>
 
+#include "incognita/control/paths/reference.hpp"
 #include "incognita/control/planar_command.hpp"
-#include "incognita/control/reference.hpp"
-#include "incognita/models/planar_vehicle.hpp"
+#include "incognita/models/motion/planar_vehicle.hpp"
 
 namespace incognita {
 

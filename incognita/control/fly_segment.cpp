@@ -1,8 +1,8 @@
 #include "incognita/control/fly_segment.hpp"
 
-#include "incognita/control/reference.hpp"
+#include "incognita/control/paths/reference.hpp"
 #include "incognita/control/track_reference.hpp"
-#include "incognita/models/heading.hpp"
+#include "incognita/models/motion/heading.hpp"
 
 namespace incognita {
 

@@ -3,7 +3,7 @@
 
 #include "incognita/control/settings.hpp"
 #include "incognita/messages/command.hpp"
-#include "incognita/models/camera_measurement.hpp"
+#include "incognita/models/sensors/camera_measurement.hpp"
 
 namespace incognita {
 

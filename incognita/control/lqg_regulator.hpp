@@ -17,7 +17,7 @@
 
 #include "incognita/control/lqr.hpp"
 #include "incognita/control/planar_command.hpp"
-#include "incognita/models/planar_vehicle.hpp"
+#include "incognita/models/motion/planar_vehicle.hpp"
 
 namespace incognita {
 

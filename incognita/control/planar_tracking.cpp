@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "incognita/math/angles.hpp"
-#include "incognita/models/planar_frame.hpp"
+#include "incognita/models/motion/planar_frame.hpp"
 
 namespace incognita {
 

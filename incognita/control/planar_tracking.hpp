@@ -7,9 +7,9 @@
 // needs no control point off the axle, but converges only for a reference that moves forwards.
 #pragma once
 
+#include "incognita/control/paths/reference.hpp"
 #include "incognita/control/planar_command.hpp"
-#include "incognita/control/reference.hpp"
-#include "incognita/models/planar_vehicle.hpp"
+#include "incognita/models/motion/planar_vehicle.hpp"
 
 namespace incognita {
 

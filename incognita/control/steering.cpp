@@ -12,8 +12,8 @@
 #include "incognita/control/planar_tracking.hpp"
 #include "incognita/control/steering_validation.hpp"
 #include "incognita/control/track_reference.hpp"
-#include "incognita/models/heading.hpp"
-#include "incognita/models/held_acceleration.hpp"
+#include "incognita/models/motion/heading.hpp"
+#include "incognita/models/motion/held_acceleration.hpp"
 
 namespace incognita {
 namespace {

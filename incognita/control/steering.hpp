@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "incognita/control/reference_path.hpp"
+#include "incognita/control/paths/reference_path.hpp"
 #include "incognita/control/settings.hpp"
 #include "incognita/math/small_matrix.hpp"
 #include "incognita/models/any_motion.hpp"

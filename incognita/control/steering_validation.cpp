@@ -7,7 +7,7 @@
 
 #include "incognita/control/format_message.hpp"
 #include "incognita/control/held_command.hpp"
-#include "incognita/control/path_speed.hpp"
+#include "incognita/control/paths/path_speed.hpp"
 #include "incognita/math/angles.hpp"
 
 namespace incognita {

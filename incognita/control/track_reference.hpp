@@ -7,7 +7,7 @@
 #pragma once
 
 #include "incognita/control/settings.hpp"
-#include "incognita/models/camera_measurement.hpp"
+#include "incognita/models/sensors/camera_measurement.hpp"
 
 namespace incognita {
 

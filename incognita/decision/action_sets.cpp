@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "incognita/models/free_camera.hpp"
-#include "incognita/models/heading.hpp"
+#include "incognita/models/motion/free_camera.hpp"
+#include "incognita/models/motion/heading.hpp"
 
 namespace incognita {
 namespace {

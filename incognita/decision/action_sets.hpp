@@ -8,7 +8,7 @@
 
 #include "incognita/belief/linearized.hpp"
 #include "incognita/decision/actions.hpp"
-#include "incognita/models/mount.hpp"
+#include "incognita/models/motion/mount.hpp"
 #include "incognita/slam/features/settings.hpp"
 
 namespace incognita {

@@ -8,7 +8,7 @@
 
 #include "incognita/decision/action_choice.hpp"
 #include "incognita/decision/body_choice.hpp"
-#include "incognita/models/mount.hpp"
+#include "incognita/models/motion/mount.hpp"
 
 namespace incognita {
 

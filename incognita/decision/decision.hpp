@@ -14,7 +14,7 @@
 #include "incognita/decision/exploration.hpp"
 #include "incognita/decision/settings.hpp"
 #include "incognita/decision/strategy.hpp"
-#include "incognita/models/camera.hpp"
+#include "incognita/models/sensors/camera.hpp"
 #include "incognita/slam/features/settings.hpp"
 #include "incognita/slam/mapper/settings.hpp"
 

@@ -1,6 +1,6 @@
 #include "incognita/decision/free_camera_choice.hpp"
 
-#include "incognita/models/heading.hpp"
+#include "incognita/models/motion/heading.hpp"
 
 namespace incognita {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "incognita/decision/action_choice.hpp"
 #include "incognita/decision/body_choice.hpp"
-#include "incognita/models/camera_measurement.hpp"
+#include "incognita/models/sensors/camera_measurement.hpp"
 
 namespace incognita {
 

@@ -2,8 +2,8 @@
 
 namespace incognita {
 
-GroundChoice::GroundChoice(const DecisionSettings& s, const BodyModel& body, double tick_s, std::uint64_t seed,
-                           std::size_t who)
+GroundChoice::GroundChoice(const DecisionSettings& s, const BodyModel& body, double tick_s,
+                           std::uint64_t seed, std::size_t who)
     : motion_(body.motion),
       actions_(body, translations_of(s), s.period_s, tick_s, WorldBounds{s.min_bound_m, s.max_bound_m}),
       choice_(s, names_of(actions_.actions()), seed, traits_of(motion_).position_size, who) {}

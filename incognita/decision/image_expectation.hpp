@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "incognita/decision/expectation.hpp"
-#include "incognita/models/camera.hpp"
+#include "incognita/models/sensors/camera.hpp"
 #include "incognita/slam/features/feature.hpp"
 
 namespace incognita {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "incognita/math/small_matrix.hpp"
-#include "incognita/models/gaze_swing.hpp"
+#include "incognita/models/motion/gaze_swing.hpp"
 
 namespace incognita {
 

@@ -3,8 +3,8 @@
 
 #include "incognita/math/chart.hpp"
 #include "incognita/math/small_matrix.hpp"
+#include "incognita/models/motion/rigid_pose.hpp"
 #include "incognita/models/registry.hpp"
-#include "incognita/models/rigid_pose.hpp"
 
 namespace incognita {
 

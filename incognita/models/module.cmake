@@ -1,1 +1,1 @@
-incognita_module(models FOLDERS models USES incognita::math)
+incognita_module(models FOLDERS models models/motion models/sensors USES incognita::math)

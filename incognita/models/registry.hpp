@@ -9,14 +9,14 @@
 #include <variant>
 #include <vector>
 
-#include "incognita/models/arc_motion.hpp"
-#include "incognita/models/camera_sensors.hpp"
-#include "incognita/models/free_camera.hpp"
-#include "incognita/models/held_acceleration.hpp"
-#include "incognita/models/monobot.hpp"
-#include "incognita/models/planar_vehicle.hpp"
-#include "incognita/models/range_sensors.hpp"
-#include "incognita/models/terrain_vehicle.hpp"
+#include "incognita/models/motion/arc_motion.hpp"
+#include "incognita/models/motion/free_camera.hpp"
+#include "incognita/models/motion/held_acceleration.hpp"
+#include "incognita/models/motion/monobot.hpp"
+#include "incognita/models/motion/planar_vehicle.hpp"
+#include "incognita/models/motion/terrain_vehicle.hpp"
+#include "incognita/models/sensors/camera_sensors.hpp"
+#include "incognita/models/sensors/range_sensors.hpp"
 
 namespace incognita {
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "incognita/models/mount.hpp"
+#include "incognita/models/motion/mount.hpp"
 #include "incognita/world/plant.hpp"
 #include "incognita/world/world.hpp"
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "incognita/messages/tick.hpp"
-#include "incognita/models/heading.hpp"
+#include "incognita/models/motion/heading.hpp"
 
 namespace incognita {
 namespace {

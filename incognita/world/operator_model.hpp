@@ -14,8 +14,8 @@
 
 #include "incognita/math/random.hpp"
 #include "incognita/messages/command.hpp"
-#include "incognita/models/free_camera.hpp"
-#include "incognita/models/gaze_swing.hpp"
+#include "incognita/models/motion/free_camera.hpp"
+#include "incognita/models/motion/gaze_swing.hpp"
 #include "incognita/world/settings.hpp"
 
 namespace incognita {

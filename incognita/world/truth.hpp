@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "incognita/math/small_matrix.hpp"
-#include "incognita/models/rigid_pose.hpp"
+#include "incognita/models/motion/rigid_pose.hpp"
 
 namespace incognita {
 

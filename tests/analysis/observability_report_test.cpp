@@ -9,9 +9,9 @@
 
 #include "incognita/analysis/observability/observability_monitor.hpp"
 #include "incognita/math/random.hpp"
-#include "incognita/models/planar_frame.hpp"
-#include "incognita/models/range_bearing.hpp"
-#include "incognita/models/wide_angle_camera.hpp"
+#include "incognita/models/motion/planar_frame.hpp"
+#include "incognita/models/sensors/range_bearing.hpp"
+#include "incognita/models/sensors/wide_angle_camera.hpp"
 
 namespace incognita {
 namespace {

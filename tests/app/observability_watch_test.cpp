@@ -8,7 +8,7 @@
 #include <memory>
 
 #include "incognita/app/loop/assembly.hpp"
-#include "incognita/models/wide_angle_camera.hpp"
+#include "incognita/models/sensors/wide_angle_camera.hpp"
 #include "incognita/world/points/planar_loop.hpp"
 
 namespace incognita {

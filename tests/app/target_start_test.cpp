@@ -6,7 +6,7 @@
 #include "incognita/io/scenario/load_scenario.hpp"
 #include "incognita/io/scenario/target_file.hpp"
 #include "incognita/math/random.hpp"
-#include "incognita/models/heading.hpp"
+#include "incognita/models/motion/heading.hpp"
 #include "incognita/slam/features/target_pose.hpp"
 #include "incognita/world/rendered/render.hpp"
 #include "tests/scratch.hpp"

@@ -10,7 +10,7 @@
 #include <numbers>
 
 #include "incognita/control/steering_controller.hpp"
-#include "incognita/models/wide_angle_camera.hpp"
+#include "incognita/models/sensors/wide_angle_camera.hpp"
 #include "incognita/slam/estimator/slam_estimator.hpp"
 #include "incognita/world/points/team_world.hpp"
 #include "incognita/world/room_clock.hpp"

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "incognita/models/terrain_vehicle.hpp"
+#include "incognita/models/motion/terrain_vehicle.hpp"
 
 namespace incognita {
 namespace {

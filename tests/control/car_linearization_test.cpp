@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "incognita/control/feedback_linearization.hpp"
-#include "incognita/control/reference_path.hpp"
+#include "incognita/control/paths/reference_path.hpp"
 #include "incognita/math/random.hpp"
 #include "tests/scratch.hpp"
 

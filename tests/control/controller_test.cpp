@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
-#include "incognita/control/reference.hpp"
+#include "incognita/control/paths/reference.hpp"
 #include "incognita/control/steering_controller.hpp"
 #include "incognita/control/track_reference.hpp"
-#include "incognita/models/heading.hpp"
+#include "incognita/models/motion/heading.hpp"
 
 namespace incognita {
 namespace {

@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "incognita/control/held_command.hpp"
-#include "incognita/control/reference_path.hpp"
+#include "incognita/control/paths/reference_path.hpp"
 #include "incognita/math/random.hpp"
 #include "tests/scratch.hpp"
 

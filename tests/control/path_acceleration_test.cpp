@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "incognita/control/path_speed.hpp"
+#include "incognita/control/paths/path_speed.hpp"
 
 namespace incognita {
 namespace {

@@ -1,5 +1,5 @@
 // Timed paths: consistent derivatives, rest outside their span, and the greatest speed.
-#include "incognita/control/reference_path.hpp"
+#include "incognita/control/paths/reference_path.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,10 +7,10 @@
 #include <limits>
 #include <numbers>
 
-#include "incognita/control/path_speed.hpp"
+#include "incognita/control/paths/path_speed.hpp"
 #include "incognita/math/quaternion.hpp"
 #include "incognita/math/random.hpp"
-#include "incognita/models/heading.hpp"
+#include "incognita/models/motion/heading.hpp"
 #include "tests/scratch.hpp"
 
 namespace incognita {

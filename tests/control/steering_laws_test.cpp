@@ -11,7 +11,7 @@
 
 #include "incognita/control/steering.hpp"
 #include "incognita/math/angles.hpp"
-#include "incognita/models/heading.hpp"
+#include "incognita/models/motion/heading.hpp"
 #include "incognita/world/plant.hpp"
 #include "tests/scratch.hpp"
 #include "tests/small_vectors.hpp"

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "incognita/models/heading.hpp"
-#include "incognita/models/terrain_vehicle.hpp"
+#include "incognita/models/motion/heading.hpp"
+#include "incognita/models/motion/terrain_vehicle.hpp"
 
 namespace incognita {
 namespace {

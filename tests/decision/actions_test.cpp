@@ -5,8 +5,8 @@
 #include <Eigen/LU>
 
 #include "incognita/decision/decision.hpp"
-#include "incognita/models/heading.hpp"
-#include "incognita/models/wide_angle_camera.hpp"
+#include "incognita/models/motion/heading.hpp"
+#include "incognita/models/sensors/wide_angle_camera.hpp"
 
 namespace incognita {
 namespace {

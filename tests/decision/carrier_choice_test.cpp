@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "incognita/models/heading.hpp"
+#include "incognita/models/motion/heading.hpp"
 
 namespace incognita {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "incognita/models/heading.hpp"
-#include "incognita/models/wide_angle_camera.hpp"
+#include "incognita/models/motion/heading.hpp"
+#include "incognita/models/sensors/wide_angle_camera.hpp"
 
 namespace incognita {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "incognita/math/gaussian.hpp"
 #include "incognita/math/random.hpp"
-#include "incognita/models/heading.hpp"
+#include "incognita/models/motion/heading.hpp"
 
 namespace incognita {
 namespace {

@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "incognita/math/random.hpp"
-#include "incognita/models/heading.hpp"
-#include "incognita/models/wide_angle_camera.hpp"
+#include "incognita/models/motion/heading.hpp"
+#include "incognita/models/sensors/wide_angle_camera.hpp"
 
 namespace incognita {
 namespace {

@@ -10,8 +10,8 @@
 #include "experiments/example_4_6_filter.hpp"
 #include "experiments/list.hpp"
 #include "incognita/math/random.hpp"
-#include "incognita/models/planar_frame.hpp"
-#include "incognita/models/range_bearing.hpp"
+#include "incognita/models/motion/planar_frame.hpp"
+#include "incognita/models/sensors/range_bearing.hpp"
 #include "tests/scratch.hpp"
 
 namespace incognita {

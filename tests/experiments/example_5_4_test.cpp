@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "experiments/seeds.hpp"
-#include "incognita/models/heading.hpp"
+#include "incognita/models/motion/heading.hpp"
 
 namespace incognita::swinging_camera {
 namespace {

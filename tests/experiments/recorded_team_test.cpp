@@ -8,8 +8,8 @@
 #include <cstdlib>
 
 #include "experiments/list.hpp"
-#include "incognita/models/planar_vehicle.hpp"
-#include "incognita/models/range_bearing.hpp"
+#include "incognita/models/motion/planar_vehicle.hpp"
+#include "incognita/models/sensors/range_bearing.hpp"
 #include "tests/scratch.hpp"
 
 namespace incognita::recorded_team {

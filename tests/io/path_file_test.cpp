@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "incognita/control/reference_path.hpp"
+#include "incognita/control/paths/reference_path.hpp"
 #include "tests/io/damage.hpp"
 #include "tests/scratch.hpp"
 

@@ -1,12 +1,12 @@
 // Bearing-only measurements: undefined cases, initialization, conversion to a point and the linearity index.
-#include "incognita/models/bearing.hpp"
+#include "incognita/models/sensors/bearing.hpp"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 #include <vector>
 
-#include "incognita/models/range_bearing.hpp"
+#include "incognita/models/sensors/range_bearing.hpp"
 #include "tests/models/dual.hpp"
 
 namespace incognita {

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "incognita/math/random.hpp"
-#include "incognita/models/camera.hpp"
-#include "incognita/models/pinhole_camera.hpp"
-#include "incognita/models/wide_angle_camera.hpp"
+#include "incognita/models/sensors/camera.hpp"
+#include "incognita/models/sensors/pinhole_camera.hpp"
+#include "incognita/models/sensors/wide_angle_camera.hpp"
 #include "tests/models/dual.hpp"
 
 namespace incognita {

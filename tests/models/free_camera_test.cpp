@@ -1,4 +1,4 @@
-#include "incognita/models/free_camera.hpp"
+#include "incognita/models/motion/free_camera.hpp"
 
 #include <gtest/gtest.h>
 

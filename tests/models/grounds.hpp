@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <cmath>
 
-#include "incognita/models/terrain.hpp"
+#include "incognita/models/motion/terrain.hpp"
 
 namespace incognita::grounds {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "incognita/math/random.hpp"
-#include "incognita/models/terrain.hpp"
+#include "incognita/models/motion/terrain.hpp"
 
 namespace incognita {
 namespace {

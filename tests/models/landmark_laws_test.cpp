@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "incognita/models/camera_measurement.hpp"
+#include "incognita/models/sensors/camera_measurement.hpp"
 #include "tests/models/dual.hpp"
 #include "tests/models/landmark_cases.hpp"
 

@@ -1,13 +1,13 @@
 // A camera mounted on a vehicle: its pose, and the exact Jacobian of this pose.
-#include "incognita/models/mount.hpp"
+#include "incognita/models/motion/mount.hpp"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 #include <vector>
 
-#include "incognita/models/heading.hpp"
-#include "incognita/models/terrain_vehicle.hpp"
+#include "incognita/models/motion/heading.hpp"
+#include "incognita/models/motion/terrain_vehicle.hpp"
 #include "tests/models/dual.hpp"
 #include "tests/models/grounds.hpp"
 #include "tests/models/landmark_cases.hpp"

@@ -1,5 +1,5 @@
 // The pinhole camera against OpenCV's, and where its distortion polynomial is not monotonic.
-#include "incognita/models/pinhole_camera.hpp"
+#include "incognita/models/sensors/pinhole_camera.hpp"
 
 #include <gtest/gtest.h>
 

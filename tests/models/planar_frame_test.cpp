@@ -1,12 +1,12 @@
 // Frames on the plane: Jacobians against automatic differentiation, inverses, and the F of rigid motions.
-#include "incognita/models/planar_frame.hpp"
+#include "incognita/models/motion/planar_frame.hpp"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 #include <vector>
 
-#include "incognita/models/position_fix.hpp"
+#include "incognita/models/sensors/position_fix.hpp"
 #include "tests/models/dual.hpp"
 
 namespace incognita {

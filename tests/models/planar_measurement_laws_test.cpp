@@ -6,8 +6,8 @@
 #include <numbers>
 #include <vector>
 
-#include "incognita/models/bearing.hpp"
-#include "incognita/models/range_bearing.hpp"
+#include "incognita/models/sensors/bearing.hpp"
+#include "incognita/models/sensors/range_bearing.hpp"
 #include "tests/models/dual.hpp"
 
 namespace incognita {

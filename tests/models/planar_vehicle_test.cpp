@@ -1,5 +1,5 @@
 // The vehicles of Chapter 3 against their exact motion and against each other.
-#include "incognita/models/planar_vehicle.hpp"
+#include "incognita/models/motion/planar_vehicle.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 // Range and bearing: exact Jacobians, and initialization as the inverse of the measurement.
-#include "incognita/models/range_bearing.hpp"
+#include "incognita/models/sensors/range_bearing.hpp"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 #include <vector>
 
-#include "incognita/models/monobot.hpp"
+#include "incognita/models/motion/monobot.hpp"
 #include "tests/models/dual.hpp"
 
 namespace incognita {

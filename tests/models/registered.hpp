@@ -9,7 +9,7 @@
 
 #include "incognita/math/random.hpp"
 #include "incognita/models/any_sensor.hpp"
-#include "incognita/models/pinhole_camera.hpp"
+#include "incognita/models/sensors/pinhole_camera.hpp"
 #include "tests/models/grounds.hpp"
 #include "tests/small_vectors.hpp"
 

@@ -16,7 +16,7 @@
 #include "incognita/math/angles.hpp"
 #include "incognita/math/random.hpp"
 #include "incognita/models/any_sensor.hpp"
-#include "incognita/models/bearing.hpp"
+#include "incognita/models/sensors/bearing.hpp"
 #include "tests/models/landmark_cases.hpp"
 #include "tests/models/registered.hpp"
 #include "tests/small_vectors.hpp"

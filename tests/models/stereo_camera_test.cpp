@@ -1,5 +1,5 @@
 // Stereo camera: exact Jacobians, initialization as the inverse of the measurement, and refusals.
-#include "incognita/models/stereo_camera.hpp"
+#include "incognita/models/sensors/stereo_camera.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "incognita/models/stereo_camera.hpp"
+#include "incognita/models/sensors/stereo_camera.hpp"
 #include "tests/models/dual.hpp"
 #include "tests/models/landmark_cases.hpp"
 

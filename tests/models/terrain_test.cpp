@@ -1,5 +1,5 @@
 // Terrain: derivatives equal those of the height; a height map interpolates its heights smoothly.
-#include "incognita/models/terrain.hpp"
+#include "incognita/models/motion/terrain.hpp"
 
 #include <gtest/gtest.h>
 

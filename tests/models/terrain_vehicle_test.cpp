@@ -1,6 +1,6 @@
 // A vehicle on uneven ground against the contact condition, against the planar vehicle, and against (6.10) as
 // printed.
-#include "incognita/models/terrain_vehicle.hpp"
+#include "incognita/models/motion/terrain_vehicle.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "incognita/math/random.hpp"
-#include "incognita/models/mount.hpp"
+#include "incognita/models/motion/mount.hpp"
 #include "tests/models/dual.hpp"
 #include "tests/models/grounds.hpp"
 

@@ -1,13 +1,13 @@
 // Wheel odometry as a measurement of the camera on the vehicle: its Jacobian, and a vehicle on uneven ground
 // satisfies it.
-#include "incognita/models/wheel_odometry.hpp"
+#include "incognita/models/sensors/wheel_odometry.hpp"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
 
 #include "incognita/math/random.hpp"
-#include "incognita/models/terrain_vehicle.hpp"
+#include "incognita/models/motion/terrain_vehicle.hpp"
 #include "tests/models/dual.hpp"
 #include "tests/models/grounds.hpp"
 

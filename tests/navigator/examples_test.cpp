@@ -11,7 +11,7 @@
 
 #include "incognita/io/scenario/camera.hpp"
 #include "incognita/io/scenario/load_scenario.hpp"
-#include "incognita/models/heading.hpp"
+#include "incognita/models/motion/heading.hpp"
 #include "incognita/world/rendered/room_camera.hpp"
 #include "tests/scratch.hpp"
 

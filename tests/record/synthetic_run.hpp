@@ -8,7 +8,7 @@
 
 #include "incognita/math/quaternion.hpp"
 #include "incognita/math/random.hpp"
-#include "incognita/models/free_camera.hpp"
+#include "incognita/models/motion/free_camera.hpp"
 #include "incognita/record/snapshot/snapshot.hpp"
 
 namespace incognita::testing {

@@ -8,7 +8,7 @@
 #include <memory>
 #include <string>
 
-#include "incognita/models/wide_angle_camera.hpp"
+#include "incognita/models/sensors/wide_angle_camera.hpp"
 #include "tests/slam/scene_with_target.hpp"
 
 namespace incognita {

@@ -5,7 +5,7 @@
 
 #include <Eigen/Geometry>
 
-#include "incognita/models/pinhole_camera.hpp"
+#include "incognita/models/sensors/pinhole_camera.hpp"
 #include "incognita/slam/features/estimate_patch_planes.hpp"
 #include "incognita/slam/features/predict_matches.hpp"
 #include "incognita/vision/search.hpp"

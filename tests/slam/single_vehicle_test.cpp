@@ -8,8 +8,8 @@
 
 #include "incognita/math/gaussian.hpp"
 #include "incognita/math/random.hpp"
-#include "incognita/models/arc_motion.hpp"
-#include "incognita/models/range_bearing.hpp"
+#include "incognita/models/motion/arc_motion.hpp"
+#include "incognita/models/sensors/range_bearing.hpp"
 #include "incognita/slam/estimator/slam_estimator.hpp"
 #include "incognita/slam/mapper/measurements.hpp"
 

@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "incognita/math/random.hpp"
-#include "incognita/models/wide_angle_camera.hpp"
+#include "incognita/models/sensors/wide_angle_camera.hpp"
 #include "incognita/slam/features/target_pose.hpp"
 
 namespace incognita {

@@ -15,8 +15,8 @@
 #include "incognita/math/random.hpp"
 #include "incognita/messages/observation.hpp"
 #include "incognita/messages/tick.hpp"
-#include "incognita/models/heading.hpp"
-#include "incognita/models/wide_angle_camera.hpp"
+#include "incognita/models/motion/heading.hpp"
+#include "incognita/models/sensors/wide_angle_camera.hpp"
 #include "incognita/slam/features/feature.hpp"
 #include "incognita/slam/features/landmark_initialization.hpp"
 

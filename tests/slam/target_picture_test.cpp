@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "incognita/models/wide_angle_camera.hpp"
+#include "incognita/models/sensors/wide_angle_camera.hpp"
 
 namespace incognita {
 namespace {

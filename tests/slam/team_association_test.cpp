@@ -9,7 +9,7 @@
 
 #include "incognita/math/gaussian.hpp"
 #include "incognita/math/random.hpp"
-#include "incognita/models/range_bearing.hpp"
+#include "incognita/models/sensors/range_bearing.hpp"
 #include "incognita/slam/estimator/slam_estimator.hpp"
 
 namespace incognita::testing {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "incognita/math/random.hpp"
-#include "incognita/models/range_bearing.hpp"
+#include "incognita/models/sensors/range_bearing.hpp"
 #include "tests/allocations.hpp"
 
 namespace incognita::testing {

@@ -6,7 +6,7 @@
 
 #include <functional>
 
-#include "incognita/models/wide_angle_camera.hpp"
+#include "incognita/models/sensors/wide_angle_camera.hpp"
 #include "incognita/slam/estimator/slam_estimator.hpp"
 #include "tests/small_vectors.hpp"
 

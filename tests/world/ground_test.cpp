@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "incognita/math/random.hpp"
-#include "incognita/models/heading.hpp"
-#include "incognita/models/wide_angle_camera.hpp"
+#include "incognita/models/motion/heading.hpp"
+#include "incognita/models/sensors/wide_angle_camera.hpp"
 #include "incognita/world/rendered/render.hpp"
 
 using namespace incognita;

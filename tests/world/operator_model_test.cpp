@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "incognita/control/fly_segment.hpp"
-#include "incognita/models/heading.hpp"
+#include "incognita/models/motion/heading.hpp"
 
 namespace incognita {
 namespace {

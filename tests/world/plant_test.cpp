@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "incognita/math/angles.hpp"
-#include "incognita/models/heading.hpp"
+#include "incognita/models/motion/heading.hpp"
 #include "incognita/world/rendered/room_world.hpp"
 
 using namespace incognita;

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "incognita/models/range_bearing.hpp"
+#include "incognita/models/sensors/range_bearing.hpp"
 #include "incognita/world/points/planar_loop.hpp"
 
 namespace incognita {

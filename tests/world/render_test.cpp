@@ -5,8 +5,8 @@
 #include <numbers>
 #include <opencv2/imgproc.hpp>
 
-#include "incognita/models/heading.hpp"
-#include "incognita/models/wide_angle_camera.hpp"
+#include "incognita/models/motion/heading.hpp"
+#include "incognita/models/sensors/wide_angle_camera.hpp"
 #include "incognita/world/rendered/free_camera_plant.hpp"
 
 using namespace incognita;

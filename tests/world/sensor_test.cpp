@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "incognita/models/heading.hpp"
-#include "incognita/models/wide_angle_camera.hpp"
+#include "incognita/models/motion/heading.hpp"
+#include "incognita/models/sensors/wide_angle_camera.hpp"
 #include "incognita/world/rendered/free_camera_plant.hpp"
 #include "incognita/world/rendered/image_noise.hpp"
 #include "incognita/world/rendered/render.hpp"

@@ -10,7 +10,7 @@
 #include <set>
 
 #include "incognita/math/angles.hpp"
-#include "incognita/models/wide_angle_camera.hpp"
+#include "incognita/models/sensors/wide_angle_camera.hpp"
 #include "tests/scratch.hpp"
 #include "tests/small_vectors.hpp"
 

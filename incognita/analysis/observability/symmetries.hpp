@@ -13,8 +13,8 @@
 #include <optional>
 #include <vector>
 
-#include "incognita/models/camera_measurement.hpp"
-#include "incognita/models/planar_vehicle.hpp"
+#include "incognita/models/motion/planar_vehicle.hpp"
+#include "incognita/models/sensors/camera_measurement.hpp"
 
 namespace incognita {
 

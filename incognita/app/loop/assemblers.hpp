@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "incognita/app/loop/assembly.hpp"
-#include "incognita/models/camera.hpp"
-#include "incognita/models/wheel_odometry.hpp"
+#include "incognita/models/sensors/camera.hpp"
+#include "incognita/models/sensors/wheel_odometry.hpp"
 #include "incognita/slam/features/target.hpp"
 #include "incognita/world/rendered/room_layout.hpp"
 

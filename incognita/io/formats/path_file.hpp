@@ -10,7 +10,7 @@
 
 #include <filesystem>
 
-#include "incognita/control/path_samples.hpp"
+#include "incognita/control/paths/path_samples.hpp"
 
 namespace incognita {
 

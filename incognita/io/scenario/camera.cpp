@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "incognita/models/pinhole_camera.hpp"
-#include "incognita/models/wide_angle_camera.hpp"
+#include "incognita/models/sensors/pinhole_camera.hpp"
+#include "incognita/models/sensors/wide_angle_camera.hpp"
 
 namespace incognita {
 namespace {

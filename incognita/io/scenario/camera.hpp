@@ -5,7 +5,7 @@
 #include <string>
 
 #include "incognita/io/scenario/scenario.hpp"
-#include "incognita/models/camera.hpp"
+#include "incognita/models/sensors/camera.hpp"
 
 namespace incognita {
 

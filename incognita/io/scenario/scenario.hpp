@@ -9,11 +9,11 @@
 #include <variant>
 #include <vector>
 
-#include "incognita/control/reference_path.hpp"
+#include "incognita/control/paths/reference_path.hpp"
 #include "incognita/control/settings.hpp"
 #include "incognita/decision/settings.hpp"
 #include "incognita/math/setting.hpp"
-#include "incognita/models/mount.hpp"
+#include "incognita/models/motion/mount.hpp"
 #include "incognita/slam/features/settings.hpp"
 #include "incognita/slam/points/planar_settings.hpp"
 #include "incognita/world/settings.hpp"

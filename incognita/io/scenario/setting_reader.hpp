@@ -14,7 +14,7 @@
 
 #include "incognita/io/scenario/enum_words.hpp"
 #include "incognita/io/scenario/setting.hpp"
-#include "incognita/models/quantity.hpp"
+#include "incognita/models/motion/quantity.hpp"
 
 namespace incognita {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "incognita/io/scenario/load_scenario.hpp"
-#include "incognita/models/terrain.hpp"
+#include "incognita/models/motion/terrain.hpp"
 
 namespace incognita {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "incognita/models/wheel_odometry.hpp"
+#include "incognita/models/sensors/wheel_odometry.hpp"
 #include "incognita/slam/estimator/slam_estimator.hpp"
 
 namespace incognita {

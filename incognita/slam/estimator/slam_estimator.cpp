@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "incognita/models/planar_frame.hpp"
+#include "incognita/models/motion/planar_frame.hpp"
 #include "incognita/slam/mapper/correction.hpp"
 #include "incognita/slam/mapper/health.hpp"
 #include "incognita/slam/mapper/measurements.hpp"

@@ -8,8 +8,8 @@
 #include <optional>
 #include <vector>
 
-#include "incognita/models/camera_measurement.hpp"
-#include "incognita/models/mount.hpp"
+#include "incognita/models/motion/mount.hpp"
+#include "incognita/models/sensors/camera_measurement.hpp"
 #include "incognita/slam/features/patch_plane.hpp"
 #include "incognita/slam/features/settings.hpp"
 #include "incognita/slam/mapper/estimate.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "incognita/models/camera_measurement.hpp"
+#include "incognita/models/sensors/camera_measurement.hpp"
 #include "incognita/slam/features/target.hpp"
 #include "incognita/vision/search.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "incognita/models/wheel_odometry.hpp"
+#include "incognita/models/sensors/wheel_odometry.hpp"
 #include "incognita/slam/features/settings.hpp"
 #include "incognita/slam/features/target.hpp"
 

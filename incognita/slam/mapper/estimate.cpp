@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "incognita/math/gaussian.hpp"
-#include "incognita/models/planar_frame.hpp"
+#include "incognita/models/motion/planar_frame.hpp"
 #include "incognita/slam/mapper/belief_entropy.hpp"
 
 namespace incognita {

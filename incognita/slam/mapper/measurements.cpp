@@ -5,7 +5,7 @@
 #include <cmath>
 #include <span>
 
-#include "incognita/models/planar_frame.hpp"
+#include "incognita/models/motion/planar_frame.hpp"
 
 namespace incognita {
 namespace {

@@ -11,7 +11,7 @@
 #include "incognita/math/setting.hpp"
 #include "incognita/math/small_matrix.hpp"
 #include "incognita/models/any_sensor.hpp"
-#include "incognita/models/wheel_odometry.hpp"
+#include "incognita/models/sensors/wheel_odometry.hpp"
 
 namespace incognita {
 

@@ -4,8 +4,8 @@
 #include <numbers>
 
 #include "incognita/math/random.hpp"
-#include "incognita/models/arc_motion.hpp"
-#include "incognita/models/range_bearing.hpp"
+#include "incognita/models/motion/arc_motion.hpp"
+#include "incognita/models/sensors/range_bearing.hpp"
 
 namespace incognita {
 namespace {

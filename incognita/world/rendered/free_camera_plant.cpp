@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "incognita/models/heading.hpp"
+#include "incognita/models/motion/heading.hpp"
 #include "incognita/world/integrate.hpp"
 
 namespace incognita {

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "incognita/math/random.hpp"
-#include "incognita/models/free_camera.hpp"
+#include "incognita/models/motion/free_camera.hpp"
 #include "incognita/world/rendered/room_layout.hpp"
 #include "incognita/world/settings.hpp"
 

@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-#include "incognita/models/terrain.hpp"
+#include "incognita/models/motion/terrain.hpp"
 #include "incognita/world/rendered/box.hpp"
 
 namespace incognita {

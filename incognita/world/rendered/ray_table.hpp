@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "incognita/models/camera.hpp"
+#include "incognita/models/sensors/camera.hpp"
 
 namespace incognita {
 

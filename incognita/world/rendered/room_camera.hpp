@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "incognita/models/camera.hpp"
+#include "incognita/models/sensors/camera.hpp"
 #include "incognita/world/rendered/image_noise.hpp"
 #include "incognita/world/rendered/ray_table.hpp"
 #include "incognita/world/rendered/room.hpp"

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <memory>
 
-#include "incognita/models/mount.hpp"
-#include "incognita/models/terrain_vehicle.hpp"
+#include "incognita/models/motion/mount.hpp"
+#include "incognita/models/motion/terrain_vehicle.hpp"
 #include "incognita/world/plant.hpp"
 #include "incognita/world/rendered/floor_plan.hpp"
 #include "incognita/world/rendered/room_camera.hpp"

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "incognita/math/angles.hpp"
-#include "incognita/models/mount.hpp"
+#include "incognita/models/motion/mount.hpp"
 
 namespace incognita {
 double start_time(const RangeRecording& r) {

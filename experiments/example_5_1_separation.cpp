@@ -279,7 +279,7 @@ Estimated estimated(const closed_loop::Run& run) {
 std::vector<Estimated> anchored_runs(const ExperimentSettings& settings, double weight) {
   closed_loop::Setup setup;
   setup.robots = {closed_loop::robot({-7, 0, 0}, ControlLaw::lqg, PointPath{{10, 10, 0}})};
-  setup.robots[0].steering.weight_state = weight;
+  setup.robots[0].steering.weight_state = {weight};
   setup.place = closed_loop::sixteen_landmarks();
   setup.anchors = 2;
   setup.duration_s = 40;

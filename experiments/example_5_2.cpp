@@ -25,7 +25,7 @@ constexpr double near_m = 0.5, steady_s = 50, arrived_by_s = 40;
 Setup setup(const planar::Pose<double>& start, double duration_s = 100) {
   Setup s;
   s.robots = {robot(start, ControlLaw::feedback_linearization, circle)};
-  s.robots[0].steering.gain_per_s = section_5_2::gain_per_s;
+  s.robots[0].steering.gain_per_s = {section_5_2::gain_per_s};
   s.place = sixteen_landmarks();
   s.duration_s = duration_s;
   return s;

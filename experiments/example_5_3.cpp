@@ -23,7 +23,7 @@ closed_loop::Setup two_circles() {
   for (const double x : {-6.0, 6.0}) {
     const CirclePath circle{.center = {x, 0, 0}, .radius_m = 5};
     s.robots.push_back(closed_loop::robot({x, 0, 0}, ControlLaw::feedback_linearization, circle));
-    s.robots.back().steering.gain_per_s = section_5_2::gain_per_s;
+    s.robots.back().steering.gain_per_s = {section_5_2::gain_per_s};
   }
   s.place = closed_loop::sixteen_landmarks();
   s.duration_s = 80;
@@ -116,7 +116,7 @@ Setup team_on_circle(int robots) {
     const Reference start = at(Path(circle), 0);
     s.robots.push_back(robot({start.position.x(), start.position.y(), wrap_angle(start.heading)},
                              ControlLaw::feedback_linearization, circle));
-    s.robots.back().steering.gain_per_s = section_5_2::gain_per_s;
+    s.robots.back().steering.gain_per_s = {section_5_2::gain_per_s};
   }
   s.place = sixteen_landmarks();
   s.duration_s = 30;

@@ -1,5 +1,6 @@
 #include "incognita/control/body_controller.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -10,7 +11,10 @@
 namespace incognita {
 namespace {
 
-constexpr double braking_s = 0.5;
+constexpr double least_braking_s = 0.5;
+
+/// False before the first decision.
+bool is_set(const BodyGoal& goal) { return goal.end_t > goal.start_t; }
 
 Segment segment_of(const BodyGoal& goal) { return {goal.from, goal.to, goal.start_t, goal.end_t}; }
 
@@ -18,7 +22,7 @@ Segment segment_of(const BodyGoal& goal) { return {goal.from, goal.to, goal.star
 BodyCommand shown(const BodyGoal* goal) {
   BodyCommand command;
   command.operator_controlled = true;
-  if (!goal) return command;
+  if (!goal || !is_set(*goal)) return command;
   command.shown = UserCommand{segment_of(*goal), goal->decided, std::nullopt};
   if (!goal->heading_rad) return command;
   command.shown->gaze = {*goal->heading_rad, goal->heading_rate_rad_s};
@@ -72,6 +76,7 @@ BodyController::BodyController(BodyControl control, double period_s)
     : control_(std::move(control)),
       period_s_(period_s),
       law_(make_steering(control_.motion, control_.steering, period_s)) {
+  control_.steering.law = law_of(control_.motion, control_.steering.law);
   check(control_);
 }
 
@@ -128,7 +133,7 @@ BodyCommand BodyController::act(const SmallVector& state, const BodyGoal* goal,
   lost_t_.reset();
   last_known_ = state;
   BodyCommand command;
-  if (goal && flies()) {
+  if (goal && flies() && is_set(*goal)) {
     fly(*goal, t, command);
     return command;
   }
@@ -143,7 +148,14 @@ BodyCommand BodyController::act(const SmallVector& state, const BodyGoal* goal,
   }
   steer(axle_under(CameraState(state), *control_.carried_at), since_start_s, command);
   command.input = clear_of_obstacles(command.input, observed);
+  command.reference.reset();  // it is that of the vehicle, not of the camera
   return command;
+}
+
+/// The time to stop within the limits of the inputs.
+double BodyController::braking_s() const {
+  const SmallVector& most = control_.steering.most_input;
+  return std::max(least_braking_s, (last_known_.tail<6>().cwiseAbs().array() / most.array()).maxCoeff());
 }
 
 BodyCommand BodyController::act_when_lost(double t) {
@@ -151,10 +163,8 @@ BodyCommand BodyController::act_when_lost(double t) {
   if (!lost_t_) lost_t_ = t;
   BodyCommand command;
   command.input = SmallVector::Zero(inputs_of(control_.motion));
-  if (!flies() || last_known_.size() == 0 || t - *lost_t_ >= braking_s) return command;
-  const SmallVector& most = control_.steering.most_input;
-  command.input = -last_known_.tail<6>() / braking_s;
-  command.input = command.input.cwiseMax(-most).cwiseMin(most).eval();
+  if (!flies() || last_known_.size() == 0 || t - *lost_t_ >= braking_s()) return command;
+  command.input = -last_known_.tail<6>() / braking_s();
   return command;
 }
 

@@ -47,6 +47,7 @@ class BodyController {
 
  private:
   bool flies() const { return !control_.carried_at && traits_of(control_.motion).in_space(); }
+  double braking_s() const;
   void head_for(const BodyGoal& goal);
   Eigen::Vector2d clear_of_obstacles(const Eigen::Vector2d& desired, const BodyObservation& observed);
   void fly(const BodyGoal& goal, double t, BodyCommand& command);

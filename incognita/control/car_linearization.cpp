@@ -63,7 +63,7 @@ CarLinearization::CarLinearization(const CarLinearizationSettings& settings)
   const double tightest = tightest_curvature(car_, limits_);
   if (!(tightest * std::abs(car_.wheel_left_m) < 1)) {
     throw std::invalid_argument(
-        "at the steering limit the wheel whose speed is measured would be the centre of the turn, or beyond "
+        "at the steering limit the wheel whose speed is measured would be the center of the turn, or beyond "
         "it");
   }
   const PlanarLimits as_planar{limits_.max_speed_m_s, tightest * limits_.max_speed_m_s};

@@ -41,10 +41,17 @@ struct LinearPlant {
   Eigen::MatrixXd F, G;
 };
 
+/// size x size; requires 1 or `size` numbers.
+Eigen::MatrixXd diagonal(const std::vector<double>& numbers, Eigen::Index size) {
+  if (numbers.size() == 1) return numbers[0] * Eigen::MatrixXd::Identity(size, size);
+  return Eigen::Map<const Eigen::VectorXd>(numbers.data(), size).asDiagonal();
+}
+
 /// Gain L of (5.2).
 Eigen::MatrixXd gain_of(const LinearPlant& plant, const SteeringSettings& s) {
   const auto n = plant.F.rows(), m = plant.G.cols();
-  const SteadyGain gain = steady_gain(plant.F, plant.G, s.weight_state.matrix(n), s.weight_input.matrix(m));
+  const SteadyGain gain =
+      steady_gain(plant.F, plant.G, diagonal(s.weight_state, n), diagonal(s.weight_input, m));
   if (gain.outcome != RegulatorOutcome::converged) refuse(gain.reason);
   return gain.L;
 }
@@ -61,7 +68,7 @@ struct LineTracking final : Steering {
   explicit LineTracking(const SteeringSettings& settings) : s(settings) {}
   SmallVector act(const SmallVector& x, double t) const override {
     const Reference r = at(s.path, t);
-    const double desired = r.velocity.x() - s.gain_per_s.numbers[0] * (x[0] - r.position.x());
+    const double desired = r.velocity.x() - s.gain_per_s[0] * (x[0] - r.position.x());
     return SmallVector::Constant(1, std::clamp(desired, -s.most_input[0], s.most_input[0]));
   }
 };
@@ -96,7 +103,7 @@ struct DriveLinearization final : Steering {
   DriveLinearization(const SteeringSettings& settings, const DifferentialDrive& body, double period,
                      bool ground)
       : s(settings),
-        law({body, settings.gain_per_s.matrix(2), period, planar_limits(settings)}),
+        law({body, diagonal(settings.gain_per_s, 2), period, planar_limits(settings)}),
         on_ground(ground) {}
   SmallVector act(const SmallVector& x, double t) const override {
     const planar::Pose<double> pose = x;
@@ -111,7 +118,8 @@ struct CarSteering final : Steering {
   CarSteering(const SteeringSettings& settings, const AckermannCar& c, double period)
       : s(settings),
         car(c),
-        law({c, settings.gain_per_s.matrix(2), period, {settings.most_input[0], settings.most_input[1]}}) {}
+        law({c, diagonal(settings.gain_per_s, 2), period, {settings.most_input[0], settings.most_input[1]}}) {
+  }
   SmallVector act(const SmallVector& x, double t) const override {
     // The limit applies to the measured wheel, which is faster than the axle on the outside of a turn;
     // clamped, the car still follows the same arc
@@ -124,7 +132,7 @@ struct DriveRegulation final : Steering {
   PlanarRegulator law;
   DriveRegulation(const SteeringSettings& settings, const DifferentialDrive& body, double period)
       : s(settings),
-        law({body, settings.weight_state.matrix(2), settings.weight_input.matrix(2), period,
+        law({body, diagonal(settings.weight_state, 2), diagonal(settings.weight_input, 2), period,
              planar_limits(settings)}) {}
   SmallVector act(const SmallVector& x, double t) const override {
     return law.act(planar::Pose<double>(x), at(s.path, t).position.head<2>()).command.input();
@@ -172,31 +180,79 @@ struct SteeredAs final : Steering {
   SmallVector act(const SmallVector& x, double t) const override { return law->act(x.head(size), t); }
 };
 
+/// The laws of each motion.
 struct SteeringFactory {
   const SteeringSettings& s;
   double period;
 
-  bool is(ControlLaw law) const { return s.law == law; }
-
   std::unique_ptr<Steering> operator()(const MonobotMotion&) const {
-    if (is(ControlLaw::lqg)) return std::make_unique<LineRegulation>(s, period);
-    return std::make_unique<LineTracking>(s);
+    switch (s.law) {
+      case ControlLaw::lqg:
+        return std::make_unique<LineRegulation>(s, period);
+      case ControlLaw::tracking:
+      case ControlLaw::feedback_linearization:
+        return std::make_unique<LineTracking>(s);
+      case ControlLaw::none:
+      case ControlLaw::active:
+        break;
+    }
+    return none();
   }
   std::unique_ptr<Steering> operator()(const DifferentialDrive& body) const {
-    if (is(ControlLaw::lqg)) return std::make_unique<DriveRegulation>(s, body, period);
-    if (is(ControlLaw::tracking)) return std::make_unique<PlanarTracking>(s, body);
-    return std::make_unique<DriveLinearization>(s, body, period, false);
+    switch (s.law) {
+      case ControlLaw::lqg:
+        return std::make_unique<DriveRegulation>(s, body, period);
+      case ControlLaw::tracking:
+        return std::make_unique<PlanarTracking>(s, body);
+      case ControlLaw::feedback_linearization:
+        return std::make_unique<DriveLinearization>(s, body, period, false);
+      case ControlLaw::none:
+      case ControlLaw::active:
+        break;
+    }
+    return none();
   }
   std::unique_ptr<Steering> operator()(const AckermannCar& car) const {
-    return std::make_unique<CarSteering>(s, car, period);
+    switch (s.law) {
+      case ControlLaw::feedback_linearization:
+        return std::make_unique<CarSteering>(s, car, period);
+      case ControlLaw::none:
+      case ControlLaw::tracking:
+      case ControlLaw::lqg:
+      case ControlLaw::active:
+        break;
+    }
+    return none();
   }
   std::unique_ptr<Steering> operator()(const TerrainVehicle&) const {
-    if (is(ControlLaw::tracking)) return std::make_unique<PlanarTracking>(s, DifferentialDrive{0, 0});
-    return std::make_unique<DriveLinearization>(s, DifferentialDrive{s.control_point_m, 0}, period, true);
+    switch (s.law) {
+      case ControlLaw::tracking:
+        return std::make_unique<PlanarTracking>(s, DifferentialDrive{0, 0});
+      case ControlLaw::feedback_linearization:
+        return std::make_unique<DriveLinearization>(s, DifferentialDrive{s.control_point_m, 0}, period, true);
+      case ControlLaw::none:
+      case ControlLaw::lqg:
+      case ControlLaw::active:
+        break;
+    }
+    return none();
   }
   std::unique_ptr<Steering> operator()(const FreeCameraMotion&) const {
-    if (is(ControlLaw::lqg)) return std::make_unique<BodyRegulation>(s, period);
-    return std::make_unique<BodyLinearization>(s);
+    switch (s.law) {
+      case ControlLaw::lqg:
+        return std::make_unique<BodyRegulation>(s, period);
+      case ControlLaw::tracking:
+      case ControlLaw::feedback_linearization:
+        return std::make_unique<BodyLinearization>(s);
+      case ControlLaw::none:
+      case ControlLaw::active:
+        break;
+    }
+    return none();
+  }
+  /// validate_steering() gives the reason before.
+  [[noreturn]] static std::unique_ptr<Steering> none() {
+    throw std::logic_error("a law that does not steer the motion");
   }
   template <class Model>
   std::unique_ptr<Steering> operator()(const Model& model) const {
@@ -210,7 +266,15 @@ struct SteeringFactory {
 
 }  // namespace
 
-std::unique_ptr<Steering> make_steering(const AnyMotion& motion, const SteeringSettings& s, double period_s) {
+ControlLaw law_of(const AnyMotion& motion, ControlLaw law) {
+  if (law != ControlLaw::active) return law;
+  return traits_of(motion).on_line() ? ControlLaw::tracking : ControlLaw::feedback_linearization;
+}
+
+std::unique_ptr<Steering> make_steering(const AnyMotion& motion, const SteeringSettings& settings,
+                                        double period_s) {
+  SteeringSettings s = settings;
+  s.law = law_of(motion, settings.law);
   const std::string problem = validate_steering(motion, s, period_s);
   if (!problem.empty()) refuse(problem);
   if (s.law == ControlLaw::none) return std::make_unique<HeldInput>(s.input);

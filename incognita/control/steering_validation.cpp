@@ -71,15 +71,15 @@ std::string need_small_body_turns(const SteeringSettings& s, double period_s) {
 }
 
 /// Requires one common number or `size` numbers.
-std::string need_gains(const char* what, const Diagonal& gains, Eigen::Index size) {
-  if (gains.numbers.size() != 1 && gains.numbers.size() != size)
-    return format_message(what, " needs 1 number or ", size, ", and has ", gains.numbers.size());
-  for (const double number : gains.numbers)
+std::string need_gains(const char* what, const std::vector<double>& gains, std::size_t size) {
+  if (gains.size() != 1 && gains.size() != size)
+    return format_message(what, " needs 1 number or ", size, ", and has ", gains.size());
+  for (const double number : gains)
     if (std::string problem = need_positive(what, number); !problem.empty()) return problem;
   return "";
 }
 
-std::string validate_weights(const SteeringSettings& s, Eigen::Index states, Eigen::Index inputs) {
+std::string validate_weights(const SteeringSettings& s, std::size_t states, std::size_t inputs) {
   return first_of({need_gains("the weight of the state", s.weight_state, states),
                    need_gains("the weight of the input", s.weight_input, inputs)});
 }
@@ -109,7 +109,7 @@ std::string need_heading_along(const Path& path) {
   constexpr double most_rad = 0.2;
   const char* instead = "; tracking holds the heading too, take `feedback-linearization`";
   if (std::holds_alternative<BackAndForthPath>(path))
-    return format_message("the path looks at its centre and not where it goes", instead);
+    return format_message("the path faces its center and not where it goes", instead);
   const auto* sampled = std::get_if<SampledPath>(&path);
   if (!sampled) return "";
   for (const double t : sampled->spline.t) {
@@ -117,7 +117,7 @@ std::string need_heading_along(const Path& path) {
     if (motion.rate.head<2>().norm() < 1e-9) continue;
     const double off = wrap_angle(motion.pose[3] - std::atan2(motion.rate.y(), motion.rate.x()));
     if (std::abs(off) > most_rad)
-      return format_message("at t = ", t, " s the path looks ", off, " rad away from where it goes", instead);
+      return format_message("at t = ", t, " s the path faces ", off, " rad away from where it goes", instead);
   }
   return "";
 }
@@ -164,42 +164,80 @@ std::string validate_body_tracking(const SteeringSettings& s, double period_s) {
   return "";
 }
 
+/// Each motion states what it requires of every law, so that the compiler names the places for a new one.
 struct SteeringValidator {
   const SteeringSettings& s;
   double period_s;
 
-  bool is(ControlLaw law) const { return s.law == law; }
-
   std::string operator()(const MonobotMotion&) const {
-    if (is(ControlLaw::lqg)) return first_of({need_point(s), validate_weights(s, 1, 1)});
+    switch (s.law) {
+      case ControlLaw::lqg:
+        return first_of({need_point(s), validate_weights(s, 1, 1)});
+      case ControlLaw::none:
+      case ControlLaw::tracking:
+      case ControlLaw::feedback_linearization:
+      case ControlLaw::active:
+        break;
+    }
     const std::string problem = need_gains("the gain", s.gain_per_s, 1);
     if (!problem.empty()) return problem;
-    if (s.gain_per_s.numbers[0] * period_s < 2) return need_speed(s);
+    if (s.gain_per_s[0] * period_s < 2) return need_speed(s);
     return "the gain of a vehicle on a line must be more than 0, and times the period less than 2";
   }
   std::string operator()(const DifferentialDrive& body) const {
     if (!std::isfinite(body.forward_m) || !std::isfinite(body.left_m))
-      return "the point that the state tells must be a finite way from the axle";
-    if (is(ControlLaw::lqg))
-      return first_of({need_point(s), need_small_turns(s, period_s), validate_weights(s, 2, 2)});
-    if (is(ControlLaw::tracking)) return validate_tracking(s, period_s);
-    return first_of({need_speed(s), need_turn_rate(s), need_gains("the gain", s.gain_per_s, 2)});
+      return "the point that the state describes must be at a finite distance from the axle";
+    switch (s.law) {
+      case ControlLaw::lqg:
+        return first_of({need_point(s), need_small_turns(s, period_s), validate_weights(s, 2, 2)});
+      case ControlLaw::tracking:
+        return validate_tracking(s, period_s);
+      case ControlLaw::none:
+      case ControlLaw::feedback_linearization:
+      case ControlLaw::active:
+        break;
+    }
+    return validate_linearization();
   }
   std::string operator()(const AckermannCar& car) const {
-    if (!is(ControlLaw::feedback_linearization))
-      return "a car is steered by `feedback-linearization`: it turns only while it moves";
-    return first_of({need_speed(s), need_wide_circle(car, s), need_gains("the gain", s.gain_per_s, 2)});
+    switch (s.law) {
+      case ControlLaw::feedback_linearization:
+        return first_of({need_speed(s), need_wide_circle(car, s), need_gains("the gain", s.gain_per_s, 2)});
+      case ControlLaw::none:
+      case ControlLaw::tracking:
+      case ControlLaw::lqg:
+      case ControlLaw::active:
+        break;
+    }
+    return "a car is steered by `feedback-linearization`: it turns only while it moves";
   }
   std::string operator()(const TerrainVehicle&) const {
-    if (is(ControlLaw::lqg))
-      return "a regulator at rest does not know the slopes: take `feedback-linearization` or `tracking`";
-    if (is(ControlLaw::tracking)) return validate_tracking(s, period_s);
-    return first_of({need_speed(s), need_turn_rate(s), need_gains("the gain", s.gain_per_s, 2)});
+    switch (s.law) {
+      case ControlLaw::lqg:
+        return "a regulator at rest does not know the slopes: take `feedback-linearization` or `tracking`";
+      case ControlLaw::tracking:
+        return validate_tracking(s, period_s);
+      case ControlLaw::none:
+      case ControlLaw::feedback_linearization:
+      case ControlLaw::active:
+        break;
+    }
+    return validate_linearization();
   }
   std::string operator()(const FreeCameraMotion&) const {
-    if (is(ControlLaw::lqg))
-      return first_of({need_point(s), need_small_body_turns(s, period_s), validate_weights(s, 12, 6)});
+    switch (s.law) {
+      case ControlLaw::lqg:
+        return first_of({need_point(s), need_small_body_turns(s, period_s), validate_weights(s, 12, 6)});
+      case ControlLaw::none:
+      case ControlLaw::tracking:
+      case ControlLaw::feedback_linearization:
+      case ControlLaw::active:
+        break;
+    }
     return validate_body_tracking(s, period_s);
+  }
+  std::string validate_linearization() const {
+    return first_of({need_speed(s), need_turn_rate(s), need_gains("the gain", s.gain_per_s, 2)});
   }
   template <class Model>
   std::string operator()(const Model& model) const {

@@ -100,6 +100,10 @@ std::unique_ptr<Decision> decide_by_points(const EstimatorSettings& team, const 
   if (team.filter.map_frame == MapFrame::vehicle)
     throw std::invalid_argument(
         "estimator.map_frame = `vehicle`: information gain is predicted in the world frame; take `world`");
+  for (const BodyModel& body : team.bodies)
+    if (body.sensors.empty() || body.input_sigmas.size() != inputs_of(body.motion))
+      throw std::invalid_argument(
+          "a decision by points needs a point sensor on every body, and a sigma for each of its inputs");
   std::vector<std::unique_ptr<BodyChoice>> choices;
   for (const BodyModel& body : team.bodies) choices.push_back(choice_of_body(s, body, choices.size()));
   return std::make_unique<Decision>(std::move(choices),

@@ -237,6 +237,22 @@ void InformationGain::pop() {
   steps_.pop_back();
 }
 
+double InformationGain::of(Metric metric, int position_errors, const BlockMatrix& vehicle_given_map) const {
+  switch (metric) {
+    case Metric::state:
+      return of_state();
+    case Metric::position_and_map:
+      return of_position_and_map(position_errors, vehicle_given_map);
+    case Metric::vehicle:
+      return of_vehicle();
+    case Metric::fisher:
+      return fisher_trace();
+    case Metric::fisher_given_state:
+      return fisher_trace_given_state();
+  }
+  return 0;
+}
+
 double InformationGain::of_vehicle() const {
   if (steps_.empty() || rows_ == 0) return 0;
   const BlockMatrix P = vehicle_now();

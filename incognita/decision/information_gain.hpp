@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "incognita/belief/any_belief.hpp"
+#include "incognita/decision/metric.hpp"
 #include "incognita/decision/predicted_measurement.hpp"
 
 namespace incognita {
@@ -25,6 +26,9 @@ class InformationGain {
   /// Removes the last step.
   void pop();
   int steps() const { return static_cast<int>(steps_.size()); }
+
+  /// Value in the unit of the metric: nats, or for the Fisher traces the sum of inverse squares of m, rad etc.
+  double of(Metric metric, int position_errors, const BlockMatrix& vehicle_given_map) const;
 
   /// I(X; Z) in nats over all steps: X is the full state, now and along the path. 0 without measurements; NaN
   /// if S is not positive definite.

@@ -7,23 +7,6 @@
 
 namespace incognita {
 
-double value_of(const InformationGain& gain, Metric metric, int position_errors,
-                const BlockMatrix& vehicle_given_map) {
-  switch (metric) {
-    case Metric::state:
-      return gain.of_state();
-    case Metric::position_and_map:
-      return gain.of_position_and_map(position_errors, vehicle_given_map);
-    case Metric::vehicle:
-      return gain.of_vehicle();
-    case Metric::fisher:
-      return gain.fisher_trace();
-    case Metric::fisher_given_state:
-      return gain.fisher_trace_given_state();
-  }
-  return 0;
-}
-
 LookAhead::LookAhead(const LookAheadSettings& settings) : settings_(settings) {
   if (settings_.horizon < 1) throw std::invalid_argument("the horizon must be one action at least");
   if (settings_.max_evaluations < 1)
@@ -91,8 +74,8 @@ void LookAhead::evaluate(const ActionSet& action_set, const Expectation& expecta
   expectation.expect(outcome.state, step_.measurements);
   gain_.push(step_);
   ++evaluations_;
-  Node node{from.actions, outcome.state,
-            value_of(gain_, settings_.metric, settings_.position_errors, given_map_), outcome.allowed()};
+  Node node{from.actions, outcome.state, gain_.of(settings_.metric, settings_.position_errors, given_map_),
+            outcome.allowed()};
   gain_.pop();
   node.actions.push_back(action);
   into.push_back(std::move(node));

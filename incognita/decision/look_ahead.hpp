@@ -10,10 +10,6 @@
 
 namespace incognita {
 
-/// Value in the unit of the metric: nats, or for the Fisher traces the sum of inverse squares of m, rad etc.
-double value_of(const InformationGain& gain, Metric metric, int position_errors,
-                const BlockMatrix& vehicle_given_map);
-
 struct LookAheadSettings {
   Metric metric = Metric::state;
   int horizon = 1;             ///< length of the action sequences; 1: the greedy choice of the thesis

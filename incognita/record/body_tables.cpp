@@ -30,6 +30,7 @@ std::string vehicles_header(const RunInfo& info) {
 
 /// Heading of a vehicle's x axis or of a camera's optical axis, rad.
 double heading(const StampedPose& pose, bool camera) {
+  if (!pose.oriented) return unknown;
   const Eigen::Vector3d ahead = rotation_matrix<double>(pose.orientation).col(camera ? 2 : 0);
   return std::atan2(ahead.y(), ahead.x());
 }

@@ -17,7 +17,7 @@ set tics nomirror out scale 0.6 textcolor '#333333'
 set grid linecolor '#e4e4e4' linetype 1 linewidth 0.6
 set key textcolor '#222222' samplen 2.2 spacing 1.15
 blue = '#0072b2'; orange = '#d55e00'; green = '#009e73'; sky = '#56b4e9'; amber = '#e69f00'; pink = '#cc79a7'
-ink = '#222222'; grey = '#9a9a9a'
+ink = '#222222'; gray = '#9a9a9a'
 )",
                      name, width_px, height_px);
 }

@@ -121,7 +121,7 @@ const char* name(Color color) {
     case Color::sky:
       return "sky";
     case Color::gray:
-      return "grey";
+      return "gray";
     case Color::ink:
     case Color::automatic:
       break;

@@ -88,7 +88,9 @@ struct Panel {
 std::vector<Panel> input_panels(const CsvTable& table, std::size_t vehicles) {
   std::vector<std::string> inputs;
   std::copy_if(table.columns.begin(), table.columns.end(), std::back_inserter(inputs),
-               [](const std::string& column) { return column.starts_with("input_"); });
+               [&](const std::string& column) {
+                 return column.starts_with("input_") && knows(table, column.c_str());
+               });
   std::vector<Panel> panels;
   if (inputs.size() == 6) {
     for (const std::size_t first : {0u, 3u}) {
@@ -188,6 +190,7 @@ std::optional<std::string> control_script(const fs::path& run_directory, Alignme
         line(i, vehicles, "t", "from_path_m", of_vehicle(i), fmt::format("vehicle {}", i + 1)));
   if (!known) panels.clear();
   for (Panel& panel : input_panels(*table, vehicles)) panels.push_back(std::move(panel));
+  if (panels.empty()) return std::nullopt;
   std::string script = figure_head("control", 900, 120 + 190 * static_cast<int>(panels.size()));
   script += fmt::format(
       "set datafile columnheaders\nset multiplot layout {},1 margins 0.11,0.985,0.1,0.95 spacing 0,0.04\n"

@@ -42,7 +42,7 @@ struct Drive {
     RandomStream random(1, "drive");
     const std::vector<Vector2d> points{{5, 3}, {8, -2}, {2, 6}, {12, 4}};
     for (int step = 0; step <= steps; ++step) {
-      const planar::Pose<double> here = scene.vehicle + off * perturbation(random);
+      const planar::Pose<double> here = scene.vehicles[0] + off * perturbation(random);
       for (std::size_t i = 0; i < points.size(); ++i) {
         const auto prediction =
             RangeBearing::predict_measurement(here, points[i] + off * perturbation(random).head<2>());
@@ -61,7 +61,7 @@ struct Drive {
       motion.A = planar::jacobian_between(here, next);
       motion.N = Vector3d(1e-3, 1e-3, 1e-4).asDiagonal();
       monitor.move(motion);
-      scene.vehicle = next;
+      scene.vehicles[0] = next;
     }
     for (std::size_t i = static_cast<std::size_t>(known); i < points.size(); ++i)
       scene.landmarks.push_back(

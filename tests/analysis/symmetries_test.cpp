@@ -30,18 +30,18 @@ TEST(Symmetries, RangesAndBearingsAreInvariant) {
   RandomStream random(1, "symmetries");
   for (int i = 0; i < 20; ++i) {
     PlanarScene scene;
-    scene.vehicle = planar::Pose<double>(random.normal(), random.normal(), random.normal());
+    scene.vehicles[0] = planar::Pose<double>(random.normal(), random.normal(), random.normal());
     scene.landmarks = {{0, 3, {random.normal(), random.normal()}}};
     scene.errors = 5;
-    const auto prediction = RangeBearing::predict_measurement(scene.vehicle, scene.landmarks[0].position);
+    const auto prediction = RangeBearing::predict_measurement(scene.vehicles[0], scene.landmarks[0].position);
     MatrixXd H(2, 5);
     H << prediction->Hv, prediction->Hl;
     const MatrixXd N = symmetry_directions(scene, {random.normal(), random.normal()});
     EXPECT_LT((H * N).norm(), 1e-12 * (1 + H.norm()));
     // Any rigid motion from one pose to another
     PlanarScene later = scene;
-    later.vehicle += planar::Pose<double>(random.normal(), random.normal(), random.normal());
-    const MatrixXd F = planar::jacobian_between(scene.vehicle, later.vehicle);
+    later.vehicles[0] += planar::Pose<double>(random.normal(), random.normal(), random.normal());
+    const MatrixXd F = planar::jacobian_between(scene.vehicles[0], later.vehicles[0]);
     EXPECT_LT(
         (F * symmetry_directions(scene, {1, 2}).topRows(3) - symmetry_directions(later, {1, 2}).topRows(3))
             .norm(),

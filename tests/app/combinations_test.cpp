@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "incognita/app/loop/assembly.hpp"
+#include "incognita/app/loop/observability_watch.hpp"
 #include "incognita/math/angles.hpp"
 #include "incognita/math/gaussian.hpp"
 #include "incognita/math/random.hpp"
@@ -141,6 +142,46 @@ TEST(Combinations, PositionFixesOfOneVehicleOfATeam) {
     return std::sqrt(e.bodies.back().state_covariance.topLeftCorner(2, 2).trace());
   };
   EXPECT_LT(sigma_of_last(use_fixes), 0.8 * sigma_of_last([](EstimatorSettings&) {}));
+}
+
+/// The report at the end of a run of three robots that map together.
+ObservabilityReport report_of_three(const std::vector<std::string>& more) {
+  Assembly assembly = assemble(load_scenario("two-robots", with(team_of_three, more)));
+  ObservabilityWatch watch;
+  run_loop(
+      assembly.parts, [](const Snapshot&) {}, [](const Tick&) { return true; },
+      [&](const Estimate& e) { watch.follow(e); });
+  return watch.report().value();
+}
+
+/// Without anchors the frame of the whole team is unobservable; two anchors that one of the robots measures fix it for
+/// all.
+TEST(Combinations, ObservabilityReportOfATeam) {
+  const ObservabilityReport free = report_of_three({"points.known=0"});
+  EXPECT_EQ(free.uncovered, "");
+  EXPECT_EQ(free.ideal_nullity, 3);
+  EXPECT_EQ(free.information.errors % 2, 1) << "three poses, and landmarks on the plane";
+  EXPECT_GE(free.information.errors, 9 + 2 * 10);
+  for (const QuantityReport& q : free.quantities) EXPECT_FALSE(q.ideally_observable) << q.name;
+  for (const QuantityReport& q : free.quantities)
+    if (q.unit == "m") EXPECT_FALSE(q.gained) << q.name << " by measurements of relative positions";
+
+  const ObservabilityReport fixed = report_of_three({"points.known=2"});
+  EXPECT_EQ(fixed.anchors, 2);
+  EXPECT_EQ(fixed.ideal_nullity, 0);
+  EXPECT_EQ(fixed.information.rank, fixed.information.errors);
+  for (const QuantityReport& q : fixed.quantities) EXPECT_TRUE(q.ideally_observable && q.gained) << q.name;
+
+  // First-estimate Jacobians add no spurious information: the null space keeps all three directions
+  const ObservabilityReport first =
+      report_of_three({"points.known=0", "estimator.linearization=first-estimate"});
+  EXPECT_EQ(first.spurious_information, 0);
+  EXPECT_EQ(first.information.nullity(), 3);
+}
+
+TEST(Combinations, ATeamWithTwoAnchorsIsConsistent) {
+  expect_consistent("three vehicles, two anchors", "two-robots", with(team_of_three, {"points.known=2"}), 16,
+                    [](EstimatorSettings& s) { ASSERT_EQ(s.anchors.size(), 2u); });
 }
 
 TEST(Combinations, AMapInTheFrameOfACarUnderControl) {

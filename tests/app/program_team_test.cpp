@@ -73,7 +73,7 @@ TEST(ProgramTeam, WritesEveryVehiclesPath) {
   EXPECT_EQ(std::count(vehicles.begin(), vehicles.end(), '\n'), 1 + 2 * 30);
   EXPECT_SAYS(vehicles, "t,vehicle,x_m,y_m,z_m,heading_rad,two_sigma_x_m");
   EXPECT_SAYS(vehicles, "input_speed_m_s,input_turn_rate_rad_s");
-  EXPECT_SAYS(bytes_of(run / "measurements.csv"), "t,body,sensor,");
+  EXPECT_SAYS(bytes_of(run / "measurements.csv"), ",2,sensor-1,1,body,") << "the second measures the first";
   for (const char* file : {"estimate-2.tum", "truth-2.tum", "covariance-2.csv"})
     EXPECT_TRUE(std::filesystem::exists(run / file)) << file;
   const Ended compared = testing::incognita(

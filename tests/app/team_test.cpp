@@ -460,9 +460,9 @@ TEST(Steering, RefusesInvalidSettings) {
   s.law = ControlLaw::feedback_linearization;
   EXPECT_EQ(why_not(drive, s, 0.1), "");
   EXPECT_NE(why_not(on_axle, s, 0.1), "");
-  s.gain_per_s = 25;
+  s.gain_per_s = {25};
   EXPECT_NE(why_not(drive, s, 0.1), "");
-  s.gain_per_s = 0.5;
+  s.gain_per_s = {0.5};
   s.most_input = vec({1});
   EXPECT_NE(why_not(drive, s, 0.1).find("2 numbers"), std::string::npos);
   s.most_input = vec({0.1, 1});

@@ -108,7 +108,7 @@ TEST(CarLinearization, RefusesInvalidSettings) {
   EXPECT_HAS(complaint([](S& s) { s.car.wheelbase_m = 0; }), "wheelbase must be positive");
   EXPECT_HAS(complaint([](S& s) { s.limits.max_steering_rad = 1.6; }), "between 0 and pi/2");
   EXPECT_HAS(complaint([](S& s) { s.limits.max_steering_rad = 0; }), "between 0 and pi/2");
-  EXPECT_HAS(complaint([](S& s) { s.limits.max_steering_rad = 1.4; }), "the centre of the turn");
+  EXPECT_HAS(complaint([](S& s) { s.limits.max_steering_rad = 1.4; }), "the center of the turn");
   EXPECT_HAS(complaint([](S& s) { s.limits.max_speed_m_s = -1; }), "speed limit must be positive");
   EXPECT_HAS(complaint([](S& s) { s.gain_per_s *= 30; }), "it must be less than 20 1/s");
   EXPECT_HAS(complaint([](S& s) { s.gain_per_s = Eigen::MatrixXd::Identity(3, 2); }), "3x2, not 2x2");

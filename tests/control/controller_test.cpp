@@ -83,6 +83,35 @@ TEST(SteeringController, BrakesAFreeCameraFromTheLastEstimateWhenLostThenCommand
   EXPECT_TRUE(input(60).isZero());
 }
 
+TEST(SteeringController, BrakesWithinTheLimitsHoweverLongItTakes) {
+  CameraState x = at_rest();
+  x.segment<3>(7) << 0.9, 0, 0;
+  Estimate estimate = tracking(x);
+  ControlSettings settings;
+  settings.max_acceleration_m_s2 = 0.5;
+  SteeringController controller({free_camera_control(settings)});
+  const auto input = [&](int k) {
+    return input_of(controller.act(estimate, {}, {}, {k, k / 30.0, 1 / 30.0}), 0, 6)[0];
+  };
+  input(0);
+  estimate.status.state = TrackingState::lost;
+  double velocity = 0.9;
+  for (int k = 1; k < 60; ++k) {
+    EXPECT_GE(input(k), -0.5 - 1e-12);
+    velocity += input(k) / 30;
+  }
+  EXPECT_NEAR(velocity, 0, 0.03);
+}
+
+TEST(SteeringController, DoesNotMoveAFreeCameraBeforeTheFirstDecision) {
+  CameraState away = at_rest();
+  away.head<3>() << 5, 5, 5;
+  SteeringController controller({free_camera_control({})});
+  Goal undecided;
+  undecided.bodies.resize(1);
+  EXPECT_TRUE(input_of(controller.act(tracking(away), undecided, {}, {0, 0, 0}), 0, 6).isZero());
+}
+
 TEST(SteeringController, SwingsTheGazeWhereTheGoalLeavesItFree) {
   const Estimate estimate = tracking(at_rest());
   ControlSettings settings;
@@ -90,6 +119,7 @@ TEST(SteeringController, SwingsTheGazeWhereTheGoalLeavesItFree) {
   SteeringController controller({free_camera_control(settings)});
   Goal goal;
   goal.bodies.resize(1);
+  goal.bodies[0].end_t = 100;
   const auto gaze = [&](double t) {
     return (*controller.act(estimate, goal, {}, {1, t, 0.1}).bodies.at(0).reference)[3];
   };

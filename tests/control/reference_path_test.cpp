@@ -211,7 +211,7 @@ TEST(ReferencePath, RefusesInvalidPaths) {
   EXPECT_HAS(complaint(CirclePath{.rate_rad_s = 0}), "the rate of the circle must not be 0");
   EXPECT_HAS(complaint(CirclePath{.phase_rad = INFINITY}), "the phase of the circle is not finite");
   EXPECT_HAS(complaint(BackAndForthPath{.amplitude_rad = NAN}), "the amplitude of the path");
-  EXPECT_HAS(complaint(BackAndForthPath{.center = {0, NAN, 0}}), "the centre of the path is not finite");
+  EXPECT_HAS(complaint(BackAndForthPath{.center = {0, NAN, 0}}), "the center of the path is not finite");
   EXPECT_HAS(complaint(WayPointPath{}), "there are no way-points");
   EXPECT_HAS(complaint(WayPointPath{{{0, 0, 0}}, 0}), "the speed between way-points must be positive");
   EXPECT_HAS(complaint(WayPointPath{{{0, 0, NAN}}, 1}), "a way-point is not finite");

@@ -154,7 +154,7 @@ Off off(const Case& c, const SmallVector& x, const Reference& r) {
     return {(x.head<3>() - r.position).norm(), minus(chart_of(c.motion), x, desired).segment<3>(3).norm()};
   }
   // Tracking steers the axle, the other laws a point off the axle
-  const bool tracks = c.law == ControlLaw::tracking;
+  const bool tracks = steers_axle(c.law);
   Eigen::Vector2d from_state(0, 0);
   if (&c.motion == &drive && tracks) from_state << -0.3, -0.1;
   if (&c.motion == &terrain && !tracks) from_state << before_axle_m, 0;
@@ -255,7 +255,7 @@ TEST(SteeringRefusals, AnUnsupportedPath) {
     EXPECT_HAS(why_not(*motion, ControlLaw::tracking, swing(1)), "not where it goes");
     PathSamples sideways{{0, 1, 2}, {{0, 0, 0}, {0.5, 0, 0}, {1, 0, 0}}, {1.5, 1.5, 1.5}};
     EXPECT_HAS(why_not(*motion, ControlLaw::tracking, through(sideways)),
-               "the path looks 1.5 rad away from where it goes");
+               "the path faces 1.5 rad away from where it goes");
   }
 }
 
@@ -362,13 +362,13 @@ struct Gain {
   ControlLaw law;
   Path path;
   std::vector<double*> of(SteeringSettings& s) const {
-    if (law == ControlLaw::lqg) return {s.weight_state.numbers.data(), s.weight_input.numbers.data()};
+    if (law == ControlLaw::lqg) return {s.weight_state.data(), s.weight_input.data()};
     if (&motion == &body)
       return {&s.camera.gain_position_per_s2, &s.camera.gain_velocity_per_s,
               &s.camera.gain_orientation_per_s2, &s.camera.gain_rate_per_s};
     if (law == ControlLaw::tracking && &motion != &line)
       return {&s.gain_along_per_s, &s.gain_across_per_m2, &s.gain_heading_per_m};
-    return {s.gain_per_s.numbers.data()};
+    return {s.gain_per_s.data()};
   }
 };
 
@@ -402,7 +402,7 @@ TEST(SteeringRefusals, GainsOfTheWrongSize) {
     SteeringSettings s = settings_of(gain.motion, gain.law, gain.path);
     if (gain.law == ControlLaw::tracking && &gain.motion != &line) continue;  // its gains are scalars
     if (gain.law == ControlLaw::feedback_linearization && &gain.motion == &body) continue;
-    (gain.law == ControlLaw::lqg ? s.weight_state : s.gain_per_s) = Diagonal(SmallVector::Constant(5, 1.0));
+    (gain.law == ControlLaw::lqg ? s.weight_state : s.gain_per_s) = std::vector<double>(5, 1.0);
     EXPECT_HAS(why_not(gain.motion, s), "needs 1 number or ") << static_cast<int>(gain.law);
   }
 }
@@ -411,7 +411,7 @@ TEST(SteeringLaws, WeightEachInputSeparately) {
   SteeringSettings s = settings_of(drive, ControlLaw::lqg, point());
   const SmallVector x = vec({-3, 0.4, 0.1});
   const SmallVector even = make_steering(drive, s, 0.1)->act(x, 0);
-  s.weight_input = Diagonal(vec({1, 1e4}));  // turning is expensive
+  s.weight_input = {1, 1e4};  // turning is expensive
   const SmallVector uneven = make_steering(drive, s, 0.1)->act(x, 0);
   EXPECT_LT(std::abs(uneven[1]), 0.1 * std::abs(even[1]));
 }

@@ -90,8 +90,9 @@ TEST(Decision, ExcludesGoalsOutsideTheBounds) {
 
 TEST(Decision, HasNoActionWhenLost) {
   Estimate estimate = two_landmarks();
-  estimate.status.state = TrackingState::lost;
   const auto decision = decide_by_images(WideAngleCamera{}, {});
+  ASSERT_GE(decision->choose(estimate, Tick{0, 0, 0}).bodies.at(0).chosen, 0);
+  estimate.status.state = TrackingState::lost;
   EXPECT_EQ(decision->choose(estimate, Tick{0, 0, 0}).bodies.at(0).chosen, -1);
 }
 

@@ -16,7 +16,7 @@ struct Cameras {
   explicit Cameras(int count) {
     for (int i = 0; i < count; ++i) {
       SmallVector start = SmallVector::Zero(13);
-      start[1] = 3.0 * i;
+      start[1] = 30.0 * i;
       start.segment<4>(3) = level_gaze(0);
       settings.bodies.push_back(body_with_sensor(
           FreeCameraMotion{}, CameraSensor{Camera(WideAngleCamera{}), {}}, start,
@@ -29,8 +29,8 @@ struct Cameras {
       Landmark landmark;
       landmark.id = new_id(estimate);
       landmark.block =
-          estimate.belief.augment(PointLandmark::chart, Eigen::Vector3d(2, 3.0 * i, 0), {},
-                                  Eigen::Matrix3d(Eigen::Vector3d(0.25, 1e-4, 1e-4).asDiagonal()));
+          estimate.belief.augment(PointLandmark::chart, Eigen::Vector3d(2, 30.0 * i, 0), {},
+                                  Eigen::Matrix3d(Eigen::Vector3d(0.25 / (1 + i), 1e-4, 1e-4).asDiagonal()));
       estimate.landmarks.emplace(landmark.id, landmark);
     }
     estimate.started = true;
@@ -38,14 +38,21 @@ struct Cameras {
   }
 };
 
+/// Two cameras far apart, of which the second has a better known landmark: each decides as if it were alone.
 TEST(Decision, ChoosesForEachBodyWithItsOwnScores) {
   const Cameras c(2);
   const Goal goal = decide_by_points(c.settings)->choose(c.estimate, Tick{0, 0, 0});
   ASSERT_EQ(goal.bodies.size(), 2u);
+  const Cameras alone(1);
+  const BodyGoal first = decide_by_points(alone.settings)->choose(alone.estimate, Tick{0, 0, 0}).bodies.at(0);
+  ASSERT_EQ(goal.bodies[0].scores.size(), 7u);
+  for (std::size_t a = 0; a < 7; ++a) {
+    EXPECT_NEAR(goal.bodies[0].scores[a], first.scores[a], 1e-9) << a;
+    EXPECT_LT(goal.bodies[1].scores[a], goal.bodies[0].scores[a]) << a << ": less to gain";
+  }
   for (std::size_t i = 0; i < 2; ++i) {
     EXPECT_TRUE(goal.bodies[i].decided);
-    EXPECT_EQ(goal.bodies[i].scores.size(), 7u);
-    EXPECT_NEAR(goal.bodies[i].from.y(), 3.0 * static_cast<double>(i), 1e-12);
+    EXPECT_NEAR(goal.bodies[i].from.y(), 30.0 * static_cast<double>(i), 1e-12);
     EXPECT_NEAR((goal.bodies[i].to - goal.bodies[i].from).norm(), 0.3, 1e-12) << "across the line of sight";
   }
 }
@@ -61,10 +68,20 @@ TEST(Decision, LeavesTheGazeFreeWhereItSwings) {
       decide_by_points(c.settings, settings)->choose(c.estimate, Tick{0, 0, 0}).bodies.at(0).heading_rad, 0);
 }
 
-TEST(Decision, HasNoActionBeforeTheStart) {
-  const Cameras c(1);
-  const Goal goal = decide_by_points(c.settings)->choose(Estimate{}, Tick{0, 0, 0});
-  EXPECT_EQ(goal.bodies.at(0).chosen, -1);
+TEST(Decision, HasNoActionBeforeTheStartAndAfterTheEstimateWasLost) {
+  Cameras c(1);
+  const auto decision = decide_by_points(c.settings);
+  EXPECT_EQ(decision->choose(Estimate{}, Tick{0, 0, 0}).bodies.at(0).chosen, -1);
+  const BodyGoal before = decision->choose(c.estimate, Tick{1, 0.1, 0.1}).bodies.at(0);
+  EXPECT_GE(before.chosen, 0);
+  EXPECT_GT(before.scores[0], 0);
+  c.estimate.status.state = TrackingState::lost;
+  const BodyGoal lost = decision->choose(c.estimate, Tick{2, 0.2, 0.1}).bodies.at(0);
+  EXPECT_EQ(lost.chosen, -1);
+  EXPECT_FALSE(lost.decided);
+  EXPECT_EQ(lost.scores, std::vector<double>(7, 0));
+  c.estimate.status.state = TrackingState::tracking;
+  EXPECT_TRUE(decision->choose(c.estimate, Tick{3, 0.3, 0.1}).bodies.at(0).decided) << "anew";
 }
 
 TEST(Decision, RefusesAMapInTheVehicleFrameAndNoBodies) {
@@ -72,6 +89,9 @@ TEST(Decision, RefusesAMapInTheVehicleFrameAndNoBodies) {
   c.settings.filter.map_frame = MapFrame::vehicle;
   EXPECT_THROW(decide_by_points(c.settings), std::invalid_argument);
   EXPECT_THROW(decide_by_points(EstimatorSettings{}), std::invalid_argument);
+  Cameras blind(1);
+  blind.settings.bodies[0].sensors.clear();
+  EXPECT_THROW(decide_by_points(blind.settings), std::invalid_argument);
 }
 
 }  // namespace

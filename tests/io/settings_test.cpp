@@ -43,15 +43,15 @@ TEST(NearestName, CountsEdits) {
   EXPECT_EQ(nearest_name("x", {}), "");
 }
 
-const std::vector<CataloguedSetting>& catalogue() {
-  static const std::vector<CataloguedSetting> all = all_settings();
+const std::vector<CatalogedSetting>& catalog() {
+  static const std::vector<CatalogedSetting> all = all_settings();
   return all;
 }
 
 /// `--set` options that make a setting appear.
-std::vector<std::string> sets_for(const CataloguedSetting& catalogued) {
+std::vector<std::string> sets_for(const CatalogedSetting& cataloged) {
   std::vector<std::string> sets;
-  for (const auto& [key, values] : catalogued.context) sets.push_back(key + "=" + values.front());
+  for (const auto& [key, values] : cataloged.context) sets.push_back(key + "=" + values.front());
   return sets;
 }
 
@@ -73,7 +73,7 @@ TEST(Settings, KeysAreUniqueAndEndWithTheirUnit) {
                                                      {"gray", "_gray"},
                                                      {"m^2", "_m2"},
                                                      {"1/m^2", "_per_m2"}};
-  for (const auto& [setting, context] : catalogue()) {
+  for (const auto& [setting, context] : catalog()) {
     EXPECT_TRUE(seen.insert(setting.key).second) << setting.key;
     EXPECT_FALSE(setting.help.empty()) << setting.key;
     if (suffix.count(setting.unit)) {
@@ -118,22 +118,22 @@ TEST(Settings, EveryMemberIsDescribed) {
           DecisionSettings, ExplorationSettings, ControlSettings, RoomSettings, OperatorSettings, RunSettings,
           WorldSettings, WideAngleLens, PinholeLens, CameraSettings, RecordingSettings, TeamStartSettings,
           FormSettings, PointsSettings, TruePlantSettings, PlaneTerrain, WavesTerrain, ImageTerrain,
-          TerrainSettings, ControllerSettings, PathFile, PathSettings, PointPath, CirclePath,
+          TerrainSettings, ControllerSettings, LawSettings, PathFile, PathSettings, PointPath, CirclePath,
           BackAndForthPath, WayPointPath>>{});
 }
 
 /// Every setting appears with its choices, takes its default when that is given, and takes each of its words.
 TEST(Settings, DefaultsAndWordsAreTakenWhereTheyBelong) {
   int words = 0;
-  for (const CataloguedSetting& catalogued : catalogue()) {
-    std::vector<std::string> values = catalogued.setting.options;
+  for (const CatalogedSetting& cataloged : catalog()) {
+    std::vector<std::string> values = cataloged.setting.options;
     words += values.size() > 1 ? 1 : 0;
-    values.push_back(catalogued.setting.default_value);
+    values.push_back(cataloged.setting.default_value);
     for (const std::string& value : values) {
-      std::vector<std::string> sets = sets_for(catalogued);
-      sets.push_back(catalogued.setting.key + "=" + value);
+      std::vector<std::string> sets = sets_for(cataloged);
+      sets.push_back(cataloged.setting.key + "=" + value);
       const std::string said = complaint("", sets);
-      EXPECT_EQ(said.find(catalogued.setting.key + " = " + value + ": must be `"), std::string::npos) << said;
+      EXPECT_EQ(said.find(cataloged.setting.key + " = " + value + ": must be `"), std::string::npos) << said;
       EXPECT_EQ(said.find("belongs to"), std::string::npos) << said;
     }
   }
@@ -143,8 +143,8 @@ TEST(Settings, DefaultsAndWordsAreTakenWhereTheyBelong) {
 /// A setting that a scenario does not have is refused with the choices that it needs.
 TEST(Settings, OfOtherChoicesAreExplained) {
   int others = 0;
-  for (const CataloguedSetting& catalogued : catalogue()) {
-    const auto& [setting, context] = catalogued;
+  for (const CatalogedSetting& cataloged : catalog()) {
+    const auto& [setting, context] = cataloged;
     if (context.size() != 1) continue;
     ++others;
     const std::string said = complaint(free_start, {setting.key + "=" + setting.default_value});
@@ -156,7 +156,7 @@ TEST(Settings, OfOtherChoicesAreExplained) {
 
 TEST(Settings, RenamedOnesSayTheirNewName) {
   std::set<std::string> known;
-  for (const CataloguedSetting& catalogued : catalogue()) known.insert(catalogued.setting.key);
+  for (const CatalogedSetting& cataloged : catalog()) known.insert(cataloged.setting.key);
   ASSERT_GT(renamed_settings().size(), 100u);
   for (const auto& [before, after] : renamed_settings()) {
     EXPECT_FALSE(known.contains(before)) << before << " is in use";

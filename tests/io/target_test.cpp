@@ -103,7 +103,7 @@ TEST(Target, RefusesInvalidPatches) {
   EXPECT_HAS(with("oblong.pgm"), "and is 11x13");
   EXPECT_HAS(with("small.pgm"), "and is 7x7");
   EXPECT_HAS(with("cut.pgm"), "cut.pgm: the file is truncated");
-  EXPECT_HAS(with("flat.pgm"), "flat.pgm is of one grey");
+  EXPECT_HAS(with("flat.pgm"), "flat.pgm is of one gray");
   EXPECT_HAS(message_of([] { read_target("/nowhere/t.toml"); }),
              "/nowhere/t.toml: cannot be read: No such file");
 }
@@ -187,7 +187,7 @@ TEST(Target, RefusesInvalidPictures) {
     return head + "picture = \"" + name + "\"\n" + pictured.substr(pictured.find("[[")) + last;
   };
   EXPECT_HAS(complaint(named("none.pgm")), "t.toml:3: picture: none.pgm is not there");
-  EXPECT_HAS(complaint(named("flat.pgm")), "flat.pgm is of one grey");
+  EXPECT_HAS(complaint(named("flat.pgm")), "flat.pgm is of one gray");
   EXPECT_HAS(complaint(head + four + "picture_px = [1, 2]\n"), "picture_px: is of no use without `picture`");
 }
 

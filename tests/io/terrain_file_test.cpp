@@ -80,7 +80,7 @@ TEST(TerrainFile, RefusesFilesThatAreNotHeightMaps) {
   const std::string noise = complaint(text, "this is no image");
   EXPECT_HAS(noise, "mine.toml:9: terrain.file = \"ground.png\": ");
   EXPECT_HAS(noise, "ground.png: is not an image");
-  EXPECT_HAS(noise, "take a grey image of 8 or 16 bits");
+  EXPECT_HAS(noise, "take a gray image of 8 or 16 bits");
   EXPECT_HAS(complaint(text, "P5\n4 4\n255\n123"), "the file is truncated");
   EXPECT_HAS(complaint(text, "P2\n4 1\n255\n1 2 3 4\n"), "has 4 x 1 pixels, and a height map needs 2 x 2");
 }

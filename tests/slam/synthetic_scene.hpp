@@ -209,7 +209,7 @@ struct Tracking {
     tracked.view = viewpoint(estimate, tracked);
   }
   bool initialize(const Image& image, const Eigen::Vector2d& pixel) {
-    return initialize_landmark(image, pixel, estimate, tracked);
+    return initialize_from_image(image, pixel, estimate, tracked);
   }
   /// A point landmark independent of all else, its patch cut where `from` sees `seen_at` in `image`. Its id.
   std::int64_t add_point(const Image& image, const CameraState& from, const Eigen::Vector3d& seen_at,

@@ -61,7 +61,7 @@ def car_row(results: Results, folder: str) -> str:
     report, heading = results.summary(folder)["observability"], results.direction(folder, "heading")
     scenario = tomllib.loads((results.output_folder / folder / "effective.toml").read_text())
     start = math.degrees(scenario["start"]["sigma_heading_rad"])
-    gained = math.degrees(heading["believed_sigma"]) if heading["gained"] else math.inf
+    gained = math.degrees(heading["estimated_sigma"]) if heading["gained"] else math.inf
     last = list(results.rows(f"{folder}/covariance.csv")[-1].values())
     filter_sigma = math.degrees(math.sqrt(float(last[36])))  # after t, the 6x6 covariance row by row
     told = f"{gained:.2f}" if heading["gained"] else "nothing"
@@ -76,7 +76,7 @@ def camera_row(results: Results, folder: str) -> str:
     turn, scale = results.direction(folder, "rotation about z"), results.direction(folder, "scale")
     return (f"| `{folder.removeprefix('free-')}` | {report['rank']} | {report['ideal_rank']} | {report['errors']} | "
             f"{report['spurious_information']} | {math.degrees(turn['sigma_from_measurements']):.2f} | "
-            f"{percent(scale['sigma_from_measurements'], 1)}, {percent(scale['believed_sigma'], 1)} |")
+            f"{percent(scale['sigma_from_measurements'], 1)}, {percent(scale['estimated_sigma'], 1)} |")
 
 
 NUMBER = r"(-?[\d.]+(?:e[+-]\d+)?)"

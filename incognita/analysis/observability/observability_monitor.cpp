@@ -6,6 +6,7 @@
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace incognita {
 namespace {
@@ -122,11 +123,16 @@ MatrixXd null_space_and_inverse(const MatrixXd& M) {
 
 }  // namespace
 
-ObservabilityMonitor::ObservabilityMonitor(BlockId vehicle, int vehicle_errors, Motions motions)
-    : motions_(motions),
-      blocks_{{vehicle, 0, vehicle_errors}},
-      index_of_{{vehicle, 0}},
-      V_(MatrixXd::Zero(vehicle_errors, vehicle_errors)) {}
+ObservabilityMonitor::ObservabilityMonitor(const std::vector<Vehicle>& vehicles, Motions motions)
+    : motions_(motions) {
+  for (const Vehicle& vehicle : vehicles) {
+    index_of_[vehicle.block] = blocks_.size();
+    blocks_.push_back({vehicle.block, vehicle_errors_, vehicle.errors});
+    vehicle_errors_ += vehicle.errors;
+  }
+  V_ = MatrixXd::Zero(vehicle_errors_, vehicle_errors_);
+  moved_.resize(vehicles.size());
+}
 
 void ObservabilityMonitor::follow(const BeliefTrace& trace) {
   struct Visitor {
@@ -172,7 +178,8 @@ void ObservabilityMonitor::move(const LinearizedMotion& motion) {
   constexpr double well = 1e-6;  // relative to the largest pivot, equilibrated
   // Limits of |det| of a product; beyond them it is applied before composing
   constexpr double near_one = 1e-3;
-  if (motion.block != blocks_.front().id) {
+  const Block* block = find(motion.block);
+  if (!block || !is_vehicle(*block)) {
     uncovered_ = Uncovered::other_block;
     return;
   }
@@ -181,34 +188,49 @@ void ObservabilityMonitor::move(const LinearizedMotion& motion) {
     return;
   }
   absorb_rows();
-  if (motions_ == Motions::uninformative)
-    return forget(MatrixXd::Identity(vehicle_errors(), vehicle_errors()));
+  const int all = vehicle_errors(), first = block->first, own = block->errors;
+  if (motions_ == Motions::uninformative) return forget(MatrixXd::Identity(all, all).middleCols(first, own));
   if (!can_be_undone(motion.A, least_pivot)) {
     apply_motion();
     const PartlyUndone undone(motion.A);
-    forget(undone.forgotten);
-    return put_motion(V_.leftCols(vehicle_errors()) * undone.inverse, factor_of(motion.N));
+    MatrixXd forgotten = MatrixXd::Zero(all, undone.forgotten.cols());
+    forgotten.middleRows(first, own) = undone.forgotten;
+    forget(forgotten);
+    MatrixXd before = V_.leftCols(all), F = MatrixXd::Zero(all, own);
+    before.middleCols(first, own) = (before.middleCols(first, own) * undone.inverse).eval();
+    const MatrixXd noise = factor_of(motion.N);
+    F.block(first, 0, own, noise.cols()) = noise;
+    return put_motion(before, F.leftCols(noise.cols()));
   }
-  const BlockMatrix product = moved_ ? BlockMatrix(motion.A * A_) : motion.A;
+  Motion& last = moved_[index_of_.at(motion.block)];
+  const BlockMatrix product = last.moved ? BlockMatrix(motion.A * last.A) : motion.A;
   const double volume = std::abs(product.determinant());
-  if (moved_ && can_be_undone(product, well) && volume > near_one && volume < 1 / near_one) {
-    A_ = product;
-    N_ = (motion.A * N_ * motion.A.transpose() + motion.N).eval();
+  if (last.moved && can_be_undone(product, well) && volume > near_one && volume < 1 / near_one) {
+    last.A = product;
+    last.N = (motion.A * last.N * motion.A.transpose() + motion.N).eval();
     return;
   }
-  apply_motion();
-  A_ = motion.A;
-  N_ = motion.N;
-  moved_ = true;
+  if (last.moved) apply_motion();
+  last = {true, motion.A, motion.N};
 }
 
 void ObservabilityMonitor::apply_motion() {
-  if (!moved_) return;
-  moved_ = false;
-  const Equilibrated e(A_);
-  const MatrixXd inverse =
-      e.columns.cwiseInverse().asDiagonal() * e.B.fullPivLu().inverse() * e.rows.cwiseInverse().asDiagonal();
-  put_motion(V_.leftCols(vehicle_errors()) * inverse, factor_of(N_));
+  if (std::none_of(moved_.begin(), moved_.end(), [](const Motion& m) { return m.moved; })) return;
+  const int all = vehicle_errors();
+  MatrixXd before = V_.leftCols(all), F = MatrixXd::Zero(all, all);
+  Eigen::Index noises = 0;
+  for (std::size_t i = 0; i < moved_.size(); ++i) {
+    if (!std::exchange(moved_[i].moved, false)) continue;
+    const int first = blocks_[i].first, own = blocks_[i].errors;
+    const Equilibrated e(moved_[i].A);
+    const MatrixXd inverse = e.columns.cwiseInverse().asDiagonal() * e.B.fullPivLu().inverse() *
+                             e.rows.cwiseInverse().asDiagonal();
+    before.middleCols(first, own) = (before.middleCols(first, own) * inverse).eval();
+    const MatrixXd noise = factor_of(moved_[i].N);
+    F.block(first, noises, own, noise.cols()) = noise;
+    noises += noise.cols();
+  }
+  put_motion(before, F.leftCols(noises));
 }
 
 /// error before = A^-1 (error after - F w), w of unit covariance: adds rows for w and eliminates it. `before`

@@ -9,8 +9,8 @@
 // matrix transformed to the present. Unlike the Gramian over the initial state, it also weighs the rest:
 // motion noise makes the filter forget, which the Gramian leaves out.
 //
-// Y = V' V + diag(0, L): V has as many rows as the vehicle has errors, and L is the information about the
-// landmarks when nothing is known of the vehicle. A motion changes only V, in time linear in the map;
+// Y = V' V + diag(0, L): V has as many rows as the vehicles have errors, and L is the information about the
+// landmarks when nothing is known of the vehicles. The motion of one is a motion of all in which the others stay. A motion changes only V, in time linear in the map;
 // measurements are reduced to V by orthogonal transformations, and the remaining rows, free of the vehicle,
 // are added to L. Information is subtracted only when a landmark is marginalized out, so unobservable
 // directions stay zero to rounding.
@@ -39,7 +39,7 @@ class ObservabilityMonitor {
   enum class Uncovered {
     frame_changed,  ///< all blocks changed together: a map expressed in the vehicle frame
     decorrelated,   ///< correlations were dropped, or variances inflated
-    other_block,    ///< a block other than the vehicle moved
+    other_block,    ///< a block other than a vehicle moved
     not_finite,     ///< a motion or measurement has numbers that are not finite
   };
 
@@ -49,13 +49,19 @@ class ObservabilityMonitor {
     uninformative,  ///< each motion has infinite noise: information comes from measurements only
   };
 
-  ObservabilityMonitor(BlockId vehicle, int vehicle_errors, Motions motions = Motions::followed);
+  struct Vehicle {
+    BlockId block = 0;
+    int errors = 0;
+  };
+  explicit ObservabilityMonitor(const std::vector<Vehicle>& vehicles, Motions motions = Motions::followed);
+  ObservabilityMonitor(BlockId vehicle, int errors, Motions motions = Motions::followed)
+      : ObservabilityMonitor(std::vector<Vehicle>{{vehicle, errors}}, motions) {}
 
   /// Processes all recorded operations in order; stops after one that is not covered.
   void follow(const BeliefTrace& trace);
   const std::optional<Uncovered>& uncovered() const { return uncovered_; }
 
-  /// Components of the vehicle that A discards are marginalized out (e.g. the rates of one put at rest, or
+  /// Components of a vehicle that A discards are marginalized out (e.g. the rates of one put at rest, or
   /// everything in the first motion of an unscented filter with an exact start). Their new values are a
   /// prior, which is no information.
   void move(const LinearizedMotion& motion);
@@ -64,7 +70,7 @@ class ObservabilityMonitor {
   /// A landmark initialization is a measurement of the new landmark. Its errors that depend on no parent,
   /// such as the depth of a feature seen once, were assumed and not measured, so they carry no information.
   void augment(const BlockAugmentation& initialization);
-  /// Limits the confidence in a new landmark that copies one of the vehicle's first `position_size` errors,
+  /// Limits the confidence in a new landmark that copies one of the first vehicle's first `position_size` errors,
   /// its position at initialization, to `sigma`. A regularization of fixed size in meters would dominate
   /// large scenes numerically, so it must scale with the scene.
   void set_exact_position(int position_size, double sigma) {
@@ -82,7 +88,7 @@ class ObservabilityMonitor {
   int waiting_rows() const { return row_count_; }
   const std::vector<Block>& blocks() const { return blocks_; }
   const Block* find(BlockId id) const;
-  /// Y: errors() x errors(), both triangles, ordered as blocks(): the vehicle, then the landmarks in order of
+  /// Y: errors() x errors(), both triangles, ordered as blocks(): the vehicles, then the landmarks in order of
   /// initialization.
   Eigen::MatrixXd information();
   /// Per error: sum of squares of everything ever added, including what was forgotten; bounds the rounding error.
@@ -95,7 +101,8 @@ class ObservabilityMonitor {
     int first;  ///< index of the first error
     MeasurementJacobian H;
   };
-  int vehicle_errors() const { return blocks_.front().errors; }
+  int vehicle_errors() const { return vehicle_errors_; }
+  bool is_vehicle(const Block& block) const { return block.first < vehicle_errors_; }
   const Block& find_or_add(BlockId id, int errors);
   void add_rows(const std::vector<Part>& parts, const MeasurementMatrix& R);
   void absorb_rows();
@@ -110,16 +117,21 @@ class ObservabilityMonitor {
   void shrink(const Block& block, int by);
 
   Motions motions_;
+  int vehicle_errors_ = 0;  ///< of all vehicles, whose blocks come first
   std::vector<Block> blocks_;
   std::unordered_map<BlockId, std::size_t> index_of_;  ///< index in blocks_
-  Eigen::MatrixXd V_;                                  ///< vehicle errors x errors
+  Eigen::MatrixXd V_;                                  ///< errors of the vehicles x errors
   RowSum L_;                                           ///< landmark errors x landmark errors
   Eigen::VectorXd added_;                              ///< total ever added to the diagonal of L
   std::vector<Part> pending_;                          ///< measurements not absorbed yet
   int row_count_ = 0;                                  ///< their rows
-  bool moved_ = false;                                 ///< A_ and N_ are still to be applied
-  BlockMatrix A_, N_;
-  int position_size_ = 0;  ///< see set_exact_position()
+  /// A motion of one vehicle that is still to be applied.
+  struct Motion {
+    bool moved = false;
+    BlockMatrix A, N;
+  };
+  std::vector<Motion> moved_;  ///< per vehicle
+  int position_size_ = 0;      ///< see set_exact_position()
   double exact_position_sigma_ = 0;
   std::optional<Uncovered> uncovered_;
 };

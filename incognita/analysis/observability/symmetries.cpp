@@ -63,8 +63,11 @@ Eigen::MatrixXd displacement(const Eigen::VectorXd& point, const Eigen::VectorXd
 
 Eigen::MatrixXd symmetry_directions(const PlanarScene& scene, const Eigen::Vector2d& c) {
   Eigen::MatrixXd N = Eigen::MatrixXd::Zero(scene.errors, PlanarScene::generators);
-  N.topRows<2>() = displacement(scene.position(), c);
-  N(2, 2) = 1;
+  for (std::size_t i = 0; i < scene.vehicles.size(); ++i) {
+    const auto first = static_cast<Eigen::Index>(3 * i);
+    N.middleRows<2>(first) = displacement(scene.vehicles[i].head<2>(), c);
+    N(first + 2, 2) = 1;
+  }
   for (const auto& landmark : scene.landmarks)
     N.middleRows<2>(landmark.first) = displacement(landmark.position, c);
   return N;
@@ -127,7 +130,7 @@ double typical_distance(const SpatialScene& scene) {
 Eigen::VectorXd units_of(const PlanarScene& scene) {
   const double length = typical_distance(scene);
   Eigen::VectorXd units = Eigen::VectorXd::Constant(scene.errors, length);
-  units[2] = 1;
+  for (std::size_t i = 0; i < scene.vehicles.size(); ++i) units[static_cast<Eigen::Index>(3 * i + 2)] = 1;
   return units;
 }
 

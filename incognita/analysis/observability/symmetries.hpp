@@ -18,7 +18,7 @@
 
 namespace incognita {
 
-/// A planar vehicle with a range-bearing sensor: the errors of the pose, then those of the landmarks.
+/// Planar vehicles with range-bearing sensors: the errors of their poses in order, then those of the landmarks.
 struct PlanarScene {
   static constexpr int dimension = 2;
   static constexpr int generators = 3;
@@ -28,11 +28,12 @@ struct PlanarScene {
     int first = 0;  ///< index of its first error
     Eigen::Vector2d position{0, 0};
   };
-  planar::Pose<double> vehicle{0, 0, 0};
+  std::vector<planar::Pose<double>> vehicles{{0, 0, 0}};
   std::vector<Landmark> landmarks;
   int errors = 3;
 
-  Eigen::Vector2d position() const { return vehicle.head<2>(); }
+  /// Of the first vehicle.
+  Eigen::Vector2d position() const { return vehicles.front().head<2>(); }
 };
 
 /// A free camera (FreeCameraMotion's 12 errors) among landmarks.

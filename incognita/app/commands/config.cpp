@@ -80,9 +80,9 @@ void print_setting(const SettingInForce& s, std::string& section) {
             << "      " << s.help << (s.allowed.empty() ? "" : " (" + s.allowed + ")") << "\n";
 }
 
-std::string needs_of(const CataloguedSetting& catalogued) {
+std::string needs_of(const CatalogedSetting& cataloged) {
   std::vector<std::string> needs;
-  for (const auto& [key, values] : catalogued.context) needs.push_back(key + " = " + values.front());
+  for (const auto& [key, values] : cataloged.context) needs.push_back(key + " = " + values.front());
   return fmt::format("{}", fmt::join(needs, ", "));
 }
 
@@ -90,15 +90,15 @@ std::string needs_of(const CataloguedSetting& catalogued) {
 void print_all(bool json) {
   nlohmann::json list = nlohmann::json::array();
   std::string section;
-  for (const CataloguedSetting& catalogued : all_settings()) {
+  for (const CatalogedSetting& cataloged : all_settings()) {
     if (json) {
-      list.push_back(as_json(catalogued.setting));
+      list.push_back(as_json(cataloged.setting));
       list.back().erase("value");
       list.back().erase("source");
-      list.back()["with"] = needs_of(catalogued);
+      list.back()["with"] = needs_of(cataloged);
     } else {
-      SettingInForce setting = catalogued.setting;
-      setting.source = catalogued.context.empty() ? "default" : needs_of(catalogued);
+      SettingInForce setting = cataloged.setting;
+      setting.source = cataloged.context.empty() ? "default" : needs_of(cataloged);
       print_setting(setting, section);
     }
   }

@@ -59,13 +59,13 @@ Assembly assemble_recorded_images(const LoadedScenario& loaded) {
   if (std::string compared = compare_camera(loaded, *recording); !compared.empty())
     out.notes.push_back(std::move(compared));
   if (!target) out.notes.emplace_back("no target: the scale is unobservable, lengths are in arbitrary units");
-  out.parts = {
-      std::make_unique<RecordedClock>(recording, s.run.duration_s),
-      std::make_unique<RecordedWorld>(recording),
-      std::make_unique<RecordedSensor>(recording, camera.width(), camera.height()),
-      image_estimator(loaded, camera, target),
-      decide_by_images(camera, s.slam, active_settings_of(s)),
-      std::make_unique<SteeringController>(std::vector{free_camera_control(s.control)}, 1 / s.run.rate_hz)};
+  out.parts = {std::make_unique<RecordedClock>(recording, s.run.duration_s),
+               std::make_unique<RecordedWorld>(recording),
+               std::make_unique<RecordedSensor>(recording, camera.width(), camera.height()),
+               image_estimator(loaded, camera, target),
+               decide_by_images(camera, s.slam, active_settings_of(s)),
+               // The recorded motion does not follow commands, and the filter must not predict by any
+               std::make_unique<SteeringController>()};
   return out;
 }
 

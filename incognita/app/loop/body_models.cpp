@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "incognita/io/formats/files.hpp"
 #include "incognita/io/formats/path_file.hpp"
 #include "incognita/io/formats/point_file.hpp"
 #include "incognita/io/scenario/camera.hpp"
@@ -17,7 +18,7 @@
 namespace incognita {
 namespace {
 
-using Law = ControllerSettings::Law;
+using Law = ControlLaw;
 
 SmallVector list(std::initializer_list<double> numbers) {
   SmallVector v(static_cast<Eigen::Index>(numbers.size()));
@@ -130,28 +131,6 @@ Path path_of(const PathFile& p, const Eigen::Vector3d& offset, const LoadedScena
   return through(samples);
 }
 
-Diagonal diagonal(const std::vector<double>& numbers) {
-  return Diagonal(SmallVector(
-      Eigen::Map<const Eigen::VectorXd>(numbers.data(), static_cast<Eigen::Index>(numbers.size()))));
-}
-
-/// Actions are segments, which the usual law of the motion follows.
-ControlLaw control_law_of(const Scenario& s) {
-  switch (s.controller.law) {
-    case Law::none:
-      return ControlLaw::none;
-    case Law::tracking:
-      return ControlLaw::tracking;
-    case Law::lqg:
-      return ControlLaw::lqg;
-    case Law::feedback_linearization:
-      return ControlLaw::feedback_linearization;
-    case Law::active:
-      break;
-  }
-  return s.motion().on_line() ? ControlLaw::tracking : ControlLaw::feedback_linearization;
-}
-
 /// Zero if no input is set.
 SmallVector held_input(const Scenario& s, int inputs) {
   const std::vector<double>& input = s.controller.input;
@@ -219,6 +198,8 @@ BodyModel member_of(const Scenario& s, std::size_t i, const Terrain& ground) {
 MapperSettings filter_of(const Scenario& s) {
   MapperSettings f;
   f.linearization = s.planar.filter.linearization;
+  f.map_frame = s.planar.filter.map_frame;
+  f.decorrelate = s.planar.filter.decorrelate;
   f.form = s.belief.form;
   const DataAssociationSettings& association = s.planar.association;
   if (association.method == DataAssociationSettings::Method::known)
@@ -250,9 +231,9 @@ Eigen::Vector2d steered_point(const Scenario& s) {
   const Law law = s.controller.law;
   const VehicleSettings& v = s.planar.vehicle;
   const MotionTraits& motion = s.motion();
-  if (motion.on_plane() && law == Law::tracking) return {-v.sensor_forward_m, -v.sensor_left_m};
-  const bool linearized = law == Law::feedback_linearization || law == Law::active;
-  if (motion.space == Space::uneven_ground && linearized) return {s.controller.control_point_m, 0};
+  if (motion.on_plane() && law != Law::none && steers_axle(law))
+    return {-v.sensor_forward_m, -v.sensor_left_m};
+  if (motion.space == Space::uneven_ground && !steers_axle(law)) return {s.law_settings.control_point_m, 0};
   return {0, 0};
 }
 
@@ -265,16 +246,10 @@ BodyControl body_control_of(const LoadedScenario& loaded, std::size_t i, const T
     out.most_input = limits_of(s);
     return {TerrainVehicle{ground}, out, s.mount};
   }
-  out.law = control_law_of(s);
+  static_cast<LawSettings&>(out) = s.law_settings;
+  out.law = c.law;
   AnyMotion motion = motion_of(s, ground);
   out.input = held_input(s, inputs_of(motion));
-  out.gain_per_s = diagonal(c.gain_per_s);
-  out.control_point_m = c.control_point_m;
-  out.gain_along_per_s = c.gain_along_per_s;
-  out.gain_across_per_m2 = c.gain_across_per_m2;
-  out.gain_heading_per_m = c.gain_heading_per_m;
-  out.weight_state = diagonal(c.weight_state);
-  out.weight_input = diagonal(c.weight_input);
   out.camera = s.control;
   out.most_input = limits_of(s);
   const std::vector<Eigen::Vector3d>& offsets = s.path.offsets_m;
@@ -311,6 +286,10 @@ std::unique_ptr<Estimator> point_estimator(const LoadedScenario& loaded, const E
   if (!problem.empty())
     throw InputError(
         fmt::format("{}: sensor.type = {}: {}", loaded.source_of("sensor.type"), s.sensor.type, problem));
+  // The settings that do not fit are named in the message: they depend on each other
+  if (const std::string why = validate(settings);
+      why.starts_with("estimator.") || why.starts_with("association."))
+    throw InputError(fmt::format("{}: {}", shown(loaded.file), why));
   return attributed_to(loaded, "estimator.linearization", word_of(s.planar.filter.linearization),
                        [&] { return std::make_unique<SlamEstimator>(settings); });
 }

@@ -15,7 +15,8 @@ Form form_of(LandmarkParametrization::Kind kind) {
 
 PlanarScene planar_scene_of(const Estimate& estimate, const ObservabilityMonitor& monitor) {
   PlanarScene scene;
-  scene.vehicle = estimate.belief.mean(estimate.body().block);
+  scene.vehicles.clear();
+  for (const Body& body : estimate.bodies) scene.vehicles.emplace_back(estimate.belief.mean(body.block));
   scene.errors = monitor.errors();
   for (const auto& [id, landmark] : estimate.landmarks)
     if (const auto* block = landmark.fixed ? nullptr : monitor.find(landmark.block))
@@ -43,6 +44,13 @@ SpatialScene spatial_scene_of(const Estimate& estimate, const ObservabilityMonit
   return scene;
 }
 
+std::vector<ObservabilityMonitor::Vehicle> vehicles_of(const Estimate& estimate) {
+  std::vector<ObservabilityMonitor::Vehicle> vehicles;
+  for (const Body& body : estimate.bodies)
+    vehicles.push_back({body.block, estimate.belief.chart(body.block).tangent()});
+  return vehicles;
+}
+
 constexpr const char* not_finite = "the filter's information is not finite";
 
 std::string why(ObservabilityMonitor::Uncovered uncovered) {
@@ -52,14 +60,17 @@ std::string why(ObservabilityMonitor::Uncovered uncovered) {
     case ObservabilityMonitor::Uncovered::decorrelated:
       return "the filter decorrelates its map";
     case ObservabilityMonitor::Uncovered::other_block:
-      return "the filter has more than one vehicle";
+      return "a block other than a body moved";
     case ObservabilityMonitor::Uncovered::not_finite:
       return not_finite;
   }
   return "unknown";
 }
 
-bool is_finite(const PlanarScene& scene) { return scene.vehicle.allFinite() && units_of(scene).allFinite(); }
+bool is_finite(const PlanarScene& scene) {
+  return units_of(scene).allFinite() && std::all_of(scene.vehicles.begin(), scene.vehicles.end(),
+                                                    [](const auto& vehicle) { return vehicle.allFinite(); });
+}
 bool is_finite(const SpatialScene& scene) { return scene.camera.allFinite() && units_of(scene).allFinite(); }
 
 bool is_initialized(const BeliefTrace& trace) {
@@ -83,9 +94,8 @@ MonitoredInformation information_of(ObservabilityMonitor& monitor) {
 void ObservabilityWatch::follow_camera(const Estimate& estimate) {
   constexpr double exact_share = 5e-5;
   if (!monitor_) {
-    const int errors = estimate.belief.chart(estimate.body().block).tangent();
-    monitor_.emplace(estimate.body().block, errors);
-    measurement_monitor_.emplace(estimate.body().block, errors, ObservabilityMonitor::Motions::uninformative);
+    monitor_.emplace(vehicles_of(estimate));
+    measurement_monitor_.emplace(vehicles_of(estimate), ObservabilityMonitor::Motions::uninformative);
   }
   if (is_initialized(estimate.belief.trace())) {
     const double length = typical_distance(spatial_scene_of(estimate, nullptr));
@@ -98,8 +108,7 @@ void ObservabilityWatch::follow_camera(const Estimate& estimate) {
 }
 
 void ObservabilityWatch::follow_planar(const Estimate& estimate) {
-  const BlockId vehicle = estimate.body().block;
-  if (!monitor_) monitor_.emplace(vehicle, estimate.belief.chart(vehicle).tangent());
+  if (!monitor_) monitor_.emplace(vehicles_of(estimate));
   monitor_->follow(estimate.belief.trace());
 }
 

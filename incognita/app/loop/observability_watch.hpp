@@ -16,7 +16,7 @@ namespace incognita {
 class ObservabilityWatch {
  public:
   /// Call after each tick, with the trace of that tick only: Belief::keep_trace().
-  /// One body: a free camera, or a vehicle on a plane.
+  /// One free camera that maps by its images, or vehicles on a plane with range-bearing sensors.
   void follow(const Estimate& estimate);
 
   /// Report at the last tick; nullopt before the estimator has started. Cost is cubic in the map size.

@@ -105,7 +105,7 @@ RunOutcome run_scenario(const LoadedScenario& loaded, const SinkFactory& open,
   for (const std::string& line : assembly.notes) callbacks.report(line);
   const std::unique_ptr<RunSink> sink = open(assembly.info, assembly.parts.clock->expected_frames());
   std::optional<ObservabilityWatch> watch;
-  if (loaded.scenario.run.observability && !loaded.scenario.is_team()) watch.emplace();
+  if (loaded.scenario.run.observability && loaded.scenario.has_observability_report()) watch.emplace();
   std::optional<AssociationScore> score;
   if (assembly.association_truth) score.emplace(assembly.association_truth);
   const RunConclusion conclusion = drive(assembly.parts, *sink, watch ? &*watch : nullptr,

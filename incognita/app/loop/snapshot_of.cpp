@@ -11,8 +11,8 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-constexpr std::array estimator_stages{"sums",      "start",     "predict", "search", "planes",
-                                      "consensus", "associate", "update",  "births", "decorrelate",
+constexpr std::array estimator_stages{"sums",      "start",     "predict", "search",     "planes",
+                                      "consensus", "associate", "update",  "initialize", "decorrelate",
                                       "poses",     "map",       "entropy"};
 
 StageTimes timing_of(const StageTimes& in_estimator, const StageTimes& loop_ms) {

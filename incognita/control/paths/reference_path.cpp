@@ -91,7 +91,7 @@ void expect(bool right, const char* what) {
 }
 
 void check_circle(const Vector3d& center, double radius) {
-  expect(center.allFinite(), "the centre of the path is not finite");
+  expect(center.allFinite(), "the center of the path is not finite");
   expect(radius > 0 && std::isfinite(radius), "the radius of the path must be positive");
 }
 

@@ -103,12 +103,12 @@ inline constexpr auto enum_words<ExplorationSettings::Counted> =
     std::to_array<EnumWord<ExplorationSettings::Counted>>(
         {{ExplorationSettings::Counted::all, "all"}, {ExplorationSettings::Counted::as_mapped, "as-mapped"}});
 template <>
-inline constexpr auto enum_words<ControllerSettings::Law> = std::to_array<EnumWord<ControllerSettings::Law>>(
-    {{ControllerSettings::Law::none, "none"},
-     {ControllerSettings::Law::tracking, "tracking"},
-     {ControllerSettings::Law::lqg, "lqg"},
-     {ControllerSettings::Law::feedback_linearization, "feedback-linearization"},
-     {ControllerSettings::Law::active, "active"}});
+inline constexpr auto enum_words<ControlLaw> =
+    std::to_array<EnumWord<ControlLaw>>({{ControlLaw::none, "none"},
+                                         {ControlLaw::tracking, "tracking"},
+                                         {ControlLaw::lqg, "lqg"},
+                                         {ControlLaw::feedback_linearization, "feedback-linearization"},
+                                         {ControlLaw::active, "active"}});
 template <>
 inline constexpr auto enum_words<TruePlantSettings::Motion> =
     std::to_array<EnumWord<TruePlantSettings::Motion>>({{TruePlantSettings::Motion::as_modeled, "as-modeled"},

@@ -306,19 +306,8 @@ struct TerrainSettings {
 };
 
 struct ControllerSettings {
-  enum class Law {
-    none,  ///< a constant input
-    tracking,
-    lqg,
-    feedback_linearization,
-    active  ///< follows the decision, thesis Chapter 6
-  };
-  Law law = Law::none;
+  ControlLaw law = ControlLaw::none;
   std::vector<double> input{};
-  std::vector<double> gain_per_s{0.5};
-  double control_point_m = 0.2;
-  double gain_along_per_s = 1, gain_across_per_m2 = 4, gain_heading_per_m = 2;
-  std::vector<double> weight_state{1}, weight_input{1};
   double max_speed_m_s = 1, max_turn_rate_rad_s = 1, max_steering_rad = 0.6;
   double avoidance_distance_m = 0;
 
@@ -332,18 +321,6 @@ struct ControllerSettings {
         &S::input, "input", "", between(-1e4, 1e4),
         "Constant input: speed (m/s) and turn rate (rad/s) or steering angle (rad); of a body in space, three "
         "accelerations (m/s^2) and three angular accelerations (rad/s^2); empty: 0");
-    setting(&S::gain_per_s, "gain_per_s", "1/s", any(),
-            "Gain on the position error, one or per axis, Q_2 of (5.9)");
-    setting(&S::control_point_m, "control_point_m", "m", between(-1000, 1000),
-            "Control point on uneven ground, ahead of the axle; not 0");
-    setting(&S::gain_along_per_s, "gain_along_per_s", "1/s", any(), "Gain on the longitudinal error");
-    setting(&S::gain_across_per_m2, "gain_across_per_m2", "1/m^2", any(), "Gain on the lateral error");
-    setting(&S::gain_heading_per_m, "gain_heading_per_m", "1/m", any(),
-            "Gain on the sine of the heading error");
-    setting(&S::weight_state, "weight_state", "", any(),
-            "Diagonal of the state weight Q_1 of (5.1); one number: all the same");
-    setting(&S::weight_input, "weight_input", "", any(),
-            "Diagonal of the input weight Q_2 of (5.1); one number: all the same");
     setting(&S::max_speed_m_s, "max_speed_m_s", "m/s", above_up_to(0, 1000), "Limit of the speed");
     setting(&S::max_turn_rate_rad_s, "max_turn_rate_rad_s", "rad/s", above_up_to(0, 1000),
             "Limit of the turn rate");
@@ -395,6 +372,7 @@ struct Scenario {
   DecisionSettings decision;
   ExplorationSettings exploration;
   ControllerSettings controller;
+  LawSettings law_settings;
   ControlSettings control;
   PathSettings path;
   OperatorSettings operator_settings;
@@ -416,7 +394,12 @@ struct Scenario {
   bool has_carried_camera() const {
     return is_simulated() && motion().in_space() && plant.motion == TruePlantSettings::Motion::terrain;
   }
-  bool decides() const { return controller.law == ControllerSettings::Law::active; }
+  /// Whether the observability monitor knows the symmetries of the sensors: of cameras that map by their images, and of
+  /// ranges and bearings on a plane.
+  bool has_observability_report() const {
+    return !is_team() || (motion().is_planar_pose() && sensor.type == "range-bearing");
+  }
+  bool decides() const { return controller.law == ControlLaw::active; }
 };
 
 }  // namespace incognita

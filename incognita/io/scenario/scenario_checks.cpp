@@ -104,6 +104,9 @@ void check_camera(const Scenario& s, List& found) {
 std::vector<Contradiction> find_contradictions(const Scenario& scenario) {
   List found;
   check_association(scenario, found);
+  if (scenario.is_simulated() || scenario.sensor.type != "camera")
+    if (const auto conflict = find_incompatibility(scenario.planar.filter))
+      found.push_back({conflict->key, conflict->why});
   if (scenario.is_simulated()) {
     check_team(scenario, found);
     if (scenario.decides()) check_decision(scenario, found);
@@ -114,8 +117,6 @@ std::vector<Contradiction> find_contradictions(const Scenario& scenario) {
     check_images(scenario, found);
   } else if (scenario.is_team()) {
     check_team(scenario, found);
-  } else if (const auto conflict = find_incompatibility(scenario.planar.filter)) {
-    found.push_back({conflict->key, conflict->why});
   }
   return found;
 }

@@ -9,7 +9,7 @@
 namespace incognita {
 namespace {
 
-using Law = ControllerSettings::Law;
+using Law = ControlLaw;
 using Method = DataAssociationSettings::Method;
 using Words = std::vector<std::string>;
 
@@ -143,8 +143,9 @@ void image_health(SettingReader& r, HealthSettings& health) {
   using H = HealthSettings;
   r.section("health");
   r.some(health, &H::max_sigma_position_m, &H::max_ticks, &H::max_innovation_sigmas, &H::min_matches,
-         &H::min_matches_to_relocate, &H::sigma_search_position_m, &H::sigma_search_rotation_rad,
-         &H::sigma_search_velocity_m_s, &H::sigma_search_rate_rad_s);
+         &H::min_matches_to_relocate, &H::sigma_search_position_m, &H::sigma_search_rotation_rad);
+  r.follower(health, &H::sigma_search_velocity_m_s, "start.sigma_velocity_m_s");
+  r.follower(health, &H::sigma_search_rate_rad_s, "start.sigma_angular_rate_rad_s");
 }
 
 // ------------------------------------------------------------------------------------------------ estimation from images
@@ -211,21 +212,12 @@ Words laws(const Scenario& s) {
 
 /// Gains of the chosen law.
 void gains(SettingReader& r, Scenario& s, const Bodies& b) {
-  using C = ControllerSettings;
-  C& c = s.controller;
-  const bool linearizes = c.law == Law::feedback_linearization || c.law == Law::active;
-  if (c.law == Law::lqg) r.some(c, &C::weight_state, &C::weight_input);
-  if (b.in_space) {
-    using G = ControlSettings;
-    if (c.law == Law::tracking || linearizes)
-      r.some(s.control, &G::gain_position_per_s2, &G::gain_velocity_per_s, &G::gain_orientation_per_s2,
-             &G::gain_rate_per_s);
-    return;
-  }
-  if (linearizes || (c.law == Law::tracking && b.line)) r.some(c, &C::gain_per_s);
-  if (linearizes && b.motion.space == Space::uneven_ground) r.some(c, &C::control_point_m);
-  if (c.law == Law::tracking && b.turns)
-    r.some(c, &C::gain_along_per_s, &C::gain_across_per_m2, &C::gain_heading_per_m);
+  const Law law = s.controller.law;
+  LawSettings::used_by(law, b.motion, [&](auto member) { r.some(s.law_settings, member); });
+  using G = ControlSettings;
+  if (b.in_space && law != Law::none && law != Law::lqg)
+    r.some(s.control, &G::gain_position_per_s2, &G::gain_velocity_per_s, &G::gain_orientation_per_s2,
+           &G::gain_rate_per_s);
 }
 
 /// Controller with path or decision.
@@ -343,7 +335,7 @@ void recorded_vehicle(SettingReader& r, Scenario& s) {
 void recorded_team(SettingReader& r, Scenario& s) {
   using T = TeamStartSettings;
   vehicle_model(r, s, {"differential-drive"});
-  run(r, s, false, false);
+  run(r, s, false, true);
   vehicle(r, s);
   ranges(r, s, bodies_of(s));
   r.some(s.sensor, &SensorSettings::measures_vehicles);
@@ -458,7 +450,7 @@ void points(SettingReader& r, Scenario& s) {
   sensor_type(r, s, sensors);
   vehicle_model(r, s, motion_names());
   const Bodies b = bodies_of(s);
-  run(r, s, true, false);
+  run(r, s, true, s.has_observability_report());
   point_landmarks(r, s.points);
   r.section("plant");
   const bool is_on_wheels = b.motion.is_planar_pose() && b.turns;
@@ -473,8 +465,9 @@ void points(SettingReader& r, Scenario& s) {
     terrain(r, s);
   team_start(r, s, b);
   plant(r, s, b);
+  using F = PlanarFilterSettings;
   r.section("estimator");
-  r.some(s.planar.filter, &PlanarFilterSettings::linearization);
+  r.some(s.planar.filter, &F::linearization, &F::map_frame, &F::decorrelate);
   r.all(s.belief);
   prior_depth(r, s, b);
   s.planar.association = {.method = Method::known,

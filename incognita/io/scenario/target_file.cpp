@@ -101,7 +101,7 @@ Image read_named_image(const TomlEntry& entry, const std::string& file, const Fo
   }
   const int pixels = image.width() * image.height();
   const auto [least, most] = std::minmax_element(image.row(0), image.row(0) + pixels);
-  if (*most - *least < 8) refuse(file, entry.line, entry.key, name + " is of one grey: nothing to recognise");
+  if (*most - *least < 8) refuse(file, entry.line, entry.key, name + " is of one gray: nothing to recognize");
   return image;
 }
 

@@ -37,7 +37,7 @@ void check_cover(const LoadedScenario& loaded, const HeightMap& map, double leng
 Terrain image_terrain(const LoadedScenario& loaded, const ImageTerrain& t) {
   const std::filesystem::path file = find_named_file(loaded, "terrain.file", t.file);
   const auto refuse = [&](const std::string& why) {
-    throw InputError(fmt::format("{}: {}: take a grey image of 8 or 16 bits, PNG or PGM for instance",
+    throw InputError(fmt::format("{}: {}: take a gray image of 8 or 16 bits, PNG or PGM for instance",
                                  with_source(loaded, "terrain.file", toml_string(t.file)), why));
   };
   Eigen::MatrixXd image;

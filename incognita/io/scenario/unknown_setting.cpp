@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <deque>
 #include <functional>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -124,19 +125,42 @@ bool is_section(const SettingReader& reader, const std::string& section) {
 
 }  // namespace
 
-std::vector<CataloguedSetting> all_settings() {
-  std::vector<CataloguedSetting> all;
-  std::set<std::string> known;
+namespace {
+
+/// "`room`, `points` or `recording`" with the words of another context added.
+std::string with_words(const std::string& allowed, const std::vector<std::string>& options) {
+  std::vector<std::string> words;
+  for (std::size_t at = 0; (at = allowed.find('`', at)) != std::string::npos;) {
+    const std::size_t end = allowed.find('`', at + 1);
+    words.push_back(allowed.substr(at, end - at + 1));
+    at = end + 1;
+  }
+  for (const std::string& option : options) {
+    const std::string word = "`" + option.substr(1, option.size() - 2) + "`";  // without quotes
+    if (std::find(words.begin(), words.end(), word) == words.end()) words.push_back(word);
+  }
+  if (words.size() < 2) return fmt::format("{}", fmt::join(words, ""));
+  return fmt::format("{} or {}", fmt::join(words.begin(), words.end() - 1, ", "), words.back());
+}
+
+}  // namespace
+
+std::vector<CatalogedSetting> all_settings() {
+  std::vector<CatalogedSetting> all;
+  std::map<std::string, std::size_t> known;
   search({}, false, [&](const Choices& choices, const std::vector<SettingInForce>& settings) {
     Context context;
     for (const auto& [key, value] : choices) context[key] = {value};
     for (const SettingInForce& s : settings)
-      if (known.insert(s.key).second) all.push_back({s, context});
+      if (const auto [at, is_new] = known.emplace(s.key, all.size()); is_new)
+        all.push_back({s, context});
+      else if (s.allowed.starts_with('`'))
+        all[at->second].setting.allowed = with_words(all[at->second].setting.allowed, s.options);
     return true;
   });
   std::vector<std::string> sections;
-  for (const CataloguedSetting& s : all) sections.push_back(section_of(s.setting.key));
-  const auto rank = [&](const CataloguedSetting& s) {
+  for (const CatalogedSetting& s : all) sections.push_back(section_of(s.setting.key));
+  const auto rank = [&](const CatalogedSetting& s) {
     return std::find(sections.begin(), sections.end(), section_of(s.setting.key)) - sections.begin();
   };
   std::stable_sort(all.begin(), all.end(), [&](const auto& a, const auto& b) { return rank(a) < rank(b); });

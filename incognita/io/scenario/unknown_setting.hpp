@@ -13,13 +13,13 @@ namespace incognita {
 using Context = std::map<std::string, std::vector<std::string>>;
 
 /// A setting with the choices that it needs besides the defaults.
-struct CataloguedSetting {
+struct CatalogedSetting {
   SettingInForce setting;
   Context context;
 };
 
 /// Every setting of every scenario, section by section.
-std::vector<CataloguedSetting> all_settings();
+std::vector<CatalogedSetting> all_settings();
 
 /// The problems of the reader; a word that other choices admit is explained.
 std::vector<std::string> explained_problems(const GivenValues& given, const SettingReader& reader);

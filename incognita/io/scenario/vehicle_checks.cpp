@@ -13,7 +13,7 @@ namespace incognita {
 namespace {
 
 using List = std::vector<Contradiction>;
-using Law = ControllerSettings::Law;
+using Law = ControlLaw;
 
 bool follows_path(const Scenario& s) { return s.controller.law != Law::none && !s.decides(); }
 
@@ -75,11 +75,11 @@ void check_gains(const Scenario& s, List& found) {
     found.push_back(
         {"controller.input", fmt::format("must have {} numbers, one for each input of the motion, and has {}",
                                          inputs, c.input.size())});
-  check_length("controller.gain_per_s", c.gain_per_s.size(), axes, "one for each axis", found);
-  check_length("controller.weight_state", c.weight_state.size(), regulated,
+  check_length("controller.gain_per_s", s.law_settings.gain_per_s.size(), axes, "one for each axis", found);
+  check_length("controller.weight_state", s.law_settings.weight_state.size(), regulated,
                "one for each number that is regulated", found);
-  check_length("controller.weight_input", c.weight_input.size(), inputs, "one for each input of the motion",
-               found);
+  check_length("controller.weight_input", s.law_settings.weight_input.size(), inputs,
+               "one for each input of the motion", found);
 }
 
 void check_path(const Scenario& s, List& found) {
@@ -129,7 +129,7 @@ void check_control_point(const Scenario& s, List& found) {
   constexpr double least_m = 0.01;
   const Law law = s.controller.law;
   const MotionTraits& motion = s.motion();
-  if (law == Law::none || law == Law::tracking) return;
+  if (steers_axle(law)) return;
   const auto refuse = [&](const char* key) {
     found.push_back(
         {key, fmt::format(
@@ -139,7 +139,7 @@ void check_control_point(const Scenario& s, List& found) {
   };
   if (motion.on_plane() && std::abs(s.planar.vehicle.sensor_forward_m) < least_m)
     refuse("vehicle.sensor_forward_m");
-  if (motion.space == Space::uneven_ground && std::abs(s.controller.control_point_m) < least_m)
+  if (motion.space == Space::uneven_ground && std::abs(s.law_settings.control_point_m) < least_m)
     refuse("controller.control_point_m");
 }
 

@@ -85,7 +85,7 @@ Json match() {
        {"kind", one_of({"anchor", "landmark", "ray", "body"})},
        {"outcome", one_of({"matched", "not-found", "outlier", "unconfirmed", "not-searched", "initialized"})},
        {"body", integer("index of the measuring body, from 1")},
-       {"sensor", integer("index among the cameras or the other sensors of the body, from 1")},
+       {"sensor", integer("index among all cameras or among the other sensors of the body, from 1")},
        {"image", flag("measured in an image; u, v in px, else in m and rad")},
        {"predicted", array(number(), "the first two components, before the measurement was used"), sometimes},
        {"innovation_cov", array(number(), "of them: 11, 12, 22"), sometimes},

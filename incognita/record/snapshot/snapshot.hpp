@@ -37,7 +37,7 @@ struct SnapshotMatch {
   double correlation = 0;                   ///< of an image: normalized correlation at the best match
   MatchOutcome outcome = MatchOutcome::not_searched;
   int body = 0;          ///< the measuring body, from 0
-  int sensor = 0;        ///< which of its point sensors, or of its cameras
+  int sensor = 0;        ///< which of the point sensors of the body, or of all cameras
   bool image = false;    ///< measured by a camera in its image
   bool of_body = false;  ///< the target is another body with index `id`, not a landmark
 };
@@ -75,7 +75,7 @@ struct SnapshotEntropy {  ///< nats; NaN if unknown
 
 struct Snapshot {
   Tick tick;
-  std::shared_ptr<const Image> image;  ///< of the first camera
+  std::shared_ptr<const Image> image;  ///< of the first camera of the first body
   TrackingStatus status;
   std::vector<SnapshotBody> bodies;
   std::vector<SnapshotLandmark> landmarks;  ///< mapped points and anchors
@@ -89,11 +89,14 @@ struct Snapshot {
   std::vector<std::pair<const char*, double>> timing_ms;  ///< stage -> ms, same order in every snapshot
 };
 
-/// The matches in the image that a snapshot holds.
+/// The matches in the image that a snapshot holds: of the first camera of the first body.
 inline std::vector<SnapshotMatch> matches_of_first_camera(const Snapshot& snapshot) {
   std::vector<SnapshotMatch> matches;
-  for (const SnapshotMatch& match : snapshot.matches)
-    if (match.image && match.sensor == 0) matches.push_back(match);
+  for (const SnapshotMatch& match : snapshot.matches) {
+    if (!match.image || match.body != 0) continue;
+    if (!matches.empty() && match.sensor < matches.front().sensor) matches.clear();
+    if (matches.empty() || match.sensor == matches.front().sensor) matches.push_back(match);
+  }
   return matches;
 }
 

@@ -5,8 +5,10 @@
 #include <stdexcept>
 
 #include "incognita/models/motion/planar_frame.hpp"
+#include "incognita/slam/mapper/bodies.hpp"
 #include "incognita/slam/mapper/correction.hpp"
 #include "incognita/slam/mapper/health.hpp"
+#include "incognita/slam/mapper/landmarks.hpp"
 #include "incognita/slam/mapper/measurements.hpp"
 #include "incognita/slam/mapper/prediction.hpp"
 #include "incognita/slam/mapper/stage_clock.hpp"
@@ -107,29 +109,6 @@ void SlamEstimator::see(const Observation& observation) {
 // ---- Start
 
 namespace {
-
-AnyBelief empty_belief(const MapperSettings& filter) {
-  if (filter.form == BeliefForm::information) return AnyBelief(InformationBelief());
-  return AnyBelief(Belief(64, filter.decorrelate == Decorrelation::map_linear
-                                  ? MapCorrelations::block_diagonal
-                                  : MapCorrelations::full));
-}
-
-/// Adds the body and, for a map in its frame, the pose of the world relative to it.
-void add_body(Estimate& e, const BodyModel& model, const SmallVector& start, const SmallMatrix& P, double t,
-              bool in_vehicle_frame) {
-  Body& body = e.bodies.emplace_back();
-  body.t = t;
-  if (in_vehicle_frame) {
-    const planar::FramedPose world = planar::inverse(planar::Pose<double>(start));
-    body.block = e.belief.add_vehicle(planar::pose_chart, Eigen::Vector3d::Zero(), Eigen::Matrix3d::Zero());
-    e.world =
-        e.belief.add_vehicle(planar::pose_chart, world.pose, world.by_frame * P * world.by_frame.transpose());
-  } else {
-    body.block = e.belief.add_vehicle(chart_of(model.motion), start, P);
-  }
-  body.prediction = e.belief.mean(body.block);
-}
 
 double start_time(const BodyModel& model, const BodyObservation& observed, double t) {
   if (model.start_time == BodyModel::StartTime::first_fix) return observed.fixes.front().t;
@@ -287,11 +266,9 @@ bool SlamEstimator::correct(Estimate& e) {
 void SlamEstimator::update_map(Estimate& e, StageClock& stage) {
   initialize_candidates(e, inliers_, settings_);
   convert_converged_inverse_depths(e, settings_);
-  stage.mark("births");
+  stage.mark("initialize");
   recenter_map(e);
-  if (settings_.filter.decorrelate == Decorrelation::everything)
-    e.belief.decorrelate(Belief::Scope::everything);
-  if (settings_.filter.decorrelate == Decorrelation::map) e.belief.decorrelate(Belief::Scope::map);
+  decorrelate(e, settings_.filter.decorrelate);
   stage.mark("decorrelate");
 }
 
@@ -325,25 +302,10 @@ void SlamEstimator::relocate(Estimate& e, bool corrected) {
   e.last.update = {};
 }
 
-/// Stops the bodies with cameras at their last poses and adds the uncertainty of a short search around them.
+/// Puts the bodies with cameras at rest at their last poses.
 void SlamEstimator::search_around_last_pose(Estimate& e) {
-  const HealthSettings& h = settings_.health;
-  for (std::size_t i = 0; i < e.bodies.size(); ++i) {
-    if (!carries_camera(i)) continue;
-    const MotionTraits& traits = traits_of(settings_.bodies[i].motion);
-    SmallVector x = e.belief.mean(e.bodies[i].block);
-    const int errors = e.belief.chart(e.bodies[i].block).tangent(), axes = traits.position_size;
-    SmallVector sigmas = SmallVector::Constant(errors, h.sigma_search_rotation_rad);
-    SmallMatrix A = SmallMatrix::Identity(errors, errors);
-    sigmas.head(axes).setConstant(h.sigma_search_position_m);
-    if (traits.in_space()) {
-      x.tail<6>().setZero();
-      A.bottomRightCorner<6, 6>().setZero();
-      sigmas.segment<3>(6).setConstant(h.sigma_search_velocity_m_s);
-      sigmas.tail<3>().setConstant(h.sigma_search_rate_rad_s);
-    }
-    e.belief.predict({e.bodies[i].block, x, A, sigmas.cwiseAbs2().asDiagonal()});
-  }
+  for (std::size_t i = 0; i < e.bodies.size(); ++i)
+    if (carries_camera(i)) stop_and_search(e, i, settings_);
   for (FeatureTracker& camera : cameras_) camera.forget_depth_lines(e);
   update_poses(e);
 }

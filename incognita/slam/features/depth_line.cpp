@@ -8,6 +8,7 @@
 #include "incognita/slam/features/each_feature.hpp"
 #include "incognita/slam/features/map_management.hpp"
 #include "incognita/slam/features/predict_matches.hpp"
+#include "incognita/slam/mapper/landmarks.hpp"
 
 namespace incognita {
 namespace {
@@ -103,9 +104,8 @@ void become_point(Landmark& line, Feature& feature, AnyBelief& belief, const Ray
   const auto point = axes_of(line).point(y);
   const Eigen::Vector3d along = (point.position - y.head<3>()) / depth.mean;
   const double sigma = std::hypot(depth.sigma, spacing_m / std::sqrt(12.0));
-  belief.replace(line.block, PointLandmark::chart, point.position, point.J.leftCols<5>(),
-                 sigma * sigma * along * along.transpose());
-  line.form.kind = LandmarkParametrization::Kind::point;
+  convert_to_point(belief, line, point.position, point.J.leftCols<5>(),
+                   sigma * sigma * along * along.transpose());
   feature.depths.clear();
 }
 

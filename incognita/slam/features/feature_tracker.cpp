@@ -156,7 +156,7 @@ void FeatureTracker::add_landmarks(Estimate& estimate) {
     if (visible + rays + i >= camera_.settings.map.wanted_visible) return;
     if (mapped + rays >= camera_.settings.map.max_landmarks) return;
     const auto corner = find_new_corner(summed_.image(), estimate, camera_, random_);
-    if (!corner || !initialize_landmark(summed_.image(), *corner, estimate, camera_)) return;
+    if (!corner || !initialize_from_image(summed_.image(), *corner, estimate, camera_)) return;
     if (initialization.method == InitializationSettings::Method::inverse_depth) ++mapped;
   }
 }

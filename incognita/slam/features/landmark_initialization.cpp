@@ -1,4 +1,5 @@
 #include "incognita/slam/features/landmark_initialization.hpp"
+#include "incognita/slam/mapper/landmarks.hpp"
 
 #include <cmath>
 
@@ -104,9 +105,9 @@ std::optional<Eigen::Vector2d> find_new_corner(const Image& image, const Estimat
 
 namespace {
 
-/// Adds the block of a new landmark to the belief: five errors of a ray, or six with the depth.
-void augment(Landmark& landmark, const InverseDepthLandmark::Initialization& initialized,
-             const TrackedCamera& camera, AnyBelief& belief) {
+/// Five errors of a ray, or six with the depth.
+NewLandmark on_ray(const InverseDepthLandmark::Initialization& initialized, const TrackedCamera& camera,
+                   int errors) {
   Eigen::Matrix<double, 6, 6> noise = camera.pixel_var() * initialized.Jz * initialized.Jz.transpose();
   noise(5, 5) += std::pow(camera.settings.initialization.sigma_inverse_depth_per_m, 2);
   // The initial position duplicates the camera position: regularization keeps the covariance positive definite
@@ -114,16 +115,14 @@ void augment(Landmark& landmark, const InverseDepthLandmark::Initialization& ini
   const Viewpoint& view = camera.view;
   const SmallMatrix Jv = view.by_body.size() == 0 ? SmallMatrix(initialized.Jv)
                                                   : SmallMatrix(initialized.Jv.leftCols<6>() * view.by_body);
-  const int errors = landmark.form.kind == LandmarkParametrization::Kind::ray ? 5 : 6;
-  const BlockParent parent{view.body, Jv.topRows(errors)};
-  landmark.block = belief.augment(Chart::line(errors), initialized.landmark.head(errors), {&parent, 1},
-                                  noise.topLeftCorner(errors, errors));
+  return {Chart::line(errors), initialized.landmark.head(errors), view.body, Jv.topRows(errors),
+          noise.topLeftCorner(errors, errors)};
 }
 
 }  // namespace
 
-bool initialize_landmark(const Image& image, const Eigen::Vector2d& pixel, Estimate& estimate,
-                         TrackedCamera& camera) {
+bool initialize_from_image(const Image& image, const Eigen::Vector2d& pixel, Estimate& estimate,
+                           TrackedCamera& camera) {
   const InitializationSettings& initialization = camera.settings.initialization;
   auto view = cut_view(image, pixel, camera.view.camera, camera.camera, camera.settings);
   const auto initialized = InverseDepthLandmark::initialize(camera.camera, camera.view.camera, pixel,
@@ -137,14 +136,13 @@ bool initialize_landmark(const Image& image, const Eigen::Vector2d& pixel, Estim
   landmark.form = {
       as_line ? LandmarkParametrization::Kind::ray : LandmarkParametrization::Kind::inverse_depth,
       initialized->world_from_initial_camera};
-  augment(landmark, *initialized, camera, estimate.belief);
   Feature feature;
   feature.view = *std::move(view);
   if (as_line)
     feature.depths = uniform_depths(
         initialization, Eigen::Vector3d(initialized->landmark[3], initialized->landmark[4], 1).norm());
   camera.features.emplace(landmark.id, std::move(feature));
-  estimate.landmarks.emplace(landmark.id, std::move(landmark));
+  add_landmark(estimate, std::move(landmark), on_ray(*initialized, camera, as_line ? 5 : 6));
   return true;
 }
 

@@ -14,8 +14,8 @@ std::optional<Eigen::Vector2d> find_new_corner(const Image& image, const Estimat
 
 /// Adds a landmark at a pixel of this image, as an inverse-depth landmark or as a ray with depth hypotheses,
 /// according to the settings. False when no patch can be cut or no ray maps to the pixel.
-bool initialize_landmark(const Image& image, const Eigen::Vector2d& pixel, Estimate& estimate,
-                         TrackedCamera& camera);
+bool initialize_from_image(const Image& image, const Eigen::Vector2d& pixel, Estimate& estimate,
+                           TrackedCamera& camera);
 
 /// Adds a landmark at a known position (world, m), with its appearance.
 void add_anchor(const Eigen::Vector3d& position, PatchView view, Estimate& estimate, TrackedCamera& camera);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "incognita/slam/features/each_feature.hpp"
+#include "incognita/slam/mapper/landmarks.hpp"
 
 namespace incognita {
 namespace {
@@ -49,16 +50,12 @@ void simplify_landmarks(Estimate& estimate, const TrackedCamera& camera) {
     const double variance = estimate.belief.covariance(landmark.block)(5, 5);
     if (axes.linearity_index(y, variance, from) > camera.settings.initialization.max_linearity) return;
     const auto point = axes.point(y);
-    estimate.belief.replace(landmark.block, PointLandmark::chart, point.position, point.J,
-                            Eigen::Matrix3d::Zero());
-    landmark.form.kind = Kind::point;
+    convert_to_point(estimate.belief, landmark, point.position, point.J, SmallMatrix::Zero(3, 3));
   });
 }
 
 void remove_landmark(Estimate& estimate, TrackedCamera& camera, std::int64_t id) {
-  const Landmark& landmark = estimate.landmarks.at(id);
-  if (!landmark.fixed) estimate.belief.drop(landmark.block);
-  estimate.landmarks.erase(id);
+  remove_landmark(estimate, id);
   camera.features.erase(id);
 }
 

@@ -188,7 +188,7 @@ std::string not_like(const Target& target, double similarity, double least) {
   std::ostringstream why;
   why << "what stands as the corners of target " << target.name;
   if (similarity <= -1) {
-    why << " has less than half of its picture in the image, or is of one grey there";
+    why << " has less than half of its picture in the image, or is of one gray there";
   } else {
     why << " is like its picture to " << std::floor(1000 * similarity) / 1000 << " only, and must be to "
         << least;

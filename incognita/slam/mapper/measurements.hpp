@@ -49,13 +49,4 @@ bool is_usable(const AnySensor& sensor, const SmallVector& z);
 /// Sets residual and noise for another measurement of the same point; prediction and Jacobians are kept.
 void set_residual(LinearizedDetection& measurement, const PointSensor& sensor, const SmallVector& z);
 
-/// Adds a landmark to the map, (2.20)-(2.26), under the identity of the detection. False when the detection does not
-/// define one.
-bool initialize_landmark(Estimate& estimate, int body, const PointDetection& detection,
-                         const EstimatorSettings& settings);
-
-/// Converts converged inverse depths of landmarks that no camera tracks to points, and removes those that became
-/// negative.
-void convert_converged_inverse_depths(Estimate& estimate, const EstimatorSettings& settings);
-
 }  // namespace incognita

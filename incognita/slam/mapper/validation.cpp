@@ -132,12 +132,22 @@ std::string validate_body(const BodyModel& b, const EstimatorSettings& s) {
   return s.filter.linearization == Linearization::iterated ? validate_iterated(b, s) : "";
 }
 
+std::string validate_health(const HealthSettings& h) {
+  const bool counts =
+      h.min_matches > 0 && h.max_ticks > 0 && h.min_expected > 0 && h.min_matches_to_relocate > 0;
+  const bool sigmas = h.max_sigma_position_m > 0 && h.max_innovation_sigmas > 1 &&
+                      h.sigma_search_position_m > 0 && h.sigma_search_rotation_rad > 0 &&
+                      h.sigma_search_velocity_m_s > 0 && h.sigma_search_rate_rad_s > 0;
+  return counts && sigmas ? ""
+                          : "the limits of the health must be positive, max_innovation_sigmas more than 1";
+}
+
 }  // namespace
 
 std::string validate(const EstimatorSettings& s) {
   if (s.bodies.empty()) return "an estimator needs a vehicle";
   for (const std::string& problem :
-       {validate_map_frame(s), validate_decorrelation(s), validate_association(s)})
+       {validate_map_frame(s), validate_decorrelation(s), validate_association(s), validate_health(s.health)})
     if (!problem.empty()) return problem;
   if (const auto conflict = find_incompatibility(s.filter))
     return std::string(conflict->key) + ": " + conflict->why;

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "incognita/math/gaussian.hpp"
+#include "incognita/slam/mapper/landmarks.hpp"
 #include "incognita/slam/mapper/measurements.hpp"
 #include "incognita/slam/points/view_association.hpp"
 
@@ -157,7 +158,7 @@ void initialize_candidates(Estimate& e, const Inliers& inliers, const EstimatorS
     if (e.landmarks.count(id) > 0) continue;  // already initialized by another body
     PointDetection detection = detection_of(match);
     detection.identity = id;
-    if (!initialize_landmark(e, match.body, detection, settings)) continue;
+    if (!initialize_from_detection(e, match.body, detection, settings)) continue;
     match.id = id;
     match.outcome = MatchOutcome::initialized;
   }

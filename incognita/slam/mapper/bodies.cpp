@@ -1,0 +1,52 @@
+#include "incognita/slam/mapper/bodies.hpp"
+
+#include "incognita/models/any_motion.hpp"
+#include "incognita/models/motion/planar_frame.hpp"
+
+namespace incognita {
+
+AnyBelief empty_belief(const MapperSettings& filter) {
+  if (filter.form == BeliefForm::information) return AnyBelief(InformationBelief());
+  return AnyBelief(Belief(64, filter.decorrelate == Decorrelation::map_linear
+                                  ? MapCorrelations::block_diagonal
+                                  : MapCorrelations::full));
+}
+
+void add_body(Estimate& e, const BodyModel& model, const SmallVector& start, const SmallMatrix& P, double t,
+              bool in_vehicle_frame) {
+  Body& body = e.bodies.emplace_back();
+  body.t = t;
+  if (in_vehicle_frame) {
+    const planar::FramedPose world = planar::inverse(planar::Pose<double>(start));
+    body.block = e.belief.add_vehicle(planar::pose_chart, Eigen::Vector3d::Zero(), Eigen::Matrix3d::Zero());
+    e.world =
+        e.belief.add_vehicle(planar::pose_chart, world.pose, world.by_frame * P * world.by_frame.transpose());
+  } else {
+    body.block = e.belief.add_vehicle(chart_of(model.motion), start, P);
+  }
+  body.prediction = e.belief.mean(body.block);
+}
+
+void stop_and_search(Estimate& e, std::size_t i, const EstimatorSettings& settings) {
+  const HealthSettings& h = settings.health;
+  const MotionTraits& traits = traits_of(settings.bodies[i].motion);
+  SmallVector x = e.belief.mean(e.bodies[i].block);
+  const int errors = e.belief.chart(e.bodies[i].block).tangent(), axes = traits.position_size;
+  SmallVector sigmas = SmallVector::Constant(errors, h.sigma_search_rotation_rad);
+  SmallMatrix A = SmallMatrix::Identity(errors, errors);
+  sigmas.head(axes).setConstant(h.sigma_search_position_m);
+  if (traits.in_space()) {
+    x.tail<6>().setZero();
+    A.bottomRightCorner<6, 6>().setZero();
+    sigmas.segment<3>(6).setConstant(h.sigma_search_velocity_m_s);
+    sigmas.tail<3>().setConstant(h.sigma_search_rate_rad_s);
+  }
+  e.belief.predict({e.bodies[i].block, x, A, sigmas.cwiseAbs2().asDiagonal()});
+}
+
+void decorrelate(Estimate& e, Decorrelation which) {
+  if (which == Decorrelation::everything) e.belief.decorrelate(Belief::Scope::everything);
+  if (which == Decorrelation::map) e.belief.decorrelate(Belief::Scope::map);
+}
+
+}  // namespace incognita

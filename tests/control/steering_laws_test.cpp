@@ -312,7 +312,7 @@ TEST(SteeringRefusals, AControlPointOnTheAxle) {
                "before or behind the axle");
   for (const ControlLaw law : {ControlLaw::tracking, ControlLaw::feedback_linearization, ControlLaw::lqg})
     EXPECT_HAS(why_not(DifferentialDrive{nan, 0}, settings_of(drive, law, point())),
-               "finite way from the axle");
+               "finite distance from the axle");
 }
 
 TEST(SteeringRefusals, InvalidLimits) {

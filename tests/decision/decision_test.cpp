@@ -28,9 +28,10 @@ struct Cameras {
     for (int i = 0; i < count; ++i) {
       Landmark landmark;
       landmark.id = new_id(estimate);
-      landmark.block =
-          estimate.belief.augment(PointLandmark::chart, Eigen::Vector3d(2, 30.0 * i, 0), {},
-                                  Eigen::Matrix3d(Eigen::Vector3d(0.25 / (1 + i), 1e-4, 1e-4).asDiagonal()));
+      landmark.first = Eigen::Vector3d(2, 30.0 * i, 0);
+      landmark.block = estimate.belief.augment(
+          PointLandmark::chart, Eigen::Vector3d(2, 30.0 * i, 0), {},
+          Eigen::Matrix3d(Eigen::Vector3d(0.25, i == 0 ? 1e-2 : 1e-4, 1e-4).asDiagonal()));
       estimate.landmarks.emplace(landmark.id, landmark);
     }
     estimate.started = true;

@@ -53,8 +53,7 @@ TEST(DecisionChecks, RefuseInapplicableSettings) {
 
 /// In the point-landmark world the gaze is held by default, as the effective scenario shows.
 TEST(DecisionChecks, TheGazeOfAnyFreeCameraMaySwing) {
-  const std::string swing =
-      points + "[decision]\ngaze = \"swing\"\n[controller]\nswing_amplitude_rad = 0.5\n";
+  const std::string swing = points + "[decision]\ngaze = \"swing\"\n";
   EXPECT_EQ(complaint(swing), "(none)");
   EXPECT_EQ(complaint(room + "[decision]\ngaze = \"swing\"\n"), "(none)");
   const testing::Scratch scratch;

@@ -175,7 +175,7 @@ TEST(Settings, DefaultsAreTheStructs) {
     if (setting.key != "start.from") {
       EXPECT_EQ(setting.value, setting.default_value) << setting.key;
     }
-    EXPECT_EQ(setting.source == "default", setting.key != "start.from");
+    EXPECT_EQ(setting.is_given(), setting.key == "start.from");
   }
 }
 

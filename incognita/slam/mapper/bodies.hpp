@@ -11,8 +11,8 @@ AnyBelief empty_belief(const MapperSettings& settings);
 
 /// Adds a body with covariance `P` of its start and, for a map in its frame, the pose of the world relative to it.
 /// `t`: s, time of the start.
-void add_body(Estimate& estimate, const BodyModel& model, const SmallVector& start, const SmallMatrix& P, double t,
-              bool in_vehicle_frame);
+void add_body(Estimate& estimate, const BodyModel& model, const SmallVector& start, const SmallMatrix& P,
+              double t, bool in_vehicle_frame);
 
 /// Stops a body at its last pose and adds the uncertainty of a short search around it.
 void stop_and_search(Estimate& estimate, std::size_t body, const EstimatorSettings& settings);

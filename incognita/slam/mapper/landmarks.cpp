@@ -14,8 +14,8 @@ void add_landmark(Estimate& e, Landmark landmark, const NewLandmark& initialized
   e.landmarks.emplace(id, std::move(landmark));
 }
 
-void convert_to_point(AnyBelief& belief, Landmark& landmark, const SmallVector& position, const SmallMatrix& J,
-                      const SmallMatrix& noise) {
+void convert_to_point(AnyBelief& belief, Landmark& landmark, const SmallVector& position,
+                      const SmallMatrix& J, const SmallMatrix& noise) {
   belief.replace(landmark.block, Chart::line(static_cast<int>(position.size())), position, J, noise);
   landmark.form.kind = LandmarkParametrization::Kind::point;
 }
@@ -35,7 +35,8 @@ bool initialize_from_detection(Estimate& e, int body, const PointDetection& dete
   auto initialization = initialize_landmark(sensor.sensor, motion, e.belief.mean(viewer.block), detection.z,
                                             settings.filter.inverse_depth_per_m);
   if (!initialization) return false;
-  if (settings.filter.linearization == Linearization::first_estimate) {  // Jacobians consistent with those of later measurements
+  if (settings.filter.linearization ==
+      Linearization::first_estimate) {  // Jacobians consistent with those of later measurements
     const auto prediction = predict_measurement(sensor.sensor, motion, viewer.prediction,
                                                 initialization->form, initialization->landmark);
     if (!prediction) return false;

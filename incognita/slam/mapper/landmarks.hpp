@@ -21,8 +21,8 @@ struct NewLandmark {
 void add_landmark(Estimate& estimate, Landmark landmark, const NewLandmark& initialized);
 
 /// Replaces the block of a landmark by a point: `J` = d(position) / d(errors of the block); `noise` is added.
-void convert_to_point(AnyBelief& belief, Landmark& landmark, const SmallVector& position, const SmallMatrix& J,
-                      const SmallMatrix& noise);
+void convert_to_point(AnyBelief& belief, Landmark& landmark, const SmallVector& position,
+                      const SmallMatrix& J, const SmallMatrix& noise);
 
 /// Removes the landmark from belief and map.
 void remove_landmark(Estimate& estimate, std::int64_t id);

@@ -46,13 +46,13 @@ std::vector<DepthHypothesis> uniform_depths(const InitializationSettings& initia
   return depths;
 }
 
-/// Occupied pixels: those of the matches, and of all other features in front of the camera, also where they are seen too
-/// obliquely or too near to be searched for: a corner mapped twice would count its information twice.
+/// Occupied pixels: all landmarks predicted in view, rays, and landmarks initialized in this frame.
 std::vector<Eigen::Vector2d> occupied_pixels(const Estimate& estimate, const TrackedCamera& camera) {
   std::vector<Eigen::Vector2d> taken;
   for (const FeatureMatch& match : camera.matches) taken.push_back(match.measured.value_or(match.predicted));
   for (const auto& [id, feature] : camera.features) {
     const Landmark& landmark = estimate.landmarks.at(id);
+    if (landmark.form.kind != LandmarkParametrization::Kind::ray && feature.attempts > 0) continue;
     if (const auto at = current_position(estimate, landmark, feature))
       if (const auto projected =
               camera.camera.project(PointLandmark::in_camera<double>(camera.view.camera, *at)))

@@ -429,11 +429,11 @@ TEST(TeamScenario, AFreeCameraFindsWhatItSeesAndIsAsSureOfItselfAsByNames) {
         "free-camera", std::vector<std::string>{sets[0], sets[1], "association.method=nearest"}));
     right += n.right, wrong += n.wrong, missed += n.missed, duplicate_landmarks += n.duplicate_landmarks;
     by_places += mean_nees(n.way) / static_cast<double>(seeds.size());
-    Assembly told = assemble(
+    Assembly identified = assemble(
         load_scenario("free-camera", std::vector<std::string>{sets[0], sets[1], "association.method=known"}));
-    EXPECT_EQ(told.association_truth, nullptr);
+    EXPECT_EQ(identified.association_truth, nullptr);
     std::vector<SnapshotBody> way;
-    run_loop(told.parts, std::function<void(const Snapshot&)>([&](const Snapshot& s) {
+    run_loop(identified.parts, std::function<void(const Snapshot&)>([&](const Snapshot& s) {
                way.push_back(s.bodies.front());
              }),
              std::function<bool(const Tick&)>([](const Tick&) { return true; }));

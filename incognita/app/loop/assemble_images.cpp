@@ -53,7 +53,7 @@ Assembly assemble_recorded_images(const LoadedScenario& loaded) {
   const std::optional<Target> target = start_target(loaded);
   const auto recording = std::make_shared<const Recording>(read_recording(loaded));
   Assembly out;
-  out.info = info_of(loaded);
+  put_scenario(loaded, out.info);
   out.info.ate_alignment = target ? "se3" : "sim3";
   out.notes = recording->notes;
   if (std::string compared = compare_camera(loaded, *recording); !compared.empty())

@@ -110,7 +110,8 @@ std::unique_ptr<Controller> controller_of(const LoadedScenario& loaded, const Te
 RunInfo info_of_points(const LoadedScenario& loaded) {
   const Scenario& s = loaded.scenario;
   const MotionTraits& motion = s.motion();
-  RunInfo info = info_of(loaded);
+  RunInfo info;
+  put_scenario(loaded, info);
   info.body = motion.in_space() ? "camera" : "vehicle";
   info.bodies = static_cast<int>(vehicles_of(s));
   info.inputs = input_names(s.has_carried_camera() ? motion_traits<TerrainVehicle> : motion);

@@ -97,16 +97,6 @@ std::vector<std::string> left_out(const RangeRecording& recording, const PlanarS
   return notes;
 }
 
-}  // namespace
-
-Survey survey_of(const RangeRecording& recording, bool identified) {
-  Survey survey;
-  survey.identified = identified;
-  for (const RangeRecording::Landmark& landmark : recording.landmarks)
-    survey.landmarks.push_back({landmark.identity, {landmark.position.x(), landmark.position.y(), 0}});
-  return survey;
-}
-
 /// Commands have no effect on a recording.
 LoopParts replay_of(const SharedRangeRecordings& recordings, const RangeSensorSettings& sensor,
                     std::unique_ptr<Estimator> estimator, double duration_s) {
@@ -116,6 +106,16 @@ LoopParts replay_of(const SharedRangeRecordings& recordings, const RangeSensorSe
           std::move(estimator),
           std::make_unique<NoDecision>(),
           std::make_unique<SteeringController>()};
+}
+
+}  // namespace
+
+Survey survey_of(const RangeRecording& recording, bool identified) {
+  Survey survey;
+  survey.identified = identified;
+  for (const RangeRecording::Landmark& landmark : recording.landmarks)
+    survey.landmarks.push_back({landmark.identity, {landmark.position.x(), landmark.position.y(), 0}});
+  return survey;
 }
 
 Assembly assemble_ranges(RangeRecording recording, const PlanarSlamSettings& s, double duration_s) {
@@ -163,13 +163,7 @@ Assembly assemble_vehicle(const LoadedScenario& loaded) {
                     "tells them by their identity",
                     loaded.source_of("estimator.anchors_m")));
   Assembly out = assemble_ranges(std::move(recording), settings, loaded.scenario.run.duration_s);
-  RunInfo info = info_of(loaded);
-  info.body = out.info.body;
-  info.ate_alignment = out.info.ate_alignment;
-  info.truth_recorded = out.info.truth_recorded;
-  info.warnings = std::move(out.info.warnings);
-  info.survey = std::move(out.info.survey);
-  out.info = std::move(info);
+  put_scenario(loaded, out.info);
   return out;
 }
 
@@ -208,7 +202,7 @@ Assembly assemble_team(const LoadedScenario& loaded) {
   out.parts = replay_of(
       robots, RangeSensorSettings{s.planar.sensor.max_range_m, Fixes::none, s.sensor.measures_vehicles},
       point_estimator(loaded, recorded_team(loaded, *robots, first.t)), s.run.duration_s);
-  out.info = info_of(loaded);
+  put_scenario(loaded, out.info);
   out.info.body = "vehicle";
   out.info.bodies = static_cast<int>(robots->size());
   out.info.inputs = input_names(s.motion());

@@ -1,7 +1,4 @@
-#include <fmt/format.h>
-
 #include <memory>
-#include <stdexcept>
 #include <utility>
 
 #include "incognita/app/loop/assemblers.hpp"
@@ -12,7 +9,6 @@
 #include "incognita/decision/no_decision.hpp"
 #include "incognita/io/scenario/camera.hpp"
 #include "incognita/io/scenario/enum_words.hpp"
-#include "incognita/messages/errors.hpp"
 #include "incognita/world/rendered/room_camera.hpp"
 #include "incognita/world/rendered/room_vehicle.hpp"
 #include "incognita/world/rendered/room_world.hpp"
@@ -50,13 +46,10 @@ BodyControl carrier_control(const LoadedScenario& loaded, const Terrain& ground)
 
 std::unique_ptr<Controller> carrier_controller(const LoadedScenario& loaded, const Terrain& ground) {
   const Scenario& s = loaded.scenario;
-  try {
+  return attributed_to(loaded, "controller.law", word_of(s.controller.law), [&] {
     return std::make_unique<SteeringController>(std::vector{carrier_control(loaded, ground)},
                                                 1 / s.run.rate_hz);
-  } catch (const std::invalid_argument& error) {
-    throw InputError(fmt::format("{}: controller.law = {}: {}", loaded.source_of("controller.law"),
-                                 word_of(s.controller.law), error.what()));
-  }
+  });
 }
 
 /// A vehicle carries the camera.
@@ -106,7 +99,7 @@ Assembly assemble_rendered(const LoadedScenario& loaded) {
   const Camera camera = make_camera(s.camera);
   const std::optional<Target> target = start_target(loaded);
   Assembly out;
-  out.info = info_of(loaded);
+  put_scenario(loaded, out.info);
   out.info.ate_alignment = target ? "none" : "sim3";
   out.info.inputs = input_names(s.is_room_vehicle() ? motion_traits<TerrainVehicle> : s.motion());
   if (!target) out.notes.emplace_back("no target: the scale is unobservable, lengths are in arbitrary units");

@@ -21,8 +21,8 @@ Assembly assemble_points(const LoadedScenario& loaded);
 /// Recorded ranges and bearings of one vehicle or of a team.
 Assembly assemble_recorded_ranges(const LoadedScenario& loaded);
 
-/// The information for the recorder that does not depend on the world.
-RunInfo info_of(const LoadedScenario& loaded);
+/// Sets what the recorder records of the scenario itself, whatever its world.
+void put_scenario(const LoadedScenario& loaded, RunInfo& info);
 
 /// The surveyed landmarks of a recording. `identified`: the map uses their identities.
 Survey survey_of(const RangeRecording& recording, bool identified);

@@ -18,12 +18,10 @@ Assembly assembled(const LoadedScenario& loaded) {
 
 }  // namespace
 
-RunInfo info_of(const LoadedScenario& loaded) {
-  RunInfo info;
+void put_scenario(const LoadedScenario& loaded, RunInfo& info) {
   info.effective_toml = effective_toml(loaded);
   info.seed = loaded.scenario.run.seed;
   info.patch_size_px = loaded.scenario.slam.search.patch_size_px;
-  return info;
 }
 
 Assembly assemble(const LoadedScenario& loaded) {

@@ -71,7 +71,7 @@ int InformationGain::column_of(const PredictedMeasurement& measurement) {
   if (at == known_.size()) add_landmark_columns(measurement, size);
   const Known& found = known_[at];
   if (found.size != size)
-    throw std::invalid_argument("a look has " + std::to_string(size) + " columns for a landmark of " +
+    throw std::invalid_argument("a measurement has " + std::to_string(size) + " columns for a landmark of " +
                                 std::to_string(found.size) + " errors");
   return found.column;
 }
@@ -90,7 +90,7 @@ void InformationGain::add_landmark_columns(const PredictedMeasurement& measureme
         P_.block(k.column, columns_, k.size, size).setZero();
       } else {
         const BlockMatrix cross = covariance(k, added);
-        if (cross.cols() != size) throw std::invalid_argument("a look does not fit its landmark");
+        if (cross.cols() != size) throw std::invalid_argument("a measurement does not fit its landmark");
         P_.block(k.column, columns_, k.size, size) = cross;
       }
       P_.block(columns_, k.column, size, k.size) = P_.block(k.column, columns_, k.size, size).transpose();
@@ -140,7 +140,7 @@ void InformationGain::apply_measurements(Step& step) {
   int row = 0;
   for (const PredictedMeasurement& measurement : step.measurements) {
     if (measurement.Hv.rows() != measurement.rows() || measurement.Hv.cols() != vehicle_errors_)
-      throw std::invalid_argument("a look does not fit its vehicle");
+      throw std::invalid_argument("a measurement does not fit its vehicle");
     step.Hv.middleRows(row, measurement.rows()) = measurement.Hv;
     step.columns.push_back(column_of(measurement));
     row += measurement.rows();

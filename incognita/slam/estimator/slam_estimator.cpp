@@ -47,12 +47,6 @@ SlamEstimator::SlamEstimator(EstimatorSettings settings, std::vector<FeatureTrac
 
 namespace {
 
-/// What a body measured; nothing when the observation is empty.
-const BodyObservation& of_body(const Observation& observation, std::size_t body) {
-  static const BodyObservation nothing;
-  return body < observation.bodies.size() ? observation.bodies[body] : nothing;
-}
-
 void check_size(const Observation& observation, std::size_t bodies) {
   if (observation.bodies.empty() || observation.bodies.size() == bodies) return;
   throw std::invalid_argument("observations of " + std::to_string(observation.bodies.size()) +
@@ -102,7 +96,7 @@ void SlamEstimator::see(const Observation& observation) {
     const std::size_t body = cameras_[k].camera().body;
     const auto before = std::count_if(cameras_.begin(), cameras_.begin() + static_cast<std::ptrdiff_t>(k),
                                       [&](const FeatureTracker& c) { return c.camera().body == body; });
-    cameras_[k].see(image_of(of_body(observation, body), static_cast<std::size_t>(before)).get());
+    cameras_[k].see(image_of(body_of(observation, body), static_cast<std::size_t>(before)).get());
   }
 }
 
@@ -137,7 +131,7 @@ void add_anchors(Estimate& e, const std::map<std::int64_t, SmallVector>& anchors
 void SlamEstimator::start(Estimate& e, const Observation& observation, const Tick& tick) {
   e.status.state = TrackingState::starting;
   for (std::size_t i = 0; i < settings_.bodies.size(); ++i)
-    if (waits_for_fix(settings_.bodies[i], of_body(observation, i))) {
+    if (waits_for_fix(settings_.bodies[i], body_of(observation, i))) {
       e.status.reason = "waiting for the first position fix";
       return;
     }
@@ -171,14 +165,14 @@ void SlamEstimator::add_bodies(Estimate& e, const Observation& observation, cons
     SmallVector at = model.start;
     SmallMatrix P = model.start_sigmas.cwiseAbs2().asDiagonal();
     if (model.start_time == BodyModel::StartTime::first_fix)
-      at.head<2>() = of_body(observation, i).fixes.front().position;
+      at.head<2>() = body_of(observation, i).fixes.front().position;
     for (std::size_t k = 0; k < cameras_.size(); ++k) {
       if (cameras_[k].camera().body != i || !starts[k].pose) continue;
       at.head<3>() = starts[k].pose->position;
       at.segment<4>(3) = starts[k].pose->world_from_camera;
       P.topLeftCorner<6, 6>() = starts[k].pose->covariance;
     }
-    add_body(e, model, at, P, start_time(model, of_body(observation, i), tick.t),
+    add_body(e, model, at, P, start_time(model, body_of(observation, i), tick.t),
              settings_.filter.map_frame == MapFrame::vehicle);
   }
 }
@@ -199,7 +193,7 @@ SmallVector commanded_input(const Command& command, std::size_t body, const AnyM
 void SlamEstimator::predict(Estimate& e, const Command& command, const Observation& observation,
                             const Tick& tick, bool waits_in_place) {
   for (std::size_t i = 0; i < e.bodies.size(); ++i) {
-    const BodyObservation& observed = of_body(observation, i);
+    const BodyObservation& observed = body_of(observation, i);
     const BodyModel& model = settings_.bodies[i];
     e.bodies[i].wheels = observed.wheels;
     if (!observed.wheels && model.input == BodyModel::Input::commanded && !observed.odometry.empty())

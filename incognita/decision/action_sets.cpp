@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "incognita/models/motion/free_camera.hpp"
 #include "incognita/models/motion/heading.hpp"
+#include "incognita/models/motion/held_acceleration.hpp"
 
 namespace incognita {
 namespace {
@@ -41,7 +41,7 @@ int find_stay(const std::vector<SpeedChange>& actions) {
 Growth growth_over(double period_s, double sigma_acceleration_m_s2,
                    double sigma_angular_acceleration_rad_s2) {
   const double dt = period_s / imagined_steps;
-  const auto step = FreeCameraMotion{}.step(
+  const auto step = HeldAcceleration{}.step(
       (FreeCameraMotion::State<double>() << 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0).finished(),
       FreeCameraMotion::Input<double>::Zero(), dt);
   FreeCameraMotion::Input<double> variances;

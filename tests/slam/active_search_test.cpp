@@ -191,5 +191,17 @@ TEST(ActiveSearch, ReturningLandmarksConfirmEachOther) {
   }
 }
 
+/// The second feature of a corner would count its information twice; the first counts, and no attempt for the second.
+TEST(ActiveSearch, ACornerThatIsMappedTwiceIsMatchedOnce) {
+  Scene s(0.001);
+  s.add(0, 1), s.add(1, 1), s.add(0, 2);
+  EXPECT_EQ(s.search(), 2);
+  std::vector<MatchOutcome> outcomes;
+  for (const auto& [id, feature] : s.tracked.features) outcomes.push_back(s.outcome(id));
+  EXPECT_EQ(outcomes,
+            (std::vector{MatchOutcome::matched, MatchOutcome::matched, MatchOutcome::not_searched}));
+  EXPECT_FALSE(s.match_of(s.tracked.features.rbegin()->first).measured);
+}
+
 }  // namespace
 }  // namespace incognita

@@ -14,6 +14,28 @@ namespace {
 /// every frame and is the only source of information about its depth.
 constexpr int frames_until_away = 15;
 
+/// Two matches nearer than this are of the same corner: patches are wider, so that new landmarks begin farther apart.
+constexpr double same_corner_px = 3;
+
+/// A corner that was mapped again, while its first feature was seen too obliquely or too near to be searched for, would
+/// count its information twice. The anchor remains, or the older landmark.
+void drop_repeated_corners(TrackedCamera& camera) {
+  const auto is_behind = [](const FeatureMatch& a, const FeatureMatch& b) {
+    return a.anchor != b.anchor ? b.anchor : a.id > b.id;
+  };
+  for (FeatureMatch& match : camera.matches) {
+    if (match.outcome != MatchOutcome::matched) continue;
+    const bool is_repeated = std::ranges::any_of(camera.matches, [&](const FeatureMatch& other) {
+      return other.outcome == MatchOutcome::matched && is_behind(match, other) &&
+             (*match.measured - *other.measured).norm() < same_corner_px;
+    });
+    if (!is_repeated) continue;
+    match.outcome = MatchOutcome::not_searched;
+    match.measured.reset();
+    --camera.predicted;
+  }
+}
+
 }  // namespace
 
 void active_search(const SummedImage& image, TrackedCamera& camera) {
@@ -40,6 +62,7 @@ void active_search(const SummedImage& image, TrackedCamera& camera) {
     match.measured = found->pixel;
     match.outcome = MatchOutcome::matched;
   }
+  drop_repeated_corners(camera);
 }
 
 void reject_outliers(const Estimate& estimate, TrackedCamera& camera) {

@@ -9,7 +9,7 @@
 namespace incognita {
 namespace {
 
-LinearizedMotion linearized_motion(const BodyModel& body_model, Linearization linearization,
+LinearizedMotion linearized_motion(const AnyMotion& motion, Linearization linearization,
                                    const AnyBelief& belief, BlockId block, const SmallVector& input,
                                    const SmallMatrix& Q, double dt) {
   const auto by = [&](const auto& model) {
@@ -21,11 +21,7 @@ LinearizedMotion linearized_motion(const BodyModel& body_model, Linearization li
       return unscented(model, belief, block, u, noise, dt);
     return linearized(model, belief, block, u, noise, dt);
   };
-  // A commanded camera steps as printed in (5.24): its velocity changes at the start of the tick
-  if (body_model.input == BodyModel::Input::commanded &&
-      std::holds_alternative<FreeCameraMotion>(body_model.motion))
-    return by(FreeCameraMotion{});
-  return std::visit([&](const auto& model) { return by(integrator_of(model)); }, body_model.motion);
+  return std::visit([&](const auto& model) { return by(integrator_of(model)); }, motion);
 }
 
 /// Predicts with one input held for `dt` seconds. Its noise is constant over a reading of `period` seconds: a
@@ -36,7 +32,7 @@ void hold(Estimate& e, std::size_t which, const SmallVector& input, double dt, d
   Body& body = e.bodies[which];
   const SmallMatrix Q = model.input_sigmas.cwiseAbs2().asDiagonal() * std::max(1.0, period / dt);
   LinearizedMotion motion =
-      linearized_motion(model, settings.filter.linearization, e.belief, body.block, input, Q, dt);
+      linearized_motion(model.motion, settings.filter.linearization, e.belief, body.block, input, Q, dt);
   if (settings.filter.linearization == Linearization::first_estimate)
     motion.A =
         planar::jacobian_between(planar::Pose<double>(body.prediction), planar::Pose<double>(motion.x_next));

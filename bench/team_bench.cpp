@@ -20,8 +20,8 @@
 #include "bench/timing.hpp"
 #include "incognita/slam/estimator/slam_estimator.hpp"
 #include "incognita/slam/mapper/measurements.hpp"
-#include "incognita/world/points/team_world.hpp"
-#include "incognita/world/room_clock.hpp"
+#include "incognita/world/fixed_rate_clock.hpp"
+#include "incognita/world/points/point_world.hpp"
 
 namespace {
 
@@ -54,9 +54,9 @@ std::vector<SimulatedVehicle> drawn_team(int robots, int landmarks) {
                                  pitch * (g / across - 0.5 * (across - 1))),
         beside(apart_m * (i % 2 ? 1 : -1), apart_m * (i / 2 % 2 ? 1 : -1));
     const SmallVector start = Eigen::Vector3d(center.x() + beside.x(), center.y() + beside.y(), 0);
-    SimulatedVehicle v{DifferentialDrive{}, {}, RangeBearingSensor{}, Eigen::Vector2d(0.1, 0.02)};
-    v.plant = {start, Eigen::Vector3d::Constant(0.01), Eigen::Vector2d::Constant(0.05),
-               Eigen::Vector2d::Constant(-2), Eigen::Vector2d::Constant(2)};
+    SimulatedVehicle v{{DifferentialDrive{}, {}, {}}, {RangeBearingSensor{}, Eigen::Vector2d(0.1, 0.02)}};
+    v.body.plant = {start, Eigen::Vector3d::Constant(0.01), Eigen::Vector2d::Constant(0.05),
+                    Eigen::Vector2d::Constant(-2), Eigen::Vector2d::Constant(2)};
     team.push_back(v);
   }
   return team;
@@ -65,8 +65,9 @@ std::vector<SimulatedVehicle> drawn_team(int robots, int landmarks) {
 EstimatorSettings filter_of(const std::vector<SimulatedVehicle>& team) {
   EstimatorSettings settings;
   for (const SimulatedVehicle& v : team)
-    settings.bodies.push_back(body_with_sensor(v.motion, v.sensor, v.plant.start, v.plant.start_sigmas,
-                                               v.plant.input_sigmas, v.sigmas));
+    settings.bodies.push_back(body_with_sensor(v.body.motion, v.sensor.model, v.body.plant.start,
+                                               v.body.plant.start_sigmas, v.body.plant.input_sigmas,
+                                               v.sensor.sigmas));
   settings.filter.gate_probability = 0.9999;
   settings.health.max_sigma_position_m = 1e3;
   return settings;
@@ -78,13 +79,13 @@ class Team {
   Team(int robots, int landmarks, double range_m)
       : points_(drawn_landmarks(landmarks)),
         vehicles_(drawn_team(robots, landmarks)),
-        world_(vehicles_, 1),
+        world_(point_world(vehicles_, 1)),
         clock_(rate_hz, 1e6),
         estimator_(filter_of(vehicles_)) {
     command_.bodies.assign(vehicles_.size(), BodyCommand{Eigen::Vector2d(speed_m_s, speed_m_s / radius_m)});
-    TeamSensor everything(vehicles_, points_, false, 2);
-    for (SimulatedVehicle& v : vehicles_) v.reach.max_range_m = range_m;
-    sensor_.emplace(vehicles_, points_, true, 1);
+    SensorSet everything = point_sensors(vehicles_, {points_}, 2);
+    for (SimulatedVehicle& v : vehicles_) v.sensor.limits.max_range_m = range_m;
+    sensors_.emplace(point_sensors(vehicles_, {points_, true}, 1));
     tick_ = clock_.next();
     truth_ = world_.move(command_, tick_);
     seen_ = everything.measure(truth_, tick_);
@@ -96,7 +97,7 @@ class Team {
   void listen() {
     tick_ = clock_.next();
     truth_ = world_.move(command_, tick_);
-    seen_ = sensor_->measure(truth_, tick_);
+    seen_ = sensors_->measure(truth_, tick_);
   }
   void update() { estimator_.update(estimate_, command_, seen_, tick_); }
 
@@ -129,8 +130,8 @@ class Team {
  private:
   PointLandmarks points_;
   std::vector<SimulatedVehicle> vehicles_;
-  TeamWorld world_;
-  std::optional<TeamSensor> sensor_;
+  SimulatedWorld world_;
+  std::optional<SensorSet> sensors_;
   FixedRateClock clock_;
   SlamEstimator estimator_;
   Estimate estimate_;

@@ -3,7 +3,7 @@
 
 #include "incognita/models/motion/heading.hpp"
 #include "incognita/models/sensors/wide_angle_camera.hpp"
-#include "incognita/world/rendered/free_camera_plant.hpp"
+#include "incognita/world/rendered/room_bodies.hpp"
 #include "incognita/world/rendered/room_camera.hpp"
 
 using namespace incognita;
@@ -18,11 +18,11 @@ const std::shared_ptr<const Room>& room() {
 /// One complete image with noise, while the camera turns once around in the middle of the room.
 void measure(benchmark::State& state) {
   RoomCamera camera(room(), WideAngleCamera{.kd1 = 9e-6}, RoomSettings{}, 1);
-  Truth truth{{BodyTruth{RigidPose{{0.3, -0.2, 1.3}}}}};
+  RigidPose pose{{0.3, -0.2, 1.3}};
   std::int64_t frame = 0;
   for (auto _ : state) {
-    truth.bodies[0].pose->world_from_body = level_gaze(0.05 * static_cast<double>(frame));
-    benchmark::DoNotOptimize(camera.measure(truth, Tick{frame++, 0, 0}));
+    pose.world_from_body = level_gaze(0.05 * static_cast<double>(frame));
+    benchmark::DoNotOptimize(camera.image_from(pose, Tick{frame++, 0, 0}));
   }
   state.counters["frames"] = benchmark::Counter(static_cast<double>(frame), benchmark::Counter::kIsRate);
 }
@@ -34,9 +34,9 @@ void paint_room(benchmark::State& state) {
 BENCHMARK(paint_room)->Unit(benchmark::kMillisecond);
 
 void move(benchmark::State& state) {
-  FreeCameraPlant plant(RoomSettings{}, room()->layout(), 1);
-  const FreeCameraMotion::Input<double> input{0.1, 0, 0, 0, 0.1, 0};
-  for (auto _ : state) benchmark::DoNotOptimize(plant.move(input, 1.0 / 30));
+  SimulatedWorld world(camera_in_room(RoomSettings{}, room()->layout(), 1), 1);
+  const Command command{{BodyCommand{(SmallVector(6) << 0.1, 0, 0, 0, 0.1, 0).finished()}}};
+  for (auto _ : state) benchmark::DoNotOptimize(world.move(command, {1, 1.0 / 30, 1.0 / 30}));
 }
 BENCHMARK(move);
 

@@ -9,7 +9,7 @@
 
 #include "incognita/control/steering_controller.hpp"
 #include "incognita/math/random.hpp"
-#include "incognita/world/room_clock.hpp"
+#include "incognita/world/fixed_rate_clock.hpp"
 
 namespace incognita::closed_loop {
 namespace {
@@ -65,11 +65,9 @@ Scene scene_of(const Setup& s) {
   for (const Robot& robot : s.robots) {
     const BodyModel m = member_of(s, robot);
     const SmallVector most = robot.steering.most_input;
-    SimulatedVehicle vehicle{m.motion,
-                             {m.start, m.start_sigmas, m.input_sigmas, -most, most},
-                             m.sensors[0].sensor,
-                             m.sensors[0].sigmas};
-    vehicle.reach.field_of_view_rad = std::numbers::pi;
+    SimulatedVehicle vehicle{{m.motion, {m.start, m.start_sigmas, m.input_sigmas, -most, most}, {}},
+                             {m.sensors[0].sensor, m.sensors[0].sigmas}};
+    vehicle.sensor.limits.field_of_view_rad = std::numbers::pi;
     scene.vehicles.push_back(vehicle);
     scene.filter.bodies.push_back(m);
     scene.control.push_back({m.motion, robot.steering});
@@ -134,8 +132,8 @@ Robot robot(const planar::Pose<double>& start, ControlLaw law, const Path& path)
 
 Run drive(const Setup& setup, std::uint64_t seed) {
   Scene scene = scene_of(setup);
-  TeamWorld world(scene.vehicles, seed);
-  TeamSensor sensor(scene.vehicles, setup.place, false, seed);
+  SimulatedWorld world = point_world(scene.vehicles, seed);
+  SensorSet sensors = point_sensors(scene.vehicles, {setup.place}, seed);
   SlamEstimator estimator(scene.filter);
   SteeringController controller(std::move(scene.control), period_s);
   FixedRateClock clock(1 / period_s, setup.duration_s);
@@ -145,7 +143,7 @@ Run drive(const Setup& setup, std::uint64_t seed) {
   while (const Tick tick = clock.next()) {
     const auto truth = world.move(command, tick);
     const bool scans = tick.frame % ticks_per_scan == 0;
-    estimator.update(estimate, command, scans ? sensor.measure(truth, tick) : odometry_alone(*truth), tick);
+    estimator.update(estimate, command, scans ? sensors.measure(truth, tick) : odometry_alone(*truth), tick);
     command = controller.act(estimate, {}, {}, tick);
     run.instants.push_back(instant_of(tick, *truth, estimate, command, setup.place.size()));
     if (tick.frame % ticks_per_joint_nees == 0)

@@ -14,7 +14,7 @@
 
 #include "experiments/run_trace.hpp"
 #include "incognita/control/steering.hpp"
-#include "incognita/world/points/team_world.hpp"
+#include "incognita/world/points/point_world.hpp"
 
 namespace incognita::closed_loop {
 

@@ -11,8 +11,8 @@
 #include "incognita/models/motion/heading.hpp"
 #include "incognita/models/sensors/wide_angle_camera.hpp"
 #include "incognita/slam/estimator/slam_estimator.hpp"
-#include "incognita/world/points/team_world.hpp"
-#include "incognita/world/room_clock.hpp"
+#include "incognita/world/fixed_rate_clock.hpp"
+#include "incognita/world/points/point_world.hpp"
 
 namespace incognita::swinging_camera {
 namespace {
@@ -89,8 +89,8 @@ SimulatedVehicle body_of(const Setup& s) {
   const SmallVector most = most_of(s.control);
   const PlantSettings plant{start_of(s), s.noise_times * start_sigmas(s), s.noise_times * disturbances(s),
                             -most, most};
-  return {FreeCameraMotion{}, plant, CameraSensor{lens()},
-          SmallVector::Constant(2, s.noise_times * s.sigma_pixel_px)};
+  return {{FreeCameraMotion{}, plant, {}},
+          {CameraSensor{lens()}, SmallVector::Constant(2, s.noise_times * s.sigma_pixel_px)}};
 }
 
 EstimatorSettings filter_of(const Setup& s, const PointLandmarks& place) {
@@ -172,8 +172,8 @@ double gaze_off_rad(const State& camera, const Reference& reference) {
 
 Course run(const Setup& s, std::uint64_t seed) {
   const PointLandmarks place = room_of(s.points, seed);
-  TeamWorld world({body_of(s)}, seed);
-  TeamSensor sensor({body_of(s)}, place, false, seed);
+  SimulatedWorld world = point_world({body_of(s)}, seed);
+  SensorSet sensors = point_sensors({body_of(s)}, {place}, seed);
   SlamEstimator estimator(filter_of(s, place));
   const auto law = law_of(s);
   FixedRateClock clock(s.rate_hz, s.duration_s);
@@ -182,7 +182,7 @@ Course run(const Setup& s, std::uint64_t seed) {
   Course course;
   while (const Tick tick = clock.next()) {
     const auto truth = world.move(command, tick);
-    Observation observation = sensor.measure(truth, tick);
+    Observation observation = sensors.measure(truth, tick);
     if (!s.given_commands && observation.bodies.front().input) observation.bodies.front().input->setZero();
     estimator.update(estimate, command, observation, tick);
     Instant now;

@@ -44,15 +44,15 @@ class Driver {
   }
 
   Drive run() {
-    RangeClock clock(recordings_, duration_s);
-    RangeSensor sensor(recordings_, {.measures_vehicles = setup_.see_each_other});
+    ReplayClock clock(scan_times(*recordings_, duration_s));
+    SensorSet sensors = recorded_ranges(recordings_, {.measures_vehicles = setup_.see_each_other});
     Tick tick = clock.next();
     const double start_t = tick.t;
     SlamEstimator estimator(settings_of(robots_, start_t, setup_));
     Estimate estimate;
     double matched_t = start_t;
     for (; tick; tick = clock.next()) {
-      const Observation observation = sensor.measure({}, tick);
+      const Observation observation = sensors.measure({}, tick);
       const double before = processor_seconds();
       estimator.update(estimate, {}, observation, tick);
       drive_.took_s += processor_seconds() - before;
@@ -135,13 +135,12 @@ class Driver {
 
 /// Scans that show nothing at the times of the others' scans; none from before the team's first.
 void measure_at_all_times(RangeRecording& robot, const Robots& team) {
-  RangeClock clock(std::make_shared<const Robots>(team), duration_s);
   std::vector<RangeRecording::Scan> scans;
   auto own = robot.scans.begin();
-  while (const Tick tick = clock.next()) {
-    while (own != robot.scans.end() && own->t < tick.t) ++own;
-    const bool saw = own != robot.scans.end() && own->t == tick.t;
-    scans.push_back(saw ? *own : RangeRecording::Scan{tick.t, {}});
+  for (const double t : scan_times(team, duration_s)) {
+    while (own != robot.scans.end() && own->t < t) ++own;
+    const bool saw = own != robot.scans.end() && own->t == t;
+    scans.push_back(saw ? *own : RangeRecording::Scan{t, {}});
   }
   robot.scans = std::move(scans);
 }

@@ -8,7 +8,7 @@
 #include "incognita/math/angles.hpp"
 #include "incognita/models/motion/planar_vehicle.hpp"
 #include "incognita/slam/estimator/slam_estimator.hpp"
-#include "incognita/world/replay/range_replay.hpp"
+#include "incognita/world/replay/recorded_ranges.hpp"
 
 namespace incognita {
 
@@ -57,12 +57,12 @@ struct RunTrace {
 template <class Visit>
 Estimate replay(const SharedRangeRecordings& recordings, double duration_s,
                 const RangeSensorSettings& settings, const EstimatorSettings& filter, const Visit& visit) {
-  RangeClock clock(recordings, duration_s);
-  RangeSensor sensor(recordings, settings);
+  ReplayClock clock(scan_times(*recordings, duration_s));
+  SensorSet sensors = recorded_ranges(recordings, settings);
   SlamEstimator estimator(filter);
   Estimate estimate;
   while (const Tick tick = clock.next()) {
-    estimator.update(estimate, {}, sensor.measure({}, tick), tick);
+    estimator.update(estimate, {}, sensors.measure({}, tick), tick);
     visit(estimate, tick);
   }
   return estimate;

@@ -45,9 +45,8 @@ inline const BodyCommand& command_of(const Command& command, std::size_t body) {
 }
 
 /// The input of a body; zeros where none is commanded.
-inline SmallVector input_of(const Command& command, std::size_t body, Eigen::Index size) {
-  const SmallVector& input = command_of(command, body).input;
-  return input.size() == 0 ? SmallVector(SmallVector::Zero(size)) : input;
+inline SmallVector input_of(const BodyCommand& command, Eigen::Index size) {
+  return command.input.size() == 0 ? SmallVector(SmallVector::Zero(size)) : command.input;
 }
 
 }  // namespace incognita

@@ -58,12 +58,12 @@ struct BodyObservation {
   std::vector<std::shared_ptr<const Image>> images = {};
   /// The input that it executed since the last tick, as its motion model takes it
   std::optional<SmallVector> input = {};
-  std::vector<Odometry> odometry = {};      ///< or each reading since then, in time order
-  std::vector<PositionReading> fixes = {};  ///< of an external sensor, since the last tick, in time order
-  /// Wheel encoders of the vehicle that carries a camera: speed, m/s, and turn rate, rad/s. The filter does not use them
-  std::optional<Eigen::Vector2d> wheels = {};
-  std::vector<PointDetection> landmarks = {};    ///< of this tick
-  std::vector<PointDetection> vehicles = {};     ///< other bodies of the team, of this tick
+  /// Or each reading since then, in time order. Of a free camera: the wheel encoders of the vehicle that carries it,
+  /// speed, m/s, and turn rate, rad/s
+  std::vector<Odometry> odometry = {};
+  std::vector<PositionReading> fixes = {};     ///< of an external sensor, since the last tick, in time order
+  std::vector<PointDetection> landmarks = {};  ///< of this tick
+  std::vector<PointDetection> vehicles = {};   ///< other bodies of the team, of this tick
   std::vector<ConeRange> proximity_ranges = {};  ///< of obstacles, of this tick
 };
 

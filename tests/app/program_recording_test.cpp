@@ -7,9 +7,9 @@
 
 #include "incognita/io/scenario/camera.hpp"
 #include "incognita/io/scenario/load_scenario.hpp"
+#include "incognita/world/fixed_rate_clock.hpp"
+#include "incognita/world/rendered/room_bodies.hpp"
 #include "incognita/world/rendered/room_camera.hpp"
-#include "incognita/world/rendered/room_world.hpp"
-#include "incognita/world/room_clock.hpp"
 #include "tests/app/program.hpp"
 #include "tests/scratch.hpp"
 
@@ -46,10 +46,10 @@ class ProgramRecording : public ::testing::Test {
     const Scenario room = load_scenario("room").scenario;
     const auto painted = std::make_shared<const Room>(room.room, 1);
     FixedRateClock clock(room.run.rate_hz, frames / room.run.rate_hz);
-    RoomWorld world(painted->layout(), room.room, 1);
+    SimulatedWorld world(camera_in_room(room.room, painted->layout(), 1), 1);
     RoomCamera camera(painted, make_camera(room.camera), room.room, 1);
     while (const Tick tick = clock.next())
-      images_.push_back(camera.measure(world.move({}, tick), tick).bodies.at(0).images.at(0));
+      images_.push_back(camera.image_from(*world.move({}, tick)->bodies.at(0).pose, tick));
     scratch_.write("s.toml",
                    "[world]\ntype = \"recording\"\n[recording]\nfolder = \"" + images().string() +
                        "\"\n\n[start]\ntarget = \"targets/sheet.toml\"\n[decision]\nstrategy = \"none\"\n");

@@ -126,7 +126,7 @@ double nearest_matches(const std::filesystem::path& run) {
 TEST(ProgramRun, NoCornerIsMappedTwice) {
   for (const char* seed : {"1", "4", "6"}) {  // where anchors come too near to be searched for
     const Scratch scratch;
-    const Words many = {"--set",  "landmark_initialization.max_new_per_frame=5", "--seed", seed,
+    const Words many = {"--set", "landmark_initialization.max_new_per_frame=5", "--seed", seed,
                         "--no-figures"};
     ASSERT_EQ(testing::incognita(room_for("8", "run", many), scratch.folder()).code, 0);
     const double nearest = nearest_matches(scratch.folder() / "run");

@@ -16,9 +16,8 @@
 #include "incognita/math/gaussian.hpp"
 #include "incognita/math/random.hpp"
 #include "incognita/slam/estimator/single_camera.hpp"
-#include "incognita/world/rendered/free_camera_plant.hpp"
 #include "incognita/world/rendered/room_camera.hpp"
-#include "tests/camera_truth.hpp"
+#include "tests/world/camera_in_room.hpp"
 
 namespace incognita {
 namespace {
@@ -43,7 +42,7 @@ const Setup& setup() {
 Tick tick_of(int k) { return {k, k / rate_hz, k == 0 ? 0 : 1 / rate_hz}; }
 
 std::shared_ptr<const Image> image_from(RoomCamera& camera, const CameraState& pose, const Tick& tick) {
-  return image_of(body_of(camera.measure(testing::camera_truth(pose), tick), 0));
+  return camera.image_from(pose_of(FreeCameraMotion{}, pose), tick);
 }
 
 /// The outcome of one run.
@@ -113,7 +112,7 @@ Command sway(double t) {
 
 Ran fly(int cameras, std::uint64_t seed) {
   const Scenario& s = setup().scenario;
-  FreeCameraPlant plant(s.room, setup().room->layout(), seed);
+  testing::CameraInRoom plant(s.room, setup().room->layout(), seed);
   RoomCamera first(setup().room, setup().camera, s.room, seed),
       second(setup().room, setup().camera, s.room, seed + 100);
   SlamEstimator estimator = with_cameras(cameras, seed);
@@ -122,7 +121,7 @@ Ran fly(int cameras, std::uint64_t seed) {
   Ran ran;
   CameraState truth;
   for (int k = 0; k <= 3 * rate_hz; ++k) {
-    truth = plant.move(input_of(command, 0, 6), tick_of(k).dt);
+    truth = plant.move(input_of(command_of(command, 0), 6), tick_of(k).dt);
     Observation observation;
     BodyObservation& body = observation.bodies.emplace_back();
     body.images = {image_from(first, truth, tick_of(k)), image_from(second, second_pose(truth), tick_of(k))};

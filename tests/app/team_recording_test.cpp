@@ -9,7 +9,7 @@
 #include "incognita/math/angles.hpp"
 #include "incognita/messages/errors.hpp"
 #include "incognita/slam/estimator/slam_estimator.hpp"
-#include "incognita/world/replay/range_replay.hpp"
+#include "incognita/world/replay/recorded_ranges.hpp"
 
 namespace incognita {
 namespace {
@@ -36,8 +36,8 @@ struct Errors {
 
 Errors drive(const std::vector<RangeRecording>& robots, bool see_each_other) {
   const auto shared = std::make_shared<const std::vector<RangeRecording>>(robots);
-  RangeClock clock(shared, 900);
-  RangeSensor sensor(shared, {.measures_vehicles = see_each_other});
+  ReplayClock clock(scan_times(robots, 900));
+  SensorSet sensors = recorded_ranges(shared, {.measures_vehicles = see_each_other});
   Tick tick = clock.next();
   EstimatorSettings settings;
   settings.filter.gate_probability = 0.999;
@@ -46,7 +46,7 @@ Errors drive(const std::vector<RangeRecording>& robots, bool see_each_other) {
   Estimate estimate;
   std::vector<double> squares(robots.size()), count(robots.size());
   for (; tick; tick = clock.next()) {
-    estimator.update(estimate, {}, sensor.measure({}, tick), tick);
+    estimator.update(estimate, {}, sensors.measure({}, tick), tick);
     for (std::size_t i = 0; i < robots.size(); ++i) {
       const auto place = true_position(robots[i], tick.t);
       if (!place) continue;

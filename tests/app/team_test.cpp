@@ -12,8 +12,8 @@
 #include "incognita/control/steering_controller.hpp"
 #include "incognita/models/sensors/wide_angle_camera.hpp"
 #include "incognita/slam/estimator/slam_estimator.hpp"
-#include "incognita/world/points/team_world.hpp"
-#include "incognita/world/room_clock.hpp"
+#include "incognita/world/fixed_rate_clock.hpp"
+#include "incognita/world/points/point_world.hpp"
 
 namespace incognita {
 namespace {
@@ -35,12 +35,11 @@ struct Scene {
 
   void add(const BodyModel& member, const SteeringSettings& steer, double max_range_m) {
     SimulatedVehicle v{
-        member.motion,
-        {member.start, member.start_sigmas, member.input_sigmas, -steer.most_input, steer.most_input},
-        member.sensors[0].sensor,
-        member.sensors[0].sigmas,
-        member.sensors[0].sigma_range_ratio};
-    v.reach.max_range_m = max_range_m;
+        {member.motion,
+         {member.start, member.start_sigmas, member.input_sigmas, -steer.most_input, steer.most_input},
+         {}},
+        {member.sensors[0].sensor, member.sensors[0].sigmas, member.sensors[0].sigma_range_ratio}};
+    v.sensor.limits.max_range_m = max_range_m;
     vehicles.push_back(v);
     filter.bodies.push_back(member);
     steering.push_back(steer);
@@ -55,7 +54,7 @@ struct Result {
 };
 
 double nees_of(const Scene& scene, const Estimate& estimate, const Truth& truth, std::size_t i) {
-  const Chart& chart = chart_of(scene.vehicles[i].motion);
+  const Chart& chart = chart_of(scene.vehicles[i].body.motion);
   const SmallVector mean = estimate.belief.mean(estimate.bodies[i].block), t = truth.bodies[i].state;
   Eigen::VectorXd e(chart.tangent());
   chart.minus({t.data(), static_cast<std::size_t>(t.size())},
@@ -66,12 +65,12 @@ double nees_of(const Scene& scene, const Estimate& estimate, const Truth& truth,
 }
 
 Result run(const Scene& scene, double duration_s, std::uint64_t seed) {
-  TeamWorld world(scene.vehicles, seed);
-  TeamSensor sensor(scene.vehicles, scene.place, scene.see_each_other, seed);
+  SimulatedWorld world = point_world(scene.vehicles, seed);
+  SensorSet sensors = point_sensors(scene.vehicles, {scene.place, scene.see_each_other}, seed);
   SlamEstimator estimator(scene.filter);
   std::vector<BodyControl> steered;
   for (std::size_t i = 0; i < scene.steering.size(); ++i)
-    steered.push_back({scene.vehicles[i].motion, scene.steering[i]});
+    steered.push_back({scene.vehicles[i].body.motion, scene.steering[i]});
   SteeringController controller(std::move(steered), 1 / scene.rate_hz);
   FixedRateClock clock(scene.rate_hz, duration_s);
   Result result;
@@ -79,11 +78,11 @@ Result run(const Scene& scene, double duration_s, std::uint64_t seed) {
   int all = 0, late = 0;
   while (const Tick tick = clock.next()) {
     const auto truth = world.move(command, tick);
-    estimator.update(result.estimate, command, sensor.measure(truth, tick), tick);
+    estimator.update(result.estimate, command, sensors.measure(truth, tick), tick);
     command = controller.act(result.estimate, {}, {}, tick);
     result.position_error_m = 0;
     for (std::size_t i = 0; i < scene.vehicles.size(); ++i) {
-      const AnyMotion& motion = scene.vehicles[i].motion;
+      const AnyMotion& motion = scene.vehicles[i].body.motion;
       const SmallVector at_truth = position_of(motion, truth->bodies[i].state).position;
       const SmallVector estimated =
           position_of(motion, result.estimate.belief.mean(result.estimate.bodies[i].block)).position;
@@ -315,8 +314,8 @@ TEST_P(Forms, GiveTheSameEstimate) {
   changed.filter.form = BeliefForm::information;
   SlamEstimator covariance(scene.filter), information(changed);
   Estimate a, b;
-  TeamWorld world(scene.vehicles, 5);
-  TeamSensor sensor(scene.vehicles, scene.place, true, 5);
+  SimulatedWorld world = point_world(scene.vehicles, 5);
+  SensorSet sensors = point_sensors(scene.vehicles, {scene.place, true}, 5);
   FixedRateClock clock(10, 30);
   Command command;
   for (const SteeringSettings& steer : scene.steering) command.bodies.push_back({steer.most_input * 0.3});
@@ -325,7 +324,7 @@ TEST_P(Forms, GiveTheSameEstimate) {
   const double tolerance = linearization == Linearization::unscented_vehicle ? 1e-6 : 1e-8;
   std::size_t first_seen = 0;
   while (const Tick tick = clock.next()) {
-    const Observation observation = sensor.measure(world.move(command, tick), tick);
+    const Observation observation = sensors.measure(world.move(command, tick), tick);
     covariance.update(a, command, observation, tick);
     information.update(b, command, observation, tick);
     if (tick.frame == 0) first_seen = a.landmarks.size();

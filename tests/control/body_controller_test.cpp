@@ -39,7 +39,7 @@ TEST(CarriedCamera, FindsTheAxleUnderTheCamera) {
   }
 }
 
-Eigen::Vector2d input(const Command& command) { return input_of(command, 0, 2); }
+Eigen::Vector2d input(const Command& command) { return input_of(command_of(command, 0), 2); }
 
 TEST(CarriedCamera, CommandedDriveTakesPrecedenceOverTheLaw) {
   SteeringController controller({driving()}, 0.1);

@@ -73,7 +73,7 @@ TEST(SteeringController, BrakesAFreeCameraFromTheLastEstimateWhenLostThenCommand
   Estimate estimate = tracking(x);
   SteeringController controller({free_camera_control({})});
   const auto input = [&](int k) {
-    return input_of(controller.act(estimate, {}, {}, {k, k / 30.0, 1 / 30.0}), 0, 6);
+    return input_of(command_of(controller.act(estimate, {}, {}, {k, k / 30.0, 1 / 30.0}), 0), 6);
   };
   input(0);
   estimate.status.state = TrackingState::lost;
@@ -91,7 +91,7 @@ TEST(SteeringController, BrakesWithinTheLimitsHoweverLongItTakes) {
   settings.max_acceleration_m_s2 = 0.5;
   SteeringController controller({free_camera_control(settings)});
   const auto input = [&](int k) {
-    return input_of(controller.act(estimate, {}, {}, {k, k / 30.0, 1 / 30.0}), 0, 6)[0];
+    return input_of(command_of(controller.act(estimate, {}, {}, {k, k / 30.0, 1 / 30.0}), 0), 6)[0];
   };
   input(0);
   estimate.status.state = TrackingState::lost;
@@ -109,7 +109,7 @@ TEST(SteeringController, DoesNotMoveAFreeCameraBeforeTheFirstDecision) {
   SteeringController controller({free_camera_control({})});
   Goal undecided;
   undecided.bodies.resize(1);
-  EXPECT_TRUE(input_of(controller.act(tracking(away), undecided, {}, {0, 0, 0}), 0, 6).isZero());
+  EXPECT_TRUE(input_of(command_of(controller.act(tracking(away), undecided, {}, {0, 0, 0}), 0), 6).isZero());
 }
 
 TEST(SteeringController, SwingsTheGazeWhereTheGoalLeavesItFree) {

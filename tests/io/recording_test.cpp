@@ -11,7 +11,7 @@
 #include "incognita/io/formats/data_folder.hpp"
 #include "incognita/io/formats/files.hpp"
 #include "incognita/io/formats/image_file.hpp"
-#include "incognita/io/recordings/recorded.hpp"
+#include "incognita/io/recordings/recorded_images.hpp"
 #include "tests/scratch.hpp"
 
 namespace incognita {
@@ -202,7 +202,7 @@ TEST(TumRecording, ReadsImagesAndTruth) {
   EXPECT_EQ(recording.truth[0].position, Eigen::Vector3d(1, 2, 3));
   EXPECT_LT((recording.truth[0].world_from_camera - Eigen::Vector4d(0.8, 0, 0, 0.6)).norm(), 1e-12);
 
-  RecordedWorld world(share(recording));
+  ReplayWorld world({recorded_truth(share(recording))});
   const auto truth = world.move({}, at(1305031102.175304));
   ASSERT_TRUE(truth);
   EXPECT_EQ(truth->bodies[0].pose->position, Eigen::Vector3d(1, 2, 3));
@@ -283,10 +283,10 @@ SharedRecording three_images(const Scratch& scratch) {
   return share(read_recording(scratch.folder(), "images", 10));
 }
 
-TEST(RecordedClock, EndsAtTheEndOfTheRecordingOrTheDuration) {
+TEST(RecordedImages, EndAtTheEndOfTheRecordingOrTheDuration) {
   const Scratch scratch;
   const SharedRecording recording = three_images(scratch);
-  RecordedClock whole(recording, 100), part(recording, 0.2);
+  ReplayClock whole(frame_times(*recording, 100)), part(frame_times(*recording, 0.2));
   EXPECT_EQ(whole.expected_frames(), 3);
   EXPECT_EQ(part.expected_frames(), 2);
   const Tick first = whole.next(), second = whole.next();
@@ -298,12 +298,12 @@ TEST(RecordedClock, EndsAtTheEndOfTheRecordingOrTheDuration) {
   EXPECT_TRUE(whole.next());
   EXPECT_FALSE(whole.next());
   EXPECT_FALSE(whole.next());
-  EXPECT_FALSE(RecordedWorld(recording).move({}, first));
+  EXPECT_FALSE(ReplayWorld({recorded_truth(recording)}).move({}, first));
 }
 
-TEST(RecordedSensor, ReturnsTheImagesInOrder) {
+TEST(RecordedImages, ReturnsTheImagesInOrder) {
   const Scratch scratch;
-  RecordedSensor sensor(three_images(scratch), 20, 16);
+  SensorSet sensor(sensors_of_body(std::make_unique<RecordedImages>(three_images(scratch), 20, 16)));
   for (int k : {0, 1, 2, 0}) {
     const Observation observation = sensor.measure(std::nullopt, {k, 0, 0});
     ASSERT_TRUE(observation.bodies.at(0).images.at(0));
@@ -316,19 +316,19 @@ TEST(RecordedSensor, ReturnsTheImagesInOrder) {
              "frame 3 requested, the recording has 3");
 }
 
-TEST(RecordedSensor, AWrongFirstImageIsAnInputError) {
+TEST(RecordedImages, AWrongFirstImageIsAnInputError) {
   const Scratch scratch;
   const SharedRecording recording = three_images(scratch);
-  const std::string text = message_of([&] { RecordedSensor(recording, 320, 240); });
+  const std::string text = message_of([&] { RecordedImages(recording, 320, 240); });
   EXPECT_HAS(text, "a0.pgm: frame 0 is 20x16 px");
   EXPECT_HAS(text, "expect 320x240");
   scratch.write("a0.pgm", pgm(20, 16).substr(0, 100));
-  EXPECT_HAS(message_of([&] { RecordedSensor(recording, 20, 16); }), "a0.pgm: the file is truncated");
+  EXPECT_HAS(message_of([&] { RecordedImages(recording, 20, 16); }), "a0.pgm: the file is truncated");
 }
 
-TEST(RecordedSensor, ALaterFailureIsARuntimeError) {
+TEST(RecordedImages, ALaterFailureIsARuntimeError) {
   const Scratch scratch;
-  RecordedSensor sensor(three_images(scratch), 20, 16);
+  SensorSet sensor(sensors_of_body(std::make_unique<RecordedImages>(three_images(scratch), 20, 16)));
   const auto complaint = [&] {
     return message_of<RecordError>([&] { sensor.measure(std::nullopt, {1, 0.1, 0.1}); });
   };

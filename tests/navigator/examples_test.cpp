@@ -57,8 +57,7 @@ TEST(Examples, OwnImagesAreTracked) {
   const testing::Scratch folder;
   std::string command = EXAMPLE_own_images;
   for (int k = 0; k < 30; ++k) {
-    const Truth truth{{BodyTruth{RigidPose{{1.6, 0.01 * k, 1.3}, level_gaze(0)}}}};
-    const auto image = image_of(body_of(camera.measure(truth, {k, k / 30.0, 1 / 30.0}), 0));
+    const auto image = camera.image_from({{1.6, 0.01 * k, 1.3}, level_gaze(0)}, {k, k / 30.0, 1 / 30.0});
     std::string file = "P5 320 240 255\n";
     file.append(reinterpret_cast<const char*>(image->row(0)), 320 * 240);
     command += " " + folder.write("image" + std::to_string(100 + k) + ".pgm", file).string();

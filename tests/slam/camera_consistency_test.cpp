@@ -13,9 +13,8 @@
 #include "incognita/io/scenario/target_file.hpp"
 #include "incognita/math/gaussian.hpp"
 #include "incognita/slam/estimator/single_camera.hpp"
-#include "incognita/world/rendered/free_camera_plant.hpp"
 #include "incognita/world/rendered/room_camera.hpp"
-#include "tests/camera_truth.hpp"
+#include "tests/world/camera_in_room.hpp"
 
 namespace incognita {
 namespace {
@@ -65,8 +64,9 @@ double pose_nees(const CameraState& truth, const Estimate& estimate) {
 
 Run run(std::uint64_t seed, double duration_s) {
   const Scenario& scenario = setup().loaded.scenario;
-  FreeCameraPlant plant(scenario.room, setup().room->layout(), seed);
-  RoomCamera sensor(setup().room, setup().camera, scenario.room, seed);
+  testing::CameraInRoom camera(scenario.room, setup().room->layout(), seed);
+  SensorSet sensors(
+      sensors_of_body(std::make_unique<RoomCamera>(setup().room, setup().camera, scenario.room, seed)));
   SlamEstimator estimator =
       single_camera(setup().camera, setup().target, scenario.slam, scenario.start.max_search_s, seed);
   Estimate estimate;
@@ -75,8 +75,8 @@ Run run(std::uint64_t seed, double duration_s) {
   const int frames = static_cast<int>(std::lround(duration_s * rate_hz));
   for (int k = 0; k <= frames; ++k) {
     const Tick tick{k, k / rate_hz, k == 0 ? 0 : 1 / rate_hz};
-    const CameraState truth = plant.move(input_of(command, 0, 6), tick.dt);
-    estimator.update(estimate, command, sensor.measure(testing::camera_truth(truth), tick), tick);
+    const CameraState truth = camera.move(input_of(command_of(command, 0), 6), tick.dt);
+    estimator.update(estimate, command, sensors.measure(camera.truth(), tick), tick);
     command = sway(tick.t);
     run.lost_frames += estimate.status.state == TrackingState::lost;
     if (!estimate.started) continue;

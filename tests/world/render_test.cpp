@@ -7,7 +7,7 @@
 
 #include "incognita/models/motion/heading.hpp"
 #include "incognita/models/sensors/wide_angle_camera.hpp"
-#include "incognita/world/rendered/free_camera_plant.hpp"
+#include "incognita/world/rendered/room_bodies.hpp"
 
 using namespace incognita;
 

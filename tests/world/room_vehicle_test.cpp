@@ -1,5 +1,5 @@
 // A vehicle on the uneven floor of the rendered room: pose of its camera, wheel odometry, and collisions.
-#include "incognita/world/rendered/room_vehicle.hpp"
+#include "incognita/world/rendered/proximity_ring.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +8,8 @@
 
 #include "incognita/models/motion/heading.hpp"
 #include "incognita/models/sensors/wide_angle_camera.hpp"
+#include "incognita/world/rendered/room_bodies.hpp"
+#include "incognita/world/rendered/room_camera.hpp"
 
 using namespace incognita;
 
@@ -42,7 +44,7 @@ Command drive(double speed, double turn_rate) {
 }
 
 TEST(RoomVehicle, CarriesItsCameraAtTheMountedPose) {
-  RoomVehicle world(body, mount, plant({0.3, -0.4, 0.7}), empty_room(), radius_m, 1);
+  SimulatedWorld world(vehicle_in_room(body, mount, plant({0.3, -0.4, 0.7}), empty_room(), radius_m), 1);
   const auto start = world.move({}, {0, 0, 0});
   const MountedCamera<3> mounted_pose = mount.on(body.pose({0.3, -0.4, 0.7}));
   EXPECT_EQ(start->bodies[0].state, mounted_pose.camera);
@@ -65,7 +67,7 @@ TEST(RoomVehicle, CarriesItsCameraAtTheMountedPose) {
 TEST(RoomVehicle, StopsItsRadiusFromWallsAndCanTurnAndLeave) {
   const RoomLayout room = empty_room();
   const FloorPlan plan(room);
-  RoomVehicle world(body, mount, plant({2, 0, 0}, 0.1), room, radius_m, 1);
+  SimulatedWorld world(vehicle_in_room(body, mount, plant({2, 0, 0}, 0.1), room, radius_m), 1);
   Truth truth = *world.move({}, {0, 0, 0});
   for (int k = 1; k < 100; ++k) {
     truth = *world.move(drive(0.8, 0), {k, k * 0.05, 0.05});
@@ -82,8 +84,8 @@ TEST(RoomVehicle, StopsItsRadiusFromWallsAndCanTurnAndLeave) {
 }
 
 TEST(RoomVehicle, RefusesToStartInAWall) {
-  EXPECT_THROW(RoomVehicle(body, mount, plant({2.9, 0, 0}), empty_room(), radius_m, 1),
-               std::invalid_argument);
+  const SimulatedBody in_wall = vehicle_in_room(body, mount, plant({2.9, 0, 0}), empty_room(), radius_m);
+  EXPECT_THROW(SimulatedWorld(in_wall, 1), std::invalid_argument);
 }
 
 /// The nearest obstacle inside a cone, by casting many rays.
@@ -137,16 +139,18 @@ TEST(RoomVehicle, ItsSensorMeasuresImagesWheelsAndRanges) {
   settings.boxes = 0;
   settings.sigma_image_gray = 0;
   const auto room = std::make_shared<const Room>(settings, 1, body.terrain);
-  RoomVehicle world(body, mount, plant({0, 0, 0}, 0.1), room->layout(), radius_m, 1);
-  RoomVehicleSensor sensor(RoomCamera(room, Camera{WideAngleCamera{}}, settings, 1), room->layout(),
-                           {4, 10, 0}, 1);
-  const BodyObservation first = sensor.measure(world.move({}, {0, 0, 0}), {0, 0, 0}).bodies.at(0);
+  SimulatedWorld world(vehicle_in_room(body, mount, plant({0, 0, 0}, 0.1), room->layout(), radius_m), 1);
+  SensorSet sensors(
+      sensors_of_body(std::make_unique<RoomCamera>(room, Camera{WideAngleCamera{}}, settings, 1),
+                      std::make_unique<WheelEncoders>(),
+                      std::make_unique<ProximityRing>(room->layout(), RangeRing{4, 10, 0}, 1)));
+  const BodyObservation first = sensors.measure(world.move({}, {0, 0, 0}), {0, 0, 0}).bodies.at(0);
   EXPECT_TRUE(first.odometry.empty()) << "nothing was driven yet";
   ASSERT_EQ(first.proximity_ranges.size(), 4u);
   EXPECT_NEAR(first.proximity_ranges[0].range_m, 3, 1e-9);
   EXPECT_NEAR(first.proximity_ranges[0].bearing_rad, pi / 4, 1e-12);
   const auto truth = world.move(drive(0.5, 7), {1, 0.1, 0.1});
-  const BodyObservation observation = sensor.measure(truth, {1, 0.1, 0.1}).bodies.at(0);
+  const BodyObservation observation = sensors.measure(truth, {1, 0.1, 0.1}).bodies.at(0);
   ASSERT_EQ(observation.odometry.size(), 1u);
   EXPECT_EQ(observation.odometry[0].input, Eigen::Vector2d(0.5, 1)) << "what it can do";
   ASSERT_TRUE(image_of(observation));

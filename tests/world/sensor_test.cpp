@@ -2,11 +2,10 @@
 
 #include "incognita/models/motion/heading.hpp"
 #include "incognita/models/sensors/wide_angle_camera.hpp"
-#include "incognita/world/rendered/free_camera_plant.hpp"
+#include "incognita/world/fixed_rate_clock.hpp"
 #include "incognita/world/rendered/image_noise.hpp"
 #include "incognita/world/rendered/render.hpp"
 #include "incognita/world/rendered/room_camera.hpp"
-#include "incognita/world/room_clock.hpp"
 
 using namespace incognita;
 
@@ -17,7 +16,7 @@ const std::shared_ptr<const Room>& room() {
   return shared;
 }
 
-Truth start() { return {{BodyTruth{RigidPose{{1.6, 0, 1.3}, level_gaze(0)}}}}; }
+RigidPose start() { return {{1.6, 0, 1.3}, level_gaze(0)}; }
 
 struct Moments {
   double mean = 0, sigma = 0;
@@ -72,11 +71,9 @@ TEST(RoomCamera, IsTheRenderPlusNoise) {
   quiet.sigma_image_gray = 0;
   Image expected;
   render(*room(), RayTable{Camera(model)}, {1.6, 0, 1.3}, level_gaze(0), expected);
-  EXPECT_EQ(*RoomCamera(room(), model, quiet, 1).measure(start(), Tick{0, 0, 0}).bodies[0].images.at(0),
-            expected);
+  EXPECT_EQ(*RoomCamera(room(), model, quiet, 1).image_from(start(), Tick{0, 0, 0}), expected);
 
-  const Image noisy =
-      *RoomCamera(room(), model, RoomSettings{}, 1).measure(start(), Tick{0, 0, 0}).bodies[0].images.at(0);
+  const Image noisy = *RoomCamera(room(), model, RoomSettings{}, 1).image_from(start(), Tick{0, 0, 0});
   double squares = 0;
   int count = 0;
   for (int i = 0; i < 320 * 240; ++i)
@@ -90,8 +87,8 @@ TEST(RoomCamera, IsTheRenderPlusNoise) {
 TEST(RoomCamera, SameSeedSameBytesAndAnotherSeedOthers) {
   const auto bytes = [](std::uint64_t seed) {
     RoomCamera camera(room(), WideAngleCamera{}, RoomSettings{}, seed);
-    camera.measure(start(), Tick{0, 0, 0});
-    return *camera.measure(start(), Tick{1, 0.1, 0.1}).bodies[0].images.at(0);
+    camera.image_from(start(), Tick{0, 0, 0});
+    return *camera.image_from(start(), Tick{1, 0.1, 0.1});
   };
   EXPECT_EQ(bytes(8), bytes(8));
   EXPECT_NE(bytes(8), bytes(9));
@@ -101,20 +98,36 @@ TEST(RoomCamera, ACoveredLensIsDarkFromThenOn) {
   RoomSettings s;
   s.cover_lens_from_s = 2;
   RoomCamera camera(room(), WideAngleCamera{}, s, 1);
-  EXPECT_GT(moments(*camera.measure(start(), Tick{59, 59 / 30.0, 1 / 30.0}).bodies[0].images.at(0)).mean, 60);
+  EXPECT_GT(moments(*camera.image_from(start(), Tick{59, 59 / 30.0, 1 / 30.0})).mean, 60);
   for (const double t : {2.0, 2.5, 100.0}) {
-    const Moments m = moments(*camera.measure(start(), Tick{60, t, 1 / 30.0}).bodies[0].images.at(0));
+    const Moments m = moments(*camera.image_from(start(), Tick{60, t, 1 / 30.0}));
     EXPECT_LT(m.mean, 12);
     EXPECT_NEAR(m.sigma, 2, 0.2) << "noise goes on";
   }
 }
 
 TEST(RoomCamera, NeedsTheTruth) {
-  RoomCamera camera(room(), WideAngleCamera{}, RoomSettings{}, 1);
-  EXPECT_THROW(camera.measure(std::nullopt, Tick{0, 0, 0}), std::invalid_argument);
+  SensorSet sensors(
+      sensors_of_body(std::make_unique<RoomCamera>(room(), WideAngleCamera{}, RoomSettings{}, 1)));
+  EXPECT_THROW(sensors.measure(std::nullopt, Tick{0, 0, 0}), std::invalid_argument);
+  EXPECT_THROW(sensors.measure(Truth{{BodyTruth{}}}, Tick{0, 0, 0}), std::invalid_argument);
 }
 
-TEST(RoomClock, TicksSteadilyAndEnds) {
+/// A body carries any set of sensors: here two cameras, of which the second lies 1 px beside the first.
+TEST(SensorSet, ABodyMayCarrySeveralCameras) {
+  RoomSettings quiet;
+  quiet.sigma_image_gray = 0;
+  WideAngleCamera first, second;
+  second.u0 += 1;
+  SensorSet sensors(sensors_of_body(std::make_unique<RoomCamera>(room(), first, quiet, 1),
+                                    std::make_unique<RoomCamera>(room(), second, quiet, 1)));
+  const Observation observation = sensors.measure(Truth{{BodyTruth{start()}}}, Tick{0, 0, 0});
+  ASSERT_EQ(observation.bodies.size(), 1u);
+  ASSERT_EQ(observation.bodies[0].images.size(), 2u);
+  EXPECT_NE(*observation.bodies[0].images[0], *observation.bodies[0].images[1]);
+}
+
+TEST(FixedRateClock, TicksSteadilyAndEnds) {
   FixedRateClock clock(30, 2);
   EXPECT_EQ(clock.expected_frames(), 60);
   int frames = 0;

@@ -13,7 +13,7 @@
 #include "incognita/app/loop/assembly.hpp"
 #include "incognita/io/formats/files.hpp"
 #include "incognita/io/recordings/camera_of_recording.hpp"
-#include "incognita/io/recordings/recorded.hpp"
+#include "incognita/io/recordings/recorded_images.hpp"
 #include "incognita/io/recordings/recording.hpp"
 #include "incognita/io/scenario/load_scenario.hpp"
 #include "incognita/io/scenario/renamed_settings.hpp"

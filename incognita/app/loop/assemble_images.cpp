@@ -8,7 +8,7 @@
 #include "incognita/control/steering_controller.hpp"
 #include "incognita/decision/decision.hpp"
 #include "incognita/io/recordings/camera_of_recording.hpp"
-#include "incognita/io/recordings/recorded.hpp"
+#include "incognita/io/recordings/recorded_images.hpp"
 #include "incognita/io/recordings/recording.hpp"
 #include "incognita/io/scenario/camera.hpp"
 #include "incognita/io/scenario/target_file.hpp"
@@ -59,13 +59,14 @@ Assembly assemble_recorded_images(const LoadedScenario& loaded) {
   if (std::string compared = compare_camera(loaded, *recording); !compared.empty())
     out.notes.push_back(std::move(compared));
   if (!target) out.notes.emplace_back("no target: the scale is unobservable, lengths are in arbitrary units");
-  out.parts = {std::make_unique<RecordedClock>(recording, s.run.duration_s),
-               std::make_unique<RecordedWorld>(recording),
-               std::make_unique<RecordedSensor>(recording, camera.width(), camera.height()),
-               image_estimator(loaded, camera, target),
-               decide_by_images(camera, s.slam, active_settings_of(s)),
-               // The recorded motion does not follow commands, and the filter must not predict by any
-               std::make_unique<SteeringController>()};
+  out.parts = {
+      std::make_unique<ReplayClock>(frame_times(*recording, s.run.duration_s)),
+      std::make_unique<ReplayWorld>(std::vector{recorded_truth(recording)}),
+      std::make_unique<SensorSet>(
+          sensors_of_body(std::make_unique<RecordedImages>(recording, camera.width(), camera.height()))),
+      image_estimator(loaded, camera, target), decide_by_images(camera, s.slam, active_settings_of(s)),
+      // The recorded motion does not follow commands, and the filter must not predict by any
+      std::make_unique<SteeringController>()};
   return out;
 }
 

@@ -7,13 +7,12 @@
 
 #include "incognita/app/loop/assemblers.hpp"
 #include "incognita/app/loop/body_models.hpp"
-#include "incognita/app/loop/operator_assembly.hpp"
 #include "incognita/control/steering_controller.hpp"
 #include "incognita/decision/decision.hpp"
 #include "incognita/decision/no_decision.hpp"
 #include "incognita/io/scenario/enum_words.hpp"
 #include "incognita/messages/errors.hpp"
-#include "incognita/world/room_clock.hpp"
+#include "incognita/world/fixed_rate_clock.hpp"
 
 namespace incognita {
 namespace {
@@ -47,20 +46,6 @@ std::vector<std::string> notes_of(const LoadedScenario& loaded) {
       "and the landmarks reach to {:.3g} m: set a prior that fits them, or the map may diverge",
       s.slam.initialization.inverse_depth_per_m,
       loaded.source_of("landmark_initialization.inverse_depth_per_m"), assumed_m, place_m)};
-}
-
-std::unique_ptr<World> world_of(const Scenario& s, const std::vector<SimulatedVehicle>& vehicles,
-                                const Terrain& ground) {
-  const auto seed = static_cast<std::uint64_t>(s.run.seed);
-  if (!s.has_carried_camera()) {
-    std::vector<OperatorActuator> actuators;
-    for (std::size_t i = 0; s.operator_settings.holds && i < vehicles.size(); ++i)
-      actuators.push_back(operator_of(s, i));
-    return std::make_unique<TeamWorld>(vehicles, seed, std::move(actuators));
-  }
-  std::vector<CameraCarrier> carriers;
-  for (std::size_t i = 0; i < vehicles.size(); ++i) carriers.push_back(carrier_of(s, i, ground));
-  return std::make_unique<CarriedCameraWorld>(std::move(carriers), seed);
 }
 
 /// Identities that a sensor provides; nullopt: all. Anchors are recognized like the fiducial points of Section 6.3.1.
@@ -131,19 +116,20 @@ Assembly assemble_points(const LoadedScenario& loaded) {
   auto controller = controller_of(loaded, ground);
   std::vector<SimulatedVehicle> vehicles;
   for (std::size_t i = 0; i < vehicles_of(s); ++i) vehicles.push_back(simulated_vehicle(s, i, ground));
-  auto sensor = std::make_unique<TeamSensor>(vehicles, place, s.sensor.measures_vehicles,
-                                             static_cast<std::uint64_t>(s.run.seed), identified);
+  const auto seed = static_cast<std::uint64_t>(s.run.seed);
+  const auto associations = std::make_shared<AssociationTruth>();
   Assembly out;
   out.info = info_of_points(loaded);
   if (identified)
-    out.association_truth = sensor->truth();
+    out.association_truth = associations;
   else
     out.info.survey = survey_of(place);
   out.notes = notes_of(loaded);
   out.anchors = static_cast<int>(settings.anchors.size());
   out.parts = {std::make_unique<FixedRateClock>(s.run.rate_hz, s.run.duration_s),
-               world_of(s, vehicles, ground),
-               std::move(sensor),
+               std::make_unique<SimulatedWorld>(point_world(vehicles, seed)),
+               std::make_unique<SensorSet>(point_sensors(
+                   vehicles, {place, s.sensor.measures_vehicles, identified}, seed, associations)),
                std::move(estimator),
                strategy_of(s, settings),
                std::move(controller)};

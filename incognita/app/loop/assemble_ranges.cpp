@@ -100,9 +100,9 @@ std::vector<std::string> left_out(const RangeRecording& recording, const PlanarS
 /// Commands have no effect on a recording.
 LoopParts replay_of(const SharedRangeRecordings& recordings, const RangeSensorSettings& sensor,
                     std::unique_ptr<Estimator> estimator, double duration_s) {
-  return {std::make_unique<RangeClock>(recordings, duration_s),
-          std::make_unique<RangeWorld>(recordings),
-          std::make_unique<RangeSensor>(recordings, sensor),
+  return {std::make_unique<ReplayClock>(scan_times(*recordings, duration_s)),
+          std::make_unique<ReplayWorld>(recorded_truths(recordings)),
+          std::make_unique<SensorSet>(recorded_ranges(recordings, sensor)),
           std::move(estimator),
           std::make_unique<NoDecision>(),
           std::make_unique<SteeringController>()};
@@ -193,15 +193,14 @@ Assembly assemble_team(const LoadedScenario& loaded) {
   const Scenario& s = loaded.scenario;
   const auto robots = std::make_shared<const std::vector<RangeRecording>>(read_mrclam_team(find_data(
       s.recording.folder, loaded.file, loaded.source_of("recording.folder") + ": recording.folder")));
-  RangeClock glance(robots, s.run.duration_s);
-  const Tick first = glance.next();
-  if (!first)
+  const std::vector<double> times = scan_times(*robots, s.run.duration_s);
+  if (times.empty())
     throw InputError(fmt::format("{}: run.duration_s = {}: nothing was seen by then",
                                  loaded.source_of("run.duration_s"), s.run.duration_s));
   Assembly out;
   out.parts = replay_of(
       robots, RangeSensorSettings{s.planar.sensor.max_range_m, Fixes::none, s.sensor.measures_vehicles},
-      point_estimator(loaded, recorded_team(loaded, *robots, first.t)), s.run.duration_s);
+      point_estimator(loaded, recorded_team(loaded, *robots, times.front())), s.run.duration_s);
   put_scenario(loaded, out.info);
   out.info.body = "vehicle";
   out.info.bodies = static_cast<int>(robots->size());

@@ -9,10 +9,10 @@
 #include "incognita/decision/no_decision.hpp"
 #include "incognita/io/scenario/camera.hpp"
 #include "incognita/io/scenario/enum_words.hpp"
+#include "incognita/world/fixed_rate_clock.hpp"
+#include "incognita/world/rendered/proximity_ring.hpp"
+#include "incognita/world/rendered/room_bodies.hpp"
 #include "incognita/world/rendered/room_camera.hpp"
-#include "incognita/world/rendered/room_vehicle.hpp"
-#include "incognita/world/rendered/room_world.hpp"
-#include "incognita/world/room_clock.hpp"
 
 namespace incognita {
 namespace {
@@ -60,11 +60,13 @@ void put_vehicle(const LoadedScenario& loaded, const Camera& camera, const std::
   const Terrain ground = ground_of(loaded);
   const auto room = std::make_shared<const Room>(room_of(s), seed, ground);
   if (target) check_sheet(loaded, *target, room->layout().sheet);
-  parts.world =
-      std::make_unique<RoomVehicle>(TerrainVehicle{ground}, s.mount, simulated_vehicle(s, 0, ground).plant,
-                                    room->layout(), s.room.clearance_m, seed);
-  parts.sensor = std::make_unique<RoomVehicleSensor>(RoomCamera(room, camera, s.room, seed), room->layout(),
-                                                     RangeRing{}, seed);
+  parts.world = std::make_unique<SimulatedWorld>(
+      vehicle_in_room({ground}, s.mount, simulated_vehicle(s, 0, ground).body.plant, room->layout(),
+                      s.room.clearance_m),
+      seed);
+  parts.sensor = std::make_unique<SensorSet>(sensors_of_body(
+      std::make_unique<RoomCamera>(room, camera, s.room, seed), std::make_unique<WheelEncoders>(),
+      std::make_unique<ProximityRing>(room->layout(), RangeRing{}, seed)));
   std::optional<WheelOdometry> odometry;
   if (s.slam.filter.odometry) odometry = odometry_of(s);
   parts.estimator = image_estimator(loaded, camera, target, odometry);
@@ -82,10 +84,11 @@ void put_free_camera(const LoadedScenario& loaded, const Camera& camera, const s
   const auto seed = static_cast<std::uint64_t>(s.run.seed);
   const auto room = std::make_shared<const Room>(s.room, seed);
   if (target) check_sheet(loaded, *target, room->layout().sheet);
-  std::optional<OperatorActuator> actuator;
-  if (s.operator_settings.holds) actuator = operator_of(s, 0);
-  parts.world = std::make_unique<RoomWorld>(room->layout(), s.room, seed, std::move(actuator));
-  parts.sensor = std::make_unique<RoomCamera>(room, camera, s.room, seed);
+  SimulatedBody body = camera_in_room(s.room, room->layout(), seed);
+  if (s.operator_settings.holds) body.actuator = operator_of(s, 0);
+  parts.world = std::make_unique<SimulatedWorld>(std::move(body), seed);
+  parts.sensor =
+      std::make_unique<SensorSet>(sensors_of_body(std::make_unique<RoomCamera>(room, camera, s.room, seed)));
   parts.estimator = image_estimator(loaded, camera, target);
   parts.strategy = decide_by_images(camera, s.slam, active_settings_of(s));
   parts.controller = std::make_unique<SteeringController>(

@@ -9,8 +9,8 @@
 #include "incognita/io/scenario/load_scenario.hpp"
 #include "incognita/record/summary/run_summary.hpp"
 #include "incognita/slam/points/planar_settings.hpp"
-#include "incognita/world/points/team_world.hpp"
-#include "incognita/world/replay/range_replay.hpp"
+#include "incognita/world/points/point_world.hpp"
+#include "incognita/world/replay/recorded_ranges.hpp"
 
 namespace incognita {
 

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "incognita/record/snapshot/snapshot.hpp"
-#include "incognita/world/points/team_world.hpp"
+#include "incognita/world/points/point_world.hpp"
 
 namespace incognita {
 

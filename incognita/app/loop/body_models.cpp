@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "incognita/app/loop/operator_assembly.hpp"
 #include "incognita/io/formats/files.hpp"
 #include "incognita/io/formats/path_file.hpp"
 #include "incognita/io/formats/point_file.hpp"
@@ -42,8 +43,7 @@ SmallVector start_of(const Scenario& s, std::size_t i) {
 SmallVector estimated_start(const Scenario& s, std::size_t i, const Terrain& ground) {
   const SmallVector start = start_of(s, i);
   if (!s.has_carried_camera()) return start;
-  const CameraCarrier carrier{{ground}, {}, s.mount};
-  return carried_camera(carrier, start.head<3>(), TerrainVehicle::State<double>::Zero());
+  return carried_camera({ground}, s.mount, start.head<3>(), TerrainVehicle::State<double>::Zero());
 }
 
 struct StartSigmas {
@@ -210,21 +210,19 @@ MapperSettings filter_of(const Scenario& s) {
   return f;
 }
 
-CameraCarrier carrier_of(const Scenario& s, std::size_t i, const Terrain& ground) {
-  return {{ground}, plant_of(s, i), s.mount};
-}
-
 SimulatedVehicle simulated_vehicle(const Scenario& s, std::size_t i, const Terrain& ground) {
   const TruePlantSettings& p = s.plant;
-  SimulatedVehicle v{motion_of(s, ground), {}, sensor_of(s), {}};
-  if (p.motion == TruePlantSettings::Motion::terrain && !s.has_carried_camera())
-    v.motion = TerrainVehicle{ground};
-  v.plant = plant_of(s, i);
-  v.sigmas = of_sensor(v.sensor, p.sigma_range_m, p.sigma_bearing_rad, p.sigma_pixel_px);
-  if (measures_ranges(v.sensor)) v.sigma_range_ratio = p.sigma_range_ratio;
-  v.reach = reach_of(s, v.sensor);
-  v.ticks_per_measurement = s.sensor.ticks_per_measurement;
-  return v;
+  SimulatedBody body{motion_of(s, ground), plant_of(s, i), {}};
+  if (p.motion == TruePlantSettings::Motion::terrain || s.has_carried_camera())
+    body.motion = TerrainVehicle{ground};
+  if (s.has_carried_camera()) body.mount = s.mount;
+  if (s.operator_settings.holds) body.actuator = operator_of(s, i);
+  SimulatedPointSensor sensor{sensor_of(s), {}};
+  sensor.sigmas = of_sensor(sensor.model, p.sigma_range_m, p.sigma_bearing_rad, p.sigma_pixel_px);
+  if (measures_ranges(sensor.model)) sensor.sigma_range_ratio = p.sigma_range_ratio;
+  sensor.limits = reach_of(s, sensor.model);
+  sensor.ticks_per_measurement = s.sensor.ticks_per_measurement;
+  return {std::move(body), std::move(sensor)};
 }
 
 Eigen::Vector2d steered_point(const Scenario& s) {

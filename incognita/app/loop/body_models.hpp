@@ -14,8 +14,7 @@
 #include "incognita/models/motion/terrain.hpp"
 #include "incognita/slam/mapper/estimator.hpp"
 #include "incognita/slam/mapper/settings.hpp"
-#include "incognita/world/carried_camera_world.hpp"
-#include "incognita/world/points/team_world.hpp"
+#include "incognita/world/points/point_world.hpp"
 
 namespace incognita {
 
@@ -32,11 +31,8 @@ AnySensor sensor_of(const Scenario& scenario);
 BodyModel member_of(const Scenario& scenario, std::size_t i, const Terrain& ground);
 MapperSettings filter_of(const Scenario& scenario);
 
-/// The true vehicle `i`; of a carried camera the camera only, see carrier_of().
+/// The true vehicle `i` with its point sensor; the vehicle that carries camera `i` if has_carried_camera().
 SimulatedVehicle simulated_vehicle(const Scenario& scenario, std::size_t i, const Terrain& ground);
-
-/// The carrier of camera `i` if has_carried_camera().
-CameraCarrier carrier_of(const Scenario& scenario, std::size_t i, const Terrain& ground);
 
 /// The point that the control law brings to the path, ahead and left of the vehicle's reference point, m.
 Eigen::Vector2d steered_point(const Scenario& scenario);

@@ -195,8 +195,8 @@ void SlamEstimator::predict(Estimate& e, const Command& command, const Observati
   for (std::size_t i = 0; i < e.bodies.size(); ++i) {
     const BodyObservation& observed = body_of(observation, i);
     const BodyModel& model = settings_.bodies[i];
-    e.bodies[i].wheels = observed.wheels;
-    if (!observed.wheels && model.input == BodyModel::Input::commanded && !observed.odometry.empty())
+    e.bodies[i].wheels.reset();
+    if (traits_of(model.motion).in_space() && !observed.odometry.empty())
       e.bodies[i].wheels = observed.odometry.back().input;
     if (waits_in_place && carries_camera(i))
       e.bodies[i].t = tick.t;

@@ -73,6 +73,7 @@ void predict_through_readings(Estimate& e, std::size_t which, const BodyObservat
     }
   };
   for (const Odometry& reading : view.odometry) {
+    if (inputs_of(settings.bodies[which].motion) != 2) break;  // the encoders of a camera's carrier
     use_fixes_until(reading.t);
     hold_until(e, which, reading.t, settings);
     if (body.input && reading.t > body.input_t) body.input_period = reading.t - body.input_t;

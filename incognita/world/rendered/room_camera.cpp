@@ -19,18 +19,21 @@ RoomCamera::RoomCamera(std::shared_ptr<const Room> room, const Camera& camera, c
       noise_(settings.sigma_image_gray, seed),
       cover_lens_from_s_(settings.cover_lens_from_s) {}
 
-Observation RoomCamera::measure(const std::optional<Truth>& truth, const Tick& tick) {
-  if (!truth || truth->bodies.empty() || !truth->bodies[0].pose)
-    throw std::invalid_argument("the camera of the rendered room needs the true pose");
+std::shared_ptr<const Image> RoomCamera::image_from(const RigidPose& world_from_camera, const Tick& tick) {
   auto image = std::make_shared<Image>();
   if (covered(tick))
     *image = Image(rays_.width, rays_.height, covered_gray);
   else
-    render(*room_, rays_, truth->bodies[0].pose->position, truth->bodies[0].pose->world_from_body, *image);
+    render(*room_, rays_, world_from_camera.position, world_from_camera.world_from_body, *image);
   noise_.add_to(*image);
-  Observation observation;
-  observation.bodies.emplace_back().images = {std::move(image)};
-  return observation;
+  return image;
+}
+
+void RoomCamera::measure(const std::optional<Truth>& truth, std::size_t which, const Tick& tick,
+                         BodyObservation& observation) {
+  const BodyTruth& body = truth_of(truth, which);
+  if (!body.pose) throw std::invalid_argument("the camera of the rendered room needs the true pose");
+  observation.images.push_back(image_from(*body.pose, tick));
 }
 
 }  // namespace incognita

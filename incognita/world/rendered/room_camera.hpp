@@ -8,20 +8,22 @@
 #include "incognita/world/rendered/image_noise.hpp"
 #include "incognita/world/rendered/ray_table.hpp"
 #include "incognita/world/rendered/room.hpp"
+#include "incognita/world/sensor_set.hpp"
 #include "incognita/world/settings.hpp"
-#include "incognita/world/world.hpp"
 
 namespace incognita {
 
-class RoomCamera final : public Sensor {
+class RoomCamera final : public BodySensor {
  public:
   /// The room is shared, since painting it is the most expensive part.
   RoomCamera(std::shared_ptr<const Room> room, const Camera& camera, const RoomSettings& settings,
              std::uint64_t seed);
 
-  /// Deterministic: equal seeds and pose sequences give equal images. Throws std::invalid_argument without a
-  /// true pose.
-  Observation measure(const std::optional<Truth>& truth, const Tick& tick) override;
+  /// The image seen from a pose. Deterministic: equal seeds and pose sequences give equal images.
+  std::shared_ptr<const Image> image_from(const RigidPose& world_from_camera, const Tick& tick);
+
+  void measure(const std::optional<Truth>& truth, std::size_t which, const Tick& tick,
+               BodyObservation& observation) override;
 
  private:
   bool covered(const Tick& tick) const { return cover_lens_from_s_ >= 0 && tick.t >= cover_lens_from_s_; }

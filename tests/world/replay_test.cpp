@@ -1,5 +1,5 @@
 // Range-bearing recordings replayed in the loop, and the simulated drive.
-#include "incognita/world/replay/range_replay.hpp"
+#include "incognita/world/replay/recorded_ranges.hpp"
 
 #include <gtest/gtest.h>
 
@@ -24,8 +24,8 @@ RangeRecording small() {
   return r;
 }
 
-TEST(RangeClock, TicksOncePerScanForItsDuration) {
-  RangeClock clock(shared({small()}), 1.5);  // from 0.8, the first event of any kind
+TEST(ReplayClock, TicksOncePerScanForItsDuration) {
+  ReplayClock clock(scan_times({small()}, 1.5));  // from 0.8, the first event of any kind
   EXPECT_EQ(clock.expected_frames(), 2);
   const Tick first = clock.next(), second = clock.next();
   EXPECT_EQ(first.t, 1);
@@ -34,8 +34,8 @@ TEST(RangeClock, TicksOncePerScanForItsDuration) {
   EXPECT_FALSE(clock.next());
 }
 
-TEST(RangeSensor, ReturnsWhatWasMeasuredSinceThePreviousTick) {
-  RangeSensor sensor(shared({small()}), {30, Fixes::all});
+TEST(RecordedRanges, ReturnsWhatWasMeasuredSinceThePreviousTick) {
+  SensorSet sensor = recorded_ranges(shared({small()}), {30, Fixes::all});
   const BodyObservation first = sensor.measure({}, {0, 1, 0}).bodies.at(0),
                         second = sensor.measure({}, {1, 2, 1}).bodies.at(0);
   ASSERT_EQ(first.odometry.size(), 1u);
@@ -50,8 +50,9 @@ TEST(RangeSensor, ReturnsWhatWasMeasuredSinceThePreviousTick) {
   EXPECT_EQ(second.fixes[0].t, 1.9);
 }
 
-TEST(RangeSensor, ReturnsTheRequestedFixesOnly) {
-  RangeSensor none(shared({small()}), {30, Fixes::none}), first(shared({small()}), {30, Fixes::first});
+TEST(RecordedRanges, ReturnsTheRequestedFixesOnly) {
+  SensorSet none = recorded_ranges(shared({small()}), {30, Fixes::none}),
+            first = recorded_ranges(shared({small()}), {30, Fixes::first});
   EXPECT_TRUE(none.measure({}, {0, 1, 0}).bodies.at(0).fixes.empty());
   EXPECT_FALSE(first.measure({}, {0, 1, 0}).bodies.at(0).fixes.empty());
   EXPECT_TRUE(first.measure({}, {1, 2, 1}).bodies.at(0).fixes.empty());
@@ -68,10 +69,10 @@ TEST(TruePosition, InterpolatesAndTurnsTheShorterWay) {
   EXPECT_FALSE(true_position(recording, 3.5));
 }
 
-TEST(RangeWorld, ReportsWhetherTheOrientationIsKnown) {
+TEST(ReplayWorld, ReportsWhetherTheOrientationIsKnown) {
   RangeRecording r = small();
   for (auto& place : r.truth) place.heading_rad.reset();
-  RangeWorld blind(shared({r})), seeing(shared({small()}));
+  ReplayWorld blind(recorded_truths(shared({r}))), seeing(recorded_truths(shared({small()})));
   EXPECT_FALSE(blind.move({}, {0, 1, 0})->bodies[0].orientation_known);
   EXPECT_TRUE(seeing.move({}, {0, 1, 0})->bodies[0].orientation_known);
   EXPECT_FALSE(seeing.move({}, {1, 2, 1}));
@@ -121,10 +122,10 @@ TEST(PlanarLoop, HasTheStatedNoise) {
   EXPECT_NEAR(std::sqrt(turn / steps), settings.sigma_turn_rate_rad_s, 0.05 * settings.sigma_turn_rate_rad_s);
 }
 
-TEST(RangeWorld, EachRobotHasItsOwnTruth) {
+TEST(ReplayWorld, EachRobotHasItsOwnTruth) {
   RangeRecording first = small(), second = small();
   second.truth = {{1.0, {7, 1}, 0.5}, {1.4, {7, 2}, 0.5}};
-  RangeWorld world(shared({first, second}));
+  ReplayWorld world(recorded_truths(shared({first, second})));
   const auto both = world.move({}, {0, 1.2, 0}), second_only = world.move({}, {1, 1.3, 0.1}),
              neither = world.move({}, {2, 2, 0.7});
   ASSERT_TRUE(both && second_only);

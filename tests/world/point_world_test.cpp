@@ -1,11 +1,12 @@
 // A simulated point-landmark world and its vehicles: which landmarks and vehicles each sensor measures, the
 // values, and noise that is deterministic for a seed.
-#include "incognita/world/points/team_world.hpp"
+#include "incognita/world/points/point_world.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numbers>
 #include <set>
 
@@ -25,11 +26,11 @@ constexpr double pi = std::numbers::pi;
 /// At rest, without noise, without limits of range or field of view.
 SimulatedVehicle vehicle(const AnyMotion& motion, const AnySensor& sensor, const SmallVector& start) {
   const int inputs = inputs_of(motion);
-  return {motion,
-          {start, SmallVector::Zero(chart_of(motion).tangent()), SmallVector::Zero(inputs),
-           SmallVector::Constant(inputs, -1), SmallVector::Constant(inputs, 1)},
-          sensor,
-          SmallVector::Zero(chart_of(sensor).tangent())};
+  return {{motion,
+           {start, SmallVector::Zero(chart_of(motion).tangent()), SmallVector::Zero(inputs),
+            SmallVector::Constant(inputs, -1), SmallVector::Constant(inputs, 1)},
+           {}},
+          {sensor, SmallVector::Zero(chart_of(sensor).tangent())}};
 }
 
 /// Landmarks all around on the plane, with identities 10, 11, ...
@@ -51,17 +52,17 @@ std::set<std::int64_t> names(const std::vector<PointDetection>& seen) {
 /// The first observation of all.
 Observation first_measurement(const std::vector<SimulatedVehicle>& team, const PointLandmarks& place,
                               bool see_each_other = false, std::uint64_t seed = 1) {
-  TeamWorld world(team, seed);
-  TeamSensor sensor(team, place, see_each_other, seed);
+  SimulatedWorld world = point_world(team, seed);
+  SensorSet sensors = point_sensors(team, {place, see_each_other}, seed);
   const Tick tick{0, 0, 0};
-  return sensor.measure(world.move({}, tick), tick);
+  return sensors.measure(world.move({}, tick), tick);
 }
 
 std::vector<PointDetection> seen_by(const SimulatedVehicle& v, const PointLandmarks& place) {
   return first_measurement({v}, place).bodies[0].landmarks;
 }
 
-TEST(TeamSensor, MeasurementsAreExactWithoutNoise) {
+TEST(PointDetector, MeasurementsAreExactWithoutNoise) {
   const SmallVector pose = vec({1, -2, 2.5});
   const PointLandmarks place = ring(16, 5);
   for (const bool ranges : {true, false}) {
@@ -82,26 +83,26 @@ TEST(TeamSensor, MeasurementsAreExactWithoutNoise) {
   }
 }
 
-TEST(TeamSensor, RespectsItsRange) {
+TEST(PointDetector, RespectsItsRange) {
   SimulatedVehicle v = vehicle(DifferentialDrive{}, RangeBearingSensor{}, vec({0, 0, 0}));
-  v.reach.max_range_m = 5;
+  v.sensor.limits.max_range_m = 5;
   const PointLandmarks place{
       {1, vec({4.999, 0})}, {2, vec({-3, 4})}, {3, vec({0, 5.001})}, {4, vec({50, 50})}};
   EXPECT_EQ(names(seen_by(v, place)), (std::set<std::int64_t>{1, 2}));
   SimulatedVehicle on_line = vehicle(MonobotMotion{}, RelativePositionSensor{}, vec({1}));
-  on_line.reach.max_range_m = 2;
+  on_line.sensor.limits.max_range_m = 2;
   EXPECT_EQ(names(seen_by(on_line, {{1, vec({-0.9})}, {2, vec({3.1})}, {3, vec({2})}})),
             (std::set<std::int64_t>{1, 3}));
 }
 
-TEST(TeamSensor, RespectsItsFieldOfView) {
+TEST(PointDetector, RespectsItsFieldOfView) {
   for (const AnySensor& scanner : {AnySensor(RangeBearingSensor{}), AnySensor(BearingSensor{})}) {
     SimulatedVehicle v = vehicle(DifferentialDrive{}, scanner, vec({0, 0, pi}));  // faces -x
     const PointLandmarks place = ring(36, 3);
-    v.reach.field_of_view_rad = radians(95);
+    v.sensor.limits.field_of_view_rad = radians(95);
     for (const PointDetection& s : seen_by(v, place)) EXPECT_LT(place.at(s.identity).x(), 0);
     EXPECT_EQ(seen_by(v, place).size(), 9u) << "10 degrees apart";
-    v.reach.field_of_view_rad = 7;
+    v.sensor.limits.field_of_view_rad = 7;
     EXPECT_EQ(seen_by(v, place).size(), 36u) << "all around, also behind at the wrap";
   }
 }
@@ -114,22 +115,22 @@ WideAngleCamera lens() {
 }
 
 /// The first tick includes a measurement, whatever its frame number.
-TEST(TeamSensor, MeasuresInItsFirstTick) {
+TEST(PointDetector, MeasuresInItsFirstTick) {
   SimulatedVehicle v = vehicle(DifferentialDrive{0, 0}, RangeBearingSensor{}, vec({0, 0, 0}));
-  v.ticks_per_measurement = 5;
+  v.sensor.ticks_per_measurement = 5;
   for (const std::int64_t first : {0, 17}) {
-    TeamWorld world({v}, 1);
-    TeamSensor sensor({v}, ring(4, 3), false, 1);
+    SimulatedWorld world = point_world({v}, 1);
+    SensorSet sensors = point_sensors({v}, {ring(4, 3)}, 1);
     for (int k = 0; k <= 10; ++k) {
       const Tick tick{first + k, 0.1 * k, k == 0 ? 0 : 0.1};
-      EXPECT_EQ(sensor.measure(world.move({}, tick), tick).bodies[0].landmarks.empty(), k % 5 != 0)
+      EXPECT_EQ(sensors.measure(world.move({}, tick), tick).bodies[0].landmarks.empty(), k % 5 != 0)
           << first << "+" << k;
     }
   }
 }
 
 /// The range of a camera is a distance in space, also for a vehicle on the floor.
-TEST(TeamSensor, ACameraMeasuresWhatIsInItsImageAndWithinItsRange) {
+TEST(PointDetector, ACameraMeasuresWhatIsInItsImageAndWithinItsRange) {
   const CameraSensor camera{Camera(lens()), {.up_m = 0}};
   const PointLandmarks place{{1, vec({3, 0, 0})},    {2, vec({-3, 0, 0})},  {3, vec({3, 2.9, 0})},
                              {4, vec({3, 3.1, 0})},  {5, vec({3, 0, 2.1})}, {6, vec({3, 0, 2.3})},
@@ -138,14 +139,14 @@ TEST(TeamSensor, ACameraMeasuresWhatIsInItsImageAndWithinItsRange) {
        {AnyMotion(DifferentialDrive{}), AnyMotion(AckermannCar{}), AnyMotion(TerrainVehicle{})}) {
     SimulatedVehicle v = vehicle(motion, camera, vec({0, 0, 0}));
     EXPECT_EQ(names(seen_by(v, place)), (std::set<std::int64_t>{1, 3, 5}));
-    v.reach.max_range_m = 3.5;
+    v.sensor.limits.max_range_m = 3.5;
     EXPECT_EQ(names(seen_by(v, place)), (std::set<std::int64_t>{1})) << motion.index();
   }
 }
 
-TEST(TeamSensor, ARangeIsNeverNegative) {
+TEST(PointDetector, ARangeIsNeverNegative) {
   SimulatedVehicle v = vehicle(DifferentialDrive{}, RangeBearingSensor{}, vec({0, 0, 0}));
-  v.sigmas = vec({0.5, 0.1});
+  v.sensor.sigmas = vec({0.5, 0.1});
   PointLandmarks place;
   for (int i = 0; i < 1000; ++i) place[i] = vec({0.3, 0});
   const std::vector<PointDetection> seen = seen_by(v, place);
@@ -154,10 +155,10 @@ TEST(TeamSensor, ARangeIsNeverNegative) {
   EXPECT_NEAR(static_cast<double>(seen.size()), 1000 * 0.7257, 50);
 }
 
-TEST(TeamSensor, HasTheStatedNoise) {
+TEST(PointDetector, HasTheStatedNoise) {
   SimulatedVehicle v = vehicle(DifferentialDrive{}, RangeBearingSensor{}, vec({0, 0, 0}));
-  v.sigmas = vec({0.1, 0.02});
-  v.sigma_range_ratio = 0.03;
+  v.sensor.sigmas = vec({0.1, 0.02});
+  v.sensor.sigma_range_ratio = 0.03;
   PointLandmarks place;
   for (int i = 0; i < 20'000; ++i) place[i] = vec({-10, 0});  // behind, at the wrap
   double range = 0, bearing = 0;
@@ -169,12 +170,12 @@ TEST(TeamSensor, HasTheStatedNoise) {
   EXPECT_NEAR(std::sqrt(bearing), 0.02, 0.0005);
 }
 
-TEST(TeamSensor, VehiclesMeasureEachOtherButNotThemselves) {
+TEST(PointDetector, VehiclesMeasureEachOtherButNotThemselves) {
   std::vector<SimulatedVehicle> team;
   for (const SmallVector& pose : {vec({0, 0, 0}), vec({3, 0, pi}), vec({20, 0, 1})})
     team.push_back(vehicle(DifferentialDrive{0.3, 0}, RangeBearingSensor{}, pose));
-  team[1].reach.max_range_m = 10;
-  team[2].reach.field_of_view_rad = 0.5;  // faces another way
+  team[1].sensor.limits.max_range_m = 10;
+  team[2].sensor.limits.field_of_view_rad = 0.5;  // faces another way
   const Observation observation = first_measurement(team, ring(4, 2), true);
   ASSERT_EQ(observation.bodies.size(), 3u);
   EXPECT_EQ(names(observation.bodies[0].vehicles), (std::set<std::int64_t>{1, 2}));
@@ -189,7 +190,7 @@ TEST(TeamSensor, VehiclesMeasureEachOtherButNotThemselves) {
 }
 
 /// A camera measures other vehicles in space, also those with a planar state.
-TEST(TeamSensor, CamerasMeasureVehiclesOnTheFloor) {
+TEST(PointDetector, CamerasMeasureVehiclesOnTheFloor) {
   const CameraSensor camera{Camera(lens()), {.up_m = 1}};
   const std::vector<SimulatedVehicle> team{vehicle(DifferentialDrive{}, camera, vec({0, 0, 0})),
                                            vehicle(AckermannCar{}, camera, vec({4, 1, 0}))};
@@ -201,39 +202,41 @@ TEST(TeamSensor, CamerasMeasureVehiclesOnTheFloor) {
   EXPECT_TRUE(observation.bodies[1].vehicles.empty()) << "it is behind";
 }
 
-TEST(TeamWorld, MovesEachVehicleAsCommandedAndReportsWhatItApplied) {
+TEST(PointWorld, MovesEachVehicleAsCommandedAndReportsWhatItApplied) {
   const std::vector<SimulatedVehicle> team{
       vehicle(DifferentialDrive{}, RangeBearingSensor{}, vec({0, 0, 0})),
       vehicle(DifferentialDrive{}, RangeBearingSensor{}, vec({5, 0, 0.1}))};
-  TeamWorld world(team, 1);
-  TeamSensor sensor(team, {}, false, 1);
+  SimulatedWorld world = point_world(team, 1);
+  SensorSet sensors = point_sensors(team, {}, 1);
   const Tick first{0, 0, 0}, second{1, 0.5, 0.5};
   Command command;
   command.bodies = {{vec({0.4, 4})}};  // beyond its turn rate limit, and nothing for the other
   const auto before = world.move(command, first);
   EXPECT_EQ(before->bodies[0].state, vec({0, 0, 0})) << "no time has passed";
-  const Observation at_first = sensor.measure(before, first);
+  const Observation at_first = sensors.measure(before, first);
   for (const BodyObservation& view : at_first.bodies) EXPECT_FALSE(view.input);
   const auto after = world.move(command, second);
   EXPECT_EQ(after->bodies[0].input, vec({0.4, 1}));
   EXPECT_EQ(after->bodies[1].input, vec({0, 0}));
   EXPECT_NEAR(after->bodies[0].state[2], 0.5, 1e-9);
   EXPECT_NEAR((after->bodies[1].state - vec({5, 0, 0.1})).norm(), 0, 1e-12) << "it stands";
-  const Observation observation = sensor.measure(after, second);
+  const Observation observation = sensors.measure(after, second);
   EXPECT_EQ(*observation.bodies[0].input, after->bodies[0].input);
   EXPECT_EQ(*observation.bodies[1].input, after->bodies[1].input);
   EXPECT_NEAR((after->bodies[0].pose->position.head<2>() - after->bodies[0].state.head<2>()).norm(), 0,
               1e-12);
 }
 
-TEST(TeamSensor, WithholdsIdentitiesOutsideItsList) {
+TEST(PointDetector, WithholdsIdentitiesOutsideItsList) {
   const SimulatedVehicle v = vehicle(DifferentialDrive{}, RangeBearingSensor{}, vec({0, 0, 0.3}));
   const auto measurement = [&](const PointLandmarks& place) {
-    TeamWorld world({v}, 1);
-    TeamSensor sensor({v}, place, false, 1, std::set<std::int64_t>{12, 13, 40});
+    SimulatedWorld world = point_world({v}, 1);
+    const auto associations = std::make_shared<AssociationTruth>();
+    SensorSet sensors =
+        point_sensors({v}, {place, false, std::set<std::int64_t>{12, 13, 40}}, 1, associations);
     const Tick tick{0, 0, 0};
-    const Observation observation = sensor.measure(world.move({}, tick), tick);
-    return std::pair(observation.bodies[0].landmarks, sensor.truth()->at(0));
+    const Observation observation = sensors.measure(world.move({}, tick), tick);
+    return std::pair(observation.bodies[0].landmarks, associations->at(0));
   };
   const PointLandmarks place = ring(8, 5);  // identities 10 to 17
   const auto [seen, truth] = measurement(place);
@@ -259,34 +262,34 @@ std::vector<double> measurements_of(std::uint64_t seed, int vehicles) {
   std::vector<SimulatedVehicle> team;
   for (int i = 0; i < vehicles; ++i) {
     SimulatedVehicle v = vehicle(DifferentialDrive{}, RangeBearingSensor{}, vec({0.1 * i, 0, 0}));
-    v.sigmas = vec({0.1, 0.02});
-    v.plant.start_sigmas.setConstant(0.1), v.plant.input_sigmas.setConstant(0.1);
+    v.sensor.sigmas = vec({0.1, 0.02});
+    v.body.plant.start_sigmas.setConstant(0.1), v.body.plant.input_sigmas.setConstant(0.1);
     team.push_back(v);
   }
-  TeamWorld world(team, seed);
-  TeamSensor sensor(team, ring(5, 4), false, seed);
+  SimulatedWorld world = point_world(team, seed);
+  SensorSet sensors = point_sensors(team, {ring(5, 4)}, seed);
   std::vector<double> numbers;
   for (int k = 0; k < 10; ++k) {
     const Tick tick{k, 0.1 * k, k ? 0.1 : 0};
-    const Observation observation = sensor.measure(world.move({}, tick), tick);
+    const Observation observation = sensors.measure(world.move({}, tick), tick);
     for (const PointDetection& s : observation.bodies[0].landmarks)
       numbers.insert(numbers.end(), s.z.begin(), s.z.end());
   }
   return numbers;
 }
 
-TEST(TeamWorld, IsDeterministicForASeed) {
+TEST(PointWorld, IsDeterministicForASeed) {
   EXPECT_EQ(measurements_of(3, 2), measurements_of(3, 2));
   EXPECT_NE(measurements_of(3, 2), measurements_of(4, 2));
   EXPECT_EQ(measurements_of(3, 1), measurements_of(3, 3))
       << "other vehicles do not change the first one's measurements";
 }
 
-TEST(TeamWorld, RefusesInvalidSettings) {
+TEST(PointWorld, RefusesInvalidSettings) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   const SimulatedVehicle good = vehicle(DifferentialDrive{}, RangeBearingSensor{}, vec({0, 0, 0}));
   const auto complaint = [](const SimulatedVehicle& v, const PointLandmarks& place) {
-    return message_of<std::invalid_argument>([&] { TeamSensor({v}, place, false, 1); });
+    return message_of<std::invalid_argument>([&] { point_sensors({v}, {place}, 1); });
   };
   const auto changed = [&](auto change) {
     SimulatedVehicle v = good;
@@ -294,21 +297,22 @@ TEST(TeamWorld, RefusesInvalidSettings) {
     return complaint(v, {});
   };
   EXPECT_EQ(complaint(good, ring(3, 1)), "(none)");
-  EXPECT_HAS(message_of<std::invalid_argument>([] { TeamWorld({}, 1); }), "a team needs a vehicle");
-  EXPECT_HAS(changed([](auto& v) { v.sensor = RelativePositionSensor{}; }), "needs a vehicle on a line");
-  EXPECT_HAS(changed([](auto& v) { v.sigmas = vec({0.1}); }), "a sensor needs 2 sigmas");
+  EXPECT_HAS(message_of<std::invalid_argument>([] { point_world({}, 1); }), "needs a body");
+  EXPECT_HAS(changed([](auto& v) { v.sensor.model = RelativePositionSensor{}; }),
+             "needs a vehicle on a line");
+  EXPECT_HAS(changed([](auto& v) { v.sensor.sigmas = vec({0.1}); }), "a sensor needs 2 sigmas");
   EXPECT_HAS(complaint(good, {{7, vec({1, 2, 3})}}),
              "landmark 7 has 3 numbers, but the sensor measures in 2");
   EXPECT_HAS(complaint(good, {{7, vec({1, nan})}}), "landmark 7");
   for (const double bad : {-0.1, nan}) {
-    EXPECT_HAS(changed([&](auto& v) { v.sigmas[1] = bad; }), "zero or positive");
-    EXPECT_HAS(changed([&](auto& v) { v.sigma_range_ratio = bad; }), "zero or positive");
-    EXPECT_HAS(changed([&](auto& v) { v.reach.max_range_m = bad; }), "must be positive");
-    EXPECT_HAS(changed([&](auto& v) { v.reach.field_of_view_rad = bad; }), "must be positive");
+    EXPECT_HAS(changed([&](auto& v) { v.sensor.sigmas[1] = bad; }), "zero or positive");
+    EXPECT_HAS(changed([&](auto& v) { v.sensor.sigma_range_ratio = bad; }), "zero or positive");
+    EXPECT_HAS(changed([&](auto& v) { v.sensor.limits.max_range_m = bad; }), "must be positive");
+    EXPECT_HAS(changed([&](auto& v) { v.sensor.limits.field_of_view_rad = bad; }), "must be positive");
   }
-  TeamSensor sensor({good}, {}, false, 1);
-  EXPECT_THROW(sensor.measure(std::nullopt, {}), std::logic_error);
-  EXPECT_THROW(sensor.measure(Truth{}, {}), std::logic_error) << "another team's truth";
+  SensorSet sensors = point_sensors({good}, {}, 1);
+  EXPECT_THROW(sensors.measure(std::nullopt, {}), std::invalid_argument);
+  EXPECT_THROW(sensors.measure(Truth{}, {}), std::invalid_argument) << "another team's truth";
 }
 
 }  // namespace

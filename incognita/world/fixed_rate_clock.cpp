@@ -1,4 +1,4 @@
-#include "incognita/world/room_clock.hpp"
+#include "incognita/world/fixed_rate_clock.hpp"
 
 #include <cmath>
 #include <stdexcept>

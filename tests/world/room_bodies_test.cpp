@@ -5,9 +5,10 @@
 
 #include "incognita/math/angles.hpp"
 #include "incognita/models/motion/heading.hpp"
-#include "incognita/world/rendered/room_world.hpp"
+#include "tests/world/camera_in_room.hpp"
 
 using namespace incognita;
+using incognita::testing::CameraInRoom;
 
 namespace {
 
@@ -22,8 +23,8 @@ RoomSettings quiet() {
   return s;
 }
 
-FreeCameraPlant plant_in(const RoomSettings& s, std::uint64_t seed = 1) {
-  return FreeCameraPlant(s, room_layout(s, seed), seed);
+CameraInRoom plant_in(const RoomSettings& s, std::uint64_t seed = 1) {
+  return CameraInRoom(s, room_layout(s, seed), seed);
 }
 
 using Input = FreeCameraMotion::Input<double>;
@@ -32,7 +33,7 @@ Input push(const Eigen::Vector3d& linear = {0, 0, 0}, const Eigen::Vector3d& ang
   return (Input() << linear, angular).finished();
 }
 
-void move_for(FreeCameraPlant& plant, const Input& input, int ticks) {
+void move_for(CameraInRoom& plant, const Input& input, int ticks) {
   for (int i = 0; i < ticks; ++i) plant.move(input, dt);
 }
 
@@ -45,7 +46,7 @@ TEST(LevelGaze, FacesItsHeadingWithTheFloorDown) {
   }
 }
 
-TEST(FreeCameraPlant, StartsAtRestAtTheGivenPose) {
+TEST(CameraInRoom, StartsAtRestAtTheGivenPose) {
   RoomSettings s = quiet();
   s.start_heading_rad = 0.4;
   const auto plant = plant_in(s);
@@ -54,7 +55,7 @@ TEST(FreeCameraPlant, StartsAtRestAtTheGivenPose) {
   EXPECT_TRUE(plant.state().tail<6>().isZero());
 }
 
-TEST(FreeCameraPlant, ConstantAccelerationGivesTheParabola) {
+TEST(CameraInRoom, ConstantAccelerationGivesTheParabola) {
   auto plant = plant_in(quiet());
   const Eigen::Vector3d a(0.5, -0.3, 0.2);
   move_for(plant, push(a), 45);
@@ -63,7 +64,7 @@ TEST(FreeCameraPlant, ConstantAccelerationGivesTheParabola) {
   EXPECT_NEAR((plant.state().segment<3>(7) - t * a).norm(), 0, 1e-9);
 }
 
-TEST(FreeCameraPlant, ConstantAngularAccelerationGivesHalfAlphaTSquared) {
+TEST(CameraInRoom, ConstantAngularAccelerationGivesHalfAlphaTSquared) {
   auto plant = plant_in(quiet());
   const Eigen::Vector3d axis = Eigen::Vector3d(1, 2, -0.5).normalized();
   move_for(plant, push(Eigen::Vector3d::Zero(), 0.8 * axis), 60);
@@ -78,7 +79,7 @@ TEST(FreeCameraPlant, ConstantAngularAccelerationGivesHalfAlphaTSquared) {
 }
 
 /// A right turn about the camera's down axis reduces the heading about z.
-TEST(FreeCameraPlant, APositiveRateAboutTheDownAxisTurnsRight) {
+TEST(CameraInRoom, APositiveRateAboutTheDownAxisTurnsRight) {
   auto plant = plant_in(quiet());
   move_for(plant, push(Eigen::Vector3d::Zero(), {0, 1, 0}), 30);
   const Eigen::Vector3d forward =
@@ -86,7 +87,7 @@ TEST(FreeCameraPlant, APositiveRateAboutTheDownAxisTurnsRight) {
   EXPECT_NEAR(std::atan2(forward.y(), forward.x()), -0.5, 1e-8);
 }
 
-TEST(FreeCameraPlant, AgreesWithTheDiscreteModelForShortSteps) {
+TEST(CameraInRoom, AgreesWithTheDiscreteModelForShortSteps) {
   auto plant = plant_in(quiet());
   move_for(plant, push({0.3, 0.1, 0}, {0.4, -0.6, 0.2}), 20);
   const Input input = push({0.3, -0.2, 0.1}, {0.2, 0.3, -0.4});
@@ -95,7 +96,7 @@ TEST(FreeCameraPlant, AgreesWithTheDiscreteModelForShortSteps) {
   EXPECT_NEAR((plant.move(input, step) - expected).norm(), 0, 1e-7);
 }
 
-TEST(FreeCameraPlant, WallsStopTheBodyAndLetItSlide) {
+TEST(CameraInRoom, WallsStopTheBodyAndLetItSlide) {
   auto plant = plant_in(quiet());
   move_for(plant, push({2, 0.3, 0}), 75);
   EXPECT_DOUBLE_EQ(plant.state()[0], 3 - 0.15);
@@ -105,7 +106,7 @@ TEST(FreeCameraPlant, WallsStopTheBodyAndLetItSlide) {
   EXPECT_NEAR(plant.state()[0], 3 - 0.15 - 0.5, 1e-9) << "motion away from the wall is free";
 }
 
-TEST(FreeCameraPlant, FloorAndCeilingStopIt) {
+TEST(CameraInRoom, FloorAndCeilingStopIt) {
   auto plant = plant_in(quiet());
   move_for(plant, push({0, 0, -3}), 60);
   EXPECT_DOUBLE_EQ(plant.state()[2], 0.15);
@@ -113,11 +114,11 @@ TEST(FreeCameraPlant, FloorAndCeilingStopIt) {
   EXPECT_DOUBLE_EQ(plant.state()[2], 2.5 - 0.15);
 }
 
-TEST(FreeCameraPlant, ABoxStopsItAtAnySpeed) {
+TEST(CameraInRoom, ABoxStopsItAtAnySpeed) {
   const RoomSettings s = quiet();
   RoomLayout layout = room_layout(s, 1);
   layout.boxes.push_back({{1, -0.5, 0}, {1.3, 0.5, 1.8}});
-  FreeCameraPlant plant(s, layout, 1);
+  CameraInRoom plant(s, layout, 1);
   plant.move(push({3000, 0, 0}), dt);
   EXPECT_DOUBLE_EQ(plant.state()[0], 1 - 0.15);
   EXPECT_DOUBLE_EQ(plant.state()[7], 0);
@@ -125,11 +126,11 @@ TEST(FreeCameraPlant, ABoxStopsItAtAnySpeed) {
   EXPECT_GT(plant.state()[1], 0) << "it slides along the box";
 }
 
-TEST(FreeCameraPlant, NeverEntersAnObstacle) {
+TEST(CameraInRoom, NeverEntersAnObstacle) {
   RoomSettings s;
   s.sigma_acceleration_m_s2 = 30;
   const RoomLayout layout = room_layout(s, 3);
-  FreeCameraPlant plant(s, layout, 3);
+  CameraInRoom plant(s, layout, 3);
   RandomStream random(3, "test.push");
   for (int i = 0; i < 3000; ++i) {
     const Eigen::Vector3d jolt(random.normal(), random.normal(), random.normal());
@@ -140,7 +141,7 @@ TEST(FreeCameraPlant, NeverEntersAnObstacle) {
   }
 }
 
-TEST(FreeCameraPlant, SameSeedSameStatesAndAnotherSeedOthers) {
+TEST(CameraInRoom, SameSeedSameStatesAndAnotherSeedOthers) {
   auto a = plant_in(RoomSettings{}, 5), b = plant_in(RoomSettings{}, 5), c = plant_in(RoomSettings{}, 6);
   EXPECT_EQ(a.state(), b.state());
   EXPECT_NE(a.state(), c.state());
@@ -149,7 +150,7 @@ TEST(FreeCameraPlant, SameSeedSameStatesAndAnotherSeedOthers) {
   EXPECT_EQ(a.state(), b.state());
 }
 
-TEST(FreeCameraPlant, DisturbancesHaveTheStatedSigma) {
+TEST(CameraInRoom, DisturbancesHaveTheStatedSigma) {
   RoomSettings s = quiet();
   s.sigma_acceleration_m_s2 = 0.3;
   s.sigma_angular_acceleration_rad_s2 = 0.5;
@@ -166,7 +167,7 @@ TEST(FreeCameraPlant, DisturbancesHaveTheStatedSigma) {
   EXPECT_NEAR(std::sqrt(angular / (3 * runs)) / dt, 0.5, 0.5 * 0.05);
 }
 
-TEST(FreeCameraPlant, RefusesInvalidSettings) {
+TEST(CameraInRoom, RefusesInvalidSettings) {
   RoomSettings outside = quiet();
   outside.start_position_m.x() = 2.9;
   EXPECT_THROW(plant_in(outside), std::invalid_argument);
@@ -178,13 +179,27 @@ TEST(FreeCameraPlant, RefusesInvalidSettings) {
   EXPECT_THROW(plant.move(push({NAN, 0, 0}), dt), std::invalid_argument);
 }
 
-TEST(RoomWorld, TheFirstTickReturnsTheStart) {
+TEST(CameraInRoom, TheFirstTickReturnsTheStart) {
   const RoomSettings s;
-  RoomWorld world(room_layout(s, 2), s, 2);
+  SimulatedWorld world(camera_in_room(s, room_layout(s, 2), 2), 2);
   const auto first = world.move({{BodyCommand{push({1, 1, 1})}}}, Tick{0, 0, 0});
   ASSERT_TRUE(first);
-  EXPECT_EQ(first->bodies[0].state, plant_in(s, 2).state());
+  EXPECT_EQ(first->bodies[0].state, SmallVector(plant_in(s, 2).state()));
   EXPECT_NE(world.move({}, Tick{1, dt, dt})->bodies[0].state, first->bodies[0].state);
+}
+
+/// The true start is drawn about the nominal one, and stays in the room.
+TEST(CameraInRoom, ADrawnStartInAWallIsMovedOutOfIt) {
+  RoomSettings s = quiet();
+  s.start_position_m = {2.8, 0, 1.2};
+  s.sigma_start_position_m = 0.3;
+  int at_wall = 0;
+  for (int seed = 0; seed < 20; ++seed) {
+    const double x = plant_in(s, static_cast<std::uint64_t>(seed)).state()[0];
+    EXPECT_LE(x, 3 - 0.15);
+    at_wall += x == 3 - 0.15;
+  }
+  EXPECT_GT(at_wall, 3);
 }
 
 }  // namespace

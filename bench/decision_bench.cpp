@@ -16,6 +16,7 @@
 #include "incognita/decision/image_expectation.hpp"
 #include "incognita/models/motion/heading.hpp"
 #include "incognita/models/sensors/wide_angle_camera.hpp"
+#include "incognita/slam/estimator/single_camera.hpp"
 #include "incognita/slam/estimator/slam_estimator.hpp"
 
 using namespace incognita;
@@ -82,11 +83,17 @@ double by_determinants(const Eigen::MatrixXd& P, const ImaginedStep& step, const
                 after.partialPivLu().matrixLU().diagonal().array().abs().log().sum());
 }
 
+MapExpectation by_one_camera() {
+  std::vector<MapExpectation::OfBody> bodies(1);
+  bodies[0].push_back(std::make_unique<ImageExpectation>(WideAngleCamera{}, twelve_looks()));
+  return MapExpectation(std::move(bodies));
+}
+
 /// Predicts and scores action after action, with that many mapped landmarks and expected unmapped ones, which
 /// the method of the thesis does not consider.
 void evaluation(benchmark::State& state) {
   const Estimate e = among(static_cast<int>(state.range(0)));
-  ImageExpectation expectation(WideAngleCamera{}, twelve_looks());
+  MapExpectation expectation = by_one_camera();
   const Exploration unseen({.expected_landmarks = static_cast<int>(state.range(1))}, 1);
   expectation.prepare(e, 0, unseen.expected(), 1.5);
   const Translations moves(seven_translations(0.3), 1, growth_over(1, 0.3, 0.3), {});
@@ -145,7 +152,7 @@ BENCHMARK(evaluation)
 /// Sequences of that many actions, scored by look-ahead.
 void look_ahead(benchmark::State& state) {
   const Estimate e = among(100);
-  ImageExpectation expectation(WideAngleCamera{}, twelve_looks());
+  MapExpectation expectation = by_one_camera();
   const std::vector<ExpectedLandmark> nothing;
   expectation.prepare(e, 0, nothing, 1.5);
   const Translations moves(seven_translations(0.3), 1, growth_over(1, 0.3, 0.3), {});
@@ -199,7 +206,7 @@ void frame(benchmark::State& state) {
   ActiveSettings settings;
   settings.decision.gaze = DecisionSettings::Gaze::mutual_information;
   settings.exploration.expected_landmarks = landmarks + 30;
-  const auto decision = decide_by_images(WideAngleCamera{}, twelve_looks(), settings);
+  const auto decision = decide_for(single_camera(WideAngleCamera{}, {}, twelve_looks(), 10, 1), settings);
   std::vector<double> all, deciding, reporting_ms;
   for (auto _ : state) {
     const Tick tick = next();

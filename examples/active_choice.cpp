@@ -12,8 +12,8 @@ int main() {
   settings.bodies.push_back(body_with_sensor(DifferentialDrive{}, RangeBearingSensor{},
                                              Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(0.1, 0.1, 0.1),
                                              Eigen::Vector2d(0.05, 0.05), Eigen::Vector2d(0.2, 0.02)));
+  const auto most_informative = decide_for(SlamEstimator(settings), {.tick_s = 0.1});
   Navigator navigator{SlamEstimator(settings)};
-  const auto most_informative = decide_by_points(settings, {.tick_s = 0.1});
 
   std::mt19937 random(1);
   std::normal_distribution<double> normal;

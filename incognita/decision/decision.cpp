@@ -14,29 +14,37 @@
 namespace incognita {
 namespace {
 
-struct AccelerationNoise {
-  double linear_m_s2, angular_rad_s2;
-};
-
-std::unique_ptr<BodyChoice> choice_of_camera(const ActiveSettings& s, const AccelerationNoise& sigma,
-                                             std::size_t who) {
+std::unique_ptr<BodyChoice> choice_of(const ActiveSettings& s, const BodyModel& body, std::size_t who) {
+  if (!traits_of(body.motion).in_space())
+    return std::make_unique<GroundChoice>(s.decision, body, s.tick_s, s.seed, who);
+  const double sigma_m_s2 = body.input_sigmas[0], sigma_rad_s2 = body.input_sigmas[3];
   if (s.carrier)
-    return std::make_unique<CarrierChoice>(s.decision, *s.carrier, sigma.linear_m_s2, sigma.angular_rad_s2,
-                                           s.seed, who);
-  return std::make_unique<FreeCameraChoice>(s.decision, sigma.linear_m_s2, sigma.angular_rad_s2, s.seed, who);
+    return std::make_unique<CarrierChoice>(s.decision, *s.carrier, sigma_m_s2, sigma_rad_s2, s.seed, who);
+  return std::make_unique<FreeCameraChoice>(s.decision, sigma_m_s2, sigma_rad_s2, s.seed, who);
 }
 
-std::unique_ptr<BodyChoice> choice_of_body(const ActiveSettings& s, const BodyModel& body, std::size_t who) {
-  if (traits_of(body.motion).in_space())
-    return choice_of_camera(s, {body.input_sigmas[0], body.input_sigmas[3]}, who);
-  return std::make_unique<GroundChoice>(s.decision, body, s.tick_s, s.seed, who);
+MapExpectation::OfBody sensors_of(const SlamEstimator& estimator, std::size_t which,
+                                  const ActiveSettings& s) {
+  const std::vector<BodyModel>& bodies = estimator.settings().bodies;
+  const BodyModel& body = bodies[which];
+  const bool as_mapped = s.exploration.counted == ExplorationSettings::Counted::as_mapped;
+  MapExpectation::OfBody sensors;
+  for (const FeatureTracker& tracker : estimator.cameras()) {
+    const TrackedCamera& camera = tracker.camera();
+    if (camera.body == which)
+      sensors.push_back(
+          std::make_unique<ImageExpectation>(camera.camera, camera.settings, as_mapped,
+                                             CameraOfBody{camera.index, which, body.motion, camera.mount}));
+  }
+  for (std::size_t k = 0; k < body.sensors.size(); ++k)
+    sensors.push_back(std::make_unique<PointExpectation>(bodies, which, k, s.max_measurements));
+  return sensors;
 }
 
 }  // namespace
 
-Decision::Decision(std::vector<std::unique_ptr<BodyChoice>> choices,
-                   std::unique_ptr<MapExpectation> expectation, const ExplorationSettings& exploration,
-                   std::uint64_t seed)
+Decision::Decision(std::vector<std::unique_ptr<BodyChoice>> choices, MapExpectation expectation,
+                   const ExplorationSettings& exploration, std::uint64_t seed)
     : choices_(std::move(choices)), expectation_(std::move(expectation)), exploration_(exploration, seed) {
   if (choices_.empty())
     throw std::invalid_argument("a decision needs one choice per body, and there is none");
@@ -60,7 +68,7 @@ void Decision::explore(const Estimate& estimate, const Tick& tick) {
   for (std::size_t i = 0; i < choices_.size(); ++i) {
     const BlockVector state = estimate.belief.mean(estimate.bodies[i].block);
     exploration_.update(
-        [&](const Eigen::Vector3d& position) { return expectation_->in_view(i, state, position); }, share,
+        [&](const Eigen::Vector3d& position) { return expectation_.in_view(i, state, position); }, share,
         estimate.mapped_count());
   }
   goal_.coverage = exploration_.coverage();
@@ -74,8 +82,8 @@ Goal Decision::choose(const Estimate& estimate, const Observation&, const Tick& 
   explore(estimate, tick);
   bool decided = false;
   for (std::size_t i = 0; i < choices_.size(); ++i) {
-    expectation_->prepare(estimate, i, exploration_.expected(), exploration_.settings().variance_expected_m2);
-    choices_[i]->choose(estimate.belief, estimate.bodies[i], *expectation_, tick, goal_.bodies[i]);
+    expectation_.prepare(estimate, i, exploration_.expected(), exploration_.settings().variance_expected_m2);
+    choices_[i]->choose(estimate.belief, estimate.bodies[i], expectation_, tick, goal_.bodies[i]);
     decided |= goal_.bodies[i].decided;
   }
   if (decided && exploration_.settings().expected_landmarks > 0 &&
@@ -86,29 +94,22 @@ Goal Decision::choose(const Estimate& estimate, const Observation&, const Tick& 
   return goal_;
 }
 
-std::unique_ptr<Decision> decide_by_images(const Camera& camera, const CameraSlamSettings& slam,
-                                           const ActiveSettings& s) {
-  std::vector<std::unique_ptr<BodyChoice>> choices;
-  choices.push_back(choice_of_camera(
-      s, {slam.filter.sigma_acceleration_m_s2, slam.filter.sigma_angular_acceleration_rad_s2}, 0));
-  const bool as_mapped = s.exploration.counted == ExplorationSettings::Counted::as_mapped;
-  return std::make_unique<Decision>(
-      std::move(choices), std::make_unique<ImageExpectation>(camera, slam, as_mapped), s.exploration, s.seed);
-}
-
-std::unique_ptr<Decision> decide_by_points(const EstimatorSettings& team, const ActiveSettings& s) {
-  if (team.filter.map_frame == MapFrame::vehicle)
+std::unique_ptr<Decision> decide_for(const SlamEstimator& estimator, const ActiveSettings& s) {
+  const EstimatorSettings& settings = estimator.settings();
+  if (settings.filter.map_frame == MapFrame::vehicle)
     throw std::invalid_argument(
         "estimator.map_frame = `vehicle`: information gain is predicted in the world frame; take `world`");
-  for (const BodyModel& body : team.bodies)
-    if (body.sensors.empty() || body.input_sigmas.size() != inputs_of(body.motion))
-      throw std::invalid_argument(
-          "a decision by points needs a point sensor on every body, and a sigma for each of its inputs");
   std::vector<std::unique_ptr<BodyChoice>> choices;
-  for (const BodyModel& body : team.bodies) choices.push_back(choice_of_body(s, body, choices.size()));
-  return std::make_unique<Decision>(std::move(choices),
-                                    std::make_unique<PointExpectation>(team.bodies, s.max_measurements),
-                                    s.exploration, s.seed);
+  std::vector<MapExpectation::OfBody> sensors;
+  for (std::size_t i = 0; i < settings.bodies.size(); ++i) {
+    choices.push_back(choice_of(s, settings.bodies[i], i));
+    sensors.push_back(sensors_of(estimator, i, s));
+    if (sensors.back().empty())
+      throw std::invalid_argument("a decision needs a sensor on every body, and body " +
+                                  std::to_string(i + 1) + " has none");
+  }
+  return std::make_unique<Decision>(std::move(choices), MapExpectation(std::move(sensors)), s.exploration,
+                                    s.seed);
 }
 
 }  // namespace incognita

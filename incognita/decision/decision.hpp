@@ -14,16 +14,14 @@
 #include "incognita/decision/exploration.hpp"
 #include "incognita/decision/settings.hpp"
 #include "incognita/decision/strategy.hpp"
-#include "incognita/models/sensors/camera.hpp"
-#include "incognita/slam/features/settings.hpp"
-#include "incognita/slam/mapper/settings.hpp"
+#include "incognita/slam/estimator/slam_estimator.hpp"
 
 namespace incognita {
 
 class Decision final : public Strategy {
  public:
   /// One choice per body. Throws std::invalid_argument without one and for invalid settings.
-  Decision(std::vector<std::unique_ptr<BodyChoice>> choices, std::unique_ptr<MapExpectation> expectation,
+  Decision(std::vector<std::unique_ptr<BodyChoice>> choices, MapExpectation expectation,
            const ExplorationSettings& exploration = {}, std::uint64_t seed = 1);
 
   /// Scores the actions as the schedule asks; compares them and sets a new goal once per period. Actions that
@@ -38,7 +36,7 @@ class Decision final : public Strategy {
   void explore(const Estimate& estimate, const Tick& tick);
 
   std::vector<std::unique_ptr<BodyChoice>> choices_;
-  std::unique_ptr<MapExpectation> expectation_;
+  MapExpectation expectation_;
   Exploration exploration_;
   Goal goal_;
   std::optional<double> entropy_due_t_;  ///< s, next evaluation of the extended entropy
@@ -49,17 +47,12 @@ struct ActiveSettings {
   ExplorationSettings exploration = {};
   std::optional<CarrierSettings> carrier = {};  ///< vehicles that carry the cameras; empty for free cameras
   double tick_s = 0.1;                          ///< duration of one input
-  int max_measurements =
-      1000;  ///< predicted measurements of point sensors per set; the most uncertain are kept
+  int max_measurements = 1000;  ///< predicted measurements per point sensor; the most uncertain are kept
   std::uint64_t seed = 1;
 };
 
-/// For one camera that maps by its images. Throws std::invalid_argument for invalid settings.
-std::unique_ptr<Decision> decide_by_images(const Camera& camera, const CameraSlamSettings& slam,
-                                           const ActiveSettings& settings = {});
-
-/// For bodies whose first point sensor maps. Throws std::invalid_argument for invalid settings.
-std::unique_ptr<Decision> decide_by_points(const EstimatorSettings& bodies,
-                                           const ActiveSettings& settings = {});
+/// For all bodies of an estimator, by all their sensors. Throws std::invalid_argument for invalid settings, a body
+/// without a sensor, or a map in the frame of the vehicle.
+std::unique_ptr<Decision> decide_for(const SlamEstimator& estimator, const ActiveSettings& settings = {});
 
 }  // namespace incognita

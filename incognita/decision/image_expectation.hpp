@@ -1,6 +1,7 @@
 // Predicted measurements of a camera from an arbitrary pose: thesis 6.2.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "incognita/decision/expectation.hpp"
@@ -9,23 +10,30 @@
 
 namespace incognita {
 
-class ImageExpectation final : public MapExpectation {
+/// Where a camera is in the estimator.
+struct CameraOfBody {
+  int index = 0;                          ///< among all cameras; Landmark::camera
+  std::size_t body = 0;                   ///< that carries it
+  AnyMotion motion = FreeCameraMotion{};  ///< of the body
+  std::optional<Mount> mount = {};        ///< on the body; none: the body is the camera itself
+};
+
+class ImageExpectation final : public SensorExpectation {
  public:
   /// `as_mapped`: caps the unmapped landmarks that count at the number that would be initialized there, i.e.
   /// by how many slam.map.wanted_visible exceeds the visible landmarks.
-  ImageExpectation(Camera camera, const CameraSlamSettings& slam, bool as_mapped = false);
+  ImageExpectation(Camera camera, const CameraSlamSettings& slam, bool as_mapped = false,
+                   CameraOfBody carried = {});
 
-  /// Requires `body` 0: the camera is that of the first body.
-  void prepare(const Estimate& estimate, std::size_t body, const std::vector<ExpectedLandmark>& unseen,
+  void prepare(const Estimate& estimate, const std::vector<ExpectedLandmark>& unseen,
                double unseen_var_m2) override;
 
   /// Predicts the measurements of the map, limited to the slam.search.max_measurements most uncertain as in
-  /// the estimator, and of the expected unmapped landmarks in view. `state`: its first 13 numbers are those
-  /// of a free camera.
-  void expect(const BlockVector& state, std::vector<PredictedMeasurement>& measurements) const override;
+  /// the estimator, and of the expected unmapped landmarks in view.
+  void add(const BlockVector& state, std::vector<PredictedMeasurement>& measurements) const override;
 
   /// Whether a position (world, m) is in the image and within the maximum depth of landmark initialization.
-  bool in_view(std::size_t body, const BlockVector& state, const Eigen::Vector3d& position) const override;
+  bool in_view(const BlockVector& state, const Eigen::Vector3d& position) const override;
 
  private:
   struct Near {  ///< a landmark and its approximate position
@@ -34,14 +42,16 @@ class ImageExpectation final : public MapExpectation {
   };
   struct VisibleLandmark {  ///< a landmark in view
     std::size_t near = 0;
-    FeatureMatch measurement;
+    MeasurementJacobian Hv, Hl;
   };
   struct Certainty {  ///< covariances of a landmark, read from the belief on first use
     bool known = false;
-    Eigen::Matrix<double, 12, Eigen::Dynamic, 0, 12, 6> with_camera;
-    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 6, 6> own;
+    BlockMatrix with_body, own;
   };
-  void find_visible(const CameraState& from) const;
+  Viewpoint from(const BlockVector& state) const;
+  void find_visible(const Viewpoint& from) const;
+  void add_unseen(const BlockVector& state, const Viewpoint& from,
+                  std::vector<PredictedMeasurement>& measurements) const;
   double innovation_trace(const VisibleLandmark& visible) const;
   const Certainty& certainty_of(std::size_t near) const;
 
@@ -49,11 +59,13 @@ class ImageExpectation final : public MapExpectation {
   CameraSlamSettings slam_;
   MeasurementMatrix R_;
   bool as_mapped_;
+  CameraOfBody carried_;
   const Estimate* estimate_ = nullptr;
   const std::vector<ExpectedLandmark>* unseen_ = nullptr;
   double unseen_var_m2_ = 0;
   std::vector<Near> near_;
-  FreeCameraMotion::Jacobian P_camera_;
+  BlockId body_ = 0;
+  BlockMatrix P_body_;
   // Storage that is reused, and covariances that are valid until the next prepare()
   mutable std::vector<Certainty> certainty_;
   mutable std::vector<VisibleLandmark> visible_;

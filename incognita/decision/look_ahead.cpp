@@ -11,7 +11,7 @@ LookAhead::LookAhead(const LookAheadSettings& settings) : settings_(settings) {
   if (settings_.horizon < 1) throw std::invalid_argument("the horizon must be one action at least");
   if (settings_.max_evaluations < 1)
     throw std::invalid_argument("a comparison needs one evaluation at least");
-  if (settings_.horizon > 1 && settings_.metric != Metric::state && settings_.metric != Metric::vehicle)
+  if (settings_.horizon > 1 && !is_of_sequences(settings_.metric))
     throw std::invalid_argument(
         "a horizon of more than one action needs the information of the whole state or of the vehicle");
 }

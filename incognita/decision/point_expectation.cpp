@@ -7,29 +7,26 @@
 
 namespace incognita {
 
-namespace {
+PointExpectation::PointExpectation(std::vector<BodyModel> bodies, std::size_t body, std::size_t sensor,
+                                   int max_measurements)
+    : bodies_(std::move(bodies)), body_(body), sensor_(sensor), max_measurements_(max_measurements) {}
 
 /// Predicted measurement of a point from `state`, whose sensor is at `from`; empty if it is out of range or out of view.
-std::optional<AnyPrediction> predict_from(const BodyModel& body, const SmallVector& state,
-                                          const SmallVector& from, const LandmarkParametrization& form,
-                                          const SmallVector& landmark, const SmallVector& position) {
-  const PointSensor& sensor = body.sensors.front();
+std::optional<AnyPrediction> PointExpectation::predict_from(const SmallVector& state, const SmallVector& from,
+                                                            const LandmarkParametrization& form,
+                                                            const SmallVector& landmark,
+                                                            const SmallVector& position) const {
   const double distance_m = (position - from).norm();
-  if (distance_m > sensor.limits.max_range_m) return std::nullopt;
-  auto prediction = predict_measurement(sensor.sensor, body.motion, state, form, landmark);
-  if (!prediction || !is_in_view(sensor.sensor, sensor.limits, *prediction, distance_m)) return std::nullopt;
+  if (distance_m > sensor().limits.max_range_m) return std::nullopt;
+  auto prediction = predict_measurement(sensor().sensor, model().motion, state, form, landmark);
+  if (!prediction || !is_in_view(sensor().sensor, sensor().limits, *prediction, distance_m))
+    return std::nullopt;
   return prediction;
 }
 
-}  // namespace
-
-PointExpectation::PointExpectation(std::vector<BodyModel> bodies, int max_measurements)
-    : bodies_(std::move(bodies)), max_measurements_(max_measurements) {}
-
-void PointExpectation::prepare(const Estimate& estimate, std::size_t body,
-                               const std::vector<ExpectedLandmark>& unseen, double unseen_var_m2) {
+void PointExpectation::prepare(const Estimate& estimate, const std::vector<ExpectedLandmark>& unseen,
+                               double unseen_var_m2) {
   estimate_ = &estimate;
-  body_ = body;
   unseen_ = &unseen;
   unseen_var_m2_ = unseen_var_m2;
   targets_.clear();
@@ -71,22 +68,18 @@ double PointExpectation::innovation_trace(const PredictedMeasurement& measuremen
                          .sum();
 }
 
-bool PointExpectation::in_view(std::size_t body, const BlockVector& state,
-                               const Eigen::Vector3d& position) const {
-  const BodyModel& model = bodies_[body];
-  const int dimensions = dimensions_of(model.sensors.front().sensor);
-  const SmallVector own = state.head(chart_of(model.motion).ambient()), point = position.head(dimensions);
-  const SmallVector from = position_of(model.motion, own, dimensions).position;
-  return predict_from(model, own, from, {}, point, point).has_value();
+bool PointExpectation::in_view(const BlockVector& state, const Eigen::Vector3d& position) const {
+  const int dimensions = dimensions_of(sensor().sensor);
+  const SmallVector own = state.head(chart_of(model().motion).ambient()), point = position.head(dimensions);
+  return predict_from(own, position_of(model().motion, own, dimensions).position, {}, point, point)
+      .has_value();
 }
 
-/// Fills `measurements` with those of the map and of the team that are in view.
+/// Adds the measurements of the map and of the team that are in view.
 void PointExpectation::add_visible(const SmallVector& state, const SmallVector& from,
                                    std::vector<PredictedMeasurement>& measurements) const {
-  measurements.clear();
   for (const Target& target : targets_) {
-    const auto prediction =
-        predict_from(bodies_[body_], state, from, target.form, target.landmark, target.position);
+    const auto prediction = predict_from(state, from, target.form, target.landmark, target.position);
     if (!prediction) continue;
     PredictedMeasurement& measurement = measurements.emplace_back();
     measurement.of = target.known ? PredictedMeasurement::Of::anchor : PredictedMeasurement::Of::mapped;
@@ -100,34 +93,34 @@ void PointExpectation::add_visible(const SmallVector& state, const SmallVector& 
   }
 }
 
-/// Keeps the order of the measurements.
-void PointExpectation::keep_most_uncertain(std::vector<PredictedMeasurement>& measurements) const {
+/// Of those from `first` on; keeps their order.
+void PointExpectation::keep_most_uncertain(std::vector<PredictedMeasurement>& measurements,
+                                           std::size_t first) const {
   const auto most = static_cast<std::size_t>(max_measurements_);
-  if (measurements.size() <= most) return;
+  if (measurements.size() - first <= most) return;
   traces_.clear();
-  for (const PredictedMeasurement& measurement : measurements)
-    traces_.push_back(innovation_trace(measurement));
+  for (std::size_t i = first; i < measurements.size(); ++i)
+    traces_.push_back(innovation_trace(measurements[i]));
   const double least = least_of_the_best(traces_, max_measurements_, sorted_);
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < measurements.size() && kept < most; ++i) {
-    if (traces_[i] < least) continue;
+  std::size_t kept = first;
+  for (std::size_t i = first; i < measurements.size() && kept - first < most; ++i) {
+    if (traces_[i - first] < least) continue;
     if (kept != i) measurements[kept] = measurements[i];
     ++kept;
   }
   measurements.resize(kept);
 }
 
-void PointExpectation::expect(const BlockVector& state,
-                              std::vector<PredictedMeasurement>& measurements) const {
+void PointExpectation::add(const BlockVector& state, std::vector<PredictedMeasurement>& measurements) const {
   const int dimensions = dimensions_of(sensor().sensor);
-  const BodyModel& body = bodies_[body_];
-  const SmallVector own = state.head(chart_of(body.motion).ambient());
-  const SmallVector from = position_of(body.motion, own, dimensions).position;
+  const SmallVector own = state.head(chart_of(model().motion).ambient());
+  const SmallVector from = position_of(model().motion, own, dimensions).position;
+  const std::size_t first = measurements.size();
   add_visible(own, from, measurements);
-  keep_most_uncertain(measurements);
+  keep_most_uncertain(measurements, first);
   for (const ExpectedLandmark& unseen : *unseen_) {
     const SmallVector point = unseen.position.head(dimensions);
-    const auto prediction = predict_from(body, own, from, {}, point, point);
+    const auto prediction = predict_from(own, from, {}, point, point);
     if (!prediction) continue;
     measurements.push_back({PredictedMeasurement::Of::unseen, 0, unseen.index, unseen_var_m2_, prediction->Hv,
                             prediction->Hl, detection_noise(sensor(), prediction->z)});

@@ -10,22 +10,23 @@
 
 namespace incognita {
 
-class PointExpectation final : public MapExpectation {
+class PointExpectation final : public SensorExpectation {
  public:
-  /// `max_measurements`: maximum number of mapped targets per set; the most uncertain are kept.
-  PointExpectation(std::vector<BodyModel> bodies, int max_measurements);
+  /// Of the sensor `sensor` of body `body`, both counted from 0. `max_measurements`: maximum number of mapped targets;
+  /// the most uncertain are kept.
+  PointExpectation(std::vector<BodyModel> bodies, std::size_t body, std::size_t sensor, int max_measurements);
 
-  void prepare(const Estimate& estimate, std::size_t body, const std::vector<ExpectedLandmark>& unseen,
+  void prepare(const Estimate& estimate, const std::vector<ExpectedLandmark>& unseen,
                double unseen_var_m2) override;
 
   /// `state`: of the vehicle; numbers beyond those of its motion model are ignored.
-  void expect(const BlockVector& state, std::vector<PredictedMeasurement>& measurements) const override;
+  void add(const BlockVector& state, std::vector<PredictedMeasurement>& measurements) const override;
 
-  bool in_view(std::size_t body, const BlockVector& state, const Eigen::Vector3d& position) const override;
+  bool in_view(const BlockVector& state, const Eigen::Vector3d& position) const override;
 
  private:
-  /// Information gain is predicted for the first sensor of a body.
-  const PointSensor& sensor() const { return bodies_[body_].sensors.front(); }
+  const BodyModel& model() const { return bodies_[body_]; }
+  const PointSensor& sensor() const { return model().sensors[sensor_]; }
   struct Target {
     LandmarkParametrization form;
     SmallVector landmark;  ///< in its parametrization
@@ -37,13 +38,16 @@ class PointExpectation final : public MapExpectation {
   void add_targets();
   void add_visible(const SmallVector& state, const SmallVector& from,
                    std::vector<PredictedMeasurement>& measurements) const;
-  void keep_most_uncertain(std::vector<PredictedMeasurement>& measurements) const;
+  std::optional<AnyPrediction> predict_from(const SmallVector& state, const SmallVector& from,
+                                            const LandmarkParametrization& form, const SmallVector& landmark,
+                                            const SmallVector& position) const;
+  void keep_most_uncertain(std::vector<PredictedMeasurement>& measurements, std::size_t first) const;
   double innovation_trace(const PredictedMeasurement& measurement) const;
 
   std::vector<BodyModel> bodies_;
+  std::size_t body_, sensor_;
   int max_measurements_;
   const Estimate* estimate_ = nullptr;
-  std::size_t body_ = 0;
   const std::vector<ExpectedLandmark>* unseen_ = nullptr;
   double unseen_var_m2_ = 0;
   std::vector<Target> targets_;

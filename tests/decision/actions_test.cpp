@@ -7,6 +7,7 @@
 #include "incognita/decision/decision.hpp"
 #include "incognita/models/motion/heading.hpp"
 #include "incognita/models/sensors/wide_angle_camera.hpp"
+#include "incognita/slam/estimator/single_camera.hpp"
 
 namespace incognita {
 namespace {
@@ -53,11 +54,15 @@ Estimate two_landmarks() {
   return estimate;
 }
 
+SlamEstimator one_camera(const CameraSlamSettings& slam = {}) {
+  return single_camera(WideAngleCamera{}, {}, slam, 10, 1);
+}
+
 TEST(Decision, MovesAcrossTheLineOfSightToGainDepth) {
   const Estimate estimate = two_landmarks();
   CameraSlamSettings steady;  // a second of unknown accelerations would mask the parallax
   steady.filter.sigma_acceleration_m_s2 = steady.filter.sigma_angular_acceleration_rad_s2 = 0.01;
-  const auto decision = decide_by_images(WideAngleCamera{}, steady);
+  const auto decision = decide_for(one_camera(steady));
   const BodyGoal goal = decision->choose(estimate, Tick{0, 0, 0}).bodies.at(0);
   ASSERT_TRUE(goal.decided);
   const std::string chosen = decision->actions()[goal.chosen];
@@ -68,7 +73,7 @@ TEST(Decision, MovesAcrossTheLineOfSightToGainDepth) {
 
 TEST(Decision, DecidesOncePerPeriodAndScoresEveryFrame) {
   const Estimate estimate = two_landmarks();
-  const auto decision = decide_by_images(WideAngleCamera{}, {});
+  const auto decision = decide_for(one_camera());
   int decided = 0;
   for (int k = 0; k < 61; ++k) {
     const BodyGoal goal = decision->choose(estimate, Tick{k, k / 30.0, 1 / 30.0}).bodies.at(0);
@@ -84,13 +89,13 @@ TEST(Decision, ExcludesGoalsOutsideTheBounds) {
   DecisionSettings settings;
   settings.min_bound_m = {-0.1, -0.1, -0.1};
   settings.max_bound_m = {0.1, 0.1, 0.1};
-  const auto decision = decide_by_images(WideAngleCamera{}, {}, {settings});
+  const auto decision = decide_for(one_camera(), {settings});
   EXPECT_EQ(decision->actions()[decision->choose(estimate, Tick{0, 0, 0}).bodies.at(0).chosen], "stay");
 }
 
 TEST(Decision, HasNoActionWhenLost) {
   Estimate estimate = two_landmarks();
-  const auto decision = decide_by_images(WideAngleCamera{}, {});
+  const auto decision = decide_for(one_camera());
   ASSERT_GE(decision->choose(estimate, Tick{0, 0, 0}).bodies.at(0).chosen, 0);
   estimate.status.state = TrackingState::lost;
   EXPECT_EQ(decision->choose(estimate, Tick{0, 0, 0}).bodies.at(0).chosen, -1);

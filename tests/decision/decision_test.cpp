@@ -42,10 +42,11 @@ struct Cameras {
 /// Two cameras far apart, of which the second has a better known landmark: each decides as if it were alone.
 TEST(Decision, ChoosesForEachBodyWithItsOwnScores) {
   const Cameras c(2);
-  const Goal goal = decide_by_points(c.settings)->choose(c.estimate, Tick{0, 0, 0});
+  const Goal goal = decide_for(SlamEstimator(c.settings))->choose(c.estimate, Tick{0, 0, 0});
   ASSERT_EQ(goal.bodies.size(), 2u);
   const Cameras alone(1);
-  const BodyGoal first = decide_by_points(alone.settings)->choose(alone.estimate, Tick{0, 0, 0}).bodies.at(0);
+  const BodyGoal first =
+      decide_for(SlamEstimator(alone.settings))->choose(alone.estimate, Tick{0, 0, 0}).bodies.at(0);
   ASSERT_EQ(goal.bodies[0].scores.size(), 7u);
   for (std::size_t a = 0; a < 7; ++a) {
     EXPECT_NEAR(goal.bodies[0].scores[a], first.scores[a], 1e-9) << a;
@@ -62,16 +63,21 @@ TEST(Decision, LeavesTheGazeFreeWhereItSwings) {
   const Cameras c(1);
   ActiveSettings settings;
   settings.decision.gaze = DecisionSettings::Gaze::swing;
-  EXPECT_FALSE(
-      decide_by_points(c.settings, settings)->choose(c.estimate, Tick{0, 0, 0}).bodies.at(0).heading_rad);
+  EXPECT_FALSE(decide_for(SlamEstimator(c.settings), settings)
+                   ->choose(c.estimate, Tick{0, 0, 0})
+                   .bodies.at(0)
+                   .heading_rad);
   settings.decision.gaze = DecisionSettings::Gaze::hold;
-  EXPECT_EQ(
-      decide_by_points(c.settings, settings)->choose(c.estimate, Tick{0, 0, 0}).bodies.at(0).heading_rad, 0);
+  EXPECT_EQ(decide_for(SlamEstimator(c.settings), settings)
+                ->choose(c.estimate, Tick{0, 0, 0})
+                .bodies.at(0)
+                .heading_rad,
+            0);
 }
 
 TEST(Decision, HasNoActionBeforeTheStartAndAfterTheEstimateWasLost) {
   Cameras c(1);
-  const auto decision = decide_by_points(c.settings);
+  const auto decision = decide_for(SlamEstimator(c.settings));
   EXPECT_EQ(decision->choose(Estimate{}, Tick{0, 0, 0}).bodies.at(0).chosen, -1);
   const BodyGoal before = decision->choose(c.estimate, Tick{1, 0.1, 0.1}).bodies.at(0);
   EXPECT_GE(before.chosen, 0);
@@ -85,14 +91,50 @@ TEST(Decision, HasNoActionBeforeTheStartAndAfterTheEstimateWasLost) {
   EXPECT_TRUE(decision->choose(c.estimate, Tick{3, 0.3, 0.1}).bodies.at(0).decided) << "anew";
 }
 
+/// A robot whose scanner looks ahead, and a landmark behind it.
+double gain_of_staying(std::vector<PointSensor> sensors) {
+  EstimatorSettings settings;
+  settings.bodies.push_back(body_with_sensor(DifferentialDrive{}, RangeBearingSensor{},
+                                             Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(0.1),
+                                             Eigen::Vector2d::Constant(0.05), Eigen::Vector2d(0.1, 0.02)));
+  settings.bodies[0].sensors = std::move(sensors);
+  Estimate e;
+  Body& body = e.bodies.emplace_back();
+  body.block = e.belief.add_vehicle(chart_of(settings.bodies[0].motion), SmallVector(Eigen::Vector3d::Zero()),
+                                    0.01 * Eigen::Matrix3d::Identity());
+  Landmark landmark;
+  landmark.id = new_id(e);
+  landmark.first = Eigen::Vector2d(-3, 0);
+  landmark.block =
+      e.belief.augment(Chart::line(2), Eigen::Vector2d(-3, 0), {}, 0.1 * Eigen::Matrix2d::Identity());
+  e.landmarks.emplace(landmark.id, landmark);
+  e.started = true;
+  e.status.state = TrackingState::tracking;
+  ActiveSettings active;
+  active.decision.min_bound_m.setConstant(-9), active.decision.max_bound_m.setConstant(9);
+  const auto decision = decide_for(SlamEstimator(settings), active);
+  const auto& names = decision->actions();
+  const auto stay = static_cast<std::size_t>(std::ranges::find(names, "stay") - names.begin());
+  return decision->choose(e, Tick{0, 0, 0}).bodies.at(0).scores.at(stay);
+}
+
+TEST(Decision, CountsTheMeasurementsOfAllSensorsOfABody) {
+  PointSensor ahead{RangeBearingSensor{}, Eigen::Vector2d(0.1, 0.02)}, around = ahead;
+  ahead.limits.field_of_view_rad = 1;
+  const double none = gain_of_staying({ahead}), behind = gain_of_staying({around});
+  EXPECT_GT(behind, none + 1);
+  EXPECT_NEAR(gain_of_staying({ahead, around}), behind, 1e-12);
+  EXPECT_GT(gain_of_staying({around, around}), behind + 0.1) << "two scanners measure more than one";
+}
+
 TEST(Decision, RefusesAMapInTheVehicleFrameAndNoBodies) {
   Cameras c(1);
   c.settings.filter.map_frame = MapFrame::vehicle;
-  EXPECT_THROW(decide_by_points(c.settings), std::invalid_argument);
-  EXPECT_THROW(decide_by_points(EstimatorSettings{}), std::invalid_argument);
+  EXPECT_THROW(decide_for(SlamEstimator(c.settings)), std::invalid_argument);
+  EXPECT_THROW(decide_for(SlamEstimator(EstimatorSettings{})), std::invalid_argument);
   Cameras blind(1);
   blind.settings.bodies[0].sensors.clear();
-  EXPECT_THROW(decide_by_points(blind.settings), std::invalid_argument);
+  EXPECT_THROW(decide_for(SlamEstimator(blind.settings)), std::invalid_argument);
 }
 
 }  // namespace

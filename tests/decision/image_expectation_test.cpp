@@ -43,9 +43,9 @@ std::vector<ExpectedLandmark> predicted_before(int count) {
 std::vector<PredictedMeasurement> expect(const Estimate& e, const std::vector<ExpectedLandmark>& unseen,
                                          const CameraSlamSettings& slam, bool as_mapped) {
   ImageExpectation expectation(WideAngleCamera{}, slam, as_mapped);
-  expectation.prepare(e, 0, unseen, 1.5);
+  expectation.prepare(e, unseen, 1.5);
   std::vector<PredictedMeasurement> measurements;
-  expectation.expect(e.camera_state(), measurements);
+  expectation.add(e.camera_state(), measurements);
   return measurements;
 }
 

@@ -38,9 +38,9 @@ std::optional<Target> start_target(const LoadedScenario& loaded) {
   return load_target(loaded);
 }
 
-std::unique_ptr<Estimator> image_estimator(const LoadedScenario& loaded, const Camera& camera,
-                                           const std::optional<Target>& target,
-                                           const std::optional<WheelOdometry>& odometry) {
+std::unique_ptr<SlamEstimator> image_estimator(const LoadedScenario& loaded, const Camera& camera,
+                                               const std::optional<Target>& target,
+                                               const std::optional<WheelOdometry>& odometry) {
   const Scenario& s = loaded.scenario;
   return std::make_unique<SlamEstimator>(single_camera(camera, target, s.slam, s.start.max_search_s,
                                                        static_cast<std::uint64_t>(s.run.seed), odometry));
@@ -59,14 +59,15 @@ Assembly assemble_recorded_images(const LoadedScenario& loaded) {
   if (std::string compared = compare_camera(loaded, *recording); !compared.empty())
     out.notes.push_back(std::move(compared));
   if (!target) out.notes.emplace_back("no target: the scale is unobservable, lengths are in arbitrary units");
-  out.parts = {
-      std::make_unique<ReplayClock>(frame_times(*recording, s.run.duration_s)),
-      std::make_unique<ReplayWorld>(std::vector{recorded_truth(recording)}),
-      std::make_unique<SensorSet>(
-          sensors_of_body(std::make_unique<RecordedImages>(recording, camera.width(), camera.height()))),
-      image_estimator(loaded, camera, target), decide_by_images(camera, s.slam, active_settings_of(s)),
-      // The recorded motion does not follow commands, and the filter must not predict by any
-      std::make_unique<SteeringController>()};
+  auto estimator = image_estimator(loaded, camera, target);
+  auto strategy = decide_for(*estimator, active_settings_of(s));
+  out.parts = {std::make_unique<ReplayClock>(frame_times(*recording, s.run.duration_s)),
+               std::make_unique<ReplayWorld>(std::vector{recorded_truth(recording)}),
+               std::make_unique<SensorSet>(sensors_of_body(
+                   std::make_unique<RecordedImages>(recording, camera.width(), camera.height()))),
+               std::move(estimator), std::move(strategy),
+               // The recorded motion does not follow commands, and the filter must not predict by any
+               std::make_unique<SteeringController>()};
   return out;
 }
 

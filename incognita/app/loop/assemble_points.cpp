@@ -25,9 +25,9 @@ void set_anchors(EstimatorSettings& team, const PointLandmarks& place, int known
   }
 }
 
-std::unique_ptr<Strategy> strategy_of(const Scenario& s, const EstimatorSettings& team) {
+std::unique_ptr<Strategy> strategy_of(const Scenario& s, const SlamEstimator& estimator) {
   if (!s.decides()) return std::make_unique<NoDecision>();
-  return decide_by_points(team, active_settings_of(s));
+  return decide_for(estimator, active_settings_of(s));
 }
 
 /// Warns if the initial inverse depth does not fit the scene: such landmarks do not recover.
@@ -113,6 +113,7 @@ Assembly assemble_points(const LoadedScenario& loaded) {
   const EstimatorSettings settings = estimator_settings(loaded, place, ground);
   const auto identified = names_of(settings);
   auto estimator = point_estimator(loaded, settings);
+  auto strategy = strategy_of(s, *estimator);
   auto controller = controller_of(loaded, ground);
   std::vector<SimulatedVehicle> vehicles;
   for (std::size_t i = 0; i < vehicles_of(s); ++i) vehicles.push_back(simulated_vehicle(s, i, ground));
@@ -131,7 +132,7 @@ Assembly assemble_points(const LoadedScenario& loaded) {
                std::make_unique<SensorSet>(point_sensors(
                    vehicles, {place, s.sensor.measures_vehicles, identified}, seed, associations)),
                std::move(estimator),
-               strategy_of(s, settings),
+               std::move(strategy),
                std::move(controller)};
   return out;
 }

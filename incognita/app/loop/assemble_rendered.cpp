@@ -52,6 +52,15 @@ std::unique_ptr<Controller> carrier_controller(const LoadedScenario& loaded, con
   });
 }
 
+/// The estimator and what decides by it.
+void put_estimator(std::unique_ptr<SlamEstimator> estimator, const Scenario& s, LoopParts& parts) {
+  if (s.decides() || !s.is_room_vehicle())
+    parts.strategy = decide_for(*estimator, active_settings_of(s));
+  else
+    parts.strategy = std::make_unique<NoDecision>();
+  parts.estimator = std::move(estimator);
+}
+
 /// A vehicle carries the camera.
 void put_vehicle(const LoadedScenario& loaded, const Camera& camera, const std::optional<Target>& target,
                  LoopParts& parts) {
@@ -69,11 +78,7 @@ void put_vehicle(const LoadedScenario& loaded, const Camera& camera, const std::
       std::make_unique<ProximityRing>(room->layout(), RangeRing{}, seed)));
   std::optional<WheelOdometry> odometry;
   if (s.slam.filter.odometry) odometry = odometry_of(s);
-  parts.estimator = image_estimator(loaded, camera, target, odometry);
-  if (s.decides())
-    parts.strategy = decide_by_images(camera, s.slam, active_settings_of(s));
-  else
-    parts.strategy = std::make_unique<NoDecision>();
+  put_estimator(image_estimator(loaded, camera, target, odometry), s, parts);
   parts.controller = carrier_controller(loaded, ground);
 }
 
@@ -89,8 +94,7 @@ void put_free_camera(const LoadedScenario& loaded, const Camera& camera, const s
   parts.world = std::make_unique<SimulatedWorld>(std::move(body), seed);
   parts.sensor =
       std::make_unique<SensorSet>(sensors_of_body(std::make_unique<RoomCamera>(room, camera, s.room, seed)));
-  parts.estimator = image_estimator(loaded, camera, target);
-  parts.strategy = decide_by_images(camera, s.slam, active_settings_of(s));
+  put_estimator(image_estimator(loaded, camera, target), s, parts);
   parts.controller = std::make_unique<SteeringController>(
       std::vector{free_camera_control(s.control, s.operator_settings.holds)}, 1 / s.run.rate_hz);
 }

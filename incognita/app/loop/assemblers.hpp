@@ -7,6 +7,7 @@
 #include "incognita/app/loop/assembly.hpp"
 #include "incognita/models/sensors/camera.hpp"
 #include "incognita/models/sensors/wheel_odometry.hpp"
+#include "incognita/slam/estimator/slam_estimator.hpp"
 #include "incognita/slam/features/target.hpp"
 #include "incognita/world/rendered/room_layout.hpp"
 
@@ -30,9 +31,9 @@ Survey survey_of(const RangeRecording& recording, bool identified);
 /// The target from which the camera starts, if any.
 std::optional<Target> start_target(const LoadedScenario& loaded);
 /// The estimator of one camera that maps by its images.
-std::unique_ptr<Estimator> image_estimator(const LoadedScenario& loaded, const Camera& camera,
-                                           const std::optional<Target>& target,
-                                           const std::optional<WheelOdometry>& odometry = {});
+std::unique_ptr<SlamEstimator> image_estimator(const LoadedScenario& loaded, const Camera& camera,
+                                               const std::optional<Target>& target,
+                                               const std::optional<WheelOdometry>& odometry = {});
 
 /// Checks that the target is at the position of the room's sheet, which depends on the room's size: otherwise
 /// the start pose would be wrong and overconfident. Throws InputError.

@@ -230,7 +230,7 @@ Eigen::Vector2d steered_point(const Scenario& s) {
   const VehicleSettings& v = s.planar.vehicle;
   const MotionTraits& motion = s.motion();
   if (motion.on_plane() && law != Law::none && steers_axle(law))
-    return {-v.sensor_forward_m, -v.sensor_left_m};
+    return {-v.parameter("sensor_forward_m"), -v.parameter("sensor_left_m")};
   if (motion.space == Space::uneven_ground && !steers_axle(law)) return {s.law_settings.control_point_m, 0};
   return {0, 0};
 }
@@ -277,7 +277,8 @@ std::vector<std::string> input_names(const MotionTraits& motion) {
   return names;
 }
 
-std::unique_ptr<Estimator> point_estimator(const LoadedScenario& loaded, const EstimatorSettings& settings) {
+std::unique_ptr<SlamEstimator> point_estimator(const LoadedScenario& loaded,
+                                               const EstimatorSettings& settings) {
   const Scenario& s = loaded.scenario;
   const BodyModel& first = settings.bodies.front();
   const std::string problem = incompatibility(first.motion, first.sensors.front().sensor);

@@ -12,7 +12,7 @@
 #include "incognita/messages/errors.hpp"
 #include "incognita/models/motion/mount.hpp"
 #include "incognita/models/motion/terrain.hpp"
-#include "incognita/slam/mapper/estimator.hpp"
+#include "incognita/slam/estimator/slam_estimator.hpp"
 #include "incognita/slam/mapper/settings.hpp"
 #include "incognita/world/points/point_world.hpp"
 
@@ -47,7 +47,8 @@ ActiveSettings active_settings_of(const Scenario& scenario);
 std::vector<std::string> input_names(const MotionTraits& motion);
 
 /// The estimator of bodies that map by their point sensors. Throws InputError for a sensor that does not fit.
-std::unique_ptr<Estimator> point_estimator(const LoadedScenario& loaded, const EstimatorSettings& settings);
+std::unique_ptr<SlamEstimator> point_estimator(const LoadedScenario& loaded,
+                                               const EstimatorSettings& settings);
 
 /// Attributes an exception of a component to its most relevant setting.
 template <class Make>

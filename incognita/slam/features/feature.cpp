@@ -10,13 +10,17 @@ Viewpoint viewpoint(const Estimate& e, const TrackedCamera& c) {
   return {block, e.belief.mean(block), {}};
 }
 
-Viewpoint viewpoint(const Estimate& e, const TrackedCamera& c, const AnyMotion& motion) {
-  if (!c.mount) return viewpoint(e, c);
-  const BlockId block = e.bodies[c.body].block;
-  const SmallVector state = e.belief.mean(block);
+Viewpoint viewpoint_of(const SmallVector& state, const AnyMotion& motion, const std::optional<Mount>& mount,
+                       BlockId body) {
+  if (!mount) return {body, state, {}};
   const MountedCamera<6> mounted =
-      c.mount->on(PoseOf<6>{pose_of(motion, state), Eigen::Matrix<double, 6, 6>::Identity()});
-  return {block, mounted.camera, mounted.J * pose_jacobian(motion, state)};
+      mount->on(PoseOf<6>{pose_of(motion, state), Eigen::Matrix<double, 6, 6>::Identity()});
+  return {body, mounted.camera, mounted.J * pose_jacobian(motion, state)};
+}
+
+Viewpoint viewpoint(const Estimate& e, const TrackedCamera& c, const AnyMotion& motion) {
+  const BlockId block = e.bodies[c.body].block;
+  return viewpoint_of(e.belief.mean(block), motion, c.mount, block);
 }
 
 RayDepth depth_of(const std::vector<DepthHypothesis>& hypotheses) {

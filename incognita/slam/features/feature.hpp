@@ -103,6 +103,9 @@ struct TrackedCamera {
   double pixel_var() const { return settings.filter.sigma_pixel_px * settings.filter.sigma_pixel_px; }
 };
 
+/// The pose of a camera on a body in `state`. `mount`: none if the body is the camera itself.
+Viewpoint viewpoint_of(const SmallVector& state, const AnyMotion& motion, const std::optional<Mount>& mount,
+                       BlockId body);
 /// The pose of the camera at the current mean of its body.
 Viewpoint viewpoint(const Estimate& estimate, const TrackedCamera& camera, const AnyMotion& motion);
 /// The same of a body that is the camera itself.

@@ -14,7 +14,6 @@ namespace {
 PlanarSlamSettings settings_for(const PlanarLoopSettings& drive, const PlanarFilterSettings& filter) {
   PlanarSlamSettings s;
   s.vehicle.model = "differential-drive";
-  s.vehicle.sensor_forward_m = s.vehicle.sensor_left_m = 0;
   s.vehicle.sigma_speed_m_s = drive.sigma_speed_m_s;
   s.vehicle.sigma_turn_rate_rad_s = drive.sigma_turn_rate_rad_s;
   s.sensor.sigma_range_m = drive.sigma_range_m;

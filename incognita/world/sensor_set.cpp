@@ -16,7 +16,8 @@ Observation SensorSet::measure(const std::optional<Truth>& truth, const Tick& ti
 
 const BodyTruth& truth_of(const std::optional<Truth>& truth, std::size_t which) {
   if (!truth || which >= truth->bodies.size())
-    throw std::invalid_argument("a simulated sensor needs the true state of body " + std::to_string(which + 1));
+    throw std::invalid_argument("a simulated sensor needs the true state of body " +
+                                std::to_string(which + 1));
   return truth->bodies[which];
 }
 

@@ -13,6 +13,19 @@
 namespace incognita {
 namespace {
 
+/// The car of the ACFR car park, whose sensor is ahead of the front axle.
+AckermannCar park_car() {
+  AckermannCar car;
+  car.body = {3.78, 0.5};
+  return car;
+}
+
+CarLinearizationSettings of_park_car() {
+  CarLinearizationSettings settings;
+  settings.car = park_car();
+  return settings;
+}
+
 using Eigen::Vector2d;
 using testing::message_of;
 using Pose = planar::Pose<double>;
@@ -28,7 +41,7 @@ Pose drive(const AckermannCar& car, Pose pose, const CarCommand& command, double
 
 TEST(CarLinearization, IsExactWithinTheSteeringLimitAndNeverFasterOutside) {
   RandomStream random(1, "cars");
-  const AckermannCar car;
+  const AckermannCar car = park_car();
   const CarLimits limits{3, 0.5};
   int exact = 0, outside = 0;
   for (int i = 0; i < 3000; ++i) {
@@ -52,7 +65,7 @@ TEST(CarLinearization, IsExactWithinTheSteeringLimitAndNeverFasterOutside) {
 }
 
 TEST(CarLinearization, IsDefinedAtRestAndAbeam) {
-  const AckermannCar car;
+  const AckermannCar car = park_car();
   const CarCommand rest = car_for_velocity(car, 0.3, {0, 0}, {});
   EXPECT_EQ(rest.speed_m_s, 0);
   EXPECT_EQ(rest.steering_rad, 0);
@@ -73,7 +86,8 @@ TEST(CarLinearization, IsDefinedAtRestAndAbeam) {
 
 TEST(CarLinearization, ConvergesFromAnywhere) {
   RandomStream random(2, "starts");
-  const CarLinearizationSettings settings{.gain_per_s = 0.5 * Eigen::Matrix2d::Identity()};
+  CarLinearizationSettings settings = of_park_car();
+  settings.gain_per_s = 0.5 * Eigen::Matrix2d::Identity();
   const CarLinearization law(settings);
   for (int i = 0; i < 60; ++i) {
     Pose pose(random.uniform(-30, 30), random.uniform(-30, 30), random.uniform(-4, 4));
@@ -83,7 +97,7 @@ TEST(CarLinearization, ConvergesFromAnywhere) {
 }
 
 TEST(CarLinearization, FollowsACircleWithinItsTurningRadius) {
-  const CarLinearizationSettings settings;
+  const CarLinearizationSettings settings = of_park_car();
   const CarLinearization law(settings);
   const Path circle = CirclePath{.radius_m = 12, .rate_rad_s = -0.15};
   Pose pose(10, 3, -1);
@@ -98,7 +112,7 @@ TEST(CarLinearization, FollowsACircleWithinItsTurningRadius) {
 
 TEST(CarLinearization, RefusesInvalidSettings) {
   const auto complaint = [](auto change) {
-    CarLinearizationSettings settings;
+    CarLinearizationSettings settings = of_park_car();
     change(settings);
     return message_of<std::invalid_argument>([&] { CarLinearization law(settings); });
   };
@@ -112,7 +126,7 @@ TEST(CarLinearization, RefusesInvalidSettings) {
   EXPECT_HAS(complaint([](S& s) { s.limits.max_speed_m_s = -1; }), "speed limit must be positive");
   EXPECT_HAS(complaint([](S& s) { s.gain_per_s *= 30; }), "it must be less than 20 1/s");
   EXPECT_HAS(complaint([](S& s) { s.gain_per_s = Eigen::MatrixXd::Identity(3, 2); }), "3x2, not 2x2");
-  const CarLinearization law(S{});
+  const CarLinearization law(of_park_car());
   EXPECT_HAS(message_of<std::invalid_argument>([&] { law.act({0, INFINITY, 0}, {}); }), "not finite");
 }
 

@@ -68,7 +68,8 @@ TEST(PlanarFrame, PosesComposeAndInvert) {
 /// A lemma for all vehicles: the F of a rigid motion depends on the two poses alone.
 TEST(PlanarFrame, JacobianBetweenPosesIsTheFOfEveryVehicle) {
   const DifferentialDrive drive{0.7, -0.3};
-  const AckermannCar car;
+  AckermannCar car;
+  car.body = {3.78, 0.5};
   for (const Vector3d& x : poses())
     for (const Vector2d& u : {Vector2d(1, 0.3), Vector2d(-2, 0), Vector2d(0, -0.5)}) {
       for (const planar::Step& step : {drive.step(x, u, 0.2), car.step(x, u, 0.2)}) {

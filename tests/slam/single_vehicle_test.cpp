@@ -51,7 +51,6 @@ BlockId block(const Estimate& e, int which) {
 PlanarSlamSettings drive_settings() {
   PlanarSlamSettings s;
   s.vehicle.model = "differential-drive";
-  s.vehicle.sensor_forward_m = s.vehicle.sensor_left_m = 0;
   s.vehicle.sigma_speed_m_s = 0.05;
   s.vehicle.sigma_turn_rate_rad_s = 0.02;
   s.sensor.sigma_range_m = 0.05;

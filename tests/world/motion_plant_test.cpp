@@ -47,7 +47,8 @@ TEST(Integrate, ADifferentialDriveMovesOnACircle) {
 }
 
 TEST(Integrate, ACarMovesOnTheCircleOfItsSteering) {
-  const AckermannCar car;
+  AckermannCar car;
+  car.body = {3.78, 0.5};
   const SmallVector start = vec({5, 1, -1});
   for (const double steering : {0.3, -0.5})
     for (const double t : {0.1, 20.0}) {

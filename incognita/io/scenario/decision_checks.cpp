@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "incognita/io/scenario/enum_words.hpp"
 #include "incognita/models/registry.hpp"
 
 namespace incognita {
@@ -27,8 +28,9 @@ void check_actions(const DecisionSettings& s, List& found) {
 
 void check_horizon(const DecisionSettings& s, List& found) {
   if (s.horizon == 1) return;
-  if (s.metric == Metric::position_and_map)
-    found.push_back({"decision.horizon", "must be 1 with decision.metric = `position-and-map`"});
+  if (!is_of_sequences(s.metric))
+    found.push_back(
+        {"decision.horizon", fmt::format("must be 1 with decision.metric = `{}`", word_of(s.metric))});
   if (s.schedule == DecisionSettings::Schedule::one_per_frame)
     found.push_back({"decision.horizon", "must be 1 with decision.schedule = `one-per-frame`"});
 }

@@ -54,7 +54,7 @@ void vehicle(SettingReader& r, Scenario& s) {
   for (const MotionEntry& entry : registered_motions())
     if (entry.traits.name == motion.name)
       for (const ParameterInfo& p : entry.parameters)
-        r.parameter(v.parameter(p.quantity.key(), p.default_value), p);
+        r.parameter(v.parameters.emplace(p.quantity.key(), p.default_value).first->second, p);
   if (motion.has_input("speed")) r.some(v, &VehicleSettings::sigma_speed_m_s);
   if (motion.has_input("turn_rate")) r.some(v, &VehicleSettings::sigma_turn_rate_rad_s);
   if (motion.has_input("steering")) r.some(v, &VehicleSettings::sigma_steering_rad);

@@ -137,7 +137,7 @@ void check_control_point(const Scenario& s, List& found) {
                   "be moved sideways",
                   least_m, word_of(law))});
   };
-  if (motion.on_plane() && std::abs(s.planar.vehicle.sensor_forward_m) < least_m)
+  if (motion.on_plane() && std::abs(s.planar.vehicle.parameter("sensor_forward_m")) < least_m)
     refuse("vehicle.sensor_forward_m");
   if (motion.space == Space::uneven_ground && std::abs(s.law_settings.control_point_m) < least_m)
     refuse("controller.control_point_m");
@@ -178,7 +178,7 @@ void check_form(const Scenario& s, List& found) {
 void check_plant(const Scenario& s, List& found) {
   const VehicleSettings& v = s.planar.vehicle;
   if (s.plant.motion == TruePlantSettings::Motion::terrain &&
-      (v.sensor_forward_m != 0 || v.sensor_left_m != 0) && !s.motion().in_space())
+      (v.parameter("sensor_forward_m") != 0 || v.parameter("sensor_left_m") != 0) && !s.motion().in_space())
     found.push_back(
         {"plant.motion",
          "must be `as-modeled` unless vehicle.sensor_forward_m and vehicle.sensor_left_m are 0: on "

@@ -124,7 +124,7 @@ struct DifferentialDrive {
 
 /// A car with front-wheel steering whose speed is measured at the left rear wheel. Input (2): speed of that
 /// wheel (m/s), steering angle (rad, positive to the left; it must stay well below the angle at which that
-/// wheel is the center of rotation). Defaults: the utility car of the ACFR car-park data set.
+/// wheel is the center of rotation). Wheelbase and wheel: the utility car of the ACFR car-park data set.
 struct AckermannCar {
   static constexpr int state_size = 3;
   static constexpr int error_size = 3;
@@ -146,8 +146,8 @@ struct AckermannCar {
   using Integrator = ArcMotion<AckermannCar>;
 
   double wheelbase_m = 2.83;
-  double wheel_left_m = 0.76;         ///< from the middle of the rear axle to the measured wheel
-  DifferentialDrive body{3.78, 0.5};  ///< the point, relative to the middle of the rear axle
+  double wheel_left_m = 0.76;   ///< from the middle of the rear axle to the measured wheel
+  DifferentialDrive body = {};  ///< the point, relative to the middle of the rear axle
 
   static constexpr auto parameters() {
     using P = Parameter<AckermannCar>;

@@ -22,7 +22,7 @@ PathDistance of_last_third(const std::vector<double>& all) {
 }  // namespace
 
 double from_path_m(const SnapshotBody& body, bool flies, const Eigen::Vector2d& steered_m) {
-  if (!body.truth || !body.reference) return unknown;
+  if (!body.truth || !body.reference || (!body.truth->oriented && !steered_m.isZero())) return unknown;
   const Eigen::Vector3d ahead = rotation_matrix<double>(body.truth->orientation).col(0);
   // On uneven ground the offset is horizontal, along the heading, with its full length.
   const double heading = std::atan2(ahead.y(), ahead.x());
@@ -35,8 +35,8 @@ double from_path_m(const SnapshotBody& body, bool flies, const Eigen::Vector2d& 
 void PathDistanceSummary::add(const Snapshot& s) {
   from_path_m_.resize(std::max(from_path_m_.size(), s.bodies.size()));
   for (std::size_t i = 0; i < s.bodies.size(); ++i)
-    if (s.bodies[i].truth && s.bodies[i].reference)
-      from_path_m_[i].push_back(from_path_m(s.bodies[i], flies_, steered_m_));
+    if (const double distance_m = from_path_m(s.bodies[i], flies_, steered_m_); std::isfinite(distance_m))
+      from_path_m_[i].push_back(distance_m);
 }
 
 std::vector<PathDistance> PathDistanceSummary::bodies(std::size_t count) const {

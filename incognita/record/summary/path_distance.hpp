@@ -8,7 +8,7 @@
 namespace incognita {
 
 /// True distance between the controlled point (`steered_m`: ahead and left of the body's origin) and its reference; NaN
-/// if either is unknown. Planar unless the body flies, since the paths of ground vehicles have no height.
+/// if either is unknown, also by an unknown heading. Planar unless the body flies, since the paths of ground vehicles have no height.
 double from_path_m(const SnapshotBody& body, bool flies, const Eigen::Vector2d& steered_m);
 
 /// Over the last third of the run; NaN without a reference or the truth.

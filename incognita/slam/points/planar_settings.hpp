@@ -14,22 +14,15 @@ namespace incognita {
 
 struct VehicleSettings {
   std::string model = "ackermann";
-  double wheelbase_m = 2.83;    ///< `ackermann`
-  double wheel_left_m = 0.76;   ///< `ackermann`: from the middle of the rear axle to the measured wheel
-  double sensor_forward_m = 0;  ///< sensor from the middle of the rear (or only) axle
-  double sensor_left_m = 0;
   double sigma_speed_m_s = 0.7;
   double sigma_steering_rad = 0.12217;
   double sigma_turn_rate_rad_s = 0.05;
-  std::map<std::string, double> parameters = {};  ///< of other motion models, by key
+  /// Of the motion model, by key, e.g. wheelbase_m; those not given have the defaults of the model.
+  std::map<std::string, double> parameters = {};
 
-  /// The parameter with this key, as declared by the motion models. A new one is set to `default_value`.
-  double& parameter(const std::string& key, double default_value) {
-    if (key == "wheelbase_m") return wheelbase_m;
-    if (key == "wheel_left_m") return wheel_left_m;
-    if (key == "sensor_forward_m") return sensor_forward_m;
-    if (key == "sensor_left_m") return sensor_left_m;
-    return parameters.emplace(key, default_value).first->second;
+  double parameter(const std::string& key, double default_value = 0) const {
+    const auto given = parameters.find(key);
+    return given == parameters.end() ? default_value : given->second;
   }
 
   /// The parameters are declared by the motion models: models/registry.hpp.

@@ -4,9 +4,8 @@ namespace incognita {
 
 AnyMotion motion_of(const VehicleSettings& settings) {
   AnyMotion motion = make_motion(settings.model);
-  VehicleSettings values = settings;
   set_model_parameters(motion,
-                       [&](const std::string& key, double usual) { return values.parameter(key, usual); });
+                       [&](const std::string& key, double usual) { return settings.parameter(key, usual); });
   return motion;
 }
 

@@ -130,6 +130,23 @@ TEST(CameraLost, StaysWhereItWas) {
   EXPECT_EQ(t.estimate.belief.dense_covariance(), P);
 }
 
+/// How far it is looked for is a setting.
+TEST(CameraLost, IsLookedForWithinTheSigmasOfTheSettings) {
+  CameraSlamSettings far = Tracked::defaults();
+  far.health.sigma_search_position_m = 0.3, far.health.sigma_search_rotation_rad = 0.25;
+  far.health.sigma_search_velocity_m_s = 0.7, far.health.sigma_search_rate_rad_s = 0.9;
+  Tracked t(far);
+  declare_lost(t);
+  const Eigen::VectorXd sigmas = t.estimate.belief.covariance(t.estimate.body().block).diagonal().cwiseSqrt();
+  EXPECT_GE(sigmas.head<3>().minCoeff(), 0.3) << "added to what it was";
+  EXPECT_LT(sigmas.head<3>().maxCoeff(), 0.45);
+  EXPECT_GE(sigmas.segment<3>(3).minCoeff(), 0.25);
+  EXPECT_LT(sigmas.segment<3>(3).maxCoeff(), 0.45);
+  EXPECT_NEAR((sigmas.segment<3>(6).array() - 0.7).abs().maxCoeff(), 0, 1e-9)
+      << "at rest, as well as is known";
+  EXPECT_NEAR((sigmas.tail<3>().array() - 0.9).abs().maxCoeff(), 0, 1e-9);
+}
+
 TEST(CameraLost, IsRelocatedWhenTheViewIsBack) {
   Tracked t;
   declare_lost(t);

@@ -25,6 +25,7 @@ struct Data {
   RangeRecording
       recording;  ///< detections have the identities of their beacons, for `known` association and for counting
   PlanarSlamSettings settings;           ///< of the scenario, with the thesis' plain EKF
+  std::vector<Eigen::Vector2d> beacons;  ///< surveyed
   std::vector<Eigen::Vector2d> anchors;  ///< (2.8953, -4.0353) and (9.9489, 6.9239)
 };
 
@@ -47,30 +48,52 @@ struct Drive {
   double map_rms_m = 0;   ///< before it, the same landmarks and beacons
   double path_rms_m = 0;  ///< vehicle against GPS
   double fitted_path_rms_m = 0;
-  int detections = 0, matched = 0, lost_scans = 0;
+  int detections = 0, matched = 0;
   int wrong = 0;              ///< matches with a landmark that was initialized from another beacon
   int often_seen = 0;         ///< beacons, anchors left out, with ten detections or more
   int often_seen_mapped = 0;  ///< of them, those near a landmark after the fit
   double mean_landmark_sigma_m() const;
   double last_sigma_m() const { return sigma_m.back(); }
 };
-Drive drive(const Data& data, const PlanarSlamSettings& settings);
+
+/// A start other than the recording's.
+struct Start {
+  std::string name = {};
+  double position_times = 1, heading_times = 1;  ///< of the sigmas
+  bool right_heading = false;                    ///< -127 degrees
+  double heading_off_deg = 0;
+};
+
+/// What a filter has other than the plain EKF of the scenario without anchors.
+struct Variant {
+  bool anchored = false;
+  Linearization linearization = Linearization::analytic;
+  Decorrelation decorrelate = Decorrelation::nothing;
+  MapFrame map_frame = MapFrame::world;
+  bool right_associations = false;
+  bool gps_all_along = false;
+  Start start = {};
+};
+Drive drive(const Data& data, const Variant& variant);
 
 /// Landmarks within 0.25 m rms of the survey and the vehicle within 0.20 m rms of GPS, nothing fitted.
 bool is_accurate(const Drive& drive);
 
-/// The larger relative difference of two drives' sigmas at the end: landmarks' mean, and the vehicle's.
-double apart(const Drive& a, const Drive& b);
-
-/// Other consistent starts: no sigma is smaller than the error allows (the authors' heading is 15 degrees
-/// off).
-struct Start {
-  std::string name;
-  double position_times = 1, heading_times = 1;
-  bool right_heading = false;  ///< -127 degrees
-  PlanarSlamSettings applied_to(PlanarSlamSettings settings) const;
+/// The variant from other consistent starts: no sigma is smaller than the error allows (the authors' heading
+/// is 15 degrees off).
+struct FromOtherStarts {
+  std::vector<std::string> starts;
+  std::vector<Drive> drives;
+  /// The largest relative difference from `own` of the sigmas at the end: landmarks' mean, and the vehicle's.
+  double apart_from(const Drive& own) const;
 };
-std::vector<Start> other_starts();
+FromOtherStarts from_other_starts(const Data& data, Variant variant);
+
+/// `0.1 and 0.2`: sigmas at the end, landmarks' mean and the vehicle's.
+std::string last_sigmas(const Drive& drive);
+/// `landmarks 0.1 m against 0.2 m, vehicle ...`
+std::string sigmas_against(const Drive& one, const Drive& other);
+bool has_smaller_sigmas(const Drive& one, const Drive& other, double times = 1);
 
 /// The largest share by which a landmark's sigma grows in the second half of its life.
 double largest_growth(const Drive& drive);

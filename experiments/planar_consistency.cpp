@@ -4,61 +4,53 @@
 #include <numeric>
 
 #include "experiments/run_trace.hpp"
-#include "incognita/math/random.hpp"
-#include "incognita/models/sensors/range_bearing.hpp"
 #include "incognita/slam/estimator/single_vehicle.hpp"
 
 namespace incognita {
 namespace {
 
-PlanarSlamSettings settings_for(const PlanarLoopSettings& drive, const PlanarFilterSettings& filter) {
+/// Identities are known, and nothing is refused.
+PlanarSlamSettings with_known_identities(const PlanarFilterSettings& filter) {
   PlanarSlamSettings s;
   s.vehicle.model = "differential-drive";
+  s.filter = filter;
+  s.association.method = DataAssociationSettings::Method::known;
+  s.association.gate_probability = 1 - 1e-12;
+  s.health.max_sigma_position_m = 1e6;
+  return s;
+}
+
+PlanarSlamSettings settings_for(const PlanarLoopSettings& drive, const PlanarFilterSettings& filter) {
+  PlanarSlamSettings s = with_known_identities(filter);
   s.vehicle.sigma_speed_m_s = drive.sigma_speed_m_s;
   s.vehicle.sigma_turn_rate_rad_s = drive.sigma_turn_rate_rad_s;
   s.sensor.sigma_range_m = drive.sigma_range_m;
   s.sensor.sigma_bearing_rad = drive.sigma_bearing_rad;
-  s.filter = filter;
   s.filter.sigma_fix_m = drive.sigma_fix_m;
-  s.association.method = DataAssociationSettings::Method::known;
-  s.association.gate_probability = 1 - 1e-12;  // of known identity: nothing is refused
-  s.health.max_sigma_position_m = 1e6;
   return s;
 }
 
 }  // namespace
 
 std::vector<PlanarFilterChoice> planar_filter_choices() {
-  std::vector<PlanarFilterChoice> choices;
-  const auto add = [&](const char* name, Linearization linearization, MapFrame frame) {
-    PlanarFilterSettings filter;
-    filter.linearization = linearization;
-    filter.map_frame = frame;
-    choices.push_back({name, filter});
-  };
-  add("EKF", Linearization::analytic, MapFrame::world);
-  add("iterated EKF", Linearization::iterated, MapFrame::world);
-  add("unscented vehicle", Linearization::unscented_vehicle, MapFrame::world);
-  add("first-estimate Jacobians", Linearization::first_estimate, MapFrame::world);
-  add("map in the vehicle's frame", Linearization::analytic, MapFrame::vehicle);
-  return choices;
+  return {{"EKF", {}},
+          {"iterated EKF", {.linearization = Linearization::iterated}},
+          {"unscented vehicle", {.linearization = Linearization::unscented_vehicle}},
+          {"first-estimate Jacobians", {.linearization = Linearization::first_estimate}},
+          {"map in the vehicle's frame", {.map_frame = MapFrame::vehicle}}};
 }
 
-StandingVehicle standing_vehicle(std::uint64_t seed, Linearization linearization) {
-  PlanarSlamSettings s;
-  s.vehicle.model = "differential-drive";
-  s.sensor = {0.1, 0, radians(1), 80};
-  s.filter.linearization = linearization;
-  s.association.method = DataAssociationSettings::Method::known;
-  s.association.gate_probability = 1 - 1e-12;
-  s.start.sigma_heading_rad = radians(standing_sigma_heading_deg);
+StandingVehicle standing_vehicle(const StandingSettings& settings, RandomStream& random) {
+  PlanarSlamSettings s = with_known_identities({.linearization = settings.linearization});
+  s.sensor = {0.1, 0, radians(settings.sigma_bearing_deg), 80};
+  s.start.position_m = settings.first_estimate.head<2>();
+  s.start.heading_rad = settings.first_estimate[2];
+  s.start.sigma_position_m = settings.sigma_position_m;
+  s.start.sigma_heading_rad = radians(settings.sigma_heading_deg);
   SlamEstimator estimator(single_vehicle(s));
-  RandomStream random(seed, "standing vehicle");
-  const planar::Pose<double> truth(0, 0, s.start.sigma_heading_rad * random.normal());
-  const Eigen::Vector2d landmark(10, 0);
   Estimate estimate;
-  for (int k = 0; k < standing_measurements; ++k) {
-    Eigen::Vector2d z = RangeBearing::h<double>(truth, landmark);
+  for (int k = 0; k < settings.measurements; ++k) {
+    Eigen::Vector2d z(10, 0);
     z[0] += s.sensor.sigma_range_m * random.normal();
     z[1] += s.sensor.sigma_bearing_rad * random.normal();
     Observation observation;
@@ -67,8 +59,14 @@ StandingVehicle standing_vehicle(std::uint64_t seed, Linearization linearization
     estimator.update(estimate, {}, observation, {k, static_cast<double>(k), k > 0 ? 1.0 : 0.0});
   }
   const Body& at = estimate.bodies.front();
-  return {degrees(std::sqrt(at.state_covariance(2, 2))),
-          std::pow(wrap_angle(truth[2] - at.state[2]), 2) / at.state_covariance(2, 2)};
+  const double variance = at.state_covariance(2, 2);
+  return {degrees(std::sqrt(variance)), std::pow(wrap_angle(at.state[2]), 2) / variance};
+}
+
+StandingVehicle standing_vehicle(std::uint64_t seed, Linearization linearization) {
+  RandomStream random(seed, "standing vehicle");
+  const double heading = -radians(standing_sigma_heading_deg) * random.normal();
+  return standing_vehicle({.linearization = linearization, .first_estimate = {0, 0, heading}}, random);
 }
 
 PlanarConsistency planar_consistency(const PlanarLoopSettings& drive, std::uint64_t seed,

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "incognita/math/random.hpp"
+#include "incognita/models/motion/planar_vehicle.hpp"
 #include "incognita/slam/points/planar_settings.hpp"
 #include "incognita/world/points/planar_loop.hpp"
 
@@ -34,12 +36,20 @@ inline constexpr std::uint64_t first_consistency_seed = 1000;
 inline constexpr double standing_sigma_heading_deg = 15;
 inline constexpr int standing_measurements = 500;
 
-/// A stationary vehicle at a known position, its heading known to 15 degrees, that measures one landmark 10 m
-/// away (0.1 m, 1 degree) repeatedly.
+/// A stationary vehicle at the origin, heading along x, that measures one landmark 10 m ahead repeatedly, its
+/// range to 0.1 m.
+struct StandingSettings {
+  Linearization linearization = Linearization::analytic;
+  planar::Pose<double> first_estimate = planar::Pose<double>::Zero();
+  double sigma_position_m = 0, sigma_heading_deg = standing_sigma_heading_deg, sigma_bearing_deg = 1;
+  int measurements = standing_measurements;
+};
 struct StandingVehicle {
   double sigma_heading_deg = 0;  ///< at the end
   double nees = 0;               ///< of the heading at the end
 };
+StandingVehicle standing_vehicle(const StandingSettings& settings, RandomStream& random);
+/// At a known position, with a first heading drawn.
 StandingVehicle standing_vehicle(std::uint64_t seed, Linearization linearization);
 
 }  // namespace incognita

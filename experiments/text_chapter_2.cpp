@@ -5,17 +5,13 @@
 // origin, known to 0.5 m and 10 degrees; a landmark 10 m ahead, 100 measurements of 0.1 m and 1, 3 or 10
 // degrees. Initializations: 100000 draws. Holds: sequences as claimed (rounding of 1e-12 allowed), closed
 // forms to 1e-9 relative, variances of draws to 3 %, means over runs by their 99.9 % intervals.
-#include <array>
-#include <numbers>
-
 #include "experiments/common.hpp"
-#include "experiments/monobot.hpp"
+#include "experiments/linear_filter.hpp"
+#include "experiments/planar_consistency.hpp"
 #include "experiments/text_claims.hpp"
-#include "incognita/belief/belief.hpp"
 #include "incognita/math/random.hpp"
 #include "incognita/models/motion/monobot.hpp"
 #include "incognita/models/motion/planar_vehicle.hpp"
-#include "incognita/models/sensors/range_bearing.hpp"
 
 namespace incognita {
 namespace {
@@ -92,19 +88,13 @@ Claim correlations_grow() {
                   fall <= rounding_error);
 }
 
-/// Limit of the common variance of n landmarks that are initialized by a robot of variance `robot`.
-double common_variance(double v, double w, int n, double robot) {
-  return robot + monobot::relative_variance(v, w, n) - v * v;
-}
-
 Claim lower_bound() {
   double nearest = 1e300;
   for (const double v : {0.0, 0.1, 0.3})
     for (const int n : {1, 2, 5})
       for (const double robot : {0.0, 0.5, 1.0}) {
         const Setup setup{.landmarks = n, .sigma_v_m = v, .robot_var_m2 = robot, .landmark_var_m2 = {}};
-        const MatrixXd P = filtered(monobot::system(setup), monobot::first_covariance(setup), 1000);
-        nearest = std::min(nearest, P.diagonal().tail(n).minCoeff() - robot);
+        nearest = std::min(nearest, after(setup, 1000).diagonal().tail(n).minCoeff() - robot);
       }
   return assessed(
       "text-3.1-lower-bound", "Sections 2.2 and 3.1, property (3)",
@@ -123,9 +113,8 @@ Claim bound_is_reached() {
     for (const int n : {1, 5}) {
       const Setup setup{.landmarks = n, .sigma_v_m = v, .robot_var_m2 = 0.25, .landmark_var_m2 = {}};
       // the covariance of robot and landmark is the limit of the landmark's variance, and is there sooner
-      const double limit = filtered(monobot::system(setup), monobot::first_covariance(setup), 1000)(0, 1);
-      worst.take(std::abs(limit / 0.25 - 1),
-                 std::abs(limit / common_variance(v, setup.sigma_w_m, n, 0.25) - 1));
+      const double limit = after(setup, 1000)(0, 1);
+      worst.take(std::abs(limit / 0.25 - 1), std::abs(limit / monobot::settled_prior(setup)(0, 1) - 1));
       cases.add({fmt::format("s_v {} m, {} landmarks: {:.4f} m^2", v, n, limit)});
     }
   return assessed(
@@ -147,10 +136,9 @@ Claim riccati_depends() {
         for (const int n : {1, 2, 5}) {
           const Setup setup{
               .landmarks = n, .sigma_v_m = v, .sigma_w_m = w, .robot_var_m2 = robot, .landmark_var_m2 = {}};
-          const MatrixXd P = filtered(monobot::system(setup), monobot::first_covariance(setup), 400);
-          const double common = common_variance(v, w, n, robot),
-                       relative = monobot::relative_variance(v, w, n) - v * v;
-          off = std::max({off, std::abs(P(0, 1) / common - 1), std::abs(P(0, 0) / (common + relative) - 1)});
+          const MatrixXd P = after(setup, 400), prior = monobot::settled_prior(setup);
+          off = std::max(
+              {off, std::abs(P(0, 1) / prior(0, 1) - 1), std::abs(P(0, 0) / (prior(0, 0) - v * v) - 1)});
           ++cases;
         }
   return assessed("text-2.18-depends", "below (2.18), Section 3.1",
@@ -191,18 +179,11 @@ Claim initial_covariance() {
     const double z = RelativePosition::predict_measurement(0, 2).z[0] + noise;
     squares += std::pow(RelativePosition::initialize(robot_error, z).landmark[0] - 2, 2);
   }
-  const RelativePosition::Initialization initialization;
-  Belief belief;
-  const BlockId robot = belief.add_vehicle(Chart::line(1), Eigen::VectorXd::Zero(1),
-                                           MatrixXd::Constant(1, 1, robot_sigma * robot_sigma));
-  const Belief::Parent parent{robot, initialization.Jv};
-  const MatrixXd noise =
-      initialization.Jz * (measurement_sigma * measurement_sigma) * initialization.Jz.transpose();
-  const double ours =
-      belief.covariance(belief.augment(Chart::line(1), Eigen::VectorXd::Zero(1), {&parent, 1}, noise))(0, 0);
   const double drawn = squares / draws, P = robot_sigma * robot_sigma;
-  const double printed =
-      initialization.Jv[0] * P * initialization.Jv[0] + initialization.Jz[0] * P * initialization.Jz[0];
+  const RelativePosition::Initialization by;
+  const double printed = by.Jv[0] * P * by.Jv[0] + by.Jz[0] * P * by.Jz[0];
+  const Setup setup{.sigma_w_m = measurement_sigma, .robot_var_m2 = P, .landmark_var_m2 = {}};
+  const double ours = start_of(setup)(1, 1);
   return assessed("text-2.25-birth", "(2.25)",
                   "Covariance of a new landmark (robot known to 0.5 m, measurement to 0.2 m), to 3 % of what "
                   "drawing them gives",
@@ -217,8 +198,7 @@ Claim initial_covariance() {
 
 Claim dependent_errors() {
   const auto landmark_variance = [](double v, int steps) {
-    const Setup setup{.sigma_v_m = v, .landmark_var_m2 = {}};
-    return filtered(monobot::system(setup), monobot::first_covariance(setup), steps)(1, 1);
+    return after({.sigma_v_m = v, .landmark_var_m2 = {}}, steps)(1, 1);
   };
   const double still_100 = landmark_variance(0, 100), still_1000 = landmark_variance(0, 1000),
                moving_100 = landmark_variance(0.1, 100), moving_1000 = landmark_variance(0.1, 1000);
@@ -284,64 +264,25 @@ Claim nonholonomic() {
                   sideways <= 1e-9 && std::abs(x.y()) > 0.05 && std::abs(x[2]) < 1e-9);
 }
 
-// A stationary vehicle --------------------------------------------------------------------------------
-
-constexpr double deg = std::numbers::pi / 180;
-
-struct Standing {
-  double heading_sigma_deg;  ///< by the filter, after the last measurement
-  double heading_nees;
-};
-
-/// 100 measurements of one landmark. `first_estimates`: Jacobians always at the first estimates.
-Standing stationary_run(std::uint64_t seed, double sigma_bearing, bool first_estimates) {
-  const Vector3d sigma(0.5, 0.5, 10 * deg);
-  const Vector2d noise(0.1, sigma_bearing), place(10, 0);
+/// 100 measurements after the first, from a start known to 0.5 m and 10 degrees.
+StandingVehicle standing_run(std::uint64_t seed, double sigma_bearing_deg, Linearization linearization) {
+  const double sigma_m = 0.5, sigma_deg = 10, sigma_rad = radians(sigma_deg);
   RandomStream random(seed, "standing");
-  const auto draw = [&]() -> Vector2d {
-    const double range_noise = noise[0] * random.normal(), bearing_noise = noise[1] * random.normal();
-    return RangeBearing::h<double>(Vector3d::Zero(), place) + Vector2d(range_noise, bearing_noise);
-  };
-  const Vector3d start(sigma[0] * random.normal(), sigma[1] * random.normal(), sigma[2] * random.normal());
-  const Eigen::Matrix2d R = noise.cwiseAbs2().asDiagonal();
-
-  Belief belief;
-  const Eigen::Matrix3d P = sigma.cwiseAbs2().asDiagonal();
-  const BlockId vehicle = belief.add_vehicle(planar::pose_chart, start, P);
-  const auto initialization = RangeBearing::initialize(start, draw());
-  const Belief::Parent parent{vehicle, initialization.Jv};
-  const Eigen::Matrix2d initialization_noise = initialization.Jz * R * initialization.Jz.transpose();
-  const BlockId landmark = belief.augment(RangeBearing::landmark_chart, initialization.landmark, {&parent, 1},
-                                          initialization_noise);
-  const auto first = RangeBearing::predict_measurement(start, initialization.landmark);
-  for (int k = 0; k < 100; ++k) {
-    const auto prediction =
-        RangeBearing::predict_measurement(Vector3d(belief.mean(vehicle)), Vector2d(belief.mean(landmark)));
-    LinearizedMeasurement affine;
-    affine.add(vehicle, first_estimates ? first->Hv : prediction->Hv);
-    affine.add(landmark, first_estimates ? first->Hl : prediction->Hl);
-    const Vector2d residual = draw() - prediction->z;
-    affine.residual = Vector2d(residual[0], wrap_angle<double>(residual[1]));
-    affine.R = R;
-    belief.update({&affine, 1});
-  }
-  const double variance = belief.covariance(vehicle)(2, 2),
-               error = wrap_angle<double>(belief.mean(vehicle)[2]);
-  return {std::sqrt(variance) / deg, error * error / variance};
+  const Vector3d start(sigma_m * random.normal(), sigma_m * random.normal(), sigma_rad * random.normal());
+  return standing_vehicle({linearization, start, sigma_m, sigma_deg, sigma_bearing_deg, 101}, random);
 }
 
 Claim stationary_vehicle(int seeds) {
   double off = 0;
   Interval nees;
   const Cases optimistic = by_number({1, 3, 10}, [&](int bearing) -> CaseResult {
-    const auto runs = [&](bool first_estimates) {
-      return over_seeds(
-          seeds, [&](std::uint64_t seed) { return stationary_run(seed, bearing * deg, first_estimates); });
+    const auto runs = [&](Linearization by) {
+      return over_seeds(seeds, [&](std::uint64_t seed) { return standing_run(seed, bearing, by); });
     };
-    const auto ekf = runs(false);
-    for (const Standing& first : runs(true)) off = std::max(off, std::abs(first.heading_sigma_deg - 10));
-    const std::vector<double> sigma = each(ekf, &Standing::heading_sigma_deg);
-    nees = bootstrap_mean(each(ekf, &Standing::heading_nees));
+    const auto ekf = runs(Linearization::analytic), first_estimates = runs(Linearization::first_estimate);
+    for (const auto& run : first_estimates) off = std::max(off, std::abs(run.sigma_heading_deg - 10));
+    const std::vector<double> sigma = each(ekf, &StandingVehicle::sigma_heading_deg);
+    nees = bootstrap_mean(each(ekf, &StandingVehicle::nees));
     return {fmt::format("{}, NEES {}", text(mean_of(sigma), "degrees"), text(nees)),
             is_below(mean_of(sigma, assessed_at), 10)};
   });

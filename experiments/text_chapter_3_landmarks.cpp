@@ -5,7 +5,7 @@
 #include <Eigen/LU>
 
 #include "experiments/common.hpp"
-#include "experiments/monobot.hpp"
+#include "experiments/linear_filter.hpp"
 #include "experiments/text_claims.hpp"
 #include "incognita/models/motion/planar_vehicle.hpp"
 

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "experiments/common.hpp"
-#include "experiments/monobot.hpp"
+#include "experiments/linear_filter.hpp"
 #include "experiments/text_claims.hpp"
 
 namespace incognita {
@@ -15,33 +15,33 @@ namespace {
 /// robot and landmark, which is there sooner than the variance.
 Plot riccati_limits() {
   const auto filter = [](double v, int n, double robot) {
-    const monobot::Setup setup{.landmarks = n, .sigma_v_m = v, .robot_var_m2 = robot, .landmark_var_m2 = {}};
-    return filtered(monobot::system(setup), monobot::first_covariance(setup), 1000)(0, 1);
+    return after({.landmarks = n, .sigma_v_m = v, .robot_var_m2 = robot, .landmark_var_m2 = {}}, 1000)(0, 1);
   };
   const auto closed_form = [](double v, int n, double robot) {
-    return robot + monobot::relative_variance(v, 0.2, n) - v * v;
+    return monobot::settled_prior(
+        {.landmarks = n, .sigma_v_m = v, .robot_var_m2 = robot, .landmark_var_m2 = {}})(0, 1);
   };
   Panel over_number{"robot known at first", "landmarks", "landmark's variance, m^2", {}},
       over_start{"s_v = 0.1 m", "robot's first variance, m^2", "landmark's variance, m^2", {}};
+  const std::vector<int> numbers{1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
+  std::vector<double> starts;
+  for (int i = 0; i <= 5; ++i) starts.push_back(0.01 * i);
   const Color colors[] = {Color::blue, Color::orange, Color::green};
   for (int i = 0; i < 3; ++i) {
+    const auto add = [&](Panel& panel, const std::string& label, const auto& x, const auto& line,
+                         const auto& circles) {
+      panel.curves.push_back(curve_of(label, Style::line, colors[i], x, std::identity{}, line));
+      panel.curves.push_back(curve_of("", Style::circles, colors[i], x, std::identity{}, circles));
+    };
     const double v = std::array{0.05, 0.1, 0.3}[i];
-    Curve line{fmt::format("s_v = {} m", v), Style::line, {}, {}, {}, colors[i]},
-        circles{"", Style::circles, {}, {}, {}, colors[i]};
-    for (int n = 1; n <= 10; ++n) {
-      line.x.push_back(n), line.y.push_back(closed_form(v, n, 0));
-      circles.x.push_back(n), circles.y.push_back(filter(v, n, 0));
-    }
-    over_number.curves.insert(over_number.curves.end(), {line, circles});
-    const int count = std::array{1, 2, 10}[i];
-    Curve from{fmt::format("{} landmark{}", count, count > 1 ? "s" : ""), Style::line, {}, {}, {}, colors[i]},
-        at{"", Style::circles, {}, {}, {}, colors[i]};
-    for (int step = 0; step <= 5; ++step) {
-      const double robot = 0.01 * step;
-      from.x.push_back(robot), from.y.push_back(closed_form(0.1, count, robot));
-      at.x.push_back(robot), at.y.push_back(filter(0.1, count, robot));
-    }
-    over_start.curves.insert(over_start.curves.end(), {from, at});
+    add(
+        over_number, fmt::format("s_v = {} m", v), numbers, [&](int n) { return closed_form(v, n, 0); },
+        [&](int n) { return filter(v, n, 0); });
+    const int n = std::array{1, 2, 10}[i];
+    add(
+        over_start, fmt::format("{} landmark{}", n, n > 1 ? "s" : ""), starts,
+        [&](double robot) { return closed_form(0.1, n, robot); },
+        [&](double robot) { return filter(0.1, n, robot); });
   }
   return {"fig-riccati",
           "Where a landmark's variance settles without an anchor (s_w = 0.2 m)",

@@ -7,10 +7,8 @@
 // Holds: a closed form to 1e-9 relative, an identity to 1e-12; a mean, rms or slope with the prediction
 // inside its 99.9 % interval; a comparison of errors with its 95 % interval of paired differences on one side
 // of 0.
-#include <Eigen/Eigenvalues>
-
 #include "experiments/common.hpp"
-#include "experiments/monobot.hpp"
+#include "experiments/linear_filter.hpp"
 #include "incognita/math/random.hpp"
 
 namespace incognita {
@@ -37,8 +35,6 @@ LinearSystem system(double v, double w) { return monobot::system({.sigma_v_m = v
 RiccatiLimit limit(double v, double w) {
   return iterate_riccati(system(v, w), Vector2d(0, 1).asDiagonal().toDenseMatrix());
 }
-
-double distance(const MatrixXd& A, const MatrixXd& B) { return (A - B).norm() / B.norm(); }
 
 struct Printed {
   Matrix2d P;
@@ -89,9 +85,10 @@ Claim steady_state_covariance() {
   for_all_noises([&](double v, double w) {
     const LinearSystem s = system(v, w);
     const MatrixXd P0 = Vector2d(0, 1).asDiagonal(), P = limit(v, w).P;
-    worst.take(distance(printed(v, w).P, P), distance(steady(v, w), P));
+    worst.take(relative_difference(printed(v, w).P, P), relative_difference(steady(v, w), P));
     of_second_step =
-        std::max(of_second_step, distance(printed(v, w).P, predicted(s, updated(s, P0, kalman_gain(s, P0)))));
+        std::max(of_second_step,
+                 relative_difference(printed(v, w).P, predicted(s, updated(s, P0, kalman_gain(s, P0)))));
   });
   const Matrix2d P = steady(0.1, 0.2);
   return assessed(
@@ -115,8 +112,9 @@ Claim steady_state_gain() {
     const RiccatiLimit l = limit(v, w);
     const double p = monobot::relative_variance(v, w),
                  s2 = (system(v, w).H * l.P * system(v, w).H.transpose())(0, 0) + w * w;
-    worst.take(std::max(distance(printed(v, w).K, l.K), std::abs(printed(v, w).s2 / s2 - 1)),
-               std::max(distance(Vector2d(-p / (p + w * w), 0), l.K), std::abs((p + w * w) / s2 - 1)));
+    worst.take(
+        std::max(relative_difference(printed(v, w).K, l.K), std::abs(printed(v, w).s2 / s2 - 1)),
+        std::max(relative_difference(Vector2d(-p / (p + w * w), 0), l.K), std::abs((p + w * w) / s2 - 1)));
   });
   const Vector2d K = printed(0.1, 0.2).K, ours = limit(0.1, 0.2).K;
   return assessed(
@@ -141,7 +139,7 @@ Claim printed_matrix() {
     as_printed << s2 - v * v, v * v, landmark, (s * (1 + w2) - w2) / (1 + w2);
     ours << s2 - v * v, v * v, landmark, (s2 * (1 + w2) - w2) / (1 + w2);
     const MatrixXd A = error_dynamics(system(v, w), K);
-    worst.take(distance(as_printed / s2, A), distance(ours / s2, A));
+    worst.take(relative_difference(as_printed / s2, A), relative_difference(ours / s2, A));
   });
   return assessed("3.1-printed-dynamics", "(3.11), Example 3.1",
                   "F - KHF with the gain printed above it, to 1e-12",
@@ -243,9 +241,7 @@ Claim more_landmarks(int seeds) {
     variances.push_back(monobot::settled_prior(setup)(1, 1));
     lines.push_back(fmt::format("{}: {}", n, text(rms_of(last), "m")));
     if (n == 1) of_one = last;
-    difference.clear();
-    for (std::size_t i = 0; i < last.size(); ++i)
-      difference.push_back(of_one[i] * of_one[i] - last[i] * last[i]);
+    difference = monobot::squares_less(last, of_one);
   }
   const double floor =
       monobot::settled_prior({.landmarks = 1000, .robot_var_m2 = 1, .landmark_var_m2 = {}})(1, 1);

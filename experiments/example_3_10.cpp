@@ -4,10 +4,8 @@
 // Measured: covariances and gains, which do not depend on chance; the landmark's errors over seeds 1, 2, ...
 // Holds: settled when 500 more steps change nothing by more than 1e-6 relative; a gain that never reaches
 // zero when 10 times the steps leave more than half of it; errors as in Example 3.1.
-#include <Eigen/Eigenvalues>
-
 #include "experiments/common.hpp"
-#include "experiments/monobot.hpp"
+#include "experiments/linear_filter.hpp"
 
 namespace incognita {
 namespace {
@@ -25,12 +23,9 @@ Claim stable() {
   const Cases cases = by_number({1, 2}, [](int n) -> CaseResult {
     const Setup setup = decorrelated(n, Decorrelated::everything);
     const Course course = monobot::course(setup);
-    const MatrixXd &P = course.posterior[1000], &before = course.posterior[500];
-    const double change = (P - before).norm() / P.norm();
-    const double largest = MatrixXd(error_dynamics(monobot::system(setup), course.gain[1000]))
-                               .eigenvalues()
-                               .cwiseAbs()
-                               .maxCoeff();
+    const MatrixXd& P = course.posterior[1000];
+    const double change = relative_difference(course.posterior[500], P);
+    const double largest = eigenvalues(error_dynamics(monobot::system(setup), course.gain[1000])).maxCoeff();
     return {fmt::format("robot {:.5f}, landmark {:.5f} m^2, change {}, eigenvalue {:.3f}", P(0, 0), P(1, 1),
                         below(change), largest),
             change < 1e-6 && largest < 0.999};
@@ -99,8 +94,8 @@ Claim lower_than_without_anchor() {
       const auto anchored = monobot::course(decorrelated(n, what, 100)).posterior,
                  free = monobot::course(decorrelated(n, what, 100, false)).posterior;
       cases.add({fmt::format("{} with {}: robot {:.4f} against {:.4f}, landmark {:.4f} against {:.4f} m^2",
-                             what == Decorrelated::map ? "map" : "everything", n, anchored[100](0, 0),
-                             free[100](0, 0), anchored[100](1, 1), free[100](1, 1)),
+                             name(what), n, anchored[100](0, 0), free[100](0, 0), anchored[100](1, 1),
+                             free[100](1, 1)),
                  monobot::smaller_variances(anchored, free)});
     }
   return assessed("3.10-variance", "Example 3.10",
@@ -118,8 +113,7 @@ Claim map_alone_is_better(int seeds) {
     return monobot::errors(monobot::simulate_all(decorrelated(1, what, 100), seeds), 1, 100);
   };
   const auto map = last(Decorrelated::map), all = last(Decorrelated::everything);
-  std::vector<double> gain;
-  for (std::size_t i = 0; i < map.size(); ++i) gain.push_back(all[i] * all[i] - map[i] * map[i]);
+  const std::vector<double> gain = monobot::squares_less(map, all);
   return assessed("3.10-map-alone", "below Figure 3.18, Section 3.4",
                   "Also with full observability it is best to decorrelate only the map: smaller trace after "
                   "100 steps, and smaller errors of the landmark in paired runs (one landmark)",
@@ -135,9 +129,8 @@ Claim map_alone_is_better(int seeds) {
 Claim pseudo_noise_on_everything() {
   const Cases cases = by_number({1, 2}, [](int n) -> CaseResult {
     const Setup setup{.landmarks = n, .anchored = true};
-    const MatrixXd dP = 0.05 * 0.05 * MatrixXd::Identity(n + 1, n + 1);
-    const LinearSystem noisy = monobot::with_pseudo_noise(monobot::system(setup), dP);
-    const RiccatiLimit limit = iterate_riccati(noisy, predicted(noisy, monobot::first_covariance(setup)));
+    const LinearSystem noisy = with_constant_noise(setup, true);
+    const RiccatiLimit limit = iterate_riccati(noisy, predicted(noisy, start_of(setup)));
     return {fmt::format("{}, landmark {:.5f} m^2 before the update, gain {:.4f}", limit.reason, limit.P(1, 1),
                         limit.K(1, 1)),
             limit.settled && limit.K(1, 1) > 1e-3};

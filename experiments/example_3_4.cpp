@@ -42,19 +42,15 @@ Vector2d point(RandomStream& random, const Vector3d& pose) {
   }
 }
 
-SourceLocation random_position(RandomStream& random) {
-  SourceLocation p;
-  p.pose << point(random, Vector3d::Zero()), random.uniform(-pi, pi);
-  p.input << random.uniform(0.5, 2), random.uniform(0.2, 1);
-  p.landmark = point(random, p.pose);
-  p.anchors = {Vector2d::Zero(), point(random, p.pose)};
-  return p;
-}
-
 std::vector<SourceLocation> random_positions() {
   RandomStream random(1, "places");
-  std::vector<SourceLocation> all;
-  for (int i = 0; i < places; ++i) all.push_back(random_position(random));
+  std::vector<SourceLocation> all(places);
+  for (SourceLocation& p : all) {
+    p.pose << point(random, Vector3d::Zero()), random.uniform(-pi, pi);
+    p.input << random.uniform(0.5, 2), random.uniform(0.2, 1);
+    p.landmark = point(random, p.pose);
+    p.anchors = {Vector2d::Zero(), point(random, p.pose)};
+  }
   return all;
 }
 
@@ -79,43 +75,37 @@ std::string from_numerical(const Worst& worst) {
 
 constexpr double as_good_as_zero = 1e-6;
 
-Claim state_jacobian() {
-  Worst worst;
+std::vector<Claim> motion_jacobians() {
+  Worst by_state, by_input;
   for (const SourceLocation& p : random_positions()) {
     const double c = std::cos(p.pose[2]), s = std::sin(p.pose[2]), v = p.input[0], lw = 0.3 * p.input[1];
-    Eigen::Matrix3d printed = Eigen::Matrix3d::Identity();
-    printed.col(2).head<2>() << -(v * s - lw * c) * dt, (v * c - lw * s) * dt;
-    const auto f = [&](const Eigen::VectorXd& x) -> Eigen::VectorXd {
-      return vehicle.f<double>(Vector3d(x), p.input, dt);
+    Eigen::Matrix3d F = Eigen::Matrix3d::Identity();
+    F.col(2).head<2>() << -(v * s - lw * c) * dt, (v * c - lw * s) * dt;
+    Eigen::Matrix<double, 3, 2> G;
+    G << c * dt, -0.3 * s * dt, s * dt, 0.3 * c * dt, 0, 1;
+    const auto f = [](const Eigen::VectorXd& x) -> Eigen::VectorXd {
+      return vehicle.f<double>(Vector3d(x.head<3>()), Vector2d(x.tail<2>()), dt);
     };
-    worst.take(printed, vehicle.step(p.pose, p.input, dt).F, differences(f, p.pose));
+    Eigen::VectorXd at(5);
+    at << p.pose, p.input;
+    const MatrixXd numerical = differences(f, at);
+    const auto ours = vehicle.step(p.pose, p.input, dt);
+    by_state.take(F, ours.F, numerical.leftCols<3>());
+    by_input.take(G, ours.G, numerical.rightCols<2>());
   }
-  return assessed("3.4-F", "(3.17)", "Jacobian of (3.16) by the state, to 1e-6",
-                  {.printed = "first row, last entry -(v sin - l w cos) dt",
-                   .measured = from_numerical(worst),
-                   .why = "-(v sin + l w cos) dt",
-                   .runs = places},
-                  worst, as_good_as_zero);
+  return {assessed("3.4-F", "(3.17)", "Jacobian of (3.16) by the state, to 1e-6",
+                   {.printed = "first row, last entry -(v sin - l w cos) dt",
+                    .measured = from_numerical(by_state),
+                    .why = "-(v sin + l w cos) dt",
+                    .runs = places},
+                   by_state, as_good_as_zero),
+          assessed("3.4-G", "(3.18)", "Jacobian of (3.16) by the input noises, to 1e-6",
+                   {.printed = "last row [0 1]",
+                    .measured = from_numerical(by_input),
+                    .why = "[0 dt]",
+                    .runs = places},
+                   by_input, as_good_as_zero)};
 }
-
-Claim input_jacobian() {
-  Worst worst;
-  for (const SourceLocation& p : random_positions()) {
-    const double c = std::cos(p.pose[2]), s = std::sin(p.pose[2]);
-    Eigen::Matrix<double, 3, 2> printed;
-    printed << c * dt, -0.3 * s * dt, s * dt, 0.3 * c * dt, 0, 1;
-    const auto f = [&](const Eigen::VectorXd& u) -> Eigen::VectorXd {
-      return vehicle.f<double>(p.pose, Vector2d(u), dt);
-    };
-    worst.take(printed, vehicle.step(p.pose, p.input, dt).G, differences(f, p.input));
-  }
-  return assessed(
-      "3.4-G", "(3.18)", "Jacobian of (3.16) by the input noises, to 1e-6",
-      {.printed = "last row [0 1]", .measured = from_numerical(worst), .why = "[0 dt]", .runs = places},
-      worst, as_good_as_zero);
-}
-
-double wrapped(double angle) { return wrap_angle<double>(angle); }
 
 /// Where the direction to a landmark is known to be: turning by it and driving ahead must lead to the
 /// landmark.
@@ -152,8 +142,8 @@ Claim anchor_bearing() {
   for (const SourceLocation& p : random_positions()) {
     const double truth = RangeBearing::predict_measurement(p.pose, Vector2d::Zero())->z[1];
     const double x = p.pose.x(), y = p.pose.y();
-    worst.take(std::abs(wrapped(std::atan(y / x) - p.pose[2] + pi / 2 - truth)),
-               std::abs(wrapped(std::atan2(-y, -x) - p.pose[2] - truth)));
+    worst.take(std::abs(wrap_angle<double>(std::atan(y / x) - p.pose[2] + pi / 2 - truth)),
+               std::abs(wrap_angle<double>(std::atan2(-y, -x) - p.pose[2] - truth)));
   }
   return assessed("3.4-anchor-bearing", "(3.21)",
                   "The bearing of an anchor at the origin is (3.19) with the landmark there, to 1e-6 rad",
@@ -223,27 +213,17 @@ MatrixXd transition(const DifferentialDrive& drive, const Vector3d& pose, const 
   return F;
 }
 
-/// (3.24)
-MatrixXd frozen(const SourceLocation& p, const View& view, const DifferentialDrive& drive) {
-  LinearSystem s;
-  s.F = transition(drive, p.pose, p.input);
-  s.H = rows_seen(p, p.pose, view);
-  s.G = MatrixXd::Zero(5, 1);
-  s.Q = MatrixXd::Zero(1, 1);
-  s.R = MatrixXd::Identity(s.H.rows(), s.H.rows());
-  return observability_matrix(s);
-}
-
-/// The same with each H and F where the vehicle then is.
-MatrixXd along_the_motion(const SourceLocation& p, const View& view, const DifferentialDrive& drive) {
+/// [H_0; H_1 F_0; H_2 F_1 F_0; ...], each where the vehicle then is; or (3.24), all at the first pose.
+MatrixXd observability(const SourceLocation& p, const View& view, const DifferentialDrive& drive,
+                       bool frozen) {
   Vector3d pose = p.pose;
   MatrixXd since_start = MatrixXd::Identity(5, 5);
-  const Eigen::Index rows = rows_seen(p, pose, view).rows();
-  MatrixXd O(measurements * rows, 5);
-  for (int k = 0; k < measurements; ++k) {
+  const Eigen::Index rows = rows_seen(p, pose, view).rows(), count = frozen ? 5 : measurements;
+  MatrixXd O(count * rows, 5);
+  for (Eigen::Index k = 0; k < count; ++k) {
     O.middleRows(k * rows, rows) = rows_seen(p, pose, view) * since_start;
     since_start = transition(drive, pose, p.input) * since_start;
-    pose = drive.step(pose, p.input, dt).x;
+    if (!frozen) pose = drive.step(pose, p.input, dt).x;
   }
   return O;
 }
@@ -261,12 +241,11 @@ struct Ranks {
   }
 };
 
-template <class Build>
-Ranks ranks(const Build& build) {
+Ranks ranks(const View& view, const DifferentialDrive& drive, bool frozen) {
   Ranks all;
   bool clear = true;
   for (const SourceLocation& p : random_positions()) {
-    const Rank r = rank_of(build(p), 1e-9);
+    const Rank r = rank_of(observability(p, view, drive, frozen), 1e-9);
     const Eigen::VectorXd relative = r.singular_values / r.singular_values[0];
     all.least_kept = std::min(all.least_kept, relative[r.rank - 1]);
     if (r.rank < relative.size()) all.most_left_out = std::max(all.most_left_out, relative[r.rank]);
@@ -278,12 +257,9 @@ Ranks ranks(const Build& build) {
 }
 
 Ranks frozen_rank(const View& view, const DifferentialDrive& drive = vehicle) {
-  return ranks([&](const SourceLocation& p) { return frozen(p, view, drive); });
+  return ranks(view, drive, true);
 }
-
-Ranks true_rank(const View& view, const DifferentialDrive& drive = vehicle) {
-  return ranks([&](const SourceLocation& p) { return along_the_motion(p, view, drive); });
-}
+Ranks true_rank(const View& view) { return ranks(view, vehicle, false); }
 
 /// (3.25), rows five to eight: what H F has in the heading's column beyond H.
 Claim printed_product() {
@@ -369,12 +345,9 @@ Claim no_anchor() {
 
 Curve outline(const std::string& label, const Vector3d& pose, const std::vector<Vector2d>& corners,
               Style style, Color color) {
-  Curve curve{label, style, {}, {}, {}, color};
-  for (const Vector2d& corner : corners) {
-    const Vector2d at = pose.head<2>() + Eigen::Rotation2Dd(pose[2]) * corner;
-    curve.x.push_back(at.x()), curve.y.push_back(at.y());
-  }
-  return curve;
+  return path_of(label, style, color, corners, [&](const Vector2d& corner) -> Vector2d {
+    return pose.head<2>() + Eigen::Rotation2Dd(pose[2]) * corner;
+  });
 }
 
 /// The vehicle at 30 degrees, its axle's middle at the origin of the body; m.
@@ -400,8 +373,9 @@ Plot geometry() {
 LedgerEntry run(const ExperimentSettings& settings) {
   return entry_of(
       example_3_4, settings,
-      {state_jacobian(), input_jacobian(), bearing(), anchor_bearing(), measurement_jacobians(),
-       printed_product(), frozen_product_rank(), one_anchor_observes_all(), what_it_takes(), no_anchor()},
+      concatenated({motion_jacobians(),
+                    {bearing(), anchor_bearing(), measurement_jacobians(), printed_product(),
+                     frozen_product_rank(), one_anchor_observes_all(), what_it_takes(), no_anchor()}}),
       {geometry()});
 }
 

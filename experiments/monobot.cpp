@@ -1,12 +1,12 @@
 #include "experiments/monobot.hpp"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <limits>
 #include <span>
 #include <stdexcept>
 
 #include "experiments/common.hpp"
+#include "experiments/linear_filter.hpp"
 #include "incognita/belief/belief.hpp"
 #include "incognita/belief/linearize.hpp"
 #include "incognita/math/random.hpp"
@@ -180,16 +180,8 @@ std::vector<double> numbers(const VectorXd& row) { return {row.begin(), row.end(
 
 // The four rows of Figures 3.4, 3.8, 3.12, 3.15 and 3.18 ----------------------------------------------
 
-Panel panel(const std::string& title, const std::string& y_label) {
-  Panel panel;
-  panel.title = title;
-  panel.x_label = "step";
-  panel.y_label = y_label;
-  return panel;
-}
-
 Panel states_panel(const Run& run) {
-  Panel p = panel(run.truth.rows() == 2 ? "one landmark" : "two landmarks", "position, m");
+  Panel p{run.truth.rows() == 2 ? "one landmark" : "two landmarks", "step", "position, m", {}};
   for (Eigen::Index i = 0; i < run.truth.rows(); ++i) {
     const std::string what = i == 0                  ? "robot"
                              : run.truth.rows() == 2 ? "landmark"
@@ -205,7 +197,7 @@ Panel states_panel(const Run& run) {
 
 /// Errors of the states from `first` to `last`, after each update, in the band of the first's 2 sigma.
 Panel errors_panel(const Run& run, Eigen::Index first, Eigen::Index last, const std::string& y_label) {
-  Panel p = panel("", y_label);
+  Panel p{"", "step", y_label, {}};
   const Eigen::Index steps = run.truth.cols() - 1;
   const VectorXd bound = 2 * run.variance.row(first).tail(steps).cwiseSqrt().transpose();
   Curve band = over_steps("2 sigma", numbers(-bound), Style::band, 1);
@@ -221,7 +213,7 @@ Panel errors_panel(const Run& run, Eigen::Index first, Eigen::Index last, const 
 /// Gains of the robot and the first landmark. Measurements are counted as in (3.12): z0 is the anchor's. The
 /// robot's gains by all landmarks are alike.
 Panel gains_panel(const Setup& setup, const Course& course) {
-  Panel p = panel("", "gain");
+  Panel p{"", "step", "gain", {}};
   const int first = setup.anchored ? 0 : 1;
   for (int state = 0; state < 2; ++state)
     for (int measurement = first; measurement <= (state == 0 ? 1 : setup.landmarks); ++measurement) {
@@ -241,6 +233,8 @@ double nees(const VectorXd& error, const MatrixXd& P) {
 }
 
 }  // namespace
+
+const char* name(Decorrelated what) { return what == Decorrelated::map ? "map" : "everything"; }
 
 int states(const Setup& setup) { return 1 + setup.landmarks; }
 
@@ -337,16 +331,19 @@ bool smaller_variances(const std::vector<MatrixXd>& a, const std::vector<MatrixX
 }
 
 std::vector<double> errors(const std::vector<Run>& runs, int state, int step) {
-  std::vector<double> values;
-  for (const Run& run : runs) values.push_back(run.truth(state, step) - run.estimate(state, step));
-  return values;
+  return each(runs, [&](const Run& run) { return run.truth(state, step) - run.estimate(state, step); });
+}
+
+std::vector<double> squares_less(const std::vector<double>& fewer, const std::vector<double>& more) {
+  std::vector<double> less;
+  for (std::size_t i = 0; i < more.size(); ++i) less.push_back(more[i] * more[i] - fewer[i] * fewer[i]);
+  return less;
 }
 
 Claim consistent(const std::string& id, const std::string& place, Setup setup, int seeds) {
   const Cases cases = by_number({1, 2}, [&](int n) -> CaseResult {
     setup.landmarks = n;
-    std::vector<double> last;
-    for (const Run& run : simulate_all(setup, seeds)) last.push_back(run.nees[setup.steps]);
+    const auto last = each(simulate_all(setup, seeds), [&](const Run& run) { return run.nees[setup.steps]; });
     const Interval band = nees_band(seeds, n + 1);
     return {fmt::format("{}, chi-square band {:.3f} to {:.3f}", text(mean_of(last)), band.low, band.high),
             agrees(mean_of(last), 1, 0.25)};
@@ -363,10 +360,7 @@ Claim inflated(const std::string& id, const Setup& setup, int seeds) {
   kept.decorrelated = Decorrelated::nothing;
   const MatrixXd said = dropped.posterior.back(), actual = actual_covariances(setup, dropped).back(),
                  best = course(kept).posterior.back();
-  const auto smallest = [](const MatrixXd& M) {
-    return Eigen::SelfAdjointEigenSolver<MatrixXd>(M, Eigen::EigenvaluesOnly).eigenvalues()[0];
-  };
-  const double margin = smallest(said - actual), loss = smallest(actual - best);
+  const double margin = smallest_eigenvalue(said - actual), loss = smallest_eigenvalue(actual - best);
   const auto last = errors(simulate_all(setup, seeds), 1, setup.steps);
   const double actual_sigma = std::sqrt(actual(1, 1));
   const Finding as_computed = agrees(rms_of(last), actual_sigma, 0.2 * actual_sigma);
@@ -381,7 +375,6 @@ Claim inflated(const std::string& id, const Setup& setup, int seeds) {
                        setup.steps, setup.landmarks, setup.landmarks == 1 ? "" : "s", std::sqrt(said(1, 1)),
                        std::sqrt(actual(1, 1)), text(rms_of(last), "m"), std::sqrt(best(1, 1)),
                        std::sqrt(said(0, 0)), std::sqrt(actual(0, 0)), std::sqrt(best(0, 0))),
-
                    .seeds = seeds},
                   std::min(margin, loss) >= -1e-12 && said.trace() > 1.01 * actual.trace() && as_computed);
 }

@@ -24,6 +24,8 @@ namespace incognita::monobot {
 inline constexpr double robot_start_m = -1, landmark_m = 1;
 
 enum class Decorrelated { nothing, everything, map };
+/// `map` or `everything`
+const char* name(Decorrelated what);
 
 struct Setup {
   int landmarks = 1;
@@ -85,6 +87,9 @@ bool smaller_variances(const std::vector<Eigen::MatrixXd>& a, const std::vector<
 
 /// Errors of one state (0: the robot) at one step, over runs.
 std::vector<double> errors(const std::vector<Run>& runs, int state, int step);
+
+/// How much less the squares of `fewer` are than those of `more`, run by run.
+std::vector<double> squares_less(const std::vector<double>& fewer, const std::vector<double>& more);
 
 /// The claim that the filter's bounds are right, for 1 and 2 landmarks: mean NEES after the last step in the
 /// chi-square band about 1.

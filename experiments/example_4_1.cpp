@@ -7,86 +7,55 @@
 #include "experiments/example_4_1.hpp"
 #include "experiments/common.hpp"
 
-namespace incognita::observability_claims {
+namespace incognita::observability_claims::planar {
 namespace {
 
-using Eigen::MatrixXd;
-using Eigen::Vector2d;
-using Eigen::VectorXd;
-using planar::five;
-using planar::r_of;
-using planar::turn;
-using planar::world;
-
-/// At rest, and turning or not.
-void turn_on_the_spot(SystemText& text) {
-  for (MotionText& motion : text.motions)
-    if (motion.name == "stationary")
-      std::erase_if(motion.assignments, [](const NamedExpression& a) { return a.name == "omega"; });
-}
-
-const Study& standing() {
-  return study({.system = "planar", .motion = "stationary", .change = {"turning", turn_on_the_spot}});
-}
-
-/// The feature anywhere in a rectangle about the vehicle, which is at the origin and heads along x.
-const Study& feature_in(const std::string& name, NamedRange x, NamedRange y) {
-  const auto place = [=](SystemText& text) {
-    for (NamedRange& range : text.vehicle.region) range.low = range.high = 0;
-    auto& region = text.landmark->region;
-    region[0].low = x.low, region[0].high = x.high;
-    region[1].low = y.low, region[1].high = y.high;
-  };
-  return study({.system = "planar", .change = {name, place}});
-}
+/// Where the motion begins: speed, heading's cosine and sine, and the feature from the vehicle.
+struct Begin {
+  double v, c, s;
+  Vector2d r;
+  explicit Begin(const Course& course)
+      : v(course.points[0].u[0]),
+        c(std::cos(course.points[0].x[2])),
+        s(std::sin(course.points[0].x[2])),
+        r(r_of(course.points[0])) {}
+};
 
 // Matrices --------------------------------------------------------------------------------------------
 
 Claim error_form() {
-  const auto wrong = [](const Course& course) {
-    const SystemPoint& p = course.points[0];
-    const double v = p.u[0], c = std::cos(p.x[2]), s = std::sin(p.x[2]);
-    const Vector2d r = r_of(p);
-    MatrixXd F = MatrixXd::Zero(5, 5), H(1, 5);
+  const double difference = largest(world(), [](const Course& course) {
+    const auto [v, c, s, r] = Begin(course);
+    MatrixXd F = MatrixXd::Zero(5, 5);
     F(0, 2) = -v * s, F(1, 2) = v * c;
-    H << r.y(), -r.x(), -r.squaredNorm(), -r.y(), r.x();
-    H /= r.squaredNorm();
-    return std::max((course.exact[0].F - F).cwiseAbs().maxCoeff(),
-                    (course.exact[0].H - H).cwiseAbs().maxCoeff());
-  };
-  const double difference = largest(world(), wrong);
+    const VectorXd H = five(r.y(), -r.x(), -r.squaredNorm(), -r.y(), r.x()) / r.squaredNorm();
+    return std::max(apart(course.exact[0].F, F), apart(course.exact[0].H, H.transpose()));
+  });
   return studied("4.1-F-H", "(4.14), (4.15)",
                  "F and H of the error form are the derivatives of (4.11) and (4.12), to 1e-9",
                  {.measured = fmt::format("largest difference in {} motions {}", motions, below(difference))},
-                 difference < planar::rounding);
+                 difference < rounding);
 }
 
 Claim first_segment() {
-  const auto wrong = [](const Course& course) {
-    const SystemPoint& p = course.points[0];
-    const double v = p.u[0], c = std::cos(p.x[2]), s = std::sin(p.x[2]);
-    const Vector2d r = r_of(p);
-    MatrixXd printed = MatrixXd::Zero(1, 5);
-    printed(0, 2) = (-r.y() * v * s - r.x() * v * c) / r.squaredNorm();
+  const double difference = largest(world(), [](const Course& course) {
+    const auto [v, c, s, r] = Begin(course);
+    const VectorXd printed = five(0, 0, (-r.y() * v * s - r.x() * v * c) / r.squaredNorm(), 0, 0);
     const MatrixXd &F = course.forms[0].F, &H = course.forms[0].H;
-    return std::max((H * F - printed).cwiseAbs().maxCoeff(), (H * F * F).cwiseAbs().maxCoeff());
-  };
-  const double difference = largest(world(), wrong);
+    return std::max(apart(H * F, printed.transpose()), (H * F * F).cwiseAbs().maxCoeff());
+  });
   return studied("4.1-Q1", "(4.16), footnote 1",
                  "Q_1 is H and one row H F, which has but a heading; higher powers are zero; to 1e-9",
                  {.printed = "(-r_y v sin - r_x v cos)/d^2",
                   .measured = fmt::format("largest difference in {} motions {}", motions, below(difference))},
-                 difference < planar::rounding);
+                 difference < rounding);
 }
 
 Claim f_null_space() {
   const Spaces spaces = null_spaces(world(), [](const Course& c) { return c.forms[0].F; });
-  const bool basis = are_basis(spaces, world().courses(), [](const Course&) {
-    const MatrixXd I = MatrixXd::Identity(5, 5);
-    return Basis{I.col(0), I.col(1), I.col(3), I.col(4)};
-  });
-  bool one = true;
-  for (int k = 1; k <= 3; ++k) one = one && same(world().stripped(k), world().total(k));
+  const MatrixXd I = MatrixXd::Identity(5, 5);
+  const bool basis = are_basis(spaces, world().courses(), always({I.col(0), I.col(1), I.col(3), I.col(4)}));
+  const bool one = for_all({1, 2, 3}, [](int k) { return world().same_spaces(k); });
   return studied("4.1-F-null-space", "(4.19), (4.9)",
                  "N(F_j) is all but the heading and contains N(Q_j), so that TOM and SOM have one null space",
                  {.printed = "dimension 4",
@@ -111,16 +80,14 @@ Claim instant_null_space() {
                  "Null space of one segment, with nothing of the heading in it",
                  {.printed = "dimension 3",
                   .measured = fmt::format("dimension {} of 5 in {} motions; the printed vectors span it: {}",
-                                          dimension(s.stripped(1)), motions, yes_no(basis))},
+                                          s.left(1), motions, yes_no(basis))},
                  basis);
 }
 
 Claim orientation() {
-  const auto in_segment = observable_states(world().stripped(1), world().error_states()),
-             along = observable_states(world().along(), world().states());
+  const auto in_segment = world().observable(1), along = world().observable_along();
   const std::vector<std::string> heading{"theta"};
-  const bool turns =
-      world().along_contains([](const Course& c) { return Basis{turn(c.points[0], Vector2d::Zero())}; });
+  const bool turns = world().along_contains(named({"rotation"}));
   return studied(
       "4.1-orientation", "below (4.17), Section 4.4",
       "The vehicle's orientation is the only completely observable state, as long as it moves",
@@ -134,7 +101,7 @@ Claim orientation() {
 }
 
 Claim at_rest() {
-  const Study& s = standing();
+  const Study& s = study({.system = "planar", .motion = "stationary", .change = turning()});
   const auto vectors = [](double sign) {
     return [sign](const Course& c) -> Basis {
       const Vector2d r = r_of(c.points[0]);
@@ -144,42 +111,42 @@ Claim at_rest() {
   };
   const bool printed = s.stripped_spanned_by(1, vectors(-1)),
              corrected = s.stripped_spanned_by(1, vectors(1));
-  const bool unseen = observable_states(s.stripped(1), s.error_states()).empty();
+  const auto seen = s.observable(1);
   return studied(
       "4.1-standing", "(4.18)",
       "At rest the null space has dimension 4, and the heading is not observable either",
       {.printed = "4th vector [d^2 0 -r_y 0 0]",
        .measured = fmt::format("{} (turning on the spot); states outside the null space: {}. The 4th vector "
                                "is {} with -r_y, {} with r_y",
-                               s.text(), listed(observable_states(s.stripped(1), s.error_states())),
-                               printed ? "in it" : "not in it", corrected ? "in it" : "not in it"),
+                               s.text(), listed(seen), printed ? "in it" : "not in it",
+                               corrected ? "in it" : "not in it"),
        .why = "[d^2 0 r_y 0 0]"},
-      printed && unseen, corrected && unseen && s.true_dimension() == 4);
+      printed && seen.empty(), corrected && seen.empty() && s.true_dimension() == 4);
 }
+
+MatrixXd row_HF(const Course& course) { return course.forms[0].H * course.forms[0].F; }
 
 /// How far the row H F is from -v r_x/d^2 in the column of a heading that is 0, and nothing else.
 double wrong_row(const Study& s) {
   return largest(s, [](const Course& course) {
-    const SystemPoint& p = course.points[0];
-    MatrixXd row = course.forms[0].H * course.forms[0].F;
-    row(0, 2) += p.u[0] * r_of(p).x() / r_of(p).squaredNorm();
-    return row.cwiseAbs().maxCoeff();
+    const auto [v, cos, sin, r] = Begin(course);
+    return apart(row_HF(course), five(0, 0, -v * r.x() / r.squaredNorm(), 0, 0).transpose());
   });
 }
 
-double size_of_row(const Study& s) {
-  return largest(s, [](const Course& c) { return (c.forms[0].H * c.forms[0].F).cwiseAbs().maxCoeff(); });
-}
-
 Claim anywhere() {
-  const Study &around = feature_in("around", {"", {}, -9, 9}, {"", {}, -9, 9}),
-              &ahead = feature_in("ahead", {"", {}, 3, 9}, {"", {}, 0, 0}),
-              &abeam = feature_in("abeam", {"", {}, 0, 0}, {"", {}, 3, 9});
-  const int d[] = {dimension(around.stripped(1)), dimension(ahead.stripped(1)), dimension(abeam.stripped(1))};
+  const auto feature = [](const std::string& name, const Vector2d& ahead,
+                          const Vector2d& left) -> const Study& {
+    return study({.system = "planar", .change = feature_within(name, ahead, left)});
+  };
+  const Study &around = feature("around", {-9, 9}, {-9, 9}), &ahead = feature("ahead", {3, 9}, {0, 0}),
+              &abeam = feature("abeam", {0, 0}, {3, 9});
+  const int d[] = {around.left(1), ahead.left(1), abeam.left(1)};
   const int of_4_17 = span(ahead.courses(), vectors_4_17);
+  const double abeam_row = largest(abeam, [](const Course& c) { return row_HF(c).cwiseAbs().maxCoeff(); });
   const double row = std::max({wrong_row(around), wrong_row(ahead), wrong_row(abeam)});
   const bool falls_short = of_4_17 == 2 && contain(ahead.stripped(1), ahead.courses(), vectors_4_17),
-             row_is_so = row < planar::rounding && size_of_row(abeam) < planar::rounding;
+             row_is_so = row < rounding && abeam_row < rounding;
   return studied(
       "4.1-anywhere", "below (4.18)",
       "One segment leaves three modes wherever the feature is, except on the optical axis",
@@ -188,7 +155,7 @@ Claim anywhere() {
                                "straight ahead {}, where (4.17) has {} independent vectors, abeam {}, where "
                                "the row H F is {}. That row differs from [0 0 -v r_x/d^2 0 0] by {}",
                                motions, joined({d[0]}), joined({d[1]}), joined({of_4_17}), joined({d[2]}),
-                               below(size_of_row(abeam)), below(row)),
+                               below(abeam_row), below(row)),
        .why = "except abeam, r_x = 0: there the row H F, -v r_x/d^2, is zero. Straight ahead it is (4.17) "
               "that falls short, as its vectors become two",
        .runs = 3 * motions},
@@ -198,20 +165,11 @@ Claim anywhere() {
 
 // More segments ---------------------------------------------------------------------------------------
 
-Basis translations(int features) {
-  Basis both;
-  for (int axis = 0; axis < 2; ++axis) {
-    VectorXd v = VectorXd::Zero(3 + 2 * features);
-    v[axis] = 1;
-    for (int i = 0; i < features; ++i) v[3 + 2 * i + axis] = 1;
-    both.push_back(v);
-  }
-  return both;
-}
+const Vectors translations = named({"translation"});
 
 Claim two_segments() {
   const Study& s = world();
-  const bool basis = s.stripped_spanned_by(2, [](const Course&) { return translations(1); });
+  const bool basis = s.stripped_spanned_by(2, translations);
   return studied("4.1-two-segments", "(4.20)",
                  "Null space of the SOM of two segments: the two translations of vehicle and feature",
                  {.printed = "dimension 2",
@@ -223,10 +181,8 @@ Claim two_segments() {
 Claim more_of_it() {
   const Cases cases = by_number({1, 2, 3}, [](int features) -> CaseResult {
     const Study& s = world(features, 0, 5);
-    bool all = true;
-    for (int k = 2; k <= 5; ++k)
-      all = all && s.stripped_spanned_by(k, [&](const Course&) { return translations(features); });
-    return {s.segments_text(), all};
+    return {s.segments_text(),
+            for_all({2, 3, 4, 5}, [&](int k) { return s.stripped_spanned_by(k, translations); })};
   });
   return studied(
       "4.1-more", "below (4.20)",
@@ -241,15 +197,9 @@ Claim unobservable_modes() {
   bool corrected = true;
   const Cases printed = by_number({1, 2, 3}, [&](int features) -> CaseResult {
     const Study& s = world(features);
-    const auto with_turn = [&](const Course& c) {
-      auto modes = translations(features);
-      modes.push_back(turn(c.points[0], Vector2d::Zero()));
-      return modes;
-    };
-    corrected = corrected && s.along_spanned_by(with_turn) && dimension(s.stripped(3)) == 2 &&
+    corrected = corrected && s.along_spanned_by(named({"translation", "rotation"})) && s.left(3) == 2 &&
                 dimension(s.total(3)) == 2;
-    return {joined({s.true_dimension()}),
-            s.along_spanned_by([&](const Course&) { return translations(features); })};
+    return {joined({s.true_dimension()}), s.along_spanned_by(translations)};
   });
   return studied("4.1-modes", "below (4.20)",
                  "The system's unobservable modes are the two translations of vehicle and map, for any "
@@ -267,15 +217,12 @@ LedgerEntry run(const ExperimentSettings& settings) {
       example_4_1, settings,
       concatenated({{error_form(), first_segment(), instant_null_space(), orientation(), at_rest(),
                      anywhere(), f_null_space(), two_segments(), more_of_it(), unobservable_modes()},
-                    planar::anchor_claims(),
-                    planar::relative_claims()}));
+                    anchor_claims(),
+                    relative_claims()}));
 }
 
 }  // namespace
-}  // namespace incognita::observability_claims
+}  // namespace incognita::observability_claims::planar
 
-namespace incognita {
-
-const Experiment example_4_1{"4.1", "Bearings for a planar vehicle", {}, observability_claims::run};
-
-}  // namespace incognita
+const incognita::Experiment incognita::example_4_1{
+    "4.1", "Bearings for a planar vehicle", {}, observability_claims::planar::run};

@@ -7,28 +7,6 @@
 
 namespace incognita::observability_claims::planar {
 
-using Eigen::Vector2d;
-using Eigen::VectorXd;
-
-const Study& world(int features, int anchors, int segments) {
-  return study({.system = "planar", .features = features, .anchors = anchors, .segments = segments});
-}
-
-VectorXd five(double x, double y, double theta, double xf, double yf) {
-  return (VectorXd(5) << x, y, theta, xf, yf).finished();
-}
-
-Vector2d r_of(const SystemPoint& point) { return point.x.segment<2>(3) - point.x.head<2>(); }
-
-VectorXd turn(const SystemPoint& point, const Vector2d& about) {
-  VectorXd v = VectorXd::Zero(point.x.size());
-  const auto turned = [&](const Vector2d& at) { return Vector2d(-(at - about).y(), (at - about).x()); };
-  v.head<2>() = turned(point.x.head<2>());
-  v[2] = 1;
-  for (Eigen::Index i = 3; i < v.size(); i += 2) v.segment<2>(i) = turned(point.x.segment<2>(i));
-  return v;
-}
-
 namespace {
 
 Claim anchored_h() {
@@ -49,15 +27,12 @@ Claim anchored_h() {
 
 Claim anchored_null_space() {
   const Study& s = world(1, 2);
-  const bool basis = s.stripped_spanned_by(1, [](const Course& c) -> Basis {
-    const Vector2d r = r_of(c.points[0]);
-    return {five(0, 0, 0, -r.x(), -r.y())};
-  });
+  const bool basis = s.stripped_spanned_by(1, named({"depth"}));
   return studied("4.1-anchored-null-space", "(4.22)",
                  "Null space of one segment with two anchors: the distance of the feature",
                  {.printed = "dimension 1",
                   .measured = fmt::format("dimension {} of 5 in {} motions; the printed vector spans it: {}",
-                                          dimension(s.stripped(1)), motions, yes_no(basis))},
+                                          s.left(1), motions, yes_no(basis))},
                  basis);
 }
 
@@ -66,7 +41,7 @@ Claim anchored_two_segments() {
   return studied("4.1-anchored-two-segments", "below (4.22)",
                  "With two anchors vehicle and feature are completely observable in two segments",
                  {.printed = "0", .measured = fmt::format("{}, in {} motions", s.text(), motions)},
-                 dimension(s.stripped(2)) == 0 && s.true_dimension() == 0);
+                 s.left(2) == 0 && s.true_dimension() == 0);
 }
 
 Claim anchored_total() {
@@ -90,12 +65,6 @@ Claim anchored_total() {
 /// SOM and TOM fall short in one segment, and in two they do not.
 bool full_in_two(const Study& s) { return s.rank_deficient(1) && s.full_rank(2); }
 
-/// `0: 3/2/2 and 3; ...`
-template <class StudyOf>
-std::string numbers_by_anchors(std::initializer_list<int> anchors, const StudyOf& of) {
-  return by_number(anchors, [&](int n) { return CaseResult{of(n).numbers()}; }).text();
-}
-
 /// Said of the linear analysis, so it is SOM and TOM that decide; the motion itself is shown beside them.
 Claim anchors_needed() {
   const Study &one = world(1, 1), &two = world(1, 2), &at_once = world(1, 2, 1);
@@ -107,8 +76,8 @@ Claim anchors_needed() {
       "For the linear analysis two anchors and two time segments are needed for full observability",
       {.printed = "two and two",
        .measured =
-           fmt::format("{}, by anchors: {}. The motion itself leaves {} in one segment with two", legend,
-                       numbers_by_anchors({0, 1, 2, 3}, [](int n) -> const Study& { return world(1, n); }),
+           fmt::format("{}. The motion itself leaves {} in one segment with two",
+                       legend_by("anchors", {0, 1, 2, 3}, [](int n) { return world(1, n).numbers(); }),
                        joined({at_once.true_dimension()})),
        .why = "two segments, but one anchor: by SOM and TOM, and by the next sentence of the text. For the "
               "motion itself it is two anchors and one segment",
@@ -118,18 +87,16 @@ Claim anchors_needed() {
 
 Claim one_anchor_twice() {
   const Study &one = world(1, 1), &two = world(1, 2);
-  const bool turns =
-      one.along_spanned_by([](const Course& c) { return Basis{turn(c.points[0], c.points[0].anchors)}; });
   return studied(
       "4.1-one-anchor-twice", "above (4.21)",
       "One anchor measured from two different steps is equivalent to two anchors",
       {.printed = "equivalent",
-       .measured = fmt::format("{}, by anchors: 1: {}; 2: {}. What one leaves is the turn about it: {}",
-                               legend, one.numbers(), two.numbers(), yes_no(turns)),
+       .measured = fmt::format("{}. What one leaves is the turn about it: {}",
+                               legend_by("anchors", {1, 2}, [](int n) { return world(1, n).numbers(); }),
+                               yes_no(one.along_spanned_by(about_anchor({"rotation"})))),
        .why = "so it is by SOM and TOM. Turning vehicle and map about the anchor changes no measurement",
        .runs = 2 * motions},
-      one.true_dimension() == two.true_dimension() &&
-          dimension(one.stripped(2)) == dimension(two.stripped(2)));
+      one.true_dimension() == two.true_dimension() && one.left(2) == two.left(2));
 }
 
 Claim range_and_bearing() {
@@ -144,10 +111,9 @@ Claim range_and_bearing() {
       "4.1-range-bearing", "above (4.21), of [3, 85]",
       "With range and bearing one segment and two anchors are needed",
       {.printed = "one and two",
-       .measured =
-           fmt::format("{}, by anchors: {}. The motion itself leaves {} in one segment with two", legend,
-                       numbers_by_anchors({0, 1, 2}, [&](int n) -> const Study& { return with(n); }),
-                       joined({at_once.true_dimension()})),
+       .measured = fmt::format("{}. The motion itself leaves {} in one segment with two",
+                               legend_by("anchors", {0, 1, 2}, [&](int n) { return with(n).numbers(); }),
+                               joined({at_once.true_dimension()})),
        .why = "so it is for the motion itself. For SOM and TOM one anchor in one segment is enough",
        .runs = 4 * motions},
       in_truth && by_matrices, in_truth && one_does);

@@ -6,15 +6,11 @@
 // x_f - p and prints matrices of p - x_f; ours is x_f - p. Null spaces without a heading are the same.
 #include <set>
 
+#include "experiments/chapter_4_parts.hpp"
 #include "experiments/common.hpp"
-#include "experiments/example_4_1.hpp"
 
 namespace incognita::observability_claims::planar {
 namespace {
-
-using Eigen::MatrixXd;
-using Eigen::Vector2d;
-using Eigen::VectorXd;
 
 const Study& relative(int features = 1, const std::string& motion = "general", const Change& change = {}) {
   return study({.system = "planar",
@@ -29,57 +25,20 @@ Vector2d r_to(const SystemPoint& point, int feature) { return point.x.segment<2>
 /// Heading first, as our states are; the printed ones have it last.
 VectorXd three(double rx, double ry, double theta) { return Eigen::Vector3d(theta, rx, ry); }
 
-/// The feature so far ahead and aside of a vehicle that heads along x, driving straight on.
-const Study& beside(const std::string& name, NamedRange ahead, NamedRange aside) {
-  const auto place = [=](SystemText& text) {
-    text.vehicle.region[0].low = text.vehicle.region[0].high = 0;
-    auto& region = text.landmark->region;
-    region[0].low = ahead.low, region[0].high = ahead.high;
-    region[1].low = aside.low, region[1].high = aside.high;
-  };
-  return relative(1, "straight", {name, place});
-}
-
-const Study& straight_ahead() { return beside("ahead", {"", {}, 5, 9}, {"", {}, 0, 0}); }
-const Study& abeam() { return beside("abeam", {"", {}, 0, 0}, {"", {}, 3, 9}); }
-
-/// The distance of each feature.
-Basis distances(const Course& course, int features) {
-  Basis all;
-  for (int i = 0; i < features; ++i) {
-    VectorXd v = VectorXd::Zero(1 + 2 * features);
-    v.segment<2>(1 + 2 * i) = r_to(course.points[0], i);
-    all.push_back(v);
-  }
-  return all;
-}
-
-/// Heading and features turned.
-VectorXd turned(const Course& course, int features) {
-  VectorXd v = VectorXd::Zero(1 + 2 * features);
-  v[0] = 1;
-  for (int i = 0; i < features; ++i) {
-    const Vector2d r = r_to(course.points[0], i);
-    v.segment<2>(1 + 2 * i) << -r.y(), r.x();
-  }
-  return v;
-}
+/// Driving straight on, with the feature straight ahead or abeam.
+const Study& straight_ahead() { return relative(1, "straight", feature_within("ahead", {5, 9}, {0, 0})); }
+const Study& abeam() { return relative(1, "straight", feature_within("abeam", {0, 0}, {3, 9})); }
 
 /// Whether the motion itself leaves the turn and nothing else.
-bool leaves_the_turn(const Study& s, int features) {
-  return s.along_spanned_by([&](const Course& c) { return Basis{turned(c, features)}; });
-}
+bool leaves_the_turn(const Study& s) { return s.along_spanned_by(named({"rotation"})); }
 
 /// Whether, with the feature straight ahead, the motion itself leaves its distance and the turn.
-bool leaves_distance_and_turn(const Study& s) {
-  return s.along_spanned_by([](const Course& c) { return Basis{three(1, 0, 0), turned(c, 1)}; });
-}
+bool leaves_distance_and_turn(const Study& s) { return s.along_spanned_by(named({"depth", "rotation"})); }
 
-/// `1: 1/0/0 and 1; 2: 2/0/0 and 1`
+const Vectors r_x = always({three(1, 0, 0)});
+
 std::string by_features() {
-  const Cases all =
-      by_number({1, 2, 3}, [](int features) { return CaseResult{relative(features).numbers()}; });
-  return fmt::format("{}, by features: {}", legend, all.text());
+  return legend_by("features", {1, 2, 3}, [](int features) { return relative(features).numbers(); });
 }
 
 Claim measurement_matrix() {
@@ -104,13 +63,9 @@ Claim measurement_matrix() {
 }
 
 Claim instant_null_space() {
-  bool basis = true;
-  std::vector<int> found;
-  for (const int features : {1, 2, 3}) {
-    const Study& s = relative(features);
-    found.push_back(dimension(s.stripped(1)));
-    basis = basis && s.stripped_spanned_by(1, [&](const Course& c) { return distances(c, features); });
-  }
+  const auto found = each_of({1, 2, 3}, [](int features) { return relative(features).left(1); });
+  const bool basis = for_all(
+      {1, 2, 3}, [](int features) { return relative(features).stripped_spanned_by(1, named({"depth"})); });
   return studied(
       "4.1-relative-null-space", "(4.25)", "Null space of one segment: the distance of each feature",
       {.printed = "one vector for each",
@@ -122,15 +77,14 @@ Claim instant_null_space() {
 }
 
 Claim orientation() {
-  const std::vector<std::string> heading{"theta"};
   std::vector<std::string> in_segment, along;
   bool printed = true, turns = true;
   for (const int features : {1, 2, 3}) {
     const Study& s = relative(features);
-    in_segment.push_back(listed(observable_states(s.stripped(1), s.error_states())));
-    along.push_back(listed(observable_states(s.along(), s.states())));
+    in_segment.push_back(listed(s.observable(1)));
+    along.push_back(listed(s.observable_along()));
     printed = printed && in_segment.back() == "theta" && along.back() == "theta";
-    turns = turns && leaves_the_turn(s, features);
+    turns = turns && leaves_the_turn(s);
   }
   return studied("4.1-relative-orientation", "below (4.25)",
                  "The orientation is the one state that is observable in one segment, however many features",
@@ -147,7 +101,7 @@ Claim orientation() {
 Claim footnote() {
   const Spaces spaces = lie({.system = "planar", .representation = "relative"});
   const Study& s = relative();
-  const bool turn_alone = are_basis(spaces, s.courses(), [](const Course& c) { return Basis{turned(c, 1)}; });
+  const bool turn_alone = are_basis(spaces, s.courses(), named({"rotation"})) && leaves_the_turn(s);
   return studied(
       "4.1-footnote-2", "footnote 2",
       "By Lie derivatives the orientation with respect to a global frame is not observable for the relative "
@@ -156,38 +110,36 @@ Claim footnote() {
        .measured = fmt::format(
            "Lie derivatives leave {} at {} points, the motion itself {}: heading and map turned, {}",
            joined({dimension(spaces)}), motions, joined({s.true_dimension()}),
-           turn_alone && leaves_the_turn(s, 1) ? "both" : "not both")},
-      turn_alone && leaves_the_turn(s, 1));
+           turn_alone ? "both" : "not both")},
+      turn_alone);
 }
 
 Claim ahead_instant() {
   const Study& s = straight_ahead();
-  const bool basis = s.stripped_spanned_by(1, [](const Course&) { return Basis{three(1, 0, 0)}; });
+  const bool basis = s.stripped_spanned_by(1, r_x);
   return studied("4.1-ahead", "below (4.25)",
                  "With the feature straight ahead (r_y = 0) the unobservable mode of Q_1 is r_x",
                  {.printed = "r_x",
-                  .measured = fmt::format("dimension {} in {} motions; it is r_x: {}",
-                                          dimension(s.stripped(1)), motions, yes_no(basis))},
+                  .measured = fmt::format("dimension {} in {} motions; it is r_x: {}", s.left(1), motions,
+                                          yes_no(basis))},
                  basis);
 }
 
 Claim abeam_instant() {
   const Study& s = abeam();
-  const auto mode = [](const Course&) { return Basis{three(0, 1, 0)}; };
   const auto both = [](const Course& c) {
     return Basis{three(0, 1, 0), three(-r_to(c.points[0], 0).y(), 0, 1)};
   };
   return studied(
       "4.1-abeam", "below (4.25)", "With the feature abeam (r_x = 0) the unobservable mode of Q_1 is r_y",
       {.printed = "r_y",
-       .measured = fmt::format("dimension {} in {} motions", dimension(s.stripped(1)), motions),
+       .measured = fmt::format("dimension {} in {} motions", s.left(1), motions),
        .why = "r_y, and the heading together with r_x: the row H F is zero abeam, so that Q_1 is but H"},
-      s.stripped_spanned_by(1, mode), s.stripped_spanned_by(1, both));
+      s.stripped_spanned_by(1, always({three(0, 1, 0)})), s.stripped_spanned_by(1, both));
 }
 
 Claim two_segments() {
-  bool full = true;
-  for (const int features : {1, 2, 3}) full = full && relative(features).full_rank(2);
+  const bool full = for_all({1, 2, 3}, [](int features) { return relative(features).full_rank(2); });
   return studied("4.1-relative-two-segments", "below (4.25)", "SOM and TOM have full rank in two segments",
                  {.printed = "0", .measured = by_features(), .runs = 3 * motions}, full);
 }
@@ -197,7 +149,7 @@ Claim fully_observable() {
   for (const int features : {1, 2, 3}) {
     const Study& s = relative(features);
     printed = printed && s.true_dimension() == 0;
-    turns = turns && leaves_the_turn(s, features);
+    turns = turns && leaves_the_turn(s);
     by_matrices = by_matrices && s.full_rank(2);
   }
   return studied("4.1-relative-observable", "below (4.25), Section 4.4",
@@ -214,9 +166,7 @@ Claim fully_observable() {
 
 Claim ahead_for_good() {
   const Study& s = straight_ahead();
-  bool mode = true;
-  for (int k = 1; k <= 3; ++k)
-    mode = mode && s.stripped_spanned_by(k, [](const Course&) { return Basis{three(1, 0, 0)}; });
+  const bool mode = for_all({1, 2, 3}, [&](int k) { return s.stripped_spanned_by(k, r_x); });
   const bool along = leaves_distance_and_turn(s);
   return studied("4.1-ahead-for-good", "below (4.25)",
                  "Driving straight at a feature the system remains unobservable, with mode r_x",
@@ -237,22 +187,16 @@ Claim abeam_for_good() {
 }
 
 Claim pure_rotation() {
-  const Change turning{"turning", [](SystemText& text) {
-                         for (MotionText& motion : text.motions)
-                           std::erase_if(motion.assignments,
-                                         [](const NamedExpression& a) { return a.name == "omega"; });
-                       }};
   std::vector<std::string> lines;
   std::set<std::string> seen;
   bool all = true;
-  for (const Change& change : {Change{}, turning})
+  for (const Change& change : {Change{}, turning()})
     for (const int features : {1, 2, 3}) {
       const Study& s = relative(features, "stationary", change);
       const std::vector<int> one_more(3, features + 1);
       all = all && s.dimensions() == one_more && s.total_dimensions() == one_more &&
             s.true_dimension() == features + 1;
-      for (const auto& states :
-           {observable_states(s.stripped(3), s.error_states()), observable_states(s.along(), s.states())})
+      for (const auto& states : {s.observable(3), s.observable_along()})
         seen.insert(states.begin(), states.end());
       lines.push_back(fmt::format("{}{}: {}", features, change.apply ? ", turning" : "", s.numbers()));
     }
@@ -268,7 +212,7 @@ Claim pure_rotation() {
 
 Claim no_rotation() {
   const Study &s = relative(1, "straight"), &ahead = straight_ahead();
-  const bool as_matrices = dimension(s.stripped(2)) == 0 && dimension(ahead.stripped(3)) > 0;
+  const bool as_matrices = s.left(2) == 0 && ahead.left(3) > 0;
   return studied("4.1-no-rotation", "end of the relative map, Example 4.1",
                  "Without rotation the system is completely observable in two segments, except with a "
                  "feature on the line of sight",
@@ -277,7 +221,7 @@ Claim no_rotation() {
                   .why = "up to the axes, as with rotation; on the line of sight the distance is missing too",
                   .runs = 2 * motions},
                  as_matrices && s.true_dimension() == 0,
-                 as_matrices && leaves_the_turn(s, 1) && leaves_distance_and_turn(ahead));
+                 as_matrices && leaves_the_turn(s) && leaves_distance_and_turn(ahead));
 }
 
 }  // namespace

@@ -10,15 +10,8 @@
 #include "experiments/common.hpp"
 #include "experiments/example_4_2.hpp"
 
-namespace incognita::observability_claims {
+namespace incognita::observability_claims::inertial {
 namespace {
-
-using Eigen::Vector3d;
-using Eigen::VectorXd;
-using inertial::C_of;
-using inertial::Unaccelerated;
-using inertial::unaccelerated;
-using inertial::world;
 
 const std::vector<std::string> velocities{"vx", "vy", "vz"},
     of_vehicle{"x", "y", "z", "vx", "vy", "vz", "psi_x", "psi_y", "psi_z"},
@@ -30,12 +23,7 @@ VectorXd twelve(const Vector3d& p, const Vector3d& v, const Vector3d& psi, const
 
 Vector3d r_of(const SystemPoint& p) { return p.x.segment<3>(9) - p.x.head<3>(); }
 
-/// Vehicle and feature turned about a vertical, as Euler angles see it.
-VectorXd yawed(const SystemPoint& p, const Vector3d& about) {
-  const Vector3d up = Vector3d::UnitZ();
-  return twelve(up.cross(p.x.head<3>() - about), up.cross(p.x.segment<3>(3)), up,
-                up.cross(p.x.segment<3>(9) - about));
-}
+const Study& with_anchors(int anchors, int features = 1) { return study(world(features, anchors)); }
 
 /// Two anchors, one above the other.
 Case one_above_the_other() {
@@ -51,15 +39,7 @@ Case one_above_the_other() {
 
 Claim world_null_space() {
   const Study& s = study(world());
-  const auto translations = [](const Course&) {
-    Basis all;
-    for (int axis = 0; axis < 3; ++axis) {
-      const Vector3d e = Vector3d::Unit(axis);
-      all.push_back(twelve(e, Vector3d::Zero(), Vector3d::Zero(), e));
-    }
-    return all;
-  };
-  const bool basis = s.stripped_spanned_by(2, translations) && s.stripped_spanned_by(3, translations);
+  const bool basis = for_all({2, 3}, [&](int k) { return s.stripped_spanned_by(k, named({"translation"})); });
   return studied("4.2-world-null-space", "(4.35)",
                  "Null space of the SOM: the three translations of vehicle and feature",
                  {.printed = "dimension 3",
@@ -71,11 +51,9 @@ Claim world_null_space() {
 
 Claim world_recovered() {
   const Study& s = study(world());
-  const auto in_som = observable_states(s.stripped(3), s.error_states()),
-             along = observable_states(s.along(), s.states());
+  const auto in_som = s.observable(3), along = s.observable_along();
   const std::vector<std::string> printed{"vx", "vy", "vz", "phi", "theta", "psi"}, ours{"vz", "phi", "theta"};
-  const bool yaws =
-      s.along_contains([](const Course& c) { return Basis{yawed(c.points[0], Vector3d::Zero())}; });
+  const bool yaws = s.along_contains(named({"rotation about z"}));
   return studied(
       "4.2-world-recovered", "below (4.35)",
       "Not fully observable: linear velocity and misalignments are recovered, and nothing else",
@@ -90,8 +68,8 @@ Claim world_recovered() {
 
 Claim range_bearing_world() {
   const Cases cases = by_number({1, 2}, [](int features) -> CaseResult {
-    const Study& s = study({.system = "inertial-rb", .features = features, .segment_s = in_space_s});
-    return {s.numbers(), dimension(s.stripped(3)) > 0 && s.true_dimension() > 0};
+    const Study& s = study({.system = "inertial-rb", .features = features});
+    return {s.numbers(), s.left(3) > 0 && s.true_dimension() > 0};
   });
   return studied("4.2-range-bearing-world", "below (4.28), of [19]",
                  "With range and bearing the world-centric map is partially observable",
@@ -104,10 +82,8 @@ Claim range_bearing_world() {
 // Anchors ---------------------------------------------------------------------------------------------
 
 Claim few_anchors() {
-  const Study &one = study(world(1, 1)), &two = study(world(1, 2)), &vertical = study(one_above_the_other());
-  const bool yaws =
-      one.along_spanned_by([](const Course& c) { return Basis{yawed(c.points[0], c.points[0].anchors)}; });
-  const bool missed = one.full_rank(2);
+  const Study &one = with_anchors(1), &two = with_anchors(2), &vertical = study(one_above_the_other());
+  const bool but_the_yaw = one.along_spanned_by(about_anchor({"rotation about z"})) && one.full_rank(2);
   return studied("4.2-few-anchors", "head of Section 4.1.2, below (4.37)",
                  "One or two anchors leave the system partially observable; it takes more than two",
                  {.printed = "partially",
@@ -117,13 +93,13 @@ Claim few_anchors() {
                          "spaces of SOM and TOM. Two are enough, unless one is above the other",
                   .runs = 3 * motions},
                  one.true_dimension() > 0 && two.true_dimension() > 0,
-                 yaws && missed && two.true_dimension() == 0 && vertical.true_dimension() == 1);
+                 but_the_yaw && two.true_dimension() == 0 && vertical.true_dimension() == 1);
 }
 
-/// The first vector of (4.38), with r in axes of the sensor as printed or of the world.
-VectorXd first_of_4_38(const SystemPoint& p, bool as_printed) {
-  const Vector3d zero = Vector3d::Zero(), r = r_of(p);
-  return twelve(zero, zero, zero, as_printed ? Vector3d(C_of(p.x.segment<3>(6)) * r) : r);
+/// The first vector of (4.38), as printed: r in axes of the sensor.
+VectorXd first_of_4_38(const SystemPoint& p) {
+  const Vector3d zero = Vector3d::Zero();
+  return twelve(zero, zero, zero, C_of(p.x.segment<3>(6)) * r_of(p));
 }
 
 VectorXd second_of_4_38(const SystemPoint& p) {
@@ -132,35 +108,31 @@ VectorXd second_of_4_38(const SystemPoint& p) {
 }
 
 Claim anchored_null_space() {
+  const auto second = [](const Course& c) { return Basis{second_of_4_38(c.points[0])}; };
   const auto printed = [](const Course& c) {
-    return Basis{first_of_4_38(c.points[0], true), second_of_4_38(c.points[0])};
+    return Basis{first_of_4_38(c.points[0]), second_of_4_38(c.points[0])};
   };
-  const auto ours = [](const Course& c) { return Basis{first_of_4_38(c.points[0], false)}; };
-  const Study &three = study(world(1, 3)), &four = study(world(1, 4)), &none = study(world());
+  const Study &three = with_anchors(3), &four = with_anchors(4), &none = with_anchors(0);
   const auto both = [&](const Vectors& vectors) {
     return three.stripped_spanned_by(1, vectors) && four.stripped_spanned_by(1, vectors);
   };
-  const bool without = contain(none.stripped(1), none.courses(),
-                               [](const Course& c) { return Basis{second_of_4_38(c.points[0])}; });
-  std::vector<int> by_features;
-  for (const int features : {1, 2, 3})
-    by_features.push_back(dimension(study(world(features, 3)).stripped(1)));
+  const bool without = contain(none.stripped(1), none.courses(), second);
+  const auto by_features = each_of({1, 2, 3}, [](int n) { return with_anchors(3, n).left(1); });
   return studied("4.2-anchored-null-space", "(4.38)",
                  "Null space of one segment with three or more anchors and one feature",
                  {.printed = "[0 0 0 C r], [r x f 0 f 0]: dimension 2",
                   .measured = fmt::format(
                       "dimension with 3 and 4 anchors {} and {} in {} motions; with 3 anchors and 1/2/3 "
                       "features {}. The second vector lies in the null space without anchors: {}",
-                      dimension(three.stripped(1)), dimension(four.stripped(1)), motions, joined(by_features),
-                      yes_no(without)),
+                      three.left(1), four.left(1), motions, joined(by_features), yes_no(without)),
                   .why = "1: the distance of the feature, [0 0 0 r] with r in axes of the world",
                   .runs = 5 * motions},
-                 both(printed), both(ours));
+                 both(printed), both(named({"depth"})));
 }
 
 Claim anchored_recovered() {
-  const Study& s = study(world(1, 3));
-  const auto seen = observable_states(s.stripped(1), s.error_states());
+  const Study& s = with_anchors(3);
+  const auto seen = s.observable(1);
   return studied("4.2-anchored-recovered", "below (4.38)",
                  "With three or more anchors one segment recovers linear velocities only",
                  {.printed = "velocities",
@@ -174,11 +146,10 @@ Claim anchored_two_segments() {
   Cases cases;
   for (const int anchors : {3, 4})
     for (const int features : {1, 2, 3}) {
-      const Study& s = study(world(features, anchors));
-      cases.add({fmt::format("{} and {}: {}", anchors, features, s.segments_text()),
-                 dimension(s.stripped(2)) == 0});
+      const Study& s = with_anchors(anchors, features);
+      cases.add({fmt::format("{} and {}: {}", anchors, features, s.segments_text()), s.left(2) == 0});
     }
-  const int in_truth = study(world(1, 3)).true_dimension();
+  const int in_truth = with_anchors(3).true_dimension();
   return studied("4.2-anchored-two-segments", "below (4.38)",
                  "With three or more anchors the SOM has full rank in two segments",
                  {.printed = "0",
@@ -196,10 +167,7 @@ struct Recovery {
   std::vector<std::string> at_once, then;
 
   explicit Recovery(const Study& s)
-      : in_one(dimension(s.stripped(1))),
-        in_two(dimension(s.stripped(2))),
-        at_once(observable_states(s.stripped(1), s.error_states())),
-        then(observable_states(s.stripped(2), s.error_states())) {}
+      : in_one(s.left(1)), in_two(s.left(2)), at_once(s.observable(1)), then(s.observable(2)) {}
 
   bool as_printed() const {
     return in_one == 4 && in_two == 1 && at_once == velocities && then == velocities_and_feature;
@@ -235,19 +203,15 @@ Claim anchored_unaccelerated() {
 
 LedgerEntry run(const ExperimentSettings& settings) {
   return entry_of(example_4_2, settings,
-                  concatenated({inertial::matrix_claims(),
+                  concatenated({matrix_claims(),
                                 {world_null_space(), world_recovered(), range_bearing_world(), few_anchors(),
                                  anchored_null_space(), anchored_recovered(), anchored_two_segments(),
                                  anchored_unaccelerated()},
-                                inertial::relative_claims()}));
+                                relative_claims()}));
 }
 
 }  // namespace
-}  // namespace incognita::observability_claims
+}  // namespace incognita::observability_claims::inertial
 
-namespace incognita {
-
-const Experiment example_4_2{
-    "4.2", "Bearings for a body with inertial sensors", {}, observability_claims::run};
-
-}  // namespace incognita
+const incognita::Experiment incognita::example_4_2{
+    "4.2", "Bearings for a body with inertial sensors", {}, observability_claims::inertial::run};

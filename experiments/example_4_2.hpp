@@ -1,11 +1,10 @@
 // Parts of Example 4.2: the system `inertial`, (4.26) to (4.29), its states and directions.
 #pragma once
 
-#include <Eigen/Core>
 #include <vector>
 
+#include "experiments/chapter_4_parts.hpp"
 #include "experiments/observability_claims.hpp"
-#include "incognita/report/ledger.hpp"
 
 namespace incognita::observability_claims::inertial {
 
@@ -26,33 +25,26 @@ Case unaccelerated(Case which, Unaccelerated how);
 std::string by_unaccelerated(const Case& which);
 
 /// Axes of the world into those of the sensor, (4.27), by Euler angles.
-Eigen::Matrix3d C_of(const Eigen::Vector3d& angles);
+Matrix3d C_of(const Vector3d& angles);
 /// Rates of Euler angles by turn rates in axes of the sensor, (4.28).
-Eigen::Matrix3d E_of(const Eigen::Vector3d& angles);
+Matrix3d E_of(const Vector3d& angles);
 /// [a x]
-Eigen::Matrix3d cross(const Eigen::Vector3d& a);
+Matrix3d cross(const Vector3d& a);
 
 using Matrix23 = Eigen::Matrix<double, 2, 3>;
 /// Derivative of azimuth and elevation (4.29) by r^s: (4.34) as it must be.
-Matrix23 bearings_by(const Eigen::Vector3d& r_of_sensor);
+Matrix23 bearings_by(const Vector3d& r_of_sensor);
 
 /// Derivatives of a system by misalignments, which turn about the axes of the world.
 struct Misaligned {
-  Eigen::MatrixXd F, H;
+  MatrixXd F, H;
 };
 /// Exact derivatives by Euler angles, the states from `first` on, made into those; the body turns by `rate`,
 /// in its own axes.
-Misaligned misaligned(const LinearizedSystem& exact, const Eigen::Vector3d& angles, Eigen::Index first,
-                      const Eigen::Vector3d& rate);
+Misaligned misaligned(const LinearizedSystem& exact, const Vector3d& angles, Eigen::Index first,
+                      const Vector3d& rate);
 
-/// Smallest of what several readings of a printed matrix come to.
-double nearest(const std::vector<double>& readings);
-/// Largest entry of a difference.
-double apart(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 /// Matrices of so many columns each, side by side.
-Eigen::MatrixXd beside(const std::vector<Eigen::MatrixXd>& blocks);
-
-std::vector<Claim> matrix_claims();
-std::vector<Claim> relative_claims();
+MatrixXd beside(const std::vector<MatrixXd>& blocks);
 
 }  // namespace incognita::observability_claims::inertial

@@ -14,16 +14,12 @@
 
 namespace incognita::observability_claims::inertial {
 
-using Eigen::Matrix3d;
-using Eigen::MatrixXd;
-using Eigen::Vector3d;
-
 Case world(int features, int anchors) {
-  return {.system = "inertial", .features = features, .anchors = anchors, .segment_s = in_space_s};
+  return {.system = "inertial", .features = features, .anchors = anchors};
 }
 
 Case relative(int features) {
-  return {.system = "inertial", .representation = "relative", .features = features, .segment_s = in_space_s};
+  return {.system = "inertial", .representation = "relative", .features = features};
 }
 
 Case unaccelerated(Case which, Unaccelerated how) {
@@ -70,10 +66,6 @@ Matrix23 bearings_by(const Vector3d& s) {
   return (Matrix23() << -s.y() / d2, s.x() / d2, 0, -s.x() * s.z() / (d * D), -s.y() * s.z() / (d * D), d / D)
       .finished();
 }
-
-double nearest(const std::vector<double>& readings) { return *std::ranges::min_element(readings); }
-
-double apart(const MatrixXd& a, const MatrixXd& b) { return (a - b).cwiseAbs().maxCoeff(); }
 
 MatrixXd beside(const std::vector<MatrixXd>& blocks) {
   MatrixXd all(blocks[0].rows(), 0);
@@ -136,11 +128,7 @@ const Study& level() {
     held.name = "level";
     text.motions.push_back(held);
   };
-  return study({.system = "inertial",
-                .motion = "level",
-                .change = {"level", change},
-                .segments = 10,
-                .segment_s = in_space_s});
+  return study({.system = "inertial", .motion = "level", .change = {"level", change}, .segments = 10});
 }
 
 /// What the error form leaves with its own transitions.
@@ -168,8 +156,7 @@ Claim force_matrix() {
   };
   const double printed = std::min(wrong(1, 1), wrong(-1, -1)), corrected = wrong(1, -1);
   const auto other = [](LinearizedSystem& form, const SystemPoint&) { form.F.block<3, 3>(3, 6) *= -1; };
-  std::vector<int> with_other;
-  for (const int k : {1, 2, 3}) with_other.push_back(dimension(stripped_with(s, k, other)));
+  const auto with_other = each_of({1, 2, 3}, [&](int k) { return dimension(stripped_with(s, k, other)); });
   const int left = left_by_transitions(1), left_as_printed = left_by_transitions(-1);
   return studied("4.2-F", "(4.30), (4.31)", "F has [x f], of the sign that [x r] has in H, to 1e-9",
                  {.printed = "the same sign",
@@ -181,7 +168,7 @@ Claim force_matrix() {
                       joined(with_other), joined(s.dimensions()), left_as_printed, left, s.true_dimension()),
                   .why = "the other sign: -[f x] beside [r x], f and r in axes of the world",
                   .runs = 2 * motions},
-                 printed < 1e-9, corrected < 1e-9 && left == s.true_dimension());
+                 printed < rounding, corrected < rounding && left == s.true_dimension());
 }
 
 Claim partials() {
@@ -197,7 +184,7 @@ Claim partials() {
                  {.printed = "second row [-, +, +], and 0_2x3 in the first",
                   .measured = fmt::format("largest difference in {} motions: {}", motions, worst.text()),
                   .why = "[-r_x r_z, -r_y r_z, d^2]/(d (d^2 + r_z^2)), and one 0"},
-                 worst, 1e-9);
+                 worst, rounding);
 }
 
 Claim measurement_matrix() {
@@ -217,7 +204,7 @@ Claim measurement_matrix() {
                  {.measured = fmt::format("largest difference from exact derivatives in {} motions: {}",
                                           motions, worst.text()),
                   .why = "dz/dr^s C [-I 0 [r x] I], r in axes of the world"},
-                 worst, 1e-9);
+                 worst, rounding);
 }
 
 /// [-I 0 [x r] 0] before which dz/dr^s stands, or that with C; r of the anchor, by one sign of [x r].
@@ -239,8 +226,8 @@ double wrong_anchor_rows(bool turned, bool r_of_sensor, double sign) {
 }
 
 Claim anchor_rows() {
-  const Worst worst{nearest({wrong_anchor_rows(false, false, 1), wrong_anchor_rows(false, false, -1),
-                             wrong_anchor_rows(false, true, 1), wrong_anchor_rows(false, true, -1)}),
+  const Worst worst{std::min({wrong_anchor_rows(false, false, 1), wrong_anchor_rows(false, false, -1),
+                              wrong_anchor_rows(false, true, 1), wrong_anchor_rows(false, true, -1)}),
                     wrong_anchor_rows(true, false, 1)};
   return studied(
       "4.2-anchored-H", "(4.36), (4.37)",
@@ -248,7 +235,7 @@ Claim anchor_rows() {
       {.measured = fmt::format("largest difference from exact derivatives in {} motions, three anchors: {}",
                                motions, worst.text()),
        .why = "dz/dr^s C [-I 0 [r x] 0], r in axes of the world"},
-      worst, 1e-9);
+      worst, rounding);
 }
 
 }  // namespace

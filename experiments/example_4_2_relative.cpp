@@ -13,31 +13,17 @@
 namespace incognita::observability_claims::inertial {
 namespace {
 
-using Eigen::MatrixXd;
-using Eigen::Vector3d;
-using Eigen::VectorXd;
-
 VectorXd nine(const Vector3d& r, const Vector3d& v, const Vector3d& psi) {
   return (VectorXd(9) << v, psi, r).finished();
 }
 
 Vector3d r_of(const SystemPoint& p) { return p.x.segment<3>(6); }
 
-/// Everything turned about a vertical, as Euler angles see it.
-Basis yawed(const Course& c) {
-  const SystemPoint& p = c.points[0];
-  const Vector3d up = Vector3d::UnitZ();
-  VectorXd v(p.x.size());
-  v.head<6>() << up.cross(p.x.head<3>()), up;
-  for (Eigen::Index i = 6; i < v.size(); i += 3) v.segment<3>(i) = up.cross(p.x.segment<3>(i));
-  return {v};
-}
-
-bool leaves_the_yaw(const Study& s) { return s.along_spanned_by(yawed); }
+bool leaves_the_yaw(const Study& s) { return s.along_spanned_by(named({"rotation about z"})); }
 
 /// Exact derivatives where a motion begins, with the states in the printed order: r = x_f - p, v, psi.
 struct Begin {
-  Eigen::Matrix3d C;
+  Matrix3d C;
   Vector3d r, f;  ///< in axes of the world
   Matrix23 A;     ///< dz/dr^s
   Misaligned exact;
@@ -61,13 +47,13 @@ struct Begin {
 double wrong_rows(double of_r, double of_psi) {
   return largest(study(relative()), [&](const Course& course) {
     const Begin b(course);
-    const Eigen::Matrix3d I = Eigen::Matrix3d::Identity(), O = Eigen::Matrix3d::Zero();
+    const Matrix3d I = Matrix3d::Identity(), O = Matrix3d::Zero();
     return apart(b.A * b.C * beside({of_r * I, O, of_psi * cross(b.r)}), b.exact.H);
   });
 }
 
 Claim measurement_matrix() {
-  const Worst worst{nearest({wrong_rows(-1, 1), wrong_rows(-1, -1)}), wrong_rows(1, 1)};
+  const Worst worst{std::min(wrong_rows(-1, 1), wrong_rows(-1, -1)), wrong_rows(1, 1)};
   return studied("4.2-relative-H", "(4.39), (4.40)",
                  "The measurement is [-I 0 [x r]] of features parametrized by r = x_f - p, to 1e-9 (before "
                  "it dz/dr^s C)",
@@ -76,11 +62,11 @@ Claim measurement_matrix() {
                       "largest difference from exact derivatives in {} motions, either sign of [x r]: {}",
                       motions, worst.text()),
                   .why = "[I 0 [r x]]: I, as (4.41) has it, for r = x_f - p; -I is for p - x_f"},
-                 worst, 1e-9);
+                 worst, rounding);
 }
 
 /// Rows of (4.41), with A for dz/dr^s.
-MatrixXd rows_4_41(const Matrix23& A, const Eigen::Matrix3d& by_r, double of_v, const Eigen::Matrix3d& by_f) {
+MatrixXd rows_4_41(const Matrix23& A, const Matrix3d& by_r, double of_v, const Matrix3d& by_f) {
   const Matrix23 O = Matrix23::Zero();
   MatrixXd rows(6, 9);
   rows << beside({A, O, A * by_r}), beside({O, of_v * A, O}), beside({O, O, A * by_f});
@@ -99,7 +85,7 @@ double wrong_4_41(bool turned, bool of_sensor, double sign, double of_v) {
   return largest(study(relative()), [&](const Course& course) {
     const Begin b(course);
     const Matrix23 A = turned ? Matrix23(b.A * b.C) : b.A;
-    const auto by = [&](const Vector3d& a) -> Eigen::Matrix3d {
+    const auto by = [&](const Vector3d& a) -> Matrix3d {
       return sign * cross(of_sensor ? Vector3d(b.C * a) : a);
     };
     return apart(rows_4_41(A, by(b.r), of_v, by(b.f)), exact_rows(b));
@@ -114,7 +100,7 @@ double size_of_third_power() {
 }
 
 Claim independent_rows() {
-  const int left = dimension(study(relative()).stripped(1));
+  const int left = study(relative()).left(1);
   return studied("4.2-relative-Q1", "(4.41)", "Q_1 has six independent rows",
                  {.printed = "6", .measured = fmt::format("rank {} of 9 in {} motions", 9 - left, motions)},
                  left == 3);
@@ -123,7 +109,7 @@ Claim independent_rows() {
 /// Of (4.42), with `directed` for what is printed as C r.
 Basis vectors_4_42(const Course& c, bool directed_as_printed) {
   const SystemPoint& p = c.points[0];
-  const Eigen::Matrix3d C = C_of(p.x.segment<3>(3));
+  const Matrix3d C = C_of(p.x.segment<3>(3));
   const Vector3d r = r_of(p), f = C.transpose() * p.u.head<3>(), zero = Vector3d::Zero(),
                  along = directed_as_printed ? Vector3d(C * r) : r;
   Vector3d zeta = -r.cross(f);
@@ -144,7 +130,7 @@ Claim entries() {
   std::vector<double> readings;
   for (const bool of_sensor : {false, true})
     for (const double sign : {1.0, -1.0}) readings.push_back(wrong_4_41(false, of_sensor, sign, 1));
-  const double printed = nearest(readings), corrected = wrong_4_41(true, false, 1, -1),
+  const double printed = std::ranges::min(readings), corrected = wrong_4_41(true, false, 1, -1),
                without_minus = wrong_4_41(true, false, 1, 1), third = size_of_third_power();
   const bool explains = are_basis(spaces_of_4_41(), study(relative()).courses(),
                                   [](const Course& c) { return vectors_4_42(c, true); });
@@ -158,7 +144,7 @@ Claim entries() {
            motions, printed, without_minus, below(corrected), below(third), yes_no(explains)),
        .why = "A C for A, -A C in the row of v (r' = -v), r and f in axes of the world. C is why (4.42) has "
               "C r for r"},
-      printed < 1e-9 && third < 1e-9, corrected < 1e-9 && third < 1e-9 && explains);
+      printed < rounding && third < rounding, corrected < rounding && third < rounding && explains);
 }
 
 Claim instant_null_space() {
@@ -169,8 +155,8 @@ Claim instant_null_space() {
   return studied(
       "4.2-relative-null-space", "(4.42), (4.43)", "Null space of one segment",
       {.printed = "[C r 0 0], [zeta 0 f], [0 C r 0]: dimension 3",
-       .measured = fmt::format("dimension {} of 9 in {} motions; spanned with C r: {}, with r: {}",
-                               dimension(s.stripped(1)), motions, yes_no(basis(true)), yes_no(basis(false))),
+       .measured = fmt::format("dimension {} of 9 in {} motions; spanned with C r: {}, with r: {}", s.left(1),
+                               motions, yes_no(basis(true)), yes_no(basis(false))),
        .why = "r in axes of the world, as f, in place of C r. zeta is r x f up to sign and multiples of r, "
               "which put its zero along r_y as printed or, as the text has it, along r_x"},
       basis(true), basis(false));
@@ -178,7 +164,7 @@ Claim instant_null_space() {
 
 Claim partially_reconstructed() {
   const Study& s = study(relative());
-  const auto seen = observable_states(s.stripped(1), s.error_states());
+  const auto seen = s.observable(1);
   const int of_v = dimension_within(s.stripped(1), 0, 3), of_psi = dimension_within(s.stripped(1), 3, 3),
             of_r = dimension_within(s.stripped(1), 6, 3);
   const auto in_part = [](int left) { return left == 1 || left == 2; };
@@ -194,7 +180,6 @@ Claim partially_reconstructed() {
 
 Claim two_segments() {
   const Study &s = study(relative()), &more = study(relative(2));
-  const bool full = s.full_rank(2);
   const bool leaves = std::ranges::none_of(s.courses(), [](const Course& c) { return c.stays; });
   return studied(
       "4.2-relative-two-segments", "(4.44)",
@@ -203,7 +188,7 @@ Claim two_segments() {
        .measured = fmt::format("{}, in {} motions; (4.9) holds in {}, and with two features in {}", s.text(),
                                motions, leaves ? "none" : "some", more.stays() ? "all" : "not all"),
        .runs = 2 * motions},
-      full && leaves);
+      s.full_rank(2) && leaves);
 }
 
 Claim fully_observable() {
@@ -220,11 +205,8 @@ Claim fully_observable() {
 Claim range_and_bearing() {
   bool as_matrices = true, but_the_heading = true;
   const Cases cases = by_number({1, 2}, [&](int features) -> CaseResult {
-    const Study& s = study({.system = "inertial-rb",
-                            .representation = "relative",
-                            .features = features,
-                            .segment_s = in_space_s});
-    as_matrices = as_matrices && dimension(s.stripped(2)) == 0;
+    const Study& s = study({.system = "inertial-rb", .representation = "relative", .features = features});
+    as_matrices = as_matrices && s.left(2) == 0;
     but_the_heading = but_the_heading && leaves_the_yaw(s);
     return {s.numbers(), s.true_dimension() == 0};
   });
@@ -238,41 +220,35 @@ Claim range_and_bearing() {
 }
 
 Claim unaccelerated_ranks() {
-  bool all = true;
-  for (const auto how : {Unaccelerated::falls, Unaccelerated::weightless}) {
+  const auto leaves = [](Unaccelerated how) {
     const Study& s = study(unaccelerated(relative(), how));
-    all = all && dimension(s.stripped(1)) == 5 && dimension(s.stripped(2)) == 2;
-  }
+    return s.left(1) == 5 && s.left(2) == 2;
+  };
   return studied(
       "4.2-relative-unaccelerated", "below (4.44)",
       "Without acceleration (f = 0) the rank of Q_1 is four, and the SOM of two segments leaves two",
       {.printed = "4 of 9, 2",
        .measured = fmt::format("{}, in {} motions: {}", legend, motions, by_unaccelerated(relative())),
        .runs = 3 * motions},
-      all);
+      leaves(Unaccelerated::falls) && leaves(Unaccelerated::weightless));
 }
 
 Claim unaccelerated_recovered() {
-  std::vector<std::string> in_som, along;
+  const Study &falls = study(unaccelerated(relative(), Unaccelerated::falls)),
+              &weightless = study(unaccelerated(relative(), Unaccelerated::weightless));
   const std::vector<std::string> velocities{"vx", "vy", "vz"};
-  bool printed = true;
-  for (const auto how : {Unaccelerated::falls, Unaccelerated::weightless}) {
-    const Study& s = study(unaccelerated(relative(), how));
-    in_som.push_back(listed(observable_states(s.stripped(2), s.error_states())));
-    along.push_back(listed(observable_states(s.along(), s.states())));
-    printed = printed && observable_states(s.along(), s.states()) == velocities;
-  }
   return studied(
       "4.2-relative-unaccelerated-recovered", "below (4.44)",
       "Without acceleration (f = 0) the only observable state is the linear velocity",
       {.printed = "velocity",
        .measured = fmt::format("states outside the null space, falling and without gravity: of the SOM of "
                                "two segments {}, and {}; of the motion itself {}, and {}",
-                               in_som[0], in_som[1], along[0], along[1]),
+                               listed(falls.observable(2)), listed(weightless.observable(2)),
+                               listed(falls.observable_along()), listed(weightless.observable_along())),
        .why = "falling, gravity determines the vertical: speed and distance along it, roll and pitch. "
               "Without gravity no length and no direction is observable",
        .runs = 2 * motions},
-      printed);
+      falls.observable_along() == velocities && weightless.observable_along() == velocities);
 }
 
 }  // namespace

@@ -3,21 +3,17 @@
 // Experiment: the built-in system `planar-cv` in its relative form, motions and rules of
 // observability_claims.hpp; 1 to 3 features; with H as it is and with the zero that is printed in its heading
 // column; also at rest. The thesis prints matrices of r = p - x_f; ours is x_f - p.
+#include "experiments/chapter_4_parts.hpp"
 #include "experiments/common.hpp"
-#include "experiments/example_4_3.hpp"
 
 namespace incognita::observability_claims::planar_cv {
 namespace {
-
-using Eigen::MatrixXd;
-using Eigen::Vector2d;
-using Eigen::VectorXd;
 
 const Study& relative(int features = 1, const std::string& motion = "general") {
   return study({.system = "planar-cv", .representation = "relative", .features = features, .motion = motion});
 }
 
-Vector2d r_to(const SystemPoint& p, int feature) { return p.x.segment<2>(4 + 2 * feature); }
+Vector2d r_of(const SystemPoint& p) { return p.x.segment<2>(4); }
 
 /// Our states of one feature in the printed order.
 VectorXd six(double rx, double ry, double theta, double vx, double vy, double omega) {
@@ -28,39 +24,25 @@ void zero_heading(LinearizedSystem& form, const SystemPoint&) { form.H.col(0).se
 
 /// What SOM leaves with the printed zero.
 std::vector<int> dimensions_with_zero(const Study& s) {
-  std::vector<int> all;
-  for (const int k : {1, 2, 3}) all.push_back(dimension(stripped_with(s, k, zero_heading)));
-  return all;
+  return each_of({1, 2, 3}, [&](int k) { return dimension(stripped_with(s, k, zero_heading)); });
 }
 
-/// Everything turned, and everything scaled.
-Basis turn_and_scale(const Course& c, int features) {
-  const SystemPoint& p = c.points[0];
-  VectorXd turn = VectorXd::Zero(4 + 2 * features), scale = turn;
-  turn[0] = 1;
-  turn.segment<2>(1) << -p.x[2], p.x[1];
-  scale.segment<2>(1) = p.x.segment<2>(1);
-  for (int i = 0; i < features; ++i) {
-    const Vector2d r = r_to(p, i);
-    turn.segment<2>(4 + 2 * i) << -r.y(), r.x();
-    scale.segment<2>(4 + 2 * i) = r;
-  }
-  return {turn, scale};
-}
+const Vectors turn_and_scale = named({"rotation", "scale"});
 
-bool leaves_turn_and_scale(int features) {
-  const Study& s = relative(features);
-  return s.along_spanned_by([&](const Course& c) { return turn_and_scale(c, features); });
+bool leaves_turn_and_scale(int features) { return relative(features).along_spanned_by(turn_and_scale); }
+
+/// A row of H or H F in the printed order of states, with the printed sign of r.
+Eigen::RowVectorXd as_printed(const Eigen::RowVectorXd& row) {
+  return (Eigen::RowVectorXd(6) << -row.tail(2), row.head(4)).finished();
 }
 
 Claim first_segment() {
   Worst worst;
   for (const Course& course : relative().courses()) {
-    const Vector2d r = r_to(course.points[0], 0);
-    const MatrixXd &H = course.exact[0].H, HF = H * course.exact[0].F;
-    MatrixXd exact = MatrixXd::Zero(2, 6), printed = exact;  // printed order and sign of r
-    exact.row(0) << -H(0, 4), -H(0, 5), H(0, 0), H(0, 1), H(0, 2), H(0, 3);
-    exact.row(1) << -HF(0, 4), -HF(0, 5), HF(0, 0), HF(0, 1), HF(0, 2), HF(0, 3);
+    const Vector2d r = r_of(course.points[0]);
+    const MatrixXd& H = course.exact[0].H;
+    MatrixXd exact(2, 6), printed = MatrixXd::Zero(2, 6);
+    exact << as_printed(H), as_printed(H * course.exact[0].F);
     printed(0, 0) = printed(1, 3) = r.y() / r.squaredNorm();
     printed(0, 1) = printed(1, 4) = -r.x() / r.squaredNorm();
     MatrixXd ours = printed;
@@ -77,15 +59,20 @@ Claim first_segment() {
 
 Claim instant_null_space() {
   const Study& s = relative();
-  const auto printed = [](const Course& c) -> Basis {
-    const Vector2d r = r_to(c.points[0], 0);
-    return {six(r.x(), r.y(), 0, 0, 0, 0), six(0, 0, 0, r.x(), r.y(), 0), six(0, 0, 1, 0, 0, 0),
-            six(0, 0, 0, 0, 0, 1)};
+  const auto distance = [](const Course& c) -> Basis {
+    const Vector2d r = r_of(c.points[0]);
+    return {six(r.x(), r.y(), 0, 0, 0, 0), six(0, 0, 0, r.x(), r.y(), 0)};
   };
-  const auto ours = [](const Course& c) -> Basis {
-    const Vector2d r = r_to(c.points[0], 0);
-    return {six(r.x(), r.y(), 0, 0, 0, 0), six(0, 0, 0, r.x(), r.y(), 0), six(-r.y(), r.x(), 1, 0, 0, 0),
-            six(0, 0, 0, r.y(), -r.x(), 1)};
+  const auto printed = [&](const Course& c) {
+    Basis all = distance(c);
+    all.insert(all.end(), {six(0, 0, 1, 0, 0, 0), six(0, 0, 0, 0, 0, 1)});
+    return all;
+  };
+  const auto ours = [&](const Course& c) {
+    const Vector2d r = r_of(c.points[0]);
+    Basis all = distance(c);
+    all.insert(all.end(), {six(-r.y(), r.x(), 1, 0, 0, 0), six(0, 0, 0, r.y(), -r.x(), 1)});
+    return all;
   };
   const bool of_zero = are_basis(stripped_with(s, 1, zero_heading), s.courses(), printed);
   return studied(
@@ -93,14 +80,14 @@ Claim instant_null_space() {
       {.printed = "[r 0 0 0], [0 0 r 0], heading, turn rate: dimension 4",
        .measured = fmt::format(
            "dimension {} of 6 in {} motions; the printed vectors span it: {}; with the 0 of (4.51): {}",
-           dimension(s.stripped(1)), motions, yes_no(s.stripped_spanned_by(1, printed)), yes_no(of_zero)),
+           s.left(1), motions, yes_no(s.stripped_spanned_by(1, printed)), yes_no(of_zero)),
        .why = "dimension 4, but heading and turn rate only together with the turned r: [-r_y r_x 1 0 0 0], "
               "[0 0 0 r_y -r_x 1] with r = x_f - p"},
       s.stripped_spanned_by(1, printed), s.stripped_spanned_by(1, ours));
 }
 
 Claim nothing_in_one_segment() {
-  const auto seen = observable_states(relative().stripped(1), relative().error_states());
+  const auto seen = relative().observable(1);
   return studied("4.3-relative-instant", "below (4.52)",
                  "No state is completely observable in one segment, not even the orientation",
                  {.printed = "none",
@@ -110,11 +97,11 @@ Claim nothing_in_one_segment() {
 
 Claim more_segments() {
   const Study& s = relative();
-  const auto printed = [](const Course&) { return Basis{six(0, 0, 1, 0, 0, 0), six(0, 0, 0, 0, 0, 1)}; };
+  const Vectors printed = always({six(0, 0, 1, 0, 0, 0), six(0, 0, 0, 0, 0, 1)});
   const bool of_zero = are_basis(stripped_with(s, 2, zero_heading), s.courses(), printed) &&
                        are_basis(stripped_with(s, 3, zero_heading), s.courses(), printed),
              third_takes_both = s.dimensions() == std::vector{4, 2, 0};
-  const auto seen = observable_states(s.along(), s.states());
+  const auto seen = s.observable_along();
   const bool turn_rate = std::ranges::find(seen, "wz") != seen.end();
   return studied(
       "4.3-relative-two-segments", "(4.53)",
@@ -138,8 +125,8 @@ Claim more_features() {
     const std::vector<int> with_zero = dimensions_with_zero(s);
     zero.add({fmt::format("{}: {}", features, joined(with_zero))});
     corrected = corrected && leaves_turn_and_scale(features) && with_zero[1] == 2 &&
-                dimension(s.stripped(2)) == (features == 1 ? 2 : 1);
-    return {s.numbers(), dimension(s.stripped(2)) == 2};
+                s.left(2) == (features == 1 ? 2 : 1);
+    return {s.numbers(), s.left(2) == 2};
   });
   return studied(
       "4.3-relative-features", "below (4.53)",
@@ -155,7 +142,7 @@ Claim more_features() {
 
 Claim must_move() {
   const Study &s = relative(), &rest = relative(1, "stationary");
-  const auto seen = observable_states(s.along(), s.states());
+  const auto seen = s.observable_along();
   const auto has = [&](const char* name) { return std::ranges::find(seen, name) != seen.end(); };
   const bool lost = rest.true_dimension() > s.true_dimension() && rest.dimensions() == std::vector{4, 4, 4};
   return studied("4.3-relative-moving", "below (4.53)",
@@ -166,8 +153,7 @@ Claim must_move() {
                       legend, s.numbers(), rest.numbers(), listed(seen)),
                   .why = "moving recovers them up to scale and turn, with any number of features",
                   .runs = 2 * motions},
-                 lost && has("rx_1") && has("ry_1"),
-                 lost && leaves_turn_and_scale(1) && leaves_turn_and_scale(2) && leaves_turn_and_scale(3));
+                 lost && has("rx_1") && has("ry_1"), lost && for_all({1, 2, 3}, leaves_turn_and_scale));
 }
 
 Claim never_full() {

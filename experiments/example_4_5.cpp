@@ -18,13 +18,6 @@
 namespace incognita::observability_claims {
 namespace {
 
-using Eigen::MatrixXd;
-using Eigen::Vector2d;
-using Eigen::Vector3d;
-using Eigen::VectorXd;
-
-constexpr double rounding = 1e-9;
-
 /// Range, bearing and heading of the feature where a motion begins, and how each input changes them.
 struct Polar {
   double rho, phi;
@@ -54,8 +47,7 @@ double wrong_fields(const std::function<Vector3d(double, double)>& g1, const Vec
   return largest(ranges_and_bearings(), [&](const Course& course) {
     const Polar at(course);
     const double phi = at.phi + (other_way ? std::acos(-1.0) : 0);
-    return std::max((g1(at.rho, phi) - at.by_v).cwiseAbs().maxCoeff(),
-                    (g2 - at.by_omega).cwiseAbs().maxCoeff());
+    return std::max(apart(g1(at.rho, phi), at.by_v), apart(g2, at.by_omega));
   });
 }
 
@@ -83,13 +75,12 @@ Claim model() {
 }
 
 Claim first_order() {
-  double first = 0, second = 0, ours = 0;
-  for (const Course& course : ranges_and_bearings().courses()) {
-    const Polar at(course);
-    first = std::max(first, std::abs(at.by_v[1] - std::sin(at.phi) / at.rho));
-    second = std::max(second, std::abs(at.by_omega[1] - 0));
-    ours = std::max(ours, std::abs(at.by_omega[1] + 1));
-  }
+  const auto apart_from = [](const std::function<double(const Polar&)>& wrong) {
+    return largest(ranges_and_bearings(), [&](const Course& c) { return std::abs(wrong(Polar(c))); });
+  };
+  const double first = apart_from([](const Polar&at) { return at.by_v[1] - std::sin(at.phi) / at.rho; }),
+               second = apart_from([](const Polar&at) { return at.by_omega[1]; }),
+               ours = apart_from([](const Polar&at) { return at.by_omega[1] + 1; });
   return studied(
       "4.5-first-order", "(4.74), (4.75)", "Lie derivatives of the bearing along both fields, to 1e-9",
       {.printed = "sin phi/rho and 0",
@@ -102,14 +93,12 @@ Claim first_order() {
 
 Claim rank() {
   const Study& s = study(polar());
-  double difference = 0;
-  for (const Course& course : s.courses()) {
+  const double difference = largest(s, [](const Course& course) {
     const SystemPoint& p = course.points[0];  // heading, range, bearing
     const double rho = p.x[1], phi = p.x[2];
-    const VectorXd exact = course.exact[0].F.row(2).transpose() / p.u[0];
     const Vector3d printed(0, -std::sin(phi) / (rho * rho), std::cos(phi) / rho);
-    difference = std::max(difference, (exact - printed).cwiseAbs().maxCoeff());
-  }
+    return apart(course.exact[0].F.row(2).transpose() / p.u[0], printed);
+  });
   const int left = dimension(lie(polar()));
   return studied("4.5-rank", "(4.76)",
                  "The differentials of all Lie derivatives span two of three dimensions",
@@ -121,14 +110,11 @@ Claim rank() {
 }
 
 Claim null_space_of_all() {
-  std::vector<int> found;
-  bool heading = true;
-  for (const int features : {1, 2, 3}) {
-    const Spaces spaces = lie(polar(features));
-    found.push_back(dimension(spaces));
-    heading = heading && are_basis(spaces, study(polar(features)).courses(),
-                                   [&](const Course&) { return Basis{VectorXd::Unit(1 + 2 * features, 0)}; });
-  }
+  const auto found = each_of({1, 2, 3}, [](int features) { return dimension(lie(polar(features))); });
+  const bool heading = for_all({1, 2, 3}, [](int features) {
+    const VectorXd only = VectorXd::Unit(1 + 2 * features, 0);
+    return are_basis(lie(polar(features)), study(polar(features)).courses(), always({only}));
+  });
   return studied(
       "4.5-null-space", "(4.77), head of Chapter 4", "What they do not span is the orientation",
       {.printed = "[0 0 1]: dimension 1",
@@ -140,10 +126,7 @@ Claim null_space_of_all() {
 
 Claim contrary() {
   const Study &s = cartesian(), &in_polar = study(polar());
-  const auto turned = [](const Course& c) -> Basis {
-    const Vector3d x = c.points[0].x;  // heading and r
-    return {Vector3d(1, -x[2], x[1])};
-  };
+  const Vectors turned = named({"rotation"});
   const Spaces by_lie = lie({.system = "planar", .representation = "relative"});
   const bool linear_finds_it = s.full_rank(2),
              unseen = are_basis(by_lie, s.courses(), turned) && s.along_spanned_by(turned),
@@ -241,9 +224,5 @@ LedgerEntry run(const ExperimentSettings& settings) {
 }  // namespace
 }  // namespace incognita::observability_claims
 
-namespace incognita {
-
-const Experiment example_4_5{
+const incognita::Experiment incognita::example_4_5{
     "4.5", "Lie derivatives for the relative map of the plane", {}, observability_claims::run};
-
-}  // namespace incognita

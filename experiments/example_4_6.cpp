@@ -12,6 +12,9 @@
 // measurements before and at none after. Corrected by the same rules: with another number, or with the
 // distance for coordinates in axes that nothing fixes.
 #include "experiments/example_4_6.hpp"
+
+#include <array>
+
 #include "experiments/common.hpp"
 #include "incognita/math/angles.hpp"
 
@@ -27,10 +30,14 @@ double most(const Direction& c, double until_s) {
   return value;
 }
 
-namespace {
+Claim tested(std::string id, std::string place, std::string statement, Evidence evidence, Finding printed,
+             Finding corrected) {
+  evidence.runs = runs().size();
+  return assessed(std::move(id), std::move(place), std::move(statement), std::move(evidence), printed,
+                  corrected);
+}
 
-using Eigen::Vector2d;
-using Eigen::VectorXd;
+namespace {
 
 // Information -----------------------------------------------------------------------------------------
 
@@ -66,20 +73,25 @@ Since since(const Direction& c) {
 }
 
 std::string text(Since since) {
-  switch (since) {
-    case Since::start:
-      return "from the start";
-    case Since::north:
-      return "from the first measurement after 10 s";
-    case Since::turning:
-      return "from the first measurement after 14 s";
-    case Since::never:
-      return "never";
-    case Since::unclear:
-      break;
-  }
-  return "not the same in all settings";
+  constexpr std::array texts{"from the start", "from the first measurement after 10 s",
+                             "from the first measurement after 14 s", "never",
+                             "not the same in all settings"};
+  return texts[static_cast<std::size_t>(since)];
 }
+
+/// Since when there is information about the position of one point relative to another, and their distance.
+struct Relative {
+  Direction x_mode, y_mode, distance;
+  Since north, east, apart;
+  /// By their first states.
+  Relative(int from, int to)
+      : x_mode(difference(from, to)),
+        y_mode(difference(from + 1, to + 1)),
+        distance(two_bearings::distance(from, to)),
+        north(since(x_mode)),
+        east(since(y_mode)),
+        apart(since(distance)) {}
+};
 
 /// Least share of a direction, over all settings and measurements, that is unobservable.
 double least_outside(const Direction& c) {
@@ -113,13 +125,13 @@ const Run& oriented() {
 // Claims ----------------------------------------------------------------------------------------------
 
 Claim orientation() {
-  const Direction c = constantly(state(heading));
+  const Direction c = state(heading);
   const Since when = since(c);
   const std::vector<double> given = information(oriented(), c);
   const auto by = [&](Jacobians jacobians, double dt) {
     return at(Run({.dt_s = dt, .jacobians = jacobians}), c, end_s);
   };
-  return assessed(
+  return tested(
       "4.6-orientation", "Figure 4.5, Example 4.6",
       "The orientation becomes observable when the vehicle moves: its marginal information is zero until 10 "
       "s and then increases",
@@ -133,62 +145,55 @@ Claim orientation() {
                                by(Jacobians::odometry_late, 0.05)),
        .why = "turning vehicle, path and features together changes neither bearings nor odometry, so that "
               "the heading is not observable, as in Example 4.5. The increase is an artifact of Jacobians at "
-              "different instants, and depends on the step",
-       .runs = runs().size()},
+              "different instants, and depends on the step"},
       when == Since::north && grows(c, at_rest_until_s));
 }
 
 Claim global_modes() {
-  const Direction north = constantly(state(x) + state(x1) + state(x2)),
-                  east = constantly(state(y) + state(y1) + state(y2));
+  const Direction north = sum({x, x1, x2}), east = sum({y, y1, y2});
   const Since of_north = since(north), of_east = since(east);
-  return assessed("4.6-global-modes", "Figure 4.6 (a), Example 4.6",
-                  "Information of the modes x_r + sum x_f and y_r + sum y_f remains zero",
-                  {.printed = "0",
-                   .measured = fmt::format(
-                       "above zero: {}, {}; at least {:.2f} and {:.2f} of these directions is unobservable",
-                       text(of_north), text(of_east), least_outside(north), least_outside(east)),
-                   .runs = runs().size()},
-                  of_north == Since::never && of_east == Since::never);
+  return tested("4.6-global-modes", "Figure 4.6 (a), Example 4.6",
+                "Information of the modes x_r + sum x_f and y_r + sum y_f remains zero",
+                {.printed = "0",
+                 .measured = fmt::format(
+                     "above zero: {}, {}; at least {:.2f} and {:.2f} of these directions is unobservable",
+                     text(of_north), text(of_east), least_outside(north), least_outside(east))},
+                of_north == Since::never && of_east == Since::never);
 }
 
 Claim relative_at_rest() {
-  double value = 0;
-  for (const auto& c : {difference(x, x1), difference(y, y1), difference(x, x2), difference(y, y2),
-                        difference(x1, x2), difference(y1, y2)})
-    value = std::max(value, most(constantly(c), at_rest_until_s));
-  double distances = 0;
-  for (const Direction& c : {Direction(distance_to_1), Direction(distance_to_2), Direction(distance_between)})
-    distances = std::max(distances, most(c, at_rest_until_s));
-  return assessed(
+  double coordinates = 0, distances = 0;
+  for (const auto& [from, to] : {std::pair(x, x1), std::pair(x, x2), std::pair(x1, x2)}) {
+    for (const int axis : {0, 1})
+      coordinates = std::max(coordinates, most(difference(from + axis, to + axis), at_rest_until_s));
+    distances = std::max(distances, most(distance(from, to), at_rest_until_s));
+  }
+  return tested(
       "4.6-relative-at-rest", "Figure 4.6 (b), (c), Example 4.6",
       "Before the vehicle moves there is no information about the position of features relative to the "
       "vehicle or to each other",
       {.printed = "0",
-       .measured = fmt::format("largest up to 10 s: {:.2g} 1/m^2 of coordinates, {:.2g} of distances", value,
-                               distances),
-       .runs = runs().size()},
-      value == 0 && distances == 0);
+       .measured = fmt::format("largest up to 10 s: {:.2g} 1/m^2 of coordinates, {:.2g} of distances",
+                               coordinates, distances)},
+      coordinates == 0 && distances == 0);
 }
 
 Claim relative_2() {
-  const Since north = since(constantly(difference(x, x2))), east = since(constantly(difference(y, y2))),
-              distance = since(distance_to_2);
-  return assessed(
+  const Relative to_2(x, x2);
+  return tested(
       "4.6-relative-2", "below Figure 4.5, Example 4.6",
       "While the vehicle moves north the position of feature 2 relative to it is observable, by measurements "
       "from different positions",
       {.printed = "from 10 s",
-       .measured = fmt::format("x_r - x_f2 {}, y_r - y_f2 {}; distance to feature 2 {}: {}", text(north),
-                               text(east), text(distance), course_text(distance_to_2)),
+       .measured = fmt::format("x_r - x_f2 {}, y_r - y_f2 {}; distance to feature 2 {}: {}", text(to_2.north),
+                               text(to_2.east), text(to_2.apart), course_text(to_2.distance)),
        .why = "the distance is. In northern and eastern axes the relative position turns with the heading, "
-              "which is not observable",
-       .runs = runs().size()},
-      north == Since::north && east == Since::north, distance == Since::north);
+              "which is not observable"},
+      to_2.north == Since::north && to_2.east == Since::north, to_2.apart == Since::north);
 }
 
 Claim line_of_sight() {
-  const double ahead = most(distance_to_1, north_until_s);
+  const double ahead = most(distance(x, x1), north_until_s);
   std::vector<std::string> lines;
   bool off_is_known = true;
   std::vector<double> offs{0.01, 0.1, 1, 10}, values;
@@ -197,11 +202,11 @@ Claim line_of_sight() {
     s.features.first = 15 * Vector2d(std::cos(radians(off)), std::sin(radians(off)));
     const Run run(s);
     const Knowledge& last = run.known[run.measurement_at(north_until_s)];
-    values.push_back(at(run, distance_to_1, north_until_s));
+    values.push_back(at(run, distance(x, x1), north_until_s));
     off_is_known = off_is_known && last.rank.rank == 4 && last.clear() && values.back() > 0;
     lines.push_back(fmt::format("{}: rank {}, {:.2g} 1/m^2", off, last.rank.rank, values.back()));
   }
-  return assessed(
+  return tested(
       "4.6-line-of-sight", "below Figure 4.5, Example 4.6",
       "The relative north position of feature 1 is not observable while the vehicle moves along the line of "
       "sight to it: nothing about its distance until 14 s, and some when it is off the line",
@@ -209,37 +214,34 @@ Claim line_of_sight() {
        .measured =
            fmt::format("largest up to 14 s: {:.2g} 1/m^2, rank {}. At 14 s with feature 1 so many degrees "
                        "off: {}; as angle^{:.2f}",
-                       ahead, ranks_of_all().at_end[1], fmt::join(lines, "; "), exponent_of(offs, values)),
-       .runs = runs().size()},
-      ahead == 0 && most(constantly(difference(x, x1)), north_until_s) == 0 && off_is_known);
+                       ahead, ranks_of_all().at_end[1], fmt::join(lines, "; "), exponent_of(offs, values))},
+      ahead == 0 && most(difference(x, x1), north_until_s) == 0 && off_is_known);
 }
 
 Claim relative_1() {
-  const Direction x_mode = constantly(difference(x, x1)), y_mode = constantly(difference(y, y1));
-  const Since north = since(x_mode), east = since(y_mode), distance = since(distance_to_1);
-  return assessed(
+  const Relative to_1(x, x1);
+  return tested(
       "4.6-relative-1", "Figure 4.6 (b), Example 4.6",
       "Only after the vehicle turns to the east does information about the position of feature 1 relative to "
       "it, x_r - x_f1 and y_r - y_f1, start to increase",
       {.printed = "from 14 s",
-       .measured = fmt::format("x_r - x_f1 {}, y_r - y_f1 {}; distance to feature 1 {}: {}. With the first "
-                               "heading known: x_r - x_f1 {}, y_r - y_f1 {}",
-                               text(north), text(east), text(distance), course_text(distance_to_1),
-                               text(since(oriented(), x_mode)), text(since(oriented(), y_mode))),
+       .measured =
+           fmt::format("x_r - x_f1 {}, y_r - y_f1 {}; distance to feature 1 {}: {}. With the first "
+                       "heading known: x_r - x_f1 {}, y_r - y_f1 {}",
+                       text(to_1.north), text(to_1.east), text(to_1.apart), course_text(to_1.distance),
+                       text(since(oriented(), to_1.x_mode)), text(since(oriented(), to_1.y_mode))),
        .why = "information about the distance does. In northern and eastern axes the relative position turns "
-              "with the heading, which is not observable",
-       .runs = runs().size()},
-      north == Since::turning && east == Since::turning && grows(x_mode, north_until_s),
-      distance == Since::turning && grows(distance_to_1, north_until_s));
+              "with the heading, which is not observable"},
+      to_1.north == Since::turning && to_1.east == Since::turning && grows(to_1.x_mode, north_until_s),
+      to_1.apart == Since::turning && grows(to_1.distance, north_until_s));
 }
 
 Claim relative_features() {
-  const Direction x_mode = constantly(difference(x1, x2)), y_mode = constantly(difference(y1, y2));
-  const Since north = since(x_mode), east = since(y_mode), distance = since(distance_between);
+  const Relative both(x1, x2);
   Setup s;
   s.features.second.x() = s.features.first.x();
   const Run abreast(s);
-  return assessed(
+  return tested(
       "4.6-relative-features", "Figure 4.6 (c), Example 4.6",
       "Information about the position of feature 1 relative to feature 2 increases from 10 s on in y_f1 - "
       "y_f2, east, and from 14 s on in x_f1 - x_f2, north",
@@ -247,22 +249,21 @@ Claim relative_features() {
        .measured = fmt::format(
            "y_f1 - y_f2 {}, x_f1 - x_f2 {}; distance of the two {}: {}. With both features equally far "
            "north: y_f1 - y_f2 {}, x_f1 - x_f2 {}. With the first heading known: {}, {}",
-           text(east), text(north), text(distance), course_text(distance_between),
-           text(since(abreast, y_mode)), text(since(abreast, x_mode)), text(since(oriented(), y_mode)),
-           text(since(oriented(), x_mode))),
+           text(both.east), text(both.north), text(both.apart), course_text(both.distance),
+           text(since(abreast, both.y_mode)), text(since(abreast, both.x_mode)),
+           text(since(oriented(), both.y_mode)), text(since(oriented(), both.x_mode))),
        .why = "information about their distance does, from 14 s on. Coordinates turn with the heading, which "
               "is not observable; y_f1 - y_f2 is the distance, and known from 10 s on, only where both "
-              "features are equally far north",
-       .runs = runs().size()},
-      east == Since::north && north == Since::turning,
-      distance == Since::turning && grows(distance_between, north_until_s));
+              "features are equally far north"},
+      both.east == Since::north && both.north == Since::turning,
+      both.apart == Since::turning && grows(both.distance, north_until_s));
 }
 
 Claim truth_does_not_matter() {
   const Run strays(Setup{.jacobians = Jacobians::estimates});
   const RankCourse estimates = ranks_of(strays);
   const Ranks at_truth = ranks_of(usual()).at_end;
-  const Direction c = constantly(state(heading));
+  const Direction c = state(heading);
   return assessed(
       "4.6-truth", "Example 4.6",
       "That Jacobians are evaluated at the truth does not affect the value of the inverse covariance; "
@@ -291,11 +292,7 @@ LedgerEntry run(const ExperimentSettings& settings) {
 }  // namespace
 }  // namespace incognita::two_bearings
 
-namespace incognita {
-
-const Experiment example_4_6{"4.6",
-                             "Information of two bearings for a planar vehicle",
-                             {"fig-4.3", "fig-4.4", "fig-4.5", "fig-4.6"},
-                             two_bearings::run};
-
-}  // namespace incognita
+const incognita::Experiment incognita::example_4_6{"4.6",
+                                                   "Information of two bearings for a planar vehicle",
+                                                   {"fig-4.3", "fig-4.4", "fig-4.5", "fig-4.6"},
+                                                   two_bearings::run};

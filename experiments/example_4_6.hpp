@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "experiments/evidence.hpp"
 #include "experiments/example_4_6_filter.hpp"
 #include "incognita/report/ledger.hpp"
 
@@ -41,6 +42,10 @@ RankCourse ranks_of(const Run& run);
 RankCourse ranks_of_all();
 std::string text(const Ranks& ranks);
 std::string text(const RankCourse& course);
+
+/// The claim, which rests on all settings.
+Claim tested(std::string id, std::string place, std::string statement, Evidence evidence, Finding printed,
+             Finding corrected = Finding::refuted);
 
 /// Largest information over all settings and measurements up to a time.
 double most(const Direction& c, double until_s = end_s);

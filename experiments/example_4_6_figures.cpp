@@ -2,7 +2,7 @@
 #include <limits>
 
 #include "experiments/curves.hpp"
-#include "experiments/example_4_6_filter.hpp"
+#include "experiments/example_4_6.hpp"
 
 namespace incognita::two_bearings {
 namespace {
@@ -10,7 +10,7 @@ namespace {
 constexpr double gap = std::numeric_limits<double>::quiet_NaN();
 
 Plot map() {
-  const Run u{Setup{}};
+  const Run& u = usual();
   const auto position = [](const Instant& i) { return i.pose; };  // drawn with north up
   std::vector<Instant> stops;
   for (const double t : {0.0, 10.0, 14.0, 20.0}) stops.push_back(u.drive[u.measurement_at(t)]);
@@ -25,36 +25,37 @@ Plot map() {
   return {"fig-4.3", "Trajectory and features", 1, {p}};
 }
 
-std::vector<double> times(const Run& run) {
-  std::vector<double> t;
-  for (const Instant& i : run.drive) t.push_back(i.t_s);
-  return t;
+Curve over_time(const std::string& label, const Run& run, const std::vector<double>& values, Color color,
+                Style style = Style::line) {
+  Curve curve{label, style, {}, values, {}, color};
+  for (const Instant& i : run.drive) curve.x.push_back(i.t_s);
+  return curve;
 }
 
-Curve over_time(const std::string& label, const Run& run, const std::vector<double>& values,
-                Color color = Color::automatic, Style style = Style::line) {
-  return {label, style, times(run), values, {}, color};
+Curve over_time(const std::string& label, const Run& run, const Direction& c, Color color,
+                Style style = Style::line) {
+  return over_time(label, run, information(run, c), color, style);
 }
 
-Curve rank_curve(const std::string& label, const Run& run, const std::vector<Knowledge>& known, Style style,
-                 Color color, std::size_t every = 1) {
+/// Every so many measurements of the usual drive.
+Curve rank_curve(const std::string& label, const std::vector<Knowledge>& known, Style style, Color color,
+                 std::size_t every = 1) {
   Curve curve{label, style, {}, {}, {}, color};
   for (std::size_t k = 0; k < known.size(); k += every) {
-    curve.x.push_back(run.drive[k].t_s);
+    curve.x.push_back(usual().drive[k].t_s);
     curve.y.push_back(known[k].rank.rank);
   }
   return curve;
 }
 
 Plot ranks_over_time() {
-  const Run u{Setup{}};
+  const Run& u = usual();
   Panel ranks{"", "time, s", "rank", {}};
   ranks.y_range = {0, 7};
-  ranks.curves = {
-      {"printed", Style::dashed, {0, 10, 10, 14, 14, 20}, {2, 2, 4, 4, 5, 5}, {}, Color::gray},
-      rank_curve("information matrix", u, u.known, Style::steps, Color::blue),
-      rank_curve("along the motion", u, along_the_motion(u.setup), Style::crosses, Color::blue, 10),
-      rank_curve("stripped (4.8)", u, stripped(u.setup), Style::circles, Color::orange, 10)};
+  ranks.curves = {{"printed", Style::dashed, {0, 10, 10, 14, 14, 20}, {2, 2, 4, 4, 5, 5}, {}, Color::gray},
+                  rank_curve("information matrix", u.known, Style::steps, Color::blue),
+                  rank_curve("along the motion", along_the_motion(u.setup), Style::crosses, Color::blue, 10),
+                  rank_curve("stripped (4.8)", stripped(u.setup), Style::circles, Color::orange, 10)};
   Panel values{"Singular values of the root of the information matrix, meters in units of 10",
                "time, s",
                "of the largest",
@@ -76,43 +77,40 @@ Plot ranks_over_time() {
 }
 
 Plot orientation_over_time() {
-  const Direction c = constantly(state(heading));
-  const Run u{Setup{}}, late(Setup{.jacobians = Jacobians::odometry_late}),
+  const Direction c = state(heading);
+  const Run late(Setup{.jacobians = Jacobians::odometry_late}),
       strays(Setup{.jacobians = Jacobians::estimates});
   Panel p{"", "time, s", "information, 1/rad^2", {}};
   p.y_range = {-0.05, 1.25};
-  p.curves = {over_time("at the truth", u, information(u, c), Color::blue),
-              over_time("odometry a step late", late, information(late, c), Color::orange, Style::dashed),
-              over_time("at estimates 1 cm off", strays, information(strays, c), Color::gray)};
+  p.curves = {over_time("at the truth", usual(), c, Color::blue),
+              over_time("odometry a step late", late, c, Color::orange, Style::dashed),
+              over_time("at estimates 1 cm off", strays, c, Color::gray)};
   return {"fig-4.5", "Marginal information of the heading, by where Jacobians are taken", 1, {p}};
 }
 
 Panel mode_panel(const std::string& title, const Run& run, const std::string& x_name, const Direction& x_mode,
                  const std::string& y_name, const Direction& y_mode) {
   Panel p{title, "time, s", "information, 1/m^2", {}};
-  p.curves = {over_time(x_name, run, information(run, x_mode), Color::blue),
-              over_time(y_name, run, information(run, y_mode), Color::orange, Style::dashed)};
+  p.curves = {over_time(x_name, run, x_mode, Color::blue),
+              over_time(y_name, run, y_mode, Color::orange, Style::dashed)};
   return p;
 }
 
 /// Three panels: Figure 4.6 (a), (b), (c).
 std::vector<Panel> modes_of(const Run& run, const std::string& whose) {
   std::vector<Panel> panels{
-      mode_panel("(a) " + whose, run, "x_r + x_f1 + x_f2", constantly(state(x) + state(x1) + state(x2)),
-                 "y_r + y_f1 + y_f2", constantly(state(y) + state(y1) + state(y2))),
-      mode_panel("(b) " + whose, run, "x_r - x_f1", constantly(difference(x, x1)), "y_r - y_f1",
-                 constantly(difference(y, y1))),
-      mode_panel("(c) " + whose, run, "x_f1 - x_f2", constantly(difference(x1, x2)), "y_f1 - y_f2",
-                 constantly(difference(y1, y2)))};
+      mode_panel("(a) " + whose, run, "x_r + x_f1 + x_f2", sum({x, x1, x2}), "y_r + y_f1 + y_f2",
+                 sum({y, y1, y2})),
+      mode_panel("(b) " + whose, run, "x_r - x_f1", difference(x, x1), "y_r - y_f1", difference(y, y1)),
+      mode_panel("(c) " + whose, run, "x_f1 - x_f2", difference(x1, x2), "y_f1 - y_f2", difference(y1, y2))};
   panels[0].y_range = {-0.05, 1};
   return panels;
 }
 
 Plot modes_over_time() {
-  const Run u{Setup{}};
-  std::vector<Panel> truth = modes_of(u, "Jacobians at the truth");
-  truth[1].curves.push_back(over_time("distance", u, information(u, distance_to_1), Color::green));
-  truth[2].curves.push_back(over_time("distance", u, information(u, distance_between), Color::green));
+  std::vector<Panel> truth = modes_of(usual(), "Jacobians at the truth");
+  truth[1].curves.push_back(over_time("distance", usual(), distance(x, x1), Color::green));
+  truth[2].curves.push_back(over_time("distance", usual(), distance(x1, x2), Color::green));
   const std::vector<Panel> late =
       modes_of(Run(Setup{.jacobians = Jacobians::odometry_late}), "odometry a step late");
   Plot plot{"fig-4.6", "Marginal information of modes", 2, {}};

@@ -14,9 +14,6 @@
 namespace incognita::two_bearings {
 namespace {
 
-using Eigen::MatrixXd;
-using Eigen::Vector2d;
-using Eigen::VectorXd;
 using Pose = planar::Pose<double>;
 
 /// The state in units, from the state.
@@ -40,6 +37,26 @@ MatrixXd stacked(const MatrixXd& top, const MatrixXd& bottom) {
 /// (4.14) over a step, with the heading at its start.
 planar::PoseJacobian tangent(const Pose& from, const Vector2d& input, double dt_s) {
   return DifferentialDrive{}.step(from, input, dt_s).F;
+}
+
+/// The bearings of both features by the state: (4.15), 2 x 7.
+MatrixXd bearing_rows(const Pose& pose, const Features& features) {
+  MatrixXd H = MatrixXd::Zero(2, states);
+  int row = 0;
+  for (const Vector2d& feature : {features.first, features.second}) {
+    const auto prediction = RangeBearing::predict_measurement(pose, feature);
+    H.row(row).head<3>() = prediction.value().Hv.row(1);
+    H.row(row).segment<2>(3 + 2 * row) = prediction.value().Hl.row(1);
+    ++row;
+  }
+  return H;
+}
+
+/// F of the whole state from that of the vehicle.
+MatrixXd with_features(const planar::PoseJacobian& F) {
+  MatrixXd whole = MatrixXd::Identity(states, states);
+  whole.topLeftCorner<3, 3>() = F;
+  return whole;
 }
 
 /// An estimate that strays about the truth.
@@ -110,13 +127,13 @@ class Linearized {
   std::vector<double> speed_errors_;
 };
 
-/// Of two points, by the states that begin at those indices.
-VectorXd distance(const Vector2d& from, int its_x, const Vector2d& to, int other_x) {
-  const Vector2d ahead = (to - from).normalized();
-  VectorXd c = VectorXd::Zero(states);
-  c.segment<2>(its_x) = -ahead;
-  c.segment<2>(other_x) = ahead;
-  return c;
+Vector2d position(const Run& run, std::size_t measurement, int first_state) {
+  if (first_state == x) return run.drive[measurement].pose.head<2>();
+  return first_state == x1 ? run.setup.features.first : run.setup.features.second;
+}
+
+Direction constantly(const VectorXd& c) {
+  return [c](const Run&, std::size_t) { return c; };
 }
 
 }  // namespace
@@ -145,24 +162,6 @@ std::vector<Instant> drive(double dt_s) {
     all.push_back({k * dt_s, arc(all.back().pose, input, dt_s).x, input});
   }
   return all;
-}
-
-MatrixXd bearing_rows(const Pose& pose, const Features& features) {
-  MatrixXd H = MatrixXd::Zero(2, states);
-  int row = 0;
-  for (const Vector2d& feature : {features.first, features.second}) {
-    const auto prediction = RangeBearing::predict_measurement(pose, feature);
-    H.row(row).head<3>() = prediction.value().Hv.row(1);
-    H.row(row).segment<2>(3 + 2 * row) = prediction.value().Hl.row(1);
-    ++row;
-  }
-  return H;
-}
-
-MatrixXd with_features(const planar::PoseJacobian& F) {
-  MatrixXd whole = MatrixXd::Identity(states, states);
-  whole.topLeftCorner<3, 3>() = F;
-  return whole;
 }
 
 void RootInformation::measure(const MatrixXd& H, double sigma) {
@@ -253,24 +252,26 @@ std::size_t Run::measurement_at(double t_s) const {
   return static_cast<std::size_t>(std::lround(t_s / setup.dt_s));
 }
 
-VectorXd state(int i) { return VectorXd::Unit(states, i); }
+Direction state(int i) { return sum({i}); }
 
-VectorXd difference(int i, int j) { return state(i) - state(j); }
-
-Direction constantly(const VectorXd& c) {
-  return [c](const Run&, std::size_t) { return c; };
+Direction sum(const std::vector<int>& of) {
+  VectorXd c = VectorXd::Zero(states);
+  for (const int i : of) c[i] = 1;
+  return constantly(c);
 }
 
-VectorXd distance_to_1(const Run& run, std::size_t k) {
-  return distance(run.drive[k].pose.head<2>(), x, run.setup.features.first, x1);
+Direction difference(int i, int j) {
+  return constantly(VectorXd::Unit(states, i) - VectorXd::Unit(states, j));
 }
 
-VectorXd distance_to_2(const Run& run, std::size_t k) {
-  return distance(run.drive[k].pose.head<2>(), x, run.setup.features.second, x2);
-}
-
-VectorXd distance_between(const Run& run, std::size_t) {
-  return distance(run.setup.features.first, x1, run.setup.features.second, x2);
+Direction distance(int from, int to) {
+  return [=](const Run& run, std::size_t measurement) {
+    const Vector2d ahead = (position(run, measurement, to) - position(run, measurement, from)).normalized();
+    VectorXd c = VectorXd::Zero(states);
+    c.segment<2>(from) = -ahead;
+    c.segment<2>(to) = ahead;
+    return c;
+  };
 }
 
 std::vector<double> information(const Run& run, const Direction& c) {

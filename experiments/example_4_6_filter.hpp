@@ -20,6 +20,8 @@
 
 namespace incognita::two_bearings {
 
+using Eigen::MatrixXd, Eigen::Vector2d, Eigen::VectorXd;
+
 inline constexpr int states = 7;
 inline constexpr double at_rest_until_s = 10, north_until_s = 14, end_s = 20;
 inline constexpr double speed_mps = 1, turn_radps = 0.25;
@@ -32,8 +34,8 @@ inline constexpr double rank_tolerance = 1e-9;
 inline constexpr double outside_tolerance = 1e-7;
 
 struct Features {
-  Eigen::Vector2d first = {15, 0};    ///< m; straight ahead at first
-  Eigen::Vector2d second = {12, 12};  ///< m; to the north-east
+  Vector2d first = {15, 0};    ///< m; straight ahead at first
+  Vector2d second = {12, 12};  ///< m; to the north-east
 };
 
 /// The thesis does not print its noises.
@@ -64,56 +66,50 @@ struct Setup {
 struct Instant {
   double t_s = 0;
   planar::Pose<double> pose;  ///< the truth
-  Eigen::Vector2d input;      ///< speed and turn rate of the step that led here; 0 at the start
+  Vector2d input;             ///< speed and turn rate of the step that led here; 0 at the start
 };
 std::vector<Instant> drive(double dt_s);
 
 /// The pose after an arc of constant speed and turn rate, and its derivatives: exact, not along the tangent.
-planar::Step arc(const planar::Pose<double>& from, const Eigen::Vector2d& input, double dt_s);
-
-/// The bearings of both features by the state: (4.15), 2 x 7.
-Eigen::MatrixXd bearing_rows(const planar::Pose<double>& pose, const Features& features);
-
-/// F of the whole state from that of the vehicle.
-Eigen::MatrixXd with_features(const planar::PoseJacobian& F);
+planar::Step arc(const planar::Pose<double>& from, const Vector2d& input, double dt_s);
 
 /// An information matrix Y = R'R by its root R. Directions without information stay so to rounding,
 /// which in Y itself would exceed differences of measurements below 1e-8.
 class RootInformation {
  public:
-  explicit RootInformation(Eigen::Index size) : root_(Eigen::MatrixXd::Zero(size, size)) {}
+  explicit RootInformation(Eigen::Index size) : root_(MatrixXd::Zero(size, size)) {}
 
   /// Y + H'H / sigma^2
-  void measure(const Eigen::MatrixXd& H, double sigma);
+  void measure(const MatrixXd& H, double sigma);
   /// M - M G (G'M G + Q^-1)^-1 G'M with M = F^-T Y F^-1, also where Y or Q has no inverse; Q is diagonal.
-  void move(const Eigen::MatrixXd& F, const Eigen::MatrixXd& G, const Eigen::VectorXd& sigmas);
+  void move(const MatrixXd& F, const MatrixXd& G, const VectorXd& sigmas);
 
-  const Eigen::MatrixXd& root() const { return root_; }
-  Eigen::MatrixXd matrix() const { return root_.transpose() * root_; }
+  const MatrixXd& root() const { return root_; }
+  MatrixXd matrix() const { return root_.transpose() * root_; }
 
  private:
-  Eigen::MatrixXd root_;  ///< upper triangle
+  MatrixXd root_;  ///< upper triangle
 };
 
 /// The information of a root of 7 columns, with meters in units of `unit_m`.
 class Knowledge {
  public:
-  explicit Knowledge(const Eigen::MatrixXd& root);
+  explicit Knowledge(const MatrixXd& root);
 
   Rank rank;  ///< of the root
   /// Whether the rank is unambiguous.
   bool clear() const { return rank.gap >= 1000; }
   /// Orthonormal columns, in units: unobservable directions of the state.
-  Eigen::MatrixXd unobservable;
+  MatrixXd unobservable;
 
   /// The share (0 to 1) of a direction c of the state that is unobservable.
-  double outside(const Eigen::VectorXd& c) const;
+  double outside(const VectorXd& c) const;
   /// Marginal information of c'x: the inverse of its variance, c'Y^+ c, when nothing of c is outside, else 0.
   /// With c a state it is the Schur complement, with a pseudoinverse: the limit of ever weaker priors.
-  double marginal(const Eigen::VectorXd& c) const;
+  double marginal(const VectorXd& c) const;
 
  private:
-  Eigen::MatrixXd known_;  ///< columns over their singular values
+  MatrixXd known_;  ///< columns over their singular values
 };
 
 /// The information after each measurement of the drive.
@@ -135,16 +131,14 @@ struct Run {
 };
 
 /// A direction of the state, at the pose after a measurement.
-using Direction = std::function<Eigen::VectorXd(const Run&, std::size_t measurement)>;
+using Direction = std::function<VectorXd(const Run&, std::size_t measurement)>;
 
 inline constexpr int x = 0, y = 1, heading = 2, x1 = 3, y1 = 4, x2 = 5, y2 = 6;  // states
-Eigen::VectorXd state(int i);
-Eigen::VectorXd difference(int i, int j);
-Direction constantly(const Eigen::VectorXd& c);
-/// Distances, by the state.
-Eigen::VectorXd distance_to_1(const Run& run, std::size_t measurement);
-Eigen::VectorXd distance_to_2(const Run& run, std::size_t measurement);
-Eigen::VectorXd distance_between(const Run& run, std::size_t measurement);
+Direction state(int i);
+Direction sum(const std::vector<int>& of);
+Direction difference(int i, int j);
+/// Of the vehicle or a feature, by its first state, from another one.
+Direction distance(int from, int to);
 
 /// Marginal information after each measurement, in 1/m^2 or 1/rad^2.
 std::vector<double> information(const Run& run, const Direction& c);

@@ -7,10 +7,6 @@
 namespace incognita::two_bearings {
 namespace {
 
-using Eigen::MatrixXd;
-using Eigen::Vector2d;
-using Eigen::VectorXd;
-
 std::vector<Setup> settings_to_try() {
   std::vector<Setup> all;
   const Noise usual;
@@ -92,7 +88,7 @@ Claim rank_claim() {
                    measured = ranks_with(Jacobians::measured_speed),
                    segments = ranks_of(stripped(usual().setup), usual().drive);
   const Ranks printed{2, 4, 5};
-  return assessed(
+  return tested(
       "4.6-rank", "Figure 4.4, Example 4.6",
       "Rank of the information matrix at rest, while moving north, while turning to the east",
       {.printed = text(printed),
@@ -108,24 +104,21 @@ Claim rank_claim() {
        .why =
            "2, 3, 4: moving north adds one, the distance to feature 2, and turning one, that to feature 1. "
            "What is printed is the rank of (4.8), which freezes H inside a segment; a filter has it when its "
-           "F and H are not those of one and the same motion. The thesis does not say which of these it used",
-       .runs = runs().size()},
+           "F and H are not those of one and the same motion. The thesis does not say which of these it used"},
       all.is(printed), all.is({2, 3, 4}) && segments.is(printed) && late.is(printed) && measured.is(printed));
 }
 
 Claim at_rest_rank() {
   bool none_alone = true;
-  for (int i = 0; i < states; ++i)
-    none_alone = none_alone && most(constantly(state(i)), at_rest_until_s) == 0;
+  for (int i = 0; i < states; ++i) none_alone = none_alone && most(state(i), at_rest_until_s) == 0;
   const RankCourse all = ranks_of_all();
-  return assessed("4.6-stationary", "below Figure 4.4, Example 4.6",
-                  "At rest only two states are observable, combinations of the positions of vehicle and "
-                  "features and of the heading: rank 2, and nothing about any state alone",
-                  {.printed = "2",
-                   .measured = fmt::format("rank {}; largest marginal information of a state: {}",
-                                           all.at_end[0], none_alone ? "0" : "above 0"),
-                   .runs = runs().size()},
-                  all.throughout && all.clear && all.at_end[0] == 2 && none_alone);
+  return tested("4.6-stationary", "below Figure 4.4, Example 4.6",
+                "At rest only two states are observable, combinations of the positions of vehicle and "
+                "features and of the heading: rank 2, and nothing about any state alone",
+                {.printed = "2",
+                 .measured = fmt::format("rank {}; largest marginal information of a state: {}",
+                                         all.at_end[0], none_alone ? "0" : "above 0")},
+                all.throughout && all.clear && all.at_end[0] == 2 && none_alone);
 }
 
 /// Columns in units: everything moved north, moved east, turned about the origin.
@@ -157,17 +150,16 @@ Claim deficiency() {
     most_missing = std::max(most_missing, missing), least_missing = std::min(least_missing, missing);
   }
   constexpr double same = 1e-9;
-  return assessed("4.6-deficiency", "Figure 4.4, Example 4.6",
-                  "After 14 s a rank deficiency of two remains: the modes of (4.20), position of the whole "
-                  "to the north and to the east (to 1e-9)",
-                  {.printed = "2",
-                   .measured = fmt::format("{} at the end in {} settings. Observable part of the modes of "
-                                           "(4.20) {}, of a turn of everything about the origin {}",
-                                           most_missing, runs().size(), below(modes), below(turned)),
-                   .why = "3: the modes of (4.20) and a turn of everything, which changes no bearing either",
-                   .runs = runs().size()},
-                  most_missing == 2 && least_missing == 2 && modes <= same,
-                  most_missing == 3 && least_missing == 3 && modes <= same && turned <= same);
+  return tested("4.6-deficiency", "Figure 4.4, Example 4.6",
+                "After 14 s a rank deficiency of two remains: the modes of (4.20), position of the whole "
+                "to the north and to the east (to 1e-9)",
+                {.printed = "2",
+                 .measured = fmt::format("{} at the end in {} settings. Observable part of the modes of "
+                                         "(4.20) {}, of a turn of everything about the origin {}",
+                                         most_missing, runs().size(), below(modes), below(turned)),
+                 .why = "3: the modes of (4.20) and a turn of everything, which changes no bearing either"},
+                most_missing == 2 && least_missing == 2 && modes <= same,
+                most_missing == 3 && least_missing == 3 && modes <= same && turned <= same);
 }
 
 /// How many measurements of all settings have another rank than the information matrix.
@@ -189,16 +181,15 @@ Claim link() {
   int measurements = 0;
   for (const Run& run : runs()) measurements += static_cast<int>(run.known.size());
   const int segments = differing(stripped), motion = differing(along_the_motion);
-  return assessed("4.6-link", "Section 4.3, above Example 4.6",
-                  "The rank of the information matrix at any point is directly linked to that of the "
-                  "observability matrix of the system; tested: it is the same after each measurement",
-                  {.measured = fmt::format(
-                       "of {} measurements in {} settings it differs at {} from that of (4.8), each step a "
-                       "segment, and at {} from that of [H_0; H_1 F_0; H_2 F_1 F_0; ...] along the motion",
-                       measurements, runs().size(), segments, motion),
-                   .why = "to that along the motion, not to the chapter's (4.8)",
-                   .runs = runs().size()},
-                  segments == 0, motion == 0);
+  return tested("4.6-link", "Section 4.3, above Example 4.6",
+                "The rank of the information matrix at any point is directly linked to that of the "
+                "observability matrix of the system; tested: it is the same after each measurement",
+                {.measured = fmt::format(
+                     "of {} measurements in {} settings it differs at {} from that of (4.8), each step a "
+                     "segment, and at {} from that of [H_0; H_1 F_0; H_2 F_1 F_0; ...] along the motion",
+                     measurements, runs().size(), segments, motion),
+                 .why = "to that along the motion, not to the chapter's (4.8)"},
+                segments == 0, motion == 0);
 }
 
 }  // namespace incognita::two_bearings

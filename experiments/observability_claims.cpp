@@ -4,6 +4,7 @@
 
 #include <Eigen/QR>
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <stdexcept>
 
@@ -16,12 +17,23 @@ namespace {
 
 constexpr char stream[] = "operating points";  // as analyze_observability() names it
 
+double usual_segment_s(const std::string& system) {
+  return system.starts_with("planar") || system == "monobot" ? 1 : in_space_s;
+}
+
 SystemText text_of(const Case& which) {
   SystemText text = load_system(which.system, which.representation);
-  text.segment_duration_s = which.segment_s;
+  text.segment_duration_s = which.segment_s > 0 ? which.segment_s : usual_segment_s(which.system);
   if (which.change.apply) which.change.apply(text);
   return text;
 }
+
+struct Instance {
+  SymbolicSystem system;
+  SystemInstance numbers;
+  explicit Instance(const Case& which)
+      : system(make_symbolic(text_of(which), which.motion)), numbers(system, which.features, which.anchors) {}
+};
 
 SystemMotion motion_of(const SystemInstance& instance, const Case& which, int seed) {
   RandomStream random(static_cast<std::uint64_t>(seed), stream);
@@ -29,7 +41,7 @@ SystemMotion motion_of(const SystemInstance& instance, const Case& which, int se
 }
 
 Course course_of(const SystemInstance& instance, const SystemMotion& motion) {
-  Course course{{}, {}, {}, true};
+  Course course{{}, {}, {}, true, instance.directions(motion.segments[0].start, false)};
   for (const MotionSegment& segment : motion.segments) {
     course.points.push_back(segment.start);
     course.forms.push_back(instance.error_form(segment.start));
@@ -49,8 +61,8 @@ std::vector<int> dimensions_of(const std::vector<Spaces>& by_segment) {
 /// Columns count as parallel when they differ by less than this share.
 constexpr double parallel = 1e-6;
 
-Eigen::Index rank_of(const Eigen::MatrixXd& columns) {
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(columns);
+Eigen::Index rank_of(const MatrixXd& columns) {
+  Eigen::ColPivHouseholderQR<MatrixXd> qr(columns);
   qr.setThreshold(parallel);
   return qr.rank();
 }
@@ -69,9 +81,56 @@ std::string key_of(const Case& c) {
 
 }  // namespace
 
+Change turning() {
+  return {"turning", [](SystemText& text) {
+            for (MotionText& motion : text.motions)
+              if (motion.name == "stationary")
+                std::erase_if(motion.assignments, [](const NamedExpression& a) {
+                  return a.name == "omega" || a.name.front() == 'w';
+                });
+          }};
+}
+
+Change feature_within(const std::string& name, const Vector2d& ahead, const Vector2d& left) {
+  return {name, [=](SystemText& text) {
+            for (NamedRange& range : text.vehicle.region) range.low = range.high = 0;
+            auto& region = text.landmark->region;
+            region[0].low = ahead[0], region[0].high = ahead[1];
+            region[1].low = left[0], region[1].high = left[1];
+          }};
+}
+
+Vectors always(const Basis& vectors) {
+  return [=](const Course&) { return vectors; };
+}
+
+Vectors named(const std::vector<std::string>& names) {
+  return [=](const Course& course) {
+    Basis all;
+    for (const std::string& name : names)
+      for (const NamedDirection& direction : course.directions)
+        if (direction.name.starts_with(name)) all.push_back(direction.vector);
+    return all;
+  };
+}
+
+Vectors about_anchor(const std::vector<std::string>& names) {
+  return [=](const Course& course) {
+    Basis all = named(names)(course);
+    const Basis along = named({"translation along x", "translation along y"})(course);
+    const VectorXd& anchor = course.points[0].anchors;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const Vector2d moved =
+          names[i] == "scale" ? Vector2d(anchor.head<2>()) : Vector2d(-anchor[1], anchor[0]);
+      all[i] -= moved.x() * along[0] + moved.y() * along[1];
+    }
+    return all;
+  };
+}
+
 Study::Study(Case which) : which_(std::move(which)) {
-  const SymbolicSystem system = make_symbolic(text_of(which_), which_.motion);
-  const SystemInstance instance(system, which_.features, which_.anchors);
+  const Instance made(which_);
+  const SystemInstance& instance = made.numbers;
   states_ = instance.names();
   error_states_ = instance.error_names();
   stripped_.resize(static_cast<std::size_t>(which_.segments));
@@ -93,8 +152,8 @@ Study::Study(Case which) : which_(std::move(which)) {
 
 const Spaces& Study::along() const {
   if (!along_.empty()) return along_;
-  const SymbolicSystem system = make_symbolic(text_of(which_), which_.motion);
-  const SystemInstance instance(system, which_.features, which_.anchors);
+  const Instance made(which_);
+  const SystemInstance& instance = made.numbers;
   // enough measurements that the rank is not limited by the number of rows
   const int per_segment =
       std::max(4, 3 * instance.states() / (instance.measurements() * which_.segments) + 1);
@@ -105,16 +164,22 @@ const Spaces& Study::along() const {
   return along_;
 }
 
+int Study::left(int k) const { return dimension(stripped(k)); }
+std::vector<std::string> Study::observable(int k) const {
+  return observable_states(stripped(k), error_states_);
+}
+int Study::true_dimension() const { return dimension(along()); }
+std::vector<std::string> Study::observable_along() const { return observable_states(along(), states_); }
 std::vector<int> Study::dimensions() const { return dimensions_of(stripped_); }
 std::vector<int> Study::total_dimensions() const { return dimensions_of(total_); }
-int Study::true_dimension() const { return dimension(along()); }
 
 bool Study::stays() const {
   return std::ranges::all_of(courses_, [](const Course& c) { return c.stays; });
 }
 
-bool Study::full_rank(int k) const { return dimension(stripped(k)) == 0 && dimension(total(k)) == 0; }
-bool Study::rank_deficient(int k) const { return dimension(stripped(k)) > 0 && dimension(total(k)) > 0; }
+bool Study::same_spaces(int k) const { return same(stripped(k), total(k)); }
+bool Study::full_rank(int k) const { return left(k) == 0 && dimension(total(k)) == 0; }
+bool Study::rank_deficient(int k) const { return left(k) > 0 && dimension(total(k)) > 0; }
 
 bool Study::stripped_spanned_by(int k, const Vectors& vectors) const {
   return are_basis(stripped(k), courses_, vectors);
@@ -138,6 +203,30 @@ std::string Study::numbers() const {
   return fmt::format("{} and {}", segments_text(), joined({true_dimension()}));
 }
 
+const Study& Studies::add(const std::string& name, const Case& which) {
+  const Study& s = study(which);
+  lines_.push_back(name + " " + s.numbers());
+  return s;
+}
+
+std::string Studies::text() const { return fmt::format("{}: {}", legend, fmt::join(lines_, "; ")); }
+
+std::string legend_by(const std::string& what, std::initializer_list<int> numbers,
+                      const std::function<std::string(int)>& of) {
+  const Cases all = by_number(numbers, [&](int n) { return CaseResult{of(n)}; });
+  return fmt::format("{}, by {}: {}", legend, what, all.text());
+}
+
+bool for_all(std::initializer_list<int> numbers, const std::function<bool(int)>& holds) {
+  return std::ranges::all_of(numbers, holds);
+}
+
+std::vector<int> each_of(std::initializer_list<int> numbers, const std::function<int(int)>& of) {
+  std::vector<int> all;
+  for (const int n : numbers) all.push_back(of(n));
+  return all;
+}
+
 Claim studied(std::string id, std::string place, std::string statement, Evidence evidence, Finding printed,
               Finding corrected) {
   if (evidence.runs.value == 1) evidence.runs = motions;
@@ -159,13 +248,12 @@ const Study& study(const Case& which) {
 }
 
 Spaces lie(const Case& which, int how_many) {
-  const SymbolicSystem system = make_symbolic(text_of(which), which.motion);
-  const SystemInstance instance(system, which.features, which.anchors);
+  const Instance made(which);
   Spaces spaces;
   for (int seed = 1; seed <= how_many; ++seed) {
     RandomStream random(static_cast<std::uint64_t>(seed), stream);
-    const SystemMotion motion = draw_motion(instance, which.segments, random);
-    const LieAnalysis analysis = analyze_lie(instance, motion, random);
+    const SystemMotion motion = draw_motion(made.numbers, which.segments, random);
+    const LieAnalysis analysis = analyze_lie(made.numbers, motion, random);
     if (!analysis.closed)
       throw std::runtime_error(which.system + ": Lie derivatives of higher orders may have a higher rank");
     spaces.push_back(analysis.space);
@@ -179,10 +267,10 @@ int dimension(const Spaces& spaces) {
   return std::ranges::all_of(spaces, agrees) ? spaces[0].nullity : no_dimension;
 }
 
-Spaces null_spaces(const Study& study, const std::function<Eigen::MatrixXd(const Course&)>& matrix) {
+Spaces null_spaces(const Study& study, const std::function<MatrixXd(const Course&)>& matrix) {
   Spaces spaces;
   for (const Course& course : study.courses()) {
-    const Eigen::MatrixXd M = matrix(course);
+    const MatrixXd M = matrix(course);
     spaces.push_back(null_space(NoisyRows::exact(M)));
   }
   return spaces;
@@ -197,7 +285,7 @@ std::string joined(const std::vector<int>& dimensions) {
 
 bool contain(const Spaces& spaces, const std::vector<Course>& courses, const Vectors& vectors) {
   for (std::size_t i = 0; i < spaces.size(); ++i)
-    for (const Eigen::VectorXd& v : vectors(courses[i]))
+    for (const VectorXd& v : vectors(courses[i]))
       if (!spaces[i].contains(v)) return false;
   return !spaces.empty();
 }
@@ -206,7 +294,7 @@ bool are_basis(const Spaces& spaces, const std::vector<Course>& courses, const V
   if (!contain(spaces, courses, vectors)) return false;
   for (std::size_t i = 0; i < spaces.size(); ++i) {
     const auto all = vectors(courses[i]);
-    Eigen::MatrixXd V(spaces[i].column_scale.size(), static_cast<Eigen::Index>(all.size()));
+    MatrixXd V(spaces[i].column_scale.size(), static_cast<Eigen::Index>(all.size()));
     for (Eigen::Index j = 0; j < V.cols(); ++j)
       V.col(j) = all[static_cast<std::size_t>(j)].cwiseQuotient(spaces[i].column_scale).normalized();
     if (rank_of(V) != V.cols() || V.cols() != spaces[i].nullity) return false;
@@ -219,7 +307,7 @@ int span(const std::vector<Course>& courses, const Vectors& vectors) {
   for (const Course& course : courses) {
     const auto all = vectors(course);
     if (all.empty()) return no_dimension;
-    Eigen::MatrixXd V(all[0].size(), static_cast<Eigen::Index>(all.size()));
+    MatrixXd V(all[0].size(), static_cast<Eigen::Index>(all.size()));
     for (Eigen::Index j = 0; j < V.cols(); ++j) V.col(j) = all[static_cast<std::size_t>(j)].normalized();
     ranks.push_back(rank_of(V));
   }
@@ -264,6 +352,8 @@ Spaces stripped_with(const Study& study, int k,
   }
   return spaces;
 }
+
+double apart(const MatrixXd& a, const MatrixXd& b) { return (a - b).cwiseAbs().maxCoeff(); }
 
 double largest(const Study& study, const std::function<double(const Course&)>& of) {
   double value = 0;

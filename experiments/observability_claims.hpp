@@ -15,25 +15,38 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <functional>
-#include <map>
+#include <initializer_list>
 #include <string>
 #include <vector>
 
+#include "experiments/cases.hpp"
 #include "experiments/worst.hpp"
 #include "incognita/analysis/observability/null_space.hpp"
 #include "incognita/analysis/systems/linearization.hpp"
+#include "incognita/analysis/systems/system_instance.hpp"
 #include "incognita/analysis/systems/system_text.hpp"
 
 namespace incognita::observability_claims {
 
+using Eigen::Matrix3d, Eigen::MatrixXd, Eigen::Vector2d, Eigen::Vector3d, Eigen::VectorXd;
+
 inline constexpr int motions = 20;
+
+/// Largest difference of entries of matrices that count as equal.
+inline constexpr double rounding = 1e-9;
 
 /// A change of a built-in system; its name identifies the study.
 struct Change {
   std::string name;
   std::function<void(SystemText&)> apply;
 };
+
+/// The motion `stationary`, but for turning.
+Change turning();
+/// The vehicle at the origin, heading along x, and the feature so far ahead and to the left (low, high).
+Change feature_within(const std::string& name, const Vector2d& ahead, const Vector2d& left);
 
 struct Case {
   std::string system;
@@ -43,7 +56,7 @@ struct Case {
   std::string motion = "general";
   Change change = {};
   int segments = 3;
-  double segment_s = 1;
+  double segment_s = 0;  ///< 0: 1 s, in space `in_space_s`
 };
 
 /// Length of a segment of the systems in space, which take longer to follow.
@@ -53,14 +66,22 @@ inline constexpr double in_space_s = 0.25;
 struct Course {
   std::vector<SystemPoint> points;
   std::vector<LinearizedSystem> forms, exact;
-  bool stays = false;  ///< (4.9) holds in each segment
+  bool stays = false;                      ///< (4.9) holds in each segment
+  std::vector<NamedDirection> directions;  ///< that the system's file names, by the states where it begins
 };
 
 using Spaces = std::vector<NullSpace>;  ///< of each motion
 
-using Basis = std::vector<Eigen::VectorXd>;
+using Basis = std::vector<VectorXd>;
 /// Vectors that a claim is about, in one motion.
 using Vectors = std::function<Basis(const Course&)>;
+
+/// The same in all motions.
+Vectors always(const Basis& vectors);
+/// The directions of the system's file that begin with these names: `rotation`, `depth` (of each feature).
+Vectors named(const std::vector<std::string>& names);
+/// `rotation`, `rotation about z` or `scale`, about the first anchor in place of the origin.
+Vectors about_anchor(const std::vector<std::string>& names);
 
 /// One case in all its motions.
 class Study {
@@ -73,15 +94,21 @@ class Study {
   /// Of the first k segments together: (4.8) and (4.7).
   const Spaces& stripped(int k) const { return stripped_[static_cast<std::size_t>(k - 1)]; }
   const Spaces& total(int k) const { return total_[static_cast<std::size_t>(k - 1)]; }
+  /// Dimension of the SOM's null space; states outside it.
+  int left(int k) const;
+  std::vector<std::string> observable(int k) const;
   /// Of all measurements along the motion, by the states at its start and exact derivatives. Computed on
   /// demand.
   const Spaces& along() const;
+  int true_dimension() const;
+  std::vector<std::string> observable_along() const;
 
   /// Dimensions of the SOM's null spaces, one for each number of segments; no_dimension where there is none.
   std::vector<int> dimensions() const;
   std::vector<int> total_dimensions() const;
-  int true_dimension() const;
   bool stays() const;  ///< (4.9), everywhere
+  /// Whether SOM and TOM of the first k segments have one null space.
+  bool same_spaces(int k) const;
   /// Whether SOM and TOM of the first k segments have full rank; whether neither has.
   bool full_rank(int k) const;
   bool rank_deficient(int k) const;
@@ -109,6 +136,25 @@ class Study {
 inline constexpr char legend[] =
     "dimensions left by SOM and TOM after 1/2/3 segments, and by the motion itself";
 
+/// Studies beside each other.
+class Studies {
+ public:
+  const Study& add(const std::string& name, const Case& which);
+  std::string text() const;  ///< `LEGEND: planar 3/2/2 and 3; ...`
+  int runs() const { return motions * static_cast<int>(lines_.size()); }
+
+ private:
+  std::vector<std::string> lines_;
+};
+
+/// `LEGEND, by features: 1: 3/2/2 and 3; ...`, with of(number) for what follows each number.
+std::string legend_by(const std::string& what, std::initializer_list<int> numbers,
+                      const std::function<std::string(int)>& of);
+
+/// Whether it holds for each of the numbers, for example of segments or features.
+bool for_all(std::initializer_list<int> numbers, const std::function<bool(int)>& holds);
+std::vector<int> each_of(std::initializer_list<int> numbers, const std::function<int(int)>& of);
+
 /// The claim, which rests on all motions of one case where `runs` does not say otherwise.
 Claim studied(std::string id, std::string place, std::string statement, Evidence evidence, Finding printed,
               Finding corrected = Finding::refuted);
@@ -127,7 +173,7 @@ inline constexpr int no_dimension = -1;
 /// Of all the spaces, if they agree and none is in doubt.
 int dimension(const Spaces& spaces);
 /// Null spaces of a matrix in each motion of a study.
-Spaces null_spaces(const Study& study, const std::function<Eigen::MatrixXd(const Course&)>& matrix);
+Spaces null_spaces(const Study& study, const std::function<MatrixXd(const Course&)>& matrix);
 /// `3/2/2`
 std::string joined(const std::vector<int>& dimensions);
 
@@ -149,6 +195,8 @@ std::vector<std::string> observable_states(const Spaces& spaces, const std::vect
 Spaces stripped_with(const Study& study, int k,
                      const std::function<void(LinearizedSystem&, const SystemPoint&)>& change);
 
+/// Largest entry of a difference.
+double apart(const MatrixXd& a, const MatrixXd& b);
 /// Largest of a number over all motions.
 double largest(const Study& study, const std::function<double(const Course&)>& of);
 

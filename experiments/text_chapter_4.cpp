@@ -5,78 +5,59 @@
 // Experiment: the built-in systems, motions and rules of observability_claims.hpp; also at rest,
 // unaccelerated (see example_4_2.cpp), and with a camera whose accelerations are known. That a system becomes
 // observable is assessed by the motion itself as well.
-#include "experiments/text_chapter_4.hpp"
+#include <array>
+#include <map>
+
+#include "experiments/chapter_4_parts.hpp"
 #include "experiments/common.hpp"
 #include "experiments/example_4_2.hpp"
-#include "experiments/observability_claims.hpp"
 
 namespace incognita::observability_claims {
 namespace {
 
-using Eigen::VectorXd;
 using inertial::Unaccelerated;
 
 Case of(const std::string& system, int anchors = 0, const std::string& motion = "general") {
-  const bool flat = system.starts_with("planar") || system == "monobot";
-  return {.system = system, .anchors = anchors, .motion = motion, .segment_s = flat ? 1 : in_space_s};
+  return {.system = system, .anchors = anchors, .motion = motion};
 }
 
 Case relative(const std::string& system, const std::string& motion = "general") {
-  Case which = of(system, 0, motion);
-  which.representation = "relative";
-  return which;
+  return {.system = system, .representation = "relative", .motion = motion};
 }
 
-/// `planar 3/2/2 and 3; ...`
-class Lines {
- public:
-  const Study& add(const std::string& name, const Case& which) {
-    const Study& s = study(which);
-    lines_.push_back(name + " " + s.numbers());
-    return s;
-  }
-  std::string text() const { return fmt::format("{}: {}", legend, fmt::join(lines_, "; ")); }
-  int runs() const { return motions * static_cast<int>(lines_.size()); }
+/// Whether modes remain unobservable, by the SOM of three segments and by the motion itself.
+bool remains_partial(const Study& s) { return s.left(3) > 0 && s.true_dimension() > 0; }
 
- private:
-  std::vector<std::string> lines_;
-};
+bool full_in_two(const Study& s) { return s.left(2) == 0 && s.true_dimension() == 0; }
 
 Claim world_is_partial() {
-  Lines lines;
+  Studies lines;
   bool all = true;
-  for (const char* system :
-       {"monobot", "planar", "planar-rb", "inertial", "inertial-rb", "planar-cv", "cv6"}) {
-    const Study& s = lines.add(system, of(system));
-    all = all && dimension(s.stripped(3)) > 0 && s.true_dimension() > 0;
-  }
+  for (const char* system : {"monobot", "planar", "planar-rb", "inertial", "inertial-rb", "planar-cv", "cv6"})
+    all = remains_partial(lines.add(system, of(system))) && all;
   return studied("text-4-world", "Sections 4.1.1 and 4.1.2",
                  "World-centric maps without anchors are partially observable in any SLAM case",
                  {.printed = "partially", .measured = lines.text(), .runs = lines.runs()}, all);
 }
 
 Claim planar_anchors() {
-  Lines lines;
+  Studies lines;
   const Study &moving = lines.add("moving", of("planar", 2)),
               &rest = lines.add("at rest", of("planar", 2, "stationary"));
   return studied("text-4-planar-anchors", "Section 4.1.1",
                  "With anchors (two) the planar vehicle is fully observable, as long as it translates",
                  {.printed = "fully", .measured = lines.text(), .runs = lines.runs()},
-                 moving.true_dimension() == 0 && dimension(moving.stripped(2)) == 0 &&
-                     rest.true_dimension() > 0 && dimension(rest.stripped(3)) > 0);
+                 full_in_two(moving) && remains_partial(rest));
 }
 
 Claim planar_at_rest() {
-  Lines lines;
+  Studies lines;
   bool all = true;
-  const auto measurement = [&](const std::string& name, const Case& which) {
-    const Study& s = lines.add(name, which);
-    all = all && dimension(s.stripped(3)) > 0 && s.true_dimension() > 0;
-  };
   for (const int anchors : {0, 1, 2, 3})
-    measurement(fmt::format("{} anchor{}", anchors, anchors == 1 ? "" : "s"),
-                of("planar", anchors, "stationary"));
-  measurement("relative map", relative("planar", "stationary"));
+    all = remains_partial(lines.add(fmt::format("{} anchor{}", anchors, anchors == 1 ? "" : "s"),
+                                    of("planar", anchors, "stationary"))) &&
+          all;
+  all = remains_partial(lines.add("relative map", relative("planar", "stationary"))) && all;
   return studied("text-4-planar-at-rest", "Section 4.4",
                  "At zero velocity the planar vehicle's system simply is unobservable",
                  {.printed = "unobservable", .measured = lines.text(), .runs = lines.runs()}, all);
@@ -85,9 +66,9 @@ Claim planar_at_rest() {
 /// The relative inertial map turned about the line on which the body travels: r by v x r, and the
 /// misalignment along v. All points on that line have the same measurements.
 Basis turn_about_travel(const Course& c) {
-  const Eigen::VectorXd& x = c.points[0].x;  // velocity, angles, r
-  const Eigen::Vector3d v = x.head<3>(), r = x.tail<3>();
-  return {(VectorXd(9) << Eigen::Vector3d::Zero(), v, v.cross(r)).finished()};
+  const VectorXd& x = c.points[0].x;  // velocity, angles, r
+  const Vector3d v = x.head<3>(), r = x.tail<3>();
+  return {(VectorXd(9) << Vector3d::Zero(), v, v.cross(r)).finished()};
 }
 
 Claim third_step() {
@@ -96,16 +77,14 @@ Claim third_step() {
     which.segments = segments;
     return study(which);
   };
-  constexpr int many = 6;
   const Study &falls = moved(Unaccelerated::falls, 3), &weightless = moved(Unaccelerated::weightless, 3),
-              &carried = moved(Unaccelerated::carried, 3), &on = moved(Unaccelerated::weightless, many);
+              &carried = moved(Unaccelerated::carried, 3), &on = moved(Unaccelerated::weightless, 6);
   const auto full_from = [](const Study& s, int k) {
     return dimension(s.total(k - 1)) > 0 && dimension(s.total(k)) == 0;
   };
-  bool one_for_good = true;
-  for (int k = 3; k <= many; ++k)
-    one_for_good =
-        one_for_good && on.stripped_spanned_by(k, turn_about_travel) && dimension(on.total(k)) == 1;
+  const bool one_for_good = for_all({3, 4, 5, 6}, [&](int k) {
+    return on.stripped_spanned_by(k, turn_about_travel) && dimension(on.total(k)) == 1;
+  });
   return studied(
       "text-4-third-step", "Section 4.4",
       "Without acceleration the inertial model becomes one of constant velocity, and takes a third step to "
@@ -123,7 +102,7 @@ Claim third_step() {
 }
 
 Claim exteroceptive_only() {
-  Lines lines;
+  Studies lines;
   const Study &flat = lines.add("planar-cv with 2 anchors", of("planar-cv", 2)),
               &flat_rest = lines.add("at rest", of("planar-cv", 2, "stationary")),
               &space = lines.add("cv6 with 3", of("cv6", 3)),
@@ -131,12 +110,11 @@ Claim exteroceptive_only() {
   const Study &no_anchor = lines.add("planar-cv without", of("planar-cv")),
               &map = lines.add("relative map", relative("planar-cv")),
               &free = lines.add("cv6 without", of("cv6"));
-  const auto full = [](const Study& s) { return dimension(s.stripped(2)) == 0 && s.true_dimension() == 0; };
-  const bool in_truth = full(flat) && full(space) && flat_rest.true_dimension() > 0 &&
-                        space_rest.true_dimension() > 0 && no_anchor.true_dimension() > 0 &&
-                        map.true_dimension() > 0 && free.true_dimension() > 0;
-  const auto lacks = [](const Study& s) { return s.rank_deficient(3); };
-  const bool but_one = lacks(flat_rest) && lacks(space_rest) && lacks(no_anchor) && lacks(free);
+  const bool in_truth = full_in_two(flat) && full_in_two(space) &&
+                        std::ranges::all_of(std::array{&flat_rest, &space_rest, &no_anchor, &map, &free},
+                                            [](const Study* s) { return s->true_dimension() > 0; });
+  const bool but_one = std::ranges::all_of(std::array{&flat_rest, &space_rest, &no_anchor, &free},
+                                           [](const Study* s) { return s->rank_deficient(3); });
   return studied(
       "text-4-only-anchors", "Section 4.1.4",
       "Constant-velocity systems are fully observable with anchors and translation, and with nothing else",
@@ -145,19 +123,18 @@ Claim exteroceptive_only() {
        .why = "so it is for the motion itself. SOM and TOM of three segments have full rank for the relative "
               "map as well",
        .runs = lines.runs()},
-      in_truth && but_one && lacks(map), in_truth && but_one && map.full_rank(3));
+      in_truth && but_one && map.rank_deficient(3), in_truth && but_one && map.full_rank(3));
 }
 
 Claim cv_velocities() {
   std::vector<std::string> lines;
   bool always = true, from_two = true;
+  const auto is_velocity = [](const std::string& state) { return state[0] == 'v' || state[0] == 'w'; };
   for (const char* system : {"planar-cv", "cv6"})
     for (const int anchors : {1, 2, 3}) {
       const Study& s = study(of(system, anchors));
-      const auto seen = observable_states(s.stripped(1), s.error_states());
-      const auto is_velocity = [](const std::string& state) { return state[0] == 'v' || state[0] == 'w'; };
-      const auto recovered = std::ranges::count_if(seen, is_velocity);
-      const auto wanted = std::ranges::count_if(s.error_states(), is_velocity);
+      const auto recovered = std::ranges::count_if(s.observable(1), is_velocity),
+                 wanted = std::ranges::count_if(s.error_states(), is_velocity);
       always = always && recovered == wanted;
       from_two = from_two && (anchors == 1 ? recovered == 0 : recovered == wanted);
       lines.push_back(fmt::format("{}, {}: {} of {}", system, anchors, recovered, wanted));
@@ -177,17 +154,13 @@ Claim cv_velocities() {
 void known_acceleration(SystemText& text) {
   text.disturbed.clear();
   text.inputs = {{"fx", {}, -1, 1}, {"fy", {}, -1, 1}, {"alpha", {}, -0.5, 0.5}};
+  const std::map<std::string, std::string> by{{"vx", "fx"}, {"vy", "fy"}, {"wz", "alpha"}};
   for (NamedExpression& state : text.vehicle.states)
-    if (state.name == "vx")
-      state.expression.text = "fx";
-    else if (state.name == "vy")
-      state.expression.text = "fy";
-    else if (state.name == "wz")
-      state.expression.text = "alpha";
+    if (by.contains(state.name)) state.expression.text = by.at(state.name);
 }
 
 Claim accelerations() {
-  Lines lines;
+  Studies lines;
   const Study &changing = lines.add("changing velocities", of("planar-cv")),
               &constant = lines.add("constant velocities", of("planar-cv", 0, "unaccelerated"));
   Case known = of("planar-cv");
@@ -207,11 +180,7 @@ Claim accelerations() {
            "as noise, which they are here. As known inputs they would make lengths and directions observable",
        .runs = lines.runs()},
       unknown_do_not && measured.true_dimension() == constant.true_dimension(),
-      unknown_do_not && measured.along_spanned_by([](const Course&) {
-        const VectorXd x = VectorXd::Unit(8, 0) + VectorXd::Unit(8, 6),
-                       y = VectorXd::Unit(8, 1) + VectorXd::Unit(8, 7);
-        return Basis{x, y};  // neither a turn nor a scale is left
-      }));
+      unknown_do_not && measured.along_spanned_by(named({"translation"})));  // neither a turn nor a scale
 }
 
 Claim lower_limit() {
@@ -223,15 +192,8 @@ Claim lower_limit() {
     const Study& s = study(which);
     const auto left = s.total_dimensions();
     settles = settles && left[2] == left[3] && left[3] == left[5] && left[5] > 0;
-    const Eigen::Index axes = which.system.starts_with("planar") ? 2 : 3;
-    for (Eigen::Index axis = 0; axis < axes; ++axis) {
-      const auto translation = [&](const Course& c) -> Basis {
-        const Eigen::Index n = c.points[0].x.size();
-        return {VectorXd::Unit(n, axis) + VectorXd::Unit(n, n - axes + axis)};
-      };
-      always = always && contain(s.total(6), s.courses(), translation) &&
-               contain(study(of(system)).along(), s.courses(), translation);
-    }
+    always = always && contain(s.total(6), s.courses(), named({"translation"})) &&
+             study(of(system)).along_contains(named({"translation"}));
     lines.push_back(fmt::format("{} {}", system, s.segments_text()));
   }
   return studied("text-4-lower-limit", "Section 4.4",
@@ -246,19 +208,12 @@ Claim lower_limit() {
 }
 
 Claim becomes_observable() {
-  Lines lines;
+  Studies lines;
   const Study &flat = lines.add("planar with 2 anchors", of("planar", 2)),
               &space = lines.add("inertial with 2 anchors", of("inertial", 2)),
               &flat_relative = lines.add("planar, relative map", relative("planar")),
               &space_relative = lines.add("inertial, relative map", relative("inertial"));
   const bool anchors = flat.true_dimension() == 0 && space.true_dimension() == 0;
-  const auto turned = [](const Course& c) -> Basis {
-    const VectorXd& x = c.points[0].x;
-    if (x.size() == 3) return {Eigen::Vector3d(1, -x[2], x[1])};  // heading, r
-    const auto aside = [&](Eigen::Index i) { return Eigen::Vector3d::UnitZ().cross(x.segment<3>(i)); };
-    return {(VectorXd(9) << aside(0), Eigen::Vector3d::UnitZ(), aside(6)).finished()};  // v, angles, r
-  };
-  const auto leaves_turn = [&](const Study& s) { return s.along_spanned_by(turned); };
   return studied("text-4-observable", "Section 4.4",
                  "Anchors, or a sensor-centric map with proprioceptive sensors, make the system fully "
                  "observable under a suitable motion",
@@ -268,7 +223,8 @@ Claim becomes_observable() {
                          "(about the vertical)",
                   .runs = lines.runs()},
                  anchors && flat_relative.true_dimension() == 0 && space_relative.true_dimension() == 0,
-                 anchors && leaves_turn(flat_relative) && leaves_turn(space_relative));
+                 anchors && flat_relative.along_spanned_by(named({"rotation"})) &&
+                     space_relative.along_spanned_by(named({"rotation about z"})));
 }
 
 LedgerEntry run(const ExperimentSettings& settings) {
@@ -282,8 +238,5 @@ LedgerEntry run(const ExperimentSettings& settings) {
 }  // namespace
 }  // namespace incognita::observability_claims
 
-namespace incognita {
-
-const Experiment text_chapter_4{"text-4", "Claims in the text of Chapter 4", {}, observability_claims::run};
-
-}  // namespace incognita
+const incognita::Experiment incognita::text_chapter_4{
+    "text-4", "Claims in the text of Chapter 4", {}, observability_claims::run};

@@ -7,17 +7,12 @@
 // observable, for (4.2). 20 segments of 0.05 s for short ones.
 #include <Eigen/QR>
 
+#include "experiments/chapter_4_parts.hpp"
 #include "experiments/common.hpp"
-#include "experiments/example_4_1.hpp"
-#include "experiments/observability_claims.hpp"
-#include "experiments/text_chapter_4.hpp"
 #include "incognita/math/random.hpp"
 
 namespace incognita::observability_claims {
 namespace {
-
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
 
 MatrixXd gramian(const LinearizedSystem& form, const MatrixXd& inner) {
   const auto at = [&](double t) -> MatrixXd {
@@ -29,25 +24,23 @@ MatrixXd gramian(const LinearizedSystem& form, const MatrixXd& inner) {
 
 Claim gramian_claim() {
   const Study& s = study({.system = "planar", .anchors = 4});
-  const Spaces printed = null_spaces(s,
-                                     [](const Course&c) {
-                                       return gramian(c.forms[0], c.forms[0].H * c.forms[0].H.transpose());
-                                     }),
-               corrected = null_spaces(s, [](const Course&c) {
-                 return gramian(c.forms[0], c.forms[0].H.transpose() * c.forms[0].H);
-               });
-  return studied("text-4-gramian", "(4.1)",
-                 "The null space of the Gramian is what cannot be observed: that of (4.2)",
-                 {.printed = "with H H'",
-                  .measured = fmt::format("Q_1 leaves {} in {} motions (one feature, four anchors, where H "
-                                          "is square); the Gramian with H H' {}, {}; with H' H {}, {}",
-                                          dimension(s.stripped(1)), motions, joined({dimension(printed)}),
-                                          same(printed, s.stripped(1)) ? "the same" : "not the same",
-                                          joined({dimension(corrected)}),
-                                          same(corrected, s.stripped(1)) ? "the same" : "not the same"),
-                  .why = "H' H; with as many measurements as states H H' is another matrix, else the product "
-                         "does not exist"},
-                 same(printed, s.stripped(1)), same(corrected, s.stripped(1)));
+  const auto with = [&](const std::function<MatrixXd(const MatrixXd&)>& inner) {
+    return null_spaces(s, [&](const Course& c) { return gramian(c.forms[0], inner(c.forms[0].H)); });
+  };
+  const Spaces printed = with([](const MatrixXd&H) { return H * H.transpose(); }),
+               corrected = with([](const MatrixXd&H) { return H.transpose() * H; });
+  const bool is_that = same(printed, s.stripped(1)), ours_is = same(corrected, s.stripped(1));
+  return studied(
+      "text-4-gramian", "(4.1)", "The null space of the Gramian is what cannot be observed: that of (4.2)",
+      {.printed = "with H H'",
+       .measured = fmt::format("Q_1 leaves {} in {} motions (one feature, four anchors, where H "
+                               "is square); the Gramian with H H' {}, {}; with H' H {}, {}",
+                               s.left(1), motions, joined({dimension(printed)}),
+                               is_that ? "the same" : "not the same", joined({dimension(corrected)}),
+                               ours_is ? "the same" : "not the same"),
+       .why = "H' H; with as many measurements as states H H' is another matrix, else the product "
+              "does not exist"},
+      is_that, ours_is);
 }
 
 MatrixXd some_matrix(RandomStream& random, Eigen::Index rows, Eigen::Index columns) {
@@ -89,13 +82,10 @@ Claim steps() {
 std::vector<Case> many_cases() {
   std::vector<Case> all;
   for (const char* system : {"planar", "planar-rb", "planar-cv", "inertial", "inertial-rb", "cv6"}) {
-    const double segment_s = std::string(system).starts_with("planar") ? 1 : in_space_s;
-    for (const int anchors : {0, 1, 2, 3})
-      all.push_back({.system = system, .anchors = anchors, .segment_s = segment_s});
+    for (const int anchors : {0, 1, 2, 3}) all.push_back({.system = system, .anchors = anchors});
     if (std::string(system) == "cv6") continue;
     for (const int features : {1, 2, 3})
-      all.push_back(
-          {.system = system, .representation = "relative", .features = features, .segment_s = segment_s});
+      all.push_back({.system = system, .representation = "relative", .features = features});
   }
   return all;
 }
@@ -104,8 +94,7 @@ Claim condition() {
   int met = 0, kept = 0, others = 0, others_kept = 0;
   for (const Case& which : many_cases()) {
     const Study& s = study(which);
-    bool equal = true;
-    for (int k = 1; k <= 3; ++k) equal = equal && same(s.stripped(k), s.total(k));
+    const bool equal = for_all({1, 2, 3}, [&](int k) { return s.same_spaces(k); });
     if (s.stays())
       ++met, kept += equal;
     else
@@ -124,10 +113,7 @@ Claim condition() {
 /// of the motion, but not in that of the row H F, in which H is frozen.
 bool only_frozen_rows_see_the_turn() {
   const Study& s = study({.system = "planar"});
-  const auto turned = [](const Course& c) {
-    return Basis{planar::turn(c.points[0], Eigen::Vector2d::Zero())};
-  };
-  const auto keeps = [&](const Spaces& spaces) { return contain(spaces, s.courses(), turned); };
+  const auto keeps = [&](const Spaces& spaces) { return contain(spaces, s.courses(), named({"rotation"})); };
   const auto of = [&](auto matrix) { return null_spaces(s, matrix); };
   return keeps(of([](const Course& c) { return c.forms[0].H; })) && keeps(s.along()) &&
          !keeps(of([](const Course& c) -> MatrixXd { return c.forms[0].H * c.forms[0].F; }));
@@ -151,10 +137,7 @@ struct Comparison {
 Claim piecewise() {
   Comparison all;
   for (const char* system : {"planar", "planar-cv", "inertial", "cv6"})
-    for (const int anchors : {0, 1}) {
-      const bool flat = std::string(system).starts_with("planar");
-      all.add({.system = system, .anchors = anchors, .segment_s = flat ? 1 : in_space_s});
-    }
+    for (const int anchors : {0, 1}) all.add({.system = system, .anchors = anchors});
   const Study& fine = study({.system = "planar", .segments = 20, .segment_s = 0.05});
   const int of_fine = dimension(fine.total(20));
   const bool turn = only_frozen_rows_see_the_turn(),
@@ -174,7 +157,7 @@ Claim piecewise() {
            "{}, systems and anchors: {}. Lie derivatives, at one point each, leave {} the motion does. 20 "
            "short segments on the plane: SOM and TOM leave {} and {}, the motion {}. The turn of all is "
            "observable by H F, but neither by H nor by the motion: {}",
-           legend, all.cases.text(), all.agree ? "what" : "not what", joined({dimension(fine.stripped(20))}),
+           legend, all.cases.text(), all.agree ? "what" : "not what", joined({fine.left(20)}),
            joined({of_fine}), joined({fine.true_dimension()}), yes_no(turn)),
        .why = why,
        .runs = 9 * motions},
@@ -185,13 +168,12 @@ Claim one_measurement() {
   bool never = true;
   std::vector<std::string> lines;
   for (const char* system : {"planar", "inertial", "planar-cv", "cv6"}) {
-    std::vector<int> left;
-    for (const int anchors : {0, 1, 2, 3}) {
-      const bool flat = std::string(system).starts_with("planar");
-      const Study& s = study({.system = system, .anchors = anchors, .segment_s = flat ? 1 : in_space_s});
-      left.push_back(dimension(null_spaces(s, [](const Course& c) { return c.forms[0].H; })));
-      never = never && left.back() > 0 && dimension(s.stripped(1)) > 0;
-    }
+    const auto left = each_of({0, 1, 2, 3}, [&](int anchors) {
+      const Study& s = study({.system = system, .anchors = anchors});
+      const int by_one = dimension(null_spaces(s, [](const Course& c) { return c.forms[0].H; }));
+      never = never && by_one > 0 && s.left(1) > 0;
+      return by_one;
+    });
     lines.push_back(fmt::format("{} {}", system, joined(left)));
   }
   return studied(
@@ -203,31 +185,12 @@ Claim one_measurement() {
       never);
 }
 
-/// Stationary but for turning.
-void turn_on_the_spot(SystemText& text) {
-  for (MotionText& motion : text.motions)
-    if (motion.name == "stationary")
-      std::erase_if(motion.assignments,
-                    [](const NamedExpression& a) { return a.name == "omega" || a.name.front() == 'w'; });
-}
-
-/// The direction in which the first feature is, where a motion begins.
-Basis distance(const Course& c, Eigen::Index dimensions) {
-  VectorXd v = VectorXd::Zero(c.points[0].x.size());
-  v.tail(dimensions) = c.points[0].x.tail(dimensions) - c.points[0].x.head(dimensions);
-  return {v};
-}
-
 Claim turning_only() {
-  const Change turning{"turning", turn_on_the_spot};
-  const Study &flat = study({.system = "planar", .anchors = 3, .motion = "stationary", .change = turning}),
-              &space = study({.system = "cv6",
-                              .anchors = 3,
-                              .motion = "stationary",
-                              .change = turning,
-                              .segment_s = in_space_s});
-  const bool both = flat.along_spanned_by([](const Course& c) { return distance(c, 2); }) &&
-                    space.along_spanned_by([](const Course& c) { return distance(c, 3); });
+  const auto turned = [](const std::string& system) -> const Study& {
+    return study({.system = system, .anchors = 3, .motion = "stationary", .change = turning()});
+  };
+  const Study &flat = turned("planar"), &space = turned("cv6");
+  const bool both = flat.along_spanned_by(named({"depth"})) && space.along_spanned_by(named({"depth"}));
   return studied(
       "text-4-turning", "head of Chapter 4",
       "A purely rotating camera has no information about the distance of a feature, however well its pose is "
@@ -241,15 +204,11 @@ Claim turning_only() {
 }
 
 Claim line_of_sight() {
-  const auto ahead = [](SystemText& text) {
-    for (NamedRange& range : text.vehicle.region) range.low = range.high = 0;
-    text.landmark->region[0].low = 5;
-    text.landmark->region[1].low = text.landmark->region[1].high = 0;
+  const auto straight = [](const Change& change) -> const Study& {
+    return study({.system = "planar", .anchors = 2, .motion = "straight", .change = change});
   };
-  const Study &s =
-                  study({.system = "planar", .anchors = 2, .motion = "straight", .change = {"ahead", ahead}}),
-              &aside = study({.system = "planar", .anchors = 2, .motion = "straight"});
-  const bool distance_alone = s.along_spanned_by([](const Course& c) { return distance(c, 2); });
+  const Study &s = straight(feature_within("ahead", {5, 9}, {0, 0})), &aside = straight({});
+  const bool distance_alone = s.along_spanned_by(named({"depth"}));
   return studied(
       "text-4-line-of-sight", "head of Chapter 4",
       "The distance of a feature on the line along which the camera moves is not observable",

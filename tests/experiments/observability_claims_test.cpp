@@ -148,7 +148,7 @@ double apart_from_error_form(const Case& which, Eigen::Index angles,
   return largest(study(which), [&](const Course& c) {
     const SystemPoint& p = c.points[0];
     const auto made = inertial::misaligned(c.exact[0], p.x.segment<3>(angles), angles, rate(p));
-    return std::max(inertial::apart(made.F, c.forms[0].F), inertial::apart(made.H, c.forms[0].H));
+    return std::max(apart(made.F, c.forms[0].F), apart(made.H, c.forms[0].H));
   });
 }
 

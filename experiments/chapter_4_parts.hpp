@@ -11,16 +11,6 @@ namespace incognita::observability_claims {
 /// Section 4.1: Gramian, SOM and TOM, what the method can show.
 std::vector<Claim> method_claims();
 
-namespace planar {  // Example 4.1
-std::vector<Claim> anchor_claims();
-std::vector<Claim> relative_claims();
-}  // namespace planar
-
-namespace inertial {  // Example 4.2
-std::vector<Claim> matrix_claims();
-std::vector<Claim> relative_claims();
-}  // namespace inertial
-
 namespace planar_cv {  // Example 4.3
 std::vector<Claim> relative_claims();
 }  // namespace planar_cv

@@ -21,34 +21,29 @@ struct Begin {
         r(r_of(course.points[0])) {}
 };
 
-// Matrices --------------------------------------------------------------------------------------------
-
-Claim error_form() {
-  const double difference = largest(world(), [](const Course& course) {
+std::vector<Claim> matrices() {
+  const double of_form = largest(world(), [](const Course& course) {
     const auto [v, c, s, r] = Begin(course);
     MatrixXd F = MatrixXd::Zero(5, 5);
     F(0, 2) = -v * s, F(1, 2) = v * c;
     const VectorXd H = five(r.y(), -r.x(), -r.squaredNorm(), -r.y(), r.x()) / r.squaredNorm();
     return std::max(apart(course.exact[0].F, F), apart(course.exact[0].H, H.transpose()));
   });
-  return studied("4.1-F-H", "(4.14), (4.15)",
-                 "F and H of the error form are the derivatives of (4.11) and (4.12), to 1e-9",
-                 {.measured = fmt::format("largest difference in {} motions {}", motions, below(difference))},
-                 difference < rounding);
-}
-
-Claim first_segment() {
-  const double difference = largest(world(), [](const Course& course) {
+  const double of_rows = largest(world(), [](const Course& course) {
     const auto [v, c, s, r] = Begin(course);
     const VectorXd printed = five(0, 0, (-r.y() * v * s - r.x() * v * c) / r.squaredNorm(), 0, 0);
     const MatrixXd &F = course.forms[0].F, &H = course.forms[0].H;
     return std::max(apart(H * F, printed.transpose()), (H * F * F).cwiseAbs().maxCoeff());
   });
-  return studied("4.1-Q1", "(4.16), footnote 1",
-                 "Q_1 is H and one row H F, which has but a heading; higher powers are zero; to 1e-9",
-                 {.printed = "(-r_y v sin - r_x v cos)/d^2",
-                  .measured = fmt::format("largest difference in {} motions {}", motions, below(difference))},
-                 difference < rounding);
+  return {studied("4.1-F-H", "(4.14), (4.15)",
+                  "F and H of the error form are the derivatives of (4.11) and (4.12), to 1e-9",
+                  {.measured = fmt::format("largest difference in {} motions {}", motions, below(of_form))},
+                  of_form < rounding),
+          studied("4.1-Q1", "(4.16), footnote 1",
+                  "Q_1 is H and one row H F, which has but a heading; higher powers are zero; to 1e-9",
+                  {.printed = "(-r_y v sin - r_x v cos)/d^2",
+                   .measured = fmt::format("largest difference in {} motions {}", motions, below(of_rows))},
+                  of_rows < rounding)};
 }
 
 Claim f_null_space() {
@@ -66,38 +61,34 @@ Claim f_null_space() {
                  basis && world().stays() && one);
 }
 
-// One segment -----------------------------------------------------------------------------------------
-
 Basis vectors_4_17(const Course& c) {
   const Vector2d r = r_of(c.points[0]);
   return {five(r.x(), r.y(), 0, 0, 0), five(1, 0, 0, 1, 0), five(-r.x(), 0, 0, 0, r.y())};
 }
 
-Claim instant_null_space() {
+std::vector<Claim> one_segment() {
   const Study& s = world();
   const bool basis = s.stripped_spanned_by(1, vectors_4_17);
-  return studied("4.1-instant-null-space", "(4.17)",
-                 "Null space of one segment, with nothing of the heading in it",
-                 {.printed = "dimension 3",
-                  .measured = fmt::format("dimension {} of 5 in {} motions; the printed vectors span it: {}",
-                                          s.left(1), motions, yes_no(basis))},
-                 basis);
-}
-
-Claim orientation() {
-  const auto in_segment = world().observable(1), along = world().observable_along();
+  const auto in_segment = s.observable(1), along = s.observable_along();
   const std::vector<std::string> heading{"theta"};
-  const bool turns = world().along_contains(named({"rotation"}));
-  return studied(
-      "4.1-orientation", "below (4.17), Section 4.4",
-      "The vehicle's orientation is the only completely observable state, as long as it moves",
-      {.printed = "orientation",
-       .measured = fmt::format("states outside the null space in {} motions: of Q_1 {}; of the motion itself "
-                               "{}. All turned about a point is in its null space: {}",
-                               motions, listed(in_segment), listed(along), yes_no(turns)),
-       .why = "so it is by Q_1, in which F moves the vehicle while H is frozen. Turning vehicle and map "
-              "about a point changes no measurement, so that no motion makes the heading observable"},
-      in_segment == heading && along == heading);
+  return {
+      studied("4.1-instant-null-space", "(4.17)",
+              "Null space of one segment, with nothing of the heading in it",
+              {.printed = "dimension 3",
+               .measured = fmt::format("dimension {} of 5 in {} motions; the printed vectors span it: {}",
+                                       s.left(1), motions, yes_no(basis))},
+              basis),
+      studied(
+          "4.1-orientation", "below (4.17), Section 4.4",
+          "The vehicle's orientation is the only completely observable state, as long as it moves",
+          {.printed = "orientation",
+           .measured = fmt::format(
+               "states outside the null space in {} motions: of Q_1 {}; of the motion itself {}. All turned "
+               "about a point is in its null space: {}",
+               motions, listed(in_segment), listed(along), yes_no(s.along_contains(named({"rotation"})))),
+           .why = "so it is by Q_1, in which F moves the vehicle while H is frozen. Turning vehicle and map "
+                  "about a point changes no measurement, so that no motion makes the heading observable"},
+          in_segment == heading && along == heading)};
 }
 
 Claim at_rest() {
@@ -148,7 +139,7 @@ Claim anywhere() {
   const bool falls_short = of_4_17 == 2 && contain(ahead.stripped(1), ahead.courses(), vectors_4_17),
              row_is_so = row < rounding && abeam_row < rounding;
   return studied(
-      "4.1-anywhere", "below (4.18)",
+      3, "4.1-anywhere", "below (4.18)",
       "One segment leaves three modes wherever the feature is, except on the optical axis",
       {.printed = "except r_y = 0",
        .measured = fmt::format("N(Q_1) in {} motions each, vehicle heading along x: feature anywhere {}, "
@@ -157,13 +148,10 @@ Claim anywhere() {
                                motions, joined({d[0]}), joined({d[1]}), joined({of_4_17}), joined({d[2]}),
                                below(abeam_row), below(row)),
        .why = "except abeam, r_x = 0: there the row H F, -v r_x/d^2, is zero. Straight ahead it is (4.17) "
-              "that falls short, as its vectors become two",
-       .runs = 3 * motions},
+              "that falls short, as its vectors become two"},
       d[0] == 3 && d[1] != 3 && d[1] != no_dimension && d[2] == 3,
       d[0] == 3 && d[1] == 3 && d[2] == 4 && falls_short && row_is_so);
 }
-
-// More segments ---------------------------------------------------------------------------------------
 
 const Vectors translations = named({"translation"});
 
@@ -185,11 +173,10 @@ Claim more_of_it() {
             for_all({2, 3, 4, 5}, [&](int k) { return s.stripped_spanned_by(k, translations); })};
   });
   return studied(
-      "4.1-more", "below (4.20)",
+      3, "4.1-more", "below (4.20)",
       "More features or segments do not change the null space of the SOM: two translations",
       {.printed = "dimension 2",
-       .measured = "dimensions left by SOM and TOM after 1/2/3/4/5 segments, by features: " + cases.text(),
-       .runs = 3 * motions},
+       .measured = "dimensions left by SOM and TOM after 1/2/3/4/5 segments, by features: " + cases.text()},
       cases.hold());
 }
 
@@ -201,24 +188,24 @@ Claim unobservable_modes() {
                 dimension(s.total(3)) == 2;
     return {joined({s.true_dimension()}), s.along_spanned_by(translations)};
   });
-  return studied("4.1-modes", "below (4.20)",
+  return studied(3, "4.1-modes", "below (4.20)",
                  "The system's unobservable modes are the two translations of vehicle and map, for any "
                  "number of features",
                  {.printed = "2",
                   .measured = "dimensions left by the motion itself, by features: " + printed.text(),
                   .why = "three: these and the turn of all about a point. SOM and TOM leave two, because H "
-                         "is frozen within a segment",
-                  .runs = 3 * motions},
+                         "is frozen within a segment"},
                  printed.hold(), corrected);
 }
 
 LedgerEntry run(const ExperimentSettings& settings) {
-  return entry_of(
-      example_4_1, settings,
-      concatenated({{error_form(), first_segment(), instant_null_space(), orientation(), at_rest(),
-                     anywhere(), f_null_space(), two_segments(), more_of_it(), unobservable_modes()},
-                    anchor_claims(),
-                    relative_claims()}));
+  return entry_of(example_4_1, settings,
+                  concatenated({matrices(),
+                                one_segment(),
+                                {at_rest(), anywhere(), f_null_space(), two_segments(), more_of_it(),
+                                 unobservable_modes()},
+                                anchor_claims(),
+                                relative_claims()}));
 }
 
 }  // namespace

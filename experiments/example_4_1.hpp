@@ -1,7 +1,6 @@
 // Example 4.1, world-centric: the system `planar`, (4.11) and (4.12).
 #pragma once
 
-#include "experiments/chapter_4_parts.hpp"
 #include "experiments/observability_claims.hpp"
 
 namespace incognita::observability_claims::planar {
@@ -18,5 +17,8 @@ inline VectorXd five(double x, double y, double theta, double xf, double yf) {
 
 /// From the vehicle to the first feature.
 inline Vector2d r_of(const SystemPoint& point) { return point.x.segment<2>(3) - point.x.head<2>(); }
+
+std::vector<Claim> anchor_claims();
+std::vector<Claim> relative_claims();
 
 }  // namespace incognita::observability_claims::planar

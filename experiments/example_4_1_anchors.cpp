@@ -25,23 +25,19 @@ Claim anchored_h() {
                  worst, rounding);
 }
 
-Claim anchored_null_space() {
+std::vector<Claim> with_two_anchors() {
   const Study& s = world(1, 2);
   const bool basis = s.stripped_spanned_by(1, named({"depth"}));
-  return studied("4.1-anchored-null-space", "(4.22)",
-                 "Null space of one segment with two anchors: the distance of the feature",
-                 {.printed = "dimension 1",
-                  .measured = fmt::format("dimension {} of 5 in {} motions; the printed vector spans it: {}",
-                                          s.left(1), motions, yes_no(basis))},
-                 basis);
-}
-
-Claim anchored_two_segments() {
-  const Study& s = world(1, 2);
-  return studied("4.1-anchored-two-segments", "below (4.22)",
-                 "With two anchors vehicle and feature are completely observable in two segments",
-                 {.printed = "0", .measured = fmt::format("{}, in {} motions", s.text(), motions)},
-                 s.left(2) == 0 && s.true_dimension() == 0);
+  return {studied("4.1-anchored-null-space", "(4.22)",
+                  "Null space of one segment with two anchors: the distance of the feature",
+                  {.printed = "dimension 1",
+                   .measured = fmt::format("dimension {} of 5 in {} motions; the printed vector spans it: {}",
+                                           s.left(1), motions, yes_no(basis))},
+                  basis),
+          studied("4.1-anchored-two-segments", "below (4.22)",
+                  "With two anchors vehicle and feature are completely observable in two segments",
+                  {.printed = "0", .measured = fmt::format("{}, in {} motions", s.text(), motions)},
+                  observable_in_two(s))};
 }
 
 Claim anchored_total() {
@@ -52,70 +48,61 @@ Claim anchored_total() {
     return {joined(s.total_dimensions()), dimension(s.total(2)) == 0};
   });
   return studied(
-      "4.1-anchored-total", "below (4.22)",
+      3, "4.1-anchored-total", "below (4.22)",
       "N(Q_j) is within N(F_j), and the TOM has full rank in two segments, for one or more anchors",
       {.printed = "0",
        .measured = fmt::format(
            "(4.9) holds in {} segments; dimensions left by the TOM after 1/2/3 segments, by anchors: {}",
-           stays ? "all" : "not all", full.text()),
-       .runs = 3 * motions},
+           stays ? "all" : "not all", full.text())},
       stays && full.hold());
 }
 
 /// SOM and TOM fall short in one segment, and in two they do not.
 bool full_in_two(const Study& s) { return s.rank_deficient(1) && s.full_rank(2); }
 
-/// Said of the linear analysis, so it is SOM and TOM that decide; the motion itself is shown beside them.
-Claim anchors_needed() {
-  const Study &one = world(1, 1), &two = world(1, 2), &at_once = world(1, 2, 1);
-  const bool one_does = full_in_two(one) && world(1, 0).rank_deficient(3),
-             always_two = full_in_two(two) && full_in_two(world(1, 3)),
-             in_truth_two_and_one = one.true_dimension() > 0 && at_once.true_dimension() == 0;
-  return studied(
-      "4.1-anchors-needed", "above (4.21)",
-      "For the linear analysis two anchors and two time segments are needed for full observability",
-      {.printed = "two and two",
-       .measured =
-           fmt::format("{}. The motion itself leaves {} in one segment with two",
-                       legend_by("anchors", {0, 1, 2, 3}, [](int n) { return world(1, n).numbers(); }),
-                       joined({at_once.true_dimension()})),
-       .why = "two segments, but one anchor: by SOM and TOM, and by the next sentence of the text. For the "
-              "motion itself it is two anchors and one segment",
-       .runs = 5 * motions},
-      full_in_two(two) && one.rank_deficient(3), one_does && always_two && in_truth_two_and_one);
-}
-
-Claim one_anchor_twice() {
-  const Study &one = world(1, 1), &two = world(1, 2);
-  return studied(
-      "4.1-one-anchor-twice", "above (4.21)",
-      "One anchor measured from two different steps is equivalent to two anchors",
-      {.printed = "equivalent",
-       .measured = fmt::format("{}. What one leaves is the turn about it: {}",
-                               legend_by("anchors", {1, 2}, [](int n) { return world(1, n).numbers(); }),
-                               yes_no(one.along_spanned_by(about_anchor({"rotation"})))),
-       .why = "so it is by SOM and TOM. Turning vehicle and map about the anchor changes no measurement",
-       .runs = 2 * motions},
-      one.true_dimension() == two.true_dimension() && one.left(2) == two.left(2));
+/// Of the linear analysis, so it is SOM and TOM that decide; the motion itself is shown beside them.
+std::vector<Claim> linear_analysis() {
+  const auto with = [](int anchors) { return std::cref(world(1, anchors)); };
+  const Studies all("by anchors", {0, 1, 2, 3}, with), one_and_two("by anchors", {1, 2}, with);
+  const Study &one = with(1), &two = with(2), &at_once = world(1, 2, 1);
+  const bool one_does = full_in_two(one) && with(0).get().rank_deficient(3),
+             always_two = full_in_two(two) && full_in_two(with(3)),
+             in_truth_two_and_one = one.true_dimension() > 0 && fully_observable(at_once);
+  return {
+      studied(5, "4.1-anchors-needed", "above (4.21)",
+              "For the linear analysis two anchors and two time segments are needed for full observability",
+              {.printed = "two and two",
+               .measured = fmt::format("{}. The motion itself leaves {} in one segment with two", all.text(),
+                                       joined({at_once.true_dimension()})),
+               .why = "two segments, but one anchor: by SOM and TOM, and by the next sentence of the text. "
+                      "For the motion itself it is two anchors and one segment"},
+              full_in_two(two) && one.rank_deficient(3), one_does && always_two && in_truth_two_and_one),
+      studied(
+          2, "4.1-one-anchor-twice", "above (4.21)",
+          "One anchor measured from two different steps is equivalent to two anchors",
+          {.printed = "equivalent",
+           .measured = fmt::format("{}. What one leaves is the turn about it: {}", one_and_two.text(),
+                                   yes_no(one.along_spanned_by(about_anchor({"rotation"})))),
+           .why = "so it is by SOM and TOM. Turning vehicle and map about the anchor changes no measurement"},
+          one.true_dimension() == two.true_dimension() && one.left(2) == two.left(2))};
 }
 
 Claim range_and_bearing() {
   const auto with = [](int anchors, int segments = 3) -> const Study& {
     return study({.system = "planar-rb", .anchors = anchors, .segments = segments});
   };
+  const Studies by_anchors("by anchors", {0, 1, 2}, [&](int n) { return std::cref(with(n)); });
   const Study &one = with(1), &at_once = with(2, 1);
   const bool in_truth = one.true_dimension() > 0 && at_once.true_dimension() == 0,
              by_matrices = one.rank_deficient(3) && at_once.full_rank(1),
              one_does = with(0).rank_deficient(3) && one.full_rank(1) && at_once.full_rank(1);
   return studied(
-      "4.1-range-bearing", "above (4.21), of [3, 85]",
+      4, "4.1-range-bearing", "above (4.21), of [3, 85]",
       "With range and bearing one segment and two anchors are needed",
       {.printed = "one and two",
-       .measured = fmt::format("{}. The motion itself leaves {} in one segment with two",
-                               legend_by("anchors", {0, 1, 2}, [&](int n) { return with(n).numbers(); }),
+       .measured = fmt::format("{}. The motion itself leaves {} in one segment with two", by_anchors.text(),
                                joined({at_once.true_dimension()})),
-       .why = "so it is for the motion itself. For SOM and TOM one anchor in one segment is enough",
-       .runs = 4 * motions},
+       .why = "so it is for the motion itself. For SOM and TOM one anchor in one segment is enough"},
       in_truth && by_matrices, in_truth && one_does);
 }
 
@@ -126,21 +113,23 @@ Claim nonlinear_anchors() {
       const int d = dimension(lie({.system = "planar", .features = features, .anchors = anchors}));
       cases.add({fmt::format("{} and {}: {}", features, anchors, joined({d})), d == (anchors == 1 ? 1 : 0)});
     }
-  return studied("4.1-nonlinear-anchors", "head of Chapter 4, above (4.21), of [11]",
+  return studied(4, "4.1-nonlinear-anchors", "head of Chapter 4, above (4.21), of [11]",
                  "By the nonlinear analysis absolute localization, with a map or without, takes two anchors",
                  {.printed = "two",
                   .measured = fmt::format(
                       "dimensions left by the Lie derivatives at {} points, features and anchors: {}",
-                      motions, cases.text()),
-                  .runs = 4 * motions},
+                      motions, cases.text())},
                  cases.hold());
 }
 
 }  // namespace
 
 std::vector<Claim> anchor_claims() {
-  return {range_and_bearing(), nonlinear_anchors(),   anchors_needed(),        one_anchor_twice(),
-          anchored_h(),        anchored_null_space(), anchored_two_segments(), anchored_total()};
+  return concatenated({{range_and_bearing(), nonlinear_anchors()},
+                       linear_analysis(),
+                       {anchored_h()},
+                       with_two_anchors(),
+                       {anchored_total()}});
 }
 
 }  // namespace incognita::observability_claims::planar

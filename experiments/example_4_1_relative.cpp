@@ -6,8 +6,8 @@
 // x_f - p and prints matrices of p - x_f; ours is x_f - p. Null spaces without a heading are the same.
 #include <set>
 
-#include "experiments/chapter_4_parts.hpp"
 #include "experiments/common.hpp"
+#include "experiments/example_4_1.hpp"
 
 namespace incognita::observability_claims::planar {
 namespace {
@@ -37,8 +37,9 @@ bool leaves_distance_and_turn(const Study& s) { return s.along_spanned_by(named(
 
 const Vectors r_x = always({three(1, 0, 0)});
 
-std::string by_features() {
-  return legend_by("features", {1, 2, 3}, [](int features) { return relative(features).numbers(); });
+/// With 1, 2 and 3 features.
+Studies by_features() {
+  return {"by features", {1, 2, 3}, [](int features) { return std::cref(relative(features)); }};
 }
 
 Claim measurement_matrix() {
@@ -63,39 +64,36 @@ Claim measurement_matrix() {
 }
 
 Claim instant_null_space() {
-  const auto found = each_of({1, 2, 3}, [](int features) { return relative(features).left(1); });
-  const bool basis = for_all(
-      {1, 2, 3}, [](int features) { return relative(features).stripped_spanned_by(1, named({"depth"})); });
+  const Studies maps = by_features();
+  const auto found = maps.each([](const Study& s) { return s.left(1); });
+  const bool basis = maps.all([](const Study& s) { return s.stripped_spanned_by(1, named({"depth"})); });
   return studied(
-      "4.1-relative-null-space", "(4.25)", "Null space of one segment: the distance of each feature",
+      3, "4.1-relative-null-space", "(4.25)", "Null space of one segment: the distance of each feature",
       {.printed = "one vector for each",
        .measured =
            fmt::format("dimension with 1/2/3 features in {} motions {}; the printed vectors span it: {}",
-                       motions, joined(found), yes_no(basis)),
-       .runs = 3 * motions},
+                       motions, joined(found), yes_no(basis))},
       basis);
 }
 
 Claim orientation() {
+  const Studies maps = by_features();
   std::vector<std::string> in_segment, along;
-  bool printed = true, turns = true;
-  for (const int features : {1, 2, 3}) {
-    const Study& s = relative(features);
+  for (const Study& s : maps) {
     in_segment.push_back(listed(s.observable(1)));
     along.push_back(listed(s.observable_along()));
-    printed = printed && in_segment.back() == "theta" && along.back() == "theta";
-    turns = turns && leaves_the_turn(s);
   }
-  return studied("4.1-relative-orientation", "below (4.25)",
+  const std::vector<std::string> headings(3, "theta");
+  return studied(maps.cases(), "4.1-relative-orientation", "below (4.25)",
                  "The orientation is the one state that is observable in one segment, however many features",
                  {.printed = "orientation",
                   .measured = fmt::format("states outside the null space with 1/2/3 features: of Q_1 {}; of "
                                           "the motion itself {}, which leaves the turn of all: {}",
-                                          fmt::join(in_segment, "/"), fmt::join(along, "/"), yes_no(turns)),
+                                          fmt::join(in_segment, "/"), fmt::join(along, "/"),
+                                          yes_no(maps.all(leaves_the_turn))),
                   .why = "so it is by Q_1. The text itself doubts it (footnote 2): turning the vehicle and r "
-                         "of all features changes no measurement",
-                  .runs = 3 * motions},
-                 printed);
+                         "of all features changes no measurement"},
+                 in_segment == headings && along == headings);
 }
 
 Claim footnote() {
@@ -114,122 +112,112 @@ Claim footnote() {
       turn_alone);
 }
 
-Claim ahead_instant() {
-  const Study& s = straight_ahead();
+/// One segment, with the feature straight ahead and abeam.
+std::vector<Claim> ahead_and_abeam() {
+  const Study &s = straight_ahead(), &beside = abeam();
   const bool basis = s.stripped_spanned_by(1, r_x);
-  return studied("4.1-ahead", "below (4.25)",
-                 "With the feature straight ahead (r_y = 0) the unobservable mode of Q_1 is r_x",
-                 {.printed = "r_x",
-                  .measured = fmt::format("dimension {} in {} motions; it is r_x: {}", s.left(1), motions,
-                                          yes_no(basis))},
-                 basis);
-}
-
-Claim abeam_instant() {
-  const Study& s = abeam();
   const auto both = [](const Course& c) {
     return Basis{three(0, 1, 0), three(-r_to(c.points[0], 0).y(), 0, 1)};
   };
-  return studied(
-      "4.1-abeam", "below (4.25)", "With the feature abeam (r_x = 0) the unobservable mode of Q_1 is r_y",
-      {.printed = "r_y",
-       .measured = fmt::format("dimension {} in {} motions", s.left(1), motions),
-       .why = "r_y, and the heading together with r_x: the row H F is zero abeam, so that Q_1 is but H"},
-      s.stripped_spanned_by(1, always({three(0, 1, 0)})), s.stripped_spanned_by(1, both));
+  return {
+      studied("4.1-ahead", "below (4.25)",
+              "With the feature straight ahead (r_y = 0) the unobservable mode of Q_1 is r_x",
+              {.printed = "r_x",
+               .measured = fmt::format("dimension {} in {} motions; it is r_x: {}", s.left(1), motions,
+                                       yes_no(basis))},
+              basis),
+      studied(
+          "4.1-abeam", "below (4.25)", "With the feature abeam (r_x = 0) the unobservable mode of Q_1 is r_y",
+          {.printed = "r_y",
+           .measured = fmt::format("dimension {} in {} motions", beside.left(1), motions),
+           .why = "r_y, and the heading together with r_x: the row H F is zero abeam, so that Q_1 is but H"},
+          beside.stripped_spanned_by(1, always({three(0, 1, 0)})), beside.stripped_spanned_by(1, both))};
 }
 
-Claim two_segments() {
-  const bool full = for_all({1, 2, 3}, [](int features) { return relative(features).full_rank(2); });
-  return studied("4.1-relative-two-segments", "below (4.25)", "SOM and TOM have full rank in two segments",
-                 {.printed = "0", .measured = by_features(), .runs = 3 * motions}, full);
+/// Two segments, whatever the number of features.
+std::vector<Claim> two_segments() {
+  const Studies maps = by_features();
+  const bool by_matrices = maps.all([](const Study&s) { return s.full_rank(2); }),
+             printed = maps.all(fully_observable), turns = maps.all(leaves_the_turn);
+  return {studied(maps.cases(), "4.1-relative-two-segments", "below (4.25)",
+                  "SOM and TOM have full rank in two segments", {.printed = "0", .measured = maps.text()},
+                  by_matrices),
+          studied(maps.cases(), "4.1-relative-observable", "below (4.25), Section 4.4",
+                  "Opposite to the world-centric map this system becomes fully observable in two segments",
+                  {.printed = "fully",
+                   .measured = fmt::format("{}. What is left is heading and map turned: {}", maps.text(),
+                                           turns ? "always" : "not always"),
+                   .why = "up to the orientation of the axes: the map in the vehicle's frame becomes "
+                          "observable, the direction of north does not, with any number of features. SOM and "
+                          "TOM have full rank because H is frozen"},
+                  printed && by_matrices, turns && by_matrices)};
 }
 
-Claim fully_observable() {
-  bool printed = true, turns = true, by_matrices = true;
-  for (const int features : {1, 2, 3}) {
-    const Study& s = relative(features);
-    printed = printed && s.true_dimension() == 0;
-    turns = turns && leaves_the_turn(s);
-    by_matrices = by_matrices && s.full_rank(2);
-  }
-  return studied("4.1-relative-observable", "below (4.25), Section 4.4",
-                 "Opposite to the world-centric map this system becomes fully observable in two segments",
-                 {.printed = "fully",
-                  .measured = fmt::format("{}. What is left is heading and map turned: {}", by_features(),
-                                          turns ? "always" : "not always"),
-                  .why = "up to the orientation of the axes: the map in the vehicle's frame becomes "
-                         "observable, the direction of north does not, with any number of features. SOM and "
-                         "TOM have full rank because H is frozen",
-                  .runs = 3 * motions},
-                 printed && by_matrices, turns && by_matrices);
-}
-
-Claim ahead_for_good() {
-  const Study& s = straight_ahead();
-  const bool mode = for_all({1, 2, 3}, [&](int k) { return s.stripped_spanned_by(k, r_x); });
-  const bool along = leaves_distance_and_turn(s);
-  return studied("4.1-ahead-for-good", "below (4.25)",
-                 "Driving straight at a feature the system remains unobservable, with mode r_x",
-                 {.printed = "r_x",
-                  .measured = fmt::format(
-                      "{}, in {} motions. SOM leaves r_x: {}; the motion itself r_x and the turn of all: {}",
-                      s.text(), motions, yes_no(mode), yes_no(along))},
-                 mode && along);
-}
-
-Claim abeam_for_good() {
-  const Study& s = abeam();
-  return studied(
-      "4.1-abeam-two-segments", "below (4.25)",
-      "With the feature abeam at first SOM and TOM have full rank in two segments",
-      {.printed = "0", .measured = fmt::format("{}, in {} motions straight on", s.text(), motions)},
-      s.full_rank(2));
+/// Driving on, with the feature straight ahead for good, and abeam at first.
+std::vector<Claim> straight_on() {
+  const Study &s = straight_ahead(), &beside = abeam();
+  const bool mode = for_all({1, 2, 3}, [&](int k) { return s.stripped_spanned_by(k, r_x); }),
+             along = leaves_distance_and_turn(s);
+  return {studied("4.1-ahead-for-good", "below (4.25)",
+                  "Driving straight at a feature the system remains unobservable, with mode r_x",
+                  {.printed = "r_x",
+                   .measured = fmt::format(
+                       "{}, in {} motions. SOM leaves r_x: {}; the motion itself r_x and the turn of all: {}",
+                       s.text(), motions, yes_no(mode), yes_no(along))},
+                  mode && along),
+          studied("4.1-abeam-two-segments", "below (4.25)",
+                  "With the feature abeam at first SOM and TOM have full rank in two segments",
+                  {.printed = "0",
+                   .measured = fmt::format("{}, in {} motions straight on", beside.text(), motions)},
+                  beside.full_rank(2))};
 }
 
 Claim pure_rotation() {
-  std::vector<std::string> lines;
-  std::set<std::string> seen;
-  bool all = true;
+  Studies maps("by features");
   for (const Change& change : {Change{}, turning()})
-    for (const int features : {1, 2, 3}) {
-      const Study& s = relative(features, "stationary", change);
-      const std::vector<int> one_more(3, features + 1);
-      all = all && s.dimensions() == one_more && s.total_dimensions() == one_more &&
-            s.true_dimension() == features + 1;
-      for (const auto& states : {s.observable(3), s.observable_along()})
-        seen.insert(states.begin(), states.end());
-      lines.push_back(fmt::format("{}{}: {}", features, change.apply ? ", turning" : "", s.numbers()));
-    }
-  return studied("4.1-pure-rotation", "below (4.25), Section 4.4",
+    for (const int features : {1, 2, 3})
+      maps.add(fmt::format("{}{}:", features, change.apply ? ", turning" : ""),
+               relative(features, "stationary", change));
+  const bool one_more = maps.all([](const Study& s) {
+    const std::vector<int> expected(3, s.which().features + 1);
+    return s.dimensions() == expected && s.total_dimensions() == expected &&
+           s.true_dimension() == expected[0];
+  });
+  std::set<std::string> seen;
+  for (const Study& s : maps)
+    for (const auto& states : {s.observable(3), s.observable_along()})
+      seen.insert(states.begin(), states.end());
+  return studied(maps.cases(), "4.1-pure-rotation", "below (4.25), Section 4.4",
                  "Without translation the null space has one vector more, SOM and TOM never have full rank, "
                  "and neither position nor orientation is recovered",
                  {.printed = "one more than features",
-                  .measured = fmt::format("{}, by features: {}; states outside the null spaces: {}", legend,
-                                          fmt::join(lines, "; "), listed({seen.begin(), seen.end()})),
-                  .runs = 6 * motions},
-                 all && seen.empty());
+                  .measured = fmt::format("{}; states outside the null spaces: {}", maps.text(),
+                                          listed({seen.begin(), seen.end()}))},
+                 one_more && seen.empty());
 }
 
 Claim no_rotation() {
   const Study &s = relative(1, "straight"), &ahead = straight_ahead();
   const bool as_matrices = s.left(2) == 0 && ahead.left(3) > 0;
-  return studied("4.1-no-rotation", "end of the relative map, Example 4.1",
-                 "Without rotation the system is completely observable in two segments, except with a "
-                 "feature on the line of sight",
-                 {.printed = "completely",
-                  .measured = fmt::format("{}: {}; straight ahead: {}", legend, s.numbers(), ahead.numbers()),
-                  .why = "up to the axes, as with rotation; on the line of sight the distance is missing too",
-                  .runs = 2 * motions},
-                 as_matrices && s.true_dimension() == 0,
-                 as_matrices && leaves_the_turn(s) && leaves_distance_and_turn(ahead));
+  return studied(
+      2, "4.1-no-rotation", "end of the relative map, Example 4.1",
+      "Without rotation the system is completely observable in two segments, except with a "
+      "feature on the line of sight",
+      {.printed = "completely",
+       .measured = fmt::format("{}: {}; straight ahead: {}", legend, s.numbers(), ahead.numbers()),
+       .why = "up to the axes, as with rotation; on the line of sight the distance is missing too"},
+      as_matrices && fully_observable(s),
+      as_matrices && leaves_the_turn(s) && leaves_distance_and_turn(ahead));
 }
 
 }  // namespace
 
 std::vector<Claim> relative_claims() {
-  return {measurement_matrix(), instant_null_space(), orientation(),   footnote(),
-          ahead_instant(),      abeam_instant(),      two_segments(),  fully_observable(),
-          ahead_for_good(),     abeam_for_good(),     pure_rotation(), no_rotation()};
+  return concatenated({{measurement_matrix(), instant_null_space(), orientation(), footnote()},
+                       ahead_and_abeam(),
+                       two_segments(),
+                       straight_on(),
+                       {pure_rotation(), no_rotation()}});
 }
 
 }  // namespace incognita::observability_claims::planar

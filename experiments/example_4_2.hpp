@@ -3,7 +3,6 @@
 
 #include <vector>
 
-#include "experiments/chapter_4_parts.hpp"
 #include "experiments/observability_claims.hpp"
 
 namespace incognita::observability_claims::inertial {
@@ -44,7 +43,19 @@ struct Misaligned {
 Misaligned misaligned(const LinearizedSystem& exact, const Vector3d& angles, Eigen::Index first,
                       const Vector3d& rate);
 
+/// What the matrices are made of, where a motion with one feature begins, in the world or relative to the body.
+struct Begin {
+  Matrix3d C;        ///< (4.27)
+  Vector3d r, f;     ///< to the feature, and what accelerometers read, in axes of the world
+  Matrix23 A;        ///< dz/dr^s: (4.34) as it must be
+  Misaligned exact;  ///< derivatives
+  explicit Begin(const Course& course);
+};
+
 /// Matrices of so many columns each, side by side.
 MatrixXd beside(const std::vector<MatrixXd>& blocks);
+
+std::vector<Claim> matrix_claims();
+std::vector<Claim> relative_claims();
 
 }  // namespace incognita::observability_claims::inertial

@@ -21,34 +21,12 @@ Vector3d r_of(const SystemPoint& p) { return p.x.segment<3>(6); }
 
 bool leaves_the_yaw(const Study& s) { return s.along_spanned_by(named({"rotation about z"})); }
 
-/// Exact derivatives where a motion begins, with the states in the printed order: r = x_f - p, v, psi.
-struct Begin {
-  Matrix3d C;
-  Vector3d r, f;  ///< in axes of the world
-  Matrix23 A;     ///< dz/dr^s
-  Misaligned exact;
-
-  explicit Begin(const Course& course) {
-    const SystemPoint& p = course.points[0];
-    const Vector3d angles = p.x.segment<3>(3);
-    C = C_of(angles);
-    r = r_of(p);
-    f = C.transpose() * p.u.head<3>();
-    A = bearings_by(C * r);
-    exact = misaligned(course.exact[0], angles, 3, p.u.tail<3>());
-    MatrixXd order = MatrixXd::Zero(9, 9);  // ours by the printed
-    order.block<6, 6>(0, 3).setIdentity();
-    order.block<3, 3>(6, 0).setIdentity();
-    exact = {order.transpose() * exact.F * order, exact.H * order};
-  }
-};
-
 /// dz/dr^s C [of_r I 0 [r x] of_psi], against exact derivatives.
 double wrong_rows(double of_r, double of_psi) {
   return largest(study(relative()), [&](const Course& course) {
     const Begin b(course);
     const Matrix3d I = Matrix3d::Identity(), O = Matrix3d::Zero();
-    return apart(b.A * b.C * beside({of_r * I, O, of_psi * cross(b.r)}), b.exact.H);
+    return apart(b.A * b.C * beside({O, of_psi * cross(b.r), of_r * I}), b.exact.H);
   });
 }
 
@@ -65,11 +43,11 @@ Claim measurement_matrix() {
                  worst, rounding);
 }
 
-/// Rows of (4.41), with A for dz/dr^s.
+/// Rows of (4.41), with A for dz/dr^s, in the order of our states.
 MatrixXd rows_4_41(const Matrix23& A, const Matrix3d& by_r, double of_v, const Matrix3d& by_f) {
   const Matrix23 O = Matrix23::Zero();
   MatrixXd rows(6, 9);
-  rows << beside({A, O, A * by_r}), beside({O, of_v * A, O}), beside({O, O, A * by_f});
+  rows << beside({O, A * by_r, A}), beside({of_v * A, O, O}), beside({O, A * by_f, O});
   return rows;
 }
 
@@ -92,20 +70,6 @@ double wrong_4_41(bool turned, bool of_sensor, double sign, double of_v) {
   });
 }
 
-double size_of_third_power() {
-  return largest(study(relative()), [](const Course& course) {
-    const Begin b(course);
-    return (b.exact.H * b.exact.F * b.exact.F * b.exact.F).cwiseAbs().maxCoeff();
-  });
-}
-
-Claim independent_rows() {
-  const int left = study(relative()).left(1);
-  return studied("4.2-relative-Q1", "(4.41)", "Q_1 has six independent rows",
-                 {.printed = "6", .measured = fmt::format("rank {} of 9 in {} motions", 9 - left, motions)},
-                 left == 3);
-}
-
 /// Of (4.42), with `directed` for what is printed as C r.
 Basis vectors_4_42(const Course& c, bool directed_as_printed) {
   const SystemPoint& p = c.points[0];
@@ -117,22 +81,21 @@ Basis vectors_4_42(const Course& c, bool directed_as_printed) {
   return {nine(along, zero, zero), nine(zeta, zero, f), nine(zero, along, zero)};
 }
 
-/// Null spaces of (4.41) as it is printed, r and f in axes of the world; in the order of our states.
-Spaces spaces_of_4_41() {
-  return null_spaces(study(relative()), [](const Course& course) -> MatrixXd {
-    const Begin b(course);
-    const MatrixXd rows = rows_4_41(b.A, cross(b.r), 1, cross(b.f));
-    return beside({rows.rightCols(6), rows.leftCols(3)});
-  });
-}
-
 Claim entries() {
   std::vector<double> readings;
   for (const bool of_sensor : {false, true})
     for (const double sign : {1.0, -1.0}) readings.push_back(wrong_4_41(false, of_sensor, sign, 1));
   const double printed = std::ranges::min(readings), corrected = wrong_4_41(true, false, 1, -1),
-               without_minus = wrong_4_41(true, false, 1, 1), third = size_of_third_power();
-  const bool explains = are_basis(spaces_of_4_41(), study(relative()).courses(),
+               without_minus = wrong_4_41(true, false, 1, 1),
+               third = largest(study(relative()), [](const Course&course) {
+                 const auto [F, H] = Begin(course).exact;
+                 return (H * F * F * F).cwiseAbs().maxCoeff();
+               });
+  const Spaces of_printed = null_spaces(study(relative()), [](const Course& course) {
+    const Begin b(course);
+    return rows_4_41(b.A, cross(b.r), 1, cross(b.f));
+  });
+  const bool explains = are_basis(of_printed, study(relative()).courses(),
                                   [](const Course& c) { return vectors_4_42(c, true); });
   return studied(
       "4.2-relative-Q1-entries", "(4.41)",
@@ -147,118 +110,104 @@ Claim entries() {
       printed < rounding && third < rounding, corrected < rounding && third < rounding && explains);
 }
 
-Claim instant_null_space() {
+std::vector<Claim> one_segment() {
   const Study& s = study(relative());
   const auto basis = [&](bool as_printed) {
     return s.stripped_spanned_by(1, [&](const Course& c) { return vectors_4_42(c, as_printed); });
   };
-  return studied(
-      "4.2-relative-null-space", "(4.42), (4.43)", "Null space of one segment",
-      {.printed = "[C r 0 0], [zeta 0 f], [0 C r 0]: dimension 3",
-       .measured = fmt::format("dimension {} of 9 in {} motions; spanned with C r: {}, with r: {}", s.left(1),
-                               motions, yes_no(basis(true)), yes_no(basis(false))),
-       .why = "r in axes of the world, as f, in place of C r. zeta is r x f up to sign and multiples of r, "
-              "which put its zero along r_y as printed or, as the text has it, along r_x"},
-      basis(true), basis(false));
-}
-
-Claim partially_reconstructed() {
-  const Study& s = study(relative());
   const auto seen = s.observable(1);
   const int of_v = dimension_within(s.stripped(1), 0, 3), of_psi = dimension_within(s.stripped(1), 3, 3),
             of_r = dimension_within(s.stripped(1), 6, 3);
   const auto in_part = [](int left) { return left == 1 || left == 2; };
-  return studied(
-      "4.2-relative-partially", "below (4.43)",
-      "Relative position and misalignment can only be partially reconstructed in one segment",
-      {.printed = "partially",
-       .measured = fmt::format("directions of three that N(Q_1) leaves open in {} motions: of r {}, of psi "
+  return {
+      studied("4.2-relative-Q1", "(4.41)", "Q_1 has six independent rows",
+              {.printed = "6", .measured = fmt::format("rank {} of 9 in {} motions", 9 - s.left(1), motions)},
+              s.left(1) == 3),
+      studied(
+          "4.2-relative-null-space", "(4.42), (4.43)", "Null space of one segment",
+          {.printed = "[C r 0 0], [zeta 0 f], [0 C r 0]: dimension 3",
+           .measured = fmt::format("dimension {} of 9 in {} motions; spanned with C r: {}, with r: {}",
+                                   s.left(1), motions, yes_no(basis(true)), yes_no(basis(false))),
+           .why =
+               "r in axes of the world, as f, in place of C r. zeta is r x f up to sign and multiples of r, "
+               "which put its zero along r_y as printed or, as the text has it, along r_x"},
+          basis(true), basis(false)),
+      studied("4.2-relative-partially", "below (4.43)",
+              "Relative position and misalignment can only be partially reconstructed in one segment",
+              {.printed = "partially",
+               .measured =
+                   fmt::format("directions of three that N(Q_1) leaves open in {} motions: of r {}, of psi "
                                "{}, of v {}; states outside it: {}",
                                motions, joined({of_r}), joined({of_psi}), joined({of_v}), listed(seen))},
-      seen.empty() && in_part(of_r) && in_part(of_psi));
+              seen.empty() && in_part(of_r) && in_part(of_psi))};
 }
 
-Claim two_segments() {
+std::vector<Claim> two_segments() {
   const Study &s = study(relative()), &more = study(relative(2));
+  const bool full = s.full_rank(2);
   const bool leaves = std::ranges::none_of(s.courses(), [](const Course& c) { return c.stays; });
-  return studied(
-      "4.2-relative-two-segments", "(4.44)",
-      "SOM and TOM have full rank in two segments, although N(Q_j) is not within N(F_j)",
-      {.printed = "0",
-       .measured = fmt::format("{}, in {} motions; (4.9) holds in {}, and with two features in {}", s.text(),
-                               motions, leaves ? "none" : "some", more.stays() ? "all" : "not all"),
-       .runs = 2 * motions},
-      s.full_rank(2) && leaves);
-}
-
-Claim fully_observable() {
-  const Study& s = study(relative());
-  return studied("4.2-relative-observable", "head of Section 4.1.2",
-                 "The relative map makes bearing-only SLAM with inertial sensors fully observable",
-                 {.printed = "fully",
-                  .measured = fmt::format("{}, in {} motions", s.text(), motions),
-                  .why = "up to the heading: turning all about a vertical changes no measurement. SOM and "
-                         "TOM have full rank because H is frozen"},
-                 s.true_dimension() == 0, leaves_the_yaw(s) && s.full_rank(2));
+  return {studied(2, "4.2-relative-two-segments", "(4.44)",
+                  "SOM and TOM have full rank in two segments, although N(Q_j) is not within N(F_j)",
+                  {.printed = "0",
+                   .measured = fmt::format(
+                       "{}, in {} motions; (4.9) holds in {}, and with two features in {}", s.text(), motions,
+                       leaves ? "none" : "some", more.stays() ? "all" : "not all")},
+                  full && leaves),
+          studied("4.2-relative-observable", "head of Section 4.1.2",
+                  "The relative map makes bearing-only SLAM with inertial sensors fully observable",
+                  {.printed = "fully",
+                   .measured = fmt::format("{}, in {} motions", s.text(), motions),
+                   .why = "up to the heading: turning all about a vertical changes no measurement. SOM and "
+                          "TOM have full rank because H is frozen"},
+                  fully_observable(s), leaves_the_yaw(s) && full)};
 }
 
 Claim range_and_bearing() {
-  bool as_matrices = true, but_the_heading = true;
-  const Cases cases = by_number({1, 2}, [&](int features) -> CaseResult {
-    const Study& s = study({.system = "inertial-rb", .representation = "relative", .features = features});
-    as_matrices = as_matrices && s.left(2) == 0;
-    but_the_heading = but_the_heading && leaves_the_yaw(s);
-    return {s.numbers(), s.true_dimension() == 0};
+  const Studies maps("by features", {1, 2}, [](int features) {
+    return std::cref(study({.system = "inertial-rb", .representation = "relative", .features = features}));
   });
-  return studied("4.2-range-bearing-relative", "below (4.28), of [19]",
-                 "With range and bearing the relative map is completely observable in two segments",
-                 {.printed = "completely",
-                  .measured = fmt::format("{}, by features: {}", legend, cases.text()),
-                  .why = "up to the heading, as with bearings alone",
-                  .runs = 2 * motions},
-                 as_matrices && cases.hold(), as_matrices && but_the_heading);
-}
-
-Claim unaccelerated_ranks() {
-  const auto leaves = [](Unaccelerated how) {
-    const Study& s = study(unaccelerated(relative(), how));
-    return s.left(1) == 5 && s.left(2) == 2;
-  };
+  const bool as_matrices = maps.all([](const Study& s) { return s.left(2) == 0; });
   return studied(
-      "4.2-relative-unaccelerated", "below (4.44)",
-      "Without acceleration (f = 0) the rank of Q_1 is four, and the SOM of two segments leaves two",
-      {.printed = "4 of 9, 2",
-       .measured = fmt::format("{}, in {} motions: {}", legend, motions, by_unaccelerated(relative())),
-       .runs = 3 * motions},
-      leaves(Unaccelerated::falls) && leaves(Unaccelerated::weightless));
+      maps.cases(), "4.2-range-bearing-relative", "below (4.28), of [19]",
+      "With range and bearing the relative map is completely observable in two segments",
+      {.printed = "completely", .measured = maps.text(), .why = "up to the heading, as with bearings alone"},
+      as_matrices && maps.all(fully_observable), as_matrices && maps.all(leaves_the_yaw));
 }
 
-Claim unaccelerated_recovered() {
+std::vector<Claim> unaccelerated_claims() {
   const Study &falls = study(unaccelerated(relative(), Unaccelerated::falls)),
               &weightless = study(unaccelerated(relative(), Unaccelerated::weightless));
+  const auto leaves = [](const Study& s) { return s.left(1) == 5 && s.left(2) == 2; };
   const std::vector<std::string> velocities{"vx", "vy", "vz"};
-  return studied(
-      "4.2-relative-unaccelerated-recovered", "below (4.44)",
-      "Without acceleration (f = 0) the only observable state is the linear velocity",
-      {.printed = "velocity",
-       .measured = fmt::format("states outside the null space, falling and without gravity: of the SOM of "
-                               "two segments {}, and {}; of the motion itself {}, and {}",
-                               listed(falls.observable(2)), listed(weightless.observable(2)),
-                               listed(falls.observable_along()), listed(weightless.observable_along())),
-       .why = "falling, gravity determines the vertical: speed and distance along it, roll and pitch. "
-              "Without gravity no length and no direction is observable",
-       .runs = 2 * motions},
-      falls.observable_along() == velocities && weightless.observable_along() == velocities);
+  return {
+      studied(
+          3, "4.2-relative-unaccelerated", "below (4.44)",
+          "Without acceleration (f = 0) the rank of Q_1 is four, and the SOM of two segments leaves two",
+          {.printed = "4 of 9, 2",
+           .measured = fmt::format("{}, in {} motions: {}", legend, motions, by_unaccelerated(relative()))},
+          leaves(falls) && leaves(weightless)),
+      studied(
+          2, "4.2-relative-unaccelerated-recovered", "below (4.44)",
+          "Without acceleration (f = 0) the only observable state is the linear velocity",
+          {.printed = "velocity",
+           .measured =
+               fmt::format("states outside the null space, falling and without gravity: of the SOM of "
+                           "two segments {}, and {}; of the motion itself {}, and {}",
+                           listed(falls.observable(2)), listed(weightless.observable(2)),
+                           listed(falls.observable_along()), listed(weightless.observable_along())),
+           .why = "falling, gravity determines the vertical: speed and distance along it, roll and pitch. "
+                  "Without gravity no length and no direction is observable"},
+          falls.observable_along() == velocities && weightless.observable_along() == velocities)};
 }
 
 }  // namespace
 
 std::vector<Claim> relative_claims() {
-  return {measurement_matrix(),      entries(),
-          independent_rows(),        instant_null_space(),
-          partially_reconstructed(), two_segments(),
-          fully_observable(),        range_and_bearing(),
-          unaccelerated_ranks(),     unaccelerated_recovered()};
+  return concatenated({{measurement_matrix(), entries()},
+                       one_segment(),
+                       two_segments(),
+                       {range_and_bearing()},
+                       unaccelerated_claims()});
 }
 
 }  // namespace incognita::observability_claims::inertial

@@ -20,6 +20,8 @@ VectorXd six(double rx, double ry, double theta, double vx, double vy, double om
   return (VectorXd(6) << theta, vx, vy, omega, rx, ry).finished();
 }
 
+const VectorXd heading = six(0, 0, 1, 0, 0, 0), turn_rate = six(0, 0, 0, 0, 0, 1);
+
 void zero_heading(LinearizedSystem& form, const SystemPoint&) { form.H.col(0).setZero(); }
 
 /// What SOM leaves with the printed zero.
@@ -27,9 +29,12 @@ std::vector<int> dimensions_with_zero(const Study& s) {
   return each_of({1, 2, 3}, [&](int k) { return dimension(stripped_with(s, k, zero_heading)); });
 }
 
-const Vectors turn_and_scale = named({"rotation", "scale"});
+bool leaves_turn_and_scale(const Study& s) { return s.along_spanned_by(named({"rotation", "scale"})); }
 
-bool leaves_turn_and_scale(int features) { return relative(features).along_spanned_by(turn_and_scale); }
+/// With 1, 2 and 3 features.
+Studies by_features() {
+  return {"by features", {1, 2, 3}, [](int features) { return std::cref(relative(features)); }};
+}
 
 /// A row of H or H F in the printed order of states, with the printed sign of r.
 Eigen::RowVectorXd as_printed(const Eigen::RowVectorXd& row) {
@@ -57,52 +62,47 @@ Claim first_segment() {
                  worst, rounding);
 }
 
-Claim instant_null_space() {
+std::vector<Claim> one_segment() {
   const Study& s = relative();
-  const auto distance = [](const Course& c) -> Basis {
+  const auto printed = [](const Course& c) -> Basis {
     const Vector2d r = r_of(c.points[0]);
-    return {six(r.x(), r.y(), 0, 0, 0, 0), six(0, 0, 0, r.x(), r.y(), 0)};
-  };
-  const auto printed = [&](const Course& c) {
-    Basis all = distance(c);
-    all.insert(all.end(), {six(0, 0, 1, 0, 0, 0), six(0, 0, 0, 0, 0, 1)});
-    return all;
+    return {six(r.x(), r.y(), 0, 0, 0, 0), six(0, 0, 0, r.x(), r.y(), 0), heading, turn_rate};
   };
   const auto ours = [&](const Course& c) {
     const Vector2d r = r_of(c.points[0]);
-    Basis all = distance(c);
-    all.insert(all.end(), {six(-r.y(), r.x(), 1, 0, 0, 0), six(0, 0, 0, r.y(), -r.x(), 1)});
+    Basis all = printed(c);
+    all[2] += six(-r.y(), r.x(), 0, 0, 0, 0);
+    all[3] += six(0, 0, 0, r.y(), -r.x(), 0);
     return all;
   };
   const bool of_zero = are_basis(stripped_with(s, 1, zero_heading), s.courses(), printed);
-  return studied(
-      "4.3-relative-null-space", "(4.52)", "Null space of one segment",
-      {.printed = "[r 0 0 0], [0 0 r 0], heading, turn rate: dimension 4",
-       .measured = fmt::format(
-           "dimension {} of 6 in {} motions; the printed vectors span it: {}; with the 0 of (4.51): {}",
-           s.left(1), motions, yes_no(s.stripped_spanned_by(1, printed)), yes_no(of_zero)),
-       .why = "dimension 4, but heading and turn rate only together with the turned r: [-r_y r_x 1 0 0 0], "
-              "[0 0 0 r_y -r_x 1] with r = x_f - p"},
-      s.stripped_spanned_by(1, printed), s.stripped_spanned_by(1, ours));
-}
-
-Claim nothing_in_one_segment() {
-  const auto seen = relative().observable(1);
-  return studied("4.3-relative-instant", "below (4.52)",
-                 "No state is completely observable in one segment, not even the orientation",
-                 {.printed = "none",
-                  .measured = fmt::format("states outside N(Q_1) in {} motions: {}", motions, listed(seen))},
-                 seen.empty());
+  const bool as_printed = s.stripped_spanned_by(1, printed);
+  const auto seen = s.observable(1);
+  return {
+      studied(
+          "4.3-relative-null-space", "(4.52)", "Null space of one segment",
+          {.printed = "[r 0 0 0], [0 0 r 0], heading, turn rate: dimension 4",
+           .measured = fmt::format(
+               "dimension {} of 6 in {} motions; the printed vectors span it: {}; with the 0 of (4.51): {}",
+               s.left(1), motions, yes_no(as_printed), yes_no(of_zero)),
+           .why = "dimension 4, but heading and turn rate only together with the turned r: [-r_y r_x 1 0 "
+                  "0 0], [0 0 0 r_y -r_x 1] with r = x_f - p"},
+          as_printed, s.stripped_spanned_by(1, ours)),
+      studied("4.3-relative-instant", "below (4.52)",
+              "No state is completely observable in one segment, not even the orientation",
+              {.printed = "none",
+               .measured = fmt::format("states outside N(Q_1) in {} motions: {}", motions, listed(seen))},
+              seen.empty())};
 }
 
 Claim more_segments() {
   const Study& s = relative();
-  const Vectors printed = always({six(0, 0, 1, 0, 0, 0), six(0, 0, 0, 0, 0, 1)});
-  const bool of_zero = are_basis(stripped_with(s, 2, zero_heading), s.courses(), printed) &&
-                       are_basis(stripped_with(s, 3, zero_heading), s.courses(), printed),
-             third_takes_both = s.dimensions() == std::vector{4, 2, 0};
+  const Vectors printed = always({heading, turn_rate});
+  const bool third_takes_both = s.dimensions() == std::vector{4, 2, 0},
+             of_zero = for_all({2, 3}, [&](int k) {
+               return are_basis(stripped_with(s, k, zero_heading), s.courses(), printed);
+             });
   const auto seen = s.observable_along();
-  const bool turn_rate = std::ranges::find(seen, "wz") != seen.end();
   return studied(
       "4.3-relative-two-segments", "(4.53)",
       "Two or more segments leave two modes, orientation and angular velocity",
@@ -114,74 +114,66 @@ Claim more_segments() {
        .why = "two modes are left, but they are turning all and scaling all; the angular velocity is "
               "recovered. (4.53) comes of the 0 in (4.51); with -1 the SOM of three segments has full rank"},
       s.stripped_spanned_by(2, printed) && s.stripped_spanned_by(3, printed) && s.along_spanned_by(printed),
-      leaves_turn_and_scale(1) && turn_rate && of_zero && third_takes_both);
+      leaves_turn_and_scale(s) && std::ranges::count(seen, "wz") > 0 && of_zero && third_takes_both);
 }
 
 Claim more_features() {
-  bool corrected = true;
-  Cases zero;
-  const Cases printed = by_number({1, 2, 3}, [&](int features) -> CaseResult {
-    const Study& s = relative(features);
-    const std::vector<int> with_zero = dimensions_with_zero(s);
-    zero.add({fmt::format("{}: {}", features, joined(with_zero))});
-    corrected = corrected && leaves_turn_and_scale(features) && with_zero[1] == 2 &&
-                s.left(2) == (features == 1 ? 2 : 1);
-    return {s.numbers(), s.left(2) == 2};
+  const Studies maps = by_features();
+  const Cases zero = by_number({1, 2, 3}, [](int features) -> CaseResult {
+    const std::vector<int> left = dimensions_with_zero(relative(features));
+    return {joined(left), left[1] == 2};
   });
+  const auto left = maps.each([](const Study& s) { return s.left(2); });
   return studied(
-      "4.3-relative-features", "below (4.53)",
+      maps.cases(), "4.3-relative-features", "below (4.53)",
       "More features do not change that the SOM of two segments leaves two modes",
       {.printed = "2",
-       .measured = fmt::format("{}, by features: {}; left by SOM with the 0 of (4.51): {}", legend,
-                               printed.text(), zero.text()),
+       .measured = fmt::format("{}; left by SOM with the 0 of (4.51): {}", maps.text(), zero.text()),
        .why = "of the motion itself that is true, which leaves turn and scale with any number. A second "
-              "feature removes one from the null space of the SOM, unless H has the 0 of (4.51)",
-       .runs = 3 * motions},
-      printed.hold(), corrected);
+              "feature removes one from the null space of the SOM, unless H has the 0 of (4.51)"},
+      left == std::vector{2, 2, 2},
+      maps.all(leaves_turn_and_scale) && zero.hold() && left == std::vector{2, 1, 1});
 }
 
 Claim must_move() {
   const Study &s = relative(), &rest = relative(1, "stationary");
   const auto seen = s.observable_along();
-  const auto has = [&](const char* name) { return std::ranges::find(seen, name) != seen.end(); };
+  const bool recovered = std::ranges::count(seen, "rx_1") > 0 && std::ranges::count(seen, "ry_1") > 0;
   const bool lost = rest.true_dimension() > s.true_dimension() && rest.dimensions() == std::vector{4, 4, 4};
-  return studied("4.3-relative-moving", "below (4.53)",
+  return studied(2, "4.3-relative-moving", "below (4.53)",
                  "The velocity must be nonzero to at least recover the relative positions",
                  {.printed = "recovered",
                   .measured = fmt::format(
                       "{}: moving {}, at rest {}; states outside the null space of the motion itself: {}",
                       legend, s.numbers(), rest.numbers(), listed(seen)),
-                  .why = "moving recovers them up to scale and turn, with any number of features",
-                  .runs = 2 * motions},
-                 lost && has("rx_1") && has("ry_1"), lost && for_all({1, 2, 3}, leaves_turn_and_scale));
+                  .why = "moving recovers them up to scale and turn, with any number of features"},
+                 lost && recovered, lost && by_features().all(leaves_turn_and_scale));
 }
 
 Claim never_full() {
-  bool by_matrices = true, reached = true, with_zero = true;
-  const Cases in_truth = by_number({1, 2, 3}, [&](int features) -> CaseResult {
+  const Studies maps = by_features();
+  const auto unless_zero = [](const Study& s) { return s.full_rank(3) && dimensions_with_zero(s)[2] > 0; };
+  const Cases in_truth = by_number({1, 2, 3}, [](int features) -> CaseResult {
     const Study& s = relative(features);
-    by_matrices = by_matrices && s.rank_deficient(3);
-    reached = reached && s.full_rank(3);
-    with_zero = with_zero && dimensions_with_zero(s)[2] > 0;
     return {fmt::format("{}, with the 0 of (4.51) {}", s.numbers(), joined(dimensions_with_zero(s))),
-            leaves_turn_and_scale(features)};
+            leaves_turn_and_scale(s)};
   });
   return studied(
-      "4.3-relative-never", "end of Example 4.3",
+      3, "4.3-relative-never", "end of Example 4.3",
       "No relative map of a constant-velocity model is fully observable, or reaches the rank condition",
       {.printed = "none",
        .measured = fmt::format("{}, by features: {}", legend, in_truth.text()),
        .why = "none is, as the motion itself leaves turn and scale. But SOM and TOM have full rank in three "
-              "segments, unless H has the 0 of (4.51)",
-       .runs = 3 * motions},
-      in_truth.hold() && by_matrices, in_truth.hold() && reached && with_zero);
+              "segments, unless H has the 0 of (4.51)"},
+      in_truth.hold() && maps.all([](const Study& s) { return s.rank_deficient(3); }),
+      in_truth.hold() && maps.all(unless_zero));
 }
 
 }  // namespace
 
 std::vector<Claim> relative_claims() {
-  return {first_segment(), instant_null_space(), nothing_in_one_segment(), more_segments(), more_features(),
-          must_move(),     never_full()};
+  return concatenated(
+      {{first_segment()}, one_segment(), {more_segments(), more_features(), must_move(), never_full()}});
 }
 
 }  // namespace incognita::observability_claims::planar_cv

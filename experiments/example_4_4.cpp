@@ -85,38 +85,33 @@ Basis our_vectors(const Course& course) {
   return all;
 }
 
-Claim instant_null_space() {
+std::vector<Claim> one_segment() {
   const Study &one = world(1), &two = world(2);
-  const bool basis = one.stripped_spanned_by(1, our_vectors);
-  return studied(
-      "4.4-null-space", "(4.56)",
-      "With two anchors one segment leaves seven dimensions unobservable and eight combinations "
-      "of states observable",
-      {.printed = "dimension 7, rank 8",
-       .measured = fmt::format("dimension with 1/2 anchors in {} motions {}/{}, rank {}/{}", motions,
-                               one.left(1), two.left(1), 15 - one.left(1), 15 - two.left(1)),
-       .why = "with one anchor; two leave three",
-       .runs = 2 * motions},
-      two.left(1) == 7, basis && two.left(1) == 3);
-}
-
-Claim basis_vectors() {
-  const Study& one = world(1);
   const auto inside = [](bool feature_in_axes_of_world) {
     return each_of({0, 1, 2}, [&](int n) { return printed_inside(world(n), feature_in_axes_of_world); });
   };
   const std::vector<int> as_printed = inside(false), in_world = inside(true);
   const bool ours = one.stripped_spanned_by(1, our_vectors);
-  return studied("4.4-basis", "(4.56)", "Vectors of that null space",
-                 {.printed = "[0 C_i' x r 0 e_i 0], [[x r]_i 0 e_i 0 0], [0 0 0 0 r^s]",
-                  .measured = fmt::format("in the null space with 0/1/2 anchors: {} of 7, {} with r for r^s; "
-                                          "ours span it with one anchor: {}",
-                                          joined(as_printed), joined(in_world), yes_no(ours)),
-                  .why = "they belong to a camera without anchors. With one anchor at b: [0 0 0 0 r], [b 0 0 "
-                         "0 b], [b x e_i 0 e_i 0 (b - r) x e_i], and two of v and omega, one of them turning "
-                         "about d = r - b: [0 b x d 0 C d 0]",
-                  .runs = 3 * motions},
-                 as_printed[1] == 7 || as_printed[2] == 7, ours && in_world[0] == 7);
+  return {
+      studied(2, "4.4-null-space", "(4.56)",
+              "With two anchors one segment leaves seven dimensions unobservable and eight combinations of "
+              "states observable",
+              {.printed = "dimension 7, rank 8",
+               .measured = fmt::format("dimension with 1/2 anchors in {} motions {}/{}, rank {}/{}", motions,
+                                       one.left(1), two.left(1), 15 - one.left(1), 15 - two.left(1)),
+               .why = "with one anchor; two leave three"},
+              two.left(1) == 7, ours && two.left(1) == 3),
+      studied(
+          3, "4.4-basis", "(4.56)", "Vectors of that null space",
+          {.printed = "[0 C_i' x r 0 e_i 0], [[x r]_i 0 e_i 0 0], [0 0 0 0 r^s]",
+           .measured = fmt::format(
+               "in the null space with 0/1/2 anchors: {} of 7, {} with r for r^s; ours span it with one "
+               "anchor: {}",
+               joined(as_printed), joined(in_world), yes_no(ours)),
+           .why = "they belong to a camera without anchors. With one anchor at b: [0 0 0 0 r], [b 0 0 0 "
+                  "b], [b x e_i 0 e_i 0 (b - r) x e_i], and two of v and omega, one of them turning about "
+                  "d = r - b: [0 b x d 0 C d 0]"},
+          as_printed[1] == 7 || as_printed[2] == 7, ours && in_world[0] == 7)};
 }
 
 Claim rows() {
@@ -125,14 +120,14 @@ Claim rows() {
   };
   const auto three = rows(3, 1), four = rows(4, 1);
   const bool general = three == 8 && four == 10 && rows(3, 2) == 10 && rows(4, 2) == 12;
-  return studied("4.4-rows", "below (4.56)",
-                 "With one feature and three or more anchors H has ten rows, in general 2 nm + 2 na",
-                 {.printed = "10",
-                  .measured = fmt::format("with 3 anchors {}, with 4 {}; in general {}", three, four,
-                                          general ? "2 nm + 2 na" : "other numbers"),
-                  .why = "eight with three anchors; ten are four's",
-                  .runs = 4},
-                 general && three == 10, general);
+  return assessed("4.4-rows", "below (4.56)",
+                  "With one feature and three or more anchors H has ten rows, in general 2 nm + 2 na",
+                  {.printed = "10",
+                   .measured = fmt::format("with 3 anchors {}, with 4 {}; in general {}", three, four,
+                                           general ? "2 nm + 2 na" : "other numbers"),
+                   .why = "eight with three anchors; ten are four's",
+                   .runs = 4},
+                  general && three == 10, general);
 }
 
 /// Everything turned about the line through the first two anchors.
@@ -147,28 +142,27 @@ Basis turn_about_line(const Course& course) {
 }
 
 Claim two_segments() {
-  const bool all =
-      for_all({3, 4}, [](int n) { return world(n).left(2) == 0 && world(n).true_dimension() == 0; });
+  const Studies cases("by anchors", {1, 2, 3, 4}, [](int anchors) { return std::cref(world(anchors)); });
+  const bool all = for_all({3, 4}, [](int n) { return observable_in_two(world(n)); });
   const Study& two = world(2);
   return studied(
-      "4.4-two-segments", "(4.57)",
+      4, "4.4-two-segments", "(4.57)",
       "With more than two anchors the SOM has full rank, and the system is observable, in two segments",
       {.printed = "0",
        .measured = fmt::format("{}. With two SOM and TOM have full rank in two segments: {}; "
                                "the motion itself leaves the turn of all about the line through them: {}",
-                               legend_by("anchors", {1, 2, 3, 4}, [](int n) { return world(n).numbers(); }),
-                               yes_no(two.full_rank(2)), yes_no(two.along_spanned_by(turn_about_line))),
-       .runs = 4 * motions},
+                               cases.text(), yes_no(two.full_rank(2)),
+                               yes_no(two.along_spanned_by(turn_about_line)))},
       all);
 }
 
 Claim as_on_the_plane() {
-  const Study &space = world(3), &plane = study({.system = "planar-cv", .anchors = 3});
+  Studies both("with three anchors");
+  const Study &space = both.add("space", world(3)),
+              &plane = both.add("plane", study({.system = "planar-cv", .anchors = 3}));
   return studied(
-      "4.4-as-on-the-plane", "end of Example 4.4", "That is as with the constant-velocity model of the plane",
-      {.measured = fmt::format("{}, with three anchors: space {}; plane {}", legend, space.numbers(),
-                               plane.numbers()),
-       .runs = 2 * motions},
+      both.cases(), "4.4-as-on-the-plane", "end of Example 4.4",
+      "That is as with the constant-velocity model of the plane", {.measured = both.text()},
       space.dimensions() == plane.dimensions() && space.true_dimension() == plane.true_dimension());
 }
 
@@ -200,9 +194,8 @@ Claim error_form() {
 }
 
 LedgerEntry run(const ExperimentSettings& settings) {
-  return entry_of(
-      example_4_4, settings,
-      {error_form(), instant_null_space(), basis_vectors(), rows(), two_segments(), as_on_the_plane()});
+  return entry_of(example_4_4, settings,
+                  concatenated({{error_form()}, one_segment(), {rows(), two_segments(), as_on_the_plane()}}));
 }
 
 }  // namespace

@@ -52,17 +52,17 @@ double wrong_fields(const std::function<Vector3d(double, double)>& g1, const Vec
 }
 
 Claim model() {
-  const auto equations = [](double rho, double phi) {
-    return Vector3d(std::cos(phi), std::sin(phi) / rho, 0);
+  const auto g1 = [](double ahead, double turn) {
+    return [=](double rho, double phi) -> Vector3d {
+      return {ahead * std::cos(phi), std::sin(phi) / rho, turn};
+    };
   };
-  const auto fields = [](double rho, double phi) { return Vector3d(std::cos(phi), std::sin(phi) / rho, -1); };
-  const auto ours = [](double rho, double phi) { return Vector3d(-std::cos(phi), std::sin(phi) / rho, 0); };
-  const auto either = [](const auto& g1, const Vector3d& g2) {
-    return std::min(wrong_fields(g1, g2, false), wrong_fields(g1, g2, true));
+  const auto either = [](const auto& by_v, const Vector3d& by_omega) {
+    return std::min(wrong_fields(by_v, by_omega, false), wrong_fields(by_v, by_omega, true));
   };
-  const double of_equations = either(equations, Vector3d(0, -1, 1)),
-               of_fields = either(fields, Vector3d(0, 0, 1)),
-               corrected = wrong_fields(ours, Vector3d(0, -1, 1), false);
+  const double of_equations = either(g1(1, 0), Vector3d(0, -1, 1)),
+               of_fields = either(g1(1, -1), Vector3d(0, 0, 1)),
+               corrected = wrong_fields(g1(-1, 0), Vector3d(0, -1, 1), false);
   return studied("4.5-model", "(4.69) to (4.73)",
                  "The model in polar coordinates follows from (4.11), to 1e-9",
                  {.printed = "rho' = v cos phi; g_1 = [cos phi, sin phi/rho, -1], g_2 = [0 0 1]",
@@ -116,11 +116,10 @@ Claim null_space_of_all() {
     return are_basis(lie(polar(features)), study(polar(features)).courses(), always({only}));
   });
   return studied(
-      "4.5-null-space", "(4.77), head of Chapter 4", "What they do not span is the orientation",
+      3, "4.5-null-space", "(4.77), head of Chapter 4", "What they do not span is the orientation",
       {.printed = "[0 0 1]: dimension 1",
        .measured = fmt::format("dimension with 1/2/3 features at {} points {}; the heading spans it: {}",
-                               motions, joined(found), yes_no(heading)),
-       .runs = 3 * motions},
+                               motions, joined(found), yes_no(heading))},
       heading);
 }
 
@@ -132,18 +131,15 @@ Claim contrary() {
              unseen = are_basis(by_lie, s.courses(), turned) && s.along_spanned_by(turned),
              depends = s.dimensions() != in_polar.dimensions();
   return studied(
-      "4.5-contrary", "below (4.77)",
+      2, "4.5-contrary", "below (4.77)",
       "The global orientation is not observable, contrary to the result of the linear analysis",
       {.printed = "contrary",
        .measured = fmt::format("{} in {} motions: {}; by Lie derivatives {}: all turned, {}. In polar "
                                "coordinates {}: the result of SOM and TOM {} on coordinates",
                                legend, motions, s.numbers(), joined({dimension(by_lie)}), yes_no(unseen),
-                               in_polar.numbers(), depends ? "depends" : "does not depend"),
-       .runs = 2 * motions},
+                               in_polar.numbers(), depends ? "depends" : "does not depend")},
       linear_finds_it && unseen);
 }
-
-// (4.64) and (4.66) ------------------------------------------------------------------------------------
 
 /// Lie derivatives of the first measurement of a landmark along the field of the input v, and where they are
 /// evaluated: where a motion of the relative map begins, with that input 1 and the others 0.
@@ -205,14 +201,13 @@ Claim recursion() {
     }
   }
   return studied(
-      "4.5-recursion", "(4.64), (4.66)",
+      2, "4.5-recursion", "(4.64), (4.66)",
       "The differential of a Lie derivative from the one before, orders 1 to 3, to 1e-9",
       {.printed = "L dh (g(x)/x) + ...",
        .measured = fmt::format("largest difference from gradients of L^q h along g_1 at {} points, in "
                                "Cartesian and polar coordinates: g/x entry by entry {:.2g}, ours {}",
                                motions, worst.printed, below(worst.ours)),
-       .why = "L dh (dg/dx) + ...: the quotient is a derivative",
-       .runs = 2 * motions},
+       .why = "L dh (dg/dx) + ...: the quotient is a derivative"},
       worst, rounding);
 }
 

@@ -30,28 +30,17 @@ double most(const Direction& c, double until_s) {
   return value;
 }
 
-Claim tested(std::string id, std::string place, std::string statement, Evidence evidence, Finding printed,
-             Finding corrected) {
-  evidence.runs = runs().size();
-  return assessed(std::move(id), std::move(place), std::move(statement), std::move(evidence), printed,
-                  corrected);
-}
-
 namespace {
-
-// Information -----------------------------------------------------------------------------------------
 
 /// Since when there is information: zero at all measurements before, at none after, and none in doubt.
 enum class Since { start, north, turning, never, unclear };
 
-bool in_doubt(const Knowledge& known, const VectorXd& c) {
-  const double outside = known.outside(c);
-  return !known.clear() || (outside > 0.1 * outside_tolerance && outside < 10 * outside_tolerance);
-}
-
 Since since(const Run& run, const Direction& c) {
-  for (std::size_t k = 0; k < run.known.size(); ++k)
-    if (in_doubt(run.known[k], c(run, k))) return Since::unclear;
+  for (std::size_t k = 0; k < run.known.size(); ++k) {
+    const double outside = run.known[k].outside(c(run, k));
+    const bool in_doubt = outside > 0.1 * outside_tolerance && outside < 10 * outside_tolerance;
+    if (in_doubt || !run.known[k].clear()) return Since::unclear;
+  }
   const std::vector<double> known = information(run, c);
   const auto positive = [](double v) { return v > 0; };
   const auto first = std::ranges::find_if(known, positive);
@@ -121,8 +110,6 @@ const Run& oriented() {
   static const Run run{Setup{.sigma_heading_rad = 0.02}};
   return run;
 }
-
-// Claims ----------------------------------------------------------------------------------------------
 
 Claim orientation() {
   const Direction c = state(heading);

@@ -26,26 +26,23 @@ using Ranks = std::array<int, phases>;
 
 struct RankCourse {
   Ranks at_end = {};       ///< of each phase
-  bool throughout = true;  ///< the same from each phase's first measurement on
-  bool clear = true;       ///< at all measurements
+  bool throughout = true;  ///< the same from each phase's first measurement on, and unambiguous
   double least_kept = 1;   ///< singular values, of the largest
   double most_left_out = 1e-300;
-  bool is(const Ranks& expected) const { return at_end == expected && throughout && clear; }
-  void take(const RankCourse& other) {
-    throughout = throughout && other.throughout && at_end == other.at_end;
-    clear = clear && other.clear;
-    least_kept = std::min(least_kept, other.least_kept);
-    most_left_out = std::max(most_left_out, other.most_left_out);
-  }
+  bool is(const Ranks& expected) const { return at_end == expected && throughout; }
 };
 RankCourse ranks_of(const Run& run);
 RankCourse ranks_of_all();
 std::string text(const Ranks& ranks);
 std::string text(const RankCourse& course);
 
-/// The claim, which rests on all settings.
-Claim tested(std::string id, std::string place, std::string statement, Evidence evidence, Finding printed,
-             Finding corrected = Finding::refuted);
+/// The claim by assessed(), which rests on all settings.
+template <class... Findings>
+Claim tested(std::string id, std::string place, std::string statement, Evidence evidence,
+             const Findings&... findings) {
+  evidence.runs = runs().size();
+  return assessed(std::move(id), std::move(place), std::move(statement), std::move(evidence), findings...);
+}
 
 /// Largest information over all settings and measurements up to a time.
 double most(const Direction& c, double until_s = end_s);

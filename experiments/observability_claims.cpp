@@ -67,6 +67,13 @@ Eigen::Index rank_of(const MatrixXd& columns) {
   return qr.rank();
 }
 
+MatrixXd normalized(const Basis& vectors, const VectorXd& scale) {
+  MatrixXd V(scale.size(), static_cast<Eigen::Index>(vectors.size()));
+  for (Eigen::Index j = 0; j < V.cols(); ++j)
+    V.col(j) = vectors[static_cast<std::size_t>(j)].cwiseQuotient(scale).normalized();
+  return V;
+}
+
 /// The number that all have, or no_dimension.
 int agreed(const std::vector<Eigen::Index>& numbers) {
   if (numbers.empty()) return no_dimension;
@@ -203,18 +210,31 @@ std::string Study::numbers() const {
   return fmt::format("{} and {}", segments_text(), joined({true_dimension()}));
 }
 
-const Study& Studies::add(const std::string& name, const Case& which) {
-  const Study& s = study(which);
-  lines_.push_back(name + " " + s.numbers());
-  return s;
+Studies::Studies(const std::string& what)
+    : head_(what.empty() ? legend : std::string(legend) + ", " + what) {}
+
+Studies::Studies(const std::string& what, std::initializer_list<int> numbers,
+                 const std::function<std::reference_wrapper<const Study>(int)>& of)
+    : Studies(what) {
+  for (const int n : numbers) add(std::to_string(n) + ":", of(n));
 }
 
-std::string Studies::text() const { return fmt::format("{}: {}", legend, fmt::join(lines_, "; ")); }
+const Study& Studies::add(const std::string& name, const Study& one) {
+  lines_.push_back(name + " " + one.numbers());
+  all_.emplace_back(one);
+  return one;
+}
 
-std::string legend_by(const std::string& what, std::initializer_list<int> numbers,
-                      const std::function<std::string(int)>& of) {
-  const Cases all = by_number(numbers, [&](int n) { return CaseResult{of(n)}; });
-  return fmt::format("{}, by {}: {}", legend, what, all.text());
+std::string Studies::text() const { return fmt::format("{}: {}", head_, fmt::join(lines_, "; ")); }
+
+bool Studies::all(const std::function<bool(const Study&)>& hold) const {
+  return std::ranges::all_of(all_, hold);
+}
+
+std::vector<int> Studies::each(const std::function<int(const Study&)>& of) const {
+  std::vector<int> numbers;
+  for (const Study& s : all_) numbers.push_back(of(s));
+  return numbers;
 }
 
 bool for_all(std::initializer_list<int> numbers, const std::function<bool(int)>& holds) {
@@ -225,19 +245,6 @@ std::vector<int> each_of(std::initializer_list<int> numbers, const std::function
   std::vector<int> all;
   for (const int n : numbers) all.push_back(of(n));
   return all;
-}
-
-Claim studied(std::string id, std::string place, std::string statement, Evidence evidence, Finding printed,
-              Finding corrected) {
-  if (evidence.runs.value == 1) evidence.runs = motions;
-  return assessed(std::move(id), std::move(place), std::move(statement), std::move(evidence), printed,
-                  corrected);
-}
-
-Claim studied(std::string id, std::string place, std::string statement, Evidence evidence, const Worst& worst,
-              double tolerance) {
-  return studied(std::move(id), std::move(place), std::move(statement), std::move(evidence),
-                 worst.printed <= tolerance, worst.ours <= tolerance);
 }
 
 const Study& study(const Case& which) {
@@ -269,10 +276,7 @@ int dimension(const Spaces& spaces) {
 
 Spaces null_spaces(const Study& study, const std::function<MatrixXd(const Course&)>& matrix) {
   Spaces spaces;
-  for (const Course& course : study.courses()) {
-    const MatrixXd M = matrix(course);
-    spaces.push_back(null_space(NoisyRows::exact(M)));
-  }
+  for (const Course& course : study.courses()) spaces.push_back(null_space(NoisyRows::exact(matrix(course))));
   return spaces;
 }
 
@@ -293,10 +297,7 @@ bool contain(const Spaces& spaces, const std::vector<Course>& courses, const Vec
 bool are_basis(const Spaces& spaces, const std::vector<Course>& courses, const Vectors& vectors) {
   if (!contain(spaces, courses, vectors)) return false;
   for (std::size_t i = 0; i < spaces.size(); ++i) {
-    const auto all = vectors(courses[i]);
-    MatrixXd V(spaces[i].column_scale.size(), static_cast<Eigen::Index>(all.size()));
-    for (Eigen::Index j = 0; j < V.cols(); ++j)
-      V.col(j) = all[static_cast<std::size_t>(j)].cwiseQuotient(spaces[i].column_scale).normalized();
+    const MatrixXd V = normalized(vectors(courses[i]), spaces[i].column_scale);
     if (rank_of(V) != V.cols() || V.cols() != spaces[i].nullity) return false;
   }
   return true;
@@ -307,9 +308,7 @@ int span(const std::vector<Course>& courses, const Vectors& vectors) {
   for (const Course& course : courses) {
     const auto all = vectors(course);
     if (all.empty()) return no_dimension;
-    MatrixXd V(all[0].size(), static_cast<Eigen::Index>(all.size()));
-    for (Eigen::Index j = 0; j < V.cols(); ++j) V.col(j) = all[static_cast<std::size_t>(j)].normalized();
-    ranks.push_back(rank_of(V));
+    ranks.push_back(rank_of(normalized(all, VectorXd::Ones(all[0].size()))));
   }
   return agreed(ranks);
 }

@@ -88,6 +88,7 @@ class Study {
  public:
   explicit Study(Case which);
 
+  const Case& which() const { return which_; }
   const std::vector<Course>& courses() const { return courses_; }
   const std::vector<std::string>& error_states() const { return error_states_; }
   const std::vector<std::string>& states() const { return states_; }
@@ -139,27 +140,46 @@ inline constexpr char legend[] =
 /// Studies beside each other.
 class Studies {
  public:
-  const Study& add(const std::string& name, const Case& which);
-  std::string text() const;  ///< `LEGEND: planar 3/2/2 and 3; ...`
-  int runs() const { return motions * static_cast<int>(lines_.size()); }
+  explicit Studies(const std::string& what = "");
+  /// One for each number, for example `by features`.
+  Studies(const std::string& what, std::initializer_list<int> numbers,
+          const std::function<std::reference_wrapper<const Study>(int)>& of);
+  const Study& add(const std::string& name, const Study& one);
+  /// `LEGEND: planar 3/2/2 and 3; ...`, `LEGEND, by features: 1: 3/2/2 and 3; ...`
+  std::string text() const;
+  int cases() const { return static_cast<int>(all_.size()); }
+  auto begin() const { return all_.begin(); }
+  auto end() const { return all_.end(); }
+  bool all(const std::function<bool(const Study&)>& hold) const;
+  std::vector<int> each(const std::function<int(const Study&)>& of) const;
 
  private:
+  std::string head_;
   std::vector<std::string> lines_;
+  std::vector<std::reference_wrapper<const Study>> all_;
 };
 
-/// `LEGEND, by features: 1: 3/2/2 and 3; ...`, with of(number) for what follows each number.
-std::string legend_by(const std::string& what, std::initializer_list<int> numbers,
-                      const std::function<std::string(int)>& of);
+/// By the motion itself; by the SOM of two segments as well; by neither, even in three.
+inline bool fully_observable(const Study& s) { return s.true_dimension() == 0; }
+inline bool observable_in_two(const Study& s) { return s.left(2) == 0 && fully_observable(s); }
+inline bool remains_partial(const Study& s) { return s.left(3) > 0 && s.true_dimension() > 0; }
 
 /// Whether it holds for each of the numbers, for example of segments or features.
 bool for_all(std::initializer_list<int> numbers, const std::function<bool(int)>& holds);
 std::vector<int> each_of(std::initializer_list<int> numbers, const std::function<int(int)>& of);
 
-/// The claim, which rests on all motions of one case where `runs` does not say otherwise.
-Claim studied(std::string id, std::string place, std::string statement, Evidence evidence, Finding printed,
-              Finding corrected = Finding::refuted);
-Claim studied(std::string id, std::string place, std::string statement, Evidence evidence, const Worst& worst,
-              double tolerance);
+/// The claim by assessed(), which rests on all motions of so many cases.
+template <class... Findings>
+Claim studied(int cases, std::string id, std::string place, std::string statement, Evidence evidence,
+              const Findings&... findings) {
+  evidence.runs = cases * motions;
+  return assessed(std::move(id), std::move(place), std::move(statement), std::move(evidence), findings...);
+}
+template <class... Findings>
+Claim studied(std::string id, std::string place, std::string statement, Evidence evidence,
+              const Findings&... findings) {
+  return studied(1, std::move(id), std::move(place), std::move(statement), std::move(evidence), findings...);
+}
 
 /// Each case is studied once.
 const Study& study(const Case& which);

@@ -6,6 +6,7 @@
 #include <Eigen/LU>
 #include <array>
 #include <numbers>
+#include <ranges>
 #include <utility>
 
 #include "experiments/common.hpp"
@@ -17,24 +18,25 @@
 namespace incognita {
 namespace {
 
+using Eigen::MatrixXd, Eigen::Vector2d, Eigen::Vector3d;
+
 constexpr double pi = std::numbers::pi, sigma_bearing = 0.5 * pi / 180;
 
 struct Plane {
   AnyBelief belief;
   BlockId camera = 0;
-  std::vector<Eigen::Vector2d> points;
+  std::vector<Vector2d> points;
   std::vector<BlockId> blocks;
 
   Plane() : Plane({{0.3, 1.8}, {2.2, 0.3}, {1.7, -1.4}}) {}
-  explicit Plane(std::vector<Eigen::Vector2d> places) : points(std::move(places)) {
-    camera = belief.add_vehicle(
-        DifferentialDrive::chart, Eigen::Vector3d::Zero(),
-        Eigen::Vector3d(0.04, 0.04, std::pow(5 * pi / 180, 2)).asDiagonal().toDenseMatrix());
-    for (const Eigen::Vector2d& at : points)
+  explicit Plane(std::vector<Vector2d> places) : points(std::move(places)) {
+    camera = belief.add_vehicle(DifferentialDrive::chart, Vector3d::Zero(),
+                                Vector3d(0.04, 0.04, std::pow(5 * pi / 180, 2)).asDiagonal().toDenseMatrix());
+    for (const Vector2d& at : points)
       blocks.push_back(belief.augment(Chart::line(2), at, {}, 0.25 * Eigen::Matrix2d::Identity()));
   }
 
-  ImaginedStep step_to(const Eigen::Vector2d& position) const {
+  ImaginedStep step_to(const Vector2d& position) const {
     ImaginedStep step{BlockMatrix::Identity(3, 3), 1e-4 * BlockMatrix::Identity(3, 3), {}};
     for (std::size_t i = 0; i < points.size(); ++i) {
       const auto prediction =
@@ -51,52 +53,51 @@ struct Plane {
     return step;
   }
 
-  double gain_at(const Eigen::Vector2d& position) const {
+  /// What the measurements after a step would tell.
+  InformationGain gain_of(const ImaginedStep& step) const {
     InformationGain gain;
     gain.start(belief, camera);
-    gain.push(step_to(position));
-    return gain.of_state();
+    gain.push(step);
+    return gain;
   }
+
+  double gain_at(const Vector2d& position) const { return gain_of(step_to(position)).of_state(); }
 };
 
-Eigen::Vector2d way(int degrees) {
-  return 0.5 * Eigen::Vector2d(std::cos(degrees * pi / 180), std::sin(degrees * pi / 180));
+Vector2d way(int degrees) {
+  return 0.5 * Vector2d(std::cos(degrees * pi / 180), std::sin(degrees * pi / 180));
 }
 
 /// (6.6) by the determinants of the whole covariance, before and after.
-double by_determinants(const Plane& plane, const Eigen::Vector2d& position) {
+double by_determinants(const Plane& plane, const Vector2d& position) {
   const ImaginedStep step = plane.step_to(position);
-  Eigen::MatrixXd P = plane.belief.dense_covariance();
+  MatrixXd P = plane.belief.dense_covariance();
   P.topLeftCorner(3, 3) += step.N;
-  Eigen::MatrixXd H = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(step.measurements.size()), P.cols());
+  MatrixXd H = MatrixXd::Zero(static_cast<Eigen::Index>(step.measurements.size()), P.cols());
   for (std::size_t i = 0; i < step.measurements.size(); ++i) {
     H.block(static_cast<Eigen::Index>(i), 0, 1, 3) = step.measurements[i].Hv;
     H.block(static_cast<Eigen::Index>(i), plane.belief.offset(step.measurements[i].block), 1, 2) =
         step.measurements[i].Hl;
   }
-  const Eigen::MatrixXd S =
-      H * P * H.transpose() + sigma_bearing * sigma_bearing * Eigen::MatrixXd::Identity(H.rows(), H.rows());
-  const Eigen::MatrixXd after = P - P * H.transpose() * S.inverse() * H * P;
+  const MatrixXd S =
+      H * P * H.transpose() + sigma_bearing * sigma_bearing * MatrixXd::Identity(H.rows(), H.rows());
+  const MatrixXd after = P - P * H.transpose() * S.inverse() * H * P;
   return 0.5 * std::log(P.determinant() / after.determinant());
 }
 
 Plot figure(const Plane& plane) {
   Panel map{"(a) from above", "x, m", "y, m", {}, true};
-  const Curve points = path_of("landmarks", Style::stars, Color::ink, plane.points);
-  Curve rose{"gain, 0.25 m a nat", Style::line, {}, {}, {}, Color::blue};
+  std::vector<int> directions;
+  for (int d = -180; d <= 180; d += 3) directions.push_back(d);
+  const auto gain = [&](int d) { return plane.gain_at(way(d)); };
+  const double least = std::ranges::min(directions | std::views::transform(gain));
+  const auto drawn = [&](int d) -> Vector2d { return 2 * (0.1 + 0.25 * (gain(d) - least)) * way(d); };
   Panel by_angle{"(b) by direction", "degrees to the left", "nats", {}};
-  Curve gains{"I(X; Z)", Style::line, {}, {}, {}, Color::blue};
-  double least = 1e9;
-  for (int d = -180; d <= 180; d += 3) least = std::min(least, plane.gain_at(way(d)));
-  for (int d = -180; d <= 180; d += 3) {
-    const double gain = plane.gain_at(way(d)), length = 0.1 + 0.25 * (gain - least);
-    gains.x.push_back(d), gains.y.push_back(gain);
-    rose.x.push_back(2 * length * way(d).x()), rose.y.push_back(2 * length * way(d).y());
-  }
   map.curves = {
       ellipses("2 sigma", plane.points, std::vector<Eigen::Matrix2d>(3, 0.25 * Eigen::Matrix2d::Identity())),
-      points, rose};
-  by_angle.curves = {gains};
+      path_of("landmarks", Style::stars, Color::ink, plane.points),
+      path_of("gain, 0.25 m a nat", Style::line, Color::blue, directions, drawn)};
+  by_angle.curves = {curve_of("I(X; Z)", Style::line, Color::blue, directions, std::identity(), gain)};
   return {"fig-6.2",
           "Information gain of moving 0.5 m in any direction for a camera on a plane",
           2,
@@ -110,15 +111,15 @@ int best_way(const Plane& plane) {
   return best;
 }
 
-double direction_of(const Eigen::Vector2d& p) { return std::atan2(p.y(), p.x()) * 180 / pi; }
+double direction_of(const Vector2d& p) { return std::atan2(p.y(), p.x()) * 180 / pi; }
 
 /// A layout like that of the figure, whose numbers are not printed.
 Plane drawn_landmarks(RandomStream& random) {
   const auto at = [&](double from, double to) {
     const double angle = random.uniform(from, to) * pi / 180, away = random.uniform(1, 2.5);
-    return Eigen::Vector2d(away * std::cos(angle), away * std::sin(angle));
+    return Vector2d(away * std::cos(angle), away * std::sin(angle));
   };
-  const Eigen::Vector2d left = at(70, 100), ahead = at(-10, 15), right = at(-60, -25);
+  const Vector2d left = at(70, 100), ahead = at(-10, 15), right = at(-60, -25);
   return Plane({left, ahead, right});
 }
 
@@ -149,12 +150,12 @@ std::vector<Claim> identities(const Plane& plane) {
   double apart = 0, least = 1e9;
   RandomStream random(6, "section-6.1");
   for (int i = 0; i < 1000; ++i) {
-    const Eigen::Vector2d position(random.uniform(-1, 1), random.uniform(-1, 1));
+    const Vector2d position(random.uniform(-1, 1), random.uniform(-1, 1));
     const double ours = plane.gain_at(position), theirs = by_determinants(plane, position);
     apart = std::max(apart, std::abs(ours - theirs) / (1 + theirs));
     least = std::min(least, ours);
   }
-  const Eigen::MatrixXd large = 1e-4 * Eigen::MatrixXd::Identity(313, 313);
+  const MatrixXd large = 1e-4 * MatrixXd::Identity(313, 313);
   // A Gaussian known exactly but for one number of variance v: -sum p log p is half of 1 + log 2 pi v
   const double variance = 0.3;
   const auto p = [&](double x) { return std::exp(-x * x / (2 * variance)) / std::sqrt(2 * pi * variance); };
@@ -194,9 +195,7 @@ Claim fisher() {
                          2 * landmark_sigma * BlockMatrix::Identity(2, 2), BlockMatrix::Zero(2, 2));
     ImaginedStep step = other.step_to({0, 0});
     step.measurements.resize(1);
-    InformationGain gain;
-    gain.start(other.belief, other.camera);
-    gain.push(step);
+    const InformationGain gain = other.gain_of(step);
     return std::array{gain.fisher_trace(), gain.fisher_trace_given_state(), gain.of_state()};
   };
   const auto uncertain = traces(0.5), certain = traces(0.01);
@@ -218,9 +217,9 @@ Claim fisher() {
 /// Measures the landmarks from all around until they are fully correlated.
 void measure_often(Plane& plane, int measurements, RandomStream& random) {
   for (int i = 0; i < measurements; ++i) {
-    const Eigen::Vector2d position(random.uniform(-1, 1), random.uniform(-1, 1));
+    const Vector2d position(random.uniform(-1, 1), random.uniform(-1, 1));
     const ImaginedStep step = plane.step_to(position);
-    plane.belief.predict({plane.camera, Eigen::Vector3d(position.x(), position.y(), 0), step.A, step.N});
+    plane.belief.predict({plane.camera, Vector3d(position.x(), position.y(), 0), step.A, step.N});
     std::vector<LinearizedMeasurement> seen;
     for (const PredictedMeasurement& measurement : step.measurements) {
       LinearizedMeasurement affine;
@@ -234,44 +233,36 @@ void measure_often(Plane& plane, int measurements, RandomStream& random) {
   }
 }
 
-/// Largest information gain about the map over all directions, nats; and how much less than the best gain is
-/// that of the direction that is best for the camera alone, and for the camera given the map.
-struct Gains {
-  double of_map = 0, lost_by_own = 0, lost_by_own_given_map = 0;
-};
-Gains gains_of_all_directions(const Plane& plane) {
-  Gains gains;
+/// Over all directions, nats: the largest information gain about the map; and how much less than the best gain
+/// is that of the direction that is best for the camera alone, and for the camera given the map.
+Eigen::Array3d gains_of_all_directions(const Plane& plane) {
   const BlockMatrix given_map = vehicle_given_map(plane.belief, plane.camera);
-  double most = 0, most_own = 0, most_given = 0, by_own = 0, by_given = 0;
+  std::vector<double> all, own, own_given_map, of_map;
   for (int d = -180; d < 180; d += 3) {
-    InformationGain gain;
-    gain.start(plane.belief, plane.camera);
-    gain.push(plane.step_to(way(d)));
-    const double of_all = gain.of_state(), own = gain.of_vehicle(),
-                 of_map = gain.of_position_and_map(0, given_map), own_given_map = of_all - of_map;
-    gains.of_map = std::max(gains.of_map, of_map);
-    most = std::max(most, of_all);
-    if (own > most_own) most_own = own, by_own = of_all;
-    if (own_given_map > most_given) most_given = own_given_map, by_given = of_all;
+    const InformationGain gain = plane.gain_of(plane.step_to(way(d)));
+    all.push_back(gain.of_state());
+    own.push_back(gain.of_vehicle());
+    of_map.push_back(gain.of_position_and_map(0, given_map));
+    own_given_map.push_back(all.back() - of_map.back());
   }
-  gains.lost_by_own = most - by_own;
-  gains.lost_by_own_given_map = most - by_given;
-  return gains;
+  const auto lost_by = [&](const std::vector<double>& choice) {
+    return std::ranges::max(all) -
+           all[static_cast<std::size_t>(std::ranges::max_element(choice) - choice.begin())];
+  };
+  return {std::ranges::max(of_map), lost_by(own), lost_by(own_given_map)};
 }
 
 /// In layouts like that of Figure 6.2.
 Claim once_correlated() {
   constexpr int layouts = 30, measurements = 1500;
-  Gains worst;
+  Eigen::Array3d worst = Eigen::Array3d::Zero();
   RandomStream random(7, "section-6.1");
   for (int i = 0; i < layouts; ++i) {
     Plane plane = drawn_landmarks(random);
     measure_often(plane, measurements, random);
-    const Gains gains = gains_of_all_directions(plane);
-    worst.of_map = std::max(worst.of_map, gains.of_map);
-    worst.lost_by_own = std::max(worst.lost_by_own, gains.lost_by_own);
-    worst.lost_by_own_given_map = std::max(worst.lost_by_own_given_map, gains.lost_by_own_given_map);
+    worst = worst.max(gains_of_all_directions(plane));
   }
+  const auto [of_map, lost_by_own, lost_by_own_given_map] = std::array{worst[0], worst[1], worst[2]};
   return assessed(
       "6.1-fully-correlated", "end of Section 6.1.1",
       "Once the map is fully correlated there is no information left to gain about it, and the camera's own "
@@ -281,13 +272,12 @@ Claim once_correlated() {
            fmt::format("worst of {} layouts after {} measurements from all around: {:.4f} nats of the map, "
                        "by the camera's choice {:.3f} nats less than by the best, by its choice given the "
                        "map {:.4f}; in a map not measured yet {:.2f} nats of the map",
-                       layouts, measurements, worst.of_map, worst.lost_by_own, worst.lost_by_own_given_map,
-                       gains_of_all_directions(Plane()).of_map),
+                       layouts, measurements, of_map, lost_by_own, lost_by_own_given_map,
+                       gains_of_all_directions(Plane())[0]),
        .why = "with the camera's entropy given the map. By itself it also counts information about the joint "
               "position of camera and map, which measurements do not have",
        .runs = layouts},
-      worst.of_map < 0.01 && worst.lost_by_own < 0.01,
-      worst.of_map < 0.01 && worst.lost_by_own_given_map < 0.01);
+      of_map < 0.01 && lost_by_own < 0.01, of_map < 0.01 && lost_by_own_given_map < 0.01);
 }
 
 LedgerEntry run(const ExperimentSettings& settings) {

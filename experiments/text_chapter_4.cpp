@@ -17,50 +17,42 @@ namespace {
 
 using inertial::Unaccelerated;
 
-Case of(const std::string& system, int anchors = 0, const std::string& motion = "general") {
-  return {.system = system, .anchors = anchors, .motion = motion};
+const Study& of(const std::string& system, int anchors = 0, const std::string& motion = "general") {
+  return study({.system = system, .anchors = anchors, .motion = motion});
 }
 
-Case relative(const std::string& system, const std::string& motion = "general") {
-  return {.system = system, .representation = "relative", .motion = motion};
+const Study& relative(const std::string& system, const std::string& motion = "general") {
+  return study({.system = system, .representation = "relative", .motion = motion});
 }
-
-/// Whether modes remain unobservable, by the SOM of three segments and by the motion itself.
-bool remains_partial(const Study& s) { return s.left(3) > 0 && s.true_dimension() > 0; }
-
-bool full_in_two(const Study& s) { return s.left(2) == 0 && s.true_dimension() == 0; }
 
 Claim world_is_partial() {
   Studies lines;
-  bool all = true;
   for (const char* system : {"monobot", "planar", "planar-rb", "inertial", "inertial-rb", "planar-cv", "cv6"})
-    all = remains_partial(lines.add(system, of(system))) && all;
-  return studied("text-4-world", "Sections 4.1.1 and 4.1.2",
+    lines.add(system, of(system));
+  return studied(lines.cases(), "text-4-world", "Sections 4.1.1 and 4.1.2",
                  "World-centric maps without anchors are partially observable in any SLAM case",
-                 {.printed = "partially", .measured = lines.text(), .runs = lines.runs()}, all);
+                 {.printed = "partially", .measured = lines.text()}, lines.all(remains_partial));
 }
 
 Claim planar_anchors() {
   Studies lines;
   const Study &moving = lines.add("moving", of("planar", 2)),
               &rest = lines.add("at rest", of("planar", 2, "stationary"));
-  return studied("text-4-planar-anchors", "Section 4.1.1",
+  return studied(lines.cases(), "text-4-planar-anchors", "Section 4.1.1",
                  "With anchors (two) the planar vehicle is fully observable, as long as it translates",
-                 {.printed = "fully", .measured = lines.text(), .runs = lines.runs()},
-                 full_in_two(moving) && remains_partial(rest));
+                 {.printed = "fully", .measured = lines.text()},
+                 observable_in_two(moving) && remains_partial(rest));
 }
 
 Claim planar_at_rest() {
   Studies lines;
-  bool all = true;
   for (const int anchors : {0, 1, 2, 3})
-    all = remains_partial(lines.add(fmt::format("{} anchor{}", anchors, anchors == 1 ? "" : "s"),
-                                    of("planar", anchors, "stationary"))) &&
-          all;
-  all = remains_partial(lines.add("relative map", relative("planar", "stationary"))) && all;
-  return studied("text-4-planar-at-rest", "Section 4.4",
+    lines.add(fmt::format("{} anchor{}", anchors, anchors == 1 ? "" : "s"),
+              of("planar", anchors, "stationary"));
+  lines.add("relative map", relative("planar", "stationary"));
+  return studied(lines.cases(), "text-4-planar-at-rest", "Section 4.4",
                  "At zero velocity the planar vehicle's system simply is unobservable",
-                 {.printed = "unobservable", .measured = lines.text(), .runs = lines.runs()}, all);
+                 {.printed = "unobservable", .measured = lines.text()}, lines.all(remains_partial));
 }
 
 /// The relative inertial map turned about the line on which the body travels: r by v x r, and the
@@ -86,7 +78,7 @@ Claim third_step() {
     return on.stripped_spanned_by(k, turn_about_travel) && dimension(on.total(k)) == 1;
   });
   return studied(
-      "text-4-third-step", "Section 4.4",
+      4, "text-4-third-step", "Section 4.4",
       "Without acceleration the inertial model becomes one of constant velocity, and takes a third step to "
       "full rank of the TOM (relative map)",
       {.printed = "third",
@@ -95,8 +87,7 @@ Claim third_step() {
                                legend, inertial::by_unaccelerated(inertial::relative()),
                                joined(on.total_dimensions()), yes_no(one_for_good)),
        .why = "with f = 0 when it falls. At constant velocity its segments begin on one line, and one "
-              "direction remains unobservable, the turn about it; under gravity f = -g, and two steps do",
-       .runs = 4 * motions},
+              "direction remains unobservable, the turn about it; under gravity f = -g, and two steps do"},
       full_from(falls, 3) && full_from(weightless, 3),
       full_from(falls, 3) && one_for_good && full_from(carried, 2));
 }
@@ -110,19 +101,18 @@ Claim exteroceptive_only() {
   const Study &no_anchor = lines.add("planar-cv without", of("planar-cv")),
               &map = lines.add("relative map", relative("planar-cv")),
               &free = lines.add("cv6 without", of("cv6"));
-  const bool in_truth = full_in_two(flat) && full_in_two(space) &&
+  const bool in_truth = observable_in_two(flat) && observable_in_two(space) &&
                         std::ranges::all_of(std::array{&flat_rest, &space_rest, &no_anchor, &map, &free},
                                             [](const Study* s) { return s->true_dimension() > 0; });
   const bool but_one = std::ranges::all_of(std::array{&flat_rest, &space_rest, &no_anchor, &free},
                                            [](const Study* s) { return s->rank_deficient(3); });
   return studied(
-      "text-4-only-anchors", "Section 4.1.4",
+      lines.cases(), "text-4-only-anchors", "Section 4.1.4",
       "Constant-velocity systems are fully observable with anchors and translation, and with nothing else",
       {.printed = "anchors only",
        .measured = lines.text(),
        .why = "so it is for the motion itself. SOM and TOM of three segments have full rank for the relative "
-              "map as well",
-       .runs = lines.runs()},
+              "map as well"},
       in_truth && but_one && map.rank_deficient(3), in_truth && but_one && map.full_rank(3));
 }
 
@@ -132,7 +122,7 @@ Claim cv_velocities() {
   const auto is_velocity = [](const std::string& state) { return state[0] == 'v' || state[0] == 'w'; };
   for (const char* system : {"planar-cv", "cv6"})
     for (const int anchors : {1, 2, 3}) {
-      const Study& s = study(of(system, anchors));
+      const Study& s = of(system, anchors);
       const auto recovered = std::ranges::count_if(s.observable(1), is_velocity),
                  wanted = std::ranges::count_if(s.error_states(), is_velocity);
       always = always && recovered == wanted;
@@ -140,13 +130,12 @@ Claim cv_velocities() {
       lines.push_back(fmt::format("{}, {}: {} of {}", system, anchors, recovered, wanted));
     }
   return studied(
-      "text-4-cv-velocities", "Section 4.4",
+      6, "text-4-cv-velocities", "Section 4.4",
       "With anchors one segment recovers the velocities of the constant-velocity models",
       {.printed = "recovered",
        .measured = fmt::format("velocities outside N(Q_1) with one feature in {} motions, by anchors: {}",
                                motions, fmt::join(lines, "; ")),
-       .why = "from two anchors on",
-       .runs = 6 * motions},
+       .why = "from two anchors on"},
       always, from_two);
 }
 
@@ -163,22 +152,20 @@ Claim accelerations() {
   Studies lines;
   const Study &changing = lines.add("changing velocities", of("planar-cv")),
               &constant = lines.add("constant velocities", of("planar-cv", 0, "unaccelerated"));
-  Case known = of("planar-cv");
-  known.change = {"known", known_acceleration};
-  const Study &measured = lines.add("known accelerations", known),
+  const Study &measured = lines.add("known accelerations",
+                                    study({.system = "planar-cv", .change = {"known", known_acceleration}})),
               &rest = lines.add("two anchors at rest", of("planar-cv", 2, "stationary"));
   const bool unknown_do_not = changing.dimensions() == constant.dimensions() &&
                               changing.true_dimension() == constant.true_dimension() &&
                               rest.true_dimension() > 0;
   return studied(
-      "text-4-accelerations", "Section 4.4",
+      lines.cases(), "text-4-accelerations", "Section 4.4",
       "In constant-velocity models the accelerations, inputs to the system, do not affect observability; "
       "zero velocity does",
       {.printed = "do not",
        .measured = lines.text(),
        .why =
-           "as noise, which they are here. As known inputs they would make lengths and directions observable",
-       .runs = lines.runs()},
+           "as noise, which they are here. As known inputs they would make lengths and directions observable"},
       unknown_do_not && measured.true_dimension() == constant.true_dimension(),
       unknown_do_not && measured.along_spanned_by(named({"translation"})));  // neither a turn nor a scale
 }
@@ -187,23 +174,20 @@ Claim lower_limit() {
   std::vector<std::string> lines;
   bool settles = true, always = true;
   for (const char* system : {"planar", "inertial", "planar-cv", "cv6"}) {
-    Case which = of(system);
-    which.segments = 6;
-    const Study& s = study(which);
+    const Study& s = study({.system = system, .segments = 6});
     const auto left = s.total_dimensions();
     settles = settles && left[2] == left[3] && left[3] == left[5] && left[5] > 0;
     always = always && contain(s.total(6), s.courses(), named({"translation"})) &&
-             study(of(system)).along_contains(named({"translation"}));
+             of(system).along_contains(named({"translation"}));
     lines.push_back(fmt::format("{} {}", system, s.segments_text()));
   }
-  return studied("text-4-lower-limit", "Section 4.4",
+  return studied(4, "text-4-lower-limit", "Section 4.4",
                  "World-centric maps reach a lower limit of unobservable modes; the global position is among "
                  "them however many segments",
                  {.printed = "a limit",
                   .measured = fmt::format("dimensions left by SOM and TOM after 1/2/3/4/5/6 segments: {}; "
                                           "translations among them, and left by the motion itself: {}",
-                                          fmt::join(lines, "; "), always ? "always" : "not always"),
-                  .runs = 4 * motions},
+                                          fmt::join(lines, "; "), always ? "always" : "not always")},
                  settles && always);
 }
 
@@ -213,16 +197,15 @@ Claim becomes_observable() {
               &space = lines.add("inertial with 2 anchors", of("inertial", 2)),
               &flat_relative = lines.add("planar, relative map", relative("planar")),
               &space_relative = lines.add("inertial, relative map", relative("inertial"));
-  const bool anchors = flat.true_dimension() == 0 && space.true_dimension() == 0;
-  return studied("text-4-observable", "Section 4.4",
+  const bool anchors = fully_observable(flat) && fully_observable(space);
+  return studied(lines.cases(), "text-4-observable", "Section 4.4",
                  "Anchors, or a sensor-centric map with proprioceptive sensors, make the system fully "
                  "observable under a suitable motion",
                  {.printed = "both",
                   .measured = lines.text(),
                   .why = "anchors do. The sensor-centric map keeps one direction, heading and map turned "
-                         "(about the vertical)",
-                  .runs = lines.runs()},
-                 anchors && flat_relative.true_dimension() == 0 && space_relative.true_dimension() == 0,
+                         "(about the vertical)"},
+                 anchors && fully_observable(flat_relative) && fully_observable(space_relative),
                  anchors && flat_relative.along_spanned_by(named({"rotation"})) &&
                      space_relative.along_spanned_by(named({"rotation about z"})));
 }

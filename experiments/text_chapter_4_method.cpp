@@ -70,7 +70,7 @@ Claim steps() {
     };
     same_space = same_space && left_after(n).nullity == 2 && same({left_after(n)}, {left_after(5 * n)});
   }
-  return studied(
+  return assessed(
       "text-4-steps", "below (4.1)", "What is unobservable over n steps is unobservable over any number",
       {.measured = fmt::format(
            "{} random systems of 6 states, 2 of them not observable: left after 6 and after 30 steps: {}",
@@ -100,12 +100,11 @@ Claim condition() {
     else
       ++others, others_kept += s.dimensions() == s.total_dimensions();
   }
-  return studied("text-4-condition", "(4.9), (4.10)",
+  return studied(met + others, "text-4-condition", "(4.9), (4.10)",
                  "Where N(Q_j) is within N(F_j), SOM and TOM have the same null space",
                  {.measured = fmt::format("(4.9) holds in {} of {} cases, in {} of them the null spaces are "
                                           "the same; of the other {} cases the dimensions are in {}",
-                                          met, met + others, kept, others, others_kept),
-                  .runs = motions * (met + others)},
+                                          met, met + others, kept, others, others_kept)},
                  met > 0 && met == kept);
 }
 
@@ -119,49 +118,39 @@ bool only_frozen_rows_see_the_turn() {
          !keeps(of([](const Course& c) -> MatrixXd { return c.forms[0].H * c.forms[0].F; }));
 }
 
-/// TOM of three segments and Lie derivatives beside the motion itself.
-struct Comparison {
-  bool loses_nothing = true, never_too_few = true, agree = true;
-  Cases cases;
-
-  void add(const Case& which) {
-    const Study& s = study(which);
-    const int by_matrices = dimension(s.total(3)), in_truth = s.true_dimension();
-    loses_nothing = loses_nothing && by_matrices == in_truth;
-    never_too_few = never_too_few && by_matrices != no_dimension && by_matrices <= in_truth;
-    agree = agree && dimension(lie(which, 1)) == in_truth;
-    cases.add({fmt::format("{}, {}: {}", which.system, which.anchors, s.numbers())});
-  }
-};
-
 Claim piecewise() {
-  Comparison all;
+  Studies all("systems and anchors");
   for (const char* system : {"planar", "planar-cv", "inertial", "cv6"})
-    for (const int anchors : {0, 1}) all.add({.system = system, .anchors = anchors});
+    for (const int anchors : {0, 1})
+      all.add(fmt::format("{}, {}:", system, anchors), study({.system = system, .anchors = anchors}));
+  const auto left = all.each([](const Study&s) { return dimension(s.total(3)); }),
+             in_truth = all.each([](const Study&s) { return s.true_dimension(); }),
+             by_lie = all.each([](const Study&s) { return dimension(lie(s.which(), 1)); });
+  const bool too_few =
+      std::ranges::equal(left, in_truth, [](int a, int b) { return a != no_dimension && a <= b; });
   const Study& fine = study({.system = "planar", .segments = 20, .segment_s = 0.05});
   const int of_fine = dimension(fine.total(20));
   const bool turn = only_frozen_rows_see_the_turn(),
              no_better = of_fine != no_dimension && of_fine < fine.true_dimension();
   std::string why;
-  if (all.never_too_few && !all.loses_nothing && all.agree && turn)
+  if (too_few && left != in_truth && by_lie == in_truth && turn)
     why =
         "SOM and TOM have too high a rank: H is frozen in a segment while F moves the vehicle, so that H F "
         "is not the change of H";
   if (no_better) why += ". Shorter segments do not help";
   return studied(
-      "text-4-piecewise", "below (4.2), of [55]",
+      9, "text-4-piecewise", "below (4.2), of [55]",
       "Piecewise constant segments keep the characteristic behavior: the TOM leaves what the motion itself "
       "leaves",
       {.printed = "no loss",
        .measured = fmt::format(
-           "{}, systems and anchors: {}. Lie derivatives, at one point each, leave {} the motion does. 20 "
+           "{}. Lie derivatives, at one point each, leave {} the motion does. 20 "
            "short segments on the plane: SOM and TOM leave {} and {}, the motion {}. The turn of all is "
            "observable by H F, but neither by H nor by the motion: {}",
-           legend, all.cases.text(), all.agree ? "what" : "not what", joined({fine.left(20)}),
-           joined({of_fine}), joined({fine.true_dimension()}), yes_no(turn)),
-       .why = why,
-       .runs = 9 * motions},
-      all.loses_nothing && all.agree && of_fine == fine.true_dimension());
+           all.text(), by_lie == in_truth ? "what" : "not what", joined({fine.left(20)}), joined({of_fine}),
+           joined({fine.true_dimension()}), yes_no(turn)),
+       .why = why},
+      left == in_truth && by_lie == in_truth && of_fine == fine.true_dimension());
 }
 
 Claim one_measurement() {
@@ -177,29 +166,25 @@ Claim one_measurement() {
     lines.push_back(fmt::format("{} {}", system, joined(left)));
   }
   return studied(
-      "text-4-one-look", "head of Chapter 4", "One measurement step leaves bearing-only SLAM unobservable",
+      16, "text-4-one-look", "head of Chapter 4",
+      "One measurement step leaves bearing-only SLAM unobservable",
       {.printed = "unobservable",
        .measured = fmt::format("dimensions left by one measurement of one feature, with 0/1/2/3 anchors: {}",
-                               fmt::join(lines, "; ")),
-       .runs = 16 * motions},
+                               fmt::join(lines, "; "))},
       never);
 }
 
 Claim turning_only() {
-  const auto turned = [](const std::string& system) -> const Study& {
-    return study({.system = system, .anchors = 3, .motion = "stationary", .change = turning()});
-  };
-  const Study &flat = turned("planar"), &space = turned("cv6");
-  const bool both = flat.along_spanned_by(named({"depth"})) && space.along_spanned_by(named({"depth"}));
+  Studies turned("with three anchors, turning on the spot");
+  for (const char* system : {"planar", "cv6"})
+    turned.add(system, study({.system = system, .anchors = 3, .motion = "stationary", .change = turning()}));
+  const bool both = turned.all([](const Study& s) { return s.along_spanned_by(named({"depth"})); });
   return studied(
-      "text-4-turning", "head of Chapter 4",
+      turned.cases(), "text-4-turning", "head of Chapter 4",
       "A purely rotating camera has no information about the distance of a feature, however well its pose is "
       "known by anchors",
       {.printed = "nothing",
-       .measured = fmt::format(
-           "{}, with three anchors, turning on the spot: planar {}; cv6 {}; what is left is the distance: {}",
-           legend, flat.numbers(), space.numbers(), yes_no(both)),
-       .runs = 2 * motions},
+       .measured = fmt::format("{}; what is left is the distance: {}", turned.text(), yes_no(both))},
       both);
 }
 
@@ -210,14 +195,13 @@ Claim line_of_sight() {
   const Study &s = straight(feature_within("ahead", {5, 9}, {0, 0})), &aside = straight({});
   const bool distance_alone = s.along_spanned_by(named({"depth"}));
   return studied(
-      "text-4-line-of-sight", "head of Chapter 4",
+      2, "text-4-line-of-sight", "head of Chapter 4",
       "The distance of a feature on the line along which the camera moves is not observable",
       {.printed = "does not",
        .measured = fmt::format(
            "{}, with two anchors, straight on: {}; with the feature straight ahead {}: its distance, {}",
-           legend, aside.numbers(), s.numbers(), yes_no(distance_alone)),
-       .runs = 2 * motions},
-      distance_alone && aside.true_dimension() == 0);
+           legend, aside.numbers(), s.numbers(), yes_no(distance_alone))},
+      distance_alone && fully_observable(aside));
 }
 
 }  // namespace
